@@ -1,0 +1,70 @@
+/* Sub-pixel coordinates. Pixel (x, y) covers [x, x+1) x [y, y+1), its centre
+ * lies at (x + 1/2, y + 1/2), y grows downwards. Vertices are whole numbers of
+ * 1/256 px, from -32,768 px up to and including 32,767 + 255/256 px: so a
+ * difference of two fits 25 bits with its sign. */
+#ifndef PEL_BASE_FIXED_H
+#define PEL_BASE_FIXED_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { PEL_SUBPIXEL_BITS = 8 };
+
+#define PEL_COORDINATE_MIN INT32_C(-8388608)
+#define PEL_COORDINATE_MAX INT32_C(8388607)
+
+/* n pixels in sub-pixels, for constant expressions too. */
+#define PEL_PX(n) ((int32_t)(n)*256)
+
+struct pel_point {
+    int32_t x, y; /* 1/256 px */
+};
+
+/* Initialiser of a point from whole pixels. */
+#define PEL_AT(x, y)         \
+    {                        \
+        PEL_PX(x), PEL_PX(y) \
+    }
+
+/* Everything below shifts negative numbers to the right and wants the floor.
+ * C leaves that to the compiler, so here is the one place that asks. */
+typedef char pel_shift_is_arithmetic[((-3) >> 1) == -2 ? 1 : -1];
+
+/* Pixel that holds a sub-pixel coordinate. */
+static inline int32_t pel_pixel_of(int32_t v)
+{
+    return v >> 8;
+}
+
+/* First pixel whose centre lies at or after v: ceil((v - 128) / 256). */
+static inline int32_t pel_first_pixel(int32_t v)
+{
+    return (v + 127) >> 8;
+}
+
+/* Centre of pixel i; -32,768 <= i <= 32,768. */
+static inline int32_t pel_pixel_center(int32_t i)
+{
+    return i * 256 + 128;
+}
+
+static inline int32_t pel_min(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static inline int32_t pel_max(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* Are all coordinates of n points legal? A legal one plus 2^23 fits 24 bits. */
+static inline bool pel_points_legal(const struct pel_point *v, int32_t n)
+{
+    uint32_t high = 0;
+    for (; n > 0; n--, v++)
+        high |= ((uint32_t)v->x + 0x800000u) | ((uint32_t)v->y + 0x800000u);
+    return high >> 24 == 0;
+}
+
+#endif

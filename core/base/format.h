@@ -1,0 +1,75 @@
+/* Pixel formats: how colours enter and leave memory.
+ *
+ * A format is one const object in one file of core/format. A surface points to
+ * the one it needs, so a program links what it names. The layouts are those of
+ * DRM's fourcc list where it has them: the word is little-endian on every CPU
+ * (rgb888 is B, G, R in memory), except in rgb565_be. */
+#ifndef PEL_BASE_FORMAT_H
+#define PEL_BASE_FORMAT_H
+
+#include "color.h"
+#include "rect.h"
+
+enum pel_format_id {
+    PEL_FORMAT_RGB565_LE = 1, /* 16: R 15..11, G 10..5, B 4..0 */
+    PEL_FORMAT_RGB565_BE,     /* the same, high byte first */
+    PEL_FORMAT_BGR565_LE,     /* 16: B 15..11, G 10..5, R 4..0 */
+    PEL_FORMAT_XRGB1555_LE,   /* 16: X 15, R 14..10, G 9..5, B 4..0 */
+    PEL_FORMAT_RGB888,        /* 24: B, G, R in memory */
+    PEL_FORMAT_BGR888,        /* 24: R, G, B in memory */
+    PEL_FORMAT_XRGB8888,      /* 32: X 31..24, R, G, B 7..0 */
+    PEL_FORMAT_XBGR8888,      /* 32: X 31..24, B, G, R 7..0 */
+    PEL_FORMAT_RGBX8888,      /* 32: R 31..24, G, B, X 7..0 */
+    PEL_FORMAT_BGRX8888,      /* 32: B 31..24, G, R, X 7..0 */
+    PEL_FORMAT_RGB332,        /*  8: R 7..5, G 4..2, B 1..0 */
+    PEL_FORMAT_GRAY8,         /*  8 */
+    PEL_FORMAT_GRAY4,         /*  4: left pixel in the high half of the byte */
+    PEL_FORMAT_MONO1,         /*  1: left pixel in the high bit */
+    PEL_FORMAT_MONO1_PAGES    /*  1: a byte is 8 rows of a column, top in bit 0;
+                                  a surface's stride is that of a page of rows,
+                                  its top row a multiple of 8 */
+};
+
+struct pel_surface;
+
+/* A run of pixels, half-open; empty when x0 >= x1. */
+struct pel_row {
+    int32_t x0, x1; /* px, absolute */
+};
+
+/* What a shape hands to a paint: n runs, all inside the surface's clip, no
+ * pixel twice. Run i lies in line y + i * step: step is 1 (n lines downwards)
+ * or 0 (n runs of one line). */
+struct pel_rows {
+    const struct pel_surface *surface;
+    const struct pel_row *row;
+    int32_t y;
+    uint8_t n, step;
+};
+
+struct pel_format {
+    uint8_t id;   /* enum pel_format_id, never 0 */
+    uint8_t bits; /* of a pixel: 1, 4, 8, 16, 24 or 32 */
+    uint8_t word; /* bytes that pixels and stride are a multiple of */
+
+    /* Colour (alpha ignored) to pixel and back (opaque). 8 to n bits truncates,
+     * n to 8 replicates: pack(unpack(p)) == p. X bits are set. */
+    uint32_t (*pack)(pel_color color);
+    pel_color (*unpack)(uint32_t pixel);
+
+    /* One opaque pixel value into every run. */
+    void (*fill)(const struct pel_rows *rows, uint32_t pixel);
+
+    /* The color over every run, weighted by its alpha. NULL in the fill-only
+     * twins, like load and store: what needs them draws nothing there. */
+    void (*blend)(const struct pel_rows *rows, pel_color color);
+
+    /* n colours to and from the pixels (x, y) to (x + n - 1, y), n >= 1, inside
+     * the surface. store ignores alpha, load gives opaque colours. */
+    void (*store)(const struct pel_surface *surface, int32_t x, int32_t y,
+                  int32_t n, const pel_color *colors);
+    void (*load)(const struct pel_surface *surface, int32_t x, int32_t y,
+                 int32_t n, pel_color *colors);
+};
+
+#endif

@@ -1,0 +1,28 @@
+/* Rectangles of whole pixels, half-open: x0 <= x < x1, y0 <= y < y1. One with
+ * x0 >= x1 or y0 >= y1 is empty. */
+#ifndef PEL_BASE_RECT_H
+#define PEL_BASE_RECT_H
+
+#include "fixed.h"
+
+struct pel_rect {
+    int32_t x0, y0, x1, y1; /* px */
+};
+
+static inline bool pel_rect_empty(const struct pel_rect *r)
+{
+    return r->x0 >= r->x1 || r->y0 >= r->y1;
+}
+
+static inline struct pel_rect pel_rect_intersect(const struct pel_rect *a,
+                                                 const struct pel_rect *b)
+{
+    struct pel_rect r;
+    r.x0 = pel_max(a->x0, b->x0);
+    r.y0 = pel_max(a->y0, b->y0);
+    r.x1 = pel_min(a->x1, b->x1);
+    r.y1 = pel_min(a->y1, b->y1);
+    return r;
+}
+
+#endif

@@ -1,0 +1,16 @@
+/* What the functions that can fail return: those that set something up.
+ * A draw call returns nothing; a shape that is clipped away is no error. */
+#ifndef PEL_BASE_STATUS_H
+#define PEL_BASE_STATUS_H
+
+enum pel_status {
+    PEL_OK = 0,
+    PEL_ERROR_NULL = -1,      /* a pointer that is needed is NULL */
+    PEL_ERROR_SIZE = -2,      /* width, height or rectangle out of range */
+    PEL_ERROR_STRIDE = -3,    /* rows would overlap */
+    PEL_ERROR_ALIGNMENT = -4, /* memory or stride no multiple of a pixel word */
+    PEL_ERROR_SCRATCH = -5,   /* scratch memory too small or not aligned */
+    PEL_ERROR_RANGE = -6      /* coordinate beyond +-32,768 px */
+};
+
+#endif

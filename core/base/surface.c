@@ -1,0 +1,64 @@
+#include "surface.h"
+
+int32_t pel_stride(const struct pel_format *format, int32_t width)
+{
+    if (!format || width < 1 || width > 32767)
+        return 0;
+    if (format->id == PEL_FORMAT_MONO1_PAGES)
+        return width;
+    return (width * format->bits + 7) / 8;
+}
+
+enum pel_status pel_surface_init(struct pel_surface *surface,
+                                 const struct pel_format *format, void *pixels,
+                                 int32_t width, int32_t height)
+{
+    struct pel_rect bounds = {0, 0, width, height};
+    return pel_surface_init_rect(surface, format, pixels,
+                                 pel_stride(format, width), &bounds);
+}
+
+static bool bounds_legal(const struct pel_rect *b)
+{
+    return b->x0 >= -32768 && b->y0 >= -32768 && b->x1 <= 32768 &&
+           b->y1 <= 32768 && !pel_rect_empty(b) && b->x1 - b->x0 <= 32767 &&
+           b->y1 - b->y0 <= 32767;
+}
+
+/* Tiles of packed formats start at a byte. */
+static bool origin_legal(const struct pel_format *f, const struct pel_rect *b)
+{
+    if (f->id == PEL_FORMAT_MONO1_PAGES)
+        return (b->y0 & 7) == 0;
+    return ((b->x0 * f->bits) & 7) == 0;
+}
+
+enum pel_status pel_surface_init_rect(struct pel_surface *surface,
+                                      const struct pel_format *format,
+                                      void *pixels, int32_t stride,
+                                      const struct pel_rect *bounds)
+{
+    if (!surface || !format || !pixels || !bounds)
+        return PEL_ERROR_NULL;
+    if (!bounds_legal(bounds))
+        return PEL_ERROR_SIZE;
+    if (!origin_legal(format, bounds))
+        return PEL_ERROR_ALIGNMENT;
+    int32_t needed = pel_stride(format, bounds->x1 - bounds->x0);
+    if (stride < needed &&
+        (stride > -needed || format->id == PEL_FORMAT_MONO1_PAGES))
+        return PEL_ERROR_STRIDE;
+    if ((uintptr_t)pixels % format->word || stride % format->word)
+        return PEL_ERROR_ALIGNMENT;
+    surface->pixels = pixels;
+    surface->stride = stride;
+    surface->bounds = *bounds;
+    surface->clip = *bounds;
+    surface->format = format;
+    return PEL_OK;
+}
+
+void pel_surface_clip(struct pel_surface *surface, const struct pel_rect *clip)
+{
+    surface->clip = pel_rect_intersect(&surface->bounds, clip);
+}

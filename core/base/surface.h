@@ -1,0 +1,55 @@
+/* Surfaces: a view of the caller's pixels. Nothing is allocated or owned; a
+ * surface may live on the stack and needs no end. */
+#ifndef PEL_BASE_SURFACE_H
+#define PEL_BASE_SURFACE_H
+
+#include <stddef.h>
+
+#include "format.h"
+#include "status.h"
+
+struct pel_surface {
+    void *pixels;           /* where pixel (bounds.x0, bounds.y0) begins */
+    int32_t stride;         /* bytes to the next line down; may be negative */
+    struct pel_rect bounds; /* the pixels that memory holds, absolute */
+    struct pel_rect clip;   /* the pixels that may change; inside bounds */
+    const struct pel_format *format;
+};
+
+/* Bytes of a line of `width` pixels, 1..32,767, with no padding (mono1_pages:
+ * of a page of 8 lines); 0 when width or format is not legal. */
+int32_t pel_stride(const struct pel_format *format, int32_t width);
+
+/* A surface over width x height pixels at (0, 0), 1..32,767 each, lines packed
+ * without padding. The clip is the whole surface.
+ * PEL_ERROR_NULL, PEL_ERROR_SIZE, PEL_ERROR_ALIGNMENT. */
+enum pel_status pel_surface_init(struct pel_surface *surface,
+                                 const struct pel_format *format, void *pixels,
+                                 int32_t width, int32_t height);
+
+/* The general form. `pixels` is where pixel (bounds->x0, bounds->y0) begins,
+ * `stride` leads to the line below it: negative for a bottom-up picture (not in
+ * mono1_pages), larger than pel_stride() for padding, which is never written.
+ * `bounds` are absolute pixels inside -32,768..32,767 (x1 and y1 up to 32,768):
+ * a band or tile of a larger picture is a surface with the bounds of that part,
+ * and what is drawn into the parts equals what is drawn into the whole. For
+ * formats with less than 8 bits a tile begins at a byte (x0 even for gray4, a
+ * multiple of 8 for mono1; y0 a multiple of 8 for mono1_pages). PEL_ERROR_NULL,
+ * PEL_ERROR_SIZE, PEL_ERROR_STRIDE, PEL_ERROR_ALIGNMENT. */
+enum pel_status pel_surface_init_rect(struct pel_surface *surface,
+                                      const struct pel_format *format,
+                                      void *pixels, int32_t stride,
+                                      const struct pel_rect *bounds);
+
+/* Sets the clip to the part of `clip` inside the bounds; may be empty. */
+void pel_surface_clip(struct pel_surface *surface, const struct pel_rect *clip);
+
+/* Where line y begins, that is pixel bounds.x0 of it. size_t-wide arithmetic:
+ * a 240 x 320 surface does not fit 16 bits. */
+static inline uint8_t *pel_surface_line(const struct pel_surface *s, int32_t y)
+{
+    return (uint8_t *)s->pixels +
+           (ptrdiff_t)(y - s->bounds.y0) * (ptrdiff_t)s->stride;
+}
+
+#endif

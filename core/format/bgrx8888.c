@@ -1,0 +1,35 @@
+#include "formats.h"
+#include "word32.h"
+
+static uint32_t pack(pel_color c)
+{
+    return PEL_LE32(pel_blue(c) << 24 | pel_green(c) << 16 | pel_red(c) << 8 |
+                    0xFFu);
+}
+
+static pel_color unpack(uint32_t p)
+{
+    p = PEL_LE32(p);
+    return PEL_RGB(p >> 8 & 255, p >> 16 & 255, p >> 24);
+}
+
+static void blend(const struct pel_rows *rows, pel_color color)
+{
+    pel_blend32(rows, color, pack, unpack);
+}
+
+static void store(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                  const pel_color *colors)
+{
+    pel_store32(pel_address32(s, x, y), n, colors, pack);
+}
+
+static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                 pel_color *colors)
+{
+    pel_load32(pel_address32(s, x, y), n, colors, unpack);
+}
+
+const struct pel_format pel_bgrx8888 = {
+    PEL_FORMAT_BGRX8888, 32, 4, pack, unpack, pel_fill32, blend, store, load,
+};

@@ -1,0 +1,35 @@
+#include <string.h>
+
+#include "packed.h"
+
+/* The bits of one byte that `mask` selects. */
+static void put_bits(uint8_t *p, uint32_t mask, uint32_t byte)
+{
+    *p = (uint8_t)((*p & ~mask) | (byte & mask));
+}
+
+/* Bits [b0, b1) of a line, the high bit of a byte first. */
+static void fill_run(uint8_t *line, int32_t b0, int32_t b1, uint32_t byte)
+{
+    uint8_t *first = line + b0 / 8, *last = line + (b1 - 1) / 8;
+    uint32_t head = 0xFFu >> (b0 & 7), tail = 0xFF00u >> (((b1 - 1) & 7) + 1);
+    if (first == last) {
+        put_bits(first, head & tail, byte);
+        return;
+    }
+    put_bits(first, head, byte);
+    memset(first + 1, (int)byte, (size_t)(last - first - 1));
+    put_bits(last, tail, byte);
+}
+
+void pel_fill_bits(const struct pel_rows *rows, uint32_t byte)
+{
+    const struct pel_surface *s = rows->surface;
+    const struct pel_row *row = rows->row;
+    const int32_t bits = s->format->bits;
+    int32_t y = rows->y;
+    for (int i = 0; i < rows->n; i++, row++, y += rows->step)
+        if (row->x0 < row->x1)
+            fill_run(pel_surface_line(s, y), (row->x0 - s->bounds.x0) * bits,
+                     (row->x1 - s->bounds.x0) * bits, byte);
+}

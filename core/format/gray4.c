@@ -1,0 +1,62 @@
+#include "formats.h"
+#include "packed.h"
+
+static uint32_t pack(pel_color c)
+{
+    return pel_gray(c) >> 4;
+}
+
+static pel_color unpack(uint32_t p)
+{
+    return PEL_RGB(p * 0x11u, p * 0x11u, p * 0x11u);
+}
+
+static uint8_t *byte_of(const struct pel_surface *s, int32_t x, int32_t y)
+{
+    return pel_surface_line(s, y) + (x - s->bounds.x0) / 2;
+}
+
+/* 4 for the left pixel of a byte, 0 for the right one; bounds.x0 is even. */
+static int shift_of(int32_t x)
+{
+    return x & 1 ? 0 : 4;
+}
+
+static uint32_t get(const struct pel_surface *s, int32_t x, int32_t y)
+{
+    return (uint32_t)*byte_of(s, x, y) >> shift_of(x) & 15u;
+}
+
+static void put(const struct pel_surface *s, int32_t x, int32_t y, uint32_t p)
+{
+    uint8_t *byte = byte_of(s, x, y);
+    *byte = (uint8_t)((*byte & ~(15u << shift_of(x))) | p << shift_of(x));
+}
+
+static void fill(const struct pel_rows *rows, uint32_t pixel)
+{
+    pel_fill_bits(rows, pixel * 0x11u);
+}
+
+static void blend(const struct pel_rows *rows, pel_color color)
+{
+    pel_blend_packed(rows, color, &pel_gray4, get, put);
+}
+
+static void store(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                  const pel_color *colors)
+{
+    for (; n > 0; n--)
+        put(s, x++, y, pack(*colors++));
+}
+
+static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                 pel_color *colors)
+{
+    for (; n > 0; n--)
+        *colors++ = unpack(get(s, x++, y));
+}
+
+const struct pel_format pel_gray4 = {
+    PEL_FORMAT_GRAY4, 4, 1, pack, unpack, fill, blend, store, load,
+};

@@ -1,0 +1,16 @@
+#include "formats.h"
+#include "word16.h"
+
+static uint32_t pack(pel_color c)
+{
+    return PEL_BE16((c >> 8 & 0xF800u) | (c >> 5 & 0x07E0u) |
+                    (c >> 3 & 0x001Fu));
+}
+
+const struct pel_format pel_rgb565_be_fill = {
+    .id = PEL_FORMAT_RGB565_BE,
+    .bits = 16,
+    .word = 2,
+    .pack = pack,
+    .fill = pel_fill16,
+};

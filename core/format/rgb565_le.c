@@ -1,0 +1,36 @@
+#include "formats.h"
+#include "word16.h"
+
+static uint32_t pack(pel_color c)
+{
+    return PEL_LE16((c >> 8 & 0xF800u) | (c >> 5 & 0x07E0u) |
+                    (c >> 3 & 0x001Fu));
+}
+
+static pel_color unpack(uint32_t p)
+{
+    p = PEL_LE16(p);
+    return PEL_RGB(pel_widen5(p >> 11), pel_widen6(p >> 5 & 63),
+                   pel_widen5(p & 31));
+}
+
+static void blend(const struct pel_rows *rows, pel_color color)
+{
+    pel_blend16(rows, color, pack, unpack);
+}
+
+static void store(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                  const pel_color *colors)
+{
+    pel_store16(pel_address16(s, x, y), n, colors, pack);
+}
+
+static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                 pel_color *colors)
+{
+    pel_load16(pel_address16(s, x, y), n, colors, unpack);
+}
+
+const struct pel_format pel_rgb565_le = {
+    PEL_FORMAT_RGB565_LE, 16, 2, pack, unpack, pel_fill16, blend, store, load,
+};

@@ -1,0 +1,63 @@
+/* Memory of pixels: words that may alias the caller's array, byte order, and
+ * the address of a run. */
+#ifndef PEL_FORMAT_WORD_H
+#define PEL_FORMAT_WORD_H
+
+#include "../base/surface.h"
+#include "../pel_config.h"
+
+#ifdef __GNUC__
+#define PEL_MAY_ALIAS __attribute__((__may_alias__))
+#define PEL_ALWAYS_INLINE inline __attribute__((__always_inline__))
+#else
+#define PEL_MAY_ALIAS
+#define PEL_ALWAYS_INLINE inline
+#endif
+
+typedef uint8_t pel_word8;
+typedef uint16_t PEL_MAY_ALIAS pel_word16;
+typedef uint32_t PEL_MAY_ALIAS pel_word32;
+
+typedef uint32_t pel_pack_function(pel_color color);
+typedef pel_color pel_unpack_function(uint32_t pixel);
+
+static inline uint32_t pel_swap16(uint32_t v)
+{
+    return (v << 8 & 0xFF00u) | (v >> 8 & 0xFFu);
+}
+
+static inline uint32_t pel_swap32(uint32_t v)
+{
+    return pel_swap16(v) << 16 | pel_swap16(v >> 16);
+}
+
+/* The CPU's value of a word whose bytes in memory are little-endian, and back;
+ * big-endian likewise. */
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+#define PEL_LE16(v) pel_swap16(v)
+#define PEL_BE16(v) (v)
+#define PEL_LE32(v) pel_swap32(v)
+#else
+#define PEL_LE16(v) (v)
+#define PEL_BE16(v) pel_swap16(v)
+#define PEL_LE32(v) (v)
+#endif
+
+/* n bits to 8 by repeating them from the top: 0 stays 0, all ones give 255. */
+static inline uint32_t pel_widen5(uint32_t v)
+{
+    return v << 3 | v >> 2;
+}
+
+static inline uint32_t pel_widen6(uint32_t v)
+{
+    return v << 2 | v >> 4;
+}
+
+/* Bytes from one run's line to the next's. */
+static inline ptrdiff_t pel_rows_pitch(const struct pel_rows *rows)
+{
+    return rows->step ? (ptrdiff_t)rows->surface->stride : 0;
+}
+
+#endif

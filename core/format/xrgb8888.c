@@ -1,0 +1,33 @@
+#include "formats.h"
+#include "word32.h"
+
+static uint32_t pack(pel_color c)
+{
+    return PEL_LE32(UINT32_C(0xFF000000) | c);
+}
+
+static pel_color unpack(uint32_t p)
+{
+    return UINT32_C(0xFF000000) | PEL_LE32(p);
+}
+
+static void blend(const struct pel_rows *rows, pel_color color)
+{
+    pel_blend32(rows, color, pack, unpack);
+}
+
+static void store(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                  const pel_color *colors)
+{
+    pel_store32(pel_address32(s, x, y), n, colors, pack);
+}
+
+static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                 pel_color *colors)
+{
+    pel_load32(pel_address32(s, x, y), n, colors, unpack);
+}
+
+const struct pel_format pel_xrgb8888 = {
+    PEL_FORMAT_XRGB8888, 32, 4, pack, unpack, pel_fill32, blend, store, load,
+};

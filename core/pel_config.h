@@ -1,0 +1,61 @@
+/* Knobs of Pel. Each has a default, so no configuration file is needed; a
+ * program that wants others compiles with -DPEL_CONFIG_FILE='"my_pel.h"' or
+ * with -DPEL_NAME=value. No knob changes a pixel: only speed and size. */
+#ifndef PEL_CONFIG_H
+#define PEL_CONFIG_H
+
+#include <stdint.h>
+
+#ifdef PEL_CONFIG_FILE
+#include PEL_CONFIG_FILE
+#endif
+
+/* What a broken contract does (a vertex out of range, a format that lacks the
+ * function a paint needs). By default nothing: the call draws nothing. */
+#ifndef PEL_ASSERT
+#define PEL_ASSERT(condition) ((void)0)
+#endif
+
+/* 1 on CPUs with 64-bit registers and division: the fast fillers that own
+ * their row loop are compiled in. Costs about 3 KB of code. */
+#ifndef PEL_FAST_64BIT
+#if UINTPTR_MAX > 0xFFFFFFFFu
+#define PEL_FAST_64BIT 1
+#else
+#define PEL_FAST_64BIT 0
+#endif
+#endif
+
+/* 1 where the compiler has 16-byte GNU vectors and the CPU registers for them;
+ * 0 takes plain loops that write the same bytes. */
+#ifndef PEL_VECTORS
+#if defined(__GNUC__) && (defined(__SSE2__) || defined(__ARM_NEON)) && \
+    __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+#define PEL_VECTORS 1
+#else
+#define PEL_VECTORS 0
+#endif
+#endif
+
+/* Rows that a shape hands to a paint at a time: 8 bytes of stack each. */
+#ifndef PEL_BATCH_ROWS
+#if PEL_FAST_64BIT
+#define PEL_BATCH_ROWS 64
+#else
+#define PEL_BATCH_ROWS 12
+#endif
+#endif
+#if PEL_BATCH_ROWS < 8 || PEL_BATCH_ROWS > 255
+#error "PEL_BATCH_ROWS: 8 to 255 rows"
+#endif
+
+/* Pixels of the colour buffer between a paint and a format: 4 bytes of stack
+ * each (8 where a blend reads the destination). */
+#ifndef PEL_BUFFER_PIXELS
+#define PEL_BUFFER_PIXELS 16
+#endif
+#if PEL_BUFFER_PIXELS < 8 || PEL_BUFFER_PIXELS > 255
+#error "PEL_BUFFER_PIXELS: 8 to 255 pixels"
+#endif
+
+#endif

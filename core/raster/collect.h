@@ -1,0 +1,50 @@
+/* Collects the runs of a shape into batches for a paint: lines below one
+ * another, or runs of one line. Clipping is the caller's. */
+#ifndef PEL_RASTER_COLLECT_H
+#define PEL_RASTER_COLLECT_H
+
+#include "paint.h"
+
+struct pel_collector {
+    const struct pel_paint *paint;
+    struct pel_rows rows;
+    struct pel_row row[PEL_BATCH_ROWS];
+};
+
+static inline void pel_collect_begin(struct pel_collector *c,
+                                     const struct pel_surface *surface,
+                                     const struct pel_paint *paint)
+{
+    c->paint = paint;
+    c->rows = (struct pel_rows){surface, c->row, 0, 0, 1};
+}
+
+static inline void pel_collect_end(struct pel_collector *c)
+{
+    if (c->rows.n)
+        c->paint->fill(c->paint, &c->rows);
+    c->rows.n = 0;
+}
+
+/* Can a run in line y join the batch? The second run decides its step. */
+static inline bool pel_collect_joins(struct pel_rows *r, int32_t y)
+{
+    if (r->n == PEL_BATCH_ROWS)
+        return false;
+    if (r->n == 1)
+        r->step = y != r->y;
+    return y == r->y + r->n * r->step;
+}
+
+/* The pixels [x0, x1) of line y, x0 < x1, inside the clip. */
+static inline void pel_collect(struct pel_collector *c, int32_t y, int32_t x0,
+                               int32_t x1)
+{
+    if (c->rows.n && !pel_collect_joins(&c->rows, y))
+        pel_collect_end(c);
+    if (c->rows.n == 0)
+        c->rows.y = y;
+    c->row[c->rows.n++] = (struct pel_row){x0, x1};
+}
+
+#endif

@@ -1,0 +1,133 @@
+#include "fast_triangle.h"
+
+#if PEL_FAST_64BIT
+
+static int64_t floor_divide(int64_t n, int64_t d)
+{
+    int64_t q = n / d;
+    return q - (n % d < 0);
+}
+
+/* At most 128 px high and 16,384 px wide: one division. The edge crosses a row
+ * at X = a.x + t dx / dy sub-pixels; x must be ceil((X - 128) / 256) =
+ * floor(x') + 1 for any x' that lies below (X - 128) / 256 by less than the
+ * distance of that number to the next integer below it. X dy is an integer, so
+ * this distance is at least 1 / (256 dy) >= 2^-23 px = 512 steps of 2^-32 px.
+ * x' starts 256 steps low; flooring the slope to a step per row loses less than
+ * a step a row and two at the start, and dy <= 2^15 means at most 128 rows:
+ * between 256 and 387 steps low, never 512.
+ * |dx| <= 2^22, so the slope fits 2^54 and t times it 2^62. An edge that
+ * crosses no row centre, level ones included, gets a number that is never used:
+ * cheaper than a branch that cannot be predicted. */
+static struct pel_slope start_short(const struct pel_point *a,
+                                    const struct pel_point *b)
+{
+    struct pel_slope e;
+    int64_t dx = b->x - a->x, dy = b->y - a->y;
+    int64_t t = pel_pixel_center(pel_first_pixel(a->y)) - a->y;
+    e.step = floor_divide(dx * INT64_C(4294967296), dy + (dy == 0));
+    e.x = (int64_t)(a->x - 128) * 16777216 + ((t * e.step) >> 8) +
+          INT64_C(4294967296) - 256;
+    return e;
+}
+
+/* At most 4,095 rows: two divisions. The integer part of the first row's x and
+ * the rest m are exact, as in edge.h; x starts in the middle of the interval
+ * that m stands for, (m + 1/2) / dy, and the slope is rounded to the nearest.
+ * Exact while rows (rows + 1) < 2^24: then the sum of slope errors, half a step
+ * of 2^-32 each, stays below half of 1 / dy, dy < 256 (rows + 1). */
+static struct pel_slope start_long(const struct pel_point *a,
+                                   const struct pel_point *b)
+{
+    struct pel_slope e = {0, 0};
+    int64_t dx = b->x - a->x, dy = b->y - a->y;
+    int64_t t = pel_pixel_center(pel_first_pixel(a->y)) - a->y;
+    if (t > dy || dy == 0)
+        return e; /* crosses no row centre, is never walked */
+    int64_t m = ((a->x - 128) * dy + t * dx - 1) >> 8;
+    int64_t x = floor_divide(m, dy);
+    e.x = (x + 1) * INT64_C(4294967296) +
+          (2 * (m - x * dy) + 1) * INT64_C(2147483648) / dy;
+    e.step = floor_divide(dx * INT64_C(8589934592) + dy, 2 * dy);
+    return e;
+}
+
+static struct pel_rect box_of(const struct pel_point v[3])
+{
+    struct pel_rect box;
+    box.x0 = pel_min(pel_min(v[0].x, v[1].x), v[2].x);
+    box.x1 = pel_max(pel_max(v[0].x, v[1].x), v[2].x);
+    box.y0 = pel_min(pel_min(v[0].y, v[1].y), v[2].y);
+    box.y1 = pel_max(pel_max(v[0].y, v[1].y), v[2].y);
+    return box;
+}
+
+static bool inside(const struct pel_rect *box, const struct pel_rect *clip)
+{
+    return box->x0 >= PEL_PX(clip->x0) && box->x1 <= PEL_PX(clip->x1) &&
+           box->y0 >= PEL_PX(clip->y0) && box->y1 <= PEL_PX(clip->y1) &&
+           box->y1 - box->y0 <= PEL_PX(4094);
+}
+
+/* Points as numbers that sort by (y, x): minimum and maximum need no branch,
+ * and the order of random vertices cannot be predicted. */
+static int64_t key_of(const struct pel_point *p)
+{
+    return p->y * INT64_C(4294967296) + (int64_t)((uint32_t)p->x ^ 0x80000000u);
+}
+
+static struct pel_point point_of(int64_t key)
+{
+    uint32_t x = (uint32_t)key ^ 0x80000000u;
+    return (struct pel_point){(int32_t)x, (int32_t)(key >> 32)};
+}
+
+static int64_t min64(int64_t a, int64_t b)
+{
+    return a < b ? a : b;
+}
+
+static int64_t max64(int64_t a, int64_t b)
+{
+    return a > b ? a : b;
+}
+
+static void sort(const struct pel_point v[3], struct pel_point sorted[3])
+{
+    int64_t a = key_of(&v[0]), b = key_of(&v[1]), c = key_of(&v[2]);
+    int64_t low = min64(a, b), high = max64(a, b);
+    sorted[0] = point_of(min64(low, c));
+    sorted[1] = point_of(max64(low, min64(high, c)));
+    sorted[2] = point_of(max64(high, c));
+}
+
+bool pel_fast_triangle(const struct pel_surface *surface,
+                       const struct pel_point v[3],
+                       const struct pel_paint *paint)
+{
+    struct pel_point s[3];
+    struct pel_fast_triangle t;
+    if (!paint->fast)
+        return false;
+    const struct pel_rect box = box_of(v);
+    if (!inside(&box, &surface->clip))
+        return false;
+    sort(v, s);
+    t.y0 = pel_first_pixel(s[0].y);
+    t.y1 = pel_first_pixel(s[1].y);
+    t.y2 = pel_first_pixel(s[2].y);
+    if (t.y0 >= t.y2)
+        return true;
+    if (box.y1 - box.y0 <= 32768 && box.x1 - box.x0 <= 4194304) {
+        t.whole = start_short(&s[0], &s[2]);
+        t.upper = start_short(&s[0], &s[1]);
+        t.lower = start_short(&s[1], &s[2]);
+    } else {
+        t.whole = start_long(&s[0], &s[2]);
+        t.upper = start_long(&s[0], &s[1]);
+        t.lower = start_long(&s[1], &s[2]);
+    }
+    return paint->fast(paint, surface, &t);
+}
+
+#endif

@@ -1,0 +1,43 @@
+/* Triangles with a colour per vertex, interpolated linearly. */
+#ifndef PEL_RASTER_GOURAUD_H
+#define PEL_RASTER_GOURAUD_H
+
+#include "triangle.h"
+
+/* A paint whose channels are planes over the screen, stepped modulo 2^32 in
+ * 8.24 from pixel (0, 0): pixel (x, y) has (at + x * dx + y * dy) >> 24. Since
+ * only the value at covered pixels must fit, a gradient may wrap: slivers need
+ * no special case. Valid on pixels inside the triangle that it was made from;
+ * elsewhere the colours wrap around. Channels: blue, green, red, alpha. */
+struct pel_gouraud {
+    struct pel_paint paint;
+    uint32_t at[4], dx[4], dy[4];
+    bool opaque;
+};
+
+/* The paint of a triangle with the colors c[i] at v[i]. The value at a pixel's
+ * centre is off by at most (|x - x0| + |y - y0|) 2^-17 steps of 255, (x0, y0)
+ * the pixel of the topmost vertex, and never by more than 1/16 step before it
+ * is rounded: at most 1 from the exactly rounded colour. Depends on the
+ * vertices alone, not on their order, the clip or the band. A triangle without
+ * area covers nothing and may get any colour. */
+void pel_gouraud_init(struct pel_gouraud *paint, const struct pel_point v[3],
+                      const pel_color c[3]);
+
+void pel_gouraud_fill(const struct pel_paint *paint,
+                      const struct pel_rows *rows);
+
+#if PEL_FAST_64BIT
+#define PEL_GOURAUD_FAST pel_gouraud_fast
+bool pel_gouraud_fast(const struct pel_paint *paint,
+                      const struct pel_surface *surface,
+                      const struct pel_fast_triangle *triangle);
+#else
+#define PEL_GOURAUD_FAST NULL
+#endif
+
+/* pel_triangle with that paint. */
+void pel_triangle_gouraud(const struct pel_surface *surface,
+                          const struct pel_point v[3], const pel_color c[3]);
+
+#endif

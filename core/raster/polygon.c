@@ -1,0 +1,192 @@
+#include "polygon.h"
+
+#include "collect.h"
+#include "edge.h"
+
+/* One edge of the outline, from its first visible row on. */
+struct side {
+    struct pel_edge edge;
+    int32_t first, end; /* rows, half-open */
+    int32_t winding;    /* +1 downwards, -1 upwards */
+};
+
+/* The scratch memory: n sides, then their order. order[0, active) are the
+ * sides that cross the present row, by x; order[next, count) those to come, by
+ * first row. active <= next always. */
+struct sweep {
+    struct side *side;
+    int32_t *order;
+    int32_t count, next, active;
+    int32_t mask; /* of the winding number: 1 even-odd, -1 non-zero */
+};
+
+size_t pel_polygon_scratch_size(int32_t n)
+{
+    size_t each = sizeof(struct side) + sizeof(int32_t);
+    if (n < 0 || (size_t)n > (size_t)-1 / each)
+        return 0;
+    return (size_t)n * each;
+}
+
+static void add_side(struct sweep *w, const struct pel_point *a,
+                     const struct pel_point *b, const struct pel_rect *clip)
+{
+    struct side *s = &w->side[w->count];
+    s->winding = 1;
+    if (a->y > b->y) {
+        const struct pel_point *t = a;
+        a = b;
+        b = t;
+        s->winding = -1;
+    }
+    s->first = pel_max(pel_first_pixel(a->y), clip->y0);
+    s->end = pel_min(pel_first_pixel(b->y), clip->y1);
+    if (s->first >= s->end)
+        return;
+    pel_edge_start(&s->edge, a, b, s->first);
+    w->order[w->count] = w->count;
+    w->count++;
+}
+
+static int32_t first_of(const struct sweep *w, int32_t i)
+{
+    return w->side[w->order[i]].first;
+}
+
+static void swap(int32_t *a, int32_t *b)
+{
+    int32_t t = *a;
+    *a = *b;
+    *b = t;
+}
+
+/* Heap sort, latest first row on top of the heap. */
+static void sift_down(struct sweep *w, int32_t root, int32_t count)
+{
+    for (int32_t child; (child = 2 * root + 1) < count; root = child) {
+        if (child + 1 < count && first_of(w, child + 1) > first_of(w, child))
+            child++;
+        if (first_of(w, root) >= first_of(w, child))
+            return;
+        swap(&w->order[root], &w->order[child]);
+    }
+}
+
+static void sort_by_first_row(struct sweep *w)
+{
+    for (int32_t i = w->count / 2 - 1; i >= 0; i--)
+        sift_down(w, i, w->count);
+    for (int32_t i = w->count - 1; i > 0; i--) {
+        swap(&w->order[0], &w->order[i]);
+        sift_down(w, 0, i);
+    }
+}
+
+/* Sides that begin in row y join those that cross it. */
+static void enter(struct sweep *w, int32_t y)
+{
+    while (w->next < w->count && first_of(w, w->next) == y)
+        swap(&w->order[w->active++], &w->order[w->next++]);
+}
+
+/* Insertion sort: from row to row few sides change places. */
+static void sort_by_x(struct sweep *w)
+{
+    for (int32_t i = 1; i < w->active; i++) {
+        int32_t moving = w->order[i], x = w->side[moving].edge.x, j = i;
+        for (; j > 0 && w->side[w->order[j - 1]].edge.x > x; j--)
+            w->order[j] = w->order[j - 1];
+        w->order[j] = moving;
+    }
+}
+
+static void emit(struct pel_collector *c, int32_t y, int32_t x0, int32_t x1)
+{
+    const struct pel_rect *clip = &c->rows.surface->clip;
+    x0 = pel_max(x0, clip->x0);
+    x1 = pel_min(x1, clip->x1);
+    if (x0 < x1)
+        pel_collect(c, y, x0, x1);
+}
+
+/* A run lasts from where the outline is entered to where it is left. */
+static void emit_row(const struct sweep *w, struct pel_collector *c, int32_t y)
+{
+    int32_t winding = 0, start = 0;
+    for (int32_t i = 0; i < w->active; i++) {
+        const struct side *s = &w->side[w->order[i]];
+        bool outside = (winding & w->mask) == 0;
+        winding += s->winding;
+        if (outside)
+            start = s->edge.x;
+        else if ((winding & w->mask) == 0)
+            emit(c, y, start, s->edge.x);
+    }
+}
+
+/* Moves on to row y; sides that end there leave. */
+static void advance(struct sweep *w, int32_t y)
+{
+    int32_t kept = 0;
+    for (int32_t i = 0; i < w->active; i++) {
+        struct side *s = &w->side[w->order[i]];
+        if (s->end == y)
+            continue;
+        pel_edge_next(&s->edge);
+        w->order[kept++] = w->order[i];
+    }
+    w->active = kept;
+}
+
+static void sweep_rows(struct sweep *w, struct pel_collector *c)
+{
+    int32_t y = 0;
+    while (w->active || w->next < w->count) {
+        if (w->active == 0)
+            y = first_of(w, w->next);
+        enter(w, y);
+        sort_by_x(w);
+        emit_row(w, c, y);
+        advance(w, ++y);
+    }
+}
+
+static enum pel_status check(const struct pel_outline *p, const void *scratch,
+                             size_t size)
+{
+    if (!p->v || !scratch)
+        return PEL_ERROR_NULL;
+    size_t needed = pel_polygon_scratch_size(p->n);
+    if (needed == 0 || size < needed || (uintptr_t)scratch % 4)
+        return PEL_ERROR_SCRATCH;
+    return pel_points_legal(p->v, p->n) ? PEL_OK : PEL_ERROR_RANGE;
+}
+
+enum pel_status pel_polygon(const struct pel_surface *surface,
+                            const struct pel_outline *outline,
+                            const struct pel_paint *paint, void *scratch,
+                            size_t size)
+{
+    if (!surface || !outline || !paint)
+        return PEL_ERROR_NULL;
+    if (outline->n < 3)
+        return PEL_OK;
+    enum pel_status status = check(outline, scratch, size);
+    if (status != PEL_OK)
+        return status;
+
+    struct side *sides = scratch;
+    struct sweep w = {sides, (int32_t *)(void *)(sides + outline->n), 0, 0,
+                      0,     outline->rule == PEL_EVEN_ODD ? 1 : -1};
+    const struct pel_point *previous = &outline->v[outline->n - 1];
+    for (int32_t i = 0; i < outline->n; i++) {
+        add_side(&w, previous, &outline->v[i], &surface->clip);
+        previous = &outline->v[i];
+    }
+    sort_by_first_row(&w);
+    struct pel_collector c;
+    pel_collect_begin(&c, surface, paint);
+    sweep_rows(&w, &c);
+    pel_collect_end(&c);
+    return PEL_OK;
+}

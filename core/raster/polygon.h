@@ -1,0 +1,34 @@
+/* Filled polygons with any number of vertices. */
+#ifndef PEL_RASTER_POLYGON_H
+#define PEL_RASTER_POLYGON_H
+
+#include "paint.h"
+
+enum pel_fill_rule {
+    PEL_EVEN_ODD, /* inside: a ray crosses the outline an odd number of times */
+    PEL_NON_ZERO  /* inside: the outline winds around the point */
+};
+
+struct pel_outline {
+    const struct pel_point *v; /* the outline is closed from the last to v[0] */
+    int32_t n;                 /* vertices; fewer than 3 cover nothing */
+    enum pel_fill_rule rule;
+};
+
+/* Bytes of scratch memory, aligned to 4, that a polygon of n vertices needs;
+ * 0 when n < 0. About 36 n. */
+size_t pel_polygon_scratch_size(int32_t n);
+
+/* Fills the pixels whose centre is inside, by the rule of raster/edge.h for
+ * centres on an edge: polygons and triangles that share edges cover every pixel
+ * once. The outline may cross itself; no pixel is painted twice. Scratch memory
+ * is the caller's and may be used again after the call.
+ * Time is O(n log n) plus, for every visible row, the edges that cross it.
+ * PEL_ERROR_NULL, PEL_ERROR_SCRATCH (too small, or not aligned to 4),
+ * PEL_ERROR_RANGE (a vertex out of range): nothing is drawn then. */
+enum pel_status pel_polygon(const struct pel_surface *surface,
+                            const struct pel_outline *outline,
+                            const struct pel_paint *paint, void *scratch,
+                            size_t size);
+
+#endif

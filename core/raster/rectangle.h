@@ -1,0 +1,17 @@
+/* Filled rectangles. */
+#ifndef PEL_RASTER_RECTANGLE_H
+#define PEL_RASTER_RECTANGLE_H
+
+#include "paint.h"
+
+/* Fills the pixels whose centre lies in [from.x, to.x) x [from.y, to.y): for
+ * whole pixels (PEL_AT) these are the pixels from `from` up to, not including,
+ * `to`. Nothing when to.x <= from.x or to.y <= from.y. A corner out of range
+ * is a broken contract: PEL_ASSERT, and nothing is drawn. */
+void pel_rectangle(const struct pel_surface *surface, struct pel_point from,
+                   struct pel_point to, const struct pel_paint *paint);
+
+/* Sets every pixel inside the clip to `color`, alpha ignored. */
+void pel_clear(const struct pel_surface *surface, pel_color color);
+
+#endif

@@ -1,0 +1,22 @@
+#include "line.h"
+#include "triangle.h"
+#include "triangle_sort.h"
+
+int64_t pel_triangle_area(const struct pel_point v[3])
+{
+    return (int64_t)(v[1].x - v[0].x) * (v[2].y - v[0].y) -
+           (int64_t)(v[2].x - v[0].x) * (v[1].y - v[0].y);
+}
+
+void pel_triangle_or_line(const struct pel_surface *surface,
+                          const struct pel_point v[3],
+                          const struct pel_paint *paint)
+{
+    const struct pel_point *top, *middle, *bottom;
+    if (!pel_points_legal(v, 3) || pel_triangle_area(v) != 0) {
+        pel_triangle(surface, v, paint);
+        return;
+    }
+    pel_sort3(v, &top, &middle, &bottom);
+    pel_line(surface, *top, *bottom, paint);
+}
