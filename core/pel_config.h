@@ -26,6 +26,16 @@
 #endif
 #endif
 
+/* 1 on CPUs that multiply 32 by 32 to 64 bits with one instruction. */
+#ifndef PEL_LONG_MULTIPLY
+#if PEL_FAST_64BIT || (defined(__ARM_ARCH) && __ARM_ARCH >= 7) ||              \
+    defined(__i386__)
+#define PEL_LONG_MULTIPLY 1
+#else
+#define PEL_LONG_MULTIPLY 0
+#endif
+#endif
+
 /* 1 where the compiler has 16-byte GNU vectors and the CPU registers for them;
  * 0 takes plain loops that write the same bytes. */
 #ifndef PEL_VECTORS
@@ -42,7 +52,7 @@
 #if PEL_FAST_64BIT
 #define PEL_BATCH_ROWS 64
 #else
-#define PEL_BATCH_ROWS 12
+#define PEL_BATCH_ROWS 8
 #endif
 #endif
 #if PEL_BATCH_ROWS < 8 || PEL_BATCH_ROWS > 255

@@ -44,7 +44,7 @@ struct pel_rows {
     const struct pel_surface *surface;
     const struct pel_row *row;
     int32_t y;
-    uint8_t n, step;
+    int32_t n, step; /* n <= PEL_BATCH_ROWS */
 };
 
 struct pel_format {

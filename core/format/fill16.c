@@ -1,13 +1,14 @@
 #include "span16.h"
 
+/* Addresses are counted from column 0, which memory may not hold: as numbers,
+ * not as pointers. */
 void pel_fill16(const struct pel_rows *rows, uint32_t pixel)
 {
-    const struct pel_row *row = rows->row, *end = row + rows->n;
+    const struct pel_row *row = rows->row;
     const pel_value16 value = pel_make_value16(pixel);
-    const ptrdiff_t pitch = pel_rows_pitch(rows);
-    const int32_t left = rows->surface->bounds.x0;
-    uint8_t *line = pel_surface_line(rows->surface, rows->y);
-    for (; row < end; row++, line += pitch)
-        pel_span16((pel_word16 *)(void *)line + (row->x0 - left),
+    const uintptr_t pitch = (uintptr_t)pel_rows_pitch(rows);
+    uintptr_t line = pel_column_zero(rows->surface, rows->y, 2);
+    for (int32_t n = rows->n; n > 0; n--, row++, line += pitch)
+        pel_span16((pel_word16 *)(line + 2 * (uintptr_t)row->x0),
                    row->x1 - row->x0, value);
 }

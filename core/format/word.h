@@ -54,10 +54,19 @@ static inline uint32_t pel_widen6(uint32_t v)
     return v << 2 | v >> 4;
 }
 
+/* The address that column 0 of line y has or would have, pixels being `bytes`
+ * wide; a number, since memory may begin at another column. */
+static inline uintptr_t pel_column_zero(const struct pel_surface *s, int32_t y,
+                                        int bytes)
+{
+    return (uintptr_t)pel_surface_line(s, y) -
+           (uintptr_t)(bytes * (ptrdiff_t)s->bounds.x0);
+}
+
 /* Bytes from one run's line to the next's. */
 static inline ptrdiff_t pel_rows_pitch(const struct pel_rows *rows)
 {
-    return rows->step ? (ptrdiff_t)rows->surface->stride : 0;
+    return (ptrdiff_t)rows->surface->stride * rows->step;
 }
 
 #endif

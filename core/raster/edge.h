@@ -16,16 +16,17 @@
  *     x = ceil((a.x + t dx / dy - 128) / 256)
  *       = floor(((a.x - 128 + t q + 256) dy + t r - 1) / (256 dy)).
  *
- * Split A = a.x - 128 + t q + 256 into 256 (A >> 8) + Af. Then x is A >> 8 plus
- * the carry of m = floor((Af dy + t r - 1) / 256) against dy, and since all
- * numerators move by multiples of 256 from row to row (256 q dy + 256 r), the
- * bits that this floor drops never change: nothing is rounded, nothing drifts.
+ * The numerator is A dy + (t r + dy - 1) with A = a.x + 127 + t q. Split A into
+ * 256 (A >> 8) + Af. Then x is A >> 8 plus the carry of
+ * m = floor((Af dy + t r + dy - 1) / 256) against dy, and since all numerators
+ * move by multiples of 256 from row to row (256 q dy + 256 r), the bits that
+ * this floor drops never change: nothing is rounded, nothing drifts.
  *
  * Ranges. |dx| < 2^24, 0 < dy < 2^24. t <= dy because the row lies below a and
- * above b, so |t q| <= |dx| + t < 2^25 and A fits 27 bits. m >= -1 and
- * m < dy + r < 2 dy: one correction. m is computed in parts of 8 and 16 bits:
- * Af (dy >> 8) and t (r >> 8) are below 2^24, Af (dy & 255) + t (r & 255) below
- * 2^17. So 32 bits carry the full range. */
+ * above b, so |t q| <= |dx| + t < 2^25 and A fits 27 bits. 0 <= m < 2 dy: one
+ * correction. In 32 bits m is computed in parts of 8 and 16 bits: Af (dy >> 8)
+ * and t (r >> 8) are below 2^24, the rest below 2^17 + 2^24. So 32 bits carry
+ * the full range. */
 #ifndef PEL_RASTER_EDGE_H
 #define PEL_RASTER_EDGE_H
 
@@ -39,31 +40,43 @@ struct pel_edge {
     int32_t dy;
 };
 
-/* floor(dx / dy) and the remainder. |dx| < dy needs no division. A CPU that
- * cannot divide subtracts shifted divisors, from the first that fits down:
- * about log2(|dx| / dy) steps. floor(dx / dy) = ~floor(~dx / dy) for dx < 0. */
+/* floor(dx / dy) and the remainder; dy > 0. */
+#if defined(__ARM_ARCH) && !defined(__ARM_FEATURE_IDIV) && !defined(__aarch64__)
+
+/* No divide instruction: subtracts shifted divisors, from the first that fits
+ * down, about log2(|dx| / dy) steps and none for |dx| < dy.
+ * floor(dx / dy) = ~floor(~dx / dy) for dx < 0. */
 static inline int32_t pel_floor_divide(int32_t dx, int32_t dy,
                                        int32_t *remainder)
 {
     uint32_t u = (uint32_t)(dx < 0 ? ~dx : dx), d = (uint32_t)dy, q = 0;
-    if (u >= d) {
-#if defined(__ARM_ARCH) && !defined(__ARM_FEATURE_IDIV)
-        uint32_t bit = 1;
-        for (; d <= u >> 1; d <<= 1)
-            bit <<= 1;
-        for (; bit; bit >>= 1, d >>= 1)
-            if (u >= d) {
-                u -= d;
-                q |= bit;
-            }
-#else
-        q = u / d;
-        u -= q * d;
-#endif
-    }
+    uint32_t bit = 1;
+    for (; d <= u >> 1; d <<= 1)
+        bit <<= 1;
+    for (; bit; bit >>= 1, d >>= 1)
+        if (u >= d) {
+            u -= d;
+            q |= bit;
+        }
     *remainder = dx < 0 ? dy - 1 - (int32_t)u : (int32_t)u;
     return dx < 0 ? ~(int32_t)q : (int32_t)q;
 }
+
+#else
+
+static inline int32_t pel_floor_divide(int32_t dx, int32_t dy,
+                                       int32_t *remainder)
+{
+    int32_t q = dx / dy, r = dx - q * dy;
+    if (r < 0) {
+        r += dy;
+        q--;
+    }
+    *remainder = r;
+    return q;
+}
+
+#endif
 
 /* Moves k >= 0 rows down without walking them: k is added up from doubled
  * steps. k rows lie inside the edge, so |q| k < 2^17 + k, and the doubling that
@@ -89,6 +102,22 @@ static inline void pel_edge_skip(struct pel_edge *e, int32_t k)
     }
 }
 
+/* floor((f dy + t r + dy - 1) / 256); 0 <= f, t < 256, 0 <= r < dy < 2^24. */
+#if PEL_LONG_MULTIPLY
+static inline int32_t pel_edge_carry(int32_t f, int32_t t, int32_t r,
+                                     int32_t dy)
+{
+    return (int32_t)(((int64_t)f * dy + (int64_t)t * r + dy - 1) >> 8);
+}
+#else
+static inline int32_t pel_edge_carry(int32_t f, int32_t t, int32_t r,
+                                     int32_t dy)
+{
+    return f * (dy >> 8) + t * (r >> 8) +
+           ((f * (dy & 255) + t * (r & 255) + dy - 1) >> 8);
+}
+#endif
+
 /* The edge from a down to b, a.y < b.y, at row `top`, which lies on or below
  * the first row of the edge: pel_first_pixel(a.y) <= top <
  * pel_first_pixel(b.y). */
@@ -98,14 +127,9 @@ static inline void pel_edge_start(struct pel_edge *e, const struct pel_point *a,
     const int32_t row = pel_first_pixel(a->y);
     const int32_t dy = b->y - a->y, t = pel_pixel_center(row) - a->y;
     int32_t r, q = pel_floor_divide(b->x - a->x, dy, &r);
-    const int32_t start = a->x - 128 + t * q + 256, fraction = start & 255;
-    int32_t m = fraction * (dy >> 8) + t * (r >> 8) - dy +
-                ((fraction * (dy & 255) + t * (r & 255) - 1) >> 8);
-    int32_t x = start >> 8;
-    if (m < -dy) {
-        m += dy;
-        x--;
-    } else if (m >= 0) {
+    const int32_t start = a->x + 127 + t * q;
+    int32_t x = start >> 8, m = pel_edge_carry(start & 255, t, r, dy) - dy;
+    if (m >= 0) {
         m -= dy;
         x++;
     }

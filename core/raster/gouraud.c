@@ -127,8 +127,9 @@ static void set_level(struct pel_gouraud *p, int k, uint32_t value)
 void pel_gouraud_init(struct pel_gouraud *paint, const struct pel_point v[3],
                       const pel_color c[3])
 {
-    struct setup s;
-    pel_sort3(v, &s.a, &s.b, &s.c);
+    const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
+    pel_sort3(p);
+    struct setup s = {.a = p[0], .b = p[1], .c = p[2]};
     const struct pel_point sorted[3] = {*s.a, *s.b, *s.c};
     const pel_color color[3] = {c[s.a - v], c[s.b - v], c[s.c - v]};
     s.area = pel_points_legal(v, 3) ? pel_triangle_area(sorted) : 0;

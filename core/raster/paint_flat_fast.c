@@ -9,13 +9,14 @@ static void fill32(const struct pel_surface *s,
                    const struct pel_fast_triangle *t, uint32_t pixel)
 {
     const pel_value32 value = pel_make_value32(pixel);
+    const uintptr_t pitch = (uintptr_t)(ptrdiff_t)s->stride;
     struct pel_slope a = t->whole, b = t->upper;
-    uint8_t *line = pel_surface_line(s, t->y0) - 4 * (ptrdiff_t)s->bounds.x0;
-    for (int32_t y = t->y0, n; y < t->y2; y++, line += s->stride) {
+    uintptr_t line = pel_column_zero(s, t->y0, 4);
+    for (int32_t y = t->y0, n; y < t->y2; y++, line += pitch) {
         if (y == t->y1)
             b = t->lower;
         int32_t x = pel_fast_next(&a, &b, &n);
-        pel_span32((pel_word32 *)(void *)line + x, n, value);
+        pel_span32((pel_word32 *)(line + 4 * (uintptr_t)x), n, value);
     }
 }
 
@@ -23,14 +24,14 @@ static void fill16(const struct pel_surface *s,
                    const struct pel_fast_triangle *t, uint32_t pixel)
 {
     const pel_value16 value = pel_make_value16(pixel);
+    const uintptr_t pitch = (uintptr_t)(ptrdiff_t)s->stride;
     struct pel_slope a = t->whole, b = t->upper;
-    uint8_t *line = pel_surface_line(s, t->y0);
-    const int32_t left = s->bounds.x0;
-    for (int32_t y = t->y0, n; y < t->y2; y++, line += s->stride) {
+    uintptr_t line = pel_column_zero(s, t->y0, 2);
+    for (int32_t y = t->y0, n; y < t->y2; y++, line += pitch) {
         if (y == t->y1)
             b = t->lower;
-        int32_t x = pel_fast_next(&a, &b, &n) - left;
-        pel_span16((pel_word16 *)(void *)line + x, n, value);
+        int32_t x = pel_fast_next(&a, &b, &n);
+        pel_span16((pel_word16 *)(line + 2 * (uintptr_t)x), n, value);
     }
 }
 

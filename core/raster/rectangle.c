@@ -8,7 +8,7 @@ static void fill_rows(const struct pel_surface *surface,
     for (int i = 0; i < PEL_BATCH_ROWS; i++)
         row[i] = (struct pel_row){r->x0, r->x1};
     for (; rows.y < r->y1; rows.y += rows.n) {
-        rows.n = (uint8_t)pel_min(r->y1 - rows.y, PEL_BATCH_ROWS);
+        rows.n = pel_min(r->y1 - rows.y, PEL_BATCH_ROWS);
         paint->fill(paint, &rows);
     }
 }

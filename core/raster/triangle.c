@@ -4,50 +4,51 @@
 #include "fast_triangle.h"
 #include "triangle_sort.h"
 
-/* One edge's column of a batch: its state stays in registers. */
-static void walk(struct pel_edge *e, int32_t *x, int32_t n)
+/* A batch is walked edge by edge, so that the state of one edge stays in
+ * registers: first the long edge into the x0 of every row. */
+static void walk_long(struct pel_edge *edge, struct pel_row *row, int32_t n)
 {
-    struct pel_edge w = *e;
+    struct pel_edge e = *edge;
     do {
-        *x = w.x;
-        x += 2; /* the next row's x0, or x1 */
-        pel_edge_next(&w);
-    } while (--n);
-    e->x = w.x;
-    e->m = w.m;
-}
-
-/* Both edges follow one formula, so which is the left one does not matter
- * until here: a row is [min, max) of the two. */
-static void order_and_clip(struct pel_row *row, int32_t n,
-                           const struct pel_rect *clip)
-{
-    do {
-        int32_t a = row->x0, b = row->x1;
-        row->x0 = pel_max(pel_min(a, b), clip->x0);
-        row->x1 = pel_min(pel_max(a, b), clip->x1);
+        row->x0 = e.x;
         row++;
+        pel_edge_next(&e);
     } while (--n);
+    edge->x = e.x;
+    edge->m = e.m;
 }
 
-struct walker {
-    const struct pel_surface *surface;
-    const struct pel_paint *paint;
-    struct pel_edge side[2];
-};
+/* Then the other edge. Both follow one formula, so which of them is the left
+ * one is decided here: a row is [min, max) of the two, inside the clip. */
+static void walk_short(struct pel_edge *edge, struct pel_row *row, int32_t n,
+                       const struct pel_rect *clip)
+{
+    struct pel_edge e = *edge;
+    const int32_t left = clip->x0, right = clip->x1;
+    do {
+        int32_t x = row->x0;
+        row->x0 = pel_max(pel_min(x, e.x), left);
+        row->x1 = pel_min(pel_max(x, e.x), right);
+        row++;
+        pel_edge_next(&e);
+    } while (--n);
+    edge->x = e.x;
+    edge->m = e.m;
+}
 
-/* Rows [y, end) between the two edges. */
-static void fill_half(struct walker *w, int32_t y, int32_t end)
+/* Rows [y, end) between the long edge, side[0], and the short one. */
+static void fill_half(const struct pel_surface *surface,
+                      const struct pel_paint *paint, struct pel_edge side[2],
+                      int32_t y, int32_t end)
 {
     struct pel_row row[PEL_BATCH_ROWS];
-    struct pel_rows rows = {w->surface, row, y, 0, 1};
+    struct pel_rows rows = {surface, row, y, 0, 1};
     for (; rows.y < end; rows.y += rows.n) {
         int32_t n = pel_min(end - rows.y, PEL_BATCH_ROWS);
-        walk(&w->side[0], &row[0].x0, n);
-        walk(&w->side[1], &row[0].x1, n);
-        order_and_clip(row, n, &w->surface->clip);
-        rows.n = (uint8_t)n;
-        w->paint->fill(w->paint, &rows);
+        walk_long(&side[0], row, n);
+        walk_short(&side[1], row, n, &surface->clip);
+        rows.n = n;
+        paint->fill(paint, &rows);
     }
 }
 
@@ -55,29 +56,22 @@ void pel_triangle(const struct pel_surface *surface,
                   const struct pel_point v[3], const struct pel_paint *paint)
 {
     PEL_ASSERT(pel_points_legal(v, 3));
-    if (!pel_points_legal(v, 3))
+    if (!pel_points_legal(v, 3) || pel_fast_triangle(surface, v, paint))
         return;
-    if (pel_fast_triangle(surface, v, paint))
+    const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
+    struct pel_edge side[2];
+    pel_sort_rows(p);
+    int32_t y = pel_max(pel_first_pixel(p[0]->y), surface->clip.y0);
+    int32_t bottom = pel_min(pel_first_pixel(p[2]->y), surface->clip.y1);
+    if (y >= bottom)
         return;
-    const struct pel_point *top, *middle, *bottom;
-    pel_sort3(v, &top, &middle, &bottom);
-
-    struct walker w;
-    int32_t y = pel_max(pel_first_pixel(top->y), surface->clip.y0);
-    int32_t end = pel_min(pel_first_pixel(bottom->y), surface->clip.y1);
-    int32_t bend = pel_min(pel_first_pixel(middle->y), end);
-    if (y >= end)
-        return;
-    w.surface = surface;
-    w.paint = paint;
-    pel_edge_start(&w.side[0], top, bottom, y);
-    if (y < bend) {
-        pel_edge_start(&w.side[1], top, middle, y);
-        fill_half(&w, y, bend);
-        y = bend;
-    }
-    if (y < end) {
-        pel_edge_start(&w.side[1], middle, bottom, y);
-        fill_half(&w, y, end);
+    pel_edge_start(&side[0], p[0], p[2], y);
+    for (int half = 0; half < 2; half++) {
+        int32_t end = pel_min(pel_first_pixel(p[half + 1]->y), bottom);
+        if (y >= end)
+            continue;
+        pel_edge_start(&side[1], p[half], p[half + 1], y);
+        fill_half(surface, paint, side, y, end);
+        y = end;
     }
 }

@@ -12,11 +12,11 @@ void pel_triangle_or_line(const struct pel_surface *surface,
                           const struct pel_point v[3],
                           const struct pel_paint *paint)
 {
-    const struct pel_point *top, *middle, *bottom;
+    const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
     if (!pel_points_legal(v, 3) || pel_triangle_area(v) != 0) {
         pel_triangle(surface, v, paint);
         return;
     }
-    pel_sort3(v, &top, &middle, &bottom);
-    pel_line(surface, *top, *bottom, paint);
+    pel_sort3(p);
+    pel_line(surface, *p[0], *p[2], paint);
 }

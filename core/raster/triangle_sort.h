@@ -5,33 +5,41 @@
 
 #include "../base/fixed.h"
 
+static inline void pel_swap_points(const struct pel_point **a,
+                                   const struct pel_point **b)
+{
+    const struct pel_point *t = *a;
+    *a = *b;
+    *b = t;
+}
+
+/* By height alone: enough where only edges matter. */
+static inline void pel_sort_rows(const struct pel_point *p[3])
+{
+    const struct pel_point *a = p[0], *b = p[1], *c = p[2];
+    if (b->y < a->y)
+        pel_swap_points(&a, &b);
+    if (c->y < b->y)
+        pel_swap_points(&b, &c);
+    if (b->y < a->y)
+        pel_swap_points(&a, &b);
+    p[0] = a;
+    p[1] = b;
+    p[2] = c;
+}
+
+/* By height, and from left to right at one height. */
 static inline bool pel_above(const struct pel_point *a,
                              const struct pel_point *b)
 {
     return a->y < b->y || (a->y == b->y && a->x < b->x);
 }
 
-static inline void pel_sort2(const struct pel_point **a,
-                             const struct pel_point **b)
+static inline void pel_sort3(const struct pel_point *p[3])
 {
-    if (pel_above(*b, *a)) {
-        const struct pel_point *t = *a;
-        *a = *b;
-        *b = t;
-    }
-}
-
-static inline void pel_sort3(const struct pel_point v[3],
-                             const struct pel_point **top,
-                             const struct pel_point **middle,
-                             const struct pel_point **bottom)
-{
-    *top = &v[0];
-    *middle = &v[1];
-    *bottom = &v[2];
-    pel_sort2(top, middle);
-    pel_sort2(middle, bottom);
-    pel_sort2(top, middle);
+    for (int i = 0; i < 3; i++)
+        if (pel_above(p[(i & 1) + 1], p[i & 1]))
+            pel_swap_points(&p[i & 1], &p[(i & 1) + 1]);
 }
 
 #endif
