@@ -1,7 +1,5 @@
 #include "span16.h"
 
-/* Addresses are counted from column 0, which memory may not hold: as numbers,
- * not as pointers. */
 void pel_fill16(const struct pel_rows *rows, uint32_t pixel)
 {
     const struct pel_row *row = rows->row;

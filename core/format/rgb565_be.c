@@ -1,5 +1,5 @@
+#include "blend565.h"
 #include "formats.h"
-#include "word16.h"
 
 static uint32_t pack(pel_color c)
 {
@@ -12,11 +12,6 @@ static pel_color unpack(uint32_t p)
     p = PEL_BE16(p);
     return PEL_RGB(pel_widen5(p >> 11), pel_widen6(p >> 5 & 63),
                    pel_widen5(p & 31));
-}
-
-static void blend(const struct pel_rows *rows, pel_color color)
-{
-    pel_blend16(rows, color, pack, unpack);
 }
 
 static void store(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
@@ -32,5 +27,6 @@ static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
 }
 
 const struct pel_format pel_rgb565_be = {
-    PEL_FORMAT_RGB565_BE, 16, 2, pack, unpack, pel_fill16, blend, store, load,
+    PEL_FORMAT_RGB565_BE, 16,    2,    pack, unpack, pel_fill16,
+    pel_blend565_rows,    store, load,
 };

@@ -1,5 +1,5 @@
+#include "blend32.h"
 #include "formats.h"
-#include "word32.h"
 
 static uint32_t pack(pel_color c)
 {
@@ -9,11 +9,6 @@ static uint32_t pack(pel_color c)
 static pel_color unpack(uint32_t p)
 {
     return UINT32_C(0xFF000000) | PEL_LE32(p) >> 8;
-}
-
-static void blend(const struct pel_rows *rows, pel_color color)
-{
-    pel_blend32(rows, color, pack, unpack);
 }
 
 static void store(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
@@ -29,5 +24,6 @@ static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
 }
 
 const struct pel_format pel_rgbx8888 = {
-    PEL_FORMAT_RGBX8888, 32, 4, pack, unpack, pel_fill32, blend, store, load,
+    PEL_FORMAT_RGBX8888, 32,    4,    pack, unpack, pel_fill32,
+    pel_blend32_rows,    store, load,
 };

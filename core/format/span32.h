@@ -16,45 +16,42 @@ static inline pel_value32 pel_make_value32(uint32_t pixel)
     return (pel_value32){pixel, pixel, pixel, pixel};
 }
 
-/* More than 32 pixels: the first and last 16 are stored already. */
-static inline void pel_span32_middle(pel_word32 *p, const pel_word32 *end,
-                                     pel_value32 v)
+/* Fewer than 4 pixels. Slivers and small shapes have runs of none and of few in
+ * no order; writing none somewhere else costs less than a wrong guess. */
+static inline void pel_span32_short(pel_word32 *p, int32_t n, uint32_t v)
 {
-    do {
-        pel_put_u32x4(p, v);
-        pel_put_u32x4(p + 4, v);
-        pel_put_u32x4(p + 8, v);
-        pel_put_u32x4(p + 12, v);
-        p += 16;
-    } while (p < end);
+    pel_word32 elsewhere;
+    pel_word32 *q = n > 0 ? p : &elsewhere;
+    int32_t last = n > 0 ? n - 1 : 0;
+    q[0] = v;
+    q[last] = v;
+    q[(last + 1) >> 1] = v;
 }
 
 static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
                                          pel_value32 v)
 {
-    pel_word32 *end = p + n;
     if (n < 4) {
-        if (n <= 0)
-            return;
-        p[0] = v[0];
-        p[n >> 1] = v[0];
-        p[n - 1] = v[0];
+        pel_span32_short(p, n, v[0]);
         return;
     }
+    pel_word32 *end = p + n - 4; /* where the last vector goes */
     pel_put_u32x4(p, v);
-    pel_put_u32x4(end - 4, v);
-    if (n <= 8)
-        return;
-    pel_put_u32x4(p + 4, v);
-    pel_put_u32x4(end - 8, v);
-    if (n <= 16)
-        return;
-    pel_put_u32x4(p + 8, v);
-    pel_put_u32x4(p + 12, v);
-    pel_put_u32x4(end - 16, v);
-    pel_put_u32x4(end - 12, v);
-    if (n > 32)
-        pel_span32_middle(p + 16, end - 16, v);
+    p = (pel_word32 *)(((uintptr_t)p + 16) & ~(uintptr_t)15);
+    for (; p < end - 12; p += 16) {
+        pel_put_u32x4(p, v);
+        pel_put_u32x4(p + 4, v);
+        pel_put_u32x4(p + 8, v);
+        pel_put_u32x4(p + 12, v);
+    }
+    if (p < end - 4) {
+        pel_put_u32x4(p, v);
+        pel_put_u32x4(p + 4, v);
+        p += 8;
+    }
+    if (p < end)
+        pel_put_u32x4(p, v);
+    pel_put_u32x4(end, v);
 }
 
 #else

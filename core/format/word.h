@@ -55,12 +55,31 @@ static inline uint32_t pel_widen6(uint32_t v)
 }
 
 /* The address that column 0 of line y has or would have, pixels being `bytes`
- * wide; a number, since memory may begin at another column. */
+ * wide. Addresses are counted from there as numbers, not as pointers: neither
+ * column 0 nor an empty run need lie in memory. */
 static inline uintptr_t pel_column_zero(const struct pel_surface *s, int32_t y,
                                         int bytes)
 {
     return (uintptr_t)pel_surface_line(s, y) -
            (uintptr_t)(bytes * (ptrdiff_t)s->bounds.x0);
+}
+
+/* Asks for the cache lines of a run that is soon written, some rows ahead:
+ * stores retire in order, so each miss would wait for the one before it. The
+ * addresses need not be in memory. (Always inlined: gcc takes a function that
+ * only prefetches for an empty one.) */
+static PEL_ALWAYS_INLINE void pel_prefetch_run(uintptr_t address, int32_t bytes)
+{
+#if PEL_FAST_64BIT && defined(__GNUC__)
+    int32_t i = 0;
+    do {
+        __builtin_prefetch((const void *)(address + (uintptr_t)i), 1);
+        i += 64;
+    } while (i < bytes);
+#else
+    (void)address;
+    (void)bytes;
+#endif
 }
 
 /* Bytes from one run's line to the next's. */

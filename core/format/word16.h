@@ -11,7 +11,7 @@ void pel_fill16(const struct pel_rows *rows, uint32_t pixel);
 static inline pel_word16 *pel_address16(const struct pel_surface *s, int32_t x,
                                         int32_t y)
 {
-    return (pel_word16 *)(void *)pel_surface_line(s, y) + (x - s->bounds.x0);
+    return (pel_word16 *)(pel_column_zero(s, y, 2) + 2 * (uintptr_t)x);
 }
 
 static PEL_ALWAYS_INLINE void pel_blend16(const struct pel_rows *rows,

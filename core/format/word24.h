@@ -10,7 +10,7 @@ void pel_fill24(const struct pel_rows *rows, uint32_t pixel);
 static inline uint8_t *pel_address24(const struct pel_surface *s, int32_t x,
                                      int32_t y)
 {
-    return pel_surface_line(s, y) + 3 * (ptrdiff_t)(x - s->bounds.x0);
+    return (uint8_t *)(pel_column_zero(s, y, 3) + 3 * (uintptr_t)x);
 }
 
 static inline uint32_t pel_get24(const uint8_t *p)

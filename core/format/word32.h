@@ -11,7 +11,7 @@ void pel_fill32(const struct pel_rows *rows, uint32_t pixel);
 static inline pel_word32 *pel_address32(const struct pel_surface *s, int32_t x,
                                         int32_t y)
 {
-    return (pel_word32 *)(void *)pel_surface_line(s, y) + (x - s->bounds.x0);
+    return (pel_word32 *)(pel_column_zero(s, y, 4) + 4 * (uintptr_t)x);
 }
 
 static PEL_ALWAYS_INLINE void pel_blend32(const struct pel_rows *rows,

@@ -11,7 +11,7 @@ void pel_fill8(const struct pel_rows *rows, uint32_t pixel);
 static inline pel_word8 *pel_address8(const struct pel_surface *s, int32_t x,
                                       int32_t y)
 {
-    return (pel_word8 *)(void *)pel_surface_line(s, y) + (x - s->bounds.x0);
+    return (pel_word8 *)(pel_column_zero(s, y, 1) + (uintptr_t)x);
 }
 
 static PEL_ALWAYS_INLINE void pel_blend8(const struct pel_rows *rows,

@@ -1,5 +1,5 @@
+#include "blend32.h"
 #include "formats.h"
-#include "word32.h"
 
 static uint32_t pack(pel_color c)
 {
@@ -10,11 +10,6 @@ static pel_color unpack(uint32_t p)
 {
     p = PEL_LE32(p);
     return PEL_RGB(pel_blue(p), pel_green(p), pel_red(p));
-}
-
-static void blend(const struct pel_rows *rows, pel_color color)
-{
-    pel_blend32(rows, color, pack, unpack);
 }
 
 static void store(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
@@ -30,5 +25,6 @@ static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
 }
 
 const struct pel_format pel_xbgr8888 = {
-    PEL_FORMAT_XBGR8888, 32, 4, pack, unpack, pel_fill32, blend, store, load,
+    PEL_FORMAT_XBGR8888, 32,    4,    pack, unpack, pel_fill32,
+    pel_blend32_rows,    store, load,
 };

@@ -6,6 +6,7 @@
 #ifndef PEL_RASTER_FAST_TRIANGLE_H
 #define PEL_RASTER_FAST_TRIANGLE_H
 
+#include "../format/word.h"
 #include "paint.h"
 
 #if PEL_FAST_64BIT
@@ -21,15 +22,50 @@ struct pel_fast_triangle {
     int32_t y0, y1, y2;            /* first rows of top, middle, bottom */
 };
 
-/* The loop of a writer: x and n of each row. `t` is the writer's own copy. */
-static inline int32_t pel_fast_next(struct pel_slope *a, struct pel_slope *b,
-                                    int32_t *n)
+/* A writer's walk down the rows; it lives in registers. */
+struct pel_fast_walk {
+    struct pel_slope whole, half, lower;
+    int32_t y, bend, end;
+    uintptr_t line, pitch; /* address of column 0; see pel_column_zero */
+};
+
+static PEL_ALWAYS_INLINE struct pel_fast_walk pel_fast_walk_begin(
+    const struct pel_surface *s, const struct pel_fast_triangle *t,
+    int pixel_bytes)
 {
-    int32_t p = (int32_t)(a->x >> 32), q = (int32_t)(b->x >> 32);
-    a->x += a->step;
-    b->x += b->step;
-    *n = p < q ? q - p : p - q;
-    return p < q ? p : q;
+    struct pel_fast_walk w = {t->whole, t->upper, t->lower, t->y0,
+                              t->y1,    t->y2,    0,        0};
+    w.pitch = (uintptr_t)(ptrdiff_t)s->stride;
+    w.line = pel_column_zero(s, t->y0, pixel_bytes) - w.pitch;
+    return w;
+}
+
+/* The next row: n >= 0 pixels from x on, in the line at w->line. */
+static PEL_ALWAYS_INLINE bool pel_fast_walk_next(struct pel_fast_walk *w,
+                                                 int32_t *x, int32_t *n)
+{
+    if (w->y == w->end)
+        return false;
+    if (w->y == w->bend)
+        w->half = w->lower;
+    int32_t p = (int32_t)(w->whole.x >> 32), q = (int32_t)(w->half.x >> 32);
+    w->whole.x += w->whole.step;
+    w->half.x += w->half.step;
+    *x = p < q ? p : q;
+    *n = (p < q ? q : p) - *x;
+    w->line += w->pitch;
+    w->y++;
+    return true;
+}
+
+/* From a pixel to the one below it that the walk will reach some rows on, in
+ * bytes, going by the long edge. */
+static inline uintptr_t pel_fast_walk_ahead(const struct pel_fast_walk *w,
+                                            int rows, int pixel_bytes)
+{
+    int64_t columns = (w->whole.step * rows) >> 32;
+    return (uintptr_t)rows * w->pitch +
+           (uintptr_t)(columns * (int64_t)pixel_bytes);
 }
 
 /* Tries to draw a legal triangle; true when that is done, or it is empty. */

@@ -48,14 +48,13 @@ static struct reciprocal reciprocal_of(int64_t area)
 {
     struct reciprocal r = {0, 0, area < 0};
     uint64_t word = (uint64_t)(area < 0 ? -area : area);
-    while (word < UINT64_C(0x80000000)) {
-        word <<= 1;
-        r.shift++;
-    }
-    while (word > UINT64_C(0xFFFFFFFF)) {
+    for (; word > UINT64_C(0xFFFFFFFF); r.shift--)
         word >>= 1;
-        r.shift--;
-    }
+    for (int step = 16; step > 0; step /= 2)
+        if (word < UINT64_C(1) << (32 - step)) {
+            word <<= step;
+            r.shift += step;
+        }
     r.bits = UINT64_C(0x8000000000000000) / word;
     return r;
 }
@@ -133,7 +132,7 @@ void pel_gouraud_init(struct pel_gouraud *paint, const struct pel_point v[3],
     const struct pel_point sorted[3] = {*s.a, *s.b, *s.c};
     const pel_color color[3] = {c[s.a - v], c[s.b - v], c[s.c - v]};
     s.area = pel_points_legal(v, 3) ? pel_triangle_area(sorted) : 0;
-    s.exact = !reciprocal_is_enough(&s);
+    s.exact = s.area == 0 || !reciprocal_is_enough(&s);
     s.inverse = reciprocal_of(s.exact ? 1 : s.area);
     paint->paint = (struct pel_paint){pel_gouraud_fill, PEL_GOURAUD_FAST};
     paint->opaque = pel_alpha(c[0] & c[1] & c[2]) == 255;

@@ -16,9 +16,9 @@ struct pel_gouraud {
 };
 
 /* The paint of a triangle with the colors c[i] at v[i]. The value at a pixel's
- * centre is off by at most (|x - x0| + |y - y0|) 2^-17 steps of 255, (x0, y0)
- * the pixel of the topmost vertex, and never by more than 1/16 step before it
- * is rounded: at most 1 from the exactly rounded colour. Depends on the
+ * centre is off by at most (|x - x0| + |y - y0| + 1) 2^-17 steps of 255, (x0,
+ * y0) the pixel of the topmost vertex, and never by more than 1/16 step before
+ * it is rounded: at most 1 from the exactly rounded colour. Depends on the
  * vertices alone, not on their order, the clip or the band. A triangle without
  * area covers nothing and may get any colour. */
 void pel_gouraud_init(struct pel_gouraud *paint, const struct pel_point v[3],

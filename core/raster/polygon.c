@@ -53,6 +53,13 @@ static int32_t first_of(const struct sweep *w, int32_t i)
     return w->side[w->order[i]].first;
 }
 
+static int32_t x_of(const struct sweep *w, int32_t i)
+{
+    return w->side[w->order[i]].edge.x;
+}
+
+typedef int32_t key_function(const struct sweep *w, int32_t i);
+
 static void swap(int32_t *a, int32_t *b)
 {
     int32_t t = *a;
@@ -60,25 +67,25 @@ static void swap(int32_t *a, int32_t *b)
     *b = t;
 }
 
-/* Heap sort, latest first row on top of the heap. */
-static void sift_down(struct sweep *w, int32_t root, int32_t count)
+static void sift_down(struct sweep *w, int32_t root, int32_t count,
+                      key_function *key)
 {
     for (int32_t child; (child = 2 * root + 1) < count; root = child) {
-        if (child + 1 < count && first_of(w, child + 1) > first_of(w, child))
+        if (child + 1 < count && key(w, child + 1) > key(w, child))
             child++;
-        if (first_of(w, root) >= first_of(w, child))
+        if (key(w, root) >= key(w, child))
             return;
         swap(&w->order[root], &w->order[child]);
     }
 }
 
-static void sort_by_first_row(struct sweep *w)
+static void heap_sort(struct sweep *w, int32_t count, key_function *key)
 {
-    for (int32_t i = w->count / 2 - 1; i >= 0; i--)
-        sift_down(w, i, w->count);
-    for (int32_t i = w->count - 1; i > 0; i--) {
+    for (int32_t i = count / 2 - 1; i >= 0; i--)
+        sift_down(w, i, count, key);
+    for (int32_t i = count - 1; i > 0; i--) {
         swap(&w->order[0], &w->order[i]);
-        sift_down(w, 0, i);
+        sift_down(w, 0, i, key);
     }
 }
 
@@ -89,14 +96,21 @@ static void enter(struct sweep *w, int32_t y)
         swap(&w->order[w->active++], &w->order[w->next++]);
 }
 
-/* Insertion sort: from row to row few sides change places. */
+/* From row to row few sides change places: insertion sort, which gives up when
+ * many begin or cross. */
 static void sort_by_x(struct sweep *w)
 {
+    int64_t patience = (int64_t)w->active * 8;
     for (int32_t i = 1; i < w->active; i++) {
         int32_t moving = w->order[i], x = w->side[moving].edge.x, j = i;
-        for (; j > 0 && w->side[w->order[j - 1]].edge.x > x; j--)
+        for (; j > 0 && x_of(w, j - 1) > x; j--)
             w->order[j] = w->order[j - 1];
         w->order[j] = moving;
+        patience -= i - j;
+        if (patience < 0) {
+            heap_sort(w, w->active, x_of);
+            return;
+        }
     }
 }
 
@@ -183,7 +197,7 @@ enum pel_status pel_polygon(const struct pel_surface *surface,
         add_side(&w, previous, &outline->v[i], &surface->clip);
         previous = &outline->v[i];
     }
-    sort_by_first_row(&w);
+    heap_sort(&w, w.count, first_of);
     struct pel_collector c;
     pel_collect_begin(&c, surface, paint);
     sweep_rows(&w, &c);

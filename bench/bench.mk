@@ -1,0 +1,125 @@
+# `make bench`: Pel, built by each compiler, against memset and the installed
+# peers. Each build of Pel is one object that shows nothing but its method, so
+# that all of them meet in one program and in one run.
+
+-include bench/mcu/mcu.mk
+
+BENCH := $(BUILD)/bench
+BENCH_PROGRAM := $(BENCH)/pel-bench
+BENCH_REPEATS ?= 21
+BENCH_GCC ?= gcc
+BENCH_CLANG ?= clang
+
+bench_list = $(foreach method,$(1),X($(method)))
+
+# name, compiler, flags
+define bench_build
+$(BENCH)/$(1)/%.o: %.c
+	@mkdir -p $$(@D)
+	$(2) $(PEL_CFLAGS) $(3) -DMETHOD='method_pel_$(subst -,_,$(1))' \
+	    -DMETHOD_BUILD='"$(subst -, -,$(1))"' -c $$< -o $$@
+$(BENCH)/$(1)/libpel.a: $(CORE:%.c=$(BENCH)/$(1)/%.o)
+	rm -f $$@
+	$(AR) rcs $$@ $$^
+$(BENCH)/pel-$(1).o: $(BENCH)/$(1)/bench/method_pel.o $(BENCH)/$(1)/libpel.a
+	$(LD) -r -o $$@.all $$^
+	objcopy --keep-global-symbol=method_pel_$(subst -,_,$(1)) $$@.all $$@
+BENCH_OBJECTS += $(BENCH)/pel-$(1).o
+BENCH_DEPENDENCIES += $(CORE:%.c=$(BENCH)/$(1)/%.d) $(BENCH)/$(1)/bench/method_pel.d
+BENCH_METHODS += method_pel_$(subst -,_,$(1))
+endef
+
+# compiler's short name, command, package
+define bench_compiler
+ifneq ($$(shell command -v $(2)),)
+$$(eval $$(call bench_build,$(1)-O2,$(2),-O2))
+$$(eval $$(call bench_build,$(1)-native,$(2),-O3 -march=native))
+else
+BENCH_ABSENT += compiler $(1): not installed (Debian package $(3)).\n
+endif
+endef
+$(eval $(call bench_compiler,gcc,$(BENCH_GCC),gcc))
+$(eval $(call bench_compiler,clang,$(BENCH_CLANG),clang))
+
+BENCH_SOURCES := $(addprefix bench/, bench.c budget.c canvas.c coverage.c \
+    measure.c method_floor.c method_memset.c methods.c report_csv.c report_table.c \
+    report_verdict.c scale.c timing.c workload.c workload_circle.c workload_polygon.c \
+    workload_triangle.c)
+BENCH_METHODS += method_memset method_floor
+
+# method, name of pkg-config, Debian package
+define bench_peer
+ifeq ($$(shell pkg-config --exists $(2) && echo yes),yes)
+BENCH_SOURCES += bench/peer_$(1).c
+BENCH_METHODS += method_$(1)
+BENCH_FLAGS_$(1) := $$(shell pkg-config --cflags $(2))
+BENCH_LIBRARIES += $$(shell pkg-config --libs $(2))
+else
+BENCH_ABSENT += peer $(1): not installed (Debian package $(3)).\n
+endif
+endef
+$(eval $(call bench_peer,allegro,allegro,liballegro4-dev))
+$(eval $(call bench_peer,sdl2,sdl2,libsdl2-dev))
+$(eval $(call bench_peer,cairo,cairo,libcairo2-dev))
+
+
+# Qt has no C interface: one C++ file.
+ifeq ($(shell pkg-config --exists Qt5Gui && command -v $(CXX) >/dev/null && echo yes),yes)
+BENCH_METHODS += method_qt5
+BENCH_LIBRARIES += $(shell pkg-config --libs Qt5Gui) -lstdc++
+BENCH_OBJECTS += $(BENCH)/host/bench/peer_qt5.o
+else
+BENCH_ABSENT += peer qt5: not installed (Debian packages qtbase5-dev and g++).\n
+endif
+
+BENCH_OBJECTS += $(BENCH_SOURCES:%.c=$(BENCH)/host/%.o)
+
+$(BENCH)/host/bench/methods.o: PEL_CFLAGS += \
+    -DBENCH_METHODS='$(call bench_list,$(BENCH_METHODS))' -DBENCH_ABSENT='"$(subst .\n ,.\n,$(BENCH_ABSENT))"'
+$(BENCH)/host/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(PEL_CFLAGS) -O2 $(BENCH_FLAGS_$(patsubst peer_%,%,$(*F))) -c $< -o $@
+
+$(BENCH)/host/bench/peer_qt5.o: bench/peer_qt5.cpp
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 -Wall -Wextra -Werror -O2 -fPIC -I. -MMD -MP \
+	    $(subst -I/,-isystem /,$(shell pkg-config --cflags Qt5Gui)) -c $< -o $@
+
+$(BENCH_PROGRAM): $(BENCH_OBJECTS)
+	$(CC) $^ $(BENCH_LIBRARIES) -lm -o $@
+
+# Qt 5.15 mixes AVX2 fills with SSE code, which costs a transition per row (four
+# times slower on recent CPUs); its alpha is better with AVX2. Each in the way
+# that suits it.
+.PHONY: bench
+bench: $(BENCH_PROGRAM) ## time Pel, memset and the installed peers
+	QT_NO_CPU_FEATURE=avx2 $(BENCH_PROGRAM) --repeats $(BENCH_REPEATS) \
+	    --skip alpha --csv $(BENCH)/speed.csv
+	$(BENCH_PROGRAM) --repeats $(BENCH_REPEATS) \
+	    --only alpha --csv $(BENCH)/speed.csv --append
+	bench/speed_chart.sh $(BENCH)/speed.csv $(BENCH)/speed.png
+
+BENCH_COUNT_SOURCES := $(addprefix bench/, canvas.c count.c workload.c \
+    workload_circle.c workload_polygon.c workload_triangle.c)
+BENCH_COUNT_OBJECTS := $(BENCH_COUNT_SOURCES:%.c=$(BENCH)/host/%.o) \
+    $(BENCH)/count/methods.o $(filter %-O2.o,$(BENCH_OBJECTS))
+
+$(BENCH)/count/methods.o: bench/methods.c
+	@mkdir -p $(@D)
+	$(CC) $(PEL_CFLAGS) -DBENCH_METHODS='$(call bench_list,$(filter %_O2,$(BENCH_METHODS)))' \
+	    -DBENCH_ABSENT='""' -c $< -o $@
+
+$(BENCH)/pel-count: $(BENCH_COUNT_OBJECTS)
+	$(CC) $^ -lm -o $@
+
+.PHONY: bench-instructions bench-valgrind
+bench-valgrind:
+	@command -v valgrind >/dev/null || { echo "pel: bench: valgrind is not" \
+	    "installed; install the Debian package valgrind" >&2; exit 2; }
+$(BENCH)/host/bench/count.o: | bench-valgrind
+bench-instructions: $(BENCH)/pel-count ## count Pel's instructions per shape
+	bench/instructions.sh $(BENCH)/pel-count $(BENCH)/instructions.csv
+
+-include $(BENCH_SOURCES:%.c=$(BENCH)/host/%.d) $(BENCH_DEPENDENCIES) \
+    $(BENCH)/host/bench/count.d $(BENCH)/host/bench/peer_qt5.d \
+    $(BENCH)/count/methods.d

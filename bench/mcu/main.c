@@ -1,0 +1,130 @@
+/* Instructions per triangle and per pixel on a Cortex-M, counted by SysTick in
+ * an emulator in which time is instructions. Prints `case parameter ticks per`
+ * lines: ticks of all calls, and how many calls or pixels they are for. */
+#include "core/pel.h"
+#include "port/cortex_m/semihost.h"
+#include "port/cortex_m/systick.h"
+
+enum { WIDTH = 240, HEIGHT = 320, TRIANGLES = 200 };
+
+typedef void draw_function(const struct pel_surface *surface,
+                           const struct pel_point v[3],
+                           const struct pel_paint *paint);
+
+static uint16_t pixels[WIDTH * HEIGHT];
+static struct pel_point triangle[TRIANGLES][3];
+
+static const struct pel_surface surface = {
+    .pixels = pixels,
+    .stride = WIDTH * 2,
+    .bounds = {0, 0, WIDTH, HEIGHT},
+    .clip = {0, 0, WIDTH, HEIGHT},
+    .format = &pel_rgb565_le,
+};
+
+static int32_t random_below(uint32_t *state, int32_t limit)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (int32_t)((*state >> 8) % (uint32_t)limit);
+}
+
+/* Triangles with three random vertices in a box of `side` px at a random
+ * sub-pixel place on the screen. */
+static void triangles_make(int32_t side)
+{
+    uint32_t state = 12345;
+    for (int i = 0; i < TRIANGLES; i++) {
+        int32_t x = random_below(&state, (WIDTH - side) * 256);
+        int32_t y = random_below(&state, (HEIGHT - side) * 256);
+        for (int k = 0; k < 3; k++) {
+            triangle[i][k].x = x + random_below(&state, side * 256);
+            triangle[i][k].y = y + random_below(&state, side * 256);
+        }
+    }
+}
+
+static void report(const char *name, int32_t parameter, uint32_t ticks,
+                   uint32_t per)
+{
+    const uint32_t numbers[] = {(uint32_t)parameter, ticks, per};
+    semihost_write(name);
+    for (int i = 0; i < 3; i++) {
+        semihost_write(" ");
+        semihost_write_number(numbers[i]);
+    }
+    semihost_write("\n");
+}
+
+static uint32_t triangles_ticks(draw_function *draw,
+                                const struct pel_paint *paint)
+{
+    uint32_t from = systick_read();
+    for (int i = 0; i < TRIANGLES; i++)
+        draw(&surface, triangle[i], paint);
+    return systick_elapsed(from, systick_read());
+}
+
+/* What the loop itself costs. */
+static void draw_nothing(const struct pel_surface *s,
+                         const struct pel_point v[3], const struct pel_paint *p)
+{
+    (void)s;
+    (void)v;
+    (void)p;
+}
+
+static void fill_nothing(const struct pel_paint *paint,
+                         const struct pel_rows *rows)
+{
+    (void)paint;
+    (void)rows;
+}
+
+static void triangles_report(const char *name, const struct pel_paint *paint)
+{
+    static const int32_t sides[] = {4, 16, 64, 220};
+    draw_function *volatile loop_only = draw_nothing;
+    for (unsigned i = 0; i < sizeof sides / sizeof *sides; i++) {
+        triangles_make(sides[i]);
+        uint32_t loop = triangles_ticks(loop_only, paint);
+        uint32_t ticks = triangles_ticks(pel_triangle, paint);
+        report(name, sides[i], ticks - loop, TRIANGLES);
+    }
+}
+
+static uint32_t rectangle_ticks(int32_t width, const struct pel_paint *paint)
+{
+    const struct pel_point top_left = PEL_AT(10, 10);
+    const struct pel_point bottom_right = PEL_AT(10 + width, HEIGHT - 10);
+    uint32_t from = systick_read();
+    pel_rectangle(&surface, top_left, bottom_right, paint);
+    return systick_elapsed(from, systick_read());
+}
+
+/* The cost of a pixel more in a long run: rows of 208 px less rows of 16. */
+static void pixels_report(const char *name, const struct pel_paint *paint)
+{
+    const int32_t wide = 208, narrow = 16;
+    uint32_t ticks =
+        rectangle_ticks(wide, paint) - rectangle_ticks(narrow, paint);
+    report(name, wide - narrow, ticks,
+           (uint32_t)(wide - narrow) * (HEIGHT - 20));
+}
+
+int main(void)
+{
+    static const struct pel_paint none = {fill_nothing, NULL};
+    static const struct pel_flat flat = PEL_FLAT(PEL_RGB(255, 128, 0));
+    static const struct pel_point screen[3] = {
+        PEL_AT(-300, -10), PEL_AT(540, -10), PEL_AT(120, 700)};
+    static const pel_color colors[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0),
+                                        PEL_RGB(0, 0, 255)};
+    struct pel_gouraud gouraud;
+    pel_gouraud_init(&gouraud, screen, colors);
+    systick_start();
+    triangles_report("walk", &none);
+    triangles_report("fill", &flat.paint);
+    pixels_report("flat-pixel", &flat.paint);
+    pixels_report("gouraud-pixel", &gouraud.paint);
+    return 0;
+}

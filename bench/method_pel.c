@@ -1,0 +1,130 @@
+/* Pel. Compiled once for each compiler together with a core of its own:
+ * METHOD is the name of the object, METHOD_BUILD that of the build. */
+#include "method.h"
+
+#include <stdlib.h>
+
+#include "core/pel.h"
+
+struct item {
+    struct pel_point v[SHAPE_VERTICES];
+    pel_color color[3];
+};
+
+struct job {
+    struct pel_surface surface;
+    struct item *item;
+    int32_t radius; /* 1/256 px */
+    void (*draw)(const struct job *job, const struct item *item, int n);
+    void *scratch; /* of polygons */
+    size_t scratch_size;
+};
+
+static void draw_triangles(const struct job *job, const struct item *item,
+                           int n)
+{
+    for (; n > 0; n--, item++) {
+        const struct pel_flat flat = PEL_FLAT(item->color[0]);
+        pel_triangle(&job->surface, item->v, &flat.paint);
+    }
+}
+
+static void draw_gouraud(const struct job *job, const struct item *item, int n)
+{
+    for (; n > 0; n--, item++)
+        pel_triangle_gouraud(&job->surface, item->v, item->color);
+}
+
+static void draw_circles(const struct job *job, const struct item *item, int n)
+{
+    for (; n > 0; n--, item++) {
+        const struct pel_flat flat = PEL_FLAT(item->color[0]);
+        pel_circle(&job->surface, item->v[0], job->radius, &flat.paint);
+    }
+}
+
+static void draw_polygons(const struct job *job, const struct item *item, int n)
+{
+    for (; n > 0; n--, item++) {
+        const struct pel_flat flat = PEL_FLAT(item->color[0]);
+        const struct pel_outline outline = {item->v, SHAPE_VERTICES,
+                                            PEL_EVEN_ODD};
+        pel_polygon(&job->surface, &outline, &flat.paint, job->scratch,
+                    job->scratch_size);
+    }
+}
+
+static void draw_lines(const struct job *job, const struct item *item, int n)
+{
+    for (; n > 0; n--, item++) {
+        const struct pel_flat flat = PEL_FLAT(item->color[0]);
+        pel_line(&job->surface, item->v[0], item->v[1], &flat.paint);
+    }
+}
+
+static void (*draw_of(const struct workload *w))(const struct job *,
+                                                 const struct item *, int)
+{
+    switch (w->form) {
+    case FORM_CIRCLE:
+        return draw_circles;
+    case FORM_POLYGON:
+        return draw_polygons;
+    case FORM_LINE:
+        return draw_lines;
+    case FORM_TRIANGLE:
+    case FORM_SLIVER:
+        break;
+    }
+    return w->paint == PAINT_GOURAUD ? draw_gouraud : draw_triangles;
+}
+
+/* Circles and lines are about pixel centres, the others about corners. */
+static struct item item_of(const struct workload *w, const struct shape *s)
+{
+    struct item item;
+    const int32_t half =
+        w->form == FORM_CIRCLE || w->form == FORM_LINE ? 128 : 0;
+    const uint32_t alpha = w->paint == PAINT_ALPHA ? WORKLOAD_ALPHA : 255;
+    for (int k = 0; k < SHAPE_VERTICES; k++) {
+        item.v[k].x = PEL_PX(s->x[k]) + half;
+        item.v[k].y = PEL_PX(s->y[k]) + half;
+    }
+    for (int k = 0; k < 3; k++)
+        item.color[k] = s->color[k] | alpha << 24;
+    return item;
+}
+
+static void *open_job(const struct workload *w, const struct canvas *c)
+{
+    struct job *job = method_allocate(1, sizeof *job);
+    const struct pel_format *format =
+        c->bits == 32 ? &pel_xrgb8888 : &pel_rgb565_le;
+    if (pel_surface_init(&job->surface, format, c->pixels, c->width, c->height))
+        method_fail("Pel refuses the canvas", "check its size and alignment");
+    job->item = method_allocate(w->count, sizeof *job->item);
+    for (int i = 0; i < w->count; i++)
+        job->item[i] = item_of(w, &w->shape[i]);
+    job->radius = PEL_PX(w->size);
+    job->draw = draw_of(w);
+    job->scratch_size = pel_polygon_scratch_size(SHAPE_VERTICES);
+    job->scratch = method_allocate(1, job->scratch_size);
+    return job;
+}
+
+static void draw(void *data, int first, int n)
+{
+    const struct job *job = data;
+    job->draw(job, job->item + first, n);
+}
+
+static void close_job(void *data)
+{
+    struct job *job = data;
+    free(job->item);
+    free(job->scratch);
+    free(job);
+}
+
+extern const struct method METHOD;
+const struct method METHOD = {"pel", METHOD_BUILD, open_job, draw, close_job};

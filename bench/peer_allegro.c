@@ -1,0 +1,140 @@
+/* Allegro 4: triangle(), polygon(), circlefill() and line(), with drawing_mode
+ * for alpha, and triangle3d() with POLYTYPE_GRGB for Gouraud. */
+#include "method.h"
+
+#include <stdlib.h>
+
+#define ALLEGRO_NO_MAGIC_MAIN
+#include <allegro.h>
+
+struct item {
+    int point[2 * SHAPE_VERTICES];
+    int color;
+    V3D v[3];
+};
+
+struct job {
+    BITMAP *bitmap;
+    struct item *item;
+    int radius;
+    void (*draw)(BITMAP *bitmap, struct item *item, int n, int radius);
+};
+
+static void draw_triangles(BITMAP *bitmap, struct item *item, int n, int radius)
+{
+    (void)radius;
+    for (; n > 0; n--, item++) {
+        const int *p = item->point;
+        triangle(bitmap, p[0], p[1], p[2], p[3], p[4], p[5], item->color);
+    }
+}
+
+static void draw_gouraud(BITMAP *bitmap, struct item *item, int n, int radius)
+{
+    (void)radius;
+    for (; n > 0; n--, item++)
+        triangle3d(bitmap, POLYTYPE_GRGB, NULL, &item->v[0], &item->v[1],
+                   &item->v[2]);
+}
+
+static void draw_circles(BITMAP *bitmap, struct item *item, int n, int radius)
+{
+    for (; n > 0; n--, item++)
+        circlefill(bitmap, item->point[0], item->point[1], radius, item->color);
+}
+
+static void draw_polygons(BITMAP *bitmap, struct item *item, int n, int radius)
+{
+    (void)radius;
+    for (; n > 0; n--, item++)
+        polygon(bitmap, SHAPE_VERTICES, item->point, item->color);
+}
+
+static void draw_lines(BITMAP *bitmap, struct item *item, int n, int radius)
+{
+    (void)radius;
+    for (; n > 0; n--, item++) {
+        const int *p = item->point;
+        line(bitmap, p[0], p[1], p[2], p[3], item->color);
+    }
+}
+
+static void choose(struct job *job, const struct workload *w)
+{
+    if (w->form == FORM_CIRCLE)
+        job->draw = draw_circles;
+    else if (w->form == FORM_POLYGON)
+        job->draw = draw_polygons;
+    else if (w->form == FORM_LINE)
+        job->draw = draw_lines;
+    else if (w->paint == PAINT_GOURAUD)
+        job->draw = draw_gouraud;
+    else
+        job->draw = draw_triangles;
+}
+
+static struct item item_of(const struct shape *s, int depth)
+{
+    struct item item = {{0}, 0, {{0}}};
+    for (int k = 0; k < SHAPE_VERTICES; k++) {
+        item.point[2 * k] = s->x[k];
+        item.point[2 * k + 1] = s->y[k];
+    }
+    item.color =
+        makecol_depth(depth, (int)(s->color[0] >> 16 & 255),
+                      (int)(s->color[0] >> 8 & 255), (int)(s->color[0] & 255));
+    for (int k = 0; k < 3; k++) {
+        item.v[k].x = itofix(s->x[k]);
+        item.v[k].y = itofix(s->y[k]);
+        item.v[k].c = (int)s->color[k];
+    }
+    return item;
+}
+
+/* A bitmap whose lines lie in the canvas. */
+static BITMAP *bitmap_over(const struct canvas *c)
+{
+    BITMAP *bitmap;
+    if (install_allegro(SYSTEM_NONE, &errno, NULL))
+        method_fail("Allegro does not start", "check its installation");
+    set_color_depth(c->bits);
+    bitmap = create_bitmap_ex(c->bits, c->width, c->height);
+    if (!bitmap)
+        method_fail("Allegro has no memory", "free some and start again");
+    for (int y = 0; y < c->height; y++)
+        bitmap->line[y] = c->pixels + (ptrdiff_t)y * c->stride;
+    return bitmap;
+}
+
+static void *open_job(const struct workload *w, const struct canvas *c)
+{
+    struct job *job = method_allocate(1, sizeof *job);
+    job->bitmap = bitmap_over(c);
+    job->item = method_allocate(w->count, sizeof *job->item);
+    for (int i = 0; i < w->count; i++)
+        job->item[i] = item_of(&w->shape[i], c->bits);
+    job->radius = w->size;
+    choose(job, w);
+    set_trans_blender(0, 0, 0, WORKLOAD_ALPHA);
+    drawing_mode(w->paint == PAINT_ALPHA ? DRAW_MODE_TRANS : DRAW_MODE_SOLID,
+                 NULL, 0, 0);
+    return job;
+}
+
+static void draw(void *data, int first, int n)
+{
+    struct job *job = data;
+    job->draw(job->bitmap, job->item + first, n, job->radius);
+}
+
+static void close_job(void *data)
+{
+    struct job *job = data;
+    destroy_bitmap(job->bitmap);
+    free(job->item);
+    free(job);
+}
+
+extern const struct method method_allegro;
+const struct method method_allegro = {"allegro4", "packaged", open_job, draw,
+                                      close_job};

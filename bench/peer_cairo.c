@@ -1,0 +1,96 @@
+/* cairo without antialiasing: paths that are filled, lines that are stroked. */
+#define _DEFAULT_SOURCE
+#include "method.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include <cairo.h>
+
+struct job {
+    const struct workload *workload;
+    cairo_surface_t *surface;
+    cairo_t *cairo;
+};
+
+static void *open_job(const struct workload *w, const struct canvas *c)
+{
+    if (w->paint == PAINT_GOURAUD)
+        return NULL;
+    struct job *job = method_allocate(1, sizeof *job);
+    job->workload = w;
+    job->surface = cairo_image_surface_create_for_data(
+        c->pixels, c->bits == 32 ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_RGB16_565,
+        c->width, c->height, c->stride);
+    job->cairo = cairo_create(job->surface);
+    if (cairo_status(job->cairo))
+        method_fail(cairo_status_to_string(cairo_status(job->cairo)),
+                    "check the installation of cairo");
+    cairo_set_antialias(job->cairo, CAIRO_ANTIALIAS_NONE);
+    cairo_set_line_width(job->cairo, 1);
+    cairo_set_line_cap(job->cairo, CAIRO_LINE_CAP_SQUARE);
+    return job;
+}
+
+static void set_color(const struct job *job, const struct shape *s)
+{
+    double r = (s->color[0] >> 16 & 255) / 255.0;
+    double g = (s->color[0] >> 8 & 255) / 255.0;
+    double b = (s->color[0] & 255) / 255.0;
+    if (job->workload->paint == PAINT_ALPHA)
+        cairo_set_source_rgba(job->cairo, r, g, b, WORKLOAD_ALPHA / 255.0);
+    else
+        cairo_set_source_rgb(job->cairo, r, g, b);
+}
+
+static void draw_outline(cairo_t *cairo, const struct shape *s, int n)
+{
+    cairo_move_to(cairo, s->x[0], s->y[0]);
+    for (int k = 1; k < n; k++)
+        cairo_line_to(cairo, s->x[k], s->y[k]);
+    cairo_fill(cairo);
+}
+
+static void draw_line(cairo_t *cairo, const struct shape *s)
+{
+    cairo_move_to(cairo, s->x[0] + .5, s->y[0] + .5);
+    cairo_line_to(cairo, s->x[1] + .5, s->y[1] + .5);
+    cairo_stroke(cairo);
+}
+
+static void draw_circle(cairo_t *cairo, const struct shape *s, int radius)
+{
+    cairo_arc(cairo, s->x[0] + .5, s->y[0] + .5, radius, 0, 2 * M_PI);
+    cairo_fill(cairo);
+}
+
+static void draw(void *data, int first, int n)
+{
+    const struct job *job = data;
+    const struct workload *w = job->workload;
+    const int vertices = workload_vertices(w);
+    const struct shape *s = w->shape + first;
+    cairo_surface_mark_dirty(job->surface);
+    for (; n > 0; n--, s++) {
+        set_color(job, s);
+        if (w->form == FORM_CIRCLE)
+            draw_circle(job->cairo, s, w->size);
+        else if (w->form == FORM_LINE)
+            draw_line(job->cairo, s);
+        else
+            draw_outline(job->cairo, s, vertices);
+    }
+    cairo_surface_flush(job->surface);
+}
+
+static void close_job(void *data)
+{
+    struct job *job = data;
+    cairo_destroy(job->cairo);
+    cairo_surface_destroy(job->surface);
+    free(job);
+}
+
+extern const struct method method_cairo;
+const struct method method_cairo = {"cairo", "packaged", open_job, draw,
+                                    close_job};

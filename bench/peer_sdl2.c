@@ -1,0 +1,90 @@
+/* SDL2: SDL_RenderGeometry and lines on a software renderer, one call for all
+ * shapes. */
+#include "method.h"
+
+#include <stdlib.h>
+
+#include <SDL.h>
+
+struct job {
+    SDL_Surface *surface;
+    SDL_Renderer *renderer;
+    const struct workload *workload;
+    SDL_Vertex *vertex;
+};
+
+static SDL_Vertex vertex_of(const struct workload *w, const struct shape *s,
+                            int k)
+{
+    const uint32_t color = s->color[w->paint == PAINT_GOURAUD ? k : 0];
+    SDL_Vertex v = {
+        {(float)s->x[k], (float)s->y[k]},
+        {(uint8_t)(color >> 16), (uint8_t)(color >> 8), (uint8_t)color, 255},
+        {0, 0}};
+    if (w->paint == PAINT_ALPHA)
+        v.color.a = WORKLOAD_ALPHA;
+    return v;
+}
+
+static void open_renderer(struct job *job, const struct canvas *c)
+{
+    const Uint32 format =
+        c->bits == 32 ? SDL_PIXELFORMAT_RGB888 : SDL_PIXELFORMAT_RGB565;
+    job->surface = SDL_CreateRGBSurfaceWithFormatFrom(
+        c->pixels, c->width, c->height, c->bits, c->stride, format);
+    if (job->surface)
+        job->renderer = SDL_CreateSoftwareRenderer(job->surface);
+    if (!job->renderer)
+        method_fail(SDL_GetError(), "check the installation of SDL2");
+}
+
+static void *open_job(const struct workload *w, const struct canvas *c)
+{
+    if (w->form == FORM_CIRCLE || w->form == FORM_POLYGON)
+        return NULL;
+    struct job *job = method_allocate(1, sizeof *job);
+    open_renderer(job, c);
+    SDL_SetRenderDrawBlendMode(job->renderer, w->paint == PAINT_ALPHA
+                                                  ? SDL_BLENDMODE_BLEND
+                                                  : SDL_BLENDMODE_NONE);
+    job->workload = w;
+    job->vertex = method_allocate(w->count * 3, sizeof *job->vertex);
+    for (int i = 0; i < w->count * 3; i++)
+        job->vertex[i] = vertex_of(w, &w->shape[i / 3], i % 3);
+    return job;
+}
+
+static void draw_lines(const struct job *job, int first, int n)
+{
+    const struct shape *s = job->workload->shape + first;
+    for (; n > 0; n--, s++) {
+        SDL_SetRenderDrawColor(job->renderer, (uint8_t)(s->color[0] >> 16),
+                               (uint8_t)(s->color[0] >> 8),
+                               (uint8_t)s->color[0], 255);
+        SDL_RenderDrawLine(job->renderer, s->x[0], s->y[0], s->x[1], s->y[1]);
+    }
+}
+
+static void draw(void *data, int first, int n)
+{
+    const struct job *job = data;
+    if (job->workload->form == FORM_LINE)
+        draw_lines(job, first, n);
+    else if (SDL_RenderGeometry(job->renderer, NULL, job->vertex + first * 3,
+                                n * 3, NULL, 0))
+        method_fail(SDL_GetError(), "SDL2 2.0.18 or later is needed");
+    SDL_RenderFlush(job->renderer);
+}
+
+static void close_job(void *data)
+{
+    struct job *job = data;
+    SDL_DestroyRenderer(job->renderer);
+    SDL_FreeSurface(job->surface);
+    free(job->vertex);
+    free(job);
+}
+
+extern const struct method method_sdl2;
+const struct method method_sdl2 = {"sdl2", "packaged", open_job, draw,
+                                   close_job};

@@ -1,0 +1,25 @@
+/* What the measurements say: a CSV file for programs, tables for people. */
+#ifndef BENCH_REPORT_H
+#define BENCH_REPORT_H
+
+#include <stdio.h>
+
+#include "budget.h"
+#include "measure.h"
+
+/* Columns: compiler, workload, method, ns, q1, q3, ratio_to_memset,
+ * ratio_to_best_peer, budget_ns, budget_by_memset, budget_by_peer, pixels,
+ * more_percent, wrong_percent; empty where there is nothing to say. */
+void report_csv_header(FILE *out);
+void report_csv(FILE *out, const struct measurement *m,
+                const struct budgets *all);
+
+/* The same for people, one block for each workload. */
+void report_table(FILE *out, const struct measurement *m,
+                  const struct budget *budget);
+
+/* Does Pel keep its budgets? One line for each workload and build of Pel. */
+void report_verdict(FILE *out, const struct measurement *m, int n,
+                    const struct budgets *all);
+
+#endif

@@ -1,0 +1,55 @@
+#define _DEFAULT_SOURCE
+#include "workload.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* n vertices, uniform in the workload's box at a random place inside. */
+static void place_in_box(const struct workload *w, struct random *r,
+                         struct shape *s, int n)
+{
+    int x = random_between(r, 0, w->width - 1 - w->size);
+    int y = random_between(r, 0, w->height - 1 - w->size);
+    for (int k = 0; k < n; k++) {
+        s->x[k] = x + random_between(r, 0, w->size);
+        s->y[k] = y + random_between(r, 0, w->size);
+    }
+}
+
+static int twice_area(const struct shape *s)
+{
+    return abs((s->x[1] - s->x[0]) * (s->y[2] - s->y[0]) -
+               (s->x[2] - s->x[0]) * (s->y[1] - s->y[0]));
+}
+
+void triangle_make(const struct workload *w, struct random *r, struct shape *s)
+{
+    int area;
+    do {
+        place_in_box(w, r, s, 3);
+        area = twice_area(s);
+    } while (area < 2 * w->area_min || area > 2 * w->area_max);
+}
+
+/* From a random pixel in a random direction; the third vertex lies 1 px beside
+ * the first, across the longer axis. */
+void sliver_make(const struct workload *w, struct random *r, struct shape *s)
+{
+    do {
+        double turn = random_between(r, 0, 65535) * (2 * M_PI / 65536);
+        double dx = cos(turn), dy = sin(turn);
+        int flat = fabs(dx) > fabs(dy);
+        s->x[0] = random_between(r, 0, w->width - 2);
+        s->y[0] = random_between(r, 0, w->height - 2);
+        s->x[1] = s->x[0] + (int)lrint(w->size * dx);
+        s->y[1] = s->y[0] + (int)lrint(w->size * dy);
+        s->x[2] = s->x[0] + !flat;
+        s->y[2] = s->y[0] + flat;
+    } while (s->x[1] < 0 || s->x[1] >= w->width || s->y[1] < 0 ||
+             s->y[1] >= w->height);
+}
+
+void line_make(const struct workload *w, struct random *r, struct shape *s)
+{
+    place_in_box(w, r, s, 2);
+}

@@ -1,0 +1,96 @@
+/* Meshes in flash, as `pel import` writes them: const arrays of small integers.
+ */
+#ifndef PEL_ASSET_MESH_ASSET_H
+#define PEL_ASSET_MESH_ASSET_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "../base/status.h"
+
+/* "PELM", and the version of the struct. */
+#define PEL_MESH_MAGIC UINT32_C(0x4D4C4550)
+enum { PEL_MESH_VERSION = 1 };
+
+/* What a quantised number q of axis k stands for:
+ *     (offset[k] + q * step) / 2^shift
+ * with 1 <= step <= 16,384 and |offset[k]| <= 2^30. |q| < 2^16, so the
+ * numerator stays below 2^31. Rounding to q is off by half a step at most. */
+struct pel_mesh_quantum {
+    int32_t offset[3];
+    int32_t step;
+    int32_t shift; /* -64..64; a negative one multiplies */
+};
+
+static inline bool pel_mesh_quantum_legal(
+    const struct pel_mesh_quantum *quantum)
+{
+    const int32_t limit = INT32_C(1) << 30;
+    for (int k = 0; k < 3; k++)
+        if (quantum->offset[k] < -limit || quantum->offset[k] > limit)
+            return false;
+    return quantum->step >= 1 && quantum->step <= 16384 &&
+           quantum->shift >= -64 && quantum->shift <= 64;
+}
+
+struct pel_mesh_asset {
+    uint32_t magic;     /* PEL_MESH_MAGIC */
+    uint32_t version;   /* PEL_MESH_VERSION */
+    uint32_t vertices;  /* at least 1; 16-bit indices: at most 65,536 */
+    uint32_t triangles; /* at least 1 */
+    struct pel_mesh_quantum position; /* world units, y up, right-handed */
+    struct pel_mesh_quantum texture;  /* u, v; v = 0 is the first row */
+
+    /* Per vertex. Those that the mesh has not are NULL, but for positions; of
+     * normals one kind at most. Normals have the length 127 or 32,767, or are
+     * 0 where there is no direction. */
+    const int16_t (*positions)[3];
+    const int8_t (*normals8)[3];
+    const int16_t (*normals16)[3];
+    const uint16_t (*uv)[2];
+    const uint8_t (*colors)[3]; /* red, green, blue */
+
+    /* Per triangle, counter-clockwise from outside: one of the two. */
+    const uint16_t (*indices16)[3];
+    const uint32_t (*indices32)[3];
+};
+
+/* Can the program read this asset? PEL_ERROR_NULL: no asset, no positions, or
+ * not exactly one array of indices; PEL_ERROR_RANGE: no mesh asset, or one of
+ * another version; PEL_ERROR_SIZE: counts out of range, two arrays of normals,
+ * or a quantum out of range. The indices themselves are right in what `pel
+ * import` writes. */
+static inline enum pel_status pel_mesh_asset_check(
+    const struct pel_mesh_asset *mesh)
+{
+    if (!mesh || !mesh->positions || !mesh->indices16 == !mesh->indices32)
+        return PEL_ERROR_NULL;
+    if (mesh->magic != PEL_MESH_MAGIC || mesh->version != PEL_MESH_VERSION)
+        return PEL_ERROR_RANGE;
+    if (mesh->vertices < 1 || mesh->triangles < 1 ||
+        (mesh->indices16 && mesh->vertices > 65536) ||
+        (mesh->normals8 && mesh->normals16) ||
+        !pel_mesh_quantum_legal(&mesh->position) ||
+        (mesh->uv && !pel_mesh_quantum_legal(&mesh->texture)))
+        return PEL_ERROR_SIZE;
+    return PEL_OK;
+}
+
+/* Vertex of corner 0..2 of a triangle. */
+static inline uint32_t pel_mesh_asset_index(const struct pel_mesh_asset *mesh,
+                                            uint32_t triangle, int corner)
+{
+    return mesh->indices16 ? mesh->indices16[triangle][corner]
+                           : mesh->indices32[triangle][corner];
+}
+
+/* The numerator of quantised number q of an axis: divided by 2^shift it is the
+ * coordinate. */
+static inline int32_t pel_mesh_quantum_value(
+    const struct pel_mesh_quantum *quantum, int axis, int32_t q)
+{
+    return quantum->offset[axis] + q * quantum->step;
+}
+
+#endif

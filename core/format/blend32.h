@@ -1,0 +1,97 @@
+/* Blending one color into runs of 32-bit pixels. Channels are bytes, so their
+ * order does not matter: all four 32-bit formats share this. */
+#ifndef PEL_FORMAT_BLEND32_H
+#define PEL_FORMAT_BLEND32_H
+
+#include "vector.h"
+#include "word32.h"
+
+/* What a run needs of the color: 16-bit lanes of source * alpha + 128 for bytes
+ * 0 and 2 (even), 1 and 3 (odd) of a pixel; see pel_round_div255. */
+struct pel_blend32 {
+    uint32_t even, odd; /* two lanes a word */
+    uint32_t rest;      /* 255 - alpha */
+    uint32_t x;         /* bits of the X byte, which is stored as 0xFF */
+#if PEL_VECTORS
+    pel_u16x8 evens, odds, even_rests, odd_rests;
+#endif
+};
+
+/* In blend32.c. */
+void pel_blend32_rows(const struct pel_rows *rows, pel_color color);
+
+static inline struct pel_blend32 pel_blend32_make(
+    const struct pel_format *format, pel_color color)
+{
+    const uint32_t alpha = pel_alpha(color), source = format->pack(color);
+    struct pel_blend32 b;
+    b.even = (source & 0xFF00FFu) * alpha + 0x800080u;
+    b.odd = (source >> 8 & 0xFF00FFu) * alpha + 0x800080u;
+    b.rest = 255 - alpha;
+    b.x = format->pack(0);
+#if PEL_VECTORS
+    /* In the lane of the X byte: 255 * 255 + 128, and nothing of memory. */
+    const pel_u32x4 zero = {0, 0, 0, 0};
+    const uint32_t even_x = b.x & 0xFF00FFu, odd_x = b.x >> 8 & 0xFF00FFu;
+    const uint32_t rests = b.rest << 16 | b.rest;
+    b.evens = (pel_u16x8)(zero + (b.even + even_x * b.rest));
+    b.odds = (pel_u16x8)(zero + (b.odd + odd_x * b.rest));
+    b.even_rests = (pel_u16x8)(zero + (rests & ~even_x));
+    b.odd_rests = (pel_u16x8)(zero + (rests & ~odd_x));
+#endif
+    return b;
+}
+
+static inline void pel_blend32_pixel(pel_word32 *p, const struct pel_blend32 *b)
+{
+    uint32_t even = (*p & 0xFF00FFu) * b->rest + b->even;
+    uint32_t odd = (*p >> 8 & 0xFF00FFu) * b->rest + b->odd;
+    even = (even + (even >> 8 & 0xFF00FFu)) >> 8 & 0xFF00FFu;
+    odd = (odd + (odd >> 8 & 0xFF00FFu)) & 0xFF00FF00u;
+    *p = even | odd | b->x;
+}
+
+#if PEL_VECTORS
+
+/* Four pixels. */
+static inline pel_u16x8 pel_blend32_mix(pel_u16x8 d,
+                                        const struct pel_blend32 *b)
+{
+    pel_u16x8 even = (d & 0xFF) * b->even_rests + b->evens;
+    pel_u16x8 odd = (d >> 8) * b->odd_rests + b->odds;
+    return pel_divide255_u16x8(even) | pel_divide255_u16x8(odd) << 8;
+}
+
+/* The last four pixels are read before the first store, and stored last: they
+ * may overlap those before them. */
+static PEL_ALWAYS_INLINE void pel_blend32_run(pel_word32 *p, int32_t n,
+                                              const struct pel_blend32 *b)
+{
+    if (n < 4) {
+        for (; n > 0; n--)
+            pel_blend32_pixel(p++, b);
+        return;
+    }
+    pel_word32 *end = p + n - 4;
+    pel_u16x8 tail = pel_blend32_mix(pel_get_u16x8(end), b);
+    for (; p + 4 < end; p += 8) {
+        pel_u16x8 first = pel_get_u16x8(p), second = pel_get_u16x8(p + 4);
+        pel_put_u16x8(p, pel_blend32_mix(first, b));
+        pel_put_u16x8(p + 4, pel_blend32_mix(second, b));
+    }
+    if (p < end)
+        pel_put_u16x8(p, pel_blend32_mix(pel_get_u16x8(p), b));
+    pel_put_u16x8(end, tail);
+}
+
+#else
+
+static inline void pel_blend32_run(pel_word32 *p, int32_t n,
+                                   const struct pel_blend32 *b)
+{
+    for (; n > 0; n--)
+        pel_blend32_pixel(p++, b);
+}
+
+#endif
+#endif

@@ -1,0 +1,30 @@
+/* A process that restores the console when this one cannot: SIGKILL, the
+ * out-of-memory killer. KD_GRAPHICS outlives the process that set it. */
+#ifndef PEL_DRIVERS_CONSOLE_LINUX_GUARDIAN_H
+#define PEL_DRIVERS_CONSOLE_LINUX_GUARDIAN_H
+
+#include <sys/types.h>
+
+#include "console_linux_state.h"
+
+struct pel_guardian {
+    pid_t process;
+    int line; /* the guardian watches its other end; -1: none */
+};
+
+/* Forks the guardian, which keeps a copy of `state` and the descriptors in it,
+ * and nothing else of this process. It leaves the process group, so that
+ * signals from the keyboard do not reach it, and ignores the others. It stays
+ * in the session, because the right to set console modes comes with the
+ * controlling terminal; a session leader without CAP_SYS_TTY_CONFIG that is
+ * killed takes that right from it. 0 or an errno. */
+int pel_guardian_start(struct pel_guardian *guardian,
+                       const struct pel_console_state *state);
+
+/* Tells the guardian that all is restored. Safe in a signal handler. */
+void pel_guardian_dismiss(const struct pel_guardian *guardian);
+
+/* Waits for its end; not dismissed, it restores first. */
+void pel_guardian_end(struct pel_guardian *guardian);
+
+#endif

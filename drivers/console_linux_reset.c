@@ -1,0 +1,73 @@
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE
+#endif
+#include "console_linux.h"
+
+#include <linux/kd.h>
+#include <unistd.h>
+
+#include "linux_io.h"
+
+static void sane_settings(int fd)
+{
+    struct termios t;
+    if (tcgetattr(fd, &t))
+        return;
+    t.c_iflag |= BRKINT | ICRNL | IXON;
+    t.c_iflag &= ~(tcflag_t)(IGNBRK | INLCR | IGNCR);
+    t.c_oflag |= OPOST | ONLCR;
+    t.c_cflag |= CREAD;
+    t.c_lflag |= ISIG | ICANON | IEXTEN | ECHO | ECHOE | ECHOK;
+    t.c_lflag &= ~(tcflag_t)(ECHONL | NOFLSH | TOSTOP);
+    t.c_cc[VINTR] = 3;
+    t.c_cc[VSUSP] = 26;
+    t.c_cc[VMIN] = 1;
+    t.c_cc[VTIME] = 0;
+    tcsetattr(fd, TCSAFLUSH, &t);
+}
+
+static int reset(int fd, struct pel_message *message)
+{
+    static const char cursor_on[] = "\033[?25h";
+    struct vt_mode automatic = {.mode = VT_AUTO};
+    const char *failed = NULL;
+    if (pel_linux_ioctl(fd, VT_SETMODE, &automatic))
+        failed = "cannot set automatic switching (VT_SETMODE)";
+    else if (pel_linux_ioctl_number(fd, KDSKBMODE, K_UNICODE))
+        failed = "cannot set the keyboard mode (KDSKBMODE)";
+    else if (pel_linux_ioctl_number(fd, KDSETMODE, KD_TEXT))
+        failed = "cannot set text mode (KDSETMODE)";
+    int error = errno;
+    sane_settings(fd);
+    if (write(fd, cursor_on, sizeof(cursor_on) - 1) < 0 && !failed) {
+        error = errno;
+        failed = "cannot write to the terminal";
+    }
+    if (!failed)
+        return 0;
+    pel_message_errno(message, failed, error);
+    return error;
+}
+
+int pel_console_reset(const char *path, struct pel_message *message)
+{
+    int mode;
+    int fd = pel_linux_open(path, O_RDWR | O_NOCTTY);
+    if (fd < 0) {
+        int error = errno;
+        pel_message_open(message, path, error);
+        return error;
+    }
+    int error = 0;
+    if (pel_linux_ioctl(fd, KDGETMODE, &mode)) {
+        error = errno;
+        pel_message_set(message,
+                        "%s is not a virtual terminal; give one with "
+                        "--tty /dev/ttyN",
+                        path);
+    } else {
+        error = reset(fd, message);
+    }
+    close(fd);
+    return error;
+}

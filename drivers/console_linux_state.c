@@ -1,0 +1,121 @@
+#define _POSIX_C_SOURCE 200809L
+#include "console_linux_state.h"
+
+#include <linux/kd.h>
+#include <unistd.h>
+
+#include "linux_io.h"
+
+static struct fb_cmap palette_of(const struct pel_console_state *state)
+{
+    struct fb_cmap map = {.start = 0, .len = PEL_PALETTE_ENTRIES};
+    map.red = (uint16_t *)state->red;
+    map.green = (uint16_t *)state->green;
+    map.blue = (uint16_t *)state->blue;
+    return map;
+}
+
+static int failed(struct pel_message *message, const char *what)
+{
+    int error = errno;
+    pel_message_errno(message, what, error);
+    return error;
+}
+
+static int save_terminal(struct pel_console_state *s,
+                         struct pel_message *message)
+{
+    struct vt_stat status;
+    if (pel_linux_ioctl(s->tty, KDGETMODE, &s->kd_mode))
+        return failed(message, "cannot read the console's mode (KDGETMODE)");
+    if (pel_linux_ioctl(s->tty, KDGKBMODE, &s->keyboard_mode))
+        return failed(message, "cannot read the keyboard mode (KDGKBMODE)");
+    if (pel_linux_ioctl(s->tty, VT_GETMODE, &s->vt_mode))
+        return failed(message, "cannot read the terminal mode (VT_GETMODE)");
+    if (pel_linux_ioctl(s->tty, VT_GETSTATE, &status))
+        return failed(message, "cannot read the active terminal "
+                               "(VT_GETSTATE)");
+    s->active = status.v_active;
+    return 0;
+}
+
+/* The palette is there to be read on palette modes and on some others; where it
+ * is not, none is changed either. */
+static int save_framebuffer(struct pel_console_state *s,
+                            struct pel_message *message)
+{
+    struct fb_cmap map = palette_of(s);
+    if (pel_linux_ioctl(s->framebuffer, FBIOGET_VSCREENINFO, &s->variables))
+        return failed(message, "cannot read the framebuffer's mode "
+                               "(FBIOGET_VSCREENINFO)");
+    s->has_palette = pel_linux_ioctl(s->framebuffer, FBIOGETCMAP, &map) == 0;
+    return 0;
+}
+
+int pel_console_state_save(struct pel_console_state *state,
+                           struct pel_message *message)
+{
+    int error = 0;
+    state->has_palette = false;
+    state->input_flags = fcntl(STDIN_FILENO, F_GETFL);
+    if (state->tty >= 0)
+        error = save_terminal(state, message);
+    if (!error && state->input >= 0 && tcgetattr(state->input, &state->termios))
+        error = failed(message, "cannot read the terminal's settings");
+    if (!error && state->framebuffer >= 0)
+        error = save_framebuffer(state, message);
+    return error;
+}
+
+bool pel_console_state_restore_framebuffer(
+    const struct pel_console_state *state)
+{
+    struct fb_var_screeninfo variables = state->variables;
+    struct fb_cmap map = palette_of(state);
+    if (state->framebuffer < 0)
+        return true;
+    variables.activate = FB_ACTIVATE_NOW;
+    bool done = pel_linux_ioctl(state->framebuffer, FBIOPUT_VSCREENINFO,
+                                &variables) == 0;
+    pel_linux_ioctl(state->framebuffer, FBIOPAN_DISPLAY, &variables);
+    if (state->has_palette)
+        done &= pel_linux_ioctl(state->framebuffer, FBIOPUTCMAP, &map) == 0;
+    return done;
+}
+
+/* Only if ours is the terminal shown does another one have to come back: who
+ * switched away meant it. */
+static bool restore_active(const struct pel_console_state *s)
+{
+    struct vt_stat now;
+    if (s->active == s->number)
+        return true;
+    if (pel_linux_ioctl(s->tty, VT_GETSTATE, &now))
+        return false;
+    return now.v_active != s->number ||
+           pel_linux_ioctl_number(s->tty, VT_ACTIVATE,
+                                  (unsigned long)s->active) == 0;
+}
+
+static bool restore_terminal(const struct pel_console_state *s)
+{
+    struct vt_mode vt_mode = s->vt_mode;
+    bool done = pel_linux_ioctl(s->tty, VT_SETMODE, &vt_mode) == 0;
+    done &= pel_linux_ioctl_number(s->tty, KDSKBMODE,
+                                   (unsigned long)s->keyboard_mode) == 0;
+    done &= pel_linux_ioctl_number(s->tty, KDSETMODE,
+                                   (unsigned long)s->kd_mode) == 0;
+    return restore_active(s) && done;
+}
+
+bool pel_console_state_restore(const struct pel_console_state *state)
+{
+    bool done = pel_console_state_restore_framebuffer(state);
+    if (state->tty >= 0)
+        done &= restore_terminal(state);
+    if (state->input >= 0)
+        done &= tcsetattr(state->input, TCSAFLUSH, &state->termios) == 0;
+    if (state->input_flags >= 0)
+        done &= fcntl(STDIN_FILENO, F_SETFL, state->input_flags) == 0;
+    return done;
+}

@@ -1,0 +1,47 @@
+/* The state of a console and of a framebuffer device that has to be as before
+ * when a program ends, however it ends. */
+#ifndef PEL_DRIVERS_CONSOLE_LINUX_STATE_H
+#define PEL_DRIVERS_CONSOLE_LINUX_STATE_H
+
+#include <linux/fb.h>
+#include <linux/vt.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <termios.h>
+
+#include "linux_message.h"
+
+enum { PEL_PALETTE_ENTRIES = 256 };
+
+struct pel_console_state {
+    int tty;         /* the virtual terminal; -1: none */
+    int input;       /* the terminal that keys come from; -1: none */
+    int framebuffer; /* -1: none */
+
+    int number; /* of the virtual terminal, from 1 */
+    int active; /* the one that was shown */
+    int kd_mode, keyboard_mode;
+    struct vt_mode vt_mode;
+    struct termios termios; /* of input */
+    int input_flags;        /* of descriptor 0: O_NONBLOCK is among them */
+    struct fb_var_screeninfo variables;
+    bool has_palette;
+    uint16_t red[PEL_PALETTE_ENTRIES], green[PEL_PALETTE_ENTRIES],
+        blue[PEL_PALETTE_ENTRIES];
+};
+
+/* Reads everything from the three descriptors, which the caller has set. 0, or
+ * an errno, with the message telling which step failed. */
+int pel_console_state_save(struct pel_console_state *state,
+                           struct pel_message *message);
+
+/* Puts everything back. Goes on after a failure: what can be restored, is.
+ * False when something could not. Safe in a signal handler, and in any process
+ * that holds the descriptors. */
+bool pel_console_state_restore(const struct pel_console_state *state);
+
+/* The mode and the palette of the framebuffer alone. */
+bool pel_console_state_restore_framebuffer(
+    const struct pel_console_state *state);
+
+#endif

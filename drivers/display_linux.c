@@ -1,0 +1,237 @@
+#define _POSIX_C_SOURCE 200809L
+#include "display_linux.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "../core/format/formats.h"
+
+/* What to open: the name taken apart. */
+struct choice {
+    enum pel_linux_kind kind;
+    char path[200];
+    enum pel_fb_way way;
+    const char *why;
+};
+
+static int refuse(struct pel_display_linux *screen, const char *name)
+{
+    pel_message_set(&screen->message,
+                    "unknown device '%.200s'; use fb:/dev/fb0, "
+                    "fb:/dev/fb0,direct (or shadow, pages), or "
+                    "drm:/dev/dri/card0",
+                    name);
+    return EINVAL;
+}
+
+static bool parse_way(const char *text, enum pel_fb_way *way)
+{
+    if (strcmp(text, "direct") == 0)
+        *way = PEL_FB_DIRECT;
+    else if (strcmp(text, "shadow") == 0)
+        *way = PEL_FB_SHADOW;
+    else if (strcmp(text, "pages") == 0)
+        *way = PEL_FB_PAGES;
+    else
+        return false;
+    return true;
+}
+
+static int parse(struct pel_display_linux *screen, const char *name,
+                 struct choice *choice)
+{
+    const char *path = name;
+    choice->kind = strstr(name, "/dri/") ? PEL_LINUX_DRM : PEL_LINUX_FB;
+    if (strncmp(name, "fb:", 3) == 0 || strncmp(name, "drm:", 4) == 0) {
+        choice->kind = name[0] == 'd' ? PEL_LINUX_DRM : PEL_LINUX_FB;
+        path = strchr(name, ':') + 1;
+    }
+    size_t length = strcspn(path, ",");
+    if (path[0] != '/' || length >= sizeof(choice->path))
+        return refuse(screen, name);
+    if (path[length] == ',' && (choice->kind != PEL_LINUX_FB ||
+                                !parse_way(path + length + 1, &choice->way)))
+        return refuse(screen, name);
+    memcpy(choice->path, path, length);
+    choice->path[length] = 0;
+    return 0;
+}
+
+static const char *first_drm(void)
+{
+    if (access("/dev/dri/card0", F_OK) == 0)
+        return "drm:/dev/dri/card0";
+    return access("/dev/dri/card1", F_OK) == 0 ? "drm:/dev/dri/card1" : NULL;
+}
+
+static int choose(struct pel_display_linux *screen, const char *name,
+                  struct choice *choice)
+{
+    const char *environment = getenv("FRAMEBUFFER");
+    choice->why = "asked for";
+    if (!name && environment && environment[0]) {
+        name = environment;
+        choice->why = "named by FRAMEBUFFER";
+    } else if (!name && access("/dev/fb0", F_OK) == 0) {
+        name = "/dev/fb0";
+        choice->why = "the first framebuffer";
+    } else if (!name) {
+        name = first_drm();
+        choice->why = "there is no /dev/fb0";
+    }
+    if (!name) {
+        pel_message_set(&screen->message,
+                        "no display: there is no /dev/fb0, /dev/dri/card0 or "
+                        "card1; is the driver loaded?");
+        return ENODEV;
+    }
+    return parse(screen, name, choice);
+}
+
+static const char *way_name(enum pel_fb_way way)
+{
+    return way == PEL_FB_PAGES    ? "two pages, panned"
+           : way == PEL_FB_SHADOW ? "a shadow, copied"
+                                  : "drawn directly";
+}
+
+static const char *format_name(const struct pel_format *format)
+{
+    static const char *const names[] = {
+        "",         "rgb565_le", "rgb565_be", "bgr565_le", "xrgb1555_le",
+        "rgb888",   "bgr888",    "xrgb8888",  "xbgr8888",  "rgbx8888",
+        "bgrx8888", "rgb332",    "gray8"};
+    return format->id <= PEL_FORMAT_GRAY8 ? names[format->id] : "?";
+}
+
+static void tell(struct pel_display_linux *screen, const struct choice *choice,
+                 const char *id, const char *how)
+{
+    pel_message_set(&screen->note, "%s (%.16s, %dx%d, %s, %s): %s",
+                    choice->path, id, (int)screen->display.width,
+                    (int)screen->display.height,
+                    format_name(screen->display.format), how, choice->why);
+}
+
+static void fb_enter(void *context)
+{
+    pel_display_fb_enter(context);
+}
+
+static void fb_leave(void *context)
+{
+    (void)context;
+    pel_console_restore_framebuffer();
+}
+
+static int open_fb(struct pel_display_linux *screen,
+                   const struct choice *choice)
+{
+    struct pel_display_fb *fb = &screen->device.fb;
+    const struct pel_console_hooks hooks = {fb, fb_leave, fb_enter};
+    int error = pel_display_fb_open(fb, choice->path, &screen->message);
+    if (error)
+        return error;
+    error = pel_console_take(fb->fd, &hooks, &screen->console);
+    if (error)
+        screen->message = screen->console;
+    else
+        error = pel_display_fb_start(&screen->display, fb, choice->way);
+    if (!error)
+        tell(screen, choice, fb->mode.fixed.id, way_name(fb->way));
+    return error;
+}
+
+#if PEL_WITH_DRM
+
+static void drm_enter(void *context)
+{
+    pel_display_drm_enter(context);
+}
+
+static void drm_leave(void *context)
+{
+    pel_display_drm_leave(context);
+}
+
+static int open_drm(struct pel_display_linux *screen,
+                    const struct choice *choice)
+{
+    struct pel_display_drm *drm = &screen->device.drm;
+    const struct pel_console_hooks hooks = {drm, drm_leave, drm_enter};
+    int error = pel_display_drm_open(drm, choice->path, &screen->message);
+    if (error)
+        return error;
+    error = pel_console_take(-1, &hooks, &screen->console);
+    if (error)
+        screen->message = screen->console;
+    else
+        error = pel_display_drm_start(&screen->display, drm);
+    if (!error)
+        tell(screen, choice, "DRM", "two buffers, flipped");
+    return error;
+}
+
+static void close_drm(struct pel_display_linux *screen)
+{
+    pel_display_drm_close(&screen->device.drm);
+}
+
+#else
+
+static int open_drm(struct pel_display_linux *screen,
+                    const struct choice *choice)
+{
+    pel_message_set(&screen->message,
+                    "%s: this program was built without DRM; install "
+                    "libdrm-dev and build again",
+                    choice->path);
+    return ENOSYS;
+}
+
+static void close_drm(struct pel_display_linux *screen)
+{
+    (void)screen;
+}
+
+#endif
+
+enum pel_status pel_display_linux_open(struct pel_display_linux *screen,
+                                       const char *name, enum pel_fb_way way)
+{
+    struct choice choice = {.way = way};
+    memset(screen, 0, sizeof(*screen));
+    if (choose(screen, name, &choice))
+        return PEL_ERROR_DEVICE;
+    screen->kind = choice.kind;
+    int error = choice.kind == PEL_LINUX_DRM ? open_drm(screen, &choice)
+                                             : open_fb(screen, &choice);
+    if (error) {
+        pel_display_linux_close(screen);
+        return PEL_ERROR_DEVICE;
+    }
+    screen->area =
+        (struct pel_rect){0, 0, screen->display.width, screen->display.height};
+    return PEL_OK;
+}
+
+enum pel_console_event pel_display_linux_wait(struct pel_display_linux *screen,
+                                              int milliseconds)
+{
+    (void)screen;
+    return milliseconds == 0 ? pel_console_check()
+                             : pel_console_wait(milliseconds);
+}
+
+void pel_display_linux_close(struct pel_display_linux *screen)
+{
+    if (screen->kind == PEL_LINUX_DRM) {
+        close_drm(screen);
+        pel_console_give_back();
+    } else {
+        pel_console_give_back();
+        pel_display_fb_close(&screen->device.fb);
+    }
+}

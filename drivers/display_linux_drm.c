@@ -1,0 +1,231 @@
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE
+#endif
+#include "display_linux_drm.h"
+
+#include <drm_fourcc.h>
+#include <poll.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+#include <xf86drm.h>
+
+#include "../core/format/formats.h"
+#include "display_linux_drm_output.h"
+#include "linux_io.h"
+
+enum { FLIP_TIMEOUT = 1000 /* ms */ };
+
+static int failed(struct pel_display_drm *drm, const char *what)
+{
+    int error = errno ? errno : EINVAL;
+    pel_message_errno(drm->message, what, error);
+    return error;
+}
+
+static void buffer_free(int fd, struct pel_drm_buffer *b)
+{
+    if (b->map)
+        munmap(b->map, b->length);
+    if (b->id)
+        drmModeRmFB(fd, b->id);
+    if (b->handle)
+        drmModeDestroyDumbBuffer(fd, b->handle);
+    memset(b, 0, sizeof(*b));
+}
+
+/* A buffer of the mode's size that the device can show in this format. */
+static int buffer_make(struct pel_display_drm *drm, struct pel_drm_buffer *b)
+{
+    const uint32_t width = drm->mode.hdisplay, height = drm->mode.vdisplay;
+    const uint32_t code =
+        drm->format->bits == 16 ? DRM_FORMAT_RGB565 : DRM_FORMAT_XRGB8888;
+    uint32_t pitches[4] = {0}, handles[4] = {0}, offsets[4] = {0};
+    uint64_t length, offset;
+    if (drmModeCreateDumbBuffer(drm->fd, width, height, drm->format->bits, 0,
+                                &b->handle, &pitches[0], &length))
+        return failed(drm, "cannot make a dumb buffer");
+    handles[0] = b->handle;
+    b->length = (size_t)length;
+    if (drmModeAddFB2(drm->fd, width, height, code, handles, pitches, offsets,
+                      &b->id, 0))
+        return failed(drm, "the device does not show this pixel format");
+    if (drmModeMapDumbBuffer(drm->fd, b->handle, &offset))
+        return failed(drm, "cannot map a dumb buffer");
+    void *map = mmap(NULL, b->length, PROT_READ | PROT_WRITE, MAP_SHARED,
+                     drm->fd, (off_t)offset);
+    if (map == MAP_FAILED)
+        return failed(drm, "cannot map a dumb buffer's memory");
+    b->map = map;
+    memset(map, 0, b->length);
+    const struct pel_rect screen = {0, 0, (int32_t)width, (int32_t)height};
+    errno = EINVAL;
+    if (pel_surface_init_rect(&b->surface, drm->format, map,
+                              (int32_t)pitches[0], &screen))
+        return failed(drm, "a dumb buffer's lines are not aligned");
+    return 0;
+}
+
+static int buffers_make(struct pel_display_drm *drm)
+{
+    int error = buffer_make(drm, &drm->buffer[0]);
+    return error ? error : buffer_make(drm, &drm->buffer[1]);
+}
+
+static void buffers_free(struct pel_display_drm *drm)
+{
+    for (int i = 0; i < 2; i++)
+        buffer_free(drm->fd, &drm->buffer[i]);
+}
+
+static enum pel_status gone(struct pel_display_drm *drm, const char *what)
+{
+    failed(drm, what);
+    return PEL_ERROR_DEVICE;
+}
+
+static void flip_done(int fd, unsigned int frame, unsigned int seconds,
+                      unsigned int microseconds, void *data)
+{
+    struct pel_display_drm *drm = data;
+    (void)fd, (void)frame, (void)seconds, (void)microseconds;
+    drm->flipping = false;
+}
+
+static enum pel_status drm_wait(const struct pel_display *display)
+{
+    struct pel_display_drm *drm = display->context;
+    drmEventContext events = {.version = 2, .page_flip_handler = flip_done};
+    while (drm->flipping) {
+        struct pollfd line = {.fd = drm->fd, .events = POLLIN};
+        int n = poll(&line, 1, FLIP_TIMEOUT);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n == 0)
+            errno = ETIMEDOUT;
+        if (n <= 0 || (line.revents & (POLLERR | POLLHUP)) ||
+            drmHandleEvent(drm->fd, &events))
+            return gone(drm, "the display does not finish a page flip");
+    }
+    return PEL_OK;
+}
+
+static enum pel_status drm_begin(const struct pel_display *display,
+                                 const struct pel_rect *area,
+                                 struct pel_surface *surface)
+{
+    struct pel_display_drm *drm = display->context;
+    enum pel_status status = drm_wait(display);
+    *surface = drm->buffer[drm->back].surface;
+    pel_surface_clip(surface, area);
+    return status;
+}
+
+/* The pixels are where the device reads them. */
+static enum pel_status drm_flush(const struct pel_display *display,
+                                 const struct pel_surface *surface)
+{
+    (void)display, (void)surface;
+    return PEL_OK;
+}
+
+static int show(struct pel_display_drm *drm, uint32_t id)
+{
+    return drmModeSetCrtc(drm->fd, drm->crtc, id, 0, 0, &drm->connector, 1,
+                          &drm->mode);
+}
+
+static int show_and_announce(struct pel_display_drm *drm, uint32_t id)
+{
+    if (show(drm, id))
+        return -1;
+    drmModeDirtyFB(drm->fd, id, NULL, 0);
+    drm->shown = true;
+    return 0;
+}
+
+static enum pel_status drm_flip(const struct pel_display *display)
+{
+    struct pel_display_drm *drm = display->context;
+    const uint32_t id = drm->buffer[drm->back].id;
+    if (drm->shown && !drm->no_flips) {
+        drm->flipping = drmModePageFlip(drm->fd, drm->crtc, id,
+                                        DRM_MODE_PAGE_FLIP_EVENT, drm) == 0;
+        drm->no_flips = !drm->flipping;
+    }
+    if (!drm->flipping && show_and_announce(drm, id))
+        return gone(drm, "the display does not show a frame");
+    drm->back = !drm->back;
+    return PEL_OK;
+}
+
+int pel_display_drm_open(struct pel_display_drm *drm, const char *path,
+                         struct pel_message *message)
+{
+    memset(drm, 0, sizeof(*drm));
+    drm->message = message;
+    drm->fd = pel_linux_open(path, O_RDWR);
+    if (drm->fd < 0) {
+        int error = errno;
+        pel_message_open(message, path, error);
+        return error;
+    }
+    int error = pel_drm_find_output(drm);
+    if (error)
+        pel_display_drm_close(drm);
+    return error;
+}
+
+/* The device's preferred depth first; whatever it shows then. */
+int pel_display_drm_start(struct pel_display *display,
+                          struct pel_display_drm *drm)
+{
+    uint64_t depth = 0;
+    drmGetCap(drm->fd, DRM_CAP_DUMB_PREFERRED_DEPTH, &depth);
+    drm->format = depth == 16 ? &pel_rgb565_le : &pel_xrgb8888;
+    drm->before = drmModeGetCrtc(drm->fd, drm->crtc);
+    int error = buffers_make(drm);
+    if (error) {
+        buffers_free(drm);
+        drm->format = depth == 16 ? &pel_xrgb8888 : &pel_rgb565_le;
+        error = buffers_make(drm);
+    }
+    *display = (struct pel_display){.context = drm,
+                                    .width = drm->mode.hdisplay,
+                                    .height = drm->mode.vdisplay,
+                                    .format = drm->format,
+                                    .pages = 2,
+                                    .flush = drm_flush,
+                                    .begin = drm_begin,
+                                    .wait = drm_wait,
+                                    .flip = drm_flip};
+    return error;
+}
+
+void pel_display_drm_leave(struct pel_display_drm *drm)
+{
+    drmDropMaster(drm->fd);
+}
+
+void pel_display_drm_enter(struct pel_display_drm *drm)
+{
+    drmSetMaster(drm->fd);
+    drm->shown = false;
+    drm->flipping = false;
+}
+
+void pel_display_drm_close(struct pel_display_drm *drm)
+{
+    drmModeCrtc *before = drm->before;
+    if (drm->fd < 0)
+        return;
+    if (drm->shown && before && before->buffer_id)
+        drmModeSetCrtc(drm->fd, before->crtc_id, before->buffer_id, before->x,
+                       before->y, &drm->connector, 1, &before->mode);
+    if (before)
+        drmModeFreeCrtc(before);
+    drm->before = NULL;
+    buffers_free(drm);
+    close(drm->fd);
+    drm->fd = -1;
+}

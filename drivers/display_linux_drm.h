@@ -1,0 +1,54 @@
+/* A DRM device, /dev/dri/card0: two dumb buffers and page flips, through
+ * libdrm. The first connected output, in its preferred mode; xrgb8888, or
+ * rgb565_le where the device prefers 16 bits or has no other. Without
+ * page flips the buffer is set and announced as dirty instead. The output's
+ * former picture comes back on close; after SIGKILL the kernel brings back its
+ * console.
+ *
+ * begin gives the hidden buffer, so all of its surfaces are two flips old. */
+#ifndef PEL_DRIVERS_DISPLAY_LINUX_DRM_H
+#define PEL_DRIVERS_DISPLAY_LINUX_DRM_H
+
+#include <stdbool.h>
+#include <xf86drmMode.h>
+
+#include "display.h"
+#include "linux_message.h"
+
+struct pel_drm_buffer {
+    uint32_t handle, id; /* 0: none */
+    void *map;
+    size_t length;
+    struct pel_surface surface;
+};
+
+struct pel_display_drm {
+    int fd;
+    uint32_t connector, crtc;
+    drmModeModeInfo mode;
+    drmModeCrtc *before; /* what the output showed */
+    const struct pel_format *format;
+    struct pel_drm_buffer buffer[2];
+    int32_t back;
+    bool shown;    /* the output shows a buffer of ours */
+    bool no_flips; /* the device does not know page flips */
+    bool flipping; /* a flip is asked for, and has not happened */
+    struct pel_message *message;
+};
+
+/* Opens the device and finds an output. Errors go to `message`, which must
+ * outlive the display. An errno, or 0. */
+int pel_display_drm_open(struct pel_display_drm *drm, const char *path,
+                         struct pel_message *message);
+
+/* Makes the buffers and fills `display`. An errno, or 0. */
+int pel_display_drm_start(struct pel_display *display,
+                          struct pel_display_drm *drm);
+
+/* Another terminal is shown: others may set modes. And back again. */
+void pel_display_drm_leave(struct pel_display_drm *drm);
+void pel_display_drm_enter(struct pel_display_drm *drm);
+
+void pel_display_drm_close(struct pel_display_drm *drm);
+
+#endif

@@ -1,0 +1,341 @@
+#ifndef _GNU_SOURCE
+#define _GNU_SOURCE
+#endif
+#include "display_linux_fb.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include "linux_io.h"
+
+#ifndef FBIO_WAITFORVSYNC
+#define FBIO_WAITFORVSYNC _IOW('F', 0x20, uint32_t)
+#endif
+
+static int failed(struct pel_display_fb *fb, const char *what)
+{
+    int error = errno;
+    pel_message_errno(fb->message, what, error);
+    return error;
+}
+
+/* What the kernel says, not what it was asked: FBIOPUT_VSCREENINFO may return 0
+ * and change nothing. */
+static int read_mode(int fd, struct pel_fb_mode *mode)
+{
+    if (pel_linux_ioctl(fd, FBIOGET_VSCREENINFO, &mode->variable) ||
+        pel_linux_ioctl(fd, FBIOGET_FSCREENINFO, &mode->fixed))
+        return -1;
+    return 0;
+}
+
+static struct pel_rect screen_of(const struct pel_display_fb *fb)
+{
+    struct pel_rect screen = {0, 0, (int32_t)fb->mode.variable.xres,
+                              (int32_t)fb->mode.variable.yres};
+    return screen;
+}
+
+/* Palettes: 3 bits of red, 3 of green, 2 of blue, as in the index, widened by
+ * repeating them. Direct colour: each channel a ramp. */
+static void color_map_value(const struct pel_display_fb *fb, uint32_t i,
+                            uint16_t rgb[3])
+{
+    if (fb->mode.fixed.visual == FB_VISUAL_DIRECTCOLOR) {
+        uint32_t most = (1u << fb->mode.variable.green.length) - 1;
+        uint32_t few = (1u << fb->mode.variable.red.length) - 1;
+        rgb[0] = rgb[2] = (uint16_t)((i < few ? i : few) * 65535 / few);
+        rgb[1] = (uint16_t)((i < most ? i : most) * 65535 / most);
+    } else {
+        pel_color c = fb->format->unpack(i);
+        rgb[0] = (uint16_t)(pel_red(c) * 257);
+        rgb[1] = (uint16_t)(pel_green(c) * 257);
+        rgb[2] = (uint16_t)(pel_blue(c) * 257);
+    }
+}
+
+static int set_color_map(struct pel_display_fb *fb)
+{
+    uint16_t channel[3][256], rgb[3];
+    struct fb_cmap map = {.len = 256};
+    uint32_t visual = fb->mode.fixed.visual;
+    if (visual != FB_VISUAL_PSEUDOCOLOR && visual != FB_VISUAL_DIRECTCOLOR)
+        return 0;
+    if (visual == FB_VISUAL_DIRECTCOLOR)
+        map.len = 1u << fb->mode.variable.green.length;
+    for (uint32_t i = 0; i < map.len; i++) {
+        color_map_value(fb, i, rgb);
+        for (int c = 0; c < 3; c++)
+            channel[c][i] = rgb[c];
+    }
+    map.red = channel[0];
+    map.green = channel[1];
+    map.blue = channel[2];
+    return pel_linux_ioctl(fb->fd, FBIOPUTCMAP, &map);
+}
+
+static int pan(struct pel_display_fb *fb, uint32_t yoffset)
+{
+    struct fb_var_screeninfo v = fb->mode.variable;
+    v.yoffset = yoffset;
+    v.activate = FB_ACTIVATE_VBL;
+    if (pel_linux_ioctl(fb->fd, FBIOPAN_DISPLAY, &v))
+        return -1;
+    fb->mode.variable.yoffset = yoffset;
+    return 0;
+}
+
+static bool has_two_pages(const struct pel_fb_mode *mode)
+{
+    const struct fb_var_screeninfo *v = &mode->variable;
+    return v->yres_virtual >= 2 * v->yres && mode->fixed.ypanstep &&
+           v->yres % mode->fixed.ypanstep == 0 &&
+           (uint64_t)2 * v->yres * mode->fixed.line_length <=
+               mode->fixed.smem_len;
+}
+
+static bool same_layout(const struct pel_fb_mode *a,
+                        const struct pel_fb_mode *b)
+{
+    return a->variable.xres == b->variable.xres &&
+           a->variable.yres == b->variable.yres &&
+           a->variable.xoffset == b->variable.xoffset &&
+           a->variable.bits_per_pixel == b->variable.bits_per_pixel &&
+           a->fixed.line_length == b->fixed.line_length &&
+           a->fixed.visual == b->fixed.visual;
+}
+
+/* Makes room for two pages where there is none and the device can pan. */
+static void ask_for_pages(struct pel_display_fb *fb)
+{
+    struct pel_fb_mode now = fb->mode;
+    struct fb_var_screeninfo v = fb->mode.variable;
+    if (v.yres_virtual >= 2 * v.yres || !fb->mode.fixed.ypanstep)
+        return;
+    v.yres_virtual = 2 * v.yres;
+    v.activate = FB_ACTIVATE_NOW;
+    if (pel_linux_ioctl(fb->fd, FBIOPUT_VSCREENINFO, &v) == 0 &&
+        read_mode(fb->fd, &now) == 0 && same_layout(&now, &fb->mode)) {
+        fb->mode = now;
+        return;
+    }
+    v = fb->mode.variable;
+    pel_linux_ioctl(fb->fd, FBIOPUT_VSCREENINFO, &v);
+}
+
+/* Panning is believed when the device then says that it shows the other page
+ * and comes back. */
+static bool pans(struct pel_display_fb *fb)
+{
+    struct pel_fb_mode now;
+    const uint32_t other =
+        fb->mode.variable.yoffset ? 0 : fb->mode.variable.yres;
+    const uint32_t before = fb->mode.variable.yoffset;
+    if (!has_two_pages(&fb->mode) || pan(fb, other))
+        return false;
+    bool moved = read_mode(fb->fd, &now) == 0 && now.variable.yoffset == other;
+    return pan(fb, before) == 0 && moved;
+}
+
+static void choose_way(struct pel_display_fb *fb, enum pel_fb_way way)
+{
+    fb->way = way;
+    if (way == PEL_FB_SHADOW || way == PEL_FB_DIRECT)
+        return;
+    ask_for_pages(fb);
+    if (pans(fb))
+        fb->way = PEL_FB_PAGES;
+    else
+        fb->way = way == PEL_FB_STILL ? PEL_FB_DIRECT : PEL_FB_SHADOW;
+}
+
+/* The kernel maps whole memory pages; smem_start may lie inside the first. */
+static int map_memory(struct pel_display_fb *fb)
+{
+    const long page = sysconf(_SC_PAGESIZE);
+    const size_t skip = (size_t)fb->mode.fixed.smem_start & (size_t)(page - 1);
+    fb->map_length = fb->mode.fixed.smem_len + skip;
+    void *map = mmap(NULL, fb->map_length, PROT_READ | PROT_WRITE, MAP_SHARED,
+                     fb->fd, 0);
+    if (map == MAP_FAILED)
+        return failed(fb, "cannot map the framebuffer's memory");
+    fb->map = map;
+    const struct fb_var_screeninfo *v = &fb->mode.variable;
+    const struct pel_rect screen = screen_of(fb);
+    const int32_t line = (int32_t)fb->mode.fixed.line_length;
+    for (uint32_t i = 0; i < 2; i++) {
+        uint32_t top = fb->way == PEL_FB_PAGES ? i * v->yres : v->yoffset;
+        uint8_t *first = fb->map + skip + (size_t)top * (size_t)line +
+                         (size_t)v->xoffset * fb->format->bits / 8;
+        if (pel_surface_init_rect(&fb->page[i], fb->format, first, line,
+                                  &screen)) {
+            errno = EINVAL;
+            return failed(fb, "the framebuffer's lines are not aligned");
+        }
+    }
+    return 0;
+}
+
+static int make_shadow(struct pel_display_fb *fb)
+{
+    const struct pel_rect screen = screen_of(fb);
+    const int32_t line = pel_stride(fb->format, screen.x1);
+    void *pixels = calloc((size_t)screen.y1, (size_t)line);
+    if (!pixels ||
+        pel_surface_init_rect(&fb->shadow, fb->format, pixels, line, &screen)) {
+        errno = ENOMEM;
+        free(pixels);
+        return failed(fb, "no memory for a frame");
+    }
+    return 0;
+}
+
+static enum pel_status fb_begin(const struct pel_display *display,
+                                const struct pel_rect *area,
+                                struct pel_surface *surface)
+{
+    struct pel_display_fb *fb = display->context;
+    *surface = fb->way == PEL_FB_SHADOW ? fb->shadow : fb->page[fb->back];
+    pel_surface_clip(surface, area);
+    return PEL_OK;
+}
+
+static enum pel_status fb_flush(const struct pel_display *display,
+                                const struct pel_surface *surface)
+{
+    struct pel_display_fb *fb = display->context;
+    const struct pel_rect *clip = &surface->clip;
+    if (pel_rect_empty(clip))
+        return PEL_OK;
+    bool clean = fb->dirty0 >= fb->dirty1;
+    fb->dirty0 = clean ? clip->y0 : pel_min(fb->dirty0, clip->y0);
+    fb->dirty1 = clean ? clip->y1 : pel_max(fb->dirty1, clip->y1);
+    return PEL_OK;
+}
+
+static void copy_dirty(struct pel_display_fb *fb)
+{
+    for (int32_t y = fb->dirty0; y < fb->dirty1; y++)
+        memcpy(pel_surface_line(&fb->page[0], y),
+               pel_surface_line(&fb->shadow, y), (size_t)fb->shadow.stride);
+}
+
+/* A device without the request is not asked again. */
+static void wait_for_vsync(struct pel_display_fb *fb)
+{
+    uint32_t head = 0;
+    if (!fb->no_vsync && pel_linux_ioctl(fb->fd, FBIO_WAITFORVSYNC, &head))
+        fb->no_vsync = errno != ETIMEDOUT;
+}
+
+/* Notices that the device went away, or that another program set its mode. */
+static enum pel_status check_mode(struct pel_display_fb *fb)
+{
+    struct pel_fb_mode now;
+    if (read_mode(fb->fd, &now)) {
+        failed(fb, "the framebuffer device is gone");
+        return PEL_ERROR_DEVICE;
+    }
+    if (same_layout(&now, &fb->mode))
+        return PEL_OK;
+    pel_message_set(fb->message,
+                    "another program changed the framebuffer's mode, to %ux%u "
+                    "with %u bits; begin again in the new one",
+                    now.variable.xres, now.variable.yres,
+                    now.variable.bits_per_pixel);
+    return PEL_ERROR_DEVICE;
+}
+
+static enum pel_status fb_flip(const struct pel_display *display)
+{
+    struct pel_display_fb *fb = display->context;
+    enum pel_status status = check_mode(fb);
+    if (status)
+        return status;
+    if (fb->way == PEL_FB_SHADOW) {
+        wait_for_vsync(fb);
+        copy_dirty(fb);
+    } else if (fb->way == PEL_FB_PAGES) {
+        if (pan(fb, (uint32_t)fb->back * fb->mode.variable.yres)) {
+            failed(fb, "the framebuffer does not pan any more");
+            return PEL_ERROR_DEVICE;
+        }
+        wait_for_vsync(fb);
+        fb->back = !fb->back;
+    }
+    fb->dirty0 = fb->dirty1 = 0;
+    return PEL_OK;
+}
+
+int pel_display_fb_open(struct pel_display_fb *fb, const char *path,
+                        struct pel_message *message)
+{
+    memset(fb, 0, sizeof(*fb));
+    fb->message = message;
+    fb->fd = pel_linux_open(path, O_RDWR);
+    if (fb->fd < 0) {
+        int error = errno;
+        pel_message_open(message, path, error);
+        return error;
+    }
+    int error = 0;
+    if (read_mode(fb->fd, &fb->mode))
+        error = failed(fb, "cannot read the framebuffer's mode");
+    else if (!(fb->format = pel_fb_format(&fb->mode, message)))
+        error = EINVAL;
+    if (error)
+        pel_display_fb_close(fb);
+    return error;
+}
+
+int pel_display_fb_start(struct pel_display *display, struct pel_display_fb *fb,
+                         enum pel_fb_way way)
+{
+    choose_way(fb, way);
+    if (way == PEL_FB_PAGES && fb->way != PEL_FB_PAGES) {
+        pel_message_set(fb->message,
+                        "%.16s does not pan: no two pages; use "
+                        "shadow or direct",
+                        fb->mode.fixed.id);
+        return EINVAL;
+    }
+    fb->back = fb->way == PEL_FB_PAGES && fb->mode.variable.yoffset == 0;
+    if (set_color_map(fb))
+        return failed(fb, "cannot set the colour map (FBIOPUTCMAP)");
+    int error = map_memory(fb);
+    if (!error && fb->way == PEL_FB_SHADOW)
+        error = make_shadow(fb);
+    *display = (struct pel_display){.context = fb,
+                                    .width = (int32_t)fb->mode.variable.xres,
+                                    .height = (int32_t)fb->mode.variable.yres,
+                                    .format = fb->format,
+                                    .pages = fb->way == PEL_FB_PAGES ? 2 : 1,
+                                    .flush = fb_flush,
+                                    .begin = fb_begin,
+                                    .flip = fb_flip};
+    return error;
+}
+
+void pel_display_fb_enter(struct pel_display_fb *fb)
+{
+    struct fb_var_screeninfo v = fb->mode.variable;
+    v.activate = FB_ACTIVATE_NOW;
+    pel_linux_ioctl(fb->fd, FBIOPUT_VSCREENINFO, &v);
+    set_color_map(fb);
+    fb->dirty0 = 0;
+    fb->dirty1 = fb->way == PEL_FB_SHADOW ? fb->shadow.bounds.y1 : 0;
+}
+
+void pel_display_fb_close(struct pel_display_fb *fb)
+{
+    if (fb->map)
+        munmap(fb->map, fb->map_length);
+    free(fb->shadow.pixels);
+    fb->shadow.pixels = NULL;
+    fb->map = NULL;
+    if (fb->fd >= 0)
+        close(fb->fd);
+    fb->fd = -1;
+}

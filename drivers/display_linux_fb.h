@@ -1,0 +1,76 @@
+/* A Linux framebuffer device, /dev/fb0.
+ *
+ * The layout of a pixel is taken from the offsets and lengths of its channels,
+ * lines from line_length, the visible part from xoffset and yoffset. Supported:
+ * rgb565_le, bgr565_le, xrgb1555_le, rgb888, bgr888, xrgb8888, xbgr8888,
+ * rgbx8888, bgrx8888, rgb332 (as such, or on 8-bit palettes, which get a 3-3-2
+ * colour map), gray8. Any other layout is refused, its values printed.
+ *
+ * begin gives a surface in the device's format, and there are three ways:
+ *     pages   two pages of device memory; begin gives the hidden one, flip pans
+ *             to it. Where yres_virtual is, or can be made, twice the height
+ *             and the device is seen to pan
+ *     shadow  a frame of ordinary memory; flip copies the lines that were
+ *             flushed, after the vertical blank where the device tells of it
+ *     direct  the visible memory: no copy, but what is drawn is seen at once
+ * Only the surfaces of begin can be flushed.
+ *
+ * Plain devices without panning and without FBIO_WAITFORVSYNC (ENOTTY) tear. */
+#ifndef PEL_DRIVERS_DISPLAY_LINUX_FB_H
+#define PEL_DRIVERS_DISPLAY_LINUX_FB_H
+
+#include <linux/fb.h>
+
+#include "display.h"
+#include "linux_message.h"
+
+enum pel_fb_way {
+    PEL_FB_ANY,   /* pages, otherwise shadow */
+    PEL_FB_STILL, /* pages, otherwise direct: for one picture */
+    PEL_FB_PAGES,
+    PEL_FB_SHADOW,
+    PEL_FB_DIRECT
+};
+
+/* What the kernel says of a device. */
+struct pel_fb_mode {
+    struct fb_fix_screeninfo fixed;
+    struct fb_var_screeninfo variable;
+};
+
+struct pel_display_fb {
+    int fd;
+    struct pel_fb_mode mode;
+    const struct pel_format *format;
+    enum pel_fb_way way;
+    uint8_t *map; /* smem_len bytes, begun at a page */
+    size_t map_length;
+    struct pel_surface page[2]; /* in device memory; direct, shadow: one */
+    struct pel_surface shadow;
+    int32_t back;           /* the page that begin gives */
+    int32_t dirty0, dirty1; /* lines that flip copies; none when equal */
+    bool no_vsync;          /* the device does not know FBIO_WAITFORVSYNC */
+    struct pel_message *message;
+};
+
+/* The format of a mode, or NULL with the message: the values, and why. */
+const struct pel_format *pel_fb_format(const struct pel_fb_mode *mode,
+                                       struct pel_message *message);
+
+/* Opens the device and looks at its mode; nothing is changed yet. Errors go to
+ * `message`, which must outlive the display. An errno, or 0. */
+int pel_display_fb_open(struct pel_display_fb *fb, const char *path,
+                        struct pel_message *message);
+
+/* Sets colour maps and pages, and fills `display`. An errno, or 0. The caller
+ * saved the device's state before (console_linux_state.h) and restores it. */
+int pel_display_fb_start(struct pel_display *display, struct pel_display_fb *fb,
+                         enum pel_fb_way way);
+
+/* Sets mode and colour map again, after another program had the screen. */
+void pel_display_fb_enter(struct pel_display_fb *fb);
+
+/* Releases memory and descriptor; restores nothing. */
+void pel_display_fb_close(struct pel_display_fb *fb);
+
+#endif

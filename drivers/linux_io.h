@@ -1,0 +1,39 @@
+/* System calls that begin again when a signal interrupts them. Safe in signal
+ * handlers. */
+#ifndef PEL_DRIVERS_LINUX_IO_H
+#define PEL_DRIVERS_LINUX_IO_H
+
+#include <errno.h>
+#include <fcntl.h>
+#include <sys/ioctl.h>
+
+static inline int pel_linux_open(const char *path, int flags)
+{
+    int fd;
+    do
+        fd = open(path, flags | O_CLOEXEC);
+    while (fd < 0 && errno == EINTR);
+    return fd;
+}
+
+static inline int pel_linux_ioctl(int fd, unsigned long request, void *argument)
+{
+    int result;
+    do
+        result = ioctl(fd, request, argument);
+    while (result < 0 && errno == EINTR);
+    return result;
+}
+
+/* For requests whose argument is a number. */
+static inline int pel_linux_ioctl_number(int fd, unsigned long request,
+                                         unsigned long argument)
+{
+    int result;
+    do
+        result = ioctl(fd, request, argument);
+    while (result < 0 && errno == EINTR);
+    return result;
+}
+
+#endif

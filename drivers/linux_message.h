@@ -1,0 +1,26 @@
+/* What a Linux driver has to say: one line without a newline, for the program
+ * to print. */
+#ifndef PEL_DRIVERS_LINUX_MESSAGE_H
+#define PEL_DRIVERS_LINUX_MESSAGE_H
+
+#include <stdarg.h>
+#include <stddef.h>
+
+struct pel_message {
+    char text[480]; /* "" when there is nothing to say; cut when too long */
+};
+
+#if defined(__GNUC__)
+__attribute__((format(printf, 2, 3)))
+#endif
+void pel_message_set(struct pel_message *message, const char *format, ...);
+
+/* "WHAT: Permission denied" and so on, for the errno given. */
+void pel_message_errno(struct pel_message *message, const char *what,
+                       int error);
+
+/* Why `path` could not be opened, and what would help: for EACCES the group
+ * that owns it and the usermod line. */
+void pel_message_open(struct pel_message *message, const char *path, int error);
+
+#endif

@@ -1,0 +1,39 @@
+#include "semihost.h"
+
+enum { SYS_WRITE0 = 0x04, SYS_EXIT_EXTENDED = 0x20 };
+
+static void call(uint32_t operation, const void *argument)
+{
+    register uint32_t r0 __asm__("r0") = operation;
+    register const void *r1 __asm__("r1") = argument;
+    __asm__ volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory");
+}
+
+void semihost_write(const char *text)
+{
+    call(SYS_WRITE0, text);
+}
+
+void semihost_write_number(uint32_t number)
+{
+    static const uint32_t power[] = {1000000000, 100000000, 10000000, 1000000,
+                                     100000,     10000,     1000,     100,
+                                     10,         1};
+    char digits[11], *p = digits;
+    for (unsigned i = 0; i < sizeof power / sizeof *power; i++) {
+        *p = '0';
+        for (; number >= power[i]; number -= power[i])
+            ++*p;
+        if (p > digits || *p > '0' || power[i] == 1)
+            p++;
+    }
+    *p = '\0';
+    semihost_write(digits);
+}
+
+void semihost_exit(int status)
+{
+    const uint32_t stopped_by_exit[2] = {0x20026, (uint32_t)status};
+    for (;;)
+        call(SYS_EXIT_EXTENDED, stopped_by_exit);
+}

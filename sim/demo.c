@@ -1,0 +1,161 @@
+/* pel demo: draws the gallery. */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <time.h>
+
+#include "arguments.h"
+#include "canvas.h"
+#include "commands.h"
+#include "demo.h"
+#include "demo_index.h"
+#include "message.h"
+#include "scene.h"
+
+struct demo_options {
+    const char *directory;
+    char **scripts;
+    int script_count;
+};
+
+static error_t parse_option(int key, char *text, struct argp_state *state)
+{
+    struct demo_options *o = state->input;
+    switch (key) {
+    case ARGP_KEY_ARG:
+        if (o->directory)
+            return ARGP_ERR_UNKNOWN; /* comes again as ARGP_KEY_ARGS */
+        o->directory = text;
+        return 0;
+    case ARGP_KEY_ARGS:
+        o->scripts = state->argv + state->next;
+        o->script_count = state->argc - state->next;
+        return 0;
+    case ARGP_KEY_NO_ARGS:
+        arguments_error(state, "the directory for the pictures is missing");
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp parser = {
+    NULL,
+    parse_option,
+    "DIRECTORY [SCRIPT...]",
+    "Draws the gallery into a directory: every demo and every scene script, as "
+    "PPM and PNG (BMP without libpng), with index.html.\v"
+    "Prints the milliseconds that the drawing of each picture took.",
+    NULL,
+    NULL,
+    NULL,
+};
+
+double demo_clock(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+static bool save_as(const char *directory, const char *name, const char *ending,
+                    const struct picture *picture)
+{
+    char *path;
+    if (asprintf(&path, "%s/%s%s", directory, name, ending) < 0)
+        return message_error("out of memory");
+    const bool done = picture_save(picture, path);
+    free(path);
+    return done;
+}
+
+static bool add_picture(struct demo_index *index, const struct demo *demo,
+                        const struct demo_result *result)
+{
+    const struct picture *p = &result->picture;
+    printf("%-20s %5d x %-5d %10.3f ms\n", demo->name, p->width, p->height,
+           result->milliseconds);
+    fflush(stdout);
+    demo_index_add(index, demo, result);
+    return save_as(index->directory, demo->name, ".ppm", p) &&
+           save_as(index->directory, demo->name, picture_best_ending(), p);
+}
+
+static bool add_demos(struct demo_index *index, const struct demo *demo)
+{
+    bool done = true;
+    for (; done && demo->name; demo++) {
+        struct demo_result result = {{0, 0, NULL}, 0, ""};
+        done = demo->draw(&result) && add_picture(index, demo, &result);
+        picture_free(&result.picture);
+    }
+    return done;
+}
+
+static bool draw_scene(const struct scene *scene, struct demo_result *result)
+{
+    struct canvas canvas;
+    if (!canvas_init(&canvas, scene->format, scene->width, scene->height))
+        return false;
+    const double start = demo_clock();
+    bool done = scene_draw(scene, &canvas, -1);
+    result->milliseconds = demo_clock() - start;
+    done = done && canvas_picture(&canvas, &result->picture);
+    canvas_free(&canvas);
+    return done;
+}
+
+/* The name of a script without folder and ending. */
+static void name_of(const char *path, char *name, size_t size)
+{
+    const char *slash = strrchr(path, '/');
+    snprintf(name, size, "%s", slash ? slash + 1 : path);
+    char *dot = strrchr(name, '.');
+    if (dot && dot > name)
+        *dot = '\0';
+}
+
+static bool add_scene(struct demo_index *index, const char *path)
+{
+    char name[128], caption[1024];
+    struct demo_result result = {{0, 0, NULL}, 0, ""};
+    struct scene scene;
+    if (!scene_load(&scene, path, NULL))
+        return false;
+    name_of(path, name, sizeof name);
+    demo_index_escape(scene.caption, caption, sizeof caption);
+    const struct demo demo = {name, caption, NULL};
+    const bool done =
+        draw_scene(&scene, &result) && add_picture(index, &demo, &result);
+    picture_free(&result.picture);
+    scene_free(&scene);
+    return done;
+}
+
+static bool add_all(struct demo_index *index, const struct demo_options *o)
+{
+    bool done = true;
+    for (int i = 0; done && i < o->script_count; i++)
+        done = add_scene(index, o->scripts[i]);
+    return done && add_demos(index, demo_formats) &&
+           add_demos(index, demo_rules) && add_demos(index, demo_duck);
+}
+
+int command_demo(int argc, char **argv)
+{
+    struct demo_options o = {NULL, NULL, 0};
+    struct demo_index index;
+    arguments_parse(&parser, argc, argv, &o);
+    if (mkdir(o.directory, 0777) != 0 && errno != EEXIST) {
+        message_error_at(o.directory, 0, "cannot be made: %s", strerror(errno));
+        return STATUS_ERROR;
+    }
+    if (!demo_index_open(&index, o.directory))
+        return STATUS_ERROR;
+    if (!add_all(&index, &o)) {
+        demo_index_abandon(&index);
+        return STATUS_ERROR;
+    }
+    return demo_index_commit(&index) ? STATUS_OK : STATUS_ERROR;
+}

@@ -1,0 +1,240 @@
+/* pel import: makes assets for firmware, and pel2d files. */
+#include "import.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "arguments.h"
+#include "commands.h"
+#include "format_names.h"
+#include "mesh_input.h"
+#include "message.h"
+#include "texture.h"
+
+struct import_command {
+    struct mesh_input input;
+    struct import_options options;
+    const struct pel_format *format; /* NULL: not given */
+    char name[128];                  /* made from the output's */
+};
+
+enum { OPTION_NAME = 0x200, OPTION_FORMAT, OPTION_NORMALS, OPTION_TEXTURE };
+
+static const struct argp_option options[] = {
+    {"output", 'o', "FILE", 0,
+     "the asset: .c, or .pel2d for a projected mesh; - is C on standard output",
+     0},
+    {"name", OPTION_NAME, "NAME", 0,
+     "of the C object (default: the output's base name)", 0},
+    {"format", OPTION_FORMAT, "NAME", 0,
+     "pixel format of a picture (default: rgb565_le)", 0},
+    {"normals", OPTION_NORMALS, "BITS", 0, "8 (default) or 16", 0},
+    {"texture", OPTION_TEXTURE, "FILE", 0,
+     "take the vertices' colours from this picture", 0},
+    {0},
+};
+
+static bool has_ending(const char *path, const char *const *ending)
+{
+    const char *dot = strrchr(path, '.');
+    for (; dot && *ending; ending++)
+        if (strcasecmp(dot, *ending) == 0)
+            return true;
+    return false;
+}
+
+static bool is_picture(const char *path)
+{
+    static const char *const ending[] = {".png", ".jpg", ".jpeg", ".tga",
+                                         ".bmp", ".ppm", ".pgm",  NULL};
+    return has_ending(path, ending);
+}
+
+static bool is_pel2d(const char *path)
+{
+    static const char *const ending[] = {".pel2d", NULL};
+    return has_ending(path, ending);
+}
+
+static bool parse_input(const char *text, struct import_command *c)
+{
+    if (c->input.path)
+        return message_error("'%s' is a second input; one would be right",
+                             text);
+    c->input.path = text;
+    return true;
+}
+
+static bool parse_format(const char *text, struct import_command *c)
+{
+    c->format = format_find(text);
+    return c->format || message_error("unknown format '%s': valid are %s", text,
+                                      format_list());
+}
+
+static bool parse_normals(const char *text, struct import_command *c)
+{
+    bool is_8 = strcmp(text, "8") == 0;
+    c->options.normal_bits = is_8 ? 8 : 16;
+    return is_8 || strcmp(text, "16") == 0 ||
+           message_error("--normals is '%s'; 8 or 16 would be right", text);
+}
+
+static error_t parse(int key, char *text, struct argp_state *state)
+{
+    struct import_command *c = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &c->input.camera;
+        return 0;
+    case ARGP_KEY_ARG:
+        return parse_input(text, c) ? 0 : EINVAL;
+    case 'o':
+        c->options.output = text;
+        return 0;
+    case OPTION_NAME:
+        c->options.name = text;
+        return 0;
+    case OPTION_TEXTURE:
+        c->input.texture = text;
+        return 0;
+    case OPTION_FORMAT:
+        return parse_format(text, c) ? 0 : EINVAL;
+    case OPTION_NORMALS:
+        return parse_normals(text, c) ? 0 : EINVAL;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = {
+    {&camera_argp, 0, "Camera, for pel2d files:", 2}, {0}};
+
+static const struct argp parser = {
+    .options = options,
+    .parser = parse,
+    .args_doc = "MESH|PICTURE",
+    .doc = "Makes an asset for firmware: a C file with one const struct, of a "
+           "mesh (core/asset/mesh_asset.h) or of a picture "
+           "(core/asset/image_asset.h).\v"
+           "MESH is a file that assimp reads, or " MESH_BUILTIN
+           "; PICTURE is a .png, .jpg, .tga, .bmp, .ppm or .pgm file. The same "
+           "input gives the same bytes.",
+    .children = children,
+};
+
+/* Base name of the output up to the first dot, what C does not take as _. */
+static void make_name(struct import_command *c)
+{
+    const char *slash = strrchr(c->options.output, '/');
+    const char *base = slash ? slash + 1 : c->options.output;
+    size_t n = strcspn(base, ".");
+    if (strcmp(base, "-") == 0 || n == 0)
+        base = "asset", n = 5;
+    snprintf(c->name, sizeof(c->name), "%s%.*s",
+             isdigit((unsigned char)*base) ? "_" : "", (int)n, base);
+    for (char *p = c->name; *p; p++)
+        if (!isalnum((unsigned char)*p))
+            *p = '_';
+    c->options.name = c->name;
+}
+
+static bool check_name(const char *name)
+{
+    static const char words[] =
+        " auto break case char const continue default do double else enum "
+        "extern float for goto if inline int long register restrict return "
+        "short signed sizeof static struct switch typedef union unsigned void "
+        "volatile while ";
+    char padded[160];
+    size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyz"
+                            "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+    snprintf(padded, sizeof(padded), " %s ", name);
+    return (n > 0 && n < 128 && name[n] == '\0' &&
+            !isdigit((unsigned char)*name) && !strstr(words, padded)) ||
+           message_error("the name '%s' is no identifier of C; --name such as "
+                         "duck would be right",
+                         name);
+}
+
+static bool check(struct import_command *c)
+{
+    static const char *const ending[] = {".c", NULL};
+    const char *input = c->input.path, *output = c->options.output;
+    if (!input || !output)
+        return message_error("%s is missing; `pel import MESH|PICTURE -o "
+                             "ASSET.c` would be right",
+                             input ? "-o ASSET.c" : "an input");
+    if (is_pel2d(output))
+        return !is_picture(input) ||
+               message_error_at(input, 0,
+                                "a pel2d file holds a mesh; an "
+                                "output .c would be right");
+    if (strcmp(output, "-") != 0 && !has_ending(output, ending))
+        return message_error_at(output, 0,
+                                "an output .c or .pel2d would be right");
+    if (c->input.camera.is_set)
+        return message_error("a camera is for an output .pel2d; a C asset "
+                             "holds the mesh itself");
+    if (!c->options.name)
+        make_name(c);
+    return check_name(c->options.name);
+}
+
+static bool import_as_pel2d(struct import_command *c)
+{
+    struct pel2d flat;
+    if (!mesh_input_load(&c->input, &flat))
+        return false;
+    bool done = pel2d_save(&flat, c->options.output);
+    pel2d_free(&flat);
+    return done;
+}
+
+static bool import_as_picture(struct import_command *c)
+{
+    struct picture picture;
+    if (!texture_load(&picture, c->input.path))
+        return false;
+    bool done =
+        import_picture(&c->options, &picture,
+                       c->format ? c->format : format_find("rgb565_le"));
+    picture_free(&picture);
+    return done;
+}
+
+static bool import_as_mesh(struct import_command *c)
+{
+    struct mesh mesh;
+    const char *path = c->input.path;
+    if (c->format)
+        return message_error_at(path, 0, "--format is for pictures");
+    if (pel2d_is_file(path))
+        return message_error_at(path, 0,
+                                "is projected already; a mesh would be right");
+    if (!mesh_load(&mesh, path))
+        return false;
+    bool done = mesh_paint(&mesh, path, c->input.texture, false) &&
+                import_mesh(&c->options, &mesh);
+    mesh_free(&mesh);
+    return done;
+}
+
+int command_import(int argc, char **argv)
+{
+    struct import_command c = {
+        .input = {.camera = camera_default},
+        .options = {.normal_bits = 8},
+    };
+    arguments_parse(&parser, argc, argv, &c);
+    c.options.source = c.input.path;
+    if (!check(&c))
+        return STATUS_ERROR;
+    bool done = is_pel2d(c.options.output) ? import_as_pel2d(&c)
+                : is_picture(c.input.path) ? import_as_picture(&c)
+                                           : import_as_mesh(&c);
+    return done ? STATUS_OK : STATUS_ERROR;
+}

@@ -1,0 +1,40 @@
+/* The assets that `pel import` writes. */
+#ifndef SIM_IMPORT_H
+#define SIM_IMPORT_H
+
+#include "core/asset/mesh_asset.h"
+#include "core/base/format.h"
+#include "mesh.h"
+#include "picture.h"
+
+struct import_options {
+    const char *source; /* file, for the comment: its base name is shown */
+    const char *output; /* file or "-" */
+    const char *name;   /* of the C object */
+    int normal_bits;    /* 8 or 16 */
+};
+
+/* Write a C file with one const struct and its arrays, the same for the same
+ * input: no date, no path. False, with a message on standard error, when that
+ * failed. */
+bool import_mesh(const struct import_options *options, const struct mesh *mesh);
+bool import_picture(const struct import_options *options,
+                    const struct picture *picture,
+                    const struct pel_format *format);
+
+/* Points of n axes, 2 or 3, `stride` doubles apart: the quantum for numbers of
+ * 16 bits, signed ones around the middle of the points, unsigned ones from
+ * their least coordinate. */
+struct import_points {
+    const double *first;
+    size_t stride, count;
+    int axes;
+    bool is_signed;
+};
+struct pel_mesh_quantum import_quantum(const struct import_points *points);
+
+/* The nearest number of a coordinate. */
+long import_quantised(const struct pel_mesh_quantum *quantum, int axis,
+                      double value);
+
+#endif

@@ -1,0 +1,75 @@
+#include "import.h"
+
+#include <string.h>
+
+#include "canvas.h"
+#include "core/asset/image_asset.h"
+#include "format_names.h"
+#include "import_text.h"
+
+static const char *name_of(const struct pel_format *format)
+{
+    const struct format_name *entry = format_names;
+    while (entry->format != format)
+        entry++;
+    return entry->name;
+}
+
+static void write_bytes(struct import_text *text, const uint8_t *byte,
+                        size_t size)
+{
+    text->column = 80;
+    for (size_t i = 0; i < size; i++) {
+        const long value = byte[i];
+        import_array_item(text, &value, 1);
+    }
+}
+
+/* The union gives the bytes the alignment of a word. */
+static void write_asset(struct import_text *text,
+                        const struct import_options *options,
+                        const struct pel_surface *surface)
+{
+    FILE *out = text->output.stream;
+    const char *name = options->name;
+    struct pel_image_asset image = {
+        .format = surface->format->id,
+        .width = (uint16_t)surface->bounds.x1,
+        .height = (uint16_t)surface->bounds.y1,
+        .stride = surface->stride,
+    };
+    image.size = pel_image_lines(&image) * (uint32_t)image.stride;
+    fprintf(out, "\nstatic const union {\n    uint8_t bytes[%u];\n",
+            image.size);
+    fprintf(out, "    uint32_t word;\n} %s_pixels = {{", name);
+    write_bytes(text, surface->pixels, image.size);
+    fprintf(out, "\n}};\n\nextern const struct pel_image_asset %s;\n", name);
+    fprintf(out, "const struct pel_image_asset %s = {\n", name);
+    fprintf(out, "    PEL_IMAGE_MAGIC,\n    PEL_IMAGE_VERSION,\n");
+    fprintf(out, "    %u, /* %s */\n", image.format, name_of(surface->format));
+    fprintf(out, "    %u,\n    %u,\n    %ld,\n    %lu,\n    %s_pixels.bytes,\n",
+            image.width, image.height, (long)image.stride,
+            (unsigned long)image.size, name);
+    fprintf(out, "};\n");
+}
+
+bool import_picture(const struct import_options *options,
+                    const struct picture *picture,
+                    const struct pel_format *format)
+{
+    struct canvas canvas;
+    struct import_text text;
+    if (!canvas_init(&canvas, format, picture->width, picture->height))
+        return false;
+    for (int y = 0; y < picture->height; y++)
+        format->store(&canvas.surface, 0, y, picture->width,
+                      picture_row(picture, y));
+    bool done = import_text_open(&text, options->output, options->source,
+                                 "core/asset/image_asset.h");
+    if (done) {
+        write_asset(&text, options, &canvas.surface);
+        done = output_commit(&text.output);
+    }
+    canvas_free(&canvas);
+    return done;
+}

@@ -1,0 +1,63 @@
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "commands.h"
+#include "message.h"
+
+struct command {
+    const char *name, *usage, *what;
+    int (*run)(int argc, char **argv);
+};
+
+static const struct command commands[] = {
+    {"run", "SCRIPT [-o OUT.ppm] [--bands ROWS]", "draw a scene script",
+     command_run},
+    {"render", "MESH -o OUT.ppm", "draw a mesh", command_render},
+    {"compare", "A.ppm B.ppm", "find the differences of two pictures",
+     command_compare},
+    {"import", "MESH|PICTURE -o ASSET.c", "make an asset for firmware",
+     command_import},
+    {"demo", "DIRECTORY [SCRIPT...]", "draw the gallery", command_demo},
+    {"console", "--reset", "repair a console left in graphics mode",
+     command_console},
+};
+
+enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
+
+static void print_usage(FILE *file)
+{
+    fprintf(file, "Usage: pel COMMAND [ARGUMENTS]\n\n");
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        fprintf(file, "  %-8s %-36s %s\n", commands[i].name, commands[i].usage,
+                commands[i].what);
+    fprintf(file, "\n`pel COMMAND --help' tells more. A file - is standard "
+                  "input or output.\n");
+}
+
+static int run_command(const struct command *command, int argc, char **argv)
+{
+    char name[32];
+    snprintf(name, sizeof name, "pel %s", command->name);
+    argv[0] = name;
+    return command->run(argc, argv);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 2) {
+        print_usage(stderr);
+        return STATUS_ERROR;
+    }
+    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
+        print_usage(stdout);
+        return STATUS_OK;
+    }
+    for (size_t i = 0; i < COMMAND_COUNT; i++)
+        if (strcmp(argv[1], commands[i].name) == 0)
+            return run_command(&commands[i], argc - 1, argv + 1);
+    message_error("unknown command %s: valid are run, render, compare, import, "
+                  "demo, console",
+                  argv[1]);
+    return STATUS_ERROR;
+}

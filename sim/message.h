@@ -1,0 +1,19 @@
+/* Errors: one line on standard error that says what is wrong and what would be
+ * right. All return false, so that a caller can `return message_error(...)`. */
+#ifndef SIM_MESSAGE_H
+#define SIM_MESSAGE_H
+
+#include <stdbool.h>
+
+/* pel: TEXT */
+__attribute__((format(printf, 1, 2))) bool message_error(const char *format,
+                                                         ...);
+
+/* pel: FILE:LINE: TEXT; the line is left out when 0. "-" is shown as
+ * (standard input). */
+__attribute__((format(printf, 3, 4))) bool message_error_at(const char *file,
+                                                            long line,
+                                                            const char *format,
+                                                            ...);
+
+#endif

@@ -1,0 +1,97 @@
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "format_names.h"
+#include "message.h"
+#include "number.h"
+#include "scene_commands.h"
+
+static bool refuse(const struct scene_place *place, const char *word,
+                   const char *right)
+{
+    return message_error_at(place->path, place->line, "%s: %s must be %s",
+                            place->command->name, word, right);
+}
+
+static bool parse_subpixels(const struct scene_place *place, const char *word,
+                            int32_t *value)
+{
+    switch (number_subpixels(word, value)) {
+    case NUMBER_OK:
+        return true;
+    case NUMBER_RANGE:
+        return refuse(place, word, "in -32768..32767.998 pixels");
+    default:
+        return refuse(place, word, "a decimal number such as 12 or -3.25");
+    }
+}
+
+static bool parse_length(const struct scene_place *place, const char *word,
+                         int32_t *value)
+{
+    if (!parse_subpixels(place, word, value))
+        return false;
+    if (*value < 0 || *value > PEL_PX(32767))
+        return refuse(place, word, "in 0..32767 pixels");
+    return true;
+}
+
+static bool parse_whole(const struct scene_place *place, const char *word,
+                        int32_t min, int32_t *value)
+{
+    int64_t v;
+    char right[48];
+    snprintf(right, sizeof right, "a whole number in %d..32767", (int)min);
+    if (number_integer(word, min, 32767, &v) != NUMBER_OK)
+        return refuse(place, word, right);
+    *value = (int32_t)v;
+    return true;
+}
+
+static bool parse_color(const struct scene_place *place, const char *word,
+                        int32_t *value)
+{
+    const size_t digits = strspn(word + 1, "0123456789abcdefABCDEF");
+    if (word[0] != '#' || word[digits + 1] || (digits != 6 && digits != 8))
+        return refuse(place, word, "a colour: #rrggbb or #rrggbbaa");
+    const uint32_t v = (uint32_t)strtoul(word + 1, NULL, 16);
+    const pel_color color = digits == 6 ? 0xFF000000u | v : v << 24 | v >> 8;
+    memcpy(value, &color, sizeof color);
+    return true;
+}
+
+static bool parse_format(const struct scene_place *place, const char *word,
+                         int32_t *value)
+{
+    for (int32_t i = 0; format_names[i].name; i++) {
+        if (strcmp(format_names[i].name, word) == 0) {
+            *value = i;
+            return true;
+        }
+    }
+    return message_error_at(place->path, place->line,
+                            "canvas: unknown format %s: valid are %s", word,
+                            format_list());
+}
+
+bool scene_argument(const struct scene_place *place, enum scene_kind kind,
+                    const char *word, int32_t *value)
+{
+    switch (kind) {
+    case KIND_COORDINATE:
+        return parse_subpixels(place, word, value);
+    case KIND_LENGTH:
+        return parse_length(place, word, value);
+    case KIND_PIXEL:
+        return parse_whole(place, word, -32768, value);
+    case KIND_COUNT:
+        return parse_whole(place, word, 0, value);
+    case KIND_SIZE:
+        return parse_whole(place, word, 1, value);
+    case KIND_COLOR:
+        return parse_color(place, word, value);
+    default:
+        return parse_format(place, word, value);
+    }
+}

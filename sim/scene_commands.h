@@ -1,0 +1,65 @@
+/* The commands of scene scripts, one row of a table each. Only for scene*.c. */
+#ifndef SIM_SCENE_COMMANDS_H
+#define SIM_SCENE_COMMANDS_H
+
+#include "core/pel.h"
+#include "scene.h"
+
+/* What commands change and shapes use, while a scene is drawn. */
+struct scene_pen {
+    struct pel_surface *surface;
+    struct pel_flat flat;
+    pel_color corner[3]; /* of paint vertex */
+    bool by_vertex;      /* paint vertex is in force */
+    bool collinear_line; /* a triangle without area is a line */
+    struct pel_rect clip;
+    void *scratch; /* for the largest polygon of the scene */
+    size_t scratch_size;
+};
+
+enum scene_role {
+    SCENE_CANVAS,       /* first, and once */
+    SCENE_BANDS,        /* splits the drawing */
+    SCENE_STATE,        /* anything else that is no shape */
+    SCENE_PAINT,        /* a paint that every shape takes */
+    SCENE_PAINT_VERTEX, /* a paint that triangles alone take */
+    SCENE_TRIANGLE,
+    SCENE_SHAPE
+};
+
+/* Kinds of arguments, one letter each in scene_command.kinds; `*` at the end
+ * repeats the last two any number of times. */
+enum scene_kind {
+    KIND_COORDINATE = 'p', /* decimal pixels, to sub-pixels */
+    KIND_LENGTH = 'l',     /* the same, 0 to 32,767 px */
+    KIND_PIXEL = 'i',      /* whole, -32,768 to 32,767 */
+    KIND_COUNT = 'n',      /* whole, 0 to 32,767 */
+    KIND_SIZE = 's',       /* whole, 1 to 32,767 */
+    KIND_COLOR = 'c',      /* #rrggbb or #rrggbbaa */
+    KIND_FORMAT = 'f'      /* a name; its index in format_names */
+};
+
+struct scene_command {
+    const char *name;  /* one word or more */
+    const char *kinds; /* of the arguments after it */
+    const char *usage; /* the same for people */
+    enum scene_role role;
+    void (*draw)(struct scene_pen *pen, const int32_t *v, size_t n);
+    /* What is wrong with these arguments, or NULL. May be NULL itself. */
+    const char *(*check)(const int32_t *v);
+};
+
+/* All commands; the last has the name NULL. */
+extern const struct scene_command scene_commands[];
+
+/* One argument of a kind, from its word. False, with a message, when it is not
+ * one. */
+struct scene_place {
+    const char *path;
+    long line;
+    const struct scene_command *command;
+};
+bool scene_argument(const struct scene_place *place, enum scene_kind kind,
+                    const char *word, int32_t *value);
+
+#endif

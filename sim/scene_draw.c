@@ -1,0 +1,76 @@
+#include <stdlib.h>
+
+#include "message.h"
+#include "scene_commands.h"
+
+/* A part of the list, drawn by one pen for every band: each begins as `start`
+ * and ends as `end`. */
+struct replay {
+    const struct scene *scene;
+    size_t from, to; /* items */
+    struct scene_pen start, end;
+};
+
+static void replay_draw(struct pel_surface *surface, void *context)
+{
+    struct replay *replay = context;
+    const struct scene *scene = replay->scene;
+    struct scene_pen pen = replay->start;
+    pen.surface = surface;
+    pel_surface_clip(surface, &pen.clip);
+    for (size_t i = replay->from; i < replay->to; i++) {
+        const struct scene_item *item = &scene->items[i];
+        if (item->command->draw)
+            item->command->draw(&pen, scene->values + item->first, item->count);
+    }
+    replay->end = pen;
+}
+
+static bool draw_part(struct replay *replay, size_t to, struct canvas *canvas,
+                      int rows)
+{
+    replay->to = to;
+    if (!canvas_draw(canvas, rows, replay_draw, replay))
+        return false;
+    replay->from = to;
+    replay->start = replay->end;
+    return true;
+}
+
+static bool draw_parts(struct replay *replay, struct canvas *canvas)
+{
+    const struct scene *scene = replay->scene;
+    int rows = 0;
+    for (size_t i = 0; i < scene->item_count; i++) {
+        const struct scene_item *item = &scene->items[i];
+        if (item->command->role != SCENE_BANDS)
+            continue;
+        if (!draw_part(replay, i, canvas, rows))
+            return false;
+        rows = scene->values[item->first];
+    }
+    return draw_part(replay, scene->item_count, canvas, rows);
+}
+
+bool scene_draw(const struct scene *scene, struct canvas *canvas, int rows)
+{
+    struct replay replay = {.scene = scene};
+    const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    struct scene_pen *pen = &replay.start;
+    if (rows > 0 && !canvas_bands_legal(scene->format, rows))
+        return message_error("bands of %d rows: mono1_pages needs a multiple "
+                             "of 8",
+                             rows);
+    pen->flat = white;
+    pen->clip = canvas->surface.bounds;
+    pen->scratch_size = pel_polygon_scratch_size((int32_t)scene->polygon_max);
+    pen->scratch = malloc(pen->scratch_size + 1);
+    if (!pen->scratch)
+        return message_error("no memory for a polygon of %zu vertices",
+                             scene->polygon_max);
+    const bool done = rows >= 0
+                          ? draw_part(&replay, scene->item_count, canvas, rows)
+                          : draw_parts(&replay, canvas);
+    free(pen->scratch);
+    return done;
+}

@@ -1,0 +1,97 @@
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "message.h"
+#include "scene_parser.h"
+
+/* The comment at the head of the script. */
+struct caption {
+    FILE *stream;
+    char *text;
+    size_t size;
+    bool ended;
+};
+
+/* Takes a line of the script into the caption, while nothing but comments has
+ * come; an empty line ends it too. */
+static void caption_add(struct caption *caption, const char *text)
+{
+    text += strspn(text, " \t");
+    caption->ended = caption->ended || *text != '#';
+    if (caption->ended)
+        return;
+    text += strspn(text, "# \t");
+    const size_t length = strcspn(text, "\r\n");
+    fprintf(caption->stream, "%s%.*s", ftell(caption->stream) ? " " : "",
+            (int)length, text);
+}
+
+static bool parse_lines(struct scene_parser *p, FILE *file,
+                        struct caption *caption)
+{
+    char *text = NULL;
+    size_t capacity = 0;
+    ssize_t length;
+    bool good = true;
+    while (good && (length = getline(&text, &capacity, file)) >= 0) {
+        p->line++;
+        if (strlen(text) != (size_t)length) {
+            good = message_error_at(p->scene->path, p->line,
+                                    "a zero byte: scripts are text");
+        } else {
+            caption_add(caption, text);
+            good = scene_parse_line(p, text);
+        }
+    }
+    free(text);
+    if (good && ferror(file))
+        good = message_error_at(p->scene->path, 0, "cannot be read: %s",
+                                strerror(errno));
+    return good;
+}
+
+static bool load_from(struct scene *scene, FILE *file)
+{
+    struct scene_parser parser = {.scene = scene};
+    struct caption caption = {NULL, NULL, 0, false};
+    caption.stream = open_memstream(&caption.text, &caption.size);
+    if (!caption.stream)
+        return message_error("out of memory");
+    bool good = parse_lines(&parser, file, &caption);
+    if (good && scene->width == 0)
+        good = message_error_at(scene->path, parser.line,
+                                "no canvas: a script begins with canvas WIDTH "
+                                "HEIGHT FORMAT");
+    free(parser.words);
+    fclose(caption.stream);
+    scene->caption = caption.text;
+    return good;
+}
+
+bool scene_load(struct scene *scene, const char *path,
+                const struct pel_format *format)
+{
+    const struct scene empty = {.path = path, .format = format};
+    const bool is_input = strcmp(path, "-") == 0;
+    *scene = empty;
+    FILE *file = is_input ? stdin : fopen(path, "r");
+    if (!file)
+        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+    const bool done = load_from(scene, file);
+    if (!is_input)
+        fclose(file);
+    if (!done)
+        scene_free(scene);
+    return done;
+}
+
+void scene_free(struct scene *scene)
+{
+    const struct scene empty = {0};
+    free(scene->items);
+    free(scene->values);
+    free(scene->caption);
+    *scene = empty;
+}

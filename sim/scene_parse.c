@@ -1,0 +1,240 @@
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "format_names.h"
+#include "message.h"
+#include "scene_parser.h"
+
+/* Room for one more entry of `size` bytes in a list; NULL, with a message, when
+ * memory is short: the list is then as it was. */
+static void *list_grow(const struct scene_parser *p, void *list, size_t count,
+                       size_t *capacity, size_t size)
+{
+    if (count < *capacity)
+        return list;
+    const size_t n = *capacity ? 2 * *capacity : 64;
+    void *grown = realloc(list, n * size);
+    if (grown)
+        *capacity = n;
+    else
+        message_error_at(p->scene->path, p->line, "out of memory");
+    return grown;
+}
+
+static bool add_word(struct scene_parser *p, char *word)
+{
+    char **list =
+        list_grow(p, p->words, p->word_count, &p->word_capacity, sizeof *list);
+    if (!list)
+        return false;
+    p->words = list;
+    list[p->word_count++] = word;
+    return true;
+}
+
+static bool add_value(struct scene_parser *p, int32_t value)
+{
+    struct scene *s = p->scene;
+    int32_t *list = list_grow(p, s->values, s->value_count, &p->value_capacity,
+                              sizeof *list);
+    if (!list)
+        return false;
+    s->values = list;
+    list[s->value_count++] = value;
+    return true;
+}
+
+static bool add_item(struct scene_parser *p, const struct scene_item *item)
+{
+    struct scene *s = p->scene;
+    struct scene_item *list =
+        list_grow(p, s->items, s->item_count, &p->item_capacity, sizeof *list);
+    if (!list)
+        return false;
+    s->items = list;
+    list[s->item_count++] = *item;
+    return true;
+}
+
+static bool split_words(struct scene_parser *p, char *text)
+{
+    static const char space[] = " \t\r\n\v\f";
+    char *rest;
+    p->word_count = 0;
+    for (char *word = strtok_r(text, space, &rest); word;
+         word = strtok_r(NULL, space, &rest))
+        if (!add_word(p, word))
+            return false;
+    return true;
+}
+
+/* How many words of the line are the command's name: all of it, or 0. */
+static size_t match_name(const struct scene_parser *p, const char *name)
+{
+    size_t n = 0;
+    while (*name) {
+        const size_t length = strcspn(name, " ");
+        if (n == p->word_count || strlen(p->words[n]) != length ||
+            strncmp(p->words[n], name, length) != 0)
+            return 0;
+        name += length + (name[length] == ' ');
+        n++;
+    }
+    return n;
+}
+
+static bool has_first_word(const struct scene_command *c, const char *word)
+{
+    const size_t length = strcspn(c->name, " ");
+    return strlen(word) == length && strncmp(c->name, word, length) == 0;
+}
+
+/* "unknown": the commands with the same first word, or else all. */
+static bool refuse_unknown(const struct scene_parser *p)
+{
+    char list[512];
+    const char *word = p->words[0];
+    const struct scene_command *c = scene_commands;
+    bool first_known = false;
+    for (; c->name; c++)
+        first_known = first_known || has_first_word(c, word);
+    size_t n = 0;
+    for (c = scene_commands; c->name; c++)
+        if (!first_known || has_first_word(c, word))
+            n += (size_t)snprintf(list + n, sizeof list - n, "%s%s",
+                                  n ? ", " : "", c->name);
+    const bool more = first_known && p->word_count > 1;
+    return message_error_at(p->scene->path, p->line,
+                            "unknown command %s%s%s: valid are %s", word,
+                            more ? " " : "", more ? p->words[1] : "", list);
+}
+
+static const struct scene_command *find_command(const struct scene_parser *p,
+                                                size_t *name_words)
+{
+    for (const struct scene_command *c = scene_commands; c->name; c++) {
+        *name_words = match_name(p, c->name);
+        if (*name_words)
+            return c;
+    }
+    refuse_unknown(p);
+    return NULL;
+}
+
+/* The kind of argument i, or 0 when the command takes no more. */
+static enum scene_kind kind_at(const char *kinds, size_t i)
+{
+    const size_t n = strcspn(kinds, "*");
+    if (i >= n && kinds[n] == '*')
+        i = n - 2 + (i - n) % 2;
+    return i < n ? (enum scene_kind)kinds[i] : 0;
+}
+
+static bool refuse_count(const struct scene_place *at, size_t given)
+{
+    const size_t needed = strcspn(at->command->kinds, "*");
+    const bool repeats = at->command->kinds[needed] == '*';
+    return message_error_at(
+        at->path, at->line, "%s takes %zu values%s, not %zu: %s %s",
+        at->command->name, needed, repeats ? " or more, in pairs" : "", given,
+        at->command->name, at->command->usage);
+}
+
+/* Arguments from word `first` on. A word with # is a comment, unless a colour
+ * belongs there. */
+static bool parse_arguments(struct scene_parser *p,
+                            const struct scene_place *at, size_t first)
+{
+    const size_t needed = strcspn(at->command->kinds, "*");
+    size_t n = 0;
+    for (size_t i = first; i < p->word_count; i++, n++) {
+        const enum scene_kind kind = kind_at(at->command->kinds, n);
+        int32_t value;
+        if (p->words[i][0] == '#' && kind != KIND_COLOR)
+            break;
+        if (!kind)
+            return refuse_count(at, p->word_count - first);
+        if (!scene_argument(at, kind, p->words[i], &value) ||
+            !add_value(p, value))
+            return false;
+    }
+    if (n < needed || (n - needed) % 2 != 0)
+        return refuse_count(at, n);
+    return true;
+}
+
+static bool take_canvas(struct scene_parser *p, const struct scene_place *at,
+                        const int32_t *v)
+{
+    struct scene *scene = p->scene;
+    if (scene->width)
+        return message_error_at(at->path, at->line,
+                                "a second canvas: a script has one");
+    scene->width = v[0];
+    scene->height = v[1];
+    if (!scene->format)
+        scene->format = format_names[v[2]].format;
+    if (!canvas_size_legal(v[0], v[1]))
+        return message_error_at(at->path, at->line,
+                                "canvas: %d x %d pixels are too many: %ld at "
+                                "most",
+                                v[0], v[1], (long)CANVAS_PIXELS_MAX);
+    return true;
+}
+
+/* What hangs together between lines: `v` are the values of this one. */
+static bool check_command(struct scene_parser *p, const struct scene_place *at,
+                          const int32_t *v)
+{
+    const struct scene_command *c = at->command;
+    const char *wrong = c->check ? c->check(v) : NULL;
+    if (wrong)
+        return message_error_at(at->path, at->line, "%s: %s", c->name, wrong);
+    if (c->role == SCENE_PAINT || c->role == SCENE_PAINT_VERTEX)
+        p->by_vertex = c->role == SCENE_PAINT_VERTEX;
+    if (c->role == SCENE_SHAPE && p->by_vertex)
+        return message_error_at(at->path, at->line,
+                                "%s: paint vertex colours triangles; set "
+                                "another paint first",
+                                c->name);
+    if (c->role == SCENE_BANDS && !canvas_bands_legal(p->scene->format, v[0]))
+        return message_error_at(at->path, at->line,
+                                "bands %d: mono1_pages needs a multiple of 8",
+                                v[0]);
+    return true;
+}
+
+static bool parse_command(struct scene_parser *p, const struct scene_place *at,
+                          size_t name_words)
+{
+    struct scene *scene = p->scene;
+    const size_t first = scene->value_count;
+    const bool is_canvas = at->command->role == SCENE_CANVAS;
+    if (!is_canvas && !scene->width)
+        return message_error_at(at->path, at->line,
+                                "%s before the canvas: the first command must "
+                                "be canvas WIDTH HEIGHT FORMAT",
+                                at->command->name);
+    if (!parse_arguments(p, at, name_words))
+        return false;
+    const struct scene_item item = {at->command, at->line, first,
+                                    scene->value_count - first};
+    const int32_t *v = scene->values + first;
+    if (item.count / 2 > scene->polygon_max)
+        scene->polygon_max = item.count / 2;
+    return (is_canvas ? take_canvas(p, at, v) : check_command(p, at, v)) &&
+           add_item(p, &item);
+}
+
+bool scene_parse_line(struct scene_parser *parser, char *text)
+{
+    struct scene_place at = {parser->scene->path, parser->line, NULL};
+    size_t name_words;
+    if (!split_words(parser, text))
+        return false;
+    if (parser->word_count == 0 || parser->words[0][0] == '#')
+        return true;
+    at.command = find_command(parser, &name_words);
+    return at.command && parse_command(parser, &at, name_words);
+}

@@ -1,0 +1,51 @@
+# The host program. assimp, SDL2_image and libpng are each used where
+# pkg-config finds them; without them pel is built all the same, and
+# `pel demo` names what each would add.
+
+PKG_CONFIG ?= pkg-config
+sim_has = $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo $(1))
+SIM_PACKAGES := $(strip $(foreach p,assimp SDL2_image libpng, \
+                          $(call sim_has,$(p))))
+
+sim_define_assimp := -DHAVE_ASSIMP
+sim_define_SDL2_image := -DHAVE_SDL2_IMAGE
+sim_define_libpng := -DHAVE_LIBPNG
+
+SIM_FLAGS := -D_GNU_SOURCE \
+             $(shell $(PKG_CONFIG) --version >/dev/null 2>&1 && \
+                     echo -DHAVE_PKG_CONFIG) \
+             $(foreach p,$(SIM_PACKAGES),$(sim_define_$(p)))
+SIM_LIBS := -lm
+ifneq ($(SIM_PACKAGES),)
+# System headers are not held to our warnings: -isystem for -I.
+SIM_FLAGS += $(patsubst -I%,-isystem %,$(shell $(PKG_CONFIG) --cflags \
+                                               $(SIM_PACKAGES)))
+SIM_LIBS := $(shell $(PKG_CONFIG) --libs $(SIM_PACKAGES)) -lm
+endif
+
+include drivers/linux.mk
+
+SIM := $(sort $(wildcard sim/*.c))
+SIM_OBJECTS := $(SIM:%.c=$(BUILD)/%.o)
+
+all: $(BUILD)/pel
+
+$(BUILD)/pel: $(SIM_OBJECTS) $(LINUX_OBJECTS) $(BUILD)/libpel.a
+	$(CC) $(CFLAGS) $(LDFLAGS) $^ $(SIM_LIBS) $(LINUX_LIBS) -o $@
+
+# Changes only when the flags do, so that a library that was installed later is
+# taken by the next make.
+$(BUILD)/sim/flags: FORCE
+	@mkdir -p $(@D)
+	@echo '$(SIM_FLAGS) $(LINUX_FLAGS)' >$@.new; \
+	cmp -s $@.new $@ && rm $@.new || mv $@.new $@
+
+$(BUILD)/sim/%.o: sim/%.c $(BUILD)/sim/flags
+	@mkdir -p $(@D)
+	$(CC) $(PEL_CFLAGS) $(SIM_FLAGS) $(LINUX_FLAGS) $(CFLAGS) -c $< -o $@
+
+.PHONY: demo FORCE
+demo: $(BUILD)/pel ## the gallery, with the time of each picture, in build/demo
+	$(BUILD)/pel demo $(BUILD)/demo $(sort $(wildcard sim/scenes/*.pel))
+
+-include $(SIM_OBJECTS:.o=.d)

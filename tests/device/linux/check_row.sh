@@ -1,0 +1,96 @@
+#!/bin/sh
+# check_row.sh BUILD CACHE ROW: one virtual machine of rows.txt; then its
+# screens are compared with what the host's pel draws. Results go to
+# BUILD/rows/ROW/result, the machine's words to log beside it. Status 0: all
+# right.
+set -u
+here=$(cd "$(dirname "$0")" && pwd)
+build=$(cd "$1" && pwd)
+cache=$(cd "$2" && pwd)
+row=$3
+line=$(grep "^$row|" "$here/rows.txt") || {
+    echo "check_row.sh: no row $row in rows.txt" >&2
+    exit 2
+}
+modules=$(echo "$line" | cut -d'|' -f2)
+append=$(echo "$line" | cut -d'|' -f3)
+display=$(echo "$line" | cut -d'|' -f4)
+share=$build/rows/$row
+result=$share/result
+
+rm -rf "$share"
+mkdir -p "$share/scenes"
+cp "$here"/guest*.sh "$here/reference.pel" "$share/"
+cp "$here"/../../../sim/scenes/*.pel "$share/scenes/"
+for program in pel pel_no_restore fb_mode console_state faults frames; do
+    ln "$build/guest/$program" "$share/$program" 2> /dev/null ||
+        cp "$build/guest/$program" "$share/$program"
+done
+echo "$row" > "$share/row"
+# tty1 is the controlling terminal, standard input and output the serial line.
+cat > "$share/run.sh" << 'END'
+exec setsid sh -c 'exec 3<> /dev/tty1; exec sh /mnt/guest_run.sh'
+END
+
+machine() {
+    # shellcheck disable=SC2086
+    "$build/vm" "$share" 170 qemu-system-x86_64 -accel tcg -m 256 -nodefaults \
+        -no-reboot -display none -serial stdio -kernel "$cache/vmlinuz" \
+        -initrd "$cache/initramfs" \
+        -append "console=ttyS0 quiet mods=$modules $append" \
+        -virtfs local,path="$share",mount_tag=host,security_model=none \
+        $display
+}
+
+bits_of() { # FORMAT
+    case $1 in
+        rgb332) echo 3 3 2 ;;
+        *565*) echo 5 6 5 ;;
+        *1555*) echo 5 5 5 ;;
+        *) echo 8 8 8 ;;
+    esac
+}
+
+# The host's picture of a scene, and where Pel has no part in it, the
+# reference's.
+compare() { # NAME SCENE FORMAT WIDTH HEIGHT DAC_BITS
+    source=$share/scenes/$2.pel
+    [ -f "$source" ] || source=$share/reference.pel
+    width=$4 height=$5
+    case $2 in reference_*)
+        width=$(echo "$2" | cut -d_ -f2) height=$(echo "$2" | cut -d_ -f3) ;;
+    esac
+    sed "s/^canvas .*/canvas $width $height $3/" "$source" > "$share/scene.pel"
+    "$build/../pel" run "$share/scene.pel" -o "$share/expected.ppm" || return
+    "$build/screen_check" "$share/expected.ppm" "$share/$1.ppm" "$6" || return
+    case $2 in reference*)
+        # shellcheck disable=SC2046
+        "$build/reference" "$width" "$height" $(bits_of "$3") \
+            > "$share/reference.ppm"
+        "$build/screen_check" "$share/reference.ppm" "$share/$1.ppm" "$6" ||
+            return
+        ;;
+    esac
+    equal=$((equal + 1))
+    rm "$share/$1.ppm"
+}
+
+: > "$result"
+begun=$(date +%s)
+machine > "$share/log" 2>&1 || {
+    echo "FAIL $row: the guest's status is not 0"
+    grep -E 'FAIL|^vm:|Oops|panic' "$share/log"
+} >> "$result"
+equal=0
+pictures=0
+while read -r name scene format width height dac; do
+    pictures=$((pictures + 1))
+    compare "$name" "$scene" "$format" "$width" "$height" "$dac" \
+        > "$share/difference" 2>&1 ||
+        echo "FAIL $name ($format): $(cat "$share/difference")" >> "$result"
+done < "$share/manifest"
+passed=$(grep -c '^PASS' "$share/log")
+echo "$row: $equal of $pictures screens equal, $passed checks passed," \
+    "$(($(date +%s) - begun)) s" >> "$result"
+cat "$result"
+! grep -q '^FAIL' "$result"

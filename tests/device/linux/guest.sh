@@ -1,0 +1,91 @@
+# Functions of the guest's scripts; sourced. The host's folder is /mnt; `pel`
+# runs on the virtual terminal tty1, whose descriptor 3 is.
+
+pel=/mnt/pel
+failures=0
+
+fail() { # TEXT
+    echo "FAIL $row: $*"
+    failures=$((failures + 1))
+}
+
+dump() { # NAME
+    echo "@dump $1"
+    read -r answer
+}
+
+press() { # KEYS
+    echo "@key $1"
+    read -r answer
+}
+
+# Runs a command on tty1 in the background; $pid is its process, $log gets what
+# it prints.
+log=/tmp/log
+start() { # COMMAND...
+    /mnt/console_state -default "$@" <&3 > $log 2>&1 &
+    pid=$!
+}
+
+# Until the command waits in poll(2), which is what pel does when the picture is
+# complete, or has ended.
+wait_drawn() {
+    n=0
+    while [ -d /proc/$pid ] && ! grep -q '^7 ' /proc/$pid/syscall; do
+        usleep 20000
+        n=$((n + 1))
+        [ $n -lt 1500 ] || return 1
+    done 2> /dev/null
+    [ -d /proc/$pid ]
+}
+
+# 100 ms for drivers that show what was stored when the page is next scanned.
+settle() {
+    usleep 150000
+}
+
+# Shows one scene and notes what the host has to compare.
+picture() { # NAME FORMAT DAC_BITS COMMAND...
+    name=$row-$1 format=$2 dac=$3
+    shift 3
+    start "$@"
+    if wait_drawn; then
+        grep -q ", $format," $log || fail "$name: not $format: $(cat $log)"
+        settle
+        dump "$name"
+        echo "$name $scene $format $width $height $dac" >> /mnt/manifest
+    else
+        fail "$name: $(cat $log)"
+    fi
+    kill $pid 2> /dev/null
+    wait $pid
+}
+
+# All scenes in the mode that is set, on a canvas of the screen's size; one more
+# with a canvas of its own, which is smaller or larger.
+pictures() { # NAME FORMAT DAC_BITS DEVICE
+    width=$(mode_field 1) height=$(mode_field 2)
+    for file in $scenes; do
+        scene=$(basename "$file" .pel)
+        sed "s/^canvas .*/canvas $width $height $2/" "$file" > /tmp/scene.pel
+        picture "$1-$scene" "$2" "$3" $pel run /tmp/scene.pel --device "$4" \
+            --jobs 2
+    done
+}
+
+# "mode NAME 640x480 virtual 800x600 ...": the two numbers before `virtual`.
+mode_field() { # 1 OR 2
+    /mnt/fb_mode | sed -n 's/.* \([0-9]*\)x\([0-9]*\) virtual .*/\'"$1"'/p'
+}
+
+# A mode, then its pictures. Status 1: the kernel has no such mode.
+mode() { # NAME FORMAT DAC_BITS DEVICE fb_mode's arguments...
+    m_name=$1 m_format=$2 m_dac=$3 m_device=$4
+    shift 4
+    /mnt/fb_mode "$@" > /tmp/mode || {
+        fail "$m_name: mode $*"
+        return
+    }
+    echo "$row: $(cat /tmp/mode)"
+    pictures "$m_name" "$m_format" "$m_dac" "$m_device"
+}

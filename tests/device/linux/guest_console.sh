@@ -1,0 +1,211 @@
+# How programs end, and what they leave; sourced by guest_run.sh.
+
+device=fb:/dev/fb0
+
+pass() { # TEXT
+    echo "PASS $row: $*"
+}
+
+state() {
+    /mnt/console_state /dev/tty1 <&3
+}
+
+state_of_terminal() {
+    state | sed 's/\( nonblocking [01]\) .*/\1/'
+}
+
+# Until the state is $1, at most 3 s: a guardian works beside the program.
+state_becomes() {
+    n=0
+    while [ "$(state)" != "$1" ]; do
+        usleep 50000
+        n=$((n + 1))
+        [ $n -lt 60 ] || return 1
+    done
+}
+
+active_becomes() { # TERMINAL
+    n=0
+    while ! state | grep -q " active $1 "; do
+        usleep 50000
+        n=$((n + 1))
+        [ $n -lt 60 ] || return 1
+    done
+}
+
+# Away to tty2 and back: the program lets go, waits, and draws all again.
+switch_away_and_back() {
+    dump "$row-before-switch"
+    timeout 5 chvt 2 || return 1
+    active_becomes 2 || return 1
+    echo "another terminal" > /dev/tty2
+    settle
+    dump "$row-away"
+    cmp -s "/mnt/$row-before-switch.ppm" "/mnt/$row-away.ppm" && return 1
+    timeout 5 chvt 1 || return 1
+    active_becomes 1 || return 1
+    sleep 1
+    wait_drawn || return 1
+    settle
+    dump "$row-back"
+    cmp "/mnt/$row-before-switch.ppm" "/mnt/$row-back.ppm" || return 1
+    rm "/mnt/$row-before-switch.ppm" "/mnt/$row-back.ppm" "/mnt/$row-away.ppm"
+}
+
+# Ends the program in one of the ways.
+end() { # HOW
+    case $1 in
+        key) press spc ;;
+        switch)
+            switch_away_and_back || fail "$1: picture or terminal is wrong"
+            press ret
+            ;;
+        *) kill -"$1" $pid ;;
+    esac
+    wait $pid
+    echo $? > /tmp/status
+}
+
+status_of() { # HOW
+    case $1 in
+        HUP) echo 129 ;;
+        INT) echo 130 ;;
+        QUIT) echo 131 ;;
+        ABRT) echo 134 ;;
+        KILL) echo 137 ;;
+        SEGV) echo 139 ;;
+        TERM) echo 143 ;;
+        *) echo 0 ;;
+    esac
+}
+
+# One way to end: the state during differs, the state after does not.
+end_case() { # HOW
+    before=$(state)
+    start $pel run /mnt/scenes/cover.pel --device $device
+    wait_drawn || fail "$1: not drawn: $(cat $log)"
+    during=$(state)
+    echo "$during" | grep -q '^graphics 1 .* switching 1 ' ||
+        fail "$1: the console was not taken: $during"
+    end "$1"
+    [ "$(cat /tmp/status)" = "$(status_of "$1")" ] ||
+        fail "$1: status $(cat /tmp/status): $(cat $log)"
+    state_becomes "$before"
+}
+
+ways="key INT TERM SEGV ABRT HUP QUIT KILL switch"
+
+kill_matrix() {
+    for how in $ways; do
+        if end_case $how; then
+            pass "$how on $device: all as before"
+        else
+            fail "$how on $device: before: $before"
+            fail "$how on $device: after:  $(state)"
+        fi
+        ! grep -l pel /proc/[0-9]*/comm 2> /dev/null ||
+            fail "$how: a process is left"
+    done
+}
+
+# The same without the restore must fail, every time; and pel console --reset
+# must repair what is left.
+no_restore_matrix() {
+    pel=/mnt/pel_no_restore
+    ways="key INT TERM SEGV ABRT KILL"
+    state_becomes() {
+        sleep 1
+        [ "$(state)" = "$1" ]
+    }
+    /mnt/fb_mode > /tmp/mode_before
+    for how in $ways; do
+        if end_case $how; then
+            fail "$how: nothing was restored, and the test did not see it"
+        else
+            pass "$how without restore is noticed"
+        fi
+        /mnt/pel console --reset || fail "pel console --reset: $?"
+        state | grep -q '^graphics 0 keyboard 3 switching 0 ' ||
+            fail "pel console --reset left: $(state)"
+    done
+    pel=/mnt/pel
+    pass "pel console --reset repairs"
+}
+
+# Who is not in the group video is told so; who is, draws.
+access() {
+    printf 'root:x:0:\nvideo:x:44:member\nplain:x:1000:\nmember:x:1001:\n' \
+        > /etc/group
+    printf 'root::0:0::/:/bin/sh\nplain::1000:1000::/:/bin/sh\n' > /etc/passwd
+    echo 'member::1001:1001::/:/bin/sh' >> /etc/passwd
+    chgrp 44 /dev/fb0
+    chmod 660 /dev/fb0
+    chmod 755 /mnt /tmp
+    expected="pel: cannot open /dev/fb0: Permission denied; the group 'video' \
+may: sudo usermod -aG video \$USER, then log in again"
+    su plain -c '/mnt/pel run /mnt/reference.pel --device auto' > /tmp/out 2>&1
+    status=$?
+    if [ $status = 2 ] && [ "$(cat /tmp/out)" = "$expected" ]; then
+        pass "$(cat /tmp/out)"
+    else
+        fail "plain user: status $status: $(cat /tmp/out)"
+    fi
+    before=$(state)
+    start su member -c 'exec /mnt/pel run /mnt/reference.pel --device auto'
+    member_case "on a terminal" '^graphics 1 ' '^pel: /dev/fb0'
+    start setsid su member -c \
+        'exec /mnt/pel run /mnt/reference.pel --device auto < /dev/null'
+    member_case "without one" '^graphics 0 ' '^pel: not on a virtual terminal'
+}
+
+member_case() { # WHERE STATE MESSAGE
+    wait_drawn || fail "member of video, $1: $(cat $log)"
+    state | grep -q "$2" || fail "member of video, $1: $(state)"
+    grep -q "$3" $log || fail "member of video, $1: $(cat $log)"
+    kill $pid
+    wait $pid
+    if state_becomes "$before"; then
+        pass "member of video, $1: $(tail -n 1 $log)"
+    else
+        fail "member of video, $1: $before, $(state)"
+    fi
+}
+
+faults() {
+    before=$(state)
+    /mnt/faults fb:/dev/fb0 <&3 > /tmp/faults 2>&1 ||
+        fail "faults: $(grep -v '^PASS' /tmp/faults | head -n 5)"
+    sed -n "s/^PASS/PASS $row:/p" /tmp/faults
+    state_becomes "$before" || fail "faults: $before, $(state)"
+}
+
+# The driver is taken away while frames are drawn.
+vanish_case() { # DEVICE
+    before=$(state_of_terminal)
+    start /mnt/frames "$1"
+    sleep 1
+    echo "$pci" > /sys/bus/pci/drivers/bochs-drm/unbind
+    n=0
+    while [ -d /proc/$pid ] && [ $n -lt 60 ]; do
+        usleep 50000
+        n=$((n + 1))
+    done
+    kill -9 $pid 2> /dev/null
+    wait $pid
+    status=$?
+    after=$(state_of_terminal)
+    if [ $status = 2 ] && grep -q '^frames: [1-9][0-9]* frames, then: .' $log &&
+        [ "$before" = "$after" ]; then
+        pass "$1 vanished: $(tail -n 1 $log)"
+    else
+        fail "$1 vanished: status $status: $(cat $log): $before: $after"
+    fi
+    echo "$pci" > /sys/bus/pci/drivers/bochs-drm/bind
+    sleep 1
+}
+
+vanish() {
+    pci=$(basename /sys/bus/pci/drivers/bochs-drm/0000*)
+    vanish_case fb:/dev/fb0
+    vanish_case drm:/dev/dri/card0
+}

@@ -1,0 +1,126 @@
+# What each virtual machine does, by its name in rows.txt.
+
+row_cirrusfb() {
+    mode 8 rgb332 6 fb:/dev/fb0 8 640 480
+    mode 16 rgb565_le 8 fb:/dev/fb0 16 640 480
+    mode 24 rgb888 8 fb:/dev/fb0 24 640 480
+    mode 16-padded rgb565_le 8 fb:/dev/fb0,pages 16 640 480 800
+    mode 24-padded rgb888 8 fb:/dev/fb0,pages 24 640 480 704
+    scenes=/mnt/reference.pel
+    mode 16-shadow rgb565_le 8 fb:/dev/fb0,shadow 16 640 480
+    mode 24-direct rgb888 8 fb:/dev/fb0,direct 24 640 480
+    mode 8-shadow rgb332 6 fb:/dev/fb0,shadow 8 640 480
+    mode 16-800 rgb565_le 8 fb:/dev/fb0 16 800 600
+    if /mnt/fb_mode 32 2> /dev/null; then
+        fail "32 bits: cirrusfb was expected to refuse them"
+    fi
+    own_sizes rgb565_le fb:/dev/fb0
+}
+
+row_cirrus_16() {
+    mode 16 rgb565_le 8 fb:/dev/fb0
+    scenes=/mnt/reference.pel
+    pictures drm rgb565_le 8 drm:/dev/dri/card0
+}
+
+row_cirrus_24() {
+    mode 24 rgb888 8 fb:/dev/fb0
+}
+
+row_cirrus_32() {
+    mode 32 xrgb8888 8 fb:/dev/fb0
+}
+
+row_vesafb_301() {
+    mode 8 rgb332 6 fb:/dev/fb0
+}
+
+row_vesafb_310() {
+    mode 15 xrgb1555_le 8 fb:/dev/fb0
+}
+
+row_vesafb_311() {
+    mode 16 rgb565_le 8 fb:/dev/fb0
+}
+
+row_vesafb_312() {
+    mode 24 rgb888 8 fb:/dev/fb0
+}
+
+row_vesafb_318() {
+    mode 24 rgb888 8 fb:/dev/fb0
+}
+
+row_vesafb_341() {
+    mode 32 xrgb8888 8 fb:/dev/fb0
+}
+
+row_bochs() {
+    mode 32 xrgb8888 8 fb:/dev/fb0
+    pictures drm xrgb8888 8 drm:/dev/dri/card0
+    put_ignored
+    own_sizes xrgb8888 fb:/dev/fb0
+}
+
+row_access() {
+    . /mnt/guest_console.sh
+    access
+    device=drm:/dev/dri/card0
+    ways="key TERM SEGV KILL switch"
+    kill_matrix
+    vanish
+}
+
+row_faults() {
+    . /mnt/guest_console.sh
+    faults
+}
+
+row_virtio() {
+    mode 32 xrgb8888 8 fb:/dev/fb0
+    pictures drm xrgb8888 8 drm:/dev/dri/card0
+}
+
+row_qxl() {
+    mode 32 xrgb8888 8 fb:/dev/fb0
+    scenes=/mnt/reference.pel
+    pictures drm xrgb8888 8 drm:/dev/dri/card0
+}
+
+# No screen: what is visible in its memory is the picture.
+row_vfb() {
+    dump() {
+        /mnt/fb_mode -read "/mnt/$1.ppm"
+    }
+    mode 16 bgr565_le 8 fb:/dev/fb0 16 640 480
+    mode 24 bgr888 8 fb:/dev/fb0 24 640 480
+    mode 32 xbgr8888 8 fb:/dev/fb0 32 640 480
+    scenes=/mnt/reference.pel
+    mode 16-pages bgr565_le 8 fb:/dev/fb0,pages 16 640 480 640 960
+    mode 16-padded bgr565_le 8 fb:/dev/fb0 16 640 480 700
+}
+
+row_console() {
+    . /mnt/guest_console.sh
+    kill_matrix
+    no_restore_matrix
+}
+
+# A small and a large picture, centred.
+own_sizes() { # FORMAT DEVICE
+    width=own height=own
+    for size in "301 223" "1000 900"; do
+        scene="reference:$size"
+        sed "s/^canvas .*/canvas $size $1/" /mnt/reference.pel > /tmp/scene.pel
+        scene=$(echo "reference $size" | tr ' ' '_')
+        picture "$scene" "$1" 8 $pel run /tmp/scene.pel --device "$2"
+    done
+}
+
+# The kernel says yes to 16 bits and changes nothing: what it then tells counts.
+put_ignored() {
+    /mnt/fb_mode 16 > /tmp/mode 2>&1
+    echo "$row: asked for 16 bits: $(cat /tmp/mode)"
+    scenes=/mnt/reference.pel
+    pictures asked-16 xrgb8888 8 fb:/dev/fb0
+}

@@ -1,0 +1,67 @@
+#!/bin/sh
+# vm_image.sh FOLDER: makes FOLDER/vmlinuz and FOLDER/initramfs from the kernel
+# package that linux-image-amd64 depends on, whatever its version. Done once:
+# nothing is fetched when both are there and this script and init are older.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+folder=$1
+modules="9p 9pnet_virtio virtio_pci cirrusfb cirrus bochs virtio-gpu qxl vfb
+    evdev uinput virtio_input psmouse atkbd usbhid hid-generic uhci-hcd
+    ehci-pci gpio-mockup spidev configfs"
+
+[ "$folder/initramfs" -nt "$0" ] && [ "$folder/initramfs" -nt "$here/init" ] &&
+    [ -s "$folder/vmlinuz" ] && exit 0
+
+need() { # PROGRAM PACKAGE
+    command -v "$1" > /dev/null || PATH=$PATH:/sbin:/usr/sbin command -v "$1" \
+        > /dev/null || {
+        echo "vm_image.sh: $1 is missing: install the package $2" >&2
+        exit 2
+    }
+}
+need busybox busybox-static
+need depmod kmod
+need cpio cpio
+need apt-get apt
+PATH=$PATH:/sbin:/usr/sbin
+
+mkdir -p "$folder"
+work=$(mktemp -d "$folder/work.XXXXXX")
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+package=$(apt-cache depends linux-image-amd64 |
+    sed -n 's/^ *Depends: *\(linux-image-[0-9].*\)$/\1/p' | head -n 1)
+[ -n "$package" ] || {
+    echo "vm_image.sh: linux-image-amd64 names no kernel: run apt-get update" >&2
+    exit 2
+}
+apt-get download -q "$package" > fetch.log 2>&1 || {
+    cat fetch.log >&2
+    exit 2
+}
+mkdir kernel root root/bin
+dpkg-deb --fsys-tarfile "$package"_*.deb |
+    tar -x -C kernel --wildcards './boot/vmlinuz-*' './lib/modules/*'
+version=$(ls kernel/lib/modules)
+depmod -b kernel "$version"
+
+for m in $modules; do
+    modprobe -d kernel -S "$version" --show-depends "$m" 2> /dev/null |
+        sed -n 's|^insmod .*\(/lib/modules/[^ ]*\).*|\1|p'
+done | sort -u > list
+while read -r file; do
+    mkdir -p "root$(dirname "$file")"
+    cp "kernel$file" "root$file"
+done < list
+cp kernel/lib/modules/"$version"/modules.builtin \
+    kernel/lib/modules/"$version"/modules.order \
+    kernel/lib/modules/"$version"/modules.builtin.modinfo root/lib/modules/"$version"/
+depmod -b root "$version"
+cp "$(command -v busybox)" root/bin/busybox
+cp "$here/init" root/init
+chmod 755 root/init
+(cd root && find . | cpio -o -H newc --quiet) | gzip -1 > initramfs
+mv kernel/boot/vmlinuz-* "$folder/vmlinuz"
+mv initramfs "$folder/initramfs"
+echo "$package" > "$folder/package"

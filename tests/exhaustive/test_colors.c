@@ -1,0 +1,107 @@
+/* Every value: the mix of two channels, and every pixel and colour of every
+ * format, through pack and unpack and through memory. */
+#include <string.h>
+
+#include "tests/support/check.h"
+#include "tests/support/layouts.h"
+
+static void test_all_mixes(void **state)
+{
+    (void)state;
+    for (uint32_t a = 0; a < 256; a++)
+        for (uint32_t s = 0; s < 256; s++)
+            for (uint32_t d = 0; d < 256; d++) {
+                uint32_t want = (2 * (s * a + d * (255 - a)) + 255) / 510;
+                pel_color got = pel_mix(d * 0x010101u, s * 0x010101u, a);
+                if (got != (0xFF000000u | want * 0x010101u))
+                    fail_msg("s %u, d %u, a %u: expected %u, got %08x", s, d, a,
+                             want, got);
+            }
+}
+
+/* A channel does not reach into its neighbours. */
+static void test_mixes_of_one_channel(void **state)
+{
+    (void)state;
+    for (uint32_t a = 0; a < 256; a++)
+        for (uint32_t s = 0; s < 256; s++)
+            for (int shift = 0; shift < 24; shift += 8) {
+                pel_color low = pel_mix(0, s << shift, a);
+                pel_color high = pel_mix(~(s << shift), 0xFFFFFFFFu, a);
+                assert_int_equal(low, layout_mix(0, s << shift, a));
+                assert_int_equal(high,
+                                 layout_mix(~(s << shift), 0xFFFFFFFFu, a));
+            }
+}
+
+static void test_round_div255(void **state)
+{
+    (void)state;
+    for (uint32_t t = 0; t <= 255 * 255; t++)
+        assert_int_equal(pel_round_div255(t), (2 * t + 255) / 510);
+}
+
+/* pack and unpack work on the CPU's value of the word; memory has its bytes. */
+static uint32_t in_memory(const struct layout *l, uint32_t pixel)
+{
+    uint8_t byte[4] = {0, 0, 0, 0};
+    uint16_t half = (uint16_t)pixel;
+    uint32_t v = 0;
+    if (l->bits == 32)
+        memcpy(byte, &pixel, 4);
+    else if (l->bits == 16)
+        memcpy(byte, &half, 2);
+    else
+        return pixel;
+    for (int i = 3; i >= 0; i--)
+        v = v << 8 | byte[i];
+    return v;
+}
+
+static void check_pixels(const struct layout *l)
+{
+    const uint32_t count = l->bits < 24 ? 1u << l->bits : 1u << 24;
+    for (uint32_t i = 0; i < count; i++) {
+        uint32_t p =
+            l->bits == 32 && l->unused == 0xFF ? i << 8 | 0xFF : i | l->unused;
+        uint32_t word = in_memory(l, p); /* an involution on every CPU */
+        pel_color c = l->format->unpack(word);
+        if (c != layout_unpack(l, p) || l->format->pack(c) != word)
+            fail_msg("%s: pixel %x: unpacked %08x, expected %08x; packed %x",
+                     l->name, p, c, layout_unpack(l, p), l->format->pack(c));
+    }
+}
+
+static void test_all_pixels(void **state)
+{
+    (void)state;
+    for (int f = 0; f < LAYOUT_COUNT; f++)
+        check_pixels(&layouts[f]);
+}
+
+/* Alpha is ignored. */
+static void test_all_colors(void **state)
+{
+    (void)state;
+    for (int f = 0; f < LAYOUT_COUNT; f++) {
+        const struct layout *l = &layouts[f];
+        for (uint32_t c = 0; c < 1u << 24; c++) {
+            uint32_t got = in_memory(l, l->format->pack(c ^ c << 24));
+            if (got != layout_pack(l, c))
+                fail_msg("%s: colour %06x: expected %x, got %x", l->name, c,
+                         layout_pack(l, c), got);
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_all_mixes),
+        cmocka_unit_test(test_mixes_of_one_channel),
+        cmocka_unit_test(test_round_div255),
+        cmocka_unit_test(test_all_pixels),
+        cmocka_unit_test(test_all_colors),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

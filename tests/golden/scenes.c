@@ -1,0 +1,197 @@
+/* A fixed set of small pictures, drawn in every format: prints a line
+ * `SCENE FORMAT CRC32` for each, the CRC of the surface's memory. Needs printf
+ * and core alone, so that the same file runs on every CPU and compiler; the
+ * lines must be those of scenes.txt everywhere. */
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "core/pel.h"
+
+enum { WIDTH = 96, HEIGHT = 72 };
+
+static uint32_t memory[WIDTH * HEIGHT];
+
+static void draw_triangles(const struct pel_surface *s)
+{
+    for (int32_t i = 0; i < 12; i++) {
+        const struct pel_flat flat =
+            PEL_FLAT(PEL_RGB(20 * i, 255 - 17 * i, 85 * (i % 4)));
+        const struct pel_point v[3] = {{12345, 9216},
+                                       {i * 2333 - 1000, i * i * 151 + 77},
+                                       {i * 2333 + 1333, i * i * 151 + 1401}};
+        pel_triangle(s, v, &flat.paint);
+    }
+}
+
+static void draw_gouraud(const struct pel_surface *s)
+{
+    const struct pel_point v[4] = {
+        {300, 500}, {23900, 1100}, {22000, 17900}, {-900, 16000}};
+    const pel_color c[4] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0),
+                            PEL_RGB(0, 0, 255), PEL_RGB(255, 255, 255)};
+    pel_triangle_gouraud(s, v, c);
+    pel_triangle_gouraud(s, v + 1, c + 1);
+}
+
+static void draw_gouraud_alpha(const struct pel_surface *s)
+{
+    const struct pel_point v[4] = {
+        {128, 128}, {24000, 640}, {600, 18000}, {24500, 18400}};
+    const pel_color c[4] = {PEL_RGBA(255, 200, 0, 255), PEL_RGBA(0, 90, 255, 0),
+                            PEL_RGBA(40, 0, 255, 128),
+                            PEL_RGBA(255, 255, 255, 16)};
+    draw_triangles(s);
+    pel_triangle_gouraud(s, v, c);
+    pel_triangle_gouraud(s, v + 1, c + 1);
+}
+
+static void draw_circles(const struct pel_surface *s)
+{
+    for (int32_t i = 0; i < 9; i++) {
+        const struct pel_flat flat = PEL_FLAT(
+            PEL_RGBA(255 - 28 * i, 29 * i, 140, i % 3 ? 60 + 20 * i : 255));
+        const struct pel_point center = {3000 + i * 2500, 9100 + i % 2 * 777};
+        pel_circle(s, center, 9500 - i * 1000 - i % 3, &flat.paint);
+    }
+}
+
+static void draw_star(const struct pel_surface *s, enum pel_fill_rule rule)
+{
+    static const struct pel_point v[7] = {
+        PEL_AT(48, 1), {19000, 17777}, {1111, 5003},  {24005, 4900},
+        {5200, 17999}, {12200, -3000}, {12300, 21000}};
+    static uint32_t scratch[128];
+    const struct pel_outline outline = {v, 7, rule};
+    const struct pel_flat flat = PEL_FLAT(PEL_RGBA(230, 180, 20, 200));
+    if (pel_polygon(s, &outline, &flat.paint, scratch, sizeof scratch))
+        printf("polygon: refused\n");
+}
+
+static void draw_even_odd(const struct pel_surface *s)
+{
+    draw_star(s, PEL_EVEN_ODD);
+}
+
+static void draw_non_zero(const struct pel_surface *s)
+{
+    draw_star(s, PEL_NON_ZERO);
+}
+
+static void draw_lines(const struct pel_surface *s)
+{
+    for (int32_t i = 0; i < 24; i++) {
+        const struct pel_flat flat =
+            PEL_FLAT(PEL_RGBA(10 * i, 255 - 10 * i, 200, 255 - 7 * i));
+        const struct pel_point from = {12288, 9216};
+        const struct pel_point to = {i < 12 ? i * 2304 - 512 : i * 700 - 3000,
+                                     i < 12 ? 18700 - i * 90 : i * 512 - 7000};
+        pel_line(s, from, to, &flat.paint);
+        pel_rectangle(s, (struct pel_point){i * 1000, i * 300},
+                      (struct pel_point){i * 1000 + 640, i * 300 + 384},
+                      &flat.paint);
+    }
+}
+
+/* Vertices at the ends of the range, slivers, and triangles without area. */
+static void draw_far(const struct pel_surface *s)
+{
+    static const struct pel_point v[][3] = {
+        {{PEL_COORDINATE_MIN, PEL_COORDINATE_MIN},
+         {PEL_COORDINATE_MAX, 9000},
+         {3000, PEL_COORDINATE_MAX}},
+        {{PEL_COORDINATE_MIN, 4000},
+         {PEL_COORDINATE_MAX, 4001},
+         {PEL_COORDINATE_MAX, 5700}},
+        {{-8000000, -5999900}, {8024000, 6018300}, {8024001, 6018500}},
+        {{1000, PEL_COORDINATE_MIN}, {1300, 0}, {1290, PEL_COORDINATE_MAX}},
+        {{0, 0}, {12000, 9000}, {24000, 18000}},
+    };
+    const pel_color c[3] = {PEL_RGB(255, 0, 128), PEL_RGB(0, 255, 40),
+                            PEL_RGBA(30, 60, 255, 90)};
+    for (size_t i = 0; i < sizeof v / sizeof v[0]; i++)
+        pel_triangle_gouraud(s, v[i], c);
+    const struct pel_flat flat = PEL_FLAT(PEL_RGBA(255, 255, 0, 128));
+    const struct pel_point center = {-2000000, 1500000};
+    pel_circle(s, center, 2503000, &flat.paint);
+    pel_triangle_or_line(s, v[4], &flat.paint);
+}
+
+static const struct scene {
+    const char *name;
+    void (*draw)(const struct pel_surface *);
+} scenes[] = {
+    {"triangles", draw_triangles},
+    {"gouraud", draw_gouraud},
+    {"gouraud_alpha", draw_gouraud_alpha},
+    {"circles", draw_circles},
+    {"even_odd", draw_even_odd},
+    {"non_zero", draw_non_zero},
+    {"lines", draw_lines},
+    {"far", draw_far},
+};
+
+static const struct {
+    const char *name;
+    const struct pel_format *format;
+} formats[] = {
+    {"rgb565_le", &pel_rgb565_le},
+    {"rgb565_be", &pel_rgb565_be},
+    {"bgr565_le", &pel_bgr565_le},
+    {"xrgb1555_le", &pel_xrgb1555_le},
+    {"rgb888", &pel_rgb888},
+    {"bgr888", &pel_bgr888},
+    {"xrgb8888", &pel_xrgb8888},
+    {"xbgr8888", &pel_xbgr8888},
+    {"rgbx8888", &pel_rgbx8888},
+    {"bgrx8888", &pel_bgrx8888},
+    {"rgb332", &pel_rgb332},
+    {"gray8", &pel_gray8},
+    {"gray4", &pel_gray4},
+    {"mono1", &pel_mono1},
+    {"mono1_pages", &pel_mono1_pages},
+};
+
+/* CRC-32 of ISO 3309, reflected, bit by bit. */
+static uint32_t crc32(const uint8_t *p, size_t n)
+{
+    uint32_t crc = 0xFFFFFFFFu;
+    for (; n > 0; n--) {
+        crc ^= *p++;
+        for (int bit = 0; bit < 8; bit++)
+            crc = crc >> 1 ^ (crc & 1 ? UINT32_C(0xEDB88320) : 0);
+    }
+    return ~crc;
+}
+
+/* Draws the scene in bands of 24 lines: the bytes are those of the whole. */
+static int print_crc(const struct scene *scene, const char *name,
+                     const struct pel_format *format)
+{
+    const int32_t stride = pel_stride(format, WIDTH);
+    const int32_t lines = format->id == PEL_FORMAT_MONO1_PAGES ? 3 : 24;
+    const size_t band = (size_t)stride * (size_t)lines;
+    memset(memory, 0, sizeof memory);
+    for (int32_t i = 0; i < HEIGHT / 24; i++) {
+        const struct pel_rect b = {0, 24 * i, WIDTH, 24 * i + 24};
+        struct pel_surface s;
+        if (pel_surface_init_rect(&s, format,
+                                  (uint8_t *)memory + (size_t)i * band, stride,
+                                  &b) != PEL_OK)
+            return 1;
+        pel_clear(&s, PEL_RGB(24, 40, 72));
+        scene->draw(&s);
+    }
+    printf("%s %s %08" PRIx32 "\n", scene->name, name,
+           crc32((const uint8_t *)memory, HEIGHT / 24 * band));
+    return 0;
+}
+
+int main(void)
+{
+    int failed = 0;
+    for (size_t i = 0; i < sizeof scenes / sizeof scenes[0]; i++)
+        for (size_t k = 0; k < sizeof formats / sizeof formats[0]; k++)
+            failed |= print_crc(&scenes[i], formats[k].name, formats[k].format);
+    return failed;
+}

@@ -1,0 +1,30 @@
+# The smallest programs, linked with core for microcontrollers, and what they
+# cost.
+include port/cortex_m/cortex_m.mk
+
+.PHONY: size
+
+LINK_PROGRAMS := $(basename $(notdir $(wildcard tests/link/*.c)))
+
+# The M0+ programs run on a Cortex-M0, which traps what a v6-M core cannot do.
+LINK_BOARD_cortex-m0plus := microbit
+LINK_BOARD_cortex-m4 := mps2_an386
+
+# $1 CPU
+define link_programs
+$(BUILD)/link/$1/%.elf: $(BUILD)/mcu/$1-Os/tests/link/%.o \
+    $(MCU_PORT:%.c=$(BUILD)/mcu/$1-Os/%.o) $(BUILD)/mcu/$1-Os/libpel.a
+	@mkdir -p $$(@D)
+	$(MCU_CC) -mcpu=$1 $(MCU_LDFLAGS) -Wl,--wrap=main -Wl,-Map=$$@.map \
+	    -T port/cortex_m/$(LINK_BOARD_$1).ld $$^ -o $$@
+endef
+$(foreach c,$(MCU_CPUS),$(eval $(call link_programs,$c)))
+
+MCU_CORE_OBJECTS := $(foreach c,$(MCU_CPUS),$(CORE:%.c=$(BUILD)/mcu/$c-Os/%.o))
+LINK_ELFS := $(foreach c,$(MCU_CPUS),\
+    $(LINK_PROGRAMS:%=$(BUILD)/link/$c/%.elf))
+
+# With ACCEPT=1 what is measured becomes the new limit.
+size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) | need-qemu-arm ## bytes and stack on Cortex-M: build/size.tsv
+	tests/link/size.sh $(BUILD) "$(MCU_CPUS)" >$(BUILD)/size.tsv
+	tests/link/budgets.sh $(BUILD)/size.tsv $(ACCEPT)

@@ -1,0 +1,87 @@
+#!/bin/sh
+# size.sh BUILD CPUS : what core costs on microcontrollers, as TSV: a row for
+# every object of core, whose stack is its largest frame, one for the objects
+# that a flat triangle needs, and one for every program of tests/link, linked. A
+# program's text and data are without start-up code, its bss holds its own
+# pixels; its stack is that of the deepest call from main, by the call graph,
+# and beside it what was used when the program ran on a board.
+set -eu
+build=$1
+here=$(dirname "$0")
+formats=$(basename -s .c core/format/*.c | tr '\n' ' ')
+
+fail() {
+    echo "size: $*" >&2
+    exit 1
+}
+
+# object CPU OBJECT
+object_row() {
+    frame=$(arm-none-eabi-objdump -d --no-show-raw-insn "$2" |
+        awk -f "$here/stack.awk")
+    arm-none-eabi-size "$2" | awk -v cpu="$1" -v stack="$frame" \
+        -v name="${2#"$build/mcu/$1-Os/"}" 'BEGIN { OFS = "\t" }
+        NR == 2 { print cpu, name, $1, $2, $3, stack, "-" }'
+}
+
+# The walker and the fill of a flat triangle in RGB565.
+flat_row() {
+    objects=
+    for name in raster/triangle raster/paint_flat format/fill16 \
+        format/rgb565_le_fill; do
+        objects="$objects $build/mcu/$1-Os/core/$name.o"
+    done
+    arm-none-eabi-size $objects | awk -v cpu="$1" 'BEGIN { OFS = "\t" }
+        NR > 1 { text += $1; data += $2; bss += $3 }
+        END { print cpu, "walker+fill", text, data, bss, "-", "-" }'
+}
+
+board() {
+    case $1 in
+    cortex-m0plus) echo microbit ;;
+    *) echo mps2-an386 ;;
+    esac
+}
+
+stack_used() {
+    timeout 20 qemu-system-arm -M "$(board "$1")" -display none \
+        -monitor none -serial none -chardev stdio,id=out \
+        -semihosting-config enable=on,target=native,chardev=out \
+        -kernel "$2" </dev/null | sed -n 's/^stack //p'
+}
+
+# Two numbers: the deepest path from main, and main's own part of it.
+stack_deepest() {
+    {
+        arm-none-eabi-objdump -s "$1"
+        cat "$1.map"
+        arm-none-eabi-objdump -d --no-show-raw-insn "$1"
+    } | awk -f "$here/stack.awk" -v formats="$formats"
+}
+
+program_row() {
+    used=$(stack_used "$1" "$2")
+    [ -n "$used" ] || fail "$2 failed on $(board "$1")"
+    deepest=$(stack_deepest "$2")
+    own=${deepest#* }
+    deepest=${deepest% *}
+    [ "$used" -le "$deepest" ] ||
+        fail "$2 used $used bytes of stack, its call graph has only $deepest"
+    arm-none-eabi-size -A "$2" | awk -v cpu="$1" \
+        -v name="$(basename "$2" .elf)" -v stack=$((deepest - own)) \
+        -v used=$((used - own)) 'BEGIN { OFS = "\t" }
+        { size[$1] = $2 }
+        END { print cpu, name, size[".text"] + 0, size[".data"] + 0,
+                    size[".bss"] + 0, stack, used }'
+}
+
+printf 'cpu\tfeature\ttext\tdata\tbss\tstack\tstack_used\n'
+for cpu in $2; do
+    for source in core/*/*.c; do
+        object_row "$cpu" "$build/mcu/$cpu-Os/${source%.c}.o"
+    done
+    flat_row "$cpu"
+    for source in tests/link/*.c; do
+        program_row "$cpu" "$build/link/$cpu/$(basename "$source" .c).elf"
+    done
+done

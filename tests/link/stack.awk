@@ -1,0 +1,144 @@
+# Stack in bytes, from machine code.
+#
+# Input: `objdump -d --no-show-raw-insn` of an object; the answer is the largest
+# frame. Or, of a linked program, `objdump -s` (its words), the linker's map and
+# then the disassembly; the answer is the deepest path from main and main's own
+# frame, and -v formats="NAME ..." names the objects of core/format.
+#
+# A call through a pointer may reach any function whose address stands in the
+# program: from a shape any paint or format, from a paint (or from what it
+# calls) any format.
+
+function fail(what)
+{
+    print "stack: " what > "/dev/stderr"
+    failed = 1
+    exit 1
+}
+
+# The address of a function as a pointer has it: bit 0 set.
+function pointer(address,    digits, last)
+{
+    digits = "0123456789abcdef"
+    last = index(digits, substr(address, 8))
+    return substr(address, 1, 7) substr(digits, last + 1, 1)
+}
+
+# ---- words of the program: " 0123 aabbccdd ...", bytes in memory order
+/^Contents of section/ { words = $4 == ".text:" || $4 == ".data:"; next }
+words && /^ [0-9a-f]+ [0-9a-f]/ {
+    for (i = 2; i <= 5 && length($i) == 8; i++)
+        is_word[substr($i, 7, 2) substr($i, 5, 2) substr($i, 3, 2) \
+                substr($i, 1, 2)] = 1
+    next
+}
+
+# ---- map: "0x00000123  0x45 path/libpel.a(name.o)"
+/^ +0x[0-9a-f]+ +0x[0-9a-f]+ .*\.o\)?$/ || /^ \.text.* 0x.*\.o\)?$/ {
+    object = $NF
+    sub(/\.o\)?$/, "", object)
+    sub(/.*[\/(]/, "", object)
+    address = $(NF - 2)
+    object_at[substr(address, length(address) - 7)] = object
+    next
+}
+
+# ---- code
+/^[0-9a-f]+ <.*>:$/ {
+    code = $2
+    gsub(/[<>:]/, "", code)
+    code = code "@" $1 # two objects may have a static of one name
+    address_of[code] = $1
+    at[$1] = code
+    frame[code] += 0
+    next
+}
+/^ +[0-9a-f]+:\t/ && code != "" {
+    if ($2 ~ /^(push|stmdb)/) {
+        list = $0
+        sub(/.*\{/, "", list)
+        sub(/\}.*/, "", list)
+        frame[code] += 4 * split(list, registers, ",")
+    } else if ($2 ~ /^sub/ && $3 == "sp," && $4 ~ /^#/) {
+        frame[code] += substr($4, 2)
+    } else if ($2 ~ /^(sub|add)/ && $3 == "sp," && $NF ~ /^r[0-9]/) {
+        fail(code ": a frame whose size stands in a register")
+    } else if ($2 ~ /^bl?(\.[nw])?$/ && $NF ~ /^<[^+]*>$/) {
+        sub(/^0+/, "", $3)
+        calls[code] = calls[code] " " $3
+    } else if ($2 ~ /^bl?x$/ && $3 != "lr") {
+        calls[code] = calls[code] " pointer"
+    }
+    if (frame[code] > largest)
+        largest = frame[code]
+    next
+}
+
+function callee_of(address)
+{
+    return at[substr("00000000", 1, 8 - length(address)) address]
+}
+
+function is_format(code) { return index(" " formats " ", \
+                                        " " object_at[address_of[code]] " ") }
+
+# Marks what a paint's fill function calls directly as part of the paint.
+function mark_paint(code,    list, n, i)
+{
+    if (code in in_paint)
+        return
+    in_paint[code] = 1
+    n = split(calls[code], list, " ")
+    for (i = 1; i <= n; i++)
+        if (list[i] != "pointer")
+            mark_paint(callee_of(list[i]))
+}
+
+function pointer_depth(caller,    code, d, deepest)
+{
+    for (code in taken)
+        if (is_format(code) || !(caller in in_paint))
+            if ((d = depth(code)) > deepest)
+                deepest = d
+    return deepest + 0
+}
+
+function depth(code,    list, n, i, d, deepest)
+{
+    if (code in done)
+        return done[code]
+    if (code in open)
+        fail("recursion at " code)
+    open[code] = 1
+    n = split(calls[code], list, " ")
+    for (i = 1; i <= n; i++) {
+        if (list[i] == "pointer")
+            d = pointer_depth(code)
+        else if (callee_of(list[i]) == code)
+            continue # a loop
+        else
+            d = depth(callee_of(list[i]))
+        if (d > deepest)
+            deepest = d
+    }
+    delete open[code]
+    return done[code] = frame[code] + deepest
+}
+
+END {
+    if (failed)
+        exit 1
+    if (formats == "") {
+        print largest + 0
+        exit
+    }
+    for (code in frame)
+        if (pointer(address_of[code]) in is_word)
+            taken[code] = 1
+    for (code in taken)
+        if (!is_format(code))
+            mark_paint(code)
+    for (code in frame)
+        if (code ~ /^main@/)
+            print depth(code), frame[code]
+}

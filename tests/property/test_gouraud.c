@@ -1,0 +1,199 @@
+/* Interpolated colours against exact fractions: the bound of raster/gouraud.h,
+ * before and after rounding. */
+#include <string.h>
+
+#include "tests/support/canvas.h"
+#include "tests/support/check.h"
+#include "tests/support/reference.h"
+#include "tests/support/shapes.h"
+
+/* The bound, in 2^-24 of a step: 2^-17 for every pixel of the way from the
+ * pixel of the topmost vertex, and 1/16 step. */
+static int64_t bound_at(const struct pel_point v[3], int32_t x, int32_t y)
+{
+    const struct pel_point *top = &v[0];
+    for (int i = 1; i < 3; i++)
+        if (v[i].y < top->y || (v[i].y == top->y && v[i].x < top->x))
+            top = &v[i];
+    int64_t dx = x - pel_pixel_of(top->x), dy = y - pel_pixel_of(top->y);
+    int64_t way = (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
+    return way < 8192 ? way * 128 : 1048576;
+}
+
+/* The plane's error in 2^-24 of a step, rounded away from zero; the plane is
+ * half a step high, since it is cut, not rounded. */
+static int64_t error_at(const struct pel_gouraud *g, int k, int32_t x,
+                        int32_t y, struct fraction exact)
+{
+    uint32_t value =
+        g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k] - 0x800000u;
+    wide scaled = exact.n * 16777216, whole = scaled / exact.d;
+    int64_t error = (int32_t)(value - (uint32_t)whole);
+    if (error < 0)
+        return error - (scaled % exact.d != 0);
+    return error;
+}
+
+struct tally {
+    uint64_t channels, rounded_differently;
+    int64_t worst;
+};
+
+static void check_channel(struct tally *t, const struct pel_gouraud *g,
+                          const struct pel_point v[3], const pel_color c[3],
+                          const int32_t at[3])
+{
+    const int32_t x = at[0], y = at[1];
+    const int k = at[2];
+    struct fraction exact = reference_channel_at(v, c, k, x, y);
+    int64_t error = error_at(g, k, x, y, exact), size = error;
+    if (size < 0)
+        size = -size;
+    if (size > bound_at(v, x, y))
+        fail_msg("channel %d at %d, %d: off by %lld / 2^24, bound %lld; "
+                 "%d,%d %d,%d %d,%d; %s",
+                 k, x, y, (long long)error, (long long)bound_at(v, x, y),
+                 v[0].x, v[0].y, v[1].x, v[1].y, v[2].x, v[2].y,
+                 cases_replay());
+    int64_t best = (int64_t)((2 * exact.n + exact.d) / (2 * exact.d));
+    int64_t got =
+        (g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k]) >> 24;
+    if (got < best - 1 || got > best + 1)
+        fail_msg("channel %d at %d, %d: expected %d, got %d; %s", k, x, y,
+                 (int)best, (int)got, cases_replay());
+    t->channels++;
+    t->rounded_differently += got != best;
+    if (size > t->worst)
+        t->worst = size;
+}
+
+static void check_window(struct tally *t, const struct pel_point v[3],
+                         const pel_color c[3], const struct pel_rect *w)
+{
+    struct pel_gouraud g;
+    pel_gouraud_init(&g, v, c);
+    for (int32_t y = w->y0; y < w->y1; y++)
+        for (int32_t x = w->x0; x < w->x1; x++) {
+            if (!reference_triangle_at(v, x, y))
+                continue;
+            for (int32_t k = 0; k < 4; k++)
+                check_channel(t, &g, v, c, (const int32_t[]){x, y, k});
+        }
+}
+
+static void random_colors(struct random *r, pel_color c[3])
+{
+    const uint32_t kind = random_word(r) % 3;
+    for (int i = 0; i < 3; i++) {
+        c[i] = random_word(r);
+        if (kind == 0) /* the steepest: 0 and 255 alone */
+            c[i] = (c[i] >> 7 & 0x01010101u) * 255;
+    }
+}
+
+typedef void generator(struct random *r, struct pel_point *v, int32_t n);
+
+static void check_bound(generator *generate, uint64_t count)
+{
+    struct tally t = {0, 0, 0};
+    for (struct cases c = cases_of(count); cases_next(&c);) {
+        struct pel_point v[3];
+        pel_color color[3];
+        generate(&c.random, v, 3);
+        random_colors(&c.random, color);
+        const struct pel_rect w = shape_window(&c.random, v, 3, 10);
+        check_window(&t, v, color, &w);
+    }
+    print_message("worst %.7f step, %llu of %llu rounded the other way\n",
+                  (double)t.worst / 16777216,
+                  (unsigned long long)t.rounded_differently,
+                  (unsigned long long)t.channels);
+    assert_true(t.channels > 0);
+}
+
+static void test_random(void **state)
+{
+    (void)state;
+    check_bound(shape_random, 400000);
+}
+
+static void test_adversarial(void **state)
+{
+    (void)state;
+    check_bound(shape_adversarial, 400000);
+}
+
+/* Around the two borders between reciprocal and long division: 4,096 px, and
+ * an area of 16 times the longer side. */
+static void borders(struct random *r, struct pel_point *v, int32_t n)
+{
+    (void)n;
+    int32_t side = random_word(r) % 2 ? 1048576 + random_between(r, -2, 2)
+                                      : random_between(r, 256, 1048576);
+    int32_t thin = random_between(r, 14, 18);
+    int32_t x = random_between(r, -1048576, 1048576);
+    int32_t y = random_between(r, -1048576, 1048576);
+    int32_t slope = random_between(r, -1, 1);
+    v[0] = (struct pel_point){x, y};
+    v[1] = (struct pel_point){x + side, y + slope * side};
+    v[2] = (struct pel_point){x + side / 2 - thin * slope,
+                              y + slope * (side / 2) + thin};
+    if (random_word(r) % 2)
+        v[2] = (struct pel_point){x + random_between(r, -64, 64), y + side};
+    if (random_word(r) % 2)
+        for (int i = 0; i < 3; i++)
+            v[i] = (struct pel_point){v[i].y, v[i].x};
+}
+
+static void test_borders(void **state)
+{
+    (void)state;
+    check_bound(borders, 200000);
+}
+
+/* What is drawn is the plane, cut to 8 bits, through clips and both walkers. */
+static void test_bytes_are_the_plane(void **state)
+{
+    static struct canvas canvas;
+    (void)state;
+    for (struct cases c = cases_of(30000); cases_next(&c);) {
+        struct pel_point v[3];
+        pel_color color[3];
+        struct pel_gouraud g;
+        shape_adversarial(&c.random, v, 3);
+        random_colors(&c.random, color);
+        for (int i = 0; i < 3; i++)
+            color[i] |= 0xFF000000u;
+        const struct pel_rect w = shape_window(&c.random, v, 3, 24);
+        canvas_open(&canvas, &pel_xrgb8888, &w, random_word(&c.random) % 8);
+        pel_triangle_gouraud(&canvas.surface, v, color);
+        pel_gouraud_init(&g, v, color);
+        for (int32_t y = w.y0; y < w.y1; y++)
+            for (int32_t x = w.x0; x < w.x1; x++) {
+                uint32_t want = canvas_pixel_before(&canvas, x, y);
+                if (reference_triangle_at(v, x, y)) {
+                    want = 0;
+                    for (int k = 0; k < 4; k++)
+                        want |= (g.at[k] + (uint32_t)x * g.dx[k] +
+                                 (uint32_t)y * g.dy[k]) >>
+                                24 << 8 * k;
+                }
+                if (canvas_pixel(&canvas, x, y) != want)
+                    fail_msg("%d, %d: expected %08x, got %08x; %s", x, y, want,
+                             canvas_pixel(&canvas, x, y), cases_replay());
+            }
+        canvas_check(&canvas);
+    }
+    canvas_close(&canvas);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random),
+        cmocka_unit_test(test_adversarial),
+        cmocka_unit_test(test_borders),
+        cmocka_unit_test(test_bytes_are_the_plane),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,234 @@
+/* Copies between any two formats: every pixel by the rule, none outside the
+ * clip or the area, whatever the strides. */
+#include <stdlib.h>
+
+#include "core/image/argb8888.h"
+#include "core/image/copy.h"
+#include "tests/support/canvas.h"
+#include "tests/support/cases.h"
+#include "tests/support/check.h"
+#include "tests/support/shapes.h"
+
+enum { SIZE = 40 };
+
+static struct canvas to, from;
+
+static struct pel_rect random_bounds(struct random *r)
+{
+    const int32_t reach = random_word(r) % 4 ? 40 : 32700;
+    struct pel_rect b = {random_between(r, -reach, reach) & ~7,
+                         random_between(r, -reach, reach) & ~7, 0, 0};
+    b.x1 = b.x0 + random_between(r, 1, SIZE);
+    b.y1 = b.y0 + random_between(r, 1, SIZE);
+    return b;
+}
+
+/* Mostly overlaps the source and lands near the destination. */
+static struct pel_copy random_copy(struct random *r)
+{
+    const struct pel_rect *s = &from.surface.bounds, *d = &to.surface.bounds;
+    struct pel_copy c = {&from.surface, {0, 0, 0, 0}, 0, 0};
+    c.area.x0 = s->x0 + random_between(r, -20, SIZE);
+    c.area.y0 = s->y0 + random_between(r, -20, SIZE);
+    c.area.x1 = c.area.x0 + random_between(r, -2, 2 * SIZE);
+    c.area.y1 = c.area.y0 + random_between(r, -2, 2 * SIZE);
+    c.x = d->x0 + random_between(r, -20, SIZE);
+    c.y = d->y0 + random_between(r, -20, SIZE);
+    return c;
+}
+
+static struct pel_copy open_case(struct cases *c, uint64_t pair)
+{
+    struct random *r = &c->random;
+    const struct pel_rect a = random_bounds(r), b = random_bounds(r);
+    canvas_open(&to, layouts[pair % LAYOUT_COUNT].format, &a,
+                random_word(r) % CANVAS_STYLES);
+    canvas_open(&from, layouts[pair / LAYOUT_COUNT % LAYOUT_COUNT].format, &b,
+                random_word(r) % CANVAS_STYLES);
+    const struct pel_rect clip = shape_clip(r, &a), none = {0, 0, 0, 0};
+    pel_surface_clip(&to.surface, &clip);
+    pel_surface_clip(&from.surface, &none);
+    return random_copy(r);
+}
+
+/* Where the destination's pixel comes from; false when it is not copied to. */
+static bool source_of(const struct pel_copy *c, int32_t *x, int32_t *y)
+{
+    const struct pel_rect *b = &c->source->bounds;
+    *x += c->area.x0 - c->x;
+    *y += c->area.y0 - c->y;
+    return *x >= c->area.x0 && *x < c->area.x1 && *y >= c->area.y0 &&
+           *y < c->area.y1 && *x >= b->x0 && *x < b->x1 && *y >= b->y0 &&
+           *y < b->y1;
+}
+
+/* The colour that arrives at a pixel; alpha 0 where none does. */
+typedef pel_color rule(const struct pel_copy *c, int32_t x, int32_t y,
+                       uint32_t option);
+
+static void check(const struct pel_copy *copy, rule *expected, uint32_t option)
+{
+    const struct pel_rect *clip = &to.surface.clip;
+    canvas_check(&to);
+    for (int32_t y = clip->y0; y < clip->y1; y++)
+        for (int32_t x = clip->x0; x < clip->x1; x++) {
+            int32_t sx = x, sy = y;
+            uint32_t want = canvas_pixel_before(&to, x, y);
+            if (source_of(copy, &sx, &sy))
+                want = layout_over(to.layout, want,
+                                   expected(copy, sx, sy, option));
+            if (canvas_pixel(&to, x, y) != want)
+                fail_msg("%s to %s: pixel %d, %d: expected %x, got %x; %s",
+                         from.layout->name, to.layout->name, x, y, want,
+                         canvas_pixel(&to, x, y), cases_replay());
+        }
+}
+
+static pel_color opaque_rule(const struct pel_copy *c, int32_t x, int32_t y,
+                             uint32_t option)
+{
+    (void)c, (void)option;
+    return layout_unpack(from.layout, canvas_pixel(&from, x, y)) |
+           PEL_RGB(0, 0, 0);
+}
+
+static pel_color keyed_rule(const struct pel_copy *c, int32_t x, int32_t y,
+                            uint32_t key)
+{
+    uint32_t unused = from.layout->unused;
+    bool is_key =
+        (canvas_pixel(&from, x, y) | unused) == layout_pack(from.layout, key);
+    return is_key ? 0 : opaque_rule(c, x, y, 0);
+}
+
+static pel_color alpha_rule(const struct pel_copy *c, int32_t x, int32_t y,
+                            uint32_t alpha)
+{
+    return (opaque_rule(c, x, y, 0) & UINT32_C(0xFFFFFF)) | alpha << 24;
+}
+
+static void test_opaque(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(22500); cases_next(&c);) {
+        const struct pel_copy copy = open_case(&c, c.next);
+        pel_copy(&to.surface, &copy);
+        check(&copy, opaque_rule, 0);
+    }
+}
+
+static void test_keyed(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(22500); cases_next(&c);) {
+        const struct pel_copy copy = open_case(&c, c.next);
+        const struct pel_rect *b = &from.surface.bounds;
+        /* A pixel of the picture, in bits that its format may drop. */
+        uint32_t pixel = canvas_pixel(&from, b->x0, b->y0);
+        pel_color key = layout_unpack(from.layout, pixel);
+        pel_copy_keyed(&to.surface, &copy, key);
+        check(&copy, keyed_rule, key);
+    }
+}
+
+static void test_alpha(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(22500); cases_next(&c);) {
+        const struct pel_copy copy = open_case(&c, c.next);
+        uint32_t alpha = random_word(&c.random) & 255;
+        if (c.next % 4 == 0)
+            alpha = c.next / 4 % 2 ? 0 : 255;
+        pel_copy_alpha(&to.surface, &copy, (uint8_t)alpha);
+        check(&copy, alpha_rule, alpha);
+    }
+}
+
+/* The canvas's words of 32 bits, read as colours with alpha. */
+static pel_color argb_rule(const struct pel_copy *c, int32_t x, int32_t y,
+                           uint32_t alpha)
+{
+    (void)c;
+    uint32_t p = canvas_pixel(&from, x, y);
+    uint32_t weight = ((p >> 24) * alpha * 2 + 255) / 510;
+    return (p & UINT32_C(0xFFFFFF)) | weight << 24;
+}
+
+static void test_alpha_of_pixels(void **state)
+{
+    (void)state;
+    uint64_t xrgb = 0;
+    while (layouts[xrgb].format != &pel_xrgb8888)
+        xrgb++;
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        struct pel_copy copy =
+            open_case(&c, xrgb * LAYOUT_COUNT + c.next % LAYOUT_COUNT);
+        struct pel_surface argb = from.surface;
+        uint32_t alpha = c.next % 2 ? random_word(&c.random) & 255 : 255;
+        argb.format = &pel_argb8888;
+        copy.source = &argb;
+        pel_copy_alpha(&to.surface, &copy, (uint8_t)alpha);
+        check(&copy, argb_rule, alpha);
+    }
+}
+
+/* As a destination it is xrgb8888. */
+static void test_argb_is_drawn_into_as_xrgb(void **state)
+{
+    (void)state;
+    const struct pel_rect b = {0, 0, 16, 4};
+    const struct pel_flat mixed = PEL_FLAT(PEL_RGBA(200, 100, 50, 77));
+    const struct pel_flat solid = PEL_FLAT(PEL_RGB(20, 10, 5));
+    canvas_open(&to, &pel_xrgb8888, &b, 0);
+    canvas_open(&from, &pel_xrgb8888, &b, 0);
+    struct pel_surface argb = from.surface;
+    argb.format = &pel_argb8888;
+    for (int i = 0; i < 2; i++) {
+        const struct pel_surface *s = i ? &argb : &to.surface;
+        pel_rectangle(s, (struct pel_point)PEL_AT(1, 0),
+                      (struct pel_point)PEL_AT(15, 3), &mixed.paint);
+        pel_rectangle(s, (struct pel_point)PEL_AT(3, 1),
+                      (struct pel_point)PEL_AT(7, 2), &solid.paint);
+    }
+    canvas_check_same(&to, &from);
+}
+
+static void test_out_of_range(void **state)
+{
+    (void)state;
+    const struct pel_rect b = {0, 0, 16, 16};
+    canvas_open(&to, &pel_gray8, &b, 0);
+    canvas_open(&from, &pel_rgb332, &b, 0);
+    struct pel_copy c = {&from.surface, {0, 0, 16, 16}, 65537, 0};
+    pel_copy(&to.surface, &c);
+    c.x = 0;
+    c.y = INT32_MIN;
+    pel_copy(&to.surface, &c);
+    c.y = 0;
+    c.area.x0 = INT32_MIN;
+    pel_copy_alpha(&to.surface, &c, 255);
+    for (int32_t x = 0; x < 16; x++)
+        assert_int_equal(canvas_pixel(&to, x, 3),
+                         canvas_pixel_before(&to, x, 3));
+}
+
+static int teardown(void **state)
+{
+    (void)state;
+    canvas_close(&to);
+    canvas_close(&from);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_opaque),
+        cmocka_unit_test(test_keyed),
+        cmocka_unit_test(test_alpha),
+        cmocka_unit_test(test_alpha_of_pixels),
+        cmocka_unit_test(test_argb_is_drawn_into_as_xrgb),
+        cmocka_unit_test(test_out_of_range),
+    };
+    return cmocka_run_group_tests(tests, NULL, teardown);
+}

@@ -1,0 +1,244 @@
+/* What changes no byte: bands and tiles, clipping, vertex order, translation,
+ * stride and direction of lines. And what every byte must be, in every format:
+ * the source packed, or blended by the rule. Fenced canvases throughout. */
+#include "tests/support/canvas.h"
+#include "tests/support/check.h"
+#include "tests/support/hits.h"
+#include "tests/support/items.h"
+#include "tests/support/shapes.h"
+
+static struct canvas whole, other;
+static struct hits hits;
+
+static const struct pel_format *random_format(struct random *r)
+{
+    return layouts[random_word(r) % LAYOUT_COUNT].format;
+}
+
+/* Origin at a multiple of 8, near zero or anywhere in range. */
+static struct pel_rect random_bounds(struct random *r, int32_t size)
+{
+    const int32_t reach = random_word(r) % 2 ? 40 : 32700 - size;
+    struct pel_rect b;
+    b.x0 = random_between(r, -reach, reach) & ~7;
+    b.y0 = random_between(r, -reach, reach) & ~7;
+    b.x1 = b.x0 + random_between(r, 1, size);
+    b.y1 = b.y0 + random_between(r, 1, size);
+    return b;
+}
+
+static struct item open_case(struct cases *c, bool opaque)
+{
+    struct random *r = &c->random;
+    struct item item;
+    const struct pel_rect bounds = random_bounds(r, 40);
+    canvas_open(&whole, random_format(r), &bounds, random_word(r) % 8);
+    item_random(r, &item, &bounds, opaque);
+    return item;
+}
+
+static void check_tile(const struct item *item, const struct pel_rect *tile,
+                       unsigned style)
+{
+    canvas_open(&other, whole.layout->format, tile, style);
+    item_draw(&core_default, &other.surface, item);
+    canvas_check(&other);
+    for (int32_t y = tile->y0; y < tile->y1; y++)
+        for (int32_t x = tile->x0; x < tile->x1; x++)
+            if (canvas_pixel(&whole, x, y) != canvas_pixel(&other, x, y))
+                fail_msg("%s, shape %d, tile at %d, %d: pixel %d, %d: "
+                         "whole %x, tile %x; %s",
+                         whole.layout->name, item->kind, tile->x0, tile->y0, x,
+                         y, canvas_pixel(&whole, x, y),
+                         canvas_pixel(&other, x, y), cases_replay());
+}
+
+/* Columns and rows where a tile of any format may begin: all, or every 8th. */
+static int32_t next_cut(struct random *r, int32_t from, int32_t end,
+                        bool aligned)
+{
+    int32_t cut = from + random_between(r, 1, 24);
+    if (aligned)
+        cut = (cut + 7) & ~7;
+    return pel_min(cut, end);
+}
+
+static void test_tiles_equal_the_whole(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(60000); cases_next(&c);) {
+        struct random *r = &c.random;
+        struct item item = open_case(&c, false);
+        const struct pel_rect b = whole.surface.bounds;
+        bool aligned = whole.layout->bits < 8, bands = random_word(r) % 2;
+        struct pel_rect t;
+        item_draw(&core_default, &whole.surface, &item);
+        canvas_check(&whole);
+        for (t.y0 = b.y0; t.y0 < b.y1; t.y0 = t.y1) {
+            t.y1 = next_cut(r, t.y0, b.y1, aligned);
+            for (t.x0 = b.x0; t.x0 < b.x1; t.x0 = t.x1) {
+                t.x1 = bands ? b.x1 : next_cut(r, t.x0, b.x1, aligned);
+                check_tile(&item, &t, random_word(r) % 8);
+            }
+        }
+    }
+}
+
+static void test_clip_is_crop(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(100000); cases_next(&c);) {
+        struct item item = open_case(&c, false);
+        const struct pel_rect b = whole.surface.bounds;
+        const struct pel_rect clip = shape_clip(&c.random, &b);
+        canvas_open(&other, whole.layout->format, &b,
+                    random_word(&c.random) % 8);
+        item_draw(&core_default, &whole.surface, &item);
+        pel_surface_clip(&other.surface, &clip);
+        item_draw(&core_default, &other.surface, &item);
+        canvas_check(&other);
+        const struct pel_rect *p = &other.surface.clip;
+        for (int32_t y = p->y0; y < p->y1; y++)
+            for (int32_t x = p->x0; x < p->x1; x++)
+                if (canvas_pixel(&whole, x, y) != canvas_pixel(&other, x, y))
+                    fail_msg("%s, shape %d: pixel %d, %d; %s",
+                             whole.layout->name, item.kind, x, y,
+                             cases_replay());
+    }
+}
+
+static pel_color source_of(const struct item *item, const struct pel_gouraud *g,
+                           int32_t x, int32_t y)
+{
+    if (item->kind != ITEM_GOURAUD)
+        return item->color[0];
+    pel_color c = 0;
+    for (int k = 0; k < 4; k++)
+        c |= (g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k]) >>
+             24 << 8 * k;
+    return c;
+}
+
+/* Alpha 255: the source packed; 0: what was there; else the blend. */
+static void check_bytes(const struct item *item)
+{
+    const struct pel_rect *b = &whole.surface.bounds;
+    struct pel_gouraud g = {{0}, {0}, {0}, {0}, false};
+    if (item->kind == ITEM_GOURAUD)
+        pel_gouraud_init(&g, item->v, item->color);
+    hits_open(&hits, b);
+    item_cover(&hits.surface, item, &hits.paint);
+    for (int32_t y = b->y0; y < b->y1; y++)
+        for (int32_t x = b->x0; x < b->x1; x++) {
+            uint32_t want = canvas_pixel_before(&whole, x, y);
+            pel_color source = source_of(item, &g, x, y);
+            if (hits_at(&hits, x, y))
+                want = layout_over(whole.layout, want, source);
+            if (canvas_pixel(&whole, x, y) != want)
+                fail_msg("%s, shape %d, colour %08x: pixel %d, %d: before %x, "
+                         "expected %x, got %x; %s",
+                         whole.layout->name, item->kind, source, x, y,
+                         canvas_pixel_before(&whole, x, y), want,
+                         canvas_pixel(&whole, x, y), cases_replay());
+        }
+}
+
+static void test_bytes_follow_the_rule(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(100000); cases_next(&c);) {
+        struct item item = open_case(&c, c.next % 2);
+        item_draw(&core_default, &whole.surface, &item);
+        check_bytes(&item);
+        canvas_check(&whole);
+    }
+}
+
+/* Every order of three; of polygons every start, in both directions. */
+static struct item reordered(const struct item *item, int32_t i)
+{
+    struct item p = *item;
+    for (int32_t k = 0; k < item->n; k++) {
+        int32_t from = i % 2 ? item->n - 1 - k : k;
+        from = (from + i / 2) % item->n;
+        p.v[k] = item->v[from];
+        if (item->kind == ITEM_GOURAUD)
+            p.color[k] = item->color[from];
+    }
+    return p;
+}
+
+static void test_vertex_order_changes_nothing(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(30000); cases_next(&c);) {
+        struct item item = open_case(&c, false);
+        const struct pel_rect b = whole.surface.bounds;
+        if (item.kind == ITEM_RECTANGLE || item.kind == ITEM_CIRCLE)
+            continue;
+        item_draw(&core_default, &whole.surface, &item);
+        for (int32_t i = 1; i < 2 * item.n; i++) {
+            struct item p = reordered(&item, i);
+            canvas_open(&other, whole.layout->format, &b, (unsigned)i % 8);
+            item_draw(&core_default, &other.surface, &p);
+            canvas_check_same(&whole, &other);
+        }
+    }
+}
+
+/* A shift of the item by whole pixels that keeps it in range: of bits 3 and up,
+ * so that tiles of every format may begin there. */
+static int32_t random_shift(struct random *r, int32_t lo, int32_t hi)
+{
+    int32_t room_down = (lo - PEL_COORDINATE_MIN) / 2048;
+    int32_t room_up = (PEL_COORDINATE_MAX - hi) / 2048;
+    return 8 * random_between(r, -room_down, room_up);
+}
+
+static void extent_of(const struct item *item, const struct pel_rect *b,
+                      struct pel_rect *e)
+{
+    *e = (struct pel_rect){PEL_PX(b->x0), PEL_PX(b->y0), PEL_PX(b->x1) - 1,
+                           PEL_PX(b->y1) - 1};
+    for (int32_t i = 0; i < item->n; i++) {
+        e->x0 = pel_min(e->x0, item->v[i].x);
+        e->y0 = pel_min(e->y0, item->v[i].y);
+        e->x1 = pel_max(e->x1, item->v[i].x);
+        e->y1 = pel_max(e->y1, item->v[i].y);
+    }
+}
+
+static void test_translation_changes_nothing(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(100000); cases_next(&c);) {
+        struct item item = open_case(&c, false);
+        struct pel_rect b = whole.surface.bounds, e;
+        extent_of(&item, &b, &e);
+        int32_t dx = random_shift(&c.random, e.x0, e.x1);
+        int32_t dy = random_shift(&c.random, e.y0, e.y1);
+        b = (struct pel_rect){b.x0 + dx, b.y0 + dy, b.x1 + dx, b.y1 + dy};
+        canvas_open(&other, whole.layout->format, &b,
+                    random_word(&c.random) % 8);
+        canvas_copy(&other, &whole);
+        item_draw(&core_default, &whole.surface, &item);
+        for (int32_t i = 0; i < item.n; i++) {
+            item.v[i].x += PEL_PX(dx);
+            item.v[i].y += PEL_PX(dy);
+        }
+        item_draw(&core_default, &other.surface, &item);
+        canvas_check_same(&whole, &other);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_tiles_equal_the_whole),
+        cmocka_unit_test(test_clip_is_crop),
+        cmocka_unit_test(test_bytes_follow_the_rule),
+        cmocka_unit_test(test_vertex_order_changes_nothing),
+        cmocka_unit_test(test_translation_changes_nothing),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

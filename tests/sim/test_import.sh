@@ -1,0 +1,146 @@
+#!/bin/sh
+# pel import: C assets compile without a warning as C99 and as C++, are the same
+# each time, and draw what the mesh or the picture itself draws.
+#
+#     PEL=build/pel test_import.sh      from the project's directory
+set -eu
+PEL=${PEL:-build/pel}
+LIBPEL=$(dirname "$PEL")/libpel.a
+CC=${CC:-cc}
+WARNINGS="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow \
+    -Wundef -Werror"
+dir=$(mktemp -d)
+trap 'rm -rf "$dir"' EXIT
+failed=0
+
+fail() {
+    echo "FAILED: $*" >&2
+    failed=1
+}
+
+# same NAME INPUT OPTIONS...: $dir/NAME.c, the same when made again elsewhere.
+same() {
+    name=$1
+    shift
+    mkdir -p "$dir/again"
+    "$PEL" import "$@" --name asset -o "$dir/$name.c"
+    "$PEL" import "$@" --name asset -o "$dir/again/$name.c"
+    cmp "$dir/$name.c" "$dir/again/$name.c" || fail "$name: not the same twice"
+    if grep -n "$dir" "$dir/$name.c"; then
+        fail "$name: a path in the asset"
+    fi
+    $CC -std=c99 $WARNINGS -I. -c "$dir/$name.c" -o "$dir/$name.o"
+    if command -v c++ >/dev/null; then
+        c++ -x c++ -Wall -Wextra -Werror -I. -c "$dir/$name.c" \
+            -o "$dir/again/$name.o"
+    fi
+}
+
+# mesh NAME MESH EYE TARGET OPTIONS...
+mesh() {
+    name=$1 file=$2 eye=$3 target=$4
+    shift 4
+    same "$name" "$file" "$@"
+    $CC -std=c99 -O2 $WARNINGS -DEYE="$eye" -I. tests/sim/import_draw.c \
+        "$dir/$name.o" "$LIBPEL" -lm -o "$dir/$name"
+    for shade in flat gouraud; do
+        "$PEL" render "$file" --shade $shade --format rgb565_le --size 600x600 \
+            --eye "$eye" --target "$target" -o "$dir/$name.ppm"
+        "$dir/$name" "$dir/$name.ppm" $shade || fail "$name: $shade differs"
+    done
+}
+
+# A square with colours of its own, far from the origin, with 2 materials' worth
+# of nothing else: what a mesh file needs at least.
+cat >"$dir/square.ply" <<'EOF'
+ply
+format ascii 1.0
+element vertex 4
+property float x
+property float y
+property float z
+property uchar red
+property uchar green
+property uchar blue
+element face 2
+property list uchar int vertex_indices
+end_header
+1000 2000 0 255 0 0
+1001 2000 0 0 255 0
+1001 2001 -1 0 0 255
+1000 2001 0 255 255 0
+3 0 1 2
+3 0 2 3
+EOF
+
+duck=${PEL_MODELS:-/usr/share/assimp/models}/Collada/duck.dae
+if [ ! -r "$duck" ]; then
+    fail "$duck is missing: the package assimp-testmodels brings it"
+else
+    mesh duck "$duck" 0.1,0.9,3.4 0.1,0.9,0
+    mesh duck16 "$duck" 0.1,0.9,3.4 0.1,0.9,0 --normals 16
+    grep -q 'int16_t asset_normals' "$dir/duck16.c" || fail "no 16-bit normals"
+fi
+mesh square "$dir/square.ply" 1000.5,2000.5,2 1000.5,2000.5,0
+
+# Pictures: the surface shows the picture, in the steps of its format.
+printf 'P3\n5 9\n255\n' >"$dir/picture.ppm"
+awk 'BEGIN { for (i = 0; i < 135; i++) print (i * 89 + i * i * 7) % 256 }' \
+    >>"$dir/picture.ppm"
+for format in rgb565_le rgb565_be bgr565_le xrgb1555_le rgb888 bgr888 xrgb8888 \
+    xbgr8888 rgbx8888 bgrx8888 rgb332 gray8 gray4 mono1 mono1_pages; do
+    same $format "$dir/picture.ppm" --format $format
+    $CC -std=c99 $WARNINGS -DFORMAT=pel_$format -I. tests/sim/import_show.c \
+        "$dir/$format.o" "$LIBPEL" -o "$dir/show"
+    "$dir/show" >"$dir/$format.ppm" || fail "$format: the asset is refused"
+done
+same_as() {
+    "$PEL" compare "$dir/$1.ppm" "$dir/$2.ppm" >/dev/null || fail "$1 is not $2"
+}
+for format in rgb888 bgr888 xrgb8888 xbgr8888 rgbx8888 bgrx8888; do
+    same_as $format picture
+done
+same_as rgb565_be rgb565_le
+same_as bgr565_le rgb565_le
+same_as mono1_pages mono1
+"$PEL" compare --tolerance 7 "$dir/rgb565_le.ppm" "$dir/picture.ppm" \
+    >/dev/null || fail "rgb565_le is more than a step away"
+"$PEL" compare --tolerance 16 "$dir/gray4.ppm" "$dir/gray8.ppm" >/dev/null ||
+    fail "gray4 is more than a step away from gray8"
+
+# What is wrong is refused, with status 2 and no file.
+refuse() {
+    expected=$1
+    shift
+    status=0
+    "$PEL" import "$@" >"$dir/out" 2>"$dir/message" || status=$?
+    [ $status -eq 2 ] || fail "import $*: status $status"
+    grep -qF -e "$expected" "$dir/message" ||
+        fail "import $*: $(cat "$dir/message")"
+    [ ! -s "$dir/out" ] && [ ! -e "$dir/x.c" ] || fail "import $*: output"
+}
+refuse "an input is missing" -o "$dir/x.c"
+refuse "-o ASSET.c is missing" builtin:vase
+refuse "No such file" "$dir/none.obj" -o "$dir/x.c"
+refuse "an output .c or .pel2d would be right" builtin:vase -o "$dir/x.h"
+refuse "is no identifier of C" builtin:vase --name 3d -o "$dir/x.c"
+refuse "is no identifier of C" builtin:vase --name int -o "$dir/x.c"
+refuse "unknown format 'rgb': valid are rgb565_le," "$dir/picture.ppm" \
+    --format rgb -o "$dir/x.c"
+refuse "--format is for pictures" builtin:vase --format rgb888 -o "$dir/x.c"
+refuse "a camera is for" builtin:vase --eye 1,2,3 -o "$dir/x.c"
+refuse "8 or 16 would be right" builtin:vase --normals 12 -o "$dir/x.c"
+refuse "no mesh that can be read" "$dir/message" -o "$dir/x.c"
+sed 's/^3 0 1 2/3 0 1 4/' "$dir/square.ply" >"$dir/bad.ply"
+refuse "face 0 of part 0 names vertex 4; the part has 4" "$dir/bad.ply" -o "$dir/x.c"
+printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n' >"$dir/bad.off"
+refuse "out of range" "$dir/bad.off" -o "$dir/x.c"
+"$PEL" import builtin:vase -o "$dir/vase.pel2d"
+refuse "is projected already" "$dir/vase.pel2d" -o "$dir/x.c"
+
+# A pel2d file draws what its mesh draws.
+"$PEL" render builtin:vase -o "$dir/a.ppm"
+"$PEL" render "$dir/vase.pel2d" -o "$dir/b.ppm"
+cmp "$dir/a.ppm" "$dir/b.ppm" || fail "the pel2d file draws something else"
+
+exit $failed

@@ -1,0 +1,193 @@
+/* pel2d files: what is written is read back the same; what is wrong is refused
+ * with its line. */
+#include "tests/support/check.h"
+
+#include "mesh_messages.h"
+#include "sim/pel2d.h"
+
+#define HEAD "pel2d 3 1\n"
+#define A "0 0 1 2 3 0 0 0\n"
+#define BC "8.5 -0.00390625 255 0 9 -1.5 0.25 1\n0 7 0 0 0 1e-3 1 0\n"
+
+struct row {
+    const char *text;
+    const char *message; /* after "pel: FILE:" */
+};
+
+static const struct row wrong[] = {
+    {"", "1: the file ends here; 'pel2d VERTICES TRIANGLES' would be right"},
+    {"\n", "1: 0 fields; 'pel2d VERTICES TRIANGLES' would be right"},
+    {"pel2d\n", "1: 1 fields"},
+    {"pel2d 3\n", "1: 2 fields"},
+    {"pel3d 3 1\n", "1: the file begins with 'pel3d'"},
+    {"pel2d x 1\n", "1: VERTICES is 'x'; a whole number"},
+    {"pel2d -1 1\n", "1: VERTICES is '-1'"},
+    {"pel2d 3 99999999999\n", "1: TRIANGLES is '99999999999'"},
+    {"pel2d 3 1 1\n", "1: 4 fields"},
+    {HEAD, "2: the file ends here; a vertex, 'x y r g b depth u v',"},
+    {HEAD "0 0 1 2 3 0 0\n", "2: 7 fields"},
+    {HEAD "0 0 1 2 3 0 0 0 0\n", "2: more than 8 fields"},
+    {HEAD "0 0 1 2 3 0 0 0 0 0 0\n", "2: more than 8 fields"},
+    {HEAD A "x 0 1 2 3 0 0 0\n", "3: x is 'x'; decimal pixels"},
+    {HEAD A "1e2 0 1 2 3 0 0 0\n", "3: x is '1e2'"},
+    {HEAD A "0 0.1 1 2 3 0 0 0\n", "3: y is 0.1; a whole number of 1/256 px"},
+    {HEAD A "0.00390625000001 0 1 2 3 0 0 0\n", "3: x is 0.00390625000001"},
+    {HEAD A "32768 0 1 2 3 0 0 0\n", "3: x is 32768; -32768 to 32767.99609375"},
+    {HEAD A "0 -32768.00390625 1 2 3 0 0 0\n", "3: y is -32768.00390625; -32"},
+    {HEAD A "0 0 256 2 3 0 0 0\n", "3: r is '256'; a whole number from 0 to 2"},
+    {HEAD A "0 0 1 -2 3 0 0 0\n", "3: g is '-2'"},
+    {HEAD A "0 0 1 2 3.0 0 0 0\n", "3: b is '3.0'"},
+    {HEAD A "0 0 1 2 3 far 0 0\n", "3: depth is 'far'"},
+    {HEAD A "0 0 1 2 3 0 nan 0\n", "3: u is 'nan'"},
+    {HEAD A "0 0 1 2 3 0 0 1e7\n", "3: v is '1e7'"},
+    {HEAD A BC, "5: the file ends here; a triangle, 'i j k',"},
+    {HEAD A BC "0 1\n", "5: 2 fields; a triangle"},
+    {HEAD A BC "0 1 3\n", "5: k is '3'; a whole number from 0 to 2"},
+    {HEAD A BC "-1 1 2\n", "5: i is '-1'"},
+    {HEAD A BC "0 4294967296 2\n", "5: j is '4294967296'"},
+    {HEAD A BC "0 1 2\n0 1 2\n", "6: text after the last triangle"},
+    {HEAD A BC "0 1 2\n\n \nx", "8: text after the last triangle"},
+    {"pel2d 0 1\n0 0 0\n", "2: a triangle in a file without vertices"},
+};
+
+static void refuse(size_t row, const char *text, size_t size,
+                   const char *message)
+{
+    struct pel2d flat;
+    struct messages m;
+    char expected[4300];
+    char *path = file_with(text, size);
+    snprintf(expected, sizeof(expected), "pel: %s:%s", path, message);
+    messages_begin(&m);
+    bool taken = pel2d_load(&flat, path);
+    messages_end(&m);
+    unlink(path);
+    free(path);
+    if (taken)
+        fail_msg("row %zu is taken", row);
+    assert_null(flat.vertex);
+    if (strncmp(m.text, expected, strlen(expected)) != 0)
+        fail_msg("row %zu\nexpected %s\ngot      %s", row, expected, m.text);
+}
+
+static void test_wrong(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); i++)
+        refuse(i, wrong[i].text, strlen(wrong[i].text), wrong[i].message);
+}
+
+static void test_wrong_bytes(void **state)
+{
+    static const char nul[] = HEAD "0 0 1 2 3 0 \0 0\n";
+    char line[2048] = "pel2d ";
+    (void)state;
+    refuse(0, nul, sizeof(nul) - 1, "2: a NUL byte; a vertex");
+    memset(line + 6, '1', sizeof(line) - 6);
+    refuse(1, line, sizeof(line), "1: a line of over 1,023 bytes");
+    /* A first line that lies about its file costs no memory. */
+    refuse(2, "pel2d 268435456 268435456\n", 26, "2: the file ends here");
+}
+
+static void test_every_cut(void **state)
+{
+    static const char whole[] = HEAD A BC "0 1 2";
+    (void)state;
+    for (size_t n = 0; n < sizeof(whole) - 2; n++)
+        refuse(n, whole, n, "");
+}
+
+static void test_right(void **state)
+{
+    static const char text[] = "pel2d\t3  1\r\n" A BC "2 0 1\n\n \t\n";
+    struct pel2d flat;
+    char *path = file_with(text, sizeof(text) - 1);
+    (void)state;
+    assert_true(pel2d_is_file(path));
+    assert_true(pel2d_load(&flat, path));
+    unlink(path);
+    free(path);
+    assert_int_equal(flat.vertices, 3);
+    assert_int_equal(flat.triangles, 1);
+    assert_int_equal(flat.vertex[1].at.x, 2176);
+    assert_int_equal(flat.vertex[1].at.y, -1);
+    assert_int_equal(flat.vertex[1].color, PEL_RGB(255, 0, 9));
+    assert_true(flat.vertex[1].u >= 0.25 && flat.vertex[1].u <= 0.25);
+    assert_int_equal(flat.vertex[2].depth.limb[1], 1000000000000000);
+    assert_int_equal(flat.triangle[0][0], 2);
+    assert_int_equal(flat.triangle[0][2], 1);
+    pel2d_free(&flat);
+}
+
+static uint64_t next(uint64_t *seed)
+{
+    *seed = *seed * UINT64_C(6364136223846793005) + 1442695040888963407u;
+    return *seed >> 24;
+}
+
+static void add_random(struct pel2d *flat, uint64_t *seed)
+{
+    struct pel2d_vertex v = {
+        {(int32_t)(next(seed) % 16777216) + PEL_COORDINATE_MIN,
+         (int32_t)(next(seed) % 16777216) + PEL_COORDINATE_MIN},
+        PEL_RGB(next(seed) % 256, next(seed) % 256, next(seed) % 256),
+        {{0}},
+        (double)next(seed) / 1e12,
+        -(double)next(seed) / 7e11};
+    int64_t sign = next(seed) % 2 ? 1 : -1;
+    for (int i = 0; i < 3; i++)
+        v.depth.limb[i] = sign * (int64_t)(next(seed) % 1000000000) *
+                          (int64_t)(next(seed) % 1000000000);
+    assert_true(pel2d_add_vertex(flat, &v));
+}
+
+static void assert_same(const struct pel2d *a, const struct pel2d *b)
+{
+    assert_int_equal(a->vertices, b->vertices);
+    assert_int_equal(a->triangles, b->triangles);
+    for (uint32_t i = 0; i < a->vertices; i++) {
+        const struct pel2d_vertex *v = &a->vertex[i], *w = &b->vertex[i];
+        assert_int_equal(v->at.x, w->at.x);
+        assert_int_equal(v->at.y, w->at.y);
+        assert_int_equal(v->color, w->color);
+        assert_memory_equal(&v->depth, &w->depth, sizeof(v->depth));
+        assert_memory_equal(&v->u, &w->u, sizeof(v->u));
+        assert_memory_equal(&v->v, &w->v, sizeof(v->v));
+    }
+    assert_memory_equal(a->triangle, b->triangle,
+                        a->triangles * sizeof(*a->triangle));
+}
+
+static void test_round_trip(void **state)
+{
+    struct pel2d flat = {0}, back;
+    uint64_t seed = 1;
+    char *path = file_with("", 0);
+    (void)state;
+    for (int i = 0; i < 3000; i++)
+        add_random(&flat, &seed);
+    flat.vertex[0].at =
+        (struct pel_point){PEL_COORDINATE_MIN, PEL_COORDINATE_MAX};
+    for (int i = 0; i < 1000; i++) {
+        const uint32_t index[3] = {(uint32_t)(next(&seed) % 3000),
+                                   (uint32_t)(next(&seed) % 3000), 2999};
+        assert_true(pel2d_add_triangle(&flat, index));
+    }
+    assert_true(pel2d_save(&flat, path));
+    assert_true(pel2d_load(&back, path));
+    assert_same(&flat, &back);
+    unlink(path);
+    free(path);
+    pel2d_free(&flat);
+    pel2d_free(&back);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_wrong),      cmocka_unit_test(test_wrong_bytes),
+        cmocka_unit_test(test_every_cut),  cmocka_unit_test(test_right),
+        cmocka_unit_test(test_round_trip),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,148 @@
+/* Output files appear whole or not at all. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "sim/output.h"
+
+static char directory[] = "/tmp/pel-output-XXXXXX";
+
+static void path_of(const char *name, char *path, size_t size)
+{
+    snprintf(path, size, "%s/%s", directory, name);
+}
+
+static void check_file(const char *path, const char *want)
+{
+    char data[64];
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    const size_t n = fread(data, 1, sizeof data - 1, file);
+    fclose(file);
+    data[n] = '\0';
+    assert_string_equal(data, want);
+}
+
+static bool write_output(const char *path, const char *text, bool commit)
+{
+    struct output output;
+    assert_true(output_open(&output, path));
+    fputs(text, output.stream);
+    if (commit)
+        return output_commit(&output);
+    output_abandon(&output);
+    return true;
+}
+
+/* What is abandoned leaves what was there; what is committed replaces it. */
+static void test_file(void **state)
+{
+    char path[64];
+    (void)state;
+    path_of("file", path, sizeof path);
+    assert_true(write_output(path, "abandoned", false));
+    assert_int_equal(access(path, F_OK), -1);
+    assert_true(write_output(path, "first", true));
+    check_file(path, "first");
+    assert_true(write_output(path, "abandoned", false));
+    check_file(path, "first");
+    assert_true(write_output(path, "second", true));
+    check_file(path, "second");
+    assert_true(write_output(path, "", true));
+    check_file(path, "");
+}
+
+/* New files get the mode that the umask leaves; old ones keep theirs. */
+static void test_mode(void **state)
+{
+    char path[64];
+    struct stat status;
+    const mode_t kept = umask(027);
+    (void)state;
+    path_of("mode", path, sizeof path);
+    assert_true(write_output(path, "new", true));
+    umask(kept);
+    assert_int_equal(stat(path, &status), 0);
+    assert_int_equal(status.st_mode & 07777, 0640);
+    assert_int_equal(chmod(path, 0604), 0);
+    assert_true(write_output(path, "newer", true));
+    assert_int_equal(stat(path, &status), 0);
+    assert_int_equal(status.st_mode & 07777, 0604);
+}
+
+static void test_link(void **state)
+{
+    char path[64], target[64];
+    struct stat status;
+    (void)state;
+    path_of("link", path, sizeof path);
+    path_of("target", target, sizeof target);
+    assert_true(write_output(target, "old", true));
+    assert_int_equal(symlink("target", path), 0);
+    assert_true(write_output(path, "new", true));
+    assert_int_equal(lstat(path, &status), 0);
+    assert_true(S_ISLNK(status.st_mode));
+    check_file(target, "new");
+}
+
+/* A device is written to, and stays a device. */
+static void test_device(void **state)
+{
+    struct stat status;
+    (void)state;
+    assert_true(write_output("/dev/null", "text", true));
+    assert_int_equal(stat("/dev/null", &status), 0);
+    assert_true(S_ISCHR(status.st_mode));
+}
+
+/* A message, and no file anywhere. */
+static void test_refused(void **state)
+{
+    char path[64], text[512] = "";
+    FILE *kept = stderr;
+    (void)state;
+    path_of("none/file", path, sizeof path);
+    stderr = fmemopen(text, sizeof text, "w");
+    const bool done = write_output(path, "text", true);
+    fclose(stderr);
+    stderr = kept;
+    assert_false(done);
+    assert_non_null(strstr(text, "none/file: cannot be written: No such"));
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    return mkdtemp(directory) ? 0 : -1;
+}
+
+static int tear_down(void **state)
+{
+    static const char *const names[] = {"file", "mode", "link", "target"};
+    (void)state;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        char path[64];
+        path_of(names[i], path, sizeof path);
+        unlink(path);
+    }
+    /* Fails when a temporary file was left. */
+    return rmdir(directory);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_file),    cmocka_unit_test(test_mode),
+        cmocka_unit_test(test_link),    cmocka_unit_test(test_device),
+        cmocka_unit_test(test_refused),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

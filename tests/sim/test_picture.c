@@ -1,0 +1,381 @@
+/* Picture files: PPM and PGM that are right, and all the ways in which they can
+ * be wrong; PPM, BMP and PNG as written. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#ifdef HAVE_LIBPNG
+#include <png.h>
+#endif
+
+#include "sim/picture.h"
+
+static char directory[] = "/tmp/pel-picture-XXXXXX";
+
+static void path_of(const char *name, char *path, size_t size)
+{
+    snprintf(path, size, "%s/%s", directory, name);
+}
+
+static void write_file(const char *path, const void *data, size_t size)
+{
+    FILE *file = fopen(path, "wb");
+    assert_non_null(file);
+    assert_int_equal(fwrite(data, 1, size, file), size);
+    assert_int_equal(fclose(file), 0);
+}
+
+static size_t read_file(const char *path, void *data, size_t size)
+{
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return 0;
+    const size_t n = fread(data, 1, size, file);
+    fclose(file);
+    return n;
+}
+
+/* picture_load with standard error caught in `text`. */
+static bool load(struct picture *picture, const char *path, char *text,
+                 size_t size)
+{
+    FILE *kept = stderr;
+    stderr = fmemopen(text, size, "w");
+    const bool done = picture_load(picture, path);
+    fclose(stderr);
+    stderr = kept;
+    return done;
+}
+
+struct row {
+    const char *data;
+    size_t size;
+    const char *message; /* part of what is said; NULL when the file is right */
+};
+
+#define ROW(data, message)              \
+    {                                   \
+        data, sizeof(data) - 1, message \
+    }
+
+/* All the right ones are 2 x 1 pixels, 10 20 30 and 40 50 60, or as grey 10 and
+ * 40. */
+static const struct row rows[] = {
+    ROW("P6 2 1 255\n\x0a\x14\x1e\x28\x32\x3c", NULL),
+    ROW("P6\n# a comment\n2 # another\n#\n1\n255\n\x0a\x14\x1e\x28\x32\x3c",
+        NULL),
+    ROW("P6#comment\r\n2\t1\v255\f\x0a\x14\x1e\x28\x32\x3c", NULL),
+    ROW("P6 0002 00000000001 255 \x0a\x14\x1e\x28\x32\x3c", NULL),
+    ROW("P3 2 1 255\n10 20 30\n40 50 60", NULL),
+    ROW("P3\n2\n1\n255\n10\n20 # c\n30 040 50\n\n60 \n# end", NULL),
+    ROW("P5 2 1 255\n\x0a\x28", NULL),
+    ROW("P2 2 1 255 10 40\n", NULL),
+    /* The beginning. */
+    ROW("", "must begin with P6, P5, P3 or P2"),
+    ROW("P", "must begin with P6, P5, P3 or P2"),
+    ROW("P6", "white space must follow P6"),
+    ROW("P62 1 255\n", "white space must follow P6"),
+    ROW("P4 2 1\n\x80", "must begin with P6, P5, P3 or P2"),
+    ROW("P\0006 2 1", "must begin with P6, P5, P3 or P2"),
+    ROW("P\000", "must begin with P6, P5, P3 or P2"),
+    ROW("P7\nWIDTH 2", "must begin with P6, P5, P3 or P2"),
+    ROW("p6 2 1 255\n\x0a\x14\x1e\x28\x32\x3c", "must begin with P6"),
+    ROW("\x89PNG\r\n\x1a\n", "must begin with P6"),
+    /* Width, height, maximum. */
+    ROW("P6 ", ":1: ends before the width"),
+    ROW("P6\n#", ":2: ends before the width"),
+    ROW("P6\n2\n", ":3: ends before the height"),
+    ROW("P6 2 1", "ends before the maximum sample value"),
+    ROW("P6\n\nx 1 255\n", ":3: byte 4: the width must be a number"),
+    ROW("P6 -2 1 255\n", "byte 3: the width must be a number"),
+    ROW("P6 2x1 255\n", "byte 4: white space must follow the width"),
+    ROW("P6 0 1 255\n", "0 x 1 pixels: width and height must be at least 1"),
+    ROW("P6 1 0 255\n", "1 x 0 pixels: width and height must be at least 1"),
+    ROW("P6 32768 1 255\n", "the width is too large: 32767 at most"),
+    ROW("P6 1 99999999999999999999 255\n", "the height is too large: 32767"),
+    ROW("P6 4294967298 1 255\n", "the width is too large: 32767 at most"),
+    ROW("P6 2 1 65535\n\x0a\x14\x1e\x28\x32\x3c", "value is 65535: only 255"),
+    ROW("P6 2 1 15\n\x0a\x14\x1e\x28\x32\x3c", "value is 15: only 255"),
+    ROW("P6 2 1 0\n\x0a\x14\x1e\x28\x32\x3c", "value is 0: only 255"),
+    ROW("P6 2 1 65536\n", "value is too large: 65535 at most"),
+    ROW("P6 2 1 255", "byte 10: ends in row 1 of 1, 6 bytes a row"),
+    ROW("P6 2 1 255# c\n\x0a\x14\x1e\x28\x32\x3c", "white space must follow"),
+    /* The pixels: too few, too many. */
+    ROW("P6 2 1 255\n", "byte 11: ends in row 1 of 1"),
+    ROW("P6 2 1 255\n\x0a\x14\x1e\x28\x32", "byte 16: ends in row 1 of 1"),
+    ROW("P6 2 3 255\n\x0a\x14\x1e\x28\x32\x3c", "ends in row 2 of 3"),
+    ROW("P6 32767 32767 255\n\x0a", "byte 20: ends in row 1 of 32767"),
+    ROW("P5 32767 32767 255\n\x0a", "byte 20: ends in row 1 of 32767"),
+    ROW("P6 2 1 255\n\x0a\x14\x1e\x28\x32\x3c\n", "byte 17: the picture of"),
+    ROW("P6 2 1 255\r\n\x0a\x14\x1e\x28\x32\x3c", "byte 17: the picture of"),
+    ROW("P3 2 1 255\n10 20 30\n40 50", ":3: ends before the sample"),
+    ROW("P3 2 1 255\n10 20 30\n40 50 256", ":3: the sample is too large"),
+    ROW("P3 2 1 255\n10 20 30\n40 50 6a", ":3: byte 27: white space"),
+    ROW("P3 2 1 255\n10 20 30\n40 50 -1", ":3: byte 26: the sample must be"),
+    ROW("P3 2 1 255\n10 20 30 40 50 60\n70", ":3: byte 29: the picture of"),
+    ROW("P3 32767 32767 255\n1 2 3", ":2: ends before the sample"),
+    ROW("P2 2 1 255\n10\0 40", ":2: byte 13: white space"),
+};
+
+static void check_pixels(size_t i, const struct picture *p, bool gray)
+{
+    static const pel_color color[2] = {0xFF0A141E, 0xFF28323C};
+    static const pel_color level[2] = {0xFF0A0A0A, 0xFF282828};
+    if (p->width != 2 || p->height != 1 ||
+        memcmp(p->pixels, gray ? level : color, sizeof color) != 0)
+        fail_msg("row %zu: %d x %d, %08x", i, p->width, p->height,
+                 (unsigned)p->pixels[0]);
+}
+
+static void test_read(void **state)
+{
+    char path[64];
+    (void)state;
+    path_of("in.ppm", path, sizeof path);
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        char text[512] = "";
+        struct picture p;
+        write_file(path, rows[i].data, rows[i].size);
+        const bool done = load(&p, path, text, sizeof text);
+        if (done != !rows[i].message)
+            fail_msg("row %zu: %s", i, done ? "was read" : text);
+        if (done)
+            check_pixels(i, &p,
+                         rows[i].data[1] == '5' || rows[i].data[1] == '2');
+        else if (!strstr(text, rows[i].message) ||
+                 strncmp(text, "pel: /", 6) != 0 || p.pixels)
+            fail_msg("row %zu: said %s, not %s", i, text, rows[i].message);
+        picture_free(&p);
+    }
+}
+
+/* Every way to cut a file short is found, in the header and in the pixels. */
+static void test_truncated(void **state)
+{
+    static const char *const whole[] = {"P6 3 2 255\nABCDEFGHIJKLMNOPQR",
+                                        "P5\n3 2 # c\n255\nABCDEF",
+                                        "P3 1 2 255\n1 2 3 4 5 66"};
+    char path[64], text[512];
+    (void)state;
+    path_of("cut.ppm", path, sizeof path);
+    for (size_t i = 0; i < sizeof whole / sizeof whole[0]; i++) {
+        const size_t size = strlen(whole[i]);
+        for (size_t n = 0; n <= size; n++) {
+            struct picture p;
+            /* One digit less of the last sample is a picture too. */
+            const bool right = n == size || (i == 2 && n == size - 1);
+            write_file(path, whole[i], n);
+            if (load(&p, path, text, sizeof text) != right)
+                fail_msg("%zu bytes of file %zu", n, i);
+            picture_free(&p);
+        }
+    }
+}
+
+static void test_missing(void **state)
+{
+    char path[64], text[512] = "";
+    struct picture p;
+    (void)state;
+    path_of("none.ppm", path, sizeof path);
+    assert_false(load(&p, path, text, sizeof text));
+    assert_non_null(strstr(text, "none.ppm: cannot be read: No such file"));
+    assert_false(load(&p, directory, text, sizeof text));
+    assert_null(p.pixels);
+}
+
+static void fill_picture(struct picture *p, int width, int height)
+{
+    uint32_t seed = (uint32_t)(width * 131 + height);
+    assert_true(picture_init(p, width, height, 0));
+    for (int i = 0; i < width * height; i++) {
+        seed = seed * 1664525u + 1013904223u;
+        p->pixels[i] = 0xFF000000u | seed >> 8;
+    }
+}
+
+static bool same_picture(const struct picture *a, const struct picture *b)
+{
+    const size_t n = (size_t)a->width * (size_t)a->height;
+    return a->width == b->width && a->height == b->height &&
+           memcmp(a->pixels, b->pixels, n * sizeof *a->pixels) == 0;
+}
+
+static const int sizes[][2] = {{1, 1}, {2, 3}, {3, 2}, {4, 5}, {257, 63}};
+
+static void test_ppm(void **state)
+{
+    char path[64];
+    (void)state;
+    path_of("out.ppm", path, sizeof path);
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        struct picture a, b;
+        fill_picture(&a, sizes[i][0], sizes[i][1]);
+        assert_true(picture_save(&a, path));
+        assert_true(picture_load(&b, path));
+        assert_true(same_picture(&a, &b));
+        picture_free(&a);
+        picture_free(&b);
+    }
+}
+
+static uint32_t get32(const unsigned char *p)
+{
+    return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 |
+           (uint32_t)p[3] << 24;
+}
+
+static void check_bmp(const struct picture *p, const unsigned char *data,
+                      size_t size)
+{
+    const size_t line = ((size_t)p->width * 3 + 3) / 4 * 4;
+    assert_memory_equal(data, "BM", 2);
+    assert_int_equal(get32(data + 2), size);
+    assert_int_equal(size, get32(data + 10) + line * (size_t)p->height);
+    assert_int_equal(get32(data + 14), 40);
+    assert_int_equal(get32(data + 18), p->width);
+    assert_int_equal(get32(data + 22), p->height);
+    assert_int_equal(get32(data + 26), 24 << 16 | 1);
+    for (int y = 0; y < p->height; y++) {
+        const unsigned char *row =
+            data + get32(data + 10) + line * (size_t)(p->height - 1 - y);
+        for (int x = 0; x < p->width; x++, row += 3)
+            assert_int_equal(PEL_RGB(row[2], row[1], row[0]),
+                             picture_row(p, y)[x]);
+    }
+}
+
+static void test_bmp(void **state)
+{
+    static unsigned char data[1 << 17];
+    char path[64];
+    (void)state;
+    path_of("out.BMP", path, sizeof path);
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        struct picture p;
+        fill_picture(&p, sizes[i][0], sizes[i][1]);
+        assert_true(picture_save(&p, path));
+        check_bmp(&p, data, read_file(path, data, sizeof data));
+        picture_free(&p);
+    }
+}
+
+#ifdef HAVE_LIBPNG
+static void check_png(const struct picture *p, const char *path)
+{
+    png_image image = {.version = PNG_IMAGE_VERSION};
+    assert_int_not_equal(png_image_begin_read_from_file(&image, path), 0);
+    assert_int_equal(image.width, p->width);
+    assert_int_equal(image.height, p->height);
+    image.format = PNG_FORMAT_RGB;
+    unsigned char *data = malloc(PNG_IMAGE_SIZE(image));
+    assert_non_null(data);
+    assert_int_not_equal(png_image_finish_read(&image, NULL, data, 0, NULL), 0);
+    for (int i = 0; i < p->width * p->height; i++)
+        assert_int_equal(PEL_RGB(data[3 * i], data[3 * i + 1], data[3 * i + 2]),
+                         p->pixels[i]);
+    free(data);
+}
+
+static void test_png(void **state)
+{
+    char path[64];
+    (void)state;
+    path_of("out.png", path, sizeof path);
+    assert_string_equal(picture_best_ending(), ".png");
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        struct picture p;
+        fill_picture(&p, sizes[i][0], sizes[i][1]);
+        assert_true(picture_save(&p, path));
+        check_png(&p, path);
+        picture_free(&p);
+    }
+}
+#else
+/* Without libpng, PNG is refused with the name of the package. */
+static void test_png(void **state)
+{
+    char text[512] = "";
+    FILE *kept = stderr;
+    (void)state;
+    assert_string_equal(picture_best_ending(), ".bmp");
+    stderr = fmemopen(text, sizeof text, "w");
+    const bool right = picture_path_check("a.png");
+    fclose(stderr);
+    stderr = kept;
+    assert_false(right);
+    assert_non_null(strstr(text, "libpng-dev"));
+}
+#endif
+
+static void test_endings(void **state)
+{
+    FILE *kept = stderr;
+    (void)state;
+    stderr = fopen("/dev/null", "w");
+    const bool wrong = picture_path_check("a.jpg") || picture_path_check("a") ||
+                       picture_path_check(".ppm") ||
+                       picture_path_check("a.ppm/b");
+    fclose(stderr);
+    stderr = kept;
+    assert_false(wrong);
+    assert_true(picture_path_check("a.ppm"));
+    assert_true(picture_path_check("b.c/a.bmp"));
+    assert_true(picture_path_check("-"));
+}
+
+/* A directory that is not there: a message, and no file anywhere. */
+static void test_no_directory(void **state)
+{
+    char path[64], text[512] = "";
+    FILE *kept = stderr;
+    struct picture p;
+    (void)state;
+    path_of("none/out.ppm", path, sizeof path);
+    fill_picture(&p, 2, 2);
+    stderr = fmemopen(text, sizeof text, "w");
+    const bool done = picture_save(&p, path);
+    fclose(stderr);
+    stderr = kept;
+    picture_free(&p);
+    assert_false(done);
+    assert_non_null(strstr(text, "none/out.ppm: cannot be written: No such"));
+}
+
+static int set_up(void **state)
+{
+    (void)state;
+    return mkdtemp(directory) ? 0 : -1;
+}
+
+static int tear_down(void **state)
+{
+    static const char *const names[] = {"in.ppm", "cut.ppm", "out.ppm",
+                                        "out.BMP", "out.png"};
+    (void)state;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        char path[64];
+        path_of(names[i], path, sizeof path);
+        unlink(path);
+    }
+    /* Fails when a temporary file was left. */
+    return rmdir(directory);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_read),    cmocka_unit_test(test_truncated),
+        cmocka_unit_test(test_missing), cmocka_unit_test(test_ppm),
+        cmocka_unit_test(test_bmp),     cmocka_unit_test(test_png),
+        cmocka_unit_test(test_endings), cmocka_unit_test(test_no_directory),
+    };
+    return cmocka_run_group_tests(tests, set_up, tear_down);
+}

@@ -1,0 +1,119 @@
+#!/bin/sh
+# pel render: every format and any bands give the same picture, wrong options
+# are refused with the valid ones, and nothing is written then.
+#
+#     PEL=build/pel test_render.sh
+set -eu
+PEL=${PEL:-build/pel}
+dir=$(mktemp -d)
+trap 'rm -rf "$dir"' EXIT
+failed=0
+
+fail() {
+    echo "FAILED: $*" >&2
+    failed=1
+}
+
+# Bands, and the formats of 24 bits, change nothing; standard input and output.
+"$PEL" import builtin:vase --size 300x200 -o "$dir/vase.pel2d"
+for shade in flat gouraud; do
+    "$PEL" render builtin:vase --size 300x200 --shade $shade -o "$dir/a.ppm"
+    for options in "--bands 1" "--bands 7" "--bands 200" "--format rgb888" \
+        "--format bgrx8888 --bands 13"; do
+        "$PEL" render "$dir/vase.pel2d" --size 300x200 --shade $shade \
+            $options -o "$dir/b.ppm"
+        cmp "$dir/a.ppm" "$dir/b.ppm" || fail "$shade $options: differs"
+    done
+    for format in rgb565_be mono1 gray4 mono1_pages; do
+        "$PEL" render builtin:vase --size 300x200 --shade $shade \
+            --format $format -o "$dir/a.ppm"
+        "$PEL" render - --size 300x200 --shade $shade --format $format \
+            --bands 16 <"$dir/vase.pel2d" >"$dir/b.ppm"
+        cmp "$dir/a.ppm" "$dir/b.ppm" || fail "$shade $format: bands differ"
+    done
+done
+"$PEL" render "$dir/vase.pel2d" --size 300x200 >"$dir/a.ppm"
+"$PEL" render "$dir/vase.pel2d" --size 300x200 --shade gouraud -o "$dir/b.ppm"
+cmp "$dir/a.ppm" "$dir/b.ppm" || fail "gouraud is not the default"
+
+# The farthest is drawn first; equal depths in the order of their indices.
+pixel() { # X Y: the colour there, as three numbers
+    tail -c $((3 * 8 * 8)) "$dir/p.ppm" | od -An -tu1 -v -w3 |
+        sed -n "$((8 * $2 + $1 + 1))p" | tr -s ' '
+}
+overlap() { # DEPTHS of two triangles that cover everything: red, then blue
+    {
+        echo "pel2d 6 2"
+        for k in "-9 -9" "30 -9" "-9 30"; do
+            echo "$k 255 0 0 $1 0 0"
+        done
+        for k in "-9 -9" "30 -9" "-9 30"; do
+            echo "$k 0 0 255 $2 0 0"
+        done
+        echo "0 1 2"
+        echo "3 4 5"
+    } | "$PEL" render - --size 8x8 --shade flat >"$dir/p.ppm"
+    [ "$(pixel 3 3)" = "$3" ] || fail "depths $1 and $2: got$(pixel 3 3)"
+}
+overlap 1 2 " 255 0 0"
+overlap 2 1 " 0 0 255"
+overlap 1 1 " 0 0 255"
+overlap 1e-30 2e-30 " 255 0 0"
+overlap -2 -1 " 255 0 0"
+
+# Three vertices on a line: nothing, or the line in the mean of their colours.
+line="pel2d 3 1
+1.5 1.5 30 0 0 0 0 0
+6.5 6.5 30 0 0 0 0 0
+3.5 3.5 30 0 90 0 0 0
+0 1 2"
+for shade in flat gouraud; do
+    echo "$line" | "$PEL" render - --size 8x8 --shade $shade >"$dir/p.ppm"
+    [ "$(pixel 4 4)" = " 255 255 255" ] || fail "$shade: a line by default"
+    echo "$line" | "$PEL" render - --size 8x8 --shade $shade --collinear line \
+        --background '#102030' >"$dir/p.ppm"
+    [ "$(pixel 1 1)$(pixel 4 4)$(pixel 6 6)" = " 30 0 30 30 0 30 30 0 30" ] ||
+        fail "$shade: no line"
+    [ "$(pixel 4 5)$(pixel 7 7)" = " 16 32 48 16 32 48" ] ||
+        fail "$shade: the line is too wide or too long"
+done
+
+refuse() { # MESSAGE OPTIONS...
+    expected=$1
+    shift
+    status=0
+    "$PEL" render "$@" -o "$dir/x.ppm" 2>"$dir/message" || status=$?
+    [ $status -eq 2 ] || fail "render $*: status $status"
+    grep -qF -e "pel: $expected" "$dir/message" ||
+        fail "render $*: $(cat "$dir/message")"
+    [ ! -e "$dir/x.ppm" ] || fail "render $*: output"
+}
+v=builtin:vase
+refuse "unknown shading mode 'fancy': flat or gouraud would be right" \
+    $v --shade fancy
+refuse "unknown format 'rgb': valid are rgb565_le, rgb565_be," $v --format rgb
+refuse "--bands is '-1'" $v --bands -1
+refuse "--bands is 12; in mono1_pages a multiple of 8" \
+    $v --bands 12 --format mono1_pages
+refuse "--collinear is 'dot'; nothing or line" $v --collinear dot
+refuse "--size is '12'; WxH" $v --size 12
+refuse "--size is '0x5'; WxH" $v --size 0x5
+refuse "--size is '40000x5'; WxH" $v --size 40000x5
+refuse "--eye is '1,2'; X,Y,Z" $v --eye 1,2
+refuse "--target is '1,2,nan'; X,Y,Z" $v --target 1,2,nan
+refuse "--up points along the view" $v --up 0,0,0
+refuse "--eye is --target" $v --eye 1,1,1 --target 1,1,1
+refuse "--focal is '0'; a length in mm" $v --focal 0
+refuse "--sensor is '36'; WxH in mm" $v --sensor 36
+refuse "--background is 'red'; #rrggbb" $v --background red
+refuse "a mesh is missing"
+refuse "'b' is a second mesh" a b
+refuse "$dir/none.obj: No such file" "$dir/none.obj"
+refuse "$dir/none.png:" $v --texture "$dir/none.png"
+refuse "$dir/vase.pel2d: is projected already" "$dir/vase.pel2d" --focal 20
+refuse "$dir/vase.pel2d: has its colours already" "$dir/vase.pel2d" \
+    --texture "$dir/a.ppm"
+echo "pel2d 1 1" >"$dir/short.pel2d"
+refuse "$dir/short.pel2d:2: the file ends here" "$dir/short.pel2d"
+
+exit $failed

@@ -1,0 +1,128 @@
+#include "any_shape.h"
+
+#include "reference_shape.h"
+#include "shapes.h"
+
+/* Rounded down, 32,767 px at most. */
+static int32_t distance(const struct pel_point *a, const struct pel_point *b)
+{
+    int64_t dx = a->x - b->x, dy = a->y - b->y, d = 0;
+    for (int64_t bit = 1 << 22; bit; bit >>= 1)
+        if ((d + bit) * (d + bit) <= dx * dx + dy * dy)
+            d += bit;
+    return (int32_t)(d < PEL_PX(32767) ? d : PEL_PX(32767));
+}
+
+/* Near a distance of two points, or whole pixels, or anything. */
+static int32_t random_radius(struct random *r, const struct any_shape *s)
+{
+    const struct pel_point *a = &s->v[random_word(r) % ANY_POINTS];
+    const struct pel_point *b = &s->v[random_word(r) % ANY_POINTS];
+    int32_t d = distance(a, b);
+    switch (random_word(r) % 6) {
+    case 0:
+        d = d / 256 * 256;
+        break;
+    case 1:
+        d = d / 128 * 128;
+        break;
+    case 2:
+        d += random_between(r, -1, 1);
+        break;
+    case 3:
+        d = random_between(r, 0, 1024);
+        break;
+    default:
+        break;
+    }
+    return pel_max(0, pel_min(d, PEL_PX(32767)));
+}
+
+static uint16_t random_turn(struct random *r)
+{
+    uint32_t turn = random_word(r);
+    if (turn >> 30 == 0)
+        turn = (turn & 0xE000u) + (uint32_t)random_between(r, -1, 1);
+    return (uint16_t)turn;
+}
+
+static void random_numbers(struct random *r, struct any_shape *s)
+{
+    s->n = random_between(r, 3, ANY_POINTS);
+    s->rule = random_word(r) & 1 ? PEL_EVEN_ODD : PEL_NON_ZERO;
+    s->radius = random_radius(r, s);
+    s->inner = random_radius(r, s);
+    if (s->inner > s->radius && random_word(r) % 8) {
+        int32_t t = s->inner;
+        s->inner = s->radius;
+        s->radius = t;
+    }
+    if (random_word(r) % 8 == 0)
+        s->inner = s->radius + random_between(r, 0, 1) * 256;
+    s->inner = pel_min(s->inner, PEL_PX(32767));
+    s->from = random_turn(r);
+    s->to = random_turn(r);
+    if (random_word(r) % 8 == 0)
+        s->to = (uint16_t)(s->from + (uint32_t)random_between(r, -1, 1) +
+                           (random_word(r) & 0x8000u));
+}
+
+void any_random(struct random *r, struct any_shape *s, enum any_kind kind,
+                bool adversarial)
+{
+    s->kind = kind;
+    if (adversarial)
+        shape_adversarial(r, s->v, ANY_POINTS);
+    else
+        shape_random(r, s->v, ANY_POINTS);
+    random_numbers(r, s);
+}
+
+void any_in_box(struct random *r, struct any_shape *s, enum any_kind kind,
+                const struct pel_rect *box)
+{
+    s->kind = kind;
+    shape_in_box(r, s->v, ANY_POINTS, box);
+    random_numbers(r, s);
+    if (kind == ANY_THICK_LINE)
+        s->radius /= 4;
+}
+
+static bool is_round(enum any_kind kind)
+{
+    return kind == ANY_CIRCLE || kind == ANY_ELLIPSE || kind == ANY_RING ||
+           kind == ANY_SECTOR || kind == ANY_ARC;
+}
+
+/* How many of the points count. */
+static int32_t points_of(const struct any_shape *s)
+{
+    if (s->kind == ANY_TRIANGLE)
+        return 3;
+    if (s->kind == ANY_POLYGON)
+        return s->n;
+    return is_round(s->kind) ? 1 : 2;
+}
+
+static int32_t legal(int64_t v)
+{
+    if (v < PEL_COORDINATE_MIN)
+        return PEL_COORDINATE_MIN;
+    return v > PEL_COORDINATE_MAX ? PEL_COORDINATE_MAX : (int32_t)v;
+}
+
+struct pel_rect any_window(struct random *r, const struct any_shape *s,
+                           int32_t size)
+{
+    if (!is_round(s->kind) || random_word(r) % 8 == 0)
+        return shape_window(r, s->v, points_of(s), size);
+    const struct pel_point d =
+        reference_direction(random_word(r) & 1 ? random_turn(r) : s->from);
+    bool inner = s->kind != ANY_ELLIPSE && random_word(r) & 1;
+    int64_t x = inner ? s->inner : s->radius;
+    int64_t y = s->kind == ANY_ELLIPSE ? s->inner : x;
+    int64_t part = random_word(r) & 1 ? 256 : random_between(r, 0, 256);
+    struct pel_point edge = {legal(s->v[0].x + x * d.x * part / (32768 * 256)),
+                             legal(s->v[0].y + y * d.y * part / (32768 * 256))};
+    return shape_window(r, &edge, 1, size);
+}

@@ -1,0 +1,63 @@
+/* Any shape of core as a value: made at random, drawn, asked for hits, and
+ * judged by the references. For tests that hold for every shape. */
+#ifndef TESTS_SUPPORT_ANY_SHAPE_H
+#define TESTS_SUPPORT_ANY_SHAPE_H
+
+#include "cases.h"
+#include "core/pel.h"
+#include "core/raster/hit.h"
+
+enum any_kind {
+    ANY_TRIANGLE,
+    ANY_RECTANGLE,
+    ANY_POLYGON,
+    ANY_CIRCLE,
+    ANY_ELLIPSE,
+    ANY_ROUNDED_RECTANGLE,
+    ANY_RING,
+    ANY_SECTOR,
+    ANY_ARC,
+    ANY_LINE,
+    ANY_THICK_LINE,
+    ANY_KINDS
+};
+
+enum { ANY_POINTS = 9 };
+
+struct any_shape {
+    struct pel_point v[ANY_POINTS]; /* of round shapes v[0] is the centre */
+    enum any_kind kind;
+    enum pel_fill_rule rule; /* of polygons */
+    int32_t n;               /* points of a polygon */
+    int32_t radius, inner;   /* or width */
+    uint16_t from, to;
+};
+
+const char *any_name(const struct any_shape *s);
+
+/* Anywhere in the range; adversarial: centres, ties, limits (shapes.h), equal
+ * radii, angles that are multiples of an eighth of a turn or next to one. */
+void any_random(struct random *r, struct any_shape *s, enum any_kind kind,
+                bool adversarial);
+
+/* About as large as the box, its points in it; half of the cases adversarial.
+ */
+void any_in_box(struct random *r, struct any_shape *s, enum any_kind kind,
+                const struct pel_rect *box);
+
+/* A window on its edge, or anywhere (shapes.h). */
+struct pel_rect any_window(struct random *r, const struct any_shape *s,
+                           int32_t size);
+
+void any_draw(const struct pel_surface *surface, const struct any_shape *s,
+              const struct pel_paint *paint);
+bool any_hit(const struct any_shape *s, int32_t x, int32_t y);
+bool any_reference_at(const struct any_shape *s, int32_t x, int32_t y);
+
+/* Shapes that have an outline function; arcs have that of their sector. */
+bool any_has_outline(enum any_kind kind);
+void any_draw_outline(const struct pel_surface *surface,
+                      const struct any_shape *s, const struct pel_paint *paint);
+bool any_reference_outline_at(const struct any_shape *s, int32_t x, int32_t y);
+
+#endif

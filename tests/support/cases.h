@@ -1,0 +1,37 @@
+/* Random cases that can be replayed. Every case has a generator of its own, so
+ * that one case alone can be run again: the environment's PEL_SEED chooses the
+ * set (default 1), PEL_CASE runs that one case, PEL_SCALE is a percentage of
+ * the number of cases (default 100). */
+#ifndef TESTS_SUPPORT_CASES_H
+#define TESTS_SUPPORT_CASES_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+struct random {
+    uint64_t state;
+};
+
+uint32_t random_word(struct random *r);
+
+/* lo <= result <= hi. */
+int32_t random_between(struct random *r, int32_t lo, int32_t hi);
+
+struct cases {
+    uint64_t next, end;
+    struct random random;
+};
+
+/* `count` cases, scaled. */
+struct cases cases_of(uint64_t count);
+
+/* Begins the next case; false after the last. */
+bool cases_next(struct cases *c);
+
+/* How to run the present case again, for messages. */
+const char *cases_replay(void);
+
+/* n scaled by PEL_SCALE, at least 1: for loops that are not cases. */
+uint64_t cases_scaled(uint64_t n);
+
+#endif

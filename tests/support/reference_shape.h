@@ -1,0 +1,27 @@
+/* As reference.h: curved shapes, every pixel centre judged by itself. */
+#ifndef TESTS_SUPPORT_REFERENCE_SHAPE_H
+#define TESTS_SUPPORT_REFERENCE_SHAPE_H
+
+#include "core/pel.h"
+#include "core/raster/arc.h"
+#include "core/raster/ellipse.h"
+#include "core/raster/ring.h"
+#include "core/raster/rounded_rectangle.h"
+#include "core/raster/sector.h"
+
+/* 32,768 cos and sin of an angle, each the nearest integer. */
+struct pel_point reference_direction(uint16_t turn);
+
+/* Does the centre of (x, y) come in [from, to) when all directions around
+ * `center` are put in order, clockwise from +x? */
+bool reference_wedge_at(struct pel_point center, uint16_t from, uint16_t to,
+                        int32_t x, int32_t y);
+
+bool reference_ring_at(const struct pel_ring *ring, int32_t x, int32_t y);
+bool reference_sector_at(const struct pel_sector *sector, int32_t x, int32_t y);
+bool reference_arc_at(const struct pel_arc *arc, int32_t x, int32_t y);
+bool reference_ellipse_at(const struct pel_ellipse *e, int32_t x, int32_t y);
+bool reference_rounded_at(const struct pel_rounded_rectangle *r, int32_t x,
+                          int32_t y);
+
+#endif

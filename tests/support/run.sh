@@ -1,0 +1,23 @@
+#!/bin/sh
+# Runs tests, several at a time, and adds up what they say.
+#
+#     run.sh DIR < LIST
+#
+# LIST has a line `NAME<TAB>COMMAND` for each; their output goes to DIR. PEL_JOBS
+# says how many run at once (one for each CPU). Prints a line for each test (see
+# run_one.sh) and last `N passed, N failed`; exit status 1 when any failed.
+set -u
+dir=$1
+here=$(dirname "$0")
+mkdir -p "$dir"
+rm -f "$dir"/*.log "$dir"/*.count
+unset MAKEFLAGS MFLAGS MAKELEVEL
+
+grep . | tr '\n' '\0' |
+    xargs -0 -n 1 -P "${PEL_JOBS:-$(nproc)}" sh "$here/run_one.sh" "$dir"
+cat "$dir"/*.count | awk '
+    { passed += $1; failed += $2 }
+    END {
+        printf "%d passed, %d failed\n", passed, failed
+        exit failed > 0 || passed == 0
+    }'

@@ -1,0 +1,37 @@
+#!/bin/sh
+# Runs one test of run.sh: `run_one.sh DIR "NAME<TAB>COMMAND"`. A cmocka program
+# counts as many tests as it ran; anything else is one test, passed when it
+# exits with 0. A crash or a time-out (PEL_TIMEOUT seconds, 900 unless told) is
+# a failed test. The last lines of a failed test's output are shown.
+set -u
+dir=$1
+name=${2%%	*}
+command=${2#*	}
+log=$dir/$(echo "$name" | tr '/ ' '__').log
+
+start=$(date +%s%N)
+timeout "${PEL_TIMEOUT:-900}" sh -c "$command" >"$log" 2>&1 </dev/null
+status=$?
+milliseconds=$((($(date +%s%N) - start) / 1000000))
+
+passed=$(grep -c '^\[       OK \]' "$log")
+failed=$(sed -n 's/^\[  FAILED  \] \([0-9]*\) test(s).*/\1/p' "$log" |
+    awk '{ n += $1 } END { print n + 0 }')
+if ! grep -q '^\[==========\] Running' "$log"; then
+    passed=$((status == 0))
+fi
+if [ $status -ne 0 ] && [ "$failed" -eq 0 ]; then
+    failed=1
+fi
+word=ok
+if [ "$failed" -gt 0 ]; then
+    word=FAILED
+fi
+printf '%-6s %4d.%03d s %4d passed %3d failed  %s\n' $word \
+    $((milliseconds / 1000)) $((milliseconds % 1000)) "$passed" "$failed" \
+    "$name"
+if [ "$failed" -gt 0 ]; then
+    [ $status -eq 124 ] && echo "    timed out"
+    tail -n 40 "$log" | sed 's/^/    /'
+fi
+echo "$passed $failed" >"${log%.log}.count"

@@ -1,0 +1,29 @@
+/* Random and adversarial shapes, and windows from which they are looked at. */
+#ifndef TESTS_SUPPORT_SHAPES_H
+#define TESTS_SUPPORT_SHAPES_H
+
+#include "cases.h"
+#include "core/pel.h"
+
+/* Vertices anywhere in a box of 2 to 65,535 px, the box anywhere. */
+void shape_random(struct random *r, struct pel_point *v, int32_t n);
+
+/* What random vertices hardly ever test: centres and +-1 sub-pixel around them,
+ * half pixels, axis-aligned and collinear vertices, slivers, tiny shapes, and
+ * the ends of the range. */
+void shape_adversarial(struct random *r, struct pel_point *v, int32_t n);
+
+/* At most size x size px, legal as bounds of any surface whose origin may be
+ * any multiple of 8; usually near a vertex or an edge, sometimes anywhere. */
+struct pel_rect shape_window(struct random *r, const struct pel_point *v,
+                             int32_t n, int32_t size);
+
+/* The window, or a part of it (which may be empty). */
+struct pel_rect shape_clip(struct random *r, const struct pel_rect *window);
+
+/* All vertices in a box of `size` px that starts at (x, y) px, for canvases
+ * that show the whole shape; on a lattice now and then. */
+void shape_in_box(struct random *r, struct pel_point *v, int32_t n,
+                  const struct pel_rect *box);
+
+#endif

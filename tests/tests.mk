@@ -1,0 +1,133 @@
+# `make check`: the cmocka programs of core in four builds, the tests of sim,
+# and what fragments add to CHECK_EXTRA, a list of make targets of which each is
+# one test. `make deep` runs the same programs for longer.
+
+-include tests/tools/tools.mk
+
+T := $(BUILD)/tests
+TAB := $(shell printf '\t')
+
+TEST_SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
+
+# host      as the user builds it
+# portable  without the walk and the vectors of 64-bit CPUs
+# san       address and undefined-behaviour sanitizers
+# assert    the same, and PEL_ASSERT counts
+TEST_FLAGS_host := -O2 -g
+TEST_FLAGS_portable := -O2 -g -DPEL_FAST_64BIT=0 -DPEL_VECTORS=0
+TEST_FLAGS_san := $(TEST_SANITIZE)
+TEST_FLAGS_assert := $(TEST_SANITIZE) \
+    -DPEL_CONFIG_FILE='"tests/support/assert_config.h"'
+TEST_BUILDS := host portable san assert
+
+TEST_SUPPORT := $(sort $(wildcard tests/support/*.c))
+TEST_UNIT := $(basename $(sort $(wildcard tests/unit/test_*.c)))
+TEST_PROPERTY := $(basename $(sort $(wildcard tests/property/test_*.c)))
+TEST_EXHAUSTIVE := $(basename $(sort $(wildcard tests/exhaustive/test_*.c)))
+
+# Broken contracts are tested where asserts count, and where there are none.
+TEST_ASSERT := tests/unit/test_assert
+# These name what only the default build has.
+TEST_HOST_ONLY := tests/property/test_fast tests/property/test_walkers
+
+# $1 build
+define test_build
+$(T)/$1/%.o: %.c
+	@mkdir -p $$(@D)
+	$$(CC) $$(PEL_CFLAGS) $$(TEST_FLAGS_$1) -c $$< -o $$@
+$(T)/$1/libpel.a: $(CORE:%.c=$(T)/$1/%.o)
+	rm -f $$@
+	$$(AR) rcs $$@ $$^
+$(T)/$1/libsupport.a: $(TEST_SUPPORT:%.c=$(T)/$1/%.o)
+	rm -f $$@
+	$$(AR) rcs $$@ $$^
+$(T)/$1/tests/%: $(T)/$1/tests/%.o $(T)/$1/libsupport.a $(T)/$1/libpel.a
+	$$(CC) $$(TEST_FLAGS_$1) $$^ -lcmocka -o $$@
+-include $$(wildcard $(T)/$1/*/*.d $(T)/$1/*/*/*.d)
+endef
+$(foreach b,$(TEST_BUILDS),$(eval $(call test_build,$b)))
+.SECONDARY:
+
+# The portable build with other names, to be linked beside the default one.
+$(T)/portable_core.o: $(T)/portable/libpel.a
+	$(LD) -r --whole-archive $< -o $@
+	objcopy --prefix-symbols=portable_ $@
+	objcopy --redefine-sym portable_memcpy=memcpy \
+	    --redefine-sym portable_memset=memset $@
+$(T)/host/tests/property/test_walkers: $(T)/portable_core.o
+$(T)/san/tests/property/test_walkers: $(T)/portable_core.o
+
+# Tests of the host program: its sources but for main.
+TEST_SIM := $(basename $(sort $(wildcard tests/sim/test_*.c)))
+TEST_SCRIPTS := $(sort $(wildcard tests/sim/test_*.sh))
+TEST_SIM_OBJECTS := $(filter-out $(BUILD)/sim/main.o,$(SIM_OBJECTS))
+$(T)/sim/%.o: tests/sim/%.c
+	@mkdir -p $(@D)
+	$(CC) $(PEL_CFLAGS) $(SIM_FLAGS) $(CFLAGS) -c $< -o $@
+$(T)/sim/%: $(T)/sim/%.o $(TEST_SIM_OBJECTS) $(T)/host/libsupport.a $(BUILD)/libpel.a
+	$(CC) $(CFLAGS) $(LDFLAGS) $^ -lcmocka $(SIM_LIBS) -o $@
+
+TEST_PROGRAMS_host := $(TEST_EXHAUSTIVE) $(TEST_PROPERTY) $(TEST_UNIT)
+TEST_PROGRAMS_portable := $(filter-out $(TEST_HOST_ONLY),$(TEST_PROPERTY))
+TEST_PROGRAMS_san := $(TEST_PROPERTY) $(TEST_UNIT)
+TEST_PROGRAMS_assert := $(TEST_ASSERT)
+TEST_PROGRAMS := $(foreach b,$(TEST_BUILDS),$(TEST_PROGRAMS_$b:%=$(T)/$b/%)) \
+    $(TEST_SIM:tests/sim/%=$(T)/sim/%)
+TEST_SCENES := $(patsubst %,$(T)/%/tests/golden/scenes,host portable san)
+
+# Percentage of the cases that each build runs.
+CHECK_SCALE_host := 100
+CHECK_SCALE_portable := 20
+CHECK_SCALE_san := 3
+CHECK_SCALE_assert := 100
+
+# A line of the list of tests/support/run.sh: name, command. The slow ones come
+# first, so that no CPU is idle at the end. Targets of CHECK_EXTRA share objects
+# of one folder, so one make at a time runs them.
+define NEWLINE
+
+
+endef
+test_line = $1$(TAB)$2$(NEWLINE)
+test_lines_of = $(foreach p,$(TEST_PROGRAMS_$1),$(call \
+    test_line,$(p:tests/%=%) ($1),PEL_SCALE=$(CHECK_SCALE_$1) $(T)/$1/$p))
+test_scripts = $(foreach s,$(TEST_SCRIPTS),$(call \
+    test_line,$(s:tests/%=%),PEL=$(BUILD)/pel sh $s))
+CHECK_LINES = $(foreach b,$(TEST_BUILDS),$(call test_lines_of,$b)) \
+    $(foreach s,$(TEST_SCENES),$(call test_line,$(s:$(T)/%=%),$s | diff \
+        tests/golden/scenes.txt -)) \
+    $(foreach p,$(TEST_SIM),$(call test_line,$(p:tests/%=%),$(p:tests/%=$(T)/%))) \
+    $(test_scripts) \
+    $(foreach t,$(CHECK_EXTRA),$(call \
+        test_line,$t,flock $(T)/check.lock $(MAKE) --no-print-directory BUILD=$(BUILD) $t))
+
+.PHONY: check deep goldens tests
+tests: all $(TEST_PROGRAMS) $(TEST_SCENES)
+
+check: tests ## every test; the last line is `N passed, N failed`
+	@mkdir -p $(T)/check
+	$(file >$(T)/check.list,$(CHECK_LINES))
+	@sed 's/^ *//' $(T)/check.list | tests/support/run.sh $(T)/check
+
+# 10^8 triangles and long runs of all others, with a seed of its own each time,
+# which is printed; PEL_SEED=N repeats a run.
+DEEP_SCALE ?= 1000
+DEEP_PARTS := 0 1 2 3 4
+deep: tests ## the long sweeps: 10^8 triangles; hours
+	@mkdir -p $(T)/deep
+	@seed=$${PEL_SEED:-$$(date +%s)}; echo "PEL_SEED=$$seed"; \
+	for p in $(filter-out %/test_triangles,$(TEST_PROPERTY)); do \
+	    printf '%s\t%s\n' "$$p" "PEL_SCALE=$(DEEP_SCALE) $(T)/host/$$p"; \
+	done >$(T)/deep.list; \
+	for i in $(DEEP_PARTS); do printf '%s\t%s\n' "test_triangles $$i" \
+	    "PEL_SEED=$$seed$$i PEL_SCALE=1000 $(T)/host/tests/property/test_triangles"; \
+	done >>$(T)/deep.list; \
+	PEL_SEED=$$seed PEL_TIMEOUT=36000 tests/support/run.sh $(T)/deep \
+	    <$(T)/deep.list
+
+# The pictures' checksums are facts: change them only with a reason, and look at
+# the difference that this prints.
+goldens: $(T)/host/tests/golden/scenes ## write tests/golden/scenes.txt anew, and show what changed
+	$< >$(T)/scenes.txt
+	-diff tests/golden/scenes.txt $(T)/scenes.txt
+	cp $(T)/scenes.txt tests/golden/scenes.txt

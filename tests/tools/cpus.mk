@@ -1,0 +1,87 @@
+# The golden scenes on other CPUs, by other compilers and at other levels: the
+# same bytes everywhere. A build is named COMPILER-CPU-LEVEL, with the variant behind it.
+
+.PHONY: check-cpus deep-cpus need-cpus
+
+# CPUs, each with the prefix of its compiler and its emulator; `host` is this
+# machine. s390x and powerpc are big-endian, with 64 and with 32 bits. The
+# microcontrollers run on a board without an operating system.
+CPUS := host i686 armhf aarch64 s390x powerpc
+MICRO_CPUS := m0plus m4
+CPU_PREFIX_i686 := i686-linux-gnu
+CPU_PREFIX_armhf := arm-linux-gnueabihf
+CPU_PREFIX_aarch64 := aarch64-linux-gnu
+CPU_PREFIX_s390x := s390x-linux-gnu
+CPU_PREFIX_powerpc := powerpc-linux-gnu
+CPU_PREFIX_m0plus := arm-none-eabi
+CPU_PREFIX_m4 := arm-none-eabi
+CPU_FLAGS_m0plus := -mcpu=cortex-m0plus -mthumb --specs=picolibc.specs
+CPU_FLAGS_m4 := -mcpu=cortex-m4 -mthumb --specs=picolibc.specs
+CPU_RUN_i686 := qemu-i386-static
+CPU_RUN_armhf := qemu-arm-static
+CPU_RUN_aarch64 := qemu-aarch64-static
+CPU_RUN_s390x := qemu-s390x-static
+CPU_RUN_powerpc := qemu-ppc-static
+CPU_RUN_m4 := qemu-system-arm -M mps2-an386 -display none -monitor none \
+    -serial none -chardev stdio,id=out \
+    -semihosting-config enable=on,target=native,chardev=out -kernel
+CPU_RUN_m0plus := $(CPU_RUN_m4)
+CPU_LINK_m4 := --oslib=semihost --crt0=hosted -Wl,--defsym=__flash=0 \
+    -Wl,--defsym=__flash_size=4M -Wl,--defsym=__ram=0x20000000 \
+    -Wl,--defsym=__ram_size=4M
+CPU_LINK_m0plus := $(CPU_LINK_m4)
+
+cpu_cc_gcc = $(if $(CPU_PREFIX_$1),$(CPU_PREFIX_$1)-)gcc
+cpu_cc_clang = clang$(if $(CPU_PREFIX_$1), --target=$(CPU_PREFIX_$1))
+
+# Ways of core that a 64-bit CPU does not take by itself.
+CPU_VARIANT_narrow := -DPEL_FAST_64BIT=0
+CPU_VARIANT_plain := -DPEL_VECTORS=0
+
+CPU_CHECK := $(foreach o,O0 Os O3,gcc-host-$o clang-host-$o) \
+    gcc-host-O2-narrow clang-host-O2-plain \
+    $(foreach p,i686 armhf aarch64 s390x $(MICRO_CPUS),gcc-$p-O2)
+CPU_DEEP := $(foreach c,gcc clang,$(foreach o,O0 Os O2 O3,\
+    $(foreach p,$(CPUS),$c-$p-$o) \
+    $(foreach p,host aarch64,$c-$p-$o-narrow $c-$p-$o-plain))) \
+    $(foreach o,O0 Os O2 O3,$(foreach p,$(MICRO_CPUS),gcc-$p-$o))
+
+cpu_word = $(word $1,$(subst -, ,$2))
+
+# $1 build, $2 compiler, $3 CPU, $4 level, $5 variant
+define cpu_build_of
+$(BUILD)/cpus/$1/%.o: %.c | need-cpus
+	@mkdir -p $$(@D)
+	$$(call cpu_cc_$2,$3) $$(CPU_FLAGS_$3) $$(PEL_CFLAGS) -$4 \
+	    $$(CPU_VARIANT_$5) -c $$< -o $$@
+$(BUILD)/cpus/$1/scenes: $(CORE:%.c=$(BUILD)/cpus/$1/%.o) \
+    $(BUILD)/cpus/$1/tests/golden/scenes.o
+	$$(call cpu_cc_$2,$3) $$(CPU_FLAGS_$3) $$^ \
+	    $(or $(CPU_LINK_$3),-static) -o $$@
+endef
+cpu_build = $(call cpu_build_of,$1,$(call cpu_word,1,$1),$(call \
+    cpu_word,2,$1),$(call cpu_word,3,$1),$(call cpu_word,4,$1))
+
+# The many rules of the deep builds only where they are asked for.
+CPU_BUILDS := $(if $(filter deep-cpus,$(MAKECMDGOALS)),$(CPU_DEEP),$(CPU_CHECK))
+$(foreach b,$(CPU_BUILDS),$(eval $(call cpu_build,$b)))
+
+need-cpus:
+	@tests/tools/need.sh gcc:gcc clang:clang \
+	    $(foreach p,$(filter-out host,$(CPUS)),\
+	        $(CPU_PREFIX_$p)-gcc:gcc-$(CPU_PREFIX_$p) \
+	        $(CPU_RUN_$p):qemu-user-static) \
+	    arm-none-eabi-gcc:gcc-arm-none-eabi qemu-system-arm:qemu-system-arm
+	@test -f "$$(arm-none-eabi-gcc -print-file-name=picolibc.specs)" || \
+	    tests/tools/need.sh picolibc.specs:picolibc-arm-none-eabi
+
+# $1 builds: lines of a build and the emulator that runs it
+cpu_lines = $(foreach b,$1,'$b $(CPU_RUN_$(call cpu_word,2,$b))')
+
+check-cpus: $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes) ## the golden scenes on other CPUs and compilers
+	printf '%s\n' $(call cpu_lines,$(CPU_CHECK)) | tests/tools/cpus.sh $(BUILD)
+
+deep-cpus: $(CPU_DEEP:%=$(BUILD)/cpus/%/scenes) ## the same for all CPUs, compilers and levels
+	printf '%s\n' $(call cpu_lines,$(CPU_DEEP)) | tests/tools/cpus.sh $(BUILD)
+
+-include $(foreach b,$(CPU_BUILDS),$(wildcard $(BUILD)/cpus/$b/*/*/*.d))

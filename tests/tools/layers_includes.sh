@@ -1,0 +1,84 @@
+#!/bin/sh
+# Who may include whom: one direction, and in core four headers of the language
+# and no other. A line of the table: a folder, and the folders it may include
+# from besides itself.
+set -eu
+cd "$(dirname "$0")/../.."
+
+find core drivers port -name '*.[ch]' | sort | xargs awk '
+    BEGIN {
+        allow("core", "core/base core/format core/raster core/scene core/asset")
+        allow("core/base", "core")
+        allow("core/format", "core core/base")
+        allow("core/raster", "core core/base core/format")
+        allow("core/scene", "core core/base core/format core/raster")
+        allow("core/asset", "core core/base")
+        allow("drivers", "core core/base core/format core/raster port")
+        allow("port", "core core/base core/format core/raster drivers")
+        split("stdint.h stdbool.h stddef.h string.h", names, " ")
+        for (i in names)
+            system_header[names[i]] = 1
+    }
+
+    function allow(folder, others,    list, n, i)
+    {
+        known[folder] = may[folder, folder] = 1
+        n = split(others, list, " ")
+        for (i = 1; i <= n; i++)
+            may[folder, list[i]] = 1
+    }
+
+    function complain(what)
+    {
+        print FILENAME ":" FNR ": " what > "/dev/stderr"
+        failed = 1
+    }
+
+    function dirname(path) { sub(/\/[^\/]*$/, "", path); return path }
+
+    # The layer of a path: the first folder of drivers and port, two of core.
+    function layer(path,    part, n)
+    {
+        n = split(dirname(path), part, "/")
+        return part[1] == "core" && n > 1 ? part[1] "/" part[2] : part[1]
+    }
+
+    function resolve(path)
+    {
+        while (sub(/[^\/.]+\/\.\.\//, "", path))
+            ;
+        return path
+    }
+
+    /^ *# *include *</ {
+        name = $0
+        sub(/.*</, "", name)
+        sub(/>.*/, "", name)
+        if (FILENAME ~ /^core\// && !(name in system_header))
+            complain("core includes <" name "> (stdint, stdbool, stddef and " \
+                     "string only)")
+    }
+
+    /^ *# *include *"/ {
+        name = $0
+        sub(/^[^"]*"/, "", name)
+        sub(/".*/, "", name)
+        path = resolve(dirname(FILENAME) "/" name)
+        if ((getline line < path) < 0) {
+            complain("\"" name "\" is not at " path)
+            next
+        }
+        close(path)
+        from = layer(FILENAME)
+        if (!(from in known))
+            complain("a folder that the table of layers does not have: " from)
+        else if (from == "core" && FILENAME != "core/pel.h")
+            complain("only core/pel.h includes from the layers: " name)
+        else if (!((from, layer(path)) in may))
+            complain(from " may not include from " layer(path) ": " name)
+        else if (layer(path) == "core" && path != "core/pel_config.h" && \
+                 FILENAME ~ /^core\//)
+            complain("core includes the headers that it needs, not " path)
+    }
+
+    END { exit failed }'

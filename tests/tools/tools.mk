@@ -1,0 +1,46 @@
+# Checks of the sources and the objects, and builds for other CPUs: each a target
+# of its own, and each one test of `make check`.
+
+CHECK_EXTRA += layers metrics size bench-mcu check-cpus
+
+.PHONY: layers metrics need-clang need-format
+
+# The objects that are looked at have none of the host's own habits: position-
+# independent code would move tables of pointers to writable memory.
+LAYERS_HOST := $(CORE:%.c=$(BUILD)/layers/host/%.o)
+$(BUILD)/layers/host/%.o: %.c
+	@mkdir -p $(@D)
+	$(CC) $(PEL_CFLAGS) -O2 -fno-pie -c $< -o $@
+-include $(LAYERS_HOST:.o=.d)
+
+need-clang:
+	@tests/tools/need.sh clang:clang clang++:clang g++:g++
+need-format:
+	@tests/tools/need.sh clang-format:clang-format
+
+include tests/link/link.mk
+include tests/tools/cpus.mk
+
+# C++ sees core through pel.h, with either compiler.
+layers: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(BUILD)/libpel.a | need-clang ## check what core includes, needs and leaves in RAM
+	tests/tools/layers_includes.sh
+	tests/tools/layers_source.sh
+	@tests/tools/layers_objects.sh size nm $(LAYERS_HOST)
+	@tests/tools/layers_objects.sh arm-none-eabi-size arm-none-eabi-nm \
+	    $(filter $(BUILD)/mcu/cortex-m0plus%,$(MCU_CORE_OBJECTS))
+	@tests/tools/layers_objects.sh arm-none-eabi-size arm-none-eabi-nm \
+	    $(filter $(BUILD)/mcu/cortex-m4%,$(MCU_CORE_OBJECTS))
+	tests/tools/layers_headers.sh "$(CC)" $(WARNINGS)
+	@mkdir -p $(BUILD)/link
+	for c in g++ clang++; do \
+	    $$c -std=c++11 $(WARNINGS) -I. tests/link/from_cpp.cpp \
+	        $(BUILD)/libpel.a -o $(BUILD)/link/from_cpp && \
+	    $(BUILD)/link/from_cpp || exit 1; done
+
+metrics: | need-format ## lengths of functions and files, parameters, layout
+	tests/tools/metrics.sh
+
+# Tests run side by side, each in a make of its own, so that what several of them
+# need is built before.
+tests: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(LINK_ELFS) $(MCU_BENCH_ELFS) \
+    $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes)

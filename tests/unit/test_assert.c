@@ -1,0 +1,209 @@
+/* Broken contracts: PEL_ASSERT fires where it is compiled in, and nothing is
+ * drawn, whether it is or not. */
+#define _DEFAULT_SOURCE /* alarm */
+#include <unistd.h>
+
+#include "tests/support/check.h"
+#include "tests/support/hits.h"
+#include "tests/support/layouts.h"
+
+static int broken;
+
+void assert_broken(void);
+void assert_broken(void)
+{
+    broken++;
+}
+
+#ifdef PEL_CONFIG_FILE
+enum { ASSERTS = 1 };
+#else
+enum { ASSERTS = 0 };
+#endif
+
+static struct hits hits;
+
+static const int32_t illegal[] = {PEL_COORDINATE_MIN - 1,
+                                  PEL_COORDINATE_MAX + 1,
+                                  -16777216,
+                                  16777215,
+                                  16777216,
+                                  INT32_MIN,
+                                  INT32_MAX};
+enum { ILLEGAL = sizeof illegal / sizeof illegal[0] };
+
+static void expect_broken(const char *name, int32_t value)
+{
+    if ((broken > 0) != (ASSERTS == 1))
+        fail_msg("%s, %d: PEL_ASSERT fired %d times", name, value, broken);
+    if (hits.pixels)
+        fail_msg("%s, %d: %llu pixels drawn", name, value,
+                 (unsigned long long)hits.pixels);
+    broken = 0;
+}
+
+static void open_hits(void)
+{
+    const struct pel_rect bounds = {0, 0, 16, 16};
+    hits_open(&hits, &bounds);
+    broken = 0;
+}
+
+/* The k-th of six coordinates of a legal triangle is replaced. */
+static void spoil(struct pel_point v[3], int k, int32_t value)
+{
+    v[0] = (struct pel_point){0, 0};
+    v[1] = (struct pel_point){4000, 100};
+    v[2] = (struct pel_point){100, 4000};
+    if (k % 2)
+        v[k / 2].y = value;
+    else
+        v[k / 2].x = value;
+}
+
+static void test_triangles(void **state)
+{
+    struct pel_point v[3];
+    (void)state;
+    open_hits();
+    for (int k = 0; k < 6; k++)
+        for (int i = 0; i < ILLEGAL; i++) {
+            spoil(v, k, illegal[i]);
+            pel_triangle(&hits.surface, v, &hits.paint);
+            expect_broken("triangle", illegal[i]);
+            pel_triangle_or_line(&hits.surface, v, &hits.paint);
+            expect_broken("triangle or line", illegal[i]);
+        }
+}
+
+/* The paint's set-up must not trip over what the triangle then refuses. */
+static void test_gouraud(void **state)
+{
+    static uint32_t pixels[256];
+    const pel_color c[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0), 0};
+    struct pel_surface s;
+    struct pel_point v[3];
+    (void)state;
+    open_hits();
+    pel_surface_init(&s, &pel_xrgb8888, pixels, 16, 16);
+    alarm(20);
+    for (int k = 0; k < 6; k++)
+        for (int i = 0; i < ILLEGAL; i++) {
+            spoil(v, k, illegal[i]);
+            pel_triangle_gouraud(&s, v, c);
+            expect_broken("gouraud", illegal[i]);
+        }
+    v[0] = v[1] = v[2] = (struct pel_point){INT32_MIN, INT32_MAX};
+    v[1].x = INT32_MAX;
+    v[1].y = INT32_MIN;
+    pel_triangle_gouraud(&s, v, c);
+    expect_broken("gouraud", INT32_MIN);
+    for (int i = 0; i < 256; i++)
+        assert_int_equal(pixels[i], 0);
+    alarm(0);
+}
+
+static void test_two_points(void **state)
+{
+    (void)state;
+    open_hits();
+    for (int k = 0; k < 4; k++)
+        for (int i = 0; i < ILLEGAL; i++) {
+            struct pel_point v[3];
+            spoil(v, k, illegal[i]);
+            pel_line(&hits.surface, v[0], v[1], &hits.paint);
+            expect_broken("line", illegal[i]);
+            pel_rectangle(&hits.surface, v[0], v[1], &hits.paint);
+            expect_broken("rectangle", illegal[i]);
+        }
+}
+
+static void test_circles(void **state)
+{
+    static const int32_t radius[] = {-1, PEL_PX(32767) + 1, INT32_MIN,
+                                     INT32_MAX};
+    const struct pel_point center = {2048, 2048};
+    (void)state;
+    open_hits();
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < ILLEGAL; i++) {
+            struct pel_point v[3];
+            spoil(v, k, illegal[i]);
+            pel_circle(&hits.surface, v[0], PEL_PX(32767), &hits.paint);
+            expect_broken("circle", illegal[i]);
+        }
+    for (int i = 0; i < 4; i++) {
+        pel_circle(&hits.surface, center, radius[i], &hits.paint);
+        expect_broken("radius", radius[i]);
+    }
+}
+
+/* Polygons are checked by their status, not by PEL_ASSERT. */
+static void test_polygons(void **state)
+{
+    uint32_t scratch[64];
+    struct pel_point v[3];
+    const struct pel_outline outline = {v, 3, PEL_NON_ZERO};
+    (void)state;
+    open_hits();
+    for (int k = 0; k < 6; k++)
+        for (int i = 0; i < ILLEGAL; i++) {
+            spoil(v, k, illegal[i]);
+            assert_int_equal(pel_polygon(&hits.surface, &outline, &hits.paint,
+                                         scratch, sizeof scratch),
+                             PEL_ERROR_RANGE);
+        }
+    assert_int_equal(hits.pixels, 0);
+    assert_int_equal(broken, 0);
+}
+
+/* A fill-only twin has no blend, load and store. */
+static void check_twin(const struct pel_format *twin)
+{
+    static uint16_t pixels[64];
+    const struct pel_flat half = PEL_FLAT(PEL_RGBA(255, 255, 255, 128));
+    const struct pel_flat full = PEL_FLAT(PEL_RGB(255, 255, 255));
+    const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(16, 0), PEL_AT(0, 16)};
+    const pel_color clear[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0),
+                                PEL_RGBA(0, 0, 255, 10)};
+    const pel_color opaque[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0),
+                                 PEL_RGB(0, 0, 255)};
+    struct pel_surface s;
+    assert_int_equal(pel_surface_init(&s, twin, pixels, 8, 8), PEL_OK);
+    pel_clear(&s, 0);
+    pel_triangle(&s, v, &half.paint);
+    expect_broken("twin, flat", 0);
+    pel_circle(&s, v[0], PEL_PX(4), &half.paint);
+    expect_broken("twin, circle", 0);
+    pel_triangle_gouraud(&s, v, clear);
+    expect_broken("twin, alpha", 0);
+    pel_triangle_gouraud(&s, v, opaque);
+    expect_broken("twin, opaque", 0);
+    for (int i = 0; i < 64; i++)
+        assert_int_equal(pixels[i], 0);
+    pel_triangle(&s, v, &full.paint);
+    for (int i = 0; i < 64; i++)
+        assert_int_equal(pixels[i], 0xFFFF);
+    assert_int_equal(broken, 0);
+}
+
+static void test_fill_only_twins(void **state)
+{
+    (void)state;
+    open_hits();
+    check_twin(&pel_rgb565_le_fill);
+    check_twin(&pel_rgb565_be_fill);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_triangles),
+        cmocka_unit_test(test_two_points),
+        cmocka_unit_test(test_circles),
+        cmocka_unit_test(test_polygons),
+        cmocka_unit_test(test_fill_only_twins),
+        cmocka_unit_test(test_gouraud),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

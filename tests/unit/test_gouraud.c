@@ -1,0 +1,83 @@
+/* Single facts about interpolated colours. */
+#define _DEFAULT_SOURCE /* alarm */
+#include <string.h>
+#include <unistd.h>
+
+#include "tests/support/canvas.h"
+#include "tests/support/check.h"
+
+static const struct pel_rect bounds = {0, 0, 8, 8};
+
+/* A triangle without area covers nothing, and its set-up ends. */
+static void test_one_point_three_times(void **state)
+{
+    static struct canvas canvas;
+    const pel_color c[3] = {PEL_RGB(1, 2, 3), PEL_RGB(40, 50, 60), 0};
+    static const struct pel_point v[][3] = {
+        {{5, 5}, {5, 5}, {5, 5}},
+        {{128, 128}, {128, 128}, {128, 128}},
+        {{PEL_COORDINATE_MIN, PEL_COORDINATE_MIN},
+         {PEL_COORDINATE_MIN, PEL_COORDINATE_MIN},
+         {PEL_COORDINATE_MIN, PEL_COORDINATE_MIN}},
+        {{0, 0}, {0, 0}, {256, 256}},
+        {{0, 0}, {1024, 1024}, {512, 512}},
+    };
+    (void)state;
+    alarm(10);
+    for (size_t i = 0; i < sizeof v / sizeof v[0]; i++) {
+        canvas_open(&canvas, &pel_xrgb8888, &bounds, 0);
+        pel_triangle_gouraud(&canvas.surface, v[i], c);
+        assert_memory_equal(canvas.memory, canvas.before, canvas.size);
+    }
+    canvas_close(&canvas);
+    alarm(0);
+}
+
+/* Alpha 0 leaves the pixel untouched, bits that no colour uses included. */
+static void test_alpha_0_touches_nothing(void **state)
+{
+    static struct canvas canvas;
+    static const struct pel_point v[3] = {PEL_AT(-1, -1), PEL_AT(20, 0),
+                                          PEL_AT(0, 20)};
+    const pel_color c[3] = {0x00FF0000, 0x0000FF00, 0x000000FF};
+    (void)state;
+    for (int f = 0; f < LAYOUT_COUNT; f++) {
+        canvas_open(&canvas, layouts[f].format, &bounds, 0);
+        pel_triangle_gouraud(&canvas.surface, v, c);
+        if (memcmp(canvas.memory, canvas.before, canvas.size) != 0)
+            fail_msg("%s: alpha 0 changed a pixel", layouts[f].name);
+    }
+    canvas_close(&canvas);
+}
+
+/* Equal colours are that colour, exactly, wherever the vertices are. */
+static void test_equal_colors_are_flat(void **state)
+{
+    static struct canvas smooth, flat;
+    static const struct pel_point v[3] = {
+        {-8388608, -7000000}, {8388607, 100}, {-500, 8388607}};
+    (void)state;
+    for (int f = 0; f < LAYOUT_COUNT; f++)
+        for (uint32_t a = 0; a < 256; a += 51) {
+            const struct pel_flat paint = PEL_FLAT(a << 24 | 0x123456u);
+            const pel_color c[3] = {paint.color, paint.color, paint.color};
+            canvas_open(&smooth, layouts[f].format, &bounds, 0);
+            canvas_open(&flat, layouts[f].format, &bounds, 0);
+            pel_triangle_gouraud(&smooth.surface, v, c);
+            pel_triangle(&flat.surface, v, &paint.paint);
+            if (memcmp(smooth.memory, flat.memory, flat.size) != 0)
+                fail_msg("%s, alpha %u", layouts[f].name, a);
+        }
+    canvas_close(&smooth);
+    canvas_close(&flat);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_alpha_0_touches_nothing),
+        cmocka_unit_test(test_equal_colors_are_flat),
+        cmocka_unit_test(test_one_point_three_times),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,202 @@
+/* Setting up surfaces: what is refused, with which code, and what is not. */
+#include "tests/support/check.h"
+#include "tests/support/layouts.h"
+
+static uint32_t memory[4096];
+
+static void test_null_is_refused(void **state)
+{
+    struct pel_surface s;
+    const struct pel_rect b = {0, 0, 8, 8};
+    (void)state;
+    assert_int_equal(pel_surface_init(NULL, &pel_gray8, memory, 8, 8),
+                     PEL_ERROR_NULL);
+    assert_int_equal(pel_surface_init(&s, NULL, memory, 8, 8), PEL_ERROR_NULL);
+    assert_int_equal(pel_surface_init(&s, &pel_gray8, NULL, 8, 8),
+                     PEL_ERROR_NULL);
+    assert_int_equal(pel_surface_init_rect(NULL, &pel_gray8, memory, 8, &b),
+                     PEL_ERROR_NULL);
+    assert_int_equal(pel_surface_init_rect(&s, NULL, memory, 8, &b),
+                     PEL_ERROR_NULL);
+    assert_int_equal(pel_surface_init_rect(&s, &pel_gray8, NULL, 8, &b),
+                     PEL_ERROR_NULL);
+    assert_int_equal(pel_surface_init_rect(&s, &pel_gray8, memory, 8, NULL),
+                     PEL_ERROR_NULL);
+}
+
+static void test_sizes(void **state)
+{
+    static const struct {
+        int32_t width, height;
+        enum pel_status status;
+    } row[] = {
+        {1, 1, PEL_OK},
+        {32767, 32767, PEL_OK},
+        {0, 1, PEL_ERROR_SIZE},
+        {1, 0, PEL_ERROR_SIZE},
+        {-1, 1, PEL_ERROR_SIZE},
+        {1, -1, PEL_ERROR_SIZE},
+        {32768, 1, PEL_ERROR_SIZE},
+        {1, 32768, PEL_ERROR_SIZE},
+        {INT32_MAX, 1, PEL_ERROR_SIZE},
+        {1, INT32_MAX, PEL_ERROR_SIZE},
+        {INT32_MIN, INT32_MIN, PEL_ERROR_SIZE},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++)
+        for (int f = 0; f < LAYOUT_COUNT; f++) {
+            struct pel_surface s;
+            if (pel_surface_init(&s, layouts[f].format, memory, row[i].width,
+                                 row[i].height) != row[i].status)
+                fail_msg("row %zu, %s", i, layouts[f].name);
+        }
+}
+
+static void test_bounds(void **state)
+{
+    static const struct {
+        struct pel_rect bounds;
+        enum pel_status status;
+    } row[] = {
+        {{-32768, -32768, -1, -1}, PEL_OK},
+        {{0, 0, 32767, 32767}, PEL_OK},
+        {{8, 8, 32768, 32768}, PEL_OK},
+        {{-32768, 0, 0, 1}, PEL_ERROR_SIZE},
+        {{-8, 0, 32760, 1}, PEL_ERROR_SIZE},
+        {{0, -32768, 1, 0}, PEL_ERROR_SIZE},
+        {{-32776, 0, -32760, 1}, PEL_ERROR_SIZE},
+        {{0, -32776, 1, -32760}, PEL_ERROR_SIZE},
+        {{32760, 0, 32769, 1}, PEL_ERROR_SIZE},
+        {{0, 32760, 1, 32769}, PEL_ERROR_SIZE},
+        {{8, 0, 8, 1}, PEL_ERROR_SIZE},
+        {{0, 8, 1, 8}, PEL_ERROR_SIZE},
+        {{16, 0, 8, 1}, PEL_ERROR_SIZE},
+        {{INT32_MIN, 0, INT32_MAX, 1}, PEL_ERROR_SIZE},
+        {{0, INT32_MIN, 1, INT32_MAX}, PEL_ERROR_SIZE},
+        {{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN}, PEL_ERROR_SIZE},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        struct pel_surface s;
+        if (pel_surface_init_rect(&s, &pel_xrgb8888, memory, 131068,
+                                  &row[i].bounds) != row[i].status)
+            fail_msg("row %zu", i);
+    }
+}
+
+/* Lines may run upwards and have padding, but must not overlap. */
+static void test_strides(void **state)
+{
+    const struct pel_rect b = {0, 0, 17, 16};
+    (void)state;
+    for (int f = 0; f < LAYOUT_COUNT; f++) {
+        const struct pel_format *format = layouts[f].format;
+        const int32_t word = format->word, need = pel_stride(format, 17);
+        bool pages = format->id == PEL_FORMAT_MONO1_PAGES;
+        struct pel_surface s;
+        assert_int_equal(need, pages ? 17 : (17 * layouts[f].bits + 7) / 8);
+        assert_int_equal(pel_surface_init_rect(&s, format, memory, need, &b),
+                         PEL_OK);
+        assert_int_equal(
+            pel_surface_init_rect(&s, format, memory, need + word, &b), PEL_OK);
+        assert_int_equal(
+            pel_surface_init_rect(&s, format, memory, need - word, &b),
+            PEL_ERROR_STRIDE);
+        assert_int_equal(pel_surface_init_rect(&s, format, memory, 0, &b),
+                         PEL_ERROR_STRIDE);
+        assert_int_equal(
+            pel_surface_init_rect(&s, format, memory + 1024, -need, &b),
+            pages ? PEL_ERROR_STRIDE : PEL_OK);
+        assert_int_equal(
+            pel_surface_init_rect(&s, format, memory + 1024, word - need, &b),
+            PEL_ERROR_STRIDE);
+        assert_int_equal(
+            pel_surface_init_rect(&s, format, memory, INT32_MIN / 8 * 8, &b),
+            pages ? PEL_ERROR_STRIDE : PEL_OK);
+    }
+}
+
+static void test_stride_of_nothing(void **state)
+{
+    (void)state;
+    assert_int_equal(pel_stride(NULL, 8), 0);
+    assert_int_equal(pel_stride(&pel_rgb888, 0), 0);
+    assert_int_equal(pel_stride(&pel_rgb888, -1), 0);
+    assert_int_equal(pel_stride(&pel_rgb888, 32767), 98301);
+    assert_int_equal(pel_stride(&pel_rgb888, 32768), 0);
+    assert_int_equal(pel_stride(&pel_rgb888, INT32_MAX), 0);
+}
+
+static void test_alignment(void **state)
+{
+    const struct pel_rect b = {0, 0, 8, 8};
+    (void)state;
+    for (int f = 0; f < LAYOUT_COUNT; f++) {
+        const struct pel_format *format = layouts[f].format;
+        for (int offset = 0; offset < 4; offset++) {
+            struct pel_surface s;
+            enum pel_status want =
+                offset % format->word ? PEL_ERROR_ALIGNMENT : PEL_OK;
+            assert_int_equal(pel_surface_init_rect(&s, format,
+                                                   (uint8_t *)memory + offset,
+                                                   64, &b),
+                             want);
+            assert_int_equal(
+                pel_surface_init_rect(&s, format, memory, 64 + offset, &b),
+                want);
+        }
+    }
+}
+
+/* Tiles of packed formats begin at a byte. */
+static void test_origins(void **state)
+{
+    (void)state;
+    for (int f = 0; f < LAYOUT_COUNT; f++)
+        for (int32_t o = -9; o < 10; o++) {
+            const struct pel_format *format = layouts[f].format;
+            const struct pel_rect right = {o, 0, o + 16, 16};
+            const struct pel_rect down = {0, o, 16, o + 16};
+            bool pages = format->id == PEL_FORMAT_MONO1_PAGES;
+            struct pel_surface s;
+            assert_int_equal(
+                pel_surface_init_rect(&s, format, memory, 64, &right),
+                pages || o * layouts[f].bits % 8 == 0 ? PEL_OK
+                                                      : PEL_ERROR_ALIGNMENT);
+            assert_int_equal(
+                pel_surface_init_rect(&s, format, memory, 64, &down),
+                pages && o % 8 ? PEL_ERROR_ALIGNMENT : PEL_OK);
+        }
+}
+
+static void test_clip_stays_inside(void **state)
+{
+    const struct pel_rect outside = {INT32_MIN, INT32_MIN, INT32_MAX,
+                                     INT32_MAX};
+    const struct pel_rect part = {3, -5, 70, 4}, apart = {20, 20, 30, 30};
+    struct pel_surface s;
+    (void)state;
+    assert_int_equal(pel_surface_init(&s, &pel_gray8, memory, 16, 8), PEL_OK);
+    pel_surface_clip(&s, &part);
+    assert_memory_equal(&s.clip, (&(struct pel_rect){3, 0, 16, 4}),
+                        sizeof s.clip);
+    pel_surface_clip(&s, &outside);
+    assert_memory_equal(&s.clip, &s.bounds, sizeof s.clip);
+    pel_surface_clip(&s, &apart);
+    assert_true(pel_rect_empty(&s.clip));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_null_is_refused),
+        cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_strides),
+        cmocka_unit_test(test_stride_of_nothing),
+        cmocka_unit_test(test_alignment),
+        cmocka_unit_test(test_origins),
+        cmocka_unit_test(test_clip_stays_inside),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
