@@ -60,12 +60,35 @@
 #endif
 
 /* Pixels of the colour buffer between a paint and a format: 4 bytes of stack
- * each (8 where a blend reads the destination). */
+ * each. */
 #ifndef PEL_BUFFER_PIXELS
-#define PEL_BUFFER_PIXELS 16
+#if PEL_FAST_64BIT
+#define PEL_BUFFER_PIXELS 32
+#else
+#define PEL_BUFFER_PIXELS 4
 #endif
-#if PEL_BUFFER_PIXELS < 8 || PEL_BUFFER_PIXELS > 255
-#error "PEL_BUFFER_PIXELS: 8 to 255 pixels"
+#endif
+#if PEL_BUFFER_PIXELS < 4 || PEL_BUFFER_PIXELS > 255
+#error "PEL_BUFFER_PIXELS: 4 to 255 pixels"
+#endif
+
+/* PEL_NOINLINE: functions that keep their stack to themselves, so that it is
+ * free again before the caller calls another. PEL_HOT: inlined where speed goes
+ * before size. PEL_WALK: a loop of its own where registers are few. */
+#ifdef __GNUC__
+#define PEL_NOINLINE __attribute__((__noinline__))
+#else
+#define PEL_NOINLINE
+#endif
+#if PEL_FAST_64BIT && defined(__GNUC__)
+#define PEL_HOT inline __attribute__((__always_inline__))
+#else
+#define PEL_HOT
+#endif
+#if defined(__thumb__)
+#define PEL_WALK PEL_NOINLINE
+#else
+#define PEL_WALK
 #endif
 
 #endif

@@ -26,9 +26,18 @@ static void sane_settings(int fd)
     tcsetattr(fd, TCSAFLUSH, &t);
 }
 
-static int reset(int fd, struct pel_message *message)
+static bool show_cursor(int fd)
 {
     static const char cursor_on[] = "\033[?25h";
+    ssize_t n;
+    do
+        n = write(fd, cursor_on, sizeof(cursor_on) - 1);
+    while (n < 0 && errno == EINTR);
+    return n > 0;
+}
+
+static int reset(int fd, struct pel_message *message)
+{
     struct vt_mode automatic = {.mode = VT_AUTO};
     const char *failed = NULL;
     if (pel_linux_ioctl(fd, VT_SETMODE, &automatic))
@@ -39,7 +48,7 @@ static int reset(int fd, struct pel_message *message)
         failed = "cannot set text mode (KDSETMODE)";
     int error = errno;
     sane_settings(fd);
-    if (write(fd, cursor_on, sizeof(cursor_on) - 1) < 0 && !failed) {
+    if (!show_cursor(fd) && !failed) {
         error = errno;
         failed = "cannot write to the terminal";
     }

@@ -8,7 +8,7 @@
 
 static struct fb_cmap palette_of(const struct pel_console_state *state)
 {
-    struct fb_cmap map = {.start = 0, .len = PEL_PALETTE_ENTRIES};
+    struct fb_cmap map = {.start = 0, .len = state->palette_length};
     map.red = (uint16_t *)state->red;
     map.green = (uint16_t *)state->green;
     map.blue = (uint16_t *)state->blue;
@@ -39,16 +39,22 @@ static int save_terminal(struct pel_console_state *s,
     return 0;
 }
 
-/* The palette is there to be read on palette modes and on some others; where it
- * is not, none is changed either. */
+/* Only palettes and direct colour get a colour map of ours. */
 static int save_framebuffer(struct pel_console_state *s,
                             struct pel_message *message)
 {
-    struct fb_cmap map = palette_of(s);
-    if (pel_linux_ioctl(s->framebuffer, FBIOGET_VSCREENINFO, &s->variables))
-        return failed(message, "cannot read the framebuffer's mode "
-                               "(FBIOGET_VSCREENINFO)");
-    s->has_palette = pel_linux_ioctl(s->framebuffer, FBIOGETCMAP, &map) == 0;
+    struct fb_cmap map;
+    struct fb_fix_screeninfo fixed;
+    if (pel_linux_ioctl(s->framebuffer, FBIOGET_VSCREENINFO, &s->variables) ||
+        pel_linux_ioctl(s->framebuffer, FBIOGET_FSCREENINFO, &fixed))
+        return failed(message, "cannot read the framebuffer's mode");
+    s->has_palette = fixed.visual == FB_VISUAL_PSEUDOCOLOR ||
+                     fixed.visual == FB_VISUAL_DIRECTCOLOR;
+    if (fixed.visual == FB_VISUAL_DIRECTCOLOR)
+        s->palette_length = 1u << s->variables.green.length;
+    map = palette_of(s);
+    if (s->has_palette && pel_linux_ioctl(s->framebuffer, FBIOGETCMAP, &map))
+        return failed(message, "cannot read the colour map (FBIOGETCMAP)");
     return 0;
 }
 
@@ -57,6 +63,7 @@ int pel_console_state_save(struct pel_console_state *state,
 {
     int error = 0;
     state->has_palette = false;
+    state->palette_length = PEL_PALETTE_ENTRIES;
     state->input_flags = fcntl(STDIN_FILENO, F_GETFL);
     if (state->tty >= 0)
         error = save_terminal(state, message);

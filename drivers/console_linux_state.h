@@ -26,6 +26,7 @@ struct pel_console_state {
     int input_flags;        /* of descriptor 0: O_NONBLOCK is among them */
     struct fb_var_screeninfo variables;
     bool has_palette;
+    uint32_t palette_length; /* entries in use */
     uint16_t red[PEL_PALETTE_ENTRIES], green[PEL_PALETTE_ENTRIES],
         blue[PEL_PALETTE_ENTRIES];
 };

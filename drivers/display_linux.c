@@ -2,11 +2,14 @@
 #include "display_linux.h"
 
 #include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "../core/format/formats.h"
+
+enum { CARDS = 8 }; /* DRM devices that are tried */
 
 /* What to open: the name taken apart. */
 struct choice {
@@ -59,13 +62,7 @@ static int parse(struct pel_display_linux *screen, const char *name,
     return 0;
 }
 
-static const char *first_drm(void)
-{
-    if (access("/dev/dri/card0", F_OK) == 0)
-        return "drm:/dev/dri/card0";
-    return access("/dev/dri/card1", F_OK) == 0 ? "drm:/dev/dri/card1" : NULL;
-}
-
+/* An empty path stands for the first DRM device with an output. */
 static int choose(struct pel_display_linux *screen, const char *name,
                   struct choice *choice)
 {
@@ -78,14 +75,9 @@ static int choose(struct pel_display_linux *screen, const char *name,
         name = "/dev/fb0";
         choice->why = "the first framebuffer";
     } else if (!name) {
-        name = first_drm();
+        choice->kind = PEL_LINUX_DRM;
         choice->why = "there is no /dev/fb0";
-    }
-    if (!name) {
-        pel_message_set(&screen->message,
-                        "no display: there is no /dev/fb0, /dev/dri/card0 or "
-                        "card1; is the driver loaded?");
-        return ENODEV;
+        return 0;
     }
     return parse(screen, name, choice);
 }
@@ -156,12 +148,30 @@ static void drm_leave(void *context)
     pel_display_drm_leave(context);
 }
 
-static int open_drm(struct pel_display_linux *screen,
-                    const struct choice *choice)
+/* Of several devices, some only compute: a Raspberry Pi has one of each. */
+static int find_drm(struct pel_display_linux *screen, struct choice *choice)
+{
+    struct pel_display_drm *drm = &screen->device.drm;
+    int error = ENODEV;
+    if (choice->path[0])
+        return pel_display_drm_open(drm, choice->path, &screen->message);
+    drm->fd = -1;
+    pel_message_set(&screen->message, "no display: there is neither /dev/fb0 "
+                                      "nor /dev/dri/card0; is the driver "
+                                      "loaded?");
+    for (int i = 0; error && i < CARDS; i++) {
+        snprintf(choice->path, sizeof(choice->path), "/dev/dri/card%d", i);
+        if (access(choice->path, F_OK) == 0)
+            error = pel_display_drm_open(drm, choice->path, &screen->message);
+    }
+    return error;
+}
+
+static int open_drm(struct pel_display_linux *screen, struct choice *choice)
 {
     struct pel_display_drm *drm = &screen->device.drm;
     const struct pel_console_hooks hooks = {drm, drm_leave, drm_enter};
-    int error = pel_display_drm_open(drm, choice->path, &screen->message);
+    int error = find_drm(screen, choice);
     if (error)
         return error;
     error = pel_console_take(-1, &hooks, &screen->console);
@@ -181,13 +191,12 @@ static void close_drm(struct pel_display_linux *screen)
 
 #else
 
-static int open_drm(struct pel_display_linux *screen,
-                    const struct choice *choice)
+static int open_drm(struct pel_display_linux *screen, struct choice *choice)
 {
     pel_message_set(&screen->message,
                     "%s: this program was built without DRM; install "
                     "libdrm-dev and build again",
-                    choice->path);
+                    choice->path[0] ? choice->path : "no /dev/fb0");
     return ENOSYS;
 }
 
@@ -203,6 +212,7 @@ enum pel_status pel_display_linux_open(struct pel_display_linux *screen,
 {
     struct choice choice = {.way = way};
     memset(screen, 0, sizeof(*screen));
+    screen->device.fb.fd = -1;
     if (choose(screen, name, &choice))
         return PEL_ERROR_DEVICE;
     screen->kind = choice.kind;

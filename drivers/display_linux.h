@@ -46,7 +46,8 @@ struct pel_display_linux {
  *     PATH                             either, told from its name
  *     NULL                             what FRAMEBUFFER in the environment
  *                                      names; then /dev/fb0; then, when there
- *                                      is none, /dev/dri/card0 or card1
+ *                                      is none, the first of /dev/dri/card0
+ *                                      to card7 that has a screen
  * `way` is for framebuffers that `name` gives none for. The struct is not moved
  * while open. PEL_ERROR_DEVICE, with the message, and everything as before. */
 enum pel_status pel_display_linux_open(struct pel_display_linux *screen,

@@ -25,7 +25,7 @@ static void convert_lines(const struct pel_surface *to,
         for (int32_t x = a->x0; x < a->x1; x += 16) {
             int32_t n = pel_min(16, a->x1 - x);
             from->format->load(from, x, y, n, colors);
-            to->format->store(to, x, y, n, colors);
+            to->format->put(to, x, y, n, colors);
         }
 }
 
@@ -37,10 +37,13 @@ static enum pel_status memory_flush(const struct pel_display *display,
     struct pel_rect area = pel_rect_intersect(&surface->clip, &screen->bounds);
     if (pel_rect_empty(&area))
         return PEL_OK;
-    if (surface->format == screen->format && surface->format->bits >= 8)
+    if (surface->format == screen->format && surface->format->bits >= 8) {
         copy_lines(screen, surface, &area);
-    else
-        convert_lines(screen, surface, &area);
+        return PEL_OK;
+    }
+    if (!surface->format->load || !screen->format->put)
+        return PEL_ERROR_NULL;
+    convert_lines(screen, surface, &area);
     return PEL_OK;
 }
 

@@ -2,7 +2,8 @@
 # in where pkg-config finds libdrm.
 PKG_CONFIG ?= pkg-config
 LINUX_SOURCES := $(wildcard port/linux/*.c) \
-    $(filter-out drivers/display_linux_drm%, $(wildcard drivers/display_linux*.c)) \
+    $(filter-out drivers/display_linux_drm%, \
+                 $(wildcard drivers/display_linux*.c)) \
     $(wildcard drivers/console_linux*.c) drivers/linux_message.c
 LINUX_FLAGS := -D_GNU_SOURCE
 LINUX_LIBS := -pthread

@@ -26,7 +26,7 @@ static void denied(struct pel_message *message, const char *path)
     const struct group *group = NULL;
     if (stat(path, &status) == 0)
         group = getgrgid(status.st_gid);
-    if (group && (status.st_mode & S_IWGRP))
+    if (group && (status.st_mode & S_IRGRP) && (status.st_mode & S_IWGRP))
         pel_message_set(message,
                         "cannot open %s: Permission denied; the group '%s' "
                         "may: sudo usermod -aG %s $USER, then log in again",

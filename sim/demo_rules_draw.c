@@ -69,7 +69,7 @@ void rules_draw(const struct rules_case *rules, bool y_up,
     const struct pel_rect bounds = {0, 0, RULES_WIDTH, RULES_HEIGHT};
     const int32_t stride = (int32_t)sizeof memory[0];
     struct counting paint = {
-        {counting_fill, NULL}, pixels, y_up, PEL_FLAT(PEL_RGB(0, 0, 0))};
+        {.fill = counting_fill}, pixels, y_up, PEL_FLAT(PEL_RGB(0, 0, 0))};
     struct pel_surface surface;
     memset(pixels->hits, 0, sizeof pixels->hits);
     pel_surface_init_rect(&surface, &pel_xrgb8888,

@@ -43,6 +43,13 @@ static error_t parse(int key, char *text, struct argp_state *state)
 
 const struct argp device_argp = {options, parse, NULL, NULL, NULL, NULL, NULL};
 
+bool device_check_output(const struct device_options *o, const char *output)
+{
+    return !o->name || strcmp(output, "-") == 0 ||
+           message_error("--device shows the picture and -o writes it: one of "
+                         "them would be right");
+}
+
 struct job {
     device_draw_function *draw;
     const void *context;

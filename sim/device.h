@@ -16,6 +16,11 @@ struct device_options {
  * a struct device_options. */
 extern const struct argp device_argp;
 
+/* May the picture go to `output` ("-" when none was named)? A device and a file
+ * at once may not: false, with a message. */
+bool device_check_output(const struct device_options *options,
+                         const char *output);
+
 /* What draws a picture onto a canvas; on a device the canvas is a part of it,
  * whose bounds and clip are what is to be drawn. With several jobs it runs on
  * several threads at a time, and writes to nothing but the canvas. False, with

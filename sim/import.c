@@ -21,7 +21,13 @@ struct import_command {
     char name[128];                  /* made from the output's */
 };
 
-enum { OPTION_NAME = 0x200, OPTION_FORMAT, OPTION_NORMALS, OPTION_TEXTURE };
+enum {
+    OPTION_NAME = 0x200,
+    OPTION_FORMAT,
+    OPTION_NORMALS,
+    OPTION_TEXTURE,
+    OPTION_CODES
+};
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0,
@@ -34,6 +40,8 @@ static const struct argp_option options[] = {
     {"normals", OPTION_NORMALS, "BITS", 0, "8 (default) or 16", 0},
     {"texture", OPTION_TEXTURE, "FILE", 0,
      "take the vertices' colours from this picture", 0},
+    {"codes", OPTION_CODES, "RANGES", 0,
+     "of a font, these code points alone, such as 32-126,0x20AC", 0},
     {0},
 };
 
@@ -50,6 +58,12 @@ static bool is_picture(const char *path)
 {
     static const char *const ending[] = {".png", ".jpg", ".jpeg", ".tga",
                                          ".bmp", ".ppm", ".pgm",  NULL};
+    return has_ending(path, ending);
+}
+
+static bool is_font(const char *path)
+{
+    static const char *const ending[] = {".bdf", ".psf", ".psfu", NULL};
     return has_ending(path, ending);
 }
 
@@ -101,6 +115,9 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case OPTION_TEXTURE:
         c->input.texture = text;
         return 0;
+    case OPTION_CODES:
+        c->options.codes = text;
+        return import_codes_legal(text) ? 0 : EINVAL;
     case OPTION_FORMAT:
         return parse_format(text, c) ? 0 : EINVAL;
     case OPTION_NORMALS:
@@ -116,13 +133,15 @@ static const struct argp_child children[] = {
 static const struct argp parser = {
     .options = options,
     .parser = parse,
-    .args_doc = "MESH|PICTURE",
-    .doc = "Makes an asset for firmware: a C file with one const struct, of a "
-           "mesh (core/asset/mesh_asset.h) or of a picture "
-           "(core/asset/image_asset.h).\v"
-           "MESH is a file that assimp reads, or " MESH_BUILTIN
-           "; PICTURE is a .png, .jpg, .tga, .bmp, .ppm or .pgm file. The same "
-           "input gives the same bytes.",
+    .args_doc = "MESH|PICTURE|FONT",
+    .doc =
+        "Makes an asset for firmware: a C file with one const struct, of a "
+        "mesh (core/asset/mesh_asset.h), a picture "
+        "(core/asset/image_asset.h) or a font "
+        "(core/asset/font_asset.h).\v"
+        "MESH is a file that assimp reads, or " MESH_BUILTIN
+        "; PICTURE is a .png, .jpg, .tga, .bmp, .ppm or .pgm file; FONT is a "
+        ".bdf or .psf file. The same input gives the same bytes.",
     .children = children,
 };
 
@@ -165,17 +184,19 @@ static bool check(struct import_command *c)
     static const char *const ending[] = {".c", NULL};
     const char *input = c->input.path, *output = c->options.output;
     if (!input || !output)
-        return message_error("%s is missing; `pel import MESH|PICTURE -o "
+        return message_error("%s is missing; `pel import MESH|PICTURE|FONT -o "
                              "ASSET.c` would be right",
                              input ? "-o ASSET.c" : "an input");
     if (is_pel2d(output))
-        return !is_picture(input) ||
+        return (!is_picture(input) && !is_font(input)) ||
                message_error_at(input, 0,
                                 "a pel2d file holds a mesh; an "
                                 "output .c would be right");
     if (strcmp(output, "-") != 0 && !has_ending(output, ending))
         return message_error_at(output, 0,
                                 "an output .c or .pel2d would be right");
+    if (c->options.codes && !is_font(input))
+        return message_error_at(input, 0, "--codes is for fonts");
     if (c->input.camera.is_set)
         return message_error("a camera is for an output .pel2d; a C asset "
                              "holds the mesh itself");
@@ -223,6 +244,14 @@ static bool import_as_mesh(struct import_command *c)
     return done;
 }
 
+static bool import_as_font(const struct import_command *c)
+{
+    if (c->format)
+        return message_error_at(c->input.path, 0,
+                                "--format is for pictures; a font has 1 bit");
+    return import_font(&c->options);
+}
+
 int command_import(int argc, char **argv)
 {
     struct import_command c = {
@@ -235,6 +264,7 @@ int command_import(int argc, char **argv)
         return STATUS_ERROR;
     bool done = is_pel2d(c.options.output) ? import_as_pel2d(&c)
                 : is_picture(c.input.path) ? import_as_picture(&c)
+                : is_font(c.input.path)    ? import_as_font(&c)
                                            : import_as_mesh(&c);
     return done ? STATUS_OK : STATUS_ERROR;
 }

@@ -12,6 +12,7 @@ struct import_options {
     const char *output; /* file or "-" */
     const char *name;   /* of the C object */
     int normal_bits;    /* 8 or 16 */
+    const char *codes;  /* of a font: code points to keep, or NULL for all */
 };
 
 /* Write a C file with one const struct and its arrays, the same for the same
@@ -21,6 +22,10 @@ bool import_mesh(const struct import_options *options, const struct mesh *mesh);
 bool import_picture(const struct import_options *options,
                     const struct picture *picture,
                     const struct pel_format *format);
+bool import_font(const struct import_options *options);
+
+/* Are these code points as --codes wants them? False, with a message. */
+bool import_codes_legal(const char *codes);
 
 /* Points of n axes, 2 or 3, `stride` doubles apart: the quantum for numbers of
  * 16 bits, signed ones around the middle of the points, unsigned ones from

@@ -62,7 +62,7 @@ bool import_picture(const struct import_options *options,
     if (!canvas_init(&canvas, format, picture->width, picture->height))
         return false;
     for (int y = 0; y < picture->height; y++)
-        format->store(&canvas.surface, 0, y, picture->width,
+        format->put(&canvas.surface, 0, y, picture->width,
                       picture_row(picture, y));
     bool done = import_text_open(&text, options->output, options->source,
                                  "core/asset/image_asset.h");

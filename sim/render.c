@@ -6,6 +6,7 @@
 #include "canvas.h"
 #include "commands.h"
 #include "core/raster/rectangle.h"
+#include "device.h"
 #include "format_names.h"
 #include "mesh_input.h"
 #include "message.h"
@@ -13,6 +14,7 @@
 #include "render_painter.h"
 
 struct render_options {
+    struct device_options device;
     struct mesh_input input;
     const char *output;
     const struct pel_format *format;
@@ -91,6 +93,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
     struct render_options *o = state->input;
     switch (key) {
     case ARGP_KEY_INIT:
+        state->child_inputs[1] = &o->device;
         state->child_inputs[0] = &o->input.camera;
         return 0;
     case ARGP_KEY_ARG:
@@ -114,8 +117,8 @@ static error_t parse(int key, char *text, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = {{&camera_argp, 0, "Camera:", 2},
-                                             {0}};
+static const struct argp_child children[] = {
+    {&camera_argp, 0, "Camera:", 2}, {&device_argp, 0, NULL, 0}, {0}};
 
 static const struct argp parser = {
     .options = options,
@@ -136,33 +139,58 @@ static bool check(const struct render_options *o)
         return message_error("--bands is %d; in mono1_pages a multiple of 8 "
                              "would be right",
                              o->bands);
-    return picture_path_check(o->output);
+    return picture_path_check(o->output) &&
+           device_check_output(&o->device, o->output);
 }
 
-static bool draw(const struct render_options *o, struct painter *painter,
-                 struct picture *picture)
+struct drawing {
+    const struct render_options *options;
+    struct painter *painter; /* only read while it draws */
+};
+
+static bool draw_mesh(struct canvas *canvas, const void *context)
 {
+    const struct drawing *drawing = context;
+    const struct render_options *o = drawing->options;
+    pel_clear(&canvas->surface, o->input.camera.background);
+    return canvas_draw(canvas, o->bands, painter_draw, drawing->painter);
+}
+
+static bool show(const struct drawing *drawing)
+{
+    const struct camera *camera = &drawing->options->input.camera;
+    const struct device_picture picture = {.width = camera->width,
+                                           .height = camera->height,
+                                           .draw = draw_mesh,
+                                           .context = drawing};
+    return device_show(&drawing->options->device, &picture);
+}
+
+static bool save(const struct drawing *drawing)
+{
+    const struct render_options *o = drawing->options;
     const struct camera *camera = &o->input.camera;
+    struct picture picture = {0};
     struct canvas canvas;
     if (!canvas_init(&canvas, o->format, camera->width, camera->height))
         return false;
-    pel_clear(&canvas.surface, camera->background);
-    bool done = canvas_draw(&canvas, o->bands, painter_draw, painter) &&
-                canvas_picture(&canvas, picture);
+    const bool done =
+        device_draw_canvas(&o->device, &canvas, draw_mesh, drawing) &&
+        canvas_picture(&canvas, &picture) && picture_save(&picture, o->output);
     canvas_free(&canvas);
+    picture_free(&picture);
     return done;
 }
 
 static bool render(struct render_options *o)
 {
     struct pel2d flat;
-    struct picture picture = {0};
     struct painter painter = {.shade = o->shade, .lines = o->lines};
+    const struct drawing drawing = {o, &painter};
     if (!mesh_input_load(&o->input, &flat))
         return false;
-    bool done = painter_init(&painter, &flat) && draw(o, &painter, &picture) &&
-                picture_save(&picture, o->output);
-    picture_free(&picture);
+    const bool done = painter_init(&painter, &flat) &&
+                      (o->device.name ? show(&drawing) : save(&drawing));
     painter_free(&painter);
     pel2d_free(&flat);
     return done;
@@ -171,6 +199,7 @@ static bool render(struct render_options *o)
 int command_render(int argc, char **argv)
 {
     struct render_options o = {
+        .device = {.jobs = 1},
         .input = {.camera = camera_default},
         .output = "-",
         .format = format_find("xrgb8888"),

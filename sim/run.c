@@ -136,6 +136,7 @@ int command_run(int argc, char **argv)
     struct scene scene;
     arguments_parse(&parser, argc, argv, &o);
     if (!picture_path_check(o.output) ||
+        !device_check_output(&o.device, o.output) ||
         !scene_load(&scene, o.script, o.format))
         return STATUS_ERROR;
     const bool done = o.device.name ? show(&o, &scene) : save(&o, &scene);

@@ -3,6 +3,7 @@
 # one test. `make deep` runs the same programs for longer.
 
 -include tests/tools/tools.mk
+-include tests/device/linux/linux.mk
 
 T := $(BUILD)/tests
 TAB := $(shell printf '\t')
@@ -13,12 +14,18 @@ TEST_SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
 # portable  without the walk and the vectors of 64-bit CPUs
 # san       address and undefined-behaviour sanitizers
 # assert    the same, and PEL_ASSERT counts
+# small     the portable walk without long products, and the least buffers
+# large     the portable walk with long products, and the largest buffers
 TEST_FLAGS_host := -O2 -g
 TEST_FLAGS_portable := -O2 -g -DPEL_FAST_64BIT=0 -DPEL_VECTORS=0
 TEST_FLAGS_san := $(TEST_SANITIZE)
 TEST_FLAGS_assert := $(TEST_SANITIZE) \
     -DPEL_CONFIG_FILE='"tests/support/assert_config.h"'
-TEST_BUILDS := host portable san assert
+TEST_FLAGS_small := -O2 -DPEL_FAST_64BIT=0 -DPEL_LONG_MULTIPLY=0 \
+    -DPEL_BATCH_ROWS=8 -DPEL_BUFFER_PIXELS=8
+TEST_FLAGS_large := -O2 -DPEL_FAST_64BIT=0 -DPEL_LONG_MULTIPLY=1 \
+    -DPEL_BATCH_ROWS=255 -DPEL_BUFFER_PIXELS=255
+TEST_BUILDS := host portable san assert small large
 
 TEST_SUPPORT := $(sort $(wildcard tests/support/*.c))
 TEST_UNIT := $(basename $(sort $(wildcard tests/unit/test_*.c)))
@@ -27,8 +34,14 @@ TEST_EXHAUSTIVE := $(basename $(sort $(wildcard tests/exhaustive/test_*.c)))
 
 # Broken contracts are tested where asserts count, and where there are none.
 TEST_ASSERT := tests/unit/test_assert
+# These link the portable build beside their own.
+TEST_TWINS := tests/property/test_walkers tests/property/test_walkers_large \
+    tests/property/test_fast_writers
 # These name what only the default build has.
-TEST_HOST_ONLY := tests/property/test_fast tests/property/test_walkers
+TEST_HOST_ONLY := tests/property/test_fast $(TEST_TWINS)
+# These see what the knobs of core change inside.
+TEST_KNOBS := tests/property/test_triangles tests/property/test_shapes \
+    tests/property/test_pictures
 
 # $1 build
 define test_build
@@ -46,6 +59,7 @@ $(T)/$1/tests/%: $(T)/$1/tests/%.o $(T)/$1/libsupport.a $(T)/$1/libpel.a
 -include $$(wildcard $(T)/$1/*/*.d $(T)/$1/*/*/*.d)
 endef
 $(foreach b,$(TEST_BUILDS),$(eval $(call test_build,$b)))
+include tests/tools/mutants.mk
 .SECONDARY:
 
 # The portable build with other names, to be linked beside the default one.
@@ -54,8 +68,7 @@ $(T)/portable_core.o: $(T)/portable/libpel.a
 	objcopy --prefix-symbols=portable_ $@
 	objcopy --redefine-sym portable_memcpy=memcpy \
 	    --redefine-sym portable_memset=memset $@
-$(T)/host/tests/property/test_walkers: $(T)/portable_core.o
-$(T)/san/tests/property/test_walkers: $(T)/portable_core.o
+$(TEST_TWINS:%=$(T)/host/%) $(TEST_TWINS:%=$(T)/san/%): $(T)/portable_core.o
 
 # Tests of the host program: its sources but for main.
 TEST_SIM := $(basename $(sort $(wildcard tests/sim/test_*.c)))
@@ -71,15 +84,19 @@ TEST_PROGRAMS_host := $(TEST_EXHAUSTIVE) $(TEST_PROPERTY) $(TEST_UNIT)
 TEST_PROGRAMS_portable := $(filter-out $(TEST_HOST_ONLY),$(TEST_PROPERTY))
 TEST_PROGRAMS_san := $(TEST_PROPERTY) $(TEST_UNIT)
 TEST_PROGRAMS_assert := $(TEST_ASSERT)
+TEST_PROGRAMS_small := $(TEST_KNOBS)
+TEST_PROGRAMS_large := $(TEST_KNOBS)
 TEST_PROGRAMS := $(foreach b,$(TEST_BUILDS),$(TEST_PROGRAMS_$b:%=$(T)/$b/%)) \
     $(TEST_SIM:tests/sim/%=$(T)/sim/%)
-TEST_SCENES := $(patsubst %,$(T)/%/tests/golden/scenes,host portable san)
+TEST_SCENES := $(patsubst %,$(T)/%/tests/golden/scenes,host portable san small large)
 
 # Percentage of the cases that each build runs.
 CHECK_SCALE_host := 100
 CHECK_SCALE_portable := 20
 CHECK_SCALE_san := 3
 CHECK_SCALE_assert := 100
+CHECK_SCALE_small := 5
+CHECK_SCALE_large := 5
 
 # A line of the list of tests/support/run.sh: name, command. The slow ones come
 # first, so that no CPU is idle at the end. Targets of CHECK_EXTRA share objects

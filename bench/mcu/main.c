@@ -113,7 +113,7 @@ static void pixels_report(const char *name, const struct pel_paint *paint)
 
 int main(void)
 {
-    static const struct pel_paint none = {fill_nothing, NULL};
+    static const struct pel_paint none = {.fill = fill_nothing};
     static const struct pel_flat flat = PEL_FLAT(PEL_RGB(255, 128, 0));
     static const struct pel_point screen[3] = {
         PEL_AT(-300, -10), PEL_AT(540, -10), PEL_AT(120, 700)};

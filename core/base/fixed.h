@@ -58,12 +58,20 @@ static inline int32_t pel_max(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* Are all coordinates of n points legal? A legal one plus 2^23 fits 24 bits. */
+/* Is the point in range? A legal coordinate plus 2^23 fits 24 bits. */
+static inline bool pel_point_legal(struct pel_point p)
+{
+    return ((((uint32_t)p.x + 0x800000u) | ((uint32_t)p.y + 0x800000u)) >>
+            24) == 0;
+}
+
+/* Are all n points? */
 static inline bool pel_points_legal(const struct pel_point *v, int32_t n)
 {
+    const int32_t *coordinate = &v->x;
     uint32_t high = 0;
-    for (; n > 0; n--, v++)
-        high |= ((uint32_t)v->x + 0x800000u) | ((uint32_t)v->y + 0x800000u);
+    for (n *= 2; n > 0; n--)
+        high |= (uint32_t)*coordinate++ + 0x800000u;
     return high >> 24 == 0;
 }
 

@@ -37,7 +37,7 @@ struct pel_row {
     int32_t x0, x1; /* px, absolute */
 };
 
-/* What a shape hands to a paint: n runs, all inside the surface's clip, no
+/* What a shape hands to a paint: n >= 1 runs, all inside the surface's clip, no
  * pixel twice. Run i lies in line y + i * step: step is 1 (n lines downwards)
  * or 0 (n runs of one line). */
 struct pel_rows {
@@ -61,13 +61,14 @@ struct pel_format {
     void (*fill)(const struct pel_rows *rows, uint32_t pixel);
 
     /* The color over every run, weighted by its alpha. NULL in the fill-only
-     * twins, like load and store: what needs them draws nothing there. */
+     * twins, like put and load: what needs them draws nothing there. */
     void (*blend)(const struct pel_rows *rows, pel_color color);
 
-    /* n colours to and from the pixels (x, y) to (x + n - 1, y), n >= 1, inside
-     * the surface. store ignores alpha, load gives opaque colours. */
-    void (*store)(const struct pel_surface *surface, int32_t x, int32_t y,
-                  int32_t n, const pel_color *colors);
+    /* n >= 1 colours over the pixels (x, y) to (x + n - 1, y) of the surface,
+     * each weighted by its alpha: 255 stores it, 0 leaves the pixel untouched,
+     * the others are pel_mix'ed. load gives opaque colours. */
+    void (*put)(const struct pel_surface *surface, int32_t x, int32_t y,
+                int32_t n, const pel_color *colors);
     void (*load)(const struct pel_surface *surface, int32_t x, int32_t y,
                  int32_t n, pel_color *colors);
 };

@@ -14,10 +14,22 @@ static pel_color unpack(uint32_t p)
                    pel_widen5(p >> 11));
 }
 
-static void store(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                  const pel_color *colors)
+static void over(pel_word16 *p, pel_color color)
 {
-    pel_store16(pel_address16(s, x, y), n, colors, pack);
+    pel_over16(p, color, pack, unpack);
+}
+
+static void blend(const struct pel_rows *rows, pel_color color)
+{
+    pel_blend565(rows, color, over);
+}
+
+static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                const pel_color *colors)
+{
+    pel_word16 *p = pel_address16(s, x, y);
+    for (; n > 0; n--, p++)
+        over(p, *colors++);
 }
 
 static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
@@ -27,6 +39,5 @@ static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
 }
 
 const struct pel_format pel_bgr565_le = {
-    PEL_FORMAT_BGR565_LE, 16,    2,    pack, unpack, pel_fill16,
-    pel_blend565_rows,    store, load,
+    PEL_FORMAT_BGR565_LE, 16, 2, pack, unpack, pel_fill16, blend, put, load,
 };

@@ -1,5 +1,7 @@
 #include "blend32.h"
 
+#if PEL_VECTORS
+
 void pel_blend32_rows(const struct pel_rows *rows, pel_color color)
 {
     const struct pel_blend32 b = pel_blend32_make(rows->surface->format, color);
@@ -9,3 +11,5 @@ void pel_blend32_rows(const struct pel_rows *rows, pel_color color)
         pel_blend32_run(pel_address32(rows->surface, row->x0, y),
                         row->x1 - row->x0, &b);
 }
+
+#endif

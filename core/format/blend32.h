@@ -17,9 +17,6 @@ struct pel_blend32 {
 #endif
 };
 
-/* In blend32.c. */
-void pel_blend32_rows(const struct pel_rows *rows, pel_color color);
-
 static inline struct pel_blend32 pel_blend32_make(
     const struct pel_format *format, pel_color color)
 {
@@ -91,6 +88,28 @@ static inline void pel_blend32_run(pel_word32 *p, int32_t n,
 {
     for (; n > 0; n--)
         pel_blend32_pixel(p++, b);
+}
+
+#endif
+/* A format's blend, whose own way to treat one pixel is `over`. */
+#if PEL_VECTORS
+
+/* In blend32.c. */
+void pel_blend32_rows(const struct pel_rows *rows, pel_color color);
+
+static inline void pel_blend32(const struct pel_rows *rows, pel_color color,
+                               pel_over32_function over)
+{
+    (void)over;
+    pel_blend32_rows(rows, color);
+}
+
+#else
+
+static inline void pel_blend32(const struct pel_rows *rows, pel_color color,
+                               pel_over32_function over)
+{
+    pel_blend_words32(rows, color, over);
 }
 
 #endif

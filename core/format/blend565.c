@@ -1,5 +1,7 @@
 #include "blend565.h"
 
+#if PEL_VECTORS
+
 void pel_blend565_rows(const struct pel_rows *rows, pel_color color)
 {
     const struct pel_blend565 b =
@@ -10,3 +12,5 @@ void pel_blend565_rows(const struct pel_rows *rows, pel_color color)
         pel_blend565_run(pel_address16(rows->surface, row->x0, y),
                          row->x1 - row->x0, &b);
 }
+
+#endif

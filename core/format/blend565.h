@@ -14,9 +14,6 @@ struct pel_blend565 {
     bool swapped;  /* the CPU's byte order is not the format's */
 };
 
-/* In blend565.c. */
-void pel_blend565_rows(const struct pel_rows *rows, pel_color color);
-
 static inline struct pel_blend565 pel_blend565_make(
     const struct pel_format *format, pel_color color)
 {
@@ -100,6 +97,28 @@ static inline void pel_blend565_run(pel_word16 *p, int32_t n,
 {
     for (; n > 0; n--)
         pel_blend565_pixel(p++, b);
+}
+
+#endif
+/* A format's blend, whose own way to treat one pixel is `over`. */
+#if PEL_VECTORS
+
+/* In blend565.c. */
+void pel_blend565_rows(const struct pel_rows *rows, pel_color color);
+
+static inline void pel_blend565(const struct pel_rows *rows, pel_color color,
+                                pel_over16_function over)
+{
+    (void)over;
+    pel_blend565_rows(rows, color);
+}
+
+#else
+
+static inline void pel_blend565(const struct pel_rows *rows, pel_color color,
+                                pel_over16_function over)
+{
+    pel_blend16(rows, color, over);
 }
 
 #endif

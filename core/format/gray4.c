@@ -22,12 +22,13 @@ static int shift_of(int32_t x)
     return x & 1 ? 0 : 4;
 }
 
-static uint32_t get(const struct pel_surface *s, int32_t x, int32_t y)
+static uint32_t get_pixel(const struct pel_surface *s, int32_t x, int32_t y)
 {
     return (uint32_t)*byte_of(s, x, y) >> shift_of(x) & 15u;
 }
 
-static void put(const struct pel_surface *s, int32_t x, int32_t y, uint32_t p)
+static void put_pixel(const struct pel_surface *s, int32_t x, int32_t y,
+                      uint32_t p)
 {
     uint8_t *byte = byte_of(s, x, y);
     *byte = (uint8_t)((*byte & ~(15u << shift_of(x))) | p << shift_of(x));
@@ -38,25 +39,36 @@ static void fill(const struct pel_rows *rows, uint32_t pixel)
     pel_fill_bits(rows, pixel * 0x11u);
 }
 
-static void blend(const struct pel_rows *rows, pel_color color)
+static void over(const struct pel_surface *s, int32_t x, int32_t y,
+                 pel_color color)
 {
-    pel_blend_packed(rows, color, &pel_gray4, get, put);
+    const uint32_t alpha = pel_alpha(color);
+    if (alpha == 255)
+        put_pixel(s, x, y, pack(color));
+    else if (alpha != 0)
+        put_pixel(s, x, y,
+                  pack(pel_mix(unpack(get_pixel(s, x, y)), color, alpha)));
 }
 
-static void store(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                  const pel_color *colors)
+static void blend(const struct pel_rows *rows, pel_color color)
+{
+    pel_blend_packed(rows, color, over);
+}
+
+static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                const pel_color *colors)
 {
     for (; n > 0; n--)
-        put(s, x++, y, pack(*colors++));
+        over(s, x++, y, *colors++);
 }
 
 static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
                  pel_color *colors)
 {
     for (; n > 0; n--)
-        *colors++ = unpack(get(s, x++, y));
+        *colors++ = unpack(get_pixel(s, x++, y));
 }
 
 const struct pel_format pel_gray4 = {
-    PEL_FORMAT_GRAY4, 4, 1, pack, unpack, fill, blend, store, load,
+    PEL_FORMAT_GRAY4, 4, 1, pack, unpack, fill, blend, put, load,
 };

@@ -24,12 +24,13 @@ static uint32_t mask_of(int32_t y)
     return 1u << (y & 7);
 }
 
-static uint32_t get(const struct pel_surface *s, int32_t x, int32_t y)
+static uint32_t get_pixel(const struct pel_surface *s, int32_t x, int32_t y)
 {
     return (*byte_of(s, x, y) & mask_of(y)) != 0;
 }
 
-static void put(const struct pel_surface *s, int32_t x, int32_t y, uint32_t p)
+static void put_pixel(const struct pel_surface *s, int32_t x, int32_t y,
+                      uint32_t p)
 {
     uint8_t *byte = byte_of(s, x, y);
     *byte = (uint8_t)(p ? *byte | mask_of(y) : *byte & ~mask_of(y));
@@ -41,28 +42,39 @@ static void fill(const struct pel_rows *rows, uint32_t pixel)
     int32_t y = rows->y;
     for (int i = 0; i < rows->n; i++, row++, y += rows->step)
         for (int32_t x = row->x0; x < row->x1; x++)
-            put(rows->surface, x, y, pixel);
+            put_pixel(rows->surface, x, y, pixel);
+}
+
+static void over(const struct pel_surface *s, int32_t x, int32_t y,
+                 pel_color color)
+{
+    const uint32_t alpha = pel_alpha(color);
+    if (alpha == 255)
+        put_pixel(s, x, y, pack(color));
+    else if (alpha != 0)
+        put_pixel(s, x, y,
+                  pack(pel_mix(unpack(get_pixel(s, x, y)), color, alpha)));
 }
 
 static void blend(const struct pel_rows *rows, pel_color color)
 {
-    pel_blend_packed(rows, color, &pel_mono1_pages, get, put);
+    pel_blend_packed(rows, color, over);
 }
 
-static void store(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                  const pel_color *colors)
+static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                const pel_color *colors)
 {
     for (; n > 0; n--)
-        put(s, x++, y, pack(*colors++));
+        over(s, x++, y, *colors++);
 }
 
 static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
                  pel_color *colors)
 {
     for (; n > 0; n--)
-        *colors++ = unpack(get(s, x++, y));
+        *colors++ = unpack(get_pixel(s, x++, y));
 }
 
 const struct pel_format pel_mono1_pages = {
-    PEL_FORMAT_MONO1_PAGES, 1, 1, pack, unpack, fill, blend, store, load,
+    PEL_FORMAT_MONO1_PAGES, 1, 1, pack, unpack, fill, blend, put, load,
 };

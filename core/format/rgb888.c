@@ -11,15 +11,22 @@ static pel_color unpack(uint32_t p)
     return UINT32_C(0xFF000000) | p;
 }
 
-static void blend(const struct pel_rows *rows, pel_color color)
+static void over(uint8_t *p, pel_color color)
 {
-    pel_blend24(rows, color, pack, unpack);
+    pel_over24(p, color, pack, unpack);
 }
 
-static void store(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                  const pel_color *colors)
+static void blend(const struct pel_rows *rows, pel_color color)
 {
-    pel_store24(pel_address24(s, x, y), n, colors, pack);
+    pel_blend24(rows, color, over);
+}
+
+static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                const pel_color *colors)
+{
+    uint8_t *p = pel_address24(s, x, y);
+    for (; n > 0; n--, p += 3)
+        over(p, *colors++);
 }
 
 static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
@@ -29,5 +36,5 @@ static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
 }
 
 const struct pel_format pel_rgb888 = {
-    PEL_FORMAT_RGB888, 24, 1, pack, unpack, pel_fill24, blend, store, load,
+    PEL_FORMAT_RGB888, 24, 1, pack, unpack, pel_fill24, blend, put, load,
 };

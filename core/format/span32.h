@@ -28,15 +28,11 @@ static inline void pel_span32_short(pel_word32 *p, int32_t n, uint32_t v)
     q[(last + 1) >> 1] = v;
 }
 
-static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
-                                         pel_value32 v)
+/* More than 16 pixels, the first vector stored: upwards from the next aligned
+ * address. */
+static PEL_ALWAYS_INLINE void pel_span32_long(pel_word32 *p, pel_word32 *end,
+                                              pel_value32 v)
 {
-    if (n < 4) {
-        pel_span32_short(p, n, v[0]);
-        return;
-    }
-    pel_word32 *end = p + n - 4; /* where the last vector goes */
-    pel_put_u32x4(p, v);
     p = (pel_word32 *)(((uintptr_t)p + 16) & ~(uintptr_t)15);
     for (; p < end - 12; p += 16) {
         pel_put_u32x4(p, v);
@@ -51,6 +47,23 @@ static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
     }
     if (p < end)
         pel_put_u32x4(p, v);
+}
+
+static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
+                                         pel_value32 v)
+{
+    if (n < 4) {
+        pel_span32_short(p, n, v[0]);
+        return;
+    }
+    pel_word32 *end = p + n - 4; /* where the last vector goes */
+    pel_put_u32x4(p, v);
+    if (n > 16) {
+        pel_span32_long(p, end, v);
+    } else if (n > 8) {
+        pel_put_u32x4(p + 4, v);
+        pel_put_u32x4(end - 4, v);
+    }
     pel_put_u32x4(end, v);
 }
 

@@ -14,27 +14,32 @@ static inline pel_word8 *pel_address8(const struct pel_surface *s, int32_t x,
     return (pel_word8 *)(pel_column_zero(s, y, 1) + (uintptr_t)x);
 }
 
-static PEL_ALWAYS_INLINE void pel_blend8(const struct pel_rows *rows,
-                                         pel_color color,
-                                         pel_pack_function pack,
-                                         pel_unpack_function unpack)
+/* One pixel, weighted by the color's alpha; a format's own pack and unpack are
+ * inlined. */
+static PEL_ALWAYS_INLINE void pel_over8(pel_word8 *p, pel_color color,
+                                        pel_pack_function pack,
+                                        pel_unpack_function unpack)
 {
-    const struct pel_row *row = rows->row;
     const uint32_t alpha = pel_alpha(color);
-    int32_t y = rows->y;
-    for (int i = 0; i < rows->n; i++, row++, y += rows->step) {
-        pel_word8 *p = pel_address8(rows->surface, row->x0, y);
-        for (int32_t n = row->x1 - row->x0; n > 0; n--, p++)
-            *p = (pel_word8)pack(pel_mix(unpack(*p), color, alpha));
-    }
+    if (alpha == 255)
+        *p = (pel_word8)pack(color);
+    else if (alpha != 0)
+        *p = (pel_word8)pack(pel_mix(unpack(*p), color, alpha));
 }
 
-static PEL_ALWAYS_INLINE void pel_store8(pel_word8 *p, int32_t n,
-                                         const pel_color *colors,
-                                         pel_pack_function pack)
+typedef void pel_over8_function(pel_word8 *p, pel_color color);
+
+static PEL_ALWAYS_INLINE void pel_blend8(const struct pel_rows *rows,
+                                         pel_color color,
+                                         pel_over8_function over)
 {
-    for (; n > 0; n--)
-        *p++ = (pel_word8)pack(*colors++);
+    const struct pel_row *row = rows->row;
+    int32_t y = rows->y;
+    for (int32_t i = rows->n; i > 0; i--, row++, y += rows->step) {
+        pel_word8 *p = pel_address8(rows->surface, row->x0, y);
+        for (int32_t n = row->x1 - row->x0; n > 0; n--)
+            over(p++, color);
+    }
 }
 
 static PEL_ALWAYS_INLINE void pel_load8(const pel_word8 *p, int32_t n,

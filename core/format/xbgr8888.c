@@ -12,10 +12,22 @@ static pel_color unpack(uint32_t p)
     return PEL_RGB(pel_blue(p), pel_green(p), pel_red(p));
 }
 
-static void store(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                  const pel_color *colors)
+static void over(pel_word32 *p, pel_color color)
 {
-    pel_store32(pel_address32(s, x, y), n, colors, pack);
+    pel_over32(p, color, pack, unpack);
+}
+
+static void blend(const struct pel_rows *rows, pel_color color)
+{
+    pel_blend32(rows, color, over);
+}
+
+static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                const pel_color *colors)
+{
+    pel_word32 *p = pel_address32(s, x, y);
+    for (; n > 0; n--, p++)
+        over(p, *colors++);
 }
 
 static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
@@ -25,6 +37,5 @@ static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
 }
 
 const struct pel_format pel_xbgr8888 = {
-    PEL_FORMAT_XBGR8888, 32,    4,    pack, unpack, pel_fill32,
-    pel_blend32_rows,    store, load,
+    PEL_FORMAT_XBGR8888, 32, 4, pack, unpack, pel_fill32, blend, put, load,
 };

@@ -52,21 +52,13 @@ static struct pel_slope start_long(const struct pel_point *a,
     return e;
 }
 
-static struct pel_rect box_of(const struct pel_point v[3])
+/* Inside the clip, and so legal: a legal coordinate ends 1/256 px before the
+ * edge of a clip that ends at 32,768. */
+static bool inside(const struct pel_rect *clip, const struct pel_rect *box)
 {
-    struct pel_rect box;
-    box.x0 = pel_min(pel_min(v[0].x, v[1].x), v[2].x);
-    box.x1 = pel_max(pel_max(v[0].x, v[1].x), v[2].x);
-    box.y0 = pel_min(pel_min(v[0].y, v[1].y), v[2].y);
-    box.y1 = pel_max(pel_max(v[0].y, v[1].y), v[2].y);
-    return box;
-}
-
-static bool inside(const struct pel_rect *box, const struct pel_rect *clip)
-{
-    return box->x0 >= PEL_PX(clip->x0) && box->x1 <= PEL_PX(clip->x1) &&
-           box->y0 >= PEL_PX(clip->y0) && box->y1 <= PEL_PX(clip->y1) &&
-           box->y1 - box->y0 <= PEL_PX(4094);
+    return box->x0 >= PEL_PX(clip->x0) && box->y0 >= PEL_PX(clip->y0) &&
+           box->x1 <= pel_min(PEL_PX(clip->x1), PEL_COORDINATE_MAX) &&
+           box->y1 <= pel_min(PEL_PX(clip->y1), PEL_COORDINATE_MAX);
 }
 
 /* Points as numbers that sort by (y, x): minimum and maximum need no branch,
@@ -109,10 +101,12 @@ bool pel_fast_triangle(const struct pel_surface *surface,
     struct pel_fast_triangle t;
     if (!paint->fast)
         return false;
-    const struct pel_rect box = box_of(v);
-    if (!inside(&box, &surface->clip))
-        return false;
     sort(v, s);
+    const struct pel_rect box = {
+        pel_min(pel_min(s[0].x, s[1].x), s[2].x), s[0].y,
+        pel_max(pel_max(s[0].x, s[1].x), s[2].x), s[2].y};
+    if (!inside(&surface->clip, &box) || box.y1 - box.y0 > PEL_PX(4094))
+        return false;
     t.y0 = pel_first_pixel(s[0].y);
     t.y1 = pel_first_pixel(s[1].y);
     t.y2 = pel_first_pixel(s[2].y);

@@ -14,18 +14,16 @@
 /* n 2^32 / area modulo 2^64, two's complement; n is nx or ny. */
 typedef uint64_t gradient;
 
-/* 1 / area as bits 2^-shift, bits in [2^31, 2^32]. */
-struct reciprocal {
-    uint64_t bits;
-    int shift;
-    bool negative;
-};
-
+/* a is the topmost vertex, of equal ones the left one: the planes are anchored
+ * there. Which of the others is b and which c changes the sign of numerators
+ * and area alike, and so nothing. */
 struct setup {
-    const struct pel_point *a, *b, *c; /* top to bottom */
+    struct pel_point a, b, c;
     int64_t area;
-    bool exact; /* long division, not the reciprocal */
-    struct reciprocal inverse;
+    bool exact;      /* long division, not the reciprocal */
+    int64_t inverse; /* 2^63 / word with the sign of area, |area| = word
+                        2^-shift and word in [2^31, 2^32) */
+    int shift;
 };
 
 /* The reciprocal is good to 2^-30 of its value: 2^-31 by its own last bit, as
@@ -33,116 +31,138 @@ struct setup {
  * the box and area >= 16 D a gradient is at most 510 D 2^32 / 16 D < 2^37, and
  * so off by less than 2^7 steps of 2^-24: 2^-17 per pixel, the bound of the
  * header. With D <= 2^20 (4,096 px) that is 2^-4 at most, and a numerator,
- * |n| <= 510 D, times the bits fits 2^61. */
+ * |n| <= 510 D, times the inverse fits 2^61. */
 static bool reciprocal_is_enough(const struct setup *s)
 {
     int64_t area = s->area < 0 ? -s->area : s->area;
-    int32_t x0 = pel_min(pel_min(s->a->x, s->b->x), s->c->x);
-    int32_t x1 = pel_max(pel_max(s->a->x, s->b->x), s->c->x);
-    int32_t longer = pel_max(x1 - x0, s->c->y - s->a->y);
+    int32_t x0 = pel_min(pel_min(s->a.x, s->b.x), s->c.x);
+    int32_t x1 = pel_max(pel_max(s->a.x, s->b.x), s->c.x);
+    int32_t longer = pel_max(x1 - x0, pel_max(s->b.y, s->c.y) - s->a.y);
     return longer <= 1048576 && area >= (int64_t)16 * longer;
 }
 
-/* area = word 2^-shift with word in [2^31, 2^32), then 2^63 / word. */
-static struct reciprocal reciprocal_of(int64_t area)
+/* floor(n 2^32 / d) modulo 2^64, 0 <= n < 2^34, 0 < d < 2^50: the remainder and
+ * its next digits, 1 or 8 bits of them, fit 2^58. */
+#if PEL_FAST_64BIT
+static gradient divide(uint64_t n, uint64_t d)
 {
-    struct reciprocal r = {0, 0, area < 0};
-    uint64_t word = (uint64_t)(area < 0 ? -area : area);
-    for (; word > UINT64_C(0xFFFFFFFF); r.shift--)
+    uint64_t q = n / d, rest = n % d;
+    for (int digit = 0; digit < 4; digit++) {
+        rest *= 256;
+        q = q * 256 + rest / d;
+        rest %= d;
+    }
+    return q;
+}
+#else
+static PEL_NOINLINE gradient divide(uint64_t n, uint64_t d)
+{
+    uint64_t q = 0, rest = 0;
+    n <<= 30;
+    for (int bit = 0; bit < 66; bit++, n <<= 1) {
+        rest = rest * 2 + (n >> 63);
+        q *= 2;
+        if (rest >= d) {
+            rest -= d;
+            q++;
+        }
+    }
+    return q;
+}
+#endif
+
+static void set_reciprocal(struct setup *s)
+{
+    uint64_t word = (uint64_t)(s->area < 0 ? -s->area : s->area);
+    s->shift = 0;
+    for (; word > UINT64_C(0xFFFFFFFF); s->shift--)
         word >>= 1;
     for (int step = 16; step > 0; step /= 2)
         if (word < UINT64_C(1) << (32 - step)) {
             word <<= step;
-            r.shift += step;
+            s->shift += step;
         }
-    r.bits = UINT64_C(0x8000000000000000) / word;
-    return r;
+    s->inverse = (int64_t)divide(UINT64_C(0x80000000), word);
+    if (s->area < 0)
+        s->inverse = -s->inverse;
 }
 
-/* n 2^32 / area = n 2^(32 + shift) / word = n bits 2^(shift - 31). 16 <= area <
- * 2^42 here, so -10 <= shift <= 27. */
-static gradient by_reciprocal(const struct reciprocal *r, int64_t n)
+/* n 2^32 / area = n 2^(32 + shift) / word = n inverse 2^(shift - 31). 16 <=
+ * |area| < 2^42 here, so -10 <= shift <= 27. */
+static gradient by_reciprocal(const struct setup *s, int64_t n)
 {
-    uint64_t product = (uint64_t)(n < 0 ? -n : n) * r->bits >> (31 - r->shift);
-    return (n < 0) != r->negative ? 0 - product : product;
+    return (gradient)(n * s->inverse >> (31 - s->shift));
 }
 
-/* floor(n 2^32 / area) by digits of 8 bits: |area| < 2^50, so a remainder and
- * its digit fit 2^58. The quotient may have 66 bits and wraps. */
+/* Towards zero. */
 static gradient by_long_division(int64_t n, int64_t area)
 {
-    if (area < 0) {
-        n = -n;
-        area = -area;
-    }
-    int64_t rest = n % area;
-    gradient q = (gradient)(n / area);
-    if (rest < 0) {
-        rest += area;
-        q--;
-    }
-    for (int digit = 0; digit < 4; digit++) {
-        rest *= 256;
-        q = q * 256 + (gradient)(rest / area);
-        rest %= area;
-    }
-    return q;
+    gradient q =
+        divide((uint64_t)(n < 0 ? -n : n), (uint64_t)(area < 0 ? -area : area));
+    return (n < 0) != (area < 0) ? 0 - q : q;
 }
 
 static gradient gradient_of(const struct setup *s, int64_t n)
 {
-    return s->exact ? by_long_division(n, s->area)
-                    : by_reciprocal(&s->inverse, n);
+    return s->exact ? by_long_division(n, s->area) : by_reciprocal(s, n);
 }
 
-/* Channel k. The anchor is the pixel of A: at its centre the value is a plus
- * the gradients times the way there, -127..128 sub-pixels in x and y. From
- * there back to pixel (0, 0). Bits 8..39 of `way` are what 32 bits of 8.24 need
- * of it, and those are right modulo 2^64. */
-static void set_channel(struct pel_gouraud *p, const struct setup *s, int k,
-                        const int32_t value[3])
+/* Channel k with the values a, b, c at the vertices. At the centre of A's pixel
+ * the value is a plus the gradients times the way there, -127..128 sub-pixels
+ * in x and y. From there back to pixel (0, 0). Bits 8..39 of `way` are what 32
+ * bits of 8.24 need of it, and those are right modulo 2^64. */
+static PEL_NOINLINE void set_channel(struct pel_gouraud *p,
+                                     const struct setup *s, int k,
+                                     const int32_t value[3])
 {
     const int32_t b = value[1] - value[0], c = value[2] - value[0];
-    gradient gx = gradient_of(s, (int64_t)b * (s->c->y - s->a->y) -
-                                     (int64_t)c * (s->b->y - s->a->y));
-    gradient gy = gradient_of(s, (int64_t)c * (s->b->x - s->a->x) -
-                                     (int64_t)b * (s->c->x - s->a->x));
-    const int32_t x = pel_pixel_of(s->a->x), y = pel_pixel_of(s->a->y);
-    gradient way = gx * (gradient)(int64_t)(pel_pixel_center(x) - s->a->x) +
-                   gy * (gradient)(int64_t)(pel_pixel_center(y) - s->a->y);
+    gradient gx = gradient_of(s, (int64_t)b * (s->c.y - s->a.y) -
+                                     (int64_t)c * (s->b.y - s->a.y));
+    gradient gy = gradient_of(s, (int64_t)c * (s->b.x - s->a.x) -
+                                     (int64_t)b * (s->c.x - s->a.x));
+    const int32_t x = pel_pixel_of(s->a.x), y = pel_pixel_of(s->a.y);
+    gradient way = gx * (gradient)(int64_t)(pel_pixel_center(x) - s->a.x) +
+                   gy * (gradient)(int64_t)(pel_pixel_center(y) - s->a.y);
     p->dx[k] = (uint32_t)gx;
     p->dy[k] = (uint32_t)gy;
     p->at[k] = ((uint32_t)value[0] << 24) + 0x800000u + (uint32_t)(way >> 8) -
                (uint32_t)x * p->dx[k] - (uint32_t)y * p->dy[k];
 }
 
-static void set_level(struct pel_gouraud *p, int k, uint32_t value)
+static int topmost(const struct pel_point v[3])
 {
-    p->at[k] = (value << 24) + 0x800000u;
-    p->dx[k] = 0;
-    p->dy[k] = 0;
+    int i = pel_above(&v[1], &v[0]) ? 1 : 0;
+    return pel_above(&v[2], &v[i]) ? 2 : i;
+}
+
+static void set_geometry(struct setup *s)
+{
+    s->area = (int64_t)(s->b.x - s->a.x) * (s->c.y - s->a.y) -
+              (int64_t)(s->c.x - s->a.x) * (s->b.y - s->a.y);
+    s->exact = s->area == 0 || !reciprocal_is_enough(s);
+    if (!s->exact)
+        set_reciprocal(s);
 }
 
 void pel_gouraud_init(struct pel_gouraud *paint, const struct pel_point v[3],
                       const pel_color c[3])
 {
-    const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
-    pel_sort3(p);
-    struct setup s = {.a = p[0], .b = p[1], .c = p[2]};
-    const struct pel_point sorted[3] = {*s.a, *s.b, *s.c};
-    const pel_color color[3] = {c[s.a - v], c[s.b - v], c[s.c - v]};
-    s.area = pel_points_legal(v, 3) ? pel_triangle_area(sorted) : 0;
-    s.exact = s.area == 0 || !reciprocal_is_enough(&s);
-    s.inverse = reciprocal_of(s.exact ? 1 : s.area);
-    paint->paint = (struct pel_paint){pel_gouraud_fill, PEL_GOURAUD_FAST};
+    const int a = topmost(v), b = a == 2 ? 0 : a + 1, last = 3 - a - b;
+    struct setup s = {.a = v[a], .b = v[b], .c = v[last]};
+    const bool legal = pel_points_legal(v, 3);
+    paint->paint =
+        (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
     paint->opaque = pel_alpha(c[0] & c[1] & c[2]) == 255;
+    if (legal)
+        set_geometry(&s);
     for (int k = 0; k < 4; k++) {
-        const int32_t value[3] = {(int32_t)(color[0] >> 8 * k & 255),
-                                  (int32_t)(color[1] >> 8 * k & 255),
-                                  (int32_t)(color[2] >> 8 * k & 255)};
-        if (s.area == 0 || (value[0] == value[1] && value[1] == value[2]))
-            set_level(paint, k, (uint32_t)value[0]);
-        else
+        const int32_t value[3] = {(int32_t)(c[a] >> 8 * k & 255),
+                                  (int32_t)(c[b] >> 8 * k & 255),
+                                  (int32_t)(c[last] >> 8 * k & 255)};
+        paint->at[k] = ((uint32_t)value[0] << 24) + 0x800000u;
+        paint->dx[k] = 0;
+        paint->dy[k] = 0;
+        if (legal && s.area != 0 && !(k == 3 && paint->opaque))
             set_channel(paint, &s, k, value);
     }
 }

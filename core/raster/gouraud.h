@@ -27,14 +27,9 @@ void pel_gouraud_init(struct pel_gouraud *paint, const struct pel_point v[3],
 void pel_gouraud_fill(const struct pel_paint *paint,
                       const struct pel_rows *rows);
 
-#if PEL_FAST_64BIT
-#define PEL_GOURAUD_FAST pel_gouraud_fast
 bool pel_gouraud_fast(const struct pel_paint *paint,
                       const struct pel_surface *surface,
                       const struct pel_fast_triangle *triangle);
-#else
-#define PEL_GOURAUD_FAST NULL
-#endif
 
 /* pel_triangle with that paint. */
 void pel_triangle_gouraud(const struct pel_surface *surface,

@@ -10,8 +10,9 @@
 #include "gouraud.h"
 
 /* Blue, green and red at pixel (x, y). */
-static inline void pel_gouraud_at(const struct pel_gouraud *g, int32_t x,
-                                  int32_t y, uint32_t v[3])
+static PEL_ALWAYS_INLINE void pel_gouraud_at(const struct pel_gouraud *g,
+                                             int32_t x, int32_t y,
+                                             uint32_t v[3])
 {
     for (int k = 0; k < 3; k++)
         v[k] = g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k];

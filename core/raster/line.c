@@ -1,106 +1,114 @@
 #include "line.h"
 
-#include "collect.h"
 #include "edge.h"
 
-/* Both cases are walks of an exact edge (edge.h).
+/* Both cases are walks of an exact edge (edge.h), one run a row.
  *
  * Flat lines are moved down by half a pixel, so that the walk's row y answers
  * for the boundary above row y: its x is where the run of row y begins. A
  * centre exactly on the boundary belongs to the row below, that is to the run
  * towards which x runs; so a line that runs left is walked in a mirror, where
- * pixel x is pixel -1 - x. */
-
-struct run {
-    struct pel_collector *out;
-    const struct pel_rect *clip;
-    bool mirrored;
+ * pixel x is pixel -1 - x.
+ *
+ * Steep lines have the pixel floor(X / 256) in a row, X the line's x at the
+ * row's centre: that is -ceil((128 - X - 128) / 256), the walk of -X + 128. */
+struct walk {
+    struct pel_rect p; /* pixels (x0, y0) to (x1, y1), downwards */
+    struct pel_edge edge;
+    int32_t x; /* flat: where the run of the present row begins */
+    bool flat, mirrored;
 };
 
-static void put(struct run *r, int32_t y, int32_t x0, int32_t x1)
+/* A flat line from row y on; the boundary at hand is the one below. */
+static void start_flat(struct walk *w, int32_t y)
 {
-    if (r->mirrored) {
-        int32_t t = -x0;
-        x0 = -x1;
-        x1 = t;
-    }
-    x0 = pel_max(x0, r->clip->x0);
-    x1 = pel_min(x1, r->clip->x1);
-    if (x0 < x1)
-        pel_collect(r->out, y, x0, x1);
-}
-
-/* Longer in x, and running right and down: pixels (x0, y0) to (x1, y1). */
-static void flat_line(struct run *r, const struct pel_rect *p)
-{
+    const struct pel_rect *p = &w->p;
     const struct pel_point a = {pel_pixel_center(p->x0), PEL_PX(p->y0 + 1)};
     const struct pel_point b = {pel_pixel_center(p->x1), PEL_PX(p->y1 + 1)};
-    struct pel_edge e = {0, 0, 0, 0, 0};
-    int32_t y = pel_max(p->y0, r->clip->y0);
-    int32_t end = pel_min(p->y1 + 1, r->clip->y1);
-    int32_t x = p->x0;
-    if (y >= end)
+    w->x = p->x0;
+    if (p->y0 == p->y1)
         return;
-    if (p->y0 < p->y1)
-        pel_edge_start(&e, &a, &b, pel_max(y, p->y0 + 1));
+    pel_edge_start(&w->edge, &a, &b, pel_max(y, p->y0 + 1));
     if (y > p->y0) {
-        x = e.x;
-        pel_edge_next(&e);
-    }
-    for (; y < end; y++) {
-        int32_t next = y < p->y1 ? e.x : p->x1 + 1;
-        put(r, y, x, next);
-        x = next;
-        pel_edge_next(&e);
+        w->x = w->edge.x;
+        pel_edge_next(&w->edge);
     }
 }
 
-/* Longer in y, running down: row y has the pixel floor(X / 256), X the line's x
- * at the row's centre; that is -ceil((128 - X - 128) / 256). */
-static void steep_line(struct run *r, const struct pel_rect *p)
+static void start_steep(struct walk *w, int32_t y)
 {
+    const struct pel_rect *p = &w->p;
     const struct pel_point a = {-PEL_PX(p->x0), pel_pixel_center(p->y0)};
     const struct pel_point b = {-PEL_PX(p->x1), pel_pixel_center(p->y1)};
-    struct pel_edge e;
-    int32_t y = pel_max(p->y0, r->clip->y0);
-    int32_t end = pel_min(p->y1 + 1, r->clip->y1);
-    if (y >= end)
-        return;
-    pel_edge_start(&e, &a, &b, y);
-    for (; y < end; y++) {
-        put(r, y, -e.x, 1 - e.x);
-        pel_edge_next(&e);
-    }
+    pel_edge_start(&w->edge, &a, &b, y);
 }
 
-static void draw(struct run *r, struct pel_rect p)
+static PEL_NOINLINE void start(struct walk *w, int32_t y)
 {
-    int32_t dx = p.x1 - p.x0, dy = p.y1 - p.y0;
-    if (dy > dx && dy > -dx) {
-        steep_line(r, &p);
-        return;
+    const int32_t dx = w->p.x1 - w->p.x0, dy = w->p.y1 - w->p.y0;
+    w->flat = dy <= dx || dy <= -dx;
+    w->mirrored = w->flat && dx < 0;
+    if (w->mirrored) {
+        w->p.x0 = -1 - w->p.x0;
+        w->p.x1 = -1 - w->p.x1;
     }
-    if (dx < 0) {
-        r->mirrored = true;
-        p.x0 = -1 - p.x0;
-        p.x1 = -1 - p.x1;
+    if (w->flat)
+        start_flat(w, y);
+    else
+        start_steep(w, y);
+}
+
+/* The run of row y, and on to the next row. */
+static PEL_WALK void next_run(struct walk *w, int32_t y, struct pel_row *run)
+{
+    int32_t x = -w->edge.x, next = x + 1;
+    if (w->flat) {
+        x = w->x;
+        next = y < w->p.y1 ? w->edge.x : w->p.x1 + 1;
+        w->x = next;
     }
-    flat_line(r, &p);
+    run->x0 = w->mirrored ? -next : x;
+    run->x1 = w->mirrored ? -x : next;
+    pel_edge_next(&w->edge);
+}
+
+/* Rows [y, end) of the walk, clipped. */
+static void fill(struct walk *w, const struct pel_surface *surface, int32_t y,
+                 int32_t end, const struct pel_paint *paint)
+{
+    const struct pel_rect *clip = &surface->clip;
+    struct pel_row row[PEL_BATCH_ROWS];
+    struct pel_rows rows = {surface, row, y, 0, 1};
+    for (; rows.y < end; rows.y += rows.n) {
+        rows.n = pel_min(end - rows.y, PEL_BATCH_ROWS);
+        for (int32_t i = 0; i < rows.n; i++) {
+            next_run(w, rows.y + i, &row[i]);
+            row[i].x0 = pel_max(row[i].x0, clip->x0);
+            row[i].x1 = pel_min(row[i].x1, clip->x1);
+        }
+        paint->fill(paint, &rows);
+    }
 }
 
 void pel_line(const struct pel_surface *surface, struct pel_point from,
               struct pel_point to, const struct pel_paint *paint)
 {
-    bool legal = pel_points_legal(&from, 1) && pel_points_legal(&to, 1);
+    bool legal = pel_point_legal(from) && pel_point_legal(to);
     PEL_ASSERT(legal);
     if (!legal)
         return;
-    struct pel_collector c;
-    struct run r = {&c, &surface->clip, false};
-    struct pel_rect down = {pel_pixel_of(from.x), pel_pixel_of(from.y),
-                            pel_pixel_of(to.x), pel_pixel_of(to.y)};
-    struct pel_rect up = {down.x1, down.y1, down.x0, down.y0};
-    pel_collect_begin(&c, surface, paint);
-    draw(&r, down.y0 <= down.y1 ? down : up);
-    pel_collect_end(&c);
+    struct walk w;
+    if (from.y <= to.y)
+        w.p = (struct pel_rect){pel_pixel_of(from.x), pel_pixel_of(from.y),
+                                pel_pixel_of(to.x), pel_pixel_of(to.y)};
+    else
+        w.p = (struct pel_rect){pel_pixel_of(to.x), pel_pixel_of(to.y),
+                                pel_pixel_of(from.x), pel_pixel_of(from.y)};
+    w.edge = (struct pel_edge){0, 0, 0, 0, 0};
+    const int32_t y = pel_max(w.p.y0, surface->clip.y0);
+    const int32_t end = pel_min(w.p.y1 + 1, surface->clip.y1);
+    if (y >= end)
+        return;
+    start(&w, y);
+    fill(&w, surface, y, end, paint);
 }

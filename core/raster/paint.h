@@ -19,11 +19,26 @@ struct pel_paint {
     void (*fill)(const struct pel_paint *paint, const struct pel_rows *rows);
 
     /* May colour a whole triangle that is not clipped, in its own row loop
-     * (raster/fast_triangle.h); false when it did nothing. May be NULL. */
+     * (raster/fast_triangle.h); false when it did nothing. May be NULL, and is
+     * not called where PEL_FAST_64BIT is 0. */
     bool (*fast)(const struct pel_paint *paint,
                  const struct pel_surface *surface,
                  const struct pel_fast_triangle *triangle);
 };
+
+/* Initialiser of a paint with both functions; the second is linked only where
+ * it is called. */
+#if PEL_FAST_64BIT
+#define PEL_PAINT(fill, fast) \
+    {                         \
+        fill, fast            \
+    }
+#else
+#define PEL_PAINT(fill, fast) \
+    {                         \
+        fill, NULL            \
+    }
+#endif
 
 /* One colour. Alpha 255 stores it, 0 draws nothing, any other value blends it
  * over what is there (pel_mix). A const struct in flash will do:
@@ -33,25 +48,25 @@ struct pel_flat {
     pel_color color;
 };
 
-#define PEL_FLAT(color)                         \
-    {                                           \
-        {pel_flat_fill, PEL_FLAT_FAST}, (color) \
+#define PEL_FLAT(color)                                  \
+    {                                                    \
+        PEL_PAINT(pel_flat_fill, pel_flat_fast), (color) \
     }
 
 void pel_flat_fill(const struct pel_paint *paint, const struct pel_rows *rows);
 
-#if PEL_FAST_64BIT
-#define PEL_FLAT_FAST pel_flat_fast
 bool pel_flat_fast(const struct pel_paint *paint,
                    const struct pel_surface *surface,
                    const struct pel_fast_triangle *triangle);
-#else
-#define PEL_FLAT_FAST NULL
-#endif
 
-/* For fill functions: n colours, 1 <= n <= PEL_BUFFER_PIXELS, onto the pixels
- * from (x, y) on, each weighted by its own alpha. */
-void pel_put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
-                    int32_t n, const pel_color *colors);
+/* For fill functions: n >= 1 colours over the pixels from (x, y) on, each
+ * weighted by its own alpha. A fill-only twin cannot: a broken contract. */
+static inline void pel_put_colors(const struct pel_surface *surface, int32_t x,
+                                  int32_t y, int32_t n, const pel_color *colors)
+{
+    PEL_ASSERT(surface->format->put);
+    if (surface->format->put)
+        surface->format->put(surface, x, y, n, colors);
+}
 
 #endif

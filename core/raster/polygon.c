@@ -28,8 +28,9 @@ size_t pel_polygon_scratch_size(int32_t n)
     return (size_t)n * each;
 }
 
-static void add_side(struct sweep *w, const struct pel_point *a,
-                     const struct pel_point *b, const struct pel_rect *clip)
+static PEL_NOINLINE void add_side(struct sweep *w, const struct pel_point *a,
+                                  const struct pel_point *b,
+                                  const struct pel_rect *clip)
 {
     struct side *s = &w->side[w->count];
     s->winding = 1;
@@ -58,8 +59,6 @@ static int32_t x_of(const struct sweep *w, int32_t i)
     return w->side[w->order[i]].edge.x;
 }
 
-typedef int32_t key_function(const struct sweep *w, int32_t i);
-
 static void swap(int32_t *a, int32_t *b)
 {
     int32_t t = *a;
@@ -67,19 +66,27 @@ static void swap(int32_t *a, int32_t *b)
     *b = t;
 }
 
+enum key { BY_FIRST_ROW, BY_X };
+
+static int32_t key_of(const struct sweep *w, int32_t i, enum key key)
+{
+    return key == BY_X ? x_of(w, i) : first_of(w, i);
+}
+
 static void sift_down(struct sweep *w, int32_t root, int32_t count,
-                      key_function *key)
+                      enum key key)
 {
     for (int32_t child; (child = 2 * root + 1) < count; root = child) {
-        if (child + 1 < count && key(w, child + 1) > key(w, child))
+        if (child + 1 < count &&
+            key_of(w, child + 1, key) > key_of(w, child, key))
             child++;
-        if (key(w, root) >= key(w, child))
+        if (key_of(w, root, key) >= key_of(w, child, key))
             return;
         swap(&w->order[root], &w->order[child]);
     }
 }
 
-static void heap_sort(struct sweep *w, int32_t count, key_function *key)
+static PEL_NOINLINE void heap_sort(struct sweep *w, int32_t count, enum key key)
 {
     for (int32_t i = count / 2 - 1; i >= 0; i--)
         sift_down(w, i, count, key);
@@ -108,7 +115,7 @@ static void sort_by_x(struct sweep *w)
         w->order[j] = moving;
         patience -= i - j;
         if (patience < 0) {
-            heap_sort(w, w->active, x_of);
+            heap_sort(w, w->active, BY_X);
             return;
         }
     }
@@ -139,7 +146,7 @@ static void emit_row(const struct sweep *w, struct pel_collector *c, int32_t y)
 }
 
 /* Moves on to row y; sides that end there leave. */
-static void advance(struct sweep *w, int32_t y)
+static PEL_NOINLINE void advance(struct sweep *w, int32_t y)
 {
     int32_t kept = 0;
     for (int32_t i = 0; i < w->active; i++) {
@@ -165,8 +172,8 @@ static void sweep_rows(struct sweep *w, struct pel_collector *c)
     }
 }
 
-static enum pel_status check(const struct pel_outline *p, const void *scratch,
-                             size_t size)
+static PEL_NOINLINE enum pel_status check(const struct pel_outline *p,
+                                          const void *scratch, size_t size)
 {
     if (!p->v || !scratch)
         return PEL_ERROR_NULL;
@@ -197,7 +204,7 @@ enum pel_status pel_polygon(const struct pel_surface *surface,
         add_side(&w, previous, &outline->v[i], &surface->clip);
         previous = &outline->v[i];
     }
-    heap_sort(&w, w.count, first_of);
+    heap_sort(&w, w.count, BY_FIRST_ROW);
     struct pel_collector c;
     pel_collect_begin(&c, surface, paint);
     sweep_rows(&w, &c);

@@ -16,7 +16,7 @@ static void fill_rows(const struct pel_surface *surface,
 void pel_rectangle(const struct pel_surface *surface, struct pel_point from,
                    struct pel_point to, const struct pel_paint *paint)
 {
-    bool legal = pel_points_legal(&from, 1) && pel_points_legal(&to, 1);
+    bool legal = pel_point_legal(from) && pel_point_legal(to);
     PEL_ASSERT(legal);
     if (!legal)
         return;

@@ -20,8 +20,8 @@ static void walk_long(struct pel_edge *edge, struct pel_row *row, int32_t n)
 
 /* Then the other edge. Both follow one formula, so which of them is the left
  * one is decided here: a row is [min, max) of the two, inside the clip. */
-static void walk_short(struct pel_edge *edge, struct pel_row *row, int32_t n,
-                       const struct pel_rect *clip)
+static PEL_WALK void walk_short(struct pel_edge *edge, struct pel_row *row,
+                                int32_t n, const struct pel_rect *clip)
 {
     struct pel_edge e = *edge;
     const int32_t left = clip->x0, right = clip->x1;
@@ -42,8 +42,11 @@ static void fill_half(const struct pel_surface *surface,
                       int32_t y, int32_t end)
 {
     struct pel_row row[PEL_BATCH_ROWS];
-    struct pel_rows rows = {surface, row, y, 0, 1};
-    for (; rows.y < end; rows.y += rows.n) {
+    struct pel_rows rows;
+    rows.surface = surface;
+    rows.row = row;
+    rows.step = 1;
+    for (rows.y = y; rows.y < end; rows.y += rows.n) {
         int32_t n = pel_min(end - rows.y, PEL_BATCH_ROWS);
         walk_long(&side[0], row, n);
         walk_short(&side[1], row, n, &surface->clip);
@@ -55,8 +58,10 @@ static void fill_half(const struct pel_surface *surface,
 void pel_triangle(const struct pel_surface *surface,
                   const struct pel_point v[3], const struct pel_paint *paint)
 {
+    if (pel_fast_triangle(surface, v, paint))
+        return;
     PEL_ASSERT(pel_points_legal(v, 3));
-    if (!pel_points_legal(v, 3) || pel_fast_triangle(surface, v, paint))
+    if (!pel_points_legal(v, 3))
         return;
     const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
     struct pel_edge side[2];

@@ -36,7 +36,7 @@ static void plane_clear(struct plane *p, int32_t reach)
 {
     for (int32_t y = -reach; y <= reach; y++)
         memset(&p->hit[y - LEFT][-reach - LEFT], 0, (size_t)(2 * reach + 1));
-    p->paint = (struct pel_paint){plane_fill, NULL};
+    p->paint = (struct pel_paint){.fill = plane_fill};
 }
 
 static int setup(void **state)

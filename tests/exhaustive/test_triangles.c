@@ -137,7 +137,7 @@ static void check_all(struct picture *p, int32_t clip)
 
 static void test_quarter_pixels(void **state)
 {
-    struct picture p = {{take_rows, NULL}, 0, false};
+    struct picture p = {{.fill = take_rows}, 0, false};
     (void)state;
     lattice_open(16, 64);
     check_all(&p, WINDOW / 2);
@@ -145,7 +145,7 @@ static void test_quarter_pixels(void **state)
 
 static void test_half_pixels(void **state)
 {
-    struct picture p = {{take_rows, NULL}, 0, false};
+    struct picture p = {{.fill = take_rows}, 0, false};
     (void)state;
     lattice_open(12, 128);
     check_all(&p, WINDOW / 2);

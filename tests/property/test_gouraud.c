@@ -8,7 +8,7 @@
 #include "tests/support/shapes.h"
 
 /* The bound, in 2^-24 of a step: 2^-17 for every pixel of the way from the
- * pixel of the topmost vertex, and 1/16 step. */
+ * pixel of the topmost vertex and one more, and 1/16 step. */
 static int64_t bound_at(const struct pel_point v[3], int32_t x, int32_t y)
 {
     const struct pel_point *top = &v[0];
@@ -16,7 +16,7 @@ static int64_t bound_at(const struct pel_point v[3], int32_t x, int32_t y)
         if (v[i].y < top->y || (v[i].y == top->y && v[i].x < top->x))
             top = &v[i];
     int64_t dx = x - pel_pixel_of(top->x), dy = y - pel_pixel_of(top->y);
-    int64_t way = (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy);
+    int64_t way = (dx < 0 ? -dx : dx) + (dy < 0 ? -dy : dy) + 1;
     return way < 8192 ? way * 128 : 1048576;
 }
 

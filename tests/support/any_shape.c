@@ -40,9 +40,11 @@ static int32_t random_radius(struct random *r, const struct any_shape *s)
 
 static uint16_t random_turn(struct random *r)
 {
-    uint32_t turn = random_word(r);
-    if (turn >> 30 == 0)
-        turn = (turn & 0xE000u) + (uint32_t)random_between(r, -1, 1);
+    uint32_t turn = random_word(r), kind = random_word(r) % 8;
+    if (kind < 4)
+        turn &= 0xE000u;
+    if (kind == 0)
+        turn += (uint32_t)random_between(r, -1, 1);
     return (uint16_t)turn;
 }
 

@@ -46,7 +46,7 @@ void hits_open(struct hits *h, const struct pel_rect *bounds)
     static uint8_t nothing;
     int32_t width = bounds->x1 - bounds->x0, height = bounds->y1 - bounds->y0;
     assert_true(width * height <= HITS_MAX);
-    h->paint = (struct pel_paint){fill, NULL};
+    h->paint = (struct pel_paint){.fill = fill};
     assert_int_equal(
         pel_surface_init_rect(&h->surface, &pel_gray8, &nothing, width, bounds),
         PEL_OK);

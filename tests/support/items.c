@@ -9,7 +9,7 @@ const struct core core_default = {pel_triangle,
                                   pel_circle,
                                   pel_line,
                                   pel_rectangle,
-                                  {pel_flat_fill, PEL_FLAT_FAST}};
+                                  PEL_PAINT(pel_flat_fill, pel_flat_fast)};
 
 static pel_color random_color(struct random *r, bool opaque)
 {

@@ -1,5 +1,6 @@
 # The golden scenes on other CPUs, by other compilers and at other levels: the
-# same bytes everywhere. A build is named COMPILER-CPU-LEVEL, with the variant behind it.
+# same bytes everywhere. A build is named COMPILER-CPU-LEVEL or, of a variant of
+# core, COMPILER-CPU-LEVEL-VARIANT.
 
 .PHONY: check-cpus deep-cpus need-cpus
 
@@ -63,7 +64,7 @@ cpu_build = $(call cpu_build_of,$1,$(call cpu_word,1,$1),$(call \
     cpu_word,2,$1),$(call cpu_word,3,$1),$(call cpu_word,4,$1))
 
 # The many rules of the deep builds only where they are asked for.
-CPU_BUILDS := $(if $(filter deep-cpus,$(MAKECMDGOALS)),$(CPU_DEEP),$(CPU_CHECK))
+CPU_BUILDS := $(if $(filter deep deep-cpus,$(MAKECMDGOALS)),$(CPU_DEEP),$(CPU_CHECK))
 $(foreach b,$(CPU_BUILDS),$(eval $(call cpu_build,$b)))
 
 need-cpus:
@@ -83,5 +84,7 @@ check-cpus: $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes) ## the golden scenes on other 
 
 deep-cpus: $(CPU_DEEP:%=$(BUILD)/cpus/%/scenes) ## the same for all CPUs, compilers and levels
 	printf '%s\n' $(call cpu_lines,$(CPU_DEEP)) | tests/tools/cpus.sh $(BUILD)
+
+deep: deep-cpus
 
 -include $(foreach b,$(CPU_BUILDS),$(wildcard $(BUILD)/cpus/$b/*/*/*.d))

@@ -2,7 +2,7 @@
 # layers_headers.sh CC WARNINGS... : every header of core compiles on its own,
 # twice included, as C99; the public ones, to which pel.h leads, as C++11 too.
 set -u
-cd "$(dirname "$0")/../.."
+cd "$(dirname "$0")/../.." || exit 1
 cc=$1
 shift
 warnings=$*

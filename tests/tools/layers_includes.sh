@@ -7,12 +7,14 @@ cd "$(dirname "$0")/../.."
 
 find core drivers port -name '*.[ch]' | sort | xargs awk '
     BEGIN {
-        allow("core", "core/base core/format core/raster core/scene core/asset")
+        allow("core", "core/base core/format core/raster core/scene" \
+              " core/asset core/image")
         allow("core/base", "core")
         allow("core/format", "core core/base")
         allow("core/raster", "core core/base core/format")
         allow("core/scene", "core core/base core/format core/raster")
         allow("core/asset", "core core/base")
+        allow("core/image", "core core/base core/asset core/format core/raster")
         allow("drivers", "core core/base core/format core/raster port")
         allow("port", "core core/base core/format core/raster drivers")
         split("stdint.h stdbool.h stddef.h string.h", names, " ")

@@ -3,6 +3,8 @@
  *
  *     console_state /dev/ttyN      the state of that terminal, of standard
  *                                  input and of /dev/fb0
+ *     console_state -scramble      what a bad program does: standard input no
+ *                                  longer waits, its keyboard is raw
  *     console_state -default COMMAND...
  *                                  runs the command with no signal ignored (a
  *                                  shell's background jobs ignore some) */
@@ -56,8 +58,16 @@ static void print_framebuffer(void)
            v.bits_per_pixel, sum);
 }
 
+static int scramble(void)
+{
+    return fcntl(0, F_SETFL, fcntl(0, F_GETFL) | O_NONBLOCK) ||
+           ioctl(0, KDSKBMODE, K_RAW);
+}
+
 int main(int argc, char **argv)
 {
+    if (argc == 2 && strcmp(argv[1], "-scramble") == 0)
+        return scramble();
     if (argc > 2 && strcmp(argv[1], "-default") == 0) {
         for (int i = 1; i < 32; i++)
             signal(i, SIG_DFL);

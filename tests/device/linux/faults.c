@@ -2,7 +2,8 @@
  * fails with each errno that it may have, n = 1, 2, ... until a run has fewer
  * calls. Every run must end by itself, succeed or tell why not, leave the
  * console as it was, and no descriptor, child or mapping behind. Runs on a
- * virtual terminal (standard input). */
+ * virtual terminal (standard input). DEVICE /dev/ttyN: resets that console
+ * instead. */
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/fb.h>
@@ -46,6 +47,7 @@ struct console {
     int mode, keyboard, switching, active, input_flags;
     struct termios termios;
     struct fb_var_screeninfo variables;
+    unsigned short palette[3][256];
 };
 
 static void read_console(struct console *c)
@@ -63,6 +65,11 @@ static void read_console(struct console *c)
     c->active = status.v_active;
     c->input_flags = fcntl(0, F_GETFL);
     ioctl(fb, FBIOGET_VSCREENINFO, &c->variables);
+    struct fb_cmap map = {.len = 256,
+                          .red = c->palette[0],
+                          .green = c->palette[1],
+                          .blue = c->palette[2]};
+    ioctl(fb, FBIOGETCMAP, &map);
     close(fb);
 }
 
@@ -104,16 +111,26 @@ static enum pel_status draw_frames(struct pel_display_linux *screen)
     return status;
 }
 
+/* What is tested: PEL_OK, or an error with its message. */
+static enum pel_status draw_or_reset(struct pel_display_linux *screen,
+                                     const char *device)
+{
+    if (strncmp(device, "/dev/tty", 8) == 0)
+        return pel_console_reset(device, &screen->message) ? PEL_ERROR_DEVICE
+                                                           : PEL_OK;
+    enum pel_status status = pel_display_linux_open(screen, device, PEL_FB_ANY);
+    if (status == PEL_OK) {
+        status = draw_frames(screen);
+        pel_display_linux_close(screen);
+    }
+    return status;
+}
+
 static int session(const char *device)
 {
     static struct pel_display_linux screen;
     int files = open_files();
-    enum pel_status status =
-        pel_display_linux_open(&screen, device, PEL_FB_ANY);
-    if (status == PEL_OK) {
-        status = draw_frames(&screen);
-        pel_display_linux_close(&screen);
-    }
+    enum pel_status status = draw_or_reset(&screen, device);
     int happened = fault_happened();
     fault_set(FAULT_CALLS, 0, 0);
     int verdict = status == PEL_OK         ? PASSED
@@ -177,14 +194,15 @@ int main(int argc, char **argv)
     }
     read_console(&before);
     for (int call = 0; call < FAULT_CALLS; call++) {
-        int runs = 0;
+        int runs = 0, bad_before = bad;
         for (int e = 0; e < MOST_ERRORS && errors[call][e]; e++) {
             int n = all_places(argv[1], (enum fault_call)call, errors[call][e],
                                &before);
             bad += n < 0;
             runs += n > 0 ? n : 0;
         }
-        printf("PASS faults: %s failed in %d places\n", fault_names[call],
+        printf("%s %s: %s failed in %d places\n",
+               bad == bad_before ? "PASS" : "FAIL", argv[1], fault_names[call],
                runs);
         fflush(stdout);
     }

@@ -1,6 +1,6 @@
 /* Sets and tells the mode of a framebuffer, for tests; knows nothing of Pel.
  *
- *     fb_mode [BITS [WIDTH HEIGHT [VIRTUAL_WIDTH VIRTUAL_HEIGHT]]]
+ *     fb_mode [BITS [WIDTH HEIGHT [VIRTUAL_WIDTH VIRTUAL_HEIGHT [ALPHA]]]]
  *         0 leaves a value as it is. Prints the mode that then is. Status 1:
  *         the kernel refused it.
  *     fb_mode -read FILE.ppm
@@ -94,6 +94,8 @@ int main(int argc, char **argv)
         v.yres_virtual = v.yres;
         set(&v.xres_virtual, argc, argv, 4);
         set(&v.yres_virtual, argc, argv, 5);
+        v.transp.length = 0;
+        set(&v.transp.length, argc, argv, 6);
         v.xoffset = v.yoffset = 0;
         v.activate = FB_ACTIVATE_NOW;
         if (ioctl(fd, FBIOPUT_VSCREENINFO, &v) || get(fd))

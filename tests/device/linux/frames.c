@@ -1,5 +1,6 @@
 /* frames DEVICE [COUNT]: draws frames, for ever when no count is given; ends
- * with status 2 when the device fails, and tells after how many. */
+ * with status 2 when the device fails, and tells after how many. A negative
+ * count: overflows its stack instead of drawing. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -24,8 +25,18 @@ static enum pel_status draw(struct pel_display_linux *screen, long frame)
     return status == PEL_OK ? pel_display_flip(display) : status;
 }
 
+static int overflow(volatile char *above)
+{
+    volatile char here[4096];
+    here[0] = above[0];
+    if (here[0])
+        return 0;
+    return overflow(here) + here[0];
+}
+
 int main(int argc, char **argv)
 {
+    volatile char top = 0;
     static struct pel_display_linux screen;
     const long most = argc > 2 ? atol(argv[2]) : 1000000000;
     long frame = 0;
@@ -40,6 +51,8 @@ int main(int argc, char **argv)
         pel_display_linux_wait(&screen, 0);
         status = draw(&screen, frame);
     }
+    if (most < 0)
+        return overflow(&top);
     pel_display_linux_close(&screen);
     if (status != PEL_OK)
         fprintf(stderr, "frames: %ld frames, then: %s\n", frame - 1,

@@ -39,9 +39,11 @@ wait_drawn() {
     [ -d /proc/$pid ]
 }
 
-# 100 ms for drivers that show what was stored when the page is next scanned.
+# DRM drivers show what was stored with a delay: 100 ms at most.
 settle() {
-    usleep 150000
+    if grep -q drm /proc/fb; then
+        usleep 120000
+    fi
 }
 
 # Shows one scene and notes what the host has to compare.

@@ -58,7 +58,7 @@ end() { # HOW
         key) press spc ;;
         switch)
             switch_away_and_back || fail "$1: picture or terminal is wrong"
-            press ret
+            press spc
             ;;
         *) kill -"$1" $pid ;;
     esac
@@ -84,8 +84,10 @@ end_case() { # HOW
     before=$(state)
     start $pel run /mnt/scenes/cover.pel --device $device
     wait_drawn || fail "$1: not drawn: $(cat $log)"
+    /mnt/console_state -scramble <&3 || fail "$1: cannot scramble"
     during=$(state)
-    echo "$during" | grep -q '^graphics 1 .* switching 1 ' ||
+    echo "$during" | grep -q \
+        '^graphics 1 keyboard 0 switching 1 .* nonblocking 1' ||
         fail "$1: the console was not taken: $during"
     end "$1"
     [ "$(cat /tmp/status)" = "$(status_of "$1")" ] ||
@@ -108,6 +110,19 @@ kill_matrix() {
     done
 }
 
+# A crash of its own, with no stack left for the handler.
+overflow_case() {
+    before=$(state)
+    start /mnt/frames $device -1
+    wait $pid
+    status=$?
+    if [ $status = 139 ] && state_becomes "$before"; then
+        pass "stack overflow on $device: all as before"
+    else
+        fail "stack overflow: status $status: $before, $(state)"
+    fi
+}
+
 # The same without the restore must fail, every time; and pel console --reset
 # must repair what is left.
 no_restore_matrix() {
@@ -125,10 +140,13 @@ no_restore_matrix() {
             pass "$how without restore is noticed"
         fi
         /mnt/pel console --reset || fail "pel console --reset: $?"
+        ! state | grep -q ' nonblocking 0 ' ||
+            fail "$how: standard input was restored"
         state | grep -q '^graphics 0 keyboard 3 switching 0 ' ||
             fail "pel console --reset left: $(state)"
     done
     pel=/mnt/pel
+    exec 3<> /dev/tty1
     pass "pel console --reset repairs"
 }
 
@@ -158,6 +176,39 @@ may: sudo usermod -aG video \$USER, then log in again"
     member_case "without one" '^graphics 0 ' '^pel: not on a virtual terminal'
 }
 
+# What is taken when nothing is named, and what is said.
+choice_case() { # PATTERN
+    if wait_drawn && grep -q "$1" $log; then
+        pass "$(head -n 1 $log)"
+    else
+        fail "choice: $1: $(cat $log)"
+    fi
+    kill $pid
+    wait $pid
+}
+
+choice() {
+    auto="$pel run /mnt/reference.pel --device auto"
+    start $auto
+    choice_case '^pel: /dev/fb0 .*: the first framebuffer$'
+    FRAMEBUFFER=/dev/dri/card0 start $auto
+    choice_case '^pel: /dev/dri/card0 .*: named by FRAMEBUFFER$'
+    mv /dev/fb0 /dev/other
+    start $auto
+    choice_case '^pel: /dev/dri/card0 .*: there is no /dev/fb0$'
+    start $pel run /mnt/reference.pel --device fb:/dev/other,shadow
+    choice_case '^pel: /dev/other .* a shadow, copied): asked for$'
+    mv /dev/dri/card0 /dev/card
+    $auto > $log 2>&1
+    if [ $? = 2 ] && grep -q '^pel: no display: ' $log; then
+        pass "$(cat $log)"
+    else
+        fail "no display: $(cat $log)"
+    fi
+    mv /dev/card /dev/dri/card0
+    mv /dev/other /dev/fb0
+}
+
 member_case() { # WHERE STATE MESSAGE
     wait_drawn || fail "member of video, $1: $(cat $log)"
     state | grep -q "$2" || fail "member of video, $1: $(state)"
@@ -171,11 +222,10 @@ member_case() { # WHERE STATE MESSAGE
     fi
 }
 
-faults() {
+faults() { # DEVICE
     before=$(state)
-    /mnt/faults fb:/dev/fb0 <&3 > /tmp/faults 2>&1 ||
-        fail "faults: $(grep -v '^PASS' /tmp/faults | head -n 5)"
-    sed -n "s/^PASS/PASS $row:/p" /tmp/faults
+    /mnt/faults "$1" <&3 2>&1 | sed "s/^PASS/PASS $row:/" ||
+        fail "faults"
     state_becomes "$before" || fail "faults: $before, $(state)"
 }
 

@@ -4,6 +4,7 @@ row_cirrusfb() {
     mode 8 rgb332 6 fb:/dev/fb0 8 640 480
     mode 16 rgb565_le 8 fb:/dev/fb0 16 640 480
     mode 24 rgb888 8 fb:/dev/fb0 24 640 480
+    scenes="/mnt/scenes/cover.pel /mnt/reference.pel"
     mode 16-padded rgb565_le 8 fb:/dev/fb0,pages 16 640 480 800
     mode 24-padded rgb888 8 fb:/dev/fb0,pages 24 640 480 704
     scenes=/mnt/reference.pel
@@ -32,11 +33,11 @@ row_cirrus_32() {
 }
 
 row_vesafb_301() {
-    mode 8 rgb332 6 fb:/dev/fb0
+    mode 8 rgb332 8 fb:/dev/fb0
 }
 
 row_vesafb_310() {
-    mode 15 xrgb1555_le 8 fb:/dev/fb0
+    mode 15 xrgb1555_le 5 fb:/dev/fb0
 }
 
 row_vesafb_311() {
@@ -65,6 +66,7 @@ row_bochs() {
 row_access() {
     . /mnt/guest_console.sh
     access
+    choice
     device=drm:/dev/dri/card0
     ways="key TERM SEGV KILL switch"
     kill_matrix
@@ -73,11 +75,20 @@ row_access() {
 
 row_faults() {
     . /mnt/guest_console.sh
-    faults
+    faults fb:/dev/fb0
+    faults fb:/dev/fb0,shadow
+    $pel console --reset --tty /dev/tty1 || fail "pel console --reset"
+    faults /dev/tty1
+}
+
+row_faults_drm() {
+    . /mnt/guest_console.sh
+    faults drm:/dev/dri/card0
 }
 
 row_virtio() {
     mode 32 xrgb8888 8 fb:/dev/fb0
+    mesh fb:/dev/fb0
     pictures drm xrgb8888 8 drm:/dev/dri/card0
 }
 
@@ -98,11 +109,26 @@ row_vfb() {
     scenes=/mnt/reference.pel
     mode 16-pages bgr565_le 8 fb:/dev/fb0,pages 16 640 480 640 960
     mode 16-padded bgr565_le 8 fb:/dev/fb0 16 640 480 700
+    refused
+}
+
+# A layout that is none of Pel's: its values are told, and nothing is changed.
+refused() {
+    /mnt/fb_mode 16 640 480 640 480 1 > /tmp/mode
+    $pel run /mnt/reference.pel --device fb:/dev/fb0 > $log 2>&1
+    status=$?
+    if [ $status = 2 ] &&
+        grep -q 'layout: .*red 0/5 green 5/5 blue 10/5' $log; then
+        echo "PASS $row: $(cat $log)"
+    else
+        fail "bgr555: status $status: $(cat $log)"
+    fi
 }
 
 row_console() {
     . /mnt/guest_console.sh
     kill_matrix
+    overflow_case
     no_restore_matrix
 }
 
@@ -115,6 +141,13 @@ own_sizes() { # FORMAT DEVICE
         scene=$(echo "reference $size" | tr ' ' '_')
         picture "$scene" "$1" 8 $pel run /tmp/scene.pel --device "$2"
     done
+}
+
+# A mesh, drawn by pel render.
+mesh() { # DEVICE
+    scene=mesh
+    picture mesh xrgb8888 8 $pel render builtin:vase \
+        --size "${width}x$height" --device "$1" --jobs 3
 }
 
 # The kernel says yes to 16 bits and changes nothing: what it then tells counts.

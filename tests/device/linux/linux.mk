@@ -6,16 +6,17 @@ LINUX_CHECK := $(BUILD)/linux
 LINUX_HERE := tests/device/linux
 ifdef XDG_CACHE_HOME
 PEL_CACHE ?= $(XDG_CACHE_HOME)/pel
-else
+else ifdef HOME
 PEL_CACHE ?= $(HOME)/.cache/pel
-endif
+else
 PEL_CACHE ?= $(BUILD)/cache
+endif
 LINUX_CACHE := $(PEL_CACHE)/linux-vm
 LINUX_ROWS := $(shell sed -n 's/^\([a-z0-9_]*\)|.*/\1/p' $(LINUX_HERE)/rows.txt)
 LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 
-LINUX_TOOLS := $(LINUX_CHECK)/vm $(LINUX_CHECK)/screen_check \
-               $(LINUX_CHECK)/reference
+LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display vm screen_check \
+               reference)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore fb_mode \
                console_state faults frames)
 LINUX_STATIC := $(LINUX_CHECK)/static
@@ -29,10 +30,20 @@ comma := ,
 # meshes stay out.
 .PHONY: check-linux linux-image linux-static
 linux-static:
-	+@$(MAKE) --no-print-directory BUILD=$(LINUX_STATIC) SIM_PACKAGES= LDFLAGS='$(LINUX_STATIC_FLAGS)' \
-	    $(LINUX_STATIC)/pel
+	+@$(MAKE) --no-print-directory BUILD=$(LINUX_STATIC) SIM_PACKAGES= \
+	    LDFLAGS='$(LINUX_STATIC_FLAGS)' $(LINUX_STATIC)/pel
 
-$(LINUX_TOOLS): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
+$(LINUX_CHECK)/layout: $(LINUX_HERE)/layout.c $(LINUX_OBJECTS) \
+    $(BUILD)/libpel.a
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $^ $(LINUX_LIBS) -o $@
+
+$(LINUX_CHECK)/display: $(LINUX_HERE)/display.c drivers/display_memory.c \
+    drivers/display.h drivers/display_memory.h $(BUILD)/libpel.a
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $(filter-out %.h,$^) -o $@
+
+$(filter-out %/layout %/display,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $< -o $@
 
@@ -50,17 +61,17 @@ LINUX_STATIC_SIM = $(SIM_OBJECTS:$(BUILD)/%=$(LINUX_STATIC)/%)
 
 $(LINUX_CHECK)/guest/pel_no_restore: $(LINUX_HERE)/no_restore.c linux-static
 	@mkdir -p $(@D)
-	@$(CC) $(LINUX_CFLAGS) $(LINUX_STATIC_FLAGS) -Wl,--wrap=pel_console_state_restore $< \
-	    $(LINUX_STATIC_SIM) $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a \
-	    $(LINUX_LIBS) -lm -o $@
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_STATIC_FLAGS) \
+	    -Wl,--wrap=pel_console_state_restore $< $(LINUX_STATIC_SIM) \
+	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
 
 $(LINUX_CHECK)/guest/frames: $(LINUX_HERE)/frames.c linux-static
 	@mkdir -p $(@D)
-	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) $< $(LINUX_STATIC_OBJECTS) \
-	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) $< \
+	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
 
-$(LINUX_CHECK)/guest/faults: $(LINUX_HERE)/faults.c $(LINUX_HERE)/fault_calls.c \
-    linux-static
+$(LINUX_CHECK)/guest/faults: $(LINUX_HERE)/faults.c \
+    $(LINUX_HERE)/fault_calls.c linux-static
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) \
 	    $(LINUX_FAULTS:%=-Wl$(comma)--wrap=%) $(LINUX_HERE)/faults.c \
@@ -70,7 +81,11 @@ $(LINUX_CHECK)/guest/faults: $(LINUX_HERE)/faults.c $(LINUX_HERE)/fault_calls.c 
 linux-image:
 	@$(LINUX_HERE)/vm_image.sh $(LINUX_CACHE)
 
-check-linux: linux-image $(LINUX_TOOLS) $(LINUX_GUEST) $(BUILD)/pel ## fbdev, DRM and consoles on a real kernel in QEMU
+check-linux: $(BUILD)/pel $(LINUX_TOOLS) $(LINUX_GUEST)
+check-linux: linux-image ## fbdev, DRM and consoles on a real kernel in QEMU
 	@mkdir -p $(LINUX_CHECK)/rows
+	@$(LINUX_CHECK)/layout
+	@$(LINUX_CHECK)/display
+	@$(LINUX_HERE)/jobs.sh $(BUILD)/pel $(LINUX_CHECK)/jobs
 	@printf '%s\n' $(LINUX_ROWS) | xargs -P $(LINUX_JOBS) -n 1 \
 	    $(LINUX_HERE)/check_row.sh $(LINUX_CHECK) $(LINUX_CACHE)

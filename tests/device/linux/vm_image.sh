@@ -13,17 +13,17 @@ modules="9p 9pnet_virtio virtio_pci cirrusfb cirrus bochs virtio-gpu qxl vfb
     [ -s "$folder/vmlinuz" ] && exit 0
 
 need() { # PROGRAM PACKAGE
-    command -v "$1" > /dev/null || PATH=$PATH:/sbin:/usr/sbin command -v "$1" \
-        > /dev/null || {
+    command -v "$1" > /dev/null || {
         echo "vm_image.sh: $1 is missing: install the package $2" >&2
         exit 2
     }
 }
+PATH=$PATH:/sbin:/usr/sbin
 need busybox busybox-static
 need depmod kmod
 need cpio cpio
 need apt-get apt
-PATH=$PATH:/sbin:/usr/sbin
+need dpkg-deb dpkg
 
 mkdir -p "$folder"
 work=$(mktemp -d "$folder/work.XXXXXX")
@@ -33,7 +33,7 @@ cd "$work"
 package=$(apt-cache depends linux-image-amd64 |
     sed -n 's/^ *Depends: *\(linux-image-[0-9].*\)$/\1/p' | head -n 1)
 [ -n "$package" ] || {
-    echo "vm_image.sh: linux-image-amd64 names no kernel: run apt-get update" >&2
+    echo "vm_image.sh: linux-image-amd64 names no kernel: apt-get update" >&2
     exit 2
 }
 apt-get download -q "$package" > fetch.log 2>&1 || {
@@ -54,9 +54,9 @@ while read -r file; do
     mkdir -p "root$(dirname "$file")"
     cp "kernel$file" "root$file"
 done < list
-cp kernel/lib/modules/"$version"/modules.builtin \
-    kernel/lib/modules/"$version"/modules.order \
-    kernel/lib/modules/"$version"/modules.builtin.modinfo root/lib/modules/"$version"/
+for file in modules.builtin modules.builtin.modinfo modules.order; do
+    cp "kernel/lib/modules/$version/$file" "root/lib/modules/$version/"
+done
 depmod -b root "$version"
 cp "$(command -v busybox)" root/bin/busybox
 cp "$here/init" root/init

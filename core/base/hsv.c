@@ -1,0 +1,46 @@
+#include "hsv.h"
+
+/* round(v (255 turn - s part) / (255 turn)), part <= turn <= 65,536: the sum
+ * below is at most 255 * 255 * 65,536 + 255 * 32,768, less than 2^32. */
+static uint32_t level(uint32_t v, uint32_t s, uint32_t part, uint32_t turn)
+{
+    uint32_t whole = 255 * turn;
+    return (v * (whole - s * part) + whole / 2) / whole;
+}
+
+/* The sixth of the turn, 0..5, and the part of it, 0 <= part < turn. */
+static pel_color sixth_color(uint32_t sixth, uint32_t part, uint32_t turn,
+                             uint32_t s, uint32_t v)
+{
+    const uint32_t p = level(v, s, turn, turn);
+    const uint32_t between = level(v, s, sixth & 1 ? part : turn - part, turn);
+    switch (sixth) {
+    case 0:
+        return PEL_RGB(v, between, p);
+    case 1:
+        return PEL_RGB(between, v, p);
+    case 2:
+        return PEL_RGB(p, v, between);
+    case 3:
+        return PEL_RGB(p, between, v);
+    case 4:
+        return PEL_RGB(between, p, v);
+    default:
+        return PEL_RGB(v, p, between);
+    }
+}
+
+pel_color pel_hsv(int32_t hue, uint32_t s, uint32_t v)
+{
+    uint32_t six = ((uint32_t)hue & 0xFFFFu) * 6;
+    return sixth_color(six >> 16, six & 0xFFFFu, 65536, s, v);
+}
+
+pel_color pel_hsv_degrees(int32_t hue, uint32_t s, uint32_t v)
+{
+    int32_t degrees = hue % 360;
+    if (degrees < 0)
+        degrees += 360;
+    return sixth_color((uint32_t)degrees / 60, (uint32_t)degrees % 60, 60, s,
+                       v);
+}

@@ -1,0 +1,19 @@
+/* The loop of the copies: the visible part of an area, piece by piece. */
+#ifndef PEL_IMAGE_COPY_LINES_H
+#define PEL_IMAGE_COPY_LINES_H
+
+#include "../raster/paint.h"
+#include "copy.h"
+
+/* The pixels of the destination that are copied to. false: none. */
+bool pel_copy_visible(const struct pel_surface *surface,
+                      const struct pel_copy *copy, struct pel_rect *visible);
+
+/* Gives n colours of the source the alpha with which they are put. */
+typedef void pel_copy_weigh(pel_color *colors, int32_t n, uint32_t option);
+
+void pel_copy_lines(const struct pel_surface *surface,
+                    const struct pel_copy *copy, pel_copy_weigh *weigh,
+                    uint32_t option);
+
+#endif

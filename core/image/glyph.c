@@ -1,0 +1,62 @@
+#include "glyph.h"
+
+#include "../raster/collect.h"
+
+static bool bit_at(const uint8_t *row, int32_t i)
+{
+    return row[i >> 3] << (i & 7) & 0x80;
+}
+
+/* The first of the bits i..end - 1 that is as wanted; end when none is. Whole
+ * bytes of the other kind are passed at once. */
+static int32_t find(const uint8_t *row, int32_t i, int32_t end, bool wanted)
+{
+    const uint8_t other = wanted ? 0 : 0xFF;
+    while (i < end && bit_at(row, i) != wanted) {
+        i++;
+        while (!(i & 7) && i + 8 <= end && row[i >> 3] == other)
+            i += 8;
+    }
+    return i;
+}
+
+/* The columns [left, right) of a row whose column 0 is pixel x. */
+static void collect_row(struct pel_collector *c, const uint8_t *row, int32_t x,
+                        int32_t y, const struct pel_row *visible)
+{
+    int32_t end = visible->x1 - x;
+    int32_t i = find(row, visible->x0 - x, end, true);
+    while (i < end) {
+        int32_t start = i;
+        i = find(row, i, end, false);
+        pel_collect(c, y, x + start, x + i);
+        i = find(row, i, end, true);
+    }
+}
+
+static bool legal(const struct pel_glyph *g, int32_t x, int32_t y)
+{
+    return x >= -65536 && x <= 65536 && y >= -65536 && y <= 65536 &&
+           g->width >= 0 && g->width <= 32767 && g->height >= 0 &&
+           g->height <= 32767;
+}
+
+void pel_glyph(const struct pel_surface *surface, const struct pel_glyph *glyph,
+               int32_t x, int32_t y, const struct pel_paint *paint)
+{
+    PEL_ASSERT(legal(glyph, x, y));
+    if (!legal(glyph, x, y))
+        return;
+    struct pel_rect r = {x, y, x + glyph->width, y + glyph->height};
+    r = pel_rect_intersect(&r, &surface->clip);
+    if (pel_rect_empty(&r))
+        return;
+    const struct pel_row visible = {r.x0, r.x1};
+    const uint8_t *row =
+        glyph->bits + (ptrdiff_t)(r.y0 - y) * (ptrdiff_t)glyph->stride;
+    struct pel_collector c;
+    pel_collect_begin(&c, surface, paint);
+    for (; r.y0 < r.y1; r.y0++, row += glyph->stride)
+        collect_row(&c, row, x, r.y0, &visible);
+    pel_collect_end(&c);
+}

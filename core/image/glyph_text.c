@@ -1,0 +1,64 @@
+#include "glyph_text.h"
+
+#include "glyph.h"
+#include "glyph_find.h"
+
+static int32_t line_height(const struct pel_font_asset *font)
+{
+    return font->ascent + font->descent;
+}
+
+/* The glyph with its pen at (x, y), which is far outside of every surface when
+ * the string is long enough: then it is not drawn. */
+static void draw(const struct pel_surface *surface, const struct pel_text *text,
+                 const struct pel_font_glyph *glyph, struct pel_point pen,
+                 const struct pel_paint *paint)
+{
+    const struct pel_glyph g = {text->font->bits + glyph->offset,
+                                (glyph->width + 7) / 8, glyph->width,
+                                glyph->height};
+    int32_t x = pen.x + glyph->left, y = pen.y - glyph->top;
+    const struct pel_rect *clip = &surface->clip;
+    if (x < clip->x1 && y < clip->y1 && x + g.width > clip->x0 &&
+        y + g.height > clip->y0)
+        pel_glyph(surface, &g, x, y, paint);
+}
+
+void pel_text(const struct pel_surface *surface, const struct pel_text *text,
+              const struct pel_paint *paint)
+{
+    const char *next = text->string;
+    struct pel_point pen = {text->x, text->y + text->font->ascent};
+    while (*next) {
+        uint32_t code = pel_utf8_next(&next);
+        if (code == '\n') {
+            pen.x = text->x;
+            pen.y += line_height(text->font);
+            continue;
+        }
+        const struct pel_font_glyph *glyph = pel_glyph_find(text->font, code);
+        if (glyph) {
+            draw(surface, text, glyph, pen, paint);
+            pen.x += glyph->advance;
+        }
+    }
+}
+
+struct pel_text_size pel_text_measure(const struct pel_font_asset *font,
+                                      const char *string)
+{
+    struct pel_text_size size = {0, line_height(font)};
+    int32_t width = 0;
+    while (*string) {
+        uint32_t code = pel_utf8_next(&string);
+        if (code == '\n') {
+            size.height += line_height(font);
+            width = 0;
+            continue;
+        }
+        const struct pel_font_glyph *glyph = pel_glyph_find(font, code);
+        width += glyph ? glyph->advance : 0;
+        size.width = pel_max(size.width, width);
+    }
+    return size;
+}

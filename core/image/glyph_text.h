@@ -1,0 +1,31 @@
+/* Text: glyphs of a font next to each other. */
+#ifndef PEL_IMAGE_GLYPH_TEXT_H
+#define PEL_IMAGE_GLYPH_TEXT_H
+
+#include "../asset/font_asset.h"
+#include "../raster/paint.h"
+
+struct pel_text {
+    const struct pel_font_asset *font; /* pel_font_asset_check gave PEL_OK */
+    const char *string;                /* UTF-8, ends with a 0 */
+    int32_t x, y; /* px: left end and top of the first line */
+};
+
+struct pel_text_size {
+    int32_t width, height; /* px */
+};
+
+/* Paints the text. Glyphs stand in boxes `advance` wide and ascent + descent
+ * high; the pen starts at x with the baseline `ascent` below y. A line feed
+ * goes back to x and down by a line. Characters that the font lacks show its
+ * `missing` glyph. Each glyph is a shape of its own: where two overlap, which
+ * takes a font whose glyphs reach beyond their boxes, both are painted. */
+void pel_text(const struct pel_surface *surface, const struct pel_text *text,
+              const struct pel_paint *paint);
+
+/* The size of all boxes: the widest line, and all lines, of which a string has
+ * one more than line feeds. For strings up to 2^22 bytes. */
+struct pel_text_size pel_text_measure(const struct pel_font_asset *font,
+                                      const char *string);
+
+#endif

@@ -1,0 +1,51 @@
+/* Curves along a row, for paints whose exact value at a pixel is costly: knots
+ * with the exact value and slope, and between two of them the cubic that has
+ * both. The error of that cubic over K pixels is at most K^4 / 384 times the
+ * fourth derivative, which falls fast with the distance from the paint's
+ * centre, so pieces grow with the distance: a piece is the largest block of
+ * 64, 32, 16, 8 or 4 pixels, at a multiple of its size, all of whose centres
+ * are far enough away. What a pixel shows so depends on the pixel alone, not on
+ * the run that it is part of; where no block is far enough, every pixel has an
+ * exact value of its own. */
+#ifndef PEL_RASTER_CURVE_H
+#define PEL_RASTER_CURVE_H
+
+#include "../base/fixed.h"
+#include "ramp_walk.h"
+
+enum { PEL_PIECE_MIN_LOG2 = 2, PEL_PIECE_MAX_LOG2 = 6 };
+
+/* Value and slope at a pixel's centre, the slope per pixel: times the size of a
+ * piece it must stay below 2^60. Any unit; the value in two's complement. */
+struct pel_knot {
+    uint64_t value;
+    int64_t slope;
+};
+
+struct pel_curve {
+    const void *paint;
+
+    /* The knot at `way` from the paint's centre. */
+    void (*knot)(const void *paint, struct pel_point way,
+                 struct pel_knot *knot);
+
+    /* Colours n pixels of a walk. */
+    void (*run)(const void *paint, const struct pel_ramp_walk *walk, int32_t n,
+                pel_color *colors);
+
+    /* How far the centres of a piece of 4, 8, 16, 32, 64 pixels must be from
+     * the paint's, in sub-pixels, the next piece's first one included. */
+    const int32_t *far;
+
+    struct pel_point way; /* from the paint's centre to that of pixel x */
+    int32_t x;
+    uint8_t bits; /* of the unit: pel_ramp_walk */
+
+    /* Walks whose knots are below this are `inside` (pel_ramp_walk). */
+    uint64_t limit;
+};
+
+/* The colours of n pixels from c->x on. */
+void pel_curve_colors(const struct pel_curve *c, int32_t n, pel_color *colors);
+
+#endif

@@ -1,0 +1,67 @@
+/* The exact walk over the rows of a disc: for every row the run of pixels whose
+ * centre lies within. Circles, rings, ellipses and the corners of rounded
+ * rectangles share it.
+ *
+ * In row y the disc holds the columns at a distance u from its centre with
+ * u^2 <= reach, where reach is radius^2 - v^2 for a circle and v the distance
+ * of the row; for an ellipse it is scaled (ellipse.c). Each side of the run is
+ * a walk over columns by Bresenham's scheme, without a multiplication: d =
+ * reach - u^2 of the next column outwards, which joins when d >= 0.
+ *
+ * The walk is bounded by the clip: it begins at the column of the clip that is
+ * nearest to the centre and takes no column that is not visible. From row to
+ * row the run changes by as many columns as the walk takes steps.
+ *
+ * The disc may be pulled apart: the left side around left_x, the right one
+ * around right_x >= left_x, and all columns between them. Then reach must not
+ * be negative; in a plain disc a negative reach gives an empty run.
+ *
+ * Ranges: |u| and |v| at most 2^25, |reach| and |d| below 2^52. */
+#ifndef PEL_RASTER_DISC_H
+#define PEL_RASTER_DISC_H
+
+#include "../base/fixed.h"
+#include "../base/format.h"
+
+struct pel_disc_side {
+    int64_t d;              /* of the next column outwards */
+    int32_t u;              /* its distance */
+    int32_t columns, limit; /* in the run now; those that the clip shows */
+    int32_t inner;          /* px: where the run's columns end or begin */
+};
+
+struct pel_disc {
+    struct pel_disc_side left, right;
+};
+
+static inline bool pel_radius_legal(int32_t radius)
+{
+    return radius >= 0 && radius <= PEL_PX(32767);
+}
+
+/* (u + 256)^2 - u^2: what one column or row further out takes from d. */
+static inline int64_t pel_square_step(int32_t u)
+{
+    return (int64_t)u * 512 + 65536;
+}
+
+static inline int64_t pel_square(int32_t u)
+{
+    return (int64_t)u * u;
+}
+
+/* At a row with this reach, for the columns of `clip`. */
+void pel_disc_start(struct pel_disc *disc, int32_t left_x, int32_t right_x,
+                    int64_t reach, const struct pel_rect *clip);
+
+/* The visible run of the present row. */
+struct pel_row pel_disc_row(struct pel_disc *disc);
+
+/* Moves on to a row whose reach is greater by `change`. */
+static inline void pel_disc_next(struct pel_disc *disc, int64_t change)
+{
+    disc->left.d += change;
+    disc->right.d += change;
+}
+
+#endif

@@ -1,0 +1,87 @@
+#include "ellipse_walk.h"
+
+/* Adds n; both remainders are below b2. */
+static void add(struct pel_quotient *v, const struct pel_quotient *n,
+                int64_t b2)
+{
+    v->q += n->q;
+    v->r += n->r;
+    if (v->r >= b2) {
+        v->r -= b2;
+        v->q++;
+    }
+}
+
+/* v * n for n >= 0, without wider products or a division: by the bits of n,
+ * highest first, what is there doubles and v joins. */
+static struct pel_quotient times(const struct pel_quotient *v, int64_t n,
+                                 int64_t b2)
+{
+    struct pel_quotient product = {0, 0};
+    int bit = 0;
+    while (n >> bit > 1)
+        bit++;
+    for (; bit >= 0; bit--) {
+        struct pel_quotient same = product;
+        add(&product, &same, b2);
+        if (n >> bit & 1)
+            add(&product, v, b2);
+    }
+    return product;
+}
+
+static struct pel_quotient minus(const struct pel_quotient *v, int64_t b2)
+{
+    return v->r ? (struct pel_quotient){-v->q - 1, b2 - v->r}
+                : (struct pel_quotient){-v->q, 0};
+}
+
+/* The quotients of row v. */
+static void row_start(struct pel_ellipse_walk *w, struct pel_point radius,
+                      int32_t v)
+{
+    const int64_t a2 = pel_square(radius.x), b2 = pel_square(radius.y);
+    const struct pel_quotient zero = {0, 0}, unit = {b2 == 1, b2 != 1};
+    w->reach = (struct pel_quotient){a2, 0};
+    w->change = w->bend = zero;
+    w->b2 = b2;
+    if (b2 == 0)
+        return;
+    const struct pel_quotient ratio = times(&unit, a2, b2);
+    w->reach = times(&ratio, b2 - pel_square(v), b2);
+    if (radius.y < 128)
+        return;
+    const int64_t step = pel_square_step(v);
+    w->change = times(&ratio, step < 0 ? -step : step, b2);
+    if (step > 0)
+        w->change = minus(&w->change, b2);
+    w->bend = times(&ratio, 131072, b2);
+    w->bend = minus(&w->bend, b2);
+}
+
+bool pel_ellipse_start(struct pel_ellipse_walk *w, const struct pel_ellipse *e,
+                       const struct pel_rect *clip)
+{
+    const struct pel_point center = e->center, radius = e->radius;
+    bool legal = pel_points_legal(&center, 1) && pel_radius_legal(radius.x) &&
+                 pel_radius_legal(radius.y);
+    PEL_ASSERT(legal);
+    if (!legal || pel_rect_empty(clip))
+        return false;
+    w->y = pel_max(pel_first_pixel(center.y - radius.y), clip->y0);
+    w->end = pel_min(pel_pixel_of(center.y + radius.y + 128), clip->y1);
+    if (w->y >= w->end)
+        return false;
+    row_start(w, radius, pel_pixel_center(w->y) - center.y);
+    pel_disc_start(&w->disc, center.x, center.x, w->reach.q, clip);
+    return true;
+}
+
+void pel_ellipse_next(struct pel_ellipse_walk *w)
+{
+    int64_t reach = w->reach.q;
+    add(&w->reach, &w->change, w->b2);
+    add(&w->change, &w->bend, w->b2);
+    pel_disc_next(&w->disc, w->reach.q - reach);
+    w->y++;
+}

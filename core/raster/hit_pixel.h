@@ -1,0 +1,28 @@
+/* What the hit tests begin with. */
+#ifndef PEL_RASTER_HIT_PIXEL_H
+#define PEL_RASTER_HIT_PIXEL_H
+
+#include "../base/fixed.h"
+#include "disc.h"
+
+/* Pixel (x, y) as the place of its centre; false when out of range. */
+static inline bool pel_hit_pixel(int32_t x, int32_t y, struct pel_point *p)
+{
+    if (x < -32768 || x > 32767 || y < -32768 || y > 32767)
+        return false;
+    p->x = pel_pixel_center(x);
+    p->y = pel_pixel_center(y);
+    return true;
+}
+
+/* Squared distance: below 2^51. */
+static inline int64_t pel_hit_distance(struct pel_point a, struct pel_point b)
+{
+    return pel_square(a.x - b.x) + pel_square(a.y - b.y);
+}
+
+/* In the range of angles around the centre? Rule: raster/wedge.h. */
+bool pel_hit_wedge(struct pel_point center, uint16_t from, uint16_t to,
+                   struct pel_point p);
+
+#endif

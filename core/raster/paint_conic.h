@@ -1,0 +1,40 @@
+/* Conic gradients: colours by angle around a centre. */
+#ifndef PEL_RASTER_PAINT_CONIC_H
+#define PEL_RASTER_PAINT_CONIC_H
+
+#include "color_ramp.h"
+#include "curve.h"
+#include "paint_colors.h"
+
+/* The colour at an angle is that of the ramp at t = angle - start, in turns
+ * from 0 to 1, clockwise on screen (base/fixed_trig.h). PEL_PAD and PEL_REPEAT
+ * are the same; PEL_REFLECT goes there and back within the turn, without a
+ * seam. A pixel centre on the centre counts as angle 0.
+ *
+ * The angle is off by less than 1e-5 turns, and its ray by less than 1/256 px
+ * at every distance: so one method serves every tolerance. Angles are computed
+ * to 2^-30 turns (turn_of.h) at the ends of pieces and joined by cubics
+ * (curve.h), to 1/512 px and 1e-5 turns since |a''''| <= 6 / r^4 along a row.
+ */
+struct pel_conic {
+    struct pel_color_paint base;
+    struct pel_ramp ramp;
+    struct pel_point center;
+    uint32_t start; /* 2^-32 turns */
+
+    /* Colours the next n pixels of a walk in 2^-64 turns. */
+    void (*run)(const void *paint, const struct pel_ramp_walk *walk, int32_t n,
+                pel_color *colors);
+};
+
+/* Opaque when all colours of the ramp are, as they are now. start: 65,536ths of
+ * a turn. PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n), PEL_ERROR_RANGE (the
+ * centre out of range). */
+enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
+                               uint16_t start, const struct pel_ramp *ramp);
+
+/* The colours function of conic paints. */
+void pel_conic_colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                      int32_t n, pel_color *colors);
+
+#endif

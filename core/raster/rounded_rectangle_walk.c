@@ -1,0 +1,53 @@
+#include "rounded_rectangle_walk.h"
+
+#include "../pel_config.h"
+
+static bool legal(const struct pel_rounded_rectangle *r)
+{
+    return pel_points_legal(&r->from, 1) && pel_points_legal(&r->to, 1) &&
+           pel_radius_legal(r->radius);
+}
+
+/* The squared width of the corners in row y: not negative inside the
+ * rectangle. */
+static int64_t reach_at(const struct pel_rounded_walk *w, int32_t y)
+{
+    int32_t center = pel_pixel_center(y), v = 0;
+    if (center < w->top)
+        v = w->top - center;
+    else if (center > w->bottom)
+        v = center - w->bottom;
+    return pel_square(w->radius) - pel_square(v);
+}
+
+bool pel_rounded_start(struct pel_rounded_walk *w,
+                       const struct pel_rounded_rectangle *r,
+                       const struct pel_rect *clip)
+{
+    const struct pel_point from = r->from, to = r->to;
+    PEL_ASSERT(legal(r));
+    if (!legal(r))
+        return false;
+    struct pel_rect visible = {pel_first_pixel(from.x), pel_first_pixel(from.y),
+                               pel_first_pixel(to.x), pel_first_pixel(to.y)};
+    visible = pel_rect_intersect(&visible, clip);
+    if (pel_rect_empty(&visible))
+        return false;
+    int32_t side = pel_min(to.x - from.x, to.y - from.y);
+    w->radius = pel_min(r->radius, side / 2);
+    w->top = from.y + w->radius;
+    w->bottom = to.y - w->radius;
+    w->y = visible.y0;
+    w->end = visible.y1;
+    w->reach = reach_at(w, w->y);
+    pel_disc_start(&w->disc, from.x + w->radius, to.x - w->radius, w->reach,
+                   &visible);
+    return true;
+}
+
+void pel_rounded_next(struct pel_rounded_walk *w)
+{
+    int64_t reach = reach_at(w, ++w->y);
+    pel_disc_next(&w->disc, reach - w->reach);
+    w->reach = reach;
+}

@@ -1,0 +1,75 @@
+#include "thick_line.h"
+
+#include "disc.h"
+#include "triangle.h"
+
+/* floor(sqrt(n)) for n < 2^62, a bit at a time. */
+static int64_t root(uint64_t n)
+{
+    uint64_t r = 0;
+    for (uint64_t bit = UINT64_C(1) << 30; bit; bit >>= 1)
+        if ((r + bit) * (r + bit) <= n)
+            r += bit;
+    return (int64_t)r;
+}
+
+/* A length of 2^30 <= size < 2^31 in units of 2^-shift sub-pixels. */
+struct length {
+    int64_t size;
+    int shift;
+};
+
+static struct length length_of(int32_t dx, int32_t dy)
+{
+    struct length l = {0, 0};
+    uint64_t square = (uint64_t)(pel_square(dx) + pel_square(dy));
+    for (; square < UINT64_C(1) << 60; square <<= 2)
+        l.shift++;
+    l.size = root(square);
+    return l;
+}
+
+/* round(v width / (2 l)), away from 0 at a tie. |v| is at most the length, so
+ * the product is below 2^31 * 2^23. */
+static int32_t across(int32_t v, int32_t width, const struct length *l)
+{
+    int64_t n = (int64_t)v * (INT64_C(1) << l->shift) * width;
+    n = n < 0 ? n - l->size : n + l->size;
+    return (int32_t)(n / (2 * l->size));
+}
+
+bool pel_thick_line_corners(const struct pel_thick_line *line,
+                            struct pel_point v[4])
+{
+    const struct pel_point a = line->from, b = line->to;
+    if (!pel_points_legal(&a, 1) || !pel_points_legal(&b, 1) ||
+        !pel_radius_legal(line->width))
+        return false;
+    const int32_t dx = b.x - a.x, dy = b.y - a.y;
+    struct pel_point n = {0, 0};
+    if (dx || dy) {
+        const struct length length = length_of(dx, dy);
+        n.x = across(-dy, line->width, &length);
+        n.y = across(dx, line->width, &length);
+    }
+    v[0] = (struct pel_point){a.x + n.x, a.y + n.y};
+    v[1] = (struct pel_point){b.x + n.x, b.y + n.y};
+    v[2] = (struct pel_point){b.x - n.x, b.y - n.y};
+    v[3] = (struct pel_point){a.x - n.x, a.y - n.y};
+    return pel_points_legal(v, 4);
+}
+
+void pel_thick_line(const struct pel_surface *surface,
+                    const struct pel_thick_line *line,
+                    const struct pel_paint *paint)
+{
+    struct pel_point v[4];
+    bool legal = pel_thick_line_corners(line, v);
+    PEL_ASSERT(legal);
+    if (!legal)
+        return;
+    /* A parallelogram: two triangles, which share the diagonal. */
+    pel_triangle(surface, v, paint);
+    v[1] = v[0];
+    pel_triangle(surface, v + 1, paint);
+}

@@ -1,0 +1,97 @@
+#include "depth.h"
+
+/* A value, 2^-24 of 0..2^30, as 32 bits; below 0 only by rounding. */
+static inline uint32_t number_of(uint64_t value)
+{
+    return (int64_t)value < 0 ? 0 : (uint32_t)(value >> 22);
+}
+
+static inline bool nearer16(uint16_t *held, uint64_t value, bool keeps)
+{
+    const uint16_t number = (uint16_t)(number_of(value) >> 16);
+    const bool nearer = number > *held;
+    if (nearer && keeps)
+        *held = number;
+    return nearer;
+}
+
+static inline bool nearer32(uint32_t *held, uint64_t value, bool keeps)
+{
+    const uint32_t number = number_of(value);
+    const bool nearer = number > *held;
+    if (nearer && keeps)
+        *held = number;
+    return nearer;
+}
+
+/* Where from x on, up to x1, the first pixel is that is nearer, or is not. */
+static int32_t skip(const struct pel_depth_paint *p, int32_t x, int32_t x1,
+                    int32_t y, bool nearer)
+{
+    const struct pel_rect *b = &p->depth->bounds;
+    const size_t at =
+        (size_t)(y - b->y0) * (size_t)(b->x1 - b->x0) + (size_t)(x - b->x0);
+    uint64_t value = pel_plane_at(&p->plane, x, y);
+    if (p->depth->bits == 16) {
+        uint16_t *held = (uint16_t *)p->depth->values + at;
+        while (x < x1 && nearer16(held, value, p->keeps) == nearer) {
+            x++;
+            held++;
+            value += p->plane.dx;
+        }
+    } else {
+        uint32_t *held = (uint32_t *)p->depth->values + at;
+        while (x < x1 && nearer32(held, value, p->keeps) == nearer) {
+            x++;
+            held++;
+            value += p->plane.dx;
+        }
+    }
+    return x;
+}
+
+/* Runs of one line, so the step is 0. The pixel at which a run begins was
+ * found, and with `keeps` noted, by the search for it. */
+static void fill_line(const struct pel_depth_paint *p,
+                      const struct pel_rows *rows, const struct pel_row *line,
+                      int32_t y)
+{
+    const struct pel_rect *b = &p->depth->bounds;
+    struct pel_row run[8];
+    struct pel_rows out = {rows->surface, run, y, 0, 0};
+    const int32_t end = pel_min(line->x1, b->x1);
+    int32_t x = pel_max(line->x0, b->x0);
+    if (y < b->y0 || y >= b->y1)
+        return;
+    while ((x = skip(p, x, end, y, false)) < end) {
+        run[out.n].x0 = x;
+        run[out.n++].x1 = x = skip(p, x + 1, end, y, true);
+        if (out.n == 8) {
+            p->inner->fill(p->inner, &out);
+            out.n = 0;
+        }
+        x++;
+    }
+    if (out.n)
+        p->inner->fill(p->inner, &out);
+}
+
+static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
+{
+    const struct pel_depth_paint *p = (const void *)paint;
+    int32_t y = rows->y;
+    for (int32_t i = 0; i < rows->n; i++, y += rows->step)
+        fill_line(p, rows, &rows->row[i], y);
+}
+
+void pel_depth_paint_init(struct pel_depth_paint *paint,
+                          const struct pel_paint *inner,
+                          const struct pel_depth *depth,
+                          const struct pel_plane *plane, bool keeps)
+{
+    paint->paint = (struct pel_paint){fill, NULL};
+    paint->inner = inner;
+    paint->depth = depth;
+    paint->plane = *plane;
+    paint->keeps = keeps;
+}

@@ -1,0 +1,56 @@
+#include "mesh.h"
+
+void pel_mesh_of_asset(struct pel_mesh *mesh,
+                       const struct pel_mesh_asset *asset)
+{
+    *mesh = (struct pel_mesh){.vertices = asset->vertices,
+                              .triangles = asset->triangles,
+                              .position = asset->position,
+                              .texture = asset->texture,
+                              .positions = asset->positions,
+                              .normals8 = asset->normals8,
+                              .normals16 = asset->normals16,
+                              .uv = asset->uv,
+                              .colors = asset->colors,
+                              .indices16 = asset->indices16,
+                              .indices32 = asset->indices32};
+}
+
+static bool sizes_legal(const struct pel_mesh *m)
+{
+    const uint32_t limit = UINT32_C(1) << 28;
+    if (m->vertices < 1 || m->vertices > limit || m->triangles > limit ||
+        (m->normals8 && m->normals16))
+        return false;
+    if (!pel_mesh_quantum_legal(&m->position) || m->position.shift < -14 ||
+        m->position.shift > 46)
+        return false;
+    return !m->uv || pel_mesh_quantum_legal(&m->texture);
+}
+
+static enum pel_status check_indices(const struct pel_mesh *m,
+                                     struct pel_mesh_fault *fault)
+{
+    uint32_t corner[3];
+    for (uint32_t t = 0; t < m->triangles; t++) {
+        pel_mesh_corners(m, t, corner);
+        for (int k = 0; k < 3; k++)
+            if (corner[k] >= m->vertices) {
+                if (fault)
+                    *fault = (struct pel_mesh_fault){t, corner[k]};
+                return PEL_ERROR_RANGE;
+            }
+    }
+    return PEL_OK;
+}
+
+enum pel_status pel_mesh_check(const struct pel_mesh *mesh,
+                               struct pel_mesh_fault *fault)
+{
+    if (!mesh || !mesh->positions ||
+        !mesh->indices8 + !mesh->indices16 + !mesh->indices32 != 2)
+        return PEL_ERROR_NULL;
+    if (!sizes_legal(mesh))
+        return PEL_ERROR_SIZE;
+    return check_indices(mesh, fault);
+}

@@ -1,0 +1,61 @@
+/* Meshes: a view of const arrays, which may live in flash. */
+#ifndef PEL_SCENE_MESH_H
+#define PEL_SCENE_MESH_H
+
+#include "../asset/mesh_asset.h"
+
+/* Nothing is owned. Numbers of the arrays and what they stand for are those of
+ * struct pel_mesh_asset; arrays that the mesh has not are NULL. */
+struct pel_mesh {
+    uint32_t vertices, triangles;
+    struct pel_mesh_quantum position; /* shift -14..46: inside +-16,384 units */
+    struct pel_mesh_quantum texture;
+
+    const int16_t (*positions)[3];
+    const int8_t (*normals8)[3];   /* at most one of the two */
+    const int16_t (*normals16)[3]; /* any length; 0: no direction */
+    const uint16_t (*uv)[2];
+    const uint8_t (*colors)[3]; /* red, green, blue */
+
+    /* Counter-clockwise from outside: one of the three. */
+    const uint8_t (*indices8)[3];
+    const uint16_t (*indices16)[3];
+    const uint32_t (*indices32)[3];
+};
+
+/* The view of an asset that pel_mesh_asset_check has found legal. */
+void pel_mesh_of_asset(struct pel_mesh *mesh,
+                       const struct pel_mesh_asset *asset);
+
+/* A triangle with an index that no vertex has. */
+struct pel_mesh_fault {
+    uint32_t triangle, index;
+};
+
+/* Can the mesh be drawn? Looks at every index. PEL_ERROR_NULL: no positions, or
+ * not exactly one array of indices; PEL_ERROR_SIZE: no vertex, more than 2^28
+ * vertices or triangles, two arrays of normals, or a quantum out of range;
+ * PEL_ERROR_RANGE: an index, and `fault`, which may be NULL, tells which. */
+enum pel_status pel_mesh_check(const struct pel_mesh *mesh,
+                               struct pel_mesh_fault *fault);
+
+static inline void pel_mesh_corners(const struct pel_mesh *mesh,
+                                    uint32_t triangle, uint32_t corner[3])
+{
+    for (int k = 0; k < 3; k++)
+        corner[k] = mesh->indices16  ? mesh->indices16[triangle][k]
+                    : mesh->indices8 ? mesh->indices8[triangle][k]
+                                     : mesh->indices32[triangle][k];
+}
+
+/* A vertex's normal, of any length up to 2^29; the mesh has normals. */
+static inline void pel_mesh_normal(const struct pel_mesh *mesh, uint32_t vertex,
+                                   int32_t normal[3])
+{
+    for (int k = 0; k < 3; k++)
+        normal[k] = mesh->normals16
+                        ? mesh->normals16[vertex][k] * INT32_C(16384)
+                        : mesh->normals8[vertex][k] * INT32_C(4194304);
+}
+
+#endif

@@ -1,0 +1,95 @@
+/* The 3-D pipeline: a mesh, seen by a camera, lit, onto any surface.
+ *
+ *     static const struct pel_light sun = {
+ *         .at = {1, 2, 1}, .directional = true,
+ *         .color = {PEL_FACTOR(100), PEL_FACTOR(100), PEL_FACTOR(90)}};
+ *     static const struct pel_lighting lighting = {
+ *         .light = &sun, .lights = 1,
+ *         .ambient_color = {65536, 65536, 65536}, .ambient = PEL_FACTOR(20),
+ *         .diffuse = PEL_FACTOR(70), .shininess = 1};
+ *     struct pel_scene scene = {
+ *         .mesh = &duck,
+ *         .camera = {.eye = {0, PEL_UNITS(1), PEL_UNITS(5)},
+ *                    .up = {0, 1, 0}, .near = PEL_UNITS(1) / 16,
+ *                    .focal = 50, .sensor = {32, 24}},
+ *         .viewport = {0, 0, 320, 240},
+ *         .shading = &pel_shade_lit_gouraud, .lighting = &lighting,
+ *         .sort = pel_depth_sort, .cull = PEL_CULL_BACK};
+ *     struct pel_frame frame;
+ *     if (pel_scene_prepare(&frame, &scene, scratch, sizeof scratch) == PEL_OK)
+ *         pel_scene_draw(&frame, &surface);
+ *
+ * prepare is called once for a picture, draw as often as it has bands. Integers
+ * only, no allocation; a program links the shadings, mappings, sort and depth
+ * buffer that it names. A triangle that reaches behind the near plane, or
+ * farther than sub-pixels can say, is clipped and never wraps. */
+#ifndef PEL_SCENE_PIPELINE_H
+#define PEL_SCENE_PIPELINE_H
+
+#include "depth.h"
+#include "depth_sort.h"
+#include "mapping.h"
+#include "shading.h"
+
+/* Which sides of a triangle are drawn; the front one shows its vertices
+ * counter-clockwise. */
+enum pel_cull { PEL_CULL_NONE, PEL_CULL_BACK, PEL_CULL_FRONT };
+
+/* Of a triangle with that area (pel_triangle_area). */
+static inline bool pel_side_drawn(enum pel_cull cull, int64_t area)
+{
+    return cull == PEL_CULL_NONE   ? area != 0
+           : cull == PEL_CULL_BACK ? area < 0
+                                   : area > 0;
+}
+
+/* All of it is the caller's, and stays while frames of it are drawn. */
+struct pel_scene {
+    const struct pel_mesh *mesh;
+    const struct pel_pose *pose; /* NULL: world places are those of the mesh */
+    struct pel_camera camera;
+    struct pel_rect viewport; /* px; nothing is drawn outside */
+
+    const struct pel_shading *shading;   /* shading.h */
+    const struct pel_lighting *lighting; /* light.h; for shadings with light */
+    const struct pel_mesh_texture *texture; /* mapping.h; NULL: no texture */
+    pel_color color;      /* of a mesh without colours; alpha is not used */
+    uint8_t transparency; /* 0: opaque; 255: nothing is drawn */
+
+    enum pel_cull cull;
+
+    /* Painter's order, from the farthest to the nearest: by the exact sum of
+     * the depths of three vertices, equal ones by index. NULL: the order of the
+     * mesh, for depth buffers. */
+    void (*sort)(struct pel_depth_entry *entry, uint32_t n);
+};
+
+/* Bytes of scratch memory for a frame of the scene: 24 a vertex and 8 a
+ * triangle at most, 40 a light, and about 1,400. 0 without a mesh. */
+size_t pel_scene_scratch_size(const struct pel_scene *scene);
+
+/* Sets up a picture: places and lights every vertex, sorts the triangles. The
+ * frame points to the scene and to the scratch memory, which is aligned to 8
+ * bytes. PEL_ERROR_NULL: no scene, mesh, shading, scratch; or no lighting,
+ * normals, uv, mapping or sampler where they are needed; PEL_ERROR_SCRATCH;
+ * errors of pel_mesh_check, with frame->fault, pel_projector_init,
+ * pel_mesh_lights_init and the sampler. */
+enum pel_status pel_scene_prepare(struct pel_frame *frame,
+                                  const struct pel_scene *scene, void *scratch,
+                                  size_t scratch_size);
+
+/* Draws the frame onto the surface: the whole picture or a band or tile of it;
+ * bands make the same bytes as the whole. What the frame points to is worked
+ * on, so two threads take two frames. */
+void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface);
+
+/* The same, but of triangles that meet in a pixel the nearest is seen. An
+ * opaque scene is kept in the buffer; one with transparency, or with a texture
+ * that is not opaque, is only tested against it, and wants to be drawn last
+ * and sorted. Meshes may share a buffer while camera and viewport stay; for an
+ * orthographic camera the buffer serves one mesh only. */
+void pel_scene_draw_depth(struct pel_frame *frame,
+                          const struct pel_surface *surface,
+                          const struct pel_depth *depth);
+
+#endif

@@ -1,0 +1,51 @@
+/* Planes: values that are linear over a triangle on screen. */
+#ifndef PEL_SCENE_PLANE_H
+#define PEL_SCENE_PLANE_H
+
+#include "../base/fixed.h"
+
+/* At the centre of pixel (x, y): at + x dx + y dy, in 2^-24, modulo 2^64. Right
+ * where the value fits, which is inside the triangle; gradients may wrap, so
+ * that slivers need no special case. */
+struct pel_plane {
+    uint64_t at, dx, dy;
+};
+
+/* What all planes of a triangle share. */
+struct pel_plane_setup {
+    struct pel_point a;           /* the topmost vertex */
+    struct pel_point ab, ac;      /* to the others */
+    int64_t area;                 /* above 0, or 0 */
+    uint8_t first, second, third; /* which vertices they are */
+};
+
+/* v is legal. False: no area. */
+bool pel_plane_start(struct pel_plane_setup *setup,
+                     const struct pel_point v[3]);
+
+/* The plane with value[i] at v[i], |value| <= 2^30. At pixels inside the
+ * triangle it is off by less than 2^-6. The order of the vertices does not
+ * matter. Without area, the value of the topmost vertex everywhere. */
+void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
+                   const int32_t value[3]);
+
+/* The same value everywhere. */
+static inline struct pel_plane pel_plane_level(int32_t value)
+{
+    struct pel_plane plane = {(uint64_t)(int64_t)value << 24, 0, 0};
+    return plane;
+}
+
+static inline uint64_t pel_plane_at(const struct pel_plane *p, int32_t x,
+                                    int32_t y)
+{
+    return p->at + (uint64_t)(int64_t)x * p->dx + (uint64_t)(int64_t)y * p->dy;
+}
+
+/* The whole part of a value that fits. */
+static inline int32_t pel_plane_whole(uint64_t value)
+{
+    return (int32_t)((int64_t)value >> 24);
+}
+
+#endif

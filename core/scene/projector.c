@@ -1,0 +1,121 @@
+#include "projector.h"
+
+/* num / den = mantissa 2^(spread - 30) with mantissa in [2^29, 2^30]. num <=
+ * 2^47 and num <= den 2^spread <= 2^48, so the shifted one fits 54 bits. */
+static bool scale_of(int64_t num, int64_t den, int32_t *mantissa,
+                     int8_t *spread)
+{
+    int8_t bits = 0;
+    while (bits < 24 && num > (int64_t)((uint64_t)den << bits))
+        bits++;
+    if (num > (int64_t)((uint64_t)den << bits) || num < den)
+        return false;
+    num = (int64_t)((uint64_t)num << (30 - bits));
+    *mantissa = (int32_t)((num + den / 2) / den);
+    *spread = bits;
+    return true;
+}
+
+/* Rows of x and y become the sub-pixels of a unit. */
+static bool scale_rows(struct pel_projector *p, struct pel_matrix *basis,
+                       const struct pel_camera *camera,
+                       const struct pel_rect *viewport)
+{
+    const int32_t size[2] = {viewport->x1 - viewport->x0,
+                             viewport->y1 - viewport->y0};
+    const bool ortho = camera->projection == PEL_ORTHOGRAPHIC;
+    const int32_t limit = ortho ? PEL_LENGTH_MAX : INT32_C(1) << 24;
+    for (int k = 0; k < 2; k++) {
+        const int32_t sensor = camera->sensor[k];
+        const int32_t focal = ortho ? PEL_UNITS(1) : camera->focal;
+        int32_t mantissa;
+        if (size[k] < 1 || size[k] > 32767 || sensor < 1 || sensor > limit ||
+            focal < 1 || focal > limit ||
+            !scale_of((int64_t)size[k] * 256 * focal, sensor, &mantissa,
+                      &p->spread[k]))
+            return false;
+        for (int j = 0; j < 3; j++)
+            basis->row[k][j] = (int32_t)pel_scale_down(
+                (int64_t)basis->row[k][j] * mantissa, 30);
+    }
+    p->center[0] = (viewport->x0 + viewport->x1) * 128;
+    p->center[1] = (viewport->y0 + viewport->y1) * 128;
+    return true;
+}
+
+/* A row times a place is 2^-(30 + shift) unit, times a world vector 2^-46 unit.
+ * The coarser of both less 2 bits is fine: each part is then below 3 2^59, and
+ * what the other one loses is nothing that the rows' own rounding would leave
+ * right. */
+static void place_origin(struct pel_projector *p, const struct pel_matrix *rows,
+                         const struct pel_pose *pose,
+                         const struct pel_camera *camera)
+{
+    const int shift = p->quantum.shift;
+    int64_t from_eye[3];
+    for (int k = 0; k < 3; k++)
+        from_eye[k] = (int64_t)(pose ? pose->at[k] : 0) - camera->eye[k];
+    p->fine_bits = (int8_t)((shift < 16 ? shift + 30 : 46) - 2);
+    p->down = (int8_t)(shift + 30 - p->fine_bits);
+    pel_matrix_apply(rows, from_eye, 46 - p->fine_bits, p->origin);
+}
+
+/* How far the origin and the farthest number of the mesh can be away. */
+static void choose_coarse(struct pel_projector *p)
+{
+    int bits = 0;
+    for (int k = 0; k < 3; k++) {
+        int64_t far = 0;
+        for (int j = 0; j < 3; j++)
+            far +=
+                pel_size_of(p->row[k][j]) * (pel_size_of(p->quantum.offset[j]) +
+                                             INT64_C(32768) * p->quantum.step);
+        far = (far >> p->down) + 1 + pel_size_of(p->origin[k]);
+        bits = pel_max(bits, pel_bits_of((uint64_t)far));
+    }
+    p->coarse = (int8_t)pel_max(bits - 29, 0);
+}
+
+static enum pel_status place_near(struct pel_projector *p,
+                                  const struct pel_camera *camera)
+{
+    const int bits = p->fine_bits - p->coarse; /* of a unit, coarse */
+    int64_t near = pel_scale_down(camera->near, 16 - bits);
+    if (camera->near <= 0 || near < 1)
+        return PEL_ERROR_RANGE;
+    p->near_fine = pel_scale_down(camera->near, 16 - p->fine_bits);
+    near = near < INT32_C(1) << 29 ? near : INT32_C(1) << 29;
+    p->near = (int32_t)near;
+    p->one = 0;
+    if (camera->projection == PEL_ORTHOGRAPHIC)
+        p->one = (int32_t)(UINT32_C(1) << bits);
+    return PEL_OK;
+}
+
+enum pel_status pel_projector_init(struct pel_projector *projector,
+                                   const struct pel_mesh *mesh,
+                                   const struct pel_pose *pose,
+                                   const struct pel_camera *camera,
+                                   const struct pel_rect *viewport)
+{
+    struct pel_projector *p = projector;
+    struct pel_matrix basis, rows;
+    enum pel_status status = pel_camera_basis(camera, &basis);
+    if (status != PEL_OK)
+        return status;
+    if (viewport->x0 < -32767 || viewport->y0 < -32767 ||
+        viewport->x1 > 32767 || viewport->y1 > 32767 ||
+        !scale_rows(p, &basis, camera, viewport))
+        return PEL_ERROR_SIZE;
+    p->quantum = mesh->position;
+    place_origin(p, &basis, pose, camera);
+    rows = basis;
+    if (pose)
+        pel_matrix_multiply(&rows, &basis, &pose->turn);
+    for (int k = 0; k < 9; k++)
+        p->row[k / 3][k % 3] = rows.row[k / 3][k % 3];
+    choose_coarse(p);
+    if (camera->projection == PEL_ORTHOGRAPHIC) /* one unit fits 29 bits */
+        p->coarse = (int8_t)pel_max(p->coarse, p->fine_bits - 29);
+    return place_near(p, camera);
+}

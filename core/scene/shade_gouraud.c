@@ -1,0 +1,16 @@
+#include "pipeline.h"
+
+const struct pel_paint *pel_shade_gouraud_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
+{
+    struct pel_frame_work *work = frame->work;
+    pel_color color[3];
+    pel_frame_colors(frame, &work->triangle, color);
+    if (surface)
+        return frame->scene->texture->mapping->tint(frame, surface, color);
+    pel_gouraud_init(&work->paint.gouraud, work->triangle.at, color);
+    return &work->paint.gouraud.paint;
+}
+
+const struct pel_shading pel_shade_gouraud = {NULL, NULL,
+                                              pel_shade_gouraud_paint};

@@ -1,0 +1,22 @@
+#include "pipeline.h"
+
+enum pel_status pel_shade_start_light(struct pel_frame *frame)
+{
+    const struct pel_scene *s = frame->scene;
+    if (!s->lighting || (!s->mesh->normals8 && !s->mesh->normals16))
+        return PEL_ERROR_NULL;
+    return pel_mesh_lights_init(&frame->lights, s->lighting, frame->light,
+                                s->mesh, s->pose, s->camera.eye);
+}
+
+pel_color pel_shade_light_vertex(const struct pel_frame *frame, uint32_t vertex,
+                                 pel_color surface)
+{
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    struct pel_shine shine;
+    int32_t place[3], normal[3];
+    pel_mesh_lights_place(&frame->lights, mesh->positions[vertex], place);
+    pel_mesh_normal(mesh, vertex, normal);
+    pel_mesh_lights_shine(&frame->lights, place, normal, &shine);
+    return pel_shine_color(&shine, surface);
+}

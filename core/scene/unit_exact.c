@@ -1,0 +1,27 @@
+#include "../raster/square_root.h"
+#include "vector.h"
+
+bool pel_vector_fit(const int64_t v[3], int32_t fit[3])
+{
+    const int bits = pel_bits_of((uint64_t)pel_largest_of(v));
+    for (int k = 0; k < 3; k++)
+        fit[k] = bits ? (int32_t)pel_scale_down(v[k], bits - 30) : 0;
+    return bits != 0;
+}
+
+/* The root of the squares' sum, from 2^58 to 3 2^60, is right to 2^-29 of
+ * itself. What it is off by scales the vector and does not turn it. Quotients
+ * are rounded: a numerator fits 61 bits. */
+bool pel_unit_exact(const int64_t v[3], pel_cosine unit[3])
+{
+    struct pel_root root;
+    if (!pel_vector_fit(v, unit))
+        return false;
+    pel_square_root((uint64_t)pel_dot(unit, unit), &root);
+    for (int k = 0; k < 3; k++) {
+        int64_t n = (int64_t)unit[k] * PEL_COSINE_ONE;
+        int64_t half = root.root / 2;
+        unit[k] = (int32_t)((n + (n < 0 ? -half : half)) / root.root);
+    }
+    return true;
+}

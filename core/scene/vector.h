@@ -1,0 +1,81 @@
+/* Numbers of the 3-D pipeline. Space is right-handed, y up; vectors are
+ * columns. What has no name here is a plain integer with its unit beside it. */
+#ifndef PEL_SCENE_VECTOR_H
+#define PEL_SCENE_VECTOR_H
+
+#include "../base/fixed.h"
+
+/* Places in the world: 1/65,536 unit, from -16,384 to 16,384 units. A
+ * difference of two fits 32 bits unsigned, and their sum weighted by a unit
+ * vector 62. */
+typedef int32_t pel_length;
+
+#define PEL_LENGTH_MAX (INT32_C(1) << 30)
+
+/* n units, n a whole number, for constant expressions too. */
+#define PEL_UNITS(n) ((pel_length)(n)*65536)
+
+/* Parts of unit vectors: 2^-30, from -1 to 1. */
+typedef int32_t pel_cosine;
+
+#define PEL_COSINE_ONE (INT32_C(1) << 30)
+
+/* Factors of light and material: 1/65,536, from 0 to PEL_FACTOR_MAX. */
+typedef int32_t pel_factor;
+
+#define PEL_FACTOR(percent) ((pel_factor)((percent)*65536 / 100))
+#define PEL_FACTOR_MAX (INT32_C(16) * 65536)
+
+/* v 2^-n, the nearest (a tie upwards); v 2^-n must fit. -62 <= n <= 62. */
+static inline int64_t pel_scale_down(int64_t v, int n)
+{
+    if (n <= 0)
+        return (int64_t)((uint64_t)v << -n);
+    return (v + (int64_t)((uint64_t)1 << (n - 1))) >> n;
+}
+
+/* Bits of v: 0 for 0, otherwise 2^(bits - 1) <= v < 2^bits. */
+static inline int pel_bits_of(uint64_t v)
+{
+#ifdef __GNUC__
+    return v ? 64 - __builtin_clzll(v) : 0;
+#else
+    int bits = 0;
+    for (; v; v >>= 1)
+        bits++;
+    return bits;
+#endif
+}
+
+static inline int64_t pel_size_of(int64_t v)
+{
+    return v < 0 ? -v : v;
+}
+
+static inline int64_t pel_largest_of(const int64_t v[3])
+{
+    int64_t x = pel_size_of(v[0]), y = pel_size_of(v[1]);
+    int64_t z = pel_size_of(v[2]);
+    x = x > y ? x : y;
+    return x > z ? x : z;
+}
+
+/* The product of vectors whose sizes multiply to less than 2^63. */
+static inline int64_t pel_dot(const int32_t a[3], const int32_t b[3])
+{
+    return (int64_t)a[0] * b[0] + (int64_t)a[1] * b[1] + (int64_t)a[2] * b[2];
+}
+
+/* A direction for light: unit gets v scaled to length 1, each part off by less
+ * than 2^-21. No division. |v[k]| <= 2^30; false, and all 0, when v is 0. */
+bool pel_unit_near(const int32_t v[3], pel_cosine unit[3]);
+
+/* A direction for places: the same, off by less than 2^-29, by divisions.
+ * |v[k]| < 2^62. */
+bool pel_unit_exact(const int64_t v[3], pel_cosine unit[3]);
+
+/* v times a power of two, so that the largest part is in [2^29, 2^30]; rounded
+ * where v has more bits. False, and all 0, when v is 0. |v[k]| < 2^62. */
+bool pel_vector_fit(const int64_t v[3], int32_t fit[3]);
+
+#endif

@@ -1,0 +1,286 @@
+/* Which format is a framebuffer's mode? A table of modes, those of real devices
+ * that drivers got wrong among them. */
+#include <stdio.h>
+#include <string.h>
+
+#include "core/format/formats.h"
+#include "drivers/display_linux_fb.h"
+
+struct row {
+    const char *name;
+    const struct pel_format *expected; /* NULL: refused */
+    unsigned bits, line, width, virtual_width;
+    unsigned channel[6]; /* red, green, blue: offset, length */
+    unsigned visual, gray;
+};
+
+#define TRUE_COLOR FB_VISUAL_TRUECOLOR
+#define PALETTE FB_VISUAL_PSEUDOCOLOR
+
+static const struct row rows[] = {
+    {"565",
+     &pel_rgb565_le,
+     16,
+     1280,
+     640,
+     640,
+     {11, 5, 5, 6, 0, 5},
+     TRUE_COLOR,
+     0},
+    {"565 padded",
+     &pel_rgb565_le,
+     16,
+     1600,
+     640,
+     640,
+     {11, 5, 5, 6, 0, 5},
+     TRUE_COLOR,
+     0},
+    {"565 in 32 bits",
+     NULL,
+     32,
+     2560,
+     640,
+     640,
+     {11, 5, 5, 6, 0, 6},
+     TRUE_COLOR,
+     0},
+    {"bgr565",
+     &pel_bgr565_le,
+     16,
+     1280,
+     640,
+     640,
+     {0, 5, 5, 6, 11, 5},
+     TRUE_COLOR,
+     0},
+    {"555",
+     &pel_xrgb1555_le,
+     16,
+     1280,
+     640,
+     640,
+     {10, 5, 5, 5, 0, 5},
+     TRUE_COLOR,
+     0},
+    {"555, 15 bits",
+     &pel_xrgb1555_le,
+     15,
+     1280,
+     640,
+     640,
+     {10, 5, 5, 5, 0, 5},
+     TRUE_COLOR,
+     0},
+    {"bgr555", NULL, 16, 1280, 640, 640, {0, 5, 5, 5, 10, 5}, TRUE_COLOR, 0},
+    {"444", NULL, 16, 1280, 640, 640, {8, 4, 4, 4, 0, 4}, TRUE_COLOR, 0},
+    {"888",
+     &pel_rgb888,
+     24,
+     1920,
+     640,
+     640,
+     {16, 8, 8, 8, 0, 8},
+     TRUE_COLOR,
+     0},
+    {"888 padded",
+     &pel_rgb888,
+     24,
+     2112,
+     640,
+     704,
+     {16, 8, 8, 8, 0, 8},
+     TRUE_COLOR,
+     0},
+    {"888 padded to 4",
+     &pel_rgb888,
+     24,
+     2560,
+     640,
+     640,
+     {16, 8, 8, 8, 0, 8},
+     TRUE_COLOR,
+     0},
+    {"888, 1366 wide",
+     &pel_rgb888,
+     24,
+     4128,
+     1366,
+     1366,
+     {16, 8, 8, 8, 0, 8},
+     TRUE_COLOR,
+     0},
+    {"bgr888",
+     &pel_bgr888,
+     24,
+     1920,
+     640,
+     640,
+     {0, 8, 8, 8, 16, 8},
+     TRUE_COLOR,
+     0},
+    {"xrgb8888",
+     &pel_xrgb8888,
+     32,
+     2560,
+     640,
+     640,
+     {16, 8, 8, 8, 0, 8},
+     TRUE_COLOR,
+     0},
+    {"xrgb8888 said to be 16",
+     &pel_xrgb8888,
+     16,
+     2560,
+     640,
+     640,
+     {16, 8, 8, 8, 0, 8},
+     TRUE_COLOR,
+     0},
+    {"xbgr8888",
+     &pel_xbgr8888,
+     32,
+     2560,
+     640,
+     640,
+     {0, 8, 8, 8, 16, 8},
+     TRUE_COLOR,
+     0},
+    {"rgbx8888",
+     &pel_rgbx8888,
+     32,
+     2560,
+     640,
+     640,
+     {24, 8, 16, 8, 8, 8},
+     TRUE_COLOR,
+     0},
+    {"bgrx8888",
+     &pel_bgrx8888,
+     32,
+     2560,
+     640,
+     640,
+     {8, 8, 16, 8, 24, 8},
+     TRUE_COLOR,
+     0},
+    {"direct colour",
+     &pel_xrgb8888,
+     32,
+     2560,
+     640,
+     640,
+     {16, 8, 8, 8, 0, 8},
+     FB_VISUAL_DIRECTCOLOR,
+     0},
+    {"10 bits",
+     NULL,
+     32,
+     2560,
+     640,
+     640,
+     {20, 10, 10, 10, 0, 10},
+     TRUE_COLOR,
+     0},
+    {"332", &pel_rgb332, 8, 640, 640, 640, {5, 3, 2, 3, 0, 2}, TRUE_COLOR, 0},
+    {"palette", &pel_rgb332, 8, 640, 640, 640, {0, 8, 0, 8, 0, 8}, PALETTE, 0},
+    {"palette of 16", NULL, 4, 320, 640, 640, {0, 4, 0, 4, 0, 4}, PALETTE, 0},
+    {"grey",
+     &pel_gray8,
+     8,
+     640,
+     640,
+     640,
+     {0, 8, 0, 8, 0, 8},
+     FB_VISUAL_STATIC_PSEUDOCOLOR,
+     1},
+    {"mono", NULL, 1, 80, 640, 640, {0, 1, 0, 1, 0, 1}, FB_VISUAL_MONO10, 0},
+    {"a FOURCC format",
+     NULL,
+     16,
+     1280,
+     640,
+     640,
+     {11, 5, 5, 6, 0, 5},
+     TRUE_COLOR,
+     0x56595559},
+    {"lines too short",
+     NULL,
+     32,
+     1900,
+     640,
+     640,
+     {16, 8, 8, 8, 0, 8},
+     TRUE_COLOR,
+     0},
+    {"no width", NULL, 32, 2560, 0, 0, {16, 8, 8, 8, 0, 8}, TRUE_COLOR, 0},
+};
+
+static struct pel_fb_mode mode_of(const struct row *r)
+{
+    struct pel_fb_mode mode;
+    memset(&mode, 0, sizeof(mode));
+    mode.fixed.line_length = r->line;
+    mode.fixed.smem_len = r->line * 480;
+    mode.fixed.visual = r->visual;
+    mode.variable.xres = r->width;
+    mode.variable.xres_virtual = r->virtual_width;
+    mode.variable.yres = mode.variable.yres_virtual = 480;
+    mode.variable.bits_per_pixel = r->bits;
+    mode.variable.grayscale = r->gray;
+    mode.variable.red.offset = r->channel[0];
+    mode.variable.red.length = r->channel[1];
+    mode.variable.green.offset = r->channel[2];
+    mode.variable.green.length = r->channel[3];
+    mode.variable.blue.offset = r->channel[4];
+    mode.variable.blue.length = r->channel[5];
+    return mode;
+}
+
+static int check(const char *name, const struct pel_fb_mode *mode,
+                 const struct pel_format *expected)
+{
+    struct pel_message message = {""};
+    const struct pel_format *format = pel_fb_format(mode, &message);
+    int right = format == expected && (format || strstr(message.text, "line"));
+    if (!right)
+        printf("FAIL layout %s: format %d, expected %d; %s\n", name,
+               format ? format->id : 0, expected ? expected->id : 0,
+               message.text);
+    return !right;
+}
+
+/* Offsets into the memory, and memory that is too small for them. */
+static int check_places(void)
+{
+    struct pel_fb_mode mode = mode_of(&rows[0]);
+    mode.fixed.smem_len = 1280 * 960;
+    mode.variable.yres_virtual = 960;
+    mode.variable.yoffset = 480;
+    int bad = check("second page", &mode, &pel_rgb565_le);
+    mode.variable.yoffset = 481;
+    bad += check("past the memory", &mode, NULL);
+    mode.variable.yoffset = 0;
+    mode.variable.xoffset = 1;
+    bad += check("past the line", &mode, NULL);
+    mode.variable.xoffset = 0;
+    mode.variable.red.msb_right = 1;
+    bad += check("bits from the right", &mode, NULL);
+    mode.variable.red.msb_right = 0;
+    mode.fixed.type = FB_TYPE_PLANES;
+    bad += check("planes", &mode, NULL);
+    return bad;
+}
+
+int main(void)
+{
+    int bad = check_places();
+    for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
+        struct pel_fb_mode mode = mode_of(&rows[i]);
+        bad += check(rows[i].name, &mode, rows[i].expected);
+    }
+    if (!bad)
+        printf("layout: %d layouts right\n",
+               (int)(sizeof(rows) / sizeof(rows[0])) + 5);
+    return bad != 0;
+}

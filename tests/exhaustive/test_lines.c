@@ -1,0 +1,99 @@
+/* All lines of a small lattice of pixels that straddles zero, against exact
+ * fractions at every pixel; the same through every clip of a smaller one, and
+ * from every sub-pixel place in a pixel. */
+#include "tests/support/check.h"
+#include "tests/support/hits.h"
+#include "tests/support/reference.h"
+
+static struct hits hits;
+
+static bool in_line(const void *ends, int32_t x, int32_t y)
+{
+    const struct pel_point *v = ends;
+    return reference_line_at(v[0], v[1], x, y);
+}
+
+/* From pixel i to pixel j of a square of `side` pixels around zero; the points
+ * lie somewhere in their pixels. */
+static void check_line(int32_t side, int32_t i, int32_t j)
+{
+    const int32_t half = side / 2;
+    const struct pel_point v[2] = {
+        {PEL_PX(i % side - half) + (i * 5 + j) % 256,
+         PEL_PX(i / side - half) + (i * 3 + j * 7) % 256},
+        {PEL_PX(j % side - half) + (j * 11 + i) % 256,
+         PEL_PX(j / side - half) + (j + i * 13) % 256}};
+    hits.pixels = 0;
+    for (int32_t k = 0; k < HITS_MAX && k < (side + 2) * (side + 2); k++)
+        hits.count[k] = 0;
+    pel_line(&hits.surface, v[0], v[1], &hits.paint);
+    hits_check(&hits, in_line, v, "line");
+}
+
+static struct pel_rect around(int32_t side)
+{
+    const int32_t low = -side / 2 - 1;
+    return (struct pel_rect){low, low, low + side + 2, low + side + 2};
+}
+
+static void test_all_lines(void **state)
+{
+    enum { SIDE = 17 };
+    const struct pel_rect bounds = around(SIDE);
+    (void)state;
+    hits_open(&hits, &bounds);
+    for (int32_t i = 0; i < SIDE * SIDE; i++)
+        for (int32_t j = 0; j < SIDE * SIDE; j++) {
+            check_line(SIDE, i, j);
+            const int32_t dx = i % SIDE - j % SIDE, dy = i / SIDE - j / SIDE;
+            const int32_t longer = pel_max(pel_max(dx, -dx), pel_max(dy, -dy));
+            assert_int_equal(hits.pixels, longer + 1);
+        }
+}
+
+static void check_clip(const struct pel_rect *clip)
+{
+    enum { SIDE = 6 };
+    const struct pel_rect bounds = around(SIDE);
+    hits_open(&hits, &bounds);
+    pel_surface_clip(&hits.surface, clip);
+    for (int32_t i = 0; i < SIDE * SIDE; i++)
+        for (int32_t j = 0; j < SIDE * SIDE; j++)
+            check_line(SIDE, i, j);
+}
+
+static void test_all_clips(void **state)
+{
+    struct pel_rect c;
+    (void)state;
+    for (c.y0 = -3; c.y0 < 3; c.y0++)
+        for (c.y1 = c.y0 + 1; c.y1 <= 3; c.y1++)
+            for (c.x0 = -3; c.x0 < 3; c.x0++)
+                for (c.x1 = c.x0 + 1; c.x1 <= 3; c.x1++)
+                    check_clip(&c);
+}
+
+/* Only the pixels that hold the points count. */
+static void test_all_places_in_a_pixel(void **state)
+{
+    const struct pel_rect bounds = {-4, -4, 4, 4};
+    (void)state;
+    for (int32_t k = 0; k < 256; k++) {
+        const struct pel_point v[2] = {{PEL_PX(-3) + k, PEL_PX(1) + 255 - k},
+                                       {PEL_PX(2) + 255 - k, PEL_PX(-2) + k}};
+        const struct pel_point pixels[2] = {PEL_AT(-3, 1), PEL_AT(2, -2)};
+        hits_open(&hits, &bounds);
+        pel_line(&hits.surface, v[0], v[1], &hits.paint);
+        hits_check(&hits, in_line, pixels, "line");
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_all_lines),
+        cmocka_unit_test(test_all_clips),
+        cmocka_unit_test(test_all_places_in_a_pixel),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,133 @@
+/* All quadrilaterals of a 4 x 4 lattice half a pixel apart, crossed ones and
+ * those without area included, and polygons of 5 to 8 vertices of lattices half
+ * and a quarter of a pixel apart, by both rules, against winding numbers; each
+ * pixel at most once. A picture of 8 x 8 pixels is a number of 64 bits. */
+#include "tests/support/cases.h"
+#include "tests/support/check.h"
+#include "tests/support/reference.h"
+
+enum { WINDOW = 8 };
+
+struct picture {
+    struct pel_paint paint;
+    uint64_t bits;
+    bool twice;
+};
+
+/* Pixel (x, y) is bit 8 (y + 4) + x + 4. */
+static uint64_t bit_of(int32_t x, int32_t y)
+{
+    return UINT64_C(1) << (8 * (y + WINDOW / 2) + x + WINDOW / 2);
+}
+
+static void take_rows(const struct pel_paint *paint,
+                      const struct pel_rows *rows)
+{
+    struct picture *p = (struct picture *)(uintptr_t)paint;
+    for (int i = 0; i < rows->n; i++)
+        for (int32_t x = rows->row[i].x0; x < rows->row[i].x1; x++) {
+            uint64_t bit = bit_of(x, rows->y + i * rows->step);
+            p->twice |= (p->bits & bit) != 0;
+            p->bits |= bit;
+        }
+}
+
+/* By both rules: [PEL_EVEN_ODD] and [PEL_NON_ZERO]. */
+static void expected(const struct pel_outline *outline, uint64_t bits[2])
+{
+    bits[0] = bits[1] = 0;
+    for (int32_t y = -WINDOW / 2; y < WINDOW / 2; y++)
+        for (int32_t x = -WINDOW / 2; x < WINDOW / 2; x++) {
+            int32_t winding = reference_winding_at(outline, x, y);
+            if (winding % 2 != 0)
+                bits[PEL_EVEN_ODD] |= bit_of(x, y);
+            if (winding != 0)
+                bits[PEL_NON_ZERO] |= bit_of(x, y);
+        }
+}
+
+static struct pel_surface surface;
+
+static int setup(void **state)
+{
+    static uint8_t nothing;
+    const struct pel_rect bounds = {-WINDOW / 2, -WINDOW / 2, WINDOW / 2,
+                                    WINDOW / 2};
+    (void)state;
+    return pel_surface_init_rect(&surface, &pel_gray8, &nothing, WINDOW,
+                                 &bounds);
+}
+
+static void check_polygon(const struct pel_point *v, int32_t n)
+{
+    uint32_t scratch[8 * 9];
+    struct pel_outline outline = {v, n, PEL_EVEN_ODD};
+    uint64_t want[2];
+    expected(&outline, want);
+    for (int rule = 0; rule < 2; rule++) {
+        struct picture p = {{.fill = take_rows}, 0, false};
+        outline.rule = (enum pel_fill_rule)rule;
+        assert_int_equal(pel_polygon(&surface, &outline, &p.paint, scratch,
+                                     pel_polygon_scratch_size(n)),
+                         PEL_OK);
+        if (p.twice || p.bits != want[rule])
+            fail_msg("%d vertices from %d,%d %d,%d on, rule %d: expected %llx, "
+                     "got %llx%s; %s",
+                     n, v[0].x, v[0].y, v[1].x, v[1].y, rule,
+                     (unsigned long long)want[rule], (unsigned long long)p.bits,
+                     p.twice ? ", pixels twice" : "", cases_replay());
+    }
+}
+
+/* Point i of a lattice of `side` x `side` points around zero. */
+static struct pel_point point_of(int32_t i, int32_t side, int32_t step)
+{
+    return (struct pel_point){(i % side - side / 2) * step,
+                              (i / side - side / 2) * step};
+}
+
+static void test_all_quadrilaterals(void **state)
+{
+    (void)state;
+    for (int32_t i = 0; i < 1 << 16; i++) {
+        struct pel_point v[4];
+        for (int k = 0; k < 4; k++)
+            v[k] = point_of(i >> 4 * k & 15, 4, 128);
+        check_polygon(v, 4);
+    }
+}
+
+/* Few points, so that vertices meet and sides run over one another. */
+static void test_coarse_polygons(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(60000); cases_next(&c);) {
+        struct pel_point v[8];
+        const int32_t n = random_between(&c.random, 5, 8);
+        for (int32_t k = 0; k < n; k++)
+            v[k] = point_of(random_between(&c.random, 0, 24), 5, 128);
+        check_polygon(v, n);
+    }
+}
+
+static void test_fine_polygons(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(60000); cases_next(&c);) {
+        struct pel_point v[8];
+        const int32_t n = random_between(&c.random, 5, 8);
+        for (int32_t k = 0; k < n; k++)
+            v[k] = point_of(random_between(&c.random, 0, 31 * 31 - 1), 31, 64);
+        check_polygon(v, n);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_all_quadrilaterals),
+        cmocka_unit_test(test_coarse_polygons),
+        cmocka_unit_test(test_fine_polygons),
+    };
+    return cmocka_run_group_tests(tests, setup, NULL);
+}

@@ -1,0 +1,188 @@
+/* Ordered dither: the matrix, the levels, the mean, and what it leaves alone.
+ */
+#include "core/raster/paint_dither.h"
+#include "core/raster/paint_linear.h"
+#include "tests/support/canvas.h"
+#include "tests/support/check.h"
+#include "tests/support/shapes.h"
+
+static struct canvas canvas;
+
+static const struct pel_point origin = PEL_AT(-20000, -20000);
+static const struct pel_point far_end = PEL_AT(20000, 20000);
+
+/* The Bayer matrix by its bits: those of x ^ y and y, the lowest first. */
+static uint32_t bayer(int32_t x, int32_t y)
+{
+    uint32_t value = 0;
+    for (int bit = 0; bit < 3; bit++)
+        value = value << 2 | ((uint32_t)(x ^ y) >> bit & 1) << 1 |
+                ((uint32_t)y >> bit & 1);
+    return value;
+}
+
+static bool has_few_levels(const struct layout *l)
+{
+    return l->bits <= 16 && l->format->id != PEL_FORMAT_GRAY8;
+}
+
+/* What the format shows of a colour that it has; grey for grey formats. */
+static pel_color shown(const struct layout *l, pel_color c)
+{
+    return layout_unpack(l, layout_pack(l, c));
+}
+
+/* Of one channel of a colour whose other channels are the same: the highest
+ * value not above c that the format shows, and the lowest above. */
+static void levels_around(const struct layout *l, int shift, uint32_t c,
+                          uint32_t *low, uint32_t *high)
+{
+    uint32_t v = c;
+    while ((shown(l, v * 0x010101) >> shift & 255) != v)
+        v--;
+    *low = v;
+    for (v = c + 1; v < 255; v++)
+        if ((shown(l, v * 0x010101) >> shift & 255) == v)
+            break;
+    *high = c < 255 ? v : 255;
+}
+
+static uint32_t dithered(const struct layout *l, int shift, uint32_t c,
+                         int32_t x, int32_t y)
+{
+    uint32_t low, high;
+    levels_around(l, shift, c, &low, &high);
+    return (c - low) * 128 > (2 * bayer(x, y) + 1) * (high - low) ? high : low;
+}
+
+static pel_color dithered_color(const struct layout *l, pel_color c, int32_t x,
+                                int32_t y)
+{
+    if (!has_few_levels(l))
+        return c;
+    const uint32_t gray = pel_gray(c);
+    pel_color d = c & 0xFF000000;
+    for (int shift = 0; shift < 24; shift += 8)
+        d |= dithered(l, shift, l->gray ? gray : c >> shift & 255, x, y)
+             << shift;
+    return d;
+}
+
+/* One colour, any alpha, on any surface. */
+static void test_flat(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(1500); cases_next(&c);) {
+        struct random *r = &c.random;
+        const int32_t x0 = random_between(r, -2000, 2000) * 8;
+        const int32_t y0 = random_between(r, -2000, 2000) * 8;
+        const struct pel_rect b = {x0, y0, x0 + random_between(r, 1, 40),
+                                   y0 + 9};
+        const struct layout *l = &layouts[c.next % LAYOUT_COUNT];
+        const struct pel_flat flat = PEL_FLAT(
+            random_word(r) % 2 ? random_word(r) : random_word(r) | 0xFF000000);
+        struct pel_dither d;
+        canvas_open(&canvas, l->format, &b, random_word(r) % CANVAS_STYLES);
+        assert_int_equal(pel_dither_init(&d, &flat.paint), PEL_OK);
+        pel_rectangle(&canvas.surface, origin, far_end, &d.paint);
+        for (int32_t y = b.y0; y < b.y1; y++)
+            for (int32_t x = b.x0; x < b.x1; x++) {
+                pel_color source = dithered_color(l, flat.color, x, y);
+                uint32_t want =
+                    layout_over(l, canvas_pixel_before(&canvas, x, y), source);
+                if (canvas_pixel(&canvas, x, y) != want)
+                    fail_msg("%s, %08x at %d,%d: expected %x, got %x; %s",
+                             l->name, flat.color, x, y, want,
+                             canvas_pixel(&canvas, x, y), cases_replay());
+            }
+        canvas_check(&canvas);
+    }
+}
+
+/* Every grey: the mean of 8 x 8 pixels is the colour to 1/128 of a step, and a
+ * level stays. */
+static void check_mean(const struct layout *l, uint32_t c, int shift)
+{
+    uint32_t low, high, sum = 0;
+    levels_around(l, shift, c, &low, &high);
+    for (int32_t y = 0; y < 8; y++)
+        for (int32_t x = 0; x < 8; x++)
+            sum += layout_unpack(l, canvas_pixel(&canvas, x, y)) >> shift & 255;
+    const int32_t off = (int32_t)(sum * 2) - (int32_t)(c * 128);
+    if (off > (int32_t)(high - low) || -off > (int32_t)(high - low))
+        fail_msg("%s: the mean of %u is %u / 64", l->name, c, sum);
+    if (c == low)
+        assert_int_equal(sum, c * 64);
+}
+
+static void test_mean(void **state)
+{
+    (void)state;
+    const struct pel_rect b = {0, 0, 8, 8};
+    for (int i = 0; i < LAYOUT_COUNT; i++)
+        for (uint32_t c = 0; c < 256; c++) {
+            const struct pel_flat flat = PEL_FLAT(PEL_RGB(c, c, c));
+            struct pel_dither d;
+            canvas_open(&canvas, layouts[i].format, &b, 0);
+            assert_int_equal(pel_dither_init(&d, &flat.paint), PEL_OK);
+            pel_rectangle(&canvas.surface, origin, far_end, &d.paint);
+            for (int shift = 0; shift < 24; shift += 8)
+                check_mean(&layouts[i], c, shift);
+        }
+}
+
+/* A paint that computes colours, in bands and whole. */
+static void test_gradient_in_bands(void **state)
+{
+    (void)state;
+    static struct canvas band;
+    static const pel_color colors[2] = {0xFF102030, 0xC0F0E0D0};
+    const struct pel_ramp ramp = {colors, 2, PEL_REFLECT};
+    const struct pel_point from = PEL_AT(3, 5), to = PEL_AT(90, 44);
+    struct pel_linear linear;
+    struct pel_dither d;
+    const struct pel_rect b = {0, 0, 64, 48};
+    assert_int_equal(pel_linear_init(&linear, from, to, &ramp), PEL_OK);
+    assert_int_equal(pel_dither_init(&d, &linear.base.paint), PEL_OK);
+    for (int i = 0; i < LAYOUT_COUNT; i++) {
+        canvas_open(&canvas, layouts[i].format, &b, 0);
+        pel_rectangle(&canvas.surface, origin, far_end, &d.paint);
+        for (int32_t y0 = 0; y0 < 48; y0 += 8) {
+            const struct pel_rect part = {y0 & 8, y0, 64, y0 + 8};
+            canvas_open(&band, layouts[i].format, &part, 1);
+            pel_rectangle(&band.surface, origin, far_end, &d.paint);
+            for (int32_t y = y0; y < y0 + 8; y++)
+                for (int32_t x = part.x0; x < 64; x++)
+                    assert_int_equal(canvas_pixel(&band, x, y),
+                                     canvas_pixel(&canvas, x, y));
+        }
+    }
+}
+
+static void unknown(const struct pel_paint *paint, const struct pel_rows *rows)
+{
+    (void)paint;
+    (void)rows;
+}
+
+static void test_errors(void **state)
+{
+    (void)state;
+    const struct pel_flat flat = PEL_FLAT(0);
+    const struct pel_paint other = {.fill = unknown};
+    struct pel_dither d;
+    assert_int_equal(pel_dither_init(NULL, &flat.paint), PEL_ERROR_NULL);
+    assert_int_equal(pel_dither_init(&d, NULL), PEL_ERROR_NULL);
+    assert_int_equal(pel_dither_init(&d, &other), PEL_ERROR_RANGE);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_flat),
+        cmocka_unit_test(test_mean),
+        cmocka_unit_test(test_gradient_in_bands),
+        cmocka_unit_test(test_errors),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,240 @@
+/* Fans against exact planes of their wedges. */
+#include "core/raster/paint_fan.h"
+#include "tests/support/check.h"
+#include "tests/support/paint_math.h"
+#include "tests/support/reference.h"
+#include "tests/support/shapes.h"
+
+static struct histogram errors = {.name = "fan_color", .step = 1.0L / 64};
+
+enum { POINTS_MAX = 12 };
+
+/* Channels that go farther beyond the rim are not promised. */
+#define BEYOND 2147483648.0L
+
+struct fan_case {
+    struct pel_point rim[POINTS_MAX];
+    pel_color colors[POINTS_MAX];
+    struct pel_fan_points points;
+    struct pel_fan_wedge wedges[POINTS_MAX];
+    struct pel_fan fan;
+};
+
+static struct fan_case fan;
+
+static wide cross(struct pel_point a, struct pel_point b, wide x, wide y)
+{
+    return ((wide)b.x - a.x) * (y - a.y) - ((wide)b.y - a.y) * (x - a.x);
+}
+
+/* A star around a hub: angles that grow, any radius; either direction. */
+static void random_star(struct random *r)
+{
+    struct fan_case *f = &fan;
+    const int32_t n = random_between(r, 3, POINTS_MAX);
+    const int32_t size = PEL_PX(1) << random_between(r, 0, 12);
+    const struct pel_point hub = {random_between(r, -4000000, 4000000),
+                                  random_between(r, -4000000, 4000000)};
+    const uint16_t start = (uint16_t)random_word(r);
+    for (int32_t i = 0; i < n; i++) {
+        struct pel_point all[POINTS_MAX];
+        pel_fan_rim(all, n, hub, random_between(r, size / 4 + 4, size), start);
+        f->rim[i] = all[i];
+        f->colors[i] = random_word(r);
+    }
+    f->points =
+        (struct pel_fan_points){hub, random_word(r), f->rim, f->colors, n};
+    const bool reversed = random_word(r) % 2;
+    for (int32_t i = 0; reversed && i < n / 2; i++) {
+        struct pel_point t = f->rim[i];
+        f->rim[i] = f->rim[n - 1 - i];
+        f->rim[n - 1 - i] = t;
+    }
+}
+
+/* The exact channel in the triangle of the hub and rim points i and j, which
+ * goes on beyond the rim; false when the pixel is not between their rays. */
+static bool channel_between(int32_t i, int32_t j, int32_t x, int32_t y, int k,
+                            real *value)
+{
+    const struct pel_point h = fan.points.hub, a = fan.rim[i], b = fan.rim[j];
+    const wide px = pel_pixel_center(x), py = pel_pixel_center(y);
+    wide area = cross(h, a, b.x, b.y), to_b = cross(h, a, px, py),
+         to_a = -cross(h, b, px, py);
+    if (area < 0) {
+        area = -area;
+        to_a = -to_a;
+        to_b = -to_b;
+    }
+    if (area == 0 || to_a < 0 || to_b < 0)
+        return false;
+    real ch = fan.points.hub_color >> 8 * k & 255;
+    real ca = fan.colors[i] >> 8 * k & 255, cb = fan.colors[j] >> 8 * k & 255;
+    *value =
+        ch + ((ca - ch) * (real)to_a + (cb - ch) * (real)to_b) / (real)area;
+    if (real_abs(*value) >= BEYOND)
+        return false;
+    *value = *value < 0 ? 0 : *value > 255 ? 255 : *value;
+    return true;
+}
+
+static bool is_beyond(int32_t x, int32_t y, int k)
+{
+    real value = 0;
+    for (int32_t i = 0; i < fan.points.n; i++)
+        if (!channel_between(i, (i + 1) % fan.points.n, x, y, k, &value) &&
+            real_abs(value) >= BEYOND)
+            return true;
+    return false;
+}
+
+static void check_channel(int32_t x, int32_t y, int k, pel_color got)
+{
+    real best = 256, value;
+    for (int32_t i = 0; i < fan.points.n; i++) {
+        int32_t j = (i + 1) % fan.points.n;
+        if (!channel_between(i, j, x, y, k, &value))
+            continue;
+        real error = (real)(got >> 8 * k & 255) - value;
+        best = real_abs(error) < real_abs(best) ? error : best;
+    }
+    if (best == 256 && is_beyond(x, y, k))
+        return;
+    if (best == 256)
+        best = (real)(got >> 8 * k & 255) -
+               (real)(fan.points.hub_color >> 8 * k & 255);
+    if (real_abs(best) > 0.5L + 0x1p-14L)
+        fail_msg("hub %d,%d n %d, pixel %d,%d, channel %d: got %08x, %Lg off; "
+                 "%s",
+                 fan.points.hub.x, fan.points.hub.y, fan.points.n, x, y, k, got,
+                 best, cases_replay());
+    histogram_add(&errors, best);
+}
+
+static void check_runs(struct random *r)
+{
+    struct pel_color_paint *p = &fan.fan.base;
+    int32_t x = pel_pixel_of(fan.points.hub.x) - 1, size = 4;
+    int32_t y = pel_pixel_of(fan.points.hub.y) - 1;
+    pel_color got[48], one;
+    for (int turn = 0; turn < 8; turn++, size *= 3) {
+        int32_t left = pel_max(-32768, x - random_between(r, 0, size));
+        left = pel_min(left, 32767 - 48);
+        int32_t line = y + random_between(r, -size, size);
+        line = pel_max(-32768, pel_min(line, 32767));
+        p->colors(p, left, line, 48, got);
+        for (int32_t i = 0; i < 48; i++)
+            for (int k = 0; k < 4; k++)
+                check_channel(left + i, line, k, got[i]);
+        int32_t i = random_between(r, 0, 47);
+        p->colors(p, left + i, line, 1, &one);
+        assert_int_equal(one, got[i]);
+    }
+}
+
+static void test_stars(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(2500); cases_next(&c);) {
+        random_star(&c.random);
+        assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.wedges),
+                         PEL_OK);
+        check_runs(&c.random);
+    }
+    histogram_end(&errors);
+}
+
+/* Convex and not, any legal points: where the rim goes around the hub. */
+static void test_any_triangle(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(10000); cases_next(&c);) {
+        struct random *r = &c.random;
+        if (c.next % 2)
+            shape_random(r, fan.rim, 3);
+        else
+            shape_adversarial(r, fan.rim, 3);
+        for (int i = 0; i < 3; i++)
+            fan.colors[i] = random_word(r);
+        fan.points = (struct pel_fan_points){{0, 0}, 0, fan.rim, fan.colors, 3};
+        pel_fan_set_hub(&fan.points);
+        if (pel_fan_init(&fan.fan, &fan.points, fan.wedges) == PEL_OK)
+            check_runs(r);
+    }
+}
+
+/* Around the mean place, with a colour that is the mean: the whole triangle is
+ * one plane. */
+static void test_triangle_is_gouraud(void **state)
+{
+    (void)state;
+    const struct pel_point v[3] = {{PEL_PX(30), PEL_PX(3)},
+                                   {PEL_PX(3), PEL_PX(60)},
+                                   {PEL_PX(90), PEL_PX(81)}};
+    const pel_color c[3] = {0xFF0306FF, 0x00FF0903, 0x3C030903};
+    struct pel_gouraud g;
+    pel_color got;
+    fan.points = (struct pel_fan_points){{0, 0}, 0, v, c, 3};
+    pel_fan_set_hub(&fan.points);
+    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.wedges), PEL_OK);
+    pel_gouraud_init(&g, v, c);
+    for (int32_t y = 0; y < 90; y++)
+        for (int32_t x = 0; x < 100; x++) {
+            if (!reference_triangle_at(v, x, y))
+                continue;
+            fan.fan.base.colors(&fan.fan.base, x, y, 1, &got);
+            for (int k = 0; k < 4; k++) {
+                int32_t want = (int32_t)((g.at[k] + (uint32_t)x * g.dx[k] +
+                                          (uint32_t)y * g.dy[k]) >>
+                                         24);
+                assert_in_range((got >> 8 * k & 255) + 1 - (uint32_t)want, 0,
+                                2);
+            }
+        }
+}
+
+static void test_hub_on_an_edge(void **state)
+{
+    (void)state;
+    const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(20, 0), PEL_AT(10, 10)};
+    const pel_color c[3] = {0xFF000000, 0xFFFFFFFF, 0xFF00FF00};
+    pel_color got[40];
+    fan.points = (struct pel_fan_points){PEL_AT(10, 0), 0xFF808080, v, c, 3};
+    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.wedges), PEL_OK);
+    fan.fan.base.colors(&fan.fan.base, -10, -5, 40, got);
+    for (int i = 0; i < 40; i++)
+        assert_int_equal(got[i], 0xFF808080);
+    fan.fan.base.colors(&fan.fan.base, 1, 0, 1, got);
+    assert_in_range(got[0] & 255, 10, 22);
+}
+
+static void test_errors(void **state)
+{
+    (void)state;
+    const struct pel_point v[4] = {PEL_AT(0, 0), PEL_AT(20, 0), PEL_AT(10, 10),
+                                   PEL_AT(-5, 3)};
+    const pel_color c[4] = {0, 0, 0, 0};
+    struct pel_fan_points p = {PEL_AT(10, 3), 0, v, c, 3};
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_OK);
+    assert_int_equal(pel_fan_init(NULL, &p, fan.wedges), PEL_ERROR_NULL);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, NULL), PEL_ERROR_NULL);
+    p.n = 2;
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_SIZE);
+    p.n = 3;
+    p.hub.y = PEL_PX(-1);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_RANGE);
+    p.hub.y = PEL_COORDINATE_MAX + 1;
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_RANGE);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_stars),
+        cmocka_unit_test(test_any_triangle),
+        cmocka_unit_test(test_triangle_is_gouraud),
+        cmocka_unit_test(test_hub_on_an_edge),
+        cmocka_unit_test(test_errors),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

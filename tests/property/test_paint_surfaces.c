@@ -1,0 +1,224 @@
+/* Every paint that computes colours, on shapes, in every format: each pixel is
+ * what the paint says of that pixel alone, stored or blended by the rule. So
+ * bands, tiles and clips change no byte. And the same bytes on every CPU. */
+#include "core/raster/paint_dither.h"
+#include "core/raster/paint_fan.h"
+#include "core/raster/paint_hue.h"
+#include "core/raster/paint_linear.h"
+#include "core/raster/paint_radial.h"
+#include "core/raster/paint_texture.h"
+#include "tests/support/canvas.h"
+#include "tests/support/check.h"
+#include "tests/support/hits.h"
+#include "tests/support/shapes.h"
+
+enum { KINDS = 7, COLORS = 200, TEXELS = 16 * 11 };
+
+static pel_color ramp_colors[COLORS], texels[TEXELS];
+static struct pel_fan_wedge wedges[5];
+static union {
+    struct pel_linear linear;
+    struct pel_radial radial;
+    struct pel_conic conic;
+    struct pel_hue_wheel wheel;
+    struct pel_fan fan;
+    struct pel_texture texture;
+} paint;
+
+static void noise(struct random *r, pel_color *colors, int32_t n, bool opaque)
+{
+    for (int32_t i = 0; i < n; i++)
+        colors[i] = random_word(r) | (opaque ? 0xFF000000 : 0);
+}
+
+static struct pel_point random_point(struct random *r, const struct pel_rect *b)
+{
+    struct pel_point p;
+    p.x = random_between(r, PEL_PX(b->x0 - 20), PEL_PX(b->x1 + 20));
+    p.y = random_between(r, PEL_PX(b->y0 - 20), PEL_PX(b->y1 + 20));
+    return p;
+}
+
+static struct pel_color_paint *make_gradient(struct random *r, uint32_t kind,
+                                             const struct pel_rect *b)
+{
+    const struct pel_point at = random_point(r, b), to = random_point(r, b);
+    const uint32_t n = random_word(r) % 3, spread = random_word(r) % 3;
+    const int32_t radius = random_between(r, 256, 12000);
+    const uint16_t phase = (uint16_t)random_word(r);
+    const struct pel_ramp ramp = {ramp_colors, n ? (int32_t)n + 1 : COLORS,
+                                  (enum pel_spread)spread};
+    const struct pel_rings rings = {at, radius, phase};
+    if (kind == 0) {
+        pel_linear_init(&paint.linear, at, to, &ramp);
+        return &paint.linear.base;
+    }
+    if (kind == 1) {
+        pel_radial_init(&paint.radial, &rings, &ramp);
+        return &paint.radial.base;
+    }
+    pel_conic_init(&paint.conic, at, phase, &ramp);
+    return &paint.conic.base;
+}
+
+/* From 0 to 1 at the corner of the bounds, -1 to 1 texels a pixel. */
+static void random_plane(struct random *r, const struct pel_rect *b,
+                         struct pel_texture_plane *p)
+{
+    p->at = random_word(r);
+    p->dx = (uint64_t)(int64_t)random_word(r) * 2 - UINT32_MAX;
+    p->dy = (uint64_t)(int64_t)random_word(r) * 2 - UINT32_MAX;
+    p->at -= (uint64_t)(int64_t)b->x0 * p->dx;
+    p->at -= (uint64_t)(int64_t)b->y0 * p->dy;
+}
+
+static struct pel_color_paint *make_texture(struct random *r, bool bilinear,
+                                            const struct pel_rect *b)
+{
+    const struct pel_texels t = {NULL, texels, 16, 11,
+                                 pel_alpha(texels[0] & texels[1] & texels[2]) ==
+                                     255};
+    struct pel_texture_map map;
+    random_plane(r, b, &map.u);
+    random_plane(r, b, &map.v);
+    if (bilinear)
+        pel_texture_init_bilinear(&paint.texture, &t, &map);
+    else
+        pel_texture_init_nearest(&paint.texture, &t, &map);
+    paint.texture.wrap_u = (uint8_t)(random_word(r) % 3);
+    paint.texture.wrap_v = (uint8_t)(random_word(r) % 3);
+    return &paint.texture.base;
+}
+
+static struct pel_color_paint *make_fan(struct random *r,
+                                        const struct pel_rect *b)
+{
+    struct pel_point rim[5];
+    const struct pel_point at = random_point(r, b);
+    const int32_t radius = random_between(r, 256, 9000);
+    struct pel_fan_points points = {at, ramp_colors[9], rim, ramp_colors, 5};
+    pel_fan_rim(rim, 5, at, radius, (uint16_t)random_word(r));
+    assert_int_equal(pel_fan_init(&paint.fan, &points, wedges), PEL_OK);
+    return &paint.fan.base;
+}
+
+static struct pel_color_paint *make(struct random *r, uint32_t kind,
+                                    const struct pel_rect *b)
+{
+    const bool opaque = random_word(r) % 2;
+    noise(r, ramp_colors, COLORS, opaque);
+    noise(r, texels, TEXELS, opaque);
+    if (kind < 3)
+        return make_gradient(r, kind, b);
+    if (kind < 5)
+        return make_texture(r, kind == 3, b);
+    if (kind == 5)
+        return make_fan(r, b);
+    pel_hue_wheel_init(&paint.wheel, random_point(r, b), 77, 255, 200);
+    return &paint.wheel.conic.base;
+}
+
+static void draw(const struct pel_surface *s, const struct pel_point v[3],
+                 uint32_t shape, const struct pel_paint *p)
+{
+    if (shape == 0)
+        pel_triangle(s, v, p);
+    else if (shape == 1)
+        pel_circle(s, v[0], v[1].x & 8191, p);
+    else
+        pel_rectangle(s, v[0], v[1], p);
+}
+
+static struct pel_rect random_bounds(struct random *r)
+{
+    const int32_t reach = random_word(r) % 2 ? 40 : 32600;
+    struct pel_rect b;
+    b.x0 = random_between(r, -reach, reach) & ~7;
+    b.y0 = random_between(r, -reach, reach) & ~7;
+    b.x1 = b.x0 + random_between(r, 1, 90);
+    b.y1 = b.y0 + random_between(r, 1, 20);
+    return b;
+}
+
+static void check_pixels(const struct canvas *c, const struct hits *h,
+                         const struct pel_color_paint *p, uint32_t kind)
+{
+    const struct pel_rect *b = &c->surface.bounds;
+    for (int32_t y = b->y0; y < b->y1; y++)
+        for (int32_t x = b->x0; x < b->x1; x++) {
+            uint32_t want = canvas_pixel_before(c, x, y);
+            pel_color source;
+            p->colors(p, x, y, 1, &source);
+            if (hits_at(h, x, y))
+                want = layout_over(c->layout, want, source);
+            if (p->opaque && pel_alpha(source) != 255)
+                fail_msg("kind %u: %08x is not opaque; %s", kind, source,
+                         cases_replay());
+            if (canvas_pixel(c, x, y) != want)
+                fail_msg("%s, kind %u, pixel %d,%d: colour %08x, expected %x, "
+                         "got %x; %s",
+                         c->layout->name, kind, x, y, source, want,
+                         canvas_pixel(c, x, y), cases_replay());
+        }
+    canvas_check(c);
+}
+
+static void test_pixels(void **state)
+{
+    (void)state;
+    static struct canvas canvas;
+    static struct hits hits;
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const struct pel_rect b = random_bounds(r);
+        const uint32_t kind = random_word(r) % KINDS;
+        const uint32_t shape = random_word(r) % 3;
+        struct pel_color_paint *p = make(r, kind, &b);
+        struct pel_point v[3];
+        shape_in_box(r, v, 3, &b);
+        canvas_open(&canvas, layouts[random_word(r) % LAYOUT_COUNT].format, &b,
+                    random_word(r) % CANVAS_STYLES);
+        hits_open(&hits, &b);
+        draw(&canvas.surface, v, shape, &p->paint);
+        draw(&hits.surface, v, shape, &hits.paint);
+        check_pixels(&canvas, &hits, p, kind);
+    }
+}
+
+/* FNV-1a, of the colours of 512 runs. */
+static uint32_t checksum_of(uint32_t kind)
+{
+    struct random r = {kind + 1};
+    uint32_t sum = 2166136261u;
+    for (int i = 0; i < 512; i++) {
+        const struct pel_rect b = random_bounds(&r);
+        struct pel_color_paint *p = make(&r, kind, &b);
+        pel_color got[100];
+        p->colors(p, b.x0, b.y0, 100, got);
+        for (int k = 0; k < 100; k++)
+            for (int shift = 0; shift < 32; shift += 8)
+                sum = (sum ^ (got[k] >> shift & 255)) * 16777619u;
+    }
+    return sum;
+}
+
+static void test_same_bytes_everywhere(void **state)
+{
+    (void)state;
+    static const uint32_t sums[KINDS] = {0xea7160f5, 0x5126b78b, 0xa4188972,
+                                         0xf2040aa4, 0x7de153e6, 0x4e4be96e,
+                                         0x18e35657};
+    for (uint32_t kind = 0; kind < KINDS; kind++)
+        if (checksum_of(kind) != sums[kind])
+            fail_msg("kind %u: expected %08x, got %08x", kind, sums[kind],
+                     checksum_of(kind));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_pixels),
+        cmocka_unit_test(test_same_bytes_everywhere),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

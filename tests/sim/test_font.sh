@@ -1,0 +1,147 @@
+#!/bin/sh
+# pel import of fonts: C assets compile without a warning as C99 and as C++, are
+# the same each time, and show what the font file holds. Unifont is imported from
+# the console's PSF file and from X's font as BDF: both show the same.
+#
+#     PEL=build/pel test_font.sh      from the project's directory
+set -eu
+PEL=${PEL:-build/pel}
+LIBPEL=$(dirname "$PEL")/libpel.a
+CC=${CC:-cc}
+WARNINGS="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow \
+    -Wundef -Werror"
+dir=$(mktemp -d)
+trap 'rm -rf "$dir"' EXIT
+failed=0
+
+fail() {
+    echo "FAILED: $*" >&2
+    failed=1
+}
+
+# font NAME FILE OPTIONS...: $dir/NAME shows a text.
+font() {
+    name=$1
+    shift
+    mkdir -p "$dir/again"
+    "$PEL" import "$@" --name asset -o "$dir/$name.c"
+    "$PEL" import "$@" --name asset -o "$dir/again/$name.c"
+    cmp "$dir/$name.c" "$dir/again/$name.c" || fail "$name: not the same twice"
+    if grep -n "$dir" "$dir/$name.c"; then
+        fail "$name: a path in the asset"
+    fi
+    if command -v c++ >/dev/null; then
+        c++ -x c++ -Wall -Wextra -Werror -I. -c "$dir/$name.c" -o /dev/null
+    fi
+    $CC -std=c99 -O1 $WARNINGS -I. tests/sim/font_show.c "$dir/$name.c" \
+        "$LIBPEL" -o "$dir/$name"
+}
+
+# shows NAME TEXT: the picture is that of standard input.
+shows() {
+    "$dir/$1" "$2" >"$dir/got"
+    cat >"$dir/expected"
+    diff "$dir/expected" "$dir/got" || fail "$1: '$2' looks different"
+}
+
+# refused WORDS OPTIONS...
+refused() {
+    words=$1 status=0
+    shift
+    "$PEL" import "$@" -o "$dir/refused.c" 2>"$dir/message" || status=$?
+    [ $status = 2 ] || fail "$*: status $status, not 2"
+    grep -q "^pel: .*$words.*would be right" "$dir/message" ||
+        fail "$*: '$words' is not in: $(cat "$dir/message")"
+    [ ! -e "$dir/refused.c" ] || fail "$*: left a file"
+}
+
+cat >"$dir/hand.bdf" <<'EOF'
+STARTFONT 2.1
+FONT hand
+FONTBOUNDINGBOX 4 5 0 -1
+CHARS 3
+STARTCHAR a
+ENCODING 97
+DWIDTH 4 0
+BBX 4 5 0 -1
+BITMAP
+00
+60
+A0
+60
+00
+ENDCHAR
+STARTCHAR j
+ENCODING 106
+DWIDTH 3 0
+BBX 3 5 -1 -1
+BITMAP
+20
+00
+20
+20
+C0
+ENDCHAR
+STARTCHAR question
+ENCODING 63
+DWIDTH 2 0
+BBX 1 5 0 -1
+BITMAP
+80
+80
+00
+80
+00
+ENDCHAR
+ENDFONT
+EOF
+font hand "$dir/hand.bdf"
+shows hand 'aj?b' <<'EOF'
+P2
+11 5
+1
+00000101010
+01100001010
+10100100000
+01100101010
+00011000000
+EOF
+
+font few "$dir/hand.bdf" --codes 97,0x3f-0x3F
+shows few 'j' <<'EOF'
+P2
+2 5
+1
+10
+10
+00
+10
+00
+EOF
+refused 'no glyph of --codes 200-300' "$dir/hand.bdf" --codes 200-300
+for codes in '' a 1- 1-2, 2-1 ,1 -1 1,,2 0x110000; do
+    refused "--codes is '$codes'" "$dir/hand.bdf" --codes "$codes"
+done
+sed '/^ENDFONT/d' "$dir/hand.bdf" >"$dir/cut.bdf"
+refused 'cut.bdf:37: the file ends here; ENDFONT' "$dir/cut.bdf"
+
+psf=/usr/share/consolefonts/Unifont-APL8x16.psf.gz
+pcf=/usr/share/fonts/X11/misc/unifont.pcf.gz
+[ -r "$psf" ] || fail "$psf is missing: the package psf-unifont brings it"
+[ -r "$pcf" ] || fail "$pcf is missing: the package xfonts-unifont brings it"
+command -v pcf2bdf >/dev/null || fail "pcf2bdf is missing: its package is pcf2bdf"
+if [ $failed = 0 ]; then
+    cp "$psf" "$dir/packed.psf"
+    refused 'is compressed; what .gzip -d. makes' "$dir/packed.psf"
+    gzip -cd "$psf" >"$dir/console.psf"
+    gzip -cd "$pcf" >"$dir/window.pcf"
+    pcf2bdf -o "$dir/window.bdf" "$dir/window.pcf"
+    font console "$dir/console.psf"
+    font window "$dir/window.bdf" --codes 32-0xFF,0x391-0x3C9
+    for text in 'Hamburgefonstiv 0123456789' '!"#$%&()*+,./:;<=>?@[\]^{|}~' \
+        'ÄÖÜäöüß éèêñç §°µ' 'π²½÷×'; do
+        "$dir/console" "$text" >"$dir/console.pgm"
+        shows window "$text" <"$dir/console.pgm"
+    done
+fi
+[ $failed = 0 ]

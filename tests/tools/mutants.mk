@@ -1,0 +1,23 @@
+# `make mutants`: does a test notice when core is changed a little? See
+# mutants.sh; what is changed, and by which tests it is looked at, is in
+# mutants_tests.txt.
+
+.PHONY: mutants
+
+# Without debug information, so that equal code makes equal objects.
+TEST_FLAGS_mutant_host := -O1
+TEST_FLAGS_mutant_portable := -O1 -DPEL_FAST_64BIT=0 -DPEL_VECTORS=0
+MUTANT_BUILDS := mutant_host mutant_portable
+MUTANT_TESTS := $(sort $(shell sed -n 's/#.*//; s/^core[^:]*: *//; s/+//g; \
+    s/:[0-9]*//g; p' tests/tools/mutants_tests.txt))
+MUTANT_TWINS := $(filter $(TEST_TWINS),$(MUTANT_TESTS:%=tests/%))
+MUTANT_HOST_ONLY := $(filter $(TEST_HOST_ONLY),$(MUTANT_TESTS:%=tests/%))
+
+$(foreach b,$(MUTANT_BUILDS),$(eval $(call test_build,$b)))
+$(MUTANT_TWINS:%=$(T)/mutant_host/%): $(T)/portable_core.o
+
+# MUTANTS: names of core's files, all that are listed unless told.
+mutants: $(MUTANT_TESTS:%=$(T)/mutant_host/tests/%) \
+    $(filter-out $(MUTANT_HOST_ONLY:%=$(T)/mutant_portable/%),\
+        $(MUTANT_TESTS:%=$(T)/mutant_portable/tests/%)) ## change core a little, a thousand times: do the tests notice?
+	tests/tools/mutants.sh $(T) "$(CC)" $(MUTANTS)

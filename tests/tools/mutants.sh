@@ -1,0 +1,70 @@
+#!/bin/sh
+# mutants.sh TESTS CC [FILE...] : changes core in one place at a time and runs
+# the tests of the changed file, in the default build and, where they notice
+# nothing, in the portable one. TESTS is the folder of the builds mutant_host
+# and mutant_portable; FILEs those of mutants_tests.txt to change, all unless
+# told. PEL_JOBS says how many mutants are tried at once.
+#
+# A mutant is killed when a test fails, crashes or does not end. It is not
+# counted when it does not compile, or when both builds have the same code
+# with and without it. All others survive: each is printed, and must be in
+# mutants_equivalent.txt with the reason why no test can notice it.
+set -u
+here=tests/tools
+tests=$1 cc=$2
+shift 2
+work=$tests/mutants
+rm -rf "$work"
+mkdir -p "$work/results"
+
+# FILE TEST... on one line each.
+sed 's/#.*//' $here/mutants_tests.txt | tr '\n' ' ' |
+    sed 's| *core/|\ncore/|g; s/: / /g' | grep . >"$work/tests.txt"
+[ $# -gt 0 ] || set -- $(cut -d ' ' -f 1 "$work/tests.txt")
+
+# OBJECT SOURCE for each file that a build's objects depend on.
+for build in mutant_host mutant_portable; do
+    find "$tests/$build" -name '*.d' | sort | while read -r d; do
+        sed 's/\\$//; s/^[^ ]*: //; /:$/d' "$d" | tr ' ' '\n' | grep . |
+            sed 's|[a-z]*/\.\./||' | sort -u |
+            sed "s|^|$(echo "${d%.d}.o" | sed "s|^$tests/$build/||") |"
+    done >"$work/$build.deps"
+done
+
+# Line numbers of $1 that one of the builds compiles.
+active_lines()
+{
+    for build in mutant_host mutant_portable; do
+        flags=
+        [ $build = mutant_host ] ||
+            flags='-DPEL_FAST_64BIT=0 -DPEL_VECTORS=0'
+        source=$(awk -v f="$1" '$2 == f && /^core/ { print $1; exit }' \
+            "$work/$build.deps")
+        $cc -std=c99 -I. $flags -E "${source%.o}.c" | awk -v f="$1" '
+            /^# [0-9]+ "/ {
+                line = $2
+                name = $3
+                gsub(/"/, "", name)
+                gsub(/[a-z]*\/\.\.\//, "", name)
+                next
+            }
+            { if (name == f && /[^ ]/) print line; line++ }'
+    done | sort -nu
+}
+
+for file; do
+    active_lines "$file" >"$work/active"
+    awk -v active="$work/active" -f $here/mutants.awk "$file"
+done >"$work/list.txt"
+
+count=$(wc -l <"$work/list.txt")
+echo "$count mutants of $# files"
+seq "$count" | xargs -P "${PEL_JOBS:-$(nproc)}" -n 1 \
+    sh $here/mutants_one.sh "$tests" "$cc"
+for i in $(seq "$count"); do
+    paste "$work/results/$i" - <<LINE
+$(sed -n "${i}p" "$work/list.txt")
+LINE
+done >"$work/results.txt"
+awk -f $here/mutants_report.awk $here/mutants_equivalent.txt \
+    "$work/results.txt"

@@ -1,0 +1,99 @@
+/* Blending again and again: where 8-bit state comes to rest. */
+#include <string.h>
+
+#include "tests/support/check.h"
+#include "tests/support/layouts.h"
+
+static uint32_t pixels[64];
+static const struct pel_point screen[2] = {PEL_AT(0, 0), PEL_AT(8, 8)};
+
+/* The value of the 64 pixels; all are alike. */
+static uint32_t pixel_of(const struct pel_surface *s)
+{
+    pel_color c[8];
+    for (int32_t y = 0; y < 8; y++) {
+        s->format->load(s, 0, y, 8, c);
+        for (int i = 1; i < 8; i++)
+            assert_int_equal(c[i], c[0]);
+    }
+    return c[0];
+}
+
+static uint32_t blended(const struct pel_format *format, pel_color start,
+                        pel_color color, int times)
+{
+    const struct pel_flat flat = PEL_FLAT(color);
+    struct pel_surface s;
+    assert_int_equal(pel_surface_init(&s, format, pixels, 8, 8), PEL_OK);
+    pel_clear(&s, start);
+    for (int i = 0; i < times; i++)
+        pel_rectangle(&s, screen[0], screen[1], &flat.paint);
+    return pixel_of(&s);
+}
+
+/* White with alpha 16 adds round(16 (255 - d) / 255), which is 0 as soon as
+ * 16 (255 - d) < 127.5, that is from d = 248 on; 247 is 8 away and gains 1. So
+ * 2000 blends leave 248, where a shift by 8 for the division would stop at 225.
+ */
+static void test_white_comes_to_rest_at_248(void **state)
+{
+    static const struct pel_format *const formats[] = {
+        &pel_xrgb8888, &pel_xbgr8888, &pel_rgbx8888, &pel_bgrx8888,
+        &pel_rgb888,   &pel_bgr888,   &pel_gray8};
+    (void)state;
+    for (size_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
+        const uint32_t got = blended(formats[f], PEL_RGB(0, 0, 0),
+                                     PEL_RGBA(255, 255, 255, 16), 2000);
+        if (got != PEL_RGB(248, 248, 248))
+            fail_msg("format %d: got %08x", formats[f]->id, got);
+    }
+}
+
+/* Black over white is the mirror image: 7 remain. */
+static void test_black_comes_to_rest_at_7(void **state)
+{
+    (void)state;
+    assert_int_equal(blended(&pel_xrgb8888, PEL_RGB(255, 255, 255),
+                             PEL_RGBA(0, 0, 0, 16), 2000),
+                     PEL_RGB(7, 7, 7));
+}
+
+/* Every format: the state that the rule, taken 2000 times, has. */
+static void test_every_format_follows_the_rule(void **state)
+{
+    static const uint32_t alphas[] = {1, 16, 64, 127, 128, 200, 254};
+    (void)state;
+    for (int f = 0; f < LAYOUT_COUNT; f++)
+        for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++) {
+            const struct layout *l = &layouts[f];
+            const pel_color color = alphas[i] << 24 | 0xFFC864u;
+            uint32_t want = layout_pack(l, PEL_RGB(10, 0, 200));
+            for (int k = 0; k < 2000; k++)
+                want = layout_over(l, want, color);
+            const uint32_t got =
+                blended(l->format, PEL_RGB(10, 0, 200), color, 2000);
+            if (got != layout_unpack(l, want))
+                fail_msg("%s, alpha %u: expected %08x, got %08x", l->name,
+                         alphas[i], layout_unpack(l, want), got);
+        }
+}
+
+/* 254 reaches the colour itself, in the formats that hold it. */
+static void test_alpha_254_arrives(void **state)
+{
+    (void)state;
+    assert_int_equal(
+        blended(&pel_rgb888, PEL_RGB(0, 255, 99), PEL_RGBA(1, 254, 77, 254), 4),
+        PEL_RGB(1, 254, 77));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_white_comes_to_rest_at_248),
+        cmocka_unit_test(test_black_comes_to_rest_at_7),
+        cmocka_unit_test(test_every_format_follows_the_rule),
+        cmocka_unit_test(test_alpha_254_arrives),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,222 @@
+/* Text: UTF-8, glyphs of code points, places and sizes, drawn pictures. */
+#include <string.h>
+
+#include "core/image/glyph_find.h"
+#include "core/image/glyph_text.h"
+#include "tests/support/check.h"
+#include "tests/support/hits.h"
+
+/* A font of four glyphs: a box for what is missing, a space, a letter that
+ * reaches below the baseline and left of the pen, and a dot. */
+static const uint8_t bits[] = {
+    0xE0, 0xA0, 0xE0,       /* box */
+    0x60, 0x90, 0x60, 0x80, /* letter */
+    0x80,                   /* dot */
+};
+
+static const struct pel_font_glyph glyphs[] = {
+    {0, 3, 3, 0, 3, 4},
+    {0, 0, 0, 0, 0, 2},
+    {3, 4, 4, -1, 3, 4},
+    {7, 1, 1, 1, 1, 3},
+};
+
+static const struct pel_font_range ranges[] = {
+    {' ', 1, 1}, {'a', 2, 2}, {0x20AC, 1, 3}};
+
+static const struct pel_font_asset font = {
+    PEL_FONT_MAGIC, PEL_FONT_VERSION, 4,      2,    3, 4, 0,
+    sizeof bits,    ranges,           glyphs, bits,
+};
+
+static void test_check(void **state)
+{
+    (void)state;
+    static const struct pel_font_range tangled[] = {
+        {' ', 1, 1}, {'a', 2, 2}, {'b', 1, 3}};
+    static const struct pel_font_range beyond[] = {
+        {' ', 1, 1}, {'a', 2, 2}, {'d', 2, 3}};
+    struct pel_font_asset f = font;
+    assert_int_equal(pel_font_asset_check(&font), PEL_OK);
+    assert_int_equal(pel_font_asset_check(NULL), PEL_ERROR_NULL);
+    f.magic++;
+    assert_int_equal(pel_font_asset_check(&f), PEL_ERROR_RANGE);
+    f = font;
+    f.version++;
+    assert_int_equal(pel_font_asset_check(&f), PEL_ERROR_RANGE);
+    f = font;
+    f.size--;
+    assert_int_equal(pel_font_asset_check(&f), PEL_ERROR_SIZE);
+    f = font;
+    f.range = tangled;
+    assert_int_equal(pel_font_asset_check(&f), PEL_ERROR_SIZE);
+    f.range = beyond;
+    assert_int_equal(pel_font_asset_check(&f), PEL_ERROR_SIZE);
+    f = font;
+    f.missing = 4;
+    assert_int_equal(pel_font_asset_check(&f), PEL_ERROR_SIZE);
+    f.missing = PEL_FONT_NONE;
+    assert_int_equal(pel_font_asset_check(&f), PEL_OK);
+}
+
+static void test_find(void **state)
+{
+    (void)state;
+    struct pel_font_asset f = font;
+    assert_ptr_equal(pel_glyph_find(&font, ' '), &glyphs[1]);
+    assert_ptr_equal(pel_glyph_find(&font, 'a'), &glyphs[2]);
+    assert_ptr_equal(pel_glyph_find(&font, 'b'), &glyphs[3]);
+    assert_ptr_equal(pel_glyph_find(&font, 0x20AC), &glyphs[3]);
+    assert_ptr_equal(pel_glyph_find(&font, 'c'), &glyphs[0]);
+    assert_ptr_equal(pel_glyph_find(&font, 0), &glyphs[0]);
+    assert_ptr_equal(pel_glyph_find(&font, 0x10FFFF), &glyphs[0]);
+    f.missing = PEL_FONT_NONE;
+    assert_null(pel_glyph_find(&f, 'c'));
+}
+
+static int encode(uint32_t code, char *to)
+{
+    unsigned char *p = (unsigned char *)to;
+    int n = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
+    static const unsigned char lead[] = {0, 0, 0xC0, 0xE0, 0xF0};
+    for (int i = n - 1; i > 0; i--, code >>= 6)
+        p[i] = (unsigned char)(0x80 | (code & 0x3F));
+    p[0] = (unsigned char)(lead[n] | code);
+    p[n] = 0;
+    return n;
+}
+
+static void test_every_code_point(void **state)
+{
+    (void)state;
+    for (uint32_t code = 1; code <= 0x10FFFF; code++) {
+        char text[8];
+        const char *next = text;
+        int n = encode(code, text);
+        uint32_t got = pel_utf8_next(&next);
+        if (code >= 0xD800 && code < 0xE000) {
+            assert_int_equal(got, 0xFFFD);
+        } else if (got != code || next != text + n) {
+            fail_msg("U+%04X: got U+%04X, %d bytes", code, got,
+                     (int)(next - text));
+        }
+    }
+}
+
+/* How many bytes each step takes; all give U+FFFD. */
+static void test_malformed(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        int steps[5];
+    } row[] = {
+        {"\x80", {1}},
+        {"\xBF\xBF", {1, 1}},
+        {"\xC0\x80", {1, 1}},
+        {"\xC1\xBF", {1, 1}},
+        {"\xC3", {1}},
+        {"\xE0\x80\x80", {1, 1, 1}},
+        {"\xE0\xA0", {2}},
+        {"\xE2\x82", {2}},
+        {"\xED\xA0\x80", {1, 1, 1}},
+        {"\xF0\x80\x80\x80", {1, 1, 1, 1}},
+        {"\xF0\x9F\x98", {3}},
+        {"\xF4\x90\x80\x80", {1, 1, 1, 1}},
+        {"\xF5\x80", {1, 1}},
+        {"\xFE\xFF", {1, 1}},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        const char *next = row[i].text;
+        for (int k = 0; row[i].steps[k]; k++) {
+            const char *start = next;
+            if (pel_utf8_next(&next) != 0xFFFD ||
+                next - start != row[i].steps[k])
+                fail_msg("row %d, step %d: %d bytes", (int)i, k,
+                         (int)(next - start));
+        }
+        assert_int_equal(*next, 0);
+    }
+    const char *next = "\xC3"
+                       "a";
+    assert_int_equal(pel_utf8_next(&next), 0xFFFD);
+    assert_int_equal(pel_utf8_next(&next), 'a');
+}
+
+static void test_measure(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text;
+        int32_t width, height;
+    } row[] = {
+        {"", 0, 6},
+        {"a", 4, 6},
+        {"ab a", 13, 6},
+        {"a\nbb\n", 6, 18},
+        {"\xE2\x82\xAC", 3, 6},
+        {"?\xFF", 8, 6},
+        {"\n\n\n", 0, 24},
+    };
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        const struct pel_text_size s = pel_text_measure(&font, row[i].text);
+        if (s.width != row[i].width || s.height != row[i].height)
+            fail_msg("row %d: %d x %d", (int)i, s.width, s.height);
+    }
+}
+
+static struct hits hits;
+
+/* The picture of a text whose box starts at (1, 1). */
+static void check_picture(const char *string, const char *const *picture)
+{
+    const struct pel_text text = {&font, string, 1, 1};
+    const struct pel_rect window = {0, 0, (int32_t)strlen(picture[0]), 14};
+    hits_open(&hits, &window);
+    pel_text(&hits.surface, &text, &hits.paint);
+    for (int32_t y = 0; y < window.y1; y++)
+        for (int32_t x = 0; x < window.x1; x++)
+            if (hits_at(&hits, x, y) != (picture[y][x] == '#'))
+                fail_msg("\"%s\": %d, %d is %d", string, x, y,
+                         hits_at(&hits, x, y));
+}
+
+static void test_pictures(void **state)
+{
+    (void)state;
+    static const char *const lines[] = {
+        "................", "................", ".##....##..###..",
+        "#..#..#..#.#.#..", ".##....##..###..", "#.....#.........",
+        "................", "................", "................",
+        "................", "..#.............", "................",
+        "................", "................"};
+    check_picture("a aX\nb", lines);
+}
+
+/* Any clip and any place: the same pixels, as long as the pen is in range. */
+static void test_far_away(void **state)
+{
+    (void)state;
+    static char string[200000];
+    const struct pel_rect window = {0, 0, 100, 8};
+    const struct pel_text text = {&font, string, -40000, 0};
+    memset(string, 'b', sizeof string - 1);
+    hits_open(&hits, &window);
+    pel_text(&hits.surface, &text, &hits.paint);
+    assert_int_equal(hits.pixels, 34);
+    assert_int_equal(pel_text_measure(&font, string).width, 599997);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_check),
+        cmocka_unit_test(test_find),
+        cmocka_unit_test(test_every_code_point),
+        cmocka_unit_test(test_malformed),
+        cmocka_unit_test(test_measure),
+        cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_far_away),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,94 @@
+/* Ramps from stops: exact colours, hard edges, errors. */
+#include "core/raster/color_ramp.h"
+#include "tests/support/cases.h"
+#include "tests/support/check.h"
+
+__extension__ typedef __int128 wide;
+
+/* The colour at 65,536 (2 i + 1) / 2 n, by looking for the stops around it. */
+static uint32_t channel_at(const struct pel_stop *s, int32_t count, int32_t i,
+                           int32_t n, int shift)
+{
+    wide at = (wide)65536 * (2 * i + 1), unit = 2 * (wide)n;
+    for (int32_t k = count - 1; k >= 0; k--) {
+        if (s[k].at * unit > at)
+            continue;
+        wide a = s[k].color >> shift & 255;
+        if (k == count - 1)
+            return (uint32_t)a;
+        wide b = s[k + 1].color >> shift & 255;
+        wide length = (s[k + 1].at - s[k].at) * unit;
+        wide twice = 2 * (a * length + (b - a) * (at - s[k].at * unit));
+        return (uint32_t)((twice + length) / (2 * length));
+    }
+    return s[0].color >> shift & 255;
+}
+
+static void check_ramp(const struct pel_stop *s, int32_t count, int32_t n)
+{
+    static pel_color ramp[4096];
+    assert_int_equal(pel_ramp_fill(ramp, n, s, count), PEL_OK);
+    for (int32_t i = 0; i < n; i++)
+        for (int shift = 0; shift < 32; shift += 8) {
+            uint32_t want = channel_at(s, count, i, n, shift);
+            if ((ramp[i] >> shift & 255) != want)
+                fail_msg("cell %d of %d, channel %d: expected %u, got %08x; %s",
+                         i, n, shift / 8, want, ramp[i], cases_replay());
+        }
+}
+
+static void test_exact(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(2000); cases_next(&c);) {
+        struct random *r = &c.random;
+        struct pel_stop s[8];
+        const int32_t count = random_between(r, 1, 8);
+        int32_t at = random_between(r, 0, 1) * random_between(r, 0, 30000);
+        for (int32_t i = 0; i < count; i++) {
+            s[i] = (struct pel_stop){at, random_word(r)};
+            if (random_word(r) % 4)
+                at = random_between(r, at, 65536);
+        }
+        check_ramp(s, count, random_between(r, 1, c.next % 16 ? 300 : 4096));
+    }
+}
+
+/* Stops at one place: the later colour from there on. */
+static void test_hard_edge(void **state)
+{
+    (void)state;
+    static const struct pel_stop s[] = {
+        {0, 0xFF000000}, {16384, 0xFF000000}, {16384, 0xFFFFFFFF}};
+    pel_color ramp[8];
+    assert_int_equal(pel_ramp_fill(ramp, 8, s, 3), PEL_OK);
+    for (int i = 0; i < 8; i++)
+        assert_int_equal(ramp[i], i < 2 ? 0xFF000000 : 0xFFFFFFFF);
+}
+
+static void test_errors(void **state)
+{
+    (void)state;
+    pel_color ramp[4];
+    struct pel_stop s[2] = {{10, 0}, {9, 0}};
+    assert_int_equal(pel_ramp_fill(NULL, 4, s, 1), PEL_ERROR_NULL);
+    assert_int_equal(pel_ramp_fill(ramp, 4, NULL, 1), PEL_ERROR_NULL);
+    assert_int_equal(pel_ramp_fill(ramp, 0, s, 1), PEL_ERROR_SIZE);
+    assert_int_equal(pel_ramp_fill(ramp, 32768, s, 1), PEL_ERROR_SIZE);
+    assert_int_equal(pel_ramp_fill(ramp, 4, s, 0), PEL_ERROR_SIZE);
+    assert_int_equal(pel_ramp_fill(ramp, 4, s, 2), PEL_ERROR_RANGE);
+    s[1].at = 65537;
+    assert_int_equal(pel_ramp_fill(ramp, 4, s, 2), PEL_ERROR_RANGE);
+    s[0].at = -1;
+    assert_int_equal(pel_ramp_fill(ramp, 4, s, 1), PEL_ERROR_RANGE);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_exact),
+        cmocka_unit_test(test_hard_edge),
+        cmocka_unit_test(test_errors),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

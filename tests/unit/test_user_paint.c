@@ -1,0 +1,149 @@
+/* A paint that a program brings itself: it is handed rows of every shape, in
+ * absolute coordinates, and may take whole triangles. */
+#include <string.h>
+
+#include "tests/support/canvas.h"
+#include "tests/support/check.h"
+#include "tests/support/items.h"
+
+/* A colour that names its pixel. */
+static pel_color color_at(int32_t x, int32_t y)
+{
+    return PEL_RGBA(x * 37 & 255, y * 59 & 255, (x ^ y) * 5 & 255,
+                    (x + 2 * y) * 16 & 255);
+}
+
+static void fill_named(const struct pel_paint *paint,
+                       const struct pel_rows *rows)
+{
+    (void)paint;
+    for (int32_t i = 0; i < rows->n; i++) {
+        const int32_t y = rows->y + i * rows->step, x1 = rows->row[i].x1;
+        for (int32_t x = rows->row[i].x0, n; x < x1; x += n) {
+            pel_color colors[PEL_BUFFER_PIXELS];
+            for (n = 0; n < PEL_BUFFER_PIXELS && x + n < x1; n++)
+                colors[n] = color_at(x + n, y);
+            pel_put_colors(rows->surface, x, y, n, colors);
+        }
+    }
+}
+
+static const struct pel_paint named = {.fill = fill_named};
+
+static struct canvas canvas, flat;
+
+static int teardown(void **state)
+{
+    (void)state;
+    canvas_close(&canvas);
+    canvas_close(&flat);
+    return 0;
+}
+
+/* White pixels of another canvas tell what the item covers. */
+static void check_item(const struct layout *l, const struct item *item,
+                       const struct pel_rect *b, unsigned style)
+{
+    const struct pel_flat black = PEL_FLAT(PEL_RGB(0, 0, 0));
+    const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    canvas_open(&canvas, l->format, b, style);
+    canvas_open(&flat, &pel_gray8, b, 0);
+    item_cover(&canvas.surface, item, &named);
+    pel_clear(&flat.surface, black.color);
+    item_cover(&flat.surface, item, &white.paint);
+    canvas_check(&canvas);
+    for (int32_t y = b->y0; y < b->y1; y++)
+        for (int32_t x = b->x0; x < b->x1; x++) {
+            uint32_t want = canvas_pixel_before(&canvas, x, y);
+            if (canvas_pixel(&flat, x, y))
+                want = layout_over(l, want, color_at(x, y));
+            if (canvas_pixel(&canvas, x, y) != want)
+                fail_msg("%s, shape %d: %d, %d: expected %x, got %x; %s",
+                         l->name, item->kind, x, y, want,
+                         canvas_pixel(&canvas, x, y), cases_replay());
+        }
+}
+
+static void test_every_shape_in_every_format(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        struct random *r = &c.random;
+        struct item item;
+        struct pel_rect b = {random_between(r, -80, 80) & ~7,
+                             random_between(r, -80, 80) & ~7, 0, 0};
+        b.x1 = b.x0 + random_between(r, 1, 40);
+        b.y1 = b.y0 + random_between(r, 1, 24);
+        item_random(r, &item, &b, false);
+        check_item(&layouts[random_word(r) % LAYOUT_COUNT], &item, &b,
+                   random_word(r) % CANVAS_STYLES);
+    }
+}
+
+#if PEL_FAST_64BIT
+
+struct counting {
+    struct pel_paint paint;
+    bool takes;
+    int fast, rows;
+};
+
+static void count_rows(const struct pel_paint *paint,
+                       const struct pel_rows *rows)
+{
+    ((struct counting *)(uintptr_t)paint)->rows += rows->n;
+}
+
+static bool count_fast(const struct pel_paint *paint,
+                       const struct pel_surface *surface,
+                       const struct pel_fast_triangle *triangle)
+{
+    struct counting *c = (struct counting *)(uintptr_t)paint;
+    (void)surface;
+    (void)triangle;
+    c->fast++;
+    return c->takes;
+}
+
+/* `fast` is asked once, where nothing is clipped; what it leaves comes as rows.
+ */
+static void test_fast_is_asked_first(void **state)
+{
+    static const struct pel_point inside[3] = {PEL_AT(0, 0), PEL_AT(8, 0),
+                                               PEL_AT(0, 8)};
+    static const struct pel_point clipped[3] = {
+        PEL_AT(0, 0), {2049, 0}, PEL_AT(0, 8)};
+    static const struct pel_point empty[3] = {
+        {129, 129}, {300, 129}, {200, 380}};
+    static const struct {
+        const struct pel_point *v;
+        bool takes;
+        int fast, rows;
+    } row[] = {{inside, true, 1, 0},
+               {inside, false, 1, 8},
+               {clipped, true, 0, 8},
+               {empty, true, 0, 0}};
+    static uint8_t pixels[64];
+    struct pel_surface s;
+    (void)state;
+    assert_int_equal(pel_surface_init(&s, &pel_gray8, pixels, 8, 8), PEL_OK);
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        struct counting c = {{count_rows, count_fast}, row[i].takes, 0, 0};
+        pel_triangle(&s, row[i].v, &c.paint);
+        if (c.fast != row[i].fast || c.rows != row[i].rows)
+            fail_msg("row %zu: %d times fast, %d rows", i, c.fast, c.rows);
+    }
+}
+
+#endif
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_shape_in_every_format),
+#if PEL_FAST_64BIT
+        cmocka_unit_test(test_fast_is_asked_first),
+#endif
+    };
+    return cmocka_run_group_tests(tests, NULL, teardown);
+}

@@ -1,0 +1,242 @@
+/* Work is bounded by what is visible: the rows, runs and pixels that huge
+ * shapes hand to a paint through a small clip. What cannot be counted from
+ * outside is done so often that a walk over the invisible would not end. */
+#define _DEFAULT_SOURCE /* alarm */
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "tests/support/check.h"
+#include "tests/support/cases.h"
+#include "tests/support/hits.h"
+#include "tests/support/reference.h"
+
+enum { SIDE = 6, TIMES = 200000, TOO_LONG = 120 };
+
+static struct hits hits;
+
+static const int32_t low = PEL_COORDINATE_MIN, high = PEL_COORDINATE_MAX;
+
+/* A window of SIDE x SIDE pixels, not far from a line through the middle. */
+static void open_window(uint64_t i)
+{
+    struct random r = {i};
+    const int32_t x = random_between(&r, -32768, 32767 - SIDE);
+    const int32_t y = pel_max(-32768, pel_min(32767 - SIDE, x + 3));
+    const struct pel_rect b = {x, y, x + SIDE, y + SIDE};
+    hits_open(&hits, &b);
+}
+
+/* A row has at most `runs` runs, and the collector fills its batches. */
+static void check_work(const char *name, uint64_t runs)
+{
+    if (hits.runs > runs * SIDE || hits.pixels > SIDE * SIDE ||
+        hits.batches > runs * SIDE)
+        fail_msg("%s: %d batches, %d runs, %d pixels", name, (int)hits.batches,
+                 (int)hits.runs, (int)hits.pixels);
+}
+
+static void test_triangles(void **state)
+{
+    const struct pel_point v[2][3] = {
+        {{low, low}, {high, high - 5}, {low + 9000, high}},
+        {{low, low + 1}, {high, high - 700}, {high - 300, high}}};
+    (void)state;
+    alarm(TOO_LONG);
+    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
+        open_window(i);
+        pel_triangle(&hits.surface, v[i % 2], &hits.paint);
+        check_work("triangle", 1);
+    }
+    alarm(0);
+}
+
+/* A disc of this size shows one side, both or none. */
+static void test_circles(void **state)
+{
+    (void)state;
+    alarm(TOO_LONG);
+    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
+        const struct pel_point at = {(int32_t)(i * 77777 % 16777216) + low,
+                                     (int32_t)(i * 55555 % 16777216) + low};
+        open_window(i);
+        pel_circle(&hits.surface, at, high - 255, &hits.paint);
+        check_work("circle", 1);
+    }
+    alarm(0);
+}
+
+static void test_lines(void **state)
+{
+    const struct pel_point v[4] = {
+        {low, low}, {high, high}, {low + 512, high}, {high, low + 99999}};
+    (void)state;
+    alarm(TOO_LONG);
+    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
+        open_window(i);
+        pel_line(&hits.surface, v[i % 4], v[(i + 1) % 4], &hits.paint);
+        check_work("line", 1);
+    }
+    alarm(0);
+}
+
+static void test_rectangles(void **state)
+{
+    const struct pel_point from = {low, low}, to = {high, high};
+    (void)state;
+    alarm(TOO_LONG);
+    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
+        open_window(i);
+        pel_rectangle(&hits.surface, from, to, &hits.paint);
+        check_work("rectangle", 1);
+        assert_int_equal(hits.batches, 1);
+        assert_int_equal(hits.pixels, SIDE * SIDE);
+    }
+    alarm(0);
+}
+
+static void test_polygons(void **state)
+{
+    static const struct pel_point v[6] = {
+        {-8388608, -8388608}, {8388607, 8388600},  {-8000000, 8388607},
+        {8388607, -8388608},  {-8388608, 1000000}, {7000000, 3000000}};
+    uint32_t scratch[64];
+    (void)state;
+    alarm(TOO_LONG);
+    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
+        const struct pel_outline p = {v, 6,
+                                      i % 2 ? PEL_EVEN_ODD : PEL_NON_ZERO};
+        open_window(i);
+        assert_int_equal(pel_polygon(&hits.surface, &p, &hits.paint, scratch,
+                                     sizeof scratch),
+                         PEL_OK);
+        check_work("polygon", 3);
+    }
+    alarm(0);
+}
+
+/* Batches are filled before they are handed on. */
+static void test_batches(void **state)
+{
+    enum { ROWS = 150 };
+    const struct pel_rect b = {0, 0, 3, ROWS};
+    const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(3, 0), PEL_AT(0, 150)};
+    const struct pel_point middle = {256, PEL_PX(75)};
+    const uint64_t least = (ROWS + PEL_BATCH_ROWS - 1) / PEL_BATCH_ROWS;
+    (void)state;
+    hits_open(&hits, &b);
+    pel_triangle(&hits.surface, v, &hits.paint);
+    assert_int_equal(hits.batches, least);
+    hits_open(&hits, &b);
+    pel_circle(&hits.surface, middle, PEL_PX(300), &hits.paint);
+    assert_int_equal(hits.batches, least);
+    hits_open(&hits, &b);
+    pel_line(&hits.surface, v[0], v[2], &hits.paint);
+    assert_int_equal(hits.batches, least);
+    hits_open(&hits, &b);
+    pel_rectangle(&hits.surface, v[0], (struct pel_point){768, PEL_PX(150)},
+                  &hits.paint);
+    assert_int_equal(hits.batches, least);
+}
+
+/* What collects its runs hands on none that is empty: rows that a circle only
+ * touches between two centres, and sides of polygons that meet. */
+static void refuse_empty(const struct pel_paint *paint,
+                         const struct pel_rows *rows)
+{
+    (void)paint;
+    for (int32_t i = 0; i < rows->n; i++)
+        assert_true(rows->row[i].x0 < rows->row[i].x1);
+}
+
+static void test_no_empty_runs(void **state)
+{
+    const struct pel_rect b = {-9, -9, 9, 9};
+    const struct pel_paint paint = {.fill = refuse_empty};
+    uint32_t scratch[64];
+    (void)state;
+    hits_open(&hits, &b);
+    for (struct cases c = cases_of(100000); cases_next(&c);) {
+        struct pel_point v[5];
+        const struct pel_outline p = {v, 5, PEL_EVEN_ODD};
+        for (int i = 0; i < 5; i++)
+            v[i] = (struct pel_point){random_between(&c.random, -2600, 2600),
+                                      random_between(&c.random, -2600, 2600)};
+        pel_circle(&hits.surface, v[0], random_between(&c.random, 0, 1500),
+                   &paint);
+        pel_line(&hits.surface, v[0], v[1], &paint);
+        assert_int_equal(
+            pel_polygon(&hits.surface, &p, &paint, scratch, sizeof scratch),
+            PEL_OK);
+    }
+}
+
+static bool in_polygon(const void *outline, int32_t x, int32_t y)
+{
+    return reference_polygon_at(outline, x, y);
+}
+
+/* n sides, all of which cross the window's rows: `order` says from where to
+ * where in x they go, one after the other. */
+static void check_zigzag(int32_t n, int32_t (*order)(int32_t i))
+{
+    struct pel_point *v = malloc((size_t)n * sizeof *v);
+    const size_t size = pel_polygon_scratch_size(n);
+    void *scratch = malloc(size);
+    const struct pel_rect b = {-3, 0, 5, 8};
+    assert_true(v && scratch);
+    for (int32_t i = 0; i < n; i++)
+        v[i] = (struct pel_point){order(i), i % 2 ? PEL_PX(8) : 0};
+    const struct pel_outline p = {v, n, PEL_EVEN_ODD};
+    hits_open(&hits, &b);
+    alarm(TOO_LONG);
+    assert_int_equal(pel_polygon(&hits.surface, &p, &hits.paint, scratch, size),
+                     PEL_OK);
+    alarm(0);
+    hits_check(&hits, in_polygon, &p, "zigzag");
+    assert_true(hits.pixels > 0);
+    free(v);
+    free(scratch);
+}
+
+enum { TEETH = 64000 };
+
+static int32_t to_the_left(int32_t i)
+{
+    return (TEETH / 2 - i) * 200;
+}
+
+static int32_t to_the_right(int32_t i)
+{
+    return (i - TEETH / 2) * 200;
+}
+
+static int32_t anywhere(int32_t i)
+{
+    struct random r = {(uint64_t)i};
+    return random_between(&r, -8000000, 8000000);
+}
+
+static int32_t crossing(int32_t i)
+{
+    return i % 2 ? (i - TEETH / 2) * 200 : (TEETH / 2 - i) * 200;
+}
+
+static void test_zigzags(void **state)
+{
+    (void)state;
+    check_zigzag(TEETH, to_the_left);
+    check_zigzag(TEETH, to_the_right);
+    check_zigzag(TEETH, anywhere);
+    check_zigzag(TEETH, crossing);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_triangles),     cmocka_unit_test(test_circles),
+        cmocka_unit_test(test_lines),         cmocka_unit_test(test_rectangles),
+        cmocka_unit_test(test_polygons),      cmocka_unit_test(test_batches),
+        cmocka_unit_test(test_no_empty_runs), cmocka_unit_test(test_zigzags),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
