@@ -124,20 +124,22 @@ static bool row_empty(const struct font_char *c, const uint8_t *row)
     return true;
 }
 
-/* The glyph without its empty margins; the column and row where it begins. */
+/* The glyph without its empty margins, as far as left and top stay in the range
+ * of an asset; the column and row where it begins. */
 static struct font_char trimmed(const struct font_char *c, const uint8_t *rows,
                                 size_t stride, int *x, int *y)
 {
     int x1 = c->width, y1 = c->height;
     struct font_char t = *c;
     *x = *y = 0;
-    while (*y < y1 && row_empty(c, rows + (size_t)*y * stride))
+    while (*y < y1 && c->top - *y > -128 &&
+           row_empty(c, rows + (size_t)*y * stride))
         ++*y;
     while (y1 > *y && row_empty(c, rows + (size_t)(y1 - 1) * stride))
         y1--;
-    if (*y == y1)
+    if (*y == y1) /* all empty */
         *x = x1;
-    while (*x < x1 && column_empty(c, rows, stride, *x))
+    while (*x < x1 && c->left + *x < 127 && column_empty(c, rows, stride, *x))
         ++*x;
     while (x1 > *x && column_empty(c, rows, stride, x1 - 1))
         x1--;

@@ -2,10 +2,8 @@
 
 #include <ctype.h>
 #include <stdlib.h>
-#include <string.h>
 
-#include "core/asset/font_asset.h"
-#include "font.h"
+#include "font_asset.h"
 #include "import_text.h"
 #include "message.h"
 
@@ -70,136 +68,49 @@ static bool keep_codes(struct font *font, const char *path, const char *codes)
                                         codes);
 }
 
-static size_t bytes_of(const struct font_char *c)
-{
-    return ((size_t)c->width + 7) / 8 * (size_t)c->height;
-}
-
-struct rows {
-    const uint8_t *bits;
-    size_t size, glyph;
-};
-
-static int by_bits(const void *a, const void *b)
-{
-    const struct rows *x = a, *y = b;
-    if (x->size != y->size)
-        return x->size < y->size ? -1 : 1;
-    int order = x->size ? memcmp(x->bits, y->bits, x->size) : 0;
-    return order ? order : (x->glyph > y->glyph) - (x->glyph < y->glyph);
-}
-
-static void place(struct font *font, const struct rows *rows, uint8_t *bits)
-{
-    const struct rows *last = NULL;
-    size_t size = 0;
-    for (size_t i = 0; i < font->count; i++, last = rows++) {
-        bool same = last && last->size == rows->size &&
-                    memcmp(last->bits, rows->bits, rows->size) == 0;
-        if (!same) {
-            memcpy(bits + size, rows->bits, rows->size);
-            size += rows->size;
-        }
-        font->chars[rows->glyph].offset = size - rows->size;
-    }
-    font->size = size;
-}
-
-/* Puts the bits of the kept glyphs one behind the other, equal ones once. */
-static bool pack_bits(struct font *font)
-{
-    uint8_t *bits = malloc(font->size + 1);
-    struct rows *rows = malloc(font->count * sizeof(*rows));
-    bool done = bits && rows;
-    for (size_t i = 0; done && i < font->count; i++)
-        rows[i] = (struct rows){font->bits + font->chars[i].offset,
-                                bytes_of(&font->chars[i]), i};
-    if (done) {
-        qsort(rows, font->count, sizeof(*rows), by_bits);
-        place(font, rows, bits);
-        free(font->bits);
-        font->bits = bits;
-    } else
-        free(bits);
-    free(rows);
-    return done || message_error("out of memory");
-}
-
 static void write_bits(struct import_text *text, const char *name,
-                       const struct font *font)
+                       const struct pel_font_asset *font)
 {
-    const struct import_array array = {"uint8_t", "bits",
-                                       (uint32_t)font->size + 1, 1};
-    const long zero = 0;
+    const struct import_array array = {"uint8_t", "bits", font->size, 1};
     import_array_begin(text, name, &array);
-    for (size_t i = 0; i < font->size; i++) {
+    for (uint32_t i = 0; i < font->size; i++) {
         const long value = font->bits[i];
         import_array_item(text, &value, 1);
     }
-    import_array_item(text, &zero, 1);
     import_array_end(text);
 }
 
 static void write_glyphs(struct import_text *text, const char *name,
-                         const struct font *font)
+                         const struct pel_font_asset *font)
 {
     const struct import_array array = {"struct pel_font_glyph", "glyphs",
-                                       (uint32_t)font->count, 1};
+                                       font->glyphs, 1};
     import_array_begin(text, name, &array);
-    for (size_t i = 0; i < font->count; i++) {
-        const struct font_char *c = &font->chars[i];
-        const long value[] = {(long)c->offset, c->width, c->height,
-                              c->left,         c->top,   c->advance};
+    for (uint32_t i = 0; i < font->glyphs; i++) {
+        const struct pel_font_glyph *g = &font->glyph[i];
+        const long value[] = {(long)g->offset, g->width, g->height,
+                              g->left,         g->top,   g->advance};
         import_array_item(text, value, 6);
     }
     import_array_end(text);
 }
 
-/* First glyph of the range that follows the one that begins at glyph i. */
-static size_t range_end(const struct font *font, size_t i)
-{
-    for (i++; i < font->count; i++)
-        if (font->chars[i].code != font->chars[i - 1].code + 1)
-            break;
-    return i;
-}
-
-static uint32_t count_ranges(const struct font *font)
-{
-    uint32_t n = 0;
-    for (size_t i = 0; i < font->count; i = range_end(font, i))
-        n++;
-    return n;
-}
-
 static void write_ranges(struct import_text *text, const char *name,
-                         const struct font *font)
+                         const struct pel_font_asset *font)
 {
     const struct import_array array = {"struct pel_font_range", "ranges",
-                                       count_ranges(font), 1};
+                                       font->ranges, 1};
     import_array_begin(text, name, &array);
-    for (size_t i = 0, end; i < font->count; i = end) {
-        end = range_end(font, i);
-        const long value[] = {(long)font->chars[i].code, (long)(end - i),
-                              (long)i};
+    for (uint32_t i = 0; i < font->ranges; i++) {
+        const struct pel_font_range *r = &font->range[i];
+        const long value[] = {(long)r->first, r->count, r->glyph};
         import_array_item(text, value, 3);
     }
     import_array_end(text);
 }
 
-/* The glyph of the code point for others, of U+FFFD, or of a question mark. */
-static long missing_of(const struct font *font)
-{
-    const long code[] = {font->missing, 0xFFFD, '?'};
-    for (size_t k = 0; k < sizeof(code) / sizeof(*code); k++)
-        for (size_t i = 0; i < font->count; i++)
-            if ((long)font->chars[i].code == code[k])
-                return (long)i;
-    return PEL_FONT_NONE;
-}
-
 static void write_asset(struct import_text *text, const char *name,
-                        const struct font *font)
+                        const struct pel_font_asset *font)
 {
     FILE *out = text->output.stream;
     write_bits(text, name, font);
@@ -208,35 +119,38 @@ static void write_asset(struct import_text *text, const char *name,
     fprintf(out, "\nextern const struct pel_font_asset %s;\n", name);
     fprintf(out, "const struct pel_font_asset %s = {\n", name);
     fprintf(out, "    PEL_FONT_MAGIC,\n    PEL_FONT_VERSION,\n");
-    fprintf(out, "    %d, /* px above the baseline */\n", font->ascent);
-    fprintf(out, "    %d, /* px below it */\n", font->descent);
-    fprintf(out, "    %lu,\n    %lu,\n    %ld, /* of what is missing */\n",
-            (unsigned long)count_ranges(font), (unsigned long)font->count,
-            missing_of(font));
-    fprintf(out, "    %lu,\n", (unsigned long)font->size + 1);
+    fprintf(out, "    %u, /* px above the baseline */\n", font->ascent);
+    fprintf(out, "    %u, /* px below it */\n", font->descent);
+    fprintf(out, "    %u,\n    %u,\n    %u, /* glyph of what is missing */\n",
+            font->ranges, font->glyphs, font->missing);
+    fprintf(out, "    %lu,\n", (unsigned long)font->size);
     fprintf(out, "    %s_ranges,\n    %s_glyphs,\n    %s_bits,\n};\n", name,
             name, name);
+}
+
+static bool write_file(const struct import_options *options,
+                       const struct pel_font_asset *asset)
+{
+    struct import_text text;
+    if (!import_text_open(&text, options->output, options->source,
+                          "core/asset/font_asset.h"))
+        return false;
+    write_asset(&text, options->name, asset);
+    return output_commit(&text.output);
 }
 
 bool import_font(const struct import_options *options)
 {
     struct font font;
-    struct import_text text;
+    struct pel_font_asset asset;
     if (!font_load(&font, options->source))
         return false;
-    bool done =
-        !options->codes || keep_codes(&font, options->source, options->codes);
-    if (done && font.count >= PEL_FONT_NONE)
-        done = message_error_at(options->source, 0,
-                                "has %zu glyphs; fewer than 65,535, with "
-                                "--codes FIRST-LAST, would be right",
-                                font.count);
-    done = done && pack_bits(&font) &&
-           import_text_open(&text, options->output, options->source,
-                            "core/asset/font_asset.h");
+    bool done = (!options->codes ||
+                 keep_codes(&font, options->source, options->codes)) &&
+                font_asset_make(&asset, &font, options->source);
     if (done) {
-        write_asset(&text, options->name, &font);
-        done = output_commit(&text.output);
+        done = write_file(options, &asset);
+        font_asset_free(&asset);
     }
     font_free(&font);
     return done;

@@ -7,6 +7,7 @@
 #include "canvas.h"
 
 struct scene_command;
+struct scene_assets;
 
 /* One line of the script that draws, or that changes how. */
 struct scene_item {
@@ -24,8 +25,9 @@ struct scene {
     size_t item_count;
     int32_t *values; /* arguments of all items; colours as their bits */
     size_t value_count;
-    size_t polygon_max; /* vertices of the largest polygon */
-    char *caption;      /* the comment that the script begins with, or "" */
+    size_t polygon_max;          /* vertices of the largest polygon */
+    struct scene_assets *assets; /* fonts, pictures and texts that it names */
+    char *caption; /* the comment that the script begins with, or "" */
 };
 
 /* Reads a script (sim/scenes/README.md). `format`, when not NULL, replaces that

@@ -5,7 +5,7 @@
 #include "format_names.h"
 #include "message.h"
 #include "number.h"
-#include "scene_commands.h"
+#include "scene_assets.h"
 
 static bool refuse(const struct scene_place *place, const char *word,
                    const char *right)
@@ -38,14 +38,25 @@ static bool parse_length(const struct scene_place *place, const char *word,
 }
 
 static bool parse_whole(const struct scene_place *place, const char *word,
-                        int32_t min, int32_t *value)
+                        const int32_t range[2], int32_t *value)
 {
     int64_t v;
     char right[48];
-    snprintf(right, sizeof right, "a whole number in %d..32767", (int)min);
-    if (number_integer(word, min, 32767, &v) != NUMBER_OK)
+    snprintf(right, sizeof right, "a whole number in %d..%d", (int)range[0],
+             (int)range[1]);
+    if (number_integer(word, range[0], range[1], &v) != NUMBER_OK)
         return refuse(place, word, right);
     *value = (int32_t)v;
+    return true;
+}
+
+static bool parse_turn(const struct scene_place *place, const char *word,
+                       int32_t *value)
+{
+    int64_t v;
+    if (number_decimal(word, 65536, 0, 65536, &v) != NUMBER_OK)
+        return refuse(place, word, "a part of a turn, 0 to 1");
+    *value = (int32_t)(v & 65535);
     return true;
 }
 
@@ -75,23 +86,44 @@ static bool parse_format(const struct scene_place *place, const char *word,
                             format_list());
 }
 
+static bool parse_number(const struct scene_place *place, enum scene_kind kind,
+                         const char *word, int32_t *value)
+{
+    static const int32_t pixel[] = {-32768, 32767}, count[] = {0, 32767},
+                         size[] = {1, 32767}, byte[] = {0, 255};
+    switch (kind) {
+    case KIND_PIXEL:
+        return parse_whole(place, word, pixel, value);
+    case KIND_COUNT:
+        return parse_whole(place, word, count, value);
+    case KIND_SIZE:
+        return parse_whole(place, word, size, value);
+    case KIND_BYTE:
+        return parse_whole(place, word, byte, value);
+    case KIND_LENGTH:
+        return parse_length(place, word, value);
+    case KIND_TURN:
+        return parse_turn(place, word, value);
+    default:
+        return parse_subpixels(place, word, value);
+    }
+}
+
 bool scene_argument(const struct scene_place *place, enum scene_kind kind,
                     const char *word, int32_t *value)
 {
     switch (kind) {
-    case KIND_COORDINATE:
-        return parse_subpixels(place, word, value);
-    case KIND_LENGTH:
-        return parse_length(place, word, value);
-    case KIND_PIXEL:
-        return parse_whole(place, word, -32768, value);
-    case KIND_COUNT:
-        return parse_whole(place, word, 0, value);
-    case KIND_SIZE:
-        return parse_whole(place, word, 1, value);
     case KIND_COLOR:
         return parse_color(place, word, value);
-    default:
+    case KIND_FORMAT:
         return parse_format(place, word, value);
+    case KIND_FONT:
+        return scene_add_font(place, word, value);
+    case KIND_PICTURE:
+        return scene_add_picture(place, word, value);
+    case KIND_TEXT:
+        return scene_add_text(place, word, value);
+    default:
+        return parse_number(place, kind, word, value);
     }
 }

@@ -55,7 +55,7 @@ static void set_vertex(struct scene_pen *pen, const int32_t *v, size_t n)
 static void draw_triangle(struct scene_pen *pen, const int32_t *v, size_t n)
 {
     struct pel_gouraud gouraud;
-    const struct pel_paint *paint = &pen->flat.paint;
+    const struct pel_paint *paint = scene_paint(pen);
     (void)n;
     if (pen->by_vertex) {
         pel_gouraud_init(&gouraud, points(v), pen->corner);
@@ -72,7 +72,7 @@ static void draw_polygon(struct scene_pen *pen, const int32_t *v, size_t n,
 {
     const struct pel_outline outline = {points(v), (int32_t)(n / 2), rule};
     /* Cannot fail: vertices and scratch memory were checked before. */
-    pel_polygon(pen->surface, &outline, &pen->flat.paint, pen->scratch,
+    pel_polygon(pen->surface, &outline, scene_paint(pen), pen->scratch,
                 pen->scratch_size);
 }
 
@@ -89,7 +89,7 @@ static void draw_nonzero(struct scene_pen *pen, const int32_t *v, size_t n)
 static void draw_circle(struct scene_pen *pen, const int32_t *v, size_t n)
 {
     (void)n;
-    pel_circle(pen->surface, points(v)[0], v[2], &pen->flat.paint);
+    pel_circle(pen->surface, points(v)[0], v[2], scene_paint(pen));
 }
 
 static const char *check_rect(const int32_t *v)
@@ -103,13 +103,13 @@ static void draw_rect(struct scene_pen *pen, const int32_t *v, size_t n)
 {
     const struct pel_point to = {v[0] + v[2], v[1] + v[3]};
     (void)n;
-    pel_rectangle(pen->surface, points(v)[0], to, &pen->flat.paint);
+    pel_rectangle(pen->surface, points(v)[0], to, scene_paint(pen));
 }
 
 static void draw_line(struct scene_pen *pen, const int32_t *v, size_t n)
 {
     (void)n;
-    pel_line(pen->surface, points(v)[0], points(v)[1], &pen->flat.paint);
+    pel_line(pen->surface, points(v)[0], points(v)[1], scene_paint(pen));
 }
 
 const struct scene_command scene_commands[] = {
@@ -133,4 +133,11 @@ const struct scene_command scene_commands[] = {
     {"rect", "ppll", "X Y WIDTH HEIGHT", SCENE_SHAPE, draw_rect, check_rect},
     {"line", "pppp", "X0 Y0 X1 Y1", SCENE_SHAPE, draw_line, NULL},
     {NULL, NULL, NULL, SCENE_STATE, NULL, NULL},
+};
+
+const struct scene_command *const scene_tables[] = {
+    scene_commands,
+    scene_shapes,
+    scene_images,
+    NULL,
 };

@@ -2,6 +2,7 @@
 #ifndef SIM_SCENE_COMMANDS_H
 #define SIM_SCENE_COMMANDS_H
 
+#include "core/asset/font_asset.h"
 #include "core/pel.h"
 #include "scene.h"
 
@@ -13,6 +14,8 @@ struct scene_pen {
     bool by_vertex;      /* paint vertex is in force */
     bool collinear_line; /* a triangle without area is a line */
     struct pel_rect clip;
+    const struct scene_assets *assets;
+    const struct pel_font_asset *font; /* in force, or NULL */
     void *scratch; /* for the largest polygon of the scene */
     size_t scratch_size;
 };
@@ -24,7 +27,9 @@ enum scene_role {
     SCENE_PAINT,        /* a paint that every shape takes */
     SCENE_PAINT_VERTEX, /* a paint that triangles alone take */
     SCENE_TRIANGLE,
-    SCENE_SHAPE
+    SCENE_SHAPE,
+    SCENE_FONT, /* what text needs */
+    SCENE_TEXT
 };
 
 /* Kinds of arguments, one letter each in scene_command.kinds; `*` at the end
@@ -36,6 +41,11 @@ enum scene_kind {
     KIND_COUNT = 'n',      /* whole, 0 to 32,767 */
     KIND_SIZE = 's',       /* whole, 1 to 32,767 */
     KIND_COLOR = 'c',      /* #rrggbb or #rrggbbaa */
+    KIND_TURN = 't',       /* decimal turns, 0 to 1, to turns / 65,536 */
+    KIND_BYTE = 'b',       /* whole, 0 to 255 */
+    KIND_FONT = 'F',       /* a file; its index in scene_assets */
+    KIND_PICTURE = 'P',    /* a file; its index there */
+    KIND_TEXT = 'T',       /* in quotes; its index there */
     KIND_FORMAT = 'f'      /* a name; its index in format_names */
 };
 
@@ -49,8 +59,17 @@ struct scene_command {
     const char *(*check)(const int32_t *v);
 };
 
-/* All commands; the last has the name NULL. */
-extern const struct scene_command scene_commands[];
+/* The paint in force. */
+static inline const struct pel_paint *scene_paint(const struct scene_pen *pen)
+{
+    return &pen->flat.paint;
+}
+
+/* All commands, in tables that end with the name NULL; the last table is NULL.
+ */
+extern const struct scene_command scene_commands[], scene_shapes[],
+    scene_images[];
+extern const struct scene_command *const scene_tables[];
 
 /* One argument of a kind, from its word. False, with a message, when it is not
  * one. */
@@ -58,6 +77,7 @@ struct scene_place {
     const char *path;
     long line;
     const struct scene_command *command;
+    struct scene_assets *assets;
 };
 bool scene_argument(const struct scene_place *place, enum scene_kind kind,
                     const char *word, int32_t *value);

@@ -1,5 +1,6 @@
 #include <stdlib.h>
 
+#include "core/raster/outline.h"
 #include "message.h"
 #include "scene_commands.h"
 
@@ -63,7 +64,9 @@ bool scene_draw(const struct scene *scene, struct canvas *canvas, int rows)
                              rows);
     pen->flat = white;
     pen->clip = canvas->surface.bounds;
-    pen->scratch_size = pel_polygon_scratch_size((int32_t)scene->polygon_max);
+    pen->assets = scene->assets;
+    pen->scratch_size =
+        pel_polygon_outline_scratch_size((int32_t)scene->polygon_max);
     pen->scratch = malloc(pen->scratch_size + 1);
     if (!pen->scratch)
         return message_error("no memory for a polygon of %zu vertices",

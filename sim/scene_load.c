@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "message.h"
+#include "scene_assets.h"
 #include "scene_parser.h"
 
 /* The comment at the head of the script. */
@@ -76,9 +77,15 @@ bool scene_load(struct scene *scene, const char *path,
     const struct scene empty = {.path = path, .format = format};
     const bool is_input = strcmp(path, "-") == 0;
     *scene = empty;
+    scene->assets = calloc(1, sizeof *scene->assets);
+    if (!scene->assets)
+        return message_error("out of memory");
     FILE *file = is_input ? stdin : fopen(path, "r");
-    if (!file)
-        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+    if (!file) {
+        message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+        scene_free(scene);
+        return false;
+    }
     const bool done = load_from(scene, file);
     if (!is_input)
         fclose(file);
@@ -93,5 +100,8 @@ void scene_free(struct scene *scene)
     free(scene->items);
     free(scene->values);
     free(scene->caption);
+    if (scene->assets)
+        scene_assets_free(scene->assets);
+    free(scene->assets);
     *scene = empty;
 }

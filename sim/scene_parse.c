@@ -57,15 +57,42 @@ static bool add_item(struct scene_parser *p, const struct scene_item *item)
     return true;
 }
 
+/* The end of a text in quotes, which begins behind the first; \" \\ and \n
+ * become what they stand for. NULL when the closing quote is missing. */
+static char *end_quote(char *text)
+{
+    char *to = text;
+    for (; *text && *text != '"'; text++) {
+        if (*text == '\\' && text[1]) {
+            text++;
+            *to++ = (char)(*text == 'n' ? '\n' : *text);
+        } else
+            *to++ = *text;
+    }
+    if (!*text)
+        return NULL;
+    *to = '\0';
+    return text + 1;
+}
+
+/* Words keep their opening quote, as a sign. */
 static bool split_words(struct scene_parser *p, char *text)
 {
     static const char space[] = " \t\r\n\v\f";
-    char *rest;
     p->word_count = 0;
-    for (char *word = strtok_r(text, space, &rest); word;
-         word = strtok_r(NULL, space, &rest))
-        if (!add_word(p, word))
+    while (*(text += strspn(text, space))) {
+        char *end =
+            *text == '"' ? end_quote(text + 1) : text + strcspn(text, space);
+        if (!end || (*end && !strchr(space, *end)))
+            return message_error_at(p->scene->path, p->line,
+                                    "%.*s: a text ends with a quote, and a "
+                                    "blank after it",
+                                    (int)strcspn(text, "\r\n"), text);
+        if (!add_word(p, text))
             return false;
+        text = end + (*end != '\0');
+        *end = '\0';
+    }
     return true;
 }
 
@@ -90,36 +117,76 @@ static bool has_first_word(const struct scene_command *c, const char *word)
     return strlen(word) == length && strncmp(c->name, word, length) == 0;
 }
 
+/* Calls for every command of every table, until one gives true. */
+typedef bool visit(const struct scene_command *c, void *context);
+
+static const struct scene_command *search(visit *visitor, void *context)
+{
+    for (const struct scene_command *const *t = scene_tables; *t; t++)
+        for (const struct scene_command *c = *t; c->name; c++)
+            if (visitor(c, context))
+                return c;
+    return NULL;
+}
+
+/* The names of commands, as far as there is room. */
+struct name_list {
+    const char *first_word; /* NULL: all */
+    size_t length;
+    char text[1024];
+};
+
+static bool is_first_word(const struct scene_command *c, void *context)
+{
+    return has_first_word(c, context);
+}
+
+static bool add_name(const struct scene_command *c, void *context)
+{
+    struct name_list *list = context;
+    size_t room = sizeof list->text - list->length;
+    if (list->first_word && !has_first_word(c, list->first_word))
+        return false;
+    int n = snprintf(list->text + list->length, room, "%s%s",
+                     list->length ? ", " : "", c->name);
+    list->length += (size_t)n < room ? (size_t)n : room - 1;
+    return false;
+}
+
 /* "unknown": the commands with the same first word, or else all. */
 static bool refuse_unknown(const struct scene_parser *p)
 {
-    char list[512];
-    const char *word = p->words[0];
-    const struct scene_command *c = scene_commands;
-    bool first_known = false;
-    for (; c->name; c++)
-        first_known = first_known || has_first_word(c, word);
-    size_t n = 0;
-    for (c = scene_commands; c->name; c++)
-        if (!first_known || has_first_word(c, word))
-            n += (size_t)snprintf(list + n, sizeof list - n, "%s%s",
-                                  n ? ", " : "", c->name);
+    char *word = p->words[0];
+    const bool first_known = search(is_first_word, word);
+    struct name_list list = {first_known ? word : NULL, 0, ""};
+    search(add_name, &list);
     const bool more = first_known && p->word_count > 1;
-    return message_error_at(p->scene->path, p->line,
-                            "unknown command %s%s%s: valid are %s", word,
-                            more ? " " : "", more ? p->words[1] : "", list);
+    return message_error_at(
+        p->scene->path, p->line, "unknown command %s%s%s: valid are %s", word,
+        more ? " " : "", more ? p->words[1] : "", list.text);
+}
+
+struct match {
+    const struct scene_parser *parser;
+    size_t words;
+};
+
+static bool matches(const struct scene_command *c, void *context)
+{
+    struct match *match = context;
+    match->words = match_name(match->parser, c->name);
+    return match->words != 0;
 }
 
 static const struct scene_command *find_command(const struct scene_parser *p,
                                                 size_t *name_words)
 {
-    for (const struct scene_command *c = scene_commands; c->name; c++) {
-        *name_words = match_name(p, c->name);
-        if (*name_words)
-            return c;
-    }
-    refuse_unknown(p);
-    return NULL;
+    struct match match = {p, 0};
+    const struct scene_command *c = search(matches, &match);
+    *name_words = match.words;
+    if (!c)
+        refuse_unknown(p);
+    return c;
 }
 
 /* The kind of argument i, or 0 when the command takes no more. */
@@ -193,7 +260,11 @@ static bool check_command(struct scene_parser *p, const struct scene_place *at,
         return message_error_at(at->path, at->line, "%s: %s", c->name, wrong);
     if (c->role == SCENE_PAINT || c->role == SCENE_PAINT_VERTEX)
         p->by_vertex = c->role == SCENE_PAINT_VERTEX;
-    if (c->role == SCENE_SHAPE && p->by_vertex)
+    p->has_font = p->has_font || c->role == SCENE_FONT;
+    if (c->role == SCENE_TEXT && !p->has_font)
+        return message_error_at(at->path, at->line,
+                                "text without a font: font FILE before it");
+    if ((c->role == SCENE_SHAPE || c->role == SCENE_TEXT) && p->by_vertex)
         return message_error_at(at->path, at->line,
                                 "%s: paint vertex colours triangles; set "
                                 "another paint first",
@@ -229,7 +300,8 @@ static bool parse_command(struct scene_parser *p, const struct scene_place *at,
 
 bool scene_parse_line(struct scene_parser *parser, char *text)
 {
-    struct scene_place at = {parser->scene->path, parser->line, NULL};
+    struct scene_place at = {parser->scene->path, parser->line, NULL,
+                             parser->scene->assets};
     size_t name_words;
     if (!split_words(parser, text))
         return false;

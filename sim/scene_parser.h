@@ -11,6 +11,7 @@ struct scene_parser {
     char **words; /* of the line, in its own memory */
     size_t word_count, word_capacity;
     bool by_vertex; /* paint vertex is in force */
+    bool has_font;
 };
 
 /* Adds what the line says to the scene. Cuts `text` into words. False, with a

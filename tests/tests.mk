@@ -73,12 +73,12 @@ $(TEST_TWINS:%=$(T)/host/%) $(TEST_TWINS:%=$(T)/san/%): $(T)/portable_core.o
 # Tests of the host program: its sources but for main.
 TEST_SIM := $(basename $(sort $(wildcard tests/sim/test_*.c)))
 TEST_SCRIPTS := $(sort $(wildcard tests/sim/test_*.sh))
-TEST_SIM_OBJECTS := $(filter-out $(BUILD)/sim/main.o,$(SIM_OBJECTS))
+TEST_SIM_OBJECTS := $(filter-out $(BUILD)/sim/main.o,$(SIM_OBJECTS)) $(LINUX_OBJECTS)
 $(T)/sim/%.o: tests/sim/%.c
 	@mkdir -p $(@D)
 	$(CC) $(PEL_CFLAGS) $(SIM_FLAGS) $(CFLAGS) -c $< -o $@
 $(T)/sim/%: $(T)/sim/%.o $(TEST_SIM_OBJECTS) $(T)/host/libsupport.a $(BUILD)/libpel.a
-	$(CC) $(CFLAGS) $(LDFLAGS) $^ -lcmocka $(SIM_LIBS) -o $@
+	$(CC) $(CFLAGS) $(LDFLAGS) $^ -lcmocka $(SIM_LIBS) $(LINUX_LIBS) -o $@
 
 TEST_PROGRAMS_host := $(TEST_EXHAUSTIVE) $(TEST_PROPERTY) $(TEST_UNIT)
 TEST_PROGRAMS_portable := $(filter-out $(TEST_HOST_ONLY),$(TEST_PROPERTY))

@@ -22,20 +22,29 @@ static void knot(const void *paint, struct pel_point way, struct pel_knot *k)
     k->slope = (int64_t)(way.y > 0 ? 0 - fall : fall);
 }
 
-/* There and back is two ways in a turn. */
-void pel_conic_colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
-                      int32_t n, pel_color *colors)
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
 {
     const struct pel_conic *p = (const void *)paint;
-    const struct pel_curve curve = {
-        p,
-        knot,
-        p->run,
-        far,
-        {pel_pixel_center(x) - p->center.x, pel_pixel_center(y) - p->center.y},
-        x,
-        p->ramp.spread == PEL_REFLECT ? 63 : 64,
-        0,
-    };
-    pel_curve_colors(&curve, n, colors);
+    const struct pel_point pixel = {x, y};
+    pel_curve_colors(&p->curve, p, pixel, n, out);
+}
+
+enum pel_status pel_conic_begin(struct pel_conic *paint,
+                                struct pel_point center, uint16_t start,
+                                pel_run_function *run)
+{
+    if (!paint)
+        return PEL_ERROR_NULL;
+    if (!pel_points_legal(&center, 1))
+        return PEL_ERROR_RANGE;
+    pel_color_paint_init(&paint->base, colors, true);
+    paint->start = (uint32_t)start << 16;
+    paint->curve.center = center;
+    paint->curve.far = far;
+    paint->curve.knot = knot;
+    paint->curve.run = run;
+    paint->curve.bits = 64;
+    paint->curve.limit = 0;
+    return PEL_OK;
 }

@@ -22,30 +22,33 @@ struct pel_knot {
     int64_t slope;
 };
 
-struct pel_curve {
-    const void *paint;
+/* Colours n pixels of a walk. */
+typedef void pel_run_function(const void *paint,
+                              const struct pel_ramp_walk *walk, int32_t n,
+                              pel_color *colors);
 
-    /* The knot at `way` from the paint's centre. */
+struct pel_curve {
+    struct pel_point center;
+
+    /* How far the centres of a piece of 4, 8, 16, 32, 64 pixels must be from
+     * there, in sub-pixels, the next piece's first one included. */
+    const int32_t *far;
+
+    /* The knot at `way` from the centre. */
     void (*knot)(const void *paint, struct pel_point way,
                  struct pel_knot *knot);
 
-    /* Colours n pixels of a walk. */
-    void (*run)(const void *paint, const struct pel_ramp_walk *walk, int32_t n,
-                pel_color *colors);
+    pel_run_function *run;
 
-    /* How far the centres of a piece of 4, 8, 16, 32, 64 pixels must be from
-     * the paint's, in sub-pixels, the next piece's first one included. */
-    const int32_t *far;
-
-    struct pel_point way; /* from the paint's centre to that of pixel x */
-    int32_t x;
     uint8_t bits; /* of the unit: pel_ramp_walk */
 
     /* Walks whose knots are below this are `inside` (pel_ramp_walk). */
     uint64_t limit;
 };
 
-/* The colours of n pixels from c->x on. */
-void pel_curve_colors(const struct pel_curve *c, int32_t n, pel_color *colors);
+/* The colours of n pixels from (pixel.x, pixel.y) on. `paint` is handed to the
+ * functions of the curve. */
+void pel_curve_colors(const struct pel_curve *curve, const void *paint,
+                      struct pel_point pixel, int32_t n, pel_color *colors);
 
 #endif

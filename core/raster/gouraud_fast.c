@@ -8,6 +8,7 @@ static void write_xrgb(const struct pel_surface *s,
                        const struct pel_fast_triangle *t,
                        const struct pel_gouraud *paint)
 {
+    const struct pel_gouraud_run run = pel_gouraud_run_make(paint, 1);
     struct pel_fast_walk w = pel_fast_walk_begin(s, t, 4);
     uint32_t row[3], v[3];
     pel_gouraud_at(paint, 0, t->y0, row);
@@ -16,7 +17,7 @@ static void write_xrgb(const struct pel_surface *s,
         pel_prefetch_run(p + 2 * w.pitch, 4 * n);
         for (int k = 0; k < 3; k++)
             v[k] = row[k] + (uint32_t)x * paint->dx[k];
-        pel_gouraud_run_xrgb((pel_word32 *)p, n, v, paint->dx);
+        pel_gouraud_run_xrgb((pel_word32 *)p, n, v, &run);
         pel_gouraud_step(row, paint->dy);
     }
 }
@@ -25,6 +26,7 @@ static void write_rgb565(const struct pel_surface *s,
                          const struct pel_fast_triangle *t,
                          const struct pel_gouraud *paint)
 {
+    const struct pel_gouraud_run run = pel_gouraud_run_make(paint, 2);
     struct pel_fast_walk w = pel_fast_walk_begin(s, t, 2);
     uint32_t row[3], v[3];
     pel_gouraud_at(paint, 0, t->y0, row);
@@ -32,7 +34,7 @@ static void write_rgb565(const struct pel_surface *s,
         uintptr_t p = w.line + 2 * (uintptr_t)x;
         for (int k = 0; k < 3; k++)
             v[k] = row[k] + (uint32_t)x * paint->dx[k];
-        pel_gouraud_run_rgb565((pel_word16 *)p, n, v, paint->dx);
+        pel_gouraud_run_rgb565((pel_word16 *)p, n, v, &run);
         pel_gouraud_step(row, paint->dy);
     }
 }

@@ -19,20 +19,22 @@ static PEL_NOINLINE void fill_run_xrgb(const struct pel_gouraud *g,
                                        const struct pel_surface *s, int32_t y,
                                        const struct pel_row *row)
 {
+    const struct pel_gouraud_run run = pel_gouraud_run_make(g, 1);
     uint32_t v[3];
     pel_gouraud_at(g, row->x0, y, v);
     pel_gouraud_run_xrgb(pel_address32(s, row->x0, y), row->x1 - row->x0, v,
-                         g->dx);
+                         &run);
 }
 
 static PEL_NOINLINE void fill_run_rgb565(const struct pel_gouraud *g,
                                          const struct pel_surface *s, int32_t y,
                                          const struct pel_row *row)
 {
+    const struct pel_gouraud_run run = pel_gouraud_run_make(g, 2);
     uint32_t v[3];
     pel_gouraud_at(g, row->x0, y, v);
     pel_gouraud_run_rgb565(pel_address16(s, row->x0, y), row->x1 - row->x0, v,
-                           g->dx);
+                           &run);
 }
 
 /* A format that has a writer of its own for opaque colours. */

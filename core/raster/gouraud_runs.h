@@ -24,9 +24,9 @@ static inline uint32_t pel_gouraud_xrgb(const uint32_t v[3])
            v[0] >> 24;
 }
 
-static inline uint32_t pel_gouraud_rgb565(const uint32_t v[3])
+static inline pel_word16 pel_gouraud_word565(uint32_t b, uint32_t g, uint32_t r)
 {
-    return (v[2] >> 27) << 11 | (v[1] >> 26) << 5 | v[0] >> 27;
+    return (pel_word16)PEL_LE16((r >> 27) << 11 | (g >> 26) << 5 | b >> 27);
 }
 
 static inline void pel_gouraud_step(uint32_t v[3], const uint32_t dx[3])
@@ -36,13 +36,33 @@ static inline void pel_gouraud_step(uint32_t v[3], const uint32_t dx[3])
     v[2] += dx[2];
 }
 
+/* What the runs of one triangle share. */
+struct pel_gouraud_run {
+    uint32_t dx[3];
 #if PEL_VECTORS
+    pel_u32x4 lanes[3]; /* from the first lane's pixel to each lane's */
+    pel_u32x4 steps[3]; /* from a vector of pixels to the next */
+#endif
+};
 
-/* Lanes of one channel: pixels 0, 1, 2, 3 or 0, 2, 4, 6 from v on. */
-static inline pel_u32x4 pel_gouraud_lanes(uint32_t v, uint32_t dx)
+/* `apart`: pixels from lane to lane; a store is 4 * apart pixels. */
+static inline struct pel_gouraud_run pel_gouraud_run_make(
+    const struct pel_gouraud *g, uint32_t apart)
 {
-    return (pel_u32x4){v, v + dx, v + 2 * dx, v + 3 * dx};
+    struct pel_gouraud_run run;
+    for (int k = 0; k < 3; k++) {
+        run.dx[k] = g->dx[k];
+#if PEL_VECTORS
+        const uint32_t d = apart * g->dx[k];
+        run.lanes[k] = (pel_u32x4){0, d, 2 * d, 3 * d};
+        run.steps[k] = (pel_u32x4){4 * d, 4 * d, 4 * d, 4 * d};
+#endif
+    }
+    (void)apart;
+    return run;
 }
+
+#if PEL_VECTORS
 
 /* Four pixels from the lanes of blue, green, red. */
 static inline pel_u32x4 pel_gouraud_xrgb4(pel_u32x4 b, pel_u32x4 g, pel_u32x4 r)
@@ -51,31 +71,39 @@ static inline pel_u32x4 pel_gouraud_xrgb4(pel_u32x4 b, pel_u32x4 g, pel_u32x4 r)
            UINT32_C(0xFF000000);
 }
 
-/* The last four pixels overlap those before them. */
-static PEL_ALWAYS_INLINE void pel_gouraud_run_xrgb(pel_word32 *p, int32_t n,
-                                                   uint32_t v[3],
-                                                   const uint32_t dx[3])
+/* Fewer than 4 pixels of four; as pel_span32_short. */
+static inline void pel_gouraud_short_xrgb(pel_word32 *p, int32_t n,
+                                          pel_u32x4 pixels)
 {
+    uint32_t four[4];
+    pel_word32 elsewhere;
+    pel_word32 *q = n > 0 ? p : &elsewhere;
+    int32_t last = n > 0 ? n - 1 : 0, half = (last + 1) >> 1;
+    pel_put_u32x4(four, pixels);
+    q[0] = four[0];
+    q[half] = four[half];
+    q[last] = four[last];
+}
+
+/* The last four pixels overlap those before them. */
+static PEL_ALWAYS_INLINE void pel_gouraud_run_xrgb(
+    pel_word32 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_run *run)
+{
+    pel_u32x4 b = run->lanes[0] + v[0], g = run->lanes[1] + v[1],
+              r = run->lanes[2] + v[2];
     if (n < 4) {
-        for (; n > 0; n--, pel_gouraud_step(v, dx))
-            *p++ = pel_gouraud_xrgb(v);
+        pel_gouraud_short_xrgb(p, n, pel_gouraud_xrgb4(b, g, r));
         return;
     }
     const uint32_t last = (uint32_t)n - 4;
     pel_word32 *end = p + last;
-    const pel_u32x4 zero = {0, 0, 0, 0};
-    pel_u32x4 b = pel_gouraud_lanes(v[0], dx[0]);
-    pel_u32x4 g = pel_gouraud_lanes(v[1], dx[1]);
-    pel_u32x4 r = pel_gouraud_lanes(v[2], dx[2]);
-    const pel_u32x4 db = zero + 4 * dx[0], dg = zero + 4 * dx[1],
-                    dr = zero + 4 * dx[2];
-    const pel_u32x4 tail =
-        pel_gouraud_xrgb4(b + last * dx[0], g + last * dx[1], r + last * dx[2]);
+    const pel_u32x4 tail = pel_gouraud_xrgb4(
+        b + last * run->dx[0], g + last * run->dx[1], r + last * run->dx[2]);
     for (; p < end; p += 4) {
         pel_put_u32x4(p, pel_gouraud_xrgb4(b, g, r));
-        b += db;
-        g += dg;
-        r += dr;
+        b += run->steps[0];
+        g += run->steps[1];
+        r += run->steps[2];
     }
     pel_put_u32x4(end, tail);
 }
@@ -92,51 +120,70 @@ static inline pel_u32x4 pel_gouraud_rgb565x8(const pel_u32x4 even[3],
     return low | high << 16;
 }
 
-static PEL_ALWAYS_INLINE void pel_gouraud_run_rgb565(pel_word16 *p, int32_t n,
-                                                     uint32_t v[3],
-                                                     const uint32_t dx[3])
+static PEL_ALWAYS_INLINE void pel_gouraud_run_rgb565(
+    pel_word16 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_run *run)
 {
     if (n < 8) {
-        for (; n > 0; n--, pel_gouraud_step(v, dx))
-            *p++ = (pel_word16)pel_gouraud_rgb565(v);
+        for (; n > 0; n--, pel_gouraud_step(v, run->dx))
+            *p++ = pel_gouraud_word565(v[0], v[1], v[2]);
         return;
     }
     const uint32_t last = (uint32_t)n - 8;
     pel_word16 *end = p + last;
-    pel_u32x4 lanes[3], tail[3];
+    pel_u32x4 even[3], tail[3];
     for (int k = 0; k < 3; k++) {
-        lanes[k] = pel_gouraud_lanes(v[k], 2 * dx[k]);
-        tail[k] = lanes[k] + last * dx[k];
+        even[k] = run->lanes[k] + v[k];
+        tail[k] = even[k] + last * run->dx[k];
     }
     for (; p < end; p += 8) {
-        pel_put_u32x4(p, pel_gouraud_rgb565x8(lanes, dx));
+        pel_put_u32x4(p, pel_gouraud_rgb565x8(even, run->dx));
         for (int k = 0; k < 3; k++)
-            lanes[k] += 8 * dx[k];
+            even[k] += run->steps[k];
     }
-    pel_put_u32x4(end, pel_gouraud_rgb565x8(tail, dx));
+    pel_put_u32x4(end, pel_gouraud_rgb565x8(tail, run->dx));
 }
 
 #else
 
 static inline void pel_gouraud_run_xrgb(pel_word32 *p, int32_t n, uint32_t v[3],
-                                        const uint32_t dx[3])
+                                        const struct pel_gouraud_run *run)
 {
-    for (; n > 0; n--, pel_gouraud_step(v, dx))
+    for (; n > 0; n--, pel_gouraud_step(v, run->dx))
         *p++ = PEL_LE32(pel_gouraud_xrgb(v));
 }
 
-/* Two pixels a turn, for the sake of the loop's own cost. */
+/* Channels and steps in variables of their own, four pixels a turn: so they
+ * stay in registers, and the loop's own cost is shared. */
 static inline void pel_gouraud_run_rgb565(pel_word16 *p, int32_t n,
-                                          uint32_t v[3], const uint32_t dx[3])
+                                          uint32_t v[3],
+                                          const struct pel_gouraud_run *run)
 {
-    for (; n >= 2; n -= 2, p += 2) {
-        p[0] = (pel_word16)PEL_LE16(pel_gouraud_rgb565(v));
-        pel_gouraud_step(v, dx);
-        p[1] = (pel_word16)PEL_LE16(pel_gouraud_rgb565(v));
-        pel_gouraud_step(v, dx);
+    uint32_t b = v[0], g = v[1], r = v[2];
+    const uint32_t db = run->dx[0], dg = run->dx[1], dr = run->dx[2];
+    for (; n >= 4; n -= 4, p += 4) {
+        p[0] = pel_gouraud_word565(b, g, r);
+        b += db;
+        g += dg;
+        r += dr;
+        p[1] = pel_gouraud_word565(b, g, r);
+        b += db;
+        g += dg;
+        r += dr;
+        p[2] = pel_gouraud_word565(b, g, r);
+        b += db;
+        g += dg;
+        r += dr;
+        p[3] = pel_gouraud_word565(b, g, r);
+        b += db;
+        g += dg;
+        r += dr;
     }
-    if (n > 0)
-        *p = (pel_word16)PEL_LE16(pel_gouraud_rgb565(v));
+    for (; n > 0; n--) {
+        *p++ = pel_gouraud_word565(b, g, r);
+        b += db;
+        g += dg;
+        r += dr;
+    }
 }
 
 #endif

@@ -37,8 +37,8 @@ struct pel_color_paint {
     bool opaque; /* all colours have alpha 255: nothing is blended */
 };
 
-#define PEL_COLOR_PAINT(colors, opaque)                        \
-    {                                                          \
+#define PEL_COLOR_PAINT(colors, opaque)                                 \
+    {                                                                   \
         PEL_PAINT(pel_color_paint_fill, NULL), (colors), NULL, (opaque) \
     }
 

@@ -6,22 +6,21 @@ static void run(const void *paint, const struct pel_ramp_walk *walk, int32_t n,
     pel_ramp_run(&((const struct pel_conic *)paint)->ramp, walk, n, colors);
 }
 
+/* Angles wrap, so a padded ramp is a repeated one. There and back is two ways
+ * in a turn. */
 enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
                                uint16_t start, const struct pel_ramp *ramp)
 {
     enum pel_status status = pel_ramp_check(ramp);
-    if (!paint)
-        return PEL_ERROR_NULL;
+    if (status == PEL_OK)
+        status = pel_conic_begin(paint, center, start, run);
     if (status != PEL_OK)
         return status;
-    if (!pel_points_legal(&center, 1))
-        return PEL_ERROR_RANGE;
-    pel_color_paint_init(&paint->base, pel_conic_colors, pel_ramp_opaque(ramp));
+    paint->base.opaque = pel_ramp_opaque(ramp);
     paint->ramp = *ramp;
     if (ramp->spread == PEL_PAD)
         paint->ramp.spread = PEL_REPEAT;
-    paint->center = center;
-    paint->start = (uint32_t)start << 16;
-    paint->run = run;
+    if (ramp->spread == PEL_REFLECT)
+        paint->curve.bits = 63;
     return PEL_OK;
 }

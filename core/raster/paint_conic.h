@@ -18,13 +18,9 @@
  */
 struct pel_conic {
     struct pel_color_paint base;
+    struct pel_curve curve;
     struct pel_ramp ramp;
-    struct pel_point center;
     uint32_t start; /* 2^-32 turns */
-
-    /* Colours the next n pixels of a walk in 2^-64 turns. */
-    void (*run)(const void *paint, const struct pel_ramp_walk *walk, int32_t n,
-                pel_color *colors);
 };
 
 /* Opaque when all colours of the ramp are, as they are now. start: 65,536ths of
@@ -33,8 +29,11 @@ struct pel_conic {
 enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
                                uint16_t start, const struct pel_ramp *ramp);
 
-/* The colours function of conic paints. */
-void pel_conic_colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
-                      int32_t n, pel_color *colors);
+/* The same with colours of its own: `run` colours a walk in 2^-64 turns and
+ * gets `paint`, with which a larger struct may begin; ramp is not set, opaque
+ * is true. PEL_ERROR_NULL, PEL_ERROR_RANGE. */
+enum pel_status pel_conic_begin(struct pel_conic *paint,
+                                struct pel_point center, uint16_t start,
+                                pel_run_function *run);
 
 #endif

@@ -1,5 +1,7 @@
 #include "paint_dither.h"
 
+#include <string.h>
+
 /* The Bayer matrix: 0..63, each once. */
 static const uint8_t matrix[8][8] = {
     {0, 32, 8, 40, 2, 34, 10, 42},  {48, 16, 56, 24, 50, 18, 58, 26},
@@ -69,52 +71,87 @@ static pel_color dithered_color(pel_color c, const struct depth *d,
                     dithered(pel_blue(c), d->blue, threshold), pel_alpha(c));
 }
 
-/* The colours of the source, and whether all are opaque. */
-static bool source_colors(const struct pel_paint *source, int32_t x, int32_t y,
-                          int32_t n, pel_color *colors)
+/* The source draws into a line of colours, in a format of its own that takes
+ * them as they are, alpha and all, instead of blending. */
+
+static uint32_t keep(uint32_t color)
 {
-    if (source->fill == pel_flat_fill) {
-        const pel_color color = ((const struct pel_flat *)source)->color;
-        for (int32_t i = 0; i < n; i++)
-            colors[i] = color;
-        return pel_alpha(color) == 255;
-    }
-    const struct pel_color_paint *p = (const void *)source;
-    p->colors(p, x, y, n, colors);
-    return p->opaque;
+    return color;
 }
+
+static pel_color *color_at(const struct pel_surface *s, int32_t x)
+{
+    return (pel_color *)s->pixels + (x - s->bounds.x0);
+}
+
+static void keep_one(const struct pel_rows *rows, pel_color color)
+{
+    const struct pel_row *row = rows->row;
+    for (int32_t i = rows->n; i > 0; i--, row++)
+        for (int32_t x = row->x0; x < row->x1; x++)
+            *color_at(rows->surface, x) = color;
+}
+
+static void keep_all(const struct pel_surface *s, int32_t x, int32_t y,
+                     int32_t n, const pel_color *colors)
+{
+    (void)y;
+    memcpy(color_at(s, x), colors, (size_t)n * sizeof *colors);
+}
+
+static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                 pel_color *colors)
+{
+    (void)y;
+    memcpy(colors, color_at(s, x), (size_t)n * sizeof *colors);
+}
+
+static const struct pel_format kept = {
+    255, 32, 4, keep, keep, keep_one, keep_one, keep_all, load,
+};
+
+/* What the source does not paint stays transparent. */
+static void source_colors(const struct pel_paint *source, int32_t y,
+                          const struct pel_row *row, pel_color *colors)
+{
+    const struct pel_rect line = {row->x0, y, row->x1, y + 1};
+    const struct pel_surface surface = {colors, 4 * (row->x1 - row->x0), line,
+                                        line, &kept};
+    const struct pel_rows rows = {&surface, row, y, 1, 1};
+    memset(colors, 0, (size_t)(row->x1 - row->x0) * sizeof *colors);
+    source->fill(source, &rows);
+}
+
+/* A power of two, as in paint_colors.c. */
+enum { RUN_PIXELS = PEL_FAST_64BIT ? 64 : 16 };
 
 static void fill_run(const struct pel_dither *p, const struct pel_surface *s,
                      int32_t y, const struct pel_row *row)
 {
-    pel_color colors[PEL_BUFFER_PIXELS];
+    pel_color colors[RUN_PIXELS];
     const struct depth depth = depth_of(s->format);
     const uint8_t *thresholds = matrix[y & 7];
-    for (int32_t x = row->x0, n; x < row->x1; x += n) {
-        n = pel_min(row->x1 - x, PEL_BUFFER_PIXELS);
-        bool opaque = source_colors(p->source, x, y, n, colors);
-        for (int32_t i = 0; i < n; i++)
-            colors[i] = dithered_color(colors[i], &depth,
-                                       2u * thresholds[(x + i) & 7] + 1);
-        if (opaque)
-            s->format->put(s, x, y, n, colors);
-        else
-            pel_put_colors(s, x, y, n, colors);
+    struct pel_row part = *row;
+    for (; part.x0 < row->x1; part.x0 = part.x1) {
+        part.x1 = pel_min(row->x1, (part.x0 | (RUN_PIXELS - 1)) + 1);
+        source_colors(p->source, y, &part, colors);
+        for (int32_t x = part.x0; x < part.x1; x++)
+            colors[x - part.x0] = dithered_color(colors[x - part.x0], &depth,
+                                                 2u * thresholds[x & 7] + 1);
+        pel_put_colors(s, part.x0, y, part.x1 - part.x0, colors);
     }
 }
 
 static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
 {
     const struct pel_dither *p = (const void *)paint;
-    const struct pel_surface *s = rows->surface;
     int32_t y = rows->y;
-    PEL_ASSERT(s->format->put); /* not a fill-only twin */
-    if (depth_of(s->format).red == 8) {
+    if (depth_of(rows->surface->format).red == 8) {
         p->source->fill(p->source, rows);
         return;
     }
-    for (int i = 0; s->format->put && i < rows->n; i++, y += rows->step)
-        fill_run(p, s, y, &rows->row[i]);
+    for (int i = 0; i < rows->n; i++, y += rows->step)
+        fill_run(p, rows->surface, y, &rows->row[i]);
 }
 
 enum pel_status pel_dither_init(struct pel_dither *paint,
@@ -122,9 +159,7 @@ enum pel_status pel_dither_init(struct pel_dither *paint,
 {
     if (!paint || !source)
         return PEL_ERROR_NULL;
-    if (source->fill != pel_flat_fill && source->fill != pel_color_paint_fill)
-        return PEL_ERROR_RANGE;
-    paint->paint = (struct pel_paint){.fill = fill};
+    paint->paint = (struct pel_paint){fill, NULL};
     paint->source = source;
     return PEL_OK;
 }

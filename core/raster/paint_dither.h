@@ -2,7 +2,8 @@
 #ifndef PEL_RASTER_PAINT_DITHER_H
 #define PEL_RASTER_PAINT_DITHER_H
 
-#include "paint_colors.h"
+#include "../base/status.h"
+#include "paint.h"
 
 /* Colours of the source paint, moved to one of the two levels of the surface's
  * format next to them, by the 8 x 8 Bayer matrix at absolute x and y: so bands
@@ -18,9 +19,8 @@ struct pel_dither {
     const struct pel_paint *source;
 };
 
-/* The source must live as long as the paint: one of the paints that compute
- * colours (paint_colors.h), or a flat one. PEL_ERROR_NULL, PEL_ERROR_RANGE (any
- * other: it does not tell its colours). */
+/* The source must live as long as the paint and may be any paint but another
+ * dither; it is asked for its colours in one line at a time. PEL_ERROR_NULL. */
 enum pel_status pel_dither_init(struct pel_dither *paint,
                                 const struct pel_paint *source);
 

@@ -15,14 +15,9 @@ enum pel_status pel_hue_wheel_init(struct pel_hue_wheel *paint,
                                    struct pel_point center, uint16_t start,
                                    uint8_t s, uint8_t v)
 {
-    static const pel_color none[1] = {UINT32_C(0xFF000000)};
-    const struct pel_ramp ramp = {none, 1, PEL_REPEAT};
-    enum pel_status status;
     if (!paint)
         return PEL_ERROR_NULL;
-    status = pel_conic_init(&paint->conic, center, start, &ramp);
-    paint->conic.run = run;
     paint->s = s;
     paint->v = v;
-    return status;
+    return pel_conic_begin(&paint->conic, center, start, run);
 }

@@ -1,6 +1,5 @@
 #include "paint_radial.h"
 
-#include "curve.h"
 #include "fraction.h"
 #include "square_root.h"
 
@@ -32,24 +31,33 @@ static void run(const void *paint, const struct pel_ramp_walk *walk, int32_t n,
     pel_ramp_run(&((const struct pel_radial *)paint)->ramp, walk, n, colors);
 }
 
-/* Distances along a row have no maximum inside a piece, so its ends tell
- * whether it reaches 1, up to the bound of t. */
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
     const struct pel_radial *p = (const void *)paint;
-    const uint64_t one = UINT64_C(1) << p->bits;
-    const struct pel_curve curve = {
-        p,
-        knot,
-        run,
-        p->far,
-        {pel_pixel_center(x) - p->center.x, pel_pixel_center(y) - p->center.y},
-        x,
-        p->bits,
-        one - (one >> 10),
-    };
-    pel_curve_colors(&curve, n, out);
+    const struct pel_point pixel = {x, y};
+    pel_curve_colors(&p->curve, p, pixel, n, out);
+}
+
+/* Distances along a row have no maximum inside a piece, so its ends tell
+ * whether it reaches 1, up to the bound of t: hence the limit. A little is
+ * added to the phase, because a walk looks at 32 bits: so a position does not
+ * fall below a cell's beginning that it lies on. */
+static void set_curve(struct pel_radial *p, const struct pel_rings *rings)
+{
+    uint8_t bits = 36;
+    for (int32_t radius = rings->radius; radius > 1; radius >>= 1)
+        bits++;
+    p->scale =
+        (uint32_t)pel_fraction_of(1, (int64_t)rings->radius * 64, bits) + 1;
+    p->phase = (uint64_t)rings->phase << (bits - 16);
+    p->phase += UINT64_C(1) << (bits - 32);
+    p->curve.center = rings->center;
+    p->curve.far = far + (rings->radius < PEL_PX(16));
+    p->curve.knot = knot;
+    p->curve.run = run;
+    p->curve.bits = bits;
+    p->curve.limit = (UINT64_C(1) << bits) - (UINT64_C(1) << (bits - 10));
 }
 
 enum pel_status pel_radial_init(struct pel_radial *paint,
@@ -66,15 +74,6 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
         return PEL_ERROR_RANGE;
     pel_color_paint_init(&paint->base, colors, pel_ramp_opaque(ramp));
     paint->ramp = *ramp;
-    paint->center = rings->center;
-    paint->far = far + (rings->radius < PEL_PX(16));
-    paint->bits = 36;
-    for (int32_t radius = rings->radius; radius > 1; radius >>= 1)
-        paint->bits++;
-    paint->scale =
-        (uint32_t)pel_fraction_of(1, (int64_t)rings->radius * 64, paint->bits) +
-        1;
-    paint->phase = (uint64_t)rings->phase << (paint->bits - 16);
-    paint->phase += UINT64_C(1) << (paint->bits - 32);
+    set_curve(paint, rings);
     return PEL_OK;
 }

@@ -3,6 +3,7 @@
 #define PEL_RASTER_PAINT_RADIAL_H
 
 #include "color_ramp.h"
+#include "curve.h"
 #include "paint_colors.h"
 
 /* The colour at distance r from the centre is that of the ramp at
@@ -23,12 +24,10 @@ struct pel_rings {
  * |r''''| <= 3 / r^3 along a row. */
 struct pel_radial {
     struct pel_color_paint base;
+    struct pel_curve curve;
     struct pel_ramp ramp;
-    struct pel_point center;
-    uint64_t phase; /* 2^-bits of the way */
+    uint64_t phase; /* 2^-bits of the way; bits of the curve */
     uint32_t scale; /* 2^-bits of the way in 1/64 sub-pixel */
-    const int32_t *far;
-    uint8_t bits;
 };
 
 /* Opaque when all colours of the ramp are, as they are now.

@@ -132,8 +132,7 @@ static void mix_cells(const struct pel_ramp *ramp, int32_t n, pel_color *out)
     for (; n >= 2; n -= 2, out += 2) {
         const u64x2 cells = {out[0] * UINT64_C(0x0001000100010001),
                              out[1] * UINT64_C(0x0001000100010001)};
-        const pel_u16x8 t =
-            pel_divide255_u16x8(from + way * (pel_u16x8)cells);
+        const pel_u16x8 t = pel_divide255_u16x8(from + way * (pel_u16x8)cells);
         const u8x8 mixed = __builtin_convertvector(t, u8x8);
         memcpy(out, &mixed, 8);
     }

@@ -19,7 +19,8 @@ static enum pel_status set_surface(struct pel_texture *p,
     p->memory = s->pixels;
     p->stride = s->stride;
     p->kind = (uint8_t)kind_of(s->format);
-    p->base.opaque = true;
+    /* Only formats beyond the list of base/format.h have an alpha. */
+    p->base.opaque = s->format->id <= PEL_FORMAT_MONO1_PAGES;
     return PEL_OK;
 }
 

@@ -27,7 +27,7 @@ enum pel_status pel_texture_set(struct pel_texture *paint,
 #endif
 
 static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,
-                                             int kind, int32_t u, int32_t v)
+                                              int kind, int32_t u, int32_t v)
 {
     const uint8_t *line = p->memory + (ptrdiff_t)v * p->stride;
     if (kind == PEL_TEXTURE_COLORS)

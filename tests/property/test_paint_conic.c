@@ -49,8 +49,8 @@ static int32_t random_pixel(struct random *r, int32_t center)
 static void check_angle(const struct probe *p, int32_t x, int32_t y,
                         uint64_t at)
 {
-    real dx = (real)pel_pixel_center(x) - p->conic.center.x;
-    real dy = (real)pel_pixel_center(y) - p->conic.center.y;
+    real dx = (real)pel_pixel_center(x) - p->conic.curve.center.x;
+    real dy = (real)pel_pixel_center(y) - p->conic.curve.center.y;
     real r = real_root(dx * dx + dy * dy) / 256;
     real error = (real)at / 18446744073709551616.0L - real_turn(dx, dy) +
                  (real)p->conic.start / 4294967296.0L;
@@ -58,8 +58,8 @@ static void check_angle(const struct probe *p, int32_t x, int32_t y,
     real shift = error * r * 6.283185307179586L;
     if (error >= 1e-5L || shift >= 1.0L / 256)
         fail_msg("centre %d,%d, pixel %d,%d: %Lg turns, %Lg px off; %s",
-                 p->conic.center.x, p->conic.center.y, x, y, error, shift,
-                 cases_replay());
+                 p->conic.curve.center.x, p->conic.curve.center.y, x, y, error,
+                 shift, cases_replay());
     histogram_add(&turns, error);
     histogram_add(&pixels, shift);
 }
@@ -80,7 +80,7 @@ static void test_angles(void **state)
         assert_int_equal(
             pel_conic_init(&p.conic, center, (uint16_t)random_word(r), &ramp),
             PEL_OK);
-        p.conic.run = keep;
+        p.conic.curve.run = keep;
         p.next = at;
         p.conic.base.colors(&p.conic.base, x, y, n, none);
         for (int32_t i = 0; i < n; i++)

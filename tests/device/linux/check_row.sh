@@ -38,7 +38,7 @@ fast="mitigations=off no_timer_check"
 
 machine() {
     # shellcheck disable=SC2086
-    "$build/vm" "$share" 170 qemu-system-x86_64 -accel tcg -m 256 -nodefaults \
+    "$build/vm" "$share" 300 qemu-system-x86_64 -accel tcg -m 256 -nodefaults \
         -no-reboot -display none -serial stdio -kernel "$cache/vmlinuz" \
         -initrd "$cache/initramfs" \
         -append "console=ttyS0 quiet $fast mods=$modules $append" \

@@ -1,0 +1,156 @@
+#include "scene_assets.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "core/image/argb8888.h"
+#include "font_asset.h"
+#include "message.h"
+#include "texture.h"
+
+/* A list with room for one more of `size` bytes; NULL, with a message. */
+static void *list_grow(const struct scene_place *place, void *list,
+                       size_t count, size_t size)
+{
+    void *grown = realloc(list, (count + 1) * size);
+    if (!grown)
+        message_error_at(place->path, place->line, "out of memory");
+    return grown;
+}
+
+static bool out_of_memory(const struct scene_place *place)
+{
+    return message_error_at(place->path, place->line, "out of memory");
+}
+
+/* The file that a word names, if it can be read; free it. Quoted words begin
+ * with their quote. NULL, with a message. */
+static char *file_of(const struct scene_place *place, const char *word)
+{
+    const char *slash = strrchr(place->path, '/');
+    const char *name = word + (*word == '"');
+    const size_t folder =
+        slash && *name != '/' ? (size_t)(slash - place->path) + 1 : 0;
+    char *path = malloc(folder + strlen(name) + 1);
+    if (!path) {
+        out_of_memory(place);
+        return NULL;
+    }
+    memcpy(path, place->path, folder);
+    strcpy(path + folder, name);
+    if (access(path, R_OK) == 0)
+        return path;
+    message_error_at(place->path, place->line,
+                     "%s: %s cannot be read (%s); a file, named from where "
+                     "the script is, would be right",
+                     place->command->name, path, strerror(errno));
+    free(path);
+    return NULL;
+}
+
+static bool load_font(struct pel_font_asset *asset, const char *path)
+{
+    struct font font;
+    if (!font_load(&font, path))
+        return false;
+    bool done = font_asset_make(asset, &font, path);
+    font_free(&font);
+    return done;
+}
+
+bool scene_add_font(const struct scene_place *place, const char *word,
+                    int32_t *index)
+{
+    struct scene_assets *a = place->assets;
+    struct pel_font_asset *list =
+        list_grow(place, a->fonts, a->font_count, sizeof(*list));
+    char *path = file_of(place, word);
+    bool done = false;
+    if (list)
+        a->fonts = list;
+    if (list && path)
+        done = load_font(&list[a->font_count], path);
+    if (done)
+        *index = (int32_t)a->font_count++;
+    free(path);
+    return done;
+}
+
+/* The picture's colours as bytes B, G, R, A. */
+static bool make_surface(struct pel_surface *surface,
+                         const struct picture *picture)
+{
+    const size_t n = (size_t)picture->width * (size_t)picture->height;
+    uint8_t *bytes = malloc(4 * n), *p = bytes;
+    if (!bytes)
+        return message_error("out of memory");
+    for (size_t i = 0; i < n; i++)
+        for (int shift = 0; shift < 32; shift += 8)
+            *p++ = (uint8_t)(picture->pixels[i] >> shift);
+    pel_surface_init(surface, &pel_argb8888, bytes, picture->width,
+                     picture->height);
+    return true;
+}
+
+static bool load_picture(struct pel_surface *surface, const char *path)
+{
+    struct picture picture;
+    if (!texture_load(&picture, path))
+        return false;
+    bool done = make_surface(surface, &picture);
+    picture_free(&picture);
+    return done;
+}
+
+bool scene_add_picture(const struct scene_place *place, const char *word,
+                       int32_t *index)
+{
+    struct scene_assets *a = place->assets;
+    struct pel_surface *list =
+        list_grow(place, a->pictures, a->picture_count, sizeof(*list));
+    char *path = file_of(place, word);
+    bool done = false;
+    if (list)
+        a->pictures = list;
+    if (list && path)
+        done = load_picture(&list[a->picture_count], path);
+    if (done)
+        *index = (int32_t)a->picture_count++;
+    free(path);
+    return done;
+}
+
+bool scene_add_text(const struct scene_place *place, const char *word,
+                    int32_t *index)
+{
+    struct scene_assets *a = place->assets;
+    if (*word != '"')
+        return message_error_at(place->path, place->line,
+                                "%s: %s must be a text in quotes: \"...\"",
+                                place->command->name, word);
+    char **list = list_grow(place, a->texts, a->text_count, sizeof(*list));
+    if (!list)
+        return false;
+    a->texts = list;
+    list[a->text_count] = strdup(word + 1);
+    if (!list[a->text_count])
+        return out_of_memory(place);
+    *index = (int32_t)a->text_count++;
+    return true;
+}
+
+void scene_assets_free(struct scene_assets *assets)
+{
+    for (size_t i = 0; i < assets->font_count; i++)
+        font_asset_free(&assets->fonts[i]);
+    for (size_t i = 0; i < assets->picture_count; i++)
+        free(assets->pictures[i].pixels);
+    for (size_t i = 0; i < assets->text_count; i++)
+        free(assets->texts[i]);
+    free(assets->fonts);
+    free(assets->pictures);
+    free(assets->texts);
+    *assets = (struct scene_assets){.fonts = NULL};
+}

@@ -1,0 +1,187 @@
+#include "core/raster/arc.h"
+#include "core/raster/outline.h"
+#include "core/raster/ring.h"
+#include "core/raster/thick_line.h"
+#include "scene_commands.h"
+
+static struct pel_point point(const int32_t *v)
+{
+    return (struct pel_point){v[0], v[1]};
+}
+
+static struct pel_sector sector(const int32_t *v)
+{
+    return (struct pel_sector){point(v), v[2], (uint16_t)v[3], (uint16_t)v[4]};
+}
+
+static struct pel_ellipse ellipse(const int32_t *v)
+{
+    return (struct pel_ellipse){point(v), point(v + 2)};
+}
+
+static struct pel_rounded_rectangle rounded(const int32_t *v)
+{
+    const struct pel_point to = {v[0] + v[2], v[1] + v[3]};
+    return (struct pel_rounded_rectangle){point(v), to, v[4]};
+}
+
+static const char *check_rect(const int32_t *v)
+{
+    if (v[0] + v[2] > PEL_COORDINATE_MAX || v[1] + v[3] > PEL_COORDINATE_MAX)
+        return "the right and the bottom side must lie below 32768";
+    return NULL;
+}
+
+static const char *check_sector(const int32_t *v)
+{
+    return v[3] == v[4] ? "FROM and TO are the same angle: circle is the whole"
+                        : NULL;
+}
+
+static const char *check_arc(const int32_t *v)
+{
+    return v[4] == v[5] ? "FROM and TO are the same angle: ring is the whole"
+                        : NULL;
+}
+
+static const char *check_thick(const int32_t *v)
+{
+    const struct pel_thick_line line = {point(v), point(v + 2), v[4]};
+    struct pel_point corner[4];
+    return pel_thick_line_corners(&line, corner)
+               ? NULL
+               : "the ends must keep half the width from -32768 and 32768";
+}
+
+static void draw_ring(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    const struct pel_ring ring = {point(v), v[2], v[3]};
+    (void)n;
+    pel_ring(pen->surface, &ring, scene_paint(pen));
+}
+
+static void draw_sector(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    const struct pel_sector s = sector(v);
+    (void)n;
+    pel_sector(pen->surface, &s, scene_paint(pen));
+}
+
+static void draw_arc(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    const struct pel_arc arc = {point(v), v[2], v[3], (uint16_t)v[4],
+                                (uint16_t)v[5]};
+    (void)n;
+    pel_arc(pen->surface, &arc, scene_paint(pen));
+}
+
+static void draw_ellipse(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    const struct pel_ellipse e = ellipse(v);
+    (void)n;
+    pel_ellipse(pen->surface, &e, scene_paint(pen));
+}
+
+static void draw_rounded(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    const struct pel_rounded_rectangle r = rounded(v);
+    (void)n;
+    pel_rounded_rectangle(pen->surface, &r, scene_paint(pen));
+}
+
+static void draw_thick(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    const struct pel_thick_line line = {point(v), point(v + 2), v[4]};
+    (void)n;
+    pel_thick_line(pen->surface, &line, scene_paint(pen));
+}
+
+static void outline_triangle(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    const struct pel_point p[3] = {point(v), point(v + 2), point(v + 4)};
+    (void)n;
+    pel_triangle_outline(pen->surface, p, scene_paint(pen));
+}
+
+static void outline_rect(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    const struct pel_point to = {v[0] + v[2], v[1] + v[3]};
+    (void)n;
+    pel_rectangle_outline(pen->surface, point(v), to, scene_paint(pen));
+}
+
+static void outline_rounded(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    const struct pel_rounded_rectangle r = rounded(v);
+    (void)n;
+    pel_rounded_rectangle_outline(pen->surface, &r, scene_paint(pen));
+}
+
+static void outline_circle(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    (void)n;
+    pel_circle_outline(pen->surface, point(v), v[2], scene_paint(pen));
+}
+
+static void outline_ellipse(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    const struct pel_ellipse e = ellipse(v);
+    (void)n;
+    pel_ellipse_outline(pen->surface, &e, scene_paint(pen));
+}
+
+static void outline_arc(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    const struct pel_sector s = sector(v);
+    (void)n;
+    pel_arc_outline(pen->surface, &s, scene_paint(pen));
+}
+
+static void outline_polygon(struct scene_pen *pen, const int32_t *v, size_t n,
+                            enum pel_fill_rule rule)
+{
+    /* A pel_point is two int32_t, and so is each pair of coordinates. */
+    const struct pel_outline outline = {
+        (const struct pel_point *)(const void *)v, (int32_t)(n / 2), rule};
+    pel_polygon_outline(pen->surface, &outline, scene_paint(pen), pen->scratch,
+                        pen->scratch_size);
+}
+
+static void outline_evenodd(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    outline_polygon(pen, v, n, PEL_EVEN_ODD);
+}
+
+static void outline_nonzero(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    outline_polygon(pen, v, n, PEL_NON_ZERO);
+}
+
+const struct scene_command scene_shapes[] = {
+    {"ring", "ppll", "CX CY INNER OUTER", SCENE_SHAPE, draw_ring, NULL},
+    {"sector", "ppltt", "CX CY R FROM TO", SCENE_SHAPE, draw_sector,
+     check_sector},
+    {"arc", "pplltt", "CX CY INNER OUTER FROM TO", SCENE_SHAPE, draw_arc,
+     check_arc},
+    {"ellipse", "ppll", "CX CY RX RY", SCENE_SHAPE, draw_ellipse, NULL},
+    {"roundrect", "pplll", "X Y WIDTH HEIGHT R", SCENE_SHAPE, draw_rounded,
+     check_rect},
+    {"thickline", "ppppl", "X0 Y0 X1 Y1 WIDTH", SCENE_SHAPE, draw_thick,
+     check_thick},
+    {"outline triangle", "pppppp", "X0 Y0 X1 Y1 X2 Y2", SCENE_SHAPE,
+     outline_triangle, NULL},
+    {"outline rect", "ppll", "X Y WIDTH HEIGHT", SCENE_SHAPE, outline_rect,
+     check_rect},
+    {"outline roundrect", "pplll", "X Y WIDTH HEIGHT R", SCENE_SHAPE,
+     outline_rounded, check_rect},
+    {"outline circle", "ppl", "CX CY R", SCENE_SHAPE, outline_circle, NULL},
+    {"outline ellipse", "ppll", "CX CY RX RY", SCENE_SHAPE, outline_ellipse,
+     NULL},
+    {"outline arc", "ppltt", "CX CY R FROM TO", SCENE_SHAPE, outline_arc,
+     check_sector},
+    {"outline polygon evenodd", "pppppp*", "X Y X Y X Y ...", SCENE_SHAPE,
+     outline_evenodd, NULL},
+    {"outline polygon nonzero", "pppppp*", "X Y X Y X Y ...", SCENE_SHAPE,
+     outline_nonzero, NULL},
+    {NULL, NULL, NULL, SCENE_STATE, NULL, NULL},
+};

@@ -1,0 +1,108 @@
+#!/bin/sh
+# Scripts with curved shapes, outlines, texts and pictures: what is refused and
+# with which words, and that files are found beside the script. What is drawn is
+# core's; that bands change nothing is tested with all scenes (test_run.sh).
+set -u
+PEL=${PEL:-build/pel}
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+fail() {
+    echo "FAILED: $*" >&2
+    failures=$((failures + 1))
+}
+
+# refused LINE TEXT: after a canvas in line 1, the script on standard input.
+refused() {
+    { echo "canvas 32 32 xrgb8888"; cat; } >"$work/s.pel"
+    rm -f "$work/o.ppm"
+    "$PEL" run "$work/s.pel" -o "$work/o.ppm" >"$work/out" 2>"$work/err"
+    got=$?
+    [ $got = 2 ] || fail "status $got, not 2, for: $2"
+    grep -qF "pel: $work/s.pel:$1: $2" "$work/err" ||
+        fail "no '$1: $2' in: $(cat "$work/err")"
+    [ "$(wc -l <"$work/err")" = 1 ] || fail "more than a line: $2"
+    [ ! -e "$work/o.ppm" ] || fail "output in spite of: $2"
+}
+
+# same FIRST SECOND: two scripts after a canvas draw the same, and something.
+same() {
+    for i in 1 2; do
+        { echo "canvas 48 32 xrgb8888"; printf '%b\n' "$1"; } >"$work/s.pel"
+        "$PEL" run "$work/s.pel" -o "$work/$i.ppm" || fail "refused: $1"
+        shift
+    done
+    cmp "$work/1.ppm" "$work/2.ppm" || fail "the pair before differs"
+    echo "canvas 48 32 xrgb8888" | "$PEL" run - -o "$work/0.ppm"
+    ! cmp -s "$work/0.ppm" "$work/1.ppm" || fail "nothing was drawn"
+}
+
+same 'circle 16 16 10' 'ring 16 16 4 10\ncircle 16 16 4'
+same 'circle 16 16 10' 'sector 16 16 10 0.1 0.6\nsector 16 16 10 0.6 0.1'
+same 'ring 16 16 5 9' 'arc 16 16 5 9 0 0.5\narc 16 16 5 9 0.5 1'
+same 'circle 16 16 10' 'ellipse 16 16 10 10'
+same 'rect 3 4 20 10' 'roundrect 3 4 20 10 0'
+same 'rect 3 4 20 10' 'thickline 3 9 23 9 10'
+same 'rect 3 4 20 10\npaint flat #000000\nrect 4 5 18 8' 'outline rect 3 4 20 10'
+same 'outline circle 16 16 9' \
+    'outline arc 16 16 9 0 0.25\noutline arc 16 16 9 0.25 0'
+same 'outline triangle 2 3 30 6 9 28' \
+    'outline polygon evenodd 2 3 30 6 9 28'
+
+echo 'sector 16 16 9 0.5 0.5' |
+    refused 2 'sector: FROM and TO are the same angle: circle is the whole'
+echo 'arc 16 16 4 9 0 1' | refused 2 'arc: FROM and TO are the same angle'
+echo 'sector 16 16 9 0 1.1' | refused 2 'sector: 1.1 must be a part of a turn'
+echo 'sector 16 16 9 0' | refused 2 'sector takes 5 values, not 4'
+echo 'ring 16 16 -1 9' | refused 2 'ring: -1 must be in 0..32767 pixels'
+echo 'thickline 0 32767 9 32767 4' |
+    refused 2 'thickline: the ends must keep half the width'
+echo 'roundrect 30000 0 9000 5 2' | refused 2 'roundrect: the right and the'
+echo 'outline star 1 2 3' |
+    refused 2 'unknown command outline star: valid are outline triangle, outline'
+echo 'star 1 2 3' | refused 2 'unknown command star: valid are canvas, clear,'
+printf 'paint vertex #ff0000 #00ff00 #0000ff\nring 16 16 4 9\n' |
+    refused 3 'ring: paint vertex colours triangles'
+
+mkdir "$work/a folder"
+cat >"$work/a folder/f.bdf" <<'EOF'
+STARTFONT 2.1
+FONTBOUNDINGBOX 2 2 0 0
+DWIDTH 3 0
+CHARS 2
+STARTCHAR x
+ENCODING 120
+BITMAP
+C0
+C0
+ENDCHAR
+STARTCHAR quote
+ENCODING 34
+BITMAP
+80
+00
+ENDCHAR
+ENDFONT
+EOF
+printf 'P3 2 2 255  255 0 0  0 0 0  0 0 0  0 255 0\n' >"$work/p.ppm"
+same 'rect 4 5 2 2\nrect 7 5 2 2\nrect 4 7 2 2\nrect 10 5 1 1' \
+    'font "a folder/f.bdf"\ntext 4 5 "xx\\"\\nx" # a comment'
+same 'paint flat #ff0000\nrect 4 5 1 1\npaint flat #00ff00\nrect 5 6 1 1' \
+    'image 4 5 p.ppm'
+same 'clear #808080\npaint flat #ff0000\nrect 4 5 1 1\npaint flat #00ff00\nrect 5 6 1 1' \
+    'clear #808080\nimage key 4 5 #000000 p.ppm'
+same 'paint flat #ff000080\nrect 4 5 1 1\npaint flat #00ff0080\nrect 5 6 1 1' \
+    'image alpha 4 5 128 p.ppm'
+
+echo 'text 1 2 "x"' | refused 2 'text without a font: font FILE before it'
+printf 'font "a folder/f.bdf"\ntext 1 2 x\n' |
+    refused 3 'text: x must be a text in quotes'
+printf 'font "a folder/f.bdf"\ntext 1 2 "x\n' | refused 3 '"x'
+printf 'font "a folder/f.bdf"\ntext 1 2 "x"y\n' | refused 3 '"x'
+echo 'font none.bdf' | refused 2 "font: $work/none.bdf cannot be read (No such"
+echo 'image 1 2 none.ppm' | refused 2 "image: $work/none.ppm cannot be read"
+echo 'image alpha 1 2 256 p.ppm' |
+    refused 2 'image alpha: 256 must be a whole number in 0..255'
+
+[ $failures = 0 ]
