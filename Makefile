@@ -1,5 +1,20 @@
 # Pel. `make help` lists the targets.
 
+.DEFAULT_GOAL := all
+
+.PHONY: setup
+setup: ## install the Debian packages of packages.txt (sudo when not root)
+	tests/tools/setup.sh
+
+# What is installed is looked for when the Makefile is read: goals beside setup
+# get a make of their own, after it.
+OTHER_GOALS := $(filter-out setup,$(MAKECMDGOALS))
+ifneq ($(and $(filter setup,$(MAKECMDGOALS)),$(OTHER_GOALS)),)
+.PHONY: $(OTHER_GOALS)
+$(OTHER_GOALS): setup
+	$(MAKE) $@
+else
+
 CC ?= cc
 BUILD := build
 WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow \
@@ -10,7 +25,7 @@ PEL_CFLAGS := -std=c99 $(WARNINGS) -I. -MMD -MP
 CORE := $(sort $(wildcard core/*/*.c))
 CORE_OBJECTS := $(CORE:%.c=$(BUILD)/%.o)
 
-.PHONY: all help setup clean
+.PHONY: all help clean
 all: $(BUILD)/libpel.a ## build/libpel.a and the host program build/pel
 
 -include sim/sim.mk
@@ -25,14 +40,24 @@ $(BUILD)/core/%.o: core/%.c
 	@mkdir -p $(@D)
 	$(CC) $(PEL_CFLAGS) $(CFLAGS) -c $< -o $@
 
-setup: ## install the Debian packages of packages.txt (sudo when not root)
-	tests/tools/setup.sh
+EXAMPLES := $(sort $(wildcard examples/*.c))
+EXAMPLE_PROGRAMS := $(EXAMPLES:%.c=$(BUILD)/%)
+
+$(BUILD)/examples/%: examples/%.c $(BUILD)/libpel.a
+	@mkdir -p $(@D)
+	$(CC) $(PEL_CFLAGS) $(CFLAGS) $< $(BUILD)/libpel.a -o $@
+
+.PHONY: examples
+examples: $(EXAMPLE_PROGRAMS) ## build and run the examples
+	set -e; for e in $(EXAMPLE_PROGRAMS); do $$e; done
 
 clean: ## remove build/
 	rm -rf $(BUILD)
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sort | \
-	    sed -E 's/^([a-z-]+):.*## /\1\t/' | awk -F '\t' '{printf "%-12s %s\n", $$1, $$2}'
+	    sed -E 's/^([a-z-]+):.*## /\1\t/' | awk -F '\t' '{printf "%-20s %s\n", $$1, $$2}'
 
 -include $(CORE_OBJECTS:.o=.d)
+
+endif

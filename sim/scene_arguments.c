@@ -60,6 +60,16 @@ static bool parse_turn(const struct scene_place *place, const char *word,
     return true;
 }
 
+static bool parse_way(const struct scene_place *place, const char *word,
+                      int32_t *value)
+{
+    int64_t v;
+    if (number_decimal(word, 65536, 0, 65536, &v) != NUMBER_OK)
+        return refuse(place, word, "a part of the way, 0 to 1");
+    *value = (int32_t)v;
+    return true;
+}
+
 static bool parse_color(const struct scene_place *place, const char *word,
                         int32_t *value)
 {
@@ -104,6 +114,8 @@ static bool parse_number(const struct scene_place *place, enum scene_kind kind,
         return parse_length(place, word, value);
     case KIND_TURN:
         return parse_turn(place, word, value);
+    case KIND_WAY:
+        return parse_way(place, word, value);
     default:
         return parse_subpixels(place, word, value);
     }

@@ -42,6 +42,7 @@ static void set_flat(struct scene_pen *pen, const int32_t *v, size_t n)
 {
     (void)n;
     pen->flat.color = (pel_color)v[0];
+    pen->make = NULL;
     pen->by_vertex = false;
 }
 
@@ -59,7 +60,7 @@ static void draw_triangle(struct scene_pen *pen, const int32_t *v, size_t n)
     (void)n;
     if (pen->by_vertex) {
         pel_gouraud_init(&gouraud, points(v), pen->corner);
-        paint = &gouraud.paint;
+        paint = scene_dithered(pen, &gouraud.paint);
     }
     if (pen->collinear_line)
         pel_triangle_or_line(pen->surface, points(v), paint);
@@ -92,8 +93,9 @@ static void draw_circle(struct scene_pen *pen, const int32_t *v, size_t n)
     pel_circle(pen->surface, points(v)[0], v[2], scene_paint(pen));
 }
 
-static const char *check_rect(const int32_t *v)
+static const char *check_rect(const int32_t *v, size_t n)
 {
+    (void)n;
     if (v[0] + v[2] > PEL_COORDINATE_MAX || v[1] + v[3] > PEL_COORDINATE_MAX)
         return "the right and the bottom side must lie below 32768";
     return NULL;
@@ -136,8 +138,5 @@ const struct scene_command scene_commands[] = {
 };
 
 const struct scene_command *const scene_tables[] = {
-    scene_commands,
-    scene_shapes,
-    scene_images,
-    NULL,
+    scene_commands, scene_shapes, scene_images, scene_paint_commands, NULL,
 };

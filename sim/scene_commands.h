@@ -4,15 +4,31 @@
 
 #include "core/asset/font_asset.h"
 #include "core/pel.h"
+#include "core/raster/color_ramp.h"
+#include "core/raster/paint_texture.h"
 #include "scene.h"
+
+struct scene_paints;
+struct scene_pen;
+
+/* Makes the paint in force, in the pen's memory. */
+typedef const struct pel_paint *scene_make_paint(const struct scene_pen *pen);
 
 /* What commands change and shapes use, while a scene is drawn. */
 struct scene_pen {
     struct pel_surface *surface;
     struct pel_flat flat;
-    pel_color corner[3]; /* of paint vertex */
-    bool by_vertex;      /* paint vertex is in force */
-    bool collinear_line; /* a triangle without area is a line */
+    pel_color corner[3];    /* of paint vertex */
+    bool by_vertex;         /* paint vertex is in force */
+    bool collinear_line;    /* a triangle without area is a line */
+    scene_make_paint *make; /* of any other paint, from these values; or NULL */
+    const int32_t *values;
+    size_t value_count;
+    enum pel_spread spread;
+    enum pel_wrap wrap;
+    uint16_t phase; /* of radial gradients */
+    bool bilinear, dither;
+    struct scene_paints *paints; /* memory for a paint */
     struct pel_rect clip;
     const struct scene_assets *assets;
     const struct pel_font_asset *font; /* in force, or NULL */
@@ -33,7 +49,7 @@ enum scene_role {
 };
 
 /* Kinds of arguments, one letter each in scene_command.kinds; `*` at the end
- * repeats the last two any number of times. */
+ * repeats the last two any number of times, `+` the last three. */
 enum scene_kind {
     KIND_COORDINATE = 'p', /* decimal pixels, to sub-pixels */
     KIND_LENGTH = 'l',     /* the same, 0 to 32,767 px */
@@ -41,6 +57,7 @@ enum scene_kind {
     KIND_COUNT = 'n',      /* whole, 0 to 32,767 */
     KIND_SIZE = 's',       /* whole, 1 to 32,767 */
     KIND_COLOR = 'c',      /* #rrggbb or #rrggbbaa */
+    KIND_WAY = 'w',        /* decimal, 0 to 1, to 65,536ths */
     KIND_TURN = 't',       /* decimal turns, 0 to 1, to turns / 65,536 */
     KIND_BYTE = 'b',       /* whole, 0 to 255 */
     KIND_FONT = 'F',       /* a file; its index in scene_assets */
@@ -56,19 +73,20 @@ struct scene_command {
     enum scene_role role;
     void (*draw)(struct scene_pen *pen, const int32_t *v, size_t n);
     /* What is wrong with these arguments, or NULL. May be NULL itself. */
-    const char *(*check)(const int32_t *v);
+    const char *(*check)(const int32_t *v, size_t n);
 };
 
-/* The paint in force. */
-static inline const struct pel_paint *scene_paint(const struct scene_pen *pen)
-{
-    return &pen->flat.paint;
-}
+/* The paint in force, dithered when that is; good until the next call. */
+const struct pel_paint *scene_paint(const struct scene_pen *pen);
+
+/* Another paint, dithered when that is in force. */
+const struct pel_paint *scene_dithered(const struct scene_pen *pen,
+                                       const struct pel_paint *paint);
 
 /* All commands, in tables that end with the name NULL; the last table is NULL.
  */
 extern const struct scene_command scene_commands[], scene_shapes[],
-    scene_images[];
+    scene_images[], scene_paint_commands[];
 extern const struct scene_command *const scene_tables[];
 
 /* One argument of a kind, from its word. False, with a message, when it is not

@@ -2,7 +2,7 @@
 
 #include "core/raster/outline.h"
 #include "message.h"
-#include "scene_commands.h"
+#include "scene_paints.h"
 
 /* A part of the list, drawn by one pen for every band: each begins as `start`
  * and ends as `end`. */
@@ -68,12 +68,17 @@ bool scene_draw(const struct scene *scene, struct canvas *canvas, int rows)
     pen->scratch_size =
         pel_polygon_outline_scratch_size((int32_t)scene->polygon_max);
     pen->scratch = malloc(pen->scratch_size + 1);
-    if (!pen->scratch)
+    pen->paints = malloc(sizeof *pen->paints);
+    if (!pen->scratch || !pen->paints) {
+        free(pen->scratch);
+        free(pen->paints);
         return message_error("no memory for a polygon of %zu vertices",
                              scene->polygon_max);
+    }
     const bool done = rows >= 0
                           ? draw_part(&replay, scene->item_count, canvas, rows)
                           : draw_parts(&replay, canvas);
     free(pen->scratch);
+    free(pen->paints);
     return done;
 }

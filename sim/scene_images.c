@@ -11,36 +11,36 @@ static void set_font(struct scene_pen *pen, const int32_t *v, size_t n)
 /* There is a font: reading the script made sure. */
 static void draw_text(struct scene_pen *pen, const int32_t *v, size_t n)
 {
-    const struct pel_text text = {pen->font, pen->assets->texts[v[2]], v[0],
-                                  v[1]};
+    const struct pel_text_block text = {pen->font, pen->assets->texts[v[2]],
+                                        v[0], v[1]};
     (void)n;
     pel_text(pen->surface, &text, scene_paint(pen));
 }
 
-static struct pel_copy copy_of(const struct scene_pen *pen, const int32_t *v,
-                               int32_t picture)
+static struct pel_copy_part copy_of(const struct scene_pen *pen,
+                                    const int32_t *v, int32_t picture)
 {
     const struct pel_surface *source = &pen->assets->pictures[picture];
-    return (struct pel_copy){source, source->bounds, v[0], v[1]};
+    return (struct pel_copy_part){source, source->bounds, v[0], v[1]};
 }
 
 static void draw_image(struct scene_pen *pen, const int32_t *v, size_t n)
 {
-    const struct pel_copy copy = copy_of(pen, v, v[2]);
+    const struct pel_copy_part copy = copy_of(pen, v, v[2]);
     (void)n;
     pel_copy(pen->surface, &copy);
 }
 
 static void draw_image_alpha(struct scene_pen *pen, const int32_t *v, size_t n)
 {
-    const struct pel_copy copy = copy_of(pen, v, v[3]);
+    const struct pel_copy_part copy = copy_of(pen, v, v[3]);
     (void)n;
     pel_copy_alpha(pen->surface, &copy, (uint8_t)v[2]);
 }
 
 static void draw_image_key(struct scene_pen *pen, const int32_t *v, size_t n)
 {
-    const struct pel_copy copy = copy_of(pen, v, v[3]);
+    const struct pel_copy_part copy = copy_of(pen, v, v[3]);
     (void)n;
     pel_copy_keyed(pen->surface, &copy, (pel_color)v[2]);
 }

@@ -189,23 +189,35 @@ static const struct scene_command *find_command(const struct scene_parser *p,
     return c;
 }
 
+/* How many arguments a command needs, and in groups of how many more may
+ * follow; 0 when none may. */
+static size_t needed_of(const char *kinds, size_t *group)
+{
+    const size_t n = strcspn(kinds, "*+");
+    *group = kinds[n] == '*' ? 2 : kinds[n] == '+' ? 3 : 0;
+    return n;
+}
+
 /* The kind of argument i, or 0 when the command takes no more. */
 static enum scene_kind kind_at(const char *kinds, size_t i)
 {
-    const size_t n = strcspn(kinds, "*");
-    if (i >= n && kinds[n] == '*')
-        i = n - 2 + (i - n) % 2;
+    size_t group;
+    const size_t n = needed_of(kinds, &group);
+    if (i >= n && group)
+        i = n - group + (i - n) % group;
     return i < n ? (enum scene_kind)kinds[i] : 0;
 }
 
 static bool refuse_count(const struct scene_place *at, size_t given)
 {
-    const size_t needed = strcspn(at->command->kinds, "*");
-    const bool repeats = at->command->kinds[needed] == '*';
-    return message_error_at(
-        at->path, at->line, "%s takes %zu values%s, not %zu: %s %s",
-        at->command->name, needed, repeats ? " or more, in pairs" : "", given,
-        at->command->name, at->command->usage);
+    static const char *const more[] = {"", "", " or more, in pairs",
+                                       " or more, in threes"};
+    size_t group;
+    const size_t needed = needed_of(at->command->kinds, &group);
+    return message_error_at(at->path, at->line,
+                            "%s takes %zu values%s, not %zu: %s %s",
+                            at->command->name, needed, more[group], given,
+                            at->command->name, at->command->usage);
 }
 
 /* Arguments from word `first` on. A word with # is a comment, unless a colour
@@ -213,8 +225,8 @@ static bool refuse_count(const struct scene_place *at, size_t given)
 static bool parse_arguments(struct scene_parser *p,
                             const struct scene_place *at, size_t first)
 {
-    const size_t needed = strcspn(at->command->kinds, "*");
-    size_t n = 0;
+    size_t n = 0, group;
+    const size_t needed = needed_of(at->command->kinds, &group);
     for (size_t i = first; i < p->word_count; i++, n++) {
         const enum scene_kind kind = kind_at(at->command->kinds, n);
         int32_t value;
@@ -226,7 +238,7 @@ static bool parse_arguments(struct scene_parser *p,
             !add_value(p, value))
             return false;
     }
-    if (n < needed || (n - needed) % 2 != 0)
+    if (n < needed || (group && (n - needed) % group != 0))
         return refuse_count(at, n);
     return true;
 }
@@ -252,10 +264,10 @@ static bool take_canvas(struct scene_parser *p, const struct scene_place *at,
 
 /* What hangs together between lines: `v` are the values of this one. */
 static bool check_command(struct scene_parser *p, const struct scene_place *at,
-                          const int32_t *v)
+                          const int32_t *v, size_t n)
 {
     const struct scene_command *c = at->command;
-    const char *wrong = c->check ? c->check(v) : NULL;
+    const char *wrong = c->check ? c->check(v, n) : NULL;
     if (wrong)
         return message_error_at(at->path, at->line, "%s: %s", c->name, wrong);
     if (c->role == SCENE_PAINT || c->role == SCENE_PAINT_VERTEX)
@@ -294,7 +306,8 @@ static bool parse_command(struct scene_parser *p, const struct scene_place *at,
     const int32_t *v = scene->values + first;
     if (item.count / 2 > scene->polygon_max)
         scene->polygon_max = item.count / 2;
-    return (is_canvas ? take_canvas(p, at, v) : check_command(p, at, v)) &&
+    return (is_canvas ? take_canvas(p, at, v)
+                      : check_command(p, at, v, item.count)) &&
            add_item(p, &item);
 }
 

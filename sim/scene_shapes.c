@@ -9,44 +9,49 @@ static struct pel_point point(const int32_t *v)
     return (struct pel_point){v[0], v[1]};
 }
 
-static struct pel_sector sector(const int32_t *v)
+static struct pel_sector_shape sector(const int32_t *v)
 {
-    return (struct pel_sector){point(v), v[2], (uint16_t)v[3], (uint16_t)v[4]};
+    return (struct pel_sector_shape){point(v), v[2], (uint16_t)v[3],
+                                     (uint16_t)v[4]};
 }
 
-static struct pel_ellipse ellipse(const int32_t *v)
+static struct pel_ellipse_shape ellipse(const int32_t *v)
 {
-    return (struct pel_ellipse){point(v), point(v + 2)};
+    return (struct pel_ellipse_shape){point(v), point(v + 2)};
 }
 
-static struct pel_rounded_rectangle rounded(const int32_t *v)
+static struct pel_rounded_shape rounded(const int32_t *v)
 {
     const struct pel_point to = {v[0] + v[2], v[1] + v[3]};
-    return (struct pel_rounded_rectangle){point(v), to, v[4]};
+    return (struct pel_rounded_shape){point(v), to, v[4]};
 }
 
-static const char *check_rect(const int32_t *v)
+static const char *check_rect(const int32_t *v, size_t n)
 {
+    (void)n;
     if (v[0] + v[2] > PEL_COORDINATE_MAX || v[1] + v[3] > PEL_COORDINATE_MAX)
         return "the right and the bottom side must lie below 32768";
     return NULL;
 }
 
-static const char *check_sector(const int32_t *v)
+static const char *check_sector(const int32_t *v, size_t n)
 {
+    (void)n;
     return v[3] == v[4] ? "FROM and TO are the same angle: circle is the whole"
                         : NULL;
 }
 
-static const char *check_arc(const int32_t *v)
+static const char *check_arc(const int32_t *v, size_t n)
 {
+    (void)n;
     return v[4] == v[5] ? "FROM and TO are the same angle: ring is the whole"
                         : NULL;
 }
 
-static const char *check_thick(const int32_t *v)
+static const char *check_thick(const int32_t *v, size_t n)
 {
-    const struct pel_thick_line line = {point(v), point(v + 2), v[4]};
+    (void)n;
+    const struct pel_thick_line_shape line = {point(v), point(v + 2), v[4]};
     struct pel_point corner[4];
     return pel_thick_line_corners(&line, corner)
                ? NULL
@@ -55,43 +60,43 @@ static const char *check_thick(const int32_t *v)
 
 static void draw_ring(struct scene_pen *pen, const int32_t *v, size_t n)
 {
-    const struct pel_ring ring = {point(v), v[2], v[3]};
+    const struct pel_ring_shape ring = {point(v), v[2], v[3]};
     (void)n;
     pel_ring(pen->surface, &ring, scene_paint(pen));
 }
 
 static void draw_sector(struct scene_pen *pen, const int32_t *v, size_t n)
 {
-    const struct pel_sector s = sector(v);
+    const struct pel_sector_shape s = sector(v);
     (void)n;
     pel_sector(pen->surface, &s, scene_paint(pen));
 }
 
 static void draw_arc(struct scene_pen *pen, const int32_t *v, size_t n)
 {
-    const struct pel_arc arc = {point(v), v[2], v[3], (uint16_t)v[4],
-                                (uint16_t)v[5]};
+    const struct pel_arc_shape arc = {point(v), v[2], v[3], (uint16_t)v[4],
+                                      (uint16_t)v[5]};
     (void)n;
     pel_arc(pen->surface, &arc, scene_paint(pen));
 }
 
 static void draw_ellipse(struct scene_pen *pen, const int32_t *v, size_t n)
 {
-    const struct pel_ellipse e = ellipse(v);
+    const struct pel_ellipse_shape e = ellipse(v);
     (void)n;
     pel_ellipse(pen->surface, &e, scene_paint(pen));
 }
 
 static void draw_rounded(struct scene_pen *pen, const int32_t *v, size_t n)
 {
-    const struct pel_rounded_rectangle r = rounded(v);
+    const struct pel_rounded_shape r = rounded(v);
     (void)n;
     pel_rounded_rectangle(pen->surface, &r, scene_paint(pen));
 }
 
 static void draw_thick(struct scene_pen *pen, const int32_t *v, size_t n)
 {
-    const struct pel_thick_line line = {point(v), point(v + 2), v[4]};
+    const struct pel_thick_line_shape line = {point(v), point(v + 2), v[4]};
     (void)n;
     pel_thick_line(pen->surface, &line, scene_paint(pen));
 }
@@ -112,7 +117,7 @@ static void outline_rect(struct scene_pen *pen, const int32_t *v, size_t n)
 
 static void outline_rounded(struct scene_pen *pen, const int32_t *v, size_t n)
 {
-    const struct pel_rounded_rectangle r = rounded(v);
+    const struct pel_rounded_shape r = rounded(v);
     (void)n;
     pel_rounded_rectangle_outline(pen->surface, &r, scene_paint(pen));
 }
@@ -125,14 +130,14 @@ static void outline_circle(struct scene_pen *pen, const int32_t *v, size_t n)
 
 static void outline_ellipse(struct scene_pen *pen, const int32_t *v, size_t n)
 {
-    const struct pel_ellipse e = ellipse(v);
+    const struct pel_ellipse_shape e = ellipse(v);
     (void)n;
     pel_ellipse_outline(pen->surface, &e, scene_paint(pen));
 }
 
 static void outline_arc(struct scene_pen *pen, const int32_t *v, size_t n)
 {
-    const struct pel_sector s = sector(v);
+    const struct pel_sector_shape s = sector(v);
     (void)n;
     pel_arc_outline(pen->surface, &s, scene_paint(pen));
 }

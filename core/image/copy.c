@@ -12,7 +12,8 @@ static bool bytes_alike(const struct pel_format *a, const struct pel_format *b)
 }
 
 static void copy_bytes(const struct pel_surface *surface,
-                       const struct pel_copy *copy, const struct pel_rect *r)
+                       const struct pel_copy_part *copy,
+                       const struct pel_rect *r)
 {
     const struct pel_surface *source = copy->source;
     const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
@@ -32,7 +33,8 @@ static void make_opaque(pel_color *colors, int32_t n, uint32_t option)
         colors[i] |= PEL_RGB(0, 0, 0);
 }
 
-void pel_copy(const struct pel_surface *surface, const struct pel_copy *copy)
+void pel_copy(const struct pel_surface *surface,
+              const struct pel_copy_part *copy)
 {
     struct pel_rect r;
     if (!bytes_alike(surface->format, copy->source->format))

@@ -9,7 +9,7 @@
  * memory must not overlap that of the destination; pel_scroll moves a part of a
  * surface inside it. All coordinates lie in -65,536..65,536; otherwise nothing
  * is copied, which is a broken contract: PEL_ASSERT. */
-struct pel_copy {
+struct pel_copy_part {
     const struct pel_surface *source;
     struct pel_rect area; /* px of the source; what lies outside is left out */
     int32_t x, y;         /* px: where the pixel (area.x0, area.y0) goes */
@@ -17,18 +17,19 @@ struct pel_copy {
 
 /* Copies the area inside the destination's clip. Each pixel gets its colour
  * packed into the destination's format; alpha is ignored. */
-void pel_copy(const struct pel_surface *surface, const struct pel_copy *copy);
+void pel_copy(const struct pel_surface *surface,
+              const struct pel_copy_part *copy);
 
 /* The same but for the pixels of one colour, which stay as they are. The key is
  * compared in the source's format: as it is when it has been packed into it. */
 void pel_copy_keyed(const struct pel_surface *surface,
-                    const struct pel_copy *copy, pel_color key);
+                    const struct pel_copy_part *copy, pel_color key);
 
 /* Each pixel over what is there (pel_mix), weighted by its own alpha times
  * `alpha`: round(a alpha / 255). Sources without an alpha channel have a = 255;
  * argb8888.h is one that has. Weight 0 leaves the pixel untouched, 255 copies
  * it. */
 void pel_copy_alpha(const struct pel_surface *surface,
-                    const struct pel_copy *copy, uint8_t alpha);
+                    const struct pel_copy_part *copy, uint8_t alpha);
 
 #endif

@@ -11,7 +11,7 @@ static void weigh(pel_color *colors, int32_t n, uint32_t alpha)
 }
 
 void pel_copy_alpha(const struct pel_surface *surface,
-                    const struct pel_copy *copy, uint8_t alpha)
+                    const struct pel_copy_part *copy, uint8_t alpha)
 {
     pel_copy_lines(surface, copy, weigh, alpha);
 }

@@ -10,7 +10,7 @@ static void drop_key(pel_color *colors, int32_t n, uint32_t key)
 }
 
 void pel_copy_keyed(const struct pel_surface *surface,
-                    const struct pel_copy *copy, pel_color key)
+                    const struct pel_copy_part *copy, pel_color key)
 {
     const struct pel_format *format = copy->source->format;
     pel_copy_lines(surface, copy, drop_key, format->unpack(format->pack(key)));

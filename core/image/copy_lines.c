@@ -5,14 +5,15 @@ static bool within(int32_t v)
     return v >= -65536 && v <= 65536;
 }
 
-static bool copy_legal(const struct pel_copy *c)
+static bool copy_legal(const struct pel_copy_part *c)
 {
     return within(c->area.x0) && within(c->area.y0) && within(c->area.x1) &&
            within(c->area.y1) && within(c->x) && within(c->y);
 }
 
 bool pel_copy_visible(const struct pel_surface *surface,
-                      const struct pel_copy *copy, struct pel_rect *visible)
+                      const struct pel_copy_part *copy,
+                      struct pel_rect *visible)
 {
     const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
     PEL_ASSERT(copy_legal(copy));
@@ -27,7 +28,7 @@ bool pel_copy_visible(const struct pel_surface *surface,
 }
 
 void pel_copy_lines(const struct pel_surface *surface,
-                    const struct pel_copy *copy, pel_copy_weigh *weigh,
+                    const struct pel_copy_part *copy, pel_copy_weigh *weigh,
                     uint32_t option)
 {
     const struct pel_surface *source = copy->source;

@@ -7,13 +7,14 @@
 
 /* The pixels of the destination that are copied to. false: none. */
 bool pel_copy_visible(const struct pel_surface *surface,
-                      const struct pel_copy *copy, struct pel_rect *visible);
+                      const struct pel_copy_part *copy,
+                      struct pel_rect *visible);
 
 /* Gives n colours of the source the alpha with which they are put. */
 typedef void pel_copy_weigh(pel_color *colors, int32_t n, uint32_t option);
 
 void pel_copy_lines(const struct pel_surface *surface,
-                    const struct pel_copy *copy, pel_copy_weigh *weigh,
+                    const struct pel_copy_part *copy, pel_copy_weigh *weigh,
                     uint32_t option);
 
 #endif

@@ -10,13 +10,14 @@ static int32_t line_height(const struct pel_font_asset *font)
 
 /* The glyph with its pen at (x, y), which is far outside of every surface when
  * the string is long enough: then it is not drawn. */
-static void draw(const struct pel_surface *surface, const struct pel_text *text,
+static void draw(const struct pel_surface *surface,
+                 const struct pel_text_block *text,
                  const struct pel_font_glyph *glyph, struct pel_point pen,
                  const struct pel_paint *paint)
 {
-    const struct pel_glyph g = {text->font->bits + glyph->offset,
-                                (glyph->width + 7) / 8, glyph->width,
-                                glyph->height};
+    const struct pel_stencil g = {text->font->bits + glyph->offset,
+                                  (glyph->width + 7) / 8, glyph->width,
+                                  glyph->height};
     int32_t x = pen.x + glyph->left, y = pen.y - glyph->top;
     const struct pel_rect *clip = &surface->clip;
     if (x < clip->x1 && y < clip->y1 && x + g.width > clip->x0 &&
@@ -24,8 +25,8 @@ static void draw(const struct pel_surface *surface, const struct pel_text *text,
         pel_glyph(surface, &g, x, y, paint);
 }
 
-void pel_text(const struct pel_surface *surface, const struct pel_text *text,
-              const struct pel_paint *paint)
+void pel_text(const struct pel_surface *surface,
+              const struct pel_text_block *text, const struct pel_paint *paint)
 {
     const char *next = text->string;
     struct pel_point pen = {text->x, text->y + text->font->ascent};

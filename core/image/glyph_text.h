@@ -5,7 +5,7 @@
 #include "../asset/font_asset.h"
 #include "../raster/paint.h"
 
-struct pel_text {
+struct pel_text_block {
     const struct pel_font_asset *font; /* pel_font_asset_check gave PEL_OK */
     const char *string;                /* UTF-8, ends with a 0 */
     int32_t x, y; /* px: left end and top of the first line */
@@ -20,8 +20,8 @@ struct pel_text_size {
  * goes back to x and down by a line. Characters that the font lacks show its
  * `missing` glyph. Each glyph is a shape of its own: where two overlap, which
  * takes a font whose glyphs reach beyond their boxes, both are painted. */
-void pel_text(const struct pel_surface *surface, const struct pel_text *text,
-              const struct pel_paint *paint);
+void pel_text(const struct pel_surface *surface,
+              const struct pel_text_block *text, const struct pel_paint *paint);
 
 /* The size of all boxes: the widest line, and all lines, of which a string has
  * one more than line feeds. For strings up to 2^22 bytes. */

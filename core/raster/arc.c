@@ -3,10 +3,10 @@
 #include "ring_walk.h"
 #include "wedge.h"
 
-void pel_arc(const struct pel_surface *surface, const struct pel_arc *arc,
+void pel_arc(const struct pel_surface *surface, const struct pel_arc_shape *arc,
              const struct pel_paint *paint)
 {
-    const struct pel_ring ring = {arc->center, arc->inner, arc->outer};
+    const struct pel_ring_shape ring = {arc->center, arc->inner, arc->outer};
     struct pel_ring_walk w;
     struct pel_wedge wedge;
     struct pel_cut cut;

@@ -4,7 +4,7 @@
 
 #include "paint.h"
 
-struct pel_arc {
+struct pel_arc_shape {
     struct pel_point center;
     int32_t inner, outer; /* 1/256 px, 0..32,767 px */
     uint16_t from, to;    /* turns / 65,536, clockwise on screen from +x */
@@ -16,7 +16,7 @@ struct pel_arc {
  * them. Nothing when outer <= inner or from == to; the whole ring is pel_ring.
  * Work is bounded by the size of the clip. A centre or radius out of range is a
  * broken contract: PEL_ASSERT, and nothing is drawn. */
-void pel_arc(const struct pel_surface *surface, const struct pel_arc *arc,
+void pel_arc(const struct pel_surface *surface, const struct pel_arc_shape *arc,
              const struct pel_paint *paint);
 
 #endif

@@ -4,7 +4,7 @@
 #include "ellipse_walk.h"
 
 void pel_ellipse(const struct pel_surface *surface,
-                 const struct pel_ellipse *ellipse,
+                 const struct pel_ellipse_shape *ellipse,
                  const struct pel_paint *paint)
 {
     struct pel_ellipse_walk w;

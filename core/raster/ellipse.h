@@ -4,7 +4,7 @@
 
 #include "paint.h"
 
-struct pel_ellipse {
+struct pel_ellipse_shape {
     struct pel_point center;
     struct pel_point radius; /* along x and along y, 0..32,767 px each */
 };
@@ -17,7 +17,7 @@ struct pel_ellipse {
  * Work is bounded by the size of the clip. A centre or radius out of range is a
  * broken contract: PEL_ASSERT, and nothing is drawn. */
 void pel_ellipse(const struct pel_surface *surface,
-                 const struct pel_ellipse *ellipse,
+                 const struct pel_ellipse_shape *ellipse,
                  const struct pel_paint *paint);
 
 #endif

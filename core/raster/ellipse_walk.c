@@ -59,7 +59,8 @@ static void row_start(struct pel_ellipse_walk *w, struct pel_point radius,
     w->bend = minus(&w->bend, b2);
 }
 
-bool pel_ellipse_start(struct pel_ellipse_walk *w, const struct pel_ellipse *e,
+bool pel_ellipse_start(struct pel_ellipse_walk *w,
+                       const struct pel_ellipse_shape *e,
                        const struct pel_rect *clip)
 {
     const struct pel_point center = e->center, radius = e->radius;

@@ -31,7 +31,8 @@ struct pel_ellipse_walk {
 };
 
 /* false: nothing is covered, or the ellipse is out of range (PEL_ASSERT). */
-bool pel_ellipse_start(struct pel_ellipse_walk *w, const struct pel_ellipse *e,
+bool pel_ellipse_start(struct pel_ellipse_walk *w,
+                       const struct pel_ellipse_shape *e,
                        const struct pel_rect *clip);
 
 void pel_ellipse_next(struct pel_ellipse_walk *w);

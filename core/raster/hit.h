@@ -25,13 +25,15 @@ bool pel_hit_circle(struct pel_point center, int32_t radius, int32_t x,
 bool pel_hit_line(struct pel_point from, struct pel_point to, int32_t x,
                   int32_t y);
 bool pel_hit_polygon(const struct pel_outline *outline, int32_t x, int32_t y);
-bool pel_hit_ring(const struct pel_ring *ring, int32_t x, int32_t y);
-bool pel_hit_sector(const struct pel_sector *sector, int32_t x, int32_t y);
-bool pel_hit_arc(const struct pel_arc *arc, int32_t x, int32_t y);
-bool pel_hit_ellipse(const struct pel_ellipse *ellipse, int32_t x, int32_t y);
-bool pel_hit_rounded_rectangle(const struct pel_rounded_rectangle *rectangle,
+bool pel_hit_ring(const struct pel_ring_shape *ring, int32_t x, int32_t y);
+bool pel_hit_sector(const struct pel_sector_shape *sector, int32_t x,
+                    int32_t y);
+bool pel_hit_arc(const struct pel_arc_shape *arc, int32_t x, int32_t y);
+bool pel_hit_ellipse(const struct pel_ellipse_shape *ellipse, int32_t x,
+                     int32_t y);
+bool pel_hit_rounded_rectangle(const struct pel_rounded_shape *rectangle,
                                int32_t x, int32_t y);
-bool pel_hit_thick_line(const struct pel_thick_line *line, int32_t x,
+bool pel_hit_thick_line(const struct pel_thick_line_shape *line, int32_t x,
                         int32_t y);
 
 /* Something that can be hit: a struct whose first member is this, like a

@@ -2,9 +2,9 @@
 
 #include "hit_pixel.h"
 
-bool pel_hit_arc(const struct pel_arc *arc, int32_t x, int32_t y)
+bool pel_hit_arc(const struct pel_arc_shape *arc, int32_t x, int32_t y)
 {
-    const struct pel_ring ring = {arc->center, arc->inner, arc->outer};
+    const struct pel_ring_shape ring = {arc->center, arc->inner, arc->outer};
     struct pel_point p;
     return pel_hit_pixel(x, y, &p) && pel_hit_ring(&ring, x, y) &&
            pel_hit_wedge(arc->center, arc->from, arc->to, p);

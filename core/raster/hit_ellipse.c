@@ -16,7 +16,8 @@ static struct product multiply(uint64_t a, uint64_t b)
                             middle << 32 | (uint32_t)low};
 }
 
-bool pel_hit_ellipse(const struct pel_ellipse *ellipse, int32_t x, int32_t y)
+bool pel_hit_ellipse(const struct pel_ellipse_shape *ellipse, int32_t x,
+                     int32_t y)
 {
     const struct pel_point c = ellipse->center, r = ellipse->radius;
     struct pel_point p;

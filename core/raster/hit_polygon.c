@@ -44,7 +44,8 @@ bool pel_hit_triangle(const struct pel_point v[3], int32_t x, int32_t y)
     return pel_hit_polygon(&outline, x, y);
 }
 
-bool pel_hit_thick_line(const struct pel_thick_line *line, int32_t x, int32_t y)
+bool pel_hit_thick_line(const struct pel_thick_line_shape *line, int32_t x,
+                        int32_t y)
 {
     struct pel_point v[4];
     const struct pel_outline outline = {v, 4, PEL_NON_ZERO};

@@ -2,7 +2,7 @@
 
 #include "hit_pixel.h"
 
-bool pel_hit_ring(const struct pel_ring *ring, int32_t x, int32_t y)
+bool pel_hit_ring(const struct pel_ring_shape *ring, int32_t x, int32_t y)
 {
     struct pel_point p;
     if (!pel_hit_pixel(x, y, &p) || !pel_points_legal(&ring->center, 1) ||

@@ -8,7 +8,7 @@ static int32_t nearest(int32_t v, int32_t lo, int32_t hi)
     return pel_max(lo, pel_min(v, hi));
 }
 
-bool pel_hit_rounded_rectangle(const struct pel_rounded_rectangle *rectangle,
+bool pel_hit_rounded_rectangle(const struct pel_rounded_shape *rectangle,
                                int32_t x, int32_t y)
 {
     const struct pel_point from = rectangle->from, to = rectangle->to;

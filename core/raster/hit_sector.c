@@ -2,7 +2,7 @@
 
 #include "hit_pixel.h"
 
-bool pel_hit_sector(const struct pel_sector *sector, int32_t x, int32_t y)
+bool pel_hit_sector(const struct pel_sector_shape *sector, int32_t x, int32_t y)
 {
     struct pel_point p;
     return pel_hit_pixel(x, y, &p) &&

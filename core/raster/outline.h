@@ -20,7 +20,7 @@ void pel_rectangle_outline(const struct pel_surface *surface,
                            const struct pel_paint *paint);
 
 void pel_rounded_rectangle_outline(const struct pel_surface *surface,
-                                   const struct pel_rounded_rectangle *r,
+                                   const struct pel_rounded_shape *r,
                                    const struct pel_paint *paint);
 
 void pel_circle_outline(const struct pel_surface *surface,
@@ -28,13 +28,13 @@ void pel_circle_outline(const struct pel_surface *surface,
                         const struct pel_paint *paint);
 
 void pel_ellipse_outline(const struct pel_surface *surface,
-                         const struct pel_ellipse *ellipse,
+                         const struct pel_ellipse_shape *ellipse,
                          const struct pel_paint *paint);
 
 /* The pixels of the outline of pel_circle(center, radius) that belong to the
  * sector: an arc one pixel wide. Arcs tile as sectors do. */
 void pel_arc_outline(const struct pel_surface *surface,
-                     const struct pel_sector *sector,
+                     const struct pel_sector_shape *sector,
                      const struct pel_paint *paint);
 
 /* Scratch memory as for pel_polygon, but of this size: about 48 n bytes. */

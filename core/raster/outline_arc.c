@@ -5,7 +5,7 @@
 #include "wedge.h"
 
 void pel_arc_outline(const struct pel_surface *surface,
-                     const struct pel_sector *sector,
+                     const struct pel_sector_shape *sector,
                      const struct pel_paint *paint)
 {
     const struct pel_rect clip = pel_outline_clip(surface);

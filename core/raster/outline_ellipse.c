@@ -4,7 +4,7 @@
 #include "outline_line.h"
 
 void pel_ellipse_outline(const struct pel_surface *surface,
-                         const struct pel_ellipse *ellipse,
+                         const struct pel_ellipse_shape *ellipse,
                          const struct pel_paint *paint)
 {
     const struct pel_rect clip = pel_outline_clip(surface);

@@ -4,7 +4,7 @@
 #include "rounded_rectangle_walk.h"
 
 void pel_rounded_rectangle_outline(const struct pel_surface *surface,
-                                   const struct pel_rounded_rectangle *r,
+                                   const struct pel_rounded_shape *r,
                                    const struct pel_paint *paint)
 {
     const struct pel_rect clip = pel_outline_clip(surface);

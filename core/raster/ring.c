@@ -9,8 +9,8 @@ static void collect(struct pel_collector *c, int32_t y, int32_t x0, int32_t x1)
         pel_collect(c, y, x0, x1);
 }
 
-void pel_ring(const struct pel_surface *surface, const struct pel_ring *ring,
-              const struct pel_paint *paint)
+void pel_ring(const struct pel_surface *surface,
+              const struct pel_ring_shape *ring, const struct pel_paint *paint)
 {
     struct pel_ring_walk w;
     struct pel_collector c;

@@ -4,7 +4,7 @@
 
 #include "paint.h"
 
-struct pel_ring {
+struct pel_ring_shape {
     struct pel_point center;
     int32_t inner, outer; /* 1/256 px, 0..32,767 px */
 };
@@ -16,7 +16,7 @@ struct pel_ring {
  * next ring cover every pixel once. Nothing when outer <= inner.
  * Work is bounded by the size of the clip. A centre or radius out of range is a
  * broken contract: PEL_ASSERT, and nothing is drawn. */
-void pel_ring(const struct pel_surface *surface, const struct pel_ring *ring,
-              const struct pel_paint *paint);
+void pel_ring(const struct pel_surface *surface,
+              const struct pel_ring_shape *ring, const struct pel_paint *paint);
 
 #endif

@@ -12,7 +12,7 @@ struct pel_ring_walk {
 
 /* false: nothing is covered, or the ring is out of range (PEL_ASSERT). */
 static inline bool pel_ring_start(struct pel_ring_walk *w,
-                                  const struct pel_ring *ring,
+                                  const struct pel_ring_shape *ring,
                                   const struct pel_rect *clip)
 {
     const struct pel_point center = ring->center;

@@ -4,7 +4,7 @@
 #include "rounded_rectangle_walk.h"
 
 void pel_rounded_rectangle(const struct pel_surface *surface,
-                           const struct pel_rounded_rectangle *rectangle,
+                           const struct pel_rounded_shape *rectangle,
                            const struct pel_paint *paint)
 {
     struct pel_rounded_walk w;

@@ -4,7 +4,7 @@
 
 #include "paint.h"
 
-struct pel_rounded_rectangle {
+struct pel_rounded_shape {
     struct pel_point from, to; /* as in pel_rectangle */
     int32_t radius;            /* 1/256 px, 0..32,767 px */
 };
@@ -17,7 +17,7 @@ struct pel_rounded_rectangle {
  * Work is bounded by the size of the clip. A corner or radius out of range is a
  * broken contract: PEL_ASSERT, and nothing is drawn. */
 void pel_rounded_rectangle(const struct pel_surface *surface,
-                           const struct pel_rounded_rectangle *rectangle,
+                           const struct pel_rounded_shape *rectangle,
                            const struct pel_paint *paint);
 
 #endif

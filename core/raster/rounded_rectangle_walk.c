@@ -2,7 +2,7 @@
 
 #include "../pel_config.h"
 
-static bool legal(const struct pel_rounded_rectangle *r)
+static bool legal(const struct pel_rounded_shape *r)
 {
     return pel_points_legal(&r->from, 1) && pel_points_legal(&r->to, 1) &&
            pel_radius_legal(r->radius);
@@ -21,7 +21,7 @@ static int64_t reach_at(const struct pel_rounded_walk *w, int32_t y)
 }
 
 bool pel_rounded_start(struct pel_rounded_walk *w,
-                       const struct pel_rounded_rectangle *r,
+                       const struct pel_rounded_shape *r,
                        const struct pel_rect *clip)
 {
     const struct pel_point from = r->from, to = r->to;

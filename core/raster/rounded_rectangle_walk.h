@@ -16,7 +16,7 @@ struct pel_rounded_walk {
 
 /* false: nothing is covered, or the rectangle is out of range (PEL_ASSERT). */
 bool pel_rounded_start(struct pel_rounded_walk *w,
-                       const struct pel_rounded_rectangle *r,
+                       const struct pel_rounded_shape *r,
                        const struct pel_rect *clip);
 
 void pel_rounded_next(struct pel_rounded_walk *w);

@@ -4,7 +4,8 @@
 #include "wedge.h"
 
 void pel_sector(const struct pel_surface *surface,
-                const struct pel_sector *sector, const struct pel_paint *paint)
+                const struct pel_sector_shape *sector,
+                const struct pel_paint *paint)
 {
     const struct pel_row none = {0, 0};
     struct pel_disc_walk w;

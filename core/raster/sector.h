@@ -4,7 +4,7 @@
 
 #include "paint.h"
 
-struct pel_sector {
+struct pel_sector_shape {
     struct pel_point center;
     int32_t radius;    /* 1/256 px, 0..32,767 px */
     uint16_t from, to; /* turns / 65,536, clockwise on screen from +x */
@@ -21,6 +21,7 @@ struct pel_sector {
  * Work is bounded by the size of the clip. A centre or radius out of range is a
  * broken contract: PEL_ASSERT, and nothing is drawn. */
 void pel_sector(const struct pel_surface *surface,
-                const struct pel_sector *sector, const struct pel_paint *paint);
+                const struct pel_sector_shape *sector,
+                const struct pel_paint *paint);
 
 #endif

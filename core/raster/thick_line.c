@@ -38,7 +38,7 @@ static int32_t across(int32_t v, int32_t width, const struct length *l)
     return (int32_t)(n / (2 * l->size));
 }
 
-bool pel_thick_line_corners(const struct pel_thick_line *line,
+bool pel_thick_line_corners(const struct pel_thick_line_shape *line,
                             struct pel_point v[4])
 {
     const struct pel_point a = line->from, b = line->to;
@@ -60,7 +60,7 @@ bool pel_thick_line_corners(const struct pel_thick_line *line,
 }
 
 void pel_thick_line(const struct pel_surface *surface,
-                    const struct pel_thick_line *line,
+                    const struct pel_thick_line_shape *line,
                     const struct pel_paint *paint)
 {
     struct pel_point v[4];

@@ -4,7 +4,7 @@
 
 #include "paint.h"
 
-struct pel_thick_line {
+struct pel_thick_line_shape {
     struct pel_point from, to;
     int32_t width; /* 1/256 px, 0..32,767 px */
 };
@@ -16,14 +16,14 @@ struct pel_thick_line {
  * it, and the ends swapped give the same four corners. All four lie on the line
  * when it has no length or no width. false when the line or one of its corners
  * is out of range: the ends keep half a width from the end of the range. */
-bool pel_thick_line_corners(const struct pel_thick_line *line,
+bool pel_thick_line_corners(const struct pel_thick_line_shape *line,
                             struct pel_point v[4]);
 
 /* Fills the polygon of these corners, by the rule of raster/edge.h: the ends
  * are cut straight, across the line. A line out of range is a broken contract:
  * PEL_ASSERT, and nothing is drawn. */
 void pel_thick_line(const struct pel_surface *surface,
-                    const struct pel_thick_line *line,
+                    const struct pel_thick_line_shape *line,
                     const struct pel_paint *paint);
 
 #endif

@@ -51,7 +51,6 @@ struct pel_frame {
     struct pel_projector projector;
     struct pel_mesh_lights lights;
     struct pel_texture texture; /* the sampler, without a map */
-    struct pel_mesh_light *light;
     struct pel_frame_vertex *vertex;
     struct pel_depth_entry *order;
     struct pel_frame_work *work;

@@ -43,7 +43,7 @@ struct pel_mesh_light {
 /* Places are in lighting units: 2^-unit_bits of the world's, along the axes of
  * the mesh, below 2^29 for the mesh, the lights and the eye. */
 struct pel_mesh_lights {
-    const struct pel_mesh_light *light;
+    struct pel_mesh_light *light;
     int32_t lights;
     int32_t eye[3];
     pel_factor ambient[3];
@@ -53,12 +53,12 @@ struct pel_mesh_lights {
     struct pel_mesh_quantum quantum;
 };
 
-/* `light` is memory for lighting->lights entries. PEL_ERROR_RANGE: a factor,
+/* lights->light is set before, to memory for lighting->lights entries.
+ * PEL_ERROR_RANGE: a factor,
  * the shininess or a place out of range, a directional light with no direction,
  * a negative number of lights; PEL_ERROR_NULL: no list. */
 enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
                                      const struct pel_lighting *lighting,
-                                     struct pel_mesh_light *light,
                                      const struct pel_mesh *mesh,
                                      const struct pel_pose *pose,
                                      const pel_length eye[3]);

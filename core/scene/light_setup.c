@@ -97,7 +97,6 @@ static void set_light(struct pel_mesh_light *m, const struct pel_light *light,
 
 enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
                                      const struct pel_lighting *lighting,
-                                     struct pel_mesh_light *light,
                                      const struct pel_mesh *mesh,
                                      const struct pel_pose *pose,
                                      const pel_length eye[3])
@@ -111,7 +110,6 @@ enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
     const int up =
         28 - pel_bits_of((uint64_t)extent(lights, lighting, pose, eye));
     lights->down = (int8_t)(mesh->position.shift - 30 - up);
-    lights->light = light;
     lights->lights = lighting->lights;
     lights->shininess = lighting->shininess;
     lights->plain_highlights = lighting->plain_highlights;
@@ -122,7 +120,7 @@ enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
         lights->ambient[k] = (pel_factor)pel_scale_down(
             (int64_t)lighting->ambient_color[k] * lighting->ambient, 16);
     for (int32_t i = 0; i < lighting->lights; i++)
-        set_light(&light[i], &lighting->light[i], lighting, pose, up);
+        set_light(&lights->light[i], &lighting->light[i], lighting, pose, up);
     return PEL_OK;
 }
 

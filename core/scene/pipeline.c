@@ -32,7 +32,7 @@ static void divide_scratch(struct pel_frame *frame, void *scratch)
     uint8_t *at = scratch;
     frame->work = (void *)at;
     at += rounded(sizeof(struct pel_frame_work));
-    frame->light = (void *)at;
+    frame->lights.light = (void *)at;
     at += lights_size(frame->scene);
     frame->vertex = (void *)at;
     at += vertices_size(frame->scene);

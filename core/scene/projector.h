@@ -52,9 +52,10 @@ struct pel_projected {
 };
 
 /* Of a vertex. x and y are the nearest sub-pixel to the exact projection of
- * the exact place, or its neighbour, while S D / z < 2^28: S sub-pixels per
- * unit at distance 1, D the distance from eye to mesh origin plus from there
- * to the vertex. The error before rounding is S D / z 2^-29 sub-pixels. */
+ * the exact place, or its neighbour, while (S + |x|) D / z < 2^28: S sub-pixels
+ * per unit at distance 1, x sub-pixels from the middle of the viewport, D the
+ * way from eye to pose and from there to the vertex, its three parts added. The
+ * error before rounding is less than (S + |x|) D / z 2^-29 sub-pixels. */
 void pel_project(const struct pel_projector *projector,
                  const int16_t position[3], struct pel_projected *out);
 

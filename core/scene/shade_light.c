@@ -5,8 +5,8 @@ enum pel_status pel_shade_start_light(struct pel_frame *frame)
     const struct pel_scene *s = frame->scene;
     if (!s->lighting || (!s->mesh->normals8 && !s->mesh->normals16))
         return PEL_ERROR_NULL;
-    return pel_mesh_lights_init(&frame->lights, s->lighting, frame->light,
-                                s->mesh, s->pose, s->camera.eye);
+    return pel_mesh_lights_init(&frame->lights, s->lighting, s->mesh, s->pose,
+                                s->camera.eye);
 }
 
 pel_color pel_shade_light_vertex(const struct pel_frame *frame, uint32_t vertex,

@@ -104,7 +104,7 @@ static void check_circle(struct pel_point center, int32_t radius)
 static void check_ring(struct pel_point center, int32_t inner, int32_t outer)
 {
     const int32_t reach = reach_of(outer);
-    const struct pel_ring ring = {center, inner, outer};
+    const struct pel_ring_shape ring = {center, inner, outer};
     plane_clear(&fill, reach);
     pel_ring(&surface, &ring, &fill.paint);
     bool last = false;
@@ -119,7 +119,7 @@ static void check_ring(struct pel_point center, int32_t inner, int32_t outer)
         }
 }
 
-static void check_sector(const struct pel_sector *s)
+static void check_sector(const struct pel_sector_shape *s)
 {
     const int32_t reach = reach_of(s->radius);
     const int64_t limit = (int64_t)s->radius * s->radius;
@@ -184,7 +184,7 @@ static void test_sectors(void **state)
     struct random random = {2};
     for (int32_t r = 0; r <= RADIUS_MAX; r++)
         for (uint32_t c = 0; c < CENTERS; c++) {
-            struct pel_sector s = {centers[c], radius_of(r, c), 0, 0};
+            struct pel_sector_shape s = {centers[c], radius_of(r, c), 0, 0};
             s.from = (uint16_t)random_word(&random);
             s.to = (uint16_t)random_word(&random);
             if (!is_skipped(r, c))

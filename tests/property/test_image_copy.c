@@ -24,10 +24,10 @@ static struct pel_rect random_bounds(struct random *r)
 }
 
 /* Mostly overlaps the source and lands near the destination. */
-static struct pel_copy random_copy(struct random *r)
+static struct pel_copy_part random_copy(struct random *r)
 {
     const struct pel_rect *s = &from.surface.bounds, *d = &to.surface.bounds;
-    struct pel_copy c = {&from.surface, {0, 0, 0, 0}, 0, 0};
+    struct pel_copy_part c = {&from.surface, {0, 0, 0, 0}, 0, 0};
     c.area.x0 = s->x0 + random_between(r, -20, SIZE);
     c.area.y0 = s->y0 + random_between(r, -20, SIZE);
     c.area.x1 = c.area.x0 + random_between(r, -2, 2 * SIZE);
@@ -37,7 +37,7 @@ static struct pel_copy random_copy(struct random *r)
     return c;
 }
 
-static struct pel_copy open_case(struct cases *c, uint64_t pair)
+static struct pel_copy_part open_case(struct cases *c, uint64_t pair)
 {
     struct random *r = &c->random;
     const struct pel_rect a = random_bounds(r), b = random_bounds(r);
@@ -52,7 +52,7 @@ static struct pel_copy open_case(struct cases *c, uint64_t pair)
 }
 
 /* Where the destination's pixel comes from; false when it is not copied to. */
-static bool source_of(const struct pel_copy *c, int32_t *x, int32_t *y)
+static bool source_of(const struct pel_copy_part *c, int32_t *x, int32_t *y)
 {
     const struct pel_rect *b = &c->source->bounds;
     *x += c->area.x0 - c->x;
@@ -63,10 +63,11 @@ static bool source_of(const struct pel_copy *c, int32_t *x, int32_t *y)
 }
 
 /* The colour that arrives at a pixel; alpha 0 where none does. */
-typedef pel_color rule(const struct pel_copy *c, int32_t x, int32_t y,
+typedef pel_color rule(const struct pel_copy_part *c, int32_t x, int32_t y,
                        uint32_t option);
 
-static void check(const struct pel_copy *copy, rule *expected, uint32_t option)
+static void check(const struct pel_copy_part *copy, rule *expected,
+                  uint32_t option)
 {
     const struct pel_rect *clip = &to.surface.clip;
     canvas_check(&to);
@@ -84,15 +85,15 @@ static void check(const struct pel_copy *copy, rule *expected, uint32_t option)
         }
 }
 
-static pel_color opaque_rule(const struct pel_copy *c, int32_t x, int32_t y,
-                             uint32_t option)
+static pel_color opaque_rule(const struct pel_copy_part *c, int32_t x,
+                             int32_t y, uint32_t option)
 {
     (void)c, (void)option;
     return layout_unpack(from.layout, canvas_pixel(&from, x, y)) |
            PEL_RGB(0, 0, 0);
 }
 
-static pel_color keyed_rule(const struct pel_copy *c, int32_t x, int32_t y,
+static pel_color keyed_rule(const struct pel_copy_part *c, int32_t x, int32_t y,
                             uint32_t key)
 {
     uint32_t unused = from.layout->unused;
@@ -101,7 +102,7 @@ static pel_color keyed_rule(const struct pel_copy *c, int32_t x, int32_t y,
     return is_key ? 0 : opaque_rule(c, x, y, 0);
 }
 
-static pel_color alpha_rule(const struct pel_copy *c, int32_t x, int32_t y,
+static pel_color alpha_rule(const struct pel_copy_part *c, int32_t x, int32_t y,
                             uint32_t alpha)
 {
     return (opaque_rule(c, x, y, 0) & UINT32_C(0xFFFFFF)) | alpha << 24;
@@ -111,7 +112,7 @@ static void test_opaque(void **state)
 {
     (void)state;
     for (struct cases c = cases_of(22500); cases_next(&c);) {
-        const struct pel_copy copy = open_case(&c, c.next);
+        const struct pel_copy_part copy = open_case(&c, c.next);
         pel_copy(&to.surface, &copy);
         check(&copy, opaque_rule, 0);
     }
@@ -121,7 +122,7 @@ static void test_keyed(void **state)
 {
     (void)state;
     for (struct cases c = cases_of(22500); cases_next(&c);) {
-        const struct pel_copy copy = open_case(&c, c.next);
+        const struct pel_copy_part copy = open_case(&c, c.next);
         const struct pel_rect *b = &from.surface.bounds;
         /* A pixel of the picture, in bits that its format may drop. */
         uint32_t pixel = canvas_pixel(&from, b->x0, b->y0);
@@ -135,7 +136,7 @@ static void test_alpha(void **state)
 {
     (void)state;
     for (struct cases c = cases_of(22500); cases_next(&c);) {
-        const struct pel_copy copy = open_case(&c, c.next);
+        const struct pel_copy_part copy = open_case(&c, c.next);
         uint32_t alpha = random_word(&c.random) & 255;
         if (c.next % 4 == 0)
             alpha = c.next / 4 % 2 ? 0 : 255;
@@ -145,7 +146,7 @@ static void test_alpha(void **state)
 }
 
 /* The canvas's words of 32 bits, read as colours with alpha. */
-static pel_color argb_rule(const struct pel_copy *c, int32_t x, int32_t y,
+static pel_color argb_rule(const struct pel_copy_part *c, int32_t x, int32_t y,
                            uint32_t alpha)
 {
     (void)c;
@@ -161,7 +162,7 @@ static void test_alpha_of_pixels(void **state)
     while (layouts[xrgb].format != &pel_xrgb8888)
         xrgb++;
     for (struct cases c = cases_of(20000); cases_next(&c);) {
-        struct pel_copy copy =
+        struct pel_copy_part copy =
             open_case(&c, xrgb * LAYOUT_COUNT + c.next % LAYOUT_COUNT);
         struct pel_surface argb = from.surface;
         uint32_t alpha = c.next % 2 ? random_word(&c.random) & 255 : 255;
@@ -199,7 +200,7 @@ static void test_out_of_range(void **state)
     const struct pel_rect b = {0, 0, 16, 16};
     canvas_open(&to, &pel_gray8, &b, 0);
     canvas_open(&from, &pel_rgb332, &b, 0);
-    struct pel_copy c = {&from.surface, {0, 0, 16, 16}, 65537, 0};
+    struct pel_copy_part c = {&from.surface, {0, 0, 16, 16}, 65537, 0};
     pel_copy(&to.surface, &c);
     c.x = 0;
     c.y = INT32_MIN;

@@ -10,7 +10,7 @@ enum { BYTES = 600 };
 static struct hits hits;
 
 struct placed {
-    struct pel_glyph glyph;
+    struct pel_stencil glyph;
     int32_t x, y;
 };
 
@@ -65,7 +65,7 @@ static void test_out_of_range(void **state)
     (void)state;
     static const uint8_t bits[] = {0xFF};
     const struct pel_rect window = {0, 0, 8, 8};
-    struct pel_glyph g = {bits, 0, 8, 8};
+    struct pel_stencil g = {bits, 0, 8, 8};
     hits_open(&hits, &window);
     pel_glyph(&hits.surface, &g, 65537, 0, &hits.paint);
     pel_glyph(&hits.surface, &g, 0, INT32_MIN, &hits.paint);

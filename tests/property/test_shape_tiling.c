@@ -51,7 +51,7 @@ static void test_rings(void **state)
         random_cuts(&c.random, cut, disc.radius);
         pel_circle(&hits.surface, disc.v[0], cut[0], &hits.paint);
         for (int i = 0; i < PARTS; i++) {
-            const struct pel_ring ring = {disc.v[0], cut[i], cut[i + 1]};
+            const struct pel_ring_shape ring = {disc.v[0], cut[i], cut[i + 1]};
             pel_ring(&hits.surface, &ring, &hits.paint);
         }
         hits_check(&hits, disc_at, &disc, "rings");
@@ -83,8 +83,8 @@ static void test_sectors(void **state)
         const struct any_shape disc = open_disc(&c.random);
         const uint16_t a = (uint16_t)random_word(&c.random);
         const uint16_t b = (uint16_t)random_word(&c.random);
-        const struct pel_sector one = {disc.v[0], disc.radius, a, b};
-        const struct pel_sector rest = {disc.v[0], disc.radius, b, a};
+        const struct pel_sector_shape one = {disc.v[0], disc.radius, a, b};
+        const struct pel_sector_shape rest = {disc.v[0], disc.radius, b, a};
         if (a == b)
             continue;
         pel_sector(&hits.surface, &one, &hits.paint);
@@ -102,10 +102,10 @@ static void test_arcs(void **state)
         int32_t inner = random_between(&c.random, 0, disc.radius);
         random_angles(&c.random, angle);
         for (int i = 0; i < PARTS; i++) {
-            const struct pel_arc arc = {disc.v[0], inner, disc.radius, angle[i],
-                                        angle[i + 1]};
-            const struct pel_sector sector = {disc.v[0], inner, angle[i],
-                                              angle[i + 1]};
+            const struct pel_arc_shape arc = {disc.v[0], inner, disc.radius,
+                                              angle[i], angle[i + 1]};
+            const struct pel_sector_shape sector = {disc.v[0], inner, angle[i],
+                                                    angle[i + 1]};
             pel_arc(&hits.surface, &arc, &hits.paint);
             pel_sector(&hits.surface, &sector, &hits.paint);
         }

@@ -13,7 +13,7 @@ int main(int argc, char **argv)
 {
     static uint8_t pixels[WIDTH * HEIGHT];
     static const struct pel_flat ink = PEL_FLAT(PEL_RGB(255, 255, 255));
-    const struct pel_text text = {&asset, argc > 1 ? argv[1] : "", 0, 0};
+    const struct pel_text_block text = {&asset, argc > 1 ? argv[1] : "", 0, 0};
     const struct pel_text_size size = pel_text_measure(&asset, text.string);
     struct pel_surface surface;
     if (pel_font_asset_check(&asset) != PEL_OK || size.width > WIDTH ||

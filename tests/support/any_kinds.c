@@ -119,19 +119,19 @@ static void draw_ellipse(const struct pel_surface *surface,
                          const struct any_shape *s,
                          const struct pel_paint *paint)
 {
-    const struct pel_ellipse e = {s->v[0], {s->radius, s->inner}};
+    const struct pel_ellipse_shape e = {s->v[0], {s->radius, s->inner}};
     pel_ellipse(surface, &e, paint);
 }
 
 static bool hit_ellipse(const struct any_shape *s, int32_t x, int32_t y)
 {
-    const struct pel_ellipse e = {s->v[0], {s->radius, s->inner}};
+    const struct pel_ellipse_shape e = {s->v[0], {s->radius, s->inner}};
     return pel_hit_ellipse(&e, x, y);
 }
 
 static bool ellipse_at(const struct any_shape *s, int32_t x, int32_t y)
 {
-    const struct pel_ellipse e = {s->v[0], {s->radius, s->inner}};
+    const struct pel_ellipse_shape e = {s->v[0], {s->radius, s->inner}};
     return reference_ellipse_at(&e, x, y);
 }
 
@@ -139,7 +139,7 @@ static void outline_ellipse(const struct pel_surface *surface,
                             const struct any_shape *s,
                             const struct pel_paint *paint)
 {
-    const struct pel_ellipse e = {s->v[0], {s->radius, s->inner}};
+    const struct pel_ellipse_shape e = {s->v[0], {s->radius, s->inner}};
     pel_ellipse_outline(surface, &e, paint);
 }
 
@@ -147,19 +147,19 @@ static void draw_rounded(const struct pel_surface *surface,
                          const struct any_shape *s,
                          const struct pel_paint *paint)
 {
-    const struct pel_rounded_rectangle r = {s->v[0], s->v[1], s->radius};
+    const struct pel_rounded_shape r = {s->v[0], s->v[1], s->radius};
     pel_rounded_rectangle(surface, &r, paint);
 }
 
 static bool hit_rounded(const struct any_shape *s, int32_t x, int32_t y)
 {
-    const struct pel_rounded_rectangle r = {s->v[0], s->v[1], s->radius};
+    const struct pel_rounded_shape r = {s->v[0], s->v[1], s->radius};
     return pel_hit_rounded_rectangle(&r, x, y);
 }
 
 static bool rounded_at(const struct any_shape *s, int32_t x, int32_t y)
 {
-    const struct pel_rounded_rectangle r = {s->v[0], s->v[1], s->radius};
+    const struct pel_rounded_shape r = {s->v[0], s->v[1], s->radius};
     return reference_rounded_at(&r, x, y);
 }
 
@@ -167,26 +167,26 @@ static void outline_rounded(const struct pel_surface *surface,
                             const struct any_shape *s,
                             const struct pel_paint *paint)
 {
-    const struct pel_rounded_rectangle r = {s->v[0], s->v[1], s->radius};
+    const struct pel_rounded_shape r = {s->v[0], s->v[1], s->radius};
     pel_rounded_rectangle_outline(surface, &r, paint);
 }
 
 static void draw_ring(const struct pel_surface *surface,
                       const struct any_shape *s, const struct pel_paint *paint)
 {
-    const struct pel_ring r = {s->v[0], s->inner, s->radius};
+    const struct pel_ring_shape r = {s->v[0], s->inner, s->radius};
     pel_ring(surface, &r, paint);
 }
 
 static bool hit_ring(const struct any_shape *s, int32_t x, int32_t y)
 {
-    const struct pel_ring r = {s->v[0], s->inner, s->radius};
+    const struct pel_ring_shape r = {s->v[0], s->inner, s->radius};
     return pel_hit_ring(&r, x, y);
 }
 
 static bool ring_at(const struct any_shape *s, int32_t x, int32_t y)
 {
-    const struct pel_ring r = {s->v[0], s->inner, s->radius};
+    const struct pel_ring_shape r = {s->v[0], s->inner, s->radius};
     return reference_ring_at(&r, x, y);
 }
 
@@ -194,19 +194,19 @@ static void draw_sector(const struct pel_surface *surface,
                         const struct any_shape *s,
                         const struct pel_paint *paint)
 {
-    const struct pel_sector a = {s->v[0], s->radius, s->from, s->to};
+    const struct pel_sector_shape a = {s->v[0], s->radius, s->from, s->to};
     pel_sector(surface, &a, paint);
 }
 
 static bool hit_sector(const struct any_shape *s, int32_t x, int32_t y)
 {
-    const struct pel_sector a = {s->v[0], s->radius, s->from, s->to};
+    const struct pel_sector_shape a = {s->v[0], s->radius, s->from, s->to};
     return pel_hit_sector(&a, x, y);
 }
 
 static bool sector_at(const struct any_shape *s, int32_t x, int32_t y)
 {
-    const struct pel_sector a = {s->v[0], s->radius, s->from, s->to};
+    const struct pel_sector_shape a = {s->v[0], s->radius, s->from, s->to};
     return reference_sector_at(&a, x, y);
 }
 
@@ -214,26 +214,29 @@ static void outline_sector(const struct pel_surface *surface,
                            const struct any_shape *s,
                            const struct pel_paint *paint)
 {
-    const struct pel_sector a = {s->v[0], s->radius, s->from, s->to};
+    const struct pel_sector_shape a = {s->v[0], s->radius, s->from, s->to};
     pel_arc_outline(surface, &a, paint);
 }
 
 static void draw_arc(const struct pel_surface *surface,
                      const struct any_shape *s, const struct pel_paint *paint)
 {
-    const struct pel_arc a = {s->v[0], s->inner, s->radius, s->from, s->to};
+    const struct pel_arc_shape a = {s->v[0], s->inner, s->radius, s->from,
+                                    s->to};
     pel_arc(surface, &a, paint);
 }
 
 static bool hit_arc(const struct any_shape *s, int32_t x, int32_t y)
 {
-    const struct pel_arc a = {s->v[0], s->inner, s->radius, s->from, s->to};
+    const struct pel_arc_shape a = {s->v[0], s->inner, s->radius, s->from,
+                                    s->to};
     return pel_hit_arc(&a, x, y);
 }
 
 static bool arc_at(const struct any_shape *s, int32_t x, int32_t y)
 {
-    const struct pel_arc a = {s->v[0], s->inner, s->radius, s->from, s->to};
+    const struct pel_arc_shape a = {s->v[0], s->inner, s->radius, s->from,
+                                    s->to};
     return reference_arc_at(&a, x, y);
 }
 
@@ -257,20 +260,20 @@ static void draw_thick_line(const struct pel_surface *surface,
                             const struct any_shape *s,
                             const struct pel_paint *paint)
 {
-    const struct pel_thick_line t = {s->v[0], s->v[1], s->radius};
+    const struct pel_thick_line_shape t = {s->v[0], s->v[1], s->radius};
     pel_thick_line(surface, &t, paint);
 }
 
 static bool hit_thick_line(const struct any_shape *s, int32_t x, int32_t y)
 {
-    const struct pel_thick_line t = {s->v[0], s->v[1], s->radius};
+    const struct pel_thick_line_shape t = {s->v[0], s->v[1], s->radius};
     return pel_hit_thick_line(&t, x, y);
 }
 
 /* The corners have a test of their own. */
 static bool thick_line_at(const struct any_shape *s, int32_t x, int32_t y)
 {
-    const struct pel_thick_line t = {s->v[0], s->v[1], s->radius};
+    const struct pel_thick_line_shape t = {s->v[0], s->v[1], s->radius};
     struct pel_point v[4];
     const struct pel_outline outline = {v, 4, PEL_NON_ZERO};
     return pel_thick_line_corners(&t, v) &&

@@ -66,26 +66,28 @@ bool reference_wedge_at(struct pel_point center, uint16_t from, uint16_t to,
     return after_from || !after_to;
 }
 
-bool reference_ring_at(const struct pel_ring *ring, int32_t x, int32_t y)
+bool reference_ring_at(const struct pel_ring_shape *ring, int32_t x, int32_t y)
 {
     return reference_disc_at(ring->center, ring->outer, x, y) &&
            !reference_disc_at(ring->center, ring->inner, x, y);
 }
 
-bool reference_sector_at(const struct pel_sector *sector, int32_t x, int32_t y)
+bool reference_sector_at(const struct pel_sector_shape *sector, int32_t x,
+                         int32_t y)
 {
     return reference_disc_at(sector->center, sector->radius, x, y) &&
            reference_wedge_at(sector->center, sector->from, sector->to, x, y);
 }
 
-bool reference_arc_at(const struct pel_arc *arc, int32_t x, int32_t y)
+bool reference_arc_at(const struct pel_arc_shape *arc, int32_t x, int32_t y)
 {
     return reference_disc_at(arc->center, arc->outer, x, y) &&
            !reference_disc_at(arc->center, arc->inner, x, y) &&
            reference_wedge_at(arc->center, arc->from, arc->to, x, y);
 }
 
-bool reference_ellipse_at(const struct pel_ellipse *e, int32_t x, int32_t y)
+bool reference_ellipse_at(const struct pel_ellipse_shape *e, int32_t x,
+                          int32_t y)
 {
     wide u = center_of(x) - e->center.x, v = center_of(y) - e->center.y;
     wide a = e->radius.x, b = e->radius.y;
@@ -101,7 +103,7 @@ static wide outside(wide v, wide lo, wide hi)
     return v > hi ? v - hi : 0;
 }
 
-bool reference_rounded_at(const struct pel_rounded_rectangle *r, int32_t x,
+bool reference_rounded_at(const struct pel_rounded_shape *r, int32_t x,
                           int32_t y)
 {
     const wide px = center_of(x), py = center_of(y);

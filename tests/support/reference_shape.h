@@ -17,11 +17,13 @@ struct pel_point reference_direction(uint16_t turn);
 bool reference_wedge_at(struct pel_point center, uint16_t from, uint16_t to,
                         int32_t x, int32_t y);
 
-bool reference_ring_at(const struct pel_ring *ring, int32_t x, int32_t y);
-bool reference_sector_at(const struct pel_sector *sector, int32_t x, int32_t y);
-bool reference_arc_at(const struct pel_arc *arc, int32_t x, int32_t y);
-bool reference_ellipse_at(const struct pel_ellipse *e, int32_t x, int32_t y);
-bool reference_rounded_at(const struct pel_rounded_rectangle *r, int32_t x,
+bool reference_ring_at(const struct pel_ring_shape *ring, int32_t x, int32_t y);
+bool reference_sector_at(const struct pel_sector_shape *sector, int32_t x,
+                         int32_t y);
+bool reference_arc_at(const struct pel_arc_shape *arc, int32_t x, int32_t y);
+bool reference_ellipse_at(const struct pel_ellipse_shape *e, int32_t x,
+                          int32_t y);
+bool reference_rounded_at(const struct pel_rounded_shape *r, int32_t x,
                           int32_t y);
 
 #endif

@@ -170,7 +170,7 @@ static struct hits hits;
 /* The picture of a text whose box starts at (1, 1). */
 static void check_picture(const char *string, const char *const *picture)
 {
-    const struct pel_text text = {&font, string, 1, 1};
+    const struct pel_text_block text = {&font, string, 1, 1};
     const struct pel_rect window = {0, 0, (int32_t)strlen(picture[0]), 14};
     hits_open(&hits, &window);
     pel_text(&hits.surface, &text, &hits.paint);
@@ -199,7 +199,7 @@ static void test_far_away(void **state)
     (void)state;
     static char string[200000];
     const struct pel_rect window = {0, 0, 100, 8};
-    const struct pel_text text = {&font, string, -40000, 0};
+    const struct pel_text_block text = {&font, string, -40000, 0};
     memset(string, 'b', sizeof string - 1);
     hits_open(&hits, &window);
     pel_text(&hits.surface, &text, &hits.paint);

@@ -28,8 +28,8 @@ static void test_corners_are_the_nearest(void **state)
         struct pel_point v[4], w[4];
         any_random(&c.random, &s, ANY_THICK_LINE, c.next % 2);
         const struct pel_point a = s.v[0], b = s.v[1];
-        const struct pel_thick_line line = {a, b, s.radius};
-        const struct pel_thick_line back = {b, a, s.radius};
+        const struct pel_thick_line_shape line = {a, b, s.radius};
+        const struct pel_thick_line_shape back = {b, a, s.radius};
         const long double dx = b.x - a.x, dy = b.y - a.y;
         const long double length = root(dx * dx + dy * dy);
         assert_int_equal(pel_thick_line_corners(&line, v),
@@ -51,7 +51,7 @@ static void test_corners_of_a_point(void **state)
 {
     (void)state;
     struct pel_point v[4];
-    const struct pel_thick_line line = {PEL_AT(3, 4), PEL_AT(3, 4), 512};
+    const struct pel_thick_line_shape line = {PEL_AT(3, 4), PEL_AT(3, 4), 512};
     assert_true(pel_thick_line_corners(&line, v));
     for (int i = 0; i < 4; i++)
         assert_true(v[i].x == PEL_PX(3) && v[i].y == PEL_PX(4));

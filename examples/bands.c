@@ -1,0 +1,48 @@
+/* A whole picture out of 1 KB: eight lines at a time. The panel is your
+ * terminal; on a board, panel_write sends the band over SPI. */
+#include <stdio.h>
+
+#include "core/pel.h"
+
+enum { WIDTH = 64, HEIGHT = 32, LINES = 8 };
+
+static uint16_t band[WIDTH * LINES];
+
+static void panel_write(const uint16_t *pixels, int count)
+{
+    for (int i = 0; i < count; i++) {
+        putchar(" .:-=+*#%@"[(pixels[i] >> 5 & 63) * 10 / 64]);
+        if (i % WIDTH == WIDTH - 1)
+            putchar('\n');
+    }
+}
+
+static void draw(const struct pel_surface *screen)
+{
+    static const struct pel_flat glass = PEL_FLAT(PEL_RGBA(90, 200, 255, 160));
+    static const struct pel_flat sun = PEL_FLAT(PEL_RGB(255, 255, 220));
+    static const struct pel_point hill[3] = {PEL_AT(2, 32), PEL_AT(30, 5),
+                                             PEL_AT(63, 32)};
+    static const pel_color slope[3] = {
+        PEL_RGB(20, 40, 20), PEL_RGB(80, 250, 80), PEL_RGB(20, 40, 20)};
+    const struct pel_point center = PEL_AT(48, 9), drop = PEL_AT(14, 18);
+
+    pel_clear(screen, PEL_RGB(0, 0, 0));
+    pel_circle(screen, center, PEL_PX(7), &sun.paint);
+    pel_triangle_gouraud(screen, hill, slope);
+    pel_circle(screen, drop, PEL_PX(9), &glass.paint);
+}
+
+int main(void)
+{
+    for (int y = 0; y < HEIGHT; y += LINES) {
+        const struct pel_rect lines = {0, y, WIDTH, y + LINES};
+        struct pel_surface screen;
+        if (pel_surface_init_rect(&screen, &pel_rgb565_le, band, 2 * WIDTH,
+                                  &lines) != PEL_OK)
+            return 1;
+        draw(&screen);
+        panel_write(band, WIDTH * LINES);
+    }
+    return 0;
+}

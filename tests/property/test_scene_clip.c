@@ -1,0 +1,156 @@
+/* Meshes around the eye: clipped triangles meet as the whole ones do. */
+#include <string.h>
+
+#include "core/pel.h"
+#include "core/scene/pipeline.h"
+#include "tests/support/cases.h"
+#include "tests/support/check.h"
+
+enum { SIDE = 96, CELLS = 6, ROW = CELLS + 1 };
+
+static uint8_t hits[SIDE][SIDE];
+
+static void count(const struct pel_paint *paint, const struct pel_rows *rows)
+{
+    int32_t y = rows->y;
+    (void)paint;
+    for (int32_t i = 0; i < rows->n; i++, y += rows->step)
+        for (int32_t x = rows->row[i].x0; x < rows->row[i].x1; x++)
+            hits[y][x]++;
+}
+
+static const struct pel_paint counting = {count, NULL};
+
+static const struct pel_paint *counting_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
+{
+    (void)frame;
+    (void)surface;
+    return &counting;
+}
+
+static const struct pel_shading shading = {NULL, NULL, counting_paint};
+
+/* A plane cut into a grid whose inner corners are moved in the plane. */
+struct plane {
+    struct pel_scene scene;
+    struct pel_mesh mesh;
+    int16_t positions[ROW * ROW][3];
+    uint8_t indices[2 * CELLS * CELLS][3];
+    uint64_t scratch[1024];
+    bool clipped; /* a vertex is not on screen */
+};
+
+static void any_corners(struct random *r, struct plane *p)
+{
+    const int32_t cell = random_between(r, 100, 65000 / CELLS);
+    const int32_t shake = cell / 4;
+    for (int32_t i = 0; i < ROW * ROW; i++) {
+        const int32_t at[2] = {i % ROW, i / ROW};
+        for (int k = 0; k < 2; k++) {
+            const bool inner = at[k] > 0 && at[k] < CELLS;
+            p->positions[i][2 * k] =
+                (int16_t)(at[k] * cell - cell * CELLS / 2 +
+                          (inner ? random_between(r, -shake, shake) : 0));
+        }
+        p->positions[i][1] = 0;
+    }
+}
+
+static void any_plane(struct random *r, struct plane *p)
+{
+    any_corners(r, p);
+    for (uint8_t i = 0; i < CELLS * CELLS; i++) {
+        const uint8_t at = (uint8_t)(i / CELLS * ROW + i % CELLS);
+        const uint8_t two[2][3] = {
+            {at, (uint8_t)(at + ROW), (uint8_t)(at + ROW + 1)},
+            {at, (uint8_t)(at + ROW + 1), (uint8_t)(at + 1)}};
+        memcpy(p->indices[2 * i], two, sizeof two);
+    }
+    p->mesh = (struct pel_mesh){.vertices = ROW * ROW,
+                                .triangles = 2 * CELLS * CELLS,
+                                .position = {{0, 0, 0}, 1, 8},
+                                .positions = (void *)p->positions,
+                                .indices8 = (void *)p->indices};
+    p->scene = (struct pel_scene){
+        .mesh = &p->mesh,
+        .camera = {.up = {random_between(r, -9, 9), 10, 0},
+                   .focal = random_between(r, 10, 200),
+                   .sensor = {100, 100},
+                   .near = random_between(r, 100, PEL_UNITS(2))},
+        .viewport = {0, 0, SIDE, SIDE},
+        .shading = &shading};
+    for (int k = 0; k < 3; k++) {
+        p->scene.camera.eye[k] =
+            random_between(r, -PEL_UNITS(k == 1 ? 3 : 60), PEL_UNITS(60));
+        p->scene.camera.target[k] =
+            random_between(r, -PEL_UNITS(60), PEL_UNITS(60));
+    }
+}
+
+static void draw(struct plane *p)
+{
+    static uint32_t pixels[SIDE * SIDE];
+    struct pel_surface surface;
+    struct pel_frame frame;
+    memset(hits, 0, sizeof hits);
+    assert_int_equal(
+        pel_surface_init(&surface, &pel_xrgb8888, pixels, SIDE, SIDE), PEL_OK);
+    assert_int_equal(
+        pel_scene_prepare(&frame, &p->scene, p->scratch, sizeof p->scratch),
+        PEL_OK);
+    p->clipped = false;
+    for (uint32_t i = 0; i < ROW * ROW; i++)
+        p->clipped |= frame.vertex[i].at.x == PEL_NOT_ON_SCREEN;
+    pel_scene_draw(&frame, &surface);
+}
+
+/* What is seen of a plane is convex: in every line the pixels that are hit are
+ * one run, and none is hit twice. */
+static uint64_t check_line(int32_t at, bool column)
+{
+    int runs = 0, before = 0;
+    uint64_t sum = 0;
+    for (int32_t i = 0; i < SIDE; i++) {
+        const int n = column ? hits[i][at] : hits[at][i];
+        if (n > 1)
+            fail_msg("%s %d, pixel %d: hit %d times; %s",
+                     column ? "column" : "row", at, i, n, cases_replay());
+        runs += n && !before;
+        before = n;
+        sum += (uint64_t)n;
+    }
+    if (runs > 1)
+        fail_msg("%s %d: %d runs; %s", column ? "column" : "row", at, runs,
+                 cases_replay());
+    return sum;
+}
+
+static void test_clipped_triangles_leave_no_gap(void **state)
+{
+    static struct plane p;
+    uint64_t seen = 0, clipped = 0;
+    (void)state;
+    for (struct cases c = cases_of(8000); cases_next(&c);) {
+        any_plane(&c.random, &p);
+        draw(&p);
+        uint64_t pixels = 0;
+        for (int32_t i = 0; i < SIDE; i++) {
+            pixels += check_line(i, false);
+            check_line(i, true);
+        }
+        seen += pixels;
+        clipped += pixels && p.clipped;
+    }
+    print_message("%llu pixels, %llu pictures with triangles that are cut\n",
+                  (unsigned long long)seen, (unsigned long long)clipped);
+    assert_true(seen > 0);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_clipped_triangles_leave_no_gap),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

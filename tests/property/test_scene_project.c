@@ -1,0 +1,168 @@
+/* Places on screen against the projection in extended precision. */
+#include "tests/support/any_scene.h"
+#include "tests/support/check.h"
+#include "tests/support/reference_scene.h"
+
+static real size_of(real v)
+{
+    return v < 0 ? -v : v;
+}
+
+/* Sub-pixels of a unit at distance 1, by the distances that the header names.
+ */
+static real allowed(const struct any_scene *s, const real place[3],
+                    const real screen[3])
+{
+    const real z = screen[2];
+    const struct pel_camera *c = &s->scene.camera;
+    const struct pel_rect *v = &s->scene.viewport;
+    real far = 0, near[3];
+    for (int k = 0; k < 3; k++) {
+        const real at = s->scene.pose ? (real)s->pose.at[k] / 65536 : 0;
+        near[k] =
+            size_of(place[k] - at) + size_of(at - (real)c->eye[k] / 65536);
+        far += near[k];
+    }
+    real scale = 0;
+    for (int k = 0; k < 2; k++) {
+        const real px = k ? v->y1 - v->y0 : v->x1 - v->x0;
+        real per_unit = px * 256 / c->sensor[k] * c->focal;
+        if (c->projection == PEL_ORTHOGRAPHIC)
+            per_unit = px * 256 * 65536 / c->sensor[k] * z;
+        const real middle = k ? (v->y0 + v->y1) / 2.0L : (v->x0 + v->x1) / 2.0L;
+        per_unit += size_of(screen[k] - middle) * 256;
+        scale = per_unit > scale ? per_unit : scale;
+    }
+    return scale * far / z / (1 << 29);
+}
+
+static uint64_t vertices, moved;
+static real worst, tightest;
+
+static void check_vertex(const struct any_scene *s,
+                         const struct pel_projector *p, uint32_t i)
+{
+    struct pel_projected got;
+    real place[3], want[3];
+    pel_project(p, s->positions[i], &got);
+    reference_place(&s->scene, i, place);
+    reference_project(&s->scene, place, want);
+    assert_true(got.x != PEL_NOT_ON_SCREEN);
+    const struct pel_point nearest = reference_snap(want);
+    const real dx = size_of(got.x - want[0] * 256);
+    const real dy = size_of(got.y - want[1] * 256);
+    const real error = (dx > dy ? dx : dy) - 0.5L;
+    const real bound = allowed(s, place, want);
+    vertices++;
+    moved += got.x != nearest.x || got.y != nearest.y;
+    worst = error > worst ? error : worst;
+    tightest = error / bound > tightest ? error / bound : tightest;
+    if (error > bound)
+        fail_msg("vertex %u: %d, %d, not %.6f, %.6f sub-pixels, off by 0.5 + "
+                 "%g, allowed %g; %s",
+                 i, got.x, got.y, (double)want[0] * 256, (double)want[1] * 256,
+                 (double)error, (double)bound, cases_replay());
+}
+
+static void test_vertices_are_where_they_belong(void **state)
+{
+    static struct any_scene s;
+    (void)state;
+    for (struct cases c = cases_of(5000); cases_next(&c);) {
+        struct pel_projector p;
+        any_scene(&c.random, &s, 4096);
+        assert_int_equal(pel_projector_init(&p, s.scene.mesh, s.scene.pose,
+                                            &s.scene.camera, &s.scene.viewport),
+                         PEL_OK);
+        for (uint32_t i = 0; i < s.mesh.vertices; i++)
+            check_vertex(&s, &p, i);
+    }
+    print_message("%llu vertices, %llu at a neighbour of the nearest "
+                  "sub-pixel; error before rounding at most %.2g sub-pixels, "
+                  "%.2g of the bound\n",
+                  (unsigned long long)vertices, (unsigned long long)moved,
+                  (double)worst, (double)tightest);
+}
+
+/* The eye close to a vertex, the farthest a thousand times as far away. */
+static void move_to_a_vertex(struct random *r, struct any_scene *s)
+{
+    struct pel_camera *c = &s->scene.camera;
+    const struct pel_pose *pose = s->scene.pose;
+    const struct pel_mesh_quantum *q = &s->mesh.position;
+    const uint32_t near = random_word(r) % s->mesh.vertices;
+    int64_t v[3];
+    for (int k = 0; k < 3; k++)
+        v[k] = pel_mesh_quantum_value(q, k, s->positions[near][k]);
+    if (pose)
+        pel_matrix_apply(&pose->turn, v, 30, v);
+    for (int k = 0; k < 3; k++) {
+        const int64_t place =
+            pel_scale_down(v[k], q->shift - 16) + (pose ? pose->at[k] : 0);
+        const int64_t away = (int64_t)c->eye[k] - c->target[k];
+        c->eye[k] = (pel_length)(place + away / 2000);
+        c->target[k] = (pel_length)(c->eye[k] - away);
+    }
+    c->near = 1;
+    c->projection = PEL_PERSPECTIVE;
+    c->focal = 30000;
+    c->sensor[0] = c->sensor[1] = 36000;
+}
+
+static bool on_view(const struct any_scene *s, const real screen[3])
+{
+    const struct pel_rect *v = &s->scene.viewport;
+    return screen[0] >= v->x0 && screen[0] < v->x1 && screen[1] >= v->y0 &&
+           screen[1] < v->y1;
+}
+
+/* What the bound does not hold to a neighbour is nearer than that. */
+static void test_far_a_thousand_times_near(void **state)
+{
+    static struct any_scene s;
+    real ratio = 0;
+    (void)state;
+    vertices = moved = 0;
+    for (struct cases c = cases_of(3000); cases_next(&c);) {
+        struct pel_projector p;
+        any_scene(&c.random, &s, 240);
+        if (s.mesh.position.shift > 15) /* the world's steps are too coarse */
+            continue;
+        move_to_a_vertex(&c.random, &s);
+        assert_int_equal(pel_projector_init(&p, s.scene.mesh, s.scene.pose,
+                                            &s.scene.camera, &s.scene.viewport),
+                         PEL_OK);
+        real nearest = 0, farthest = 0, beyond = 0;
+        for (uint32_t i = 0; i < s.mesh.vertices; i++) {
+            struct pel_projected got;
+            real place[3], want[3];
+            pel_project(&p, s.positions[i], &got);
+            reference_place(&s.scene, i, place);
+            reference_project(&s.scene, place, want);
+            if (got.x == PEL_NOT_ON_SCREEN || want[2] <= 0)
+                continue;
+            check_vertex(&s, &p, i);
+            if (allowed(&s, place, want) > 0.5L && on_view(&s, want) &&
+                want[2] > beyond)
+                beyond = want[2];
+            nearest = nearest == 0 || want[2] < nearest ? want[2] : nearest;
+            farthest = want[2] > farthest ? want[2] : farthest;
+        }
+        assert_true(beyond * 1000 < farthest || beyond == 0);
+        if (nearest > 0 && farthest / nearest > ratio)
+            ratio = farthest / nearest;
+    }
+    print_message("far / near up to %.0f: %llu vertices, %llu at a "
+                  "neighbour\n",
+                  (double)ratio, (unsigned long long)vertices,
+                  (unsigned long long)moved);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_vertices_are_where_they_belong),
+        cmocka_unit_test(test_far_a_thousand_times_near),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

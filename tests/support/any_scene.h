@@ -1,0 +1,52 @@
+/* Random scenes: a soup of triangles that a camera sees whole. */
+#ifndef TESTS_SUPPORT_ANY_SCENE_H
+#define TESTS_SUPPORT_ANY_SCENE_H
+
+#include "cases.h"
+#include "core/scene/pipeline.h"
+
+enum {
+    ANY_TRIANGLES = 40,
+    ANY_VERTICES = 3 * ANY_TRIANGLES,
+    ANY_LIGHTS = 3,
+    ANY_TEXELS = 1024 /* a side */
+};
+
+/* Every triangle has vertices of its own: i has 3 i to 3 i + 2. */
+struct any_scene {
+    struct pel_scene scene;
+    struct pel_mesh mesh;
+    struct pel_pose pose;
+    struct pel_lighting lighting;
+    struct pel_light light[ANY_LIGHTS];
+    struct pel_mesh_texture texture;
+    int16_t positions[ANY_VERTICES][3], normals[ANY_VERTICES][3];
+    uint16_t uv[ANY_VERTICES][2];
+    uint8_t colors[ANY_VERTICES][3];
+    uint8_t indices[ANY_TRIANGLES][3];
+    uint64_t scratch[1024];
+};
+
+/* Pointers lead into the struct, so it must not be moved. Up to `pixels` wide
+ * and high, anywhere within +-200 px; no texture; pel_shade_flat. */
+void any_scene(struct random *r, struct any_scene *s, int32_t pixels);
+
+/* With light and normals of vertices that differ by an angle of some degrees.
+ */
+void any_scene_light(struct random *r, struct any_scene *s);
+
+/* With u and v of random places, about `texels` apart, in a texture whose
+ * texels hold their own indices: red and the high half of green are the
+ * column, the rest the row. Nearest, in perspective. */
+void any_scene_indices(struct random *r, struct any_scene *s, int32_t texels);
+
+/* With a texture of smooth noise instead, of 2^bits texels a side; bilinear. */
+void any_scene_noise(struct random *r, struct any_scene *s, int bits);
+
+/* Frames the scene; fails the test when it cannot. */
+void any_scene_prepare(struct any_scene *s, struct pel_frame *frame);
+
+/* A shading whose colours are the number of the triangle plus 1. */
+extern const struct pel_shading any_scene_numbers;
+
+#endif

@@ -1,0 +1,340 @@
+/* Where 3-D pipelines fail, and what happens here. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "tests/support/any_scene.h"
+#include "tests/support/canvas.h"
+#include "tests/support/check.h"
+#include "tests/support/reference_scene.h"
+
+enum { SIDE = 128 };
+
+static const struct pel_rect view = {0, 0, SIDE, SIDE};
+
+/* Two triangles, at `height` below the eye, 2 `half` wide and long. */
+struct ground {
+    struct pel_scene scene;
+    struct pel_mesh mesh;
+    int16_t positions[4][3];
+    uint64_t scratch[512];
+};
+
+static const uint8_t quad[2][3] = {{0, 1, 2}, {0, 2, 3}};
+static const uint16_t quad_uv[4][2] = {
+    {0, 65535}, {65535, 65535}, {65535, 0}, {0, 0}};
+
+static void ground_init(struct ground *g, int16_t half, int16_t height)
+{
+    const int16_t corner[4][2] = {{(int16_t)-half, half},
+                                  {half, half},
+                                  {half, (int16_t)-half},
+                                  {(int16_t)-half, (int16_t)-half}};
+    for (int i = 0; i < 4; i++) {
+        g->positions[i][0] = corner[i][0];
+        g->positions[i][1] = (int16_t)-height;
+        g->positions[i][2] = corner[i][1];
+    }
+    g->mesh = (struct pel_mesh){.vertices = 4,
+                                .triangles = 2,
+                                .position = {{0, 0, 0}, 1, 6},
+                                .texture = {{0, 0, 0}, 1, 16},
+                                .positions = (void *)g->positions,
+                                .uv = quad_uv,
+                                .indices8 = quad};
+    g->scene = (struct pel_scene){.mesh = &g->mesh,
+                                  .camera = {.target = {0, 0, -PEL_UNITS(1)},
+                                             .up = {0, 1, 0},
+                                             .focal = 50,
+                                             .sensor = {100, 100},
+                                             .near = PEL_UNITS(1) / 64},
+                                  .viewport = view,
+                                  .shading = &pel_shade_flat,
+                                  .color = PEL_RGB(255, 255, 255),
+                                  .sort = pel_depth_sort,
+                                  .cull = PEL_CULL_BACK};
+}
+
+static void draw(struct ground *g, struct canvas *c)
+{
+    struct pel_frame frame;
+    assert_int_equal(
+        pel_scene_prepare(&frame, &g->scene, g->scratch, sizeof g->scratch),
+        PEL_OK);
+    canvas_open(c, &pel_xrgb8888, &view, 0);
+    memset(c->surface.pixels, 0, c->size);
+    pel_scene_draw(&frame, &c->surface);
+    canvas_check(c);
+}
+
+/* Where the ray through a pixel meets the ground: x and -z in units. */
+static bool meets_ground(real half, real height, int32_t x, int32_t y,
+                         real at[2])
+{
+    const real scale = (real)SIDE * 50 / 100;
+    const real down = (y + 0.5L - SIDE / 2) / scale;
+    const real right = (x + 0.5L - SIDE / 2) / scale;
+    if (down <= 0)
+        return false;
+    at[1] = height / down;
+    at[0] = right * at[1];
+    return at[1] >= 1.0L / 64 && at[1] < half && at[0] >= -half && at[0] < half;
+}
+
+/* The ground goes on behind the eye, and out of range to the sides. */
+static void test_near_plane(void **state)
+{
+    static struct ground g;
+    static struct canvas c;
+    (void)state;
+    for (int32_t half = 64; half < 32000; half = half * 3 / 2) {
+        int32_t wrong = 0;
+        real at[2];
+        ground_init(&g, (int16_t)half, 32);
+        draw(&g, &c);
+        for (int32_t y = 0; y < SIDE; y++)
+            for (int32_t x = 0; x < SIDE; x++)
+                wrong += meets_ground((real)half / 64, 0.5L, x, y, at) !=
+                         (canvas_pixel(&c, x, y) != 0);
+        if (wrong * 1000 > SIDE * SIDE)
+            fail_msg("%d wide: %d pixels differ", half, wrong);
+    }
+    canvas_close(&c);
+}
+
+/* The same with a texture: no place of it moves by the cuts. */
+static void test_texture_across_the_near_plane(void **state)
+{
+    enum { TEXELS = 256 };
+    static pel_color texels[TEXELS * TEXELS];
+    static struct ground g;
+    static struct canvas c;
+    const struct pel_mesh_texture texture = {
+        .texels = {NULL, texels, TEXELS, TEXELS, true},
+        .mapping = &pel_map_perspective,
+        .sampler = pel_texture_init_nearest};
+    real worst = 0, at[2];
+    (void)state;
+    for (int32_t i = 0; i < TEXELS * TEXELS; i++)
+        texels[i] = UINT32_C(0xFF000000) | (uint32_t)i;
+    for (int32_t half = 64; half < 32000; half = half * 3 / 2) {
+        const real size = (real)half / 64;
+        ground_init(&g, (int16_t)half, 32);
+        g.scene.texture = &texture;
+        draw(&g, &c);
+        for (int32_t y = SIDE / 2 + 8; y < SIDE; y++)
+            for (int32_t x = 0; x < SIDE; x++) {
+                const uint32_t got = canvas_pixel(&c, x, y) & 0xFFFFFFu;
+                if (!got || !meets_ground(size, 0.5L, x, y, at))
+                    continue;
+                const real u = (at[0] + size) / (2 * size) * TEXELS;
+                const real v = (size - at[1]) / (2 * size) * TEXELS;
+                const real off[4] = {u - got % TEXELS - 1, got % TEXELS - u,
+                                     v - got / TEXELS - 1,
+                                     (real)(got / TEXELS) - v};
+                for (int k = 0; k < 4; k++)
+                    worst = off[k] > worst ? off[k] : worst;
+            }
+    }
+    print_message("texels off by %.4f at most\n", (double)worst);
+    assert_true(worst < 1.0L / 64);
+    canvas_close(&c);
+}
+
+/* A wall around the eye fills the picture, however far its corners are. */
+static void test_guard_band(void **state)
+{
+    static struct ground g;
+    static struct canvas c;
+    (void)state;
+    for (int16_t away = 1; away < 1000; away = (int16_t)(away * 2)) {
+        ground_init(&g, 32767, away);
+        for (int i = 0; i < 4; i++) { /* upright, before the eye */
+            g.positions[i][1] = (int16_t)-g.positions[i][2];
+            g.positions[i][2] = (int16_t)-away;
+        }
+        draw(&g, &c);
+        for (int32_t y = 0; y < SIDE; y++)
+            for (int32_t x = 0; x < SIDE; x++)
+                if (canvas_pixel(&c, x, y) != UINT32_C(0xFFFFFFFF))
+                    fail_msg("away %d: pixel %d, %d", away, x, y);
+    }
+    canvas_close(&c);
+}
+
+static void test_behind_is_nothing(void **state)
+{
+    static struct ground g;
+    static struct canvas c;
+    (void)state;
+    ground_init(&g, 1000, 10);
+    g.scene.camera.near = PEL_UNITS(100);
+    draw(&g, &c);
+    for (int32_t i = 0; i < SIDE * SIDE; i++)
+        assert_int_equal(canvas_pixel(&c, i % SIDE, i / SIDE), 0);
+    canvas_close(&c);
+}
+
+/* Opposite normals meet in one that has no direction: ambient light there, and
+ * no colour beyond those of either side. */
+static void test_opposite_normals(void **state)
+{
+    static const int8_t normals[4][3] = {
+        {0, 127, 0}, {0, -127, 0}, {0, -127, 0}, {0, 127, 0}};
+    static struct ground g;
+    static struct canvas c;
+    const struct pel_light sun = {{0, 1, 0}, true, {65536, 65536, 65536}};
+    const struct pel_lighting lighting = {
+        .light = &sun,
+        .lights = 1,
+        .ambient_color = {65536, 65536, 65536},
+        .ambient = PEL_FACTOR(25),
+        .diffuse = PEL_FACTOR(50),
+        .shininess = 1};
+    uint32_t bright = 0, dark = 0;
+    (void)state;
+    ground_init(&g, 300, 100);
+    g.mesh.normals8 = normals;
+    g.scene.lighting = &lighting;
+    g.scene.shading = &pel_shade_phong;
+    draw(&g, &c);
+    for (int32_t i = 0; i < SIDE * SIDE; i++) {
+        const uint32_t v = canvas_pixel(&c, i % SIDE, i / SIDE) & 255;
+        bright += v == 191;
+        dark += v == 64;
+        if (v != 191 && v != 64 && v != 0)
+            fail_msg("pixel %d, %d: %u", i % SIDE, i / SIDE, v);
+    }
+    assert_true(bright > 100 && dark > 100);
+    canvas_close(&c);
+}
+
+static void test_a_wrong_index_is_named(void **state)
+{
+    static struct ground g;
+    static uint16_t indices16[2][3] = {{0, 1, 2}, {0, 4, 3}};
+    static uint32_t indices32[2][3] = {{0, 1, 2}, {0, 2, UINT32_MAX}};
+    struct pel_frame frame;
+    (void)state;
+    ground_init(&g, 1000, 10);
+    g.mesh.indices8 = NULL;
+    g.mesh.indices16 = (void *)indices16;
+    assert_int_equal(
+        pel_scene_prepare(&frame, &g.scene, g.scratch, sizeof g.scratch),
+        PEL_ERROR_RANGE);
+    assert_int_equal(frame.fault.triangle, 1);
+    assert_int_equal(frame.fault.index, 4);
+    g.mesh.indices16 = NULL;
+    g.mesh.indices32 = (void *)indices32;
+    assert_int_equal(
+        pel_scene_prepare(&frame, &g.scene, g.scratch, sizeof g.scratch),
+        PEL_ERROR_RANGE);
+    assert_int_equal(frame.fault.triangle, 1);
+    assert_int_equal(frame.fault.index, UINT32_MAX);
+    g.mesh.indices8 = quad; /* two arrays */
+    assert_int_equal(pel_mesh_check(&g.mesh, NULL), PEL_ERROR_NULL);
+}
+
+static enum pel_status prepare(struct ground *g)
+{
+    struct pel_frame frame;
+    const size_t size = pel_scene_scratch_size(&g->scene);
+    assert_true(size <= sizeof g->scratch - 8);
+    assert_int_equal(pel_scene_prepare(&frame, &g->scene, g->scratch, size - 1),
+                     PEL_ERROR_SCRATCH);
+    assert_int_equal(
+        pel_scene_prepare(&frame, &g->scene, (uint8_t *)g->scratch + 4, size),
+        PEL_ERROR_SCRATCH);
+    return pel_scene_prepare(&frame, &g->scene, g->scratch, size);
+}
+
+static void test_what_cannot_be_seen_is_refused(void **state)
+{
+    static struct ground g;
+    const struct ground *clean = &g;
+    struct ground bad;
+    (void)state;
+    ground_init(&g, 1000, 10);
+    assert_int_equal(prepare(&g), PEL_OK);
+    bad = *clean;
+    bad.scene.camera.target[2] = 0; /* where the eye is */
+    assert_int_equal(prepare(&bad), PEL_ERROR_RANGE);
+    bad.scene.camera.target[1] = 5; /* along `up` */
+    assert_int_equal(prepare(&bad), PEL_ERROR_RANGE);
+    bad = *clean;
+    bad.scene.camera.eye[0] = PEL_LENGTH_MAX + 1;
+    assert_int_equal(prepare(&bad), PEL_ERROR_RANGE);
+    bad = *clean;
+    bad.scene.camera.near = 0;
+    assert_int_equal(prepare(&bad), PEL_ERROR_RANGE);
+    bad = *clean;
+    bad.scene.camera.sensor[1] = 0;
+    assert_int_equal(prepare(&bad), PEL_ERROR_SIZE);
+    bad = *clean;
+    bad.scene.viewport.x1 = 0;
+    assert_int_equal(prepare(&bad), PEL_ERROR_SIZE);
+    bad = *clean;
+    bad.scene.shading = &pel_shade_phong; /* no normals, no light */
+    assert_int_equal(prepare(&bad), PEL_ERROR_NULL);
+}
+
+/* A plane of a million triangles, seen from above: no gap. */
+static void test_a_million_triangles(void **state)
+{
+    enum { CELLS = 708 };
+    const uint32_t row = CELLS + 1;
+    int16_t(*positions)[3] = malloc(sizeof *positions * row * row);
+    uint32_t(*indices)[3] = malloc(sizeof *indices * 2 * CELLS * CELLS);
+    static struct canvas c;
+    struct ground g;
+    struct pel_frame frame;
+    (void)state;
+    ground_init(&g, 1, 1);
+    for (uint32_t i = 0; i < row * row; i++) {
+        positions[i][0] = (int16_t)((int32_t)(i % row) * 92 - 32568);
+        positions[i][1] = 0;
+        positions[i][2] = (int16_t)((int32_t)(i / row) * 92 - 32568);
+    }
+    for (uint32_t i = 0; i < CELLS * CELLS; i++) {
+        const uint32_t at = i / CELLS * row + i % CELLS;
+        const uint32_t two[2][3] = {{at, at + row, at + row + 1},
+                                    {at, at + row + 1, at + 1}};
+        memcpy(indices[2 * i], two, sizeof two);
+    }
+    g.mesh = (struct pel_mesh){.vertices = row * row,
+                               .triangles = 2 * CELLS * CELLS,
+                               .position = {{0, 0, 0}, 1, 12},
+                               .positions = (void *)positions,
+                               .indices32 = (void *)indices};
+    g.scene.camera.eye[1] = PEL_UNITS(7);
+    g.scene.camera.target[2] = 0;
+    g.scene.camera.up[2] = -1;
+    g.scene.camera.up[1] = 0;
+    const size_t size = pel_scene_scratch_size(&g.scene);
+    void *scratch = malloc(size);
+    assert_int_equal(pel_scene_prepare(&frame, &g.scene, scratch, size),
+                     PEL_OK);
+    assert_true(frame.triangles > 750000);
+    canvas_open(&c, &pel_xrgb8888, &view, 0);
+    pel_scene_draw(&frame, &c.surface);
+    for (int32_t i = 0; i < SIDE * SIDE; i++)
+        assert_int_equal(canvas_pixel(&c, i % SIDE, i / SIDE), 0xFFFFFFFF);
+    canvas_close(&c);
+    free(scratch);
+    free(positions);
+    free(indices);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_near_plane),
+        cmocka_unit_test(test_texture_across_the_near_plane),
+        cmocka_unit_test(test_guard_band),
+        cmocka_unit_test(test_behind_is_nothing),
+        cmocka_unit_test(test_opposite_normals),
+        cmocka_unit_test(test_a_wrong_index_is_named),
+        cmocka_unit_test(test_what_cannot_be_seen_is_refused),
+        cmocka_unit_test(test_a_million_triangles),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
