@@ -19,4 +19,4 @@ MCU_BENCH_ELFS := $(MCU_CPUS:%=$(BUILD)/bench/mcu/%.elf)
 
 bench-mcu: $(MCU_BENCH_ELFS) | need-qemu-arm ## instructions on Cortex-M: build/bench/mcu.tsv
 	bench/mcu/run.sh $(BUILD)/bench "$(MCU_CPUS)" >$(BUILD)/bench/mcu.tsv
-	bench/mcu/table.sh $(BUILD)/bench/mcu.tsv
+	bench/mcu/table.sh $(BUILD)/bench/mcu.tsv $(ACCEPT)

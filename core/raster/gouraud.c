@@ -150,9 +150,9 @@ void pel_gouraud_init(struct pel_gouraud *paint, const struct pel_point v[3],
     const int a = topmost(v), b = a == 2 ? 0 : a + 1, last = 3 - a - b;
     struct setup s = {.a = v[a], .b = v[b], .c = v[last]};
     const bool legal = pel_points_legal(v, 3);
+    const bool opaque = pel_alpha(c[0] & c[1] & c[2]) == 255;
     paint->paint =
         (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
-    paint->opaque = pel_alpha(c[0] & c[1] & c[2]) == 255;
     if (legal)
         set_geometry(&s);
     for (int k = 0; k < 4; k++) {
@@ -162,7 +162,7 @@ void pel_gouraud_init(struct pel_gouraud *paint, const struct pel_point v[3],
         paint->at[k] = ((uint32_t)value[0] << 24) + 0x800000u;
         paint->dx[k] = 0;
         paint->dy[k] = 0;
-        if (legal && s.area != 0 && !(k == 3 && paint->opaque))
+        if (legal && s.area != 0 && !(k == 3 && opaque))
             set_channel(paint, &s, k, value);
     }
 }

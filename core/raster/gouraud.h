@@ -12,8 +12,12 @@
 struct pel_gouraud {
     struct pel_paint paint;
     uint32_t at[4], dx[4], dy[4];
-    bool opaque;
 };
+
+static inline bool pel_gouraud_opaque(const struct pel_gouraud *g)
+{
+    return g->at[3] >> 24 == 255 && (g->dx[3] | g->dy[3]) == 0;
+}
 
 /* The paint of a triangle with the colors c[i] at v[i]. The value at a pixel's
  * centre is off by at most (|x - x0| + |y - y0| + 1) 2^-17 steps of 255, (x0,

@@ -32,41 +32,37 @@ static inline uint32_t weight(uint64_t at)
     return (uint32_t)(at >> 24) & 255;
 }
 
-static void outer_run(const struct pel_texture *p, struct pel_texture_axis *u,
-                      struct pel_texture_axis *v, int32_t n, pel_color *out)
+static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
+                      int32_t n, pel_color *out)
 {
-    for (; n > 0; n--, u->at += u->step, v->at += v->step) {
-        int32_t i = pel_texture_axis_index(u), j = pel_texture_axis_index(v);
-        int32_t i0 = pel_texture_axis_texel(u, i);
-        int32_t i1 = pel_texture_axis_texel(u, i + 1);
-        int32_t j0 = pel_texture_axis_texel(v, j);
-        int32_t j1 = pel_texture_axis_texel(v, j + 1);
+    for (; n > 0; n--, pel_texture_axes_step(a)) {
+        int32_t i = pel_texture_axis_index(&a->u);
+        int32_t j = pel_texture_axis_index(&a->v);
+        int32_t i0 = pel_texture_axis_texel(&a->u, i);
+        int32_t i1 = pel_texture_axis_texel(&a->u, i + 1);
+        int32_t j0 = pel_texture_axis_texel(&a->v, j);
+        int32_t j1 = pel_texture_axis_texel(&a->v, j + 1);
         const pel_color t[4] = {
             pel_texel(p, p->kind, i0, j0), pel_texel(p, p->kind, i1, j0),
             pel_texel(p, p->kind, i0, j1), pel_texel(p, p->kind, i1, j1)};
-        *out++ = mixed(t, weight(u->at), weight(v->at));
+        *out++ = mixed(t, weight(a->u.at), weight(a->v.at));
     }
 }
 
 /* Half a texel back to the middle of the texel before, and half of 1/256 on so
  * that weights are rounded. */
-static void start(struct pel_texture_axis *a, const struct pel_texture_plane *p,
-                  int32_t x, int32_t y)
-{
-    pel_texture_axis_start(a, p, x, y);
-    a->at -= 0x80000000u - 0x800000u;
-}
+static const uint32_t half_back = 0x80000000u - 0x800000u;
 
 #if PEL_FAST_64BIT
 
 /* A run that does not leave the picture. */
 static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
-                                        const struct pel_texture_axis *along_u,
-                                        const struct pel_texture_axis *along_v,
+                                        const struct pel_texture_axes *a,
                                         int32_t n, pel_color *out)
 {
-    uint64_t u = along_u->at, v = along_v->at;
-    for (; n > 0; n--, u += along_u->step, v += along_v->step) {
+    const uint64_t du = a->u.step, dv = a->v.step;
+    uint64_t u = a->u.at, v = a->v.at;
+    for (; n > 0; n--, u += du, v += dv) {
         int32_t i = (int32_t)(u >> 32), j = (int32_t)(v >> 32);
         const pel_color t[4] = {
             pel_texel(p, kind, i, j), pel_texel(p, kind, i + 1, j),
@@ -77,16 +73,15 @@ static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
 
 /* A run of a kind that is read without a call. */
 static void fast_run(const struct pel_texture *p,
-                     const struct pel_texture_axis *u,
-                     const struct pel_texture_axis *v, int32_t n,
+                     const struct pel_texture_axes *a, int32_t n,
                      pel_color *out)
 {
     if (p->kind == PEL_TEXTURE_COLORS)
-        inner_run(p, PEL_TEXTURE_COLORS, u, v, n, out);
+        inner_run(p, PEL_TEXTURE_COLORS, a, n, out);
     else if (p->kind == PEL_TEXTURE_XRGB8888)
-        inner_run(p, PEL_TEXTURE_XRGB8888, u, v, n, out);
+        inner_run(p, PEL_TEXTURE_XRGB8888, a, n, out);
     else
-        inner_run(p, PEL_TEXTURE_RGB565_LE, u, v, n, out);
+        inner_run(p, PEL_TEXTURE_RGB565_LE, a, n, out);
 }
 
 #endif
@@ -95,19 +90,15 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
     const struct pel_texture *p = (const void *)paint;
-    struct pel_texture_axis u, v;
-    start(&u, &p->map.u, x, y);
-    start(&v, &p->map.v, x, y);
-    pel_texture_axis_wrap(&u, p->width, p->wrap_u);
-    pel_texture_axis_wrap(&v, p->height, p->wrap_v);
+    struct pel_texture_axes a;
+    pel_texture_axes_start(&a, p, x, y, half_back);
 #if PEL_FAST_64BIT
-    if (p->kind != PEL_TEXTURE_ANY && pel_texture_axis_inside(&u, n, 1) &&
-        pel_texture_axis_inside(&v, n, 1)) {
-        fast_run(p, &u, &v, n, out);
+    if (p->kind != PEL_TEXTURE_ANY && pel_texture_axes_inside(&a, n, 1)) {
+        fast_run(p, &a, n, out);
         return;
     }
 #endif
-    outer_run(p, &u, &v, n, out);
+    outer_run(p, &a, n, out);
 }
 
 enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,

@@ -23,7 +23,7 @@ enum pel_status pel_texture_set(struct pel_texture *paint,
 #if PEL_FAST_64BIT
 #define PEL_TEXTURE_INLINE PEL_ALWAYS_INLINE
 #else
-#define PEL_TEXTURE_INLINE
+#define PEL_TEXTURE_INLINE inline
 #endif
 
 static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,
@@ -103,6 +103,39 @@ static inline int32_t pel_texture_axis_texel(const struct pel_texture_axis *a,
     if (a->wrap == PEL_CLAMP)
         return i < 0 ? 0 : a->size - 1;
     return i == a->period ? 0 : 2 * a->size - 1 - i;
+}
+
+/* Both coordinates. */
+struct pel_texture_axes {
+    struct pel_texture_axis u, v;
+};
+
+/* From pixel (x, y) on, less `back`. */
+static inline void pel_texture_axes_start(struct pel_texture_axes *a,
+                                          const struct pel_texture *p,
+                                          int32_t x, int32_t y, uint32_t back)
+{
+    pel_texture_axis_start(&a->u, &p->map.u, x, y);
+    pel_texture_axis_start(&a->v, &p->map.v, x, y);
+    a->u.at -= back;
+    a->v.at -= back;
+    pel_texture_axis_wrap(&a->u, p->width, p->wrap_u);
+    pel_texture_axis_wrap(&a->v, p->height, p->wrap_v);
+}
+
+/* One pixel to the right. */
+static inline void pel_texture_axes_step(struct pel_texture_axes *a)
+{
+    a->u.at += a->u.step;
+    a->v.at += a->v.step;
+}
+
+/* Are texels `at` to `at + more` of n pixels inside the picture, both ways? */
+static inline bool pel_texture_axes_inside(const struct pel_texture_axes *a,
+                                           int32_t n, int32_t more)
+{
+    return pel_texture_axis_inside(&a->u, n, more) &&
+           pel_texture_axis_inside(&a->v, n, more);
 }
 
 #endif

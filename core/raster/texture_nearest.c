@@ -1,28 +1,18 @@
 #include "../format/word16.h"
 #include "texture_fetch.h"
 
-static void start(const struct pel_texture *p, int32_t x, int32_t y,
-                  struct pel_texture_axis *u, struct pel_texture_axis *v)
+/* The texel where the axis is, or the one that stands for it. */
+static inline int32_t in_picture(struct pel_texture_axis *a)
 {
-    pel_texture_axis_start(u, &p->map.u, x, y);
-    pel_texture_axis_start(v, &p->map.v, x, y);
-    pel_texture_axis_wrap(u, p->width, p->wrap_u);
-    pel_texture_axis_wrap(v, p->height, p->wrap_v);
+    return pel_texture_axis_texel(a, pel_texture_axis_index(a));
 }
 
-static bool inside(const struct pel_texture_axis *u,
-                   const struct pel_texture_axis *v, int32_t n)
+static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
+                      int32_t n, pel_color *out)
 {
-    return pel_texture_axis_inside(u, n, 0) && pel_texture_axis_inside(v, n, 0);
-}
-
-static void outer_run(const struct pel_texture *p, struct pel_texture_axis *u,
-                      struct pel_texture_axis *v, int32_t n, pel_color *out)
-{
-    for (; n > 0; n--, u->at += u->step, v->at += v->step) {
-        int32_t i = pel_texture_axis_index(u), j = pel_texture_axis_index(v);
-        *out++ = pel_texel(p, p->kind, pel_texture_axis_texel(u, i),
-                           pel_texture_axis_texel(v, j));
+    for (; n > 0; n--, pel_texture_axes_step(a)) {
+        int32_t u = in_picture(&a->u), v = in_picture(&a->v);
+        *out++ = pel_texel(p, p->kind, u, v);
     }
 }
 
@@ -30,27 +20,26 @@ static void outer_run(const struct pel_texture *p, struct pel_texture_axis *u,
 
 /* A run that does not leave the picture. */
 static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
-                                        const struct pel_texture_axis *along_u,
-                                        const struct pel_texture_axis *along_v,
+                                        const struct pel_texture_axes *a,
                                         int32_t n, pel_color *out)
 {
-    uint64_t u = along_u->at, v = along_v->at;
-    for (; n > 0; n--, u += along_u->step, v += along_v->step)
+    const uint64_t du = a->u.step, dv = a->v.step;
+    uint64_t u = a->u.at, v = a->v.at;
+    for (; n > 0; n--, u += du, v += dv)
         *out++ = pel_texel(p, kind, (int32_t)(u >> 32), (int32_t)(v >> 32));
 }
 
 /* A run of a kind that is read without a call. */
 static void fast_run(const struct pel_texture *p,
-                     const struct pel_texture_axis *u,
-                     const struct pel_texture_axis *v, int32_t n,
+                     const struct pel_texture_axes *a, int32_t n,
                      pel_color *out)
 {
     if (p->kind == PEL_TEXTURE_COLORS)
-        inner_run(p, PEL_TEXTURE_COLORS, u, v, n, out);
+        inner_run(p, PEL_TEXTURE_COLORS, a, n, out);
     else if (p->kind == PEL_TEXTURE_XRGB8888)
-        inner_run(p, PEL_TEXTURE_XRGB8888, u, v, n, out);
+        inner_run(p, PEL_TEXTURE_XRGB8888, a, n, out);
     else
-        inner_run(p, PEL_TEXTURE_RGB565_LE, u, v, n, out);
+        inner_run(p, PEL_TEXTURE_RGB565_LE, a, n, out);
 }
 
 #endif
@@ -59,46 +48,43 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
     const struct pel_texture *p = (const void *)paint;
-    struct pel_texture_axis u, v;
-    start(p, x, y, &u, &v);
+    struct pel_texture_axes a;
+    pel_texture_axes_start(&a, p, x, y, 0);
 #if PEL_FAST_64BIT
-    if (p->kind != PEL_TEXTURE_ANY && inside(&u, &v, n)) {
-        fast_run(p, &u, &v, n, out);
+    if (p->kind != PEL_TEXTURE_ANY && pel_texture_axes_inside(&a, n, 0)) {
+        fast_run(p, &a, n, out);
         return;
     }
 #endif
-    outer_run(p, &u, &v, n, out);
+    outer_run(p, &a, n, out);
 }
 
 /* Everything that the loop needs is in registers of a Cortex-M. */
 static void copy_inner_run(const struct pel_texture *p,
-                           const struct pel_texture_axis *along_u,
-                           const struct pel_texture_axis *along_v, int32_t n,
+                           const struct pel_texture_axes *a, int32_t n,
                            pel_word16 *out)
 {
     const uint8_t *const memory = p->memory;
     const int32_t stride = p->stride;
-    const uint64_t du = along_u->step, dv = along_v->step;
-    uint64_t u = along_u->at, v = along_v->at;
+    const uint64_t du = a->u.step, dv = a->v.step;
+    uint64_t u = a->u.at, v = a->v.at;
     for (const pel_word16 *end = out + n; out != end; u += du, v += dv) {
         const void *line = memory + (int32_t)(v >> 32) * (ptrdiff_t)stride;
         *out++ = ((const pel_word16 *)line)[(int32_t)(u >> 32)];
     }
 }
 
-static void copy_run(const struct pel_texture *p, struct pel_texture_axis *u,
-                     struct pel_texture_axis *v, int32_t n, pel_word16 *out)
+static void copy_run(const struct pel_texture *p, struct pel_texture_axes *a,
+                     int32_t n, pel_word16 *out)
 {
-    if (inside(u, v, n)) {
-        copy_inner_run(p, u, v, n, out);
+    if (pel_texture_axes_inside(a, n, 0)) {
+        copy_inner_run(p, a, n, out);
         return;
     }
-    for (; n > 0; n--, u->at += u->step, v->at += v->step) {
-        int32_t i = pel_texture_axis_index(u), j = pel_texture_axis_index(v);
-        int32_t column = pel_texture_axis_texel(u, i);
-        const void *line =
-            p->memory + pel_texture_axis_texel(v, j) * (ptrdiff_t)p->stride;
-        *out++ = ((const pel_word16 *)line)[column];
+    for (; n > 0; n--, pel_texture_axes_step(a)) {
+        int32_t u = in_picture(&a->u), v = in_picture(&a->v);
+        const void *line = p->memory + v * (ptrdiff_t)p->stride;
+        *out++ = ((const pel_word16 *)line)[u];
     }
 }
 
@@ -117,14 +103,13 @@ static bool copy(const struct pel_color_paint *paint,
     const struct pel_texture *p = (const void *)paint;
     const struct pel_surface *s = rows->surface;
     const struct pel_row *row = rows->row;
-    struct pel_texture_axis u, v;
+    struct pel_texture_axes a;
     if (!p->surface || p->surface->format != s->format || !is_565(s->format))
         return false;
     for (int32_t i = 0, y = rows->y; i < rows->n; i++, row++, y += rows->step)
         if (row->x0 < row->x1) {
-            start(p, row->x0, y, &u, &v);
-            copy_run(p, &u, &v, row->x1 - row->x0,
-                     pel_address16(s, row->x0, y));
+            pel_texture_axes_start(&a, p, row->x0, y, 0);
+            copy_run(p, &a, row->x1 - row->x0, pel_address16(s, row->x0, y));
         }
     return true;
 }

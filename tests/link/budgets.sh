@@ -6,7 +6,7 @@ set -eu
 limits=$(dirname "$0")/budgets.tsv
 new=${1%/*}/budgets.new
 status=0
-form='%-14s %-18s %6s %6s %6s %6s %6s %6s\n'
+form='%-14s %-18s %6s %6s %6s %6s %6s %6s %6s\n'
 awk -F '\t' -v OFS='\t' -v form="$form" -v accept="${2-}" -v new="$new" '
     function over(what, bytes, limit, kind) {
         if (limit == "-" || bytes + 0 <= limit + 0)
@@ -18,6 +18,7 @@ awk -F '\t' -v OFS='\t' -v form="$form" -v accept="${2-}" -v new="$new" '
     FNR == NR {
         size[$1 FS $2] = $3 + $4
         depth[$1 FS $2] = $6
+        used[$1 FS $2] = $7
         if (FNR > 1 && $2 !~ /\//)
             unnamed[$1 FS $2] = 1
         next
@@ -25,7 +26,7 @@ awk -F '\t' -v OFS='\t' -v form="$form" -v accept="${2-}" -v new="$new" '
     /^#/ || NF == 0 { print > new; next }
     FNR > 1 && !header++ {
         printf form, "cpu", "feature", "text", "was", "budget", "stack",
-            "was", "budget"
+            "was", "used", "budget"
     }
     {
         if (!(($1 FS $2) in size)) {
@@ -36,9 +37,9 @@ awk -F '\t' -v OFS='\t' -v form="$form" -v accept="${2-}" -v new="$new" '
         delete unnamed[$1 FS $2]
         text = size[$1 FS $2]
         stack = depth[$1 FS $2]
-        printf form, $1, $2, text, $3, $4, stack, $5, $6
+        printf form, $1, $2, text, $3, $4, stack, $5, used[$1 FS $2], $6
         over("code", text, $4, "budget")
-        over("stack", stack, $6, "budget")
+        over("stack", used[$1 FS $2], $6, "budget")
         if (!accept) {
             over("code", text, $3, "was")
             over("stack", stack, $5, "was")

@@ -1,0 +1,107 @@
+#!/bin/sh
+# Scripts with gradients, textures and dither: what is refused and with which
+# words, pairs that must draw the same, and colours that are known.
+set -u
+PEL=${PEL:-build/pel}
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+fail() {
+    echo "FAILED: $*" >&2
+    failures=$((failures + 1))
+}
+
+# draw SCRIPT OUT
+draw() {
+    { echo "canvas 32 32 xrgb8888"; printf '%b\n' "$1"; } >"$work/s.pel"
+    "$PEL" run "$work/s.pel" -o "$2" || fail "refused: $1"
+}
+
+# refused LINE TEXT: after a canvas in line 1, the script on standard input.
+refused() {
+    { echo "canvas 32 32 xrgb8888"; cat; } >"$work/s.pel"
+    rm -f "$work/o.ppm"
+    "$PEL" run "$work/s.pel" -o "$work/o.ppm" >"$work/out" 2>"$work/err"
+    got=$?
+    [ $got = 2 ] || fail "status $got, not 2, for: $2"
+    grep -qF "pel: $work/s.pel:$1: $2" "$work/err" ||
+        fail "no '$1: $2' in: $(cat "$work/err")"
+    [ "$(wc -l <"$work/err")" = 1 ] || fail "more than a line: $2"
+    [ ! -e "$work/o.ppm" ] || fail "output in spite of: $2"
+}
+
+# same FIRST SECOND: two scripts draw the same; differ: not the same.
+same() {
+    draw "$1" "$work/1.ppm"
+    draw "$2" "$work/2.ppm"
+    cmp -s "$work/1.ppm" "$work/2.ppm" || fail "not the same: $1 / $2"
+}
+differ() {
+    draw "$1" "$work/1.ppm"
+    draw "$2" "$work/2.ppm"
+    ! cmp -s "$work/1.ppm" "$work/2.ppm" || fail "the same: $1 / $2"
+}
+
+# pixel SCRIPT X Y RRGGBB: of a 32 x 32 picture, whose PPM header has 13 bytes.
+pixel() {
+    draw "$1" "$work/p.ppm"
+    got=$(od -An -tx1 -j $((13 + 3 * (32 * $3 + $2))) -N 3 "$work/p.ppm" |
+        tr -d ' ')
+    [ "$got" = "$4" ] || fail "$1: pixel $2 $3 is $got, not $4"
+}
+
+all='rect 0 0 32 32'
+pixel "paint linear 8 0 #112233 24 0 #ffffff\n$all" 3 9 112233
+pixel "paint linear 8 0 #112233 24 0 #ffffff\n$all" 30 9 ffffff
+pixel "paint linear stops 0 0 32 0 0 #ff0000 0.5 #ff0000 0.5 #0000ff 1 #0000ff\n$all" 15 3 ff0000
+pixel "paint linear stops 0 0 32 0 0 #ff0000 0.5 #ff0000 0.5 #0000ff 1 #0000ff\n$all" 16 3 0000ff
+pixel "paint radial 16 16 10 0 #00ff00 1 #0000ff\n$all" 0 0 0000ff
+pixel "paint conic 16 16 0.25 0 #00ff00 0.5 #00ff00 0.5 #0000ff 1 #0000ff\n$all" 3 16 00ff00
+pixel "paint conic 16 16 0.25 0 #00ff00 0.5 #00ff00 0.5 #0000ff 1 #0000ff\n$all" 30 16 0000ff
+pixel "paint wheel 16.5 16.5 0 255 255\n$all" 30 16 ff0000
+pixel "paint wheel 16.5 16.5 0 255 255\n$all" 2 16 00ffff
+pixel "paint linear 0 0 #00ff0000 32 0 #00ff0000\n$all" 5 5 000000
+
+same "paint fan 0 0 #ff0000 32 0 #00ff00 32 32 #0000ff 0 32 #ffffff\n$all" \
+    "paint fan 0 32 #ffffff 32 32 #0000ff 32 0 #00ff00 0 0 #ff0000\n$all"
+same "paint radial 16 16 5 0 #ffffff 1 #000000\nrect 0 0 9 32\nrect 9 0 23 32" \
+    "paint radial 16 16 5 0 #ffffff 1 #000000\n$all"
+differ "paint radial 16 16 5 0 #ffffff 1 #000000\n$all" \
+    "option spread repeat\npaint radial 16 16 5 0 #ffffff 1 #000000\n$all"
+differ "option phase 0.5\npaint radial 16 16 5 0 #ffffff 1 #000000\n$all" \
+    "paint radial 16 16 5 0 #ffffff 1 #000000\n$all"
+same "option dither on\npaint linear 0 0 #000000 32 0 #ffffff\n$all" \
+    "paint linear 0 0 #000000 32 0 #ffffff\n$all"
+
+printf 'P6 2 2 255\n\377\0\0\0\377\0\0\0\377\377\377\377' >"$work/t.ppm"
+pixel "paint texture t.ppm 4 5\n$all" 5 5 00ff00
+pixel "paint texture t.ppm 4 5\n$all" 30 30 ffffff
+pixel "option wrap repeat\npaint texture t.ppm 4 5\n$all" 6 5 ff0000
+pixel "option wrap mirror\npaint texture t.ppm 4 5\n$all" 6 5 00ff00
+pixel "paint texture map t.ppm 0 0 0 0 32 0 2 0 0 32 0 2\n$all" 15 15 ff0000
+pixel "paint texture map t.ppm 0 0 0 0 32 0 2 0 0 32 0 2\n$all" 16 15 00ff00
+differ "option filter bilinear\npaint texture map t.ppm 0 0 0 0 32 0 2 0 0 32 0 2\n$all" \
+    "paint texture map t.ppm 0 0 0 0 32 0 2 0 0 32 0 2\n$all"
+
+echo 'paint linear 3 4 #000000 3 4 #ffffff' |
+    refused 2 'paint linear: the two points must not be the same'
+echo 'paint linear stops 3 4 9 4 0.5 #000000 0.4 #ffffff' |
+    refused 2 'paint linear stops: a stop must not lie before'
+echo 'paint linear stops 3 4 9 4 0.5 #000000 1.1 #ffffff' |
+    refused 2 'paint linear stops: 1.1 must be a part of the way, 0 to 1'
+echo 'paint radial 3 4 0.5 0 #000000 1 #ffffff' |
+    refused 2 'paint radial: the radius must be 1 or more'
+echo 'paint radial 3 4 5 0 #000000' |
+    refused 2 'paint radial takes 7 values or more, in pairs, not 5'
+echo 'paint fan 0 0 #ff0000 9 0 #00ff00' |
+    refused 2 'paint fan takes 9 values or more, in threes, not 6'
+echo 'paint fan 0 0 #ff0000 9 0 #00ff00 9 9 #00ff00 1' |
+    refused 2 'paint fan takes 9 values or more, in threes, not 10'
+echo 'paint fan 0 0 #ff0000 9 0 #00ff00 18 0 #00ff00' |
+    refused 2 'paint fan: the points must go around their middle once'
+echo 'paint texture nothing.ppm 0 0' | refused 2 ''
+echo 'option spread more' | refused 2 'unknown command option spread'
+
+[ $failures = 0 ] && echo "paints in scripts: all right"
+[ $failures = 0 ]
