@@ -4,9 +4,11 @@
  *
  * In row y the disc holds the columns at a distance u from its centre with
  * u^2 <= reach, where reach is radius^2 - v^2 for a circle and v the distance
- * of the row; for an ellipse it is scaled (ellipse.c). Each side of the run is
- * a walk over columns by Bresenham's scheme, without a multiplication: d =
- * reach - u^2 of the next column outwards, which joins when d >= 0.
+ * of the row; for an ellipse it is scaled (ellipse_walk.h). Each side of the
+ * run is a walk over columns by Bresenham's scheme: since (u + 256)^2 - u^2 =
+ * 512 (u + 128), the low 9 bits c of u^2 are the same in all columns, and
+ * u^2 <= reach is w <= floor((reach - c) / 512) with w = (u^2 - c) / 512, which
+ * grows by u + 128 from column to column.
  *
  * The walk is bounded by the clip: it begins at the column of the clip that is
  * nearest to the centre and takes no column that is not visible. From row to
@@ -16,7 +18,7 @@
  * around right_x >= left_x, and all columns between them. Then reach must not
  * be negative; in a plain disc a negative reach gives an empty run.
  *
- * Ranges: |u| and |v| at most 2^25, |reach| and |d| below 2^52. */
+ * Ranges: |u| and |v| at most 2^25, |reach| below 2^52. */
 #ifndef PEL_RASTER_DISC_H
 #define PEL_RASTER_DISC_H
 
@@ -24,7 +26,7 @@
 #include "../base/format.h"
 
 struct pel_disc_side {
-    int64_t d;              /* of the next column outwards */
+    int64_t w;              /* of the next column outwards */
     int32_t u;              /* its distance */
     int32_t columns, limit; /* in the run now; those that the clip shows */
     int32_t inner;          /* px: where the run's columns end or begin */
@@ -39,10 +41,10 @@ static inline bool pel_radius_legal(int32_t radius)
     return radius >= 0 && radius <= PEL_PX(32767);
 }
 
-/* (u + 256)^2 - u^2: what one column or row further out takes from d. */
-static inline int64_t pel_square_step(int32_t u)
+/* (v + 256)^2 - v^2: what one row further out takes from the reach. */
+static inline int64_t pel_square_step(int32_t v)
 {
-    return (int64_t)u * 512 + 65536;
+    return (int64_t)v * 512 + 65536;
 }
 
 static inline int64_t pel_square(int32_t u)
@@ -50,18 +52,11 @@ static inline int64_t pel_square(int32_t u)
     return (int64_t)u * u;
 }
 
-/* At a row with this reach, for the columns of `clip`. */
+/* For the columns of `clip`, before the first row. */
 void pel_disc_start(struct pel_disc *disc, int32_t left_x, int32_t right_x,
-                    int64_t reach, const struct pel_rect *clip);
+                    const struct pel_rect *clip);
 
-/* The visible run of the present row. */
-struct pel_row pel_disc_row(struct pel_disc *disc);
-
-/* Moves on to a row whose reach is greater by `change`. */
-static inline void pel_disc_next(struct pel_disc *disc, int64_t change)
-{
-    disc->left.d += change;
-    disc->right.d += change;
-}
+/* The visible run of a row with this reach. */
+struct pel_row pel_disc_row(struct pel_disc *disc, int64_t reach);
 
 #endif

@@ -5,7 +5,8 @@
 #include "disc.h"
 
 struct pel_disc_walk {
-    struct pel_disc disc; /* at row y */
+    struct pel_disc disc;
+    int64_t reach; /* of row y */
     int32_t y, end;
     int32_t v; /* distance of row y from the centre */
 };
@@ -14,9 +15,15 @@ struct pel_disc_walk {
 bool pel_disc_walk_start(struct pel_disc_walk *w, struct pel_point center,
                          int32_t radius, const struct pel_rect *clip);
 
+/* The run of row y. */
+static inline struct pel_row pel_disc_walk_row(struct pel_disc_walk *w)
+{
+    return pel_disc_row(&w->disc, w->reach);
+}
+
 static inline void pel_disc_walk_next(struct pel_disc_walk *w)
 {
-    pel_disc_next(&w->disc, -pel_square_step(w->v));
+    w->reach -= pel_square_step(w->v);
     w->v += 256;
     w->y++;
 }

@@ -7,6 +7,5 @@ bool pel_hit_circle(struct pel_point center, int32_t radius, int32_t x,
 {
     struct pel_point p;
     return pel_hit_pixel(x, y, &p) && pel_points_legal(&center, 1) &&
-           pel_radius_legal(radius) &&
-           pel_hit_distance(p, center) <= pel_square(radius);
+           pel_radius_legal(radius) && pel_hit_disc(p, center, radius);
 }

@@ -15,10 +15,13 @@ static inline bool pel_hit_pixel(int32_t x, int32_t y, struct pel_point *p)
     return true;
 }
 
-/* Squared distance: below 2^51. */
-static inline int64_t pel_hit_distance(struct pel_point a, struct pel_point b)
+/* In the closed disc? Most pixels are outside of its square. */
+static inline bool pel_hit_disc(struct pel_point p, struct pel_point center,
+                                int32_t radius)
 {
-    return pel_square(a.x - b.x) + pel_square(a.y - b.y);
+    const int32_t dx = p.x - center.x, dy = p.y - center.y;
+    return dx <= radius && dx >= -radius && dy <= radius && dy >= -radius &&
+           pel_square(dx) + pel_square(dy) <= pel_square(radius);
 }
 
 /* In the range of angles around the centre? Rule: raster/wedge.h. */

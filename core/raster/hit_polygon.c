@@ -17,6 +17,10 @@ static int32_t crossing(const struct pel_point *a, const struct pel_point *b,
     }
     if (p.y < a->y || p.y >= b->y)
         return 0;
+    if (p.x < a->x && p.x < b->x)
+        return 0;
+    if (p.x >= a->x && p.x >= b->x)
+        return winding;
     int64_t right = (int64_t)(p.x - a->x) * (b->y - a->y);
     int64_t edge = (int64_t)(p.y - a->y) * (b->x - a->x);
     return right >= edge ? winding : 0;

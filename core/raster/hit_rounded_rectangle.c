@@ -20,5 +20,5 @@ bool pel_hit_rounded_rectangle(const struct pel_rounded_shape *rectangle,
     int32_t r = pel_min(rectangle->radius, half);
     const struct pel_point inner = {nearest(p.x, from.x + r, to.x - r),
                                     nearest(p.y, from.y + r, to.y - r)};
-    return pel_hit_distance(p, inner) <= pel_square(r);
+    return pel_hit_disc(p, inner, r);
 }

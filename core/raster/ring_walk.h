@@ -7,7 +7,8 @@
 
 struct pel_ring_walk {
     struct pel_disc_walk outer;
-    struct pel_disc hole; /* at the same row */
+    struct pel_disc hole;
+    int64_t less; /* outer^2 - inner^2: the hole's reach is so much less */
 };
 
 /* false: nothing is covered, or the ring is out of range (PEL_ASSERT). */
@@ -20,15 +21,21 @@ static inline bool pel_ring_start(struct pel_ring_walk *w,
     if (!pel_radius_legal(ring->inner) ||
         !pel_disc_walk_start(&w->outer, center, ring->outer, clip))
         return false;
-    pel_disc_start(&w->hole, center.x, center.x,
-                   pel_square(ring->inner) - pel_square(w->outer.v), clip);
+    w->less = pel_square(ring->outer) - pel_square(ring->inner);
+    pel_disc_start(&w->hole, center.x, center.x, clip);
     return true;
 }
 
-static inline void pel_ring_next(struct pel_ring_walk *w)
+/* The runs of the row in which w->outer stands: of the whole, and of the hole,
+ * which may be empty. */
+static inline struct pel_row pel_ring_outer(struct pel_ring_walk *w)
 {
-    pel_disc_next(&w->hole, -pel_square_step(w->outer.v));
-    pel_disc_walk_next(&w->outer);
+    return pel_disc_walk_row(&w->outer);
+}
+
+static inline struct pel_row pel_ring_hole(struct pel_ring_walk *w)
+{
+    return pel_disc_row(&w->hole, w->outer.reach - w->less);
 }
 
 #endif

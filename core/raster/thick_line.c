@@ -3,13 +3,19 @@
 #include "disc.h"
 #include "triangle.h"
 
-/* floor(sqrt(n)) for n < 2^62, a bit at a time. */
+/* floor(sqrt(n)) for n < 2^62: two bits of n for each bit of the root, as one
+ * extracts it by hand. */
 static int64_t root(uint64_t n)
 {
     uint64_t r = 0;
-    for (uint64_t bit = UINT64_C(1) << 30; bit; bit >>= 1)
-        if ((r + bit) * (r + bit) <= n)
+    for (uint64_t bit = UINT64_C(1) << 60; bit; bit >>= 2) {
+        const uint64_t more = r + bit;
+        r >>= 1;
+        if (n >= more) {
+            n -= more;
             r += bit;
+        }
+    }
     return (int64_t)r;
 }
 
