@@ -22,7 +22,7 @@ TEST_FLAGS_san := $(TEST_SANITIZE)
 TEST_FLAGS_assert := $(TEST_SANITIZE) \
     -DPEL_CONFIG_FILE='"tests/support/assert_config.h"'
 TEST_FLAGS_small := -O2 -DPEL_FAST_64BIT=0 -DPEL_LONG_MULTIPLY=0 \
-    -DPEL_BATCH_ROWS=8 -DPEL_BUFFER_PIXELS=8
+    -DPEL_BATCH_ROWS=8 -DPEL_BUFFER_PIXELS=4
 TEST_FLAGS_large := -O2 -DPEL_FAST_64BIT=0 -DPEL_LONG_MULTIPLY=1 \
     -DPEL_BATCH_ROWS=255 -DPEL_BUFFER_PIXELS=255
 TEST_BUILDS := host portable san assert small large
@@ -65,9 +65,9 @@ include tests/tools/mutants.mk
 # The portable build with other names, to be linked beside the default one.
 $(T)/portable_core.o: $(T)/portable/libpel.a
 	$(LD) -r --whole-archive $< -o $@
+	nm -u $@ | awk '{ print "portable_" $$2, $$2 }' >$@.libc
 	objcopy --prefix-symbols=portable_ $@
-	objcopy --redefine-sym portable_memcpy=memcpy \
-	    --redefine-sym portable_memset=memset $@
+	objcopy --redefine-syms=$@.libc $@
 $(TEST_TWINS:%=$(T)/host/%) $(TEST_TWINS:%=$(T)/san/%): $(T)/portable_core.o
 
 # Tests of the host program: its sources but for main.

@@ -25,9 +25,11 @@ enum pel_format_id {
     PEL_FORMAT_GRAY8,         /*  8 */
     PEL_FORMAT_GRAY4,         /*  4: left pixel in the high half of the byte */
     PEL_FORMAT_MONO1,         /*  1: left pixel in the high bit */
-    PEL_FORMAT_MONO1_PAGES    /*  1: a byte is 8 rows of a column, top in bit 0;
+    PEL_FORMAT_MONO1_PAGES,   /*  1: a byte is 8 rows of a column, top in bit 0;
                                   a surface's stride is that of a page of rows,
                                   its top row a multiple of 8 */
+    PEL_FORMAT_ARGB8888       /* 32: A 31..24, R, G, B 7..0: a source with alpha
+                                  (image/argb8888.h), not a display's format */
 };
 
 struct pel_surface;
@@ -60,7 +62,7 @@ struct pel_format {
     /* One opaque pixel value into every run. */
     void (*fill)(const struct pel_rows *rows, uint32_t pixel);
 
-    /* The color over every run, weighted by its alpha. NULL in the fill-only
+    /* The color over every run, weighted by its alpha, 1..254. NULL in the fill-only
      * twins, like put and load: what needs them draws nothing there. */
     void (*blend)(const struct pel_rows *rows, pel_color color);
 

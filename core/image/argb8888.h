@@ -4,8 +4,6 @@
 
 #include "../base/format.h"
 
-enum { PEL_FORMAT_ARGB8888 = PEL_FORMAT_MONO1_PAGES + 1 };
-
 /* 32: A 31..24, R, G, B 7..0. Loads and unpacks to colours with their alpha;
  * what is drawn into it becomes opaque, as in xrgb8888. */
 extern const struct pel_format pel_argb8888;

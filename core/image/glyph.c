@@ -4,7 +4,7 @@
 
 static bool bit_at(const uint8_t *row, int32_t i)
 {
-    return row[i >> 3] << (i & 7) & 0x80;
+    return row[i >> 3] >> (7 - (i & 7)) & 1;
 }
 
 /* The first of the bits i..end - 1 that is as wanted; end when none is. Whole

@@ -15,9 +15,9 @@ void pel_arc(const struct pel_surface *surface, const struct pel_arc_shape *arc,
                          &surface->clip))
         return;
     pel_cut_begin(&cut, surface, paint);
-    for (; w.outer.y < w.outer.end; pel_disc_walk_next(&w.outer)) {
-        struct pel_row run = pel_ring_outer(&w);
-        struct pel_row hole = pel_ring_hole(&w);
+    for (; w.outer.y < w.outer.end; pel_ring_next(&w)) {
+        struct pel_row run = pel_disc_row(&w.outer.disc);
+        struct pel_row hole = pel_disc_row(&w.hole);
         pel_wedge_cut(&wedge, &cut, w.outer.y, run, hole);
         pel_cut_paint(&cut, w.outer.y);
     }

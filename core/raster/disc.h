@@ -26,7 +26,7 @@
 #include "../base/format.h"
 
 struct pel_disc_side {
-    int64_t w;              /* of the next column outwards */
+    int64_t d;              /* of the next column outwards */
     int32_t u;              /* its distance */
     int32_t columns, limit; /* in the run now; those that the clip shows */
     int32_t inner;          /* px: where the run's columns end or begin */
@@ -52,11 +52,21 @@ static inline int64_t pel_square(int32_t u)
     return (int64_t)u * u;
 }
 
-/* For the columns of `clip`, before the first row. */
+/* At a row with this reach, for the columns of `clip`. */
 void pel_disc_start(struct pel_disc *disc, int32_t left_x, int32_t right_x,
-                    const struct pel_rect *clip);
+                    int64_t reach, const struct pel_rect *clip);
 
-/* The visible run of a row with this reach. */
-struct pel_row pel_disc_row(struct pel_disc *disc, int64_t reach);
+/* The visible run of the present row. */
+struct pel_row pel_disc_row(struct pel_disc *disc);
+
+/* Moves on to a row whose reach is 512 * change greater. */
+static inline void pel_disc_step(struct pel_disc *disc, int32_t change)
+{
+    disc->left.d += change;
+    disc->right.d += change;
+}
+
+/* Moves on from a row with one reach to a row with another. */
+void pel_disc_change(struct pel_disc *disc, int64_t from, int64_t to);
 
 #endif

@@ -12,7 +12,7 @@ bool pel_disc_walk_start(struct pel_disc_walk *w, struct pel_point center,
     w->y = pel_max(pel_first_pixel(center.y - radius), clip->y0);
     w->end = pel_min(pel_pixel_of(center.y + radius + 128), clip->y1);
     w->v = pel_pixel_center(w->y) - center.y;
-    w->reach = pel_square(radius) - pel_square(w->v);
-    pel_disc_start(&w->disc, center.x, center.x, clip);
+    pel_disc_start(&w->disc, center.x, center.x,
+                   pel_square(radius) - pel_square(w->v), clip);
     return w->y < w->end;
 }

@@ -5,8 +5,7 @@
 #include "disc.h"
 
 struct pel_disc_walk {
-    struct pel_disc disc;
-    int64_t reach; /* of row y */
+    struct pel_disc disc; /* at row y */
     int32_t y, end;
     int32_t v; /* distance of row y from the centre */
 };
@@ -15,15 +14,16 @@ struct pel_disc_walk {
 bool pel_disc_walk_start(struct pel_disc_walk *w, struct pel_point center,
                          int32_t radius, const struct pel_rect *clip);
 
-/* The run of row y. */
-static inline struct pel_row pel_disc_walk_row(struct pel_disc_walk *w)
+/* What a step to the next row takes from the reach, in 512ths:
+ * ((v + 256)^2 - v^2) / 512. */
+static inline int32_t pel_disc_walk_step(const struct pel_disc_walk *w)
 {
-    return pel_disc_row(&w->disc, w->reach);
+    return w->v + 128;
 }
 
 static inline void pel_disc_walk_next(struct pel_disc_walk *w)
 {
-    w->reach -= pel_square_step(w->v);
+    pel_disc_step(&w->disc, -pel_disc_walk_step(w));
     w->v += 256;
     w->y++;
 }

@@ -74,13 +74,15 @@ bool pel_ellipse_start(struct pel_ellipse_walk *w,
     if (w->y >= w->end)
         return false;
     row_start(w, radius, pel_pixel_center(w->y) - center.y);
-    pel_disc_start(&w->disc, center.x, center.x, clip);
+    pel_disc_start(&w->disc, center.x, center.x, w->reach.q, clip);
     return true;
 }
 
 void pel_ellipse_next(struct pel_ellipse_walk *w)
 {
+    const int64_t reach = w->reach.q;
     add(&w->reach, &w->change, w->b2);
     add(&w->change, &w->bend, w->b2);
+    pel_disc_change(&w->disc, reach, w->reach.q);
     w->y++;
 }

@@ -24,8 +24,8 @@ struct pel_quotient {
 };
 
 struct pel_ellipse_walk {
-    struct pel_disc disc;
-    struct pel_quotient reach, change, bend; /* of row y */
+    struct pel_disc disc; /* at row y */
+    struct pel_quotient reach, change, bend;
     int64_t b2;
     int32_t y, end;
 };
@@ -34,12 +34,6 @@ struct pel_ellipse_walk {
 bool pel_ellipse_start(struct pel_ellipse_walk *w,
                        const struct pel_ellipse_shape *e,
                        const struct pel_rect *clip);
-
-/* The run of row y. */
-static inline struct pel_row pel_ellipse_row(struct pel_ellipse_walk *w)
-{
-    return pel_disc_row(&w->disc, w->reach.q);
-}
 
 void pel_ellipse_next(struct pel_ellipse_walk *w);
 

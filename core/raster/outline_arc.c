@@ -21,7 +21,7 @@ void pel_arc_outline(const struct pel_surface *surface,
         return;
     pel_outline_begin(&o, surface, paint);
     for (; w.y <= w.end; pel_disc_walk_next(&w)) {
-        struct pel_row row = w.y < w.end ? pel_disc_walk_row(&w) : none;
+        struct pel_row row = w.y < w.end ? pel_disc_row(&w.disc) : none;
         if (!pel_outline_next(&o, w.y, row, &run, &inside))
             continue;
         pel_wedge_cut(&wedge, &o.cut, w.y - 1, run, inside);

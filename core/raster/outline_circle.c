@@ -16,5 +16,5 @@ void pel_circle_outline(const struct pel_surface *surface,
         return;
     pel_outline_begin(&o, surface, paint);
     for (; w.y <= w.end; pel_disc_walk_next(&w))
-        pel_outline_put(&o, w.y, w.y < w.end ? pel_disc_walk_row(&w) : none);
+        pel_outline_put(&o, w.y, w.y < w.end ? pel_disc_row(&w.disc) : none);
 }

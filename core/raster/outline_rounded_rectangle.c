@@ -14,6 +14,6 @@ void pel_rounded_rectangle_outline(const struct pel_surface *surface,
     if (pel_rect_empty(&surface->clip) || !pel_rounded_start(&w, r, &clip))
         return;
     pel_outline_begin(&o, surface, paint);
-    for (; w.y <= w.end; w.y++)
-        pel_outline_put(&o, w.y, w.y < w.end ? pel_rounded_row(&w) : none);
+    for (; w.y <= w.end; pel_rounded_next(&w))
+        pel_outline_put(&o, w.y, w.y < w.end ? pel_disc_row(&w.disc) : none);
 }

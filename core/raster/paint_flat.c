@@ -4,9 +4,10 @@ void pel_flat_fill(const struct pel_paint *paint, const struct pel_rows *rows)
 {
     const struct pel_format *format = rows->surface->format;
     pel_color color = ((const struct pel_flat *)paint)->color;
-    PEL_ASSERT(pel_alpha(color) == 255 || format->blend); /* no twin */
-    if (pel_alpha(color) == 255)
+    uint32_t alpha = pel_alpha(color);
+    PEL_ASSERT(alpha == 255 || format->blend); /* not a fill-only twin */
+    if (alpha == 255)
         format->fill(rows, format->pack(color));
-    else if (format->blend)
+    else if (alpha != 0 && format->blend)
         format->blend(rows, color);
 }

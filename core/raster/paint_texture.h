@@ -5,9 +5,9 @@
 #include "paint_colors.h"
 
 /* The picture: 1 to 32,767 texels a side, in memory of the caller's that must
- * live as long as the paint. Either a surface in any format (its whole bounds,
- * opaque) or an array of colours with straight alpha, line by line without
- * padding. The first line in memory is v = 0. */
+ * live as long as the paint. Either a surface in any format (its whole bounds;
+ * opaque, but for argb8888) or an array of colours with straight alpha, line by
+ * line without padding. The first line in memory is v = 0. */
 struct pel_texels {
     const struct pel_surface *surface; /* or NULL, and then: */
     const pel_color *colors;
@@ -71,8 +71,8 @@ struct pel_texture {
 /* A texture with PEL_CLAMP; wrap_u and wrap_v may be set afterwards. Cheap: one
  * for every triangle of a mesh is fine.
  *
- * Nearest: texel floor(u), floor(v). Fast for colours, xrgb8888 and rgb565_le;
- * between surfaces of one 565 format texels are copied as they are.
+ * Nearest: texel floor(u), floor(v). Fast for colours, argb8888, xrgb8888 and
+ * rgb565_le; between surfaces of one 565 format texels are copied as they are.
  *
  * Bilinear: the four texels around u - 1/2, v - 1/2, with weights rounded to
  * 1/256 and the sum rounded once: off from exact weights by at most (Du + Dv) /

@@ -17,9 +17,9 @@ void pel_ring(const struct pel_surface *surface,
     if (!pel_ring_start(&w, ring, &surface->clip))
         return;
     pel_collect_begin(&c, surface, paint);
-    for (; w.outer.y < w.outer.end; pel_disc_walk_next(&w.outer)) {
-        struct pel_row run = pel_ring_outer(&w);
-        struct pel_row hole = pel_ring_hole(&w);
+    for (; w.outer.y < w.outer.end; pel_ring_next(&w)) {
+        struct pel_row run = pel_disc_row(&w.outer.disc);
+        struct pel_row hole = pel_disc_row(&w.hole);
         if (hole.x0 >= hole.x1)
             hole.x0 = hole.x1 = run.x1;
         collect(&c, w.outer.y, run.x0, pel_min(run.x1, hole.x0));

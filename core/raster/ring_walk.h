@@ -7,8 +7,7 @@
 
 struct pel_ring_walk {
     struct pel_disc_walk outer;
-    struct pel_disc hole;
-    int64_t less; /* outer^2 - inner^2: the hole's reach is so much less */
+    struct pel_disc hole; /* at the same row */
 };
 
 /* false: nothing is covered, or the ring is out of range (PEL_ASSERT). */
@@ -21,21 +20,15 @@ static inline bool pel_ring_start(struct pel_ring_walk *w,
     if (!pel_radius_legal(ring->inner) ||
         !pel_disc_walk_start(&w->outer, center, ring->outer, clip))
         return false;
-    w->less = pel_square(ring->outer) - pel_square(ring->inner);
-    pel_disc_start(&w->hole, center.x, center.x, clip);
+    pel_disc_start(&w->hole, center.x, center.x,
+                   pel_square(ring->inner) - pel_square(w->outer.v), clip);
     return true;
 }
 
-/* The runs of the row in which w->outer stands: of the whole, and of the hole,
- * which may be empty. */
-static inline struct pel_row pel_ring_outer(struct pel_ring_walk *w)
+static inline void pel_ring_next(struct pel_ring_walk *w)
 {
-    return pel_disc_walk_row(&w->outer);
-}
-
-static inline struct pel_row pel_ring_hole(struct pel_ring_walk *w)
-{
-    return pel_disc_row(&w->hole, w->outer.reach - w->less);
+    pel_disc_step(&w->hole, -pel_disc_walk_step(&w->outer));
+    pel_disc_walk_next(&w->outer);
 }
 
 #endif

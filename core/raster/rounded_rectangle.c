@@ -12,8 +12,8 @@ void pel_rounded_rectangle(const struct pel_surface *surface,
     if (!pel_rounded_start(&w, rectangle, &surface->clip))
         return;
     pel_collect_begin(&c, surface, paint);
-    for (; w.y < w.end; w.y++) {
-        struct pel_row row = pel_rounded_row(&w);
+    for (; w.y < w.end; pel_rounded_next(&w)) {
+        struct pel_row row = pel_disc_row(&w.disc);
         if (row.x0 < row.x1)
             pel_collect(&c, w.y, row.x0, row.x1);
     }

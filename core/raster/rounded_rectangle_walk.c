@@ -8,6 +8,18 @@ static bool legal(const struct pel_rounded_shape *r)
            pel_radius_legal(r->radius);
 }
 
+/* The squared width of the corners in row y. The row lies v outside of the
+ * rectangle of the centres, inside the whole one at most the radius. */
+static int64_t reach_at(const struct pel_rounded_walk *w, int32_t y)
+{
+    int32_t center = pel_pixel_center(y), v = 0;
+    if (center < w->top)
+        v = w->top - center;
+    else if (center > w->bottom)
+        v = center - w->bottom;
+    return pel_square(w->radius) - pel_square(v);
+}
+
 bool pel_rounded_start(struct pel_rounded_walk *w,
                        const struct pel_rounded_shape *r,
                        const struct pel_rect *clip)
@@ -27,18 +39,15 @@ bool pel_rounded_start(struct pel_rounded_walk *w,
     w->bottom = to.y - w->radius;
     w->y = visible.y0;
     w->end = visible.y1;
-    pel_disc_start(&w->disc, from.x + w->radius, to.x - w->radius, &visible);
+    w->reach = reach_at(w, w->y);
+    pel_disc_start(&w->disc, from.x + w->radius, to.x - w->radius, w->reach,
+                   &visible);
     return true;
 }
 
-/* v is how far the row lies outside of the rectangle of the centres: inside the
- * whole rectangle at most the radius. */
-struct pel_row pel_rounded_row(struct pel_rounded_walk *w)
+void pel_rounded_next(struct pel_rounded_walk *w)
 {
-    int32_t center = pel_pixel_center(w->y), v = 0;
-    if (center < w->top)
-        v = w->top - center;
-    else if (center > w->bottom)
-        v = center - w->bottom;
-    return pel_disc_row(&w->disc, pel_square(w->radius) - pel_square(v));
+    const int64_t reach = reach_at(w, ++w->y);
+    pel_disc_change(&w->disc, w->reach, reach);
+    w->reach = reach;
 }

@@ -7,7 +7,8 @@
 #include "rounded_rectangle.h"
 
 struct pel_rounded_walk {
-    struct pel_disc disc;
+    struct pel_disc disc; /* at row y */
+    int64_t reach;
     int32_t top, bottom; /* of the centres, 1/256 px */
     int32_t radius;
     int32_t y, end;
@@ -18,7 +19,6 @@ bool pel_rounded_start(struct pel_rounded_walk *w,
                        const struct pel_rounded_shape *r,
                        const struct pel_rect *clip);
 
-/* The run of row y. */
-struct pel_row pel_rounded_row(struct pel_rounded_walk *w);
+void pel_rounded_next(struct pel_rounded_walk *w);
 
 #endif

@@ -18,7 +18,7 @@ void pel_sector(const struct pel_surface *surface,
         return;
     pel_cut_begin(&cut, surface, paint);
     for (; w.y < w.end; pel_disc_walk_next(&w)) {
-        pel_wedge_cut(&wedge, &cut, w.y, pel_disc_walk_row(&w), none);
+        pel_wedge_cut(&wedge, &cut, w.y, pel_disc_row(&w.disc), none);
         pel_cut_paint(&cut, w.y);
     }
 }

@@ -2,6 +2,8 @@
 
 static enum pel_texture_kind kind_of(const struct pel_format *format)
 {
+    if (format->id == PEL_FORMAT_ARGB8888 && PEL_LE32(UINT32_C(1)) == 1)
+        return PEL_TEXTURE_COLORS;
     if (format->id == PEL_FORMAT_XRGB8888)
         return PEL_TEXTURE_XRGB8888;
     if (format->id == PEL_FORMAT_RGB565_LE)
@@ -19,8 +21,7 @@ static enum pel_status set_surface(struct pel_texture *p,
     p->memory = s->pixels;
     p->stride = s->stride;
     p->kind = (uint8_t)kind_of(s->format);
-    /* Only formats beyond the list of base/format.h have an alpha. */
-    p->base.opaque = s->format->id <= PEL_FORMAT_MONO1_PAGES;
+    p->base.opaque = s->format->id != PEL_FORMAT_ARGB8888;
     return PEL_OK;
 }
 

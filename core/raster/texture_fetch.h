@@ -31,7 +31,7 @@ static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,
 {
     const uint8_t *line = p->memory + (ptrdiff_t)v * p->stride;
     if (kind == PEL_TEXTURE_COLORS)
-        return ((const pel_color *)(const void *)line)[u];
+        return ((const pel_word32 *)(const void *)line)[u];
     if (kind == PEL_TEXTURE_XRGB8888)
         return PEL_LE32(((const pel_word32 *)(const void *)line)[u]) |
                UINT32_C(0xFF000000);

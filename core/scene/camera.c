@@ -3,9 +3,10 @@
 /* Exact for vectors up to 2^30: below 2^61. */
 static void cross(const int32_t a[3], const int32_t b[3], int64_t out[3])
 {
-    out[0] = (int64_t)a[1] * b[2] - (int64_t)a[2] * b[1];
-    out[1] = (int64_t)a[2] * b[0] - (int64_t)a[0] * b[2];
-    out[2] = (int64_t)a[0] * b[1] - (int64_t)a[1] * b[0];
+    for (int k = 0; k < 3; k++) {
+        const int i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
+        out[k] = (int64_t)a[i] * b[j] - (int64_t)a[j] * b[i];
+    }
 }
 
 static bool in_world(const pel_length v[3])
@@ -27,7 +28,7 @@ static bool across(const int64_t forward[3], const int32_t camera_up[3],
     if (!pel_vector_fit(forward, a) || !pel_vector_fit(up, b))
         return false;
     cross(a, b, product);
-    return pel_largest_of(product) >= INT64_C(1) << 30 &&
+    return pel_reach_of(product) >= UINT32_C(1) << 30 &&
            pel_unit_exact(product, right);
 }
 

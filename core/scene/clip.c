@@ -10,7 +10,7 @@ static int64_t depth_inside(const struct pel_projector *p,
 {
     if (plane == 0)
         return (int64_t)place[2] - p->near;
-    const int k = (plane - 1) / 2;
+    const int k = plane > 2;
     const int64_t z = p->one ? p->one : place[2];
     const int64_t at =
         (int64_t)place[k] * (int32_t)(UINT32_C(1) << p->spread[k]);
@@ -19,11 +19,12 @@ static int64_t depth_inside(const struct pel_projector *p,
     return at - (PEL_GUARD_MIN - p->center[k]) * z;
 }
 
-/* n / d in 2^-30, 0 <= n <= d < 2^57, both cut to d's first 32 bits. */
-static int32_t part_of(int64_t n, int64_t d)
+/* n / d in 2^-30, n <= d < 2^57, both cut to d's first 32 bits. */
+static int32_t part_of(uint64_t n, uint64_t d)
 {
-    const int shift = pel_max(pel_bits_of((uint64_t)d) - 32, 0);
-    return (int32_t)(((n >> shift) * PEL_COSINE_ONE) / (d >> shift));
+    for (; d >> 32; d >>= 1)
+        n >>= 1;
+    return (int32_t)((n << 30) / d);
 }
 
 /* From a corner inside towards one outside. */
@@ -55,9 +56,15 @@ static int32_t cut_polygon(const struct pel_projector *p, int plane,
         const struct pel_clip_corner *b = &from[i];
         int64_t inside_b = depth_inside(p, b->place, plane);
         if (inside_a >= 0 && inside_b < 0)
-            cut_edge(a, b, part_of(inside_a, inside_a - inside_b), to++);
+            cut_edge(
+                a, b,
+                part_of((uint64_t)inside_a, (uint64_t)(inside_a - inside_b)),
+                to++);
         if (inside_a < 0 && inside_b >= 0)
-            cut_edge(b, a, part_of(inside_b, inside_b - inside_a), to++);
+            cut_edge(
+                b, a,
+                part_of((uint64_t)inside_b, (uint64_t)(inside_b - inside_a)),
+                to++);
         if (inside_b >= 0)
             *to++ = *b;
         a = b;
@@ -72,15 +79,18 @@ static int32_t cut_polygon(const struct pel_projector *p, int plane,
 int32_t pel_clip_triangle(const struct pel_projector *projector,
                           int32_t place[3][3], struct pel_clip *clip)
 {
+    struct pel_clip_corner *from = clip->spare, *to = clip->corner;
     int32_t n = 3;
     for (int i = 0; i < 9; i++) {
-        clip->corner[i / 3].place[i % 3] = place[i / 3][i % 3];
-        clip->corner[i / 3].weight[i % 3] = i % 4 ? 0 : PEL_COSINE_ONE;
+        from[i / 3].place[i % 3] = place[i / 3][i % 3];
+        from[i / 3].weight[i % 3] = i % 4 ? 0 : PEL_COSINE_ONE;
     }
-    for (int plane = 0; plane < PLANES && n >= 3; plane++) {
-        n = cut_polygon(projector, plane, clip->corner, n, clip->spare);
-        for (int32_t i = 0; i < n; i++)
-            clip->corner[i] = clip->spare[i];
+    /* The last of an odd number of cuts ends in clip->corner. */
+    for (int plane = 0; plane < PLANES && n; plane++) {
+        struct pel_clip_corner *const swap = from;
+        n = cut_polygon(projector, plane, from, n, to);
+        from = to;
+        to = swap;
     }
-    return n < 3 ? 0 : n;
+    return n;
 }

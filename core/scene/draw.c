@@ -56,18 +56,10 @@ static void draw_clipped(const struct drawing *d)
         set_corner(frame, 0, &work->clip.corner[0]);
         set_corner(frame, 1, &work->clip.corner[i - 1]);
         set_corner(frame, 2, &work->clip.corner[i]);
-        if (pel_side_drawn(frame->scene->cull, pel_triangle_area(t->at)))
+        if (pel_side_drawn(frame->scene->cull,
+                           pel_triangle_area(frame->work->triangle.at)))
             draw_triangle(d);
     }
-}
-
-/* Does any row of the surface meet the triangle? */
-static bool on_surface(const struct pel_frame_work *work)
-{
-    const struct pel_point *p = work->triangle.at;
-    const struct pel_rect *clip = &work->surface.clip;
-    return pel_max(pel_max(p[0].y, p[1].y), p[2].y) > clip->y0 * 256 &&
-           pel_min(pel_min(p[0].y, p[1].y), p[2].y) < clip->y1 * 256;
 }
 
 static void draw_entry(const struct drawing *d, uint32_t triangle)
@@ -85,7 +77,8 @@ static void draw_entry(const struct drawing *d, uint32_t triangle)
     }
     if (clipped)
         draw_clipped(d);
-    else if (on_surface(d->frame->work))
+    else if (pel_frame_meets(d->frame->work->triangle.at,
+                             &d->frame->work->surface.clip))
         draw_triangle(d);
 }
 

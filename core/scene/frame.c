@@ -30,3 +30,34 @@ void pel_frame_colors(const struct pel_frame *frame,
         }
     }
 }
+
+/* The lower 32 bits of a plane are what struct pel_gouraud has. */
+void pel_frame_gouraud(const struct pel_frame *frame, const pel_color color[3],
+                       struct pel_gouraud *paint)
+{
+    struct pel_plane plane;
+    paint->paint =
+        (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
+    for (int k = 0; k < 4; k++) {
+        int32_t value[3];
+        for (int i = 0; i < 3; i++)
+            value[i] = (int32_t)(color[i] >> 8 * k & 255);
+        pel_plane_set(&plane, &frame->work->triangle.setup, value);
+        paint->at[k] = (uint32_t)plane.at + 0x800000u;
+        paint->dx[k] = (uint32_t)plane.dx;
+        paint->dy[k] = (uint32_t)plane.dy;
+    }
+}
+
+static bool range_meets(int32_t a, int32_t b, int32_t c, int32_t first,
+                        int32_t end)
+{
+    return pel_max(pel_max(a, b), c) > first * 256 &&
+           pel_min(pel_min(a, b), c) < end * 256;
+}
+
+bool pel_frame_meets(const struct pel_point at[3], const struct pel_rect *rect)
+{
+    return range_meets(at[0].x, at[1].x, at[2].x, rect->x0, rect->x1) &&
+           range_meets(at[0].y, at[1].y, at[2].y, rect->y0, rect->y1);
+}

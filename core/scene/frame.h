@@ -74,6 +74,14 @@ static inline int32_t pel_corner_mix(const struct pel_frame_corner *corner,
 void pel_frame_planes(const struct pel_frame_triangle *triangle, int n,
                       int32_t value[3][3], struct pel_plane *plane);
 
+/* Colours that are linear over the triangle: the planes of `paint`, which are
+ * right to 2^-6 step. */
+void pel_frame_gouraud(const struct pel_frame *frame, const pel_color color[3],
+                       struct pel_gouraud *paint);
+
+/* Does the box of a triangle reach into the rectangle? */
+bool pel_frame_meets(const struct pel_point at[3], const struct pel_rect *rect);
+
 /* Colours of vertices at the corners. */
 void pel_frame_colors(const struct pel_frame *frame,
                       const struct pel_frame_triangle *triangle,

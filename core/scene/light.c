@@ -27,62 +27,62 @@ static pel_cosine reflected(const pel_cosine l[3], const pel_cosine n[3],
     return r > 0 ? (pel_cosine)r : 0;
 }
 
-/* sum += factor part, in 2^-46: 2^24 2^30, and room for 256 lights. */
-static void add(int64_t sum[3], const pel_factor factor[3], pel_cosine part)
+/* sum += factor part. Factors are below 2^24, so 32 lights fit with both of
+ * their terms. */
+static void add(pel_factor sum[3], const pel_factor factor[3], pel_cosine part)
 {
     for (int k = 0; k < 3; k++)
-        sum[k] += (int64_t)factor[k] * part;
+        sum[k] += (pel_factor)(((int64_t)factor[k] * part + (1 << 29)) >> 30);
 }
 
-static void to_light(const struct pel_mesh_light *light, const int32_t place[3],
-                     pel_cosine way[3])
+/* The direction from one place to another. */
+static bool way(const int32_t from[3], const int32_t to[3], pel_cosine unit[3])
 {
-    int32_t difference[3];
-    for (int k = 0; k < 3; k++) {
-        way[k] = light->at[k];
-        difference[k] = light->at[k] - place[k];
-    }
-    if (!light->directional)
-        pel_unit_near(difference, way);
+    for (int k = 0; k < 3; k++)
+        unit[k] = to[k] - from[k];
+    return pel_unit_near(unit, unit);
 }
 
-static void factors(const int64_t sum[3], pel_factor out[3])
+static void add_light(const struct pel_mesh_lights *lights,
+                      const struct pel_mesh_light *light,
+                      const pel_cosine *const direction[3],
+                      struct pel_shine *shine)
 {
-    for (int k = 0; k < 3; k++) {
-        int64_t f = pel_scale_down(sum[k], 30);
-        out[k] =
-            f < INT32_C(128) * 65536 ? (pel_factor)f : INT32_C(128) * 65536;
-    }
+    const pel_cosine *n = direction[0], *v = direction[1], *l = direction[2];
+    const pel_cosine nl = cosine_of(n, l);
+    if (nl > 0)
+        add(shine->surface, light->diffuse, nl);
+    if (nl <= 0 && lights->no_back_highlights)
+        return;
+    const pel_cosine rv = reflected(l, n, v, nl);
+    if (rv > 0)
+        add(lights->plain_highlights ? shine->plain : shine->surface,
+            light->specular, power(rv, lights->shininess));
 }
 
 void pel_mesh_lights_shine(const struct pel_mesh_lights *lights,
                            const int32_t place[3], const int32_t normal[3],
                            struct pel_shine *shine)
 {
-    int64_t surface[3] = {0, 0, 0}, plain[3] = {0, 0, 0};
-    int64_t *bright = lights->plain_highlights ? plain : surface;
     pel_cosine n[3], v[3], l[3];
-    int32_t to_eye[3];
-    for (int k = 0; k < 3; k++)
-        to_eye[k] = lights->eye[k] - place[k];
-    add(surface, lights->ambient, PEL_COSINE_ONE);
-    pel_unit_near(to_eye, v);
-    const bool directed = pel_unit_near(normal, n);
-    for (int32_t i = 0; i < lights->lights && directed; i++) {
-        const struct pel_mesh_light *light = &lights->light[i];
-        to_light(light, place, l);
-        const pel_cosine nl = cosine_of(n, l);
-        if (nl > 0)
-            add(surface, light->diffuse, nl);
-        if (nl > 0 || !lights->no_back_highlights)
-            add(bright, light->specular,
-                power(reflected(l, n, v, nl), lights->shininess));
+    const pel_cosine *direction[3] = {n, v, l};
+    for (int k = 0; k < 3; k++) {
+        shine->surface[k] = lights->ambient[k];
+        shine->plain[k] = 0;
     }
-    factors(surface, shine->surface);
-    factors(plain, shine->plain);
+    if (!pel_unit_near(normal, n))
+        return;
+    way(place, lights->eye, v);
+    for (int32_t i = 0; i < lights->lights; i++) {
+        const struct pel_mesh_light *light = &lights->light[i];
+        direction[2] = light->directional ? light->at : l;
+        if (!light->directional)
+            way(place, light->at, l);
+        add_light(lights, light, direction, shine);
+    }
 }
 
-/* 65,280 times 2^23 and 255 times 2^31 fit 40 bits. */
+/* 65,280 times 2^31 fits 47 bits. */
 uint32_t pel_shine_channel(const struct pel_shine *shine, int channel,
                            uint32_t surface)
 {

@@ -25,7 +25,7 @@ struct pel_light {
  * light by the list. */
 struct pel_lighting {
     const struct pel_light *light;
-    int32_t lights;
+    int32_t lights; /* 0..32 */
     pel_factor ambient_color[3];
     pel_factor ambient, diffuse, specular;
     int32_t shininess;       /* 1..256 */
@@ -67,7 +67,7 @@ enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
 void pel_mesh_lights_place(const struct pel_mesh_lights *lights,
                            const int16_t position[3], int32_t place[3]);
 
-/* The light at a place: red, green and blue factors, up to 128. */
+/* The light at a place: red, green and blue factors, below 2^31. */
 struct pel_shine {
     pel_factor surface[3]; /* what the surface's colour multiplies */
     pel_factor plain[3];   /* what it does not */

@@ -1,32 +1,30 @@
 #include "light.h"
 
-static bool factor_legal(pel_factor f)
+/* All factors at once: PEL_FACTOR_END is a power of two, and the highest bits
+ * of a negative number are set. */
+static uint32_t factors_of(const pel_factor f[3])
 {
-    return f >= 0 && f <= PEL_FACTOR_MAX;
-}
-
-static bool factors_legal(const pel_factor f[3])
-{
-    return factor_legal(f[0]) && factor_legal(f[1]) && factor_legal(f[2]);
+    return (uint32_t)f[0] | (uint32_t)f[1] | (uint32_t)f[2];
 }
 
 static bool light_legal(const struct pel_light *l)
 {
-    for (int k = 0; k < 3; k++)
+    uint32_t any = 0;
+    for (int k = 0; k < 3; k++) {
+        any |= (uint32_t)l->at[k];
         if (l->at[k] > PEL_LENGTH_MAX || l->at[k] < -PEL_LENGTH_MAX)
             return false;
-    return factors_legal(l->color) &&
-           (!l->directional || l->at[0] || l->at[1] || l->at[2]);
+    }
+    return factors_of(l->color) < PEL_FACTOR_END && (any || !l->directional);
 }
 
 static enum pel_status check(const struct pel_lighting *l)
 {
+    const pel_factor material[3] = {l->ambient, l->diffuse, l->specular};
     if (l->lights > 0 && !l->light)
         return PEL_ERROR_NULL;
-    if (l->lights < 0 || l->lights > 256 || l->shininess < 1 ||
-        l->shininess > 256 || !factors_legal(l->ambient_color) ||
-        !factor_legal(l->ambient) || !factor_legal(l->diffuse) ||
-        !factor_legal(l->specular))
+    if ((uint32_t)l->lights > 32 || (uint32_t)l->shininess - 1 > 255 ||
+        (factors_of(l->ambient_color) | factors_of(material)) >= PEL_FACTOR_END)
         return PEL_ERROR_RANGE;
     for (int32_t i = 0; i < l->lights; i++)
         if (!light_legal(&l->light[i]))
@@ -48,32 +46,39 @@ static void to_mesh(const struct pel_pose *pose, const int32_t world[3],
             out[k] = v[k] * 16384;
 }
 
-/* The farthest that the mesh, the eye and the lights are from the origin. */
-static int64_t extent(const struct pel_mesh_lights *m,
-                      const struct pel_lighting *lighting,
-                      const struct pel_pose *pose, const pel_length eye[3])
+/* As many bits as the farthest of the mesh, the eye and the lights has. */
+static int bits_of(const struct pel_mesh_lights *m,
+                   const struct pel_lighting *lighting,
+                   const struct pel_pose *pose, const pel_length eye[3])
 {
-    int64_t v[3], far = 0, distance;
-    for (int32_t i = -1; i < lighting->lights; i++) {
-        if (i >= 0 && lighting->light[i].directional)
-            continue;
-        to_mesh(pose, i < 0 ? eye : lighting->light[i].at, false, v);
-        distance = pel_largest_of(v);
-        far = distance > far ? distance : far;
-    }
-    for (int k = 0; k < 3; k++) {
-        distance = pel_size_of(m->quantum.offset[k]) +
-                   INT64_C(32768) * m->quantum.step;
-        distance = pel_scale_down(distance, m->quantum.shift - 30);
-        far = distance > far ? distance : far;
-    }
-    return far;
+    const struct pel_mesh_quantum *q = &m->quantum;
+    uint64_t reach = 0;
+    int64_t v[3];
+    for (int k = 0; k < 3; k++)
+        v[k] =
+            pel_scale_down(pel_size_of(q->offset[k]) + INT64_C(32768) * q->step,
+                           q->shift - 30);
+    reach |= pel_reach_of(v);
+    to_mesh(pose, eye, false, v);
+    reach |= pel_reach_of(v);
+    for (int32_t i = 0; i < lighting->lights; i++)
+        if (!lighting->light[i].directional) {
+            to_mesh(pose, lighting->light[i].at, false, v);
+            reach |= pel_reach_of(v);
+        }
+    return pel_bits_of(reach);
 }
 
 static void place(const int64_t world[3], int up, int32_t out[3])
 {
     for (int k = 0; k < 3; k++)
         out[k] = (int32_t)pel_scale_down(world[k], -up);
+}
+
+/* Below 2^24. */
+static pel_factor times(pel_factor a, pel_factor b)
+{
+    return (pel_factor)pel_scale_down((int64_t)a * b, 16);
 }
 
 static void set_light(struct pel_mesh_light *m, const struct pel_light *light,
@@ -88,10 +93,8 @@ static void set_light(struct pel_mesh_light *m, const struct pel_light *light,
     else
         place(v, up, m->at);
     for (int k = 0; k < 3; k++) {
-        m->diffuse[k] = (pel_factor)pel_scale_down(
-            (int64_t)light->color[k] * lighting->diffuse, 16);
-        m->specular[k] = (pel_factor)pel_scale_down(
-            (int64_t)light->color[k] * lighting->specular, 16);
+        m->diffuse[k] = times(light->color[k], lighting->diffuse);
+        m->specular[k] = times(light->color[k], lighting->specular);
     }
 }
 
@@ -107,8 +110,7 @@ enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
         return status;
     lights->quantum = mesh->position;
     /* Bits to the left of 2^-30 unit. */
-    const int up =
-        28 - pel_bits_of((uint64_t)extent(lights, lighting, pose, eye));
+    const int up = 28 - bits_of(lights, lighting, pose, eye);
     lights->down = (int8_t)(mesh->position.shift - 30 - up);
     lights->lights = lighting->lights;
     lights->shininess = lighting->shininess;
@@ -117,8 +119,8 @@ enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
     to_mesh(pose, eye, false, v);
     place(v, up, lights->eye);
     for (int k = 0; k < 3; k++)
-        lights->ambient[k] = (pel_factor)pel_scale_down(
-            (int64_t)lighting->ambient_color[k] * lighting->ambient, 16);
+        lights->ambient[k] =
+            times(lighting->ambient_color[k], lighting->ambient);
     for (int32_t i = 0; i < lighting->lights; i++)
         set_light(&lights->light[i], &lighting->light[i], lighting, pose, up);
     return PEL_OK;

@@ -1,17 +1,27 @@
 #include "mapping.h"
 
+/* u and v as planes of 1/256 texel are 2^-32 texel; what a plane may be too
+ * low by is added, so that a place on a border stays in the upper texel. */
+static void set(const struct pel_frame_triangle *t, int32_t value[3],
+                struct pel_texture_plane *out)
+{
+    struct pel_plane plane;
+    for (int i = 0; i < 3; i++)
+        value[i] = (int32_t)pel_scale_down(value[i], 8);
+    pel_plane_set(&plane, &t->setup, value);
+    out->at = plane.at + 131072;
+    out->dx = plane.dx;
+    out->dy = plane.dy;
+}
+
 static const struct pel_color_paint *surface(struct pel_frame *frame)
 {
     struct pel_texture *p = &frame->work->surface_paint.affine;
-    struct pel_texture_corner corner[3];
-    struct pel_texel_point t[3];
-    pel_mapping_corners(frame, corner);
-    for (int i = 0; i < 3; i++) {
-        t[i].u = (int32_t)pel_scale_down(corner[i].u, 8);
-        t[i].v = (int32_t)pel_scale_down(corner[i].v, 8);
-    }
+    int32_t u[3], v[3];
+    pel_mapping_corners(frame, u, v);
     *p = frame->texture;
-    pel_texture_map_triangle(&p->map, frame->work->triangle.at, t);
+    set(&frame->work->triangle, u, &p->map.u);
+    set(&frame->work->triangle, v, &p->map.v);
     return &p->base;
 }
 

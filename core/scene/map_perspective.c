@@ -5,9 +5,13 @@ static const struct pel_color_paint *surface(struct pel_frame *frame)
     struct pel_perspective *p = &frame->work->surface_paint.perspective;
     const int32_t span = frame->scene->texture->span;
     struct pel_texture_corner corner[3];
-    pel_mapping_corners(frame, corner);
-    if (frame->projector.one)
-        corner[0].z = corner[1].z = corner[2].z = 1;
+    int32_t u[3], v[3];
+    pel_mapping_corners(frame, u, v);
+    for (int i = 0; i < 3; i++) {
+        const int32_t z = frame->work->triangle.corner[i].z;
+        corner[i] = (struct pel_texture_corner){u[i], v[i],
+                                                frame->projector.one ? 1 : z};
+    }
     pel_perspective_init(p, &frame->texture, &frame->work->triangle.setup,
                          corner, span ? span : PEL_SPAN_EXACT);
     return &p->base;

@@ -1,5 +1,7 @@
 #include "matrix.h"
 
+#include <string.h>
+
 #include "../base/fixed_trig.h"
 
 void pel_matrix_turn(struct pel_matrix *m, int axis, uint16_t turn)
@@ -16,32 +18,42 @@ void pel_matrix_turn(struct pel_matrix *m, int axis, uint16_t turn)
     m->row[b][a] = unit[1];
 }
 
-void pel_matrix_multiply(struct pel_matrix *m, const struct pel_matrix *a,
-                         const struct pel_matrix *b)
+/* A sum over a row or, with a step of 3, a column. */
+static int64_t sum_of(const pel_cosine *m, int step, const int64_t v[3])
 {
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++) {
-            const int32_t column[3] = {b->row[0][k], b->row[1][k],
-                                       b->row[2][k]};
-            m->row[i][k] =
-                (int32_t)pel_scale_down(pel_dot(a->row[i], column), 30);
-        }
+    int64_t sum = 0;
+    for (int k = 0; k < 3; k++)
+        sum += m[k * step] * v[k];
+    return sum;
 }
 
 void pel_matrix_apply(const struct pel_matrix *m, const int64_t v[3], int shift,
                       int64_t out[3])
 {
+    int64_t result[3];
     for (int i = 0; i < 3; i++)
-        out[i] = pel_scale_down(m->row[i][0] * v[0] + m->row[i][1] * v[1] +
-                                    m->row[i][2] * v[2],
-                                shift);
+        result[i] = pel_scale_down(sum_of(m->row[i], 1, v), shift);
+    memcpy(out, result, sizeof result);
 }
 
 void pel_matrix_apply_back(const struct pel_matrix *m, const int64_t v[3],
                            int shift, int64_t out[3])
 {
+    int64_t result[3];
     for (int i = 0; i < 3; i++)
-        out[i] = pel_scale_down(m->row[0][i] * v[0] + m->row[1][i] * v[1] +
-                                    m->row[2][i] * v[2],
-                                shift);
+        result[i] = pel_scale_down(sum_of(&m->row[0][i], 3, v), shift);
+    memcpy(out, result, sizeof result);
+}
+
+void pel_matrix_multiply(struct pel_matrix *m, const struct pel_matrix *a,
+                         const struct pel_matrix *b)
+{
+    for (int i = 0; i < 3; i++) {
+        int64_t row[3];
+        for (int k = 0; k < 3; k++)
+            row[k] = a->row[i][k];
+        pel_matrix_apply_back(b, row, 30, row);
+        for (int k = 0; k < 3; k++)
+            m->row[i][k] = (pel_cosine)row[k];
+    }
 }

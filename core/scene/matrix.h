@@ -31,7 +31,7 @@ void pel_matrix_multiply(struct pel_matrix *m, const struct pel_matrix *a,
                          const struct pel_matrix *b);
 
 /* out = m v and transpose(m) v times 2^-shift, rounded, 0 <= shift <= 60; for
- * |v[k]| <= 2^31, which keeps sums below 3 2^61. */
+ * |v[k]| <= 2^31, which keeps sums below 3 2^61. out may be v. */
 void pel_matrix_apply(const struct pel_matrix *m, const int64_t v[3], int shift,
                       int64_t out[3]);
 void pel_matrix_apply_back(const struct pel_matrix *m, const int64_t v[3],

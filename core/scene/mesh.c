@@ -16,16 +16,17 @@ void pel_mesh_of_asset(struct pel_mesh *mesh,
                               .indices32 = asset->indices32};
 }
 
+static bool quantum_legal(const struct pel_mesh_quantum *q)
+{
+    return pel_mesh_quantum_legal(q) && q->shift >= -14 && q->shift <= 46;
+}
+
 static bool sizes_legal(const struct pel_mesh *m)
 {
     const uint32_t limit = UINT32_C(1) << 28;
-    if (m->vertices < 1 || m->vertices > limit || m->triangles > limit ||
-        (m->normals8 && m->normals16))
-        return false;
-    if (!pel_mesh_quantum_legal(&m->position) || m->position.shift < -14 ||
-        m->position.shift > 46)
-        return false;
-    return !m->uv || pel_mesh_quantum_legal(&m->texture);
+    return m->vertices >= 1 && m->vertices <= limit && m->triangles <= limit &&
+           !(m->normals8 && m->normals16) && quantum_legal(&m->position) &&
+           (!m->uv || quantum_legal(&m->texture));
 }
 
 static enum pel_status check_indices(const struct pel_mesh *m,

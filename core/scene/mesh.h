@@ -8,8 +8,8 @@
  * struct pel_mesh_asset; arrays that the mesh has not are NULL. */
 struct pel_mesh {
     uint32_t vertices, triangles;
-    struct pel_mesh_quantum position; /* shift -14..46: inside +-16,384 units */
-    struct pel_mesh_quantum texture;
+    struct pel_mesh_quantum position; /* inside +-16,384 units; of both the */
+    struct pel_mesh_quantum texture;  /* shift is -14..46 */
 
     const int16_t (*positions)[3];
     const int8_t (*normals8)[3];   /* at most one of the two */

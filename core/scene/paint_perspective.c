@@ -19,7 +19,7 @@ static int64_t ratio(int64_t n, uint64_t inverse)
 static uint64_t coordinate(int32_t base, int64_t part, int reach)
 {
     return (uint64_t)(int64_t)base * 65536 +
-           (uint64_t)pel_scale_down(part, 15 - reach) +
+           (uint64_t)(part * 131072 >> (32 - reach)) +
            ((uint64_t)1 << pel_max(reach - 12, 0));
 }
 
@@ -31,16 +31,14 @@ static bool divide(const struct pel_perspective *p, int32_t x, int32_t y,
     int64_t w = (int64_t)pel_plane_at(&p->w, x, y);
     int64_t u = (int64_t)pel_plane_at(&p->u, x, y);
     int64_t v = (int64_t)pel_plane_at(&p->v, x, y);
-    if (w < INT64_C(1) << 24 || w >> 56 || pel_size_of(u) > w + (w >> 1) ||
+    if (w < INT64_C(1) << 26 || w >> 55 || pel_size_of(u) > w + (w >> 1) ||
         pel_size_of(v) > w + (w >> 1))
         return false;
-    const int shift = pel_bits_of((uint64_t)w) - 32;
-    const uint64_t divisor = (uint64_t)pel_scale_down(w, shift);
+    const int shift = pel_bits_of((uint64_t)w) - 26;
+    const uint64_t divisor = (uint64_t)(w * 64 >> shift);
     const uint64_t inverse = (UINT64_C(1) << 63) / divisor;
-    place->u =
-        coordinate(p->u0, ratio(pel_scale_down(u, shift), inverse), p->reach_u);
-    place->v =
-        coordinate(p->v0, ratio(pel_scale_down(v, shift), inverse), p->reach_v);
+    place->u = coordinate(p->u0, ratio(u * 64 >> shift, inverse), p->reach_u);
+    place->v = coordinate(p->v0, ratio(v * 64 >> shift, inverse), p->reach_v);
     return true;
 }
 
@@ -110,7 +108,7 @@ static void set_plane(struct pel_plane *plane,
                       uint8_t *reach)
 {
     int32_t scaled[3];
-    *reach = (uint8_t)pel_bits_of((uint64_t)pel_largest_of(value));
+    *reach = (uint8_t)pel_bits_of(pel_reach_of(value));
     for (int i = 0; i < 3; i++)
         scaled[i] = (int32_t)pel_scale_down(value[i] * w[i], *reach);
     pel_plane_set(plane, setup, scaled);
@@ -123,7 +121,7 @@ static bool thin(const struct pel_plane_setup *s)
     int32_t x = pel_max(pel_max(s->ab.x, s->ac.x), 0) -
                 pel_min(pel_min(s->ab.x, s->ac.x), 0);
     int32_t y = pel_max(s->ab.y, s->ac.y);
-    return s->area < (int64_t)256 * pel_max(x, y);
+    return s->area < (uint64_t)256 * (uint32_t)pel_max(x, y);
 }
 
 void pel_perspective_init(struct pel_perspective *paint,

@@ -3,7 +3,7 @@
 /* What moves along a run: three parts of the normal, three of the place. */
 struct walk {
     uint64_t at[6];
-    uint32_t color[4];
+    uint32_t color[3]; /* blue first */
 };
 
 static void start(const struct pel_phong *p, int32_t x, int32_t y,
@@ -11,7 +11,7 @@ static void start(const struct pel_phong *p, int32_t x, int32_t y,
 {
     for (int k = 0; k < 6; k++)
         w->at[k] = pel_plane_at(k < 3 ? &p->normal[k] : &p->place[k - 3], x, y);
-    for (int k = 0; k < 4; k++)
+    for (int k = 0; k < 3; k++)
         w->color[k] = p->colors.at[k] + (uint32_t)x * p->colors.dx[k] +
                       (uint32_t)y * p->colors.dy[k];
 }
@@ -20,7 +20,7 @@ static void step(const struct pel_phong *p, struct walk *w)
 {
     for (int k = 0; k < 6; k++)
         w->at[k] += k < 3 ? p->normal[k].dx : p->place[k - 3].dx;
-    for (int k = 0; k < 4; k++)
+    for (int k = 0; k < 3; k++)
         w->color[k] += p->colors.dx[k];
 }
 

@@ -42,7 +42,7 @@ static void divide_scratch(struct pel_frame *frame, void *scratch)
 static enum pel_status start_texture(struct pel_frame *frame)
 {
     const struct pel_mesh_texture *t = frame->scene->texture;
-    const struct pel_texture_map none = {{0, 0, 0}, {0, 0, 0}};
+    static const struct pel_texture_map none = {{0, 0, 0}, {0, 0, 0}};
     if (!t)
         return PEL_OK;
     const bool legal_span = t->span >= 0 && t->span <= PEL_SPAN_MAX &&
@@ -83,13 +83,6 @@ static void place_vertices(struct pel_frame *frame)
     }
 }
 
-/* Does the range reach into pixels [first, end)? */
-static bool meets(int32_t a, int32_t b, int32_t c, int32_t first, int32_t end)
-{
-    return pel_max(pel_max(a, b), c) > first * 256 &&
-           pel_min(pel_min(a, b), c) < end * 256;
-}
-
 /* Of a triangle that has to be clipped nothing is said here but whether all of
  * it lies behind the near plane. */
 static bool may_be_seen(const struct pel_frame *frame,
@@ -97,13 +90,11 @@ static bool may_be_seen(const struct pel_frame *frame,
                         const struct pel_projected *b,
                         const struct pel_projected *c)
 {
-    const struct pel_rect *v = &frame->scene->viewport;
     if (a->x == PEL_NOT_ON_SCREEN || b->x == PEL_NOT_ON_SCREEN ||
         c->x == PEL_NOT_ON_SCREEN)
         return pel_max(pel_max(a->z, b->z), c->z) >= frame->projector.near;
     const struct pel_point p[3] = {{a->x, a->y}, {b->x, b->y}, {c->x, c->y}};
-    return meets(a->x, b->x, c->x, v->x0, v->x1) &&
-           meets(a->y, b->y, c->y, v->y0, v->y1) &&
+    return pel_frame_meets(p, &frame->scene->viewport) &&
            pel_side_drawn(frame->scene->cull, pel_triangle_area(p));
 }
 

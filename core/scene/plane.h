@@ -13,19 +13,22 @@ struct pel_plane {
 
 /* What all planes of a triangle share. */
 struct pel_plane_setup {
-    struct pel_point a;           /* the topmost vertex */
-    struct pel_point ab, ac;      /* to the others */
-    int64_t area;                 /* above 0, or 0 */
+    struct pel_point a;      /* the topmost vertex */
+    struct pel_point ab, ac; /* to the others */
+    uint64_t area;           /* twice the triangle's */
+    uint64_t inverse;        /* of it, 2^-(shift + 32), 63 bits */
+    uint8_t shift;
     uint8_t first, second, third; /* which vertices they are */
 };
 
-/* v is legal. False: no area. */
+/* v is legal. One division. False: no area, and nothing may be set. */
 bool pel_plane_start(struct pel_plane_setup *setup,
                      const struct pel_point v[3]);
 
 /* The plane with value[i] at v[i], |value| <= 2^30. At pixels inside the
- * triangle it is off by less than 2^-6. The order of the vertices does not
- * matter. Without area, the value of the topmost vertex everywhere. */
+ * triangle it is off by less than 2^-6, and when the triangle is thinner than
+ * 1/256 px by less than 2^-17 of the largest value. The order of the vertices
+ * does not matter. */
 void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
                    const int32_t value[3]);
 

@@ -7,8 +7,8 @@ static void fine_place(const struct pel_projector *p, const int16_t position[3],
     for (int k = 0; k < 3; k++)
         place[k] = pel_mesh_quantum_value(&p->quantum, k, position[k]);
     for (int k = 0; k < 3; k++)
-        out[k] =
-            pel_scale_down(pel_dot(p->row[k], place), p->down) + p->origin[k];
+        out[k] = pel_scale_down(pel_dot(p->rows.row[k], place), p->down) +
+                 p->origin[k];
 }
 
 /* The nearest whole number to n 2^bits / z, less than 2^24 in size; z > 0. z

@@ -2,18 +2,27 @@
 
 /* num / den = mantissa 2^(spread - 30) with mantissa in [2^29, 2^30]. num <=
  * 2^47 and num <= den 2^spread <= 2^48, so the shifted one fits 54 bits. */
-static bool scale_of(int64_t num, int64_t den, int32_t *mantissa,
+static bool scale_of(uint64_t num, uint64_t den, int32_t *mantissa,
                      int8_t *spread)
 {
     int8_t bits = 0;
-    while (bits < 24 && num > (int64_t)((uint64_t)den << bits))
+    while (bits < 24 && num > den << bits)
         bits++;
-    if (num > (int64_t)((uint64_t)den << bits) || num < den)
-        return false;
-    num = (int64_t)((uint64_t)num << (30 - bits));
-    *mantissa = (int32_t)((num + den / 2) / den);
+    *mantissa = (int32_t)(((num << (30 - bits)) + den / 2) / den);
     *spread = bits;
-    return true;
+    return num >= den && num <= den << bits;
+}
+
+/* Legal sizes in pixels, and of focal length and sensor. */
+static bool sizes_legal(const struct pel_camera *c, const struct pel_rect *v)
+{
+    const bool ortho = c->projection == PEL_ORTHOGRAPHIC;
+    const uint32_t limit = ortho ? PEL_LENGTH_MAX : UINT32_C(1) << 24;
+    return v->x0 >= -32767 && v->y0 >= -32767 && v->x1 <= 32767 &&
+           v->y1 <= 32767 && !pel_rect_empty(v) && v->x1 - v->x0 <= 32767 &&
+           v->y1 - v->y0 <= 32767 && (uint32_t)c->sensor[0] - 1 < limit &&
+           (uint32_t)c->sensor[1] - 1 < limit &&
+           (ortho || (uint32_t)c->focal - 1 < limit);
 }
 
 /* Rows of x and y become the sub-pixels of a unit. */
@@ -21,25 +30,21 @@ static bool scale_rows(struct pel_projector *p, struct pel_matrix *basis,
                        const struct pel_camera *camera,
                        const struct pel_rect *viewport)
 {
-    const int32_t size[2] = {viewport->x1 - viewport->x0,
-                             viewport->y1 - viewport->y0};
-    const bool ortho = camera->projection == PEL_ORTHOGRAPHIC;
-    const int32_t limit = ortho ? PEL_LENGTH_MAX : INT32_C(1) << 24;
+    const int32_t from[2] = {viewport->x0, viewport->y0};
+    const int32_t to[2] = {viewport->x1, viewport->y1};
+    const int32_t focal =
+        camera->projection == PEL_ORTHOGRAPHIC ? PEL_UNITS(1) : camera->focal;
     for (int k = 0; k < 2; k++) {
-        const int32_t sensor = camera->sensor[k];
-        const int32_t focal = ortho ? PEL_UNITS(1) : camera->focal;
+        const uint32_t size = (uint32_t)(to[k] - from[k]) * 256;
         int32_t mantissa;
-        if (size[k] < 1 || size[k] > 32767 || sensor < 1 || sensor > limit ||
-            focal < 1 || focal > limit ||
-            !scale_of((int64_t)size[k] * 256 * focal, sensor, &mantissa,
-                      &p->spread[k]))
+        if (!scale_of((uint64_t)size * (uint32_t)focal,
+                      (uint32_t)camera->sensor[k], &mantissa, &p->spread[k]))
             return false;
         for (int j = 0; j < 3; j++)
             basis->row[k][j] = (int32_t)pel_scale_down(
                 (int64_t)basis->row[k][j] * mantissa, 30);
+        p->center[k] = (from[k] + to[k]) * 128;
     }
-    p->center[0] = (viewport->x0 + viewport->x1) * 128;
-    p->center[1] = (viewport->y0 + viewport->y1) * 128;
     return true;
 }
 
@@ -63,17 +68,16 @@ static void place_origin(struct pel_projector *p, const struct pel_matrix *rows,
 /* How far the origin and the farthest number of the mesh can be away. */
 static void choose_coarse(struct pel_projector *p)
 {
-    int bits = 0;
+    uint64_t reach = 0;
     for (int k = 0; k < 3; k++) {
         int64_t far = 0;
         for (int j = 0; j < 3; j++)
-            far +=
-                pel_size_of(p->row[k][j]) * (pel_size_of(p->quantum.offset[j]) +
-                                             INT64_C(32768) * p->quantum.step);
-        far = (far >> p->down) + 1 + pel_size_of(p->origin[k]);
-        bits = pel_max(bits, pel_bits_of((uint64_t)far));
+            far += pel_size_of(p->rows.row[k][j]) *
+                   (pel_size_of(p->quantum.offset[j]) +
+                    INT64_C(32768) * p->quantum.step);
+        reach |= (uint64_t)((far >> p->down) + 1 + pel_size_of(p->origin[k]));
     }
-    p->coarse = (int8_t)pel_max(bits - 29, 0);
+    p->coarse = (int8_t)pel_max(pel_bits_of(reach) - 29, 0);
 }
 
 static enum pel_status place_near(struct pel_projector *p,
@@ -99,21 +103,19 @@ enum pel_status pel_projector_init(struct pel_projector *projector,
                                    const struct pel_rect *viewport)
 {
     struct pel_projector *p = projector;
-    struct pel_matrix basis, rows;
+    struct pel_matrix basis;
     enum pel_status status = pel_camera_basis(camera, &basis);
     if (status != PEL_OK)
         return status;
-    if (viewport->x0 < -32767 || viewport->y0 < -32767 ||
-        viewport->x1 > 32767 || viewport->y1 > 32767 ||
+    if (!sizes_legal(camera, viewport) ||
         !scale_rows(p, &basis, camera, viewport))
         return PEL_ERROR_SIZE;
     p->quantum = mesh->position;
     place_origin(p, &basis, pose, camera);
-    rows = basis;
     if (pose)
-        pel_matrix_multiply(&rows, &basis, &pose->turn);
-    for (int k = 0; k < 9; k++)
-        p->row[k / 3][k % 3] = rows.row[k / 3][k % 3];
+        pel_matrix_multiply(&p->rows, &basis, &pose->turn);
+    else
+        p->rows = basis;
     choose_coarse(p);
     if (camera->projection == PEL_ORTHOGRAPHIC) /* one unit fits 29 bits */
         p->coarse = (int8_t)pel_max(p->coarse, p->fine_bits - 29);

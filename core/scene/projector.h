@@ -18,8 +18,8 @@ struct pel_pose {
  * them, are below 2^29 in size for every vertex of the mesh: what is kept of
  * a vertex, and clipped. */
 struct pel_projector {
-    int32_t row[3][3]; /* 2^-30 */
-    int64_t origin[3]; /* fine */
+    struct pel_matrix rows; /* of the mesh, scaled */
+    int64_t origin[3];      /* fine */
     struct pel_mesh_quantum quantum;
     int32_t center[2]; /* sub-pixels */
     int64_t near_fine; /* the near plane, fine */

@@ -8,7 +8,7 @@ const struct pel_paint *pel_shade_gouraud_paint(
     pel_frame_colors(frame, &work->triangle, color);
     if (surface)
         return frame->scene->texture->mapping->tint(frame, surface, color);
-    pel_gouraud_init(&work->paint.gouraud, work->triangle.at, color);
+    pel_frame_gouraud(frame, color, &work->paint.gouraud);
     return &work->paint.gouraud.paint;
 }
 

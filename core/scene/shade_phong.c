@@ -21,7 +21,7 @@ static const struct pel_paint *paint(struct pel_frame *frame,
     pel_frame_planes(t, 3, value, p->place);
     if (!surface) {
         pel_frame_colors(frame, t, color);
-        pel_gouraud_init(&p->colors, t->at, color);
+        pel_frame_gouraud(frame, color, &p->colors);
     }
     return &p->base.paint;
 }

@@ -3,7 +3,7 @@
 
 bool pel_vector_fit(const int64_t v[3], int32_t fit[3])
 {
-    const int bits = pel_bits_of((uint64_t)pel_largest_of(v));
+    const int bits = pel_bits_of(pel_reach_of(v));
     for (int k = 0; k < 3; k++)
         fit[k] = bits ? (int32_t)pel_scale_down(v[k], bits - 30) : 0;
     return bits != 0;
@@ -19,9 +19,9 @@ bool pel_unit_exact(const int64_t v[3], pel_cosine unit[3])
         return false;
     pel_square_root((uint64_t)pel_dot(unit, unit), &root);
     for (int k = 0; k < 3; k++) {
-        int64_t n = (int64_t)unit[k] * PEL_COSINE_ONE;
-        int64_t half = root.root / 2;
-        unit[k] = (int32_t)((n + (n < 0 ? -half : half)) / root.root);
+        const uint64_t n = (uint64_t)pel_size_of(unit[k]) << 30;
+        const int32_t q = (int32_t)((n + root.root / 2) / root.root);
+        unit[k] = unit[k] < 0 ? -q : q;
     }
     return true;
 }

@@ -5,13 +5,11 @@
  * below 2^62, is 2^30 v / |v| after a shift by 32 - shift. */
 bool pel_unit_near(const int32_t v[3], pel_cosine unit[3])
 {
-    struct pel_root root;
-    uint64_t square = (uint64_t)pel_dot(v, v);
-    unit[0] = unit[1] = unit[2] = 0;
-    if (square == 0)
-        return false;
-    pel_square_root(square, &root);
+    struct pel_root root = {0, 0, 0};
+    const uint64_t square = (uint64_t)pel_dot(v, v);
+    if (square)
+        pel_square_root(square, &root);
     for (int k = 0; k < 3; k++)
         unit[k] = (int32_t)((int64_t)v[k] * root.inverse >> (32 - root.shift));
-    return true;
+    return square != 0;
 }

@@ -4,6 +4,7 @@
 #define PEL_SCENE_VECTOR_H
 
 #include "../base/fixed.h"
+#include "../pel_config.h"
 
 /* Places in the world: 1/65,536 unit, from -16,384 to 16,384 units. A
  * difference of two fits 32 bits unsigned, and their sum weighted by a unit
@@ -20,54 +21,40 @@ typedef int32_t pel_cosine;
 
 #define PEL_COSINE_ONE (INT32_C(1) << 30)
 
-/* Factors of light and material: 1/65,536, from 0 to PEL_FACTOR_MAX. */
+/* Factors of light and material: 1/65,536, from 0 to less than 16. */
 typedef int32_t pel_factor;
 
 #define PEL_FACTOR(percent) ((pel_factor)((percent)*65536 / 100))
-#define PEL_FACTOR_MAX (INT32_C(16) * 65536)
+#define PEL_FACTOR_END (UINT32_C(16) * 65536)
 
 /* v 2^-n, the nearest (a tie upwards); v 2^-n must fit. -62 <= n <= 62. */
-static inline int64_t pel_scale_down(int64_t v, int n)
-{
-    if (n <= 0)
-        return (int64_t)((uint64_t)v << -n);
-    return (v + (int64_t)((uint64_t)1 << (n - 1))) >> n;
-}
+int64_t pel_scale_down(int64_t v, int n);
 
 /* Bits of v: 0 for 0, otherwise 2^(bits - 1) <= v < 2^bits. */
-static inline int pel_bits_of(uint64_t v)
-{
-#ifdef __GNUC__
-    return v ? 64 - __builtin_clzll(v) : 0;
-#else
-    int bits = 0;
-    for (; v; v >>= 1)
-        bits++;
-    return bits;
-#endif
-}
+int pel_bits_of(uint64_t v);
 
 static inline int64_t pel_size_of(int64_t v)
 {
     return v < 0 ? -v : v;
 }
 
-static inline int64_t pel_largest_of(const int64_t v[3])
-{
-    int64_t x = pel_size_of(v[0]), y = pel_size_of(v[1]);
-    int64_t z = pel_size_of(v[2]);
-    x = x > y ? x : y;
-    return x > z ? x : z;
-}
+/* At least the largest size of a part, and with as many bits. */
+uint64_t pel_reach_of(const int64_t v[3]);
 
-/* The product of vectors whose sizes multiply to less than 2^63. */
+/* The product of vectors whose sizes multiply to less than 2^63. Where products
+ * of 64 bits are long code, it is there once. */
+#if PEL_FAST_64BIT
 static inline int64_t pel_dot(const int32_t a[3], const int32_t b[3])
 {
     return (int64_t)a[0] * b[0] + (int64_t)a[1] * b[1] + (int64_t)a[2] * b[2];
 }
+#else
+int64_t pel_dot(const int32_t a[3], const int32_t b[3]);
+#endif
 
 /* A direction for light: unit gets v scaled to length 1, each part off by less
- * than 2^-21. No division. |v[k]| <= 2^30; false, and all 0, when v is 0. */
+ * than 2^-21. No division. |v[k]| <= 2^30; false, and all 0, when v is 0. unit
+ * may be v. */
 bool pel_unit_near(const int32_t v[3], pel_cosine unit[3]);
 
 /* A direction for places: the same, off by less than 2^-29, by divisions.

@@ -173,6 +173,27 @@ static void test_alpha_of_pixels(void **state)
     }
 }
 
+/* The alpha of a pixel is no part of the key, and nothing else's. */
+static void test_key_ignores_alpha(void **state)
+{
+    (void)state;
+    static uint32_t words[3];
+    const pel_color color[] = {0x12FF00FF, 0xFFFF00FF, 0x00FF00FE};
+    const struct pel_rect b = {0, 0, 8, 1};
+    struct pel_surface argb;
+    canvas_open(&to, &pel_rgb888, &b, 0);
+    assert_int_equal(pel_surface_init(&argb, &pel_argb8888, words, 3, 1),
+                     PEL_OK);
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 4; k++)
+            ((uint8_t *)&words[i])[k] = (uint8_t)(color[i] >> 8 * k);
+    const struct pel_copy_part copy = {&argb, {0, 0, 3, 1}, 2, 0};
+    pel_copy_keyed(&to.surface, &copy, PEL_RGB(255, 0, 255));
+    for (int32_t x = 0; x < 8; x++)
+        assert_int_equal(canvas_pixel(&to, x, 0),
+                         x == 4 ? 0xFF00FE : canvas_pixel_before(&to, x, 0));
+}
+
 /* As a destination it is xrgb8888. */
 static void test_argb_is_drawn_into_as_xrgb(void **state)
 {
@@ -228,6 +249,7 @@ int main(void)
         cmocka_unit_test(test_keyed),
         cmocka_unit_test(test_alpha),
         cmocka_unit_test(test_alpha_of_pixels),
+        cmocka_unit_test(test_key_ignores_alpha),
         cmocka_unit_test(test_argb_is_drawn_into_as_xrgb),
         cmocka_unit_test(test_out_of_range),
     };

@@ -1,4 +1,5 @@
 /* Textures against exact places: nearest, bilinear, wrap modes, formats. */
+#include "core/image/argb8888.h"
 #include "core/raster/paint_texture.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
@@ -311,6 +312,36 @@ static void test_formats(void **state)
                 check_formats(layouts[from].format, layouts[to].format, wrap);
 }
 
+/* A surface with alpha shows what the same colours in an array show. */
+static void test_alpha_surface(void **state)
+{
+    (void)state;
+    static uint8_t memory[451 * 300 * 4];
+    const struct pel_texture_map map = {{0x12345678, 0x9ABCDEF0, 0x13579BDF},
+                                        {0x87654321, 0x2468ACE0, 0xFEDCBA98}};
+    struct pel_surface surface;
+    struct pel_texture p, q;
+    pel_color from_surface[300], from_array[300];
+    open_picture(451, 300, true);
+    for (size_t i = 0; i < sizeof memory; i++)
+        memory[i] = (uint8_t)(picture.texel[i / 4] >> i % 4 * 8);
+    assert_int_equal(
+        pel_surface_init(&surface, &pel_argb8888, memory, 451, 300), PEL_OK);
+    const struct pel_texels t = {&surface, NULL, 0, 0, false};
+    for (int i = 0; i < 2; i++) {
+        init_function *init =
+            i ? pel_texture_init_bilinear : pel_texture_init_nearest;
+        assert_int_equal(init(&p, &t, &map), PEL_OK);
+        assert_int_equal(init(&q, &picture.texels, &map), PEL_OK);
+        assert_false(p.base.opaque);
+        for (int32_t y = -20; y < 200; y++) {
+            p.base.colors(&p.base, -9, y, 300, from_surface);
+            q.base.colors(&q.base, -9, y, 300, from_array);
+            assert_memory_equal(from_surface, from_array, sizeof from_array);
+        }
+    }
+}
+
 static void test_errors(void **state)
 {
     (void)state;
@@ -344,6 +375,7 @@ int main(void)
         cmocka_unit_test(test_unit_scale_is_exact),
         cmocka_unit_test(test_order_changes_nothing),
         cmocka_unit_test(test_formats),
+        cmocka_unit_test(test_alpha_surface),
         cmocka_unit_test(test_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -123,7 +123,7 @@ static pel_color source_of(const struct item *item, const struct pel_gouraud *g,
 static void check_bytes(const struct item *item)
 {
     const struct pel_rect *b = &whole.surface.bounds;
-    struct pel_gouraud g = {{0}, {0}, {0}, {0}, false};
+    struct pel_gouraud g = {.at = {0}};
     if (item->kind == ITEM_GOURAUD)
         pel_gouraud_init(&g, item->v, item->color);
     hits_open(&hits, b);

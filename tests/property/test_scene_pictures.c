@@ -80,11 +80,11 @@ static uint32_t number_at(const struct picture *p, int32_t x, int32_t y)
     return 0;
 }
 
-static void mix(const real w[3], const real *a, const real *b, const real *c,
-                int n, real *out)
+/* The sum of v[i] w[i], of n numbers each. */
+static void mix(const real w[3], const real *const v[3], int n, real *out)
 {
     for (int k = 0; k < n; k++)
-        out[k] = w[0] * a[k] + w[1] * b[k] + w[2] * c[k];
+        out[k] = w[0] * v[0][k] + w[1] * v[1][k] + w[2] * v[2][k];
 }
 
 /* u and v at weights that are linear on screen. */
@@ -100,7 +100,8 @@ static void uv_at(const struct picture *p, const struct seen *v,
     }
     for (int i = 0; i < 3; i++)
         w[i] /= sum;
-    mix(w, v[0].uv, v[1].uv, v[2].uv, 2, uv);
+    const real *const uvs[3] = {v[0].uv, v[1].uv, v[2].uv};
+    mix(w, uvs, 2, uv);
 }
 
 static void color_at(const struct picture *p, uint32_t triangle,
@@ -112,7 +113,10 @@ static void color_at(const struct picture *p, uint32_t triangle,
                       scene->shading == &pel_shade_lit_flat;
     const real third[3] = {1.0L / 3, 1.0L / 3, 1.0L / 3};
     real surface[3], uv[2], place[3], normal[3];
-    mix(flat ? third : w, v[0].color, v[1].color, v[2].color, 3, out);
+    const real *const colors[3] = {v[0].color, v[1].color, v[2].color};
+    const real *const places[3] = {v[0].place, v[1].place, v[2].place};
+    const real *const normals[3] = {v[0].normal, v[1].normal, v[2].normal};
+    mix(flat ? third : w, colors, 3, out);
     if (scene->texture) {
         uv_at(p, v, w, uv);
         reference_texel(scene->texture, uv[0], uv[1], true, surface);
@@ -120,8 +124,8 @@ static void color_at(const struct picture *p, uint32_t triangle,
             out[k] *= surface[k] / 255;
     }
     if (p->phong) {
-        mix(w, v[0].place, v[1].place, v[2].place, 3, place);
-        mix(w, v[0].normal, v[1].normal, v[2].normal, 3, normal);
+        mix(w, places, 3, place);
+        mix(w, normals, 3, normal);
         for (int k = 0; k < 3; k++)
             surface[k] = out[k];
         reference_light(scene, place, normal, surface, out);

@@ -52,13 +52,15 @@ pixel() {
 }
 
 all='rect 0 0 32 32'
+halves='0 #ff0000 0.5 #ff0000 0.5 #0000ff 1 #0000ff'
+enlarged='paint texture map t.ppm 0 0 0 0 32 0 2 0 0 32 0 2'
 pixel "paint linear 8 0 #112233 24 0 #ffffff\n$all" 3 9 112233
 pixel "paint linear 8 0 #112233 24 0 #ffffff\n$all" 30 9 ffffff
-pixel "paint linear stops 0 0 32 0 0 #ff0000 0.5 #ff0000 0.5 #0000ff 1 #0000ff\n$all" 15 3 ff0000
-pixel "paint linear stops 0 0 32 0 0 #ff0000 0.5 #ff0000 0.5 #0000ff 1 #0000ff\n$all" 16 3 0000ff
+pixel "paint linear stops 0 0 32 0 $halves\n$all" 15 3 ff0000
+pixel "paint linear stops 0 0 32 0 $halves\n$all" 16 3 0000ff
 pixel "paint radial 16 16 10 0 #00ff00 1 #0000ff\n$all" 0 0 0000ff
-pixel "paint conic 16 16 0.25 0 #00ff00 0.5 #00ff00 0.5 #0000ff 1 #0000ff\n$all" 3 16 00ff00
-pixel "paint conic 16 16 0.25 0 #00ff00 0.5 #00ff00 0.5 #0000ff 1 #0000ff\n$all" 30 16 0000ff
+pixel "paint conic 16 16 0.25 $halves\n$all" 3 16 ff0000
+pixel "paint conic 16 16 0.25 $halves\n$all" 30 16 0000ff
 pixel "paint wheel 16.5 16.5 0 255 255\n$all" 30 16 ff0000
 pixel "paint wheel 16.5 16.5 0 255 255\n$all" 2 16 00ffff
 pixel "paint linear 0 0 #00ff0000 32 0 #00ff0000\n$all" 5 5 000000
@@ -79,10 +81,10 @@ pixel "paint texture t.ppm 4 5\n$all" 5 5 00ff00
 pixel "paint texture t.ppm 4 5\n$all" 30 30 ffffff
 pixel "option wrap repeat\npaint texture t.ppm 4 5\n$all" 6 5 ff0000
 pixel "option wrap mirror\npaint texture t.ppm 4 5\n$all" 6 5 00ff00
-pixel "paint texture map t.ppm 0 0 0 0 32 0 2 0 0 32 0 2\n$all" 15 15 ff0000
-pixel "paint texture map t.ppm 0 0 0 0 32 0 2 0 0 32 0 2\n$all" 16 15 00ff00
-differ "option filter bilinear\npaint texture map t.ppm 0 0 0 0 32 0 2 0 0 32 0 2\n$all" \
-    "paint texture map t.ppm 0 0 0 0 32 0 2 0 0 32 0 2\n$all"
+pixel "$enlarged\n$all" 15 15 ff0000
+pixel "$enlarged\n$all" 16 15 00ff00
+differ "option filter bilinear\n$enlarged\n$all" \
+    "$enlarged\n$all"
 
 echo 'paint linear 3 4 #000000 3 4 #ffffff' |
     refused 2 'paint linear: the two points must not be the same'

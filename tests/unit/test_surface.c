@@ -66,6 +66,8 @@ static void test_bounds(void **state)
         {{0, -32768, 1, 0}, PEL_ERROR_SIZE},
         {{-32776, 0, -32760, 1}, PEL_ERROR_SIZE},
         {{0, -32776, 1, -32760}, PEL_ERROR_SIZE},
+        {{-32769, 0, -32760, 1}, PEL_ERROR_SIZE},
+        {{0, -32769, 1, -32760}, PEL_ERROR_SIZE},
         {{32760, 0, 32769, 1}, PEL_ERROR_SIZE},
         {{0, 32760, 1, 32769}, PEL_ERROR_SIZE},
         {{8, 0, 8, 1}, PEL_ERROR_SIZE},
@@ -122,6 +124,10 @@ static void test_stride_of_nothing(void **state)
     assert_int_equal(pel_stride(NULL, 8), 0);
     assert_int_equal(pel_stride(&pel_rgb888, 0), 0);
     assert_int_equal(pel_stride(&pel_rgb888, -1), 0);
+    assert_int_equal(pel_stride(&pel_rgb888, 1), 3);
+    assert_int_equal(pel_stride(&pel_mono1, 1), 1);
+    assert_int_equal(pel_stride(&pel_mono1_pages, 1), 1);
+    assert_int_equal(pel_stride(&pel_mono1_pages, -1), 0);
     assert_int_equal(pel_stride(&pel_rgb888, 32767), 98301);
     assert_int_equal(pel_stride(&pel_rgb888, 32768), 0);
     assert_int_equal(pel_stride(&pel_rgb888, INT32_MAX), 0);
@@ -169,6 +175,23 @@ static void test_origins(void **state)
         }
 }
 
+static void test_surface_is_what_was_said(void **state)
+{
+    const struct pel_rect b = {-16, 8, 5, 24};
+    struct pel_surface s;
+    (void)state;
+    assert_int_equal(pel_surface_init_rect(&s, &pel_rgb888, memory, -66, &b),
+                     PEL_OK);
+    assert_ptr_equal(s.pixels, memory);
+    assert_int_equal(s.stride, -66);
+    assert_memory_equal(&s.bounds, &b, sizeof b);
+    assert_memory_equal(&s.clip, &b, sizeof b);
+    assert_ptr_equal(s.format, &pel_rgb888);
+    assert_int_equal(pel_surface_init(&s, &pel_mono1, memory, 17, 3), PEL_OK);
+    assert_int_equal(s.stride, 3);
+    assert_memory_equal(&s.bounds, (&(struct pel_rect){0, 0, 17, 3}), sizeof b);
+}
+
 static void test_clip_stays_inside(void **state)
 {
     const struct pel_rect outside = {INT32_MIN, INT32_MIN, INT32_MAX,
@@ -196,6 +219,7 @@ int main(void)
         cmocka_unit_test(test_stride_of_nothing),
         cmocka_unit_test(test_alignment),
         cmocka_unit_test(test_origins),
+        cmocka_unit_test(test_surface_is_what_was_said),
         cmocka_unit_test(test_clip_stays_inside),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -114,6 +114,27 @@ static void test_polygons(void **state)
     alarm(0);
 }
 
+/* More runs in one line than a batch holds, and in the next one again. */
+static void test_batches_of_one_line(void **state)
+{
+    enum { TEETH_SHOWN = 300, N = 4 * TEETH_SHOWN };
+    const struct pel_rect b = {0, 0, 2 * TEETH_SHOWN, 2};
+    static struct pel_point v[N];
+    static uint32_t scratch[9 * N];
+    const struct pel_outline p = {v, N, PEL_EVEN_ODD};
+    const uint64_t a_line = (TEETH_SHOWN + PEL_BATCH_ROWS - 1) / PEL_BATCH_ROWS;
+    (void)state;
+    for (int32_t i = 0; i < N; i++)
+        v[i] = (struct pel_point){PEL_PX(i / 2),
+                                  (i + 1) / 2 % 2 ? PEL_PX(-9) : PEL_PX(12)};
+    hits_open(&hits, &b);
+    assert_int_equal(
+        pel_polygon(&hits.surface, &p, &hits.paint, scratch, sizeof scratch),
+        PEL_OK);
+    assert_int_equal(hits.runs, 2 * TEETH_SHOWN);
+    assert_int_equal(hits.batches, 2 * a_line);
+}
+
 /* Batches are filled before they are handed on. */
 static void test_batches(void **state)
 {
@@ -136,38 +157,6 @@ static void test_batches(void **state)
     pel_rectangle(&hits.surface, v[0], (struct pel_point){768, PEL_PX(150)},
                   &hits.paint);
     assert_int_equal(hits.batches, least);
-}
-
-/* What collects its runs hands on none that is empty: rows that a circle only
- * touches between two centres, and sides of polygons that meet. */
-static void refuse_empty(const struct pel_paint *paint,
-                         const struct pel_rows *rows)
-{
-    (void)paint;
-    for (int32_t i = 0; i < rows->n; i++)
-        assert_true(rows->row[i].x0 < rows->row[i].x1);
-}
-
-static void test_no_empty_runs(void **state)
-{
-    const struct pel_rect b = {-9, -9, 9, 9};
-    const struct pel_paint paint = {.fill = refuse_empty};
-    uint32_t scratch[64];
-    (void)state;
-    hits_open(&hits, &b);
-    for (struct cases c = cases_of(100000); cases_next(&c);) {
-        struct pel_point v[5];
-        const struct pel_outline p = {v, 5, PEL_EVEN_ODD};
-        for (int i = 0; i < 5; i++)
-            v[i] = (struct pel_point){random_between(&c.random, -2600, 2600),
-                                      random_between(&c.random, -2600, 2600)};
-        pel_circle(&hits.surface, v[0], random_between(&c.random, 0, 1500),
-                   &paint);
-        pel_line(&hits.surface, v[0], v[1], &paint);
-        assert_int_equal(
-            pel_polygon(&hits.surface, &p, &paint, scratch, sizeof scratch),
-            PEL_OK);
-    }
 }
 
 static bool in_polygon(const void *outline, int32_t x, int32_t y)
@@ -233,10 +222,14 @@ static void test_zigzags(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_triangles),     cmocka_unit_test(test_circles),
-        cmocka_unit_test(test_lines),         cmocka_unit_test(test_rectangles),
-        cmocka_unit_test(test_polygons),      cmocka_unit_test(test_batches),
-        cmocka_unit_test(test_no_empty_runs), cmocka_unit_test(test_zigzags),
+        cmocka_unit_test(test_triangles),
+        cmocka_unit_test(test_circles),
+        cmocka_unit_test(test_lines),
+        cmocka_unit_test(test_rectangles),
+        cmocka_unit_test(test_polygons),
+        cmocka_unit_test(test_batches),
+        cmocka_unit_test(test_batches_of_one_line),
+        cmocka_unit_test(test_zigzags),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

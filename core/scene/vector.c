@@ -1,0 +1,40 @@
+#include "vector.h"
+
+int64_t pel_scale_down(int64_t v, int n)
+{
+    if (n <= 0)
+        return (int64_t)((uint64_t)v << -n);
+    return ((v >> (n - 1)) + 1) >> 1;
+}
+
+int pel_bits_of(uint64_t v)
+{
+#if defined(__GNUC__) && PEL_FAST_64BIT
+    return v ? 64 - __builtin_clzll(v) : 0;
+#else
+    int bits = 0;
+    for (; v >> 32; bits += 8)
+        v >>= 8;
+    for (uint32_t low = (uint32_t)v; low; low >>= 1)
+        bits++;
+    return bits;
+#endif
+}
+
+uint64_t pel_reach_of(const int64_t v[3])
+{
+    uint64_t reach = 0;
+    for (int k = 0; k < 3; k++)
+        reach |= (uint64_t)pel_size_of(v[k]);
+    return reach;
+}
+
+#if !PEL_FAST_64BIT
+int64_t pel_dot(const int32_t a[3], const int32_t b[3])
+{
+    int64_t sum = 0;
+    for (int k = 0; k < 3; k++)
+        sum += (int64_t)a[k] * b[k];
+    return sum;
+}
+#endif

@@ -1,0 +1,118 @@
+/* Rectangles and clears: which pixels, which bytes, and what draws nothing. */
+#include <string.h>
+
+#include "tests/support/canvas.h"
+#include "tests/support/check.h"
+
+static struct canvas canvas;
+
+static const struct pel_rect bounds = {-8, -8, 16, 9};
+
+static int teardown(void **state)
+{
+    (void)state;
+    canvas_close(&canvas);
+    return 0;
+}
+
+/* The clip holds `want`, and nothing else has changed. */
+static void check_clip(const struct pel_rect *clip, uint32_t want)
+{
+    canvas_check(&canvas);
+    for (int32_t y = clip->y0; y < clip->y1; y++)
+        for (int32_t x = clip->x0; x < clip->x1; x++)
+            if (canvas_pixel(&canvas, x, y) != want)
+                fail_msg("%s: %d, %d: expected %x, got %x", canvas.layout->name,
+                         x, y, want, canvas_pixel(&canvas, x, y));
+}
+
+/* Alpha is ignored, and no other bit. */
+static void test_clear_sets_the_color(void **state)
+{
+    static const pel_color colors[] = {0,          0xFF000000, 0x00FFFFFF,
+                                       0x12345678, 0x80FEFCF8, 0xFF102040};
+    static const struct pel_rect clips[] = {
+        {-8, -8, 16, 9}, {-3, 1, 5, 2}, {0, -8, 1, 9}};
+    (void)state;
+    for (int f = 0; f < LAYOUT_COUNT; f++)
+        for (size_t i = 0; i < sizeof colors / sizeof colors[0]; i++)
+            for (size_t k = 0; k < sizeof clips / sizeof clips[0]; k++) {
+                canvas_open(&canvas, layouts[f].format, &bounds,
+                            (unsigned)i % CANVAS_STYLES);
+                pel_surface_clip(&canvas.surface, &clips[k]);
+                pel_clear(&canvas.surface, colors[i]);
+                check_clip(&clips[k], layout_pack(&layouts[f], colors[i]));
+            }
+}
+
+static void test_clear_of_an_empty_clip(void **state)
+{
+    static const struct pel_rect clips[] = {
+        {4, 4, 4, 8}, {4, 4, 8, 4}, {9, 0, 3, 8}, {40, 40, 50, 50}};
+    (void)state;
+    for (size_t k = 0; k < sizeof clips / sizeof clips[0]; k++) {
+        canvas_open(&canvas, &pel_xrgb8888, &bounds, 0);
+        pel_surface_clip(&canvas.surface, &clips[k]);
+        pel_clear(&canvas.surface, 0xFFFFFFFF);
+        assert_memory_equal(canvas.memory, canvas.before, canvas.size);
+    }
+}
+
+/* Corners in sub-pixels around pixel (1, 2): its centre is at (384, 640). */
+static void test_rectangle_takes_centres(void **state)
+{
+    static const struct {
+        struct pel_point from, to;
+        bool in;
+    } row[] = {
+        {{384, 640}, {385, 641}, true},  {{385, 640}, {500, 641}, false},
+        {{384, 641}, {385, 700}, false}, {{300, 600}, {384, 641}, false},
+        {{300, 600}, {385, 640}, false}, {{300, 600}, {385, 641}, true},
+        {{385, 641}, {384, 640}, false}, {{384, 640}, {384, 641}, false},
+        {{384, 640}, {385, 640}, false}, {{500, 641}, {300, 640}, false},
+        {{256, 512}, {512, 768}, true},
+    };
+    const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    (void)state;
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        canvas_open(&canvas, &pel_gray8, &bounds, 0);
+        pel_clear(&canvas.surface, 0);
+        pel_rectangle(&canvas.surface, row[i].from, row[i].to, &white.paint);
+        for (int32_t y = 0; y < 5; y++)
+            for (int32_t x = 0; x < 4; x++)
+                if ((canvas_pixel(&canvas, x, y) == 255) !=
+                    (row[i].in && x == 1 && y == 2))
+                    fail_msg("row %zu: %d, %d", i, x, y);
+    }
+}
+
+/* An illegal corner draws nothing, though the rest would be visible. */
+static void test_illegal_corners(void **state)
+{
+    const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    static const struct {
+        struct pel_point from, to;
+    } row[] = {
+        {{PEL_COORDINATE_MIN - 1, 0}, {1000, 1000}},
+        {{0, PEL_COORDINATE_MIN - 1}, {1000, 1000}},
+        {{0, 0}, {PEL_COORDINATE_MAX + 1, 1000}},
+        {{0, 0}, {1000, PEL_COORDINATE_MAX + 1}},
+    };
+    (void)state;
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        canvas_open(&canvas, &pel_gray8, &bounds, 0);
+        pel_rectangle(&canvas.surface, row[i].from, row[i].to, &white.paint);
+        assert_memory_equal(canvas.memory, canvas.before, canvas.size);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_clear_sets_the_color),
+        cmocka_unit_test(test_clear_of_an_empty_clip),
+        cmocka_unit_test(test_rectangle_takes_centres),
+        cmocka_unit_test(test_illegal_corners),
+    };
+    return cmocka_run_group_tests(tests, NULL, teardown);
+}
