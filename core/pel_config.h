@@ -1,6 +1,8 @@
 /* Knobs of Pel. Each has a default, so no configuration file is needed; a
  * program that wants others compiles with -DPEL_CONFIG_FILE='"my_pel.h"' or
- * with -DPEL_NAME=value. No knob changes a pixel: only speed and size. */
+ * with -DPEL_NAME=value, the library and all that includes its headers alike:
+ * some knobs are sizes of structs. No knob changes a pixel: only speed and
+ * size. */
 #ifndef PEL_CONFIG_H
 #define PEL_CONFIG_H
 
@@ -28,7 +30,7 @@
 
 /* 1 on CPUs that multiply 32 by 32 to 64 bits with one instruction. */
 #ifndef PEL_LONG_MULTIPLY
-#if PEL_FAST_64BIT || (defined(__ARM_ARCH) && __ARM_ARCH >= 7) ||              \
+#if PEL_FAST_64BIT || (defined(__ARM_ARCH) && __ARM_ARCH >= 7) || \
     defined(__i386__)
 #define PEL_LONG_MULTIPLY 1
 #else

@@ -36,11 +36,6 @@
 
 #include "../core/base/surface.h"
 
-/* What drivers return beyond the list in base/status.h. */
-#define PEL_ERROR_DEVICE                                 \
-    ((enum pel_status) - 16) /* gone, refused, timed out \
-                              */
-
 struct pel_display {
     void *context; /* the driver's own state */
 

@@ -63,7 +63,7 @@ bool import_picture(const struct import_options *options,
         return false;
     for (int y = 0; y < picture->height; y++)
         format->put(&canvas.surface, 0, y, picture->width,
-                      picture_row(picture, y));
+                    picture_row(picture, y));
     bool done = import_text_open(&text, options->output, options->source,
                                  "core/asset/image_asset.h");
     if (done) {

@@ -1,4 +1,4 @@
-# `make check`: the cmocka programs of core in four builds, the tests of sim,
+# `make check`: the cmocka programs of core in several builds, the tests of sim,
 # and what fragments add to CHECK_EXTRA, a list of make targets of which each is
 # one test. `make deep` runs the same programs for longer.
 

@@ -8,12 +8,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { PEL_SUBPIXEL_BITS = 8 };
-
 #define PEL_COORDINATE_MIN INT32_C(-8388608)
 #define PEL_COORDINATE_MAX INT32_C(8388607)
 
-/* n pixels in sub-pixels, for constant expressions too. */
+/* n whole pixels, -32,768..32,767, in sub-pixels, for constant expressions too;
+ * half a pixel more is + 128. */
 #define PEL_PX(n) ((int32_t)(n)*256)
 
 struct pel_point {
@@ -30,6 +29,9 @@ struct pel_point {
  * C leaves that to the compiler, so here is the one place that asks. */
 typedef char pel_shift_is_arithmetic[((-3) >> 1) == -2 ? 1 : -1];
 
+/* Sums of sub-pixels are written in int. */
+typedef char pel_int_has_32_bits[sizeof(int) >= 4 ? 1 : -1];
+
 /* Pixel that holds a sub-pixel coordinate. */
 static inline int32_t pel_pixel_of(int32_t v)
 {
@@ -42,7 +44,7 @@ static inline int32_t pel_first_pixel(int32_t v)
     return (v + 127) >> 8;
 }
 
-/* Centre of pixel i; -32,768 <= i <= 32,768. */
+/* Centre of pixel i; |i| < 2^23. */
 static inline int32_t pel_pixel_center(int32_t i)
 {
     return i * 256 + 128;
@@ -68,10 +70,9 @@ static inline bool pel_point_legal(struct pel_point p)
 /* Are all n points? */
 static inline bool pel_points_legal(const struct pel_point *v, int32_t n)
 {
-    const int32_t *coordinate = &v->x;
     uint32_t high = 0;
-    for (n *= 2; n > 0; n--)
-        high |= (uint32_t)*coordinate++ + 0x800000u;
+    for (; n > 0; n--, v++)
+        high |= ((uint32_t)v->x + 0x800000u) | ((uint32_t)v->y + 0x800000u);
     return high >> 24 == 0;
 }
 

@@ -50,7 +50,7 @@ struct pel_rows {
 };
 
 struct pel_format {
-    uint8_t id;   /* enum pel_format_id, never 0 */
+    uint8_t id;   /* enum pel_format_id; 128..255 for formats of your own */
     uint8_t bits; /* of a pixel: 1, 4, 8, 16, 24 or 32 */
     uint8_t word; /* bytes that pixels and stride are a multiple of */
 
@@ -62,8 +62,10 @@ struct pel_format {
     /* One opaque pixel value into every run. */
     void (*fill)(const struct pel_rows *rows, uint32_t pixel);
 
-    /* The color over every run, weighted by its alpha, 1..254. NULL in the fill-only
-     * twins, like put and load: what needs them draws nothing there. */
+    /* The color over every run, weighted by its alpha, which is below
+     * 255; 0 leaves every bit as it is. NULL in the
+     * fill-only twins, like put and load: what needs them draws nothing there.
+     */
     void (*blend)(const struct pel_rows *rows, pel_color color);
 
     /* n >= 1 colours over the pixels (x, y) to (x + n - 1, y) of the surface,

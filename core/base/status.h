@@ -1,5 +1,7 @@
 /* What the functions that can fail return: those that set something up.
- * A draw call returns nothing; a shape that is clipped away is no error. */
+ * A draw call returns nothing; a shape that is clipped away is no error.
+ * Pointers given to draw calls and hit tests are never NULL: only functions
+ * that return a status look. */
 #ifndef PEL_BASE_STATUS_H
 #define PEL_BASE_STATUS_H
 
@@ -10,7 +12,9 @@ enum pel_status {
     PEL_ERROR_STRIDE = -3,    /* rows would overlap */
     PEL_ERROR_ALIGNMENT = -4, /* memory or stride no multiple of a pixel word */
     PEL_ERROR_SCRATCH = -5,   /* scratch memory too small or not aligned */
-    PEL_ERROR_RANGE = -6      /* coordinate beyond +-32,768 px */
+    PEL_ERROR_RANGE = -6,     /* a number out of its stated range */
+    PEL_ERROR_FORMAT = -7,    /* not a format that can be read or drawn */
+    PEL_ERROR_DEVICE = -16    /* a display: its driver has said what and why */
 };
 
 #endif

@@ -10,7 +10,8 @@
 
 struct pel_surface {
     void *pixels;           /* where pixel (bounds.x0, bounds.y0) begins */
-    int32_t stride;         /* bytes to the next line down; may be negative */
+    int32_t stride;         /* bytes to the next line down (mono1_pages: to the
+                               next page of 8); may be negative */
     struct pel_rect bounds; /* the pixels that memory holds, absolute */
     struct pel_rect clip;   /* the pixels that may change; inside bounds */
     const struct pel_format *format;
@@ -44,8 +45,7 @@ enum pel_status pel_surface_init_rect(struct pel_surface *surface,
 /* Sets the clip to the part of `clip` inside the bounds; may be empty. */
 void pel_surface_clip(struct pel_surface *surface, const struct pel_rect *clip);
 
-/* Where line y begins, that is pixel bounds.x0 of it. size_t-wide arithmetic:
- * a 240 x 320 surface does not fit 16 bits. */
+/* Where line y begins, that is pixel bounds.x0 of it; not for mono1_pages. */
 static inline uint8_t *pel_surface_line(const struct pel_surface *s, int32_t y)
 {
     return (uint8_t *)s->pixels +

@@ -4,6 +4,8 @@
 
 void pel_blend32_rows(const struct pel_rows *rows, pel_color color)
 {
+    if (pel_alpha(color) == 0)
+        return; /* the X byte stays as it is, too */
     const struct pel_blend32 b = pel_blend32_make(rows->surface->format, color);
     const struct pel_row *row = rows->row;
     int32_t y = rows->y;

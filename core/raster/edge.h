@@ -44,7 +44,7 @@ struct pel_edge {
 #if defined(__ARM_ARCH) && !defined(__ARM_FEATURE_IDIV) && !defined(__aarch64__)
 
 /* No divide instruction: subtracts shifted divisors, from the first that fits
- * down, about log2(|dx| / dy) steps and none for |dx| < dy.
+ * down, about log2(|dx| / dy) steps, one for |dx| < dy.
  * floor(dx / dy) = ~floor(~dx / dy) for dx < 0. */
 static inline int32_t pel_floor_divide(int32_t dx, int32_t dy,
                                        int32_t *remainder)

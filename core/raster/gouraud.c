@@ -144,17 +144,20 @@ static void set_geometry(struct setup *s)
         set_reciprocal(s);
 }
 
-void pel_gouraud_init(struct pel_gouraud *paint, const struct pel_point v[3],
-                      const pel_color c[3])
+enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
+                                 const struct pel_point v[3],
+                                 const pel_color c[3])
 {
+    if (!paint || !v || !c)
+        return PEL_ERROR_NULL;
+    if (!pel_points_legal(v, 3))
+        return PEL_ERROR_RANGE;
     const int a = topmost(v), b = a == 2 ? 0 : a + 1, last = 3 - a - b;
     struct setup s = {.a = v[a], .b = v[b], .c = v[last]};
-    const bool legal = pel_points_legal(v, 3);
     const bool opaque = pel_alpha(c[0] & c[1] & c[2]) == 255;
     paint->paint =
         (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
-    if (legal)
-        set_geometry(&s);
+    set_geometry(&s);
     for (int k = 0; k < 4; k++) {
         const int32_t value[3] = {(int32_t)(c[a] >> 8 * k & 255),
                                   (int32_t)(c[b] >> 8 * k & 255),
@@ -162,15 +165,18 @@ void pel_gouraud_init(struct pel_gouraud *paint, const struct pel_point v[3],
         paint->at[k] = ((uint32_t)value[0] << 24) + 0x800000u;
         paint->dx[k] = 0;
         paint->dy[k] = 0;
-        if (legal && s.area != 0 && !(k == 3 && opaque))
+        if (s.area != 0 && !(k == 3 && opaque))
             set_channel(paint, &s, k, value);
     }
+    return PEL_OK;
 }
 
 void pel_triangle_gouraud(const struct pel_surface *surface,
                           const struct pel_point v[3], const pel_color c[3])
 {
     struct pel_gouraud paint;
-    pel_gouraud_init(&paint, v, c);
-    pel_triangle(surface, v, &paint.paint);
+    enum pel_status status = pel_gouraud_init(&paint, v, c);
+    PEL_ASSERT(status == PEL_OK);
+    if (status == PEL_OK)
+        pel_triangle(surface, v, &paint.paint);
 }

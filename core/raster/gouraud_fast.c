@@ -44,7 +44,7 @@ bool pel_gouraud_fast(const struct pel_paint *paint,
                       const struct pel_fast_triangle *triangle)
 {
     const struct pel_gouraud *g = (const struct pel_gouraud *)paint;
-    if (!pel_gouraud_opaque(g))
+    if (!pel_gouraud_opaque(g) || !surface->format->put)
         return false;
     if (surface->format->id == PEL_FORMAT_XRGB8888)
         write_xrgb(surface, triangle, g);

@@ -42,10 +42,11 @@ static bool fill_direct(const struct pel_gouraud *g,
                         const struct pel_surface *s, int32_t y,
                         const struct pel_row *row)
 {
-    if (pel_gouraud_opaque(g) && s->format->id == PEL_FORMAT_RGB565_LE)
+    if (!pel_gouraud_opaque(g) || !s->format->put)
+        return false;
+    if (s->format->id == PEL_FORMAT_RGB565_LE)
         fill_run_rgb565(g, s, y, row);
-    else if (PEL_FAST_64BIT && pel_gouraud_opaque(g) &&
-             s->format->id == PEL_FORMAT_XRGB8888)
+    else if (PEL_FAST_64BIT && s->format->id == PEL_FORMAT_XRGB8888)
         fill_run_xrgb(g, s, y, row);
     else
         return false;

@@ -8,6 +8,6 @@ void pel_flat_fill(const struct pel_paint *paint, const struct pel_rows *rows)
     PEL_ASSERT(alpha == 255 || format->blend); /* not a fill-only twin */
     if (alpha == 255)
         format->fill(rows, format->pack(color));
-    else if (alpha != 0 && format->blend)
+    else if (format->blend)
         format->blend(rows, color);
 }

@@ -62,15 +62,29 @@ static void blend565(const struct pel_surface *s,
 typedef void writer(const struct pel_surface *s,
                     const struct pel_fast_triangle *t, pel_color color);
 
-static writer *writer_for(const struct pel_format *format, bool opaque)
+static writer *opaque_writer(const struct pel_format *format)
 {
-    if (format->word == 4)
-        return opaque ? fill32 : blend32;
-    if (format->word == 2 && opaque)
-        return fill16;
-    if (format->word == 2 && format->id != PEL_FORMAT_XRGB1555_LE)
-        return format->blend ? blend565 : NULL;
-    return NULL;
+    if (format->bits == 32)
+        return fill32;
+    return format->bits == 16 ? fill16 : NULL;
+}
+
+/* By layout, which only the ids of core's own formats tell. */
+static writer *blend_writer(const struct pel_format *format)
+{
+    switch (format->blend ? format->id : 0) {
+    case PEL_FORMAT_XRGB8888:
+    case PEL_FORMAT_XBGR8888:
+    case PEL_FORMAT_RGBX8888:
+    case PEL_FORMAT_BGRX8888:
+        return blend32;
+    case PEL_FORMAT_RGB565_LE:
+    case PEL_FORMAT_RGB565_BE:
+    case PEL_FORMAT_BGR565_LE:
+        return blend565;
+    default:
+        return NULL;
+    }
 }
 
 bool pel_flat_fast(const struct pel_paint *paint,
@@ -80,7 +94,8 @@ bool pel_flat_fast(const struct pel_paint *paint,
     const pel_color color = ((const struct pel_flat *)paint)->color;
     if (pel_alpha(color) == 0)
         return true;
-    writer *write = writer_for(surface->format, pel_alpha(color) == 255);
+    writer *write = pel_alpha(color) == 255 ? opaque_writer(surface->format)
+                                            : blend_writer(surface->format);
     if (write)
         write(surface, triangle, color);
     return write != NULL;

@@ -15,8 +15,8 @@ struct pel_outline {
     enum pel_fill_rule rule;
 };
 
-/* Bytes of scratch memory, aligned to 4, that a polygon of n vertices needs;
- * 0 when n < 0. About 36 n. */
+/* Bytes of scratch memory, aligned to 4, that a polygon of n vertices needs: 36
+ * each. 0 when n < 1, or when the size does not fit. */
 size_t pel_polygon_scratch_size(int32_t n);
 
 /* Fills the pixels whose centre is inside, by the rule of raster/edge.h for

@@ -19,7 +19,8 @@ void pel_triangle_or_line(const struct pel_surface *surface,
                           const struct pel_paint *paint);
 
 /* Twice the signed area in 1/65,536 px^2; positive when the vertices run
- * clockwise on screen. Below 2^50 in size for legal vertices. */
+ * clockwise on screen. Below 2^50 in size; a vertex out of range is a broken
+ * contract: PEL_ASSERT, and 0. */
 int64_t pel_triangle_area(const struct pel_point v[3]);
 
 #endif

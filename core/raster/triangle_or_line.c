@@ -4,6 +4,9 @@
 
 int64_t pel_triangle_area(const struct pel_point v[3])
 {
+    PEL_ASSERT(pel_points_legal(v, 3));
+    if (!pel_points_legal(v, 3))
+        return 0;
     return (int64_t)(v[1].x - v[0].x) * (v[2].y - v[0].y) -
            (int64_t)(v[2].x - v[0].x) * (v[1].y - v[0].y);
 }

@@ -31,6 +31,22 @@ for build in mutant_host mutant_portable; do
     done >"$work/$build.deps"
 done
 
+# A test that fails without any change would kill every mutant.
+for build in mutant_host mutant_portable; do
+    sed 's/^[^ ]* //; s/+//g' "$work/tests.txt" | tr ' ' '\n' | grep . |
+        sort -u | while read -r test; do
+        scale=${test##*:}
+        [ "$scale" != "$test" ] || scale=100
+        program=$tests/$build/tests/${test%%:*}
+        [ ! -x "$program" ] || PEL_SCALE=$scale "$program" \
+            >"$work/unchanged.txt" 2>&1 || {
+            cat "$work/unchanged.txt"
+            echo "$program fails without any change of core" >&2
+            exit 1
+        }
+    done || exit 1
+done
+
 # Line numbers of $1 that one of the builds compiles.
 active_lines()
 {
