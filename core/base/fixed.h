@@ -70,10 +70,10 @@ static inline bool pel_point_legal(struct pel_point p)
 /* Are all n points? */
 static inline bool pel_points_legal(const struct pel_point *v, int32_t n)
 {
-    uint32_t high = 0;
-    for (; n > 0; n--, v++)
-        high |= ((uint32_t)v->x + 0x800000u) | ((uint32_t)v->y + 0x800000u);
-    return high >> 24 == 0;
+    while (n-- > 0)
+        if (!pel_point_legal(v[n]))
+            return false;
+    return true;
 }
 
 #endif

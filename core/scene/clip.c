@@ -77,14 +77,12 @@ static int32_t cut_polygon(const struct pel_projector *p, int plane,
 }
 
 int32_t pel_clip_triangle(const struct pel_projector *projector,
-                          int32_t place[3][3], struct pel_clip *clip)
+                          struct pel_clip *clip)
 {
     struct pel_clip_corner *from = clip->spare, *to = clip->corner;
     int32_t n = 3;
-    for (int i = 0; i < 9; i++) {
-        from[i / 3].place[i % 3] = place[i / 3][i % 3];
+    for (int i = 0; i < 9; i++)
         from[i / 3].weight[i % 3] = i % 4 ? 0 : PEL_COSINE_ONE;
-    }
     /* The last of an odd number of cuts ends in clip->corner. */
     for (int plane = 0; plane < PLANES && n; plane++) {
         struct pel_clip_corner *const swap = from;

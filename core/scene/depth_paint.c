@@ -50,6 +50,9 @@ static int32_t skip(const struct pel_depth_paint *p, int32_t x, int32_t x1,
     return x;
 }
 
+/* Runs that go to the inner paint at a time. */
+enum { RUNS = PEL_FAST_64BIT ? 8 : 4 };
+
 /* Runs of one line, so the step is 0. The pixel at which a run begins was
  * found, and with `keeps` noted, by the search for it. */
 static void fill_line(const struct pel_depth_paint *p,
@@ -57,7 +60,7 @@ static void fill_line(const struct pel_depth_paint *p,
                       int32_t y)
 {
     const struct pel_rect *b = &p->depth->bounds;
-    struct pel_row run[8];
+    struct pel_row run[RUNS];
     struct pel_rows out = {rows->surface, run, y, 0, 0};
     const int32_t end = pel_min(line->x1, b->x1);
     int32_t x = pel_max(line->x0, b->x0);
@@ -66,7 +69,7 @@ static void fill_line(const struct pel_depth_paint *p,
     while ((x = skip(p, x, end, y, false)) < end) {
         run[out.n].x0 = x;
         run[out.n++].x1 = x = skip(p, x + 1, end, y, true);
-        if (out.n == 8) {
+        if (out.n == RUNS) {
             p->inner->fill(p->inner, &out);
             out.n = 0;
         }

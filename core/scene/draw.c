@@ -7,15 +7,14 @@ struct drawing {
     const struct pel_depth *depth;
 };
 
-/* work->triangle is ready, but for its planes. */
+/* work->triangle has its corners, and an area. */
 static void draw_triangle(const struct drawing *d)
 {
     struct pel_frame *frame = d->frame;
     struct pel_frame_work *work = frame->work;
     const struct pel_mesh_texture *texture = frame->scene->texture;
     const struct pel_color_paint *surface = NULL;
-    if (!pel_plane_start(&work->triangle.setup, work->triangle.at))
-        return;
+    work->triangle.is_set_up = false;
     if (texture && texture->mapping->surface)
         surface = texture->mapping->surface(frame);
     const struct pel_paint *paint =
@@ -46,18 +45,16 @@ static void draw_clipped(const struct drawing *d)
     struct pel_frame *frame = d->frame;
     struct pel_frame_work *work = frame->work;
     struct pel_frame_triangle *t = &work->triangle;
-    int32_t place[3][3];
     for (int i = 0; i < 3; i++)
         pel_project_coarse(&frame->projector,
                            frame->scene->mesh->positions[t->vertex[i]],
-                           place[i]);
-    const int32_t n = pel_clip_triangle(&frame->projector, place, &work->clip);
+                           work->clip.spare[i].place);
+    const int32_t n = pel_clip_triangle(&frame->projector, &work->clip);
     for (int32_t i = 2; i < n; i++) {
         set_corner(frame, 0, &work->clip.corner[0]);
         set_corner(frame, 1, &work->clip.corner[i - 1]);
         set_corner(frame, 2, &work->clip.corner[i]);
-        if (pel_side_drawn(frame->scene->cull,
-                           pel_triangle_area(frame->work->triangle.at)))
+        if (pel_side_drawn(frame->scene->cull, pel_triangle_area(t->at)))
             draw_triangle(d);
     }
 }
@@ -77,8 +74,7 @@ static void draw_entry(const struct drawing *d, uint32_t triangle)
     }
     if (clipped)
         draw_clipped(d);
-    else if (pel_frame_meets(d->frame->work->triangle.at,
-                             &d->frame->work->surface.clip))
+    else if (pel_frame_meets(t->at, &d->frame->work->surface.clip))
         draw_triangle(d);
 }
 

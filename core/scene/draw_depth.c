@@ -22,7 +22,7 @@ static const struct pel_paint *filter(struct pel_frame *frame,
     int32_t near[3];
     for (int i = 0; i < 3; i++)
         near[i] = nearness(&frame->projector, work->triangle.corner[i].z);
-    pel_plane_set(&plane, &work->triangle.setup, near);
+    pel_plane_set(&plane, pel_frame_setup(&work->triangle), near);
     pel_depth_paint_init(&work->depth, paint, depth, &plane, frame->opaque);
     return &work->depth.paint;
 }

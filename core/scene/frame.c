@@ -1,6 +1,14 @@
 #include "frame.h"
 
-void pel_frame_planes(const struct pel_frame_triangle *triangle, int n,
+const struct pel_plane_setup *pel_frame_setup(
+    struct pel_frame_triangle *triangle)
+{
+    if (!triangle->is_set_up)
+        triangle->is_set_up = pel_plane_start(&triangle->setup, triangle->at);
+    return &triangle->setup;
+}
+
+void pel_frame_planes(struct pel_frame_triangle *triangle, int n,
                       int32_t value[3][3], struct pel_plane *plane)
 {
     for (int k = 0; k < n; k++) {
@@ -8,7 +16,7 @@ void pel_frame_planes(const struct pel_frame_triangle *triangle, int n,
         int32_t corner[3];
         for (int i = 0; i < 3; i++)
             corner[i] = pel_corner_mix(&triangle->corner[i], vertex);
-        pel_plane_set(&plane[k], &triangle->setup, corner);
+        pel_plane_set(&plane[k], pel_frame_setup(triangle), corner);
     }
 }
 
@@ -36,13 +44,13 @@ void pel_frame_gouraud(const struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint)
 {
     struct pel_plane plane;
-    paint->paint =
-        (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
+    paint->paint = (struct pel_paint){pel_gouraud_fill, PEL_GOURAUD_FAST};
+    paint->opaque = frame->opaque;
     for (int k = 0; k < 4; k++) {
         int32_t value[3];
         for (int i = 0; i < 3; i++)
             value[i] = (int32_t)(color[i] >> 8 * k & 255);
-        pel_plane_set(&plane, &frame->work->triangle.setup, value);
+        pel_plane_set(&plane, pel_frame_setup(&frame->work->triangle), value);
         paint->at[k] = (uint32_t)plane.at + 0x800000u;
         paint->dx[k] = (uint32_t)plane.dx;
         paint->dy[k] = (uint32_t)plane.dy;
@@ -56,7 +64,7 @@ static bool range_meets(int32_t a, int32_t b, int32_t c, int32_t first,
            pel_min(pel_min(a, b), c) < end * 256;
 }
 
-bool pel_frame_meets(const struct pel_point *at, const struct pel_rect *rect)
+bool pel_frame_meets(const struct pel_point at[3], const struct pel_rect *rect)
 {
     return range_meets(at[0].x, at[1].x, at[2].x, rect->x0, rect->x1) &&
            range_meets(at[0].y, at[1].y, at[2].y, rect->y0, rect->y1);

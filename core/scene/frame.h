@@ -25,7 +25,8 @@ struct pel_frame_triangle {
     uint32_t vertex[3];
     struct pel_point at[3];
     struct pel_frame_corner corner[3];
-    struct pel_plane_setup setup;
+    struct pel_plane_setup setup; /* ask pel_frame_setup for it */
+    bool is_set_up;
 };
 
 /* Memory that is worked on: one triangle at a time. */
@@ -70,8 +71,12 @@ static inline int32_t pel_corner_mix(const struct pel_frame_corner *corner,
     return (int32_t)pel_scale_down(pel_dot(corner->weight, value), 30);
 }
 
+/* What planes of the triangle share: made when it is first asked for. */
+const struct pel_plane_setup *pel_frame_setup(
+    struct pel_frame_triangle *triangle);
+
 /* The planes of n values, value[i][k] that of vertex i: for n up to 3. */
-void pel_frame_planes(const struct pel_frame_triangle *triangle, int n,
+void pel_frame_planes(struct pel_frame_triangle *triangle, int n,
                       int32_t value[3][3], struct pel_plane *plane);
 
 /* Colours that are linear over the triangle: the planes of `paint`, which are
@@ -80,7 +85,7 @@ void pel_frame_gouraud(const struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint);
 
 /* Does the box of a triangle reach into the rectangle? */
-bool pel_frame_meets(const struct pel_point *at, const struct pel_rect *rect);
+bool pel_frame_meets(const struct pel_point at[3], const struct pel_rect *rect);
 
 /* Colours of vertices at the corners. */
 void pel_frame_colors(const struct pel_frame *frame,

@@ -1,5 +1,7 @@
 #include "light.h"
 
+#include <string.h>
+
 /* v^n in 2^-30, 0 <= v <= 2^30. A product is cut by less than 2^-30, and the
  * n - 1 products that n makes of it leave less than n 2^-30. */
 static pel_cosine power(pel_cosine v, int32_t n)
@@ -36,25 +38,24 @@ static void add(pel_factor sum[3], const pel_factor factor[3], pel_cosine part)
 }
 
 /* The direction from one place to another. */
-static bool way(const int32_t from[3], const int32_t to[3], pel_cosine unit[3])
+static void lead(const int32_t from[3], const int32_t to[3], pel_cosine unit[3])
 {
     for (int k = 0; k < 3; k++)
         unit[k] = to[k] - from[k];
-    return pel_unit_near(unit, unit);
+    pel_unit_near(unit, unit);
 }
 
+/* way: the normal, to the eye, to the light. */
 static void add_light(const struct pel_mesh_lights *lights,
-                      const struct pel_mesh_light *light,
-                      const pel_cosine *const direction[3],
+                      const struct pel_mesh_light *light, pel_cosine way[3][3],
                       struct pel_shine *shine)
 {
-    const pel_cosine *n = direction[0], *v = direction[1], *l = direction[2];
-    const pel_cosine nl = cosine_of(n, l);
+    const pel_cosine nl = cosine_of(way[0], way[2]);
     if (nl > 0)
         add(shine->surface, light->diffuse, nl);
     if (nl <= 0 && lights->no_back_highlights)
         return;
-    const pel_cosine rv = reflected(l, n, v, nl);
+    const pel_cosine rv = reflected(way[2], way[0], way[1], nl);
     if (rv > 0)
         add(lights->plain_highlights ? shine->plain : shine->surface,
             light->specular, power(rv, lights->shininess));
@@ -64,21 +65,21 @@ void pel_mesh_lights_shine(const struct pel_mesh_lights *lights,
                            const int32_t place[3], const int32_t normal[3],
                            struct pel_shine *shine)
 {
-    pel_cosine n[3], v[3], l[3];
-    const pel_cosine *direction[3] = {n, v, l};
+    pel_cosine way[3][3];
     for (int k = 0; k < 3; k++) {
         shine->surface[k] = lights->ambient[k];
         shine->plain[k] = 0;
     }
-    if (!pel_unit_near(normal, n))
+    if (!pel_unit_near(normal, way[0]))
         return;
-    way(place, lights->eye, v);
+    lead(place, lights->eye, way[1]);
     for (int32_t i = 0; i < lights->lights; i++) {
         const struct pel_mesh_light *light = &lights->light[i];
-        direction[2] = light->directional ? light->at : l;
+        for (int k = 0; k < 3; k++)
+            way[2][k] = light->at[k];
         if (!light->directional)
-            way(place, light->at, l);
-        add_light(lights, light, direction, shine);
+            lead(place, light->at, way[2]);
+        add_light(lights, light, way, shine);
     }
 }
 

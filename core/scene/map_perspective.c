@@ -12,8 +12,9 @@ static const struct pel_color_paint *surface(struct pel_frame *frame)
         corner[i] = (struct pel_texture_corner){u[i], v[i],
                                                 frame->projector.one ? 1 : z};
     }
-    pel_perspective_init(p, &frame->texture, &frame->work->triangle.setup,
-                         corner, span ? span : PEL_SPAN_EXACT);
+    pel_perspective_init(p, &frame->texture,
+                         pel_frame_setup(&frame->work->triangle), corner,
+                         span ? span : PEL_SPAN_EXACT);
     return &p->base;
 }
 

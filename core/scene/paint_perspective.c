@@ -42,23 +42,17 @@ static bool divide(const struct pel_perspective *p, int32_t x, int32_t y,
     return true;
 }
 
-static void sample(struct pel_texture *t, const struct place *at,
-                   const struct place *step, int32_t n, pel_color *out)
+/* The texture's map makes x and y u and v in 1/65,536 texel. */
+static void each(const struct pel_perspective *p, const struct pel_row *row,
+                 int32_t y, pel_color *out)
 {
-    t->map.u = (struct pel_texture_plane){at->u, step->u, 0};
-    t->map.v = (struct pel_texture_plane){at->v, step->v, 0};
-    t->base.colors(&t->base, 0, 0, n, out);
-}
-
-static void each(const struct pel_perspective *p, struct pel_texture *t,
-                 const struct pel_row *row, int32_t y, pel_color *out)
-{
-    const struct place none = {0, 0};
-    for (int32_t x = row->x0; x < row->x1; x++) {
+    const struct pel_color_paint *texture = &p->texture.base;
+    for (int32_t x = row->x0; x < row->x1; x++, out++) {
         struct place at = {(uint64_t)(int64_t)p->u0 * 65536,
                            (uint64_t)(int64_t)p->v0 * 65536};
         divide(p, x, y, &at);
-        sample(t, &at, &none, 1, out++);
+        texture->colors(texture, (int32_t)((int64_t)at.u >> 16),
+                        (int32_t)((int64_t)at.v >> 16), 1, out);
     }
 }
 
@@ -68,37 +62,41 @@ static uint64_t step_of(uint64_t from, uint64_t to, int32_t span)
     return (uint64_t)((int64_t)(to - from) / span);
 }
 
-/* Pixels of `row` in the span that begins at x. */
-static void linear(const struct pel_perspective *p, struct pel_texture *t,
-                   const struct pel_row *row, int32_t y, pel_color *out)
+/* Pixels of `row` in the span that begins at x: a map for them alone. */
+static void linear(const struct pel_perspective *p, const struct pel_row *row,
+                   int32_t y, pel_color *out)
 {
     const int32_t x = row->x0 & ~(p->span - 1);
-    struct place at, end, step;
+    struct pel_texture t;
+    struct place at, end;
     if (!divide(p, x, y, &at) || !divide(p, x + p->span, y, &end)) {
-        each(p, t, row, y, out);
+        each(p, row, y, out);
         return;
     }
-    step.u = step_of(at.u, end.u, p->span);
-    step.v = step_of(at.v, end.v, p->span);
-    at.u += (uint64_t)(row->x0 - x) * step.u;
-    at.v += (uint64_t)(row->x0 - x) * step.v;
-    sample(t, &at, &step, row->x1 - row->x0, out);
+    t = p->texture;
+    t.map.u =
+        (struct pel_texture_plane){at.u, step_of(at.u, end.u, p->span), 0};
+    t.map.v =
+        (struct pel_texture_plane){at.v, step_of(at.v, end.v, p->span), 0};
+    t.base.colors(&t.base, row->x0 - x, 0, row->x1 - row->x0, out);
 }
 
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
     const struct pel_perspective *p = (const void *)paint;
-    struct pel_texture texture = p->texture;
     struct pel_row part = {x, x + n};
-    if (p->span == PEL_SPAN_EXACT) {
-        each(p, &texture, &part, y, out);
-        return;
-    }
     for (; part.x0 < x + n; part.x0 = part.x1) {
         part.x1 = pel_min(x + n, (part.x0 | (p->span - 1)) + 1);
-        linear(p, &texture, &part, y, out + (part.x0 - x));
+        linear(p, &part, y, out + (part.x0 - x));
     }
+}
+
+static void exact_colors(const struct pel_color_paint *paint, int32_t x,
+                         int32_t y, int32_t n, pel_color *out)
+{
+    const struct pel_row row = {x, x + n};
+    each((const void *)paint, &row, y, out);
 }
 
 /* value[i] w[i] 2^-reach with 2^reach above the largest value. */
@@ -146,6 +144,11 @@ void pel_perspective_init(struct pel_perspective *paint,
     pel_plane_set(&paint->w, setup, w);
     set_plane(&paint->u, setup, u, w, &paint->reach_u);
     set_plane(&paint->v, setup, v, w, &paint->reach_v);
-    paint->span = thin(setup) ? PEL_SPAN_EXACT : span;
-    pel_color_paint_init(&paint->base, colors, texture->base.opaque);
+    paint->texture.map.u = (struct pel_texture_plane){0, 65536, 0};
+    paint->texture.map.v = (struct pel_texture_plane){0, 0, 65536};
+    paint->span = span;
+    pel_color_paint_init(&paint->base,
+                         span == PEL_SPAN_EXACT || thin(setup) ? exact_colors
+                                                               : colors,
+                         texture->base.opaque);
 }

@@ -18,7 +18,7 @@ enum {
  * 2^-16, so that their size is at most that of w. */
 struct pel_perspective {
     struct pel_color_paint base;
-    struct pel_texture texture; /* how it is sampled; its map is not used */
+    struct pel_texture texture; /* how it is sampled: at (u, v) 2^-16 texel */
     struct pel_plane w, u, v;
     int32_t u0, v0; /* 1/65,536 texel */
     uint8_t reach_u, reach_v;

@@ -64,8 +64,8 @@ struct pel_scene {
     void (*sort)(struct pel_depth_entry *entry, uint32_t n);
 };
 
-/* Bytes of scratch memory for a frame of the scene: 24 a vertex and 8 a
- * triangle at most, 40 a light, and about 1,400. 0 without a mesh. */
+/* Bytes of scratch memory for a frame of the scene: 16 a vertex, 8 a triangle,
+ * 40 a light, and about 1,200. 0 without a mesh. */
 size_t pel_scene_scratch_size(const struct pel_scene *scene);
 
 /* Sets up a picture: places and lights every vertex, sorts the triangles. The
