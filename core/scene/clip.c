@@ -1,5 +1,7 @@
 #include "clip.h"
 
+#include <string.h>
+
 enum { PLANES = 5 };
 
 /* How far inside plane 0 (near) or 1..4 (guard band: right, left, bottom, top)

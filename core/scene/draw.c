@@ -54,7 +54,8 @@ static void draw_clipped(const struct drawing *d)
         set_corner(frame, 0, &work->clip.corner[0]);
         set_corner(frame, 1, &work->clip.corner[i - 1]);
         set_corner(frame, 2, &work->clip.corner[i]);
-        if (pel_side_drawn(frame->scene->cull, pel_triangle_area(t->at)))
+        if (pel_side_drawn(frame->scene->cull,
+                           pel_triangle_area(frame->work->triangle.at)))
             draw_triangle(d);
     }
 }

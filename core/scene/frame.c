@@ -44,8 +44,8 @@ void pel_frame_gouraud(const struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint)
 {
     struct pel_plane plane;
-    paint->paint = (struct pel_paint){pel_gouraud_fill, PEL_GOURAUD_FAST};
-    paint->opaque = frame->opaque;
+    paint->paint =
+        (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
     for (int k = 0; k < 4; k++) {
         int32_t value[3];
         for (int i = 0; i < 3; i++)
@@ -64,7 +64,7 @@ static bool range_meets(int32_t a, int32_t b, int32_t c, int32_t first,
            pel_min(pel_min(a, b), c) < end * 256;
 }
 
-bool pel_frame_meets(const struct pel_point at[3], const struct pel_rect *rect)
+bool pel_frame_meets(const struct pel_point *at, const struct pel_rect *rect)
 {
     return range_meets(at[0].x, at[1].x, at[2].x, rect->x0, rect->x1) &&
            range_meets(at[0].y, at[1].y, at[2].y, rect->y0, rect->y1);

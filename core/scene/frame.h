@@ -85,7 +85,7 @@ void pel_frame_gouraud(const struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint);
 
 /* Does the box of a triangle reach into the rectangle? */
-bool pel_frame_meets(const struct pel_point at[3], const struct pel_rect *rect);
+bool pel_frame_meets(const struct pel_point *at, const struct pel_rect *rect);
 
 /* Colours of vertices at the corners. */
 void pel_frame_colors(const struct pel_frame *frame,

@@ -62,23 +62,46 @@ static uint64_t step_of(uint64_t from, uint64_t to, int32_t span)
     return (uint64_t)((int64_t)(to - from) / span);
 }
 
-/* Pixels of `row` in the span that begins at x: a map for them alone. */
+/* n places from `at` on. Both ways read the same texels, with the same weights:
+ * what is beyond 2^-16 has no part in them. */
+#if PEL_FAST_64BIT
+static void walk(const struct pel_perspective *p, const struct place *at,
+                 const struct place *step, int32_t n, pel_color *out)
+{
+    struct pel_texture t = p->texture;
+    t.map.u = (struct pel_texture_plane){at->u, step->u, 0};
+    t.map.v = (struct pel_texture_plane){at->v, step->v, 0};
+    t.base.colors(&t.base, 0, 0, n, out);
+}
+#else
+static void walk(const struct pel_perspective *p, struct place *at,
+                 const struct place *step, int32_t n, pel_color *out)
+{
+    const struct pel_color_paint *texture = &p->texture.base;
+    for (; n > 0; n--, out++) {
+        texture->colors(texture, (int32_t)((int64_t)at->u >> 16),
+                        (int32_t)((int64_t)at->v >> 16), 1, out);
+        at->u += step->u;
+        at->v += step->v;
+    }
+}
+#endif
+
+/* Pixels of `row` in the span that begins at x. */
 static void linear(const struct pel_perspective *p, const struct pel_row *row,
                    int32_t y, pel_color *out)
 {
     const int32_t x = row->x0 & ~(p->span - 1);
-    struct pel_texture t;
-    struct place at, end;
-    if (!divide(p, x, y, &at) || !divide(p, x + p->span, y, &end)) {
+    struct place at, step; /* first the span's end, then a pixel's part */
+    if (!divide(p, x, y, &at) || !divide(p, x + p->span, y, &step)) {
         each(p, row, y, out);
         return;
     }
-    t = p->texture;
-    t.map.u =
-        (struct pel_texture_plane){at.u, step_of(at.u, end.u, p->span), 0};
-    t.map.v =
-        (struct pel_texture_plane){at.v, step_of(at.v, end.v, p->span), 0};
-    t.base.colors(&t.base, row->x0 - x, 0, row->x1 - row->x0, out);
+    step.u = step_of(at.u, step.u, p->span);
+    step.v = step_of(at.v, step.v, p->span);
+    at.u += (uint64_t)(row->x0 - x) * step.u;
+    at.v += (uint64_t)(row->x0 - x) * step.v;
+    walk(p, &at, &step, row->x1 - row->x0, out);
 }
 
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,

@@ -22,12 +22,28 @@ sed 's/#.*//' $here/mutants_tests.txt | tr '\n' ' ' |
     sed 's| *core/|\ncore/|g; s/: / /g' | grep . >"$work/tests.txt"
 [ $# -gt 0 ] || set -- $(cut -d ' ' -f 1 "$work/tests.txt")
 
-# OBJECT SOURCE for each file that a build's objects depend on.
+# The objects of core that the tests of this build link.
+linked_core()
+{
+    for o in $(find "$tests/$1/tests" -name 'test_*.o'); do
+        $cc "$o" "$tests/portable_core.o" "$tests/$1/libsupport.a" \
+            "$tests/$1/libpel.a" -lcmocka -Wl,-M -o "$work/linked"
+    done | sed -n 's/.*libpel\.a(\([a-z0-9_]*\)\.o).*/\1/p' | sort -u
+}
+
+# OBJECT SOURCE for each file that those objects and the tests depend on.
 for build in mutant_host mutant_portable; do
+    linked_core $build >"$work/linked.txt"
     find "$tests/$build" -name '*.d' | sort | while read -r d; do
+        object=${d#"$tests/$build/"}
+        object=${object%.d}
+        [ -f "$object.c" ] || continue
+        case $object in core/*)
+            grep -qx "${object##*/}" "$work/linked.txt" || continue
+            ;;
+        esac
         sed 's/\\$//; s/^[^ ]*: //; /:$/d' "$d" | tr ' ' '\n' | grep . |
-            sed 's|[a-z]*/\.\./||' | sort -u |
-            sed "s|^|$(echo "${d%.d}.o" | sed "s|^$tests/$build/||") |"
+            sed 's|[a-z]*/\.\./||' | sort -u | sed "s|^|$object.o |"
     done >"$work/$build.deps"
 done
 
