@@ -45,7 +45,7 @@ void pel_triangle_outline(const struct pel_surface *surface,
 {
     const struct pel_point *order[3] = {&v[0], &v[1], &v[2]};
     const struct pel_rect clip = pel_outline_clip(surface);
-    struct sides s;
+    struct sides s = {.y = 0};
     struct pel_outline_line o;
     PEL_ASSERT(pel_points_legal(v, 3));
     if (!pel_points_legal(v, 3) || pel_rect_empty(&surface->clip))

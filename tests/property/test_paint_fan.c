@@ -52,11 +52,11 @@ static void random_star(struct random *r)
     }
 }
 
-/* The exact channel in the triangle of the hub and rim points i and j, which
+/* The exact channel in the triangle of the hub, rim point i and the next, which
  * goes on beyond the rim; false when the pixel is not between their rays. */
-static bool channel_between(int32_t i, int32_t j, int32_t x, int32_t y, int k,
-                            real *value)
+static bool channel_after(int32_t i, int32_t x, int32_t y, int k, real *value)
 {
+    const int32_t j = (i + 1) % fan.points.n;
     const struct pel_point h = fan.points.hub, a = fan.rim[i], b = fan.rim[j];
     const wide px = pel_pixel_center(x), py = pel_pixel_center(y);
     wide area = cross(h, a, b.x, b.y), to_b = cross(h, a, px, py),
@@ -82,8 +82,7 @@ static bool is_beyond(int32_t x, int32_t y, int k)
 {
     real value = 0;
     for (int32_t i = 0; i < fan.points.n; i++)
-        if (!channel_between(i, (i + 1) % fan.points.n, x, y, k, &value) &&
-            real_abs(value) >= BEYOND)
+        if (!channel_after(i, x, y, k, &value) && real_abs(value) >= BEYOND)
             return true;
     return false;
 }
@@ -92,8 +91,7 @@ static void check_channel(int32_t x, int32_t y, int k, pel_color got)
 {
     real best = 256, value;
     for (int32_t i = 0; i < fan.points.n; i++) {
-        int32_t j = (i + 1) % fan.points.n;
-        if (!channel_between(i, j, x, y, k, &value))
+        if (!channel_after(i, x, y, k, &value))
             continue;
         real error = (real)(got >> 8 * k & 255) - value;
         best = real_abs(error) < real_abs(best) ? error : best;

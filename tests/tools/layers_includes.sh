@@ -12,7 +12,7 @@ find core drivers port -name '*.[ch]' | sort | xargs awk '
         allow("core/base", "core")
         allow("core/format", "core core/base")
         allow("core/raster", "core core/base core/format")
-        allow("core/scene", "core core/base core/format core/raster")
+        allow("core/scene", "core core/base core/asset core/format core/raster")
         allow("core/asset", "core core/base")
         allow("core/image", "core core/base core/asset core/format core/raster")
         allow("drivers", "core core/base core/format core/raster port")
