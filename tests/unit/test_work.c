@@ -142,6 +142,8 @@ static void test_batches(void **state)
     const struct pel_rect b = {0, 0, 3, ROWS};
     const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(3, 0), PEL_AT(0, 150)};
     const struct pel_point middle = {256, PEL_PX(75)};
+    const struct pel_outline p = {v, 3, PEL_NON_ZERO};
+    uint32_t scratch[27];
     const uint64_t least = (ROWS + PEL_BATCH_ROWS - 1) / PEL_BATCH_ROWS;
     (void)state;
     hits_open(&hits, &b);
@@ -156,6 +158,11 @@ static void test_batches(void **state)
     hits_open(&hits, &b);
     pel_rectangle(&hits.surface, v[0], (struct pel_point){768, PEL_PX(150)},
                   &hits.paint);
+    assert_int_equal(hits.batches, least);
+    hits_open(&hits, &b);
+    assert_int_equal(
+        pel_polygon(&hits.surface, &p, &hits.paint, scratch, sizeof scratch),
+        PEL_OK);
     assert_int_equal(hits.batches, least);
 }
 
