@@ -43,7 +43,7 @@ for build in mutant_host mutant_portable; do
             ;;
         esac
         sed 's/\\$//; s/^[^ ]*: //; /:$/d' "$d" | tr ' ' '\n' | grep . |
-            sed 's|[a-z]*/\.\./||' | sort -u | sed "s|^|$object.o |"
+            sed 's|[a-z]*/\.\./||g' | sort -u | sed "s|^|$object.o |"
     done >"$work/$build.deps"
 done
 
@@ -72,6 +72,7 @@ active_lines()
             flags='-DPEL_FAST_64BIT=0 -DPEL_VECTORS=0'
         source=$(awk -v f="$1" '$2 == f && /^core/ { print $1; exit }' \
             "$work/$build.deps")
+        [ -n "$source" ] || continue
         $cc -std=c99 -I. $flags -E "${source%.o}.c" | awk -v f="$1" '
             /^# [0-9]+ "/ {
                 line = $2

@@ -142,8 +142,10 @@ static void test_batches(void **state)
     const struct pel_rect b = {0, 0, 3, ROWS};
     const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(3, 0), PEL_AT(0, 150)};
     const struct pel_point middle = {256, PEL_PX(75)};
-    const struct pel_outline p = {v, 3, PEL_NON_ZERO};
-    uint32_t scratch[27];
+    const struct pel_point box[4] = {PEL_AT(0, 0), PEL_AT(3, 0), PEL_AT(3, 150),
+                                     PEL_AT(0, 150)};
+    const struct pel_outline p = {box, 4, PEL_NON_ZERO};
+    uint32_t scratch[36];
     const uint64_t least = (ROWS + PEL_BATCH_ROWS - 1) / PEL_BATCH_ROWS;
     (void)state;
     hits_open(&hits, &b);

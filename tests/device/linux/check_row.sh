@@ -22,6 +22,12 @@ rm -rf "$share"
 mkdir -p "$share/scenes"
 cp "$here"/guest*.sh "$here/reference.pel" "$share/"
 cp "$here"/../../../sim/scenes/*.pel "$share/scenes/"
+# The files that scenes name lie where their scripts do, here and in the guest.
+for asset in "$here"/../../../sim/scenes/*.ppm "$here"/../../../sim/scenes/*.bdf
+do
+    cp "$asset" "$share/"
+    cp "$asset" "$share/scenes/"
+done
 for program in pel pel_no_restore fb_mode console_state faults frames; do
     ln "$build/guest/$program" "$share/$program" 2> /dev/null ||
         cp "$build/guest/$program" "$share/$program"

@@ -67,6 +67,7 @@ picture() { # NAME FORMAT DAC_BITS COMMAND...
 # with a canvas of its own, which is smaller or larger.
 pictures() { # NAME FORMAT DAC_BITS DEVICE
     width=$(mode_field 1) height=$(mode_field 2)
+    cp /mnt/scenes/*.ppm /mnt/scenes/*.bdf /tmp/
     for file in $scenes; do
         scene=$(basename "$file" .pel)
         sed "s/^canvas .*/canvas $width $height $2/" "$file" > /tmp/scene.pel
