@@ -126,18 +126,23 @@ check: tests ## every test; the last line is `N passed, N failed`
 	$(file >$(T)/check.list,$(CHECK_LINES))
 	@sed 's/^ *//' $(T)/check.list | tests/support/run.sh $(T)/check
 
-# 10^8 triangles and long runs of all others, with a seed of its own each time,
-# which is printed; PEL_SEED=N repeats a run.
+# 10^8 triangles, ten times the cases of all others, and the golden scenes on
+# every CPU by every compiler at every level. The seed is another one each time;
+# it is printed, and PEL_SEED=N repeats a run.
 DEEP_SCALE ?= 1000
 DEEP_PARTS := 0 1 2 3 4
-deep: tests ## the long sweeps: 10^8 triangles; hours
+DEEP_EXTRA := deep-cpus
+deep: $(TEST_PROPERTY:%=$(T)/host/%) ## the long sweeps: 10^8 triangles, all CPUs; most of an hour
 	@mkdir -p $(T)/deep
 	@seed=$${PEL_SEED:-$$(date +%s)}; echo "PEL_SEED=$$seed"; \
-	for p in $(filter-out %/test_triangles,$(TEST_PROPERTY)); do \
-	    printf '%s\t%s\n' "$$p" "PEL_SCALE=$(DEEP_SCALE) $(T)/host/$$p"; \
+	for t in $(DEEP_EXTRA); do printf '%s\t%s\n' "$$t" \
+	    "flock $(T)/check.lock $(MAKE) --no-print-directory BUILD=$(BUILD) $$t"; \
 	done >$(T)/deep.list; \
 	for i in $(DEEP_PARTS); do printf '%s\t%s\n' "test_triangles $$i" \
 	    "PEL_SEED=$$seed$$i PEL_SCALE=1000 $(T)/host/tests/property/test_triangles"; \
+	done >>$(T)/deep.list; \
+	for p in $(filter-out %/test_triangles,$(TEST_PROPERTY)); do \
+	    printf '%s\t%s\n' "$$p" "PEL_SCALE=$(DEEP_SCALE) $(T)/host/$$p"; \
 	done >>$(T)/deep.list; \
 	PEL_SEED=$$seed PEL_TIMEOUT=36000 tests/support/run.sh $(T)/deep \
 	    <$(T)/deep.list
