@@ -5,7 +5,7 @@
 #include <stdio.h>
 
 #include "core/pel.h"
-#include "core/raster/paint_colors.h"
+#include "core/paint/paint_colors.h"
 
 struct checkers {
     struct pel_color_paint base; /* first, so that one points to the other */

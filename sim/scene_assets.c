@@ -5,7 +5,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "core/image/argb8888.h"
+#include "core/format/argb8888.h"
 #include "font_asset.h"
 #include "message.h"
 #include "texture.h"

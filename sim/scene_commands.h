@@ -4,8 +4,8 @@
 
 #include "core/asset/font_asset.h"
 #include "core/pel.h"
-#include "core/raster/color_ramp.h"
-#include "core/raster/paint_texture.h"
+#include "core/paint/color_ramp.h"
+#include "core/paint/paint_texture.h"
 #include "scene.h"
 
 struct scene_paints;

@@ -1,6 +1,6 @@
 #include <stdlib.h>
 
-#include "core/raster/outline.h"
+#include "core/outline/outline.h"
 #include "message.h"
 #include "scene_paints.h"
 

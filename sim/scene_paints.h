@@ -2,12 +2,12 @@
 #ifndef SIM_SCENE_PAINTS_H
 #define SIM_SCENE_PAINTS_H
 
-#include "core/raster/paint_dither.h"
-#include "core/raster/paint_fan.h"
-#include "core/raster/paint_hue.h"
-#include "core/raster/paint_linear.h"
-#include "core/raster/paint_radial.h"
-#include "core/raster/paint_texture.h"
+#include "core/paint/paint_dither.h"
+#include "core/paint/paint_fan.h"
+#include "core/paint/paint_hue.h"
+#include "core/paint/paint_linear.h"
+#include "core/paint/paint_radial.h"
+#include "core/paint/paint_texture.h"
 #include "scene_commands.h"
 
 enum {

@@ -1,6 +1,6 @@
-#include "core/raster/arc.h"
-#include "core/raster/outline.h"
-#include "core/raster/ring.h"
+#include "core/round/arc.h"
+#include "core/outline/outline.h"
+#include "core/round/ring.h"
 #include "core/raster/thick_line.h"
 #include "scene_commands.h"
 

@@ -50,6 +50,11 @@ static inline int32_t pel_pixel_center(int32_t i)
     return i * 256 + 128;
 }
 
+static inline int64_t pel_square(int32_t u)
+{
+    return (int64_t)u * u;
+}
+
 static inline int32_t pel_min(int32_t a, int32_t b)
 {
     return a < b ? a : b;
@@ -74,6 +79,12 @@ static inline bool pel_points_legal(const struct pel_point *v, int32_t n)
         if (!pel_point_legal(v[n]))
             return false;
     return true;
+}
+
+/* A radius in sub-pixels: 0..32,767 px. */
+static inline bool pel_radius_legal(int32_t radius)
+{
+    return radius >= 0 && radius <= PEL_PX(32767);
 }
 
 #endif

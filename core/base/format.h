@@ -29,7 +29,7 @@ enum pel_format_id {
                                   a surface's stride is that of a page of rows,
                                   its top row a multiple of 8 */
     PEL_FORMAT_ARGB8888       /* 32: A 31..24, R, G, B 7..0: a source with alpha
-                                  (image/argb8888.h), not a display's format */
+                                  (format/argb8888.h), not a display's format */
 };
 
 struct pel_surface;

@@ -1,6 +1,5 @@
 #include "thick_line.h"
 
-#include "disc.h"
 #include "triangle.h"
 
 /* floor(sqrt(n)) for n < 2^62: two bits of n for each bit of the root, as one

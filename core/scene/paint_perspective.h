@@ -2,7 +2,7 @@
 #ifndef PEL_SCENE_PAINT_PERSPECTIVE_H
 #define PEL_SCENE_PAINT_PERSPECTIVE_H
 
-#include "../raster/paint_texture.h"
+#include "../paint/paint_texture.h"
 #include "plane.h"
 
 /* How a texture follows the distance. */

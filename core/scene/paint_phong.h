@@ -3,7 +3,7 @@
 #define PEL_SCENE_PAINT_PHONG_H
 
 #include "../raster/gouraud.h"
-#include "../raster/paint_colors.h"
+#include "../paint/paint_colors.h"
 #include "light.h"
 #include "plane.h"
 

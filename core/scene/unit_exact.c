@@ -1,4 +1,4 @@
-#include "../raster/square_root.h"
+#include "../base/fixed_sqrt.h"
 #include "vector.h"
 
 bool pel_vector_fit(const int64_t v[3], int32_t fit[3])

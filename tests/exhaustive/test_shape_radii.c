@@ -3,8 +3,8 @@
  * neighbours, both against the hit test, on every pixel. */
 #include <string.h>
 
-#include "core/raster/hit.h"
-#include "core/raster/outline.h"
+#include "core/hit/hit.h"
+#include "core/outline/outline.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
 #include "tests/support/reference_shape.h"

@@ -2,7 +2,7 @@
  * clip or the area, whatever the strides. */
 #include <stdlib.h>
 
-#include "core/image/argb8888.h"
+#include "core/format/argb8888.h"
 #include "core/image/copy.h"
 #include "tests/support/canvas.h"
 #include "tests/support/cases.h"

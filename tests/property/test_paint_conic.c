@@ -1,6 +1,6 @@
 /* Conic gradients against exact angles: the bounds of paint_conic.h. */
 #include "core/base/hsv.h"
-#include "core/raster/paint_hue.h"
+#include "core/paint/paint_hue.h"
 #include "tests/support/check.h"
 #include "tests/support/paint_cells.h"
 #include "tests/support/shapes.h"

@@ -1,7 +1,7 @@
 /* Ordered dither: the matrix, the levels, the mean, and what it leaves alone.
  */
-#include "core/raster/paint_dither.h"
-#include "core/raster/paint_linear.h"
+#include "core/paint/paint_dither.h"
+#include "core/paint/paint_linear.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/shapes.h"

@@ -1,5 +1,5 @@
 /* Fans against exact planes of their wedges. */
-#include "core/raster/paint_fan.h"
+#include "core/paint/paint_fan.h"
 #include "tests/support/check.h"
 #include "tests/support/paint_math.h"
 #include "tests/support/reference.h"

@@ -1,8 +1,8 @@
 /* The colours of gradients with stops: within 1 of the exactly rounded colour,
  * but for 1/256 px around a jump. */
-#include "core/raster/paint_conic.h"
-#include "core/raster/paint_linear.h"
-#include "core/raster/paint_radial.h"
+#include "core/paint/paint_conic.h"
+#include "core/paint/paint_linear.h"
+#include "core/paint/paint_radial.h"
 #include "tests/support/check.h"
 #include "tests/support/paint_cells.h"
 

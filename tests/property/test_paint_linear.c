@@ -1,5 +1,5 @@
 /* Linear gradients against exact positions: the bound of paint_linear.h. */
-#include "core/raster/paint_linear.h"
+#include "core/paint/paint_linear.h"
 #include "tests/support/check.h"
 #include "tests/support/paint_cells.h"
 #include "tests/support/shapes.h"

@@ -1,7 +1,7 @@
 /* The numbers under the paints: square roots, angles, quotients. */
-#include "core/raster/fraction.h"
-#include "core/raster/square_root.h"
-#include "core/raster/turn_of.h"
+#include "core/base/fixed_fraction.h"
+#include "core/base/fixed_sqrt.h"
+#include "core/base/fixed_turn.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
 #include "tests/support/paint_math.h"

@@ -1,5 +1,5 @@
 /* Radial gradients against exact roots: the bounds of paint_radial.h. */
-#include "core/raster/paint_radial.h"
+#include "core/paint/paint_radial.h"
 #include "tests/support/check.h"
 #include "tests/support/paint_cells.h"
 #include "tests/support/shapes.h"

@@ -1,12 +1,12 @@
 /* Every paint that computes colours, on shapes, in every format: each pixel is
  * what the paint says of that pixel alone, stored or blended by the rule. So
  * bands, tiles and clips change no byte. And the same bytes on every CPU. */
-#include "core/raster/paint_dither.h"
-#include "core/raster/paint_fan.h"
-#include "core/raster/paint_hue.h"
-#include "core/raster/paint_linear.h"
-#include "core/raster/paint_radial.h"
-#include "core/raster/paint_texture.h"
+#include "core/paint/paint_dither.h"
+#include "core/paint/paint_fan.h"
+#include "core/paint/paint_hue.h"
+#include "core/paint/paint_linear.h"
+#include "core/paint/paint_radial.h"
+#include "core/paint/paint_texture.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"

@@ -1,6 +1,6 @@
 /* Textures against exact places: nearest, bilinear, wrap modes, formats. */
-#include "core/image/argb8888.h"
-#include "core/raster/paint_texture.h"
+#include "core/format/argb8888.h"
+#include "core/paint/paint_texture.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/paint_math.h"

@@ -1,6 +1,6 @@
 #include "any_shape.h"
 #include "check.h"
-#include "core/raster/outline.h"
+#include "core/outline/outline.h"
 #include "reference.h"
 #include "reference_shape.h"
 

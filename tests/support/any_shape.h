@@ -5,7 +5,7 @@
 
 #include "cases.h"
 #include "core/pel.h"
-#include "core/raster/hit.h"
+#include "core/hit/hit.h"
 
 enum any_kind {
     ANY_TRIANGLE,

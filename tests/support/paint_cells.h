@@ -3,7 +3,7 @@
 #define TESTS_SUPPORT_PAINT_CELLS_H
 
 #include "cases.h"
-#include "core/raster/color_ramp.h"
+#include "core/paint/color_ramp.h"
 #include "paint_math.h"
 
 enum { CELLS_MAX = 32767 };

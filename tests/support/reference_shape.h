@@ -3,11 +3,11 @@
 #define TESTS_SUPPORT_REFERENCE_SHAPE_H
 
 #include "core/pel.h"
-#include "core/raster/arc.h"
-#include "core/raster/ellipse.h"
-#include "core/raster/ring.h"
-#include "core/raster/rounded_rectangle.h"
-#include "core/raster/sector.h"
+#include "core/round/arc.h"
+#include "core/round/ellipse.h"
+#include "core/round/ring.h"
+#include "core/round/rounded_rectangle.h"
+#include "core/round/sector.h"
 
 /* 32,768 cos and sin of an angle, each the nearest integer. */
 struct pel_point reference_direction(uint16_t turn);

@@ -7,12 +7,19 @@ cd "$(dirname "$0")/../.."
 
 find core drivers port -name '*.[ch]' | sort | xargs awk '
     BEGIN {
-        allow("core", "core/base core/format core/raster core/scene" \
-              " core/asset core/image")
+        allow("core", "core/base core/format core/raster core/round" \
+              " core/outline core/hit core/paint core/scene core/asset" \
+              " core/image")
         allow("core/base", "core")
         allow("core/format", "core core/base")
         allow("core/raster", "core core/base core/format")
-        allow("core/scene", "core core/base core/asset core/format core/raster")
+        allow("core/round", "core core/base core/format core/raster")
+        allow("core/outline", "core core/base core/format core/raster" \
+              " core/round")
+        allow("core/hit", "core core/base core/raster core/round")
+        allow("core/paint", "core core/base core/format core/raster")
+        allow("core/scene", "core core/base core/asset core/format" \
+              " core/raster core/paint")
         allow("core/asset", "core core/base")
         allow("core/image", "core core/base core/asset core/format core/raster")
         allow("drivers", "core core/base core/format core/raster port")

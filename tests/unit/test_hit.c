@@ -1,6 +1,6 @@
 /* Hit tests: a list of targets, pixels out of range. That each equals its
  * fill is tested with the fills (property/test_shape_coverage). */
-#include "core/raster/hit.h"
+#include "core/hit/hit.h"
 #include "tests/support/check.h"
 
 struct disc_target {

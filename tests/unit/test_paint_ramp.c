@@ -1,5 +1,5 @@
 /* Ramps from stops: exact colours, hard edges, errors. */
-#include "core/raster/color_ramp.h"
+#include "core/paint/color_ramp.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
 

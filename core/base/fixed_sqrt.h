@@ -1,0 +1,18 @@
+/* Exact integer square roots, and reciprocals beside them, without a division.
+ */
+#ifndef PEL_BASE_FIXED_SQRT_H
+#define PEL_BASE_FIXED_SQRT_H
+
+#include <stdint.h>
+
+struct pel_root {
+    uint32_t root;    /* floor(sqrt(v)) */
+    uint32_t inverse; /* 2^(62 - shift) / sqrt(v), off by less than 2^-22 of it,
+                         in [2^31, 2^32) */
+    int shift;        /* 0..30 */
+};
+
+/* v < 2^62. For v = 0 the inverse is of no use. */
+void pel_square_root(uint64_t v, struct pel_root *root);
+
+#endif

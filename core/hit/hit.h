@@ -1,0 +1,62 @@
+/* Hit testing: does a shape cover a pixel?
+ *
+ * Each function gives what the fill of the same name covers, pixel for pixel,
+ * from the numbers alone: no pixel is read, none is needed. They cost a few
+ * multiplications (polygons: for each edge that crosses the row). A pixel or a
+ * shape out of range is not hit. What shows an outline, a clip or a list of
+ * shapes is a matter of more questions. */
+#ifndef PEL_HIT_HIT_H
+#define PEL_HIT_HIT_H
+
+#include "../round/arc.h"
+#include "../round/ellipse.h"
+#include "../raster/polygon.h"
+#include "../round/ring.h"
+#include "../round/rounded_rectangle.h"
+#include "../round/sector.h"
+#include "../raster/thick_line.h"
+
+/* x, y: whole pixels, -32,768..32,767. */
+bool pel_hit_triangle(const struct pel_point v[3], int32_t x, int32_t y);
+bool pel_hit_rectangle(struct pel_point from, struct pel_point to, int32_t x,
+                       int32_t y);
+bool pel_hit_circle(struct pel_point center, int32_t radius, int32_t x,
+                    int32_t y);
+bool pel_hit_line(struct pel_point from, struct pel_point to, int32_t x,
+                  int32_t y);
+bool pel_hit_polygon(const struct pel_outline *outline, int32_t x, int32_t y);
+bool pel_hit_ring(const struct pel_ring_shape *ring, int32_t x, int32_t y);
+bool pel_hit_sector(const struct pel_sector_shape *sector, int32_t x,
+                    int32_t y);
+bool pel_hit_arc(const struct pel_arc_shape *arc, int32_t x, int32_t y);
+bool pel_hit_ellipse(const struct pel_ellipse_shape *ellipse, int32_t x,
+                     int32_t y);
+bool pel_hit_rounded_rectangle(const struct pel_rounded_shape *rectangle,
+                               int32_t x, int32_t y);
+bool pel_hit_thick_line(const struct pel_thick_line_shape *line, int32_t x,
+                        int32_t y);
+
+/* Something that can be hit: a struct whose first member is this, like a
+ * paint. The list keeps no shapes of its own, so that a program links the hit
+ * tests that it names:
+ *
+ *     struct button {
+ *         struct pel_target target;
+ *         struct pel_point center;
+ *         int32_t radius;
+ *     };
+ *     static bool button_hit(const struct pel_target *t, int32_t x, int32_t y)
+ *     {
+ *         const struct button *b = (const struct button *)t;
+ *         return pel_hit_circle(b->center, b->radius, x, y);
+ *     } */
+struct pel_target {
+    bool (*hit)(const struct pel_target *target, int32_t x, int32_t y);
+};
+
+/* The last of n targets that covers the pixel: the topmost, when they are
+ * painted in the order of the list. -1 when none does. */
+int32_t pel_hit_topmost(const struct pel_target *const *targets, int32_t n,
+                        int32_t x, int32_t y);
+
+#endif

@@ -1,0 +1,47 @@
+/* Outlines one pixel wide. The outline of a shape is the part of its fill that
+ * has a neighbour (left, right, above or below) outside of the shape: it never
+ * leaves the fill, reaches to its edge everywhere, and is as symmetric as the
+ * fill (outline/rim.h, which gives the outline of any other shape too). The
+ * clip makes no outline. Ranges and errors are those of the fills. */
+#ifndef PEL_OUTLINE_OUTLINE_H
+#define PEL_OUTLINE_OUTLINE_H
+
+#include "../round/ellipse.h"
+#include "../raster/polygon.h"
+#include "../round/rounded_rectangle.h"
+#include "../round/sector.h"
+
+void pel_triangle_outline(const struct pel_surface *surface,
+                          const struct pel_point v[3],
+                          const struct pel_paint *paint);
+
+void pel_rectangle_outline(const struct pel_surface *surface,
+                           struct pel_point from, struct pel_point to,
+                           const struct pel_paint *paint);
+
+void pel_rounded_rectangle_outline(const struct pel_surface *surface,
+                                   const struct pel_rounded_shape *r,
+                                   const struct pel_paint *paint);
+
+void pel_circle_outline(const struct pel_surface *surface,
+                        struct pel_point center, int32_t radius,
+                        const struct pel_paint *paint);
+
+void pel_ellipse_outline(const struct pel_surface *surface,
+                         const struct pel_ellipse_shape *ellipse,
+                         const struct pel_paint *paint);
+
+/* The pixels of the outline of pel_circle(center, radius) that belong to the
+ * sector: an arc one pixel wide. Arcs tile as sectors do. */
+void pel_arc_outline(const struct pel_surface *surface,
+                     const struct pel_sector_shape *sector,
+                     const struct pel_paint *paint);
+
+/* Scratch memory as for pel_polygon, but of this size: about 48 n bytes. */
+size_t pel_polygon_outline_scratch_size(int32_t n);
+enum pel_status pel_polygon_outline(const struct pel_surface *surface,
+                                    const struct pel_outline *outline,
+                                    const struct pel_paint *paint,
+                                    void *scratch, size_t size);
+
+#endif

@@ -1,0 +1,20 @@
+#include "outline.h"
+
+#include "../round/disc_walk.h"
+#include "outline_line.h"
+
+void pel_circle_outline(const struct pel_surface *surface,
+                        struct pel_point center, int32_t radius,
+                        const struct pel_paint *paint)
+{
+    const struct pel_rect clip = pel_outline_clip(surface);
+    const struct pel_row none = {0, 0};
+    struct pel_disc_walk w;
+    struct pel_outline_line o;
+    if (pel_rect_empty(&surface->clip) ||
+        !pel_disc_walk_start(&w, center, radius, &clip))
+        return;
+    pel_outline_begin(&o, surface, paint);
+    for (; w.y <= w.end; pel_disc_walk_next(&w))
+        pel_outline_put(&o, w.y, w.y < w.end ? pel_disc_row(&w.disc) : none);
+}

@@ -1,0 +1,20 @@
+#include "outline.h"
+
+#include "../round/ellipse_walk.h"
+#include "outline_line.h"
+
+void pel_ellipse_outline(const struct pel_surface *surface,
+                         const struct pel_ellipse_shape *ellipse,
+                         const struct pel_paint *paint)
+{
+    const struct pel_rect clip = pel_outline_clip(surface);
+    const struct pel_row none = {0, 0};
+    struct pel_ellipse_walk w;
+    struct pel_outline_line o;
+    if (pel_rect_empty(&surface->clip) ||
+        !pel_ellipse_start(&w, ellipse, &clip))
+        return;
+    pel_outline_begin(&o, surface, paint);
+    for (; w.y <= w.end; pel_ellipse_next(&w))
+        pel_outline_put(&o, w.y, w.y < w.end ? pel_disc_row(&w.disc) : none);
+}

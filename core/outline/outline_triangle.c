@@ -1,0 +1,61 @@
+#include "outline.h"
+
+#include "../raster/edge.h"
+#include "outline_line.h"
+#include "../raster/triangle_sort.h"
+
+/* The two edges of the triangle that cross row y. */
+struct sides {
+    struct pel_edge a, b;
+    int32_t y, bend, end; /* b is another edge from row bend on */
+};
+
+static void sides_start(struct sides *s, const struct pel_point *const v[3],
+                        const struct pel_rect *clip)
+{
+    s->y = pel_max(pel_first_pixel(v[0]->y), clip->y0);
+    s->end = pel_min(pel_first_pixel(v[2]->y), clip->y1);
+    s->bend = pel_min(pel_first_pixel(v[1]->y), s->end);
+    if (s->y < s->end)
+        pel_edge_start(&s->a, v[0], v[2], s->y);
+    if (s->y < s->bend)
+        pel_edge_start(&s->b, v[0], v[1], s->y);
+    else if (s->y < s->end)
+        pel_edge_start(&s->b, v[1], v[2], s->y);
+}
+
+/* Row y, not clipped, and on to the next. */
+static struct pel_row sides_next(struct sides *s,
+                                 const struct pel_point *const v[3])
+{
+    const struct pel_row row = {pel_min(s->a.x, s->b.x),
+                                pel_max(s->a.x, s->b.x)};
+    s->y++;
+    pel_edge_next(&s->a);
+    if (s->y == s->bend && s->y < s->end)
+        pel_edge_start(&s->b, v[1], v[2], s->y);
+    else
+        pel_edge_next(&s->b);
+    return row;
+}
+
+void pel_triangle_outline(const struct pel_surface *surface,
+                          const struct pel_point v[3],
+                          const struct pel_paint *paint)
+{
+    const struct pel_point *order[3] = {&v[0], &v[1], &v[2]};
+    const struct pel_rect clip = pel_outline_clip(surface);
+    struct sides s = {.y = 0};
+    struct pel_outline_line o;
+    PEL_ASSERT(pel_points_legal(v, 3));
+    if (!pel_points_legal(v, 3) || pel_rect_empty(&surface->clip))
+        return;
+    pel_sort_rows(order);
+    sides_start(&s, order, &clip);
+    pel_outline_begin(&o, surface, paint);
+    while (s.y < s.end) {
+        const int32_t y = s.y;
+        pel_outline_put(&o, y, sides_next(&s, order));
+    }
+    pel_outline_put(&o, s.y, (struct pel_row){0, 0});
+}

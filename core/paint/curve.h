@@ -1,0 +1,54 @@
+/* Curves along a row, for paints whose exact value at a pixel is costly: knots
+ * with the exact value and slope, and between two of them the cubic that has
+ * both. The error of that cubic over K pixels is at most K^4 / 384 times the
+ * fourth derivative, which falls fast with the distance from the paint's
+ * centre, so pieces grow with the distance: a piece is the largest block of
+ * 64, 32, 16, 8 or 4 pixels, at a multiple of its size, all of whose centres
+ * are far enough away. What a pixel shows so depends on the pixel alone, not on
+ * the run that it is part of; where no block is far enough, every pixel has an
+ * exact value of its own. */
+#ifndef PEL_PAINT_CURVE_H
+#define PEL_PAINT_CURVE_H
+
+#include "../base/fixed.h"
+#include "ramp_walk.h"
+
+enum { PEL_PIECE_MIN_LOG2 = 2, PEL_PIECE_MAX_LOG2 = 6 };
+
+/* Value and slope at a pixel's centre, the slope per pixel: times the size of a
+ * piece it must stay below 2^60. Any unit; the value in two's complement. */
+struct pel_knot {
+    uint64_t value;
+    int64_t slope;
+};
+
+/* Colours n pixels of a walk. */
+typedef void pel_run_function(const void *paint,
+                              const struct pel_ramp_walk *walk, int32_t n,
+                              pel_color *colors);
+
+struct pel_curve {
+    struct pel_point center;
+
+    /* How far the centres of a piece of 4, 8, 16, 32, 64 pixels must be from
+     * there, in sub-pixels, the next piece's first one included. */
+    const int32_t *far;
+
+    /* The knot at `way` from the centre. */
+    void (*knot)(const void *paint, struct pel_point way,
+                 struct pel_knot *knot);
+
+    pel_run_function *run;
+
+    uint8_t bits; /* of the unit: pel_ramp_walk */
+
+    /* Walks whose knots are below this are `inside` (pel_ramp_walk). */
+    uint64_t limit;
+};
+
+/* The colours of n pixels from (pixel.x, pixel.y) on. `paint` is handed to the
+ * functions of the curve. */
+void pel_curve_colors(const struct pel_curve *curve, const void *paint,
+                      struct pel_point pixel, int32_t n, pel_color *colors);
+
+#endif

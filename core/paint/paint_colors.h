@@ -1,0 +1,61 @@
+/* Paints that compute a colour for every pixel: gradients, textures, and
+ * what a program adds of its own.
+ *
+ * Such a paint gives one function, from absolute x and y to colours; this file
+ * hands it runs of pixels and takes the colours to any format, opaque or
+ * blended. A paint of one's own is
+ *
+ *     static void stripes(const struct pel_color_paint *paint, int32_t x,
+ *                         int32_t y, int32_t n, pel_color *colors);
+ *     static const struct pel_color_paint striped =
+ *         PEL_COLOR_PAINT(stripes, true);
+ *     pel_circle(&surface, center, radius, &striped.paint);
+ *
+ * or a struct that begins with a struct pel_color_paint, for one that needs
+ * more (examples/user_paint.c). */
+#ifndef PEL_PAINT_PAINT_COLORS_H
+#define PEL_PAINT_PAINT_COLORS_H
+
+#include "../raster/paint.h"
+
+struct pel_color_paint;
+
+/* The colours of pixels (x, y) to (x + n - 1, y), n >= 1, each at the pixel's
+ * centre. Must be a function of the pixel alone: a run may come in any parts.
+ * Where the surface's pixels are such colours, `colors` is the surface. */
+typedef void pel_colors_function(const struct pel_color_paint *paint, int32_t x,
+                                 int32_t y, int32_t n, pel_color *colors);
+
+struct pel_color_paint {
+    struct pel_paint paint;
+    pel_colors_function *colors;
+
+    /* May colour a batch in a way of its own, with the same result; false when
+     * it did nothing. May be NULL. */
+    bool (*direct)(const struct pel_color_paint *paint,
+                   const struct pel_rows *rows);
+    bool opaque; /* all colours have alpha 255: nothing is blended */
+};
+
+#define PEL_COLOR_PAINT(colors, opaque)                                 \
+    {                                                                   \
+        PEL_PAINT(pel_color_paint_fill, NULL), (colors), NULL, (opaque) \
+    }
+
+/* The fill function of all of them. */
+void pel_color_paint_fill(const struct pel_paint *paint,
+                          const struct pel_rows *rows);
+
+/* For init functions. */
+static inline void pel_color_paint_init(struct pel_color_paint *paint,
+                                        pel_colors_function *colors,
+                                        bool opaque)
+{
+    const struct pel_paint fill = PEL_PAINT(pel_color_paint_fill, NULL);
+    paint->paint = fill;
+    paint->colors = colors;
+    paint->direct = NULL;
+    paint->opaque = opaque;
+}
+
+#endif

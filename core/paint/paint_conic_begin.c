@@ -1,0 +1,50 @@
+#include "paint_conic.h"
+#include "../base/fixed_turn.h"
+
+/* For a cubic that is right to 1/512 px and 1e-5 turns. */
+static const int32_t far[5] = {4067, 8192, 20643, 52016, 131072};
+
+/* 2^32 / 2 pi. */
+static const uint32_t turns_of_radian = 683565276;
+
+/* The angle falls by dy / r^2 radians per sub-pixel to the right: per pixel and
+ * in 2^-64 turns dy 2^8 2^64 / (2 pi r^2) = (dy 2^38 / r^2) 2^2 (2^32 / 2 pi).
+ * |dy| < 2^25. At r >= 4067 the bracket is below 2^26, and the slope below
+ * 2^58; nearer slopes are of no use and may overflow. */
+static void knot(const void *paint, struct pel_point way, struct pel_knot *k)
+{
+    const struct pel_conic *p = paint;
+    uint64_t square =
+        (uint64_t)((int64_t)way.x * way.x + (int64_t)way.y * way.y);
+    uint64_t fall = (uint64_t)(way.y < 0 ? -way.y : way.y) << 38;
+    fall = fall / (square ? square : 1) * turns_of_radian * 4;
+    k->value = (uint64_t)(pel_turn_of(way.x, way.y) - p->start) << 32;
+    k->slope = (int64_t)(way.y > 0 ? 0 - fall : fall);
+}
+
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
+{
+    const struct pel_conic *p = (const void *)paint;
+    const struct pel_point pixel = {x, y};
+    pel_curve_colors(&p->curve, p, pixel, n, out);
+}
+
+enum pel_status pel_conic_begin(struct pel_conic *paint,
+                                struct pel_point center, uint16_t start,
+                                pel_run_function *run)
+{
+    if (!paint)
+        return PEL_ERROR_NULL;
+    if (!pel_points_legal(&center, 1))
+        return PEL_ERROR_RANGE;
+    pel_color_paint_init(&paint->base, colors, true);
+    paint->start = (uint32_t)start << 16;
+    paint->curve.center = center;
+    paint->curve.far = far;
+    paint->curve.knot = knot;
+    paint->curve.run = run;
+    paint->curve.bits = 64;
+    paint->curve.limit = 0;
+    return PEL_OK;
+}

@@ -1,0 +1,27 @@
+/* Ordered dither: any paint, with the steps of a coarse format broken up. */
+#ifndef PEL_PAINT_PAINT_DITHER_H
+#define PEL_PAINT_PAINT_DITHER_H
+
+#include "../base/status.h"
+#include "../raster/paint.h"
+
+/* Colours of the source paint, moved to one of the two levels of the surface's
+ * format next to them, by the 8 x 8 Bayer matrix at absolute x and y: so bands
+ * and tiles agree, and a pixel does not depend on its neighbours. Over 8 x 8
+ * pixels of one colour the mean of what is shown is that colour to 1/128 of the
+ * step between two levels. Colours that are levels stay.
+ *
+ * Red, green and blue apart in the formats of 16 bits and in rgb332; the grey
+ * of a colour in gray4, mono1 and mono1_pages; nothing in formats of 8 bits a
+ * channel. Acts on the source's colour, before it is blended with its alpha. */
+struct pel_dither {
+    struct pel_paint paint;
+    const struct pel_paint *source;
+};
+
+/* The source must live as long as the paint and may be any paint but another
+ * dither; it is asked for its colours in one line at a time. PEL_ERROR_NULL. */
+enum pel_status pel_dither_init(struct pel_dither *paint,
+                                const struct pel_paint *source);
+
+#endif

@@ -1,0 +1,203 @@
+#include "paint_fan.h"
+
+#include "../base/fixed_fraction.h"
+
+/* Positive when b lies clockwise of a; below 2^51. */
+static int64_t cross(struct pel_point a, struct pel_point b)
+{
+    return (int64_t)a.x * b.y - (int64_t)a.y * b.x;
+}
+
+static uint64_t clamped(uint64_t value)
+{
+    int32_t whole = (int32_t)(value >> 32);
+    return (uint64_t)(whole < 0 ? 0 : whole > 255 ? 255 : whole);
+}
+
+/* The colours of a run from (x, y) that stays in a wedge. */
+static void wedge_colors(const struct pel_fan_wedge *w, int32_t x, int32_t y,
+                         int32_t n, pel_color *out)
+{
+    uint64_t v[4];
+    for (int k = 0; k < 4; k++)
+        v[k] = w->at[k] + (uint64_t)(int64_t)x * w->dx[k] +
+               (uint64_t)(int64_t)y * w->dy[k];
+    for (; n > 0; n--) {
+        pel_color color = 0;
+        for (int k = 3; k >= 0; k--) {
+            color = color << 8 | (pel_color)clamped(v[k]);
+            v[k] += w->dx[k];
+        }
+        *out++ = color;
+    }
+}
+
+/* How many of n pixels, the first at `way` from the hub, lie in the wedge. To
+ * the right by a pixel the cross products change by -256 times the ray's y. */
+static int32_t pixels_inside(const struct pel_fan_wedge *w,
+                             struct pel_point way, int32_t n)
+{
+    int64_t from = cross(w->from, way), to = cross(w->to, way);
+    const int64_t from_step = -256 * (int64_t)w->from.y;
+    const int64_t to_step = -256 * (int64_t)w->to.y;
+    int32_t count = 0;
+    while (count < n && from >= 0 && to < w->closed) {
+        from += from_step;
+        to += to_step;
+        count++;
+    }
+    return count;
+}
+
+/* The wedge of the first pixel of a run, looked for from wedge `i` on, and how
+ * many pixels stay in it; 0 where there is none. */
+static int32_t find_wedge(const struct pel_fan *p, struct pel_point way,
+                          int32_t n, int32_t *i)
+{
+    for (int32_t tries = p->n; tries > 0; tries--) {
+        int32_t count = pixels_inside(&p->wedges[*i], way, n);
+        if (count > 0)
+            return count;
+        *i = *i + 1 < p->n ? *i + 1 : 0;
+    }
+    return 0;
+}
+
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
+{
+    const struct pel_fan *p = (const void *)paint;
+    struct pel_point way = {pel_pixel_center(x) - p->hub.x,
+                            pel_pixel_center(y) - p->hub.y};
+    int32_t wedge = 0;
+    for (int32_t count; n > 0; n -= count, x += count, way.x += count * 256) {
+        count = find_wedge(p, way, n, &wedge);
+        if (count > 0) {
+            wedge_colors(&p->wedges[wedge], x, y, count, out);
+        } else {
+            *out = p->hub_color;
+            count = 1;
+        }
+        out += count;
+    }
+}
+
+/* From the hub to the point of the rim that is i-th clockwise, 0 <= i <= n; the
+ * n-th is the 0-th again. Sets *color to its colour. */
+static struct pel_point ray_of(const struct pel_fan_points *points, int turn,
+                               int32_t i, pel_color *color)
+{
+    i = i == points->n ? 0 : i;
+    i = turn > 0 ? i : points->n - 1 - i;
+    *color = points->colors[i];
+    return (struct pel_point){points->rim[i].x - points->hub.x,
+                              points->rim[i].y - points->hub.y};
+}
+
+/* Does the rim go around the hub? 1 clockwise, -1 counter-clockwise, 0 not. */
+static int turn_of_rim(const struct pel_fan_points *points)
+{
+    int turn = 0;
+    pel_color color;
+    struct pel_point a = ray_of(points, 1, 0, &color), b;
+    for (int32_t i = 1; i <= points->n; i++, a = b) {
+        b = ray_of(points, 1, i, &color);
+        const int64_t c = cross(a, b);
+        if ((c > 0 && turn < 0) || (c < 0 && turn > 0))
+            return 0;
+        if (c != 0)
+            turn = c > 0 ? 1 : -1;
+    }
+    return turn;
+}
+
+/* Channel k of the plane with the values c at the hub and at the ends of the
+ * wedge; below 2^34 / area a sub-pixel. The hub's pixel is the anchor: its
+ * centre is known from the gradients to 2^-32, a pixel's step to as much. */
+static void set_channel(struct pel_fan_wedge *w, const struct pel_fan *p, int k,
+                        const int32_t c[3])
+{
+    const int64_t area = cross(w->from, w->to);
+    const int64_t b = c[1] - c[0], d = c[2] - c[0];
+    const int32_t x = pel_pixel_of(p->hub.x), y = pel_pixel_of(p->hub.y);
+    struct pel_fraction gx, gy;
+    w->at[k] = ((uint64_t)c[0] << 32) + 0x80000000u;
+    w->dx[k] = 0;
+    w->dy[k] = 0;
+    if (area == 0 || (b == 0 && d == 0))
+        return;
+    pel_fraction_start(&gx, b * w->to.y - d * w->from.y, area);
+    pel_fraction_start(&gy, d * w->from.x - b * w->to.x, area);
+    pel_fraction_more(&gx, 32);
+    pel_fraction_more(&gy, 32);
+    w->at[k] +=
+        gx.quotient * (uint64_t)(int64_t)(pel_pixel_center(x) - p->hub.x) +
+        gy.quotient * (uint64_t)(int64_t)(pel_pixel_center(y) - p->hub.y);
+    pel_fraction_more(&gx, 8);
+    pel_fraction_more(&gy, 8);
+    w->dx[k] = gx.quotient;
+    w->dy[k] = gy.quotient;
+    w->at[k] -= (uint64_t)(int64_t)x * w->dx[k];
+    w->at[k] -= (uint64_t)(int64_t)y * w->dy[k];
+}
+
+/* Does no wedge begin on the ray of the rim's i-th point? One does when the
+ * next point in another direction is clockwise of it. */
+static bool is_last_ray(const struct pel_fan_points *points, int turn,
+                        int32_t i)
+{
+    pel_color color;
+    const struct pel_point ray = ray_of(points, turn, i, &color);
+    for (int32_t k = 1; k < points->n; k++) {
+        const struct pel_point next =
+            ray_of(points, turn, (i + k) % points->n, &color);
+        int64_t dot = (int64_t)ray.x * next.x + (int64_t)ray.y * next.y;
+        if (cross(ray, next) != 0 || dot <= 0)
+            return cross(ray, next) == 0;
+    }
+    return true;
+}
+
+static void set_wedge(struct pel_fan_wedge *w, const struct pel_fan *p,
+                      const struct pel_fan_points *points, int turn, int32_t i)
+{
+    pel_color a, b;
+    w->from = ray_of(points, turn, i, &a);
+    w->to = ray_of(points, turn, i + 1, &b);
+    w->closed = is_last_ray(points, turn, (i + 1) % points->n);
+    if (cross(w->from, w->to) == 0)
+        *w = (struct pel_fan_wedge){.closed = 0};
+    for (int k = 0; k < 4; k++) {
+        const int32_t c[3] = {(int32_t)(p->hub_color >> 8 * k & 255),
+                              (int32_t)(a >> 8 * k & 255),
+                              (int32_t)(b >> 8 * k & 255)};
+        set_channel(w, p, k, c);
+    }
+}
+
+enum pel_status pel_fan_init(struct pel_fan *paint,
+                             const struct pel_fan_points *points,
+                             struct pel_fan_wedge *wedges)
+{
+    if (!paint || !points || !points->rim || !points->colors || !wedges)
+        return PEL_ERROR_NULL;
+    if (points->n < 3 || points->n > 32767)
+        return PEL_ERROR_SIZE;
+    if (!pel_points_legal(points->rim, points->n) ||
+        !pel_points_legal(&points->hub, 1))
+        return PEL_ERROR_RANGE;
+    const int turn = turn_of_rim(points);
+    if (turn == 0)
+        return PEL_ERROR_RANGE;
+    pel_color all = points->hub_color;
+    for (int32_t i = 0; i < points->n; i++)
+        all &= points->colors[i];
+    pel_color_paint_init(&paint->base, colors, pel_alpha(all) == 255);
+    paint->hub = points->hub;
+    paint->hub_color = points->hub_color;
+    paint->wedges = wedges;
+    paint->n = points->n;
+    for (int32_t i = 0; i < points->n; i++)
+        set_wedge(&wedges[i], paint, points, turn, i);
+    return PEL_OK;
+}

@@ -1,0 +1,67 @@
+#include "paint_linear.h"
+
+#include "../base/fixed_fraction.h"
+#include "ramp_walk.h"
+
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
+{
+    const struct pel_linear *p = (const void *)paint;
+    struct pel_ramp_walk w = {0, p->dx, 0, 0, p->bits, false};
+    w.at = p->at + (uint64_t)(int64_t)x * p->dx + (uint64_t)(int64_t)y * p->dy;
+    uint64_t last = w.at + (uint64_t)(int64_t)(n - 1) * p->dx;
+    w.inside = (w.at | last) >> p->bits == 0;
+    /* Both ends on one side of the way: one colour of a padded ramp. */
+    const bool beyond = w.at >> p->bits != 0 && last >> p->bits != 0 &&
+                        (int64_t)(w.at ^ last) >= 0;
+    if (!beyond || p->ramp.spread != PEL_PAD) {
+        pel_ramp_run(&p->ramp, &w, n, out);
+        return;
+    }
+    pel_ramp_run(&p->ramp, &w, 1, out);
+    for (int32_t i = 1; i < n; i++)
+        out[i] = out[0];
+}
+
+/* With 2^e <= the longer of |dx|, |dy|, the way is at least 2^e sub-pixels
+ * long, and no pixel is farther than 2^25.6 sub-pixels from `from`: |t| < 2^(26
+ * - e), which leaves 36 + e bits for the fraction. The gradients lose up to one
+ * unit of these bits a pixel, 2^17 on the longest way from the anchor, the
+ * pixel of `from`, and a walk looks at 32 bits; so much is added that a
+ * position never falls below a cell's beginning that it lies on. */
+static void set_plane(struct pel_linear *p, struct pel_point from, int32_t dx,
+                      int32_t dy)
+{
+    const int32_t x = pel_pixel_of(from.x), y = pel_pixel_of(from.y);
+    const int64_t square = (int64_t)dx * dx + (int64_t)dy * dy;
+    int32_t longer = pel_max(dx < 0 ? -dx : dx, dy < 0 ? -dy : dy);
+    p->bits = 36;
+    for (; longer > 1; longer >>= 1)
+        p->bits++;
+    p->dx = pel_fraction_of((int64_t)dx * 256, square, p->bits);
+    p->dy = pel_fraction_of((int64_t)dy * 256, square, p->bits);
+    p->at = pel_fraction_of((int64_t)dx * (pel_pixel_center(x) - from.x) +
+                                (int64_t)dy * (pel_pixel_center(y) - from.y),
+                            square, p->bits);
+    p->at += 131072 + (UINT64_C(1) << (p->bits - 32)) -
+             (uint64_t)(int64_t)x * p->dx - (uint64_t)(int64_t)y * p->dy;
+}
+
+enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
+                                struct pel_point to,
+                                const struct pel_ramp *ramp)
+{
+    enum pel_status status = pel_ramp_check(ramp);
+    if (!paint)
+        return PEL_ERROR_NULL;
+    if (status != PEL_OK)
+        return status;
+    if (!pel_points_legal(&from, 1) || !pel_points_legal(&to, 1))
+        return PEL_ERROR_RANGE;
+    if (from.x == to.x && from.y == to.y)
+        return PEL_ERROR_SIZE;
+    pel_color_paint_init(&paint->base, colors, pel_ramp_opaque(ramp));
+    paint->ramp = *ramp;
+    set_plane(paint, from, to.x - from.x, to.y - from.y);
+    return PEL_OK;
+}

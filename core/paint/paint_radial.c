@@ -1,0 +1,79 @@
+#include "paint_radial.h"
+
+#include "../base/fixed_fraction.h"
+#include "../base/fixed_sqrt.h"
+
+/* For a cubic that is right to 1/512 px, which is 2^-13 of the way or less when
+ * the radius is at least 16 px; for smaller ones from the second on, which
+ * gives 1/8,192 px. */
+static const int32_t far[6] = {2581, 6502, 16384, 41286, 104032, 262144};
+
+/* 64 r is the root of 4,096 r^2, below 2^61. dx / r = 64 dx inverse
+ * 2^(shift - 62), where 64 |dx| 2^shift <= 2^31, and the slope is 2^14 times
+ * that times the scale, which is at most 2^30. */
+static void knot(const void *paint, struct pel_point way, struct pel_knot *k)
+{
+    const struct pel_radial *p = paint;
+    uint64_t square =
+        (uint64_t)((int64_t)way.x * way.x + (int64_t)way.y * way.y);
+    struct pel_root r;
+    pel_square_root(square * 4096, &r);
+    int64_t cosine =
+        ((int64_t)way.x * 64 * ((int64_t)1 << r.shift)) * (r.inverse >> 1) >>
+        31;
+    k->value = (uint64_t)r.root * p->scale + p->phase;
+    k->slope = cosine * (int64_t)p->scale >> 16;
+}
+
+static void run(const void *paint, const struct pel_ramp_walk *walk, int32_t n,
+                pel_color *colors)
+{
+    pel_ramp_run(&((const struct pel_radial *)paint)->ramp, walk, n, colors);
+}
+
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
+{
+    const struct pel_radial *p = (const void *)paint;
+    const struct pel_point pixel = {x, y};
+    pel_curve_colors(&p->curve, p, pixel, n, out);
+}
+
+/* Distances along a row have no maximum inside a piece, so its ends tell
+ * whether it reaches 1, up to the bound of t: hence the limit. A little is
+ * added to the phase, because a walk looks at 32 bits: so a position does not
+ * fall below a cell's beginning that it lies on. */
+static void set_curve(struct pel_radial *p, const struct pel_rings *rings)
+{
+    uint8_t bits = 36;
+    for (int32_t radius = rings->radius; radius > 1; radius >>= 1)
+        bits++;
+    p->scale =
+        (uint32_t)pel_fraction_of(1, (int64_t)rings->radius * 64, bits) + 1;
+    p->phase = (uint64_t)rings->phase << (bits - 16);
+    p->phase += UINT64_C(1) << (bits - 32);
+    p->curve.center = rings->center;
+    p->curve.far = far + (rings->radius < PEL_PX(16));
+    p->curve.knot = knot;
+    p->curve.run = run;
+    p->curve.bits = bits;
+    p->curve.limit = (UINT64_C(1) << bits) - (UINT64_C(1) << (bits - 10));
+}
+
+enum pel_status pel_radial_init(struct pel_radial *paint,
+                                const struct pel_rings *rings,
+                                const struct pel_ramp *ramp)
+{
+    enum pel_status status = pel_ramp_check(ramp);
+    if (!paint || !rings)
+        return PEL_ERROR_NULL;
+    if (status != PEL_OK)
+        return status;
+    if (!pel_points_legal(&rings->center, 1) || rings->radius < 256 ||
+        rings->radius > PEL_PX(32767))
+        return PEL_ERROR_RANGE;
+    pel_color_paint_init(&paint->base, colors, pel_ramp_opaque(ramp));
+    paint->ramp = *ramp;
+    set_curve(paint, rings);
+    return PEL_OK;
+}

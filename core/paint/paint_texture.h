@@ -1,0 +1,91 @@
+/* Textures: pictures as paints, mapped by any affine map. */
+#ifndef PEL_PAINT_PAINT_TEXTURE_H
+#define PEL_PAINT_PAINT_TEXTURE_H
+
+#include "paint_colors.h"
+
+/* The picture: 1 to 32,767 texels a side, in memory of the caller's that must
+ * live as long as the paint. Either a surface in any format (its whole bounds;
+ * opaque, but for argb8888) or an array of colours with straight alpha, line by
+ * line without padding. The first line in memory is v = 0. */
+struct pel_texels {
+    const struct pel_surface *surface; /* or NULL, and then: */
+    const pel_color *colors;
+    int32_t width, height; /* of colors */
+    bool opaque; /* all colors have alpha 255; false is right for any */
+};
+
+/* Which texel stands for one outside the picture, of W in a line or column. */
+enum pel_wrap {
+    PEL_CLAMP, /* the nearest: 0 or W - 1 */
+    PEL_WRAP,  /* i - W floor(i / W): the picture again and again */
+    PEL_MIRROR /* the same, every other picture turned round: -1 is 0, W is
+                  W - 1 */
+};
+
+/* One coordinate of the picture at the centre of pixel (x, y): at + x dx + y dy
+ * in 2^-32 texels, modulo 2^64 and in two's complement. It must fit 32 bits
+ * before the point where the paint is seen, and nowhere else. Texel i covers
+ * [i, i + 1). */
+struct pel_texture_plane {
+    uint64_t at, dx, dy;
+};
+
+struct pel_texture_map {
+    struct pel_texture_plane u, v; /* to the right, and down */
+};
+
+/* The map that shows the picture with its corner at pixel (x, y), texel by
+ * pixel: for turned or scaled pictures, write the planes likewise. */
+#define PEL_TEXTURE_AT(x, y)                                                   \
+    {                                                                          \
+        {0x80000000u - ((uint64_t)(int64_t)(x) << 32), (uint64_t)1 << 32, 0},  \
+        {                                                                      \
+            0x80000000u - ((uint64_t)(int64_t)(y) << 32), 0, (uint64_t)1 << 32 \
+        }                                                                      \
+    }
+
+/* A point of the picture; legal is what fits. */
+struct pel_texel_point {
+    int32_t u, v; /* 1/256 texel */
+};
+
+/* The map that takes v[i] to t[i]. u and v are right to 2^-14 texel at every
+ * pixel where they are of use. The order of the vertices does not matter. A
+ * triangle without area gets the place of its top vertex everywhere.
+ * PEL_ERROR_NULL, PEL_ERROR_RANGE (a vertex out of range). */
+enum pel_status pel_texture_map_triangle(struct pel_texture_map *map,
+                                         const struct pel_point v[3],
+                                         const struct pel_texel_point t[3]);
+
+struct pel_texture {
+    struct pel_color_paint base;
+    struct pel_texture_map map;
+    const struct pel_surface *surface; /* or NULL */
+    const uint8_t *memory;             /* of texel (0, 0) */
+    int32_t stride, width, height;     /* bytes, texels, texels */
+    uint8_t wrap_u, wrap_v;            /* enum pel_wrap */
+    uint8_t kind;                      /* paint_texture_fetch.h */
+};
+
+/* A texture with PEL_CLAMP; wrap_u and wrap_v may be set afterwards. Cheap: one
+ * for every triangle of a mesh is fine.
+ *
+ * Nearest: texel floor(u), floor(v). Fast for colours, argb8888, xrgb8888 and
+ * rgb565_le; between surfaces of one 565 format texels are copied as they are.
+ *
+ * Bilinear: the four texels around u - 1/2, v - 1/2, with weights rounded to
+ * 1/256 and the sum rounded once: off from exact weights by at most (Du + Dv) /
+ * 512 + 1/2 steps, D the largest contrasts of neighbours. Channels of straight
+ * alpha are mixed one by one.
+ *
+ * PEL_ERROR_NULL, PEL_ERROR_SIZE, PEL_ERROR_RANGE (a surface in a format that
+ * cannot be read). */
+enum pel_status pel_texture_init_nearest(struct pel_texture *paint,
+                                         const struct pel_texels *texels,
+                                         const struct pel_texture_map *map);
+enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,
+                                          const struct pel_texels *texels,
+                                          const struct pel_texture_map *map);
+
+#endif

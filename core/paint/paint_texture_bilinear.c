@@ -1,0 +1,112 @@
+#include "paint_texture_fetch.h"
+
+/* a (256 - f) + b f in both 16-bit halves of a word: at most 255 * 256. */
+static inline uint32_t mix_halves(uint32_t a, uint32_t b, uint32_t f)
+{
+    return a * 256 + (b - a) * f;
+}
+
+/* a (256 - f) + b f, rounded to 1/65,536, of halves up to 255 * 256. */
+static inline uint32_t mix_lines(uint32_t a, uint32_t b, uint32_t f)
+{
+    uint32_t low = (a & 0xFFFFu) * (256 - f) + (b & 0xFFFFu) * f + 32768;
+    uint32_t high = (a >> 16) * (256 - f) + (b >> 16) * f + 32768;
+    return low >> 16 | (high & 0xFFFF0000u);
+}
+
+/* The four texels a b over c d with the weights fu / 256, fv / 256. */
+static PEL_ALWAYS_INLINE pel_color mixed(const pel_color t[4], uint32_t fu,
+                                         uint32_t fv)
+{
+    const uint32_t mask = 0xFF00FFu;
+    uint32_t rb = mix_lines(mix_halves(t[0] & mask, t[1] & mask, fu),
+                            mix_halves(t[2] & mask, t[3] & mask, fu), fv);
+    uint32_t ag =
+        mix_lines(mix_halves(t[0] >> 8 & mask, t[1] >> 8 & mask, fu),
+                  mix_halves(t[2] >> 8 & mask, t[3] >> 8 & mask, fu), fv);
+    return rb | ag << 8;
+}
+
+static inline uint32_t weight(uint64_t at)
+{
+    return (uint32_t)(at >> 24) & 255;
+}
+
+static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
+                      int32_t n, pel_color *out)
+{
+    for (; n > 0; n--, pel_texture_axes_step(a)) {
+        int32_t i = pel_texture_axis_index(&a->u);
+        int32_t j = pel_texture_axis_index(&a->v);
+        int32_t i0 = pel_texture_axis_texel(&a->u, i);
+        int32_t i1 = pel_texture_axis_texel(&a->u, i + 1);
+        int32_t j0 = pel_texture_axis_texel(&a->v, j);
+        int32_t j1 = pel_texture_axis_texel(&a->v, j + 1);
+        const pel_color t[4] = {
+            pel_texel(p, p->kind, i0, j0), pel_texel(p, p->kind, i1, j0),
+            pel_texel(p, p->kind, i0, j1), pel_texel(p, p->kind, i1, j1)};
+        *out++ = mixed(t, weight(a->u.at), weight(a->v.at));
+    }
+}
+
+/* Half a texel back to the middle of the texel before, and half of 1/256 on so
+ * that weights are rounded. */
+static const uint32_t half_back = 0x80000000u - 0x800000u;
+
+#if PEL_FAST_64BIT
+
+/* A run that does not leave the picture. */
+static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
+                                        const struct pel_texture_axes *a,
+                                        int32_t n, pel_color *out)
+{
+    const uint64_t du = a->u.step, dv = a->v.step;
+    uint64_t u = a->u.at, v = a->v.at;
+    for (; n > 0; n--, u += du, v += dv) {
+        int32_t i = (int32_t)(u >> 32), j = (int32_t)(v >> 32);
+        const pel_color t[4] = {
+            pel_texel(p, kind, i, j), pel_texel(p, kind, i + 1, j),
+            pel_texel(p, kind, i, j + 1), pel_texel(p, kind, i + 1, j + 1)};
+        *out++ = mixed(t, weight(u), weight(v));
+    }
+}
+
+/* A run of a kind that is read without a call. */
+static void fast_run(const struct pel_texture *p,
+                     const struct pel_texture_axes *a, int32_t n,
+                     pel_color *out)
+{
+    if (p->kind == PEL_TEXTURE_COLORS)
+        inner_run(p, PEL_TEXTURE_COLORS, a, n, out);
+    else if (p->kind == PEL_TEXTURE_XRGB8888)
+        inner_run(p, PEL_TEXTURE_XRGB8888, a, n, out);
+    else
+        inner_run(p, PEL_TEXTURE_RGB565_LE, a, n, out);
+}
+
+#endif
+
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
+{
+    const struct pel_texture *p = (const void *)paint;
+    struct pel_texture_axes a;
+    pel_texture_axes_start(&a, p, x, y, half_back);
+#if PEL_FAST_64BIT
+    if (p->kind != PEL_TEXTURE_ANY && pel_texture_axes_inside(&a, n, 1)) {
+        fast_run(p, &a, n, out);
+        return;
+    }
+#endif
+    outer_run(p, &a, n, out);
+}
+
+enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,
+                                          const struct pel_texels *texels,
+                                          const struct pel_texture_map *map)
+{
+    enum pel_status status = pel_texture_set(paint, texels, map);
+    if (status == PEL_OK)
+        pel_color_paint_init(&paint->base, colors, paint->base.opaque);
+    return status;
+}

@@ -1,0 +1,141 @@
+/* Texels by their place: what nearest and bilinear textures share. */
+#ifndef PEL_PAINT_PAINT_TEXTURE_FETCH_H
+#define PEL_PAINT_PAINT_TEXTURE_FETCH_H
+
+#include "../format/word.h"
+#include "paint_texture.h"
+
+/* How texels are read. The first three without a call. */
+enum pel_texture_kind {
+    PEL_TEXTURE_COLORS,
+    PEL_TEXTURE_XRGB8888,
+    PEL_TEXTURE_RGB565_LE,
+    PEL_TEXTURE_ANY
+};
+
+/* Sets all but the functions of the paint. */
+enum pel_status pel_texture_set(struct pel_texture *paint,
+                                const struct pel_texels *texels,
+                                const struct pel_texture_map *map);
+
+/* With a constant kind on 64-bit CPUs, where each kind has a loop of its own;
+ * elsewhere there is one loop for all. */
+#if PEL_FAST_64BIT
+#define PEL_TEXTURE_INLINE PEL_ALWAYS_INLINE
+#else
+#define PEL_TEXTURE_INLINE inline
+#endif
+
+static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,
+                                              int kind, int32_t u, int32_t v)
+{
+    const uint8_t *line = p->memory + (ptrdiff_t)v * p->stride;
+    if (kind == PEL_TEXTURE_COLORS)
+        return ((const pel_word32 *)(const void *)line)[u];
+    if (kind == PEL_TEXTURE_XRGB8888)
+        return PEL_LE32(((const pel_word32 *)(const void *)line)[u]) |
+               UINT32_C(0xFF000000);
+    if (kind == PEL_TEXTURE_RGB565_LE) {
+        uint32_t w = PEL_LE16(((const pel_word16 *)(const void *)line)[u]);
+        return PEL_RGB(pel_widen5(w >> 11), pel_widen6(w >> 5 & 63),
+                       pel_widen5(w & 31));
+    }
+    pel_color color;
+    p->surface->format->load(p->surface, u + p->surface->bounds.x0,
+                             v + p->surface->bounds.y0, 1, &color);
+    return color;
+}
+
+/* One coordinate along a run, in 2^-32 texels. `period` is after how many
+ * texels the picture begins again. */
+struct pel_texture_axis {
+    uint64_t at, step;
+    int32_t size, period;
+    uint8_t wrap;
+};
+
+static inline void pel_texture_axis_start(struct pel_texture_axis *a,
+                                          const struct pel_texture_plane *p,
+                                          int32_t x, int32_t y)
+{
+    a->at = p->at + (uint64_t)(int64_t)x * p->dx + (uint64_t)(int64_t)y * p->dy;
+    a->step = p->dx;
+}
+
+static inline void pel_texture_axis_wrap(struct pel_texture_axis *a,
+                                         int32_t size, int wrap)
+{
+    a->size = size;
+    a->period = wrap == PEL_MIRROR ? 2 * size : size;
+    a->wrap = (uint8_t)wrap;
+}
+
+/* Are texel(s) `at` to `at + more` of all n pixels inside the picture? */
+static inline bool pel_texture_axis_inside(const struct pel_texture_axis *a,
+                                           int32_t n, int32_t more)
+{
+    uint64_t last = a->at + (uint64_t)(int64_t)(n - 1) * a->step;
+    uint32_t inner = (uint32_t)(a->size - more);
+    return (uint32_t)(a->at >> 32) < inner && (uint32_t)(last >> 32) < inner;
+}
+
+/* The whole texels of the coordinate, brought back into one period by a floored
+ * modulo, but for PEL_CLAMP. */
+static inline int32_t pel_texture_axis_index(struct pel_texture_axis *a)
+{
+    int32_t i = (int32_t)(a->at >> 32);
+    if ((uint32_t)i < (uint32_t)a->period || a->wrap == PEL_CLAMP)
+        return i;
+    i %= a->period;
+    if (i < 0)
+        i += a->period;
+    a->at = (uint64_t)(uint32_t)i << 32 | (a->at & 0xFFFFFFFFu);
+    return i;
+}
+
+/* The texel of index i, or the one that stands for it; without PEL_CLAMP i is
+ * from 0 to the period. */
+static inline int32_t pel_texture_axis_texel(const struct pel_texture_axis *a,
+                                             int32_t i)
+{
+    if ((uint32_t)i < (uint32_t)a->size)
+        return i;
+    if (a->wrap == PEL_CLAMP)
+        return i < 0 ? 0 : a->size - 1;
+    return i == a->period ? 0 : 2 * a->size - 1 - i;
+}
+
+/* Both coordinates. */
+struct pel_texture_axes {
+    struct pel_texture_axis u, v;
+};
+
+/* From pixel (x, y) on, less `back`. */
+static inline void pel_texture_axes_start(struct pel_texture_axes *a,
+                                          const struct pel_texture *p,
+                                          int32_t x, int32_t y, uint32_t back)
+{
+    pel_texture_axis_start(&a->u, &p->map.u, x, y);
+    pel_texture_axis_start(&a->v, &p->map.v, x, y);
+    a->u.at -= back;
+    a->v.at -= back;
+    pel_texture_axis_wrap(&a->u, p->width, p->wrap_u);
+    pel_texture_axis_wrap(&a->v, p->height, p->wrap_v);
+}
+
+/* One pixel to the right. */
+static inline void pel_texture_axes_step(struct pel_texture_axes *a)
+{
+    a->u.at += a->u.step;
+    a->v.at += a->v.step;
+}
+
+/* Are texels `at` to `at + more` of n pixels inside the picture, both ways? */
+static inline bool pel_texture_axes_inside(const struct pel_texture_axes *a,
+                                           int32_t n, int32_t more)
+{
+    return pel_texture_axis_inside(&a->u, n, more) &&
+           pel_texture_axis_inside(&a->v, n, more);
+}
+
+#endif

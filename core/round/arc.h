@@ -1,0 +1,22 @@
+/* Filled arcs: sectors of rings. */
+#ifndef PEL_ROUND_ARC_H
+#define PEL_ROUND_ARC_H
+
+#include "../raster/paint.h"
+
+struct pel_arc_shape {
+    struct pel_point center;
+    int32_t inner, outer; /* 1/256 px, 0..32,767 px */
+    uint16_t from, to;    /* turns / 65,536, clockwise on screen from +x */
+};
+
+/* Fills the pixels of pel_ring(center, inner, outer) whose centre lies between
+ * the two angles, by the rule of pel_sector: a curved band, outer - inner wide.
+ * Arcs tile: around the turn, and with the rings and discs inside and around
+ * them. Nothing when outer <= inner or from == to; the whole ring is pel_ring.
+ * Work is bounded by the size of the clip. A centre or radius out of range is a
+ * broken contract: PEL_ASSERT, and nothing is drawn. */
+void pel_arc(const struct pel_surface *surface, const struct pel_arc_shape *arc,
+             const struct pel_paint *paint);
+
+#endif

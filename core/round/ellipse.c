@@ -1,0 +1,21 @@
+#include "ellipse.h"
+
+#include "../raster/collect.h"
+#include "ellipse_walk.h"
+
+void pel_ellipse(const struct pel_surface *surface,
+                 const struct pel_ellipse_shape *ellipse,
+                 const struct pel_paint *paint)
+{
+    struct pel_ellipse_walk w;
+    struct pel_collector c;
+    if (!pel_ellipse_start(&w, ellipse, &surface->clip))
+        return;
+    pel_collect_begin(&c, surface, paint);
+    for (; w.y < w.end; pel_ellipse_next(&w)) {
+        struct pel_row row = pel_disc_row(&w.disc);
+        if (row.x0 < row.x1)
+            pel_collect(&c, w.y, row.x0, row.x1);
+    }
+    pel_collect_end(&c);
+}

@@ -1,0 +1,34 @@
+/* The walk over the rows of a ring: that of a disc, and the disc inside. */
+#ifndef PEL_ROUND_RING_WALK_H
+#define PEL_ROUND_RING_WALK_H
+
+#include "disc_walk.h"
+#include "ring.h"
+
+struct pel_ring_walk {
+    struct pel_disc_walk outer;
+    struct pel_disc hole; /* at the same row */
+};
+
+/* false: nothing is covered, or the ring is out of range (PEL_ASSERT). */
+static inline bool pel_ring_start(struct pel_ring_walk *w,
+                                  const struct pel_ring_shape *ring,
+                                  const struct pel_rect *clip)
+{
+    const struct pel_point center = ring->center;
+    PEL_ASSERT(pel_radius_legal(ring->inner));
+    if (!pel_radius_legal(ring->inner) ||
+        !pel_disc_walk_start(&w->outer, center, ring->outer, clip))
+        return false;
+    pel_disc_start(&w->hole, center.x, center.x,
+                   pel_square(ring->inner) - pel_square(w->outer.v), clip);
+    return true;
+}
+
+static inline void pel_ring_next(struct pel_ring_walk *w)
+{
+    pel_disc_step(&w->hole, -pel_disc_walk_step(&w->outer));
+    pel_disc_walk_next(&w->outer);
+}
+
+#endif

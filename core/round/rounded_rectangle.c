@@ -1,0 +1,21 @@
+#include "rounded_rectangle.h"
+
+#include "../raster/collect.h"
+#include "rounded_rectangle_walk.h"
+
+void pel_rounded_rectangle(const struct pel_surface *surface,
+                           const struct pel_rounded_shape *rectangle,
+                           const struct pel_paint *paint)
+{
+    struct pel_rounded_walk w;
+    struct pel_collector c;
+    if (!pel_rounded_start(&w, rectangle, &surface->clip))
+        return;
+    pel_collect_begin(&c, surface, paint);
+    for (; w.y < w.end; pel_rounded_next(&w)) {
+        struct pel_row row = pel_disc_row(&w.disc);
+        if (row.x0 < row.x1)
+            pel_collect(&c, w.y, row.x0, row.x1);
+    }
+    pel_collect_end(&c);
+}

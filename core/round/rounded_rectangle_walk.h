@@ -1,0 +1,24 @@
+/* The walk over the rows of a rounded rectangle: a disc pulled apart (disc.h),
+ * whose centres are the corners of a smaller rectangle. */
+#ifndef PEL_ROUND_ROUNDED_RECTANGLE_WALK_H
+#define PEL_ROUND_ROUNDED_RECTANGLE_WALK_H
+
+#include "disc.h"
+#include "rounded_rectangle.h"
+
+struct pel_rounded_walk {
+    struct pel_disc disc; /* at row y */
+    int64_t reach;
+    int32_t top, bottom; /* of the centres, 1/256 px */
+    int32_t radius;
+    int32_t y, end;
+};
+
+/* false: nothing is covered, or the rectangle is out of range (PEL_ASSERT). */
+bool pel_rounded_start(struct pel_rounded_walk *w,
+                       const struct pel_rounded_shape *r,
+                       const struct pel_rect *clip);
+
+void pel_rounded_next(struct pel_rounded_walk *w);
+
+#endif

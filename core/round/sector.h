@@ -1,0 +1,27 @@
+/* Filled sectors of discs. */
+#ifndef PEL_ROUND_SECTOR_H
+#define PEL_ROUND_SECTOR_H
+
+#include "../raster/paint.h"
+
+struct pel_sector_shape {
+    struct pel_point center;
+    int32_t radius;    /* 1/256 px, 0..32,767 px */
+    uint16_t from, to; /* turns / 65,536, clockwise on screen from +x */
+};
+
+/* Fills the pixels of pel_circle(center, radius) whose centre lies between the
+ * two angles, half-open: on the ray of `from` or clockwise of it, and before
+ * the ray of `to`. Decided by the signs of cross products with the integer
+ * directions pel_direction(from) and pel_direction(to) (rule: round/wedge.h);
+ * so sectors tile: [a, b) and [b, c) share no pixel and leave none between
+ * them, and sectors around the whole turn hold every pixel of the disc once. A
+ * pixel whose centre is the centre of the disc counts as angle 0. Nothing when
+ * from == to; the whole disc is pel_circle.
+ * Work is bounded by the size of the clip. A centre or radius out of range is a
+ * broken contract: PEL_ASSERT, and nothing is drawn. */
+void pel_sector(const struct pel_surface *surface,
+                const struct pel_sector_shape *sector,
+                const struct pel_paint *paint);
+
+#endif

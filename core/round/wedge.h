@@ -1,0 +1,46 @@
+/* The walk over the part of every row that lies between two angles.
+ *
+ * The rule. From the centre C, angle a has the ray in the direction
+ * d = pel_direction(a). A pixel's centre P belongs to the half-open range
+ * [from, to), clockwise, when it lies on the ray of `from` or between the two:
+ * for up to a half turn when
+ *
+ *     cross(d(from), P - C) > 0 and cross(d(to), P - C) < 0,
+ *     or P lies on the ray of `from`;
+ *
+ * a larger range is what the rest of the turn leaves. cross((a, b), (x, y)) =
+ * a y - b x. A pixel centre on C counts as angle 0. from == to is empty. So the
+ * ranges [a, b), [b, c), [c, a) hold every pixel once. */
+#ifndef PEL_ROUND_WEDGE_H
+#define PEL_ROUND_WEDGE_H
+
+#include "../raster/cut.h"
+#include "../raster/edge.h"
+
+/* A ray as the walk of an exact edge. Above the centre a row's angles grow with
+ * x, below it they fall: there the edge is walked in a mirror, where pixel x is
+ * pixel -1 - x. So a pixel on the ray itself always belongs to the range that
+ * begins there. */
+struct pel_ray {
+    struct pel_edge edge;
+    int32_t y, end; /* rows [y, end) are walked, the edge stands at y */
+    int32_t turn;   /* 0..65,536 */
+    int32_t beyond; /* x of the ray in the rows of its half that are not */
+};
+
+struct pel_wedge {
+    struct pel_point center;
+    struct pel_ray from, to;
+};
+
+/* For the rows of `clip`; angles in turns / 65,536. false: nothing can be
+ * covered, since from == to. The centre is legal. */
+bool pel_wedge_start(struct pel_wedge *wedge, struct pel_point center,
+                     uint16_t from, uint16_t to, const struct pel_rect *clip);
+
+/* Adds the pieces of line y that are in the wedge and in `run`, but not in
+ * `hole`; up to four. Lines are asked from the top down. */
+void pel_wedge_cut(struct pel_wedge *wedge, struct pel_cut *cut, int32_t y,
+                   struct pel_row run, struct pel_row hole);
+
+#endif
