@@ -102,21 +102,15 @@ static inline void pel_edge_skip(struct pel_edge *e, int32_t k)
     }
 }
 
-/* floor((f dy + t r + dy - 1) / 256); 0 <= f, t < 256, 0 <= r < dy < 2^24. */
-#if PEL_LONG_MULTIPLY
+/* floor((f dy + t r + dy - 1) / 256); 0 <= f, t < 256, 0 <= r < dy < 2^24. Both
+ * terms fit 32 bits, their sum 33: (f + 1) dy - 1 < 2^32 and t r < 2^32. */
 static inline int32_t pel_edge_carry(int32_t f, int32_t t, int32_t r,
                                      int32_t dy)
 {
-    return (int32_t)(((int64_t)f * dy + (int64_t)t * r + dy - 1) >> 8);
+    const uint32_t a = (uint32_t)(f + 1) * (uint32_t)dy - 1;
+    const uint32_t sum = a + (uint32_t)t * (uint32_t)r;
+    return (int32_t)((sum >> 8) + ((uint32_t)(sum < a) << 24));
 }
-#else
-static inline int32_t pel_edge_carry(int32_t f, int32_t t, int32_t r,
-                                     int32_t dy)
-{
-    return f * (dy >> 8) + t * (r >> 8) +
-           ((f * (dy & 255) + t * (r & 255) + dy - 1) >> 8);
-}
-#endif
 
 /* The edge from a down to b, a.y < b.y, at row `top`, which lies on or below
  * the first row of the edge: pel_first_pixel(a.y) <= top <
