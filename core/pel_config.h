@@ -49,6 +49,17 @@
 #endif
 #endif
 
+/* 1: triangles find out first which of their edges is the left one, so that
+ * rows need not be sorted and clipped one by one. Costs about 150 bytes: by
+ * default not where the compiler is asked for small code. */
+#ifndef PEL_KNOW_SIDES
+#ifdef __OPTIMIZE_SIZE__
+#define PEL_KNOW_SIDES 0
+#else
+#define PEL_KNOW_SIDES 1
+#endif
+#endif
+
 /* Rows that a shape hands to a paint at a time: 8 bytes of stack each. */
 #ifndef PEL_BATCH_ROWS
 #if PEL_FAST_64BIT
@@ -76,7 +87,8 @@
 
 /* PEL_NOINLINE: functions that keep their stack to themselves, so that it is
  * free again before the caller calls another. PEL_HOT: inlined where speed goes
- * before size. PEL_WALK: a loop of its own where registers are few. */
+ * before size. PEL_WALK: a loop that is a function of its own where registers
+ * are few or code is to be small, and inlined elsewhere. */
 #ifdef __GNUC__
 #define PEL_NOINLINE __attribute__((__noinline__))
 #else
@@ -87,8 +99,10 @@
 #else
 #define PEL_HOT
 #endif
-#if defined(__thumb__)
+#if defined(__thumb__) && (!defined(__thumb2__) || !PEL_KNOW_SIDES)
 #define PEL_WALK PEL_NOINLINE
+#elif defined(__GNUC__)
+#define PEL_WALK inline __attribute__((__always_inline__))
 #else
 #define PEL_WALK
 #endif

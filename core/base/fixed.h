@@ -65,11 +65,16 @@ static inline int32_t pel_max(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
-/* Is the point in range? A legal coordinate plus 2^23 fits 24 bits. */
+/* Legal coordinates plus 2^23 fit 24 bits: no bit above is set in either. */
+static inline uint32_t pel_point_offset(struct pel_point p)
+{
+    return ((uint32_t)p.x + 0x800000u) | ((uint32_t)p.y + 0x800000u);
+}
+
+/* Is the point in range? */
 static inline bool pel_point_legal(struct pel_point p)
 {
-    return ((((uint32_t)p.x + 0x800000u) | ((uint32_t)p.y + 0x800000u)) >>
-            24) == 0;
+    return pel_point_offset(p) >> 24 == 0;
 }
 
 /* Are all n points? */

@@ -73,8 +73,8 @@ static inline pel_word32 *pel_put_blocks(pel_word32 *q, int32_t blocks,
     register uint32_t d __asm__("r6") = v;
     do
         __asm__ volatile("stmia %0!, {%1, %2, %3, %4}"
-                         : "+l"(q), "+l"(a), "+l"(b), "+l"(c), "+l"(d)
-                         :
+                         : "+l"(q)
+                         : "l"(a), "l"(b), "l"(c), "l"(d)
                          : "memory");
     while (--blocks);
     return q;
@@ -106,14 +106,16 @@ static inline void pel_span16(pel_word16 *p, int32_t n, pel_value16 v)
     pel_word32 *q = (pel_word32 *)(void *)p;
     if (n >= 8)
         q = pel_put_blocks(q, n >> 3, v);
-    if (n & 4) {
+    /* The rest's bits as signs: a shift and a branch each. */
+    const uint32_t rest = (uint32_t)n << 29;
+    if ((int32_t)rest < 0) {
         q[0] = v;
         q[1] = v;
         q += 2;
     }
-    if (n & 2)
+    if ((int32_t)(rest << 1) < 0)
         *q++ = v;
-    if (n & 1)
+    if (rest << 2)
         *(pel_word16 *)(void *)q = (pel_word16)v;
 }
 

@@ -50,14 +50,19 @@ static inline int32_t pel_floor_divide(int32_t dx, int32_t dy,
                                        int32_t *remainder)
 {
     uint32_t u = (uint32_t)(dx < 0 ? ~dx : dx), d = (uint32_t)dy, q = 0;
-    uint32_t bit = 1;
-    for (; d <= u >> 1; d <<= 1)
-        bit <<= 1;
-    for (; bit; bit >>= 1, d >>= 1)
-        if (u >= d) {
-            u -= d;
-            q |= bit;
-        }
+    if (u >= d) {
+        uint32_t bit = 1;
+        for (; d <= u >> 1; d <<= 1)
+            bit <<= 1;
+        do {
+            if (u >= d) {
+                u -= d;
+                q |= bit;
+            }
+            d >>= 1;
+            bit >>= 1;
+        } while (bit);
+    }
     *remainder = dx < 0 ? dy - 1 - (int32_t)u : (int32_t)u;
     return dx < 0 ? ~(int32_t)q : (int32_t)q;
 }

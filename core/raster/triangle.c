@@ -4,53 +4,138 @@
 #include "fast_triangle.h"
 #include "triangle_sort.h"
 
+/* A triangle on its way down: the long edge, from top to bottom, and opposite
+ * of it a short one, from p[0] to p[1] and then from p[1] to p[2]. */
+struct walk {
+    struct pel_edge tall, low;
+    const struct pel_point **to; /* where the short edge ends */
+    int32_t end;                 /* the row below it */
+};
+
+/* A batch of rows, and its columns one by one. */
+union batch {
+    struct pel_row row[PEL_BATCH_ROWS];
+    int32_t x[PEL_BATCH_ROWS * 2];
+};
+
 /* A batch is walked edge by edge, so that the state of one edge stays in
- * registers: first the long edge into the x0 of every row. */
-static void walk_long(struct pel_edge *edge, struct pel_row *row, int32_t n)
+ * registers: each into its column of the rows. */
+static PEL_WALK void walk_edge(struct pel_edge *edge, int32_t *x, int32_t n)
 {
     struct pel_edge e = *edge;
+    int32_t *const end = x + 2 * n;
     do {
-        row->x0 = e.x;
-        row++;
+        *x = e.x;
+        x += 2;
         pel_edge_next(&e);
-    } while (--n);
+    } while (x < end);
     edge->x = e.x;
     edge->m = e.m;
 }
 
-/* Then the other edge. Both follow one formula, so which of them is the left
- * one is decided here: a row is [min, max) of the two, inside the clip. */
-static PEL_WALK void walk_short(struct pel_edge *edge, struct pel_row *row,
-                                int32_t n, const struct pel_rect *clip)
+static void start_short(struct walk *w, const struct pel_point **to, int32_t y)
 {
-    struct pel_edge e = *edge;
+    w->to = to;
+    w->end = pel_first_pixel(to[0]->y);
+    pel_edge_start(&w->low, to[-1], to[0], y);
+}
+
+/* n > 0 rows from y on, in which one short edge may follow the other. */
+static void walk_short(struct walk *w, int32_t y, int32_t *x, int32_t n)
+{
+    for (;;) {
+        int32_t k = pel_min(w->end - y, n);
+        walk_edge(&w->low, x, k);
+        n -= k;
+        if (n == 0)
+            return;
+        x += 2 * k;
+        y += k;
+        start_short(w, w->to + 1, y);
+    }
+}
+
+/* Both edges follow one formula, so which of them is the left one can be
+ * decided here: a row is [min, max) of the two, inside the clip. */
+static void tidy(struct pel_row *row, int32_t n, const struct pel_rect *clip)
+{
     const int32_t left = clip->x0, right = clip->x1;
     do {
-        int32_t x = row->x0;
-        row->x0 = pel_max(pel_min(x, e.x), left);
-        row->x1 = pel_min(pel_max(x, e.x), right);
+        int32_t a = row->x0, b = row->x1;
+        row->x0 = pel_max(pel_min(a, b), left);
+        row->x1 = pel_min(pel_max(a, b), right);
         row++;
-        pel_edge_next(&e);
     } while (--n);
-    edge->x = e.x;
-    edge->m = e.m;
 }
 
-/* Rows [y, end) between the long edge, side[0], and the short one. */
-static void fill_half(const struct pel_surface *surface,
-                      const struct pel_paint *paint, struct pel_edge side[2],
-                      int32_t y, int32_t end)
+/* The column of the long edge, and whether the rows must be tidied: that is a
+ * matter of speed alone. */
+enum side { LEFT, RIGHT, UNKNOWN };
+
+#if PEL_KNOW_SIDES
+
+static bool legal(const struct pel_point v[3])
 {
-    struct pel_row row[PEL_BATCH_ROWS];
-    struct pel_rows rows;
-    rows.surface = surface;
-    rows.row = row;
-    rows.step = 1;
-    for (rows.y = y; rows.y < end; rows.y += rows.n) {
-        int32_t n = pel_min(end - rows.y, PEL_BATCH_ROWS);
-        walk_long(&side[0], row, n);
-        walk_short(&side[1], row, n, &surface->clip);
-        rows.n = n;
+    return (pel_point_offset(v[0]) | pel_point_offset(v[1]) |
+            pel_point_offset(v[2])) >>
+               24 ==
+           0;
+}
+
+/* Right of the long edge lies a middle vertex that is right of both others, or
+ * by the sign of a cross product, as far as that fits 32 bits. */
+static enum side side_of(const struct pel_point *const p[3],
+                         const struct pel_rect *clip)
+{
+    const int32_t a = p[0]->x, b = p[1]->x, c = p[2]->x;
+    const int32_t dy = p[1]->y - p[0]->y, height = p[2]->y - p[0]->y;
+    int32_t low = pel_min(a, c), high = pel_max(a, c);
+    enum side side = b > low ? LEFT : RIGHT;
+    if (b > low && b < high) {
+        if ((height | (high - low)) >> 15)
+            return UNKNOWN;
+        side = (b - a) * height < (c - a) * dy ? RIGHT : LEFT;
+    }
+    low = pel_min(low, b);
+    high = pel_max(high, b);
+    if (pel_first_pixel(low) < clip->x0 || pel_first_pixel(high) > clip->x1)
+        return UNKNOWN;
+    return side;
+}
+
+#else
+
+static bool legal(const struct pel_point v[3])
+{
+    return pel_points_legal(v, 3);
+}
+
+static enum side side_of(const struct pel_point *const p[3],
+                         const struct pel_rect *clip)
+{
+    (void)p;
+    (void)clip;
+    return UNKNOWN;
+}
+
+#endif
+
+static void fill(const struct pel_surface *surface,
+                 const struct pel_paint *paint, const struct pel_point *p[3],
+                 int32_t y, int32_t bottom)
+{
+    const enum side side = side_of(p, &surface->clip);
+    union batch batch;
+    struct pel_rows rows = {surface, batch.row, y, 0, 1};
+    struct walk w;
+    pel_edge_start(&w.tall, p[0], p[2], y);
+    start_short(&w, y < pel_first_pixel(p[1]->y) ? p + 1 : p + 2, y);
+    for (; rows.y < bottom; rows.y += rows.n) {
+        rows.n = pel_min(bottom - rows.y, PEL_BATCH_ROWS);
+        walk_edge(&w.tall, batch.x + (side == RIGHT), rows.n);
+        walk_short(&w, rows.y, batch.x + (side != RIGHT), rows.n);
+        if (side == UNKNOWN)
+            tidy(batch.row, rows.n, &surface->clip);
         paint->fill(paint, &rows);
     }
 }
@@ -60,23 +145,13 @@ void pel_triangle(const struct pel_surface *surface,
 {
     if (pel_fast_triangle(surface, v, paint))
         return;
-    PEL_ASSERT(pel_points_legal(v, 3));
-    if (!pel_points_legal(v, 3))
+    PEL_ASSERT(legal(v));
+    if (!legal(v))
         return;
     const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
-    struct pel_edge side[2];
     pel_sort_rows(p);
     int32_t y = pel_max(pel_first_pixel(p[0]->y), surface->clip.y0);
     int32_t bottom = pel_min(pel_first_pixel(p[2]->y), surface->clip.y1);
-    if (y >= bottom)
-        return;
-    pel_edge_start(&side[0], p[0], p[2], y);
-    for (int half = 0; half < 2; half++) {
-        int32_t end = pel_min(pel_first_pixel(p[half + 1]->y), bottom);
-        if (y >= end)
-            continue;
-        pel_edge_start(&side[1], p[half], p[half + 1], y);
-        fill_half(surface, paint, side, y, end);
-        y = end;
-    }
+    if (y < bottom)
+        fill(surface, paint, p, y, bottom);
 }
