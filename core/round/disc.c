@@ -1,45 +1,30 @@
 #include "disc.h"
 
+#include "disc_side.h"
+
 void pel_disc_start(struct pel_disc *disc, int32_t left_x, int32_t right_x,
                     int64_t reach, const struct pel_rect *clip)
 {
-    struct pel_disc_side *l = &disc->left, *r = &disc->right;
-    l->inner = pel_min(pel_max(pel_first_pixel(left_x), clip->x0), clip->x1);
-    r->inner = pel_min(pel_max(pel_first_pixel(right_x), clip->x0), clip->x1);
-    l->u = left_x - pel_pixel_center(l->inner - 1);
-    r->u = pel_pixel_center(r->inner) - right_x;
-    l->d = (reach - pel_square(l->u)) >> 9;
-    r->d = (reach - pel_square(r->u)) >> 9;
-    l->columns = r->columns = 0;
-    l->limit = l->inner - clip->x0;
-    r->limit = clip->x1 - r->inner;
+    struct pel_row *inner = &disc->inner;
+    inner->x0 = pel_min(pel_max(pel_first_pixel(left_x), clip->x0), clip->x1);
+    inner->x1 = pel_min(pel_max(pel_first_pixel(right_x), clip->x0), clip->x1);
+    disc->left.limit = inner->x0 - clip->x0;
+    disc->right.limit = clip->x1 - inner->x1;
+    pel_disc_side_start(&disc->left, reach,
+                        left_x - pel_pixel_center(inner->x0 - 1));
+    pel_disc_side_start(&disc->right, reach,
+                        pel_pixel_center(inner->x1) - right_x);
 }
 
-/* Adds or takes columns until the side is that of the present row. */
-static int32_t settle(struct pel_disc_side *s)
+static PEL_HOT int32_t columns(struct pel_disc_side *s)
 {
-    int64_t d = s->d;
-    int32_t u = s->u, columns = s->columns;
-    while (d >= 0 && columns < s->limit) {
-        d -= u + 128;
-        u += 256;
-        columns++;
-    }
-    while (columns > 0 && d + u - 128 < 0) {
-        u -= 256;
-        d += u + 128;
-        columns--;
-    }
-    s->d = d;
-    s->u = u;
-    s->columns = columns;
-    return columns;
+    return pel_disc_side_columns(s);
 }
 
 struct pel_row pel_disc_row(struct pel_disc *disc)
 {
-    return (struct pel_row){disc->left.inner - settle(&disc->left),
-                            disc->right.inner + settle(&disc->right)};
+    return (struct pel_row){disc->inner.x0 - columns(&disc->left),
+                            disc->inner.x1 + columns(&disc->right)};
 }
 
 /* The low 9 bits of u^2 are the same in all columns. */

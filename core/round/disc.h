@@ -29,11 +29,12 @@ struct pel_disc_side {
     int64_t d;              /* of the next column outwards */
     int32_t u;              /* its distance */
     int32_t columns, limit; /* in the run now; those that the clip shows */
-    int32_t inner;          /* px: where the run's columns end or begin */
 };
 
 struct pel_disc {
     struct pel_disc_side left, right;
+    struct pel_row inner; /* px: the left columns end at x0, the right ones
+                             begin at x1 */
 };
 
 /* (v + 256)^2 - v^2: what one row further out takes from the reach. */
