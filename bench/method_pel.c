@@ -47,8 +47,8 @@ static void draw_polygons(const struct job *job, const struct item *item, int n)
 {
     for (; n > 0; n--, item++) {
         const struct pel_flat flat = PEL_FLAT(item->color[0]);
-        const struct pel_outline outline = {item->v, SHAPE_VERTICES,
-                                            PEL_EVEN_ODD};
+        const struct pel_polygon_shape outline = {item->v, SHAPE_VERTICES,
+                                                  PEL_EVEN_ODD};
         pel_polygon(&job->surface, &outline, &flat.paint, job->scratch,
                     job->scratch_size);
     }

@@ -71,7 +71,8 @@ static void draw_triangle(struct scene_pen *pen, const int32_t *v, size_t n)
 static void draw_polygon(struct scene_pen *pen, const int32_t *v, size_t n,
                          enum pel_fill_rule rule)
 {
-    const struct pel_outline outline = {points(v), (int32_t)(n / 2), rule};
+    const struct pel_polygon_shape outline = {points(v), (int32_t)(n / 2),
+                                              rule};
     /* Cannot fail: vertices and scratch memory were checked before. */
     pel_polygon(pen->surface, &outline, scene_paint(pen), pen->scratch,
                 pen->scratch_size);

@@ -149,21 +149,21 @@ static void set_clamp(struct scene_pen *pen, const int32_t *v, size_t n)
 {
     (void)v;
     (void)n;
-    pen->wrap = PEL_CLAMP;
+    pen->wrap = PEL_WRAP_CLAMP;
 }
 
 static void set_wrap(struct scene_pen *pen, const int32_t *v, size_t n)
 {
     (void)v;
     (void)n;
-    pen->wrap = PEL_WRAP;
+    pen->wrap = PEL_WRAP_REPEAT;
 }
 
 static void set_mirror(struct scene_pen *pen, const int32_t *v, size_t n)
 {
     (void)v;
     (void)n;
-    pen->wrap = PEL_MIRROR;
+    pen->wrap = PEL_WRAP_MIRROR;
 }
 
 static void set_dither(struct scene_pen *pen, const int32_t *v, size_t n)

@@ -146,7 +146,7 @@ static void outline_polygon(struct scene_pen *pen, const int32_t *v, size_t n,
                             enum pel_fill_rule rule)
 {
     /* A pel_point is two int32_t, and so is each pair of coordinates. */
-    const struct pel_outline outline = {
+    const struct pel_polygon_shape outline = {
         (const struct pel_point *)(const void *)v, (int32_t)(n / 2), rule};
     pel_polygon_outline(pen->surface, &outline, scene_paint(pen), pen->scratch,
                         pen->scratch_size);

@@ -24,7 +24,8 @@ bool pel_hit_circle(struct pel_point center, int32_t radius, int32_t x,
                     int32_t y);
 bool pel_hit_line(struct pel_point from, struct pel_point to, int32_t x,
                   int32_t y);
-bool pel_hit_polygon(const struct pel_outline *outline, int32_t x, int32_t y);
+bool pel_hit_polygon(const struct pel_polygon_shape *polygon, int32_t x,
+                     int32_t y);
 bool pel_hit_ring(const struct pel_ring_shape *ring, int32_t x, int32_t y);
 bool pel_hit_sector(const struct pel_sector_shape *sector, int32_t x,
                     int32_t y);

@@ -26,10 +26,11 @@ static int32_t crossing(const struct pel_point *a, const struct pel_point *b,
     return right >= edge ? winding : 0;
 }
 
-bool pel_hit_polygon(const struct pel_outline *outline, int32_t x, int32_t y)
+bool pel_hit_polygon(const struct pel_polygon_shape *polygon, int32_t x,
+                     int32_t y)
 {
-    const struct pel_point *v = outline->v;
-    const int32_t n = outline->n;
+    const struct pel_point *v = polygon->v;
+    const int32_t n = polygon->n;
     struct pel_point p;
     if (n < 3 || !pel_hit_pixel(x, y, &p) || !pel_points_legal(v, n))
         return false;
@@ -39,19 +40,19 @@ bool pel_hit_polygon(const struct pel_outline *outline, int32_t x, int32_t y)
         winding += crossing(previous, &v[i], p);
         previous = &v[i];
     }
-    return outline->rule == PEL_EVEN_ODD ? winding & 1 : winding != 0;
+    return polygon->rule == PEL_EVEN_ODD ? winding & 1 : winding != 0;
 }
 
 bool pel_hit_triangle(const struct pel_point v[3], int32_t x, int32_t y)
 {
-    const struct pel_outline outline = {v, 3, PEL_NON_ZERO};
-    return pel_hit_polygon(&outline, x, y);
+    const struct pel_polygon_shape polygon = {v, 3, PEL_NON_ZERO};
+    return pel_hit_polygon(&polygon, x, y);
 }
 
 bool pel_hit_thick_line(const struct pel_thick_line_shape *line, int32_t x,
                         int32_t y)
 {
     struct pel_point v[4];
-    const struct pel_outline outline = {v, 4, PEL_NON_ZERO};
-    return pel_thick_line_corners(line, v) && pel_hit_polygon(&outline, x, y);
+    const struct pel_polygon_shape polygon = {v, 4, PEL_NON_ZERO};
+    return pel_thick_line_corners(line, v) && pel_hit_polygon(&polygon, x, y);
 }

@@ -40,7 +40,7 @@ void pel_arc_outline(const struct pel_surface *surface,
 /* Scratch memory as for pel_polygon, but of this size: about 48 n bytes. */
 size_t pel_polygon_outline_scratch_size(int32_t n);
 enum pel_status pel_polygon_outline(const struct pel_surface *surface,
-                                    const struct pel_outline *outline,
+                                    const struct pel_polygon_shape *polygon,
                                     const struct pel_paint *paint,
                                     void *scratch, size_t size);
 

@@ -17,25 +17,25 @@ size_t pel_polygon_outline_scratch_size(int32_t n)
 }
 
 enum pel_status pel_polygon_outline(const struct pel_surface *surface,
-                                    const struct pel_outline *outline,
+                                    const struct pel_polygon_shape *polygon,
                                     const struct pel_paint *paint,
                                     void *scratch, size_t size)
 {
-    if (!surface || !outline || !paint)
+    if (!surface || !polygon || !paint)
         return PEL_ERROR_NULL;
-    if (outline->n < 3)
+    if (polygon->n < 3)
         return PEL_OK;
     if (!scratch)
         return PEL_ERROR_NULL;
-    size_t needed = pel_polygon_outline_scratch_size(outline->n);
+    size_t needed = pel_polygon_outline_scratch_size(polygon->n);
     if (needed == 0 || size < needed || (uintptr_t)scratch % 4)
         return PEL_ERROR_SCRATCH;
     struct pel_row *memory = scratch;
-    size_t runs = rim_runs(outline->n), used = runs * sizeof *memory;
+    size_t runs = rim_runs(polygon->n), used = runs * sizeof *memory;
     struct pel_rim rim;
     if (!pel_rim_begin(&rim, surface, paint, memory, (int32_t)runs))
         return PEL_OK;
-    enum pel_status status = pel_polygon(&rim.surface, outline, &rim.paint,
+    enum pel_status status = pel_polygon(&rim.surface, polygon, &rim.paint,
                                          memory + runs, size - used);
     pel_rim_end(&rim);
     return status;

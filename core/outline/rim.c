@@ -1,15 +1,5 @@
 #include "rim.h"
 
-/* The pixels [x0, x1) of line y, as far as they are visible. */
-static void put(struct pel_collector *out, int32_t y, int32_t x0, int32_t x1)
-{
-    const struct pel_rect *clip = &out->rows.surface->clip;
-    x0 = pel_max(x0, clip->x0);
-    x1 = pel_min(x1, clip->x1);
-    if (x0 < x1)
-        pel_collect(out, y, x0, x1);
-}
-
 /* One run without its interior: what is left of it, one pixel smaller at both
  * ends, when runs of the rows above and below are on both sides of it. */
 static void put_run(struct pel_rim *r, int32_t y, const struct pel_row *run)
@@ -21,7 +11,7 @@ static void put_run(struct pel_rim *r, int32_t y, const struct pel_row *run)
         int32_t x0 = pel_max(run->x0 + 1, pel_max(a->x0, b->x0));
         int32_t x1 = pel_min(run->x1 - 1, pel_min(a->x1, b->x1));
         if (x0 < x1) {
-            put(&r->out, y, x, x0);
+            pel_collect_clipped(&r->out, y, x, x0);
             x = x1;
         }
         if (a->x1 < b->x1)
@@ -29,7 +19,7 @@ static void put_run(struct pel_rim *r, int32_t y, const struct pel_row *run)
         else
             j++;
     }
-    put(&r->out, y, x, run->x1);
+    pel_collect_clipped(&r->out, y, x, run->x1);
 }
 
 /* Puts the row above the present one, whose neighbours are complete now, and

@@ -25,8 +25,8 @@ struct pel_fan_points {
 };
 
 /* Sets the hub to the mean of the rim's points and colours, rounded: the middle
- * of regular polygons, and inside of all that are convex. rim, colors and n > 0
- * are set. */
+ * of regular polygons, and inside of all that are convex. rim, colors and n are
+ * set; n < 1 is a broken contract: PEL_ASSERT, and the hub stays. */
 void pel_fan_set_hub(struct pel_fan_points *points);
 
 /* n points evenly around a circle, the first at the angle start (1/65,536

@@ -12,6 +12,9 @@ static int32_t mean(int64_t sum, int32_t n)
 void pel_fan_set_hub(struct pel_fan_points *points)
 {
     int64_t x = 0, y = 0, channel[4] = {0, 0, 0, 0};
+    PEL_ASSERT(points->n > 0);
+    if (points->n <= 0)
+        return;
     for (int32_t i = 0; i < points->n; i++) {
         x += points->rim[i].x;
         y += points->rim[i].y;

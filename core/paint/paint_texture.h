@@ -17,9 +17,9 @@ struct pel_texels {
 
 /* Which texel stands for one outside the picture, of W in a line or column. */
 enum pel_wrap {
-    PEL_CLAMP, /* the nearest: 0 or W - 1 */
-    PEL_WRAP,  /* i - W floor(i / W): the picture again and again */
-    PEL_MIRROR /* the same, every other picture turned round: -1 is 0, W is
+    PEL_WRAP_CLAMP,  /* the nearest: 0 or W - 1 */
+    PEL_WRAP_REPEAT, /* i - W floor(i / W): the picture again and again */
+    PEL_WRAP_MIRROR /* the same, every other picture turned round: -1 is 0, W is
                   W - 1 */
 };
 
@@ -68,8 +68,8 @@ struct pel_texture {
     uint8_t kind;                      /* paint_texture_fetch.h */
 };
 
-/* A texture with PEL_CLAMP; wrap_u and wrap_v may be set afterwards. Cheap: one
- * for every triangle of a mesh is fine.
+/* A texture with PEL_WRAP_CLAMP; wrap_u and wrap_v may be set afterwards.
+ * Cheap: one for every triangle of a mesh is fine.
  *
  * Nearest: texel floor(u), floor(v). Fast for colours, argb8888, xrgb8888 and
  * rgb565_le; between surfaces of one 565 format texels are copied as they are.

@@ -49,8 +49,8 @@ enum pel_status pel_texture_set(struct pel_texture *paint,
         return PEL_ERROR_NULL;
     paint->map = *map;
     paint->surface = texels->surface;
-    paint->wrap_u = PEL_CLAMP;
-    paint->wrap_v = PEL_CLAMP;
+    paint->wrap_u = PEL_WRAP_CLAMP;
+    paint->wrap_v = PEL_WRAP_CLAMP;
     return texels->surface ? set_surface(paint, texels->surface)
                            : set_colors(paint, texels);
 }

@@ -66,7 +66,7 @@ static inline void pel_texture_axis_wrap(struct pel_texture_axis *a,
                                          int32_t size, int wrap)
 {
     a->size = size;
-    a->period = wrap == PEL_MIRROR ? 2 * size : size;
+    a->period = wrap == PEL_WRAP_MIRROR ? 2 * size : size;
     a->wrap = (uint8_t)wrap;
 }
 
@@ -80,11 +80,11 @@ static inline bool pel_texture_axis_inside(const struct pel_texture_axis *a,
 }
 
 /* The whole texels of the coordinate, brought back into one period by a floored
- * modulo, but for PEL_CLAMP. */
+ * modulo, but for PEL_WRAP_CLAMP. */
 static inline int32_t pel_texture_axis_index(struct pel_texture_axis *a)
 {
     int32_t i = (int32_t)(a->at >> 32);
-    if ((uint32_t)i < (uint32_t)a->period || a->wrap == PEL_CLAMP)
+    if ((uint32_t)i < (uint32_t)a->period || a->wrap == PEL_WRAP_CLAMP)
         return i;
     i %= a->period;
     if (i < 0)
@@ -93,14 +93,14 @@ static inline int32_t pel_texture_axis_index(struct pel_texture_axis *a)
     return i;
 }
 
-/* The texel of index i, or the one that stands for it; without PEL_CLAMP i is
- * from 0 to the period. */
+/* The texel of index i, or the one that stands for it; without PEL_WRAP_CLAMP i
+ * is from 0 to the period. */
 static inline int32_t pel_texture_axis_texel(const struct pel_texture_axis *a,
                                              int32_t i)
 {
     if ((uint32_t)i < (uint32_t)a->size)
         return i;
-    if (a->wrap == PEL_CLAMP)
+    if (a->wrap == PEL_WRAP_CLAMP)
         return i < 0 ? 0 : a->size - 1;
     return i == a->period ? 0 : 2 * a->size - 1 - i;
 }

@@ -1,5 +1,5 @@
 /* Collects the runs of a shape into batches for a paint: lines below one
- * another, or runs of one line. Clipping is the caller's. */
+ * another, or runs of one line. */
 #ifndef PEL_RASTER_COLLECT_H
 #define PEL_RASTER_COLLECT_H
 
@@ -45,6 +45,17 @@ static inline void pel_collect(struct pel_collector *c, int32_t y, int32_t x0,
     if (c->rows.n == 0)
         c->rows.y = y;
     c->row[c->rows.n++] = (struct pel_row){x0, x1};
+}
+
+/* Of the pixels [x0, x1) of line y those inside the clip; y is. */
+static inline void pel_collect_clipped(struct pel_collector *c, int32_t y,
+                                       int32_t x0, int32_t x1)
+{
+    const struct pel_rect *clip = &c->rows.surface->clip;
+    x0 = pel_max(x0, clip->x0);
+    x1 = pel_min(x1, clip->x1);
+    if (x0 < x1)
+        pel_collect(c, y, x0, x1);
 }
 
 #endif

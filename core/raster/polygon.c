@@ -121,15 +121,6 @@ static void sort_by_x(struct sweep *w)
     }
 }
 
-static void emit(struct pel_collector *c, int32_t y, int32_t x0, int32_t x1)
-{
-    const struct pel_rect *clip = &c->rows.surface->clip;
-    x0 = pel_max(x0, clip->x0);
-    x1 = pel_min(x1, clip->x1);
-    if (x0 < x1)
-        pel_collect(c, y, x0, x1);
-}
-
 /* A run lasts from where the outline is entered to where it is left. */
 static void emit_row(const struct sweep *w, struct pel_collector *c, int32_t y)
 {
@@ -141,7 +132,7 @@ static void emit_row(const struct sweep *w, struct pel_collector *c, int32_t y)
         if (outside)
             start = s->edge.x;
         else if ((winding & w->mask) == 0)
-            emit(c, y, start, s->edge.x);
+            pel_collect_clipped(c, y, start, s->edge.x);
     }
 }
 
@@ -172,7 +163,7 @@ static void sweep_rows(struct sweep *w, struct pel_collector *c)
     }
 }
 
-static PEL_NOINLINE enum pel_status check(const struct pel_outline *p,
+static PEL_NOINLINE enum pel_status check(const struct pel_polygon_shape *p,
                                           const void *scratch, size_t size)
 {
     if (!p->v || !scratch)
@@ -184,25 +175,25 @@ static PEL_NOINLINE enum pel_status check(const struct pel_outline *p,
 }
 
 enum pel_status pel_polygon(const struct pel_surface *surface,
-                            const struct pel_outline *outline,
+                            const struct pel_polygon_shape *polygon,
                             const struct pel_paint *paint, void *scratch,
                             size_t size)
 {
-    if (!surface || !outline || !paint)
+    if (!surface || !polygon || !paint)
         return PEL_ERROR_NULL;
-    if (outline->n < 3)
+    if (polygon->n < 3)
         return PEL_OK;
-    enum pel_status status = check(outline, scratch, size);
+    enum pel_status status = check(polygon, scratch, size);
     if (status != PEL_OK)
         return status;
 
     struct side *sides = scratch;
-    struct sweep w = {sides, (int32_t *)(void *)(sides + outline->n), 0, 0,
-                      0,     outline->rule == PEL_EVEN_ODD ? 1 : -1};
-    const struct pel_point *previous = &outline->v[outline->n - 1];
-    for (int32_t i = 0; i < outline->n; i++) {
-        add_side(&w, previous, &outline->v[i], &surface->clip);
-        previous = &outline->v[i];
+    struct sweep w = {sides, (int32_t *)(void *)(sides + polygon->n), 0, 0,
+                      0,     polygon->rule == PEL_EVEN_ODD ? 1 : -1};
+    const struct pel_point *previous = &polygon->v[polygon->n - 1];
+    for (int32_t i = 0; i < polygon->n; i++) {
+        add_side(&w, previous, &polygon->v[i], &surface->clip);
+        previous = &polygon->v[i];
     }
     heap_sort(&w, w.count, BY_FIRST_ROW);
     struct pel_collector c;

@@ -9,7 +9,7 @@ enum pel_fill_rule {
     PEL_NON_ZERO  /* inside: the outline winds around the point */
 };
 
-struct pel_outline {
+struct pel_polygon_shape {
     const struct pel_point *v; /* the outline is closed from the last to v[0] */
     int32_t n;                 /* vertices; fewer than 3 cover nothing */
     enum pel_fill_rule rule;
@@ -28,7 +28,7 @@ size_t pel_polygon_scratch_size(int32_t n);
  * PEL_ERROR_SCRATCH (too small, or not aligned to 4), PEL_ERROR_RANGE (a vertex
  * out of range): nothing is drawn then. */
 enum pel_status pel_polygon(const struct pel_surface *surface,
-                            const struct pel_outline *outline,
+                            const struct pel_polygon_shape *polygon,
                             const struct pel_paint *paint, void *scratch,
                             size_t size);
 

@@ -27,7 +27,7 @@ static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
 
 struct shape {
     struct pel_point v[4];
-    struct pel_outline outline;
+    struct pel_polygon_shape outline;
     int32_t radius;
 };
 

@@ -33,7 +33,7 @@ static void take_rows(const struct pel_paint *paint,
 }
 
 /* By both rules: [PEL_EVEN_ODD] and [PEL_NON_ZERO]. */
-static void expected(const struct pel_outline *outline, uint64_t bits[2])
+static void expected(const struct pel_polygon_shape *outline, uint64_t bits[2])
 {
     bits[0] = bits[1] = 0;
     for (int32_t y = -WINDOW / 2; y < WINDOW / 2; y++)
@@ -61,7 +61,7 @@ static int setup(void **state)
 static void check_polygon(const struct pel_point *v, int32_t n)
 {
     uint32_t scratch[8 * 9];
-    struct pel_outline outline = {v, n, PEL_EVEN_ODD};
+    struct pel_polygon_shape outline = {v, n, PEL_EVEN_ODD};
     uint64_t want[2];
     expected(&outline, want);
     for (int rule = 0; rule < 2; rule++) {

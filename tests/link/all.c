@@ -9,7 +9,7 @@ static enum pel_status draw(const struct pel_surface *screen,
                             const struct pel_paint *paint)
 {
     static uint32_t scratch[64];
-    const struct pel_outline star = {v, 5, PEL_NON_ZERO};
+    const struct pel_polygon_shape star = {v, 5, PEL_NON_ZERO};
     pel_triangle(screen, v, paint);
     pel_triangle_or_line(screen, v, paint);
     pel_circle(screen, v[0], PEL_PX(30), paint);

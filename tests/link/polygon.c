@@ -10,7 +10,7 @@ int main(void)
     static const struct pel_point v[5] = {PEL_AT(32, -5), PEL_AT(51, 60),
                                           PEL_AT(2, 20), PEL_AT(69, 20),
                                           PEL_AT(12, 60)};
-    struct pel_outline star = {v, 5, PEL_EVEN_ODD};
+    struct pel_polygon_shape star = {v, 5, PEL_EVEN_ODD};
     enum pel_status even_odd =
         pel_polygon(&screen, &star, &red.paint, scratch, sizeof scratch);
     star.rule = PEL_NON_ZERO;

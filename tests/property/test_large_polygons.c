@@ -88,7 +88,7 @@ static void check_polygons(generator *generate, uint64_t count)
     for (struct cases c = cases_of(count); cases_next(&c);) {
         struct random *r = &c.random;
         const int32_t n = random_count(r);
-        const struct pel_outline outline = {
+        const struct pel_polygon_shape outline = {
             vertex, n, random_word(r) & 1 ? PEL_EVEN_ODD : PEL_NON_ZERO};
         generate(r, vertex, n);
         const struct pel_rect w = shape_window(r, vertex, n, WINDOW);

@@ -79,7 +79,7 @@ static void draw_polygon(const struct pel_point *v, int32_t n,
                          enum pel_fill_rule rule)
 {
     static uint32_t scratch[9 * POINTS];
-    const struct pel_outline p = {v, n, rule};
+    const struct pel_polygon_shape p = {v, n, rule};
     assert_int_equal(
         pel_polygon(&hits.surface, &p, &hits.paint, scratch, sizeof scratch),
         PEL_OK);

@@ -55,8 +55,8 @@ static void polygon(const struct pel_surface *s, const struct pel_point *v,
                     int32_t n, const struct pel_paint *paint)
 {
     uint32_t scratch[16 * (2 * CELLS + 2)];
-    const struct pel_outline outline = {v, n,
-                                        n % 2 ? PEL_NON_ZERO : PEL_EVEN_ODD};
+    const struct pel_polygon_shape outline = {
+        v, n, n % 2 ? PEL_NON_ZERO : PEL_EVEN_ODD};
     assert_int_equal(pel_polygon(s, &outline, paint, scratch, sizeof scratch),
                      PEL_OK);
 }

@@ -223,6 +223,9 @@ static void test_errors(void **state)
     assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_RANGE);
     p.hub.y = PEL_COORDINATE_MAX + 1;
     assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_RANGE);
+    p.n = 0;
+    pel_fan_set_hub(&p);
+    assert_int_equal(p.hub.x, PEL_PX(10));
 }
 
 int main(void)

@@ -47,9 +47,9 @@ static int64_t floored(int64_t i, int64_t n)
 
 static int64_t wrapped(int64_t i, int64_t size, enum pel_wrap wrap)
 {
-    if (wrap == PEL_CLAMP)
+    if (wrap == PEL_WRAP_CLAMP)
         return i < 0 ? 0 : i >= size ? size - 1 : i;
-    if (wrap == PEL_WRAP)
+    if (wrap == PEL_WRAP_REPEAT)
         return floored(i, size);
     i = floored(i, 2 * size);
     return i < size ? i : 2 * size - 1 - i;

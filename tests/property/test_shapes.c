@@ -10,7 +10,7 @@ static struct hits hits;
 
 struct shape {
     struct pel_point v[40];
-    struct pel_outline outline;
+    struct pel_polygon_shape outline;
     int32_t radius;
 };
 
@@ -109,7 +109,7 @@ static void check_polygon(struct random *r, struct shape *s, int32_t n)
 {
     static uint32_t scratch[1024];
     generate(r, s, n);
-    s->outline = (struct pel_outline){
+    s->outline = (struct pel_polygon_shape){
         s->v, n, random_word(r) & 1 ? PEL_EVEN_ODD : PEL_NON_ZERO};
     open_window(r, s, n);
     assert_true(pel_polygon_scratch_size(n) <= sizeof scratch);
@@ -143,7 +143,7 @@ static void test_triangle_polygons(void **state)
     (void)state;
     for (struct cases c = cases_of(200000); cases_next(&c);) {
         generate(&c.random, &s, 3);
-        s.outline = (struct pel_outline){
+        s.outline = (struct pel_polygon_shape){
             s.v, 3, random_word(&c.random) & 1 ? PEL_EVEN_ODD : PEL_NON_ZERO};
         open_window(&c.random, &s, 3);
         assert_int_equal(pel_polygon(&hits.surface, &s.outline, &hits.paint,

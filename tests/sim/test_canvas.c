@@ -27,7 +27,7 @@ static void draw_shapes(struct pel_surface *surface, void *context)
                                    PEL_RGBA(16, 32, 255, 200)};
     const struct pel_flat solid = PEL_FLAT(PEL_RGB(200, 180, 40));
     const struct pel_flat glass = PEL_FLAT(PEL_RGBA(90, 220, 250, 128));
-    const struct pel_outline outline = {v, 6, PEL_EVEN_ODD};
+    const struct pel_polygon_shape outline = {v, 6, PEL_EVEN_ODD};
     uint32_t scratch[256];
     int *calls = context;
     (*calls)++;

@@ -62,7 +62,7 @@ static void draw_polygon(const struct pel_surface *surface,
                          const struct any_shape *s,
                          const struct pel_paint *paint)
 {
-    const struct pel_outline p = {s->v, s->n, s->rule};
+    const struct pel_polygon_shape p = {s->v, s->n, s->rule};
     int32_t scratch[ANY_POINTS * 9];
     assert_int_equal(pel_polygon(surface, &p, paint, scratch, sizeof scratch),
                      PEL_OK);
@@ -70,13 +70,13 @@ static void draw_polygon(const struct pel_surface *surface,
 
 static bool hit_polygon(const struct any_shape *s, int32_t x, int32_t y)
 {
-    const struct pel_outline p = {s->v, s->n, s->rule};
+    const struct pel_polygon_shape p = {s->v, s->n, s->rule};
     return pel_hit_polygon(&p, x, y);
 }
 
 static bool polygon_at(const struct any_shape *s, int32_t x, int32_t y)
 {
-    const struct pel_outline p = {s->v, s->n, s->rule};
+    const struct pel_polygon_shape p = {s->v, s->n, s->rule};
     return reference_polygon_at(&p, x, y);
 }
 
@@ -84,7 +84,7 @@ static void outline_polygon(const struct pel_surface *surface,
                             const struct any_shape *s,
                             const struct pel_paint *paint)
 {
-    const struct pel_outline p = {s->v, s->n, s->rule};
+    const struct pel_polygon_shape p = {s->v, s->n, s->rule};
     int32_t scratch[ANY_POINTS * 12];
     assert_int_equal(
         pel_polygon_outline(surface, &p, paint, scratch, sizeof scratch),
@@ -275,7 +275,7 @@ static bool thick_line_at(const struct any_shape *s, int32_t x, int32_t y)
 {
     const struct pel_thick_line_shape t = {s->v[0], s->v[1], s->radius};
     struct pel_point v[4];
-    const struct pel_outline outline = {v, 4, PEL_NON_ZERO};
+    const struct pel_polygon_shape outline = {v, 4, PEL_NON_ZERO};
     return pel_thick_line_corners(&t, v) &&
            reference_polygon_at(&outline, x, y);
 }

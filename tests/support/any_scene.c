@@ -160,8 +160,8 @@ static void any_uv(struct random *r, struct any_scene *s, int32_t texels_apart,
     s->texture =
         (struct pel_mesh_texture){.texels = {NULL, texels, side, side, true},
                                   .mapping = &pel_map_perspective,
-                                  .wrap_u = PEL_CLAMP,
-                                  .wrap_v = PEL_CLAMP};
+                                  .wrap_u = PEL_WRAP_CLAMP,
+                                  .wrap_v = PEL_WRAP_CLAMP};
 }
 
 void any_scene_indices(struct random *r, struct any_scene *s,

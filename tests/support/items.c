@@ -47,7 +47,7 @@ static void draw(const struct core *core, const struct pel_surface *surface,
                  const struct item *item, const struct pel_paint *paint)
 {
     uint32_t scratch[64 * ITEM_POINTS / 4];
-    const struct pel_outline outline = {item->v, item->n, item->rule};
+    const struct pel_polygon_shape outline = {item->v, item->n, item->rule};
     switch (item->kind) {
     case ITEM_POLYGON:
         assert_int_equal(

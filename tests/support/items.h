@@ -33,7 +33,7 @@ struct core {
     void (*gouraud)(const struct pel_surface *, const struct pel_point *,
                     const pel_color *);
     enum pel_status (*polygon)(const struct pel_surface *,
-                               const struct pel_outline *,
+                               const struct pel_polygon_shape *,
                                const struct pel_paint *, void *, size_t);
     void (*circle)(const struct pel_surface *, struct pel_point, int32_t,
                    const struct pel_paint *);

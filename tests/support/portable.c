@@ -5,7 +5,7 @@ void portable_pel_triangle(const struct pel_surface *, const struct pel_point *,
 void portable_pel_triangle_gouraud(const struct pel_surface *,
                                    const struct pel_point *, const pel_color *);
 enum pel_status portable_pel_polygon(const struct pel_surface *,
-                                     const struct pel_outline *,
+                                     const struct pel_polygon_shape *,
                                      const struct pel_paint *, void *, size_t);
 void portable_pel_circle(const struct pel_surface *, struct pel_point, int32_t,
                          const struct pel_paint *);

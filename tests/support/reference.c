@@ -59,7 +59,7 @@ bool reference_disc_at(struct pel_point center, int32_t radius, int32_t x,
     return dx * dx + dy * dy <= (wide)radius * radius;
 }
 
-int32_t reference_winding_at(const struct pel_outline *outline, int32_t x,
+int32_t reference_winding_at(const struct pel_polygon_shape *outline, int32_t x,
                              int32_t y)
 {
     wide px = center_of(x), py = center_of(y);
@@ -75,7 +75,7 @@ int32_t reference_winding_at(const struct pel_outline *outline, int32_t x,
     return winding;
 }
 
-bool reference_polygon_at(const struct pel_outline *outline, int32_t x,
+bool reference_polygon_at(const struct pel_polygon_shape *outline, int32_t x,
                           int32_t y)
 {
     int32_t winding = reference_winding_at(outline, x, y);

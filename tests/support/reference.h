@@ -24,9 +24,9 @@ bool reference_disc_at(struct pel_point center, int32_t radius, int32_t x,
 
 /* How often the outline winds around the centre of (x, y), clockwise on screen;
  * an edge on the centre counts as left of it. */
-int32_t reference_winding_at(const struct pel_outline *outline, int32_t x,
+int32_t reference_winding_at(const struct pel_polygon_shape *outline, int32_t x,
                              int32_t y);
-bool reference_polygon_at(const struct pel_outline *outline, int32_t x,
+bool reference_polygon_at(const struct pel_polygon_shape *outline, int32_t x,
                           int32_t y);
 
 bool reference_line_at(struct pel_point from, struct pel_point to, int32_t x,

@@ -197,9 +197,9 @@ static int32_t floor_of(real v)
 
 static int32_t wrapped(int32_t i, int32_t size, enum pel_wrap wrap)
 {
-    if (wrap == PEL_CLAMP)
+    if (wrap == PEL_WRAP_CLAMP)
         return i < 0 ? 0 : i >= size ? size - 1 : i;
-    const int32_t period = wrap == PEL_MIRROR ? 2 * size : size;
+    const int32_t period = wrap == PEL_WRAP_MIRROR ? 2 * size : size;
     i = (i % period + period) % period;
     return i < size ? i : 2 * size - 1 - i;
 }

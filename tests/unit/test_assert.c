@@ -143,7 +143,7 @@ static void test_polygons(void **state)
 {
     uint32_t scratch[64];
     struct pel_point v[3];
-    const struct pel_outline outline = {v, 3, PEL_NON_ZERO};
+    const struct pel_polygon_shape outline = {v, 3, PEL_NON_ZERO};
     (void)state;
     open_hits();
     for (int k = 0; k < 6; k++)

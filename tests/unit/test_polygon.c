@@ -10,7 +10,7 @@ static struct hits hits;
 static uint32_t scratch[WORDS + 2];
 static const struct pel_point square[4] = {PEL_AT(1, 1), PEL_AT(5, 1),
                                            PEL_AT(5, 5), PEL_AT(1, 5)};
-static const struct pel_outline outline = {square, 4, PEL_EVEN_ODD};
+static const struct pel_polygon_shape outline = {square, 4, PEL_EVEN_ODD};
 
 static int setup(void **state)
 {
@@ -22,7 +22,7 @@ static int setup(void **state)
 }
 
 /* The status, and what of `outline` was drawn: all or nothing. */
-static void expect(enum pel_status want, const struct pel_outline *p,
+static void expect(enum pel_status want, const struct pel_polygon_shape *p,
                    void *memory, size_t size)
 {
     const uint64_t before = hits.pixels;
@@ -74,7 +74,7 @@ static void test_misaligned_scratch_is_refused(void **state)
 
 static void test_null_is_refused(void **state)
 {
-    const struct pel_outline without_points = {NULL, 4, PEL_EVEN_ODD};
+    const struct pel_polygon_shape without_points = {NULL, 4, PEL_EVEN_ODD};
     (void)state;
     expect(PEL_ERROR_NULL, &without_points, scratch, sizeof scratch);
     expect(PEL_ERROR_NULL, &outline, NULL, 1000);
@@ -93,7 +93,7 @@ static void test_few_vertices(void **state)
     static const int32_t few[] = {2, 1, 0, -1, INT32_MIN};
     (void)state;
     for (size_t i = 0; i < sizeof few / sizeof few[0]; i++) {
-        const struct pel_outline p = {square, few[i], PEL_NON_ZERO};
+        const struct pel_polygon_shape p = {square, few[i], PEL_NON_ZERO};
         expect(PEL_OK, &p, scratch, sizeof scratch);
         expect(PEL_OK, &p, NULL, 0);
     }
@@ -106,7 +106,7 @@ static void test_huge_counts_are_refused(void **state)
     static const int32_t huge[] = {INT32_MAX, INT32_MAX / 36, 1 << 26};
     (void)state;
     for (size_t i = 0; i < sizeof huge / sizeof huge[0]; i++) {
-        const struct pel_outline p = {square, huge[i], PEL_NON_ZERO};
+        const struct pel_polygon_shape p = {square, huge[i], PEL_NON_ZERO};
         expect(PEL_ERROR_SCRATCH, &p, scratch, sizeof scratch);
         expect(PEL_ERROR_SCRATCH, &p, scratch, 0);
     }
@@ -120,7 +120,7 @@ static void test_vertices_out_of_range_are_refused(void **state)
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < 8; k++) {
             struct pel_point v[4];
-            const struct pel_outline p = {v, 4, PEL_EVEN_ODD};
+            const struct pel_polygon_shape p = {v, 4, PEL_EVEN_ODD};
             memcpy(v, square, sizeof v);
             *(k % 2 ? &v[k / 2].x : &v[k / 2].y) = illegal[i];
             expect(PEL_ERROR_RANGE, &p, scratch, sizeof scratch);
@@ -132,7 +132,7 @@ static void test_nothing_to_see(void **state)
 {
     const struct pel_rect none = {3, 3, 3, 8};
     static const struct pel_point flat[3] = {{0, 10}, {500, 10}, {900, 10}};
-    const struct pel_outline p = {flat, 3, PEL_NON_ZERO};
+    const struct pel_polygon_shape p = {flat, 3, PEL_NON_ZERO};
     (void)state;
     expect(PEL_OK, &p, scratch, sizeof scratch);
     pel_surface_clip(&hits.surface, &none);

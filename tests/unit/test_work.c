@@ -103,8 +103,8 @@ static void test_polygons(void **state)
     (void)state;
     alarm(TOO_LONG);
     for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
-        const struct pel_outline p = {v, 6,
-                                      i % 2 ? PEL_EVEN_ODD : PEL_NON_ZERO};
+        const struct pel_polygon_shape p = {
+            v, 6, i % 2 ? PEL_EVEN_ODD : PEL_NON_ZERO};
         open_window(i);
         assert_int_equal(pel_polygon(&hits.surface, &p, &hits.paint, scratch,
                                      sizeof scratch),
@@ -121,7 +121,7 @@ static void test_batches_of_one_line(void **state)
     const struct pel_rect b = {0, 0, 2 * TEETH_SHOWN, 2};
     static struct pel_point v[N];
     static uint32_t scratch[9 * N];
-    const struct pel_outline p = {v, N, PEL_EVEN_ODD};
+    const struct pel_polygon_shape p = {v, N, PEL_EVEN_ODD};
     const uint64_t a_line = (TEETH_SHOWN + PEL_BATCH_ROWS - 1) / PEL_BATCH_ROWS;
     (void)state;
     for (int32_t i = 0; i < N; i++)
@@ -144,7 +144,7 @@ static void test_batches(void **state)
     const struct pel_point middle = {256, PEL_PX(75)};
     const struct pel_point box[4] = {PEL_AT(0, 0), PEL_AT(3, 0), PEL_AT(3, 150),
                                      PEL_AT(0, 150)};
-    const struct pel_outline p = {box, 4, PEL_NON_ZERO};
+    const struct pel_polygon_shape p = {box, 4, PEL_NON_ZERO};
     uint32_t scratch[36];
     const uint64_t least = (ROWS + PEL_BATCH_ROWS - 1) / PEL_BATCH_ROWS;
     (void)state;
@@ -184,7 +184,7 @@ static void check_zigzag(int32_t n, int32_t (*order)(int32_t i))
     assert_true(v && scratch);
     for (int32_t i = 0; i < n; i++)
         v[i] = (struct pel_point){order(i), i % 2 ? PEL_PX(8) : 0};
-    const struct pel_outline p = {v, n, PEL_EVEN_ODD};
+    const struct pel_polygon_shape p = {v, n, PEL_EVEN_ODD};
     hits_open(&hits, &b);
     alarm(TOO_LONG);
     assert_int_equal(pel_polygon(&hits.surface, &p, &hits.paint, scratch, size),
