@@ -4,7 +4,18 @@ include port/cortex_m/cortex_m.mk
 
 .PHONY: size
 
-LINK_PROGRAMS := $(basename $(notdir $(wildcard tests/link/*.c)))
+# One shape of draws.h with a flat paint each, one paint of makes.h each, and the
+# programs that have a file.
+LINK_SHAPES := triangle triangle_or_line polygon rectangle line thick_line \
+    circle ring sector arc ellipse rounded_rectangle triangle_outline \
+    rectangle_outline rounded_rectangle_outline circle_outline \
+    ellipse_outline arc_outline polygon_outline text
+LINK_PAINTS := flat flat_alpha gouraud linear radial conic hue fan nearest \
+    nearest_colors bilinear dither user
+LINK_FILES := $(filter-out shape paint,$(basename $(notdir $(wildcard \
+    tests/link/*.c))))
+LINK_PROGRAMS := $(LINK_FILES) $(LINK_SHAPES:%=shape_%) \
+    $(LINK_PAINTS:%=paint_%)
 
 # The M0+ programs run on a Cortex-M0, which traps what a v6-M core cannot do.
 LINK_BOARD_cortex-m0plus := microbit
@@ -17,6 +28,12 @@ $(BUILD)/link/$1/%.elf: $(BUILD)/mcu/$1-Os/tests/link/%.o \
 	@mkdir -p $$(@D)
 	$(MCU_CC) -mcpu=$1 $(MCU_LDFLAGS) -Wl,--wrap=main -Wl,-Map=$$@.map \
 	    -T port/cortex_m/$(LINK_BOARD_$1).ld $$^ -o $$@
+$(BUILD)/mcu/$1-Os/tests/link/shape_%.o: tests/link/shape.c | need-arm
+	@mkdir -p $$(@D)
+	$(MCU_CC) -mcpu=$1 -Os $(MCU_CFLAGS) -DDRAW=draw_$$* -c $$< -o $$@
+$(BUILD)/mcu/$1-Os/tests/link/paint_%.o: tests/link/paint.c | need-arm
+	@mkdir -p $$(@D)
+	$(MCU_CC) -mcpu=$1 -Os $(MCU_CFLAGS) -DMAKE=make_$$* -c $$< -o $$@
 endef
 $(foreach c,$(MCU_CPUS),$(eval $(call link_programs,$c)))
 
@@ -26,5 +43,5 @@ LINK_ELFS := $(foreach c,$(MCU_CPUS),\
 
 # With ACCEPT=1 what is measured becomes the new limit.
 size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) | need-qemu-arm ## bytes and stack on Cortex-M: build/size.tsv
-	tests/link/size.sh $(BUILD) "$(MCU_CPUS)" >$(BUILD)/size.tsv
+	tests/link/size.sh $(BUILD) "$(MCU_CPUS)" "$(LINK_PROGRAMS)" >$(BUILD)/size.tsv
 	tests/link/budgets.sh $(BUILD)/size.tsv $(ACCEPT)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# size.sh BUILD CPUS : what core costs on microcontrollers, as TSV: a row for
+# size.sh BUILD CPUS PROGRAMS : what core costs on microcontrollers, as TSV: a row for
 # every object of core, whose stack is its largest frame, one for the objects
 # that a flat triangle needs, and one for every program of tests/link, linked. A
 # program's text and data are without start-up code, its bss holds its own
@@ -56,7 +56,8 @@ stack_deepest() {
         arm-none-eabi-objdump -s "$1"
         cat "$1.map"
         arm-none-eabi-objdump -d --no-show-raw-insn "$1"
-    } | awk -f "$here/stack.awk" -v formats="$formats"
+    } | awk -f "$here/stack.awk" -v formats="$formats" \
+        -v pointers="$here/pointers.txt"
 }
 
 program_row() {
@@ -81,7 +82,7 @@ for cpu in $2; do
         object_row "$cpu" "$build/mcu/$cpu-Os/${source%.c}.o"
     done
     flat_row "$cpu"
-    for source in tests/link/*.c; do
-        program_row "$cpu" "$build/link/$cpu/$(basename "$source" .c).elf"
+    for name in $3; do
+        program_row "$cpu" "$build/link/$cpu/$name.elf"
     done
 done

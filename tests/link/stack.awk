@@ -3,11 +3,12 @@
 # Input: `objdump -d --no-show-raw-insn` of an object; the answer is the largest
 # frame. Or, of a linked program, `objdump -s` (its words), the linker's map and
 # then the disassembly; the answer is the deepest path from main and main's own
-# frame, and -v formats="NAME ..." names the objects of core/format.
+# frame. -v formats="NAME ..." names the objects of core/format, -v
+# pointers=FILE is pointers.txt.
 #
-# A call through a pointer may reach any function whose address stands in the
-# program: from a shape any paint or format, from a paint (or from what it
-# calls) any format.
+# A call through a pointer may reach the functions that pointers.txt gives the
+# caller's object, of those whose address stands in the program. An object that
+# has no line there may reach any of them; a paint, or what it calls, any format.
 
 function fail(what)
 {
@@ -24,6 +25,27 @@ function pointer(address,    digits, last)
     return substr(address, 1, 7) substr(digits, last + 1, 1)
 }
 
+# The functions that pointers may reach, as a regular expression, by object.
+function read_pointers(    line, names, n, i, targets)
+{
+    while ((getline line < pointers) > 0) {
+        if (line !~ /^[^#]*:/)
+            continue
+        targets = substr(line, index(line, ":") + 1)
+        gsub(/^ +| +$/, "", targets)
+        gsub(/\*/, ".*", targets)
+        gsub(/ +/, "|", targets)
+        n = split(substr(line, 1, index(line, ":") - 1), names, " ")
+        for (i = 1; i <= n; i++)
+            reach[names[i]] = "^(" targets ")@"
+    }
+}
+
+BEGIN {
+    if (pointers != "")
+        read_pointers()
+}
+
 # ---- words of the program: " 0123 aabbccdd ...", bytes in memory order
 /^Contents of section/ { words = $4 == ".text:" || $4 == ".data:"; next }
 words && /^ [0-9a-f]+ [0-9a-f]/ {
@@ -33,8 +55,10 @@ words && /^ [0-9a-f]+ [0-9a-f]/ {
     next
 }
 
-# ---- map: "0x00000123  0x45 path/libpel.a(name.o)"
-/^ +0x[0-9a-f]+ +0x[0-9a-f]+ .*\.o\)?$/ || /^ \.text.* 0x.*\.o\)?$/ {
+# ---- map: ".text.name  0x00000123  0x45 path/libpel.a(name.o)", in one line or
+# in two
+/^ \.[^ ]+/ { section = $1 }
+section ~ /^\.text/ && /^ .* 0x[0-9a-f]+ +0x[0-9a-f]+ .*\.o\)?$/ {
     object = $NF
     sub(/\.o\)?$/, "", object)
     sub(/.*[\/(]/, "", object)
@@ -51,6 +75,7 @@ words && /^ [0-9a-f]+ [0-9a-f]/ {
     address_of[code] = $1
     at[$1] = code
     frame[code] += 0
+    popped = ""
     next
 }
 /^ +[0-9a-f]+:\t/ && code != "" {
@@ -59,6 +84,10 @@ words && /^ [0-9a-f]+ [0-9a-f]/ {
         sub(/.*\{/, "", list)
         sub(/\}.*/, "", list)
         frame[code] += 4 * split(list, registers, ",")
+    } else if ($2 ~ /^str/ && /\[sp, #-[0-9]+\]!/) {
+        list = $0
+        sub(/.*\[sp, #-/, "", list)
+        frame[code] += list + 0
     } else if ($2 ~ /^sub/ && $3 == "sp," && $4 ~ /^#/) {
         frame[code] += substr($4, 2)
     } else if ($2 ~ /^(sub|add)/ && $3 == "sp," && $NF ~ /^r[0-9]/) {
@@ -66,9 +95,12 @@ words && /^ [0-9a-f]+ [0-9a-f]/ {
     } else if ($2 ~ /^bl?(\.[nw])?$/ && $NF ~ /^<[^+]*>$/) {
         sub(/^0+/, "", $3)
         calls[code] = calls[code] " " $3
-    } else if ($2 ~ /^bl?x$/ && $3 != "lr") {
+    } else if ($2 == "blx" || ($2 == "bx" && $3 != "lr" && $3 != popped)) {
         calls[code] = calls[code] " pointer"
     }
+    # The return address of a function that gives back more than its frame.
+    if ($2 == "pop" && $3 ~ /^\{r[0-7]\}$/)
+        popped = substr($3, 2, 2)
     if (frame[code] > largest)
         largest = frame[code]
     next
@@ -94,10 +126,18 @@ function mark_paint(code,    list, n, i)
             mark_paint(callee_of(list[i]))
 }
 
+function may_reach(caller, code,    object)
+{
+    object = object_at[address_of[caller]]
+    if (object in reach)
+        return code ~ reach[object]
+    return is_format(code) || !(caller in in_paint)
+}
+
 function pointer_depth(caller,    code, d, deepest)
 {
     for (code in taken)
-        if (is_format(code) || !(caller in in_paint))
+        if (may_reach(caller, code))
             if ((d = depth(code)) > deepest)
                 deepest = d
     return deepest + 0

@@ -1,0 +1,148 @@
+/* Every shape, each on the little screen: programs take one, or all of them. */
+#ifndef TESTS_LINK_DRAWS_H
+#define TESTS_LINK_DRAWS_H
+
+#include "screen.h"
+
+static const struct pel_surface screen = SCREEN(pel_rgb565_le);
+
+static const struct pel_point center = PEL_AT(30, 30);
+static const struct pel_point star[5] = {PEL_AT(32, -5), PEL_AT(51, 60),
+                                         PEL_AT(2, 20), PEL_AT(69, 20),
+                                         PEL_AT(12, 60)};
+static const struct pel_polygon_shape polygon = {star, 5, PEL_EVEN_ODD};
+static const struct pel_ring_shape ring = {PEL_AT(30, 30), PEL_PX(9),
+                                           PEL_PX(40)};
+static const struct pel_sector_shape sector = {PEL_AT(30, 30), PEL_PX(40), 7000,
+                                               3000};
+static const struct pel_arc_shape arc = {PEL_AT(30, 30), PEL_PX(9), PEL_PX(40),
+                                         7000, 3000};
+static const struct pel_ellipse_shape ellipse = {PEL_AT(30, 30),
+                                                 PEL_AT(40, 25)};
+static const struct pel_rounded_shape rounded = {PEL_AT(3, -5), PEL_AT(60, 50),
+                                                 PEL_PX(12)};
+static const struct pel_thick_line_shape thick = {PEL_AT(3, 5), PEL_AT(50, 60),
+                                                  PEL_PX(6)};
+
+typedef void draw_function(const struct pel_paint *paint);
+
+static inline void draw_triangle(const struct pel_paint *paint)
+{
+    pel_triangle(&screen, star, paint);
+}
+
+static inline void draw_triangle_or_line(const struct pel_paint *paint)
+{
+    pel_triangle_or_line(&screen, star, paint);
+}
+
+static inline void draw_polygon(const struct pel_paint *paint)
+{
+    static uint32_t scratch[64];
+    pel_polygon(&screen, &polygon, paint, scratch, sizeof scratch);
+}
+
+static inline void draw_rectangle(const struct pel_paint *paint)
+{
+    pel_rectangle(&screen, star[2], star[1], paint);
+}
+
+static inline void draw_line(const struct pel_paint *paint)
+{
+    pel_line(&screen, star[0], star[3], paint);
+}
+
+static inline void draw_thick_line(const struct pel_paint *paint)
+{
+    pel_thick_line(&screen, &thick, paint);
+}
+
+static inline void draw_circle(const struct pel_paint *paint)
+{
+    pel_circle(&screen, center, PEL_PX(40), paint);
+}
+
+static inline void draw_ring(const struct pel_paint *paint)
+{
+    pel_ring(&screen, &ring, paint);
+}
+
+static inline void draw_sector(const struct pel_paint *paint)
+{
+    pel_sector(&screen, &sector, paint);
+}
+
+static inline void draw_arc(const struct pel_paint *paint)
+{
+    pel_arc(&screen, &arc, paint);
+}
+
+static inline void draw_ellipse(const struct pel_paint *paint)
+{
+    pel_ellipse(&screen, &ellipse, paint);
+}
+
+static inline void draw_rounded_rectangle(const struct pel_paint *paint)
+{
+    pel_rounded_rectangle(&screen, &rounded, paint);
+}
+
+static inline void draw_triangle_outline(const struct pel_paint *paint)
+{
+    pel_triangle_outline(&screen, star, paint);
+}
+
+static inline void draw_rectangle_outline(const struct pel_paint *paint)
+{
+    pel_rectangle_outline(&screen, star[2], star[1], paint);
+}
+
+static inline void draw_rounded_rectangle_outline(const struct pel_paint *paint)
+{
+    pel_rounded_rectangle_outline(&screen, &rounded, paint);
+}
+
+static inline void draw_circle_outline(const struct pel_paint *paint)
+{
+    pel_circle_outline(&screen, center, PEL_PX(30), paint);
+}
+
+static inline void draw_ellipse_outline(const struct pel_paint *paint)
+{
+    pel_ellipse_outline(&screen, &ellipse, paint);
+}
+
+static inline void draw_arc_outline(const struct pel_paint *paint)
+{
+    pel_arc_outline(&screen, &sector, paint);
+}
+
+static inline void draw_polygon_outline(const struct pel_paint *paint)
+{
+    static uint32_t scratch[96];
+    pel_polygon_outline(&screen, &polygon, paint, scratch, sizeof scratch);
+}
+
+static inline void draw_text(const struct pel_paint *paint)
+{
+    static const uint8_t bits[8] = {0x3C, 0x42, 0xA5, 0x81,
+                                    0xA5, 0x99, 0x42, 0x3C};
+    static const struct pel_font_range range = {'a', 2, 0};
+    static const struct pel_font_glyph glyph[2] = {{0, 8, 8, 0, 7, 9},
+                                                   {0, 7, 6, 0, 6, 8}};
+    static const struct pel_font_asset font = {.magic = PEL_FONT_MAGIC,
+                                               .version = PEL_FONT_VERSION,
+                                               .ascent = 7,
+                                               .descent = 1,
+                                               .ranges = 1,
+                                               .glyphs = 2,
+                                               .missing = 1,
+                                               .size = 8,
+                                               .range = &range,
+                                               .glyph = glyph,
+                                               .bits = bits};
+    static const struct pel_text_block text = {&font, "ab?\na", 40, 50};
+    pel_text(&screen, &text, paint);
+}
+
+#endif

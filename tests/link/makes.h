@@ -1,0 +1,130 @@
+/* Every paint, for the little screen: programs take one, or all of them. */
+#ifndef TESTS_LINK_MAKES_H
+#define TESTS_LINK_MAKES_H
+
+#include "screen.h"
+
+typedef const struct pel_paint *make_function(void);
+
+static const struct pel_point hub = PEL_AT(20, 40),
+                              rim[3] = {PEL_AT(32, -5), PEL_AT(51, 60),
+                                        PEL_AT(2, 50)};
+static const pel_color hues[4] = {0xFFFF8040, 0x80304050, 0x00123456,
+                                  0xC0FFFFFF};
+static const struct pel_ramp ramp = {hues, 4, PEL_REFLECT};
+
+static inline const struct pel_paint *make_flat(void)
+{
+    static const struct pel_flat flat = PEL_FLAT(PEL_RGB(255, 128, 0));
+    return &flat.paint;
+}
+
+static inline const struct pel_paint *make_flat_alpha(void)
+{
+    static const struct pel_flat flat = PEL_FLAT(PEL_RGBA(255, 128, 0, 99));
+    return &flat.paint;
+}
+
+static inline const struct pel_paint *make_gouraud(void)
+{
+    static struct pel_gouraud paint;
+    pel_gouraud_init(&paint, rim, hues);
+    return &paint.paint;
+}
+
+static inline const struct pel_paint *make_linear(void)
+{
+    static struct pel_linear paint;
+    pel_linear_init(&paint, hub, rim[0], &ramp);
+    return &paint.base.paint;
+}
+
+static inline const struct pel_paint *make_radial(void)
+{
+    static const struct pel_rings rings = {PEL_AT(20, 40), PEL_PX(9), 12345};
+    static struct pel_radial paint;
+    pel_radial_init(&paint, &rings, &ramp);
+    return &paint.base.paint;
+}
+
+static inline const struct pel_paint *make_conic(void)
+{
+    static struct pel_conic paint;
+    pel_conic_init(&paint, hub, 12345, &ramp);
+    return &paint.base.paint;
+}
+
+static inline const struct pel_paint *make_hue(void)
+{
+    static struct pel_hue_wheel paint;
+    pel_hue_wheel_init(&paint, hub, 12345, 255, 200);
+    return &paint.conic.base.paint;
+}
+
+static inline const struct pel_paint *make_fan(void)
+{
+    static const struct pel_fan_points points = {PEL_AT(30, 40), 0xFF00FF00,
+                                                 rim, hues, 3};
+    static struct pel_fan_wedge wedges[3];
+    static struct pel_fan paint;
+    pel_fan_init(&paint, &points, wedges);
+    return &paint.base.paint;
+}
+
+static uint16_t texels[16];
+static const struct pel_surface picture = {
+    texels, 8, {0, 0, 4, 4}, {0, 0, 4, 4}, &pel_rgb565_le};
+static const struct pel_texels of_picture = {.surface = &picture};
+static const struct pel_texture_map turned = {{12345, 987654321, 1000000},
+                                              {0, 3456789, 1987654321}};
+
+static inline const struct pel_paint *make_nearest(void)
+{
+    static struct pel_texture paint;
+    pel_texture_init_nearest(&paint, &of_picture, &turned);
+    paint.wrap_u = PEL_WRAP_MIRROR;
+    return &paint.base.paint;
+}
+
+/* Texels of another format than the screen's go by way of colours. */
+static inline const struct pel_paint *make_nearest_colors(void)
+{
+    static const struct pel_texels of_colors = {
+        .colors = hues, .width = 2, .height = 2};
+    static struct pel_texture paint;
+    pel_texture_init_nearest(&paint, &of_colors, &turned);
+    paint.wrap_v = PEL_WRAP_REPEAT;
+    return &paint.base.paint;
+}
+
+static inline const struct pel_paint *make_bilinear(void)
+{
+    static struct pel_texture paint;
+    pel_texture_init_bilinear(&paint, &of_picture, &turned);
+    paint.wrap_u = PEL_WRAP_REPEAT;
+    return &paint.base.paint;
+}
+
+static inline const struct pel_paint *make_dither(void)
+{
+    static struct pel_dither paint;
+    pel_dither_init(&paint, make_flat_alpha());
+    return &paint.paint;
+}
+
+static void stripes(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                    int32_t n, pel_color *colors)
+{
+    (void)paint;
+    for (; n > 0; n--, x++)
+        *colors++ = hues[(x + y) & 3];
+}
+
+static inline const struct pel_paint *make_user(void)
+{
+    static const struct pel_color_paint striped =
+        PEL_COLOR_PAINT(stripes, false);
+    return &striped.paint;
+}
+
+#endif
