@@ -81,6 +81,9 @@ static PEL_ALWAYS_INLINE void pel_blend32_run(pel_word32 *p, int32_t n,
     pel_put_u16x8(end, tail);
 }
 
+/* A format's blend, in blend32.c. */
+void pel_blend32_rows(const struct pel_rows *rows, pel_color color);
+
 #else
 
 static inline void pel_blend32_run(pel_word32 *p, int32_t n,
@@ -91,26 +94,5 @@ static inline void pel_blend32_run(pel_word32 *p, int32_t n,
 }
 
 #endif
-/* A format's blend, whose own way to treat one pixel is `over`. */
-#if PEL_VECTORS
 
-/* In blend32.c. */
-void pel_blend32_rows(const struct pel_rows *rows, pel_color color);
-
-static inline void pel_blend32(const struct pel_rows *rows, pel_color color,
-                               pel_over32_function over)
-{
-    (void)over;
-    pel_blend32_rows(rows, color);
-}
-
-#else
-
-static inline void pel_blend32(const struct pel_rows *rows, pel_color color,
-                               pel_over32_function over)
-{
-    pel_blend_words32(rows, color, over);
-}
-
-#endif
 #endif

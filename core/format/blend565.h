@@ -90,6 +90,9 @@ static PEL_ALWAYS_INLINE void pel_blend565_run(pel_word16 *p, int32_t n,
     pel_put_u16x8(end, tail);
 }
 
+/* A format's blend, in blend565.c. */
+void pel_blend565_rows(const struct pel_rows *rows, pel_color color);
+
 #else
 
 static inline void pel_blend565_run(pel_word16 *p, int32_t n,
@@ -100,26 +103,5 @@ static inline void pel_blend565_run(pel_word16 *p, int32_t n,
 }
 
 #endif
-/* A format's blend, whose own way to treat one pixel is `over`. */
-#if PEL_VECTORS
 
-/* In blend565.c. */
-void pel_blend565_rows(const struct pel_rows *rows, pel_color color);
-
-static inline void pel_blend565(const struct pel_rows *rows, pel_color color,
-                                pel_over16_function over)
-{
-    (void)over;
-    pel_blend565_rows(rows, color);
-}
-
-#else
-
-static inline void pel_blend565(const struct pel_rows *rows, pel_color color,
-                                pel_over16_function over)
-{
-    pel_blend16(rows, color, over);
-}
-
-#endif
 #endif

@@ -1,6 +1,8 @@
 #include "formats.h"
 #include "packed.h"
 
+#define PIXEL 15u
+
 static uint32_t pack(pel_color c)
 {
     return pel_gray(c) >> 4;
@@ -11,62 +13,19 @@ static pel_color unpack(uint32_t p)
     return PEL_RGB(p * 0x11u, p * 0x11u, p * 0x11u);
 }
 
-static uint8_t *byte_of(const struct pel_surface *s, int32_t x, int32_t y)
+/* bounds.x0 is even. */
+static struct pel_place at(const struct pel_surface *s, int32_t x, int32_t y)
 {
-    return pel_surface_line(s, y) + (x - s->bounds.x0) / 2;
+    const struct pel_place p = {pel_surface_line(s, y) + (x - s->bounds.x0) / 2,
+                                x & 1 ? 0 : 4};
+    return p;
 }
 
-/* 4 for the left pixel of a byte, 0 for the right one; bounds.x0 is even. */
-static int shift_of(int32_t x)
-{
-    return x & 1 ? 0 : 4;
-}
-
-static uint32_t get_pixel(const struct pel_surface *s, int32_t x, int32_t y)
-{
-    return (uint32_t)*byte_of(s, x, y) >> shift_of(x) & 15u;
-}
-
-static void put_pixel(const struct pel_surface *s, int32_t x, int32_t y,
-                      uint32_t p)
-{
-    uint8_t *byte = byte_of(s, x, y);
-    *byte = (uint8_t)((*byte & ~(15u << shift_of(x))) | p << shift_of(x));
-}
+#include "body_bits.h"
 
 static void fill(const struct pel_rows *rows, uint32_t pixel)
 {
     pel_fill_bits(rows, pixel * 0x11u);
-}
-
-static void over(const struct pel_surface *s, int32_t x, int32_t y,
-                 pel_color color)
-{
-    const uint32_t alpha = pel_alpha(color);
-    if (alpha == 255)
-        put_pixel(s, x, y, pack(color));
-    else if (alpha != 0)
-        put_pixel(s, x, y,
-                  pack(pel_mix(unpack(get_pixel(s, x, y)), color, alpha)));
-}
-
-static void blend(const struct pel_rows *rows, pel_color color)
-{
-    pel_blend_packed(rows, color, over);
-}
-
-static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                const pel_color *colors)
-{
-    for (; n > 0; n--)
-        over(s, x++, y, *colors++);
-}
-
-static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                 pel_color *colors)
-{
-    for (; n > 0; n--)
-        *colors++ = unpack(get_pixel(s, x++, y));
 }
 
 const struct pel_format pel_gray4 = {

@@ -1,6 +1,8 @@
 #include "formats.h"
 #include "packed.h"
 
+#define PIXEL 1u
+
 static uint32_t pack(pel_color c)
 {
     return pel_gray(c) >> 7;
@@ -11,30 +13,18 @@ static pel_color unpack(uint32_t p)
     return p ? PEL_RGB(255, 255, 255) : PEL_RGB(0, 0, 0);
 }
 
-static uint8_t *byte_of(const struct pel_surface *s, int32_t x, int32_t y)
-{
-    return (uint8_t *)s->pixels +
-           (ptrdiff_t)((y - s->bounds.y0) / 8) * (ptrdiff_t)s->stride +
-           (x - s->bounds.x0);
-}
-
 /* bounds.y0 is a multiple of 8. */
-static uint32_t mask_of(int32_t y)
+static struct pel_place at(const struct pel_surface *s, int32_t x, int32_t y)
 {
-    return 1u << (y & 7);
+    const struct pel_place p = {(uint8_t *)s->pixels +
+                                    (ptrdiff_t)((y - s->bounds.y0) / 8) *
+                                        (ptrdiff_t)s->stride +
+                                    (x - s->bounds.x0),
+                                y & 7};
+    return p;
 }
 
-static uint32_t get_pixel(const struct pel_surface *s, int32_t x, int32_t y)
-{
-    return (*byte_of(s, x, y) & mask_of(y)) != 0;
-}
-
-static void put_pixel(const struct pel_surface *s, int32_t x, int32_t y,
-                      uint32_t p)
-{
-    uint8_t *byte = byte_of(s, x, y);
-    *byte = (uint8_t)(p ? *byte | mask_of(y) : *byte & ~mask_of(y));
-}
+#include "body_bits.h"
 
 static void fill(const struct pel_rows *rows, uint32_t pixel)
 {
@@ -42,37 +32,7 @@ static void fill(const struct pel_rows *rows, uint32_t pixel)
     int32_t y = rows->y;
     for (int i = 0; i < rows->n; i++, row++, y += rows->step)
         for (int32_t x = row->x0; x < row->x1; x++)
-            put_pixel(rows->surface, x, y, pixel);
-}
-
-static void over(const struct pel_surface *s, int32_t x, int32_t y,
-                 pel_color color)
-{
-    const uint32_t alpha = pel_alpha(color);
-    if (alpha == 255)
-        put_pixel(s, x, y, pack(color));
-    else if (alpha != 0)
-        put_pixel(s, x, y,
-                  pack(pel_mix(unpack(get_pixel(s, x, y)), color, alpha)));
-}
-
-static void blend(const struct pel_rows *rows, pel_color color)
-{
-    pel_blend_packed(rows, color, over);
-}
-
-static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                const pel_color *colors)
-{
-    for (; n > 0; n--)
-        over(s, x++, y, *colors++);
-}
-
-static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                 pel_color *colors)
-{
-    for (; n > 0; n--)
-        *colors++ = unpack(get_pixel(s, x++, y));
+            set(at(rows->surface, x, y), pixel);
 }
 
 const struct pel_format pel_mono1_pages = {

@@ -1,10 +1,10 @@
 #include "formats.h"
+#include "rgb565.h"
 #include "word16.h"
 
 static uint32_t pack(pel_color c)
 {
-    return PEL_BE16((c >> 8 & 0xF800u) | (c >> 5 & 0x07E0u) |
-                    (c >> 3 & 0x001Fu));
+    return PEL_BE16(pel_rgb565(c));
 }
 
 const struct pel_format pel_rgb565_be_fill = {

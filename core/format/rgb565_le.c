@@ -1,43 +1,18 @@
-#include "blend565.h"
 #include "formats.h"
+#include "rgb565.h"
 
 static uint32_t pack(pel_color c)
 {
-    return PEL_LE16((c >> 8 & 0xF800u) | (c >> 5 & 0x07E0u) |
-                    (c >> 3 & 0x001Fu));
+    return PEL_LE16(pel_rgb565(c));
 }
 
 static pel_color unpack(uint32_t p)
 {
-    p = PEL_LE16(p);
-    return PEL_RGB(pel_widen5(p >> 11), pel_widen6(p >> 5 & 63),
-                   pel_widen5(p & 31));
+    return pel_rgb565_color(PEL_LE16(p));
 }
 
-static void over(pel_word16 *p, pel_color color)
-{
-    pel_over16(p, color, pack, unpack);
-}
-
-static void blend(const struct pel_rows *rows, pel_color color)
-{
-    pel_blend565(rows, color, over);
-}
-
-static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                const pel_color *colors)
-{
-    pel_word16 *p = pel_address16(s, x, y);
-    for (; n > 0; n--, p++)
-        over(p, *colors++);
-}
-
-static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                 pel_color *colors)
-{
-    pel_load16(pel_address16(s, x, y), n, colors, unpack);
-}
+#include "body565.h"
 
 const struct pel_format pel_rgb565_le = {
-    PEL_FORMAT_RGB565_LE, 16, 2, pack, unpack, pel_fill16, blend, put, load,
+    PEL_FORMAT_RGB565_LE, 16, 2, pack, unpack, pel_fill16, blend565, put, load,
 };

@@ -1,5 +1,5 @@
-#include "blend32.h"
 #include "formats.h"
+#include "word.h"
 
 static uint32_t pack(pel_color c)
 {
@@ -12,30 +12,8 @@ static pel_color unpack(uint32_t p)
     return PEL_RGB(pel_blue(p), pel_green(p), pel_red(p));
 }
 
-static void over(pel_word32 *p, pel_color color)
-{
-    pel_over32(p, color, pack, unpack);
-}
-
-static void blend(const struct pel_rows *rows, pel_color color)
-{
-    pel_blend32(rows, color, over);
-}
-
-static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                const pel_color *colors)
-{
-    pel_word32 *p = pel_address32(s, x, y);
-    for (; n > 0; n--, p++)
-        over(p, *colors++);
-}
-
-static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                 pel_color *colors)
-{
-    pel_load32(pel_address32(s, x, y), n, colors, unpack);
-}
+#include "body32.h"
 
 const struct pel_format pel_xbgr8888 = {
-    PEL_FORMAT_XBGR8888, 32, 4, pack, unpack, pel_fill32, blend, put, load,
+    PEL_FORMAT_XBGR8888, 32, 4, pack, unpack, pel_fill32, blend32, put, load,
 };
