@@ -28,17 +28,18 @@ static inline uint32_t pel_image_lines(const struct pel_image_asset *image)
 }
 
 /* Can the program read this asset as `format`? PEL_ERROR_NULL;
- * PEL_ERROR_RANGE: no image asset, one of another version, or its pixels are of
- * another format; PEL_ERROR_SIZE; PEL_ERROR_STRIDE: a line does not fit its
- * stride, or the lines do not fit the size. */
+ * PEL_ERROR_RANGE: no image asset, or one of another version; PEL_ERROR_FORMAT:
+ * its pixels are of another format; PEL_ERROR_SIZE; PEL_ERROR_STRIDE: a line
+ * does not fit its stride, or the lines do not fit the size. */
 static inline enum pel_status pel_image_asset_check(
     const struct pel_image_asset *image, const struct pel_format *format)
 {
     if (!image || !format || !image->pixels)
         return PEL_ERROR_NULL;
-    if (image->magic != PEL_IMAGE_MAGIC ||
-        image->version != PEL_IMAGE_VERSION || image->format != format->id)
+    if (image->magic != PEL_IMAGE_MAGIC || image->version != PEL_IMAGE_VERSION)
         return PEL_ERROR_RANGE;
+    if (image->format != format->id)
+        return PEL_ERROR_FORMAT;
     if (image->width < 1 || image->width > 32767 || image->height < 1 ||
         image->height > 32767)
         return PEL_ERROR_SIZE;

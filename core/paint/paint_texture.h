@@ -79,8 +79,8 @@ struct pel_texture {
  * 512 + 1/2 steps, D the largest contrasts of neighbours. Channels of straight
  * alpha are mixed one by one.
  *
- * PEL_ERROR_NULL, PEL_ERROR_SIZE, PEL_ERROR_RANGE (a surface in a format that
- * cannot be read). */
+ * PEL_ERROR_NULL, PEL_ERROR_SIZE, PEL_ERROR_FORMAT (of a surface that cannot be
+ * read: a fill-only twin). */
 enum pel_status pel_texture_init_nearest(struct pel_texture *paint,
                                          const struct pel_texels *texels,
                                          const struct pel_texture_map *map);

@@ -15,7 +15,7 @@ static enum pel_status set_surface(struct pel_texture *p,
                                    const struct pel_surface *s)
 {
     if (!s->format || !s->format->load)
-        return PEL_ERROR_RANGE;
+        return PEL_ERROR_FORMAT;
     p->width = s->bounds.x1 - s->bounds.x0;
     p->height = s->bounds.y1 - s->bounds.y0;
     p->memory = s->pixels;

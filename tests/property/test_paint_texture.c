@@ -350,6 +350,8 @@ static void test_errors(void **state)
     struct pel_texels t = {NULL, &one, 1, 1, false};
     struct pel_texture p;
     struct pel_texture_map m;
+    struct pel_surface surface;
+    uint16_t words[2] = {0, 0};
     struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(1, 0), PEL_AT(0, 1)};
     const struct pel_texel_point q[3] = {{0, 0}, {1, 0}, {0, 1}};
     assert_int_equal(pel_texture_init_nearest(NULL, &t, &map), PEL_ERROR_NULL);
@@ -362,6 +364,10 @@ static void test_errors(void **state)
     assert_int_equal(pel_texture_init_bilinear(&p, &t, &map), PEL_ERROR_SIZE);
     t.colors = NULL;
     assert_int_equal(pel_texture_init_nearest(&p, &t, &map), PEL_ERROR_NULL);
+    assert_int_equal(
+        pel_surface_init(&surface, &pel_rgb565_le_fill, words, 2, 1), PEL_OK);
+    t.surface = &surface;
+    assert_int_equal(pel_texture_init_nearest(&p, &t, &map), PEL_ERROR_FORMAT);
     assert_int_equal(pel_texture_map_triangle(&m, NULL, q), PEL_ERROR_NULL);
     v[1].x = PEL_COORDINATE_MAX + 1;
     assert_int_equal(pel_texture_map_triangle(&m, v, q), PEL_ERROR_RANGE);

@@ -25,7 +25,7 @@ static int checks_pass(void)
         asset.format == PEL_FORMAT_GRAY8 ? &pel_rgb332 : &pel_gray8;
     int right = refuses(NULL, &FORMAT, PEL_ERROR_NULL) &&
                 refuses(&asset, NULL, PEL_ERROR_NULL) &&
-                refuses(&asset, wrong, PEL_ERROR_RANGE);
+                refuses(&asset, wrong, PEL_ERROR_FORMAT);
     other.version++;
     right = right && refuses(&other, &FORMAT, PEL_ERROR_RANGE);
     other = asset;

@@ -1,6 +1,7 @@
 /* Blending again and again: where 8-bit state comes to rest. */
 #include <string.h>
 
+#include "core/format/argb8888.h"
 #include "tests/support/check.h"
 #include "tests/support/layouts.h"
 
@@ -87,6 +88,82 @@ static void test_alpha_254_arrives(void **state)
         PEL_RGB(1, 254, 77));
 }
 
+/* Ways to draw n pixels of one colour at the left of the first line: the rows
+ * of a shape, an unclipped triangle, and colours one by one. */
+enum way { BY_ROWS, BY_TRIANGLE, BY_COLORS, WAYS };
+
+static void draw_run(const struct pel_surface *s, int n, pel_color color,
+                     enum way way)
+{
+    const struct pel_flat flat = PEL_FLAT(color);
+    const struct pel_point box[2] = {PEL_AT(0, 0), PEL_AT(n, 1)};
+    /* n px wide where it passes the centres of line 0. */
+    const struct pel_point corner[3] = {PEL_AT(0, 0), PEL_AT(2 * n, 0),
+                                        PEL_AT(0, 1)};
+    pel_color colors[8];
+    for (int i = 0; i < n; i++)
+        colors[i] = color;
+    if (way == BY_ROWS)
+        pel_rectangle(s, box[0], box[1], &flat.paint);
+    else if (way == BY_TRIANGLE)
+        pel_triangle(s, corner, &flat.paint);
+    else
+        pel_put_colors(s, 0, 0, n, colors);
+}
+
+/* Pixel i of the first line, its lowest byte first in memory. */
+static uint32_t value_of(const uint8_t *bytes, int bits, int i)
+{
+    uint32_t value = 0;
+    for (int k = bits / 8; k-- > 0;)
+        value = value << 8 | bytes[i * bits / 8 + k];
+    return value;
+}
+
+static void check_x_bytes(const struct pel_format *format,
+                          const struct layout *l, pel_color color, int n)
+{
+    uint8_t before[64], after[64];
+    struct pel_surface s;
+    for (int way = 0; way < WAYS; way++) {
+        for (int i = 0; i < 64; i++)
+            before[i] = (uint8_t)(i * 37 % 128); /* no X bit is set */
+        memcpy(pixels, before, sizeof before);
+        assert_int_equal(
+            pel_surface_init(&s, format, pixels, 512 / format->bits, 1),
+            PEL_OK);
+        draw_run(&s, n, color, (enum way)way);
+        memcpy(after, pixels, sizeof after);
+        for (int i = 0; i < 512 / format->bits; i++) {
+            const uint32_t was = value_of(before, format->bits, i);
+            const uint32_t want = i < n ? layout_over(l, was, color) : was;
+            const uint32_t got = value_of(after, format->bits, i);
+            if (got != want)
+                fail_msg("format %d, alpha %u, way %d, pixel %d of %d: was "
+                         "%08x, expected %08x, got %08x",
+                         format->id, color >> 24, way, i, n, was, want, got);
+        }
+    }
+}
+
+/* Alpha 0 leaves the X byte as it is, every other alpha sets it: in the formats
+ * that have one, and in argb8888, where it is the alpha of the pixel. */
+static void test_x_bytes(void **state)
+{
+    static const struct pel_format *const formats[] = {
+        &pel_xrgb8888, &pel_xbgr8888, &pel_rgbx8888,
+        &pel_bgrx8888, &pel_argb8888, &pel_xrgb1555_le};
+    static const uint32_t alphas[] = {0, 1, 128, 254, 255};
+    (void)state;
+    for (size_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
+        const struct layout *l =
+            layout_of(formats[f] == &pel_argb8888 ? &pel_xrgb8888 : formats[f]);
+        for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++)
+            for (int n = 1; n <= 8; n++)
+                check_x_bytes(formats[f], l, alphas[i] << 24 | 0x40C864, n);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -94,6 +171,7 @@ int main(void)
         cmocka_unit_test(test_black_comes_to_rest_at_7),
         cmocka_unit_test(test_every_format_follows_the_rule),
         cmocka_unit_test(test_alpha_254_arrives),
+        cmocka_unit_test(test_x_bytes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
