@@ -11,10 +11,11 @@ struct item {
     int point[2 * SHAPE_VERTICES];
     int color;
     V3D v[3];
+    BITMAP *texture;
 };
 
 struct job {
-    BITMAP *bitmap;
+    BITMAP *bitmap, *texture;
     struct item *item;
     int radius;
     void (*draw)(BITMAP *bitmap, struct item *item, int n, int radius);
@@ -35,6 +36,14 @@ static void draw_gouraud(BITMAP *bitmap, struct item *item, int n, int radius)
     for (; n > 0; n--, item++)
         triangle3d(bitmap, POLYTYPE_GRGB, NULL, &item->v[0], &item->v[1],
                    &item->v[2]);
+}
+
+static void draw_textured(BITMAP *bitmap, struct item *item, int n, int radius)
+{
+    (void)radius;
+    for (; n > 0; n--, item++)
+        triangle3d(bitmap, POLYTYPE_ATEX, item->texture, &item->v[0],
+                   &item->v[1], &item->v[2]);
 }
 
 static void draw_circles(BITMAP *bitmap, struct item *item, int n, int radius)
@@ -67,15 +76,17 @@ static void choose(struct job *job, const struct workload *w)
         job->draw = draw_polygons;
     else if (w->form == FORM_LINE)
         job->draw = draw_lines;
+    else if (w->paint == PAINT_NEAREST)
+        job->draw = draw_textured;
     else if (w->paint == PAINT_GOURAUD)
         job->draw = draw_gouraud;
     else
         job->draw = draw_triangles;
 }
 
-static struct item item_of(const struct shape *s, int depth)
+static struct item item_of(const struct shape *s, int depth, BITMAP *texture)
 {
-    struct item item = {{0}, 0, {{0}}};
+    struct item item = {{0}, 0, {{0}}, texture};
     for (int k = 0; k < SHAPE_VERTICES; k++) {
         item.point[2 * k] = s->x[k];
         item.point[2 * k + 1] = s->y[k];
@@ -87,6 +98,8 @@ static struct item item_of(const struct shape *s, int depth)
         item.v[k].x = itofix(s->x[k]);
         item.v[k].y = itofix(s->y[k]);
         item.v[k].c = (int)s->color[k];
+        item.v[k].u = ftofix(s->u[k]);
+        item.v[k].v = ftofix(s->v[k]);
     }
     return item;
 }
@@ -106,13 +119,36 @@ static BITMAP *bitmap_over(const struct canvas *c)
     return bitmap;
 }
 
+static BITMAP *texture_of(int depth)
+{
+    BITMAP *texture = create_bitmap_ex(depth, TEXTURE_SIDE, TEXTURE_SIDE);
+    const uint32_t *texel = workload_texture();
+    for (int i = 0; texture && i < TEXTURE_SIDE * TEXTURE_SIDE; i++)
+        putpixel(texture, i % TEXTURE_SIDE, i / TEXTURE_SIDE,
+                 makecol_depth(depth, (int)(texel[i] >> 16 & 255),
+                               (int)(texel[i] >> 8 & 255),
+                               (int)(texel[i] & 255)));
+    if (!texture)
+        method_fail("Allegro has no memory", "free some and start again");
+    return texture;
+}
+
+/* No gradients but Gouraud's, and no bilinear textures. */
+static bool can_draw(const struct workload *w)
+{
+    return w->form != FORM_SCREEN && w->paint != PAINT_BILINEAR;
+}
+
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
+    if (!can_draw(w))
+        return NULL;
     struct job *job = method_allocate(1, sizeof *job);
     job->bitmap = bitmap_over(c);
+    job->texture = texture_of(c->bits);
     job->item = method_allocate(w->count, sizeof *job->item);
     for (int i = 0; i < w->count; i++)
-        job->item[i] = item_of(&w->shape[i], c->bits);
+        job->item[i] = item_of(&w->shape[i], c->bits, job->texture);
     job->radius = w->size;
     choose(job, w);
     set_trans_blender(0, 0, 0, WORKLOAD_ALPHA);
@@ -131,6 +167,7 @@ static void close_job(void *data)
 {
     struct job *job = data;
     destroy_bitmap(job->bitmap);
+    destroy_bitmap(job->texture);
     free(job->item);
     free(job);
 }

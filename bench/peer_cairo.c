@@ -15,7 +15,7 @@ struct job {
 
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
-    if (w->paint == PAINT_GOURAUD)
+    if (w->paint >= PAINT_GOURAUD)
         return NULL;
     struct job *job = method_allocate(1, sizeof *job);
     job->workload = w;

@@ -2,6 +2,7 @@
 #include <cstdlib>
 
 #include <QImage>
+#include <QLinearGradient>
 #include <QPainter>
 #include <QPolygon>
 
@@ -11,7 +12,7 @@ extern "C" {
 
 struct item {
     QPoint point[SHAPE_VERTICES];
-    QColor color;
+    QBrush brush;
 };
 
 struct job {
@@ -21,14 +22,60 @@ struct job {
     struct item *item;
 };
 
-static struct item item_of(const struct workload *w, const struct shape *s)
+static QBrush gradient_of(const struct workload *w, const struct shape *s)
+{
+    const QPointF center(w->width / 2., w->height / 2.);
+    QRadialGradient radial(center, w->width / 2.);
+    QConicalGradient conic(center, 0);
+    const bool stops =
+        w->paint == PAINT_RADIAL_STOPS || w->paint == PAINT_CONIC_STOPS;
+    for (QGradient *g : {static_cast<QGradient *>(&radial),
+                         static_cast<QGradient *>(&conic)}) {
+        g->setColorAt(0, QColor::fromRgb(s->color[0]));
+        if (stops)
+            g->setColorAt(.5, QColor::fromRgb(s->color[2]));
+        g->setColorAt(1, QColor::fromRgb(s->color[1]));
+    }
+    if (w->paint == PAINT_RADIAL || w->paint == PAINT_RADIAL_STOPS)
+        return QBrush(radial);
+    return QBrush(conic);
+}
+
+/* The turned texture at unit scale, its middle at vertex 0. */
+static QBrush texture_of(const struct shape *s, const QImage &texture)
+{
+    const double dx = s->x[1] - s->x[0], dy = s->y[1] - s->y[0];
+    const double du = s->u[1] - s->u[0], dv = s->v[1] - s->v[0];
+    const double square = dx * dx + dy * dy;
+    const double c = (dx * du + dy * dv) / square;
+    const double t = (dx * dv - dy * du) / square;
+    const QTransform to_texels(c, t, -t, c, s->u[0] - c * s->x[0] + t * s->y[0],
+                               s->v[0] - t * s->x[0] - c * s->y[0]);
+    QBrush brush(texture);
+    brush.setTransform(to_texels.inverted());
+    return brush;
+}
+
+static QBrush brush_of(const struct workload *w, const struct shape *s,
+                       const QImage &texture)
+{
+    QColor color = QColor::fromRgb(s->color[0]);
+    if (w->form == FORM_SCREEN)
+        return gradient_of(w, s);
+    if (w->paint == PAINT_NEAREST || w->paint == PAINT_BILINEAR)
+        return texture_of(s, texture);
+    if (w->paint == PAINT_ALPHA)
+        color.setAlpha(WORKLOAD_ALPHA);
+    return QBrush(color);
+}
+
+static struct item item_of(const struct workload *w, const struct shape *s,
+                           const QImage &texture)
 {
     struct item item;
     for (int k = 0; k < SHAPE_VERTICES; k++)
         item.point[k] = QPoint(s->x[k], s->y[k]);
-    item.color = QColor::fromRgb(s->color[0]);
-    if (w->paint == PAINT_ALPHA)
-        item.color.setAlpha(WORKLOAD_ALPHA);
+    item.brush = brush_of(w, s, texture);
     return item;
 }
 
@@ -45,9 +92,15 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     if (!job->painter->begin(job->image))
         method_fail("Qt 5 refuses the canvas", "check its installation");
     job->painter->setPen(Qt::NoPen);
+    job->painter->setRenderHint(QPainter::SmoothPixmapTransform,
+                                w->paint == PAINT_BILINEAR);
+    const QImage texture =
+        QImage(reinterpret_cast<const uchar *>(workload_texture()),
+               TEXTURE_SIDE, TEXTURE_SIDE, QImage::Format_RGB32)
+            .convertToFormat(job->image->format());
     job->item = new struct item[static_cast<size_t>(w->count)];
     for (int i = 0; i < w->count; i++)
-        job->item[i] = item_of(w, &w->shape[i]);
+        job->item[i] = item_of(w, &w->shape[i], texture);
     return job;
 }
 
@@ -55,11 +108,15 @@ static void draw_shape(QPainter *painter, const struct workload *w,
                        const struct item *item)
 {
     if (w->form == FORM_LINE) {
-        painter->setPen(item->color);
+        painter->setPen(item->brush.color());
         painter->drawLine(item->point[0], item->point[1]);
         return;
     }
-    painter->setBrush(item->color);
+    if (w->form == FORM_SCREEN) {
+        painter->fillRect(QRect(0, 0, w->width, w->height), item->brush);
+        return;
+    }
+    painter->setBrush(item->brush);
     if (w->form == FORM_CIRCLE)
         painter->drawEllipse(QPointF(item->point[0]) + QPointF(.5, .5), w->size,
                              w->size);

@@ -40,7 +40,8 @@ static void open_renderer(struct job *job, const struct canvas *c)
 
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
-    if (w->form == FORM_CIRCLE || w->form == FORM_POLYGON)
+    if (w->form == FORM_CIRCLE || w->form == FORM_POLYGON ||
+        w->paint > PAINT_GOURAUD)
         return NULL;
     struct job *job = method_allocate(1, sizeof *job);
     open_renderer(job, c);

@@ -23,6 +23,14 @@ const struct workload workloads[] = {
     {"circle-500", FORM_CIRCLE, PAINT_FLAT, BIG, 500, 0, 0, 40, 0},
     {"polygon-8", FORM_POLYGON, PAINT_FLAT, BIG, 80, 0, 0, 2000, 0},
     {"line", FORM_LINE, PAINT_FLAT, BIG, 80, 0, 0, 4000, 0},
+    {"radial", FORM_SCREEN, PAINT_RADIAL, BIG, 0, 0, 0, 1, 0},
+    {"radial-stops", FORM_SCREEN, PAINT_RADIAL_STOPS, BIG, 0, 0, 0, 1, 0},
+    {"conic", FORM_SCREEN, PAINT_CONIC, BIG, 0, 0, 0, 1, 0},
+    {"conic-stops", FORM_SCREEN, PAINT_CONIC_STOPS, BIG, 0, 0, 0, 1, 0},
+    {"texture-nearest", FORM_TRIANGLE, PAINT_NEAREST, BIG, 80, 800, 1200, 2000,
+     0},
+    {"texture-bilinear", FORM_TRIANGLE, PAINT_BILINEAR, BIG, 80, 800, 1200,
+     2000, 0},
     {"565-flat-large", FORM_TRIANGLE, PAINT_FLAT, PANEL, 238, 8000, 12000, 400,
      0},
     {"565-flat-medium", FORM_TRIANGLE, PAINT_FLAT, PANEL, 80, 800, 1200, 2000,
@@ -31,6 +39,10 @@ const struct workload workloads[] = {
      2000, 0},
     {"565-alpha-medium", FORM_TRIANGLE, PAINT_ALPHA, PANEL, 80, 800, 1200, 2000,
      0},
+    {"565-texture", FORM_TRIANGLE, PAINT_NEAREST, PANEL, 80, 800, 1200, 2000,
+     0},
+    {"565-radial", FORM_SCREEN, PAINT_RADIAL, PANEL, 0, 0, 0, 1, 0},
+    {"565-conic", FORM_SCREEN, PAINT_CONIC, PANEL, 0, 0, 0, 1, 0},
     {0},
 };
 
@@ -40,6 +52,7 @@ int workload_vertices(const struct workload *w)
     case FORM_CIRCLE:
         return 1;
     case FORM_LINE:
+    case FORM_SCREEN:
         return 2;
     case FORM_POLYGON:
         return SHAPE_VERTICES;
@@ -55,13 +68,22 @@ static uint32_t random_color(struct random *r)
     return (random_next(r) & 0xBFBFBFu) + 0x404040u;
 }
 
+const uint32_t *workload_texture(void)
+{
+    static uint32_t texel[TEXTURE_SIDE * TEXTURE_SIDE];
+    struct random r = {88172645463325252u};
+    for (int i = 0; i < TEXTURE_SIDE * TEXTURE_SIDE; i++)
+        texel[i] = 0xFF000000u | random_color(&r);
+    return texel;
+}
+
 bool workload_open(struct workload *w)
 {
     void (*const make[])(const struct workload *, struct random *,
                          struct shape *) = {
         [FORM_TRIANGLE] = triangle_make, [FORM_SLIVER] = sliver_make,
         [FORM_CIRCLE] = circle_make,     [FORM_POLYGON] = polygon_make,
-        [FORM_LINE] = line_make,
+        [FORM_LINE] = line_make,         [FORM_SCREEN] = screen_make,
     };
     struct random r = {88172645463325252u};
     w->shape = calloc((size_t)w->count, sizeof *w->shape);
@@ -72,6 +94,8 @@ bool workload_open(struct workload *w)
         for (int k = 0; k < 3; k++)
             s->color[k] = random_color(&r);
         make[w->form](w, &r, s);
+        if (w->paint == PAINT_NEAREST || w->paint == PAINT_BILINEAR)
+            texture_place(&r, s);
     }
     return true;
 }

@@ -11,8 +11,29 @@
 
 enum { SHAPE_VERTICES = 8 };
 
-enum form { FORM_TRIANGLE, FORM_SLIVER, FORM_CIRCLE, FORM_POLYGON, FORM_LINE };
-enum paint { PAINT_FLAT, PAINT_ALPHA, PAINT_GOURAUD };
+enum form {
+    FORM_TRIANGLE,
+    FORM_SLIVER,
+    FORM_CIRCLE,
+    FORM_POLYGON,
+    FORM_LINE,
+    FORM_SCREEN /* the whole canvas */
+};
+
+/* Gradients are about the centre of the canvas, to half its width; the _STOPS
+ * have a third colour in the middle. Textures show TEXTURE_SIDE^2 texels at
+ * unit scale, turned. */
+enum paint {
+    PAINT_FLAT,
+    PAINT_ALPHA,
+    PAINT_GOURAUD,
+    PAINT_RADIAL,
+    PAINT_RADIAL_STOPS,
+    PAINT_CONIC,
+    PAINT_CONIC_STOPS,
+    PAINT_NEAREST,
+    PAINT_BILINEAR
+};
 
 /* Alpha of PAINT_ALPHA, of 255. */
 enum { WORKLOAD_ALPHA = 128 };
@@ -21,8 +42,10 @@ enum { WORKLOAD_ALPHA = 128 };
  * between two pixels; the vertices of the others are corners of pixels. */
 struct shape {
     int x[SHAPE_VERTICES], y[SHAPE_VERTICES];
-    uint32_t color[3]; /* 0xRRGGBB; only Gouraud needs all three. Every channel
-                          is 64 or more: drawing on black changes a pixel. */
+    uint32_t color[3]; /* 0xRRGGBB; flat paints need the first alone. Every
+                          channel is 64 or more: drawing on black changes a
+                          pixel. */
+    double u[3], v[3]; /* texels, inside the texture; of the first vertices */
 };
 
 struct workload {
@@ -46,11 +69,20 @@ int workload_vertices(const struct workload *w);
 bool workload_open(struct workload *w);
 void workload_close(struct workload *w);
 
+enum { TEXTURE_SIDE = 256 };
+
+/* 0xFFRRGGBB, line by line, of random colours as shapes have them. */
+const uint32_t *workload_texture(void);
+
+/* A random turn of the texture about its middle, where vertex 0 lies. */
+void texture_place(struct random *r, struct shape *s);
+
 /* One shape each: workload_*.c. */
 void triangle_make(const struct workload *w, struct random *r, struct shape *s);
 void sliver_make(const struct workload *w, struct random *r, struct shape *s);
 void circle_make(const struct workload *w, struct random *r, struct shape *s);
 void polygon_make(const struct workload *w, struct random *r, struct shape *s);
 void line_make(const struct workload *w, struct random *r, struct shape *s);
+void screen_make(const struct workload *w, struct random *r, struct shape *s);
 
 #endif

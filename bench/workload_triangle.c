@@ -49,6 +49,23 @@ void sliver_make(const struct workload *w, struct random *r, struct shape *s)
              s->y[1] >= w->height);
 }
 
+void texture_place(struct random *r, struct shape *s)
+{
+    const double turn = random_between(r, 0, 65535) * (2 * M_PI / 65536);
+    for (int k = 0; k < 3; k++) {
+        const double dx = s->x[k] - s->x[0], dy = s->y[k] - s->y[0];
+        s->u[k] = TEXTURE_SIDE / 2 + dx * cos(turn) - dy * sin(turn);
+        s->v[k] = TEXTURE_SIDE / 2 + dx * sin(turn) + dy * cos(turn);
+    }
+}
+
+void screen_make(const struct workload *w, struct random *r, struct shape *s)
+{
+    (void)r;
+    s->x[1] = w->width;
+    s->y[1] = w->height;
+}
+
 void line_make(const struct workload *w, struct random *r, struct shape *s)
 {
     place_in_box(w, r, s, 2);
