@@ -1,21 +1,21 @@
 #!/bin/sh
-# mutants_one.sh TESTS CC N : builds mutant N of TESTS/mutants/list.txt, runs the
-# tests of its file and writes to TESTS/mutants/results/N one of
+# mutants_one.sh TESTS CC FILE N : builds mutant N of FILE (a line of list.txt in
+# its folder, see mutants.sh), runs the tests of the file and writes one of these
+# to N in that folder:
 #
 #     killed BY | survived | same (code) | refused (by the compiler)
 set -u
-tests=$1 cc=$2 number=$3
+tests=$1 cc=$2 file=$3 number=$4
 top=$PWD
 work=$tests/mutants
+dir=$work/$(echo "$file" | tr / _)
 ulimit -c 0
 
-line=$(sed -n "${number}p" "$work/list.txt")
-file=$(printf '%s' "$line" | cut -f 1)
+line=$(sed -n "${number}p" "$dir/list.txt")
 row=$(printf '%s' "$line" | cut -f 2)
-suite=$(sed -n "s|^$file ||p" "$work/tests.txt")
 
 # A tree like this one, but for one line of one file.
-tree=$work/tree$number
+tree=$work/tree.$$
 mkdir -p "$tree"
 trap 'rm -rf "$tree"' EXIT
 cp -rs "$top/core" "$tree/core"
@@ -26,43 +26,33 @@ sed -e "${row}{r $tree/new" -e 'd}' "$file" >"$tree/$file"
 
 finish()
 {
-    echo "$*" >"$work/results/$number"
+    echo "$*" >"$dir/$number"
     exit 0
 }
 
-# compile OBJECT of build $build into the tree.
+# compile OBJECT of build $build into the tree, once.
 compile()
 {
+    [ ! -f "$tree/$build/$1" ] || return 0
     mkdir -p "$tree/$build/$(dirname "$1")"
     (cd "$tree" && $cc -std=c99 -I. -O1 $flags -w -c "${1%.o}.c" \
-        -o "$build/$1") 2>/dev/null
+        -o "$build/$1") 2>/dev/null || finish refused
 }
 
-# The core objects of this build that the change reaches and changes.
-compile_core()
+# The objects that the change reaches and makes different.
+compile_changed()
 {
     changed=
-    for o in $(awk -v f="$file" '$2 == f && /^core/ { print $1 }' \
-        "$work/$build.deps"); do
-        compile "$o" || finish refused
+    for o in $(sed -n "s|^$plain ||p" "$dir/$build"); do
+        compile "$o"
         cmp -s "$tree/$build/$o" "$base/$o" ||
             changed="$changed $tree/$build/$o"
     done
 }
 
-# run TEST[:SCALE] : does it notice?
-run()
+# Does the test notice? Three times its own time is too long.
+notices()
 {
-    name=${1%%:*}
-    scale=${1##*:}
-    [ "$scale" != "$1" ] || scale=100
-    object=$base/tests/${name#+}.o
-    case $name in +*)
-        name=${name#+}
-        compile "tests/$name.o" || finish refused
-        object=$tree/$build/tests/$name.o
-        ;;
-    esac
     twin=
     case $name in *test_walkers* | *test_fast_writers)
         twin=$tests/portable_core.o
@@ -70,7 +60,10 @@ run()
     esac
     $cc "$object" $changed $twin "$base/libsupport.a" "$base/libpel.a" \
         -lcmocka -o "$tree/program" || finish refused
-    ! PEL_SCALE=$scale timeout -s KILL 20 "$tree/program" >/dev/null 2>&1
+    scale=${plain##*:}
+    [ "$scale" != "$plain" ] || scale=100
+    ! (ulimit -t $((3 * $(cat "$work/$build/$plain.limit"))) &&
+        PEL_SCALE=$scale exec "$tree/program") >/dev/null 2>&1
 }
 
 same=yes
@@ -78,13 +71,21 @@ for build in mutant_host mutant_portable; do
     base=$tests/$build
     flags=
     [ $build = mutant_host ] || flags='-DPEL_FAST_64BIT=0 -DPEL_VECTORS=0'
-    compile_core
-    for test in $suite; do
+    for test in $(sed -n "s|^$file ||p" "$work/tests.txt"); do
         plain=${test#+}
-        [ -n "$changed" ] || [ "$plain" != "$test" ] || continue
-        [ -x "$base/tests/${plain%%:*}" ] || continue
+        name=${plain%%:*}
+        [ -f "$work/$build/$plain.limit" ] || continue
+        compile_changed
+        object=$base/tests/$name.o
+        if [ "$plain" != "$test" ]; then
+            compile "tests/$name.o"
+            cmp -s "$tree/$build/tests/$name.o" "$object" ||
+                changed="$changed "
+            object=$tree/$build/tests/$name.o
+        fi
+        [ -n "$changed" ] || continue
         same=no
-        run "$test" && finish "killed ${plain%%:*} ($build)"
+        ! notices || finish "killed $name ($build)"
     done
 done
 [ $same = yes ] && finish same
