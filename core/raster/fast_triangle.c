@@ -8,17 +8,18 @@ static int64_t floor_divide(int64_t n, int64_t d)
     return q - (n % d < 0);
 }
 
-/* At most 128 px high and 16,384 px wide: one division. The edge crosses a row
- * at X = a.x + t dx / dy sub-pixels; x must be ceil((X - 128) / 256) =
+/* At most 128 px high: one division. The edge crosses a row at
+ * X = a.x + t dx / dy sub-pixels; x must be ceil((X - 128) / 256) =
  * floor(x') + 1 for any x' that lies below (X - 128) / 256 by less than the
  * distance of that number to the next integer below it. X dy is an integer, so
  * this distance is at least 1 / (256 dy) >= 2^-23 px = 512 steps of 2^-32 px.
  * x' starts 256 steps low; flooring the slope to a step per row loses less than
  * a step a row and two at the start, and dy <= 2^15 means at most 128 rows:
  * between 256 and 387 steps low, never 512.
- * |dx| <= 2^22, so the slope fits 2^54 and t times it 2^62. An edge that
- * crosses no row centre, level ones included, gets a number that is never used:
- * cheaper than a branch that cannot be predicted. */
+ * |dx| < 2^23, the width of a surface, so the slope fits 2^55, and t <= 255
+ * times it 2^63. An edge that crosses no row centre, level ones included, gets
+ * a number that is never used: cheaper than a branch that cannot be
+ * predicted. */
 static struct pel_slope start_short(const struct pel_point *a,
                                     const struct pel_point *b)
 {
@@ -112,7 +113,7 @@ bool pel_fast_triangle(const struct pel_surface *surface,
     t.y2 = pel_first_pixel(s[2].y);
     if (t.y0 >= t.y2)
         return true;
-    if (box.y1 - box.y0 <= 32768 && box.x1 - box.x0 <= 4194304) {
+    if (box.y1 - box.y0 <= 32768) {
         t.whole = start_short(&s[0], &s[2]);
         t.upper = start_short(&s[0], &s[1]);
         t.lower = start_short(&s[1], &s[2]);

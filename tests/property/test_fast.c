@@ -1,6 +1,6 @@
 /* The 32.32 walk of 64-bit CPUs: rows taken through a paint's `fast` function
- * against 128-bit arithmetic, at the borders of its two bounds (128 rows and
- * 16,384 px wide for one division, 4,094 px high for two). */
+ * against 128-bit arithmetic, at the borders of its two bounds (128 rows for
+ * one division, 4,094 px high for two). */
 #include "tests/support/check.h"
 #include "tests/support/cases.h"
 #include "tests/support/probe.h"
@@ -49,11 +49,13 @@ static void test_around_128_rows(void **state)
     check_sizes(40000, (const int32_t[]){127, 129}, PEL_PX(400));
 }
 
-static void test_around_16384_px(void **state)
+static void test_as_wide_as_a_surface(void **state)
 {
+    const int32_t width = PEL_PX(32767) - 1;
     (void)state;
-    check_sizes(40000, (const int32_t[]){0, 129}, 4194304 + 2);
-    check_sizes(40000, (const int32_t[]){128, 128}, 4194304 + 2);
+    check_sizes(40000, (const int32_t[]){0, 129}, width);
+    check_sizes(40000, (const int32_t[]){1, 1}, width);
+    check_sizes(40000, (const int32_t[]){128, 128}, width);
 }
 
 static void test_around_4094_px(void **state)
@@ -97,7 +99,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_around_128_rows),
-        cmocka_unit_test(test_around_16384_px),
+        cmocka_unit_test(test_as_wide_as_a_surface),
         cmocka_unit_test(test_around_4094_px),
         cmocka_unit_test(test_any_size),
         cmocka_unit_test(test_tight_slopes),
