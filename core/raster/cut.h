@@ -6,7 +6,9 @@
 
 #include "paint.h"
 
-enum { PEL_CUT_PIECES = 4 };
+/* Two parts of a line apart from each other, less one hole: the hole can split
+ * one of them. */
+enum { PEL_CUT_PIECES = 3 };
 
 struct pel_cut {
     const struct pel_paint *paint;

@@ -39,7 +39,7 @@ bool pel_wedge_start(struct pel_wedge *wedge, struct pel_point center,
                      uint16_t from, uint16_t to, const struct pel_rect *clip);
 
 /* Adds the pieces of line y that are in the wedge and in `run`, but not in
- * `hole`; up to four. Lines are asked from the top down. */
+ * `hole`; up to three. Lines are asked from the top down. */
 void pel_wedge_cut(struct pel_wedge *wedge, struct pel_cut *cut, int32_t y,
                    struct pel_row run, struct pel_row hole);
 

@@ -168,6 +168,58 @@ static void test_batches(void **state)
     assert_int_equal(hits.batches, least);
 }
 
+/* Runs of painted pixels that a reader of the rows sees, up to `most` of them
+ * in a row; `rows` counts those that have any. */
+static uint64_t runs_shown(uint64_t *rows, uint64_t *most)
+{
+    const struct pel_rect *b = &hits.surface.bounds;
+    uint64_t runs = 0;
+    *rows = *most = 0;
+    for (int32_t y = b->y0; y < b->y1; y++) {
+        uint64_t in_row = 0;
+        for (int32_t x = b->x0; x < b->x1; x++)
+            in_row += hits_at(&hits, x, y) &&
+                      (x == b->x0 || !hits_at(&hits, x - 1, y));
+        runs += in_row;
+        *rows += in_row > 0;
+        *most = in_row > *most ? in_row : *most;
+    }
+    return runs;
+}
+
+/* A line that holes and angles cut is handed on once, without empty pieces and
+ * with no run in two: at most three pieces. */
+static void check_pieces(const char *name, uint64_t pieces)
+{
+    uint64_t rows, most;
+    const uint64_t runs = runs_shown(&rows, &most);
+    if (hits.runs != runs || hits.batches != rows || most != pieces)
+        fail_msg("%s: %d batches for %d rows, %d runs for %d, %d in one row",
+                 name, (int)hits.batches, (int)rows, (int)hits.runs, (int)runs,
+                 (int)most);
+}
+
+static void test_pieces(void **state)
+{
+    const struct pel_rect b = {0, 0, 60, 60};
+    const struct pel_point center = {PEL_PX(30), PEL_PX(30)};
+    const struct pel_sector_shape sector = {center, PEL_PX(25), 0x1000, 0x7000};
+    const struct pel_arc_shape arc[] = {
+        {center, PEL_PX(12), PEL_PX(25), 0x1000, 0x7000},
+        {center, PEL_PX(12), PEL_PX(25), 0x1800, 0x1000},
+        {center, PEL_PX(12), PEL_PX(25), 0x9800, 0x9000},
+    };
+    (void)state;
+    hits_open(&hits, &b);
+    pel_sector(&hits.surface, &sector, &hits.paint);
+    check_pieces("sector", 1);
+    for (size_t i = 0; i < sizeof arc / sizeof *arc; i++) {
+        hits_open(&hits, &b);
+        pel_arc(&hits.surface, &arc[i], &hits.paint);
+        check_pieces("arc", i > 0 ? 3 : 2);
+    }
+}
+
 static bool in_polygon(const void *outline, int32_t x, int32_t y)
 {
     return reference_polygon_at(outline, x, y);
@@ -238,6 +290,7 @@ int main(void)
         cmocka_unit_test(test_polygons),
         cmocka_unit_test(test_batches),
         cmocka_unit_test(test_batches_of_one_line),
+        cmocka_unit_test(test_pieces),
         cmocka_unit_test(test_zigzags),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
