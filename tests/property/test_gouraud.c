@@ -39,22 +39,32 @@ struct tally {
     int64_t worst;
 };
 
+/* At x, y, of channel k; returns the size of the error. */
+static int64_t check_plane(const struct pel_gouraud *g,
+                           const struct pel_point v[3], const pel_color c[3],
+                           const int32_t at[3])
+{
+    const int32_t x = at[0], y = at[1];
+    const int64_t error =
+        error_at(g, at[2], x, y, reference_channel_at(v, c, at[2], x, y));
+    const int64_t size = error < 0 ? -error : error;
+    if (size > bound_at(v, x, y))
+        fail_msg("channel %d at %d, %d: off by %lld / 2^24, bound %lld; "
+                 "%d,%d %d,%d %d,%d; %s",
+                 at[2], x, y, (long long)error, (long long)bound_at(v, x, y),
+                 v[0].x, v[0].y, v[1].x, v[1].y, v[2].x, v[2].y,
+                 cases_replay());
+    return size;
+}
+
 static void check_channel(struct tally *t, const struct pel_gouraud *g,
                           const struct pel_point v[3], const pel_color c[3],
                           const int32_t at[3])
 {
     const int32_t x = at[0], y = at[1];
     const int k = at[2];
-    struct fraction exact = reference_channel_at(v, c, k, x, y);
-    int64_t error = error_at(g, k, x, y, exact), size = error;
-    if (size < 0)
-        size = -size;
-    if (size > bound_at(v, x, y))
-        fail_msg("channel %d at %d, %d: off by %lld / 2^24, bound %lld; "
-                 "%d,%d %d,%d %d,%d; %s",
-                 k, x, y, (long long)error, (long long)bound_at(v, x, y),
-                 v[0].x, v[0].y, v[1].x, v[1].y, v[2].x, v[2].y,
-                 cases_replay());
+    const struct fraction exact = reference_channel_at(v, c, k, x, y);
+    const int64_t size = check_plane(g, v, c, at);
     int64_t best = (int64_t)((2 * exact.n + exact.d) / (2 * exact.d));
     int64_t got =
         (g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k]) >> 24;
@@ -151,6 +161,42 @@ static void test_borders(void **state)
     check_bound(borders, 200000);
 }
 
+/* Slivers along a diagonal, a few sub-pixels wide: the steepest gradients that
+ * there are. Inside they nearly cancel each other. */
+static void slivers(struct random *r, struct pel_point v[3])
+{
+    const int32_t side = random_between(r, 256, 1048576);
+    const int32_t x = random_between(r, -1048576, 1048576);
+    const int32_t y = random_between(r, -1048576, 1048576);
+    const int32_t slope = random_word(r) % 2 ? 1 : -1;
+    const int32_t middle = random_between(r, side / 8, side);
+    v[0] = (struct pel_point){x, y};
+    v[1] = (struct pel_point){x + slope * side, y + side};
+    v[2] = (struct pel_point){x + slope * middle,
+                              y + middle + random_between(r, 1, 18)};
+}
+
+/* The plane goes on beyond the triangle, within the bound for each pixel. */
+static void test_beyond_slivers(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(100000); cases_next(&c);) {
+        struct pel_point v[3];
+        pel_color color[3];
+        struct pel_gouraud g;
+        slivers(&c.random, v);
+        random_colors(&c.random, color);
+        pel_gouraud_init(&g, v, color);
+        for (int i = 0; i < 4; i++) {
+            const int32_t x = random_between(&c.random, -4000, 4000);
+            const int32_t y = random_between(&c.random, -4000, 4000);
+            check_plane(&g, v, color,
+                        (const int32_t[]){pel_pixel_of(v[0].x) + x,
+                                          pel_pixel_of(v[0].y) + y, i});
+        }
+    }
+}
+
 /* What is drawn is the plane, cut to 8 bits, through clips and both walkers. */
 static void test_bytes_are_the_plane(void **state)
 {
@@ -193,6 +239,7 @@ int main(void)
         cmocka_unit_test(test_random),
         cmocka_unit_test(test_adversarial),
         cmocka_unit_test(test_borders),
+        cmocka_unit_test(test_beyond_slivers),
         cmocka_unit_test(test_bytes_are_the_plane),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
