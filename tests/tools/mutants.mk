@@ -4,8 +4,11 @@
 
 .PHONY: mutants
 
-# Without debug information, so that equal code makes equal objects.
-TEST_FLAGS_mutant_host := -O1
+# Without debug information, so that equal code makes equal objects. The default
+# build stops at undefined behaviour: a sum that overflows is noticed, whatever
+# comes of it.
+TEST_FLAGS_mutant_host := -O1 -fsanitize=undefined \
+    -fsanitize-undefined-trap-on-error
 TEST_FLAGS_mutant_portable := -O1 -DPEL_FAST_64BIT=0 -DPEL_VECTORS=0
 MUTANT_BUILDS := mutant_host mutant_portable
 MUTANT_TESTS := $(sort $(shell sed -n 's/#.*//; s/^core[^:]*: *//; s/+//g; \
@@ -20,4 +23,5 @@ $(MUTANT_TWINS:%=$(T)/mutant_host/%): $(T)/portable_core.o
 mutants: $(MUTANT_TESTS:%=$(T)/mutant_host/tests/%) \
     $(filter-out $(MUTANT_HOST_ONLY:%=$(T)/mutant_portable/%),\
         $(MUTANT_TESTS:%=$(T)/mutant_portable/tests/%)) ## change core a little, a thousand times: do the tests notice?
+	$(foreach b,$(MUTANT_BUILDS),$(file >$(T)/$b/flags,$(TEST_FLAGS_$b)))
 	tests/tools/mutants.sh $(T) "$(CC)" $(MUTANTS)

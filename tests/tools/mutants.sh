@@ -37,11 +37,6 @@ for file in $(cut -d ' ' -f 1 "$work/tests.txt"; grep '^core/' \
 done
 [ $# -gt 0 ] || set -- $(cut -d ' ' -f 1 "$work/tests.txt")
 
-flags_of()
-{
-    [ "$1" = mutant_host ] || echo '-DPEL_FAST_64BIT=0 -DPEL_VECTORS=0'
-}
-
 tests_of()
 {
     sed -n "s|^$1 ||p" "$work/tests.txt"
@@ -126,8 +121,8 @@ active_lines()
     for build in $builds; do
         object=$(awk -v file="$1" '$2 == file && /^core/ { print $1; exit }' \
             "$work/$build/depends")
-        [ -z "$object" ] || $cc -std=c99 -I. $(flags_of $build) -E \
-            "${object%.o}.c" | awk -v file="$1" '
+        [ -z "$object" ] || $cc -std=c99 -I. $(cat "$tests/$build/flags") \
+            -E "${object%.o}.c" | awk -v file="$1" '
             /^# [0-9]+ "/ {
                 line = $2
                 name = $3
@@ -143,7 +138,7 @@ active_lines()
 sum_of()
 {
     {
-        cat $here/mutants.sh $here/mutants_one.sh "$work/new.txt"
+        cat "$work/new.txt"
         tests_of "$1"
         for build in $builds; do
             for test in $(tests_of "$1"); do

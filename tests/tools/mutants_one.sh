@@ -35,7 +35,7 @@ compile()
 {
     [ ! -f "$tree/$build/$1" ] || return 0
     mkdir -p "$tree/$build/$(dirname "$1")"
-    (cd "$tree" && $cc -std=c99 -I. -O1 $flags -w -c "${1%.o}.c" \
+    (cd "$tree" && $cc -std=c99 -I. $flags -w -c "${1%.o}.c" \
         -o "$build/$1") 2>/dev/null || finish refused
 }
 
@@ -58,7 +58,7 @@ notices()
         twin=$tests/portable_core.o
         ;;
     esac
-    $cc "$object" $changed $twin "$base/libsupport.a" "$base/libpel.a" \
+    $cc $flags "$object" $changed $twin "$base/libsupport.a" "$base/libpel.a" \
         -lcmocka -o "$tree/program" || finish refused
     scale=${plain##*:}
     [ "$scale" != "$plain" ] || scale=100
@@ -69,8 +69,7 @@ notices()
 same=yes
 for build in mutant_host mutant_portable; do
     base=$tests/$build
-    flags=
-    [ $build = mutant_host ] || flags='-DPEL_FAST_64BIT=0 -DPEL_VECTORS=0'
+    flags=$(cat "$base/flags")
     for test in $(sed -n "s|^$file ||p" "$work/tests.txt"); do
         plain=${test#+}
         name=${plain%%:*}
@@ -85,7 +84,7 @@ for build in mutant_host mutant_portable; do
         fi
         [ -n "$changed" ] || continue
         same=no
-        ! notices || finish "killed $name ($build)"
+        ! notices 2>/dev/null || finish "killed $name ($build)"
     done
 done
 [ $same = yes ] && finish same
