@@ -93,11 +93,13 @@ static void check_window(struct tally *t, const struct pel_point v[3],
 
 static void random_colors(struct random *r, pel_color c[3])
 {
-    const uint32_t kind = random_word(r) % 3;
+    const uint32_t kind = random_word(r) % 4;
     for (int i = 0; i < 3; i++) {
         c[i] = random_word(r);
         if (kind == 0) /* the steepest: 0 and 255 alone */
             c[i] = (c[i] >> 7 & 0x01010101u) * 255;
+        else if (kind == 1) /* next to opaque */
+            c[i] |= 0xFEFEFEFEu;
     }
 }
 

@@ -72,9 +72,26 @@ static void test_equal_colors_are_flat(void **state)
     canvas_close(&flat);
 }
 
+static void test_what_is_refused(void **state)
+{
+    struct pel_gouraud g;
+    static const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(9, 0),
+                                          PEL_AT(0, 9)};
+    static const struct pel_point far[3] = {
+        PEL_AT(0, 0), PEL_AT(9, 0), {0, PEL_COORDINATE_MAX + 1}};
+    static const pel_color c[3] = {1, 2, 3};
+    (void)state;
+    assert_int_equal(pel_gouraud_init(&g, v, c), PEL_OK);
+    assert_int_equal(pel_gouraud_init(NULL, v, c), PEL_ERROR_NULL);
+    assert_int_equal(pel_gouraud_init(&g, NULL, c), PEL_ERROR_NULL);
+    assert_int_equal(pel_gouraud_init(&g, v, NULL), PEL_ERROR_NULL);
+    assert_int_equal(pel_gouraud_init(&g, far, c), PEL_ERROR_RANGE);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_what_is_refused),
         cmocka_unit_test(test_alpha_0_touches_nothing),
         cmocka_unit_test(test_equal_colors_are_flat),
         cmocka_unit_test(test_one_point_three_times),

@@ -220,6 +220,22 @@ static void test_pieces(void **state)
     }
 }
 
+/* Runs without a pixel are not handed on. */
+static void test_needle(void **state)
+{
+    static const struct pel_point v[4] = {
+        {300, 0}, {310, PEL_PX(4)}, {320, PEL_PX(5)}, {330, 0}};
+    static uint32_t scratch[9 * 4];
+    const struct pel_outline p = {v, 4, PEL_NON_ZERO};
+    const struct pel_rect b = {0, 0, 6, 6};
+    (void)state;
+    hits_open(&hits, &b);
+    assert_int_equal(
+        pel_polygon(&hits.surface, &p, &hits.paint, scratch, sizeof scratch),
+        PEL_OK);
+    assert_int_equal(hits.batches, 0);
+}
+
 static bool in_polygon(const void *outline, int32_t x, int32_t y)
 {
     return reference_polygon_at(outline, x, y);
@@ -291,6 +307,7 @@ int main(void)
         cmocka_unit_test(test_batches),
         cmocka_unit_test(test_batches_of_one_line),
         cmocka_unit_test(test_pieces),
+        cmocka_unit_test(test_needle),
         cmocka_unit_test(test_zigzags),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
