@@ -19,12 +19,15 @@
  *              belong to the display (a DMA may be reading them); a driver
  *              that is done when it returns has no `wait`
  *     wait     the transfer is over (told by an interrupt, or polled); the
- *              program may draw into that memory again. flush on a display
- *              that is busy waits by itself, so a program with two buffers
- *              calls wait for the one it reuses, not after each flush
+ *              program may draw into that memory again, and finds there what
+ *              it left. One transfer at a time is in flight: flush on a display
+ *              that is busy waits by itself, so a program that draws into two
+ *              buffers in turn needs no wait, one with a single buffer calls it
+ *              before it draws again
  *     flip     the frame is complete: what was flushed is on the screen after
  *              it, at the latest, as a whole where the display can do that
- * A driver calls from one thread at a time; two displays are independent.
+ * A transfer that failed is told by the next flush, wait or flip. Calls for one
+ * display come from one thread at a time; two displays are independent.
  *
  * Windows. Some panels accept only windows whose corners are multiples of 2 or
  * 8 pixels: `round` makes an area larger until it fits, and a program that
