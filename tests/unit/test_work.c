@@ -226,7 +226,7 @@ static void test_needle(void **state)
     static const struct pel_point v[4] = {
         {300, 0}, {310, PEL_PX(4)}, {320, PEL_PX(5)}, {330, 0}};
     static uint32_t scratch[9 * 4];
-    const struct pel_outline p = {v, 4, PEL_NON_ZERO};
+    const struct pel_polygon_shape p = {v, 4, PEL_NON_ZERO};
     const struct pel_rect b = {0, 0, 6, 6};
     (void)state;
     hits_open(&hits, &b);
