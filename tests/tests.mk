@@ -126,21 +126,24 @@ check: tests ## every test; the last line is `N passed, N failed`
 	$(file >$(T)/check.list,$(CHECK_LINES))
 	@sed 's/^ *//' $(T)/check.list | tests/support/run.sh $(T)/check
 
-# 10^8 triangles, ten times the cases of all others, and the golden scenes on
-# every CPU by every compiler at every level. The seed is another one each time;
-# it is printed, and PEL_SEED=N repeats a run.
+# 10^8 triangles through either walk, ten times the cases of all others, and the
+# golden scenes on every CPU by every compiler at every level. The seed is
+# another one each time; it is printed, and PEL_SEED=N repeats a run.
 DEEP_SCALE ?= 1000
 DEEP_PARTS := 0 1 2 3 4
 DEEP_EXTRA := deep-cpus
-deep: $(TEST_PROPERTY:%=$(T)/host/%) ## the long sweeps: 10^8 triangles, all CPUs; most of an hour
+DEEP_PROGRAMS := $(TEST_PROPERTY:%=$(T)/host/%) \
+    $(T)/portable/tests/property/test_triangles
+deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hour
 	@mkdir -p $(T)/deep
 	@seed=$${PEL_SEED:-$$(date +%s)}; echo "PEL_SEED=$$seed"; \
 	for t in $(DEEP_EXTRA); do printf '%s\t%s\n' "$$t" \
 	    "flock $(T)/check.lock $(MAKE) --no-print-directory BUILD=$(BUILD) $$t"; \
 	done >$(T)/deep.list; \
-	for i in $(DEEP_PARTS); do printf '%s\t%s\n' "test_triangles $$i" \
-	    "PEL_SEED=$$seed$$i PEL_SCALE=1000 $(T)/host/tests/property/test_triangles"; \
-	done >>$(T)/deep.list; \
+	for b in host portable; do for i in $(DEEP_PARTS); do \
+	    printf '%s\t%s\n' "test_triangles $$b $$i" "PEL_SEED=$$seed$$i \
+	        PEL_SCALE=1000 $(T)/$$b/tests/property/test_triangles"; \
+	done; done >>$(T)/deep.list; \
 	for p in $(filter-out %/test_triangles,$(TEST_PROPERTY)); do \
 	    printf '%s\t%s\n' "$$p" "PEL_SCALE=$(DEEP_SCALE) $(T)/host/$$p"; \
 	done >>$(T)/deep.list; \

@@ -85,6 +85,4 @@ check-cpus: $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes) ## the golden scenes on other 
 deep-cpus: $(CPU_DEEP:%=$(BUILD)/cpus/%/scenes) ## the same for all CPUs, compilers and levels
 	printf '%s\n' $(call cpu_lines,$(CPU_DEEP)) | tests/tools/cpus.sh $(BUILD)
 
-deep: deep-cpus
-
 -include $(foreach b,$(CPU_BUILDS),$(wildcard $(BUILD)/cpus/$b/*/*/*.d))
