@@ -55,7 +55,7 @@ clean: ## remove build/
 	rm -rf $(BUILD)
 
 help: ## this list
-	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sort | \
+	@grep -hE '^[a-z-]+:.*##' $(filter-out %.d,$(MAKEFILE_LIST)) | sort | \
 	    sed -E 's/^([a-z-]+):.*## /\1\t/' | awk -F '\t' '{printf "%-20s %s\n", $$1, $$2}'
 
 -include $(CORE_OBJECTS:.o=.d)
