@@ -114,22 +114,24 @@ static bool fails(struct pel_display_linux *screen)
     return message_error("%s", screen->message.text);
 }
 
-/* One frame: PEL_OK, or an error of the device. */
-static enum pel_status show_frame(struct pel_display_linux *screen,
-                                  const struct device_picture *picture,
-                                  struct pel_pool *pool, struct job *job)
+/* One frame. False, with a message, when the device or the drawing fails. */
+static bool show_frame(struct pel_display_linux *screen,
+                       const struct device_picture *picture,
+                       struct pel_pool *pool, struct job *job)
 {
     struct pel_surface surface;
     enum pel_status status =
         pel_display_begin(&screen->display, &screen->area, &surface);
     if (status != PEL_OK)
-        return status;
+        return fails(screen);
     pel_clear(&surface, PEL_RGB(0, 0, 0));
     struct canvas canvas = place(&surface, picture);
     if (!draw_in(pool, &canvas, job))
-        return PEL_OK;
+        return false;
     status = pel_display_flush(&screen->display, &surface);
-    return status == PEL_OK ? pel_display_flip(&screen->display) : status;
+    if (status == PEL_OK)
+        status = pel_display_flip(&screen->display);
+    return status == PEL_OK || fails(screen);
 }
 
 static bool show(struct pel_display_linux *screen,
@@ -138,10 +140,8 @@ static bool show(struct pel_display_linux *screen,
     struct job job = {picture->draw, picture->context, 0};
     enum pel_console_event event;
     do {
-        if (show_frame(screen, picture, pool, &job) != PEL_OK)
+        if (!show_frame(screen, picture, pool, &job))
             return false;
-        if (job.failed)
-            return true;
         do
             event = pel_display_linux_wait(screen, -1);
         while (event == PEL_CONSOLE_NOTHING);
@@ -171,5 +171,5 @@ bool device_show(const struct device_options *o,
     const bool shown = show(&screen, picture, &pool);
     pel_pool_end(&pool);
     pel_display_linux_close(&screen);
-    return shown || fails(&screen);
+    return shown;
 }

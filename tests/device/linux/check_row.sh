@@ -28,7 +28,8 @@ do
     cp "$asset" "$share/"
     cp "$asset" "$share/scenes/"
 done
-for program in pel pel_no_restore fb_mode console_state faults frames; do
+for program in pel pel_no_restore pel_no_draw fb_mode console_state faults \
+    frames; do
     ln "$build/guest/$program" "$share/$program" 2> /dev/null ||
         cp "$build/guest/$program" "$share/$program"
 done
@@ -93,10 +94,10 @@ compare() { # NAME SCENE FORMAT WIDTH HEIGHT DAC_BITS
 
 : > "$result"
 begun=$(date +%s)
-machine > "$share/log" 2>&1 || {
-    echo "FAIL $row: the guest's status is not 0"
-    grep -E 'FAIL|^vm:|Oops|panic' "$share/log"
-} >> "$result"
+machine > "$share/log" 2>&1 ||
+    echo "FAIL $row: the guest's status is not 0" >> "$result"
+grep -E '^FAIL|^vm:|Oops|panic' "$share/log" | sed '/^FAIL/!s/^/FAIL /' \
+    >> "$result"
 equal=0
 pictures=0
 while read -r name scene format width height dac; do

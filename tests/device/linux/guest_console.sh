@@ -150,6 +150,23 @@ no_restore_matrix() {
     pass "pel console --reset repairs"
 }
 
+# A picture that cannot be drawn is an error, with one thread and with more.
+no_draw_case() { # JOBS
+    before=$(state)
+    start /mnt/pel_no_draw run /mnt/reference.pel --device $device --jobs "$1"
+    ! wait_drawn || {
+        fail "not drawn with --jobs $1: pel shows it all the same"
+        kill $pid
+    }
+    wait $pid
+    status=$?
+    if [ $status = 2 ] && state_becomes "$before"; then
+        pass "a failed picture with --jobs $1 ends with status 2"
+    else
+        fail "not drawn with --jobs $1: status $status: $(cat $log)"
+    fi
+}
+
 # Who is not in the group video is told so; who is, draws.
 access() {
     printf 'root:x:0:\nvideo:x:44:member\nplain:x:1000:\nmember:x:1001:\n' \
@@ -224,8 +241,8 @@ member_case() { # WHERE STATE MESSAGE
 
 faults() { # DEVICE
     before=$(state)
-    /mnt/faults "$1" <&3 2>&1 | sed "s/^PASS/PASS $row:/" ||
-        fail "faults"
+    /mnt/faults "$1" <&3 > /tmp/faults 2>&1 || fail "faults on $1"
+    sed "s/^PASS/PASS $row:/" /tmp/faults
     state_becomes "$before" || fail "faults: $before, $(state)"
 }
 

@@ -129,6 +129,8 @@ row_console() {
     . /mnt/guest_console.sh
     kill_matrix
     overflow_case
+    no_draw_case 1
+    no_draw_case 2
     no_restore_matrix
 }
 

@@ -17,8 +17,8 @@ LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 
 LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display vm screen_check \
                reference)
-LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore fb_mode \
-               console_state faults frames)
+LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
+               pel_no_draw fb_mode console_state faults frames)
 LINUX_STATIC := $(LINUX_CHECK)/static
 LINUX_CFLAGS := -std=gnu99 $(WARNINGS) -O2 -I.
 # getgrgid in a static program is what the linker warns of: the guest has files.
@@ -59,10 +59,13 @@ $(LINUX_CHECK)/guest/pel: linux-static
 LINUX_STATIC_OBJECTS = $(LINUX_OBJECTS:$(BUILD)/%=$(LINUX_STATIC)/%)
 LINUX_STATIC_SIM = $(SIM_OBJECTS:$(BUILD)/%=$(LINUX_STATIC)/%)
 
-$(LINUX_CHECK)/guest/pel_no_restore: $(LINUX_HERE)/no_restore.c linux-static
+# pel with one function that does nothing.
+LINUX_WRAP_no_restore := pel_console_state_restore
+LINUX_WRAP_no_draw := scene_draw
+$(LINUX_CHECK)/guest/pel_%: $(LINUX_HERE)/%.c linux-static
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_STATIC_FLAGS) \
-	    -Wl,--wrap=pel_console_state_restore $< $(LINUX_STATIC_SIM) \
+	    -Wl,--wrap=$(LINUX_WRAP_$*) $< $(LINUX_STATIC_SIM) \
 	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
 
 $(LINUX_CHECK)/guest/frames: $(LINUX_HERE)/frames.c linux-static
