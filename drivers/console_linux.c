@@ -148,6 +148,11 @@ int pel_console_take(int framebuffer, const struct pel_console_hooks *hooks,
 {
     static const struct pel_console_hooks none;
     pel_message_set(message, "%s", "");
+    if (console.taken) {
+        pel_message_set(message, "this program has the console already, for "
+                                 "another display: close that first");
+        return EBUSY;
+    }
     console.hooks = hooks ? *hooks : none;
     console.state.framebuffer = framebuffer;
     find_terminal(&console.state);
@@ -205,10 +210,12 @@ static uint32_t next_switch(void)
     return n == (ssize_t)sizeof(info) ? info.ssi_signo : 0;
 }
 
+/* The signals may come from anyone: what counts is which terminal is shown. */
 static void wait_for_return(void)
 {
     struct pollfd line = {.fd = console.switches, .events = POLLIN};
-    while (next_switch() != SIGUSR2)
+    while (next_switch() != SIGUSR2 ||
+           !pel_console_state_is_shown(&console.state))
         poll(&line, 1, -1);
 }
 
@@ -220,10 +227,12 @@ enum pel_console_event pel_console_check(void)
     while (next_switch() == SIGUSR1) {
         if (console.hooks.leave)
             console.hooks.leave(console.hooks.context);
-        pel_linux_ioctl_number(console.state.tty, VT_RELDISP, 1);
-        wait_for_return();
-        pel_linux_ioctl_number(console.state.tty, VT_RELDISP, VT_ACKACQ);
-        pel_linux_ioctl_number(console.state.tty, KDSETMODE, KD_GRAPHICS);
+        /* Refused when nobody asked for a switch: then there is none. */
+        if (pel_linux_ioctl_number(console.state.tty, VT_RELDISP, 1) == 0) {
+            wait_for_return();
+            pel_linux_ioctl_number(console.state.tty, VT_RELDISP, VT_ACKACQ);
+            pel_linux_ioctl_number(console.state.tty, KDSETMODE, KD_GRAPHICS);
+        }
         if (console.hooks.enter)
             console.hooks.enter(console.hooks.context);
         event = PEL_CONSOLE_REDRAW;
@@ -242,7 +251,8 @@ enum pel_console_event pel_console_wait(int milliseconds)
     if (n > 0 && lines[0].revents && pel_console_check() == PEL_CONSOLE_REDRAW)
         return PEL_CONSOLE_REDRAW;
     if (n > 0 && lines[1].revents) {
-        if (read(console.state.input, &key, 1) < 0 && errno == EINTR)
+        if (read(console.state.input, &key, 1) < 0 &&
+            (errno == EINTR || errno == EAGAIN))
             return PEL_CONSOLE_NOTHING;
         return PEL_CONSOLE_KEY;
     }

@@ -25,7 +25,7 @@
 #include "console_linux_state.h"
 
 enum pel_console_event {
-    PEL_CONSOLE_NOTHING, /* the time is over */
+    PEL_CONSOLE_NOTHING, /* the time is over, or a signal came */
     PEL_CONSOLE_KEY,     /* a key was pressed, or the input has ended */
     PEL_CONSOLE_REDRAW   /* shown again: all pixels are lost */
 };
@@ -40,7 +40,8 @@ struct pel_console_hooks {
 
 /* Takes the console; `framebuffer` is an open fbdev device whose mode and
  * palette are to be saved, or -1. 0, with a note or an empty message; or an
- * errno, with the message telling why, and everything as before. */
+ * errno, with the message telling why, and everything as before: EBUSY while it
+ * is taken. */
 int pel_console_take(int framebuffer, const struct pel_console_hooks *hooks,
                      struct pel_message *message);
 
@@ -64,8 +65,9 @@ enum pel_console_event pel_console_wait(int milliseconds);
 
 /* Repairs a virtual terminal that something left in graphics mode, with a raw
  * keyboard, without echo or without its cursor: text mode, Unicode keyboard,
- * automatic switching, sane settings. `path` is /dev/ttyN, or /dev/tty0 for the
- * one that is shown. 0 or an errno, with the message. */
+ * automatic switching, sane settings. `path` is /dev/ttyN, or NULL for the one
+ * that the program runs on, and where it does not run on one (ssh) for the one
+ * that is shown, which needs root. 0 or an errno, with the message. */
 int pel_console_reset(const char *path, struct pel_message *message);
 
 #endif

@@ -2,7 +2,6 @@
 #include "console_linux_guardian.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <signal.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -23,14 +22,11 @@ static void close_others(const struct pel_console_state *state, int line)
 
 /* A byte on the line means that there is nothing left to do; its end without
  * one that the process died. Descriptor 0 stays open: its flags are restored
- * too. */
+ * too. All signals are blocked. */
 static void watch(const struct pel_console_state *state, int line)
 {
     char byte;
     ssize_t n;
-    sigset_t all;
-    sigfillset(&all);
-    sigprocmask(SIG_SETMASK, &all, NULL);
     setpgid(0, 0);
     close_others(state, line);
     do
@@ -45,21 +41,25 @@ int pel_guardian_start(struct pel_guardian *guardian,
                        const struct pel_console_state *state)
 {
     int line[2];
+    sigset_t all, before;
     guardian->line = -1;
-    if (socketpair(AF_UNIX, SOCK_STREAM, 0, line))
+    if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, line))
         return errno;
+    /* No handler of the program may run in the guardian. */
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
     guardian->process = fork();
     if (guardian->process == 0) {
         close(line[1]);
         watch(state, line[0]);
     }
     int error = errno;
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
     close(line[0]);
     if (guardian->process < 0) {
         close(line[1]);
         return error;
     }
-    fcntl(line[1], F_SETFD, FD_CLOEXEC);
     guardian->line = line[1];
     return 0;
 }

@@ -36,39 +36,63 @@ static bool show_cursor(int fd)
     return n > 0;
 }
 
+/* The first failure is the one to tell. */
+static void note(struct pel_message *message, const char *what, int *error)
+{
+    if (*error)
+        return;
+    *error = errno;
+    pel_message_errno(message, what, *error);
+}
+
+/* Goes on after a failure: the less is broken, the better. */
 static int reset(int fd, struct pel_message *message)
 {
     struct vt_mode automatic = {.mode = VT_AUTO};
-    const char *failed = NULL;
+    int error = 0;
     if (pel_linux_ioctl(fd, VT_SETMODE, &automatic))
-        failed = "cannot set automatic switching (VT_SETMODE)";
-    else if (pel_linux_ioctl_number(fd, KDSKBMODE, K_UNICODE))
-        failed = "cannot set the keyboard mode (KDSKBMODE)";
-    else if (pel_linux_ioctl_number(fd, KDSETMODE, KD_TEXT))
-        failed = "cannot set text mode (KDSETMODE)";
-    int error = errno;
+        note(message, "cannot set automatic switching (VT_SETMODE)", &error);
+    if (pel_linux_ioctl_number(fd, KDSKBMODE, K_UNICODE))
+        note(message, "cannot set the keyboard mode (KDSKBMODE)", &error);
+    if (pel_linux_ioctl_number(fd, KDSETMODE, KD_TEXT))
+        note(message, "cannot set text mode (KDSETMODE)", &error);
     sane_settings(fd);
-    if (!show_cursor(fd) && !failed) {
-        error = errno;
-        failed = "cannot write to the terminal";
-    }
-    if (!failed)
-        return 0;
-    pel_message_errno(message, failed, error);
+    if (!show_cursor(fd))
+        note(message, "cannot write to the terminal", &error);
     return error;
+}
+
+static bool is_virtual(int fd)
+{
+    int mode;
+    return pel_linux_ioctl(fd, KDGETMODE, &mode) == 0;
+}
+
+/* Whoever sits at a terminal may set it without being root. */
+static int open_own(void)
+{
+    int fd = pel_linux_open("/dev/tty", O_RDWR | O_NOCTTY);
+    if (fd < 0 || is_virtual(fd))
+        return fd;
+    close(fd);
+    return -1;
 }
 
 int pel_console_reset(const char *path, struct pel_message *message)
 {
-    int mode;
-    int fd = pel_linux_open(path, O_RDWR | O_NOCTTY);
+    int fd = path ? -1 : open_own();
+    if (!path)
+        path = "/dev/tty0";
+    if (fd < 0)
+        fd = pel_linux_open(path, O_RDWR | O_NOCTTY);
     if (fd < 0) {
         int error = errno;
-        pel_message_open(message, path, error);
+        pel_message_open(message, path, error,
+                         "has this machine virtual terminals? ls /dev/tty*");
         return error;
     }
     int error = 0;
-    if (pel_linux_ioctl(fd, KDGETMODE, &mode)) {
+    if (!is_virtual(fd)) {
         error = errno;
         pel_message_set(message,
                         "%s is not a virtual terminal; give one with "

@@ -50,7 +50,7 @@ static int save_framebuffer(struct pel_console_state *s,
         return failed(message, "cannot read the framebuffer's mode");
     s->has_palette = fixed.visual == FB_VISUAL_PSEUDOCOLOR ||
                      fixed.visual == FB_VISUAL_DIRECTCOLOR;
-    if (fixed.visual == FB_VISUAL_DIRECTCOLOR)
+    if (fixed.visual == FB_VISUAL_DIRECTCOLOR && s->variables.green.length < 8)
         s->palette_length = 1u << s->variables.green.length;
     map = palette_of(s);
     if (s->has_palette && pel_linux_ioctl(s->framebuffer, FBIOGETCMAP, &map))
@@ -90,16 +90,20 @@ bool pel_console_state_restore_framebuffer(
     return done;
 }
 
+bool pel_console_state_is_shown(const struct pel_console_state *state)
+{
+    struct vt_stat now;
+    return state->tty < 0 || state->number < 1 ||
+           pel_linux_ioctl(state->tty, VT_GETSTATE, &now) ||
+           now.v_active == state->number;
+}
+
 /* Only if ours is the terminal shown does another one have to come back: who
  * switched away meant it. */
 static bool restore_active(const struct pel_console_state *s)
 {
-    struct vt_stat now;
-    if (s->active == s->number)
-        return true;
-    if (pel_linux_ioctl(s->tty, VT_GETSTATE, &now))
-        return false;
-    return now.v_active != s->number ||
+    return s->number < 1 || s->active == s->number ||
+           !pel_console_state_is_shown(s) ||
            pel_linux_ioctl_number(s->tty, VT_ACTIVATE,
                                   (unsigned long)s->active) == 0;
 }
@@ -117,7 +121,8 @@ static bool restore_terminal(const struct pel_console_state *s)
 
 bool pel_console_state_restore(const struct pel_console_state *state)
 {
-    bool done = pel_console_state_restore_framebuffer(state);
+    bool done = !pel_console_state_is_shown(state) ||
+                pel_console_state_restore_framebuffer(state);
     if (state->tty >= 0)
         done &= restore_terminal(state);
     if (state->input >= 0)

@@ -36,9 +36,13 @@ struct pel_console_state {
 int pel_console_state_save(struct pel_console_state *state,
                            struct pel_message *message);
 
-/* Puts everything back. Goes on after a failure: what can be restored, is.
- * False when something could not. Safe in a signal handler, and in any process
- * that holds the descriptors. */
+/* Is the virtual terminal the one that is shown? True where there is none. */
+bool pel_console_state_is_shown(const struct pel_console_state *state);
+
+/* Puts everything back; the framebuffer's mode and palette only while the
+ * terminal is shown, as they belong to whoever is. Goes on after a failure:
+ * what can be restored, is. False when something could not. Safe in a signal
+ * handler, and in any process that holds the descriptors. */
 bool pel_console_state_restore(const struct pel_console_state *state);
 
 /* The mode and the palette of the framebuffer alone. */

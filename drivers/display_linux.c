@@ -19,13 +19,14 @@ struct choice {
     const char *why;
 };
 
-static int refuse(struct pel_display_linux *screen, const char *name)
+static int refuse(struct pel_display_linux *screen, const char *name,
+                  const struct choice *choice)
 {
     pel_message_set(&screen->message,
-                    "unknown device '%.200s'; use fb:/dev/fb0, "
+                    "unknown device '%.200s', %s; use fb:/dev/fb0, "
                     "fb:/dev/fb0,direct (or shadow, pages), or "
                     "drm:/dev/dri/card0",
-                    name);
+                    name, choice->why);
     return EINVAL;
 }
 
@@ -53,10 +54,10 @@ static int parse(struct pel_display_linux *screen, const char *name,
     }
     size_t length = strcspn(path, ",");
     if (path[0] != '/' || length >= sizeof(choice->path))
-        return refuse(screen, name);
+        return refuse(screen, name, choice);
     if (path[length] == ',' && (choice->kind != PEL_LINUX_FB ||
                                 !parse_way(path + length + 1, &choice->way)))
-        return refuse(screen, name);
+        return refuse(screen, name, choice);
     memcpy(choice->path, path, length);
     choice->path[length] = 0;
     return 0;
@@ -89,13 +90,22 @@ static const char *way_name(enum pel_fb_way way)
                                   : "drawn directly";
 }
 
+/* Of those that devices have. */
 static const char *format_name(const struct pel_format *format)
 {
-    static const char *const names[] = {
-        "",         "rgb565_le", "rgb565_be", "bgr565_le", "xrgb1555_le",
-        "rgb888",   "bgr888",    "xrgb8888",  "xbgr8888",  "rgbx8888",
-        "bgrx8888", "rgb332",    "gray8"};
-    return format->id <= PEL_FORMAT_GRAY8 ? names[format->id] : "?";
+    static const char *const names[] = {[PEL_FORMAT_RGB565_LE] = "rgb565_le",
+                                        [PEL_FORMAT_BGR565_LE] = "bgr565_le",
+                                        [PEL_FORMAT_XRGB1555_LE] =
+                                            "xrgb1555_le",
+                                        [PEL_FORMAT_RGB888] = "rgb888",
+                                        [PEL_FORMAT_BGR888] = "bgr888",
+                                        [PEL_FORMAT_XRGB8888] = "xrgb8888",
+                                        [PEL_FORMAT_XBGR8888] = "xbgr8888",
+                                        [PEL_FORMAT_RGBX8888] = "rgbx8888",
+                                        [PEL_FORMAT_BGRX8888] = "bgrx8888",
+                                        [PEL_FORMAT_RGB332] = "rgb332",
+                                        [PEL_FORMAT_GRAY8] = "gray8"};
+    return names[format->id];
 }
 
 static void tell(struct pel_display_linux *screen, const struct choice *choice,
@@ -118,6 +128,16 @@ static void fb_leave(void *context)
     pel_console_restore_framebuffer();
 }
 
+static int take_console(struct pel_display_linux *screen, int framebuffer,
+                        const struct pel_console_hooks *hooks)
+{
+    int error = pel_console_take(framebuffer, hooks, &screen->console);
+    screen->has_console = !error;
+    if (error)
+        screen->message = screen->console;
+    return error;
+}
+
 static int open_fb(struct pel_display_linux *screen,
                    const struct choice *choice)
 {
@@ -126,10 +146,8 @@ static int open_fb(struct pel_display_linux *screen,
     int error = pel_display_fb_open(fb, choice->path, &screen->message);
     if (error)
         return error;
-    error = pel_console_take(fb->fd, &hooks, &screen->console);
-    if (error)
-        screen->message = screen->console;
-    else
+    error = take_console(screen, fb->fd, &hooks);
+    if (!error)
         error = pel_display_fb_start(&screen->display, fb, choice->way);
     if (!error)
         tell(screen, choice, fb->mode.fixed.id, way_name(fb->way));
@@ -148,7 +166,8 @@ static void drm_leave(void *context)
     pel_display_drm_leave(context);
 }
 
-/* Of several devices, some only compute: a Raspberry Pi has one of each. */
+/* Of several devices, some only compute: a Raspberry Pi has one of each. Who
+ * may not open one is told so, and not what the others lack. */
 static int find_drm(struct pel_display_linux *screen, struct choice *choice)
 {
     struct pel_display_drm *drm = &screen->device.drm;
@@ -159,7 +178,7 @@ static int find_drm(struct pel_display_linux *screen, struct choice *choice)
     pel_message_set(&screen->message, "no display: there is neither /dev/fb0 "
                                       "nor /dev/dri/card0; is the driver "
                                       "loaded?");
-    for (int i = 0; error && i < CARDS; i++) {
+    for (int i = 0; error && error != EACCES && i < CARDS; i++) {
         snprintf(choice->path, sizeof(choice->path), "/dev/dri/card%d", i);
         if (access(choice->path, F_OK) == 0)
             error = pel_display_drm_open(drm, choice->path, &screen->message);
@@ -174,10 +193,8 @@ static int open_drm(struct pel_display_linux *screen, struct choice *choice)
     int error = find_drm(screen, choice);
     if (error)
         return error;
-    error = pel_console_take(-1, &hooks, &screen->console);
-    if (error)
-        screen->message = screen->console;
-    else
+    error = take_console(screen, -1, &hooks);
+    if (!error)
         error = pel_display_drm_start(&screen->display, drm);
     if (!error)
         tell(screen, choice, "DRM", "two buffers, flipped");
@@ -235,13 +252,16 @@ enum pel_console_event pel_display_linux_wait(struct pel_display_linux *screen,
                              : pel_console_wait(milliseconds);
 }
 
+/* The output's picture comes back before the console's text, which is drawn
+ * onto it; a framebuffer's mode comes back with the console, through its
+ * descriptor. */
 void pel_display_linux_close(struct pel_display_linux *screen)
 {
-    if (screen->kind == PEL_LINUX_DRM) {
+    if (screen->kind == PEL_LINUX_DRM)
         close_drm(screen);
+    if (screen->has_console)
         pel_console_give_back();
-    } else {
-        pel_console_give_back();
+    screen->has_console = false;
+    if (screen->kind == PEL_LINUX_FB)
         pel_display_fb_close(&screen->device.fb);
-    }
 }

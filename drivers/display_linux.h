@@ -1,4 +1,5 @@
 /* A display of a Linux device, found, opened and given back with its console.
+ * PEL_WITH_DRM (0 or 1) is the same in all files of a program.
  *
  *     struct pel_display_linux screen;
  *     if (pel_display_linux_open(&screen, NULL, PEL_FB_ANY) != PEL_OK)
@@ -8,8 +9,8 @@
  *         pel_display_begin(&screen.display, &screen.area, &surface);
  *         ...draw...
  *         pel_display_flush(&screen.display, &surface);
- *         pel_display_flip(&screen.display);
- *     } while (pel_display_linux_wait(&screen, -1) == PEL_CONSOLE_REDRAW);
+ *     } while (pel_display_flip(&screen.display) == PEL_OK &&
+ *              pel_display_linux_wait(&screen, -1) != PEL_CONSOLE_KEY);
  *     pel_display_linux_close(&screen);
  *
  * One per process, because of the console; console_linux.h tells what happens
@@ -19,6 +20,9 @@
 
 #include "console_linux.h"
 #include "display_linux_fb.h"
+#ifndef PEL_WITH_DRM
+#define PEL_WITH_DRM 0
+#endif
 #if PEL_WITH_DRM
 #include "display_linux_drm.h"
 #endif
@@ -29,6 +33,7 @@ struct pel_display_linux {
     struct pel_display display;
     struct pel_rect area; /* the whole screen */
     enum pel_linux_kind kind;
+    bool has_console;
     union {
         struct pel_display_fb fb;
 #if PEL_WITH_DRM
@@ -49,7 +54,8 @@ struct pel_display_linux {
  *                                      is none, the first of /dev/dri/card0
  *                                      to card7 that has a screen
  * `way` is for framebuffers that `name` gives none for. The struct is not moved
- * while open. PEL_ERROR_DEVICE, with the message, and everything as before. */
+ * while open. PEL_ERROR_DEVICE, with the message, and everything as before:
+ * so too when this process has a display open already. */
 enum pel_status pel_display_linux_open(struct pel_display_linux *screen,
                                        const char *name, enum pel_fb_way way);
 

@@ -92,22 +92,29 @@ static void flip_done(int fd, unsigned int frame, unsigned int seconds,
     drm->flipping = false;
 }
 
-static enum pel_status drm_wait(const struct pel_display *display)
+/* Until no page flip is on its way. */
+static enum pel_status finish_flip(struct pel_display_drm *drm)
 {
-    struct pel_display_drm *drm = display->context;
     drmEventContext events = {.version = 2, .page_flip_handler = flip_done};
     while (drm->flipping) {
         struct pollfd line = {.fd = drm->fd, .events = POLLIN};
         int n = poll(&line, 1, FLIP_TIMEOUT);
         if (n < 0 && errno == EINTR)
             continue;
-        if (n == 0)
-            errno = ETIMEDOUT;
+        if (n >= 0)
+            errno = n ? ENODEV : ETIMEDOUT;
         if (n <= 0 || (line.revents & (POLLERR | POLLHUP)) ||
-            drmHandleEvent(drm->fd, &events))
+            drmHandleEvent(drm->fd, &events)) {
+            drm->flipping = false;
             return gone(drm, "the display does not finish a page flip");
+        }
     }
     return PEL_OK;
+}
+
+static enum pel_status drm_wait(const struct pel_display *display)
+{
+    return finish_flip(display->context);
 }
 
 static enum pel_status drm_begin(const struct pel_display *display,
@@ -115,7 +122,7 @@ static enum pel_status drm_begin(const struct pel_display *display,
                                  struct pel_surface *surface)
 {
     struct pel_display_drm *drm = display->context;
-    enum pel_status status = drm_wait(display);
+    enum pel_status status = finish_flip(drm);
     *surface = drm->buffer[drm->back].surface;
     pel_surface_clip(surface, area);
     return status;
@@ -154,7 +161,10 @@ static enum pel_status drm_flip(const struct pel_display *display)
         drm->no_flips = !drm->flipping;
     }
     if (!drm->flipping && show_and_announce(drm, id))
-        return gone(drm, "the display does not show a frame");
+        return gone(drm, errno == EACCES || errno == EBUSY
+                             ? "another program, a desktop perhaps, has the "
+                               "screen"
+                             : "the display does not show a frame");
     drm->back = !drm->back;
     return PEL_OK;
 }
@@ -167,10 +177,11 @@ int pel_display_drm_open(struct pel_display_drm *drm, const char *path,
     drm->fd = pel_linux_open(path, O_RDWR);
     if (drm->fd < 0) {
         int error = errno;
-        pel_message_open(message, path, error);
+        pel_message_open(message, path, error,
+                         "is the driver loaded? ls /dev/dri/card*");
         return error;
     }
-    int error = pel_drm_find_output(drm);
+    int error = pel_drm_find_output(drm, path);
     if (error)
         pel_display_drm_close(drm);
     return error;
@@ -202,8 +213,11 @@ int pel_display_drm_start(struct pel_display *display,
     return error;
 }
 
+/* The event of a flip that is still on its way would later pass for that of
+ * another. */
 void pel_display_drm_leave(struct pel_display_drm *drm)
 {
+    finish_flip(drm);
     drmDropMaster(drm->fd);
 }
 
@@ -219,6 +233,7 @@ void pel_display_drm_close(struct pel_display_drm *drm)
     drmModeCrtc *before = drm->before;
     if (drm->fd < 0)
         return;
+    finish_flip(drm);
     if (drm->shown && before && before->buffer_id)
         drmModeSetCrtc(drm->fd, before->crtc_id, before->buffer_id, before->x,
                        before->y, &drm->connector, 1, &before->mode);

@@ -1,6 +1,7 @@
 #include "display_linux_drm_output.h"
 
 #include <errno.h>
+#include <string.h>
 
 static uint32_t crtc_of_encoder(int fd, uint32_t id, const drmModeRes *all)
 {
@@ -44,14 +45,14 @@ static int take(struct pel_display_drm *drm, const drmModeConnector *c,
     return drm->crtc != 0;
 }
 
-int pel_drm_find_output(struct pel_display_drm *drm)
+int pel_drm_find_output(struct pel_display_drm *drm, const char *path)
 {
     int found = 0;
     drmModeRes *all = drmModeGetResources(drm->fd);
     if (!all) {
         int error = errno ? errno : EINVAL;
-        pel_message_errno(drm->message, "no display behind this DRM device",
-                          error);
+        pel_message_set(drm->message, "%s is no DRM device with a display: %s",
+                        path, strerror(error));
         return error;
     }
     for (int i = 0; !found && i < all->count_connectors; i++) {
@@ -62,7 +63,9 @@ int pel_drm_find_output(struct pel_display_drm *drm)
     drmModeFreeResources(all);
     if (found)
         return 0;
-    pel_message_set(drm->message, "no screen is connected to this DRM device; "
-                                  "plug one in, or name another device");
+    pel_message_set(drm->message,
+                    "no screen is connected to %s; plug one in, or name "
+                    "another device",
+                    path);
     return ENODEV;
 }

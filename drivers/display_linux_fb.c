@@ -38,42 +38,13 @@ static struct pel_rect screen_of(const struct pel_display_fb *fb)
     return screen;
 }
 
-/* Palettes: 3 bits of red, 3 of green, 2 of blue, as in the index, widened by
- * repeating them. Direct colour: each channel a ramp. */
-static void color_map_value(const struct pel_display_fb *fb, uint32_t i,
-                            uint16_t rgb[3])
-{
-    if (fb->mode.fixed.visual == FB_VISUAL_DIRECTCOLOR) {
-        uint32_t most = (1u << fb->mode.variable.green.length) - 1;
-        uint32_t few = (1u << fb->mode.variable.red.length) - 1;
-        rgb[0] = rgb[2] = (uint16_t)((i < few ? i : few) * 65535 / few);
-        rgb[1] = (uint16_t)((i < most ? i : most) * 65535 / most);
-    } else {
-        pel_color c = fb->format->unpack(i);
-        rgb[0] = (uint16_t)(pel_red(c) * 257);
-        rgb[1] = (uint16_t)(pel_green(c) * 257);
-        rgb[2] = (uint16_t)(pel_blue(c) * 257);
-    }
-}
-
 static int set_color_map(struct pel_display_fb *fb)
 {
-    uint16_t channel[3][256], rgb[3];
-    struct fb_cmap map = {.len = 256};
-    uint32_t visual = fb->mode.fixed.visual;
-    if (visual != FB_VISUAL_PSEUDOCOLOR && visual != FB_VISUAL_DIRECTCOLOR)
-        return 0;
-    if (visual == FB_VISUAL_DIRECTCOLOR)
-        map.len = 1u << fb->mode.variable.green.length;
-    for (uint32_t i = 0; i < map.len; i++) {
-        color_map_value(fb, i, rgb);
-        for (int c = 0; c < 3; c++)
-            channel[c][i] = rgb[c];
-    }
-    map.red = channel[0];
-    map.green = channel[1];
-    map.blue = channel[2];
-    return pel_linux_ioctl(fb->fd, FBIOPUTCMAP, &map);
+    uint16_t channel[3][PEL_FB_COLORS];
+    struct fb_cmap map = {
+        .red = channel[0], .green = channel[1], .blue = channel[2]};
+    map.len = pel_fb_color_map(&fb->mode, fb->format, channel);
+    return map.len ? pel_linux_ioctl(fb->fd, FBIOPUTCMAP, &map) : 0;
 }
 
 static int pan(struct pel_display_fb *fb, uint32_t yoffset)
@@ -269,6 +240,15 @@ static enum pel_status fb_flip(const struct pel_display *display)
     return PEL_OK;
 }
 
+/* What the device is now; its format. */
+static int look(struct pel_display_fb *fb)
+{
+    if (read_mode(fb->fd, &fb->mode))
+        return failed(fb, "cannot read the framebuffer's mode");
+    fb->format = pel_fb_format(&fb->mode, fb->message);
+    return fb->format ? 0 : EINVAL;
+}
+
 int pel_display_fb_open(struct pel_display_fb *fb, const char *path,
                         struct pel_message *message)
 {
@@ -277,14 +257,13 @@ int pel_display_fb_open(struct pel_display_fb *fb, const char *path,
     fb->fd = pel_linux_open(path, O_RDWR);
     if (fb->fd < 0) {
         int error = errno;
-        pel_message_open(message, path, error);
+        pel_message_open(message, path, error,
+                         "is the driver loaded? ls /dev/fb*");
         return error;
     }
-    int error = 0;
-    if (read_mode(fb->fd, &fb->mode))
-        error = failed(fb, "cannot read the framebuffer's mode");
-    else if (!(fb->format = pel_fb_format(&fb->mode, message)))
-        error = EINVAL;
+    int error = look(fb);
+    if (error == ENOTTY)
+        pel_message_set(message, "%s is no framebuffer device", path);
     if (error)
         pel_display_fb_close(fb);
     return error;
@@ -293,6 +272,9 @@ int pel_display_fb_open(struct pel_display_fb *fb, const char *path,
 int pel_display_fb_start(struct pel_display *display, struct pel_display_fb *fb,
                          enum pel_fb_way way)
 {
+    int error = look(fb);
+    if (error)
+        return error;
     choose_way(fb, way);
     if (way == PEL_FB_PAGES && fb->way != PEL_FB_PAGES) {
         pel_message_set(fb->message,
@@ -304,7 +286,7 @@ int pel_display_fb_start(struct pel_display *display, struct pel_display_fb *fb,
     fb->back = fb->way == PEL_FB_PAGES && fb->mode.variable.yoffset == 0;
     if (set_color_map(fb))
         return failed(fb, "cannot set the colour map (FBIOPUTCMAP)");
-    int error = map_memory(fb);
+    error = map_memory(fb);
     if (!error && fb->way == PEL_FB_SHADOW)
         error = make_shadow(fb);
     *display = (struct pel_display){.context = fb,

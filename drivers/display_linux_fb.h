@@ -53,6 +53,16 @@ struct pel_display_fb {
     struct pel_message *message;
 };
 
+enum { PEL_FB_COLORS = 256 };
+
+/* The colour map that a mode of this format needs: red, green and blue of each
+ * value. Palettes get 3 bits of red, 3 of green, 2 of blue, as in the index;
+ * direct colour a ramp in each channel. The number of entries; 0: none needed.
+ */
+uint32_t pel_fb_color_map(const struct pel_fb_mode *mode,
+                          const struct pel_format *format,
+                          uint16_t map[3][PEL_FB_COLORS]);
+
 /* The format of a mode, or NULL with the message: the values, and why. */
 const struct pel_format *pel_fb_format(const struct pel_fb_mode *mode,
                                        struct pel_message *message);
@@ -62,7 +72,8 @@ const struct pel_format *pel_fb_format(const struct pel_fb_mode *mode,
 int pel_display_fb_open(struct pel_display_fb *fb, const char *path,
                         struct pel_message *message);
 
-/* Sets colour maps and pages, and fills `display`. An errno, or 0. The caller
+/* Reads the mode again, which a switch of terminals may have changed since,
+ * sets colour map and pages, and fills `display`. An errno, or 0. The caller
  * saved the device's state before (console_linux_state.h) and restores it. */
 int pel_display_fb_start(struct pel_display *display, struct pel_display_fb *fb,
                          enum pel_fb_way way);

@@ -85,6 +85,34 @@ static const struct pel_format *find(const struct pel_fb_mode *mode)
     return NULL;
 }
 
+/* Value i of a channel of that many bits, the last one from there on. */
+static uint16_t ramp(uint32_t i, uint32_t bits)
+{
+    const uint32_t last = (1u << bits) - 1;
+    return (uint16_t)((i < last ? i : last) * 65535 / last);
+}
+
+uint32_t pel_fb_color_map(const struct pel_fb_mode *mode,
+                          const struct pel_format *format,
+                          uint16_t map[3][PEL_FB_COLORS])
+{
+    const struct fb_var_screeninfo *v = &mode->variable;
+    const bool palette = mode->fixed.visual == FB_VISUAL_PSEUDOCOLOR;
+    uint32_t n = palette ? PEL_FB_COLORS : 1u << v->green.length;
+    if (!palette && mode->fixed.visual != FB_VISUAL_DIRECTCOLOR)
+        return 0;
+    for (uint32_t i = 0; i < n; i++) {
+        pel_color c = palette ? format->unpack(i) : 0;
+        map[0][i] =
+            palette ? (uint16_t)(pel_red(c) * 257) : ramp(i, v->red.length);
+        map[1][i] =
+            palette ? (uint16_t)(pel_green(c) * 257) : ramp(i, v->green.length);
+        map[2][i] =
+            palette ? (uint16_t)(pel_blue(c) * 257) : ramp(i, v->blue.length);
+    }
+    return n;
+}
+
 /* Does the visible part lie inside the memory, with lines apart? The height of
  * the memory does not follow from smem_len; it only bounds it. */
 static bool fits(const struct pel_fb_mode *mode, uint32_t bits)

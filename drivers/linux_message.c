@@ -38,15 +38,14 @@ static void denied(struct pel_message *message, const char *path)
                         path);
 }
 
-void pel_message_open(struct pel_message *message, const char *path, int error)
+void pel_message_open(struct pel_message *message, const char *path, int error,
+                      const char *missing)
 {
     if (error == EACCES)
         denied(message, path);
     else if (error == ENOENT || error == ENODEV || error == ENXIO)
-        pel_message_set(message,
-                        "cannot open %s: %s; is the driver loaded? "
-                        "ls /dev/fb* /dev/dri/card*",
-                        path, strerror(error));
+        pel_message_set(message, "cannot open %s: %s; %s", path,
+                        strerror(error), missing);
     else
         pel_message_set(message, "cannot open %s: %s", path, strerror(error));
 }

@@ -20,7 +20,9 @@ void pel_message_errno(struct pel_message *message, const char *what,
                        int error);
 
 /* Why `path` could not be opened, and what would help: for EACCES the group
- * that owns it and the usermod line. */
-void pel_message_open(struct pel_message *message, const char *path, int error);
+ * that owns it and the usermod line, for a device that is not there `missing`.
+ */
+void pel_message_open(struct pel_message *message, const char *path, int error,
+                      const char *missing);
 
 #endif

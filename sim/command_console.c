@@ -7,7 +7,7 @@
 #include "message.h"
 
 struct console_options {
-    const char *terminal;
+    const char *terminal; /* NULL: none was named */
     bool reset;
 };
 
@@ -17,7 +17,7 @@ static const struct argp_option options[] = {
     {"reset", OPTION_RESET, NULL, 0,
      "text mode, normal keyboard, echo and cursor again", 0},
     {"tty", OPTION_TTY, "/dev/ttyN", 0,
-     "this terminal instead of the one that is shown", 0},
+     "this terminal instead of your own, or over ssh the one that is shown", 0},
     {0},
 };
 
@@ -47,7 +47,7 @@ static const struct argp parser = {
     parse,
     NULL,
     "Repairs a console that something else left in graphics mode, or deaf.\v"
-    "Type it blindly, or run it from ssh as root.",
+    "Type it blindly on that console, or run it from ssh as root.",
     NULL,
     NULL,
     NULL,
@@ -55,7 +55,7 @@ static const struct argp parser = {
 
 int command_console(int argc, char **argv)
 {
-    struct console_options o = {"/dev/tty0", false};
+    struct console_options o = {NULL, false};
     struct pel_message message;
     arguments_parse(&parser, argc, argv, &o);
     if (!o.reset) {

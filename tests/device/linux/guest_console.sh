@@ -33,12 +33,19 @@ active_becomes() { # TERMINAL
     done
 }
 
-# Away to tty2 and back: the program lets go, waits, and draws all again.
+# Away to tty2 and back: the program lets go, waits, and draws all again. The
+# signals of a switch, sent by somebody else, neither stop it nor let it draw.
 switch_away_and_back() {
+    kill -USR1 $pid
+    usleep 200000
+    wait_drawn || return 1
+    settle
     dump "$row-before-switch"
     timeout 5 chvt 2 || return 1
     active_becomes 2 || return 1
     echo "another terminal" > /dev/tty2
+    kill -USR2 $pid
+    usleep 200000
     settle
     dump "$row-away"
     cmp -s "/mnt/$row-before-switch.ppm" "/mnt/$row-away.ppm" && return 1
@@ -110,6 +117,29 @@ kill_matrix() {
     done
 }
 
+# Ended while another terminal is shown: what a program there has set stays.
+away_case() { # HOW
+    /mnt/fb_mode 16 640 480 > /tmp/mode
+    before=$(state_of_terminal)
+    start $pel run /mnt/scenes/cover.pel --device $device
+    wait_drawn || fail "away, $1: not drawn: $(cat $log)"
+    timeout 5 chvt 2 && active_becomes 2 || fail "away, $1: tty2 is not shown"
+    /mnt/fb_mode 24 640 480 > /tmp/mode_set
+    kill -"$1" $pid
+    wait $pid
+    usleep 500000
+    /mnt/fb_mode > /tmp/mode_left
+    cmp -s /tmp/mode_set /tmp/mode_left ||
+        fail "away, $1: $(cat /tmp/mode_set) became $(cat /tmp/mode_left)"
+    /mnt/fb_mode 16 640 480 > /tmp/mode
+    timeout 5 chvt 1 && active_becomes 1 || fail "away, $1: tty1 is not shown"
+    if [ "$(state_of_terminal)" = "$before" ]; then
+        pass "$1 while tty2 is shown: its mode stays"
+    else
+        fail "away, $1: before: $before, after: $(state_of_terminal)"
+    fi
+}
+
 # A crash of its own, with no stack left for the handler.
 overflow_case() {
     before=$(state)
@@ -167,6 +197,21 @@ no_draw_case() { # JOBS
     fi
 }
 
+# How often the device is asked for its vertical blank in 5 frames, and that
+# a second display is refused.
+session_case() { # DEVICE EXPECTED
+    before=$(state)
+    start /mnt/session "$1"
+    wait $pid
+    status=$?
+    if [ $status = 0 ] && [ "$(cat $log)" = "$2" ] && state_becomes "$before"
+    then
+        pass "$1: $2"
+    else
+        fail "$1: session: status $status: $(cat $log); not: $2"
+    fi
+}
+
 # Who is not in the group video is told so; who is, draws.
 access() {
     printf 'root:x:0:\nvideo:x:44:member\nplain:x:1000:\nmember:x:1001:\n' \
@@ -191,6 +236,20 @@ may: sudo usermod -aG video \$USER, then log in again"
     start setsid su member -c \
         'exec /mnt/pel run /mnt/reference.pel --device auto < /dev/null'
     member_case "without one" '^graphics 0 ' '^pel: not on a virtual terminal'
+}
+
+# Who sits at a console may repair it.
+reset_case() {
+    /mnt/console_state -scramble <&3
+    start su member -c 'exec /mnt/pel console --reset'
+    wait $pid
+    status=$?
+    if [ $status = 0 ] && state | grep -q '^graphics 0 keyboard 3 '; then
+        pass "a user repairs the console"
+    else
+        fail "a user's reset: status $status: $(cat $log): $(state)"
+    fi
+    exec 3<&- 3<> /dev/tty1
 }
 
 # What is taken when nothing is named, and what is said.

@@ -66,10 +66,13 @@ row_bochs() {
 row_access() {
     . /mnt/guest_console.sh
     access
+    reset_case
     choice
     device=drm:/dev/dri/card0
     ways="key TERM SEGV KILL switch"
     kill_matrix
+    session_case fb:/dev/fb0,shadow "5 waits for the vertical blank: done"
+    session_case drm:/dev/dri/card0 "0 waits for the vertical blank"
     vanish
 }
 
@@ -129,6 +132,11 @@ row_console() {
     . /mnt/guest_console.sh
     kill_matrix
     overflow_case
+    away_case TERM
+    away_case KILL
+    session_case fb:/dev/fb0,pages "1 wait for the vertical blank: ENOTTY"
+    session_case fb:/dev/fb0,shadow "1 wait for the vertical blank: ENOTTY"
+    session_case fb:/dev/fb0,direct "0 waits for the vertical blank"
     no_draw_case 1
     no_draw_case 2
     no_restore_matrix

@@ -272,9 +272,53 @@ static int check_places(void)
     return bad;
 }
 
+/* Entry i of the map of a mode is this colour, of 65535 each. */
+static int check_color(const struct pel_fb_mode *mode, unsigned count,
+                       unsigned i, const unsigned expected[3])
+{
+    uint16_t map[3][PEL_FB_COLORS];
+    struct pel_message message;
+    unsigned n = pel_fb_color_map(mode, pel_fb_format(mode, &message), map);
+    int right = n == count && (n == 0 || (map[0][i] == expected[0] &&
+                                          map[1][i] == expected[1] &&
+                                          map[2][i] == expected[2]));
+    if (!right)
+        printf("FAIL colour map: %u entries, entry %u wrong\n", n, i);
+    return !right;
+}
+
+static int check_color_maps(void)
+{
+    static const unsigned palette[3] = {0xB6B6, 0x4949, 0x5555};
+    static const unsigned direct[3] = {65535 * 20 / 31, 65535 * 20 / 63,
+                                       65535 * 20 / 31};
+    static const unsigned last[3] = {65535, 65535 * 40 / 63, 65535};
+    static const unsigned none[3] = {0, 0, 0};
+    struct pel_fb_mode mode = mode_of(&rows[0]);
+    int bad = check_color(&mode, 0, 0, none);
+    mode.fixed.visual = FB_VISUAL_DIRECTCOLOR;
+    bad += check_color(&mode, 64, 20, direct);
+    bad += check_color(&mode, 64, 40, last);
+    mode = mode_of(&rows[0]);
+    mode.variable.bits_per_pixel = 8;
+    mode.fixed.visual = FB_VISUAL_PSEUDOCOLOR;
+    bad += check_color(&mode, 256, 5 << 5 | 2 << 2 | 1, palette);
+    mode = mode_of(&rows[0]);
+    mode.variable.bits_per_pixel = 8;
+    mode.fixed.visual = FB_VISUAL_DIRECTCOLOR;
+    mode.variable.red.offset = 5;
+    mode.variable.red.length = mode.variable.green.length = 3;
+    mode.variable.green.offset = 2;
+    mode.variable.blue.length = 2;
+    static const unsigned few[3] = {65535 * 2 / 7, 65535 * 2 / 7,
+                                    65535 * 2 / 3};
+    bad += check_color(&mode, 8, 2, few);
+    return bad;
+}
+
 int main(void)
 {
-    int bad = check_places();
+    int bad = check_places() + check_color_maps();
     for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
         struct pel_fb_mode mode = mode_of(&rows[i]);
         bad += check(rows[i].name, &mode, rows[i].expected);

@@ -18,7 +18,7 @@ LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display vm screen_check \
                reference)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
-               pel_no_draw fb_mode console_state faults frames)
+               pel_no_draw fb_mode console_state faults frames session)
 LINUX_STATIC := $(LINUX_CHECK)/static
 LINUX_CFLAGS := -std=gnu99 $(WARNINGS) -O2 -I.
 # getgrgid in a static program is what the linker warns of: the guest has files.
@@ -59,18 +59,21 @@ $(LINUX_CHECK)/guest/pel: linux-static
 LINUX_STATIC_OBJECTS = $(LINUX_OBJECTS:$(BUILD)/%=$(LINUX_STATIC)/%)
 LINUX_STATIC_SIM = $(SIM_OBJECTS:$(BUILD)/%=$(LINUX_STATIC)/%)
 
-# pel with one function that does nothing.
+# The function that a program brings a version of its own of.
+LINUX_WRAP_session := ioctl
 LINUX_WRAP_no_restore := pel_console_state_restore
 LINUX_WRAP_no_draw := scene_draw
 $(LINUX_CHECK)/guest/pel_%: $(LINUX_HERE)/%.c linux-static
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_STATIC_FLAGS) \
-	    -Wl,--wrap=$(LINUX_WRAP_$*) $< $(LINUX_STATIC_SIM) \
+	    $(LINUX_WRAP_$*:%=-Wl$(comma)--wrap=%) $< $(LINUX_STATIC_SIM) \
 	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
 
-$(LINUX_CHECK)/guest/frames: $(LINUX_HERE)/frames.c linux-static
+$(LINUX_CHECK)/guest/frames $(LINUX_CHECK)/guest/session: \
+    $(LINUX_CHECK)/guest/%: $(LINUX_HERE)/%.c linux-static
 	@mkdir -p $(@D)
-	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) $< \
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) \
+	    $(LINUX_WRAP_$*:%=-Wl$(comma)--wrap=%) $< \
 	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
 
 $(LINUX_CHECK)/guest/faults: $(LINUX_HERE)/faults.c \
