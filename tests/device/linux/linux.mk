@@ -93,5 +93,7 @@ check-linux: linux-image ## fbdev, DRM and consoles on a real kernel in QEMU
 	@$(LINUX_CHECK)/layout
 	@$(LINUX_CHECK)/display
 	@$(LINUX_HERE)/jobs.sh $(BUILD)/pel $(LINUX_CHECK)/jobs
+	@$(LINUX_HERE)/messages.sh $(abspath $(BUILD)) \
+	    $(abspath $(LINUX_CHECK))/messages
 	@printf '%s\n' $(LINUX_ROWS) | xargs -P $(LINUX_JOBS) -n 1 \
 	    $(LINUX_HERE)/check_row.sh $(LINUX_CHECK) $(LINUX_CACHE)

@@ -1,0 +1,78 @@
+#!/bin/sh
+# messages.sh BUILD FOLDER: what a stranger is told on a machine without a
+# display, and the program of docs/linux.md, compiled as that says. Nothing here
+# opens a display that this machine may have.
+set -u
+pel=$1/pel
+folder=$2
+build=$1
+here=$(cd "$(dirname "$0")" && pwd)
+root=$here/../../..
+failures=0
+mkdir -p "$folder"
+unset FRAMEBUFFER
+
+# Status 2, nothing on standard output, one line that holds the text.
+refused() { # TEXT COMMAND...
+    text=$1
+    shift
+    "$@" > "$folder/out" 2> "$folder/err" < /dev/null
+    status=$?
+    [ $status = 2 ] && [ ! -s "$folder/out" ] &&
+        [ "$(wc -l < "$folder/err")" = 1 ] &&
+        grep -qF -e "$text" "$folder/err" && return
+    echo "FAIL messages: status $status, no '$text': $(cat "$folder/err")"
+    failures=$((failures + 1))
+}
+
+shown() { # TEXT DEVICE
+    refused "pel: $1" "$pel" run "$here/reference.pel" --device "$2"
+}
+
+shown "/dev/null is no framebuffer device" fb:/dev/null
+shown "/dev/null is no framebuffer device" /dev/null
+shown "cannot open /dev: Is a directory" fb:/dev
+shown "cannot open /dev/none: No such file or directory; is the driver loaded? \
+ls /dev/fb*" fb:/dev/none
+shown "unknown device 'fb0', asked for; use fb:/dev/fb0" fb0
+shown "unknown device 'fb:/dev/null,quick', asked for" fb:/dev/null,quick
+shown "unknown device 'drm:/dev/null,pages', asked for" drm:/dev/null,pages
+shown "unknown device '', asked for" ""
+FRAMEBUFFER=nonsense
+export FRAMEBUFFER
+shown "unknown device 'nonsense', named by FRAMEBUFFER; use" auto
+FRAMEBUFFER=/dev/null
+shown "/dev/null is no framebuffer device" auto
+if pkg-config --exists libdrm; then
+    shown "/dev/null is no DRM device with a display: " drm:/dev/null
+    shown "cannot open /dev/none: No such file or directory; is the driver \
+loaded? ls /dev/dri/card*" drm:/dev/none
+else
+    shown "/dev/null: this program was built without DRM" drm:/dev/null
+fi
+refused "pel: pel console does nothing by itself" "$pel" console
+refused "pel: /dev/null is not a virtual terminal; give one with --tty" \
+    "$pel" console --reset --tty /dev/null
+refused "pel: cannot open /dev/none: No such file or directory; has this \
+machine virtual terminals?" "$pel" console --reset --tty /dev/none
+
+# FRAMEBUFFER is /dev/null here too.
+guide=$root/docs/linux.md
+sed -n '/^    #include <stdio.h>/,/^    }$/p; /^    int main/,/^    }$/p' "$guide" |
+    sed 's/^    //' > "$folder/hello.c"
+sed -n 's/^    \(cc .*\)/\1/p' "$guide" |
+    sed "s|build/|$build/|; s|hello|$folder/hello|g" > "$folder/commands"
+[ "$(wc -l < "$folder/commands")" = 2 ] || {
+    echo "FAIL messages: docs/linux.md has not two commands that compile"
+    failures=$((failures + 1))
+}
+while read -r command; do
+    rm -f "$folder/hello"
+    (cd "$root" && sh -c "$command") || {
+        echo "FAIL messages: docs/linux.md: $command"
+        failures=$((failures + 1))
+    }
+    refused "/dev/null is no framebuffer device" "$folder/hello"
+done < "$folder/commands"
+
+[ $failures = 0 ] && echo "messages: all said as they should be"
