@@ -92,22 +92,32 @@ static void flip_done(int fd, unsigned int frame, unsigned int seconds,
     drm->flipping = false;
 }
 
+/* One event, or why there is none: 0 or an errno. */
+static int take_event(int fd)
+{
+    drmEventContext events = {.version = 2, .page_flip_handler = flip_done};
+    struct pollfd line = {.fd = fd, .events = POLLIN};
+    int n = poll(&line, 1, FLIP_TIMEOUT);
+    if (n == 0)
+        return ETIMEDOUT;
+    if (n > 0 && line.revents & (POLLERR | POLLHUP))
+        return ENODEV;
+    if (n < 0)
+        return errno;
+    errno = EIO;
+    return drmHandleEvent(fd, &events) ? errno : 0;
+}
+
 /* Until no page flip is on its way. */
 static enum pel_status finish_flip(struct pel_display_drm *drm)
 {
-    drmEventContext events = {.version = 2, .page_flip_handler = flip_done};
     while (drm->flipping) {
-        struct pollfd line = {.fd = drm->fd, .events = POLLIN};
-        int n = poll(&line, 1, FLIP_TIMEOUT);
-        if (n < 0 && errno == EINTR)
+        int error = take_event(drm->fd);
+        if (error == 0 || error == EINTR || error == EAGAIN)
             continue;
-        if (n >= 0)
-            errno = n ? ENODEV : ETIMEDOUT;
-        if (n <= 0 || (line.revents & (POLLERR | POLLHUP)) ||
-            drmHandleEvent(drm->fd, &events)) {
-            drm->flipping = false;
-            return gone(drm, "the display does not finish a page flip");
-        }
+        drm->flipping = false;
+        errno = error;
+        return gone(drm, "the display does not finish a page flip");
     }
     return PEL_OK;
 }
