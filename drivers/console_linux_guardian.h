@@ -12,12 +12,12 @@ struct pel_guardian {
     int line; /* the guardian watches its other end; -1: none */
 };
 
-/* Forks the guardian, which keeps a copy of `state` and the descriptors in it,
- * and nothing else of this process. It leaves the process group, so that
- * signals from the keyboard do not reach it, and ignores the others. It stays
- * in the session, because the right to set console modes comes with the
- * controlling terminal; a session leader without CAP_SYS_TTY_CONFIG that is
- * killed takes that right from it. 0 or an errno. */
+/* Forks the guardian, which keeps a copy of `state`, the descriptors in it and
+ * standard input, whose flags are in it, and no other descriptor. It leaves the
+ * process group, so that signals from the keyboard do not reach it, and ignores
+ * the others. It stays in the session, because the right to set console modes
+ * comes with the controlling terminal; a session leader without
+ * CAP_SYS_TTY_CONFIG that is killed takes that right from it. 0 or an errno. */
 int pel_guardian_start(struct pel_guardian *guardian,
                        const struct pel_console_state *state);
 

@@ -67,6 +67,12 @@ static bool has_two_pages(const struct pel_fb_mode *mode)
                mode->fixed.smem_len;
 }
 
+static bool same_channel(const struct fb_bitfield *a,
+                         const struct fb_bitfield *b)
+{
+    return a->offset == b->offset && a->length == b->length;
+}
+
 static bool same_layout(const struct pel_fb_mode *a,
                         const struct pel_fb_mode *b)
 {
@@ -74,6 +80,9 @@ static bool same_layout(const struct pel_fb_mode *a,
            a->variable.yres == b->variable.yres &&
            a->variable.xoffset == b->variable.xoffset &&
            a->variable.bits_per_pixel == b->variable.bits_per_pixel &&
+           same_channel(&a->variable.red, &b->variable.red) &&
+           same_channel(&a->variable.green, &b->variable.green) &&
+           same_channel(&a->variable.blue, &b->variable.blue) &&
            a->fixed.line_length == b->fixed.line_length &&
            a->fixed.visual == b->fixed.visual;
 }
@@ -219,6 +228,21 @@ static enum pel_status check_mode(struct pel_display_fb *fb)
     return PEL_ERROR_DEVICE;
 }
 
+static enum pel_status show_page(struct pel_display_fb *fb)
+{
+    if (pan(fb, (uint32_t)fb->back * fb->mode.variable.yres)) {
+        int error = errno;
+        enum pel_status status = check_mode(fb);
+        errno = error;
+        if (status == PEL_OK)
+            failed(fb, "the framebuffer does not pan any more");
+        return PEL_ERROR_DEVICE;
+    }
+    wait_for_vsync(fb);
+    fb->back = !fb->back;
+    return PEL_OK;
+}
+
 static enum pel_status fb_flip(const struct pel_display *display)
 {
     struct pel_display_fb *fb = display->context;
@@ -229,15 +253,10 @@ static enum pel_status fb_flip(const struct pel_display *display)
         wait_for_vsync(fb);
         copy_dirty(fb);
     } else if (fb->way == PEL_FB_PAGES) {
-        if (pan(fb, (uint32_t)fb->back * fb->mode.variable.yres)) {
-            failed(fb, "the framebuffer does not pan any more");
-            return PEL_ERROR_DEVICE;
-        }
-        wait_for_vsync(fb);
-        fb->back = !fb->back;
+        status = show_page(fb);
     }
     fb->dirty0 = fb->dirty1 = 0;
-    return PEL_OK;
+    return status;
 }
 
 /* What the device is now; its format. */

@@ -129,14 +129,14 @@ away_case() { # HOW
     wait $pid
     usleep 500000
     /mnt/fb_mode > /tmp/mode_left
-    cmp -s /tmp/mode_set /tmp/mode_left ||
-        fail "away, $1: $(cat /tmp/mode_set) became $(cat /tmp/mode_left)"
     /mnt/fb_mode 16 640 480 > /tmp/mode
     timeout 5 chvt 1 && active_becomes 1 || fail "away, $1: tty1 is not shown"
-    if [ "$(state_of_terminal)" = "$before" ]; then
-        pass "$1 while tty2 is shown: its mode stays"
-    else
+    if [ "$(state_of_terminal)" != "$before" ]; then
         fail "away, $1: before: $before, after: $(state_of_terminal)"
+    elif ! cmp -s /tmp/mode_set /tmp/mode_left; then
+        fail "away, $1: $(cat /tmp/mode_set) became $(cat /tmp/mode_left)"
+    else
+        pass "$1 while tty2 is shown: its mode stays"
     fi
 }
 
@@ -303,6 +303,23 @@ faults() { # DEVICE
     /mnt/faults "$1" <&3 > /tmp/faults 2>&1 || fail "faults on $1"
     sed "s/^PASS/PASS $row:/" /tmp/faults
     state_becomes "$before" || fail "faults: $before, $(state)"
+}
+
+# Another program sets another mode while frames are drawn: that ends them.
+mode_case() { # fb_mode's arguments...
+    /mnt/fb_mode 16 640 480 > /tmp/mode
+    before=$(state)
+    start /mnt/frames fb:/dev/fb0
+    sleep 1
+    /mnt/fb_mode "$@" > /tmp/mode || fail "mode $*: not set"
+    wait $pid
+    status=$?
+    if [ $status = 2 ] && grep -q 'another program changed' $log &&
+        state_becomes "$before"; then
+        pass "mode $*: $(tail -n 1 $log)"
+    else
+        fail "mode $*: status $status: $(cat $log): $before: $(state)"
+    fi
 }
 
 # The driver is taken away while frames are drawn.

@@ -80,6 +80,9 @@ row_faults() {
     . /mnt/guest_console.sh
     faults fb:/dev/fb0
     faults fb:/dev/fb0,shadow
+    mode_case 24 640 480
+    mode_case 16 800 480
+    mode_case 16 640 480 640 480 1
     $pel console --reset --tty /dev/tty1 || fail "pel console --reset"
     faults /dev/tty1
 }
