@@ -26,17 +26,18 @@ static uint32_t top_bit(const struct fb_var_screeninfo *v)
 }
 
 /* Bytes of a pixel: what the channels need, and more when lines are long enough
- * for it. bits_per_pixel, which some drivers get wrong, decides only where both
- * 3 and 4 bytes fit. */
+ * for it: as many as bits_per_pixel says, which some drivers get wrong, and 4
+ * rather than 3 unless it says 24. */
 static uint32_t pixel_bytes(const struct pel_fb_mode *mode)
 {
     const struct fb_var_screeninfo *v = &mode->variable;
     uint32_t needed = (top_bit(v) + 7) / 8;
     uint32_t width = v->xres_virtual > v->xres ? v->xres_virtual : v->xres;
     uint32_t room = width ? mode->fixed.line_length / width : 0;
-    if (needed == 3 && room >= 4 && v->bits_per_pixel != 24)
+    uint32_t told = (v->bits_per_pixel + 7) / 8;
+    if (needed == 3 && room >= 4 && told != 3)
         return 4;
-    return needed;
+    return told > needed && told <= room ? told : needed;
 }
 
 /* On palettes all channels tell the same: an index of that many bits. */
