@@ -5,10 +5,9 @@
 .PHONY: mutants
 
 # Without debug information, so that equal code makes equal objects. The default
-# build stops at undefined behaviour: a sum that overflows is noticed, whatever
-# comes of it.
-TEST_FLAGS_mutant_host := -O1 -fsanitize=undefined \
-    -fsanitize-undefined-trap-on-error
+# build stops at undefined behaviour and at memory that is not its own: such a
+# change is noticed, whatever comes of it.
+TEST_FLAGS_mutant_host := $(filter-out -g,$(TEST_SANITIZE))
 TEST_FLAGS_mutant_portable := -O1 -DPEL_FAST_64BIT=0 -DPEL_VECTORS=0
 MUTANT_BUILDS := mutant_host mutant_portable
 MUTANT_TESTS := $(sort $(shell sed -n 's/#.*//; s/^core[^:]*: *//; s/+//g; \
