@@ -8,7 +8,8 @@
 # build stops at undefined behaviour and at memory that is not its own: such a
 # change is noticed, whatever comes of it.
 TEST_FLAGS_mutant_host := $(filter-out -g,$(TEST_SANITIZE))
-TEST_FLAGS_mutant_portable := -O1 -DPEL_FAST_64BIT=0 -DPEL_VECTORS=0
+TEST_FLAGS_mutant_portable := -O1 -DPEL_FAST_64BIT=0 -DPEL_VECTORS=0 \
+    -DPEL_KNOW_SIDES=0
 MUTANT_BUILDS := mutant_host mutant_portable
 MUTANT_TESTS := $(sort $(shell sed -n 's/#.*//; s/^core[^:]*: *//; s/+//g; \
     s/:[0-9]*//g; p' tests/tools/mutants_tests.txt))

@@ -6,7 +6,8 @@
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 
-static const struct pel_rect bounds = {0, 0, 8, 8};
+/* Wider than the buffers of colours. */
+static const struct pel_rect bounds = {0, 0, 80, 8};
 
 /* A triangle without area covers nothing, and its set-up ends. */
 static void test_one_point_three_times(void **state)
@@ -37,7 +38,7 @@ static void test_one_point_three_times(void **state)
 static void test_alpha_0_touches_nothing(void **state)
 {
     static struct canvas canvas;
-    static const struct pel_point v[3] = {PEL_AT(-1, -1), PEL_AT(20, 0),
+    static const struct pel_point v[3] = {PEL_AT(-1, -1), PEL_AT(200, 0),
                                           PEL_AT(0, 20)};
     const pel_color c[3] = {0x00FF0000, 0x0000FF00, 0x000000FF};
     (void)state;
