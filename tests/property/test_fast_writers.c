@@ -121,12 +121,63 @@ static void test_many_rows(void **state)
     check_heights((const int32_t[]){40}, 1);
 }
 
+static void fill_fails(const struct pel_paint *paint,
+                       const struct pel_rows *rows)
+{
+    (void)paint;
+    fail_msg("format %d: the writer was not taken", rows->surface->format->id);
+}
+
+/* The writers are there for speed: what they are made for must not go the other
+ * way. Colours with alpha have one for all but xrgb1555_le. */
+static void test_writers_are_taken(void **state)
+{
+    static const struct pel_format *const all[] = {
+        &pel_xrgb8888,  &pel_xbgr8888,  &pel_rgbx8888,  &pel_bgrx8888,
+        &pel_rgb565_le, &pel_rgb565_be, &pel_bgr565_le, &pel_xrgb1555_le};
+    static const struct pel_point v[3] = {PEL_AT(1, 1), PEL_AT(20, 2),
+                                          PEL_AT(3, 20)};
+    static const pel_color colors[] = {0x00112233, 0xFF112233, 0x80112233};
+    (void)state;
+    for (size_t f = 0; f < sizeof all / sizeof *all; f++)
+        for (size_t i = 0; i < (f < 7 ? 3 : 2); i++) {
+            const struct pel_flat flat = {{fill_fails, pel_flat_fast},
+                                          colors[i]};
+            struct pel_surface s;
+            assert_int_equal(pel_surface_init(&s, all[f], memory[0], 32, 32),
+                             PEL_OK);
+            pel_triangle(&s, v, &flat.paint);
+        }
+}
+
+/* Opaque interpolated colours have two. */
+static void test_gouraud_writers_are_taken(void **state)
+{
+    static const struct pel_format *const all[] = {&pel_xrgb8888,
+                                                   &pel_rgb565_le};
+    static const struct pel_point v[3] = {PEL_AT(1, 1), PEL_AT(20, 2),
+                                          PEL_AT(3, 20)};
+    static const pel_color colors[3] = {0xFF000000, 0xFF112233, 0xFFFFFFFF};
+    (void)state;
+    for (size_t f = 0; f < sizeof all / sizeof *all; f++) {
+        struct pel_gouraud g;
+        struct pel_surface s;
+        assert_int_equal(pel_surface_init(&s, all[f], memory[0], 32, 32),
+                         PEL_OK);
+        assert_int_equal(pel_gouraud_init(&g, v, colors), PEL_OK);
+        g.paint.fill = fill_fails;
+        pel_triangle(&s, v, &g.paint);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_one_row),
         cmocka_unit_test(test_around_16_rows),
         cmocka_unit_test(test_many_rows),
+        cmocka_unit_test(test_writers_are_taken),
+        cmocka_unit_test(test_gouraud_writers_are_taken),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

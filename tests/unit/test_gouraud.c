@@ -89,9 +89,40 @@ static void test_what_is_refused(void **state)
     assert_int_equal(pel_gouraud_init(&g, far, c), PEL_ERROR_RANGE);
 }
 
+static void put_fails(const struct pel_surface *surface, int32_t x, int32_t y,
+                      int32_t n, const pel_color *colors)
+{
+    (void)surface;
+    (void)x;
+    (void)y;
+    (void)n;
+    (void)colors;
+    fail_msg("runs went through the buffer");
+}
+
+/* Opaque colours of a clipped triangle go straight into the pixels. */
+static void test_runs_are_direct(void **state)
+{
+    static const struct pel_point v[3] = {PEL_AT(-1, -1), PEL_AT(200, 0),
+                                          PEL_AT(0, 20)};
+    static const pel_color c[3] = {PEL_RGB(0, 0, 0), PEL_RGB(1, 2, 3),
+                                   PEL_RGB(255, 255, 255)};
+    static uint32_t pixels[64];
+    struct pel_format formats[2] = {pel_rgb565_le, pel_xrgb8888};
+    struct pel_surface s;
+    (void)state;
+    for (int f = 0; f < (PEL_FAST_64BIT ? 2 : 1); f++) {
+        formats[f].put = put_fails;
+        assert_int_equal(pel_surface_init(&s, &formats[f], pixels, 8, 8),
+                         PEL_OK);
+        pel_triangle_gouraud(&s, v, c);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_runs_are_direct),
         cmocka_unit_test(test_what_is_refused),
         cmocka_unit_test(test_alpha_0_touches_nothing),
         cmocka_unit_test(test_equal_colors_are_flat),
