@@ -157,6 +157,7 @@ for file; do
     [ -n "$(tests_of "$file")" ] || die "$file is not in mutants_tests.txt"
     active_lines "$file" >"$work/active"
     awk -v active="$work/active" -f $here/mutants.awk "$file" >"$work/new.txt"
+    [ -s "$work/new.txt" ] || die "$file is listed, and has nothing to change"
     dir=$work/$(echo "$file" | tr / _)
     sum=$(sum_of "$file")
     [ "$(cat "$dir/sum" 2>/dev/null)" = "$sum" ] || rm -rf "$dir"
