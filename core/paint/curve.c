@@ -2,20 +2,29 @@
 
 #include "../pel_config.h"
 
-/* Is every centre from (dx, dy) to `way` sub-pixels right of it at least
- * `limit` away from (0, 0)? */
-static bool is_far(int32_t dx, int32_t dy, int32_t way, int32_t limit)
-{
-    int32_t x = dx > 0 ? dx : pel_min(dx + way, 0);
-    return (int64_t)x * x + (int64_t)dy * dy >= (int64_t)limit * limit;
-}
-
 /* A run's curve, paint and row. */
 struct row {
     const struct pel_curve *curve;
     const void *paint;
-    int32_t dy; /* from the centre */
+    int32_t dy;     /* from the centre */
+    int64_t square; /* dy^2 */
 };
+
+static struct row row_of(const struct pel_curve *curve, const void *paint,
+                         int32_t y)
+{
+    const int32_t dy = pel_pixel_center(y) - curve->center.y;
+    return (struct row){curve, paint, dy, (int64_t)dy * dy};
+}
+
+/* Is every centre from dx to `way` sub-pixels right of it at least `limit` away
+ * from the paint's? */
+static bool is_far(const struct row *row, int32_t dx, int32_t way,
+                   int32_t limit)
+{
+    int32_t x = dx > 0 ? dx : pel_min(dx + way, 0);
+    return (int64_t)x * x + row->square >= (int64_t)limit * limit;
+}
 
 static int32_t way_to(const struct row *row, int32_t x)
 {
@@ -26,14 +35,30 @@ static int32_t way_to(const struct row *row, int32_t x)
  * enough. */
 static int piece_of(const struct row *row, int32_t x)
 {
-    const int32_t *far = row->curve->far;
-    for (int k = PEL_PIECE_MAX_LOG2; k >= PEL_PIECE_MIN_LOG2; k--) {
-        int32_t skip = x & ((1 << k) - 1);
-        if (is_far(way_to(row, x - skip), row->dy, 256 << k,
-                   far[k - PEL_PIECE_MIN_LOG2]))
+    const int32_t *far =
+        row->curve->far + (PEL_PIECE_MAX_LOG2 - PEL_PIECE_MIN_LOG2);
+    int32_t size = 1 << PEL_PIECE_MAX_LOG2;
+    int k = PEL_PIECE_MAX_LOG2;
+    for (; k >= PEL_PIECE_MIN_LOG2; k--, size >>= 1)
+        if (is_far(row, way_to(row, x & -size), 256 * size, *far--))
             return k;
-    }
     return 0;
+}
+
+/* How many of n pixels from x on, in the block of 64 that holds x, show one
+ * colour because they are outside: all or none. Cubics there would show it too,
+ * so it does not matter that runs of other ends may cut them otherwise. */
+static int32_t outside_of(const struct row *row, int32_t x, int32_t n)
+{
+    const int32_t size = 1 << PEL_PIECE_MAX_LOG2;
+    n = pel_min(n, size - (x & (size - 1)));
+    return is_far(row, way_to(row, x), 256 * n, row->curve->outside) ? n : 0;
+}
+
+static void set_outside(struct pel_ramp_walk *w, const struct row *row)
+{
+    const uint8_t bits = row->curve->bits;
+    *w = (struct pel_ramp_walk){UINT64_C(1) << bits, 0, 0, 0, bits, false};
 }
 
 /* With s from 0 to 1 the cubic is a + m s + B s^2 + C s^3, m and n the slopes
@@ -45,7 +70,8 @@ static void begin_walk(struct pel_ramp_walk *w, const struct pel_knot *a,
                        const struct pel_knot *b, int k)
 {
     const int64_t rise = (int64_t)(b->value - a->value);
-    const int64_t m = a->slope * (1 << k), n = b->slope * (1 << k);
+    const int64_t size = INT64_C(1) << k;
+    const int64_t m = a->slope * size, n = b->slope * size;
     const int64_t curve = 3 * rise - 2 * m - n, twist = m + n - 2 * rise;
     w->at = a->value;
     w->d3 = (uint64_t)(6 * twist >> 3 * k);
@@ -94,6 +120,14 @@ struct piece {
 static void prepare(const struct row *row, struct piece *p,
                     const struct piece *before, int32_t x, int32_t n)
 {
+    /* What is outside lies side by side, but for rows that it begins. */
+    p->next = x; /* where no piece after this one begins */
+    p->end.value = row->curve->limit;
+    if (before->end.value >= row->curve->limit &&
+        (p->pixels = outside_of(row, x, n)) > 0) {
+        set_outside(&p->walk, row);
+        return;
+    }
     const int log2 = piece_of(row, x);
     const int32_t skip = skip_of(x, log2), size = 1 << log2;
     struct pel_knot k[2];
@@ -112,49 +146,52 @@ static void prepare(const struct row *row, struct piece *p,
 void pel_curve_colors(const struct pel_curve *curve, const void *paint,
                       struct pel_point pixel, int32_t n, pel_color *colors)
 {
-    const struct row row = {curve, paint,
-                            pel_pixel_center(pixel.y) - curve->center.y};
-    struct piece one, other, *p = &one, *next = &other, *t;
-    int32_t x = pixel.x;
-    other.next = x + 1; /* nowhere: x - skip is never that */
-    prepare(&row, p, next, x, n);
-    while (n > p->pixels) {
-        n -= p->pixels;
+    const struct row row = row_of(curve, paint, pixel.y);
+    struct piece one, other, *p = &one, *before = &other, *t;
+    before->next = pixel.x + 1; /* nowhere: a piece begins at or left of x */
+    before->end.value = UINT64_MAX;
+    before->pixels = 0;
+    for (int32_t x = pixel.x; n > 0;) {
+        prepare(&row, p, before, x, n);
         x += p->pixels;
-        prepare(&row, next, p, x, n);
-        curve->run(paint, &p->walk, p->pixels, colors);
-        colors += p->pixels;
-        t = p;
-        p = next;
-        next = t;
+        n -= p->pixels;
+        if (before->pixels > 0)
+            curve->run(paint, &before->walk, before->pixels, colors);
+        colors += before->pixels;
+        t = before;
+        before = p;
+        p = t;
     }
-    curve->run(paint, &p->walk, p->pixels, colors);
+    curve->run(paint, &before->walk, before->pixels, colors);
 }
 
 #else
 
 /* Runs are short here, and stack is dear. */
-static PEL_NOINLINE void prepare(struct pel_ramp_walk *w, const struct row *row,
-                                 int log2, int32_t x)
+static PEL_NOINLINE int32_t prepare(struct pel_ramp_walk *w,
+                                    const struct row *row, int32_t x, int32_t n)
 {
+    const int log2 = piece_of(row, x);
     const int32_t first = x - skip_of(x, log2);
     struct pel_knot k[2];
     knot_at(row, first, &k[0]);
     if (log2 > 0)
         knot_at(row, first + (1 << log2), &k[1]);
     set_walk(w, row, log2, x, k);
+    return pel_min(first + (1 << log2) - x, n);
 }
 
 void pel_curve_colors(const struct pel_curve *curve, const void *paint,
                       struct pel_point pixel, int32_t n, pel_color *colors)
 {
-    const struct row row = {curve, paint,
-                            pel_pixel_center(pixel.y) - curve->center.y};
+    const struct row row = row_of(curve, paint, pixel.y);
     struct pel_ramp_walk w;
     for (int32_t part; n > 0; n -= part, colors += part, pixel.x += part) {
-        const int log2 = piece_of(&row, pixel.x);
-        part = pel_min((1 << log2) - skip_of(pixel.x, log2), n);
-        prepare(&w, &row, log2, pixel.x);
+        part = outside_of(&row, pixel.x, n);
+        if (part > 0)
+            set_outside(&w, &row);
+        else
+            part = prepare(&w, &row, pixel.x, n);
         curve->run(paint, &w, part, colors);
     }
 }

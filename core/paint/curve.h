@@ -44,6 +44,11 @@ struct pel_curve {
 
     /* Walks whose knots are below this are `inside` (pel_ramp_walk). */
     uint64_t limit;
+
+    /* Where all centres are so far from the paint's, in sub-pixels, every value
+     * is 1 or more, by more than the errors of knots and cubics; INT32_MAX when
+     * that is nowhere, or values repeat. */
+    int32_t outside;
 };
 
 /* The colours of n pixels from (pixel.x, pixel.y) on. `paint` is handed to the

@@ -45,6 +45,7 @@ enum pel_status pel_conic_begin(struct pel_conic *paint,
     paint->curve.knot = knot;
     paint->curve.run = run;
     paint->curve.bits = 64;
-    paint->curve.limit = 0;
+    paint->curve.limit = UINT64_MAX;
+    paint->curve.outside = INT32_MAX;
     return PEL_OK;
 }

@@ -14,13 +14,9 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     /* Both ends on one side of the way: one colour of a padded ramp. */
     const bool beyond = w.at >> p->bits != 0 && last >> p->bits != 0 &&
                         (int64_t)(w.at ^ last) >= 0;
-    if (!beyond || p->ramp.spread != PEL_PAD) {
-        pel_ramp_run(&p->ramp, &w, n, out);
-        return;
-    }
-    pel_ramp_run(&p->ramp, &w, 1, out);
-    for (int32_t i = 1; i < n; i++)
-        out[i] = out[0];
+    if (beyond && p->ramp.spread == PEL_PAD)
+        w.d1 = 0;
+    pel_ramp_run(&p->ramp, &w, n, out);
 }
 
 /* With 2^e <= the longer of |dx|, |dy|, the way is at least 2^e sub-pixels

@@ -39,6 +39,14 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     pel_curve_colors(&p->curve, p, pixel, n, out);
 }
 
+/* One pixel farther than where a padded ramp ends: the errors are less than a
+ * sub-pixel. */
+static int32_t outside_of(const struct pel_rings *rings, enum pel_spread spread)
+{
+    const int64_t way = (int64_t)rings->radius * (65536 - rings->phase);
+    return spread == PEL_PAD ? (int32_t)(way / 65536) + 257 : INT32_MAX;
+}
+
 /* Distances along a row have no maximum inside a piece, so its ends tell
  * whether it reaches 1, up to the bound of t: hence the limit. A little is
  * added to the phase, because a walk looks at 32 bits: so a position does not
@@ -75,5 +83,6 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
     pel_color_paint_init(&paint->base, colors, pel_ramp_opaque(ramp));
     paint->ramp = *ramp;
     set_curve(paint, rings);
+    paint->curve.outside = outside_of(rings, ramp->spread);
     return PEL_OK;
 }

@@ -1,5 +1,6 @@
 #include "ramp_walk.h"
 
+#include "../format/span32.h"
 #include "../format/vector.h"
 
 /* The cell of a position given in 2^-32 of the way, of `cells` < 2^15: both
@@ -102,7 +103,7 @@ static uint32_t pair_at(struct pair p, uint32_t cell)
     return (t + (t >> 8 & 0xFF00FFu)) >> 8 & 0xFF00FFu;
 }
 
-static void mix_plainly(const struct pel_ramp *ramp, int32_t n, pel_color *out)
+static void mix_cells(const struct pel_ramp *ramp, int32_t n, pel_color *out)
 {
     const pel_color a = ramp->colors[0], b = ramp->colors[1];
     const struct pair rb = pair_of(a, b), ag = pair_of(a >> 8, b >> 8);
@@ -113,37 +114,111 @@ static void mix_plainly(const struct pel_ramp *ramp, int32_t n, pel_color *out)
 #if PEL_VECTORS
 
 typedef uint64_t u64x2 __attribute__((__vector_size__(16)));
-typedef uint8_t u8x8 __attribute__((__vector_size__(8)));
 
-/* The four channels of a colour, from blue to alpha, twice. */
-static pel_u16x8 channels_of(pel_color c)
+/* A walk four pixels at a time: pixels 0 and 2, and 1 and 3, with differences
+ * from one four to the next. */
+struct lanes {
+    u64x2 at[2], d1[2], d2[2], d3;
+};
+
+/* A difference over four pixels is (1 + D)^4 - 1 with D that over one: 4 D + 6
+ * D^2 + 4 D^3; twice 16 D^2 + 48 D^3; three times 64 D^3. */
+static PEL_ALWAYS_INLINE void set_lanes(struct lanes *l, int i,
+                                        const struct pel_ramp_walk *a,
+                                        const struct pel_ramp_walk *b)
 {
-    const uint16_t b = c & 255, g = c >> 8 & 255, r = c >> 16 & 255;
-    const uint16_t a = (uint16_t)(c >> 24);
-    return (pel_u16x8){b, g, r, a, b, g, r, a};
+    const u64x2 d1 = {a->d1, b->d1}, d2 = {a->d2, b->d2}, d3 = {a->d3, a->d3};
+    l->at[i] = (u64x2){a->at, b->at};
+    l->d1[i] = ((d1 + d2 + d3) << 2) + (d2 << 1);
+    l->d2[i] = (d2 << 4) + (d3 << 5) + (d3 << 4);
+    l->d3 = d3 << 6;
 }
 
-/* A ramp of two colours, in 256 cells: two pixels at a time, as pair_at. */
-static void mix_cells(const struct pel_ramp *ramp, int32_t n, pel_color *out)
+static PEL_ALWAYS_INLINE struct pel_ramp_walk after(struct pel_ramp_walk w)
 {
-    const pel_u16x8 a = channels_of(ramp->colors[0]);
-    const pel_u16x8 way = channels_of(ramp->colors[1]) - a;
-    const pel_u16x8 from = a * 255 + 128;
-    for (; n >= 2; n -= 2, out += 2) {
-        const u64x2 cells = {out[0] * UINT64_C(0x0001000100010001),
-                             out[1] * UINT64_C(0x0001000100010001)};
-        const pel_u16x8 t = pel_divide255_u16x8(from + way * (pel_u16x8)cells);
-        const u8x8 mixed = __builtin_convertvector(t, u8x8);
-        memcpy(out, &mixed, 8);
+    pel_ramp_step(&w);
+    return w;
+}
+
+static PEL_ALWAYS_INLINE struct lanes lanes_of(struct pel_ramp_walk w,
+                                               int shift)
+{
+    struct lanes l;
+    w.at <<= shift, w.d1 <<= shift, w.d2 <<= shift, w.d3 <<= shift;
+    const struct pel_ramp_walk second = after(w), third = after(second),
+                               fourth = after(third);
+    set_lanes(&l, 0, &w, &third);
+    set_lanes(&l, 1, &second, &fourth);
+    return l;
+}
+
+/* The highest bytes of the four positions, in 32-bit lanes; then a step. */
+static PEL_ALWAYS_INLINE pel_u32x4 next_bytes(struct lanes *l)
+{
+    const u64x2 bytes = l->at[0] >> 56 | l->at[1] >> 56 << 32;
+    for (int i = 0; i < 2; i++) {
+        l->at[i] += l->d1[i];
+        l->d1[i] += l->d2[i];
+        l->d2[i] += l->d3;
     }
-    mix_plainly(ramp, n, out);
+    return (pel_u32x4)bytes;
+}
+
+/* struct pair for four pixels, each half in a lane of its own. */
+struct pairs {
+    pel_u16x8 from, way;
+};
+
+static PEL_ALWAYS_INLINE struct pairs pairs_of(pel_color a, pel_color b)
+{
+    const pel_u32x4 zero = {0, 0, 0, 0};
+    const pel_u16x8 from = (pel_u16x8)(zero + (a & 0xFF00FFu));
+    const pel_u16x8 to = (pel_u16x8)(zero + (b & 0xFF00FFu));
+    return (struct pairs){from * 255 + 128, to - from};
+}
+
+/* `cells` twice in each 32-bit lane. */
+static PEL_ALWAYS_INLINE pel_u16x8 pairs_at(const struct pairs *p,
+                                            pel_u16x8 cells)
+{
+    return pel_divide255_u16x8(p->from + p->way * cells);
+}
+
+/* The next four pixels of a ramp of two colours. */
+static PEL_ALWAYS_INLINE pel_u16x8 next_colors(struct lanes *l,
+                                               const struct pairs *rb,
+                                               const struct pairs *ag)
+{
+    const pel_u32x4 bytes = next_bytes(l);
+    const pel_u16x8 cells = (pel_u16x8)(bytes | bytes << 16);
+    return pairs_at(rb, cells) | pairs_at(ag, cells) << 8;
+}
+
+/* A ramp of two colours where `repeated` would do. */
+static void mix_on_the_way(const struct pel_ramp *ramp,
+                           const struct pel_ramp_walk *w, int32_t n,
+                           pel_color *out)
+{
+    const pel_color a = ramp->colors[0], b = ramp->colors[1];
+    const struct pairs rb = pairs_of(a, b), ag = pairs_of(a >> 8, b >> 8);
+    struct lanes l = lanes_of(*w, 64 - w->bits);
+    for (; n >= 4; n -= 4, out += 4)
+        pel_put_u16x8(out, next_colors(&l, &rb, &ag));
+    if (n > 0) {
+        const pel_u32x4 last = (pel_u32x4)next_colors(&l, &rb, &ag);
+        for (int32_t i = 0; i < n; i++)
+            out[i] = last[i];
+    }
 }
 
 #else
 
-static void mix_cells(const struct pel_ramp *ramp, int32_t n, pel_color *out)
+static void mix_on_the_way(const struct pel_ramp *ramp,
+                           const struct pel_ramp_walk *w, int32_t n,
+                           pel_color *out)
 {
-    mix_plainly(ramp, n, out);
+    repeated(w, (struct table){NULL, 256, false}, n, out);
+    mix_cells(ramp, n, out);
 }
 
 #endif
@@ -154,11 +229,29 @@ enum { LOOK_UP_AT_ONCE = 1 };
 enum { LOOK_UP_AT_ONCE = 0 }; /* half the code */
 #endif
 
-void pel_ramp_run(const struct pel_ramp *ramp, const struct pel_ramp_walk *walk,
-                  int32_t n, pel_color *colors)
+static void repeat_first(int32_t n, pel_color *colors)
+{
+#if PEL_VECTORS
+    if (n > 1)
+        pel_span32(colors + 1, n - 1, pel_make_value32(colors[0]));
+#else
+    for (int32_t i = 1; i < n; i++)
+        colors[i] = colors[0];
+#endif
+}
+
+static void run_changing(const struct pel_ramp *ramp,
+                         const struct pel_ramp_walk *walk, int32_t n,
+                         pel_color *colors)
 {
     const bool mixed = ramp->n == 2;
     struct table table = {ramp->colors, mixed ? 256 : (uint32_t)ramp->n, true};
+    if (PEL_VECTORS && mixed &&
+        (ramp->spread == PEL_REPEAT ||
+         (walk->inside && ramp->spread != PEL_REFLECT))) {
+        mix_on_the_way(ramp, walk, n, colors);
+        return;
+    }
     if (LOOK_UP_AT_ONCE && !mixed) {
         walk_of(ramp->spread, walk, table, n, colors);
         return;
@@ -170,4 +263,13 @@ void pel_ramp_run(const struct pel_ramp *ramp, const struct pel_ramp_walk *walk,
     else
         for (int32_t i = 0; i < n; i++)
             colors[i] = ramp->colors[colors[i]];
+}
+
+void pel_ramp_run(const struct pel_ramp *ramp, const struct pel_ramp_walk *walk,
+                  int32_t n, pel_color *colors)
+{
+    const bool changes = (walk->d1 | walk->d2 | walk->d3) != 0;
+    run_changing(ramp, walk, changes ? n : 1, colors);
+    if (!changes)
+        repeat_first(n, colors);
 }
