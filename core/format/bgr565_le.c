@@ -17,5 +17,6 @@ static pel_color unpack(uint32_t p)
 #include "body565.h"
 
 const struct pel_format pel_bgr565_le = {
-    PEL_FORMAT_BGR565_LE, 16, 2, pack, unpack, pel_fill16, blend565, put, load,
+    PEL_FORMAT_BGR565_LE, 16,       2,      pack, unpack,
+    pel_fill16,           blend565, put565, load,
 };

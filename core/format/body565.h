@@ -3,6 +3,7 @@
 #define PEL_FORMAT_BODY565_H
 
 #include "blend565.h"
+#include "put565.h"
 #include "body16.h"
 
 static void blend565(const struct pel_rows *rows, pel_color color)
@@ -12,6 +13,19 @@ static void blend565(const struct pel_rows *rows, pel_color color)
 #else
     blend(rows, color);
 #endif
+}
+
+static void put565(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                   const pel_color *colors)
+{
+#if PEL_VECTORS
+    for (int32_t k; n >= 8; x += k, colors += k, n -= k) {
+        k = pel_put565_opaque(s->format, at(s, x, y), n, colors);
+        if (k == 0)
+            put(s, x, y, k = 8, colors);
+    }
+#endif
+    put(s, x, y, n, colors);
 }
 
 #endif

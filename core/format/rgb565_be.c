@@ -14,5 +14,6 @@ static pel_color unpack(uint32_t p)
 #include "body565.h"
 
 const struct pel_format pel_rgb565_be = {
-    PEL_FORMAT_RGB565_BE, 16, 2, pack, unpack, pel_fill16, blend565, put, load,
+    PEL_FORMAT_RGB565_BE, 16,       2,      pack, unpack,
+    pel_fill16,           blend565, put565, load,
 };

@@ -115,26 +115,45 @@ static inline pel_u32x4 pel_gouraud_rgb565x8(const pel_u32x4 even[3],
 {
     pel_u32x4 b = even[0] + dx[0], g = even[1] + dx[1], r = even[2] + dx[2];
     pel_u32x4 low =
-        (even[2] >> 27) << 11 | (even[1] >> 26) << 5 | even[0] >> 27;
-    pel_u32x4 high = (r >> 27) << 11 | (g >> 26) << 5 | b >> 27;
-    return low | high << 16;
+        (even[2] >> 16 & 0xF800u) | (even[1] >> 21 & 0x07E0u) | even[0] >> 27;
+    pel_u32x4 high =
+        (r & 0xF8000000u) | (g >> 5 & 0x07E00000u) | (b >> 11 & 0x001F0000u);
+    return low | high;
+}
+
+/* Fewer than 8 pixels of eight: two stores that may overlap. */
+static inline void pel_gouraud_short_rgb565(pel_word16 *p, int32_t n,
+                                            pel_u32x4 pixels)
+{
+    uint16_t eight[8];
+    pel_put_u32x4(eight, pixels);
+    if (n >= 4) {
+        memcpy(p, eight, 8);
+        memcpy(p + n - 4, eight + n - 4, 8);
+        return;
+    }
+    pel_word16 elsewhere;
+    pel_word16 *q = n > 0 ? p : &elsewhere;
+    int32_t last = n > 0 ? n - 1 : 0, half = (last + 1) >> 1;
+    q[0] = eight[0];
+    q[half] = eight[half];
+    q[last] = eight[last];
 }
 
 static PEL_ALWAYS_INLINE void pel_gouraud_run_rgb565(
     pel_word16 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_run *run)
 {
+    pel_u32x4 even[3], tail[3];
+    for (int k = 0; k < 3; k++)
+        even[k] = run->lanes[k] + v[k];
     if (n < 8) {
-        for (; n > 0; n--, pel_gouraud_step(v, run->dx))
-            *p++ = pel_gouraud_word565(v[0], v[1], v[2]);
+        pel_gouraud_short_rgb565(p, n, pel_gouraud_rgb565x8(even, run->dx));
         return;
     }
     const uint32_t last = (uint32_t)n - 8;
     pel_word16 *end = p + last;
-    pel_u32x4 even[3], tail[3];
-    for (int k = 0; k < 3; k++) {
-        even[k] = run->lanes[k] + v[k];
+    for (int k = 0; k < 3; k++)
         tail[k] = even[k] + last * run->dx[k];
-    }
     for (; p < end; p += 8) {
         pel_put_u32x4(p, pel_gouraud_rgb565x8(even, run->dx));
         for (int k = 0; k < 3; k++)

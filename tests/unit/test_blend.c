@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "core/format/argb8888.h"
+#include "tests/support/cases.h"
 #include "tests/support/check.h"
 #include "tests/support/layouts.h"
 
@@ -164,6 +165,52 @@ static void test_x_bytes(void **state)
     }
 }
 
+/* Runs of colours with any alphas, opaque ones side by side. */
+static void random_colors(struct random *r, pel_color *colors, int n)
+{
+    for (int i = 0, left = 0; i < n; i++, left--) {
+        if (left < -3)
+            left = random_between(r, 0, 20);
+        colors[i] = random_word(r) | (left > 0 ? 0xFF000000u : 0u);
+    }
+}
+
+/* put, of every format: what the rule makes of every pixel, and no other. */
+static void test_put(void **state)
+{
+    enum { WIDTH = 48 };
+    uint8_t memory[WIDTH * 4];
+    pel_color colors[WIDTH], was[WIDTH], got[WIDTH];
+    struct pel_surface s;
+    (void)state;
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        const struct layout *l = &layouts[c.next % LAYOUT_COUNT];
+        const int x = random_between(&c.random, 0, WIDTH - 1);
+        const int n = random_between(&c.random, 1, WIDTH - x);
+        for (int i = 0; i < WIDTH * 4; i++)
+            memory[i] = (uint8_t)random_word(&c.random);
+        memcpy(pixels, memory, sizeof memory);
+        random_colors(&c.random, colors, n);
+        assert_int_equal(pel_surface_init(&s, l->format, pixels, WIDTH, 1),
+                         PEL_OK);
+        l->format->load(&s, 0, 0, WIDTH, was);
+        l->format->put(&s, x, 0, n, colors);
+        l->format->load(&s, 0, 0, WIDTH, got);
+        for (int i = 0; i < WIDTH; i++) {
+            const uint32_t before = layout_pack(l, was[i]);
+            const uint32_t want = i < x || i >= x + n
+                                      ? before
+                                      : layout_over(l, before, colors[i - x]);
+            if (got[i] != layout_unpack(l, want))
+                fail_msg("%s: pixel %d of [%d, %d) was %08x, %08x over it: "
+                         "expected %08x, got %08x; %s",
+                         l->name, i, x, x + n, was[i],
+                         colors[i < x || i >= x + n ? 0 : i - x],
+                         layout_unpack(l, want), got[i], cases_replay());
+        }
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -172,6 +219,7 @@ int main(void)
         cmocka_unit_test(test_every_format_follows_the_rule),
         cmocka_unit_test(test_alpha_254_arrives),
         cmocka_unit_test(test_x_bytes),
+        cmocka_unit_test(test_put),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
