@@ -150,6 +150,18 @@ deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hou
 	PEL_SEED=$$seed PEL_TIMEOUT=36000 tests/support/run.sh $(T)/deep \
 	    <$(T)/deep.list
 
+# What the property tests measure against exact references, random and
+# adversarial input: NAME.csv with columns error (upper end of its bin; the unit
+# ends the name, or it is a step of a channel) and count.
+ERROR_TESTS := $(basename $(shell grep -lw histogram_end tests/property/*.c))
+.PHONY: errors
+errors: $(ERROR_TESTS:%=$(T)/host/%) ## error histograms of every paint: CSV in build/bench/errors
+	@rm -rf $(BUILD)/bench/errors && mkdir -p $(BUILD)/bench/errors
+	@set -e; for t in $(ERROR_TESTS); do \
+	    PEL_CSV_DIR=$(BUILD)/bench/errors $(T)/host/$$t >$(T)/errors.txt 2>&1 || \
+	        { cat $(T)/errors.txt; exit 1; }; \
+	    sed -n 's/^\([a-z_0-9]*: [0-9]* values\)/\1/p' $(T)/errors.txt; done
+
 # The pictures' checksums are facts: change them only with a reason, and look at
 # the difference that this prints.
 goldens: $(T)/host/tests/golden/scenes ## write tests/golden/scenes.txt anew, and show what changed
