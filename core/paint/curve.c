@@ -33,7 +33,7 @@ static int32_t way_to(const struct row *row, int32_t x)
 
 /* log2 of the size of the piece that holds pixel x; 0 when no piece is far
  * enough. */
-static int piece_of(const struct row *row, int32_t x)
+static PEL_WALK int piece_of(const struct row *row, int32_t x)
 {
     const int32_t *far =
         row->curve->far + (PEL_PIECE_MAX_LOG2 - PEL_PIECE_MIN_LOG2);
@@ -48,17 +48,11 @@ static int piece_of(const struct row *row, int32_t x)
 /* How many of n pixels from x on, in the block of 64 that holds x, show one
  * colour because they are outside: all or none. Cubics there would show it too,
  * so it does not matter that runs of other ends may cut them otherwise. */
-static int32_t outside_of(const struct row *row, int32_t x, int32_t n)
+static PEL_WALK int32_t outside_of(const struct row *row, int32_t x, int32_t n)
 {
     const int32_t size = 1 << PEL_PIECE_MAX_LOG2;
     n = pel_min(n, size - (x & (size - 1)));
     return is_far(row, way_to(row, x), 256 * n, row->curve->outside) ? n : 0;
-}
-
-static void set_outside(struct pel_ramp_walk *w, const struct row *row)
-{
-    const uint8_t bits = row->curve->bits;
-    *w = (struct pel_ramp_walk){UINT64_C(1) << bits, 0, 0, 0, bits, false};
 }
 
 /* With s from 0 to 1 the cubic is a + m s + B s^2 + C s^3, m and n the slopes
@@ -79,15 +73,30 @@ static void begin_walk(struct pel_ramp_walk *w, const struct pel_knot *a,
     w->d1 = (uint64_t)(a->slope + (curve >> 2 * k) + (twist >> 3 * k));
 }
 
+#if PEL_FAST_64BIT
+
+/* A piece, or the part of it that a run shows. */
+struct piece {
+    struct pel_ramp_walk walk;
+    struct pel_knot end; /* at pixel `next` */
+    int32_t next, pixels;
+};
+
 static void knot_at(const struct row *row, int32_t x, struct pel_knot *k)
 {
     const struct pel_point way = {way_to(row, x), row->dy};
-    row->curve->knot(row->paint, way, k);
+    row->curve->knot(row->paint, way, &k->value, &k->slope);
 }
 
 static int32_t skip_of(int32_t x, int log2)
 {
     return x & ((1 << log2) - 1);
+}
+
+static void set_outside(struct pel_ramp_walk *w, const struct row *row)
+{
+    const uint8_t bits = row->curve->bits;
+    *w = (struct pel_ramp_walk){UINT64_C(1) << bits, 0, 0, 0, bits, false};
 }
 
 /* A walk from pixel x, in the piece between knots a and b of which a piece of
@@ -105,15 +114,6 @@ static void set_walk(struct pel_ramp_walk *w, const struct row *row, int log2,
     for (int32_t skip = skip_of(x, log2); skip > 0; skip--)
         pel_ramp_step(w);
 }
-
-#if PEL_FAST_64BIT
-
-/* A piece, or the part of it that a run shows. */
-struct piece {
-    struct pel_ramp_walk walk;
-    struct pel_knot end; /* at pixel `next` */
-    int32_t next, pixels;
-};
 
 /* The piece that holds pixel x, of a run of n more; it may begin at the end of
  * the piece before. */
@@ -167,33 +167,67 @@ void pel_curve_colors(const struct pel_curve *curve, const void *paint,
 
 #else
 
-/* Runs are short here, and stack is dear. */
-static PEL_NOINLINE int32_t prepare(struct pel_ramp_walk *w,
-                                    const struct row *row, int32_t x, int32_t n)
+/* log2 of the size of the piece that the run begins in, 0 for one pixel; -1
+ * when its pixels are outside, up to the end of a block of 64. */
+static PEL_NOINLINE int find_piece(const struct pel_curve *curve,
+                                   const struct pel_run *run)
 {
-    const int log2 = piece_of(row, x);
-    const int32_t first = x - skip_of(x, log2);
-    struct pel_knot k[2];
-    knot_at(row, first, &k[0]);
-    if (log2 > 0)
-        knot_at(row, first + (1 << log2), &k[1]);
-    set_walk(w, row, log2, x, k);
-    return pel_min(first + (1 << log2) - x, n);
+    const struct row row = row_of(curve, NULL, run->y);
+    return outside_of(&row, run->x, run->n) ? -1 : piece_of(&row, run->x);
 }
 
-void pel_curve_colors(const struct pel_curve *curve, const void *paint,
-                      struct pel_point pixel, int32_t n, pel_color *colors)
+/* Value and slope of a piece's first knot into at and d1, of its second into d2
+ * and d3. */
+static void set_knots(const struct pel_curve *curve, const void *paint,
+                      struct pel_point pixel, int log2, struct pel_ramp_walk *w)
 {
-    const struct row row = row_of(curve, paint, pixel.y);
-    struct pel_ramp_walk w;
-    for (int32_t part; n > 0; n -= part, colors += part, pixel.x += part) {
-        part = outside_of(&row, pixel.x, n);
-        if (part > 0)
-            set_outside(&w, &row);
-        else
-            part = prepare(&w, &row, pixel.x, n);
-        curve->run(paint, &w, part, colors);
+    struct pel_point way;
+    way.x = pel_pixel_center(pixel.x) - curve->center.x;
+    way.y = pel_pixel_center(pixel.y) - curve->center.y;
+    curve->knot(paint, way, &w->at, (int64_t *)&w->d1);
+    way.x += 256 << log2;
+    curve->knot(paint, way, &w->d2, (int64_t *)&w->d3);
+}
+
+static PEL_NOINLINE void set_differences(struct pel_ramp_walk *w, int log2)
+{
+    const struct pel_knot a = {w->at, (int64_t)w->d1};
+    const struct pel_knot b = {w->d2, (int64_t)w->d3};
+    begin_walk(w, &a, &b, log2);
+}
+
+static void stay_at(struct pel_ramp_walk *w, uint64_t at)
+{
+    w->at = at;
+    w->d1 = 0;
+    w->d2 = 0;
+    w->d3 = 0;
+}
+
+int32_t pel_curve_begin(const struct pel_curve *curve, const void *paint,
+                        const struct pel_run *run, struct pel_ramp_walk *walk)
+{
+    const int found = find_piece(curve, run);
+    const int log2 = found < 0 ? PEL_PIECE_MAX_LOG2 : found;
+    int32_t skip = run->x & ((1 << log2) - 1);
+    const int32_t left = pel_min((1 << log2) - skip, run->n);
+    walk->bits = curve->bits;
+    walk->inside = false;
+    if (found < 0) {
+        stay_at(walk, UINT64_C(1) << curve->bits);
+        return left;
     }
+    const struct pel_point first = {run->x - skip, run->y};
+    set_knots(curve, paint, first, log2, walk);
+    walk->inside =
+        walk->at < curve->limit && (log2 == 0 || walk->d2 < curve->limit);
+    if (log2 == 0)
+        stay_at(walk, walk->at);
+    else
+        set_differences(walk, log2);
+    for (; skip > 0; skip--)
+        pel_ramp_step(walk);
+    return left;
 }
 
 #endif

@@ -22,11 +22,6 @@ struct pel_knot {
     int64_t slope;
 };
 
-/* Colours n pixels of a walk. */
-typedef void pel_run_function(const void *paint,
-                              const struct pel_ramp_walk *walk, int32_t n,
-                              pel_color *colors);
-
 struct pel_curve {
     struct pel_point center;
 
@@ -35,8 +30,8 @@ struct pel_curve {
     const int32_t *far;
 
     /* The knot at `way` from the centre. */
-    void (*knot)(const void *paint, struct pel_point way,
-                 struct pel_knot *knot);
+    void (*knot)(const void *paint, struct pel_point way, uint64_t *value,
+                 int64_t *slope);
 
     pel_run_function *run;
 
@@ -51,9 +46,18 @@ struct pel_curve {
     int32_t outside;
 };
 
+#if PEL_FAST_64BIT
+
 /* The colours of n pixels from (pixel.x, pixel.y) on. `paint` is handed to the
  * functions of the curve. */
 void pel_curve_colors(const struct pel_curve *curve, const void *paint,
                       struct pel_point pixel, int32_t n, pel_color *colors);
 
+#else
+
+/* struct pel_walker's `begin`. */
+int32_t pel_curve_begin(const struct pel_curve *curve, const void *paint,
+                        const struct pel_run *run, struct pel_ramp_walk *walk);
+
+#endif
 #endif

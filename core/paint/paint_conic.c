@@ -1,6 +1,6 @@
 #include "paint_conic.h"
 
-static void run(const void *paint, const struct pel_ramp_walk *walk, int32_t n,
+static void run(const void *paint, struct pel_ramp_walk *walk, int32_t n,
                 pel_color *colors)
 {
     pel_ramp_run(&((const struct pel_conic *)paint)->ramp, walk, n, colors);

@@ -11,16 +11,24 @@ static const uint32_t turns_of_radian = 683565276;
  * in 2^-64 turns dy 2^8 2^64 / (2 pi r^2) = (dy 2^38 / r^2) 2^2 (2^32 / 2 pi).
  * |dy| < 2^25. At r >= 4067 the bracket is below 2^26, and the slope below
  * 2^58; nearer slopes are of no use and may overflow. */
-static void knot(const void *paint, struct pel_point way, struct pel_knot *k)
+static PEL_WALK int64_t slope_of(struct pel_point way)
 {
-    const struct pel_conic *p = paint;
     uint64_t square =
         (uint64_t)((int64_t)way.x * way.x + (int64_t)way.y * way.y);
     uint64_t fall = (uint64_t)(way.y < 0 ? -way.y : way.y) << 38;
     fall = fall / (square ? square : 1) * turns_of_radian * 4;
-    k->value = (uint64_t)(pel_turn_of(way.x, way.y) - p->start) << 32;
-    k->slope = (int64_t)(way.y > 0 ? 0 - fall : fall);
+    return (int64_t)(way.y > 0 ? 0 - fall : fall);
 }
+
+static void knot(const void *paint, struct pel_point way, uint64_t *value,
+                 int64_t *slope)
+{
+    const uint32_t turn = pel_turn_of(way.x, way.y);
+    *value = (uint64_t)(turn - ((const struct pel_conic *)paint)->start) << 32;
+    *slope = slope_of(way);
+}
+
+#if PEL_FAST_64BIT
 
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
@@ -29,6 +37,34 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     const struct pel_point pixel = {x, y};
     pel_curve_colors(&p->curve, p, pixel, n, out);
 }
+
+#else
+
+static int32_t begin(const void *paint, const struct pel_run *run,
+                     struct pel_ramp_walk *walk)
+{
+    return pel_curve_begin(&((const struct pel_conic *)paint)->curve, paint,
+                           run, walk);
+}
+
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
+{
+    const struct pel_conic *p = (const void *)paint;
+    const struct pel_walker walker = {p, begin, p->curve.run};
+    const struct pel_run run = {x, y, n};
+    pel_walker_colors(&walker, run, out);
+}
+
+static void gradient_fill(const struct pel_paint *paint,
+                          const struct pel_rows *rows)
+{
+    const struct pel_conic *p = (const void *)paint;
+    const struct pel_walker walker = {p, begin, p->curve.run};
+    pel_walker_fill(&walker, rows);
+}
+
+#endif
 
 enum pel_status pel_conic_begin(struct pel_conic *paint,
                                 struct pel_point center, uint16_t start,
@@ -39,6 +75,9 @@ enum pel_status pel_conic_begin(struct pel_conic *paint,
     if (!pel_points_legal(&center, 1))
         return PEL_ERROR_RANGE;
     pel_color_paint_init(&paint->base, colors, true);
+#if !PEL_FAST_64BIT
+    paint->base.paint.fill = gradient_fill;
+#endif
     paint->start = (uint32_t)start << 16;
     paint->curve.center = center;
     paint->curve.far = far;

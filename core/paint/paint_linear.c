@@ -3,21 +3,65 @@
 #include "../base/fixed_fraction.h"
 #include "ramp_walk.h"
 
+/* Begins a walk of n pixels at (x, y). */
+static void begin_walk(const struct pel_linear *p, struct pel_point pixel,
+                       int32_t n, struct pel_ramp_walk *w)
+{
+    *w = (struct pel_ramp_walk){0, p->dx, 0, 0, p->bits, false};
+    w->at = p->at + (uint64_t)(int64_t)pixel.x * p->dx +
+            (uint64_t)(int64_t)pixel.y * p->dy;
+    const uint64_t last = w->at + (uint64_t)(int64_t)(n - 1) * p->dx;
+    w->inside = (w->at | last) >> p->bits == 0;
+    /* Both ends on one side of the way: one colour of a padded ramp. */
+    if (p->ramp.spread == PEL_PAD && w->at >> p->bits != 0 &&
+        last >> p->bits != 0 && (int64_t)(w->at ^ last) >= 0)
+        w->d1 = 0;
+}
+
+#if PEL_FAST_64BIT
+
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
     const struct pel_linear *p = (const void *)paint;
-    struct pel_ramp_walk w = {0, p->dx, 0, 0, p->bits, false};
-    w.at = p->at + (uint64_t)(int64_t)x * p->dx + (uint64_t)(int64_t)y * p->dy;
-    uint64_t last = w.at + (uint64_t)(int64_t)(n - 1) * p->dx;
-    w.inside = (w.at | last) >> p->bits == 0;
-    /* Both ends on one side of the way: one colour of a padded ramp. */
-    const bool beyond = w.at >> p->bits != 0 && last >> p->bits != 0 &&
-                        (int64_t)(w.at ^ last) >= 0;
-    if (beyond && p->ramp.spread == PEL_PAD)
-        w.d1 = 0;
+    const struct pel_point pixel = {x, y};
+    struct pel_ramp_walk w;
+    begin_walk(p, pixel, n, &w);
     pel_ramp_run(&p->ramp, &w, n, out);
 }
+
+#else
+
+static int32_t begin(const void *paint, const struct pel_run *run,
+                     struct pel_ramp_walk *walk)
+{
+    const struct pel_point pixel = {run->x, run->y};
+    begin_walk(paint, pixel, run->n, walk);
+    return run->n;
+}
+
+static void run(const void *paint, struct pel_ramp_walk *walk, int32_t n,
+                pel_color *colors)
+{
+    pel_ramp_run(&((const struct pel_linear *)paint)->ramp, walk, n, colors);
+}
+
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
+{
+    const struct pel_walker walker = {paint, begin, run};
+    const struct pel_run pixels = {x, y, n};
+    pel_walker_colors(&walker, pixels, out);
+}
+
+static void gradient_fill(const struct pel_paint *paint,
+                          const struct pel_rows *rows)
+{
+    const struct pel_walker walker = {paint, begin, run};
+    pel_walker_fill(&walker, rows);
+}
+
+#endif
 
 /* With 2^e <= the longer of |dx|, |dy|, the way is at least 2^e sub-pixels
  * long, and no pixel is farther than 2^25.6 sub-pixels from `from`: |t| < 2^(26
@@ -57,6 +101,9 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     if (from.x == to.x && from.y == to.y)
         return PEL_ERROR_SIZE;
     pel_color_paint_init(&paint->base, colors, pel_ramp_opaque(ramp));
+#if !PEL_FAST_64BIT
+    paint->base.paint.fill = gradient_fill;
+#endif
     paint->ramp = *ramp;
     set_plane(paint, from, to.x - from.x, to.y - from.y);
     return PEL_OK;

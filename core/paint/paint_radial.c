@@ -11,25 +11,38 @@ static const int32_t far[6] = {2581, 6502, 16384, 41286, 104032, 262144};
 /* 64 r is the root of 4,096 r^2, below 2^61. dx / r = 64 dx inverse
  * 2^(shift - 62), where 64 |dx| 2^shift <= 2^31, and the slope is 2^14 times
  * that times the scale, which is at most 2^30. */
-static void knot(const void *paint, struct pel_point way, struct pel_knot *k)
+static PEL_WALK int64_t slope_of(const struct pel_root *r, int32_t x,
+                                 uint32_t scale)
 {
-    const struct pel_radial *p = paint;
-    uint64_t square =
-        (uint64_t)((int64_t)way.x * way.x + (int64_t)way.y * way.y);
-    struct pel_root r;
-    pel_square_root(square * 4096, &r);
     int64_t cosine =
-        ((int64_t)way.x * 64 * ((int64_t)1 << r.shift)) * (r.inverse >> 1) >>
-        31;
-    k->value = (uint64_t)r.root * p->scale + p->phase;
-    k->slope = cosine * (int64_t)p->scale >> 16;
+        ((int64_t)x * 64 * ((int64_t)1 << r->shift)) * (r->inverse >> 1) >> 31;
+    return cosine * (int64_t)scale >> 16;
 }
 
-static void run(const void *paint, const struct pel_ramp_walk *walk, int32_t n,
+static void root_of(struct pel_point way, struct pel_root *r)
+{
+    uint64_t square =
+        (uint64_t)((int64_t)way.x * way.x + (int64_t)way.y * way.y);
+    pel_square_root(square * 4096, r);
+}
+
+static void knot(const void *paint, struct pel_point way, uint64_t *value,
+                 int64_t *slope)
+{
+    const struct pel_radial *p = paint;
+    struct pel_root r;
+    root_of(way, &r);
+    *value = (uint64_t)r.root * p->scale + p->phase;
+    *slope = slope_of(&r, way.x, p->scale);
+}
+
+static void run(const void *paint, struct pel_ramp_walk *walk, int32_t n,
                 pel_color *colors)
 {
     pel_ramp_run(&((const struct pel_radial *)paint)->ramp, walk, n, colors);
 }
+
+#if PEL_FAST_64BIT
 
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
@@ -38,6 +51,34 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     const struct pel_point pixel = {x, y};
     pel_curve_colors(&p->curve, p, pixel, n, out);
 }
+
+#else
+
+static int32_t begin(const void *paint, const struct pel_run *run,
+                     struct pel_ramp_walk *walk)
+{
+    return pel_curve_begin(&((const struct pel_radial *)paint)->curve, paint,
+                           run, walk);
+}
+
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
+{
+    const struct pel_radial *p = (const void *)paint;
+    const struct pel_walker walker = {p, begin, p->curve.run};
+    const struct pel_run run = {x, y, n};
+    pel_walker_colors(&walker, run, out);
+}
+
+static void gradient_fill(const struct pel_paint *paint,
+                          const struct pel_rows *rows)
+{
+    const struct pel_radial *p = (const void *)paint;
+    const struct pel_walker walker = {p, begin, p->curve.run};
+    pel_walker_fill(&walker, rows);
+}
+
+#endif
 
 /* One pixel farther than where a padded ramp ends: the errors are less than a
  * sub-pixel. */
@@ -81,6 +122,9 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
         rings->radius > PEL_PX(32767))
         return PEL_ERROR_RANGE;
     pel_color_paint_init(&paint->base, colors, pel_ramp_opaque(ramp));
+#if !PEL_FAST_64BIT
+    paint->base.paint.fill = gradient_fill;
+#endif
     paint->ramp = *ramp;
     set_curve(paint, rings);
     paint->curve.outside = outside_of(rings, ramp->spread);

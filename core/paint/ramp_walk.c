@@ -2,17 +2,9 @@
 
 #include "../format/span32.h"
 #include "../format/vector.h"
+#include "ramp_mix.h"
 
-/* The cell of a position given in 2^-32 of the way, of `cells` < 2^15: both
- * forms are floor(at cells / 2^32). */
-static inline uint32_t cell_of(uint32_t at, uint32_t cells)
-{
-#if PEL_LONG_MULTIPLY
-    return (uint32_t)((uint64_t)at * cells >> 32);
-#else
-    return ((at >> 16) * cells + ((at & 0xFFFFu) * cells >> 16)) >> 16;
-#endif
-}
+#if PEL_FAST_64BIT
 
 /* Where a loop looks cells up: in a table of colours, or not at all. `use` is a
  * constant wherever this is inlined. */
@@ -24,7 +16,7 @@ struct table {
 
 static PEL_ALWAYS_INLINE pel_color shown(struct table t, uint32_t at)
 {
-    uint32_t cell = cell_of(at, t.cells);
+    uint32_t cell = pel_ramp_cell(at, t.cells);
     return t.use ? t.color[cell] : cell;
 }
 
@@ -82,33 +74,13 @@ static PEL_ALWAYS_INLINE void walk_of(enum pel_spread spread,
         padded(w, table, n, out);
 }
 
-/* Two channels of a ramp of two colours, in the halves of a word: 255 a and
- * b - a. 255 a + (b - a) cell is between 0 and 255^2 in each half, so nothing
- * is left over between them, though b - a may be negative. */
-struct pair {
-    uint32_t from, way;
-};
-
-static struct pair pair_of(uint32_t a, uint32_t b)
-{
-    a &= 0xFF00FFu;
-    b &= 0xFF00FFu;
-    return (struct pair){a * 255, b - a};
-}
-
-/* pel_round_div255 of both halves. */
-static uint32_t pair_at(struct pair p, uint32_t cell)
-{
-    uint32_t t = p.from + p.way * cell + UINT32_C(0x800080);
-    return (t + (t >> 8 & 0xFF00FFu)) >> 8 & 0xFF00FFu;
-}
-
 static void mix_cells(const struct pel_ramp *ramp, int32_t n, pel_color *out)
 {
     const pel_color a = ramp->colors[0], b = ramp->colors[1];
-    const struct pair rb = pair_of(a, b), ag = pair_of(a >> 8, b >> 8);
+    const struct pel_pair rb = pel_pair_of(a, b),
+                          ag = pel_pair_of(a >> 8, b >> 8);
     for (; n > 0; n--, out++)
-        *out = pair_at(rb, *out) | pair_at(ag, *out) << 8;
+        *out = pel_pair_at(rb, *out) | pel_pair_at(ag, *out) << 8;
 }
 
 #if PEL_VECTORS
@@ -164,7 +136,7 @@ static PEL_ALWAYS_INLINE pel_u32x4 next_bytes(struct lanes *l)
     return (pel_u32x4)bytes;
 }
 
-/* struct pair for four pixels, each half in a lane of its own. */
+/* struct pel_pair for four pixels, each half in a lane of its own. */
 struct pairs {
     pel_u16x8 from, way;
 };
@@ -223,12 +195,6 @@ static void mix_on_the_way(const struct pel_ramp *ramp,
 
 #endif
 
-#if PEL_FAST_64BIT
-enum { LOOK_UP_AT_ONCE = 1 };
-#else
-enum { LOOK_UP_AT_ONCE = 0 }; /* half the code */
-#endif
-
 static void repeat_first(int32_t n, pel_color *colors)
 {
 #if PEL_VECTORS
@@ -252,20 +218,13 @@ static void run_changing(const struct pel_ramp *ramp,
         mix_on_the_way(ramp, walk, n, colors);
         return;
     }
-    if (LOOK_UP_AT_ONCE && !mixed) {
-        walk_of(ramp->spread, walk, table, n, colors);
-        return;
-    }
-    table.use = false;
+    table.use = !mixed;
     walk_of(ramp->spread, walk, table, n, colors);
     if (mixed)
         mix_cells(ramp, n, colors);
-    else
-        for (int32_t i = 0; i < n; i++)
-            colors[i] = ramp->colors[colors[i]];
 }
 
-void pel_ramp_run(const struct pel_ramp *ramp, const struct pel_ramp_walk *walk,
+void pel_ramp_run(const struct pel_ramp *ramp, struct pel_ramp_walk *walk,
                   int32_t n, pel_color *colors)
 {
     const bool changes = (walk->d1 | walk->d2 | walk->d3) != 0;
@@ -273,3 +232,5 @@ void pel_ramp_run(const struct pel_ramp *ramp, const struct pel_ramp_walk *walk,
     if (!changes)
         repeat_first(n, colors);
 }
+
+#endif

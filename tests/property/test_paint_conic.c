@@ -15,14 +15,13 @@ struct probe {
     uint64_t *next;
 };
 
-static void keep(const void *paint, const struct pel_ramp_walk *walk, int32_t n,
+static void keep(const void *paint, struct pel_ramp_walk *walk, int32_t n,
                  pel_color *colors)
 {
-    struct pel_ramp_walk w = *walk;
     uint64_t **next = &((struct probe *)(uintptr_t)paint)->next;
     (void)colors;
-    for (; n > 0; n--, pel_ramp_step(&w))
-        *(*next)++ = w.at;
+    for (; n > 0; n--, pel_ramp_step(walk))
+        *(*next)++ = walk->at;
 }
 
 static int32_t random_size(struct random *r, int bits)
