@@ -8,6 +8,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "../pel_config.h"
+
 #define PEL_COORDINATE_MIN INT32_C(-8388608)
 #define PEL_COORDINATE_MAX INT32_C(8388607)
 
@@ -50,9 +52,20 @@ static inline int32_t pel_pixel_center(int32_t i)
     return i * 256 + 128;
 }
 
+/* a b for |a|, |b| < 2^30. Small CPUs have a function (fixed_product.c), half as
+ * long as the compiler's for 64 by 64 bits. */
+#if PEL_LONG_MULTIPLY
+static inline int64_t pel_product(int32_t a, int32_t b)
+{
+    return (int64_t)a * b;
+}
+#else
+int64_t pel_product(int32_t a, int32_t b);
+#endif
+
 static inline int64_t pel_square(int32_t u)
 {
-    return (int64_t)u * u;
+    return pel_product(u, u);
 }
 
 static inline int32_t pel_min(int32_t a, int32_t b)

@@ -9,22 +9,23 @@ void pel_arc_outline(const struct pel_surface *surface,
                      const struct pel_paint *paint)
 {
     const struct pel_rect clip = pel_outline_clip(surface);
-    const struct pel_row none = {0, 0};
     struct pel_disc_walk w;
     struct pel_wedge wedge;
     struct pel_outline_line o;
-    struct pel_row run, inside;
     if (pel_rect_empty(&surface->clip) ||
-        !pel_disc_walk_start(&w, sector->center, sector->radius, &clip) ||
-        !pel_wedge_start(&wedge, sector->center, sector->from, sector->to,
-                         &surface->clip))
+        !pel_disc_walk_start(&w, &sector->center, sector->radius, &clip) ||
+        !pel_wedge_start(&wedge, &sector->center, sector->from, sector->to))
         return;
     pel_outline_begin(&o, surface, paint);
     for (; w.y <= w.end; pel_disc_walk_next(&w)) {
-        struct pel_row row = w.y < w.end ? pel_disc_row(&w.disc) : none;
-        if (!pel_outline_next(&o, w.y, row, &run, &inside))
+        struct pel_row part[2], run = {0, 0}, inside;
+        if (w.y < w.end)
+            pel_disc_row(&w.disc, &clip, &run);
+        if (!pel_outline_next(&o, w.y, &run, &inside))
             continue;
-        pel_wedge_cut(&wedge, &o.cut, w.y - 1, run, inside);
-        pel_cut_paint(&o.cut, w.y - 1);
+        pel_wedge_parts(&wedge, w.y - 1, part);
+        pel_wedge_within(part, &run);
+        for (int k = 0; k < 2; k++)
+            pel_cut_hole(&o.cut, w.y - 1, &part[k], &inside);
     }
 }

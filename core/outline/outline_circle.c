@@ -8,13 +8,12 @@ void pel_circle_outline(const struct pel_surface *surface,
                         const struct pel_paint *paint)
 {
     const struct pel_rect clip = pel_outline_clip(surface);
-    const struct pel_row none = {0, 0};
     struct pel_disc_walk w;
     struct pel_outline_line o;
     if (pel_rect_empty(&surface->clip) ||
-        !pel_disc_walk_start(&w, center, radius, &clip))
+        !pel_disc_walk_start(&w, &center, radius, &clip))
         return;
     pel_outline_begin(&o, surface, paint);
     for (; w.y <= w.end; pel_disc_walk_next(&w))
-        pel_outline_put(&o, w.y, w.y < w.end ? pel_disc_row(&w.disc) : none);
+        pel_outline_disc(&o, w.y, w.y < w.end ? &w.disc : NULL, &clip);
 }

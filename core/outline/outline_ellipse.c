@@ -8,7 +8,6 @@ void pel_ellipse_outline(const struct pel_surface *surface,
                          const struct pel_paint *paint)
 {
     const struct pel_rect clip = pel_outline_clip(surface);
-    const struct pel_row none = {0, 0};
     struct pel_ellipse_walk w;
     struct pel_outline_line o;
     if (pel_rect_empty(&surface->clip) ||
@@ -16,5 +15,5 @@ void pel_ellipse_outline(const struct pel_surface *surface,
         return;
     pel_outline_begin(&o, surface, paint);
     for (; w.y <= w.end; pel_ellipse_next(&w))
-        pel_outline_put(&o, w.y, w.y < w.end ? pel_disc_row(&w.disc) : none);
+        pel_outline_disc(&o, w.y, w.y < w.end ? &w.disc : NULL, &clip);
 }

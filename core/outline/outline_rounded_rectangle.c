@@ -8,12 +8,13 @@ void pel_rounded_rectangle_outline(const struct pel_surface *surface,
                                    const struct pel_paint *paint)
 {
     const struct pel_rect clip = pel_outline_clip(surface);
-    const struct pel_row none = {0, 0};
     struct pel_rounded_walk w;
     struct pel_outline_line o;
     if (pel_rect_empty(&surface->clip) || !pel_rounded_start(&w, r, &clip))
         return;
     pel_outline_begin(&o, surface, paint);
-    for (; w.y <= w.end; pel_rounded_next(&w))
-        pel_outline_put(&o, w.y, w.y < w.end ? pel_disc_row(&w.disc) : none);
+    for (; w.visible.y0 <= w.visible.y1; pel_rounded_next(&w))
+        pel_outline_disc(&o, w.visible.y0,
+                         w.visible.y0 < w.visible.y1 ? &w.disc : NULL,
+                         &w.visible);
 }

@@ -5,10 +5,16 @@
 
 #include "paint.h"
 
+/* Runs of a batch: half on small CPUs, where what collects has a large state of
+ * its own on the stack. */
+enum {
+    PEL_COLLECT_ROWS = PEL_FAST_64BIT ? PEL_BATCH_ROWS : PEL_BATCH_ROWS / 2
+};
+
 struct pel_collector {
     const struct pel_paint *paint;
     struct pel_rows rows;
-    struct pel_row row[PEL_BATCH_ROWS];
+    struct pel_row row[PEL_COLLECT_ROWS];
 };
 
 static inline void pel_collect_begin(struct pel_collector *c,
@@ -29,7 +35,7 @@ static inline void pel_collect_end(struct pel_collector *c)
 /* Can a run in line y join the batch? The second run decides its step. */
 static inline bool pel_collect_joins(struct pel_rows *r, int32_t y)
 {
-    if (r->n == PEL_BATCH_ROWS)
+    if (r->n == PEL_COLLECT_ROWS)
         return false;
     if (r->n == 1)
         r->step = y != r->y;

@@ -7,18 +7,26 @@
  * bytes of code and 76 of stack more on a Cortex-M0+ (324 of stack: the budget
  * is 256), and on 64-bit CPUs a small circle 5 % longer. */
 
-static PEL_NOINLINE void side_start(struct pel_disc_side *s, int64_t reach,
-                                    int32_t u)
+/* One side, as in disc.h, with its columns in the run and those that are
+ * visible. */
+struct side {
+    int64_t d;
+    int32_t u, columns, limit;
+};
+
+static PEL_NOINLINE void side_start(struct side *s, int64_t reach, int32_t u)
 {
-    pel_disc_side_start(s, reach, u);
+    s->d = (reach - pel_square(u)) >> 9;
+    s->u = u;
+    s->columns = 0;
 }
 
 /* The columns of the next row, and on to the row after it. */
-static PEL_HOT int32_t side_next(struct pel_disc_side *s, int32_t v)
+static PEL_HOT int32_t side_next(struct side *s, int32_t v)
 {
-    const int32_t columns = pel_disc_side_columns(s);
+    pel_disc_side_settle(&s->d, &s->u, &s->columns, s->limit);
     s->d -= v + 128;
-    return columns;
+    return s->columns;
 }
 
 void pel_circle(const struct pel_surface *surface, struct pel_point center,
@@ -31,7 +39,7 @@ void pel_circle(const struct pel_surface *surface, struct pel_point center,
     const struct pel_rect *clip = &surface->clip;
     struct pel_row row[PEL_BATCH_ROWS];
     struct pel_rows rows = {surface, row, 0, 0, 1};
-    struct pel_disc_side left, right;
+    struct side left, right;
     rows.y = pel_max(pel_first_pixel(center.y - radius), clip->y0);
     int32_t end = pel_min(pel_pixel_of(center.y + radius + 128), clip->y1);
     int32_t v = pel_pixel_center(rows.y) - center.y;

@@ -2,29 +2,52 @@
 
 #include "disc_side.h"
 
-void pel_disc_start(struct pel_disc *disc, int32_t left_x, int32_t right_x,
-                    int64_t reach, const struct pel_rect *clip)
+/* The first pixel on the right side of a disc around x, or the edge of the clip
+ * that is next to it: there the left side ends, and the right one begins. */
+static int32_t split_at(int32_t x, const struct pel_rect *clip)
 {
-    struct pel_row *inner = &disc->inner;
-    inner->x0 = pel_min(pel_max(pel_first_pixel(left_x), clip->x0), clip->x1);
-    inner->x1 = pel_min(pel_max(pel_first_pixel(right_x), clip->x0), clip->x1);
-    disc->left.limit = inner->x0 - clip->x0;
-    disc->right.limit = clip->x1 - inner->x1;
-    pel_disc_side_start(&disc->left, reach,
-                        left_x - pel_pixel_center(inner->x0 - 1));
-    pel_disc_side_start(&disc->right, reach,
-                        pel_pixel_center(inner->x1) - right_x);
+    return pel_min(pel_max(pel_first_pixel(x), clip->x0), clip->x1);
 }
 
-static PEL_HOT int32_t columns(struct pel_disc_side *s)
+/* The distances of the first columns. */
+static int32_t first_left(int32_t x, int32_t split)
 {
-    return pel_disc_side_columns(s);
+    return x - pel_pixel_center(split - 1);
 }
 
-struct pel_row pel_disc_row(struct pel_disc *disc)
+static int32_t first_right(int32_t x, int32_t split)
 {
-    return (struct pel_row){disc->inner.x0 - columns(&disc->left),
-                            disc->inner.x1 + columns(&disc->right)};
+    return pel_pixel_center(split) - x;
+}
+
+void pel_disc_start(struct pel_disc *disc, const struct pel_rect *clip,
+                    int64_t reach)
+{
+    struct pel_disc_side *l = &disc->left, *r = &disc->right;
+    l->u = first_left(l->center, split_at(l->center, clip));
+    r->u = first_right(r->center, split_at(r->center, clip));
+    l->d = (reach - pel_square(l->u)) >> 9;
+    r->d = (reach - pel_square(r->u)) >> 9;
+}
+
+/* How many of `limit` columns, the first at the distance `first`, the present
+ * row has. */
+static PEL_HOT int32_t columns(struct pel_disc_side *s, int32_t first,
+                               int32_t limit)
+{
+    int32_t n = (s->u - first) >> 8;
+    pel_disc_side_settle(&s->d, &s->u, &n, limit);
+    return n;
+}
+
+void pel_disc_row(struct pel_disc *disc, const struct pel_rect *clip,
+                  struct pel_row *row)
+{
+    struct pel_disc_side *l = &disc->left, *r = &disc->right;
+    row->x0 = split_at(l->center, clip);
+    row->x1 = split_at(r->center, clip);
+    row->x0 -= columns(l, first_left(l->center, row->x0), row->x0 - clip->x0);
+    row->x1 += columns(r, first_right(r->center, row->x1), clip->x1 - row->x1);
 }
 
 /* The low 9 bits of u^2 are the same in all columns. */

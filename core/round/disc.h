@@ -26,15 +26,13 @@
 #include "../base/format.h"
 
 struct pel_disc_side {
-    int64_t d;              /* of the next column outwards */
-    int32_t u;              /* its distance */
-    int32_t columns, limit; /* in the run now; those that the clip shows */
+    int64_t d;      /* of the next column outwards */
+    int32_t u;      /* its distance */
+    int32_t center; /* 1/256 px */
 };
 
 struct pel_disc {
     struct pel_disc_side left, right;
-    struct pel_row inner; /* px: the left columns end at x0, the right ones
-                             begin at x1 */
 };
 
 /* (v + 256)^2 - v^2: what one row further out takes from the reach. */
@@ -43,12 +41,20 @@ static inline int64_t pel_square_step(int32_t v)
     return (int64_t)v * 512 + 65536;
 }
 
-/* At a row with this reach, for the columns of `clip`. */
-void pel_disc_start(struct pel_disc *disc, int32_t left_x, int32_t right_x,
-                    int64_t reach, const struct pel_rect *clip);
+static inline void pel_disc_center(struct pel_disc *disc, int32_t left_x,
+                                   int32_t right_x)
+{
+    disc->left.center = left_x;
+    disc->right.center = right_x;
+}
 
-/* The visible run of the present row. */
-struct pel_row pel_disc_row(struct pel_disc *disc);
+/* At a row with this reach, for the columns of `clip`; after the centre. */
+void pel_disc_start(struct pel_disc *disc, const struct pel_rect *clip,
+                    int64_t reach);
+
+/* The visible run of the present row; the same clip as at the start. */
+void pel_disc_row(struct pel_disc *disc, const struct pel_rect *clip,
+                  struct pel_row *row);
 
 /* Moves on to a row whose reach is 512 * change greater. */
 static inline void pel_disc_step(struct pel_disc *disc, int32_t change)

@@ -6,29 +6,22 @@
 #include "../format/word.h"
 #include "disc.h"
 
-/* At a row with this reach, the next column at u; the limit is set apart. */
-static inline void pel_disc_side_start(struct pel_disc_side *s, int64_t reach,
-                                       int32_t u)
+/* Adds or takes columns until the side, d and u, is that of the present row; at
+ * most `limit`, which are visible. */
+static PEL_ALWAYS_INLINE void pel_disc_side_settle(int64_t *d, int32_t *u,
+                                                   int32_t *columns,
+                                                   int32_t limit)
 {
-    s->d = (reach - pel_square(u)) >> 9;
-    s->u = u;
-    s->columns = 0;
-}
-
-/* Adds or takes columns until the side is that of the present row. */
-static PEL_ALWAYS_INLINE int32_t pel_disc_side_columns(struct pel_disc_side *s)
-{
-    while (s->d >= 0 && s->columns < s->limit) {
-        s->d -= s->u + 128;
-        s->u += 256;
-        s->columns++;
+    while (*d >= 0 && *columns < limit) {
+        *d -= *u + 128;
+        *u += 256;
+        ++*columns;
     }
-    while (s->columns > 0 && s->d + s->u - 128 < 0) {
-        s->u -= 256;
-        s->d += s->u + 128;
-        s->columns--;
+    while (*columns > 0 && *d + *u - 128 < 0) {
+        *u -= 256;
+        *d += *u + 128;
+        --*columns;
     }
-    return s->columns;
 }
 
 #endif

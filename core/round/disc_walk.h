@@ -11,8 +11,9 @@ struct pel_disc_walk {
 };
 
 /* false: nothing is covered, or the circle is out of range. */
-bool pel_disc_walk_start(struct pel_disc_walk *w, struct pel_point center,
-                         int32_t radius, const struct pel_rect *clip);
+bool pel_disc_walk_start(struct pel_disc_walk *w,
+                         const struct pel_point *center, int32_t radius,
+                         const struct pel_rect *clip);
 
 /* What a step to the next row takes from the reach, in 512ths:
  * ((v + 256)^2 - v^2) / 512. */

@@ -12,28 +12,29 @@ static void add(struct pel_quotient *v, const struct pel_quotient *n,
     }
 }
 
-/* v * n for n >= 0, without wider products or a division: by the bits of n,
- * highest first, what is there doubles and v joins. */
-static struct pel_quotient times(const struct pel_quotient *v, int64_t n,
-                                 int64_t b2)
+/* product = v n for n >= 0, without wider products or a division: by the bits
+ * of n, highest first, what is there doubles and v joins. */
+static void multiply(struct pel_quotient *product, const struct pel_quotient *v,
+                     int64_t n, int64_t b2)
 {
-    struct pel_quotient product = {0, 0};
     int bit = 0;
+    product->q = product->r = 0;
     while (n >> bit > 1)
         bit++;
     for (; bit >= 0; bit--) {
-        struct pel_quotient same = product;
-        add(&product, &same, b2);
+        add(product, product, b2);
         if (n >> bit & 1)
-            add(&product, v, b2);
+            add(product, v, b2);
     }
-    return product;
 }
 
-static struct pel_quotient minus(const struct pel_quotient *v, int64_t b2)
+static void negate(struct pel_quotient *v, int64_t b2)
 {
-    return v->r ? (struct pel_quotient){-v->q - 1, b2 - v->r}
-                : (struct pel_quotient){-v->q, 0};
+    v->q = -v->q;
+    if (v->r) {
+        v->q--;
+        v->r = b2 - v->r;
+    }
 }
 
 /* The quotients of row v. */
@@ -42,21 +43,22 @@ static void row_start(struct pel_ellipse_walk *w, struct pel_point radius,
 {
     const int64_t a2 = pel_square(radius.x), b2 = pel_square(radius.y);
     const struct pel_quotient zero = {0, 0}, unit = {b2 == 1, b2 != 1};
+    struct pel_quotient ratio;
     w->reach = (struct pel_quotient){a2, 0};
     w->change = w->bend = zero;
     w->b2 = b2;
     if (b2 == 0)
         return;
-    const struct pel_quotient ratio = times(&unit, a2, b2);
-    w->reach = times(&ratio, b2 - pel_square(v), b2);
+    multiply(&ratio, &unit, a2, b2);
+    multiply(&w->reach, &ratio, b2 - pel_square(v), b2);
     if (radius.y < 128)
         return;
     const int64_t step = pel_square_step(v);
-    w->change = times(&ratio, step < 0 ? -step : step, b2);
+    multiply(&w->change, &ratio, step < 0 ? -step : step, b2);
     if (step > 0)
-        w->change = minus(&w->change, b2);
-    w->bend = times(&ratio, 131072, b2);
-    w->bend = minus(&w->bend, b2);
+        negate(&w->change, b2);
+    multiply(&w->bend, &ratio, 131072, b2);
+    negate(&w->bend, b2);
 }
 
 bool pel_ellipse_start(struct pel_ellipse_walk *w,
@@ -74,7 +76,8 @@ bool pel_ellipse_start(struct pel_ellipse_walk *w,
     if (w->y >= w->end)
         return false;
     row_start(w, radius, pel_pixel_center(w->y) - center.y);
-    pel_disc_start(&w->disc, center.x, center.x, w->reach.q, clip);
+    pel_disc_center(&w->disc, center.x, center.x);
+    pel_disc_start(&w->disc, clip, w->reach.q);
     return true;
 }
 

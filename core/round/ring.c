@@ -14,12 +14,14 @@ void pel_ring(const struct pel_surface *surface,
 {
     struct pel_ring_walk w;
     struct pel_collector c;
-    if (!pel_ring_start(&w, ring, &surface->clip))
+    if (!pel_ring_start(&w, &ring->center, ring->inner, ring->outer,
+                        &surface->clip))
         return;
     pel_collect_begin(&c, surface, paint);
     for (; w.outer.y < w.outer.end; pel_ring_next(&w)) {
-        struct pel_row run = pel_disc_row(&w.outer.disc);
-        struct pel_row hole = pel_disc_row(&w.hole);
+        struct pel_row run, hole;
+        pel_disc_row(&w.outer.disc, &surface->clip, &run);
+        pel_disc_row(&w.hole, &surface->clip, &hole);
         if (hole.x0 >= hole.x1)
             hole.x0 = hole.x1 = run.x1;
         collect(&c, w.outer.y, run.x0, pel_min(run.x1, hole.x0));

@@ -12,16 +12,15 @@ struct pel_ring_walk {
 
 /* false: nothing is covered, or the ring is out of range (PEL_ASSERT). */
 static inline bool pel_ring_start(struct pel_ring_walk *w,
-                                  const struct pel_ring_shape *ring,
-                                  const struct pel_rect *clip)
+                                  const struct pel_point *center, int32_t inner,
+                                  int32_t outer, const struct pel_rect *clip)
 {
-    const struct pel_point center = ring->center;
-    PEL_ASSERT(pel_radius_legal(ring->inner));
-    if (!pel_radius_legal(ring->inner) ||
-        !pel_disc_walk_start(&w->outer, center, ring->outer, clip))
+    PEL_ASSERT(pel_radius_legal(inner));
+    if (!pel_radius_legal(inner) ||
+        !pel_disc_walk_start(&w->outer, center, outer, clip))
         return false;
-    pel_disc_start(&w->hole, center.x, center.x,
-                   pel_square(ring->inner) - pel_square(w->outer.v), clip);
+    pel_disc_center(&w->hole, center->x, center->x);
+    pel_disc_start(&w->hole, clip, pel_square(inner) - pel_square(w->outer.v));
     return true;
 }
 

@@ -12,10 +12,11 @@ void pel_rounded_rectangle(const struct pel_surface *surface,
     if (!pel_rounded_start(&w, rectangle, &surface->clip))
         return;
     pel_collect_begin(&c, surface, paint);
-    for (; w.y < w.end; pel_rounded_next(&w)) {
-        struct pel_row row = pel_disc_row(&w.disc);
+    for (; w.visible.y0 < w.visible.y1; pel_rounded_next(&w)) {
+        struct pel_row row;
+        pel_disc_row(&w.disc, &w.visible, &row);
         if (row.x0 < row.x1)
-            pel_collect(&c, w.y, row.x0, row.x1);
+            pel_collect(&c, w.visible.y0, row.x0, row.x1);
     }
     pel_collect_end(&c);
 }

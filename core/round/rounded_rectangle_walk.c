@@ -28,26 +28,25 @@ bool pel_rounded_start(struct pel_rounded_walk *w,
     PEL_ASSERT(legal(r));
     if (!legal(r))
         return false;
-    struct pel_rect visible = {pel_first_pixel(from.x), pel_first_pixel(from.y),
-                               pel_first_pixel(to.x), pel_first_pixel(to.y)};
-    visible = pel_rect_intersect(&visible, clip);
-    if (pel_rect_empty(&visible))
+    const struct pel_rect whole = {
+        pel_first_pixel(from.x), pel_first_pixel(from.y), pel_first_pixel(to.x),
+        pel_first_pixel(to.y)};
+    w->visible = pel_rect_intersect(&whole, clip);
+    if (pel_rect_empty(&w->visible))
         return false;
     int32_t side = pel_min(to.x - from.x, to.y - from.y);
     w->radius = pel_min(r->radius, side / 2);
     w->top = from.y + w->radius;
     w->bottom = to.y - w->radius;
-    w->y = visible.y0;
-    w->end = visible.y1;
-    w->reach = reach_at(w, w->y);
-    pel_disc_start(&w->disc, from.x + w->radius, to.x - w->radius, w->reach,
-                   &visible);
+    w->reach = reach_at(w, w->visible.y0);
+    pel_disc_center(&w->disc, from.x + w->radius, to.x - w->radius);
+    pel_disc_start(&w->disc, &w->visible, w->reach);
     return true;
 }
 
 void pel_rounded_next(struct pel_rounded_walk *w)
 {
-    const int64_t reach = reach_at(w, ++w->y);
+    const int64_t reach = reach_at(w, ++w->visible.y0);
     pel_disc_change(&w->disc, w->reach, reach);
     w->reach = reach;
 }

@@ -11,7 +11,7 @@ struct pel_rounded_walk {
     int64_t reach;
     int32_t top, bottom; /* of the centres, 1/256 px */
     int32_t radius;
-    int32_t y, end;
+    struct pel_rect visible; /* rows from y0 on are still to come */
 };
 
 /* false: nothing is covered, or the rectangle is out of range (PEL_ASSERT). */

@@ -4,28 +4,36 @@
 
 enum {
     FAR = 1 << 20, /* px: beyond every pixel */
+    QUARTER_TURN = 16384,
     HALF_TURN = 32768,
     FULL_TURN = 65536,
     RAY_LENGTH = 511 /* of a ray in directions: 511 * 32,768 < 2^24 */
 };
 
 /* The edge ends about 2^24 sub-pixels from the centre, twice the radius of any
- * shape and more. In the rows past its end the ray is further away than that in
- * x: beyond what is covered there, on the side to which it points. */
-static void ray_start(struct pel_ray *r, struct pel_point center,
-                      struct pel_point d, const struct pel_rect *clip)
+ * shape and more. */
+static PEL_NOINLINE void ray_start(struct pel_ray *r,
+                                   const struct pel_point *center,
+                                   struct pel_point d)
 {
-    bool mirrored = d.y > 0;
-    struct pel_point a = {mirrored ? -center.x : center.x, center.y};
-    struct pel_point b = {a.x + (mirrored ? -d.x : d.x) * RAY_LENGTH,
-                          a.y + d.y * RAY_LENGTH};
+    const bool mirrored = d.y > 0;
+    const int32_t x = mirrored ? -d.x : d.x;
+    struct pel_point a = {mirrored ? -center->x : center->x, center->y};
+    struct pel_point b = {a.x + x * RAY_LENGTH, a.y + d.y * RAY_LENGTH};
     const struct pel_point *top = mirrored ? &a : &b;
     const struct pel_point *bottom = mirrored ? &b : &a;
-    r->beyond = d.x < 0 ? -FAR : FAR;
-    r->y = pel_max(pel_first_pixel(top->y), clip->y0);
-    r->end = pel_min(pel_first_pixel(bottom->y), clip->y1);
+    r->y = pel_first_pixel(top->y);
+    r->end = pel_first_pixel(bottom->y);
     if (r->y < r->end)
-        pel_edge_start(&r->edge, top, bottom, r->y);
+        pel_edge_first(&r->edge, top, bottom);
+}
+
+/* Past the end of its edge the ray is further away in x than anything that is
+ * covered there, on the side to which it points. */
+static int32_t beyond(const struct pel_ray *r)
+{
+    return r->turn > QUARTER_TURN && r->turn < FULL_TURN - QUARTER_TURN ? -FAR
+                                                                        : FAR;
 }
 
 /* Where the ray divides row y, which lies below or above the centre: the first
@@ -37,7 +45,7 @@ static int32_t ray_at(struct pel_ray *r, int32_t y, bool below)
     if (below ? r->turn >= HALF_TURN : r->turn <= HALF_TURN)
         return -FAR;
     if (y < r->y || y >= r->end)
-        return r->beyond;
+        return beyond(r);
     pel_edge_skip(&r->edge, y - r->y);
     r->y = y;
     return below ? -r->edge.x : r->edge.x;
@@ -55,10 +63,7 @@ static void level_row(const struct pel_wedge *w, struct pel_row part[2])
     part[1] = (struct pel_row){split, right ? FAR : split};
 }
 
-/* The parts of row y inside the wedge, from left to right and apart from each
- * other; one may be empty. They reach beyond every pixel. */
-static void parts_of_row(struct pel_wedge *wedge, int32_t y,
-                         struct pel_row part[2])
+void pel_wedge_parts(struct pel_wedge *wedge, int32_t y, struct pel_row part[2])
 {
     const int32_t v = pel_pixel_center(y) - wedge->center.y;
     struct pel_ray *from = &wedge->from, *to = &wedge->to;
@@ -77,25 +82,13 @@ static void parts_of_row(struct pel_wedge *wedge, int32_t y,
     }
 }
 
-void pel_wedge_cut(struct pel_wedge *wedge, struct pel_cut *cut, int32_t y,
-                   struct pel_row run, struct pel_row hole)
+bool pel_wedge_start(struct pel_wedge *wedge, const struct pel_point *center,
+                     uint16_t from, uint16_t to)
 {
-    struct pel_row part[2];
-    parts_of_row(wedge, y, part);
-    for (int k = 0; k < 2; k++) {
-        part[k].x0 = pel_max(run.x0, part[k].x0);
-        part[k].x1 = pel_min(run.x1, part[k].x1);
-        pel_cut_hole(cut, part[k], hole);
-    }
-}
-
-bool pel_wedge_start(struct pel_wedge *wedge, struct pel_point center,
-                     uint16_t from, uint16_t to, const struct pel_rect *clip)
-{
-    wedge->center = center;
+    wedge->center = *center;
     wedge->from.turn = from;
     wedge->to.turn = to ? to : FULL_TURN;
-    ray_start(&wedge->from, center, pel_direction(from), clip);
-    ray_start(&wedge->to, center, pel_direction(to), clip);
+    ray_start(&wedge->from, center, pel_direction(from));
+    ray_start(&wedge->to, center, pel_direction(to));
     return from != to;
 }

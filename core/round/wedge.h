@@ -25,7 +25,6 @@ struct pel_ray {
     struct pel_edge edge;
     int32_t y, end; /* rows [y, end) are walked, the edge stands at y */
     int32_t turn;   /* 0..65,536 */
-    int32_t beyond; /* x of the ray in the rows of its half that are not */
 };
 
 struct pel_wedge {
@@ -33,14 +32,25 @@ struct pel_wedge {
     struct pel_ray from, to;
 };
 
-/* For the rows of `clip`; angles in turns / 65,536. false: nothing can be
- * covered, since from == to. The centre is legal. */
-bool pel_wedge_start(struct pel_wedge *wedge, struct pel_point center,
-                     uint16_t from, uint16_t to, const struct pel_rect *clip);
+/* Angles in turns / 65,536. false: nothing can be covered, since from == to.
+ * The centre is legal. */
+bool pel_wedge_start(struct pel_wedge *wedge, const struct pel_point *center,
+                     uint16_t from, uint16_t to);
 
-/* Adds the pieces of line y that are in the wedge and in `run`, but not in
- * `hole`; up to three. Lines are asked from the top down. */
-void pel_wedge_cut(struct pel_wedge *wedge, struct pel_cut *cut, int32_t y,
-                   struct pel_row run, struct pel_row hole);
+/* The parts of line y inside the wedge, from left to right and apart from each
+ * other; one may be empty. They reach beyond every pixel. Lines are asked from
+ * the top down. */
+void pel_wedge_parts(struct pel_wedge *wedge, int32_t y,
+                     struct pel_row part[2]);
+
+/* Takes from the parts what is outside of the run. */
+static inline void pel_wedge_within(struct pel_row part[2],
+                                    const struct pel_row *run)
+{
+    for (int k = 0; k < 2; k++) {
+        part[k].x0 = pel_max(run->x0, part[k].x0);
+        part[k].x1 = pel_min(run->x1, part[k].x1);
+    }
+}
 
 #endif
