@@ -52,8 +52,8 @@ static inline int32_t pel_pixel_center(int32_t i)
     return i * 256 + 128;
 }
 
-/* a b for |a|, |b| < 2^30. Small CPUs have a function (fixed_product.c), half as
- * long as the compiler's for 64 by 64 bits. */
+/* a b for |a|, |b| < 2^30. Small CPUs have a function (fixed_product.c), half
+ * as long as the compiler's for 64 by 64 bits. */
 #if PEL_LONG_MULTIPLY
 static inline int64_t pel_product(int32_t a, int32_t b)
 {

@@ -37,7 +37,8 @@ void pel_arc_outline(const struct pel_surface *surface,
                      const struct pel_sector_shape *sector,
                      const struct pel_paint *paint);
 
-/* Scratch memory as for pel_polygon, but of this size: about 48 n bytes. */
+/* Scratch memory as for pel_polygon, but of this size: about 48 n bytes and a
+ * struct pel_rim (outline/rim.h). */
 size_t pel_polygon_outline_scratch_size(int32_t n);
 enum pel_status pel_polygon_outline(const struct pel_surface *surface,
                                     const struct pel_polygon_shape *polygon,

@@ -3,6 +3,7 @@
 #ifndef PEL_RASTER_COLLECT_H
 #define PEL_RASTER_COLLECT_H
 
+#include "../format/word.h"
 #include "paint.h"
 
 /* Runs of a batch: half on small CPUs, where what collects has a large state of
@@ -25,7 +26,7 @@ static inline void pel_collect_begin(struct pel_collector *c,
     c->rows = (struct pel_rows){surface, c->row, 0, 0, 1};
 }
 
-static inline void pel_collect_end(struct pel_collector *c)
+static PEL_ALWAYS_INLINE void pel_collect_end(struct pel_collector *c)
 {
     if (c->rows.n)
         c->paint->fill(c->paint, &c->rows);

@@ -119,7 +119,7 @@ static inline void draw_arc_outline(const struct pel_paint *paint)
 
 static inline void draw_polygon_outline(const struct pel_paint *paint)
 {
-    static uint32_t scratch[96];
+    static uint32_t scratch[128];
     pel_polygon_outline(&screen, &polygon, paint, scratch, sizeof scratch);
 }
 
