@@ -26,6 +26,7 @@ void pel_arc_outline(const struct pel_surface *surface,
         pel_wedge_parts(&wedge, w.y - 1, part);
         pel_wedge_within(part, &run);
         for (int k = 0; k < 2; k++)
-            pel_cut_hole(&o.cut, w.y - 1, &part[k], &inside);
+            pel_cut_hole(&o.cut, &part[k], &inside);
+        pel_cut_paint(&o.cut, w.y - 1);
     }
 }

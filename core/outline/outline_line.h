@@ -49,8 +49,10 @@ static inline void pel_outline_put(struct pel_outline_line *o, int32_t y,
                                    struct pel_row run)
 {
     struct pel_row inside;
-    if (pel_outline_next(o, y, &run, &inside))
-        pel_cut_hole(&o->cut, y - 1, &run, &inside);
+    if (!pel_outline_next(o, y, &run, &inside))
+        return;
+    pel_cut_hole(&o->cut, &run, &inside);
+    pel_cut_paint(&o->cut, y - 1);
 }
 
 /* The run of the disc; of none, an empty line. */

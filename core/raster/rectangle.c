@@ -1,14 +1,16 @@
 #include "rectangle.h"
 
+#include "collect.h"
+
 static void fill_rows(const struct pel_surface *surface,
                       const struct pel_rect *r, const struct pel_paint *paint)
 {
-    struct pel_row row[PEL_BATCH_ROWS];
+    struct pel_row row[PEL_COLLECT_ROWS];
     struct pel_rows rows = {surface, row, r->y0, 0, 1};
-    for (int i = 0; i < PEL_BATCH_ROWS; i++)
+    for (int i = 0; i < PEL_COLLECT_ROWS; i++)
         row[i] = (struct pel_row){r->x0, r->x1};
     for (; rows.y < r->y1; rows.y += rows.n) {
-        rows.n = pel_min(r->y1 - rows.y, PEL_BATCH_ROWS);
+        rows.n = pel_min(r->y1 - rows.y, PEL_COLLECT_ROWS);
         paint->fill(paint, &rows);
     }
 }

@@ -21,6 +21,7 @@ void pel_arc(const struct pel_surface *surface, const struct pel_arc_shape *arc,
         pel_wedge_within(part, &run);
         pel_disc_row(&w.hole, &surface->clip, &run);
         for (int k = 0; k < 2; k++)
-            pel_cut_hole(&cut, w.outer.y, &part[k], &run);
+            pel_cut_hole(&cut, &part[k], &run);
+        pel_cut_paint(&cut, w.outer.y);
     }
 }

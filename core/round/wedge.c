@@ -55,7 +55,7 @@ static int32_t ray_at(struct pel_ray *r, int32_t y, bool below)
 static void level_row(const struct pel_wedge *w, struct pel_row part[2])
 {
     const int32_t from = w->from.turn, to = w->to.turn;
-    const int32_t split = pel_first_pixel(w->center.x);
+    const int32_t split = pel_first_pixel(w->center->x);
     bool right = from == 0 || from > to;
     bool left = from < to ? from <= HALF_TURN && HALF_TURN < to
                           : from <= HALF_TURN || HALF_TURN < to;
@@ -65,7 +65,7 @@ static void level_row(const struct pel_wedge *w, struct pel_row part[2])
 
 void pel_wedge_parts(struct pel_wedge *wedge, int32_t y, struct pel_row part[2])
 {
-    const int32_t v = pel_pixel_center(y) - wedge->center.y;
+    const int32_t v = pel_pixel_center(y) - wedge->center->y;
     struct pel_ray *from = &wedge->from, *to = &wedge->to;
     if (v == 0) {
         level_row(wedge, part);
@@ -85,7 +85,7 @@ void pel_wedge_parts(struct pel_wedge *wedge, int32_t y, struct pel_row part[2])
 bool pel_wedge_start(struct pel_wedge *wedge, const struct pel_point *center,
                      uint16_t from, uint16_t to)
 {
-    wedge->center = *center;
+    wedge->center = center;
     wedge->from.turn = from;
     wedge->to.turn = to ? to : FULL_TURN;
     ray_start(&wedge->from, center, pel_direction(from));

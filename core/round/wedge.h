@@ -28,7 +28,7 @@ struct pel_ray {
 };
 
 struct pel_wedge {
-    struct pel_point center;
+    const struct pel_point *center; /* the caller's */
     struct pel_ray from, to;
 };
 
