@@ -15,4 +15,7 @@ struct pel_root {
 /* v < 2^62. For v = 0 the inverse is of no use. */
 void pel_square_root(uint64_t v, struct pel_root *root);
 
+/* The inverse and the shift alone; v from 1 on. */
+uint32_t pel_inverse_root(uint64_t v, int *shift);
+
 #endif

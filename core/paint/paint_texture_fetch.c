@@ -41,13 +41,23 @@ static enum pel_status set_colors(struct pel_texture *p,
     return PEL_OK;
 }
 
+/* One by one: less code than a call of memcpy. */
+static PEL_WIDE void copy_plane(struct pel_texture_plane *to,
+                                const struct pel_texture_plane *from)
+{
+    to->at = from->at;
+    to->dx = from->dx;
+    to->dy = from->dy;
+}
+
 enum pel_status pel_texture_set(struct pel_texture *paint,
                                 const struct pel_texels *texels,
                                 const struct pel_texture_map *map)
 {
     if (!paint || !texels || !map)
         return PEL_ERROR_NULL;
-    paint->map = *map;
+    copy_plane(&paint->map.u, &map->u);
+    copy_plane(&paint->map.v, &map->v);
     paint->surface = texels->surface;
     paint->wrap_u = PEL_WRAP_CLAMP;
     paint->wrap_v = PEL_WRAP_CLAMP;

@@ -3,6 +3,7 @@
 #define PEL_PAINT_PAINT_TEXTURE_FETCH_H
 
 #include "../format/word.h"
+#include "../raster/edge.h"
 #include "paint_texture.h"
 
 /* How texels are read. The first three without a call. */
@@ -19,11 +20,13 @@ enum pel_status pel_texture_set(struct pel_texture *paint,
                                 const struct pel_texture_map *map);
 
 /* With a constant kind on 64-bit CPUs, where each kind has a loop of its own;
- * elsewhere there is one loop for all. */
+ * elsewhere there is one loop for all, and what begins a run is there once. */
 #if PEL_FAST_64BIT
 #define PEL_TEXTURE_INLINE PEL_ALWAYS_INLINE
+#define PEL_TEXTURE_START inline
 #else
 #define PEL_TEXTURE_INLINE inline
+#define PEL_TEXTURE_START PEL_NOINLINE
 #endif
 
 static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,
@@ -54,11 +57,13 @@ struct pel_texture_axis {
     uint8_t wrap;
 };
 
-static inline void pel_texture_axis_start(struct pel_texture_axis *a,
-                                          const struct pel_texture_plane *p,
-                                          int32_t x, int32_t y)
+/* From pixel (x, y) on, less `back`. */
+static PEL_TEXTURE_START void pel_texture_axis_start(
+    struct pel_texture_axis *a, const struct pel_texture_plane *p, int32_t x,
+    int32_t y, uint32_t back)
 {
-    a->at = p->at + (uint64_t)(int64_t)x * p->dx + (uint64_t)(int64_t)y * p->dy;
+    a->at = p->at + (uint64_t)(int64_t)x * p->dx +
+            (uint64_t)(int64_t)y * p->dy - back;
     a->step = p->dx;
 }
 
@@ -86,9 +91,7 @@ static inline int32_t pel_texture_axis_index(struct pel_texture_axis *a)
     int32_t i = (int32_t)(a->at >> 32);
     if ((uint32_t)i < (uint32_t)a->period || a->wrap == PEL_WRAP_CLAMP)
         return i;
-    i %= a->period;
-    if (i < 0)
-        i += a->period;
+    pel_floor_divide(i, a->period, &i);
     a->at = (uint64_t)(uint32_t)i << 32 | (a->at & 0xFFFFFFFFu);
     return i;
 }
@@ -115,10 +118,8 @@ static inline void pel_texture_axes_start(struct pel_texture_axes *a,
                                           const struct pel_texture *p,
                                           int32_t x, int32_t y, uint32_t back)
 {
-    pel_texture_axis_start(&a->u, &p->map.u, x, y);
-    pel_texture_axis_start(&a->v, &p->map.v, x, y);
-    a->u.at -= back;
-    a->v.at -= back;
+    pel_texture_axis_start(&a->u, &p->map.u, x, y, back);
+    pel_texture_axis_start(&a->v, &p->map.v, x, y, back);
     pel_texture_axis_wrap(&a->u, p->width, p->wrap_u);
     pel_texture_axis_wrap(&a->v, p->height, p->wrap_v);
 }

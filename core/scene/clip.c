@@ -1,96 +1,96 @@
 #include "clip.h"
 
-#include <string.h>
+#include "../base/fixed_divide.h"
 
 enum { PLANES = 5 };
+
+void pel_clip_start(struct pel_clip *clip)
+{
+    for (int i = 0; i < 3; i++)
+        for (int k = 0; k < 3; k++)
+            clip->corner[i].weight[k] = (i == k) * PEL_COSINE_ONE;
+}
 
 /* How far inside plane 0 (near) or 1..4 (guard band: right, left, bottom, top)
  * a place is. The sub-pixel is at most limit: center + x 2^spread / z <= limit;
  * below 2^55. */
-static int64_t depth_inside(const struct pel_projector *p,
-                            const int32_t place[3], int plane)
+static PEL_WIDE int64_t depth_inside(const struct pel_projector *p,
+                                     const int32_t place[3], int plane)
 {
-    if (plane == 0)
-        return (int64_t)place[2] - p->near;
     const int k = plane > 2;
-    const int64_t z = p->one ? p->one : place[2];
-    const int64_t at =
-        (int64_t)place[k] * (int32_t)(UINT32_C(1) << p->spread[k]);
-    if (plane & 1)
-        return (PEL_GUARD_MAX - p->center[k]) * z - at;
-    return at - (PEL_GUARD_MIN - p->center[k]) * z;
+    const int32_t z = p->one ? p->one : place[2];
+    const int32_t limit = (plane & 1 ? PEL_GUARD_MAX : PEL_GUARD_MIN);
+    const int64_t inside = pel_minor(limit - p->center[k], z, place[k],
+                                     (int32_t)(UINT32_C(1) << p->spread[k]));
+    if (plane == 0)
+        return place[2] - p->near;
+    return plane & 1 ? inside : -inside;
 }
 
-/* n / d in 2^-30, n <= d < 2^57, both cut to d's first 32 bits. */
-static int32_t part_of(uint64_t n, uint64_t d)
+/* From a towards b. */
+static void mix(const int32_t a[3], const int32_t b[3], int32_t part,
+                int32_t out[3])
 {
+    for (int k = 0; k < 3; k++)
+        out[k] = a[k] + pel_scaled(b[k] - a[k], part, 30);
+}
+
+/* The place of an edge where it meets the plane, from its corner inside: n / d
+ * of the way, both below 2^57 and cut to d's first 32 bits. Rounding leaves it
+ * before the near plane. */
+static PEL_WIDE void cut_edge(const struct pel_projector *p,
+                              const struct pel_clip_corner *a,
+                              const struct pel_clip_corner *b,
+                              struct pel_clip_corner *cut)
+{
+    if (a->inside < 0) {
+        const struct pel_clip_corner *swap = a;
+        a = b;
+        b = swap;
+    }
+    uint64_t n = (uint64_t)a->inside, d = n - (uint64_t)b->inside;
     for (; d >> 32; d >>= 1)
         n >>= 1;
-    return (int32_t)((n << 30) / d);
+    const int32_t part = (int32_t)pel_divide(n << 30, (uint32_t)d);
+    mix(a->place, b->place, part, cut->place);
+    mix(a->weight, b->weight, part, cut->weight);
+    cut->place[2] = pel_max(cut->place[2], p->near);
 }
 
-/* From a corner inside towards one outside. */
-static int32_t between(int32_t inside, int32_t outside, int32_t part)
-{
-    return inside +
-           (int32_t)pel_scale_down(((int64_t)outside - inside) * part, 30);
-}
-
-static void cut_edge(const struct pel_clip_corner *in,
-                     const struct pel_clip_corner *out, int32_t part,
-                     struct pel_clip_corner *cut)
-{
-    for (int k = 0; k < 3; k++) {
-        cut->place[k] = between(in->place[k], out->place[k], part);
-        cut->weight[k] = between(in->weight[k], out->weight[k], part);
-    }
-}
-
-/* The part of polygon `from` inside one plane (Sutherland and Hodgman). */
+/* The part of a polygon inside one plane (Sutherland and Hodgman); `made` is
+ * where new corners go. The number of its corners. */
 static int32_t cut_polygon(const struct pel_projector *p, int plane,
-                           const struct pel_clip_corner *from, int32_t n,
-                           struct pel_clip_corner *to)
+                           struct pel_clip *clip, int32_t n,
+                           struct pel_clip_corner **made)
 {
-    const struct pel_clip_corner *a = &from[n - 1];
-    struct pel_clip_corner *const first = to;
-    int64_t inside_a = depth_inside(p, a->place, plane);
-    for (int32_t i = 0; i < n; i++) {
-        const struct pel_clip_corner *b = &from[i];
-        int64_t inside_b = depth_inside(p, b->place, plane);
-        if (inside_a >= 0 && inside_b < 0)
-            cut_edge(
-                a, b,
-                part_of((uint64_t)inside_a, (uint64_t)(inside_a - inside_b)),
-                to++);
-        if (inside_a < 0 && inside_b >= 0)
-            cut_edge(
-                b, a,
-                part_of((uint64_t)inside_b, (uint64_t)(inside_b - inside_a)),
-                to++);
-        if (inside_b >= 0)
-            *to++ = *b;
+    struct pel_clip_corner **from = clip->polygon[~plane & 1];
+    struct pel_clip_corner **const first = clip->polygon[plane & 1];
+    struct pel_clip_corner **to = first, *a = from[n - 1];
+    for (int32_t i = 0; i < n; i++)
+        from[i]->inside = depth_inside(p, from[i]->place, plane);
+    for (; n > 0 && to < first + PEL_CLIP_CORNERS - 1; n--) {
+        struct pel_clip_corner *b = *from++;
+        if ((a->inside < 0) != (b->inside < 0) &&
+            *made < clip->corner + PEL_CLIP_MADE) {
+            cut_edge(p, a, b, *made);
+            *to++ = (*made)++;
+        }
+        if (b->inside >= 0)
+            *to++ = b;
         a = b;
-        inside_a = inside_b;
     }
-    if (plane == 0) /* what rounding took */
-        for (a = first; a < to; a++)
-            first[a - first].place[2] = pel_max(a->place[2], p->near);
     return (int32_t)(to - first);
 }
 
+/* Polygon 1 first; five cuts later it is in polygon 0. */
 int32_t pel_clip_triangle(const struct pel_projector *projector,
                           struct pel_clip *clip)
 {
-    struct pel_clip_corner *from = clip->spare, *to = clip->corner;
-    int32_t n = 3;
-    for (int i = 0; i < 9; i++)
-        from[i / 3].weight[i % 3] = i % 4 ? 0 : PEL_COSINE_ONE;
-    /* The last of an odd number of cuts ends in clip->corner. */
-    for (int plane = 0; plane < PLANES && n; plane++) {
-        struct pel_clip_corner *const swap = from;
-        n = cut_polygon(projector, plane, from, n, to);
-        from = to;
-        to = swap;
-    }
+    struct pel_clip_corner *made = clip->corner;
+    int32_t n = 0;
+    for (; n < 3; n++)
+        clip->polygon[1][n] = made++;
+    for (int plane = 0; plane < PLANES && n; plane++)
+        n = cut_polygon(projector, plane, clip, n, &made);
     return n;
 }

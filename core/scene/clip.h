@@ -10,22 +10,29 @@
 struct pel_clip_corner {
     int32_t place[3];
     int32_t weight[3];
+    int64_t inside; /* of the plane at work: how far, or below 0 */
 };
 
-/* Five planes add a corner each. */
-enum { PEL_CLIP_CORNERS = 8 };
+/* Five planes add a corner each, and make two; a polygon that rounding has bent
+ * at its edge, one more. */
+enum { PEL_CLIP_CORNERS = 10, PEL_CLIP_MADE = 3 + 12 };
+
+typedef struct pel_clip_corner *pel_clip_polygon[PEL_CLIP_CORNERS];
 
 struct pel_clip {
-    struct pel_clip_corner corner[PEL_CLIP_CORNERS]; /* the polygon */
-    struct pel_clip_corner spare[PEL_CLIP_CORNERS];  /* before: the places */
+    struct pel_clip_corner corner[PEL_CLIP_MADE]; /* 0 to 2: the triangle's */
+    pel_clip_polygon polygon[2];
 };
 
-/* Cuts the triangle with the places of clip->spare[0] to [2] by the near plane
+/* Once: corners 0 to 2 are vertices, which no cut changes. */
+void pel_clip_start(struct pel_clip *clip);
+
+/* Cuts the triangle with the places of clip->corner[0] to [2] by the near plane
  * and by the four planes of the guard band, the legal range of sub-pixels less
- * a pixel, and returns the number of corners of what is left, in the triangle's
- * order: up to 8; fewer than 3 are nothing. Two triangles that share an edge
- * are cut at the same places of it: a cut depends on the ends of the edge
- * alone, not on their order, and is right to a coarse step. */
+ * a pixel, and leaves the corners in clip->polygon[0], in the triangle's order.
+ * Their number, up to PEL_CLIP_CORNERS; fewer than 3 are nothing. Two triangles
+ * that share an edge are cut at the same places of it: a cut depends on the
+ * ends of the edge alone, not on their order, and is right to a coarse step. */
 int32_t pel_clip_triangle(const struct pel_projector *projector,
                           struct pel_clip *clip);
 

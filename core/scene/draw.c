@@ -26,57 +26,48 @@ static void draw_triangle(const struct drawing *d)
 
 /* A vertex that is on screen stays where all triangles around it see it. */
 static void set_corner(struct pel_frame *frame, int i,
-                       const struct pel_clip_corner *c)
+                       const struct pel_clip_corner *corner)
 {
     struct pel_frame_triangle *t = &frame->work->triangle;
-    t->at[i] = pel_project_clipped(&frame->projector, c->place);
-    t->corner[i].z = c->place[2];
+    t->corner[i] = corner;
     for (int k = 0; k < 3; k++) {
         const struct pel_projected *v = &frame->vertex[t->vertex[k]].at;
-        t->corner[i].weight[k] = c->weight[k];
-        if (c->weight[k] == PEL_COSINE_ONE && v->x != PEL_NOT_ON_SCREEN)
+        if (corner->weight[k] == PEL_COSINE_ONE && v->x != PEL_NOT_ON_SCREEN) {
             t->at[i] = (struct pel_point){v->x, v->y};
+            return;
+        }
     }
+    t->at[i] = pel_project_clipped(&frame->projector, corner->place);
 }
 
-/* The polygon that is left, as a fan around its first corner. */
-static void draw_clipped(const struct drawing *d)
+/* Cuts the triangle that has been taken. */
+static int32_t clip(struct pel_frame *frame)
 {
-    struct pel_frame *frame = d->frame;
+    const struct pel_mesh *mesh = frame->scene->mesh;
     struct pel_frame_work *work = frame->work;
-    struct pel_frame_triangle *t = &work->triangle;
     for (int i = 0; i < 3; i++)
         pel_project_coarse(&frame->projector,
-                           frame->scene->mesh->positions[t->vertex[i]],
-                           work->clip.spare[i].place);
-    const int32_t n = pel_clip_triangle(&frame->projector, &work->clip);
-    for (int32_t i = 2; i < n; i++) {
-        set_corner(frame, 0, &work->clip.corner[0]);
-        set_corner(frame, 1, &work->clip.corner[i - 1]);
-        set_corner(frame, 2, &work->clip.corner[i]);
-        if (pel_side_drawn(frame->scene->cull,
-                           pel_triangle_area(frame->work->triangle.at)))
-            draw_triangle(d);
-    }
+                           mesh->positions[work->triangle.vertex[i]],
+                           work->clip.corner[i].place);
+    return pel_clip_triangle(&frame->projector, &work->clip);
 }
 
+/* What is left as a fan around its first corner. */
 static void draw_entry(const struct drawing *d, uint32_t triangle)
 {
-    struct pel_frame_triangle *t = &d->frame->work->triangle;
-    bool clipped = false;
-    pel_mesh_corners(d->frame->scene->mesh, triangle, t->vertex);
-    for (int i = 0; i < 3; i++) {
-        const struct pel_projected *v = &d->frame->vertex[t->vertex[i]].at;
-        clipped |= v->x == PEL_NOT_ON_SCREEN;
-        t->at[i] = (struct pel_point){v->x, v->y};
-        t->corner[i].z = v->z;
-        for (int k = 0; k < 3; k++)
-            t->corner[i].weight[k] = i == k ? PEL_COSINE_ONE : 0;
+    struct pel_frame *frame = d->frame;
+    const struct pel_point *at = frame->work->triangle.at;
+    struct pel_clip_corner *const *corner = frame->work->clip.polygon[0];
+    int32_t depth, n = 3;
+    if (pel_frame_take(frame, triangle, &depth) == PEL_TAKEN_CUT)
+        n = clip(frame);
+    for (int32_t i = 2; i < n; i++) {
+        set_corner(frame, 0, corner[0]);
+        set_corner(frame, 1, corner[i - 1]);
+        set_corner(frame, 2, corner[i]);
+        if (pel_frame_shows(frame, at, &frame->work->surface.clip))
+            draw_triangle(d);
     }
-    if (clipped)
-        draw_clipped(d);
-    else if (pel_frame_meets(t->at, &d->frame->work->surface.clip))
-        draw_triangle(d);
 }
 
 void pel_frame_draw(struct pel_frame *frame, const struct pel_surface *surface,

@@ -21,8 +21,9 @@ static const struct pel_paint *filter(struct pel_frame *frame,
     struct pel_plane plane;
     int32_t near[3];
     for (int i = 0; i < 3; i++)
-        near[i] = nearness(&frame->projector, work->triangle.corner[i].z);
-    pel_plane_set(&plane, pel_frame_setup(&work->triangle), near);
+        near[i] =
+            nearness(&frame->projector, work->triangle.corner[i]->place[2]);
+    pel_plane_set(&plane, pel_frame_setup(frame), near);
     pel_depth_paint_init(&work->depth, paint, depth, &plane, frame->opaque);
     return &work->depth.paint;
 }

@@ -43,20 +43,18 @@ struct pel_mesh_light {
 /* Places are in lighting units: 2^-unit_bits of the world's, along the axes of
  * the mesh, below 2^29 for the mesh, the lights and the eye. */
 struct pel_mesh_lights {
-    struct pel_mesh_light *light;
-    int32_t lights;
+    struct pel_mesh_light *light; /* lighting->lights of them */
+    const struct pel_lighting *lighting;
+    const struct pel_mesh *mesh;
     int32_t eye[3];
     pel_factor ambient[3];
-    int32_t shininess;
-    bool plain_highlights, no_back_highlights;
-    int8_t down; /* bits from the numbers of a place to lighting units */
-    struct pel_mesh_quantum quantum;
+    int32_t down; /* bits from the numbers of a place to lighting units */
 };
 
-/* lights->light is set before, to memory for lighting->lights entries.
- * PEL_ERROR_RANGE: a factor,
- * the shininess or a place out of range, a directional light with no direction,
- * a negative number of lights; PEL_ERROR_NULL: no list. */
+/* lights->light is set before, to memory for lighting->lights entries; lighting
+ * and mesh stay. PEL_ERROR_RANGE: a factor, the shininess or a place out of
+ * range, a directional light with no direction, a negative number of lights;
+ * PEL_ERROR_NULL: no list. */
 enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
                                      const struct pel_lighting *lighting,
                                      const struct pel_mesh *mesh,

@@ -9,93 +9,77 @@ static uint32_t factors_of(const pel_factor f[3])
 
 static bool light_legal(const struct pel_light *l)
 {
-    uint32_t any = 0;
+    const uint32_t limit = PEL_LENGTH_MAX;
+    int32_t any = 0;
     for (int k = 0; k < 3; k++) {
-        any |= (uint32_t)l->at[k];
-        if (l->at[k] > PEL_LENGTH_MAX || l->at[k] < -PEL_LENGTH_MAX)
+        any |= l->at[k];
+        if ((uint32_t)l->at[k] + limit > 2 * limit)
             return false;
     }
     return factors_of(l->color) < PEL_FACTOR_END && (any || !l->directional);
 }
 
-static enum pel_status check(const struct pel_lighting *l)
+static bool material_legal(const struct pel_lighting *l)
 {
     const pel_factor material[3] = {l->ambient, l->diffuse, l->specular};
-    if (l->lights > 0 && !l->light)
-        return PEL_ERROR_NULL;
-    if ((uint32_t)l->lights > 32 || (uint32_t)l->shininess - 1 > 255 ||
-        (factors_of(l->ambient_color) | factors_of(material)) >= PEL_FACTOR_END)
-        return PEL_ERROR_RANGE;
-    for (int32_t i = 0; i < l->lights; i++)
-        if (!light_legal(&l->light[i]))
-            return PEL_ERROR_RANGE;
-    return PEL_OK;
+    return (uint32_t)l->lights <= 32 && (uint32_t)l->shininess - 1 <= 255 &&
+           (factors_of(l->ambient_color) | factors_of(material)) <
+               PEL_FACTOR_END;
 }
 
 /* A place of the world, or a direction, in the axes of the mesh and 2^-30. */
-static void to_mesh(const struct pel_pose *pose, const int32_t world[3],
-                    bool directional, int64_t out[3])
+static PEL_NOINLINE void to_mesh(const struct pel_pose *pose,
+                                 const int32_t world[3], bool directional,
+                                 int64_t out[3])
 {
-    for (int k = 0; k < 3; k++)
-        out[k] = (int64_t)world[k] - (pose && !directional ? pose->at[k] : 0);
-    const int64_t v[3] = {out[0], out[1], out[2]};
-    if (pose)
-        pel_matrix_apply_back(&pose->turn, v, 16, out);
+    for (int k = 0; k < 3; k++) {
+        const pel_cosine column[3] = {
+            pose->turn.row[0][k], pose->turn.row[1][k], pose->turn.row[2][k]};
+        const int64_t at = directional ? 0 : pel_dot(column, pose->at);
+        out[k] = pel_scale_down(pel_dot(column, world) - at, 16);
+    }
+}
+
+/* A place of the world in lighting units, which are 2^up parts of 2^-30, or a
+ * direction. */
+static void set_place(const struct pel_pose *pose, const int32_t world[3],
+                      bool directional, int up, int32_t out[3])
+{
+    int64_t v[3];
+    to_mesh(pose, world, directional, v);
+    if (directional)
+        pel_unit_exact(v, out);
     else
         for (int k = 0; k < 3; k++)
-            out[k] = v[k] * 16384;
+            out[k] = (int32_t)pel_scale_down(v[k], -up);
 }
 
-/* As many bits as the farthest of the mesh, the eye and the lights has. */
-static int bits_of(const struct pel_mesh_lights *m,
-                   const struct pel_lighting *lighting,
-                   const struct pel_pose *pose, const pel_length eye[3])
+/* Factors times another: below 2^24. */
+static void times(const pel_factor a[3], pel_factor b, pel_factor out[3])
 {
-    const struct pel_mesh_quantum *q = &m->quantum;
-    uint64_t reach = 0;
-    int64_t v[3];
     for (int k = 0; k < 3; k++)
-        v[k] =
-            pel_scale_down(pel_size_of(q->offset[k]) + INT64_C(32768) * q->step,
-                           q->shift - 30);
-    reach |= pel_reach_of(v);
+        out[k] = pel_scaled(a[k], b, 16);
+}
+
+/* As far as the farthest of the mesh, the eye and the lights is: with as many
+ * bits. All bits where a light is not legal. */
+static uint64_t reach_of(const struct pel_mesh_quantum *quantum,
+                         const struct pel_lighting *lighting,
+                         const struct pel_pose *pose, const pel_length eye[3])
+{
+    uint64_t reach = (uint64_t)pel_scale_down(pel_quantum_reach(quantum),
+                                              quantum->shift - 30);
+    int64_t v[3];
     to_mesh(pose, eye, false, v);
-    reach |= pel_reach_of(v);
-    for (int32_t i = 0; i < lighting->lights; i++)
-        if (!lighting->light[i].directional) {
-            to_mesh(pose, lighting->light[i].at, false, v);
-            reach |= pel_reach_of(v);
-        }
-    return pel_bits_of(reach);
-}
-
-static void place(const int64_t world[3], int up, int32_t out[3])
-{
-    for (int k = 0; k < 3; k++)
-        out[k] = (int32_t)pel_scale_down(world[k], -up);
-}
-
-/* Below 2^24. */
-static pel_factor times(pel_factor a, pel_factor b)
-{
-    return (pel_factor)pel_scale_down((int64_t)a * b, 16);
-}
-
-static void set_light(struct pel_mesh_light *m, const struct pel_light *light,
-                      const struct pel_lighting *lighting,
-                      const struct pel_pose *pose, int up)
-{
-    int64_t v[3];
-    to_mesh(pose, light->at, light->directional, v);
-    m->directional = light->directional;
-    if (light->directional)
-        pel_unit_exact(v, m->at);
-    else
-        place(v, up, m->at);
-    for (int k = 0; k < 3; k++) {
-        m->diffuse[k] = times(light->color[k], lighting->diffuse);
-        m->specular[k] = times(light->color[k], lighting->specular);
+    for (int32_t i = 0; i < lighting->lights; i++) {
+        const struct pel_light *light = &lighting->light[i];
+        reach |= pel_reach_of(v);
+        if (!light_legal(light))
+            return UINT64_MAX;
+        if (!light->directional)
+            to_mesh(pose, light->at, false, v);
     }
+    return reach | pel_reach_of(v);
 }
 
 enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
@@ -104,25 +88,28 @@ enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
                                      const struct pel_pose *pose,
                                      const pel_length eye[3])
 {
-    const enum pel_status status = check(lighting);
-    int64_t v[3];
-    if (status != PEL_OK)
-        return status;
-    lights->quantum = mesh->position;
+    if (lighting->lights > 0 && !lighting->light)
+        return PEL_ERROR_NULL;
+    if (!material_legal(lighting))
+        return PEL_ERROR_RANGE;
     /* Bits to the left of 2^-30 unit. */
-    const int up = 28 - bits_of(lights, lighting, pose, eye);
-    lights->down = (int8_t)(mesh->position.shift - 30 - up);
-    lights->lights = lighting->lights;
-    lights->shininess = lighting->shininess;
-    lights->plain_highlights = lighting->plain_highlights;
-    lights->no_back_highlights = lighting->no_back_highlights;
-    to_mesh(pose, eye, false, v);
-    place(v, up, lights->eye);
-    for (int k = 0; k < 3; k++)
-        lights->ambient[k] =
-            times(lighting->ambient_color[k], lighting->ambient);
-    for (int32_t i = 0; i < lighting->lights; i++)
-        set_light(&lights->light[i], &lighting->light[i], lighting, pose, up);
+    const int up =
+        28 - pel_bits_of(reach_of(&mesh->position, lighting, pose, eye));
+    if (up < -34)
+        return PEL_ERROR_RANGE;
+    lights->lighting = lighting;
+    lights->mesh = mesh;
+    lights->down = mesh->position.shift - 30 - up;
+    set_place(pose, eye, false, up, lights->eye);
+    times(lighting->ambient_color, lighting->ambient, lights->ambient);
+    for (int32_t i = 0; i < lighting->lights; i++) {
+        const struct pel_light *light = &lighting->light[i];
+        struct pel_mesh_light *m = &lights->light[i];
+        m->directional = light->directional;
+        set_place(pose, light->at, light->directional, up, m->at);
+        times(light->color, lighting->diffuse, m->diffuse);
+        times(light->color, lighting->specular, m->specular);
+    }
     return PEL_OK;
 }
 
@@ -131,6 +118,6 @@ void pel_mesh_lights_place(const struct pel_mesh_lights *lights,
 {
     for (int k = 0; k < 3; k++)
         out[k] = (int32_t)pel_scale_down(
-            pel_mesh_quantum_value(&lights->quantum, k, position[k]),
+            pel_mesh_quantum_value(&lights->mesh->position, k, position[k]),
             lights->down);
 }

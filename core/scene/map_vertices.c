@@ -6,9 +6,11 @@ static pel_color vertex_color(const struct pel_frame *frame, uint32_t vertex)
     pel_color color;
     int32_t uv[2];
     pel_mapping_place(frame, vertex, uv);
-    t.map.u.dx = 65536;
-    t.map.v.dy = 65536;
-    t.base.colors(&t.base, uv[0], uv[1], 1, &color);
+    t.map.u =
+        (struct pel_texture_plane){(uint64_t)(int64_t)uv[0] * 65536, 0, 0};
+    t.map.v =
+        (struct pel_texture_plane){(uint64_t)(int64_t)uv[1] * 65536, 0, 0};
+    t.base.colors(&t.base, 0, 0, 1, &color);
     return color | UINT32_C(0xFF000000);
 }
 

@@ -3,40 +3,38 @@
 #include "pipeline.h"
 
 /* The numerator times the texels of a side is below 2^46, and held where what
- * it stands for is +-2^30. */
-static int32_t place_of(const struct pel_mesh_quantum *q, int axis,
-                        uint16_t number, int32_t texels)
+ * it stands for is +-2^30; differences of two fit 32 bits. */
+static PEL_WIDE int32_t place_of(const struct pel_mesh_quantum *q, int axis,
+                                 uint16_t number, int32_t texels)
 {
     const int64_t limit = (int64_t)((uint64_t)1 << (14 + q->shift));
     int64_t v = (int64_t)pel_mesh_quantum_value(q, axis, number) * texels;
     v = v > limit ? limit : v < -limit ? -limit : v;
-    return (int32_t)pel_scale_down(v, q->shift - 16);
+    return pel_min((int32_t)pel_scale_down(v, q->shift - 16), (1 << 30) - 1);
 }
 
 void pel_mapping_place(const struct pel_frame *frame, uint32_t vertex,
                        int32_t uv[2])
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
-    uv[0] =
-        place_of(&mesh->texture, 0, mesh->uv[vertex][0], frame->texture.width);
-    uv[1] =
-        place_of(&mesh->texture, 1, mesh->uv[vertex][1], frame->texture.height);
+    const int32_t texels[2] = {frame->texture.width, frame->texture.height};
+    for (int k = 0; k < 2; k++)
+        uv[k] = place_of(&mesh->texture, k, mesh->uv[vertex][k], texels[k]);
 }
 
-void pel_mapping_corners(const struct pel_frame *frame, int32_t u[3],
-                         int32_t v[3])
+void pel_mapping_corners(const struct pel_frame *frame,
+                         struct pel_texture_corner corner[3])
 {
     const struct pel_frame_triangle *t = &frame->work->triangle;
-    int32_t own_u[3], own_v[3];
-    for (int i = 0; i < 3; i++) {
-        int32_t uv[2];
-        pel_mapping_place(frame, t->vertex[i], uv);
-        own_u[i] = uv[0];
-        own_v[i] = uv[1];
-    }
-    for (int i = 0; i < 3; i++) {
-        u[i] = pel_corner_mix(&t->corner[i], own_u);
-        v[i] = pel_corner_mix(&t->corner[i], own_v);
+    int32_t own[3][2];
+    for (int i = 0; i < 3; i++)
+        pel_mapping_place(frame, t->vertex[i], own[i]);
+    for (int k = 0; k < 2; k++) {
+        const int32_t value[3] = {own[0][k], own[1][k], own[2][k]};
+        int32_t at[3];
+        pel_corners_mix(t, value, at);
+        for (int i = 0; i < 3; i++)
+            corner[i].uv[k] = at[i];
     }
 }
 

@@ -44,9 +44,9 @@ struct pel_mesh_texture {
 void pel_mapping_place(const struct pel_frame *frame, uint32_t vertex,
                        int32_t uv[2]);
 
-/* The same of the corners of frame->work->triangle. */
-void pel_mapping_corners(const struct pel_frame *frame, int32_t u[3],
-                         int32_t v[3]);
+/* The same of the corners of frame->work->triangle; z is left alone. */
+void pel_mapping_corners(const struct pel_frame *frame,
+                         struct pel_texture_corner corner[3]);
 
 const struct pel_paint *pel_mapping_tint(struct pel_frame *frame,
                                          const struct pel_color_paint *surface,

@@ -1,7 +1,5 @@
 #include "matrix.h"
 
-#include <string.h>
-
 #include "../base/fixed_trig.h"
 
 void pel_matrix_turn(struct pel_matrix *m, int axis, uint16_t turn)
@@ -18,42 +16,24 @@ void pel_matrix_turn(struct pel_matrix *m, int axis, uint16_t turn)
     m->row[b][a] = unit[1];
 }
 
-/* A sum over a row or, with a step of 3, a column. */
-static int64_t sum_of(const pel_cosine *m, int step, const int64_t v[3])
-{
-    int64_t sum = 0;
-    for (int k = 0; k < 3; k++)
-        sum += m[k * step] * v[k];
-    return sum;
-}
-
 void pel_matrix_apply(const struct pel_matrix *m, const int64_t v[3], int shift,
                       int64_t out[3])
 {
-    int64_t result[3];
+    const int64_t x = v[0], y = v[1], z = v[2];
     for (int i = 0; i < 3; i++)
-        result[i] = pel_scale_down(sum_of(m->row[i], 1, v), shift);
-    memcpy(out, result, sizeof result);
-}
-
-void pel_matrix_apply_back(const struct pel_matrix *m, const int64_t v[3],
-                           int shift, int64_t out[3])
-{
-    int64_t result[3];
-    for (int i = 0; i < 3; i++)
-        result[i] = pel_scale_down(sum_of(&m->row[0][i], 3, v), shift);
-    memcpy(out, result, sizeof result);
+        out[i] = pel_scale_down(
+            m->row[i][0] * x + m->row[i][1] * y + m->row[i][2] * z, shift);
 }
 
 void pel_matrix_multiply(struct pel_matrix *m, const struct pel_matrix *a,
                          const struct pel_matrix *b)
 {
     for (int i = 0; i < 3; i++) {
-        int64_t row[3];
-        for (int k = 0; k < 3; k++)
-            row[k] = a->row[i][k];
-        pel_matrix_apply_back(b, row, 30, row);
-        for (int k = 0; k < 3; k++)
-            m->row[i][k] = (pel_cosine)row[k];
+        const pel_cosine row[3] = {a->row[i][0], a->row[i][1], a->row[i][2]};
+        for (int k = 0; k < 3; k++) {
+            const pel_cosine column[3] = {b->row[0][k], b->row[1][k],
+                                          b->row[2][k]};
+            m->row[i][k] = (pel_cosine)pel_scale_down(pel_dot(row, column), 30);
+        }
     }
 }

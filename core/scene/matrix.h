@@ -25,16 +25,13 @@ struct pel_matrix {
  * pel_direction, to 2^-15 radians; the matrix is orthogonal to 2^-29. */
 void pel_matrix_turn(struct pel_matrix *m, int axis, uint16_t turn);
 
-/* m = a b: b is done first. m may be neither. Entries are rounded to the
- * nearest. */
+/* m = a b: b is done first. m may be a. Entries are rounded to the nearest. */
 void pel_matrix_multiply(struct pel_matrix *m, const struct pel_matrix *a,
                          const struct pel_matrix *b);
 
-/* out = m v and transpose(m) v times 2^-shift, rounded, 0 <= shift <= 60; for
- * |v[k]| <= 2^31, which keeps sums below 3 2^61. out may be v. */
+/* out = m v 2^-shift, rounded, 0 <= shift <= 60; for |v[k]| <= 2^31, which
+ * keeps sums below 3 2^61. out may be v. */
 void pel_matrix_apply(const struct pel_matrix *m, const int64_t v[3], int shift,
                       int64_t out[3]);
-void pel_matrix_apply_back(const struct pel_matrix *m, const int64_t v[3],
-                           int shift, int64_t out[3]);
 
 #endif

@@ -1,5 +1,11 @@
 #include "mesh.h"
 
+/* The copies of inline functions (vector.h). */
+void pel_mesh_corners(const struct pel_mesh *mesh, uint32_t triangle,
+                      uint32_t corner[3]);
+void pel_mesh_normal(const struct pel_mesh *mesh, uint32_t vertex,
+                     int32_t normal[3]);
+
 void pel_mesh_of_asset(struct pel_mesh *mesh,
                        const struct pel_mesh_asset *asset)
 {
@@ -32,15 +38,18 @@ static bool sizes_legal(const struct pel_mesh *m)
 static enum pel_status check_indices(const struct pel_mesh *m,
                                      struct pel_mesh_fault *fault)
 {
+    struct pel_mesh_fault at = {0, 0};
     uint32_t corner[3];
-    for (uint32_t t = 0; t < m->triangles; t++) {
-        pel_mesh_corners(m, t, corner);
-        for (int k = 0; k < 3; k++)
-            if (corner[k] >= m->vertices) {
-                if (fault)
-                    *fault = (struct pel_mesh_fault){t, corner[k]};
-                return PEL_ERROR_RANGE;
-            }
+    for (; at.triangle < m->triangles; at.triangle++) {
+        pel_mesh_corners(m, at.triangle, corner);
+        for (int k = 0; k < 3; k++) {
+            at.index = corner[k];
+            if (at.index < m->vertices)
+                continue;
+            if (fault)
+                *fault = at;
+            return PEL_ERROR_RANGE;
+        }
     }
     return PEL_OK;
 }

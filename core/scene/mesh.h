@@ -39,8 +39,8 @@ struct pel_mesh_fault {
 enum pel_status pel_mesh_check(const struct pel_mesh *mesh,
                                struct pel_mesh_fault *fault);
 
-static inline void pel_mesh_corners(const struct pel_mesh *mesh,
-                                    uint32_t triangle, uint32_t corner[3])
+inline void pel_mesh_corners(const struct pel_mesh *mesh, uint32_t triangle,
+                             uint32_t corner[3])
 {
     for (int k = 0; k < 3; k++)
         corner[k] = mesh->indices16  ? mesh->indices16[triangle][k]
@@ -49,8 +49,8 @@ static inline void pel_mesh_corners(const struct pel_mesh *mesh,
 }
 
 /* A vertex's normal, of any length up to 2^29; the mesh has normals. */
-static inline void pel_mesh_normal(const struct pel_mesh *mesh, uint32_t vertex,
-                                   int32_t normal[3])
+inline void pel_mesh_normal(const struct pel_mesh *mesh, uint32_t vertex,
+                            int32_t normal[3])
 {
     for (int k = 0; k < 3; k++)
         normal[k] = mesh->normals16

@@ -14,32 +14,32 @@ enum {
 };
 
 /* Planes over the screen: w, which is proportional to 1 / z and at most 2^30
- * inside the triangle, and u w and v w less the place `base`, in 2^reach texels
- * 2^-16, so that their size is at most that of w. */
+ * inside the triangle, and u w and v w less the place `origin`, in 2^reach
+ * texels 2^-16, so that their size is at most that of w. */
 struct pel_perspective {
     struct pel_color_paint base;
-    struct pel_texture texture; /* how it is sampled: at (u, v) 2^-16 texel */
-    struct pel_plane w, u, v;
-    int32_t u0, v0; /* 1/65,536 texel */
-    uint8_t reach_u, reach_v;
-    int32_t span;
+    struct pel_texture *texture; /* how it is sampled; its map is worked on */
+    struct pel_plane w, uv[2];
+    int32_t origin[2]; /* 1/65,536 texel */
+    uint8_t reach[2];
+    uint8_t span; /* bits of it: 0..6 */
 };
 
-/* A corner of a triangle in the texture; within +-16,384 texels. */
+/* A corner of a triangle in the texture; differences of places fit 32 bits. */
 struct pel_texture_corner {
-    int32_t u, v; /* 1/65,536 texel */
-    int32_t z;    /* the distance, in any unit; above 0 */
+    int32_t uv[2]; /* 1/65,536 texel */
+    int32_t z;     /* the distance, in any unit; above 0 */
 };
 
-/* span: above. Where a span cannot be divided at its ends, because they lie too
- * far outside of the triangle, its pixels are; thin triangles are divided
- * everywhere. A coordinate is right to 1/256 texel in exact mode while the
- * distances of the corners are within a ratio of 256 and the triangle takes
- * less than 4,096 texels. Between divided places it is off by at most du
- * (r - 1) / 4, du the texels of a span, r the ratio of the distances at its
- * ends. The order of the corners does not matter. */
+/* span: above, or 0, which is 1. Where a span cannot be divided at its ends,
+ * because they lie too far outside of the triangle, its pixels are; thin
+ * triangles are divided everywhere. A coordinate is right to 1/256 texel in
+ * exact mode while the distances of the corners are within a ratio of 256 and
+ * the triangle takes less than 4,096 texels. Between divided places it is off
+ * by at most du (r - 1) / 4, du the texels of a span, r the ratio of the
+ * distances at its ends. The order of the corners does not matter. */
 void pel_perspective_init(struct pel_perspective *paint,
-                          const struct pel_texture *texture,
+                          struct pel_texture *texture,
                           const struct pel_plane_setup *setup,
                           const struct pel_texture_corner corner[3],
                           int32_t span);

@@ -1,42 +1,37 @@
 #include "pipeline.h"
 
-/* Scratch memory: work, lights, vertices, order, each a multiple of 8 bytes. */
-static size_t rounded(size_t size)
-{
-    return (size + 7) & ~(size_t)7;
-}
+/* Scratch memory: work, lights, vertices, order; all multiples of 8 bytes. */
+typedef char pel_scene_sizes[sizeof(struct pel_mesh_light) % 8 == 0 &&
+                                     sizeof(struct pel_frame_vertex) % 8 == 0
+                                 ? 1
+                                 : -1];
+
+enum { WORK_SIZE = (sizeof(struct pel_frame_work) + 7) & ~7u };
 
 static size_t lights_size(const struct pel_scene *scene)
 {
     const int32_t n = scene->lighting ? scene->lighting->lights : 0;
-    return rounded((size_t)pel_max(n, 0) * sizeof(struct pel_mesh_light));
-}
-
-static size_t vertices_size(const struct pel_scene *scene)
-{
-    return rounded((size_t)scene->mesh->vertices *
-                   sizeof(struct pel_frame_vertex));
+    return (size_t)pel_max(n, 0) * sizeof(struct pel_mesh_light);
 }
 
 size_t pel_scene_scratch_size(const struct pel_scene *scene)
 {
     if (!scene || !scene->mesh)
         return 0;
-    return rounded(sizeof(struct pel_frame_work)) + lights_size(scene) +
-           vertices_size(scene) +
+    return WORK_SIZE + lights_size(scene) +
+           (size_t)scene->mesh->vertices * sizeof(struct pel_frame_vertex) +
            (size_t)scene->mesh->triangles * sizeof(struct pel_depth_entry);
 }
 
-static void divide_scratch(struct pel_frame *frame, void *scratch)
+static void divide_scratch(struct pel_frame *frame, uint8_t *at)
 {
-    uint8_t *at = scratch;
     frame->work = (void *)at;
-    at += rounded(sizeof(struct pel_frame_work));
+    pel_clip_start(&frame->work->clip);
+    at += WORK_SIZE;
     frame->lights.light = (void *)at;
     at += lights_size(frame->scene);
     frame->vertex = (void *)at;
-    at += vertices_size(frame->scene);
-    frame->order = (void *)at;
+    frame->order = (void *)(frame->vertex + frame->scene->mesh->vertices);
 }
 
 static enum pel_status start_texture(struct pel_frame *frame)
@@ -45,25 +40,26 @@ static enum pel_status start_texture(struct pel_frame *frame)
     static const struct pel_texture_map none = {{0, 0, 0}, {0, 0, 0}};
     if (!t)
         return PEL_OK;
-    const bool legal_span = t->span >= 0 && t->span <= PEL_SPAN_MAX &&
-                            (t->span & (t->span - 1)) == 0;
     if (!t->mapping || !t->sampler || !frame->scene->mesh->uv)
         return PEL_ERROR_NULL;
-    enum pel_status status = t->sampler(&frame->texture, &t->texels, &none);
+    if ((uint32_t)t->span > PEL_SPAN_MAX || (t->span & (t->span - 1)))
+        return PEL_ERROR_RANGE;
+    const enum pel_status status =
+        t->sampler(&frame->texture, &t->texels, &none);
     frame->texture.wrap_u = (uint8_t)t->wrap_u;
     frame->texture.wrap_v = (uint8_t)t->wrap_v;
-    if (status == PEL_OK && t->mapping->surface && !frame->texture.base.opaque)
-        frame->opaque = false;
-    return legal_span ? status : PEL_ERROR_RANGE;
+    if (status == PEL_OK && t->mapping->surface)
+        frame->opaque &= frame->texture.base.opaque;
+    return status;
 }
 
 static pel_color surface_color(const struct pel_frame *frame, uint32_t vertex)
 {
     const struct pel_scene *s = frame->scene;
-    if (s->texture && s->texture->mapping->surface)
-        return UINT32_C(0xFFFFFFFF);
-    if (s->texture && s->texture->mapping->vertex)
-        return s->texture->mapping->vertex(frame, vertex);
+    if (s->texture)
+        return s->texture->mapping->vertex
+                   ? s->texture->mapping->vertex(frame, vertex)
+                   : UINT32_C(0xFFFFFFFF);
     if (!s->mesh->colors)
         return s->color;
     const uint8_t *c = s->mesh->colors[vertex];
@@ -83,35 +79,21 @@ static void place_vertices(struct pel_frame *frame)
     }
 }
 
-/* Of a triangle that has to be clipped nothing is said here but whether all of
- * it lies behind the near plane. */
-static bool may_be_seen(const struct pel_frame *frame,
-                        const struct pel_projected *a,
-                        const struct pel_projected *b,
-                        const struct pel_projected *c)
-{
-    if (a->x == PEL_NOT_ON_SCREEN || b->x == PEL_NOT_ON_SCREEN ||
-        c->x == PEL_NOT_ON_SCREEN)
-        return pel_max(pel_max(a->z, b->z), c->z) >= frame->projector.near;
-    const struct pel_point p[3] = {{a->x, a->y}, {b->x, b->y}, {c->x, c->y}};
-    return pel_frame_meets(p, &frame->scene->viewport) &&
-           pel_side_drawn(frame->scene->cull, pel_triangle_area(p));
-}
-
 static void list_triangles(struct pel_frame *frame)
 {
-    const struct pel_mesh *mesh = frame->scene->mesh;
-    uint32_t corner[3];
-    frame->triangles = 0;
-    for (uint32_t i = 0; i < mesh->triangles; i++) {
-        pel_mesh_corners(mesh, i, corner);
-        const struct pel_projected *a = &frame->vertex[corner[0]].at;
-        const struct pel_projected *b = &frame->vertex[corner[1]].at;
-        const struct pel_projected *c = &frame->vertex[corner[2]].at;
-        if (may_be_seen(frame, a, b, c))
-            frame->order[frame->triangles++] =
-                (struct pel_depth_entry){a->z + b->z + c->z, i};
+    struct pel_depth_entry *entry = frame->order;
+    const uint32_t n = frame->scene->mesh->triangles;
+    for (uint32_t i = 0; i < n; i++) {
+        const enum pel_frame_taken taken =
+            pel_frame_take(frame, i, &entry->depth);
+        entry->index = i;
+        if (taken == PEL_TAKEN_CUT ||
+            (taken == PEL_TAKEN_WHOLE &&
+             pel_frame_shows(frame, frame->work->triangle.at,
+                             &frame->scene->viewport)))
+            entry++;
     }
+    frame->triangles = (uint32_t)(entry - frame->order);
 }
 
 static enum pel_status start(struct pel_frame *frame)
@@ -119,7 +101,8 @@ static enum pel_status start(struct pel_frame *frame)
     const struct pel_scene *s = frame->scene;
     enum pel_status status = pel_mesh_check(s->mesh, &frame->fault);
     if (status == PEL_OK)
-        status = pel_projector_init(&frame->projector, s->mesh, s->pose,
+        status = pel_projector_init(&frame->projector, s->mesh,
+                                    s->pose ? s->pose : &pel_pose_none,
                                     &s->camera, &s->viewport);
     if (status == PEL_OK)
         status = start_texture(frame);

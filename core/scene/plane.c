@@ -1,64 +1,52 @@
 #include "plane.h"
 
+#include "../base/fixed_divide.h"
+#include "../raster/triangle.h"
 #include "../raster/triangle_sort.h"
 #include "vector.h"
+
+/* The copy of the inline function (vector.h). */
+uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y);
+
+/* Gradients are exact, and cut towards zero: n / area as 2^-24 of a pixel and,
+ * in `fine`, of a sub-pixel; modulo 2^64. */
+#if PEL_LONG_MULTIPLY
 
 /* The upper and the lower half of a b. */
 static uint64_t multiply(uint64_t a, uint64_t b, uint64_t *low)
 {
     const uint64_t al = a & 0xFFFFFFFFu, ah = a >> 32;
     const uint64_t bl = b & 0xFFFFFFFFu, bh = b >> 32;
-    const uint64_t cross = ah * bl + (al * bl >> 32);
+    const uint64_t least = al * bl;
+    const uint64_t cross = ah * bl + (least >> 32);
     const uint64_t other = al * bh + (cross & 0xFFFFFFFFu);
-    *low = a * b;
+    *low = other << 32 | (least & 0xFFFFFFFFu);
     return ah * bh + (cross >> 32) + (other >> 32);
 }
 
 /* word = area 2^(63 - bits), in [2^62, 2^63). r = 2^63 / (word >> 31) is right
- * to 2^-31, so word r 2^-31 misses 2^63 by less than 2^33; what it misses, by
+ * to 2^-31, so word r 2^-32 misses 2^62 by less than 2^32; what it misses, by
  * Newton, makes r right to 2^-59. */
 static void invert(struct pel_plane_setup *s)
 {
     const int bits = pel_bits_of(s->area);
     const uint64_t word = s->area << (63 - bits);
-    const uint64_t r = (UINT64_C(1) << 63) / (word >> 31);
-    const uint64_t near =
-        (word >> 32) * r * 2 + ((word & 0xFFFFFFFFu) * r >> 31);
-    const int64_t miss = (int64_t)((UINT64_C(1) << 63) - near) >> 3;
+    const uint64_t r =
+        pel_divide((UINT64_C(1) << 63) - 1, (uint32_t)(word >> 31));
+    uint64_t low;
+    const int64_t miss =
+        (int64_t)((UINT64_C(1) << 62) - multiply(word, r << 32, &low)) >> 2;
     s->inverse = (r << 31) + (uint64_t)((int64_t)r * miss >> 29);
     s->shift = (uint8_t)(30 + bits);
 }
 
-bool pel_plane_start(struct pel_plane_setup *setup, const struct pel_point v[3])
+/* By the inverse, 2^-(shift + 32) of which is the one of a pixel. That is off
+ * by less than 2^-58 of itself, so that what is left, |n| 2^32 less as many
+ * areas, is below 2^31 + 2^51 in size. */
+static uint64_t divide(const struct pel_plane_setup *s, uint64_t n,
+                       uint64_t *fine)
 {
-    const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
-    struct pel_plane_setup *s = setup;
-    pel_sort3(p);
-    const struct pel_point *a = p[0], *b = p[1], *c = p[2];
-    int64_t area = (int64_t)(b->x - a->x) * (c->y - a->y) -
-                   (int64_t)(c->x - a->x) * (b->y - a->y);
-    if (area < 0) {
-        pel_swap_points(&b, &c);
-        area = -area;
-    }
-    s->a = *a;
-    s->ab = (struct pel_point){b->x - a->x, b->y - a->y};
-    s->ac = (struct pel_point){c->x - a->x, c->y - a->y};
-    s->first = (uint8_t)(a - v);
-    s->second = (uint8_t)(b - v);
-    s->third = (uint8_t)(c - v);
-    s->area = (uint64_t)area;
-    if (area)
-        invert(s);
-    return area != 0;
-}
-
-/* The gradient n / area: of a sub-pixel in 2^-24, and of a pixel. 128 bits of n
- * times the inverse, 2^-(shift + 32) of which is the second one. */
-static void gradient(const struct pel_plane_setup *s, int64_t n,
-                     uint64_t *subpixel, uint64_t *pixel)
-{
-    uint64_t low, high = multiply((uint64_t)pel_size_of(n), s->inverse, &low);
+    uint64_t low, high = multiply(n, s->inverse, &low);
     int shift = s->shift;
     if (shift >= 64) {
         low = high;
@@ -67,12 +55,88 @@ static void gradient(const struct pel_plane_setup *s, int64_t n,
     }
     low = low >> shift | high << 1 << (63 - shift);
     high >>= shift;
-    *pixel = n < 0 ? 0 - low : low;
-    low = low >> 8 | high << 56;
-    *subpixel = n < 0 ? 0 - low : low;
+    const int64_t left = (int64_t)((n << 32) - low * s->area);
+    if (left < 0 || (uint64_t)left >= s->area) {
+        const int64_t d = (int64_t)s->area;
+        const int64_t more = left / d - (left % d < 0);
+        const uint64_t sum = low + (uint64_t)more;
+        high += (uint64_t)(more >> 63) + (sum < low);
+        low = sum;
+    }
+    *fine = low >> 8 | high << 56;
+    return low;
 }
 
-/* With nx = (vb - va) ac.y - (vc - va) ab.y, below 2^58, the gradient is nx /
+#else
+
+static void invert(struct pel_plane_setup *s)
+{
+    (void)s;
+}
+
+/* Bit by bit, 64 of n and 32 behind them, but for the zeros that it begins
+ * with. A rest, below 2^50, has room for the next bit. */
+static uint64_t divide(const struct pel_plane_setup *s, uint64_t n,
+                       uint64_t *fine)
+{
+    uint64_t q = 0, rest = 0;
+    int bits = 96;
+    for (; bits > 32 && n >> 63 == 0; bits--)
+        n <<= 1;
+    for (; bits > 0; bits--) {
+        if (bits == 8)
+            *fine = q;
+        rest = rest * 2 + (n >> 63);
+        n <<= 1;
+        q *= 2;
+        if (rest >= s->area) {
+            rest -= s->area;
+            q++;
+        }
+    }
+    return q;
+}
+
+#endif
+
+static void gradient(const struct pel_plane_setup *s, int64_t n, uint64_t *fine,
+                     uint64_t *pixel)
+{
+    *pixel = divide(s, (uint64_t)pel_size_of(n), fine);
+    if (n < 0) {
+        *pixel = 0 - *pixel;
+        *fine = 0 - *fine;
+    }
+}
+
+/* Vertex i, from the topmost one. */
+static struct pel_point way_to(const struct pel_plane_setup *s,
+                               const struct pel_point v[3], int i)
+{
+    return (struct pel_point){v[i].x - s->a.x, v[i].y - s->a.y};
+}
+
+/* Which of the others is the second one is as if the area were positive. */
+bool pel_plane_start(struct pel_plane_setup *setup, const struct pel_point v[3])
+{
+    struct pel_plane_setup *s = setup;
+    const int64_t area = pel_triangle_area(v);
+    int a = pel_above(&v[1], &v[0]) ? 1 : 0;
+    a = pel_above(&v[2], &v[a]) ? 2 : a;
+    const int b = a == 2 ? 0 : a + 1;
+    s->first = (uint8_t)a;
+    s->second = (uint8_t)(area < 0 ? 3 - a - b : b);
+    s->third = (uint8_t)(area < 0 ? b : 3 - a - b);
+    s->a = v[a];
+    s->ab = way_to(s, v, s->second);
+    s->ac = way_to(s, v, s->third);
+    s->area = (uint64_t)pel_size_of(area);
+    if (area)
+        invert(s);
+    return area != 0;
+}
+
+/* With nx = (vb - va) ac.y - (vc - va) ab.y, below 2^57, the gradient is nx /
  * area; in y alike. The anchor is the pixel of a, whose centre is up to 128
  * sub-pixels away. From there a step of a pixel has eight bits more, which keep
  * the longest way right to 2^16 2^-24. */
@@ -81,17 +145,16 @@ void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
 {
     const struct pel_plane_setup *s = setup;
     const int32_t top = value[s->first];
-    const int64_t b = (int64_t)value[s->second] - top;
-    const int64_t c = (int64_t)value[s->third] - top;
+    const int32_t b = value[s->second] - top, c = value[s->third] - top;
     const int32_t x = pel_pixel_of(s->a.x), y = pel_pixel_of(s->a.y);
-    uint64_t gx, gy;
+    struct pel_plane fine;
     *plane = pel_plane_level(top);
     if (b == 0 && c == 0)
         return;
-    gradient(s, b * s->ac.y - c * s->ab.y, &gx, &plane->dx);
-    gradient(s, c * s->ab.x - b * s->ac.x, &gy, &plane->dy);
-    plane->at += gx * (uint64_t)(int64_t)(pel_pixel_center(x) - s->a.x) +
-                 gy * (uint64_t)(int64_t)(pel_pixel_center(y) - s->a.y) -
-                 (uint64_t)(int64_t)x * plane->dx -
-                 (uint64_t)(int64_t)y * plane->dy;
+    fine.at = plane->at;
+    gradient(s, pel_minor(b, s->ac.y, c, s->ab.y), &fine.dx, &plane->dx);
+    gradient(s, pel_minor(c, s->ab.x, b, s->ac.x), &fine.dy, &plane->dy);
+    plane->at = pel_plane_at(&fine, pel_pixel_center(x) - s->a.x,
+                             pel_pixel_center(y) - s->a.y);
+    plane->at = pel_plane_at(plane, -x, -y);
 }

@@ -25,7 +25,8 @@ struct pel_plane_setup {
 bool pel_plane_start(struct pel_plane_setup *setup,
                      const struct pel_point v[3]);
 
-/* The plane with value[i] at v[i], |value| <= 2^30. At pixels inside the
+/* The plane with value[i] at v[i], which and whose differences fit 31 bits and
+ * a sign. At pixels inside the
  * triangle it is off by less than 2^-6, and when the triangle is thinner than
  * 1/256 px by less than 2^-17 of the largest value. The order of the vertices
  * does not matter. */
@@ -39,8 +40,7 @@ static inline struct pel_plane pel_plane_level(int32_t value)
     return plane;
 }
 
-static inline uint64_t pel_plane_at(const struct pel_plane *p, int32_t x,
-                                    int32_t y)
+inline uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y)
 {
     return p->at + (uint64_t)(int64_t)x * p->dx + (uint64_t)(int64_t)y * p->dy;
 }

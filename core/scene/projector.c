@@ -1,50 +1,45 @@
 #include "projector.h"
 
-/* num / den = mantissa 2^(spread - 30) with mantissa in [2^29, 2^30]. num <=
- * 2^47 and num <= den 2^spread <= 2^48, so the shifted one fits 54 bits. */
-static bool scale_of(uint64_t num, uint64_t den, int32_t *mantissa,
-                     int8_t *spread)
+#include "../base/fixed_divide.h"
+
+const struct pel_pose pel_pose_none = {PEL_MATRIX_IDENTITY, {0, 0, 0}};
+
+/* num / den = mantissa 2^(spread - 30) with mantissa in [2^29, 2^30]; the ratio
+ * is 1 to 2^24. num <= 2^47, so the shifted one fits 54 bits. */
+static bool scale_of(uint64_t num, uint32_t den, int32_t *mantissa,
+                     int32_t *spread)
 {
-    int8_t bits = 0;
-    while (bits < 24 && num > den << bits)
+    int32_t bits = 0;
+    if (num < den)
+        return false;
+    for (uint64_t end = den; num > end; end <<= 1)
         bits++;
-    *mantissa = (int32_t)(((num << (30 - bits)) + den / 2) / den);
+    if (bits > 24)
+        return false;
+    *mantissa = (int32_t)pel_divide((num << (30 - bits)) + den / 2, den);
     *spread = bits;
-    return num >= den && num <= den << bits;
+    return true;
 }
 
-/* Legal sizes in pixels, and of focal length and sensor. */
-static bool sizes_legal(const struct pel_camera *c, const struct pel_rect *v)
+/* Row 0 or 1 becomes the sub-pixels of a unit, on pixels [from, to). */
+static bool scale_row(struct pel_projector *p, const struct pel_camera *camera,
+                      int k, int32_t from, int32_t to)
 {
-    const bool ortho = c->projection == PEL_ORTHOGRAPHIC;
-    const uint32_t limit = ortho ? PEL_LENGTH_MAX : UINT32_C(1) << 24;
-    return v->x0 >= -32767 && v->y0 >= -32767 && v->x1 <= 32767 &&
-           v->y1 <= 32767 && !pel_rect_empty(v) && v->x1 - v->x0 <= 32767 &&
-           v->y1 - v->y0 <= 32767 && (uint32_t)c->sensor[0] - 1 < limit &&
-           (uint32_t)c->sensor[1] - 1 < limit &&
-           (ortho || (uint32_t)c->focal - 1 < limit);
-}
-
-/* Rows of x and y become the sub-pixels of a unit. */
-static bool scale_rows(struct pel_projector *p, struct pel_matrix *basis,
-                       const struct pel_camera *camera,
-                       const struct pel_rect *viewport)
-{
-    const int32_t from[2] = {viewport->x0, viewport->y0};
-    const int32_t to[2] = {viewport->x1, viewport->y1};
-    const int32_t focal =
-        camera->projection == PEL_ORTHOGRAPHIC ? PEL_UNITS(1) : camera->focal;
-    for (int k = 0; k < 2; k++) {
-        const uint32_t size = (uint32_t)(to[k] - from[k]) * 256;
-        int32_t mantissa;
-        if (!scale_of((uint64_t)size * (uint32_t)focal,
-                      (uint32_t)camera->sensor[k], &mantissa, &p->spread[k]))
-            return false;
-        for (int j = 0; j < 3; j++)
-            basis->row[k][j] = (int32_t)pel_scale_down(
-                (int64_t)basis->row[k][j] * mantissa, 30);
-        p->center[k] = (from[k] + to[k]) * 128;
+    uint32_t limit = UINT32_C(1) << 24, focal = (uint32_t)camera->focal;
+    const uint32_t sensor = (uint32_t)camera->sensor[k];
+    int32_t mantissa;
+    if (camera->projection == PEL_ORTHOGRAPHIC) {
+        limit = PEL_LENGTH_MAX;
+        focal = PEL_UNITS(1);
     }
+    if (from < -32767 || to > 32767 || from >= to || to - from > 32767 ||
+        focal - 1 >= limit || sensor - 1 >= limit ||
+        !scale_of((uint64_t)(uint32_t)(to - from) * 256 * focal, sensor,
+                  &mantissa, &p->spread[k]))
+        return false;
+    for (int j = 0; j < 3; j++)
+        p->rows.row[k][j] = pel_scaled(p->rows.row[k][j], mantissa, 30);
+    p->center[k] = (from + to) * 128;
     return true;
 }
 
@@ -52,32 +47,35 @@ static bool scale_rows(struct pel_projector *p, struct pel_matrix *basis,
  * The coarser of both less 2 bits is fine: each part is then below 3 2^59, and
  * what the other one loses is nothing that the rows' own rounding would leave
  * right. */
-static void place_origin(struct pel_projector *p, const struct pel_matrix *rows,
-                         const struct pel_pose *pose,
-                         const struct pel_camera *camera)
+static PEL_NOINLINE void place_origin(struct pel_projector *p,
+                                      const struct pel_pose *pose,
+                                      const struct pel_camera *camera)
 {
-    const int shift = p->quantum.shift;
-    int64_t from_eye[3];
+    const int shift = pel_min(p->quantum.shift, 16);
+    p->fine_bits = shift + 28;
+    p->down = p->quantum.shift - shift + 2;
     for (int k = 0; k < 3; k++)
-        from_eye[k] = (int64_t)(pose ? pose->at[k] : 0) - camera->eye[k];
-    p->fine_bits = (int8_t)((shift < 16 ? shift + 30 : 46) - 2);
-    p->down = (int8_t)(shift + 30 - p->fine_bits);
-    pel_matrix_apply(rows, from_eye, 46 - p->fine_bits, p->origin);
+        p->origin[k] = pel_scale_down(pel_dot(p->rows.row[k], pose->at) -
+                                          pel_dot(p->rows.row[k], camera->eye),
+                                      18 - shift);
 }
 
-/* How far the origin and the farthest number of the mesh can be away. */
+int64_t pel_quantum_reach(const struct pel_mesh_quantum *quantum)
+{
+    int64_t reach = INT64_C(98304) * quantum->step;
+    for (const int32_t *o = quantum->offset; o < quantum->offset + 3; o++)
+        reach += pel_size_of(*o);
+    return reach;
+}
+
+/* At least how far the origin and the farthest number of the mesh can be away:
+ * a row is not longer than 1. */
 static void choose_coarse(struct pel_projector *p)
 {
-    uint64_t reach = 0;
-    for (int k = 0; k < 3; k++) {
-        int64_t far = 0;
-        for (int j = 0; j < 3; j++)
-            far += pel_size_of(p->rows.row[k][j]) *
-                   (pel_size_of(p->quantum.offset[j]) +
-                    INT64_C(32768) * p->quantum.step);
-        reach |= (uint64_t)((far >> p->down) + 1 + pel_size_of(p->origin[k]));
-    }
-    p->coarse = (int8_t)pel_max(pel_bits_of(reach) - 29, 0);
+    const int64_t far =
+        (pel_quantum_reach(&p->quantum) * (1 << 30) >> p->down) + 1 +
+        (int64_t)pel_reach_of(p->origin);
+    p->coarse = pel_max(pel_bits_of((uint64_t)far) - 29, 0);
 }
 
 static enum pel_status place_near(struct pel_projector *p,
@@ -103,21 +101,17 @@ enum pel_status pel_projector_init(struct pel_projector *projector,
                                    const struct pel_rect *viewport)
 {
     struct pel_projector *p = projector;
-    struct pel_matrix basis;
-    enum pel_status status = pel_camera_basis(camera, &basis);
+    enum pel_status status = pel_camera_basis(camera, &p->rows);
     if (status != PEL_OK)
         return status;
-    if (!sizes_legal(camera, viewport) ||
-        !scale_rows(p, &basis, camera, viewport))
+    if (!scale_row(p, camera, 0, viewport->x0, viewport->x1) ||
+        !scale_row(p, camera, 1, viewport->y0, viewport->y1))
         return PEL_ERROR_SIZE;
     p->quantum = mesh->position;
-    place_origin(p, &basis, pose, camera);
-    if (pose)
-        pel_matrix_multiply(&p->rows, &basis, &pose->turn);
-    else
-        p->rows = basis;
+    place_origin(p, pose, camera);
+    pel_matrix_multiply(&p->rows, &p->rows, &pose->turn);
     choose_coarse(p);
     if (camera->projection == PEL_ORTHOGRAPHIC) /* one unit fits 29 bits */
-        p->coarse = (int8_t)pel_max(p->coarse, p->fine_bits - 29);
+        p->coarse = pel_max(p->coarse, p->fine_bits - 29);
     return place_near(p, camera);
 }

@@ -12,6 +12,9 @@ struct pel_pose {
     pel_length at[3];
 };
 
+/* World places are those of the mesh. */
+extern const struct pel_pose pel_pose_none;
+
 /* Camera space here has x and y scaled by what the viewport needs, so that the
  * sub-pixel of a place is center + x 2^spread / z. `fine` numbers are
  * 2^-fine_bits world units in 64 bits, below 2^61; coarse ones, 2^-coarse of
@@ -20,17 +23,17 @@ struct pel_pose {
 struct pel_projector {
     struct pel_matrix rows; /* of the mesh, scaled */
     int64_t origin[3];      /* fine */
-    struct pel_mesh_quantum quantum;
-    int32_t center[2]; /* sub-pixels */
-    int64_t near_fine; /* the near plane, fine */
-    int32_t near;      /* coarse, at least 1 */
+    int64_t near_fine;      /* the near plane, fine */
+    int32_t near;           /* coarse, at least 1 */
     int32_t one;       /* coarse: z of all places when orthographic, or 0 */
-    int8_t down;       /* bits from a row times a place to fine */
-    int8_t fine_bits, coarse;
-    int8_t spread[2]; /* 0..24 */
+    int32_t center[2]; /* sub-pixels */
+    int32_t spread[2]; /* 0..24 */
+    int32_t down;      /* bits from a row times a place to fine */
+    int32_t fine_bits, coarse;
+    struct pel_mesh_quantum quantum;
 };
 
-/* pose may be NULL: the mesh stands as it is. PEL_ERROR_SIZE: an empty
+/* PEL_ERROR_SIZE: an empty
  * viewport, or one beyond +-32,767 px, or a focal length or sensor out of
  * range, or of an extent that makes more than 65,536 or less than 1/256 pixel
  * of a unit at distance 1; PEL_ERROR_RANGE: pel_camera_basis, or `near` is
@@ -41,6 +44,9 @@ enum pel_status pel_projector_init(struct pel_projector *projector,
                                    const struct pel_pose *pose,
                                    const struct pel_camera *camera,
                                    const struct pel_rect *viewport);
+
+/* At least how far a place is from (0, 0, 0), in numerators; below 2^33. */
+int64_t pel_quantum_reach(const struct pel_mesh_quantum *quantum);
 
 /* Where x has this value, a vertex is not in front of the near plane, or out of
  * the legal range of sub-pixels less one pixel: it has to be clipped. */

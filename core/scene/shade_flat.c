@@ -1,12 +1,14 @@
 #include "pipeline.h"
 
-/* The mean, rounded, of each channel. */
-static pel_color mean_of(pel_color a, pel_color b, pel_color c)
+/* The mean, rounded, of each channel: 43,691 / 2^18 is 1/6, and right where the
+ * product fits. */
+static pel_color mean_of(const pel_color c[3])
 {
     pel_color mean = 0;
     for (int k = 0; k < 32; k += 8) {
-        const uint32_t sum = (a >> k & 255) + (b >> k & 255) + (c >> k & 255);
-        mean |= (2 * sum + 3) / 6 << k;
+        const uint32_t sum =
+            (c[0] >> k & 255) + (c[1] >> k & 255) + (c[2] >> k & 255);
+        mean |= (2 * sum + 3) * 43691 >> 18 << k;
     }
     return mean;
 }
@@ -14,16 +16,15 @@ static pel_color mean_of(pel_color a, pel_color b, pel_color c)
 const struct pel_paint *pel_shade_flat_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface)
 {
-    const struct pel_flat paint = PEL_FLAT(0);
-    const struct pel_frame_vertex *v = frame->vertex;
-    const uint32_t *i = frame->work->triangle.vertex;
-    const pel_color mean = mean_of(v[i[0]].color, v[i[1]].color, v[i[2]].color);
-    const pel_color color[3] = {mean, mean, mean};
+    struct pel_flat *flat = &frame->work->paint.flat;
+    pel_color color[3];
+    pel_frame_colors(frame, color);
+    color[0] = color[1] = color[2] = mean_of(color);
     if (surface)
         return frame->scene->texture->mapping->tint(frame, surface, color);
-    frame->work->paint.flat = paint;
-    frame->work->paint.flat.color = mean;
-    return &frame->work->paint.flat.paint;
+    flat->paint = (struct pel_paint)PEL_PAINT(pel_flat_fill, pel_flat_fast);
+    flat->color = color[0];
+    return &flat->paint;
 }
 
 const struct pel_shading pel_shade_flat = {NULL, NULL, pel_shade_flat_paint};

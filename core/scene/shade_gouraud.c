@@ -5,7 +5,7 @@ const struct pel_paint *pel_shade_gouraud_paint(
 {
     struct pel_frame_work *work = frame->work;
     pel_color color[3];
-    pel_frame_colors(frame, &work->triangle, color);
+    pel_frame_colors(frame, color);
     if (surface)
         return frame->scene->texture->mapping->tint(frame, surface, color);
     pel_frame_gouraud(frame, color, &work->paint.gouraud);

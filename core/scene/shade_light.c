@@ -5,7 +5,8 @@ enum pel_status pel_shade_start_light(struct pel_frame *frame)
     const struct pel_scene *s = frame->scene;
     if (!s->lighting || (!s->mesh->normals8 && !s->mesh->normals16))
         return PEL_ERROR_NULL;
-    return pel_mesh_lights_init(&frame->lights, s->lighting, s->mesh, s->pose,
+    return pel_mesh_lights_init(&frame->lights, s->lighting, s->mesh,
+                                s->pose ? s->pose : &pel_pose_none,
                                 s->camera.eye);
 }
 

@@ -1,4 +1,3 @@
-#include "../base/fixed_sqrt.h"
 #include "vector.h"
 
 bool pel_vector_fit(const int64_t v[3], int32_t fit[3])
@@ -9,19 +8,17 @@ bool pel_vector_fit(const int64_t v[3], int32_t fit[3])
     return bits != 0;
 }
 
-/* The root of the squares' sum, from 2^58 to 3 2^60, is right to 2^-29 of
- * itself. What it is off by scales the vector and does not turn it. Quotients
- * are rounded: a numerator fits 61 bits. */
+/* The near one is turned by less than half of its last bits; its length is 1 +
+ * e / 2 with e = square - 1, |e| < 2^-19, so that what e / 2 leaves is 2^-40.
+ */
 bool pel_unit_exact(const int64_t v[3], pel_cosine unit[3])
 {
-    struct pel_root root;
     if (!pel_vector_fit(v, unit))
         return false;
-    pel_square_root((uint64_t)pel_dot(unit, unit), &root);
-    for (int k = 0; k < 3; k++) {
-        const uint64_t n = (uint64_t)pel_size_of(unit[k]) << 30;
-        const int32_t q = (int32_t)((n + root.root / 2) / root.root);
-        unit[k] = unit[k] < 0 ? -q : q;
-    }
+    pel_unit_near(unit, unit);
+    const int32_t longer =
+        (int32_t)((pel_dot(unit, unit) - (INT64_C(1) << 60)) >> 31);
+    for (int k = 0; k < 3; k++)
+        unit[k] -= pel_scaled(unit[k], longer, 30);
     return true;
 }

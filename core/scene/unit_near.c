@@ -5,11 +5,12 @@
  * below 2^62, is 2^30 v / |v| after a shift by 32 - shift. */
 bool pel_unit_near(const int32_t v[3], pel_cosine unit[3])
 {
-    struct pel_root root = {0, 0, 0};
+    uint32_t inverse = 0;
+    int shift = 0;
     const uint64_t square = (uint64_t)pel_dot(v, v);
     if (square)
-        pel_square_root(square, &root);
+        inverse = pel_inverse_root(square, &shift);
     for (int k = 0; k < 3; k++)
-        unit[k] = (int32_t)((int64_t)v[k] * root.inverse >> (32 - root.shift));
+        unit[k] = pel_scaled(v[k], (int32_t)(inverse >> 1), 31 - shift);
     return square != 0;
 }

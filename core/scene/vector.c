@@ -24,17 +24,16 @@ int pel_bits_of(uint64_t v)
 uint64_t pel_reach_of(const int64_t v[3])
 {
     uint64_t reach = 0;
-    for (int k = 0; k < 3; k++)
-        reach |= (uint64_t)pel_size_of(v[k]);
+    for (const int64_t *end = v + 3; v != end; v++)
+        reach |= (uint64_t)pel_size_of(*v);
     return reach;
 }
 
-#if !PEL_FAST_64BIT
-int64_t pel_dot(const int32_t a[3], const int32_t b[3])
+int64_t pel_minor(int32_t a, int32_t b, int32_t c, int32_t d)
 {
-    int64_t sum = 0;
-    for (int k = 0; k < 3; k++)
-        sum += (int64_t)a[k] * b[k];
-    return sum;
+    return (int64_t)a * b - (int64_t)c * d;
 }
-#endif
+
+/* The copies of inline functions. */
+int32_t pel_scaled(int32_t a, int32_t b, int n);
+int64_t pel_dot(const int32_t a[3], const int32_t b[3]);

@@ -130,7 +130,8 @@ function may_reach(caller, code,    object)
 {
     object = object_at[address_of[caller]]
     if (object in reach)
-        return code ~ reach[object]
+        return code ~ reach[object] ||
+            object_at[address_of[code]] "/" code ~ reach[object]
     return is_format(code) || !(caller in in_paint)
 }
 

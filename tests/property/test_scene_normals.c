@@ -97,7 +97,8 @@ static void test_light_of_a_place(void **state)
         s.normals[0][0] = s.normals[0][1] = s.normals[0][2] = 0;
         lights.light = light;
         assert_int_equal(pel_mesh_lights_init(&lights, &s.lighting, &s.mesh,
-                                              s.scene.pose, s.scene.camera.eye),
+                                              any_scene_pose(&s),
+                                              s.scene.camera.eye),
                          PEL_OK);
         for (uint32_t i = 0; i < s.mesh.vertices; i++) {
             const real white[3] = {255, 255, 255};

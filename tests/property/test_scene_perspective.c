@@ -50,8 +50,8 @@ static void place_at(const struct subject *s, int32_t x, int32_t y, real out[3])
         out[2] += w[i];
     }
     for (int i = 0; i < 3; i++) {
-        out[0] += w[i] / out[2] * s->corner[i].u / 65536;
-        out[1] += w[i] / out[2] * s->corner[i].v / 65536;
+        out[0] += w[i] / out[2] * s->corner[i].uv[0] / 65536;
+        out[1] += w[i] / out[2] * s->corner[i].uv[1] / 65536;
     }
 }
 
@@ -112,8 +112,8 @@ static void any_subject(struct random *r, struct subject *s)
     for (int i = 0; i < 3; i++) {
         s->v[i].x = random_between(r, -20 * 256, (SIDE + 20) * 256);
         s->v[i].y = random_between(r, -20 * 256, (SIDE + 20) * 256);
-        s->corner[i].u = random_between(r, 0, texels_used);
-        s->corner[i].v = random_between(r, 0, texels_used);
+        s->corner[i].uv[0] = random_between(r, 0, texels_used);
+        s->corner[i].uv[1] = random_between(r, 0, texels_used);
         s->corner[i].z = random_between(r, 1 << 20, (1 << 20) * ratio);
     }
     if (sliver) {
@@ -146,9 +146,9 @@ static void test_a_floor_to_the_horizon(void **state)
     for (int i = 0; i < 3; i++) {
         const struct subject s = {
             {PEL_AT(0, 250), PEL_AT(255, 250), PEL_AT(120, 10)},
-            {{0, 0, 1 << 20},
-             {1 << 26, 0, 1 << 20},
-             {1 << 25, 1 << 26, 1 << 28}},
+            {{{0, 0}, 1 << 20},
+             {{1 << 26, 0}, 1 << 20},
+             {{1 << 25, 1 << 26}, 1 << 28}},
             spans[i]};
         check(&s);
         assert_int_not_equal(pixels[100 * SIDE + 120], 0);

@@ -79,7 +79,7 @@ static void check_planes(uint64_t count, int32_t thickness, real allowed)
         int32_t value[3];
         any_triangle(&c.random, v, thickness);
         for (int i = 0; i < 3; i++)
-            value[i] = random_between(&c.random, -(1 << 30), 1 << 30);
+            value[i] = random_between(&c.random, -(1 << 30), (1 << 30) - 1);
         const real error = worst_error(v, value, &pixels);
         worst = error > worst ? error : worst;
         if (error > allowed)

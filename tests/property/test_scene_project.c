@@ -71,8 +71,9 @@ static void test_vertices_are_where_they_belong(void **state)
     for (struct cases c = cases_of(5000); cases_next(&c);) {
         struct pel_projector p;
         any_scene(&c.random, &s, 4096);
-        assert_int_equal(pel_projector_init(&p, s.scene.mesh, s.scene.pose,
-                                            &s.scene.camera, &s.scene.viewport),
+        assert_int_equal(pel_projector_init(&p, s.scene.mesh,
+                                            any_scene_pose(&s), &s.scene.camera,
+                                            &s.scene.viewport),
                          PEL_OK);
         for (uint32_t i = 0; i < s.mesh.vertices; i++)
             check_vertex(&s, &p, i);
@@ -129,8 +130,9 @@ static void test_far_a_thousand_times_near(void **state)
         if (s.mesh.position.shift > 15) /* the world's steps are too coarse */
             continue;
         move_to_a_vertex(&c.random, &s);
-        assert_int_equal(pel_projector_init(&p, s.scene.mesh, s.scene.pose,
-                                            &s.scene.camera, &s.scene.viewport),
+        assert_int_equal(pel_projector_init(&p, s.scene.mesh,
+                                            any_scene_pose(&s), &s.scene.camera,
+                                            &s.scene.viewport),
                          PEL_OK);
         real nearest = 0, farthest = 0, beyond = 0;
         for (uint32_t i = 0; i < s.mesh.vertices; i++) {

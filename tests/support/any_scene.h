@@ -43,6 +43,12 @@ void any_scene_indices(struct random *r, struct any_scene *s, int32_t texels);
 /* With a texture of smooth noise instead, of 2^bits texels a side; bilinear. */
 void any_scene_noise(struct random *r, struct any_scene *s, int bits);
 
+/* Where its mesh stands. */
+static inline const struct pel_pose *any_scene_pose(const struct any_scene *s)
+{
+    return s->scene.pose ? s->scene.pose : &pel_pose_none;
+}
+
 /* Frames the scene; fails the test when it cannot. */
 void any_scene_prepare(struct any_scene *s, struct pel_frame *frame);
 
