@@ -77,6 +77,7 @@ void pel_frame_draw(struct pel_frame *frame, const struct pel_surface *surface,
     struct pel_surface *target = &frame->work->surface;
     if (frame->triangles == 0 || frame->alpha == 0)
         return;
+    pel_clip_start(&frame->work->clip);
     *target = *surface;
     target->clip = pel_rect_intersect(&surface->clip, &frame->scene->viewport);
     if (pel_rect_empty(&target->clip))

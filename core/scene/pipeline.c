@@ -26,7 +26,6 @@ size_t pel_scene_scratch_size(const struct pel_scene *scene)
 static void divide_scratch(struct pel_frame *frame, uint8_t *at)
 {
     frame->work = (void *)at;
-    pel_clip_start(&frame->work->clip);
     at += WORK_SIZE;
     frame->lights.light = (void *)at;
     at += lights_size(frame->scene);

@@ -38,7 +38,7 @@ struct plane {
     int16_t positions[ROW * ROW][3];
     uint8_t indices[2 * CELLS * CELLS][3];
     uint64_t scratch[1024];
-    bool clipped; /* a vertex is not on screen */
+    bool clipped, whole; /* a vertex is not on screen, or is */
 };
 
 static void any_corners(struct random *r, struct plane *p)
@@ -88,7 +88,8 @@ static void any_plane(struct random *r, struct plane *p)
     }
 }
 
-static void draw(struct plane *p)
+/* In bands of so many rows. */
+static void draw(struct plane *p, int32_t rows)
 {
     static uint32_t pixels[SIDE * SIDE];
     struct pel_surface surface;
@@ -99,10 +100,17 @@ static void draw(struct plane *p)
     assert_int_equal(
         pel_scene_prepare(&frame, &p->scene, p->scratch, sizeof p->scratch),
         PEL_OK);
-    p->clipped = false;
-    for (uint32_t i = 0; i < ROW * ROW; i++)
-        p->clipped |= frame.vertex[i].at.x == PEL_NOT_ON_SCREEN;
-    pel_scene_draw(&frame, &surface);
+    p->clipped = p->whole = false;
+    for (uint32_t i = 0; i < ROW * ROW; i++) {
+        const bool cut = frame.vertex[i].at.x == PEL_NOT_ON_SCREEN;
+        p->clipped |= cut;
+        p->whole |= !cut;
+    }
+    for (int32_t y = 0; y < SIDE; y += rows) {
+        surface.clip.y0 = y;
+        surface.clip.y1 = pel_min(y + rows, SIDE);
+        pel_scene_draw(&frame, &surface);
+    }
 }
 
 /* What is seen of a plane is convex: in every line the pixels that are hit are
@@ -133,7 +141,7 @@ static void test_clipped_triangles_leave_no_gap(void **state)
     (void)state;
     for (struct cases c = cases_of(8000); cases_next(&c);) {
         any_plane(&c.random, &p);
-        draw(&p);
+        draw(&p, SIDE);
         uint64_t pixels = 0;
         for (int32_t i = 0; i < SIDE; i++) {
             pixels += check_line(i, false);
@@ -147,10 +155,66 @@ static void test_clipped_triangles_leave_no_gap(void **state)
     assert_true(seen > 0);
 }
 
+/* Far from the middle of the mesh's numbers, and near to the eye: a place that
+ * can be clipped is known to many sub-pixels only, a vertex to one. */
+static void any_far_plane(struct random *r, struct plane *p)
+{
+    const int32_t far = INT32_C(1) << random_between(r, 20, 26);
+    const int32_t cell = random_between(r, 3000, 65000 / CELLS);
+    any_plane(r, p);
+    for (int32_t i = 0; i < ROW * ROW; i++) {
+        p->positions[i][0] = (int16_t)(i % ROW * cell - cell * CELLS / 2);
+        p->positions[i][2] = (int16_t)(i / ROW * cell - cell * CELLS / 2);
+    }
+    p->mesh.position = (struct pel_mesh_quantum){{far, far, far}, 1, 16};
+    for (int k = 0; k < 3; k++) {
+        const int32_t reach = k == 1 ? 3000 : cell * CELLS / 2;
+        p->scene.camera.eye[k] = far + random_between(r, -reach, reach);
+        p->scene.camera.target[k] = far + random_between(r, -reach, reach);
+    }
+    p->scene.camera.near = random_between(r, 500, 2000);
+}
+
+/* Hit twice, or missed between four neighbours that are hit. */
+static bool wrong(int32_t x, int32_t y)
+{
+    if (hits[y][x])
+        return hits[y][x] > 1;
+    return x > 0 && y > 0 && x < SIDE - 1 && y < SIDE - 1 && hits[y][x - 1] &&
+           hits[y][x + 1] && hits[y - 1][x] && hits[y + 1][x];
+}
+
+/* Where a triangle that is cut meets one that is not, both see the vertices
+ * that they share at one place; and all bands do. */
+static void test_vertices_stay_where_neighbours_see_them(void **state)
+{
+    static struct plane p;
+    static uint8_t whole[SIDE][SIDE];
+    uint64_t pictures = 0;
+    (void)state;
+    for (struct cases c = cases_of(4000); cases_next(&c);) {
+        any_far_plane(&c.random, &p);
+        draw(&p, SIDE);
+        pictures += p.clipped && p.whole;
+        for (int32_t i = 0; i < SIDE * SIDE; i++)
+            if (wrong(i % SIDE, i / SIDE))
+                fail_msg("pixel %d, %d: hit %d times; %s", i % SIDE, i / SIDE,
+                         hits[i / SIDE][i % SIDE], cases_replay());
+        memcpy(whole, hits, sizeof whole);
+        draw(&p, random_between(&c.random, 1, 40));
+        if (memcmp(whole, hits, sizeof whole) != 0)
+            fail_msg("bands differ; %s", cases_replay());
+    }
+    print_message("%llu pictures with triangles that are cut beside others\n",
+                  (unsigned long long)pictures);
+    assert_true(pictures > 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_clipped_triangles_leave_no_gap),
+        cmocka_unit_test(test_vertices_stay_where_neighbours_see_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,131 @@
+/* Arithmetic of the 3-D pipeline, of which there are two where products of 64
+ * bits are long: both give these numbers. */
+#include "core/base/fixed_divide.h"
+#include "core/scene/plane.h"
+#include "core/scene/vector.h"
+#include "tests/support/cases.h"
+#include "tests/support/check.h"
+#include "tests/support/reference.h"
+#include "tests/support/reference_scene.h"
+
+static int64_t any_number(struct random *r, int bits)
+{
+    const uint64_t word = (uint64_t)random_word(r) << 32 | random_word(r);
+    const int64_t v = (int64_t)(word >> (64 - bits));
+    return random_word(r) % 2 ? v : -v;
+}
+
+static void test_division(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(300000); cases_next(&c);) {
+        struct random *r = &c.random;
+        uint32_t d = random_word(r) >> random_word(r) % 32;
+        d += d == 0;
+        const uint64_t q = random_word(r) >> random_word(r) % 32;
+        const uint64_t n = q * d + random_word(r) % d;
+        if (pel_divide(n, d) != q)
+            fail_msg("%llu / %u is not %u; %s", (unsigned long long)n, d,
+                     pel_divide(n, d), cases_replay());
+    }
+    assert_int_equal(pel_divide(UINT64_C(0xFFFFFFFEFFFFFFFF), UINT32_MAX),
+                     UINT32_MAX);
+}
+
+/* The quotient of gradients, cut towards zero. */
+static uint64_t cut(wide n, wide area)
+{
+    const wide q = (n < 0 ? -n : n) / area;
+    return (uint64_t)(n < 0 ? -q : q);
+}
+
+/* From area 1 to the largest; values up to the largest of all. */
+static void test_gradients_are_exact(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(200000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const int bits = random_between(r, 1, 23);
+        struct pel_plane_setup s;
+        struct pel_plane plane;
+        struct pel_point v[3];
+        int32_t value[3];
+        for (int i = 0; i < 3; i++) {
+            v[i].x = (int32_t)any_number(r, bits);
+            v[i].y = (int32_t)any_number(r, bits);
+            value[i] = (int32_t)any_number(r, random_between(r, 1, 30));
+        }
+        if (random_word(r) % 2) { /* a sliver */
+            v[2].x = v[0].x + (v[1].x - v[0].x) / 2;
+            v[2].y = v[0].y + (v[1].y - v[0].y) / 2;
+        }
+        if (!pel_plane_start(&s, v))
+            continue;
+        pel_plane_set(&plane, &s, value);
+        const wide b = value[s.second] - (wide)value[s.first];
+        const wide d = value[s.third] - (wide)value[s.first];
+        const wide nx = b * s.ac.y - d * s.ab.y;
+        const wide ny = d * s.ab.x - b * s.ac.x;
+        const wide area = (wide)s.area;
+        if (plane.dx != cut(nx * ((wide)1 << 32), area) ||
+            plane.dy != cut(ny * ((wide)1 << 32), area))
+            fail_msg("gradients of area %llu; %s", (unsigned long long)s.area,
+                     cases_replay());
+        if (pel_plane_at(&plane, v[s.first].x >> 8, v[s.first].y >> 8) !=
+            ((uint64_t)(int64_t)value[s.first] << 24) +
+                cut(nx * (1 << 24), area) *
+                    (uint64_t)(int64_t)(128 - (v[s.first].x & 255)) +
+                cut(ny * (1 << 24), area) *
+                    (uint64_t)(int64_t)(128 - (v[s.first].y & 255)))
+            fail_msg("anchor; %s", cases_replay());
+    }
+}
+
+static real worst_part(const int64_t v[3], const pel_cosine unit[3])
+{
+    const real length = reference_root((real)v[0] * v[0] + (real)v[1] * v[1] +
+                                       (real)v[2] * v[2]);
+    real worst = 0;
+    for (int k = 0; k < 3; k++) {
+        const real off = unit[k] / (real)PEL_COSINE_ONE - v[k] / length;
+        worst = off > worst ? off : -off > worst ? -off : worst;
+    }
+    return worst;
+}
+
+static void test_directions(void **state)
+{
+    real exact = 0, near = 0;
+    (void)state;
+    for (struct cases c = cases_of(100000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const int bits = random_between(r, 1, 62);
+        int64_t v[3];
+        pel_cosine unit[3];
+        for (int k = 0; k < 3; k++)
+            v[k] = any_number(r, random_word(r) % 4 ? bits : 1);
+        if (!pel_unit_exact(v, unit))
+            continue;
+        real off = worst_part(v, unit);
+        exact = off > exact ? off : exact;
+        if (bits > 30)
+            continue;
+        const int32_t small[3] = {(int32_t)v[0], (int32_t)v[1], (int32_t)v[2]};
+        assert_true(pel_unit_near(small, unit));
+        off = worst_part(v, unit);
+        near = off > near ? off : near;
+    }
+    print_message("off by %.3f 2^-29 and %.3f 2^-21 at most\n",
+                  (double)(exact * (1 << 29)), (double)(near * (1 << 21)));
+    assert_true(exact < 1.0L / (1 << 29) && near < 1.0L / (1 << 21));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_division),
+        cmocka_unit_test(test_gradients_are_exact),
+        cmocka_unit_test(test_directions),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
