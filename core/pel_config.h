@@ -88,8 +88,8 @@
 /* PEL_NOINLINE: functions that keep their stack to themselves, so that it is
  * free again before the caller calls another. PEL_HOT: inlined where speed goes
  * before size. PEL_WALK: a loop that is a function of its own where registers
- * are few or code is to be small, and inlined elsewhere. PEL_WIDE: a function of
- * its own where 64 bits are long code. */
+ * are few or code is to be small, and inlined elsewhere. PEL_WIDE: a function
+ * of its own where 64 bits are long code. */
 #ifdef __GNUC__
 #define PEL_NOINLINE __attribute__((__noinline__))
 #else

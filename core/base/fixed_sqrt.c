@@ -1,5 +1,7 @@
 #include "fixed_sqrt.h"
 
+#include "fixed_root_steps.h"
+
 /* The root times 2^shift, of v 4^shift = m 2^30, is m / sqrt(m / 2^32) / 2: off
  * by less than 2^31 2^-22 after the shift, so |rest| < 2^41 2^-shift. rest / 2
  * root, to which the root has to grow, is rest inverse 2^(shift - 63); with the
@@ -7,10 +9,10 @@
  * floor is at most one step away. */
 void pel_square_root(uint64_t v, struct pel_root *root)
 {
-    int shift;
     const uint64_t w = v ? v : 1;
-    const uint32_t inverse = pel_inverse_root(w, &shift);
+    const int shift = pel_root_half_shift(w);
     const uint32_t m = (uint32_t)(w << 2 * shift >> 30);
+    const uint32_t inverse = pel_root_inverse(m);
     uint64_t g = ((uint64_t)m * inverse >> 32) >> shift;
     int64_t rest = (int64_t)(v - g * g) * (int64_t)(inverse >> 16);
     g += (uint64_t)(rest >> (47 - shift));

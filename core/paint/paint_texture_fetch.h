@@ -20,13 +20,11 @@ enum pel_status pel_texture_set(struct pel_texture *paint,
                                 const struct pel_texture_map *map);
 
 /* With a constant kind on 64-bit CPUs, where each kind has a loop of its own;
- * elsewhere there is one loop for all, and what begins a run is there once. */
+ * elsewhere there is one loop for all. */
 #if PEL_FAST_64BIT
 #define PEL_TEXTURE_INLINE PEL_ALWAYS_INLINE
-#define PEL_TEXTURE_START inline
 #else
 #define PEL_TEXTURE_INLINE inline
-#define PEL_TEXTURE_START PEL_NOINLINE
 #endif
 
 static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,
@@ -57,13 +55,11 @@ struct pel_texture_axis {
     uint8_t wrap;
 };
 
-/* From pixel (x, y) on, less `back`. */
-static PEL_TEXTURE_START void pel_texture_axis_start(
-    struct pel_texture_axis *a, const struct pel_texture_plane *p, int32_t x,
-    int32_t y, uint32_t back)
+static inline void pel_texture_axis_start(struct pel_texture_axis *a,
+                                          const struct pel_texture_plane *p,
+                                          int32_t x, int32_t y)
 {
-    a->at = p->at + (uint64_t)(int64_t)x * p->dx +
-            (uint64_t)(int64_t)y * p->dy - back;
+    a->at = p->at + (uint64_t)(int64_t)x * p->dx + (uint64_t)(int64_t)y * p->dy;
     a->step = p->dx;
 }
 
@@ -118,8 +114,10 @@ static inline void pel_texture_axes_start(struct pel_texture_axes *a,
                                           const struct pel_texture *p,
                                           int32_t x, int32_t y, uint32_t back)
 {
-    pel_texture_axis_start(&a->u, &p->map.u, x, y, back);
-    pel_texture_axis_start(&a->v, &p->map.v, x, y, back);
+    pel_texture_axis_start(&a->u, &p->map.u, x, y);
+    pel_texture_axis_start(&a->v, &p->map.v, x, y);
+    a->u.at -= back;
+    a->v.at -= back;
     pel_texture_axis_wrap(&a->u, p->width, p->wrap_u);
     pel_texture_axis_wrap(&a->v, p->height, p->wrap_v);
 }
