@@ -123,3 +123,27 @@ bench-instructions: $(BENCH)/pel-count ## count Pel's instructions per shape
 -include $(BENCH_SOURCES:%.c=$(BENCH)/host/%.d) $(BENCH_DEPENDENCIES) \
     $(BENCH)/host/bench/count.d $(BENCH)/host/bench/peer_qt5.d \
     $(BENCH)/count/methods.d
+
+# The 3-D pipeline, from the library as the user builds it; meshes are read by
+# the host program's reader.
+BENCH_SCENE_SOURCES := $(addprefix bench/, scene.c scene_mesh.c scene_time.c \
+    timing.c)
+BENCH_SCENE_OBJECTS := $(BENCH_SCENE_SOURCES:%.c=$(BENCH)/host/%.o) \
+    $(BENCH)/scene/methods.o $(filter-out $(BUILD)/sim/main.o,$(SIM_OBJECTS)) \
+    $(LINUX_OBJECTS)
+
+$(BENCH)/scene/methods.o: bench/methods.c
+	@mkdir -p $(@D)
+	$(CC) $(PEL_CFLAGS) -DBENCH_METHODS= -DBENCH_ABSENT='""' -c $< -o $@
+
+$(BENCH)/pel-bench-scene: $(BENCH_SCENE_OBJECTS) $(BUILD)/libpel.a
+	$(CC) $(LDFLAGS) $^ $(SIM_LIBS) $(LINUX_LIBS) -o $@
+
+# Meshes that no package has are looked for in the folder PEL_MESHES.
+.PHONY: bench-scene
+bench: bench-scene
+bench-scene: $(BENCH)/pel-bench-scene ## time the 3-D pipeline
+	$(BENCH)/pel-bench-scene $(BENCH)/scene.csv
+	bench/scene_chart.sh $(BENCH)/scene.csv $(BENCH)/scene.png
+
+-include $(BENCH_SCENE_SOURCES:%.c=$(BENCH)/host/%.d)

@@ -1,0 +1,170 @@
+#include "scene_mesh.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include "method.h"
+#include "sim/import.h"
+
+static void *memory(size_t size)
+{
+    void *m = malloc(size);
+    if (!m)
+        method_fail("out of memory", "free some and start again");
+    return m;
+}
+
+static double coordinate(const double *v, int axis, const double *low,
+                         const double *high)
+{
+    return high[axis] > low[axis]
+               ? (v[axis] - low[axis]) / (high[axis] - low[axis])
+               : 0;
+}
+
+/* Places of texels: the mesh's own, or the picture seen from the front. */
+static void set_uv(struct scene_mesh *m, const struct mesh *from,
+                   uint16_t (*uv)[2])
+{
+    for (uint32_t i = 0; i < from->vertices; i++) {
+        const struct mesh_vertex *v = &from->vertex[i];
+        for (int k = 0; k < 2; k++) {
+            double at = from->has_uv
+                            ? v->uv[k] - floor(v->uv[k])
+                            : coordinate(v->position, k, m->low, m->high);
+            uv[i][k] = (uint16_t)(at * 65535);
+        }
+    }
+    m->mesh.texture = (struct pel_mesh_quantum){{0, 0, 0}, 1, 16};
+    m->mesh.uv = (void *)uv;
+}
+
+static void set_box(struct scene_mesh *m, const struct mesh *from)
+{
+    for (int k = 0; k < 3; k++) {
+        m->low[k] = m->high[k] = from->vertex[0].position[k];
+        for (uint32_t i = 1; i < from->vertices; i++) {
+            m->low[k] = fmin(m->low[k], from->vertex[i].position[k]);
+            m->high[k] = fmax(m->high[k], from->vertex[i].position[k]);
+        }
+    }
+}
+
+/* The largest side of the box becomes one unit, around (0, 0, 0). */
+static void fit(struct mesh *from)
+{
+    struct scene_mesh box;
+    double size = 0;
+    set_box(&box, from);
+    for (int k = 0; k < 3; k++)
+        size = fmax(size, box.high[k] - box.low[k]);
+    for (uint32_t i = 0; i < from->vertices; i++)
+        for (int k = 0; k < 3; k++)
+            from->vertex[i].position[k] =
+                (from->vertex[i].position[k] - (box.low[k] + box.high[k]) / 2) /
+                (size > 0 ? size : 1);
+}
+
+static void quantise(struct scene_mesh *m, const struct mesh *from)
+{
+    const struct import_points points = {
+        from->vertex[0].position, sizeof(struct mesh_vertex) / sizeof(double),
+        from->vertices, 3, true};
+    int16_t(*positions)[3] = memory(sizeof *positions * from->vertices);
+    int8_t(*normals)[3] = memory(sizeof *normals * from->vertices);
+    uint8_t(*colors)[3] = memory(sizeof *colors * from->vertices);
+    m->mesh.position = import_quantum(&points);
+    for (uint32_t i = 0; i < from->vertices; i++)
+        for (int k = 0; k < 3; k++) {
+            const struct mesh_vertex *v = &from->vertex[i];
+            positions[i][k] =
+                (int16_t)import_quantised(&m->mesh.position, k, v->position[k]);
+            normals[i][k] = (int8_t)lround(v->normal[k] * 127);
+            colors[i][k] = (uint8_t)(v->color >> (16 - 8 * k));
+        }
+    m->mesh.positions = (void *)positions;
+    m->mesh.normals8 = (void *)normals;
+    m->mesh.colors = (void *)colors;
+}
+
+static void convert(struct scene_mesh *m, struct mesh *from)
+{
+    uint32_t(*indices)[3] = memory(sizeof *indices * from->triangles);
+    fit(from);
+    set_box(m, from);
+    m->mesh = (struct pel_mesh){.vertices = from->vertices,
+                                .triangles = from->triangles};
+    for (uint32_t i = 0; i < from->triangles; i++)
+        for (int k = 0; k < 3; k++)
+            indices[i][k] = from->triangle[i][k];
+    m->mesh.indices32 = (void *)indices;
+    quantise(m, from);
+    set_uv(m, from, memory(4 * (size_t)from->vertices));
+}
+
+bool scene_mesh_load(struct scene_mesh *m, const struct scene_mesh_file *from)
+{
+    const char *folder = getenv("PEL_MESHES");
+    char path[4096];
+    struct mesh mesh = {0};
+    m->name = from->name;
+    snprintf(path, sizeof path, "%s/%s", folder ? folder : ".", from->file);
+    if (!folder || access(path, R_OK) != 0)
+        snprintf(path, sizeof path, "%s", from->path ? from->path : "");
+    if (access(path, R_OK) != 0) {
+        printf("mesh %s: left out, it is not there; %s%s%s/%s brings it.\n",
+               from->name, from->package ? from->package : "",
+               from->package ? ", or " : "", "PEL_MESHES", from->file);
+        return false;
+    }
+    if (!mesh_load(&mesh, path))
+        return false;
+    convert(m, &mesh);
+    mesh_free(&mesh);
+    return true;
+}
+
+enum { ACROSS_SHARE = 3 }; /* three times as many cells around as across */
+
+static void place(struct mesh_vertex *v, double a, double b)
+{
+    const double r = 1 + .4 * cos(b) + .05 * sin(12 * a) * cos(4 * b);
+    v->position[0] = r * cos(a);
+    v->position[1] = .4 * sin(b);
+    v->position[2] = r * sin(a);
+    v->color = PEL_RGB(128 + 100 * cos(a), 128 + 100 * cos(b), 160);
+}
+
+void scene_mesh_make(struct scene_mesh *m, uint32_t triangles)
+{
+    const uint32_t across = (uint32_t)lround(sqrt(triangles / 2. / 3));
+    const uint32_t around = across * ACROSS_SHARE;
+    const double turn = 8 * atan(1);
+    struct mesh mesh = {0};
+    if (!mesh_init(&mesh, across * around, 2 * across * around))
+        exit(2);
+    for (uint32_t i = 0; i < across * around; i++) {
+        const uint32_t a = i / across, b = i % across;
+        const uint32_t next = (a + 1) % around * across, up = (b + 1) % across;
+        const uint32_t two[2][3] = {{i, a * across + up, next + up},
+                                    {i, next + up, next + b}};
+        place(&mesh.vertex[i], a * turn / around, b * turn / across);
+        for (int k = 0; k < 6; k++)
+            mesh.triangle[2 * i + (uint32_t)k / 3][k % 3] = two[k / 3][k % 3];
+    }
+    mesh_normals(&mesh);
+    m->name = "ring";
+    convert(m, &mesh);
+    mesh_free(&mesh);
+}
+
+void scene_mesh_free(struct scene_mesh *m)
+{
+    free((void *)m->mesh.positions);
+    free((void *)m->mesh.normals8);
+    free((void *)m->mesh.uv);
+    free((void *)m->mesh.colors);
+    free((void *)m->mesh.indices32);
+}
