@@ -3,17 +3,22 @@
 #include <math.h>
 #include <string.h>
 
-#include "camera_view.h"
 #include "message.h"
 
-const struct camera camera_default = {
-    .up = {0, 1, 0},
-    .focal = 50,
-    .sensor = {36, 0},
-    .width = 1200,
-    .height = 1200,
-    .background = PEL_RGB(255, 255, 255),
+/* The margin of a picture that is framed. */
+#define SEEN 0.9
+
+/* Camera space here: x right, y up, z away from the eye along the view. */
+struct view {
+    double eye[3];
+    double axis[3][3]; /* x, y, z of camera space, in world space */
+    double reach[2];   /* x/z and y/z at the sides of the picture, or x, y */
 };
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 static void cross(const double a[3], const double b[3], double out[3])
 {
@@ -25,16 +30,18 @@ static void cross(const double a[3], const double b[3], double out[3])
 /* The length before; 0 when the vector has no direction. */
 static double normalise(double v[3])
 {
-    double length = sqrt(camera_dot(v, v));
+    double length = sqrt(dot(v, v));
     for (int k = 0; k < 3 && length > 0; k++)
         v[k] /= length;
     return length;
 }
 
-bool camera_view_init(struct camera_view *view, const struct camera *camera)
+/* False when eye and target are the same or `up` points along the view. */
+static bool view_init(struct view *view, const struct camera *camera)
 {
     double up[3];
     double *x = view->axis[0], *y = view->axis[1], *z = view->axis[2];
+    const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
     memcpy(view->eye, camera->eye, sizeof(view->eye));
     memcpy(up, camera->up, sizeof(up));
     for (int k = 0; k < 3; k++)
@@ -45,91 +52,173 @@ bool camera_view_init(struct camera_view *view, const struct camera *camera)
     if (!(distance > 0) || !(normalise(x) > 1e-9))
         return false;
     cross(x, z, y);
-    view->near = distance / 1000;
-    view->middle[0] = camera->width / 2.0;
-    view->middle[1] = camera->height / 2.0;
-    view->scale[0] = camera->width / camera->sensor[0] * camera->focal;
-    view->scale[1] = camera->height / camera->sensor[1] * camera->focal;
+    for (int k = 0; k < 2; k++)
+        view->reach[k] =
+            camera->sensor[k] / 2 / (flat ? 1 : camera->focal) * SEEN;
     return true;
 }
 
-static void middle_of_box(const struct mesh *mesh, double middle[3])
+static void view_point(const struct view *view, const double world[3],
+                       double point[3])
 {
+    double d[3];
+    for (int k = 0; k < 3; k++)
+        d[k] = world[k] - view->eye[k];
+    for (int k = 0; k < 3; k++)
+        point[k] = dot(view->axis[k], d);
+}
+
+static void place_of(const struct pel_mesh *mesh, uint32_t i, double place[3])
+{
+    const struct pel_mesh_quantum *q = &mesh->position;
+    for (int k = 0; k < 3; k++)
+        place[k] = ldexp(pel_mesh_quantum_value(q, k, mesh->positions[i][k]),
+                         -q->shift);
+}
+
+static double middle_of_box(const struct model *model, double middle[3])
+{
+    double radius = 0;
     for (int k = 0; k < 3; k++) {
-        double low = INFINITY, high = -INFINITY;
-        for (uint32_t i = 0; i < mesh->vertices; i++) {
-            low = fmin(low, mesh->vertex[i].position[k]);
-            high = fmax(high, mesh->vertex[i].position[k]);
-        }
-        middle[k] = mesh->vertices ? (low + high) / 2 : 0;
+        const double half = (model->high[k] - model->low[k]) / 2;
+        middle[k] = model->low[k] + half;
+        radius += half * half;
     }
+    return sqrt(radius);
 }
 
-/* The smallest distance from the target that shows the whole mesh with a
- * margin. In camera space around the target, a vertex is seen when
- *     |x| scale <= 0.9 W/2 (distance + z),
- * so the right and the left side, and the top and the bottom, ask for a
- * distance each. `shift` gets, for x and y, by how much to move the target so
- * that opposite sides ask for nearly the same. */
-static double distance_to_see(const struct mesh *mesh,
-                              const struct camera_view *view, double shift[2])
+/* How much the sides of the picture need, and which distance. */
+struct needs {
+    double side[2][2]; /* of each axis, each direction */
+    double depth;      /* of the deepest vertex around the target */
+};
+
+/* In camera space around the target, a vertex is seen in perspective when
+ * |x| <= reach (distance + z), and in an orthographic picture when |x| <=
+ * reach: so that is what each side asks for, a distance or a size. */
+static void find_needs(const struct model *model, const struct view *view,
+                       bool flat, struct needs *needs)
 {
-    double needed[2][2] = {{0, 0}, {0, 0}}; /* of each axis, each side */
-    double deepest = 0;
-    for (uint32_t i = 0; i < mesh->vertices; i++) {
-        double p[3];
-        camera_view_point(view, mesh->vertex[i].position, p);
-        double z = p[2] - 1; /* the eye is 1 away from the target */
-        deepest = fmax(deepest, fabs(z));
+    memset(needs, 0, sizeof(*needs));
+    for (uint32_t i = 0; i < model->mesh.vertices; i++) {
+        double p[3], world[3];
+        place_of(&model->mesh, i, world);
+        view_point(view, world, p);
+        const double z = p[2] - 1; /* the eye is 1 away from the target */
+        needs->depth = fmax(needs->depth, fabs(z));
         for (int k = 0; k < 2; k++) {
-            double width = 0.9 * view->middle[k] / view->scale[k];
-            double *side = &needed[k][p[k] < 0];
-            *side = fmax(*side, fabs(p[k]) / width - z);
+            double *side = &needs->side[k][p[k] < 0];
+            const double need =
+                flat ? fabs(p[k]) : fabs(p[k]) / view->reach[k] - z;
+            *side = fmax(*side, need);
         }
     }
-    double distance = deepest * 1.01;
-    for (int k = 0; k < 2; k++) {
-        double width = 0.9 * view->middle[k] / view->scale[k];
-        shift[k] = (needed[k][0] - needed[k][1]) / 2 * width;
-        distance = fmax(distance, fmax(needed[k][0], needed[k][1]));
-    }
-    return distance > 0 ? distance : 1;
 }
 
-/* Places the eye; moves the target, unless the user chose it, until the mesh
- * is in the middle: a few steps do. */
-static bool frame_eye(struct camera *camera, const struct mesh *mesh)
+/* The eye looks from the front, a little from the right and above. */
+static void look(struct camera *camera)
 {
     static const double direction[3] = {0.36, 0.28, 0.89};
-    struct camera_view view;
-    double distance = 1, shift[2];
-    for (int step = 0; step < 8; step++) {
-        for (int k = 0; k < 3; k++)
-            camera->eye[k] = camera->target[k] + direction[k];
-        if (!camera_view_init(&view, camera))
-            return false;
-        distance = distance_to_see(mesh, &view, shift);
-        for (int k = 0; k < 3 && !camera->has_target && step < 7; k++)
-            camera->target[k] +=
-                shift[0] * view.axis[0][k] + shift[1] * view.axis[1][k];
-    }
     for (int k = 0; k < 3; k++)
-        camera->eye[k] = camera->target[k] - view.axis[2][k] * distance;
+        camera->eye[k] = camera->target[k] + direction[k];
+}
+
+/* By how much to move the target so that opposite sides ask for nearly the
+ * same. */
+static void center(struct camera *camera, const struct view *view,
+                   const struct needs *needs)
+{
+    const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
+    for (int j = 0; j < 2 && !camera->has_target; j++) {
+        const double shift = (needs->side[j][0] - needs->side[j][1]) / 2 *
+                             (flat ? 1 : view->reach[j]);
+        for (int k = 0; k < 3; k++)
+            camera->target[k] += shift * view->axis[j][k];
+    }
+}
+
+/* The sensor of an orthographic camera: as large as the model needs. */
+static void fit_sensor(struct camera *camera, const struct needs *needs)
+{
+    const double w = fmax(needs->side[0][0], needs->side[0][1]);
+    const double h = fmax(needs->side[1][0], needs->side[1][1]);
+    double pixel = 2 / SEEN * fmax(w / camera->width, h / camera->height);
+    if (!(pixel > 0))
+        pixel = 1;
+    camera->sensor[0] = pixel * camera->width;
+    camera->sensor[1] = pixel * camera->height;
+}
+
+/* Places the eye; moves the target, unless the user chose it, until the model
+ * is in the middle: a few steps do. */
+static bool frame_eye(struct camera *camera, const struct model *model)
+{
+    const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
+    struct needs needs;
+    struct view view;
+    double distance;
+    for (int step = 0; step < 8; step++) {
+        look(camera);
+        if (!view_init(&view, camera))
+            return false;
+        find_needs(model, &view, flat, &needs);
+        if (step < 7)
+            center(camera, &view, &needs);
+    }
+    distance = needs.depth * (flat ? 2 : 1.01);
+    for (int k = 0; k < 2 && !flat; k++)
+        distance = fmax(distance, fmax(needs.side[k][0], needs.side[k][1]));
+    for (int k = 0; k < 3; k++)
+        camera->eye[k] =
+            camera->target[k] - view.axis[2][k] * (distance > 0 ? distance : 1);
+    if (flat && !camera->has_sensor)
+        fit_sensor(camera, &needs);
     return true;
 }
 
-bool camera_frame(struct camera *camera, const struct mesh *mesh)
+/* An eye that the user placed sees the model around the target. */
+static bool frame_sensor(struct camera *camera, const struct model *model)
 {
-    struct camera_view view;
+    struct needs needs;
+    struct view view;
+    if (!view_init(&view, camera))
+        return false;
+    for (int k = 0; k < 3; k++)
+        view.eye[k] = camera->target[k] - view.axis[2][k];
+    find_needs(model, &view, true, &needs);
+    fit_sensor(camera, &needs);
+    return true;
+}
+
+static void frame_near(struct camera *camera, const struct model *model,
+                       const struct view *view)
+{
+    double middle[3], at[3], way[3];
+    const double radius = middle_of_box(model, middle);
+    view_point(view, middle, at);
+    for (int k = 0; k < 3; k++)
+        way[k] = camera->target[k] - camera->eye[k];
+    camera->near = fmax(sqrt(dot(way, way)) / 1000, 0.98 * (at[2] - radius));
+}
+
+bool camera_frame(struct camera *camera, const struct model *model)
+{
+    struct view view;
+    const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
     if (!camera->has_sensor)
         camera->sensor[1] = camera->sensor[0] * camera->height / camera->width;
     if (!camera->has_target)
-        middle_of_box(mesh, camera->target);
-    if (!camera->has_eye && !frame_eye(camera, mesh))
+        middle_of_box(model, camera->target);
+    if (!camera->has_eye && !frame_eye(camera, model))
         return message_error("--up points along the view; 0,1,0 would be right "
                              "for a mesh that stands upright");
-    return camera_view_init(&view, camera) ||
-           message_error("--eye is --target, or --up points along the view; an "
-                         "eye beside the target and --up across the view would "
-                         "be right");
+    const bool fitted = !flat || !camera->has_eye || camera->has_sensor ||
+                        frame_sensor(camera, model);
+    if (!fitted || !view_init(&view, camera))
+        return message_error("--eye is --target, or --up points along the "
+                             "view; an eye beside the target and --up across "
+                             "the view would be right");
+    if (!camera->has_near)
+        frame_near(camera, model, &view);
+    return true;
 }

@@ -1,14 +1,23 @@
 #include "camera.h"
 
-#include <math.h>
-#include <stdlib.h>
+#include <errno.h>
 #include <string.h>
 
 #include "message.h"
 #include "number.h"
+#include "option_text.h"
 
-enum { KEY_EYE = 0x100, KEY_TARGET, KEY_UP, KEY_FOCAL, KEY_SENSOR, KEY_SIZE };
-enum { KEY_BACKGROUND = KEY_SIZE + 1 };
+enum {
+    KEY_EYE = 0x100,
+    KEY_TARGET,
+    KEY_UP,
+    KEY_PROJECTION,
+    KEY_FOCAL,
+    KEY_SENSOR,
+    KEY_NEAR,
+    KEY_SIZE,
+    KEY_BACKGROUND
+};
 
 static const struct argp_option options[] = {
     {0, 0, 0, 0, "Camera:", 2},
@@ -17,9 +26,15 @@ static const struct argp_option options[] = {
     {"target", KEY_TARGET, "X,Y,Z", 0,
      "what it looks at (default: the middle of the mesh)", 0},
     {"up", KEY_UP, "X,Y,Z", 0, "what is up in the picture (default: 0,1,0)", 0},
+    {"projection", KEY_PROJECTION, "NAME", 0,
+     "perspective (default) or orthographic", 0},
     {"focal", KEY_FOCAL, "MM", 0, "focal length in mm (default: 50)", 0},
     {"sensor", KEY_SENSOR, "WxH", 0,
-     "sensor size in mm (default: 36 mm wide, square pixels)", 0},
+     "sensor size in mm (default: 36 mm wide, square pixels); of an "
+     "orthographic camera the size of what is seen, in the mesh's units",
+     0},
+    {"near", KEY_NEAR, "DISTANCE", 0,
+     "nothing nearer to the eye is seen (default: just before the mesh)", 0},
     {"size", KEY_SIZE, "WxH", 0,
      "size of the picture in pixels (default: 1200x1200)", 0},
     {"background", KEY_BACKGROUND, "COLOUR", 0, "#rrggbb (default: #ffffff)",
@@ -27,38 +42,43 @@ static const struct argp_option options[] = {
     {0},
 };
 
-/* n finite numbers with `separator` between them, nothing else. */
-static bool parse_numbers(const char *text, char separator, int n,
-                          double *value)
-{
-    for (int i = 0; i < n; i++) {
-        char *end;
-        value[i] = strtod(text, &end);
-        if (end == text || !(fabs(value[i]) <= MESH_LIMIT) ||
-            *end != (i < n - 1 ? separator : '\0'))
-            return false;
-        text = end + 1;
-    }
-    return true;
-}
-
 static bool parse_point(const char *option, const char *text, double point[3])
 {
-    return parse_numbers(text, ',', 3, point) ||
-           message_error("%s is '%s'; X,Y,Z such as 0,1.5,4 would be right",
-                         option, text);
+    static const struct option_numbers numbers = {
+        3, ',', -MESH_LIMIT, MESH_LIMIT, "X,Y,Z such as 0,1.5,4"};
+    return option_numbers(option, text, &numbers, point);
 }
 
-static bool parse_positive(const char *option, const char *text, int n,
-                           double *value)
+static bool parse_focal(const char *text, struct camera *camera)
 {
-    bool right = parse_numbers(text, 'x', n, value);
-    for (int i = 0; i < n && right; i++)
-        right = value[i] >= 1e-6 && value[i] <= 1e6;
-    return right ||
-           message_error("%s is '%s'; %s in mm, such as %s, would be right",
-                         option, text, n == 1 ? "a length" : "WxH",
-                         n == 1 ? "50" : "36x24");
+    static const struct option_numbers numbers = {
+        1, 0, 1e-6, 1e6, "a length in mm, such as 50,"};
+    return option_numbers("--focal", text, &numbers, &camera->focal);
+}
+
+static bool parse_sensor(const char *text, struct camera *camera)
+{
+    static const struct option_numbers numbers = {2, 'x', 1e-6, MESH_LIMIT,
+                                                  "WxH in mm, such as 36x24,"};
+    camera->has_sensor = true;
+    return option_numbers("--sensor", text, &numbers, camera->sensor);
+}
+
+static bool parse_near(const char *text, struct camera *camera)
+{
+    static const struct option_numbers numbers = {
+        1, 0, 1e-15, MESH_LIMIT, "a distance above 0, such as 0.1,"};
+    camera->has_near = true;
+    return option_numbers("--near", text, &numbers, &camera->near);
+}
+
+static bool parse_projection(const char *text, struct camera *camera)
+{
+    static const char *const names[] = {"perspective", "orthographic", NULL};
+    int choice = 0;
+    const bool right = option_choice("projection", text, names, &choice);
+    camera->projection = choice ? PEL_ORTHOGRAPHIC : PEL_PERSPECTIVE;
+    return right;
 }
 
 static bool parse_size(const char *text, struct camera *camera)
@@ -82,22 +102,10 @@ static bool parse_size(const char *text, struct camera *camera)
                          text);
 }
 
-static bool parse_background(const char *text, struct camera *camera)
-{
-    const char *digits = text + (*text == '#');
-    if (strlen(digits) != 6 ||
-        digits[strspn(digits, "0123456789abcdefABCDEF")] != '\0')
-        return message_error("--background is '%s'; #rrggbb, such as #ffffff, "
-                             "would be right",
-                             text);
-    camera->background =
-        PEL_RGB(0, 0, 0) | (pel_color)strtoul(digits, NULL, 16);
-    return true;
-}
-
 /* The options that say where things are. */
 static bool parse_place(int key, const char *text, struct camera *camera)
 {
+    camera->is_set = true;
     switch (key) {
     case KEY_EYE:
         camera->has_eye = true;
@@ -107,11 +115,14 @@ static bool parse_place(int key, const char *text, struct camera *camera)
         return parse_point("--target", text, camera->target);
     case KEY_UP:
         return parse_point("--up", text, camera->up);
+    case KEY_PROJECTION:
+        return parse_projection(text, camera);
     case KEY_FOCAL:
-        return parse_positive("--focal", text, 1, &camera->focal);
+        return parse_focal(text, camera);
+    case KEY_SENSOR:
+        return parse_sensor(text, camera);
     default:
-        camera->has_sensor = true;
-        return parse_positive("--sensor", text, 2, camera->sensor);
+        return parse_near(text, camera);
     }
 }
 
@@ -119,16 +130,14 @@ static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct camera *camera = state->input;
     bool right;
-    if (key == KEY_SIZE) {
+    if (key == KEY_SIZE)
         right = parse_size(text, camera);
-    } else if (key == KEY_BACKGROUND) {
-        right = parse_background(text, camera);
-    } else if (key >= KEY_EYE && key <= KEY_SENSOR) {
-        camera->is_set = true;
+    else if (key == KEY_BACKGROUND)
+        right = option_color("--background", text, &camera->background);
+    else if (key >= KEY_EYE && key <= KEY_NEAR)
         right = parse_place(key, text, camera);
-    } else {
+    else
         return ARGP_ERR_UNKNOWN;
-    }
     return right ? 0 : EINVAL;
 }
 

@@ -74,7 +74,7 @@ static bool add_picture(struct demo_index *index, const struct demo *demo,
                         const struct demo_result *result)
 {
     const struct picture *p = &result->picture;
-    printf("%-20s %5d x %-5d %10.3f ms\n", demo->name, p->width, p->height,
+    printf("%-26s %5d x %-5d %10.3f ms\n", demo->name, p->width, p->height,
            result->milliseconds);
     fflush(stdout);
     demo_index_add(index, demo, result);
@@ -87,7 +87,8 @@ static bool add_demos(struct demo_index *index, const struct demo *demo)
     bool done = true;
     for (; done && demo->name; demo++) {
         struct demo_result result = {{0, 0, NULL}, 0, ""};
-        done = demo->draw(&result) && add_picture(index, demo, &result);
+        done = demo->draw(&result, demo->which) &&
+               add_picture(index, demo, &result);
         picture_free(&result.picture);
     }
     return done;
@@ -125,7 +126,7 @@ static bool add_scene(struct demo_index *index, const char *path)
         return false;
     name_of(path, name, sizeof name);
     demo_index_escape(scene.caption, caption, sizeof caption);
-    const struct demo demo = {name, caption, NULL};
+    const struct demo demo = {name, caption, NULL, 0};
     const bool done =
         draw_scene(&scene, &result) && add_picture(index, &demo, &result);
     picture_free(&result.picture);
@@ -139,7 +140,8 @@ static bool add_all(struct demo_index *index, const struct demo_options *o)
     for (int i = 0; done && i < o->script_count; i++)
         done = add_scene(index, o->scripts[i]);
     return done && add_demos(index, demo_formats) &&
-           add_demos(index, demo_rules) && add_demos(index, demo_duck);
+           add_demos(index, demo_rules) && add_demos(index, demo_duck) &&
+           add_demos(index, demo_texture) && add_demos(index, demo_lighting);
 }
 
 int command_demo(int argc, char **argv)

@@ -14,7 +14,8 @@ struct demo {
     const char *name;    /* of the files, without ending; NULL ends an array */
     const char *caption; /* one or two sentences of HTML text */
     /* False, with a message on standard error, when it failed. */
-    bool (*draw)(struct demo_result *result);
+    bool (*draw)(struct demo_result *result, int which);
+    int which; /* of the pictures that `draw` makes */
 };
 
 /* Arrays that end with a NULL name. Scene scripts join the gallery through the
@@ -22,6 +23,8 @@ struct demo {
 extern const struct demo demo_rules[];
 extern const struct demo demo_formats[];
 extern const struct demo demo_duck[];
+extern const struct demo demo_texture[];
+extern const struct demo demo_lighting[];
 
 /* Milliseconds of a clock that only runs forwards. */
 double demo_clock(void);

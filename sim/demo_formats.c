@@ -73,8 +73,9 @@ static void put_tile(const struct picture *sheet, const struct picture *tile,
                TILE_WIDTH * sizeof(pel_color));
 }
 
-static bool draw_formats(struct demo_result *result)
+static bool draw_formats(struct demo_result *result, int which)
 {
+    (void)which;
     result->milliseconds = 0;
     snprintf(result->note, sizeof result->note, "In reading order: %s.",
              format_list());
@@ -95,6 +96,6 @@ static bool draw_formats(struct demo_result *result)
 const struct demo demo_formats[] = {
     {"formats",
      "Gouraud triangles and translucent discs, drawn in every pixel format.",
-     draw_formats},
-    {NULL, NULL, NULL},
+     draw_formats, 0},
+    {NULL, NULL, NULL, 0},
 };

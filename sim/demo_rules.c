@@ -51,7 +51,9 @@ static void write_note(const struct tally *tally, char *note, size_t size)
              tally->once, tally->twice);
 }
 
-static bool draw_sheet(struct demo_result *result, bool y_up)
+enum { Y_DOWN, Y_UP };
+
+static bool draw_sheet(struct demo_result *result, int which)
 {
     struct canvas canvas;
     if (!canvas_init(&canvas, &pel_xrgb8888,
@@ -59,7 +61,7 @@ static bool draw_sheet(struct demo_result *result, bool y_up)
                      ROWS * RULES_CELL_HEIGHT + RULES_MARGIN))
         return false;
     const double start = demo_clock();
-    const struct tally tally = draw_cases(&canvas.surface, y_up);
+    const struct tally tally = draw_cases(&canvas.surface, which == Y_UP);
     result->milliseconds = demo_clock() - start;
     write_note(&tally, result->note, sizeof result->note);
     const bool done = canvas_picture(&canvas, &result->picture);
@@ -67,26 +69,16 @@ static bool draw_sheet(struct demo_result *result, bool y_up)
     return done;
 }
 
-static bool draw_y_down(struct demo_result *result)
-{
-    return draw_sheet(result, false);
-}
-
-static bool draw_y_up(struct demo_result *result)
-{
-    return draw_sheet(result, true);
-}
-
 const struct demo demo_rules[] = {
     {"rules-top-left",
      "The fill rule, y downwards: a pixel belongs to a triangle when its "
      "centre (dot) is inside; a centre on an edge belongs to the triangle of "
      "which that edge is a <b>top</b> or a <b>left</b> one.",
-     draw_y_down},
+     draw_sheet, Y_DOWN},
     {"rules-bottom-left",
      "The same triangles on a surface with a negative stride, so that y grows "
      "upwards: now centres on a <b>bottom</b> or a <b>left</b> edge belong to "
      "the triangle.",
-     draw_y_up},
-    {NULL, NULL, NULL},
+     draw_sheet, Y_UP},
+    {NULL, NULL, NULL, 0},
 };

@@ -10,24 +10,19 @@
 #include "arguments.h"
 #include "commands.h"
 #include "format_names.h"
-#include "mesh_input.h"
 #include "message.h"
+#include "stage_options.h"
+#include "stage_pel2d.h"
 #include "texture.h"
 
 struct import_command {
-    struct mesh_input input;
+    struct stage_options stage;
     struct import_options options;
     const struct pel_format *format; /* NULL: not given */
     char name[128];                  /* made from the output's */
 };
 
-enum {
-    OPTION_NAME = 0x200,
-    OPTION_FORMAT,
-    OPTION_NORMALS,
-    OPTION_TEXTURE,
-    OPTION_CODES
-};
+enum { OPTION_NAME = 0x200, OPTION_FORMAT, OPTION_NORMALS, OPTION_CODES };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0,
@@ -38,8 +33,6 @@ static const struct argp_option options[] = {
     {"format", OPTION_FORMAT, "NAME", 0,
      "pixel format of a picture (default: rgb565_le)", 0},
     {"normals", OPTION_NORMALS, "BITS", 0, "8 (default) or 16", 0},
-    {"texture", OPTION_TEXTURE, "FILE", 0,
-     "take the vertices' colours from this picture", 0},
     {"codes", OPTION_CODES, "RANGES", 0,
      "of a font, these code points alone, such as 32-126,0x20AC", 0},
     {0},
@@ -75,10 +68,10 @@ static bool is_pel2d(const char *path)
 
 static bool parse_input(const char *text, struct import_command *c)
 {
-    if (c->input.path)
+    if (c->stage.source.path)
         return message_error("'%s' is a second input; one would be right",
                              text);
-    c->input.path = text;
+    c->stage.source.path = text;
     return true;
 }
 
@@ -102,7 +95,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
     struct import_command *c = state->input;
     switch (key) {
     case ARGP_KEY_INIT:
-        state->child_inputs[0] = &c->input.camera;
+        state->child_inputs[0] = &c->stage;
         return 0;
     case ARGP_KEY_ARG:
         return parse_input(text, c) ? 0 : EINVAL;
@@ -111,9 +104,6 @@ static error_t parse(int key, char *text, struct argp_state *state)
         return 0;
     case OPTION_NAME:
         c->options.name = text;
-        return 0;
-    case OPTION_TEXTURE:
-        c->input.texture = text;
         return 0;
     case OPTION_CODES:
         c->options.codes = text;
@@ -128,7 +118,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
 }
 
 static const struct argp_child children[] = {
-    {&camera_argp, 0, "Camera, for pel2d files:", 2}, {0}};
+    {&stage_argp, 0, "For pel2d files, but for --texture-file:", 2}, {0}};
 
 static const struct argp parser = {
     .options = options,
@@ -182,7 +172,7 @@ static bool check_name(const char *name)
 static bool check(struct import_command *c)
 {
     static const char *const ending[] = {".c", NULL};
-    const char *input = c->input.path, *output = c->options.output;
+    const char *input = c->stage.source.path, *output = c->options.output;
     if (!input || !output)
         return message_error("%s is missing; `pel import MESH|PICTURE|FONT -o "
                              "ASSET.c` would be right",
@@ -197,28 +187,57 @@ static bool check(struct import_command *c)
                                 "an output .c or .pel2d would be right");
     if (c->options.codes && !is_font(input))
         return message_error_at(input, 0, "--codes is for fonts");
-    if (c->input.camera.is_set)
-        return message_error("a camera is for an output .pel2d; a C asset "
-                             "holds the mesh itself");
+    if (c->stage.settings.camera.is_set || c->stage.has_mesh_option)
+        return message_error("camera, light and look are for an output .pel2d; "
+                             "a C asset holds the mesh itself");
     if (!c->options.name)
         make_name(c);
     return check_name(c->options.name);
 }
 
+/* Gouraud's colours at the vertices, whatever draws them. */
+static bool project(const struct stage_options *o, const struct model *model,
+                    struct pel2d *flat)
+{
+    struct stage stage;
+    struct stage_settings settings = o->settings;
+    uint32_t clipped = 0;
+    settings.shade = STAGE_GOURAUD;
+    settings.mapping = STAGE_MAP_VERTICES;
+    const bool done = stage_init(&stage, model) &&
+                      stage_prepare(&stage, &settings) &&
+                      stage_project(&stage, flat, &clipped);
+    stage_free(&stage);
+    if (clipped > 0)
+        fprintf(stderr,
+                "pel: %s: %u of %u triangles reach behind the camera or far "
+                "out of the picture and were clipped\n",
+                o->source.path, clipped, model->mesh.triangles);
+    return done;
+}
+
 static bool import_as_pel2d(struct import_command *c)
 {
     struct pel2d flat;
-    if (!mesh_input_load(&c->input, &flat))
+    struct model model;
+    const char *path = c->stage.source.path;
+    if (pel2d_is_file(path))
+        return message_error_at(path, 0,
+                                "is projected already; a mesh would be right");
+    if (!model_load(&model, &c->stage.source))
         return false;
-    bool done = pel2d_save(&flat, c->options.output);
-    pel2d_free(&flat);
+    const bool projected = project(&c->stage, &model, &flat);
+    const bool done = projected && pel2d_save(&flat, c->options.output);
+    if (projected)
+        pel2d_free(&flat);
+    model_free(&model);
     return done;
 }
 
 static bool import_as_picture(struct import_command *c)
 {
     struct picture picture;
-    if (!texture_load(&picture, c->input.path))
+    if (!texture_load(&picture, c->stage.source.path))
         return false;
     bool done =
         import_picture(&c->options, &picture,
@@ -230,7 +249,7 @@ static bool import_as_picture(struct import_command *c)
 static bool import_as_mesh(struct import_command *c)
 {
     struct mesh mesh;
-    const char *path = c->input.path;
+    const char *path = c->stage.source.path;
     if (c->format)
         return message_error_at(path, 0, "--format is for pictures");
     if (pel2d_is_file(path))
@@ -238,7 +257,9 @@ static bool import_as_mesh(struct import_command *c)
                                 "is projected already; a mesh would be right");
     if (!mesh_load(&mesh, path))
         return false;
-    bool done = mesh_paint(&mesh, path, c->input.texture, false) &&
+    if (c->stage.source.face_normals)
+        mesh_normals(&mesh);
+    bool done = mesh_paint(&mesh, path, c->stage.source.texture) &&
                 import_mesh(&c->options, &mesh);
     mesh_free(&mesh);
     return done;
@@ -247,7 +268,7 @@ static bool import_as_mesh(struct import_command *c)
 static bool import_as_font(const struct import_command *c)
 {
     if (c->format)
-        return message_error_at(c->input.path, 0,
+        return message_error_at(c->stage.source.path, 0,
                                 "--format is for pictures; a font has 1 bit");
     return import_font(&c->options);
 }
@@ -255,16 +276,17 @@ static bool import_as_font(const struct import_command *c)
 int command_import(int argc, char **argv)
 {
     struct import_command c = {
-        .input = {.camera = camera_default},
+        .stage = {.settings = stage_default},
         .options = {.normal_bits = 8},
     };
+    c.stage.settings.texture = STAGE_TEXTURE_NEAREST;
     arguments_parse(&parser, argc, argv, &c);
-    c.options.source = c.input.path;
+    c.options.source = c.stage.source.path;
     if (!check(&c))
         return STATUS_ERROR;
-    bool done = is_pel2d(c.options.output) ? import_as_pel2d(&c)
-                : is_picture(c.input.path) ? import_as_picture(&c)
-                : is_font(c.input.path)    ? import_as_font(&c)
-                                           : import_as_mesh(&c);
+    bool done = is_pel2d(c.options.output)        ? import_as_pel2d(&c)
+                : is_picture(c.stage.source.path) ? import_as_picture(&c)
+                : is_font(c.stage.source.path)    ? import_as_font(&c)
+                                                  : import_as_mesh(&c);
     return done ? STATUS_OK : STATUS_ERROR;
 }

@@ -35,6 +35,7 @@ struct import_points {
     size_t stride, count;
     int axes;
     bool is_signed;
+    int shift_max; /* of the quantum */
 };
 struct pel_mesh_quantum import_quantum(const struct import_points *points);
 

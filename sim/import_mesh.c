@@ -126,10 +126,10 @@ bool import_mesh(const struct import_options *options, const struct mesh *mesh)
 {
     struct import import = {.options = options, .mesh = mesh};
     const size_t stride = sizeof(struct mesh_vertex) / sizeof(double);
-    const struct import_points positions = {mesh->vertex[0].position, stride,
-                                            mesh->vertices, 3, true};
-    const struct import_points uv = {mesh->vertex[0].uv, stride, mesh->vertices,
-                                     2, false};
+    const struct import_points positions = {
+        mesh->vertex[0].position, stride, mesh->vertices, 3, true, 46};
+    const struct import_points uv = {
+        mesh->vertex[0].uv, stride, mesh->vertices, 2, false, 46};
     import.position = import_quantum(&positions);
     import.texture = import_quantum(&uv);
     if (!import_text_open(&import.text, options->output, options->source,

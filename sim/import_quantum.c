@@ -45,7 +45,7 @@ struct pel_mesh_quantum import_quantum(const struct import_points *points)
     struct pel_mesh_quantum quantum;
     struct extent e = extent_of(points);
     double step = 1;
-    int shift = 64;
+    int shift = points->shift_max;
     while (shift > -64 && !fits(&e, shift, &step))
         shift--;
     for (int k = 0; k < 3; k++)

@@ -54,15 +54,12 @@ bool mesh_check(const struct mesh *mesh, const char *path);
  * direction. */
 void mesh_normals(struct mesh *mesh);
 
-/* The vertices' colours: those of the file `texture` (nearest texel, repeated
- * outside 0..1) where one is given, otherwise those of the mesh file, of the
- * mesh's own texture, or of its materials. A texture of the mesh's own that
- * cannot be read leaves the materials, with a message. `lit` tells whether the
- * colours of materials get a soft light from above, so that the shape shows.
- * False, with a message, when `texture` cannot be read or the mesh has no uv
- * for it. */
-bool mesh_paint(struct mesh *mesh, const char *path, const char *texture,
-                bool lit);
+/* The vertices' colours, for assets: those of the file `texture` (nearest
+ * texel, repeated outside 0..1) where one is given, otherwise those of the mesh
+ * file, of the mesh's own texture, or of its materials. A texture of the mesh's
+ * own that cannot be read leaves the materials, with a message. False, with a
+ * message, when `texture` cannot be read or the mesh has no uv for it. */
+bool mesh_paint(struct mesh *mesh, const char *path, const char *texture);
 
 /* Parts of mesh_load, in files of their own. */
 bool mesh_load_file(struct mesh *mesh, const char *path);

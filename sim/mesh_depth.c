@@ -1,7 +1,6 @@
 #include "mesh_depth.h"
 
 #include <inttypes.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -58,17 +57,6 @@ bool mesh_depth_parse(const char *text, struct mesh_depth *depth)
         for (int i = 0; i < 3; i++)
             depth->limb[i] = -depth->limb[i];
     return true;
-}
-
-struct mesh_depth mesh_depth_of(double value)
-{
-    struct mesh_depth depth = {{0}};
-    double whole = trunc(value);
-    int64_t part = (int64_t)llround((value - whole) * 1e12) * 1000000;
-    int64_t carry = part / LIMB; /* when the fraction rounded up to 1 */
-    depth.limb[0] = (int64_t)whole + carry;
-    depth.limb[1] = part - carry * LIMB;
-    return depth;
 }
 
 void mesh_depth_format(const struct mesh_depth *depth,

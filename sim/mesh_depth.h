@@ -16,9 +16,6 @@ struct mesh_depth {
  * digits below 10^-36. False when it is anything else. */
 bool mesh_depth_parse(const char *text, struct mesh_depth *depth);
 
-/* The nearest multiple of 10^-12; |value| < 10^17. */
-struct mesh_depth mesh_depth_of(double value);
-
 enum { MESH_DEPTH_TEXT = 64 };
 
 /* Writes a single depth so that it is parsed as the same. */

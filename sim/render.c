@@ -8,51 +8,33 @@
 #include "core/raster/rectangle.h"
 #include "device.h"
 #include "format_names.h"
-#include "mesh_input.h"
 #include "message.h"
 #include "number.h"
 #include "render_painter.h"
+#include "stage_options.h"
 
 struct render_options {
     struct device_options device;
-    struct mesh_input input;
+    struct stage_options stage;
     const char *output;
     const struct pel_format *format;
-    enum painter_shade shade;
     int bands;
     bool lines;
 };
 
-enum {
-    OPTION_SHADE = 0x200,
-    OPTION_TEXTURE,
-    OPTION_FORMAT,
-    OPTION_BANDS,
-    OPTION_COLLINEAR
-};
+enum { OPTION_FORMAT = 0x200, OPTION_BANDS, OPTION_COLLINEAR };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0,
      "the picture: .ppm, .png or .bmp; standard output when left out", 0},
-    {"shade", OPTION_SHADE, "MODE", 0, "flat or gouraud (default)", 0},
-    {"texture", OPTION_TEXTURE, "FILE", 0,
-     "take the vertices' colours from this picture", 0},
     {"format", OPTION_FORMAT, "NAME", 0,
      "draw in this pixel format (default: xrgb8888)", 0},
     {"bands", OPTION_BANDS, "ROWS", 0, "draw in bands of so many rows", 0},
     {"collinear", OPTION_COLLINEAR, "WHAT", 0,
-     "a triangle without area is nothing (default) or a line", 0},
+     "of a pel2d file: a triangle without area is nothing (default) or a line",
+     0},
     {0},
 };
-
-static bool parse_shade(const char *text, struct render_options *o)
-{
-    o->shade = strcmp(text, "flat") == 0 ? PAINTER_FLAT : PAINTER_GOURAUD;
-    return o->shade == PAINTER_FLAT || strcmp(text, "gouraud") == 0 ||
-           message_error("unknown shading mode '%s': flat or gouraud would be "
-                         "right",
-                         text);
-}
 
 static bool parse_collinear(const char *text, struct render_options *o)
 {
@@ -82,9 +64,9 @@ static bool parse_bands(const char *text, struct render_options *o)
 
 static bool parse_mesh(const char *text, struct render_options *o)
 {
-    if (o->input.path)
+    if (o->stage.source.path)
         return message_error("'%s' is a second mesh; one would be right", text);
-    o->input.path = text;
+    o->stage.source.path = text;
     return true;
 }
 
@@ -93,19 +75,14 @@ static error_t parse(int key, char *text, struct argp_state *state)
     struct render_options *o = state->input;
     switch (key) {
     case ARGP_KEY_INIT:
+        state->child_inputs[0] = &o->stage;
         state->child_inputs[1] = &o->device;
-        state->child_inputs[0] = &o->input.camera;
         return 0;
     case ARGP_KEY_ARG:
         return parse_mesh(text, o) ? 0 : EINVAL;
     case 'o':
         o->output = text;
         return 0;
-    case OPTION_TEXTURE:
-        o->input.texture = text;
-        return 0;
-    case OPTION_SHADE:
-        return parse_shade(text, o) ? 0 : EINVAL;
     case OPTION_FORMAT:
         return parse_format(text, o) ? 0 : EINVAL;
     case OPTION_BANDS:
@@ -118,13 +95,13 @@ static error_t parse(int key, char *text, struct argp_state *state)
 }
 
 static const struct argp_child children[] = {
-    {&camera_argp, 0, "Camera:", 2}, {&device_argp, 0, NULL, 0}, {0}};
+    {&stage_argp, 0, NULL, 1}, {&device_argp, 0, NULL, 0}, {0}};
 
 static const struct argp parser = {
     .options = options,
     .parser = parse,
     .args_doc = "MESH",
-    .doc = "Draws a mesh, the farthest triangle first.\v"
+    .doc = "Draws a mesh.\v"
            "MESH is a file that assimp reads, a pel2d file (- is one on "
            "standard input), or " MESH_BUILTIN ".",
     .children = children,
@@ -132,7 +109,7 @@ static const struct argp parser = {
 
 static bool check(const struct render_options *o)
 {
-    if (!o->input.path)
+    if (!o->stage.source.path)
         return message_error("a mesh is missing; `pel render MESH -o OUT.ppm` "
                              "would be right");
     if (!canvas_bands_legal(o->format, o->bands))
@@ -143,22 +120,40 @@ static bool check(const struct render_options *o)
            device_check_output(&o->device, o->output);
 }
 
+/* A mesh on its stage, or a pel2d file's triangles: only read while parts of a
+ * picture are drawn side by side. */
 struct drawing {
     const struct render_options *options;
-    struct painter *painter; /* only read while it draws */
+    const struct stage *stage; /* or NULL, and then: */
+    struct painter *painter;
 };
+
+/* One part, which may fail. */
+struct part {
+    const struct stage *stage;
+    bool failed;
+};
+
+static void draw_stage(struct pel_surface *surface, void *context)
+{
+    struct part *part = context;
+    part->failed = part->failed || !stage_draw(part->stage, surface);
+}
 
 static bool draw_mesh(struct canvas *canvas, const void *context)
 {
     const struct drawing *drawing = context;
     const struct render_options *o = drawing->options;
-    pel_clear(&canvas->surface, o->input.camera.background);
-    return canvas_draw(canvas, o->bands, painter_draw, drawing->painter);
+    struct part part = {drawing->stage, false};
+    pel_clear(&canvas->surface, o->stage.settings.camera.background);
+    if (!drawing->stage)
+        return canvas_draw(canvas, o->bands, painter_draw, drawing->painter);
+    return canvas_draw(canvas, o->bands, draw_stage, &part) && !part.failed;
 }
 
 static bool show(const struct drawing *drawing)
 {
-    const struct camera *camera = &drawing->options->input.camera;
+    const struct camera *camera = &drawing->options->stage.settings.camera;
     const struct device_picture picture = {.width = camera->width,
                                            .height = camera->height,
                                            .draw = draw_mesh,
@@ -169,7 +164,7 @@ static bool show(const struct drawing *drawing)
 static bool save(const struct drawing *drawing)
 {
     const struct render_options *o = drawing->options;
-    const struct camera *camera = &o->input.camera;
+    const struct camera *camera = &o->stage.settings.camera;
     struct picture picture = {0};
     struct canvas canvas;
     if (!canvas_init(&canvas, o->format, camera->width, camera->height))
@@ -182,17 +177,60 @@ static bool save(const struct drawing *drawing)
     return done;
 }
 
-static bool render(struct render_options *o)
+static bool finish(const struct drawing *drawing)
+{
+    return drawing->options->device.name ? show(drawing) : save(drawing);
+}
+
+/* What is projected and coloured already goes straight to the painter. */
+static bool check_pel2d(const struct stage_options *o)
+{
+    const char *path = o->source.path;
+    if (o->settings.camera.is_set)
+        return message_error_at(path, 0,
+                                "is projected already: of the camera's options "
+                                "only --size and --background apply");
+    if (o->has_mesh_option || o->source.texture || o->source.face_normals)
+        return message_error_at(path, 0,
+                                "has its colours already: options of light, "
+                                "texture and order are for mesh files");
+    if (o->settings.shade == STAGE_PHONG)
+        return message_error_at(path, 0,
+                                "has no normals: --shade flat or gouraud "
+                                "would be right");
+    return true;
+}
+
+static bool render_pel2d(const struct render_options *o)
 {
     struct pel2d flat;
-    struct painter painter = {.shade = o->shade, .lines = o->lines};
-    const struct drawing drawing = {o, &painter};
-    if (!mesh_input_load(&o->input, &flat))
+    const bool is_flat = o->stage.settings.shade == STAGE_FLAT;
+    struct painter painter = {.shade = is_flat ? PAINTER_FLAT : PAINTER_GOURAUD,
+                              .lines = o->lines};
+    const struct drawing drawing = {o, NULL, &painter};
+    if (!check_pel2d(&o->stage) || !pel2d_load(&flat, o->stage.source.path))
         return false;
-    const bool done = painter_init(&painter, &flat) &&
-                      (o->device.name ? show(&drawing) : save(&drawing));
+    const bool done = painter_init(&painter, &flat) && finish(&drawing);
     painter_free(&painter);
     pel2d_free(&flat);
+    return done;
+}
+
+static bool render_mesh(const struct render_options *o)
+{
+    struct model model;
+    struct stage stage;
+    const struct drawing drawing = {o, &stage, NULL};
+    if (o->lines)
+        return message_error_at(o->stage.source.path, 0,
+                                "--collinear is for pel2d files");
+    if (!model_load(&model, &o->stage.source))
+        return false;
+    const bool done = stage_init(&stage, &model) &&
+                      stage_prepare(&stage, &o->stage.settings) &&
+                      finish(&drawing);
+    stage_free(&stage);
+    model_free(&model);
     return done;
 }
 
@@ -200,11 +238,13 @@ int command_render(int argc, char **argv)
 {
     struct render_options o = {
         .device = {.jobs = 1},
-        .input = {.camera = camera_default},
+        .stage = {.settings = stage_default},
         .output = "-",
         .format = format_find("xrgb8888"),
-        .shade = PAINTER_GOURAUD,
     };
     arguments_parse(&parser, argc, argv, &o);
-    return check(&o) && render(&o) ? STATUS_OK : STATUS_ERROR;
+    const bool done =
+        check(&o) && (pel2d_is_file(o.stage.source.path) ? render_pel2d(&o)
+                                                         : render_mesh(&o));
+    return done ? STATUS_OK : STATUS_ERROR;
 }

@@ -110,31 +110,11 @@ static void test_sums(void **state)
     }
 }
 
-static void test_doubles(void **state)
-{
-    static const double value[] = {0,    0.5,    -0.5,           -1e-12,
-                                   1e15, 123.25, 2.999999999999, -7};
-    (void)state;
-    for (size_t i = 0; i < sizeof(value) / sizeof(value[0]); i++) {
-        char text[MESH_DEPTH_TEXT], want[MESH_DEPTH_TEXT];
-        struct mesh_depth depth = mesh_depth_of(value[i]), expected;
-        snprintf(want, sizeof(want), "%.12f", value[i]);
-        assert_true(mesh_depth_parse(want, &expected));
-        mesh_depth_format(&depth, text);
-        mesh_depth_format(&expected, want);
-        assert_string_equal(text, want);
-    }
-    struct mesh_depth up = mesh_depth_of(0.9999999999999); /* to 1 */
-    struct mesh_depth one = mesh_depth_of(1);
-    assert_int_equal(mesh_depth_compare(&up, &one), 0);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_text),
         cmocka_unit_test(test_sums),
-        cmocka_unit_test(test_doubles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,8 +5,8 @@
 
 #include "mesh_messages.h"
 #include "sim/canvas.h"
-#include "sim/mesh_input.h"
 #include "sim/render_painter.h"
+#include "sim/stage_pel2d.h"
 #include "core/format/formats.h"
 #include "core/raster/rectangle.h"
 #include "tests/support/reference.h"
@@ -16,7 +16,7 @@ enum { SIZE = 1200 };
 struct corner {
     struct pel_point at;
     pel_color color;
-    int64_t depth; /* 10^-12 */
+    int64_t depth;
 };
 
 struct face {
@@ -55,7 +55,7 @@ static void read_corner(FILE *file, struct corner *c)
     c->at.x = (int32_t)(scaled(x, 8) / 390625);
     c->at.y = (int32_t)(scaled(y, 8) / 390625);
     c->color = PEL_RGB(r, g, b);
-    c->depth = scaled(depth, 12);
+    c->depth = scaled(depth, 0);
 }
 
 static int farther_first(const void *left, const void *right)
@@ -185,13 +185,29 @@ static void compare(const char *path, enum painter_shade shade, int tolerance)
     free(face);
 }
 
+static void project(const char *mesh, struct pel2d *flat)
+{
+    const struct model_source source = {.path = mesh};
+    struct stage_settings settings = stage_default;
+    struct model model;
+    struct stage stage;
+    uint32_t clipped;
+    settings.mapping = STAGE_MAP_VERTICES;
+    assert_true(model_load(&model, &source));
+    assert_true(stage_init(&stage, &model));
+    assert_true(stage_prepare(&stage, &settings));
+    assert_true(stage_project(&stage, flat, &clipped));
+    assert_int_equal(clipped, 0);
+    stage_free(&stage);
+    model_free(&model);
+}
+
 /* The picture of a mesh, through a pel2d file, in both shadings. */
 static void compare_mesh(const char *mesh)
 {
-    struct mesh_input input = {.path = mesh, .camera = camera_default};
     struct pel2d flat;
     char *path = file_with("", 0);
-    assert_true(mesh_input_load(&input, &flat));
+    project(mesh, &flat);
     assert_true(pel2d_save(&flat, path));
     pel2d_free(&flat);
     compare(path, PAINTER_FLAT, 0);

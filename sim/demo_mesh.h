@@ -1,0 +1,27 @@
+/* The mesh that demos draw: the duck of assimp-testmodels, or the built-in vase
+ * where that is not to be had. */
+#ifndef SIM_DEMO_MESH_H
+#define SIM_DEMO_MESH_H
+
+#include "demo.h"
+#include "stage.h"
+
+/* The mesh before it is quantised; `source` tells what was taken (its path is
+ * good until the next call), and the result's note says so. False, with a
+ * message, when it cannot be read. */
+bool demo_mesh_load(struct mesh *mesh, struct model_source *source,
+                    struct demo_result *result);
+
+/* The same as a model, with its texture; the vase gets a generated one. */
+bool demo_mesh_model(struct model *model, struct demo_result *result);
+
+/* Adds a picture of a texture with squares of two colours and rings, when the
+ * model has none; the note says so. */
+bool demo_mesh_add_texture(struct model *model, struct demo_result *result);
+
+/* Draws the model: clears, prepares and draws, and takes the time of all. */
+bool demo_mesh_draw(const struct model *model,
+                    const struct stage_settings *settings,
+                    struct demo_result *result);
+
+#endif

@@ -1,0 +1,22 @@
+/* The options of the command line that say how a model is drawn. */
+#ifndef SIM_STAGE_OPTIONS_H
+#define SIM_STAGE_OPTIONS_H
+
+#include "stage.h"
+
+/* What a command with a model takes: the file names are argv's. */
+struct stage_options {
+    struct stage_settings settings;
+    struct model_source source; /* the path is for the command to set */
+    bool has_mesh_option; /* any but those of the camera, of the source, and
+                             --shade: what only a drawn mesh has */
+};
+
+/* Lights, material, shading, texture, order, and camera_argp for where things
+ * are. The input is a struct stage_options, set to its defaults before. */
+extern const struct argp stage_argp;
+
+/* The lights and the material of it. */
+extern const struct argp light_argp;
+
+#endif

@@ -1,0 +1,136 @@
+#include "stage_pel2d.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "message.h"
+
+struct projection {
+    const struct stage *stage;
+    uint32_t *index; /* of each vertex in `flat`, NOT_YET before its use */
+    struct pel2d *flat;
+    uint32_t clipped;
+};
+
+#define NOT_YET UINT32_MAX
+
+static double uv_of(const struct pel_mesh *mesh, uint32_t vertex, int axis)
+{
+    if (!mesh->uv)
+        return 0;
+    return ldexp(
+        pel_mesh_quantum_value(&mesh->texture, axis, mesh->uv[vertex][axis]),
+        -mesh->texture.shift);
+}
+
+static bool add(struct projection *p, const struct pel2d_vertex *v, int32_t z)
+{
+    struct pel2d_vertex vertex = *v;
+    vertex.color |= PEL_RGB(0, 0, 0);
+    vertex.depth = (struct mesh_depth){{z, 0, 0}};
+    return pel2d_add_vertex(p->flat, &vertex);
+}
+
+static bool add_vertex(struct projection *p, uint32_t i)
+{
+    const struct pel_frame_vertex *from = &p->stage->frame.vertex[i];
+    const struct pel_mesh *mesh = &p->stage->mesh;
+    const struct pel2d_vertex v = {.at = {from->at.x, from->at.y},
+                                   .color = from->color,
+                                   .u = uv_of(mesh, i, 0),
+                                   .v = uv_of(mesh, i, 1)};
+    p->index[i] = p->flat->vertices;
+    return add(p, &v, from->at.z);
+}
+
+/* A triangle that nothing cuts shares its vertices with others. */
+static bool add_whole(struct projection *p, const uint32_t corner[3])
+{
+    uint32_t to[3];
+    for (int k = 0; k < 3; k++) {
+        if (p->index[corner[k]] == NOT_YET && !add_vertex(p, corner[k]))
+            return false;
+        to[k] = p->index[corner[k]];
+    }
+    return pel2d_add_triangle(p->flat, to);
+}
+
+/* A place between three vertices. */
+static bool add_corner(struct projection *p, struct pel_frame_triangle *t,
+                       const struct pel_clip_corner *c)
+{
+    const struct pel_frame *frame = &p->stage->frame;
+    const struct pel_mesh *mesh = &p->stage->mesh;
+    struct pel2d_vertex v = {
+        .at = pel_project_clipped(&frame->projector, c->place)};
+    pel_color color[3];
+    for (int k = 0; k < 3; k++) {
+        const uint32_t i = t->vertex[k];
+        const struct pel_projected *at = &frame->vertex[i].at;
+        const double weight = (double)c->weight[k] / PEL_COSINE_ONE;
+        t->corner[0].weight[k] = c->weight[k];
+        v.u += weight * uv_of(mesh, i, 0);
+        v.v += weight * uv_of(mesh, i, 1);
+        if (c->weight[k] == PEL_COSINE_ONE && at->x != PEL_NOT_ON_SCREEN)
+            v.at = (struct pel_point){at->x, at->y};
+    }
+    pel_frame_colors(frame, t, color);
+    v.color = color[0];
+    return add(p, &v, c->place[2]);
+}
+
+/* The others have vertices of their own, as a fan. */
+static bool add_clipped(struct projection *p, const uint32_t corner[3])
+{
+    const struct pel_projector *projector = &p->stage->frame.projector;
+    struct pel_clip clip;
+    struct pel_frame_triangle t = {.is_set_up = false};
+    const uint32_t first = p->flat->vertices;
+    memcpy(t.vertex, corner, sizeof(t.vertex));
+    for (int k = 0; k < 3; k++)
+        pel_project_coarse(projector, p->stage->mesh.positions[corner[k]],
+                           clip.spare[k].place);
+    const int32_t n = pel_clip_triangle(projector, &clip);
+    p->clipped++;
+    for (int32_t i = 0; i < n; i++)
+        if (!add_corner(p, &t, &clip.corner[i]))
+            return false;
+    for (uint32_t i = 2; (int32_t)i < n; i++) {
+        const uint32_t to[3] = {first, first + i - 1, first + i};
+        if (!pel2d_add_triangle(p->flat, to))
+            return false;
+    }
+    return true;
+}
+
+static bool add_triangle(struct projection *p, uint32_t triangle)
+{
+    uint32_t corner[3];
+    bool on_screen = true;
+    pel_mesh_corners(&p->stage->mesh, triangle, corner);
+    for (int k = 0; k < 3; k++)
+        on_screen = on_screen &&
+                    p->stage->frame.vertex[corner[k]].at.x != PEL_NOT_ON_SCREEN;
+    return on_screen ? add_whole(p, corner) : add_clipped(p, corner);
+}
+
+bool stage_project(const struct stage *stage, struct pel2d *flat,
+                   uint32_t *clipped)
+{
+    const struct pel_mesh *mesh = &stage->mesh;
+    struct projection p = {.stage = stage, .flat = flat};
+    memset(flat, 0, sizeof(*flat));
+    p.index = malloc(mesh->vertices * sizeof(*p.index));
+    bool done = p.index || message_error("no memory to project %u vertices",
+                                         mesh->vertices);
+    for (uint32_t i = 0; i < mesh->vertices && done; i++)
+        p.index[i] = NOT_YET;
+    for (uint32_t i = 0; i < mesh->triangles && done; i++)
+        done = add_triangle(&p, i);
+    free(p.index);
+    *clipped = p.clipped;
+    if (!done)
+        pel2d_free(flat);
+    return done;
+}
