@@ -6,7 +6,9 @@
 
 #define TURN 6.283185307179586
 
-enum { SIDES = 48, STEPS = 8 }; /* around; per piece of the profile */
+/* Around; the vertices of a ring, the first one again at the other end of the
+ * texture; per piece of the profile. */
+enum { SIDES = 48, COLUMNS = SIDES + 1, STEPS = 8 };
 
 /* Radius and height where the pieces of the profile meet: outside from the
  * middle of the foot to the rim, then inside down to the neck. */
@@ -50,9 +52,9 @@ static void set_ring(struct mesh *mesh, int ring)
     double t = (double)(ring - piece * STEPS) / STEPS;
     double radius = fmax(spline(piece, t, 0), 0);
     double height = fmax(spline(piece, t, 1), 0);
-    for (int side = 0; side < SIDES; side++) {
-        struct mesh_vertex *v = &mesh->vertex[ring * SIDES + side];
-        double angle = TURN * side / SIDES;
+    for (int side = 0; side < COLUMNS; side++) {
+        struct mesh_vertex *v = &mesh->vertex[ring * COLUMNS + side];
+        double angle = TURN * (side % SIDES) / SIDES;
         v->position[0] = radius * sin(angle);
         v->position[1] = height;
         v->position[2] = radius * cos(angle);
@@ -66,9 +68,8 @@ static void set_ring(struct mesh *mesh, int ring)
 static void set_quad(struct mesh *mesh, int ring, int side)
 {
     uint32_t(*to)[3] = &mesh->triangle[2 * (ring * SIDES + side)];
-    uint32_t a = (uint32_t)(ring * SIDES + side);
-    uint32_t b = (uint32_t)(ring * SIDES + (side + 1) % SIDES);
-    uint32_t c = a + SIDES, d = b + SIDES;
+    uint32_t a = (uint32_t)(ring * COLUMNS + side);
+    uint32_t b = a + 1, c = a + COLUMNS, d = b + COLUMNS;
     to[0][0] = to[1][0] = a;
     to[0][1] = b;
     to[0][2] = to[1][1] = d;
@@ -77,7 +78,7 @@ static void set_quad(struct mesh *mesh, int ring, int side)
 
 bool mesh_load_builtin(struct mesh *mesh)
 {
-    if (!mesh_init(mesh, RINGS * SIDES, 2 * (RINGS - 1) * SIDES))
+    if (!mesh_init(mesh, RINGS * COLUMNS, 2 * (RINGS - 1) * SIDES))
         return false;
     for (int ring = 0; ring < RINGS; ring++)
         set_ring(mesh, ring);

@@ -210,14 +210,14 @@ bool camera_frame(struct camera *camera, const struct model *model)
     if (!camera->has_target)
         middle_of_box(model, camera->target);
     if (!camera->has_eye && !frame_eye(camera, model))
-        return message_error("--up points along the view; 0,1,0 would be right "
+        return message_error("up points along the view; 0,1,0 would be right "
                              "for a mesh that stands upright");
     const bool fitted = !flat || !camera->has_eye || camera->has_sensor ||
                         frame_sensor(camera, model);
     if (!fitted || !view_init(&view, camera))
-        return message_error("--eye is --target, or --up points along the "
-                             "view; an eye beside the target and --up across "
-                             "the view would be right");
+        return message_error("eye and target are one place, or up points along "
+                             "the view; an eye beside the target and an up "
+                             "across the view would be right");
     if (!camera->has_near)
         frame_near(camera, model, &view);
     return true;

@@ -257,9 +257,8 @@ static bool import_as_mesh(struct import_command *c)
                                 "is projected already; a mesh would be right");
     if (!mesh_load(&mesh, path))
         return false;
-    if (c->stage.source.face_normals)
-        mesh_normals(&mesh);
-    bool done = mesh_paint(&mesh, path, c->stage.source.texture) &&
+    bool done = (!c->stage.source.face_normals || mesh_normals(&mesh)) &&
+                mesh_paint(&mesh, path, c->stage.source.texture) &&
                 import_mesh(&c->options, &mesh);
     mesh_free(&mesh);
     return done;

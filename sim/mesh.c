@@ -81,7 +81,8 @@ bool mesh_load(struct mesh *mesh, const char *path)
         mesh_free(mesh);
         return false;
     }
-    if (!mesh->has_normals)
-        mesh_normals(mesh);
-    return true;
+    if (mesh->has_normals || mesh_normals(mesh))
+        return true;
+    mesh_free(mesh);
+    return false;
 }

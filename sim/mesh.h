@@ -51,8 +51,9 @@ bool mesh_files_supported(void);
 bool mesh_check(const struct mesh *mesh, const char *path);
 
 /* Vertex normals: the mean of the faces, weighted by area. 0 where it has no
- * direction. */
-void mesh_normals(struct mesh *mesh);
+ * direction. Vertices at one place share theirs: a seam of the texture is no
+ * edge of the mesh. False, with a message, when memory is short. */
+bool mesh_normals(struct mesh *mesh);
 
 /* The vertices' colours, for assets: those of the file `texture` (nearest
  * texel, repeated outside 0..1) where one is given, otherwise those of the mesh

@@ -1,7 +1,10 @@
 #include "mesh.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+
+#include "message.h"
 
 /* Adds a face's normal, of the length of twice its area, to its corners. */
 static void add_face(struct mesh *mesh, const uint32_t index[3])
@@ -28,13 +31,49 @@ static void normalise(double n[3])
         n[k] = length > 0 ? n[k] / length : 0;
 }
 
-void mesh_normals(struct mesh *mesh)
+static int compare_places(const void *left, const void *right)
 {
-    for (uint32_t i = 0; i < mesh->vertices; i++)
-        memset(mesh->vertex[i].normal, 0, sizeof(mesh->vertex[i].normal));
+    const struct mesh_vertex *const *a = left, *const *b = right;
+    for (int k = 0; k < 3; k++) {
+        const double p = (*a)->position[k], q = (*b)->position[k];
+        if (p < q || p > q)
+            return p < q ? -1 : 1;
+    }
+    return 0;
+}
+
+/* Gives n vertices at one place the sum of their normals. */
+static void share(struct mesh_vertex **vertex, uint32_t n)
+{
+    double sum[3] = {0, 0, 0};
+    for (uint32_t i = 0; i < n; i++)
+        for (int k = 0; k < 3; k++)
+            sum[k] += vertex[i]->normal[k];
+    normalise(sum);
+    for (uint32_t i = 0; i < n; i++)
+        memcpy(vertex[i]->normal, sum, sizeof(sum));
+}
+
+bool mesh_normals(struct mesh *mesh)
+{
+    struct mesh_vertex **order = malloc(mesh->vertices * sizeof(*order));
+    if (!order)
+        return message_error("no memory for the normals of %u vertices",
+                             mesh->vertices);
+    for (uint32_t i = 0; i < mesh->vertices; i++) {
+        order[i] = &mesh->vertex[i];
+        memset(order[i]->normal, 0, sizeof(order[i]->normal));
+    }
     for (uint32_t i = 0; i < mesh->triangles; i++)
         add_face(mesh, mesh->triangle[i]);
-    for (uint32_t i = 0; i < mesh->vertices; i++)
-        normalise(mesh->vertex[i].normal);
+    qsort(order, mesh->vertices, sizeof(*order), compare_places);
+    for (uint32_t i = 0, n; i < mesh->vertices; i += n) {
+        for (n = 1; i + n < mesh->vertices; n++)
+            if (compare_places(&order[i], &order[i + n]) != 0)
+                break;
+        share(&order[i], n);
+    }
+    free(order);
     mesh->has_normals = true;
+    return true;
 }

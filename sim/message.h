@@ -5,7 +5,8 @@
 
 #include <stdbool.h>
 
-/* pel: TEXT */
+/* pel: TEXT; or pel: FILE:LINE: TEXT, after message_place until it is called
+ * with NULL: for what a script asks of functions that know no scripts. */
 __attribute__((format(printf, 1, 2))) bool message_error(const char *format,
                                                          ...);
 
@@ -15,5 +16,7 @@ __attribute__((format(printf, 3, 4))) bool message_error_at(const char *file,
                                                             long line,
                                                             const char *format,
                                                             ...);
+
+void message_place(const char *file, long line);
 
 #endif

@@ -166,10 +166,9 @@ bool model_load(struct model *model, const struct model_source *source)
     memset(model, 0, sizeof(*model));
     if (!mesh_load(&mesh, source->path))
         return false;
-    if (source->face_normals)
-        mesh_normals(&mesh);
-    bool done =
-        model_make(model, &mesh) && model_add_texture(model, &mesh, source);
+    bool done = (!source->face_normals || mesh_normals(&mesh)) &&
+                model_make(model, &mesh) &&
+                model_add_texture(model, &mesh, source);
     if (!done)
         model_free(model);
     mesh_free(&mesh);

@@ -84,7 +84,7 @@ static const struct argp parser = {
     "SCRIPT",
     "Draws a scene script into a picture.\v"
     "A script holds one command a line: canvas WIDTH HEIGHT FORMAT first, then "
-    "clear, clip, bands, paint, triangle, polygon, circle, rect, line. "
+    "clear, clip, bands, paint, triangle, polygon, circle, rect, line, mesh. "
     "sim/scenes/README.md describes them.",
     children,
     NULL,

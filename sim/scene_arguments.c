@@ -6,6 +6,7 @@
 #include "message.h"
 #include "number.h"
 #include "scene_assets.h"
+#include "scene_meshes.h"
 
 static bool refuse(const struct scene_place *place, const char *word,
                    const char *right)
@@ -96,11 +97,49 @@ static bool parse_format(const struct scene_place *place, const char *word,
                             format_list());
 }
 
+static bool parse_scaled(const struct scene_place *place, enum scene_kind kind,
+                         const char *word, int32_t *value)
+{
+    static const int64_t world = 16384 * 65536;
+    int64_t v, low = 1, high = world;
+    const char *right = "a decimal number above 0, up to 16384";
+    if (kind == KIND_PLACE) {
+        low = -world;
+        right = "a decimal number in -16384..16384";
+    } else if (kind == KIND_FACTOR) {
+        low = 0;
+        high = 16 * 65536 - 1;
+        right = "a decimal number from 0 to less than 16";
+    }
+    if (number_decimal(word, 65536, low, high, &v) != NUMBER_OK)
+        return refuse(place, word, right);
+    *value = (int32_t)v;
+    return true;
+}
+
+/* The names are those of the command's usage. */
+static bool parse_choice(const struct scene_place *place, const char *word,
+                         int32_t *value)
+{
+    const char *name = place->command->usage;
+    const size_t length = strlen(word);
+    for (int32_t i = 0; *name; i++) {
+        const size_t n = strcspn(name, "|");
+        if (n == length && strncmp(name, word, n) == 0) {
+            *value = i;
+            return true;
+        }
+        name += n + (name[n] == '|');
+    }
+    return refuse(place, word, place->command->usage);
+}
+
 static bool parse_number(const struct scene_place *place, enum scene_kind kind,
                          const char *word, int32_t *value)
 {
     static const int32_t pixel[] = {-32768, 32767}, count[] = {0, 32767},
-                         size[] = {1, 32767}, byte[] = {0, 255};
+                         size[] = {1, 32767}, byte[] = {0, 255},
+                         exponent[] = {1, 256};
     switch (kind) {
     case KIND_PIXEL:
         return parse_whole(place, word, pixel, value);
@@ -110,6 +149,12 @@ static bool parse_number(const struct scene_place *place, enum scene_kind kind,
         return parse_whole(place, word, size, value);
     case KIND_BYTE:
         return parse_whole(place, word, byte, value);
+    case KIND_SHININESS:
+        return parse_whole(place, word, exponent, value);
+    case KIND_PLACE:
+    case KIND_FACTOR:
+    case KIND_MEASURE:
+        return parse_scaled(place, kind, word, value);
     case KIND_LENGTH:
         return parse_length(place, word, value);
     case KIND_TURN:
@@ -133,6 +178,12 @@ bool scene_argument(const struct scene_place *place, enum scene_kind kind,
         return scene_add_font(place, word, value);
     case KIND_PICTURE:
         return scene_add_picture(place, word, value);
+    case KIND_CHOICE:
+        return parse_choice(place, word, value);
+    case KIND_FILE:
+        return scene_add_file(place, word, value);
+    case KIND_MESH:
+        return scene_add_mesh(place, word, value);
     case KIND_TEXT:
         return scene_add_text(place, word, value);
     default:

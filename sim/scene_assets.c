@@ -8,6 +8,7 @@
 #include "core/format/argb8888.h"
 #include "font_asset.h"
 #include "message.h"
+#include "scene_meshes.h"
 #include "texture.h"
 
 /* A list with room for one more of `size` bytes; NULL, with a message. */
@@ -25,9 +26,8 @@ static bool out_of_memory(const struct scene_place *place)
     return message_error_at(place->path, place->line, "out of memory");
 }
 
-/* The file that a word names, if it can be read; free it. Quoted words begin
- * with their quote. NULL, with a message. */
-static char *file_of(const struct scene_place *place, const char *word)
+/* Quoted words begin with their quote. */
+char *scene_file(const struct scene_place *place, const char *word)
 {
     const char *slash = strrchr(place->path, '/');
     const char *name = word + (*word == '"');
@@ -66,7 +66,7 @@ bool scene_add_font(const struct scene_place *place, const char *word,
     struct scene_assets *a = place->assets;
     struct pel_font_asset *list =
         list_grow(place, a->fonts, a->font_count, sizeof(*list));
-    char *path = file_of(place, word);
+    char *path = scene_file(place, word);
     bool done = false;
     if (list)
         a->fonts = list;
@@ -110,7 +110,7 @@ bool scene_add_picture(const struct scene_place *place, const char *word,
     struct scene_assets *a = place->assets;
     struct pel_surface *list =
         list_grow(place, a->pictures, a->picture_count, sizeof(*list));
-    char *path = file_of(place, word);
+    char *path = scene_file(place, word);
     bool done = false;
     if (list)
         a->pictures = list;
@@ -122,23 +122,38 @@ bool scene_add_picture(const struct scene_place *place, const char *word,
     return done;
 }
 
+/* Takes `text` over, also when it fails. */
+static bool add_text(const struct scene_place *place, char *text,
+                     int32_t *index)
+{
+    struct scene_assets *a = place->assets;
+    char **list =
+        text ? list_grow(place, a->texts, a->text_count, sizeof(*list)) : NULL;
+    if (!list) {
+        free(text);
+        return false;
+    }
+    a->texts = list;
+    list[a->text_count] = text;
+    *index = (int32_t)a->text_count++;
+    return true;
+}
+
 bool scene_add_text(const struct scene_place *place, const char *word,
                     int32_t *index)
 {
-    struct scene_assets *a = place->assets;
     if (*word != '"')
         return message_error_at(place->path, place->line,
                                 "%s: %s must be a text in quotes: \"...\"",
                                 place->command->name, word);
-    char **list = list_grow(place, a->texts, a->text_count, sizeof(*list));
-    if (!list)
-        return false;
-    a->texts = list;
-    list[a->text_count] = strdup(word + 1);
-    if (!list[a->text_count])
-        return out_of_memory(place);
-    *index = (int32_t)a->text_count++;
-    return true;
+    char *text = strdup(word + 1);
+    return text ? add_text(place, text, index) : out_of_memory(place);
+}
+
+bool scene_add_file(const struct scene_place *place, const char *word,
+                    int32_t *index)
+{
+    return add_text(place, scene_file(place, word), index);
 }
 
 void scene_assets_free(struct scene_assets *assets)
@@ -149,6 +164,9 @@ void scene_assets_free(struct scene_assets *assets)
         free(assets->pictures[i].pixels);
     for (size_t i = 0; i < assets->text_count; i++)
         free(assets->texts[i]);
+    for (size_t i = 0; i < assets->mesh_count; i++)
+        scene_mesh_free(assets->meshes[i]);
+    free(assets->meshes);
     free(assets->fonts);
     free(assets->pictures);
     free(assets->texts);

@@ -139,5 +139,6 @@ const struct scene_command scene_commands[] = {
 };
 
 const struct scene_command *const scene_tables[] = {
-    scene_commands, scene_shapes, scene_images, scene_paint_commands, NULL,
+    scene_commands,       scene_shapes,        scene_images,
+    scene_paint_commands, scene_mesh_commands, NULL,
 };

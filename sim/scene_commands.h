@@ -8,8 +8,10 @@
 #include "core/paint/paint_texture.h"
 #include "scene.h"
 
+struct scene_meshes;
 struct scene_paints;
 struct scene_pen;
+struct scene_stage;
 
 /* Makes the paint in force, in the pen's memory. */
 typedef const struct pel_paint *scene_make_paint(const struct scene_pen *pen);
@@ -32,7 +34,9 @@ struct scene_pen {
     struct pel_rect clip;
     const struct scene_assets *assets;
     const struct pel_font_asset *font; /* in force, or NULL */
-    void *scratch; /* for the largest polygon of the scene */
+    bool failed; /* a mesh was short of memory, or a light one too many */
+    struct scene_stage *stage; /* of commands that SCENE_STAGE marks */
+    void *scratch;             /* for the largest polygon of the scene */
     size_t scratch_size;
 };
 
@@ -40,6 +44,8 @@ enum scene_role {
     SCENE_CANVAS,       /* first, and once */
     SCENE_BANDS,        /* splits the drawing */
     SCENE_STATE,        /* anything else that is no shape */
+    SCENE_STAGE,        /* what meshes need: done while the script is read */
+    SCENE_MESH,         /* a shape that takes no paint */
     SCENE_PAINT,        /* a paint that every shape takes */
     SCENE_PAINT_VERTEX, /* a paint that triangles alone take */
     SCENE_TRIANGLE,
@@ -60,6 +66,13 @@ enum scene_kind {
     KIND_WAY = 'w',        /* decimal, 0 to 1, to 65,536ths */
     KIND_TURN = 't',       /* decimal turns, 0 to 1, to turns / 65,536 */
     KIND_BYTE = 'b',       /* whole, 0 to 255 */
+    KIND_PLACE = 'x',      /* decimal, -16,384 to 16,384, to 65,536ths */
+    KIND_FACTOR = 'k',     /* decimal, 0 to less than 16, to 65,536ths */
+    KIND_MEASURE = 'm',    /* decimal, above 0 to 16,384, to 65,536ths */
+    KIND_SHININESS = 'e',  /* whole, 1 to 256 */
+    KIND_CHOICE = 'o',     /* a name of the usage A|B|C; its index there */
+    KIND_FILE = 'Q',       /* its path's index among the texts */
+    KIND_MESH = 'M',       /* a file or MESH_BUILTIN; its index in assets */
     KIND_FONT = 'F',       /* a file; its index in scene_assets */
     KIND_PICTURE = 'P',    /* a file; its index there */
     KIND_TEXT = 'T',       /* in quotes; its index there */
@@ -86,7 +99,7 @@ const struct pel_paint *scene_dithered(const struct scene_pen *pen,
 /* All commands, in tables that end with the name NULL; the last table is NULL.
  */
 extern const struct scene_command scene_commands[], scene_shapes[],
-    scene_images[], scene_paint_commands[];
+    scene_images[], scene_paint_commands[], scene_mesh_commands[];
 extern const struct scene_command *const scene_tables[];
 
 /* One argument of a kind, from its word. False, with a message, when it is not
@@ -96,6 +109,7 @@ struct scene_place {
     long line;
     const struct scene_command *command;
     struct scene_assets *assets;
+    const struct scene_stage *stage;
 };
 bool scene_argument(const struct scene_place *place, enum scene_kind kind,
                     const char *word, int32_t *value);

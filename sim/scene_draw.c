@@ -21,7 +21,7 @@ static void replay_draw(struct pel_surface *surface, void *context)
     pel_surface_clip(surface, &pen.clip);
     for (size_t i = replay->from; i < replay->to; i++) {
         const struct scene_item *item = &scene->items[i];
-        if (item->command->draw)
+        if (item->command->draw && item->command->role != SCENE_STAGE)
             item->command->draw(&pen, scene->values + item->first, item->count);
     }
     replay->end = pen;
@@ -35,7 +35,7 @@ static bool draw_part(struct replay *replay, size_t to, struct canvas *canvas,
         return false;
     replay->from = to;
     replay->start = replay->end;
-    return true;
+    return !replay->end.failed;
 }
 
 static bool draw_parts(struct replay *replay, struct canvas *canvas)

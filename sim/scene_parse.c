@@ -133,7 +133,7 @@ static const struct scene_command *search(visit *visitor, void *context)
 struct name_list {
     const char *first_word; /* NULL: all */
     size_t length;
-    char text[1024];
+    char text[3072];
 };
 
 static bool is_first_word(const struct scene_command *c, void *context)
@@ -259,6 +259,7 @@ static bool take_canvas(struct scene_parser *p, const struct scene_place *at,
                                 "canvas: %d x %d pixels are too many: %ld at "
                                 "most",
                                 v[0], v[1], (long)CANVAS_PIXELS_MAX);
+    scene_stage_init(&p->stage, v[0], v[1]);
     return true;
 }
 
@@ -276,6 +277,14 @@ static bool check_command(struct scene_parser *p, const struct scene_place *at,
     if (c->role == SCENE_TEXT && !p->has_font)
         return message_error_at(at->path, at->line,
                                 "text without a font: font FILE before it");
+    if (c->role == SCENE_STAGE) {
+        struct scene_pen pen = {.stage = &p->stage, .assets = at->assets};
+        c->draw(&pen, v, n);
+        if (pen.failed)
+            return message_error_at(at->path, at->line,
+                                    "light %d: up to %d would be right",
+                                    STAGE_LIGHTS_MAX + 1, STAGE_LIGHTS_MAX);
+    }
     if ((c->role == SCENE_SHAPE || c->role == SCENE_TEXT) && p->by_vertex)
         return message_error_at(at->path, at->line,
                                 "%s: paint vertex colours triangles; set "
@@ -314,7 +323,7 @@ static bool parse_command(struct scene_parser *p, const struct scene_place *at,
 bool scene_parse_line(struct scene_parser *parser, char *text)
 {
     struct scene_place at = {parser->scene->path, parser->line, NULL,
-                             parser->scene->assets};
+                             parser->scene->assets, &parser->stage};
     size_t name_words;
     if (!split_words(parser, text))
         return false;

@@ -2,7 +2,7 @@
 #ifndef SIM_SCENE_PARSER_H
 #define SIM_SCENE_PARSER_H
 
-#include "scene_commands.h"
+#include "scene_meshes.h"
 
 struct scene_parser {
     struct scene *scene;
@@ -12,6 +12,7 @@ struct scene_parser {
     size_t word_count, word_capacity;
     bool by_vertex; /* paint vertex is in force */
     bool has_font;
+    struct scene_stage stage; /* in force */
 };
 
 /* Adds what the line says to the scene. Cuts `text` into words. False, with a

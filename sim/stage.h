@@ -54,6 +54,7 @@ struct stage_light {
 
 struct stage_settings {
     struct camera camera; /* with the size of the picture, its background */
+    int left, top;        /* px: where that lies on the surface */
     uint16_t turn[3];     /* of the model around the middle of its box, in
                              1/65,536 turns: around x, then y, then z */
 

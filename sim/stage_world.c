@@ -108,8 +108,9 @@ static void place_lens(struct pel_camera *to, const struct camera *from)
         to->sensor[k] = (int32_t)fmax(round(lens[1 + k] * unit), 1);
 }
 
-static void place_camera(struct stage *stage, const struct camera *from)
+static void place_camera(struct stage *stage, const struct stage_settings *s)
 {
+    const struct camera *from = &s->camera;
     struct pel_camera *to = &stage->scene.camera;
     for (int k = 0; k < 3; k++) {
         to->eye[k] = length_of(stage, from->eye[k]);
@@ -122,7 +123,8 @@ static void place_camera(struct stage *stage, const struct camera *from)
         place_lens(to, from);
     for (int k = 0; k < 2 && from->projection == PEL_ORTHOGRAPHIC; k++)
         to->sensor[k] = length_of(stage, from->sensor[k]);
-    stage->scene.viewport = (struct pel_rect){0, 0, from->width, from->height};
+    stage->scene.viewport = (struct pel_rect){
+        s->left, s->top, s->left + from->width, s->top + from->height};
 }
 
 void stage_place(struct stage *stage, const struct stage_settings *settings)
@@ -133,7 +135,7 @@ void stage_place(struct stage *stage, const struct stage_settings *settings)
     stage->mesh = stage->model->mesh;
     stage->mesh.position.shift -= exponent - 1;
     place_pose(stage, settings->turn);
-    place_camera(stage, &settings->camera);
+    place_camera(stage, settings);
 }
 
 static pel_factor factor_of(double value)

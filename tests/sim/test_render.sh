@@ -111,8 +111,8 @@ refuse "--size is '0x5'; WxH" $v --size 0x5
 refuse "--size is '40000x5'; WxH" $v --size 40000x5
 refuse "--eye is '1,2'; X,Y,Z" $v --eye 1,2
 refuse "--target is '1,2,nan'; X,Y,Z" $v --target 1,2,nan
-refuse "--up points along the view" $v --up 0,0,0
-refuse "--eye is --target" $v --eye 1,1,1 --target 1,1,1
+refuse "up points along the view" $v --up 0,0,0
+refuse "eye and target are one place" $v --eye 1,1,1 --target 1,1,1
 refuse "--focal is '0'; a length in mm" $v --focal 0
 refuse "--sensor is '36'; WxH in mm" $v --sensor 36
 refuse "--background is 'red'; #rrggbb" $v --background red

@@ -65,7 +65,7 @@ static void test_normals(void **state)
     (void)state;
     make_square(&mesh);
     mesh.triangle[1][1] = 0; /* without area */
-    mesh_normals(&mesh);
+    assert_true(mesh_normals(&mesh));
     for (int k = 0; k < 3; k++) {
         assert_int_equal((int)mesh.vertex[0].normal[k], k == 2);
         assert_int_equal((int)mesh.vertex[3].normal[k], 0);
@@ -322,8 +322,8 @@ static void test_refused(void **state)
     along.camera.up[2] = 1;
     lens.camera.focal = 1e6;
     phong.shade = STAGE_PHONG;
-    refuse_settings(&same, "--eye is --target, or --up points along");
-    refuse_settings(&along, "--eye is --target, or --up points along");
+    refuse_settings(&same, "eye and target are one place, or up points");
+    refuse_settings(&along, "eye and target are one place, or up points");
     refuse_settings(&lens, "make more than 65536 or less than 1/256 pixel");
     refuse_settings(&phong, "without light, flat or gouraud");
 }
