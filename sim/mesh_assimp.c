@@ -215,6 +215,16 @@ static bool check_indices(const struct aiScene *scene, const char *path)
     return true;
 }
 
+/* Nor do they bear a scene without faces. */
+static bool check_faces(const struct aiScene *scene, const char *path)
+{
+    for (unsigned m = 0; m < scene->mNumMeshes; m++)
+        for (unsigned i = 0; i < scene->mMeshes[m]->mNumFaces; i++)
+            if (scene->mMeshes[m]->mFaces[i].mNumIndices >= 3)
+                return true;
+    return message_error_at(path, 0, "a mesh file without triangles");
+}
+
 /* The file as it is; NULL, with a message, when it is not right. */
 static const struct aiScene *read_scene(const char *path)
 {
@@ -230,7 +240,7 @@ static const struct aiScene *read_scene(const char *path)
     }
     if (bad_index)
         message_error_at(path, 0, "a face names a vertex that is out of range");
-    if (!bad_index && check_indices(scene, path))
+    if (!bad_index && check_indices(scene, path) && check_faces(scene, path))
         return scene;
     aiReleaseImport(scene);
     return NULL;

@@ -118,6 +118,11 @@ refuse "--sensor is '36'; WxH in mm" $v --sensor 36
 refuse "--background is 'red'; #rrggbb" $v --background red
 refuse "a mesh is missing"
 refuse "'b' is a second mesh" a b
+printf 'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n' \
+    >"$dir/point.ply"
+printf 'property float y\nproperty float z\nend_header\n1 2 3\n' \
+    >>"$dir/point.ply"
+refuse "$dir/point.ply: a mesh file without triangles" "$dir/point.ply"
 refuse "$dir/none.obj: No such file" "$dir/none.obj"
 refuse "$dir/none.png:" $v --texture-file "$dir/none.png"
 refuse "$dir/vase.pel2d: is projected already" "$dir/vase.pel2d" --focal 20
