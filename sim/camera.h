@@ -33,7 +33,7 @@ extern const struct argp camera_argp;
  * is close before the model however it is turned around its middle, but at
  * 1/1000 of the way from eye to target at least. False, with a message on
  * standard error, when eye and target are the same or `up` points along the
- * view. The flags stay. */
+ * view. The flags stay: set them to keep what was found. */
 bool camera_frame(struct camera *camera, const struct model *model);
 
 #endif
