@@ -217,6 +217,20 @@ render faces "$dir/normals.obj" $light --normals-from faces
 [ "$(bytes file | sort -u | tr -d ' ') $(bytes faces | sort -u)" = "0  255" ] ||
     fail "normals from file or faces"
 
+# From inside a closed mesh nothing of the background is seen, whatever the near
+# plane and the picture's sides cut.
+for target in 1,0,0 -1,0.1,0 0,0,1 0,0,-1 0.1,9,0.2 0.1,-9,0.2; do
+    for look in "--shade flat" "--shade phong --ks 0 --order zbuffer16"; do
+        for near in 0.2 0.0001; do
+            render inside builtin:vase --size 90x70 --eye 0.3,0.7,-0.2 \
+                --target $target --sensor 100x78 --near $near $look \
+                --color '#808080' --background '#ff00ff'
+            bytes inside | paste - - - | awk '$1 == 255 && $2 == 0 { exit 1 }' ||
+                fail "a crack: $target $look, near plane $near"
+        done
+    done
+done
+
 # Every look: bands and threads change nothing.
 for shade in flat gouraud phong; do
     for texture in "none" "nearest --mapping vertices" \
