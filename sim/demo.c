@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
-#include <time.h>
 
 #include "arguments.h"
 #include "canvas.h"
@@ -12,6 +11,7 @@
 #include "demo.h"
 #include "demo_index.h"
 #include "message.h"
+#include "milliseconds.h"
 #include "scene.h"
 
 struct demo_options {
@@ -51,13 +51,6 @@ static const struct argp parser = {
     NULL,
     NULL,
 };
-
-double demo_clock(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
-}
 
 static bool save_as(const char *directory, const char *name, const char *ending,
                     const struct picture *picture)
@@ -99,9 +92,9 @@ static bool draw_scene(const struct scene *scene, struct demo_result *result)
     struct canvas canvas;
     if (!canvas_init(&canvas, scene->format, scene->width, scene->height))
         return false;
-    const double start = demo_clock();
+    const double start = milliseconds();
     bool done = scene_draw(scene, &canvas, -1);
-    result->milliseconds = demo_clock() - start;
+    result->milliseconds = milliseconds() - start;
     done = done && canvas_picture(&canvas, &result->picture);
     canvas_free(&canvas);
     return done;

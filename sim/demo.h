@@ -26,7 +26,4 @@ extern const struct demo demo_duck[];
 extern const struct demo demo_texture[];
 extern const struct demo demo_lighting[];
 
-/* Milliseconds of a clock that only runs forwards. */
-double demo_clock(void);
-
 #endif

@@ -6,6 +6,7 @@
 #include "core/pel.h"
 #include "demo.h"
 #include "format_names.h"
+#include "milliseconds.h"
 
 enum { TILE_WIDTH = 176, TILE_HEIGHT = 120, GAP = 8, COLUMNS = 5, ROWS = 3 };
 
@@ -48,16 +49,16 @@ static void draw_greys(const struct pel_surface *s)
 }
 
 static bool draw_tile(const struct pel_format *format, struct picture *tile,
-                      double *milliseconds)
+                      double *time)
 {
     struct canvas canvas;
     if (!canvas_init(&canvas, format, TILE_WIDTH, TILE_HEIGHT))
         return false;
-    const double start = demo_clock();
+    const double start = milliseconds();
     draw_ramp(&canvas.surface);
     draw_discs(&canvas.surface);
     draw_greys(&canvas.surface);
-    *milliseconds += demo_clock() - start;
+    *time += milliseconds() - start;
     const bool done = canvas_picture(&canvas, tile);
     canvas_free(&canvas);
     return done;

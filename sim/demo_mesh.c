@@ -9,6 +9,7 @@
 #include "core/format/formats.h"
 #include "core/raster/rectangle.h"
 #include "message.h"
+#include "milliseconds.h"
 
 /* Where Debian's package assimp-testmodels has its models; the variable
  * PEL_MODELS names another directory. */
@@ -87,11 +88,11 @@ static bool draw(struct stage *stage, struct canvas *canvas,
                  const struct stage_settings *settings,
                  struct demo_result *result)
 {
-    const double start = demo_clock();
+    const double start = milliseconds();
     pel_clear(&canvas->surface, settings->camera.background);
     const bool done =
         stage_prepare(stage, settings) && stage_draw(stage, &canvas->surface);
-    result->milliseconds = demo_clock() - start;
+    result->milliseconds = milliseconds() - start;
     return done && canvas_picture(canvas, &result->picture);
 }
 

@@ -5,6 +5,7 @@
 #include "core/pel.h"
 #include "demo.h"
 #include "demo_rules_sheet.h"
+#include "milliseconds.h"
 
 enum { COLUMNS = 4, ROWS = 3 };
 
@@ -60,9 +61,9 @@ static bool draw_sheet(struct demo_result *result, int which)
                      COLUMNS * RULES_CELL_WIDTH + RULES_MARGIN,
                      ROWS * RULES_CELL_HEIGHT + RULES_MARGIN))
         return false;
-    const double start = demo_clock();
+    const double start = milliseconds();
     const struct tally tally = draw_cases(&canvas.surface, which == Y_UP);
-    result->milliseconds = demo_clock() - start;
+    result->milliseconds = milliseconds() - start;
     write_note(&tally, result->note, sizeof result->note);
     const bool done = canvas_picture(&canvas, &result->picture);
     canvas_free(&canvas);

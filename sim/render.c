@@ -1,5 +1,6 @@
 /* pel render: draws a mesh. */
 #include <errno.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "arguments.h"
@@ -9,6 +10,7 @@
 #include "device.h"
 #include "format_names.h"
 #include "message.h"
+#include "milliseconds.h"
 #include "number.h"
 #include "render_painter.h"
 #include "stage_options.h"
@@ -19,10 +21,10 @@ struct render_options {
     const char *output;
     const struct pel_format *format;
     int bands;
-    bool lines;
+    bool lines, timed;
 };
 
-enum { OPTION_FORMAT = 0x200, OPTION_BANDS, OPTION_COLLINEAR };
+enum { OPTION_FORMAT = 0x200, OPTION_BANDS, OPTION_COLLINEAR, OPTION_TIME };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0,
@@ -33,6 +35,8 @@ static const struct argp_option options[] = {
     {"collinear", OPTION_COLLINEAR, "WHAT", 0,
      "of a pel2d file: a triangle without area is nothing (default) or a line",
      0},
+    {"time", OPTION_TIME, NULL, 0,
+     "print the milliseconds that the drawing took on standard error", 0},
     {0},
 };
 
@@ -87,6 +91,9 @@ static error_t parse(int key, char *text, struct argp_state *state)
         return parse_format(text, o) ? 0 : EINVAL;
     case OPTION_BANDS:
         return parse_bands(text, o) ? 0 : EINVAL;
+    case OPTION_TIME:
+        o->timed = true;
+        return 0;
     case OPTION_COLLINEAR:
         return parse_collinear(text, o) ? 0 : EINVAL;
     default:
@@ -140,7 +147,7 @@ static void draw_stage(struct pel_surface *surface, void *context)
     part->failed = part->failed || !stage_draw(part->stage, surface);
 }
 
-static bool draw_mesh(struct canvas *canvas, const void *context)
+static bool draw(struct canvas *canvas, const void *context)
 {
     const struct drawing *drawing = context;
     const struct render_options *o = drawing->options;
@@ -149,6 +156,17 @@ static bool draw_mesh(struct canvas *canvas, const void *context)
     if (!drawing->stage)
         return canvas_draw(canvas, o->bands, painter_draw, drawing->painter);
     return canvas_draw(canvas, o->bands, draw_stage, &part) && !part.failed;
+}
+
+/* Of each part that is drawn by itself: with several threads there are more. */
+static bool draw_mesh(struct canvas *canvas, const void *context)
+{
+    const struct drawing *drawing = context;
+    const double start = milliseconds();
+    const bool done = draw(canvas, context);
+    if (drawing->options->timed)
+        fprintf(stderr, "drawn: %.3f ms\n", milliseconds() - start);
+    return done;
 }
 
 static bool show(const struct drawing *drawing)
@@ -216,6 +234,17 @@ static bool render_pel2d(const struct render_options *o)
     return done;
 }
 
+static bool prepare(struct stage *stage, const struct stage_settings *settings,
+                    bool timed)
+{
+    const double start = milliseconds();
+    const bool done = stage_prepare(stage, settings);
+    if (done && timed)
+        fprintf(stderr, "placed, lit and sorted: %.3f ms\n",
+                milliseconds() - start);
+    return done;
+}
+
 static bool render_mesh(const struct render_options *o)
 {
     struct model model;
@@ -226,9 +255,9 @@ static bool render_mesh(const struct render_options *o)
                                 "--collinear is for pel2d files");
     if (!model_load(&model, &o->stage.source))
         return false;
-    const bool done = stage_init(&stage, &model) &&
-                      stage_prepare(&stage, &o->stage.settings) &&
-                      finish(&drawing);
+    const bool ready = stage_init(&stage, &model) &&
+                       prepare(&stage, &o->stage.settings, o->timed);
+    const bool done = ready && finish(&drawing);
     stage_free(&stage);
     model_free(&model);
     return done;

@@ -73,6 +73,15 @@ static void set_viewport(struct scene_pen *pen, const int32_t *v, size_t n)
     settings(pen)->camera.height = v[3];
 }
 
+static const char *check_viewport(const int32_t *v, size_t n)
+{
+    (void)n;
+    if (v[0] < -32767 || v[1] < -32767 || v[0] + v[2] > 32767 ||
+        v[1] + v[3] > 32767)
+        return "all of it must lie within -32767..32767 pixels";
+    return NULL;
+}
+
 static void add_light(struct scene_pen *pen, const int32_t *v, bool directional)
 {
     struct stage_settings *s = settings(pen);
@@ -269,7 +278,8 @@ const struct scene_command scene_mesh_commands[] = {
     STATE("camera focal", "m", "MM", set_focal),
     STATE("camera sensor", "mm", "WIDTH HEIGHT", set_sensor),
     STATE("camera near", "m", "DISTANCE", set_near),
-    STATE("camera viewport", "iiss", "X Y WIDTH HEIGHT", set_viewport),
+    {"camera viewport", "iiss", "X Y WIDTH HEIGHT", SCENE_STAGE, set_viewport,
+     check_viewport},
     STATE("light point", "xxxkkk", "X Y Z R G B", add_point),
     {"light sun", "xxxkkk", "X Y Z R G B", SCENE_STAGE, add_sun, check_sun},
     STATE("light none", "", "", set_no_lights),

@@ -108,11 +108,12 @@ struct stage {
 bool stage_init(struct stage *stage, const struct model *model);
 
 /* Sets a picture up, completing the camera with camera_frame. Places go to core
- * as they are while all are within +-16,384 units and the eye is 1/16 unit or
- * more from the target, so that firmware draws the same picture of the same
- * mesh; otherwise all are multiplied by a power of two. A light more than 1,024
- * times farther away than all else is directional. False, with a message, for
- * settings that cannot be drawn; stage_draw must not be called then. */
+ * as they are while all are within +-16,384 units, the eye is 1/16 unit or more
+ * from the target, and the mesh not too small for its asset, so that firmware
+ * draws the same picture of the same mesh; otherwise all are multiplied by a
+ * power of two. A light more than 1,024 times farther away than all else is
+ * directional. False, with a message, for settings that cannot be drawn;
+ * stage_draw must not be called then. */
 bool stage_prepare(struct stage *stage, const struct stage_settings *settings);
 
 /* Draws the model onto the surface, inside its clip, and nothing else: not the

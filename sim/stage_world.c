@@ -5,6 +5,7 @@
 
 #define WORLD 16384.0      /* units each way, as core has them */
 #define NEAREST (1 / 16.0) /* of an eye, if nothing is to be scaled */
+#define FINEST 46          /* shift of a quantum, as core has them */
 #define FAR_LIGHT 1024
 
 static pel_length length_of(const struct stage *stage, double value)
@@ -54,7 +55,8 @@ static double units_of(const struct stage *stage,
             reach = fmax(reach, reach_of(s->light[i].at));
     for (int k = 0; k < 3; k++)
         way[k] = s->camera.target[k] - s->camera.eye[k];
-    if (reach <= WORLD && hypot(hypot(way[0], way[1]), way[2]) >= NEAREST)
+    if (reach <= WORLD && hypot(hypot(way[0], way[1]), way[2]) >= NEAREST &&
+        stage->model->mesh.position.shift <= FINEST)
         return 1;
     frexp(reach, &exponent); /* reach < 2^exponent */
     return ldexp(WORLD, -exponent);

@@ -155,6 +155,9 @@ END
 refused 2 "camera focal: 0 must be a decimal number above 0" <<'END'
 camera focal 0
 END
+refused 2 "camera viewport: all of it must lie within" <<'END'
+camera viewport 32000 0 800 600
+END
 refused 2 "camera projection: flat must be perspective|orthographic" <<'END'
 camera projection flat
 END

@@ -46,6 +46,12 @@ done
 "$PEL" render "$dir/vase.pel2d" --size 300x200 --shade gouraud -o "$dir/b.ppm"
 cmp "$dir/a.ppm" "$dir/b.ppm" || fail "gouraud is not the default"
 
+# Times go to standard error.
+for mesh in builtin:vase "$dir/vase.pel2d"; do
+    "$PEL" render $mesh --size 300x200 --time 2>"$dir/times" >"$dir/b.ppm"
+    grep -q '^drawn: [0-9.]* ms$' "$dir/times" || fail "$mesh: no time"
+done
+
 # The farthest is drawn first; equal depths in the order of their indices.
 pixel() { # X Y: the colour there, as three numbers
     tail -c $((3 * 8 * 8)) "$dir/p.ppm" | od -An -tu1 -v -w3 |
