@@ -56,27 +56,36 @@ static bool add_whole(struct projection *p, const uint32_t corner[3])
     return pel2d_add_triangle(p->flat, to);
 }
 
+/* A colour between those of three vertices. */
+static pel_color mix_colors(const struct pel_frame *frame,
+                            const uint32_t vertex[3], const int32_t weight[3])
+{
+    pel_color mixed = 0;
+    for (int shift = 0; shift < 32; shift += 8) {
+        int32_t value[3];
+        for (int k = 0; k < 3; k++)
+            value[k] = (int32_t)(frame->vertex[vertex[k]].color >> shift & 255);
+        mixed |= (pel_color)pel_scale_down(pel_dot(weight, value), 30) << shift;
+    }
+    return mixed;
+}
+
 /* A place between three vertices. */
-static bool add_corner(struct projection *p, struct pel_frame_triangle *t,
+static bool add_corner(struct projection *p, const uint32_t vertex[3],
                        const struct pel_clip_corner *c)
 {
     const struct pel_frame *frame = &p->stage->frame;
-    const struct pel_mesh *mesh = &p->stage->mesh;
     struct pel2d_vertex v = {
-        .at = pel_project_clipped(&frame->projector, c->place)};
-    pel_color color[3];
+        .at = pel_project_clipped(&frame->projector, c->place),
+        .color = mix_colors(frame, vertex, c->weight)};
     for (int k = 0; k < 3; k++) {
-        const uint32_t i = t->vertex[k];
-        const struct pel_projected *at = &frame->vertex[i].at;
+        const struct pel_projected *at = &frame->vertex[vertex[k]].at;
         const double weight = (double)c->weight[k] / PEL_COSINE_ONE;
-        t->corner[0].weight[k] = c->weight[k];
-        v.u += weight * uv_of(mesh, i, 0);
-        v.v += weight * uv_of(mesh, i, 1);
+        v.u += weight * uv_of(&p->stage->mesh, vertex[k], 0);
+        v.v += weight * uv_of(&p->stage->mesh, vertex[k], 1);
         if (c->weight[k] == PEL_COSINE_ONE && at->x != PEL_NOT_ON_SCREEN)
             v.at = (struct pel_point){at->x, at->y};
     }
-    pel_frame_colors(frame, t, color);
-    v.color = color[0];
     return add(p, &v, c->place[2]);
 }
 
@@ -84,17 +93,18 @@ static bool add_corner(struct projection *p, struct pel_frame_triangle *t,
 static bool add_clipped(struct projection *p, const uint32_t corner[3])
 {
     const struct pel_projector *projector = &p->stage->frame.projector;
-    struct pel_clip clip;
-    struct pel_frame_triangle t = {.is_set_up = false};
     const uint32_t first = p->flat->vertices;
-    memcpy(t.vertex, corner, sizeof(t.vertex));
-    for (int k = 0; k < 3; k++)
+    struct pel_clip clip;
+    pel_clip_start(&clip);
+    for (int k = 0; k < 3; k++) {
+        clip.polygon[0][k] = &clip.corner[k];
         pel_project_coarse(projector, p->stage->mesh.positions[corner[k]],
-                           clip.spare[k].place);
+                           clip.corner[k].place);
+    }
     const int32_t n = pel_clip_triangle(projector, &clip);
     p->clipped++;
     for (int32_t i = 0; i < n; i++)
-        if (!add_corner(p, &t, &clip.corner[i]))
+        if (!add_corner(p, corner, clip.polygon[0][i]))
             return false;
     for (uint32_t i = 2; (int32_t)i < n; i++) {
         const uint32_t to[3] = {first, first + i - 1, first + i};
