@@ -1,16 +1,8 @@
-#include "draw.h"
-
-/* What draws a triangle, the same for all of a call. */
-struct drawing {
-    struct pel_frame *frame;
-    pel_frame_filter *filter;
-    const struct pel_depth *depth;
-};
+#include "pipeline.h"
 
 /* work->triangle has its corners, and an area. */
-static void draw_triangle(const struct drawing *d)
+static void draw_triangle(struct pel_frame *frame)
 {
-    struct pel_frame *frame = d->frame;
     struct pel_frame_work *work = frame->work;
     const struct pel_mesh_texture *texture = frame->scene->texture;
     const struct pel_color_paint *surface = NULL;
@@ -19,8 +11,8 @@ static void draw_triangle(const struct drawing *d)
         surface = texture->mapping->surface(frame);
     const struct pel_paint *paint =
         frame->scene->shading->paint(frame, surface);
-    if (d->filter)
-        paint = d->filter(frame, paint, d->depth);
+    if (frame->filter)
+        paint = frame->filter(frame, paint);
     pel_triangle(&work->surface, work->triangle.at, paint);
 }
 
@@ -53,9 +45,8 @@ static int32_t clip(struct pel_frame *frame)
 }
 
 /* What is left as a fan around its first corner. */
-static void draw_entry(const struct drawing *d, uint32_t triangle)
+static void draw_entry(struct pel_frame *frame, uint32_t triangle)
 {
-    struct pel_frame *frame = d->frame;
     const struct pel_point *at = frame->work->triangle.at;
     struct pel_clip_corner *const *corner = frame->work->clip.polygon[0];
     int32_t depth, n = 3;
@@ -66,14 +57,12 @@ static void draw_entry(const struct drawing *d, uint32_t triangle)
         set_corner(frame, 1, corner[i - 1]);
         set_corner(frame, 2, corner[i]);
         if (pel_frame_shows(frame, at, &frame->work->surface.clip))
-            draw_triangle(d);
+            draw_triangle(frame);
     }
 }
 
-void pel_frame_draw(struct pel_frame *frame, const struct pel_surface *surface,
-                    pel_frame_filter *filter, const struct pel_depth *depth)
+void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface)
 {
-    const struct drawing d = {frame, filter, depth};
     struct pel_surface *target = &frame->work->surface;
     if (frame->triangles == 0 || frame->alpha == 0)
         return;
@@ -83,10 +72,5 @@ void pel_frame_draw(struct pel_frame *frame, const struct pel_surface *surface,
     if (pel_rect_empty(&target->clip))
         return;
     for (uint32_t i = 0; i < frame->triangles; i++)
-        draw_entry(&d, frame->order[i].index);
-}
-
-void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface)
-{
-    pel_frame_draw(frame, surface, NULL, NULL);
+        draw_entry(frame, frame->order[i].index);
 }

@@ -1,4 +1,4 @@
-#include "draw.h"
+#include "pipeline.h"
 
 /* near / z, from both with all their bits: z is coarse, near fine and cut to
  * 31 bits, so the quotient has what a coarse z leaves right. */
@@ -14,8 +14,7 @@ static int32_t nearness(const struct pel_projector *p, int32_t z)
 }
 
 static const struct pel_paint *filter(struct pel_frame *frame,
-                                      const struct pel_paint *paint,
-                                      const struct pel_depth *depth)
+                                      const struct pel_paint *paint)
 {
     struct pel_frame_work *work = frame->work;
     struct pel_plane plane;
@@ -24,7 +23,8 @@ static const struct pel_paint *filter(struct pel_frame *frame,
         near[i] =
             nearness(&frame->projector, work->triangle.corner[i]->place[2]);
     pel_plane_set(&plane, pel_frame_setup(frame), near);
-    pel_depth_paint_init(&work->depth, paint, depth, &plane, frame->opaque);
+    pel_depth_paint_init(&work->depth, paint, work->depth.depth, &plane,
+                         frame->opaque);
     return &work->depth.paint;
 }
 
@@ -32,5 +32,8 @@ void pel_scene_draw_depth(struct pel_frame *frame,
                           const struct pel_surface *surface,
                           const struct pel_depth *depth)
 {
-    pel_frame_draw(frame, surface, filter, depth);
+    frame->work->depth.depth = depth;
+    frame->filter = filter;
+    pel_scene_draw(frame, surface);
+    frame->filter = NULL;
 }

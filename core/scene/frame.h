@@ -9,6 +9,7 @@
 #include "paint_phong.h"
 
 struct pel_scene;
+struct pel_frame;
 
 struct pel_frame_vertex {
     struct pel_projected at;
@@ -23,6 +24,10 @@ struct pel_frame_triangle {
     bool is_set_up;
     struct pel_plane_setup setup; /* ask pel_frame_setup for it */
 };
+
+/* Puts itself between a triangle and its paint. */
+typedef const struct pel_paint *pel_frame_filter(struct pel_frame *frame,
+                                                 const struct pel_paint *paint);
 
 /* Memory that is worked on: one triangle at a time. */
 struct pel_frame_work {
@@ -44,7 +49,8 @@ struct pel_frame {
     struct pel_frame_work *work;
     struct pel_frame_vertex *vertex;
     struct pel_depth_entry *order;
-    uint32_t triangles; /* in `order`: those that may be seen */
+    pel_frame_filter *filter; /* or NULL */
+    uint32_t triangles;       /* in `order`: those that may be seen */
     uint8_t alpha;
     bool opaque;
     struct pel_mesh_fault fault; /* when an index is wrong */

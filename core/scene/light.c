@@ -47,8 +47,8 @@ static void lead(const int32_t from[3], const int32_t to[3], pel_cosine unit[3])
 
 /* way: the normal, to the eye, to the light. */
 static void add_light(const struct pel_mesh_lights *lights,
-                      const struct pel_mesh_light *light,
-                      const pel_cosine *const way[3], struct pel_shine *shine)
+                      const struct pel_mesh_light *light, pel_cosine way[3][3],
+                      struct pel_shine *shine)
 {
     const pel_cosine nl = cosine_of(way[0], way[2]);
     if (nl > 0)
@@ -65,20 +65,20 @@ void pel_mesh_lights_shine(const struct pel_mesh_lights *lights,
                            const int32_t place[3], const int32_t normal[3],
                            struct pel_shine *shine)
 {
-    pel_cosine n[3], v[3], l[3];
-    const pel_cosine *way[3] = {n, v, l};
+    pel_cosine way[3][3];
     for (int k = 0; k < 3; k++) {
         shine->surface[k] = lights->ambient[k];
         shine->plain[k] = 0;
     }
-    if (!pel_unit_near(normal, n))
+    if (!pel_unit_near(normal, way[0]))
         return;
-    lead(place, lights->eye, v);
+    lead(place, lights->eye, way[1]);
     for (int32_t i = 0; i < lights->lighting->lights; i++) {
         const struct pel_mesh_light *light = &lights->light[i];
-        way[2] = light->directional ? light->at : l;
+        for (int k = 0; k < 3; k++)
+            way[2][k] = light->at[k];
         if (!light->directional)
-            lead(place, light->at, l);
+            lead(place, light->at, way[2]);
         add_light(lights, light, way, shine);
     }
 }

@@ -7,27 +7,38 @@ static uint32_t channel(uint32_t v)
     return v < 0x800000u ? 0 : (v - 0x7F8000u) >> 16;
 }
 
-static pel_color lit(const struct pel_phong *p, int32_t x, int32_t y,
-                     pel_color under)
+/* Channel k of the surface in 1/256 steps. */
+static uint32_t surface_of(const struct pel_phong *p, int k, int32_t x,
+                           int32_t y, pel_color under)
 {
     const struct pel_gouraud *g = &p->colors;
-    struct pel_shine shine;
-    int32_t normal[3], place[3];
-    for (int k = 0; k < 3; k++) {
-        normal[k] = pel_plane_whole(pel_plane_at(&p->normal[k], x, y));
-        place[k] = pel_plane_whole(pel_plane_at(&p->place[k], x, y));
+    if (p->surface)
+        return (under >> 8 * k & 255) << 8;
+    return channel(g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k]);
+}
+
+/* Its stack is not that of the surface below. */
+static PEL_NOINLINE void light(const struct pel_phong *p, int32_t x, int32_t y,
+                               int32_t n, pel_color *out)
+{
+    uint64_t at[6];
+    for (int k = 0; k < 6; k++)
+        at[k] = pel_plane_at(&p->plane[k], x, y);
+    for (; n > 0; n--, x++, out++) {
+        struct pel_shine shine;
+        int32_t whole[6]; /* normal, place */
+        pel_color lit = pel_round_div255(pel_alpha(*out) * p->alpha) << 24;
+        for (int k = 0; k < 6; k++) {
+            whole[k] = pel_plane_whole(at[k]);
+            at[k] += p->plane[k].dx;
+        }
+        pel_mesh_lights_shine(p->lights, whole + 3, whole, &shine);
+        for (int k = 0; k < 3; k++)
+            lit |=
+                pel_shine_channel(&shine, 2 - k, surface_of(p, k, x, y, *out))
+                << 8 * k;
+        *out = lit;
     }
-    pel_mesh_lights_shine(p->lights, place, normal, &shine);
-    pel_color out = pel_round_div255(pel_alpha(under) * p->alpha) << 24;
-    for (int k = 0; k < 3; k++) {
-        const int at = 16 - 8 * k;
-        uint32_t surface = (under >> at & 255) << 8;
-        if (!p->surface)
-            surface = channel(g->at[2 - k] + (uint32_t)x * g->dx[2 - k] +
-                              (uint32_t)y * g->dy[2 - k]);
-        out |= pel_shine_channel(&shine, k, surface) << at;
-    }
-    return out;
 }
 
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
@@ -36,8 +47,10 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     const struct pel_phong *p = (const void *)paint;
     if (p->surface)
         p->surface->colors(p->surface, x, y, n, out);
-    for (; n > 0; n--, x++, out++)
-        *out = lit(p, x, y, p->surface ? *out : UINT32_C(0xFF000000));
+    else
+        for (int32_t i = 0; i < n; i++)
+            out[i] = UINT32_C(0xFF000000);
+    light(p, x, y, n, out);
 }
 
 void pel_phong_init(struct pel_phong *paint, bool opaque)

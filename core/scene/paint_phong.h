@@ -17,8 +17,8 @@ struct pel_phong {
     const struct pel_mesh_lights *lights;
     const struct pel_color_paint *surface;
     struct pel_gouraud colors;
-    struct pel_plane normal[3], place[3];
-    uint8_t alpha; /* of all, times that of the surface */
+    struct pel_plane plane[6]; /* normal, place */
+    uint8_t alpha;             /* of all, times that of the surface */
 };
 
 /* Sets the paint; its lights, surface, colours, planes and alpha are the

@@ -120,6 +120,7 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
     if (scratch_size < pel_scene_scratch_size(scene) || (uintptr_t)scratch % 8)
         return PEL_ERROR_SCRATCH;
     frame->scene = scene;
+    frame->filter = NULL;
     frame->alpha = (uint8_t)(255 - scene->transparency);
     frame->opaque = frame->alpha == 255;
     divide_scratch(frame, scratch);

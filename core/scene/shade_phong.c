@@ -14,11 +14,11 @@ static const struct pel_paint *paint(struct pel_frame *frame,
     p->alpha = frame->alpha;
     for (int i = 0; i < 3; i++)
         pel_mesh_normal(mesh, t->vertex[i], value[i]);
-    pel_frame_planes(frame, value, p->normal);
+    pel_frame_planes(frame, value, p->plane);
     for (int i = 0; i < 3; i++)
         pel_mesh_lights_place(&frame->lights, mesh->positions[t->vertex[i]],
                               value[i]);
-    pel_frame_planes(frame, value, p->place);
+    pel_frame_planes(frame, value, p->plane + 3);
     if (!surface) {
         pel_frame_colors(frame, color);
         pel_frame_gouraud(frame, color, &p->colors);

@@ -1,11 +1,9 @@
 #include "vector.h"
 
-int64_t pel_scale_down(int64_t v, int n)
-{
-    if (n <= 0)
-        return (int64_t)((uint64_t)v << -n);
-    return ((v >> (n - 1)) + 1) >> 1;
-}
+#if !PEL_FAST_64BIT
+#define PEL_WIDE_SUM
+#include "vector_sums.h"
+#endif
 
 int pel_bits_of(uint64_t v)
 {
@@ -33,7 +31,3 @@ int64_t pel_minor(int32_t a, int32_t b, int32_t c, int32_t d)
 {
     return (int64_t)a * b - (int64_t)c * d;
 }
-
-/* The copies of inline functions. */
-int32_t pel_scaled(int32_t a, int32_t b, int n);
-int64_t pel_dot(const int32_t a[3], const int32_t b[3]);

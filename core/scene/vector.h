@@ -27,8 +27,15 @@ typedef int32_t pel_factor;
 #define PEL_FACTOR(percent) ((pel_factor)((percent)*65536 / 100))
 #define PEL_FACTOR_END (UINT32_C(16) * 65536)
 
-/* v 2^-n, the nearest (a tie upwards); v 2^-n must fit. -62 <= n <= 62. */
+/* The sums that follow are in the header where they are short, and there once
+ * where 64 bits are long code. */
+#if PEL_FAST_64BIT
+#include "vector_sums.h"
+#else
 int64_t pel_scale_down(int64_t v, int n);
+int32_t pel_scaled(int32_t a, int32_t b, int n);
+int64_t pel_dot(const int32_t a[3], const int32_t b[3]);
+#endif
 
 /* Bits of v: 0 for 0, otherwise 2^(bits - 1) <= v < 2^bits. */
 int pel_bits_of(uint64_t v);
@@ -43,21 +50,6 @@ uint64_t pel_reach_of(const int64_t v[3]);
 
 /* a b - c d; must fit. */
 int64_t pel_minor(int32_t a, int32_t b, int32_t c, int32_t d);
-
-/* Of inline functions like the next there is one copy for those who do not take
- * them in: where products of 64 bits are long code, nobody does. */
-
-/* a b 2^-n, the nearest (a tie upwards), 0 <= n <= 62; it must fit. */
-inline int32_t pel_scaled(int32_t a, int32_t b, int n)
-{
-    return (int32_t)pel_scale_down((int64_t)a * b, n);
-}
-
-/* The product of vectors whose sizes multiply to less than 2^63. */
-inline int64_t pel_dot(const int32_t a[3], const int32_t b[3])
-{
-    return (int64_t)a[0] * b[0] + (int64_t)a[1] * b[1] + (int64_t)a[2] * b[2];
-}
 
 /* A direction for light: unit gets v scaled to length 1, each part off by less
  * than 2^-21. No division. |v[k]| <= 2^30; false, and all 0, when v is 0. unit

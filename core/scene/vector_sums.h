@@ -1,0 +1,31 @@
+/* Bodies for vector.h or for vector.c. */
+#ifndef PEL_SCENE_VECTOR_SUMS_H
+#define PEL_SCENE_VECTOR_SUMS_H
+
+#include <stdint.h>
+
+#ifndef PEL_WIDE_SUM
+#define PEL_WIDE_SUM static inline
+#endif
+
+/* v 2^-n, the nearest (a tie upwards); v 2^-n must fit. -62 <= n <= 62. */
+PEL_WIDE_SUM int64_t pel_scale_down(int64_t v, int n)
+{
+    if (n <= 0)
+        return (int64_t)((uint64_t)v << -n);
+    return ((v >> (n - 1)) + 1) >> 1;
+}
+
+/* a b 2^-n, the nearest (a tie upwards), 0 <= n <= 62; it must fit. */
+PEL_WIDE_SUM int32_t pel_scaled(int32_t a, int32_t b, int n)
+{
+    return (int32_t)pel_scale_down((int64_t)a * b, n);
+}
+
+/* The product of vectors whose sizes multiply to less than 2^63. */
+PEL_WIDE_SUM int64_t pel_dot(const int32_t a[3], const int32_t b[3])
+{
+    return (int64_t)a[0] * b[0] + (int64_t)a[1] * b[1] + (int64_t)a[2] * b[2];
+}
+
+#endif
