@@ -8,29 +8,27 @@ typedef char pel_scene_sizes[sizeof(struct pel_mesh_light) % 8 == 0 &&
 
 enum { WORK_SIZE = (sizeof(struct pel_frame_work) + 7) & ~7u };
 
-static size_t lights_size(const struct pel_scene *scene)
+/* Where the lists begin. */
+struct parts {
+    size_t vertices, order, end;
+};
+
+static struct parts parts_of(const struct pel_scene *scene)
 {
-    const int32_t n = scene->lighting ? scene->lighting->lights : 0;
-    return (size_t)pel_max(n, 0) * sizeof(struct pel_mesh_light);
+    const int32_t lights = scene->lighting ? scene->lighting->lights : 0;
+    struct parts p;
+    p.vertices =
+        WORK_SIZE + (size_t)pel_max(lights, 0) * sizeof(struct pel_mesh_light);
+    p.order = p.vertices +
+              (size_t)scene->mesh->vertices * sizeof(struct pel_frame_vertex);
+    p.end = p.order +
+            (size_t)scene->mesh->triangles * sizeof(struct pel_depth_entry);
+    return p;
 }
 
 size_t pel_scene_scratch_size(const struct pel_scene *scene)
 {
-    if (!scene || !scene->mesh)
-        return 0;
-    return WORK_SIZE + lights_size(scene) +
-           (size_t)scene->mesh->vertices * sizeof(struct pel_frame_vertex) +
-           (size_t)scene->mesh->triangles * sizeof(struct pel_depth_entry);
-}
-
-static void divide_scratch(struct pel_frame *frame, uint8_t *at)
-{
-    frame->work = (void *)at;
-    at += WORK_SIZE;
-    frame->lights.light = (void *)at;
-    at += lights_size(frame->scene);
-    frame->vertex = (void *)at;
-    frame->order = (void *)(frame->vertex + frame->scene->mesh->vertices);
+    return scene && scene->mesh ? parts_of(scene).end : 0;
 }
 
 static enum pel_status start_texture(struct pel_frame *frame)
@@ -117,13 +115,17 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
     if (!frame || !scene || !scene->mesh || !scene->shading || !scratch)
         return PEL_ERROR_NULL;
     frame->triangles = 0;
-    if (scratch_size < pel_scene_scratch_size(scene) || (uintptr_t)scratch % 8)
+    const struct parts part = parts_of(scene);
+    if (scratch_size < part.end || (uintptr_t)scratch % 8)
         return PEL_ERROR_SCRATCH;
     frame->scene = scene;
     frame->filter = NULL;
     frame->alpha = (uint8_t)(255 - scene->transparency);
     frame->opaque = frame->alpha == 255;
-    divide_scratch(frame, scratch);
+    frame->work = scratch;
+    frame->lights.light = (void *)((uint8_t *)scratch + WORK_SIZE);
+    frame->vertex = (void *)((uint8_t *)scratch + part.vertices);
+    frame->order = (void *)((uint8_t *)scratch + part.order);
     const enum pel_status status = start(frame);
     if (status != PEL_OK)
         return status;

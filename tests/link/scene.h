@@ -13,6 +13,22 @@ static const int8_t normals[4][3] = {
 static const uint8_t indices[4][3] = {
     {0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
 
+static const uint16_t scene_uv[4][2] = {
+    {0, 0}, {65535, 0}, {0, 65535}, {32768, 32768}};
+static const pel_color scene_texels[4] = {PEL_RGB(255, 0, 0),
+                                          PEL_RGB(0, 255, 0),
+                                          PEL_RGB(0, 0, 255), PEL_RGB(9, 9, 9)};
+
+#define SCENE_TEXTURE(mapping_of_texture)                \
+    {                                                    \
+        .texels = {.colors = scene_texels,               \
+                   .width = 2,                           \
+                   .height = 2,                          \
+                   .opaque = true},                      \
+        .mapping = &(mapping_of_texture),                \
+        .sampler = pel_texture_init_bilinear, .span = 16 \
+    }
+
 #define SCENE_MESH(places_of_texels)                                       \
     {                                                                      \
         .vertices = 4, .triangles = 4, .position = {{0, 0, 0}, 1, 10},     \

@@ -1,0 +1,19 @@
+/* What scene.c has, and textures in perspective besides. */
+#include "scene.h"
+
+static const struct pel_mesh mesh = SCENE_MESH(scene_uv);
+
+int main(void)
+{
+    static struct pel_mesh_texture texture = SCENE_TEXTURE(pel_map_affine);
+    static struct pel_scene scene = SCENE(mesh, pel_shade_lit_flat);
+    int status = scene_show(&scene);
+    scene.shading = &pel_shade_phong;
+    status |= scene_show(&scene);
+    scene.texture = &texture;
+    status |= scene_show(&scene);
+    texture.mapping = &pel_map_perspective;
+    status |= scene_show(&scene);
+    scene.shading = &pel_shade_lit_gouraud;
+    return status | scene_show(&scene);
+}
