@@ -28,7 +28,7 @@ enum { MODES = sizeof modes / sizeof *modes, SIDE = 1024 };
 
 #define MODELS "/usr/share/assimp/models/"
 
-static const struct scene_mesh_file files[] = {
+static const struct bench_mesh_file files[] = {
     {"duck", "duck.dae", MODELS "Collada/duck.dae",
      "Debian package assimp-testmodels"},
     {"spot", "spot/spot_triangulated.obj", NULL, NULL},
@@ -39,12 +39,12 @@ static const struct scene_mesh_file files[] = {
      "Debian package assimp-testmodels"},
 };
 
-static void row(FILE *csv, const char *part, const struct scene_mesh *m,
+static void row(FILE *csv, const char *part, const struct bench_mesh *m,
                 const struct scene_mode *mode, int32_t side)
 {
     struct scene_result r;
     const double n = m->mesh.triangles;
-    scene_time(&r, m, mode, side);
+    bench_scene_time(&r, m, mode, side);
     printf("%-16s %8.0f %-24s %5d %10.3f ms %8.2f Mtri/s %8.1f ns/px\n",
            m->name, n, mode->name, side, r.ns / 1e6, n / r.ns * 1e3,
            r.pixels > 0 ? r.ns / r.pixels : 0);
@@ -56,30 +56,30 @@ static void row(FILE *csv, const char *part, const struct scene_mesh *m,
 static void time_files(FILE *csv)
 {
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
-        struct scene_mesh m;
-        if (!scene_mesh_load(&m, &files[i]))
+        struct bench_mesh m;
+        if (!bench_mesh_load(&m, &files[i]))
             continue;
         for (int k = 0; k < MODES; k++)
             row(csv, "mesh", &m, &modes[k], SIDE);
-        scene_mesh_free(&m);
+        bench_mesh_free(&m);
     }
 }
 
 /* In flat, Gouraud, Phong. */
 static void time_growth(FILE *csv)
 {
-    struct scene_mesh m;
+    struct bench_mesh m;
     for (uint32_t n = 1000; n <= 1000000; n *= 10) {
-        scene_mesh_make(&m, n);
+        bench_mesh_make(&m, n);
         for (int k = 0; k < 3; k++)
             row(csv, "triangles", &m, &modes[k], SIDE);
-        scene_mesh_free(&m);
+        bench_mesh_free(&m);
     }
-    scene_mesh_make(&m, 20000);
+    bench_mesh_make(&m, 20000);
     for (int32_t side = 64; side <= 4096; side *= 2)
         for (int k = 0; k < 3; k++)
             row(csv, "pixels", &m, &modes[k], side);
-    scene_mesh_free(&m);
+    bench_mesh_free(&m);
 }
 
 int main(int argc, char **argv)

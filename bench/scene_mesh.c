@@ -25,7 +25,7 @@ static double coordinate(const double *v, int axis, const double *low,
 }
 
 /* Places of texels: the mesh's own, or the picture seen from the front. */
-static void set_uv(struct scene_mesh *m, const struct mesh *from,
+static void set_uv(struct bench_mesh *m, const struct mesh *from,
                    uint16_t (*uv)[2])
 {
     for (uint32_t i = 0; i < from->vertices; i++) {
@@ -41,7 +41,7 @@ static void set_uv(struct scene_mesh *m, const struct mesh *from,
     m->mesh.uv = (void *)uv;
 }
 
-static void set_box(struct scene_mesh *m, const struct mesh *from)
+static void set_box(struct bench_mesh *m, const struct mesh *from)
 {
     for (int k = 0; k < 3; k++) {
         m->low[k] = m->high[k] = from->vertex[0].position[k];
@@ -55,7 +55,7 @@ static void set_box(struct scene_mesh *m, const struct mesh *from)
 /* The largest side of the box becomes one unit, around (0, 0, 0). */
 static void fit(struct mesh *from)
 {
-    struct scene_mesh box;
+    struct bench_mesh box;
     double size = 0;
     set_box(&box, from);
     for (int k = 0; k < 3; k++)
@@ -67,11 +67,15 @@ static void fit(struct mesh *from)
                 (size > 0 ? size : 1);
 }
 
-static void quantise(struct scene_mesh *m, const struct mesh *from)
+static void quantise(struct bench_mesh *m, const struct mesh *from)
 {
-    const struct import_points points = {
-        from->vertex[0].position, sizeof(struct mesh_vertex) / sizeof(double),
-        from->vertices, 3, true};
+    const struct import_points points = {from->vertex[0].position,
+                                         sizeof(struct mesh_vertex) /
+                                             sizeof(double),
+                                         from->vertices,
+                                         3,
+                                         true,
+                                         46};
     int16_t(*positions)[3] = memory(sizeof *positions * from->vertices);
     int8_t(*normals)[3] = memory(sizeof *normals * from->vertices);
     uint8_t(*colors)[3] = memory(sizeof *colors * from->vertices);
@@ -89,7 +93,7 @@ static void quantise(struct scene_mesh *m, const struct mesh *from)
     m->mesh.colors = (void *)colors;
 }
 
-static void convert(struct scene_mesh *m, struct mesh *from)
+static void convert(struct bench_mesh *m, struct mesh *from)
 {
     uint32_t(*indices)[3] = memory(sizeof *indices * from->triangles);
     fit(from);
@@ -104,7 +108,7 @@ static void convert(struct scene_mesh *m, struct mesh *from)
     set_uv(m, from, memory(4 * (size_t)from->vertices));
 }
 
-bool scene_mesh_load(struct scene_mesh *m, const struct scene_mesh_file *from)
+bool bench_mesh_load(struct bench_mesh *m, const struct bench_mesh_file *from)
 {
     const char *folder = getenv("PEL_MESHES");
     char path[4096];
@@ -137,7 +141,7 @@ static void place(struct mesh_vertex *v, double a, double b)
     v->color = PEL_RGB(128 + 100 * cos(a), 128 + 100 * cos(b), 160);
 }
 
-void scene_mesh_make(struct scene_mesh *m, uint32_t triangles)
+void bench_mesh_make(struct bench_mesh *m, uint32_t triangles)
 {
     const uint32_t across = (uint32_t)lround(sqrt(triangles / 2. / 3));
     const uint32_t around = across * ACROSS_SHARE;
@@ -160,7 +164,7 @@ void scene_mesh_make(struct scene_mesh *m, uint32_t triangles)
     mesh_free(&mesh);
 }
 
-void scene_mesh_free(struct scene_mesh *m)
+void bench_mesh_free(struct bench_mesh *m)
 {
     free((void *)m->mesh.positions);
     free((void *)m->mesh.normals8);

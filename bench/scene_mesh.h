@@ -5,7 +5,7 @@
 #include "core/scene/mesh.h"
 
 /* Owns the arrays of `mesh`, which has normals, uv and colours. */
-struct scene_mesh {
+struct bench_mesh {
     const char *name;
     struct pel_mesh mesh;
     double low[3], high[3]; /* the box around it, units */
@@ -13,14 +13,14 @@ struct scene_mesh {
 
 /* Reads PEL_MESHES/file, or else `path`; tells what is missing, and which
  * package has it, and answers false. */
-struct scene_mesh_file {
+struct bench_mesh_file {
     const char *name, *file, *path, *package;
 };
-bool scene_mesh_load(struct scene_mesh *m, const struct scene_mesh_file *from);
+bool bench_mesh_load(struct bench_mesh *m, const struct bench_mesh_file *from);
 
 /* A ring with waves, of about so many triangles. Exits when memory is short. */
-void scene_mesh_make(struct scene_mesh *m, uint32_t triangles);
+void bench_mesh_make(struct bench_mesh *m, uint32_t triangles);
 
-void scene_mesh_free(struct scene_mesh *m);
+void bench_mesh_free(struct bench_mesh *m);
 
 #endif

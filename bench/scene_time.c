@@ -74,7 +74,7 @@ static pel_color *noise(void)
     return texels;
 }
 
-static void set_scene(struct stage *s, const struct scene_mesh *m,
+static void set_scene(struct stage *s, const struct bench_mesh *m,
                       const struct scene_mode *mode, int32_t side)
 {
     s->scene = (struct pel_scene){
@@ -102,7 +102,7 @@ static void set_scene(struct stage *s, const struct scene_mesh *m,
         s->scene.texture = &s->texture;
 }
 
-static void open_stage(struct stage *s, const struct scene_mesh *m,
+static void open_stage(struct stage *s, const struct bench_mesh *m,
                        const struct scene_mode *mode, int32_t side)
 {
     const struct pel_rect all = {0, 0, side, side};
@@ -154,8 +154,8 @@ static double pixels_of(struct stage *s)
     return (double)counted;
 }
 
-void scene_time(struct scene_result *out, const struct scene_mesh *m,
-                const struct scene_mode *mode, int32_t side)
+void bench_scene_time(struct scene_result *out, const struct bench_mesh *m,
+                      const struct scene_mode *mode, int32_t side)
 {
     double times[TIMES_MAX], sum = 0;
     struct stage s = {0};

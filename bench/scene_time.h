@@ -21,7 +21,7 @@ struct scene_result {
 };
 
 /* In xrgb8888, side by side pixels, the camera before the mesh. */
-void scene_time(struct scene_result *out, const struct scene_mesh *m,
-                const struct scene_mode *mode, int32_t side);
+void bench_scene_time(struct scene_result *out, const struct bench_mesh *m,
+                      const struct scene_mode *mode, int32_t side);
 
 #endif
