@@ -25,8 +25,6 @@ void pel_color_paint_fill(const struct pel_paint *paint,
     const struct pel_row *row = rows->row;
     int32_t y = rows->y;
     pel_color colors[RUN_PIXELS];
-    if (p->direct && p->direct(p, rows))
-        return;
     for (int i = 0; i < rows->n; i++, row++, y += rows->step) {
         int32_t x = row->x0, n = row->x1 - x;
         if (in_place && n > 0) {

@@ -29,17 +29,12 @@ typedef void pel_colors_function(const struct pel_color_paint *paint, int32_t x,
 struct pel_color_paint {
     struct pel_paint paint;
     pel_colors_function *colors;
-
-    /* May colour a batch in a way of its own, with the same result; false when
-     * it did nothing. May be NULL. */
-    bool (*direct)(const struct pel_color_paint *paint,
-                   const struct pel_rows *rows);
     bool opaque; /* all colours have alpha 255: nothing is blended */
 };
 
-#define PEL_COLOR_PAINT(colors, opaque)                                 \
-    {                                                                   \
-        PEL_PAINT(pel_color_paint_fill, NULL), (colors), NULL, (opaque) \
+#define PEL_COLOR_PAINT(colors, opaque)                           \
+    {                                                             \
+        PEL_PAINT(pel_color_paint_fill, NULL), (colors), (opaque) \
     }
 
 /* The fill function of all of them. */
@@ -54,7 +49,6 @@ static inline void pel_color_paint_init(struct pel_color_paint *paint,
     const struct pel_paint fill = PEL_PAINT(pel_color_paint_fill, NULL);
     paint->paint = fill;
     paint->colors = colors;
-    paint->direct = NULL;
     paint->opaque = opaque;
 }
 

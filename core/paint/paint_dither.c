@@ -111,33 +111,44 @@ static const struct pel_format kept = {
 };
 
 /* What the source does not paint stays transparent. */
-static void source_colors(const struct pel_paint *source, int32_t y,
-                          const struct pel_row *row, pel_color *colors)
+static PEL_NOINLINE void source_colors(const struct pel_paint *source,
+                                       int32_t y, const struct pel_row *row,
+                                       pel_color *colors)
 {
-    const struct pel_rect line = {row->x0, y, row->x1, y + 1};
-    const struct pel_surface surface = {colors, 4 * (row->x1 - row->x0), line,
-                                        line, &kept};
+    const int32_t bytes = 4 * (row->x1 - row->x0);
+    const struct pel_surface surface = {colors,
+                                        bytes,
+                                        {row->x0, y, row->x1, y + 1},
+                                        {row->x0, y, row->x1, y + 1},
+                                        &kept};
     const struct pel_rows rows = {&surface, row, y, 1, 1};
-    memset(colors, 0, (size_t)(row->x1 - row->x0) * sizeof *colors);
+    memset(colors, 0, (size_t)bytes);
     source->fill(source, &rows);
 }
 
 /* A power of two, as in paint_colors.c. */
 enum { RUN_PIXELS = PEL_FAST_64BIT ? 64 : 16 };
 
-static void fill_run(const struct pel_dither *p, const struct pel_surface *s,
-                     int32_t y, const struct pel_row *row)
+static PEL_NOINLINE void dither_colors(const struct pel_format *format,
+                                       int32_t y, const struct pel_row *part,
+                                       pel_color *colors)
+{
+    const struct depth depth = depth_of(format);
+    const uint8_t *thresholds = matrix[y & 7];
+    for (int32_t x = part->x0; x < part->x1; x++, colors++)
+        *colors = dithered_color(*colors, &depth, 2u * thresholds[x & 7] + 1);
+}
+
+static void fill_run(const struct pel_paint *source,
+                     const struct pel_surface *s, int32_t y,
+                     const struct pel_row *row)
 {
     pel_color colors[RUN_PIXELS];
-    const struct depth depth = depth_of(s->format);
-    const uint8_t *thresholds = matrix[y & 7];
     struct pel_row part = *row;
     for (; part.x0 < row->x1; part.x0 = part.x1) {
         part.x1 = pel_min(row->x1, (part.x0 | (RUN_PIXELS - 1)) + 1);
-        source_colors(p->source, y, &part, colors);
-        for (int32_t x = part.x0; x < part.x1; x++)
-            colors[x - part.x0] = dithered_color(colors[x - part.x0], &depth,
-                                                 2u * thresholds[x & 7] + 1);
+        source_colors(source, y, &part, colors);
+        dither_colors(s->format, y, &part, colors);
         pel_put_colors(s, part.x0, y, part.x1 - part.x0, colors);
     }
 }
@@ -151,7 +162,7 @@ static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
         return;
     }
     for (int i = 0; i < rows->n; i++, y += rows->step)
-        fill_run(p, rows->surface, y, &rows->row[i]);
+        fill_run(p->source, rows->surface, y, &rows->row[i]);
 }
 
 enum pel_status pel_dither_init(struct pel_dither *paint,

@@ -35,7 +35,7 @@ static inline uint32_t weight(uint64_t at)
 static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
                       int32_t n, pel_color *out)
 {
-    for (; n > 0; n--, pel_texture_axes_step(a)) {
+    for (; n > 0; n--, pel_texture_axes_step(a, p)) {
         int32_t i = pel_texture_axis_index(&a->u);
         int32_t j = pel_texture_axis_index(&a->v);
         int32_t i0 = pel_texture_axis_texel(&a->u, i);
@@ -60,7 +60,7 @@ static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
                                         const struct pel_texture_axes *a,
                                         int32_t n, pel_color *out)
 {
-    const uint64_t du = a->u.step, dv = a->v.step;
+    const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
     uint64_t u = a->u.at, v = a->v.at;
     for (; n > 0; n--, u += du, v += dv) {
         int32_t i = (int32_t)(u >> 32), j = (int32_t)(v >> 32);
@@ -93,7 +93,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y, half_back);
 #if PEL_FAST_64BIT
-    if (p->kind != PEL_TEXTURE_ANY && pel_texture_axes_inside(&a, n, 1)) {
+    if (p->kind != PEL_TEXTURE_ANY && pel_texture_axes_inside(&a, p, n, 1)) {
         fast_run(p, &a, n, out);
         return;
     }

@@ -27,17 +27,22 @@ enum pel_status pel_texture_set(struct pel_texture *paint,
 #define PEL_TEXTURE_INLINE inline
 #endif
 
+static inline const void *pel_texture_line(const struct pel_texture *p,
+                                           int32_t v)
+{
+    return p->memory + (ptrdiff_t)v * p->stride;
+}
+
 static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,
                                               int kind, int32_t u, int32_t v)
 {
-    const uint8_t *line = p->memory + (ptrdiff_t)v * p->stride;
+    const void *line = pel_texture_line(p, v);
     if (kind == PEL_TEXTURE_COLORS)
-        return ((const pel_word32 *)(const void *)line)[u];
+        return ((const pel_word32 *)line)[u];
     if (kind == PEL_TEXTURE_XRGB8888)
-        return PEL_LE32(((const pel_word32 *)(const void *)line)[u]) |
-               UINT32_C(0xFF000000);
+        return PEL_LE32(((const pel_word32 *)line)[u]) | UINT32_C(0xFF000000);
     if (kind == PEL_TEXTURE_RGB565_LE) {
-        uint32_t w = PEL_LE16(((const pel_word16 *)(const void *)line)[u]);
+        uint32_t w = PEL_LE16(((const pel_word16 *)line)[u]);
         return PEL_RGB(pel_widen5(w >> 11), pel_widen6(w >> 5 & 63),
                        pel_widen5(w & 31));
     }
@@ -47,35 +52,35 @@ static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,
     return color;
 }
 
-/* One coordinate along a run, in 2^-32 texels. `period` is after how many
- * texels the picture begins again. */
-struct pel_texture_axis {
-    uint64_t at, step;
-    int32_t size, period;
-    uint8_t wrap;
-};
-
-static inline void pel_texture_axis_start(struct pel_texture_axis *a,
-                                          const struct pel_texture_plane *p,
-                                          int32_t x, int32_t y)
+/* The coordinate at pixel (x, y). */
+static inline uint64_t pel_texture_at(const struct pel_texture_plane *p,
+                                      int32_t x, int32_t y)
 {
-    a->at = p->at + (uint64_t)(int64_t)x * p->dx + (uint64_t)(int64_t)y * p->dy;
-    a->step = p->dx;
+    return p->at + (uint64_t)(int64_t)x * p->dx + (uint64_t)(int64_t)y * p->dy;
 }
+
+/* One coordinate along a run, in 2^-32 texels. `period` is after how many
+ * texels the picture begins again; 0 with PEL_WRAP_CLAMP: it does not. */
+struct pel_texture_axis {
+    uint64_t at;
+    int32_t size, period;
+};
 
 static inline void pel_texture_axis_wrap(struct pel_texture_axis *a,
                                          int32_t size, int wrap)
 {
     a->size = size;
-    a->period = wrap == PEL_WRAP_MIRROR ? 2 * size : size;
-    a->wrap = (uint8_t)wrap;
+    a->period = wrap == PEL_WRAP_CLAMP ? 0 : size;
+    if (wrap == PEL_WRAP_MIRROR)
+        a->period *= 2;
 }
 
 /* Are texel(s) `at` to `at + more` of all n pixels inside the picture? */
 static inline bool pel_texture_axis_inside(const struct pel_texture_axis *a,
-                                           int32_t n, int32_t more)
+                                           uint64_t step, int32_t n,
+                                           int32_t more)
 {
-    uint64_t last = a->at + (uint64_t)(int64_t)(n - 1) * a->step;
+    uint64_t last = a->at + (uint64_t)(int64_t)(n - 1) * step;
     uint32_t inner = (uint32_t)(a->size - more);
     return (uint32_t)(a->at >> 32) < inner && (uint32_t)(last >> 32) < inner;
 }
@@ -85,7 +90,7 @@ static inline bool pel_texture_axis_inside(const struct pel_texture_axis *a,
 static inline int32_t pel_texture_axis_index(struct pel_texture_axis *a)
 {
     int32_t i = (int32_t)(a->at >> 32);
-    if ((uint32_t)i < (uint32_t)a->period || a->wrap == PEL_WRAP_CLAMP)
+    if ((uint32_t)i < (uint32_t)a->period || a->period == 0)
         return i;
     pel_floor_divide(i, a->period, &i);
     a->at = (uint64_t)(uint32_t)i << 32 | (a->at & 0xFFFFFFFFu);
@@ -99,7 +104,7 @@ static inline int32_t pel_texture_axis_texel(const struct pel_texture_axis *a,
 {
     if ((uint32_t)i < (uint32_t)a->size)
         return i;
-    if (a->wrap == PEL_WRAP_CLAMP)
+    if (a->period == 0)
         return i < 0 ? 0 : a->size - 1;
     return i == a->period ? 0 : 2 * a->size - 1 - i;
 }
@@ -114,27 +119,27 @@ static inline void pel_texture_axes_start(struct pel_texture_axes *a,
                                           const struct pel_texture *p,
                                           int32_t x, int32_t y, uint32_t back)
 {
-    pel_texture_axis_start(&a->u, &p->map.u, x, y);
-    pel_texture_axis_start(&a->v, &p->map.v, x, y);
-    a->u.at -= back;
-    a->v.at -= back;
+    a->u.at = pel_texture_at(&p->map.u, x, y) - back;
+    a->v.at = pel_texture_at(&p->map.v, x, y) - back;
     pel_texture_axis_wrap(&a->u, p->width, p->wrap_u);
     pel_texture_axis_wrap(&a->v, p->height, p->wrap_v);
 }
 
 /* One pixel to the right. */
-static inline void pel_texture_axes_step(struct pel_texture_axes *a)
+static inline void pel_texture_axes_step(struct pel_texture_axes *a,
+                                         const struct pel_texture *p)
 {
-    a->u.at += a->u.step;
-    a->v.at += a->v.step;
+    a->u.at += p->map.u.dx;
+    a->v.at += p->map.v.dx;
 }
 
 /* Are texels `at` to `at + more` of n pixels inside the picture, both ways? */
 static inline bool pel_texture_axes_inside(const struct pel_texture_axes *a,
+                                           const struct pel_texture *p,
                                            int32_t n, int32_t more)
 {
-    return pel_texture_axis_inside(&a->u, n, more) &&
-           pel_texture_axis_inside(&a->v, n, more);
+    return pel_texture_axis_inside(&a->u, p->map.u.dx, n, more) &&
+           pel_texture_axis_inside(&a->v, p->map.v.dx, n, more);
 }
 
 #endif

@@ -10,7 +10,7 @@ static inline int32_t in_picture(struct pel_texture_axis *a)
 static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
                       int32_t n, pel_color *out)
 {
-    for (; n > 0; n--, pel_texture_axes_step(a)) {
+    for (; n > 0; n--, pel_texture_axes_step(a, p)) {
         int32_t u = in_picture(&a->u), v = in_picture(&a->v);
         *out++ = pel_texel(p, p->kind, u, v);
     }
@@ -23,7 +23,7 @@ static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
                                         const struct pel_texture_axes *a,
                                         int32_t n, pel_color *out)
 {
-    const uint64_t du = a->u.step, dv = a->v.step;
+    const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
     uint64_t u = a->u.at, v = a->v.at;
     for (; n > 0; n--, u += du, v += dv)
         *out++ = pel_texel(p, kind, (int32_t)(u >> 32), (int32_t)(v >> 32));
@@ -51,7 +51,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y, 0);
 #if PEL_FAST_64BIT
-    if (p->kind != PEL_TEXTURE_ANY && pel_texture_axes_inside(&a, n, 0)) {
+    if (p->kind != PEL_TEXTURE_ANY && pel_texture_axes_inside(&a, p, n, 0)) {
         fast_run(p, &a, n, out);
         return;
     }
@@ -59,33 +59,117 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     outer_run(p, &a, n, out);
 }
 
-/* Everything that the loop needs is in registers of a Cortex-M. */
-static void copy_inner_run(const struct pel_texture *p,
-                           const struct pel_texture_axes *a, int32_t n,
-                           pel_word16 *out)
+/* Between surfaces of one format of 16 bits: texels are copied as they are. */
+struct copy {
+    const struct pel_texture *paint;
+    pel_word16 *out, *end;
+};
+
+static inline pel_word16 texel16(const struct pel_texture *p, int32_t u,
+                                 int32_t v)
 {
-    const uint8_t *const memory = p->memory;
-    const int32_t stride = p->stride;
-    const uint64_t du = a->u.step, dv = a->v.step;
+    return ((const pel_word16 *)pel_texture_line(p, v))[u];
+}
+
+#if defined(__GNUC__) && defined(__thumb2__)
+
+/* A run that does not leave the picture, in 32 bits for few registers: u's
+ * carry is a column more, v's carry a line, and v's whole lines are in the step
+ * of the column. Line and column may go far off in opposite directions: their
+ * sum counts, modulo 2^32. */
+struct inner {
+    uint32_t line, column;
+    uint32_t u, v; /* fractions */
+    uint32_t stride, columns, du, dv;
+};
+
+/* Compilers do not find that the sums leave carries. */
+static PEL_ALWAYS_INLINE pel_word16 next_texel(struct inner *w)
+{
+    const pel_word16 texel = *(const pel_word16 *)(w->line + 2 * w->column);
+    __asm__("adds %0, %0, %4\n\t"
+            "adc %1, %1, %5\n\t"
+            "adds %2, %2, %6\n\t"
+            "it cs\n\t"
+            "addcs %3, %3, %7"
+            : "+r"(w->u), "+r"(w->column), "+r"(w->v), "+r"(w->line)
+            : "r"(w->du), "r"(w->columns), "r"(w->dv), "r"(w->stride)
+            : "cc");
+    return texel;
+}
+
+static inline uint32_t whole(uint64_t at)
+{
+    return (uint32_t)(at >> 32);
+}
+
+static struct inner inner_start(const struct pel_texture *p,
+                                const struct pel_texture_axes *a)
+{
+    const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
+    const uint32_t stride = (uint32_t)p->stride;
+    const uint32_t texels = (uint32_t)(p->stride / 2);
+    return (struct inner){(uint32_t)p->memory + whole(a->v.at) * stride,
+                          whole(a->u.at),
+                          (uint32_t)a->u.at,
+                          (uint32_t)a->v.at,
+                          stride,
+                          whole(du) + whole(dv) * texels,
+                          (uint32_t)du,
+                          (uint32_t)dv};
+}
+
+/* Four turns in one, with 7.75 instructions a pixel. */
+static PEL_NOINLINE void copy_inner_run(const struct copy *c,
+                                        const struct pel_texture_axes *a)
+{
+    struct inner w = inner_start(c->paint, a);
+    pel_word16 *out = c->out;
+    for (int32_t fours = (int32_t)(c->end - out) / 4; fours; fours--) {
+        out[0] = next_texel(&w);
+        out[1] = next_texel(&w);
+        out[2] = next_texel(&w);
+        out[3] = next_texel(&w);
+        out += 4;
+    }
+    for (pel_word16 *const end = c->end; out != end; out++)
+        *out = next_texel(&w);
+}
+
+#else
+
+/* A run that does not leave the picture. */
+static PEL_NOINLINE void copy_inner_run(const struct copy *c,
+                                        const struct pel_texture_axes *a)
+{
+    const struct pel_texture *p = c->paint;
+    const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
     uint64_t u = a->u.at, v = a->v.at;
-    for (const pel_word16 *end = out + n; out != end; u += du, v += dv) {
-        const void *line = memory + (int32_t)(v >> 32) * (ptrdiff_t)stride;
-        *out++ = ((const pel_word16 *)line)[(int32_t)(u >> 32)];
+    pel_word16 *const end = c->end;
+    for (pel_word16 *out = c->out; out != end; u += du, v += dv)
+        *out++ = texel16(p, (int32_t)(u >> 32), (int32_t)(v >> 32));
+}
+
+#endif
+
+static PEL_NOINLINE void copy_outer_run(const struct copy *c,
+                                        struct pel_texture_axes *a)
+{
+    const struct pel_texture *p = c->paint;
+    for (pel_word16 *out = c->out; out != c->end; out++) {
+        *out = texel16(p, in_picture(&a->u), in_picture(&a->v));
+        pel_texture_axes_step(a, p);
     }
 }
 
-static void copy_run(const struct pel_texture *p, struct pel_texture_axes *a,
-                     int32_t n, pel_word16 *out)
+static void copy_run(const struct copy *c, int32_t x, int32_t y)
 {
-    if (pel_texture_axes_inside(a, n, 0)) {
-        copy_inner_run(p, a, n, out);
-        return;
-    }
-    for (; n > 0; n--, pel_texture_axes_step(a)) {
-        int32_t u = in_picture(&a->u), v = in_picture(&a->v);
-        const void *line = p->memory + v * (ptrdiff_t)p->stride;
-        *out++ = ((const pel_word16 *)line)[u];
-    }
+    struct pel_texture_axes a;
+    pel_texture_axes_start(&a, c->paint, x, y, 0);
+    if (pel_texture_axes_inside(&a, c->paint, (int32_t)(c->end - c->out), 0))
+        copy_inner_run(c, &a);
+    else
+        copy_outer_run(c, &a);
 }
 
 /* Pixels of 16 bits that are all colour. */
@@ -96,22 +180,28 @@ static bool is_565(const struct pel_format *format)
            format->id == PEL_FORMAT_BGR565_LE;
 }
 
-/* From such a surface to another of its format. */
-static bool copy(const struct pel_color_paint *paint,
-                 const struct pel_rows *rows)
+static PEL_NOINLINE void copy_rows(const struct pel_texture *p,
+                                   const struct pel_rows *rows)
+{
+    const struct pel_row *row = rows->row;
+    struct copy c = {p, NULL, NULL};
+    for (int32_t i = 0, y = rows->y; i < rows->n; i++, row++, y += rows->step) {
+        if (row->x0 >= row->x1)
+            continue;
+        c.out = pel_address16(rows->surface, row->x0, y);
+        c.end = c.out + (row->x1 - row->x0);
+        copy_run(&c, row->x0, y);
+    }
+}
+
+static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
 {
     const struct pel_texture *p = (const void *)paint;
-    const struct pel_surface *s = rows->surface;
-    const struct pel_row *row = rows->row;
-    struct pel_texture_axes a;
-    if (!p->surface || p->surface->format != s->format || !is_565(s->format))
-        return false;
-    for (int32_t i = 0, y = rows->y; i < rows->n; i++, row++, y += rows->step)
-        if (row->x0 < row->x1) {
-            pel_texture_axes_start(&a, p, row->x0, y, 0);
-            copy_run(p, &a, row->x1 - row->x0, pel_address16(s, row->x0, y));
-        }
-    return true;
+    const struct pel_format *format = rows->surface->format;
+    if (p->surface && p->surface->format == format && is_565(format))
+        copy_rows(p, rows);
+    else
+        pel_color_paint_fill(paint, rows);
 }
 
 enum pel_status pel_texture_init_nearest(struct pel_texture *paint,
@@ -122,6 +212,6 @@ enum pel_status pel_texture_init_nearest(struct pel_texture *paint,
     if (status != PEL_OK)
         return status;
     pel_color_paint_init(&paint->base, colors, paint->base.opaque);
-    paint->base.direct = copy;
+    paint->base.paint.fill = fill;
     return PEL_OK;
 }

@@ -2,15 +2,18 @@
 
 #include "collect.h"
 
-static void fill_rows(const struct pel_surface *surface,
-                      const struct pel_rect *r, const struct pel_paint *paint)
+/* Lines [y, end) of the pixels [x0, x1). */
+static PEL_ALWAYS_INLINE void fill_rows(const struct pel_surface *surface,
+                                        const struct pel_rect *r,
+                                        const struct pel_paint *paint)
 {
     struct pel_row row[PEL_COLLECT_ROWS];
     struct pel_rows rows = {surface, row, r->y0, 0, 1};
+    const int32_t end = r->y1;
     for (int i = 0; i < PEL_COLLECT_ROWS; i++)
         row[i] = (struct pel_row){r->x0, r->x1};
-    for (; rows.y < r->y1; rows.y += rows.n) {
-        rows.n = pel_min(r->y1 - rows.y, PEL_COLLECT_ROWS);
+    for (; rows.y < end; rows.y += rows.n) {
+        rows.n = pel_min(end - rows.y, PEL_COLLECT_ROWS);
         paint->fill(paint, &rows);
     }
 }
@@ -18,13 +21,15 @@ static void fill_rows(const struct pel_surface *surface,
 void pel_rectangle(const struct pel_surface *surface, struct pel_point from,
                    struct pel_point to, const struct pel_paint *paint)
 {
+    const struct pel_rect *clip = &surface->clip;
     bool legal = pel_point_legal(from) && pel_point_legal(to);
     PEL_ASSERT(legal);
     if (!legal)
         return;
-    struct pel_rect r = {pel_first_pixel(from.x), pel_first_pixel(from.y),
-                         pel_first_pixel(to.x), pel_first_pixel(to.y)};
-    r = pel_rect_intersect(&r, &surface->clip);
+    const struct pel_rect r = {pel_max(pel_first_pixel(from.x), clip->x0),
+                               pel_max(pel_first_pixel(from.y), clip->y0),
+                               pel_min(pel_first_pixel(to.x), clip->x1),
+                               pel_min(pel_first_pixel(to.y), clip->y1)};
     if (!pel_rect_empty(&r))
         fill_rows(surface, &r, paint);
 }
