@@ -1,8 +1,7 @@
 /* Instructions per triangle and per pixel on a Cortex-M, counted by SysTick in
- * an emulator in which time is instructions. Prints `case parameter ticks per`
- * lines: ticks of all calls, and how many calls or pixels they are for. */
+ * an emulator in which time is instructions. */
+#include "bench/mcu/report.h"
 #include "core/pel.h"
-#include "port/cortex_m/semihost.h"
 #include "port/cortex_m/systick.h"
 
 enum { WIDTH = 240, HEIGHT = 320, TRIANGLES = 200 };
@@ -41,18 +40,6 @@ static void triangles_make(int32_t side)
             triangle[i][k].y = y + random_below(&state, side * 256);
         }
     }
-}
-
-static void report(const char *name, int32_t parameter, uint32_t ticks,
-                   uint32_t per)
-{
-    const uint32_t numbers[] = {(uint32_t)parameter, ticks, per};
-    semihost_write(name);
-    for (int i = 0; i < 3; i++) {
-        semihost_write(" ");
-        semihost_write_number(numbers[i]);
-    }
-    semihost_write("\n");
 }
 
 static uint32_t triangles_ticks(draw_function *draw,
@@ -126,5 +113,7 @@ int main(void)
     triangles_report("fill", &flat.paint);
     pixels_report("flat-pixel", &flat.paint);
     pixels_report("gouraud-pixel", &gouraud.paint);
+    textures_report();
+    hits_report();
     return 0;
 }

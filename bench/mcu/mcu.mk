@@ -5,9 +5,11 @@ include port/cortex_m/cortex_m.mk
 
 .PHONY: bench-mcu
 
+MCU_BENCH := $(wildcard bench/mcu/*.c)
+
 # $1 CPU
 define mcu_bench
-$(BUILD)/bench/mcu/$1.elf: $(BUILD)/mcu/$1-O2/bench/mcu/main.o \
+$(BUILD)/bench/mcu/$1.elf: $(MCU_BENCH:%.c=$(BUILD)/mcu/$1-O2/%.o) \
     $(MCU_PORT:%.c=$(BUILD)/mcu/$1-O2/%.o) $(BUILD)/mcu/$1-O2/libpel.a
 	@mkdir -p $$(@D)
 	$(MCU_CC) -mcpu=$1 $(MCU_LDFLAGS) -T port/cortex_m/mps2_an386.ld \

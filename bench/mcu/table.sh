@@ -14,16 +14,16 @@ awk -F '\t' -v OFS='\t' -v accept="${2-}" -v new="$new" '
     }
     /^#/ || NF == 0 { print > new; next }
     !header++ {
-        print "instructions (not cycles) per triangle in a box of E px, or" \
-              " per pixel"
-        printf "%-14s %-14s %5s %12s %9s %9s\n", "cpu", "case", "E",
+        print "instructions (not cycles) per triangle in a box of E px, per" \
+              " pixel, or per hit test"
+        printf "%-14s %-15s %5s %12s %9s %9s\n", "cpu", "case", "E",
                "instructions", "was", "budget"
     }
     {
         key = $1 FS $2 FS $3
         measured = (key in count) ? count[key] : "-"
         late = $4 != "-" && measured > $4 + 0 ? " over budget" : ""
-        printf "%-14s %-14s %5d %12s %9s %9s%s\n", $1, $2, $3, measured, $5,
+        printf "%-14s %-15s %5d %12s %9s %9s%s\n", $1, $2, $3, measured, $5,
                $4, late
         if (measured == "-" || (!accept && $5 != "-" && measured > $5 + 0)) {
             print FILENAME ":" FNR ": " $1 " " $2 " " $3 ": " measured \

@@ -39,7 +39,7 @@ bool pel_hit_thick_line(const struct pel_thick_line_shape *line, int32_t x,
 
 /* Something that can be hit: a struct whose first member is this, like a
  * paint. The list keeps no shapes of its own, so that a program links the hit
- * tests that it names:
+ * tests that it names. A box around the shape spares the question for most:
  *
  *     struct button {
  *         struct pel_target target;
@@ -53,6 +53,8 @@ bool pel_hit_thick_line(const struct pel_thick_line_shape *line, int32_t x,
  *     } */
 struct pel_target {
     bool (*hit)(const struct pel_target *target, int32_t x, int32_t y);
+    struct pel_rect box; /* px: no pixel outside of it is hit, and hit is not
+                            asked there; an empty one says nothing */
 };
 
 /* The last of n targets that covers the pixel: the topmost, when they are

@@ -16,6 +16,12 @@ static struct product multiply(uint64_t a, uint64_t b)
                             middle << 32 | (uint32_t)low};
 }
 
+/* (u b)^2 + (v a)^2 <= (a b)^2 for a, b < 2^15: products below 2^30. */
+static bool hit_small(int32_t u, int32_t v, struct pel_point r)
+{
+    return pel_square(u * r.y) + pel_square(v * r.x) <= pel_square(r.x * r.y);
+}
+
 bool pel_hit_ellipse(const struct pel_ellipse_shape *ellipse, int32_t x,
                      int32_t y)
 {
@@ -25,6 +31,8 @@ bool pel_hit_ellipse(const struct pel_ellipse_shape *ellipse, int32_t x,
         !pel_radius_legal(r.x) || !pel_radius_legal(r.y) || p.x < c.x - r.x ||
         p.x > c.x + r.x || p.y < c.y - r.y || p.y > c.y + r.y)
         return false;
+    if (r.x < 32768 && r.y < 32768)
+        return hit_small(p.x - c.x, p.y - c.y, r);
     /* u^2 b^2 <= a^2 (b^2 - v^2) */
     int64_t b2 = pel_square(r.y);
     struct product left =

@@ -7,7 +7,7 @@
 /* Pixel (x, y) as the place of its centre; false when out of range. */
 static inline bool pel_hit_pixel(int32_t x, int32_t y, struct pel_point *p)
 {
-    if (x < -32768 || x > 32767 || y < -32768 || y > 32767)
+    if ((((uint32_t)x + 32768u) | ((uint32_t)y + 32768u)) >> 16)
         return false;
     p->x = pel_pixel_center(x);
     p->y = pel_pixel_center(y);

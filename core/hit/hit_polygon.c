@@ -21,8 +21,8 @@ static int32_t crossing(const struct pel_point *a, const struct pel_point *b,
         return 0;
     if (p.x >= a->x && p.x >= b->x)
         return winding;
-    int64_t right = (int64_t)(p.x - a->x) * (b->y - a->y);
-    int64_t edge = (int64_t)(p.y - a->y) * (b->x - a->x);
+    int64_t right = pel_product(p.x - a->x, b->y - a->y);
+    int64_t edge = pel_product(p.y - a->y, b->x - a->x);
     return right >= edge ? winding : 0;
 }
 
@@ -47,12 +47,4 @@ bool pel_hit_triangle(const struct pel_point v[3], int32_t x, int32_t y)
 {
     const struct pel_polygon_shape polygon = {v, 3, PEL_NON_ZERO};
     return pel_hit_polygon(&polygon, x, y);
-}
-
-bool pel_hit_thick_line(const struct pel_thick_line_shape *line, int32_t x,
-                        int32_t y)
-{
-    struct pel_point v[4];
-    const struct pel_polygon_shape polygon = {v, 4, PEL_NON_ZERO};
-    return pel_thick_line_corners(line, v) && pel_hit_polygon(&polygon, x, y);
 }

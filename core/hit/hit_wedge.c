@@ -2,30 +2,43 @@
 
 #include "../base/fixed_trig.h"
 
-/* |a| <= 2^15 and |b| < 2^25 in each coordinate. */
-static int64_t cross(struct pel_point a, struct pel_point b)
+/* The eighth of the turn, [k, k + 1) / 8, that a way leads into. */
+static int32_t eighth_of(struct pel_point way)
 {
-    return (int64_t)a.x * b.y - (int64_t)a.y * b.x;
+    int32_t eighth = 0;
+    if (way.y < 0 || (way.y == 0 && way.x < 0)) {
+        eighth = 4;
+        way.x = -way.x;
+        way.y = -way.y;
+    }
+    if (way.x <= 0) {
+        const int32_t x = way.x;
+        eighth += 2;
+        way.x = way.y;
+        way.y = -x;
+    }
+    return eighth + (way.y >= way.x);
 }
 
-static int64_t dot(struct pel_point a, struct pel_point b)
+/* Does the way lie on the ray of an angle or, from angle 0 on, behind it?
+ * Directions lie in the eighths of their angles, so the ray itself is needed in
+ * its own eighth alone, where the two are less than a quarter turn apart. */
+static bool is_behind(struct pel_point way, uint16_t turn)
 {
-    return (int64_t)a.x * b.x + (int64_t)a.y * b.y;
+    const int32_t eighth = eighth_of(way), of_ray = turn >> 13;
+    if (eighth != of_ray)
+        return eighth > of_ray;
+    const struct pel_point ray = pel_direction(turn);
+    return pel_product(ray.x, way.y) >= pel_product(ray.y, way.x);
 }
 
 bool pel_hit_wedge(struct pel_point center, uint16_t from, uint16_t to,
                    struct pel_point p)
 {
-    const bool large = (uint16_t)(to - from) > 32768;
-    const struct pel_point first = pel_direction(large ? to : from);
-    const struct pel_point last = pel_direction(large ? from : to);
-    struct pel_point at = {p.x - center.x, p.y - center.y};
-    if (from == to)
-        return false;
-    if (at.x == 0 && at.y == 0)
-        at.x = 1;
-    int64_t side = cross(first, at);
-    bool inside =
-        (side > 0 && cross(last, at) < 0) || (side == 0 && dot(first, at) > 0);
-    return inside != large;
+    struct pel_point way = {p.x - center.x, p.y - center.y};
+    if (way.x == 0 && way.y == 0)
+        way.x = 1;
+    if (from < to)
+        return is_behind(way, from) && !is_behind(way, to);
+    return from != to && (is_behind(way, from) || !is_behind(way, to));
 }

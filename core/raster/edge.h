@@ -117,13 +117,14 @@ static inline int32_t pel_edge_carry(int32_t f, int32_t t, int32_t r,
     return (int32_t)((sum >> 8) + ((uint32_t)(sum < a) << 24));
 }
 
-/* The edge from a down to b at its first row, pel_first_pixel(a.y) <
+/* The edge from a down to b, a.y < b.y, at row `top`, which lies on or below
+ * the first row of the edge: pel_first_pixel(a.y) <= top <
  * pel_first_pixel(b.y). */
-static inline void pel_edge_first(struct pel_edge *e, const struct pel_point *a,
-                                  const struct pel_point *b)
+static inline void pel_edge_start(struct pel_edge *e, const struct pel_point *a,
+                                  const struct pel_point *b, int32_t top)
 {
-    const int32_t dy = b->y - a->y;
-    const int32_t t = pel_pixel_center(pel_first_pixel(a->y)) - a->y;
+    const int32_t row = pel_first_pixel(a->y);
+    const int32_t dy = b->y - a->y, t = pel_pixel_center(row) - a->y;
     int32_t r, q = pel_floor_divide(b->x - a->x, dy, &r);
     const int32_t start = a->x + 127 + t * q;
     int32_t x = start >> 8, m = pel_edge_carry(start & 255, t, r, dy) - dy;
@@ -136,15 +137,7 @@ static inline void pel_edge_first(struct pel_edge *e, const struct pel_point *a,
     e->q = q;
     e->r = r;
     e->dy = dy;
-}
-
-/* The same at row `top`, which lies on or below the first row of the edge and
- * above pel_first_pixel(b.y). */
-static inline void pel_edge_start(struct pel_edge *e, const struct pel_point *a,
-                                  const struct pel_point *b, int32_t top)
-{
-    pel_edge_first(e, a, b);
-    pel_edge_skip(e, top - pel_first_pixel(a->y));
+    pel_edge_skip(e, top - row);
 }
 
 static inline void pel_edge_next(struct pel_edge *e)

@@ -25,7 +25,7 @@ static PEL_NOINLINE void ray_start(struct pel_ray *r,
     r->y = pel_first_pixel(top->y);
     r->end = pel_first_pixel(bottom->y);
     if (r->y < r->end)
-        pel_edge_first(&r->edge, top, bottom);
+        pel_edge_start(&r->edge, top, bottom, r->y);
 }
 
 /* Past the end of its edge the ray is further away in x than anything that is

@@ -18,12 +18,21 @@ static bool disc_hit(const struct pel_target *target, int32_t x, int32_t y)
     return pel_hit_circle(d->center, d->radius, x, y);
 }
 
+/* A target without a box. */
+#define ALWAYS         \
+    {                  \
+        disc_hit,      \
+        {              \
+            0, 0, 0, 0 \
+        }              \
+    }
+
 static void test_topmost(void **state)
 {
     (void)state;
-    const struct disc_target big = {{disc_hit}, PEL_AT(50, 50), PEL_PX(40)};
-    const struct disc_target left = {{disc_hit}, PEL_AT(40, 50), PEL_PX(12)};
-    const struct disc_target right = {{disc_hit}, PEL_AT(60, 50), PEL_PX(12)};
+    const struct disc_target big = {ALWAYS, PEL_AT(50, 50), PEL_PX(40)};
+    const struct disc_target left = {ALWAYS, PEL_AT(40, 50), PEL_PX(12)};
+    const struct disc_target right = {ALWAYS, PEL_AT(60, 50), PEL_PX(12)};
     const struct pel_target *const list[] = {&big.target, &left.target,
                                              &right.target};
     assert_int_equal(pel_hit_topmost(list, 3, 50, 50), 2);
@@ -34,6 +43,27 @@ static void test_topmost(void **state)
     asked = 0;
     pel_hit_topmost(list, 3, 65, 50);
     assert_int_equal(asked, 1);
+}
+
+/* A target with a box is asked inside of it, all others everywhere. */
+static void test_boxes(void **state)
+{
+    (void)state;
+    static const struct pel_rect box[] = {
+        {10, 20, 13, 22}, {10, 20, 10, 22}, {10, 20, 13, 20}, {13, 22, 10, 20}};
+    for (int i = 0; i < 4; i++) {
+        const struct disc_target t = {
+            {disc_hit, box[i]}, PEL_AT(0, 0), PEL_PX(99)};
+        const struct pel_target *const list[] = {&t.target};
+        for (int32_t y = 17; y < 25; y++)
+            for (int32_t x = 7; x < 16; x++) {
+                const bool inside = x >= 10 && x < 13 && y >= 20 && y < 22;
+                asked = 0;
+                const int32_t top = pel_hit_topmost(list, 1, x, y);
+                assert_int_equal(asked, i > 0 || inside);
+                assert_int_equal(top, asked - 1);
+            }
+    }
 }
 
 static void test_pixels_out_of_range(void **state)
@@ -56,6 +86,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_topmost),
+        cmocka_unit_test(test_boxes),
         cmocka_unit_test(test_pixels_out_of_range),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
