@@ -1,6 +1,7 @@
 #!/bin/sh
 # table.sh MCU.TSV [1] : prints the counts beside bench/mcu/budgets.tsv; fails
-# when one is above what it was, or is missing. With 1, the counts are written
+# when one is above what it was, or is missing. Up to 0.2 % more is what the
+# stopwatch rounds when a call begins at another place in one of its ticks. With 1, the counts are written
 # there as the new state, budgets unchanged.
 set -eu
 limits=bench/mcu/budgets.tsv
@@ -25,7 +26,7 @@ awk -F '\t' -v OFS='\t' -v accept="${2-}" -v new="$new" '
         late = $4 != "-" && measured > $4 + 0 ? " over budget" : ""
         printf "%-14s %-15s %5d %12s %9s %9s%s\n", $1, $2, $3, measured, $5,
                $4, late
-        if (measured == "-" || (!accept && $5 != "-" && measured > $5 + 0)) {
+        if (measured == "-" || (!accept && $5 != "-" && measured > 1.002 * $5)) {
             print FILENAME ":" FNR ": " $1 " " $2 " " $3 ": " measured \
                   " instructions, was " $5 > "/dev/stderr"
             failed = 1

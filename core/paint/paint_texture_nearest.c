@@ -152,6 +152,25 @@ static PEL_NOINLINE void copy_inner_run(const struct copy *c,
 
 #endif
 
+/* Sizes that are powers of two repeat by a mask, which is size - 1. */
+static bool is_masked(int32_t size, int wrap)
+{
+    return wrap == PEL_WRAP_REPEAT && (size & (size - 1)) == 0;
+}
+
+static PEL_NOINLINE void copy_masked_run(const struct copy *c,
+                                         const struct pel_texture_axes *a)
+{
+    const struct pel_texture *p = c->paint;
+    const int32_t u_mask = p->width - 1, v_mask = p->height - 1;
+    const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
+    uint64_t u = a->u.at, v = a->v.at;
+    pel_word16 *const end = c->end;
+    for (pel_word16 *out = c->out; out != end; u += du, v += dv)
+        *out++ = texel16(p, (int32_t)(u >> 32) & u_mask,
+                         (int32_t)(v >> 32) & v_mask);
+}
+
 static PEL_NOINLINE void copy_outer_run(const struct copy *c,
                                         struct pel_texture_axes *a)
 {
@@ -168,6 +187,9 @@ static void copy_run(const struct copy *c, int32_t x, int32_t y)
     pel_texture_axes_start(&a, c->paint, x, y, 0);
     if (pel_texture_axes_inside(&a, c->paint, (int32_t)(c->end - c->out), 0))
         copy_inner_run(c, &a);
+    else if (is_masked(a.u.size, c->paint->wrap_u) &&
+             is_masked(a.v.size, c->paint->wrap_v))
+        copy_masked_run(c, &a);
     else
         copy_outer_run(c, &a);
 }
