@@ -95,8 +95,12 @@ static void test_out_of_range(void **state)
         }
         s = good;
         s.kind = kinds[i];
+        s.radius = PEL_PX(32767); /* reaches the window from there */
+        s.from = 0;
         s.v[0].x = PEL_COORDINATE_MIN - 1;
         check_nothing(&s);
+        s.from = 40000;
+        s.to = 60000;
         s.v[0] = good.v[0];
         s.v[0].y = PEL_COORDINATE_MAX + 1;
         check_nothing(&s);

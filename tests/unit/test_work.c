@@ -168,6 +168,20 @@ static void test_batches(void **state)
     assert_int_equal(hits.batches, least);
 }
 
+/* A circle that ends just above the centres of a row does not reach for it. */
+static void test_rows_of_circle(void **state)
+{
+    const struct pel_rect b = {0, 0, 12, 12};
+    const struct pel_point center = {PEL_PX(5) + 128, PEL_PX(5) + 128};
+    (void)state;
+    hits_open(&hits, &b);
+    pel_circle(&hits.surface, center, PEL_PX(3) - 1, &hits.paint);
+    assert_int_equal(hits.runs, 5);
+    hits_open(&hits, &b);
+    pel_circle(&hits.surface, center, PEL_PX(3), &hits.paint);
+    assert_int_equal(hits.runs, 7);
+}
+
 /* Runs of painted pixels that a reader of the rows sees, up to `most` of them
  * in a row; `rows` counts those that have any. */
 static uint64_t runs_shown(uint64_t *rows, uint64_t *most)
@@ -306,6 +320,7 @@ int main(void)
         cmocka_unit_test(test_polygons),
         cmocka_unit_test(test_batches),
         cmocka_unit_test(test_batches_of_one_line),
+        cmocka_unit_test(test_rows_of_circle),
         cmocka_unit_test(test_pieces),
         cmocka_unit_test(test_needle),
         cmocka_unit_test(test_zigzags),
