@@ -4,11 +4,12 @@
 
 .PHONY: mutants
 
-# Without debug information, so that equal code makes equal objects. The default
-# build stops at undefined behaviour and at memory that is not its own: such a
-# change is noticed, whatever comes of it.
+# Without debug information, so that equal code makes equal objects. Both
+# builds stop at undefined behaviour, the default one also at memory that is not
+# its own: such a change is noticed, whatever comes of it.
 TEST_FLAGS_mutant_host := $(filter-out -g,$(TEST_SANITIZE))
-TEST_FLAGS_mutant_portable := -O1 -DPEL_FAST_64BIT=0 -DPEL_VECTORS=0 \
+TEST_FLAGS_mutant_portable := -O1 -fsanitize=undefined \
+    -fno-sanitize-recover=all -DPEL_FAST_64BIT=0 -DPEL_VECTORS=0 \
     -DPEL_KNOW_SIDES=0
 MUTANT_BUILDS := mutant_host mutant_portable
 MUTANT_TESTS := $(sort $(shell sed -n 's/#.*//; s/^core[^:]*: *//; s/+//g; \
