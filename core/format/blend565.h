@@ -74,13 +74,30 @@ static inline pel_u16x8 pel_blend565_vector(pel_u16x8 v,
     return b->swapped ? (v << 8 | v >> 8) : v;
 }
 
+/* Fewer than 8 pixels: their first and last four, both read before the first
+ * store, so they may overlap; of fewer than 4 each alone. */
+static inline void pel_blend565_short(pel_word16 *p, int32_t n,
+                                      const struct pel_blend565 *b)
+{
+    uint16_t ends[8];
+    if (n < 4) {
+        for (; n > 0; n--)
+            pel_blend565_pixel(p++, b);
+        return;
+    }
+    memcpy(ends, p, 8);
+    memcpy(ends + 4, p + n - 4, 8);
+    pel_put_u16x8(ends, pel_blend565_vector(pel_get_u16x8(ends), b));
+    memcpy(p, ends, 8);
+    memcpy(p + n - 4, ends + 4, 8);
+}
+
 /* As pel_blend32_run. */
 static PEL_ALWAYS_INLINE void pel_blend565_run(pel_word16 *p, int32_t n,
                                                const struct pel_blend565 *b)
 {
     if (n < 8) {
-        for (; n > 0; n--)
-            pel_blend565_pixel(p++, b);
+        pel_blend565_short(p, n, b);
         return;
     }
     pel_word16 *end = p + n - 8;
