@@ -4,6 +4,17 @@
 
 #include "gouraud_runs.h"
 
+/* Written out, like all that is done for every row here: compilers keep loops
+ * over three channels, and the channels in memory. */
+static PEL_ALWAYS_INLINE void at_column(const uint32_t row[3],
+                                        const uint32_t dx[3], uint32_t x,
+                                        uint32_t v[3])
+{
+    v[0] = row[0] + x * dx[0];
+    v[1] = row[1] + x * dx[1];
+    v[2] = row[2] + x * dx[2];
+}
+
 static void write_xrgb(const struct pel_surface *s,
                        const struct pel_fast_triangle *t,
                        const struct pel_gouraud *paint)
@@ -15,8 +26,7 @@ static void write_xrgb(const struct pel_surface *s,
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
         uintptr_t p = w.line + 4 * (uintptr_t)x;
         pel_prefetch_run(p + 2 * w.pitch, 4 * n);
-        for (int k = 0; k < 3; k++)
-            v[k] = row[k] + (uint32_t)x * paint->dx[k];
+        at_column(row, paint->dx, (uint32_t)x, v);
         pel_gouraud_run_xrgb((pel_word32 *)p, n, v, &run);
         pel_gouraud_step(row, paint->dy);
     }
@@ -32,8 +42,7 @@ static void write_rgb565(const struct pel_surface *s,
     pel_gouraud_at(paint, 0, t->y0, row);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
         uintptr_t p = w.line + 2 * (uintptr_t)x;
-        for (int k = 0; k < 3; k++)
-            v[k] = row[k] + (uint32_t)x * paint->dx[k];
+        at_column(row, paint->dx, (uint32_t)x, v);
         pel_gouraud_run_rgb565((pel_word16 *)p, n, v, &run);
         pel_gouraud_step(row, paint->dy);
     }

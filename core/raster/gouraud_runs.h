@@ -110,12 +110,15 @@ static PEL_ALWAYS_INLINE void pel_gouraud_run_xrgb(
 
 /* Eight pixels from the lanes of pixels 0, 2, 4, 6, half a step before those of
  * 1, 3, 5, 7. */
-static inline pel_u32x4 pel_gouraud_rgb565x8(const pel_u32x4 even[3],
-                                             const uint32_t dx[3])
+static PEL_ALWAYS_INLINE pel_u32x4 pel_gouraud_rgb565x8(pel_u32x4 b,
+                                                        pel_u32x4 g,
+                                                        pel_u32x4 r,
+                                                        const uint32_t dx[3])
 {
-    pel_u32x4 b = even[0] + dx[0], g = even[1] + dx[1], r = even[2] + dx[2];
-    pel_u32x4 low =
-        (even[2] >> 16 & 0xF800u) | (even[1] >> 21 & 0x07E0u) | even[0] >> 27;
+    pel_u32x4 low = (r >> 16 & 0xF800u) | (g >> 21 & 0x07E0u) | b >> 27;
+    b += dx[0];
+    g += dx[1];
+    r += dx[2];
     pel_u32x4 high =
         (r & 0xF8000000u) | (g >> 5 & 0x07E00000u) | (b >> 11 & 0x001F0000u);
     return low | high;
@@ -143,23 +146,25 @@ static inline void pel_gouraud_short_rgb565(pel_word16 *p, int32_t n,
 static PEL_ALWAYS_INLINE void pel_gouraud_run_rgb565(
     pel_word16 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_run *run)
 {
-    pel_u32x4 even[3], tail[3];
-    for (int k = 0; k < 3; k++)
-        even[k] = run->lanes[k] + v[k];
+    pel_u32x4 b = run->lanes[0] + v[0], g = run->lanes[1] + v[1],
+              r = run->lanes[2] + v[2];
+    const pel_u32x4 first = pel_gouraud_rgb565x8(b, g, r, run->dx);
     if (n < 8) {
-        pel_gouraud_short_rgb565(p, n, pel_gouraud_rgb565x8(even, run->dx));
+        pel_gouraud_short_rgb565(p, n, first);
         return;
     }
     const uint32_t last = (uint32_t)n - 8;
     pel_word16 *end = p + last;
-    for (int k = 0; k < 3; k++)
-        tail[k] = even[k] + last * run->dx[k];
-    for (; p < end; p += 8) {
-        pel_put_u32x4(p, pel_gouraud_rgb565x8(even, run->dx));
-        for (int k = 0; k < 3; k++)
-            even[k] += run->steps[k];
+    pel_put_u32x4(p, first);
+    pel_put_u32x4(end, pel_gouraud_rgb565x8(b + last * run->dx[0],
+                                            g + last * run->dx[1],
+                                            r + last * run->dx[2], run->dx));
+    while ((p += 8) < end) {
+        b += run->steps[0];
+        g += run->steps[1];
+        r += run->steps[2];
+        pel_put_u32x4(p, pel_gouraud_rgb565x8(b, g, r, run->dx));
     }
-    pel_put_u32x4(end, pel_gouraud_rgb565x8(tail, run->dx));
 }
 
 #else
