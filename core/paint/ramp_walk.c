@@ -46,21 +46,6 @@ static PEL_ALWAYS_INLINE void reflected(const struct pel_ramp_walk *w,
     }
 }
 
-static PEL_ALWAYS_INLINE void padded(const struct pel_ramp_walk *w,
-                                     struct table table, int32_t n,
-                                     pel_color *out)
-{
-    uint64_t at = w->at, d1 = w->d1, d2 = w->d2;
-    const uint64_t d3 = w->d3;
-    const int bits = w->bits;
-    for (; n > 0; n--, at += d1, d1 += d2, d2 += d3) {
-        uint32_t high = (uint32_t)(at >> (bits - 32));
-        if (at >> bits)
-            high = at >> 63 ? 0 : UINT32_MAX;
-        *out++ = shown(table, high);
-    }
-}
-
 static PEL_ALWAYS_INLINE void walk_of(enum pel_spread spread,
                                       const struct pel_ramp_walk *w,
                                       struct table table, int32_t n,
@@ -68,10 +53,8 @@ static PEL_ALWAYS_INLINE void walk_of(enum pel_spread spread,
 {
     if (spread == PEL_REFLECT)
         reflected(w, table, n, out);
-    else if (spread == PEL_REPEAT || w->inside)
-        repeated(w, table, n, out);
     else
-        padded(w, table, n, out);
+        repeated(w, table, n, out);
 }
 
 static void mix_cells(const struct pel_ramp *ramp, int32_t n, pel_color *out)
@@ -195,42 +178,75 @@ static void mix_on_the_way(const struct pel_ramp *ramp,
 
 #endif
 
-static void repeat_first(int32_t n, pel_color *colors)
+static void fill(pel_color color, int32_t n, pel_color *out)
 {
 #if PEL_VECTORS
-    if (n > 1)
-        pel_span32(colors + 1, n - 1, pel_make_value32(colors[0]));
+    pel_span32(out, n, pel_make_value32(color));
 #else
-    for (int32_t i = 1; i < n; i++)
-        colors[i] = colors[0];
+    for (; n > 0; n--)
+        *out++ = color;
 #endif
 }
 
-static void run_changing(const struct pel_ramp *ramp,
-                         const struct pel_ramp_walk *walk, int32_t n,
-                         pel_color *colors)
+/* A walk that is `inside`, or whose ramp is not padded. */
+static void run_inside(const struct pel_ramp *ramp,
+                       const struct pel_ramp_walk *walk, int32_t n,
+                       pel_color *colors)
 {
     const bool mixed = ramp->n == 2;
-    struct table table = {ramp->colors, mixed ? 256 : (uint32_t)ramp->n, true};
-    if (PEL_VECTORS && mixed &&
-        (ramp->spread == PEL_REPEAT ||
-         (walk->inside && ramp->spread != PEL_REFLECT))) {
+    const struct table table = {ramp->colors, mixed ? 256 : (uint32_t)ramp->n,
+                                !mixed};
+    if (mixed && ramp->spread != PEL_REFLECT) {
         mix_on_the_way(ramp, walk, n, colors);
         return;
     }
-    table.use = !mixed;
     walk_of(ramp->spread, walk, table, n, colors);
     if (mixed)
         mix_cells(ramp, n, colors);
+}
+
+/* The positions on one side of the way: `size` from `low` on. A padded walk has
+ * fewer than 64 bits. */
+struct side {
+    uint64_t low, size;
+};
+
+static struct side side_of(uint64_t at, int bits)
+{
+    const uint64_t one = UINT64_C(1) << bits, most = UINT64_C(1) << 63;
+    if (at < one)
+        return (struct side){0, one};
+    return at < most ? (struct side){one, most - one}
+                     : (struct side){most, most};
+}
+
+/* Part by part, each on one side. */
+static void run_padded(const struct pel_ramp *ramp, struct pel_ramp_walk w,
+                       int32_t n, pel_color *colors)
+{
+    for (int32_t part; n > 0; n -= part, colors += part) {
+        const struct pel_ramp_walk first = w;
+        const struct side side = side_of(w.at, w.bits);
+        for (part = 0; part < n && w.at - side.low < side.size; part++)
+            pel_ramp_step(&w);
+        if (side.low == 0)
+            run_inside(ramp, &first, part, colors);
+        else
+            fill(ramp->colors[first.at >> 63 ? 0 : ramp->n - 1], part, colors);
+    }
 }
 
 void pel_ramp_run(const struct pel_ramp *ramp, struct pel_ramp_walk *walk,
                   int32_t n, pel_color *colors)
 {
     const bool changes = (walk->d1 | walk->d2 | walk->d3) != 0;
-    run_changing(ramp, walk, changes ? n : 1, colors);
-    if (!changes)
-        repeat_first(n, colors);
+    const int32_t some = changes ? n : 1;
+    if (ramp->spread == PEL_PAD && !walk->inside)
+        run_padded(ramp, *walk, some, colors);
+    else
+        run_inside(ramp, walk, some, colors);
+    if (some < n)
+        fill(colors[0], n - some, colors + some);
 }
 
 #endif
