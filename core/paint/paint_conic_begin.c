@@ -47,21 +47,25 @@ static int32_t begin(const void *paint, const struct pel_run *run,
                            run, walk);
 }
 
+static void run_curve(const void *paint, struct pel_ramp_walk *walk, int32_t n,
+                      pel_color *colors)
+{
+    ((const struct pel_conic *)paint)->curve.run(paint, walk, n, colors);
+}
+
+static const struct pel_walker walker = {begin, run_curve};
+
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
-    const struct pel_conic *p = (const void *)paint;
-    const struct pel_walker walker = {p, begin, p->curve.run};
-    const struct pel_run run = {x, y, n};
-    pel_walker_colors(&walker, run, out);
+    struct pel_run pixels = {x, y, n};
+    pel_walker_colors(&walker, paint, &pixels, out);
 }
 
 static void gradient_fill(const struct pel_paint *paint,
                           const struct pel_rows *rows)
 {
-    const struct pel_conic *p = (const void *)paint;
-    const struct pel_walker walker = {p, begin, p->curve.run};
-    pel_walker_fill(&walker, rows);
+    pel_walker_fill(&walker, paint, rows);
 }
 
 #endif

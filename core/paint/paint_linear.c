@@ -37,6 +37,7 @@ static int32_t begin(const void *paint, const struct pel_run *run,
 {
     const struct pel_point pixel = {run->x, run->y};
     begin_walk(paint, pixel, run->n, walk);
+    pel_ramp_widen(&((const struct pel_linear *)paint)->ramp, walk);
     return run->n;
 }
 
@@ -46,19 +47,19 @@ static void run(const void *paint, struct pel_ramp_walk *walk, int32_t n,
     pel_ramp_run(&((const struct pel_linear *)paint)->ramp, walk, n, colors);
 }
 
+static const struct pel_walker walker = {begin, run};
+
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
-    const struct pel_walker walker = {paint, begin, run};
-    const struct pel_run pixels = {x, y, n};
-    pel_walker_colors(&walker, pixels, out);
+    struct pel_run pixels = {x, y, n};
+    pel_walker_colors(&walker, paint, &pixels, out);
 }
 
 static void gradient_fill(const struct pel_paint *paint,
                           const struct pel_rows *rows)
 {
-    const struct pel_walker walker = {paint, begin, run};
-    pel_walker_fill(&walker, rows);
+    pel_walker_fill(&walker, paint, rows);
 }
 
 #endif

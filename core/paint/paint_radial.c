@@ -57,25 +57,25 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 static int32_t begin(const void *paint, const struct pel_run *run,
                      struct pel_ramp_walk *walk)
 {
-    return pel_curve_begin(&((const struct pel_radial *)paint)->curve, paint,
-                           run, walk);
+    const struct pel_radial *p = paint;
+    const int32_t n = pel_curve_begin(&p->curve, p, run, walk);
+    pel_ramp_widen(&p->ramp, walk);
+    return n;
 }
+
+static const struct pel_walker walker = {begin, run};
 
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
-    const struct pel_radial *p = (const void *)paint;
-    const struct pel_walker walker = {p, begin, p->curve.run};
-    const struct pel_run run = {x, y, n};
-    pel_walker_colors(&walker, run, out);
+    struct pel_run pixels = {x, y, n};
+    pel_walker_colors(&walker, paint, &pixels, out);
 }
 
 static void gradient_fill(const struct pel_paint *paint,
                           const struct pel_rows *rows)
 {
-    const struct pel_radial *p = (const void *)paint;
-    const struct pel_walker walker = {p, begin, p->curve.run};
-    pel_walker_fill(&walker, rows);
+    pel_walker_fill(&walker, paint, rows);
 }
 
 #endif

@@ -40,11 +40,14 @@ struct pel_run {
     int32_t x, y, n;
 };
 
+/* Brings a walk to 64 bits, or 63 where the ramp goes there and back, so that
+ * it wraps where the ramp does; not one that leaves a padded ramp, which has
+ * fewer than 63. Before pel_ramp_run. */
+void pel_ramp_widen(const struct pel_ramp *ramp, struct pel_ramp_walk *walk);
+
 /* How small CPUs draw a gradient: with a walk that stays where it is while a
  * few pixels at a time are coloured and put. In ramp_walk_small.c. */
 struct pel_walker {
-    const void *paint;
-
     /* Begins a walk at the first pixel: for how many of n it is right, at least
      * one. */
     int32_t (*begin)(const void *paint, const struct pel_run *run,
@@ -52,11 +55,11 @@ struct pel_walker {
     pel_run_function *run;
 };
 
-/* The fill function of such a paint, and its colours. */
-void pel_walker_fill(const struct pel_walker *walker,
+/* The fill function of such a paint, and its colours; `run` ends empty. */
+void pel_walker_fill(const struct pel_walker *walker, const void *paint,
                      const struct pel_rows *rows);
-void pel_walker_colors(const struct pel_walker *walker, struct pel_run run,
-                       pel_color *colors);
+void pel_walker_colors(const struct pel_walker *walker, const void *paint,
+                       struct pel_run *run, pel_color *colors);
 
 #endif
 #endif
