@@ -208,6 +208,45 @@ static void test_opposite_normals(void **state)
     canvas_close(&c);
 }
 
+/* Needles, seen from a side that makes them a few sub-pixels thick or less:
+ * colours stay between those of their vertices. */
+static void test_slivers(void **state)
+{
+    static const uint8_t colors[4][3] = {
+        {10, 20, 30}, {240, 20, 130}, {10, 250, 30}, {10, 250, 230}};
+    static struct ground g;
+    static struct canvas c;
+    int32_t seen = 0;
+    (void)state;
+    for (int16_t thick = -40; thick <= 40; thick++) {
+        ground_init(&g, 30000, 1);
+        g.mesh.colors = colors;
+        g.mesh.position.shift = 14;
+        g.scene.cull = PEL_CULL_NONE;
+        g.scene.shading = &pel_shade_gouraud;
+        for (int i = 0; i < 4; i++) {
+            g.positions[i][0] = (int16_t)(i * 15000 - 22000);
+            g.positions[i][1] = (int16_t)(i * 9000 - 13000 + i % 2 * thick);
+            g.positions[i][2] = -32000;
+        }
+        draw(&g, &c);
+        for (int32_t i = 0; i < SIDE * SIDE; i++) {
+            const uint32_t v = canvas_pixel(&c, i % SIDE, i / SIDE);
+            if (!v)
+                continue;
+            seen++;
+            for (int k = 0; k < 3; k++) {
+                const uint32_t channel = v >> (16 - 8 * k) & 255;
+                if (channel < 10 + 10 * (uint32_t)k || channel > 250)
+                    fail_msg("thick %d: pixel %d, %d is %06x", thick, i % SIDE,
+                             i / SIDE, v & 0xFFFFFF);
+            }
+        }
+    }
+    assert_true(seen > 100);
+    canvas_close(&c);
+}
+
 static void test_a_wrong_index_is_named(void **state)
 {
     static struct ground g;
@@ -332,6 +371,7 @@ int main(void)
         cmocka_unit_test(test_guard_band),
         cmocka_unit_test(test_behind_is_nothing),
         cmocka_unit_test(test_opposite_normals),
+        cmocka_unit_test(test_slivers),
         cmocka_unit_test(test_a_wrong_index_is_named),
         cmocka_unit_test(test_what_cannot_be_seen_is_refused),
         cmocka_unit_test(test_a_million_triangles),
