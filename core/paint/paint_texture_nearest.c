@@ -65,10 +65,11 @@ struct copy {
     pel_word16 *out, *end;
 };
 
-static inline pel_word16 texel16(const struct pel_texture *p, int32_t u,
-                                 int32_t v)
+static inline pel_word16 texel16(const uint8_t *memory, int32_t stride,
+                                 int32_t u, int32_t v)
 {
-    return ((const pel_word16 *)pel_texture_line(p, v))[u];
+    const void *line = memory + v * (ptrdiff_t)stride;
+    return ((const pel_word16 *)line)[u];
 }
 
 #if defined(__GNUC__) && defined(__thumb2__)
@@ -143,11 +144,14 @@ static PEL_NOINLINE void copy_inner_run(const struct copy *c,
                                         const struct pel_texture_axes *a)
 {
     const struct pel_texture *p = c->paint;
+    const uint8_t *const memory = p->memory;
+    const int32_t stride = p->stride;
     const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
     uint64_t u = a->u.at, v = a->v.at;
     pel_word16 *const end = c->end;
     for (pel_word16 *out = c->out; out != end; u += du, v += dv)
-        *out++ = texel16(p, (int32_t)(u >> 32), (int32_t)(v >> 32));
+        *out++ =
+            texel16(memory, stride, (int32_t)(u >> 32), (int32_t)(v >> 32));
 }
 
 #endif
@@ -163,11 +167,13 @@ static PEL_NOINLINE void copy_masked_run(const struct copy *c,
 {
     const struct pel_texture *p = c->paint;
     const int32_t u_mask = p->width - 1, v_mask = p->height - 1;
+    const uint8_t *const memory = p->memory;
+    const int32_t stride = p->stride;
     const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
     uint64_t u = a->u.at, v = a->v.at;
     pel_word16 *const end = c->end;
     for (pel_word16 *out = c->out; out != end; u += du, v += dv)
-        *out++ = texel16(p, (int32_t)(u >> 32) & u_mask,
+        *out++ = texel16(memory, stride, (int32_t)(u >> 32) & u_mask,
                          (int32_t)(v >> 32) & v_mask);
 }
 
@@ -176,7 +182,8 @@ static PEL_NOINLINE void copy_outer_run(const struct copy *c,
 {
     const struct pel_texture *p = c->paint;
     for (pel_word16 *out = c->out; out != c->end; out++) {
-        *out = texel16(p, in_picture(&a->u), in_picture(&a->v));
+        *out =
+            texel16(p->memory, p->stride, in_picture(&a->u), in_picture(&a->v));
         pel_texture_axes_step(a, p);
     }
 }
