@@ -76,7 +76,7 @@ list_limit()
             echo $limit
             return
         }
-    done
+    done 2>/dev/null
     cat "$work/unchanged.txt" >&2
     die "$tests/$1/tests/$2 fails without any change of core, or takes 4 s"
 }
