@@ -49,7 +49,9 @@ $(BUILD)/examples/%: examples/%.c $(BUILD)/libpel.a
 
 .PHONY: examples
 examples: $(EXAMPLE_PROGRAMS) ## build and run the examples
-	set -e; for e in $(EXAMPLE_PROGRAMS); do $$e; done
+	$(BUILD)/examples/bands
+	@set -e; for e in $(filter-out %/bands,$(EXAMPLE_PROGRAMS)); do \
+	    $$e >$$e.ppm; echo "$$e.ppm"; done
 
 clean: ## remove build/
 	rm -rf $(BUILD)

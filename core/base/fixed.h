@@ -13,15 +13,17 @@
 #define PEL_COORDINATE_MIN INT32_C(-8388608)
 #define PEL_COORDINATE_MAX INT32_C(8388607)
 
-/* n whole pixels, -32,768..32,767, in sub-pixels, for constant expressions too;
- * half a pixel more is + 128. */
-#define PEL_PX(n) ((int32_t)(n)*256)
+/* n pixels, -32,768 to 32,767, in sub-pixels, for constant expressions too. A
+ * constant may have a fraction, PEL_PX(7.5), and compiles to a whole number of
+ * sub-pixels: what 1/256 px cannot say is cut off. */
+#define PEL_PX(n) ((int32_t)((n)*256))
 
 struct pel_point {
     int32_t x, y; /* 1/256 px */
 };
 
-/* Initialiser of a point from whole pixels. */
+/* Initialiser of a point from pixels; in an expression, write
+ * (struct pel_point)PEL_AT(x, y). */
 #define PEL_AT(x, y)         \
     {                        \
         PEL_PX(x), PEL_PX(y) \

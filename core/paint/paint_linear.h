@@ -1,4 +1,14 @@
-/* Linear gradients. */
+/* Linear gradients:
+ *
+ *     static const pel_color blues[2] = {PEL_RGB(10, 20, 60),
+ *                                        PEL_RGB(40, 120, 190)};
+ *     static const struct pel_ramp ramp = {blues, 2, PEL_PAD};
+ *     struct pel_linear sky;
+ *     if (pel_linear_init(&sky, top, bottom, &ramp) == PEL_OK)
+ *         pel_circle(&surface, center, radius, &sky.base.paint);
+ *
+ * On formats of 16 bits and less wrap it in a dither (paint_dither.h), or its
+ * steps are seen. */
 #ifndef PEL_PAINT_PAINT_LINEAR_H
 #define PEL_PAINT_PAINT_LINEAR_H
 

@@ -1,5 +1,9 @@
 /* The 3-D pipeline: a mesh, seen by a camera, lit, onto any surface.
  *
+ *     static uint64_t scratch[2000];
+ *     struct pel_mesh mesh;
+ *     pel_mesh_of_asset(&mesh, &duck); // duck.c, by pel import
+ *
  *     static const struct pel_light sun = {
  *         .at = {1, 2, 1}, .directional = true,
  *         .color = {PEL_FACTOR(100), PEL_FACTOR(100), PEL_FACTOR(90)}};
@@ -8,7 +12,7 @@
  *         .ambient_color = {65536, 65536, 65536}, .ambient = PEL_FACTOR(20),
  *         .diffuse = PEL_FACTOR(70), .shininess = 1};
  *     struct pel_scene scene = {
- *         .mesh = &duck,
+ *         .mesh = &mesh,
  *         .camera = {.eye = {0, PEL_UNITS(1), PEL_UNITS(5)},
  *                    .up = {0, 1, 0}, .near = PEL_UNITS(1) / 16,
  *                    .focal = 50, .sensor = {32, 24}},

@@ -13,8 +13,8 @@ typedef int32_t pel_length;
 
 #define PEL_LENGTH_MAX (INT32_C(1) << 30)
 
-/* n units, n a whole number, for constant expressions too. */
-#define PEL_UNITS(n) ((pel_length)(n)*65536)
+/* n units, for constant expressions too; a constant may have a fraction. */
+#define PEL_UNITS(n) ((pel_length)((n)*65536))
 
 /* Parts of unit vectors: 2^-30, from -1 to 1. */
 typedef int32_t pel_cosine;

@@ -36,6 +36,7 @@ layers: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(BUILD)/libpel.a | need-clang ## che
 	    $$c -std=c++11 $(WARNINGS) -I. tests/link/from_cpp.cpp \
 	        $(BUILD)/libpel.a -o $(BUILD)/link/from_cpp && \
 	    $(BUILD)/link/from_cpp || exit 1; done
+	@echo "layers: all of core and its headers are in order"
 
 metrics: | need-format ## lengths of functions and files, parameters, layout
 	tests/tools/metrics.sh
