@@ -240,21 +240,30 @@ enum pel_console_event pel_console_check(void)
     return event;
 }
 
-enum pel_console_event pel_console_wait(int milliseconds)
+enum pel_console_event pel_console_read(int milliseconds, char *keys,
+                                        size_t size, size_t *count)
 {
     struct pollfd lines[2] = {{.fd = console.switches, .events = POLLIN},
                               {.fd = console.state.input, .events = POLLIN}};
-    char key;
+    *count = 0;
     if (!console.taken)
         lines[1].fd = -1;
     int n = poll(lines, 2, milliseconds);
     if (n > 0 && lines[0].revents && pel_console_check() == PEL_CONSOLE_REDRAW)
         return PEL_CONSOLE_REDRAW;
     if (n > 0 && lines[1].revents) {
-        if (read(console.state.input, &key, 1) < 0 &&
-            (errno == EINTR || errno == EAGAIN))
+        const ssize_t got = read(console.state.input, keys, size);
+        if (got < 0 && (errno == EINTR || errno == EAGAIN))
             return PEL_CONSOLE_NOTHING;
+        *count = got > 0 ? (size_t)got : 0;
         return PEL_CONSOLE_KEY;
     }
     return PEL_CONSOLE_NOTHING;
+}
+
+enum pel_console_event pel_console_wait(int milliseconds)
+{
+    char key;
+    size_t count;
+    return pel_console_read(milliseconds, &key, 1, &count);
 }

@@ -21,6 +21,7 @@
 #define PEL_DRIVERS_CONSOLE_LINUX_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "console_linux_state.h"
 
@@ -62,6 +63,11 @@ enum pel_console_event pel_console_check(void);
 
 /* Waits for a key or a redraw, at most `milliseconds`; -1: for ever. */
 enum pel_console_event pel_console_wait(int milliseconds);
+
+/* The same, and keeps the keys: at most `size` >= 1 bytes, as the terminal
+ * sends them; PEL_CONSOLE_KEY with a count of 0: the input has ended. */
+enum pel_console_event pel_console_read(int milliseconds, char *keys,
+                                        size_t size, size_t *count);
 
 /* Repairs a virtual terminal that something left in graphics mode, with a raw
  * keyboard, without echo or without its cursor: text mode, Unicode keyboard,
