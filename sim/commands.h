@@ -11,6 +11,7 @@ enum {
 
 int command_run(int argc, char **argv);
 int command_render(int argc, char **argv);
+int command_view(int argc, char **argv);
 int command_compare(int argc, char **argv);
 int command_import(int argc, char **argv);
 int command_demo(int argc, char **argv);

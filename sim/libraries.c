@@ -8,6 +8,12 @@
 #define WITH_ASSIMP false
 #endif
 
+#ifdef HAVE_SDL2
+#define WITH_SDL2 true
+#else
+#define WITH_SDL2 false
+#endif
+
 #ifdef HAVE_SDL2_IMAGE
 #define WITH_SDL2_IMAGE true
 #else
@@ -36,6 +42,7 @@ const struct library libraries[] = {
     {"pkg-config", "pkg-config", "finds the libraries below at build time",
      WITH_PKG_CONFIG},
     {"assimp", "libassimp-dev", "reads meshes of any format", WITH_ASSIMP},
+    {"SDL2", "libsdl2-dev", "turns meshes in a window (pel view)", WITH_SDL2},
     {"SDL2_image", "libsdl2-image-dev", "reads PNG, JPEG, TGA textures",
      WITH_SDL2_IMAGE},
     {"libpng", "libpng-dev", "writes PNG in place of BMP", WITH_LIBPNG},

@@ -14,6 +14,7 @@ static const struct command commands[] = {
     {"run", "SCRIPT [-o OUT.ppm] [--bands ROWS]", "draw a scene script",
      command_run},
     {"render", "MESH -o OUT.ppm", "draw a mesh", command_render},
+    {"view", "[MESH]", "turn a mesh in a window or on a device", command_view},
     {"compare", "A.ppm B.ppm", "find the differences of two pictures",
      command_compare},
     {"import", "MESH|PICTURE -o ASSET.c", "make an asset for firmware",
@@ -56,8 +57,8 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < COMMAND_COUNT; i++)
         if (strcmp(argv[1], commands[i].name) == 0)
             return run_command(&commands[i], argc - 1, argv + 1);
-    message_error("unknown command %s: valid are run, render, compare, import, "
-                  "demo, console",
+    message_error("unknown command %s: valid are run, render, view, compare, "
+                  "import, demo, console",
                   argv[1]);
     return STATUS_ERROR;
 }

@@ -1,13 +1,14 @@
-# The host program. assimp, SDL2_image and libpng are each used where
+# The host program. assimp, SDL2, SDL2_image and libpng are each used where
 # pkg-config finds them; without them pel is built all the same, and
 # `pel demo` names what each would add.
 
 PKG_CONFIG ?= pkg-config
 sim_has = $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo $(1))
-SIM_PACKAGES := $(strip $(foreach p,assimp SDL2_image libpng, \
+SIM_PACKAGES := $(strip $(foreach p,assimp sdl2 SDL2_image libpng, \
                           $(call sim_has,$(p))))
 
 sim_define_assimp := -DHAVE_ASSIMP
+sim_define_sdl2 := -DHAVE_SDL2
 sim_define_SDL2_image := -DHAVE_SDL2_IMAGE
 sim_define_libpng := -DHAVE_LIBPNG
 

@@ -1,0 +1,27 @@
+/* Where pel view shows its pictures. */
+#ifndef SIM_VIEW_SHOW_H
+#define SIM_VIEW_SHOW_H
+
+#include "device.h"
+#include "viewer.h"
+
+struct view_job {
+    const struct model *model;
+    const struct stage_settings *settings; /* a size of 0x0: any will do */
+    const struct viewer_options *options;
+    const struct device_options *device;
+};
+
+/* Shows the model in a window, until the user or options->frames ends it; what
+ * was seen is told on standard error then. False, with a message: in a build
+ * without SDL2, which names its package, too. */
+bool view_window(const struct view_job *job);
+
+/* The same on job->device, with keys from the terminal: in the middle of the
+ * screen, black around it. */
+bool view_device(const struct view_job *job);
+
+/* Threads of the pool for --jobs N. */
+int view_jobs(int jobs);
+
+#endif

@@ -1,0 +1,301 @@
+/* What keys, mouse and window sizes do to a view; which keys a terminal's bytes
+ * are. */
+#include "tests/support/check.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "sim/view_keys.h"
+
+/* A view of the built-in mesh. */
+static void make(struct view *view, struct model *model)
+{
+    const struct model_source source = {.path = MESH_BUILTIN};
+    struct stage_settings settings = stage_default;
+    settings.camera.width = 200;
+    settings.camera.height = 100;
+    assert_true(model_load(model, &source));
+    assert_true(view_init(view, &settings, model));
+}
+
+static int setup(void **state)
+{
+    static struct view view;
+    struct model model;
+    make(&view, &model);
+    model_free(&model);
+    *state = &view;
+    return 0;
+}
+
+static void press(struct view *view, const char *keys)
+{
+    for (; *keys; keys++)
+        assert_int_equal(view_key(view, *keys), VIEW_CHANGED);
+}
+
+static void test_shade(void **state)
+{
+    struct view *view = *state;
+    press(view, "f");
+    assert_int_equal(view->settings.shade, STAGE_FLAT);
+    press(view, "p");
+    assert_int_equal(view->settings.shade, STAGE_PHONG);
+    press(view, "g");
+    assert_int_equal(view->settings.shade, STAGE_GOURAUD);
+}
+
+static void test_texture_and_order(void **state)
+{
+    struct view *view = *state;
+    const int textures[] = {STAGE_TEXTURE_NONE, STAGE_TEXTURE_NEAREST,
+                            STAGE_TEXTURE_BILINEAR};
+    for (int i = 0; i < 3; i++) {
+        press(view, "t");
+        assert_int_equal(view->settings.texture, textures[i]);
+    }
+    press(view, "z");
+    assert_int_equal(view->settings.order, STAGE_ZBUFFER32);
+    press(view, "z");
+    assert_int_equal(view->settings.order, STAGE_PAINTER);
+    view->first.order = view->settings.order = STAGE_ZBUFFER16;
+    press(view, "zz");
+    assert_int_equal(view->settings.order, STAGE_ZBUFFER16);
+}
+
+static void test_terms(void **state)
+{
+    struct view *view = *state;
+    view->lit = true;
+    press(view, "a");
+    assert_int_equal(view->settings.terms, STAGE_DIFFUSE | STAGE_SPECULAR);
+    press(view, "ds");
+    assert_int_equal(view->settings.terms, 0);
+    press(view, "sda");
+    assert_int_equal(view->settings.terms, STAGE_ALL_TERMS);
+}
+
+/* The first key of light brings the light and takes nothing from it. */
+static void test_unlit(void **state)
+{
+    const char keys[] = "1adsl";
+    struct view *view = *state;
+    for (int i = 0; keys[i]; i++) {
+        view->lit = false;
+        view->settings.lit = STAGE_LIT_AUTO;
+        assert_int_equal(view_key(view, keys[i]), VIEW_CHANGED);
+        assert_int_equal(view->settings.lit, STAGE_LIT);
+        assert_true(view->lit);
+        assert_int_equal(view->dark, 0);
+        assert_int_equal(view->settings.terms, STAGE_ALL_TERMS);
+    }
+    press(view, "l");
+    assert_int_equal(view->settings.lit, STAGE_UNLIT);
+    press(view, "p"); /* which is light */
+    assert_int_equal(view->settings.lit, STAGE_LIT_AUTO);
+    view->lit = true;
+    assert_int_equal(view_key(view, 'l'), VIEW_NOTHING);
+}
+
+static void test_lights(void **state)
+{
+    struct view *view = *state;
+    struct stage_settings s;
+    view->lit = true;
+    view->first.lights = 3;
+    for (int i = 0; i < 3; i++)
+        view->first.light[i] = (struct stage_light){.color = {1, 2, 3}};
+    view_reset(view);
+    press(view, "13");
+    view_settings(view, 200, 100, &s);
+    assert_int_equal(s.lights, 3);
+    assert_true(s.light[0].color[0] == 0 && s.light[0].color[2] == 0);
+    assert_true(s.light[1].color[0] == 1 && s.light[1].color[2] == 3);
+    assert_true(s.light[2].color[1] == 0);
+    press(view, "1");
+    view_settings(view, 200, 100, &s);
+    assert_true(s.light[0].color[2] == 3);
+    assert_int_equal(view_key(view, '4'), VIEW_NOTHING);
+    assert_int_equal(view_key(view, '9'), VIEW_NOTHING);
+    assert_int_equal(view_key(view, '0'), VIEW_NOTHING);
+}
+
+/* The light of those who name none can be switched off, too. */
+static void test_own_light(void **state)
+{
+    struct view *view = *state;
+    struct stage_settings s;
+    view->lit = true;
+    view_settings(view, 200, 100, &s);
+    assert_int_equal(s.lights, 0);
+    press(view, "1");
+    view_settings(view, 200, 100, &s);
+    assert_int_equal(s.lights, 1);
+    assert_true(s.light[0].color[0] == 0);
+    assert_int_equal(view_key(view, '2'), VIEW_NOTHING);
+}
+
+static void test_turn(void **state)
+{
+    struct view *view = *state;
+    struct stage_settings s;
+    assert_int_equal(view_key(view, VIEW_KEY_RIGHT), VIEW_CHANGED);
+    assert_true(view->spin > 0 && view->spin < 0.1);
+    assert_int_equal(view_key(view, VIEW_KEY_LEFT), VIEW_CHANGED);
+    assert_int_equal(view_key(view, VIEW_KEY_LEFT), VIEW_CHANGED);
+    assert_true(view->spin > 0.9 && view->spin < 1);
+    view->spin = 0.25;
+    view->settings.turn[1] = 60000;
+    view_settings(view, 200, 100, &s);
+    assert_int_equal(s.turn[1], (60000 + 16384) % 65536);
+    press(view, " ");
+    assert_true(view->turning);
+    press(view, " ");
+    assert_false(view->turning);
+}
+
+static double height_of_eye(const struct view *view, double *distance)
+{
+    struct stage_settings s;
+    double square = 0;
+    view_settings(view, 200, 100, &s);
+    for (int k = 0; k < 3; k++)
+        square += pow(s.camera.eye[k] - s.camera.target[k], 2);
+    *distance = sqrt(square);
+    return s.camera.eye[1] - s.camera.target[1];
+}
+
+/* Up and down keep the distance and stop before the zenith and the nadir; what
+ * was stopped comes back with the first key. */
+static void test_tilt(void **state)
+{
+    struct view *view = *state;
+    double distance, now;
+    const double start = height_of_eye(view, &distance);
+    for (int i = 0; i < 40; i++)
+        view_key(view, VIEW_KEY_DOWN);
+    const double top = height_of_eye(view, &now);
+    assert_true(fabs(now - distance) < 1e-9 * distance);
+    assert_true(top > start && top < distance && top > 0.99 * distance);
+    view_key(view, VIEW_KEY_UP);
+    assert_true(height_of_eye(view, &now) < top);
+    for (int i = 0; i < 40; i++)
+        view_key(view, VIEW_KEY_UP);
+    assert_true(height_of_eye(view, &now) < -0.99 * distance);
+}
+
+static void test_zoom(void **state)
+{
+    struct view *view = *state;
+    double distance, now;
+    height_of_eye(view, &distance);
+    press(view, "+");
+    height_of_eye(view, &now);
+    assert_true(now < distance);
+    press(view, "--");
+    height_of_eye(view, &now);
+    assert_true(now > distance);
+    for (int i = 0; i < 100; i++)
+        press(view, "=");
+    height_of_eye(view, &now);
+    assert_true(fabs(now - distance / 8) < 1e-9 * distance);
+}
+
+/* Another shape of window shows what the first did, and more. */
+static void test_sizes(void **state)
+{
+    struct view *view = *state;
+    const struct camera *first = &view->first.camera;
+    struct stage_settings s;
+    view_settings(view, 400, 100, &s);
+    assert_int_equal(s.camera.width, 400);
+    assert_true(s.camera.sensor[0] == 2 * first->sensor[0]);
+    assert_true(s.camera.sensor[1] == first->sensor[1]);
+    view_settings(view, 100, 100, &s);
+    assert_true(s.camera.sensor[0] == first->sensor[0]);
+    assert_true(s.camera.sensor[1] == 2 * first->sensor[1]);
+}
+
+/* What nobody touched is what `pel render` draws. */
+static void test_first(void **state)
+{
+    struct view *view = *state;
+    struct stage_settings s;
+    press(view, "+- tzf");
+    view_key(view, VIEW_KEY_UP);
+    view_key(view, VIEW_KEY_RIGHT);
+    press(view, "r");
+    view_settings(view, 200, 100, &s);
+    assert_memory_equal(s.camera.eye, view->first.camera.eye,
+                        sizeof(s.camera.eye));
+    assert_memory_equal(s.camera.sensor, view->first.camera.sensor,
+                        sizeof(s.camera.sensor));
+    assert_int_equal(s.camera.has_sensor, view->first.camera.has_sensor);
+    assert_int_equal(s.turn[1], 0);
+    assert_int_equal(s.shade, STAGE_GOURAUD);
+    assert_int_equal(s.texture, STAGE_TEXTURE_BILINEAR);
+    assert_int_equal(s.order, STAGE_PAINTER);
+    assert_true(view->turning);
+}
+
+static void test_others(void **state)
+{
+    struct view *view = *state;
+    struct view before;
+    memcpy(&before, view, sizeof(before));
+    assert_int_equal(view_key(view, 'w'), VIEW_SAVE);
+    assert_int_equal(view_key(view, 'q'), VIEW_END);
+    assert_int_equal(view_key(view, VIEW_KEY_ESCAPE), VIEW_END);
+    for (int key = -1; key < 400; key++)
+        if (key < 0 || key >= VIEW_KEY_UNKNOWN ||
+            !strchr("fgptzr+=-  123456789adslwq\033", key))
+            if (key < VIEW_KEY_LEFT || key >= VIEW_KEY_UNKNOWN)
+                assert_int_equal(view_key(view, key), VIEW_NOTHING);
+    assert_memory_equal(&before, view, sizeof(before));
+}
+
+static void test_terminal(void **state)
+{
+    static const char bytes[] = "q\033[A\033OB\033[1;5C\033[C\033[D\033[3~\033";
+    static const int keys[] = {'q',
+                               VIEW_KEY_UP,
+                               VIEW_KEY_DOWN,
+                               VIEW_KEY_UNKNOWN,
+                               VIEW_KEY_RIGHT,
+                               VIEW_KEY_LEFT,
+                               VIEW_KEY_UNKNOWN,
+                               VIEW_KEY_ESCAPE};
+    size_t at = 0, used = 0;
+    (void)state;
+    for (size_t i = 0; i < sizeof(keys) / sizeof(keys[0]); i++) {
+        assert_true(at < sizeof(bytes) - 1);
+        assert_int_equal(
+            view_terminal_key(bytes + at, sizeof(bytes) - 1 - at, &used),
+            keys[i]);
+        at += used;
+    }
+    assert_int_equal(at, sizeof(bytes) - 1);
+    assert_int_equal(view_terminal_key("\033[", 2, &used), VIEW_KEY_UNKNOWN);
+    assert_int_equal(used, 2);
+    assert_int_equal(view_terminal_key("\344", 1, &used), 0344);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup(test_shade, setup),
+        cmocka_unit_test_setup(test_texture_and_order, setup),
+        cmocka_unit_test_setup(test_terms, setup),
+        cmocka_unit_test_setup(test_unlit, setup),
+        cmocka_unit_test_setup(test_lights, setup),
+        cmocka_unit_test_setup(test_own_light, setup),
+        cmocka_unit_test_setup(test_turn, setup),
+        cmocka_unit_test_setup(test_tilt, setup),
+        cmocka_unit_test_setup(test_zoom, setup),
+        cmocka_unit_test_setup(test_sizes, setup),
+        cmocka_unit_test_setup(test_first, setup),
+        cmocka_unit_test_setup(test_others, setup),
+        cmocka_unit_test(test_terminal),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
