@@ -133,11 +133,15 @@ static bool run(const struct view_options *o)
                                 "`pel render` draws it");
     if (!model_load(&model, &o->stage.source))
         return false;
-    if (o->viewer.frames == 0)
-        fputs(view_keys_help, stderr);
     const bool done = o->device.name ? view_device(&job) : view_window(&job);
     model_free(&model);
     return done;
+}
+
+void view_tell_keys(const struct viewer_options *o)
+{
+    if (o->frames == 0)
+        fputs(view_keys_help, stderr);
 }
 
 int view_jobs(int jobs)

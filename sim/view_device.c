@@ -147,6 +147,7 @@ bool view_device(const struct view_job *job)
         return fails(&s);
     tell(&s.linux.note);
     tell(&s.linux.console);
+    view_tell_keys(job->options);
     const bool done = run_viewer(&s, job);
     pel_display_linux_close(&s.linux);
     if (done) {

@@ -21,7 +21,10 @@ bool view_window(const struct view_job *job);
  * screen, black around it. */
 bool view_device(const struct view_job *job);
 
-/* Threads of the pool for --jobs N. */
+/* For the two: prints the keys when there is a user. */
+void view_tell_keys(const struct viewer_options *options);
+
+/* Threads of their pool for --jobs N. */
 int view_jobs(int jobs);
 
 #endif

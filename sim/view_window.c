@@ -156,6 +156,7 @@ static void rename_window(struct window *w)
 static bool run(struct window *w)
 {
     struct viewer *viewer = w->viewer;
+    view_tell_keys(viewer->options);
     while (!viewer_is_over(viewer)) {
         if (!handle_all(w))
             return false;

@@ -156,7 +156,7 @@ bool viewer_save_new(const struct pel_surface *surface)
 static void put_speed(const struct viewer *viewer, char text[48])
 {
     text[0] = '\0';
-    if (viewer->rate.fps > 0)
+    if (viewer->view.turning && viewer->rate.fps > 0)
         snprintf(text, 48, "%.1f fps (drawing %.1f ms), ", viewer->rate.fps,
                  viewer->rate.milliseconds);
 }

@@ -254,6 +254,31 @@ static void test_others(void **state)
     assert_memory_equal(&before, view, sizeof(before));
 }
 
+/* The farthest that keys lead to can be drawn. */
+static void test_extremes(void **state)
+{
+    static const int tilts[] = {VIEW_KEY_UP, VIEW_KEY_DOWN};
+    struct view *view = *state;
+    struct stage_settings s;
+    struct model model;
+    struct stage stage;
+    make(view, &model);
+    assert_true(stage_init(&stage, &model));
+    for (int i = 0; i < 8; i++) {
+        view_reset(view);
+        view->first.camera.projection =
+            i & 4 ? PEL_ORTHOGRAPHIC : PEL_PERSPECTIVE;
+        for (int k = 0; k < 40; k++) {
+            press(view, i & 1 ? "+" : "-");
+            view_key(view, tilts[i >> 1 & 1]);
+        }
+        view_settings(view, i & 1 ? 3000 : 200, 20, &s);
+        assert_true(stage_prepare(&stage, &s));
+    }
+    stage_free(&stage);
+    model_free(&model);
+}
+
 static void test_terminal(void **state)
 {
     static const char bytes[] = "q\033[A\033OB\033[1;5C\033[C\033[D\033[3~\033";
@@ -295,6 +320,7 @@ int main(void)
         cmocka_unit_test_setup(test_sizes, setup),
         cmocka_unit_test_setup(test_first, setup),
         cmocka_unit_test_setup(test_others, setup),
+        cmocka_unit_test_setup(test_extremes, setup),
         cmocka_unit_test(test_terminal),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

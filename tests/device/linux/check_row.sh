@@ -72,9 +72,11 @@ compare() { # NAME SCENE FORMAT WIDTH HEIGHT DAC_BITS
         width=$(echo "$2" | cut -d_ -f2) height=$(echo "$2" | cut -d_ -f3) ;;
     esac
     sed "s/^canvas .*/canvas $width $height $3/" "$source" > "$share/scene.pel"
-    if [ "$2" = mesh ]; then
+    if [ "$2" = mesh ] || [ "$2" = view ]; then
+        shade=gouraud
+        [ "$2" = mesh ] || shade=phong
         "$build/../pel" render builtin:vase --size "$4x$5" --format "$3" \
-            -o "$share/expected.ppm" || return
+            --shade $shade -o "$share/expected.ppm" || return
     else
         "$build/../pel" run "$share/scene.pel" -o "$share/expected.ppm" ||
             return

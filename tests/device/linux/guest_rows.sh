@@ -95,6 +95,7 @@ row_faults_drm() {
 row_virtio() {
     mode 32 xrgb8888 8 fb:/dev/fb0
     mesh fb:/dev/fb0
+    view fb:/dev/fb0
     pictures drm xrgb8888 8 drm:/dev/dri/card0
 }
 
@@ -161,6 +162,39 @@ mesh() { # DEVICE
     scene=mesh
     picture mesh xrgb8888 8 $pel render builtin:vase \
         --size "${width}x$height" --device "$1" --jobs 3
+}
+
+# A view that keys turned into another picture: once 'w' is told, so is all that
+# came before; then one that turns and ends by itself.
+view() { # DEVICE
+    scene=view name=$row-view
+    cd /tmp || exit 2
+    start $pel view builtin:vase --still --device "$1" --jobs 2
+    wait_drawn
+    press right
+    press r
+    press p
+    press w
+    n=0
+    until grep -q '^written: view-001' $log || [ $n -ge 300 ]; do
+        usleep 100000
+        n=$((n + 1))
+    done
+    wait_drawn || fail "$name: $(cat $log)"
+    settle
+    dump "$name"
+    echo "$name $scene xrgb8888 $width $height 8" >> /mnt/manifest
+    press q
+    wait $pid
+    status=$?
+    [ $status = 0 ] && grep -q 'triangles, Phong, lit' $log ||
+        fail "$name: status $status: $(cat $log)"
+    start $pel view builtin:vase --frames 3 --step 30 --device "$1" --jobs 2
+    wait $pid
+    status=$?
+    [ $status = 0 ] && grep -q '^3 frames' $log ||
+        fail "$name: status $status: $(cat $log)"
+    cd /mnt || exit 2
 }
 
 # The kernel says yes to 16 bits and changes nothing: what it then tells counts.
