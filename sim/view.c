@@ -1,6 +1,7 @@
 /* pel view: turns a mesh in a window or on a device. */
 #include <errno.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "arguments.h"
 #include "commands.h"
@@ -117,21 +118,31 @@ static const struct argp parser = {
     .doc = "Turns a mesh in a window, or on a device.\v"
            "MESH is a file that assimp reads, or " MESH_BUILTIN
            " (when left out). The size is that of the screen on a device, "
-           "800x800 in a window, unless --size names one.",
+           "800x800 in a window, unless --size names one; --jobs is 0 unless "
+           "given.",
     .children = children,
     .help_filter = filter_help,
 };
+
+static bool check(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    if (dot && strcmp(dot, ".pel") == 0)
+        return message_error_at(path, 0,
+                                "is a scene script; `pel run` draws it, and a "
+                                "mesh would be right");
+    return !pel2d_is_file(path) ||
+           message_error_at(path, 0,
+                            "is projected already and cannot be turned: "
+                            "`pel render` draws it");
+}
 
 static bool run(const struct view_options *o)
 {
     struct model model;
     const struct view_job job = {&model, &o->stage.settings, &o->viewer,
                                  &o->device};
-    if (pel2d_is_file(o->stage.source.path))
-        return message_error_at(o->stage.source.path, 0,
-                                "is projected already and cannot be turned: "
-                                "`pel render` draws it");
-    if (!model_load(&model, &o->stage.source))
+    if (!check(o->stage.source.path) || !model_load(&model, &o->stage.source))
         return false;
     const bool done = o->device.name ? view_device(&job) : view_window(&job);
     model_free(&model);

@@ -40,6 +40,8 @@ static bool fit(struct window *w)
     int width, height;
     if (SDL_GetRendererOutputSize(w->renderer, &width, &height) != 0)
         return fails("the window's size is not known");
+    width = pel_max(width, 1);
+    height = pel_max(height, 1);
     if (w->canvas.memory && had->x1 == width && had->y1 == height)
         return true;
     canvas_free(&w->canvas);

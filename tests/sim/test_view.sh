@@ -71,6 +71,7 @@ refuse "turn" --turning --frames 1
 refuse "picture.gif" --frames 1 -o picture.gif
 echo 'pel2d 0 0' >"$dir/a.pel2d"
 refuse "a.pel2d: is projected already and cannot be turned" "$dir/a.pel2d"
+refuse "scene.pel: is a scene script; " scene.pel
 refuse "without light, flat or gouraud would be right" --frames 1 \
     --shade phong --unlit
 refuse "/dev/null is no framebuffer device" --device fb:/dev/null
