@@ -136,7 +136,8 @@ static bool handle(struct window *w, const SDL_Event *event)
 /* What has come; when there is nothing to draw, what comes in a moment. */
 static bool handle_all(struct window *w)
 {
-    const bool busy = w->viewer->stale || w->viewer->view.turning;
+    const struct viewer *viewer = w->viewer;
+    const bool busy = viewer->view.turning || viewer->options->frames > 0;
     SDL_Event event;
     if (!SDL_WaitEventTimeout(&event, busy ? 0 : IDLE_MS))
         return true;
@@ -155,21 +156,20 @@ static void rename_window(struct window *w)
     w->renamed = false;
 }
 
+/* The first picture is there before the first key. */
 static bool run(struct window *w)
 {
     struct viewer *viewer = w->viewer;
     view_tell_keys(viewer->options);
     while (!viewer_is_over(viewer)) {
-        if (!handle_all(w))
-            return false;
-        if (viewer->over)
-            break;
         if (viewer_advance(viewer))
             w->renamed = true;
         if (viewer->stale && !draw(w))
             return false;
         if (w->renamed)
             rename_window(w);
+        if (!handle_all(w))
+            return false;
     }
     return viewer_save_last(viewer, &w->canvas.surface);
 }

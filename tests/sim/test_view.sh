@@ -47,18 +47,22 @@ size='--size 160x120'
     equal "a camera" "--frames 1" "" $size --eye 1,4,3 --target 0,0.5,0 \
         --focal 35 --sensor 36x36 --near 0.5
 }
-"$PEL" view --frames 2 --step 30 $size -o "$dir/view.png" 2>"$dir/told" ||
+"$PEL" view --frames 2 --step 30 --size 99x44 -o "$dir/view.bmp" 2>"$dir/told" ||
     fail "no mesh: $(cat "$dir/told")"
 grep -q '^2 frames, [0-9.]* fps, drawing [0-9.]* ms a frame$' "$dir/told" ||
     fail "the rate is not told: $(cat "$dir/told")"
 
-# refuse MESSAGE ARGUMENTS...: status 2, and one line on standard error.
+# refuse MESSAGE ARGUMENTS...: status 2, and one line on standard error, beside
+# argp's own hint.
 refuse() {
     message=$1
     shift
     status=0
     "$PEL" view "$@" >"$dir/out" 2>"$dir/told" </dev/null || status=$?
-    [ $status = 2 ] && [ ! -s "$dir/out" ] && grep -qF -e "$message" "$dir/told" ||
+    # shellcheck disable=SC2015
+    [ $status = 2 ] && [ ! -s "$dir/out" ] &&
+        [ "$(grep -vc "^Try .pel view --help" "$dir/told")" = 1 ] &&
+        grep -qF -e "$message" "$dir/told" ||
         fail "pel view $*: status $status: $(cat "$dir/told")"
 }
 
