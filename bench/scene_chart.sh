@@ -6,7 +6,7 @@ set -eu
 csv=$1
 png=$2
 if ! command -v gnuplot >/dev/null; then
-    echo "No chart: gnuplot is not installed (Debian package gnuplot)."
+    echo "No chart: gnuplot is not installed (Debian package gnuplot-nox)."
     exit 0
 fi
 data=$(mktemp -d)

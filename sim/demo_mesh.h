@@ -15,8 +15,9 @@ bool demo_mesh_load(struct mesh *mesh, struct model_source *source,
 /* The same as a model, with its texture; the vase gets a generated one. */
 bool demo_mesh_model(struct model *model, struct demo_result *result);
 
-/* Adds a picture of a texture with squares of two colours and rings, when the
- * model has none; the note says so. */
+/* Adds a texture, a board of squares in two colours, when the model has none;
+ * the note says so. False, with a message, when it has no uv, or there is no
+ * memory. */
 bool demo_mesh_add_texture(struct model *model, struct demo_result *result);
 
 /* Draws the model: clears, prepares and draws, and takes the time of all. */

@@ -54,23 +54,23 @@ struct pel_format {
     uint8_t bits; /* of a pixel: 1, 4, 8, 16, 24 or 32 */
     uint8_t word; /* bytes that pixels and stride are a multiple of */
 
-    /* Colour (alpha ignored) to pixel and back (opaque). 8 to n bits truncates,
-     * n to 8 replicates: pack(unpack(p)) == p. X bits are set. */
+    /* Colour (alpha ignored) to pixel and back (opaque, but for argb8888). 8 to
+     * n bits truncates, n to 8 replicates: pack(unpack(p)) == p for every p
+     * that pack makes. X bits are set. */
     uint32_t (*pack)(pel_color color);
     pel_color (*unpack)(uint32_t pixel);
 
     /* One opaque pixel value into every run. */
     void (*fill)(const struct pel_rows *rows, uint32_t pixel);
 
-    /* The color over every run, weighted by its alpha, which is below
-     * 255; 0 leaves every bit as it is. NULL in the
-     * fill-only twins, like put and load: what needs them draws nothing there.
-     */
+    /* The color over every run, weighted by its alpha, which is below 255; 0
+     * leaves every bit as it is. NULL in the fill-only twins, like put and
+     * load: what needs them draws nothing there. */
     void (*blend)(const struct pel_rows *rows, pel_color color);
 
     /* n >= 1 colours over the pixels (x, y) to (x + n - 1, y) of the surface,
      * each weighted by its alpha: 255 stores it, 0 leaves the pixel untouched,
-     * the others are pel_mix'ed. load gives opaque colours. */
+     * the others are pel_mix'ed. load gives what unpack makes of each pixel. */
     void (*put)(const struct pel_surface *surface, int32_t x, int32_t y,
                 int32_t n, const pel_color *colors);
     void (*load)(const struct pel_surface *surface, int32_t x, int32_t y,

@@ -24,14 +24,12 @@
  *
  * Ranges. |dx| < 2^24, 0 < dy < 2^24. t <= dy because the row lies below a and
  * above b, so |t q| <= |dx| + t < 2^25 and A fits 27 bits. 0 <= m < 2 dy: one
- * correction. In 32 bits m is computed in parts of 8 and 16 bits: Af (dy >> 8)
- * and t (r >> 8) are below 2^24, the rest below 2^17 + 2^24. So 32 bits carry
- * the full range. */
+ * correction. What m is the floor of takes 33 bits, of which pel_edge_carry
+ * keeps the last in a carry. So 32 bits carry the full range. */
 #ifndef PEL_RASTER_EDGE_H
 #define PEL_RASTER_EDGE_H
 
 #include "../base/fixed.h"
-#include "../pel_config.h"
 
 struct pel_edge {
     int32_t x;    /* first pixel on or right of the edge, in this row */

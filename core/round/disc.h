@@ -1,6 +1,7 @@
 /* The exact walk over the rows of a disc: for every row the run of pixels whose
- * centre lies within. Circles, rings, ellipses and the corners of rounded
- * rectangles share it.
+ * centre lies within. Rings, sectors, ellipses, the corners of rounded
+ * rectangles, and outlines share it; a filled circle makes rows of its own from
+ * the same walk of one side (disc_side.h).
  *
  * In row y the disc holds the columns at a distance u from its centre with
  * u^2 <= reach, where reach is radius^2 - v^2 for a circle and v the distance

@@ -69,7 +69,7 @@ struct pel_scene {
 };
 
 /* Bytes of scratch memory for a frame of the scene: 16 a vertex, 8 a triangle,
- * 40 a light, and about 1,200. 0 without a mesh. */
+ * 40 a light, and 1,100 to 1,300. 0 without a mesh. */
 size_t pel_scene_scratch_size(const struct pel_scene *scene);
 
 /* Sets up a picture: places and lights every vertex, sorts the triangles. The

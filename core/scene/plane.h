@@ -25,11 +25,10 @@ struct pel_plane_setup {
 bool pel_plane_start(struct pel_plane_setup *setup,
                      const struct pel_point v[3]);
 
-/* The plane with value[i] at v[i], which and whose differences fit 31 bits and
- * a sign. At pixels inside the
- * triangle it is off by less than 2^-6, and when the triangle is thinner than
- * 1/256 px by less than 2^-17 of the largest value. The order of the vertices
- * does not matter. */
+/* The plane with value[i] at v[i]; the values and their differences fit 32
+ * bits. At pixels inside the triangle it is off by less than 2^-6, and when the
+ * triangle is thinner than 1/256 px by less than 2^-17 of the largest value.
+ * The order of the vertices does not matter. */
 void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
                    const int32_t value[3]);
 

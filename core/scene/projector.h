@@ -33,12 +33,11 @@ struct pel_projector {
     struct pel_mesh_quantum quantum;
 };
 
-/* PEL_ERROR_SIZE: an empty
- * viewport, or one beyond +-32,767 px, or a focal length or sensor out of
- * range, or of an extent that makes more than 65,536 or less than 1/256 pixel
- * of a unit at distance 1; PEL_ERROR_RANGE: pel_camera_basis, or `near` is
- * not above 0, or more than 2^28 times smaller than the farthest a vertex of
- * the mesh could be away. */
+/* PEL_ERROR_SIZE: an empty viewport, or one beyond +-32,767 px, or a focal
+ * length or sensor out of range, or of an extent that makes more than 65,536 or
+ * less than 1/256 pixel of a unit at distance 1; PEL_ERROR_RANGE:
+ * pel_camera_basis, or `near` is not above 0, or more than 2^28 times smaller
+ * than the farthest a vertex of the mesh could be away. */
 enum pel_status pel_projector_init(struct pel_projector *projector,
                                    const struct pel_mesh *mesh,
                                    const struct pel_pose *pose,
