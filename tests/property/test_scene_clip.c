@@ -152,7 +152,7 @@ static void test_clipped_triangles_leave_no_gap(void **state)
     }
     print_message("%llu pixels, %llu pictures with triangles that are cut\n",
                   (unsigned long long)seen, (unsigned long long)clipped);
-    assert_true(seen > 0);
+    assert_true(seen > 0 && clipped > 0);
 }
 
 /* Far from the middle of the mesh's numbers, and near to the eye: a place that
