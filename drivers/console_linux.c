@@ -194,11 +194,6 @@ void pel_console_restore_framebuffer(void)
         pel_console_state_restore_framebuffer(&console.state);
 }
 
-bool pel_console_is_terminal(void)
-{
-    return console.taken && console.state.tty >= 0;
-}
-
 /* The number of the signal that came, or 0. */
 static uint32_t next_switch(void)
 {

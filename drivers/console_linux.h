@@ -53,9 +53,6 @@ void pel_console_give_back(void);
  * shown. */
 void pel_console_restore_framebuffer(void);
 
-/* Is the console of this process a virtual terminal? */
-bool pel_console_is_terminal(void);
-
 /* Lets a terminal switch happen that was asked for, and returns when this
  * terminal is shown again: PEL_CONSOLE_REDRAW, otherwise PEL_CONSOLE_NOTHING.
  * Called whenever no thread draws; costs one system call. */

@@ -1,5 +1,4 @@
 /* pel console: repairs a console that a program left broken. */
-#include <string.h>
 
 #include "arguments.h"
 #include "commands.h"

@@ -1,6 +1,5 @@
 /* pel compare: where two pictures differ. */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "arguments.h"

@@ -1,6 +1,5 @@
 /* Glyph Bitmap Distribution Format, Adobe Technical Note 5005 (versions 2.1 and
  * 2.2). Vertical writing is read over. */
-#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 

@@ -1,5 +1,4 @@
 /* PC Screen Font, the Linux console's, versions 1 and 2 (kbd's psf.h). */
-#include <string.h>
 
 #include "font.h"
 #include "message.h"

@@ -1,7 +1,5 @@
 #include "import.h"
 
-#include <string.h>
-
 #include "canvas.h"
 #include "core/asset/image_asset.h"
 #include "format_names.h"

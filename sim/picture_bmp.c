@@ -1,7 +1,6 @@
 /* BMP with a BITMAPINFOHEADER, 24 bits, rows from the bottom, each padded to
  * 4 bytes; all numbers little-endian. */
 #include <stdlib.h>
-#include <string.h>
 
 #include "picture_file.h"
 

@@ -60,7 +60,7 @@ static uint32_t mean_of(uint32_t a, uint32_t b, uint32_t c)
     return (a + b + c + 1) / 3;
 }
 
-pel_color painter_mean(const pel_color color[3])
+static pel_color mean_color(const pel_color color[3])
 {
     pel_color a = color[0], b = color[1], c = color[2];
     return PEL_RGB(mean_of(pel_red(a), pel_red(b), pel_red(c)),
@@ -72,7 +72,7 @@ static void draw_flat(const struct painter *painter,
                       const struct pel_surface *surface,
                       const struct pel_point at[3], const pel_color color[3])
 {
-    const struct pel_flat flat = PEL_FLAT(painter_mean(color));
+    const struct pel_flat flat = PEL_FLAT(mean_color(color));
     if (painter->lines)
         pel_triangle_or_line(surface, at, &flat.paint);
     else

@@ -24,9 +24,6 @@ struct painter {
 bool painter_init(struct painter *painter, const struct pel2d *flat);
 void painter_free(struct painter *painter);
 
-/* The mean of three opaque colours, per channel to the nearest. */
-pel_color painter_mean(const pel_color color[3]);
-
 /* Draws all triangles; `context` is the struct painter (canvas_draw). */
 void painter_draw(struct pel_surface *surface, void *context);
 

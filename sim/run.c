@@ -1,5 +1,4 @@
 /* pel run: draws a scene script. */
-#include <stdlib.h>
 
 #include "arguments.h"
 #include "commands.h"

@@ -1,7 +1,6 @@
 #include "stage_world.h"
 
 #include <math.h>
-#include <string.h>
 
 #define WORLD 16384.0      /* units each way, as core has them */
 #define NEAREST (1 / 16.0) /* of an eye, if nothing is to be scaled */

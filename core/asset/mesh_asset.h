@@ -77,14 +77,6 @@ static inline enum pel_status pel_mesh_asset_check(
     return PEL_OK;
 }
 
-/* Vertex of corner 0..2 of a triangle. */
-static inline uint32_t pel_mesh_asset_index(const struct pel_mesh_asset *mesh,
-                                            uint32_t triangle, int corner)
-{
-    return mesh->indices16 ? mesh->indices16[triangle][corner]
-                           : mesh->indices32[triangle][corner];
-}
-
 /* The numerator of quantised number q of an axis: divided by 2^shift it is the
  * coordinate. */
 static inline int32_t pel_mesh_quantum_value(

@@ -18,9 +18,6 @@ typedef uint8_t pel_word8;
 typedef uint16_t PEL_MAY_ALIAS pel_word16;
 typedef uint32_t PEL_MAY_ALIAS pel_word32;
 
-typedef uint32_t pel_pack_function(pel_color color);
-typedef pel_color pel_unpack_function(uint32_t pixel);
-
 static inline uint32_t pel_swap16(uint32_t v)
 {
     return (v << 8 & 0xFF00u) | (v >> 8 & 0xFFu);

@@ -1,7 +1,5 @@
 #include "light.h"
 
-#include <string.h>
-
 /* v^n in 2^-30, 0 <= v <= 2^30. A product is cut by less than 2^-30, and the
  * n - 1 products that n makes of it leave less than n 2^-30. */
 static pel_cosine power(pel_cosine v, int32_t n)

@@ -7,10 +7,9 @@
 
 /* How a texture follows the distance. */
 enum {
-    PEL_SPAN_AFFINE = 0, /* not: u and v are linear on screen */
-    PEL_SPAN_EXACT = 1,  /* divided at every pixel */
-    PEL_SPAN_MAX = 64    /* a power of two: so many pixels, from a multiple of
-                            that on, are linear between divided places */
+    PEL_SPAN_EXACT = 1, /* divided at every pixel */
+    PEL_SPAN_MAX = 64   /* a power of two: so many pixels, from a multiple of
+                           that on, are linear between divided places */
 };
 
 /* Planes over the screen: w, which is proportional to 1 / z and at most 2^30

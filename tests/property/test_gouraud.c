@@ -1,6 +1,5 @@
 /* Interpolated colours against exact fractions: the bound of raster/gouraud.h,
  * before and after rounding. */
-#include <string.h>
 
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"

@@ -1,6 +1,5 @@
 /* Copies between any two formats: every pixel by the rule, none outside the
  * clip or the area, whatever the strides. */
-#include <stdlib.h>
 
 #include "core/format/argb8888.h"
 #include "core/image/copy.h"

@@ -1,7 +1,6 @@
 /* Depths: what is parsed, and the exact order of sums of three. */
 #include "tests/support/check.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #include "sim/mesh_depth.h"

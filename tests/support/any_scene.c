@@ -145,15 +145,13 @@ void any_scene_light(struct random *r, struct any_scene *s)
     s->scene.lighting = &s->lighting;
 }
 
-static void any_uv(struct random *r, struct any_scene *s, int32_t texels_apart,
-                   int32_t side)
+static void any_uv(struct random *r, struct any_scene *s, int32_t side)
 {
-    const int32_t apart = pel_min(texels_apart * (65536 / side), 32767);
     for (uint32_t i = 0; i < s->mesh.vertices; i++)
         for (int k = 0; k < 2; k++)
             s->uv[i][k] =
                 (uint16_t)(i % 3 ? s->uv[i - i % 3][k] +
-                                       random_between(r, -apart, apart)
+                                       random_between(r, -32767, 32767)
                                  : (int32_t)(random_word(r) % 65536));
     s->mesh.uv = (void *)s->uv;
     s->scene.texture = &s->texture;
@@ -164,24 +162,12 @@ static void any_uv(struct random *r, struct any_scene *s, int32_t texels_apart,
                                   .wrap_v = PEL_WRAP_CLAMP};
 }
 
-void any_scene_indices(struct random *r, struct any_scene *s,
-                       int32_t texels_apart)
-{
-    for (int32_t i = 0; i < ANY_TEXELS * ANY_TEXELS; i++) {
-        const uint32_t column = (uint32_t)i % ANY_TEXELS;
-        const uint32_t row = (uint32_t)i / ANY_TEXELS;
-        texels[i] = UINT32_C(0xFF000000) | column << 12 | row;
-    }
-    any_uv(r, s, texels_apart, ANY_TEXELS);
-    s->texture.sampler = pel_texture_init_nearest;
-}
-
 void any_scene_noise(struct random *r, struct any_scene *s, int bits)
 {
     const int32_t side = (int32_t)(UINT32_C(1) << bits);
     for (int32_t i = 0; i < side * side; i++)
         texels[i] = random_word(r) | UINT32_C(0xFF000000);
-    any_uv(r, s, side / 2, side);
+    any_uv(r, s, side);
     s->texture.sampler = pel_texture_init_bilinear;
     s->texture.wrap_u = (enum pel_wrap)random_between(r, 0, 2);
     s->texture.wrap_v = (enum pel_wrap)random_between(r, 0, 2);

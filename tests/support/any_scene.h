@@ -35,12 +35,8 @@ void any_scene(struct random *r, struct any_scene *s, int32_t pixels);
  */
 void any_scene_light(struct random *r, struct any_scene *s);
 
-/* With u and v of random places, about `texels` apart, in a texture whose
- * texels hold their own indices: red and the high half of green are the
- * column, the rest the row. Nearest, in perspective. */
-void any_scene_indices(struct random *r, struct any_scene *s, int32_t texels);
-
-/* With a texture of smooth noise instead, of 2^bits texels a side; bilinear. */
+/* With u and v of random places in a texture of noise, of 2^bits texels a side;
+ * bilinear, in perspective. */
 void any_scene_noise(struct random *r, struct any_scene *s, int bits);
 
 /* Where its mesh stands. */

@@ -44,14 +44,6 @@ bool reference_triangle_at(const struct pel_point v[3], int32_t x, int32_t y)
     return true;
 }
 
-void reference_triangle(const struct pel_point v[3],
-                        const struct pel_rect *window, uint8_t *expected)
-{
-    for (int32_t y = window->y0; y < window->y1; y++)
-        for (int32_t x = window->x0; x < window->x1; x++)
-            *expected++ = reference_triangle_at(v, x, y);
-}
-
 bool reference_disc_at(struct pel_point center, int32_t radius, int32_t x,
                        int32_t y)
 {

@@ -15,10 +15,6 @@ struct fraction {
 /* Is pixel (x, y) in the triangle? Top-left rule; without area: never. */
 bool reference_triangle_at(const struct pel_point v[3], int32_t x, int32_t y);
 
-/* 1 or 0 for every pixel of the window, row by row. */
-void reference_triangle(const struct pel_point v[3],
-                        const struct pel_rect *window, uint8_t *expected);
-
 bool reference_disc_at(struct pel_point center, int32_t radius, int32_t x,
                        int32_t y);
 

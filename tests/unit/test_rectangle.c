@@ -1,5 +1,4 @@
 /* Rectangles and clears: which pixels, which bytes, and what draws nothing. */
-#include <string.h>
 
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"

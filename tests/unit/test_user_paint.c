@@ -1,6 +1,5 @@
 /* A paint that a program brings itself: it is handed rows of every shape, in
  * absolute coordinates, and may take whole triangles. */
-#include <string.h>
 
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"

@@ -1,7 +1,6 @@
 /* The seam of displays and its example, display_memory: bands of memory of the
  * program's own, the defaults, and pictures in other formats. */
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/pel.h"

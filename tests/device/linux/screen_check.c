@@ -5,7 +5,6 @@
  * Status 0 equal, 1 different, 2 error. */
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 struct picture {
     int width, height;
