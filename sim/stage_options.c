@@ -1,6 +1,7 @@
 #include "stage_options.h"
 
 #include <errno.h>
+#include <math.h>
 
 #include "message.h"
 #include "number.h"
@@ -130,7 +131,7 @@ static bool parse_turn(const char *text, struct stage_settings *s)
     if (!option_numbers("--turn", text, &numbers, turn))
         return false;
     for (int k = 0; k < 3; k++)
-        s->turn[k] = (uint16_t)(int32_t)(turn[k] * 65536);
+        s->turn[k] = (uint16_t)lround(turn[k] * 65536);
     return true;
 }
 

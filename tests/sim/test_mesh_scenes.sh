@@ -79,6 +79,10 @@ option mesh transparency 60
 option mesh turn 0.125 0.25 0.5
 mesh builtin:vase
 END
+as --turn 0.3,0.3,0.5 <<'END'
+option mesh turn 0.3 0.3 0.5
+mesh builtin:vase
+END
 as --color '#204060' --unlit <<'END'
 texture four.ppm
 texture own
