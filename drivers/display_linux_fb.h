@@ -56,9 +56,9 @@ struct pel_display_fb {
 enum { PEL_FB_COLORS = 256 };
 
 /* The colour map that a mode of this format needs: red, green and blue of each
- * value. Palettes get 3 bits of red, 3 of green, 2 of blue, as in the index;
- * direct colour a ramp in each channel. The number of entries; 0: none needed.
- */
+ * value. Palettes get 3 bits of red, 3 of green, 2 of blue, as in the index, or
+ * grey; direct colour a ramp in each channel. The number of entries; 0: none
+ * needed. `format` is what pel_fb_format found for the mode. */
 uint32_t pel_fb_color_map(const struct pel_fb_mode *mode,
                           const struct pel_format *format,
                           uint16_t map[3][PEL_FB_COLORS]);

@@ -99,9 +99,10 @@ uint32_t pel_fb_color_map(const struct pel_fb_mode *mode,
 {
     const struct fb_var_screeninfo *v = &mode->variable;
     const bool palette = mode->fixed.visual == FB_VISUAL_PSEUDOCOLOR;
-    uint32_t n = palette ? PEL_FB_COLORS : 1u << v->green.length;
-    if (!palette && mode->fixed.visual != FB_VISUAL_DIRECTCOLOR)
+    if (!palette &&
+        (mode->fixed.visual != FB_VISUAL_DIRECTCOLOR || is_gray(mode)))
         return 0;
+    const uint32_t n = palette ? PEL_FB_COLORS : 1u << v->green.length;
     for (uint32_t i = 0; i < n; i++) {
         pel_color c = palette ? format->unpack(i) : 0;
         map[0][i] =

@@ -174,6 +174,12 @@ static int check_color_maps(void)
     mode.variable.bits_per_pixel = 8;
     mode.fixed.visual = FB_VISUAL_PSEUDOCOLOR;
     bad += check_color(&mode, 256, 5 << 5 | 2 << 2 | 1, palette);
+    /* Grey, from a driver that fills in no channels. */
+    mode.fixed.visual = FB_VISUAL_DIRECTCOLOR;
+    mode.variable.grayscale = 1;
+    mode.variable.red.length = mode.variable.blue.length = 0;
+    mode.variable.green.length = 32;
+    bad += check_color(&mode, 0, 0, none);
     mode = mode_of(&rows[0]);
     mode.variable.bits_per_pixel = 8;
     mode.fixed.visual = FB_VISUAL_DIRECTCOLOR;
