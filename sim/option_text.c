@@ -6,13 +6,16 @@
 
 #include "message.h"
 
+/* strtod also takes blanks before a number, hexadecimal ones, and words. */
 static bool parse(const char *text, const struct option_numbers *o,
                   double *value)
 {
     for (int i = 0; i < o->n; i++) {
         char *end;
+        const size_t length = strspn(text, "+-.0123456789eE");
         value[i] = strtod(text, &end);
-        if (end == text || !(value[i] >= o->low && value[i] <= o->high) ||
+        if (end == text || end > text + length ||
+            !(value[i] >= o->low && value[i] <= o->high) ||
             *end != (i < o->n - 1 ? o->separator : '\0'))
             return false;
         text = end + 1;

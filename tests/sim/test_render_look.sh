@@ -283,6 +283,10 @@ refuse "--shininess is '0'" --shininess 0
 refuse "--span is '3'; 2, 4, 8, 16, 32 or 64" --span 3
 refuse "--transparency is '256'" --transparency 256
 refuse "--turn is '0,2,0'; X,Y,Z in parts of a turn" --turn 0,2,0
+refuse "--turn is '0,0x1p-2,0'; X,Y,Z in parts of a turn" --turn 0,0x1p-2,0
+refuse "--focal is '0x32'; a length in mm" --focal 0x32
+refuse "--focal is ' 50'; a length in mm" --focal " 50"
+refuse "--focal is 'nan'; a length in mm" --focal nan
 refuse "--color is 'red'; #rrggbb" --color red
 refuse "--near is '0'; a distance above 0" --near 0
 refuse "Phong shading is light at every pixel" --shade phong --unlit
