@@ -148,14 +148,18 @@ static bool draw_depth(const struct stage *stage, struct pel_frame *frame,
     const struct pel_rect bounds =
         pel_rect_intersect(&surface->clip, &stage->scene.viewport);
     const size_t size = pel_depth_size(&bounds, stage->depth_bits);
-    void *memory = malloc(size + 1);
+    if (size == 0) /* nothing is seen */
+        return true;
+    void *memory = malloc(size);
     if (!memory)
         return message_error("no memory for a depth buffer of %zu bytes", size);
-    if (size > 0 && pel_depth_init(&depth, &bounds, stage->depth_bits, memory,
-                                   size) == PEL_OK)
+    const enum pel_status status =
+        pel_depth_init(&depth, &bounds, stage->depth_bits, memory, size);
+    if (status == PEL_OK)
         pel_scene_draw_depth(frame, surface, &depth);
     free(memory);
-    return true;
+    return status == PEL_OK ||
+           message_error("no depth buffer (status %d)", status);
 }
 
 /* Vertices and order are only read; the rest is this call's own. */
