@@ -2,7 +2,7 @@
 
 #include "collect.h"
 
-/* Lines [y, end) of the pixels [x0, x1). */
+/* All pixels of r, which is not empty and inside the clip. */
 static PEL_ALWAYS_INLINE void fill_rows(const struct pel_surface *surface,
                                         const struct pel_rect *r,
                                         const struct pel_paint *paint)
