@@ -93,7 +93,7 @@ static PEL_ALWAYS_INLINE pel_word16 next_texel(struct inner *w)
             "adds %2, %2, %6\n\t"
             "it cs\n\t"
             "addcs %3, %3, %7"
-            : "+r"(w->u), "+r"(w->column), "+r"(w->v), "+r"(w->line)
+            : "+&r"(w->u), "+&r"(w->column), "+&r"(w->v), "+&r"(w->line)
             : "r"(w->du), "r"(w->columns), "r"(w->dv), "r"(w->stride)
             : "cc");
     return texel;

@@ -74,6 +74,7 @@ enum side { LEFT, RIGHT, UNKNOWN };
 
 #if PEL_KNOW_SIDES
 
+/* As pel_points_legal, without its loop: 24 instructions less on an M0+. */
 static bool legal(const struct pel_point v[3])
 {
     return (pel_point_offset(v[0]) | pel_point_offset(v[1]) |

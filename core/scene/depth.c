@@ -6,8 +6,10 @@ size_t pel_depth_size(const struct pel_rect *bounds, int bits)
 {
     if (pel_rect_empty(bounds) || (bits != 16 && bits != 32))
         return 0;
-    return (size_t)(bounds->x1 - bounds->x0) *
-           (size_t)(bounds->y1 - bounds->y0) * (size_t)(bits / 8);
+    const uint64_t pixels = (uint64_t)(uint32_t)(bounds->x1 - bounds->x0) *
+                            (uint32_t)(bounds->y1 - bounds->y0);
+    const uint64_t bytes = pixels * (uint32_t)(bits / 8);
+    return bytes <= SIZE_MAX ? (size_t)bytes : 0;
 }
 
 enum pel_status pel_depth_init(struct pel_depth *depth,

@@ -29,7 +29,8 @@ static bool quantum_legal(const struct pel_mesh_quantum *q)
 
 static bool sizes_legal(const struct pel_mesh *m)
 {
-    const uint32_t limit = UINT32_C(1) << 28;
+    /* Lists of 24 bytes a vertex and 8 a triangle fit 32-bit sizes. */
+    const uint32_t limit = UINT32_C(1) << 26;
     return m->vertices >= 1 && m->vertices <= limit && m->triangles <= limit &&
            !(m->normals8 && m->normals16) && quantum_legal(&m->position) &&
            (!m->uv || quantum_legal(&m->texture));

@@ -33,7 +33,7 @@ struct pel_mesh_fault {
 };
 
 /* Can the mesh be drawn? Looks at every index. PEL_ERROR_NULL: no positions, or
- * not exactly one array of indices; PEL_ERROR_SIZE: no vertex, more than 2^28
+ * not exactly one array of indices; PEL_ERROR_SIZE: no vertex, more than 2^26
  * vertices or triangles, two arrays of normals, or a quantum out of range;
  * PEL_ERROR_RANGE: an index, and `fault`, which may be NULL, tells which. */
 enum pel_status pel_mesh_check(const struct pel_mesh *mesh,

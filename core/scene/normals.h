@@ -12,7 +12,7 @@ size_t pel_mesh_normals_scratch_size(const struct pel_mesh *mesh);
  * vertex has no face, none with an area, or faces that cancel out. Vertices are
  * those of the indices: two at one place are two, which keeps an edge sharp.
  * `scratch` is aligned to 8 bytes. Errors of pel_mesh_check,
- * PEL_ERROR_SCRATCH. */
+ * PEL_ERROR_NULL (`normals` or `scratch` too), PEL_ERROR_SCRATCH. */
 enum pel_status pel_mesh_normals(const struct pel_mesh *mesh,
                                  int16_t (*normals)[3], void *scratch,
                                  size_t scratch_size);
