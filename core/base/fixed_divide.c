@@ -1,8 +1,8 @@
 #include "fixed_divide.h"
 
-#include "../pel_config.h"
-
-#if PEL_LONG_MULTIPLY
+#if PEL_FAST_64BIT
+/* In the header. */
+#elif PEL_LONG_MULTIPLY
 
 uint32_t pel_divide(uint64_t n, uint32_t d)
 {

@@ -4,7 +4,16 @@
 
 #include <stdint.h>
 
+#include "../pel_config.h"
+
 /* floor(n / d); n < d 2^32. */
+#if PEL_FAST_64BIT
+static inline uint32_t pel_divide(uint64_t n, uint32_t d)
+{
+    return (uint32_t)(n / d);
+}
+#else
 uint32_t pel_divide(uint64_t n, uint32_t d);
+#endif
 
 #endif

@@ -1,5 +1,7 @@
 #include "fixed_turn.h"
 
+#include "fixed_divide.h"
+
 /* Turns of atan(k / 16), in 2^-32. */
 static const uint32_t table[17] = {
     0,         42667331,  85004756,  126697423, 167458907, 207041579,
@@ -12,7 +14,7 @@ static const uint32_t table[17] = {
 static uint32_t small_angle(uint32_t n, uint32_t d)
 {
     const uint32_t a1 = 683565276, a3 = 227855092, a5 = 136713055;
-    uint64_t w = ((uint64_t)n << 36) / d, w2 = w * w >> 36;
+    uint64_t w = pel_divide((uint64_t)n << 36, d), w2 = w * w >> 36;
     uint64_t factor = a1 - (w2 * (a3 - (w2 * a5 >> 36)) >> 36);
     return (uint32_t)((w * factor + (UINT64_C(1) << 35)) >> 36);
 }

@@ -14,7 +14,7 @@ static struct row row_of(const struct pel_curve *curve, const void *paint,
                          int32_t y)
 {
     const int32_t dy = pel_pixel_center(y) - curve->center.y;
-    return (struct row){curve, paint, dy, (int64_t)dy * dy};
+    return (struct row){curve, paint, dy, pel_square(dy)};
 }
 
 /* Is every centre from dx to `way` sub-pixels right of it at least `limit` away
@@ -23,7 +23,7 @@ static bool is_far(const struct row *row, int32_t dx, int32_t way,
                    int32_t limit)
 {
     int32_t x = dx > 0 ? dx : pel_min(dx + way, 0);
-    return (int64_t)x * x + row->square >= (int64_t)limit * limit;
+    return pel_square(x) + row->square >= pel_square(limit);
 }
 
 static int32_t way_to(const struct row *row, int32_t x)
@@ -85,7 +85,7 @@ struct piece {
 static void knot_at(const struct row *row, int32_t x, struct pel_knot *k)
 {
     const struct pel_point way = {way_to(row, x), row->dy};
-    row->curve->knot(row->paint, way, &k->value, &k->slope);
+    k->slope = row->curve->knot(row->paint, way, &k->value);
 }
 
 static int32_t skip_of(int32_t x, int log2)
@@ -176,17 +176,16 @@ static PEL_NOINLINE int find_piece(const struct pel_curve *curve,
     return outside_of(&row, run->x, run->n) ? -1 : piece_of(&row, run->x);
 }
 
-/* Value and slope of a piece's first knot into at and d1, of its second into d2
- * and d3. */
-static void set_knots(const struct pel_curve *curve, const void *paint,
-                      struct pel_point pixel, int log2, struct pel_ramp_walk *w)
+/* How many pixels of its piece a run's first one is on. */
+static PEL_NOINLINE int32_t skip_of(const struct pel_run *run, int log2)
 {
-    struct pel_point way;
-    way.x = pel_pixel_center(pixel.x) - curve->center.x;
-    way.y = pel_pixel_center(pixel.y) - curve->center.y;
-    curve->knot(paint, way, &w->at, (int64_t *)&w->d1);
-    way.x += 256 << log2;
-    curve->knot(paint, way, &w->d2, (int64_t *)&w->d3);
+    return run->x & ((1 << log2) - 1);
+}
+
+static PEL_NOINLINE int32_t knot_way(const struct pel_curve *curve,
+                                     const struct pel_run *run, int log2)
+{
+    return pel_pixel_center(run->x - skip_of(run, log2)) - curve->center.x;
 }
 
 static PEL_NOINLINE void set_differences(struct pel_ramp_walk *w, int log2)
@@ -204,30 +203,41 @@ static void stay_at(struct pel_ramp_walk *w, uint64_t at)
     w->d3 = 0;
 }
 
+/* Value and slope of a piece's first knot into at and d1, of its second into d2
+ * and d3, and the walk of them. */
+static void set_piece(const struct pel_curve *curve, const void *paint,
+                      const struct pel_run *run, int log2,
+                      struct pel_ramp_walk *w)
+{
+    struct pel_point way;
+    way.x = knot_way(curve, run, log2);
+    way.y = pel_pixel_center(run->y) - curve->center.y;
+    w->d1 = (uint64_t)curve->knot(paint, way, &w->at);
+    way.x += 256 << log2;
+    w->d3 = (uint64_t)curve->knot(paint, way, &w->d2);
+    w->inside = w->at < curve->limit && (log2 == 0 || w->d2 < curve->limit);
+    if (log2 == 0)
+        stay_at(w, w->at);
+    else
+        set_differences(w, log2);
+    for (int32_t skip = skip_of(run, log2); skip > 0; skip--)
+        pel_ramp_step(w);
+}
+
+/* What is recomputed here need not be kept while a paint computes its knots. */
 int32_t pel_curve_begin(const struct pel_curve *curve, const void *paint,
                         const struct pel_run *run, struct pel_ramp_walk *walk)
 {
-    const int found = find_piece(curve, run);
-    const int log2 = found < 0 ? PEL_PIECE_MAX_LOG2 : found;
-    int32_t skip = run->x & ((1 << log2) - 1);
-    const int32_t left = pel_min((1 << log2) - skip, run->n);
+    int log2 = find_piece(curve, run);
     walk->bits = curve->bits;
     walk->inside = false;
-    if (found < 0) {
+    if (log2 >= 0) {
+        set_piece(curve, paint, run, log2, walk);
+    } else {
         stay_at(walk, UINT64_C(1) << curve->bits);
-        return left;
+        log2 = PEL_PIECE_MAX_LOG2;
     }
-    const struct pel_point first = {run->x - skip, run->y};
-    set_knots(curve, paint, first, log2, walk);
-    walk->inside =
-        walk->at < curve->limit && (log2 == 0 || walk->d2 < curve->limit);
-    if (log2 == 0)
-        stay_at(walk, walk->at);
-    else
-        set_differences(walk, log2);
-    for (; skip > 0; skip--)
-        pel_ramp_step(walk);
-    return left;
+    return pel_min((1 << log2) - skip_of(run, log2), run->n);
 }
 
 #endif

@@ -15,6 +15,9 @@
 
 enum { PEL_PIECE_MIN_LOG2 = 2, PEL_PIECE_MAX_LOG2 = 6 };
 
+/* Farther than any pixel, and its square fits. */
+enum { PEL_CURVE_NOWHERE = (1 << 30) - 1 };
+
 /* Value and slope at a pixel's centre, the slope per pixel: times the size of a
  * piece it must stay below 2^60. Any unit; the value in two's complement. */
 struct pel_knot {
@@ -29,9 +32,8 @@ struct pel_curve {
      * there, in sub-pixels, the next piece's first one included. */
     const int32_t *far;
 
-    /* The knot at `way` from the centre. */
-    void (*knot)(const void *paint, struct pel_point way, uint64_t *value,
-                 int64_t *slope);
+    /* The knot at `way` from the centre: its value, and returns its slope. */
+    int64_t (*knot)(const void *paint, struct pel_point way, uint64_t *value);
 
     pel_run_function *run;
 
@@ -41,8 +43,8 @@ struct pel_curve {
     uint64_t limit;
 
     /* Where all centres are so far from the paint's, in sub-pixels, every value
-     * is 1 or more, by more than the errors of knots and cubics; INT32_MAX when
-     * that is nowhere, or values repeat. */
+     * is 1 or more, by more than the errors of knots and cubics;
+     * PEL_CURVE_NOWHERE when that is so, or values repeat. */
     int32_t outside;
 };
 

@@ -7,25 +7,52 @@ static const int32_t far[5] = {4067, 8192, 20643, 52016, 131072};
 /* 2^32 / 2 pi. */
 static const uint32_t turns_of_radian = 683565276;
 
+#if PEL_LONG_MULTIPLY
+
+/* floor(across 2^38 / square), where that is below 2^27. */
+static uint64_t bracket(uint32_t across, uint64_t square)
+{
+    return ((uint64_t)across << 38) / (square ? square : 1);
+}
+
+#else
+
+/* Bit by bit, in less code and stack than the compiler's division: the rest is
+ * below the square, which is below 2^51. */
+static PEL_NOINLINE uint64_t bracket(uint32_t across, uint64_t square)
+{
+    uint64_t rest = (uint64_t)across << 11;
+    uint32_t quotient = 0;
+    for (int bit = 0; bit < 27; bit++) {
+        rest <<= 1;
+        quotient <<= 1;
+        if (rest >= square) {
+            rest -= square;
+            quotient |= 1;
+        }
+    }
+    return quotient;
+}
+
+#endif
+
 /* The angle falls by dy / r^2 radians per sub-pixel to the right: per pixel and
  * in 2^-64 turns dy 2^8 2^64 / (2 pi r^2) = (dy 2^38 / r^2) 2^2 (2^32 / 2 pi).
- * |dy| < 2^25. At r >= 4067 the bracket is below 2^26, and the slope below
+ * |dy| < 2^25. At r >= 4067 the bracket is below 2^27, and the slope below
  * 2^58; nearer slopes are of no use and may overflow. */
 static PEL_WALK int64_t slope_of(struct pel_point way)
 {
-    uint64_t square =
-        (uint64_t)((int64_t)way.x * way.x + (int64_t)way.y * way.y);
-    uint64_t fall = (uint64_t)(way.y < 0 ? -way.y : way.y) << 38;
-    fall = fall / (square ? square : 1) * turns_of_radian * 4;
+    const uint64_t square = (uint64_t)(pel_square(way.x) + pel_square(way.y));
+    const uint32_t across = (uint32_t)(way.y < 0 ? -way.y : way.y);
+    const uint64_t fall = bracket(across, square) * turns_of_radian * 4;
     return (int64_t)(way.y > 0 ? 0 - fall : fall);
 }
 
-static void knot(const void *paint, struct pel_point way, uint64_t *value,
-                 int64_t *slope)
+static int64_t knot(const void *paint, struct pel_point way, uint64_t *value)
 {
     const uint32_t turn = pel_turn_of(way.x, way.y);
     *value = (uint64_t)(turn - ((const struct pel_conic *)paint)->start) << 32;
-    *slope = slope_of(way);
+    return slope_of(way);
 }
 
 #if PEL_FAST_64BIT
@@ -89,6 +116,6 @@ enum pel_status pel_conic_begin(struct pel_conic *paint,
     paint->curve.run = run;
     paint->curve.bits = 64;
     paint->curve.limit = UINT64_MAX;
-    paint->curve.outside = INT32_MAX;
+    paint->curve.outside = PEL_CURVE_NOWHERE;
     return PEL_OK;
 }

@@ -19,21 +19,18 @@ static PEL_WALK int64_t slope_of(const struct pel_root *r, int32_t x,
     return cosine * (int64_t)scale >> 16;
 }
 
-static void root_of(struct pel_point way, struct pel_root *r)
+static PEL_WIDE uint64_t square_of(int32_t x, int32_t y)
 {
-    uint64_t square =
-        (uint64_t)((int64_t)way.x * way.x + (int64_t)way.y * way.y);
-    pel_square_root(square * 4096, r);
+    return (uint64_t)(pel_square(x) + pel_square(y)) * 4096;
 }
 
-static void knot(const void *paint, struct pel_point way, uint64_t *value,
-                 int64_t *slope)
+static int64_t knot(const void *paint, struct pel_point way, uint64_t *value)
 {
     const struct pel_radial *p = paint;
     struct pel_root r;
-    root_of(way, &r);
+    pel_square_root(square_of(way.x, way.y), &r);
     *value = (uint64_t)r.root * p->scale + p->phase;
-    *slope = slope_of(&r, way.x, p->scale);
+    return slope_of(&r, way.x, p->scale);
 }
 
 static void run(const void *paint, struct pel_ramp_walk *walk, int32_t n,
@@ -85,7 +82,7 @@ static void gradient_fill(const struct pel_paint *paint,
 static int32_t outside_of(const struct pel_rings *rings, enum pel_spread spread)
 {
     const int64_t way = (int64_t)rings->radius * (65536 - rings->phase);
-    return spread == PEL_PAD ? (int32_t)(way / 65536) + 257 : INT32_MAX;
+    return spread == PEL_PAD ? (int32_t)(way / 65536) + 257 : PEL_CURVE_NOWHERE;
 }
 
 /* Distances along a row have no maximum inside a piece, so its ends tell

@@ -7,7 +7,7 @@
 # pointers=FILE is pointers.txt.
 #
 # A call through a pointer may reach the functions that pointers.txt gives the
-# caller's object, of those whose address stands in the program. An object that
+# caller, or its object, of those whose address stands in the program. An object that
 # has no line there may reach any of them; a paint, or what it calls, any format.
 
 function fail(what)
@@ -126,12 +126,16 @@ function mark_paint(code,    list, n, i)
             mark_paint(callee_of(list[i]))
 }
 
-function may_reach(caller, code,    object)
+function may_reach(caller, code,    who, name)
 {
-    object = object_at[address_of[caller]]
-    if (object in reach)
-        return code ~ reach[object] ||
-            object_at[address_of[code]] "/" code ~ reach[object]
+    who = object_at[address_of[caller]]
+    name = caller
+    sub(/[.@].*/, "", name)
+    if ((who "/" name) in reach)
+        who = who "/" name
+    if (who in reach)
+        return code ~ reach[who] ||
+            object_at[address_of[code]] "/" code ~ reach[who]
     return is_format(code) || !(caller in in_paint)
 }
 
