@@ -3,8 +3,6 @@
 #ifndef SIM_CAMERA_H
 #define SIM_CAMERA_H
 
-#include <argp.h>
-
 #include "core/scene/camera.h"
 #include "model.h"
 
@@ -21,11 +19,6 @@ struct camera {
     bool has_eye, has_target, has_sensor, has_near;
     bool is_set; /* any option but --size and --background was given */
 };
-
-/* --eye X,Y,Z --target X,Y,Z --up X,Y,Z --projection NAME --focal MM --sensor
- * WxH --near DISTANCE --size WxH --background COLOUR, as a child of a command's
- * options: its input (the child input of argp) is the struct camera to fill. */
-extern const struct argp camera_argp;
 
 /* Fills in what was left open, from the model: the target is the middle of its
  * box; the eye stands in front, a little to the right and above, as near as

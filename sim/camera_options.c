@@ -1,11 +1,10 @@
-#include "camera.h"
-
 #include <errno.h>
 #include <string.h>
 
 #include "message.h"
 #include "number.h"
 #include "option_text.h"
+#include "stage_options.h"
 
 enum {
     KEY_EYE = 0x100,
@@ -76,7 +75,7 @@ static bool parse_projection(const char *text, struct camera *camera)
 {
     static const char *const names[] = {"perspective", "orthographic", NULL};
     int choice = 0;
-    const bool right = option_choice("projection", text, names, &choice);
+    const bool right = option_choice("--projection", text, names, &choice);
     camera->projection = choice ? PEL_ORTHOGRAPHIC : PEL_PERSPECTIVE;
     return right;
 }
@@ -128,16 +127,18 @@ static bool parse_place(int key, const char *text, struct camera *camera)
 
 static error_t parse(int key, char *text, struct argp_state *state)
 {
-    struct camera *camera = state->input;
+    struct stage_options *o = state->input;
+    struct camera *camera = &o->settings.camera;
     bool right;
+    if (key < KEY_EYE || key > KEY_BACKGROUND)
+        return ARGP_ERR_UNKNOWN;
+    options_note(&o->given, options, key);
     if (key == KEY_SIZE)
         right = parse_size(text, camera);
     else if (key == KEY_BACKGROUND)
         right = option_color("--background", text, &camera->background);
-    else if (key >= KEY_EYE && key <= KEY_NEAR)
-        right = parse_place(key, text, camera);
     else
-        return ARGP_ERR_UNKNOWN;
+        right = parse_place(key, text, camera);
     return right ? 0 : EINVAL;
 }
 

@@ -78,8 +78,9 @@ static bool parse_input(const char *text, struct import_command *c)
 static bool parse_format(const char *text, struct import_command *c)
 {
     c->format = format_find(text);
-    return c->format || message_error("unknown format '%s': valid are %s", text,
-                                      format_list());
+    return c->format ||
+           message_error("--format is '%s'; one of %s would be right", text,
+                         format_list());
 }
 
 static bool parse_normals(const char *text, struct import_command *c)
@@ -93,6 +94,8 @@ static bool parse_normals(const char *text, struct import_command *c)
 static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct import_command *c = state->input;
+    if (key >= OPTION_NAME && key <= OPTION_CODES)
+        options_note(&c->stage.given, options, key);
     switch (key) {
     case ARGP_KEY_INIT:
         state->child_inputs[0] = &c->stage;
@@ -117,8 +120,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
     }
 }
 
-static const struct argp_child children[] = {
-    {&stage_argp, 0, "For pel2d files, but for --texture-file:", 2}, {0}};
+static const struct argp_child children[] = {{&stage_argp, 0, NULL, 2}, {0}};
 
 static const struct argp parser = {
     .options = options,
@@ -128,7 +130,14 @@ static const struct argp parser = {
         "Makes an asset for firmware: a C file with one const struct, of a "
         "mesh (core/asset/mesh_asset.h), a picture "
         "(core/asset/image_asset.h) or a font "
-        "(core/asset/font_asset.h).\v"
+        "(core/asset/font_asset.h); or an output .pel2d, a mesh projected "
+        "already.\nOf the options under the headings below, a C asset of a "
+        "mesh takes --texture-file and --normals-from alone; a .pel2d takes "
+        "also --color, --turn, --texture, --wrap, --size and those that place "
+        "camera and light. What has no meaning is refused.\v"
+        "The colours of a mesh's asset are texels at its vertices: firmware "
+        "draws what `pel render --texture nearest --mapping vertices` draws, "
+        "with the same --normals 16 where there is light.\n"
         "MESH is a file that assimp reads, or " MESH_BUILTIN
         "; PICTURE is a .png, .jpg, .tga, .bmp, .ppm or .pgm file; FONT is a "
         ".bdf or .psf file. The same input gives the same bytes.",
@@ -177,22 +186,21 @@ static bool check(struct import_command *c)
         return message_error("%s is missing; `pel import MESH|PICTURE|FONT -o "
                              "ASSET.c` would be right",
                              input ? "-o ASSET.c" : "an input");
-    if (is_pel2d(output))
-        return (!is_picture(input) && !is_font(input)) ||
-               message_error_at(input, 0,
+    if (is_pel2d(output) && (is_picture(input) || is_font(input)))
+        return message_error_at(input, 0,
                                 "a pel2d file holds a mesh; an "
                                 "output .c would be right");
+    if (is_pel2d(output))
+        return import_check(&c->stage.given, IMPORT_PEL2D);
     if (strcmp(output, "-") != 0 && !has_ending(output, ending))
         return message_error_at(output, 0,
                                 "an output .c or .pel2d would be right");
-    if (c->options.codes && !is_font(input))
-        return message_error_at(input, 0, "--codes is for fonts");
-    if (c->stage.settings.camera.is_set || c->stage.has_mesh_option)
-        return message_error("camera, light and look are for an output .pel2d; "
-                             "a C asset holds the mesh itself");
     if (!c->options.name)
         make_name(c);
-    return check_name(c->options.name);
+    return check_name(c->options.name) &&
+           import_check(&c->stage.given, is_picture(input) ? IMPORT_PICTURE
+                                         : is_font(input)  ? IMPORT_FONT
+                                                           : IMPORT_MESH);
 }
 
 /* Gouraud's colours at the vertices, whatever draws them. */
@@ -250,8 +258,6 @@ static bool import_as_mesh(struct import_command *c)
 {
     struct mesh mesh;
     const char *path = c->stage.source.path;
-    if (c->format)
-        return message_error_at(path, 0, "--format is for pictures");
     if (pel2d_is_file(path))
         return message_error_at(path, 0,
                                 "is projected already; a mesh would be right");
@@ -266,9 +272,6 @@ static bool import_as_mesh(struct import_command *c)
 
 static bool import_as_font(const struct import_command *c)
 {
-    if (c->format)
-        return message_error_at(c->stage.source.path, 0,
-                                "--format is for pictures; a font has 1 bit");
     return import_font(&c->options);
 }
 

@@ -5,6 +5,7 @@
 #include "core/asset/mesh_asset.h"
 #include "core/base/format.h"
 #include "mesh.h"
+#include "option_text.h"
 #include "picture.h"
 
 struct import_options {
@@ -23,6 +24,18 @@ bool import_picture(const struct import_options *options,
                     const struct picture *picture,
                     const struct pel_format *format);
 bool import_font(const struct import_options *options);
+
+/* What is made, in the bits of a set. */
+enum import_kind {
+    IMPORT_MESH = 1,
+    IMPORT_PICTURE = 2,
+    IMPORT_FONT = 4,
+    IMPORT_PEL2D = 8
+};
+
+/* Does every option that was given mean something for this kind? False, with a
+ * message that says what the first one that does not is for. */
+bool import_check(const struct options_given *given, enum import_kind kind);
 
 /* Are these code points as --codes wants them? False, with a message. */
 bool import_codes_legal(const char *codes);

@@ -48,47 +48,41 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static bool parse_channels(const char *option, const char *text,
-                           double color[3])
-{
-    static const struct option_numbers numbers = {
-        3, ',', 0, 15.99, "R,G,B from 0 to 15.99, such as 1,0.9,0.8,"};
-    return option_numbers(option, text, &numbers, color);
-}
+static const struct option_numbers channels = {
+    3, ',', 0, 15.99, "R,G,B from 0 to 15.99, such as 1,0.9,0.8,"};
 
-/* The part before the colon, in memory of the caller's. */
-static bool cut_place(const char *option, const char *text, char copy[256])
+/* X,Y,Z:R,G,B */
+static bool read_light(const char *text, struct stage_light *light)
 {
+    static const struct option_numbers place = {3, ',', -MESH_LIMIT, MESH_LIMIT,
+                                                NULL};
+    char copy[256];
     const size_t length = strcspn(text, ":");
-    if (text[length] == '\0' || length >= 256)
-        return message_error("%s is '%s'; X,Y,Z:R,G,B such as 2,5,3:1,1,1 "
-                             "would be right",
-                             option, text);
+    if (text[length] == '\0' || length >= sizeof(copy))
+        return false;
     memcpy(copy, text, length);
     copy[length] = '\0';
-    return true;
+    return option_numbers_read(copy, &place, light->at) &&
+           option_numbers_read(text + length + 1, &channels, light->color);
 }
 
 static bool parse_light(const char *option, const char *text,
                         struct stage_settings *s)
 {
-    static const struct option_numbers place = {
-        3, ',', -MESH_LIMIT, MESH_LIMIT, "X,Y,Z:R,G,B such as 2,5,3:1,1,1"};
     struct stage_light *light = &s->light[s->lights];
-    char copy[256];
     if (s->lights == STAGE_LIGHTS_MAX)
         return message_error("%s is light %d; up to %d would be right", option,
                              s->lights + 1, STAGE_LIGHTS_MAX);
-    if (!cut_place(option, text, copy) ||
-        !option_numbers(option, copy, &place, light->at) ||
-        !parse_channels(option, strchr(text, ':') + 1, light->color))
-        return false;
+    if (!read_light(text, light))
+        return message_error("%s is '%s'; X,Y,Z:R,G,B with colours from 0 to "
+                             "15.99, such as 2,5,3:1,1,1, would be right",
+                             option, text);
     light->directional = strcmp(option, "--sun") == 0;
     if (light->directional && light->at[0] == 0 && light->at[1] == 0 &&
         light->at[2] == 0)
         return message_error("--sun is '%s'; the way towards it, such as "
-                             "1,2,1, would be right",
-                             copy);
+                             "1,2,1:1,1,1, would be right",
+                             text);
     s->lights++;
     return true;
 }
@@ -111,33 +105,37 @@ static bool parse_shininess(const char *text, struct stage_settings *s)
     return true;
 }
 
+/* The bit of a name that ends at a comma or the text's end; 0: none. */
+static unsigned find_term(const char *text)
+{
+    static const char *const names[] = {"ambient", "diffuse", "specular"};
+    const size_t length = strcspn(text, ",");
+    for (unsigned i = 0; i < 3; i++)
+        if (strlen(names[i]) == length && memcmp(names[i], text, length) == 0)
+            return 1u << i;
+    return 0;
+}
+
 static bool parse_terms(const char *text, struct stage_settings *s)
 {
-    static const char *const names[] = {"ambient", "diffuse", "specular", NULL};
-    char copy[64];
-    int term = 0;
+    unsigned term = 1;
     s->terms = 0;
-    while (*text) {
-        const size_t length = strcspn(text, ",");
-        const size_t n = length < sizeof(copy) ? length : sizeof(copy) - 1;
-        memcpy(copy, text, n);
-        copy[n] = '\0';
-        if (!option_choice("term", copy, names, &term))
-            return false;
-        s->terms |= 1u << term;
-        text += length + (text[length] == ',');
+    for (const char *at = text; *at && term; at += at[0] == ',') {
+        term = find_term(at);
+        s->terms |= term;
+        at += strcspn(at, ",");
     }
-    return s->terms ||
-           message_error("--terms is empty; a list such as ambient,diffuse "
-                         "would be right");
+    return (s->terms && term) ||
+           message_error("--terms is '%s'; a list of ambient, diffuse and "
+                         "specular, such as ambient,diffuse, would be right",
+                         text);
 }
 
 static bool parse_highlights(const char *text, struct stage_settings *s)
 {
     static const char *const names[] = {"coloured", "plain", NULL};
     int choice = 0;
-    const bool right =
-        option_choice("kind of highlights", text, names, &choice);
+    const bool right = option_choice("--highlights", text, names, &choice);
     s->plain_highlights = choice == 1;
     return right;
 }
@@ -146,8 +144,7 @@ static bool parse_back_highlights(const char *text, struct stage_settings *s)
 {
     static const char *const names[] = {"on", "off", NULL};
     int choice = 0;
-    const bool right =
-        option_choice("word for --back-highlights", text, names, &choice);
+    const bool right = option_choice("--back-highlights", text, names, &choice);
     s->no_back_highlights = choice == 1;
     return right;
 }
@@ -162,7 +159,7 @@ static bool parse_lighting(int key, const char *text, struct stage_settings *s)
     case KEY_SUN:
         return parse_light("--sun", text, s);
     case KEY_AMBIENT:
-        return parse_channels("--ambient", text, s->ambient_color);
+        return option_numbers("--ambient", text, &channels, s->ambient_color);
     case KEY_KA:
         return parse_factor("--ka", text, &s->ambient);
     case KEY_KD:
@@ -185,6 +182,7 @@ static error_t parse(int key, char *text, struct argp_state *state)
     struct stage_options *o = state->input;
     if (key < KEY_LIGHT || key > KEY_UNLIT)
         return ARGP_ERR_UNKNOWN;
+    options_note(&o->given, options, key);
     o->has_mesh_option = true;
     if (key == KEY_UNLIT) {
         o->settings.lit = STAGE_UNLIT;

@@ -16,7 +16,7 @@ static const struct command commands[] = {
     {"view", "[MESH]", "turn a mesh in a window or on a device", command_view},
     {"compare", "A.ppm B.ppm", "find the differences of two pictures",
      command_compare},
-    {"import", "MESH|PICTURE -o ASSET.c", "make an asset for firmware",
+    {"import", "MESH|PICTURE|FONT -o ASSET.c", "make an asset for firmware",
      command_import},
     {"demo", "DIRECTORY [SCRIPT...]", "draw the gallery", command_demo},
     {"console", "--reset", "repair a console left in graphics mode",

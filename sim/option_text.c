@@ -7,8 +7,8 @@
 #include "message.h"
 
 /* strtod also takes blanks before a number, hexadecimal ones, and words. */
-static bool parse(const char *text, const struct option_numbers *o,
-                  double *value)
+bool option_numbers_read(const char *text, const struct option_numbers *o,
+                         double *value)
 {
     for (int i = 0; i < o->n; i++) {
         char *end;
@@ -26,7 +26,7 @@ static bool parse(const char *text, const struct option_numbers *o,
 bool option_numbers(const char *option, const char *text,
                     const struct option_numbers *numbers, double *value)
 {
-    return parse(text, numbers, value) ||
+    return option_numbers_read(text, numbers, value) ||
            message_error("%s is '%s'; %s would be right", option, text,
                          numbers->right);
 }
@@ -43,8 +43,8 @@ static void list_names(const char *const *names, char *text, size_t size)
                                    names[i]);
 }
 
-bool option_choice(const char *what, const char *text, const char *const *names,
-                   int *choice)
+bool option_choice(const char *option, const char *text,
+                   const char *const *names, int *choice)
 {
     char list[256];
     for (int i = 0; names[i]; i++) {
@@ -54,8 +54,7 @@ bool option_choice(const char *what, const char *text, const char *const *names,
         }
     }
     list_names(names, list, sizeof(list));
-    return message_error("unknown %s '%s': %s would be right", what, text,
-                         list);
+    return message_error("%s is '%s'; %s would be right", option, text, list);
 }
 
 bool option_color(const char *option, const char *text, unsigned *color)
@@ -68,4 +67,15 @@ bool option_color(const char *option, const char *text, unsigned *color)
                              option, text);
     *color = 0xFF000000u | (unsigned)strtoul(digits, NULL, 16);
     return true;
+}
+
+void options_note(struct options_given *given,
+                  const struct argp_option *options, int key)
+{
+    while (options->key != key)
+        options++;
+    for (int i = 0; i < given->count; i++)
+        if (given->names[i] == options->name)
+            return;
+    given->names[given->count++] = options->name;
 }

@@ -3,6 +3,7 @@
 #ifndef SIM_OPTION_TEXT_H
 #define SIM_OPTION_TEXT_H
 
+#include <argp.h>
 #include <stdbool.h>
 
 /* The range of numbers, and an example of what would be right. */
@@ -17,12 +18,26 @@ struct option_numbers {
 bool option_numbers(const char *option, const char *text,
                     const struct option_numbers *numbers, double *value);
 
+/* The same without a message. */
+bool option_numbers_read(const char *text, const struct option_numbers *numbers,
+                         double *value);
+
 /* The index of `text` in a list of names that ends with NULL; an error names
- * them all. `what` is, for example, "shading mode". */
-bool option_choice(const char *what, const char *text, const char *const *names,
-                   int *choice);
+ * them all. */
+bool option_choice(const char *option, const char *text,
+                   const char *const *names, int *choice);
 
 /* #rrggbb or rrggbb, opaque. */
 bool option_color(const char *option, const char *text, unsigned *color);
+
+/* The names, without dashes, of the options that were given, each once. */
+struct options_given {
+    const char *names[64];
+    int count;
+};
+
+/* Adds the option with this key, which is one of the array's. */
+void options_note(struct options_given *given,
+                  const struct argp_option *options, int key);
 
 #endif

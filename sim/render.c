@@ -51,8 +51,9 @@ static bool parse_collinear(const char *text, struct render_options *o)
 static bool parse_format(const char *text, struct render_options *o)
 {
     o->format = format_find(text);
-    return o->format || message_error("unknown format '%s': valid are %s", text,
-                                      format_list());
+    return o->format ||
+           message_error("--format is '%s'; one of %s would be right", text,
+                         format_list());
 }
 
 static bool parse_bands(const char *text, struct render_options *o)

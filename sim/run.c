@@ -43,8 +43,8 @@ static error_t parse_format(const char *text, struct argp_state *state)
     struct run_options *o = state->input;
     o->format = format_find(text);
     if (!o->format)
-        arguments_error(state, "unknown format %s: valid are %s", text,
-                        format_list());
+        arguments_error(state, "--format is '%s'; one of %s would be right",
+                        text, format_list());
     return 0;
 }
 

@@ -58,18 +58,18 @@ static const struct argp_option options[] = {
  * what it stands for. */
 static const struct choice {
     int key;
-    const char *what;
+    const char *option;
     const char *names[5];
 } choices[] = {
-    {KEY_SHADE, "shading mode", {"flat", "gouraud", "phong"}},
-    {KEY_NORMALS, "source of normals", {"file", "faces"}},
-    {KEY_ORDER, "order", {"painter", "zbuffer16", "zbuffer32", "zbuffer"}},
-    {KEY_CULL, "side to cull", {"none", "back", "front"}},
-    {KEY_TEXTURE, "texture mode", {"none", "nearest", "bilinear"}},
+    {KEY_SHADE, "--shade", {"flat", "gouraud", "phong"}},
+    {KEY_NORMALS, "--normals-from", {"file", "faces"}},
+    {KEY_ORDER, "--order", {"painter", "zbuffer16", "zbuffer32", "zbuffer"}},
+    {KEY_CULL, "--cull", {"none", "back", "front"}},
+    {KEY_TEXTURE, "--texture", {"none", "nearest", "bilinear"}},
     {KEY_MAPPING,
-     "mapping",
+     "--mapping",
      {"vertices", "affine", "subdivided", "perspective"}},
-    {KEY_WRAP, "wrap mode", {"clamp", "repeat", "mirror"}},
+    {KEY_WRAP, "--wrap", {"clamp", "repeat", "mirror"}},
     {0, NULL, {NULL}},
 };
 
@@ -105,7 +105,7 @@ static bool parse_choice(const struct choice *c, const char *text,
                          struct stage_options *o)
 {
     int choice;
-    if (!option_choice(c->what, text, c->names, &choice))
+    if (!option_choice(c->option, text, c->names, &choice))
         return false;
     set_choice(c->key, choice, o);
     return true;
@@ -170,12 +170,13 @@ static error_t parse(int key, char *text, struct argp_state *state)
     struct stage_options *o = state->input;
     const struct choice *choice = choices;
     if (key == ARGP_KEY_INIT) {
-        state->child_inputs[0] = &o->settings.camera;
+        state->child_inputs[0] = o;
         state->child_inputs[1] = o;
         return 0;
     }
     if (key < KEY_SHADE || key > KEY_WRAP)
         return ARGP_ERR_UNKNOWN;
+    options_note(&o->given, options, key);
     if (key != KEY_SHADE && key != KEY_NORMALS && key != KEY_TEXTURE_FILE)
         o->has_mesh_option = true;
     while (choice->key && choice->key != key)

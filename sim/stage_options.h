@@ -2,6 +2,9 @@
 #ifndef SIM_STAGE_OPTIONS_H
 #define SIM_STAGE_OPTIONS_H
 
+#include <argp.h>
+
+#include "option_text.h"
 #include "stage.h"
 
 /* What a command with a model takes: the file names are argv's. */
@@ -10,13 +13,14 @@ struct stage_options {
     struct model_source source; /* the path is for the command to set */
     bool has_mesh_option; /* any but those of the camera, of the source, and
                              --shade: what only a drawn mesh has */
+    struct options_given given; /* all of them, and the command's own */
 };
 
 /* Lights, material, shading, texture, order, and camera_argp for where things
  * are. The input is a struct stage_options, set to its defaults before. */
 extern const struct argp stage_argp;
 
-/* The lights and the material of it. */
-extern const struct argp light_argp;
+/* Its lights and material, and its camera, with the same input. */
+extern const struct argp light_argp, camera_argp;
 
 #endif

@@ -123,7 +123,7 @@ refuse() {
     [ $status -eq 2 ] || fail "import $*: status $status"
     grep -qF -e "$expected" "$dir/message" ||
         fail "import $*: $(cat "$dir/message")"
-    [ ! -s "$dir/out" ] && [ ! -e "$dir/x.c" ] || fail "import $*: output"
+    [ ! -s "$dir/out" ] && [ ! -e "$dir/x.c" ] && [ ! -e "$dir/x.pel2d" ] || fail "import $*: output"
 }
 refuse "an input is missing" -o "$dir/x.c"
 refuse "-o ASSET.c is missing" builtin:vase
@@ -131,11 +131,26 @@ refuse "No such file" "$dir/none.obj" -o "$dir/x.c"
 refuse "an output .c or .pel2d would be right" builtin:vase -o "$dir/x.h"
 refuse "is no identifier of C" builtin:vase --name 3d -o "$dir/x.c"
 refuse "is no identifier of C" builtin:vase --name int -o "$dir/x.c"
-refuse "unknown format 'rgb': valid are rgb565_le," "$dir/picture.ppm" \
+refuse "--format is 'rgb'; one of rgb565_le," "$dir/picture.ppm" \
     --format rgb -o "$dir/x.c"
-refuse "--format is for pictures" builtin:vase --format rgb888 -o "$dir/x.c"
-refuse "camera, light and look are for an output .pel2d" builtin:vase --eye 1,2,3 -o "$dir/x.c"
 refuse "8 or 16 would be right" builtin:vase --normals 12 -o "$dir/x.c"
+
+# An option that means nothing for what is made is refused by name.
+refuse "--format is for pictures" builtin:vase --format rgb888 -o "$dir/x.c"
+for option in "--eye 1,2,3" "--light 1,2,3:1,1,1" "--size 5x5" "--color #123456"; do
+    refuse "${option%% *} is for an output .pel2d" builtin:vase $option -o "$dir/x.c"
+    refuse "${option%% *} is for an output .pel2d" "$dir/picture.ppm" $option -o "$dir/x.c"
+done
+for option in "--shade phong" "--cull back" "--mapping affine"; do
+    for kind in builtin:vase "$dir/picture.ppm" sim/scenes/letters.bdf; do
+        refuse "${option%% *} is for pel render" $kind $option -o "$dir/x.c"
+    done
+    refuse "${option%% *} is for pel render" builtin:vase $option -o "$dir/x.pel2d"
+done
+refuse "--normals is for C assets of meshes" "$dir/picture.ppm" --normals 16 -o "$dir/x.c"
+refuse "--codes is for fonts" builtin:vase --codes 32 -o "$dir/x.c"
+refuse "--texture-file is for meshes" sim/scenes/letters.bdf --texture-file a.ppm -o "$dir/x.c"
+refuse "--name is for C assets" builtin:vase --name x -o "$dir/x.pel2d"
 refuse "no mesh that can be read" "$dir/message" -o "$dir/x.c"
 sed 's/^3 0 1 2/3 0 1 4/' "$dir/square.ply" >"$dir/bad.ply"
 refuse "face 0 of part 0 names vertex 4; the part has 4" "$dir/bad.ply" -o "$dir/x.c"

@@ -105,9 +105,9 @@ refuse() { # MESSAGE OPTIONS...
     [ ! -e "$dir/x.ppm" ] || fail "render $*: output"
 }
 v=builtin:vase
-refuse "unknown shading mode 'fancy': flat, gouraud or phong would be right" \
+refuse "--shade is 'fancy'; flat, gouraud or phong would be right" \
     $v --shade fancy
-refuse "unknown format 'rgb': valid are rgb565_le, rgb565_be," $v --format rgb
+refuse "--format is 'rgb'; one of rgb565_le, rgb565_be," $v --format rgb
 refuse "--bands is '-1'" $v --bands -1
 refuse "--bands is 12; in mono1_pages a multiple of 8" \
     $v --bands 12 --format mono1_pages

@@ -260,21 +260,21 @@ refuse() { # MESSAGE OPTIONS...
         fail "render $*: $(cat "$dir/message")"
     [ ! -e "$dir/x.ppm" ] || fail "render $*: output"
 }
-refuse "unknown texture mode 'soft': none, nearest or bilinear" --texture soft
-refuse "unknown mapping 'x': vertices, affine, subdivided or perspective" \
+refuse "--texture is 'soft'; none, nearest or bilinear" --texture soft
+refuse "--mapping is 'x'; vertices, affine, subdivided or perspective" \
     --mapping x
-refuse "unknown wrap mode 'x': clamp, repeat or mirror would" --wrap x
-refuse "unknown order 'x': painter, zbuffer16, zbuffer32 or zbuffer" --order x
-refuse "unknown side to cull 'x': none, back or front" --cull x
-refuse "unknown source of normals 'x': file or faces" --normals-from x
-refuse "unknown projection 'x': perspective or orthographic" --projection x
-refuse "unknown term 'x': ambient, diffuse or specular" --terms ambient,x
-refuse "--terms is empty" --terms ""
-refuse "unknown kind of highlights 'x': coloured or plain" --highlights x
+refuse "--wrap is 'x'; clamp, repeat or mirror would" --wrap x
+refuse "--order is 'x'; painter, zbuffer16, zbuffer32 or zbuffer" --order x
+refuse "--cull is 'x'; none, back or front" --cull x
+refuse "--normals-from is 'x'; file or faces" --normals-from x
+refuse "--projection is 'x'; perspective or orthographic" --projection x
+refuse "--terms is 'ambient,x'; a list of ambient, diffuse and specular" --terms ambient,x
+refuse "--terms is ''; a list" --terms ""
+refuse "--highlights is 'x'; coloured or plain" --highlights x
 refuse "--light is '1,2,3'; X,Y,Z:R,G,B" --light 1,2,3
-refuse "--light is '1,2'; X,Y,Z:R,G,B" --light 1,2:1,1,1
-refuse "--light is '1,1,16'; R,G,B from 0 to 15.99" --light 1,2,3:1,1,16
-refuse "--sun is '0,0,0'; the way towards it" --sun 0,0,0:1,1,1
+refuse "--light is '1,2:1,1,1'; X,Y,Z:R,G,B" --light 1,2:1,1,1
+refuse "--light is '1,2,3:1,1,16'; X,Y,Z:R,G,B with colours from 0 to 15.99" --light 1,2,3:1,1,16
+refuse "--sun is '0,0,0:1,1,1'; the way towards it" --sun 0,0,0:1,1,1
 refuse "--light is light 33; up to 32" $(seq -f '--light=%g,1,1:1,1,1' 33)
 refuse "--ambient is '1'; R,G,B" --ambient 1
 refuse "--kd is '-1'; a number from 0 to 15.99" --kd -1

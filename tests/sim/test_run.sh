@@ -229,7 +229,7 @@ said err 'pel: one script only'
 status 2 "$PEL" run "$work/s.pel" --bands x
 said err 'pel: --bands x: rows must be'
 status 2 "$PEL" run "$work/s.pel" --format rgb
-said err 'pel: unknown format rgb: valid are '
+said err "pel: --format is 'rgb'; one of "
 status 2 "$PEL" run "$work/s.pel" --fast
 said err "pel: unrecognized option '--fast'"
 said err "Try \`pel run --help'"
