@@ -9,6 +9,7 @@
 
 #include "arguments.h"
 #include "commands.h"
+#include "core/format/argb8888.h"
 #include "format_names.h"
 #include "message.h"
 #include "stage_options.h"
@@ -31,7 +32,10 @@ static const struct argp_option options[] = {
     {"name", OPTION_NAME, "NAME", 0,
      "of the C object (default: the output's base name)", 0},
     {"format", OPTION_FORMAT, "NAME", 0,
-     "pixel format of a picture (default: rgb565_le)", 0},
+     "pixel format of a picture (default: rgb565_le); " IMPORT_ALPHA_FORMAT
+     " keeps its alpha for pel_copy_alpha, others blend it onto --background "
+     "(default: #000000)",
+     0},
     {"normals", OPTION_NORMALS, "BITS", 0, "8 (default) or 16", 0},
     {"codes", OPTION_CODES, "RANGES", 0,
      "of a font, these code points alone, such as 32-126,0x20AC", 0},
@@ -77,10 +81,12 @@ static bool parse_input(const char *text, struct import_command *c)
 
 static bool parse_format(const char *text, struct import_command *c)
 {
-    c->format = format_find(text);
+    c->format = strcmp(text, IMPORT_ALPHA_FORMAT) == 0 ? &pel_argb8888
+                                                       : format_find(text);
     return c->format ||
-           message_error("--format is '%s'; one of %s would be right", text,
-                         format_list());
+           message_error("--format is '%s'; one of %s, " IMPORT_ALPHA_FORMAT
+                         " would be right",
+                         text, format_list());
 }
 
 static bool parse_normals(const char *text, struct import_command *c)
@@ -245,8 +251,14 @@ static bool import_as_pel2d(struct import_command *c)
 static bool import_as_picture(struct import_command *c)
 {
     struct picture picture;
+    const pel_color background = c->stage.settings.camera.background;
+    if (c->format == &pel_argb8888 && background != 0)
+        return message_error(
+            "--background is for formats without alpha; " IMPORT_ALPHA_FORMAT
+            " keeps it");
     if (!texture_load(&picture, c->stage.source.path))
         return false;
+    c->options.background = background | PEL_RGB(0, 0, 0);
     bool done =
         import_picture(&c->options, &picture,
                        c->format ? c->format : format_find("rgb565_le"));
@@ -282,6 +294,7 @@ int command_import(int argc, char **argv)
         .options = {.normal_bits = 8},
     };
     c.stage.settings.texture = STAGE_TEXTURE_NEAREST;
+    c.stage.settings.camera.background = 0; /* no option gives that */
     arguments_parse(&parser, argc, argv, &c);
     c.options.source = c.stage.source.path;
     if (!check(&c))

@@ -8,22 +8,29 @@
 #include "option_text.h"
 #include "picture.h"
 
+/* The name of the format that keeps the alpha of pictures; no display has it,
+ * so that format_find knows nothing of it. */
+#define IMPORT_ALPHA_FORMAT "argb8888"
+
 struct import_options {
-    const char *source; /* file, for the comment: its base name is shown */
-    const char *output; /* file or "-" */
-    const char *name;   /* of the C object */
-    int normal_bits;    /* 8 or 16 */
-    const char *codes;  /* of a font: code points to keep, or NULL for all */
+    const char *source;   /* file, for the comment: its base name is shown */
+    const char *output;   /* file or "-" */
+    const char *name;     /* of the C object */
+    int normal_bits;      /* 8 or 16 */
+    const char *codes;    /* of a font: code points to keep, or NULL for all */
+    pel_color background; /* of a picture's transparent parts, opaque */
 };
 
 /* Write a C file with one const struct and its arrays, the same for the same
  * input: no date, no path. False, with a message on standard error, when that
  * failed. */
 bool import_mesh(const struct import_options *options, const struct mesh *mesh);
-bool import_picture(const struct import_options *options,
-                    const struct picture *picture,
-                    const struct pel_format *format);
 bool import_font(const struct import_options *options);
+
+/* The picture is made opaque, with a note on standard error when it was not,
+ * unless the format is pel_argb8888. */
+bool import_picture(const struct import_options *options,
+                    struct picture *picture, const struct pel_format *format);
 
 /* What is made, in the bits of a set. */
 enum import_kind {

@@ -23,7 +23,7 @@ static const struct use {
     {"cull", 0, "pel render"},
     {"mapping", 0, "pel render"},
     {"span", 0, "pel render"},
-    {"background", 0, "pel render"},
+    {"background", IMPORT_PICTURE, "pictures"},
     {NULL, IMPORT_PEL2D, "an output .pel2d"},
 };
 

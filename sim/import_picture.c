@@ -3,14 +3,15 @@
 #include "canvas.h"
 #include "core/asset/image_asset.h"
 #include "format_names.h"
+#include "core/format/argb8888.h"
 #include "import_text.h"
 
 static const char *name_of(const struct pel_format *format)
 {
     const struct format_name *entry = format_names;
-    while (entry->format != format)
+    while (entry->name && entry->format != format)
         entry++;
-    return entry->name;
+    return entry->name ? entry->name : IMPORT_ALPHA_FORMAT;
 }
 
 static void write_bytes(struct import_text *text, const uint8_t *byte,
@@ -51,17 +52,59 @@ static void write_asset(struct import_text *text,
     fprintf(out, "};\n");
 }
 
+/* As pel_argb8888 loads them; nothing that is drawn there keeps its alpha. */
+static void store_alpha(const struct pel_surface *surface, int y, int width,
+                        const pel_color *color)
+{
+    uint8_t *to = (uint8_t *)surface->pixels + (long)y * surface->stride;
+    for (int x = 0; x < width; x++)
+        for (int k = 0; k < 4; k++)
+            *to++ = (uint8_t)(color[x] >> 8 * k);
+}
+
+/* Makes the row opaque. Was it? */
+static bool blend(pel_color *color, int width, pel_color background)
+{
+    bool is_opaque = true;
+    for (int x = 0; x < width; x++) {
+        const uint32_t alpha = pel_alpha(color[x]);
+        is_opaque = is_opaque && alpha == 255;
+        color[x] = pel_mix(background, color[x] | PEL_RGB(0, 0, 0), alpha);
+    }
+    return is_opaque;
+}
+
+static void store(const struct pel_surface *surface,
+                  const struct picture *picture,
+                  const struct import_options *options)
+{
+    const struct pel_format *format = surface->format;
+    bool is_opaque = true;
+    for (int y = 0; y < picture->height; y++) {
+        pel_color *row = picture_row(picture, y);
+        if (format->id == PEL_FORMAT_ARGB8888)
+            store_alpha(surface, y, picture->width, row);
+        else {
+            is_opaque =
+                blend(row, picture->width, options->background) && is_opaque;
+            format->put(surface, 0, y, picture->width, row);
+        }
+    }
+    if (!is_opaque)
+        fprintf(stderr,
+                "pel: %s: what is transparent is blended onto #%06x; "
+                "--format " IMPORT_ALPHA_FORMAT " would keep it\n",
+                options->source, (unsigned)(options->background & 0xFFFFFF));
+}
+
 bool import_picture(const struct import_options *options,
-                    const struct picture *picture,
-                    const struct pel_format *format)
+                    struct picture *picture, const struct pel_format *format)
 {
     struct canvas canvas;
     struct import_text text;
     if (!canvas_init(&canvas, format, picture->width, picture->height))
         return false;
-    for (int y = 0; y < picture->height; y++)
-        format->put(&canvas.surface, 0, y, picture->width,
-                    picture_row(picture, y));
+    store(&canvas.surface, picture, options);
     bool done = import_text_open(&text, options->output, options->source,
                                  "core/asset/image_asset.h");
     if (done) {

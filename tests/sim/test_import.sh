@@ -114,6 +114,34 @@ same_as mono1_pages mono1
 "$PEL" compare --tolerance 16 "$dir/gray4.ppm" "$dir/gray8.ppm" >/dev/null ||
     fail "gray4 is more than a step away from gray8"
 
+# Alpha: kept by argb8888, blended by the others, which say so. The pixels are
+# opaque green, half red, and blue that is not there; a .tga has no checksum.
+printf '\0\0\2\0\0\0\0\0\0\0\0\0\3\0\1\0\40\50' >"$dir/alpha.tga"
+printf '\0\377\0\377\0\0\377\200\377\0\0\0' >>"$dir/alpha.tga"
+alpha() { # BYTES OPTIONS...: what the asset holds, in memory order
+    bytes=$1
+    shift
+    "$PEL" import "$dir/alpha.tga" "$@" --name asset -o "$dir/alpha.c" \
+        2>"$dir/message"
+    grep -qF "$bytes," "$dir/alpha.c" || fail "alpha $*: $(cat "$dir/alpha.c")"
+}
+if "$PEL" import "$dir/alpha.tga" -o "$dir/alpha.c" 2>"$dir/message"; then
+    alpha "0, 255, 0, 255, 0, 0, 255, 128, 255, 0, 0, 0" --format argb8888
+    [ ! -s "$dir/message" ] || fail "alpha is kept: $(cat "$dir/message")"
+    alpha "0, 255, 0, 0, 0, 128, 0, 0, 0" --format rgb888
+    grep -qF 'transparent is blended onto #000000' "$dir/message" ||
+        fail "blended without a word"
+    alpha "0, 255, 0, 32, 16, 136, 64, 32, 16" --format rgb888 \
+        --background '#102040'
+    same argb8888 "$dir/alpha.tga" --format argb8888
+    $CC -std=c99 $WARNINGS -DFORMAT=pel_argb8888 -I. tests/sim/import_show.c \
+        "$dir/argb8888.o" "$LIBPEL" -o "$dir/show"
+    "$dir/show" >"$dir/argb8888.ppm" || fail "argb8888: the asset is refused"
+else
+    grep -qF 'package libsdl2-image-dev' "$dir/message" ||
+        fail "alpha: $(cat "$dir/message")"
+fi
+
 # What is wrong is refused, with status 2 and no file.
 refuse() {
     expected=$1
@@ -137,6 +165,9 @@ refuse "8 or 16 would be right" builtin:vase --normals 12 -o "$dir/x.c"
 
 # An option that means nothing for what is made is refused by name.
 refuse "--format is for pictures" builtin:vase --format rgb888 -o "$dir/x.c"
+refuse "--background is for pictures" builtin:vase --background '#123456' -o "$dir/x.c"
+refuse "--background is for formats without alpha" "$dir/picture.ppm" \
+    --background '#123456' --format argb8888 -o "$dir/x.c"
 for option in "--eye 1,2,3" "--light 1,2,3:1,1,1" "--size 5x5" "--color #123456"; do
     refuse "${option%% *} is for an output .pel2d" builtin:vase $option -o "$dir/x.c"
     refuse "${option%% *} is for an output .pel2d" "$dir/picture.ppm" $option -o "$dir/x.c"
