@@ -1,5 +1,6 @@
-/* Errors: one line on standard error that says what is wrong and what would be
- * right. All return false, so that a caller can `return message_error(...)`. */
+/* Errors: a line on standard error that says what is wrong and what would be
+ * right; a long list goes on in indented lines. All return false, so that a
+ * caller can `return message_error(...)`. */
 #ifndef SIM_MESSAGE_H
 #define SIM_MESSAGE_H
 

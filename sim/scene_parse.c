@@ -111,82 +111,18 @@ static size_t match_name(const struct scene_parser *p, const char *name)
     return n;
 }
 
-static bool has_first_word(const struct scene_command *c, const char *word)
-{
-    const size_t length = strcspn(c->name, " ");
-    return strlen(word) == length && strncmp(c->name, word, length) == 0;
-}
-
-/* Calls for every command of every table, until one gives true. */
-typedef bool visit(const struct scene_command *c, void *context);
-
-static const struct scene_command *search(visit *visitor, void *context)
-{
-    for (const struct scene_command *const *t = scene_tables; *t; t++)
-        for (const struct scene_command *c = *t; c->name; c++)
-            if (visitor(c, context))
-                return c;
-    return NULL;
-}
-
-/* The names of commands, as far as there is room. */
-struct name_list {
-    const char *first_word; /* NULL: all */
-    size_t length;
-    char text[3072];
-};
-
-static bool is_first_word(const struct scene_command *c, void *context)
-{
-    return has_first_word(c, context);
-}
-
-static bool add_name(const struct scene_command *c, void *context)
-{
-    struct name_list *list = context;
-    size_t room = sizeof list->text - list->length;
-    if (list->first_word && !has_first_word(c, list->first_word))
-        return false;
-    int n = snprintf(list->text + list->length, room, "%s%s",
-                     list->length ? ", " : "", c->name);
-    list->length += (size_t)n < room ? (size_t)n : room - 1;
-    return false;
-}
-
-/* "unknown": the commands with the same first word, or else all. */
-static bool refuse_unknown(const struct scene_parser *p)
-{
-    char *word = p->words[0];
-    const bool first_known = search(is_first_word, word);
-    struct name_list list = {first_known ? word : NULL, 0, ""};
-    search(add_name, &list);
-    const bool more = first_known && p->word_count > 1;
-    return message_error_at(
-        p->scene->path, p->line, "unknown command %s%s%s: valid are %s", word,
-        more ? " " : "", more ? p->words[1] : "", list.text);
-}
-
-struct match {
-    const struct scene_parser *parser;
-    size_t words;
-};
-
-static bool matches(const struct scene_command *c, void *context)
-{
-    struct match *match = context;
-    match->words = match_name(match->parser, c->name);
-    return match->words != 0;
-}
-
 static const struct scene_command *find_command(const struct scene_parser *p,
                                                 size_t *name_words)
 {
-    struct match match = {p, 0};
-    const struct scene_command *c = search(matches, &match);
-    *name_words = match.words;
-    if (!c)
-        refuse_unknown(p);
-    return c;
+    for (const struct scene_command *const *t = scene_tables; *t; t++) {
+        for (const struct scene_command *c = *t; c->name; c++) {
+            *name_words = match_name(p, c->name);
+            if (*name_words)
+                return c;
+        }
+    }
+    scene_refuse_unknown(p);
+    return NULL;
 }
 
 /* How many arguments a command needs, and in groups of how many more may
@@ -214,10 +150,10 @@ static bool refuse_count(const struct scene_place *at, size_t given)
                                        " or more, in threes"};
     size_t group;
     const size_t needed = needed_of(at->command->kinds, &group);
-    return message_error_at(at->path, at->line,
-                            "%s takes %zu values%s, not %zu: %s %s",
-                            at->command->name, needed, more[group], given,
-                            at->command->name, at->command->usage);
+    return message_error_at(
+        at->path, at->line, "%s takes %zu value%s%s, not %zu: %s %s",
+        at->command->name, needed, needed == 1 ? "" : "s", more[group], given,
+        at->command->name, at->command->usage);
 }
 
 /* Arguments from word `first` on. A word with # is a comment, unless a colour

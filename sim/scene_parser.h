@@ -19,4 +19,8 @@ struct scene_parser {
  * message, when it is not right. */
 bool scene_parse_line(struct scene_parser *parser, char *text);
 
+/* Says that no command has the name of this line, and which one may have been
+ * meant, or which ones there are. False. */
+bool scene_refuse_unknown(const struct scene_parser *parser);
+
 #endif

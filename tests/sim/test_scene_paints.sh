@@ -27,7 +27,7 @@ refused() {
     [ $got = 2 ] || fail "status $got, not 2, for: $2"
     grep -qF "pel: $work/s.pel:$1: $2" "$work/err" ||
         fail "no '$1: $2' in: $(cat "$work/err")"
-    [ "$(wc -l <"$work/err")" = 1 ] || fail "more than a line: $2"
+    [ "$(grep -cv '^    ' "$work/err")" = 1 ] || fail "more than one: $2"
     [ ! -e "$work/o.ppm" ] || fail "output in spite of: $2"
 }
 
@@ -103,7 +103,9 @@ echo 'paint fan 0 0 #ff0000 9 0 #00ff00 9 9 #00ff00 1' |
 echo 'paint fan 0 0 #ff0000 9 0 #00ff00 18 0 #00ff00' |
     refused 2 'paint fan: the points must go around their middle once'
 echo 'paint texture nothing.ppm 0 0' | refused 2 ''
-echo 'option spread more' | refused 2 'unknown command option spread'
+echo 'option spread more' | refused 2 'unknown command option spread more: valid are option spread pad, option'
+echo 'option dither maybe' | refused 2 'unknown command option dither maybe: valid are option dither on, option dither off'
+echo 'paint flat' | refused 2 'paint flat takes 1 value, not 0'
 
 [ $failures = 0 ] && echo "paints in scripts: all right"
 [ $failures = 0 ]

@@ -22,7 +22,7 @@ refused() {
     [ $got = 2 ] || fail "status $got, not 2, for: $2"
     grep -qF "pel: $work/s.pel:$1: $2" "$work/err" ||
         fail "no '$1: $2' in: $(cat "$work/err")"
-    [ "$(wc -l <"$work/err")" = 1 ] || fail "more than a line: $2"
+    [ "$(grep -cv '^    ' "$work/err")" = 1 ] || fail "more than one: $2"
     [ ! -e "$work/o.ppm" ] || fail "output in spite of: $2"
 }
 
@@ -60,8 +60,13 @@ echo 'thickline 0 32767 9 32767 4' |
     refused 2 'thickline: the ends must keep half the width'
 echo 'roundrect 30000 0 9000 5 2' | refused 2 'roundrect: the right and the'
 echo 'outline star 1 2 3' |
-    refused 2 'unknown command outline star: valid are outline triangle, outline'
-echo 'star 1 2 3' | refused 2 'unknown command star: valid are canvas, clear,'
+    refused 2 'unknown command outline star: valid are'
+echo 'star 1 2 3' | refused 2 'unknown command star: valid are'
+grep -q '^    canvas, clear, clip, bands, ' "$work/err" || fail "no list: star"
+awk 'length > 80 && NR > 1 { exit 1 }' "$work/err" || fail "a long list: star"
+echo 'circel 1 2 3' | refused 2 'unknown command circel; did you mean circle?'
+echo 'outlin arc 1 2' |
+    refused 2 'unknown command outlin; did you mean outline arc?'
 printf 'paint vertex #ff0000 #00ff00 #0000ff\nring 16 16 4 9\n' |
     refused 3 'ring: paint vertex colours triangles'
 
