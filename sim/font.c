@@ -28,7 +28,8 @@ static bool read_stream(struct font_file *file, FILE *stream)
     }
     file->data[file->size] = '\0';
     return !ferror(stream) ||
-           message_error_at(file->path, 0, "%s", strerror(errno));
+           message_error_at(file->path, 0, "cannot be read: %s",
+                            strerror(errno));
 }
 
 static bool read_file(struct font_file *file)
@@ -37,7 +38,8 @@ static bool read_file(struct font_file *file)
         return read_stream(file, stdin);
     FILE *stream = fopen(file->path, "rb");
     if (!stream)
-        return message_error_at(file->path, 0, "%s", strerror(errno));
+        return message_error_at(file->path, 0, "cannot be read: %s",
+                                strerror(errno));
     bool done = read_stream(file, stream);
     fclose(stream);
     return done;

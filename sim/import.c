@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
+#include <unistd.h>
 
 #include "arguments.h"
 #include "commands.h"
@@ -184,6 +185,28 @@ static bool check_name(const char *name)
                          name);
 }
 
+/* By its name's ending, when it is there: assimp's own messages would not tell
+ * of pictures and fonts. */
+static bool check_kind(const char *path)
+{
+    static const char *const packed[] = {".gz", NULL}, *const pcf[] = {".pcf",
+                                                                       NULL};
+    if (access(path, R_OK) != 0 || mesh_ending_known(path) || is_pel2d(path))
+        return true;
+    if (has_ending(path, packed))
+        return message_error_at(path, 0,
+                                "is packed; `gunzip -k` first, and of a font "
+                                ".pcf then `pcf2bdf -o FONT.bdf`, would be "
+                                "right");
+    if (has_ending(path, pcf))
+        return message_error_at(path, 0,
+                                "is a font of another kind; `pcf2bdf -o "
+                                "FONT.bdf` first would be right");
+    return message_error_at(path, 0,
+                            "neither mesh, picture nor font by its "
+                            "ending");
+}
+
 static bool check(struct import_command *c)
 {
     static const char *const ending[] = {".c", NULL};
@@ -201,6 +224,8 @@ static bool check(struct import_command *c)
     if (strcmp(output, "-") != 0 && !has_ending(output, ending))
         return message_error_at(output, 0,
                                 "an output .c or .pel2d would be right");
+    if (!is_picture(input) && !is_font(input) && !check_kind(input))
+        return false;
     if (!c->options.name)
         make_name(c);
     return check_name(c->options.name) &&

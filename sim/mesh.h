@@ -43,6 +43,10 @@ void mesh_free(struct mesh *mesh);
  * file cannot be read, is malformed, or assimp was missing at build time. */
 bool mesh_load(struct mesh *mesh, const char *path);
 
+/* Does assimp know the ending of this name? True when it has none, or this
+ * build has no assimp: then loading tells. */
+bool mesh_ending_known(const char *path);
+
 /* Can this build read mesh files, or only MESH_BUILTIN? */
 bool mesh_files_supported(void);
 

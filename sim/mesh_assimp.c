@@ -246,10 +246,16 @@ static const struct aiScene *read_scene(const char *path)
     return NULL;
 }
 
+bool mesh_ending_known(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    return !dot || strchr(dot, '/') || aiIsExtensionSupported(dot);
+}
+
 bool mesh_load_file(struct mesh *mesh, const char *path)
 {
     if (access(path, R_OK) != 0)
-        return message_error_at(path, 0, "%s", strerror(errno));
+        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
     const struct aiScene *scene = read_scene(path);
     if (!scene)
         return false;
@@ -267,6 +273,12 @@ bool mesh_load_file(struct mesh *mesh, const char *path)
 bool mesh_files_supported(void)
 {
     return false;
+}
+
+bool mesh_ending_known(const char *path)
+{
+    (void)path;
+    return true;
 }
 
 bool mesh_load_file(struct mesh *mesh, const char *path)

@@ -225,7 +225,7 @@ bool pel2d_load(struct pel2d *flat, const char *path)
                        .path = path};
     memset(flat, 0, sizeof(*flat));
     if (!r.file)
-        return message_error_at(path, 0, "%s", strerror(errno));
+        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
     bool done = read_all(&r, flat);
     if (!is_input)
         fclose(r.file);

@@ -1,7 +1,9 @@
 #include "texture.h"
 
+#include <errno.h>
 #include <math.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "message.h"
 
@@ -42,6 +44,8 @@ static bool load(struct picture *picture, const char *name, SDL_RWops *source,
 static bool load_file(struct picture *picture, const char *path)
 {
     const char *dot = strrchr(path, '.');
+    if (access(path, R_OK) != 0)
+        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
     return load(picture, path, SDL_RWFromFile(path, "rb"), dot ? dot + 1 : "");
 }
 

@@ -129,8 +129,8 @@ printf 'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n' \
 printf 'property float y\nproperty float z\nend_header\n1 2 3\n' \
     >>"$dir/point.ply"
 refuse "$dir/point.ply: a mesh file without triangles" "$dir/point.ply"
-refuse "$dir/none.obj: No such file" "$dir/none.obj"
-refuse "$dir/none.png:" $v --texture-file "$dir/none.png"
+refuse "$dir/none.obj: cannot be read: No such file" "$dir/none.obj"
+refuse "$dir/none.png: cannot be read: No such file" $v --texture-file "$dir/none.png"
 refuse "$dir/vase.pel2d: is projected already" "$dir/vase.pel2d" --focal 20
 refuse "$dir/vase.pel2d: has its colours already" "$dir/vase.pel2d" \
     --texture-file "$dir/a.ppm"
