@@ -84,8 +84,7 @@ struct piece {
 
 static void knot_at(const struct row *row, int32_t x, struct pel_knot *k)
 {
-    const struct pel_point way = {way_to(row, x), row->dy};
-    k->slope = row->curve->knot(row->paint, way, &k->value);
+    k->slope = row->curve->knot(row->paint, way_to(row, x), row->dy, &k->value);
 }
 
 static int32_t skip_of(int32_t x, int log2)
@@ -182,10 +181,16 @@ static PEL_NOINLINE int32_t skip_of(const struct pel_run *run, int log2)
     return run->x & ((1 << log2) - 1);
 }
 
-static PEL_NOINLINE int32_t knot_way(const struct pel_curve *curve,
-                                     const struct pel_run *run, int log2)
+/* From the centre to the piece's first pixel. */
+static PEL_NOINLINE int32_t x_of(const struct pel_curve *curve,
+                                 const struct pel_run *run, int log2)
 {
     return pel_pixel_center(run->x - skip_of(run, log2)) - curve->center.x;
+}
+
+static int32_t y_of(const struct pel_curve *curve, const struct pel_run *run)
+{
+    return pel_pixel_center(run->y) - curve->center.y;
 }
 
 static PEL_NOINLINE void set_differences(struct pel_ramp_walk *w, int log2)
@@ -209,12 +214,10 @@ static void set_piece(const struct pel_curve *curve, const void *paint,
                       const struct pel_run *run, int log2,
                       struct pel_ramp_walk *w)
 {
-    struct pel_point way;
-    way.x = knot_way(curve, run, log2);
-    way.y = pel_pixel_center(run->y) - curve->center.y;
-    w->d1 = (uint64_t)curve->knot(paint, way, &w->at);
-    way.x += 256 << log2;
-    w->d3 = (uint64_t)curve->knot(paint, way, &w->d2);
+    int32_t x = x_of(curve, run, log2);
+    w->d1 = (uint64_t)curve->knot(paint, x, y_of(curve, run), &w->at);
+    x = x_of(curve, run, log2) + (256 << log2);
+    w->d3 = (uint64_t)curve->knot(paint, x, y_of(curve, run), &w->d2);
     w->inside = w->at < curve->limit && (log2 == 0 || w->d2 < curve->limit);
     if (log2 == 0)
         stay_at(w, w->at);

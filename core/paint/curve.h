@@ -32,8 +32,8 @@ struct pel_curve {
      * there, in sub-pixels, the next piece's first one included. */
     const int32_t *far;
 
-    /* The knot at `way` from the centre: its value, and returns its slope. */
-    int64_t (*knot)(const void *paint, struct pel_point way, uint64_t *value);
+    /* The knot at (x, y) from the centre: its value, and returns its slope. */
+    int64_t (*knot)(const void *paint, int32_t x, int32_t y, uint64_t *value);
 
     pel_run_function *run;
 

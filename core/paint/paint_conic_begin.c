@@ -40,19 +40,19 @@ static PEL_NOINLINE uint64_t bracket(uint32_t across, uint64_t square)
  * in 2^-64 turns dy 2^8 2^64 / (2 pi r^2) = (dy 2^38 / r^2) 2^2 (2^32 / 2 pi).
  * |dy| < 2^25. At r >= 4067 the bracket is below 2^27, and the slope below
  * 2^58; nearer slopes are of no use and may overflow. */
-static PEL_WALK int64_t slope_of(struct pel_point way)
+static PEL_WALK int64_t slope_of(int32_t x, int32_t y)
 {
-    const uint64_t square = (uint64_t)(pel_square(way.x) + pel_square(way.y));
-    const uint32_t across = (uint32_t)(way.y < 0 ? -way.y : way.y);
+    const uint64_t square = (uint64_t)(pel_square(x) + pel_square(y));
+    const uint32_t across = (uint32_t)(y < 0 ? -y : y);
     const uint64_t fall = bracket(across, square) * turns_of_radian * 4;
-    return (int64_t)(way.y > 0 ? 0 - fall : fall);
+    return (int64_t)(y > 0 ? 0 - fall : fall);
 }
 
-static int64_t knot(const void *paint, struct pel_point way, uint64_t *value)
+static int64_t knot(const void *paint, int32_t x, int32_t y, uint64_t *value)
 {
-    const uint32_t turn = pel_turn_of(way.x, way.y);
+    const uint32_t turn = pel_turn_of(x, y);
     *value = (uint64_t)(turn - ((const struct pel_conic *)paint)->start) << 32;
-    return slope_of(way);
+    return slope_of(x, y);
 }
 
 #if PEL_FAST_64BIT

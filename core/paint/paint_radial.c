@@ -24,13 +24,13 @@ static PEL_WIDE uint64_t square_of(int32_t x, int32_t y)
     return (uint64_t)(pel_square(x) + pel_square(y)) * 4096;
 }
 
-static int64_t knot(const void *paint, struct pel_point way, uint64_t *value)
+static int64_t knot(const void *paint, int32_t x, int32_t y, uint64_t *value)
 {
     const struct pel_radial *p = paint;
     struct pel_root r;
-    pel_square_root(square_of(way.x, way.y), &r);
+    pel_square_root(square_of(x, y), &r);
     *value = (uint64_t)r.root * p->scale + p->phase;
-    return slope_of(&r, way.x, p->scale);
+    return slope_of(&r, x, p->scale);
 }
 
 static void run(const void *paint, struct pel_ramp_walk *walk, int32_t n,

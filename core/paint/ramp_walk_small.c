@@ -87,17 +87,18 @@ void pel_ramp_run(const struct pel_ramp *ramp, struct pel_ramp_walk *walk,
 struct strip {
     struct pel_ramp_walk walk;
     struct pel_run run;
-    const struct pel_surface *surface;
     int32_t left; /* pixels that the walk is right for */
 };
 
 static PEL_NOINLINE void put_some(const struct pel_walker *walker,
-                                  const void *paint, struct strip *s)
+                                  const void *paint,
+                                  const struct pel_surface *surface,
+                                  struct strip *s)
 {
     pel_color colors[PEL_BUFFER_PIXELS];
     s->run.n = pel_min(s->left, PEL_BUFFER_PIXELS);
     walker->run(paint, &s->walk, s->run.n, colors);
-    pel_put_colors(s->surface, s->run.x, s->run.y, s->run.n, colors);
+    pel_put_colors(surface, s->run.x, s->run.y, s->run.n, colors);
     s->run.x += s->run.n;
     s->left -= s->run.n;
 }
@@ -106,15 +107,15 @@ static PEL_NOINLINE void put_some(const struct pel_walker *walker,
 void pel_walker_fill(const struct pel_walker *walker, const void *paint,
                      const struct pel_rows *rows)
 {
+    const struct pel_row *row = rows->row;
     struct strip s;
-    s.surface = rows->surface;
     s.run.y = rows->y;
-    for (int32_t i = 0; i < rows->n; i++, s.run.y += rows->step) {
-        s.run.x = rows->row[i].x0;
-        while ((s.run.n = rows->row[i].x1 - s.run.x) > 0) {
+    for (; row < rows->row + rows->n; row++, s.run.y += rows->step) {
+        s.run.x = row->x0;
+        while ((s.run.n = row->x1 - s.run.x) > 0) {
             s.left = walker->begin(paint, &s.run, &s.walk);
             while (s.left > 0)
-                put_some(walker, paint, &s);
+                put_some(walker, paint, rows->surface, &s);
         }
     }
 }
