@@ -20,21 +20,20 @@ void pel_color_paint_fill(const struct pel_paint *paint,
                           const struct pel_rows *rows)
 {
     const struct pel_color_paint *p = (const void *)paint;
-    const struct pel_surface *s = rows->surface;
-    const bool in_place = p->opaque && color_is_pixel(s->format);
+    const bool in_place = p->opaque && color_is_pixel(rows->surface->format);
     const struct pel_row *row = rows->row;
     int32_t y = rows->y;
     pel_color colors[RUN_PIXELS];
-    for (int i = 0; i < rows->n; i++, row++, y += rows->step) {
+    for (; row < rows->row + rows->n; row++, y += rows->step) {
         int32_t x = row->x0, n = row->x1 - x;
         if (in_place && n > 0) {
-            p->colors(p, x, y, n, pel_address32(s, x, y));
+            p->colors(p, x, y, n, pel_address32(rows->surface, x, y));
             continue;
         }
         for (; x < row->x1; x += n) {
             n = pel_min(row->x1 - x, RUN_PIXELS - (x & (RUN_PIXELS - 1)));
             p->colors(p, x, y, n, colors);
-            pel_put_colors(s, x, y, n, colors);
+            pel_put_colors(rows->surface, x, y, n, colors);
         }
     }
 }

@@ -110,19 +110,16 @@ static const struct pel_format kept = {
     255, 32, 4, keep, keep, keep_one, keep_one, keep_all, load,
 };
 
-/* What the source does not paint stays transparent. */
 static PEL_NOINLINE void source_colors(const struct pel_paint *source,
                                        int32_t y, const struct pel_row *row,
                                        pel_color *colors)
 {
-    const int32_t bytes = 4 * (row->x1 - row->x0);
     const struct pel_surface surface = {colors,
-                                        bytes,
+                                        4 * (row->x1 - row->x0),
                                         {row->x0, y, row->x1, y + 1},
                                         {row->x0, y, row->x1, y + 1},
                                         &kept};
     const struct pel_rows rows = {&surface, row, y, 1, 1};
-    memset(colors, 0, (size_t)bytes);
     source->fill(source, &rows);
 }
 
@@ -139,30 +136,32 @@ static PEL_NOINLINE void dither_colors(const struct pel_format *format,
         *colors = dithered_color(*colors, &depth, 2u * thresholds[x & 7] + 1);
 }
 
-static void fill_run(const struct pel_paint *source,
-                     const struct pel_surface *s, int32_t y,
-                     const struct pel_row *row)
+static void fill_run(const struct pel_dither *p, const struct pel_rows *rows,
+                     int32_t y, const struct pel_row *row)
 {
     pel_color colors[RUN_PIXELS];
     struct pel_row part = *row;
     for (; part.x0 < row->x1; part.x0 = part.x1) {
         part.x1 = pel_min(row->x1, (part.x0 | (RUN_PIXELS - 1)) + 1);
-        source_colors(source, y, &part, colors);
-        dither_colors(s->format, y, &part, colors);
-        pel_put_colors(s, part.x0, y, part.x1 - part.x0, colors);
+        /* What the source does not paint stays transparent. */
+        memset(colors, 0, (size_t)(part.x1 - part.x0) * sizeof *colors);
+        source_colors(p->source, y, &part, colors);
+        dither_colors(rows->surface->format, y, &part, colors);
+        pel_put_colors(rows->surface, part.x0, y, part.x1 - part.x0, colors);
     }
 }
 
 static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
 {
     const struct pel_dither *p = (const void *)paint;
+    const struct pel_row *row = rows->row;
     int32_t y = rows->y;
     if (depth_of(rows->surface->format).red == 8) {
         p->source->fill(p->source, rows);
         return;
     }
-    for (int i = 0; i < rows->n; i++, y += rows->step)
-        fill_run(p->source, rows->surface, y, &rows->row[i]);
+    for (; row < rows->row + rows->n; row++, y += rows->step)
+        fill_run(p, rows, y, row);
 }
 
 enum pel_status pel_dither_init(struct pel_dither *paint,
