@@ -1,12 +1,14 @@
 /* pel compare: where two pictures differ. */
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #include "arguments.h"
 #include "commands.h"
 #include "message.h"
 #include "number.h"
 #include "picture.h"
+#include "texture.h"
 
 struct compare_options {
     const char *path[2], *diff;
@@ -71,8 +73,9 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
 static const struct argp parser = {
     options,
     parse_option,
-    "A.ppm B.ppm",
-    "Compares two pictures (PPM or PGM; - is standard input).\v"
+    "A B",
+    "Compares two pictures (.ppm, .pgm, .png and what else pel reads; - is a "
+    "PPM on standard input).\v"
     "Exit status: 0 equal, 1 different, 2 error. Prints the sizes when they "
     "differ, else the number of differing pixels, the worst difference, and "
     "the first such pixel.",
@@ -171,15 +174,26 @@ static int report(const struct picture p[2], const struct compare_options *o)
     return STATUS_DIFFERENT;
 }
 
+/* A picture's ending tells its kind; PPM needs none. */
+static bool load(struct picture *picture, const char *path)
+{
+    static const char *const ending[] = {".png", ".jpg", ".jpeg",
+                                         ".tga", ".bmp", NULL};
+    const char *dot = strrchr(path, '.');
+    for (const char *const *e = ending; dot && *e; e++)
+        if (strcasecmp(dot, *e) == 0)
+            return texture_load(picture, path);
+    return picture_load(picture, path);
+}
+
 int command_compare(int argc, char **argv)
 {
     struct compare_options o = {{NULL, NULL}, NULL, 0, 0};
     struct picture p[2] = {{0, 0, NULL}, {0, 0, NULL}};
     int status = STATUS_ERROR;
     arguments_parse(&parser, argc, argv, &o);
-    if ((!o.diff || picture_path_check(o.diff)) &&
-        picture_load(&p[0], o.path[0]) && picture_load(&p[1], o.path[1]) &&
-        write_diff(p, &o))
+    if ((!o.diff || picture_path_check(o.diff)) && load(&p[0], o.path[0]) &&
+        load(&p[1], o.path[1]) && write_diff(p, &o))
         status = report(p, &o);
     picture_free(&p[0]);
     picture_free(&p[1]);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "core/scene/pipeline.h"
 #include "import_text.h"
 
 struct import {
@@ -122,6 +123,31 @@ static void write_struct(struct import *import)
     fprintf(out, "};\n");
 }
 
+/* What a firmware's author asks first: where the camera may stand, and how much
+ * memory a scene with this mesh takes. */
+static void write_figures(const struct import *import)
+{
+    FILE *out = import->text.output.stream;
+    const struct mesh *mesh = import->mesh;
+    const struct pel_mesh counts = {.vertices = mesh->vertices,
+                                    .triangles = mesh->triangles};
+    const struct pel_scene scene = {.mesh = &counts};
+    fprintf(out, "\n/* %u vertices, %u triangles, in this box of units:\n",
+            mesh->vertices, mesh->triangles);
+    for (int k = 0; k < 3; k++) {
+        double low = INFINITY, high = -INFINITY;
+        for (uint32_t i = 0; i < mesh->vertices; i++) {
+            low = fmin(low, mesh->vertex[i].position[k]);
+            high = fmax(high, mesh->vertex[i].position[k]);
+        }
+        fprintf(out, " *     %c %.6g to %.6g\n", 'x' + k, low, high);
+    }
+    fprintf(out,
+            " * pel_scene_prepare takes %zu bytes of scratch memory at most, "
+            "and 40 for\n * each light. */\n",
+            pel_scene_scratch_size(&scene));
+}
+
 bool import_mesh(const struct import_options *options, const struct mesh *mesh)
 {
     struct import import = {.options = options, .mesh = mesh};
@@ -135,6 +161,7 @@ bool import_mesh(const struct import_options *options, const struct mesh *mesh)
     if (!import_text_open(&import.text, options->output, options->source,
                           "core/asset/mesh_asset.h"))
         return false;
+    write_figures(&import);
     write_arrays(&import);
     write_struct(&import);
     return output_commit(&import.text.output);

@@ -12,19 +12,27 @@
 #include "message.h"
 #include "milliseconds.h"
 #include "number.h"
+#include "output.h"
+#include "print_camera.h"
 #include "render_painter.h"
 #include "stage_options.h"
 
 struct render_options {
     struct device_options device;
     struct stage_options stage;
-    const char *output;
+    const char *output; /* NULL: standard output */
     const struct pel_format *format;
     int bands;
-    bool lines, timed;
+    bool lines, timed, print_camera;
 };
 
-enum { OPTION_FORMAT = 0x200, OPTION_BANDS, OPTION_COLLINEAR, OPTION_TIME };
+enum {
+    OPTION_FORMAT = 0x200,
+    OPTION_BANDS,
+    OPTION_COLLINEAR,
+    OPTION_TIME,
+    OPTION_CAMERA
+};
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0,
@@ -37,6 +45,10 @@ static const struct argp_option options[] = {
      0},
     {"time", OPTION_TIME, NULL, 0,
      "print the milliseconds that the drawing took on standard error", 0},
+    {"print-camera", OPTION_CAMERA, NULL, 0,
+     "print an initialiser of struct pel_camera, for firmware that shows the "
+     "same view; there is a picture only with -o or --device",
+     0},
     {0},
 };
 
@@ -95,6 +107,9 @@ static error_t parse(int key, char *text, struct argp_state *state)
     case OPTION_TIME:
         o->timed = true;
         return 0;
+    case OPTION_CAMERA:
+        o->print_camera = true;
+        return 0;
     case OPTION_COLLINEAR:
         return parse_collinear(text, o) ? 0 : EINVAL;
     default:
@@ -115,17 +130,25 @@ static const struct argp parser = {
     .children = children,
 };
 
+static const char *output_of(const struct render_options *o)
+{
+    return o->output ? o->output : "-";
+}
+
 static bool check(const struct render_options *o)
 {
     if (!o->stage.source.path)
         return message_error("a mesh is missing; `pel render MESH -o OUT.ppm` "
                              "would be right");
+    if (o->print_camera && o->output && strcmp(o->output, "-") == 0)
+        return message_error("--print-camera is for standard output, and the "
+                             "picture too; -o FILE would be right");
     if (!canvas_bands_legal(o->format, o->bands))
         return message_error("--bands is %d; in mono1_pages a multiple of 8 "
                              "would be right",
                              o->bands);
-    return picture_path_check(o->output) &&
-           device_check_output(&o->device, o->output);
+    return picture_path_check(output_of(o)) &&
+           device_check_output(&o->device, output_of(o));
 }
 
 /* A mesh on its stage, or a pel2d file's triangles: only read while parts of a
@@ -190,7 +213,8 @@ static bool save(const struct drawing *drawing)
         return false;
     const bool done =
         device_draw_canvas(&o->device, &canvas, draw_mesh, drawing) &&
-        canvas_picture(&canvas, &picture) && picture_save(&picture, o->output);
+        canvas_picture(&canvas, &picture) &&
+        picture_save(&picture, output_of(o));
     canvas_free(&canvas);
     picture_free(&picture);
     return done;
@@ -227,6 +251,10 @@ static bool render_pel2d(const struct render_options *o)
     struct painter painter = {.shade = is_flat ? PAINTER_FLAT : PAINTER_GOURAUD,
                               .lines = o->lines};
     const struct drawing drawing = {o, NULL, &painter};
+    if (o->print_camera)
+        return message_error_at(o->stage.source.path, 0,
+                                "is projected already: --print-camera is for "
+                                "mesh files");
     if (!check_pel2d(&o->stage) || !pel2d_load(&flat, o->stage.source.path))
         return false;
     const bool done = painter_init(&painter, &flat) && finish(&drawing);
@@ -246,6 +274,15 @@ static bool prepare(struct stage *stage, const struct stage_settings *settings,
     return done;
 }
 
+static bool print(const struct stage *stage)
+{
+    struct output output;
+    if (!output_open(&output, "-"))
+        return false;
+    print_camera(output.stream, stage);
+    return output_commit(&output);
+}
+
 static bool render_mesh(const struct render_options *o)
 {
     struct model model;
@@ -258,7 +295,9 @@ static bool render_mesh(const struct render_options *o)
         return false;
     const bool ready = stage_init(&stage, &model) &&
                        prepare(&stage, &o->stage.settings, o->timed);
-    const bool done = ready && finish(&drawing);
+    const bool printed = ready && (!o->print_camera || print(&stage));
+    const bool only = o->print_camera && !o->output && !o->device.name;
+    const bool done = printed && (only || finish(&drawing));
     stage_free(&stage);
     model_free(&model);
     return done;
@@ -269,7 +308,6 @@ int command_render(int argc, char **argv)
     struct render_options o = {
         .device = {.jobs = 1},
         .stage = {.settings = stage_default},
-        .output = "-",
         .format = format_find("xrgb8888"),
     };
     arguments_parse(&parser, argc, argv, &o);

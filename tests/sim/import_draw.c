@@ -14,8 +14,28 @@ extern const struct pel_mesh_asset asset;
 
 enum { SIZE = 600 };
 
-/* The camera and the light of test_import.sh. */
+/* The camera and the light of test_import.sh: of --print-camera, or of the
+ * same numbers. */
+#ifdef CAMERA
+static const struct pel_camera camera =
+#include CAMERA
+    ;
+#else
 static const double eye[3] = {EYE}, target[3] = {TARGET};
+
+static void set_camera(struct pel_camera *camera)
+{
+    *camera = (struct pel_camera){.up = {0, 1, 0},
+                                  .focal = 50000,
+                                  .sensor = {36000, 36000},
+                                  .near = PEL_UNITS(1) / 8};
+    for (int k = 0; k < 3; k++) {
+        camera->eye[k] = (pel_length)(eye[k] * 65536);
+        camera->target[k] = (pel_length)(target[k] * 65536);
+    }
+}
+#endif
+
 static const struct pel_light sun = {
     .at = {1, 2, 3}, .directional = true, .color = {65536, 65536, 65536}};
 static const struct pel_lighting lighting = {
@@ -38,14 +58,11 @@ static void set_scene(struct pel_scene *scene, struct pel_mesh *mesh,
     scene->color = PEL_RGB(0xa0, 0xb4, 0xc8);
     scene->sort = pel_depth_sort;
     scene->viewport = (struct pel_rect){0, 0, SIZE, SIZE};
-    scene->camera = (struct pel_camera){.up = {0, 1, 0},
-                                        .focal = 50000,
-                                        .sensor = {36000, 36000},
-                                        .near = PEL_UNITS(1) / 8};
-    for (int k = 0; k < 3; k++) {
-        scene->camera.eye[k] = (pel_length)(eye[k] * 65536);
-        scene->camera.target[k] = (pel_length)(target[k] * 65536);
-    }
+#ifdef CAMERA
+    scene->camera = camera;
+#else
+    set_camera(&scene->camera);
+#endif
     scene->shading = shade[0] == 'f'   ? &pel_shade_flat
                      : shade[0] == 'g' ? &pel_shade_gouraud
                                        : &pel_shade_phong;

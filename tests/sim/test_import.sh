@@ -56,6 +56,21 @@ mesh() {
     done
 }
 
+# framed NAME MESH OPTIONS...: the same with the camera of --print-camera, of
+# the asset that mesh() made.
+framed() {
+    name=$1 file=$2
+    shift 2
+    look='--unlit --texture nearest --mapping vertices --shade gouraud'
+    "$PEL" render "$file" --size 600x600 --format rgb565_le "$@" $look \
+        --print-camera -o "$dir/framed.ppm" >"$dir/camera.inc"
+    "$PEL" render "$file" --size 600x600 "$@" --print-camera |
+        cmp - "$dir/camera.inc" || fail "$name: another camera without -o"
+    $CC -std=c99 -O2 $WARNINGS -DCAMERA="\"$dir/camera.inc\"" -I. \
+        tests/sim/import_draw.c "$dir/$name.o" "$LIBPEL" -lm -o "$dir/framed"
+    "$dir/framed" "$dir/framed.ppm" gouraud || fail "$name: framed differs"
+}
+
 # A square with colours of its own, far from the origin, with 2 materials' worth
 # of nothing else: what a mesh file needs at least.
 cat >"$dir/square.ply" <<'EOF'
@@ -84,6 +99,10 @@ if [ ! -r "$duck" ]; then
     fail "$duck is missing: the package assimp-testmodels brings it"
 else
     mesh duck "$duck" 0.125,0.875,3.5 0.125,0.875,0
+    framed duck "$duck"
+    framed duck "$duck" --projection orthographic --up 0.2,1,0
+    grep -q '^/\* [0-9]* vertices, [0-9]* triangles' "$dir/duck.c" ||
+        fail "no figures"
     mesh duck16 "$duck" 0.125,0.875,3.5 0.125,0.875,0 --normals 16
     grep -q 'int16_t asset_normals' "$dir/duck16.c" || fail "no 16-bit normals"
 fi

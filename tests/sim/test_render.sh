@@ -132,9 +132,19 @@ refuse "$dir/point.ply: a mesh file without triangles" "$dir/point.ply"
 refuse "$dir/none.obj: cannot be read: No such file" "$dir/none.obj"
 refuse "$dir/none.png: cannot be read: No such file" $v --texture-file "$dir/none.png"
 refuse "$dir/vase.pel2d: is projected already" "$dir/vase.pel2d" --focal 20
+refuse "$dir/vase.pel2d: is projected already: --print-camera" \
+    "$dir/vase.pel2d" --print-camera
 refuse "$dir/vase.pel2d: has its colours already" "$dir/vase.pel2d" \
     --texture-file "$dir/a.ppm"
 echo "pel2d 1 1" >"$dir/short.pel2d"
 refuse "$dir/short.pel2d:2: the file ends here" "$dir/short.pel2d"
+
+status=0
+"$PEL" render $v --print-camera -o - >"$dir/out" 2>&1 || status=$?
+[ $status -eq 2 ] && grep -q 'picture too; -o FILE' "$dir/out" ||
+    fail "a picture among text"
+status=0
+"$PEL" render $v --print-camera >/dev/full 2>"$dir/message" || status=$?
+[ $status -eq 2 ] || fail "no space for the camera: status $status"
 
 exit $failed

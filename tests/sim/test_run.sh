@@ -264,6 +264,19 @@ printf 'P3 2 2 255  0 0 0  128 0 0  130 0 0  10 10 10' >"$work/e.ppm"
 status 0 "$PEL" compare "$work/d.ppm" "$work/e.ppm"
 # shellcheck disable=SC2094
 "$PEL" compare - "$work/a.ppm" <"$work/a.ppm" || fail "compare - A"
+cp "$work/a.ppm" "$work/a" # without an ending: PPM
+status 0 "$PEL" compare "$work/a" "$work/a.ppm"
+if "$PEL" import "$work/a.bmp" -o - 2>&1 | grep -q 'libsdl2-image-dev'; then
+    echo "without SDL2_image only .ppm is compared"
+else
+    printf 'canvas 9 5 rgb888\nclear #123456\nrect 1 2 3 2 #fedcba\n' \
+        >"$work/s.pel"
+    for ending in ppm bmp png; do
+        "$PEL" run "$work/s.pel" -o "$work/kind.$ending" 2>/dev/null || continue
+        status 0 "$PEL" compare "$work/kind.ppm" "$work/kind.$ending"
+    done
+    status 2 "$PEL" compare "$work/kind.ppm" "$work/none.png"
+fi
 status 2 "$PEL" compare - -
 status 2 "$PEL" compare "$work/a.ppm"
 status 2 "$PEL" compare "$work/a.ppm" "$work/b.ppm" "$work/c.ppm"
