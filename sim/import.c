@@ -300,7 +300,7 @@ static bool import_as_mesh(struct import_command *c)
                                 "is projected already; a mesh would be right");
     if (!mesh_load(&mesh, path))
         return false;
-    bool done = (!c->stage.source.face_normals || mesh_normals(&mesh)) &&
+    bool done = (!c->stage.source.smooth_normals || mesh_normals(&mesh)) &&
                 mesh_paint(&mesh, path, c->stage.source.texture) &&
                 import_mesh(&c->options, &mesh);
     mesh_free(&mesh);

@@ -166,7 +166,7 @@ bool model_load(struct model *model, const struct model_source *source)
     memset(model, 0, sizeof(*model));
     if (!mesh_load(&mesh, source->path))
         return false;
-    bool done = (!source->face_normals || mesh_normals(&mesh)) &&
+    bool done = (!source->smooth_normals || mesh_normals(&mesh)) &&
                 model_make(model, &mesh) &&
                 model_add_texture(model, &mesh, source);
     if (!done)

@@ -21,7 +21,8 @@ struct model_source {
     const char *path;     /* a mesh file or MESH_BUILTIN */
     const char *texture;  /* a picture file; NULL: the mesh's own */
     bool without_texture; /* none is read */
-    bool face_normals;    /* made from the faces, whatever the file has */
+    bool smooth_normals;  /* the mean of the faces around a vertex,
+                           whatever the file has */
 };
 
 /* Reads a mesh and its texture. A texture of the mesh's own that cannot be read

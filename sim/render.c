@@ -233,7 +233,7 @@ static bool check_pel2d(const struct stage_options *o)
         return message_error_at(path, 0,
                                 "is projected already: of the camera's options "
                                 "only --size and --background apply");
-    if (o->has_mesh_option || o->source.texture || o->source.face_normals)
+    if (o->has_mesh_option || o->source.texture || o->source.smooth_normals)
         return message_error_at(path, 0,
                                 "has its colours already: options of light, "
                                 "texture and order are for mesh files");

@@ -214,7 +214,7 @@ static void set_wrap(struct scene_pen *pen, const int32_t *v, size_t n)
 static void set_normals(struct scene_pen *pen, const int32_t *v, size_t n)
 {
     (void)n;
-    pen->stage->face_normals = v[0] == 1;
+    pen->stage->smooth_normals = v[0] == 1;
 }
 
 static void set_order(struct scene_pen *pen, const int32_t *v, size_t n)
@@ -295,7 +295,7 @@ const struct scene_command scene_mesh_commands[] = {
           set_mapping),
     STATE("option mesh span", "o", "2|4|8|16|32|64", set_span),
     STATE("option mesh wrap", "o", "clamp|repeat|mirror", set_wrap),
-    STATE("option mesh normals", "o", "file|faces", set_normals),
+    STATE("option mesh normals", "o", "file|smooth", set_normals),
     STATE("option mesh order", "o", "painter|zbuffer16|zbuffer32", set_order),
     STATE("option mesh cull", "o", "none|back|front", set_cull),
     STATE("option mesh color own", "", "", set_own_colors),

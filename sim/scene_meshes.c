@@ -30,7 +30,7 @@ static bool load(const struct scene_place *place, struct scene_mesh *mesh,
         .path = path,
         .texture = set->texture < 0 ? NULL : place->assets->texts[set->texture],
         .without_texture = set->settings.texture == STAGE_TEXTURE_NONE,
-        .face_normals = set->face_normals};
+        .smooth_normals = set->smooth_normals};
     return model_load(&mesh->model, &source) &&
            stage_init(&mesh->stage, &mesh->model) &&
            stage_prepare(&mesh->stage, &set->settings);

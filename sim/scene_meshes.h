@@ -10,7 +10,7 @@
 struct scene_stage {
     struct stage_settings settings;
     int32_t texture; /* of scene_assets.texts: its file; -1: the mesh's own */
-    bool face_normals;
+    bool smooth_normals;
 };
 
 /* As pel render begins, on all of the canvas. */

@@ -30,13 +30,18 @@ static const struct argp_option options[] = {
     {"transparency", KEY_TRANSPARENCY, "0..255", 0,
      "0 (default) is opaque, 255 draws nothing", 0},
     {"normals-from", KEY_NORMALS, "SOURCE", 0,
-     "file (default: where it has them) or faces", 0},
+     "file (default: where it has them), or smooth: at each vertex the mean of "
+     "the faces around it; facets are --shade flat",
+     0},
     {"turn", KEY_TURN, "X,Y,Z", 0,
      "turn the mesh around its middle, in parts of a turn around x, then y, "
      "then z",
      0},
     {"order", KEY_ORDER, "NAME", 0,
-     "painter (default), zbuffer16, or zbuffer32, zbuffer for short", 0},
+     "painter (default: what a device without memory for depths shows; joints "
+     "of large triangles may tear), zbuffer16, or zbuffer32, zbuffer for "
+     "short: exact at every pixel",
+     0},
     {"cull", KEY_CULL, "SIDE", 0, "leave out none (default), back or front", 0},
     {0, 0, 0, 0, "Texture:", 4},
     {"texture", KEY_TEXTURE, "MODE", 0, "none, nearest or bilinear (default)",
@@ -62,7 +67,7 @@ static const struct choice {
     const char *names[5];
 } choices[] = {
     {KEY_SHADE, "--shade", {"flat", "gouraud", "phong"}},
-    {KEY_NORMALS, "--normals-from", {"file", "faces"}},
+    {KEY_NORMALS, "--normals-from", {"file", "smooth"}},
     {KEY_ORDER, "--order", {"painter", "zbuffer16", "zbuffer32", "zbuffer"}},
     {KEY_CULL, "--cull", {"none", "back", "front"}},
     {KEY_TEXTURE, "--texture", {"none", "nearest", "bilinear"}},
@@ -81,7 +86,7 @@ static void set_choice(int key, int choice, struct stage_options *o)
         s->shade = (enum stage_shade)choice;
         break;
     case KEY_NORMALS:
-        o->source.face_normals = choice == 1;
+        o->source.smooth_normals = choice == 1;
         break;
     case KEY_ORDER:
         s->order = choice == 3 ? STAGE_ZBUFFER32 : (enum stage_order)choice;

@@ -67,14 +67,14 @@ mesh builtin:vase
 END
 done
 as --texture-file "$work/four.ppm" --texture nearest --mapping subdivided \
-    --span 4 --wrap mirror --normals-from faces --transparency 60 \
+    --span 4 --wrap mirror --normals-from smooth --transparency 60 \
     --turn 0.125,0.25,0.5 <<'END'
 texture four.ppm
 option mesh texture nearest
 option mesh mapping subdivided
 option mesh span 4
 option mesh wrap mirror
-option mesh normals faces
+option mesh normals smooth
 option mesh transparency 60
 option mesh turn 0.125 0.25 0.5
 mesh builtin:vase

@@ -207,15 +207,15 @@ render off builtin:vase $red --sun 0,-1,-1:1,1,1 --shininess 1 \
     --back-highlights off
 differ on off "highlights on the back"
 
-# Normals from faces and from the file: one mesh with wrong ones.
+# Smooth normals, of the faces around, and those of the file: one mesh with wrong ones.
 sed 's/^f .*//' "$dir/one.obj" >"$dir/normals.obj"
 printf 'vn 1 0 0\nf 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/4/1\n' \
     >>"$dir/normals.obj"
 light="$view --size 8x6 --sun 0,0,1:1,1,1 --ka 0 --ks 0 --kd 1 --color #ffffff"
 render file "$dir/normals.obj" $light
-render faces "$dir/normals.obj" $light --normals-from faces
-[ "$(bytes file | sort -u | tr -d ' ') $(bytes faces | sort -u)" = "0  255" ] ||
-    fail "normals from file or faces"
+render smooth "$dir/normals.obj" $light --normals-from smooth
+[ "$(bytes file | sort -u | tr -d ' ') $(bytes smooth | sort -u)" = "0  255" ] ||
+    fail "normals from file or smooth"
 
 # From inside a closed mesh nothing of the background is seen, whatever the near
 # plane and the picture's sides cut.
@@ -266,7 +266,7 @@ refuse "--mapping is 'x'; vertices, affine, subdivided or perspective" \
 refuse "--wrap is 'x'; clamp, repeat or mirror would" --wrap x
 refuse "--order is 'x'; painter, zbuffer16, zbuffer32 or zbuffer" --order x
 refuse "--cull is 'x'; none, back or front" --cull x
-refuse "--normals-from is 'x'; file or faces" --normals-from x
+refuse "--normals-from is 'x'; file or smooth" --normals-from x
 refuse "--projection is 'x'; perspective or orthographic" --projection x
 refuse "--terms is 'ambient,x'; a list of ambient, diffuse and specular" --terms ambient,x
 refuse "--terms is ''; a list" --terms ""
