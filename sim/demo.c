@@ -46,7 +46,9 @@ static const struct argp parser = {
     "DIRECTORY [SCRIPT...]",
     "Draws the gallery into a directory: every demo and every scene script, as "
     "PPM and PNG (BMP without libpng), with index.html.\v"
-    "Prints the milliseconds that the drawing of each picture took.",
+    "Prints the milliseconds that the drawing of each picture took, the best "
+    "of "
+    "three where it is less than 50.",
     NULL,
     NULL,
     NULL,
@@ -75,20 +77,18 @@ static bool add_picture(struct demo_index *index, const struct demo *demo,
            save_as(index->directory, demo->name, picture_best_ending(), p);
 }
 
-static bool add_demos(struct demo_index *index, const struct demo *demo)
+/* One picture of a demo or a scene, from nothing. */
+typedef bool draw_function(const void *what, struct demo_result *result);
+
+static bool draw_demo(const void *what, struct demo_result *result)
 {
-    bool done = true;
-    for (; done && demo->name; demo++) {
-        struct demo_result result = {{0, 0, NULL}, 0, ""};
-        done = demo->draw(&result, demo->which) &&
-               add_picture(index, demo, &result);
-        picture_free(&result.picture);
-    }
-    return done;
+    const struct demo *demo = what;
+    return demo->draw(result, demo->which);
 }
 
-static bool draw_scene(const struct scene *scene, struct demo_result *result)
+static bool draw_scene(const void *what, struct demo_result *result)
 {
+    const struct scene *scene = what;
     struct canvas canvas;
     if (!canvas_init(&canvas, scene->format, scene->width, scene->height))
         return false;
@@ -97,6 +97,34 @@ static bool draw_scene(const struct scene *scene, struct demo_result *result)
     result->milliseconds = milliseconds() - start;
     done = done && canvas_picture(&canvas, &result->picture);
     canvas_free(&canvas);
+    return done;
+}
+
+/* The first run of a short drawing pays for cold caches and fresh pages: three
+ * runs, and the time of the best. */
+static bool draw_best(draw_function *draw, const void *what,
+                      struct demo_result *best)
+{
+    bool done = draw(what, best);
+    for (int i = 1; done && i < 3 && best->milliseconds < 50; i++) {
+        struct demo_result again = {{0, 0, NULL}, 0, ""};
+        done = draw(what, &again);
+        if (again.milliseconds < best->milliseconds)
+            best->milliseconds = again.milliseconds;
+        picture_free(&again.picture);
+    }
+    return done;
+}
+
+static bool add_demos(struct demo_index *index, const struct demo *demo)
+{
+    bool done = true;
+    for (; done && demo->name; demo++) {
+        struct demo_result result = {{0, 0, NULL}, 0, ""};
+        done = draw_best(draw_demo, demo, &result) &&
+               add_picture(index, demo, &result);
+        picture_free(&result.picture);
+    }
     return done;
 }
 
@@ -120,8 +148,8 @@ static bool add_scene(struct demo_index *index, const char *path)
     name_of(path, name, sizeof name);
     demo_index_escape(scene.caption, caption, sizeof caption);
     const struct demo demo = {name, caption, NULL, 0};
-    const bool done =
-        draw_scene(&scene, &result) && add_picture(index, &demo, &result);
+    const bool done = draw_best(draw_scene, &scene, &result) &&
+                      add_picture(index, &demo, &result);
     picture_free(&result.picture);
     scene_free(&scene);
     return done;

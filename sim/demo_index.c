@@ -9,13 +9,17 @@
 static const char head[] =
     "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
     "<title>Pel: gallery</title>\n<style>\n"
-    "body { font: 16px/1.5 sans-serif; max-width: 76em; margin: 2em auto; "
-    "padding: 0 1em; color: #222; }\n"
-    "figure { margin: 0 0 3em; }\n"
-    "img { max-width: 100%; image-rendering: pixelated; "
-    "border: 1px solid #ccc; }\n"
+    "body { font: 16px/1.5 sans-serif; margin: 2em; color: #222; }\n"
+    "main { display: grid; gap: 2em; "
+    "grid-template-columns: repeat(auto-fill, minmax(20em, 1fr)); }\n"
+    "figure { margin: 0; }\n"
+    "h2 { font-size: 1em; margin: 0 0 0.3em; }\n"
+    "img { max-width: 100%; height: auto; border: 1px solid #ccc; }\n"
+    "figcaption { font-size: 0.9em; }\n"
     "figcaption small { color: #666; }\n"
-    "</style>\n</head>\n<body>\n<h1>Pel: gallery</h1>\n";
+    "</style>\n</head>\n<body>\n<h1>Pel: gallery</h1>\n"
+    "<p>A picture is a link to itself at full size. Times are those of the "
+    "drawing, the best of three where it takes less than 50 ms.</p>\n<main>\n";
 
 bool demo_index_open(struct demo_index *index, const char *directory)
 {
@@ -35,14 +39,16 @@ void demo_index_add(struct demo_index *index, const struct demo *demo,
 {
     char note[2 * sizeof result->note];
     const struct picture *p = &result->picture;
+    const char *ending = picture_best_ending();
     demo_index_escape(result->note, note, sizeof note);
     fprintf(index->output.stream,
             "<figure>\n<h2>%s</h2>\n"
-            "<img src=\"%s%s\" width=\"%d\" height=\"%d\" alt=\"%s\">\n"
+            "<a href=\"%s%s\"><img src=\"%s%s\" width=\"%d\" height=\"%d\" "
+            "alt=\"%s\"></a>\n"
             "<figcaption>%s %s<br>\n<small>%d x %d pixels, %.3f ms, "
             "<a href=\"%s.ppm\">PPM</a></small></figcaption>\n</figure>\n",
-            demo->name, demo->name, picture_best_ending(), p->width, p->height,
-            demo->name, demo->caption, note, p->width, p->height,
+            demo->name, demo->name, ending, demo->name, ending, p->width,
+            p->height, demo->name, demo->caption, note, p->width, p->height,
             result->milliseconds, demo->name);
 }
 
@@ -60,6 +66,7 @@ static void tell_missing(FILE *page)
 
 bool demo_index_commit(struct demo_index *index)
 {
+    fputs("</main>\n", index->output.stream);
     tell_missing(index->output.stream);
     fputs("</body>\n</html>\n", index->output.stream);
     const bool done = output_commit(&index->output);

@@ -29,6 +29,8 @@ for name in $names; do
     grep -q "^$name  *[0-9]* x [0-9]*  *[0-9.]* ms$" "$work/out" ||
         fail "no time of $name"
     [ -s "$work/demo/$name.ppm" ] || fail "no $name.ppm"
+    grep -qE "<a href=\"$name.(png|bmp)\"><img src=\"$name" \
+        "$work/demo/index.html" || fail "$name is no link to itself"
     grep -qF "\"$name.ppm\"" "$work/demo/index.html" || fail "no $name shown"
     sum=$(cksum <"$work/demo/$name.ppm")
     grep -qxF "$sum" "$work/sums" 2>/dev/null && fail "$name: shown twice"
