@@ -69,8 +69,8 @@ const struct demo demo_texture[] = {
      "Triangles in one colour each: the mean of the texels at their vertices.",
      draw, STAGE_TEXTURE_NONE},
     {"texture-nearest",
-     "The texture on every triangle, the nearest texel for each pixel: blocks "
-     "show where a texel is larger than a pixel.",
+     "The texture on every triangle, the nearest texel for each pixel. What "
+     "that does to enlarged texels, the scenes textures and meshes show.",
      draw, STAGE_TEXTURE_NEAREST},
     {"texture-bilinear", "The same with the four texels around it mixed.", draw,
      STAGE_TEXTURE_BILINEAR},
