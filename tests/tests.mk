@@ -42,7 +42,7 @@ TEST_HOST_ONLY := tests/property/test_fast $(TEST_TWINS)
 # These see what the knobs of core change inside.
 TEST_KNOBS := tests/property/test_triangles tests/property/test_shapes \
     tests/property/test_pictures tests/property/test_scene_numbers \
-    tests/property/test_scene_pictures
+    tests/property/test_scene_pictures tests/unit/test_product
 
 # $1 build
 define test_build

@@ -10,7 +10,7 @@
 TEST_FLAGS_mutant_host := $(filter-out -g,$(TEST_SANITIZE))
 TEST_FLAGS_mutant_portable := -O1 -fsanitize=undefined \
     -fno-sanitize-recover=all -DPEL_FAST_64BIT=0 -DPEL_VECTORS=0 \
-    -DPEL_KNOW_SIDES=0
+    -DPEL_KNOW_SIDES=0 -DPEL_LONG_MULTIPLY=0
 MUTANT_BUILDS := mutant_host mutant_portable
 MUTANT_TESTS := $(sort $(shell sed -n 's/#.*//; s/^core[^:]*: *//; s/+//g; \
     s/:[0-9]*//g; p' tests/tools/mutants_tests.txt))
@@ -20,9 +20,11 @@ MUTANT_HOST_ONLY := $(filter $(TEST_HOST_ONLY),$(MUTANT_TESTS:%=tests/%))
 $(foreach b,$(MUTANT_BUILDS),$(eval $(call test_build,$b)))
 $(MUTANT_TWINS:%=$(T)/mutant_host/%): $(T)/portable_core.o
 
-# MUTANTS: names of core's files, all that are listed unless told.
-mutants: $(MUTANT_TESTS:%=$(T)/mutant_host/tests/%) \
+MUTANT_PROGRAMS := $(MUTANT_TESTS:%=$(T)/mutant_host/tests/%) \
     $(filter-out $(MUTANT_HOST_ONLY:%=$(T)/mutant_portable/%),\
-        $(MUTANT_TESTS:%=$(T)/mutant_portable/tests/%)) ## change core a little, a thousand times: do the tests notice?
+        $(MUTANT_TESTS:%=$(T)/mutant_portable/tests/%))
+
+# MUTANTS: names of core's files, all that are listed unless told.
+mutants: $(MUTANT_PROGRAMS) ## change core a little, a thousand times: do the tests notice?
 	$(foreach b,$(MUTANT_BUILDS),$(file >$(T)/$b/flags,$(TEST_FLAGS_$b)))
 	tests/tools/mutants.sh $(T) "$(CC)" $(MUTANTS)

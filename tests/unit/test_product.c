@@ -1,0 +1,55 @@
+/* Products of two numbers of 31 bits, against the compiler's. */
+#include "core/base/fixed.h"
+#include "tests/support/check.h"
+
+enum { LIMIT = 1 << 30 };
+
+/* All that are at most 3 away from a power of two, of both signs. */
+static int32_t list_numbers(int32_t *v)
+{
+    int32_t n = 0;
+    for (int bit = 0; bit <= 30; bit++)
+        for (int32_t near = -3; near <= 3; near++) {
+            const int32_t number = (1 << bit) + near;
+            if (number >= LIMIT || number < 0)
+                continue;
+            v[n++] = number;
+            v[n++] = -number;
+        }
+    return n;
+}
+
+static void test_products(void **state)
+{
+    int32_t v[31 * 7 * 2];
+    const int32_t n = list_numbers(v);
+    (void)state;
+    for (int32_t i = 0; i < n; i++)
+        for (int32_t k = 0; k < n; k++)
+            if (pel_product(v[i], v[k]) != (int64_t)v[i] * v[k])
+                fail_msg("%d times %d", v[i], v[k]);
+}
+
+/* Numbers of all sizes whose bits have no pattern. */
+static void test_many_products(void **state)
+{
+    uint64_t seed = 1;
+    (void)state;
+    for (int i = 0; i < 200000; i++) {
+        seed = seed * UINT64_C(6364136223846793005) + 1442695040888963407;
+        const int32_t a = (int32_t)(seed >> 33) - LIMIT;
+        const int32_t b =
+            ((int32_t)(seed >> 2 & 0x7FFFFFFF) - LIMIT) >> (i % 31);
+        if (a > -LIMIT && b > -LIMIT && pel_product(a, b) != (int64_t)a * b)
+            fail_msg("%d times %d", a, b);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_products),
+        cmocka_unit_test(test_many_products),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
