@@ -5,6 +5,7 @@
  * prefetched. */
 #include <string.h>
 
+#include "core/format/put565.h"
 #include "tests/support/check.h"
 #include "tests/support/portable.h"
 
@@ -170,6 +171,50 @@ static void test_gouraud_writers_are_taken(void **state)
     }
 }
 
+static const struct pel_format *const formats565[] = {
+    &pel_rgb565_le, &pel_rgb565_be, &pel_bgr565_le};
+
+static int32_t put(size_t f, const pel_color *colors, int32_t n)
+{
+    memset(memory[0], 0, 64);
+    return pel_put565_opaque(formats565[f], (pel_word16 *)(void *)memory[0], n,
+                             colors);
+}
+
+/* Eights of opaque colours are stored, whatever the colours, and no more. */
+static void test_opaque_eights_are_put(void **state)
+{
+    static const pel_color one_bit[] = {0xFF000000, 0xFF000001, 0xFF000100,
+                                        0xFF010000, 0xFFFFFFFE, 0xFFFFFEFF,
+                                        0xFFFEFFFF, 0xFFFFFFFF};
+    (void)state;
+    for (size_t f = 0; f < 3; f++)
+        for (size_t c = 0; c < 8; c++) {
+            pel_color colors[25];
+            for (int i = 0; i < 25; i++)
+                colors[i] = one_bit[c];
+            for (int32_t n = 0; n <= 25; n++)
+                assert_int_equal(put(f, colors, n), n / 8 * 8);
+        }
+}
+
+/* One bit of one alpha is enough to leave an eight to others. */
+static void test_any_alpha_stops(void **state)
+{
+    (void)state;
+    for (size_t f = 0; f < 3; f++)
+        for (int i = 0; i < 16; i++)
+            for (int bit = 24; bit < 32; bit++) {
+                pel_color colors[16];
+                memset(colors, 0xFF, sizeof colors);
+                assert_int_equal(put(f, colors, 16), 16);
+                colors[i] &= ~((pel_color)1 << bit);
+                assert_int_equal(put(f, colors, 16), i / 8 * 8);
+                for (int k = i / 8 * 2; k < 4; k++)
+                    assert_true(memory[0][k] == 0);
+            }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -178,6 +223,8 @@ int main(void)
         cmocka_unit_test(test_many_rows),
         cmocka_unit_test(test_writers_are_taken),
         cmocka_unit_test(test_gouraud_writers_are_taken),
+        cmocka_unit_test(test_opaque_eights_are_put),
+        cmocka_unit_test(test_any_alpha_stops),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
