@@ -12,7 +12,7 @@ OTHER_GOALS := $(filter-out setup,$(MAKECMDGOALS))
 ifneq ($(and $(filter setup,$(MAKECMDGOALS)),$(OTHER_GOALS)),)
 .PHONY: $(OTHER_GOALS)
 $(OTHER_GOALS): setup
-	$(MAKE) $@
+	$(MAKE) --no-print-directory $@
 else
 
 CC ?= cc
