@@ -64,12 +64,14 @@
 #ifndef PEL_BATCH_ROWS
 #if PEL_FAST_64BIT
 #define PEL_BATCH_ROWS 64
-#else
+#elif PEL_KNOW_SIDES
 #define PEL_BATCH_ROWS 8
+#else
+#define PEL_BATCH_ROWS 4
 #endif
 #endif
-#if PEL_BATCH_ROWS < 8 || PEL_BATCH_ROWS > 255
-#error "PEL_BATCH_ROWS: 8 to 255 rows"
+#if PEL_BATCH_ROWS < 4 || PEL_BATCH_ROWS > 255
+#error "PEL_BATCH_ROWS: 4 to 255 rows"
 #endif
 
 /* Pixels of the colour buffer between a paint and a format: 4 bytes of stack

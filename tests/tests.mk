@@ -22,7 +22,7 @@ TEST_FLAGS_san := $(TEST_SANITIZE)
 TEST_FLAGS_assert := $(TEST_SANITIZE) \
     -DPEL_CONFIG_FILE='"tests/support/assert_config.h"'
 TEST_FLAGS_small := -O2 -DPEL_FAST_64BIT=0 -DPEL_LONG_MULTIPLY=0 \
-    -DPEL_KNOW_SIDES=0 -DPEL_BATCH_ROWS=8 -DPEL_BUFFER_PIXELS=4
+    -DPEL_KNOW_SIDES=0 -DPEL_BATCH_ROWS=4 -DPEL_BUFFER_PIXELS=4
 TEST_FLAGS_large := -O2 -DPEL_FAST_64BIT=0 -DPEL_LONG_MULTIPLY=1 \
     -DPEL_BATCH_ROWS=255 -DPEL_BUFFER_PIXELS=255
 TEST_BUILDS := host portable san assert small large
@@ -42,7 +42,9 @@ TEST_HOST_ONLY := tests/property/test_fast $(TEST_TWINS)
 # These see what the knobs of core change inside.
 TEST_KNOBS := tests/property/test_triangles tests/property/test_shapes \
     tests/property/test_pictures tests/property/test_scene_numbers \
-    tests/property/test_scene_pictures tests/unit/test_product
+    tests/property/test_scene_pictures tests/property/test_paint_conic \
+    tests/property/test_paint_radial tests/property/test_shape_coverage \
+    tests/unit/test_product
 
 # $1 build
 define test_build

@@ -65,6 +65,32 @@ static inline int64_t pel_product(int32_t a, int32_t b)
 int64_t pel_product(int32_t a, int32_t b);
 #endif
 
+/* a b, whole. */
+#if PEL_LONG_MULTIPLY
+static inline uint64_t pel_multiply(uint32_t a, uint32_t b)
+{
+    return (uint64_t)a * b;
+}
+#else
+uint64_t pel_multiply(uint32_t a, uint32_t b);
+#endif
+
+/* a n modulo 2^64, of any a in two's complement. */
+#if PEL_LONG_MULTIPLY
+static inline uint64_t pel_times(uint64_t a, int32_t n)
+{
+    return a * (uint64_t)(int64_t)n;
+}
+#else
+uint64_t pel_times(uint64_t a, int32_t n);
+#endif
+
+/* a b, whole. */
+static inline int64_t pel_long_product(int32_t a, int32_t b)
+{
+    return (int64_t)pel_times((uint64_t)(int64_t)a, b);
+}
+
 static inline int64_t pel_square(int32_t u)
 {
     return pel_product(u, u);

@@ -2,7 +2,7 @@
 #ifndef PEL_BASE_FIXED_ROOT_STEPS_H
 #define PEL_BASE_FIXED_ROOT_STEPS_H
 
-#include "../pel_config.h"
+#include "fixed.h"
 
 /* 2^15 / sqrt(i / 64), i from 16 to 64. */
 extern const uint16_t pel_root_table[49];
@@ -35,9 +35,9 @@ static inline uint32_t pel_root_inverse(uint32_t m)
     const uint16_t *t = &pel_root_table[(m >> 26) - 16];
     uint32_t y =
         t[0] * UINT32_C(65536) - (uint32_t)(t[0] - t[1]) * (m >> 10 & 0xFFFF);
-    uint32_t square = (uint32_t)((uint64_t)y * y >> 32);
-    uint32_t one = (uint32_t)((uint64_t)square * m >> 32);
-    uint64_t next = (uint64_t)y * (UINT32_C(3221225472) - one) >> 31;
+    uint32_t square = (uint32_t)(pel_multiply(y, y) >> 32);
+    uint32_t one = (uint32_t)(pel_multiply(square, m) >> 32);
+    uint64_t next = pel_multiply(y, UINT32_C(3221225472) - one) >> 31;
     return next > UINT32_MAX ? UINT32_MAX : (uint32_t)next;
 }
 

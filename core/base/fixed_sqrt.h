@@ -3,7 +3,7 @@
 #ifndef PEL_BASE_FIXED_SQRT_H
 #define PEL_BASE_FIXED_SQRT_H
 
-#include <stdint.h>
+#include "fixed.h"
 
 struct pel_root {
     uint32_t root;    /* floor(sqrt(v)) */
@@ -12,8 +12,17 @@ struct pel_root {
     int shift;        /* 0..30 */
 };
 
-/* v < 2^62. For v = 0 the inverse is of no use. */
-void pel_square_root(uint64_t v, struct pel_root *root);
+/* v < 2^62. For v = 0 the inverse is of no use. In two steps, for the sake of
+ * the stack: the inverse and a root that is off by less than 2^10, and from
+ * these the root. */
+void pel_root_guess(uint64_t v, struct pel_root *root);
+void pel_root_settle(uint64_t v, struct pel_root *root);
+
+static inline void pel_square_root(uint64_t v, struct pel_root *root)
+{
+    pel_root_guess(v, root);
+    pel_root_settle(v, root);
+}
 
 /* The inverse and the shift alone; v from 1 on. */
 uint32_t pel_inverse_root(uint64_t v, int *shift);

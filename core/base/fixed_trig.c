@@ -9,11 +9,11 @@
  * result is the nearest is no consequence of this bound but was found by trying
  * all of them, and a test does so again. Products: z <= 2^26 times a
  * coefficient below 2^32 fits 58 bits. */
-static uint64_t polynomial(uint32_t z, const uint32_t c[4])
+static uint32_t polynomial(uint32_t z, const uint32_t c[4])
 {
-    uint64_t v = c[3];
+    uint32_t v = c[3];
     for (int i = 2; i >= 0; i--)
-        v = c[i] - (z * v >> 26);
+        v = c[i] - (uint32_t)(pel_multiply(z, v) >> 26);
     return v;
 }
 
@@ -21,13 +21,15 @@ static int32_t sine(uint32_t f)
 {
     static const uint32_t c[4] = {UINT32_C(3373259416), 346799001, 10694498,
                                   154423};
-    return (int32_t)((f * polynomial(f * f, c) + (UINT32_C(1) << 29)) >> 30);
+    return (int32_t)((pel_multiply(f, polynomial(f * f, c)) +
+                      (UINT32_C(1) << 29)) >>
+                     30);
 }
 
 static int32_t cosine(uint32_t f)
 {
     static const uint32_t c[4] = {1324675878, 68093864, 1399993, 15213};
-    uint64_t drop = f * f * polynomial(f * f, c) >> 26;
+    const uint64_t drop = pel_multiply(f * f, polynomial(f * f, c)) >> 26;
     return (int32_t)(((UINT64_C(1) << 32) - drop + (UINT32_C(1) << 16)) >> 17);
 }
 

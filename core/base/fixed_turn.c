@@ -1,5 +1,6 @@
 #include "fixed_turn.h"
 
+#include "fixed.h"
 #include "fixed_divide.h"
 
 /* Turns of atan(k / 16), in 2^-32. */
@@ -14,9 +15,11 @@ static const uint32_t table[17] = {
 static uint32_t small_angle(uint32_t n, uint32_t d)
 {
     const uint32_t a1 = 683565276, a3 = 227855092, a5 = 136713055;
-    uint64_t w = pel_divide((uint64_t)n << 36, d), w2 = w * w >> 36;
-    uint64_t factor = a1 - (w2 * (a3 - (w2 * a5 >> 36)) >> 36);
-    return (uint32_t)((w * factor + (UINT64_C(1) << 35)) >> 36);
+    const uint32_t w = pel_divide((uint64_t)n << 36, d);
+    const uint32_t w2 = (uint32_t)(pel_multiply(w, w) >> 36);
+    const uint32_t b = a3 - (uint32_t)(pel_multiply(w2, a5) >> 36);
+    const uint32_t factor = a1 - (uint32_t)(pel_multiply(w2, b) >> 36);
+    return (uint32_t)((pel_multiply(w, factor) + (UINT64_C(1) << 35)) >> 36);
 }
 
 /* The angle of (x, y), 0 <= y <= x, 0 < x < 2^25. With k / 16 the nearest to

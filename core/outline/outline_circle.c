@@ -13,7 +13,9 @@ void pel_circle_outline(const struct pel_surface *surface,
     if (pel_rect_empty(&surface->clip) ||
         !pel_disc_walk_start(&w, &center, radius, &clip))
         return;
-    pel_outline_begin(&o, surface, paint);
-    for (; w.y <= w.end; pel_disc_walk_next(&w))
-        pel_outline_disc(&o, w.y, w.y < w.end ? &w.disc : NULL, &clip);
+    pel_outline_begin(&o, surface);
+    for (; w.y <= w.end; pel_disc_walk_next(&w)) {
+        pel_outline_disc(&o, w.y < w.end ? &w.disc : NULL, &clip);
+        pel_outline_put(&o, paint, w.y);
+    }
 }

@@ -14,10 +14,9 @@ struct pel_outline_line {
 };
 
 static inline void pel_outline_begin(struct pel_outline_line *o,
-                                     const struct pel_surface *surface,
-                                     const struct pel_paint *paint)
+                                     const struct pel_surface *surface)
 {
-    pel_cut_begin(&o->cut, surface, paint);
+    pel_cut_begin(&o->cut, surface);
     o->above = o->row = (struct pel_row){0, 0};
 }
 
@@ -28,42 +27,38 @@ static inline struct pel_rect pel_outline_clip(const struct pel_surface *s)
     return (struct pel_rect){c->x0 - 1, c->y0 - 1, c->x1 + 1, c->y1 + 1};
 }
 
-/* Takes line y of the shape in `run`, and gives back there what is visible of
- * line y - 1, and in `inside` what it does without; false when nothing is.
- * Lines come one after the other, and after the last an empty one. */
-static inline bool pel_outline_next(struct pel_outline_line *o, int32_t y,
-                                    struct pel_row *run, struct pel_row *inside)
+/* The run of the shape's next line goes there, before the line is put. */
+static inline struct pel_row *pel_outline_run(struct pel_outline_line *o)
 {
-    const struct pel_rect *clip = &o->cut.rows.surface->clip;
-    const struct pel_row row = o->row;
-    inside->x0 = pel_max(row.x0 + 1, pel_max(o->above.x0, run->x0));
-    inside->x1 = pel_min(row.x1 - 1, pel_min(o->above.x1, run->x1));
-    o->above = row;
-    o->row = *run;
-    run->x0 = pel_max(row.x0, clip->x0);
-    run->x1 = pel_min(row.x1, clip->x1);
-    return y > clip->y0 && y <= clip->y1;
+    return o->cut.row;
 }
 
-static inline void pel_outline_put(struct pel_outline_line *o, int32_t y,
-                                   struct pel_row run)
+/* Takes line y of the shape, and gives back in the place of its run what is
+ * visible of line y - 1, and in `inside` what it does without; false when
+ * nothing is. Lines come one after the other, and after the last an empty one.
+ */
+bool pel_outline_next(struct pel_outline_line *o, int32_t y,
+                      struct pel_row *inside);
+
+/* The same, and makes pieces of what is left. */
+void pel_outline_cut(struct pel_outline_line *o, int32_t y);
+
+static inline void pel_outline_put(struct pel_outline_line *o,
+                                   const struct pel_paint *paint, int32_t y)
 {
-    struct pel_row inside;
-    if (!pel_outline_next(o, y, &run, &inside))
-        return;
-    pel_cut_hole(&o->cut, &run, &inside);
-    pel_cut_paint(&o->cut, y - 1);
+    pel_outline_cut(o, y);
+    pel_cut_paint(&o->cut, paint, y - 1);
 }
 
 /* The run of the disc; of none, an empty line. */
-static inline void pel_outline_disc(struct pel_outline_line *o, int32_t y,
+static inline void pel_outline_disc(struct pel_outline_line *o,
                                     struct pel_disc *disc,
                                     const struct pel_rect *clip)
 {
-    struct pel_row run = {0, 0};
     if (disc)
-        pel_disc_row(disc, clip, &run);
-    pel_outline_put(o, y, run);
+        pel_disc_row(disc, clip, pel_outline_run(o));
+    else
+        *pel_outline_run(o) = (struct pel_row){0, 0};
 }
 
 #endif

@@ -16,8 +16,10 @@ void pel_rectangle_outline(const struct pel_surface *surface,
     if (!legal || pel_rect_empty(&r) || pel_rect_empty(&surface->clip))
         return;
     struct pel_outline_line o;
-    pel_outline_begin(&o, surface, paint);
+    pel_outline_begin(&o, surface);
     const struct pel_row row = {r.x0, r.x1};
-    for (int32_t y = r.y0; y <= r.y1; y++)
-        pel_outline_put(&o, y, y < r.y1 ? row : none);
+    for (int32_t y = r.y0; y <= r.y1; y++) {
+        *pel_outline_run(&o) = y < r.y1 ? row : none;
+        pel_outline_put(&o, paint, y);
+    }
 }

@@ -12,9 +12,10 @@ void pel_rounded_rectangle_outline(const struct pel_surface *surface,
     struct pel_outline_line o;
     if (pel_rect_empty(&surface->clip) || !pel_rounded_start(&w, r, &clip))
         return;
-    pel_outline_begin(&o, surface, paint);
-    for (; w.visible.y0 <= w.visible.y1; pel_rounded_next(&w))
-        pel_outline_disc(&o, w.visible.y0,
-                         w.visible.y0 < w.visible.y1 ? &w.disc : NULL,
+    pel_outline_begin(&o, surface);
+    for (; w.visible.y0 <= w.visible.y1; pel_rounded_next(&w)) {
+        pel_outline_disc(&o, w.visible.y0 < w.visible.y1 ? &w.disc : NULL,
                          &w.visible);
+        pel_outline_put(&o, paint, w.visible.y0);
+    }
 }

@@ -25,18 +25,18 @@ static void sides_start(struct sides *s, const struct pel_point *const v[3],
 }
 
 /* Row y, not clipped, and on to the next. */
-static struct pel_row sides_next(struct sides *s,
-                                 const struct pel_point *const v[3])
+static PEL_NOINLINE void sides_next(struct sides *s,
+                                    const struct pel_point *const v[3],
+                                    struct pel_row *row)
 {
-    const struct pel_row row = {pel_min(s->a.x, s->b.x),
-                                pel_max(s->a.x, s->b.x)};
+    row->x0 = pel_min(s->a.x, s->b.x);
+    row->x1 = pel_max(s->a.x, s->b.x);
     s->y++;
     pel_edge_next(&s->a);
     if (s->y == s->bend && s->y < s->end)
         pel_edge_start(&s->b, v[1], v[2], s->y);
     else
         pel_edge_next(&s->b);
-    return row;
 }
 
 void pel_triangle_outline(const struct pel_surface *surface,
@@ -52,10 +52,11 @@ void pel_triangle_outline(const struct pel_surface *surface,
         return;
     pel_sort_rows(order);
     sides_start(&s, order, &clip);
-    pel_outline_begin(&o, surface, paint);
-    while (s.y < s.end) {
-        const int32_t y = s.y;
-        pel_outline_put(&o, y, sides_next(&s, order));
+    pel_outline_begin(&o, surface);
+    for (int32_t y = s.y; y <= s.end; y++) {
+        *pel_outline_run(&o) = (struct pel_row){0, 0};
+        if (y < s.end)
+            sides_next(&s, order, pel_outline_run(&o));
+        pel_outline_put(&o, paint, y);
     }
-    pel_outline_put(&o, s.y, (struct pel_row){0, 0});
 }

@@ -1,50 +1,77 @@
 #include "rim.h"
 
-/* One run without its interior: what is left of it, one pixel smaller at both
- * ends, when runs of the rows above and below are on both sides of it. */
-static void put_run(struct pel_rim *r, int32_t y, const struct pel_row *run)
+#include "../format/word.h"
+
+/* The next piece of the row above the present one, perhaps empty: of a run what
+ * is left without its interior, which is one pixel smaller at both ends, where
+ * runs of the rows above and below are on both sides of it. */
+static bool next_piece(struct pel_rim *r, struct pel_row *piece)
 {
     const struct pel_rim_line *above = &r->line[0], *below = &r->line[2];
-    int32_t x = run->x0;
-    for (int32_t i = 0, j = 0; i < above->n && j < below->n;) {
-        const struct pel_row *a = &above->run[i], *b = &below->run[j];
-        int32_t x0 = pel_max(run->x0 + 1, pel_max(a->x0, b->x0));
-        int32_t x1 = pel_min(run->x1 - 1, pel_min(a->x1, b->x1));
+    const struct pel_row *run = &r->line[1].run[r->at[1]];
+    if (r->at[1] == r->line[1].n)
+        return false;
+    if (r->at[0] == 0 && r->at[2] == 0)
+        r->x = run->x0;
+    piece->x0 = r->x;
+    while (r->at[0] < above->n && r->at[2] < below->n) {
+        const struct pel_row *a = &above->run[r->at[0]];
+        const struct pel_row *b = &below->run[r->at[2]];
+        const int32_t x0 = pel_max(run->x0 + 1, pel_max(a->x0, b->x0));
+        const int32_t x1 = pel_min(run->x1 - 1, pel_min(a->x1, b->x1));
+        r->at[a->x1 < b->x1 ? 0 : 2]++;
         if (x0 < x1) {
-            pel_collect_clipped(&r->out, y, x, x0);
-            x = x1;
+            r->x = x1;
+            piece->x1 = x0;
+            return true;
         }
-        if (a->x1 < b->x1)
-            i++;
-        else
-            j++;
     }
-    pel_collect_clipped(&r->out, y, x, run->x1);
+    piece->x1 = run->x1;
+    r->at[0] = 0;
+    r->at[1]++;
+    r->at[2] = 0;
+    return true;
 }
 
-/* Puts the row above the present one, whose neighbours are complete now, and
- * moves on by a row. */
-static void step(struct pel_rim *r)
+/* The next pieces, to paint them; false when there are no more. */
+static PEL_WIDE bool next_pieces(struct pel_rim *r)
 {
-    const struct pel_rect *clip = &r->out.rows.surface->clip;
-    const int32_t y = r->y - 1;
-    struct pel_rim_line done = r->line[0];
-    if (y >= clip->y0 && y < clip->y1)
-        for (int32_t i = 0; i < r->line[1].n; i++)
-            put_run(r, y, &r->line[1].run[i]);
+    const struct pel_rect *clip = &r->rows.surface->clip;
+    struct pel_row piece;
+    r->rows.n = 0;
+    r->rows.y = r->y - 1;
+    if (r->rows.y < clip->y0 || r->rows.y >= clip->y1)
+        return false;
+    while (r->rows.n < PEL_RIM_PIECES && next_piece(r, &piece)) {
+        piece.x0 = pel_max(piece.x0, clip->x0);
+        piece.x1 = pel_min(piece.x1, clip->x1);
+        if (piece.x0 < piece.x1)
+            r->piece[r->rows.n++] = piece;
+    }
+    return r->rows.n > 0;
+}
+
+/* On by a row: the neighbours of the present one are complete then. */
+static PEL_WIDE void step(struct pel_rim *r)
+{
+    const struct pel_rim_line done = r->line[0];
     r->line[0] = r->line[1];
     r->line[1] = r->line[2];
     r->line[2] = done;
     r->line[2].n = 0;
+    r->at[0] = r->at[1] = r->at[2] = 0;
     r->y++;
 }
 
 /* To row y. Two steps put all rows that there were; the first of them is then
  * only above an empty one. */
-static void advance(struct pel_rim *r, int32_t y)
+static PEL_ALWAYS_INLINE void advance(struct pel_rim *r, int32_t y)
 {
-    for (int k = 0; k < 2 && r->y != y; k++)
+    for (int k = 0; k < 2 && r->y != y; k++) {
+        while (next_pieces(r))
+            r->out->fill(r->out, &r->rows);
         step(r);
+    }
     r->y = y;
 }
 
@@ -86,12 +113,13 @@ bool pel_rim_begin(struct pel_rim *rim, const struct pel_surface *surface,
     for (int k = 0; k < 3; k++)
         rim->line[k] = (struct pel_rim_line){memory + k * rim->capacity, 0};
     rim->y = rim->surface.clip.y0;
-    pel_collect_begin(&rim->out, surface, paint);
+    rim->at[0] = rim->at[1] = rim->at[2] = 0;
+    rim->out = paint;
+    rim->rows = (struct pel_rows){surface, rim->piece, 0, 0, 0};
     return true;
 }
 
 void pel_rim_end(struct pel_rim *rim)
 {
     advance(rim, rim->y + 2);
-    pel_collect_end(&rim->out);
 }

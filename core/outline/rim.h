@@ -21,7 +21,7 @@
 #ifndef PEL_OUTLINE_RIM_H
 #define PEL_OUTLINE_RIM_H
 
-#include "../raster/collect.h"
+#include "../raster/paint.h"
 
 /* Runs of memory for shapes with at most n runs in a row: 1 for those without
  * a dent or hole, 2 for a ring, 3 for an arc, half of the vertices for a
@@ -33,12 +33,17 @@ struct pel_rim_line {
     int32_t n;
 };
 
+enum { PEL_RIM_PIECES = 4 };
+
 struct pel_rim {
     struct pel_paint paint;
     struct pel_surface surface;
-    struct pel_collector out;
+    const struct pel_paint *out;
+    struct pel_rows rows; /* pieces of row y - 1 */
+    struct pel_row piece[PEL_RIM_PIECES];
     struct pel_rim_line line[3]; /* rows y - 2, y - 1 and y */
     int32_t y, capacity;
+    int32_t x, at[3]; /* row y - 1 is cut up to x, and to which runs of each */
 };
 
 /* `runs` is the number of runs of memory, a multiple of 3; the memory is the

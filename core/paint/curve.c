@@ -1,20 +1,18 @@
 #include "curve.h"
 
-#include "../pel_config.h"
+#if PEL_FAST_64BIT
 
-/* A run's curve, paint and row. */
+/* A run's curve and row. */
 struct row {
     const struct pel_curve *curve;
-    const void *paint;
     int32_t dy;     /* from the centre */
     int64_t square; /* dy^2 */
 };
 
-static struct row row_of(const struct pel_curve *curve, const void *paint,
-                         int32_t y)
+static struct row row_of(const struct pel_curve *curve, int32_t y)
 {
     const int32_t dy = pel_pixel_center(y) - curve->center.y;
-    return (struct row){curve, paint, dy, pel_square(dy)};
+    return (struct row){curve, dy, pel_square(dy)};
 }
 
 /* Is every centre from dx to `way` sub-pixels right of it at least `limit` away
@@ -73,8 +71,6 @@ static void begin_walk(struct pel_ramp_walk *w, const struct pel_knot *a,
     w->d1 = (uint64_t)(a->slope + (curve >> 2 * k) + (twist >> 3 * k));
 }
 
-#if PEL_FAST_64BIT
-
 /* A piece, or the part of it that a run shows. */
 struct piece {
     struct pel_ramp_walk walk;
@@ -84,7 +80,7 @@ struct piece {
 
 static void knot_at(const struct row *row, int32_t x, struct pel_knot *k)
 {
-    k->slope = row->curve->knot(row->paint, way_to(row, x), row->dy, &k->value);
+    k->slope = row->curve->knot(row->curve, way_to(row, x), row->dy, &k->value);
 }
 
 static int32_t skip_of(int32_t x, int log2)
@@ -142,10 +138,10 @@ static void prepare(const struct row *row, struct piece *p,
 
 /* A piece is prepared before the one to its left is coloured, so that the CPU
  * does both at once. */
-void pel_curve_colors(const struct pel_curve *curve, const void *paint,
-                      struct pel_point pixel, int32_t n, pel_color *colors)
+void pel_curve_colors(const struct pel_curve *curve, struct pel_point pixel,
+                      int32_t n, pel_color *colors)
 {
-    const struct row row = row_of(curve, paint, pixel.y);
+    const struct row row = row_of(curve, pixel.y);
     struct piece one, other, *p = &one, *before = &other, *t;
     before->next = pixel.x + 1; /* nowhere: a piece begins at or left of x */
     before->end.value = UINT64_MAX;
@@ -155,92 +151,13 @@ void pel_curve_colors(const struct pel_curve *curve, const void *paint,
         x += p->pixels;
         n -= p->pixels;
         if (before->pixels > 0)
-            curve->run(paint, &before->walk, before->pixels, colors);
+            curve->run(curve, &before->walk, before->pixels, colors);
         colors += before->pixels;
         t = before;
         before = p;
         p = t;
     }
-    curve->run(paint, &before->walk, before->pixels, colors);
-}
-
-#else
-
-/* log2 of the size of the piece that the run begins in, 0 for one pixel; -1
- * when its pixels are outside, up to the end of a block of 64. */
-static PEL_NOINLINE int find_piece(const struct pel_curve *curve,
-                                   const struct pel_run *run)
-{
-    const struct row row = row_of(curve, NULL, run->y);
-    return outside_of(&row, run->x, run->n) ? -1 : piece_of(&row, run->x);
-}
-
-/* How many pixels of its piece a run's first one is on. */
-static PEL_NOINLINE int32_t skip_of(const struct pel_run *run, int log2)
-{
-    return run->x & ((1 << log2) - 1);
-}
-
-/* From the centre to the piece's first pixel. */
-static PEL_NOINLINE int32_t x_of(const struct pel_curve *curve,
-                                 const struct pel_run *run, int log2)
-{
-    return pel_pixel_center(run->x - skip_of(run, log2)) - curve->center.x;
-}
-
-static int32_t y_of(const struct pel_curve *curve, const struct pel_run *run)
-{
-    return pel_pixel_center(run->y) - curve->center.y;
-}
-
-static PEL_NOINLINE void set_differences(struct pel_ramp_walk *w, int log2)
-{
-    const struct pel_knot a = {w->at, (int64_t)w->d1};
-    const struct pel_knot b = {w->d2, (int64_t)w->d3};
-    begin_walk(w, &a, &b, log2);
-}
-
-static void stay_at(struct pel_ramp_walk *w, uint64_t at)
-{
-    w->at = at;
-    w->d1 = 0;
-    w->d2 = 0;
-    w->d3 = 0;
-}
-
-/* Value and slope of a piece's first knot into at and d1, of its second into d2
- * and d3, and the walk of them. */
-static void set_piece(const struct pel_curve *curve, const void *paint,
-                      const struct pel_run *run, int log2,
-                      struct pel_ramp_walk *w)
-{
-    int32_t x = x_of(curve, run, log2);
-    w->d1 = (uint64_t)curve->knot(paint, x, y_of(curve, run), &w->at);
-    x = x_of(curve, run, log2) + (256 << log2);
-    w->d3 = (uint64_t)curve->knot(paint, x, y_of(curve, run), &w->d2);
-    w->inside = w->at < curve->limit && (log2 == 0 || w->d2 < curve->limit);
-    if (log2 == 0)
-        stay_at(w, w->at);
-    else
-        set_differences(w, log2);
-    for (int32_t skip = skip_of(run, log2); skip > 0; skip--)
-        pel_ramp_step(w);
-}
-
-/* What is recomputed here need not be kept while a paint computes its knots. */
-int32_t pel_curve_begin(const struct pel_curve *curve, const void *paint,
-                        const struct pel_run *run, struct pel_ramp_walk *walk)
-{
-    int log2 = find_piece(curve, run);
-    walk->bits = curve->bits;
-    walk->inside = false;
-    if (log2 >= 0) {
-        set_piece(curve, paint, run, log2, walk);
-    } else {
-        stay_at(walk, UINT64_C(1) << curve->bits);
-        log2 = PEL_PIECE_MAX_LOG2;
-    }
-    return pel_min((1 << log2) - skip_of(run, log2), run->n);
+    curve->run(curve, &before->walk, before->pixels, colors);
 }
 
 #endif

@@ -10,6 +10,8 @@
 #ifndef PEL_PAINT_CURVE_H
 #define PEL_PAINT_CURVE_H
 
+#include <stddef.h>
+
 #include "../base/fixed.h"
 #include "ramp_walk.h"
 
@@ -25,6 +27,14 @@ struct pel_knot {
     int64_t slope;
 };
 
+struct pel_curve;
+
+/* Colours n pixels of a walk, and leaves it as pel_ramp_run does. */
+typedef void pel_curve_run(const struct pel_curve *curve,
+                           struct pel_ramp_walk *walk, int32_t n,
+                           pel_color *colors);
+
+/* A member of its paint's struct, `curve`. */
 struct pel_curve {
     struct pel_point center;
 
@@ -33,9 +43,10 @@ struct pel_curve {
     const int32_t *far;
 
     /* The knot at (x, y) from the centre: its value, and returns its slope. */
-    int64_t (*knot)(const void *paint, int32_t x, int32_t y, uint64_t *value);
+    int64_t (*knot)(const struct pel_curve *curve, int32_t x, int32_t y,
+                    uint64_t *value);
 
-    pel_run_function *run;
+    pel_curve_run *run;
 
     uint8_t bits; /* of the unit: pel_ramp_walk */
 
@@ -50,16 +61,21 @@ struct pel_curve {
 
 #if PEL_FAST_64BIT
 
-/* The colours of n pixels from (pixel.x, pixel.y) on. `paint` is handed to the
- * functions of the curve. */
-void pel_curve_colors(const struct pel_curve *curve, const void *paint,
-                      struct pel_point pixel, int32_t n, pel_color *colors);
+/* The colours of n pixels from (pixel.x, pixel.y) on. */
+void pel_curve_colors(const struct pel_curve *curve, struct pel_point pixel,
+                      int32_t n, pel_color *colors);
 
 #else
 
-/* struct pel_walker's `begin`. */
-int32_t pel_curve_begin(const struct pel_curve *curve, const void *paint,
-                        const struct pel_run *run, struct pel_ramp_walk *walk);
+/* The functions of a struct pel_walker whose part is a curve. */
+void pel_curve_begin(const void *curve, struct pel_strip *strip);
+void pel_curve_follow(const void *curve, struct pel_ramp_walk *walk, int32_t n,
+                      pel_color *colors);
 
 #endif
+
+/* The paint of a curve. */
+#define PEL_CURVE_PAINT(type, pointer)                                   \
+    ((const type *)(const void *)((const char *)(pointer)-offsetof(type, \
+                                                                   curve)))
 #endif

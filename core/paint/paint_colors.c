@@ -4,7 +4,7 @@
 
 /* Colours between a paint and a format, a power of two. More than elsewhere,
  * because a paint starts anew for every part. */
-enum { RUN_PIXELS = PEL_FAST_64BIT ? 64 : 16 };
+enum { RUN_PIXELS = PEL_FAST_64BIT ? 64 : PEL_KNOW_SIDES ? 16 : 4 };
 
 /* Is an opaque colour the pixel itself? In xrgb8888 on a little-endian CPU.
  * Small CPUs hardly ever have that format: they are spared the code. */

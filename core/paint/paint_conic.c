@@ -1,9 +1,10 @@
 #include "paint_conic.h"
 
-static void run(const void *paint, struct pel_ramp_walk *walk, int32_t n,
-                pel_color *colors)
+static void run(const struct pel_curve *curve, struct pel_ramp_walk *walk,
+                int32_t n, pel_color *colors)
 {
-    pel_ramp_run(&((const struct pel_conic *)paint)->ramp, walk, n, colors);
+    pel_ramp_run(&PEL_CURVE_PAINT(struct pel_conic, curve)->ramp, walk, n,
+                 colors);
 }
 
 /* Angles wrap, so a padded ramp is a repeated one. There and back is two ways

@@ -34,6 +34,6 @@ enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
  * is true. PEL_ERROR_NULL, PEL_ERROR_RANGE. */
 enum pel_status pel_conic_begin(struct pel_conic *paint,
                                 struct pel_point center, uint16_t start,
-                                pel_run_function *run);
+                                pel_curve_run *run);
 
 #endif

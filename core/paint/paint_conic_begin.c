@@ -7,7 +7,7 @@ static const int32_t far[5] = {4067, 8192, 20643, 52016, 131072};
 /* 2^32 / 2 pi. */
 static const uint32_t turns_of_radian = 683565276;
 
-#if PEL_LONG_MULTIPLY
+#if PEL_FAST_64BIT
 
 /* floor(across 2^38 / square), where that is below 2^27. */
 static uint64_t bracket(uint32_t across, uint64_t square)
@@ -48,10 +48,12 @@ static PEL_WALK int64_t slope_of(int32_t x, int32_t y)
     return (int64_t)(y > 0 ? 0 - fall : fall);
 }
 
-static int64_t knot(const void *paint, int32_t x, int32_t y, uint64_t *value)
+static int64_t knot(const struct pel_curve *curve, int32_t x, int32_t y,
+                    uint64_t *value)
 {
     const uint32_t turn = pel_turn_of(x, y);
-    *value = (uint64_t)(turn - ((const struct pel_conic *)paint)->start) << 32;
+    *value = (uint64_t)(turn - PEL_CURVE_PAINT(struct pel_conic, curve)->start)
+             << 32;
     return slope_of(x, y);
 }
 
@@ -62,52 +64,28 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 {
     const struct pel_conic *p = (const void *)paint;
     const struct pel_point pixel = {x, y};
-    pel_curve_colors(&p->curve, p, pixel, n, out);
+    pel_curve_colors(&p->curve, pixel, n, out);
 }
 
 #else
 
-static int32_t begin(const void *paint, const struct pel_run *run,
-                     struct pel_ramp_walk *walk)
-{
-    return pel_curve_begin(&((const struct pel_conic *)paint)->curve, paint,
-                           run, walk);
-}
-
-static void run_curve(const void *paint, struct pel_ramp_walk *walk, int32_t n,
-                      pel_color *colors)
-{
-    ((const struct pel_conic *)paint)->curve.run(paint, walk, n, colors);
-}
-
-static const struct pel_walker walker = {begin, run_curve};
-
-static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
-                   int32_t n, pel_color *out)
-{
-    struct pel_run pixels = {x, y, n};
-    pel_walker_colors(&walker, paint, &pixels, out);
-}
-
-static void gradient_fill(const struct pel_paint *paint,
-                          const struct pel_rows *rows)
-{
-    pel_walker_fill(&walker, paint, rows);
-}
+static const struct pel_walker walker = {offsetof(struct pel_conic, curve),
+                                         pel_curve_begin, pel_curve_follow};
 
 #endif
 
 enum pel_status pel_conic_begin(struct pel_conic *paint,
                                 struct pel_point center, uint16_t start,
-                                pel_run_function *run)
+                                pel_curve_run *run)
 {
     if (!paint)
         return PEL_ERROR_NULL;
     if (!pel_points_legal(&center, 1))
         return PEL_ERROR_RANGE;
+#if PEL_FAST_64BIT
     pel_color_paint_init(&paint->base, colors, true);
-#if !PEL_FAST_64BIT
-    paint->base.paint.fill = gradient_fill;
+#else
+    pel_walker_paint_init(&paint->base, &walker, true);
 #endif
     paint->start = (uint32_t)start << 16;
     paint->curve.center = center;

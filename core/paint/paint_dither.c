@@ -124,7 +124,7 @@ static PEL_NOINLINE void source_colors(const struct pel_paint *source,
 }
 
 /* A power of two, as in paint_colors.c. */
-enum { RUN_PIXELS = PEL_FAST_64BIT ? 64 : 16 };
+enum { RUN_PIXELS = PEL_FAST_64BIT ? 64 : PEL_KNOW_SIDES ? 16 : 4 };
 
 static PEL_NOINLINE void dither_colors(const struct pel_format *format,
                                        int32_t y, const struct pel_row *part,

@@ -3,9 +3,10 @@
 #include "../base/fixed_fraction.h"
 
 /* Positive when b lies clockwise of a; below 2^51. */
-static int64_t cross(struct pel_point a, struct pel_point b)
+static PEL_WIDE int64_t cross(const struct pel_point *a,
+                              const struct pel_point *b)
 {
-    return (int64_t)a.x * b.y - (int64_t)a.y * b.x;
+    return pel_product(a->x, b->y) - pel_product(a->y, b->x);
 }
 
 static uint64_t clamped(uint64_t value)
@@ -14,48 +15,61 @@ static uint64_t clamped(uint64_t value)
     return (uint64_t)(whole < 0 ? 0 : whole > 255 ? 255 : whole);
 }
 
-/* The colours of a run from (x, y) that stays in a wedge. */
-static void wedge_colors(const struct pel_fan_wedge *w, int32_t x, int32_t y,
-                         int32_t n, pel_color *out)
+/* A run of n pixels from (x, y) on, and a channel there. */
+struct run {
+    uint64_t at;
+    int32_t x, y, n;
+};
+
+/* A run's channel k. */
+static PEL_WIDE void set_channel_at(struct run *r,
+                                    const struct pel_fan_wedge *w, int k)
 {
-    uint64_t v[4];
-    for (int k = 0; k < 4; k++)
-        v[k] = w->at[k] + (uint64_t)(int64_t)x * w->dx[k] +
-               (uint64_t)(int64_t)y * w->dy[k];
-    for (; n > 0; n--) {
-        pel_color color = 0;
-        for (int k = 3; k >= 0; k--) {
-            color = color << 8 | (pel_color)clamped(v[k]);
-            v[k] += w->dx[k];
-        }
-        *out++ = color;
-    }
+    r->at = w->at[k] + pel_times(w->dx[k], r->x) + pel_times(w->dy[k], r->y);
 }
 
-/* How many of n pixels, the first at `way` from the hub, lie in the wedge. To
- * the right by a pixel the cross products change by -256 times the ray's y. */
-static int32_t pixels_inside(const struct pel_fan_wedge *w,
-                             struct pel_point way, int32_t n)
+/* Its colours' channel k, while it stays in a wedge. */
+static PEL_WIDE void put_channel(const struct run *r,
+                                 const struct pel_fan_wedge *w, int k,
+                                 pel_color *out)
 {
-    int64_t from = cross(w->from, way), to = cross(w->to, way);
-    const int64_t from_step = -256 * (int64_t)w->from.y;
-    const int64_t to_step = -256 * (int64_t)w->to.y;
+    uint64_t v = r->at;
+    for (int32_t i = 0; i < r->n; i++, v += w->dx[k])
+        out[i] = (pel_color)clamped(v) << 8 * k | (k ? out[i] : 0);
+}
+
+/* For how many of n pixels, the first at `way` from the hub, the cross product
+ * with a ray is at least `least`. To the right by a pixel it changes by -256
+ * times the ray's y. */
+static PEL_WIDE int32_t pixels_beside(const struct pel_point *ray,
+                                      const struct pel_point *way,
+                                      int32_t least, int32_t n)
+{
+    int64_t side = pel_product(ray->x, way->y) - pel_product(ray->y, way->x);
     int32_t count = 0;
-    while (count < n && from >= 0 && to < w->closed) {
-        from += from_step;
-        to += to_step;
-        count++;
-    }
+    for (; count < n && side >= least; count++)
+        side -= (int64_t)ray->y * 256;
     return count;
 }
 
-/* The wedge of the first pixel of a run, looked for from wedge `i` on, and how
- * many pixels stay in it; 0 where there is none. */
-static int32_t find_wedge(const struct pel_fan *p, struct pel_point way,
-                          int32_t n, int32_t *i)
+/* The same for a wedge. */
+static int32_t pixels_inside(const struct pel_fan_wedge *w,
+                             const struct pel_point *way, int32_t n)
 {
+    const struct pel_point to = {-w->to.x, -w->to.y};
+    n = pixels_beside(&w->from, way, 0, n);
+    return pixels_beside(&to, way, 1 - w->closed, n);
+}
+
+/* The wedge of a run's first pixel, looked for from wedge `i` on, and how many
+ * pixels stay in it; 0 where there is none. */
+static int32_t find_wedge(const struct pel_fan *p, const struct run *r,
+                          int32_t *i)
+{
+    const struct pel_point way = {pel_pixel_center(r->x) - p->hub.x,
+                                  pel_pixel_center(r->y) - p->hub.y};
     for (int32_t tries = p->n; tries > 0; tries--) {
-        int32_t count = pixels_inside(&p->wedges[*i], way, n);
+        const int32_t count = pixels_inside(&p->wedges[*i], &way, r->n);
         if (count > 0)
             return count;
         *i = *i + 1 < p->n ? *i + 1 : 0;
@@ -67,18 +81,21 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
     const struct pel_fan *p = (const void *)paint;
-    struct pel_point way = {pel_pixel_center(x) - p->hub.x,
-                            pel_pixel_center(y) - p->hub.y};
+    const int32_t end = x + n;
+    struct run r = {0, x, y, n};
     int32_t wedge = 0;
-    for (int32_t count; n > 0; n -= count, x += count, way.x += count * 256) {
-        count = find_wedge(p, way, n, &wedge);
-        if (count > 0) {
-            wedge_colors(&p->wedges[wedge], x, y, count, out);
+    for (; (r.n = end - r.x) > 0; r.x += r.n) {
+        r.n = find_wedge(p, &r, &wedge);
+        if (r.n > 0) {
+            for (int k = 0; k < 4; k++) {
+                set_channel_at(&r, &p->wedges[wedge], k);
+                put_channel(&r, &p->wedges[wedge], k, out);
+            }
         } else {
             *out = p->hub_color;
-            count = 1;
+            r.n = 1;
         }
-        out += count;
+        out += r.n;
     }
 }
 
@@ -102,7 +119,7 @@ static int turn_of_rim(const struct pel_fan_points *points)
     struct pel_point a = ray_of(points, 1, 0, &color), b;
     for (int32_t i = 1; i <= points->n; i++, a = b) {
         b = ray_of(points, 1, i, &color);
-        const int64_t c = cross(a, b);
+        const int64_t c = cross(&a, &b);
         if ((c > 0 && turn < 0) || (c < 0 && turn > 0))
             return 0;
         if (c != 0)
@@ -117,7 +134,7 @@ static int turn_of_rim(const struct pel_fan_points *points)
 static void set_channel(struct pel_fan_wedge *w, const struct pel_fan *p, int k,
                         const int32_t c[3])
 {
-    const int64_t area = cross(w->from, w->to);
+    const int64_t area = cross(&w->from, &w->to);
     const int64_t b = c[1] - c[0], d = c[2] - c[0];
     const int32_t x = pel_pixel_of(p->hub.x), y = pel_pixel_of(p->hub.y);
     struct pel_fraction gx, gy;
@@ -152,8 +169,8 @@ static bool is_last_ray(const struct pel_fan_points *points, int turn,
         const struct pel_point next =
             ray_of(points, turn, (i + k) % points->n, &color);
         int64_t dot = (int64_t)ray.x * next.x + (int64_t)ray.y * next.y;
-        if (cross(ray, next) != 0 || dot <= 0)
-            return cross(ray, next) == 0;
+        if (cross(&ray, &next) != 0 || dot <= 0)
+            return cross(&ray, &next) == 0;
     }
     return true;
 }
@@ -165,7 +182,7 @@ static void set_wedge(struct pel_fan_wedge *w, const struct pel_fan *p,
     w->from = ray_of(points, turn, i, &a);
     w->to = ray_of(points, turn, i + 1, &b);
     w->closed = is_last_ray(points, turn, (i + 1) % points->n);
-    if (cross(w->from, w->to) == 0)
+    if (cross(&w->from, &w->to) == 0)
         *w = (struct pel_fan_wedge){.closed = 0};
     for (int k = 0; k < 4; k++) {
         const int32_t c[3] = {(int32_t)(p->hub_color >> 8 * k & 255),

@@ -15,10 +15,11 @@ static uint32_t level(const struct pel_hue_wheel *p, uint32_t part)
     return (t + 1 + (t >> 8)) >> 8;
 }
 
-static void run(const void *paint, struct pel_ramp_walk *w, int32_t n,
-                pel_color *colors)
+static void run(const struct pel_curve *curve, struct pel_ramp_walk *w,
+                int32_t n, pel_color *colors)
 {
-    const struct pel_hue_wheel *p = paint;
+    const struct pel_conic *conic = PEL_CURVE_PAINT(struct pel_conic, curve);
+    const struct pel_hue_wheel *p = (const void *)conic;
     const uint32_t v = p->v, lowest = level(p, 65536);
     for (; n > 0; n--, pel_ramp_step(w)) {
         uint32_t six = (uint32_t)(w->at >> 48) * 6, sixth = six >> 16;

@@ -7,10 +7,12 @@
 static void begin_walk(const struct pel_linear *p, struct pel_point pixel,
                        int32_t n, struct pel_ramp_walk *w)
 {
-    *w = (struct pel_ramp_walk){0, p->dx, 0, 0, p->bits, false};
-    w->at = p->at + (uint64_t)(int64_t)pixel.x * p->dx +
-            (uint64_t)(int64_t)pixel.y * p->dy;
-    const uint64_t last = w->at + (uint64_t)(int64_t)(n - 1) * p->dx;
+    w->at = p->at + pel_times(p->dx, pixel.x) + pel_times(p->dy, pixel.y);
+    w->d1 = p->dx;
+    w->d2 = 0;
+    w->d3 = 0;
+    w->bits = p->bits;
+    const uint64_t last = w->at + pel_times(p->dx, n - 1);
     w->inside = (w->at | last) >> p->bits == 0;
     /* Both ends on one side of the way: one colour of a padded ramp. */
     if (p->ramp.spread == PEL_PAD && w->at >> p->bits != 0 &&
@@ -32,13 +34,10 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 
 #else
 
-static int32_t begin(const void *paint, const struct pel_run *run,
-                     struct pel_ramp_walk *walk)
+static void begin(const void *paint, struct pel_strip *s)
 {
-    const struct pel_point pixel = {run->x, run->y};
-    begin_walk(paint, pixel, run->n, walk);
-    pel_ramp_widen(&((const struct pel_linear *)paint)->ramp, walk);
-    return run->n;
+    const struct pel_point pixel = {s->x, s->y};
+    begin_walk(paint, pixel, s->walk.n, &s->walk);
 }
 
 static void run(const void *paint, struct pel_ramp_walk *walk, int32_t n,
@@ -47,20 +46,7 @@ static void run(const void *paint, struct pel_ramp_walk *walk, int32_t n,
     pel_ramp_run(&((const struct pel_linear *)paint)->ramp, walk, n, colors);
 }
 
-static const struct pel_walker walker = {begin, run};
-
-static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
-                   int32_t n, pel_color *out)
-{
-    struct pel_run pixels = {x, y, n};
-    pel_walker_colors(&walker, paint, &pixels, out);
-}
-
-static void gradient_fill(const struct pel_paint *paint,
-                          const struct pel_rows *rows)
-{
-    pel_walker_fill(&walker, paint, rows);
-}
+static const struct pel_walker walker = {0, begin, run};
 
 #endif
 
@@ -101,9 +87,10 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
         return PEL_ERROR_RANGE;
     if (from.x == to.x && from.y == to.y)
         return PEL_ERROR_SIZE;
+#if PEL_FAST_64BIT
     pel_color_paint_init(&paint->base, colors, pel_ramp_opaque(ramp));
-#if !PEL_FAST_64BIT
-    paint->base.paint.fill = gradient_fill;
+#else
+    pel_walker_paint_init(&paint->base, &walker, pel_ramp_opaque(ramp));
 #endif
     paint->ramp = *ramp;
     set_plane(paint, from, to.x - from.x, to.y - from.y);

@@ -14,9 +14,10 @@ static const int32_t far[6] = {2581, 6502, 16384, 41286, 104032, 262144};
 static PEL_WALK int64_t slope_of(const struct pel_root *r, int32_t x,
                                  uint32_t scale)
 {
-    int64_t cosine =
-        ((int64_t)x * 64 * ((int64_t)1 << r->shift)) * (r->inverse >> 1) >> 31;
-    return cosine * (int64_t)scale >> 16;
+    const uint64_t way = (uint64_t)(int64_t)x << (6 + r->shift);
+    const int64_t cosine =
+        (int64_t)pel_times(way, (int32_t)(r->inverse >> 1)) >> 31;
+    return (int64_t)pel_times((uint64_t)cosine, (int32_t)scale) >> 16;
 }
 
 static PEL_WIDE uint64_t square_of(int32_t x, int32_t y)
@@ -24,19 +25,23 @@ static PEL_WIDE uint64_t square_of(int32_t x, int32_t y)
     return (uint64_t)(pel_square(x) + pel_square(y)) * 4096;
 }
 
-static int64_t knot(const void *paint, int32_t x, int32_t y, uint64_t *value)
+static int64_t knot(const struct pel_curve *curve, int32_t x, int32_t y,
+                    uint64_t *value)
 {
-    const struct pel_radial *p = paint;
+    const struct pel_radial *p = PEL_CURVE_PAINT(struct pel_radial, curve);
     struct pel_root r;
-    pel_square_root(square_of(x, y), &r);
-    *value = (uint64_t)r.root * p->scale + p->phase;
+    *value = square_of(x, y);
+    pel_root_guess(*value, &r);
+    pel_root_settle(*value, &r);
+    *value = pel_multiply(r.root, p->scale) + p->phase;
     return slope_of(&r, x, p->scale);
 }
 
-static void run(const void *paint, struct pel_ramp_walk *walk, int32_t n,
-                pel_color *colors)
+static void run(const struct pel_curve *curve, struct pel_ramp_walk *walk,
+                int32_t n, pel_color *colors)
 {
-    pel_ramp_run(&((const struct pel_radial *)paint)->ramp, walk, n, colors);
+    pel_ramp_run(&PEL_CURVE_PAINT(struct pel_radial, curve)->ramp, walk, n,
+                 colors);
 }
 
 #if PEL_FAST_64BIT
@@ -46,34 +51,13 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 {
     const struct pel_radial *p = (const void *)paint;
     const struct pel_point pixel = {x, y};
-    pel_curve_colors(&p->curve, p, pixel, n, out);
+    pel_curve_colors(&p->curve, pixel, n, out);
 }
 
 #else
 
-static int32_t begin(const void *paint, const struct pel_run *run,
-                     struct pel_ramp_walk *walk)
-{
-    const struct pel_radial *p = paint;
-    const int32_t n = pel_curve_begin(&p->curve, p, run, walk);
-    pel_ramp_widen(&p->ramp, walk);
-    return n;
-}
-
-static const struct pel_walker walker = {begin, run};
-
-static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
-                   int32_t n, pel_color *out)
-{
-    struct pel_run pixels = {x, y, n};
-    pel_walker_colors(&walker, paint, &pixels, out);
-}
-
-static void gradient_fill(const struct pel_paint *paint,
-                          const struct pel_rows *rows)
-{
-    pel_walker_fill(&walker, paint, rows);
-}
+static const struct pel_walker walker = {offsetof(struct pel_radial, curve),
+                                         pel_curve_begin, pel_curve_follow};
 
 #endif
 
@@ -118,9 +102,10 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
     if (!pel_points_legal(&rings->center, 1) || rings->radius < 256 ||
         rings->radius > PEL_PX(32767))
         return PEL_ERROR_RANGE;
+#if PEL_FAST_64BIT
     pel_color_paint_init(&paint->base, colors, pel_ramp_opaque(ramp));
-#if !PEL_FAST_64BIT
-    paint->base.paint.fill = gradient_fill;
+#else
+    pel_walker_paint_init(&paint->base, &walker, pel_ramp_opaque(ramp));
 #endif
     paint->ramp = *ramp;
     set_curve(paint, rings);

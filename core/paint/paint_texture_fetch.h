@@ -56,7 +56,7 @@ static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,
 static inline uint64_t pel_texture_at(const struct pel_texture_plane *p,
                                       int32_t x, int32_t y)
 {
-    return p->at + (uint64_t)(int64_t)x * p->dx + (uint64_t)(int64_t)y * p->dy;
+    return p->at + pel_times(p->dx, x) + pel_times(p->dy, y);
 }
 
 /* One coordinate along a run, in 2^-32 texels. `period` is after how many
@@ -80,7 +80,7 @@ static inline bool pel_texture_axis_inside(const struct pel_texture_axis *a,
                                            uint64_t step, int32_t n,
                                            int32_t more)
 {
-    uint64_t last = a->at + (uint64_t)(int64_t)(n - 1) * step;
+    uint64_t last = a->at + pel_times(step, n - 1);
     uint32_t inner = (uint32_t)(a->size - more);
     return (uint32_t)(a->at >> 32) < inner && (uint32_t)(last >> 32) < inner;
 }

@@ -7,8 +7,9 @@ static inline int32_t in_picture(struct pel_texture_axis *a)
     return pel_texture_axis_texel(a, pel_texture_axis_index(a));
 }
 
-static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
-                      int32_t n, pel_color *out)
+static PEL_WIDE void outer_run(const struct pel_texture *p,
+                               struct pel_texture_axes *a, int32_t n,
+                               pel_color *out)
 {
     for (; n > 0; n--, pel_texture_axes_step(a, p)) {
         int32_t u = in_picture(&a->u), v = in_picture(&a->v);

@@ -3,8 +3,8 @@
 #ifndef PEL_PAINT_RAMP_WALK_H
 #define PEL_PAINT_RAMP_WALK_H
 
-#include "../raster/paint.h"
 #include "color_ramp.h"
+#include "paint_colors.h"
 
 /* The position of a pixel and its first three differences from one pixel to
  * the next, in 2^-bits of the way and in two's complement. `inside` promises
@@ -14,6 +14,9 @@ struct pel_ramp_walk {
     uint64_t at, d1, d2, d3;
     uint8_t bits; /* 33..64 */
     bool inside;
+#if !PEL_FAST_64BIT
+    int32_t n; /* the pixels that it is right for */
+#endif
 };
 
 /* One pixel on. */
@@ -29,37 +32,42 @@ static inline void pel_ramp_step(struct pel_ramp_walk *w)
 void pel_ramp_run(const struct pel_ramp *ramp, struct pel_ramp_walk *walk,
                   int32_t n, pel_color *colors);
 
-/* Colours n pixels of a walk, and leaves it as pel_ramp_run does. */
-typedef void pel_run_function(const void *paint, struct pel_ramp_walk *walk,
-                              int32_t n, pel_color *colors);
-
 #if !PEL_FAST_64BIT
 
-/* Pixels (x, y) to (x + n - 1, y), n >= 1. */
-struct pel_run {
-    int32_t x, y, n;
+/* walk.n pixels from (x, y) on. */
+struct pel_strip {
+    struct pel_ramp_walk walk;
+    int32_t x, y;
 };
-
-/* Brings a walk to 64 bits, or 63 where the ramp goes there and back, so that
- * it wraps where the ramp does; not one that leaves a padded ramp, which has
- * fewer than 63. Before pel_ramp_run. */
-void pel_ramp_widen(const struct pel_ramp *ramp, struct pel_ramp_walk *walk);
 
 /* How small CPUs draw a gradient: with a walk that stays where it is while a
  * few pixels at a time are coloured and put. In ramp_walk_small.c. */
 struct pel_walker {
-    /* Begins a walk at the first pixel: for how many of n it is right, at least
-     * one. */
-    int32_t (*begin)(const void *paint, const struct pel_run *run,
-                     struct pel_ramp_walk *walk);
-    pel_run_function *run;
+    size_t part; /* what the functions are handed: this far behind the paint */
+
+    /* Begins a walk at (x, y), for at least one of the n pixels that are wanted
+     * there. */
+    void (*begin)(const void *part, struct pel_strip *strip);
+
+    /* Colours n pixels of it, and leaves it as pel_ramp_run does. */
+    void (*run)(const void *part, struct pel_ramp_walk *walk, int32_t n,
+                pel_color *colors);
 };
 
-/* The fill function of such a paint, and its colours; `run` ends empty. */
-void pel_walker_fill(const struct pel_walker *walker, const void *paint,
+/* The functions of such a paint, a struct pel_color_paint with a walker. */
+void pel_walker_fill(const struct pel_paint *paint,
                      const struct pel_rows *rows);
-void pel_walker_colors(const struct pel_walker *walker, const void *paint,
-                       struct pel_run *run, pel_color *colors);
+void pel_walker_colors(const struct pel_color_paint *paint, int32_t x,
+                       int32_t y, int32_t n, pel_color *colors);
+
+static inline void pel_walker_paint_init(struct pel_color_paint *paint,
+                                         const struct pel_walker *walker,
+                                         bool opaque)
+{
+    pel_color_paint_init(paint, pel_walker_colors, opaque);
+    paint->paint.fill = pel_walker_fill;
+    paint->walker = walker;
+}
 
 #endif
 #endif

@@ -4,12 +4,13 @@
 
 #if !PEL_FAST_64BIT
 
-void pel_ramp_widen(const struct pel_ramp *ramp, struct pel_ramp_walk *w)
+/* Brings a walk to 64 bits, or 63 where the ramp goes there and back, so that
+ * it wraps where the ramp does. */
+static PEL_NOINLINE void widen(const struct pel_ramp *ramp,
+                               struct pel_ramp_walk *w)
 {
     const int bits = ramp->spread == PEL_REFLECT ? 63 : 64;
     const int shift = bits - w->bits;
-    if (ramp->spread == PEL_PAD && !w->inside)
-        return;
     w->at <<= shift;
     w->d1 <<= shift;
     w->d2 <<= shift;
@@ -68,7 +69,10 @@ static PEL_NOINLINE void mix(const pel_color ends[2], int32_t n, pel_color *out)
 void pel_ramp_run(const struct pel_ramp *ramp, struct pel_ramp_walk *walk,
                   int32_t n, pel_color *colors)
 {
-    if (walk->bits < 63)
+    const bool leaves = ramp->spread == PEL_PAD && !walk->inside;
+    if (!leaves && walk->bits < 63)
+        widen(ramp, walk);
+    if (leaves)
         padded(walk, n, colors);
     else if ((walk->d2 | walk->d3) == 0)
         straight(walk, n, colors);
@@ -83,51 +87,54 @@ void pel_ramp_run(const struct pel_ramp *ramp, struct pel_ramp_walk *walk,
             *colors = ramp->colors[pel_ramp_cell(*colors, (uint32_t)ramp->n)];
 }
 
-/* What is being filled: pixels run.x to run.x + run.n - 1 come next. */
-struct strip {
-    struct pel_ramp_walk walk;
-    struct pel_run run;
-    int32_t left; /* pixels that the walk is right for */
-};
-
 static PEL_NOINLINE void put_some(const struct pel_walker *walker,
-                                  const void *paint,
+                                  const void *part,
                                   const struct pel_surface *surface,
-                                  struct strip *s)
+                                  struct pel_strip *s)
 {
     pel_color colors[PEL_BUFFER_PIXELS];
-    s->run.n = pel_min(s->left, PEL_BUFFER_PIXELS);
-    walker->run(paint, &s->walk, s->run.n, colors);
-    pel_put_colors(surface, s->run.x, s->run.y, s->run.n, colors);
-    s->run.x += s->run.n;
-    s->left -= s->run.n;
+    const int32_t n = pel_min(s->walk.n, PEL_BUFFER_PIXELS);
+    walker->run(part, &s->walk, n, colors);
+    pel_put_colors(surface, s->x, s->y, n, colors);
+    s->x += n;
+    s->walk.n -= n;
+}
+
+static const void *part_of(const struct pel_walker *walker, const void *paint)
+{
+    return (const char *)paint + walker->part;
 }
 
 /* A walk goes on from one buffer to the next: only its beginning is costly. */
-void pel_walker_fill(const struct pel_walker *walker, const void *paint,
-                     const struct pel_rows *rows)
+void pel_walker_fill(const struct pel_paint *paint, const struct pel_rows *rows)
 {
+    const struct pel_walker *walker =
+        ((const struct pel_color_paint *)(const void *)paint)->walker;
+    const void *part = part_of(walker, paint);
     const struct pel_row *row = rows->row;
-    struct strip s;
-    s.run.y = rows->y;
-    for (; row < rows->row + rows->n; row++, s.run.y += rows->step) {
-        s.run.x = row->x0;
-        while ((s.run.n = row->x1 - s.run.x) > 0) {
-            s.left = walker->begin(paint, &s.run, &s.walk);
-            while (s.left > 0)
-                put_some(walker, paint, rows->surface, &s);
+    struct pel_strip s;
+    s.y = rows->y;
+    for (; row < rows->row + rows->n; row++, s.y += rows->step) {
+        s.x = row->x0;
+        while ((s.walk.n = row->x1 - s.x) > 0) {
+            walker->begin(part, &s);
+            while (s.walk.n > 0)
+                put_some(walker, part, rows->surface, &s);
         }
     }
 }
 
-void pel_walker_colors(const struct pel_walker *walker, const void *paint,
-                       struct pel_run *run, pel_color *colors)
+void pel_walker_colors(const struct pel_color_paint *paint, int32_t x,
+                       int32_t y, int32_t n, pel_color *colors)
 {
-    struct pel_ramp_walk walk;
-    for (int32_t part; run->n > 0; run->n -= part, run->x += part) {
-        part = walker->begin(paint, run, &walk);
-        walker->run(paint, &walk, part, colors);
-        colors += part;
+    const void *part = part_of(paint->walker, paint);
+    struct pel_strip s;
+    s.x = x;
+    s.y = y;
+    for (; (s.walk.n = x + n - s.x) > 0; s.x += s.walk.n) {
+        paint->walker->begin(part, &s);
+        paint->walker->run(part, &s.walk, s.walk.n, colors);
+        colors += s.walk.n;
     }
 }
 

@@ -97,7 +97,7 @@ static PEL_NOINLINE void heap_sort(struct sweep *w, int32_t count, enum key key)
 }
 
 /* Sides that begin in row y join those that cross it. */
-static void enter(struct sweep *w, int32_t y)
+static PEL_WIDE void enter(struct sweep *w, int32_t y)
 {
     while (w->next < w->count && first_of(w, w->next) == y)
         swap(&w->order[w->active++], &w->order[w->next++]);
@@ -105,7 +105,7 @@ static void enter(struct sweep *w, int32_t y)
 
 /* From row to row few sides change places: insertion sort, which gives up when
  * many begin or cross. */
-static void sort_by_x(struct sweep *w)
+static PEL_WIDE void sort_by_x(struct sweep *w)
 {
     int64_t patience = (int64_t)w->active * 8;
     for (int32_t i = 1; i < w->active; i++) {

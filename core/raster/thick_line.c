@@ -65,17 +65,32 @@ bool pel_thick_line_corners(const struct pel_thick_line_shape *line,
     return pel_points_legal(v, 4);
 }
 
+/* Three corners are enough: the fourth lies opposite to the second one. A
+ * function of its own, for the sake of the stack. */
+static PEL_WIDE bool corners_of(const struct pel_thick_line_shape *line,
+                                struct pel_point v[3])
+{
+    struct pel_point corner[4];
+    if (!pel_thick_line_corners(line, corner))
+        return false;
+    v[0] = corner[0];
+    v[1] = corner[1];
+    v[2] = corner[2];
+    return true;
+}
+
 void pel_thick_line(const struct pel_surface *surface,
                     const struct pel_thick_line_shape *line,
                     const struct pel_paint *paint)
 {
-    struct pel_point v[4];
-    bool legal = pel_thick_line_corners(line, v);
+    struct pel_point v[3];
+    bool legal = corners_of(line, v);
     PEL_ASSERT(legal);
     if (!legal)
         return;
     /* A parallelogram: two triangles, which share the diagonal. */
     pel_triangle(surface, v, paint);
-    v[1] = v[0];
-    pel_triangle(surface, v + 1, paint);
+    v[1].x = v[0].x + v[2].x - v[1].x;
+    v[1].y = v[0].y + v[2].y - v[1].y;
+    pel_triangle(surface, v, paint);
 }

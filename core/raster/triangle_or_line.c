@@ -7,19 +7,31 @@ int64_t pel_triangle_area(const struct pel_point v[3])
     PEL_ASSERT(pel_points_legal(v, 3));
     if (!pel_points_legal(v, 3))
         return 0;
-    return (int64_t)(v[1].x - v[0].x) * (v[2].y - v[0].y) -
-           (int64_t)(v[2].x - v[0].x) * (v[1].y - v[0].y);
+    return pel_product(v[1].x - v[0].x, v[2].y - v[0].y) -
+           pel_product(v[2].x - v[0].x, v[1].y - v[0].y);
+}
+
+/* The extreme vertices of a triangle without area; false when it has one, or is
+ * out of range. A function of its own, for the sake of the stack. */
+static PEL_WIDE bool line_of(const struct pel_point v[3],
+                             struct pel_point ends[2])
+{
+    const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
+    if (!pel_points_legal(v, 3) || pel_triangle_area(v) != 0)
+        return false;
+    pel_sort3(p);
+    ends[0] = *p[0];
+    ends[1] = *p[2];
+    return true;
 }
 
 void pel_triangle_or_line(const struct pel_surface *surface,
                           const struct pel_point v[3],
                           const struct pel_paint *paint)
 {
-    const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
-    if (!pel_points_legal(v, 3) || pel_triangle_area(v) != 0) {
+    struct pel_point ends[2];
+    if (line_of(v, ends))
+        pel_line(surface, ends[0], ends[1], paint);
+    else
         pel_triangle(surface, v, paint);
-        return;
-    }
-    pel_sort3(p);
-    pel_line(surface, *p[0], *p[2], paint);
 }

@@ -3,25 +3,45 @@
 #include "ring_walk.h"
 #include "wedge.h"
 
+struct walk {
+    struct pel_ring_walk ring;
+    struct pel_wedge wedge;
+    struct pel_cut cut;
+};
+
+/* Functions of their own, so that their stack is free again when a line is
+ * painted. */
+static PEL_WIDE bool start(struct walk *w, const struct pel_surface *surface,
+                           const struct pel_arc_shape *arc)
+{
+    const struct pel_angles angles = {arc->from, arc->to};
+    pel_cut_begin(&w->cut, surface);
+    return pel_ring_start(&w->ring, &arc->center, arc->inner, arc->outer,
+                          &surface->clip) &&
+           pel_wedge_start(&w->wedge, &arc->center, angles, w->ring.outer.y);
+}
+
+/* The pieces of the next line. */
+static PEL_WIDE void cut_line(struct walk *w, const struct pel_arc_shape *arc)
+{
+    const struct pel_rect *clip = &w->cut.rows.surface->clip;
+    struct pel_row run, *row = w->cut.row;
+    pel_wedge_parts(&w->wedge, &arc->center, w->ring.outer.y, row);
+    pel_disc_row(&w->ring.outer.disc, clip, &run);
+    w->cut.rows.n = pel_cut_within(row, 2, &run);
+    pel_disc_row(&w->ring.hole, clip, &run);
+    w->cut.rows.n = pel_cut_take(row, w->cut.rows.n, &run);
+    pel_ring_next(&w->ring);
+}
+
 void pel_arc(const struct pel_surface *surface, const struct pel_arc_shape *arc,
              const struct pel_paint *paint)
 {
-    struct pel_ring_walk w;
-    struct pel_wedge wedge;
-    struct pel_cut cut;
-    if (!pel_ring_start(&w, &arc->center, arc->inner, arc->outer,
-                        &surface->clip) ||
-        !pel_wedge_start(&wedge, &arc->center, arc->from, arc->to))
+    struct walk w;
+    if (!start(&w, surface, arc))
         return;
-    pel_cut_begin(&cut, surface, paint);
-    for (; w.outer.y < w.outer.end; pel_ring_next(&w)) {
-        struct pel_row part[2], run;
-        pel_wedge_parts(&wedge, w.outer.y, part);
-        pel_disc_row(&w.outer.disc, &surface->clip, &run);
-        pel_wedge_within(part, &run);
-        pel_disc_row(&w.hole, &surface->clip, &run);
-        for (int k = 0; k < 2; k++)
-            pel_cut_hole(&cut, &part[k], &run);
-        pel_cut_paint(&cut, w.outer.y);
+    while (w.ring.outer.y < w.ring.outer.end) {
+        cut_line(&w, arc);
+        pel_cut_paint(&w.cut, paint, w.ring.outer.y - 1);
     }
 }

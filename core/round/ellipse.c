@@ -12,7 +12,7 @@ void pel_ellipse(const struct pel_surface *surface,
     if (!pel_ellipse_start(&w, ellipse, &surface->clip))
         return;
     pel_collect_begin(&c, surface, paint);
-    for (; w.y < w.end; pel_ellipse_next(&w)) {
+    for (; w.y < w.end; pel_ellipse_next(&w, ellipse)) {
         struct pel_row row;
         pel_disc_row(&w.disc, &surface->clip, &row);
         if (row.x0 < row.x1)

@@ -46,7 +46,6 @@ static void row_start(struct pel_ellipse_walk *w, struct pel_point radius,
     struct pel_quotient ratio;
     w->reach = (struct pel_quotient){a2, 0};
     w->change = w->bend = zero;
-    w->b2 = b2;
     if (b2 == 0)
         return;
     multiply(&ratio, &unit, a2, b2);
@@ -81,11 +80,12 @@ bool pel_ellipse_start(struct pel_ellipse_walk *w,
     return true;
 }
 
-void pel_ellipse_next(struct pel_ellipse_walk *w)
+void pel_ellipse_next(struct pel_ellipse_walk *w,
+                      const struct pel_ellipse_shape *e)
 {
-    const int64_t reach = w->reach.q;
-    add(&w->reach, &w->change, w->b2);
-    add(&w->change, &w->bend, w->b2);
+    const int64_t reach = w->reach.q, b2 = pel_square(e->radius.y);
+    add(&w->reach, &w->change, b2);
+    add(&w->change, &w->bend, b2);
     pel_disc_change(&w->disc, reach, w->reach.q);
     w->y++;
 }

@@ -26,7 +26,6 @@ struct pel_quotient {
 struct pel_ellipse_walk {
     struct pel_disc disc; /* at row y */
     struct pel_quotient reach, change, bend;
-    int64_t b2;
     int32_t y, end;
 };
 
@@ -35,6 +34,7 @@ bool pel_ellipse_start(struct pel_ellipse_walk *w,
                        const struct pel_ellipse_shape *e,
                        const struct pel_rect *clip);
 
-void pel_ellipse_next(struct pel_ellipse_walk *w);
+void pel_ellipse_next(struct pel_ellipse_walk *w,
+                      const struct pel_ellipse_shape *e);
 
 #endif

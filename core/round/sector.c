@@ -9,19 +9,20 @@ void pel_sector(const struct pel_surface *surface,
 {
     struct pel_disc_walk w;
     struct pel_wedge wedge;
-    struct pel_cut cut;
     if (!pel_disc_walk_start(&w, &sector->center, sector->radius,
                              &surface->clip) ||
-        !pel_wedge_start(&wedge, &sector->center, sector->from, sector->to))
+        !pel_wedge_start(&wedge, &sector->center,
+                         (struct pel_angles){sector->from, sector->to}, w.y))
         return;
-    pel_cut_begin(&cut, surface, paint);
+    struct pel_row row[2];
+    struct pel_rows rows = {surface, row, 0, 0, 0};
     for (; w.y < w.end; pel_disc_walk_next(&w)) {
-        struct pel_row part[2], run;
-        pel_wedge_parts(&wedge, w.y, part);
+        struct pel_row run;
+        pel_wedge_parts(&wedge, &sector->center, w.y, row);
         pel_disc_row(&w.disc, &surface->clip, &run);
-        pel_wedge_within(part, &run);
-        for (int k = 0; k < 2; k++)
-            pel_cut_piece(&cut, part[k].x0, part[k].x1);
-        pel_cut_paint(&cut, w.y);
+        rows.y = w.y;
+        rows.n = pel_cut_within(row, 2, &run);
+        if (rows.n)
+            paint->fill(paint, &rows);
     }
 }

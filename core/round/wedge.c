@@ -11,51 +11,61 @@ enum {
 };
 
 /* The edge ends about 2^24 sub-pixels from the centre, twice the radius of any
- * shape and more. */
-static PEL_NOINLINE void ray_start(struct pel_ray *r,
-                                   const struct pel_point *center,
-                                   struct pel_point d)
+ * shape and more. Below the centre the row through it is not walked. */
+static PEL_NOINLINE void ray_start(struct pel_ray *r, uint16_t turn,
+                                   const struct pel_point *center, int32_t y)
 {
+    const struct pel_point d = pel_direction(turn);
     const bool mirrored = d.y > 0;
     const int32_t x = mirrored ? -d.x : d.x;
-    struct pel_point a = {mirrored ? -center->x : center->x, center->y};
-    struct pel_point b = {a.x + x * RAY_LENGTH, a.y + d.y * RAY_LENGTH};
-    const struct pel_point *top = mirrored ? &a : &b;
-    const struct pel_point *bottom = mirrored ? &b : &a;
-    r->y = pel_first_pixel(top->y);
-    r->end = pel_first_pixel(bottom->y);
-    if (r->y < r->end)
-        pel_edge_start(&r->edge, top, bottom, r->y);
+    const struct pel_point a = {mirrored ? -center->x : center->x, center->y};
+    const struct pel_point b = {a.x + x * RAY_LENGTH, a.y + d.y * RAY_LENGTH};
+    const int32_t at_center = pel_first_pixel(center->y + mirrored);
+    r->bound = pel_first_pixel(b.y);
+    if (mirrored) {
+        y = pel_max(y, at_center);
+        if (y < r->bound)
+            pel_edge_start(&r->edge, &a, &b, y);
+    } else {
+        y = pel_max(y, r->bound);
+        if (y < at_center)
+            pel_edge_start(&r->edge, &b, &a, y);
+    }
 }
 
 /* Past the end of its edge the ray is further away in x than anything that is
  * covered there, on the side to which it points. */
-static int32_t beyond(const struct pel_ray *r)
+static int32_t beyond(int32_t turn)
 {
-    return r->turn > QUARTER_TURN && r->turn < FULL_TURN - QUARTER_TURN ? -FAR
-                                                                        : FAR;
+    return turn > QUARTER_TURN && turn < FULL_TURN - QUARTER_TURN ? -FAR : FAR;
 }
 
 /* Where the ray divides row y, which lies below or above the centre: the first
  * pixel on the side of larger x. */
-static int32_t ray_at(struct pel_ray *r, int32_t y, bool below)
+static int32_t ray_at(struct pel_ray *r, int32_t turn, int32_t y, bool below)
 {
-    if (below ? r->turn == 0 : r->turn == FULL_TURN)
+    if (below ? turn == 0 : turn == FULL_TURN)
         return FAR;
-    if (below ? r->turn >= HALF_TURN : r->turn <= HALF_TURN)
+    if (below ? turn >= HALF_TURN : turn <= HALF_TURN)
         return -FAR;
-    if (y < r->y || y >= r->end)
-        return beyond(r);
-    pel_edge_skip(&r->edge, y - r->y);
-    r->y = y;
-    return below ? -r->edge.x : r->edge.x;
+    if ((y < r->bound) != below)
+        return beyond(turn);
+    const int32_t x = r->edge.x;
+    pel_edge_next(&r->edge);
+    return below ? -x : x;
+}
+
+/* The end of a range that ends at 0 is a full turn. */
+static int32_t end_of(struct pel_angles angles)
+{
+    return angles.to ? angles.to : FULL_TURN;
 }
 
 /* The row through the centre holds the angles 0 and a half turn alone. */
-static void level_row(const struct pel_wedge *w, struct pel_row part[2])
+static void level_row(struct pel_angles angles, int32_t split,
+                      struct pel_row part[2])
 {
-    const int32_t from = w->from.turn, to = w->to.turn;
-    const int32_t split = pel_first_pixel(w->center->x);
+    const int32_t from = angles.from, to = end_of(angles);
     bool right = from == 0 || from > to;
     bool left = from < to ? from <= HALF_TURN && HALF_TURN < to
                           : from <= HALF_TURN || HALF_TURN < to;
@@ -63,17 +73,19 @@ static void level_row(const struct pel_wedge *w, struct pel_row part[2])
     part[1] = (struct pel_row){split, right ? FAR : split};
 }
 
-void pel_wedge_parts(struct pel_wedge *wedge, int32_t y, struct pel_row part[2])
+void pel_wedge_parts(struct pel_wedge *wedge, const struct pel_point *center,
+                     int32_t y, struct pel_row part[2])
 {
-    const int32_t v = pel_pixel_center(y) - wedge->center->y;
-    struct pel_ray *from = &wedge->from, *to = &wedge->to;
+    const int32_t v = pel_pixel_center(y) - center->y;
+    const int32_t from = wedge->angles.from, to = end_of(wedge->angles);
     if (v == 0) {
-        level_row(wedge, part);
+        level_row(wedge->angles, pel_first_pixel(center->x), part);
         return;
     }
-    int32_t x0 = ray_at(v > 0 ? to : from, y, v > 0);
-    int32_t x1 = ray_at(v > 0 ? from : to, y, v > 0);
-    if (from->turn < to->turn) {
+    const int32_t first = ray_at(&wedge->from, from, y, v > 0);
+    const int32_t last = ray_at(&wedge->to, to, y, v > 0);
+    const int32_t x0 = v > 0 ? last : first, x1 = v > 0 ? first : last;
+    if (from < to) {
         part[0] = (struct pel_row){x0, x1};
         part[1] = (struct pel_row){FAR, FAR};
     } else {
@@ -83,12 +95,10 @@ void pel_wedge_parts(struct pel_wedge *wedge, int32_t y, struct pel_row part[2])
 }
 
 bool pel_wedge_start(struct pel_wedge *wedge, const struct pel_point *center,
-                     uint16_t from, uint16_t to)
+                     struct pel_angles angles, int32_t y)
 {
-    wedge->center = center;
-    wedge->from.turn = from;
-    wedge->to.turn = to ? to : FULL_TURN;
-    ray_start(&wedge->from, center, pel_direction(from));
-    ray_start(&wedge->to, center, pel_direction(to));
-    return from != to;
+    wedge->angles = angles;
+    ray_start(&wedge->from, angles.from, center, y);
+    ray_start(&wedge->to, angles.to, center, y);
+    return angles.from != angles.to;
 }

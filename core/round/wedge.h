@@ -22,35 +22,28 @@
  * pixel -1 - x. So a pixel on the ray itself always belongs to the range that
  * begins there. */
 struct pel_ray {
-    struct pel_edge edge;
-    int32_t y, end; /* rows [y, end) are walked, the edge stands at y */
-    int32_t turn;   /* 0..65,536 */
+    struct pel_edge edge; /* at the next row */
+    int32_t bound; /* the edge's first row, or below the centre its end */
+};
+
+struct pel_angles {
+    uint16_t from, to; /* turns / 65,536 */
 };
 
 struct pel_wedge {
-    const struct pel_point *center; /* the caller's */
+    struct pel_angles angles;
     struct pel_ray from, to;
 };
 
-/* Angles in turns / 65,536. false: nothing can be covered, since from == to.
- * The centre is legal. */
+/* From line y on. false: nothing can be covered, since from == to. The centre
+ * is legal. */
 bool pel_wedge_start(struct pel_wedge *wedge, const struct pel_point *center,
-                     uint16_t from, uint16_t to);
+                     struct pel_angles angles, int32_t y);
 
 /* The parts of line y inside the wedge, from left to right and apart from each
- * other; one may be empty. They reach beyond every pixel. Lines are asked from
- * the top down. */
-void pel_wedge_parts(struct pel_wedge *wedge, int32_t y,
-                     struct pel_row part[2]);
-
-/* Takes from the parts what is outside of the run. */
-static inline void pel_wedge_within(struct pel_row part[2],
-                                    const struct pel_row *run)
-{
-    for (int k = 0; k < 2; k++) {
-        part[k].x0 = pel_max(run->x0, part[k].x0);
-        part[k].x1 = pel_min(run->x1, part[k].x1);
-    }
-}
+ * other; one may be empty. They reach beyond every pixel. Every line is asked
+ * for once, from the first one down. */
+void pel_wedge_parts(struct pel_wedge *wedge, const struct pel_point *center,
+                     int32_t y, struct pel_row part[2]);
 
 #endif

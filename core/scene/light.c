@@ -7,8 +7,8 @@ static pel_cosine power(pel_cosine v, int32_t n)
     uint32_t base = (uint32_t)v, result = (uint32_t)PEL_COSINE_ONE;
     for (; n > 0 && result; n >>= 1) {
         if (n & 1)
-            result = (uint32_t)((uint64_t)result * base >> 30);
-        base = (uint32_t)((uint64_t)base * base >> 30);
+            result = (uint32_t)(pel_multiply(result, base) >> 30);
+        base = (uint32_t)(pel_multiply(base, base) >> 30);
     }
     return (pel_cosine)result;
 }

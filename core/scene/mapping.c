@@ -8,7 +8,8 @@ static PEL_WIDE int32_t place_of(const struct pel_mesh_quantum *q, int axis,
                                  uint16_t number, int32_t texels)
 {
     const int64_t limit = (int64_t)((uint64_t)1 << (14 + q->shift));
-    int64_t v = (int64_t)pel_mesh_quantum_value(q, axis, number) * texels;
+    int64_t v =
+        pel_long_product(pel_mesh_quantum_value(q, axis, number), texels);
     v = v > limit ? limit : v < -limit ? -limit : v;
     return pel_min((int32_t)pel_scale_down(v, q->shift - 16), (1 << 30) - 1);
 }

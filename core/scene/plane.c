@@ -6,7 +6,12 @@
 #include "vector.h"
 
 /* The copy of the inline function (vector.h). */
-uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y);
+#if !PEL_FAST_64BIT
+uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y)
+{
+    return p->at + pel_times(p->dx, x) + pel_times(p->dy, y);
+}
+#endif
 
 /* Gradients are exact, and cut towards zero: n / area as 2^-24 of a pixel and,
  * in `fine`, of a sub-pixel; modulo 2^64. */

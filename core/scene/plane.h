@@ -39,10 +39,16 @@ static inline struct pel_plane pel_plane_level(int32_t value)
     return plane;
 }
 
-inline uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y)
+/* The value at (x, y). */
+#if PEL_FAST_64BIT
+static inline uint64_t pel_plane_at(const struct pel_plane *p, int32_t x,
+                                    int32_t y)
 {
-    return p->at + (uint64_t)(int64_t)x * p->dx + (uint64_t)(int64_t)y * p->dy;
+    return p->at + pel_times(p->dx, x) + pel_times(p->dy, y);
 }
+#else
+uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y);
+#endif
 
 /* The whole part of a value that fits. */
 static inline int32_t pel_plane_whole(uint64_t value)

@@ -34,8 +34,9 @@ static bool scale_row(struct pel_projector *p, const struct pel_camera *camera,
     }
     if (from < -32767 || to > 32767 || from >= to || to - from > 32767 ||
         focal - 1 >= limit || sensor - 1 >= limit ||
-        !scale_of((uint64_t)(uint32_t)(to - from) * 256 * focal, sensor,
-                  &mantissa, &p->spread[k]))
+        !scale_of(
+            pel_times((uint64_t)(uint32_t)(to - from) * 256, (int32_t)focal),
+            sensor, &mantissa, &p->spread[k]))
         return false;
     for (int j = 0; j < 3; j++)
         p->rows.row[k][j] = pel_scaled(p->rows.row[k][j], mantissa, 30);
@@ -62,7 +63,7 @@ static PEL_NOINLINE void place_origin(struct pel_projector *p,
 
 int64_t pel_quantum_reach(const struct pel_mesh_quantum *quantum)
 {
-    int64_t reach = INT64_C(98304) * quantum->step;
+    int64_t reach = pel_long_product(98304, quantum->step);
     for (const int32_t *o = quantum->offset; o < quantum->offset + 3; o++)
         reach += pel_size_of(*o);
     return reach;

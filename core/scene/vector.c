@@ -29,5 +29,5 @@ uint64_t pel_reach_of(const int64_t v[3])
 
 int64_t pel_minor(int32_t a, int32_t b, int32_t c, int32_t d)
 {
-    return (int64_t)a * b - (int64_t)c * d;
+    return pel_long_product(a, b) - pel_long_product(c, d);
 }

@@ -2,7 +2,7 @@
 #ifndef PEL_SCENE_VECTOR_SUMS_H
 #define PEL_SCENE_VECTOR_SUMS_H
 
-#include <stdint.h>
+#include "../base/fixed.h"
 
 #ifndef PEL_WIDE_SUM
 #define PEL_WIDE_SUM static inline
@@ -19,13 +19,14 @@ PEL_WIDE_SUM int64_t pel_scale_down(int64_t v, int n)
 /* a b 2^-n, the nearest (a tie upwards), 0 <= n <= 62; it must fit. */
 PEL_WIDE_SUM int32_t pel_scaled(int32_t a, int32_t b, int n)
 {
-    return (int32_t)pel_scale_down((int64_t)a * b, n);
+    return (int32_t)pel_scale_down(pel_long_product(a, b), n);
 }
 
 /* The product of vectors whose sizes multiply to less than 2^63. */
 PEL_WIDE_SUM int64_t pel_dot(const int32_t a[3], const int32_t b[3])
 {
-    return (int64_t)a[0] * b[0] + (int64_t)a[1] * b[1] + (int64_t)a[2] * b[2];
+    return pel_long_product(a[0], b[0]) + pel_long_product(a[1], b[1]) +
+           pel_long_product(a[2], b[2]);
 }
 
 #endif

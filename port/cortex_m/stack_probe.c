@@ -1,5 +1,5 @@
-/* How much stack main uses: linked with --wrap=main, paints the free stack,
- * runs main and prints `stack BYTES`, its own frames not counted. */
+#include "stack_probe.h"
+
 #include "semihost.h"
 
 int __real_main(void);
@@ -16,17 +16,37 @@ static inline uint32_t *stack_pointer(void)
     return sp;
 }
 
-int __wrap_main(void)
+static inline void paint_below(const uint32_t *sp)
 {
-    uint32_t *sp = stack_pointer();
     for (volatile uint32_t *p = bss_end; p < sp; p++)
         *p = PAINT;
-    int status = __real_main();
+}
+
+static inline uint32_t touched_below(const uint32_t *sp)
+{
     const volatile uint32_t *p = bss_end;
     while (p < sp && *p == PAINT)
         p++;
+    return (uint32_t)(sp - p) * 4;
+}
+
+uint32_t stack_used(void (*call)(const void *argument), const void *argument)
+{
+    const uint32_t *sp = stack_pointer();
+    paint_below(sp);
+    call(argument);
+    return touched_below(sp);
+}
+
+/* Linked with --wrap=main: runs main and prints `stack BYTES`. */
+int __wrap_main(void)
+{
+    const uint32_t *sp = stack_pointer();
+    paint_below(sp);
+    const int status = __real_main();
+    const uint32_t used = touched_below(sp);
     semihost_write("stack ");
-    semihost_write_number((uint32_t)(sp - p) * 4);
+    semihost_write_number(used);
     semihost_write("\n");
     return status;
 }

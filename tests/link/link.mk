@@ -12,7 +12,7 @@ LINK_SHAPES := triangle triangle_or_line polygon rectangle line thick_line \
     ellipse_outline arc_outline polygon_outline text
 LINK_PAINTS := flat flat_alpha gouraud linear radial conic hue fan nearest \
     nearest_colors bilinear dither user
-LINK_FILES := $(filter-out shape paint,$(basename $(notdir $(wildcard \
+LINK_FILES := $(filter-out shape paint pairs,$(basename $(notdir $(wildcard \
     tests/link/*.c))))
 LINK_PROGRAMS := $(LINK_FILES) $(LINK_SHAPES:%=shape_%) \
     $(LINK_PAINTS:%=paint_%)
@@ -39,9 +39,16 @@ $(foreach c,$(MCU_CPUS),$(eval $(call link_programs,$c)))
 
 MCU_CORE_OBJECTS := $(foreach c,$(MCU_CPUS),$(CORE:%.c=$(BUILD)/mcu/$c-Os/%.o))
 LINK_ELFS := $(foreach c,$(MCU_CPUS),\
-    $(LINK_PROGRAMS:%=$(BUILD)/link/$c/%.elf))
+    $(patsubst %,$(BUILD)/link/$c/%.elf,$(LINK_PROGRAMS) pairs))
+
+# Bytes of stack that any shape with any paint may take.
+LINK_STACK := 384
 
 # With ACCEPT=1 what is measured becomes the new limit.
 size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) | need-qemu-arm ## bytes and stack on Cortex-M: build/size.tsv
 	tests/link/size.sh $(BUILD) "$(MCU_CPUS)" "$(LINK_PROGRAMS)" >$(BUILD)/size.tsv
 	tests/link/budgets.sh $(BUILD)/size.tsv $(ACCEPT)
+	for cpu in $(MCU_CPUS); do \
+	    tests/link/pairs.sh $$cpu $(BUILD)/link/$$cpu/pairs.elf \
+	        $(LINK_STACK) >$(BUILD)/stack_$$cpu.tsv || exit 1; \
+	done

@@ -8,6 +8,7 @@
 set -eu
 build=$1
 here=$(dirname "$0")
+. "$here/board.sh"
 formats=$(basename -s .c core/format/*.c | tr '\n' ' ')
 
 fail() {
@@ -36,18 +37,8 @@ flat_row() {
         END { print cpu, "walker+fill", text, data, bss, "-", "-" }'
 }
 
-board() {
-    case $1 in
-    cortex-m0plus) echo microbit ;;
-    *) echo mps2-an386 ;;
-    esac
-}
-
 stack_used() {
-    timeout 20 qemu-system-arm -M "$(board "$1")" -display none \
-        -monitor none -serial none -chardev stdio,id=out \
-        -semihosting-config enable=on,target=native,chardev=out \
-        -kernel "$2" </dev/null | sed -n 's/^stack //p'
+    run_on_board "$1" "$2" | sed -n 's/^stack //p'
 }
 
 # Two numbers: the deepest path from main, and main's own part of it.

@@ -3,7 +3,8 @@
 # Input: `objdump -d --no-show-raw-insn` of an object; the answer is the largest
 # frame. Or, of a linked program, `objdump -s` (its words), the linker's map and
 # then the disassembly; the answer is the deepest path from main and main's own
-# frame. -v formats="NAME ..." names the objects of core/format, -v
+# frame. With -v frames=PREFIX the frame of each function whose name begins so.
+# -v formats="NAME ..." names the objects of core/format, -v
 # pointers=FILE is pointers.txt.
 #
 # A call through a pointer may reach the functions that pointers.txt gives the
@@ -173,6 +174,12 @@ function depth(code,    list, n, i, d, deepest)
 END {
     if (failed)
         exit 1
+    if (frames != "") {
+        for (code in frame)
+            if (index(code, frames) == 1)
+                print substr(code, 1, index(code, "@") - 1), frame[code]
+        exit
+    }
     if (formats == "") {
         print largest + 0
         exit

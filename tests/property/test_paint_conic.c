@@ -15,10 +15,11 @@ struct probe {
     uint64_t *next;
 };
 
-static void keep(const void *paint, struct pel_ramp_walk *walk, int32_t n,
-                 pel_color *colors)
+static void keep(const struct pel_curve *curve, struct pel_ramp_walk *walk,
+                 int32_t n, pel_color *colors)
 {
-    uint64_t **next = &((struct probe *)(uintptr_t)paint)->next;
+    const struct pel_conic *conic = PEL_CURVE_PAINT(struct pel_conic, curve);
+    uint64_t **next = &((struct probe *)(uintptr_t)conic)->next;
     (void)colors;
     for (; n > 0; n--, pel_ramp_step(walk))
         *(*next)++ = walk->at;

@@ -1,4 +1,4 @@
-/* Products of two numbers of 31 bits, against the compiler's. */
+/* Products of numbers of 31, 32 and 64 bits, against the compiler's. */
 #include "core/base/fixed.h"
 #include "tests/support/check.h"
 
@@ -45,11 +45,35 @@ static void test_many_products(void **state)
     }
 }
 
+/* All that are at most 3 away from a power of two, modulo 2^64. */
+static uint64_t number_of(int i)
+{
+    return (UINT64_C(1) << (i / 7 % 64)) + (uint64_t)(i % 7 - 3);
+}
+
+static void test_whole_products(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 64 * 7; i++)
+        for (int k = 0; k < 64 * 7; k++) {
+            const uint64_t a = number_of(i), b = number_of(k);
+            const uint32_t low = (uint32_t)a, word = (uint32_t)b;
+            const int32_t n = (int32_t)word;
+            if (pel_multiply(low, word) != (uint64_t)low * word)
+                fail_msg("%u times %u", low, word);
+            if (pel_times(a, n) != a * (uint64_t)(int64_t)n)
+                fail_msg("%llu times %d", (unsigned long long)a, n);
+            if (pel_long_product((int32_t)low, n) != (int64_t)(int32_t)low * n)
+                fail_msg("%d times %d", (int32_t)low, n);
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_products),
         cmocka_unit_test(test_many_products),
+        cmocka_unit_test(test_whole_products),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,11 @@
+/* How much stack a call uses. */
+#ifndef PORT_CORTEX_M_STACK_PROBE_H
+#define PORT_CORTEX_M_STACK_PROBE_H
+
+#include <stdint.h>
+
+/* Paints the free stack, calls, and looks how deep the paint was touched: bytes
+ * below this function's own frame. */
+uint32_t stack_used(void (*call)(const void *argument), const void *argument);
+
+#endif
