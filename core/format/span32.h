@@ -28,25 +28,30 @@ static inline void pel_span32_short(pel_word32 *p, int32_t n, uint32_t v)
     q[(last + 1) >> 1] = v;
 }
 
-/* More than 16 pixels, the first vector stored: upwards from the next aligned
- * address. */
-static PEL_ALWAYS_INLINE void pel_span32_long(pel_word32 *p, pel_word32 *end,
+/* The inner part of more than 16 pixels, of which two vectors at either end are
+ * the caller's: two more at the right end, where the four begin at `tail`, and
+ * before them two more at the left end, or blocks of four from the first
+ * aligned address after p (4 px away at most) on. The last block starts before
+ * `tail`, so it ends before the run does. */
+static PEL_ALWAYS_INLINE void pel_span32_long(pel_word32 *p, int32_t n,
                                               pel_value32 v)
 {
+    pel_word32 *tail = p + n - 16;
+    pel_put_u32x4(tail, v);
+    pel_put_u32x4(tail + 4, v);
+    if (n <= 32) {
+        pel_put_u32x4(p + 8, v);
+        pel_put_u32x4(p + 12, v);
+        return;
+    }
     p = (pel_word32 *)(((uintptr_t)p + 16) & ~(uintptr_t)15);
-    for (; p < end - 12; p += 16) {
+    do {
         pel_put_u32x4(p, v);
         pel_put_u32x4(p + 4, v);
         pel_put_u32x4(p + 8, v);
         pel_put_u32x4(p + 12, v);
-    }
-    if (p < end - 4) {
-        pel_put_u32x4(p, v);
-        pel_put_u32x4(p + 4, v);
-        p += 8;
-    }
-    if (p < end)
-        pel_put_u32x4(p, v);
+        p += 16;
+    } while (p < tail);
 }
 
 static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
@@ -58,10 +63,10 @@ static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
     }
     pel_word32 *end = p + n - 4; /* where the last vector goes */
     pel_put_u32x4(p, v);
-    if (n > 16) {
-        pel_span32_long(p, end, v);
-    } else if (n > 8) {
+    if (n > 8) {
         pel_put_u32x4(p + 4, v);
+        if (n > 16)
+            pel_span32_long(p, n, v);
         pel_put_u32x4(end - 4, v);
     }
     pel_put_u32x4(end, v);

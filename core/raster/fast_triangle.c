@@ -13,9 +13,10 @@ static int64_t floor_divide(int64_t n, int64_t d)
  * floor(x') + 1 for any x' that lies below (X - 128) / 256 by less than the
  * distance of that number to the next integer below it. X dy is an integer, so
  * this distance is at least 1 / (256 dy) >= 2^-23 px = 512 steps of 2^-32 px.
- * x' starts 256 steps low; flooring the slope to a step per row loses less than
- * a step a row and two at the start, and dy <= 2^15 means at most 128 rows:
- * between 256 and 387 steps low, never 512.
+ * x' starts 256 steps low; cutting the slope towards zero loses less than a step
+ * a row and two at the start where x grows, and gains less than one at the start
+ * and in each row after it where x falls; dy <= 2^15 means at most 128 rows:
+ * between 128 and 387 steps low, never 0 or 512.
  * |dx| < 2^23, the width of a surface, so the slope fits 2^55, and t <= 255
  * times it 2^63. An edge that crosses no row centre, level ones included, gets
  * a number that is never used: cheaper than a branch that cannot be
@@ -26,7 +27,7 @@ static struct pel_slope start_short(const struct pel_point *a,
     struct pel_slope e;
     int64_t dx = b->x - a->x, dy = b->y - a->y;
     int64_t t = pel_pixel_center(pel_first_pixel(a->y)) - a->y;
-    e.step = floor_divide(dx * INT64_C(4294967296), dy + (dy == 0));
+    e.step = dx * INT64_C(4294967296) / (dy + (dy == 0));
     e.x = (int64_t)(a->x - 128) * 16777216 + ((t * e.step) >> 8) +
           INT64_C(4294967296) - 256;
     return e;

@@ -25,7 +25,7 @@ struct pel_fast_triangle {
 /* A writer's walk down the rows; it lives in registers. */
 struct pel_fast_walk {
     struct pel_slope whole, half, lower;
-    int32_t y, bend, end;
+    int32_t y, stop, end;  /* stop: where the short edge ends */
     uintptr_t line, pitch; /* address of column 0; see pel_column_zero */
 };
 
@@ -44,10 +44,12 @@ static PEL_ALWAYS_INLINE struct pel_fast_walk pel_fast_walk_begin(
 static PEL_ALWAYS_INLINE bool pel_fast_walk_next(struct pel_fast_walk *w,
                                                  int32_t *x, int32_t *n)
 {
-    if (w->y == w->end)
-        return false;
-    if (w->y == w->bend)
+    if (w->y == w->stop) {
+        if (w->y == w->end)
+            return false;
+        w->stop = w->end;
         w->half = w->lower;
+    }
     int32_t p = (int32_t)(w->whole.x >> 32), q = (int32_t)(w->half.x >> 32);
     w->whole.x += w->whole.step;
     w->half.x += w->half.step;

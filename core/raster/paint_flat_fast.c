@@ -7,8 +7,11 @@
 #include "../format/span16.h"
 #include "../format/span32.h"
 
-/* Small triangles find their few rows in the cache, or do not wait long. */
-enum { ROWS_WORTH_PREFETCHING = 16, ROWS_AHEAD = 4 };
+/* Where rows are long and many, waiting for the cache costs more than asking.
+ * Elsewhere it is the other way round: small triangles find their rows there or
+ * do not wait long, and the stores of a sliver's rows wait side by side. */
+enum { ROWS_WORTH_PREFETCHING = 128, RUN_WORTH_PREFETCHING = 33 };
+enum { ROWS_AHEAD = 4 };
 
 static void fill32(const struct pel_surface *s,
                    const struct pel_fast_triangle *t, pel_color color)
@@ -23,7 +26,8 @@ static void fill32(const struct pel_surface *s,
     const uintptr_t ahead = pel_fast_walk_ahead(&w, ROWS_AHEAD, 4);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
         uintptr_t p = w.line + 4 * (uintptr_t)x;
-        pel_prefetch_run(p + ahead, 4 * n);
+        if (n >= RUN_WORTH_PREFETCHING)
+            pel_prefetch_run(p + ahead, 4 * n);
         pel_span32((pel_word32 *)p, n, value);
     }
 }
@@ -59,31 +63,36 @@ static void blend565(const struct pel_surface *s,
         pel_blend565_run((pel_word16 *)(w.line + 2 * (uintptr_t)x), n, &b);
 }
 
-typedef void writer(const struct pel_surface *s,
-                    const struct pel_fast_triangle *t, pel_color color);
-
-static writer *opaque_writer(const struct pel_format *format)
+static bool fill(const struct pel_surface *s, const struct pel_fast_triangle *t,
+                 pel_color color)
 {
-    if (format->bits == 32)
-        return fill32;
-    return format->bits == 16 ? fill16 : NULL;
+    if (s->format->bits == 32)
+        fill32(s, t, color);
+    else if (s->format->bits == 16)
+        fill16(s, t, color);
+    else
+        return false;
+    return true;
 }
 
 /* By layout, which only the ids of core's own formats tell. */
-static writer *blend_writer(const struct pel_format *format)
+static bool blend(const struct pel_surface *s,
+                  const struct pel_fast_triangle *t, pel_color color)
 {
-    switch (format->blend ? format->id : 0) {
+    switch (s->format->blend ? s->format->id : 0) {
     case PEL_FORMAT_XRGB8888:
     case PEL_FORMAT_XBGR8888:
     case PEL_FORMAT_RGBX8888:
     case PEL_FORMAT_BGRX8888:
-        return blend32;
+        blend32(s, t, color);
+        return true;
     case PEL_FORMAT_RGB565_LE:
     case PEL_FORMAT_RGB565_BE:
     case PEL_FORMAT_BGR565_LE:
-        return blend565;
+        blend565(s, t, color);
+        return true;
     default:
-        return NULL;
+        return false;
     }
 }
 
@@ -92,13 +101,9 @@ bool pel_flat_fast(const struct pel_paint *paint,
                    const struct pel_fast_triangle *triangle)
 {
     const pel_color color = ((const struct pel_flat *)paint)->color;
-    if (pel_alpha(color) == 0)
-        return true;
-    writer *write = pel_alpha(color) == 255 ? opaque_writer(surface->format)
-                                            : blend_writer(surface->format);
-    if (write)
-        write(surface, triangle, color);
-    return write != NULL;
+    if (pel_alpha(color) == 255)
+        return fill(surface, triangle, color);
+    return pel_alpha(color) == 0 || blend(surface, triangle, color);
 }
 
 #endif
