@@ -1,8 +1,5 @@
 #include "span32.h"
 
-/* Asking for the cache costs shorter ones more than waiting for it. */
-enum { RUN_WORTH_PREFETCHING = 33 };
-
 void pel_fill32(const struct pel_rows *rows, uint32_t pixel)
 {
     const struct pel_row *row = rows->row;
@@ -12,8 +9,7 @@ void pel_fill32(const struct pel_rows *rows, uint32_t pixel)
     for (int32_t n = rows->n; n > 0; n--, row++, line += pitch) {
         uintptr_t p = line + 4 * (uintptr_t)row->x0;
         int32_t pixels = row->x1 - row->x0;
-        if (pixels >= RUN_WORTH_PREFETCHING)
-            pel_prefetch_run(p + pitch, 4 * pixels);
+        pel_prefetch_run(p + pitch, 4 * pixels);
         pel_span32((pel_word32 *)p, pixels, value);
     }
 }

@@ -61,18 +61,17 @@ static inline uintptr_t pel_column_zero(const struct pel_surface *s, int32_t y,
            (uintptr_t)(bytes * (ptrdiff_t)s->bounds.x0);
 }
 
-/* Asks for the cache lines of a run that is soon written, some rows ahead:
- * stores retire in order, so each miss would wait for the one before it. The
- * addresses need not be in memory. (Always inlined: gcc takes a function that
+/* Asks for the cache lines of a long run that is soon written, some rows ahead:
+ * stores retire in order, so each miss would wait for the one before it. Short
+ * ones wait for a line or two, which takes less time than asking. The addresses
+ * need not be in memory. (Always inlined: gcc takes a function that
  * only prefetches for an empty one.) */
 static PEL_ALWAYS_INLINE void pel_prefetch_run(uintptr_t address, int32_t bytes)
 {
 #if PEL_FAST_64BIT && defined(__GNUC__)
-    int32_t i = 0;
-    do {
-        __builtin_prefetch((const void *)(address + (uintptr_t)i), 1);
-        i += 64;
-    } while (i < bytes);
+    if (bytes > 128)
+        for (int32_t i = 0; i < bytes; i += 64)
+            __builtin_prefetch((const void *)(address + (uintptr_t)i), 1);
 #else
     (void)address;
     (void)bytes;

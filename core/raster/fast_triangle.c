@@ -1,5 +1,7 @@
 #include "fast_triangle.h"
 
+#include "triangle_sort.h"
+
 #if PEL_FAST_64BIT
 
 static int64_t floor_divide(int64_t n, int64_t d)
@@ -13,14 +15,13 @@ static int64_t floor_divide(int64_t n, int64_t d)
  * floor(x') + 1 for any x' that lies below (X - 128) / 256 by less than the
  * distance of that number to the next integer below it. X dy is an integer, so
  * this distance is at least 1 / (256 dy) >= 2^-23 px = 512 steps of 2^-32 px.
- * x' starts 256 steps low; cutting the slope towards zero loses less than a step
- * a row and two at the start where x grows, and gains less than one at the start
- * and in each row after it where x falls; dy <= 2^15 means at most 128 rows:
- * between 128 and 387 steps low, never 0 or 512.
- * |dx| < 2^23, the width of a surface, so the slope fits 2^55, and t <= 255
- * times it 2^63. An edge that crosses no row centre, level ones included, gets
- * a number that is never used: cheaper than a branch that cannot be
- * predicted. */
+ * x' starts 256 steps low; cutting the slope towards zero loses less than a
+ * step a row and two at the start where x grows, and gains less than one at the
+ * start and in each row after it where x falls; dy <= 2^15 means at most 128
+ * rows: between 128 and 387 steps low, never 0 or 512. |dx| < 2^23, the width
+ * of a surface, so the slope fits 2^55, and t <= 255 times it 2^63. An edge
+ * that crosses no row centre, level ones included, gets a number that is never
+ * used: cheaper than a branch that cannot be predicted. */
 static struct pel_slope start_short(const struct pel_point *a,
                                     const struct pel_point *b)
 {
@@ -63,13 +64,6 @@ static bool inside(const struct pel_rect *clip, const struct pel_rect *box)
            box->y1 <= pel_min(PEL_PX(clip->y1), PEL_COORDINATE_MAX);
 }
 
-/* Points as numbers that sort by (y, x): minimum and maximum need no branch,
- * and the order of random vertices cannot be predicted. */
-static int64_t key_of(const struct pel_point *p)
-{
-    return p->y * INT64_C(4294967296) + (int64_t)((uint32_t)p->x ^ 0x80000000u);
-}
-
 static struct pel_point point_of(int64_t key)
 {
     uint32_t x = (uint32_t)key ^ 0x80000000u;
@@ -88,7 +82,8 @@ static int64_t max64(int64_t a, int64_t b)
 
 static void sort(const struct pel_point v[3], struct pel_point sorted[3])
 {
-    int64_t a = key_of(&v[0]), b = key_of(&v[1]), c = key_of(&v[2]);
+    int64_t a = pel_point_key(&v[0]), b = pel_point_key(&v[1]),
+            c = pel_point_key(&v[2]);
     int64_t low = min64(a, b), high = max64(a, b);
     sorted[0] = point_of(min64(low, c));
     sorted[1] = point_of(max64(low, min64(high, c)));

@@ -71,6 +71,21 @@ static PEL_NOINLINE gradient divide(uint64_t n, uint64_t d)
 }
 #endif
 
+#if PEL_FAST_64BIT && defined(__GNUC__)
+static int64_t with_sign_of(int64_t area, int64_t v)
+{
+    return area < 0 ? -v : v;
+}
+
+static void set_reciprocal(struct setup *s)
+{
+    const uint64_t area = (uint64_t)with_sign_of(s->area, s->area);
+    const int zeros = __builtin_clzll(area);
+    s->shift = zeros - 32;
+    s->inverse = with_sign_of(
+        s->area, (int64_t)((UINT64_C(1) << 63) / (area << zeros >> 32)));
+}
+#else
 static void set_reciprocal(struct setup *s)
 {
     uint64_t word = (uint64_t)(s->area < 0 ? -s->area : s->area);
@@ -86,6 +101,7 @@ static void set_reciprocal(struct setup *s)
     if (s->area < 0)
         s->inverse = -s->inverse;
 }
+#endif
 
 /* n 2^32 / area = n 2^(32 + shift) / word = n inverse 2^(shift - 31). 16 <=
  * |area| < 2^42 here, so -10 <= shift <= 27. */
@@ -111,9 +127,8 @@ static gradient gradient_of(const struct setup *s, int64_t n)
  * the value is a plus the gradients times the way there, -127..128 sub-pixels
  * in x and y. From there back to pixel (0, 0). Bits 8..39 of `way` are what 32
  * bits of 8.24 need of it, and those are right modulo 2^64. */
-static PEL_NOINLINE void set_channel(struct pel_gouraud *p,
-                                     const struct setup *s, int k,
-                                     const int32_t value[3])
+static PEL_WIDE void set_channel(struct pel_gouraud *p, const struct setup *s,
+                                 int k, const int32_t value[3])
 {
     const int32_t b = value[1] - value[0], c = value[2] - value[0];
     gradient gx = gradient_of(s, (int64_t)b * (s->c.y - s->a.y) -
@@ -129,11 +144,21 @@ static PEL_NOINLINE void set_channel(struct pel_gouraud *p,
                (uint32_t)x * p->dx[k] - (uint32_t)y * p->dy[k];
 }
 
+#if PEL_FAST_64BIT
+static int topmost(const struct pel_point v[3])
+{
+    const int64_t a = pel_point_key(&v[0]), b = pel_point_key(&v[1]),
+                  c = pel_point_key(&v[2]);
+    const int second = b < a, third = c < (b < a ? b : a);
+    return (second & ~third) | third << 1;
+}
+#else
 static int topmost(const struct pel_point v[3])
 {
     int i = pel_above(&v[1], &v[0]) ? 1 : 0;
     return pel_above(&v[2], &v[i]) ? 2 : i;
 }
+#endif
 
 static void set_geometry(struct setup *s)
 {
@@ -152,7 +177,7 @@ enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
         return PEL_ERROR_NULL;
     if (!pel_points_legal(v, 3))
         return PEL_ERROR_RANGE;
-    const int a = topmost(v), b = a == 2 ? 0 : a + 1, last = 3 - a - b;
+    const int a = topmost(v), b = a == 0, last = 3 - a - b;
     struct setup s = {.a = v[a], .b = v[b], .c = v[last]};
     const bool opaque = pel_alpha(c[0] & c[1] & c[2]) == 255;
     paint->paint =

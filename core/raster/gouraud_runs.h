@@ -53,9 +53,11 @@ static inline struct pel_gouraud_run pel_gouraud_run_make(
     for (int k = 0; k < 3; k++) {
         run.dx[k] = g->dx[k];
 #if PEL_VECTORS
-        const uint32_t d = apart * g->dx[k];
-        run.lanes[k] = (pel_u32x4){0, d, 2 * d, 3 * d};
-        run.steps[k] = (pel_u32x4){4 * d, 4 * d, 4 * d, 4 * d};
+        const pel_u32x4 zero = {0, 0, 0, 0}, odd = {0, ~0u, 0, ~0u},
+                        upper = {0, 0, ~0u, ~0u};
+        const pel_u32x4 d = zero + apart * g->dx[k];
+        run.lanes[k] = (d & odd) + ((d << 1) & upper);
+        run.steps[k] = d << 2;
 #endif
     }
     (void)apart;
@@ -85,27 +87,51 @@ static inline void pel_gouraud_short_xrgb(pel_word32 *p, int32_t n,
     q[last] = four[last];
 }
 
-/* The last four pixels overlap those before them. */
-static PEL_ALWAYS_INLINE void pel_gouraud_run_xrgb(
-    pel_word32 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_run *run)
+/* More than 8 pixels: the last eight overlap those before them. */
+static PEL_ALWAYS_INLINE void pel_gouraud_long_xrgb(
+    pel_word32 *p, int32_t n, pel_u32x4 v[3], const struct pel_gouraud_run *run)
 {
-    pel_u32x4 b = run->lanes[0] + v[0], g = run->lanes[1] + v[1],
-              r = run->lanes[2] + v[2];
-    if (n < 4) {
-        pel_gouraud_short_xrgb(p, n, pel_gouraud_xrgb4(b, g, r));
-        return;
-    }
-    const uint32_t last = (uint32_t)n - 4;
-    pel_word32 *end = p + last;
-    const pel_u32x4 tail = pel_gouraud_xrgb4(
-        b + last * run->dx[0], g + last * run->dx[1], r + last * run->dx[2]);
-    for (; p < end; p += 4) {
+    const uint32_t last = (uint32_t)n - 8;
+    pel_word32 *const end = p + last;
+    pel_u32x4 b = v[0], g = v[1], r = v[2];
+    pel_u32x4 tail_b = b + last * run->dx[0], tail_g = g + last * run->dx[1],
+              tail_r = r + last * run->dx[2];
+    do {
         pel_put_u32x4(p, pel_gouraud_xrgb4(b, g, r));
         b += run->steps[0];
         g += run->steps[1];
         r += run->steps[2];
+        pel_put_u32x4(p + 4, pel_gouraud_xrgb4(b, g, r));
+        b += run->steps[0];
+        g += run->steps[1];
+        r += run->steps[2];
+        p += 8;
+    } while (p < end);
+    pel_put_u32x4(end, pel_gouraud_xrgb4(tail_b, tail_g, tail_r));
+    pel_put_u32x4(end + 4, pel_gouraud_xrgb4(tail_b + run->steps[0],
+                                             tail_g + run->steps[1],
+                                             tail_r + run->steps[2]));
+}
+
+static PEL_ALWAYS_INLINE void pel_gouraud_run_xrgb(
+    pel_word32 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_run *run)
+{
+    pel_u32x4 lane[3] = {run->lanes[0] + v[0], run->lanes[1] + v[1],
+                         run->lanes[2] + v[2]};
+    if (n > 8) {
+        pel_gouraud_long_xrgb(p, n, lane, run);
+        return;
     }
-    pel_put_u32x4(end, tail);
+    const pel_u32x4 first = pel_gouraud_xrgb4(lane[0], lane[1], lane[2]);
+    if (n < 4) {
+        pel_gouraud_short_xrgb(p, n, first);
+        return;
+    }
+    const uint32_t last = (uint32_t)n - 4;
+    pel_put_u32x4(p, first);
+    pel_put_u32x4(p + last, pel_gouraud_xrgb4(lane[0] + last * run->dx[0],
+                                              lane[1] + last * run->dx[1],
+                                              lane[2] + last * run->dx[2]));
 }
 
 /* Eight pixels from the lanes of pixels 0, 2, 4, 6, half a step before those of

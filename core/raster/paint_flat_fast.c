@@ -7,11 +7,8 @@
 #include "../format/span16.h"
 #include "../format/span32.h"
 
-/* Where rows are long and many, waiting for the cache costs more than asking.
- * Elsewhere it is the other way round: small triangles find their rows there or
- * do not wait long, and the stores of a sliver's rows wait side by side. */
-enum { ROWS_WORTH_PREFETCHING = 128, RUN_WORTH_PREFETCHING = 33 };
-enum { ROWS_AHEAD = 4 };
+/* Low triangles find their few rows in the cache, or do not wait long. */
+enum { ROWS_WORTH_PREFETCHING = 128, ROWS_AHEAD = 4 };
 
 static void fill32(const struct pel_surface *s,
                    const struct pel_fast_triangle *t, pel_color color)
@@ -26,8 +23,7 @@ static void fill32(const struct pel_surface *s,
     const uintptr_t ahead = pel_fast_walk_ahead(&w, ROWS_AHEAD, 4);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
         uintptr_t p = w.line + 4 * (uintptr_t)x;
-        if (n >= RUN_WORTH_PREFETCHING)
-            pel_prefetch_run(p + ahead, 4 * n);
+        pel_prefetch_run(p + ahead, 4 * n);
         pel_span32((pel_word32 *)p, n, value);
     }
 }

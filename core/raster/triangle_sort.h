@@ -35,6 +35,13 @@ static inline bool pel_above(const struct pel_point *a,
     return a->y < b->y || (a->y == b->y && a->x < b->x);
 }
 
+/* A point as a number that sorts like that: minimum and maximum need no branch,
+ * and the order of random vertices cannot be predicted. */
+static inline int64_t pel_point_key(const struct pel_point *p)
+{
+    return p->y * INT64_C(4294967296) + (int64_t)((uint32_t)p->x ^ 0x80000000u);
+}
+
 static inline void pel_sort3(const struct pel_point *p[3])
 {
     for (int i = 0; i < 3; i++)
