@@ -59,26 +59,39 @@ static inline pel_u16x8 pel_blend32_mix(pel_u16x8 d,
     return pel_divide255_u16x8(even) | pel_divide255_u16x8(odd) << 8;
 }
 
-/* The last four pixels are read before the first store, and stored last: they
- * may overlap those before them. */
+/* More than 8 pixels by eights, of which the last ends before the run does. The
+ * run's last eight pixels are read before the first store, and stored last:
+ * they may overlap those before them. */
+static PEL_ALWAYS_INLINE void pel_blend32_long(pel_word32 *p, int32_t n,
+                                               const struct pel_blend32 *b)
+{
+    pel_word32 *end = p + n - 8;
+    pel_u16x8 tail = pel_blend32_mix(pel_get_u16x8(end), b);
+    pel_u16x8 last = pel_blend32_mix(pel_get_u16x8(end + 4), b);
+    do {
+        pel_u16x8 first = pel_get_u16x8(p), second = pel_get_u16x8(p + 4);
+        pel_put_u16x8(p, pel_blend32_mix(first, b));
+        pel_put_u16x8(p + 4, pel_blend32_mix(second, b));
+        p += 8;
+    } while (p < end);
+    pel_put_u16x8(end, tail);
+    pel_put_u16x8(end + 4, last);
+}
+
 static PEL_ALWAYS_INLINE void pel_blend32_run(pel_word32 *p, int32_t n,
                                               const struct pel_blend32 *b)
 {
     if (n < 4) {
         for (; n > 0; n--)
             pel_blend32_pixel(p++, b);
-        return;
-    }
-    pel_word32 *end = p + n - 4;
-    pel_u16x8 tail = pel_blend32_mix(pel_get_u16x8(end), b);
-    for (; p + 4 < end; p += 8) {
-        pel_u16x8 first = pel_get_u16x8(p), second = pel_get_u16x8(p + 4);
-        pel_put_u16x8(p, pel_blend32_mix(first, b));
-        pel_put_u16x8(p + 4, pel_blend32_mix(second, b));
-    }
-    if (p < end)
+    } else if (n <= 8) {
+        pel_word32 *end = p + n - 4;
+        pel_u16x8 tail = pel_blend32_mix(pel_get_u16x8(end), b);
         pel_put_u16x8(p, pel_blend32_mix(pel_get_u16x8(p), b));
-    pel_put_u16x8(end, tail);
+        pel_put_u16x8(end, tail);
+    } else {
+        pel_blend32_long(p, n, b);
+    }
 }
 
 /* A format's blend, in blend32.c. */
