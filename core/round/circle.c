@@ -29,6 +29,16 @@ static PEL_HOT int32_t side_next(struct side *s, int32_t v)
     return s->columns;
 }
 
+/* Around a corner or the centre of a pixel one side is the other's mirror
+ * image, where neither is cut: a side has radius / 256 + 1 columns at most.
+ * Around a centre, the column that has it counts to the right, in every row. */
+static bool mirrored(const struct side *left, const struct side *right,
+                     int32_t radius)
+{
+    return PEL_FAST_64BIT && (right->u == 0 || right->u == 128) &&
+           pel_min(left->limit, right->limit) > radius >> 8;
+}
+
 void pel_circle(const struct pel_surface *surface, struct pel_point center,
                 int32_t radius, const struct pel_paint *paint)
 {
@@ -50,11 +60,15 @@ void pel_circle(const struct pel_surface *surface, struct pel_point center,
     right.limit = clip->x1 - split;
     side_start(&right, reach, pel_pixel_center(split) - center.x);
     side_start(&left, reach, center.x - pel_pixel_center(split - 1));
+    const bool mirror = mirrored(&left, &right, radius);
+    const int32_t middle = split + (right.u == 0);
     for (; rows.y < end; rows.y += rows.n) {
         rows.n = pel_min(end - rows.y, PEL_BATCH_ROWS);
         for (int32_t i = 0; i < rows.n; i++, v += 256) {
-            row[i].x0 = split - side_next(&left, v);
-            row[i].x1 = split + side_next(&right, v);
+            int32_t columns = side_next(&left, v);
+            row[i].x0 = split - columns;
+            row[i].x1 =
+                mirror ? middle + columns : split + side_next(&right, v);
         }
         paint->fill(paint, &rows);
     }

@@ -6,22 +6,40 @@
 #include "../format/word.h"
 #include "disc.h"
 
-/* Adds or takes columns until the side, d and u, is that of the present row; at
- * most `limit`, which are visible. */
-static PEL_ALWAYS_INLINE void pel_disc_side_settle(int64_t *d, int32_t *u,
-                                                   int32_t *columns,
-                                                   int32_t limit)
+static PEL_ALWAYS_INLINE void pel_disc_side_add(int64_t *d, int32_t *u,
+                                                int32_t *columns, int32_t limit)
 {
     while (*d >= 0 && *columns < limit) {
         *d -= *u + 128;
         *u += 256;
         ++*columns;
     }
+}
+
+static PEL_ALWAYS_INLINE void pel_disc_side_take(int64_t *d, int32_t *u,
+                                                 int32_t *columns)
+{
     while (*columns > 0 && *d + *u - 128 < 0) {
         *u -= 256;
         *d += *u + 128;
         --*columns;
     }
+}
+
+/* Adds or takes columns until the side, d and u, is that of the present row; at
+ * most `limit`, which are visible. Where d >= 0 none is to be taken (u >= 128
+ * once there are columns): asking for both is less code. */
+static PEL_ALWAYS_INLINE void pel_disc_side_settle(int64_t *d, int32_t *u,
+                                                   int32_t *columns,
+                                                   int32_t limit)
+{
+    if (PEL_FAST_64BIT && *d < 0) {
+        pel_disc_side_take(d, u, columns);
+        return;
+    }
+    pel_disc_side_add(d, u, columns, limit);
+    if (!PEL_FAST_64BIT)
+        pel_disc_side_take(d, u, columns);
 }
 
 #endif
