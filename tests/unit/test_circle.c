@@ -99,6 +99,19 @@ static void check_rows(const char *const *rows)
                 fail_msg("%d, %d: expected %c", x, y, rows[y][x]);
 }
 
+/* A corner, less or more the least step: one column in reach, the
+ * left or the right one. */
+static void test_sides(void **state)
+{
+    static const char *const left[] = {"...", ".#.", "...", NULL};
+    static const char *const right[] = {"...", "..#", "...", NULL};
+    (void)state;
+    plane_draw((struct pel_point){PEL_PX(2) - 1, PEL_PX(1) + 128}, 127);
+    check_rows(left);
+    plane_draw((struct pel_point){PEL_PX(2) + 1, PEL_PX(1) + 128}, 127);
+    check_rows(right);
+}
+
 static void test_pictures(void **state)
 {
     static const char *const radius_0[] = {"...", ".#.", "...", NULL};
@@ -141,6 +154,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_radius),
         cmocka_unit_test(test_diameter),
+        cmocka_unit_test(test_sides),
         cmocka_unit_test(test_pictures),
         cmocka_unit_test(test_radius_0_between_pixels),
     };
