@@ -1,5 +1,7 @@
 #include "fixed_fraction.h"
 
+#if !PEL_FAST_64BIT || !defined(__GNUC__)
+
 void pel_fraction_start(struct pel_fraction *f, int64_t n, int64_t d)
 {
     f->d = d;
@@ -21,3 +23,5 @@ void pel_fraction_more(struct pel_fraction *f, int bits)
         f->rest %= f->d;
     }
 }
+
+#endif

@@ -1,13 +1,48 @@
 #include "../base/fixed_fraction.h"
-#include "paint_texture.h"
 #include "../raster/triangle_sort.h"
+#include "paint_texture.h"
 
-/* The triangle from top to bottom, and where its vertices are in the picture.
- */
+/* The triangle from its top vertex on, in the order that makes the area
+ * positive. */
 struct setup {
-    struct pel_point a, b, c;
-    int64_t area; /* twice the area, positive */
+    const struct pel_point *a, *b, *c;
+    int64_t area; /* twice the area */
 };
+
+/* n / area in 2^-32; `at` gets on by `way` sub-pixels, with the 24 bits. */
+#if PEL_FAST_64BIT
+
+/* Of most triangles n fits 32 bits: one division. */
+static inline uint64_t gradient(const struct setup *s, int64_t n, int32_t way,
+                                uint64_t *at)
+{
+    struct pel_fraction g;
+    if (n == (int32_t)n) {
+        pel_fraction_start(&g, n * INT64_C(4294967296), s->area);
+        *at += (uint64_t)(((int64_t)g.quotient >> 8) * way);
+        return g.quotient;
+    }
+    pel_fraction_start(&g, n, s->area);
+    const uint64_t whole = g.quotient << 24;
+    pel_fraction_more(&g, 32);
+    *at += (whole + ((uint32_t)g.quotient >> 8)) * (uint64_t)(int64_t)way;
+    return g.quotient;
+}
+
+#else
+
+static uint64_t gradient(const struct setup *s, int64_t n, int32_t way,
+                         uint64_t *at)
+{
+    struct pel_fraction g;
+    pel_fraction_start(&g, n, s->area);
+    pel_fraction_more(&g, 24);
+    *at += g.quotient * (uint64_t)(int64_t)way;
+    pel_fraction_more(&g, 8);
+    return g.quotient;
+}
+
+#endif
 
 /* One coordinate of the picture, with the values t at a, b, c. The gradient in
  * x is nx / area with nx = (tb - ta)(c.y - a.y) - (tc - ta)(b.y - a.y), below
@@ -21,41 +56,15 @@ static struct pel_texture_plane plane_of(const struct setup *s,
 {
     struct pel_texture_plane plane;
     const int64_t b = (int64_t)t[1] - t[0], c = (int64_t)t[2] - t[0];
-    const int32_t x = pel_pixel_of(s->a.x), y = pel_pixel_of(s->a.y);
-    struct pel_fraction gx, gy;
-    pel_fraction_start(&gx, b * (s->c.y - s->a.y) - c * (s->b.y - s->a.y),
-                       s->area);
-    pel_fraction_start(&gy, c * (s->b.x - s->a.x) - b * (s->c.x - s->a.x),
-                       s->area);
-    pel_fraction_more(&gx, 24);
-    pel_fraction_more(&gy, 24);
-    plane.at = ((uint64_t)(int64_t)t[0] << 24) + 131072 +
-               gx.quotient * (uint64_t)(int64_t)(pel_pixel_center(x) - s->a.x) +
-               gy.quotient * (uint64_t)(int64_t)(pel_pixel_center(y) - s->a.y);
-    pel_fraction_more(&gx, 8);
-    pel_fraction_more(&gy, 8);
-    plane.dx = gx.quotient;
-    plane.dy = gy.quotient;
+    const int32_t x = pel_pixel_of(s->a->x), y = pel_pixel_of(s->a->y);
+    plane.at = ((uint64_t)(int64_t)t[0] << 24) + 131072;
+    plane.dx = gradient(s, b * (s->c->y - s->a->y) - c * (s->b->y - s->a->y),
+                        pel_pixel_center(x) - s->a->x, &plane.at);
+    plane.dy = gradient(s, c * (s->b->x - s->a->x) - b * (s->c->x - s->a->x),
+                        pel_pixel_center(y) - s->a->y, &plane.at);
     plane.at -= (uint64_t)(int64_t)x * plane.dx;
     plane.at -= (uint64_t)(int64_t)y * plane.dy;
     return plane;
-}
-
-/* The area from sorted vertices; b and c change places to make it positive. */
-static int64_t set_area(struct setup *s, struct pel_texel_point t[3])
-{
-    s->area = (int64_t)(s->b.x - s->a.x) * (s->c.y - s->a.y) -
-              (int64_t)(s->c.x - s->a.x) * (s->b.y - s->a.y);
-    if (s->area < 0) {
-        const struct pel_point b = s->b;
-        const struct pel_texel_point tb = t[1];
-        s->area = -s->area;
-        s->b = s->c;
-        s->c = b;
-        t[1] = t[2];
-        t[2] = tb;
-    }
-    return s->area;
 }
 
 /* The same place in the picture for every pixel. */
@@ -63,6 +72,12 @@ static void set_flat(struct pel_texture_map *map, struct pel_texel_point t)
 {
     map->u = (struct pel_texture_plane){(uint64_t)(int64_t)t.u << 24, 0, 0};
     map->v = (struct pel_texture_plane){(uint64_t)(int64_t)t.v << 24, 0, 0};
+}
+
+static int64_t area_of(const struct setup *s)
+{
+    return (int64_t)(s->b->x - s->a->x) * (s->c->y - s->a->y) -
+           (int64_t)(s->c->x - s->a->x) * (s->b->y - s->a->y);
 }
 
 enum pel_status pel_texture_map_triangle(struct pel_texture_map *map,
@@ -73,16 +88,22 @@ enum pel_status pel_texture_map_triangle(struct pel_texture_map *map,
         return PEL_ERROR_NULL;
     if (!pel_points_legal(v, 3))
         return PEL_ERROR_RANGE;
-    const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
-    pel_sort3(p);
-    struct setup s = {*p[0], *p[1], *p[2], 0};
-    struct pel_texel_point q[3] = {t[p[0] - v], t[p[1] - v], t[p[2] - v]};
-    if (set_area(&s, q) == 0) {
-        set_flat(map, q[0]);
+    int a = pel_above(&v[1], &v[0]);
+    a = pel_above(&v[2], &v[a]) ? 2 : a;
+    int b = a < 2 ? a + 1 : 0, c = a > 0 ? a - 1 : 2;
+    struct setup s = {&v[a], &v[b], &v[c], 0};
+    s.area = area_of(&s);
+    if (s.area == 0) {
+        set_flat(map, t[a]);
         return PEL_OK;
     }
-    const int32_t u[3] = {q[0].u, q[1].u, q[2].u};
-    const int32_t w[3] = {q[0].v, q[1].v, q[2].v};
+    const int left = s.area < 0 ? c : b;
+    c ^= b ^ left;
+    s.b = &v[left];
+    s.c = &v[c];
+    s.area = s.area < 0 ? -s.area : s.area;
+    const int32_t u[3] = {t[a].u, t[left].u, t[c].u};
+    const int32_t w[3] = {t[a].v, t[left].v, t[c].v};
     map->u = plane_of(&s, u);
     map->v = plane_of(&s, w);
     return PEL_OK;
