@@ -36,7 +36,7 @@ TEST_EXHAUSTIVE := $(basename $(sort $(wildcard tests/exhaustive/test_*.c)))
 TEST_ASSERT := tests/unit/test_assert
 # These link the portable build beside their own.
 TEST_TWINS := tests/property/test_walkers tests/property/test_walkers_large \
-    tests/property/test_fast_writers
+    tests/property/test_fast_writers tests/property/test_texture_writers
 # These name what only the default build has.
 TEST_HOST_ONLY := tests/property/test_fast $(TEST_TWINS)
 # These see what the knobs of core change inside.

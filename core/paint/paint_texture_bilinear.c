@@ -1,4 +1,4 @@
-#include "paint_texture_fetch.h"
+#include "paint_texture_bilinear_fast.h"
 
 /* a (256 - f) + b f in both 16-bit halves of a word: at most 255 * 256. */
 static inline uint32_t mix_halves(uint32_t a, uint32_t b, uint32_t f)
@@ -49,10 +49,6 @@ static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
     }
 }
 
-/* Half a texel back to the middle of the texel before, and half of 1/256 on so
- * that weights are rounded. */
-static const uint32_t half_back = 0x80000000u - 0x800000u;
-
 #if PEL_FAST_64BIT
 
 /* A run that does not leave the picture. */
@@ -91,10 +87,11 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 {
     const struct pel_texture *p = (const void *)paint;
     struct pel_texture_axes a;
-    pel_texture_axes_start(&a, p, x, y, half_back);
+    pel_texture_axes_start(&a, p, x, y, PEL_TEXTURE_HALF_BACK);
 #if PEL_FAST_64BIT
     if (p->kind != PEL_TEXTURE_ANY && pel_texture_axes_inside(&a, p, n, 1)) {
-        fast_run(p, &a, n, out);
+        if (!pel_texture_bilinear_run(p, &a, n, out))
+            fast_run(p, &a, n, out);
         return;
     }
 #endif
@@ -106,7 +103,11 @@ enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,
                                           const struct pel_texture_map *map)
 {
     enum pel_status status = pel_texture_set(paint, texels, map);
-    if (status == PEL_OK)
-        pel_color_paint_init(&paint->base, colors, paint->base.opaque);
-    return status;
+    if (status != PEL_OK)
+        return status;
+    pel_color_paint_init(&paint->base, colors, paint->base.opaque);
+#if PEL_FAST_64BIT && PEL_VECTORS
+    paint->base.paint.fast = pel_texture_bilinear_fast;
+#endif
+    return PEL_OK;
 }

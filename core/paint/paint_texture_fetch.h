@@ -33,6 +33,12 @@ static inline const void *pel_texture_line(const struct pel_texture *p,
     return p->memory + (ptrdiff_t)v * p->stride;
 }
 
+static inline pel_color pel_texel_of_565(uint32_t w)
+{
+    return PEL_RGB(pel_widen5(w >> 11), pel_widen6(w >> 5 & 63),
+                   pel_widen5(w & 31));
+}
+
 static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,
                                               int kind, int32_t u, int32_t v)
 {
@@ -41,11 +47,8 @@ static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,
         return ((const pel_word32 *)line)[u];
     if (kind == PEL_TEXTURE_XRGB8888)
         return PEL_LE32(((const pel_word32 *)line)[u]) | UINT32_C(0xFF000000);
-    if (kind == PEL_TEXTURE_RGB565_LE) {
-        uint32_t w = PEL_LE16(((const pel_word16 *)line)[u]);
-        return PEL_RGB(pel_widen5(w >> 11), pel_widen6(w >> 5 & 63),
-                       pel_widen5(w & 31));
-    }
+    if (kind == PEL_TEXTURE_RGB565_LE)
+        return pel_texel_of_565(PEL_LE16(((const pel_word16 *)line)[u]));
     pel_color color;
     p->surface->format->load(p->surface, u + p->surface->bounds.x0,
                              v + p->surface->bounds.y0, 1, &color);

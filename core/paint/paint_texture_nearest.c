@@ -1,5 +1,5 @@
 #include "../format/word16.h"
-#include "paint_texture_fetch.h"
+#include "paint_texture_nearest_fast.h"
 
 /* The texel where the axis is, or the one that stands for it. */
 static inline int32_t in_picture(struct pel_texture_axis *a)
@@ -202,14 +202,6 @@ static void copy_run(const struct copy *c, int32_t x, int32_t y)
         copy_outer_run(c, &a);
 }
 
-/* Pixels of 16 bits that are all colour. */
-static bool is_565(const struct pel_format *format)
-{
-    return format->id == PEL_FORMAT_RGB565_LE ||
-           format->id == PEL_FORMAT_RGB565_BE ||
-           format->id == PEL_FORMAT_BGR565_LE;
-}
-
 static PEL_NOINLINE void copy_rows(const struct pel_texture *p,
                                    const struct pel_rows *rows)
 {
@@ -227,8 +219,7 @@ static PEL_NOINLINE void copy_rows(const struct pel_texture *p,
 static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
 {
     const struct pel_texture *p = (const void *)paint;
-    const struct pel_format *format = rows->surface->format;
-    if (p->surface && p->surface->format == format && is_565(format))
+    if (pel_texture_is_copied(p, rows->surface->format))
         copy_rows(p, rows);
     else
         pel_color_paint_fill(paint, rows);
@@ -242,6 +233,7 @@ enum pel_status pel_texture_init_nearest(struct pel_texture *paint,
     if (status != PEL_OK)
         return status;
     pel_color_paint_init(&paint->base, colors, paint->base.opaque);
-    paint->base.paint.fill = fill;
+    paint->base.paint =
+        (struct pel_paint)PEL_PAINT(fill, pel_texture_nearest_fast);
     return PEL_OK;
 }

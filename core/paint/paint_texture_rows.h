@@ -1,0 +1,194 @@
+/* The rows of a textured triangle that is not clipped, on 64-bit CPUs, and four
+ * pixels of a row at a time. */
+#ifndef PEL_PAINT_PAINT_TEXTURE_ROWS_H
+#define PEL_PAINT_PAINT_TEXTURE_ROWS_H
+
+#include "../format/vector.h"
+#include "../raster/fast_triangle.h"
+#include "paint_texture_fetch.h"
+
+#if PEL_FAST_64BIT
+
+/* Fills a run that leaves the picture, the general way. */
+void pel_texture_fill_run(const struct pel_texture *p,
+                          const struct pel_surface *surface, int32_t x,
+                          int32_t n, int32_t y);
+
+/* A run of n > 0 pixels, and where the first is in the picture. */
+struct pel_texture_run {
+    uintptr_t out;
+    uint64_t u, v;
+    int32_t n;
+};
+
+/* What all runs of a picture share. */
+struct pel_texture_steps {
+    const uint8_t *memory;
+    uint64_t du, dv;
+    uint64_t u_end, v_end; /* coordinates below these are inside */
+    uint32_t set;          /* bits that 32-bit texels lack as pixels */
+    ptrdiff_t stride;
+#if PEL_VECTORS
+    pel_u64x2 u[2], v[2];  /* from the first of four pixels to each */
+    pel_u32x4 u_mask;      /* of the whole texels */
+    pel_u32x4 v_mask;      /* the same, 16 bits further up */
+    pel_u32x4 texel_steps; /* texels from line to line, and from u to u */
+#else
+    uint32_t u_mask, v_mask;
+#endif
+};
+
+/* Do lines lie as many texels apart as fit the 16 bits of vectors? So they do
+ * but in a part of a very wide picture. */
+static inline bool pel_texture_stride_fits(const struct pel_texture *p,
+                                           int32_t bytes)
+{
+    const int32_t texels = p->stride / bytes;
+    return texels >= -32768 && texels <= 32767;
+}
+
+/* Sizes that are powers of two repeat by a mask, which is size - 1. */
+static inline bool pel_texture_is_masked(int32_t size, int wrap)
+{
+    return wrap == PEL_WRAP_REPEAT && (size & (size - 1)) == 0;
+}
+
+/* Runs are inside whose texels and those `more` further right and down are.
+ * `masked`: with a mask any texel is. */
+static inline struct pel_texture_steps pel_texture_steps_make(
+    const struct pel_texture *p, int32_t bytes, int32_t more, bool masked)
+{
+    const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
+    const bool all_u = masked && pel_texture_is_masked(p->width, p->wrap_u);
+    const bool all_v = masked && pel_texture_is_masked(p->height, p->wrap_v);
+    const uint32_t um = all_u ? (uint32_t)p->width - 1 : 0xFFFF;
+    const uint32_t vm = all_v ? (uint32_t)p->height - 1 : 0xFFFF;
+    struct pel_texture_steps s = {.memory = p->memory, .du = du, .dv = dv};
+    s.stride = p->stride;
+    s.set = p->kind == PEL_TEXTURE_XRGB8888 ? PEL_LE32(0xFF000000u) : 0;
+    s.u_end = all_u ? UINT64_MAX : (uint64_t)(uint32_t)(p->width - more) << 32;
+    s.v_end = all_v ? UINT64_MAX : (uint64_t)(uint32_t)(p->height - more) << 32;
+#if PEL_VECTORS
+    const uint32_t line = (uint32_t)(p->stride / bytes) << 16 | 1;
+    s.u[0] = (pel_u64x2){0, du};
+    s.u[1] = (pel_u64x2){2 * du, 3 * du};
+    s.v[0] = (pel_u64x2){0, dv} << 16;
+    s.v[1] = (pel_u64x2){2 * dv, 3 * dv} << 16;
+    s.u_mask = (pel_u32x4){um, um, um, um};
+    s.v_mask = (pel_u32x4){vm, vm, vm, vm} << 16;
+    s.texel_steps = (pel_u32x4){line, line, line, line};
+#else
+    (void)bytes;
+    s.u_mask = um;
+    s.v_mask = vm;
+#endif
+    return s;
+}
+
+/* A coordinate is affine, so a run is inside when both ends are. */
+static PEL_ALWAYS_INLINE bool pel_texture_run_inside(
+    const struct pel_texture_run *r, const struct pel_texture_steps *s)
+{
+    const uint64_t last = (uint64_t)r->n - 1;
+    const uint64_t u = r->u + last * s->du, v = r->v + last * s->dv;
+    return r->u < s->u_end && u < s->u_end && r->v < s->v_end && v < s->v_end;
+}
+
+/* A walk down the rows; it lives in registers. */
+struct pel_texture_walk {
+    struct pel_fast_walk rows;
+    uint64_t u, v; /* at column 0 of the next row */
+};
+
+static PEL_ALWAYS_INLINE struct pel_texture_walk pel_texture_walk_begin(
+    const struct pel_texture *p, const struct pel_surface *surface,
+    const struct pel_fast_triangle *t, int bytes)
+{
+    struct pel_texture_walk w;
+    w.rows = pel_fast_walk_begin(surface, t, bytes);
+    w.u = pel_texture_at(&p->map.u, 0, t->y0);
+    w.v = pel_texture_at(&p->map.v, 0, t->y0);
+    return w;
+}
+
+/* The next row, which may be empty: n <= 0. */
+static PEL_ALWAYS_INLINE bool pel_texture_walk_next(
+    struct pel_texture_walk *w, const struct pel_texture_map *map, int bytes,
+    int32_t *x, struct pel_texture_run *run)
+{
+    if (!pel_fast_walk_next(&w->rows, x, &run->n))
+        return false;
+    run->out = w->rows.line + (uintptr_t)bytes * (uintptr_t)*x;
+    run->u = w->u + (uint64_t)(int64_t)*x * map->u.dx;
+    run->v = w->v + (uint64_t)(int64_t)*x * map->v.dx;
+    w->u += map->u.dy;
+    w->v += map->v.dy;
+    return true;
+}
+
+#if PEL_VECTORS
+
+/* Both coordinates of four pixels, v times 2^16: whole texels, below 2^15 where
+ * they are of use, keep their place in 64 bits. */
+struct pel_texture_four {
+    pel_u64x2 u[2], v[2];
+};
+
+static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_at(
+    const struct pel_texture_steps *s, uint64_t u, uint64_t v)
+{
+    return (struct pel_texture_four){
+        {u + s->u[0], u + s->u[1]}, {(v << 16) + s->v[0], (v << 16) + s->v[1]}};
+}
+
+/* Of a run of 1 to 3 pixels: the first, the middle, and the last twice. */
+static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_few(
+    const struct pel_texture_steps *s, const struct pel_texture_run *r)
+{
+    const uint64_t half = (uint64_t)r->n >> 1, last = (uint64_t)r->n - 1;
+    const uint64_t u = r->u + last * s->du, v = r->v + last * s->dv;
+    return (struct pel_texture_four){
+        {(pel_u64x2){r->u, r->u + half * s->du}, (pel_u64x2){u, u}},
+        {(pel_u64x2){r->v, r->v + half * s->dv} << 16,
+         (pel_u64x2){v, v} << 16}};
+}
+
+/* From four pixels to the next. */
+static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_step(
+    const struct pel_texture_steps *s)
+{
+    const uint64_t du = 4 * s->du, dv = 4 * s->dv << 16;
+    return (struct pel_texture_four){{{du, du}, {du, du}},
+                                     {{dv, dv}, {dv, dv}}};
+}
+
+static PEL_ALWAYS_INLINE void pel_texture_four_add(
+    struct pel_texture_four *f, const struct pel_texture_four *step)
+{
+    f->u[0] += step->u[0];
+    f->u[1] += step->u[1];
+    f->v[0] += step->v[0];
+    f->v[1] += step->v[1];
+}
+
+/* Texels from texel (0, 0) to those of four pixels. u and v are below 32,767,
+ * and with the stride's 16 bits v's product fits 31. */
+static PEL_ALWAYS_INLINE void pel_texture_four_index(
+    const struct pel_texture_four *f, const struct pel_texture_steps *s,
+    int32_t index[4])
+{
+    const pel_u32x4 u =
+        PEL_LANES((pel_u32x4)f->u[0], (pel_u32x4)f->u[1], 1, 3, 5, 7);
+    const pel_u32x4 v =
+        PEL_LANES((pel_u32x4)f->v[0], (pel_u32x4)f->v[1], 1, 3, 5, 7);
+    const pel_u64x2 i = (pel_u64x2)pel_dot_s16(
+        (u & s->u_mask) | (v & s->v_mask), s->texel_steps);
+    index[0] = (int32_t)i[0];
+    index[1] = (int32_t)(i[0] >> 32);
+    index[2] = (int32_t)i[1];
+    index[3] = (int32_t)(i[1] >> 32);
+}
+
+#endif
+#endif
+#endif

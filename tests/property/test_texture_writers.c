@@ -1,0 +1,313 @@
+/* The writers of textured triangles (paint_texture_nearest_fast.c,
+ * paint_texture_bilinear_fast.c) against the portable build, byte for byte:
+ * pictures of every kind and odd sizes, u and v from inside the picture to two
+ * pictures outside, runs of every length up to 70 px, each picture in memory of
+ * its own size, so that a sanitizer sees what is read beside it. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/format/argb8888.h"
+#include "tests/support/check.h"
+#include "tests/support/portable.h"
+#include "tests/support/shapes.h"
+
+enum { WIDTH = 96, HEIGHT = 64, LINE = WIDTH * 4 + 12 };
+
+extern const struct pel_format portable_pel_argb8888;
+
+typedef enum pel_status init_function(struct pel_texture *,
+                                      const struct pel_texels *,
+                                      const struct pel_texture_map *);
+typedef enum pel_status map_function(struct pel_texture_map *,
+                                     const struct pel_point *,
+                                     const struct pel_texel_point *);
+
+init_function portable_pel_texture_init_nearest;
+init_function portable_pel_texture_init_bilinear;
+map_function portable_pel_texture_map_triangle;
+
+/* One build of core beside the other. */
+static init_function *const inits[2][2] = {
+    {pel_texture_init_nearest, pel_texture_init_bilinear},
+    {portable_pel_texture_init_nearest, portable_pel_texture_init_bilinear}};
+static map_function *const maps[2] = {pel_texture_map_triangle,
+                                      portable_pel_texture_map_triangle};
+static const struct core *const cores[2] = {&core_default, &core_portable};
+
+/* By the index of layouts[]: rgb565_le, rgb565_be, bgr565_le, xrgb8888, gray8;
+ * then argb8888, and arrays of colours with and without alpha. */
+static const int layouts_of[] = {0, 1, 2, 6, 11};
+enum { LAYOUTS = 5, ARGB = LAYOUTS, COLORS, OPAQUE_COLORS, KINDS };
+
+struct picture {
+    int kind, width, height;
+    bool upside_down;
+    int wide;        /* bytes from line to line beyond the texels */
+    uint8_t *memory; /* of malloc */
+    struct pel_surface surface[2];
+    struct pel_texels texels[2];
+    uint8_t wrap_u, wrap_v;
+};
+
+static const struct pel_format *format_of(const struct picture *p, int k)
+{
+    if (p->kind >= ARGB)
+        return k ? &portable_pel_argb8888 : &pel_argb8888;
+    return k ? portable_formats[layouts_of[p->kind]]
+             : layouts[layouts_of[p->kind]].format;
+}
+
+static void picture_open(struct picture *p, struct random *r)
+{
+    const int line = pel_stride(format_of(p, 0), p->width);
+    const int stride = p->kind >= COLORS ? line : line + p->wide;
+    const size_t size = (size_t)(stride * (p->height - 1) + line);
+    p->memory = malloc(size);
+    assert_non_null(p->memory);
+    for (size_t i = 0; i < size; i++)
+        p->memory[i] = (uint8_t)(random_word(r) >> 24);
+    if (p->kind == OPAQUE_COLORS)
+        for (size_t i = 3; i < size; i += 4)
+            p->memory[i] = 255;
+    const struct pel_rect bounds = {-3, 5, p->width - 3, p->height + 5};
+    for (int k = 0; k < 2; k++) {
+        uint8_t *first = p->memory;
+        if (p->upside_down)
+            first += stride * (p->height - 1);
+        p->texels[k] = (struct pel_texels){&p->surface[k], NULL, 0, 0, false};
+        if (p->kind >= COLORS)
+            p->texels[k] =
+                (struct pel_texels){NULL, (const void *)p->memory, p->width,
+                                    p->height, p->kind == OPAQUE_COLORS};
+        else
+            assert_int_equal(pel_surface_init_rect(
+                                 &p->surface[k], format_of(p, k), first,
+                                 p->upside_down ? -stride : stride, &bounds),
+                             PEL_OK);
+    }
+}
+
+struct target {
+    uint8_t memory[HEIGHT * LINE];
+    struct pel_surface surface;
+};
+
+static struct target target[3];
+
+/* Targets are of the layouts alone. */
+static void target_open(struct target *t, const struct pel_format *format)
+{
+    const struct pel_rect bounds = {-16, -8, WIDTH - 16, HEIGHT - 8};
+    for (int i = 0; i < HEIGHT * LINE; i++)
+        t->memory[i] = (uint8_t)(i * 7);
+    assert_int_equal(
+        pel_surface_init_rect(&t->surface, format, t->memory, LINE, &bounds),
+        PEL_OK);
+}
+
+struct drawing {
+    struct pel_point v[3];
+    struct pel_texture_map map;
+    int layout; /* of the target: index of layouts_of[] */
+    bool bilinear;
+};
+
+static struct pel_texture texture_of(const struct picture *p,
+                                     const struct drawing *d, int k)
+{
+    struct pel_texture t;
+    assert_int_equal(inits[k][d->bilinear](&t, &p->texels[k], &d->map), PEL_OK);
+    t.wrap_u = p->wrap_u;
+    t.wrap_v = p->wrap_v;
+    return t;
+}
+
+/* In four parts, which the clip makes: not through the writers. */
+static void draw_parts(struct target *t, const struct drawing *d,
+                       const struct pel_texture *texture, int32_t x, int32_t y)
+{
+    const struct pel_rect all = t->surface.bounds;
+    for (int i = 0; i < 4; i++) {
+        const struct pel_rect clip = {i & 1 ? x : all.x0, i & 2 ? y : all.y0,
+                                      i & 1 ? all.x1 : x, i & 2 ? all.y1 : y};
+        pel_surface_clip(&t->surface, &clip);
+        pel_triangle(&t->surface, d->v, &texture->base.paint);
+    }
+}
+
+static void check(const struct picture *p, const struct drawing *d,
+                  struct random *r)
+{
+    const int layout = layouts_of[d->layout];
+    target_open(&target[0], layouts[layout].format);
+    target_open(&target[1], portable_formats[layout]);
+    target_open(&target[2], layouts[layout].format);
+    const struct pel_texture a = texture_of(p, d, 0), b = texture_of(p, d, 1);
+    cores[0]->triangle(&target[0].surface, d->v, &a.base.paint);
+    cores[1]->triangle(&target[1].surface, d->v, &b.base.paint);
+    draw_parts(&target[2], d, &a, random_between(r, -16, WIDTH - 17),
+               random_between(r, -8, HEIGHT - 9));
+    for (int k = 1; k < 3; k++)
+        if (memcmp(target[0].memory, target[k].memory, sizeof target[0].memory))
+            fail_msg("%s: kind %d, %dx%d, wrap %d %d, on %s, bilinear %d, "
+                     "%d,%d %d,%d %d,%d: bytes differ; %s",
+                     k == 1 ? "portable" : "in parts", p->kind, p->width,
+                     p->height, p->wrap_u, p->wrap_v, layouts[layout].name,
+                     d->bilinear, d->v[0].x, d->v[0].y, d->v[1].x, d->v[1].y,
+                     d->v[2].x, d->v[2].y, cases_replay());
+}
+
+static void random_picture(struct picture *p, struct random *r)
+{
+    static const int16_t size[][2] = {{451, 300}, {256, 256}, {64, 32}, {1, 1},
+                                      {1, 7},     {5, 3},     {2, 2},   {64, 5},
+                                      {7, 128},   {20000, 2}};
+    const uint32_t i = random_word(r) % 10;
+    p->kind = (int)(random_word(r) % KINDS);
+    p->width = size[i][0];
+    p->height = size[i][1];
+    p->upside_down = random_word(r) % 4 == 0;
+    p->wide = 0;
+    if (random_word(r) % 2)
+        p->wide = random_word(r) % 8 && p->height < 100 ? 12 : 160000;
+    p->wrap_u = (uint8_t)(random_word(r) % 3);
+    p->wrap_v = (uint8_t)(random_word(r) % 3);
+    picture_open(p, r);
+}
+
+/* u and v inside the picture, or from -2 to 3 pictures. */
+static void set_random_map(struct drawing *d, const struct picture *p,
+                           struct random *r)
+{
+    const bool inside = random_word(r) % 2;
+    const int32_t w = p->width * 256, h = p->height * 256;
+    struct pel_texel_point t[3];
+    struct pel_texture_map other;
+    for (int i = 0; i < 3; i++) {
+        t[i].u =
+            inside ? random_between(r, 0, w) : random_between(r, -2 * w, 3 * w);
+        t[i].v =
+            inside ? random_between(r, 0, h) : random_between(r, -2 * h, 3 * h);
+    }
+    assert_int_equal(maps[0](&d->map, d->v, t), PEL_OK);
+    assert_int_equal(maps[1](&other, d->v, t), PEL_OK);
+    assert_memory_equal(&d->map, &other, sizeof other);
+}
+
+static void test_random_triangles(void **state)
+{
+    (void)state;
+    const struct pel_rect box = {-16, -8, WIDTH - 17, HEIGHT - 9};
+    struct picture p = {0};
+    for (struct cases c = cases_of(12000); cases_next(&c);) {
+        struct random *r = &c.random;
+        struct drawing d;
+        if (c.next % 16 == 1) {
+            free(p.memory);
+            random_picture(&p, r);
+        }
+        shape_in_box(r, d.v, 3, &box);
+        set_random_map(&d, &p, r);
+        d.layout = (int)(random_word(r) % LAYOUTS);
+        d.bilinear = random_word(r) % 2;
+        check(&p, &d, r);
+    }
+    free(p.memory);
+}
+
+/* Texel by pixel, one way round or the other: the first row shows a line of the
+ * picture from end to end, or one texel more or less. */
+static void set_unit_map(struct drawing *d, const struct picture *p, bool back,
+                         int32_t more)
+{
+    const uint64_t one = UINT64_C(1) << 32;
+    const struct pel_texture_map forth = PEL_TEXTURE_AT(0, 0);
+    d->map = forth;
+    d->map.u.at += (uint64_t)(int64_t)more * one;
+    if (back) {
+        d->map.u.at = (uint64_t)(int64_t)p->width * one - one / 2 +
+                      (uint64_t)(int64_t)more * one;
+        d->map.u.dx = 0 - one;
+    }
+}
+
+static void check_width(struct picture *p, struct drawing *d, int32_t width,
+                        struct random *r)
+{
+    d->v[0] = (struct pel_point){128, 128};
+    d->v[1] = (struct pel_point){PEL_PX(width) + 128, 128};
+    d->v[2] = (struct pel_point){128 + PEL_PX(width) / 2, PEL_PX(3) + 128};
+    for (int i = 0; i < 3 * 2 * 2; i++) {
+        set_unit_map(d, p, i & 1, i / 4 - 1);
+        d->bilinear = i >> 1 & 1;
+        check(p, d, r);
+    }
+}
+
+static void test_every_length(void **state)
+{
+    (void)state;
+    struct random r = {5};
+    for (int kind = 0; kind < KINDS; kind++)
+        for (int width = 1; width <= 70; width++) {
+            struct picture p = {.kind = kind, .width = width, .height = 4};
+            struct drawing d;
+            picture_open(&p, &r);
+            for (d.layout = 0; d.layout < LAYOUTS; d.layout++)
+                for (p.wrap_u = 0; p.wrap_u < 3; p.wrap_u++)
+                    check_width(&p, &d, width, &r);
+            free(p.memory);
+        }
+}
+
+static void fill_fails(const struct pel_paint *paint,
+                       const struct pel_rows *rows)
+{
+    (void)paint;
+    fail_msg("format %d: the writer was not taken", rows->surface->format->id);
+}
+
+/* The writers are there for speed: what they are made for must not go the other
+ * way. */
+static void test_writers_are_taken(void **state)
+{
+    (void)state;
+    static const struct {
+        int8_t kind, layout;
+        bool bilinear;
+    } made[] = {
+        {0, 0, false},
+        {1, 1, false},
+        {2, 2, false},
+        {3, 3, false},
+        {OPAQUE_COLORS, 3, false},
+#if PEL_VECTORS
+        {0, 3, true},
+        {3, 3, true},
+        {OPAQUE_COLORS, 3, true},
+#endif
+    };
+    struct random r = {6};
+    for (size_t i = 0; i < sizeof made / sizeof made[0]; i++) {
+        struct picture p = {.kind = made[i].kind, .width = 64, .height = 64};
+        struct drawing d = {.v = {PEL_AT(1, 1), PEL_AT(60, 2), PEL_AT(3, 50)},
+                            .map = PEL_TEXTURE_AT(-1, -1),
+                            .bilinear = made[i].bilinear};
+        picture_open(&p, &r);
+        target_open(&target[0], layouts[layouts_of[made[i].layout]].format);
+        struct pel_texture t = texture_of(&p, &d, 0);
+        t.base.paint.fill = fill_fails;
+        pel_triangle(&target[0].surface, d.v, &t.base.paint);
+        free(p.memory);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_random_triangles),
+        cmocka_unit_test(test_every_length),
+        cmocka_unit_test(test_writers_are_taken),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
