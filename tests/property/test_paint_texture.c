@@ -7,6 +7,9 @@
 #include "tests/support/reference.h"
 #include "tests/support/shapes.h"
 
+/* How far the texel shown is from the exact place. */
+static struct histogram nearest_errors = {.name = "texture_nearest_texel",
+                                          .step = 0x1p-19L};
 static struct histogram bilinear_errors = {.name = "texture_bilinear_color",
                                            .step = 1.0L / 32};
 
@@ -116,24 +119,37 @@ static void fail_at(const struct mapped *m, int32_t x, int32_t y, pel_color got)
         (int)picture.wrap_v, x, y, uv[0], uv[1], got, cases_replay());
 }
 
+static real larger(real a, real b)
+{
+    return a > b ? a : b;
+}
+
+/* From a place to a texel: 0 on it. */
+static real distance(real at, int64_t texel)
+{
+    if (at < (real)texel)
+        return (real)texel - at;
+    return at < (real)texel + 1 ? 0 : at - (real)texel - 1;
+}
+
+/* The texel shown covers the exact place, or misses it by 2^-14 texel at most.
+ */
 static void check_nearest(const struct mapped *m, int32_t x, int32_t y,
                           pel_color got)
 {
     const real off = 0x1p-14L;
-    real uv[2];
+    real uv[2], least = 1;
     place(m, x, y, uv);
-    const int64_t u0 = (int64_t)real_floor(uv[0] - off);
-    const int64_t u1 = (int64_t)real_floor(uv[0] + off);
-    const int64_t v0 = (int64_t)real_floor(uv[1] - off);
-    const int64_t v1 = (int64_t)real_floor(uv[1] + off);
-    if (got != texel_at(u0, v0) && got != texel_at(u1, v0) &&
-        got != texel_at(u0, v1) && got != texel_at(u1, v1))
+    for (int i = 0; i < 4; i++) {
+        const int64_t u = (int64_t)real_floor(uv[0] + (i & 1 ? off : -off));
+        const int64_t v = (int64_t)real_floor(uv[1] + (i & 2 ? off : -off));
+        const real error = larger(distance(uv[0], u), distance(uv[1], v));
+        if (got == texel_at(u, v) && error < least)
+            least = error;
+    }
+    if (least == 1)
         fail_at(m, x, y, got);
-}
-
-static real larger(real a, real b)
-{
-    return a > b ? a : b;
+    histogram_add(&nearest_errors, least);
 }
 
 static void check_bilinear(const struct mapped *m, int32_t x, int32_t y,
@@ -198,6 +214,7 @@ static void test_nearest(void **state)
         const struct mapped m = random_mapped(&c.random);
         check_row(&c.random, &m, pel_texture_init_nearest, check_nearest);
     }
+    histogram_end(&nearest_errors);
 }
 
 static void test_bilinear(void **state)
