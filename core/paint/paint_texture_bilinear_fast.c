@@ -89,21 +89,21 @@ static PEL_ALWAYS_INLINE pel_u32x4 mixed(const struct pel_texture_steps *s,
 static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *s,
                                       int kind, const struct pel_texture_run *r)
 {
-    struct pel_texture_four f;
     pel_word32 *out = (pel_word32 *)r->out;
+    const uint64_t last = (uint64_t)r->n - 4;
+    struct pel_texture_four f =
+        r->n < 4
+            ? pel_texture_four_few(s, r)
+            : pel_texture_four_at(s, r->u + last * s->du, r->v + last * s->dv);
+    const pel_u32x4 pixels = mixed(s, kind, &f);
     if (r->n < 4) {
-        pel_word32 few[4];
-        f = pel_texture_four_few(s, r);
-        pel_put_u32x4(few, mixed(s, kind, &f));
-        out[0] = few[0];
-        out[r->n >> 1] = few[1];
-        out[r->n - 1] = few[2];
+        out[0] = pixels[0];
+        out[r->n >> 1] = pixels[1];
+        out[r->n - 1] = pixels[2];
         return;
     }
-    const uint64_t last = (uint64_t)r->n - 4;
     pel_word32 *const end = out + last;
-    f = pel_texture_four_at(s, r->u + last * s->du, r->v + last * s->dv);
-    pel_put_u32x4(end, mixed(s, kind, &f));
+    pel_put_u32x4(end, pixels);
     f = pel_texture_four_at(s, r->u, r->v);
     const struct pel_texture_four step = pel_texture_four_step(s);
     for (; out < end; out += 4) {
