@@ -19,7 +19,8 @@
 #endif
 
 /* 1 on CPUs with 64-bit registers and division: the fast fillers that own
- * their row loop are compiled in. Costs about 3 KB of code. */
+ * their row loop are compiled in. Costs about 3 KB of code, and 4 KB where a
+ * nearest texture is linked, 7 KB where a bilinear one is. */
 #ifndef PEL_FAST_64BIT
 #if UINTPTR_MAX > 0xFFFFFFFFu
 #define PEL_FAST_64BIT 1

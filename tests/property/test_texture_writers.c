@@ -207,6 +207,8 @@ static void test_random_triangles(void **state)
             random_picture(&p, r);
         }
         shape_in_box(r, d.v, 3, &box);
+        if (random_word(r) % 4 == 0)
+            d.v[1].y = d.v[random_word(r) % 2 * 2].y;
         set_random_map(&d, &p, r);
         d.layout = (int)(random_word(r) % LAYOUTS);
         d.bilinear = random_word(r) % 2;
