@@ -138,6 +138,8 @@ int command_run(int argc, char **argv)
         !device_check_output(&o.device, o.output) ||
         !scene_load(&scene, o.script, o.format))
         return STATUS_ERROR;
+    if (scene_needs_whole(&scene))
+        o.device.jobs = 1;
     const bool done = o.device.name ? show(&o, &scene) : save(&o, &scene);
     scene_free(&scene);
     return done ? STATUS_OK : STATUS_ERROR;

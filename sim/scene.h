@@ -38,9 +38,14 @@ bool scene_load(struct scene *scene, const char *path,
 
 void scene_free(struct scene *scene);
 
+/* Does it move pixels that have been drawn? Then it cannot be drawn in bands or
+ * by several threads. */
+bool scene_needs_whole(const struct scene *scene);
+
 /* Draws the scene onto a canvas of its size and format. rows >= 0 replaces
  * every `bands` line of the script (0 draws it whole), -1 follows them. False,
- * with a message, when bands are not possible or memory is short. */
+ * with a message and nothing drawn, when bands are not possible; or when memory
+ * is short. */
 bool scene_draw(const struct scene *scene, struct canvas *canvas, int rows);
 
 #endif

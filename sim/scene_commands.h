@@ -44,6 +44,7 @@ enum scene_role {
     SCENE_CANVAS,       /* first, and once */
     SCENE_BANDS,        /* splits the drawing */
     SCENE_STATE,        /* anything else that is no shape */
+    SCENE_WHOLE,        /* reads pixels of any place: not in bands */
     SCENE_STAGE,        /* what meshes need: done while the script is read */
     SCENE_MESH,         /* a shape that takes no paint */
     SCENE_PAINT,        /* a paint that every shape takes */

@@ -27,6 +27,45 @@ static void replay_draw(struct pel_surface *surface, void *context)
     replay->end = pen;
 }
 
+bool scene_needs_whole(const struct scene *scene)
+{
+    for (size_t i = 0; i < scene->item_count; i++)
+        if (scene->items[i].command->role == SCENE_WHOLE)
+            return true;
+    return false;
+}
+
+/* Is the whole picture there for what moves its pixels? `rows` as in
+ * scene_draw. */
+static bool check_whole(const struct scene *scene, const struct pel_rect *shown,
+                        int rows)
+{
+    const int32_t width = shown->x1 - shown->x0;
+    const int32_t height = shown->y1 - shown->y0;
+    int band = rows > 0 ? rows : 0;
+    for (size_t i = 0; i < scene->item_count; i++) {
+        const struct scene_item *item = &scene->items[i];
+        const char *name = item->command->name;
+        if (item->command->role == SCENE_BANDS && rows < 0)
+            band = scene->values[item->first];
+        if (item->command->role != SCENE_WHOLE)
+            continue;
+        if (band > 0)
+            return message_error_at(scene->path, item->line,
+                                    "%s: a band of %d rows has no pixels of "
+                                    "the others; bands 0 before it would be "
+                                    "right",
+                                    name, band);
+        if (width != scene->width || height != scene->height)
+            return message_error_at(scene->path, item->line,
+                                    "%s: the screen has %d x %d pixels of %d "
+                                    "x %d, and all are needed",
+                                    name, (int)width, (int)height, scene->width,
+                                    scene->height);
+    }
+    return true;
+}
+
 static bool draw_part(struct replay *replay, size_t to, struct canvas *canvas,
                       int rows)
 {
@@ -62,6 +101,8 @@ bool scene_draw(const struct scene *scene, struct canvas *canvas, int rows)
         return message_error("bands of %d rows: mono1_pages needs a multiple "
                              "of 8",
                              rows);
+    if (!check_whole(scene, &canvas->surface.bounds, rows))
+        return false;
     pen->flat = white;
     pen->clip = canvas->surface.bounds;
     pen->assets = scene->assets;

@@ -1,5 +1,6 @@
 #include "core/image/copy.h"
 #include "core/image/glyph_text.h"
+#include "core/image/scroll.h"
 #include "scene_assets.h"
 
 static void set_font(struct scene_pen *pen, const int32_t *v, size_t n)
@@ -45,6 +46,13 @@ static void draw_image_key(struct scene_pen *pen, const int32_t *v, size_t n)
     pel_copy_keyed(pen->surface, &copy, (pel_color)v[2]);
 }
 
+static void draw_scroll(struct scene_pen *pen, const int32_t *v, size_t n)
+{
+    const struct pel_rect area = {v[0], v[1], v[0] + v[2], v[1] + v[3]};
+    (void)n;
+    pel_scroll(pen->surface, &area, v[4], v[5]);
+}
+
 const struct scene_command scene_images[] = {
     {"font", "F", "FILE", SCENE_FONT, set_font, NULL},
     {"text", "iiT", "X Y \"TEXT\"", SCENE_TEXT, draw_text, NULL},
@@ -52,5 +60,7 @@ const struct scene_command scene_images[] = {
     {"image alpha", "iibP", "X Y ALPHA FILE", SCENE_STATE, draw_image_alpha,
      NULL},
     {"image", "iiP", "X Y FILE", SCENE_STATE, draw_image, NULL},
+    {"scroll", "iinnii", "X Y WIDTH HEIGHT DX DY", SCENE_WHOLE, draw_scroll,
+     NULL},
     {NULL, NULL, NULL, SCENE_STATE, NULL, NULL},
 };

@@ -100,6 +100,27 @@ same 'clear #808080\npaint flat #ff0000\nrect 4 5 1 1\npaint flat #00ff00\nrect 
 same 'paint flat #ff000080\nrect 4 5 1 1\npaint flat #00ff0080\nrect 5 6 1 1' \
     'image alpha 4 5 128 p.ppm'
 
+corner='paint flat #ff0000\nrect' black='paint flat #000000\nrect'
+same "$corner 4 5 2 2\nrect 9 12 2 2" \
+    "$corner 4 5 3 3\nclip 4 5 7 9\nscroll 0 0 32 32 5 7\n$black 6 5 1 3\n\
+$black 4 7 3 1"
+same "$corner 4 5 3 3\nrect 9 12 3 3" "$corner 4 5 3 3\nscroll 4 5 8 10 5 7"
+same "$corner 4 5 4 3\nrect 1 5 1 1" "$corner 4 5 4 3\nscroll 1 3 4 3 -3 0"
+same "$corner 4 5 3 3\nrect 9 12 3 3" \
+    "bands 5\n$corner 4 5 3 3\nbands 0\nscroll 4 5 8 10 5 7"
+echo 'scroll 1 2 3 4 5' |
+    refused 2 'scroll takes 6 values, not 5: scroll X Y WIDTH HEIGHT DX DY'
+echo 'scroll 1 2 -3 4 5 6' |
+    refused 2 'scroll: -3 must be a whole number in 0..32767'
+echo 'scroll 1 2 3 4 5 0.5' |
+    refused 2 'scroll: 0.5 must be a whole number in -32768..32767'
+printf 'bands 8\nscroll 1 2 3 4 5 6\n' |
+    refused 3 'scroll: a band of 8 rows has no pixels of the others; bands 0'
+"$PEL" run "$work/s.pel" --bands 0 -o "$work/o.ppm" || fail "scroll, --bands 0"
+sed -i 's/bands 8/bands 0/' "$work/s.pel"
+"$PEL" run "$work/s.pel" --bands 9 2>"$work/err" && fail "scroll, --bands 9"
+grep -qF "s.pel:3: scroll: a band of 9 rows" "$work/err" || fail "no line: scroll"
+
 echo 'text 1 2 "x"' | refused 2 'text without a font: font FILE before it'
 printf 'font "a folder/f.bdf"\ntext 1 2 x\n' |
     refused 3 'text: x must be a text in quotes'
