@@ -4,8 +4,8 @@
  *     cc -I. examples/user_paint.c build/libpel.a -o user_paint */
 #include <stdio.h>
 
-#include "core/pel.h"
 #include "core/paint/paint_colors.h"
+#include "core/pel.h"
 
 struct checkers {
     struct pel_color_paint base; /* first, so that one points to the other */

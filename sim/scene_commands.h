@@ -3,9 +3,9 @@
 #define SIM_SCENE_COMMANDS_H
 
 #include "core/asset/font_asset.h"
-#include "core/pel.h"
 #include "core/paint/color_ramp.h"
 #include "core/paint/paint_texture.h"
+#include "core/pel.h"
 #include "scene.h"
 
 struct scene_meshes;

@@ -1,7 +1,7 @@
-#include "core/round/arc.h"
 #include "core/outline/outline.h"
-#include "core/round/ring.h"
 #include "core/raster/thick_line.h"
+#include "core/round/arc.h"
+#include "core/round/ring.h"
 #include "scene_commands.h"
 
 static struct pel_point point(const int32_t *v)

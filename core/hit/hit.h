@@ -8,13 +8,13 @@
 #ifndef PEL_HIT_HIT_H
 #define PEL_HIT_HIT_H
 
+#include "../raster/polygon.h"
+#include "../raster/thick_line.h"
 #include "../round/arc.h"
 #include "../round/ellipse.h"
-#include "../raster/polygon.h"
 #include "../round/ring.h"
 #include "../round/rounded_rectangle.h"
 #include "../round/sector.h"
-#include "../raster/thick_line.h"
 
 /* x, y: whole pixels, -32,768..32,767. */
 bool pel_hit_triangle(const struct pel_point v[3], int32_t x, int32_t y);

@@ -27,7 +27,7 @@ bool pel_hit_ellipse(const struct pel_ellipse_shape *ellipse, int32_t x,
 {
     const struct pel_point c = ellipse->center, r = ellipse->radius;
     struct pel_point p;
-    if (!pel_hit_pixel(x, y, &p) || !pel_points_legal(&c, 1) ||
+    if (!pel_hit_pixel(x, y, &p) || !pel_point_legal(c) ||
         !pel_radius_legal(r.x) || !pel_radius_legal(r.y) || p.x < c.x - r.x ||
         p.x > c.x + r.x || p.y < c.y - r.y || p.y > c.y + r.y)
         return false;

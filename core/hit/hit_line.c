@@ -20,8 +20,8 @@ bool pel_hit_line(struct pel_point from, struct pel_point to, int32_t x,
                   int32_t y)
 {
     struct pel_point p;
-    if (!pel_hit_pixel(x, y, &p) || !pel_points_legal(&from, 1) ||
-        !pel_points_legal(&to, 1))
+    if (!pel_hit_pixel(x, y, &p) || !pel_point_legal(from) ||
+        !pel_point_legal(to))
         return false;
     int32_t x0 = pel_pixel_of(from.x), y0 = pel_pixel_of(from.y);
     int32_t dx = pel_pixel_of(to.x) - x0, dy = pel_pixel_of(to.y) - y0;

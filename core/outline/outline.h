@@ -6,8 +6,8 @@
 #ifndef PEL_OUTLINE_OUTLINE_H
 #define PEL_OUTLINE_OUTLINE_H
 
-#include "../round/ellipse.h"
 #include "../raster/polygon.h"
+#include "../round/ellipse.h"
 #include "../round/rounded_rectangle.h"
 #include "../round/sector.h"
 

@@ -8,7 +8,7 @@ void pel_rectangle_outline(const struct pel_surface *surface,
 {
     const struct pel_rect clip = pel_outline_clip(surface);
     const struct pel_row none = {0, 0};
-    bool legal = pel_points_legal(&from, 1) && pel_points_legal(&to, 1);
+    bool legal = pel_point_legal(from) && pel_point_legal(to);
     PEL_ASSERT(legal);
     struct pel_rect r = {pel_first_pixel(from.x), pel_first_pixel(from.y),
                          pel_first_pixel(to.x), pel_first_pixel(to.y)};

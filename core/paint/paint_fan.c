@@ -201,7 +201,7 @@ enum pel_status pel_fan_init(struct pel_fan *paint,
     if (points->n < 3 || points->n > 32767)
         return PEL_ERROR_SIZE;
     if (!pel_points_legal(points->rim, points->n) ||
-        !pel_points_legal(&points->hub, 1))
+        !pel_point_legal(points->hub))
         return PEL_ERROR_RANGE;
     const int turn = turn_of_rim(points);
     if (turn == 0)

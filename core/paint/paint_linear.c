@@ -83,7 +83,7 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
         return PEL_ERROR_NULL;
     if (status != PEL_OK)
         return status;
-    if (!pel_points_legal(&from, 1) || !pel_points_legal(&to, 1))
+    if (!pel_point_legal(from) || !pel_point_legal(to))
         return PEL_ERROR_RANGE;
     if (from.x == to.x && from.y == to.y)
         return PEL_ERROR_SIZE;

@@ -48,7 +48,7 @@ bool pel_thick_line_corners(const struct pel_thick_line_shape *line,
                             struct pel_point v[4])
 {
     const struct pel_point a = line->from, b = line->to;
-    if (!pel_points_legal(&a, 1) || !pel_points_legal(&b, 1) ||
+    if (!pel_point_legal(a) || !pel_point_legal(b) ||
         !pel_radius_legal(line->width))
         return false;
     const int32_t dx = b.x - a.x, dy = b.y - a.y;

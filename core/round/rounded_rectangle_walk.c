@@ -4,7 +4,7 @@
 
 static bool legal(const struct pel_rounded_shape *r)
 {
-    return pel_points_legal(&r->from, 1) && pel_points_legal(&r->to, 1) &&
+    return pel_point_legal(r->from) && pel_point_legal(r->to) &&
            pel_radius_legal(r->radius);
 }
 

@@ -2,8 +2,8 @@
 #ifndef PEL_SCENE_PAINT_PHONG_H
 #define PEL_SCENE_PAINT_PHONG_H
 
-#include "../raster/gouraud.h"
 #include "../paint/paint_colors.h"
+#include "../raster/gouraud.h"
 #include "light.h"
 #include "plane.h"
 

@@ -4,8 +4,8 @@
 #define TESTS_SUPPORT_ANY_SHAPE_H
 
 #include "cases.h"
-#include "core/pel.h"
 #include "core/hit/hit.h"
+#include "core/pel.h"
 
 enum any_kind {
     ANY_TRIANGLE,
