@@ -65,7 +65,7 @@ bool pel_ellipse_start(struct pel_ellipse_walk *w,
                        const struct pel_rect *clip)
 {
     const struct pel_point center = e->center, radius = e->radius;
-    bool legal = pel_point_legal(center) && pel_radius_legal(radius.x) &&
+    bool legal = pel_points_legal(&center, 1) && pel_radius_legal(radius.x) &&
                  pel_radius_legal(radius.y);
     PEL_ASSERT(legal);
     if (!legal || pel_rect_empty(clip))
