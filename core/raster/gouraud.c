@@ -27,11 +27,13 @@ struct setup {
 };
 
 /* The reciprocal is good to 2^-30 of its value: 2^-31 by its own last bit, as
- * much by the area's, if it had to be cut to 32 bits. With D the longer side of
- * the box and area >= 16 D a gradient is at most 510 D 2^32 / 16 D < 2^37, and
- * so off by less than 2^7 steps of 2^-24: 2^-17 per pixel, the bound of the
- * header. With D <= 2^20 (4,096 px) that is 2^-4 at most, and a numerator,
- * |n| <= 510 D, times the inverse fits 2^61. */
+ * much by the area's, if it had to be cut to 32 bits. A numerator is the
+ * difference of two products, each of two values' difference, at most 255, and
+ * two coordinates', at most D, the longer side of the box: |n| <= 510 D. With
+ * area >= 16 D a gradient is at most 510 D 2^32 / 16 D < 2^37, and so off by
+ * less than 2^7 steps of 2^-24: 2^-17 per pixel, the bound of the header. With
+ * D <= 2^20 (4,096 px) that is 2^-4 at most, and a numerator, below 2^29, times
+ * the inverse, at most 2^32, fits 2^61. */
 static bool reciprocal_is_enough(const struct setup *s)
 {
     int64_t area = s->area < 0 ? -s->area : s->area;
@@ -86,10 +88,10 @@ static void set_reciprocal(struct setup *s)
         s->area, (int64_t)((UINT64_C(1) << 63) / (area << zeros >> 32)));
 }
 #else
+/* From shift 0. */
 static void set_reciprocal(struct setup *s)
 {
     uint64_t word = (uint64_t)(s->area < 0 ? -s->area : s->area);
-    s->shift = 0;
     for (; word > UINT64_C(0xFFFFFFFF); s->shift--)
         word >>= 1;
     for (int step = 16; step > 0; step /= 2)
