@@ -117,6 +117,10 @@ render back "$dir/one.obj" $tile --turn 0,0.5,0 --cull back
 same empty back "the back is not culled"
 render back "$dir/one.obj" $tile --cull front
 same empty back "the front is not culled"
+for order in painter zbuffer16 zbuffer32; do
+    render back "$dir/one.obj" $tile --turn 0,0.5,0 --cull front --order $order
+    same front back "$order: the back is culled with the front"
+done
 render front2 "$dir/one.obj" $tile --cull back
 same front front2 "the front is culled"
 render half "$dir/one.obj" $tile --transparency 128
