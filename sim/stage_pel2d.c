@@ -74,17 +74,16 @@ static pel_color mix_colors(const struct pel_frame *frame,
 static bool add_corner(struct projection *p, const uint32_t vertex[3],
                        const struct pel_clip_corner *c)
 {
-    const struct pel_frame *frame = &p->stage->frame;
-    struct pel2d_vertex v = {
-        .at = pel_project_clipped(&frame->projector, c->place),
-        .color = mix_colors(frame, vertex, c->weight)};
+    struct pel_frame frame = p->stage->frame;
+    struct pel_frame_triangle *t = &frame.work->triangle;
+    memcpy(t->vertex, vertex, sizeof t->vertex);
+    pel_frame_set_corner(&frame, 0, c);
+    struct pel2d_vertex v = {.at = t->at[0],
+                             .color = mix_colors(&frame, vertex, c->weight)};
     for (int k = 0; k < 3; k++) {
-        const struct pel_projected *at = &frame->vertex[vertex[k]].at;
         const double weight = (double)c->weight[k] / PEL_COSINE_ONE;
         v.u += weight * uv_of(&p->stage->mesh, vertex[k], 0);
         v.v += weight * uv_of(&p->stage->mesh, vertex[k], 1);
-        if (c->weight[k] == PEL_COSINE_ONE && at->x != PEL_NOT_ON_SCREEN)
-            v.at = (struct pel_point){at->x, at->y};
     }
     return add(p, &v, c->place[2]);
 }

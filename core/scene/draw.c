@@ -16,9 +16,8 @@ static void draw_triangle(struct pel_frame *frame)
     pel_triangle(&work->surface, work->triangle.at, paint);
 }
 
-/* A vertex that is on screen stays where all triangles around it see it. */
-static void set_corner(struct pel_frame *frame, int i,
-                       const struct pel_clip_corner *corner)
+void pel_frame_set_corner(struct pel_frame *frame, int i,
+                          const struct pel_clip_corner *corner)
 {
     struct pel_frame_triangle *t = &frame->work->triangle;
     t->corner[i] = corner;
@@ -53,9 +52,9 @@ static void draw_entry(struct pel_frame *frame, uint32_t triangle)
     if (pel_frame_take(frame, triangle, &depth) == PEL_TAKEN_CUT)
         n = clip(frame);
     for (int32_t i = 2; i < n; i++) {
-        set_corner(frame, 0, corner[0]);
-        set_corner(frame, 1, corner[i - 1]);
-        set_corner(frame, 2, corner[i]);
+        pel_frame_set_corner(frame, 0, corner[0]);
+        pel_frame_set_corner(frame, 1, corner[i - 1]);
+        pel_frame_set_corner(frame, 2, corner[i]);
         if (pel_frame_shows(frame, at, &frame->work->surface.clip))
             draw_triangle(frame);
     }

@@ -90,6 +90,11 @@ enum pel_frame_taken { PEL_TAKEN_BEHIND, PEL_TAKEN_WHOLE, PEL_TAKEN_CUT };
 enum pel_frame_taken pel_frame_take(const struct pel_frame *frame,
                                     uint32_t triangle, int32_t *depth);
 
+/* Corner i of that triangle, from what cutting left of it: a vertex that is on
+ * screen stays where all triangles around it see it. */
+void pel_frame_set_corner(struct pel_frame *frame, int i,
+                          const struct pel_clip_corner *corner);
+
 /* Is a side of the triangle seen that is to be drawn, and does its box reach
  * into the rectangle? */
 bool pel_frame_shows(const struct pel_frame *frame,
