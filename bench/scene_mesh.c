@@ -75,7 +75,7 @@ static void quantise(struct bench_mesh *m, const struct mesh *from)
                                          from->vertices,
                                          3,
                                          true,
-                                         46};
+                                         PEL_MESH_SHIFT_MAX};
     int16_t(*positions)[3] = memory(sizeof *positions * from->vertices);
     int8_t(*normals)[3] = memory(sizeof *normals * from->vertices);
     uint8_t(*colors)[3] = memory(sizeof *colors * from->vertices);

@@ -153,9 +153,11 @@ bool import_mesh(const struct import_options *options, const struct mesh *mesh)
     struct import import = {.options = options, .mesh = mesh};
     const size_t stride = sizeof(struct mesh_vertex) / sizeof(double);
     const struct import_points positions = {
-        mesh->vertex[0].position, stride, mesh->vertices, 3, true, 46};
+        mesh->vertex[0].position, stride, mesh->vertices, 3, true,
+        PEL_MESH_SHIFT_MAX};
     const struct import_points uv = {
-        mesh->vertex[0].uv, stride, mesh->vertices, 2, false, 46};
+        mesh->vertex[0].uv, stride, mesh->vertices, 2, false,
+        PEL_MESH_SHIFT_MAX};
     import.position = import_quantum(&positions);
     import.texture = import_quantum(&uv);
     if (!import_text_open(&import.text, options->output, options->source,

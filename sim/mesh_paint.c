@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "core/scene/mesh.h"
 #include "import.h"
 #include "message.h"
 #include "texture.h"
@@ -16,7 +17,7 @@ static void sample(struct mesh *mesh, const struct picture *texture)
                                          mesh->vertices,
                                          2,
                                          false,
-                                         46};
+                                         PEL_MESH_SHIFT_MAX};
     const struct pel_mesh_quantum q = import_quantum(&points);
     for (uint32_t i = 0; i < mesh->vertices; i++) {
         struct mesh_vertex *v = &mesh->vertex[i];

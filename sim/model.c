@@ -28,7 +28,8 @@ static void set_quanta(struct pel_mesh *to, const struct mesh *mesh)
     const struct import_points positions = {
         mesh->vertex[0].position, stride, mesh->vertices, 3, true, 64};
     const struct import_points uv = {
-        mesh->vertex[0].uv, stride, mesh->vertices, 2, false, 46};
+        mesh->vertex[0].uv, stride, mesh->vertices, 2, false,
+        PEL_MESH_SHIFT_MAX};
     to->position = import_quantum(&positions);
     to->texture = import_quantum(&uv);
 }

@@ -4,7 +4,6 @@
 
 #define WORLD 16384.0      /* units each way, as core has them */
 #define NEAREST (1 / 16.0) /* of an eye, if nothing is to be scaled */
-#define FINEST 46          /* shift of a quantum, as core has them */
 #define FAR_LIGHT 1024
 
 static pel_length length_of(const struct stage *stage, double value)
@@ -55,7 +54,7 @@ static double units_of(const struct stage *stage,
     for (int k = 0; k < 3; k++)
         way[k] = s->camera.target[k] - s->camera.eye[k];
     if (reach <= WORLD && hypot(hypot(way[0], way[1]), way[2]) >= NEAREST &&
-        stage->model->mesh.position.shift <= FINEST)
+        stage->model->mesh.position.shift <= PEL_MESH_SHIFT_MAX)
         return 1;
     frexp(reach, &exponent); /* reach < 2^exponent */
     return ldexp(WORLD, -exponent);

@@ -24,7 +24,8 @@ void pel_mesh_of_asset(struct pel_mesh *mesh,
 
 static bool quantum_legal(const struct pel_mesh_quantum *q)
 {
-    return pel_mesh_quantum_legal(q) && q->shift >= -14 && q->shift <= 46;
+    return pel_mesh_quantum_legal(q) && q->shift >= PEL_MESH_SHIFT_MIN &&
+           q->shift <= PEL_MESH_SHIFT_MAX;
 }
 
 static bool sizes_legal(const struct pel_mesh *m)

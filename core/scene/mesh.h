@@ -4,12 +4,15 @@
 
 #include "../asset/mesh_asset.h"
 
+/* What a scene takes of a quantum's shift. */
+enum { PEL_MESH_SHIFT_MIN = -14, PEL_MESH_SHIFT_MAX = 46 };
+
 /* Nothing is owned. Numbers of the arrays and what they stand for are those of
  * struct pel_mesh_asset; arrays that the mesh has not are NULL. */
 struct pel_mesh {
     uint32_t vertices, triangles;
-    struct pel_mesh_quantum position; /* inside +-16,384 units; of both the */
-    struct pel_mesh_quantum texture;  /* shift is -14..46 */
+    struct pel_mesh_quantum position; /* inside +-16,384 units */
+    struct pel_mesh_quantum texture;
 
     const int16_t (*positions)[3];
     const int8_t (*normals8)[3];   /* at most one of the two */
