@@ -152,7 +152,7 @@ static int topmost(const struct pel_point v[3])
     const int64_t a = pel_point_key(&v[0]), b = pel_point_key(&v[1]),
                   c = pel_point_key(&v[2]);
     const int second = b < a, third = c < (b < a ? b : a);
-    return third ? 2 : second;
+    return (second & ~third) + 2 * third;
 }
 #else
 static int topmost(const struct pel_point v[3])
