@@ -7,7 +7,6 @@
 #include "tests/support/reference.h"
 #include "tests/support/shapes.h"
 
-/* How far the texel shown is from the exact place. */
 static struct histogram nearest_errors = {.name = "texture_nearest_texel",
                                           .step = 0x1p-19L};
 static struct histogram bilinear_errors = {.name = "texture_bilinear_color",
@@ -127,18 +126,14 @@ static real larger(real a, real b)
 /* From a place to a texel: 0 on it. */
 static real distance(real at, int64_t texel)
 {
-    if (at < (real)texel)
-        return (real)texel - at;
-    return at < (real)texel + 1 ? 0 : at - (real)texel - 1;
+    return larger(0, larger((real)texel - at, at - (real)texel - 1));
 }
 
-/* The texel shown covers the exact place, or misses it by 2^-14 texel at most.
- */
+/* The texel shown misses the exact place by 2^-14 texel at most. */
 static void check_nearest(const struct mapped *m, int32_t x, int32_t y,
                           pel_color got)
 {
-    const real off = 0x1p-14L;
-    real uv[2], least = 1;
+    real uv[2], off = 0x1p-14L, least = 1;
     place(m, x, y, uv);
     for (int i = 0; i < 4; i++) {
         const int64_t u = (int64_t)real_floor(uv[0] + (i & 1 ? off : -off));
