@@ -1,7 +1,9 @@
-/* Hit tests: a list of targets, pixels out of range. That each equals its
- * fill is tested with the fills (property/test_shape_coverage). */
-#include "core/hit/hit.h"
+/* Hit tests: a list of targets, numbers out of range, thick lines of a few
+ * sub-pixels. That each equals its fill is tested with the fills
+ * (property/test_shape_coverage). */
+#include "tests/support/any_shape.h"
 #include "tests/support/check.h"
+#include "tests/support/paint_math.h"
 
 struct disc_target {
     struct pel_target target;
@@ -82,12 +84,189 @@ static void test_pixels_out_of_range(void **state)
                                   32766));
 }
 
+/* A shape with a point at `base` that covers the pixel there; the others lie
+ * from it by `way` sub-pixels in x and y. */
+static struct any_shape shape_at(enum any_kind kind, int32_t base, int32_t way)
+{
+    const int32_t far = base + way, small = way / 64;
+    struct any_shape s = {.kind = kind,
+                          .v = {{base, base}, {far, base}, {base, far}},
+                          .n = 3,
+                          .radius = PEL_PX(9),
+                          .inner = kind == ANY_ELLIPSE ? PEL_PX(9) : 64,
+                          .from = 0x1000,
+                          .to = 0xF000};
+    if (kind == ANY_RECTANGLE || kind == ANY_ROUNDED_RECTANGLE) {
+        const int32_t low = pel_min(base, far), high = pel_max(base, far);
+        s.v[0] = (struct pel_point){low, low};
+        s.v[1] = (struct pel_point){high, high};
+        s.radius = 64;
+    }
+    if (kind == ANY_THICK_LINE) {
+        s.v[0] = (struct pel_point){base + small, base + 3 * small};
+        s.v[1] = (struct pel_point){far, base + 3 * small};
+        s.radius = 80;
+    }
+    return s;
+}
+
+/* One number changed: the shape is not hit; then back again. */
+static void check_number(struct any_shape *s, int32_t *number, int32_t to,
+                         int32_t pixel)
+{
+    const int32_t from = *number;
+    assert_true(any_hit(s, pixel, pixel));
+    *number = to;
+    if (any_hit(s, pixel, pixel))
+        fail_msg("%s at %d: %d instead of %d", any_name(s), pixel, to, from);
+    *number = from;
+}
+
+static void check_pixel(const struct any_shape *s, int32_t x, int32_t y,
+                        int32_t pixel)
+{
+    assert_true(any_hit(s, pixel, pixel));
+    if (any_hit(s, x, y))
+        fail_msg("%s at %d: pixel %d, %d", any_name(s), pixel, x, y);
+}
+
+/* The shapes of points, and how many points they have. */
+static int points_of(enum any_kind kind)
+{
+    switch (kind) {
+    case ANY_TRIANGLE:
+    case ANY_POLYGON:
+        return 3;
+    case ANY_RECTANGLE:
+    case ANY_ROUNDED_RECTANGLE:
+    case ANY_LINE:
+    case ANY_THICK_LINE:
+        return 2;
+    default:
+        return 1;
+    }
+}
+
+static void check_ranges(struct any_shape *s, int32_t pixel)
+{
+    static const int32_t far_pixel[] = {INT32_MIN, -32769, 32768, INT32_MAX};
+    static const int32_t far[] = {INT32_MIN, PEL_COORDINATE_MIN - 1,
+                                  PEL_COORDINATE_MAX + 1, INT32_MAX};
+    static const int32_t radius[] = {INT32_MIN, -1, PEL_PX(32767) + 1,
+                                     INT32_MAX};
+    const bool is_round = points_of(s->kind) == 1;
+    const bool is_thick =
+        s->kind == ANY_THICK_LINE || s->kind == ANY_ROUNDED_RECTANGLE;
+    for (int i = 0; i < 4; i++) {
+        check_pixel(s, far_pixel[i], pixel, pixel);
+        check_pixel(s, pixel, far_pixel[i], pixel);
+        for (int k = 0; k < points_of(s->kind); k++) {
+            check_number(s, &s->v[k].x, far[i], pixel);
+            check_number(s, &s->v[k].y, far[i], pixel);
+        }
+        if (is_round || is_thick)
+            check_number(s, &s->radius, radius[i], pixel);
+        if (s->kind == ANY_ELLIPSE || s->kind == ANY_RING || s->kind == ANY_ARC)
+            check_number(s, &s->inner, radius[i], pixel);
+    }
+}
+
+static void test_ranges(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < ANY_KINDS; kind++) {
+        const enum any_kind k = (enum any_kind)kind;
+        struct any_shape low = shape_at(k, PEL_COORDINATE_MIN, PEL_PX(9));
+        struct any_shape middle = shape_at(k, 0, PEL_PX(9));
+        struct any_shape high = shape_at(k, PEL_COORDINATE_MAX, -PEL_PX(9));
+        check_ranges(&low, -32768);
+        check_ranges(&middle, 0);
+        check_ranges(&high, 32767);
+    }
+}
+
+/* Around one pixel's centre, where every sub-pixel of a corner counts. */
+static void test_tiny_thick_lines(void **state)
+{
+    (void)state;
+    uint32_t hit = 0;
+    for (struct cases c = cases_of(50000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const int32_t x = random_between(r, 110, 146);
+        const int32_t y = random_between(r, 110, 146);
+        const int32_t reach = random_between(r, 0, 24);
+        const struct any_shape s = {
+            .kind = ANY_THICK_LINE,
+            .v = {{x, y},
+                  {x + random_between(r, -reach, reach),
+                   y + random_between(r, -reach, reach)}},
+            .radius = random_between(r, 0, 24)};
+        const bool want = any_reference_at(&s, 0, 0);
+        hit += want;
+        if (any_hit(&s, 0, 0) != want)
+            fail_msg("%d, %d to %d, %d, width %d: expected %d; %s", s.v[0].x,
+                     s.v[0].y, s.v[1].x, s.v[1].y, s.radius, want,
+                     cases_replay());
+    }
+    assert_true(hit > 0);
+}
+
+/* Nearly level lines, whose corners are rounded towards them by up to half a
+ * sub-pixel, and a pixel at about half the width from them. */
+static void test_edges_of_thick_lines(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const int32_t half = random_between(r, 3, 300);
+        const int32_t dx = random_between(r, 200, 3000);
+        const int32_t slope = random_between(r, 80, 200);
+        const int32_t dy = (int32_t)(dx * real_root(slope / 100.0L / half));
+        const real length = real_root((real)dx * dx + (real)dy * dy);
+        const real away = half - random_between(r, 0, 2000) / 1000.0L;
+        const int32_t x = 128 - dx / 2 + (int32_t)(away * dy / length);
+        const int32_t y = 128 - dy / 2 - (int32_t)(away * dx / length);
+        const bool steep = random_word(r) % 2;
+        const struct any_shape s = {
+            .kind = ANY_THICK_LINE,
+            .v = {{steep ? y : x, steep ? x : y},
+                  {steep ? y + dy : x + dx, steep ? x + dx : y + dy}},
+            .radius = 2 * half + random_between(r, 0, 1)};
+        const bool want = any_reference_at(&s, 0, 0);
+        if (any_hit(&s, 0, 0) != want)
+            fail_msg("%d, %d to %d, %d, width %d: expected %d; %s", s.v[0].x,
+                     s.v[0].y, s.v[1].x, s.v[1].y, s.radius, want,
+                     cases_replay());
+    }
+}
+
+/* Near the end of the range, where one sub-pixel more puts a corner out of it,
+ * and nothing is covered. */
+static void test_thick_lines_at_the_end(void **state)
+{
+    (void)state;
+    for (int32_t width = 0; width < 3000; width += 1 + width / 16)
+        for (int32_t y = PEL_COORDINATE_MAX - width / 2 - 3;
+             y <= PEL_COORDINATE_MAX; y++) {
+            const struct any_shape s = {.kind = ANY_THICK_LINE,
+                                        .v = {{-3000, y}, {3000, y}},
+                                        .radius = width};
+            for (int32_t row = 32767; row > 32755; row--)
+                assert_int_equal(any_hit(&s, 0, row),
+                                 any_reference_at(&s, 0, row));
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_topmost),
         cmocka_unit_test(test_boxes),
         cmocka_unit_test(test_pixels_out_of_range),
+        cmocka_unit_test(test_ranges),
+        cmocka_unit_test(test_tiny_thick_lines),
+        cmocka_unit_test(test_edges_of_thick_lines),
+        cmocka_unit_test(test_thick_lines_at_the_end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
