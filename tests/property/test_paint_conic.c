@@ -166,6 +166,26 @@ static void test_hue_wheel(void **state)
     }
 }
 
+/* The lowest channel is the same for every hue. */
+static void test_every_saturation_and_value(void **state)
+{
+    (void)state;
+    const struct pel_point center = PEL_AT(3, 4);
+    for (int s = 0; s < 256; s++)
+        for (int v = 0; v < 256; v++) {
+            const pel_color want = pel_hsv(0, (uint8_t)s, (uint8_t)v);
+            struct pel_hue_wheel p;
+            pel_color got;
+            pel_hue_wheel_init(&p, center, 0, (uint8_t)s, (uint8_t)v);
+            p.conic.base.colors(&p.conic.base, s, v, 1, &got);
+            const int32_t low =
+                pel_min((int32_t)pel_red(got), pel_min((int32_t)pel_green(got),
+                                                       (int32_t)pel_blue(got)));
+            if (low != (int32_t)pel_blue(want))
+                fail_msg("s %d, v %d: %08x, expected %08x", s, v, got, want);
+        }
+}
+
 static void test_errors(void **state)
 {
     (void)state;
@@ -186,8 +206,11 @@ static void test_errors(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_angles),         cmocka_unit_test(test_colors),
-        cmocka_unit_test(test_axes_are_exact), cmocka_unit_test(test_hue_wheel),
+        cmocka_unit_test(test_angles),
+        cmocka_unit_test(test_colors),
+        cmocka_unit_test(test_axes_are_exact),
+        cmocka_unit_test(test_hue_wheel),
+        cmocka_unit_test(test_every_saturation_and_value),
         cmocka_unit_test(test_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -44,6 +44,9 @@ static void random_star(struct random *r)
     }
     f->points =
         (struct pel_fan_points){hub, random_word(r), f->rim, f->colors, n};
+    const bool almost_one_color = random_word(r) % 4 == 0;
+    for (int32_t i = 0; almost_one_color && i < n; i++)
+        f->colors[i] = f->points.hub_color ^ (random_word(r) & 0x01010101);
     const bool reversed = random_word(r) % 2;
     for (int32_t i = 0; reversed && i < n / 2; i++) {
         struct pel_point t = f->rim[i];
@@ -124,9 +127,10 @@ static void check_runs(struct random *r)
         for (int32_t i = 0; i < 48; i++)
             for (int k = 0; k < 4; k++)
                 check_channel(left + i, line, k, got[i]);
-        int32_t i = random_between(r, 0, 47);
-        p->colors(p, left + i, line, 1, &one);
-        assert_int_equal(one, got[i]);
+        for (int32_t i = 0; i < 48; i++) {
+            p->colors(p, left + i, line, 1, &one);
+            assert_int_equal(one, got[i]);
+        }
     }
 }
 
@@ -206,9 +210,89 @@ static void test_hub_on_an_edge(void **state)
     assert_in_range(got[0] & 255, 10, 22);
 }
 
+/* Half a turn around a hub on the edge, two points on one ray, rays through
+ * pixel centres with colours between two steps there: where the list begins and
+ * which way it goes changes nothing. In px from the hub. */
+static const struct pel_point half_rim[] = {{6, 0}, {8, 0},  {6, 6}, {10, 10},
+                                            {0, 5}, {-3, 9}, {-5, 0}};
+static const pel_color half_colors[] = {0xFF000600, 0xFF000800, 0xFF030003,
+                                        0xFF050005, 0xFF010100, 0xFF000101,
+                                        0xFFFA0000};
+enum { HALF = sizeof half_rim / sizeof *half_rim, HALF_SIZE = 32 };
+
+static void draw_half(int first, bool reversed, pel_color *out)
+{
+    const struct pel_point hub = {PEL_PX(12) + 128, PEL_PX(12) + 128};
+    struct pel_point rim[HALF];
+    pel_color colors[HALF];
+    for (int i = 0; i < HALF; i++) {
+        const int k = (reversed ? first + HALF - i : first + i) % HALF;
+        rim[i].x = hub.x + PEL_PX(half_rim[k].x);
+        rim[i].y = hub.y + PEL_PX(half_rim[k].y);
+        colors[i] = half_colors[k];
+    }
+    fan.points = (struct pel_fan_points){hub, 0xFF000000, rim, colors, HALF};
+    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.wedges), PEL_OK);
+    assert_true(fan.fan.base.opaque);
+    for (int32_t i = 0; i < HALF_SIZE * HALF_SIZE; i++)
+        fan.fan.base.colors(&fan.fan.base, i % HALF_SIZE, i / HALF_SIZE, 1,
+                            out + i);
+}
+
+static void test_any_beginning(void **state)
+{
+    (void)state;
+    static pel_color want[HALF_SIZE * HALF_SIZE], got[HALF_SIZE * HALF_SIZE];
+    draw_half(0, false, want);
+    assert_int_equal(want[12 * HALF_SIZE + 12], 0xFF000000);
+    assert_int_equal(want[12 * HALF_SIZE + 10], 0xFF640000); /* last ray */
+    assert_int_equal(want[12 * HALF_SIZE + 15], 0xFF000300); /* first ray */
+    assert_int_equal(want[11 * HALF_SIZE + 15], 0xFF000000); /* outside */
+    for (int first = 0; first < HALF; first++)
+        for (int reversed = 0; reversed < 2; reversed++) {
+            draw_half(first, reversed, got);
+            for (int i = 0; i < HALF_SIZE * HALF_SIZE; i++)
+                if (got[i] != want[i])
+                    fail_msg("from point %d, reversed %d, pixel %d, %d: %08x, "
+                             "expected %08x",
+                             first, reversed, i % HALF_SIZE, i / HALF_SIZE,
+                             got[i], want[i]);
+        }
+}
+
+static void test_opaque(void **state)
+{
+    (void)state;
+    const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(20, 0), PEL_AT(10, 10)};
+    for (int i = 0; i < 4; i++) {
+        pel_color c[4] = {0xFF000000, 0xFF000000, 0xFF000000, 0xFF000000};
+        c[i] = 0xFE000000;
+        fan.points = (struct pel_fan_points){PEL_AT(10, 3), c[3], v, c, 3};
+        assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.wedges),
+                         PEL_OK);
+        assert_false(fan.fan.base.opaque);
+    }
+}
+
+static void test_largest(void **state)
+{
+    (void)state;
+    static struct pel_point rim[32768];
+    static pel_color colors[32768];
+    static struct pel_fan_wedge wedges[32768];
+    struct pel_fan_points p = {{0, 0}, 0, rim, colors, 32767};
+    pel_fan_rim(rim, 32767, p.hub, PEL_PX(30000), 0);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, wedges), PEL_OK);
+    p.n = 32768;
+    pel_fan_rim(rim, 32768, p.hub, PEL_PX(30000), 0);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, wedges), PEL_ERROR_SIZE);
+}
+
 static void test_errors(void **state)
 {
     (void)state;
+    const struct pel_point far[3] = {
+        PEL_AT(0, 0), PEL_AT(20, 0), {PEL_PX(10), PEL_COORDINATE_MAX + 1}};
     const struct pel_point v[4] = {PEL_AT(0, 0), PEL_AT(20, 0), PEL_AT(10, 10),
                                    PEL_AT(-5, 3)};
     const pel_color c[4] = {0, 0, 0, 0};
@@ -216,6 +300,15 @@ static void test_errors(void **state)
     assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_OK);
     assert_int_equal(pel_fan_init(NULL, &p, fan.wedges), PEL_ERROR_NULL);
     assert_int_equal(pel_fan_init(&fan.fan, &p, NULL), PEL_ERROR_NULL);
+    assert_int_equal(pel_fan_init(&fan.fan, NULL, fan.wedges), PEL_ERROR_NULL);
+    p.colors = NULL;
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_NULL);
+    p.colors = c;
+    p.rim = NULL;
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_NULL);
+    p.rim = far;
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_RANGE);
+    p.rim = v;
     p.n = 2;
     assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_SIZE);
     p.n = 3;
@@ -235,6 +328,9 @@ int main(void)
         cmocka_unit_test(test_any_triangle),
         cmocka_unit_test(test_triangle_is_gouraud),
         cmocka_unit_test(test_hub_on_an_edge),
+        cmocka_unit_test(test_any_beginning),
+        cmocka_unit_test(test_opaque),
+        cmocka_unit_test(test_largest),
         cmocka_unit_test(test_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

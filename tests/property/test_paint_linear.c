@@ -68,6 +68,54 @@ static void test_positions(void **state)
     histogram_end(&errors);
 }
 
+/* Where the steps' errors are all there, and of one sign: from one corner of
+ * the range to the other, along ways that are long for their bits. */
+static void test_farthest_pixels(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(4000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const int32_t longest = 4 << random_between(r, 0, 8);
+        const struct pel_point from = {
+            PEL_PX(32767) - random_between(r, 0, 999),
+            PEL_PX(32767) - random_between(r, 0, 999)};
+        const struct ends e = {
+            from,
+            {from.x - random_between(r, longest - longest / 8 - 1, longest - 1),
+             from.y -
+                 random_between(r, longest - longest / 8 - 1, longest - 1)}};
+        const struct pel_ramp ramp = cells_ramp(CELLS_MAX, PEL_REPEAT);
+        const int32_t x = random_between(r, -32768, -32700);
+        const int32_t y = random_between(r, -32768, -32700);
+        struct pel_linear p;
+        pel_color got[24];
+        assert_int_equal(pel_linear_init(&p, e.from, e.to, &ramp), PEL_OK);
+        p.base.colors(&p.base, x, y, 24, got);
+        for (int32_t i = 0; i < 24; i++)
+            check_pixel(&e, &ramp, x + i, y, got[i]);
+    }
+}
+
+/* As many bits of a fraction as the range leaves: 36, and one for each doubling
+ * of the way's longer side. */
+static void test_bits(void **state)
+{
+    (void)state;
+    const struct pel_ramp ramp = cells_ramp(2, PEL_PAD);
+    const struct pel_point from = {PEL_COORDINATE_MIN, PEL_COORDINATE_MAX};
+    for (int e = 0; e < 24; e++) {
+        const int32_t shortest = 1 << e, longest = 2 * shortest - 1;
+        const struct pel_point to[3] = {{from.x + shortest, from.y},
+                                        {from.x, from.y - longest},
+                                        {from.x + shortest, from.y - shortest}};
+        for (int i = 0; i < 3; i++) {
+            struct pel_linear p;
+            assert_int_equal(pel_linear_init(&p, from, to[i], &ramp), PEL_OK);
+            assert_int_equal(p.bits, 36 + e);
+        }
+    }
+}
+
 /* What can be said without a bound: whole cells of one pixel each. */
 static void test_exact_on_the_grid(void **state)
 {
@@ -82,6 +130,30 @@ static void test_exact_on_the_grid(void **state)
         p.base.colors(&p.base, 17, 0, 800, got);
         for (int32_t i = 0; i < 800; i++)
             assert_int_equal(got[i], 0xFF000000u + (uint32_t)(i % n));
+    }
+}
+
+/* One run and its pixels one by one, the last with the error of all steps. */
+static void test_long_runs(void **state)
+{
+    (void)state;
+    static pel_color got[65536];
+    for (struct cases c = cases_of(20); cases_next(&c);) {
+        struct random *r = &c.random;
+        const struct pel_ramp ramp =
+            cells_ramp(CELLS_MAX, (enum pel_spread)(c.next % 3));
+        const struct pel_point from = {random_between(r, -900, 900),
+                                       random_between(r, -900, 900)};
+        const struct pel_point to = {from.x + random_between(r, 1, 9),
+                                     from.y + random_between(r, -9, 9)};
+        struct pel_linear p;
+        assert_int_equal(pel_linear_init(&p, from, to, &ramp), PEL_OK);
+        p.base.colors(&p.base, -32768, 3, 65536, got);
+        for (int32_t i = 0; i < 65536; i += 1 + i % 256) {
+            pel_color one;
+            p.base.colors(&p.base, i - 32768, 3, 1, &one);
+            assert_int_equal(got[i], one);
+        }
     }
 }
 
@@ -109,7 +181,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_positions),
+        cmocka_unit_test(test_farthest_pixels),
+        cmocka_unit_test(test_bits),
         cmocka_unit_test(test_exact_on_the_grid),
+        cmocka_unit_test(test_long_runs),
         cmocka_unit_test(test_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

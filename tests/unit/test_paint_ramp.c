@@ -66,6 +66,39 @@ static void test_hard_edge(void **state)
         assert_int_equal(ramp[i], i < 2 ? 0xFF000000 : 0xFFFFFFFF);
 }
 
+/* In the very middle of a cell too. */
+static void test_hard_edge_in_the_middle(void **state)
+{
+    (void)state;
+    static const struct pel_stop s[] = {
+        {0, 0xFF000000}, {32768, 0xFF000000}, {32768, 0xFFFFFFFF}};
+    pel_color ramp[1];
+    assert_int_equal(pel_ramp_fill(ramp, 1, s, 3), PEL_OK);
+    assert_int_equal(ramp[0], 0xFFFFFFFF);
+}
+
+static void test_largest(void **state)
+{
+    (void)state;
+    static struct pel_stop s[32768];
+    static pel_color ramp[32767];
+    for (int i = 0; i < 32768; i++)
+        s[i] = (struct pel_stop){i, 0x80000000u + (pel_color)i};
+    assert_int_equal(pel_ramp_fill(ramp, 32767, s, 32767), PEL_OK);
+    assert_int_equal(ramp[32766], 0x80000000u + 32766);
+    assert_int_equal(pel_ramp_fill(ramp, 3, s, 32768), PEL_ERROR_SIZE);
+}
+
+static void test_opaque(void **state)
+{
+    (void)state;
+    const pel_color c[3] = {0xFF000000, 0xFF123456, 0xFE000000};
+    struct pel_ramp ramp = {c, 2, PEL_PAD};
+    assert_true(pel_ramp_opaque(&ramp));
+    ramp.n = 3;
+    assert_false(pel_ramp_opaque(&ramp));
+}
+
 static void test_errors(void **state)
 {
     (void)state;
@@ -88,6 +121,9 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_exact),
         cmocka_unit_test(test_hard_edge),
+        cmocka_unit_test(test_hard_edge_in_the_middle),
+        cmocka_unit_test(test_largest),
+        cmocka_unit_test(test_opaque),
         cmocka_unit_test(test_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
