@@ -91,7 +91,7 @@ static int32_t skip_of(int32_t x, int log2)
 static void set_outside(struct pel_ramp_walk *w, const struct row *row)
 {
     const uint8_t bits = row->curve->bits;
-    *w = (struct pel_ramp_walk){UINT64_C(1) << bits, 0, 0, 0, bits, false};
+    *w = (struct pel_ramp_walk){UINT64_C(1) << bits, 0, 0, 0, bits, false, 0};
 }
 
 /* A walk from pixel x, in the piece between knots a and b of which a piece of
@@ -100,7 +100,8 @@ static void set_walk(struct pel_ramp_walk *w, const struct row *row, int log2,
                      int32_t x, const struct pel_knot k[2])
 {
     const uint64_t limit = row->curve->limit;
-    *w = (struct pel_ramp_walk){k[0].value, 0, 0, 0, row->curve->bits, false};
+    *w =
+        (struct pel_ramp_walk){k[0].value, 0, 0, 0, row->curve->bits, false, 0};
     w->inside = k[0].value < limit;
     if (log2 == 0)
         return;

@@ -31,22 +31,14 @@ struct pel_color_paint {
     struct pel_paint paint;
     pel_colors_function *colors;
     bool opaque; /* all colours have alpha 255: nothing is blended */
-#if !PEL_FAST_64BIT
-    const struct pel_walker *walker; /* of a gradient (ramp_walk.h), or NULL */
-#endif
+    const struct pel_walker *walker; /* of gradients on small CPUs
+                                        (ramp_walk.h), else NULL */
 };
 
-#if PEL_FAST_64BIT
-#define PEL_COLOR_PAINT(colors, opaque)                           \
-    {                                                             \
-        PEL_PAINT(pel_color_paint_fill, NULL), (colors), (opaque) \
-    }
-#else
 #define PEL_COLOR_PAINT(colors, opaque)                                 \
     {                                                                   \
         PEL_PAINT(pel_color_paint_fill, NULL), (colors), (opaque), NULL \
     }
-#endif
 
 /* The fill function of all of them. */
 void pel_color_paint_fill(const struct pel_paint *paint,
@@ -61,9 +53,7 @@ static inline void pel_color_paint_init(struct pel_color_paint *paint,
     paint->paint = fill;
     paint->colors = colors;
     paint->opaque = opaque;
-#if !PEL_FAST_64BIT
     paint->walker = NULL;
-#endif
 }
 
 #endif

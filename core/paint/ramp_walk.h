@@ -14,9 +14,7 @@ struct pel_ramp_walk {
     uint64_t at, d1, d2, d3;
     uint8_t bits; /* 33..64 */
     bool inside;
-#if !PEL_FAST_64BIT
     int32_t n; /* the pixels that it is right for */
-#endif
 };
 
 /* One pixel on. */
