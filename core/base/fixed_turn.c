@@ -30,8 +30,9 @@ static uint32_t first_octant(uint32_t x, uint32_t y)
     uint32_t k = (16 * y + x / 2) / x;
     int32_t n = (int32_t)(16 * y - k * x);
     uint32_t d = 16 * x + k * y;
-    return n < 0 ? table[k] - small_angle((uint32_t)-n, d)
-                 : table[k] + small_angle((uint32_t)n, d);
+    const uint32_t sign = (uint32_t)n >> 31, minus = 0 - sign;
+    return table[k] +
+           ((small_angle(((uint32_t)n ^ minus) + sign, d) ^ minus) + sign);
 }
 
 uint32_t pel_turn_of(int32_t x, int32_t y)

@@ -29,10 +29,14 @@ struct pel_knot {
 
 struct pel_curve;
 
+#if PEL_FAST_64BIT
+typedef pel_run_function pel_curve_run;
+#else
 /* Colours n pixels of a walk, and leaves it as pel_ramp_run does. */
 typedef void pel_curve_run(const struct pel_curve *curve,
                            struct pel_ramp_walk *walk, int32_t n,
                            pel_color *colors);
+#endif
 
 /* A member of its paint's struct, `curve`. */
 struct pel_curve {
@@ -42,9 +46,11 @@ struct pel_curve {
      * there, in sub-pixels, the next piece's first one included. */
     const int32_t *far;
 
+#if !PEL_FAST_64BIT
     /* The knot at (x, y) from the centre: its value, and returns its slope. */
     int64_t (*knot)(const struct pel_curve *curve, int32_t x, int32_t y,
                     uint64_t *value);
+#endif
 
     pel_curve_run *run;
 
@@ -59,13 +65,7 @@ struct pel_curve {
     int32_t outside;
 };
 
-#if PEL_FAST_64BIT
-
-/* The colours of n pixels from (pixel.x, pixel.y) on. */
-void pel_curve_colors(const struct pel_curve *curve, struct pel_point pixel,
-                      int32_t n, pel_color *colors);
-
-#else
+#if !PEL_FAST_64BIT
 
 /* The functions of a struct pel_walker whose part is a curve. */
 void pel_curve_begin(const void *curve, struct pel_strip *strip);

@@ -1,11 +1,43 @@
 #include "paint_conic.h"
 
+#if PEL_FAST_64BIT
+
+static void mixed(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                  int32_t n, pel_color *out)
+{
+    const struct pel_conic *p = (const void *)paint;
+    const struct pel_run run = {x, y, n};
+    struct pel_ramp_mixer mixer;
+    pel_ramp_prepare(&mixer, &p->ramp);
+    pel_conic_colors(p, &mixer, &run, out);
+}
+
+static void run(const void *mixer, const struct pel_ramp_walk *walk,
+                pel_color *colors)
+{
+    pel_ramp_run(mixer, walk, colors);
+}
+
+static void set_colors(struct pel_conic *paint)
+{
+    paint->base.colors = mixed;
+}
+
+#else
+
 static void run(const struct pel_curve *curve, struct pel_ramp_walk *walk,
                 int32_t n, pel_color *colors)
 {
     pel_ramp_run(&PEL_CURVE_PAINT(struct pel_conic, curve)->ramp, walk, n,
                  colors);
 }
+
+static void set_colors(struct pel_conic *paint)
+{
+    (void)paint;
+}
+
+#endif
 
 /* Angles wrap, so a padded ramp is a repeated one. There and back is two ways
  * in a turn. */
@@ -23,5 +55,6 @@ enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
         paint->ramp.spread = PEL_REPEAT;
     if (ramp->spread == PEL_REFLECT)
         paint->curve.bits = 63;
+    set_colors(paint);
     return PEL_OK;
 }

@@ -36,4 +36,11 @@ enum pel_status pel_conic_begin(struct pel_conic *paint,
                                 struct pel_point center, uint16_t start,
                                 pel_curve_run *run);
 
+#if PEL_FAST_64BIT
+
+/* The colours of a run; `context` is for the run function. */
+void pel_conic_colors(const struct pel_conic *paint, const void *context,
+                      const struct pel_run *run, pel_color *colors);
+
+#endif
 #endif

@@ -1,5 +1,6 @@
 #include "paint_conic.h"
 #include "../base/fixed_turn.h"
+#include "curve_colors.h"
 
 /* For a cubic that is right to 1/512 px and 1e-5 turns. */
 static const int32_t far[5] = {4067, 8192, 20643, 52016, 131072};
@@ -48,8 +49,8 @@ static PEL_WALK int64_t slope_of(int32_t x, int32_t y)
     return (int64_t)(y > 0 ? 0 - fall : fall);
 }
 
-static int64_t knot(const struct pel_curve *curve, int32_t x, int32_t y,
-                    uint64_t *value)
+static PEL_HOT int64_t knot(const struct pel_curve *curve, int32_t x, int32_t y,
+                            uint64_t *value)
 {
     const uint32_t turn = pel_turn_of(x, y);
     *value = (uint64_t)(turn - PEL_CURVE_PAINT(struct pel_conic, curve)->start)
@@ -59,12 +60,27 @@ static int64_t knot(const struct pel_curve *curve, int32_t x, int32_t y,
 
 #if PEL_FAST_64BIT
 
+static PEL_HOT struct pel_knot knot_of(const struct pel_curve *curve, int32_t x,
+                                       int32_t y)
+{
+    struct pel_knot k;
+    k.slope = knot(curve, x, y, &k.value);
+    return k;
+}
+
+void pel_conic_colors(const struct pel_conic *paint, const void *context,
+                      const struct pel_run *run, pel_color *colors)
+{
+    struct pel_course course = pel_course_of(&paint->curve, run);
+    course.knot = knot_of;
+    pel_course_colors(&course, context, colors);
+}
+
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
-    const struct pel_conic *p = (const void *)paint;
-    const struct pel_point pixel = {x, y};
-    pel_curve_colors(&p->curve, pixel, n, out);
+    const struct pel_run run = {x, y, n};
+    pel_conic_colors((const void *)paint, paint, &run, out);
 }
 
 #else
@@ -90,7 +106,9 @@ enum pel_status pel_conic_begin(struct pel_conic *paint,
     paint->start = (uint32_t)start << 16;
     paint->curve.center = center;
     paint->curve.far = far;
+#if !PEL_FAST_64BIT
     paint->curve.knot = knot;
+#endif
     paint->curve.run = run;
     paint->curve.bits = 64;
     paint->curve.limit = UINT64_MAX;

@@ -15,11 +15,9 @@ static uint32_t level(const struct pel_hue_wheel *p, uint32_t part)
     return (t + 1 + (t >> 8)) >> 8;
 }
 
-static void run(const struct pel_curve *curve, struct pel_ramp_walk *w,
-                int32_t n, pel_color *colors)
+static void color_walk(const struct pel_hue_wheel *p, struct pel_ramp_walk *w,
+                       int32_t n, pel_color *colors)
 {
-    const struct pel_conic *conic = PEL_CURVE_PAINT(struct pel_conic, curve);
-    const struct pel_hue_wheel *p = (const void *)conic;
     const uint32_t v = p->v, lowest = level(p, 65536);
     for (; n > 0; n--, pel_ramp_step(w)) {
         uint32_t six = (uint32_t)(w->at >> 48) * 6, sixth = six >> 16;
@@ -30,6 +28,26 @@ static void run(const struct pel_curve *curve, struct pel_ramp_walk *w,
                     lowest << (24 - between - top);
     }
 }
+
+#if PEL_FAST_64BIT
+
+static void run(const void *paint, const struct pel_ramp_walk *walk,
+                pel_color *colors)
+{
+    struct pel_ramp_walk w = *walk;
+    color_walk(paint, &w, w.n, colors);
+}
+
+#else
+
+static void run(const struct pel_curve *curve, struct pel_ramp_walk *walk,
+                int32_t n, pel_color *colors)
+{
+    const struct pel_conic *conic = PEL_CURVE_PAINT(struct pel_conic, curve);
+    color_walk((const void *)conic, walk, n, colors);
+}
+
+#endif
 
 enum pel_status pel_hue_wheel_init(struct pel_hue_wheel *paint,
                                    struct pel_point center, uint16_t start,

@@ -27,9 +27,12 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 {
     const struct pel_linear *p = (const void *)paint;
     const struct pel_point pixel = {x, y};
+    struct pel_ramp_mixer mixer;
     struct pel_ramp_walk w;
     begin_walk(p, pixel, n, &w);
-    pel_ramp_run(&p->ramp, &w, n, out);
+    w.n = n;
+    pel_ramp_prepare(&mixer, &p->ramp);
+    pel_ramp_run(&mixer, &w, out);
 }
 
 #else

@@ -1,7 +1,8 @@
 #include "paint_radial.h"
 
 #include "../base/fixed_fraction.h"
-#include "../base/fixed_sqrt.h"
+#include "../base/fixed_root.h"
+#include "curve_colors.h"
 
 /* For a cubic that is right to 1/512 px, which is 2^-13 of the way or less when
  * the radius is at least 16 px; for smaller ones from the second on, which
@@ -25,17 +26,50 @@ static PEL_WIDE uint64_t square_of(int32_t x, int32_t y)
     return (uint64_t)(pel_square(x) + pel_square(y)) * 4096;
 }
 
-static int64_t knot(const struct pel_curve *curve, int32_t x, int32_t y,
-                    uint64_t *value)
+/* Written out on 64-bit CPUs. */
+#if PEL_FAST_64BIT
+#define ROOT_GUESS pel_root_guess_of
+#define ROOT_SETTLE pel_root_settle_of
+#else
+#define ROOT_GUESS pel_root_guess
+#define ROOT_SETTLE pel_root_settle
+#endif
+
+static PEL_HOT int64_t knot(const struct pel_curve *curve, int32_t x, int32_t y,
+                            uint64_t *value)
 {
     const struct pel_radial *p = PEL_CURVE_PAINT(struct pel_radial, curve);
     struct pel_root r;
     *value = square_of(x, y);
-    pel_root_guess(*value, &r);
-    pel_root_settle(*value, &r);
+    ROOT_GUESS(*value, &r);
+    ROOT_SETTLE(*value, &r);
     *value = pel_multiply(r.root, p->scale) + p->phase;
     return slope_of(&r, x, p->scale);
 }
+
+#if PEL_FAST_64BIT
+
+static PEL_HOT struct pel_knot knot_of(const struct pel_curve *curve, int32_t x,
+                                       int32_t y)
+{
+    struct pel_knot k;
+    k.slope = knot(curve, x, y, &k.value);
+    return k;
+}
+
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
+{
+    const struct pel_radial *p = (const void *)paint;
+    const struct pel_run run = {x, y, n};
+    struct pel_ramp_mixer mixer;
+    struct pel_course course = pel_course_of(&p->curve, &run);
+    course.knot = knot_of;
+    pel_ramp_prepare(&mixer, &p->ramp);
+    pel_course_colors(&course, &mixer, out);
+}
+
+#else
 
 static void run(const struct pel_curve *curve, struct pel_ramp_walk *walk,
                 int32_t n, pel_color *colors)
@@ -43,18 +77,6 @@ static void run(const struct pel_curve *curve, struct pel_ramp_walk *walk,
     pel_ramp_run(&PEL_CURVE_PAINT(struct pel_radial, curve)->ramp, walk, n,
                  colors);
 }
-
-#if PEL_FAST_64BIT
-
-static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
-                   int32_t n, pel_color *out)
-{
-    const struct pel_radial *p = (const void *)paint;
-    const struct pel_point pixel = {x, y};
-    pel_curve_colors(&p->curve, pixel, n, out);
-}
-
-#else
 
 static const struct pel_walker walker = {offsetof(struct pel_radial, curve),
                                          pel_curve_begin, pel_curve_follow};
@@ -84,8 +106,12 @@ static void set_curve(struct pel_radial *p, const struct pel_rings *rings)
     p->phase += UINT64_C(1) << (bits - 32);
     p->curve.center = rings->center;
     p->curve.far = far + (rings->radius < PEL_PX(16));
+#if PEL_FAST_64BIT
+    p->curve.run = pel_ramp_run;
+#else
     p->curve.knot = knot;
     p->curve.run = run;
+#endif
     p->curve.bits = bits;
     p->curve.limit = (UINT64_C(1) << bits) - (UINT64_C(1) << (bits - 10));
 }

@@ -1,8 +1,8 @@
 #include "ramp_walk.h"
 
 #include "../format/span32.h"
-#include "../format/vector.h"
 #include "ramp_mix.h"
+#include "ramp_vector.h"
 
 #if PEL_FAST_64BIT
 
@@ -66,118 +66,6 @@ static void mix_cells(const struct pel_ramp *ramp, int32_t n, pel_color *out)
         *out = pel_pair_at(rb, *out) | pel_pair_at(ag, *out) << 8;
 }
 
-#if PEL_VECTORS
-
-typedef uint64_t u64x2 __attribute__((__vector_size__(16)));
-
-/* A walk four pixels at a time: pixels 0 and 2, and 1 and 3, with differences
- * from one four to the next. */
-struct lanes {
-    u64x2 at[2], d1[2], d2[2], d3;
-};
-
-/* A difference over four pixels is (1 + D)^4 - 1 with D that over one: 4 D + 6
- * D^2 + 4 D^3; twice 16 D^2 + 48 D^3; three times 64 D^3. */
-static PEL_ALWAYS_INLINE void set_lanes(struct lanes *l, int i,
-                                        const struct pel_ramp_walk *a,
-                                        const struct pel_ramp_walk *b)
-{
-    const u64x2 d1 = {a->d1, b->d1}, d2 = {a->d2, b->d2}, d3 = {a->d3, a->d3};
-    l->at[i] = (u64x2){a->at, b->at};
-    l->d1[i] = ((d1 + d2 + d3) << 2) + (d2 << 1);
-    l->d2[i] = (d2 << 4) + (d3 << 5) + (d3 << 4);
-    l->d3 = d3 << 6;
-}
-
-static PEL_ALWAYS_INLINE struct pel_ramp_walk after(struct pel_ramp_walk w)
-{
-    pel_ramp_step(&w);
-    return w;
-}
-
-static PEL_ALWAYS_INLINE struct lanes lanes_of(struct pel_ramp_walk w,
-                                               int shift)
-{
-    struct lanes l;
-    w.at <<= shift, w.d1 <<= shift, w.d2 <<= shift, w.d3 <<= shift;
-    const struct pel_ramp_walk second = after(w), third = after(second),
-                               fourth = after(third);
-    set_lanes(&l, 0, &w, &third);
-    set_lanes(&l, 1, &second, &fourth);
-    return l;
-}
-
-/* The highest bytes of the four positions, in 32-bit lanes; then a step. */
-static PEL_ALWAYS_INLINE pel_u32x4 next_bytes(struct lanes *l)
-{
-    const u64x2 bytes = l->at[0] >> 56 | l->at[1] >> 56 << 32;
-    for (int i = 0; i < 2; i++) {
-        l->at[i] += l->d1[i];
-        l->d1[i] += l->d2[i];
-        l->d2[i] += l->d3;
-    }
-    return (pel_u32x4)bytes;
-}
-
-/* struct pel_pair for four pixels, each half in a lane of its own. */
-struct pairs {
-    pel_u16x8 from, way;
-};
-
-static PEL_ALWAYS_INLINE struct pairs pairs_of(pel_color a, pel_color b)
-{
-    const pel_u32x4 zero = {0, 0, 0, 0};
-    const pel_u16x8 from = (pel_u16x8)(zero + (a & 0xFF00FFu));
-    const pel_u16x8 to = (pel_u16x8)(zero + (b & 0xFF00FFu));
-    return (struct pairs){from * 255 + 128, to - from};
-}
-
-/* `cells` twice in each 32-bit lane. */
-static PEL_ALWAYS_INLINE pel_u16x8 pairs_at(const struct pairs *p,
-                                            pel_u16x8 cells)
-{
-    return pel_divide255_u16x8(p->from + p->way * cells);
-}
-
-/* The next four pixels of a ramp of two colours. */
-static PEL_ALWAYS_INLINE pel_u16x8 next_colors(struct lanes *l,
-                                               const struct pairs *rb,
-                                               const struct pairs *ag)
-{
-    const pel_u32x4 bytes = next_bytes(l);
-    const pel_u16x8 cells = (pel_u16x8)(bytes | bytes << 16);
-    return pairs_at(rb, cells) | pairs_at(ag, cells) << 8;
-}
-
-/* A ramp of two colours where `repeated` would do. */
-static void mix_on_the_way(const struct pel_ramp *ramp,
-                           const struct pel_ramp_walk *w, int32_t n,
-                           pel_color *out)
-{
-    const pel_color a = ramp->colors[0], b = ramp->colors[1];
-    const struct pairs rb = pairs_of(a, b), ag = pairs_of(a >> 8, b >> 8);
-    struct lanes l = lanes_of(*w, 64 - w->bits);
-    for (; n >= 4; n -= 4, out += 4)
-        pel_put_u16x8(out, next_colors(&l, &rb, &ag));
-    if (n > 0) {
-        const pel_u32x4 last = (pel_u32x4)next_colors(&l, &rb, &ag);
-        for (int32_t i = 0; i < n; i++)
-            out[i] = last[i];
-    }
-}
-
-#else
-
-static void mix_on_the_way(const struct pel_ramp *ramp,
-                           const struct pel_ramp_walk *w, int32_t n,
-                           pel_color *out)
-{
-    repeated(w, (struct table){NULL, 256, false}, n, out);
-    mix_cells(ramp, n, out);
-}
-
-#endif
-
 static void fill(pel_color color, int32_t n, pel_color *out)
 {
 #if PEL_VECTORS
@@ -189,20 +77,20 @@ static void fill(pel_color color, int32_t n, pel_color *out)
 }
 
 /* A walk that is `inside`, or whose ramp is not padded. */
-static void run_inside(const struct pel_ramp *ramp,
-                       const struct pel_ramp_walk *walk, int32_t n,
-                       pel_color *colors)
+static void run_inside(const struct pel_ramp_mixer *mixer,
+                       const struct pel_ramp_walk *walk, pel_color *colors)
 {
+    const struct pel_ramp *const ramp = mixer->ramp;
     const bool mixed = ramp->n == 2;
     const struct table table = {ramp->colors, mixed ? 256 : (uint32_t)ramp->n,
                                 !mixed};
-    if (mixed && ramp->spread != PEL_REFLECT) {
-        mix_on_the_way(ramp, walk, n, colors);
+    if (mixer->run) {
+        pel_ramp_vectors(mixer, walk, colors);
         return;
     }
-    walk_of(ramp->spread, walk, table, n, colors);
+    walk_of(ramp->spread, walk, table, walk->n, colors);
     if (mixed)
-        mix_cells(ramp, n, colors);
+        mix_cells(ramp, walk->n, colors);
 }
 
 /* The positions on one side of the way: `size` from `low` on. A padded walk has
@@ -221,32 +109,61 @@ static struct side side_of(uint64_t at, int bits)
 }
 
 /* Part by part, each on one side. */
-static void run_padded(const struct pel_ramp *ramp, struct pel_ramp_walk w,
-                       int32_t n, pel_color *colors)
+static void run_padded(const struct pel_ramp_mixer *mixer,
+                       struct pel_ramp_walk w, pel_color *colors)
 {
-    for (int32_t part; n > 0; n -= part, colors += part) {
-        const struct pel_ramp_walk first = w;
+    const struct pel_ramp *const ramp = mixer->ramp;
+    if (PEL_VECTORS && pel_ramp_vectors_padded(mixer, &w, colors))
+        return;
+    for (struct pel_ramp_walk next = w; w.n > 0; w = next) {
         const struct side side = side_of(w.at, w.bits);
-        for (part = 0; part < n && w.at - side.low < side.size; part++)
-            pel_ramp_step(&w);
+        for (; next.n > 0 && next.at - side.low < side.size; next.n--)
+            pel_ramp_step(&next);
+        w.n -= next.n;
         if (side.low == 0)
-            run_inside(ramp, &first, part, colors);
+            run_inside(mixer, &w, colors);
         else
-            fill(ramp->colors[first.at >> 63 ? 0 : ramp->n - 1], part, colors);
+            fill(ramp->colors[w.at >> 63 ? 0 : ramp->n - 1], w.n, colors);
+        colors += w.n;
     }
 }
 
-void pel_ramp_run(const struct pel_ramp *ramp, struct pel_ramp_walk *walk,
-                  int32_t n, pel_color *colors)
+/* One colour. */
+static PEL_NOINLINE void run_still(const struct pel_ramp_mixer *mixer,
+                                   struct pel_ramp_walk w, pel_color *colors)
 {
-    const bool changes = (walk->d1 | walk->d2 | walk->d3) != 0;
-    const int32_t some = changes ? n : 1;
-    if (ramp->spread == PEL_PAD && !walk->inside)
-        run_padded(ramp, *walk, some, colors);
+    const int32_t n = w.n;
+    w.n = 1;
+    if (mixer->ramp->spread == PEL_PAD && !w.inside)
+        run_padded(mixer, w, colors);
     else
-        run_inside(ramp, walk, some, colors);
-    if (some < n)
-        fill(colors[0], n - some, colors + some);
+        run_inside(mixer, &w, colors);
+    fill(colors[0], n - 1, colors + 1);
 }
+
+void pel_ramp_run(const void *mixer, const struct pel_ramp_walk *w,
+                  pel_color *colors)
+{
+    const struct pel_ramp_mixer *const m = mixer;
+    const bool inside = w->inside || m->ramp->spread != PEL_PAD;
+    if ((w->d1 | w->d2 | w->d3) == 0)
+        run_still(m, *w, colors);
+    else if (!inside)
+        run_padded(m, *w, colors);
+    else if (m->run && w->n <= 64)
+        m->run(m, w, colors);
+    else
+        run_inside(m, w, colors);
+}
+
+#if !PEL_VECTORS
+
+void pel_ramp_prepare(struct pel_ramp_mixer *mixer, const struct pel_ramp *ramp)
+{
+    mixer->ramp = ramp;
+    mixer->run = NULL;
+}
+
+#endif
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef PEL_PAINT_RAMP_WALK_H
 #define PEL_PAINT_RAMP_WALK_H
 
+#include "../format/vector.h"
 #include "color_ramp.h"
 #include "paint_colors.h"
 
@@ -14,7 +15,7 @@ struct pel_ramp_walk {
     uint64_t at, d1, d2, d3;
     uint8_t bits; /* 33..64 */
     bool inside;
-    int32_t n; /* the pixels that it is right for */
+    int32_t n; /* the pixels that it is right for, from 1 on */
 };
 
 /* One pixel on. */
@@ -25,12 +26,46 @@ static inline void pel_ramp_step(struct pel_ramp_walk *w)
     w->d2 += w->d3;
 }
 
-/* The colours of the next n pixels, n >= 0. Where PEL_FAST_64BIT is 0 the walk
- * is at the pixel after them then, else it is of no use any more. */
+#if PEL_FAST_64BIT
+
+/* Pixels (x, y) to (x + n - 1, y), n >= 1. */
+struct pel_run {
+    int32_t x, y, n;
+};
+
+/* A ramp made ready for many walks. */
+struct pel_ramp_mixer {
+    const struct pel_ramp *ramp;
+#if PEL_VECTORS
+    struct pel_ramp_channel {
+        pel_u16x8 from, way; /* 255 a + 128, b - a */
+    } channel[4];            /* of a ramp of two colours; alpha is the last */
+#endif
+
+    /* Colours walks of up to 64 pixels that change and stay inside or repeat;
+     * NULL where that is no faster. */
+    void (*run)(const struct pel_ramp_mixer *mixer,
+                const struct pel_ramp_walk *walk, pel_color *colors);
+};
+
+void pel_ramp_prepare(struct pel_ramp_mixer *mixer,
+                      const struct pel_ramp *ramp);
+
+/* The colours of a walk. `mixer` is a struct pel_ramp_mixer. */
+void pel_ramp_run(const void *mixer, const struct pel_ramp_walk *walk,
+                  pel_color *colors);
+
+/* Colours a walk. */
+typedef void pel_run_function(const void *context,
+                              const struct pel_ramp_walk *walk,
+                              pel_color *colors);
+
+#else
+
+/* The colours of the next n pixels, n >= 0. The walk is at the pixel after them
+ * then. */
 void pel_ramp_run(const struct pel_ramp *ramp, struct pel_ramp_walk *walk,
                   int32_t n, pel_color *colors);
-
-#if !PEL_FAST_64BIT
 
 /* walk.n pixels from (x, y) on. */
 struct pel_strip {

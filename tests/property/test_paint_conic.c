@@ -15,15 +15,33 @@ struct probe {
     uint64_t *next;
 };
 
-static void keep(const struct pel_curve *curve, struct pel_ramp_walk *walk,
-                 int32_t n, pel_color *colors)
+static void keep_some(const void *paint, struct pel_ramp_walk *walk, int32_t n)
 {
-    const struct pel_conic *conic = PEL_CURVE_PAINT(struct pel_conic, curve);
-    uint64_t **next = &((struct probe *)(uintptr_t)conic)->next;
-    (void)colors;
+    uint64_t **next = &((struct probe *)(uintptr_t)paint)->next;
     for (; n > 0; n--, pel_ramp_step(walk))
         *(*next)++ = walk->at;
 }
+
+#if PEL_FAST_64BIT
+
+static void keep(const void *paint, const struct pel_ramp_walk *walk,
+                 pel_color *colors)
+{
+    struct pel_ramp_walk w = *walk;
+    (void)colors;
+    keep_some(paint, &w, w.n);
+}
+
+#else
+
+static void keep(const struct pel_curve *curve, struct pel_ramp_walk *walk,
+                 int32_t n, pel_color *colors)
+{
+    (void)colors;
+    keep_some(PEL_CURVE_PAINT(struct pel_conic, curve), walk, n);
+}
+
+#endif
 
 static int32_t random_size(struct random *r, int bits)
 {
@@ -67,7 +85,6 @@ static void check_angle(const struct probe *p, int32_t x, int32_t y,
 static void test_angles(void **state)
 {
     (void)state;
-    const struct pel_ramp ramp = cells_ramp(5, PEL_REPEAT);
     for (struct cases c = cases_of(60000); cases_next(&c);) {
         struct random *r = &c.random;
         const struct pel_point center = random_center(r);
@@ -78,9 +95,8 @@ static void test_angles(void **state)
         pel_color none[128];
         struct probe p;
         assert_int_equal(
-            pel_conic_init(&p.conic, center, (uint16_t)random_word(r), &ramp),
+            pel_conic_begin(&p.conic, center, (uint16_t)random_word(r), keep),
             PEL_OK);
-        p.conic.curve.run = keep;
         p.next = at;
         p.conic.base.colors(&p.conic.base, x, y, n, none);
         for (int32_t i = 0; i < n; i++)

@@ -1,0 +1,63 @@
+/* A walk four pixels at a time, in 32 bits: what its highest bits say, nearly
+ * always. For ramp_vector.c. */
+#ifndef PEL_PAINT_RAMP_LANES_H
+#define PEL_PAINT_RAMP_LANES_H
+
+#include "../format/vector.h"
+#include "ramp_walk.h"
+
+#if PEL_FAST_64BIT && PEL_VECTORS
+
+/* Four pixels' positions in 2^-32 of the way, rounded down, and differences
+ * from one four to the next, rounded down too. After s steps, s < 16, a
+ * position is too small by less than 1 + s + s (s - 1) / 2 + s (s - 1) (s - 2)
+ * / 6 <= 576 units. So what its bits and those of 576 more agree on is what the
+ * walk of 64 bits says; where they do not agree that walk has to be asked, for
+ * one of 29,000 pixels at 256 cells. */
+struct pel_lanes {
+    pel_u32x4 at, d1, d2, d3;
+};
+
+enum { PEL_LANES_PIXELS = 64, PEL_LANES_ERROR = 576 };
+
+/* The upper words of pixels 0 and 2, and 1 and 3. */
+static PEL_ALWAYS_INLINE pel_u32x4 pel_lanes_high(pel_u64x2 even, pel_u64x2 odd)
+{
+    return (pel_u32x4)(even >> 32 | (odd >> 32) << 32);
+}
+
+/* A difference over four pixels is (1 + D)^4 - 1 with D that over one: 4 D + 6
+ * D^2 + 4 D^3; twice 16 D^2 + 48 D^3; three times 64 D^3. The walk has 64 bits.
+ */
+static PEL_ALWAYS_INLINE struct pel_lanes pel_lanes_of(
+    const struct pel_ramp_walk *w, int shift)
+{
+    const uint64_t at = w->at << shift, d1 = w->d1 << shift;
+    const uint64_t d2 = w->d2 << shift, d3 = w->d3 << shift, turn = d2 + d3;
+    const uint64_t at1 = at + d1, at2 = at1 + d1 + d2;
+    const uint64_t at3 = at2 + d1 + d2 + turn;
+    const uint64_t by0 = (d1 + turn) * 4 + d2 * 2, more = turn * 4 + d3 * 2;
+    const uint64_t by1 = by0 + more, by2 = by1 + more + d3 * 4;
+    const uint64_t by3 = by2 + more + d3 * 8, bend = d2 * 16 + d3 * 48;
+    const pel_u64x2 bends = {bend, bend + d3 * 32}, step = {d3 * 16, d3 * 16};
+    const uint32_t last = (uint32_t)(d3 >> 26);
+    struct pel_lanes l;
+    l.at = pel_lanes_high((pel_u64x2){at, at2}, (pel_u64x2){at1, at3});
+    l.d1 = pel_lanes_high((pel_u64x2){by0, by2}, (pel_u64x2){by1, by3});
+    l.d2 = pel_lanes_high(bends, bends + step);
+    l.d3 = (pel_u32x4){last, last, last, last};
+    return l;
+}
+
+/* The positions of the next four pixels. */
+static PEL_ALWAYS_INLINE pel_u32x4 pel_lanes_next(struct pel_lanes *l)
+{
+    const pel_u32x4 at = l->at;
+    l->at += l->d1;
+    l->d1 += l->d2;
+    l->d2 += l->d3;
+    return at;
+}
+
+#endif
+#endif
