@@ -3,7 +3,7 @@
 #ifndef PEL_PAINT_RAMP_LANES_H
 #define PEL_PAINT_RAMP_LANES_H
 
-#include "../format/vector.h"
+#include "ramp_vector_lanes.h"
 #include "ramp_walk.h"
 
 #if PEL_FAST_64BIT && PEL_VECTORS
@@ -18,7 +18,7 @@ struct pel_lanes {
     pel_u32x4 at, d1, d2, d3;
 };
 
-enum { PEL_LANES_PIXELS = 64, PEL_LANES_ERROR = 576 };
+enum { PEL_LANES_ERROR = 576 };
 
 /* The upper words of pixels 0 and 2, and 1 and 3. */
 static PEL_ALWAYS_INLINE pel_u32x4 pel_lanes_high(pel_u64x2 even, pel_u64x2 odd)

@@ -108,11 +108,14 @@ static void mix_alpha(const struct pel_ramp_mixer *mixer,
         repair_mix(mixer->ramp, w, out);
 }
 
-/* A table of colours. */
+/* A table of colours. `power` is a constant wherever this is inlined: their
+ * number is 2^(32 - shift), so that a cell is the highest bits. */
 struct table {
     const pel_color *color;
     pel_u64x2 cells, margin; /* PEL_LANES_ERROR times that */
-    pel_u64x2 unsure;        /* a bit of the upper half, as above */
+    pel_u64x2 unsure;        /* a bit of the upper half, or of a cell */
+    uint32_t shift;
+    bool power;
 };
 
 /* The cells of two pixels, in the upper halves. */
@@ -123,12 +126,23 @@ static PEL_ALWAYS_INLINE pel_u64x2 cells_of(struct table *t, pel_u64x2 at)
     return product;
 }
 
+/* The cells of the next four pixels. */
+static PEL_ALWAYS_INLINE pel_u64x2 next_places(struct table *t,
+                                               struct pel_lanes *l)
+{
+    const pel_u32x4 at = pel_lanes_next(l);
+    if (t->power) {
+        t->unsure |= (pel_u64x2)(at ^ (at + PEL_LANES_ERROR));
+        return (pel_u64x2)(at >> t->shift);
+    }
+    const pel_u64x2 even = cells_of(t, (pel_u64x2)at);
+    return (pel_u64x2)pel_lanes_high(even, cells_of(t, (pel_u64x2)at >> 32));
+}
+
 static PEL_ALWAYS_INLINE void next_four(struct table *t, struct pel_lanes *l,
                                         pel_color *out)
 {
-    const pel_u64x2 at = (pel_u64x2)pel_lanes_next(l);
-    const pel_u64x2 even = cells_of(t, at), odd = cells_of(t, at >> 32);
-    const pel_u64x2 cell = (pel_u64x2)pel_lanes_high(even, odd);
+    const pel_u64x2 cell = next_places(t, l);
     const uint64_t low = cell[0], high = cell[1];
     out[0] = t->color[(uint32_t)low];
     out[1] = t->color[low >> 32];
@@ -148,11 +162,10 @@ static PEL_NOINLINE void repair_look(const struct pel_ramp *ramp,
             ramp->colors[pel_ramp_cell((uint32_t)(w.at << shift >> 32), cells)];
 }
 
-static void look_up(const struct pel_ramp_mixer *mixer,
-                    const struct pel_ramp_walk *w, pel_color *out)
+static PEL_ALWAYS_INLINE void look(struct table t, const struct pel_ramp *ramp,
+                                   const struct pel_ramp_walk *w,
+                                   pel_color *out)
 {
-    const uint64_t n = (uint64_t)mixer->ramp->n, margin = n * PEL_LANES_ERROR;
-    struct table t = {mixer->ramp->colors, {n, n}, {margin, margin}, {0, 0}};
     struct pel_lanes l = pel_lanes_of(w, 64 - w->bits);
     pel_color *const end = out + w->n;
     for (; out + 4 <= end; out += 4)
@@ -163,38 +176,33 @@ static void look_up(const struct pel_ramp_mixer *mixer,
         for (int i = 0; out < end; out++, i++)
             *out = last[i];
     }
-    if ((t.unsure[0] | t.unsure[1]) >> 32)
-        repair_look(mixer->ramp, w, end - w->n);
+    const uint64_t unsure = t.unsure[0] | t.unsure[1];
+    if (t.power ? ((unsure | unsure << 32) >> 32 >> t.shift) : unsure >> 32)
+        repair_look(ramp, w, end - w->n);
 }
 
-/* A walk k pixels on, but for its n. */
-static struct pel_ramp_walk after(struct pel_ramp_walk w, int32_t k)
+static void look_up(const struct pel_ramp_mixer *mixer,
+                    const struct pel_ramp_walk *w, pel_color *out)
 {
-    const uint64_t n = (uint64_t)k, pairs = n * (n - 1) / 2;
-    const uint64_t triples = pairs * (n - 2) / 3;
-    w.at += n * w.d1 + pairs * w.d2 + triples * w.d3;
-    w.d1 += n * w.d2 + pairs * w.d3;
-    w.d2 += n * w.d3;
-    return w;
+    const uint64_t n = (uint64_t)mixer->ramp->n, margin = n * PEL_LANES_ERROR;
+    const struct table t = {
+        mixer->ramp->colors, {n, n}, {margin, margin}, {0, 0}, 0, false};
+    look(t, mixer->ramp, w, out);
 }
 
-void pel_ramp_vectors(const struct pel_ramp_mixer *mixer,
-                      const struct pel_ramp_walk *walk, pel_color *colors)
+static void look_up_power(const struct pel_ramp_mixer *mixer,
+                          const struct pel_ramp_walk *w, pel_color *out)
 {
-    struct pel_ramp_walk w = *walk;
-    for (int32_t n = walk->n; n > 0; n -= w.n) {
-        w.n = n < PEL_LANES_PIXELS ? n : PEL_LANES_PIXELS;
-        mixer->run(mixer, &w, colors);
-        colors += w.n;
-        w = after(w, w.n);
-    }
+    const struct table t = {mixer->ramp->colors, {0, 0}, {0, 0}, {0, 0},
+                            mixer->shift,        true};
+    look(t, mixer->ramp, w, out);
 }
 
 /* Is every position from -2 to 2? Sure where the first and the last are and
  * none is beyond them, because the function is convex. */
 static bool stays_near(const struct pel_ramp_walk *w)
 {
-    const struct pel_ramp_walk end = after(*w, w->n - 1);
+    const struct pel_ramp_walk end = pel_ramp_after(*w, w->n - 1);
     const uint64_t two = UINT64_C(2) << w->bits;
     return w->at + two < two * 2 && end.at + two < two * 2 &&
            (int64_t)w->d2 >= 0 && (int64_t)end.d2 >= 0 &&
@@ -205,7 +213,7 @@ bool pel_ramp_vectors_padded(const struct pel_ramp_mixer *mixer,
                              const struct pel_ramp_walk *w, pel_color *colors)
 {
     struct mix m = {mixer->channel, {0, 0, 0, 0}, false, true};
-    return mixer->ramp->n == 2 && w->n <= PEL_LANES_PIXELS && stays_near(w) &&
+    return mixer->ramp->n == 2 && w->n <= PEL_RAMP_PART && stays_near(w) &&
            mix(&m, w, 62 - w->bits, colors);
 }
 
@@ -217,17 +225,49 @@ static struct pel_ramp_channel channel_of(const pel_color ends[2], int shift)
     return (struct pel_ramp_channel){from * 255 + 128, to - from};
 }
 
+/* A ramp of many colours, or of one. */
+static void prepare_table(struct pel_ramp_mixer *mixer, uint32_t n)
+{
+    mixer->run = look_up;
+    mixer->shift = 32;
+    if ((n & (n - 1)) != 0 || n == 1)
+        return;
+    mixer->run = look_up_power;
+    for (; n > 1; n >>= 1)
+        mixer->shift--;
+}
+
 void pel_ramp_prepare(struct pel_ramp_mixer *mixer, const struct pel_ramp *ramp)
 {
     const pel_color *const ends = ramp->colors;
     mixer->ramp = ramp;
-    mixer->run = ramp->spread == PEL_REFLECT ? NULL : look_up;
-    if (ramp->n != 2)
+    mixer->run = NULL;
+    if (ramp->n == 2)
+        for (int i = 0; i < 4; i++)
+            mixer->channel[i] = channel_of(ends, 8 * i);
+    if (ramp->spread == PEL_REFLECT)
         return;
-    for (int i = 0; i < 4; i++)
-        mixer->channel[i] = channel_of(ends, 8 * i);
-    if (mixer->run)
+    if (ramp->n != 2)
+        prepare_table(mixer, (uint32_t)ramp->n);
+    else
         mixer->run = (ends[0] & ends[1]) >> 24 == 255 ? mix_opaque : mix_alpha;
+}
+
+#elif PEL_FAST_64BIT
+
+bool pel_ramp_vectors_padded(const struct pel_ramp_mixer *mixer,
+                             const struct pel_ramp_walk *w, pel_color *colors)
+{
+    (void)mixer;
+    (void)w;
+    (void)colors;
+    return false;
+}
+
+void pel_ramp_prepare(struct pel_ramp_mixer *mixer, const struct pel_ramp *ramp)
+{
+    mixer->ramp = ramp;
+    mixer->run = NULL;
 }
 
 #endif

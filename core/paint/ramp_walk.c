@@ -76,6 +76,17 @@ static void fill(pel_color color, int32_t n, pel_color *out)
 #endif
 }
 
+static void run_parts(const struct pel_ramp_mixer *mixer,
+                      struct pel_ramp_walk w, pel_color *colors)
+{
+    for (int32_t n = w.n; n > 0; n -= w.n) {
+        w.n = pel_min(n, PEL_RAMP_PART);
+        mixer->run(mixer, &w, colors);
+        colors += w.n;
+        w = pel_ramp_after(w, w.n);
+    }
+}
+
 /* A walk that is `inside`, or whose ramp is not padded. */
 static void run_inside(const struct pel_ramp_mixer *mixer,
                        const struct pel_ramp_walk *walk, pel_color *colors)
@@ -85,7 +96,7 @@ static void run_inside(const struct pel_ramp_mixer *mixer,
     const struct table table = {ramp->colors, mixed ? 256 : (uint32_t)ramp->n,
                                 !mixed};
     if (mixer->run) {
-        pel_ramp_vectors(mixer, walk, colors);
+        run_parts(mixer, *walk, colors);
         return;
     }
     walk_of(ramp->spread, walk, table, walk->n, colors);
@@ -113,7 +124,7 @@ static void run_padded(const struct pel_ramp_mixer *mixer,
                        struct pel_ramp_walk w, pel_color *colors)
 {
     const struct pel_ramp *const ramp = mixer->ramp;
-    if (PEL_VECTORS && pel_ramp_vectors_padded(mixer, &w, colors))
+    if (pel_ramp_vectors_padded(mixer, &w, colors))
         return;
     for (struct pel_ramp_walk next = w; w.n > 0; w = next) {
         const struct side side = side_of(w.at, w.bits);
@@ -150,20 +161,10 @@ void pel_ramp_run(const void *mixer, const struct pel_ramp_walk *w,
         run_still(m, *w, colors);
     else if (!inside)
         run_padded(m, *w, colors);
-    else if (m->run && w->n <= 64)
+    else if (m->run && w->n <= PEL_RAMP_PART)
         m->run(m, w, colors);
     else
         run_inside(m, w, colors);
 }
-
-#if !PEL_VECTORS
-
-void pel_ramp_prepare(struct pel_ramp_mixer *mixer, const struct pel_ramp *ramp)
-{
-    mixer->ramp = ramp;
-    mixer->run = NULL;
-}
-
-#endif
 
 #endif

@@ -33,6 +33,21 @@ struct pel_run {
     int32_t x, y, n;
 };
 
+/* A walk k pixels on, k <= 32,767, but for its n: k (k - 1) / 2 is below 2^29,
+ * and k (k - 1) (k - 2) / 6 below 2^43. */
+static inline struct pel_ramp_walk pel_ramp_after(struct pel_ramp_walk w,
+                                                  int32_t k)
+{
+    const uint64_t n = (uint64_t)k, pairs = n * (n - 1) / 2;
+    const uint64_t triples = pairs * (n - 2) / 3;
+    w.at += n * w.d1 + pairs * w.d2 + triples * w.d3;
+    w.d1 += n * w.d2 + pairs * w.d3;
+    w.d2 += n * w.d3;
+    return w;
+}
+
+enum { PEL_RAMP_PART = 64 };
+
 /* A ramp made ready for many walks. */
 struct pel_ramp_mixer {
     const struct pel_ramp *ramp;
@@ -40,9 +55,10 @@ struct pel_ramp_mixer {
     struct pel_ramp_channel {
         pel_u16x8 from, way; /* 255 a + 128, b - a */
     } channel[4];            /* of a ramp of two colours; alpha is the last */
+    uint32_t shift;          /* from 32 bits to cells of 2^(32 - shift) */
 #endif
 
-    /* Colours walks of up to 64 pixels that change and stay inside or repeat;
+    /* Colours walks of up to PEL_RAMP_PART pixels that stay inside or repeat;
      * NULL where that is no faster. */
     void (*run)(const struct pel_ramp_mixer *mixer,
                 const struct pel_ramp_walk *walk, pel_color *colors);
