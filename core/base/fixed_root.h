@@ -1,38 +1,29 @@
-/* pel_square_root() to be written out where it is called often. */
+/* pel_square_root() for 64-bit CPUs, to be written out where it is called often.
+ * The root is that of fixed_sqrt.c, from whole products. */
 #ifndef PEL_BASE_FIXED_ROOT_H
 #define PEL_BASE_FIXED_ROOT_H
 
 #include "fixed_root_steps.h"
 #include "fixed_sqrt.h"
 
-/* Times 2^shift the root of v 4^shift = m 2^30 is m / sqrt(m / 2^32) / 2. */
-static inline void pel_root_guess_of(uint64_t v, struct pel_root *r)
+/* The root times 2^shift, of v 4^shift = m 2^30, is m / sqrt(m / 2^32) / 2: off
+ * by less than 2^31 2^-22 after the shift, so |rest| < 2^41 2^-shift. rest / 2
+ * root, to which the root has to grow, is rest inverse 2^(shift - 63); with the
+ * upper half of the inverse that is right to 2^-6 and rounded down, so the
+ * floor is at most one step away. */
+static inline struct pel_root pel_root_of(uint64_t v)
 {
-    v += v == 0;
-    r->shift = pel_root_half_shift(v);
-    const uint32_t m = (uint32_t)(v << 2 * r->shift >> 30);
-    r->inverse = pel_root_inverse(m);
-    r->root = (uint32_t)(pel_multiply(m, r->inverse) >> 32) >> r->shift;
-}
-
-/* v less the square of the guess, which v becomes, is below 2^41 2^-shift. That
- * / 2 root, by which the root has to grow, is that inverse 2^(shift - 63); with
- * the upper half of the inverse it is right to 2^-6 and rounded down, so the
- * floor is at most one step away. Products are modulo 2^64, by parts. */
-static inline void pel_root_settle_of(uint64_t v, struct pel_root *r)
-{
-    v -= pel_multiply(r->root, r->root);
-    uint64_t growth = pel_multiply((uint32_t)v, r->inverse >> 16);
-    growth += (uint64_t)((uint32_t)(v >> 32) * (r->inverse >> 16)) << 32;
-    const int32_t grow = (int32_t)((int64_t)growth >> (47 - r->shift));
-    v -= pel_multiply(r->root, (uint32_t)grow) * 2;
-    if (grow < 0)
-        v += (uint64_t)r->root << 33;
-    v -= (uint64_t)(int64_t)(grow * grow);
-    r->root += (uint32_t)grow;
-    if ((int64_t)v < 0)
-        v += 2 * (uint64_t)r->root-- - 1;
-    r->root += (int64_t)v > 2 * (int64_t)r->root;
+    const uint64_t w = v ? v : 1;
+    const int shift = pel_root_half_shift(w);
+    const uint32_t m = (uint32_t)(w << 2 * shift >> 30);
+    const uint32_t inverse = pel_root_inverse(m);
+    uint64_t g = ((uint64_t)m * inverse >> 32) >> shift;
+    int64_t rest = (int64_t)(v - g * g) * (int64_t)(inverse >> 16);
+    g += (uint64_t)(rest >> (47 - shift));
+    if (g * g > v)
+        g--;
+    g += (g + 1) * (g + 1) <= v;
+    return (struct pel_root){(uint32_t)g, inverse, shift};
 }
 
 #endif

@@ -1,4 +1,4 @@
-/* Steps of square roots, for fixed_root.h and fixed_inverse_root.c. */
+/* Steps of square roots, for fixed_sqrt.c and fixed_inverse_root.c. */
 #ifndef PEL_BASE_FIXED_ROOT_STEPS_H
 #define PEL_BASE_FIXED_ROOT_STEPS_H
 

@@ -30,12 +30,18 @@ struct pel_knot {
 struct pel_curve;
 
 #if PEL_FAST_64BIT
-typedef pel_run_function pel_curve_run;
+
+/* Colours a walk. */
+typedef void pel_curve_run(const void *context,
+                           const struct pel_ramp_walk *walk, pel_color *colors);
+
 #else
+
 /* Colours n pixels of a walk, and leaves it as pel_ramp_run does. */
 typedef void pel_curve_run(const struct pel_curve *curve,
                            struct pel_ramp_walk *walk, int32_t n,
                            pel_color *colors);
+
 #endif
 
 /* A member of its paint's struct, `curve`. */

@@ -137,7 +137,7 @@ static PEL_HOT struct pel_course pel_course_of(const struct pel_curve *curve,
 static PEL_HOT void pel_course_colors(struct pel_course *c, const void *context,
                                       pel_color *colors)
 {
-    pel_run_function *const run = c->row.curve->run;
+    pel_curve_run *const run = c->row.curve->run;
     struct pel_ramp_walk walk[2], *w = &walk[0], *next = &walk[1], *t;
     w->bits = next->bits = c->row.curve->bits;
     pel_course_take(c, w);

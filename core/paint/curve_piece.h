@@ -1,4 +1,4 @@
-/* Pieces of a row and the cubic in one, where PEL_FAST_64BIT is 1. */
+/* Pieces of a row and the cubic in one, for curve_colors.h. */
 #ifndef PEL_PAINT_CURVE_PIECE_H
 #define PEL_PAINT_CURVE_PIECE_H
 

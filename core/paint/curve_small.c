@@ -1,5 +1,6 @@
-/* Curves on small CPUs: the pieces and cubics of curve.c in little stack. What
- * is recomputed here need not be kept while a paint computes its knots. */
+/* Curves on small CPUs: the pieces and cubics of curve_colors.h in little
+ * stack. What is recomputed here need not be kept while a paint computes its
+ * knots. */
 #include "curve.h"
 
 #if !PEL_FAST_64BIT

@@ -1,5 +1,7 @@
 #include "paint_conic.h"
 
+#include "ramp_vector.h"
+
 #if PEL_FAST_64BIT
 
 static void mixed(const struct pel_color_paint *paint, int32_t x, int32_t y,

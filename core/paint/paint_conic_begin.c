@@ -79,8 +79,9 @@ void pel_conic_colors(const struct pel_conic *paint, const void *context,
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
+    const struct pel_conic *p = (const void *)paint;
     const struct pel_run run = {x, y, n};
-    pel_conic_colors((const void *)paint, paint, &run, out);
+    pel_conic_colors(p, &p->curve, &run, out);
 }
 
 #else

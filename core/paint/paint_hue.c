@@ -31,20 +31,21 @@ static void color_walk(const struct pel_hue_wheel *p, struct pel_ramp_walk *w,
 
 #if PEL_FAST_64BIT
 
-static void run(const void *paint, const struct pel_ramp_walk *walk,
+static void run(const void *curve, const struct pel_ramp_walk *walk,
                 pel_color *colors)
 {
+    const struct pel_conic *conic = PEL_CURVE_PAINT(struct pel_conic, curve);
     struct pel_ramp_walk w = *walk;
-    color_walk(paint, &w, w.n, colors);
+    color_walk((const void *)conic, &w, w.n, colors);
 }
 
 #else
 
-static void run(const struct pel_curve *curve, struct pel_ramp_walk *walk,
+static void run(const struct pel_curve *curve, struct pel_ramp_walk *w,
                 int32_t n, pel_color *colors)
 {
     const struct pel_conic *conic = PEL_CURVE_PAINT(struct pel_conic, curve);
-    color_walk((const void *)conic, walk, n, colors);
+    color_walk((const void *)conic, w, n, colors);
 }
 
 #endif

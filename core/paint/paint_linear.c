@@ -1,7 +1,7 @@
 #include "paint_linear.h"
 
 #include "../base/fixed_fraction.h"
-#include "ramp_walk.h"
+#include "ramp_vector.h"
 
 /* Begins a walk of n pixels at (x, y). */
 static void begin_walk(const struct pel_linear *p, struct pel_point pixel,

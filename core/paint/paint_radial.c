@@ -3,6 +3,7 @@
 #include "../base/fixed_fraction.h"
 #include "../base/fixed_root.h"
 #include "curve_colors.h"
+#include "ramp_vector.h"
 
 /* For a cubic that is right to 1/512 px, which is 2^-13 of the way or less when
  * the radius is at least 16 px; for smaller ones from the second on, which
@@ -26,35 +27,15 @@ static PEL_WIDE uint64_t square_of(int32_t x, int32_t y)
     return (uint64_t)(pel_square(x) + pel_square(y)) * 4096;
 }
 
-/* Written out on 64-bit CPUs. */
-#if PEL_FAST_64BIT
-#define ROOT_GUESS pel_root_guess_of
-#define ROOT_SETTLE pel_root_settle_of
-#else
-#define ROOT_GUESS pel_root_guess
-#define ROOT_SETTLE pel_root_settle
-#endif
-
-static PEL_HOT int64_t knot(const struct pel_curve *curve, int32_t x, int32_t y,
-                            uint64_t *value)
-{
-    const struct pel_radial *p = PEL_CURVE_PAINT(struct pel_radial, curve);
-    struct pel_root r;
-    *value = square_of(x, y);
-    ROOT_GUESS(*value, &r);
-    ROOT_SETTLE(*value, &r);
-    *value = pel_multiply(r.root, p->scale) + p->phase;
-    return slope_of(&r, x, p->scale);
-}
-
 #if PEL_FAST_64BIT
 
 static PEL_HOT struct pel_knot knot_of(const struct pel_curve *curve, int32_t x,
                                        int32_t y)
 {
-    struct pel_knot k;
-    k.slope = knot(curve, x, y, &k.value);
-    return k;
+    const struct pel_radial *p = PEL_CURVE_PAINT(struct pel_radial, curve);
+    const struct pel_root r = pel_root_of(square_of(x, y));
+    return (struct pel_knot){(uint64_t)r.root * p->scale + p->phase,
+                             slope_of(&r, x, p->scale)};
 }
 
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
@@ -70,6 +51,18 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 }
 
 #else
+
+static int64_t knot(const struct pel_curve *curve, int32_t x, int32_t y,
+                    uint64_t *value)
+{
+    const struct pel_radial *p = PEL_CURVE_PAINT(struct pel_radial, curve);
+    struct pel_root r;
+    *value = square_of(x, y);
+    pel_root_guess(*value, &r);
+    pel_root_settle(*value, &r);
+    *value = pel_multiply(r.root, p->scale) + p->phase;
+    return slope_of(&r, x, p->scale);
+}
 
 static void run(const struct pel_curve *curve, struct pel_ramp_walk *walk,
                 int32_t n, pel_color *colors)

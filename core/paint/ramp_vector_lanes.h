@@ -7,6 +7,7 @@
 #if PEL_VECTORS
 
 typedef int32_t pel_s32x4 __attribute__((__vector_size__(16)));
+
 /* Eight lanes, all below 32,768, in 16 bits each. */
 static inline pel_u16x8 pel_join_u16x8(pel_u32x4 low, pel_u32x4 high)
 {

@@ -3,7 +3,6 @@
 #ifndef PEL_PAINT_RAMP_WALK_H
 #define PEL_PAINT_RAMP_WALK_H
 
-#include "../format/vector.h"
 #include "color_ramp.h"
 #include "paint_colors.h"
 
@@ -15,7 +14,7 @@ struct pel_ramp_walk {
     uint64_t at, d1, d2, d3;
     uint8_t bits; /* 33..64 */
     bool inside;
-    int32_t n; /* the pixels that it is right for, from 1 on */
+    int32_t n; /* the pixels that it is right for */
 };
 
 /* One pixel on. */
@@ -48,21 +47,8 @@ static inline struct pel_ramp_walk pel_ramp_after(struct pel_ramp_walk w,
 
 enum { PEL_RAMP_PART = 64 };
 
-/* A ramp made ready for many walks. */
-struct pel_ramp_mixer {
-    const struct pel_ramp *ramp;
-#if PEL_VECTORS
-    struct pel_ramp_channel {
-        pel_u16x8 from, way; /* 255 a + 128, b - a */
-    } channel[4];            /* of a ramp of two colours; alpha is the last */
-    uint32_t shift;          /* from 32 bits to cells of 2^(32 - shift) */
-#endif
-
-    /* Colours walks of up to PEL_RAMP_PART pixels that stay inside or repeat;
-     * NULL where that is no faster. */
-    void (*run)(const struct pel_ramp_mixer *mixer,
-                const struct pel_ramp_walk *walk, pel_color *colors);
-};
+/* A ramp made ready for many walks (ramp_vector.h). */
+struct pel_ramp_mixer;
 
 void pel_ramp_prepare(struct pel_ramp_mixer *mixer,
                       const struct pel_ramp *ramp);
@@ -71,15 +57,10 @@ void pel_ramp_prepare(struct pel_ramp_mixer *mixer,
 void pel_ramp_run(const void *mixer, const struct pel_ramp_walk *walk,
                   pel_color *colors);
 
-/* Colours a walk. */
-typedef void pel_run_function(const void *context,
-                              const struct pel_ramp_walk *walk,
-                              pel_color *colors);
-
 #else
 
-/* The colours of the next n pixels, n >= 0. The walk is at the pixel after them
- * then. */
+/* The colours of the next n pixels, n >= 0. The walk is at the
+ * pixel after them then. */
 void pel_ramp_run(const struct pel_ramp *ramp, struct pel_ramp_walk *walk,
                   int32_t n, pel_color *colors);
 

@@ -15,21 +15,23 @@ struct probe {
     uint64_t *next;
 };
 
-static void keep_some(const void *paint, struct pel_ramp_walk *walk, int32_t n)
+static void keep_some(const struct pel_curve *curve, struct pel_ramp_walk *walk,
+                      int32_t n)
 {
-    uint64_t **next = &((struct probe *)(uintptr_t)paint)->next;
+    const struct pel_conic *conic = PEL_CURVE_PAINT(struct pel_conic, curve);
+    uint64_t **next = &((struct probe *)(uintptr_t)conic)->next;
     for (; n > 0; n--, pel_ramp_step(walk))
         *(*next)++ = walk->at;
 }
 
 #if PEL_FAST_64BIT
 
-static void keep(const void *paint, const struct pel_ramp_walk *walk,
+static void keep(const void *curve, const struct pel_ramp_walk *walk,
                  pel_color *colors)
 {
     struct pel_ramp_walk w = *walk;
     (void)colors;
-    keep_some(paint, &w, w.n);
+    keep_some(curve, &w, w.n);
 }
 
 #else
@@ -38,7 +40,7 @@ static void keep(const struct pel_curve *curve, struct pel_ramp_walk *walk,
                  int32_t n, pel_color *colors)
 {
     (void)colors;
-    keep_some(PEL_CURVE_PAINT(struct pel_conic, curve), walk, n);
+    keep_some(curve, walk, n);
 }
 
 #endif
