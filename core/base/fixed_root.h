@@ -1,5 +1,5 @@
-/* pel_square_root() for 64-bit CPUs, to be written out where it is called often.
- * The root is that of fixed_sqrt.c, from whole products. */
+/* pel_square_root() for 64-bit CPUs, to be written out where it is called
+ * often. The root is that of fixed_sqrt.c, from whole products. */
 #ifndef PEL_BASE_FIXED_ROOT_H
 #define PEL_BASE_FIXED_ROOT_H
 
