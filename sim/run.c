@@ -83,8 +83,8 @@ static const struct argp parser = {
     "SCRIPT",
     "Draws a scene script into a picture.\v"
     "A script holds one command a line: canvas WIDTH HEIGHT FORMAT first, then "
-    "clear, clip, bands, paint, triangle, polygon, circle, rect, line, mesh. "
-    "sim/scenes/README.md describes them.",
+    "clear, clip, paint, shapes from triangle to arc, outline, text, image, "
+    "scroll, mesh and others: sim/scenes/README.md describes them.",
     children,
     NULL,
     NULL,

@@ -2,8 +2,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/image/glyph_find.h"
 #include "format_names.h"
 #include "message.h"
+#include "scene_assets.h"
 #include "scene_parser.h"
 
 /* Room for one more entry of `size` bytes in a list; NULL, with a message, when
@@ -58,13 +60,16 @@ static bool add_item(struct scene_parser *p, const struct scene_item *item)
 }
 
 /* The end of a text in quotes, which begins behind the first; \" \\ and \n
- * become what they stand for. NULL when the closing quote is missing. */
+ * become what they stand for. NULL when the closing quote is missing, or
+ * another character stands behind a backslash. */
 static char *end_quote(char *text)
 {
     char *to = text;
     for (; *text && *text != '"'; text++) {
-        if (*text == '\\' && text[1]) {
+        if (*text == '\\') {
             text++;
+            if (!*text || !strchr("\"\\n", *text))
+                return NULL;
             *to++ = (char)(*text == 'n' ? '\n' : *text);
         } else
             *to++ = *text;
@@ -85,8 +90,9 @@ static bool split_words(struct scene_parser *p, char *text)
             *text == '"' ? end_quote(text + 1) : text + strcspn(text, space);
         if (!end || (*end && !strchr(space, *end)))
             return message_error_at(p->scene->path, p->line,
-                                    "%.*s: a text ends with a quote, and a "
-                                    "blank after it",
+                                    "%.*s: a text ends with a quote and a "
+                                    "blank after it; in it, \\\" \\\\ and "
+                                    "\\n would be right",
                                     (int)strcspn(text, "\r\n"), text);
         if (!add_word(p, text))
             return false;
@@ -199,6 +205,28 @@ static bool take_canvas(struct scene_parser *p, const struct scene_place *at,
     return true;
 }
 
+/* A text that its font can show whole. */
+static bool check_text(const struct scene_parser *p,
+                       const struct scene_place *at, int32_t text)
+{
+    const struct scene_assets *assets = at->assets;
+    const char *c = assets->texts[text];
+    if (!p->has_font)
+        return message_error_at(at->path, at->line,
+                                "text without a font: font FILE before it");
+    while (*c) {
+        const char *const from = c;
+        const uint32_t code = pel_utf8_next(&c);
+        if (code != '\n' &&
+            !pel_glyph_find(&assets->fonts[assets->font_count - 1], code))
+            return message_error_at(at->path, at->line,
+                                    "text: the font has no %.*s (U+%04lX), and "
+                                    "no glyph for what it lacks",
+                                    (int)(c - from), from, (unsigned long)code);
+    }
+    return true;
+}
+
 /* What hangs together between lines: `v` are the values of this one. */
 static bool check_command(struct scene_parser *p, const struct scene_place *at,
                           const int32_t *v, size_t n)
@@ -210,9 +238,8 @@ static bool check_command(struct scene_parser *p, const struct scene_place *at,
     if (c->role == SCENE_PAINT || c->role == SCENE_PAINT_VERTEX)
         p->by_vertex = c->role == SCENE_PAINT_VERTEX;
     p->has_font = p->has_font || c->role == SCENE_FONT;
-    if (c->role == SCENE_TEXT && !p->has_font)
-        return message_error_at(at->path, at->line,
-                                "text without a font: font FILE before it");
+    if (c->role == SCENE_TEXT && !check_text(p, at, v[2]))
+        return false;
     if (c->role == SCENE_STAGE) {
         struct scene_pen pen = {.stage = &p->stage, .assets = at->assets};
         c->draw(&pen, v, n);

@@ -13,7 +13,8 @@ struct pel_arc_shape {
 /* Fills the pixels of pel_ring(center, inner, outer) whose centre lies between
  * the two angles, by the rule of pel_sector: a curved band, outer - inner wide.
  * Arcs tile: around the turn, and with the rings and discs inside and around
- * them. Nothing when outer <= inner or from == to; the whole ring is pel_ring.
+ * them. Nothing when outer <= inner or from == to; the whole ring is pel_ring
+ * (a gauge at 100 %: from + 65,536 is from again).
  * Work is bounded by the size of the clip. A centre or radius out of range is a
  * broken contract: PEL_ASSERT, and nothing is drawn. */
 void pel_arc(const struct pel_surface *surface, const struct pel_arc_shape *arc,

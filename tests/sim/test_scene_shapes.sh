@@ -126,6 +126,11 @@ printf 'font "a folder/f.bdf"\ntext 1 2 x\n' |
     refused 3 'text: x must be a text in quotes'
 printf 'font "a folder/f.bdf"\ntext 1 2 "x\n' | refused 3 '"x'
 printf 'font "a folder/f.bdf"\ntext 1 2 "x"y\n' | refused 3 '"x'
+printf '%s\n' 'font "a folder/f.bdf"' 'text 1 2 "x\tx"' | refused 3 '"x'
+printf 'font "a folder/f.bdf"\ntext 1 2 "xHx"\n' |
+    refused 3 'text: the font has no H (U+0048), and no glyph for what it lacks'
+printf 'font "a folder/f.bdf"\ntext 1 2 "\303\274"\n' |
+    refused 3 'text: the font has no ü (U+00FC)'
 echo 'font none.bdf' | refused 2 "font: $work/none.bdf cannot be read (No such"
 echo 'image 1 2 none.ppm' | refused 2 "image: $work/none.ppm cannot be read"
 echo 'image alpha 1 2 256 p.ppm' |
