@@ -7,10 +7,10 @@
 /* Fills the closed disc: the pixels whose centre (X, Y) satisfies
  * (X - center.x)^2 + (Y - center.y)^2 <= radius^2, all in sub-pixels, exactly.
  * The radius is 0 to 32,767 px. Around a pixel centre (PEL_PX(x) + 128) a whole
- * radius r gives a disc 2 r + 1 px wide, with one pixel alone at each of its four
- * ends; r + 1/4 px is as wide and without them. A disc of whole diameter d in a d x d
- * box has its centre at PEL_PX(x) + d * 128 and the radius d * 128, and is d
- * wide. Radius 0 covers a pixel when the centre is that pixel's.
+ * radius r gives a disc 2 r + 1 px wide, with one pixel alone at each of its
+ * four ends; r + 1/4 px is as wide and without them. A disc of whole diameter d
+ * in a d x d box has its centre at PEL_PX(x) + d * 128 and the radius d * 128,
+ * and is d wide. Radius 0 covers a pixel when the centre is that pixel's.
  * Work is bounded by the size of the clip. A centre or radius out of range is a
  * broken contract: PEL_ASSERT, and nothing is drawn. */
 void pel_circle(const struct pel_surface *surface, struct pel_point center,
