@@ -92,7 +92,7 @@
  * free again before the caller calls another. PEL_HOT: inlined where speed goes
  * before size. PEL_WALK: a loop that is a function of its own where registers
  * are few or code is to be small, and inlined elsewhere. PEL_WIDE: a function
- * of its own where 64 bits are long code. */
+ * of its own where 64 bits are long code, or stack is short. */
 #ifdef __GNUC__
 #define PEL_NOINLINE __attribute__((__noinline__))
 #else

@@ -6,7 +6,7 @@
 
 #include "../pel_config.h"
 
-/* floor(n / d); n < d 2^32. */
+/* floor(n / d); d > 0, n < d 2^32. */
 #if PEL_FAST_64BIT
 static inline uint32_t pel_divide(uint64_t n, uint32_t d)
 {

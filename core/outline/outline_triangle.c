@@ -25,9 +25,9 @@ static void sides_start(struct sides *s, const struct pel_point *const v[3],
 }
 
 /* Row y, not clipped, and on to the next. */
-static PEL_NOINLINE void sides_next(struct sides *s,
-                                    const struct pel_point *const v[3],
-                                    struct pel_row *row)
+static PEL_WIDE void sides_next(struct sides *s,
+                                const struct pel_point *const v[3],
+                                struct pel_row *row)
 {
     row->x0 = pel_min(s->a.x, s->b.x);
     row->x1 = pel_max(s->a.x, s->b.x);

@@ -52,7 +52,7 @@ static PEL_NOINLINE int32_t x_of(const struct pel_curve *curve,
     return way_to(s->x - skip_of(s, log2), curve->center.x);
 }
 
-/* From the knots to the differences of curve.c, with the same bits. */
+/* From the knots to the differences, with the same bits as pel_curve_walk. */
 static PEL_NOINLINE void set_differences(struct pel_ramp_walk *w, int log2)
 {
     const uint64_t rise = w->d2 - w->at;

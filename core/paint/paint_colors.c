@@ -2,8 +2,8 @@
 
 #include "../format/word32.h"
 
-/* Colours between a paint and a format, a power of two. More than elsewhere,
- * because a paint starts anew for every part. */
+/* Colours between a paint and a format, a power of two: a paint starts anew for
+ * every part, but there is little stack where code is to be small. */
 enum { RUN_PIXELS = PEL_FAST_64BIT ? 64 : PEL_KNOW_SIDES ? 16 : 4 };
 
 /* Is an opaque colour the pixel itself? In xrgb8888 on a little-endian CPU.
@@ -15,7 +15,8 @@ static bool color_is_pixel(const struct pel_format *format)
 }
 
 /* The runs go through a short buffer in parts that begin at multiples of its
- * length, where the pieces of curve.h do; or the surface is the buffer. */
+ * length, as a 64-bit CPU's pieces of curve.h do; or the surface is the buffer.
+ */
 void pel_color_paint_fill(const struct pel_paint *paint,
                           const struct pel_rows *rows)
 {

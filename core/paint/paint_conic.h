@@ -30,8 +30,9 @@ enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
                                uint16_t start, const struct pel_ramp *ramp);
 
 /* The same with colours of its own: `run` colours a walk in 2^-64 turns and
- * gets `paint`, with which a larger struct may begin; ramp is not set, opaque
- * is true. PEL_ERROR_NULL, PEL_ERROR_RANGE. */
+ * gets the paint's curve (PEL_CURVE_PAINT leads to the paint, with which a
+ * larger struct may begin); ramp is not set, opaque is true. PEL_ERROR_NULL,
+ * PEL_ERROR_RANGE. */
 enum pel_status pel_conic_begin(struct pel_conic *paint,
                                 struct pel_point center, uint16_t start,
                                 pel_curve_run *run);

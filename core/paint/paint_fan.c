@@ -15,13 +15,51 @@ static uint64_t clamped(uint64_t value)
     return (uint64_t)(whole < 0 ? 0 : whole > 255 ? 255 : whole);
 }
 
-/* A run of n pixels from (x, y) on, and a channel there. */
+/* A run of n pixels from (x, y) on, and on small CPUs a channel there. */
 struct run {
     uint64_t at;
     int32_t x, y, n;
 };
 
-/* A run's channel k. */
+#if PEL_FAST_64BIT
+
+/* The colours of a run that stays in a wedge. */
+static void wedge_colors(struct run *r, const struct pel_fan_wedge *w,
+                         pel_color *out)
+{
+    uint64_t v[4];
+    for (int k = 0; k < 4; k++)
+        v[k] = w->at[k] + pel_times(w->dx[k], r->x) + pel_times(w->dy[k], r->y);
+    for (int32_t n = r->n; n > 0; n--) {
+        pel_color color = 0;
+        for (int k = 3; k >= 0; k--) {
+            color = color << 8 | (pel_color)clamped(v[k]);
+            v[k] += w->dx[k];
+        }
+        *out++ = color;
+    }
+}
+
+/* How many of n pixels, the first at `way` from the hub, lie in the wedge. To
+ * the right by a pixel the cross products change by -256 times the ray's y. */
+static int32_t pixels_inside(const struct pel_fan_wedge *w,
+                             const struct pel_point *way, int32_t n)
+{
+    int64_t from = cross(&w->from, way), to = cross(&w->to, way);
+    const int64_t from_step = -256 * (int64_t)w->from.y;
+    const int64_t to_step = -256 * (int64_t)w->to.y;
+    int32_t count = 0;
+    while (count < n && from >= 0 && to < w->closed) {
+        from += from_step;
+        to += to_step;
+        count++;
+    }
+    return count;
+}
+
+#else
+
+/* The same with little stack, a channel and a ray at a time. */
 static PEL_WIDE void set_channel_at(struct run *r,
                                     const struct pel_fan_wedge *w, int k)
 {
@@ -38,9 +76,17 @@ static PEL_WIDE void put_channel(const struct run *r,
         out[i] = (pel_color)clamped(v) << 8 * k | (k ? out[i] : 0);
 }
 
+static void wedge_colors(struct run *r, const struct pel_fan_wedge *w,
+                         pel_color *out)
+{
+    for (int k = 0; k < 4; k++) {
+        set_channel_at(r, w, k);
+        put_channel(r, w, k, out);
+    }
+}
+
 /* For how many of n pixels, the first at `way` from the hub, the cross product
- * with a ray is at least `least`. To the right by a pixel it changes by -256
- * times the ray's y. */
+ * with a ray is at least `least`. */
 static PEL_WIDE int32_t pixels_beside(const struct pel_point *ray,
                                       const struct pel_point *way,
                                       int32_t least, int32_t n)
@@ -52,7 +98,6 @@ static PEL_WIDE int32_t pixels_beside(const struct pel_point *ray,
     return count;
 }
 
-/* The same for a wedge. */
 static int32_t pixels_inside(const struct pel_fan_wedge *w,
                              const struct pel_point *way, int32_t n)
 {
@@ -60,6 +105,8 @@ static int32_t pixels_inside(const struct pel_fan_wedge *w,
     n = pixels_beside(&w->from, way, 0, n);
     return pixels_beside(&to, way, 1 - w->closed, n);
 }
+
+#endif
 
 /* The wedge of a run's first pixel, looked for from wedge `i` on, and how many
  * pixels stay in it; 0 where there is none. */
@@ -87,10 +134,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     for (; (r.n = end - r.x) > 0; r.x += r.n) {
         r.n = find_wedge(p, &r, &wedge);
         if (r.n > 0) {
-            for (int k = 0; k < 4; k++) {
-                set_channel_at(&r, &p->wedges[wedge], k);
-                put_channel(&r, &p->wedges[wedge], k, out);
-            }
+            wedge_colors(&r, &p->wedges[wedge], out);
         } else {
             *out = p->hub_color;
             r.n = 1;
@@ -111,12 +155,23 @@ static struct pel_point ray_of(const struct pel_fan_points *points, int turn,
                               points->rim[i].y - points->hub.y};
 }
 
-/* Does the rim go around the hub? 1 clockwise, -1 counter-clockwise, 0 not. */
+/* Is the ray in the second half of the turn, from 1/2 up to 1? A point on the
+ * hub is where the one before it was. */
+static bool is_late(const struct pel_point *ray, bool was)
+{
+    if (ray->x == 0 && ray->y == 0)
+        return was;
+    return ray->y < 0 || (ray->y == 0 && ray->x < 0);
+}
+
+/* Does the rim go around the hub? 1 clockwise, -1 counter-clockwise, 0 not, or
+ * more than once: a round leaves the second half of the turn once. */
 static int turn_of_rim(const struct pel_fan_points *points)
 {
-    int turn = 0;
+    int turn = 0, rounds = 0;
     pel_color color;
     struct pel_point a = ray_of(points, 1, 0, &color), b;
+    bool was = is_late(&a, false);
     for (int32_t i = 1; i <= points->n; i++, a = b) {
         b = ray_of(points, 1, i, &color);
         const int64_t c = cross(&a, &b);
@@ -124,8 +179,11 @@ static int turn_of_rim(const struct pel_fan_points *points)
             return 0;
         if (c != 0)
             turn = c > 0 ? 1 : -1;
+        const bool is = is_late(&b, was);
+        rounds += was && !is;
+        was = is;
     }
-    return turn;
+    return rounds > 1 ? 0 : turn;
 }
 
 /* Channel k of the plane with the values c at the hub and at the ends of the

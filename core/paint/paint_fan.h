@@ -56,7 +56,8 @@ struct pel_fan {
  * paint; the points need not. The hub may lie on an edge of the polygon or be
  * one of its corners: what lies outside there, between no two rays, has the
  * hub's colour. PEL_ERROR_NULL, PEL_ERROR_SIZE (n), PEL_ERROR_RANGE (a point
- * out of range, or the rim turns back as seen from the hub). */
+ * out of range, or the rim turns back as seen from the hub, or goes around it
+ * twice). */
 enum pel_status pel_fan_init(struct pel_fan *paint,
                              const struct pel_fan_points *points,
                              struct pel_fan_wedge *wedges);

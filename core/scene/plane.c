@@ -5,7 +5,6 @@
 #include "../raster/triangle_sort.h"
 #include "vector.h"
 
-/* The copy of the inline function (vector.h). */
 #if !PEL_FAST_64BIT
 uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y)
 {

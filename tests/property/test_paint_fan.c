@@ -311,6 +311,14 @@ static void test_errors(void **state)
     p.rim = v;
     p.n = 2;
     assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_SIZE);
+    /* A star of five points in one line goes around its middle twice. */
+    const struct pel_point star[5] = {PEL_AT(0, -20), PEL_AT(12, 16),
+                                      PEL_AT(-19, -6), PEL_AT(19, -6),
+                                      PEL_AT(-12, 16)};
+    const pel_color hues[5] = {0, 0, 0, 0, 0};
+    const struct pel_fan_points twice = {PEL_AT(0, 0), 0, star, hues, 5};
+    assert_int_equal(pel_fan_init(&fan.fan, &twice, fan.wedges),
+                     PEL_ERROR_RANGE);
     p.n = 3;
     p.hub.y = PEL_PX(-1);
     assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_RANGE);

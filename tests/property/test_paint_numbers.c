@@ -1,6 +1,6 @@
 /* The numbers under the paints: square roots, angles, quotients. */
 #include "core/base/fixed_fraction.h"
-#include "core/base/fixed_sqrt.h"
+#include "core/base/fixed_root.h"
 #include "core/base/fixed_turn.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
@@ -12,6 +12,11 @@ static void check_root(uint64_t v)
 {
     struct pel_root r;
     pel_square_root(v, &r);
+    const struct pel_root whole = pel_root_of(v);
+    if (whole.root != r.root || whole.inverse != r.inverse ||
+        whole.shift != r.shift)
+        fail_msg("roots of %llu: %u and %u", (unsigned long long)v, r.root,
+                 whole.root);
     uint64_t g = r.root;
     if (g * g > v || (g + 1) * (g + 1) <= v)
         fail_msg("the root of %llu is not %llu", (unsigned long long)v,
