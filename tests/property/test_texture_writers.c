@@ -157,7 +157,7 @@ static void check(const struct picture *p, const struct drawing *d,
                      d->v[2].x, d->v[2].y, cases_replay());
 }
 
-static void random_picture(struct picture *p, struct random *r)
+static void open_random_picture(struct picture *p, struct random *r)
 {
     static const int16_t size[][2] = {{451, 300}, {256, 256}, {64, 32}, {1, 1},
                                       {1, 7},     {5, 3},     {2, 2},   {64, 5},
@@ -173,6 +173,20 @@ static void random_picture(struct picture *p, struct random *r)
     p->wrap_u = (uint8_t)(random_word(r) % 3);
     p->wrap_v = (uint8_t)(random_word(r) % 3);
     picture_open(p, r);
+}
+
+/* Pictures are large, so 16 cases share one; by its number, so that one of them
+ * alone sees the same. *opened is the number of the open one, UINT64_MAX before
+ * the first. */
+static void open_picture_of(struct picture *p, uint64_t *opened,
+                            uint64_t number)
+{
+    if (*opened == number)
+        return;
+    struct random r = cases_shared(number);
+    free(p->memory);
+    open_random_picture(p, &r);
+    *opened = number;
 }
 
 /* u and v inside the picture, or from -2 to 3 pictures. */
@@ -199,13 +213,11 @@ static void test_random_triangles(void **state)
     (void)state;
     const struct pel_rect box = {-16, -8, WIDTH - 17, HEIGHT - 9};
     struct picture p = {0};
+    uint64_t opened = UINT64_MAX;
     for (struct cases c = cases_of(12000); cases_next(&c);) {
         struct random *r = &c.random;
         struct drawing d;
-        if (c.next % 16 == 1) {
-            free(p.memory);
-            random_picture(&p, r);
-        }
+        open_picture_of(&p, &opened, (c.next - 1) / 16);
         shape_in_box(r, d.v, 3, &box);
         if (random_word(r) % 4 == 0)
             d.v[1].y = d.v[random_word(r) % 2 * 2].y;

@@ -63,6 +63,11 @@ bool cases_next(struct cases *c)
     return true;
 }
 
+struct random cases_shared(uint64_t number)
+{
+    return (struct random){mixed(mixed(seed()) - 1 - number)};
+}
+
 const char *cases_replay(void)
 {
     static char text[80];

@@ -28,6 +28,10 @@ struct cases cases_of(uint64_t count);
 /* Begins the next case; false after the last. */
 bool cases_next(struct cases *c);
 
+/* A generator for what several cases share, by a number that each of them knows
+ * (as case / 16): another than that of any case. */
+struct random cases_shared(uint64_t number);
+
 /* How to run the present case again, for messages. */
 const char *cases_replay(void);
 
