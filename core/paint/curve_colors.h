@@ -54,12 +54,12 @@ static PEL_HOT bool pel_course_outside(struct pel_course *c,
 
 static PEL_HOT void pel_course_set_size(struct pel_course *c, int log2)
 {
-    const int32_t *far = c->row.curve->far + (log2 - PEL_PIECE_MIN_LOG2);
     c->log2 = log2;
     c->size = 1 << log2;
     c->way = 256 << log2;
     if (log2 == 0)
         return;
+    const int32_t *far = c->row.curve->far + (log2 - PEL_PIECE_MIN_LOG2);
     c->enough = pel_square(far[0]) - c->row.square;
     c->more = INT64_MAX;
     if (log2 < PEL_PIECE_MAX_LOG2)

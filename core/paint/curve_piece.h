@@ -37,13 +37,11 @@ static inline int32_t pel_curve_way(const struct pel_curve_row *row, int32_t x)
  * enough. */
 static PEL_WALK int pel_curve_piece(const struct pel_curve_row *row, int32_t x)
 {
-    const int32_t *far =
-        row->curve->far + (PEL_PIECE_MAX_LOG2 - PEL_PIECE_MIN_LOG2);
     int32_t size = 1 << PEL_PIECE_MAX_LOG2;
     int k = PEL_PIECE_MAX_LOG2;
     for (; k >= PEL_PIECE_MIN_LOG2; k--, size >>= 1)
         if (pel_curve_far(row, pel_curve_way(row, x & -size), 256 * size,
-                          *far--))
+                          row->curve->far[k - PEL_PIECE_MIN_LOG2]))
             return k;
     return 0;
 }

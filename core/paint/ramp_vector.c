@@ -168,7 +168,7 @@ static PEL_ALWAYS_INLINE void look(struct table t, const struct pel_ramp *ramp,
 {
     struct pel_lanes l = pel_lanes_of(w, 64 - w->bits);
     pel_color *const end = out + w->n;
-    for (; out + 4 <= end; out += 4)
+    for (; end - out >= 4; out += 4)
         next_four(&t, &l, out);
     if (out < end) {
         pel_color last[4];
