@@ -58,7 +58,8 @@ static int64_t knot(const struct pel_curve *curve, int32_t x, int32_t y,
     const struct pel_radial *p = PEL_CURVE_PAINT(struct pel_radial, curve);
     struct pel_root r;
     *value = square_of(x, y);
-    pel_square_root(*value, &r);
+    pel_root_guess(*value, &r); /* pel_square_root() would keep a copy */
+    pel_root_settle(*value, &r);
     *value = pel_multiply(r.root, p->scale) + p->phase;
     return slope_of(&r, x, p->scale);
 }
