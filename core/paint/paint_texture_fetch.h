@@ -78,6 +78,12 @@ static inline void pel_texture_axis_wrap(struct pel_texture_axis *a,
         a->period *= 2;
 }
 
+/* Sizes that are powers of two repeat by a mask, which is size - 1. */
+static inline bool pel_texture_is_masked(int32_t size, int wrap)
+{
+    return wrap == PEL_WRAP_REPEAT && (size & (size - 1)) == 0;
+}
+
 /* Are texel(s) `at` to `at + more` of all n pixels inside the picture? */
 static inline bool pel_texture_axis_inside(const struct pel_texture_axis *a,
                                            uint64_t step, int32_t n,

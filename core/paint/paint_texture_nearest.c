@@ -157,12 +157,6 @@ static PEL_NOINLINE void copy_inner_run(const struct copy *c,
 
 #endif
 
-/* Sizes that are powers of two repeat by a mask, which is size - 1. */
-static bool is_masked(int32_t size, int wrap)
-{
-    return wrap == PEL_WRAP_REPEAT && (size & (size - 1)) == 0;
-}
-
 static PEL_NOINLINE void copy_masked_run(const struct copy *c,
                                          const struct pel_texture_axes *a)
 {
@@ -195,8 +189,8 @@ static void copy_run(const struct copy *c, int32_t x, int32_t y)
     pel_texture_axes_start(&a, c->paint, x, y, 0);
     if (pel_texture_axes_inside(&a, c->paint, (int32_t)(c->end - c->out), 0))
         copy_inner_run(c, &a);
-    else if (is_masked(a.u.size, c->paint->wrap_u) &&
-             is_masked(a.v.size, c->paint->wrap_v))
+    else if (pel_texture_is_masked(a.u.size, c->paint->wrap_u) &&
+             pel_texture_is_masked(a.v.size, c->paint->wrap_v))
         copy_masked_run(c, &a);
     else
         copy_outer_run(c, &a);

@@ -47,12 +47,6 @@ static inline bool pel_texture_stride_fits(const struct pel_texture *p,
     return texels >= -32768 && texels <= 32767;
 }
 
-/* Sizes that are powers of two repeat by a mask, which is size - 1. */
-static inline bool pel_texture_is_masked(int32_t size, int wrap)
-{
-    return wrap == PEL_WRAP_REPEAT && (size & (size - 1)) == 0;
-}
-
 /* Runs are inside whose texels and those `more` further right and down are.
  * `masked`: with a mask any texel is. */
 static inline struct pel_texture_steps pel_texture_steps_make(
