@@ -9,6 +9,40 @@
 /* Wider than the buffers of colours. */
 static const struct pel_rect bounds = {0, 0, 80, 8};
 
+/* Planes that reach the next step exactly at pixel `cross`: the last of their
+ * 24 bits decides, in every lane of a vector. */
+static void check_last_bit(struct canvas *canvas, uint32_t dx, uint32_t cross)
+{
+    static const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(200, 0),
+                                          PEL_AT(0, 8)};
+    const pel_color white[3] = {0xFFFFFFFF, 0xFFFFFFFF, 0xFFFFFFFF};
+    struct pel_gouraud g;
+    assert_int_equal(pel_gouraud_init(&g, v, white), PEL_OK);
+    for (int k = 0; k < 3; k++) {
+        g.at[k] = 0x05000000u - cross * dx;
+        g.dx[k] = dx;
+    }
+    canvas_open(canvas, &pel_xrgb8888, &bounds, 0);
+    pel_triangle(&canvas->surface, v, &g.paint);
+    const uint8_t *row = canvas->surface.pixels;
+    for (uint32_t x = 0; x < 40; x++)
+        for (int k = 0; k < 3; k++)
+            if (row[4 * x + (uint32_t)k] != (g.at[k] + x * dx) >> 24)
+                fail_msg("step %u, crossing at %u: pixel %u", dx, cross, x);
+}
+
+static void test_last_bit_counts(void **state)
+{
+    static struct canvas canvas;
+    (void)state;
+    for (uint32_t cross = 0; cross < 16; cross++) {
+        check_last_bit(&canvas, 1, cross);
+        check_last_bit(&canvas, 0x10001, cross);
+        check_last_bit(&canvas, 0xFFFFFFFF, cross);
+    }
+    canvas_close(&canvas);
+}
+
 /* A triangle without area covers nothing, and its set-up ends. */
 static void test_one_point_three_times(void **state)
 {
@@ -127,6 +161,7 @@ int main(void)
         cmocka_unit_test(test_alpha_0_touches_nothing),
         cmocka_unit_test(test_equal_colors_are_flat),
         cmocka_unit_test(test_one_point_three_times),
+        cmocka_unit_test(test_last_bit_counts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
