@@ -9,7 +9,7 @@
 #include "tests/support/check.h"
 #include "tests/support/portable.h"
 
-enum { WIDTH = 60, HEIGHT = 48, STRIDE_MAX = 4 * WIDTH + 20 };
+enum { WIDTH = 60, HEIGHT = 140, STRIDE_MAX = 4 * WIDTH + 20 };
 enum { BYTES = HEIGHT * STRIDE_MAX + 64 };
 
 /* The same memory twice, aligned to 16. */
@@ -90,11 +90,11 @@ static void check_places(struct setting *t)
         check_colors(t);
 }
 
-static void check_heights(const int32_t *heights, int32_t n)
+static void check_heights(const int32_t *heights, int32_t n, int32_t step)
 {
     struct setting t = {.item = {.n = 3}};
     for (uint32_t f = 0; f < FORMATS; f++)
-        for (int32_t width = 0; width <= 41; width++)
+        for (int32_t width = 0; width <= 41; width += step)
             for (int32_t h = 0; h < n; h++) {
                 t.format = formats[f];
                 t.padding = (width + h) % 4 * 4;
@@ -107,19 +107,26 @@ static void check_heights(const int32_t *heights, int32_t n)
 static void test_one_row(void **state)
 {
     (void)state;
-    check_heights((const int32_t[]){1, 2}, 2);
+    check_heights((const int32_t[]){1, 2}, 2, 1);
 }
 
 static void test_around_16_rows(void **state)
 {
     (void)state;
-    check_heights((const int32_t[]){15, 16, 17}, 3);
+    check_heights((const int32_t[]){15, 16, 17}, 3, 1);
 }
 
 static void test_many_rows(void **state)
 {
     (void)state;
-    check_heights((const int32_t[]){40}, 1);
+    check_heights((const int32_t[]){40}, 1, 1);
+}
+
+/* Rows are fetched into the cache there. */
+static void test_around_128_rows(void **state)
+{
+    (void)state;
+    check_heights((const int32_t[]){127, 128, 129}, 3, 10);
 }
 
 static void fill_fails(const struct pel_paint *paint,
@@ -221,6 +228,7 @@ int main(void)
         cmocka_unit_test(test_one_row),
         cmocka_unit_test(test_around_16_rows),
         cmocka_unit_test(test_many_rows),
+        cmocka_unit_test(test_around_128_rows),
         cmocka_unit_test(test_writers_are_taken),
         cmocka_unit_test(test_gouraud_writers_are_taken),
         cmocka_unit_test(test_opaque_eights_are_put),
