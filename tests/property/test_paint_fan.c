@@ -329,6 +329,27 @@ static void test_errors(void **state)
     assert_int_equal(p.hub.x, PEL_PX(10));
 }
 
+/* Rims that go around once, from every point on and both ways: with a point on
+ * the hub, and with points beside the level rays. */
+static void test_rims_around_once(void **state)
+{
+    static const struct pel_point rims[2][5] = {
+        {{900, 900}, {-900, 900}, {-900, -900}, {0, 0}, {900, -900}},
+        {{900, 1}, {-900, 1}, {-900, 0}, {-900, -1}, {900, -1}}};
+    const pel_color hues[5] = {0, 0, 0, 0, 0};
+    (void)state;
+    for (int rim = 0; rim < 2; rim++)
+        for (int first = 0; first < 5; first++)
+            for (int way = -1; way <= 1; way += 2) {
+                struct pel_point v[5];
+                for (int i = 0; i < 5; i++)
+                    v[i] = rims[rim][(first + way * i + 5) % 5];
+                const struct pel_fan_points p = {{0, 0}, 0, v, hues, 5};
+                assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges),
+                                 PEL_OK);
+            }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -339,6 +360,7 @@ int main(void)
         cmocka_unit_test(test_any_beginning),
         cmocka_unit_test(test_opaque),
         cmocka_unit_test(test_largest),
+        cmocka_unit_test(test_rims_around_once),
         cmocka_unit_test(test_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
