@@ -54,38 +54,31 @@ static inline int32_t pel_pixel_center(int32_t i)
     return i * 256 + 128;
 }
 
-/* a b for |a|, |b| < 2^30. Small CPUs have a function (fixed_product.c), half
- * as long as the compiler's for 64 by 64 bits. */
+/* a b for |a|, |b| < 2^30; a b without a sign; a n modulo 2^64, of any a in
+ * two's complement. Small CPUs have functions (fixed_product.c,
+ * fixed_multiply.c) that are shorter than the compiler's for 64 by 64 bits. */
 #if PEL_LONG_MULTIPLY
 static inline int64_t pel_product(int32_t a, int32_t b)
 {
     return (int64_t)a * b;
 }
-#else
-int64_t pel_product(int32_t a, int32_t b);
-#endif
 
-/* a b, whole. */
-#if PEL_LONG_MULTIPLY
 static inline uint64_t pel_multiply(uint32_t a, uint32_t b)
 {
     return (uint64_t)a * b;
 }
-#else
-uint64_t pel_multiply(uint32_t a, uint32_t b);
-#endif
 
-/* a n modulo 2^64, of any a in two's complement. */
-#if PEL_LONG_MULTIPLY
 static inline uint64_t pel_times(uint64_t a, int32_t n)
 {
     return a * (uint64_t)(int64_t)n;
 }
 #else
+int64_t pel_product(int32_t a, int32_t b);
+uint64_t pel_multiply(uint32_t a, uint32_t b);
 uint64_t pel_times(uint64_t a, int32_t n);
 #endif
 
-/* a b, whole. */
+/* a b with a sign, of any two. */
 static inline int64_t pel_long_product(int32_t a, int32_t b)
 {
     return (int64_t)pel_times((uint64_t)(int64_t)a, b);
