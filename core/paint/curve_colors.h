@@ -82,8 +82,7 @@ static PEL_NOINLINE void pel_course_begin(struct pel_course *c,
     if (log2 == 0)
         return;
     pel_curve_walk(w, &a, &c->end, log2);
-    for (int32_t i = 0; i < skip; i++)
-        pel_ramp_step(w);
+    *w = pel_ramp_after(*w, skip);
 }
 
 /* Has the next piece the size of the last, which ended at x? What is left of

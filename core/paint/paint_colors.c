@@ -6,11 +6,12 @@
  * every part, but there is little stack where code is to be small. */
 enum { RUN_PIXELS = PEL_FAST_64BIT ? 64 : PEL_KNOW_SIDES ? 16 : 4 };
 
-/* Is an opaque colour the pixel itself? In xrgb8888 on a little-endian CPU.
- * Small CPUs hardly ever have that format: they are spared the code. */
-static bool color_is_pixel(const struct pel_format *format)
+/* Small CPUs hardly ever have that format: they are spared the code. */
+bool pel_colors_in_place(const struct pel_color_paint *paint,
+                         const struct pel_surface *surface)
 {
-    return PEL_FAST_64BIT && format->id == PEL_FORMAT_XRGB8888 &&
+    return PEL_FAST_64BIT && paint->opaque &&
+           surface->format->id == PEL_FORMAT_XRGB8888 &&
            PEL_LE32(UINT32_C(1)) == 1;
 }
 
@@ -21,7 +22,7 @@ void pel_color_paint_fill(const struct pel_paint *paint,
                           const struct pel_rows *rows)
 {
     const struct pel_color_paint *p = (const void *)paint;
-    const bool in_place = p->opaque && color_is_pixel(rows->surface->format);
+    const bool in_place = pel_colors_in_place(p, rows->surface);
     const struct pel_row *row = rows->row;
     int32_t y = rows->y;
     pel_color colors[RUN_PIXELS];

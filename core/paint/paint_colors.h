@@ -40,6 +40,11 @@ struct pel_color_paint {
         PEL_PAINT(pel_color_paint_fill, NULL), (colors), (opaque), NULL \
     }
 
+/* Are opaque colours the surface's pixels themselves? In xrgb8888 on a
+ * little-endian CPU. */
+bool pel_colors_in_place(const struct pel_color_paint *paint,
+                         const struct pel_surface *surface);
+
 /* The fill function of all of them. */
 void pel_color_paint_fill(const struct pel_paint *paint,
                           const struct pel_rows *rows);

@@ -1,5 +1,6 @@
 #include "paint_conic.h"
 
+#include "patch.h"
 #include "ramp_vector.h"
 
 #if PEL_FAST_64BIT
@@ -14,6 +15,24 @@ static void mixed(const struct pel_color_paint *paint, int32_t x, int32_t y,
     pel_conic_colors(p, &mixer, &run, out);
 }
 
+#if PEL_PATCHES
+
+static void run_colors(const struct pel_color_paint *paint, const void *mixer,
+                       const struct pel_run *run, pel_color *out)
+{
+    pel_conic_colors((const void *)paint, mixer, run, out);
+}
+
+static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
+{
+    const struct pel_conic *p = (const void *)paint;
+    const struct pel_patchwork work = {&p->base, &p->curve, &p->ramp,
+                                       pel_conic_taylor, run_colors};
+    pel_patch_fill(&work, rows);
+}
+
+#endif
+
 static void run(const void *mixer, const struct pel_ramp_walk *walk,
                 pel_color *colors)
 {
@@ -23,6 +42,9 @@ static void run(const void *mixer, const struct pel_ramp_walk *walk,
 static void set_colors(struct pel_conic *paint)
 {
     paint->base.colors = mixed;
+#if PEL_PATCHES
+    paint->base.paint.fill = fill;
+#endif
 }
 
 #else

@@ -3,6 +3,7 @@
 #include "../base/fixed_fraction.h"
 #include "../base/fixed_root.h"
 #include "curve_colors.h"
+#include "patch.h"
 #include "ramp_vector.h"
 
 /* For a cubic that is right to 1/512 px, which is 2^-13 of the way or less when
@@ -38,17 +39,36 @@ static PEL_HOT struct pel_knot knot_of(const struct pel_curve *curve, int32_t x,
                              slope_of(&r, x, p->scale)};
 }
 
+static void run_colors(const struct pel_color_paint *paint, const void *mixer,
+                       const struct pel_run *run, pel_color *out)
+{
+    const struct pel_radial *p = (const void *)paint;
+    struct pel_course course = pel_course_of(&p->curve, run);
+    course.knot = knot_of;
+    pel_course_colors(&course, mixer, out);
+}
+
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
     const struct pel_radial *p = (const void *)paint;
     const struct pel_run run = {x, y, n};
     struct pel_ramp_mixer mixer;
-    struct pel_course course = pel_course_of(&p->curve, &run);
-    course.knot = knot_of;
     pel_ramp_prepare(&mixer, &p->ramp);
-    pel_course_colors(&course, &mixer, out);
+    run_colors(paint, &mixer, &run, out);
 }
+
+#if PEL_PATCHES
+
+static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
+{
+    const struct pel_radial *p = (const void *)paint;
+    const struct pel_patchwork work = {&p->base, &p->curve, &p->ramp,
+                                       pel_radial_taylor, run_colors};
+    pel_patch_fill(&work, rows);
+}
+
+#endif
 
 #else
 
@@ -125,6 +145,9 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
     pel_color_paint_init(&paint->base, colors, pel_ramp_opaque(ramp));
 #else
     pel_walker_paint_init(&paint->base, &walker, pel_ramp_opaque(ramp));
+#endif
+#if PEL_PATCHES
+    paint->base.paint.fill = fill;
 #endif
     paint->ramp = *ramp;
     set_curve(paint, rings);

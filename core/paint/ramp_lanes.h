@@ -1,7 +1,9 @@
-/* A walk four pixels at a time, in 32 bits: what its highest bits say, nearly
- * always. For ramp_vector.c. */
+/* Positions along a ramp, four pixels at a time, in 32 bits: what the highest
+ * bits of a walk's say, nearly always. For ramp_vector_*.c and patch.c. */
 #ifndef PEL_PAINT_RAMP_LANES_H
 #define PEL_PAINT_RAMP_LANES_H
+
+#include <stddef.h>
 
 #include "ramp_vector_lanes.h"
 #include "ramp_walk.h"
@@ -57,6 +59,47 @@ static PEL_ALWAYS_INLINE pel_u32x4 pel_lanes_next(struct pel_lanes *l)
     l->d1 += l->d2;
     l->d2 += l->d3;
     return at;
+}
+
+/* The pixels of a rectangle, whose positions are a polynomial of degree 3 in x
+ * and y: the lanes of its first row, and their first three differences from row
+ * to row (of which the second has no d2, the third no d1).
+ *
+ * All are rounded down: after v rows, v < 16, and s steps, s < 8, a position is
+ * too small by less than 1 + v + v (v - 1) / 2 + v (v - 1) (v - 2) / 6 for
+ * `at`, (1 + v + v (v - 1) / 2) s for d1, (1 + v) s (s - 1) / 2 for d2, and
+ * s (s - 1) (s - 2) / 6 for d3: 1,794 units. */
+struct pel_grid {
+    struct pel_lanes row[4];
+    int32_t width, rows; /* 8, 16 or 32; 1 to 16 */
+    uint32_t error;      /* a position is too small by less than this */
+    pel_color *out;
+    ptrdiff_t stride; /* of `out`, in colours */
+
+    /* Fours of pixels whose colours may be wrong, and where they begin. */
+    int32_t doubts;
+    struct {
+        uint8_t u, v;
+    } doubt[128];
+};
+
+enum { PEL_GRID_WIDTH = 32, PEL_GRID_ROWS = 16, PEL_GRID_ERROR = 1794 };
+
+static PEL_ALWAYS_INLINE void pel_grid_next(struct pel_grid *g)
+{
+    struct pel_lanes *const row = g->row;
+    row[0].at += row[1].at;
+    row[0].d1 += row[1].d1;
+    row[0].d2 += row[1].d2;
+    row[1].at += row[2].at;
+    row[1].d1 += row[2].d1;
+    row[2].at += row[3].at;
+}
+
+static inline void pel_grid_doubt(struct pel_grid *g, int32_t u, int32_t v)
+{
+    g->doubt[g->doubts].u = (uint8_t)u;
+    g->doubt[g->doubts++].v = (uint8_t)v;
 }
 
 #endif

@@ -124,7 +124,8 @@ static void run_padded(const struct pel_ramp_mixer *mixer,
                        struct pel_ramp_walk w, pel_color *colors)
 {
     const struct pel_ramp *const ramp = mixer->ramp;
-    if (pel_ramp_vectors_padded(mixer, &w, colors))
+    if (mixer->padded && w.n <= PEL_RAMP_PART &&
+        mixer->padded(mixer, &w, colors))
         return;
     for (struct pel_ramp_walk next = w; w.n > 0; w = next) {
         const struct side side = side_of(w.at, w.bits);
