@@ -6,15 +6,6 @@
  * every part, but there is little stack where code is to be small. */
 enum { RUN_PIXELS = PEL_FAST_64BIT ? 64 : PEL_KNOW_SIDES ? 16 : 4 };
 
-/* Small CPUs hardly ever have that format: they are spared the code. */
-bool pel_colors_in_place(const struct pel_color_paint *paint,
-                         const struct pel_surface *surface)
-{
-    return PEL_FAST_64BIT && paint->opaque &&
-           surface->format->id == PEL_FORMAT_XRGB8888 &&
-           PEL_LE32(UINT32_C(1)) == 1;
-}
-
 /* The runs go through a short buffer in parts that begin at multiples of its
  * length, as a 64-bit CPU's pieces of curve.h do; or the surface is the buffer.
  */

@@ -16,6 +16,7 @@
 #ifndef PEL_PAINT_PAINT_COLORS_H
 #define PEL_PAINT_PAINT_COLORS_H
 
+#include "../format/word.h"
 #include "../raster/paint.h"
 
 struct pel_color_paint;
@@ -41,9 +42,15 @@ struct pel_color_paint {
     }
 
 /* Are opaque colours the surface's pixels themselves? In xrgb8888 on a
- * little-endian CPU. */
-bool pel_colors_in_place(const struct pel_color_paint *paint,
-                         const struct pel_surface *surface);
+ * little-endian CPU. Small CPUs hardly ever have that format: they are spared
+ * the code. */
+static inline bool pel_colors_in_place(const struct pel_color_paint *paint,
+                                       const struct pel_surface *surface)
+{
+    return PEL_FAST_64BIT && paint->opaque &&
+           surface->format->id == PEL_FORMAT_XRGB8888 &&
+           PEL_LE32(UINT32_C(1)) == 1;
+}
 
 /* The fill function of all of them. */
 void pel_color_paint_fill(const struct pel_paint *paint,

@@ -26,8 +26,8 @@ static void run_colors(const struct pel_color_paint *paint, const void *mixer,
 static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
 {
     const struct pel_conic *p = (const void *)paint;
-    const struct pel_patchwork work = {&p->base, &p->curve, &p->ramp,
-                                       pel_conic_taylor, run_colors};
+    const struct pel_patchwork work = {&p->base,         &p->curve,  &p->ramp,
+                                       pel_conic_taylor, run_colors, false};
     pel_patch_fill(&work, rows);
 }
 

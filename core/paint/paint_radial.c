@@ -63,8 +63,8 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
 {
     const struct pel_radial *p = (const void *)paint;
-    const struct pel_patchwork work = {&p->base, &p->curve, &p->ramp,
-                                       pel_radial_taylor, run_colors};
+    const struct pel_patchwork work = {&p->base,          &p->curve,  &p->ramp,
+                                       pel_radial_taylor, run_colors, true};
     pel_patch_fill(&work, rows);
 }
 

@@ -14,13 +14,16 @@ struct fill {
     struct pel_ramp_mixer mixer;
     struct pel_row whole; /* pixels that are in every row of the strip */
     ptrdiff_t stride;     /* of where colours go, in colours */
+    bool in_place;        /* colours are the surface's pixels */
+    bool pairs;           /* and what is left of the centre is a mirror image */
 };
 
-/* Pixels from (x, y) on, and where their colours go. */
+/* Pixels from (x, y) on, and where their colours go: those of its mirror image
+ * too, unless that is NULL. */
 struct patch {
     int32_t x, y, rows;
     int size;
-    pel_color *out;
+    pel_color *out, *image;
 };
 
 static int32_t width_of(const struct patch *p)
@@ -52,16 +55,31 @@ static bool is_empty(const struct fill *f, const struct patch *p)
     return empty;
 }
 
-/* Pixels too near to the centre, row by row. */
+/* Where the mirror image of n pixels from x on begins. */
+static int32_t image_of(const struct fill *f, int32_t x, int32_t n)
+{
+    return (f->work->curve->center.x >> 7) - x - n;
+}
+
+static void color_run(const struct fill *f, const struct pel_run *run,
+                      pel_color *out)
+{
+    f->work->colors(f->work->paint, &f->mixer, run, out);
+}
+
+/* Pixels too near to the centre, row by row: their colours need not be mirrored
+ * to the last bit. */
 static void color_near(const struct fill *f, const struct patch *p)
 {
-    pel_color *out = p->out;
-    for (int32_t y = p->y; y < p->y + p->rows; y++, out += f->stride) {
-        const struct pel_row row = part_of(f, p, y);
-        const struct pel_run run = {row.x0, y, row.x1 - row.x0};
-        if (run.n > 0)
-            f->work->colors(f->work->paint, &f->mixer, &run,
-                            out + (row.x0 - p->x));
+    for (int32_t i = 0; i < p->rows; i++) {
+        const struct pel_row row = part_of(f, p, p->y + i);
+        struct pel_run run = {row.x0, p->y + i, row.x1 - row.x0};
+        if (run.n <= 0)
+            continue;
+        color_run(f, &run, p->out + i * f->stride + (row.x0 - p->x));
+        run.x = image_of(f, run.x, run.n);
+        if (p->image)
+            color_run(f, &run, p->image + i * f->stride);
     }
 }
 
@@ -70,89 +88,58 @@ static void color_outside(const struct fill *f, const struct patch *p)
 {
     const struct pel_ramp *ramp = f->work->ramp;
     const pel_value32 last = pel_make_value32(ramp->colors[ramp->n - 1]);
-    pel_color *out = p->out;
-    for (int32_t i = 0; i < p->rows; i++, out += f->stride)
-        pel_span32(out, width_of(p), last);
-}
-
-/* From around a pixel to around the one u to the right of it and v below. */
-static void move(struct pel_taylor *t, uint64_t u, uint64_t v)
-{
-    t->at += u * (t->x + u * (t->xx + u * t->xxx) + v * (t->xy + u * t->xxy)) +
-             v * (t->y + v * (t->yy + v * t->yyy + u * t->xyy));
-    t->x += u * (2 * t->xx + 3 * u * t->xxx + 2 * v * t->xxy) +
-            v * (t->xy + v * t->xyy);
-    t->y += v * (2 * t->yy + 3 * v * t->yyy + 2 * u * t->xyy) +
-            u * (t->xy + u * t->xxy);
-    t->xx += 3 * u * t->xxx + v * t->xxy;
-    t->xy += 2 * (u * t->xxy + v * t->xyy);
-    t->yy += 3 * v * t->yyy + u * t->xyy;
-}
-
-static PEL_ALWAYS_INLINE struct pel_lanes lanes_of(uint64_t at, uint64_t d1,
-                                                   uint64_t d2, uint64_t d3,
-                                                   int shift)
-{
-    const struct pel_ramp_walk w = {at, d1, d2, d3, 0, true, 0};
-    return pel_lanes_of(&w, shift);
-}
-
-/* The differences of a polynomial around its first pixel. */
-static void set_lanes(struct pel_grid *g, const struct pel_taylor *t, int shift)
-{
-    const uint64_t xxx = 6 * t->xxx, yyy = 6 * t->yyy;
-    g->row[0] =
-        lanes_of(t->at, t->x + t->xx + t->xxx, 2 * t->xx + xxx, xxx, shift);
-    g->row[1] = lanes_of(t->y + t->yy + t->yyy, t->xy + t->xxy + t->xyy,
-                         2 * t->xxy, 0, shift);
-    g->row[2] = lanes_of(2 * t->yy + yyy, 2 * t->xyy, 0, 0, shift);
-    g->row[3] = lanes_of(yyy, 0, 0, 0, shift);
-}
-
-static void color_grid(const struct fill *f, const struct patch *p,
-                       struct pel_grid *g, bool padded)
-{
-    g->width = width_of(p);
-    g->rows = p->rows;
-    g->out = p->out;
-    g->stride = f->stride;
-    g->doubts = 0;
-    if (padded)
-        f->mixer.rows_padded(&f->mixer, g);
-    else
-        f->mixer.rows(&f->mixer, g);
-    for (int32_t i = 0; i < g->doubts; i++) {
-        const int32_t u = g->doubt[i].u, v = g->doubt[i].v;
-        const struct pel_run run = {p->x + u, p->y + v, 4};
-        f->work->colors(f->work->paint, &f->mixer, &run,
-                        p->out + v * f->stride + u);
+    for (int32_t i = 0; i < p->rows; i++) {
+        pel_span32(p->out + i * f->stride, width_of(p), last);
+        if (p->image)
+            pel_span32(p->image + i * f->stride, width_of(p), last);
     }
 }
 
-/* False where so many pixels would be in doubt, one of 32 or more, that patches
- * are no faster. A patch that a padded ramp ends in is less than 37 pixels
- * high and wide and at least 26 from the centre: no position reaches 2. */
+/* From right to left into the mirror image. */
+static void mirror(const struct fill *f, const struct patch *p)
+{
+    const int32_t last = width_of(p) - 4;
+    for (int32_t i = 0; i < p->rows; i++) {
+        const pel_color *from = p->out + i * f->stride;
+        pel_color *to = p->image + i * f->stride;
+        for (int32_t u = 0; u <= last; u += 4) {
+            const pel_u32x4 four = pel_get_u32x4(from + last - u);
+            pel_put_u32x4(to + u, PEL_LANES(four, four, 3, 2, 1, 0));
+        }
+    }
+}
+
+/* Four pixels in doubt, u to the right of a patch's first and v below; and the
+ * four of the mirror image, whose cubics may be others. */
+static void settle(const struct fill *f, const struct patch *p, int32_t u,
+                   int32_t v)
+{
+    struct pel_run run = {p->x + u, p->y + v, 4};
+    color_run(f, &run, p->out + v * f->stride + u);
+    run.x = image_of(f, run.x, 4);
+    if (p->image)
+        color_run(f, &run, p->image + v * f->stride + (width_of(p) - 4 - u));
+}
+
+/* False where a grid is no faster. */
 static bool color_far(const struct fill *f, const struct patch *p,
                       struct pel_point way)
 {
-    const struct pel_ramp *ramp = f->work->ramp;
-    const int bits = f->work->curve->bits;
-    struct pel_taylor t;
     struct pel_grid g;
-    f->work->taylor(f->work->curve, way.x, way.y, p->size, &t);
-    const bool padded =
-        ramp->spread == PEL_PAD && t.at + t.reach >= UINT64_C(1) << (bits & 63);
-    const int shift = (padded ? 62 : 64) - bits;
-    const uint64_t n = ramp->n == 2 ? 256 : (uint64_t)ramp->n;
-    const uint64_t error = (t.error << shift >> 31) + PEL_GRID_ERROR + 2;
-    if (error * n >> 27 != 0)
+    if (!pel_patch_grid(f->work, way, p->size, &g))
         return false;
-    g.error = (uint32_t)error;
-    t.at -= t.error;
-    move(&t, 0 - (uint64_t)(PEL_GRID_WIDTH / 2 >> p->size),
-         0 - (uint64_t)(PEL_GRID_ROWS / 2 >> p->size));
-    set_lanes(&g, &t, shift);
-    color_grid(f, p, &g, padded);
+    g.rows = p->rows;
+    g.out = p->out;
+    g.stride = f->stride;
+    g.doubts = 0;
+    if (g.padded)
+        f->mixer.rows_padded(&f->mixer, &g);
+    else
+        f->mixer.rows(&f->mixer, &g);
+    if (p->image)
+        mirror(f, p);
+    for (int32_t i = 0; i < g.doubts; i++)
+        settle(f, p, g.doubt[i].u, g.doubt[i].v);
     return true;
 }
 
@@ -166,23 +153,33 @@ static struct pel_point way_to(const struct fill *f, const struct patch *p)
                               pel_pixel_center(y) - center->y};
 }
 
-/* Squares of how far away patches must be, in sub-pixels. */
+/* How far away the middle of a patch must be, squared, in sub-pixels: 10, 8 and
+ * 6 times as far as its corner, whose square is 320, 80 and 20 px^2. */
 static const int64_t far[PEL_PATCH_SIZES] = {
-    INT64_C(65536) * 320 * PEL_PATCH_FAR_0 * PEL_PATCH_FAR_0,
-    INT64_C(65536) * 80 * PEL_PATCH_FAR_1 *PEL_PATCH_FAR_1,
-    INT64_C(65536) * 20 * PEL_PATCH_FAR_2 *PEL_PATCH_FAR_2};
+    INT64_C(65536) * 320 * 100,
+    INT64_C(65536) * 80 * 64,
+    INT64_C(65536) * 20 * 36,
+};
 
 static void color(const struct fill *f, const struct patch *p);
 
 static void color_quarters(const struct fill *f, const struct patch *p)
 {
-    const int32_t high = PEL_GRID_ROWS / 2 >> p->size;
+    const int32_t wide = width_of(p) / 2, high = PEL_GRID_ROWS / 2 >> p->size;
     for (int32_t i = 0; i < p->rows; i += high) {
-        struct patch q = {p->x, p->y + i, pel_min(high, p->rows - i),
-                          p->size + 1, p->out + i * f->stride};
+        struct patch q = {p->x,
+                          p->y + i,
+                          pel_min(high, p->rows - i),
+                          p->size + 1,
+                          p->out + i * f->stride,
+                          NULL};
+        if (p->image)
+            q.image = p->image + i * f->stride + wide;
         color(f, &q);
-        q.x += width_of(&q);
-        q.out += width_of(&q);
+        q.x += wide;
+        q.out += wide;
+        if (p->image)
+            q.image -= wide;
         color(f, &q);
     }
 }
@@ -220,48 +217,83 @@ static void color_and_put(struct fill *f, struct patch *p)
     }
 }
 
-/* Lines y to y + n - 1. */
-static void color_strip(struct fill *f, int32_t y, int32_t n, bool in_place)
+static pel_color *in_place(struct fill *f, int32_t x, int32_t y)
 {
-    const struct pel_surface *surface = f->rows->surface;
-    struct patch p = {INT32_MAX, y, n, 0, NULL};
-    int32_t end = INT32_MIN;
+    f->stride = f->rows->surface->stride / 4;
+    return pel_address32(f->rows->surface, x, y);
+}
+
+/* A patch of the largest size, which may be empty. */
+static void color_one(struct fill *f, struct patch *p)
+{
+    p->image = NULL;
+    if (f->in_place && is_whole(f, p)) {
+        p->out = in_place(f, p->x, p->y);
+        color(f, p);
+    } else if (!is_empty(f, p)) {
+        color_and_put(f, p);
+    }
+}
+
+/* Patches from the axis to both sides, the left one the mirror image of the
+ * right one. A column on the axis is in both. */
+static void color_pairs(struct fill *f, struct patch *p, struct pel_row all)
+{
+    struct patch left = *p;
+    p->x = f->work->curve->center.x >> 8;
+    left.x = image_of(f, p->x, PEL_GRID_WIDTH);
+    while (p->x < all.x1 || left.x + PEL_GRID_WIDTH > all.x0) {
+        if (is_whole(f, p) && is_whole(f, &left)) {
+            p->out = in_place(f, p->x, p->y);
+            p->image = in_place(f, left.x, p->y);
+            color(f, p);
+        } else {
+            color_one(f, p);
+            color_one(f, &left);
+        }
+        p->x += PEL_GRID_WIDTH;
+        left.x -= PEL_GRID_WIDTH;
+    }
+}
+
+/* Lines y to y + n - 1. */
+static void color_strip(struct fill *f, int32_t y, int32_t n)
+{
+    const int32_t middle = f->work->curve->center.x >> 8;
+    struct pel_row all = {INT32_MAX, INT32_MIN};
+    struct patch p = {0, y, n, 0, NULL, NULL};
     f->whole = (struct pel_row){INT32_MIN, INT32_MAX};
     for (int32_t i = y - f->rows->y; i < y - f->rows->y + n; i++) {
         const struct pel_row *row = &f->rows->row[i];
         f->whole.x0 = pel_max(f->whole.x0, row->x0);
         f->whole.x1 = pel_min(f->whole.x1, row->x1);
         if (row->x0 < row->x1) {
-            p.x = pel_min(p.x, row->x0);
-            end = pel_max(end, row->x1);
+            all.x0 = pel_min(all.x0, row->x0);
+            all.x1 = pel_max(all.x1, row->x1);
         }
     }
-    for (; p.x < end; p.x += PEL_GRID_WIDTH) {
-        if (in_place && is_whole(f, &p)) {
-            p.out = pel_address32(surface, p.x, y);
-            f->stride = surface->stride / 4;
-            color(f, &p);
-        } else {
-            color_and_put(f, &p);
-        }
-    }
+    if (f->pairs && all.x0 < middle && middle < all.x1)
+        color_pairs(f, &p, all);
+    else
+        for (p.x = all.x0; p.x < all.x1; p.x += PEL_GRID_WIDTH)
+            color_one(f, &p);
 }
 
 void pel_patch_fill(const struct pel_patchwork *work,
                     const struct pel_rows *rows)
 {
-    const bool in_place = pel_colors_in_place(work->paint, rows->surface);
     struct fill f;
     f.work = work;
     f.rows = rows;
+    f.in_place = pel_colors_in_place(work->paint, rows->surface);
+    f.pairs = f.in_place && work->mirrored && work->curve->center.x % 128 == 0;
     pel_ramp_prepare(&f.mixer, work->ramp);
     if (!f.mixer.run || rows->step != 1 || rows->n < 2) {
         pel_color_paint_fill(&work->paint->paint, rows);
         return;
     }
     for (int32_t i = 0; i < rows->n; i += PEL_GRID_ROWS)
-        color_strip(&f, rows->y + i, pel_min(rows->n - i, PEL_GRID_ROWS),
-                    in_place);
+        color_strip(&f, rows->y + i, pel_min(rows->n - i, PEL_GRID_ROWS));
 }
 
 #endif

@@ -35,17 +35,14 @@ struct pel_taylor {
     uint64_t reach;
 };
 
-/* That of the pixel whose centre is at (x, y) from the curve's. The patch's
- * corner, 18, 9 or 4.5 pixels from there, is as many times nearer as `far`
- * says. */
+/* That of the pixel whose centre is at (x, y) from the curve's: at least 10, 8
+ * or 6 times as far away as the patch's corner, which is 17.9, 8.95 or 4.48
+ * pixels from there. */
 typedef void pel_taylor_function(const struct pel_curve *curve, int32_t x,
                                  int32_t y, int size,
                                  struct pel_taylor *taylor);
 
 pel_taylor_function pel_radial_taylor, pel_conic_taylor;
-
-/* Times 17.9, 8.95 and 4.48 pixels: 179, 71.6 and 26.9. */
-enum { PEL_PATCH_FAR_0 = 10, PEL_PATCH_FAR_1 = 8, PEL_PATCH_FAR_2 = 6 };
 
 /* The colours of a run; `mixer` is a struct pel_ramp_mixer. */
 typedef void pel_curve_colors(const struct pel_color_paint *paint,
@@ -59,7 +56,18 @@ struct pel_patchwork {
     const struct pel_ramp *ramp;
     pel_taylor_function *taylor;
     pel_curve_colors *colors;
+
+    /* Pixels at (x, y) and (-x, y) from the centre have one colour. */
+    bool mirrored;
 };
+
+struct pel_grid;
+
+/* The lanes, the error, the width and `padded` of a patch around the pixel
+ * centre `way` from the curve's. False where so many pixels would be in doubt,
+ * one of 32 or more, that patches are no faster. */
+bool pel_patch_grid(const struct pel_patchwork *work, struct pel_point way,
+                    int size, struct pel_grid *grid);
 
 /* What the paint's fill function is to do. */
 void pel_patch_fill(const struct pel_patchwork *work,

@@ -32,11 +32,11 @@ static struct ray ray_of(uint32_t scale, int32_t x, int32_t y)
     return ray;
 }
 
-/* The error in pixels, with |w| the distance of a corner and r, at least `far`
- * |w|, that of the middle. Of the polynomial it is |r''''| |w|^4 / 24 with
- * |r''''| <= 3 / (r - |w|)^3 along any line: 17,562 / r^3 for the largest
- * patches. Of a row's cubic over K pixels it is K^4 / 128 s^3 with s, the
- * piece's least distance, at least far[] of paint_radial.c and at least
+/* The error in pixels, with |w| the distance of a corner from the middle, and
+ * r that of the middle, 10, 8 or 6 |w| or more. Of the polynomial it is |r''''|
+ * |w|^4 / 24 with |r''''| <= 3 / (r - |w|)^3 along any line: 17,562 / r^3 for
+ * the largest patches. Of a row's cubic over K pixels it is K^4 / 128 s^3 with
+ * s, the piece's least distance, at least far[] of paint_radial.c and at least
  * r - |w| - K: 110, 1,400, 18,400 or 230,000 / r^3, for K from 8 to 64, and
  * 1/512 at most. Roots are rounded down, by up to 1/16,384, in both; what is
  * left, of the inverse's 22 bits most, is less than half of that. */

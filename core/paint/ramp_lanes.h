@@ -73,6 +73,7 @@ struct pel_grid {
     struct pel_lanes row[4];
     int32_t width, rows; /* 8, 16 or 32; 1 to 16 */
     uint32_t error;      /* a position is too small by less than this */
+    bool padded;         /* positions are in 2^-30 of a padded way, below 2 */
     pel_color *out;
     ptrdiff_t stride; /* of `out`, in colours */
 
