@@ -1,0 +1,230 @@
+/* Radial and conic fills of many rows: every pixel is what the paint's colours
+ * say of that pixel alone (patches change no byte), and the polynomials of
+ * patches keep their bounds. */
+#include "core/paint/paint_conic.h"
+#include "core/paint/paint_radial.h"
+#include "core/paint/patch.h"
+#include "core/raster/rectangle.h"
+#include "core/raster/triangle.h"
+#include "core/round/circle.h"
+#include "tests/support/canvas.h"
+#include "tests/support/check.h"
+#include "tests/support/hits.h"
+#include "tests/support/paint_cells.h"
+#include "tests/support/shapes.h"
+
+static union {
+    struct pel_radial radial;
+    struct pel_conic conic;
+} paint;
+
+/* From inside the bounds to far outside; half of them on the lattice of half
+ * pixels, where radial gradients are mirror images. */
+static int32_t random_center(struct random *r, int32_t from, int32_t to)
+{
+    const int32_t reach = 1 << random_between(r, 0, 14);
+    int32_t at = random_between(r, PEL_PX(from - reach), PEL_PX(to + reach));
+    if (random_word(r) % 2)
+        at &= ~127;
+    return pel_max(PEL_COORDINATE_MIN, pel_min(PEL_COORDINATE_MAX, at));
+}
+
+static struct pel_color_paint *random_paint(struct random *r,
+                                            const struct pel_rect *b)
+{
+    const struct pel_point center = {random_center(r, b->x0, b->x1),
+                                     random_center(r, b->y0, b->y1)};
+    const struct pel_ramp ramp = cells_random(r);
+    const uint16_t phase = (uint16_t)(random_word(r) % 2 ? random_word(r) : 0);
+    struct pel_rings rings = {center, 0, phase};
+    rings.radius =
+        random_between(r, 256, PEL_PX(1 << random_between(r, 1, 14)));
+    if (random_word(r) % 2) {
+        assert_int_equal(pel_conic_init(&paint.conic, center, phase, &ramp),
+                         PEL_OK);
+        return &paint.conic.base;
+    }
+    assert_int_equal(pel_radial_init(&paint.radial, &rings, &ramp), PEL_OK);
+    return &paint.radial.base;
+}
+
+static struct pel_rect random_bounds(struct random *r)
+{
+    const int32_t reach = random_word(r) % 4 ? 300 : 32500;
+    struct pel_rect b;
+    b.x0 = random_between(r, -reach, reach) & ~7;
+    b.y0 = random_between(r, -reach, reach) & ~7;
+    b.x1 = b.x0 + random_between(r, 1, 260);
+    b.y1 = b.y0 + random_between(r, 1, 90);
+    return b;
+}
+
+static void draw(const struct pel_surface *s, const struct pel_point v[3],
+                 uint32_t shape, const struct pel_paint *p)
+{
+    const struct pel_rect *b = &s->bounds;
+    const struct pel_point from = {PEL_PX(b->x0), PEL_PX(b->y0)};
+    const struct pel_point to = {PEL_PX(b->x1), PEL_PX(b->y1)};
+    if (shape == 0)
+        pel_triangle(s, v, p);
+    else if (shape == 1)
+        pel_circle(s, v[0], v[1].x & 32767, p);
+    else
+        pel_rectangle(s, from, to, p);
+}
+
+static void check_pixels(const struct canvas *c, const struct hits *h,
+                         const struct pel_color_paint *p)
+{
+    const struct pel_rect *b = &c->surface.bounds;
+    for (int32_t y = b->y0; y < b->y1; y++)
+        for (int32_t x = b->x0; x < b->x1; x++) {
+            uint32_t want = canvas_pixel_before(c, x, y);
+            pel_color source;
+            p->colors(p, x, y, 1, &source);
+            if (hits_at(h, x, y))
+                want = layout_over(c->layout, want, source);
+            if (canvas_pixel(c, x, y) != want)
+                fail_msg("%s, pixel %d,%d: colour %08x, expected %x, got %x; "
+                         "%s",
+                         c->layout->name, x, y, source, want,
+                         canvas_pixel(c, x, y), cases_replay());
+        }
+    canvas_check(c);
+}
+
+static void test_pixels(void **state)
+{
+    (void)state;
+    static struct canvas canvas;
+    static struct hits hits;
+    for (struct cases c = cases_of(4000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const struct pel_rect b = random_bounds(r);
+        const uint32_t shape = random_word(r) % 4;
+        const struct layout *layout = &layouts[random_word(r) % LAYOUT_COUNT];
+        struct pel_color_paint *p = random_paint(r, &b);
+        struct pel_point v[3];
+        if (random_word(r) % 2)
+            layout = layout_of(&pel_xrgb8888);
+        shape_in_box(r, v, 3, &b);
+        canvas_open(&canvas, layout->format, &b,
+                    random_word(r) % CANVAS_STYLES);
+        hits_open(&hits, &b);
+        draw(&canvas.surface, v, shape, &p->paint);
+        draw(&hits.surface, v, shape, &hits.paint);
+        check_pixels(&canvas, &hits, p);
+    }
+}
+
+#if PEL_PATCHES
+
+enum { WIDTH = 32, ROWS = 16 };
+
+static pel_color row_colors[WIDTH];
+static uint64_t row_positions[WIDTH];
+
+/* A curve's run function that keeps positions. */
+static void keep(const void *mixer, const struct pel_ramp_walk *walk,
+                 pel_color *colors)
+{
+    (void)mixer;
+    struct pel_ramp_walk w = *walk;
+    for (int32_t i = 0; i < w.n; i++, pel_ramp_step(&w))
+        row_positions[colors - row_colors + i] = w.at;
+}
+
+static uint64_t value_at(const struct pel_taylor *t, uint64_t u, uint64_t v)
+{
+    return t->at + t->x * u + t->y * v + t->xx * u * u + t->xy * u * v +
+           t->yy * v * v + t->xxx * u * u * u + t->xxy * u * u * v +
+           t->xyy * u * v * v + t->yyy * v * v * v;
+}
+
+static uint64_t magnitude(uint64_t difference)
+{
+    return difference >> 63 ? 0 - difference : difference;
+}
+
+static void check_patch(const struct pel_color_paint *p,
+                        const struct pel_taylor *t, struct pel_point middle,
+                        int size)
+{
+    const int32_t u0 = -(WIDTH / 2 >> size), v0 = -(ROWS / 2 >> size);
+    for (int32_t v = v0; v < -v0; v++) {
+        p->colors(p, middle.x + u0, middle.y + v, -2 * u0, row_colors);
+        for (int32_t u = u0; u < -u0; u++) {
+            const uint64_t got =
+                value_at(t, (uint64_t)(int64_t)u, (uint64_t)(int64_t)v);
+            const uint64_t off = magnitude(got - row_positions[u - u0]);
+            if (off >= t->error ||
+                (t->reach && magnitude(got - t->at) > t->reach))
+                fail_msg("size %d, pixel %d,%d, %d,%d from it: off by %llu of "
+                         "%llu, reach %llu; %s",
+                         size, middle.x, middle.y, u, v,
+                         (unsigned long long)off, (unsigned long long)t->error,
+                         (unsigned long long)t->reach, cases_replay());
+        }
+    }
+}
+
+/* A pixel from which the centre is at least as far away as patches of this size
+ * must be, and often just so. */
+static struct pel_point random_middle(struct random *r, struct pel_point center,
+                                      int size)
+{
+    static const real least[PEL_PATCH_SIZES] = {178.886L, 71.555L, 26.833L};
+    for (;;) {
+        const real x = random_between(r, -1000, 1000);
+        const real y = random_between(r, -1000, 1000);
+        const real more = random_between(r, 1, 1000) / 1000.0L;
+        const real far = least[size] * (1 + more * (1 << random_word(r) % 7));
+        const real scale = far * 256 / (real_root(x * x + y * y) + 1);
+        const struct pel_point p = {
+            pel_pixel_of(center.x + (int32_t)(x * scale)),
+            pel_pixel_of(center.y + (int32_t)(y * scale))};
+        const real dx = (real)pel_pixel_center(p.x) - center.x;
+        const real dy = (real)pel_pixel_center(p.y) - center.y;
+        if (dx * dx + dy * dy >= least[size] * least[size] * 65536)
+            return p;
+    }
+}
+
+static void test_polynomials(void **state)
+{
+    (void)state;
+    const struct pel_ramp ramp = cells_ramp(2, PEL_REPEAT);
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const int size = (int)(random_word(r) % PEL_PATCH_SIZES);
+        const struct pel_rings rings = {
+            {random_between(r, -70000, 70000), random_between(r, -999, 999)},
+            random_between(r, 256, PEL_PX(1 << random_between(r, 1, 14))),
+            (uint16_t)random_word(r)};
+        const struct pel_point middle = random_middle(r, rings.center, size);
+        const int32_t x = pel_pixel_center(middle.x) - rings.center.x;
+        const int32_t y = pel_pixel_center(middle.y) - rings.center.y;
+        struct pel_taylor t;
+        pel_radial_init(&paint.radial, &rings, &ramp);
+        paint.radial.curve.run = keep;
+        pel_radial_taylor(&paint.radial.curve, x, y, size, &t);
+        check_patch(&paint.radial.base, &t, middle, size);
+        pel_conic_init(&paint.conic, rings.center, rings.phase, &ramp);
+        paint.conic.curve.run = keep;
+        pel_conic_taylor(&paint.conic.curve, x, y, size, &t);
+        check_patch(&paint.conic.base, &t, middle, size);
+    }
+}
+
+#endif
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_pixels),
+#if PEL_PATCHES
+        cmocka_unit_test(test_polynomials),
+#endif
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
