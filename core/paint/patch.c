@@ -235,14 +235,29 @@ static void color_one(struct fill *f, struct patch *p)
     }
 }
 
+/* Where to begin a patch that goes beyond the strip: sooner, where pixels may
+ * be coloured twice and so all of it fits. */
+static int32_t last_of(const struct fill *f, const struct patch *p,
+                       struct pel_row all)
+{
+    const int32_t sooner = all.x1 - PEL_GRID_WIDTH;
+    const bool fits = f->in_place && sooner < p->x && sooner >= f->whole.x0 &&
+                      all.x1 == f->whole.x1;
+    return fits ? sooner : p->x;
+}
+
 /* Patches from the axis to both sides, the left one the mirror image of the
  * right one. A column on the axis is in both. */
 static void color_pairs(struct fill *f, struct patch *p, struct pel_row all)
 {
+    const bool symmetric = image_of(f, all.x0, 0) == all.x1;
     struct patch left = *p;
     p->x = f->work->curve->center.x >> 8;
     left.x = image_of(f, p->x, PEL_GRID_WIDTH);
     while (p->x < all.x1 || left.x + PEL_GRID_WIDTH > all.x0) {
+        if (symmetric)
+            p->x = last_of(f, p, all);
+        left.x = image_of(f, p->x, PEL_GRID_WIDTH);
         if (is_whole(f, p) && is_whole(f, &left)) {
             p->out = in_place(f, p->x, p->y);
             p->image = in_place(f, left.x, p->y);
@@ -275,8 +290,10 @@ static void color_strip(struct fill *f, int32_t y, int32_t n)
     if (f->pairs && all.x0 < middle && middle < all.x1)
         color_pairs(f, &p, all);
     else
-        for (p.x = all.x0; p.x < all.x1; p.x += PEL_GRID_WIDTH)
+        for (p.x = all.x0; p.x < all.x1; p.x += PEL_GRID_WIDTH) {
+            p.x = last_of(f, &p, all);
             color_one(f, &p);
+        }
 }
 
 void pel_patch_fill(const struct pel_patchwork *work,
