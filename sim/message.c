@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Of message_error. */
+/* What a script asks for. */
 static const char *place_file;
 static long place_line;
 
@@ -23,27 +23,32 @@ static void print_place(const char *file, long line)
     fputc(' ', stderr);
 }
 
-bool message_error(const char *format, ...)
+__attribute__((format(printf, 3, 0))) static void print_error(
+    const char *file, long line, const char *format, va_list arguments)
 {
-    va_list arguments;
     fprintf(stderr, "pel: ");
     if (place_file)
         print_place(place_file, place_line);
-    va_start(arguments, format);
+    if (file)
+        print_place(file, line);
     vfprintf(stderr, format, arguments);
-    va_end(arguments);
     fputc('\n', stderr);
+}
+
+bool message_error(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    print_error(NULL, 0, format, arguments);
+    va_end(arguments);
     return false;
 }
 
 bool message_error_at(const char *file, long line, const char *format, ...)
 {
     va_list arguments;
-    fprintf(stderr, "pel: ");
-    print_place(file, line);
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    print_error(file, line, format, arguments);
     va_end(arguments);
-    fputc('\n', stderr);
     return false;
 }

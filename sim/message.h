@@ -6,8 +6,7 @@
 
 #include <stdbool.h>
 
-/* pel: TEXT; or pel: FILE:LINE: TEXT, after message_place until it is called
- * with NULL: for what a script asks of functions that know no scripts. */
+/* pel: TEXT */
 __attribute__((format(printf, 1, 2))) bool message_error(const char *format,
                                                          ...);
 
@@ -18,6 +17,8 @@ __attribute__((format(printf, 3, 4))) bool message_error_at(const char *file,
                                                             const char *format,
                                                             ...);
 
+/* Until it is called with NULL, all errors name that place first, pel:
+ * FILE:LINE: ...: for what a script asks of functions that know no scripts. */
 void message_place(const char *file, long line);
 
 #endif

@@ -70,8 +70,10 @@ bool scene_add_font(const struct scene_place *place, const char *word,
     bool done = false;
     if (list)
         a->fonts = list;
+    message_place(place->path, place->line);
     if (list && path)
         done = load_font(&list[a->font_count], path);
+    message_place(NULL, 0);
     if (done)
         *index = (int32_t)a->font_count++;
     free(path);
@@ -114,8 +116,10 @@ bool scene_add_picture(const struct scene_place *place, const char *word,
     bool done = false;
     if (list)
         a->pictures = list;
+    message_place(place->path, place->line);
     if (list && path)
         done = load_picture(&list[a->picture_count], path);
+    message_place(NULL, 0);
     if (done)
         *index = (int32_t)a->picture_count++;
     free(path);

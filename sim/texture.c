@@ -34,7 +34,9 @@ static bool load(struct picture *picture, const char *name, SDL_RWops *source,
     if (image)
         done = copy_surface(picture, image);
     else
-        done = message_error_at(name, 0, "no picture that can be read (%s)",
+        done = message_error_at(name, 0,
+                                "no picture that can be read (%s); a PNG, "
+                                "JPEG, TGA, BMP or PPM file would be right",
                                 SDL_GetError());
     SDL_FreeSurface(image);
     SDL_FreeSurface(raw);

@@ -150,6 +150,11 @@ END
 refused 2 "texture: $work/none.png cannot be read" <<'END'
 texture none.png
 END
+echo 'P6 2' >"$work/bad.ppm"
+refused 3 "$work/bad.ppm:2: ends before the height" <<'END'
+texture bad.ppm
+mesh builtin:vase
+END
 refused 2 "camera eye takes 3 values, not 2: camera eye X Y Z" <<'END'
 camera eye 1 2
 END

@@ -102,7 +102,11 @@ echo 'paint fan 0 0 #ff0000 9 0 #00ff00 9 9 #00ff00 1' |
     refused 2 'paint fan takes 9 values or more, in threes, not 10'
 echo 'paint fan 0 0 #ff0000 9 0 #00ff00 18 0 #00ff00' |
     refused 2 'paint fan: the points must go around their middle once'
-echo 'paint texture nothing.ppm 0 0' | refused 2 ''
+echo 'paint texture nothing.ppm 0 0' |
+    refused 2 "paint texture: $work/nothing.ppm cannot be read (No such file"
+echo 'P6 2' >"$work/bad.ppm"
+echo 'paint texture bad.ppm 0 0' |
+    refused 2 "$work/bad.ppm:2: ends before the height"
 echo 'option spread more' | refused 2 'unknown command option spread more: valid are option spread pad, option'
 echo 'option dither maybe' | refused 2 'unknown command option dither maybe: valid are option dither on, option dither off'
 echo 'paint flat' | refused 2 'paint flat takes 1 value, not 0'
