@@ -28,7 +28,8 @@ enum { OPTION_NAME = 0x200, OPTION_FORMAT, OPTION_NORMALS, OPTION_CODES };
 
 static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0,
-     "the asset: .c, or .pel2d for a projected mesh; - is C on standard output",
+     "the asset: .c, with a .h beside it that declares it, or .pel2d for a "
+     "projected mesh; - is C on standard output, without a header",
      0},
     {"name", OPTION_NAME, "NAME", 0,
      "of the C object (default: the output's base name)", 0},
@@ -134,9 +135,9 @@ static const struct argp parser = {
     .parser = parse,
     .args_doc = "MESH|PICTURE|FONT",
     .doc =
-        "Makes an asset for firmware: a C file with one const struct, of a "
-        "mesh (core/asset/mesh_asset.h), a picture "
-        "(core/asset/image_asset.h) or a font "
+        "Makes an asset for firmware: a C file with one const struct, and the "
+        "header that declares it, of a mesh (core/asset/mesh_asset.h), a "
+        "picture (core/asset/image_asset.h) or a font "
         "(core/asset/font_asset.h); or an output .pel2d, a mesh projected "
         "already.\nOf the options under the headings below, a C asset of a "
         "mesh takes --texture-file and --normals-from alone; a .pel2d takes "

@@ -21,9 +21,9 @@ struct import_options {
     pel_color background; /* of a picture's transparent parts, opaque */
 };
 
-/* Write a C file with one const struct and its arrays, the same for the same
- * input: no date, no path. False, with a message on standard error, when that
- * failed. */
+/* Write a C file with one const struct and its arrays, and its header beside
+ * it, the same for the same input: no date, no path. False, with a message on
+ * standard error, when that failed. */
 bool import_mesh(const struct import_options *options, const struct mesh *mesh);
 bool import_font(const struct import_options *options);
 

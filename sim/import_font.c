@@ -116,8 +116,7 @@ static void write_asset(struct import_text *text, const char *name,
     write_bits(text, name, font);
     write_glyphs(text, name, font);
     write_ranges(text, name, font);
-    fprintf(out, "\nextern const struct pel_font_asset %s;\n", name);
-    fprintf(out, "const struct pel_font_asset %s = {\n", name);
+    import_struct_begin(text);
     fprintf(out, "    PEL_FONT_MAGIC,\n    PEL_FONT_VERSION,\n");
     fprintf(out, "    %u, /* px above the baseline */\n", font->ascent);
     fprintf(out, "    %u, /* px below it */\n", font->descent);
@@ -132,11 +131,10 @@ static bool write_file(const struct import_options *options,
                        const struct pel_font_asset *asset)
 {
     struct import_text text;
-    if (!import_text_open(&text, options->output, options->source,
-                          "core/asset/font_asset.h"))
+    if (!import_text_open(&text, options, "font"))
         return false;
     write_asset(&text, options->name, asset);
-    return output_commit(&text.output);
+    return import_text_commit(&text);
 }
 
 bool import_font(const struct import_options *options)

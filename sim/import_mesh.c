@@ -103,8 +103,7 @@ static void write_struct(struct import *import)
     const struct mesh *mesh = import->mesh;
     const char *name = import->options->name;
     const bool bytes = import->options->normal_bits == 8;
-    fprintf(out, "\nextern const struct pel_mesh_asset %s;\n", name);
-    fprintf(out, "const struct pel_mesh_asset %s = {\n", name);
+    import_struct_begin(&import->text);
     fprintf(out, "    PEL_MESH_MAGIC,\n    PEL_MESH_VERSION,\n");
     fprintf(out, "    %u,\n    %u,\n", mesh->vertices, mesh->triangles);
     write_quantum(out, &import->position);
@@ -160,11 +159,10 @@ bool import_mesh(const struct import_options *options, const struct mesh *mesh)
         PEL_MESH_SHIFT_MAX};
     import.position = import_quantum(&positions);
     import.texture = import_quantum(&uv);
-    if (!import_text_open(&import.text, options->output, options->source,
-                          "core/asset/mesh_asset.h"))
+    if (!import_text_open(&import.text, options, "mesh"))
         return false;
     write_figures(&import);
     write_arrays(&import);
     write_struct(&import);
-    return output_commit(&import.text.output);
+    return import_text_commit(&import.text);
 }

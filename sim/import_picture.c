@@ -42,8 +42,8 @@ static void write_asset(struct import_text *text,
             image.size);
     fprintf(out, "    uint32_t word;\n} %s_pixels = {{", name);
     write_bytes(text, surface->pixels, image.size);
-    fprintf(out, "\n}};\n\nextern const struct pel_image_asset %s;\n", name);
-    fprintf(out, "const struct pel_image_asset %s = {\n", name);
+    fprintf(out, "\n}};\n");
+    import_struct_begin(text);
     fprintf(out, "    PEL_IMAGE_MAGIC,\n    PEL_IMAGE_VERSION,\n");
     fprintf(out, "    %u, /* %s */\n", image.format, name_of(surface->format));
     fprintf(out, "    %u,\n    %u,\n    %ld,\n    %lu,\n    %s_pixels.bytes,\n",
@@ -105,11 +105,10 @@ bool import_picture(const struct import_options *options,
     if (!canvas_init(&canvas, format, picture->width, picture->height))
         return false;
     store(&canvas.surface, picture, options);
-    bool done = import_text_open(&text, options->output, options->source,
-                                 "core/asset/image_asset.h");
+    bool done = import_text_open(&text, options, "image");
     if (done) {
         write_asset(&text, options, &canvas.surface);
-        done = output_commit(&text.output);
+        done = import_text_commit(&text);
     }
     canvas_free(&canvas);
     return done;

@@ -1,4 +1,4 @@
-/* C text of arrays, in lines of at most 80 columns. */
+/* C text of an asset: arrays, in lines of at most 80 columns, and a struct. */
 #ifndef SIM_IMPORT_TEXT_H
 #define SIM_IMPORT_TEXT_H
 
@@ -6,15 +6,24 @@
 
 #include "output.h"
 
+struct import_options;
+
 struct import_text {
     struct output output;
-    int column; /* of the line that is being written */
+    const struct import_options *options;
+    const char *kind; /* "image": struct pel_image_asset */
+    int column;       /* of the line that is being written */
 };
 
-/* Opens the file and writes its first lines: the comment, with the base name
- * of `source`, and #include `header`. */
-bool import_text_open(struct import_text *text, const char *path,
-                      const char *source, const char *header);
+/* Opens the output and writes its first lines: the comment, with the base name
+ * of the source, and #include of the header of that kind of asset. */
+bool import_text_open(struct import_text *text,
+                      const struct import_options *options, const char *kind);
+
+/* Ends the output and puts it in its place, and beside it, unless that is
+ * standard output, its header: .h for .c. A header that pel import has not made
+ * stays as it is, and a message says what it has to declare. */
+bool import_text_commit(struct import_text *text);
 
 struct import_array {
     const char *type, *what;
@@ -30,5 +39,8 @@ void import_array_begin(struct import_text *text, const char *name,
 void import_array_item(struct import_text *text, const long *value, int n);
 
 void import_array_end(struct import_text *text);
+
+/* `const struct pel_KIND_asset NAME = {`, and its declaration before it. */
+void import_struct_begin(struct import_text *text);
 
 #endif

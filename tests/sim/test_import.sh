@@ -25,8 +25,11 @@ same() {
     mkdir -p "$dir/again"
     "$PEL" import "$@" --name asset -o "$dir/$name.c"
     "$PEL" import "$@" --name asset -o "$dir/again/$name.c"
-    cmp "$dir/$name.c" "$dir/again/$name.c" || fail "$name: not the same twice"
-    if grep -n "$dir" "$dir/$name.c"; then
+    for ending in c h; do
+        cmp "$dir/$name.$ending" "$dir/again/$name.$ending" ||
+            fail "$name.$ending: not the same twice"
+    done
+    if grep -n "$dir" "$dir/$name.c" "$dir/$name.h"; then
         fail "$name: a path in the asset"
     fi
     $CC -std=c99 $WARNINGS -I. -c "$dir/$name.c" -o "$dir/$name.o"
@@ -161,6 +164,41 @@ else
         fail "alpha: $(cat "$dir/message")"
 fi
 
+# The header beside each asset declares it, for C and C++, as often as it is
+# included; one that somebody else wrote stays.
+"$PEL" import "$dir/square.ply" -o "$dir/square.c"
+"$PEL" import "$dir/picture.ppm" -o "$dir/picture.c"
+"$PEL" import sim/scenes/letters.bdf --name my_letters -o "$dir/letters.c"
+cat >"$dir/use.c" <<'EOF'
+#include "letters.h"
+#include "picture.h"
+#include "square.h"
+#include "letters.h"
+
+int main(void)
+{
+    return pel_font_asset_check(&my_letters) != PEL_OK ||
+           pel_image_asset_check(&picture, &pel_rgb565_le) != PEL_OK ||
+           pel_mesh_asset_check(&square) != PEL_OK;
+}
+EOF
+for asset in square picture letters; do
+    $CC -std=c99 $WARNINGS -I. -c "$dir/$asset.c" -o "$dir/again/$asset.o"
+done
+assets="$dir/again/square.o $dir/again/picture.o $dir/again/letters.o"
+$CC -std=c99 $WARNINGS -I. "$dir/use.c" $assets "$LIBPEL" -o "$dir/use"
+"$dir/use" || fail "an asset of a header is refused"
+if command -v c++ >/dev/null; then
+    c++ -x c++ -Wall -Wextra -Werror -I. "$dir/use.c" -x none $assets \
+        "$LIBPEL" -o "$dir/use"
+    "$dir/use" || fail "an asset of a header is refused in C++"
+fi
+echo "/* mine */" >"$dir/letters.h"
+"$PEL" import sim/scenes/letters.bdf -o "$dir/letters.c" 2>"$dir/message"
+grep -qF 'letters.h: was not made by pel import and stays as it is; it should say: extern const struct pel_font_asset letters;' \
+    "$dir/message" || fail "somebody's header: $(cat "$dir/message")"
+[ "$(cat "$dir/letters.h")" = "/* mine */" ] || fail "a header is lost"
+
 # What is wrong is refused, with status 2 and no file.
 refuse() {
     expected=$1
@@ -170,7 +208,8 @@ refuse() {
     [ $status -eq 2 ] || fail "import $*: status $status"
     grep -qF -e "$expected" "$dir/message" ||
         fail "import $*: $(cat "$dir/message")"
-    [ ! -s "$dir/out" ] && [ ! -e "$dir/x.c" ] && [ ! -e "$dir/x.pel2d" ] || fail "import $*: output"
+    [ ! -s "$dir/out" ] && [ ! -e "$dir/x.c" ] && [ ! -e "$dir/x.h" ] &&
+        [ ! -e "$dir/x.pel2d" ] || fail "import $*: output"
 }
 refuse "an input is missing" -o "$dir/x.c"
 refuse "-o ASSET.c is missing" builtin:vase
