@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "byte_order_mark.h"
 #include "message.h"
 
 enum { FILE_MAX = 64 << 20, CHUNK = 1 << 16 };
@@ -64,6 +65,14 @@ static bool parse(struct font *font, const struct font_file *file)
                             "is no font; a BDF or PSF file would be right");
 }
 
+static bool parse_behind_mark(struct font *font, const struct font_file *file)
+{
+    const size_t mark = byte_order_mark(file->data);
+    const struct font_file rest = {file->path, file->data + mark,
+                                   file->size - mark};
+    return parse(font, &rest);
+}
+
 static int by_code(const void *a, const void *b)
 {
     const struct font_char *x = a, *y = b;
@@ -90,7 +99,8 @@ bool font_load(struct font *font, const char *path)
 {
     struct font_file file = {.path = path};
     *font = (struct font){.missing = -1};
-    bool done = read_file(&file) && parse(font, &file) && sort(font, path);
+    bool done =
+        read_file(&file) && parse_behind_mark(font, &file) && sort(font, path);
     free(file.data);
     if (!done)
         font_free(font);

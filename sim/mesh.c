@@ -72,11 +72,27 @@ bool mesh_check(const struct mesh *mesh, const char *path)
     return check_vertices(mesh, path);
 }
 
+bool mesh_is_builtin(const char *path)
+{
+    const char prefix[] = MESH_BUILTIN_PREFIX;
+    return strncmp(path, prefix, sizeof(prefix) - 1) == 0;
+}
+
+static bool load(struct mesh *mesh, const char *path)
+{
+    if (!mesh_is_builtin(path))
+        return mesh_load_file(mesh, path);
+    return strcmp(path, MESH_BUILTIN) == 0
+               ? mesh_load_builtin(mesh)
+               : message_error_at(path, 0,
+                                  "no mesh that is built in; " MESH_BUILTIN
+                                  ", or a file, would be right");
+}
+
 bool mesh_load(struct mesh *mesh, const char *path)
 {
     memset(mesh, 0, sizeof(*mesh));
-    bool done = strcmp(path, MESH_BUILTIN) == 0 ? mesh_load_builtin(mesh)
-                                                : mesh_load_file(mesh, path);
+    bool done = load(mesh, path);
     if (!done || !mesh_check(mesh, path)) {
         mesh_free(mesh);
         return false;

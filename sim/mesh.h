@@ -29,8 +29,11 @@ struct mesh {
 /* Coordinates beyond this are refused: nothing can be projected there. */
 #define MESH_LIMIT 1e15
 
-/* The mesh that needs no file: a vase. */
-#define MESH_BUILTIN "builtin:vase"
+/* What names of meshes without a file begin with, and the only one: a vase. */
+#define MESH_BUILTIN_PREFIX "builtin:"
+#define MESH_BUILTIN MESH_BUILTIN_PREFIX "vase"
+
+bool mesh_is_builtin(const char *path);
 
 /* A mesh of that many zeroed vertices and triangles, 1..2^28 each. False, with
  * a message on standard error, when memory is short. */

@@ -1,5 +1,6 @@
 #include "mesh.h"
 
+#include "byte_order_mark.h"
 #include "message.h"
 
 #ifdef HAVE_ASSIMP
@@ -252,11 +253,31 @@ bool mesh_ending_known(const char *path)
     return !dot || strchr(dot, '/') || aiIsExtensionSupported(dot);
 }
 
+/* Of assimp's readers only those of XML and .x know the mark; that of .obj
+ * leaves out the first line without a word. */
+static bool check_mark(const char *path)
+{
+    char start[8] = "";
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return true;
+    const size_t n = fread(start, 1, sizeof(start) - 1, file);
+    fclose(file);
+    const char *text = start + byte_order_mark(start);
+    return n == 0 || text == start || *text == '<' ||
+           strncmp(text, "xof ", 4) == 0 ||
+           message_error_at(path, 0,
+                            "begins with a UTF-8 byte order mark, which its "
+                            "format does not know; the same without it (`sed "
+                            "-i '1s/^\\xEF\\xBB\\xBF//' %s`) would be right",
+                            path);
+}
+
 bool mesh_load_file(struct mesh *mesh, const char *path)
 {
     if (access(path, R_OK) != 0)
         return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
-    const struct aiScene *scene = read_scene(path);
+    const struct aiScene *scene = check_mark(path) ? read_scene(path) : NULL;
     if (!scene)
         return false;
     scene = aiApplyPostProcessing(scene, IMPORT_FLAGS); /* frees on failure */

@@ -5,6 +5,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "byte_order_mark.h"
 #include "message.h"
 
 enum { COUNT_MAX = 1 << 28 };
@@ -58,7 +59,7 @@ void pel2d_free(struct pel2d *flat)
 
 bool pel2d_is_file(const char *path)
 {
-    char start[6] = "";
+    char start[10] = "";
     struct stat status;
     const char *dot = strrchr(path, '.');
     if (strcmp(path, "-") == 0 || (dot && strcmp(dot, ".pel2d") == 0))
@@ -70,8 +71,9 @@ bool pel2d_is_file(const char *path)
     FILE *file = fopen(path, "rb");
     if (!file)
         return false;
-    size_t n = fread(start, 1, 6, file);
+    size_t n = fread(start, 1, sizeof(start) - 1, file);
     fclose(file);
-    return n == 6 && memcmp(start, "pel2d", 5) == 0 &&
-           (start[5] == ' ' || start[5] == '\t');
+    const char *text = start + byte_order_mark(start);
+    return n > 0 && strncmp(text, "pel2d", 5) == 0 &&
+           (text[5] == ' ' || text[5] == '\t');
 }

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "byte_order_mark.h"
 #include "message.h"
 #include "number.h"
 
@@ -45,7 +46,8 @@ static bool next_line(struct reader *r, const char *wanted)
 
 static void split(struct reader *r)
 {
-    char *rest = NULL, *text = r->text;
+    const size_t mark = r->line == 1 ? byte_order_mark(r->text) : 0;
+    char *rest = NULL, *text = r->text + mark;
     r->fields = 0;
     while (r->fields <= FIELDS_MAX &&
            (r->field[r->fields] = strtok_r(text, " \t\r\n", &rest)) != NULL) {

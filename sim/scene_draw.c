@@ -51,11 +51,11 @@ static bool check_whole(const struct scene *scene, const struct pel_rect *shown,
         if (item->command->role != SCENE_WHOLE)
             continue;
         if (band > 0)
-            return message_error_at(scene->path, item->line,
-                                    "%s: a band of %d rows has no pixels of "
-                                    "the others; bands 0 before it would be "
-                                    "right",
-                                    name, band);
+            return message_error_at(
+                scene->path, item->line,
+                "%s: a band of %d rows has no pixels of "
+                "the others; %s would be right",
+                name, band, rows < 0 ? "bands 0 before it" : "--bands 0");
         if (width != scene->width || height != scene->height)
             return message_error_at(scene->path, item->line,
                                     "%s: the screen has %d x %d pixels of %d "

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "byte_order_mark.h"
 #include "message.h"
 #include "scene_assets.h"
 #include "scene_parser.h"
@@ -42,8 +43,9 @@ static bool parse_lines(struct scene_parser *p, FILE *file,
             good = message_error_at(p->scene->path, p->line,
                                     "a zero byte: scripts are text");
         } else {
-            caption_add(caption, text);
-            good = scene_parse_line(p, text);
+            char *line = text + (p->line == 1 ? byte_order_mark(text) : 0);
+            caption_add(caption, line);
+            good = scene_parse_line(p, line);
         }
     }
     free(text);

@@ -39,8 +39,7 @@ static bool load(const struct scene_place *place, struct scene_mesh *mesh,
 static char *path_of(const struct scene_place *place, const char *word)
 {
     const char *name = word + (*word == '"');
-    return strcmp(name, MESH_BUILTIN) == 0 ? strdup(name)
-                                           : scene_file(place, word);
+    return mesh_is_builtin(name) ? strdup(name) : scene_file(place, word);
 }
 
 bool scene_add_mesh(const struct scene_place *place, const char *word,

@@ -107,6 +107,11 @@ P2
 00011000000
 EOF
 
+{ printf '\357\273\277'; cat "$dir/hand.bdf"; } >"$dir/marked.bdf"
+font marked "$dir/marked.bdf"
+"$dir/hand" 'aj?b' >"$dir/hand.pgm"
+shows marked 'aj?b' <"$dir/hand.pgm"
+
 font few "$dir/hand.bdf" --codes 97,0x3f-0x3F
 shows few 'j' <<'EOF'
 P2

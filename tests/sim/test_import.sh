@@ -251,9 +251,17 @@ refuse "--normals is for C assets of meshes" "$dir/picture.ppm" --normals 16 -o 
 refuse "--codes is for fonts" builtin:vase --codes 32 -o "$dir/x.c"
 refuse "--texture-file is for meshes" sim/scenes/letters.bdf --texture-file a.ppm -o "$dir/x.c"
 refuse "--name is for C assets" builtin:vase --name x -o "$dir/x.pel2d"
+refuse "builtin:vase, or a file, would be right" builtin:cube -o "$dir/x.c"
 refuse "no mesh that can be read" "$dir/message" -o "$dir/x.c"
 sed 's/^3 0 1 2/3 0 1 4/' "$dir/square.ply" >"$dir/bad.ply"
 refuse "face 0 of part 0 names vertex 4; the part has 4" "$dir/bad.ply" -o "$dir/x.c"
+if "$PEL" render "$dir/square.ply" -o "$dir/a.ppm" 2>/dev/null; then
+    printf '\357\273\277v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$dir/marked.obj"
+    refuse "begins with a UTF-8 byte order mark" "$dir/marked.obj" -o "$dir/x.c"
+    { printf '\357\273\277'; cat "$duck"; } >"$dir/marked.dae"
+    "$PEL" import "$dir/marked.dae" --name asset -o "$dir/marked.c" 2>/dev/null ||
+        fail "a byte order mark before XML"
+fi
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n' >"$dir/bad.off"
 refuse "out of range" "$dir/bad.off" -o "$dir/x.c"
 "$PEL" import builtin:vase -o "$dir/vase.pel2d"

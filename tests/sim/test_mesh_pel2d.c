@@ -97,12 +97,10 @@ static void test_every_cut(void **state)
         refuse(n, whole, n, "");
 }
 
-static void test_right(void **state)
+static void check_right(const char *text)
 {
-    static const char text[] = "pel2d\t3  1\r\n" A BC "2 0 1\n\n \t\n";
     struct pel2d flat;
-    char *path = file_with(text, sizeof(text) - 1);
-    (void)state;
+    char *path = file_with(text, strlen(text));
     assert_true(pel2d_is_file(path));
     assert_true(pel2d_load(&flat, path));
     unlink(path);
@@ -117,6 +115,16 @@ static void test_right(void **state)
     assert_int_equal(flat.triangle[0][0], 2);
     assert_int_equal(flat.triangle[0][2], 1);
     pel2d_free(&flat);
+}
+
+/* With and without a byte order mark. */
+static void test_right(void **state)
+{
+    static const char text[] =
+        "\xEF\xBB\xBFpel2d\t3  1\r\n" A BC "2 0 1\n\n \t\n";
+    (void)state;
+    check_right(text);
+    check_right(text + 3);
 }
 
 static uint64_t next(uint64_t *seed)

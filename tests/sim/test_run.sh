@@ -48,7 +48,7 @@ xbgr8888 rgbx8888 bgrx8888 rgb332 gray8 gray4 mono1 mono1_pages'
 for scene in "$scenes"/*.pel; do
     if grep -q '^scroll ' "$scene"; then
         status 2 "$PEL" run "$scene" --bands 8
-        said err "scroll: a band of 8 rows has no pixels of the others"
+        said err "scroll: a band of 8 rows has no pixels of the others; --bands 0"
         continue
     fi
     for format in $formats; do
@@ -98,6 +98,8 @@ status 0 "$PEL" compare "$work/o.ppm" "$work/want.ppm"
 "$PEL" run - <"$work/s.pel" | cmp - "$work/o.ppm" || fail "run - to a pipe"
 sed 's/$/\r/' "$work/s.pel" | "$PEL" run - -o - | cmp - "$work/o.ppm" ||
     fail "lines that end in CR LF"
+{ printf '\357\273\277'; cat "$work/s.pel"; } | "$PEL" run - |
+    cmp - "$work/o.ppm" || fail "a byte order mark"
 
 # Collinear triangles: nothing, or a line.
 printf 'canvas 8 8 gray8\ntriangle 1 1 6 6 3 3\n' >"$work/s.pel"
