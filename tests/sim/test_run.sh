@@ -203,7 +203,8 @@ refused 2 'bands 12: mono1_pages needs a multiple of 8' <<'END'
 canvas 8 8 mono1_pages
 bands 12
 END
-printf 'canvas 8 8 rgb888\nclear #0000\00000\n' | refused 2 'a zero byte'
+printf 'canvas 8 8 rgb888\nclear #0000\00000\n' >"$work/zero"
+refused 2 'a zero byte' <"$work/zero"
 status 2 "$PEL" run "$work/s.pel" --bands 4 --format mono1_pages
 status 2 "$PEL" run "$work/none.pel"
 said err "pel: $work/none.pel: cannot be read: No such file"

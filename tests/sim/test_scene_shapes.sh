@@ -6,11 +6,11 @@ set -u
 PEL=${PEL:-build/pel}
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
-failures=0
 
+# Also in the subshell at the end of a pipe.
 fail() {
     echo "FAILED: $*" >&2
-    failures=$((failures + 1))
+    : >"$work/failed"
 }
 
 # refused LINE TEXT: after a canvas in line 1, the script on standard input.
@@ -139,4 +139,4 @@ echo 'font bad.ppm' | refused 2 "$work/bad.ppm: is no font; a BDF or PSF file"
 echo 'image alpha 1 2 256 p.ppm' |
     refused 2 'image alpha: 256 must be a whole number in 0..255'
 
-[ $failures = 0 ]
+[ ! -e "$work/failed" ]
