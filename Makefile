@@ -45,8 +45,14 @@ EXAMPLE_PROGRAMS := $(EXAMPLES:%.c=$(BUILD)/%)
 
 $(BUILD)/examples/%: examples/%.c $(BUILD)/libpel.a
 	@mkdir -p $(@D)
-	$(CC) $(PEL_CFLAGS) $(CFLAGS) $< $(BUILD)/libpel.a -o $@
+	$(CC) $(PEL_CFLAGS) -I$(@D) $(CFLAGS) $(filter %.c %.a,$^) -o $@
 
+$(BUILD)/examples/letters.c: sim/scenes/letters.bdf $(BUILD)/pel
+	@mkdir -p $(@D)
+	$(BUILD)/pel import $< -o $@
+$(BUILD)/examples/paints: $(BUILD)/examples/letters.c
+
+CHECK_EXTRA += examples
 .PHONY: examples
 examples: $(EXAMPLE_PROGRAMS) ## build and run the examples
 	$(BUILD)/examples/bands

@@ -1,0 +1,106 @@
+/* Gradients, a texture and text; the picture goes to standard output as PPM.
+ *
+ *     build/pel import sim/scenes/letters.bdf -o letters.c
+ *     cc -I. examples/paints.c letters.c build/libpel.a -o paints */
+#include <stdio.h>
+
+#include "core/pel.h"
+#include "letters.h"
+
+enum { WIDTH = 300, HEIGHT = 120, COLORS = 256 };
+
+/* White over orange to blue. A paint keeps the ramp's array, not a copy. */
+static pel_color sunset[COLORS];
+
+static enum pel_status set_sunset(void)
+{
+    static const struct pel_stop stops[3] = {
+        {0, PEL_RGB(255, 255, 230)},
+        {26000, PEL_RGB(255, 140, 40)},
+        {65536, PEL_RGB(30, 20, 90)}}; /* 65,536 is the end of the way */
+    return pel_ramp_fill(sunset, COLORS, stops, 3);
+}
+
+static enum pel_status draw_star(const struct pel_surface *screen)
+{
+    static const struct pel_point corners[5] = {PEL_AT(50, 5), PEL_AT(76, 86),
+                                                PEL_AT(7, 36), PEL_AT(93, 36),
+                                                PEL_AT(24, 86)};
+    static const struct pel_polygon_shape star = {corners, 5, PEL_NON_ZERO};
+    static const struct pel_rings rings = {PEL_AT(50, 50), PEL_PX(45), 0};
+    static uint32_t scratch[9 * 5]; /* pel_polygon_scratch_size(5) bytes */
+    const struct pel_ramp ramp = {sunset, COLORS, PEL_PAD};
+    struct pel_radial paint;
+    const enum pel_status status = pel_radial_init(&paint, &rings, &ramp);
+    if (status != PEL_OK)
+        return status;
+    return pel_polygon(screen, &star, &paint.base.paint, scratch,
+                       sizeof scratch);
+}
+
+static enum pel_status draw_dial(const struct pel_surface *screen)
+{
+    static const struct pel_ring_shape ring = {PEL_AT(150, 50), PEL_PX(24),
+                                               PEL_PX(45)};
+    const struct pel_ramp ramp = {sunset, COLORS, PEL_REFLECT};
+    struct pel_conic paint;
+    const enum pel_status status =
+        pel_conic_init(&paint, ring.center, 49152, &ramp); /* from the top */
+    if (status == PEL_OK)
+        pel_ring(screen, &ring, &paint.base.paint);
+    return status;
+}
+
+/* A picture of 2 x 2 pixels, ten times as large and turned a little: where on
+ * the screen three of its points are to be. */
+static enum pel_status draw_ball(const struct pel_surface *screen)
+{
+    static const pel_color colors[4] = {
+        PEL_RGB(200, 40, 40), PEL_RGB(250, 240, 220), PEL_RGB(250, 240, 220),
+        PEL_RGB(40, 60, 160)};
+    static const struct pel_texels picture = {NULL, colors, 2, 2, true};
+    static const struct pel_point at[3] = {PEL_AT(240, 10), PEL_AT(259, 14),
+                                           PEL_AT(236, 29)};
+    static const struct pel_texel_point shown[3] = {
+        {0, 0}, {2 * 256, 0}, {0, 2 * 256}};
+    const struct pel_point center = PEL_AT(250, 50);
+    struct pel_texture_map map;
+    struct pel_texture paint;
+    enum pel_status status = pel_texture_map_triangle(&map, at, shown);
+    if (status == PEL_OK)
+        status = pel_texture_init_nearest(&paint, &picture, &map);
+    if (status != PEL_OK)
+        return status;
+    paint.wrap_u = paint.wrap_v = PEL_WRAP_REPEAT;
+    pel_circle(screen, center, PEL_PX(45), &paint.base.paint);
+    return PEL_OK;
+}
+
+/* Around x, 100 pixels down. */
+static void write_name(const struct pel_surface *screen, int32_t x,
+                       const char *name)
+{
+    static const struct pel_flat ink = PEL_FLAT(PEL_RGB(40, 40, 40));
+    const struct pel_text_size size = pel_text_measure(&letters, name);
+    const struct pel_text_block text = {&letters, name, x - size.width / 2,
+                                        100};
+    pel_text(screen, &text, &ink.paint);
+}
+
+int main(void)
+{
+    static uint8_t pixels[WIDTH * HEIGHT * 3]; /* R, G, B, as PPM wants them */
+    struct pel_surface screen;
+    if (pel_surface_init(&screen, &pel_bgr888, pixels, WIDTH, HEIGHT) != PEL_OK)
+        return 1;
+    pel_clear(&screen, PEL_RGB(255, 255, 255));
+    if (set_sunset() != PEL_OK || draw_star(&screen) != PEL_OK ||
+        draw_dial(&screen) != PEL_OK || draw_ball(&screen) != PEL_OK)
+        return 1;
+    write_name(&screen, 50, "radial");
+    write_name(&screen, 150, "conic");
+    write_name(&screen, 250, "texture");
+    printf("P6 %d %d 255\n", WIDTH, HEIGHT);
+    fwrite(pixels, 1, sizeof pixels, stdout);
+    return 0;
+}
