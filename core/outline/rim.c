@@ -4,32 +4,35 @@
 
 /* The next piece of the row above the present one, perhaps empty: of a run what
  * is left without its interior, which is one pixel smaller at both ends, where
- * runs of the rows above and below are on both sides of it. */
+ * runs of the rows above and below are on both sides of it. All three rows are
+ * gone through once: runs above and below that reach to the end of this run
+ * stay for the next one. Interior that is cut out ends at x, so that it is
+ * empty when it is seen again. */
 static bool next_piece(struct pel_rim *r, struct pel_row *piece)
 {
     const struct pel_rim_line *above = &r->line[0], *below = &r->line[2];
     const struct pel_row *run = &r->line[1].run[r->at[1]];
     if (r->at[1] == r->line[1].n)
         return false;
-    if (r->at[0] == 0 && r->at[2] == 0)
-        r->x = run->x0;
-    piece->x0 = r->x;
+    piece->x0 = r->x = pel_max(r->x, run->x0);
     while (r->at[0] < above->n && r->at[2] < below->n) {
         const struct pel_row *a = &above->run[r->at[0]];
         const struct pel_row *b = &below->run[r->at[2]];
-        const int32_t x0 = pel_max(run->x0 + 1, pel_max(a->x0, b->x0));
-        const int32_t x1 = pel_min(run->x1 - 1, pel_min(a->x1, b->x1));
-        r->at[a->x1 < b->x1 ? 0 : 2]++;
+        const int32_t end = pel_min(a->x1, b->x1);
+        const int32_t x0 =
+            pel_max(pel_max(run->x0 + 1, r->x), pel_max(a->x0, b->x0));
+        const int32_t x1 = pel_min(run->x1 - 1, end);
         if (x0 < x1) {
             r->x = x1;
             piece->x1 = x0;
             return true;
         }
+        if (end >= run->x1)
+            break;
+        r->at[a->x1 < b->x1 ? 0 : 2]++;
     }
     piece->x1 = run->x1;
-    r->at[0] = 0;
     r->at[1]++;
-    r->at[2] = 0;
     return true;
 }
 
@@ -60,6 +63,7 @@ static PEL_WIDE void step(struct pel_rim *r)
     r->line[2] = done;
     r->line[2].n = 0;
     r->at[0] = r->at[1] = r->at[2] = 0;
+    r->x = INT32_MIN;
     r->y++;
 }
 
@@ -113,7 +117,7 @@ bool pel_rim_begin(struct pel_rim *rim, const struct pel_surface *surface,
     for (int k = 0; k < 3; k++)
         rim->line[k] = (struct pel_rim_line){memory + k * rim->capacity, 0};
     rim->y = rim->surface.clip.y0;
-    rim->at[0] = rim->at[1] = rim->at[2] = 0;
+    rim->at[1] = 0; /* the other two, and x, are set by the first step */
     rim->out = paint;
     rim->rows = (struct pel_rows){surface, rim->piece, 0, 0, 0};
     return true;

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
+#include "core/outline/rim.h"
 #include "core/raster/collect.h"
 #include "tests/support/check.h"
 #include "tests/support/cases.h"
@@ -318,6 +319,41 @@ static void test_zigzags(void **state)
     check_zigzag(TEETH, crossing);
 }
 
+static void count_runs(const struct pel_paint *paint,
+                       const struct pel_rows *rows)
+{
+    (void)paint;
+    hits.runs += (uint64_t)rows->n;
+}
+
+/* Rows of many runs, each three pixels with one between them: what is left of
+ * a run is its ends, and all of it in the first row and the last. */
+static void test_outline_of_many_runs(void **state)
+{
+    enum { RUNS = 8000, PART = 4 };
+    static struct pel_row run[RUNS], memory[PEL_RIM_MEMORY(RUNS)];
+    const int32_t rows = (int32_t)cases_scaled(2000);
+    const struct pel_surface surface = {.clip = {0, 0, 4 * RUNS, rows}};
+    const struct pel_paint paint = PEL_PAINT(count_runs, NULL);
+    struct pel_rim rim;
+    (void)state;
+    for (int32_t i = 0; i < RUNS; i++)
+        run[i] = (struct pel_row){4 * i, 4 * i + 3};
+    hits.runs = 0;
+    alarm(TOO_LONG);
+    assert_true(
+        pel_rim_begin(&rim, &surface, &paint, memory, PEL_RIM_MEMORY(RUNS)));
+    for (int32_t y = 0; y < rows; y++) {
+        for (int32_t i = 0; i < RUNS; i += PART) {
+            const struct pel_rows part = {&rim.surface, run + i, y, PART, 0};
+            rim.paint.fill(&rim.paint, &part);
+        }
+    }
+    pel_rim_end(&rim);
+    alarm(0);
+    assert_int_equal(hits.runs, (uint64_t)RUNS * (uint64_t)(2 * rows - 2));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -332,6 +368,7 @@ int main(void)
         cmocka_unit_test(test_pieces),
         cmocka_unit_test(test_needle),
         cmocka_unit_test(test_zigzags),
+        cmocka_unit_test(test_outline_of_many_runs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
