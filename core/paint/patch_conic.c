@@ -7,14 +7,14 @@
 /* 2^32 / 2 pi. */
 static const int64_t turns_of_radian = 683565276;
 
-/* The error in radians, with |w| the distance of a corner from the middle, and
- * r that of the middle, 10, 8 or 6 |w| or more. Of the polynomial it is what
- * the series goes on with in |w| / r: (|w| / r)^4 / 4 and more, 28,450 / r^4
+/* The error, with |w| the distance of a corner from the middle, and r that of
+ * the middle, 10, 8 or 6 |w| or more. Of the polynomial it is what the series
+ * goes on with in |w| / r, in radians (|w| / r)^4 / 4 and more: 28,450 / r^4
  * for the largest patches. Of a row's cubic over K pixels it is K^4 / 64 s^4
  * with s, the piece's least distance, at least far[] of paint_conic_begin.c and
- * at least r - |w| - K: 400, 2,700, 36,000 or 524,288 / r^4, for K from 8
- * to 64. Rounding adds less than 2^-24 turns. `fourth` is 2^40 / r^4, r in
- * pixels. */
+ * at least r - |w| - K: 400, 2,700, 36,000 or 524,288 / r^4, for K from 8 to
+ * 64, and 1e-5 turns at most. Rounding adds less than 2^-24 turns. `fourth` is
+ * 2^40 / r^4, r in pixels. */
 static uint64_t error_of(uint64_t fourth, int64_t square, int size)
 {
     static const int32_t corner[PEL_PATCH_SIZES] = {28450, 1830, 120};
@@ -22,8 +22,9 @@ static uint64_t error_of(uint64_t fourth, int64_t square, int size)
                            : square >= pel_square(PEL_PX(185)) ? 36000
                            : square >= pel_square(PEL_PX(72))  ? 2700
                                                                : 400;
-    return fourth * ((uint64_t)corner[size] + cubic) *
-               (uint64_t)(turns_of_radian >> 8) +
+    const uint64_t unit = fourth * (uint64_t)(turns_of_radian >> 8);
+    const uint64_t most = UINT64_MAX / 100000, row = unit * cubic;
+    return unit * (uint64_t)corner[size] + (row < most ? row : most) +
            (UINT64_C(1) << 40);
 }
 

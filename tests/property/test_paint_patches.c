@@ -4,6 +4,7 @@
 #include "core/paint/paint_conic.h"
 #include "core/paint/paint_radial.h"
 #include "core/paint/patch.h"
+#include "core/paint/ramp_lanes.h"
 #include "core/raster/rectangle.h"
 #include "core/raster/triangle.h"
 #include "core/round/circle.h"
@@ -13,10 +14,8 @@
 #include "tests/support/paint_cells.h"
 #include "tests/support/shapes.h"
 
-static union {
-    struct pel_radial radial;
-    struct pel_conic conic;
-} paint;
+static struct pel_radial radial_paint;
+static struct pel_conic conic_paint;
 
 /* From inside the bounds to far outside; half of them on the lattice of half
  * pixels, where radial gradients are mirror images. */
@@ -40,12 +39,12 @@ static struct pel_color_paint *random_paint(struct random *r,
     rings.radius =
         random_between(r, 256, PEL_PX(1 << random_between(r, 1, 14)));
     if (random_word(r) % 2) {
-        assert_int_equal(pel_conic_init(&paint.conic, center, phase, &ramp),
+        assert_int_equal(pel_conic_init(&conic_paint, center, phase, &ramp),
                          PEL_OK);
-        return &paint.conic.base;
+        return &conic_paint.base;
     }
-    assert_int_equal(pel_radial_init(&paint.radial, &rings, &ramp), PEL_OK);
-    return &paint.radial.base;
+    assert_int_equal(pel_radial_init(&radial_paint, &rings, &ramp), PEL_OK);
+    return &radial_paint.base;
 }
 
 static struct pel_rect random_bounds(struct random *r)
@@ -134,8 +133,10 @@ static void keep(const void *mixer, const struct pel_ramp_walk *walk,
         row_positions[colors - row_colors + i] = w.at;
 }
 
-static uint64_t value_at(const struct pel_taylor *t, uint64_t u, uint64_t v)
+static uint64_t value_at(const struct pel_taylor *t, int32_t right,
+                         int32_t below)
 {
+    const uint64_t u = (uint64_t)(int64_t)right, v = (uint64_t)(int64_t)below;
     return t->at + t->x * u + t->y * v + t->xx * u * u + t->xy * u * v +
            t->yy * v * v + t->xxx * u * u * u + t->xxy * u * u * v +
            t->xyy * u * v * v + t->yyy * v * v * v;
@@ -146,24 +147,100 @@ static uint64_t magnitude(uint64_t difference)
     return difference >> 63 ? 0 - difference : difference;
 }
 
-static void check_patch(const struct pel_color_paint *p,
-                        const struct pel_taylor *t, struct pel_point middle,
-                        int size)
+/* A patch, and what its polynomial is near to. */
+struct subject {
+    const struct pel_patchwork *work;
+    struct pel_point middle,
+        way; /* the pixel, and its centre from the curve's */
+    int size;
+    struct pel_taylor t;
+};
+
+static struct pel_point corner_of(int size)
 {
-    const int32_t u0 = -(WIDTH / 2 >> size), v0 = -(ROWS / 2 >> size);
-    for (int32_t v = v0; v < -v0; v++) {
-        p->colors(p, middle.x + u0, middle.y + v, -2 * u0, row_colors);
-        for (int32_t u = u0; u < -u0; u++) {
-            const uint64_t got =
-                value_at(t, (uint64_t)(int64_t)u, (uint64_t)(int64_t)v);
-            const uint64_t off = magnitude(got - row_positions[u - u0]);
-            if (off >= t->error ||
-                (t->reach && magnitude(got - t->at) > t->reach))
+    return (struct pel_point){-(WIDTH / 2 >> size), -(ROWS / 2 >> size)};
+}
+
+/* Nearer to what curve.h gives than it says. */
+static void check_error(const struct subject *s)
+{
+    const struct pel_color_paint *p = s->work->paint;
+    const struct pel_point at = corner_of(s->size);
+    for (int32_t v = at.y; v < -at.y; v++) {
+        p->colors(p, s->middle.x + at.x, s->middle.y + v, -2 * at.x,
+                  row_colors);
+        for (int32_t u = at.x; u < -at.x; u++) {
+            const uint64_t got = value_at(&s->t, u, v);
+            const uint64_t off = magnitude(got - row_positions[u - at.x]);
+            if (off >= s->t.error ||
+                (s->t.reach && magnitude(got - s->t.at) >= s->t.reach))
                 fail_msg("size %d, pixel %d,%d, %d,%d from it: off by %llu of "
                          "%llu, reach %llu; %s",
-                         size, middle.x, middle.y, u, v,
-                         (unsigned long long)off, (unsigned long long)t->error,
-                         (unsigned long long)t->reach, cases_replay());
+                         s->size, s->middle.x, s->middle.y, u, v,
+                         (unsigned long long)off,
+                         (unsigned long long)s->t.error,
+                         (unsigned long long)s->t.reach, cases_replay());
+        }
+    }
+}
+
+/* Nearer to the exact value than the rest of Taylor's series, |w|^4 / (8 (r -
+ * |w|)^3) px of distance or (|w| / r)^4 / 4 (1 - |w| / r) radians, and
+ * rounding: 1/16,384 px and a bit, 2^-24 turns. */
+static void check_exact(const struct subject *s, real unit, bool conic)
+{
+    const struct pel_point at = corner_of(s->size);
+    const real x0 = s->way.x / 256.0L, y0 = s->way.y / 256.0L;
+    const real r = real_root(x0 * x0 + y0 * y0), turn = real_turn(x0, y0);
+    for (int32_t v = at.y; v < -at.y; v++)
+        for (int32_t u = at.x; u < -at.x; u++) {
+            const real x = x0 + u, y = y0 + v;
+            const real square = (real)(u * u + v * v), w = real_root(square);
+            const uint64_t got = value_at(&s->t, u, v) - s->t.at;
+            real off = (int64_t)got / unit, bound;
+            if (conic) {
+                off -= real_turn(x, y) - turn;
+                off -= real_round(off);
+                bound =
+                    square * square / (r * r * r) / (r - w) / 4 / 6.2831853L +
+                    0x1p-24L;
+            } else {
+                off -= real_root(x * x + y * y) - r;
+                bound = square * square / ((r - w) * (r - w) * (r - w)) / 8 +
+                        0x1.4p-14L;
+            }
+            if (real_abs(off) > bound)
+                fail_msg("size %d, pixel %d,%d, %d,%d from it: off by %Lg of "
+                         "%Lg; %s",
+                         s->size, s->middle.x, s->middle.y, u, v, off, bound,
+                         cases_replay());
+        }
+}
+
+/* The grid's lanes are the polynomial less its error, rounded down. */
+static void check_lanes(const struct subject *s)
+{
+    const struct pel_point at = corner_of(s->size);
+    struct pel_grid g;
+    if (!pel_patch_grid(s->work, s->way, s->size, &g))
+        fail_msg("no grid; %s", cases_replay());
+    const int shift = (g.padded ? 62 : 64) - s->work->curve->bits;
+    assert_int_equal(g.width, -2 * at.x);
+    for (int32_t v = at.y; v < -at.y; v++, pel_grid_next(&g)) {
+        struct pel_lanes l = g.row[0];
+        for (int32_t u = at.x; u < -at.x; u += 4) {
+            const pel_u32x4 four = pel_lanes_next(&l);
+            for (int i = 0; i < 4; i++) {
+                const uint64_t exact = value_at(&s->t, u + i, v) - s->t.error;
+                const uint64_t off =
+                    (exact << shift) - ((uint64_t)four[i] << 32);
+                if (off >> 32 >= PEL_GRID_ERROR)
+                    fail_msg("size %d, %d,%d from the middle: lane %08x, "
+                             "position %016llx; %s",
+                             s->size, u + i, v, four[i],
+                             (unsigned long long)(exact << shift),
+                             cases_replay());
+            }
         }
     }
 }
@@ -193,26 +270,40 @@ static struct pel_point random_middle(struct random *r, struct pel_point center,
 static void test_polynomials(void **state)
 {
     (void)state;
-    const struct pel_ramp ramp = cells_ramp(2, PEL_REPEAT);
-    for (struct cases c = cases_of(20000); cases_next(&c);) {
+    for (struct cases c = cases_of(6000); cases_next(&c);) {
         struct random *r = &c.random;
-        const int size = (int)(random_word(r) % PEL_PATCH_SIZES);
+        const struct pel_ramp ramp = cells_ramp(2, PEL_REPEAT);
         const struct pel_rings rings = {
             {random_between(r, -70000, 70000), random_between(r, -999, 999)},
-            random_between(r, 256, PEL_PX(1 << random_between(r, 1, 14))),
+            random_between(r, PEL_PX(100),
+                           PEL_PX(1 << random_between(r, 8, 14))),
             (uint16_t)random_word(r)};
-        const struct pel_point middle = random_middle(r, rings.center, size);
-        const int32_t x = pel_pixel_center(middle.x) - rings.center.x;
-        const int32_t y = pel_pixel_center(middle.y) - rings.center.y;
-        struct pel_taylor t;
-        pel_radial_init(&paint.radial, &rings, &ramp);
-        paint.radial.curve.run = keep;
-        pel_radial_taylor(&paint.radial.curve, x, y, size, &t);
-        check_patch(&paint.radial.base, &t, middle, size);
-        pel_conic_init(&paint.conic, rings.center, rings.phase, &ramp);
-        paint.conic.curve.run = keep;
-        pel_conic_taylor(&paint.conic.curve, x, y, size, &t);
-        check_patch(&paint.conic.base, &t, middle, size);
+        struct pel_radial *const p = &radial_paint;
+        struct pel_conic *const q = &conic_paint;
+        struct pel_patchwork work = {&p->base,          &p->curve, &p->ramp,
+                                     pel_radial_taylor, NULL,      true};
+        struct subject s;
+        s.work = &work;
+        s.size = (int)(random_word(r) % PEL_PATCH_SIZES);
+        s.middle = random_middle(r, rings.center, s.size);
+        s.way.x = pel_pixel_center(s.middle.x) - rings.center.x;
+        s.way.y = pel_pixel_center(s.middle.y) - rings.center.y;
+        pel_radial_init(p, &rings, &ramp);
+        p->curve.run = keep;
+        pel_radial_taylor(&p->curve, s.way.x, s.way.y, s.size, &s.t);
+        check_error(&s);
+        check_exact(&s, (real)p->scale * 16384, false);
+        if (random_word(r) % 2)
+            p->ramp.spread = PEL_PAD;
+        check_lanes(&s);
+        pel_conic_init(q, rings.center, rings.phase, &ramp);
+        q->curve.run = keep;
+        work = (struct pel_patchwork){&q->base,         &q->curve, &q->ramp,
+                                      pel_conic_taylor, NULL,      false};
+        pel_conic_taylor(&q->curve, s.way.x, s.way.y, s.size, &s.t);
+        check_error(&s);
+        check_exact(&s, 0x1p64L, true);
+        check_lanes(&s);
     }
 }
 
