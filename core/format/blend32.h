@@ -6,16 +6,27 @@
 #include "vector.h"
 #include "word32.h"
 
-/* What a run needs of the color: 16-bit lanes of source * alpha + 128 for bytes
- * 0 and 2 (even), 1 and 3 (odd) of a pixel; see pel_round_div255. */
+/* What a run needs of the color: 16-bit lanes of source * alpha + 128, for
+ * pel_round_div255, and of 255 - alpha. */
 struct pel_blend32 {
-    uint32_t even, odd; /* two lanes a word */
+    uint32_t even, odd; /* of bytes 0 and 2 of a pixel, of 1 and 3 */
     uint32_t rest;      /* 255 - alpha */
     uint32_t x;         /* bits of the X byte, which is stored as 0xFF */
 #if PEL_VECTORS
-    pel_u16x8 evens, odds, even_rests, odd_rests;
+    pel_u16x8 sources, rests; /* of two pixels, byte by byte */
 #endif
 };
+
+#if PEL_VECTORS
+
+/* The bytes of a pixel, twice. */
+static inline pel_u16x8 pel_blend32_lanes(uint32_t pixel)
+{
+    const pel_u32x4 two = {pixel, pixel, 0, 0}, zero = {0, 0, 0, 0};
+    return (pel_u16x8)pel_zip_low_u8x16((pel_u8x16)two, (pel_u8x16)zero);
+}
+
+#endif
 
 static inline struct pel_blend32 pel_blend32_make(
     const struct pel_format *format, pel_color color)
@@ -28,13 +39,10 @@ static inline struct pel_blend32 pel_blend32_make(
     b.x = format->pack(0);
 #if PEL_VECTORS
     /* In the lane of the X byte: 255 * 255 + 128, and nothing of memory. */
-    const pel_u32x4 zero = {0, 0, 0, 0};
-    const uint32_t even_x = b.x & 0xFF00FFu, odd_x = b.x >> 8 & 0xFF00FFu;
-    const uint32_t rests = b.rest << 16 | b.rest;
-    b.evens = (pel_u16x8)(zero + (b.even + even_x * b.rest));
-    b.odds = (pel_u16x8)(zero + (b.odd + odd_x * b.rest));
-    b.even_rests = (pel_u16x8)(zero + (rests & ~even_x));
-    b.odd_rests = (pel_u16x8)(zero + (rests & ~odd_x));
+    const pel_u16x8 x = pel_blend32_lanes(b.x);
+    b.sources = pel_blend32_lanes(source) * (uint16_t)alpha +
+                x * (uint16_t)b.rest + 128;
+    b.rests = ~x & (uint16_t)b.rest;
 #endif
     return b;
 }
@@ -54,9 +62,12 @@ static inline void pel_blend32_pixel(pel_word32 *p, const struct pel_blend32 *b)
 static inline pel_u16x8 pel_blend32_mix(pel_u16x8 d,
                                         const struct pel_blend32 *b)
 {
-    pel_u16x8 even = (d & 0xFF) * b->even_rests + b->evens;
-    pel_u16x8 odd = (d >> 8) * b->odd_rests + b->odds;
-    return pel_divide255_u16x8(even) | pel_divide255_u16x8(odd) << 8;
+    const pel_u8x16 bytes = (pel_u8x16)d, zero = {0};
+    const pel_u16x8 low = (pel_u16x8)pel_zip_low_u8x16(bytes, zero);
+    const pel_u16x8 high = (pel_u16x8)pel_zip_high_u8x16(bytes, zero);
+    return (pel_u16x8)pel_join_u8x16(
+        pel_divide255_u16x8(low * b->rests + b->sources),
+        pel_divide255_u16x8(high * b->rests + b->sources));
 }
 
 /* More than 8 pixels by eights, of which the last ends before the run does. The

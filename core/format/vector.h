@@ -119,6 +119,22 @@ static inline pel_u16x8 pel_narrow_u16x8(pel_u32x4 low, pel_u32x4 high)
 }
 
 /* Sixteen lanes, all below 256, in 8 bits each. */
+static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
+{
+#ifdef __SSE2__
+    typedef int16_t s16x8 __attribute__((__vector_size__(16)));
+    return (pel_u8x16)__builtin_ia32_packuswb128((s16x8)low, (s16x8)high);
+#else
+    typedef uint8_t u8x8 __attribute__((__vector_size__(8)));
+    const u8x8 both[2] = {__builtin_convertvector(low, u8x8),
+                          __builtin_convertvector(high, u8x8)};
+    pel_u8x16 v;
+    memcpy(&v, both, 16);
+    return v;
+#endif
+}
+
+/* The same of 32 bits. */
 static inline pel_u8x16 pel_narrow_u8x16(pel_u32x4 a, pel_u32x4 b, pel_u32x4 c,
                                          pel_u32x4 d)
 {
