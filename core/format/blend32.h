@@ -74,12 +74,14 @@ static inline pel_u16x8 pel_blend32_mix(pel_u16x8 d,
  * run's last eight pixels are read before the first store, and stored last:
  * they may overlap those before them. */
 static PEL_ALWAYS_INLINE void pel_blend32_long(pel_word32 *p, int32_t n,
-                                               const struct pel_blend32 *b)
+                                               const struct pel_blend32 *b,
+                                               uintptr_t ahead)
 {
     pel_word32 *end = p + n - 8;
     pel_u16x8 tail = pel_blend32_mix(pel_get_u16x8(end), b);
     pel_u16x8 last = pel_blend32_mix(pel_get_u16x8(end + 4), b);
     do {
+        pel_prefetch((uintptr_t)p + ahead);
         pel_u16x8 first = pel_get_u16x8(p), second = pel_get_u16x8(p + 4);
         pel_put_u16x8(p, pel_blend32_mix(first, b));
         pel_put_u16x8(p + 4, pel_blend32_mix(second, b));
@@ -89,8 +91,11 @@ static PEL_ALWAYS_INLINE void pel_blend32_long(pel_word32 *p, int32_t n,
     pel_put_u16x8(end + 4, last);
 }
 
+/* `ahead`: bytes to the run that is next but a few, whose cache lines the loop
+ * asks for as it goes; a loop of its own would end at a branch of its own. */
 static PEL_ALWAYS_INLINE void pel_blend32_run(pel_word32 *p, int32_t n,
-                                              const struct pel_blend32 *b)
+                                              const struct pel_blend32 *b,
+                                              uintptr_t ahead)
 {
     if (n < 4) {
         for (; n > 0; n--)
@@ -101,7 +106,7 @@ static PEL_ALWAYS_INLINE void pel_blend32_run(pel_word32 *p, int32_t n,
         pel_put_u16x8(p, pel_blend32_mix(pel_get_u16x8(p), b));
         pel_put_u16x8(end, tail);
     } else {
-        pel_blend32_long(p, n, b);
+        pel_blend32_long(p, n, b, ahead);
     }
 }
 
@@ -111,8 +116,9 @@ void pel_blend32_rows(const struct pel_rows *rows, pel_color color);
 #else
 
 static inline void pel_blend32_run(pel_word32 *p, int32_t n,
-                                   const struct pel_blend32 *b)
+                                   const struct pel_blend32 *b, uintptr_t ahead)
 {
+    (void)ahead;
     for (; n > 0; n--)
         pel_blend32_pixel(p++, b);
 }

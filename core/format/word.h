@@ -61,21 +61,26 @@ static inline uintptr_t pel_column_zero(const struct pel_surface *s, int32_t y,
            (uintptr_t)(bytes * (ptrdiff_t)s->bounds.x0);
 }
 
-/* Asks for the cache lines of a long run that is soon written, some rows ahead:
- * stores retire in order, so each miss would wait for the one before it. Short
- * ones wait for a line or two, which takes less time than asking. The addresses
- * need not be in memory. (Always inlined: gcc takes a function that
- * only prefetches for an empty one.) */
-static PEL_ALWAYS_INLINE void pel_prefetch_run(uintptr_t address, int32_t bytes)
+/* Asks for a cache line that is soon written. The address need not be in
+ * memory. (Always inlined: gcc takes a function that only prefetches for an
+ * empty one.) */
+static PEL_ALWAYS_INLINE void pel_prefetch(uintptr_t address)
 {
 #if PEL_FAST_64BIT && defined(__GNUC__)
-    if (bytes > 128)
-        for (int32_t i = 0; i < bytes; i += 64)
-            __builtin_prefetch((const void *)(address + (uintptr_t)i), 1);
+    __builtin_prefetch((const void *)address, 1);
 #else
     (void)address;
-    (void)bytes;
 #endif
+}
+
+/* Asks for those of a long run, some rows ahead: stores retire in order, so
+ * each miss would wait for the one before it. Short ones wait for a line or
+ * two, which takes less time than asking. */
+static PEL_ALWAYS_INLINE void pel_prefetch_run(uintptr_t address, int32_t bytes)
+{
+    if (PEL_FAST_64BIT && bytes > 128)
+        for (int32_t i = 0; i < bytes; i += 64)
+            pel_prefetch(address + (uintptr_t)i);
 }
 
 /* Bytes from one run's line to the next's. */

@@ -45,8 +45,7 @@ static void blend32(const struct pel_surface *s,
     const uintptr_t ahead = pel_fast_walk_ahead(&w, ROWS_AHEAD, 4);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
         uintptr_t p = w.line + 4 * (uintptr_t)x;
-        pel_prefetch_run(p + ahead, 4 * n);
-        pel_blend32_run((pel_word32 *)p, n, &b);
+        pel_blend32_run((pel_word32 *)p, n, &b, ahead);
     }
 }
 
