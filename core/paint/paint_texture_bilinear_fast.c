@@ -65,11 +65,11 @@ static PEL_ALWAYS_INLINE pel_u32x4 mixed(const struct pel_texture_steps *s,
     const pel_u32x4 u =
         PEL_LANES((pel_u32x4)f->u[0], (pel_u32x4)f->u[1], 0, 2, 4, 6);
     const pel_u32x4 v =
-        PEL_LANES((pel_u32x4)f->v[0], (pel_u32x4)f->v[1], 1, 3, 5, 7);
-    const pel_u32x4 wu = weights_of(u >> 24), wv = weights_of(v >> 8 & 255);
+        PEL_LANES((pel_u32x4)f->v[0], (pel_u32x4)f->v[1], 0, 2, 4, 6);
+    const pel_u32x4 wu = weights_of(u >> 24), wv = weights_of(v >> 24);
     const uint8_t *const top = s->memory, *const low = top + s->stride;
     int32_t i[4];
-    pel_texture_four_index(f, s, i);
+    pel_texture_four_index(f, s, false, i);
     const pel_u32x4 a =
         channels(pair_at(top, kind, i[0]), pair_at(low, kind, i[0]),
                  PEL_LANES(wu, wu, 0, 0, 0, 0), PEL_LANES(wv, wv, 0, 0, 0, 0));
@@ -91,10 +91,10 @@ static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *s,
 {
     pel_word32 *out = (pel_word32 *)r->out;
     const uint64_t last = (uint64_t)r->n - 4;
+    struct pel_texture_two t =
+        pel_texture_two_at(s, r->u + last * s->du, r->v + last * s->dv);
     struct pel_texture_four f =
-        r->n < 4
-            ? pel_texture_four_few(s, r)
-            : pel_texture_four_at(s, r->u + last * s->du, r->v + last * s->dv);
+        r->n < 4 ? pel_texture_four_few(s, r) : pel_texture_four_next(&t, s);
     const pel_u32x4 pixels = mixed(s, kind, &f);
     if (r->n < 4) {
         out[0] = pixels[0];
@@ -104,11 +104,10 @@ static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *s,
     }
     pel_word32 *const end = out + last;
     pel_put_u32x4(end, pixels);
-    f = pel_texture_four_at(s, r->u, r->v);
-    const struct pel_texture_four step = pel_texture_four_step(s);
+    t = pel_texture_two_at(s, r->u, r->v);
     for (; out < end; out += 4) {
+        f = pel_texture_four_next(&t, s);
         pel_put_u32x4(out, mixed(s, kind, &f));
-        pel_texture_four_add(&f, &step);
     }
 }
 

@@ -24,12 +24,13 @@ static PEL_ALWAYS_INLINE void put(uintptr_t out, int bytes, uint32_t pixel)
 
 #if PEL_VECTORS
 
+/* `masked`: see pel_texture_four_index. */
 static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int bytes,
-                                   uintptr_t out,
+                                   bool masked, uintptr_t out,
                                    const struct pel_texture_four *f)
 {
     int32_t i[4];
-    pel_texture_four_index(f, s, i);
+    pel_texture_four_index(f, s, masked, i);
     if (bytes == 4) {
         const pel_u32x4 a = {texel_at(s->memory, 4, i[0])},
                         b = {texel_at(s->memory, 4, i[1])},
@@ -48,13 +49,13 @@ static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int bytes,
 
 /* Fewer than 4 pixels. */
 static PEL_ALWAYS_INLINE void put_few(const struct pel_texture_steps *s,
-                                      int bytes,
+                                      int bytes, bool masked,
                                       const struct pel_texture_run *r)
 {
     const struct pel_texture_four f = pel_texture_four_few(s, r);
     const uintptr_t half = (uintptr_t)r->n >> 1, last = (uintptr_t)r->n - 1;
     int32_t i[4];
-    pel_texture_four_index(&f, s, i);
+    pel_texture_four_index(&f, s, masked, i);
     put(r->out, bytes, texel_at(s->memory, bytes, i[0]) | s->set);
     put(r->out + half * (uintptr_t)bytes, bytes,
         texel_at(s->memory, bytes, i[1]) | s->set);
@@ -64,32 +65,33 @@ static PEL_ALWAYS_INLINE void put_few(const struct pel_texture_steps *s,
 
 /* The last four pixels come first and overlap those before them. */
 static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *s,
-                                      int bytes,
+                                      int bytes, bool masked,
                                       const struct pel_texture_run *r)
 {
     if (r->n < 4) {
-        put_few(s, bytes, r);
+        put_few(s, bytes, masked, r);
         return;
     }
     const uint64_t last = (uint64_t)r->n - 4;
     const uintptr_t end = r->out + last * (uintptr_t)bytes;
-    struct pel_texture_four f =
-        pel_texture_four_at(s, r->u + last * s->du, r->v + last * s->dv);
-    put4(s, bytes, end, &f);
-    f = pel_texture_four_at(s, r->u, r->v);
-    const struct pel_texture_four step = pel_texture_four_step(s);
+    struct pel_texture_two t =
+        pel_texture_two_at(s, r->u + last * s->du, r->v + last * s->dv);
+    struct pel_texture_four f = pel_texture_four_next(&t, s);
+    put4(s, bytes, masked, end, &f);
+    t = pel_texture_two_at(s, r->u, r->v);
     for (uintptr_t out = r->out; out < end; out += 4 * (uintptr_t)bytes) {
-        put4(s, bytes, out, &f);
-        pel_texture_four_add(&f, &step);
+        f = pel_texture_four_next(&t, s);
+        put4(s, bytes, masked, out, &f);
     }
 }
 
 #else
 
 static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *s,
-                                      int bytes,
+                                      int bytes, bool masked,
                                       const struct pel_texture_run *r)
 {
+    (void)masked;
     uint64_t u = r->u, v = r->v;
     uintptr_t out = r->out;
     for (int32_t n = r->n; n > 0; n--, u += s->du, v += s->dv) {
@@ -106,10 +108,10 @@ static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *s,
 static PEL_ALWAYS_INLINE void put_rows(const struct pel_texture *p,
                                        const struct pel_surface *surface,
                                        const struct pel_fast_triangle *t,
-                                       int bytes)
+                                       int bytes, bool masked)
 {
     const struct pel_texture_steps s =
-        pel_texture_steps_make(p, bytes, 0, true);
+        pel_texture_steps_make(p, bytes, 0, masked);
     const struct pel_texture_map map = p->map;
     struct pel_texture_walk w = pel_texture_walk_begin(p, surface, t, bytes);
     struct pel_texture_run r;
@@ -117,10 +119,37 @@ static PEL_ALWAYS_INLINE void put_rows(const struct pel_texture *p,
         if (r.n <= 0)
             continue;
         if (pel_texture_run_inside(&r, &s))
-            put_run(&s, bytes, &r);
+            put_run(&s, bytes, masked, &r);
         else
             pel_texture_fill_run(p, surface, x, r.n, w.rows.y - 1);
     }
+}
+
+/* Without a mask a loop has two registers more, which gcc needs. */
+static bool is_masked(const struct pel_texture *p)
+{
+    return pel_texture_is_masked(p->width, p->wrap_u) ||
+           pel_texture_is_masked(p->height, p->wrap_v);
+}
+
+static void put_rows_16(const struct pel_texture *p,
+                        const struct pel_surface *surface,
+                        const struct pel_fast_triangle *t)
+{
+    if (is_masked(p))
+        put_rows(p, surface, t, 2, true);
+    else
+        put_rows(p, surface, t, 2, false);
+}
+
+static void put_rows_32(const struct pel_texture *p,
+                        const struct pel_surface *surface,
+                        const struct pel_fast_triangle *t)
+{
+    if (is_masked(p))
+        put_rows(p, surface, t, 4, true);
+    else
+        put_rows(p, surface, t, 4, false);
 }
 
 /* Are texels, but for bits that are set, pixels of xrgb8888? */
@@ -138,9 +167,9 @@ bool pel_texture_nearest_fast(const struct pel_paint *paint,
     const struct pel_texture *p = (const void *)paint;
     const struct pel_format *format = surface->format;
     if (pel_texture_is_copied(p, format) && pel_texture_stride_fits(p, 2))
-        put_rows(p, surface, triangle, 2);
+        put_rows_16(p, surface, triangle);
     else if (is_32(p, format) && pel_texture_stride_fits(p, 4))
-        put_rows(p, surface, triangle, 4);
+        put_rows_32(p, surface, triangle);
     else
         return false;
     return true;

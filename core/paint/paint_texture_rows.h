@@ -29,10 +29,10 @@ struct pel_texture_steps {
     uint32_t set;          /* bits that 32-bit texels lack as pixels */
     ptrdiff_t stride;
 #if PEL_VECTORS
-    pel_u64x2 u[2], v[2];  /* from the first of four pixels to each */
-    pel_u32x4 u_mask;      /* of the whole texels */
-    pel_u32x4 v_mask;      /* the same, 16 bits further up */
-    pel_u32x4 texel_steps; /* texels from line to line, and from u to u */
+    pel_u64x2 u, v;           /* from the first of two pixels to each */
+    pel_u64x2 u_on, v_on;     /* two pixels on */
+    pel_u32x4 u_mask, v_mask; /* of the whole texels */
+    pel_u32x4 line;           /* from line to line, in texels: 16 bits */
 #else
     uint32_t u_mask, v_mask;
 #endif
@@ -63,14 +63,14 @@ static inline struct pel_texture_steps pel_texture_steps_make(
     s.u_end = all_u ? UINT64_MAX : (uint64_t)(uint32_t)(p->width - more) << 32;
     s.v_end = all_v ? UINT64_MAX : (uint64_t)(uint32_t)(p->height - more) << 32;
 #if PEL_VECTORS
-    const uint32_t line = (uint32_t)(p->stride / bytes) << 16 | 1;
-    s.u[0] = (pel_u64x2){0, du};
-    s.u[1] = (pel_u64x2){2 * du, 3 * du};
-    s.v[0] = (pel_u64x2){0, dv} << 16;
-    s.v[1] = (pel_u64x2){2 * dv, 3 * dv} << 16;
+    const uint32_t line = (uint32_t)(p->stride / bytes) & 0xFFFF;
+    s.u = (pel_u64x2){0, du};
+    s.v = (pel_u64x2){0, dv};
+    s.u_on = (pel_u64x2){2 * du, 2 * du};
+    s.v_on = (pel_u64x2){2 * dv, 2 * dv};
     s.u_mask = (pel_u32x4){um, um, um, um};
-    s.v_mask = (pel_u32x4){vm, vm, vm, vm} << 16;
-    s.texel_steps = (pel_u32x4){line, line, line, line};
+    s.v_mask = (pel_u32x4){vm, vm, vm, vm};
+    s.line = (pel_u32x4){line, line, line, line};
 #else
     (void)bytes;
     s.u_mask = um;
@@ -122,17 +122,32 @@ static PEL_ALWAYS_INLINE bool pel_texture_walk_next(
 
 #if PEL_VECTORS
 
-/* Both coordinates of four pixels, v times 2^16: whole texels, below 2^15 where
- * they are of use, keep their place in 64 bits. */
+/* Both coordinates of four pixels. */
 struct pel_texture_four {
     pel_u64x2 u[2], v[2];
 };
 
-static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_at(
+/* Of two, which live in registers along a run; the next two are one addition
+ * further. */
+struct pel_texture_two {
+    pel_u64x2 u, v;
+};
+
+static PEL_ALWAYS_INLINE struct pel_texture_two pel_texture_two_at(
     const struct pel_texture_steps *s, uint64_t u, uint64_t v)
 {
-    return (struct pel_texture_four){
-        {u + s->u[0], u + s->u[1]}, {(v << 16) + s->v[0], (v << 16) + s->v[1]}};
+    return (struct pel_texture_two){u + s->u, v + s->v};
+}
+
+/* The four pixels from these two on; then the two are those after the four. */
+static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_next(
+    struct pel_texture_two *t, const struct pel_texture_steps *s)
+{
+    const pel_u64x2 u = t->u + s->u_on, v = t->v + s->v_on;
+    const struct pel_texture_four f = {{t->u, u}, {t->v, v}};
+    t->u = u + s->u_on;
+    t->v = v + s->v_on;
+    return f;
 }
 
 /* Of a run of 1 to 3 pixels: the first, the middle, and the last twice. */
@@ -143,40 +158,23 @@ static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_few(
     const uint64_t u = r->u + last * s->du, v = r->v + last * s->dv;
     return (struct pel_texture_four){
         {(pel_u64x2){r->u, r->u + half * s->du}, (pel_u64x2){u, u}},
-        {(pel_u64x2){r->v, r->v + half * s->dv} << 16,
-         (pel_u64x2){v, v} << 16}};
+        {(pel_u64x2){r->v, r->v + half * s->dv}, (pel_u64x2){v, v}}};
 }
 
-/* From four pixels to the next. */
-static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_step(
-    const struct pel_texture_steps *s)
-{
-    const uint64_t du = 4 * s->du, dv = 4 * s->dv << 16;
-    return (struct pel_texture_four){{{du, du}, {du, du}},
-                                     {{dv, dv}, {dv, dv}}};
-}
-
-static PEL_ALWAYS_INLINE void pel_texture_four_add(
-    struct pel_texture_four *f, const struct pel_texture_four *step)
-{
-    f->u[0] += step->u[0];
-    f->u[1] += step->u[1];
-    f->v[0] += step->v[0];
-    f->v[1] += step->v[1];
-}
-
-/* Texels from texel (0, 0) to those of four pixels. u and v are below 32,767,
- * and with the stride's 16 bits v's product fits 31. */
+/* Texels from texel (0, 0) to those of four pixels. `masked`: of whole texels
+ * the mask is taken. So u and v are below 32,767, and v's product with the
+ * stride's 16 bits, the upper half being 0, fits 31. */
 static PEL_ALWAYS_INLINE void pel_texture_four_index(
     const struct pel_texture_four *f, const struct pel_texture_steps *s,
-    int32_t index[4])
+    bool masked, int32_t index[4])
 {
-    const pel_u32x4 u =
-        PEL_LANES((pel_u32x4)f->u[0], (pel_u32x4)f->u[1], 1, 3, 5, 7);
-    const pel_u32x4 v =
-        PEL_LANES((pel_u32x4)f->v[0], (pel_u32x4)f->v[1], 1, 3, 5, 7);
-    const pel_u64x2 i = (pel_u64x2)pel_dot_s16(
-        (u & s->u_mask) | (v & s->v_mask), s->texel_steps);
+    pel_u32x4 u = PEL_LANES((pel_u32x4)f->u[0], (pel_u32x4)f->u[1], 1, 3, 5, 7);
+    pel_u32x4 v = PEL_LANES((pel_u32x4)f->v[0], (pel_u32x4)f->v[1], 1, 3, 5, 7);
+    if (masked) {
+        u &= s->u_mask;
+        v &= s->v_mask;
+    }
+    const pel_u64x2 i = (pel_u64x2)(pel_dot_s16(v, s->line) + u);
     index[0] = (int32_t)i[0];
     index[1] = (int32_t)(i[0] >> 32);
     index[2] = (int32_t)i[1];
