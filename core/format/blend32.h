@@ -22,7 +22,7 @@ struct pel_blend32 {
 /* The bytes of a pixel, twice. */
 static inline pel_u16x8 pel_blend32_lanes(uint32_t pixel)
 {
-    const pel_u32x4 two = {pixel, pixel, 0, 0}, zero = {0, 0, 0, 0};
+    const pel_u32x4 two = {pixel, pixel}, zero = {0};
     return (pel_u16x8)pel_zip_low_u8x16((pel_u8x16)two, (pel_u8x16)zero);
 }
 
