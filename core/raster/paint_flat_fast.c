@@ -37,8 +37,11 @@ static void fill16(const struct pel_surface *s,
         pel_span16((pel_word16 *)(w.line + 2 * (uintptr_t)x), n, value);
 }
 
-static void blend32(const struct pel_surface *s,
-                    const struct pel_fast_triangle *t, pel_color color)
+/* A function of its own: inlined beside the others it takes registers from
+ * fill16 (clang). */
+static PEL_NOINLINE void blend32(const struct pel_surface *s,
+                                 const struct pel_fast_triangle *t,
+                                 pel_color color)
 {
     const struct pel_blend32 b = pel_blend32_make(s->format, color);
     struct pel_fast_walk w = pel_fast_walk_begin(s, t, 4);
