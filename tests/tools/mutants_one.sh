@@ -50,7 +50,8 @@ compile_changed()
     done
 }
 
-# Does the test notice? Three times its own time is too long.
+# Does the test notice? Three times its own time is too long, and ten times that
+# by the clock, since a program whose memory is broken may hang without working.
 notices()
 {
     twin=
@@ -62,8 +63,9 @@ notices()
         -lcmocka -o "$tree/program" || finish refused
     scale=${plain##*:}
     [ "$scale" != "$plain" ] || scale=100
-    ! (ulimit -t $((3 * $(cat "$work/$build/$plain.limit"))) &&
-        PEL_SCALE=$scale exec "$tree/program") >/dev/null 2>&1
+    limit=$((3 * $(cat "$work/$build/$plain.limit")))
+    ! (ulimit -t $limit && PEL_SCALE=$scale exec timeout -s KILL \
+        $((10 * limit)) "$tree/program") >/dev/null 2>&1
 }
 
 same=yes
