@@ -253,8 +253,7 @@ static void color_pairs(struct fill *f, struct patch *p, struct pel_row all)
     const bool symmetric = image_of(f, all.x0, 0) == all.x1;
     struct patch left = *p;
     p->x = f->work->curve->center.x >> 8;
-    left.x = image_of(f, p->x, PEL_GRID_WIDTH);
-    while (p->x < all.x1 || left.x + PEL_GRID_WIDTH > all.x0) {
+    while (p->x < all.x1 || image_of(f, p->x, 0) > all.x0) {
         if (symmetric)
             p->x = last_of(f, p, all);
         left.x = image_of(f, p->x, PEL_GRID_WIDTH);
@@ -267,7 +266,6 @@ static void color_pairs(struct fill *f, struct patch *p, struct pel_row all)
             color_one(f, &left);
         }
         p->x += PEL_GRID_WIDTH;
-        left.x -= PEL_GRID_WIDTH;
     }
 }
 
