@@ -73,7 +73,7 @@ static inline pel_word16 texel16(const uint8_t *memory, int32_t stride,
     return ((const pel_word16 *)line)[u];
 }
 
-#if defined(__GNUC__) && defined(__thumb2__)
+#if defined(__GNUC__) && defined(__thumb2__) && defined(__OPTIMIZE__)
 
 /* A run that does not leave the picture, in 32 bits for few registers: u's
  * carry is a column more, v's carry a line, and v's whole lines are in the step

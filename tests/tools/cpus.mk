@@ -40,7 +40,7 @@ CPU_VARIANT_narrow := -DPEL_FAST_64BIT=0
 CPU_VARIANT_plain := -DPEL_VECTORS=0
 
 CPU_CHECK := $(foreach o,O0 Os O3,gcc-host-$o clang-host-$o) \
-    gcc-host-O2-narrow clang-host-O2-plain \
+    gcc-host-O2-narrow clang-host-O2-plain gcc-armhf-O0 gcc-m4-O0 \
     $(foreach p,i686 armhf aarch64 s390x $(MICRO_CPUS),gcc-$p-O2)
 CPU_DEEP := $(foreach c,gcc clang,$(foreach o,O0 Os O2 O3,\
     $(foreach p,$(CPUS),$c-$p-$o) \
