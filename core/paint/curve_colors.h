@@ -92,12 +92,11 @@ static PEL_NOINLINE void pel_course_begin(struct pel_course *c,
 static PEL_HOT bool pel_course_goes_on(const struct pel_course *c)
 {
     const int32_t dx = pel_curve_way(&c->row, c->x);
-    const int32_t end = pel_min(dx + c->way, 0);
     if (c->log2 == 0 || c->end.value >= c->row.curve->limit)
         return false;
     if (dx > 0)
         return pel_square(dx) < c->more || (c->x & c->size) != 0;
-    return pel_square(end) >= c->enough;
+    return pel_square(pel_min(dx + c->way, 0)) >= c->enough;
 }
 
 static PEL_HOT void pel_course_take(struct pel_course *c,

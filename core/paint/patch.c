@@ -13,7 +13,6 @@ struct fill {
     const struct pel_rows *rows;
     struct pel_ramp_mixer mixer;
     struct pel_row whole; /* pixels that are in every row of the strip */
-    ptrdiff_t stride;     /* of where colours go, in colours */
     bool in_place;        /* colours are the surface's pixels */
     bool pairs;           /* and what is left of the centre is a mirror image */
 };
@@ -24,6 +23,7 @@ struct patch {
     int32_t x, y, rows;
     int size;
     pel_color *out, *image;
+    ptrdiff_t stride; /* in colours */
 };
 
 static int32_t width_of(const struct patch *p)
@@ -76,10 +76,10 @@ static void color_near(const struct fill *f, const struct patch *p)
         struct pel_run run = {row.x0, p->y + i, row.x1 - row.x0};
         if (run.n <= 0)
             continue;
-        color_run(f, &run, p->out + i * f->stride + (row.x0 - p->x));
+        color_run(f, &run, p->out + i * p->stride + (row.x0 - p->x));
         run.x = image_of(f, run.x, run.n);
         if (p->image)
-            color_run(f, &run, p->image + i * f->stride);
+            color_run(f, &run, p->image + i * p->stride);
     }
 }
 
@@ -89,19 +89,19 @@ static void color_outside(const struct fill *f, const struct patch *p)
     const struct pel_ramp *ramp = f->work->ramp;
     const pel_value32 last = pel_make_value32(ramp->colors[ramp->n - 1]);
     for (int32_t i = 0; i < p->rows; i++) {
-        pel_span32(p->out + i * f->stride, width_of(p), last);
+        pel_span32(p->out + i * p->stride, width_of(p), last);
         if (p->image)
-            pel_span32(p->image + i * f->stride, width_of(p), last);
+            pel_span32(p->image + i * p->stride, width_of(p), last);
     }
 }
 
 /* From right to left into the mirror image. */
-static void mirror(const struct fill *f, const struct patch *p)
+static void mirror(const struct patch *p)
 {
     const int32_t last = width_of(p) - 4;
     for (int32_t i = 0; i < p->rows; i++) {
-        const pel_color *from = p->out + i * f->stride;
-        pel_color *to = p->image + i * f->stride;
+        const pel_color *from = p->out + i * p->stride;
+        pel_color *to = p->image + i * p->stride;
         for (int32_t u = 0; u <= last; u += 4) {
             const pel_u32x4 four = pel_get_u32x4(from + last - u);
             pel_put_u32x4(to + u, PEL_LANES(four, four, 3, 2, 1, 0));
@@ -115,13 +115,13 @@ static void settle(const struct fill *f, const struct patch *p, int32_t u,
                    int32_t v)
 {
     struct pel_run run = {p->x + u, p->y + v, 4};
-    color_run(f, &run, p->out + v * f->stride + u);
+    color_run(f, &run, p->out + v * p->stride + u);
     run.x = image_of(f, run.x, 4);
     if (p->image)
-        color_run(f, &run, p->image + v * f->stride + (width_of(p) - 4 - u));
+        color_run(f, &run, p->image + v * p->stride + (width_of(p) - 4 - u));
 }
 
-/* False where a grid is no faster. */
+/* False where too many pixels would be in doubt. */
 static bool color_far(const struct fill *f, const struct patch *p,
                       struct pel_point way)
 {
@@ -130,14 +130,14 @@ static bool color_far(const struct fill *f, const struct patch *p,
         return false;
     g.rows = p->rows;
     g.out = p->out;
-    g.stride = f->stride;
+    g.stride = p->stride;
     g.doubts = 0;
     if (g.padded)
         f->mixer.rows_padded(&f->mixer, &g);
     else
         f->mixer.rows(&f->mixer, &g);
     if (p->image)
-        mirror(f, p);
+        mirror(p);
     for (int32_t i = 0; i < g.doubts; i++)
         settle(f, p, g.doubt[i].u, g.doubt[i].v);
     return true;
@@ -153,14 +153,6 @@ static struct pel_point way_to(const struct fill *f, const struct patch *p)
                               pel_pixel_center(y) - center->y};
 }
 
-/* How far away the middle of a patch must be, squared, in sub-pixels: 10, 8 and
- * 6 times as far as its corner, whose square is 320, 80 and 20 px^2. */
-static const int64_t far[PEL_PATCH_SIZES] = {
-    INT64_C(65536) * 320 * 100,
-    INT64_C(65536) * 80 * 64,
-    INT64_C(65536) * 20 * 36,
-};
-
 static void color(const struct fill *f, const struct patch *p);
 
 static void color_quarters(const struct fill *f, const struct patch *p)
@@ -171,10 +163,11 @@ static void color_quarters(const struct fill *f, const struct patch *p)
                           p->y + i,
                           pel_min(high, p->rows - i),
                           p->size + 1,
-                          p->out + i * f->stride,
-                          NULL};
+                          p->out + i * p->stride,
+                          NULL,
+                          p->stride};
         if (p->image)
-            q.image = p->image + i * f->stride + wide;
+            q.image = p->image + i * p->stride + wide;
         color(f, &q);
         q.x += wide;
         q.out += wide;
@@ -194,11 +187,9 @@ static void color(const struct fill *f, const struct patch *p)
     if (outside < PEL_CURVE_NOWHERE &&
         square >= pel_square(outside + (PEL_PX(18) >> p->size)))
         color_outside(f, p);
-    else if (square >= far[p->size] && color_far(f, p, way))
-        return;
-    else if (p->size < PEL_PATCH_SIZES - 1)
+    else if (square < pel_patch_far[p->size] && p->size < PEL_PATCH_SIZES - 1)
         color_quarters(f, p);
-    else
+    else if (square < pel_patch_far[p->size] || !color_far(f, p, way))
         color_near(f, p);
 }
 
@@ -207,9 +198,9 @@ static void color_and_put(struct fill *f, struct patch *p)
 {
     pel_color colors[PEL_GRID_WIDTH * PEL_GRID_ROWS];
     p->out = colors;
-    f->stride = PEL_GRID_WIDTH;
+    p->stride = PEL_GRID_WIDTH;
     color(f, p);
-    for (int32_t y = p->y; y < p->y + p->rows; y++, p->out += f->stride) {
+    for (int32_t y = p->y; y < p->y + p->rows; y++, p->out += p->stride) {
         const struct pel_row row = part_of(f, p, y);
         if (row.x0 < row.x1)
             pel_put_colors(f->rows->surface, row.x0, y, row.x1 - row.x0,
@@ -217,18 +208,13 @@ static void color_and_put(struct fill *f, struct patch *p)
     }
 }
 
-static pel_color *in_place(struct fill *f, int32_t x, int32_t y)
-{
-    f->stride = f->rows->surface->stride / 4;
-    return pel_address32(f->rows->surface, x, y);
-}
-
 /* A patch of the largest size, which may be empty. */
 static void color_one(struct fill *f, struct patch *p)
 {
     p->image = NULL;
     if (f->in_place && is_whole(f, p)) {
-        p->out = in_place(f, p->x, p->y);
+        p->out = pel_address32(f->rows->surface, p->x, p->y);
+        p->stride = f->rows->surface->stride / 4;
         color(f, p);
     } else if (!is_empty(f, p)) {
         color_and_put(f, p);
@@ -236,7 +222,7 @@ static void color_one(struct fill *f, struct patch *p)
 }
 
 /* Where to begin a patch that goes beyond the strip: sooner, where pixels may
- * be coloured twice and so all of it fits. */
+ * be coloured twice and so all of it fits, which is faster. */
 static int32_t last_of(const struct fill *f, const struct patch *p,
                        struct pel_row all)
 {
@@ -250,6 +236,7 @@ static int32_t last_of(const struct fill *f, const struct patch *p,
  * right one. A column on the axis is in both. */
 static void color_pairs(struct fill *f, struct patch *p, struct pel_row all)
 {
+    const struct pel_surface *surface = f->rows->surface;
     const bool symmetric = image_of(f, all.x0, 0) == all.x1;
     struct patch left = *p;
     p->x = f->work->curve->center.x >> 8;
@@ -258,8 +245,9 @@ static void color_pairs(struct fill *f, struct patch *p, struct pel_row all)
             p->x = last_of(f, p, all);
         left.x = image_of(f, p->x, PEL_GRID_WIDTH);
         if (is_whole(f, p) && is_whole(f, &left)) {
-            p->out = in_place(f, p->x, p->y);
-            p->image = in_place(f, left.x, p->y);
+            p->out = pel_address32(surface, p->x, p->y);
+            p->image = pel_address32(surface, left.x, p->y);
+            p->stride = surface->stride / 4;
             color(f, p);
         } else {
             color_one(f, p);
@@ -269,13 +257,13 @@ static void color_pairs(struct fill *f, struct patch *p, struct pel_row all)
     }
 }
 
-/* Lines y to y + n - 1. */
-static void color_strip(struct fill *f, int32_t y, int32_t n)
+/* From the first pixel of lines y to y + n - 1 to behind the last. */
+static struct pel_row measure(struct fill *f, int32_t y, int32_t n,
+                              int32_t *covered)
 {
-    const int32_t middle = f->work->curve->center.x >> 8;
     struct pel_row all = {INT32_MAX, INT32_MIN};
-    struct patch p = {0, y, n, 0, NULL, NULL};
     f->whole = (struct pel_row){INT32_MIN, INT32_MAX};
+    *covered = 0;
     for (int32_t i = y - f->rows->y; i < y - f->rows->y + n; i++) {
         const struct pel_row *row = &f->rows->row[i];
         f->whole.x0 = pel_max(f->whole.x0, row->x0);
@@ -283,32 +271,70 @@ static void color_strip(struct fill *f, int32_t y, int32_t n)
         if (row->x0 < row->x1) {
             all.x0 = pel_min(all.x0, row->x0);
             all.x1 = pel_max(all.x1, row->x1);
+            *covered += row->x1 - row->x0;
         }
     }
-    if (f->pairs && all.x0 < middle && middle < all.x1)
-        color_pairs(f, &p, all);
+    return all;
+}
+
+static void color_strip(struct fill *f, struct patch *p, struct pel_row all)
+{
+    const int32_t middle = f->work->curve->center.x >> 8;
+    if (f->pairs && all.x0 < middle && middle < all.x1) {
+        color_pairs(f, p, all);
+        return;
+    }
+    for (p->x = all.x0; p->x < all.x1; p->x += PEL_GRID_WIDTH) {
+        p->x = last_of(f, p, all);
+        color_one(f, p);
+    }
+}
+
+/* Lines y to y + n - 1: by patches, if they are few. One takes as long as some
+ * 250 pixels that are coloured along a row, whose beginning takes as long
+ * as 50.
+ */
+static void color_lines(struct fill *f, int32_t y, int32_t n)
+{
+    const struct pel_rows part = {f->rows->surface,
+                                  &f->rows->row[y - f->rows->y], y, n, 1};
+    struct patch p = {0, y, n, 0, NULL, NULL, 0};
+    int32_t covered;
+    const struct pel_row all = measure(f, y, n, &covered);
+    if (covered == 0)
+        return;
+    if ((all.x1 - all.x0) / PEL_GRID_WIDTH * 250 + 250 < n * 50 + covered)
+        color_strip(f, &p, all);
     else
-        for (p.x = all.x0; p.x < all.x1; p.x += PEL_GRID_WIDTH) {
-            p.x = last_of(f, &p, all);
-            color_one(f, &p);
-        }
+        pel_color_paint_fill(&f->work->paint->paint, &part);
+}
+
+/* Not where pixels would be in doubt as often as not where cubics are longest:
+ * at a distance of some 400 or 500 pixels. */
+static bool is_coarse(const struct pel_patchwork *work)
+{
+    const struct pel_point there = {PEL_PX(500), 0};
+    struct pel_grid g;
+    return pel_patch_grid(work, there, 0, &g);
 }
 
 void pel_patch_fill(const struct pel_patchwork *work,
                     const struct pel_rows *rows)
 {
+    const bool many = rows->step == 1 && rows->n > 1 &&
+                      work->ramp->spread != PEL_REFLECT && is_coarse(work);
     struct fill f;
+    if (!many) {
+        pel_color_paint_fill(&work->paint->paint, rows);
+        return;
+    }
     f.work = work;
     f.rows = rows;
     f.in_place = pel_colors_in_place(work->paint, rows->surface);
     f.pairs = f.in_place && work->mirrored && work->curve->center.x % 128 == 0;
     pel_ramp_prepare(&f.mixer, work->ramp);
-    if (!f.mixer.run || rows->step != 1 || rows->n < 2) {
-        pel_color_paint_fill(&work->paint->paint, rows);
-        return;
-    }
     for (int32_t i = 0; i < rows->n; i += PEL_GRID_ROWS)
-        color_strip(&f, rows->y + i, pel_min(rows->n - i, PEL_GRID_ROWS));
+        color_lines(&f, rows->y + i, pel_min(rows->n - i, PEL_GRID_ROWS));
 }
 
 #endif

@@ -21,6 +21,11 @@
 /* Sizes of patches: 32 by 16 pixels, half of that each way, and half again. */
 enum { PEL_PATCH_SIZES = 3 };
 
+/* How far away from the centre the middle of a patch must be, squared, in
+ * sub-pixels: 179, 71.6 and 26.8 px, which is 10, 8 and 6 times as far as its
+ * corner is from there. */
+extern const int64_t pel_patch_far[PEL_PATCH_SIZES];
+
 /* The position u pixels to the right of a pixel and v below it: at + x u + y v
  * + xx u^2 + xy u v + ..., in units of the curve and in two's complement. */
 struct pel_taylor {
@@ -35,9 +40,8 @@ struct pel_taylor {
     uint64_t reach;
 };
 
-/* That of the pixel whose centre is at (x, y) from the curve's: at least 10, 8
- * or 6 times as far away as the patch's corner, which is 17.9, 8.95 or 4.48
- * pixels from there. */
+/* That of the pixel whose centre is at (x, y) from the curve's, at least so far
+ * away. */
 typedef void pel_taylor_function(const struct pel_curve *curve, int32_t x,
                                  int32_t y, int size,
                                  struct pel_taylor *taylor);
@@ -45,9 +49,9 @@ typedef void pel_taylor_function(const struct pel_curve *curve, int32_t x,
 pel_taylor_function pel_radial_taylor, pel_conic_taylor;
 
 /* The colours of a run; `mixer` is a struct pel_ramp_mixer. */
-typedef void pel_curve_colors(const struct pel_color_paint *paint,
-                              const void *mixer, const struct pel_run *run,
-                              pel_color *colors);
+typedef void pel_run_colors(const struct pel_color_paint *paint,
+                            const void *mixer, const struct pel_run *run,
+                            pel_color *colors);
 
 /* A paint of patches. */
 struct pel_patchwork {
@@ -55,17 +59,19 @@ struct pel_patchwork {
     const struct pel_curve *curve;
     const struct pel_ramp *ramp;
     pel_taylor_function *taylor;
-    pel_curve_colors *colors;
+    pel_run_colors *colors;
 
-    /* Pixels at (x, y) and (-x, y) from the centre have one colour. */
+    /* Pixels at (x, y) and (-x, y) from the centre have one position, but for
+     * the errors of cubics. */
     bool mirrored;
 };
 
 struct pel_grid;
 
 /* The lanes, the error, the width and `padded` of a patch around the pixel
- * centre `way` from the curve's. False where so many pixels would be in doubt,
- * one of 32 or more, that patches are no faster. */
+ * centre `way` from the curve's. False where so many pixels would be in doubt
+ * that it is no faster: one of 128 or more, or 64 of the smallest size; four
+ * times as many where a padded ramp ends. */
 bool pel_patch_grid(const struct pel_patchwork *work, struct pel_point way,
                     int size, struct pel_grid *grid);
 

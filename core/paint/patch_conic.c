@@ -19,8 +19,8 @@ static uint64_t error_of(uint64_t fourth, int64_t square, int size)
 {
     static const int32_t corner[PEL_PATCH_SIZES] = {28450, 1830, 120};
     const uint64_t cubic = square >= pel_square(PEL_PX(494))   ? 524288
-                           : square >= pel_square(PEL_PX(185)) ? 36000
-                           : square >= pel_square(PEL_PX(72))  ? 2700
+                           : square >= pel_square(PEL_PX(185)) ? 40000
+                           : square >= pel_square(PEL_PX(71))  ? 3100
                                                                : 400;
     const uint64_t unit = fourth * (uint64_t)(turns_of_radian >> 8);
     const uint64_t most = UINT64_MAX / 100000, row = unit * cubic;

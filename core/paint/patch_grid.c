@@ -3,6 +3,12 @@
 
 #if PEL_PATCHES
 
+const int64_t pel_patch_far[PEL_PATCH_SIZES] = {
+    INT64_C(65536) * 320 * 100,
+    INT64_C(65536) * 80 * 64,
+    INT64_C(65536) * 20 * 36,
+};
+
 /* From around a pixel to around the one u to the right of it and v below. */
 static void move(struct pel_taylor *t, uint64_t u, uint64_t v)
 {
@@ -37,8 +43,9 @@ static void set_lanes(struct pel_grid *g, const struct pel_taylor *t, int shift)
     g->row[3] = lanes_of(yyy, 0, 0, 0, shift);
 }
 
-/* A patch that a padded ramp ends in is less than 37 pixels high and wide and
- * at least 26 from the centre: no position reaches 2. */
+/* A patch that is not outside ends at most 1 + 36, 19 or 10 pixels beyond the
+ * padded ramp, which is then, by pel_patch_far, at least 159, 61 or 21 pixels
+ * long: no position reaches 2. */
 bool pel_patch_grid(const struct pel_patchwork *work, struct pel_point way,
                     int size, struct pel_grid *grid)
 {
@@ -51,7 +58,7 @@ bool pel_patch_grid(const struct pel_patchwork *work, struct pel_point way,
         ramp->spread == PEL_PAD && t.at + t.reach >= UINT64_C(1) << (bits & 63);
     const int shift = (padded ? 62 : 64) - bits;
     const uint64_t error = (t.error << shift >> 31) + PEL_GRID_ERROR + 2;
-    if (error * n >> 27 != 0)
+    if (error * n >> (25 + size / 2) != 0)
         return false;
     grid->padded = padded;
     grid->width = PEL_GRID_WIDTH >> size;

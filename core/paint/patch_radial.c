@@ -37,9 +37,10 @@ static struct ray ray_of(uint32_t scale, int32_t x, int32_t y)
  * |w|^4 / 24 with |r''''| <= 3 / (r - |w|)^3 along any line: 17,562 / r^3 for
  * the largest patches. Of a row's cubic over K pixels it is K^4 / 128 s^3 with
  * s, the piece's least distance, at least far[] of paint_radial.c and at least
- * r - |w| - K: 110, 1,400, 18,400 or 230,000 / r^3, for K from 8 to 64, and
- * 1/512 at most. Roots are rounded down, by up to 1/16,384, in both; what is
- * left, of the inverse's 22 bits most, is less than half of that. */
+ * r - |w| - K: 110, 1,400, 18,400 or 230,000 / r^3, for K from 8 to 64 (which
+ * begin at far[] - |w|), and 1/512 at most. Roots are rounded down in both, so
+ * they add 1/16,384; what else is rounded, of the inverse's 22 bits most, adds
+ * less than half of that; 1/4,096 is granted. */
 static uint64_t error_of(const struct ray *ray, int size)
 {
     static const int32_t corner[PEL_PATCH_SIZES] = {17562, 1195, 87};

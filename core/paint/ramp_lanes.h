@@ -1,5 +1,5 @@
 /* Positions along a ramp, four pixels at a time, in 32 bits: what the highest
- * bits of a walk's say, nearly always. For ramp_vector_*.c and patch.c. */
+ * bits of a walk's say, nearly always. For ramp_vector_*.c and patch*.c. */
 #ifndef PEL_PAINT_RAMP_LANES_H
 #define PEL_PAINT_RAMP_LANES_H
 

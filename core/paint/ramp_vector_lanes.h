@@ -1,4 +1,5 @@
-/* What ramp_vector.c asks of vectors, beyond format/vector.h. */
+/* What ramp_vector_*.c and ramp_lanes.h ask of vectors, beyond format/vector.h.
+ */
 #ifndef PEL_PAINT_RAMP_VECTOR_LANES_H
 #define PEL_PAINT_RAMP_VECTOR_LANES_H
 

@@ -8,6 +8,7 @@
 #include "core/raster/rectangle.h"
 #include "core/raster/triangle.h"
 #include "core/round/circle.h"
+#include "core/round/ring.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
@@ -28,12 +29,25 @@ static int32_t random_center(struct random *r, int32_t from, int32_t to)
     return pel_max(PEL_COORDINATE_MIN, pel_min(PEL_COORDINATE_MAX, at));
 }
 
+/* Of cells that tell themselves, or of colours with alpha. */
+static struct pel_ramp random_ramp(struct random *r)
+{
+    static pel_color colors[300];
+    struct pel_ramp ramp = cells_random(r);
+    if (random_word(r) % 2 || ramp.n > 300)
+        return ramp;
+    for (int32_t i = 0; i < ramp.n; i++)
+        colors[i] = random_word(r);
+    ramp.colors = colors;
+    return ramp;
+}
+
 static struct pel_color_paint *random_paint(struct random *r,
                                             const struct pel_rect *b)
 {
     const struct pel_point center = {random_center(r, b->x0, b->x1),
                                      random_center(r, b->y0, b->y1)};
-    const struct pel_ramp ramp = cells_random(r);
+    const struct pel_ramp ramp = random_ramp(r);
     const uint16_t phase = (uint16_t)(random_word(r) % 2 ? random_word(r) : 0);
     struct pel_rings rings = {center, 0, phase};
     rings.radius =
@@ -64,10 +78,13 @@ static void draw(const struct pel_surface *s, const struct pel_point v[3],
     const struct pel_rect *b = &s->bounds;
     const struct pel_point from = {PEL_PX(b->x0), PEL_PX(b->y0)};
     const struct pel_point to = {PEL_PX(b->x1), PEL_PX(b->y1)};
+    const struct pel_ring_shape ring = {v[0], v[1].y & 4095, v[1].x & 32767};
     if (shape == 0)
         pel_triangle(s, v, p);
     else if (shape == 1)
         pel_circle(s, v[0], v[1].x & 32767, p);
+    else if (shape == 2)
+        pel_ring(s, &ring, p);
     else
         pel_rectangle(s, from, to, p);
 }
@@ -100,7 +117,7 @@ static void test_pixels(void **state)
     for (struct cases c = cases_of(4000); cases_next(&c);) {
         struct random *r = &c.random;
         const struct pel_rect b = random_bounds(r);
-        const uint32_t shape = random_word(r) % 4;
+        const uint32_t shape = random_word(r) % 5;
         const struct layout *layout = &layouts[random_word(r) % LAYOUT_COUNT];
         struct pel_color_paint *p = random_paint(r, &b);
         struct pel_point v[3];
@@ -221,9 +238,14 @@ static void check_exact(const struct subject *s, real unit, bool conic)
 static void check_lanes(const struct subject *s)
 {
     const struct pel_point at = corner_of(s->size);
+    const uint64_t error = s->t.error << (64 - s->work->curve->bits) >> 32;
     struct pel_grid g;
-    if (!pel_patch_grid(s->work, s->way, s->size, &g))
-        fail_msg("no grid; %s", cases_replay());
+    const bool few = pel_patch_grid(s->work, s->way, s->size, &g);
+    if (few ? error > UINT32_MAX / 256 / 64 : error < UINT32_MAX / 256 / 512)
+        fail_msg("an error of %llu in 2^-32 of the way: %s grid; %s",
+                 (unsigned long long)error, few ? "a" : "no", cases_replay());
+    if (!few)
+        return;
     const int shift = (g.padded ? 62 : 64) - s->work->curve->bits;
     assert_int_equal(g.width, -2 * at.x);
     for (int32_t v = at.y; v < -at.y; v++, pel_grid_next(&g)) {
@@ -250,20 +272,62 @@ static void check_lanes(const struct subject *s)
 static struct pel_point random_middle(struct random *r, struct pel_point center,
                                       int size)
 {
-    static const real least[PEL_PATCH_SIZES] = {178.886L, 71.555L, 26.833L};
+    const real least = real_root((real)pel_patch_far[size]);
     for (;;) {
         const real x = random_between(r, -1000, 1000);
         const real y = random_between(r, -1000, 1000);
         const real more = random_between(r, 1, 1000) / 1000.0L;
-        const real far = least[size] * (1 + more * (1 << random_word(r) % 7));
-        const real scale = far * 256 / (real_root(x * x + y * y) + 1);
+        const real far = least * (1 + more * (1 << random_word(r) % 7));
+        const real scale = far / (real_root(x * x + y * y) + 1);
         const struct pel_point p = {
             pel_pixel_of(center.x + (int32_t)(x * scale)),
             pel_pixel_of(center.y + (int32_t)(y * scale))};
         const real dx = (real)pel_pixel_center(p.x) - center.x;
         const real dy = (real)pel_pixel_center(p.y) - center.y;
-        if (dx * dx + dy * dy >= least[size] * least[size] * 65536)
+        if (dx * dx + dy * dy >= pel_patch_far[size])
             return p;
+    }
+}
+
+static struct pel_taylor any;
+
+static void give_any(const struct pel_curve *curve, int32_t x, int32_t y,
+                     int size, struct pel_taylor *t)
+{
+    (void)curve;
+    (void)x;
+    (void)y;
+    (void)size;
+    *t = any;
+}
+
+static uint64_t random_long(struct random *r)
+{
+    return (uint64_t)random_word(r) << 32 | random_word(r);
+}
+
+/* Lanes are as much too small as they may be, and no more. */
+static void test_lanes(void **state)
+{
+    (void)state;
+    const struct pel_ramp ramp = cells_ramp(2, PEL_REPEAT);
+    const struct pel_point center = {0, 0};
+    struct pel_conic *const q = &conic_paint;
+    const struct pel_patchwork work = {&q->base, &q->curve, &q->ramp,
+                                       give_any, NULL,      false};
+    pel_conic_init(q, center, 0, &ramp);
+    for (struct cases c = cases_of(2000); cases_next(&c);) {
+        struct random *r = &c.random;
+        struct subject s;
+        s.work = &work;
+        s.size = (int)(random_word(r) % PEL_PATCH_SIZES);
+        s.way = s.middle = center;
+        any = (struct pel_taylor){
+            random_long(r), random_long(r), random_long(r), random_long(r),
+            random_long(r), random_long(r), random_long(r), random_long(r),
+            random_long(r), random_long(r), random_word(r), 0};
+        s.t = any;
+        check_lanes(&s);
     }
 }
 
@@ -315,6 +379,7 @@ int main(void)
         cmocka_unit_test(test_pixels),
 #if PEL_PATCHES
         cmocka_unit_test(test_polynomials),
+        cmocka_unit_test(test_lanes),
 #endif
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
