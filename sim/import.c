@@ -325,6 +325,11 @@ int command_import(int argc, char **argv)
     c.options.source = c.stage.source.path;
     if (!check(&c))
         return STATUS_ERROR;
+    if (strcmp(c.options.source, "-") == 0) {
+        message_error("import does not read standard input: a file would be "
+                      "right");
+        return STATUS_ERROR;
+    }
     bool done = is_pel2d(c.options.output)        ? import_as_pel2d(&c)
                 : is_picture(c.stage.source.path) ? import_as_picture(&c)
                 : is_font(c.stage.source.path)    ? import_as_font(&c)

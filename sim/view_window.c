@@ -1,4 +1,7 @@
 /* The window of pel view. */
+#include <stdlib.h>
+#include <string.h>
+
 #include "message.h"
 #include "view_show.h"
 
@@ -218,11 +221,26 @@ static bool run_viewer(struct window *w, const struct view_job *job)
     return done;
 }
 
+/* Without a screen SDL takes a driver that shows nothing, which nobody wants
+ * who has not asked for it. */
+static bool is_unseen(void)
+{
+    const char *driver = SDL_GetCurrentVideoDriver();
+    return !getenv("SDL_VIDEODRIVER") && driver &&
+           (strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0);
+}
+
 bool view_window(const struct view_job *job)
 {
     struct window window = {.renamed = true};
     if (SDL_Init(SDL_INIT_VIDEO) != 0)
         return fails("no screen for a window");
+    if (is_unseen()) {
+        SDL_Quit();
+        return message_error("no screen for a window: DISPLAY and "
+                             "WAYLAND_DISPLAY name none; --device auto would "
+                             "be right, or pel render");
+    }
     const bool done = run_viewer(&window, job);
     close_window(&window);
     return done;

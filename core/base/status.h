@@ -1,5 +1,6 @@
-/* What the functions that can fail return: those that set something up.
- * A draw call returns nothing; a shape that is clipped away is no error.
+/* What the functions that can fail return: those that set something up or take
+ * scratch memory. Other draw calls return nothing; a shape that is clipped away
+ * is no error.
  * Pointers given to draw calls and hit tests are never NULL: only functions
  * that return a status look. */
 #ifndef PEL_BASE_STATUS_H

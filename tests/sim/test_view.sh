@@ -80,6 +80,12 @@ refuse "without light, flat or gouraud would be right" --frames 1 \
     --shade phong --unlit
 refuse "/dev/null is no framebuffer device" --device fb:/dev/null
 SDL_VIDEODRIVER=none refuse "no screen for a window" --frames 1
+(
+    unset SDL_VIDEODRIVER DISPLAY WAYLAND_DISPLAY
+    export XDG_RUNTIME_DIR="$dir" # SDL looks there
+    refuse "no screen for a window" --frames 1
+    exit $failed
+) || failed=1
 "$PEL" view --help | grep -q 'f g p *shading: flat, Gouraud, Phong' ||
     fail "--help does not list the keys"
 [ $failed -eq 0 ]
