@@ -290,10 +290,8 @@ static void color_strip(struct fill *f, struct patch *p, struct pel_row all)
     }
 }
 
-/* Lines y to y + n - 1: by patches, if they are few. One takes as long as some
- * 250 pixels that are coloured along a row, whose beginning takes as long
- * as 50.
- */
+/* Lines y to y + n - 1: by patches, where these are few. A patch takes as long
+ * as some 250 pixels along a row, and a row's beginning as long as 50. */
 static void color_lines(struct fill *f, int32_t y, int32_t n)
 {
     const struct pel_rows part = {f->rows->surface,
@@ -309,8 +307,8 @@ static void color_lines(struct fill *f, int32_t y, int32_t n)
         pel_color_paint_fill(&f->work->paint->paint, &part);
 }
 
-/* Not where pixels would be in doubt as often as not where cubics are longest:
- * at a distance of some 400 or 500 pixels. */
+/* Are the ramp's cells so long that few pixels are in doubt even where cubics
+ * are longest, some 500 pixels from the centre? */
 static bool is_coarse(const struct pel_patchwork *work)
 {
     const struct pel_point there = {PEL_PX(500), 0};
