@@ -85,7 +85,6 @@ static uint64_t divide(const struct pel_plane_setup *s, uint64_t n,
 {
     uint64_t q = 0, rest = 0;
     int bits = 96;
-    *fine = 0; /* compilers do not see that 8 bits are reached */
     for (; bits > 32 && n >> 63 == 0; bits--)
         n <<= 1;
     for (; bits > 0; bits--) {
