@@ -70,8 +70,8 @@ struct pel_grid;
 
 /* The lanes, the error, the width and `padded` of a patch around the pixel
  * centre `way` from the curve's. False where so many pixels would be in doubt
- * that it is no faster: one of 128 or more, or 64 of the smallest size; four
- * times as many where a padded ramp ends. */
+ * that it is no faster: one of 128 or more, of 64 or 32 of the smaller sizes;
+ * four times as many where a padded ramp ends. */
 bool pel_patch_grid(const struct pel_patchwork *work, struct pel_point way,
                     int size, struct pel_grid *grid);
 

@@ -58,7 +58,7 @@ bool pel_patch_grid(const struct pel_patchwork *work, struct pel_point way,
         ramp->spread == PEL_PAD && t.at + t.reach >= UINT64_C(1) << (bits & 63);
     const int shift = (padded ? 62 : 64) - bits;
     const uint64_t error = (t.error << shift >> 31) + PEL_GRID_ERROR + 2;
-    if (error * n >> (25 + size / 2) != 0)
+    if (error * n >> (25 + size) != 0)
         return false;
     grid->padded = padded;
     grid->width = PEL_GRID_WIDTH >> size;
