@@ -5,7 +5,8 @@
 #
 # LIST has a line `NAME<TAB>COMMAND` for each; their output goes to DIR. PEL_JOBS
 # says how many run at once (one for each CPU). Prints a line for each test (see
-# run_one.sh) and last `N passed, N failed`; exit status 1 when any failed.
+# run_one.sh) and last `N passed, N failed`; exit status 1 when any failed. A test
+# that did not end counts as one that failed.
 set -u
 dir=$1
 here=$(dirname "$0")
@@ -13,11 +14,15 @@ mkdir -p "$dir"
 rm -f "$dir"/*.log "$dir"/*.count
 unset MAKEFLAGS MFLAGS MAKELEVEL
 
-grep . | tr '\n' '\0' |
+grep . >"$dir/list"
+tr '\n' '\0' <"$dir/list" |
     xargs -0 -n 1 -P "${PEL_JOBS:-$(nproc)}" sh "$here/run_one.sh" "$dir"
-cat "$dir"/*.count | awk '
+cat "$dir"/*.count | awk -v tests="$(wc -l <"$dir/list")" '
     { passed += $1; failed += $2 }
     END {
+        if (NR < tests)
+            printf "%d tests did not end\n", tests - NR
+        failed += tests - NR
         printf "%d passed, %d failed\n", passed, failed
         exit failed > 0 || passed == 0
     }'
