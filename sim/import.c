@@ -216,6 +216,9 @@ static bool check(struct import_command *c)
         return message_error("%s is missing; `pel import MESH|PICTURE|FONT -o "
                              "ASSET.c` would be right",
                              input ? "-o ASSET.c" : "an input");
+    if (strcmp(input, "-") == 0)
+        return message_error("import does not read standard input: a file "
+                             "would be right");
     if (is_pel2d(output) && (is_picture(input) || is_font(input)))
         return message_error_at(input, 0,
                                 "a pel2d file holds a mesh; an "
@@ -325,11 +328,6 @@ int command_import(int argc, char **argv)
     c.options.source = c.stage.source.path;
     if (!check(&c))
         return STATUS_ERROR;
-    if (strcmp(c.options.source, "-") == 0) {
-        message_error("import does not read standard input: a file would be "
-                      "right");
-        return STATUS_ERROR;
-    }
     bool done = is_pel2d(c.options.output)        ? import_as_pel2d(&c)
                 : is_picture(c.stage.source.path) ? import_as_picture(&c)
                 : is_font(c.stage.source.path)    ? import_as_font(&c)

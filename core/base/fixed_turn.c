@@ -14,7 +14,7 @@ static const uint32_t table[17] = {
  * w - w^3/3 + w^5/5: the next term is 4e-12. w in 2^-36 is at most 2^31. */
 static uint32_t small_angle(uint32_t n, uint32_t d)
 {
-    const uint32_t a1 = 683565276, a3 = 227855092, a5 = 136713055;
+    const uint32_t a1 = PEL_TURNS_OF_RADIAN, a3 = 227855092, a5 = 136713055;
     const uint32_t w = pel_divide((uint64_t)n << 36, d);
     const uint32_t w2 = (uint32_t)(pel_multiply(w, w) >> 36);
     const uint32_t b = a3 - (uint32_t)(pel_multiply(w2, a5) >> 36);

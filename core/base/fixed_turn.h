@@ -4,6 +4,9 @@
 
 #include <stdint.h>
 
+/* 2^32 / 2 pi. */
+enum { PEL_TURNS_OF_RADIAN = 683565276 };
+
 /* The angle of (x, y) in 2^-32 of a turn, 0 along +x and growing towards +y
  * (clockwise on screen), off by less than 2^-30 turns; exact on the axes and
  * diagonals. |x|, |y| < 2^25; (0, 0) gives 0. */

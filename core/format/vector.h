@@ -139,11 +139,10 @@ static inline pel_u8x16 pel_narrow_u8x16(pel_u32x4 a, pel_u32x4 b, pel_u32x4 c,
                                          pel_u32x4 d)
 {
 #ifdef __SSE2__
-    typedef int16_t s16x8 __attribute__((__vector_size__(16)));
     typedef int32_t s32x4 __attribute__((__vector_size__(16)));
-    const s16x8 ab = __builtin_ia32_packssdw128((s32x4)a, (s32x4)b);
-    const s16x8 cd = __builtin_ia32_packssdw128((s32x4)c, (s32x4)d);
-    return (pel_u8x16)__builtin_ia32_packuswb128(ab, cd);
+    return pel_join_u8x16(
+        (pel_u16x8)__builtin_ia32_packssdw128((s32x4)a, (s32x4)b),
+        (pel_u16x8)__builtin_ia32_packssdw128((s32x4)c, (s32x4)d));
 #else
     typedef uint8_t u8x4 __attribute__((__vector_size__(4)));
     const u8x4 four[4] = {

@@ -12,22 +12,17 @@ static void mixed(const struct pel_color_paint *paint, int32_t x, int32_t y,
     const struct pel_run run = {x, y, n};
     struct pel_ramp_mixer mixer;
     pel_ramp_prepare(&mixer, &p->ramp);
-    pel_conic_colors(p, &mixer, &run, out);
+    pel_conic_colors(paint, &mixer, &run, out);
 }
 
 #if PEL_PATCHES
 
-static void run_colors(const struct pel_color_paint *paint, const void *mixer,
-                       const struct pel_run *run, pel_color *out)
-{
-    pel_conic_colors((const void *)paint, mixer, run, out);
-}
-
 static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
 {
     const struct pel_conic *p = (const void *)paint;
-    const struct pel_patchwork work = {&p->base,         &p->curve,  &p->ramp,
-                                       pel_conic_taylor, run_colors, false};
+    const struct pel_patchwork work = {&p->base,         &p->curve,
+                                       &p->ramp,         pel_conic_taylor,
+                                       pel_conic_colors, false};
     pel_patch_fill(&work, rows);
 }
 

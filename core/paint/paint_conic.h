@@ -39,8 +39,9 @@ enum pel_status pel_conic_begin(struct pel_conic *paint,
 
 #if PEL_FAST_64BIT
 
-/* The colours of a run; `context` is for the run function. */
-void pel_conic_colors(const struct pel_conic *paint, const void *context,
+/* The colours of a run; `context` is for the run function, `paint` a struct
+ * pel_conic. */
+void pel_conic_colors(const struct pel_color_paint *paint, const void *context,
                       const struct pel_run *run, pel_color *colors);
 
 #endif

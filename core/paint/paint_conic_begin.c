@@ -5,9 +5,6 @@
 /* For a cubic that is right to 1/512 px and 1e-5 turns. */
 static const int32_t far[5] = {4067, 8192, 20643, 52016, 131072};
 
-/* 2^32 / 2 pi. */
-static const uint32_t turns_of_radian = 683565276;
-
 #if PEL_FAST_64BIT
 
 /* floor(across 2^38 / square), where that is below 2^27. */
@@ -45,7 +42,7 @@ static PEL_WALK int64_t slope_of(int32_t x, int32_t y)
 {
     const uint64_t square = (uint64_t)(pel_square(x) + pel_square(y));
     const uint32_t across = (uint32_t)(y < 0 ? -y : y);
-    const uint64_t fall = bracket(across, square) * turns_of_radian * 4;
+    const uint64_t fall = bracket(across, square) * PEL_TURNS_OF_RADIAN * 4;
     return (int64_t)(y > 0 ? 0 - fall : fall);
 }
 
@@ -68,10 +65,11 @@ static PEL_HOT struct pel_knot knot_of(const struct pel_curve *curve, int32_t x,
     return k;
 }
 
-void pel_conic_colors(const struct pel_conic *paint, const void *context,
+void pel_conic_colors(const struct pel_color_paint *paint, const void *context,
                       const struct pel_run *run, pel_color *colors)
 {
-    struct pel_course course = pel_course_of(&paint->curve, run);
+    const struct pel_conic *p = (const void *)paint;
+    struct pel_course course = pel_course_of(&p->curve, run);
     course.knot = knot_of;
     pel_course_colors(&course, context, colors);
 }
@@ -81,7 +79,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 {
     const struct pel_conic *p = (const void *)paint;
     const struct pel_run run = {x, y, n};
-    pel_conic_colors(p, &p->curve, &run, out);
+    pel_conic_colors(paint, &p->curve, &run, out);
 }
 
 #else

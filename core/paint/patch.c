@@ -208,17 +208,21 @@ static void color_and_put(struct fill *f, struct patch *p)
     }
 }
 
+static void color_in_place(const struct fill *f, struct patch *p)
+{
+    p->out = pel_address32(f->rows->surface, p->x, p->y);
+    p->stride = f->rows->surface->stride / 4;
+    color(f, p);
+}
+
 /* A patch of the largest size, which may be empty. */
 static void color_one(struct fill *f, struct patch *p)
 {
     p->image = NULL;
-    if (f->in_place && is_whole(f, p)) {
-        p->out = pel_address32(f->rows->surface, p->x, p->y);
-        p->stride = f->rows->surface->stride / 4;
-        color(f, p);
-    } else if (!is_empty(f, p)) {
+    if (f->in_place && is_whole(f, p))
+        color_in_place(f, p);
+    else if (!is_empty(f, p))
         color_and_put(f, p);
-    }
 }
 
 /* Where to begin a patch that goes beyond the strip: sooner, where pixels may
@@ -236,7 +240,6 @@ static int32_t last_of(const struct fill *f, const struct patch *p,
  * right one. A column on the axis is in both. */
 static void color_pairs(struct fill *f, struct patch *p, struct pel_row all)
 {
-    const struct pel_surface *surface = f->rows->surface;
     const bool symmetric = image_of(f, all.x0, 0) == all.x1;
     struct patch left = *p;
     p->x = f->work->curve->center.x >> 8;
@@ -245,10 +248,8 @@ static void color_pairs(struct fill *f, struct patch *p, struct pel_row all)
             p->x = last_of(f, p, all);
         left.x = image_of(f, p->x, PEL_GRID_WIDTH);
         if (is_whole(f, p) && is_whole(f, &left)) {
-            p->out = pel_address32(surface, p->x, p->y);
-            p->image = pel_address32(surface, left.x, p->y);
-            p->stride = surface->stride / 4;
-            color(f, p);
+            p->image = pel_address32(f->rows->surface, left.x, p->y);
+            color_in_place(f, p);
         } else {
             color_one(f, p);
             color_one(f, &left);

@@ -4,9 +4,6 @@
 
 #if PEL_PATCHES
 
-/* 2^32 / 2 pi. */
-static const int64_t turns_of_radian = 683565276;
-
 /* The error, with |w| the distance of a corner from the middle, and r that of
  * the middle, 10, 8 or 6 |w| or more. Of the polynomial it is what the series
  * goes on with in |w| / r, in radians (|w| / r)^4 / 4 and more: 28,450 / r^4
@@ -22,7 +19,7 @@ static uint64_t error_of(uint64_t fourth, int64_t square, int size)
                            : square >= pel_square(PEL_PX(185)) ? 40000
                            : square >= pel_square(PEL_PX(71))  ? 3100
                                                                : 400;
-    const uint64_t unit = fourth * (uint64_t)(turns_of_radian >> 8);
+    const uint64_t unit = fourth * (uint64_t)(PEL_TURNS_OF_RADIAN >> 8);
     const uint64_t most = UINT64_MAX / 100000, row = unit * cubic;
     return unit * (uint64_t)corner[size] + (row < most ? row : most) +
            (UINT64_C(1) << 40);
@@ -36,7 +33,7 @@ void pel_conic_taylor(const struct pel_curve *curve, int32_t x, int32_t y,
 {
     const uint32_t start = PEL_CURVE_PAINT(struct pel_conic, curve)->start;
     const int64_t square = pel_square(x) + pel_square(y);
-    const int64_t unit = INT64_C(1) << 38, turns = turns_of_radian;
+    const int64_t unit = INT64_C(1) << 38, turns = PEL_TURNS_OF_RADIAN;
     const int64_t re = x * unit / square, im = -y * unit / square;
     const int64_t re2 = (re * re - im * im) >> 20, im2 = re * im >> 19;
     const int64_t re3 = (re2 * re - im2 * im) >> 30;
