@@ -111,7 +111,7 @@ static PEL_ALWAYS_INLINE void pel_blend32_run(pel_word32 *p, int32_t n,
 }
 
 /* A format's blend, in blend32.c. */
-void pel_blend32_rows(const struct pel_rows *rows, pel_color color);
+void pel_blend32_rows(const struct pel_spans *spans, pel_color color);
 
 #else
 

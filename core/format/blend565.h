@@ -108,7 +108,7 @@ static PEL_ALWAYS_INLINE void pel_blend565_run(pel_word16 *p, int32_t n,
 }
 
 /* A format's blend, in blend565.c. */
-void pel_blend565_rows(const struct pel_rows *rows, pel_color color);
+void pel_blend565_rows(const struct pel_spans *spans, pel_color color);
 
 #else
 

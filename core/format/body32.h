@@ -23,12 +23,12 @@ static inline void set(place p, uint32_t pixel)
 
 #include "body_run.h"
 
-static void blend32(const struct pel_rows *rows, pel_color color)
+static void blend32(const struct pel_spans *spans, pel_color color)
 {
 #if PEL_VECTORS
-    pel_blend32_rows(rows, color);
+    pel_blend32_rows(spans, color);
 #else
-    blend(rows, color);
+    blend(spans, color);
 #endif
 }
 

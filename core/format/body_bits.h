@@ -26,13 +26,13 @@ static void over_at(const struct pel_surface *s, int32_t x, int32_t y,
     over(at(s, x, y), color);
 }
 
-static void blend(const struct pel_rows *rows, pel_color color)
+static void blend(const struct pel_spans *spans, pel_color color)
 {
-    const struct pel_row *row = rows->row;
-    int32_t y = rows->y;
-    for (int32_t i = rows->n; i > 0; i--, row++, y += rows->step)
-        for (int32_t x = row->x0; x < row->x1; x++)
-            over_at(rows->surface, x, y, color);
+    const struct pel_span *span = spans->span;
+    int32_t y = spans->y;
+    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step)
+        for (int32_t x = span->x0; x < span->x1; x++)
+            over_at(spans->surface, x, y, color);
 }
 
 static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,

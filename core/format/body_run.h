@@ -5,13 +5,13 @@
 
 #include "body.h"
 
-static inline void blend(const struct pel_rows *rows, pel_color color)
+static inline void blend(const struct pel_spans *spans, pel_color color)
 {
-    const struct pel_row *row = rows->row;
-    int32_t y = rows->y;
-    for (int32_t i = rows->n; i > 0; i--, row++, y += rows->step) {
-        place p = at(rows->surface, row->x0, y);
-        for (int32_t n = row->x1 - row->x0; n > 0; n--)
+    const struct pel_span *span = spans->span;
+    int32_t y = spans->y;
+    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
+        place p = at(spans->surface, span->x0, y);
+        for (int32_t n = span->x1 - span->x0; n > 0; n--)
             over(p++, color);
     }
 }

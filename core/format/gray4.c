@@ -23,9 +23,9 @@ static struct pel_place at(const struct pel_surface *s, int32_t x, int32_t y)
 
 #include "body_bits.h"
 
-static void fill(const struct pel_rows *rows, uint32_t pixel)
+static void fill(const struct pel_spans *spans, uint32_t pixel)
 {
-    pel_fill_bits(rows, pixel * 0x11u);
+    pel_fill_bits(spans, pixel * 0x11u);
 }
 
 const struct pel_format pel_gray4 = {

@@ -26,13 +26,13 @@ static struct pel_place at(const struct pel_surface *s, int32_t x, int32_t y)
 
 #include "body_bits.h"
 
-static void fill(const struct pel_rows *rows, uint32_t pixel)
+static void fill(const struct pel_spans *spans, uint32_t pixel)
 {
-    const struct pel_row *row = rows->row;
-    int32_t y = rows->y;
-    for (int i = 0; i < rows->n; i++, row++, y += rows->step)
-        for (int32_t x = row->x0; x < row->x1; x++)
-            set(at(rows->surface, x, y), pixel);
+    const struct pel_span *span = spans->span;
+    int32_t y = spans->y;
+    for (int i = 0; i < spans->n; i++, span++, y += spans->step)
+        for (int32_t x = span->x0; x < span->x1; x++)
+            set(at(spans->surface, x, y), pixel);
 }
 
 const struct pel_format pel_mono1_pages = {

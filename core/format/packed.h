@@ -12,6 +12,6 @@ struct pel_place {
 
 /* Runs of gray4 and mono1, in fill_bits.c: `byte` is the pixel repeated over 8
  * bits. */
-void pel_fill_bits(const struct pel_rows *rows, uint32_t byte);
+void pel_fill_bits(const struct pel_spans *spans, uint32_t byte);
 
 #endif

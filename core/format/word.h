@@ -84,9 +84,9 @@ static PEL_ALWAYS_INLINE void pel_prefetch_run(uintptr_t address, int32_t bytes)
 }
 
 /* Bytes from one run's line to the next's. */
-static inline ptrdiff_t pel_rows_pitch(const struct pel_rows *rows)
+static inline ptrdiff_t pel_spans_pitch(const struct pel_spans *spans)
 {
-    return (ptrdiff_t)rows->surface->stride * rows->step;
+    return (ptrdiff_t)spans->surface->stride * spans->step;
 }
 
 #endif
