@@ -12,7 +12,7 @@ define mcu_bench
 $(BUILD)/bench/mcu/$1.elf: $(MCU_BENCH:%.c=$(BUILD)/mcu/$1-O2/%.o) \
     $(MCU_PORT:%.c=$(BUILD)/mcu/$1-O2/%.o) $(BUILD)/mcu/$1-O2/libpel.a
 	@mkdir -p $$(@D)
-	$(MCU_CC) -mcpu=$1 $(MCU_LDFLAGS) -T port/cortex_m/mps2_an386.ld \
+	$(MCU_CC) -mcpu=$1 $(MCU_LDFLAGS) $(call mcu_script,mps2_an386) \
 	    $$^ -o $$@
 endef
 $(foreach c,$(MCU_CPUS),$(eval $(call mcu_bench,$c)))
