@@ -84,7 +84,8 @@ $(T)/sim/%: $(T)/sim/%.o $(TEST_SIM_OBJECTS) $(T)/host/libsupport.a $(BUILD)/lib
 	$(CC) $(CFLAGS) $(LDFLAGS) $^ -lcmocka $(SIM_LIBS) $(LINUX_LIBS) -o $@
 
 TEST_PROGRAMS_host := $(TEST_EXHAUSTIVE) $(TEST_PROPERTY) $(TEST_UNIT)
-TEST_PROGRAMS_portable := $(filter-out $(TEST_HOST_ONLY),$(TEST_PROPERTY))
+TEST_PROGRAMS_portable := $(filter-out $(TEST_HOST_ONLY),$(TEST_PROPERTY)) \
+    tests/exhaustive/test_colors
 TEST_PROGRAMS_san := $(TEST_PROPERTY) $(TEST_UNIT)
 TEST_PROGRAMS_assert := $(TEST_ASSERT)
 TEST_PROGRAMS_small := $(TEST_KNOBS)

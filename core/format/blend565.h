@@ -42,10 +42,10 @@ static inline void pel_blend565_pixel(pel_word16 *p,
                                       const struct pel_blend565 *b)
 {
     uint32_t v = b->swapped ? pel_swap16(*p) : *p;
-    uint32_t high = pel_blend565_mix(pel_widen5(v >> 11), b->high, b->rest);
+    uint32_t high = pel_blend565_mix(pel_widen(v >> 11, 5), b->high, b->rest);
     uint32_t middle =
-        pel_blend565_mix(pel_widen6(v >> 5 & 63), b->middle, b->rest);
-    uint32_t low = pel_blend565_mix(pel_widen5(v & 31), b->low, b->rest);
+        pel_blend565_mix(pel_widen(v >> 5 & 63, 6), b->middle, b->rest);
+    uint32_t low = pel_blend565_mix(pel_widen(v & 31, 5), b->low, b->rest);
     v = (high & 0xF8u) << 8 | (middle & 0xFCu) << 3 | low >> 3;
     *p = (pel_word16)(b->swapped ? pel_swap16(v) : v);
 }

@@ -11,6 +11,11 @@ static inline place at(const struct pel_surface *s, int32_t x, int32_t y)
     return pel_address8(s, x, y);
 }
 
+static inline place next(place p)
+{
+    return p + 1;
+}
+
 static inline uint32_t get(const pel_word8 *p)
 {
     return *p;
@@ -21,6 +26,6 @@ static inline void set(place p, uint32_t pixel)
     *p = (pel_word8)pixel;
 }
 
-#include "body_run.h"
+#include "body.h"
 
 #endif

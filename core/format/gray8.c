@@ -1,14 +1,7 @@
 #include "formats.h"
 
-static uint32_t pack(pel_color c)
-{
-    return pel_gray(c);
-}
-
-static pel_color unpack(uint32_t p)
-{
-    return PEL_RGB(p, p, p);
-}
+#define BITS 8
+#include "gray.inc"
 
 #include "body8.h"
 

@@ -1,18 +1,10 @@
+#include "fields.h"
 #include "formats.h"
-#include "word.h"
 
-static uint32_t pack(pel_color c)
-{
-    return PEL_LE16(0x8000u | (c >> 9 & 0x7C00u) | (c >> 6 & 0x03E0u) |
-                    (c >> 3 & 0x001Fu));
-}
+#define ORDER PEL_LE16
+static const struct pel_fields fields = {{10, 5}, {5, 5}, {0, 5}, 0x8000};
 
-static pel_color unpack(uint32_t p)
-{
-    p = PEL_LE16(p);
-    return PEL_RGB(pel_widen5(p >> 10 & 31), pel_widen5(p >> 5 & 31),
-                   pel_widen5(p & 31));
-}
+#include "fields.inc"
 
 #include "body16.h"
 
