@@ -3,9 +3,7 @@
 
 #define ORDER PEL_LE16
 static const struct pel_fields fields = {{0, 5}, {5, 6}, {11, 5}, 0};
-
 #include "fields.inc"
-
 #include "body565.h"
 
 const struct pel_format pel_bgr565_le = {

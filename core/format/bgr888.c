@@ -3,9 +3,7 @@
 
 #define ORDER(v) (v)
 static const struct pel_fields fields = {{0, 8}, {8, 8}, {16, 8}, 0};
-
 #include "fields.inc"
-
 #include "body24.h"
 
 const struct pel_format pel_bgr888 = {

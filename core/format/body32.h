@@ -4,29 +4,8 @@
 
 #include "blend32.h"
 
-typedef pel_word32 *place;
-
-static inline place at(const struct pel_surface *s, int32_t x, int32_t y)
-{
-    return pel_address32(s, x, y);
-}
-
-static inline place next(place p)
-{
-    return p + 1;
-}
-
-static inline uint32_t get(const pel_word32 *p)
-{
-    return *p;
-}
-
-static inline void set(place p, uint32_t pixel)
-{
-    *p = (pel_word32)pixel;
-}
-
-#include "body.h"
+#define WORD pel_word32
+#include "body_word.inc"
 
 static void blend32(const struct pel_spans *spans, pel_color color)
 {

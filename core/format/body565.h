@@ -4,7 +4,9 @@
 
 #include "blend565.h"
 #include "put565.h"
-#include "body16.h"
+
+#define WORD pel_word16
+#include "body_word.inc"
 
 static void blend565(const struct pel_spans *spans, pel_color color)
 {

@@ -2,7 +2,6 @@
 
 #define BITS 1
 #include "gray.inc"
-
 #include "body_bits.h"
 
 static void fill(const struct pel_spans *spans, uint32_t pixel)

@@ -46,13 +46,5 @@ static void fill(const struct pel_spans *spans, uint32_t pixel)
 }
 
 const struct pel_format pel_mono1_pages = {
-    .id = PEL_FORMAT_MONO1_PAGES,
-    .bits = 1,
-    .word = 1,
-    .pack = pack,
-    .unpack = unpack,
-    .fill = fill,
-    .blend = pel_blend_mono,
-    .put = put,
-    .load = load,
+    PEL_FORMAT_MONO1_PAGES, 1, 1, pack, unpack, fill, pel_blend_mono, put, load,
 };

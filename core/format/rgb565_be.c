@@ -3,9 +3,7 @@
 
 #define ORDER PEL_BE16
 static const struct pel_fields fields = {{11, 5}, {5, 6}, {0, 5}, 0};
-
 #include "fields.inc"
-
 #include "body565.h"
 
 const struct pel_format pel_rgb565_be = {

@@ -3,9 +3,7 @@
 
 #define ORDER PEL_LE32
 static const struct pel_fields fields = {{24, 8}, {16, 8}, {8, 8}, 0xFF};
-
 #include "fields.inc"
-
 #include "body32.h"
 
 const struct pel_format pel_rgbx8888 = {
