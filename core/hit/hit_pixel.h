@@ -23,8 +23,8 @@ static inline bool pel_hit_disc(struct pel_point p, struct pel_point center,
            pel_square(dx) + pel_square(dy) <= pel_square(radius);
 }
 
-/* In the range of angles around the centre? Rule: round/wedge.h. */
-bool pel_hit_wedge(struct pel_point center, uint16_t from, uint16_t to,
-                   struct pel_point p);
+/* In the range of angles around the centre? Rule: round/angle_range.h. */
+bool pel_hit_angle_range(struct pel_point center, uint16_t from, uint16_t to,
+                         struct pel_point p);
 
 #endif

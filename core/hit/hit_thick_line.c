@@ -13,11 +13,12 @@ static int32_t magnitude(int32_t v)
 }
 
 static bool in_box(struct pel_point p, struct pel_point a, struct pel_point b,
-                   int32_t reach)
+                   int32_t margin)
 {
-    return p.x >= pel_min(a.x, b.x) - reach &&
-           p.x <= pel_max(a.x, b.x) + reach &&
-           p.y >= pel_min(a.y, b.y) - reach && p.y <= pel_max(a.y, b.y) + reach;
+    return p.x >= pel_min(a.x, b.x) - margin &&
+           p.x <= pel_max(a.x, b.x) + margin &&
+           p.y >= pel_min(a.y, b.y) - margin &&
+           p.y <= pel_max(a.y, b.y) + margin;
 }
 
 /* Where p lies for sure, without the length of the line: that is between the

@@ -1,8 +1,8 @@
 /* Outlines one pixel wide. The outline of a shape is the part of its fill that
  * has a neighbour (left, right, above or below) outside of the shape: it never
  * leaves the fill, reaches to its edge everywhere, and is as symmetric as the
- * fill (outline/rim.h, which gives the outline of any other shape too). The
- * clip makes no outline. Ranges and errors are those of the fills. */
+ * fill (outline/outline_filter.h, which gives the outline of any other shape
+ * too). The clip makes no outline. Ranges and errors are those of the fills. */
 #ifndef PEL_OUTLINE_OUTLINE_H
 #define PEL_OUTLINE_OUTLINE_H
 
@@ -38,7 +38,7 @@ void pel_arc_outline(const struct pel_surface *surface,
                      const struct pel_paint *paint);
 
 /* Scratch memory as for pel_polygon, but of this size: about 48 n bytes and a
- * struct pel_rim (outline/rim.h). */
+ * struct pel_outline_filter (outline/outline_filter.h). */
 size_t pel_polygon_outline_scratch_size(int32_t n);
 enum pel_status pel_polygon_outline(const struct pel_surface *surface,
                                     const struct pel_polygon_shape *polygon,

@@ -1,13 +1,13 @@
 #include "outline.h"
 
 #include "../round/disc_walk.h"
-#include "../round/wedge.h"
-#include "outline_line.h"
+#include "../round/angle_range.h"
+#include "outline_row.h"
 
 struct walk {
     struct pel_disc_walk circle;
-    struct pel_wedge wedge;
-    struct pel_outline_line line;
+    struct pel_angle_range angles;
+    struct pel_outline_row row;
     struct pel_rect clip;
 };
 
@@ -20,27 +20,28 @@ static PEL_WIDE bool start(struct walk *w, const struct pel_surface *surface,
     if (pel_rect_empty(&surface->clip))
         return false;
     w->clip = pel_outline_clip(surface);
-    pel_outline_begin(&w->line, surface);
+    pel_outline_begin(&w->row, surface);
     return pel_disc_walk_start(&w->circle, &sector->center, sector->radius,
                                &w->clip) &&
-           pel_wedge_start(&w->wedge, &sector->center, angles,
-                           pel_max(w->circle.y - 1, surface->clip.y0));
+           pel_angle_range_start(&w->angles, &sector->center, angles,
+                                 pel_max(w->circle.y - 1, surface->clip.y0));
 }
 
 /* The pieces of the line above the circle's next one. */
-static PEL_WIDE void cut_line(struct walk *w,
-                              const struct pel_sector_shape *sector)
+static PEL_WIDE void cut_row(struct walk *w,
+                             const struct pel_sector_shape *sector)
 {
-    struct pel_outline_line *o = &w->line;
-    struct pel_span inside, run, *span = pel_outline_run(o);
+    struct pel_outline_row *o = &w->row;
+    struct pel_span inside, disc, *span = pel_outline_span(o);
     *span = (struct pel_span){0, 0};
     if (w->circle.y < w->circle.end)
         pel_disc_row(&w->circle.disc, &w->clip, span);
     if (pel_outline_next(o, w->circle.y, &inside)) {
-        run = *span;
-        pel_wedge_parts(&w->wedge, &sector->center, w->circle.y - 1, span);
-        o->cut.spans.n = pel_cut_within(span, 2, &run);
-        o->cut.spans.n = pel_cut_take(span, o->cut.spans.n, &inside);
+        disc = *span;
+        pel_angle_range_spans(&w->angles, &sector->center, w->circle.y - 1,
+                              span);
+        o->cut.spans.n = pel_cut_within(span, 2, &disc);
+        o->cut.spans.n = pel_cut_remove(span, o->cut.spans.n, &inside);
     }
     pel_disc_walk_next(&w->circle);
 }
@@ -53,7 +54,7 @@ void pel_arc_outline(const struct pel_surface *surface,
     if (!start(&w, surface, sector))
         return;
     while (w.circle.y <= w.circle.end) {
-        cut_line(&w, sector);
-        pel_cut_paint(&w.line.cut, paint, w.circle.y - 2);
+        cut_row(&w, sector);
+        pel_cut_paint(&w.row.cut, paint, w.circle.y - 2);
     }
 }

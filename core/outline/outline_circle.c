@@ -1,7 +1,7 @@
 #include "outline.h"
 
 #include "../round/disc_walk.h"
-#include "outline_line.h"
+#include "outline_row.h"
 
 void pel_circle_outline(const struct pel_surface *surface,
                         struct pel_point center, int32_t radius,
@@ -9,7 +9,7 @@ void pel_circle_outline(const struct pel_surface *surface,
 {
     const struct pel_rect clip = pel_outline_clip(surface);
     struct pel_disc_walk w;
-    struct pel_outline_line o;
+    struct pel_outline_row o;
     if (pel_rect_empty(&surface->clip) ||
         !pel_disc_walk_start(&w, &center, radius, &clip))
         return;

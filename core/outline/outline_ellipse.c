@@ -1,7 +1,7 @@
 #include "outline.h"
 
 #include "../round/ellipse_walk.h"
-#include "outline_line.h"
+#include "outline_row.h"
 
 void pel_ellipse_outline(const struct pel_surface *surface,
                          const struct pel_ellipse_shape *ellipse,
@@ -9,7 +9,7 @@ void pel_ellipse_outline(const struct pel_surface *surface,
 {
     const struct pel_rect clip = pel_outline_clip(surface);
     struct pel_ellipse_walk w;
-    struct pel_outline_line o;
+    struct pel_outline_row o;
     if (pel_rect_empty(&surface->clip) ||
         !pel_ellipse_start(&w, ellipse, &clip))
         return;

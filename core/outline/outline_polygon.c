@@ -1,34 +1,34 @@
 #include "outline.h"
 
-#include "rim.h"
+#include "outline_filter.h"
 
-/* The scratch memory: the rim, aligned like a pointer, its runs (a row has n /
- * 2 at most), and that of the polygon. A rim on the stack would be the larger
- * part of what the outline takes there. */
-enum { RIM_BYTES = sizeof(struct pel_rim) + sizeof(void *) - 4 };
+/* The scratch memory: the filter, aligned like a pointer, its runs (a row has n
+ * / 2 at most), and that of the polygon. A filter on the stack would be the
+ * larger part of what the outline takes there. */
+enum { FILTER_BYTES = sizeof(struct pel_outline_filter) + sizeof(void *) - 4 };
 
-static size_t rim_runs(int32_t n)
+static size_t filter_spans(int32_t n)
 {
-    return PEL_RIM_MEMORY((size_t)n / 2);
+    return PEL_OUTLINE_FILTER_SPANS((size_t)n / 2);
 }
 
-static size_t rim_size(int32_t n)
+static size_t filter_size(int32_t n)
 {
-    return RIM_BYTES + rim_runs(n) * sizeof(struct pel_span);
+    return FILTER_BYTES + filter_spans(n) * sizeof(struct pel_span);
 }
 
 size_t pel_polygon_outline_scratch_size(int32_t n)
 {
     size_t fill = pel_polygon_scratch_size(n);
-    if (fill == 0 || (size_t)n > ((size_t)-1 - RIM_BYTES) / 64)
+    if (fill == 0 || (size_t)n > ((size_t)-1 - FILTER_BYTES) / 64)
         return 0;
-    return fill + rim_size(n);
+    return fill + filter_size(n);
 }
 
-static struct pel_rim *rim_in(void *scratch)
+static struct pel_outline_filter *filter_in(void *scratch)
 {
     const uintptr_t mask = sizeof(void *) - 1;
-    return (struct pel_rim *)(((uintptr_t)scratch + mask) & ~mask);
+    return (struct pel_outline_filter *)(((uintptr_t)scratch + mask) & ~mask);
 }
 
 enum pel_status pel_polygon_outline(const struct pel_surface *surface,
@@ -45,15 +45,15 @@ enum pel_status pel_polygon_outline(const struct pel_surface *surface,
     size_t needed = pel_polygon_outline_scratch_size(polygon->n);
     if (needed == 0 || size < needed || (uintptr_t)scratch % 4)
         return PEL_ERROR_SCRATCH;
-    struct pel_rim *rim = rim_in(scratch);
+    struct pel_outline_filter *filter = filter_in(scratch);
     uint8_t *const memory = scratch;
-    void *const runs = memory + RIM_BYTES;
-    const size_t used = rim_size(polygon->n);
-    if (!pel_rim_begin(rim, surface, paint, runs,
-                       (int32_t)rim_runs(polygon->n)))
+    void *const spans = memory + FILTER_BYTES;
+    const size_t used = filter_size(polygon->n);
+    if (!pel_outline_filter_begin(filter, surface, paint, spans,
+                                  (int32_t)filter_spans(polygon->n)))
         return PEL_OK;
-    enum pel_status status = pel_polygon(&rim->surface, polygon, &rim->paint,
-                                         memory + used, size - used);
-    pel_rim_end(rim);
+    enum pel_status status = pel_polygon(
+        &filter->surface, polygon, &filter->paint, memory + used, size - used);
+    pel_outline_filter_end(filter);
     return status;
 }

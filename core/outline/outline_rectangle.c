@@ -1,6 +1,6 @@
 #include "outline.h"
 
-#include "outline_line.h"
+#include "outline_row.h"
 
 void pel_rectangle_outline(const struct pel_surface *surface,
                            struct pel_point from, struct pel_point to,
@@ -15,11 +15,11 @@ void pel_rectangle_outline(const struct pel_surface *surface,
     r = pel_rect_intersect(&r, &clip);
     if (!legal || pel_rect_empty(&r) || pel_rect_empty(&surface->clip))
         return;
-    struct pel_outline_line o;
+    struct pel_outline_row o;
     pel_outline_begin(&o, surface);
     const struct pel_span span = {r.x0, r.x1};
     for (int32_t y = r.y0; y <= r.y1; y++) {
-        *pel_outline_run(&o) = y < r.y1 ? span : none;
+        *pel_outline_span(&o) = y < r.y1 ? span : none;
         pel_outline_put(&o, paint, y);
     }
 }

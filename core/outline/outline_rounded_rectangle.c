@@ -1,6 +1,6 @@
 #include "outline.h"
 
-#include "outline_line.h"
+#include "outline_row.h"
 #include "../round/rounded_rectangle_walk.h"
 
 void pel_rounded_rectangle_outline(const struct pel_surface *surface,
@@ -9,7 +9,7 @@ void pel_rounded_rectangle_outline(const struct pel_surface *surface,
 {
     const struct pel_rect clip = pel_outline_clip(surface);
     struct pel_rounded_walk w;
-    struct pel_outline_line o;
+    struct pel_outline_row o;
     if (pel_rect_empty(&surface->clip) || !pel_rounded_start(&w, r, &clip))
         return;
     pel_outline_begin(&o, surface);

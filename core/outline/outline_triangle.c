@@ -1,7 +1,7 @@
 #include "outline.h"
 
 #include "../raster/edge.h"
-#include "outline_line.h"
+#include "outline_row.h"
 #include "../raster/triangle_sort.h"
 
 /* The two edges of the triangle that cross row y. */
@@ -46,7 +46,7 @@ void pel_triangle_outline(const struct pel_surface *surface,
     const struct pel_point *order[3] = {&v[0], &v[1], &v[2]};
     const struct pel_rect clip = pel_outline_clip(surface);
     struct sides s = {.y = 0};
-    struct pel_outline_line o;
+    struct pel_outline_row o;
     PEL_ASSERT(pel_points_legal(v, 3));
     if (!pel_points_legal(v, 3) || pel_rect_empty(&surface->clip))
         return;
@@ -54,9 +54,9 @@ void pel_triangle_outline(const struct pel_surface *surface,
     sides_start(&s, order, &clip);
     pel_outline_begin(&o, surface);
     for (int32_t y = s.y; y <= s.end; y++) {
-        *pel_outline_run(&o) = (struct pel_span){0, 0};
+        *pel_outline_span(&o) = (struct pel_span){0, 0};
         if (y < s.end)
-            sides_next(&s, order, pel_outline_run(&o));
+            sides_next(&s, order, pel_outline_span(&o));
         pel_outline_put(&o, paint, y);
     }
 }

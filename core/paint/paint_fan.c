@@ -16,40 +16,40 @@ static uint64_t clamped(uint64_t value)
 }
 
 /* A run of n pixels from (x, y) on, and on small CPUs a channel there. */
-struct run {
+struct part {
     uint64_t at;
     int32_t x, y, n;
 };
 
 #if PEL_FAST_64BIT
 
-/* The colours of a run that stays in a wedge. */
-static void wedge_colors(struct run *r, const struct pel_fan_wedge *w,
-                         pel_color *out)
+/* The colours of a run that stays in a triangle. */
+static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
+                            pel_color *out)
 {
     uint64_t v[4];
     for (int k = 0; k < 4; k++)
-        v[k] = w->at[k] + pel_times(w->dx[k], r->x) + pel_times(w->dy[k], r->y);
+        v[k] = t->at[k] + pel_times(t->dx[k], r->x) + pel_times(t->dy[k], r->y);
     for (int32_t n = r->n; n > 0; n--) {
         pel_color color = 0;
         for (int k = 3; k >= 0; k--) {
             color = color << 8 | (pel_color)clamped(v[k]);
-            v[k] += w->dx[k];
+            v[k] += t->dx[k];
         }
         *out++ = color;
     }
 }
 
-/* How many of n pixels, the first at `way` from the hub, lie in the wedge. To
+/* How many of n pixels, the first at `d` from the hub, lie in the triangle. To
  * the right by a pixel the cross products change by -256 times the ray's y. */
-static int32_t pixels_inside(const struct pel_fan_wedge *w,
-                             const struct pel_point *way, int32_t n)
+static int32_t pixels_inside(const struct pel_fan_triangle *t,
+                             const struct pel_point *d, int32_t n)
 {
-    int64_t from = cross(&w->from, way), to = cross(&w->to, way);
-    const int64_t from_step = -256 * (int64_t)w->from.y;
-    const int64_t to_step = -256 * (int64_t)w->to.y;
+    int64_t from = cross(&t->from, d), to = cross(&t->to, d);
+    const int64_t from_step = -256 * (int64_t)t->from.y;
+    const int64_t to_step = -256 * (int64_t)t->to.y;
     int32_t count = 0;
-    while (count < n && from >= 0 && to < w->closed) {
+    while (count < n && from >= 0 && to < t->closed) {
         from += from_step;
         to += to_step;
         count++;
@@ -60,63 +60,63 @@ static int32_t pixels_inside(const struct pel_fan_wedge *w,
 #else
 
 /* The same with little stack, a channel and a ray at a time. */
-static PEL_WIDE void set_channel_at(struct run *r,
-                                    const struct pel_fan_wedge *w, int k)
+static PEL_WIDE void set_channel_at(struct part *r,
+                                    const struct pel_fan_triangle *t, int k)
 {
-    r->at = w->at[k] + pel_times(w->dx[k], r->x) + pel_times(w->dy[k], r->y);
+    r->at = t->at[k] + pel_times(t->dx[k], r->x) + pel_times(t->dy[k], r->y);
 }
 
-/* Its colours' channel k, while it stays in a wedge. */
-static PEL_WIDE void put_channel(const struct run *r,
-                                 const struct pel_fan_wedge *w, int k,
+/* Its colours' channel k, while it stays in a triangle. */
+static PEL_WIDE void put_channel(const struct part *r,
+                                 const struct pel_fan_triangle *t, int k,
                                  pel_color *out)
 {
     uint64_t v = r->at;
-    for (int32_t i = 0; i < r->n; i++, v += w->dx[k])
+    for (int32_t i = 0; i < r->n; i++, v += t->dx[k])
         out[i] = (pel_color)clamped(v) << 8 * k | (k ? out[i] : 0);
 }
 
-static void wedge_colors(struct run *r, const struct pel_fan_wedge *w,
-                         pel_color *out)
+static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
+                            pel_color *out)
 {
     for (int k = 0; k < 4; k++) {
-        set_channel_at(r, w, k);
-        put_channel(r, w, k, out);
+        set_channel_at(r, t, k);
+        put_channel(r, t, k, out);
     }
 }
 
-/* For how many of n pixels, the first at `way` from the hub, the cross product
+/* For how many of n pixels, the first at `d` from the hub, the cross product
  * with a ray is at least `least`. */
 static PEL_WIDE int32_t pixels_beside(const struct pel_point *ray,
-                                      const struct pel_point *way,
-                                      int32_t least, int32_t n)
+                                      const struct pel_point *d, int32_t least,
+                                      int32_t n)
 {
-    int64_t side = pel_product(ray->x, way->y) - pel_product(ray->y, way->x);
+    int64_t side = pel_product(ray->x, d->y) - pel_product(ray->y, d->x);
     int32_t count = 0;
     for (; count < n && side >= least; count++)
         side -= (int64_t)ray->y * 256;
     return count;
 }
 
-static int32_t pixels_inside(const struct pel_fan_wedge *w,
-                             const struct pel_point *way, int32_t n)
+static int32_t pixels_inside(const struct pel_fan_triangle *t,
+                             const struct pel_point *d, int32_t n)
 {
-    const struct pel_point to = {-w->to.x, -w->to.y};
-    n = pixels_beside(&w->from, way, 0, n);
-    return pixels_beside(&to, way, 1 - w->closed, n);
+    const struct pel_point to = {-t->to.x, -t->to.y};
+    n = pixels_beside(&t->from, d, 0, n);
+    return pixels_beside(&to, d, 1 - t->closed, n);
 }
 
 #endif
 
-/* The wedge of a run's first pixel, looked for from wedge `i` on, and how many
- * pixels stay in it; 0 where there is none. */
-static int32_t find_wedge(const struct pel_fan *p, const struct run *r,
-                          int32_t *i)
+/* The triangle of a run's first pixel, looked for from triangle `i` on, and how
+ * many pixels stay in it; 0 where there is none. */
+static int32_t find_triangle(const struct pel_fan *p, const struct part *r,
+                             int32_t *i)
 {
-    const struct pel_point way = {pel_pixel_center(r->x) - p->hub.x,
-                                  pel_pixel_center(r->y) - p->hub.y};
+    const struct pel_point d = {pel_pixel_center(r->x) - p->hub.x,
+                                pel_pixel_center(r->y) - p->hub.y};
     for (int32_t tries = p->n; tries > 0; tries--) {
-        const int32_t count = pixels_inside(&p->wedges[*i], &way, r->n);
+        const int32_t count = pixels_inside(&p->triangles[*i], &d, r->n);
         if (count > 0)
             return count;
         *i = *i + 1 < p->n ? *i + 1 : 0;
@@ -129,12 +129,12 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 {
     const struct pel_fan *p = (const void *)paint;
     const int32_t end = x + n;
-    struct run r = {0, x, y, n};
-    int32_t wedge = 0;
+    struct part r = {0, x, y, n};
+    int32_t triangle = 0;
     for (; (r.n = end - r.x) > 0; r.x += r.n) {
-        r.n = find_wedge(p, &r, &wedge);
+        r.n = find_triangle(p, &r, &triangle);
         if (r.n > 0) {
-            wedge_colors(&r, &p->wedges[wedge], out);
+            triangle_colors(&r, &p->triangles[triangle], out);
         } else {
             *out = p->hub_color;
             r.n = 1;
@@ -143,16 +143,16 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     }
 }
 
-/* From the hub to the point of the rim that is i-th clockwise, 0 <= i <= n; the
- * n-th is the 0-th again. Sets *color to its colour. */
+/* From the hub to the point of the perimeter that is i-th clockwise, 0 <= i <=
+ * n; the n-th is the 0-th again. Sets *color to its colour. */
 static struct pel_point ray_of(const struct pel_fan_points *points, int turn,
                                int32_t i, pel_color *color)
 {
     i = i == points->n ? 0 : i;
     i = turn > 0 ? i : points->n - 1 - i;
     *color = points->colors[i];
-    return (struct pel_point){points->rim[i].x - points->hub.x,
-                              points->rim[i].y - points->hub.y};
+    return (struct pel_point){points->perimeter[i].x - points->hub.x,
+                              points->perimeter[i].y - points->hub.y};
 }
 
 /* Is the ray in the second half of the turn, from 1/2 up to 1? A point on the
@@ -164,9 +164,9 @@ static bool is_late(const struct pel_point *ray, bool was)
     return ray->y < 0 || (ray->y == 0 && ray->x < 0);
 }
 
-/* Does the rim go around the hub? 1 clockwise, -1 counter-clockwise, 0 not, or
- * more than once: a round leaves the second half of the turn once. */
-static int turn_of_rim(const struct pel_fan_points *points)
+/* Does the perimeter go around the hub? 1 clockwise, -1 counter-clockwise, 0
+ * not, or more than once: a round leaves the second half of the turn once. */
+static int turn_of_perimeter(const struct pel_fan_points *points)
 {
     int turn = 0, rounds = 0;
     pel_color color;
@@ -187,37 +187,37 @@ static int turn_of_rim(const struct pel_fan_points *points)
 }
 
 /* Channel k of the plane with the values c at the hub and at the ends of the
- * wedge; below 2^34 / area a sub-pixel. The hub's pixel is the anchor: its
+ * triangle; below 2^34 / area a sub-pixel. The hub's pixel is the anchor: its
  * centre is known from the gradients to 2^-32, a pixel's step to as much. */
-static void set_channel(struct pel_fan_wedge *w, const struct pel_fan *p, int k,
-                        const int32_t c[3])
+static void set_channel(struct pel_fan_triangle *t, const struct pel_fan *p,
+                        int k, const int32_t c[3])
 {
-    const int64_t area = cross(&w->from, &w->to);
+    const int64_t area = cross(&t->from, &t->to);
     const int64_t b = c[1] - c[0], d = c[2] - c[0];
     const int32_t x = pel_pixel_of(p->hub.x), y = pel_pixel_of(p->hub.y);
     struct pel_fraction gx, gy;
-    w->at[k] = ((uint64_t)c[0] << 32) + 0x80000000u;
-    w->dx[k] = 0;
-    w->dy[k] = 0;
+    t->at[k] = ((uint64_t)c[0] << 32) + 0x80000000u;
+    t->dx[k] = 0;
+    t->dy[k] = 0;
     if (area == 0 || (b == 0 && d == 0))
         return;
-    pel_fraction_start(&gx, b * w->to.y - d * w->from.y, area);
-    pel_fraction_start(&gy, d * w->from.x - b * w->to.x, area);
+    pel_fraction_start(&gx, b * t->to.y - d * t->from.y, area);
+    pel_fraction_start(&gy, d * t->from.x - b * t->to.x, area);
     pel_fraction_more(&gx, 32);
     pel_fraction_more(&gy, 32);
-    w->at[k] +=
+    t->at[k] +=
         gx.quotient * (uint64_t)(int64_t)(pel_pixel_center(x) - p->hub.x) +
         gy.quotient * (uint64_t)(int64_t)(pel_pixel_center(y) - p->hub.y);
     pel_fraction_more(&gx, 8);
     pel_fraction_more(&gy, 8);
-    w->dx[k] = gx.quotient;
-    w->dy[k] = gy.quotient;
-    w->at[k] -= (uint64_t)(int64_t)x * w->dx[k];
-    w->at[k] -= (uint64_t)(int64_t)y * w->dy[k];
+    t->dx[k] = gx.quotient;
+    t->dy[k] = gy.quotient;
+    t->at[k] -= (uint64_t)(int64_t)x * t->dx[k];
+    t->at[k] -= (uint64_t)(int64_t)y * t->dy[k];
 }
 
-/* Does no wedge begin on the ray of the rim's i-th point? One does when the
- * next point in another direction is clockwise of it. */
+/* Does no triangle begin on the ray of the perimeter's i-th point? One does
+ * when the next point in another direction is clockwise of it. */
 static bool is_last_ray(const struct pel_fan_points *points, int turn,
                         int32_t i)
 {
@@ -233,35 +233,37 @@ static bool is_last_ray(const struct pel_fan_points *points, int turn,
     return true;
 }
 
-static void set_wedge(struct pel_fan_wedge *w, const struct pel_fan *p,
-                      const struct pel_fan_points *points, int turn, int32_t i)
+static void set_triangle(struct pel_fan_triangle *t, const struct pel_fan *p,
+                         const struct pel_fan_points *points, int turn,
+                         int32_t i)
 {
     pel_color a, b;
-    w->from = ray_of(points, turn, i, &a);
-    w->to = ray_of(points, turn, i + 1, &b);
-    w->closed = is_last_ray(points, turn, (i + 1) % points->n);
-    if (cross(&w->from, &w->to) == 0)
-        *w = (struct pel_fan_wedge){.closed = 0};
+    t->from = ray_of(points, turn, i, &a);
+    t->to = ray_of(points, turn, i + 1, &b);
+    t->closed = is_last_ray(points, turn, (i + 1) % points->n);
+    if (cross(&t->from, &t->to) == 0)
+        *t = (struct pel_fan_triangle){.closed = 0};
     for (int k = 0; k < 4; k++) {
         const int32_t c[3] = {(int32_t)(p->hub_color >> 8 * k & 255),
                               (int32_t)(a >> 8 * k & 255),
                               (int32_t)(b >> 8 * k & 255)};
-        set_channel(w, p, k, c);
+        set_channel(t, p, k, c);
     }
 }
 
 enum pel_status pel_fan_init(struct pel_fan *paint,
                              const struct pel_fan_points *points,
-                             struct pel_fan_wedge *wedges)
+                             struct pel_fan_triangle *triangles)
 {
-    if (!paint || !points || !points->rim || !points->colors || !wedges)
+    if (!paint || !points || !points->perimeter || !points->colors ||
+        !triangles)
         return PEL_ERROR_NULL;
     if (points->n < 3 || points->n > 32767)
         return PEL_ERROR_SIZE;
-    if (!pel_points_legal(points->rim, points->n) ||
+    if (!pel_points_legal(points->perimeter, points->n) ||
         !pel_point_legal(points->hub))
         return PEL_ERROR_RANGE;
-    const int turn = turn_of_rim(points);
+    const int turn = turn_of_perimeter(points);
     if (turn == 0)
         return PEL_ERROR_RANGE;
     pel_color all = points->hub_color;
@@ -270,9 +272,9 @@ enum pel_status pel_fan_init(struct pel_fan *paint,
     pel_color_paint_init(&paint->base, colors, pel_alpha(all) == 255);
     paint->hub = points->hub;
     paint->hub_color = points->hub_color;
-    paint->wedges = wedges;
+    paint->triangles = triangles;
     paint->n = points->n;
     for (int32_t i = 0; i < points->n; i++)
-        set_wedge(&wedges[i], paint, points, turn, i);
+        set_triangle(&triangles[i], paint, points, turn, i);
     return PEL_OK;
 }

@@ -4,40 +4,41 @@
 
 #include "paint_colors.h"
 
-/* A hub and a rim of n points around it, each with a colour. Between the rays
- * from the hub through two neighbours of the rim the colours are those of the
- * triangle of the three points, linear in x and y, and go on so beyond the rim,
- * each channel held at 0 and 255 (any colour where it would go 2^31 steps
- * beyond: slivers, seen from far off). So
- *  - a polygon whose corners are the rim is covered by n triangles with a
+/* A hub and a perimeter of n points around it, each with a colour. Between the
+ * rays from the hub through two neighbours of the perimeter the colours are
+ * those of the triangle of the three points, linear in x and y, and go on so
+ * beyond the perimeter, each channel held at 0 and 255 (any colour where it
+ * would go 2^31 steps beyond: slivers, seen from far off). So
+ *  - a polygon whose corners are the perimeter is covered by n triangles with a
  *    colour at every vertex, without a seam;
- *  - a disc with a rim on its circle (pel_fan_rim) likewise: between a chord
- *    and its arc the triangle goes on;
+ *  - a disc with a perimeter on its circle (pel_fan_perimeter) likewise:
+ * between a chord and its arc the triangle goes on;
  *  - three points around a hub that has their mean place and colour make the
  *    triangle with a colour per vertex itself. */
 struct pel_fan_points {
     struct pel_point hub;
     pel_color hub_color;
-    const struct pel_point *rim; /* clockwise or counter-clockwise, as seen
-                                    from the hub, once around */
-    const pel_color *colors;     /* of the rim */
-    int32_t n;                   /* 3..32,767 */
+    const struct pel_point *perimeter; /* clockwise or counter-clockwise, as
+                                    seen from the hub, once around */
+    const pel_color *colors;           /* of the perimeter */
+    int32_t n;                         /* 3..32,767 */
 };
 
-/* Sets the hub to the mean of the rim's points and colours, rounded: the middle
- * of regular polygons, and inside of all that are convex. rim, colors and n are
- * set; n < 1 is a broken contract: PEL_ASSERT, and the hub stays. */
+/* Sets the hub to the mean of the perimeter's points and colours, rounded: the
+ * middle of regular polygons, and inside of all that are convex. perimeter,
+ * colors and n are set; n < 1 is a broken contract: PEL_ASSERT, and the hub
+ * stays. */
 void pel_fan_set_hub(struct pel_fan_points *points);
 
 /* n points evenly around a circle, the first at the angle start (1/65,536
  * turns), clockwise; n > 0. */
-void pel_fan_rim(struct pel_point *rim, int32_t n, struct pel_point center,
-                 int32_t radius, uint16_t start);
+void pel_fan_perimeter(struct pel_point *perimeter, int32_t n,
+                       struct pel_point center, int32_t radius, uint16_t start);
 
-/* What lies between a point of the rim and the next, its first ray included.
- * Channels, from blue to alpha, are at + x dx + y dy at pixel (x, y), in 2^-32
- * steps modulo 2^64. */
-struct pel_fan_wedge {
+/* What lies between a point of the perimeter and the next, its first ray
+ * included. Channels, from blue to alpha, are at + x dx + y dy at pixel (x, y),
+ * in 2^-32 steps modulo 2^64. */
+struct pel_fan_triangle {
     struct pel_point from, to; /* from the hub to the two; 0 without area */
     int32_t closed;            /* 1: the last ray too, for there is no next */
     uint64_t at[4], dx[4], dy[4];
@@ -46,20 +47,20 @@ struct pel_fan_wedge {
 struct pel_fan {
     struct pel_color_paint base;
     struct pel_point hub;
-    pel_color hub_color;                /* where there is no wedge */
-    const struct pel_fan_wedge *wedges; /* n */
+    pel_color hub_color;                      /* where there is no triangle */
+    const struct pel_fan_triangle *triangles; /* n */
     int32_t n;
 };
 
-/* Channels are off by less than 2^-14 steps before they are rounded. `wedges`
- * is memory of the caller's for n of them, which must live as long as the
- * paint; the points need not. The hub may lie on an edge of the polygon or be
- * one of its corners: what lies outside there, between no two rays, has the
- * hub's colour. PEL_ERROR_NULL, PEL_ERROR_SIZE (n), PEL_ERROR_RANGE (a point
- * out of range, or the rim turns back as seen from the hub, or goes around it
- * twice). */
+/* Channels are off by less than 2^-14 steps before they are rounded.
+ * `triangles` is memory of the caller's for n of them, which must live as long
+ * as the paint; the points need not. The hub may lie on an edge of the polygon
+ * or be one of its corners: what lies outside there, between no two rays, has
+ * the hub's colour. PEL_ERROR_NULL, PEL_ERROR_SIZE (n), PEL_ERROR_RANGE (a
+ * point out of range, or the perimeter turns back as seen from the hub, or goes
+ * around it twice). */
 enum pel_status pel_fan_init(struct pel_fan *paint,
                              const struct pel_fan_points *points,
-                             struct pel_fan_wedge *wedges);
+                             struct pel_fan_triangle *triangles);
 
 #endif

@@ -16,8 +16,8 @@ void pel_fan_set_hub(struct pel_fan_points *points)
     if (points->n <= 0)
         return;
     for (int32_t i = 0; i < points->n; i++) {
-        x += points->rim[i].x;
-        y += points->rim[i].y;
+        x += points->perimeter[i].x;
+        y += points->perimeter[i].y;
         for (int k = 0; k < 4; k++)
             channel[k] += points->colors[i] >> 8 * k & 255;
     }
@@ -28,13 +28,15 @@ void pel_fan_set_hub(struct pel_fan_points *points)
         points->hub_color |= (pel_color)mean(channel[k], points->n) << 8 * k;
 }
 
-void pel_fan_rim(struct pel_point *rim, int32_t n, struct pel_point center,
-                 int32_t radius, uint16_t start)
+void pel_fan_perimeter(struct pel_point *perimeter, int32_t n,
+                       struct pel_point center, int32_t radius, uint16_t start)
 {
     for (int32_t i = 0; i < n; i++) {
         uint32_t turn = start + (uint32_t)((int64_t)i * 65536 / n);
         struct pel_point d = pel_direction((uint16_t)turn);
-        rim[i].x = center.x + mean((int64_t)d.x * radius, PEL_DIRECTION_ONE);
-        rim[i].y = center.y + mean((int64_t)d.y * radius, PEL_DIRECTION_ONE);
+        perimeter[i].x =
+            center.x + mean((int64_t)d.x * radius, PEL_DIRECTION_ONE);
+        perimeter[i].y =
+            center.y + mean((int64_t)d.y * radius, PEL_DIRECTION_ONE);
     }
 }

@@ -112,7 +112,7 @@ static PEL_ALWAYS_INLINE bool pel_texture_walk_next(
 {
     if (!pel_fast_walk_next(&w->rows, x, &run->n))
         return false;
-    run->out = w->rows.line + (uintptr_t)bytes * (uintptr_t)*x;
+    run->out = w->rows.row + (uintptr_t)bytes * (uintptr_t)*x;
     run->u = w->u + (uint64_t)(int64_t)*x * map->u.dx;
     run->v = w->v + (uint64_t)(int64_t)*x * map->v.dx;
     w->u += map->u.dy;

@@ -8,11 +8,11 @@
 
 /* Two parts of a line apart from each other, less one hole: the hole can split
  * one of them. */
-enum { PEL_CUT_PIECES = 3 };
+enum { PEL_CUT_SPANS = 3 };
 
 struct pel_cut {
     struct pel_spans spans;
-    struct pel_span span[PEL_CUT_PIECES];
+    struct pel_span span[PEL_CUT_SPANS];
 };
 
 static inline void pel_cut_begin(struct pel_cut *c,
@@ -22,8 +22,8 @@ static inline void pel_cut_begin(struct pel_cut *c,
 }
 
 /* The pixels [x0, x1), if any, as piece n: how many there are then. */
-static inline int32_t pel_cut_piece(struct pel_span *span, int32_t n,
-                                    int32_t x0, int32_t x1)
+static inline int32_t pel_cut_add(struct pel_span *span, int32_t n, int32_t x0,
+                                  int32_t x1)
 {
     if (x0 >= x1)
         return n;
@@ -37,8 +37,8 @@ static inline int32_t pel_cut_within(struct pel_span *span, int32_t n,
 {
     int32_t pieces = 0;
     for (int32_t k = 0; k < n; k++)
-        pieces = pel_cut_piece(span, pieces, pel_max(run->x0, span[k].x0),
-                               pel_min(run->x1, span[k].x1));
+        pieces = pel_cut_add(span, pieces, pel_max(run->x0, span[k].x0),
+                             pel_min(run->x1, span[k].x1));
     return pieces;
 }
 
@@ -50,14 +50,14 @@ static inline int32_t pel_cut_hole(struct pel_span *span, int32_t n,
 {
     const struct pel_span r = *run, h = *hole;
     if (h.x0 >= h.x1)
-        return pel_cut_piece(span, n, r.x0, r.x1);
-    n = pel_cut_piece(span, n, r.x0, pel_min(r.x1, h.x0));
-    return pel_cut_piece(span, n, pel_max(r.x0, h.x1), r.x1);
+        return pel_cut_add(span, n, r.x0, r.x1);
+    n = pel_cut_add(span, n, r.x0, pel_min(r.x1, h.x0));
+    return pel_cut_add(span, n, pel_max(r.x0, h.x1), r.x1);
 }
 
 /* Takes `hole` from up to two pieces: it splits one of them at most. */
-static inline int32_t pel_cut_take(struct pel_span *span, int32_t n,
-                                   const struct pel_span *hole)
+static inline int32_t pel_cut_remove(struct pel_span *span, int32_t n,
+                                     const struct pel_span *hole)
 {
     const struct pel_span second = span[1];
     int32_t pieces = n > 0 ? pel_cut_hole(span, 0, &span[0], hole) : 0;

@@ -25,8 +25,8 @@ struct pel_fast_triangle {
 /* A writer's walk down the rows; it lives in registers. */
 struct pel_fast_walk {
     struct pel_slope whole, half, lower;
-    int32_t y, stop, end;  /* stop: where the short edge ends */
-    uintptr_t line, pitch; /* address of column 0; see pel_column_zero */
+    int32_t y, stop, end; /* stop: where the short edge ends */
+    uintptr_t row, pitch; /* address of column 0; see pel_column_zero */
 };
 
 static PEL_ALWAYS_INLINE struct pel_fast_walk pel_fast_walk_begin(
@@ -36,11 +36,11 @@ static PEL_ALWAYS_INLINE struct pel_fast_walk pel_fast_walk_begin(
     struct pel_fast_walk w = {t->whole, t->upper, t->lower, t->y0,
                               t->y1,    t->y2,    0,        0};
     w.pitch = (uintptr_t)(ptrdiff_t)s->stride;
-    w.line = pel_column_zero(s, t->y0, pixel_bytes) - w.pitch;
+    w.row = pel_column_zero(s, t->y0, pixel_bytes) - w.pitch;
     return w;
 }
 
-/* The next row: n >= 0 pixels from x on, in the line at w->line. */
+/* The next row: n >= 0 pixels from x on, in the line at w->row. */
 static PEL_ALWAYS_INLINE bool pel_fast_walk_next(struct pel_fast_walk *w,
                                                  int32_t *x, int32_t *n)
 {
@@ -55,7 +55,7 @@ static PEL_ALWAYS_INLINE bool pel_fast_walk_next(struct pel_fast_walk *w,
     w->half.x += w->half.step;
     *x = p < q ? p : q;
     *n = (p < q ? q : p) - *x;
-    w->line += w->pitch;
+    w->row += w->pitch;
     w->y++;
     return true;
 }

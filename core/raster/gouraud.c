@@ -126,9 +126,10 @@ static gradient gradient_of(const struct setup *s, int64_t n)
 }
 
 /* Channel k with the values a, b, c at the vertices. At the centre of A's pixel
- * the value is a plus the gradients times the way there, -127..128 sub-pixels
- * in x and y. From there back to pixel (0, 0). Bits 8..39 of `way` are what 32
- * bits of 8.24 need of it, and those are right modulo 2^64. */
+ * the value is a plus the gradients times the offset there, -127..128
+ * sub-pixels in x and y. From there back to pixel (0, 0). Bits 8..39 of
+ * `offset` are what 32 bits of 8.24 need of it, and those are right modulo
+ * 2^64. */
 static PEL_WIDE void set_channel(struct pel_gouraud *p, const struct setup *s,
                                  int k, const int32_t value[3])
 {
@@ -138,12 +139,13 @@ static PEL_WIDE void set_channel(struct pel_gouraud *p, const struct setup *s,
     gradient gy = gradient_of(s, (int64_t)c * (s->b.x - s->a.x) -
                                      (int64_t)b * (s->c.x - s->a.x));
     const int32_t x = pel_pixel_of(s->a.x), y = pel_pixel_of(s->a.y);
-    gradient way = gx * (gradient)(int64_t)(pel_pixel_center(x) - s->a.x) +
-                   gy * (gradient)(int64_t)(pel_pixel_center(y) - s->a.y);
+    gradient offset = gx * (gradient)(int64_t)(pel_pixel_center(x) - s->a.x) +
+                      gy * (gradient)(int64_t)(pel_pixel_center(y) - s->a.y);
     p->dx[k] = (uint32_t)gx;
     p->dy[k] = (uint32_t)gy;
-    p->at[k] = ((uint32_t)value[0] << 24) + 0x800000u + (uint32_t)(way >> 8) -
-               (uint32_t)x * p->dx[k] - (uint32_t)y * p->dy[k];
+    p->at[k] = ((uint32_t)value[0] << 24) + 0x800000u +
+               (uint32_t)(offset >> 8) - (uint32_t)x * p->dx[k] -
+               (uint32_t)y * p->dy[k];
 }
 
 #if PEL_FAST_64BIT

@@ -2,33 +2,33 @@
 
 #if PEL_FAST_64BIT
 
-#include "gouraud_runs.h"
+#include "gouraud_spans.h"
 
 /* Written out, like all that is done for every row here: compilers keep loops
  * over three channels, and the channels in memory. */
-static PEL_ALWAYS_INLINE void at_column(const uint32_t row[3],
+static PEL_ALWAYS_INLINE void at_column(const uint32_t start[3],
                                         const uint32_t dx[3], uint32_t x,
                                         uint32_t v[3])
 {
-    v[0] = row[0] + x * dx[0];
-    v[1] = row[1] + x * dx[1];
-    v[2] = row[2] + x * dx[2];
+    v[0] = start[0] + x * dx[0];
+    v[1] = start[1] + x * dx[1];
+    v[2] = start[2] + x * dx[2];
 }
 
 static void write_xrgb(const struct pel_surface *s,
                        const struct pel_fast_triangle *t,
                        const struct pel_gouraud *paint)
 {
-    const struct pel_gouraud_run run = pel_gouraud_run_make(paint, 1);
+    const struct pel_gouraud_steps steps = pel_gouraud_steps_make(paint, 1);
     struct pel_fast_walk w = pel_fast_walk_begin(s, t, 4);
-    uint32_t row[3], v[3];
-    pel_gouraud_at(paint, 0, t->y0, row);
+    uint32_t start[3], v[3];
+    pel_gouraud_at(paint, 0, t->y0, start);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
-        uintptr_t p = w.line + 4 * (uintptr_t)x;
+        uintptr_t p = w.row + 4 * (uintptr_t)x;
         pel_prefetch_run(p + 2 * w.pitch, 4 * n);
-        at_column(row, paint->dx, (uint32_t)x, v);
-        pel_gouraud_run_xrgb((pel_word32 *)p, n, v, &run);
-        pel_gouraud_step(row, paint->dy);
+        at_column(start, paint->dx, (uint32_t)x, v);
+        pel_gouraud_span_xrgb((pel_word32 *)p, n, v, &steps);
+        pel_gouraud_step(start, paint->dy);
     }
 }
 
@@ -36,15 +36,15 @@ static void write_rgb565(const struct pel_surface *s,
                          const struct pel_fast_triangle *t,
                          const struct pel_gouraud *paint)
 {
-    const struct pel_gouraud_run run = pel_gouraud_run_make(paint, 2);
+    const struct pel_gouraud_steps steps = pel_gouraud_steps_make(paint, 2);
     struct pel_fast_walk w = pel_fast_walk_begin(s, t, 2);
-    uint32_t row[3], v[3];
-    pel_gouraud_at(paint, 0, t->y0, row);
+    uint32_t start[3], v[3];
+    pel_gouraud_at(paint, 0, t->y0, start);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
-        uintptr_t p = w.line + 2 * (uintptr_t)x;
-        at_column(row, paint->dx, (uint32_t)x, v);
-        pel_gouraud_run_rgb565((pel_word16 *)p, n, v, &run);
-        pel_gouraud_step(row, paint->dy);
+        uintptr_t p = w.row + 2 * (uintptr_t)x;
+        at_column(start, paint->dx, (uint32_t)x, v);
+        pel_gouraud_span_rgb565((pel_word16 *)p, n, v, &steps);
+        pel_gouraud_step(start, paint->dy);
     }
 }
 

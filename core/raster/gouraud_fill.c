@@ -1,9 +1,9 @@
 #include "gouraud.h"
-#include "gouraud_runs.h"
+#include "gouraud_spans.h"
 
 /* n colours from pixel (x, y) on, alpha included. */
-static PEL_NOINLINE void colors_of_run(const struct pel_gouraud *g, int32_t x,
-                                       int32_t y, int32_t n, pel_color *colors)
+static PEL_NOINLINE void colors_of_span(const struct pel_gouraud *g, int32_t x,
+                                        int32_t y, int32_t n, pel_color *colors)
 {
     uint32_t v[3];
     pel_gouraud_at(g, x, y, v);
@@ -15,26 +15,27 @@ static PEL_NOINLINE void colors_of_run(const struct pel_gouraud *g, int32_t x,
     }
 }
 
-static PEL_NOINLINE void fill_run_xrgb(const struct pel_gouraud *g,
-                                       const struct pel_surface *s, int32_t y,
-                                       const struct pel_span *span)
+static PEL_NOINLINE void fill_span_xrgb(const struct pel_gouraud *g,
+                                        const struct pel_surface *s, int32_t y,
+                                        const struct pel_span *span)
 {
-    const struct pel_gouraud_run run = pel_gouraud_run_make(g, 1);
+    const struct pel_gouraud_steps steps = pel_gouraud_steps_make(g, 1);
     uint32_t v[3];
     pel_gouraud_at(g, span->x0, y, v);
-    pel_gouraud_run_xrgb(pel_address32(s, span->x0, y), span->x1 - span->x0, v,
-                         &run);
+    pel_gouraud_span_xrgb(pel_address32(s, span->x0, y), span->x1 - span->x0, v,
+                          &steps);
 }
 
-static PEL_NOINLINE void fill_run_rgb565(const struct pel_gouraud *g,
-                                         const struct pel_surface *s, int32_t y,
-                                         const struct pel_span *span)
+static PEL_NOINLINE void fill_span_rgb565(const struct pel_gouraud *g,
+                                          const struct pel_surface *s,
+                                          int32_t y,
+                                          const struct pel_span *span)
 {
-    const struct pel_gouraud_run run = pel_gouraud_run_make(g, 2);
+    const struct pel_gouraud_steps steps = pel_gouraud_steps_make(g, 2);
     uint32_t v[3];
     pel_gouraud_at(g, span->x0, y, v);
-    pel_gouraud_run_rgb565(pel_address16(s, span->x0, y), span->x1 - span->x0,
-                           v, &run);
+    pel_gouraud_span_rgb565(pel_address16(s, span->x0, y), span->x1 - span->x0,
+                            v, &steps);
 }
 
 /* A format that has a writer of its own for opaque colours. */
@@ -45,9 +46,9 @@ static bool fill_direct(const struct pel_gouraud *g,
     if (!pel_gouraud_opaque(g) || !s->format->put)
         return false;
     if (s->format->id == PEL_FORMAT_RGB565_LE)
-        fill_run_rgb565(g, s, y, span);
+        fill_span_rgb565(g, s, y, span);
     else if (PEL_FAST_64BIT && s->format->id == PEL_FORMAT_XRGB8888)
-        fill_run_xrgb(g, s, y, span);
+        fill_span_xrgb(g, s, y, span);
     else
         return false;
     return true;
@@ -66,7 +67,7 @@ void pel_gouraud_fill(const struct pel_paint *paint,
             continue;
         for (int32_t n; part.x0 < part.x1; part.x0 += n) {
             n = pel_min(part.x1 - part.x0, PEL_BUFFER_PIXELS);
-            colors_of_run(g, part.x0, y, n, colors);
+            colors_of_span(g, part.x0, y, n, colors);
             pel_put_colors(spans->surface, part.x0, y, n, colors);
         }
     }

@@ -59,7 +59,7 @@ static PEL_NOINLINE void start(struct walk *w, int32_t y)
 }
 
 /* The run of row y, and on to the next row. */
-static PEL_WALK void next_run(struct walk *w, int32_t y, struct pel_span *run)
+static PEL_WALK void next_span(struct walk *w, int32_t y, struct pel_span *span)
 {
     int32_t x = -w->edge.x, next = x + 1;
     if (w->flat) {
@@ -67,8 +67,8 @@ static PEL_WALK void next_run(struct walk *w, int32_t y, struct pel_span *run)
         next = y < w->p.y1 ? w->edge.x : w->p.x1 + 1;
         w->x = next;
     }
-    run->x0 = w->mirrored ? -next : x;
-    run->x1 = w->mirrored ? -x : next;
+    span->x0 = w->mirrored ? -next : x;
+    span->x1 = w->mirrored ? -x : next;
     pel_edge_next(&w->edge);
 }
 
@@ -82,7 +82,7 @@ static void fill(struct walk *w, const struct pel_surface *surface, int32_t y,
     for (; spans.y < end; spans.y += spans.n) {
         spans.n = pel_min(end - spans.y, PEL_BATCH_ROWS);
         for (int32_t i = 0; i < spans.n; i++) {
-            next_run(w, spans.y + i, &span[i]);
+            next_span(w, spans.y + i, &span[i]);
             span[i].x0 = pel_max(span[i].x0, clip->x0);
             span[i].x1 = pel_min(span[i].x1, clip->x1);
         }

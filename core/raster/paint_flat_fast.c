@@ -17,12 +17,12 @@ static void fill32(const struct pel_surface *s,
     struct pel_fast_walk w = pel_fast_walk_begin(s, t, 4);
     if (t->y2 - t->y0 < ROWS_WORTH_PREFETCHING) {
         for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);)
-            pel_span32((pel_word32 *)(w.line + 4 * (uintptr_t)x), n, value);
+            pel_span32((pel_word32 *)(w.row + 4 * (uintptr_t)x), n, value);
         return;
     }
     const uintptr_t ahead = pel_fast_walk_ahead(&w, ROWS_AHEAD, 4);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
-        uintptr_t p = w.line + 4 * (uintptr_t)x;
+        uintptr_t p = w.row + 4 * (uintptr_t)x;
         pel_prefetch_run(p + ahead, 4 * n);
         pel_span32((pel_word32 *)p, n, value);
     }
@@ -34,7 +34,7 @@ static void fill16(const struct pel_surface *s,
     const pel_value16 value = pel_make_value16(s->format->pack(color));
     struct pel_fast_walk w = pel_fast_walk_begin(s, t, 2);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);)
-        pel_span16((pel_word16 *)(w.line + 2 * (uintptr_t)x), n, value);
+        pel_span16((pel_word16 *)(w.row + 2 * (uintptr_t)x), n, value);
 }
 
 static bool fill(const struct pel_surface *s, const struct pel_fast_triangle *t,
@@ -61,7 +61,7 @@ static PEL_NOINLINE void blend32(const struct pel_surface *s,
     struct pel_fast_walk w = pel_fast_walk_begin(s, t, 4);
     const uintptr_t ahead = pel_fast_walk_ahead(&w, ROWS_AHEAD, 4);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
-        uintptr_t p = w.line + 4 * (uintptr_t)x;
+        uintptr_t p = w.row + 4 * (uintptr_t)x;
         pel_blend32_run((pel_word32 *)p, n, &b, ahead);
     }
 }
@@ -72,7 +72,7 @@ static void blend565(const struct pel_surface *s,
     const struct pel_blend565 b = pel_blend565_make(s->format, color);
     struct pel_fast_walk w = pel_fast_walk_begin(s, t, 2);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);)
-        pel_blend565_run((pel_word16 *)(w.line + 2 * (uintptr_t)x), n, &b);
+        pel_blend565_run((pel_word16 *)(w.row + 2 * (uintptr_t)x), n, &b);
 }
 
 /* By layout, which only the ids of core's own formats tell. */

@@ -107,14 +107,14 @@ static PEL_WIDE void enter(struct sweep *w, int32_t y)
  * many begin or cross. */
 static PEL_WIDE void sort_by_x(struct sweep *w)
 {
-    int64_t patience = (int64_t)w->active * 8;
+    int64_t moves_left = (int64_t)w->active * 8;
     for (int32_t i = 1; i < w->active; i++) {
         int32_t moving = w->order[i], x = w->side[moving].edge.x, j = i;
         for (; j > 0 && x_of(w, j - 1) > x; j--)
             w->order[j] = w->order[j - 1];
         w->order[j] = moving;
-        patience -= i - j;
-        if (patience < 0) {
+        moves_left -= i - j;
+        if (moves_left < 0) {
             heap_sort(w, w->active, BY_X);
             return;
         }

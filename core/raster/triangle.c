@@ -7,7 +7,7 @@
 /* A triangle on its way down: the long edge, from top to bottom, and opposite
  * of it a short one, from p[0] to p[1] and then from p[1] to p[2]. */
 struct walk {
-    struct pel_edge tall, low;
+    struct pel_edge long_edge, short_edge;
     const struct pel_point **to; /* where the short edge ends */
     int32_t end;                 /* the row below it */
 };
@@ -37,7 +37,7 @@ static void start_short(struct walk *w, const struct pel_point **to, int32_t y)
 {
     w->to = to;
     w->end = pel_first_pixel(to[0]->y);
-    pel_edge_start(&w->low, to[-1], to[0], y);
+    pel_edge_start(&w->short_edge, to[-1], to[0], y);
 }
 
 /* n > 0 rows from y on, in which one short edge may follow the other. */
@@ -45,7 +45,7 @@ static void walk_short(struct walk *w, int32_t y, int32_t *x, int32_t n)
 {
     for (;;) {
         int32_t k = pel_min(w->end - y, n);
-        walk_edge(&w->low, x, k);
+        walk_edge(&w->short_edge, x, k);
         n -= k;
         if (n == 0)
             return;
@@ -57,7 +57,8 @@ static void walk_short(struct walk *w, int32_t y, int32_t *x, int32_t n)
 
 /* Both edges follow one formula, so which of them is the left one can be
  * decided here: a row is [min, max) of the two, inside the clip. */
-static void tidy(struct pel_span *span, int32_t n, const struct pel_rect *clip)
+static void order_and_clip(struct pel_span *span, int32_t n,
+                           const struct pel_rect *clip)
 {
     const int32_t left = clip->x0, right = clip->x1;
     do {
@@ -129,14 +130,14 @@ static void fill(const struct pel_surface *surface,
     union batch batch;
     struct pel_spans spans = {surface, batch.span, y, 0, 1};
     struct walk w;
-    pel_edge_start(&w.tall, p[0], p[2], y);
+    pel_edge_start(&w.long_edge, p[0], p[2], y);
     start_short(&w, y < pel_first_pixel(p[1]->y) ? p + 1 : p + 2, y);
     for (; spans.y < bottom; spans.y += spans.n) {
         spans.n = pel_min(bottom - spans.y, PEL_BATCH_ROWS);
-        walk_edge(&w.tall, batch.x + (side == RIGHT), spans.n);
+        walk_edge(&w.long_edge, batch.x + (side == RIGHT), spans.n);
         walk_short(&w, spans.y, batch.x + (side != RIGHT), spans.n);
         if (side == UNKNOWN)
-            tidy(batch.span, spans.n, &surface->clip);
+            order_and_clip(batch.span, spans.n, &surface->clip);
         paint->fill(paint, &spans);
     }
 }

@@ -14,9 +14,10 @@ struct side {
     int32_t u, columns, limit;
 };
 
-static PEL_NOINLINE void side_start(struct side *s, int64_t reach, int32_t u)
+static PEL_NOINLINE void side_start(struct side *s, int64_t half_width2,
+                                    int32_t u)
 {
-    s->d = (reach - pel_square(u)) >> 9;
+    s->d = (half_width2 - pel_square(u)) >> 9;
     s->u = u;
     s->columns = 0;
 }
@@ -24,7 +25,7 @@ static PEL_NOINLINE void side_start(struct side *s, int64_t reach, int32_t u)
 /* The columns of the next row, and on to the row after it. */
 static PEL_HOT int32_t side_next(struct side *s, int32_t v)
 {
-    pel_disc_side_settle(&s->d, &s->u, &s->columns, s->limit);
+    pel_disc_side_adjust(&s->d, &s->u, &s->columns, s->limit);
     s->d -= v + 128;
     return s->columns;
 }
@@ -53,13 +54,13 @@ void pel_circle(const struct pel_surface *surface, struct pel_point center,
     spans.y = pel_max(pel_first_pixel(center.y - radius), clip->y0);
     int32_t end = pel_min(pel_pixel_of(center.y + radius + 128), clip->y1);
     int32_t v = pel_pixel_center(spans.y) - center.y;
-    int64_t reach = pel_square(radius) - pel_square(v);
+    int64_t half_width2 = pel_square(radius) - pel_square(v);
     int32_t split =
         pel_min(pel_max(pel_first_pixel(center.x), clip->x0), clip->x1);
     left.limit = split - clip->x0;
     right.limit = clip->x1 - split;
-    side_start(&right, reach, pel_pixel_center(split) - center.x);
-    side_start(&left, reach, center.x - pel_pixel_center(split - 1));
+    side_start(&right, half_width2, pel_pixel_center(split) - center.x);
+    side_start(&left, half_width2, center.x - pel_pixel_center(split - 1));
     const bool mirror = mirrored(&left, &right, radius);
     const int32_t middle = split + (right.u == 0);
     for (; spans.y < end; spans.y += spans.n) {

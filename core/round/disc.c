@@ -21,13 +21,13 @@ static int32_t first_right(int32_t x, int32_t split)
 }
 
 void pel_disc_start(struct pel_disc *disc, const struct pel_rect *clip,
-                    int64_t reach)
+                    int64_t half_width2)
 {
     struct pel_disc_side *l = &disc->left, *r = &disc->right;
     l->u = first_left(l->center, split_at(l->center, clip));
     r->u = first_right(r->center, split_at(r->center, clip));
-    l->d = (reach - pel_square(l->u)) >> 9;
-    r->d = (reach - pel_square(r->u)) >> 9;
+    l->d = (half_width2 - pel_square(l->u)) >> 9;
+    r->d = (half_width2 - pel_square(r->u)) >> 9;
 }
 
 /* How many of `limit` columns, the first at the distance `first`, the present
@@ -36,7 +36,7 @@ static PEL_HOT int32_t columns(struct pel_disc_side *s, int32_t first,
                                int32_t limit)
 {
     int32_t n = (s->u - first) >> 8;
-    pel_disc_side_settle(&s->d, &s->u, &n, limit);
+    pel_disc_side_adjust(&s->d, &s->u, &n, limit);
     return n;
 }
 

@@ -16,8 +16,8 @@ static PEL_ALWAYS_INLINE void pel_disc_side_add(int64_t *d, int32_t *u,
     }
 }
 
-static PEL_ALWAYS_INLINE void pel_disc_side_take(int64_t *d, int32_t *u,
-                                                 int32_t *columns)
+static PEL_ALWAYS_INLINE void pel_disc_side_remove(int64_t *d, int32_t *u,
+                                                   int32_t *columns)
 {
     while (*columns > 0 && *d + *u - 128 < 0) {
         *u -= 256;
@@ -29,17 +29,17 @@ static PEL_ALWAYS_INLINE void pel_disc_side_take(int64_t *d, int32_t *u,
 /* Adds or takes columns until the side, d and u, is that of the present row; at
  * most `limit`, which are visible. Where d >= 0 none is to be taken (u >= 128
  * once there are columns): asking for both is less code. */
-static PEL_ALWAYS_INLINE void pel_disc_side_settle(int64_t *d, int32_t *u,
+static PEL_ALWAYS_INLINE void pel_disc_side_adjust(int64_t *d, int32_t *u,
                                                    int32_t *columns,
                                                    int32_t limit)
 {
     if (PEL_FAST_64BIT && *d < 0) {
-        pel_disc_side_take(d, u, columns);
+        pel_disc_side_remove(d, u, columns);
         return;
     }
     pel_disc_side_add(d, u, columns, limit);
     if (!PEL_FAST_64BIT)
-        pel_disc_side_take(d, u, columns);
+        pel_disc_side_remove(d, u, columns);
 }
 
 #endif

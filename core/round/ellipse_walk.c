@@ -44,20 +44,20 @@ static void row_start(struct pel_ellipse_walk *w, struct pel_point radius,
     const int64_t a2 = pel_square(radius.x), b2 = pel_square(radius.y);
     const struct pel_quotient zero = {0, 0}, unit = {b2 == 1, b2 != 1};
     struct pel_quotient ratio;
-    w->reach = (struct pel_quotient){a2, 0};
-    w->change = w->bend = zero;
+    w->half_width2 = (struct pel_quotient){a2, 0};
+    w->delta = w->delta2 = zero;
     if (b2 == 0)
         return;
     multiply(&ratio, &unit, a2, b2);
-    multiply(&w->reach, &ratio, b2 - pel_square(v), b2);
+    multiply(&w->half_width2, &ratio, b2 - pel_square(v), b2);
     if (radius.y < 128)
         return;
     const int64_t step = pel_square_step(v);
-    multiply(&w->change, &ratio, step < 0 ? -step : step, b2);
+    multiply(&w->delta, &ratio, step < 0 ? -step : step, b2);
     if (step > 0)
-        negate(&w->change, b2);
-    multiply(&w->bend, &ratio, 131072, b2);
-    negate(&w->bend, b2);
+        negate(&w->delta, b2);
+    multiply(&w->delta2, &ratio, 131072, b2);
+    negate(&w->delta2, b2);
 }
 
 bool pel_ellipse_start(struct pel_ellipse_walk *w,
@@ -76,16 +76,16 @@ bool pel_ellipse_start(struct pel_ellipse_walk *w,
         return false;
     row_start(w, radius, pel_pixel_center(w->y) - center.y);
     pel_disc_center(&w->disc, center.x, center.x);
-    pel_disc_start(&w->disc, clip, w->reach.q);
+    pel_disc_start(&w->disc, clip, w->half_width2.q);
     return true;
 }
 
 void pel_ellipse_next(struct pel_ellipse_walk *w,
                       const struct pel_ellipse_shape *e)
 {
-    const int64_t reach = w->reach.q, b2 = pel_square(e->radius.y);
-    add(&w->reach, &w->change, b2);
-    add(&w->change, &w->bend, b2);
-    pel_disc_change(&w->disc, reach, w->reach.q);
+    const int64_t half_width2 = w->half_width2.q, b2 = pel_square(e->radius.y);
+    add(&w->half_width2, &w->delta, b2);
+    add(&w->delta, &w->delta2, b2);
+    pel_disc_change(&w->disc, half_width2, w->half_width2.q);
     w->y++;
 }

@@ -2,7 +2,7 @@
  *
  * With a, b the radii, row v holds the columns with
  * u^2 <= a^2 (b^2 - v^2) / b^2, and since u^2 is a whole number, with
- * u^2 <= reach, the floor of that.
+ * u^2 <= half_width2, the floor of that.
  *
  * The numerator is a polynomial of degree 2 in the row, so the floor follows
  * exactly from two additions a row. All three terms are kept as quotient and
@@ -25,7 +25,7 @@ struct pel_quotient {
 
 struct pel_ellipse_walk {
     struct pel_disc disc; /* at row y */
-    struct pel_quotient reach, change, bend;
+    struct pel_quotient half_width2, delta, delta2;
     int32_t y, end;
 };
 

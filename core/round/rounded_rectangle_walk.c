@@ -10,7 +10,7 @@ static bool legal(const struct pel_rounded_shape *r)
 
 /* The squared width of the corners in row y. The row lies v outside of the
  * rectangle of the centres, inside the whole one at most the radius. */
-static int64_t reach_at(const struct pel_rounded_walk *w, int32_t y)
+static int64_t half_width2_at(const struct pel_rounded_walk *w, int32_t y)
 {
     int32_t center = pel_pixel_center(y), v = 0;
     if (center < w->top)
@@ -38,15 +38,15 @@ bool pel_rounded_start(struct pel_rounded_walk *w,
     w->radius = pel_min(r->radius, side / 2);
     w->top = from.y + w->radius;
     w->bottom = to.y - w->radius;
-    w->reach = reach_at(w, w->visible.y0);
+    w->half_width2 = half_width2_at(w, w->visible.y0);
     pel_disc_center(&w->disc, from.x + w->radius, to.x - w->radius);
-    pel_disc_start(&w->disc, &w->visible, w->reach);
+    pel_disc_start(&w->disc, &w->visible, w->half_width2);
     return true;
 }
 
 void pel_rounded_next(struct pel_rounded_walk *w)
 {
-    const int64_t reach = reach_at(w, ++w->visible.y0);
-    pel_disc_change(&w->disc, w->reach, reach);
-    w->reach = reach;
+    const int64_t half_width2 = half_width2_at(w, ++w->visible.y0);
+    pel_disc_change(&w->disc, w->half_width2, half_width2);
+    w->half_width2 = half_width2;
 }

@@ -8,7 +8,7 @@
 
 struct pel_rounded_walk {
     struct pel_disc disc; /* at row y */
-    int64_t reach;
+    int64_t half_width2;
     int32_t top, bottom; /* of the centres, 1/256 px */
     int32_t radius;
     struct pel_rect visible; /* rows from y0 on are still to come */

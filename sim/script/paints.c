@@ -70,24 +70,25 @@ const struct pel_paint *script_make_wheel(const struct script_pen *pen)
 }
 
 static void set_fan_points(struct pel_fan_points *points, const int32_t *v,
-                           struct pel_point *rim, pel_color *colors)
+                           struct pel_point *perimeter, pel_color *colors)
 {
     for (int32_t i = 0; i < points->n; i++) {
-        rim[i] = point(v + 3 * i);
+        perimeter[i] = point(v + 3 * i);
         colors[i] = (pel_color)v[3 * i + 2];
     }
-    points->rim = rim;
+    points->perimeter = perimeter;
     points->colors = colors;
     pel_fan_set_hub(points);
 }
 
 static enum pel_status init_fan(const struct script_pen *pen)
 {
-    struct pel_point rim[SCRIPT_FAN_POINTS_MAX];
+    struct pel_point perimeter[SCRIPT_FAN_POINTS_MAX];
     pel_color colors[SCRIPT_FAN_POINTS_MAX];
     struct pel_fan_points points = {.n = (int32_t)pen->value_count / 3};
-    set_fan_points(&points, pen->values, rim, colors);
-    return pel_fan_init(&pen->paints->paint.fan, &points, pen->paints->wedges);
+    set_fan_points(&points, pen->values, perimeter, colors);
+    return pel_fan_init(&pen->paints->paint.fan, &points,
+                        pen->paints->triangles);
 }
 
 bool script_fan_legal(const struct script_pen *pen)

@@ -28,7 +28,7 @@ struct script_paints {
     } paint;
     struct pel_dither dither;
     pel_color ramp[SCRIPT_RAMP_COLORS];
-    struct pel_fan_wedge wedges[SCRIPT_FAN_POINTS_MAX];
+    struct pel_fan_triangle triangles[SCRIPT_FAN_POINTS_MAX];
 };
 
 /* The paint that the pen's values describe, in the pen's memory. */

@@ -7,8 +7,8 @@
 typedef const struct pel_paint *make_function(void);
 
 static const struct pel_point hub = PEL_AT(20, 40),
-                              rim[3] = {PEL_AT(32, -5), PEL_AT(51, 60),
-                                        PEL_AT(2, 50)};
+                              perimeter[3] = {PEL_AT(32, -5), PEL_AT(51, 60),
+                                              PEL_AT(2, 50)};
 static const pel_color hues[4] = {0xFFFF8040, 0x80304050, 0x00123456,
                                   0xC0FFFFFF};
 static const struct pel_ramp ramp = {hues, 4, PEL_REFLECT};
@@ -28,14 +28,14 @@ static inline const struct pel_paint *make_flat_alpha(void)
 static inline const struct pel_paint *make_gouraud(void)
 {
     static struct pel_gouraud paint;
-    pel_gouraud_init(&paint, rim, hues);
+    pel_gouraud_init(&paint, perimeter, hues);
     return &paint.paint;
 }
 
 static inline const struct pel_paint *make_linear(void)
 {
     static struct pel_linear paint;
-    pel_linear_init(&paint, hub, rim[0], &ramp);
+    pel_linear_init(&paint, hub, perimeter[0], &ramp);
     return &paint.base.paint;
 }
 
@@ -64,10 +64,10 @@ static inline const struct pel_paint *make_hue(void)
 static inline const struct pel_paint *make_fan(void)
 {
     static const struct pel_fan_points points = {PEL_AT(30, 40), 0xFF00FF00,
-                                                 rim, hues, 3};
-    static struct pel_fan_wedge wedges[3];
+                                                 perimeter, hues, 3};
+    static struct pel_fan_triangle triangles[3];
     static struct pel_fan paint;
-    pel_fan_init(&paint, &points, wedges);
+    pel_fan_init(&paint, &points, triangles);
     return &paint.base.paint;
 }
 

@@ -1,4 +1,4 @@
-/* Fans against exact planes of their wedges. */
+/* Fans against exact planes of their triangles. */
 #include "core/paint/paint_fan.h"
 #include "tests/support/check.h"
 #include "tests/support/paint_math.h"
@@ -9,14 +9,14 @@ static struct histogram errors = {.name = "fan_color", .step = 1.0L / 64};
 
 enum { POINTS_MAX = 12 };
 
-/* Channels that go farther beyond the rim are not promised. */
+/* Channels that go farther beyond the perimeter are not promised. */
 #define BEYOND 2147483648.0L
 
 struct fan_case {
-    struct pel_point rim[POINTS_MAX];
+    struct pel_point perimeter[POINTS_MAX];
     pel_color colors[POINTS_MAX];
     struct pel_fan_points points;
-    struct pel_fan_wedge wedges[POINTS_MAX];
+    struct pel_fan_triangle triangles[POINTS_MAX];
     struct pel_fan fan;
 };
 
@@ -38,29 +38,32 @@ static void random_star(struct random *r)
     const uint16_t start = (uint16_t)random_word(r);
     for (int32_t i = 0; i < n; i++) {
         struct pel_point all[POINTS_MAX];
-        pel_fan_rim(all, n, hub, random_between(r, size / 4 + 4, size), start);
-        f->rim[i] = all[i];
+        pel_fan_perimeter(all, n, hub, random_between(r, size / 4 + 4, size),
+                          start);
+        f->perimeter[i] = all[i];
         f->colors[i] = random_word(r);
     }
-    f->points =
-        (struct pel_fan_points){hub, random_word(r), f->rim, f->colors, n};
+    f->points = (struct pel_fan_points){hub, random_word(r), f->perimeter,
+                                        f->colors, n};
     const bool almost_one_color = random_word(r) % 4 == 0;
     for (int32_t i = 0; almost_one_color && i < n; i++)
         f->colors[i] = f->points.hub_color ^ (random_word(r) & 0x01010101);
     const bool reversed = random_word(r) % 2;
     for (int32_t i = 0; reversed && i < n / 2; i++) {
-        struct pel_point t = f->rim[i];
-        f->rim[i] = f->rim[n - 1 - i];
-        f->rim[n - 1 - i] = t;
+        struct pel_point t = f->perimeter[i];
+        f->perimeter[i] = f->perimeter[n - 1 - i];
+        f->perimeter[n - 1 - i] = t;
     }
 }
 
-/* The exact channel in the triangle of the hub, rim point i and the next, which
- * goes on beyond the rim; false when the pixel is not between their rays. */
+/* The exact channel in the triangle of the hub, perimeter point i and the next,
+ * which goes on beyond the perimeter; false when the pixel is not between their
+ * rays. */
 static bool channel_after(int32_t i, int32_t x, int32_t y, int k, real *value)
 {
     const int32_t j = (i + 1) % fan.points.n;
-    const struct pel_point h = fan.points.hub, a = fan.rim[i], b = fan.rim[j];
+    const struct pel_point h = fan.points.hub, a = fan.perimeter[i],
+                           b = fan.perimeter[j];
     const wide px = pel_pixel_center(x), py = pel_pixel_center(y);
     wide area = cross(h, a, b.x, b.y), to_b = cross(h, a, px, py),
          to_a = -cross(h, b, px, py);
@@ -139,28 +142,29 @@ static void test_stars(void **state)
     (void)state;
     for (struct cases c = cases_of(2500); cases_next(&c);) {
         random_star(&c.random);
-        assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.wedges),
+        assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.triangles),
                          PEL_OK);
         check_runs(&c.random);
     }
     histogram_end(&errors);
 }
 
-/* Convex and not, any legal points: where the rim goes around the hub. */
+/* Convex and not, any legal points: where the perimeter goes around the hub. */
 static void test_any_triangle(void **state)
 {
     (void)state;
     for (struct cases c = cases_of(10000); cases_next(&c);) {
         struct random *r = &c.random;
         if (c.next % 2)
-            shape_random(r, fan.rim, 3);
+            shape_random(r, fan.perimeter, 3);
         else
-            shape_adversarial(r, fan.rim, 3);
+            shape_adversarial(r, fan.perimeter, 3);
         for (int i = 0; i < 3; i++)
             fan.colors[i] = random_word(r);
-        fan.points = (struct pel_fan_points){{0, 0}, 0, fan.rim, fan.colors, 3};
+        fan.points =
+            (struct pel_fan_points){{0, 0}, 0, fan.perimeter, fan.colors, 3};
         pel_fan_set_hub(&fan.points);
-        if (pel_fan_init(&fan.fan, &fan.points, fan.wedges) == PEL_OK)
+        if (pel_fan_init(&fan.fan, &fan.points, fan.triangles) == PEL_OK)
             check_runs(r);
     }
 }
@@ -178,7 +182,8 @@ static void test_triangle_is_gouraud(void **state)
     pel_color got;
     fan.points = (struct pel_fan_points){{0, 0}, 0, v, c, 3};
     pel_fan_set_hub(&fan.points);
-    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.wedges), PEL_OK);
+    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.triangles),
+                     PEL_OK);
     pel_gouraud_init(&g, v, c);
     for (int32_t y = 0; y < 90; y++)
         for (int32_t x = 0; x < 100; x++) {
@@ -202,7 +207,8 @@ static void test_hub_on_an_edge(void **state)
     const pel_color c[3] = {0xFF000000, 0xFFFFFFFF, 0xFF00FF00};
     pel_color got[40];
     fan.points = (struct pel_fan_points){PEL_AT(10, 0), 0xFF808080, v, c, 3};
-    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.wedges), PEL_OK);
+    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.triangles),
+                     PEL_OK);
     fan.fan.base.colors(&fan.fan.base, -10, -5, 40, got);
     for (int i = 0; i < 40; i++)
         assert_int_equal(got[i], 0xFF808080);
@@ -213,26 +219,28 @@ static void test_hub_on_an_edge(void **state)
 /* Half a turn around a hub on the edge, two points on one ray, rays through
  * pixel centres with colours between two steps there: where the list begins and
  * which way it goes changes nothing. In px from the hub. */
-static const struct pel_point half_rim[] = {{6, 0}, {8, 0},  {6, 6}, {10, 10},
-                                            {0, 5}, {-3, 9}, {-5, 0}};
+static const struct pel_point half_perimeter[] = {
+    {6, 0}, {8, 0}, {6, 6}, {10, 10}, {0, 5}, {-3, 9}, {-5, 0}};
 static const pel_color half_colors[] = {0xFF000600, 0xFF000800, 0xFF030003,
                                         0xFF050005, 0xFF010100, 0xFF000101,
                                         0xFFFA0000};
-enum { HALF = sizeof half_rim / sizeof *half_rim, HALF_SIZE = 32 };
+enum { HALF = sizeof half_perimeter / sizeof *half_perimeter, HALF_SIZE = 32 };
 
 static void draw_half(int first, bool reversed, pel_color *out)
 {
     const struct pel_point hub = {PEL_PX(12) + 128, PEL_PX(12) + 128};
-    struct pel_point rim[HALF];
+    struct pel_point perimeter[HALF];
     pel_color colors[HALF];
     for (int i = 0; i < HALF; i++) {
         const int k = (reversed ? first + HALF - i : first + i) % HALF;
-        rim[i].x = hub.x + PEL_PX(half_rim[k].x);
-        rim[i].y = hub.y + PEL_PX(half_rim[k].y);
+        perimeter[i].x = hub.x + PEL_PX(half_perimeter[k].x);
+        perimeter[i].y = hub.y + PEL_PX(half_perimeter[k].y);
         colors[i] = half_colors[k];
     }
-    fan.points = (struct pel_fan_points){hub, 0xFF000000, rim, colors, HALF};
-    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.wedges), PEL_OK);
+    fan.points =
+        (struct pel_fan_points){hub, 0xFF000000, perimeter, colors, HALF};
+    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.triangles),
+                     PEL_OK);
     assert_true(fan.fan.base.opaque);
     for (int32_t i = 0; i < HALF_SIZE * HALF_SIZE; i++)
         fan.fan.base.colors(&fan.fan.base, i % HALF_SIZE, i / HALF_SIZE, 1,
@@ -268,7 +276,7 @@ static void test_opaque(void **state)
         pel_color c[4] = {0xFF000000, 0xFF000000, 0xFF000000, 0xFF000000};
         c[i] = 0xFE000000;
         fan.points = (struct pel_fan_points){PEL_AT(10, 3), c[3], v, c, 3};
-        assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.wedges),
+        assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.triangles),
                          PEL_OK);
         assert_false(fan.fan.base.opaque);
     }
@@ -277,15 +285,15 @@ static void test_opaque(void **state)
 static void test_largest(void **state)
 {
     (void)state;
-    static struct pel_point rim[32768];
+    static struct pel_point perimeter[32768];
     static pel_color colors[32768];
-    static struct pel_fan_wedge wedges[32768];
-    struct pel_fan_points p = {{0, 0}, 0, rim, colors, 32767};
-    pel_fan_rim(rim, 32767, p.hub, PEL_PX(30000), 0);
-    assert_int_equal(pel_fan_init(&fan.fan, &p, wedges), PEL_OK);
+    static struct pel_fan_triangle triangles[32768];
+    struct pel_fan_points p = {{0, 0}, 0, perimeter, colors, 32767};
+    pel_fan_perimeter(perimeter, 32767, p.hub, PEL_PX(30000), 0);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, triangles), PEL_OK);
     p.n = 32768;
-    pel_fan_rim(rim, 32768, p.hub, PEL_PX(30000), 0);
-    assert_int_equal(pel_fan_init(&fan.fan, &p, wedges), PEL_ERROR_SIZE);
+    pel_fan_perimeter(perimeter, 32768, p.hub, PEL_PX(30000), 0);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, triangles), PEL_ERROR_SIZE);
 }
 
 static void test_errors(void **state)
@@ -297,33 +305,37 @@ static void test_errors(void **state)
                                    PEL_AT(-5, 3)};
     const pel_color c[4] = {0, 0, 0, 0};
     struct pel_fan_points p = {PEL_AT(10, 3), 0, v, c, 3};
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_OK);
-    assert_int_equal(pel_fan_init(NULL, &p, fan.wedges), PEL_ERROR_NULL);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles), PEL_OK);
+    assert_int_equal(pel_fan_init(NULL, &p, fan.triangles), PEL_ERROR_NULL);
     assert_int_equal(pel_fan_init(&fan.fan, &p, NULL), PEL_ERROR_NULL);
-    assert_int_equal(pel_fan_init(&fan.fan, NULL, fan.wedges), PEL_ERROR_NULL);
+    assert_int_equal(pel_fan_init(&fan.fan, NULL, fan.triangles),
+                     PEL_ERROR_NULL);
     p.colors = NULL;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_NULL);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles), PEL_ERROR_NULL);
     p.colors = c;
-    p.rim = NULL;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_NULL);
-    p.rim = far;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_RANGE);
-    p.rim = v;
+    p.perimeter = NULL;
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles), PEL_ERROR_NULL);
+    p.perimeter = far;
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles),
+                     PEL_ERROR_RANGE);
+    p.perimeter = v;
     p.n = 2;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_SIZE);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles), PEL_ERROR_SIZE);
     /* A star of five points in one line goes around its middle twice. */
     const struct pel_point star[5] = {PEL_AT(0, -20), PEL_AT(12, 16),
                                       PEL_AT(-19, -6), PEL_AT(19, -6),
                                       PEL_AT(-12, 16)};
     const pel_color hues[5] = {0, 0, 0, 0, 0};
     const struct pel_fan_points twice = {PEL_AT(0, 0), 0, star, hues, 5};
-    assert_int_equal(pel_fan_init(&fan.fan, &twice, fan.wedges),
+    assert_int_equal(pel_fan_init(&fan.fan, &twice, fan.triangles),
                      PEL_ERROR_RANGE);
     p.n = 3;
     p.hub.y = PEL_PX(-1);
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_RANGE);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles),
+                     PEL_ERROR_RANGE);
     p.hub.y = PEL_COORDINATE_MAX + 1;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges), PEL_ERROR_RANGE);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles),
+                     PEL_ERROR_RANGE);
     p.n = 0;
     pel_fan_set_hub(&p);
     assert_int_equal(p.hub.x, PEL_PX(10));
@@ -331,21 +343,21 @@ static void test_errors(void **state)
 
 /* Rims that go around once, from every point on and both ways: with a point on
  * the hub, and with points beside the level rays. */
-static void test_rims_around_once(void **state)
+static void test_perimeters_around_once(void **state)
 {
-    static const struct pel_point rims[2][5] = {
+    static const struct pel_point perimeters[2][5] = {
         {{900, 900}, {-900, 900}, {-900, -900}, {0, 0}, {900, -900}},
         {{900, 1}, {-900, 1}, {-900, 0}, {-900, -1}, {900, -1}}};
     const pel_color hues[5] = {0, 0, 0, 0, 0};
     (void)state;
-    for (int rim = 0; rim < 2; rim++)
+    for (int k = 0; k < 2; k++)
         for (int first = 0; first < 5; first++)
             for (int way = -1; way <= 1; way += 2) {
                 struct pel_point v[5];
                 for (int i = 0; i < 5; i++)
-                    v[i] = rims[rim][(first + way * i + 5) % 5];
+                    v[i] = perimeters[k][(first + way * i + 5) % 5];
                 const struct pel_fan_points p = {{0, 0}, 0, v, hues, 5};
-                assert_int_equal(pel_fan_init(&fan.fan, &p, fan.wedges),
+                assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles),
                                  PEL_OK);
             }
 }
@@ -360,7 +372,7 @@ int main(void)
         cmocka_unit_test(test_any_beginning),
         cmocka_unit_test(test_opaque),
         cmocka_unit_test(test_largest),
-        cmocka_unit_test(test_rims_around_once),
+        cmocka_unit_test(test_perimeters_around_once),
         cmocka_unit_test(test_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -15,7 +15,7 @@
 enum { KINDS = 7, COLORS = 200, TEXELS = 16 * 11 };
 
 static pel_color ramp_colors[COLORS], texels[TEXELS];
-static struct pel_fan_wedge wedges[5];
+static struct pel_fan_triangle triangles[5];
 static union {
     struct pel_linear linear;
     struct pel_radial radial;
@@ -93,12 +93,13 @@ static struct pel_color_paint *make_texture(struct random *r, bool bilinear,
 static struct pel_color_paint *make_fan(struct random *r,
                                         const struct pel_rect *b)
 {
-    struct pel_point rim[5];
+    struct pel_point perimeter[5];
     const struct pel_point at = random_point(r, b);
     const int32_t radius = random_between(r, 256, 9000);
-    struct pel_fan_points points = {at, ramp_colors[9], rim, ramp_colors, 5};
-    pel_fan_rim(rim, 5, at, radius, (uint16_t)random_word(r));
-    assert_int_equal(pel_fan_init(&paint.fan, &points, wedges), PEL_OK);
+    struct pel_fan_points points = {at, ramp_colors[9], perimeter, ramp_colors,
+                                    5};
+    pel_fan_perimeter(perimeter, 5, at, radius, (uint16_t)random_word(r));
+    assert_int_equal(pel_fan_init(&paint.fan, &points, triangles), PEL_OK);
     return &paint.fan.base;
 }
 

@@ -1,7 +1,7 @@
 #include "any_shape.h"
 #include "check.h"
 #include "core/outline/outline.h"
-#include "core/outline/rim.h"
+#include "core/outline/outline_filter.h"
 #include "reference.h"
 #include "reference_shape.h"
 
@@ -86,7 +86,8 @@ static void outline_polygon(const struct pel_surface *surface,
                             const struct pel_paint *paint)
 {
     const struct pel_polygon_shape p = {s->v, s->n, s->rule};
-    int32_t scratch[ANY_POINTS * 12 + sizeof(struct pel_rim) / 4 + 1];
+    int32_t
+        scratch[ANY_POINTS * 12 + sizeof(struct pel_outline_filter) / 4 + 1];
     assert_int_equal(
         pel_polygon_outline(surface, &p, paint, scratch, sizeof scratch),
         PEL_OK);

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-#include "core/outline/rim.h"
+#include "core/outline/outline_filter.h"
 #include "core/raster/collect.h"
 #include "tests/support/check.h"
 #include "tests/support/cases.h"
@@ -331,25 +331,26 @@ static void count_runs(const struct pel_paint *paint,
 static void test_outline_of_many_runs(void **state)
 {
     enum { RUNS = 8000, PART = 4 };
-    static struct pel_span run[RUNS], memory[PEL_RIM_MEMORY(RUNS)];
+    static struct pel_span run[RUNS], memory[PEL_OUTLINE_FILTER_SPANS(RUNS)];
     const int32_t rows = (int32_t)cases_scaled(2000);
     const struct pel_surface surface = {.clip = {0, 0, 4 * RUNS, rows}};
     const struct pel_paint paint = PEL_PAINT(count_runs, NULL);
-    struct pel_rim rim;
+    struct pel_outline_filter filter;
     (void)state;
     for (int32_t i = 0; i < RUNS; i++)
         run[i] = (struct pel_span){4 * i, 4 * i + 3};
     hits.runs = 0;
     alarm(TOO_LONG);
-    assert_true(
-        pel_rim_begin(&rim, &surface, &paint, memory, PEL_RIM_MEMORY(RUNS)));
+    assert_true(pel_outline_filter_begin(&filter, &surface, &paint, memory,
+                                         PEL_OUTLINE_FILTER_SPANS(RUNS)));
     for (int32_t y = 0; y < rows; y++) {
         for (int32_t i = 0; i < RUNS; i += PART) {
-            const struct pel_spans part = {&rim.surface, run + i, y, PART, 0};
-            rim.paint.fill(&rim.paint, &part);
+            const struct pel_spans part = {&filter.surface, run + i, y, PART,
+                                           0};
+            filter.paint.fill(&filter.paint, &part);
         }
     }
-    pel_rim_end(&rim);
+    pel_outline_filter_end(&filter);
     alarm(0);
     assert_int_equal(hits.runs, (uint64_t)RUNS * (uint64_t)(2 * rows - 2));
 }

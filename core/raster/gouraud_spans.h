@@ -1,8 +1,8 @@
 /* Runs of opaque Gouraud colours straight into the formats that matter: the
  * channels stay in 8.24 registers and meet in the pixel. Same bytes as colours
  * that go through a format's pack. */
-#ifndef PEL_RASTER_GOURAUD_RUNS_H
-#define PEL_RASTER_GOURAUD_RUNS_H
+#ifndef PEL_RASTER_GOURAUD_SPANS_H
+#define PEL_RASTER_GOURAUD_SPANS_H
 
 #include "../format/vector.h"
 #include "../format/word16.h"
@@ -37,7 +37,7 @@ static inline void pel_gouraud_step(uint32_t v[3], const uint32_t dx[3])
 }
 
 /* What the runs of one triangle share. */
-struct pel_gouraud_run {
+struct pel_gouraud_steps {
     uint32_t dx[3];
 #if PEL_VECTORS
     pel_u32x4 lanes[3]; /* from the first lane's pixel to each lane's */
@@ -46,22 +46,22 @@ struct pel_gouraud_run {
 };
 
 /* `apart`: pixels from lane to lane; a store is 4 * apart pixels. */
-static inline struct pel_gouraud_run pel_gouraud_run_make(
+static inline struct pel_gouraud_steps pel_gouraud_steps_make(
     const struct pel_gouraud *g, uint32_t apart)
 {
-    struct pel_gouraud_run run;
+    struct pel_gouraud_steps s;
     for (int k = 0; k < 3; k++) {
-        run.dx[k] = g->dx[k];
+        s.dx[k] = g->dx[k];
 #if PEL_VECTORS
         const pel_u32x4 zero = {0, 0, 0, 0}, odd = {0, ~0u, 0, ~0u},
                         upper = {0, 0, ~0u, ~0u};
         const pel_u32x4 d = zero + apart * g->dx[k];
-        run.lanes[k] = (d & odd) + ((d << 1) & upper);
-        run.steps[k] = d << 2;
+        s.lanes[k] = (d & odd) + ((d << 1) & upper);
+        s.steps[k] = d << 2;
 #endif
     }
     (void)apart;
-    return run;
+    return s;
 }
 
 #if PEL_VECTORS
@@ -89,37 +89,37 @@ static inline void pel_gouraud_short_xrgb(pel_word32 *p, int32_t n,
 
 /* More than 8 pixels: the last eight overlap those before them. */
 static PEL_ALWAYS_INLINE void pel_gouraud_long_xrgb(
-    pel_word32 *p, int32_t n, pel_u32x4 v[3], const struct pel_gouraud_run *run)
+    pel_word32 *p, int32_t n, pel_u32x4 v[3], const struct pel_gouraud_steps *s)
 {
     const uint32_t last = (uint32_t)n - 8;
     pel_word32 *const end = p + last;
     pel_u32x4 b = v[0], g = v[1], r = v[2];
-    pel_u32x4 tail_b = b + last * run->dx[0], tail_g = g + last * run->dx[1],
-              tail_r = r + last * run->dx[2];
+    pel_u32x4 tail_b = b + last * s->dx[0], tail_g = g + last * s->dx[1],
+              tail_r = r + last * s->dx[2];
     do {
         pel_put_u32x4(p, pel_gouraud_xrgb4(b, g, r));
-        b += run->steps[0];
-        g += run->steps[1];
-        r += run->steps[2];
+        b += s->steps[0];
+        g += s->steps[1];
+        r += s->steps[2];
         pel_put_u32x4(p + 4, pel_gouraud_xrgb4(b, g, r));
-        b += run->steps[0];
-        g += run->steps[1];
-        r += run->steps[2];
+        b += s->steps[0];
+        g += s->steps[1];
+        r += s->steps[2];
         p += 8;
     } while (p < end);
     pel_put_u32x4(end, pel_gouraud_xrgb4(tail_b, tail_g, tail_r));
-    pel_put_u32x4(end + 4, pel_gouraud_xrgb4(tail_b + run->steps[0],
-                                             tail_g + run->steps[1],
-                                             tail_r + run->steps[2]));
+    pel_put_u32x4(end + 4,
+                  pel_gouraud_xrgb4(tail_b + s->steps[0], tail_g + s->steps[1],
+                                    tail_r + s->steps[2]));
 }
 
-static PEL_ALWAYS_INLINE void pel_gouraud_run_xrgb(
-    pel_word32 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_run *run)
+static PEL_ALWAYS_INLINE void pel_gouraud_span_xrgb(
+    pel_word32 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_steps *s)
 {
-    pel_u32x4 lane[3] = {run->lanes[0] + v[0], run->lanes[1] + v[1],
-                         run->lanes[2] + v[2]};
+    pel_u32x4 lane[3] = {s->lanes[0] + v[0], s->lanes[1] + v[1],
+                         s->lanes[2] + v[2]};
     if (n > 8) {
-        pel_gouraud_long_xrgb(p, n, lane, run);
+        pel_gouraud_long_xrgb(p, n, lane, s);
         return;
     }
     const pel_u32x4 first = pel_gouraud_xrgb4(lane[0], lane[1], lane[2]);
@@ -129,9 +129,9 @@ static PEL_ALWAYS_INLINE void pel_gouraud_run_xrgb(
     }
     const uint32_t last = (uint32_t)n - 4;
     pel_put_u32x4(p, first);
-    pel_put_u32x4(p + last, pel_gouraud_xrgb4(lane[0] + last * run->dx[0],
-                                              lane[1] + last * run->dx[1],
-                                              lane[2] + last * run->dx[2]));
+    pel_put_u32x4(p + last, pel_gouraud_xrgb4(lane[0] + last * s->dx[0],
+                                              lane[1] + last * s->dx[1],
+                                              lane[2] + last * s->dx[2]));
 }
 
 /* Eight pixels from the lanes of pixels 0, 2, 4, 6, half a step before those of
@@ -169,12 +169,12 @@ static inline void pel_gouraud_short_rgb565(pel_word16 *p, int32_t n,
     q[last] = eight[last];
 }
 
-static PEL_ALWAYS_INLINE void pel_gouraud_run_rgb565(
-    pel_word16 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_run *run)
+static PEL_ALWAYS_INLINE void pel_gouraud_span_rgb565(
+    pel_word16 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_steps *s)
 {
-    pel_u32x4 b = run->lanes[0] + v[0], g = run->lanes[1] + v[1],
-              r = run->lanes[2] + v[2];
-    const pel_u32x4 first = pel_gouraud_rgb565x8(b, g, r, run->dx);
+    pel_u32x4 b = s->lanes[0] + v[0], g = s->lanes[1] + v[1],
+              r = s->lanes[2] + v[2];
+    const pel_u32x4 first = pel_gouraud_rgb565x8(b, g, r, s->dx);
     if (n < 8) {
         pel_gouraud_short_rgb565(p, n, first);
         return;
@@ -182,34 +182,35 @@ static PEL_ALWAYS_INLINE void pel_gouraud_run_rgb565(
     const uint32_t last = (uint32_t)n - 8;
     pel_word16 *end = p + last;
     pel_put_u32x4(p, first);
-    pel_put_u32x4(end, pel_gouraud_rgb565x8(b + last * run->dx[0],
-                                            g + last * run->dx[1],
-                                            r + last * run->dx[2], run->dx));
+    pel_put_u32x4(end,
+                  pel_gouraud_rgb565x8(b + last * s->dx[0], g + last * s->dx[1],
+                                       r + last * s->dx[2], s->dx));
     while ((p += 8) < end) {
-        b += run->steps[0];
-        g += run->steps[1];
-        r += run->steps[2];
-        pel_put_u32x4(p, pel_gouraud_rgb565x8(b, g, r, run->dx));
+        b += s->steps[0];
+        g += s->steps[1];
+        r += s->steps[2];
+        pel_put_u32x4(p, pel_gouraud_rgb565x8(b, g, r, s->dx));
     }
 }
 
 #else
 
-static inline void pel_gouraud_run_xrgb(pel_word32 *p, int32_t n, uint32_t v[3],
-                                        const struct pel_gouraud_run *run)
+static inline void pel_gouraud_span_xrgb(pel_word32 *p, int32_t n,
+                                         uint32_t v[3],
+                                         const struct pel_gouraud_steps *s)
 {
-    for (; n > 0; n--, pel_gouraud_step(v, run->dx))
+    for (; n > 0; n--, pel_gouraud_step(v, s->dx))
         *p++ = PEL_LE32(pel_gouraud_xrgb(v));
 }
 
 /* Channels and steps in variables of their own, four pixels a turn: so they
  * stay in registers, and the loop's own cost is shared. */
-static inline void pel_gouraud_run_rgb565(pel_word16 *p, int32_t n,
-                                          uint32_t v[3],
-                                          const struct pel_gouraud_run *run)
+static inline void pel_gouraud_span_rgb565(pel_word16 *p, int32_t n,
+                                           uint32_t v[3],
+                                           const struct pel_gouraud_steps *s)
 {
     uint32_t b = v[0], g = v[1], r = v[2];
-    const uint32_t db = run->dx[0], dg = run->dx[1], dr = run->dx[2];
+    const uint32_t db = s->dx[0], dg = s->dx[1], dr = s->dx[2];
     for (; n >= 4; n -= 4, p += 4) {
         p[0] = pel_gouraud_word565(b, g, r);
         b += db;

@@ -2,18 +2,18 @@
  * is walked over a clip that is a pixel larger than that of the surface. What
  * is inside, and left out, is one pixel smaller than the run at both ends, and
  * not wider than the runs above and below. */
-#ifndef PEL_OUTLINE_OUTLINE_LINE_H
-#define PEL_OUTLINE_OUTLINE_LINE_H
+#ifndef PEL_OUTLINE_OUTLINE_ROW_H
+#define PEL_OUTLINE_OUTLINE_ROW_H
 
 #include "../raster/cut.h"
 #include "../round/disc.h"
 
-struct pel_outline_line {
+struct pel_outline_row {
     struct pel_cut cut;
     struct pel_span above, span; /* the last two lines that were given */
 };
 
-static inline void pel_outline_begin(struct pel_outline_line *o,
+static inline void pel_outline_begin(struct pel_outline_row *o,
                                      const struct pel_surface *surface)
 {
     pel_cut_begin(&o->cut, surface);
@@ -28,7 +28,7 @@ static inline struct pel_rect pel_outline_clip(const struct pel_surface *s)
 }
 
 /* The run of the shape's next line goes there, before the line is put. */
-static inline struct pel_span *pel_outline_run(struct pel_outline_line *o)
+static inline struct pel_span *pel_outline_span(struct pel_outline_row *o)
 {
     return o->cut.span;
 }
@@ -37,13 +37,13 @@ static inline struct pel_span *pel_outline_run(struct pel_outline_line *o)
  * visible of line y - 1, and in `inside` what it does without; false when
  * nothing is. Lines come one after the other, and after the last an empty one.
  */
-bool pel_outline_next(struct pel_outline_line *o, int32_t y,
+bool pel_outline_next(struct pel_outline_row *o, int32_t y,
                       struct pel_span *inside);
 
 /* The same, and makes pieces of what is left. */
-void pel_outline_cut(struct pel_outline_line *o, int32_t y);
+void pel_outline_cut(struct pel_outline_row *o, int32_t y);
 
-static inline void pel_outline_put(struct pel_outline_line *o,
+static inline void pel_outline_put(struct pel_outline_row *o,
                                    const struct pel_paint *paint, int32_t y)
 {
     pel_outline_cut(o, y);
@@ -51,14 +51,14 @@ static inline void pel_outline_put(struct pel_outline_line *o,
 }
 
 /* The run of the disc; of none, an empty line. */
-static inline void pel_outline_disc(struct pel_outline_line *o,
+static inline void pel_outline_disc(struct pel_outline_row *o,
                                     struct pel_disc *disc,
                                     const struct pel_rect *clip)
 {
     if (disc)
-        pel_disc_row(disc, clip, pel_outline_run(o));
+        pel_disc_row(disc, clip, pel_outline_span(o));
     else
-        *pel_outline_run(o) = (struct pel_span){0, 0};
+        *pel_outline_span(o) = (struct pel_span){0, 0};
 }
 
 #endif

@@ -11,8 +11,8 @@
  * a larger range is what the rest of the turn leaves. cross((a, b), (x, y)) =
  * a y - b x. A pixel centre on C counts as angle 0. from == to is empty. So the
  * ranges [a, b), [b, c), [c, a) hold every pixel once. */
-#ifndef PEL_ROUND_WEDGE_H
-#define PEL_ROUND_WEDGE_H
+#ifndef PEL_ROUND_ANGLE_RANGE_H
+#define PEL_ROUND_ANGLE_RANGE_H
 
 #include "../raster/cut.h"
 #include "../raster/edge.h"
@@ -30,20 +30,22 @@ struct pel_angles {
     uint16_t from, to; /* turns / 65,536 */
 };
 
-struct pel_wedge {
+struct pel_angle_range {
     struct pel_angles angles;
     struct pel_ray from, to;
 };
 
 /* From line y on. false: nothing can be covered, since from == to. The centre
  * is legal. */
-bool pel_wedge_start(struct pel_wedge *wedge, const struct pel_point *center,
-                     struct pel_angles angles, int32_t y);
+bool pel_angle_range_start(struct pel_angle_range *range,
+                           const struct pel_point *center,
+                           struct pel_angles angles, int32_t y);
 
-/* The parts of line y inside the wedge, from left to right and apart from each
+/* The parts of line y inside the range, from left to right and apart from each
  * other; one may be empty. They reach beyond every pixel. Every line is asked
  * for once, from the first one down. */
-void pel_wedge_parts(struct pel_wedge *wedge, const struct pel_point *center,
-                     int32_t y, struct pel_span part[2]);
+void pel_angle_range_spans(struct pel_angle_range *range,
+                           const struct pel_point *center, int32_t y,
+                           struct pel_span span[2]);
 
 #endif

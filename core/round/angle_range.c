@@ -1,9 +1,9 @@
-#include "wedge.h"
+#include "angle_range.h"
 
 #include "../base/trig.h"
 
 enum {
-    FAR = 1 << 20, /* px: beyond every pixel */
+    BEYOND = 1 << 20, /* px: beyond every pixel */
     QUARTER_TURN = 16384,
     HALF_TURN = 32768,
     FULL_TURN = 65536,
@@ -37,7 +37,8 @@ static PEL_NOINLINE void ray_start(struct pel_ray *r, uint16_t turn,
  * covered there, on the side to which it points. */
 static int32_t beyond(int32_t turn)
 {
-    return turn > QUARTER_TURN && turn < FULL_TURN - QUARTER_TURN ? -FAR : FAR;
+    return turn > QUARTER_TURN && turn < FULL_TURN - QUARTER_TURN ? -BEYOND
+                                                                  : BEYOND;
 }
 
 /* Where the ray divides row y, which lies below or above the centre: the first
@@ -45,9 +46,9 @@ static int32_t beyond(int32_t turn)
 static int32_t ray_at(struct pel_ray *r, int32_t turn, int32_t y, bool below)
 {
     if (below ? turn == 0 : turn == FULL_TURN)
-        return FAR;
+        return BEYOND;
     if (below ? turn >= HALF_TURN : turn <= HALF_TURN)
-        return -FAR;
+        return -BEYOND;
     if ((y < r->bound) != below)
         return beyond(turn);
     const int32_t x = r->edge.x;
@@ -63,42 +64,44 @@ static int32_t end_of(struct pel_angles angles)
 
 /* The row through the centre holds the angles 0 and a half turn alone. */
 static void level_row(struct pel_angles angles, int32_t split,
-                      struct pel_span part[2])
+                      struct pel_span span[2])
 {
     const int32_t from = angles.from, to = end_of(angles);
     bool right = from == 0 || from > to;
     bool left = from < to ? from <= HALF_TURN && HALF_TURN < to
                           : from <= HALF_TURN || HALF_TURN < to;
-    part[0] = (struct pel_span){left ? -FAR : split, split};
-    part[1] = (struct pel_span){split, right ? FAR : split};
+    span[0] = (struct pel_span){left ? -BEYOND : split, split};
+    span[1] = (struct pel_span){split, right ? BEYOND : split};
 }
 
-void pel_wedge_parts(struct pel_wedge *wedge, const struct pel_point *center,
-                     int32_t y, struct pel_span part[2])
+void pel_angle_range_spans(struct pel_angle_range *range,
+                           const struct pel_point *center, int32_t y,
+                           struct pel_span span[2])
 {
     const int32_t v = pel_pixel_center(y) - center->y;
-    const int32_t from = wedge->angles.from, to = end_of(wedge->angles);
+    const int32_t from = range->angles.from, to = end_of(range->angles);
     if (v == 0) {
-        level_row(wedge->angles, pel_first_pixel(center->x), part);
+        level_row(range->angles, pel_first_pixel(center->x), span);
         return;
     }
-    const int32_t first = ray_at(&wedge->from, from, y, v > 0);
-    const int32_t last = ray_at(&wedge->to, to, y, v > 0);
+    const int32_t first = ray_at(&range->from, from, y, v > 0);
+    const int32_t last = ray_at(&range->to, to, y, v > 0);
     const int32_t x0 = v > 0 ? last : first, x1 = v > 0 ? first : last;
     if (from < to) {
-        part[0] = (struct pel_span){x0, x1};
-        part[1] = (struct pel_span){FAR, FAR};
+        span[0] = (struct pel_span){x0, x1};
+        span[1] = (struct pel_span){BEYOND, BEYOND};
     } else {
-        part[0] = (struct pel_span){-FAR, x1};
-        part[1] = (struct pel_span){x0, FAR};
+        span[0] = (struct pel_span){-BEYOND, x1};
+        span[1] = (struct pel_span){x0, BEYOND};
     }
 }
 
-bool pel_wedge_start(struct pel_wedge *wedge, const struct pel_point *center,
-                     struct pel_angles angles, int32_t y)
+bool pel_angle_range_start(struct pel_angle_range *range,
+                           const struct pel_point *center,
+                           struct pel_angles angles, int32_t y)
 {
-    wedge->angles = angles;
-    ray_start(&wedge->from, angles.from, center, y);
-    ray_start(&wedge->to, angles.to, center, y);
+    range->angles = angles;
+    ray_start(&range->from, angles.from, center, y);
+    ray_start(&range->to, angles.to, center, y);
     return angles.from != angles.to;
 }

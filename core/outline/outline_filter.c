@@ -1,0 +1,133 @@
+#include "outline_filter.h"
+
+#include "../format/word.h"
+
+/* The next part of the row above the present one, perhaps empty: of a run what
+ * is left without its interior, which is one pixel smaller at both ends, where
+ * runs of the rows above and below are on both sides of it. All three rows are
+ * gone through once: runs above and below that reach to the end of this run
+ * stay for the next one. Interior that is cut out ends at x, so that it is
+ * empty when it is seen again. */
+static bool next_part(struct pel_outline_filter *r, struct pel_span *part)
+{
+    const struct pel_outline_spans *above = &r->row[0], *below = &r->row[2];
+    const struct pel_span *span = &r->row[1].span[r->at[1]];
+    if (r->at[1] == r->row[1].n)
+        return false;
+    part->x0 = r->x = pel_max(r->x, span->x0);
+    while (r->at[0] < above->n && r->at[2] < below->n) {
+        const struct pel_span *a = &above->span[r->at[0]];
+        const struct pel_span *b = &below->span[r->at[2]];
+        const int32_t end = pel_min(a->x1, b->x1);
+        const int32_t x0 =
+            pel_max(pel_max(span->x0 + 1, r->x), pel_max(a->x0, b->x0));
+        const int32_t x1 = pel_min(span->x1 - 1, end);
+        if (x0 < x1) {
+            r->x = x1;
+            part->x1 = x0;
+            return true;
+        }
+        if (end >= span->x1)
+            break;
+        r->at[a->x1 < b->x1 ? 0 : 2]++;
+    }
+    part->x1 = span->x1;
+    r->at[1]++;
+    return true;
+}
+
+/* The next pieces, to paint them; false when there are no more. */
+static PEL_WIDE bool next_parts(struct pel_outline_filter *r)
+{
+    const struct pel_rect *clip = &r->spans.surface->clip;
+    struct pel_span part;
+    r->spans.n = 0;
+    r->spans.y = r->y - 1;
+    if (r->spans.y < clip->y0 || r->spans.y >= clip->y1)
+        return false;
+    while (r->spans.n < PEL_OUTLINE_FILTER_BATCH && next_part(r, &part)) {
+        part.x0 = pel_max(part.x0, clip->x0);
+        part.x1 = pel_min(part.x1, clip->x1);
+        if (part.x0 < part.x1)
+            r->part[r->spans.n++] = part;
+    }
+    return r->spans.n > 0;
+}
+
+/* On by a row: the neighbours of the present one are complete then. */
+static PEL_WIDE void step(struct pel_outline_filter *r)
+{
+    const struct pel_outline_spans done = r->row[0];
+    r->row[0] = r->row[1];
+    r->row[1] = r->row[2];
+    r->row[2] = done;
+    r->row[2].n = 0;
+    r->at[0] = r->at[1] = r->at[2] = 0;
+    r->x = INT32_MIN;
+    r->y++;
+}
+
+/* To row y. Two steps put all rows that there were; the first of them is then
+ * only above an empty one. */
+static PEL_ALWAYS_INLINE void advance(struct pel_outline_filter *r, int32_t y)
+{
+    for (int k = 0; k < 2 && r->y != y; k++) {
+        while (next_parts(r))
+            r->out->fill(r->out, &r->spans);
+        step(r);
+    }
+    r->y = y;
+}
+
+static void add_span(struct pel_outline_filter *r, const struct pel_span *span)
+{
+    struct pel_outline_spans *row = &r->row[2];
+    if (row->n && row->span[row->n - 1].x1 == span->x0)
+        row->span[row->n - 1].x1 = span->x1;
+    else if (row->n < r->capacity)
+        row->span[row->n++] = *span;
+}
+
+static void filter_fill(const struct pel_paint *paint,
+                        const struct pel_spans *spans)
+{
+    struct pel_outline_filter *r =
+        (struct pel_outline_filter *)(uintptr_t)paint;
+    int32_t y = spans->y;
+    for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
+        if (spans->span[i].x0 >= spans->span[i].x1)
+            continue;
+        if (y != r->y)
+            advance(r, y);
+        add_span(r, &spans->span[i]);
+    }
+}
+
+bool pel_outline_filter_begin(struct pel_outline_filter *filter,
+                              const struct pel_surface *surface,
+                              const struct pel_paint *paint,
+                              struct pel_span *memory, int32_t spans)
+{
+    if (pel_rect_empty(&surface->clip))
+        return false;
+    filter->paint = (struct pel_paint){.fill = filter_fill};
+    filter->surface = *surface;
+    filter->surface.clip.x0--;
+    filter->surface.clip.y0--;
+    filter->surface.clip.x1++;
+    filter->surface.clip.y1++;
+    filter->capacity = spans / 3;
+    for (int k = 0; k < 3; k++)
+        filter->row[k] =
+            (struct pel_outline_spans){memory + k * filter->capacity, 0};
+    filter->y = filter->surface.clip.y0;
+    filter->at[1] = 0; /* the other two, and x, are set by the first step */
+    filter->out = paint;
+    filter->spans = (struct pel_spans){surface, filter->part, 0, 0, 0};
+    return true;
+}
+
+void pel_outline_filter_end(struct pel_outline_filter *filter)
+{
+    advance(filter, filter->y + 2);
+}
