@@ -1,10 +1,9 @@
-/* Hit testing: does a shape cover a pixel?
+/* Hit testing: which pixels a shape covers.
  *
- * Each function gives what the fill of the same name covers, pixel for pixel,
- * from the numbers alone: no pixel is read, none is needed. They cost a few
- * multiplications (polygons: for each edge that crosses the row). A pixel or a
- * shape out of range is not hit. What shows an outline, a clip or a list of
- * shapes is a matter of more questions. */
+ * Each function is true for the pixels that the fill of the same name covers,
+ * exactly. It computes that from the shape and reads no pixel: a few
+ * multiplications, for a polygon per edge that crosses the row. A pixel or a
+ * shape out of range is not hit. Outlines and the clip do not count. */
 #ifndef PEL_HIT_HIT_H
 #define PEL_HIT_HIT_H
 
@@ -37,9 +36,9 @@ bool pel_hit_rounded_rectangle(const struct pel_rounded_shape *rectangle,
 bool pel_hit_thick_line(const struct pel_thick_line_shape *line, int32_t x,
                         int32_t y);
 
-/* Something that can be hit: a struct whose first member is this, like a
- * paint. The list keeps no shapes of its own, so that a program links the hit
- * tests that it names. A box around the shape spares the question for most:
+/* Base of something that can be hit: the first member of a struct, as with
+ * paints. It has no table of shapes, so that a program links only the hit tests
+ * that it names:
  *
  *     struct button {
  *         struct pel_target target;
@@ -53,12 +52,12 @@ bool pel_hit_thick_line(const struct pel_thick_line_shape *line, int32_t x,
  *     } */
 struct pel_target {
     bool (*hit)(const struct pel_target *target, int32_t x, int32_t y);
-    struct pel_rect box; /* px: no pixel outside of it is hit, and hit is not
-                            asked there; an empty one says nothing */
+    struct pel_rect box; /* px: `hit` is called for pixels inside only; with an
+                            empty box for all */
 };
 
-/* The last of n targets that covers the pixel: the topmost, when they are
- * painted in the order of the list. -1 when none does. */
+/* The index of the last of n targets that covers the pixel: the topmost one,
+ * when they are painted in the order of the list. -1 when none does. */
 int32_t pel_hit_topmost(const struct pel_target *const *targets, int32_t n,
                         int32_t x, int32_t y);
 

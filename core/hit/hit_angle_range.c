@@ -2,7 +2,7 @@
 
 #include "../base/trig.h"
 
-/* The eighth of the turn, [k, k + 1) / 8, that a d leads into. */
+/* The eighth of the turn, [k, k + 1) / 8, that holds the direction d. */
 static int32_t eighth_of(struct pel_point d)
 {
     int32_t eighth = 0;
@@ -20,9 +20,10 @@ static int32_t eighth_of(struct pel_point d)
     return eighth + (d.y >= d.x);
 }
 
-/* Does the d lie on the ray of an angle or, from angle 0 on, behind it?
- * Directions lie in the eighths of their angles, so the ray itself is needed in
- * its own eighth alone, where the two are less than a quarter turn apart. */
+/* True when the direction d lies on the ray of an angle or clockwise of it, up
+ * to angle 0. Directions lie in the eighths of their angles, so the ray itself
+ * is needed in its own eighth only, where the two are less than a quarter turn
+ * apart. */
 static bool is_behind(struct pel_point d, uint16_t turn)
 {
     const int32_t eighth = eighth_of(d), of_ray = turn >> 13;

@@ -2,8 +2,9 @@
 
 #include "hit_pixel.h"
 
-/* With the longer side along a, from 0 to length > 0 or to -length: is b the
- * nearest to b1 a / length, a tie rounded up? |b1| <= length < 2^16. */
+/* True when a lies in 0 to length, which may be negative, and b is b1 a /
+ * length rounded to the nearest, a tie up. a is along the longer side: |b1| <=
+ * |length| < 2^16. */
 static bool on_line(int32_t a, int32_t b, int32_t length, int32_t b1)
 {
     if (length < 0) {

@@ -1,10 +1,10 @@
-/* What the hit tests begin with. */
+/* Pixel, disc and angle tests that the hit tests share. */
 #ifndef PEL_HIT_HIT_PIXEL_H
 #define PEL_HIT_HIT_PIXEL_H
 
 #include "../base/point.h"
 
-/* Pixel (x, y) as the place of its centre; false when out of range. */
+/* Sets *p to the centre of pixel (x, y); false when that is out of range. */
 static inline bool pel_hit_pixel(int32_t x, int32_t y, struct pel_point *p)
 {
     if ((((uint32_t)x + 32768u) | ((uint32_t)y + 32768u)) >> 16)
@@ -14,7 +14,8 @@ static inline bool pel_hit_pixel(int32_t x, int32_t y, struct pel_point *p)
     return true;
 }
 
-/* In the closed disc? Most pixels are outside of its square. */
+/* True in the closed disc; its square comes first, since most pixels are
+ * outside. */
 static inline bool pel_hit_disc(struct pel_point p, struct pel_point center,
                                 int32_t radius)
 {
@@ -23,7 +24,7 @@ static inline bool pel_hit_disc(struct pel_point p, struct pel_point center,
            pel_square(dx) + pel_square(dy) <= pel_square(radius);
 }
 
-/* In the range of angles around the centre? Rule: round/angle_range.h. */
+/* True in the range of angles around the centre (rule: round/angle_range.h). */
 bool pel_hit_angle_range(struct pel_point center, uint16_t from, uint16_t to,
                          struct pel_point p);
 

@@ -2,7 +2,7 @@
 
 #include "hit_pixel.h"
 
-/* In sub-pixels, more than the corners are off (thick_line.h). */
+/* Sub-pixels; more than rounding moves a corner (thick_line.h). */
 enum { MARGIN = 2 };
 
 enum place { OUTSIDE, INSIDE, AT_EDGE };
@@ -21,9 +21,9 @@ static bool in_box(struct pel_point p, struct pel_point a, struct pel_point b,
            p.y <= pel_max(a.y, b.y) + margin;
 }
 
-/* Where p lies for sure, without the length of the line: that is between the
- * longer of dx and dy and their sum, and cross and dot are the distances from
- * the line and along it, times the length. */
+/* Decides for most points without the length of the line, which lies between
+ * the larger of |dx| and |dy| and their sum. cross and dot are the length times
+ * the distances of p from the line and along it. */
 static enum place place_of(const struct pel_thick_line_shape *line,
                            struct pel_point p)
 {

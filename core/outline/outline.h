@@ -1,8 +1,8 @@
-/* Outlines one pixel wide. The outline of a shape is the part of its fill that
- * has a neighbour (left, right, above or below) outside of the shape: it never
- * leaves the fill, reaches to its edge everywhere, and is as symmetric as the
- * fill (outline/outline_filter.h, which gives the outline of any other shape
- * too). The clip makes no outline. Ranges and errors are those of the fills. */
+/* Outlines one pixel wide: the pixels of a shape's fill that have a neighbour
+ * (left, right, above or below) outside of the shape. So an outline stays
+ * inside the fill and is as symmetric. outline_filter.h makes outlines of all
+ * other shapes. The edge of the clip is no outline. Ranges and errors are those
+ * of the fills. */
 #ifndef PEL_OUTLINE_OUTLINE_H
 #define PEL_OUTLINE_OUTLINE_H
 
@@ -32,13 +32,13 @@ void pel_ellipse_outline(const struct pel_surface *surface,
                          const struct pel_paint *paint);
 
 /* The pixels of the outline of pel_circle(center, radius) that belong to the
- * sector: an arc one pixel wide. Arcs tile as sectors do. */
+ * sector: an arc one pixel wide. Such arcs tile as sectors do. */
 void pel_arc_outline(const struct pel_surface *surface,
                      const struct pel_sector_shape *sector,
                      const struct pel_paint *paint);
 
 /* Scratch memory as for pel_polygon, but of this size: about 48 n bytes and a
- * struct pel_outline_filter (outline/outline_filter.h). */
+ * struct pel_outline_filter. */
 size_t pel_polygon_outline_scratch_size(int32_t n);
 enum pel_status pel_polygon_outline(const struct pel_surface *surface,
                                     const struct pel_polygon_shape *polygon,

@@ -11,8 +11,7 @@ struct walk {
     struct pel_rect clip;
 };
 
-/* Functions of their own, so that their stack is free again when a line is
- * painted. */
+/* Separate functions, so that their stack is free while a row is painted. */
 static PEL_WIDE bool start(struct walk *w, const struct pel_surface *surface,
                            const struct pel_sector_shape *sector)
 {
@@ -27,7 +26,7 @@ static PEL_WIDE bool start(struct walk *w, const struct pel_surface *surface,
                                  pel_max(w->circle.y - 1, surface->clip.y0));
 }
 
-/* The pieces of the line above the circle's next one. */
+/* Cuts the spans of the row above the next row of the circle. */
 static PEL_WIDE void cut_row(struct walk *w,
                              const struct pel_sector_shape *sector)
 {

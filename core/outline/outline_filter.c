@@ -2,12 +2,12 @@
 
 #include "../format/word.h"
 
-/* The next part of the row above the present one, perhaps empty: of a run what
- * is left without its interior, which is one pixel smaller at both ends, where
- * runs of the rows above and below are on both sides of it. All three rows are
- * gone through once: runs above and below that reach to the end of this run
- * stay for the next one. Interior that is cut out ends at x, so that it is
- * empty when it is seen again. */
+/* Sets the next part of the outline in the middle row, perhaps empty: of a span
+ * all but its inside, which is the span without both end pixels as far as spans
+ * above and below cover it. The three rows are walked once: a span above or
+ * below that reaches the end of this span stays for the next one. x is the end
+ * of the inside found last, so that the same inside is empty when it is found
+ * again. */
 static bool next_part(struct pel_outline_filter *r, struct pel_span *part)
 {
     const struct pel_outline_spans *above = &r->row[0], *below = &r->row[2];
@@ -36,7 +36,7 @@ static bool next_part(struct pel_outline_filter *r, struct pel_span *part)
     return true;
 }
 
-/* The next pieces, to paint them; false when there are no more. */
+/* Sets the next parts to paint; false when there are none. */
 static PEL_WIDE bool next_parts(struct pel_outline_filter *r)
 {
     const struct pel_rect *clip = &r->spans.surface->clip;
@@ -54,7 +54,7 @@ static PEL_WIDE bool next_parts(struct pel_outline_filter *r)
     return r->spans.n > 0;
 }
 
-/* On by a row: the neighbours of the present one are complete then. */
+/* Moves on by a row, whose neighbours are then complete. */
 static PEL_WIDE void step(struct pel_outline_filter *r)
 {
     const struct pel_outline_spans done = r->row[0];
@@ -67,8 +67,8 @@ static PEL_WIDE void step(struct pel_outline_filter *r)
     r->y++;
 }
 
-/* To row y. Two steps put all rows that there were; the first of them is then
- * only above an empty one. */
+/* Moves on to row y. Two steps paint all rows that there were; the last of them
+ * stays in row[0], above an empty row. */
 static PEL_ALWAYS_INLINE void advance(struct pel_outline_filter *r, int32_t y)
 {
     for (int k = 0; k < 2 && r->y != y; k++) {
@@ -121,7 +121,7 @@ bool pel_outline_filter_begin(struct pel_outline_filter *filter,
         filter->row[k] =
             (struct pel_outline_spans){memory + k * filter->capacity, 0};
     filter->y = filter->surface.clip.y0;
-    filter->at[1] = 0; /* the other two, and x, are set by the first step */
+    filter->at[1] = 0; /* the first step sets the other two and x */
     filter->out = paint;
     filter->spans = (struct pel_spans){surface, filter->part, 0, 0, 0};
     return true;

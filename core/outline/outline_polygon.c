@@ -2,9 +2,9 @@
 
 #include "outline_filter.h"
 
-/* The scratch memory: the filter, aligned like a pointer, its runs (a row has n
- * / 2 at most), and that of the polygon. A filter on the stack would be the
- * larger part of what the outline takes there. */
+/* The scratch memory: the filter, aligned like a pointer, its spans (n / 2 a
+ * row at most), and that of the polygon. On the stack the filter would be the
+ * larger part of what the outline takes. */
 enum { FILTER_BYTES = sizeof(struct pel_outline_filter) + sizeof(void *) - 4 };
 
 static size_t filter_spans(int32_t n)

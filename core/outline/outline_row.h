@@ -1,7 +1,7 @@
-/* Outlines of shapes whose rows have one run each: line by line, as the shape
- * is walked over a clip that is a pixel larger than that of the surface. What
- * is inside, and left out, is one pixel smaller than the run at both ends, and
- * not wider than the runs above and below. */
+/* Outlines of shapes with one span in each row. The shape is walked with a clip
+ * one pixel larger than that of the surface. The inside of a row is left out:
+ * its span without both end pixels, as far as the spans above and below cover
+ * it. */
 #ifndef PEL_OUTLINE_OUTLINE_ROW_H
 #define PEL_OUTLINE_OUTLINE_ROW_H
 
@@ -10,7 +10,7 @@
 
 struct pel_outline_row {
     struct pel_cut cut;
-    struct pel_span above, span; /* the last two lines that were given */
+    struct pel_span above, span; /* the last two rows given */
 };
 
 static inline void pel_outline_begin(struct pel_outline_row *o,
@@ -20,27 +20,26 @@ static inline void pel_outline_begin(struct pel_outline_row *o,
     o->above = o->span = (struct pel_span){0, 0};
 }
 
-/* A pixel more on every side, so that the clip makes no edge. */
+/* The clip, one pixel larger on every side, so that it makes no outline. */
 static inline struct pel_rect pel_outline_clip(const struct pel_surface *s)
 {
     const struct pel_rect *c = &s->clip;
     return (struct pel_rect){c->x0 - 1, c->y0 - 1, c->x1 + 1, c->y1 + 1};
 }
 
-/* The run of the shape's next line goes there, before the line is put. */
+/* Memory for the span of the next row, to be set before pel_outline_put. */
 static inline struct pel_span *pel_outline_span(struct pel_outline_row *o)
 {
     return o->cut.span;
 }
 
-/* Takes line y of the shape, and gives back in the place of its run what is
- * visible of line y - 1, and in `inside` what it does without; false when
- * nothing is. Lines come one after the other, and after the last an empty one.
- */
+/* Takes row y of the shape. Replaces its span by the visible part of row y - 1
+ * and sets `inside`, which the outline leaves out of that part. false when row
+ * y - 1 is not visible. Rows come one after the other, then an empty one. */
 bool pel_outline_next(struct pel_outline_row *o, int32_t y,
                       struct pel_span *inside);
 
-/* The same, and makes pieces of what is left. */
+/* The same, and sets the spans of the outline in row y - 1. */
 void pel_outline_cut(struct pel_outline_row *o, int32_t y);
 
 static inline void pel_outline_put(struct pel_outline_row *o,
@@ -50,7 +49,7 @@ static inline void pel_outline_put(struct pel_outline_row *o,
     pel_cut_paint(&o->cut, paint, y - 1);
 }
 
-/* The run of the disc; of none, an empty line. */
+/* Sets the span of a row of the disc; an empty one for NULL. */
 static inline void pel_outline_disc(struct pel_outline_row *o,
                                     struct pel_disc *disc,
                                     const struct pel_rect *clip)

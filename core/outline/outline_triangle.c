@@ -24,7 +24,7 @@ static void sides_start(struct sides *s, const struct pel_point *const v[3],
         pel_edge_start(&s->b, v[1], v[2], s->y);
 }
 
-/* Row y, not clipped, and on to the next. */
+/* Sets the span of row y, not clipped, and moves on to the next. */
 static PEL_WIDE void sides_next(struct sides *s,
                                 const struct pel_point *const v[3],
                                 struct pel_span *span)

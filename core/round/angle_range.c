@@ -7,11 +7,12 @@ enum {
     QUARTER_TURN = 16384,
     HALF_TURN = 32768,
     FULL_TURN = 65536,
-    RAY_LENGTH = 511 /* of a ray in directions: 511 * 32,768 < 2^24 */
+    RAY_LENGTH = 511 /* multiple of the direction: 511 * 32,768 < 2^24 */
 };
 
-/* The edge ends about 2^24 sub-pixels from the centre, twice the radius of any
- * shape and more. Below the centre the row through it is not walked. */
+/* Starts the edge in row y, or below that in its own first row. It ends about
+ * 2^24 sub-pixels from the centre; radii are below 2^23. The row through the
+ * centre belongs to no edge (level_row). */
 static PEL_NOINLINE void ray_start(struct pel_ray *r, uint16_t turn,
                                    const struct pel_point *center, int32_t y)
 {
@@ -33,16 +34,16 @@ static PEL_NOINLINE void ray_start(struct pel_ray *r, uint16_t turn,
     }
 }
 
-/* Past the end of its edge the ray is further away in x than anything that is
- * covered there, on the side to which it points. */
+/* In rows past the end of its edge a ray lies beyond every covered pixel, on
+ * the side to which it points. */
 static int32_t beyond(int32_t turn)
 {
     return turn > QUARTER_TURN && turn < FULL_TURN - QUARTER_TURN ? -BEYOND
                                                                   : BEYOND;
 }
 
-/* Where the ray divides row y, which lies below or above the centre: the first
- * pixel on the side of larger x. */
+/* The first pixel right of the ray in row y, which is below or above the
+ * centre. A pixel on the ray is right of it above, left of it below. */
 static int32_t ray_at(struct pel_ray *r, int32_t turn, int32_t y, bool below)
 {
     if (below ? turn == 0 : turn == FULL_TURN)
@@ -56,13 +57,13 @@ static int32_t ray_at(struct pel_ray *r, int32_t turn, int32_t y, bool below)
     return below ? -x : x;
 }
 
-/* The end of a range that ends at 0 is a full turn. */
+/* An end of 0 is a full turn. */
 static int32_t end_of(struct pel_angles angles)
 {
     return angles.to ? angles.to : FULL_TURN;
 }
 
-/* The row through the centre holds the angles 0 and a half turn alone. */
+/* The pixels of the row through the centre have the angle 0 or half a turn. */
 static void level_row(struct pel_angles angles, int32_t split,
                       struct pel_span span[2])
 {

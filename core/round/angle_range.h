@@ -1,29 +1,29 @@
-/* The walk over the part of every row that lies between two angles.
+/* Spans of the pixels between two angles, row by row.
  *
- * The rule. From the centre C, angle a has the ray in the direction
- * d = pel_direction(a). A pixel's centre P belongs to the half-open range
- * [from, to), clockwise, when it lies on the ray of `from` or between the two:
- * for up to a half turn when
+ * The rule. The ray of angle a begins at the centre C and has the direction
+ * d(a) = pel_direction(a). A pixel with the centre P belongs to the half-open
+ * range [from, to), clockwise, of up to half a turn, when
  *
  *     cross(d(from), P - C) > 0 and cross(d(to), P - C) < 0,
  *     or P lies on the ray of `from`;
  *
- * a larger range is what the rest of the turn leaves. cross((a, b), (x, y)) =
- * a y - b x. A pixel centre on C counts as angle 0. from == to is empty. So the
- * ranges [a, b), [b, c), [c, a) hold every pixel once. */
+ * a larger range holds the pixels that [to, from) does not. cross((a, b),
+ * (x, y)) = a y - b x. A pixel centre on C counts as angle 0. from == to is
+ * empty. So the ranges [a, b), [b, c), [c, a) hold every pixel once. */
 #ifndef PEL_ROUND_ANGLE_RANGE_H
 #define PEL_ROUND_ANGLE_RANGE_H
 
 #include "../raster/cut.h"
 #include "../raster/edge.h"
 
-/* A ray as the walk of an exact edge. Above the centre a row's angles grow with
- * x, below it they fall: there the edge is walked in a mirror, where pixel x is
- * pixel -1 - x. So a pixel on the ray itself always belongs to the range that
- * begins there. */
+/* A ray, walked as an exact edge (raster/edge.h). Above the centre the angles
+ * of a row grow with x, below it they fall. There the edge is mirrored, pixel x
+ * to pixel -1 - x: so a pixel on a ray always belongs to the range that begins
+ * at this ray. */
 struct pel_ray {
     struct pel_edge edge; /* at the next row */
-    int32_t bound; /* the edge's first row, or below the centre its end */
+    int32_t bound; /* above the centre the first row of the edge, below it the
+                      row after its last */
 };
 
 struct pel_angles {
@@ -35,15 +35,15 @@ struct pel_angle_range {
     struct pel_ray from, to;
 };
 
-/* From line y on. false: nothing can be covered, since from == to. The centre
- * is legal. */
+/* Starts at row y; the centre must be legal. false: nothing is covered, since
+ * from == to. */
 bool pel_angle_range_start(struct pel_angle_range *range,
                            const struct pel_point *center,
                            struct pel_angles angles, int32_t y);
 
-/* The parts of line y inside the range, from left to right and apart from each
- * other; one may be empty. They reach beyond every pixel. Every line is asked
- * for once, from the first one down. */
+/* Sets two spans, from left to right and disjoint: the part of row y inside the
+ * range. They may be empty; open ends lie beyond every pixel. To be called once
+ * for every row, from the first one down. */
 void pel_angle_range_spans(struct pel_angle_range *range,
                            const struct pel_point *center, int32_t y,
                            struct pel_span span[2]);

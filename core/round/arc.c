@@ -9,8 +9,7 @@ struct walk {
     struct pel_cut cut;
 };
 
-/* Functions of their own, so that their stack is free again when a line is
- * painted. */
+/* Separate functions, so that their stack is free while a row is painted. */
 static PEL_WIDE bool start(struct walk *w, const struct pel_surface *surface,
                            const struct pel_arc_shape *arc)
 {
@@ -22,7 +21,7 @@ static PEL_WIDE bool start(struct walk *w, const struct pel_surface *surface,
                                  w->ring.outer.y);
 }
 
-/* The pieces of the next line. */
+/* Cuts the spans of a row and moves on to the next. */
 static PEL_WIDE void cut_row(struct walk *w, const struct pel_arc_shape *arc)
 {
     const struct pel_rect *clip = &w->cut.spans.surface->clip;

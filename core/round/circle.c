@@ -2,13 +2,11 @@
 
 #include "disc_side.h"
 
-/* The circle makes its rows itself. By way of disc.c, which keeps two middles
- * and a row for shapes that need them, a program of flat circles takes 196
- * bytes of code and 76 of stack more on a Cortex-M0+ (324 of stack: the budget
- * is 256), and on 64-bit CPUs a small circle 5 % longer. */
+/* A flat circle by disc.c takes 196 bytes of code and 76 of stack more on a
+ * Cortex-M0+ (324 of stack; the budget is 256), and a small one 5 % longer on
+ * 64-bit CPUs. So this file has its own rows. */
 
-/* One side, as in disc.h, with its columns in the run and those that are
- * visible. */
+/* One side (disc.h), `columns` wide in this row, at most `limit`. */
 struct side {
     int64_t d;
     int32_t u, columns, limit;
@@ -22,7 +20,7 @@ static PEL_NOINLINE void side_start(struct side *s, int64_t half_width2,
     s->columns = 0;
 }
 
-/* The columns of the next row, and on to the row after it. */
+/* Returns the columns of the row and moves on to the next. */
 static PEL_HOT int32_t side_next(struct side *s, int32_t v)
 {
     pel_disc_side_adjust(&s->d, &s->u, &s->columns, s->limit);
@@ -30,9 +28,10 @@ static PEL_HOT int32_t side_next(struct side *s, int32_t v)
     return s->columns;
 }
 
-/* Around a corner or the centre of a pixel one side is the other's mirror
- * image, where neither is cut: a side has radius / 256 + 1 columns at most.
- * Around a centre, the column that has it counts to the right, in every row. */
+/* True when the right side is the mirror image of the left one: the centre is
+ * on the left edge or the centre of a pixel, and the clip cuts neither side (at
+ * most radius / 256 + 1 columns). The column of a pixel centre counts to the
+ * right side, and is in every row. */
 static bool mirrored(const struct side *left, const struct side *right,
                      int32_t radius)
 {

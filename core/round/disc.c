@@ -2,14 +2,14 @@
 
 #include "disc_side.h"
 
-/* The first pixel on the right side of a disc around x, or the edge of the clip
- * that is next to it: there the left side ends, and the right one begins. */
+/* The first column of the right side of a disc around x, clamped to the clip;
+ * the left side ends there. */
 static int32_t split_at(int32_t x, const struct pel_rect *clip)
 {
     return pel_min(pel_max(pel_first_pixel(x), clip->x0), clip->x1);
 }
 
-/* The distances of the first columns. */
+/* Distances of the first columns from x, 1/256 px. */
 static int32_t first_left(int32_t x, int32_t split)
 {
     return x - pel_pixel_center(split - 1);
@@ -30,8 +30,8 @@ void pel_disc_start(struct pel_disc *disc, const struct pel_rect *clip,
     r->d = (half_width2 - pel_square(r->u)) >> 9;
 }
 
-/* How many of `limit` columns, the first at the distance `first`, the present
- * row has. */
+/* The columns of a side in this row, at most `limit`; the first one is at the
+ * distance `first`. */
 static PEL_HOT int32_t columns(struct pel_disc_side *s, int32_t first,
                                int32_t limit)
 {
@@ -52,7 +52,7 @@ void pel_disc_row(struct pel_disc *disc, const struct pel_rect *clip,
         columns(r, first_right(r->center, span->x1), clip->x1 - span->x1);
 }
 
-/* The low 9 bits of u^2 are the same in all columns. */
+/* All columns of a side have the same low 9 bits of u^2. */
 static void change_side(struct pel_disc_side *s, int64_t from, int64_t to)
 {
     const uint32_t low = (uint32_t)s->u * (uint32_t)s->u & 511;

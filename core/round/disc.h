@@ -1,23 +1,22 @@
-/* The exact walk over the rows of a disc: for every row the run of pixels whose
- * centre lies within. Rings, sectors, ellipses, the corners of rounded
- * rectangles, and outlines share it; a filled circle makes rows of its own from
- * the same walk of one side (disc_side.h).
+/* Spans of a disc, row by row: the pixels whose centre lies within, exactly.
+ * Rings, sectors, ellipses, rounded rectangles and outlines use it; circle.c
+ * walks the same sides (disc_side.h) itself.
  *
- * In row y the disc holds the columns at a distance u from its centre with
- * u^2 <= half_width2, where half_width2 is radius^2 - v^2 for a circle and v
- * the distance of the row; for an ellipse it is scaled (ellipse_walk.h). Each
- * side of the run is a walk over columns by Bresenham's scheme: the next column
- * outwards joins when d = floor((half_width2 - u^2) / 512) >= 0. From column to
- * column u^2 changes by (u + 256)^2 - u^2 = 512 (u + 128), so the bits that the
- * floor drops never change: the walk subtracts u + 128 and never multiplies.
+ * A row holds the columns at a distance u from the centre with
+ * u^2 <= half_width2. That is radius^2 - v^2 for a circle, v the distance of
+ * the row; for an ellipse it is scaled (ellipse_walk.h). Each side is walked by
+ * Bresenham's scheme: the next column outwards belongs to it when
+ * d = floor((half_width2 - u^2) / 512) >= 0. From column to column u^2 grows by
+ * (u + 256)^2 - u^2 = 512 (u + 128), so the bits that the floor drops never
+ * change, and u + 128 is subtracted from d without a multiplication.
  *
- * The walk is bounded by the clip: it begins at the column of the clip that is
- * nearest to the centre and takes no column that is not visible. From row to
- * row the run changes by as many columns as the walk takes steps.
+ * Work is bounded by the clip: a side begins at the visible column nearest to
+ * the centre and has visible columns only. A row takes one step for each column
+ * by which it differs from the row before.
  *
  * The disc may be pulled apart: the left side around left_x, the right one
  * around right_x >= left_x, and all columns between them. Then half_width2 must
- * not be negative; in a plain disc a negative half_width2 gives an empty run.
+ * not be negative; in a plain disc a negative one gives an empty span.
  *
  * Ranges: |u| and |v| at most 2^25, |half_width2| below 2^52. */
 #ifndef PEL_ROUND_DISC_H
@@ -28,7 +27,7 @@
 
 struct pel_disc_side {
     int64_t d;      /* of the next column outwards */
-    int32_t u;      /* its distance */
+    int32_t u;      /* its distance, 1/256 px */
     int32_t center; /* 1/256 px */
 };
 
@@ -36,7 +35,7 @@ struct pel_disc {
     struct pel_disc_side left, right;
 };
 
-/* (v + 256)^2 - v^2: what one row further out takes from the half_width2. */
+/* (v + 256)^2 - v^2: the growth of v^2 by one row. */
 static inline int64_t pel_square_step(int32_t v)
 {
     return (int64_t)v * 512 + 65536;
@@ -49,23 +48,23 @@ static inline void pel_disc_center(struct pel_disc *disc, int32_t left_x,
     disc->right.center = right_x;
 }
 
-/* At a row with this half_width2, for the columns of `clip`; after the centre.
- */
+/* Starts at a row with this half_width2, in the columns of `clip`; call
+ * pel_disc_center first. */
 void pel_disc_start(struct pel_disc *disc, const struct pel_rect *clip,
                     int64_t half_width2);
 
-/* The visible run of the present row; the same clip as at the start. */
+/* The visible span of the row; the same clip as at the start. */
 void pel_disc_row(struct pel_disc *disc, const struct pel_rect *clip,
                   struct pel_span *span);
 
-/* Moves on to a row whose half_width2 is 512 * change greater. */
+/* Moves to a row whose half_width2 is larger by 512 * change. */
 static inline void pel_disc_step(struct pel_disc *disc, int32_t change)
 {
     disc->left.d += change;
     disc->right.d += change;
 }
 
-/* Moves on from a row with one half_width2 to a row with another. */
+/* Moves from a row with one half_width2 to a row with another. */
 void pel_disc_change(struct pel_disc *disc, int64_t from, int64_t to);
 
 #endif

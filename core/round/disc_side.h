@@ -1,5 +1,4 @@
-/* The walk of one side of a disc over columns (disc.h), for the two files that
- * make rows of it: disc.c, and circle.c. */
+/* Columns of one side of a disc (disc.h), for disc.c and circle.c. */
 #ifndef PEL_ROUND_DISC_SIDE_H
 #define PEL_ROUND_DISC_SIDE_H
 
@@ -26,9 +25,9 @@ static PEL_ALWAYS_INLINE void pel_disc_side_remove(int64_t *d, int32_t *u,
     }
 }
 
-/* Adds or takes columns until the side, d and u, is that of the present row; at
- * most `limit`, which are visible. Where d >= 0 none is to be taken (u >= 128
- * once there are columns): asking for both is less code. */
+/* Adds or removes columns until d and u are those of the row; at most `limit`
+ * columns. No column is removed when d >= 0 at the start (u >= 128 once there
+ * are columns); calling both is less code. */
 static PEL_ALWAYS_INLINE void pel_disc_side_adjust(int64_t *d, int32_t *u,
                                                    int32_t *columns,
                                                    int32_t limit)

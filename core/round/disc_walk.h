@@ -1,4 +1,4 @@
-/* The walk over the rows of a circle's disc (disc.h). */
+/* The rows of a disc around one centre (disc.h). */
 #ifndef PEL_ROUND_DISC_WALK_H
 #define PEL_ROUND_DISC_WALK_H
 
@@ -7,16 +7,15 @@
 struct pel_disc_walk {
     struct pel_disc disc; /* at row y */
     int32_t y, end;
-    int32_t v; /* distance of row y from the centre */
+    int32_t v; /* distance of row y from the centre, 1/256 px */
 };
 
-/* false: nothing is covered, or the circle is out of range. */
+/* false: nothing is covered, or the disc is out of range (PEL_ASSERT). */
 bool pel_disc_walk_start(struct pel_disc_walk *w,
                          const struct pel_point *center, int32_t radius,
                          const struct pel_rect *clip);
 
-/* What a step to the next row takes from the reach, in 512ths:
- * ((v + 256)^2 - v^2) / 512. */
+/* The loss of half_width2 on the step to the next row, in units of 512. */
 static inline int32_t pel_disc_walk_step(const struct pel_disc_walk *w)
 {
     return w->v + 128;

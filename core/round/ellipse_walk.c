@@ -12,8 +12,8 @@ static void add(struct pel_quotient *v, const struct pel_quotient *n,
     }
 }
 
-/* product = v n for n >= 0, without wider products or a division: by the bits
- * of n, highest first, what is there doubles and v joins. */
+/* product = v n for n >= 0, by doubling and adding from the highest bit of n
+ * down: no wider products, no division. */
 static void multiply(struct pel_quotient *product, const struct pel_quotient *v,
                      int64_t n, int64_t b2)
 {
@@ -37,7 +37,7 @@ static void negate(struct pel_quotient *v, int64_t b2)
     }
 }
 
-/* The quotients of row v. */
+/* Sets the quotients for the row at distance v. */
 static void row_start(struct pel_ellipse_walk *w, struct pel_point radius,
                       int32_t v)
 {

@@ -1,4 +1,4 @@
-/* The walk over the rows of a ring: that of a disc, and the disc inside. */
+/* The rows of a ring: a disc, and the hole inside. */
 #ifndef PEL_ROUND_RING_WALK_H
 #define PEL_ROUND_RING_WALK_H
 

@@ -8,8 +8,8 @@ static bool legal(const struct pel_rounded_shape *r)
            pel_radius_legal(r->radius);
 }
 
-/* The squared width of the corners in row y. The row lies v outside of the
- * rectangle of the centres, inside the whole one at most the radius. */
+/* half_width2 (disc.h) of the corners in row y; v, the distance of the row
+ * above or below their centres, is at most the radius. */
 static int64_t half_width2_at(const struct pel_rounded_walk *w, int32_t y)
 {
     int32_t center = pel_pixel_center(y), v = 0;

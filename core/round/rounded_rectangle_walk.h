@@ -1,5 +1,5 @@
-/* The walk over the rows of a rounded rectangle: a disc pulled apart (disc.h),
- * whose centres are the corners of a smaller rectangle. */
+/* The rows of a rounded rectangle: a disc pulled apart (disc.h) to the centres
+ * of the four corners. */
 #ifndef PEL_ROUND_ROUNDED_RECTANGLE_WALK_H
 #define PEL_ROUND_ROUNDED_RECTANGLE_WALK_H
 
@@ -11,7 +11,7 @@ struct pel_rounded_walk {
     int64_t half_width2;
     int32_t top, bottom; /* of the centres, 1/256 px */
     int32_t radius;
-    struct pel_rect visible; /* rows from y0 on are still to come */
+    struct pel_rect visible; /* the rows that are left */
 };
 
 /* false: nothing is covered, or the rectangle is out of range (PEL_ASSERT). */
