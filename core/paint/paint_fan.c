@@ -15,7 +15,7 @@ static uint64_t clamped(uint64_t value)
     return (uint64_t)(whole < 0 ? 0 : whole > 255 ? 255 : whole);
 }
 
-/* A run of n pixels from (x, y) on, and on small CPUs a channel there. */
+/* n pixels of a span, from (x, y) on; `at` is a channel there. */
 struct part {
     uint64_t at;
     int32_t x, y, n;
@@ -23,7 +23,7 @@ struct part {
 
 #if PEL_FAST_64BIT
 
-/* The colours of a run that stays in a triangle. */
+/* The colours of a part inside one triangle. */
 static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
                             pel_color *out)
 {
@@ -40,8 +40,8 @@ static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
     }
 }
 
-/* How many of n pixels, the first at `d` from the hub, lie in the triangle. To
- * the right by a pixel the cross products change by -256 times the ray's y. */
+/* How many of n pixels, the first at d from the hub, lie in the triangle. One
+ * pixel to the right the cross products change by -256 times the ray's y. */
 static int32_t pixels_inside(const struct pel_fan_triangle *t,
                              const struct pel_point *d, int32_t n)
 {
@@ -66,7 +66,7 @@ static PEL_WIDE void set_channel_at(struct part *r,
     r->at = t->at[k] + pel_times(t->dx[k], r->x) + pel_times(t->dy[k], r->y);
 }
 
-/* Its colours' channel k, while it stays in a triangle. */
+/* Channel k of the colours of a part inside one triangle. */
 static PEL_WIDE void put_channel(const struct part *r,
                                  const struct pel_fan_triangle *t, int k,
                                  pel_color *out)
@@ -85,8 +85,8 @@ static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
     }
 }
 
-/* For how many of n pixels, the first at `d` from the hub, the cross product
- * with a ray is at least `least`. */
+/* For how many of n pixels, the first at d from the hub, the cross product with
+ * a ray is at least `least`. */
 static PEL_WIDE int32_t pixels_beside(const struct pel_point *ray,
                                       const struct pel_point *d, int32_t least,
                                       int32_t n)
@@ -108,8 +108,8 @@ static int32_t pixels_inside(const struct pel_fan_triangle *t,
 
 #endif
 
-/* The triangle of a run's first pixel, looked for from triangle `i` on, and how
- * many pixels stay in it; 0 where there is none. */
+/* Sets *i to the triangle of the first pixel, searched from *i on; returns how
+ * many pixels stay in it, 0 when there is none. */
 static int32_t find_triangle(const struct pel_fan *p, const struct part *r,
                              int32_t *i)
 {
@@ -143,8 +143,8 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     }
 }
 
-/* From the hub to the point of the perimeter that is i-th clockwise, 0 <= i <=
- * n; the n-th is the 0-th again. Sets *color to its colour. */
+/* From the hub to the i-th point, clockwise, 0 <= i <= n; the n-th is the 0-th
+ * again. Sets *color to its colour. */
 static struct pel_point ray_of(const struct pel_fan_points *points, int turn,
                                int32_t i, pel_color *color)
 {
@@ -155,8 +155,8 @@ static struct pel_point ray_of(const struct pel_fan_points *points, int turn,
                               points->perimeter[i].y - points->hub.y};
 }
 
-/* Is the ray in the second half of the turn, from 1/2 up to 1? A point on the
- * hub is where the one before it was. */
+/* True for a ray in the second half of the turn, [1/2, 1). A point on the hub
+ * is where the one before was. */
 static bool is_late(const struct pel_point *ray, bool was)
 {
     if (ray->x == 0 && ray->y == 0)
@@ -164,8 +164,9 @@ static bool is_late(const struct pel_point *ray, bool was)
     return ray->y < 0 || (ray->y == 0 && ray->x < 0);
 }
 
-/* Does the perimeter go around the hub? 1 clockwise, -1 counter-clockwise, 0
- * not, or more than once: a round leaves the second half of the turn once. */
+/* The direction of the perimeter around the hub: 1 clockwise, -1
+ * counter-clockwise, 0 when it turns back or goes around more than once. Each
+ * time around it leaves the second half of the turn once. */
 static int turn_of_perimeter(const struct pel_fan_points *points)
 {
     int turn = 0, rounds = 0;
@@ -186,9 +187,10 @@ static int turn_of_perimeter(const struct pel_fan_points *points)
     return rounds > 1 ? 0 : turn;
 }
 
-/* Channel k of the plane with the values c at the hub and at the ends of the
- * triangle; below 2^34 / area a sub-pixel. The hub's pixel is the anchor: its
- * centre is known from the gradients to 2^-32, a pixel's step to as much. */
+/* Sets channel k: the plane with the values c at the hub and the two points.
+ * Gradients are below 2^34 / area steps a sub-pixel. The plane starts at the
+ * centre of the hub's pixel; its value there and the step of a pixel are known
+ * to 2^-32. */
 static void set_channel(struct pel_fan_triangle *t, const struct pel_fan *p,
                         int k, const int32_t c[3])
 {
@@ -216,8 +218,8 @@ static void set_channel(struct pel_fan_triangle *t, const struct pel_fan *p,
     t->at[k] -= (uint64_t)(int64_t)y * t->dy[k];
 }
 
-/* Does no triangle begin on the ray of the perimeter's i-th point? One does
- * when the next point in another direction is clockwise of it. */
+/* True when no triangle begins on the ray of the i-th point: the next point in
+ * another direction is not clockwise of it. */
 static bool is_last_ray(const struct pel_fan_points *points, int turn,
                         int32_t i)
 {

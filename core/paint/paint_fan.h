@@ -1,4 +1,5 @@
-/* A colour per vertex on polygons, circles and any other shape: a fan. */
+/* A colour per vertex on polygons, circles and any other shape: a triangle
+ * fan. */
 #ifndef PEL_PAINT_PAINT_FAN_H
 #define PEL_PAINT_PAINT_FAN_H
 
@@ -6,28 +7,26 @@
 
 /* A hub and a perimeter of n points around it, each with a colour. Between the
  * rays from the hub through two neighbours of the perimeter the colours are
- * those of the triangle of the three points, linear in x and y, and go on so
- * beyond the perimeter, each channel held at 0 and 255 (any colour where it
- * would go 2^31 steps beyond: slivers, seen from far off). So
+ * those of the triangle of the three points, linear in x and y, beyond the
+ * perimeter too, each channel clamped to 0..255 (any colour where it would be
+ * more than 2^31 steps beyond: slivers, seen from far off). So
  *  - a polygon whose corners are the perimeter is covered by n triangles with a
  *    colour at every vertex, without a seam;
- *  - a disc with a perimeter on its circle (pel_fan_perimeter) likewise:
- * between a chord and its arc the triangle goes on;
+ *  - a disc with the perimeter on its circle (pel_fan_perimeter) likewise;
  *  - three points around a hub that has their mean place and colour make the
  *    triangle with a colour per vertex itself. */
 struct pel_fan_points {
     struct pel_point hub;
     pel_color hub_color;
-    const struct pel_point *perimeter; /* clockwise or counter-clockwise, as
-                                    seen from the hub, once around */
-    const pel_color *colors;           /* of the perimeter */
+    const struct pel_point *perimeter; /* once around the hub, in either
+                                          direction */
+    const pel_color *colors;           /* one a point */
     int32_t n;                         /* 3..32,767 */
 };
 
-/* Sets the hub to the mean of the perimeter's points and colours, rounded: the
- * middle of regular polygons, and inside of all that are convex. perimeter,
- * colors and n are set; n < 1 is a broken contract: PEL_ASSERT, and the hub
- * stays. */
+/* Sets the hub to the mean of the points and colours, rounded: the middle of
+ * regular polygons, and inside of all that are convex. perimeter, colors and n
+ * are set; n < 1 is a broken contract: PEL_ASSERT, and the hub stays. */
 void pel_fan_set_hub(struct pel_fan_points *points);
 
 /* n points evenly around a circle, the first at the angle start (1/65,536
@@ -35,30 +34,29 @@ void pel_fan_set_hub(struct pel_fan_points *points);
 void pel_fan_perimeter(struct pel_point *perimeter, int32_t n,
                        struct pel_point center, int32_t radius, uint16_t start);
 
-/* What lies between a point of the perimeter and the next, its first ray
- * included. Channels, from blue to alpha, are at + x dx + y dy at pixel (x, y),
- * in 2^-32 steps modulo 2^64. */
+/* The triangle between a point of the perimeter and the next; its first ray is
+ * part of it. Channels, from blue to alpha, are at + x dx + y dy at pixel (x,
+ * y), in 2^-32 steps modulo 2^64. */
 struct pel_fan_triangle {
     struct pel_point from, to; /* from the hub to the two; 0 without area */
-    int32_t closed;            /* 1: the last ray too, for there is no next */
+    int32_t closed;            /* 1: the last ray too, as none follows */
     uint64_t at[4], dx[4], dy[4];
 };
 
 struct pel_fan {
     struct pel_color_paint base;
     struct pel_point hub;
-    pel_color hub_color;                      /* where there is no triangle */
+    pel_color hub_color;                      /* outside of all triangles */
     const struct pel_fan_triangle *triangles; /* n */
     int32_t n;
 };
 
 /* Channels are off by less than 2^-14 steps before they are rounded.
- * `triangles` is memory of the caller's for n of them, which must live as long
- * as the paint; the points need not. The hub may lie on an edge of the polygon
- * or be one of its corners: what lies outside there, between no two rays, has
- * the hub's colour. PEL_ERROR_NULL, PEL_ERROR_SIZE (n), PEL_ERROR_RANGE (a
- * point out of range, or the perimeter turns back as seen from the hub, or goes
- * around it twice). */
+ * `triangles` is memory of the caller for n of them, which must live as long as
+ * the paint; the points need not. The hub may lie on an edge of the polygon or
+ * be one of its corners: pixels between no two rays then have its colour.
+ * PEL_ERROR_NULL, PEL_ERROR_SIZE (n), PEL_ERROR_RANGE (a point out of range, or
+ * the perimeter turns back as seen from the hub, or goes around it twice). */
 enum pel_status pel_fan_init(struct pel_fan *paint,
                              const struct pel_fan_points *points,
                              struct pel_fan_triangle *triangles);

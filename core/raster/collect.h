@@ -1,13 +1,13 @@
-/* Collects the runs of a shape into batches for a paint: lines below one
- * another, or runs of one line. */
+/* Collects the spans of a shape into batches for a paint: one span a row in
+ * rows one below the other, or spans of one row. */
 #ifndef PEL_RASTER_COLLECT_H
 #define PEL_RASTER_COLLECT_H
 
 #include "../format/word.h"
 #include "paint.h"
 
-/* Runs of a batch: half on small CPUs, where what collects has a large state of
- * its own on the stack. */
+/* Spans of a batch: half on small CPUs, where the shapes that collect have a
+ * large state on the stack. */
 enum {
     PEL_COLLECT_ROWS = PEL_FAST_64BIT ? PEL_BATCH_ROWS : PEL_BATCH_ROWS / 2
 };
@@ -33,7 +33,8 @@ static PEL_ALWAYS_INLINE void pel_collect_end(struct pel_collector *c)
     c->spans.n = 0;
 }
 
-/* Can a run in line y join the batch? The second run decides its step. */
+/* True when a span in row y can join the batch; the second span sets its
+ * step. */
 static inline bool pel_collect_joins(struct pel_spans *r, int32_t y)
 {
     if (r->n == PEL_COLLECT_ROWS)
@@ -43,7 +44,7 @@ static inline bool pel_collect_joins(struct pel_spans *r, int32_t y)
     return y == r->y + r->n * r->step;
 }
 
-/* The pixels [x0, x1) of line y, x0 < x1, inside the clip. */
+/* Adds the pixels [x0, x1) of row y: not empty, inside the clip. */
 static inline void pel_collect(struct pel_collector *c, int32_t y, int32_t x0,
                                int32_t x1)
 {
@@ -54,7 +55,8 @@ static inline void pel_collect(struct pel_collector *c, int32_t y, int32_t x0,
     c->span[c->spans.n++] = (struct pel_span){x0, x1};
 }
 
-/* Of the pixels [x0, x1) of line y those inside the clip; y is. */
+/* Adds the pixels [x0, x1) of row y, as far as they are inside the clip; y
+ * is. */
 static inline void pel_collect_clipped(struct pel_collector *c, int32_t y,
                                        int32_t x0, int32_t x1)
 {

@@ -1,5 +1,5 @@
-/* The exact edge walk: for every row, the first pixel whose centre lies on an
- * edge or to the right of it.
+/* The exact walk of an edge: for every row, the first pixel whose centre lies
+ * on an edge or to the right of it.
  *
  * The rule. A pixel belongs to a shape when its centre is inside; a centre that
  * lies exactly on an edge belongs to the shape of which that edge is a top or a
@@ -24,8 +24,8 @@
  *
  * Ranges. |dx| < 2^24, 0 < dy < 2^24. t <= dy because the row lies below a and
  * above b, so |t q| <= |dx| + t < 2^25 and A fits 27 bits. 0 <= m < 2 dy: one
- * correction. What m is the floor of takes 33 bits, of which pel_edge_carry
- * keeps the last in a carry. So 32 bits carry the full range. */
+ * correction. The sum before that floor takes 33 bits, of which pel_edge_carry
+ * keeps the last in a carry. So 32 bits are enough for the full range. */
 #ifndef PEL_RASTER_EDGE_H
 #define PEL_RASTER_EDGE_H
 
@@ -81,9 +81,9 @@ static inline int32_t pel_floor_divide(int32_t dx, int32_t dy,
 
 #endif
 
-/* Moves k >= 0 rows down without walking them: k is added up from doubled
- * steps. k rows lie inside the edge, so |q| k < 2^17 + k, and the doubling that
- * comes after the last bit of k stays below 2^19. */
+/* Moves k >= 0 rows down in about log2(k) turns, by doubling the step. k rows
+ * lie inside the edge, so |q| k < 2^17 + k, and the doubling after the last bit
+ * of k stays below 2^19. */
 static inline void pel_edge_skip(struct pel_edge *e, int32_t k)
 {
     int32_t q = e->q, r = e->r;

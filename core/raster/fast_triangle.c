@@ -36,7 +36,7 @@ static struct pel_slope start_short(const struct pel_point *a,
 
 /* At most 4,095 rows: two divisions. The integer part of the first row's x and
  * the rest m are exact, as in edge.h; x starts in the middle of the interval
- * that m stands for, (m + 1/2) / dy, and the slope is rounded to the nearest.
+ * of m, (m + 1/2) / dy, and the slope is rounded to the nearest.
  * Exact while rows (rows + 1) < 2^24: then the sum of slope errors, half a step
  * of 2^-32 each, stays below half of 1 / dy, dy < 256 (rows + 1). */
 static struct pel_slope start_long(const struct pel_point *a,
@@ -55,8 +55,8 @@ static struct pel_slope start_long(const struct pel_point *a,
     return e;
 }
 
-/* Inside the clip, and so legal: a legal coordinate ends 1/256 px before the
- * edge of a clip that ends at 32,768. */
+/* True for a box inside the clip, whose vertices are then legal: a legal
+ * coordinate ends 1/256 px before a clip that ends at 32,768 px. */
 static bool inside(const struct pel_rect *clip, const struct pel_rect *box)
 {
     return box->x0 >= PEL_PX(clip->x0) && box->y0 >= PEL_PX(clip->y0) &&

@@ -1,8 +1,8 @@
 /* Triangles on 64-bit CPUs: an edge is one 32.32 number and one addition a row.
- * A paint that has a writer for the surface's format owns the row loop, so that
- * there is one indirect call per triangle. Only triangles that the clip does
- * not touch come here; coverage is the same as that of edge.h, pixel for pixel,
- * by the two bounds below. */
+ * A paint with a writer for the format of the surface has the loop over the
+ * rows, so that there is one indirect call per triangle. Only triangles inside
+ * the clip come here; coverage is exactly that of edge.h (bounds:
+ * fast_triangle.c). */
 #ifndef PEL_RASTER_FAST_TRIANGLE_H
 #define PEL_RASTER_FAST_TRIANGLE_H
 
@@ -22,7 +22,7 @@ struct pel_fast_triangle {
     int32_t y0, y1, y2;            /* first rows of top, middle, bottom */
 };
 
-/* A writer's walk down the rows; it lives in registers. */
+/* The rows of a triangle for the loop of a writer, in registers. */
 struct pel_fast_walk {
     struct pel_slope whole, half, lower;
     int32_t y, stop, end; /* stop: where the short edge ends */
@@ -40,7 +40,7 @@ static PEL_ALWAYS_INLINE struct pel_fast_walk pel_fast_walk_begin(
     return w;
 }
 
-/* The next row: n >= 0 pixels from x on, in the line at w->row. */
+/* Moves to the next row, at w->row: n >= 0 pixels from x on. */
 static PEL_ALWAYS_INLINE bool pel_fast_walk_next(struct pel_fast_walk *w,
                                                  int32_t *x, int32_t *n)
 {
@@ -60,8 +60,8 @@ static PEL_ALWAYS_INLINE bool pel_fast_walk_next(struct pel_fast_walk *w,
     return true;
 }
 
-/* From a pixel to the one below it that the walk will reach some rows on, in
- * bytes, going by the long edge. */
+/* Bytes from a pixel to the one that the long edge reaches `rows` rows below;
+ * for prefetches. */
 static inline uintptr_t pel_fast_walk_ahead(const struct pel_fast_walk *w,
                                             int rows, int pixel_bytes)
 {

@@ -14,9 +14,8 @@
 /* n 2^32 / area modulo 2^64, two's complement; n is nx or ny. */
 typedef uint64_t gradient;
 
-/* a is the topmost vertex, of equal ones the left one: the planes are anchored
- * there. Which of the others is b and which c changes the sign of numerators
- * and area alike, and so nothing. */
+/* The planes start at a, the topmost vertex, of two the left one. Swapping b
+ * and c changes nothing: numerators and area change their signs together. */
 struct setup {
     struct pel_point a, b, c;
     int64_t area;
@@ -43,8 +42,8 @@ static bool reciprocal_is_enough(const struct setup *s)
     return longer <= 1048576 && area >= (int64_t)16 * longer;
 }
 
-/* floor(n 2^32 / d) modulo 2^64, 0 <= n < 2^34, 0 < d < 2^50: the remainder and
- * its next digits, 1 or 8 bits of them, fit 2^58. */
+/* floor(n 2^32 / d) modulo 2^64, 0 <= n < 2^34, 0 < d < 2^50. The remainder
+ * times a digit of 1 or 8 bits fits 2^58. */
 #if PEL_FAST_64BIT
 static gradient divide(uint64_t n, uint64_t d)
 {
@@ -88,7 +87,7 @@ static void set_reciprocal(struct setup *s)
         s->area, (int64_t)((UINT64_C(1) << 63) / (area << zeros >> 32)));
 }
 #else
-/* From shift 0. */
+/* s->shift is 0 before. */
 static void set_reciprocal(struct setup *s)
 {
     uint64_t word = (uint64_t)(s->area < 0 ? -s->area : s->area);
@@ -112,7 +111,7 @@ static gradient by_reciprocal(const struct setup *s, int64_t n)
     return (gradient)(n * s->inverse >> (31 - s->shift));
 }
 
-/* Towards zero. */
+/* Rounds towards zero. */
 static gradient by_long_division(int64_t n, int64_t area)
 {
     gradient q =
@@ -125,10 +124,10 @@ static gradient gradient_of(const struct setup *s, int64_t n)
     return s->exact ? by_long_division(n, s->area) : by_reciprocal(s, n);
 }
 
-/* Channel k with the values a, b, c at the vertices. At the centre of A's pixel
- * the value is a plus the gradients times the offset there, -127..128
- * sub-pixels in x and y. From there back to pixel (0, 0). Bits 8..39 of
- * `offset` are what 32 bits of 8.24 need of it, and those are right modulo
+/* Sets channel k from its values at a, b, c. The value at the centre of a's
+ * pixel is that at a plus the gradients times the offset of the centre,
+ * -127..128 sub-pixels in x and y; from there the plane is traced back to pixel
+ * (0, 0). Bits 8..39 of the sum are the 32 bits of 8.24, and are right modulo
  * 2^64. */
 static PEL_WIDE void set_channel(struct pel_gouraud *p, const struct setup *s,
                                  int k, const int32_t value[3])

@@ -19,13 +19,13 @@ static inline bool pel_gouraud_opaque(const struct pel_gouraud *g)
     return g->at[3] >> 24 == 255 && (g->dx[3] | g->dy[3]) == 0;
 }
 
-/* PEL_ERROR_NULL, PEL_ERROR_RANGE (a vertex out of range).
- * The paint of a triangle with the colors c[i] at v[i]. The value at a pixel's
- * centre is off by at most (|x - x0| + |y - y0| + 1) 2^-17 steps of 255, (x0,
- * y0) the pixel of the topmost vertex, and never by more than 1/16 step before
- * it is rounded: at most 1 from the exactly rounded colour. Depends on the
- * vertices alone, not on their order, the clip or the band. A triangle without
- * area covers nothing and may get any colour. */
+/* Makes the paint of a triangle with the colours c[i] at v[i]. The value at a
+ * pixel's centre is off by at most (|x - x0| + |y - y0| + 1) 2^-17 steps of
+ * 255, (x0, y0) the pixel of the topmost vertex, and by at most 1/16 step
+ * before it is rounded: at most 1 from the exactly rounded colour. It depends
+ * on the vertices alone, not on their order, the clip or the band. A triangle
+ * without area covers nothing and may get any colour. PEL_ERROR_NULL,
+ * PEL_ERROR_RANGE (a vertex out of range). */
 enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
                                  const struct pel_point v[3],
                                  const pel_color c[3]);

@@ -4,8 +4,8 @@
 
 #include "gouraud_spans.h"
 
-/* Written out, like all that is done for every row here: compilers keep loops
- * over three channels, and the channels in memory. */
+/* Written out, as all work for a row here: compilers would keep a loop over
+ * three channels, and the channels in memory. */
 static PEL_ALWAYS_INLINE void at_column(const uint32_t start[3],
                                         const uint32_t dx[3], uint32_t x,
                                         uint32_t v[3])

@@ -38,7 +38,7 @@ static PEL_NOINLINE void fill_span_rgb565(const struct pel_gouraud *g,
                             v, &steps);
 }
 
-/* A format that has a writer of its own for opaque colours. */
+/* Fills an opaque span in a format that has a writer of its own; else false. */
 static bool fill_direct(const struct pel_gouraud *g,
                         const struct pel_surface *s, int32_t y,
                         const struct pel_span *span)
@@ -54,7 +54,7 @@ static bool fill_direct(const struct pel_gouraud *g,
     return true;
 }
 
-/* Any other, through a short buffer. */
+/* Other spans go through a short buffer. */
 void pel_gouraud_fill(const struct pel_paint *paint,
                       const struct pel_spans *spans)
 {

@@ -1,6 +1,5 @@
-/* Runs of opaque Gouraud colours straight into the formats that matter: the
- * channels stay in 8.24 registers and meet in the pixel. Same bytes as colours
- * that go through a format's pack. */
+/* Writers of opaque Gouraud spans in xrgb8888 and rgb565_le, with the channels
+ * in registers, as 8.24. The bytes are those of the formats' own pack. */
 #ifndef PEL_RASTER_GOURAUD_SPANS_H
 #define PEL_RASTER_GOURAUD_SPANS_H
 
@@ -36,7 +35,7 @@ static inline void pel_gouraud_step(uint32_t v[3], const uint32_t dx[3])
     v[2] += dx[2];
 }
 
-/* What the runs of one triangle share. */
+/* Steps of the channels, the same in all spans of a triangle. */
 struct pel_gouraud_steps {
     uint32_t dx[3];
 #if PEL_VECTORS
@@ -73,7 +72,7 @@ static inline pel_u32x4 pel_gouraud_xrgb4(pel_u32x4 b, pel_u32x4 g, pel_u32x4 r)
            UINT32_C(0xFF000000);
 }
 
-/* Fewer than 4 pixels of four; as pel_span32_short. */
+/* Stores the first n < 4 of four pixels, as pel_span32_short. */
 static inline void pel_gouraud_short_xrgb(pel_word32 *p, int32_t n,
                                           pel_u32x4 pixels)
 {
@@ -87,7 +86,7 @@ static inline void pel_gouraud_short_xrgb(pel_word32 *p, int32_t n,
     q[last] = four[last];
 }
 
-/* More than 8 pixels: the last eight overlap those before them. */
+/* Stores n > 8 pixels; the last eight overlap those before them. */
 static PEL_ALWAYS_INLINE void pel_gouraud_long_xrgb(
     pel_word32 *p, int32_t n, pel_u32x4 v[3], const struct pel_gouraud_steps *s)
 {
@@ -134,8 +133,8 @@ static PEL_ALWAYS_INLINE void pel_gouraud_span_xrgb(
                                               lane[2] + last * s->dx[2]));
 }
 
-/* Eight pixels from the lanes of pixels 0, 2, 4, 6, half a step before those of
- * 1, 3, 5, 7. */
+/* Eight pixels: the lanes hold pixels 0, 2, 4, 6, and one step further 1, 3, 5,
+ * 7. */
 static PEL_ALWAYS_INLINE pel_u32x4 pel_gouraud_rgb565x8(pel_u32x4 b,
                                                         pel_u32x4 g,
                                                         pel_u32x4 r,
@@ -150,7 +149,7 @@ static PEL_ALWAYS_INLINE pel_u32x4 pel_gouraud_rgb565x8(pel_u32x4 b,
     return low | high;
 }
 
-/* Fewer than 8 pixels of eight: two stores that may overlap. */
+/* Stores the first n < 8 of eight pixels, by two stores that may overlap. */
 static inline void pel_gouraud_short_rgb565(pel_word16 *p, int32_t n,
                                             pel_u32x4 pixels)
 {
@@ -203,8 +202,8 @@ static inline void pel_gouraud_span_xrgb(pel_word32 *p, int32_t n,
         *p++ = PEL_LE32(pel_gouraud_xrgb(v));
 }
 
-/* Channels and steps in variables of their own, four pixels a turn: so they
- * stay in registers, and the loop's own cost is shared. */
+/* Channels and steps have variables of their own, which stay in registers; four
+ * pixels a turn share the cost of the loop. */
 static inline void pel_gouraud_span_rgb565(pel_word16 *p, int32_t n,
                                            uint32_t v[3],
                                            const struct pel_gouraud_steps *s)

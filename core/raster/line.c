@@ -2,24 +2,23 @@
 
 #include "edge.h"
 
-/* Both cases are walks of an exact edge (edge.h), one run a row.
+/* A line is an exact edge (edge.h) with one span in each row.
  *
- * Flat lines are moved down by half a pixel, so that the walk's row y answers
- * for the boundary above row y: its x is where the run of row y begins. A
- * centre exactly on the boundary belongs to the row below, that is to the run
- * towards which x runs; so a line that runs left is walked in a mirror, where
- * pixel x is pixel -1 - x.
+ * Flat lines are moved down by half a pixel, so that row y of the edge is the
+ * boundary above row y: the span of row y begins at its x. A crossing exactly
+ * in a column's centre belongs to the row below, that is to the next span; so a
+ * line that goes left is mirrored, pixel x to pixel -1 - x.
  *
  * Steep lines have the pixel floor(X / 256) in a row, X the line's x at the
- * row's centre: that is -ceil((128 - X - 128) / 256), the walk of -X + 128. */
+ * row's centre: that is -ceil((128 - X - 128) / 256), the edge of -X + 128. */
 struct walk {
     struct pel_rect p; /* pixels (x0, y0) to (x1, y1), downwards */
     struct pel_edge edge;
-    int32_t x; /* flat: where the run of the present row begins */
+    int32_t x; /* flat: begin of the span in this row */
     bool flat, mirrored;
 };
 
-/* A flat line from row y on; the boundary at hand is the one below. */
+/* Starts a flat line at row y, with the edge at the boundary below it. */
 static void start_flat(struct walk *w, int32_t y)
 {
     const struct pel_rect *p = &w->p;
@@ -58,7 +57,7 @@ static PEL_NOINLINE void start(struct walk *w, int32_t y)
         start_steep(w, y);
 }
 
-/* The run of row y, and on to the next row. */
+/* Sets the span of row y and moves on to the next row. */
 static PEL_WALK void next_span(struct walk *w, int32_t y, struct pel_span *span)
 {
     int32_t x = -w->edge.x, next = x + 1;
@@ -72,7 +71,7 @@ static PEL_WALK void next_span(struct walk *w, int32_t y, struct pel_span *span)
     pel_edge_next(&w->edge);
 }
 
-/* Rows [y, end) of the walk, clipped. */
+/* Paints rows [y, end), clipped. */
 static void fill(struct walk *w, const struct pel_surface *surface, int32_t y,
                  int32_t end, const struct pel_paint *paint)
 {

@@ -1,10 +1,10 @@
-/* Paints: what colours the pixels of a shape.
+/* Paints colour the pixels of shapes.
  *
- * A paint is a const struct whose first member is a struct pel_paint; shapes
- * hand it their rows, and it colours them as a function of absolute x and y
- * alone. It has no state, so one paint serves any number of shapes, threads
- * and bands, and it may live in flash. A program adds a paint of its own by
- * writing a fill function (examples/user_paint.c). */
+ * A paint is a const struct whose first member is a struct pel_paint. Shapes
+ * give it their spans, and it colours them as a function of absolute x and y
+ * alone. It has no state: one paint serves any number of shapes, threads and
+ * bands, and may be in flash. A program adds a paint of its own by writing a
+ * fill function (examples/user_paint.c). */
 #ifndef PEL_RASTER_PAINT_H
 #define PEL_RASTER_PAINT_H
 
@@ -15,12 +15,12 @@ struct pel_paint;
 struct pel_fast_triangle;
 
 struct pel_paint {
-    /* Colours every run of `rows`. Required. */
+    /* Colours every span of `spans`. Required. */
     void (*fill)(const struct pel_paint *paint, const struct pel_spans *spans);
 
-    /* May colour a whole triangle that is not clipped, in its own row loop
-     * (raster/fast_triangle.h); false when it did nothing. May be NULL, and is
-     * not called where PEL_FAST_64BIT is 0. */
+    /* Colours a whole triangle that is not clipped, in its own loop over the
+     * rows (raster/fast_triangle.h), or returns false and does nothing. May be
+     * NULL; not called where PEL_FAST_64BIT is 0. */
     bool (*fast)(const struct pel_paint *paint,
                  const struct pel_surface *surface,
                  const struct pel_fast_triangle *triangle);
@@ -60,8 +60,9 @@ bool pel_flat_fast(const struct pel_paint *paint,
                    const struct pel_surface *surface,
                    const struct pel_fast_triangle *triangle);
 
-/* For fill functions: n >= 1 colours over the pixels from (x, y) on, each
- * weighted by its own alpha. A fill-only twin cannot: a broken contract. */
+/* For fill functions: puts n >= 1 colours on the pixels from (x, y) on, each
+ * weighted by its own alpha. A fill-only format has no `put`: a broken
+ * contract. */
 static inline void pel_put_colors(const struct pel_surface *surface, int32_t x,
                                   int32_t y, int32_t n, const pel_color *colors)
 {

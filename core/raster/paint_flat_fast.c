@@ -7,7 +7,7 @@
 #include "../format/span16.h"
 #include "../format/span32.h"
 
-/* Low triangles find their few rows in the cache, or do not wait long. */
+/* In lower triangles prefetches cost more than they gain. */
 enum { ROWS_WORTH_PREFETCHING = 128, ROWS_AHEAD = 4 };
 
 static void fill32(const struct pel_surface *s,
@@ -51,8 +51,7 @@ static bool fill(const struct pel_surface *s, const struct pel_fast_triangle *t,
 
 #if PEL_VECTORS
 
-/* A function of its own: inlined beside the others it takes registers from
- * fill16 (clang). */
+/* Not inlined: beside the others it takes registers from fill16 (clang). */
 static PEL_NOINLINE void blend32(const struct pel_surface *s,
                                  const struct pel_fast_triangle *t,
                                  pel_color color)
@@ -75,7 +74,7 @@ static void blend565(const struct pel_surface *s,
         pel_blend565_run((pel_word16 *)(w.row + 2 * (uintptr_t)x), n, &b);
 }
 
-/* By layout, which only the ids of core's own formats tell. */
+/* Chosen by id, which tells the layout of core's own formats. */
 static bool blend(const struct pel_surface *s,
                   const struct pel_fast_triangle *t, pel_color color)
 {

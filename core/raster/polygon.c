@@ -96,14 +96,14 @@ static PEL_NOINLINE void heap_sort(struct sweep *w, int32_t count, enum key key)
     }
 }
 
-/* Sides that begin in row y join those that cross it. */
+/* Sides that begin in row y become active. */
 static PEL_WIDE void enter(struct sweep *w, int32_t y)
 {
     while (w->next < w->count && first_of(w, w->next) == y)
         swap(&w->order[w->active++], &w->order[w->next++]);
 }
 
-/* From row to row few sides change places: insertion sort, which gives up when
+/* Insertion sort, as few sides change places from row to row; heap sort when
  * many begin or cross. */
 static PEL_WIDE void sort_by_x(struct sweep *w)
 {
@@ -121,7 +121,8 @@ static PEL_WIDE void sort_by_x(struct sweep *w)
     }
 }
 
-/* A run lasts from where the outline is entered to where it is left. */
+/* A span reaches from the side that enters the polygon to the one that leaves
+ * it. */
 static void emit_row(const struct sweep *w, struct pel_collector *c, int32_t y)
 {
     int32_t winding = 0, start = 0;
@@ -136,7 +137,7 @@ static void emit_row(const struct sweep *w, struct pel_collector *c, int32_t y)
     }
 }
 
-/* Moves on to row y; sides that end there leave. */
+/* Moves on to row y; sides that end there are dropped. */
 static PEL_NOINLINE void advance(struct sweep *w, int32_t y)
 {
     int32_t kept = 0;

@@ -12,10 +12,10 @@ struct pel_thick_line_shape {
 /* The four corners: from + n, to + n, to - n, from - n, where n is the vector
  * (-(to.y - from.y), to.x - from.x) * width / (2 length), rounded to the
  * nearest sub-pixel (away from 0 at a tie; the length is floored to 31 binary
- * digits). So each corner is within one sub-pixel of where a ruler would put
- * it, and the ends swapped give the same four corners. All four lie on the line
- * when it has no length or no width. false when the line or one of its corners
- * is out of range: the ends keep half a width from the end of the range. */
+ * digits). So each corner is within one sub-pixel of its exact place, and the
+ * ends swapped give the same four corners. All four lie on the line when it has
+ * no length or no width. false when the line or one of its corners is out of
+ * range. */
 bool pel_thick_line_corners(const struct pel_thick_line_shape *line,
                             struct pel_point v[4]);
 

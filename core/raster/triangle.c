@@ -4,22 +4,22 @@
 #include "fast_triangle.h"
 #include "triangle_sort.h"
 
-/* A triangle on its way down: the long edge, from top to bottom, and opposite
- * of it a short one, from p[0] to p[1] and then from p[1] to p[2]. */
+/* The edges of a triangle in a row: the long one, from top to bottom, and
+ * opposite a short one, from p[0] to p[1] and then from p[1] to p[2]. */
 struct walk {
     struct pel_edge long_edge, short_edge;
     const struct pel_point **to; /* where the short edge ends */
     int32_t end;                 /* the row below it */
 };
 
-/* A batch of rows, and its columns one by one. */
+/* A batch of spans, and the same as numbers: x0 and x1 of each. */
 union batch {
     struct pel_span span[PEL_BATCH_ROWS];
     int32_t x[PEL_BATCH_ROWS * 2];
 };
 
-/* A batch is walked edge by edge, so that the state of one edge stays in
- * registers: each into its column of the rows. */
+/* Writes x of an edge in n rows to every other number of a batch. Edges are
+ * walked one by one, so that the state of one stays in registers. */
 static PEL_WALK void walk_edge(struct pel_edge *edge, int32_t *x, int32_t n)
 {
     struct pel_edge e = *edge;
@@ -40,7 +40,7 @@ static void start_short(struct walk *w, const struct pel_point **to, int32_t y)
     pel_edge_start(&w->short_edge, to[-1], to[0], y);
 }
 
-/* n > 0 rows from y on, in which one short edge may follow the other. */
+/* Walks n > 0 rows from y on, in which one short edge may follow the other. */
 static void walk_short(struct walk *w, int32_t y, int32_t *x, int32_t n)
 {
     for (;;) {
@@ -55,8 +55,8 @@ static void walk_short(struct walk *w, int32_t y, int32_t *x, int32_t n)
     }
 }
 
-/* Both edges follow one formula, so which of them is the left one can be
- * decided here: a row is [min, max) of the two, inside the clip. */
+/* Makes a span, inside the clip, of the two edges in any order: both follow one
+ * formula. */
 static void order_and_clip(struct pel_span *span, int32_t n,
                            const struct pel_rect *clip)
 {
@@ -69,8 +69,8 @@ static void order_and_clip(struct pel_span *span, int32_t n,
     } while (--n);
 }
 
-/* The column of the long edge, and whether the rows must be tidied: that is a
- * matter of speed alone. */
+/* Side of the long edge. UNKNOWN: spans must be ordered and clipped, which
+ * changes the speed alone. */
 enum side { LEFT, RIGHT, UNKNOWN };
 
 #if PEL_KNOW_SIDES
@@ -84,8 +84,9 @@ static bool legal(const struct pel_point v[3])
            0;
 }
 
-/* Right of the long edge lies a middle vertex that is right of both others, or
- * by the sign of a cross product, as far as that fits 32 bits. */
+/* The long edge is right of a middle vertex that is left of both others.
+ * Between them a cross product decides, if it fits 32 bits. A triangle that the
+ * clip cuts at a side is UNKNOWN. */
 static enum side side_of(const struct pel_point *const p[3],
                          const struct pel_rect *clip)
 {

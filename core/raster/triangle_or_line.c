@@ -11,8 +11,8 @@ int64_t pel_triangle_area(const struct pel_point v[3])
            pel_product(v[2].x - v[0].x, v[1].y - v[0].y);
 }
 
-/* The extreme vertices of a triangle without area; false when it has one, or is
- * out of range. A function of its own, for the sake of the stack. */
+/* Sets the extreme vertices of a triangle without area; false when it has one,
+ * or is out of range. Not inlined, to save stack. */
 static PEL_WIDE bool line_of(const struct pel_point v[3],
                              struct pel_point ends[2])
 {

@@ -1,5 +1,5 @@
-/* Vertices from top to bottom; the first thing that every triangle does, so
- * that their order in the call changes nothing. */
+/* Sorts vertices from top to bottom, so that their order in a call changes
+ * nothing. */
 #ifndef PEL_RASTER_TRIANGLE_SORT_H
 #define PEL_RASTER_TRIANGLE_SORT_H
 
@@ -14,7 +14,7 @@ static inline void pel_swap_points(const struct pel_point **a,
     *b = t;
 }
 
-/* By height alone: enough where only edges matter. */
+/* By y alone: enough where only edges matter. */
 static inline void pel_sort_rows(const struct pel_point *p[3])
 {
     const struct pel_point *a = p[0], *b = p[1], *c = p[2];
@@ -29,8 +29,8 @@ static inline void pel_sort_rows(const struct pel_point *p[3])
     p[2] = c;
 }
 
-/* By height, and from left to right at one height. 64-bit CPUs compare both as
- * one number, without a branch that cannot be predicted. */
+/* By y, and by x at one y. 64-bit CPUs compare both as one number, without a
+ * branch that cannot be predicted. */
 #if PEL_FAST_64BIT
 static inline bool pel_above(const struct pel_point *a,
                              const struct pel_point *b)
@@ -46,8 +46,8 @@ static inline bool pel_above(const struct pel_point *a,
 }
 #endif
 
-/* A point as a number that sorts like that: minimum and maximum need no branch,
- * and the order of random vertices cannot be predicted. */
+/* A point as a number with the order of pel_above: minimum and maximum of two
+ * need no branch. */
 static inline int64_t pel_point_key(const struct pel_point *p)
 {
     return p->y * INT64_C(4294967296) + (int64_t)((uint32_t)p->x ^ 0x80000000u);
