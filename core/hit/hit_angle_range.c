@@ -20,10 +20,9 @@ static int32_t eighth_of(struct pel_point d)
     return eighth + (d.y >= d.x);
 }
 
-/* True when the direction d lies on the ray of an angle or clockwise of it, up
- * to angle 0. Directions lie in the eighths of their angles, so the ray itself
- * is needed in its own eighth only, where the two are less than a quarter turn
- * apart. */
+/* True when d lies on the ray of an angle or clockwise of it, up to angle 0.
+ * Rays lie in the eighths of their angles, so the ray itself is needed in its
+ * own eighth only, where the two are less than a quarter turn apart. */
 static bool is_behind(struct pel_point d, uint16_t turn)
 {
     const int32_t eighth = eighth_of(d), of_ray = turn >> 13;

@@ -2,9 +2,8 @@
 
 #include "hit_pixel.h"
 
-/* True when a lies in 0 to length, which may be negative, and b is b1 a /
- * length rounded to the nearest, a tie up. a is along the longer side: |b1| <=
- * |length| < 2^16. */
+/* True when b is b1 a / length rounded to the nearest, a tie up, and a is in 0
+ * to length, which may be negative. |b1| <= |length| < 2^16. */
 static bool on_line(int32_t a, int32_t b, int32_t length, int32_t b1)
 {
     if (length < 0) {

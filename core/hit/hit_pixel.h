@@ -14,8 +14,7 @@ static inline bool pel_hit_pixel(int32_t x, int32_t y, struct pel_point *p)
     return true;
 }
 
-/* True in the closed disc; its square comes first, since most pixels are
- * outside. */
+/* True in the closed disc; most pixels are outside of its square. */
 static inline bool pel_hit_disc(struct pel_point p, struct pel_point center,
                                 int32_t radius)
 {

@@ -21,9 +21,9 @@ static bool in_box(struct pel_point p, struct pel_point a, struct pel_point b,
            p.y <= pel_max(a.y, b.y) + margin;
 }
 
-/* Decides for most points without the length of the line, which lies between
- * the larger of |dx| and |dy| and their sum. cross and dot are the length times
- * the distances of p from the line and along it. */
+/* Decides without the length of the line, which lies between the larger of |dx|
+ * and |dy| and their sum. cross and dot are the distances of p from the line
+ * and along it, times the length. */
 static enum place place_of(const struct pel_thick_line_shape *line,
                            struct pel_point p)
 {

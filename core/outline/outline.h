@@ -1,8 +1,7 @@
-/* Outlines one pixel wide: the pixels of a shape's fill that have a neighbour
- * (left, right, above or below) outside of the shape. So an outline stays
- * inside the fill and is as symmetric. outline_filter.h makes outlines of all
- * other shapes. The edge of the clip is no outline. Ranges and errors are those
- * of the fills. */
+/* Outlines one pixel wide: the pixels of a fill that have a neighbour (left,
+ * right, above or below) outside of the shape. An outline lies inside the fill
+ * and is as symmetric. Other shapes: outline_filter.h. The edge of the clip is
+ * no outline. Ranges and errors are those of the fills. */
 #ifndef PEL_OUTLINE_OUTLINE_H
 #define PEL_OUTLINE_OUTLINE_H
 
@@ -37,7 +36,7 @@ void pel_arc_outline(const struct pel_surface *surface,
                      const struct pel_sector_shape *sector,
                      const struct pel_paint *paint);
 
-/* Scratch memory as for pel_polygon, but of this size: about 48 n bytes and a
+/* Scratch memory as for pel_polygon, of another size: about 48 n bytes and a
  * struct pel_outline_filter. */
 size_t pel_polygon_outline_scratch_size(int32_t n);
 enum pel_status pel_polygon_outline(const struct pel_surface *surface,

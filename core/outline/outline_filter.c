@@ -3,11 +3,10 @@
 #include "../format/word.h"
 
 /* Sets the next part of the outline in the middle row, perhaps empty: of a span
- * all but its inside, which is the span without both end pixels as far as spans
- * above and below cover it. The three rows are walked once: a span above or
- * below that reaches the end of this span stays for the next one. x is the end
- * of the inside found last, so that the same inside is empty when it is found
- * again. */
+ * all but its inside, the pixels not at its ends that spans above and below
+ * cover. The three rows are walked once: a span above or below that reaches the
+ * end of this span stays for the next one. x is where the last inside ends, so
+ * that the same one is empty when it is found again. */
 static bool next_part(struct pel_outline_filter *r, struct pel_span *part)
 {
     const struct pel_outline_spans *above = &r->row[0], *below = &r->row[2];
@@ -103,31 +102,30 @@ static void filter_fill(const struct pel_paint *paint,
     }
 }
 
-bool pel_outline_filter_begin(struct pel_outline_filter *filter,
+bool pel_outline_filter_begin(struct pel_outline_filter *f,
                               const struct pel_surface *surface,
                               const struct pel_paint *paint,
                               struct pel_span *memory, int32_t spans)
 {
     if (pel_rect_empty(&surface->clip))
         return false;
-    filter->paint = (struct pel_paint){.fill = filter_fill};
-    filter->surface = *surface;
-    filter->surface.clip.x0--;
-    filter->surface.clip.y0--;
-    filter->surface.clip.x1++;
-    filter->surface.clip.y1++;
-    filter->capacity = spans / 3;
+    f->paint = (struct pel_paint){.fill = filter_fill};
+    f->surface = *surface;
+    f->surface.clip.x0--;
+    f->surface.clip.y0--;
+    f->surface.clip.x1++;
+    f->surface.clip.y1++;
+    f->capacity = spans / 3;
     for (int k = 0; k < 3; k++)
-        filter->row[k] =
-            (struct pel_outline_spans){memory + k * filter->capacity, 0};
-    filter->y = filter->surface.clip.y0;
-    filter->at[1] = 0; /* the first step sets the other two and x */
-    filter->out = paint;
-    filter->spans = (struct pel_spans){surface, filter->part, 0, 0, 0};
+        f->row[k] = (struct pel_outline_spans){memory + k * f->capacity, 0};
+    f->y = f->surface.clip.y0;
+    f->at[1] = 0; /* the first step sets the other two and x */
+    f->out = paint;
+    f->spans = (struct pel_spans){surface, f->part, 0, 0, 0};
     return true;
 }
 
-void pel_outline_filter_end(struct pel_outline_filter *filter)
+void pel_outline_filter_end(struct pel_outline_filter *f)
 {
-    advance(filter, filter->y + 2);
+    advance(f, f->y + 2);
 }

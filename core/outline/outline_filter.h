@@ -48,11 +48,11 @@ struct pel_outline_filter {
 
 /* `spans` is the size of memory, a multiple of 3; the caller may use it again
  * after the end. false: nothing can be covered, and no end is needed. */
-bool pel_outline_filter_begin(struct pel_outline_filter *filter,
+bool pel_outline_filter_begin(struct pel_outline_filter *f,
                               const struct pel_surface *surface,
                               const struct pel_paint *paint,
                               struct pel_span *memory, int32_t spans);
 
-void pel_outline_filter_end(struct pel_outline_filter *filter);
+void pel_outline_filter_end(struct pel_outline_filter *f);
 
 #endif

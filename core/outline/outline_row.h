@@ -1,7 +1,6 @@
 /* Outlines of shapes with one span in each row. The shape is walked with a clip
- * one pixel larger than that of the surface. The inside of a row is left out:
- * its span without both end pixels, as far as the spans above and below cover
- * it. */
+ * one pixel larger than that of the surface. The inside of a span is left out:
+ * all but both end pixels, where the spans above and below cover it. */
 #ifndef PEL_OUTLINE_OUTLINE_ROW_H
 #define PEL_OUTLINE_OUTLINE_ROW_H
 

@@ -187,10 +187,9 @@ static int turn_of_perimeter(const struct pel_fan_points *points)
     return rounds > 1 ? 0 : turn;
 }
 
-/* Sets channel k: the plane with the values c at the hub and the two points.
- * Gradients are below 2^34 / area steps a sub-pixel. The plane starts at the
- * centre of the hub's pixel; its value there and the step of a pixel are known
- * to 2^-32. */
+/* Sets channel k, the plane with the values c at the hub and the two points;
+ * gradients are below 2^34 / area steps a sub-pixel. It starts at the centre of
+ * the hub's pixel, with errors of 2^-32 there and in the step of a pixel. */
 static void set_channel(struct pel_fan_triangle *t, const struct pel_fan *p,
                         int k, const int32_t c[3])
 {
@@ -255,10 +254,9 @@ static void set_triangle(struct pel_fan_triangle *t, const struct pel_fan *p,
 
 enum pel_status pel_fan_init(struct pel_fan *paint,
                              const struct pel_fan_points *points,
-                             struct pel_fan_triangle *triangles)
+                             struct pel_fan_triangle *memory)
 {
-    if (!paint || !points || !points->perimeter || !points->colors ||
-        !triangles)
+    if (!paint || !points || !points->perimeter || !points->colors || !memory)
         return PEL_ERROR_NULL;
     if (points->n < 3 || points->n > 32767)
         return PEL_ERROR_SIZE;
@@ -274,9 +272,9 @@ enum pel_status pel_fan_init(struct pel_fan *paint,
     pel_color_paint_init(&paint->base, colors, pel_alpha(all) == 255);
     paint->hub = points->hub;
     paint->hub_color = points->hub_color;
-    paint->triangles = triangles;
+    paint->triangles = memory;
     paint->n = points->n;
     for (int32_t i = 0; i < points->n; i++)
-        set_triangle(&triangles[i], paint, points, turn, i);
+        set_triangle(&memory[i], paint, points, turn, i);
     return PEL_OK;
 }

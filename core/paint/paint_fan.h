@@ -1,5 +1,4 @@
-/* A colour per vertex on polygons, circles and any other shape: a triangle
- * fan. */
+/* A triangle fan: a colour per vertex on polygons, circles and other shapes. */
 #ifndef PEL_PAINT_PAINT_FAN_H
 #define PEL_PAINT_PAINT_FAN_H
 
@@ -18,8 +17,7 @@
 struct pel_fan_points {
     struct pel_point hub;
     pel_color hub_color;
-    const struct pel_point *perimeter; /* once around the hub, in either
-                                          direction */
+    const struct pel_point *perimeter; /* once around the hub */
     const pel_color *colors;           /* one a point */
     int32_t n;                         /* 3..32,767 */
 };
@@ -31,8 +29,8 @@ void pel_fan_set_hub(struct pel_fan_points *points);
 
 /* n points evenly around a circle, the first at the angle start (1/65,536
  * turns), clockwise; n > 0. */
-void pel_fan_perimeter(struct pel_point *perimeter, int32_t n,
-                       struct pel_point center, int32_t radius, uint16_t start);
+void pel_fan_perimeter(struct pel_point *v, int32_t n, struct pel_point center,
+                       int32_t radius, uint16_t start);
 
 /* The triangle between a point of the perimeter and the next; its first ray is
  * part of it. Channels, from blue to alpha, are at + x dx + y dy at pixel (x,
@@ -51,14 +49,14 @@ struct pel_fan {
     int32_t n;
 };
 
-/* Channels are off by less than 2^-14 steps before they are rounded.
- * `triangles` is memory of the caller for n of them, which must live as long as
- * the paint; the points need not. The hub may lie on an edge of the polygon or
- * be one of its corners: pixels between no two rays then have its colour.
- * PEL_ERROR_NULL, PEL_ERROR_SIZE (n), PEL_ERROR_RANGE (a point out of range, or
- * the perimeter turns back as seen from the hub, or goes around it twice). */
+/* Channels are off by less than 2^-14 steps before they are rounded. `memory`
+ * is of the caller, for n triangles, and must live as long as the paint; the
+ * points need not. The hub may lie on an edge of the polygon or be one of its
+ * corners: pixels between no two rays then have its colour. PEL_ERROR_NULL,
+ * PEL_ERROR_SIZE (n), PEL_ERROR_RANGE (a point out of range, or the perimeter
+ * turns back as seen from the hub, or goes around it twice). */
 enum pel_status pel_fan_init(struct pel_fan *paint,
                              const struct pel_fan_points *points,
-                             struct pel_fan_triangle *triangles);
+                             struct pel_fan_triangle *memory);
 
 #endif

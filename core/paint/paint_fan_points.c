@@ -28,15 +28,13 @@ void pel_fan_set_hub(struct pel_fan_points *points)
         points->hub_color |= (pel_color)mean(channel[k], points->n) << 8 * k;
 }
 
-void pel_fan_perimeter(struct pel_point *perimeter, int32_t n,
-                       struct pel_point center, int32_t radius, uint16_t start)
+void pel_fan_perimeter(struct pel_point *v, int32_t n, struct pel_point center,
+                       int32_t radius, uint16_t start)
 {
     for (int32_t i = 0; i < n; i++) {
         uint32_t turn = start + (uint32_t)((int64_t)i * 65536 / n);
         struct pel_point d = pel_direction((uint16_t)turn);
-        perimeter[i].x =
-            center.x + mean((int64_t)d.x * radius, PEL_DIRECTION_ONE);
-        perimeter[i].y =
-            center.y + mean((int64_t)d.y * radius, PEL_DIRECTION_ONE);
+        v[i].x = center.x + mean((int64_t)d.x * radius, PEL_DIRECTION_ONE);
+        v[i].y = center.y + mean((int64_t)d.y * radius, PEL_DIRECTION_ONE);
     }
 }

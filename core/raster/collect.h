@@ -6,8 +6,8 @@
 #include "../format/word.h"
 #include "paint.h"
 
-/* Spans of a batch: half on small CPUs, where the shapes that collect have a
- * large state on the stack. */
+/* Spans of a batch: half on small CPUs, where shapes that collect need stack.
+ * */
 enum {
     PEL_COLLECT_ROWS = PEL_FAST_64BIT ? PEL_BATCH_ROWS : PEL_BATCH_ROWS / 2
 };
@@ -33,8 +33,7 @@ static PEL_ALWAYS_INLINE void pel_collect_end(struct pel_collector *c)
     c->spans.n = 0;
 }
 
-/* True when a span in row y can join the batch; the second span sets its
- * step. */
+/* True when a span in row y can join; the second one sets the step. */
 static inline bool pel_collect_joins(struct pel_spans *r, int32_t y)
 {
     if (r->n == PEL_COLLECT_ROWS)
@@ -55,8 +54,7 @@ static inline void pel_collect(struct pel_collector *c, int32_t y, int32_t x0,
     c->span[c->spans.n++] = (struct pel_span){x0, x1};
 }
 
-/* Adds the pixels [x0, x1) of row y, as far as they are inside the clip; y
- * is. */
+/* Adds [x0, x1) as far as it is inside the clip, as row y must be. */
 static inline void pel_collect_clipped(struct pel_collector *c, int32_t y,
                                        int32_t x0, int32_t x1)
 {

@@ -1,6 +1,5 @@
-/* Spans of one row, cut by holes and angles, for a paint. It takes less stack
- * than a batch of rows (collect.h), in shapes that walk several boundaries at
- * once. */
+/* Spans of one row, cut by holes and angles, for a paint. On the stack it is
+ * smaller than a batch of rows (collect.h). */
 #ifndef PEL_RASTER_CUT_H
 #define PEL_RASTER_CUT_H
 

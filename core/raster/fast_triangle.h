@@ -1,8 +1,7 @@
 /* Triangles on 64-bit CPUs: an edge is one 32.32 number and one addition a row.
- * A paint with a writer for the format of the surface has the loop over the
- * rows, so that there is one indirect call per triangle. Only triangles inside
- * the clip come here; coverage is exactly that of edge.h (bounds:
- * fast_triangle.c). */
+ * A paint that can write the format of the surface loops over the rows, so that
+ * there is one indirect call per triangle. Only triangles inside the clip come
+ * here; coverage is exactly that of edge.h (proof: fast_triangle.c). */
 #ifndef PEL_RASTER_FAST_TRIANGLE_H
 #define PEL_RASTER_FAST_TRIANGLE_H
 
@@ -60,8 +59,7 @@ static PEL_ALWAYS_INLINE bool pel_fast_walk_next(struct pel_fast_walk *w,
     return true;
 }
 
-/* Bytes from a pixel to the one that the long edge reaches `rows` rows below;
- * for prefetches. */
+/* Bytes from a pixel to the one that the long edge reaches `rows` below. */
 static inline uintptr_t pel_fast_walk_ahead(const struct pel_fast_walk *w,
                                             int rows, int pixel_bytes)
 {

@@ -124,11 +124,10 @@ static gradient gradient_of(const struct setup *s, int64_t n)
     return s->exact ? by_long_division(n, s->area) : by_reciprocal(s, n);
 }
 
-/* Sets channel k from its values at a, b, c. The value at the centre of a's
- * pixel is that at a plus the gradients times the offset of the centre,
- * -127..128 sub-pixels in x and y; from there the plane is traced back to pixel
- * (0, 0). Bits 8..39 of the sum are the 32 bits of 8.24, and are right modulo
- * 2^64. */
+/* Sets channel k from its values at a, b, c. At the centre of a's pixel the
+ * value is that at a plus the gradients times the offset, -127..128 sub-pixels
+ * in x and y; from there the plane is traced back to pixel (0, 0). Bits 8..39
+ * of `sum` are the 32 bits of 8.24, and are right modulo 2^64. */
 static PEL_WIDE void set_channel(struct pel_gouraud *p, const struct setup *s,
                                  int k, const int32_t value[3])
 {
@@ -138,13 +137,12 @@ static PEL_WIDE void set_channel(struct pel_gouraud *p, const struct setup *s,
     gradient gy = gradient_of(s, (int64_t)c * (s->b.x - s->a.x) -
                                      (int64_t)b * (s->c.x - s->a.x));
     const int32_t x = pel_pixel_of(s->a.x), y = pel_pixel_of(s->a.y);
-    gradient offset = gx * (gradient)(int64_t)(pel_pixel_center(x) - s->a.x) +
-                      gy * (gradient)(int64_t)(pel_pixel_center(y) - s->a.y);
+    gradient sum = gx * (gradient)(int64_t)(pel_pixel_center(x) - s->a.x) +
+                   gy * (gradient)(int64_t)(pel_pixel_center(y) - s->a.y);
     p->dx[k] = (uint32_t)gx;
     p->dy[k] = (uint32_t)gy;
-    p->at[k] = ((uint32_t)value[0] << 24) + 0x800000u +
-               (uint32_t)(offset >> 8) - (uint32_t)x * p->dx[k] -
-               (uint32_t)y * p->dy[k];
+    p->at[k] = ((uint32_t)value[0] << 24) + 0x800000u + (uint32_t)(sum >> 8) -
+               (uint32_t)x * p->dx[k] - (uint32_t)y * p->dy[k];
 }
 
 #if PEL_FAST_64BIT

@@ -15,9 +15,9 @@ static PEL_NOINLINE void colors_of_span(const struct pel_gouraud *g, int32_t x,
     }
 }
 
-static PEL_NOINLINE void fill_span_xrgb(const struct pel_gouraud *g,
-                                        const struct pel_surface *s, int32_t y,
-                                        const struct pel_span *span)
+static PEL_NOINLINE void fill_xrgb(const struct pel_gouraud *g,
+                                   const struct pel_surface *s, int32_t y,
+                                   const struct pel_span *span)
 {
     const struct pel_gouraud_steps steps = pel_gouraud_steps_make(g, 1);
     uint32_t v[3];
@@ -26,10 +26,9 @@ static PEL_NOINLINE void fill_span_xrgb(const struct pel_gouraud *g,
                           &steps);
 }
 
-static PEL_NOINLINE void fill_span_rgb565(const struct pel_gouraud *g,
-                                          const struct pel_surface *s,
-                                          int32_t y,
-                                          const struct pel_span *span)
+static PEL_NOINLINE void fill_rgb565(const struct pel_gouraud *g,
+                                     const struct pel_surface *s, int32_t y,
+                                     const struct pel_span *span)
 {
     const struct pel_gouraud_steps steps = pel_gouraud_steps_make(g, 2);
     uint32_t v[3];
@@ -46,9 +45,9 @@ static bool fill_direct(const struct pel_gouraud *g,
     if (!pel_gouraud_opaque(g) || !s->format->put)
         return false;
     if (s->format->id == PEL_FORMAT_RGB565_LE)
-        fill_span_rgb565(g, s, y, span);
+        fill_rgb565(g, s, y, span);
     else if (PEL_FAST_64BIT && s->format->id == PEL_FORMAT_XRGB8888)
-        fill_span_xrgb(g, s, y, span);
+        fill_xrgb(g, s, y, span);
     else
         return false;
     return true;

@@ -65,7 +65,6 @@ static inline struct pel_gouraud_steps pel_gouraud_steps_make(
 
 #if PEL_VECTORS
 
-/* Four pixels from the lanes of blue, green, red. */
 static inline pel_u32x4 pel_gouraud_xrgb4(pel_u32x4 b, pel_u32x4 g, pel_u32x4 r)
 {
     return (r >> 8 & 0xFF0000u) | (g >> 16 & 0xFF00u) | b >> 24 |
@@ -133,8 +132,7 @@ static PEL_ALWAYS_INLINE void pel_gouraud_span_xrgb(
                                               lane[2] + last * s->dx[2]));
 }
 
-/* Eight pixels: the lanes hold pixels 0, 2, 4, 6, and one step further 1, 3, 5,
- * 7. */
+/* Eight pixels: the lanes hold pixels 0, 2, 4, 6; one step on 1, 3, 5, 7. */
 static PEL_ALWAYS_INLINE pel_u32x4 pel_gouraud_rgb565x8(pel_u32x4 b,
                                                         pel_u32x4 g,
                                                         pel_u32x4 r,

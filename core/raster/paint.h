@@ -60,9 +60,8 @@ bool pel_flat_fast(const struct pel_paint *paint,
                    const struct pel_surface *surface,
                    const struct pel_fast_triangle *triangle);
 
-/* For fill functions: puts n >= 1 colours on the pixels from (x, y) on, each
- * weighted by its own alpha. A fill-only format has no `put`: a broken
- * contract. */
+/* For fill functions: puts n >= 1 colours from (x, y) on, each weighted by its
+ * own alpha. Without `put` (fill-only formats) a broken contract. */
 static inline void pel_put_colors(const struct pel_surface *surface, int32_t x,
                                   int32_t y, int32_t n, const pel_color *colors)
 {

@@ -121,8 +121,7 @@ static PEL_WIDE void sort_by_x(struct sweep *w)
     }
 }
 
-/* A span reaches from the side that enters the polygon to the one that leaves
- * it. */
+/* Spans begin where a side enters the polygon and end where one leaves it. */
 static void emit_row(const struct sweep *w, struct pel_collector *c, int32_t y)
 {
     int32_t winding = 0, start = 0;

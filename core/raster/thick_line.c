@@ -2,9 +2,9 @@
 
 #include "triangle.h"
 
-/* floor(sqrt(n)) for n < 2^62, one bit a turn. pel_square_root() is faster, but
- * with its table 300 bytes larger on a microcontroller, and a thick line takes
- * one root. */
+/* floor(sqrt(n)) for n < 2^62, a bit a turn. pel_square_root() is faster, but
+ * with its table 300 bytes larger on a microcontroller; a line takes one
+ * root. */
 static int64_t root(uint64_t n)
 {
     uint64_t r = 0;

@@ -55,10 +55,8 @@ static void walk_short(struct walk *w, int32_t y, int32_t *x, int32_t n)
     }
 }
 
-/* Makes a span, inside the clip, of the two edges in any order: both follow one
- * formula. */
-static void order_and_clip(struct pel_span *span, int32_t n,
-                           const struct pel_rect *clip)
+/* Orders the ends of spans, as either edge may be the left one, and clips. */
+static void order(struct pel_span *span, int32_t n, const struct pel_rect *clip)
 {
     const int32_t left = clip->x0, right = clip->x1;
     do {
@@ -138,7 +136,7 @@ static void fill(const struct pel_surface *surface,
         walk_edge(&w.long_edge, batch.x + (side == RIGHT), spans.n);
         walk_short(&w, spans.y, batch.x + (side != RIGHT), spans.n);
         if (side == UNKNOWN)
-            order_and_clip(batch.span, spans.n, &surface->clip);
+            order(batch.span, spans.n, &surface->clip);
         paint->fill(paint, &spans);
     }
 }

@@ -1,5 +1,4 @@
-/* Sorts vertices from top to bottom, so that their order in a call changes
- * nothing. */
+/* Sorts vertices from top to bottom: their order in a call changes nothing. */
 #ifndef PEL_RASTER_TRIANGLE_SORT_H
 #define PEL_RASTER_TRIANGLE_SORT_H
 

@@ -3,16 +3,16 @@
 #include "../base/trig.h"
 
 enum {
-    BEYOND = 1 << 20, /* px: beyond every pixel */
+    END = 1 << 20, /* px: beyond every pixel */
     QUARTER_TURN = 16384,
     HALF_TURN = 32768,
     FULL_TURN = 65536,
     RAY_LENGTH = 511 /* multiple of the direction: 511 * 32,768 < 2^24 */
 };
 
-/* Starts the edge in row y, or below that in its own first row. It ends about
- * 2^24 sub-pixels from the centre; radii are below 2^23. The row through the
- * centre belongs to no edge (level_row). */
+/* Starts the edge in row y or, below that, its first row. It ends about 2^24
+ * sub-pixels from the centre (radii are below 2^23); the row through the centre
+ * is not part of it (level_row). */
 static PEL_NOINLINE void ray_start(struct pel_ray *r, uint16_t turn,
                                    const struct pel_point *center, int32_t y)
 {
@@ -38,8 +38,7 @@ static PEL_NOINLINE void ray_start(struct pel_ray *r, uint16_t turn,
  * the side to which it points. */
 static int32_t beyond(int32_t turn)
 {
-    return turn > QUARTER_TURN && turn < FULL_TURN - QUARTER_TURN ? -BEYOND
-                                                                  : BEYOND;
+    return turn > QUARTER_TURN && turn < FULL_TURN - QUARTER_TURN ? -END : END;
 }
 
 /* The first pixel right of the ray in row y, which is below or above the
@@ -47,9 +46,9 @@ static int32_t beyond(int32_t turn)
 static int32_t ray_at(struct pel_ray *r, int32_t turn, int32_t y, bool below)
 {
     if (below ? turn == 0 : turn == FULL_TURN)
-        return BEYOND;
+        return END;
     if (below ? turn >= HALF_TURN : turn <= HALF_TURN)
-        return -BEYOND;
+        return -END;
     if ((y < r->bound) != below)
         return beyond(turn);
     const int32_t x = r->edge.x;
@@ -71,8 +70,8 @@ static void level_row(struct pel_angles angles, int32_t split,
     bool right = from == 0 || from > to;
     bool left = from < to ? from <= HALF_TURN && HALF_TURN < to
                           : from <= HALF_TURN || HALF_TURN < to;
-    span[0] = (struct pel_span){left ? -BEYOND : split, split};
-    span[1] = (struct pel_span){split, right ? BEYOND : split};
+    span[0] = (struct pel_span){left ? -END : split, split};
+    span[1] = (struct pel_span){split, right ? END : split};
 }
 
 void pel_angle_range_spans(struct pel_angle_range *range,
@@ -90,10 +89,10 @@ void pel_angle_range_spans(struct pel_angle_range *range,
     const int32_t x0 = v > 0 ? last : first, x1 = v > 0 ? first : last;
     if (from < to) {
         span[0] = (struct pel_span){x0, x1};
-        span[1] = (struct pel_span){BEYOND, BEYOND};
+        span[1] = (struct pel_span){END, END};
     } else {
-        span[0] = (struct pel_span){-BEYOND, x1};
-        span[1] = (struct pel_span){x0, BEYOND};
+        span[0] = (struct pel_span){-END, x1};
+        span[1] = (struct pel_span){x0, END};
     }
 }
 

@@ -22,8 +22,7 @@
  * at this ray. */
 struct pel_ray {
     struct pel_edge edge; /* at the next row */
-    int32_t bound; /* above the centre the first row of the edge, below it the
-                      row after its last */
+    int32_t bound;        /* first row of the edge; below the centre its end */
 };
 
 struct pel_angles {
@@ -41,9 +40,9 @@ bool pel_angle_range_start(struct pel_angle_range *range,
                            const struct pel_point *center,
                            struct pel_angles angles, int32_t y);
 
-/* Sets two spans, from left to right and disjoint: the part of row y inside the
- * range. They may be empty; open ends lie beyond every pixel. To be called once
- * for every row, from the first one down. */
+/* Sets two spans, disjoint and from left to right, to the part of row y inside
+ * the range. They may be empty; open ends lie beyond every pixel. For every row
+ * once, from the first one down. */
 void pel_angle_range_spans(struct pel_angle_range *range,
                            const struct pel_point *center, int32_t y,
                            struct pel_span span[2]);

@@ -30,8 +30,7 @@ void pel_disc_start(struct pel_disc *disc, const struct pel_rect *clip,
     r->d = (half_width2 - pel_square(r->u)) >> 9;
 }
 
-/* The columns of a side in this row, at most `limit`; the first one is at the
- * distance `first`. */
+/* The columns of a side in this row, at most `limit`, from `first` outwards. */
 static PEL_HOT int32_t columns(struct pel_disc_side *s, int32_t first,
                                int32_t limit)
 {

@@ -48,8 +48,7 @@ static inline void pel_disc_center(struct pel_disc *disc, int32_t left_x,
     disc->right.center = right_x;
 }
 
-/* Starts at a row with this half_width2, in the columns of `clip`; call
- * pel_disc_center first. */
+/* Starts at a row in the columns of `clip`; after pel_disc_center. */
 void pel_disc_start(struct pel_disc *disc, const struct pel_rect *clip,
                     int64_t half_width2);
 

@@ -131,8 +131,7 @@ static void check_sector(const struct pel_sector_shape *s)
             bool in = square(x, y, s->center) <= limit;
             bool hit = fill.hit[y - LEFT][x - LEFT];
             if (is_asked(hit, &last, x, y)) {
-                in = in &&
-                     reference_angle_range_at(s->center, s->from, s->to, x, y);
+                in = in && reference_angle_at(s->center, s->from, s->to, x, y);
                 if (in != hit || in != pel_hit_sector(s, x, y))
                     fail_msg("sector %d,%d r %d %u..%u at %d,%d", s->center.x,
                              s->center.y, s->radius, s->from, s->to, x, y);

@@ -13,10 +13,10 @@ enum { POINTS_MAX = 12 };
 #define BEYOND 2147483648.0L
 
 struct fan_case {
-    struct pel_point perimeter[POINTS_MAX];
+    struct pel_point v[POINTS_MAX];
     pel_color colors[POINTS_MAX];
     struct pel_fan_points points;
-    struct pel_fan_triangle triangles[POINTS_MAX];
+    struct pel_fan_triangle memory[POINTS_MAX];
     struct pel_fan fan;
 };
 
@@ -40,19 +40,19 @@ static void random_star(struct random *r)
         struct pel_point all[POINTS_MAX];
         pel_fan_perimeter(all, n, hub, random_between(r, size / 4 + 4, size),
                           start);
-        f->perimeter[i] = all[i];
+        f->v[i] = all[i];
         f->colors[i] = random_word(r);
     }
-    f->points = (struct pel_fan_points){hub, random_word(r), f->perimeter,
-                                        f->colors, n};
+    f->points =
+        (struct pel_fan_points){hub, random_word(r), f->v, f->colors, n};
     const bool almost_one_color = random_word(r) % 4 == 0;
     for (int32_t i = 0; almost_one_color && i < n; i++)
         f->colors[i] = f->points.hub_color ^ (random_word(r) & 0x01010101);
     const bool reversed = random_word(r) % 2;
     for (int32_t i = 0; reversed && i < n / 2; i++) {
-        struct pel_point t = f->perimeter[i];
-        f->perimeter[i] = f->perimeter[n - 1 - i];
-        f->perimeter[n - 1 - i] = t;
+        struct pel_point t = f->v[i];
+        f->v[i] = f->v[n - 1 - i];
+        f->v[n - 1 - i] = t;
     }
 }
 
@@ -62,8 +62,7 @@ static void random_star(struct random *r)
 static bool channel_after(int32_t i, int32_t x, int32_t y, int k, real *value)
 {
     const int32_t j = (i + 1) % fan.points.n;
-    const struct pel_point h = fan.points.hub, a = fan.perimeter[i],
-                           b = fan.perimeter[j];
+    const struct pel_point h = fan.points.hub, a = fan.v[i], b = fan.v[j];
     const wide px = pel_pixel_center(x), py = pel_pixel_center(y);
     wide area = cross(h, a, b.x, b.y), to_b = cross(h, a, px, py),
          to_a = -cross(h, b, px, py);
@@ -142,7 +141,7 @@ static void test_stars(void **state)
     (void)state;
     for (struct cases c = cases_of(2500); cases_next(&c);) {
         random_star(&c.random);
-        assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.triangles),
+        assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.memory),
                          PEL_OK);
         check_runs(&c.random);
     }
@@ -156,15 +155,14 @@ static void test_any_triangle(void **state)
     for (struct cases c = cases_of(10000); cases_next(&c);) {
         struct random *r = &c.random;
         if (c.next % 2)
-            shape_random(r, fan.perimeter, 3);
+            shape_random(r, fan.v, 3);
         else
-            shape_adversarial(r, fan.perimeter, 3);
+            shape_adversarial(r, fan.v, 3);
         for (int i = 0; i < 3; i++)
             fan.colors[i] = random_word(r);
-        fan.points =
-            (struct pel_fan_points){{0, 0}, 0, fan.perimeter, fan.colors, 3};
+        fan.points = (struct pel_fan_points){{0, 0}, 0, fan.v, fan.colors, 3};
         pel_fan_set_hub(&fan.points);
-        if (pel_fan_init(&fan.fan, &fan.points, fan.triangles) == PEL_OK)
+        if (pel_fan_init(&fan.fan, &fan.points, fan.memory) == PEL_OK)
             check_runs(r);
     }
 }
@@ -182,8 +180,7 @@ static void test_triangle_is_gouraud(void **state)
     pel_color got;
     fan.points = (struct pel_fan_points){{0, 0}, 0, v, c, 3};
     pel_fan_set_hub(&fan.points);
-    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.triangles),
-                     PEL_OK);
+    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.memory), PEL_OK);
     pel_gouraud_init(&g, v, c);
     for (int32_t y = 0; y < 90; y++)
         for (int32_t x = 0; x < 100; x++) {
@@ -207,8 +204,7 @@ static void test_hub_on_an_edge(void **state)
     const pel_color c[3] = {0xFF000000, 0xFFFFFFFF, 0xFF00FF00};
     pel_color got[40];
     fan.points = (struct pel_fan_points){PEL_AT(10, 0), 0xFF808080, v, c, 3};
-    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.triangles),
-                     PEL_OK);
+    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.memory), PEL_OK);
     fan.fan.base.colors(&fan.fan.base, -10, -5, 40, got);
     for (int i = 0; i < 40; i++)
         assert_int_equal(got[i], 0xFF808080);
@@ -219,28 +215,26 @@ static void test_hub_on_an_edge(void **state)
 /* Half a turn around a hub on the edge, two points on one ray, rays through
  * pixel centres with colours between two steps there: where the list begins and
  * which way it goes changes nothing. In px from the hub. */
-static const struct pel_point half_perimeter[] = {
-    {6, 0}, {8, 0}, {6, 6}, {10, 10}, {0, 5}, {-3, 9}, {-5, 0}};
+static const struct pel_point half[] = {{6, 0}, {8, 0},  {6, 6}, {10, 10},
+                                        {0, 5}, {-3, 9}, {-5, 0}};
 static const pel_color half_colors[] = {0xFF000600, 0xFF000800, 0xFF030003,
                                         0xFF050005, 0xFF010100, 0xFF000101,
                                         0xFFFA0000};
-enum { HALF = sizeof half_perimeter / sizeof *half_perimeter, HALF_SIZE = 32 };
+enum { HALF = sizeof half / sizeof *half, HALF_SIZE = 32 };
 
 static void draw_half(int first, bool reversed, pel_color *out)
 {
     const struct pel_point hub = {PEL_PX(12) + 128, PEL_PX(12) + 128};
-    struct pel_point perimeter[HALF];
+    struct pel_point v[HALF];
     pel_color colors[HALF];
     for (int i = 0; i < HALF; i++) {
         const int k = (reversed ? first + HALF - i : first + i) % HALF;
-        perimeter[i].x = hub.x + PEL_PX(half_perimeter[k].x);
-        perimeter[i].y = hub.y + PEL_PX(half_perimeter[k].y);
+        v[i].x = hub.x + PEL_PX(half[k].x);
+        v[i].y = hub.y + PEL_PX(half[k].y);
         colors[i] = half_colors[k];
     }
-    fan.points =
-        (struct pel_fan_points){hub, 0xFF000000, perimeter, colors, HALF};
-    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.triangles),
-                     PEL_OK);
+    fan.points = (struct pel_fan_points){hub, 0xFF000000, v, colors, HALF};
+    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.memory), PEL_OK);
     assert_true(fan.fan.base.opaque);
     for (int32_t i = 0; i < HALF_SIZE * HALF_SIZE; i++)
         fan.fan.base.colors(&fan.fan.base, i % HALF_SIZE, i / HALF_SIZE, 1,
@@ -276,7 +270,7 @@ static void test_opaque(void **state)
         pel_color c[4] = {0xFF000000, 0xFF000000, 0xFF000000, 0xFF000000};
         c[i] = 0xFE000000;
         fan.points = (struct pel_fan_points){PEL_AT(10, 3), c[3], v, c, 3};
-        assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.triangles),
+        assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.memory),
                          PEL_OK);
         assert_false(fan.fan.base.opaque);
     }
@@ -285,14 +279,14 @@ static void test_opaque(void **state)
 static void test_largest(void **state)
 {
     (void)state;
-    static struct pel_point perimeter[32768];
+    static struct pel_point v[32768];
     static pel_color colors[32768];
     static struct pel_fan_triangle triangles[32768];
-    struct pel_fan_points p = {{0, 0}, 0, perimeter, colors, 32767};
-    pel_fan_perimeter(perimeter, 32767, p.hub, PEL_PX(30000), 0);
+    struct pel_fan_points p = {{0, 0}, 0, v, colors, 32767};
+    pel_fan_perimeter(v, 32767, p.hub, PEL_PX(30000), 0);
     assert_int_equal(pel_fan_init(&fan.fan, &p, triangles), PEL_OK);
     p.n = 32768;
-    pel_fan_perimeter(perimeter, 32768, p.hub, PEL_PX(30000), 0);
+    pel_fan_perimeter(v, 32768, p.hub, PEL_PX(30000), 0);
     assert_int_equal(pel_fan_init(&fan.fan, &p, triangles), PEL_ERROR_SIZE);
 }
 
@@ -305,37 +299,33 @@ static void test_errors(void **state)
                                    PEL_AT(-5, 3)};
     const pel_color c[4] = {0, 0, 0, 0};
     struct pel_fan_points p = {PEL_AT(10, 3), 0, v, c, 3};
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles), PEL_OK);
-    assert_int_equal(pel_fan_init(NULL, &p, fan.triangles), PEL_ERROR_NULL);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_OK);
+    assert_int_equal(pel_fan_init(NULL, &p, fan.memory), PEL_ERROR_NULL);
     assert_int_equal(pel_fan_init(&fan.fan, &p, NULL), PEL_ERROR_NULL);
-    assert_int_equal(pel_fan_init(&fan.fan, NULL, fan.triangles),
-                     PEL_ERROR_NULL);
+    assert_int_equal(pel_fan_init(&fan.fan, NULL, fan.memory), PEL_ERROR_NULL);
     p.colors = NULL;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles), PEL_ERROR_NULL);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_NULL);
     p.colors = c;
     p.perimeter = NULL;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles), PEL_ERROR_NULL);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_NULL);
     p.perimeter = far;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles),
-                     PEL_ERROR_RANGE);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_RANGE);
     p.perimeter = v;
     p.n = 2;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles), PEL_ERROR_SIZE);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_SIZE);
     /* A star of five points in one line goes around its middle twice. */
     const struct pel_point star[5] = {PEL_AT(0, -20), PEL_AT(12, 16),
                                       PEL_AT(-19, -6), PEL_AT(19, -6),
                                       PEL_AT(-12, 16)};
     const pel_color hues[5] = {0, 0, 0, 0, 0};
     const struct pel_fan_points twice = {PEL_AT(0, 0), 0, star, hues, 5};
-    assert_int_equal(pel_fan_init(&fan.fan, &twice, fan.triangles),
+    assert_int_equal(pel_fan_init(&fan.fan, &twice, fan.memory),
                      PEL_ERROR_RANGE);
     p.n = 3;
     p.hub.y = PEL_PX(-1);
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles),
-                     PEL_ERROR_RANGE);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_RANGE);
     p.hub.y = PEL_COORDINATE_MAX + 1;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles),
-                     PEL_ERROR_RANGE);
+    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_RANGE);
     p.n = 0;
     pel_fan_set_hub(&p);
     assert_int_equal(p.hub.x, PEL_PX(10));
@@ -357,7 +347,7 @@ static void test_perimeters_around_once(void **state)
                 for (int i = 0; i < 5; i++)
                     v[i] = perimeters[k][(first + way * i + 5) % 5];
                 const struct pel_fan_points p = {{0, 0}, 0, v, hues, 5};
-                assert_int_equal(pel_fan_init(&fan.fan, &p, fan.triangles),
+                assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory),
                                  PEL_OK);
             }
 }

@@ -93,12 +93,11 @@ static struct pel_color_paint *make_texture(struct random *r, bool bilinear,
 static struct pel_color_paint *make_fan(struct random *r,
                                         const struct pel_rect *b)
 {
-    struct pel_point perimeter[5];
+    struct pel_point v[5];
     const struct pel_point at = random_point(r, b);
     const int32_t radius = random_between(r, 256, 9000);
-    struct pel_fan_points points = {at, ramp_colors[9], perimeter, ramp_colors,
-                                    5};
-    pel_fan_perimeter(perimeter, 5, at, radius, (uint16_t)random_word(r));
+    struct pel_fan_points points = {at, ramp_colors[9], v, ramp_colors, 5};
+    pel_fan_perimeter(v, 5, at, radius, (uint16_t)random_word(r));
     assert_int_equal(pel_fan_init(&paint.fan, &points, triangles), PEL_OK);
     return &paint.fan.base;
 }

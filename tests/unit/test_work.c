@@ -335,22 +335,21 @@ static void test_outline_of_many_runs(void **state)
     const int32_t rows = (int32_t)cases_scaled(2000);
     const struct pel_surface surface = {.clip = {0, 0, 4 * RUNS, rows}};
     const struct pel_paint paint = PEL_PAINT(count_runs, NULL);
-    struct pel_outline_filter filter;
+    struct pel_outline_filter f;
     (void)state;
     for (int32_t i = 0; i < RUNS; i++)
         run[i] = (struct pel_span){4 * i, 4 * i + 3};
     hits.runs = 0;
     alarm(TOO_LONG);
-    assert_true(pel_outline_filter_begin(&filter, &surface, &paint, memory,
+    assert_true(pel_outline_filter_begin(&f, &surface, &paint, memory,
                                          PEL_OUTLINE_FILTER_SPANS(RUNS)));
     for (int32_t y = 0; y < rows; y++) {
         for (int32_t i = 0; i < RUNS; i += PART) {
-            const struct pel_spans part = {&filter.surface, run + i, y, PART,
-                                           0};
-            filter.paint.fill(&filter.paint, &part);
+            const struct pel_spans part = {&f.surface, run + i, y, PART, 0};
+            f.paint.fill(&f.paint, &part);
         }
     }
-    pel_outline_filter_end(&filter);
+    pel_outline_filter_end(&f);
     alarm(0);
     assert_int_equal(hits.runs, (uint64_t)RUNS * (uint64_t)(2 * rows - 2));
 }
