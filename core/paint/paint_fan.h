@@ -49,10 +49,10 @@ struct pel_fan {
     int32_t n;
 };
 
-/* Channels are off by less than 2^-14 steps before they are rounded. `memory`
- * is of the caller, for n triangles, and must live as long as the paint; the
- * points need not. The hub may lie on an edge of the polygon or be one of its
- * corners: pixels between no two rays then have its colour. PEL_ERROR_NULL,
+/* Channels are off by less than 2^-14 steps before they are rounded. `memory`,
+ * for n triangles, belongs to the caller and must last as long as the paint;
+ * the points need not. The hub may lie on an edge of the polygon or be one of
+ * its corners: pixels between no two rays then have its colour. PEL_ERROR_NULL,
  * PEL_ERROR_SIZE (n), PEL_ERROR_RANGE (a point out of range, or the perimeter
  * turns back as seen from the hub, or goes around it twice). */
 enum pel_status pel_fan_init(struct pel_fan *paint,

@@ -6,8 +6,8 @@
 #include "../format/word.h"
 #include "paint.h"
 
-/* Spans of a batch: half on small CPUs, where shapes that collect need stack.
- * */
+/* Spans of a batch; half on small CPUs, where collecting shapes use much
+ * stack. */
 enum {
     PEL_COLLECT_ROWS = PEL_FAST_64BIT ? PEL_BATCH_ROWS : PEL_BATCH_ROWS / 2
 };
@@ -54,7 +54,7 @@ static inline void pel_collect(struct pel_collector *c, int32_t y, int32_t x0,
     c->span[c->spans.n++] = (struct pel_span){x0, x1};
 }
 
-/* Adds [x0, x1) as far as it is inside the clip, as row y must be. */
+/* Adds the part of [x0, x1) that is inside the clip, as row y must be. */
 static inline void pel_collect_clipped(struct pel_collector *c, int32_t y,
                                        int32_t x0, int32_t x1)
 {

@@ -9,7 +9,7 @@
 struct walk {
     struct pel_edge long_edge, short_edge;
     const struct pel_point **to; /* where the short edge ends */
-    int32_t end;                 /* the row below it */
+    int32_t end;                 /* first row below it */
 };
 
 /* A batch of spans, and the same as numbers: x0 and x1 of each. */
@@ -68,7 +68,7 @@ static void order(struct pel_span *span, int32_t n, const struct pel_rect *clip)
 }
 
 /* Side of the long edge. UNKNOWN: spans must be ordered and clipped, which
- * changes the speed alone. */
+ * costs time and changes no pixel. */
 enum side { LEFT, RIGHT, UNKNOWN };
 
 #if PEL_KNOW_SIDES
@@ -82,9 +82,9 @@ static bool legal(const struct pel_point v[3])
            0;
 }
 
-/* The long edge is right of a middle vertex that is left of both others.
- * Between them a cross product decides, if it fits 32 bits. A triangle that the
- * clip cuts at a side is UNKNOWN. */
+/* The middle vertex is right or left of both others, and the long edge
+ * opposite, or the sign of a cross product decides, if that fits 32 bits.
+ * UNKNOWN also when the clip cuts at the left or right. */
 static enum side side_of(const struct pel_point *const p[3],
                          const struct pel_rect *clip)
 {
