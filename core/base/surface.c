@@ -18,7 +18,7 @@ enum pel_status pel_surface_init(struct pel_surface *surface,
                                  pel_stride(format, width), &bounds);
 }
 
-static bool bounds_legal(const struct pel_rect *b)
+bool pel_bounds_legal(const struct pel_rect *b)
 {
     return b->x0 >= -32768 && b->y0 >= -32768 && b->x1 <= 32768 &&
            b->y1 <= 32768 && !pel_rect_empty(b) && b->x1 - b->x0 <= 32767 &&
@@ -40,7 +40,7 @@ enum pel_status pel_surface_init_rect(struct pel_surface *surface,
 {
     if (!surface || !format || !pixels || !bounds)
         return PEL_ERROR_NULL;
-    if (!bounds_legal(bounds))
+    if (!pel_bounds_legal(bounds))
         return PEL_ERROR_SIZE;
     if (!origin_legal(format, bounds))
         return PEL_ERROR_ALIGNMENT;
@@ -60,5 +60,8 @@ enum pel_status pel_surface_init_rect(struct pel_surface *surface,
 
 void pel_surface_clip(struct pel_surface *surface, const struct pel_rect *clip)
 {
-    surface->clip = pel_rect_intersect(&surface->bounds, clip);
+    const struct pel_rect *b = &surface->bounds;
+    surface->clip = pel_rect_intersect(b, clip);
+    if (pel_rect_empty(&surface->clip))
+        surface->clip = (struct pel_rect){b->x0, b->y0, b->x0, b->y0};
 }

@@ -42,7 +42,11 @@ enum pel_status pel_surface_init_rect(struct pel_surface *surface,
                                       void *pixels, int32_t stride,
                                       const struct pel_rect *bounds);
 
-/* Sets the clip to the part of `clip` inside the bounds; may be empty. */
+/* Are these bounds of a surface (see above), whatever its format? */
+bool pel_bounds_legal(const struct pel_rect *bounds);
+
+/* Sets the clip to the part of `clip` inside the bounds. Any rectangle will do;
+ * when nothing is left of it, one at the bounds' corner with no pixel. */
 void pel_surface_clip(struct pel_surface *surface, const struct pel_rect *clip);
 
 /* Where line y begins, that is pixel bounds.x0 of it; not for mono1_pages. */

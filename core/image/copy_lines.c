@@ -15,10 +15,10 @@ bool pel_copy_visible(const struct pel_surface *surface,
                       const struct pel_copy_part *copy,
                       struct pel_rect *visible)
 {
-    const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
     PEL_ASSERT(copy_legal(copy));
     if (!copy_legal(copy))
         return false;
+    const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
     struct pel_rect r = pel_rect_intersect(&copy->area, &copy->source->bounds);
     if (pel_rect_empty(&r))
         return false;
@@ -32,13 +32,13 @@ void pel_copy_lines(const struct pel_surface *surface,
                     uint32_t option)
 {
     const struct pel_surface *source = copy->source;
-    const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
     pel_color colors[PEL_BUFFER_PIXELS];
     struct pel_rect r;
     PEL_ASSERT(source->format->load && surface->format->put);
     if (!source->format->load || !surface->format->put ||
         !pel_copy_visible(surface, copy, &r))
         return;
+    const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
     for (int32_t y = r.y0; y < r.y1; y++)
         for (int32_t x = r.x0, n; x < r.x1; x += n) {
             n = pel_min(r.x1 - x, PEL_BUFFER_PIXELS);

@@ -29,6 +29,12 @@ void pel_text(const struct pel_surface *surface,
               const struct pel_text_block *text, const struct pel_paint *paint)
 {
     const char *next = text->string;
+    const uint32_t limit = 65536;
+    bool legal = (uint32_t)text->x + limit <= 2 * limit &&
+                 (uint32_t)text->y + limit <= 2 * limit;
+    PEL_ASSERT(legal);
+    if (!legal)
+        return;
     struct pel_point pen = {text->x, text->y + text->font->ascent};
     while (*next) {
         uint32_t code = pel_utf8_next(&next);

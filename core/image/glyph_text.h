@@ -8,7 +8,7 @@
 struct pel_text_block {
     const struct pel_font_asset *font; /* pel_font_asset_check gave PEL_OK */
     const char *string;                /* UTF-8, ends with a 0 */
-    int32_t x, y; /* px: left end and top of the first line */
+    int32_t x, y; /* px, -65,536..65,536: left end and top of the first line */
 };
 
 struct pel_text_size {
@@ -19,7 +19,9 @@ struct pel_text_size {
  * high; the pen starts at x with the baseline `ascent` below y. A line feed
  * goes back to x and down by a line. Characters that the font lacks show its
  * `missing` glyph. Each glyph is a shape of its own: where two overlap, which
- * takes a font whose glyphs reach beyond their boxes, both are painted. */
+ * takes a font whose glyphs reach beyond their boxes, both are painted. x or y
+ * out of range is a broken contract: PEL_ASSERT, and nothing is drawn. For
+ * strings up to 2^22 bytes. */
 void pel_text(const struct pel_surface *surface,
               const struct pel_text_block *text, const struct pel_paint *paint);
 

@@ -10,10 +10,12 @@ void pel_rectangle_outline(const struct pel_surface *surface,
     const struct pel_span none = {0, 0};
     bool legal = pel_point_legal(from) && pel_point_legal(to);
     PEL_ASSERT(legal);
+    if (!legal || pel_rect_empty(&surface->clip))
+        return;
     struct pel_rect r = {pel_first_pixel(from.x), pel_first_pixel(from.y),
                          pel_first_pixel(to.x), pel_first_pixel(to.y)};
     r = pel_rect_intersect(&r, &clip);
-    if (!legal || pel_rect_empty(&r) || pel_rect_empty(&surface->clip))
+    if (pel_rect_empty(&r))
         return;
     struct pel_outline_row o;
     pel_outline_begin(&o, surface);

@@ -64,6 +64,8 @@ enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
                                uint16_t start, const struct pel_ramp *ramp)
 {
     enum pel_status status = pel_ramp_check(ramp);
+    if (paint)
+        pel_paint_clear(&paint->base.paint);
     if (status == PEL_OK)
         status = pel_conic_begin(paint, center, start, run);
     if (status != PEL_OK)

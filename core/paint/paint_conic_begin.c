@@ -95,6 +95,7 @@ enum pel_status pel_conic_begin(struct pel_conic *paint,
 {
     if (!paint)
         return PEL_ERROR_NULL;
+    pel_paint_clear(&paint->base.paint);
     if (!pel_points_legal(&center, 1))
         return PEL_ERROR_RANGE;
 #if PEL_FAST_64BIT

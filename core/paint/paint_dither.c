@@ -167,8 +167,12 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 enum pel_status pel_dither_init(struct pel_dither *paint,
                                 const struct pel_paint *source)
 {
+    if (paint)
+        pel_paint_clear(&paint->paint);
     if (!paint || !source)
         return PEL_ERROR_NULL;
+    if (source == &paint->paint || source->fill == fill)
+        return PEL_ERROR_RANGE;
     paint->paint = (struct pel_paint){fill, NULL};
     paint->source = source;
     return PEL_OK;

@@ -20,7 +20,8 @@ struct pel_dither {
 };
 
 /* The source must live as long as the paint and may be any paint but another
- * dither; it is asked for its colours in one line at a time. PEL_ERROR_NULL. */
+ * dither; it is asked for its colours in one line at a time. PEL_ERROR_NULL,
+ * PEL_ERROR_RANGE (a dither). */
 enum pel_status pel_dither_init(struct pel_dither *paint,
                                 const struct pel_paint *source);
 

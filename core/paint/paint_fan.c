@@ -256,6 +256,8 @@ enum pel_status pel_fan_init(struct pel_fan *paint,
                              const struct pel_fan_points *points,
                              struct pel_fan_triangle *memory)
 {
+    if (paint)
+        pel_paint_clear(&paint->base.paint);
     if (!paint || !points || !points->perimeter || !points->colors || !memory)
         return PEL_ERROR_NULL;
     if (points->n < 3 || points->n > 32767)

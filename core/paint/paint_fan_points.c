@@ -31,7 +31,9 @@ void pel_fan_set_hub(struct pel_fan_points *points)
 void pel_fan_perimeter(struct pel_point *v, int32_t n, struct pel_point center,
                        int32_t radius, uint16_t start)
 {
-    for (int32_t i = 0; i < n; i++) {
+    bool legal = pel_point_legal(center) && pel_radius_legal(radius);
+    PEL_ASSERT(legal);
+    for (int32_t i = 0; legal && i < n; i++) {
         uint32_t turn = start + (uint32_t)((int64_t)i * 65536 / n);
         struct pel_point d = pel_direction((uint16_t)turn);
         v[i].x = center.x + mean((int64_t)d.x * radius, PEL_DIRECTION_ONE);

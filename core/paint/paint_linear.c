@@ -84,6 +84,7 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     enum pel_status status = pel_ramp_check(ramp);
     if (!paint)
         return PEL_ERROR_NULL;
+    pel_paint_clear(&paint->base.paint);
     if (status != PEL_OK)
         return status;
     if (!pel_point_legal(from) || !pel_point_legal(to))

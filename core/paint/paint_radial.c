@@ -134,6 +134,8 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
                                 const struct pel_ramp *ramp)
 {
     enum pel_status status = pel_ramp_check(ramp);
+    if (paint)
+        pel_paint_clear(&paint->base.paint);
     if (!paint || !rings)
         return PEL_ERROR_NULL;
     if (status != PEL_OK)

@@ -51,9 +51,9 @@ struct pel_texel_point {
 };
 
 /* The map that takes v[i] to t[i]. u and v are right to 2^-14 texel at every
- * pixel where they are of use. The order of the vertices does not matter. A
- * triangle without area gets the place of its top vertex everywhere.
- * PEL_ERROR_NULL, PEL_ERROR_RANGE (a vertex out of range). */
+ * pixel where they are of use. The order of vertices apart from each other does
+ * not matter. A triangle without area gets the place of its top vertex
+ * everywhere. PEL_ERROR_NULL, PEL_ERROR_RANGE (a vertex out of range). */
 enum pel_status pel_texture_map_triangle(struct pel_texture_map *map,
                                          const struct pel_point v[3],
                                          const struct pel_texel_point t[3]);

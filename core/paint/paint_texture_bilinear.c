@@ -39,9 +39,9 @@ static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
         int32_t i = pel_texture_axis_index(&a->u);
         int32_t j = pel_texture_axis_index(&a->v);
         int32_t i0 = pel_texture_axis_texel(&a->u, i);
-        int32_t i1 = pel_texture_axis_texel(&a->u, i + 1);
+        int32_t i1 = pel_texture_axis_texel(&a->u, i + (i < INT32_MAX));
         int32_t j0 = pel_texture_axis_texel(&a->v, j);
-        int32_t j1 = pel_texture_axis_texel(&a->v, j + 1);
+        int32_t j1 = pel_texture_axis_texel(&a->v, j + (j < INT32_MAX));
         const pel_color t[4] = {
             pel_texel(p, p->kind, i0, j0), pel_texel(p, p->kind, i1, j0),
             pel_texel(p, p->kind, i0, j1), pel_texel(p, p->kind, i1, j1)};

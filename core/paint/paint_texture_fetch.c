@@ -54,6 +54,8 @@ enum pel_status pel_texture_set(struct pel_texture *paint,
                                 const struct pel_texels *texels,
                                 const struct pel_texture_map *map)
 {
+    if (paint)
+        pel_paint_clear(&paint->base.paint);
     if (!paint || !texels || !map)
         return PEL_ERROR_NULL;
     copy_plane(&paint->map.u, &map->u);

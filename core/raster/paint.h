@@ -14,6 +14,10 @@
 struct pel_paint;
 struct pel_fast_triangle;
 
+/* The fill function that draws nothing. */
+void pel_nothing_fill(const struct pel_paint *paint,
+                      const struct pel_spans *spans);
+
 struct pel_paint {
     /* Colours every span of `spans`. Required. */
     void (*fill)(const struct pel_paint *paint, const struct pel_spans *spans);
@@ -39,6 +43,13 @@ struct pel_paint {
         fill, NULL            \
     }
 #endif
+
+/* What init functions make of a paint when they fail: it draws nothing. */
+static inline void pel_paint_clear(struct pel_paint *paint)
+{
+    paint->fill = pel_nothing_fill;
+    paint->fast = NULL;
+}
 
 /* One colour. Alpha 255 stores it, 0 draws nothing, any other value blends it
  * over what is there (pel_mix). A const struct in flash will do:

@@ -1,6 +1,7 @@
 #include "thick_line.h"
 
-#include "triangle.h"
+#include "collect.h"
+#include "edge.h"
 
 /* floor(sqrt(n)) for n < 2^62, a bit a turn. pel_square_root() is faster, but
  * with its table 300 bytes larger on a microcontroller; a line takes one
@@ -65,32 +66,72 @@ bool pel_thick_line_corners(const struct pel_thick_line_shape *line,
     return pel_points_legal(v, 4);
 }
 
-/* Three corners are enough: the fourth lies opposite to the second one. A
- * function of its own, for the sake of the stack. */
-static PEL_WIDE bool corners_of(const struct pel_thick_line_shape *line,
-                                struct pel_point v[3])
+/* One side of the parallelogram, from its top corner past another one down to
+ * its bottom corner. */
+struct side {
+    struct pel_edge edge;
+    const struct pel_point *corner, *bottom;
+    int32_t bend; /* the first row below the corner */
+};
+
+static void side_start(struct side *s, const struct pel_point *top, int32_t y)
 {
-    struct pel_point corner[4];
-    if (!pel_thick_line_corners(line, corner))
-        return false;
-    v[0] = corner[0];
-    v[1] = corner[1];
-    v[2] = corner[2];
-    return true;
+    s->bend = pel_first_pixel(s->corner->y);
+    if (y < s->bend)
+        pel_edge_start(&s->edge, top, s->corner, y);
+    else
+        pel_edge_start(&s->edge, s->corner, s->bottom, y);
+}
+
+/* On to row y, which is above the bottom. */
+static void side_next(struct side *s, int32_t y)
+{
+    if (y == s->bend)
+        pel_edge_start(&s->edge, s->corner, s->bottom, y);
+    else
+        pel_edge_next(&s->edge);
+}
+
+/* A function of its own, so that its stack is free again when rows are painted.
+ * The rows y to the result; none when it is not above y. */
+static PEL_WIDE int32_t start(struct side side[2], const struct pel_point v[4],
+                              const struct pel_rect *clip, int32_t *y)
+{
+    int top = 0;
+    for (int i = 1; i < 4; i++)
+        if (v[i].y < v[top].y)
+            top = i;
+    const struct pel_point *bottom = &v[(top + 2) & 3];
+    const int32_t end = pel_min(pel_first_pixel(bottom->y), clip->y1);
+    *y = pel_max(pel_first_pixel(v[top].y), clip->y0);
+    for (int k = 0; k < 2 && *y < end; k++) {
+        side[k].corner = &v[(top + 1 + 2 * k) & 3];
+        side[k].bottom = bottom;
+        side_start(&side[k], &v[top], *y);
+    }
+    return end;
 }
 
 void pel_thick_line(const struct pel_surface *surface,
                     const struct pel_thick_line_shape *line,
                     const struct pel_paint *paint)
 {
-    struct pel_point v[3];
-    bool legal = corners_of(line, v);
+    struct pel_point v[4];
+    struct pel_collector c;
+    struct side side[2];
+    int32_t y;
+    bool legal = pel_thick_line_corners(line, v);
     PEL_ASSERT(legal);
     if (!legal)
         return;
-    /* A parallelogram: two triangles, which share the diagonal. */
-    pel_triangle(surface, v, paint);
-    v[1].x = v[0].x + v[2].x - v[1].x;
-    v[1].y = v[0].y + v[2].y - v[1].y;
-    pel_triangle(surface, v, paint);
+    pel_collect_begin(&c, surface, paint);
+    for (const int32_t end = start(side, v, &surface->clip, &y); y < end;) {
+        const int32_t a = side[0].edge.x, b = side[1].edge.x;
+        pel_collect_clipped(&c, y, pel_min(a, b), pel_max(a, b));
+        if (++y < end) {
+            side_next(&side[0], y);
+            side_next(&side[1], y);
+        }
+    }
+    pel_collect_end(&c);
 }

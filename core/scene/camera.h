@@ -18,7 +18,7 @@ enum pel_projection { PEL_PERSPECTIVE, PEL_ORTHOGRAPHIC };
  * Pixels are square when sensor[0] : sensor[1] is W : H. */
 struct pel_camera {
     pel_length eye[3], target[3];
-    int32_t up[3]; /* any length: {0, 1, 0} will do */
+    int32_t up[3]; /* of any length: {0, 1, 0} will do */
 
     /* Perspective: focal length and sensor in any unit that is the same for
      * the three, such as 1/1000 mm; 1 to 2^24. Orthographic: the sensor is a
@@ -29,7 +29,9 @@ struct pel_camera {
     enum pel_projection projection;
 };
 
-/* The rotation from world to x_c, y_c, z_c. PEL_ERROR_RANGE: the eye is at the
+/* The rotation from world to x_c, y_c, z_c: right to 2^-28 while the parts of
+ * `up` and of target - eye are below 2^30, otherwise to 2^-28 by the sine of
+ * the angle between the two. PEL_ERROR_RANGE: the eye is at the
  * target, or `up` is 0 or lies along the view, or a place is out of range. */
 enum pel_status pel_camera_basis(const struct pel_camera *camera,
                                  struct pel_matrix *basis);

@@ -4,7 +4,7 @@
 
 size_t pel_depth_size(const struct pel_rect *bounds, int bits)
 {
-    if (pel_rect_empty(bounds) || (bits != 16 && bits != 32))
+    if (!pel_bounds_legal(bounds) || (bits != 16 && bits != 32))
         return 0;
     const uint64_t pixels = (uint64_t)(uint32_t)(bounds->x1 - bounds->x0) *
                             (uint32_t)(bounds->y1 - bounds->y0);

@@ -18,8 +18,8 @@ struct pel_depth {
     uint8_t bits;
 };
 
-/* Bytes for `bounds`; 0 when they are empty, bits not 16 or 32, or when the
- * bytes are more than a size_t can say. */
+/* Bytes for `bounds`; 0 when they are none of a surface (pel_bounds_legal),
+ * bits not 16 or 32, or when the bytes are more than a size_t can say. */
 size_t pel_depth_size(const struct pel_rect *bounds, int bits);
 
 /* `bounds` as of a surface, of which it should be those: nothing is drawn

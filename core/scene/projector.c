@@ -84,7 +84,8 @@ static enum pel_status place_near(struct pel_projector *p,
 {
     const int bits = p->fine_bits - p->coarse; /* of a unit, coarse */
     int64_t near = pel_scale_down(camera->near, 16 - bits);
-    if (camera->near <= 0 || near < 1)
+    if (camera->near <= 0 || near < 1 ||
+        (camera->projection == PEL_ORTHOGRAPHIC && bits < 0))
         return PEL_ERROR_RANGE;
     p->near_fine = pel_scale_down(camera->near, 16 - p->fine_bits);
     near = near < INT32_C(1) << 29 ? near : INT32_C(1) << 29;
@@ -102,6 +103,8 @@ enum pel_status pel_projector_init(struct pel_projector *projector,
                                    const struct pel_rect *viewport)
 {
     struct pel_projector *p = projector;
+    if (!p || !mesh || !pose || !camera || !viewport)
+        return PEL_ERROR_NULL;
     enum pel_status status = pel_camera_basis(camera, &p->rows);
     if (status != PEL_OK)
         return status;

@@ -33,11 +33,12 @@ struct pel_projector {
     struct pel_mesh_quantum quantum;
 };
 
-/* PEL_ERROR_SIZE: an empty viewport, or one beyond +-32,767 px, or a focal
- * length or sensor out of range, or of an extent that makes more than 65,536 or
- * less than 1/256 pixel of a unit at distance 1; PEL_ERROR_RANGE:
- * pel_camera_basis, or `near` is not above 0, or more than 2^28 times smaller
- * than the farthest a vertex of the mesh could be away. */
+/* PEL_ERROR_NULL; PEL_ERROR_SIZE: an empty viewport, or one beyond +-32,767 px,
+ * or a focal length or sensor out of range, or of an extent that makes more
+ * than 65,536 or less than 1/256 pixel of a unit at distance 1;
+ * PEL_ERROR_RANGE: pel_camera_basis, or `near` is not above 0, or more than
+ * 2^28 times smaller than the farthest a vertex of the mesh could be away, or,
+ * orthographic, that vertex is 2^29 units away or more. */
 enum pel_status pel_projector_init(struct pel_projector *projector,
                                    const struct pel_mesh *mesh,
                                    const struct pel_pose *pose,
@@ -57,10 +58,11 @@ struct pel_projected {
 };
 
 /* Of a vertex. x and y are the nearest sub-pixel to the exact projection of
- * the exact place, or its neighbour, while (S + |x|) D / z < 2^28: S sub-pixels
+ * the exact place, or its neighbour, while (S + |x|) D / z < 2^27: S sub-pixels
  * per unit at distance 1, x sub-pixels from the middle of the viewport, D the
  * way from eye to pose and from there to the vertex, its three parts added. The
- * error before rounding is less than (S + |x|) D / z 2^-29 sub-pixels. */
+ * error before rounding is less than (S + |x|) D / z 2^-28 sub-pixels, where
+ * the camera's directions are right to 2^-28 (camera.h). */
 void pel_project(const struct pel_projector *projector,
                  const int16_t position[3], struct pel_projected *out);
 

@@ -56,7 +56,7 @@ int64_t pel_minor(int32_t a, int32_t b, int32_t c, int32_t d);
  * may be v. */
 bool pel_unit_near(const int32_t v[3], pel_cosine unit[3]);
 
-/* A direction for places: the same, off by less than 2^-29, by divisions.
+/* A direction for places: the same, off by less than 2^-28, by divisions.
  * |v[k]| < 2^62. */
 bool pel_unit_exact(const int64_t v[3], pel_cosine unit[3]);
 

@@ -354,6 +354,26 @@ static void test_alpha_surface(void **state)
     }
 }
 
+/* Coordinates at the ends of what fits show the picture's edge. */
+static void test_ends_of_the_range(void **state)
+{
+    static const pel_color texels[4] = {1, 2, 3, 4};
+    const struct pel_texels t = {NULL, texels, 2, 2, false};
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        /* INT32_MIN texels, half a texel and the rounding of weights on */
+        const uint64_t low = UINT64_C(0x800000007F800000);
+        const struct pel_texture_plane u = {low - (uint64_t)(i & 1), 0, 0};
+        const struct pel_texture_plane v = {low - (uint64_t)(i >> 1), 0, 0};
+        const struct pel_texture_map map = {u, v};
+        struct pel_texture p;
+        pel_color got;
+        assert_int_equal(pel_texture_init_bilinear(&p, &t, &map), PEL_OK);
+        p.base.colors(&p.base, 0, 0, 1, &got);
+        assert_int_equal(got, texels[i]);
+    }
+}
+
 static void test_errors(void **state)
 {
     (void)state;
@@ -394,6 +414,7 @@ int main(void)
         cmocka_unit_test(test_order_changes_nothing),
         cmocka_unit_test(test_formats),
         cmocka_unit_test(test_alpha_surface),
+        cmocka_unit_test(test_ends_of_the_range),
         cmocka_unit_test(test_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -52,7 +52,7 @@ static struct drawing open_case(struct random *r)
     canvas_open(&whole, f, &b, random_word(r) % CANVAS_STYLES);
     d.flat = flat;
     any_in_box(r, &d.shape, (enum any_kind)(random_word(r) % ANY_KINDS), &b);
-    d.outline = any_has_outline(d.shape.kind) && random_word(r) & 1;
+    d.outline = random_word(r) & 1;
     return d;
 }
 
@@ -126,11 +126,39 @@ static int teardown(void **state)
     return 0;
 }
 
+/* Clips with no pixel, far away or turned round: nothing is drawn. */
+static void test_empty_clips(void **state)
+{
+    static const struct pel_rect clip[] = {
+        {8388608, 0, 8388672, 64},
+        {0, 0, -536870912, 64},
+        {INT32_MAX, 0, INT32_MIN, 24},
+        {0, INT32_MAX, 64, INT32_MIN},
+        {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN},
+        {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN},
+        {40, 0, 20, 64},
+        {0, 40, 64, 20},
+    };
+    static const pel_color colors[3] = {PEL_RGB(9, 8, 7), PEL_RGB(250, 0, 0),
+                                        PEL_RGB(0, 3, 99)};
+    (void)state;
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        const struct drawing d = open_case(&c.random);
+        pel_surface_clip(
+            &whole.surface,
+            &clip[random_word(&c.random) % (sizeof clip / sizeof *clip)]);
+        draw(&whole, &d);
+        pel_triangle_gouraud(&whole.surface, d.shape.v, colors);
+        canvas_check(&whole);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_bytes_follow_the_rule),
         cmocka_unit_test(test_tiles_equal_the_whole),
+        cmocka_unit_test(test_empty_clips),
     };
     return cmocka_run_group_tests(tests, NULL, teardown);
 }

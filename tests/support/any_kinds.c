@@ -282,6 +282,19 @@ static bool thick_line_at(const struct any_shape *s, int32_t x, int32_t y)
            reference_polygon_at(&outline, x, y);
 }
 
+/* Shapes that have no outline function: by the filter. */
+static void outline_rim(const struct pel_surface *surface,
+                        const struct any_shape *s,
+                        const struct pel_paint *paint)
+{
+    struct pel_span memory[PEL_RIM_MEMORY(3)];
+    struct pel_rim rim;
+    if (!pel_rim_begin(&rim, surface, paint, memory, PEL_RIM_MEMORY(3)))
+        return;
+    any_draw(&rim.surface, s, &rim.paint);
+    pel_rim_end(&rim);
+}
+
 static const struct {
     const char *name;
     draw_function *draw;
@@ -296,11 +309,11 @@ static const struct {
     {"ellipse", draw_ellipse, hit_ellipse, ellipse_at, outline_ellipse},
     {"rounded rectangle", draw_rounded, hit_rounded, rounded_at,
      outline_rounded},
-    {"ring", draw_ring, hit_ring, ring_at, NULL},
+    {"ring", draw_ring, hit_ring, ring_at, outline_rim},
     {"sector", draw_sector, hit_sector, sector_at, outline_sector},
-    {"arc", draw_arc, hit_arc, arc_at, NULL},
-    {"line", draw_line, hit_line, line_at, NULL},
-    {"thick line", draw_thick_line, hit_thick_line, thick_line_at, NULL},
+    {"arc", draw_arc, hit_arc, arc_at, outline_rim},
+    {"line", draw_line, hit_line, line_at, outline_rim},
+    {"thick line", draw_thick_line, hit_thick_line, thick_line_at, outline_rim},
 };
 
 const char *any_name(const struct any_shape *s)
@@ -322,11 +335,6 @@ bool any_hit(const struct any_shape *s, int32_t x, int32_t y)
 bool any_reference_at(const struct any_shape *s, int32_t x, int32_t y)
 {
     return kinds[s->kind].reference(s, x, y);
-}
-
-bool any_has_outline(enum any_kind kind)
-{
-    return kinds[kind].outline != NULL;
 }
 
 void any_draw_outline(const struct pel_surface *surface,

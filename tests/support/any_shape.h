@@ -54,8 +54,7 @@ void any_draw(const struct pel_surface *surface, const struct any_shape *s,
 bool any_hit(const struct any_shape *s, int32_t x, int32_t y);
 bool any_reference_at(const struct any_shape *s, int32_t x, int32_t y);
 
-/* Shapes that have an outline function; arcs have that of their sector. */
-bool any_has_outline(enum any_kind kind);
+/* By the shape's outline function or outline/rim.h; of sectors the arc. */
 void any_draw_outline(const struct pel_surface *surface,
                       const struct any_shape *s, const struct pel_paint *paint);
 bool any_reference_outline_at(const struct any_shape *s, int32_t x, int32_t y);

@@ -115,6 +115,8 @@ static void test_two_points(void **state)
             expect_broken("line", illegal[i]);
             pel_rectangle(&hits.surface, v[0], v[1], &hits.paint);
             expect_broken("rectangle", illegal[i]);
+            pel_rectangle_outline(&hits.surface, v[0], v[1], &hits.paint);
+            expect_broken("rectangle outline", illegal[i]);
         }
 }
 
@@ -136,6 +138,45 @@ static void test_circles(void **state)
         pel_circle(&hits.surface, center, radius[i], &hits.paint);
         expect_broken("radius", radius[i]);
     }
+}
+
+/* Places of text, copies and the rim of a fan. */
+static void test_places(void **state)
+{
+    static const struct pel_font_glyph glyph = {0, 8, 1, 0, 1, 255};
+    static const uint8_t bits[1] = {255};
+    static const struct pel_font_asset font = {
+        PEL_FONT_MAGIC, PEL_FONT_VERSION, 255, 255, 0, 1, 0, 1,
+        NULL,           &glyph,           bits};
+    static const int32_t place[] = {INT32_MIN, -65537, 65537, INT32_MAX};
+    struct pel_point rim[3] = {{1, 2}, {3, 4}, {5, 6}};
+    uint32_t pixel = 0;
+    struct pel_surface s;
+    (void)state;
+    open_hits();
+    assert_int_equal(pel_surface_init(&s, &pel_xrgb8888, &pixel, 1, 1), PEL_OK);
+    for (int k = 0; k < 24; k++) {
+        int32_t at[6] = {0, 0, 1, 1, 0, 0};
+        at[k / 4] = place[k % 4];
+        const struct pel_copy_part part = {
+            &s, {at[0], at[1], at[2], at[3]}, at[4], at[5]};
+        const struct pel_text_block text = {&font, "a\na", at[0], at[1]};
+        pel_copy(&s, &part);
+        expect_broken("copy", at[k / 4]);
+        pel_copy_alpha(&s, &part, 128);
+        expect_broken("copy alpha", at[k / 4]);
+        if (k < 8) {
+            pel_text(&hits.surface, &text, &hits.paint);
+            expect_broken("text", at[k / 4]);
+        }
+    }
+    for (int i = 0; i < ILLEGAL; i++) {
+        pel_fan_rim(rim, 3, (struct pel_point){illegal[i], 0}, 99, 5);
+        expect_broken("fan's centre", illegal[i]);
+        pel_fan_rim(rim, 3, (struct pel_point){0, 0}, illegal[i], 5);
+        expect_broken("fan's radius", illegal[i]);
+    }
+    assert_int_equal(rim[2].y, 6);
 }
 
 /* Polygons are checked by their status, not by PEL_ASSERT. */
@@ -172,11 +213,15 @@ static void check_twin(const struct pel_format *twin)
                                 PEL_RGBA(0, 0, 255, 10)};
     const pel_color opaque[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0),
                                  PEL_RGB(0, 0, 255)};
-    struct pel_surface s;
+    struct pel_surface s, other;
     assert_int_equal(pel_surface_init(&s, twin, pixels, 8, 8), PEL_OK);
+    assert_int_equal(pel_surface_init(&other, &pel_gray8, pixels, 8, 8),
+                     PEL_OK);
     pel_clear(&s, 0);
     pel_circle(&s, clipped[0], PEL_PX(4), &half.paint);
     expect_broken("twin, circle", 0);
+    pel_copy_keyed(&other, &(struct pel_copy_part){&s, s.bounds, 0, 0}, 0);
+    expect_broken("twin, copy", 0);
     for (int k = 0; k < 2; k++) {
         pel_triangle(&s, v[k], &half.paint);
         expect_broken("twin, flat", k);
@@ -207,6 +252,7 @@ int main(void)
         cmocka_unit_test(test_triangles),
         cmocka_unit_test(test_two_points),
         cmocka_unit_test(test_circles),
+        cmocka_unit_test(test_places),
         cmocka_unit_test(test_polygons),
         cmocka_unit_test(test_fill_only_twins),
         cmocka_unit_test(test_gouraud),

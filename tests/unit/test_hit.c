@@ -42,6 +42,8 @@ static void test_topmost(void **state)
     assert_int_equal(pel_hit_topmost(list, 3, 50, 20), 0);
     assert_int_equal(pel_hit_topmost(list, 3, 5, 5), -1);
     assert_int_equal(pel_hit_topmost(list, 0, 50, 50), -1);
+    assert_int_equal(pel_hit_topmost(NULL, -1, 50, 50), -1);
+    assert_int_equal(pel_hit_topmost(NULL, INT32_MIN, 50, 50), -1);
     asked = 0;
     pel_hit_topmost(list, 3, 65, 50);
     assert_int_equal(asked, 1);
