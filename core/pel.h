@@ -9,6 +9,7 @@ extern "C" {
 #include "base/color.h"
 #include "base/point.h"
 #include "base/trig.h"
+#include "base/turn.h"
 #include "base/format.h"
 #include "base/hsv.h"
 #include "base/rect.h"
@@ -18,6 +19,7 @@ extern "C" {
 #include "format/argb8888.h"
 #include "format/formats.h"
 
+#include "raster/dirty.h"
 #include "raster/gouraud.h"
 #include "raster/line.h"
 #include "raster/paint.h"

@@ -8,9 +8,10 @@
 
 typedef uint32_t pel_color;
 
-#define PEL_RGBA(r, g, b, a)                                             \
-    ((pel_color)(a) << 24 | (pel_color)(r) << 16 | (pel_color)(g) << 8 | \
-     (pel_color)(b))
+/* Channels are taken modulo 256. */
+#define PEL_RGBA(r, g, b, a)                                   \
+    (((pel_color)(a)&255) << 24 | ((pel_color)(r)&255) << 16 | \
+     ((pel_color)(g)&255) << 8 | ((pel_color)(b)&255))
 #define PEL_RGB(r, g, b) PEL_RGBA(r, g, b, 255)
 
 static inline uint32_t pel_alpha(pel_color c)

@@ -45,8 +45,8 @@ enum pel_status pel_surface_init_rect(struct pel_surface *surface,
     if (!origin_legal(format, bounds))
         return PEL_ERROR_ALIGNMENT;
     int32_t needed = pel_stride(format, bounds->x1 - bounds->x0);
-    if (stride < needed &&
-        (stride > -needed || format->id == PEL_FORMAT_MONO1_PAGES))
+    if (stride < needed && (stride > -needed || stride == INT32_MIN ||
+                            format->id == PEL_FORMAT_MONO1_PAGES))
         return PEL_ERROR_STRIDE;
     if ((uintptr_t)pixels % format->word || stride % format->word)
         return PEL_ERROR_ALIGNMENT;

@@ -30,13 +30,14 @@ enum pel_status pel_surface_init(struct pel_surface *surface,
 
 /* The general form. `pixels` is where pixel (bounds->x0, bounds->y0) begins,
  * `stride` leads to the line below it: negative for a bottom-up picture (not in
- * mono1_pages), larger than pel_stride() for padding, which is never written.
- * `bounds` are absolute pixels inside -32,768..32,767 (x1 and y1 up to 32,768):
- * a band or tile of a larger picture is a surface with the bounds of that part,
- * and what is drawn into the parts equals what is drawn into the whole. For
- * formats with less than 8 bits a tile begins at a byte (x0 even for gray4, a
- * multiple of 8 for mono1; y0 a multiple of 8 for mono1_pages). PEL_ERROR_NULL,
- * PEL_ERROR_SIZE, PEL_ERROR_STRIDE, PEL_ERROR_ALIGNMENT. */
+ * mono1_pages, and not INT32_MIN), larger than pel_stride() for padding, which
+ * is never written. `bounds` are absolute pixels inside -32,768..32,767 (x1 and
+ * y1 up to 32,768): a band or tile of a larger picture is a surface with the
+ * bounds of that part, and what is drawn into the parts equals what is drawn
+ * into the whole. For formats with less than 8 bits a tile begins at a byte (x0
+ * even for gray4, a multiple of 8 for mono1; y0 a multiple of 8 for
+ * mono1_pages). PEL_ERROR_NULL, PEL_ERROR_SIZE, PEL_ERROR_STRIDE,
+ * PEL_ERROR_ALIGNMENT. */
 enum pel_status pel_surface_init_rect(struct pel_surface *surface,
                                       const struct pel_format *format,
                                       void *pixels, int32_t stride,

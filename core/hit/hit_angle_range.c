@@ -1,6 +1,7 @@
 #include "hit_pixel.h"
 
 #include "../base/trig.h"
+#include "../round/angle_range.h"
 
 /* The eighth of the turn, [k, k + 1) / 8, that holds the direction d. */
 static int32_t eighth_of(struct pel_point d)
@@ -32,13 +33,16 @@ static bool is_behind(struct pel_point d, uint16_t turn)
     return pel_product(ray.x, d.y) >= pel_product(ray.y, d.x);
 }
 
-bool pel_hit_angle_range(struct pel_point center, uint16_t from, uint16_t to,
+bool pel_hit_angle_range(struct pel_point center, int32_t from, int32_t to,
                          struct pel_point p)
 {
+    struct pel_angles a;
     struct pel_point d = {p.x - center.x, p.y - center.y};
     if (d.x == 0 && d.y == 0)
         d.x = 1;
-    if (from < to)
-        return is_behind(d, from) && !is_behind(d, to);
-    return from != to && (is_behind(d, from) || !is_behind(d, to));
+    if (!pel_angles_set(&a, from, to))
+        return false;
+    if (a.from < a.to)
+        return is_behind(d, a.from) && !is_behind(d, a.to);
+    return is_behind(d, a.from) || !is_behind(d, a.to);
 }

@@ -24,7 +24,7 @@ static inline bool pel_hit_disc(struct pel_point p, struct pel_point center,
 }
 
 /* True in the range of angles around the centre (rule: round/angle_range.h). */
-bool pel_hit_angle_range(struct pel_point center, uint16_t from, uint16_t to,
+bool pel_hit_angle_range(struct pel_point center, int32_t from, int32_t to,
                          struct pel_point p);
 
 #endif

@@ -15,14 +15,14 @@ struct walk {
 static PEL_WIDE bool start(struct walk *w, const struct pel_surface *surface,
                            const struct pel_sector_shape *sector)
 {
-    const struct pel_angles angles = {sector->from, sector->to};
     if (pel_rect_empty(&surface->clip))
         return false;
     w->clip = pel_outline_clip(surface);
     pel_outline_begin(&w->row, surface);
     return pel_disc_walk_start(&w->circle, &sector->center, sector->radius,
                                &w->clip) &&
-           pel_angle_range_start(&w->angles, &sector->center, angles,
+           pel_angle_range_start(&w->angles, &sector->center, sector->from,
+                                 sector->to,
                                  pel_max(w->circle.y - 1, surface->clip.y0));
 }
 

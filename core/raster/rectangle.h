@@ -4,10 +4,14 @@
 
 #include "paint.h"
 
-/* Fills the pixels whose centre lies in [from.x, to.x) x [from.y, to.y): for
- * whole pixels (PEL_AT) these are the pixels from `from` up to, not including,
- * `to`. Nothing when to.x <= from.x or to.y <= from.y. A corner out of range
- * is a broken contract: PEL_ASSERT, and nothing is drawn. */
+/* Fills the box of whole pixels. Any box will do; an empty one is nothing. */
+void pel_box(const struct pel_surface *surface, const struct pel_rect *box,
+             const struct pel_paint *paint);
+
+/* The same by sub-pixels: the pixels whose centre lies in [from.x, to.x) x
+ * [from.y, to.y), as a polygon has them. Nothing when to.x <= from.x or to.y <=
+ * from.y. A corner out of range is a broken contract: PEL_ASSERT, and nothing
+ * is drawn. */
 void pel_rectangle(const struct pel_surface *surface, struct pel_point from,
                    struct pel_point to, const struct pel_paint *paint);
 

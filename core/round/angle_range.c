@@ -97,11 +97,12 @@ void pel_angle_range_spans(struct pel_angle_range *range,
 }
 
 bool pel_angle_range_start(struct pel_angle_range *range,
-                           const struct pel_point *center,
-                           struct pel_angles angles, int32_t y)
+                           const struct pel_point *center, int32_t from,
+                           int32_t to, int32_t y)
 {
-    range->angles = angles;
-    ray_start(&range->from, angles.from, center, y);
-    ray_start(&range->to, angles.to, center, y);
-    return angles.from != angles.to;
+    if (!pel_angles_set(&range->angles, from, to))
+        return false;
+    ray_start(&range->from, range->angles.from, center, y);
+    ray_start(&range->to, range->angles.to, center, y);
+    return true;
 }

@@ -8,8 +8,8 @@
  *     or P lies on the ray of `from`;
  *
  * a larger range holds the pixels that [to, from) does not. cross((a, b),
- * (x, y)) = a y - b x. A pixel centre on C counts as angle 0. from == to is
- * empty. So the ranges [a, b), [b, c), [c, a) hold every pixel once. */
+ * (x, y)) = a y - b x. A pixel centre on C counts as angle 0. So the
+ * ranges [a, b), [b, c), [c, a) hold every pixel once. */
 #ifndef PEL_ROUND_ANGLE_RANGE_H
 #define PEL_ROUND_ANGLE_RANGE_H
 
@@ -26,19 +26,30 @@ struct pel_ray {
 };
 
 struct pel_angles {
-    uint16_t from, to; /* turns / 65,536 */
+    uint16_t from, to; /* turns / 65,536; 0, 0 is a full turn */
 };
+
+/* The range from one angle to another, in any turns: a full one when `to` is at
+ * least 65,536 larger. false: nothing, since the two are the same angle. */
+static inline bool pel_angles_set(struct pel_angles *a, int32_t from,
+                                  int32_t to)
+{
+    const bool full = to > from && (uint32_t)to - (uint32_t)from >= 65536;
+    a->from = (uint16_t)(full ? 0 : from);
+    a->to = (uint16_t)(full ? 0 : to);
+    return full || a->from != a->to;
+}
 
 struct pel_angle_range {
     struct pel_angles angles;
     struct pel_ray from, to;
 };
 
-/* Starts at row y; the centre must be legal. false: nothing is covered, since
- * from == to. */
+/* Starts at row y; the centre must be legal. false: nothing is covered
+ * (pel_angles_set). */
 bool pel_angle_range_start(struct pel_angle_range *range,
-                           const struct pel_point *center,
-                           struct pel_angles angles, int32_t y);
+                           const struct pel_point *center, int32_t from,
+                           int32_t to, int32_t y);
 
 /* Sets two spans, disjoint and from left to right, to the part of row y inside
  * the range. They may be empty; open ends lie beyond every pixel. For every row

@@ -13,11 +13,10 @@ struct walk {
 static PEL_WIDE bool start(struct walk *w, const struct pel_surface *surface,
                            const struct pel_arc_shape *arc)
 {
-    const struct pel_angles angles = {arc->from, arc->to};
     pel_cut_begin(&w->cut, surface);
     return pel_ring_start(&w->ring, &arc->center, arc->inner, arc->outer,
                           &surface->clip) &&
-           pel_angle_range_start(&w->angles, &arc->center, angles,
+           pel_angle_range_start(&w->angles, &arc->center, arc->from, arc->to,
                                  w->ring.outer.y);
 }
 

@@ -11,9 +11,8 @@ void pel_sector(const struct pel_surface *surface,
     struct pel_angle_range angles;
     if (!pel_disc_walk_start(&w, &sector->center, sector->radius,
                              &surface->clip) ||
-        !pel_angle_range_start(&angles, &sector->center,
-                               (struct pel_angles){sector->from, sector->to},
-                               w.y))
+        !pel_angle_range_start(&angles, &sector->center, sector->from,
+                               sector->to, w.y))
         return;
     struct pel_span span[2];
     struct pel_spans spans = {surface, span, 0, 0, 0};

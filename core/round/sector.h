@@ -6,8 +6,9 @@
 
 struct pel_sector_shape {
     struct pel_point center;
-    int32_t radius;    /* 1/256 px, 0..32,767 px */
-    uint16_t from, to; /* turns / 65,536, clockwise on screen from +x */
+    int32_t radius;   /* 1/256 px, 0..32,767 px */
+    int32_t from, to; /* turns / 65,536, clockwise on screen from +x: any,
+                         -1 is the angle 65,535 */
 };
 
 /* Fills the pixels of pel_circle(center, radius) whose centre lies between the
@@ -17,9 +18,10 @@ struct pel_sector_shape {
  * round/angle_range.h); so sectors tile: [a, b) and [b, c) share no pixel and
  * leave none between them, and sectors around the whole turn hold every pixel
  * of the disc once. A pixel whose centre is the centre of the disc counts as
- * angle 0. Nothing when from == to; the whole disc is pel_circle. Work is
- * bounded by the size of the clip. A centre or radius out of range is a broken
- * contract: PEL_ASSERT, and nothing is drawn. */
+ * angle 0. Nothing when from and to are one angle; the whole disc when to -
+ * from is 65,536 or more. Work is bounded by the size of the clip. A centre or
+ * radius out of range is a broken contract: PEL_ASSERT, and nothing is drawn.
+ */
 void pel_sector(const struct pel_surface *surface,
                 const struct pel_sector_shape *sector,
                 const struct pel_paint *paint);

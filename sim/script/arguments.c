@@ -57,7 +57,7 @@ static bool parse_turn(const struct script_place *place, const char *word,
     int64_t v;
     if (number_decimal(word, 65536, 0, 65536, &v) != NUMBER_OK)
         return refuse(place, word, "a part of a turn, 0 to 1");
-    *value = (int32_t)(v & 65535);
+    *value = (int32_t)v;
     return true;
 }
 

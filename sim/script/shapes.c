@@ -11,8 +11,7 @@ static struct pel_point point(const int32_t *v)
 
 static struct pel_sector_shape sector(const int32_t *v)
 {
-    return (struct pel_sector_shape){point(v), v[2], (uint16_t)v[3],
-                                     (uint16_t)v[4]};
+    return (struct pel_sector_shape){point(v), v[2], v[3], v[4]};
 }
 
 static struct pel_ellipse_shape ellipse(const int32_t *v)
@@ -34,18 +33,24 @@ static const char *check_rect(const int32_t *v, size_t n)
     return NULL;
 }
 
+/* Angles of 0 and 1 are the same, and the whole turn from 0 to 1. */
+static const char *check_turns(const int32_t *from_to)
+{
+    return from_to[1] <= from_to[0] && !((from_to[0] - from_to[1]) & 65535)
+               ? "FROM and TO are the same angle: 0 1 is the whole turn"
+               : NULL;
+}
+
 static const char *check_sector(const int32_t *v, size_t n)
 {
     (void)n;
-    return v[3] == v[4] ? "FROM and TO are the same angle: circle is the whole"
-                        : NULL;
+    return check_turns(v + 3);
 }
 
 static const char *check_arc(const int32_t *v, size_t n)
 {
     (void)n;
-    return v[4] == v[5] ? "FROM and TO are the same angle: ring is the whole"
-                        : NULL;
+    return check_turns(v + 4);
 }
 
 static const char *check_thick(const int32_t *v, size_t n)
@@ -74,8 +79,7 @@ static void draw_sector(struct script_pen *pen, const int32_t *v, size_t n)
 
 static void draw_arc(struct script_pen *pen, const int32_t *v, size_t n)
 {
-    const struct pel_arc_shape arc = {point(v), v[2], v[3], (uint16_t)v[4],
-                                      (uint16_t)v[5]};
+    const struct pel_arc_shape arc = {point(v), v[2], v[3], v[4], v[5]};
     (void)n;
     pel_arc(pen->surface, &arc, script_paint(pen));
 }

@@ -1,5 +1,7 @@
 /* Every shape, random and adversarial, through clip windows anywhere: fill,
  * outline and hit test against 128-bit arithmetic, each pixel painted once. */
+#include <string.h>
+
 #include "tests/support/any_shape.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
@@ -59,6 +61,52 @@ static uint64_t check_outlines(enum any_kind kind, bool adversarial)
     return covered;
 }
 
+static void add(struct pel_rect *box, int32_t x, int32_t y)
+{
+    if (pel_rect_empty(box))
+        *box = (struct pel_rect){x, y, x + 1, y + 1};
+    box->x0 = pel_min(box->x0, x);
+    box->y0 = pel_min(box->y0, y);
+    box->x1 = pel_max(box->x1, x + 1);
+    box->y1 = pel_max(box->y1, y + 1);
+}
+
+/* The dirty box is that of the pixels that belong to the shape or its outline
+ * inside the clip, painting or not, and changes nothing of what is painted. */
+static void test_dirty_boxes(void **state)
+{
+    (void)state;
+    for (struct cases c = cases_of(100000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const enum any_kind kind = (enum any_kind)(random_word(r) % ANY_KINDS);
+        const bool outline = random_word(r) & 1, paints = random_word(r) & 1;
+        struct any_shape s;
+        struct pel_dirty dirty;
+        struct pel_rect box = {0, 0, 0, 0};
+        any_random(r, &s, kind, random_word(r) & 1);
+        open_window(r, &s);
+        pel_dirty_begin(&dirty, paints ? &hits.paint : NULL);
+        assert_true(pel_rect_empty(&dirty.box));
+        (outline ? any_draw_outline : any_draw)(&hits.surface, &s,
+                                                &dirty.paint);
+        const struct pel_rect *clip = &hits.surface.clip;
+        for (int32_t y = clip->y0; y < clip->y1; y++)
+            for (int32_t x = clip->x0; x < clip->x1; x++)
+                if (outline ? any_reference_outline_at(&s, x, y)
+                            : any_reference_at(&s, x, y))
+                    add(&box, x, y);
+        if (memcmp(&box, &dirty.box, sizeof box))
+            fail_msg("%s: box %d %d %d %d, expected %d %d %d %d; %s",
+                     any_name(&s), dirty.box.x0, dirty.box.y0, dirty.box.x1,
+                     dirty.box.y1, box.x0, box.y0, box.x1, box.y1,
+                     cases_replay());
+        if (paints)
+            hits_check(&hits, outline ? outline_at : fill_at, &s, any_name(&s));
+        else
+            assert_int_equal(hits.pixels, 0);
+    }
+}
+
 static void test_fills(void **state)
 {
     (void)state;
@@ -90,6 +138,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_fills),
         cmocka_unit_test(test_outlines),
+        cmocka_unit_test(test_dirty_boxes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -41,6 +41,7 @@ same() {
 same 'circle 16 16 10' 'ring 16 16 4 10\ncircle 16 16 4'
 same 'circle 16 16 10' 'sector 16 16 10 0.1 0.6\nsector 16 16 10 0.6 0.1'
 same 'ring 16 16 5 9' 'arc 16 16 5 9 0 0.5\narc 16 16 5 9 0.5 1'
+same 'ring 16 16 5 9' 'arc 16 16 5 9 0 1'
 same 'circle 16 16 10' 'ellipse 16 16 10 10'
 same 'rect 3 4 20 10' 'roundrect 3 4 20 10 0'
 same 'rect 3 4 20 10' 'thickline 3 9 23 9 10'
@@ -51,8 +52,8 @@ same 'outline triangle 2 3 30 6 9 28' \
     'outline polygon evenodd 2 3 30 6 9 28'
 
 echo 'sector 16 16 9 0.5 0.5' |
-    refused 2 'sector: FROM and TO are the same angle: circle is the whole'
-echo 'arc 16 16 4 9 0 1' | refused 2 'arc: FROM and TO are the same angle'
+    refused 2 'sector: FROM and TO are the same angle: 0 1 is the whole'
+echo 'arc 16 16 4 9 1 0' | refused 2 'arc: FROM and TO are the same angle'
 echo 'sector 16 16 9 0 1.1' | refused 2 'sector: 1.1 must be a part of a turn'
 echo 'sector 16 16 9 0' | refused 2 'sector takes 5 values, not 4'
 echo 'ring 16 16 -1 9' | refused 2 'ring: -1 must be in 0..32767 pixels'

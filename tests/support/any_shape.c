@@ -65,8 +65,14 @@ static void random_numbers(struct random *r, struct any_shape *s)
     s->from = random_turn(r);
     s->to = random_turn(r);
     if (random_word(r) % 8 == 0)
-        s->to = (uint16_t)(s->from + (uint32_t)random_between(r, -1, 1) +
-                           (random_word(r) & 0x8000u));
+        s->to = (s->from + random_between(r, -1, 1) +
+                 (int32_t)(random_word(r) & 0x8000u)) &
+                65535;
+    if (random_word(r) % 8 == 0)
+        s->from -= 65536 * random_between(r, -2, 2);
+    if (random_word(r) % 8 == 0) /* a full turn, a little less, or more */
+        s->to = s->from + 65536 * random_between(r, 1, 3) +
+                random_between(r, -1, 1);
 }
 
 void any_random(struct random *r, struct any_shape *s, enum any_kind kind,
@@ -118,8 +124,8 @@ struct pel_rect any_window(struct random *r, const struct any_shape *s,
 {
     if (!is_round(s->kind) || random_word(r) % 8 == 0)
         return shape_window(r, s->v, points_of(s), size);
-    const struct pel_point d =
-        reference_direction(random_word(r) & 1 ? random_turn(r) : s->from);
+    const struct pel_point d = reference_direction(
+        random_word(r) & 1 ? random_turn(r) : (uint16_t)s->from);
     bool inner = s->kind != ANY_ELLIPSE && random_word(r) & 1;
     int64_t x = inner ? s->inner : s->radius;
     int64_t y = s->kind == ANY_ELLIPSE ? s->inner : x;

@@ -30,7 +30,7 @@ struct any_shape {
     enum pel_fill_rule rule; /* of polygons */
     int32_t n;               /* points of a polygon */
     int32_t radius, inner;   /* or width */
-    uint16_t from, to;
+    int32_t from, to;
 };
 
 const char *any_name(const struct any_shape *s);

@@ -51,17 +51,19 @@ static bool not_before(struct vector a, struct vector b)
     return b.x * a.y - b.y * a.x >= 0;
 }
 
-bool reference_angle_at(struct pel_point center, uint16_t from, uint16_t to,
+bool reference_angle_at(struct pel_point center, int32_t from, int32_t to,
                         int32_t x, int32_t y)
 {
     struct vector at = {center_of(x) - center.x, center_of(y) - center.y};
-    const struct pel_point a = reference_direction(from);
-    const struct pel_point b = reference_direction(to);
+    const struct pel_point a = reference_direction((uint16_t)from);
+    const struct pel_point b = reference_direction((uint16_t)to);
     if (at.x == 0 && at.y == 0)
         at.x = 1;
     bool after_from = not_before(at, (struct vector){a.x, a.y});
     bool after_to = not_before(at, (struct vector){b.x, b.y});
-    if (from <= to)
+    if (to - (int64_t)from >= 65536)
+        return true;
+    if ((uint16_t)from <= (uint16_t)to)
         return after_from && !after_to;
     return after_from || !after_to;
 }

@@ -85,6 +85,34 @@ static void test_rectangle_takes_centres(void **state)
     }
 }
 
+/* Boxes of whole pixels, of any numbers. */
+static void test_boxes(void **state)
+{
+    static const struct pel_rect box[] = {
+        {1, 2, 3, 4},
+        {INT32_MIN, 1, 2, INT32_MAX},
+        {INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX},
+        {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN},
+        {3, 1, 1, 4},
+        {1, 4, 3, 4},
+        {INT32_MAX - 1, 0, INT32_MAX, 5},
+    };
+    const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    (void)state;
+    for (size_t i = 0; i < sizeof box / sizeof box[0]; i++) {
+        const struct pel_rect *b = &box[i];
+        canvas_open(&canvas, &pel_gray8, &bounds, 0);
+        pel_clear(&canvas.surface, 0);
+        pel_box(&canvas.surface, b, &white.paint);
+        canvas_check(&canvas);
+        for (int32_t y = 0; y < 5; y++)
+            for (int32_t x = 0; x < 4; x++)
+                if ((canvas_pixel(&canvas, x, y) == 255) !=
+                    (x >= b->x0 && x < b->x1 && y >= b->y0 && y < b->y1))
+                    fail_msg("row %zu: %d, %d", i, x, y);
+    }
+}
+
 /* An illegal corner draws nothing, though the rest would be visible. */
 static void test_illegal_corners(void **state)
 {
@@ -111,6 +139,7 @@ int main(void)
         cmocka_unit_test(test_clear_sets_the_color),
         cmocka_unit_test(test_clear_of_an_empty_clip),
         cmocka_unit_test(test_rectangle_takes_centres),
+        cmocka_unit_test(test_boxes),
         cmocka_unit_test(test_illegal_corners),
     };
     return cmocka_run_group_tests(tests, NULL, teardown);

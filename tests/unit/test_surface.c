@@ -113,8 +113,11 @@ static void test_strides(void **state)
             pel_surface_init_rect(&s, format, memory + 1024, word - need, &b),
             PEL_ERROR_STRIDE);
         assert_int_equal(
-            pel_surface_init_rect(&s, format, memory, INT32_MIN / 8 * 8, &b),
+            pel_surface_init_rect(&s, format, memory, INT32_MIN + 8, &b),
             pages ? PEL_ERROR_STRIDE : PEL_OK);
+        assert_int_equal(
+            pel_surface_init_rect(&s, format, memory, INT32_MIN, &b),
+            PEL_ERROR_STRIDE);
     }
 }
 
