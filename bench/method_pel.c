@@ -171,7 +171,9 @@ static void set_texture(struct job *job)
     const struct pel_format *format = job->surface.format;
     const uint32_t *texel = workload_texture();
     void *memory = method_allocate(TEXTURE_SIDE, TEXTURE_SIDE * 4);
-    pel_surface_init(&job->texture, format, memory, TEXTURE_SIDE, TEXTURE_SIDE);
+    pel_surface_init(&job->texture, format, memory,
+                     (size_t)TEXTURE_SIDE * TEXTURE_SIDE * 4,
+                     &(struct pel_rect){0, 0, TEXTURE_SIDE, TEXTURE_SIDE});
     for (int y = 0; y < TEXTURE_SIDE; y++)
         format->put(&job->texture, 0, y, TEXTURE_SIDE,
                     texel + y * TEXTURE_SIDE);
@@ -182,7 +184,8 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     struct job *job = method_allocate(1, sizeof *job);
     const struct pel_format *format =
         c->bits == 32 ? &pel_xrgb8888 : &pel_rgb565_le;
-    if (pel_surface_init(&job->surface, format, c->pixels, c->width, c->height))
+    if (pel_surface_init(&job->surface, format, c->pixels, canvas_bytes(c),
+                         &(struct pel_rect){0, 0, c->width, c->height}))
         method_fail("Pel refuses the canvas", "check its size and alignment");
     job->item = method_allocate(w->count, sizeof *job->item);
     for (int i = 0; i < w->count; i++)

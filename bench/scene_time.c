@@ -114,7 +114,9 @@ static void open_stage(struct stage *s, const struct bench_mesh *m,
     s->depth_bits = mode->depth_bits;
     s->scratch_size = pel_scene_scratch_size(&s->scene);
     s->scratch = memory(s->scratch_size);
-    if (pel_surface_init(&s->surface, &pel_xrgb8888, s->pixels, side, side) ||
+    if (pel_surface_init(&s->surface, &pel_xrgb8888, s->pixels,
+                         (size_t)side * (size_t)side * 4,
+                         &(struct pel_rect){0, 0, side, side}) ||
         (depths &&
          pel_depth_init(&s->depth, &all, mode->depth_bits, s->depths, depths)))
         method_fail("no such picture", "choose another size");

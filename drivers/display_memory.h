@@ -5,7 +5,8 @@
  *     static uint16_t screen[240 * 320];
  *     struct pel_display_memory memory;
  *     struct pel_display display;
- *     pel_surface_init(&memory.screen, &pel_rgb565_le, screen, 240, 320);
+ *     pel_surface_init(&memory.screen, &pel_rgb565_le, screen, sizeof screen,
+ *                      &(struct pel_rect){0, 0, 240, 320});
  *     pel_display_memory_init(&display, &memory);
  */
 #ifndef PEL_DRIVERS_DISPLAY_MEMORY_H

@@ -38,8 +38,8 @@ int main(void)
     for (int y = 0; y < HEIGHT; y += LINES) {
         const struct pel_rect lines = {0, y, WIDTH, y + LINES};
         struct pel_surface screen;
-        if (pel_surface_init_rect(&screen, &pel_rgb565_le, band, 2 * WIDTH,
-                                  &lines) != PEL_OK)
+        if (pel_surface_init(&screen, &pel_rgb565_le, band, sizeof band,
+                             &lines) != PEL_OK)
             return 1;
         draw(&screen);
         panel_write(band, WIDTH * LINES);

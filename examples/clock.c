@@ -63,8 +63,8 @@ int main(void)
     for (int y = 0; y < SIDE; y += LINES) {
         const struct pel_rect lines = {0, y, SIDE, y + LINES};
         struct pel_surface screen;
-        if (pel_surface_init_rect(&screen, &pel_rgb565_be, band, 2 * SIDE,
-                                  &lines) != PEL_OK)
+        if (pel_surface_init(&screen, &pel_rgb565_be, band, sizeof band,
+                             &lines) != PEL_OK)
             return 1;
         draw(&screen, &soft.paint);
         panel_write(band, SIDE * LINES);

@@ -91,7 +91,8 @@ int main(void)
 {
     static uint8_t pixels[WIDTH * HEIGHT * 3]; /* R, G, B, as PPM wants them */
     struct pel_surface screen;
-    if (pel_surface_init(&screen, &pel_bgr888, pixels, WIDTH, HEIGHT) != PEL_OK)
+    if (pel_surface_init(&screen, &pel_bgr888, pixels, sizeof pixels,
+                         &(struct pel_rect){0, 0, WIDTH, HEIGHT}) != PEL_OK)
         return 1;
     pel_clear(&screen, PEL_RGB(255, 255, 255));
     if (set_sunset() != PEL_OK || draw_star(&screen) != PEL_OK ||

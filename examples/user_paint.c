@@ -30,7 +30,8 @@ int main(void)
         PEL_RGBA(0, 64, 128, 160), 8};
     const struct pel_point center = PEL_AT(100, 100);
     struct pel_surface surface;
-    if (pel_surface_init(&surface, &pel_bgr888, pixels, 200, 200) != PEL_OK)
+    if (pel_surface_init(&surface, &pel_bgr888, pixels, sizeof pixels,
+                         &(struct pel_rect){0, 0, 200, 200}) != PEL_OK)
         return 1;
     pel_clear(&surface, PEL_RGB(255, 255, 255));
     pel_circle(&surface, center, PEL_PX(80), &checkers.base.paint);

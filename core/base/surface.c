@@ -9,15 +9,6 @@ int32_t pel_stride(const struct pel_format *format, int32_t width)
     return (width * format->bits + 7) / 8;
 }
 
-enum pel_status pel_surface_init(struct pel_surface *surface,
-                                 const struct pel_format *format, void *pixels,
-                                 int32_t width, int32_t height)
-{
-    struct pel_rect bounds = {0, 0, width, height};
-    return pel_surface_init_rect(surface, format, pixels,
-                                 pel_stride(format, width), &bounds);
-}
-
 bool pel_bounds_legal(const struct pel_rect *b)
 {
     return b->x0 >= -32768 && b->y0 >= -32768 && b->x1 <= 32768 &&
@@ -64,4 +55,21 @@ void pel_surface_clip(struct pel_surface *surface, const struct pel_rect *clip)
     surface->clip = pel_rect_intersect(b, clip);
     if (pel_rect_empty(&surface->clip))
         surface->clip = (struct pel_rect){b->x0, b->y0, b->x0, b->y0};
+}
+
+enum pel_status pel_surface_init(struct pel_surface *surface,
+                                 const struct pel_format *format, void *pixels,
+                                 size_t size, const struct pel_rect *bounds)
+{
+    if (!format || !bounds)
+        return PEL_ERROR_NULL;
+    if (!pel_bounds_legal(bounds))
+        return PEL_ERROR_SIZE;
+    const int32_t stride = pel_stride(format, bounds->x1 - bounds->x0);
+    int32_t lines = bounds->y1 - bounds->y0;
+    if (format->id == PEL_FORMAT_MONO1_PAGES)
+        lines = (lines + 7) / 8;
+    if (size / (size_t)stride < (size_t)lines) /* the product may not fit */
+        return PEL_ERROR_SIZE;
+    return pel_surface_init_rect(surface, format, pixels, stride, bounds);
 }

@@ -21,23 +21,29 @@ struct pel_surface {
  * of a page of 8 lines); 0 when width or format is not legal. */
 int32_t pel_stride(const struct pel_format *format, int32_t width);
 
-/* A surface over width x height pixels at (0, 0), 1..32,767 each, lines packed
- * without padding. The clip is the whole surface.
- * PEL_ERROR_NULL, PEL_ERROR_SIZE, PEL_ERROR_ALIGNMENT. */
+/* A surface over `size` bytes of memory, lines packed without padding:
+ *
+ *     static uint16_t band[64 * 8];
+ *     const struct pel_rect lines = {0, y, 64, y + 8};
+ *     pel_surface_init(&screen, &pel_rgb565_le, band, sizeof band, &lines);
+ *
+ * `bounds` are absolute pixels inside -32,768..32,767 (x1 and y1 up to 32,768),
+ * at most 32,767 wide and high: {0, 0, width, height} for a whole picture. A
+ * band or tile of a larger picture is a surface with the bounds of that part,
+ * and what is drawn into the parts equals what is drawn into the whole. For
+ * formats with less than 8 bits a tile begins at a byte (x0 even for gray4, a
+ * multiple of 8 for mono1; y0 a multiple of 8 for mono1_pages). The clip is the
+ * whole surface. PEL_ERROR_NULL, PEL_ERROR_SIZE (bounds out of range, or more
+ * than the memory holds), PEL_ERROR_ALIGNMENT. */
 enum pel_status pel_surface_init(struct pel_surface *surface,
                                  const struct pel_format *format, void *pixels,
-                                 int32_t width, int32_t height);
+                                 size_t size, const struct pel_rect *bounds);
 
-/* The general form. `pixels` is where pixel (bounds->x0, bounds->y0) begins,
- * `stride` leads to the line below it: negative for a bottom-up picture (not in
- * mono1_pages, and not INT32_MIN), larger than pel_stride() for padding, which
- * is never written. `bounds` are absolute pixels inside -32,768..32,767 (x1 and
- * y1 up to 32,768): a band or tile of a larger picture is a surface with the
- * bounds of that part, and what is drawn into the parts equals what is drawn
- * into the whole. For formats with less than 8 bits a tile begins at a byte (x0
- * even for gray4, a multiple of 8 for mono1; y0 a multiple of 8 for
- * mono1_pages). PEL_ERROR_NULL, PEL_ERROR_SIZE, PEL_ERROR_STRIDE,
- * PEL_ERROR_ALIGNMENT. */
+/* The general form, for which the caller knows that the memory is there.
+ * `pixels` is where pixel (bounds->x0, bounds->y0) begins, `stride` leads to
+ * the line below it: negative for a bottom-up picture (not in mono1_pages, and
+ * not INT32_MIN), larger than pel_stride() for padding, which is never written.
+ * PEL_ERROR_NULL, PEL_ERROR_SIZE, PEL_ERROR_STRIDE, PEL_ERROR_ALIGNMENT. */
 enum pel_status pel_surface_init_rect(struct pel_surface *surface,
                                       const struct pel_format *format,
                                       void *pixels, int32_t stride,

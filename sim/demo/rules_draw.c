@@ -57,7 +57,9 @@ static void draw_triangles(const struct pel_surface *surface,
 static void read_colors(void *memory, struct rules_pixels *pixels)
 {
     struct pel_surface view;
-    pel_surface_init(&view, &pel_xrgb8888, memory, RULES_WIDTH, RULES_HEIGHT);
+    pel_surface_init(&view, &pel_xrgb8888, memory,
+                     sizeof(uint32_t) * RULES_WIDTH * RULES_HEIGHT,
+                     &(struct pel_rect){0, 0, RULES_WIDTH, RULES_HEIGHT});
     for (int32_t y = 0; y < RULES_HEIGHT; y++)
         view.format->load(&view, 0, y, RULES_WIDTH, pixels->color[y]);
 }

@@ -91,8 +91,8 @@ static bool make_surface(struct pel_surface *surface,
     for (size_t i = 0; i < n; i++)
         for (int shift = 0; shift < 32; shift += 8)
             *p++ = (uint8_t)(picture->pixels[i] >> shift);
-    pel_surface_init(surface, &pel_argb8888, bytes, picture->width,
-                     picture->height);
+    pel_surface_init(surface, &pel_argb8888, bytes, 4 * n,
+                     &(struct pel_rect){0, 0, picture->width, picture->height});
     return true;
 }
 

@@ -337,8 +337,10 @@ static void test_alpha_surface(void **state)
     open_picture(451, 300, true);
     for (size_t i = 0; i < sizeof memory; i++)
         memory[i] = (uint8_t)(picture.texel[i / 4] >> i % 4 * 8);
-    assert_int_equal(
-        pel_surface_init(&surface, &pel_argb8888, memory, 451, 300), PEL_OK);
+    assert_int_equal(pel_surface_init(&surface, &pel_argb8888, memory,
+                                      sizeof memory,
+                                      &(struct pel_rect){0, 0, 451, 300}),
+                     PEL_OK);
     const struct pel_texels t = {&surface, NULL, 0, 0, false};
     for (int i = 0; i < 2; i++) {
         init_function *init =
@@ -396,8 +398,10 @@ static void test_errors(void **state)
     assert_int_equal(pel_texture_init_bilinear(&p, &t, &map), PEL_ERROR_SIZE);
     t.colors = NULL;
     assert_int_equal(pel_texture_init_nearest(&p, &t, &map), PEL_ERROR_NULL);
-    assert_int_equal(
-        pel_surface_init(&surface, &pel_rgb565_le_fill, words, 2, 1), PEL_OK);
+    assert_int_equal(pel_surface_init(&surface, &pel_rgb565_le_fill, words,
+                                      sizeof words,
+                                      &(struct pel_rect){0, 0, 2, 1}),
+                     PEL_OK);
     t.surface = &surface;
     assert_int_equal(pel_texture_init_nearest(&p, &t, &map), PEL_ERROR_FORMAT);
     assert_int_equal(pel_texture_map_triangle(&m, NULL, q), PEL_ERROR_NULL);

@@ -95,8 +95,10 @@ static void draw(struct plane *p, int32_t rows)
     struct pel_surface surface;
     struct pel_frame frame;
     memset(hits, 0, sizeof hits);
-    assert_int_equal(
-        pel_surface_init(&surface, &pel_xrgb8888, pixels, SIDE, SIDE), PEL_OK);
+    assert_int_equal(pel_surface_init(&surface, &pel_xrgb8888, pixels,
+                                      sizeof pixels,
+                                      &(struct pel_rect){0, 0, SIDE, SIDE}),
+                     PEL_OK);
     assert_int_equal(
         pel_scene_prepare(&frame, &p->scene, p->scratch, sizeof p->scratch),
         PEL_OK);

@@ -28,8 +28,10 @@ static void draw(const struct subject *s)
     struct pel_texture sampler;
     struct pel_perspective paint;
     memset(pixels, 0, sizeof pixels);
-    assert_int_equal(
-        pel_surface_init(&surface, &pel_xrgb8888, pixels, SIDE, SIDE), PEL_OK);
+    assert_int_equal(pel_surface_init(&surface, &pel_xrgb8888, pixels,
+                                      sizeof pixels,
+                                      &(struct pel_rect){0, 0, SIDE, SIDE}),
+                     PEL_OK);
     assert_int_equal(pel_texture_init_nearest(&sampler, &t, &none), PEL_OK);
     if (!pel_plane_start(&setup, s->v))
         return;

@@ -18,7 +18,8 @@ int main(int argc, char **argv)
     struct pel_surface surface;
     if (pel_font_asset_check(&asset) != PEL_OK || size.width > WIDTH ||
         size.height > HEIGHT ||
-        pel_surface_init(&surface, &pel_gray8, pixels, WIDTH, HEIGHT) != PEL_OK)
+        pel_surface_init(&surface, &pel_gray8, pixels, sizeof pixels,
+                         &(struct pel_rect){0, 0, WIDTH, HEIGHT}) != PEL_OK)
         return 1;
     pel_text(&surface, &text, &ink.paint);
     printf("P2\n%d %d\n1\n", size.width, size.height);

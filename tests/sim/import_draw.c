@@ -115,8 +115,8 @@ int main(int argc, char **argv)
 {
     struct pel_surface surface;
     if (argc != 3 || pel_mesh_asset_check(&asset) != PEL_OK ||
-        pel_surface_init(&surface, &pel_rgb565_le, memory, SIZE, SIZE) !=
-            PEL_OK ||
+        pel_surface_init(&surface, &pel_rgb565_le, memory, sizeof memory,
+                         &(struct pel_rect){0, 0, SIZE, SIZE}) != PEL_OK ||
         draw(&surface, argv[2]) != PEL_OK) {
         fprintf(stderr, "the asset or the surface is refused\n");
         return 1;

@@ -85,7 +85,8 @@ static void test_gouraud(void **state)
     struct pel_point v[3];
     (void)state;
     open_hits();
-    pel_surface_init(&s, &pel_xrgb8888, pixels, 16, 16);
+    pel_surface_init(&s, &pel_xrgb8888, pixels, sizeof pixels,
+                     &(struct pel_rect){0, 0, 16, 16});
     alarm(20);
     for (int k = 0; k < 6; k++)
         for (int i = 0; i < ILLEGAL; i++) {
@@ -154,7 +155,9 @@ static void test_places(void **state)
     struct pel_surface s;
     (void)state;
     open_hits();
-    assert_int_equal(pel_surface_init(&s, &pel_xrgb8888, &pixel, 1, 1), PEL_OK);
+    assert_int_equal(pel_surface_init(&s, &pel_xrgb8888, &pixel, sizeof pixel,
+                                      &(struct pel_rect){0, 0, 1, 1}),
+                     PEL_OK);
     for (int k = 0; k < 24; k++) {
         int32_t at[6] = {0, 0, 1, 1, 0, 0};
         at[k / 4] = place[k % 4];
@@ -214,8 +217,11 @@ static void check_twin(const struct pel_format *twin)
     const pel_color opaque[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0),
                                  PEL_RGB(0, 0, 255)};
     struct pel_surface s, other;
-    assert_int_equal(pel_surface_init(&s, twin, pixels, 8, 8), PEL_OK);
-    assert_int_equal(pel_surface_init(&other, &pel_gray8, pixels, 8, 8),
+    assert_int_equal(pel_surface_init(&s, twin, pixels, sizeof pixels,
+                                      &(struct pel_rect){0, 0, 8, 8}),
+                     PEL_OK);
+    assert_int_equal(pel_surface_init(&other, &pel_gray8, pixels, sizeof pixels,
+                                      &(struct pel_rect){0, 0, 8, 8}),
                      PEL_OK);
     pel_clear(&s, 0);
     pel_circle(&s, clipped[0], PEL_PX(4), &half.paint);

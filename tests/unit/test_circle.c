@@ -31,9 +31,10 @@ static void plane_draw(struct pel_point at, int32_t radius)
     static uint8_t nothing;
     memset(plane.hit, 0, sizeof plane.hit);
     plane.paint = (struct pel_paint){.fill = take_rows};
-    assert_int_equal(
-        pel_surface_init(&plane.surface, &pel_gray8, &nothing, SIDE, SIDE),
-        PEL_OK);
+    assert_int_equal(pel_surface_init(&plane.surface, &pel_gray8, &nothing,
+                                      SIZE_MAX,
+                                      &(struct pel_rect){0, 0, SIDE, SIDE}),
+                     PEL_OK);
     pel_circle(&plane.surface, at, radius, &plane.paint);
 }
 

@@ -147,7 +147,9 @@ static void test_runs_are_direct(void **state)
     (void)state;
     for (int f = 0; f < (PEL_FAST_64BIT ? 2 : 1); f++) {
         formats[f].put = put_fails;
-        assert_int_equal(pel_surface_init(&s, &formats[f], pixels, 8, 8),
+        assert_int_equal(pel_surface_init(&s, &formats[f], pixels,
+                                          sizeof pixels,
+                                          &(struct pel_rect){0, 0, 8, 8}),
                          PEL_OK);
         pel_triangle_gouraud(&s, v, c);
     }

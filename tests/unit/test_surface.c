@@ -9,11 +9,18 @@ static void test_null_is_refused(void **state)
     struct pel_surface s;
     const struct pel_rect b = {0, 0, 8, 8};
     (void)state;
-    assert_int_equal(pel_surface_init(NULL, &pel_gray8, memory, 8, 8),
+    assert_int_equal(pel_surface_init(NULL, &pel_gray8, memory, sizeof memory,
+                                      &(struct pel_rect){0, 0, 8, 8}),
                      PEL_ERROR_NULL);
-    assert_int_equal(pel_surface_init(&s, NULL, memory, 8, 8), PEL_ERROR_NULL);
-    assert_int_equal(pel_surface_init(&s, &pel_gray8, NULL, 8, 8),
+    assert_int_equal(pel_surface_init(&s, NULL, memory, sizeof memory,
+                                      &(struct pel_rect){0, 0, 8, 8}),
                      PEL_ERROR_NULL);
+    assert_int_equal(pel_surface_init(&s, &pel_gray8, NULL, 64,
+                                      &(struct pel_rect){0, 0, 8, 8}),
+                     PEL_ERROR_NULL);
+    assert_int_equal(
+        pel_surface_init(&s, &pel_gray8, memory, sizeof memory, NULL),
+        PEL_ERROR_NULL);
     assert_int_equal(pel_surface_init_rect(NULL, &pel_gray8, memory, 8, &b),
                      PEL_ERROR_NULL);
     assert_int_equal(pel_surface_init_rect(&s, NULL, memory, 8, &b),
@@ -46,10 +53,32 @@ static void test_sizes(void **state)
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++)
         for (int f = 0; f < LAYOUT_COUNT; f++) {
             struct pel_surface s;
-            if (pel_surface_init(&s, layouts[f].format, memory, row[i].width,
-                                 row[i].height) != row[i].status)
+            if (pel_surface_init(
+                    &s, layouts[f].format, memory, SIZE_MAX,
+                    &(struct pel_rect){0, 0, row[i].width, row[i].height}) !=
+                row[i].status)
                 fail_msg("row %zu, %s", i, layouts[f].name);
         }
+}
+
+/* The last byte counts, in every format. */
+static void test_memory_sizes(void **state)
+{
+    const struct pel_rect bounds = {-16, 8, 5, 31};
+    (void)state;
+    for (int f = 0; f < LAYOUT_COUNT; f++) {
+        const struct pel_format *format = layouts[f].format;
+        const size_t lines = format->id == PEL_FORMAT_MONO1_PAGES ? 3 : 23;
+        const size_t size = (size_t)pel_stride(format, 21) * lines;
+        struct pel_surface s;
+        assert_int_equal(pel_surface_init(&s, format, memory, size, &bounds),
+                         PEL_OK);
+        assert_int_equal(
+            pel_surface_init(&s, format, memory, size - 1, &bounds),
+            PEL_ERROR_SIZE);
+        assert_int_equal(pel_surface_init(&s, format, memory, 0, &bounds),
+                         PEL_ERROR_SIZE);
+    }
 }
 
 static void test_bounds(void **state)
@@ -81,7 +110,9 @@ static void test_bounds(void **state)
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
         struct pel_surface s;
         if (pel_surface_init_rect(&s, &pel_xrgb8888, memory, 131068,
-                                  &row[i].bounds) != row[i].status)
+                                  &row[i].bounds) != row[i].status ||
+            pel_surface_init(&s, &pel_xrgb8888, memory, SIZE_MAX,
+                             &row[i].bounds) != row[i].status)
             fail_msg("row %zu", i);
     }
 }
@@ -190,7 +221,9 @@ static void test_surface_is_what_was_said(void **state)
     assert_memory_equal(&s.bounds, &b, sizeof b);
     assert_memory_equal(&s.clip, &b, sizeof b);
     assert_ptr_equal(s.format, &pel_rgb888);
-    assert_int_equal(pel_surface_init(&s, &pel_mono1, memory, 17, 3), PEL_OK);
+    assert_int_equal(pel_surface_init(&s, &pel_mono1, memory, sizeof memory,
+                                      &(struct pel_rect){0, 0, 17, 3}),
+                     PEL_OK);
     assert_int_equal(s.stride, 3);
     assert_memory_equal(&s.bounds, (&(struct pel_rect){0, 0, 17, 3}), sizeof b);
 }
@@ -202,7 +235,9 @@ static void test_clip_stays_inside(void **state)
     const struct pel_rect part = {3, -5, 70, 4}, apart = {20, 20, 30, 30};
     struct pel_surface s;
     (void)state;
-    assert_int_equal(pel_surface_init(&s, &pel_gray8, memory, 16, 8), PEL_OK);
+    assert_int_equal(pel_surface_init(&s, &pel_gray8, memory, sizeof memory,
+                                      &(struct pel_rect){0, 0, 16, 8}),
+                     PEL_OK);
     pel_surface_clip(&s, &part);
     assert_memory_equal(&s.clip, (&(struct pel_rect){3, 0, 16, 4}),
                         sizeof s.clip);
@@ -217,6 +252,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_null_is_refused),
         cmocka_unit_test(test_sizes),
+        cmocka_unit_test(test_memory_sizes),
         cmocka_unit_test(test_bounds),
         cmocka_unit_test(test_strides),
         cmocka_unit_test(test_stride_of_nothing),

@@ -57,11 +57,14 @@ static void check_bands(const struct pel_format *format)
     struct pel_display_memory memory;
     struct pel_display display;
     memset(whole_pixels, 0, sizeof(whole_pixels));
-    pel_surface_init(&whole, format, whole_pixels, WIDTH, HEIGHT);
+    pel_surface_init(&whole, format, whole_pixels, sizeof whole_pixels,
+                     &(struct pel_rect){0, 0, WIDTH, HEIGHT});
     draw(&whole);
     for (int32_t rows = 8; rows <= 48; rows += 8) {
         memset(shown_pixels, 0, sizeof(shown_pixels));
-        pel_surface_init(&memory.screen, format, shown_pixels, WIDTH, HEIGHT);
+        pel_surface_init(&memory.screen, format, shown_pixels,
+                         sizeof shown_pixels,
+                         &(struct pel_rect){0, 0, WIDTH, HEIGHT});
         expect(pel_display_memory_init(&display, &memory) == PEL_OK, "init");
         show_in_bands(&display, format, rows);
         expect(memcmp(whole_pixels, shown_pixels, BYTES) == 0,
@@ -76,10 +79,12 @@ static void check_conversion(void)
     struct pel_surface whole;
     struct pel_display_memory memory;
     struct pel_display display;
-    pel_surface_init(&whole, &pel_rgb565_be, whole_pixels, WIDTH, HEIGHT);
+    pel_surface_init(&whole, &pel_rgb565_be, whole_pixels, sizeof whole_pixels,
+                     &(struct pel_rect){0, 0, WIDTH, HEIGHT});
     draw(&whole);
-    pel_surface_init(&memory.screen, &pel_rgb565_be, shown_pixels, WIDTH,
-                     HEIGHT);
+    pel_surface_init(&memory.screen, &pel_rgb565_be, shown_pixels,
+                     sizeof shown_pixels,
+                     &(struct pel_rect){0, 0, WIDTH, HEIGHT});
     pel_display_memory_init(&display, &memory);
     show_in_bands(&display, &pel_xrgb8888, 7);
     expect(memcmp(whole_pixels, shown_pixels, WIDTH * HEIGHT * 2) == 0,
@@ -93,14 +98,16 @@ static void check_errors(void)
     struct pel_display_memory memory;
     struct pel_display display;
     struct pel_rect area = {0, 0, WIDTH, HEIGHT}, grown = area;
-    pel_surface_init(&memory.screen, &pel_xrgb8888, pixels, WIDTH, HEIGHT);
+    pel_surface_init(&memory.screen, &pel_xrgb8888, pixels, sizeof pixels,
+                     &(struct pel_rect){0, 0, WIDTH, HEIGHT});
     expect(pel_display_memory_init(NULL, &memory) == PEL_ERROR_NULL, "NULL");
     memory.screen.bounds.x0 = 1;
     expect(pel_display_memory_init(&display, &memory) == PEL_ERROR_SIZE,
            "a screen begins at 0, 0");
     memory.screen.bounds.x0 = 0;
     expect(pel_display_memory_init(&display, &memory) == PEL_OK, "init");
-    pel_surface_init(&small, &pel_xrgb8888, pixels, WIDTH, HEIGHT - 1);
+    pel_surface_init(&small, &pel_xrgb8888, pixels, sizeof pixels,
+                     &(struct pel_rect){0, 0, WIDTH, HEIGHT - 1});
     expect(pel_display_begin(&display, &area, &small) == PEL_ERROR_SIZE,
            "memory that does not hold the area");
     pel_display_round(&display, &grown);
