@@ -1,6 +1,24 @@
-/* Pel: exact triangles and circles in any framebuffer. Includes only. */
+/* Pel: exact triangles and circles in any framebuffer.
+ *
+ * Shapes are painted onto surfaces, views of your own memory: a pixel belongs
+ * to a shape or it does not. There is no anti-aliasing yet.
+ *
+ * Threads: core has no state and takes no lock. Any number of threads may draw
+ * at once when no two of them write the same bytes: as bands of one picture.
+ * They may share paints, formats, fonts, pictures and meshes, which are only
+ * read. Of a struct pel_frame with its scratch memory, of a struct pel_rim and
+ * a struct pel_dirty each thread takes its own. Functions may be called from
+ * interrupts too.
+ *
+ * Stability: until 1.0.0 a minor version may change the interface, and the
+ * changelog says how; a patch changes neither the interface nor, but for a
+ * defect that it names, a pixel. */
 #ifndef PEL_H
 #define PEL_H
+
+#define PEL_VERSION_MAJOR 0
+#define PEL_VERSION_MINOR 1
+#define PEL_VERSION_PATCH 0
 
 #ifdef __cplusplus
 extern "C" {

@@ -28,7 +28,7 @@ static enum pel_status draw_star(const struct pel_surface *screen)
                                                 PEL_AT(24, 86)};
     static const struct pel_polygon_shape star = {corners, 5, PEL_NON_ZERO};
     static const struct pel_rings rings = {PEL_AT(50, 50), PEL_PX(45), 0};
-    static uint32_t scratch[9 * 5]; /* pel_polygon_scratch_size(5) bytes */
+    static uint32_t scratch[PEL_POLYGON_SCRATCH_SIZE(5) / 4];
     const struct pel_ramp ramp = {sunset, COLORS, PEL_PAD};
     struct pel_radial paint;
     const enum pel_status status = pel_radial_init(&paint, &rings, &ramp);

@@ -9,6 +9,7 @@
 #include "../round/ellipse.h"
 #include "../round/rounded_rectangle.h"
 #include "../round/sector.h"
+#include "rim.h"
 
 void pel_triangle_outline(const struct pel_surface *surface,
                           const struct pel_point v[3],
@@ -36,8 +37,13 @@ void pel_arc_outline(const struct pel_surface *surface,
                      const struct pel_sector_shape *sector,
                      const struct pel_paint *paint);
 
-/* Scratch memory as for pel_polygon, of another size: about 48 n bytes and a
- * struct pel_outline_filter. */
+/* Scratch memory as for pel_polygon, of another size: that of the polygon, the
+ * filter, aligned like a pointer, and its spans, n / 2 a row at most. 0 when
+ * n < 1, or when the size does not fit. */
+#define PEL_POLYGON_OUTLINE_SCRATCH_SIZE(n)                            \
+    (PEL_POLYGON_SCRATCH_SIZE(n) + sizeof(struct pel_outline_filter) + \
+     sizeof(void *) - 4 +                                              \
+     PEL_OUTLINE_FILTER_SPANS((size_t)(n) / 2) * sizeof(struct pel_span))
 size_t pel_polygon_outline_scratch_size(int32_t n);
 enum pel_status pel_polygon_outline(const struct pel_surface *surface,
                                     const struct pel_polygon_shape *polygon,

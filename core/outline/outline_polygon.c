@@ -2,27 +2,17 @@
 
 #include "outline_filter.h"
 
-/* The scratch memory: the filter, aligned like a pointer, its spans (n / 2 a
- * row at most), and that of the polygon. On the stack the filter would be the
- * larger part of what the outline takes. */
+/* The scratch memory: the filter, aligned like a pointer, its spans, and that
+ * of the polygon. On the stack the filter would be the larger part of what the
+ * outline takes. */
 enum { FILTER_BYTES = sizeof(struct pel_outline_filter) + sizeof(void *) - 4 };
-
-static size_t filter_spans(int32_t n)
-{
-    return PEL_OUTLINE_FILTER_SPANS((size_t)n / 2);
-}
-
-static size_t filter_size(int32_t n)
-{
-    return FILTER_BYTES + filter_spans(n) * sizeof(struct pel_span);
-}
 
 size_t pel_polygon_outline_scratch_size(int32_t n)
 {
     size_t fill = pel_polygon_scratch_size(n);
     if (fill == 0 || (size_t)n > ((size_t)-1 - FILTER_BYTES) / 64)
         return 0;
-    return fill + filter_size(n);
+    return PEL_POLYGON_OUTLINE_SCRATCH_SIZE(n);
 }
 
 static struct pel_outline_filter *filter_in(void *scratch)
@@ -48,9 +38,9 @@ enum pel_status pel_polygon_outline(const struct pel_surface *surface,
     struct pel_outline_filter *filter = filter_in(scratch);
     uint8_t *const memory = scratch;
     void *const spans = memory + FILTER_BYTES;
-    const size_t used = filter_size(polygon->n);
-    if (!pel_outline_filter_begin(filter, surface, paint, spans,
-                                  (int32_t)filter_spans(polygon->n)))
+    const int32_t n = PEL_OUTLINE_FILTER_SPANS(polygon->n / 2);
+    const size_t used = FILTER_BYTES + (size_t)n * sizeof(struct pel_span);
+    if (!pel_outline_filter_begin(filter, surface, paint, spans, n))
         return PEL_OK;
     enum pel_status status = pel_polygon(
         &filter->surface, polygon, &filter->paint, memory + used, size - used);

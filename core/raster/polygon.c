@@ -20,12 +20,16 @@ struct sweep {
     int32_t mask; /* of the winding number: 1 even-odd, -1 non-zero */
 };
 
+typedef char pel_polygon_side_fits[PEL_POLYGON_SCRATCH_SIZE(1) ==
+                                           sizeof(struct side) + sizeof(int32_t)
+                                       ? 1
+                                       : -1];
+
 size_t pel_polygon_scratch_size(int32_t n)
 {
-    size_t each = sizeof(struct side) + sizeof(int32_t);
-    if (n < 0 || (size_t)n > (size_t)-1 / each)
+    if (n < 0 || (size_t)n > (size_t)-1 / PEL_POLYGON_SCRATCH_SIZE(1))
         return 0;
-    return (size_t)n * each;
+    return PEL_POLYGON_SCRATCH_SIZE(n);
 }
 
 static PEL_NOINLINE void add_side(struct sweep *w, const struct pel_point *a,

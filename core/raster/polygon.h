@@ -15,8 +15,10 @@ struct pel_polygon_shape {
     enum pel_fill_rule rule;
 };
 
-/* Bytes of scratch memory, aligned to 4, that a polygon of n vertices needs: 36
- * each. 0 when n < 1, or when the size does not fit. */
+/* Bytes of scratch memory, aligned to 4, that a polygon of n vertices needs,
+ * for constant expressions; and the same as a function: 0 when n < 1, or when
+ * the size does not fit. */
+#define PEL_POLYGON_SCRATCH_SIZE(n) ((size_t)(n)*36)
 size_t pel_polygon_scratch_size(int32_t n);
 
 /* Fills the pixels whose centre is inside, by the rule of raster/edge.h for

@@ -18,6 +18,10 @@ struct pel_depth {
     uint8_t bits;
 };
 
+/* Bytes for so many pixels, bits 16 or 32, for constant expressions. */
+#define PEL_DEPTH_SIZE(width, height, bits) \
+    ((size_t)(width) * (size_t)(height) * ((bits) / 8))
+
 /* Bytes for `bounds`; 0 when they are none of a surface (pel_bounds_legal),
  * bits not 16 or 32, or when the bytes are more than a size_t can say. */
 size_t pel_depth_size(const struct pel_rect *bounds, int bits);

@@ -4,7 +4,7 @@
 
 size_t pel_mesh_normals_scratch_size(const struct pel_mesh *mesh)
 {
-    return (size_t)mesh->vertices * 3 * sizeof(int64_t);
+    return PEL_MESH_NORMALS_SCRATCH_SIZE(mesh->vertices);
 }
 
 /* Twice the area times the normal, below 2^35; a vertex has less than 2^28

@@ -4,7 +4,9 @@
 
 #include "mesh.h"
 
-/* Bytes of scratch memory that pel_mesh_normals needs: 24 a vertex. */
+/* Bytes of scratch memory that pel_mesh_normals needs, for constant expressions
+ * and as a function. */
+#define PEL_MESH_NORMALS_SCRATCH_SIZE(vertices) ((size_t)(vertices)*24)
 size_t pel_mesh_normals_scratch_size(const struct pel_mesh *mesh);
 
 /* Per vertex the mean of its faces' normals, weighted by their areas, scaled to

@@ -6,7 +6,7 @@ typedef char pel_scene_sizes[sizeof(struct pel_mesh_light) % 8 == 0 &&
                                  ? 1
                                  : -1];
 
-enum { WORK_SIZE = (sizeof(struct pel_frame_work) + 7) & ~7u };
+enum { WORK_SIZE = PEL_SCENE_SCRATCH_SIZE(0, 0, 0) };
 
 /* Where the lists begin. */
 struct parts {
@@ -15,15 +15,13 @@ struct parts {
 
 static struct parts parts_of(const struct pel_scene *scene)
 {
-    const int32_t lights = scene->lighting ? scene->lighting->lights : 0;
-    struct parts p;
-    p.vertices =
-        WORK_SIZE + (size_t)pel_max(lights, 0) * sizeof(struct pel_mesh_light);
-    p.order = p.vertices +
-              (size_t)scene->mesh->vertices * sizeof(struct pel_frame_vertex);
-    p.end = p.order +
-            (size_t)scene->mesh->triangles * sizeof(struct pel_depth_entry);
-    return p;
+    const struct pel_mesh *mesh = scene->mesh;
+    const int32_t n = scene->lighting ? scene->lighting->lights : 0;
+    const int32_t lights = pel_max(n, 0);
+    return (struct parts){
+        PEL_SCENE_SCRATCH_SIZE(0, 0, lights),
+        PEL_SCENE_SCRATCH_SIZE(mesh->vertices, 0, lights),
+        PEL_SCENE_SCRATCH_SIZE(mesh->vertices, mesh->triangles, lights)};
 }
 
 size_t pel_scene_scratch_size(const struct pel_scene *scene)

@@ -69,7 +69,13 @@ struct pel_scene {
 };
 
 /* Bytes of scratch memory for a frame of the scene: 16 a vertex, 8 a triangle,
- * 40 a light, and 1,100 to 1,300. 0 without a mesh. */
+ * 40 a light, and 1,100 to 1,300; for constant expressions and as a function: 0
+ * without a mesh. */
+#define PEL_SCENE_SCRATCH_SIZE(vertices, triangles, lights) \
+    (((sizeof(struct pel_frame_work) + 7) & ~(size_t)7) +   \
+     (size_t)(lights) * sizeof(struct pel_mesh_light) +     \
+     (size_t)(vertices) * sizeof(struct pel_frame_vertex) + \
+     (size_t)(triangles) * sizeof(struct pel_depth_entry))
 size_t pel_scene_scratch_size(const struct pel_scene *scene);
 
 /* Sets up a picture: places and lights every vertex, sorts the triangles. The

@@ -64,7 +64,7 @@ static void draw_polygon(const struct pel_surface *surface,
                          const struct pel_paint *paint)
 {
     const struct pel_polygon_shape p = {s->v, s->n, s->rule};
-    int32_t scratch[ANY_POINTS * 9];
+    int32_t scratch[PEL_POLYGON_SCRATCH_SIZE(ANY_POINTS) / 4];
     assert_int_equal(pel_polygon(surface, &p, paint, scratch, sizeof scratch),
                      PEL_OK);
 }
@@ -86,8 +86,7 @@ static void outline_polygon(const struct pel_surface *surface,
                             const struct pel_paint *paint)
 {
     const struct pel_polygon_shape p = {s->v, s->n, s->rule};
-    int32_t
-        scratch[ANY_POINTS * 12 + sizeof(struct pel_outline_filter) / 4 + 1];
+    int32_t scratch[PEL_POLYGON_OUTLINE_SCRATCH_SIZE(ANY_POINTS) / 4];
     assert_int_equal(
         pel_polygon_outline(surface, &p, paint, scratch, sizeof scratch),
         PEL_OK);

@@ -41,6 +41,10 @@ static void test_scratch_size(void **state)
     assert_int_equal(pel_polygon_scratch_size(-1), 0);
     assert_int_equal(pel_polygon_scratch_size(INT32_MIN), 0);
     assert_int_equal(pel_polygon_scratch_size(4), 4 * 36);
+    static char polygon[PEL_POLYGON_SCRATCH_SIZE(9)];
+    static char rim[PEL_POLYGON_OUTLINE_SCRATCH_SIZE(9)];
+    assert_int_equal(pel_polygon_scratch_size(9), sizeof polygon);
+    assert_int_equal(pel_polygon_outline_scratch_size(9), sizeof rim);
     assert_true(pel_polygon_scratch_size(100000) == (size_t)100000 * 36);
     if (sizeof(size_t) > 4)
         assert_true(pel_polygon_scratch_size(INT32_MAX) ==

@@ -16,7 +16,7 @@ struct ground {
     struct pel_scene scene;
     struct pel_mesh mesh;
     int16_t positions[4][3];
-    uint64_t scratch[512];
+    uint64_t scratch[PEL_SCENE_SCRATCH_SIZE(4, 2, 0) / 8 + 1];
 };
 
 static const uint8_t quad[2][3] = {{0, 1, 2}, {0, 2, 3}};
@@ -277,6 +277,8 @@ static enum pel_status prepare(struct ground *g)
 {
     struct pel_frame frame;
     const size_t size = pel_scene_scratch_size(&g->scene);
+    static char least[PEL_SCENE_SCRATCH_SIZE(4, 2, 0)];
+    assert_int_equal(size, sizeof least);
     assert_true(size <= sizeof g->scratch - 8);
     assert_int_equal(pel_scene_prepare(&frame, &g->scene, g->scratch, size - 1),
                      PEL_ERROR_SCRATCH);
@@ -332,7 +334,10 @@ static void test_depth_sizes(void **state)
         {{INT32_MIN, 0, INT32_MIN + 1, 2}, 16, 0},
         {{0, -2147483647, 1, 2}, 32, 0},
     };
+    static char least[PEL_DEPTH_SIZE(21, 3, 32)];
     (void)state;
+    assert_int_equal(pel_depth_size(&(struct pel_rect){-1, 5, 20, 8}, 32),
+                     sizeof least);
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         struct pel_depth depth;
         uint32_t memory;
