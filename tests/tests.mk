@@ -83,6 +83,8 @@ $(T)/sim/%.o: tests/sim/%.c
 $(T)/sim/%: $(T)/sim/%.o $(TEST_SIM_OBJECTS) $(T)/host/libsupport.a $(BUILD)/libpel.a
 	$(CC) $(CFLAGS) $(LDFLAGS) $^ -lcmocka $(SIM_LIBS) $(LINUX_LIBS) -o $@
 
+include tests/fuzz/fuzz.mk
+
 TEST_PROGRAMS_host := $(TEST_EXHAUSTIVE) $(TEST_PROPERTY) $(TEST_UNIT)
 TEST_PROGRAMS_portable := $(filter-out $(TEST_HOST_ONLY),$(TEST_PROPERTY)) \
     tests/exhaustive/test_colors

@@ -69,7 +69,7 @@ enum pel_status pel_surface_init(struct pel_surface *surface,
     int32_t lines = bounds->y1 - bounds->y0;
     if (format->id == PEL_FORMAT_MONO1_PAGES)
         lines = (lines + 7) / 8;
-    if (size / (size_t)stride < (size_t)lines) /* the product may not fit */
+    if (size < (uint32_t)stride * (uint32_t)lines) /* 131,068 by 32,767 fits */
         return PEL_ERROR_SIZE;
     return pel_surface_init_rect(surface, format, pixels, stride, bounds);
 }

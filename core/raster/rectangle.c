@@ -2,36 +2,48 @@
 
 #include "collect.h"
 
+/* All pixels of r, which is inside the clip when it is not empty. */
+static PEL_ALWAYS_INLINE void fill_rows(const struct pel_surface *surface,
+                                        const struct pel_rect *r,
+                                        const struct pel_paint *paint)
+{
+    struct pel_span span[PEL_COLLECT_ROWS];
+    struct pel_spans spans = {surface, span, r->y0, 0, 1};
+    const int32_t end = r->y1;
+    if (pel_rect_empty(r))
+        return;
+    for (int i = 0; i < PEL_COLLECT_ROWS; i++)
+        span[i] = (struct pel_span){r->x0, r->x1};
+    for (; spans.y < end; spans.y += spans.n) {
+        spans.n = pel_min(end - spans.y, PEL_COLLECT_ROWS);
+        paint->fill(paint, &spans);
+    }
+}
+
 void pel_box(const struct pel_surface *surface, const struct pel_rect *box,
              const struct pel_paint *paint)
 {
     const struct pel_rect r = pel_rect_intersect(box, &surface->clip);
-    struct pel_span span[PEL_COLLECT_ROWS];
-    struct pel_spans spans = {surface, span, r.y0, 0, 1};
-    if (pel_rect_empty(&r))
-        return;
-    for (int i = 0; i < PEL_COLLECT_ROWS; i++)
-        span[i] = (struct pel_span){r.x0, r.x1};
-    for (; spans.y < r.y1; spans.y += spans.n) {
-        spans.n = pel_min(r.y1 - spans.y, PEL_COLLECT_ROWS);
-        paint->fill(paint, &spans);
-    }
+    fill_rows(surface, &r, paint);
 }
 
 void pel_rectangle(const struct pel_surface *surface, struct pel_point from,
                    struct pel_point to, const struct pel_paint *paint)
 {
+    const struct pel_rect *clip = &surface->clip;
     bool legal = pel_point_legal(from) && pel_point_legal(to);
     PEL_ASSERT(legal);
     if (!legal)
         return;
-    const struct pel_rect r = {pel_first_pixel(from.x), pel_first_pixel(from.y),
-                               pel_first_pixel(to.x), pel_first_pixel(to.y)};
-    pel_box(surface, &r, paint);
+    const struct pel_rect r = {pel_max(pel_first_pixel(from.x), clip->x0),
+                               pel_max(pel_first_pixel(from.y), clip->y0),
+                               pel_min(pel_first_pixel(to.x), clip->x1),
+                               pel_min(pel_first_pixel(to.y), clip->y1)};
+    fill_rows(surface, &r, paint);
 }
 
 void pel_clear(const struct pel_surface *surface, pel_color color)
 {
     const struct pel_flat flat = PEL_FLAT(color | PEL_RGB(0, 0, 0));
-    pel_box(surface, &surface->clip, &flat.paint);
+    fill_rows(surface, &surface->clip, &flat.paint);
 }
