@@ -149,7 +149,8 @@ static void draw(const struct pel_surface *surface, const struct shape *s,
         draw_straight(surface, s, kind / 4, paint);
 }
 
-/* Polygons and glyphs may have more runs in a row: those are left out. */
+/* With the rim's own paint: not Gouraud's triangle, and no outline. Polygons
+ * may have more runs in a row: those are left out. */
 static void draw_rim(const struct pel_surface *surface, const struct shape *s,
                      uint32_t kind, const struct pel_paint *paint)
 {
@@ -174,7 +175,7 @@ void api_shape(struct api *a, const struct pel_surface *surface,
     else if (how % 16 < 4)
         draw(surface, &s, kind, &dirty.paint);
     else if (how % 16 < 6)
-        draw_rim(surface, &s, kind | 1, paint);
+        draw_rim(surface, &s, kind & 8 ? kind | 17 : kind | 1, paint);
     else
         draw(surface, &s, kind, paint);
 }

@@ -1,4 +1,4 @@
-/* A paint whose init function failed draws nothing, whatever it was before. */
+/* Paints at the ends of what they take, and beyond. */
 #include <string.h>
 
 #include "tests/support/check.h"
@@ -74,7 +74,8 @@ static enum pel_status dither_of_a_dither(union any_paint *p)
     return pel_dither_init(&p->dither, &inner.paint);
 }
 
-static void test_nothing_is_drawn(void **state)
+/* A paint whose init function failed draws nothing, whatever it was before. */
+static void test_failed_paints(void **state)
 {
     static enum pel_status (*const init[])(union any_paint *) = {
         linear,
@@ -109,10 +110,31 @@ static void test_nothing_is_drawn(void **state)
     }
 }
 
+/* Coordinates at the ends of what fits show the picture's edge. */
+static void test_ends_of_the_range(void **state)
+{
+    static const pel_color texels[4] = {1, 2, 3, 4};
+    const struct pel_texels t = {NULL, texels, 2, 2, false};
+    (void)state;
+    for (int i = 0; i < 4; i++) {
+        /* INT32_MIN texels, half a texel and the rounding of weights on */
+        const uint64_t low = UINT64_C(0x800000007F800000);
+        const struct pel_texture_plane u = {low - (uint64_t)(i & 1), 0, 0};
+        const struct pel_texture_plane v = {low - (uint64_t)(i >> 1), 0, 0};
+        const struct pel_texture_map map = {u, v};
+        struct pel_texture p;
+        pel_color got;
+        assert_int_equal(pel_texture_init_bilinear(&p, &t, &map), PEL_OK);
+        p.base.colors(&p.base, 0, 0, 1, &got);
+        assert_int_equal(got, texels[i]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nothing_is_drawn),
+        cmocka_unit_test(test_failed_paints),
+        cmocka_unit_test(test_ends_of_the_range),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
