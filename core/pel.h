@@ -20,10 +20,6 @@
 #define PEL_VERSION_MINOR 1
 #define PEL_VERSION_PATCH 0
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 #include "base/color.h"
 #include "base/point.h"
 #include "base/trig.h"
@@ -77,9 +73,5 @@ extern "C" {
 
 #include "scene/normals.h"
 #include "scene/pipeline.h"
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

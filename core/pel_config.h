@@ -12,6 +12,19 @@
 #include PEL_CONFIG_FILE
 #endif
 
+/* C++: headers declare C functions, and cast in its own words. */
+#ifdef __cplusplus
+#define PEL_BEGIN_DECLS extern "C" {
+#define PEL_END_DECLS }
+#define PEL_CAST(type, value) static_cast<type>(value)
+#define PEL_CAST_ADDRESS(type, value) reinterpret_cast<type>(value)
+#else
+#define PEL_BEGIN_DECLS
+#define PEL_END_DECLS
+#define PEL_CAST(type, value) ((type)(value))
+#define PEL_CAST_ADDRESS(type, value) ((type)(value))
+#endif
+
 /* What a broken contract does (a vertex out of range, a format that lacks the
  * function a paint needs). By default nothing: the call draws nothing. */
 #ifndef PEL_ASSERT

@@ -25,6 +25,8 @@
 
 #include "console_linux_state.h"
 
+PEL_BEGIN_DECLS
+
 enum pel_console_event {
     PEL_CONSOLE_NOTHING, /* the time is over, or a signal came */
     PEL_CONSOLE_KEY,     /* a key was pressed, or the input has ended */
@@ -72,5 +74,7 @@ enum pel_console_event pel_console_read(int milliseconds, char *keys,
  * that the program runs on, and where it does not run on one (ssh) for the one
  * that is shown, which needs root. 0 or an errno, with the message. */
 int pel_console_reset(const char *path, struct pel_message *message);
+
+PEL_END_DECLS
 
 #endif

@@ -7,6 +7,8 @@
 
 #include "console_linux_state.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_guardian {
     pid_t process;
     int line; /* the guardian watches its other end; -1: none */
@@ -26,5 +28,7 @@ void pel_guardian_dismiss(const struct pel_guardian *guardian);
 
 /* Waits for its end; not dismissed, it restores first. */
 void pel_guardian_end(struct pel_guardian *guardian);
+
+PEL_END_DECLS
 
 #endif

@@ -2,6 +2,10 @@
 #ifndef PEL_DRIVERS_CONSOLE_LINUX_SIGNALS_H
 #define PEL_DRIVERS_CONSOLE_LINUX_SIGNALS_H
 
+#include "../core/pel_config.h"
+
+PEL_BEGIN_DECLS
+
 /* From now on a signal that would end or stop the process calls `restore` once
  * (it must be async-signal-safe), then the action that was set before. Signals
  * that were ignored stay so; SIGTSTP, SIGTTIN and SIGTTOU are ignored. A
@@ -11,5 +15,7 @@ void pel_signals_catch(void (*restore)(void));
 
 /* The actions of before. */
 void pel_signals_release(void);
+
+PEL_END_DECLS
 
 #endif

@@ -11,6 +11,8 @@
 
 #include "linux_message.h"
 
+PEL_BEGIN_DECLS
+
 enum { PEL_PALETTE_ENTRIES = 256 };
 
 struct pel_console_state {
@@ -48,5 +50,7 @@ bool pel_console_state_restore(const struct pel_console_state *state);
 /* The mode and the palette of the framebuffer alone. */
 bool pel_console_state_restore_framebuffer(
     const struct pel_console_state *state);
+
+PEL_END_DECLS
 
 #endif

@@ -30,7 +30,7 @@
  * display come from one thread at a time; two displays are independent.
  *
  * Windows. Some panels accept only windows whose corners are multiples of 2 or
- * 8 pixels: `round` makes an area larger until it fits, and a program that
+ * 8 pixels: `align` makes an area larger until it fits, and a program that
  * flushes less than the screen passes its areas through it first, before begin,
  * so that all pixels of the window are drawn. A surface keeps absolute
  * coordinates in every band, so nothing else changes. */
@@ -66,7 +66,7 @@ struct pel_display {
     enum pel_status (*flip)(const struct pel_display *display);
 
     /* Grows `area` to a window that the display accepts. Default: any. */
-    void (*round)(const struct pel_display *display, struct pel_rect *area);
+    void (*align)(const struct pel_display *display, struct pel_rect *area);
 };
 
 /* Begins `area`. On a display without memory of its own `surface`, set up by
@@ -103,11 +103,11 @@ static inline enum pel_status pel_display_flip(const struct pel_display *d)
     return status == PEL_OK && d->flip ? d->flip(d) : status;
 }
 
-static inline void pel_display_round(const struct pel_display *d,
+static inline void pel_display_align(const struct pel_display *d,
                                      struct pel_rect *area)
 {
-    if (d->round)
-        d->round(d, area);
+    if (d->align)
+        d->align(d, area);
 }
 
 #endif

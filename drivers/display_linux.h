@@ -27,6 +27,8 @@
 #include "display_linux_drm.h"
 #endif
 
+PEL_BEGIN_DECLS
+
 enum pel_linux_kind { PEL_LINUX_FB, PEL_LINUX_DRM };
 
 struct pel_display_linux {
@@ -66,5 +68,7 @@ enum pel_console_event pel_display_linux_wait(struct pel_display_linux *screen,
 
 /* Gives all back. Nothing when it is not open. */
 void pel_display_linux_close(struct pel_display_linux *screen);
+
+PEL_END_DECLS
 
 #endif

@@ -15,6 +15,8 @@
 #include "display.h"
 #include "linux_message.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_drm_buffer {
     uint32_t handle, id; /* 0: none */
     void *map;
@@ -50,5 +52,7 @@ void pel_display_drm_leave(struct pel_display_drm *drm);
 void pel_display_drm_enter(struct pel_display_drm *drm);
 
 void pel_display_drm_close(struct pel_display_drm *drm);
+
+PEL_END_DECLS
 
 #endif

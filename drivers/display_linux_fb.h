@@ -24,6 +24,8 @@
 #include "display.h"
 #include "linux_message.h"
 
+PEL_BEGIN_DECLS
+
 enum pel_fb_way {
     PEL_FB_ANY,   /* pages, otherwise shadow */
     PEL_FB_STILL, /* pages, otherwise direct: for one picture */
@@ -83,5 +85,7 @@ void pel_display_fb_enter(struct pel_display_fb *fb);
 
 /* Releases memory and descriptor; restores nothing. */
 void pel_display_fb_close(struct pel_display_fb *fb);
+
+PEL_END_DECLS
 
 #endif

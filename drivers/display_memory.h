@@ -14,6 +14,8 @@
 
 #include "display.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_display_memory {
     struct pel_surface screen; /* what is shown; set up by the caller */
 };
@@ -23,5 +25,7 @@ struct pel_display_memory {
  * the screen does not begin at (0, 0). */
 enum pel_status pel_display_memory_init(struct pel_display *display,
                                         struct pel_display_memory *memory);
+
+PEL_END_DECLS
 
 #endif

@@ -6,6 +6,10 @@
 #include <stdarg.h>
 #include <stddef.h>
 
+#include "../core/pel_config.h"
+
+PEL_BEGIN_DECLS
+
 struct pel_message {
     char text[480]; /* "" when there is nothing to say; cut when too long */
 };
@@ -24,5 +28,7 @@ void pel_message_errno(struct pel_message *message, const char *what,
  */
 void pel_message_open(struct pel_message *message, const char *path, int error,
                       const char *missing);
+
+PEL_END_DECLS
 
 #endif

@@ -44,7 +44,7 @@ struct pel_font_asset {
 
 static inline uint32_t pel_font_glyph_size(const struct pel_font_glyph *glyph)
 {
-    return (uint32_t)((glyph->width + 7) / 8) * glyph->height;
+    return (glyph->width + 7u) / 8 * glyph->height;
 }
 
 /* Can the program read this asset? PEL_ERROR_NULL; PEL_ERROR_RANGE: no font
@@ -63,7 +63,7 @@ static inline enum pel_status pel_font_asset_check(
     for (uint32_t i = 0; i < font->ranges; i++) {
         const struct pel_font_range *r = &font->range[i];
         if (r->first < next || r->first > UINT32_C(0x10FFFF) ||
-            (uint32_t)r->glyph + r->count > font->glyphs)
+            r->glyph + r->count > font->glyphs)
             return PEL_ERROR_SIZE;
         next = r->first + r->count;
     }

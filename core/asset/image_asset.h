@@ -5,6 +5,8 @@
 
 #include "../base/surface.h"
 
+PEL_BEGIN_DECLS
+
 /* "PELI", and the version of the struct. */
 #define PEL_IMAGE_MAGIC UINT32_C(0x494C4550)
 enum { PEL_IMAGE_VERSION = 1 };
@@ -22,9 +24,8 @@ struct pel_image_asset {
 /* Lines of memory: those of pixels, or pages of eight of them. */
 static inline uint32_t pel_image_lines(const struct pel_image_asset *image)
 {
-    return image->format == PEL_FORMAT_MONO1_PAGES
-               ? ((uint32_t)image->height + 7) / 8
-               : image->height;
+    return image->format == PEL_FORMAT_MONO1_PAGES ? (image->height + 7u) / 8
+                                                   : image->height;
 }
 
 /* Can the program read this asset as `format`? PEL_ERROR_NULL;
@@ -44,7 +45,8 @@ static inline enum pel_status pel_image_asset_check(
         image->height > 32767)
         return PEL_ERROR_SIZE;
     if (image->stride < pel_stride(format, image->width) ||
-        image->size / (uint32_t)image->stride < pel_image_lines(image))
+        image->size / PEL_CAST(uint32_t, image->stride) <
+            pel_image_lines(image))
         return PEL_ERROR_STRIDE;
     return PEL_OK;
 }
@@ -52,22 +54,10 @@ static inline enum pel_status pel_image_asset_check(
 /* A surface that shows the picture, for reading only: its clip is empty, so
  * that no draw call writes to it. Errors of pel_image_asset_check and of
  * pel_surface_init_rect. */
-static inline enum pel_status pel_image_asset_surface(
-    struct pel_surface *surface, const struct pel_image_asset *image,
-    const struct pel_format *format)
-{
-    const struct pel_rect nothing = {0, 0, 0, 0};
-    struct pel_rect bounds = {0, 0, 0, 0};
-    enum pel_status status = pel_image_asset_check(image, format);
-    if (status != PEL_OK)
-        return status;
-    bounds.x1 = image->width;
-    bounds.y1 = image->height;
-    status = pel_surface_init_rect(surface, format, (void *)image->pixels,
-                                   image->stride, &bounds);
-    if (status == PEL_OK)
-        pel_surface_clip(surface, &nothing);
-    return status;
-}
+enum pel_status pel_image_asset_surface(struct pel_surface *surface,
+                                        const struct pel_image_asset *image,
+                                        const struct pel_format *format);
+
+PEL_END_DECLS
 
 #endif

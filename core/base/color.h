@@ -6,12 +6,15 @@
 
 #include <stdint.h>
 
+#include "../pel_config.h"
+
 typedef uint32_t pel_color;
 
 /* Channels are taken modulo 256. */
-#define PEL_RGBA(r, g, b, a)                                   \
-    (((pel_color)(a)&255) << 24 | ((pel_color)(r)&255) << 16 | \
-     ((pel_color)(g)&255) << 8 | ((pel_color)(b)&255))
+#define PEL_CHANNEL(c) PEL_CAST(pel_color, (c)&INT64_C(255))
+#define PEL_RGBA(r, g, b, a)                                             \
+    (PEL_CHANNEL(a) << 24 | PEL_CHANNEL(r) << 16 | PEL_CHANNEL(g) << 8 | \
+     PEL_CHANNEL(b))
 #define PEL_RGB(r, g, b) PEL_RGBA(r, g, b, 255)
 
 static inline uint32_t pel_alpha(pel_color c)

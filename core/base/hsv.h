@@ -10,10 +10,14 @@
 
 #include "color.h"
 
+PEL_BEGIN_DECLS
+
 /* hue in 1/65,536 turns, any: -1 is 65,535. s and v 0..255. Opaque. */
 pel_color pel_hsv(int32_t hue, uint32_t s, uint32_t v);
 
 /* hue in degrees, any: 360 is 0, -1 is 359. */
 pel_color pel_hsv_degrees(int32_t hue, uint32_t s, uint32_t v);
+
+PEL_END_DECLS
 
 #endif

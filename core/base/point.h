@@ -10,13 +10,15 @@
 
 #include "../pel_config.h"
 
+PEL_BEGIN_DECLS
+
 #define PEL_COORDINATE_MIN INT32_C(-8388608)
 #define PEL_COORDINATE_MAX INT32_C(8388607)
 
 /* n pixels, -32,768 to 32,767, in sub-pixels, for constant expressions too. A
  * constant may have a fraction, PEL_PX(7.5), and compiles to a whole number of
  * sub-pixels: what 1/256 px cannot say is cut off. */
-#define PEL_PX(n) ((int32_t)((n)*256))
+#define PEL_PX(n) PEL_CAST(int32_t, (n)*INT64_C(256))
 
 struct pel_point {
     int32_t x, y; /* 1/256 px */
@@ -60,17 +62,17 @@ static inline int32_t pel_pixel_center(int32_t i)
 #if PEL_LONG_MULTIPLY
 static inline int64_t pel_product(int32_t a, int32_t b)
 {
-    return (int64_t)a * b;
+    return PEL_CAST(int64_t, a) * b;
 }
 
 static inline uint64_t pel_multiply(uint32_t a, uint32_t b)
 {
-    return (uint64_t)a * b;
+    return PEL_CAST(uint64_t, a) * b;
 }
 
 static inline uint64_t pel_times(uint64_t a, int32_t n)
 {
-    return a * (uint64_t)(int64_t)n;
+    return a * PEL_CAST(uint64_t, n);
 }
 #else
 int64_t pel_product(int32_t a, int32_t b);
@@ -81,7 +83,7 @@ uint64_t pel_times(uint64_t a, int32_t n);
 /* a b with a sign, of any two. */
 static inline int64_t pel_long_product(int32_t a, int32_t b)
 {
-    return (int64_t)pel_times((uint64_t)(int64_t)a, b);
+    return PEL_CAST(int64_t, pel_times(PEL_CAST(uint64_t, a), b));
 }
 
 static inline int64_t pel_square(int32_t u)
@@ -102,7 +104,8 @@ static inline int32_t pel_max(int32_t a, int32_t b)
 /* Legal coordinates plus 2^23 fit 24 bits: no bit above is set in either. */
 static inline uint32_t pel_point_offset(struct pel_point p)
 {
-    return ((uint32_t)p.x + 0x800000u) | ((uint32_t)p.y + 0x800000u);
+    return (PEL_CAST(uint32_t, p.x) + 0x800000u) |
+           (PEL_CAST(uint32_t, p.y) + 0x800000u);
 }
 
 /* Is the point in range? */
@@ -125,5 +128,7 @@ static inline bool pel_radius_legal(int32_t radius)
 {
     return radius >= 0 && radius <= PEL_PX(32767);
 }
+
+PEL_END_DECLS
 
 #endif

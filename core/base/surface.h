@@ -8,6 +8,8 @@
 #include "format.h"
 #include "status.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_surface {
     void *pixels;           /* where pixel (bounds.x0, bounds.y0) begins */
     int32_t stride;         /* bytes to the next line down (mono1_pages: to the
@@ -59,8 +61,10 @@ void pel_surface_clip(struct pel_surface *surface, const struct pel_rect *clip);
 /* Where line y begins, that is pixel bounds.x0 of it; not for mono1_pages. */
 static inline uint8_t *pel_surface_line(const struct pel_surface *s, int32_t y)
 {
-    return (uint8_t *)s->pixels +
-           (ptrdiff_t)(y - s->bounds.y0) * (ptrdiff_t)s->stride;
+    return PEL_CAST(uint8_t *, s->pixels) +
+           PEL_CAST(ptrdiff_t, y - s->bounds.y0) * s->stride;
 }
+
+PEL_END_DECLS
 
 #endif

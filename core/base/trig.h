@@ -5,6 +5,8 @@
 
 #include "point.h"
 
+PEL_BEGIN_DECLS
+
 /* Length of a direction. */
 #define PEL_DIRECTION_ONE INT32_C(32768)
 
@@ -14,5 +16,7 @@
  * differ by a half turn are exactly opposite, and different angles have
  * different directions, in the order of the angles. */
 struct pel_point pel_direction(uint16_t turn);
+
+PEL_END_DECLS
 
 #endif

@@ -6,6 +6,8 @@
 
 #include "../base/format.h"
 
+PEL_BEGIN_DECLS
+
 extern const struct pel_format pel_rgb565_le;
 extern const struct pel_format pel_rgb565_le_fill;
 extern const struct pel_format pel_rgb565_be;
@@ -23,5 +25,7 @@ extern const struct pel_format pel_gray8;
 extern const struct pel_format pel_gray4;
 extern const struct pel_format pel_mono1;
 extern const struct pel_format pel_mono1_pages;
+
+PEL_END_DECLS
 
 #endif

@@ -59,8 +59,8 @@ static PEL_ALWAYS_INLINE uint32_t pel_widen(uint32_t v, int bits)
 static inline uintptr_t pel_column_zero(const struct pel_surface *s, int32_t y,
                                         int bytes)
 {
-    return (uintptr_t)pel_surface_line(s, y) -
-           (uintptr_t)(bytes * (ptrdiff_t)s->bounds.x0);
+    return PEL_CAST_ADDRESS(uintptr_t, pel_surface_line(s, y)) -
+           PEL_CAST(uintptr_t, bytes * PEL_CAST(ptrdiff_t, s->bounds.x0));
 }
 
 /* Asks for a cache line that is soon written. The address need not be in
@@ -69,7 +69,7 @@ static inline uintptr_t pel_column_zero(const struct pel_surface *s, int32_t y,
 static PEL_ALWAYS_INLINE void pel_prefetch(uintptr_t address)
 {
 #if PEL_FAST_64BIT && defined(__GNUC__)
-    __builtin_prefetch((const void *)address, 1);
+    __builtin_prefetch(PEL_CAST_ADDRESS(const void *, address), 1);
 #else
     (void)address;
 #endif
@@ -82,13 +82,13 @@ static PEL_ALWAYS_INLINE void pel_prefetch_run(uintptr_t address, int32_t bytes)
 {
     if (PEL_FAST_64BIT && bytes > 128)
         for (int32_t i = 0; i < bytes; i += 64)
-            pel_prefetch(address + (uintptr_t)i);
+            pel_prefetch(address + PEL_CAST(uintptr_t, i));
 }
 
 /* Bytes from one run's line to the next's. */
 static inline ptrdiff_t pel_spans_pitch(const struct pel_spans *spans)
 {
-    return (ptrdiff_t)spans->surface->stride * spans->step;
+    return PEL_CAST(ptrdiff_t, spans->surface->stride) * spans->step;
 }
 
 #endif

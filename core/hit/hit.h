@@ -15,6 +15,8 @@
 #include "../round/rounded_rectangle.h"
 #include "../round/sector.h"
 
+PEL_BEGIN_DECLS
+
 /* x, y: whole pixels, -32,768..32,767. */
 bool pel_hit_triangle(const struct pel_point v[3], int32_t x, int32_t y);
 bool pel_hit_rectangle(struct pel_point from, struct pel_point to, int32_t x,
@@ -60,5 +62,7 @@ struct pel_target {
  * when they are painted in the order of the list. -1 when none does. */
 int32_t pel_hit_topmost(const struct pel_target *const *targets, int32_t n,
                         int32_t x, int32_t y);
+
+PEL_END_DECLS
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "../base/surface.h"
 
+PEL_BEGIN_DECLS
+
 /* What is copied, and where to. The source is read inside its bounds, whatever
  * its clip, so it may be a picture in flash (pel_image_asset_surface). Its
  * memory must not overlap that of the destination; pel_scroll moves a part of a
@@ -31,5 +33,7 @@ void pel_copy_keyed(const struct pel_surface *surface,
  * it. */
 void pel_copy_alpha(const struct pel_surface *surface,
                     const struct pel_copy_part *copy, uint8_t alpha);
+
+PEL_END_DECLS
 
 #endif

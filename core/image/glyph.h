@@ -4,6 +4,8 @@
 
 #include "../raster/paint.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_stencil {
     const uint8_t *bits; /* rows from the top, the left pixel in the high bit */
     int32_t stride;      /* bytes from a row to the next, at least width / 8 */
@@ -16,5 +18,7 @@ struct pel_stencil {
 void pel_glyph(const struct pel_surface *surface,
                const struct pel_stencil *glyph, int32_t x, int32_t y,
                const struct pel_paint *paint);
+
+PEL_END_DECLS
 
 #endif

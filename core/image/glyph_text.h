@@ -5,6 +5,8 @@
 #include "../asset/font_asset.h"
 #include "../raster/paint.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_text_block {
     const struct pel_font_asset *font; /* pel_font_asset_check gave PEL_OK */
     const char *string;                /* UTF-8, ends with a 0 */
@@ -29,5 +31,7 @@ void pel_text(const struct pel_surface *surface,
  * one more than line feeds. For strings up to 2^22 bytes. */
 struct pel_text_size pel_text_measure(const struct pel_font_asset *font,
                                       const char *string);
+
+PEL_END_DECLS
 
 #endif

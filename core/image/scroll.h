@@ -4,6 +4,8 @@
 
 #include "../base/surface.h"
 
+PEL_BEGIN_DECLS
+
 /* What a scroll leaves to be painted anew, without overlap: the lines above or
  * below what moved, and the columns beside it. */
 struct pel_exposed {
@@ -20,5 +22,7 @@ struct pel_exposed {
 struct pel_exposed pel_scroll(const struct pel_surface *surface,
                               const struct pel_rect *area, int32_t dx,
                               int32_t dy);
+
+PEL_END_DECLS
 
 #endif

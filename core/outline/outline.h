@@ -9,7 +9,9 @@
 #include "../round/ellipse.h"
 #include "../round/rounded_rectangle.h"
 #include "../round/sector.h"
-#include "rim.h"
+#include "outline_filter.h"
+
+PEL_BEGIN_DECLS
 
 void pel_triangle_outline(const struct pel_surface *surface,
                           const struct pel_point v[3],
@@ -43,11 +45,14 @@ void pel_arc_outline(const struct pel_surface *surface,
 #define PEL_POLYGON_OUTLINE_SCRATCH_SIZE(n)                            \
     (PEL_POLYGON_SCRATCH_SIZE(n) + sizeof(struct pel_outline_filter) + \
      sizeof(void *) - 4 +                                              \
-     PEL_OUTLINE_FILTER_SPANS((size_t)(n) / 2) * sizeof(struct pel_span))
+     PEL_OUTLINE_FILTER_SPANS(PEL_CAST(size_t, n) / 2) *               \
+         sizeof(struct pel_span))
 size_t pel_polygon_outline_scratch_size(int32_t n);
 enum pel_status pel_polygon_outline(const struct pel_surface *surface,
                                     const struct pel_polygon_shape *polygon,
                                     const struct pel_paint *paint,
                                     void *scratch, size_t size);
+
+PEL_END_DECLS
 
 #endif

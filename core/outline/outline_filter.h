@@ -23,6 +23,8 @@
 
 #include "../raster/paint.h"
 
+PEL_BEGIN_DECLS
+
 /* Spans of memory for shapes with at most n spans in a row: 1 without a dent or
  * hole, 2 for a ring, 3 for an arc, half of the vertices for a polygon. Spans
  * beyond n in a row are left out. */
@@ -54,5 +56,7 @@ bool pel_outline_filter_begin(struct pel_outline_filter *f,
                               struct pel_span *memory, int32_t spans);
 
 void pel_outline_filter_end(struct pel_outline_filter *f);
+
+PEL_END_DECLS
 
 #endif

@@ -21,6 +21,8 @@
 #include "../base/color.h"
 #include "../base/status.h"
 
+PEL_BEGIN_DECLS
+
 /* What a gradient shows outside [0, 1). */
 enum pel_spread {
     PEL_PAD,    /* its first and its last colour */
@@ -53,5 +55,7 @@ enum pel_status pel_ramp_check(const struct pel_ramp *ramp);
 
 /* Have all colours alpha 255? */
 bool pel_ramp_opaque(const struct pel_ramp *ramp);
+
+PEL_END_DECLS
 
 #endif

@@ -15,6 +15,8 @@
 #include "../base/point.h"
 #include "ramp_walk.h"
 
+PEL_BEGIN_DECLS
+
 enum { PEL_PIECE_MIN_LOG2 = 2, PEL_PIECE_MAX_LOG2 = 6 };
 
 /* Farther than any pixel, and its square fits. */
@@ -50,7 +52,7 @@ struct pel_curve {
 
     /* How far the centres of a piece of 4, 8, 16, 32, 64 pixels must be from
      * there, in sub-pixels, the next piece's first one included. */
-    const int32_t *far;
+    const int32_t *least;
 
 #if !PEL_FAST_64BIT
     /* The knot at (x, y) from the centre: its value, and returns its slope. */
@@ -84,4 +86,7 @@ void pel_curve_follow(const void *curve, struct pel_ramp_walk *walk, int32_t n,
 #define PEL_CURVE_PAINT(type, pointer)                                   \
     ((const type *)(const void *)((const char *)(pointer)-offsetof(type, \
                                                                    curve)))
+
+PEL_END_DECLS
+
 #endif

@@ -59,11 +59,11 @@ static PEL_HOT void pel_course_set_size(struct pel_course *c, int log2)
     c->way = 256 << log2;
     if (log2 == 0)
         return;
-    const int32_t *far = c->row.curve->far + (log2 - PEL_PIECE_MIN_LOG2);
-    c->enough = pel_square(far[0]) - c->row.square;
+    const int32_t *least = c->row.curve->least + (log2 - PEL_PIECE_MIN_LOG2);
+    c->enough = pel_square(least[0]) - c->row.square;
     c->more = INT64_MAX;
     if (log2 < PEL_PIECE_MAX_LOG2)
-        c->more = pel_square(far[1]) - c->row.square;
+        c->more = pel_square(least[1]) - c->row.square;
 }
 
 /* The piece that holds the next pixel. */

@@ -41,7 +41,7 @@ static PEL_WALK int pel_curve_piece(const struct pel_curve_row *row, int32_t x)
     int k = PEL_PIECE_MAX_LOG2;
     for (; k >= PEL_PIECE_MIN_LOG2; k--, size >>= 1)
         if (pel_curve_far(row, pel_curve_way(row, x & -size), 256 * size,
-                          row->curve->far[k - PEL_PIECE_MIN_LOG2]))
+                          row->curve->least[k - PEL_PIECE_MIN_LOG2]))
             return k;
     return 0;
 }

@@ -34,7 +34,7 @@ static PEL_NOINLINE int find_piece(const struct pel_curve *curve,
         return -1;
     for (int k = PEL_PIECE_MAX_LOG2; k >= PEL_PIECE_MIN_LOG2; k--, size >>= 1)
         if (is_far(curve, s->x & -size, s->y, size,
-                   curve->far[k - PEL_PIECE_MIN_LOG2]))
+                   curve->least[k - PEL_PIECE_MIN_LOG2]))
             return k;
     return 0;
 }

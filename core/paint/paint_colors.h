@@ -19,6 +19,8 @@
 #include "../format/word.h"
 #include "../raster/paint.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_color_paint;
 struct pel_walker;
 
@@ -67,5 +69,7 @@ static inline void pel_color_paint_init(struct pel_color_paint *paint,
     paint->opaque = opaque;
     paint->walker = NULL;
 }
+
+PEL_END_DECLS
 
 #endif

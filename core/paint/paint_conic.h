@@ -6,6 +6,8 @@
 #include "curve.h"
 #include "paint_colors.h"
 
+PEL_BEGIN_DECLS
+
 /* The colour at an angle is that of the ramp at t = angle - start, in turns
  * from 0 to 1, clockwise on screen (base/trig.h). PEL_PAD and PEL_REPEAT
  * are the same; PEL_REFLECT goes there and back within the turn, without a
@@ -45,4 +47,7 @@ void pel_conic_colors(const struct pel_color_paint *paint, const void *context,
                       const struct pel_run *run, pel_color *colors);
 
 #endif
+
+PEL_END_DECLS
+
 #endif

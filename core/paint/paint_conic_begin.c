@@ -105,7 +105,7 @@ enum pel_status pel_conic_begin(struct pel_conic *paint,
 #endif
     paint->start = (uint32_t)start << 16;
     paint->curve.center = center;
-    paint->curve.far = far;
+    paint->curve.least = far;
 #if !PEL_FAST_64BIT
     paint->curve.knot = knot;
 #endif

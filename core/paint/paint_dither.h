@@ -5,6 +5,8 @@
 #include "../base/status.h"
 #include "../raster/paint.h"
 
+PEL_BEGIN_DECLS
+
 /* Colours of the source paint, moved to one of the two levels of the surface's
  * format next to them, by the 8 x 8 Bayer matrix at absolute x and y: so bands
  * and tiles agree, and a pixel does not depend on its neighbours. Over 8 x 8
@@ -24,5 +26,7 @@ struct pel_dither {
  * PEL_ERROR_RANGE (a dither). */
 enum pel_status pel_dither_init(struct pel_dither *paint,
                                 const struct pel_paint *source);
+
+PEL_END_DECLS
 
 #endif

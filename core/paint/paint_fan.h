@@ -4,6 +4,8 @@
 
 #include "paint_colors.h"
 
+PEL_BEGIN_DECLS
+
 /* A hub and a perimeter of n points around it, each with a colour. Between the
  * rays from the hub through two neighbours of the perimeter the colours are
  * those of the triangle of the three points, linear in x and y, beyond the
@@ -60,5 +62,7 @@ struct pel_fan {
 enum pel_status pel_fan_init(struct pel_fan *paint,
                              const struct pel_fan_points *points,
                              struct pel_fan_triangle *memory);
+
+PEL_END_DECLS
 
 #endif

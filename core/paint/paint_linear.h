@@ -15,6 +15,8 @@
 #include "color_ramp.h"
 #include "paint_colors.h"
 
+PEL_BEGIN_DECLS
+
 /* The colour at a point P is that of the ramp at t = (P - from).(to - from) /
  * |to - from|^2: 0 at `from`, 1 at `to`, level across the way. t is a plane,
  * stepped in 64 bits from pixel (0, 0), with as many fraction bits as its range
@@ -33,5 +35,7 @@ struct pel_linear {
 enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
                                 struct pel_point to,
                                 const struct pel_ramp *ramp);
+
+PEL_END_DECLS
 
 #endif

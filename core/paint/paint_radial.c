@@ -118,7 +118,7 @@ static void set_curve(struct pel_radial *p, const struct pel_rings *rings)
     p->phase = (uint64_t)rings->phase << (bits - 16);
     p->phase += UINT64_C(1) << (bits - 32);
     p->curve.center = rings->center;
-    p->curve.far = far + (rings->radius < PEL_PX(16));
+    p->curve.least = far + (rings->radius < PEL_PX(16));
 #if PEL_FAST_64BIT
     p->curve.run = pel_ramp_run;
 #else

@@ -6,6 +6,8 @@
 #include "curve.h"
 #include "paint_colors.h"
 
+PEL_BEGIN_DECLS
+
 /* The colour at distance r from the centre is that of the ramp at
  * t = r / radius + phase / 65,536. A falling phase moves the rings outwards. */
 struct pel_rings {
@@ -36,5 +38,7 @@ struct pel_radial {
 enum pel_status pel_radial_init(struct pel_radial *paint,
                                 const struct pel_rings *rings,
                                 const struct pel_ramp *ramp);
+
+PEL_END_DECLS
 
 #endif

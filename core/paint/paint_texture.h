@@ -4,6 +4,8 @@
 
 #include "paint_colors.h"
 
+PEL_BEGIN_DECLS
+
 /* The picture: 1 to 32,767 texels a side, in memory of the caller's that must
  * live as long as the paint. Either a surface in any format (its whole bounds;
  * opaque, but for argb8888) or an array of colours with straight alpha, line by
@@ -37,12 +39,12 @@ struct pel_texture_map {
 
 /* The map that shows the picture with its corner at pixel (x, y), texel by
  * pixel: for turned or scaled pictures, write the planes likewise. */
-#define PEL_TEXTURE_AT(x, y)                                                   \
-    {                                                                          \
-        {0x80000000u - ((uint64_t)(int64_t)(x) << 32), (uint64_t)1 << 32, 0},  \
-        {                                                                      \
-            0x80000000u - ((uint64_t)(int64_t)(y) << 32), 0, (uint64_t)1 << 32 \
-        }                                                                      \
+#define PEL_TEXTURE_AT(x, y)                                                  \
+    {                                                                         \
+        {0x80000000u - (PEL_CAST(uint64_t, x) << 32), UINT64_C(1) << 32, 0},  \
+        {                                                                     \
+            0x80000000u - (PEL_CAST(uint64_t, y) << 32), 0, UINT64_C(1) << 32 \
+        }                                                                     \
     }
 
 /* A point of the picture; legal is what fits. */
@@ -87,5 +89,7 @@ enum pel_status pel_texture_init_nearest(struct pel_texture *paint,
 enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,
                                           const struct pel_texels *texels,
                                           const struct pel_texture_map *map);
+
+PEL_END_DECLS
 
 #endif

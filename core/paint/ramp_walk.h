@@ -6,6 +6,8 @@
 #include "color_ramp.h"
 #include "paint_colors.h"
 
+PEL_BEGIN_DECLS
+
 /* The position of a pixel and its first three differences from one pixel to
  * the next, in 2^-bits of the way and in two's complement. `inside` promises
  * that every position lies in [0, 1), or that the ramp repeats; otherwise
@@ -37,7 +39,7 @@ struct pel_run {
 static inline struct pel_ramp_walk pel_ramp_after(struct pel_ramp_walk w,
                                                   int32_t k)
 {
-    const uint64_t n = (uint64_t)k, pairs = n * (n - 1) / 2;
+    const uint64_t n = PEL_CAST(uint64_t, k), pairs = n * (n - 1) / 2;
     const uint64_t triples = pairs * (n - 2) / 3;
     w.at += n * w.d1 + pairs * w.d2 + triples * w.d3;
     w.d1 += n * w.d2 + pairs * w.d3;
@@ -100,4 +102,7 @@ static inline void pel_walker_paint_init(struct pel_color_paint *paint,
 }
 
 #endif
+
+PEL_END_DECLS
+
 #endif

@@ -16,6 +16,8 @@
 
 #include "paint.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_dirty {
     struct pel_paint paint;
     const struct pel_paint *inner;
@@ -24,5 +26,7 @@ struct pel_dirty {
 
 /* `paint` must live as long as `dirty` is used; NULL paints nothing. */
 void pel_dirty_begin(struct pel_dirty *dirty, const struct pel_paint *paint);
+
+PEL_END_DECLS
 
 #endif

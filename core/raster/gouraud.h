@@ -4,6 +4,8 @@
 
 #include "triangle.h"
 
+PEL_BEGIN_DECLS
+
 /* A paint whose channels are planes over the screen, stepped modulo 2^32 in
  * 8.24 from pixel (0, 0): pixel (x, y) has (at + x * dx + y * dy) >> 24. Since
  * only the value at covered pixels must fit, a gradient may wrap: slivers need
@@ -40,5 +42,7 @@ bool pel_gouraud_fast(const struct pel_paint *paint,
 /* pel_triangle with that paint. */
 void pel_triangle_gouraud(const struct pel_surface *surface,
                           const struct pel_point v[3], const pel_color c[3]);
+
+PEL_END_DECLS
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "paint.h"
 
+PEL_BEGIN_DECLS
+
 /* Bresenham's line between the pixels that hold the two points, both ends
  * included: one pixel for every step along the longer side, the other
  * coordinate rounded to the nearest (a tie goes down or right). The same pixels
@@ -11,5 +13,7 @@
  * of range is a broken contract: PEL_ASSERT, and nothing is drawn. */
 void pel_line(const struct pel_surface *surface, struct pel_point from,
               struct pel_point to, const struct pel_paint *paint);
+
+PEL_END_DECLS
 
 #endif

@@ -11,6 +11,8 @@
 #include "../base/surface.h"
 #include "../pel_config.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_paint;
 struct pel_fast_triangle;
 
@@ -80,5 +82,7 @@ static inline void pel_put_colors(const struct pel_surface *surface, int32_t x,
     if (surface->format->put)
         surface->format->put(surface, x, y, n, colors);
 }
+
+PEL_END_DECLS
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "paint.h"
 
+PEL_BEGIN_DECLS
+
 enum pel_fill_rule {
     PEL_EVEN_ODD, /* inside: a ray crosses the outline an odd number of times */
     PEL_NON_ZERO  /* inside: the outline winds around the point */
@@ -18,7 +20,7 @@ struct pel_polygon_shape {
 /* Bytes of scratch memory, aligned to 4, that a polygon of n vertices needs,
  * for constant expressions; and the same as a function: 0 when n < 1, or when
  * the size does not fit. */
-#define PEL_POLYGON_SCRATCH_SIZE(n) ((size_t)(n)*36)
+#define PEL_POLYGON_SCRATCH_SIZE(n) (PEL_CAST(size_t, n) * 36)
 size_t pel_polygon_scratch_size(int32_t n);
 
 /* Fills the pixels whose centre is inside, by the rule of raster/edge.h for
@@ -33,5 +35,7 @@ enum pel_status pel_polygon(const struct pel_surface *surface,
                             const struct pel_polygon_shape *polygon,
                             const struct pel_paint *paint, void *scratch,
                             size_t size);
+
+PEL_END_DECLS
 
 #endif

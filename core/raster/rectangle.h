@@ -4,6 +4,8 @@
 
 #include "paint.h"
 
+PEL_BEGIN_DECLS
+
 /* Fills the box of whole pixels. Any box will do; an empty one is nothing. */
 void pel_box(const struct pel_surface *surface, const struct pel_rect *box,
              const struct pel_paint *paint);
@@ -17,5 +19,7 @@ void pel_rectangle(const struct pel_surface *surface, struct pel_point from,
 
 /* Sets every pixel inside the clip to `color`, alpha ignored. */
 void pel_clear(const struct pel_surface *surface, pel_color color);
+
+PEL_END_DECLS
 
 #endif

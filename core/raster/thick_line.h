@@ -4,6 +4,8 @@
 
 #include "paint.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_thick_line_shape {
     struct pel_point from, to;
     int32_t width; /* 1/256 px, 0..32,767 px */
@@ -25,5 +27,7 @@ bool pel_thick_line_corners(const struct pel_thick_line_shape *line,
 void pel_thick_line(const struct pel_surface *surface,
                     const struct pel_thick_line_shape *line,
                     const struct pel_paint *paint);
+
+PEL_END_DECLS
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "paint.h"
 
+PEL_BEGIN_DECLS
+
 /* Fills the pixels whose centre lies inside the triangle (rule: raster/edge.h;
  * top-left, seen in a y-down surface). Exact for every legal vertex, in any
  * order of the vertices; a triangle without area covers nothing. Work is
@@ -22,5 +24,7 @@ void pel_triangle_or_line(const struct pel_surface *surface,
  * clockwise on screen. Below 2^50 in size; a vertex out of range is a broken
  * contract: PEL_ASSERT, and 0. */
 int64_t pel_triangle_area(const struct pel_point v[3]);
+
+PEL_END_DECLS
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "../raster/paint.h"
 
+PEL_BEGIN_DECLS
+
 /* Fills the closed disc: the pixels whose centre (X, Y) satisfies
  * (X - center.x)^2 + (Y - center.y)^2 <= radius^2, all in sub-pixels, exactly.
  * The radius is 0 to 32,767 px. Around a pixel centre (PEL_PX(x) + 128) a whole
@@ -15,5 +17,7 @@
  * broken contract: PEL_ASSERT, and nothing is drawn. */
 void pel_circle(const struct pel_surface *surface, struct pel_point center,
                 int32_t radius, const struct pel_paint *paint);
+
+PEL_END_DECLS
 
 #endif

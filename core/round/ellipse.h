@@ -4,6 +4,8 @@
 
 #include "../raster/paint.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_ellipse_shape {
     struct pel_point center;
     struct pel_point radius; /* along x and along y, 0..32,767 px each */
@@ -19,5 +21,7 @@ struct pel_ellipse_shape {
 void pel_ellipse(const struct pel_surface *surface,
                  const struct pel_ellipse_shape *ellipse,
                  const struct pel_paint *paint);
+
+PEL_END_DECLS
 
 #endif

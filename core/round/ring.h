@@ -4,6 +4,8 @@
 
 #include "../raster/paint.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_ring_shape {
     struct pel_point center;
     int32_t inner, outer; /* 1/256 px, 0..32,767 px */
@@ -18,5 +20,7 @@ struct pel_ring_shape {
  * broken contract: PEL_ASSERT, and nothing is drawn. */
 void pel_ring(const struct pel_surface *surface,
               const struct pel_ring_shape *ring, const struct pel_paint *paint);
+
+PEL_END_DECLS
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "../raster/paint.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_rounded_shape {
     struct pel_point from, to; /* as in pel_rectangle */
     int32_t radius;            /* 1/256 px, 0..32,767 px */
@@ -19,5 +21,7 @@ struct pel_rounded_shape {
 void pel_rounded_rectangle(const struct pel_surface *surface,
                            const struct pel_rounded_shape *rectangle,
                            const struct pel_paint *paint);
+
+PEL_END_DECLS
 
 #endif

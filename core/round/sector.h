@@ -4,6 +4,8 @@
 
 #include "../raster/paint.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_sector_shape {
     struct pel_point center;
     int32_t radius;   /* 1/256 px, 0..32,767 px */
@@ -25,5 +27,7 @@ struct pel_sector_shape {
 void pel_sector(const struct pel_surface *surface,
                 const struct pel_sector_shape *sector,
                 const struct pel_paint *paint);
+
+PEL_END_DECLS
 
 #endif

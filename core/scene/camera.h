@@ -5,6 +5,8 @@
 #include "../base/status.h"
 #include "matrix.h"
 
+PEL_BEGIN_DECLS
+
 enum pel_projection { PEL_PERSPECTIVE, PEL_ORTHOGRAPHIC };
 
 /* With x_c to the right, y_c downwards and z_c the distance along the view, of
@@ -25,7 +27,7 @@ struct pel_camera {
      * pel_length, width and height of what is seen, focal is not used. */
     int32_t focal, sensor[2];
 
-    pel_length near; /* > 0: nothing nearer is seen */
+    pel_length near_plane; /* > 0: nothing nearer is seen */
     enum pel_projection projection;
 };
 
@@ -35,5 +37,7 @@ struct pel_camera {
  * target, or `up` is 0 or lies along the view, or a place is out of range. */
 enum pel_status pel_camera_basis(const struct pel_camera *camera,
                                  struct pel_matrix *basis);
+
+PEL_END_DECLS
 
 #endif

@@ -23,7 +23,7 @@ static PEL_WIDE int64_t depth_inside(const struct pel_projector *p,
     const int64_t inside = pel_minor(limit - p->center[k], z, place[k],
                                      (int32_t)(UINT32_C(1) << p->spread[k]));
     if (plane == 0)
-        return place[2] - p->near;
+        return place[2] - p->near_coarse;
     return plane & 1 ? inside : -inside;
 }
 
@@ -54,7 +54,7 @@ static PEL_WIDE void cut_edge(const struct pel_projector *p,
     const int32_t part = (int32_t)pel_divide(n << 30, (uint32_t)d);
     mix(a->place, b->place, part, cut->place);
     mix(a->weight, b->weight, part, cut->weight);
-    cut->place[2] = pel_max(cut->place[2], p->near);
+    cut->place[2] = pel_max(cut->place[2], p->near_coarse);
 }
 
 /* The part of a polygon inside one plane (Sutherland and Hodgman); `made` is

@@ -5,6 +5,8 @@
 
 #include "projector.h"
 
+PEL_BEGIN_DECLS
+
 /* A corner of the polygon: its coarse place, and how much of each vertex of the
  * triangle is in it, 2^-30; one of them is PEL_COSINE_ONE at a vertex. */
 struct pel_clip_corner {
@@ -35,5 +37,7 @@ void pel_clip_start(struct pel_clip *clip);
  * ends of the edge alone, not on their order, and is right to a coarse step. */
 int32_t pel_clip_triangle(const struct pel_projector *projector,
                           struct pel_clip *clip);
+
+PEL_END_DECLS
 
 #endif

@@ -8,6 +8,8 @@
 #include "../raster/paint.h"
 #include "plane.h"
 
+PEL_BEGIN_DECLS
+
 /* A number per pixel, of the caller's memory: near / z of what is seen there,
  * as a fraction of 16 or 32 bits; 0 is nothing. Such numbers are linear on
  * screen. Two places are told apart at distance z when their gap is more than
@@ -20,7 +22,7 @@ struct pel_depth {
 
 /* Bytes for so many pixels, bits 16 or 32, for constant expressions. */
 #define PEL_DEPTH_SIZE(width, height, bits) \
-    ((size_t)(width) * (size_t)(height) * ((bits) / 8))
+    (PEL_CAST(size_t, width) * PEL_CAST(size_t, height) * ((bits) / 8))
 
 /* Bytes for `bounds`; 0 when they are none of a surface (pel_bounds_legal),
  * bits not 16 or 32, or when the bytes are more than a size_t can say. */
@@ -53,5 +55,7 @@ void pel_depth_paint_init(struct pel_depth_paint *paint,
                           const struct pel_paint *inner,
                           const struct pel_depth *depth,
                           const struct pel_plane *plane, bool keeps);
+
+PEL_END_DECLS
 
 #endif

@@ -4,6 +4,10 @@
 
 #include <stdint.h>
 
+#include "../pel_config.h"
+
+PEL_BEGIN_DECLS
+
 struct pel_depth_entry {
     int32_t depth; /* any number that grows with the distance */
     uint32_t index;
@@ -13,5 +17,7 @@ struct pel_depth_entry {
  * result is the same on every CPU. In place, no recursion, at most about
  * 2 n log2(n) comparisons for any input. */
 void pel_depth_sort(struct pel_depth_entry *entry, uint32_t n);
+
+PEL_END_DECLS
 
 #endif

@@ -21,7 +21,7 @@ enum pel_frame_taken pel_frame_take(const struct pel_frame *frame,
         struct pel_clip_corner *c = &clip->corner[i];
         const struct pel_projected *v = &frame->vertex[t->vertex[i]].at;
         cut |= v->x == PEL_NOT_ON_SCREEN;
-        before |= v->z >= frame->projector.near;
+        before |= v->z >= frame->projector.near_coarse;
         t->at[i] = (struct pel_point){v->x, v->y};
         clip->polygon[0][i] = c;
         c->place[2] = v->z;

@@ -8,6 +8,8 @@
 #include "paint_perspective.h"
 #include "paint_phong.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_scene;
 struct pel_frame;
 
@@ -99,5 +101,7 @@ void pel_frame_set_corner(struct pel_frame *frame, int i,
  * into the rectangle? */
 bool pel_frame_shows(const struct pel_frame *frame,
                      const struct pel_point at[3], const struct pel_rect *rect);
+
+PEL_END_DECLS
 
 #endif

@@ -5,6 +5,8 @@
 #include "../base/color.h"
 #include "projector.h"
 
+PEL_BEGIN_DECLS
+
 /* A light without fall-off. Colours are red, green, blue. */
 struct pel_light {
     int32_t at[3]; /* a place in the world, pel_length; of a directional one
@@ -84,5 +86,7 @@ uint32_t pel_shine_channel(const struct pel_shine *shine, int channel,
 
 /* All three, with the alpha of `surface`. */
 pel_color pel_shine_color(const struct pel_shine *shine, pel_color surface);
+
+PEL_END_DECLS
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "frame.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_mapping {
     /* The surface colour of a vertex, opaque. NULL: white. */
     pel_color (*vertex)(const struct pel_frame *frame, uint32_t vertex);
@@ -51,5 +53,7 @@ void pel_mapping_corners(const struct pel_frame *frame,
 const struct pel_paint *pel_mapping_tint(struct pel_frame *frame,
                                          const struct pel_color_paint *surface,
                                          const pel_color color[3]);
+
+PEL_END_DECLS
 
 #endif

@@ -3,6 +3,9 @@
 #define PEL_SCENE_MESH_H
 
 #include "../asset/mesh_asset.h"
+#include "../pel_config.h"
+
+PEL_BEGIN_DECLS
 
 /* What a scene takes of a quantum's shift. */
 enum { PEL_MESH_SHIFT_MIN = -14, PEL_MESH_SHIFT_MAX = 46 };
@@ -60,5 +63,7 @@ inline void pel_mesh_normal(const struct pel_mesh *mesh, uint32_t vertex,
                         ? mesh->normals16[vertex][k] * INT32_C(16384)
                         : mesh->normals8[vertex][k] * INT32_C(4194304);
 }
+
+PEL_END_DECLS
 
 #endif

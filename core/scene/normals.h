@@ -4,9 +4,12 @@
 
 #include "mesh.h"
 
+PEL_BEGIN_DECLS
+
 /* Bytes of scratch memory that pel_mesh_normals needs, for constant expressions
  * and as a function. */
-#define PEL_MESH_NORMALS_SCRATCH_SIZE(vertices) ((size_t)(vertices)*24)
+#define PEL_MESH_NORMALS_SCRATCH_SIZE(vertices) \
+    (PEL_CAST(size_t, vertices) * 24)
 size_t pel_mesh_normals_scratch_size(const struct pel_mesh *mesh);
 
 /* Per vertex the mean of its faces' normals, weighted by their areas, scaled to
@@ -18,5 +21,7 @@ size_t pel_mesh_normals_scratch_size(const struct pel_mesh *mesh);
 enum pel_status pel_mesh_normals(const struct pel_mesh *mesh,
                                  int16_t (*normals)[3], void *scratch,
                                  size_t scratch_size);
+
+PEL_END_DECLS
 
 #endif

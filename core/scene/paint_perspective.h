@@ -5,6 +5,8 @@
 #include "../paint/paint_texture.h"
 #include "plane.h"
 
+PEL_BEGIN_DECLS
+
 /* How a texture follows the distance. */
 enum {
     PEL_SPAN_EXACT = 1, /* divided at every pixel */
@@ -42,5 +44,7 @@ void pel_perspective_init(struct pel_perspective *paint,
                           const struct pel_plane_setup *setup,
                           const struct pel_texture_corner corner[3],
                           int32_t span);
+
+PEL_END_DECLS
 
 #endif

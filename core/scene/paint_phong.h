@@ -7,6 +7,8 @@
 #include "light.h"
 #include "plane.h"
 
+PEL_BEGIN_DECLS
+
 /* Colours a surface, lit at every pixel: normal and place are linear over the
  * screen and the normal is brought to length 1 again, without a division.
  * The surface's colour is that of another paint, or where `surface` is NULL
@@ -35,5 +37,7 @@ struct pel_tinted {
 
 void pel_tinted_init(struct pel_tinted *paint,
                      const struct pel_color_paint *surface, bool opaque);
+
+PEL_END_DECLS
 
 #endif

@@ -14,7 +14,7 @@
  *     struct pel_scene scene = {
  *         .mesh = &mesh,
  *         .camera = {.eye = {0, PEL_UNITS(1), PEL_UNITS(5)},
- *                    .up = {0, 1, 0}, .near = PEL_UNITS(1) / 16,
+ *                    .up = {0, 1, 0}, .near_plane = PEL_UNITS(1) / 16,
  *                    .focal = 50, .sensor = {32, 24}},
  *         .viewport = {0, 0, 320, 240},
  *         .shading = &pel_shade_lit_gouraud, .lighting = &lighting,
@@ -34,6 +34,8 @@
 #include "depth_sort.h"
 #include "mapping.h"
 #include "shading.h"
+
+PEL_BEGIN_DECLS
 
 /* Which sides of a triangle are drawn; the front one shows its vertices
  * counter-clockwise. */
@@ -71,11 +73,11 @@ struct pel_scene {
 /* Bytes of scratch memory for a frame of the scene: 16 a vertex, 8 a triangle,
  * 40 a light, and 1,100 to 1,300; for constant expressions and as a function: 0
  * without a mesh. */
-#define PEL_SCENE_SCRATCH_SIZE(vertices, triangles, lights) \
-    (((sizeof(struct pel_frame_work) + 7) & ~(size_t)7) +   \
-     (size_t)(lights) * sizeof(struct pel_mesh_light) +     \
-     (size_t)(vertices) * sizeof(struct pel_frame_vertex) + \
-     (size_t)(triangles) * sizeof(struct pel_depth_entry))
+#define PEL_SCENE_SCRATCH_SIZE(vertices, triangles, lights)         \
+    (((sizeof(struct pel_frame_work) + 7) & ~PEL_CAST(size_t, 7)) + \
+     PEL_CAST(size_t, lights) * sizeof(struct pel_mesh_light) +     \
+     PEL_CAST(size_t, vertices) * sizeof(struct pel_frame_vertex) + \
+     PEL_CAST(size_t, triangles) * sizeof(struct pel_depth_entry))
 size_t pel_scene_scratch_size(const struct pel_scene *scene);
 
 /* Sets up a picture: places and lights every vertex, sorts the triangles. The
@@ -101,5 +103,7 @@ void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface);
 void pel_scene_draw_depth(struct pel_frame *frame,
                           const struct pel_surface *surface,
                           const struct pel_depth *depth);
+
+PEL_END_DECLS
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "../base/point.h"
 
+PEL_BEGIN_DECLS
+
 /* At the centre of pixel (x, y): at + x dx + y dy, in 2^-24, modulo 2^64. Right
  * where the value fits, which is inside the triangle; gradients may wrap, so
  * that slivers need no special case. */
@@ -35,7 +37,7 @@ void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
 /* The same value everywhere. */
 static inline struct pel_plane pel_plane_level(int32_t value)
 {
-    struct pel_plane plane = {(uint64_t)(int64_t)value << 24, 0, 0};
+    struct pel_plane plane = {PEL_CAST(uint64_t, value) << 24, 0, 0};
     return plane;
 }
 
@@ -53,7 +55,9 @@ uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y);
 /* The whole part of a value that fits. */
 static inline int32_t pel_plane_whole(uint64_t value)
 {
-    return (int32_t)((int64_t)value >> 24);
+    return PEL_CAST(int32_t, PEL_CAST(int64_t, value) >> 24);
 }
+
+PEL_END_DECLS
 
 #endif

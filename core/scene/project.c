@@ -51,7 +51,7 @@ void pel_project(const struct pel_projector *projector,
     fine_place(p, position, fine);
     out->z = (int32_t)(fine[2] >> p->coarse);
     const int64_t z = p->one ? pel_scale_down(p->one, -p->coarse) : fine[2];
-    const bool seen = out->z >= p->near && on_screen(p, fine, z, at);
+    const bool seen = out->z >= p->near_coarse && on_screen(p, fine, z, at);
     out->x = seen ? at[0] : PEL_NOT_ON_SCREEN;
     out->y = seen ? at[1] : 0;
 }

@@ -83,13 +83,13 @@ static enum pel_status place_near(struct pel_projector *p,
                                   const struct pel_camera *camera)
 {
     const int bits = p->fine_bits - p->coarse; /* of a unit, coarse */
-    int64_t near = pel_scale_down(camera->near, 16 - bits);
-    if (camera->near <= 0 || near < 1 ||
+    int64_t near = pel_scale_down(camera->near_plane, 16 - bits);
+    if (camera->near_plane <= 0 || near < 1 ||
         (camera->projection == PEL_ORTHOGRAPHIC && bits < 0))
         return PEL_ERROR_RANGE;
-    p->near_fine = pel_scale_down(camera->near, 16 - p->fine_bits);
+    p->near_fine = pel_scale_down(camera->near_plane, 16 - p->fine_bits);
     near = near < INT32_C(1) << 29 ? near : INT32_C(1) << 29;
-    p->near = (int32_t)near;
+    p->near_coarse = (int32_t)near;
     p->one = 0;
     if (camera->projection == PEL_ORTHOGRAPHIC)
         p->one = (int32_t)(UINT32_C(1) << bits);

@@ -6,6 +6,8 @@
 #include "camera.h"
 #include "mesh.h"
 
+PEL_BEGIN_DECLS
+
 /* Where a mesh stands: world = turn place + at. */
 struct pel_pose {
     struct pel_matrix turn;
@@ -24,7 +26,7 @@ struct pel_projector {
     struct pel_matrix rows; /* of the mesh, scaled */
     int64_t origin[3];      /* fine */
     int64_t near_fine;      /* the near plane, fine */
-    int32_t near;           /* coarse, at least 1 */
+    int32_t near_coarse;    /* coarse, at least 1 */
     int32_t one;       /* coarse: z of all places when orthographic, or 0 */
     int32_t center[2]; /* sub-pixels */
     int32_t spread[2]; /* 0..24 */
@@ -36,9 +38,9 @@ struct pel_projector {
 /* PEL_ERROR_NULL; PEL_ERROR_SIZE: an empty viewport, or one beyond +-32,767 px,
  * or a focal length or sensor out of range, or of an extent that makes more
  * than 65,536 or less than 1/256 pixel of a unit at distance 1;
- * PEL_ERROR_RANGE: pel_camera_basis, or `near` is not above 0, or more than
- * 2^28 times smaller than the farthest a vertex of the mesh could be away, or,
- * orthographic, that vertex is 2^29 units away or more. */
+ * PEL_ERROR_RANGE: pel_camera_basis, or `near_plane` is not above 0, or more
+ * than 2^28 times smaller than the farthest a vertex of the mesh could be away,
+ * or, orthographic, that vertex is 2^29 units away or more. */
 enum pel_status pel_projector_init(struct pel_projector *projector,
                                    const struct pel_mesh *mesh,
                                    const struct pel_pose *pose,
@@ -78,5 +80,7 @@ struct pel_point pel_project_clipped(const struct pel_projector *projector,
 /* The legal range of sub-pixels less one pixel. */
 #define PEL_GUARD_MIN (PEL_COORDINATE_MIN + 256)
 #define PEL_GUARD_MAX (PEL_COORDINATE_MAX - 256)
+
+PEL_END_DECLS
 
 #endif

@@ -4,6 +4,8 @@
 
 #include "frame.h"
 
+PEL_BEGIN_DECLS
+
 struct pel_shading {
     /* Once a frame, before the vertices. May be NULL. */
     enum pel_status (*start)(struct pel_frame *frame);
@@ -40,5 +42,7 @@ const struct pel_paint *pel_shade_flat_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface);
 const struct pel_paint *pel_shade_gouraud_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface);
+
+PEL_END_DECLS
 
 #endif

@@ -14,7 +14,7 @@ typedef int32_t pel_length;
 #define PEL_LENGTH_MAX (INT32_C(1) << 30)
 
 /* n units, for constant expressions too; a constant may have a fraction. */
-#define PEL_UNITS(n) ((pel_length)((n)*65536))
+#define PEL_UNITS(n) PEL_CAST(pel_length, (n)*INT64_C(65536))
 
 /* Parts of unit vectors: 2^-30, from -1 to 1. */
 typedef int32_t pel_cosine;
@@ -24,14 +24,18 @@ typedef int32_t pel_cosine;
 /* Factors of light and material: 1/65,536, from 0 to less than 16. */
 typedef int32_t pel_factor;
 
-#define PEL_FACTOR(percent) ((pel_factor)((percent)*65536 / 100))
+#define PEL_FACTOR(percent) PEL_CAST(pel_factor, (percent)*INT64_C(65536) / 100)
 #define PEL_FACTOR_END (UINT32_C(16) * 65536)
 
 /* The sums that follow are in the header where they are short, and there once
  * where 64 bits are long code. */
 #if PEL_FAST_64BIT
 #include "vector_sums.h"
-#else
+#endif
+
+PEL_BEGIN_DECLS
+
+#if !PEL_FAST_64BIT
 int64_t pel_scale_down(int64_t v, int n);
 int32_t pel_scaled(int32_t a, int32_t b, int n);
 int64_t pel_dot(const int32_t a[3], const int32_t b[3]);
@@ -63,5 +67,7 @@ bool pel_unit_exact(const int64_t v[3], pel_cosine unit[3]);
 /* v times a power of two, so that the largest part is in [2^29, 2^30]; rounded
  * where v has more bits. False, and all 0, when v is 0. |v[k]| < 2^62. */
 bool pel_vector_fit(const int64_t v[3], int32_t fit[3]);
+
+PEL_END_DECLS
 
 #endif

@@ -12,14 +12,14 @@
 PEL_WIDE_SUM int64_t pel_scale_down(int64_t v, int n)
 {
     if (n <= 0)
-        return (int64_t)((uint64_t)v << -n);
+        return PEL_CAST(int64_t, PEL_CAST(uint64_t, v) << -n);
     return ((v >> (n - 1)) + 1) >> 1;
 }
 
 /* a b 2^-n, the nearest (a tie upwards), 0 <= n <= 62; it must fit. */
 PEL_WIDE_SUM int32_t pel_scaled(int32_t a, int32_t b, int n)
 {
-    return (int32_t)pel_scale_down(pel_long_product(a, b), n);
+    return PEL_CAST(int32_t, pel_scale_down(pel_long_product(a, b), n));
 }
 
 /* The product of vectors whose sizes multiply to less than 2^63. */

@@ -5,6 +5,10 @@
 
 #include <stdint.h>
 
+#include "../../core/pel_config.h"
+
+PEL_BEGIN_DECLS
+
 void semihost_write(const char *text);
 
 /* In decimal; needs no division. */
@@ -12,5 +16,7 @@ void semihost_write_number(uint32_t number);
 
 /* Ends the program; status 0..255 becomes the emulator's own exit status. */
 __attribute__((__noreturn__)) void semihost_exit(int status);
+
+PEL_END_DECLS
 
 #endif

@@ -4,8 +4,14 @@
 
 #include <stdint.h>
 
+#include "../../core/pel_config.h"
+
+PEL_BEGIN_DECLS
+
 /* Paints the free stack, calls, and looks how deep the paint was touched: bytes
  * below this function's own frame. */
 uint32_t stack_used(void (*call)(const void *argument), const void *argument);
+
+PEL_END_DECLS
 
 #endif

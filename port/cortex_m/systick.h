@@ -4,9 +4,11 @@
 
 #include <stdint.h>
 
-#define SYSTICK_CONTROL (*(volatile uint32_t *)0xE000E010u)
-#define SYSTICK_RELOAD (*(volatile uint32_t *)0xE000E014u)
-#define SYSTICK_VALUE (*(volatile uint32_t *)0xE000E018u)
+#include "../../core/pel_config.h"
+
+#define SYSTICK_CONTROL (*PEL_CAST_ADDRESS(volatile uint32_t *, 0xE000E010u))
+#define SYSTICK_RELOAD (*PEL_CAST_ADDRESS(volatile uint32_t *, 0xE000E014u))
+#define SYSTICK_VALUE (*PEL_CAST_ADDRESS(volatile uint32_t *, 0xE000E018u))
 
 static inline void systick_start(void)
 {

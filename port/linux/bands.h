@@ -6,6 +6,8 @@
 #include "../../core/base/surface.h"
 #include "pool.h"
 
+PEL_BEGIN_DECLS
+
 /* Draws a band: a surface of its own whose bounds and clip are the band, over
  * the same memory. Runs on any thread of the pool, several at a time, so what
  * it changes must be its own (scratch memory too). */
@@ -16,5 +18,7 @@ typedef void pel_bands_work(void *context, const struct pel_surface *band);
  * multiples of 8 rows of the surface. */
 void pel_bands_draw(struct pel_pool *pool, const struct pel_surface *surface,
                     pel_bands_work *work, void *context);
+
+PEL_END_DECLS
 
 #endif

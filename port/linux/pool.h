@@ -7,6 +7,10 @@
 #include <pthread.h>
 #include <stdbool.h>
 
+#include "../../core/pel_config.h"
+
+PEL_BEGIN_DECLS
+
 enum { PEL_POOL_MOST = 64 };
 
 /* Part `index` of the work. */
@@ -38,5 +42,7 @@ void pel_pool_end(struct pel_pool *pool);
 
 /* Processors that this process may use, 1 to PEL_POOL_MOST. */
 int pel_pool_processors(void);
+
+PEL_END_DECLS
 
 #endif

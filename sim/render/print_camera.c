@@ -30,7 +30,7 @@ void print_camera(FILE *out, const struct scene *scene)
         fprintf(out, "    .focal = %ld,\n", (long)camera->focal);
     fprintf(out, "    .sensor = {%ld, %ld},\n", (long)camera->sensor[0],
             (long)camera->sensor[1]);
-    fprintf(out, "    .near = %ld,\n", (long)camera->near);
+    fprintf(out, "    .near_plane = %ld,\n", (long)camera->near_plane);
     fprintf(out, "    .projection = %s,\n}\n",
             camera->projection == PEL_PERSPECTIVE ? "PEL_PERSPECTIVE"
                                                   : "PEL_ORTHOGRAPHIC");

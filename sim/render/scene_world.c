@@ -118,7 +118,7 @@ static void place_camera(struct scene *scene, const struct scene_settings *s)
     }
     place_up(from->up, to->up);
     to->projection = from->projection;
-    to->near = (pel_length)fmax(length_of(scene, from->near), 1);
+    to->near_plane = (pel_length)fmax(length_of(scene, from->near), 1);
     if (from->projection == PEL_PERSPECTIVE)
         place_lens(to, from);
     for (int k = 0; k < 2 && from->projection == PEL_ORTHOGRAPHIC; k++)

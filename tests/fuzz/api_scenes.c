@@ -78,7 +78,7 @@ static void take_camera(struct api *a, struct pel_camera *c)
                              .up = {0, 1, 0},
                              .focal = 50,
                              .sensor = {100, 100},
-                             .near = PEL_UNITS(1) / 64};
+                             .near_plane = PEL_UNITS(1) / 64};
     for (int k = 0; k < 3; k++) {
         if (kind & 1)
             c->eye[k] = input_number(&a->in);
@@ -93,7 +93,7 @@ static void take_camera(struct api *a, struct pel_camera *c)
         c->sensor[1] = input_number(&a->in);
     }
     if (kind & 16)
-        c->near = input_number(&a->in);
+        c->near_plane = input_number(&a->in);
     if (kind & 32)
         c->projection = PEL_ORTHOGRAPHIC;
     if ((kind & 40) == 32)

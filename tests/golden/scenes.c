@@ -222,7 +222,7 @@ static void set_view(struct pel_scene *scene, struct pel_mesh *mesh,
                                       .up = {0, 1, 0},
                                       .focal = 26,
                                       .sensor = {32, 24},
-                                      .near = PEL_UNITS(4)},
+                                      .near_plane = PEL_UNITS(4)},
                            .viewport = {0, 0, WIDTH, HEIGHT},
                            .lighting = &lighting};
 }

@@ -52,7 +52,7 @@ static const struct pel_lighting scene_lighting = {
         .mesh = &(mesh_of_scene),                                    \
         .camera = {.eye = {0, 0, -PEL_UNITS(3)},                     \
                    .up = {0, 1, 0},                                  \
-                   .near = PEL_UNITS(1) / 16,                        \
+                   .near_plane = PEL_UNITS(1) / 16,                  \
                    .focal = 50,                                      \
                    .sensor = {36, 36}},                              \
         .viewport = {0, 0, SCREEN_SIDE, SCREEN_SIDE},                \

@@ -77,7 +77,7 @@ static void any_plane(struct random *r, struct plane *p)
         .camera = {.up = {random_between(r, -9, 9), 10, 0},
                    .focal = random_between(r, 10, 200),
                    .sensor = {100, 100},
-                   .near = random_between(r, 100, PEL_UNITS(2))},
+                   .near_plane = random_between(r, 100, PEL_UNITS(2))},
         .viewport = {0, 0, SIDE, SIDE},
         .shading = &shading};
     for (int k = 0; k < 3; k++) {
@@ -174,7 +174,7 @@ static void any_far_plane(struct random *r, struct plane *p)
         p->scene.camera.eye[k] = far + random_between(r, -reach, reach);
         p->scene.camera.target[k] = far + random_between(r, -reach, reach);
     }
-    p->scene.camera.near = random_between(r, 500, 2000);
+    p->scene.camera.near_plane = random_between(r, 500, 2000);
 }
 
 /* Hit twice, or missed between four neighbours that are hit. */

@@ -51,7 +51,7 @@ static real nearness(const struct any_scene *s, const struct pel_frame *frame,
     for (uint32_t i = 0; i < 3; i++) {
         reference_place(&s->scene, 3 * t + i, place);
         reference_project(&s->scene, place, screen);
-        sum += w[i] * s->scene.camera.near / 65536 / screen[2];
+        sum += w[i] * s->scene.camera.near_plane / 65536 / screen[2];
     }
     return sum;
 }

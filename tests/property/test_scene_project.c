@@ -119,7 +119,7 @@ static void move_to_a_vertex(struct random *r, struct any_scene *s)
         c->eye[k] = (pel_length)(place + away / 2000);
         c->target[k] = (pel_length)(c->eye[k] - away);
     }
-    c->near = 1;
+    c->near_plane = 1;
     c->projection = PEL_PERSPECTIVE;
     c->focal = 30000;
     c->sensor[0] = c->sensor[1] = 36000;

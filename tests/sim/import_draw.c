@@ -28,7 +28,7 @@ static void set_camera(struct pel_camera *camera)
     *camera = (struct pel_camera){.up = {0, 1, 0},
                                   .focal = 50000,
                                   .sensor = {36000, 36000},
-                                  .near = PEL_UNITS(1) / 8};
+                                  .near_plane = PEL_UNITS(1) / 8};
     for (int k = 0; k < 3; k++) {
         camera->eye[k] = (pel_length)(eye[k] * 65536);
         camera->target[k] = (pel_length)(target[k] * 65536);

@@ -82,7 +82,7 @@ static void any_camera(struct random *r, struct any_scene *s, int32_t pixels)
         c->target[k] = middle[k] + random_between(r, -reach / 8, reach / 8);
     }
     c->up[random_between(r, 0, 2)] += 1000;
-    c->near = reach / 64 + 1;
+    c->near_plane = reach / 64 + 1;
     c->projection =
         random_between(r, 0, 7) ? PEL_PERSPECTIVE : PEL_ORTHOGRAPHIC;
     c->focal = random_between(r, 20000, 80000);

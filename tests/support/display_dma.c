@@ -101,7 +101,7 @@ static enum pel_status dma_flip(const struct pel_display *display)
     return PEL_OK;
 }
 
-static void dma_round(const struct pel_display *display, struct pel_rect *area)
+static void dma_align(const struct pel_display *display, struct pel_rect *area)
 {
     const struct display_dma *dma = display->context;
     const struct pel_rect *bounds = &dma->screen.bounds;
@@ -123,5 +123,5 @@ void display_dma_init(struct pel_display *display, struct display_dma *dma)
                                     .flush = dma_flush,
                                     .wait = dma_wait,
                                     .flip = dma_flip,
-                                    .round = dma_round};
+                                    .align = dma_align};
 }

@@ -151,7 +151,7 @@ static void test_parts_of_a_kept_frame(void **state)
                                     random_between(&c.random, 0, 20),
                                     random_between(&c.random, 21, WIDTH),
                                     random_between(&c.random, 21, HEIGHT)};
-            pel_display_round(&f.display, &area);
+            pel_display_align(&f.display, &area);
             assert_int_equal(pel_display_wait(&f.display), PEL_OK);
             assert_int_equal(pel_display_begin(&f.display, &area, &s), PEL_OK);
             draw(&s, &f.dma);
@@ -179,7 +179,7 @@ static void test_windows_that_are_not_rounded(void **state)
                      &(struct pel_rect){0, 0, WIDTH, HEIGHT});
     assert_int_equal(pel_display_begin(&f.display, &odd, &s), PEL_OK);
     assert_int_equal(pel_display_flush(&f.display, &s), PEL_ERROR_SIZE);
-    pel_display_round(&f.display, &area);
+    pel_display_align(&f.display, &area);
     assert_true(area.x0 <= odd.x0 && area.x1 >= odd.x1 && area.y0 <= odd.y0 &&
                 area.y1 >= odd.y1);
     assert_int_equal(pel_display_begin(&f.display, &area, &s), PEL_OK);

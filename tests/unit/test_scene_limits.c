@@ -46,7 +46,7 @@ static void ground_init(struct ground *g, int16_t half, int16_t height)
                                              .up = {0, 1, 0},
                                              .focal = 50,
                                              .sensor = {100, 100},
-                                             .near = PEL_UNITS(1) / 64},
+                                             .near_plane = PEL_UNITS(1) / 64},
                                   .viewport = view,
                                   .shading = &pel_shade_flat,
                                   .color = PEL_RGB(255, 255, 255),
@@ -167,7 +167,7 @@ static void test_behind_is_nothing(void **state)
     static struct canvas c;
     (void)state;
     ground_init(&g, 1000, 10);
-    g.scene.camera.near = PEL_UNITS(100);
+    g.scene.camera.near_plane = PEL_UNITS(100);
     draw(&g, &c);
     for (int32_t i = 0; i < SIDE * SIDE; i++)
         assert_int_equal(canvas_pixel(&c, i % SIDE, i / SIDE), 0);
@@ -305,7 +305,7 @@ static void test_what_cannot_be_seen_is_refused(void **state)
     bad.scene.camera.eye[0] = PEL_LENGTH_MAX + 1;
     assert_int_equal(prepare(&bad), PEL_ERROR_RANGE);
     bad = *clean;
-    bad.scene.camera.near = 0;
+    bad.scene.camera.near_plane = 0;
     assert_int_equal(prepare(&bad), PEL_ERROR_RANGE);
     bad = *clean;
     bad.scene.camera.sensor[1] = 0;

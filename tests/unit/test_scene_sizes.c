@@ -44,7 +44,7 @@ static void test_an_orthographic_mesh_far_away(void **state)
         .target = {0, 0, -1},
         .up = {0, 1, 0},
         .sensor = {PEL_UNITS(1000), PEL_UNITS(1000)},
-        .near = PEL_LENGTH_MAX,
+        .near_plane = PEL_LENGTH_MAX,
         .projection = PEL_ORTHOGRAPHIC};
     struct pel_mesh mesh = {.vertices = 1,
                             .triangles = 1,

@@ -110,7 +110,7 @@ static void check_errors(void)
                      &(struct pel_rect){0, 0, WIDTH, HEIGHT - 1});
     expect(pel_display_begin(&display, &area, &small) == PEL_ERROR_SIZE,
            "memory that does not hold the area");
-    pel_display_round(&display, &grown);
+    pel_display_align(&display, &grown);
     expect(memcmp(&grown, &area, sizeof(area)) == 0, "round has a default");
     small.clip.x1 = 0;
     expect(pel_display_flush(&display, &small) == PEL_OK, "nothing to flush");
