@@ -6,9 +6,9 @@
  * Threads: core has no state and takes no lock. Any number of threads may draw
  * at once when no two of them write the same bytes: as bands of one picture.
  * They may share paints, formats, fonts, pictures and meshes, which are only
- * read. Of a struct pel_frame with its scratch memory, of a struct pel_rim and
- * a struct pel_dirty each thread takes its own. Functions may be called from
- * interrupts too.
+ * read. Of a struct pel_frame with its scratch memory, of a struct
+ * pel_outline_filter and a struct pel_dirty each thread takes its own.
+ * Functions may be called from interrupts too.
  *
  * Stability: until 1.0.0 a minor version may change the interface, and the
  * changelog says how; a patch changes neither the interface nor, but for a

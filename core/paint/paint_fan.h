@@ -30,7 +30,6 @@ struct pel_fan_points {
 void pel_fan_set_hub(struct pel_fan_points *points);
 
 /* n points evenly around a circle, the first at the angle start (1/65,536
-/* n points evenly around a circle, the first at the angle start (1/65,536
  * turns), clockwise; n > 0. A circle out of range is a broken contract:
  * PEL_ASSERT, and the points stay as they are. */
 void pel_fan_perimeter(struct pel_point *v, int32_t n, struct pel_point center,

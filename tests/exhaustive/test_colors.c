@@ -143,7 +143,9 @@ static void check_blends(const struct layout *l, pel_color color)
         want[i] =
             layout_unpack(l, layout_over(l, layout_pack(l, below[i]), color));
     }
-    assert_int_equal(pel_surface_init(&s, l->format, memory, n, 1), PEL_OK);
+    const struct pel_rect line = {0, 0, n, 1};
+    assert_int_equal(
+        pel_surface_init(&s, l->format, memory, sizeof memory, &line), PEL_OK);
     for (size_t way = 0; way < sizeof ways / sizeof ways[0]; way++) {
         s.format->put(&s, 0, 0, n, below);
         ways[way](&s, n, color);

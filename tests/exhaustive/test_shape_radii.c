@@ -189,7 +189,7 @@ static void test_sectors(void **state)
             s.to = (uint16_t)random_word(&random);
             if (!is_skipped(r, c))
                 check_sector(&s);
-            s.from &= 0xE000u;
+            s.from &= 0xE000;
             if (!is_skipped(r, c))
                 check_sector(&s);
         }

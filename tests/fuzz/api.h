@@ -3,7 +3,7 @@
 #ifndef TESTS_FUZZ_API_H
 #define TESTS_FUZZ_API_H
 
-#include "core/outline/rim.h"
+#include "core/outline/outline_filter.h"
 #include "core/pel.h"
 #include "input.h"
 

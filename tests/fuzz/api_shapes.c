@@ -154,12 +154,13 @@ static void draw(const struct pel_surface *surface, const struct shape *s,
 static void draw_rim(const struct pel_surface *surface, const struct shape *s,
                      uint32_t kind, const struct pel_paint *paint)
 {
-    struct pel_span memory[PEL_RIM_MEMORY(3)];
-    struct pel_rim rim;
-    if (!pel_rim_begin(&rim, surface, paint, memory, PEL_RIM_MEMORY(3)))
+    struct pel_span memory[PEL_OUTLINE_FILTER_SPANS(3)];
+    struct pel_outline_filter filter;
+    if (!pel_outline_filter_begin(&filter, surface, paint, memory,
+                                  PEL_OUTLINE_FILTER_SPANS(3)))
         return;
-    draw(&rim.surface, s, kind, &rim.paint);
-    pel_rim_end(&rim);
+    draw(&filter.surface, s, kind, &filter.paint);
+    pel_outline_filter_end(&filter);
 }
 
 void api_shape(struct api *a, const struct pel_surface *surface,

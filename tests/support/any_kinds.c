@@ -286,12 +286,13 @@ static void outline_rim(const struct pel_surface *surface,
                         const struct any_shape *s,
                         const struct pel_paint *paint)
 {
-    struct pel_span memory[PEL_RIM_MEMORY(3)];
-    struct pel_rim rim;
-    if (!pel_rim_begin(&rim, surface, paint, memory, PEL_RIM_MEMORY(3)))
+    struct pel_span memory[PEL_OUTLINE_FILTER_SPANS(3)];
+    struct pel_outline_filter filter;
+    if (!pel_outline_filter_begin(&filter, surface, paint, memory,
+                                  PEL_OUTLINE_FILTER_SPANS(3)))
         return;
-    any_draw(&rim.surface, s, &rim.paint);
-    pel_rim_end(&rim);
+    any_draw(&filter.surface, s, &filter.paint);
+    pel_outline_filter_end(&filter);
 }
 
 static const struct {

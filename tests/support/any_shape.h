@@ -54,7 +54,8 @@ void any_draw(const struct pel_surface *surface, const struct any_shape *s,
 bool any_hit(const struct any_shape *s, int32_t x, int32_t y);
 bool any_reference_at(const struct any_shape *s, int32_t x, int32_t y);
 
-/* By the shape's outline function or outline/rim.h; of sectors the arc. */
+/* By the shape's outline function or outline/outline_filter.h; of sectors the
+ * arc. */
 void any_draw_outline(const struct pel_surface *surface,
                       const struct any_shape *s, const struct pel_paint *paint);
 bool any_reference_outline_at(const struct any_shape *s, int32_t x, int32_t y);

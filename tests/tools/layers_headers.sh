@@ -31,7 +31,7 @@ done
 
 public=$($cc -std=c99 -I. -MM -MT x core/pel.h | tr -d '\\' |
     sed 's/^x://' | tr ' ' '\n' | sed 's|[a-z]*/\.\./||' | sort -u)
-public="$public core/outline/rim.h $(echo drivers/*.h port/*/*.h)"
+public="$public core/outline/outline_filter.h $(echo drivers/*.h port/*/*.h)"
 casts="-Wcast-qual -Wold-style-cast -D_GNU_SOURCE $drm"
 # Words that headers of platforms define; system headers come before them.
 rubbish() {

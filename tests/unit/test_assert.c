@@ -174,9 +174,9 @@ static void test_places(void **state)
         }
     }
     for (int i = 0; i < ILLEGAL; i++) {
-        pel_fan_rim(rim, 3, (struct pel_point){illegal[i], 0}, 99, 5);
+        pel_fan_perimeter(rim, 3, (struct pel_point){illegal[i], 0}, 99, 5);
         expect_broken("fan's centre", illegal[i]);
-        pel_fan_rim(rim, 3, (struct pel_point){0, 0}, illegal[i], 5);
+        pel_fan_perimeter(rim, 3, (struct pel_point){0, 0}, illegal[i], 5);
         expect_broken("fan's radius", illegal[i]);
     }
     assert_int_equal(rim[2].y, 6);
