@@ -10,10 +10,12 @@ static bool may_hit(const struct pel_rect *box, int32_t x, int32_t y)
 int32_t pel_hit_topmost(const struct pel_target *const *targets, int32_t n,
                         int32_t x, int32_t y)
 {
-    while (n > 0) {
-        const struct pel_target *t = targets[--n];
+    if (n < 0)
+        return -1;
+    while (--n >= 0) {
+        const struct pel_target *t = targets[n];
         if (may_hit(&t->box, x, y) && t->hit(t, x, y))
-            return n;
+            break;
     }
-    return -1;
+    return n;
 }
