@@ -45,26 +45,27 @@ static void draw_straight(const struct pel_surface *surface,
                           const struct shape *s, uint32_t kind,
                           const struct pel_paint *paint)
 {
+    const struct pel_point *const v = s->v;
     const struct pel_rect box = {s->v[0].x, s->v[0].y, s->v[1].x, s->v[1].y};
     const struct pel_thick_line_shape thick = {s->v[0], s->v[1], s->radius};
     switch (kind % 8) {
     case 0:
-        pel_triangle(surface, s->v, paint);
+        pel_triangle(surface, v, paint);
         break;
     case 1:
-        pel_triangle_or_line(surface, s->v, paint);
+        pel_triangle_or_line(surface, v, paint);
         break;
     case 2:
-        pel_triangle_gouraud(surface, s->v, s->color);
+        pel_triangle_gouraud(surface, v, s->color);
         break;
     case 3:
-        pel_line(surface, s->v[0], s->v[1], paint);
+        pel_line(surface, v[0], v[1], paint);
         break;
     case 4:
         pel_thick_line(surface, &thick, paint);
         break;
     case 5:
-        pel_rectangle(surface, s->v[0], s->v[1], paint);
+        pel_rectangle(surface, v[0], v[1], paint);
         break;
     case 6:
         pel_box(surface, &box, paint);
