@@ -74,7 +74,5 @@ enum pel_console_event pel_console_read(int milliseconds, char *keys,
  * that the program runs on, and where it does not run on one (ssh) for the one
  * that is shown, which needs root. 0 or an errno, with the message. */
 int pel_console_reset(const char *path, struct pel_message *message);
-
 PEL_END_DECLS
-
 #endif

@@ -28,7 +28,5 @@ void pel_guardian_dismiss(const struct pel_guardian *guardian);
 
 /* Waits for its end; not dismissed, it restores first. */
 void pel_guardian_end(struct pel_guardian *guardian);
-
 PEL_END_DECLS
-
 #endif

@@ -15,7 +15,5 @@ void pel_signals_catch(void (*restore)(void));
 
 /* The actions of before. */
 void pel_signals_release(void);
-
 PEL_END_DECLS
-
 #endif

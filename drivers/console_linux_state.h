@@ -50,7 +50,5 @@ bool pel_console_state_restore(const struct pel_console_state *state);
 /* The mode and the palette of the framebuffer alone. */
 bool pel_console_state_restore_framebuffer(
     const struct pel_console_state *state);
-
 PEL_END_DECLS
-
 #endif

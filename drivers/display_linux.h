@@ -68,7 +68,5 @@ enum pel_console_event pel_display_linux_wait(struct pel_display_linux *screen,
 
 /* Gives all back. Nothing when it is not open. */
 void pel_display_linux_close(struct pel_display_linux *screen);
-
 PEL_END_DECLS
-
 #endif

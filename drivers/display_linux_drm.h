@@ -52,7 +52,5 @@ void pel_display_drm_leave(struct pel_display_drm *drm);
 void pel_display_drm_enter(struct pel_display_drm *drm);
 
 void pel_display_drm_close(struct pel_display_drm *drm);
-
 PEL_END_DECLS
-
 #endif

@@ -10,7 +10,5 @@ PEL_BEGIN_DECLS
  * (the first one where none is), the CRTC that feeds it, or one that can. 0 or
  * an errno, with the message, which names `path`. */
 int pel_drm_find_output(struct pel_display_drm *drm, const char *path);
-
 PEL_END_DECLS
-
 #endif

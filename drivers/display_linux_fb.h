@@ -85,7 +85,5 @@ void pel_display_fb_enter(struct pel_display_fb *fb);
 
 /* Releases memory and descriptor; restores nothing. */
 void pel_display_fb_close(struct pel_display_fb *fb);
-
 PEL_END_DECLS
-
 #endif

@@ -25,7 +25,5 @@ struct pel_display_memory {
  * the screen does not begin at (0, 0). */
 enum pel_status pel_display_memory_init(struct pel_display *display,
                                         struct pel_display_memory *memory);
-
 PEL_END_DECLS
-
 #endif

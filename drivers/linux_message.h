@@ -28,7 +28,5 @@ void pel_message_errno(struct pel_message *message, const char *what,
  */
 void pel_message_open(struct pel_message *message, const char *path, int error,
                       const char *missing);
-
 PEL_END_DECLS
-
 #endif

@@ -57,7 +57,5 @@ static inline enum pel_status pel_image_asset_check(
 enum pel_status pel_image_asset_surface(struct pel_surface *surface,
                                         const struct pel_image_asset *image,
                                         const struct pel_format *format);
-
 PEL_END_DECLS
-
 #endif

@@ -17,7 +17,5 @@ pel_color pel_hsv(int32_t hue, uint32_t s, uint32_t v);
 
 /* hue in degrees, any: 360 is 0, -1 is 359. */
 pel_color pel_hsv_degrees(int32_t hue, uint32_t s, uint32_t v);
-
 PEL_END_DECLS
-
 #endif

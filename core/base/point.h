@@ -128,7 +128,5 @@ static inline bool pel_radius_legal(int32_t radius)
 {
     return radius >= 0 && radius <= PEL_PX(32767);
 }
-
 PEL_END_DECLS
-
 #endif

@@ -64,7 +64,5 @@ static inline uint8_t *pel_surface_line(const struct pel_surface *s, int32_t y)
     return PEL_CAST(uint8_t *, s->pixels) +
            PEL_CAST(ptrdiff_t, y - s->bounds.y0) * s->stride;
 }
-
 PEL_END_DECLS
-
 #endif

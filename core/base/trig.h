@@ -16,7 +16,5 @@ PEL_BEGIN_DECLS
  * differ by a half turn are exactly opposite, and different angles have
  * different directions, in the order of the angles. */
 struct pel_point pel_direction(uint16_t turn);
-
 PEL_END_DECLS
-
 #endif

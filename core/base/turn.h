@@ -15,7 +15,5 @@ enum { PEL_TURNS_OF_RADIAN = 683565276 };
  * (clockwise on screen), off by less than 2^-30 turns; exact on the axes and
  * diagonals. |x|, |y| < 2^25; (0, 0) gives 0. */
 uint32_t pel_turn_of(int32_t x, int32_t y);
-
 PEL_END_DECLS
-
 #endif

@@ -25,7 +25,5 @@ extern const struct pel_format pel_gray8;
 extern const struct pel_format pel_gray4;
 extern const struct pel_format pel_mono1;
 extern const struct pel_format pel_mono1_pages;
-
 PEL_END_DECLS
-
 #endif

@@ -62,7 +62,5 @@ struct pel_target {
  * when they are painted in the order of the list. -1 when none does. */
 int32_t pel_hit_topmost(const struct pel_target *const *targets, int32_t n,
                         int32_t x, int32_t y);
-
 PEL_END_DECLS
-
 #endif

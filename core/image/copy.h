@@ -33,7 +33,5 @@ void pel_copy_keyed(const struct pel_surface *surface,
  * it. */
 void pel_copy_alpha(const struct pel_surface *surface,
                     const struct pel_copy_part *copy, uint8_t alpha);
-
 PEL_END_DECLS
-
 #endif

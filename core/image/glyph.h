@@ -18,7 +18,5 @@ struct pel_stencil {
 void pel_glyph(const struct pel_surface *surface,
                const struct pel_stencil *glyph, int32_t x, int32_t y,
                const struct pel_paint *paint);
-
 PEL_END_DECLS
-
 #endif

@@ -31,7 +31,5 @@ void pel_text(const struct pel_surface *surface,
  * one more than line feeds. For strings up to 2^22 bytes. */
 struct pel_text_size pel_text_measure(const struct pel_font_asset *font,
                                       const char *string);
-
 PEL_END_DECLS
-
 #endif

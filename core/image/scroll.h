@@ -22,7 +22,5 @@ struct pel_exposed {
 struct pel_exposed pel_scroll(const struct pel_surface *surface,
                               const struct pel_rect *area, int32_t dx,
                               int32_t dy);
-
 PEL_END_DECLS
-
 #endif

@@ -55,7 +55,5 @@ enum pel_status pel_ramp_check(const struct pel_ramp *ramp);
 
 /* Have all colours alpha 255? */
 bool pel_ramp_opaque(const struct pel_ramp *ramp);
-
 PEL_END_DECLS
-
 #endif

@@ -86,7 +86,5 @@ void pel_curve_follow(const void *curve, struct pel_ramp_walk *walk, int32_t n,
 #define PEL_CURVE_PAINT(type, pointer)                                   \
     ((const type *)(const void *)((const char *)(pointer)-offsetof(type, \
                                                                    curve)))
-
 PEL_END_DECLS
-
 #endif

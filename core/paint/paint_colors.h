@@ -69,7 +69,5 @@ static inline void pel_color_paint_init(struct pel_color_paint *paint,
     paint->opaque = opaque;
     paint->walker = NULL;
 }
-
 PEL_END_DECLS
-
 #endif

@@ -47,7 +47,5 @@ void pel_conic_colors(const struct pel_color_paint *paint, const void *context,
                       const struct pel_run *run, pel_color *colors);
 
 #endif
-
 PEL_END_DECLS
-
 #endif

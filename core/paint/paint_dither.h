@@ -26,7 +26,5 @@ struct pel_dither {
  * PEL_ERROR_RANGE (a dither). */
 enum pel_status pel_dither_init(struct pel_dither *paint,
                                 const struct pel_paint *source);
-
 PEL_END_DECLS
-
 #endif

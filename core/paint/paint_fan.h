@@ -61,7 +61,5 @@ struct pel_fan {
 enum pel_status pel_fan_init(struct pel_fan *paint,
                              const struct pel_fan_points *points,
                              struct pel_fan_triangle *memory);
-
 PEL_END_DECLS
-
 #endif

@@ -17,7 +17,5 @@ struct pel_hue_wheel {
 enum pel_status pel_hue_wheel_init(struct pel_hue_wheel *paint,
                                    struct pel_point center, uint16_t start,
                                    uint8_t s, uint8_t v);
-
 PEL_END_DECLS
-
 #endif

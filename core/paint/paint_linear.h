@@ -35,7 +35,5 @@ struct pel_linear {
 enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
                                 struct pel_point to,
                                 const struct pel_ramp *ramp);
-
 PEL_END_DECLS
-
 #endif

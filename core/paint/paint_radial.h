@@ -38,7 +38,5 @@ struct pel_radial {
 enum pel_status pel_radial_init(struct pel_radial *paint,
                                 const struct pel_rings *rings,
                                 const struct pel_ramp *ramp);
-
 PEL_END_DECLS
-
 #endif

@@ -89,7 +89,5 @@ enum pel_status pel_texture_init_nearest(struct pel_texture *paint,
 enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,
                                           const struct pel_texels *texels,
                                           const struct pel_texture_map *map);
-
 PEL_END_DECLS
-
 #endif

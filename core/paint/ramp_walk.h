@@ -102,7 +102,5 @@ static inline void pel_walker_paint_init(struct pel_color_paint *paint,
 }
 
 #endif
-
 PEL_END_DECLS
-
 #endif

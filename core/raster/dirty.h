@@ -26,7 +26,5 @@ struct pel_dirty {
 
 /* `paint` must live as long as `dirty` is used; NULL paints nothing. */
 void pel_dirty_begin(struct pel_dirty *dirty, const struct pel_paint *paint);
-
 PEL_END_DECLS
-
 #endif

@@ -42,7 +42,5 @@ bool pel_gouraud_fast(const struct pel_paint *paint,
 /* pel_triangle with that paint. */
 void pel_triangle_gouraud(const struct pel_surface *surface,
                           const struct pel_point v[3], const pel_color c[3]);
-
 PEL_END_DECLS
-
 #endif

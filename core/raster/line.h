@@ -13,7 +13,5 @@ PEL_BEGIN_DECLS
  * of range is a broken contract: PEL_ASSERT, and nothing is drawn. */
 void pel_line(const struct pel_surface *surface, struct pel_point from,
               struct pel_point to, const struct pel_paint *paint);
-
 PEL_END_DECLS
-
 #endif

@@ -82,7 +82,5 @@ static inline void pel_put_colors(const struct pel_surface *surface, int32_t x,
     if (surface->format->put)
         surface->format->put(surface, x, y, n, colors);
 }
-
 PEL_END_DECLS
-
 #endif

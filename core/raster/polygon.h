@@ -35,7 +35,5 @@ enum pel_status pel_polygon(const struct pel_surface *surface,
                             const struct pel_polygon_shape *polygon,
                             const struct pel_paint *paint, void *scratch,
                             size_t size);
-
 PEL_END_DECLS
-
 #endif

@@ -19,7 +19,5 @@ void pel_rectangle(const struct pel_surface *surface, struct pel_point from,
 
 /* Sets every pixel inside the clip to `color`, alpha ignored. */
 void pel_clear(const struct pel_surface *surface, pel_color color);
-
 PEL_END_DECLS
-
 #endif

@@ -27,7 +27,5 @@ bool pel_thick_line_corners(const struct pel_thick_line_shape *line,
 void pel_thick_line(const struct pel_surface *surface,
                     const struct pel_thick_line_shape *line,
                     const struct pel_paint *paint);
-
 PEL_END_DECLS
-
 #endif

@@ -24,7 +24,5 @@ void pel_triangle_or_line(const struct pel_surface *surface,
  * clockwise on screen. Below 2^50 in size; a vertex out of range is a broken
  * contract: PEL_ASSERT, and 0. */
 int64_t pel_triangle_area(const struct pel_point v[3]);
-
 PEL_END_DECLS
-
 #endif

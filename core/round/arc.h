@@ -21,7 +21,5 @@ struct pel_arc_shape {
  * broken contract: PEL_ASSERT, and nothing is drawn. */
 void pel_arc(const struct pel_surface *surface, const struct pel_arc_shape *arc,
              const struct pel_paint *paint);
-
 PEL_END_DECLS
-
 #endif

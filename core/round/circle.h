@@ -17,7 +17,5 @@ PEL_BEGIN_DECLS
  * broken contract: PEL_ASSERT, and nothing is drawn. */
 void pel_circle(const struct pel_surface *surface, struct pel_point center,
                 int32_t radius, const struct pel_paint *paint);
-
 PEL_END_DECLS
-
 #endif

@@ -21,7 +21,5 @@ struct pel_ellipse_shape {
 void pel_ellipse(const struct pel_surface *surface,
                  const struct pel_ellipse_shape *ellipse,
                  const struct pel_paint *paint);
-
 PEL_END_DECLS
-
 #endif

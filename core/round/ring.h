@@ -20,7 +20,5 @@ struct pel_ring_shape {
  * broken contract: PEL_ASSERT, and nothing is drawn. */
 void pel_ring(const struct pel_surface *surface,
               const struct pel_ring_shape *ring, const struct pel_paint *paint);
-
 PEL_END_DECLS
-
 #endif

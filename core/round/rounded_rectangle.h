@@ -21,7 +21,5 @@ struct pel_rounded_shape {
 void pel_rounded_rectangle(const struct pel_surface *surface,
                            const struct pel_rounded_shape *rectangle,
                            const struct pel_paint *paint);
-
 PEL_END_DECLS
-
 #endif

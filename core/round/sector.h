@@ -27,7 +27,5 @@ struct pel_sector_shape {
 void pel_sector(const struct pel_surface *surface,
                 const struct pel_sector_shape *sector,
                 const struct pel_paint *paint);
-
 PEL_END_DECLS
-
 #endif

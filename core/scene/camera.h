@@ -37,7 +37,5 @@ struct pel_camera {
  * target, or `up` is 0 or lies along the view, or a place is out of range. */
 enum pel_status pel_camera_basis(const struct pel_camera *camera,
                                  struct pel_matrix *basis);
-
 PEL_END_DECLS
-
 #endif

@@ -37,7 +37,5 @@ void pel_clip_start(struct pel_clip *clip);
  * ends of the edge alone, not on their order, and is right to a coarse step. */
 int32_t pel_clip_triangle(const struct pel_projector *projector,
                           struct pel_clip *clip);
-
 PEL_END_DECLS
-
 #endif

@@ -55,7 +55,5 @@ void pel_depth_paint_init(struct pel_depth_paint *paint,
                           const struct pel_paint *inner,
                           const struct pel_depth *depth,
                           const struct pel_plane *plane, bool keeps);
-
 PEL_END_DECLS
-
 #endif

@@ -17,7 +17,5 @@ struct pel_depth_entry {
  * result is the same on every CPU. In place, no recursion, at most about
  * 2 n log2(n) comparisons for any input. */
 void pel_depth_sort(struct pel_depth_entry *entry, uint32_t n);
-
 PEL_END_DECLS
-
 #endif

@@ -101,7 +101,5 @@ void pel_frame_set_corner(struct pel_frame *frame, int i,
  * into the rectangle? */
 bool pel_frame_shows(const struct pel_frame *frame,
                      const struct pel_point at[3], const struct pel_rect *rect);
-
 PEL_END_DECLS
-
 #endif

@@ -86,7 +86,5 @@ uint32_t pel_shine_channel(const struct pel_shine *shine, int channel,
 
 /* All three, with the alpha of `surface`. */
 pel_color pel_shine_color(const struct pel_shine *shine, pel_color surface);
-
 PEL_END_DECLS
-
 #endif

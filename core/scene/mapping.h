@@ -53,7 +53,5 @@ void pel_mapping_corners(const struct pel_frame *frame,
 const struct pel_paint *pel_mapping_tint(struct pel_frame *frame,
                                          const struct pel_color_paint *surface,
                                          const pel_color color[3]);
-
 PEL_END_DECLS
-
 #endif

@@ -35,7 +35,5 @@ void pel_matrix_multiply(struct pel_matrix *m, const struct pel_matrix *a,
  * keeps sums below 3 2^61. out may be v. */
 void pel_matrix_apply(const struct pel_matrix *m, const int64_t v[3], int shift,
                       int64_t out[3]);
-
 PEL_END_DECLS
-
 #endif

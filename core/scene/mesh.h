@@ -63,7 +63,5 @@ inline void pel_mesh_normal(const struct pel_mesh *mesh, uint32_t vertex,
                         ? mesh->normals16[vertex][k] * INT32_C(16384)
                         : mesh->normals8[vertex][k] * INT32_C(4194304);
 }
-
 PEL_END_DECLS
-
 #endif

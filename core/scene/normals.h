@@ -21,7 +21,5 @@ size_t pel_mesh_normals_scratch_size(const struct pel_mesh *mesh);
 enum pel_status pel_mesh_normals(const struct pel_mesh *mesh,
                                  int16_t (*normals)[3], void *scratch,
                                  size_t scratch_size);
-
 PEL_END_DECLS
-
 #endif

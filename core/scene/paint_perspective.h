@@ -44,7 +44,5 @@ void pel_perspective_init(struct pel_perspective *paint,
                           const struct pel_plane_setup *setup,
                           const struct pel_texture_corner corner[3],
                           int32_t span);
-
 PEL_END_DECLS
-
 #endif

@@ -37,7 +37,5 @@ struct pel_tinted {
 
 void pel_tinted_init(struct pel_tinted *paint,
                      const struct pel_color_paint *surface, bool opaque);
-
 PEL_END_DECLS
-
 #endif

@@ -103,7 +103,5 @@ void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface);
 void pel_scene_draw_depth(struct pel_frame *frame,
                           const struct pel_surface *surface,
                           const struct pel_depth *depth);
-
 PEL_END_DECLS
-
 #endif

@@ -57,7 +57,5 @@ static inline int32_t pel_plane_whole(uint64_t value)
 {
     return PEL_CAST(int32_t, PEL_CAST(int64_t, value) >> 24);
 }
-
 PEL_END_DECLS
-
 #endif

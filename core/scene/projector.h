@@ -80,7 +80,5 @@ struct pel_point pel_project_clipped(const struct pel_projector *projector,
 /* The legal range of sub-pixels less one pixel. */
 #define PEL_GUARD_MIN (PEL_COORDINATE_MIN + 256)
 #define PEL_GUARD_MAX (PEL_COORDINATE_MAX - 256)
-
 PEL_END_DECLS
-
 #endif

@@ -42,7 +42,5 @@ const struct pel_paint *pel_shade_flat_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface);
 const struct pel_paint *pel_shade_gouraud_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface);
-
 PEL_END_DECLS
-
 #endif

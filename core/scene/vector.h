@@ -67,7 +67,5 @@ bool pel_unit_exact(const int64_t v[3], pel_cosine unit[3]);
 /* v times a power of two, so that the largest part is in [2^29, 2^30]; rounded
  * where v has more bits. False, and all 0, when v is 0. |v[k]| < 2^62. */
 bool pel_vector_fit(const int64_t v[3], int32_t fit[3]);
-
 PEL_END_DECLS
-
 #endif

@@ -16,7 +16,5 @@ void semihost_write_number(uint32_t number);
 
 /* Ends the program; status 0..255 becomes the emulator's own exit status. */
 __attribute__((__noreturn__)) void semihost_exit(int status);
-
 PEL_END_DECLS
-
 #endif

@@ -11,7 +11,5 @@ PEL_BEGIN_DECLS
 /* Paints the free stack, calls, and looks how deep the paint was touched: bytes
  * below this function's own frame. */
 uint32_t stack_used(void (*call)(const void *argument), const void *argument);
-
 PEL_END_DECLS
-
 #endif

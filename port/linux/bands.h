@@ -18,7 +18,5 @@ typedef void pel_bands_work(void *context, const struct pel_surface *band);
  * multiples of 8 rows of the surface. */
 void pel_bands_draw(struct pel_pool *pool, const struct pel_surface *surface,
                     pel_bands_work *work, void *context);
-
 PEL_END_DECLS
-
 #endif

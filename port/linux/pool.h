@@ -42,7 +42,5 @@ void pel_pool_end(struct pel_pool *pool);
 
 /* Processors that this process may use, 1 to PEL_POOL_MOST. */
 int pel_pool_processors(void);
-
 PEL_END_DECLS
-
 #endif

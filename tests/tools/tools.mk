@@ -33,7 +33,7 @@ layers: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(BUILD)/libpel.a | need-clang ## che
 	tests/tools/layers_headers.sh "$(CC)" $(WARNINGS) -Werror
 	@mkdir -p $(BUILD)/link
 	for c in g++ clang++; do \
-	    $$c -std=c++11 $(WARNINGS) -Werror -I. tests/link/from_cpp.cpp \
+	    $$c -std=c++11 $(WARNINGS) -Werror -Wold-style-cast -I. tests/link/from_cpp.cpp \
 	        $(BUILD)/libpel.a -o $(BUILD)/link/from_cpp && \
 	    $(BUILD)/link/from_cpp || exit 1; done
 	@echo "layers: all of core and its headers are in order"
