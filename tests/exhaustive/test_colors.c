@@ -81,6 +81,14 @@ static void check_pixels(const struct layout *l)
     }
 }
 
+static void test_channels_are_taken_modulo_256(void **state)
+{
+    const uint8_t byte = 200;
+    (void)state;
+    assert_int_equal(PEL_RGBA(256, -1, 511, 1000), 0xE800FFFF);
+    assert_int_equal(PEL_RGB(byte + byte, INT32_MIN, UINT64_MAX), 0xFF9000FF);
+}
+
 static void test_all_pixels(void **state)
 {
     (void)state;
@@ -177,6 +185,7 @@ int main(void)
         cmocka_unit_test(test_all_mixes),
         cmocka_unit_test(test_mixes_of_one_channel),
         cmocka_unit_test(test_round_div255),
+        cmocka_unit_test(test_channels_are_taken_modulo_256),
         cmocka_unit_test(test_all_pixels),
         cmocka_unit_test(test_all_colors),
         cmocka_unit_test(test_all_blends),
