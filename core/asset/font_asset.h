@@ -42,9 +42,12 @@ struct pel_font_asset {
     const uint8_t *bits;
 };
 
+/* Bytes of a glyph's rows, for constant expressions and as a function. */
+#define PEL_FONT_GLYPH_SIZE(width, height) (((width) + 7u) / 8 * (height))
+
 static inline uint32_t pel_font_glyph_size(const struct pel_font_glyph *glyph)
 {
-    return (glyph->width + 7u) / 8 * glyph->height;
+    return PEL_FONT_GLYPH_SIZE(glyph->width, glyph->height);
 }
 
 /* Can the program read this asset? PEL_ERROR_NULL; PEL_ERROR_RANGE: no font
