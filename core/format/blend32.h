@@ -9,13 +9,10 @@
 
 #if PEL_VECTORS
 
-/* What a run needs of the color: 16-bit lanes of source * alpha + 128, for
- * pel_round_div255, and of 255 - alpha. */
+/* What a run needs of the color, of two pixels, byte by byte. */
 struct pel_blend32 {
-    uint32_t even, odd;       /* of bytes 0 and 2 of a pixel, of 1 and 3 */
-    uint32_t rest;            /* 255 - alpha */
-    uint32_t x;               /* bits of the X byte, which is stored as 0xFF */
-    pel_u16x8 sources, rests; /* of two pixels, byte by byte */
+    pel_u16x8 sources; /* source * alpha + 128, for pel_divide255_u16x8 */
+    pel_u16x8 rests;   /* 255 - alpha */
 };
 
 /* The bytes of a pixel, twice. */
@@ -28,27 +25,13 @@ static inline pel_u16x8 pel_blend32_lanes(uint32_t pixel)
 static inline struct pel_blend32 pel_blend32_make(
     const struct pel_format *format, pel_color color)
 {
-    const uint32_t alpha = pel_alpha(color), source = format->pack(color);
-    struct pel_blend32 b;
-    b.even = (source & 0xFF00FFu) * alpha + 0x800080u;
-    b.odd = (source >> 8 & 0xFF00FFu) * alpha + 0x800080u;
-    b.rest = 255 - alpha;
-    b.x = format->pack(0);
+    const uint16_t alpha = (uint16_t)pel_alpha(color);
+    const uint16_t rest = (uint16_t)(255 - alpha);
     /* In the lane of the X byte: 255 * 255 + 128, and nothing of memory. */
-    const pel_u16x8 x = pel_blend32_lanes(b.x);
-    b.sources = pel_blend32_lanes(source) * (uint16_t)alpha +
-                x * (uint16_t)b.rest + 128;
-    b.rests = ~x & (uint16_t)b.rest;
+    const pel_u16x8 x = pel_blend32_lanes(format->pack(0));
+    const pel_u16x8 source = pel_blend32_lanes(format->pack(color));
+    const struct pel_blend32 b = {source * alpha + x * rest + 128, ~x & rest};
     return b;
-}
-
-static inline void pel_blend32_pixel(pel_word32 *p, const struct pel_blend32 *b)
-{
-    uint32_t even = (*p & 0xFF00FFu) * b->rest + b->even;
-    uint32_t odd = (*p >> 8 & 0xFF00FFu) * b->rest + b->odd;
-    even = (even + (even >> 8 & 0xFF00FFu)) >> 8 & 0xFF00FFu;
-    odd = (odd + (odd >> 8 & 0xFF00FFu)) & 0xFF00FF00u;
-    *p = even | odd | b->x;
 }
 
 /* Four pixels. */
@@ -61,6 +44,21 @@ static inline pel_u16x8 pel_blend32_mix(pel_u16x8 d,
     return (pel_u16x8)pel_join_u8x16(
         pel_divide255_u16x8(low * b->rests + b->sources),
         pel_divide255_u16x8(high * b->rests + b->sources));
+}
+
+/* Fewer than 4 pixels: the first, the middle and the last one, of which some
+ * may be the same. As in pel_span32_short, none is one somewhere else. */
+static inline void pel_blend32_short(pel_word32 *p, int32_t n,
+                                     const struct pel_blend32 *b)
+{
+    pel_word32 elsewhere = 0;
+    pel_word32 *q = n > 0 ? p : &elsewhere;
+    const int32_t last = n > 0 ? n - 1 : 0, middle = (last + 1) >> 1;
+    pel_u32x4 v = {q[0], q[middle], q[last], 0};
+    v = (pel_u32x4)pel_blend32_mix((pel_u16x8)v, b);
+    q[0] = v[0];
+    q[middle] = v[1];
+    q[last] = v[2];
 }
 
 /* More than 8 pixels by eights, of which the last ends before the run does. The
@@ -91,8 +89,7 @@ static PEL_ALWAYS_INLINE void pel_blend32_run(pel_word32 *p, int32_t n,
                                               uintptr_t ahead)
 {
     if (n < 4) {
-        for (; n > 0; n--)
-            pel_blend32_pixel(p++, b);
+        pel_blend32_short(p, n, b);
     } else if (n <= 8) {
         pel_word32 *end = p + n - 4;
         pel_u16x8 tail = pel_blend32_mix(pel_get_u16x8(end), b);

@@ -9,12 +9,17 @@
 #if PEL_VECTORS
 
 /* Fields from the top of the pixel: high (5 bits), middle (6), low (5); of each
- * source * alpha + 128, for pel_round_div255. */
+ * source * alpha + 128, for pel_divide255_u16x8, in eight lanes. */
 struct pel_blend565 {
-    uint16_t high, middle, low;
-    uint16_t rest; /* 255 - alpha */
-    bool swapped;  /* the high byte comes first */
+    pel_u16x8 high, middle, low;
+    pel_u16x8 rest; /* 255 - alpha */
+    bool swapped;   /* the high byte comes first */
 };
+
+static inline pel_u16x8 pel_blend565_lanes(uint32_t v)
+{
+    return (pel_u16x8){0} + (uint16_t)v;
+}
 
 static inline struct pel_blend565 pel_blend565_make(
     const struct pel_format *format, pel_color color)
@@ -24,35 +29,16 @@ static inline struct pel_blend565 pel_blend565_make(
     const uint32_t high = bgr ? pel_blue(color) : pel_red(color);
     const uint32_t low = bgr ? pel_red(color) : pel_blue(color);
     struct pel_blend565 b;
-    b.high = (uint16_t)(high * alpha + 128);
-    b.middle = (uint16_t)(pel_green(color) * alpha + 128);
-    b.low = (uint16_t)(low * alpha + 128);
-    b.rest = (uint16_t)(255 - alpha);
+    b.high = pel_blend565_lanes(high * alpha + 128);
+    b.middle = pel_blend565_lanes(pel_green(color) * alpha + 128);
+    b.low = pel_blend565_lanes(low * alpha + 128);
+    b.rest = pel_blend565_lanes(255 - alpha);
     b.swapped = format->id == PEL_FORMAT_RGB565_BE;
     return b;
 }
 
-/* d is an 8-bit channel, s of a struct pel_blend565. */
-static inline uint32_t pel_blend565_mix(uint32_t d, uint32_t s, uint32_t rest)
-{
-    uint32_t t = d * rest + s;
-    return (t + (t >> 8)) >> 8;
-}
-
-static inline void pel_blend565_pixel(pel_word16 *p,
-                                      const struct pel_blend565 *b)
-{
-    uint32_t v = b->swapped ? pel_swap16(*p) : *p;
-    uint32_t high = pel_blend565_mix(pel_widen(v >> 11, 5), b->high, b->rest);
-    uint32_t middle =
-        pel_blend565_mix(pel_widen(v >> 5 & 63, 6), b->middle, b->rest);
-    uint32_t low = pel_blend565_mix(pel_widen(v & 31, 5), b->low, b->rest);
-    v = (high & 0xF8u) << 8 | (middle & 0xFCu) << 3 | low >> 3;
-    *p = (pel_word16)(b->swapped ? pel_swap16(v) : v);
-}
-
-static inline pel_u16x8 pel_blend565_mixes(pel_u16x8 d, uint16_t s,
-                                           uint16_t rest)
+static inline pel_u16x8 pel_blend565_mixes(pel_u16x8 d, pel_u16x8 s,
+                                           pel_u16x8 rest)
 {
     return pel_divide255_u16x8(d * rest + s);
 }
@@ -73,30 +59,48 @@ static inline pel_u16x8 pel_blend565_vector(pel_u16x8 v,
     return b->swapped ? (v << 8 | v >> 8) : v;
 }
 
-/* Fewer than 8 pixels: their first and last four, both read before the first
- * store, so they may overlap; of fewer than 4 each alone. */
+/* As pel_blend32_short. */
 static inline void pel_blend565_short(pel_word16 *p, int32_t n,
                                       const struct pel_blend565 *b)
 {
-    uint16_t ends[8];
-    if (n < 4) {
-        for (; n > 0; n--)
-            pel_blend565_pixel(p++, b);
-        return;
-    }
-    memcpy(ends, p, 8);
-    memcpy(ends + 4, p + n - 4, 8);
-    pel_put_u16x8(ends, pel_blend565_vector(pel_get_u16x8(ends), b));
-    memcpy(p, ends, 8);
-    memcpy(p + n - 4, ends + 4, 8);
+    pel_word16 elsewhere = 0;
+    pel_word16 *q = n > 0 ? p : &elsewhere;
+    const int32_t last = n > 0 ? n - 1 : 0, middle = (last + 1) >> 1;
+    const uint64_t pixels =
+        q[0] | (uint64_t)q[middle] << 16 | (uint64_t)q[last] << 32;
+    pel_u64x2 v = {pixels, 0};
+    v = (pel_u64x2)pel_blend565_vector((pel_u16x8)v, b);
+    q[0] = (pel_word16)v[0];
+    q[middle] = (pel_word16)(v[0] >> 16);
+    q[last] = (pel_word16)(v[0] >> 32);
+}
+
+/* 4 to 7 pixels: their first and last four, both read before the first store,
+ * so they may overlap. */
+static inline void pel_blend565_ends(pel_word16 *p, int32_t n,
+                                     const struct pel_blend565 *b)
+{
+    uint64_t first, last;
+    memcpy(&first, p, 8);
+    memcpy(&last, p + n - 4, 8);
+    pel_u64x2 v = {first, last};
+    v = (pel_u64x2)pel_blend565_vector((pel_u16x8)v, b);
+    first = v[0];
+    last = v[1];
+    memcpy(p, &first, 8);
+    memcpy(p + n - 4, &last, 8);
 }
 
 /* As pel_blend32_run. */
 static PEL_ALWAYS_INLINE void pel_blend565_run(pel_word16 *p, int32_t n,
                                                const struct pel_blend565 *b)
 {
-    if (n < 8) {
+    if (n < 4) {
         pel_blend565_short(p, n, b);
+        return;
+    }
+    if (n < 8) {
+        pel_blend565_ends(p, n, b);
         return;
     }
     pel_word16 *end = p + n - 8;
