@@ -102,6 +102,7 @@ int main(void)
 {
     static const struct pel_paint none = {.fill = fill_nothing};
     static const struct pel_flat flat = PEL_FLAT(PEL_RGB(255, 128, 0));
+    static const struct pel_flat glass = PEL_FLAT(PEL_RGBA(255, 128, 0, 100));
     static const struct pel_point screen[3] = {
         PEL_AT(-300, -10), PEL_AT(540, -10), PEL_AT(120, 700)};
     static const pel_color colors[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0),
@@ -112,6 +113,7 @@ int main(void)
     triangles_report("walk", &none);
     triangles_report("fill", &flat.paint);
     pixels_report("flat-pixel", &flat.paint);
+    pixels_report("alpha-pixel", &glass.paint);
     pixels_report("gouraud-pixel", &gouraud.paint);
     textures_report();
     hits_report();

@@ -10,10 +10,12 @@
 
 #include "word.h"
 
-static inline void mix(place p, int32_t n, const struct pel_premultiplied *s)
+/* n >= 1 pixels. */
+static inline void mix(place p, int32_t n, pel_color color)
 {
+    const struct pel_premultiplied s = pel_premultiply(color);
     do {
-        set(p, blended(get(p), s));
+        set(p, blended(get(p), &s));
         p = next(p);
     } while (--n > 0);
 }
@@ -22,24 +24,21 @@ static inline void mix(place p, int32_t n, const struct pel_premultiplied *s)
 static void over(place p, pel_color color)
 {
     const uint32_t alpha = pel_alpha(color);
-    if (alpha == 255) {
+    if (alpha == 255)
         set(p, pack(color));
-    } else if (alpha != 0) {
-        const struct pel_premultiplied s = pel_premultiply(color);
-        mix(p, 1, &s);
-    }
+    else if (alpha != 0)
+        mix(p, 1, color);
 }
 
 static inline void blend(const struct pel_spans *spans, pel_color color)
 {
-    const struct pel_premultiplied s = pel_premultiply(color);
     const struct pel_span *span = spans->span;
     int32_t y = spans->y;
     if (pel_alpha(color) == 0)
         return;
     for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step)
         if (span->x0 < span->x1)
-            mix(at(spans->surface, span->x0, y), span->x1 - span->x0, &s);
+            mix(at(spans->surface, span->x0, y), span->x1 - span->x0, color);
 }
 
 static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,

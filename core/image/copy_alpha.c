@@ -13,5 +13,5 @@ static void weigh(pel_color *colors, int32_t n, uint32_t alpha)
 void pel_copy_alpha(const struct pel_surface *surface,
                     const struct pel_copy_part *copy, uint8_t alpha)
 {
-    pel_copy_lines(surface, copy, weigh, alpha);
+    pel_copy_lines(surface, copy, alpha < 255 ? weigh : NULL, alpha);
 }

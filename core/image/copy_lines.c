@@ -43,7 +43,8 @@ void pel_copy_lines(const struct pel_surface *surface,
         for (int32_t x = r.x0, n; x < r.x1; x += n) {
             n = pel_min(r.x1 - x, PEL_BUFFER_PIXELS);
             source->format->load(source, x - dx, y - dy, n, colors);
-            weigh(colors, n, option);
+            if (weigh)
+                weigh(colors, n, option);
             surface->format->put(surface, x, y, n, colors);
         }
 }

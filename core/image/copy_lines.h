@@ -13,6 +13,7 @@ bool pel_copy_visible(const struct pel_surface *surface,
 /* Gives n colours of the source the alpha with which they are put. */
 typedef void pel_copy_weigh(pel_color *colors, int32_t n, uint32_t option);
 
+/* weigh NULL: the colours have it. */
 void pel_copy_lines(const struct pel_surface *surface,
                     const struct pel_copy_part *copy, pel_copy_weigh *weigh,
                     uint32_t option);
