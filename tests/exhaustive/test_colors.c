@@ -112,36 +112,25 @@ static void test_all_colors(void **state)
     }
 }
 
-/* One color over the first n pixels of the first line. */
-typedef void draw_line(const struct pel_surface *s, int n, pel_color color);
-
-static void draw_run(const struct pel_surface *s, int n, pel_color color)
-{
-    const struct pel_span row = {0, n};
-    s->format->blend(&(struct pel_spans){s, &row, 0, 1, 1}, color);
-}
-
-static void draw_pixels(const struct pel_surface *s, int n, pel_color color)
-{
-    for (int x = 0; x < n; x++) {
-        const struct pel_span row = {x, x + 1};
-        s->format->blend(&(struct pel_spans){s, &row, 0, 1, 1}, color);
-    }
-}
-
-static void draw_colors(const struct pel_surface *s, int n, pel_color color)
+/* One color over the first n pixels, by runs of `length`, or by put when 0. */
+static void draw(const struct pel_surface *s, int n, pel_color color,
+                 int length)
 {
     pel_color colors[256];
     for (int i = 0; i < n; i++)
         colors[i] = color;
-    s->format->put(s, 0, 0, n, colors);
+    if (length == 0)
+        s->format->put(s, 0, 0, n, colors);
+    for (int x = 0; length != 0 && x < n; x += length) {
+        const struct pel_span row = {x, x + length};
+        s->format->blend(&(struct pel_spans){s, &row, 0, 1, 1}, color);
+    }
 }
 
 /* Over a line that has every value of every channel: red and blue rise from 0,
  * green falls to 0. */
 static void check_blends(const struct layout *l, pel_color color)
 {
-    static draw_line *const ways[] = {draw_run, draw_pixels, draw_colors};
     pel_color memory[256], below[256], want[256], got[256];
     const int n = 1 << l->green[1]; /* the widest channel's values */
     struct pel_surface s;
@@ -154,14 +143,15 @@ static void check_blends(const struct layout *l, pel_color color)
     const struct pel_rect line = {0, 0, n, 1};
     assert_int_equal(
         pel_surface_init(&s, l->format, memory, sizeof memory, &line), PEL_OK);
-    for (size_t way = 0; way < sizeof ways / sizeof ways[0]; way++) {
+    for (int length = 0; length <= n; length = length ? 4 * length : 1) {
         s.format->put(&s, 0, 0, n, below);
-        ways[way](&s, n, color);
+        draw(&s, n, color, length);
         s.format->load(&s, 0, 0, n, got);
         for (int i = 0; i < n; i++)
             if (got[i] != want[i])
-                fail_msg("%s: %08x over %06x, way %zu: expected %08x, got %08x",
-                         l->name, color, below[i] & 0xFFFFFFu, way, want[i],
+                fail_msg("%s: %08x over %06x in runs of %d: expected %08x, got "
+                         "%08x",
+                         l->name, color, below[i] & 0xFFFFFFu, length, want[i],
                          got[i]);
     }
 }

@@ -96,24 +96,12 @@ static void test_last_pixels(void **state)
     }
 }
 
-static void test_every_alpha(void **state)
-{
-    static const pel_color colors[] = {0x000000, 0xFFFFFF, 0x00FF80, 0xA53C01};
-    (void)state;
-    for (int f = 0; f < LAYOUT_COUNT; f++)
-        for (pel_color alpha = 0; alpha < 256; alpha++)
-            for (int i = 0; is_words(&layouts[f]) && i < 4; i++)
-                check_run(&layouts[f], (int32_t)alpha % 16, 37,
-                          alpha << 24 | colors[i]);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_opaque),
         cmocka_unit_test(test_blended),
         cmocka_unit_test(test_last_pixels),
-        cmocka_unit_test(test_every_alpha),
     };
     return cmocka_run_group_tests(tests, setup, NULL);
 }

@@ -82,15 +82,6 @@ static void test_every_format_follows_the_rule(void **state)
         }
 }
 
-/* 254 reaches the colour itself, in the formats that hold it. */
-static void test_alpha_254_arrives(void **state)
-{
-    (void)state;
-    assert_int_equal(
-        blended(&pel_rgb888, PEL_RGB(0, 255, 99), PEL_RGBA(1, 254, 77, 254), 4),
-        PEL_RGB(1, 254, 77));
-}
-
 /* Ways to draw n pixels of one colour at the left of the first line: the rows
  * of a shape, an unclipped triangle, and colours one by one. */
 enum way { BY_ROWS, BY_TRIANGLE, BY_COLORS, WAYS };
@@ -221,7 +212,6 @@ int main(void)
         cmocka_unit_test(test_white_comes_to_rest_at_248),
         cmocka_unit_test(test_black_comes_to_rest_at_7),
         cmocka_unit_test(test_every_format_follows_the_rule),
-        cmocka_unit_test(test_alpha_254_arrives),
         cmocka_unit_test(test_x_bytes),
         cmocka_unit_test(test_put),
     };
