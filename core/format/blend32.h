@@ -53,7 +53,7 @@ static inline void pel_blend32_short(pel_word32 *p, int32_t n,
 {
     pel_word32 elsewhere = 0;
     pel_word32 *q = n > 0 ? p : &elsewhere;
-    const int32_t last = n > 0 ? n - 1 : 0, middle = (last + 1) >> 1;
+    const int32_t last = n > 0 ? n - 1 : 0, middle = last >> 1;
     pel_u32x4 v = {q[0], q[middle], q[last], 0};
     v = (pel_u32x4)pel_blend32_mix((pel_u16x8)v, b);
     q[0] = v[0];

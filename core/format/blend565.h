@@ -65,7 +65,7 @@ static inline void pel_blend565_short(pel_word16 *p, int32_t n,
 {
     pel_word16 elsewhere = 0;
     pel_word16 *q = n > 0 ? p : &elsewhere;
-    const int32_t last = n > 0 ? n - 1 : 0, middle = (last + 1) >> 1;
+    const int32_t last = n > 0 ? n - 1 : 0, middle = last >> 1;
     const uint64_t pixels =
         q[0] | (uint64_t)q[middle] << 16 | (uint64_t)q[last] << 32;
     pel_u64x2 v = {pixels, 0};
