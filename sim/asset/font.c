@@ -1,31 +1,42 @@
 #include "sim/asset/import.h"
 
 #include <ctype.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
+#include "core/image/glyph_find.h"
 #include "sim/font/asset.h"
 #include "sim/asset/text.h"
 #include "sim/cli/message.h"
 
-/* FIRST[-LAST] at *text, and moves it to what follows; numbers as in C. */
+/* At *text, and moves it behind: a number as in C, or any character but a
+ * digit, a comma and a hyphen. */
+static bool next_code(const char **text, unsigned long *code)
+{
+    const char *start = *text;
+    if (isdigit((unsigned char)*start)) {
+        char *end;
+        *code = strtoul(start, &end, 0);
+        *text = end;
+        return *code <= FONT_CODE_MAX;
+    }
+    if (strchr(",-", *start)) /* or the end */
+        return false;
+    *code = pel_utf8_next(text);
+    return *code != 0xFFFD || strncmp(start, "\xEF\xBF\xBD", 3) == 0;
+}
+
+/* FIRST[-LAST] at *text, and moves it behind. */
 static bool next_range(const char **text, unsigned long range[2])
 {
-    const char *p = *text;
-    for (int i = 0; i < 2; i++) {
-        char *end;
-        if (!isdigit((unsigned char)*p))
-            return false;
-        range[i] = strtoul(p, &end, 0);
-        p = end;
-        if (i == 0 && *p != '-')
-            range[++i] = range[0];
-        else if (i == 0)
-            p++;
-    }
-    if (range[0] > range[1] || range[1] > FONT_CODE_MAX)
+    if (!next_code(text, &range[0]))
         return false;
-    *text = p;
-    return true;
+    range[1] = range[0];
+    if (**text != '-')
+        return true;
+    ++*text;
+    return next_code(text, &range[1]) && range[0] <= range[1];
 }
 
 bool import_codes_legal(const char *codes)
@@ -38,34 +49,87 @@ bool import_codes_legal(const char *codes)
         legal = next_range(&p, range);
     }
     return (legal && *p == '\0') ||
-           message_error("--codes is '%s'; code points such as 32-126,0x20AC "
-                         "would be right",
+           message_error("--codes is '%s'; code points and characters such as "
+                         "32-126,0x20AC,\xC3\xA4 would be right",
                          codes);
 }
 
-static bool is_wanted(const char *codes, uint32_t code)
+/* What --codes names and the font lacks. */
+struct lacking {
+    unsigned long count;
+    bool single; /* one of it was named by itself */
+    bool more;   /* than the list has */
+    char list[128];
+};
+
+static void add_lacking(struct lacking *l, unsigned long first,
+                        unsigned long last)
 {
-    unsigned long range[2];
-    while (next_range(&codes, range)) {
-        if (code >= range[0] && code <= range[1])
-            return true;
-        codes += *codes == ',';
+    const size_t n = strlen(l->list), room = sizeof(l->list) - n;
+    if (first > last)
+        return;
+    l->count += last - first + 1;
+    if (room < 24)
+        l->more = true;
+    else if (first == last)
+        snprintf(l->list + n, room, " U+%04lX", first);
+    else
+        snprintf(l->list + n, room, " U+%04lX-%04lX", first, last);
+}
+
+/* Marks the glyphs of a range. */
+static void keep_range(const struct font *font, const unsigned long range[2],
+                       bool *keep, struct lacking *lacking)
+{
+    const unsigned long before = lacking->count;
+    unsigned long next = range[0];
+    for (size_t i = 0; i < font->count; i++) {
+        const unsigned long code = font->chars[i].code;
+        if (code < range[0] || code > range[1])
+            continue;
+        keep[i] = true;
+        add_lacking(lacking, next, code - 1);
+        next = code + 1;
     }
-    return false;
+    add_lacking(lacking, next, range[1]);
+    if (range[0] == range[1] && lacking->count > before)
+        lacking->single = true;
+}
+
+/* A range may have gaps, which a note names; what is named by itself is there.
+ */
+static bool check_lacking(const struct lacking *l, const char *path)
+{
+    if (l->count > 0)
+        message_error_at(path, 0, "lacks %lu of --codes:%s%s%s", l->count,
+                         l->list, l->more ? " ..." : "",
+                         l->single ? "; a font that has them, or --codes "
+                                     "without, would be right"
+                                   : "");
+    return !l->single;
 }
 
 /* Drops the glyphs that are not asked for; they stay in order. */
 static bool keep_codes(struct font *font, const char *path, const char *codes)
 {
+    struct lacking lacking = {0};
+    unsigned long range[2];
     size_t kept = 0;
+    bool *keep = calloc(font->count, sizeof(*keep));
+    if (!keep)
+        return message_error_at(path, 0, "out of memory");
+    for (const char *p = codes; next_range(&p, range); p += *p == ',')
+        keep_range(font, range, keep, &lacking);
     for (size_t i = 0; i < font->count; i++)
-        if (is_wanted(codes, font->chars[i].code))
+        if (keep[i])
             font->chars[kept++] = font->chars[i];
+    free(keep);
     font->count = kept;
-    return kept > 0 || message_error_at(path, 0,
-                                        "has no glyph of --codes %s; code "
-                                        "points that it has would be right",
-                                        codes);
+    return (kept > 0 || message_error_at(path, 0,
+                                         "has no glyph of --codes %s; code "
+                                         "points that it has would be right",
+                                         codes)) &&
+           check_lacking(&lacking, path);
 }
 
 static void write_bits(struct import_text *text, const char *name,

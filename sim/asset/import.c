@@ -40,7 +40,9 @@ static const struct argp_option options[] = {
      0},
     {"normals", OPTION_NORMALS, "BITS", 0, "8 (default) or 16", 0},
     {"codes", OPTION_CODES, "RANGES", 0,
-     "of a font, these code points alone, such as 32-126,0x20AC", 0},
+     "of a font, these alone, numbers or characters: 32-126,0x20AC,\xC3\xA4; "
+     "what a font lacks of them is named, and an error outside of ranges",
+     0},
     {0},
 };
 

@@ -8,41 +8,65 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <errno.h>
+#include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-/* v from the first row down, node transforms applied, triangles, vertices that
- * are the same in all attributes joined. */
-enum {
-    IMPORT_FLAGS = aiProcess_PreTransformVertices | aiProcess_Triangulate |
-                   aiProcess_FlipUVs | aiProcess_JoinIdenticalVertices
-};
+/* Triangles, v from the first row down. */
+enum { IMPORT_FLAGS = aiProcess_Triangulate | aiProcess_FlipUVs };
 
 bool mesh_files_supported(void)
 {
     return true;
 }
 
-static uint32_t triangles_of(const struct aiMesh *from)
+/* What there is in a scene: vertices are those of parts with triangles, and a
+ * polygon counts as the triangles that it takes. */
+struct counts {
+    uint64_t vertices, triangles, lines, points;
+};
+
+static uint64_t triangles_of(const struct aiMesh *from)
 {
-    uint32_t n = 0;
+    uint64_t n = 0;
     for (unsigned i = 0; i < from->mNumFaces; i++)
-        n += from->mFaces[i].mNumIndices == 3;
+        if (from->mFaces[i].mNumIndices >= 3)
+            n += from->mFaces[i].mNumIndices - 2;
     return n;
 }
 
-/* Of all parts that have triangles. */
-static void count(const struct aiScene *scene, uint64_t *vertices,
-                  uint64_t *triangles)
+static struct counts count(const struct aiScene *scene)
 {
-    *vertices = *triangles = 0;
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
-        uint32_t n = triangles_of(scene->mMeshes[i]);
-        *triangles += n;
-        *vertices += n ? scene->mMeshes[i]->mNumVertices : 0;
+    struct counts c = {0, 0, 0, 0};
+    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
+        const struct aiMesh *part = scene->mMeshes[m];
+        const uint64_t triangles = triangles_of(part);
+        c.triangles += triangles;
+        c.vertices += triangles ? part->mNumVertices : 0;
+        for (unsigned i = 0; i < part->mNumFaces; i++) {
+            c.lines += part->mFaces[i].mNumIndices == 2;
+            c.points += part->mFaces[i].mNumIndices == 1;
+        }
     }
+    return c;
+}
+
+/* Nothing of a file is lost without a word. */
+static void note_losses(const char *path, const struct counts *file,
+                        const struct counts *drawn)
+{
+    if (file->points || file->lines)
+        message_error_at(path, 0,
+                         "%" PRIu64 " points and %" PRIu64
+                         " lines are left out: a mesh has triangles",
+                         file->points, file->lines);
+    if (drawn->triangles < file->triangles)
+        message_error_at(path, 0,
+                         "%" PRIu64 " of %" PRIu64
+                         " triangles are lost where polygons were cut",
+                         file->triangles - drawn->triangles, file->triangles);
 }
 
 static unsigned byte_of(float value)
@@ -178,14 +202,13 @@ static bool copy_texture(const struct aiScene *scene, const char *path,
 static bool copy_scene(const struct aiScene *scene, const char *path,
                        struct mesh *mesh)
 {
-    uint64_t vertices, triangles;
-    count(scene, &vertices, &triangles);
-    if (triangles == 0)
+    const struct counts n = count(scene);
+    if (n.triangles == 0)
         return message_error_at(path, 0, "a mesh file without triangles");
-    if (vertices > 1u << 28 || triangles > 1u << 28)
+    if (n.vertices > 1u << 28 || n.triangles > 1u << 28)
         return message_error_at(path, 0,
                                 "more than 2^28 vertices or triangles");
-    if (!mesh_init(mesh, (uint32_t)vertices, (uint32_t)triangles))
+    if (!mesh_init(mesh, (uint32_t)n.vertices, (uint32_t)n.triangles))
         return false;
     copy_parts(scene, mesh);
     return copy_texture(scene, path, mesh);
@@ -253,6 +276,27 @@ bool mesh_ending_known(const char *path)
     return !dot || strchr(dot, '/') || aiIsExtensionSupported(dot);
 }
 
+/* Of a strip assimp's reader of .ply keeps the last triangle alone. */
+static bool check_strips(const char *path)
+{
+    char line[256] = "";
+    unsigned long strips = 0;
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return true;
+    if (fgets(line, sizeof(line), file) && strncmp(line, "ply", 3) == 0)
+        while (fgets(line, sizeof(line), file) && strips == 0 &&
+               strncmp(line, "end_header", 10) != 0)
+            sscanf(line, "element tristrips %lu", &strips);
+    fclose(file);
+    return strips == 0 ||
+           message_error_at(path, 0,
+                            "has %lu triangle strips, of which assimp would "
+                            "lose all but a triangle each; a file with faces "
+                            "would be right",
+                            strips);
+}
+
 /* Of assimp's readers only those of XML and .x know the mark; that of .obj
  * leaves out the first line without a word. */
 static bool check_mark(const char *path)
@@ -277,13 +321,20 @@ bool mesh_load_file(struct mesh *mesh, const char *path)
 {
     if (access(path, R_OK) != 0)
         return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
-    const struct aiScene *scene = check_mark(path) ? read_scene(path) : NULL;
+    const struct aiScene *scene =
+        check_mark(path) && check_strips(path) ? read_scene(path) : NULL;
     if (!scene)
         return false;
-    scene = aiApplyPostProcessing(scene, IMPORT_FLAGS); /* frees on failure */
+    /* As often as nodes show them; it frees the scene on failure. */
+    scene = aiApplyPostProcessing(scene, aiProcess_PreTransformVertices);
+    const struct counts file = scene ? count(scene) : (struct counts){0};
+    if (scene)
+        scene = aiApplyPostProcessing(scene, IMPORT_FLAGS);
     if (!scene)
         return message_error_at(path, 0, "no mesh that can be drawn (%s)",
                                 aiGetErrorString());
+    const struct counts drawn = count(scene);
+    note_losses(path, &file, &drawn);
     bool done = copy_scene(scene, path, mesh);
     aiReleaseImport(scene);
     return done;

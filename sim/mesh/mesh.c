@@ -92,13 +92,12 @@ static bool load(struct mesh *mesh, const char *path)
 bool mesh_load(struct mesh *mesh, const char *path)
 {
     memset(mesh, 0, sizeof(*mesh));
-    bool done = load(mesh, path);
-    if (!done || !mesh_check(mesh, path)) {
+    const bool done = load(mesh, path) && mesh_check(mesh, path) &&
+                      mesh_weld(mesh) &&
+                      (mesh->has_normals || mesh_normals(mesh));
+    if (done)
+        mesh_normalise(mesh);
+    else
         mesh_free(mesh);
-        return false;
-    }
-    if (mesh->has_normals || mesh_normals(mesh))
-        return true;
-    mesh_free(mesh);
-    return false;
+    return done;
 }

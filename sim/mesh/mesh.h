@@ -41,9 +41,12 @@ bool mesh_init(struct mesh *mesh, uint32_t vertices, uint32_t triangles);
 void mesh_free(struct mesh *mesh);
 
 /* Reads any format that assimp reads, or MESH_BUILTIN: node transforms applied,
- * triangles only (lines and points are left out), normals made from the faces
- * where the file has none. False, with a message on standard error, when the
- * file cannot be read, is malformed, or assimp was missing at build time. */
+ * triangles only, vertices that are the same in all they have joined. Normals
+ * of the file are brought to unit length; where it has none, they are made from
+ * the faces. A message counts what is left out: points, lines, polygons that
+ * cannot be cut into triangles. False, with a message on standard error, when
+ * the file cannot be read, is malformed, or assimp was missing at build time.
+ */
 bool mesh_load(struct mesh *mesh, const char *path);
 
 /* Does assimp know the ending of this name? True when it has none, or this
@@ -61,6 +64,13 @@ bool mesh_check(const struct mesh *mesh, const char *path);
  * direction. Vertices at one place share theirs: a seam of the texture is no
  * edge of the mesh. False, with a message, when memory is short. */
 bool mesh_normals(struct mesh *mesh);
+
+/* Brings normals to unit length; 0 where one is infinite or no number. */
+void mesh_normalise(struct mesh *mesh);
+
+/* Joins vertices that are the same in all they have; the first of each stays.
+ * False, with a message, when memory is short. */
+bool mesh_weld(struct mesh *mesh);
 
 /* The vertices' colours, for assets: those of the file `texture` (nearest
  * texel, repeated outside 0..1) where one is given, otherwise those of the mesh

@@ -26,9 +26,15 @@ static void add_face(struct mesh *mesh, const uint32_t index[3])
 
 static void normalise(double n[3])
 {
-    double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    const double length = hypot(hypot(n[0], n[1]), n[2]);
     for (int k = 0; k < 3; k++)
-        n[k] = length > 0 ? n[k] / length : 0;
+        n[k] = length > 0 && length < INFINITY ? n[k] / length : 0;
+}
+
+void mesh_normalise(struct mesh *mesh)
+{
+    for (uint32_t i = 0; i < mesh->vertices; i++)
+        normalise(mesh->vertex[i].normal);
 }
 
 static int compare_places(const void *left, const void *right)

@@ -123,8 +123,17 @@ P2
 10
 00
 EOF
+"$PEL" import "$dir/hand.bdf" --codes a,?-? --name asset -o "$dir/chars.c"
+cmp "$dir/few.c" "$dir/chars.c" || fail "characters in --codes"
 refused 'no glyph of --codes 200-300' "$dir/hand.bdf" --codes 200-300
-for codes in '' a 1- 1-2, 2-1 ,1 -1 1,,2 0x110000; do
+
+# What the font lacks is named: an error, or a note where a range has gaps.
+refused 'lacks 2 of --codes: U+00E4 U+0062;' "$dir/hand.bdf" --codes ä,a,b
+"$PEL" import "$dir/hand.bdf" --codes a-k --name asset -o "$dir/gaps.c" \
+    2>"$dir/message" || fail "a range with gaps"
+grep -q 'hand.bdf: lacks 9 of --codes: U+0062-0069 U+006B$' "$dir/message" ||
+    fail "gaps: $(cat "$dir/message")"
+for codes in '' ab a- 1- 1-2, 2-1 b-a ,1 -1 1,,2 0x110000 "$(printf '\303')"; do
     refused "--codes is '$codes'" "$dir/hand.bdf" --codes "$codes"
 done
 sed '/^ENDFONT/d' "$dir/hand.bdf" >"$dir/cut.bdf"

@@ -111,6 +111,27 @@ else
 fi
 mesh square "$dir/square.ply" 1000.5,2000.5,2 1000.5,2000.5,0 --normals 16
 
+# Normals of any length are those of length 1, whatever the size of the mesh; the
+# asset of a small mesh is that of a large one, but for its quantum and box.
+ramp() { # SIZE LENGTH of the normals
+    awk -v OFMT=%.17g -v s="$1" -v n="$2" 'BEGIN {
+        for (i = 0; i < 9; i++) {
+            print "v", s * (i % 3), s * int(i / 3), s * (i * i % 5) / 8
+            print "vn", n * (i % 3 - 1), n * 0.6, n * 0.8
+        }
+        print "f 1//1 2//2 3//3 6//6 9//9 8//8 7//7 4//4"
+        print "f 1//1 2//2 5//5"
+    }'
+}
+arrays() { sed '/units/,/each light/d; /_asset asset = /,/}/d' "$dir/$1.c"; }
+ramp 1 1 >"$dir/ramp.obj"
+same one "$dir/ramp.obj" --normals 16
+for size in "1 1.01" "1 70000" "3.814697265625e-6 0.001" "1073741824 1"; do
+    ramp $size >"$dir/ramp.obj"
+    same ramp "$dir/ramp.obj" --normals 16
+    [ "$(arrays one)" = "$(arrays ramp)" ] || fail "a mesh of size $size"
+done
+
 # Pictures: the surface shows the picture, in the steps of its format.
 printf 'P3\n5 9\n255\n' >"$dir/picture.ppm"
 awk 'BEGIN { for (i = 0; i < 135; i++) print (i * 89 + i * i * 7) % 256 }' \
@@ -264,6 +285,23 @@ if "$PEL" render "$dir/square.ply" -o "$dir/a.ppm" 2>/dev/null; then
 fi
 printf 'OFF\n3 1 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 3\n' >"$dir/bad.off"
 refuse "out of range" "$dir/bad.off" -o "$dir/x.c"
+ply() { # ELEMENT: of a square, what follows its vertices
+    sed '/^element face/,$d' "$dir/square.ply"
+    printf '%s\nproperty list int int vertex_indices\nend_header\n' "$1"
+    sed '1,/^end_header/d; /^3 /d' "$dir/square.ply"
+}
+{ ply 'element tristrips 1'; echo '4 0 1 3 2'; } >"$dir/strips.ply"
+refuse "strips.ply: has 1 triangle strips" "$dir/strips.ply" -o "$dir/x.c"
+{ ply 'element face 3'; printf '2 0 1\n1 3\n3 0 1 2\n'; } >"$dir/mixed.ply"
+"$PEL" import "$dir/mixed.ply" --name asset -o "$dir/mixed.c" 2>"$dir/message"
+grep -q 'mixed.ply: 1 points and 1 lines are left out' "$dir/message" ||
+    fail "lost without a word: $(cat "$dir/message")"
+printf 'v %s 0\n' '0 0' '4 0' '4 4' '3 4' '3 1' '1 1' '1 4' '0 4' |
+    sed 's/[1-4]/&e-30/g' >"$dir/tiny.obj"
+echo 'f 1 2 3 4 5 6 7 8' >>"$dir/tiny.obj"
+"$PEL" import "$dir/tiny.obj" --name asset -o "$dir/tiny.c" 2>"$dir/message"
+grep -q 'tiny.obj: 2 of 6 triangles are lost' "$dir/message" ||
+    fail "triangles lost without a word: $(cat "$dir/message")"
 "$PEL" import builtin:vase -o "$dir/vase.pel2d"
 refuse "is projected already" "$dir/vase.pel2d" -o "$dir/x.c"
 
