@@ -9,7 +9,7 @@ static void set(struct pel_frame *frame,
     struct pel_plane plane;
     int32_t value[3];
     for (int i = 0; i < 3; i++)
-        value[i] = (corner[i].uv[k] + 128) >> 8;
+        value[i] = (int32_t)pel_scale_down(corner[i].uv[k], 8);
     pel_plane_set(&plane, pel_frame_setup(frame), value);
     out->at = plane.at + 131072;
     out->dx = plane.dx;

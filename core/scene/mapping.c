@@ -2,40 +2,34 @@
 
 #include "pipeline.h"
 
-/* The numerator times the texels of a side is below 2^46, and held where what
- * it stands for is +-2^30; differences of two fit 32 bits. */
-static PEL_WIDE int32_t place_of(const struct pel_mesh_quantum *q, int axis,
-                                 uint16_t number, int32_t texels)
-{
-    const int64_t limit = (int64_t)((uint64_t)1 << (14 + q->shift));
-    int64_t v =
-        pel_long_product(pel_mesh_quantum_value(q, axis, number), texels);
-    v = v > limit ? limit : v < -limit ? -limit : v;
-    return pel_min((int32_t)pel_scale_down(v, q->shift - 16), (1 << 30) - 1);
-}
-
-void pel_mapping_place(const struct pel_frame *frame, uint32_t vertex,
-                       int32_t uv[2])
+/* The numerator times the texels of a side is below 2^46. */
+int64_t pel_mapping_place(const struct pel_frame *frame, uint32_t vertex, int k)
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
-    const int32_t texels[2] = {frame->texture.width, frame->texture.height};
-    for (int k = 0; k < 2; k++)
-        uv[k] = place_of(&mesh->texture, k, mesh->uv[vertex][k], texels[k]);
+    const int64_t v = pel_long_product(
+        pel_mesh_quantum_value(&mesh->texture, k, mesh->uv[vertex][k]),
+        k ? frame->texture.height : frame->texture.width);
+    return pel_scale_down(v, mesh->texture.shift - 16);
 }
 
+/* Differences are below 2^39; of more than 30 bits, the first ones are mixed.
+ */
 void pel_mapping_corners(const struct pel_frame *frame,
                          struct pel_texture_corner corner[3])
 {
     const struct pel_frame_triangle *t = &frame->work->triangle;
-    int32_t own[3][2];
-    for (int i = 0; i < 3; i++)
-        pel_mapping_place(frame, t->vertex[i], own[i]);
     for (int k = 0; k < 2; k++) {
-        const int32_t value[3] = {own[0][k], own[1][k], own[2][k]};
-        int32_t at[3];
+        const int64_t first = pel_mapping_place(frame, t->vertex[0], k);
+        int64_t way[3];
+        int32_t value[3], at[3];
+        for (int i = 0; i < 3; i++)
+            way[i] = pel_mapping_place(frame, t->vertex[i], k) - first;
+        const int cut = pel_max(pel_bits_of(pel_reach_of(way)) - 30, 0);
+        for (int i = 0; i < 3; i++)
+            value[i] = (int32_t)(way[i] >> cut);
         pel_corners_mix(t, value, at);
         for (int i = 0; i < 3; i++)
-            corner[i].uv[k] = at[i];
+            corner[i].uv[k] = first + pel_scale_down(at[i], -cut);
     }
 }
 

@@ -29,7 +29,9 @@ extern const struct pel_mapping pel_map_affine;
 extern const struct pel_mapping pel_map_perspective;
 
 /* u and v of the mesh are 0 to 1 over the picture, v = 0 its first row, and
- * what lies outside is up to `wrap`; held within +-16,384 texels. */
+ * what lies outside is up to `wrap`. PEL_ERROR_RANGE of pel_scene_prepare: the
+ * numbers of uv can say more than 2^21 texels; all within +-262,144 texels is
+ * legal in what `pel import` writes. */
 struct pel_mesh_texture {
     struct pel_texels texels;
     const struct pel_mapping *mapping;
@@ -42,9 +44,9 @@ struct pel_mesh_texture {
     int32_t span; /* of pel_map_perspective; 0 is 1, exact */
 };
 
-/* u and v of a vertex, 1/65,536 texel. */
-void pel_mapping_place(const struct pel_frame *frame, uint32_t vertex,
-                       int32_t uv[2]);
+/* u (k = 0) or v (1) of a vertex, 1/65,536 texel. */
+int64_t pel_mapping_place(const struct pel_frame *frame, uint32_t vertex,
+                          int k);
 
 /* The same of the corners of frame->work->triangle; z is left alone. */
 void pel_mapping_corners(const struct pel_frame *frame,

@@ -6,9 +6,9 @@
 /* origin 2^16 + part 2^(reach - 14), in 2^-32 texels, and by how much that may
  * be too low, five of its last bits: a place on a border of texels stays in the
  * upper one. |part| <= 3/2 2^30. */
-static uint64_t coordinate(int32_t origin, int32_t part, int reach)
+static uint64_t coordinate(int64_t origin, int32_t part, int reach)
 {
-    return (uint64_t)(int64_t)origin * 65536 +
+    return ((uint64_t)origin << 16) +
            (uint64_t)pel_scale_down((int64_t)part + 8, 14 - reach);
 }
 
@@ -88,22 +88,22 @@ static bool thin(const struct pel_plane_setup *s)
 }
 
 /* What corners differ from the first one in, times w, 2^-reach: with 2^reach
- * above the largest of it. */
+ * above the largest of it; of more than 31 bits, the first ones. */
 static PEL_WIDE void set_plane(struct pel_perspective *p, int k,
                                const struct pel_plane_setup *setup,
                                const struct pel_texture_corner corner[3],
                                const int32_t w[3])
 {
+    int64_t way[3];
     int32_t value[3];
-    uint32_t reach = 0;
     p->origin[k] = corner[setup->first].uv[k];
-    for (int i = 0; i < 3; i++) {
-        value[i] = corner[i].uv[k] - p->origin[k];
-        reach |= (uint32_t)pel_size_of(value[i]);
-    }
-    p->reach[k] = (uint8_t)pel_bits_of(reach);
     for (int i = 0; i < 3; i++)
-        value[i] = pel_scaled(value[i], w[i], p->reach[k]);
+        way[i] = corner[i].uv[k] - p->origin[k];
+    const int reach = pel_bits_of(pel_reach_of(way));
+    const int cut = pel_max(reach - 31, 0);
+    p->reach[k] = (uint8_t)reach;
+    for (int i = 0; i < 3; i++)
+        value[i] = pel_scaled((int32_t)(way[i] >> cut), w[i], reach - cut);
     pel_plane_set(&p->uv[k], setup, value);
 }
 

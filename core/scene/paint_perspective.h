@@ -21,14 +21,14 @@ struct pel_perspective {
     struct pel_color_paint base;
     struct pel_texture *texture; /* how it is sampled; its map is worked on */
     struct pel_plane w, uv[2];
-    int32_t origin[2]; /* 1/65,536 texel */
+    int64_t origin[2]; /* 1/65,536 texel */
     uint8_t reach[2];
     uint8_t span; /* bits of it: 0..6 */
 };
 
-/* A corner of a triangle in the texture; differences of places fit 32 bits. */
+/* A corner of a triangle in the texture. */
 struct pel_texture_corner {
-    int32_t uv[2]; /* 1/65,536 texel */
+    int64_t uv[2]; /* 1/65,536 texel, below 2^37 in size */
     int32_t z;     /* the distance, in any unit; above 0 */
 };
 

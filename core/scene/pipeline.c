@@ -29,6 +29,19 @@ size_t pel_scene_scratch_size(const struct pel_scene *scene)
     return scene && scene->mesh ? parts_of(scene).end : 0;
 }
 
+/* Do all numbers of uv stand for places within 2^22 texels? They are below
+ * 2^31, and less than 2^21 texels a whole number of pictures away. */
+static bool reach_legal(const struct pel_mesh_quantum *q, int32_t texels)
+{
+    const int32_t u = q->offset[0], v = q->offset[1];
+    const uint32_t most =
+        (uint32_t)((u ^ u >> 31) | (v ^ v >> 31)) + 65535 * (uint32_t)q->step;
+    if (q->shift < 0)
+        return false;
+    const uint32_t pictures = most >> pel_min(q->shift, 31);
+    return pictures < 65536 && pictures * (uint32_t)texels < UINT32_C(1) << 21;
+}
+
 static enum pel_status start_texture(struct pel_frame *frame)
 {
     const struct pel_mesh_texture *t = frame->scene->texture;
@@ -43,9 +56,14 @@ static enum pel_status start_texture(struct pel_frame *frame)
         t->sampler(&frame->texture, &t->texels, &none);
     frame->texture.wrap_u = (uint8_t)t->wrap_u;
     frame->texture.wrap_v = (uint8_t)t->wrap_v;
-    if (status == PEL_OK && t->mapping->surface)
+    if (status != PEL_OK)
+        return status;
+    if (!reach_legal(&frame->scene->mesh->texture,
+                     frame->texture.width | frame->texture.height))
+        return PEL_ERROR_RANGE;
+    if (t->mapping->surface)
         frame->opaque &= frame->texture.base.opaque;
-    return status;
+    return PEL_OK;
 }
 
 static pel_color surface_color(const struct pel_frame *frame, uint32_t vertex)

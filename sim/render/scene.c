@@ -107,9 +107,29 @@ static bool check(const struct scene_settings *s)
                          "light, flat or gouraud would be right");
 }
 
-/* Camera and mesh are what is left that core may refuse. */
-static bool refuse(const struct scene_settings *s, enum pel_status status)
+static enum pel_status prepare(struct scene *scene)
 {
+    return pel_scene_prepare(&scene->frame, &scene->core, scene->scratch,
+                             scene->scratch_size);
+}
+
+/* Is it the texture that core refuses? */
+static bool texture_refused(struct scene *scene, enum pel_status status)
+{
+    const bool textured = scene->core.texture;
+    scene->core.texture = NULL;
+    return textured && prepare(scene) != status;
+}
+
+/* Texture, camera and mesh are what is left that core may refuse. */
+static bool refuse(struct scene *scene, const struct scene_settings *s,
+                   enum pel_status status)
+{
+    const struct pel_texels *texels = &scene->texture.texels;
+    if (texture_refused(scene, status))
+        return message_error("texture coordinates reach farther than 262144 "
+                             "texels of %dx%d; smaller ones would be right",
+                             texels->width, texels->height);
     if (status == PEL_ERROR_RANGE)
         return message_error("the near plane at %g is too close for a mesh so "
                              "far away, or the camera's place is out of range",
@@ -136,9 +156,8 @@ bool scene_prepare(struct scene *scene, const struct scene_settings *settings)
     scene_place(scene, &s);
     scene_place_lights(scene, &s);
     set_look(scene, &s);
-    const enum pel_status status = pel_scene_prepare(
-        &scene->frame, &scene->core, scene->scratch, scene->scratch_size);
-    return status == PEL_OK || refuse(&s, status);
+    const enum pel_status status = prepare(scene);
+    return status == PEL_OK || refuse(scene, &s, status);
 }
 
 static bool draw_depth(const struct scene *scene, struct pel_frame *frame,

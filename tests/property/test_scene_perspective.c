@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "core/pel.h"
-#include "tests/support/cases.h"
+#include "tests/support/any_scene.h"
 #include "tests/support/check.h"
 #include "tests/support/reference_scene.h"
 
@@ -17,6 +17,7 @@ struct subject {
     struct pel_point v[3];
     struct pel_texture_corner corner[3];
     int32_t span;
+    uint8_t wrap;
 };
 
 static void draw(const struct subject *s)
@@ -33,6 +34,7 @@ static void draw(const struct subject *s)
                                       &(struct pel_rect){0, 0, SIDE, SIDE}),
                      PEL_OK);
     assert_int_equal(pel_texture_init_nearest(&sampler, &t, &none), PEL_OK);
+    sampler.wrap_u = sampler.wrap_v = s->wrap;
     if (!pel_plane_start(&setup, s->v))
         return;
     pel_perspective_init(&paint, &sampler, &setup, s->corner, s->span);
@@ -111,6 +113,7 @@ static void any_subject(struct random *r, struct subject *s)
     const int32_t ratio = random_between(r, 1, 256);
     const bool sliver = random_word(r) % 4 == 0;
     s->span = spans[random_word(r) % 7];
+    s->wrap = PEL_WRAP_CLAMP;
     for (int i = 0; i < 3; i++) {
         s->v[i].x = random_between(r, -20 * 256, (SIDE + 20) * 256);
         s->v[i].y = random_between(r, -20 * 256, (SIDE + 20) * 256);
@@ -139,6 +142,27 @@ static void test_texels_are_right(void **state)
                   (double)worst * 256);
 }
 
+/* Whole pictures away lies the same picture. */
+static void test_far_texels_are_the_same(void **state)
+{
+    static pel_color near_by[SIDE * SIDE];
+    (void)state;
+    for (struct cases c = cases_of(200); cases_next(&c);) {
+        struct subject s;
+        any_subject(&c.random, &s);
+        s.wrap = (uint8_t)(PEL_WRAP_REPEAT + random_word(&c.random) % 2);
+        draw(&s);
+        memcpy(near_by, pixels, sizeof pixels);
+        for (int k = 0; k < 2; k++) {
+            const int32_t away = random_between(&c.random, -1023, 1023);
+            for (int i = 0; i < 3; i++)
+                s.corner[i].uv[k] += away * INT64_C(2) * TEXELS * 65536;
+        }
+        draw(&s);
+        assert_memory_equal(near_by, pixels, sizeof pixels);
+    }
+}
+
 /* A floor that leads away by a ratio of 256, its far end one texel high a
  * pixel: the span falls back to division where its ends are behind the eye. */
 static void test_a_floor_to_the_horizon(void **state)
@@ -151,9 +175,38 @@ static void test_a_floor_to_the_horizon(void **state)
             {{{0, 0}, 1 << 20},
              {{1 << 26, 0}, 1 << 20},
              {{1 << 25, 1 << 26}, 1 << 28}},
-            spans[i]};
+            spans[i],
+            PEL_WRAP_CLAMP};
         check(&s);
         assert_int_not_equal(pixels[100 * SIDE + 120], 0);
+    }
+}
+
+/* What uv can say of 256 texels must stay below 2^21: 8,192 pictures. */
+static void test_what_reaches_too_far_is_refused(void **state)
+{
+    static const struct {
+        struct pel_mesh_quantum quantum;
+        enum pel_status status;
+    } rows[] = {{{{0, 0, 0}, 1, 3}, PEL_OK},
+                {{{0, 0, 0}, 1, 2}, PEL_ERROR_RANGE},
+                {{{0, -65536, 0}, 1, 4}, PEL_OK},
+                {{{0, -65536, 0}, 1, 3}, PEL_ERROR_RANGE},
+                {{{1 << 30, 0, 0}, 16384, 46}, PEL_OK},
+                {{{1 << 30, 0, 0}, 16384, 17}, PEL_ERROR_RANGE},
+                {{{0, 0, 0}, 1, -1}, PEL_ERROR_RANGE}};
+    static struct any_scene s;
+    struct pel_frame frame;
+    struct cases c = cases_of(1);
+    (void)state;
+    cases_next(&c);
+    any_scene(&c.random, &s, SIDE);
+    any_scene_noise(&c.random, &s, 8);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        s.mesh.texture = rows[i].quantum;
+        if (pel_scene_prepare(&frame, &s.scene, s.scratch, sizeof s.scratch) !=
+            rows[i].status)
+            fail_msg("row %zu", i);
     }
 }
 
@@ -161,7 +214,9 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_texels_are_right),
+        cmocka_unit_test(test_far_texels_are_the_same),
         cmocka_unit_test(test_a_floor_to_the_horizon),
+        cmocka_unit_test(test_what_reaches_too_far_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

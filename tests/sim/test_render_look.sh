@@ -107,6 +107,38 @@ quarter clamp 8 0 >"$dir/q.ppm"
 } >"$dir/corner.ppm"
 same q corner "clamp: the upper right texel"
 
+# 36 times 1,024 texels, four bands of them: pixels lie 2.25 pictures apart, in
+# the middles of bands. The same 100 pictures away; much farther is refused.
+{
+    printf 'P3\n1024 1\n255\n'
+    awk 'BEGIN { for (i = 0; i < 3072; i++) print int(i / 768) * 80 }'
+} >"$dir/bands.ppm"
+square 36 >"$dir/far0.obj"
+square 36 | awk '$1 == "vt" { $2 += 100; $3 -= 100 } { print }' >"$dir/far1.obj"
+for mapping in affine "subdivided --span 8" perspective; do
+    for texture in nearest bilinear; do
+        for mesh in far0 far1; do
+            for wrap in repeat mirror; do
+                render far "$dir/$mesh.obj" $view --size 16x2 --unlit \
+                    --texture-file "$dir/bands.ppm" --wrap $wrap \
+                    --mapping $mapping --texture $texture
+                bytes far | awk -v w=$wrap '{ u = 1.125 + 2.25 * (int((NR - 1) / 3) % 16)
+                    want = int(4 * (u % 1))
+                    if (w == "mirror" && int(u) % 2) want = 3 - want
+                    if ($1 != 80 * want) exit 1 }' ||
+                    fail "$mesh.obj: $mapping $texture $wrap"
+            done
+        done
+    done
+done
+
+square 9999 >"$dir/far0.obj"
+status=0
+render farther "$dir/far0.obj" $view --texture-file "$dir/bands.ppm" 2>"$dir/message" ||
+    status=$?
+[ $status -eq 2 ] && grep -q 'farther than 262144 texels of 1024x1;' \
+    "$dir/message" || fail "too far: $(cat "$dir/message")"
+
 # Turned round, the back is seen, mirrored; culled, nothing.
 tile="$view --size 8x6 --unlit --texture none --color #204060"
 render front "$dir/one.obj" $tile
