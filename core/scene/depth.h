@@ -5,7 +5,7 @@
 #include <stddef.h>
 
 #include "../base/status.h"
-#include "../raster/paint.h"
+#include "../paint/paint_colors.h"
 #include "plane.h"
 
 PEL_BEGIN_DECLS
@@ -41,19 +41,27 @@ void pel_depth_clear(const struct pel_depth *depth);
 #define PEL_DEPTH_NEAR ((INT32_C(1) << 30) - (INT32_C(1) << 14))
 
 /* A paint between a shape and its paint: lets through the pixels where `plane`
- * is nearer than what the buffer holds, and keeps that there. Of equal ones the
- * first drawn stays. */
+ * is nearer than what the buffer holds. Of equal ones the first drawn stays. */
 struct pel_depth_paint {
-    struct pel_paint paint;
+    struct pel_color_paint base;
     const struct pel_paint *inner;
     const struct pel_depth *depth;
     struct pel_plane plane; /* values 0..PEL_DEPTH_NEAR */
-    bool keeps;             /* or only tests: for what can be seen through */
+    bool keeps;             /* what is let through, in the buffer */
 };
 
+/* keeps: or only tests, for what can be seen through. */
 void pel_depth_paint_init(struct pel_depth_paint *paint,
                           const struct pel_paint *inner,
                           const struct pel_depth *depth,
                           const struct pel_plane *plane, bool keeps);
+
+/* Of a paint whose colours have any alpha, lets the opaque ones through, and
+ * keeps them. */
+void pel_depth_texels_init(struct pel_depth_paint *paint,
+                           const struct pel_color_paint *inner,
+                           const struct pel_depth *depth,
+                           const struct pel_plane *plane);
+
 PEL_END_DECLS
 #endif

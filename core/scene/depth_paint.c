@@ -87,14 +87,45 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
         fill_line(p, spans, &spans->span[i], y);
 }
 
+static void set(struct pel_depth_paint *paint, const struct pel_paint *inner,
+                const struct pel_depth *depth, const struct pel_plane *plane)
+{
+    paint->inner = inner;
+    paint->depth = depth;
+    paint->plane = *plane;
+}
+
 void pel_depth_paint_init(struct pel_depth_paint *paint,
                           const struct pel_paint *inner,
                           const struct pel_depth *depth,
                           const struct pel_plane *plane, bool keeps)
 {
-    paint->paint = (struct pel_paint){fill, NULL};
-    paint->inner = inner;
-    paint->depth = depth;
-    paint->plane = *plane;
+    set(paint, inner, depth, plane);
+    paint->base.paint = (struct pel_paint){fill, NULL};
     paint->keeps = keeps;
+}
+
+/* The others become clear, which leaves a pixel as it is. */
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
+{
+    const struct pel_depth_paint *p = (const void *)paint;
+    const struct pel_color_paint *inner = (const void *)p->inner;
+    const struct pel_rect *b = &p->depth->bounds;
+    const bool inside = y >= b->y0 && y < b->y1;
+    inner->colors(inner, x, y, n, out);
+    for (const pel_color *end = out + n; out < end; out++, x++)
+        if (!inside || x < b->x0 || x >= b->x1 || pel_alpha(*out) < 255 ||
+            skip(p, x, x + 1, y, false) > x)
+            *out = 0;
+}
+
+void pel_depth_texels_init(struct pel_depth_paint *paint,
+                           const struct pel_color_paint *inner,
+                           const struct pel_depth *depth,
+                           const struct pel_plane *plane)
+{
+    set(paint, &inner->paint, depth, plane);
+    pel_color_paint_init(&paint->base, colors, false);
+    paint->keeps = true;
 }

@@ -96,11 +96,13 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
  * on, so two threads take two frames. */
 void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface);
 
-/* The same, but of triangles that meet in a pixel the nearest is seen. An
- * opaque scene is kept in the buffer; one with transparency, or with a texture
- * that is not opaque, is only tested against it, and wants to be drawn last
- * and sorted. Meshes may share a buffer while camera and viewport stay; for an
- * orthographic camera the buffer serves one mesh only. */
+/* The same, but of triangles that meet in a pixel the nearest is seen. What is
+ * opaque is kept in the buffer, whatever the order: an opaque scene, or the
+ * opaque texels of a texture that has others. Those others, or a scene with
+ * transparency, come after that and are only tested against it: they are
+ * blended in the scene's order, and so want `sort`, and a mesh that is drawn
+ * after all opaque ones. Meshes may share a buffer while camera and viewport
+ * stay; for an orthographic camera the buffer serves one mesh only. */
 void pel_scene_draw_depth(struct pel_frame *frame,
                           const struct pel_surface *surface,
                           const struct pel_depth *depth);

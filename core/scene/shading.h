@@ -15,7 +15,8 @@ struct pel_shading {
                         pel_color surface);
 
     /* The paint of frame->work->triangle. `surface` is a texture that is mapped
-     * to every pixel, or NULL. */
+     * to every pixel, or NULL; where it is not opaque, the paint is a struct
+     * pel_color_paint too. */
     const struct pel_paint *(*paint)(struct pel_frame *frame,
                                      const struct pel_color_paint *surface);
 };

@@ -94,7 +94,7 @@ static void set_look(struct scene *scene, const struct scene_settings *s)
     scene->depth_bits = s->order == SCENE_ZBUFFER16   ? 16
                         : s->order == SCENE_ZBUFFER32 ? 32
                                                       : 0;
-    /* What can be seen through is blended from far to near in any order. */
+    /* What can be seen through is blended from far to near. */
     const bool clear =
         s->transparency > 0 || (core->texture && !scene->model->texture_opaque);
     core->sort = scene->depth_bits == 0 || clear ? pel_depth_sort : NULL;

@@ -56,6 +56,38 @@ static real nearness(const struct any_scene *s, const struct pel_frame *frame,
     return sum;
 }
 
+/* Numbers as of any_scene_numbers, but on every other pixel there is nothing
+ * to see. */
+static bool is_clear(int32_t x, int32_t y)
+{
+    return (x + y) % 2 != 0;
+}
+
+struct numbers {
+    struct pel_color_paint base;
+    pel_color color;
+};
+
+static void half_clear(const struct pel_color_paint *paint, int32_t x,
+                       int32_t y, int32_t n, pel_color *out)
+{
+    for (; n > 0; n--, x++)
+        *out++ = is_clear(x, y) ? 0 : ((const struct numbers *)paint)->color;
+}
+
+static const struct pel_paint *clear_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
+{
+    static struct numbers numbers;
+    const struct pel_flat *flat =
+        (const void *)any_scene_numbers.paint(frame, surface);
+    pel_color_paint_init(&numbers.base, half_clear, false);
+    numbers.color = flat->color;
+    return &numbers.base.paint;
+}
+
+static const struct pel_shading numbers_or_clear = {NULL, NULL, clear_paint};
+
 static uint64_t pixels, close_ones;
 
 /* The one that is seen is the nearest, but for what the buffer's bits cannot
@@ -71,6 +103,8 @@ static void check_pixel(const struct any_scene *s,
         nearest = near > nearest ? near : nearest;
         seen = t + 1 == got ? near : seen;
     }
+    if (!s->texture.texels.opaque && is_clear(at.x, at.y))
+        nearest = 0;
     pixels += got != 0;
     close_ones += seen < nearest;
     const real step = bits == 16 ? 1.01L / 65536 : 1.0L / (1 << 26);
@@ -97,7 +131,10 @@ static void test_the_nearest_is_seen(void **state)
         s.scene.camera.projection = PEL_PERSPECTIVE;
         s.scene.camera.focal = 40000;
         s.scene.camera.sensor[0] = s.scene.camera.sensor[1] = 36000;
-        s.scene.shading = &any_scene_numbers;
+        any_scene_noise(&k.random, &s, 1);
+        s.texture.texels.opaque = random_word(&k.random) % 2;
+        s.scene.shading =
+            s.texture.texels.opaque ? &any_scene_numbers : &numbers_or_clear;
         s.scene.sort = NULL;
         any_scene_prepare(&s, &frame);
         canvas_open(&c, &pel_xrgb8888, v, 0);
@@ -138,7 +175,7 @@ static bool told_apart(int64_t near, int64_t z, int64_t gap)
         struct pel_depth_paint paint;
         color = 0;
         pel_depth_paint_init(&paint, &flat.paint, &depth, &plane, true);
-        paint.paint.fill(&paint.paint, &rows);
+        paint.base.paint.fill(&paint.base.paint, &rows);
     }
     return color != 0;
 }

@@ -196,6 +196,48 @@ for order in zbuffer zbuffer16 zbuffer32; do
     done
 done
 
+# Seen through: two squares as above with a texture of 4 by 2 texels, the left
+# ones red, the right ones blue, the upper right one half transparent. What is
+# opaque is nearest; after that, the rest is blended.
+cat >"$dir/panes.obj" <<'EOF'
+v -4 -3 1
+v 4 -3 -1
+v 4 3 -1
+v -4 3 1
+v -4 -3 -1
+v 4 -3 1
+v 4 3 1
+v -4 3 -1
+vt 0 0
+vt 0.5 0
+vt 0.5 1
+vt 0 1
+vt 1 0
+vt 1 1
+f 5/2 6/5 7/6
+f 5/2 7/6 8/3
+f 1/1 2/2 3/3
+f 1/1 3/3 4/4
+EOF
+red='\0\0\377\377' blue='\377\0\0\377' pane='\377\0\0\200'
+{
+    printf '\0\0\2\0\0\0\0\0\0\0\0\0\4\0\2\0\40\50'
+    printf "$red$red$blue$pane$red$red$blue$blue"
+} >"$dir/panes.tga"
+if "$PEL" import "$dir/panes.tga" -o "$dir/panes.c" 2>/dev/null; then
+    for order in zbuffer16 zbuffer32; do
+        for mapping in affine perspective; do
+            render z "$dir/panes.obj" $view --size 8x6 --order $order \
+                --unlit --texture-file "$dir/panes.tga" --texture nearest \
+                --mapping $mapping --bands 4
+            bytes z | paste - - - | awk '{ right = (NR - 1) % 8 >= 4
+                want = !right ? "255 0 0" : NR > 24 ? "0 0 255" : "127 0 128"
+                if ($1 + 0 " " $2 + 0 " " $3 + 0 != want) exit 1 }' ||
+                fail "panes: $order $mapping"
+        done
+    done
+fi
+
 # side NAME: 1 when the left half is brighter, -1 when the right one is.
 side() {
     bytes "$1" | awk '{ s[int((NR - 1) / 3) % 60 < 30] += $1 }
