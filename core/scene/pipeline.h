@@ -71,7 +71,7 @@ struct pel_scene {
 };
 
 /* Bytes of scratch memory for a frame of the scene: 16 a vertex, 8 a triangle,
- * 40 a light, and 1,100 to 1,300; for constant expressions and as a function: 0
+ * 40 a light, and 1,100 to 1,350; for constant expressions and as a function: 0
  * without a mesh. */
 #define PEL_SCENE_SCRATCH_SIZE(vertices, triangles, lights)         \
     (((sizeof(struct pel_frame_work) + 7) & ~PEL_CAST(size_t, 7)) + \

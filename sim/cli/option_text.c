@@ -69,13 +69,19 @@ bool option_color(const char *option, const char *text, unsigned *color)
     return true;
 }
 
+bool options_has(const struct options_given *given, const char *name)
+{
+    for (int i = 0; i < given->count; i++)
+        if (strcmp(given->names[i], name) == 0)
+            return true;
+    return false;
+}
+
 void options_note(struct options_given *given,
                   const struct argp_option *options, int key)
 {
     while (options->key != key)
         options++;
-    for (int i = 0; i < given->count; i++)
-        if (given->names[i] == options->name)
-            return;
-    given->names[given->count++] = options->name;
+    if (!options_has(given, options->name))
+        given->names[given->count++] = options->name;
 }

@@ -36,6 +36,9 @@ struct options_given {
     int count;
 };
 
+/* Is there one with that name? */
+bool options_has(const struct options_given *given, const char *name);
+
 /* Adds the option with this key, which is one of the array's. */
 void options_note(struct options_given *given,
                   const struct argp_option *options, int key);

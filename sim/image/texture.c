@@ -96,6 +96,15 @@ bool texture_load(struct picture *picture, const char *path)
                         : load_file(picture, path);
 }
 
+bool texture_opaque(const struct picture *p)
+{
+    const size_t n = (size_t)p->width * (size_t)p->height;
+    pel_color all = PEL_RGB(0, 0, 0);
+    for (size_t i = 0; i < n; i++)
+        all &= p->pixels[i];
+    return pel_alpha(all) == 255;
+}
+
 /* floor(t n) for the fraction t of u: 1 - 2^-60 may round up to n. */
 static int texel(double u, int n)
 {

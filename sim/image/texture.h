@@ -14,6 +14,9 @@ bool texture_load(struct picture *picture, const char *path);
 bool texture_load_bytes(struct picture *picture, const char *name,
                         const void *bytes, size_t size);
 
+/* Have all texels alpha 255? */
+bool texture_opaque(const struct picture *picture);
+
 /* The texel at column floor(u W), row floor(v H), repeated outside 0..1;
  * opaque. */
 pel_color texture_at(const struct picture *picture, double u, double v);

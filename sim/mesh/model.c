@@ -134,15 +134,6 @@ static bool load_own(struct picture *picture, const struct mesh *mesh,
     return !mesh->texture || texture_load(picture, mesh->texture);
 }
 
-static bool is_opaque(const struct picture *p)
-{
-    const size_t n = (size_t)p->width * (size_t)p->height;
-    pel_color all = PEL_RGB(0, 0, 0);
-    for (size_t i = 0; i < n; i++)
-        all &= p->pixels[i];
-    return pel_alpha(all) == 255;
-}
-
 bool model_add_texture(struct model *model, const struct mesh *mesh,
                        const struct model_source *source)
 {
@@ -157,7 +148,7 @@ bool model_add_texture(struct model *model, const struct mesh *mesh,
         return false;
     if (!source->texture && mesh->has_uv && !load_own(to, mesh, source->path))
         message_error_at(source->path, 0, "its texture is left out");
-    model->texture_opaque = is_opaque(to);
+    model->texture_opaque = texture_opaque(to);
     return true;
 }
 

@@ -17,7 +17,6 @@ struct camera {
     int width, height; /* px of the picture, 1..32,767 */
     pel_color background;
     bool has_eye, has_target, has_sensor, has_near;
-    bool is_set; /* any option but --size and --background was given */
 };
 
 /* Fills in what was left open, from the model: the target is the middle of its

@@ -104,7 +104,6 @@ static bool parse_size(const char *text, struct camera *camera)
 /* The options that say where things are. */
 static bool parse_place(int key, const char *text, struct camera *camera)
 {
-    camera->is_set = true;
     switch (key) {
     case KEY_EYE:
         camera->has_eye = true;

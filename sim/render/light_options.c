@@ -183,7 +183,6 @@ static error_t parse(int key, char *text, struct argp_state *state)
     if (key < KEY_LIGHT || key > KEY_UNLIT)
         return ARGP_ERR_UNKNOWN;
     options_note(&o->given, options, key);
-    o->has_mesh_option = true;
     if (key == KEY_UNLIT) {
         o->settings.lit = SCENE_UNLIT;
         return 0;

@@ -1,5 +1,6 @@
 #include "sim/render/painter.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "core/raster/gouraud.h"
@@ -33,11 +34,33 @@ static void sort(const struct pel2d *flat, struct item *item, uint32_t *order)
         order[i] = item[i].triangle;
 }
 
+/* Of the rule in the header: coordinates times W - 1, not W. */
+static double texels_of(const struct painter *painter,
+                        const struct pel2d_vertex *v, int axis)
+{
+    const struct picture *picture = &painter->texture->picture;
+    return axis ? v->v * (picture->height - 1) : v->u * (picture->width - 1);
+}
+
+static bool check_texture(const struct painter *painter)
+{
+    const struct pel2d_vertex *v = painter->flat->vertex;
+    for (uint32_t i = 0; i < painter->flat->vertices; i++)
+        for (int k = 0; k < 2; k++)
+            if (!(fabs(texels_of(painter, &v[i], k)) < (1 << 23) - 1))
+                return message_error("vertex %u lies at u v %g %g; less than "
+                                     "2^23 texels away would be right",
+                                     i, v[i].u, v[i].v);
+    return true;
+}
+
 bool painter_init(struct painter *painter, const struct pel2d *flat)
 {
     size_t n = flat->triangles > 0 ? flat->triangles : 1;
-    struct item *item = malloc(n * sizeof(*item));
     painter->flat = flat;
+    if (painter->texture && !check_texture(painter))
+        return false;
+    struct item *item = malloc(n * sizeof(*item));
     painter->order = malloc(n * sizeof(*painter->order));
     bool done = item && painter->order;
     if (done)
@@ -79,19 +102,47 @@ static void draw_flat(const struct painter *painter,
         pel_triangle(surface, at, &flat.paint);
 }
 
+static void draw_textured(const struct painter *painter,
+                          const struct pel_surface *surface,
+                          const struct pel_point at[3],
+                          const uint32_t vertex[3])
+{
+    const struct painter_texture *t = painter->texture;
+    const struct pel_texels texels = {NULL, t->picture.pixels, t->picture.width,
+                                      t->picture.height, t->opaque};
+    struct pel_texel_point place[3];
+    struct pel_texture_map map;
+    struct pel_texture paint;
+    for (int k = 0; k < 3; k++) {
+        const struct pel2d_vertex *v = &painter->flat->vertex[vertex[k]];
+        place[k].u = (int32_t)lround(texels_of(painter, v, 0) * 256);
+        place[k].v = (int32_t)lround(texels_of(painter, v, 1) * 256);
+    }
+    pel_texture_map_triangle(&map, at, place);
+    if (t->bilinear)
+        pel_texture_init_bilinear(&paint, &texels, &map);
+    else
+        pel_texture_init_nearest(&paint, &texels, &map);
+    paint.wrap_u = paint.wrap_v = (uint8_t)t->wrap;
+    pel_triangle(surface, at, &paint.base.paint);
+}
+
 void painter_draw(struct pel_surface *surface, void *context)
 {
     const struct painter *painter = context;
     const struct pel2d *flat = painter->flat;
     for (uint32_t i = 0; i < flat->triangles; i++) {
+        const uint32_t *vertex = flat->triangle[painter->order[i]];
         struct pel_point at[3];
         pel_color color[3];
         for (int k = 0; k < 3; k++) {
-            uint32_t vertex = flat->triangle[painter->order[i]][k];
-            at[k] = flat->vertex[vertex].at;
-            color[k] = flat->vertex[vertex].color;
+            at[k] = flat->vertex[vertex[k]].at;
+            color[k] = flat->vertex[vertex[k]].color;
         }
-        if (painter->shade == PAINTER_GOURAUD && pel_triangle_area(at) != 0)
+        if (painter->texture && pel_triangle_area(at) != 0)
+            draw_textured(painter, surface, at, vertex);
+        else if (painter->shade == PAINTER_GOURAUD &&
+                 pel_triangle_area(at) != 0)
             pel_triangle_gouraud(surface, at, color);
         else
             draw_flat(painter, surface, at, color);

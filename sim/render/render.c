@@ -16,6 +16,7 @@
 #include "sim/render/print_camera.h"
 #include "sim/render/painter.h"
 #include "sim/render/scene_options.h"
+#include "sim/image/texture.h"
 
 struct render_options {
     struct device_options device;
@@ -225,40 +226,71 @@ static bool finish(const struct drawing *drawing)
     return drawing->options->device.name ? show(drawing) : save(drawing);
 }
 
-/* What is projected and coloured already goes straight to the painter. */
-static bool check_pel2d(const struct scene_options *o)
+/* The first option that means nothing for a pel2d file, or NULL. */
+static const char *mesh_option(const struct render_options *o)
 {
-    const char *path = o->source.path;
-    if (o->settings.camera.is_set)
-        return message_error_at(path, 0,
-                                "is projected already: of the camera's options "
-                                "only --size and --background apply");
-    if (o->has_mesh_option || o->source.texture || o->source.smooth_normals)
-        return message_error_at(path, 0,
-                                "has its colours already: options of light, "
-                                "texture and order are for mesh files");
-    if (o->settings.shade == SCENE_PHONG)
-        return message_error_at(path, 0,
+    static const char *const others[] = {"size",         "background", "shade",
+                                         "texture-file", "texture",    "wrap"};
+    const struct options_given *given = &o->scene.given;
+    for (int i = 0; i < given->count; i++) {
+        size_t k = 0;
+        while (k < 6 && strcmp(given->names[i], others[k]) != 0)
+            k++;
+        if (k == 6)
+            return given->names[i];
+    }
+    return o->print_camera ? "print-camera" : NULL;
+}
+
+/* What is projected and coloured already goes straight to the painter. */
+static bool check_pel2d(const struct render_options *o)
+{
+    const struct scene_options *s = &o->scene;
+    const char *wrong = mesh_option(o);
+    if (wrong)
+        return message_error_at(s->source.path, 0,
+                                "is projected and lit already: --%s is for "
+                                "mesh files",
+                                wrong);
+    if (s->settings.shade == SCENE_PHONG)
+        return message_error_at(s->source.path, 0,
                                 "has no normals: --shade flat or gouraud "
                                 "would be right");
+    return s->source.texture || s->settings.texture == SCENE_TEXTURE_NONE ||
+           (!options_has(&s->given, "texture") &&
+            !options_has(&s->given, "wrap")) ||
+           message_error_at(s->source.path, 0,
+                            "names no texture: --texture-file would be right");
+}
+
+static bool load_texture(struct painter_texture *texture,
+                         const struct scene_options *o)
+{
+    if (!texture_load(&texture->picture, o->source.texture))
+        return false;
+    texture->opaque = texture_opaque(&texture->picture);
+    texture->bilinear = o->settings.texture == SCENE_TEXTURE_BILINEAR;
+    texture->wrap = o->settings.wrap;
     return true;
 }
 
 static bool render_pel2d(const struct render_options *o)
 {
-    struct pel2d flat;
-    const bool is_flat = o->scene.settings.shade == SCENE_FLAT;
-    struct painter painter = {.shade = is_flat ? PAINTER_FLAT : PAINTER_GOURAUD,
+    struct pel2d flat = {0};
+    const struct scene_options *s = &o->scene;
+    struct painter_texture texture = {.picture = {0}};
+    const bool textured =
+        s->source.texture && s->settings.texture != SCENE_TEXTURE_NONE;
+    const bool is_flat = s->settings.shade == SCENE_FLAT;
+    struct painter painter = {.texture = textured ? &texture : NULL,
+                              .shade = is_flat ? PAINTER_FLAT : PAINTER_GOURAUD,
                               .lines = o->lines};
     const struct drawing drawing = {o, NULL, &painter};
-    if (o->print_camera)
-        return message_error_at(o->scene.source.path, 0,
-                                "is projected already: --print-camera is for "
-                                "mesh files");
-    if (!check_pel2d(&o->scene) || !pel2d_load(&flat, o->scene.source.path))
-        return false;
-    const bool done = painter_init(&painter, &flat) && finish(&drawing);
+    const bool done = check_pel2d(o) && pel2d_load(&flat, s->source.path) &&
+                      (!textured || load_texture(&texture, s)) &&
+                      painter_init(&painter, &flat) && finish(&drawing);
     painter_free(&painter);
+    picture_free(&texture.picture);
     pel2d_free(&flat);
     return done;
 }

@@ -47,7 +47,9 @@ static const struct argp_option options[] = {
     {"texture", KEY_TEXTURE, "MODE", 0, "none, nearest or bilinear (default)",
      0},
     {"texture-file", KEY_TEXTURE_FILE, "FILE", 0,
-     "this picture instead of the mesh's own", 0},
+     "this picture instead of the mesh's own; of a pel2d file, instead of its "
+     "colours, with texels floor(u (W - 1)), floor(v (H - 1))",
+     0},
     {"mapping", KEY_MAPPING, "NAME", 0,
      "vertices (a texel for each), affine, subdivided, or perspective "
      "(default)",
@@ -182,8 +184,6 @@ static error_t parse(int key, char *text, struct argp_state *state)
     if (key < KEY_SHADE || key > KEY_WRAP)
         return ARGP_ERR_UNKNOWN;
     options_note(&o->given, options, key);
-    if (key != KEY_SHADE && key != KEY_NORMALS && key != KEY_TEXTURE_FILE)
-        o->has_mesh_option = true;
     while (choice->key && choice->key != key)
         choice++;
     const bool right =

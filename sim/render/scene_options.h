@@ -11,8 +11,6 @@
 struct scene_options {
     struct scene_settings settings;
     struct model_source source; /* the path is for the command to set */
-    bool has_mesh_option; /* any but those of the camera, of the source, and
-                             --shade: what only a drawn mesh has */
     struct options_given given; /* all of them, and the command's own */
 };
 

@@ -94,6 +94,37 @@ for shade in flat gouraud; do
         fail "$shade: the line is too wide or too long"
 done
 
+# A texture on a pel2d file: texel floor(u (W - 1)), floor(v (H - 1)), here texel
+# by pixel, nearest and bilinear, but for the last column and line.
+printf 'P3\n9 7\n255\n' >"$dir/texture.ppm"
+awk 'BEGIN { for (i = 0; i < 189; i++) print (i * 89 + i * i * 7) % 256 }' \
+    >>"$dir/texture.ppm"
+printf 'P3\n8 6\n255\n' >"$dir/part.ppm"
+sed 1,3d "$dir/texture.ppm" | paste - - - |
+    awk 'NR % 9 != 0 && NR <= 54' >>"$dir/part.ppm"
+cat >"$dir/square.pel2d" <<'EOF'
+pel2d 4 2
+0 0 9 9 9 0 0 0
+8 0 9 9 9 0 1 0
+8 6 9 9 9 0 1 1
+0 6 9 9 9 0 0 1
+0 1 2
+0 2 3
+EOF
+for texture in nearest bilinear; do
+    for options in "" "--bands 1" "--jobs 3 --shade flat"; do
+        "$PEL" render "$dir/square.pel2d" --size 8x6 $options -o "$dir/a.ppm" \
+            --texture-file "$dir/texture.ppm" --texture $texture
+        "$PEL" compare "$dir/a.ppm" "$dir/part.ppm" || fail "$texture $options"
+    done
+done
+sed 's/ 1 0$/ 2 0/; s/ 1 1$/ 2 1/' "$dir/square.pel2d" |
+    "$PEL" render - --size 8x6 --texture-file "$dir/texture.ppm" --wrap clamp \
+        --texture nearest -o "$dir/p.ppm"
+tail -c 144 "$dir/p.ppm" | od -An -tu1 -v -w3 | sed -n 5p | tr -s ' ' >"$dir/last"
+sed 1,3d "$dir/texture.ppm" | paste -d' ' - - - | sed -n 9p | sed 's/^/ /' |
+    cmp - "$dir/last" || fail "clamp: $(cat "$dir/last")"
+
 refuse() { # MESSAGE OPTIONS...
     expected=$1
     shift
@@ -131,11 +162,15 @@ printf 'property float y\nproperty float z\nend_header\n1 2 3\n' \
 refuse "$dir/point.ply: a mesh file without triangles" "$dir/point.ply"
 refuse "$dir/none.obj: cannot be read: No such file" "$dir/none.obj"
 refuse "$dir/none.png: cannot be read: No such file" $v --texture-file "$dir/none.png"
-refuse "$dir/vase.pel2d: is projected already" "$dir/vase.pel2d" --focal 20
-refuse "$dir/vase.pel2d: is projected already: --print-camera" \
-    "$dir/vase.pel2d" --print-camera
-refuse "$dir/vase.pel2d: has its colours already" "$dir/vase.pel2d" \
-    --texture-file "$dir/a.ppm"
+for option in "focal 20" "order zbuffer" "mapping affine" "normals-from smooth" \
+    print-camera; do
+    refuse "$dir/vase.pel2d: is projected and lit already: --${option%% *} is for" \
+        "$dir/vase.pel2d" --$option
+done
+refuse "$dir/vase.pel2d: names no texture" "$dir/vase.pel2d" --texture nearest
+sed 's/ 1 1$/ 1e6 1/' "$dir/square.pel2d" >"$dir/far.pel2d"
+refuse "vertex 2 lies at u v 1e+06 1; less than 2^23 texels away" \
+    "$dir/far.pel2d" --texture-file "$dir/c.ppm"
 echo "pel2d 1 1" >"$dir/short.pel2d"
 refuse "$dir/short.pel2d:2: the file ends here" "$dir/short.pel2d"
 
