@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "method.h"
-#include "sim/asset/import.h"
+#include "sim/mesh/quantize.h"
 
 static void *memory(size_t size)
 {
@@ -41,45 +41,26 @@ static void set_uv(struct bench_mesh *m, const struct mesh *from,
     m->mesh.uv = (void *)uv;
 }
 
-static void set_box(struct bench_mesh *m, const struct mesh *from)
-{
-    for (int k = 0; k < 3; k++) {
-        m->low[k] = m->high[k] = from->vertex[0].position[k];
-        for (uint32_t i = 1; i < from->vertices; i++) {
-            m->low[k] = fmin(m->low[k], from->vertex[i].position[k]);
-            m->high[k] = fmax(m->high[k], from->vertex[i].position[k]);
-        }
-    }
-}
-
 /* The largest side of the box becomes one unit, around (0, 0, 0). */
 static void fit(struct mesh *from)
 {
-    struct bench_mesh box;
-    double size = 0;
-    set_box(&box, from);
+    double low[3], high[3], size = 0;
+    mesh_box(from, low, high);
     for (int k = 0; k < 3; k++)
-        size = fmax(size, box.high[k] - box.low[k]);
+        size = fmax(size, high[k] - low[k]);
     for (uint32_t i = 0; i < from->vertices; i++)
         for (int k = 0; k < 3; k++)
             from->vertex[i].position[k] =
-                (from->vertex[i].position[k] - (box.low[k] + box.high[k]) / 2) /
+                (from->vertex[i].position[k] - (low[k] + high[k]) / 2) /
                 (size > 0 ? size : 1);
 }
 
 static void quantise(struct bench_mesh *m, const struct mesh *from)
 {
-    const struct import_points points = {from->vertex[0].position,
-                                         sizeof(struct mesh_vertex) /
-                                             sizeof(double),
-                                         from->vertices,
-                                         3,
-                                         true,
-                                         PEL_MESH_SHIFT_MAX};
     int16_t(*positions)[3] = memory(sizeof *positions * from->vertices);
     int8_t(*normals)[3] = memory(sizeof *normals * from->vertices);
     uint8_t(*colors)[3] = memory(sizeof *colors * from->vertices);
-    m->mesh.position = import_quantum(&points);
+    m->mesh.position = import_quantum(from, PEL_MESH_SHIFT_MAX);
     for (uint32_t i = 0; i < from->vertices; i++)
         for (int k = 0; k < 3; k++) {
             const struct mesh_vertex *v = &from->vertex[i];
@@ -97,7 +78,7 @@ static void convert(struct bench_mesh *m, struct mesh *from)
 {
     uint32_t(*indices)[3] = memory(sizeof *indices * from->triangles);
     fit(from);
-    set_box(m, from);
+    mesh_box(from, m->low, m->high);
     m->mesh = (struct pel_mesh){.vertices = from->vertices,
                                 .triangles = from->triangles};
     for (uint32_t i = 0; i < from->triangles; i++)

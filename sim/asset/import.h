@@ -2,7 +2,6 @@
 #ifndef SIM_ASSET_IMPORT_H
 #define SIM_ASSET_IMPORT_H
 
-#include "core/asset/mesh_asset.h"
 #include "core/base/format.h"
 #include "sim/mesh/mesh.h"
 #include "sim/cli/option_text.h"
@@ -46,21 +45,5 @@ bool import_check(const struct options_given *given, enum import_kind kind);
 
 /* Are these code points as --codes wants them? False, with a message. */
 bool import_codes_legal(const char *codes);
-
-/* Points of n axes, 2 or 3, `stride` doubles apart: the quantum for numbers of
- * 16 bits, signed ones around the middle of the points, unsigned ones from
- * their least coordinate. */
-struct import_points {
-    const double *first;
-    size_t stride, count;
-    int axes;
-    bool is_signed;
-    int shift_max; /* of the quantum */
-};
-struct pel_mesh_quantum import_quantum(const struct import_points *points);
-
-/* The nearest number of a coordinate. */
-long import_quantised(const struct pel_mesh_quantum *quantum, int axis,
-                      double value);
 
 #endif

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "core/scene/pipeline.h"
+#include "sim/mesh/quantize.h"
 #include "sim/asset/text.h"
 
 struct import {
@@ -131,16 +132,12 @@ static void write_figures(const struct import *import)
     const struct pel_mesh counts = {.vertices = mesh->vertices,
                                     .triangles = mesh->triangles};
     const struct pel_scene scene = {.mesh = &counts};
+    double low[3], high[3];
     fprintf(out, "\n/* %u vertices, %u triangles, in this box of units:\n",
             mesh->vertices, mesh->triangles);
-    for (int k = 0; k < 3; k++) {
-        double low = INFINITY, high = -INFINITY;
-        for (uint32_t i = 0; i < mesh->vertices; i++) {
-            low = fmin(low, mesh->vertex[i].position[k]);
-            high = fmax(high, mesh->vertex[i].position[k]);
-        }
-        fprintf(out, " *     %c %.6g to %.6g\n", 'x' + k, low, high);
-    }
+    mesh_box(mesh, low, high);
+    for (int k = 0; k < 3; k++)
+        fprintf(out, " *     %c %.6g to %.6g\n", 'x' + k, low[k], high[k]);
     fprintf(out,
             " * pel_scene_prepare takes %zu bytes of scratch memory at most, "
             "and 40 for\n * each light. */\n",
@@ -150,15 +147,8 @@ static void write_figures(const struct import *import)
 bool import_mesh(const struct import_options *options, const struct mesh *mesh)
 {
     struct import import = {.options = options, .mesh = mesh};
-    const size_t stride = sizeof(struct mesh_vertex) / sizeof(double);
-    const struct import_points positions = {
-        mesh->vertex[0].position, stride, mesh->vertices, 3, true,
-        PEL_MESH_SHIFT_MAX};
-    const struct import_points uv = {
-        mesh->vertex[0].uv, stride, mesh->vertices, 2, false,
-        PEL_MESH_SHIFT_MAX};
-    import.position = import_quantum(&positions);
-    import.texture = import_quantum(&uv);
+    import.position = import_quantum(mesh, PEL_MESH_SHIFT_MAX);
+    import.texture = import_quantum_uv(mesh);
     if (!import_text_open(&import.text, options, "mesh"))
         return false;
     write_figures(&import);

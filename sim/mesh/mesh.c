@@ -72,6 +72,18 @@ bool mesh_check(const struct mesh *mesh, const char *path)
     return check_vertices(mesh, path);
 }
 
+void mesh_box(const struct mesh *mesh, double low[3], double high[3])
+{
+    for (int k = 0; k < 3; k++) {
+        low[k] = INFINITY;
+        high[k] = -INFINITY;
+        for (uint32_t i = 0; i < mesh->vertices; i++) {
+            low[k] = fmin(low[k], mesh->vertex[i].position[k]);
+            high[k] = fmax(high[k], mesh->vertex[i].position[k]);
+        }
+    }
+}
+
 bool mesh_is_builtin(const char *path)
 {
     const char prefix[] = MESH_BUILTIN_PREFIX;

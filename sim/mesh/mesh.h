@@ -60,6 +60,9 @@ bool mesh_files_supported(void);
  * `path`, the triangle and its index, or the vertex. */
 bool mesh_check(const struct mesh *mesh, const char *path);
 
+/* The box around its vertices. */
+void mesh_box(const struct mesh *mesh, double low[3], double high[3]);
+
 /* Vertex normals: the mean of the faces, weighted by area. 0 where it has no
  * direction. Vertices at one place share theirs: a seam of the texture is no
  * edge of the mesh. False, with a message, when memory is short. */

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/asset/import.h"
+#include "sim/mesh/quantize.h"
 #include "sim/cli/message.h"
 #include "sim/image/texture.h"
 
@@ -20,18 +20,6 @@ struct arrays {
 static bool has_small_indices(const struct mesh *mesh)
 {
     return mesh->vertices <= 65536;
-}
-
-static void set_quanta(struct pel_mesh *to, const struct mesh *mesh)
-{
-    const size_t stride = sizeof(struct mesh_vertex) / sizeof(double);
-    const struct import_points positions = {
-        mesh->vertex[0].position, stride, mesh->vertices, 3, true, 64};
-    const struct import_points uv = {
-        mesh->vertex[0].uv, stride, mesh->vertices, 2, false,
-        PEL_MESH_SHIFT_MAX};
-    to->position = import_quantum(&positions);
-    to->texture = import_quantum(&uv);
 }
 
 static void set_vertex(const struct pel_mesh *to, const struct arrays *a,
@@ -89,19 +77,6 @@ static bool make_arrays(struct pel_mesh *to, struct arrays *a,
            (a->uv || !mesh->has_uv) && (a->indices16 || a->indices32);
 }
 
-static void set_box(struct model *model, const struct mesh *mesh)
-{
-    for (int k = 0; k < 3; k++) {
-        model->low[k] = INFINITY;
-        model->high[k] = -INFINITY;
-        for (uint32_t i = 0; i < mesh->vertices; i++) {
-            const double at = mesh->vertex[i].position[k];
-            model->low[k] = fmin(model->low[k], at);
-            model->high[k] = fmax(model->high[k], at);
-        }
-    }
-}
-
 bool model_make(struct model *model, const struct mesh *mesh)
 {
     struct arrays arrays;
@@ -115,8 +90,9 @@ bool model_make(struct model *model, const struct mesh *mesh)
     to->vertices = mesh->vertices;
     to->triangles = mesh->triangles;
     model->plain = !mesh->has_colors;
-    set_box(model, mesh);
-    set_quanta(to, mesh);
+    mesh_box(mesh, model->low, model->high);
+    to->position = import_quantum(mesh, 64);
+    to->texture = import_quantum_uv(mesh);
     for (uint32_t i = 0; i < mesh->vertices; i++)
         set_vertex(to, &arrays, &mesh->vertex[i], i);
     for (uint32_t i = 0; i < mesh->triangles; i++)

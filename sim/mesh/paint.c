@@ -2,8 +2,7 @@
 
 #include <math.h>
 
-#include "core/scene/mesh.h"
-#include "sim/asset/import.h"
+#include "sim/mesh/quantize.h"
 #include "sim/cli/message.h"
 #include "sim/image/texture.h"
 
@@ -11,14 +10,7 @@
  * finds the same texel. */
 static void sample(struct mesh *mesh, const struct picture *texture)
 {
-    const struct import_points points = {mesh->vertex[0].uv,
-                                         sizeof(struct mesh_vertex) /
-                                             sizeof(double),
-                                         mesh->vertices,
-                                         2,
-                                         false,
-                                         PEL_MESH_SHIFT_MAX};
-    const struct pel_mesh_quantum q = import_quantum(&points);
+    const struct pel_mesh_quantum q = import_quantum_uv(mesh);
     for (uint32_t i = 0; i < mesh->vertices; i++) {
         struct mesh_vertex *v = &mesh->vertex[i];
         double at[2];

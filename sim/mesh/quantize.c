@@ -1,6 +1,8 @@
-#include "sim/asset/import.h"
+#include "sim/mesh/quantize.h"
 
 #include <math.h>
+
+#include "core/scene/mesh.h"
 
 /* One less than what the numbers hold, for the rounding of the offset. */
 #define NUMBERS_EACH_SIDE 32766
@@ -11,22 +13,6 @@ struct extent {
     double origin[3]; /* the middle, or the least */
     double half;      /* of the longest axis */
 };
-
-static struct extent extent_of(const struct import_points *points)
-{
-    struct extent e = {{0}, 0};
-    for (int k = 0; k < points->axes; k++) {
-        double low = INFINITY, high = -INFINITY;
-        for (size_t i = 0; i < points->count; i++) {
-            double value = points->first[i * points->stride + (size_t)k];
-            low = fmin(low, value);
-            high = fmax(high, value);
-        }
-        e.half = fmax(e.half, (high - low) / 2);
-        e.origin[k] = points->is_signed ? (low + high) / 2 : low;
-    }
-    return e;
-}
 
 /* The largest shift for which step and offsets are legal: of the mesh's own
  * size it leaves at least 13 bits in the step, unless the mesh is far from the
@@ -40,19 +26,44 @@ static bool fits(const struct extent *e, int shift, double *step)
     return legal;
 }
 
-struct pel_mesh_quantum import_quantum(const struct import_points *points)
+static struct pel_mesh_quantum quantum_of(const struct extent *e, int shift)
 {
     struct pel_mesh_quantum quantum;
-    struct extent e = extent_of(points);
     double step = 1;
-    int shift = points->shift_max;
-    while (shift > -64 && !fits(&e, shift, &step))
+    while (shift > -64 && !fits(e, shift, &step))
         shift--;
     for (int k = 0; k < 3; k++)
-        quantum.offset[k] = (int32_t)lround(ldexp(e.origin[k], shift));
+        quantum.offset[k] = (int32_t)lround(ldexp(e->origin[k], shift));
     quantum.step = (int32_t)step;
     quantum.shift = shift;
     return quantum;
+}
+
+struct pel_mesh_quantum import_quantum(const struct mesh *mesh, int shift_max)
+{
+    struct extent e = {{0}, 0};
+    double low[3], high[3];
+    mesh_box(mesh, low, high);
+    for (int k = 0; k < 3; k++) {
+        e.half = fmax(e.half, (high[k] - low[k]) / 2);
+        e.origin[k] = (low[k] + high[k]) / 2;
+    }
+    return quantum_of(&e, shift_max);
+}
+
+struct pel_mesh_quantum import_quantum_uv(const struct mesh *mesh)
+{
+    struct extent e = {{0}, 0};
+    for (int k = 0; k < 2; k++) {
+        double high = -INFINITY;
+        e.origin[k] = INFINITY;
+        for (uint32_t i = 0; i < mesh->vertices; i++) {
+            e.origin[k] = fmin(e.origin[k], mesh->vertex[i].uv[k]);
+            high = fmax(high, mesh->vertex[i].uv[k]);
+        }
+        e.half = fmax(e.half, (high - e.origin[k]) / 2);
+    }
+    return quantum_of(&e, PEL_MESH_SHIFT_MAX);
 }
 
 long import_quantised(const struct pel_mesh_quantum *quantum, int axis,
