@@ -4,13 +4,12 @@
 
 #include "clip.h"
 #include "depth.h"
-#include "depth_sort.h"
 #include "paint_perspective.h"
 #include "paint_phong.h"
+#include "scene.h"
 
 PEL_BEGIN_DECLS
 
-struct pel_scene;
 struct pel_frame;
 
 struct pel_frame_vertex {

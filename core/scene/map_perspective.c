@@ -1,4 +1,4 @@
-#include "pipeline.h"
+#include "mapping.h"
 
 static const struct pel_color_paint *surface(struct pel_frame *frame)
 {

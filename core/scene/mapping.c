@@ -1,7 +1,5 @@
 #include "mapping.h"
 
-#include "pipeline.h"
-
 /* The numerator times the texels of a side is below 2^46. */
 int64_t pel_mapping_place(const struct pel_frame *frame, uint32_t vertex, int k)
 {

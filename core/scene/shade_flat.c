@@ -1,4 +1,5 @@
-#include "pipeline.h"
+#include "mapping.h"
+#include "shading.h"
 
 /* The mean, rounded, of each channel: 43,691 / 2^18 is 1/6, and right where the
  * product fits. */

@@ -1,4 +1,5 @@
-#include "pipeline.h"
+#include "mapping.h"
+#include "shading.h"
 
 const struct pel_paint *pel_shade_gouraud_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface)

@@ -1,4 +1,4 @@
-#include "pipeline.h"
+#include "shading.h"
 
 enum pel_status pel_shade_start_light(struct pel_frame *frame)
 {

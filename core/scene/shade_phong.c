@@ -1,4 +1,4 @@
-#include "pipeline.h"
+#include "shading.h"
 
 static const struct pel_paint *paint(struct pel_frame *frame,
                                      const struct pel_color_paint *surface)

@@ -1,0 +1,51 @@
+/* What a picture is made of: a mesh, a camera, light, a look. It is drawn by
+ * pipeline.h. */
+#ifndef PEL_SCENE_SCENE_H
+#define PEL_SCENE_SCENE_H
+
+#include "../base/color.h"
+#include "depth_sort.h"
+#include "projector.h"
+
+PEL_BEGIN_DECLS
+
+struct pel_lighting;
+struct pel_mesh_texture;
+struct pel_shading;
+
+/* Which sides of a triangle are drawn; the front one shows its vertices
+ * counter-clockwise. */
+enum pel_cull { PEL_CULL_NONE, PEL_CULL_BACK, PEL_CULL_FRONT };
+
+/* Of a triangle with that area (pel_triangle_area). */
+static inline bool pel_side_drawn(enum pel_cull cull, int64_t area)
+{
+    return cull == PEL_CULL_NONE   ? area != 0
+           : cull == PEL_CULL_BACK ? area < 0
+                                   : area > 0;
+}
+
+/* All of it is the caller's, and stays while frames of it are drawn. */
+struct pel_scene {
+    const struct pel_mesh *mesh;
+    const struct pel_pose *pose; /* NULL: world places are those of the mesh */
+    struct pel_camera camera;
+    struct pel_rect viewport; /* px; nothing is drawn outside */
+
+    const struct pel_shading *shading;   /* shading.h */
+    const struct pel_lighting *lighting; /* light.h; for shadings with light */
+    const struct pel_mesh_texture *texture; /* mapping.h; NULL: no texture */
+    pel_color color;      /* of a mesh without colours; alpha is not used */
+    uint8_t transparency; /* 0: opaque; 255: nothing is drawn */
+
+    enum pel_cull cull;
+
+    /* Painter's order, from the farthest to the nearest: by the exact sum of
+     * the depths of three vertices, equal ones by index. NULL: the order of the
+     * mesh, for depth buffers. */
+    void (*sort)(struct pel_depth_entry *entry, uint32_t n);
+};
+
+PEL_END_DECLS
+
+#endif
