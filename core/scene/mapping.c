@@ -10,8 +10,8 @@ int64_t pel_mapping_place(const struct pel_frame *frame, uint32_t vertex, int k)
     return pel_scale_down(v, mesh->texture.shift - 16);
 }
 
-/* Differences are below 2^39; of more than 30 bits, the first ones are mixed.
- */
+/* Differences are below 2^38; what does not fit 32 bits is mixed without its
+ * last 8. */
 void pel_mapping_corners(const struct pel_frame *frame,
                          struct pel_texture_corner corner[3])
 {
@@ -19,10 +19,13 @@ void pel_mapping_corners(const struct pel_frame *frame,
     for (int k = 0; k < 2; k++) {
         const int64_t first = pel_mapping_place(frame, t->vertex[0], k);
         int64_t way[3];
+        int cut = 0;
         int32_t value[3], at[3];
-        for (int i = 0; i < 3; i++)
+        for (int i = 0; i < 3; i++) {
             way[i] = pel_mapping_place(frame, t->vertex[i], k) - first;
-        const int cut = pel_max(pel_bits_of(pel_reach_of(way)) - 30, 0);
+            if (way[i] != (int32_t)way[i])
+                cut = 8;
+        }
         for (int i = 0; i < 3; i++)
             value[i] = (int32_t)(way[i] >> cut);
         pel_corners_mix(t, value, at);
