@@ -2,26 +2,42 @@
 
 #if !PEL_FAST_64BIT || !defined(__GNUC__)
 
+/* The quotient comes into n where its bits go out. */
+uint64_t pel_long_divide(uint64_t n, uint64_t d, int bits, uint64_t *rest)
+{
+    uint64_t left = *rest;
+    for (; bits > 0; bits--) {
+        left = left * 2 + (n >> 63);
+        n <<= 1;
+        if (left >= d) {
+            left -= d;
+            n |= 1;
+        }
+    }
+    *rest = left;
+    return n;
+}
+
+/* Of n < 0, all bits turned round are divided and turned back. */
 void pel_fraction_start(struct pel_fraction *f, int64_t n, int64_t d)
 {
+    uint64_t rest = 0;
     f->d = d;
-    f->quotient = (uint64_t)(n / d);
-    f->rest = n % d;
-    if (f->rest < 0) {
-        f->rest += d;
-        f->quotient--;
+    f->quotient =
+        pel_long_divide((uint64_t)(n < 0 ? ~n : n), (uint64_t)d, 64, &rest);
+    f->rest = (int64_t)rest;
+    if (n < 0) {
+        f->quotient = ~f->quotient;
+        f->rest = d - 1 - f->rest;
     }
 }
 
-/* A rest below 2^51 and a digit of 12 bits fit 63 bits. */
 void pel_fraction_more(struct pel_fraction *f, int bits)
 {
-    for (int digit; bits > 0; bits -= digit) {
-        digit = bits < 12 ? bits : 12;
-        f->rest *= (int64_t)1 << digit;
-        f->quotient = (f->quotient << digit) + (uint64_t)(f->rest / f->d);
-        f->rest %= f->d;
-    }
+    uint64_t rest = (uint64_t)f->rest;
+    f->quotient =
+        (f->quotient << bits) + pel_long_divide(0, (uint64_t)f->d, bits, &rest);
+    f->rest = (int64_t)rest;
 }
 
 #endif

@@ -46,6 +46,12 @@ static inline void pel_fraction_more(struct pel_fraction *f, int bits)
 void pel_fraction_start(struct pel_fraction *f, int64_t n, int64_t d);
 void pel_fraction_more(struct pel_fraction *f, int bits);
 
+/* The next `bits` bits of a quotient, modulo 2^64: of n from its upper
+ * end, and zeros behind it, after a rest below d, which it changes. What is
+ * left of n is 0. Bit by bit, in less code than the compiler's division. d <
+ * 2^63. */
+uint64_t pel_long_divide(uint64_t n, uint64_t d, int bits, uint64_t *rest);
+
 #endif
 
 /* floor(n / d 2^bits) modulo 2^64. */

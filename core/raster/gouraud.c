@@ -1,5 +1,7 @@
 #include "gouraud.h"
 
+#include "../base/divide.h"
+#include "../base/fraction.h"
 #include "triangle_sort.h"
 
 /* The plane of channel values a, b, c at A, B, C is, in sub-pixels,
@@ -42,35 +44,16 @@ static bool reciprocal_is_enough(const struct setup *s)
     return longer <= 1048576 && area >= (int64_t)16 * longer;
 }
 
-/* floor(n 2^32 / d) modulo 2^64, 0 <= n < 2^34, 0 < d < 2^50. The remainder
- * times a digit of 1 or 8 bits fits 2^58. */
-#if PEL_FAST_64BIT
+/* floor(n 2^32 / d) modulo 2^64, 0 <= n < 2^34, 0 < d < 2^50. */
 static gradient divide(uint64_t n, uint64_t d)
 {
-    uint64_t q = n / d, rest = n % d;
-    for (int digit = 0; digit < 4; digit++) {
-        rest *= 256;
-        q = q * 256 + rest / d;
-        rest %= d;
-    }
-    return q;
-}
+#if PEL_FAST_64BIT && defined(__GNUC__)
+    return pel_fraction_of((int64_t)n, (int64_t)d, 32);
 #else
-static PEL_NOINLINE gradient divide(uint64_t n, uint64_t d)
-{
-    uint64_t q = 0, rest = 0;
-    n <<= 30;
-    for (int bit = 0; bit < 66; bit++, n <<= 1) {
-        rest = rest * 2 + (n >> 63);
-        q *= 2;
-        if (rest >= d) {
-            rest -= d;
-            q++;
-        }
-    }
-    return q;
-}
+    uint64_t rest = 0;
+    return pel_long_divide(n << 30, d, 66, &rest);
 #endif
+}
 
 #if PEL_FAST_64BIT && defined(__GNUC__)
 static int64_t with_sign_of(int64_t area, int64_t v)
