@@ -74,12 +74,6 @@ static void set_flat(struct pel_texture_map *map, struct pel_texel_point t)
     map->v = (struct pel_texture_plane){(uint64_t)(int64_t)t.v << 24, 0, 0};
 }
 
-static int64_t area_of(const struct setup *s)
-{
-    return (int64_t)(s->b->x - s->a->x) * (s->c->y - s->a->y) -
-           (int64_t)(s->c->x - s->a->x) * (s->b->y - s->a->y);
-}
-
 enum pel_status pel_texture_map_triangle(struct pel_texture_map *map,
                                          const struct pel_point v[3],
                                          const struct pel_texel_point t[3])
@@ -88,22 +82,16 @@ enum pel_status pel_texture_map_triangle(struct pel_texture_map *map,
         return PEL_ERROR_NULL;
     if (!pel_points_legal(v, 3))
         return PEL_ERROR_RANGE;
-    int a = pel_above(&v[1], &v[0]);
-    a = pel_above(&v[2], &v[a]) ? 2 : a;
-    int b = a < 2 ? a + 1 : 0, c = a > 0 ? a - 1 : 2;
-    struct setup s = {&v[a], &v[b], &v[c], 0};
-    s.area = area_of(&s);
-    if (s.area == 0) {
+    const int64_t area = pel_area_of(v);
+    const int a = pel_topmost(v), next = a < 2 ? a + 1 : 0;
+    const int b = area < 0 ? 3 - a - next : next, c = 3 - a - b;
+    const struct setup s = {&v[a], &v[b], &v[c], area < 0 ? -area : area};
+    const int32_t u[3] = {t[a].u, t[b].u, t[c].u};
+    const int32_t w[3] = {t[a].v, t[b].v, t[c].v};
+    if (area == 0) {
         set_flat(map, t[a]);
         return PEL_OK;
     }
-    const int left = s.area < 0 ? c : b;
-    c ^= b ^ left;
-    s.b = &v[left];
-    s.c = &v[c];
-    s.area = s.area < 0 ? -s.area : s.area;
-    const int32_t u[3] = {t[a].u, t[left].u, t[c].u};
-    const int32_t w[3] = {t[a].v, t[left].v, t[c].v};
     map->u = plane_of(&s, u);
     map->v = plane_of(&s, w);
     return PEL_OK;

@@ -128,22 +128,6 @@ static PEL_WIDE void set_channel(struct pel_gouraud *p, const struct setup *s,
                (uint32_t)x * p->dx[k] - (uint32_t)y * p->dy[k];
 }
 
-#if PEL_FAST_64BIT
-static int topmost(const struct pel_point v[3])
-{
-    const int64_t a = pel_point_key(&v[0]), b = pel_point_key(&v[1]),
-                  c = pel_point_key(&v[2]);
-    const int second = b < a, third = c < (b < a ? b : a);
-    return (second & ~third) + 2 * third;
-}
-#else
-static int topmost(const struct pel_point v[3])
-{
-    int i = pel_above(&v[1], &v[0]) ? 1 : 0;
-    return pel_above(&v[2], &v[i]) ? 2 : i;
-}
-#endif
-
 static void set_geometry(struct setup *s)
 {
     s->area = (int64_t)(s->b.x - s->a.x) * (s->c.y - s->a.y) -
@@ -161,7 +145,7 @@ enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
         return PEL_ERROR_NULL;
     if (!pel_points_legal(v, 3))
         return PEL_ERROR_RANGE;
-    const int a = topmost(v), b = a == 0, last = 3 - a - b;
+    const int a = pel_topmost(v), b = a == 0, last = 3 - a - b;
     struct setup s = {.a = v[a], .b = v[b], .c = v[last]};
     const bool opaque = pel_alpha(c[0] & c[1] & c[2]) == 255;
     paint->paint =

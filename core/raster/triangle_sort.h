@@ -52,6 +52,31 @@ static inline int64_t pel_point_key(const struct pel_point *p)
     return p->y * INT64_C(4294967296) + (int64_t)((uint32_t)p->x ^ 0x80000000u);
 }
 
+/* Which vertex is the topmost, of equally high ones the left one: planes of
+ * values over a triangle are anchored there. */
+#if PEL_FAST_64BIT
+static inline int pel_topmost(const struct pel_point v[3])
+{
+    const int64_t a = pel_point_key(&v[0]), b = pel_point_key(&v[1]),
+                  c = pel_point_key(&v[2]);
+    const int second = b < a, third = c < (b < a ? b : a);
+    return (second & ~third) + 2 * third;
+}
+#else
+static inline int pel_topmost(const struct pel_point v[3])
+{
+    const int i = pel_above(&v[1], &v[0]) ? 1 : 0;
+    return pel_above(&v[2], &v[i]) ? 2 : i;
+}
+#endif
+
+/* pel_triangle_area of legal vertices. */
+static inline int64_t pel_area_of(const struct pel_point v[3])
+{
+    return pel_product(v[1].x - v[0].x, v[2].y - v[0].y) -
+           pel_product(v[2].x - v[0].x, v[1].y - v[0].y);
+}
+
 static inline void pel_sort3(const struct pel_point *p[3])
 {
     for (int i = 0; i < 3; i++)

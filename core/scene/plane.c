@@ -125,9 +125,7 @@ bool pel_plane_start(struct pel_plane_setup *setup, const struct pel_point v[3])
 {
     struct pel_plane_setup *s = setup;
     const int64_t area = pel_triangle_area(v);
-    int a = pel_above(&v[1], &v[0]) ? 1 : 0;
-    a = pel_above(&v[2], &v[a]) ? 2 : a;
-    const int b = a == 2 ? 0 : a + 1;
+    const int a = pel_topmost(v), b = a == 2 ? 0 : a + 1;
     s->first = (uint8_t)a;
     s->second = (uint8_t)(area < 0 ? 3 - a - b : b);
     s->third = (uint8_t)(area < 0 ? b : 3 - a - b);
