@@ -1,0 +1,316 @@
+/* What a pixel costs in every paint, copy and shading on four formats: rows of
+ * 192 px less rows of 64, in a band of a screen of 240 x 320; and, on rgb565,
+ * what setting up and drawing 8 x 8 px costs. */
+#include <stdio.h>
+
+#include "bench/mcu/report.h"
+#include "bench/mcu/stopwatch.h"
+#include "core/format/argb8888.h"
+#include "core/pel.h"
+
+enum {
+    LEFT = 24,
+    TOP = 120,
+    LONG = 192,
+    SHORT = 64,
+    ROWS = 8,
+    SMALL = 8, /* px a side */
+    SIDE = 256 /* of the picture, texels */
+};
+
+static uint32_t band_memory[LONG * ROWS], picture_memory[SIDE * SIDE];
+static struct pel_surface band, picture, sprite;
+
+static const struct pel_point middle = PEL_AT(120, 160);
+static const struct pel_point corners[4] = {PEL_AT(0, 0), PEL_AT(240, 0),
+                                            PEL_AT(240, 320), PEL_AT(0, 320)};
+static const struct pel_point around[3] = {PEL_AT(-300, -10), PEL_AT(540, -10),
+                                           PEL_AT(120, 700)};
+static const pel_color colors[4] = {PEL_RGB(250, 40, 20), PEL_RGB(20, 60, 240),
+                                    PEL_RGB(40, 200, 90),
+                                    PEL_RGB(230, 220, 40)};
+static const struct pel_ramp ramp = {colors, 2, PEL_PAD};
+
+static union {
+    struct pel_paint paint; /* the first member of all */
+    struct pel_flat flat;
+    struct pel_linear linear;
+    struct pel_radial radial;
+    struct pel_conic conic;
+    struct pel_hue_wheel hue;
+    struct pel_fan fan;
+    struct pel_gouraud gouraud;
+    struct pel_texture texture;
+} source;
+static struct pel_dither dither;
+static const struct pel_paint *paint;
+
+static int make_flat(void)
+{
+    source.flat = (struct pel_flat)PEL_FLAT(PEL_RGB(255, 128, 0));
+    return 0;
+}
+
+static int make_alpha(void)
+{
+    source.flat = (struct pel_flat)PEL_FLAT(PEL_RGBA(255, 128, 0, 128));
+    return 0;
+}
+
+static int make_vertical(void)
+{
+    return pel_linear_init(&source.linear, corners[0], corners[3], &ramp);
+}
+
+static int make_horizontal(void)
+{
+    return pel_linear_init(&source.linear, corners[0], corners[1], &ramp);
+}
+
+static int make_sloped(void)
+{
+    return pel_linear_init(&source.linear, corners[0], corners[2], &ramp);
+}
+
+static int make_radial(void)
+{
+    const struct pel_rings rings = {middle, PEL_PX(200), 0};
+    return pel_radial_init(&source.radial, &rings, &ramp);
+}
+
+static int make_conic(void)
+{
+    return pel_conic_init(&source.conic, middle, 0, &ramp);
+}
+
+static int make_hue(void)
+{
+    return pel_hue_wheel_init(&source.hue, middle, 0, 255, 255);
+}
+
+static int make_fan(void)
+{
+    static struct pel_fan_wedge wedges[4];
+    const struct pel_fan_points points = {middle, PEL_RGB(255, 255, 255),
+                                          corners, colors, 4};
+    return pel_fan_init(&source.fan, &points, wedges);
+}
+
+static int make_gouraud(void)
+{
+    return pel_gouraud_init(&source.gouraud, around, colors);
+}
+
+/* A step of 0.95 texels to the right and 0.24 down for a pixel to the right. */
+static const struct pel_texels texels = {.surface = &picture};
+static const struct pel_texture_map turned = {
+    {UINT64_C(20) << 32, 4080218931, 0 - UINT64_C(1030792151)},
+    {UINT64_C(20) << 32, 1030792151, 4080218931}};
+
+static int make_nearest(void)
+{
+    return pel_texture_init_nearest(&source.texture, &texels, &turned);
+}
+
+static int make_bilinear(void)
+{
+    return pel_texture_init_bilinear(&source.texture, &texels, &turned);
+}
+
+static void draw_paint(int32_t width, int32_t rows)
+{
+    const struct pel_point from = PEL_AT(LEFT, TOP);
+    const struct pel_point to = PEL_AT(LEFT + width, TOP + rows);
+    pel_rectangle(&band, from, to, paint);
+}
+
+static void draw_copy(int32_t width, int32_t rows)
+{
+    pel_copy(&band,
+             &(struct pel_copy_part){&picture, {0, 0, width, rows}, LEFT, TOP});
+}
+
+static void draw_keyed(int32_t width, int32_t rows)
+{
+    pel_copy_keyed(
+        &band,
+        &(struct pel_copy_part){&picture, {0, 0, width, rows}, LEFT, TOP},
+        PEL_RGB(0, 0, 0));
+}
+
+static void draw_copy_alpha(int32_t width, int32_t rows)
+{
+    pel_copy_alpha(
+        &band, &(struct pel_copy_part){&sprite, {0, 0, width, rows}, LEFT, TOP},
+        255);
+}
+
+/* Letters of 8 x 8 px, in the colour of make_flat. */
+static void draw_text(int32_t width, int32_t rows)
+{
+    static const char string[] = "AAAAAAAAAAAAAAAAAAAAAAAA";
+    static const struct pel_font_range range = {'A', 1, 0};
+    static const struct pel_font_glyph glyph = {0, 8, 8, 0, 7, 8};
+    static const uint8_t bits[8] = {0x18, 0x24, 0x24, 0x42, 0x7e, 0x42, 0x42};
+    static const struct pel_font_asset font = {
+        PEL_FONT_MAGIC, PEL_FONT_VERSION, 7,   1, 1, 1, PEL_FONT_NONE, 8,
+        &range,         &glyph,           bits};
+    (void)rows;
+    pel_text(
+        &band,
+        &(struct pel_text_block){&font, string + (LONG - width) / 8, LEFT, TOP},
+        paint);
+}
+
+/* A mesh of one triangle, larger than the screen, under one light. */
+static const int16_t positions[3][3] = {
+    {-900, -700, 0}, {900, -700, 0}, {0, 900, 0}};
+static const int8_t normals[3][3] = {
+    {-60, -60, 94}, {60, -60, 94}, {0, 85, 94}};
+static const uint8_t indices[1][3] = {{0, 1, 2}};
+static const struct pel_mesh mesh = {.vertices = 3,
+                                     .triangles = 1,
+                                     .position = {{0, 0, 0}, 1, 8},
+                                     .positions = positions,
+                                     .normals8 = normals,
+                                     .indices8 = indices};
+static const struct pel_light light = {
+    .at = {PEL_UNITS(1), PEL_UNITS(2), PEL_UNITS(3)},
+    .color = {65536, 65536, 65536}};
+static const struct pel_lighting lighting = {
+    .light = &light,
+    .lights = 1,
+    .ambient_color = {65536, 65536, 65536},
+    .ambient = PEL_FACTOR(20),
+    .diffuse = PEL_FACTOR(70),
+    .specular = PEL_FACTOR(30),
+    .shininess = 20};
+static struct pel_scene scene = {.mesh = &mesh,
+                                 .camera = {.eye = {0, 0, PEL_UNITS(3)},
+                                            .up = {0, 1, 0},
+                                            .near = PEL_UNITS(1) / 16,
+                                            .focal = 50,
+                                            .sensor = {30, 40}},
+                                 .viewport = {0, 0, 240, 320},
+                                 .lighting = &lighting,
+                                 .color = PEL_RGB(200, 180, 90)};
+static struct pel_frame frame;
+
+static int make_scene(const struct pel_shading *shading)
+{
+    static uint64_t scratch[250];
+    scene.shading = shading;
+    return pel_scene_prepare(&frame, &scene, scratch, sizeof scratch);
+}
+
+static int make_mesh_flat(void)
+{
+    return make_scene(&pel_shade_lit_flat);
+}
+
+static int make_mesh_gouraud(void)
+{
+    return make_scene(&pel_shade_lit_gouraud);
+}
+
+static int make_mesh_phong(void)
+{
+    return make_scene(&pel_shade_phong);
+}
+
+static void draw_mesh(int32_t width, int32_t rows)
+{
+    struct pel_surface part = band;
+    pel_surface_clip(&part,
+                     &(struct pel_rect){LEFT, TOP, LEFT + width, TOP + rows});
+    pel_scene_draw(&frame, &part);
+}
+
+static const struct {
+    const char *name;
+    int (*make)(void); /* 0: done */
+    void (*draw)(int32_t width, int32_t rows);
+    bool dithered;
+} cases[] = {
+    {"flat", make_flat, draw_paint, false},
+    {"alpha", make_alpha, draw_paint, false},
+    {"linear-vertical", make_vertical, draw_paint, false},
+    {"linear-horizontal", make_horizontal, draw_paint, false},
+    {"linear-sloped", make_sloped, draw_paint, false},
+    {"radial", make_radial, draw_paint, false},
+    {"conic", make_conic, draw_paint, false},
+    {"hue", make_hue, draw_paint, false},
+    {"fan", make_fan, draw_paint, false},
+    {"gouraud", make_gouraud, draw_paint, false},
+    {"nearest", make_nearest, draw_paint, false},
+    {"bilinear", make_bilinear, draw_paint, false},
+    {"dithered-flat", make_flat, draw_paint, true},
+    {"dithered-linear", make_sloped, draw_paint, true},
+    {"dithered-gouraud", make_gouraud, draw_paint, true},
+    {"dithered-nearest", make_nearest, draw_paint, true},
+    {"copy", make_flat, draw_copy, false},
+    {"copy-keyed", make_flat, draw_keyed, false},
+    {"copy-alpha", make_flat, draw_copy_alpha, false},
+    {"text", make_flat, draw_text, false},
+    {"mesh-flat", make_mesh_flat, draw_mesh, false},
+    {"mesh-gouraud", make_mesh_gouraud, draw_mesh, false},
+    {"mesh-phong", make_mesh_phong, draw_mesh, false},
+};
+
+static int32_t draw_time(int i, int32_t width, int32_t rows)
+{
+    const uint32_t from = stopwatch_read();
+    cases[i].draw(width, rows);
+    return stopwatch_eighths(from, stopwatch_read());
+}
+
+static void make(int i)
+{
+    if (cases[i].make())
+        printf("%s refused\n", cases[i].name);
+    pel_dither_init(&dither, &source.paint);
+    paint = cases[i].dithered ? &dither.paint : &source.paint;
+}
+
+static void case_report(int i, const char *format)
+{
+    char name[40];
+    snprintf(name, sizeof name, "%s/%s", format, cases[i].name);
+    const uint32_t from = stopwatch_read();
+    make(i);
+    const int32_t init = stopwatch_eighths(from, stopwatch_read());
+    report(name, LONG - SHORT,
+           draw_time(i, LONG, ROWS) - draw_time(i, SHORT, ROWS),
+           (LONG - SHORT) * ROWS);
+    if (band.format == &pel_rgb565_le)
+        report(name, SMALL, init + draw_time(i, SMALL, SMALL), 1);
+}
+
+/* The picture has stripes of noise and of zeros, 16 bytes each: what a key
+ * leaves out, and transparent in the sprite, which is the same memory. */
+static void format_begin(const struct pel_format *format)
+{
+    const struct pel_rect bounds = {LEFT, TOP, LEFT + LONG, TOP + ROWS};
+    for (uint32_t i = 0; i < SIDE * SIDE; i++)
+        picture_memory[i] = i / 4 & 1 ? i * 2654435761u : 0;
+    pel_surface_init_rect(&band, format, band_memory, pel_stride(format, LONG),
+                          &bounds);
+    pel_surface_init(&picture, format, picture_memory, SIDE, SIDE);
+    pel_surface_init(&sprite, &pel_argb8888, picture_memory, SIDE, SIDE);
+}
+
+void matrix_report(void)
+{
+    static const struct {
+        const char *name;
+        const struct pel_format *format;
+    } formats[] = {{"rgb565", &pel_rgb565_le},
+                   {"xrgb8888", &pel_xrgb8888},
+                   {"gray8", &pel_gray8},
+                   {"mono1", &pel_mono1}};
+    for (unsigned k = 0; k < sizeof formats / sizeof *formats; k++) {
+        format_begin(formats[k].format);
+        for (int i = 0; i < (int)(sizeof cases / sizeof *cases); i++)
+            case_report(i, formats[k].name);
+    }
+}
