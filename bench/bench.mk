@@ -41,9 +41,9 @@ endef
 $(eval $(call bench_compiler,gcc,$(BENCH_GCC),gcc))
 $(eval $(call bench_compiler,clang,$(BENCH_CLANG),clang))
 
-BENCH_SOURCES := $(addprefix bench/, bench.c budget.c canvas.c coverage.c \
+BENCH_SOURCES := $(addprefix bench/, bench.c canvas.c coverage.c \
     measure.c method_floor.c method_memset.c methods.c report_csv.c report_table.c \
-    report_verdict.c scale.c timing.c workload.c workload_circle.c workload_polygon.c \
+    report_verdict.c timing.c workload.c workload_circle.c workload_polygon.c \
     workload_triangle.c)
 BENCH_METHODS += method_memset method_floor
 
@@ -61,7 +61,7 @@ endef
 $(eval $(call bench_peer,allegro,allegro,liballegro4-dev))
 $(eval $(call bench_peer,sdl2,sdl2,libsdl2-dev))
 $(eval $(call bench_peer,cairo,cairo,libcairo2-dev))
-
+$(eval $(call bench_peer,osmesa,osmesa,libosmesa6-dev))
 
 # Qt has no C interface: one C++ file.
 ifeq ($(shell pkg-config --exists Qt5Gui && command -v $(CXX) >/dev/null && echo yes),yes)

@@ -3,6 +3,7 @@
  * what setting up and drawing 8 x 8 px costs. */
 #include <stdio.h>
 
+#include "bench/letters.h"
 #include "bench/mcu/report.h"
 #include "bench/mcu/stopwatch.h"
 #include "core/format/argb8888.h"
@@ -148,18 +149,11 @@ static void draw_copy_alpha(int32_t width, int32_t rows)
 /* Letters of 8 x 8 px, in the colour of make_flat. */
 static void draw_text(int32_t width, int32_t rows)
 {
-    static const char string[] = "AAAAAAAAAAAAAAAAAAAAAAAA";
-    static const struct pel_font_range range = {'A', 1, 0};
-    static const struct pel_font_glyph glyph = {0, 8, 8, 0, 7, 8};
-    static const uint8_t bits[8] = {0x18, 0x24, 0x24, 0x42, 0x7e, 0x42, 0x42};
-    static const struct pel_font_asset font = {
-        PEL_FONT_MAGIC, PEL_FONT_VERSION, 7,   1, 1, 1, PEL_FONT_NONE, 8,
-        &range,         &glyph,           bits};
     (void)rows;
-    pel_text(
-        &band,
-        &(struct pel_text_block){&font, string + (LONG - width) / 8, LEFT, TOP},
-        paint);
+    pel_text(&band,
+             &(struct pel_text_block){
+                 &letters, letters_line + (LONG - width) / 8, LEFT, TOP},
+             paint);
 }
 
 /* A mesh of one triangle, larger than the screen, under one light. */
