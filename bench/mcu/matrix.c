@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "bench/letters.h"
+#include "bench/lighting.h"
 #include "bench/mcu/report.h"
 #include "bench/mcu/stopwatch.h"
 #include "core/format/argb8888.h"
@@ -22,7 +23,6 @@ enum {
 static uint32_t band_memory[LONG * ROWS], picture_memory[SIDE * SIDE];
 static struct pel_surface band, picture, sprite;
 
-static const struct pel_point middle = PEL_AT(120, 160);
 static const struct pel_point corners[4] = {PEL_AT(0, 0), PEL_AT(240, 0),
                                             PEL_AT(240, 320), PEL_AT(0, 320)};
 static const struct pel_point around[3] = {PEL_AT(-300, -10), PEL_AT(540, -10),
@@ -46,60 +46,34 @@ static union {
 static struct pel_dither dither;
 static const struct pel_paint *paint;
 
-static int make_flat(void)
-{
-    source.flat = (struct pel_flat)PEL_FLAT(PEL_RGB(255, 128, 0));
-    return 0;
-}
+/* A mesh of one triangle, larger than the screen, under one light. */
+static const int16_t positions[3][3] = {
+    {-900, -700, 0}, {900, -700, 0}, {0, 900, 0}};
+static const int8_t normals[3][3] = {
+    {-60, -60, 94}, {60, -60, 94}, {0, 85, 94}};
+static const uint8_t indices[1][3] = {{0, 1, 2}};
+static const struct pel_mesh mesh = {.vertices = 3,
+                                     .triangles = 1,
+                                     .position = {{0, 0, 0}, 1, 8},
+                                     .positions = positions,
+                                     .normals8 = normals,
+                                     .indices8 = indices};
+static struct pel_scene scene = {.mesh = &mesh,
+                                 .camera = {.eye = {0, 0, PEL_UNITS(3)},
+                                            .up = {0, 1, 0},
+                                            .near = PEL_UNITS(1) / 16,
+                                            .focal = 50,
+                                            .sensor = {30, 40}},
+                                 .viewport = {0, 0, 240, 320},
+                                 .lighting = &lighting,
+                                 .color = PEL_RGB(200, 180, 90)};
+static struct pel_frame frame;
 
-static int make_alpha(void)
+static enum pel_status make_mesh(const struct pel_shading *shading)
 {
-    source.flat = (struct pel_flat)PEL_FLAT(PEL_RGBA(255, 128, 0, 128));
-    return 0;
-}
-
-static int make_vertical(void)
-{
-    return pel_linear_init(&source.linear, corners[0], corners[3], &ramp);
-}
-
-static int make_horizontal(void)
-{
-    return pel_linear_init(&source.linear, corners[0], corners[1], &ramp);
-}
-
-static int make_sloped(void)
-{
-    return pel_linear_init(&source.linear, corners[0], corners[2], &ramp);
-}
-
-static int make_radial(void)
-{
-    const struct pel_rings rings = {middle, PEL_PX(200), 0};
-    return pel_radial_init(&source.radial, &rings, &ramp);
-}
-
-static int make_conic(void)
-{
-    return pel_conic_init(&source.conic, middle, 0, &ramp);
-}
-
-static int make_hue(void)
-{
-    return pel_hue_wheel_init(&source.hue, middle, 0, 255, 255);
-}
-
-static int make_fan(void)
-{
-    static struct pel_fan_wedge wedges[4];
-    const struct pel_fan_points points = {middle, PEL_RGB(255, 255, 255),
-                                          corners, colors, 4};
-    return pel_fan_init(&source.fan, &points, wedges);
-}
-
-static int make_gouraud(void)
-{
-    return pel_gouraud_init(&source.gouraud, around, colors);
+    static uint64_t scratch[250];
+    scene.shading = shading;
+    return pel_scene_prepare(&frame, &scene, scratch, sizeof scratch);
 }
 
 /* A step of 0.95 texels to the right and 0.24 down for a pixel to the right. */
@@ -108,14 +82,67 @@ static const struct pel_texture_map turned = {
     {UINT64_C(20) << 32, 4080218931, 0 - UINT64_C(1030792151)},
     {UINT64_C(20) << 32, 1030792151, 4080218931}};
 
-static int make_nearest(void)
-{
-    return pel_texture_init_nearest(&source.texture, &texels, &turned);
-}
+enum make {
+    FLAT,
+    ALPHA,
+    VERTICAL,
+    HORIZONTAL,
+    SLOPED,
+    RADIAL,
+    CONIC,
+    HUE,
+    FAN,
+    GOURAUD,
+    NEAREST,
+    BILINEAR,
+    MESH_FLAT,
+    MESH_GOURAUD,
+    MESH_PHONG
+};
 
-static int make_bilinear(void)
+static enum pel_status make_source(enum make what)
 {
-    return pel_texture_init_bilinear(&source.texture, &texels, &turned);
+    static const struct pel_flat flat = PEL_FLAT(PEL_RGB(255, 128, 0));
+    static const struct pel_flat alpha = PEL_FLAT(PEL_RGBA(255, 128, 0, 128));
+    static const struct pel_rings rings = {PEL_AT(120, 160), PEL_PX(200), 0};
+    static struct pel_fan_wedge wedges[4];
+    static const struct pel_fan_points fan = {
+        PEL_AT(120, 160), PEL_RGB(255, 255, 255), corners, colors, 4};
+    switch (what) {
+    case FLAT:
+        source.flat = flat;
+        return PEL_OK;
+    case ALPHA:
+        source.flat = alpha;
+        return PEL_OK;
+    case VERTICAL:
+        return pel_linear_init(&source.linear, corners[0], corners[3], &ramp);
+    case HORIZONTAL:
+        return pel_linear_init(&source.linear, corners[0], corners[1], &ramp);
+    case SLOPED:
+        return pel_linear_init(&source.linear, corners[0], corners[2], &ramp);
+    case RADIAL:
+        return pel_radial_init(&source.radial, &rings, &ramp);
+    case CONIC:
+        return pel_conic_init(&source.conic, rings.center, 0, &ramp);
+    case HUE:
+        return pel_hue_wheel_init(&source.hue, rings.center, 0, 255, 255);
+    case FAN:
+        return pel_fan_init(&source.fan, &fan, wedges);
+    case GOURAUD:
+        return pel_gouraud_init(&source.gouraud, around, colors);
+    case NEAREST:
+        return pel_texture_init_nearest(&source.texture, &texels, &turned);
+    case BILINEAR:
+        return pel_texture_init_bilinear(&source.texture, &texels, &turned);
+    case MESH_FLAT:
+        return make_mesh(&pel_shade_lit_flat);
+    case MESH_GOURAUD:
+        return make_mesh(&pel_shade_lit_gouraud);
+    case MESH_PHONG:
+        return make_mesh(&pel_shade_phong);
+    }
+    return PEL_ERROR_RANGE;
 }
 
 static void draw_paint(int32_t width, int32_t rows)
@@ -146,7 +173,7 @@ static void draw_copy_alpha(int32_t width, int32_t rows)
         255);
 }
 
-/* Letters of 8 x 8 px, in the colour of make_flat. */
+/* Letters of 8 x 8 px, in one colour. */
 static void draw_text(int32_t width, int32_t rows)
 {
     (void)rows;
@@ -154,62 +181,6 @@ static void draw_text(int32_t width, int32_t rows)
              &(struct pel_text_block){
                  &letters, letters_line + (LONG - width) / 8, LEFT, TOP},
              paint);
-}
-
-/* A mesh of one triangle, larger than the screen, under one light. */
-static const int16_t positions[3][3] = {
-    {-900, -700, 0}, {900, -700, 0}, {0, 900, 0}};
-static const int8_t normals[3][3] = {
-    {-60, -60, 94}, {60, -60, 94}, {0, 85, 94}};
-static const uint8_t indices[1][3] = {{0, 1, 2}};
-static const struct pel_mesh mesh = {.vertices = 3,
-                                     .triangles = 1,
-                                     .position = {{0, 0, 0}, 1, 8},
-                                     .positions = positions,
-                                     .normals8 = normals,
-                                     .indices8 = indices};
-static const struct pel_light light = {
-    .at = {PEL_UNITS(1), PEL_UNITS(2), PEL_UNITS(3)},
-    .color = {65536, 65536, 65536}};
-static const struct pel_lighting lighting = {
-    .light = &light,
-    .lights = 1,
-    .ambient_color = {65536, 65536, 65536},
-    .ambient = PEL_FACTOR(20),
-    .diffuse = PEL_FACTOR(70),
-    .specular = PEL_FACTOR(30),
-    .shininess = 20};
-static struct pel_scene scene = {.mesh = &mesh,
-                                 .camera = {.eye = {0, 0, PEL_UNITS(3)},
-                                            .up = {0, 1, 0},
-                                            .near = PEL_UNITS(1) / 16,
-                                            .focal = 50,
-                                            .sensor = {30, 40}},
-                                 .viewport = {0, 0, 240, 320},
-                                 .lighting = &lighting,
-                                 .color = PEL_RGB(200, 180, 90)};
-static struct pel_frame frame;
-
-static int make_scene(const struct pel_shading *shading)
-{
-    static uint64_t scratch[250];
-    scene.shading = shading;
-    return pel_scene_prepare(&frame, &scene, scratch, sizeof scratch);
-}
-
-static int make_mesh_flat(void)
-{
-    return make_scene(&pel_shade_lit_flat);
-}
-
-static int make_mesh_gouraud(void)
-{
-    return make_scene(&pel_shade_lit_gouraud);
-}
-
-static int make_mesh_phong(void)
-{
-    return make_scene(&pel_shade_phong);
 }
 
 static void draw_mesh(int32_t width, int32_t rows)
@@ -222,33 +193,33 @@ static void draw_mesh(int32_t width, int32_t rows)
 
 static const struct {
     const char *name;
-    int (*make)(void); /* 0: done */
+    enum make make;
     void (*draw)(int32_t width, int32_t rows);
     bool dithered;
 } cases[] = {
-    {"flat", make_flat, draw_paint, false},
-    {"alpha", make_alpha, draw_paint, false},
-    {"linear-vertical", make_vertical, draw_paint, false},
-    {"linear-horizontal", make_horizontal, draw_paint, false},
-    {"linear-sloped", make_sloped, draw_paint, false},
-    {"radial", make_radial, draw_paint, false},
-    {"conic", make_conic, draw_paint, false},
-    {"hue", make_hue, draw_paint, false},
-    {"fan", make_fan, draw_paint, false},
-    {"gouraud", make_gouraud, draw_paint, false},
-    {"nearest", make_nearest, draw_paint, false},
-    {"bilinear", make_bilinear, draw_paint, false},
-    {"dithered-flat", make_flat, draw_paint, true},
-    {"dithered-linear", make_sloped, draw_paint, true},
-    {"dithered-gouraud", make_gouraud, draw_paint, true},
-    {"dithered-nearest", make_nearest, draw_paint, true},
-    {"copy", make_flat, draw_copy, false},
-    {"copy-keyed", make_flat, draw_keyed, false},
-    {"copy-alpha", make_flat, draw_copy_alpha, false},
-    {"text", make_flat, draw_text, false},
-    {"mesh-flat", make_mesh_flat, draw_mesh, false},
-    {"mesh-gouraud", make_mesh_gouraud, draw_mesh, false},
-    {"mesh-phong", make_mesh_phong, draw_mesh, false},
+    {"flat", FLAT, draw_paint, false},
+    {"alpha", ALPHA, draw_paint, false},
+    {"linear-vertical", VERTICAL, draw_paint, false},
+    {"linear-horizontal", HORIZONTAL, draw_paint, false},
+    {"linear-sloped", SLOPED, draw_paint, false},
+    {"radial", RADIAL, draw_paint, false},
+    {"conic", CONIC, draw_paint, false},
+    {"hue", HUE, draw_paint, false},
+    {"fan", FAN, draw_paint, false},
+    {"gouraud", GOURAUD, draw_paint, false},
+    {"nearest", NEAREST, draw_paint, false},
+    {"bilinear", BILINEAR, draw_paint, false},
+    {"dithered-flat", FLAT, draw_paint, true},
+    {"dithered-linear", SLOPED, draw_paint, true},
+    {"dithered-gouraud", GOURAUD, draw_paint, true},
+    {"dithered-nearest", NEAREST, draw_paint, true},
+    {"copy", FLAT, draw_copy, false},
+    {"copy-keyed", FLAT, draw_keyed, false},
+    {"copy-alpha", FLAT, draw_copy_alpha, false},
+    {"text", FLAT, draw_text, false},
+    {"mesh-flat", MESH_FLAT, draw_mesh, false},
+    {"mesh-gouraud", MESH_GOURAUD, draw_mesh, false},
+    {"mesh-phong", MESH_PHONG, draw_mesh, false},
 };
 
 static int32_t draw_time(int i, int32_t width, int32_t rows)
@@ -260,7 +231,7 @@ static int32_t draw_time(int i, int32_t width, int32_t rows)
 
 static void make(int i)
 {
-    if (cases[i].make())
+    if (make_source(cases[i].make) != PEL_OK)
         printf("%s refused\n", cases[i].name);
     pel_dither_init(&dither, &source.paint);
     paint = cases[i].dithered ? &dither.paint : &source.paint;
