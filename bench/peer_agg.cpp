@@ -1,6 +1,5 @@
 /* AGG 2.4 with hard edges: its rasteriser with coverage cut at one half, runs
  * of whole pixels, its span generators for gradients, Gouraud and textures. */
-#include <agg_ellipse.h>
 #include <agg_gamma_functions.h>
 #include <agg_image_accessors.h>
 #include <agg_pixfmt_rgb_packed.h>
@@ -117,11 +116,7 @@ static void set_outline(struct job *job, const struct shape *s)
     const struct workload *w = job->workload;
     const int n = workload_vertices(w);
     job->rasterizer.reset();
-    if (w->form == FORM_CIRCLE) {
-        agg::ellipse circle(s->x[0] + .5, s->y[0] + .5, w->size + .5,
-                            w->size + .5);
-        job->rasterizer.add_path(circle);
-    } else if (w->form == FORM_SCREEN) {
+    if (w->form == FORM_SCREEN) {
         job->rasterizer.move_to_d(0, 0);
         job->rasterizer.line_to_d(s->x[1], 0);
         job->rasterizer.line_to_d(s->x[1], s->y[1]);
@@ -165,13 +160,13 @@ template <class Pixels> static void draw_on(struct job *job, int first, int n)
 
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
-    if (w->paint == PAINT_DITHERED || w->paint == PAINT_FAN ||
-        w->form == FORM_LINE || w->form == FORM_COPY || w->form == FORM_TEXT)
+    if (w->form > FORM_SCREEN || w->form == FORM_CIRCLE ||
+        w->form == FORM_LINE || w->paint == PAINT_DITHERED ||
+        w->paint == PAINT_FAN || w->paint == PAINT_RADIAL_STOPS ||
+        w->paint == PAINT_CONIC_STOPS)
         return nullptr;
     struct job *job = new struct job;
-    const bool stops =
-        w->paint == PAINT_RADIAL_STOPS || w->paint == PAINT_CONIC_STOPS;
-    const uint32_t *stop = w->shape[0].color;
+    const uint32_t *end = w->shape[0].color;
     job->workload = w;
     job->is_wide = c->bits == 32;
     job->canvas.attach(c->pixels, static_cast<unsigned>(c->width),
@@ -180,16 +175,8 @@ static void *open_job(const struct workload *w, const struct canvas *c)
                             const_cast<uint32_t *>(workload_texture())),
                         TEXTURE_SIDE, TEXTURE_SIDE, TEXTURE_SIDE * 4);
     job->rasterizer.gamma(agg::gamma_threshold(.5));
-    for (int i = 0; i < 256; i++) {
-        const double t = i / 255.;
-        color middle = color_of(stop[0]).gradient(color_of(stop[1]), t);
-        if (stops)
-            middle =
-                i < 128
-                    ? color_of(stop[0]).gradient(color_of(stop[2]), 2 * t)
-                    : color_of(stop[2]).gradient(color_of(stop[1]), 2 * t - 1);
-        job->ramp[i] = middle;
-    }
+    for (int i = 0; i < 256; i++)
+        job->ramp[i] = color_of(end[0]).gradient(color_of(end[1]), i / 255.);
     return job;
 }
 

@@ -70,7 +70,6 @@ static void open_context(struct job *job, const struct canvas *c)
     if (!job->context ||
         !OSMesaMakeCurrent(job->context, c->pixels, type, c->width, c->height))
         method_fail("OSMesa refuses the canvas", "check its installation");
-    OSMesaPixelStore(OSMESA_Y_UP, 0);
 }
 
 static void *open_job(const struct workload *w, const struct canvas *c)

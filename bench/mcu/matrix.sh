@@ -12,9 +12,18 @@ bench/mcu/matrix.c has them: 24 to 216 px from the left of a screen of 240 x 320
 eight rows 32 px above its middle, gradients of two colours from side to side or
 corner to corner, `alpha` 128 of 255, textures and opaque copies from the format
 of the screen, `copy-alpha` from argb8888, the mesh one triangle under one light,
-with highlights. Formats of 8 bits a channel need no dither.
+with highlights. Formats of 8 bits a channel need no dither. A cell in bold is
+more than four times the least of its row.
 END
 awk -F '\t' '
+    function cell(c, p, f,    k, least) {
+        least = pixel[cpu[c], format[1], paint[p]]
+        for (k = 2; k <= formats; k++)
+            if (pixel[cpu[c], format[k], paint[p]] + 0 < least + 0)
+                least = pixel[cpu[c], format[k], paint[p]]
+        k = pixel[cpu[c], format[f], paint[p]]
+        return k > 4 * least + .5 ? "**" k "**" : k
+    }
     /^#/ || split($2, name, "/") < 2 { next }
     !($1 in seen_cpu) { seen_cpu[$1]; cpu[++cpus] = $1 }
     !(name[1] in seen_format) { seen_format[name[1]]; format[++formats] = name[1] }
@@ -33,7 +42,7 @@ awk -F '\t' '
             for (p = 1; p <= paints; p++) {
                 line = "| " paint[p] " |"
                 for (f = 1; f <= formats; f++)
-                    line = line " " pixel[cpu[c], format[f], paint[p]] " |"
+                    line = line " " cell(c, p, f) " |"
                 printf "%s %.0f |\n", line, small[cpu[c], paint[p]]
             }
         }
