@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "method.h"
-#include "sim/import.h"
+#include "sim/asset/import.h"
 
 static void *memory(size_t size)
 {

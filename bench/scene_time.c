@@ -14,12 +14,12 @@ static const double enough_ns = 3e8;
 
 static uint64_t counted;
 
-static void count(const struct pel_paint *paint, const struct pel_rows *rows)
+static void count(const struct pel_paint *paint, const struct pel_spans *rows)
 {
     (void)paint;
     for (int32_t i = 0; i < rows->n; i++)
-        if (rows->row[i].x0 < rows->row[i].x1)
-            counted += (uint64_t)(rows->row[i].x1 - rows->row[i].x0);
+        if (rows->span[i].x0 < rows->span[i].x1)
+            counted += (uint64_t)(rows->span[i].x1 - rows->span[i].x0);
 }
 
 static const struct pel_paint *counting_paint(

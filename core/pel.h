@@ -7,8 +7,8 @@ extern "C" {
 #endif
 
 #include "base/color.h"
-#include "base/fixed.h"
-#include "base/fixed_trig.h"
+#include "base/point.h"
+#include "base/trig.h"
 #include "base/format.h"
 #include "base/hsv.h"
 #include "base/rect.h"

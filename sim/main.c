@@ -1,8 +1,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "commands.h"
-#include "message.h"
+#include "sim/cli/commands.h"
+#include "sim/cli/message.h"
 
 struct command {
     const char *name, *usage, *what;

@@ -26,7 +26,7 @@ endif
 
 include drivers/linux.mk
 
-SIM := $(sort $(wildcard sim/*.c))
+SIM := $(sort $(wildcard sim/*.c sim/*/*.c))
 SIM_OBJECTS := $(SIM:%.c=$(BUILD)/%.o)
 
 all: $(BUILD)/pel

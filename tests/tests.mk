@@ -84,7 +84,8 @@ $(T)/sim/%: $(T)/sim/%.o $(TEST_SIM_OBJECTS) $(T)/host/libsupport.a $(BUILD)/lib
 	$(CC) $(CFLAGS) $(LDFLAGS) $^ -lcmocka $(SIM_LIBS) $(LINUX_LIBS) -o $@
 
 TEST_PROGRAMS_host := $(TEST_EXHAUSTIVE) $(TEST_PROPERTY) $(TEST_UNIT)
-TEST_PROGRAMS_portable := $(filter-out $(TEST_HOST_ONLY),$(TEST_PROPERTY))
+TEST_PROGRAMS_portable := $(filter-out $(TEST_HOST_ONLY),$(TEST_PROPERTY)) \
+    tests/exhaustive/test_colors
 TEST_PROGRAMS_san := $(TEST_PROPERTY) $(TEST_UNIT)
 TEST_PROGRAMS_assert := $(TEST_ASSERT)
 TEST_PROGRAMS_small := $(TEST_KNOBS)
@@ -119,9 +120,10 @@ CHECK_LINES = $(foreach b,$(TEST_BUILDS),$(call test_lines_of,$b)) \
     $(foreach p,$(TEST_SIM),$(call test_line,$(p:tests/%=%),$(p:tests/%=$(T)/%))) \
     $(test_scripts) \
     $(foreach t,$(CHECK_EXTRA),$(call \
-        test_line,$t,flock $(T)/check.lock $(MAKE) --no-print-directory BUILD=$(BUILD) $t))
+        test_line,$t,flock $(T)/check.lock $(MAKE) --no-print-directory WERROR=-Werror BUILD=$(BUILD) $t))
 
 .PHONY: check deep goldens tests
+tests deep: WERROR := -Werror
 tests: all $(TEST_PROGRAMS) $(TEST_SCENES)
 
 check: tests ## every test; the last line is `N passed, N failed`
@@ -141,7 +143,7 @@ deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hou
 	@mkdir -p $(T)/deep
 	@seed=$${PEL_SEED:-$$(date +%s)}; echo "PEL_SEED=$$seed"; \
 	for t in $(DEEP_EXTRA); do printf '%s\t%s\n' "$$t" \
-	    "flock $(T)/check.lock $(MAKE) --no-print-directory BUILD=$(BUILD) $$t"; \
+	    "flock $(T)/check.lock $(MAKE) --no-print-directory WERROR=-Werror BUILD=$(BUILD) $$t"; \
 	done >$(T)/deep.list; \
 	for b in host portable; do for i in $(DEEP_PARTS); do \
 	    printf '%s\t%s\n' "test_triangles $$b $$i" "PEL_SEED=$$seed$$i \

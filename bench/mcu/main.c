@@ -61,7 +61,7 @@ static void draw_nothing(const struct pel_surface *s,
 }
 
 static void fill_nothing(const struct pel_paint *paint,
-                         const struct pel_rows *rows)
+                         const struct pel_spans *rows)
 {
     (void)paint;
     (void)rows;

@@ -17,7 +17,7 @@ MCU_BENCH_a53 := cortex-a53 shift=6
 define mcu_bench
 $(BUILD)/bench/mcu/$1/%.o: %.c | need-boards
 	@mkdir -p $$(@D)
-	$(CPU_PREFIX_$1)-gcc $(CPU_FLAGS_$1) $(PEL_CFLAGS) -O2 -c $$< -o $$@
+	$(CPU_PREFIX_$1)-gcc $(CPU_FLAGS_$1) $$(PEL_CFLAGS) -O2 -c $$< -o $$@
 $(BUILD)/bench/mcu/$1.elf: $(MCU_BENCH:%.c=$(BUILD)/bench/mcu/$1/%.o) \
     $(CORE:%.c=$(BUILD)/bench/mcu/$1/%.o)
 	$(CPU_PREFIX_$1)-gcc $(CPU_FLAGS_$1) $$^ $(CPU_LINK_$1) -o $$@

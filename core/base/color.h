@@ -34,9 +34,14 @@ static inline uint32_t pel_blue(pel_color c)
 }
 
 /* 8-bit grey, rounded: the weights of ITU-R BT.601 in 1/256. */
+static inline uint32_t pel_luma(uint32_t red, uint32_t green, uint32_t blue)
+{
+    return (77 * red + 150 * green + 29 * blue + 128) >> 8;
+}
+
 static inline uint32_t pel_gray(pel_color c)
 {
-    return (77 * pel_red(c) + 150 * pel_green(c) + 29 * pel_blue(c) + 128) >> 8;
+    return pel_luma(pel_red(c), pel_green(c), pel_blue(c));
 }
 
 /* round(t / 255) for 0 <= t <= 255 * 255, as floor(floor(u 257 / 256) / 256)
@@ -47,19 +52,48 @@ static inline uint32_t pel_round_div255(uint32_t t)
     return (t + (t >> 8)) >> 8;
 }
 
+/* A color times its alpha, and what is left of the color below. The factor 257
+ * makes the division by 255 a shift: 257 (t + 128) >> 16 is pel_round_div255(t)
+ * for every t in its range. */
+struct pel_premultiplied {
+    uint32_t red, green, blue; /* 257 (channel alpha + 128) */
+    uint32_t rest;             /* 257 (255 - alpha) */
+};
+
+/* Channels are cut out by shifts: a mask would take a register. */
+static inline struct pel_premultiplied pel_premultiply(pel_color c)
+{
+    const uint32_t alpha = 257 * pel_alpha(c);
+    const struct pel_premultiplied s = {
+        (c << 8 >> 24) * alpha + 0x8080, (c << 16 >> 24) * alpha + 0x8080,
+        (c << 24 >> 24) * alpha + 0x8080, 0xFFFF - alpha};
+    return s;
+}
+
+/* The upper `bits` of the channel s, premultiplied, over d, 0..255. The sum is
+ * below 2^24. */
+static inline uint32_t pel_channel_over(uint32_t d, uint32_t s, uint32_t rest,
+                                        int bits)
+{
+    return (d * rest + s) >> (24 - bits);
+}
+
+/* The same of all channels: an opaque color. */
+static inline pel_color pel_over(pel_color d, const struct pel_premultiplied *s)
+{
+    return PEL_RGB(pel_channel_over(pel_red(d), s->red, s->rest, 8),
+                   pel_channel_over(pel_green(d), s->green, s->rest, 8),
+                   pel_channel_over(pel_blue(d), s->blue, s->rest, 8));
+}
+
 /* Source over destination with the source's weight a, 0..255, per channel
  * round((s a + d (255 - a)) / 255). The result is opaque: a = 255 gives s,
- * a = 0 gives d. Red and blue share a word: each product sum is at most
- * 255 * 255 + 128 and, with its own high byte added, below 2^16. */
+ * a = 0 gives d. */
 static inline pel_color pel_mix(pel_color d, pel_color s, uint32_t a)
 {
-    uint32_t rest = 255 - a;
-    uint32_t rb =
-        (s & 0xFF00FFu) * a + (d & 0xFF00FFu) * rest + UINT32_C(0x800080);
-    uint32_t g = pel_green(s) * a + pel_green(d) * rest + 128;
-    rb = (rb + (rb >> 8 & 0xFF00FFu)) >> 8 & 0xFF00FFu;
-    g = (g + (g >> 8)) & 0xFF00u;
-    return UINT32_C(0xFF000000) | rb | g;
+    const struct pel_premultiplied weighed =
+        pel_premultiply((s & UINT32_C(0xFFFFFF)) | a << 24);
+    return pel_over(d, &weighed);
 }
 
 #endif

@@ -35,16 +35,16 @@ enum pel_format_id {
 struct pel_surface;
 
 /* A run of pixels, half-open; empty when x0 >= x1. */
-struct pel_row {
+struct pel_span {
     int32_t x0, x1; /* px, absolute */
 };
 
 /* What a shape hands to a paint: n >= 1 runs, all inside the surface's clip, no
  * pixel twice. Run i lies in line y + i * step: step is 1 (n lines downwards)
  * or 0 (n runs of one line). */
-struct pel_rows {
+struct pel_spans {
     const struct pel_surface *surface;
-    const struct pel_row *row;
+    const struct pel_span *span;
     int32_t y;
     int32_t n, step; /* n <= PEL_BATCH_ROWS */
 };
@@ -61,12 +61,12 @@ struct pel_format {
     pel_color (*unpack)(uint32_t pixel);
 
     /* One opaque pixel value into every run. */
-    void (*fill)(const struct pel_rows *rows, uint32_t pixel);
+    void (*fill)(const struct pel_spans *spans, uint32_t pixel);
 
     /* The color over every run, weighted by its alpha, which is below 255; 0
      * leaves every bit as it is. NULL in the fill-only twins, like put and
      * load: what needs them draws nothing there. */
-    void (*blend)(const struct pel_rows *rows, pel_color color);
+    void (*blend)(const struct pel_spans *spans, pel_color color);
 
     /* n >= 1 colours over the pixels (x, y) to (x + n - 1, y) of the surface,
      * each weighted by its alpha: 255 stores it, 0 leaves the pixel untouched,

@@ -3,7 +3,7 @@
 #ifndef PEL_BASE_RECT_H
 #define PEL_BASE_RECT_H
 
-#include "fixed.h"
+#include "point.h"
 
 struct pel_rect {
     int32_t x0, y0, x1, y1; /* px */

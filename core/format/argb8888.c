@@ -13,6 +13,11 @@ static pel_color unpack(uint32_t p)
     return PEL_LE32(p);
 }
 
+static inline uint32_t blended(uint32_t p, const struct pel_premultiplied *s)
+{
+    return pack(pel_over(unpack(p), s));
+}
+
 #include "body32.h"
 
 const struct pel_format pel_argb8888 = {

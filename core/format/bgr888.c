@@ -1,15 +1,9 @@
+#include "fields.h"
 #include "formats.h"
 
-static uint32_t pack(pel_color c)
-{
-    return pel_blue(c) << 16 | (c & 0xFF00u) | pel_red(c);
-}
-
-static pel_color unpack(uint32_t p)
-{
-    return PEL_RGB(pel_blue(p), pel_green(p), pel_red(p));
-}
-
+#define ORDER(v) (v)
+static const struct pel_fields fields = {{0, 8}, {8, 8}, {16, 8}, 0};
+#include "fields.inc"
 #include "body24.h"
 
 const struct pel_format pel_bgr888 = {

@@ -1,18 +1,9 @@
+#include "fields.h"
 #include "formats.h"
-#include "word.h"
 
-static uint32_t pack(pel_color c)
-{
-    return PEL_LE32(pel_blue(c) << 24 | pel_green(c) << 16 | pel_red(c) << 8 |
-                    0xFFu);
-}
-
-static pel_color unpack(uint32_t p)
-{
-    p = PEL_LE32(p);
-    return PEL_RGB(p >> 8 & 255, p >> 16 & 255, p >> 24);
-}
-
+#define ORDER PEL_LE32
+static const struct pel_fields fields = {{8, 8}, {16, 8}, {24, 8}, 0xFF};
+#include "fields.inc"
 #include "body32.h"
 
 const struct pel_format pel_bgrx8888 = {

@@ -1,23 +1,22 @@
 /* Blending one color into runs of 32-bit pixels. Channels are bytes, so their
- * order does not matter: all four 32-bit formats share this. */
+ * order does not matter: all four 32-bit formats share this. Only where
+ * PEL_VECTORS is 1. */
 #ifndef PEL_FORMAT_BLEND32_H
 #define PEL_FORMAT_BLEND32_H
 
 #include "vector.h"
 #include "word32.h"
 
+#if PEL_VECTORS
+
 /* What a run needs of the color: 16-bit lanes of source * alpha + 128, for
  * pel_round_div255, and of 255 - alpha. */
 struct pel_blend32 {
-    uint32_t even, odd; /* of bytes 0 and 2 of a pixel, of 1 and 3 */
-    uint32_t rest;      /* 255 - alpha */
-    uint32_t x;         /* bits of the X byte, which is stored as 0xFF */
-#if PEL_VECTORS
+    uint32_t even, odd;       /* of bytes 0 and 2 of a pixel, of 1 and 3 */
+    uint32_t rest;            /* 255 - alpha */
+    uint32_t x;               /* bits of the X byte, which is stored as 0xFF */
     pel_u16x8 sources, rests; /* of two pixels, byte by byte */
-#endif
 };
-
-#if PEL_VECTORS
 
 /* The bytes of a pixel, twice. */
 static inline pel_u16x8 pel_blend32_lanes(uint32_t pixel)
@@ -25,8 +24,6 @@ static inline pel_u16x8 pel_blend32_lanes(uint32_t pixel)
     const pel_u32x4 two = {pixel, pixel}, zero = {0};
     return (pel_u16x8)pel_zip_low_u8x16((pel_u8x16)two, (pel_u8x16)zero);
 }
-
-#endif
 
 static inline struct pel_blend32 pel_blend32_make(
     const struct pel_format *format, pel_color color)
@@ -37,13 +34,11 @@ static inline struct pel_blend32 pel_blend32_make(
     b.odd = (source >> 8 & 0xFF00FFu) * alpha + 0x800080u;
     b.rest = 255 - alpha;
     b.x = format->pack(0);
-#if PEL_VECTORS
     /* In the lane of the X byte: 255 * 255 + 128, and nothing of memory. */
     const pel_u16x8 x = pel_blend32_lanes(b.x);
     b.sources = pel_blend32_lanes(source) * (uint16_t)alpha +
                 x * (uint16_t)b.rest + 128;
     b.rests = ~x & (uint16_t)b.rest;
-#endif
     return b;
 }
 
@@ -55,8 +50,6 @@ static inline void pel_blend32_pixel(pel_word32 *p, const struct pel_blend32 *b)
     odd = (odd + (odd >> 8 & 0xFF00FFu)) & 0xFF00FF00u;
     *p = even | odd | b->x;
 }
-
-#if PEL_VECTORS
 
 /* Four pixels. */
 static inline pel_u16x8 pel_blend32_mix(pel_u16x8 d,
@@ -111,18 +104,7 @@ static PEL_ALWAYS_INLINE void pel_blend32_run(pel_word32 *p, int32_t n,
 }
 
 /* A format's blend, in blend32.c. */
-void pel_blend32_rows(const struct pel_rows *rows, pel_color color);
-
-#else
-
-static inline void pel_blend32_run(pel_word32 *p, int32_t n,
-                                   const struct pel_blend32 *b, uintptr_t ahead)
-{
-    (void)ahead;
-    for (; n > 0; n--)
-        pel_blend32_pixel(p++, b);
-}
+void pel_blend32_rows(const struct pel_spans *spans, pel_color color);
 
 #endif
-
 #endif

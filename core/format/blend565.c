@@ -2,15 +2,15 @@
 
 #if PEL_VECTORS
 
-void pel_blend565_rows(const struct pel_rows *rows, pel_color color)
+void pel_blend565_rows(const struct pel_spans *spans, pel_color color)
 {
     const struct pel_blend565 b =
-        pel_blend565_make(rows->surface->format, color);
-    const struct pel_row *row = rows->row;
-    int32_t y = rows->y;
-    for (int32_t i = 0; i < rows->n; i++, row++, y += rows->step)
-        pel_blend565_run(pel_address16(rows->surface, row->x0, y),
-                         row->x1 - row->x0, &b);
+        pel_blend565_make(spans->surface->format, color);
+    const struct pel_span *span = spans->span;
+    int32_t y = spans->y;
+    for (int32_t i = 0; i < spans->n; i++, span++, y += spans->step)
+        pel_blend565_run(pel_address16(spans->surface, span->x0, y),
+                         span->x1 - span->x0, &b);
 }
 
 #endif

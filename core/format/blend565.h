@@ -1,17 +1,19 @@
 /* Blending one color into runs of 5-6-5 pixels, in any of their three orders.
- */
+ * Only where PEL_VECTORS is 1. */
 #ifndef PEL_FORMAT_BLEND565_H
 #define PEL_FORMAT_BLEND565_H
 
 #include "vector.h"
 #include "word16.h"
 
+#if PEL_VECTORS
+
 /* Fields from the top of the pixel: high (5 bits), middle (6), low (5); of each
  * source * alpha + 128, for pel_round_div255. */
 struct pel_blend565 {
     uint16_t high, middle, low;
     uint16_t rest; /* 255 - alpha */
-    bool swapped;  /* the CPU's byte order is not the format's */
+    bool swapped;  /* the high byte comes first */
 };
 
 static inline struct pel_blend565 pel_blend565_make(
@@ -26,8 +28,7 @@ static inline struct pel_blend565 pel_blend565_make(
     b.middle = (uint16_t)(pel_green(color) * alpha + 128);
     b.low = (uint16_t)(low * alpha + 128);
     b.rest = (uint16_t)(255 - alpha);
-    b.swapped = format->id == PEL_FORMAT_RGB565_BE ? PEL_BE16(1) != 1
-                                                   : PEL_LE16(1) != 1;
+    b.swapped = format->id == PEL_FORMAT_RGB565_BE;
     return b;
 }
 
@@ -42,15 +43,13 @@ static inline void pel_blend565_pixel(pel_word16 *p,
                                       const struct pel_blend565 *b)
 {
     uint32_t v = b->swapped ? pel_swap16(*p) : *p;
-    uint32_t high = pel_blend565_mix(pel_widen5(v >> 11), b->high, b->rest);
+    uint32_t high = pel_blend565_mix(pel_widen(v >> 11, 5), b->high, b->rest);
     uint32_t middle =
-        pel_blend565_mix(pel_widen6(v >> 5 & 63), b->middle, b->rest);
-    uint32_t low = pel_blend565_mix(pel_widen5(v & 31), b->low, b->rest);
+        pel_blend565_mix(pel_widen(v >> 5 & 63, 6), b->middle, b->rest);
+    uint32_t low = pel_blend565_mix(pel_widen(v & 31, 5), b->low, b->rest);
     v = (high & 0xF8u) << 8 | (middle & 0xFCu) << 3 | low >> 3;
     *p = (pel_word16)(b->swapped ? pel_swap16(v) : v);
 }
-
-#if PEL_VECTORS
 
 static inline pel_u16x8 pel_blend565_mixes(pel_u16x8 d, uint16_t s,
                                            uint16_t rest)
@@ -108,17 +107,7 @@ static PEL_ALWAYS_INLINE void pel_blend565_run(pel_word16 *p, int32_t n,
 }
 
 /* A format's blend, in blend565.c. */
-void pel_blend565_rows(const struct pel_rows *rows, pel_color color);
-
-#else
-
-static inline void pel_blend565_run(pel_word16 *p, int32_t n,
-                                    const struct pel_blend565 *b)
-{
-    for (; n > 0; n--)
-        pel_blend565_pixel(p++, b);
-}
+void pel_blend565_rows(const struct pel_spans *spans, pel_color color);
 
 #endif
-
 #endif

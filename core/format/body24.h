@@ -13,6 +13,11 @@ static inline place at(const struct pel_surface *s, int32_t x, int32_t y)
     return (place)pel_address24(s, x, y);
 }
 
+static inline place next(place p)
+{
+    return p + 1;
+}
+
 static inline uint32_t get(place p)
 {
     return pel_get24(p->bytes);
@@ -23,6 +28,6 @@ static inline void set(place p, uint32_t pixel)
     pel_put24(p->bytes, pixel);
 }
 
-#include "body_run.h"
+#include "body.h"
 
 #endif

@@ -4,31 +4,15 @@
 
 #include "blend32.h"
 
-typedef pel_word32 *place;
+#define WORD pel_word32
+#include "body_word.inc"
 
-static inline place at(const struct pel_surface *s, int32_t x, int32_t y)
-{
-    return pel_address32(s, x, y);
-}
-
-static inline uint32_t get(const pel_word32 *p)
-{
-    return *p;
-}
-
-static inline void set(place p, uint32_t pixel)
-{
-    *p = (pel_word32)pixel;
-}
-
-#include "body_run.h"
-
-static void blend32(const struct pel_rows *rows, pel_color color)
+static void blend32(const struct pel_spans *spans, pel_color color)
 {
 #if PEL_VECTORS
-    pel_blend32_rows(rows, color);
+    pel_blend32_rows(spans, color);
 #else
-    blend(rows, color);
+    blend(spans, color);
 #endif
 }
 

@@ -4,14 +4,16 @@
 
 #include "blend565.h"
 #include "put565.h"
-#include "body16.h"
 
-static void blend565(const struct pel_rows *rows, pel_color color)
+#define WORD pel_word16
+#include "body_word.inc"
+
+static void blend565(const struct pel_spans *spans, pel_color color)
 {
 #if PEL_VECTORS
-    pel_blend565_rows(rows, color);
+    pel_blend565_rows(spans, color);
 #else
-    blend(rows, color);
+    blend(spans, color);
 #endif
 }
 

@@ -2,12 +2,12 @@
 
 #include "word8.h"
 
-void pel_fill8(const struct pel_rows *rows, uint32_t pixel)
+void pel_fill8(const struct pel_spans *spans, uint32_t pixel)
 {
-    const struct pel_row *row = rows->row;
-    int32_t y = rows->y;
-    for (int i = 0; i < rows->n; i++, row++, y += rows->step)
-        if (row->x0 < row->x1)
-            memset(pel_address8(rows->surface, row->x0, y), (int)pixel,
-                   (size_t)(row->x1 - row->x0));
+    const struct pel_span *span = spans->span;
+    int32_t y = spans->y;
+    for (int i = 0; i < spans->n; i++, span++, y += spans->step)
+        if (span->x0 < span->x1)
+            memset(pel_address8(spans->surface, span->x0, y), (int)pixel,
+                   (size_t)(span->x1 - span->x0));
 }

@@ -22,14 +22,14 @@ static void fill_run(uint8_t *line, int32_t b0, int32_t b1, uint32_t byte)
     put_bits(last, tail, byte);
 }
 
-void pel_fill_bits(const struct pel_rows *rows, uint32_t byte)
+void pel_fill_bits(const struct pel_spans *spans, uint32_t byte)
 {
-    const struct pel_surface *s = rows->surface;
-    const struct pel_row *row = rows->row;
+    const struct pel_surface *s = spans->surface;
+    const struct pel_span *span = spans->span;
     const int32_t bits = s->format->bits;
-    int32_t y = rows->y;
-    for (int i = 0; i < rows->n; i++, row++, y += rows->step)
-        if (row->x0 < row->x1)
-            fill_run(pel_surface_line(s, y), (row->x0 - s->bounds.x0) * bits,
-                     (row->x1 - s->bounds.x0) * bits, byte);
+    int32_t y = spans->y;
+    for (int i = 0; i < spans->n; i++, span++, y += spans->step)
+        if (span->x0 < span->x1)
+            fill_run(pel_surface_line(s, y), (span->x0 - s->bounds.x0) * bits,
+                     (span->x1 - s->bounds.x0) * bits, byte);
 }

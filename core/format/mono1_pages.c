@@ -1,40 +1,50 @@
 #include "formats.h"
 #include "packed.h"
 
-#define PIXEL 1u
+#define BITS 1
+#include "gray.inc"
 
-static uint32_t pack(pel_color c)
-{
-    return pel_gray(c) >> 7;
-}
-
-static pel_color unpack(uint32_t p)
-{
-    return p ? PEL_RGB(255, 255, 255) : PEL_RGB(0, 0, 0);
-}
+typedef struct pel_place place;
 
 /* bounds.y0 is a multiple of 8. */
-static struct pel_place at(const struct pel_surface *s, int32_t x, int32_t y)
+static place at(const struct pel_surface *s, int32_t x, int32_t y)
 {
-    const struct pel_place p = {(uint8_t *)s->pixels +
-                                    (ptrdiff_t)((y - s->bounds.y0) / 8) *
-                                        (ptrdiff_t)s->stride +
-                                    (x - s->bounds.x0),
-                                y & 7};
+    const uintptr_t column = (uintptr_t)x - (uintptr_t)s->bounds.x0;
+    const ptrdiff_t page = (ptrdiff_t)((y - s->bounds.y0) / 8) * s->stride;
+    const place p = {
+        (uint8_t *)((uintptr_t)s->pixels + (uintptr_t)page + column), y & 7};
     return p;
 }
 
-#include "body_bits.h"
-
-static void fill(const struct pel_rows *rows, uint32_t pixel)
+static inline place next(place p)
 {
-    const struct pel_row *row = rows->row;
-    int32_t y = rows->y;
-    for (int i = 0; i < rows->n; i++, row++, y += rows->step)
-        for (int32_t x = row->x0; x < row->x1; x++)
-            set(at(rows->surface, x, y), pixel);
+    p.byte++;
+    return p;
+}
+
+static inline uint32_t get(place p)
+{
+    return pel_place_get(p, BITS);
+}
+
+static inline void set(place p, uint32_t pixel)
+{
+    pel_place_set(p, pixel, BITS);
+}
+
+#include "body.h"
+
+static void fill(const struct pel_spans *spans, uint32_t pixel)
+{
+    const struct pel_span *span = spans->span;
+    int32_t y = spans->y;
+    for (int i = 0; i < spans->n; i++, span++, y += spans->step) {
+        place p = at(spans->surface, span->x0, y);
+        for (int32_t n = span->x1 - span->x0; n > 0; n--, p = next(p))
+            set(p, pixel);
+    }
 }
 
 const struct pel_format pel_mono1_pages = {
-    PEL_FORMAT_MONO1_PAGES, 1, 1, pack, unpack, fill, blend, put, load,
+    PEL_FORMAT_MONO1_PAGES, 1, 1, pack, unpack, fill, pel_blend_mono, put, load,
 };

@@ -10,8 +10,22 @@ struct pel_place {
     int shift; /* of the pixel's bits from bit 0 */
 };
 
+static inline uint32_t pel_place_get(struct pel_place p, int bits)
+{
+    return (uint32_t)*p.byte >> p.shift & ((1u << bits) - 1);
+}
+
+static inline void pel_place_set(struct pel_place p, uint32_t pixel, int bits)
+{
+    const uint32_t mask = ((1u << bits) - 1) << p.shift;
+    *p.byte = (uint8_t)((*p.byte & ~mask) | pixel << p.shift);
+}
+
 /* Runs of gray4 and mono1, in fill_bits.c: `byte` is the pixel repeated over 8
  * bits. */
-void pel_fill_bits(const struct pel_rows *rows, uint32_t byte);
+void pel_fill_bits(const struct pel_spans *spans, uint32_t byte);
+
+/* Blends runs of pixels of one bit, in blend_mono.c. */
+void pel_blend_mono(const struct pel_spans *spans, pel_color color);
 
 #endif

@@ -1,16 +1,9 @@
+#include "fields.h"
 #include "formats.h"
-#include "rgb565.h"
 
-static uint32_t pack(pel_color c)
-{
-    return PEL_BE16(pel_rgb565(c));
-}
-
-static pel_color unpack(uint32_t p)
-{
-    return pel_rgb565_color(PEL_BE16(p));
-}
-
+#define ORDER PEL_BE16
+static const struct pel_fields fields = {{11, 5}, {5, 6}, {0, 5}, 0};
+#include "fields.inc"
 #include "body565.h"
 
 const struct pel_format pel_rgb565_be = {

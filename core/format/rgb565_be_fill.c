@@ -1,10 +1,12 @@
+#include "fields.h"
 #include "formats.h"
-#include "rgb565.h"
 #include "word16.h"
+
+static const struct pel_fields fields = {{11, 5}, {5, 6}, {0, 5}, 0};
 
 static uint32_t pack(pel_color c)
 {
-    return PEL_BE16(pel_rgb565(c));
+    return PEL_BE16(pel_fields_pack(&fields, c));
 }
 
 const struct pel_format pel_rgb565_be_fill = {

@@ -1,15 +1,9 @@
+#include "fields.h"
 #include "formats.h"
 
-static uint32_t pack(pel_color c)
-{
-    return c & UINT32_C(0xFFFFFF);
-}
-
-static pel_color unpack(uint32_t p)
-{
-    return UINT32_C(0xFF000000) | p;
-}
-
+#define ORDER(v) (v)
+static const struct pel_fields fields = {{16, 8}, {8, 8}, {0, 8}, 0};
+#include "fields.inc"
 #include "body24.h"
 
 const struct pel_format pel_rgb888 = {

@@ -5,7 +5,7 @@
 #include "word.h"
 
 /* In fill16.c. */
-void pel_fill16(const struct pel_rows *rows, uint32_t pixel);
+void pel_fill16(const struct pel_spans *spans, uint32_t pixel);
 
 static inline pel_word16 *pel_address16(const struct pel_surface *s, int32_t x,
                                         int32_t y)

@@ -5,7 +5,7 @@
 #include "word.h"
 
 /* In fill24.c. */
-void pel_fill24(const struct pel_rows *rows, uint32_t pixel);
+void pel_fill24(const struct pel_spans *spans, uint32_t pixel);
 
 static inline uint8_t *pel_address24(const struct pel_surface *s, int32_t x,
                                      int32_t y)

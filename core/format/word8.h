@@ -5,7 +5,7 @@
 #include "word.h"
 
 /* In fill8.c. */
-void pel_fill8(const struct pel_rows *rows, uint32_t pixel);
+void pel_fill8(const struct pel_spans *spans, uint32_t pixel);
 
 static inline pel_word8 *pel_address8(const struct pel_surface *s, int32_t x,
                                       int32_t y)

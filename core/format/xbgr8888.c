@@ -1,17 +1,9 @@
+#include "fields.h"
 #include "formats.h"
-#include "word.h"
 
-static uint32_t pack(pel_color c)
-{
-    return PEL_LE32(PEL_RGB(pel_blue(c), pel_green(c), pel_red(c)));
-}
-
-static pel_color unpack(uint32_t p)
-{
-    p = PEL_LE32(p);
-    return PEL_RGB(pel_blue(p), pel_green(p), pel_red(p));
-}
-
+#define ORDER PEL_LE32
+static const struct pel_fields fields = {{0, 8}, {8, 8}, {16, 8}, 0xFF000000};
+#include "fields.inc"
 #include "body32.h"
 
 const struct pel_format pel_xbgr8888 = {

@@ -1,16 +1,9 @@
+#include "fields.h"
 #include "formats.h"
-#include "word.h"
 
-static uint32_t pack(pel_color c)
-{
-    return PEL_LE32(UINT32_C(0xFF000000) | c);
-}
-
-static pel_color unpack(uint32_t p)
-{
-    return UINT32_C(0xFF000000) | PEL_LE32(p);
-}
-
+#define ORDER PEL_LE32
+static const struct pel_fields fields = {{16, 8}, {8, 8}, {0, 8}, 0xFF000000};
+#include "fields.inc"
 #include "body32.h"
 
 const struct pel_format pel_xrgb8888 = {

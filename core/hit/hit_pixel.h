@@ -2,7 +2,7 @@
 #ifndef PEL_HIT_HIT_PIXEL_H
 #define PEL_HIT_HIT_PIXEL_H
 
-#include "../base/fixed.h"
+#include "../base/point.h"
 
 /* Pixel (x, y) as the place of its centre; false when out of range. */
 static inline bool pel_hit_pixel(int32_t x, int32_t y, struct pel_point *p)

@@ -1,6 +1,6 @@
 #include "hit_pixel.h"
 
-#include "../base/fixed_trig.h"
+#include "../base/trig.h"
 
 /* The eighth of the turn, [k, k + 1) / 8, that a way leads into. */
 static int32_t eighth_of(struct pel_point way)

@@ -2,35 +2,35 @@
 
 #include "../raster/collect.h"
 
-static bool bit_at(const uint8_t *row, int32_t i)
+static bool bit_at(const uint8_t *span, int32_t i)
 {
-    return row[i >> 3] >> (7 - (i & 7)) & 1;
+    return span[i >> 3] >> (7 - (i & 7)) & 1;
 }
 
 /* The first of the bits i..end - 1 that is as wanted; end when none is. Whole
  * bytes of the other kind are passed at once. */
-static int32_t find(const uint8_t *row, int32_t i, int32_t end, bool wanted)
+static int32_t find(const uint8_t *span, int32_t i, int32_t end, bool wanted)
 {
     const uint8_t other = wanted ? 0 : 0xFF;
-    while (i < end && bit_at(row, i) != wanted) {
+    while (i < end && bit_at(span, i) != wanted) {
         i++;
-        while (!(i & 7) && i + 8 <= end && row[i >> 3] == other)
+        while (!(i & 7) && i + 8 <= end && span[i >> 3] == other)
             i += 8;
     }
     return i;
 }
 
 /* The columns [left, right) of a row whose column 0 is pixel x. */
-static void collect_row(struct pel_collector *c, const uint8_t *row, int32_t x,
-                        int32_t y, const struct pel_row *visible)
+static void collect_row(struct pel_collector *c, const uint8_t *span, int32_t x,
+                        int32_t y, const struct pel_span *visible)
 {
     int32_t end = visible->x1 - x;
-    int32_t i = find(row, visible->x0 - x, end, true);
+    int32_t i = find(span, visible->x0 - x, end, true);
     while (i < end) {
         int32_t start = i;
-        i = find(row, i, end, false);
+        i = find(span, i, end, false);
         pel_collect(c, y, x + start, x + i);
-        i = find(row, i, end, true);
+        i = find(span, i, end, true);
     }
 }
 
@@ -52,12 +52,12 @@ void pel_glyph(const struct pel_surface *surface,
     r = pel_rect_intersect(&r, &surface->clip);
     if (pel_rect_empty(&r))
         return;
-    const struct pel_row visible = {r.x0, r.x1};
-    const uint8_t *row =
+    const struct pel_span visible = {r.x0, r.x1};
+    const uint8_t *span =
         glyph->bits + (ptrdiff_t)(r.y0 - y) * (ptrdiff_t)glyph->stride;
     struct pel_collector c;
     pel_collect_begin(&c, surface, paint);
-    for (; r.y0 < r.y1; r.y0++, row += glyph->stride)
-        collect_row(&c, row, x, r.y0, &visible);
+    for (; r.y0 < r.y1; r.y0++, span += glyph->stride)
+        collect_row(&c, span, x, r.y0, &visible);
     pel_collect_end(&c);
 }

@@ -32,15 +32,15 @@ static PEL_WIDE void cut_line(struct walk *w,
                               const struct pel_sector_shape *sector)
 {
     struct pel_outline_line *o = &w->line;
-    struct pel_row inside, run, *row = pel_outline_run(o);
-    *row = (struct pel_row){0, 0};
+    struct pel_span inside, run, *span = pel_outline_run(o);
+    *span = (struct pel_span){0, 0};
     if (w->circle.y < w->circle.end)
-        pel_disc_row(&w->circle.disc, &w->clip, row);
+        pel_disc_row(&w->circle.disc, &w->clip, span);
     if (pel_outline_next(o, w->circle.y, &inside)) {
-        run = *row;
-        pel_wedge_parts(&w->wedge, &sector->center, w->circle.y - 1, row);
-        o->cut.rows.n = pel_cut_within(row, 2, &run);
-        o->cut.rows.n = pel_cut_take(row, o->cut.rows.n, &inside);
+        run = *span;
+        pel_wedge_parts(&w->wedge, &sector->center, w->circle.y - 1, span);
+        o->cut.spans.n = pel_cut_within(span, 2, &run);
+        o->cut.spans.n = pel_cut_take(span, o->cut.spans.n, &inside);
     }
     pel_disc_walk_next(&w->circle);
 }

@@ -10,14 +10,14 @@
 
 struct pel_outline_line {
     struct pel_cut cut;
-    struct pel_row above, row; /* the last two lines that were given */
+    struct pel_span above, span; /* the last two lines that were given */
 };
 
 static inline void pel_outline_begin(struct pel_outline_line *o,
                                      const struct pel_surface *surface)
 {
     pel_cut_begin(&o->cut, surface);
-    o->above = o->row = (struct pel_row){0, 0};
+    o->above = o->span = (struct pel_span){0, 0};
 }
 
 /* A pixel more on every side, so that the clip makes no edge. */
@@ -28,9 +28,9 @@ static inline struct pel_rect pel_outline_clip(const struct pel_surface *s)
 }
 
 /* The run of the shape's next line goes there, before the line is put. */
-static inline struct pel_row *pel_outline_run(struct pel_outline_line *o)
+static inline struct pel_span *pel_outline_run(struct pel_outline_line *o)
 {
-    return o->cut.row;
+    return o->cut.span;
 }
 
 /* Takes line y of the shape, and gives back in the place of its run what is
@@ -38,7 +38,7 @@ static inline struct pel_row *pel_outline_run(struct pel_outline_line *o)
  * nothing is. Lines come one after the other, and after the last an empty one.
  */
 bool pel_outline_next(struct pel_outline_line *o, int32_t y,
-                      struct pel_row *inside);
+                      struct pel_span *inside);
 
 /* The same, and makes pieces of what is left. */
 void pel_outline_cut(struct pel_outline_line *o, int32_t y);
@@ -58,7 +58,7 @@ static inline void pel_outline_disc(struct pel_outline_line *o,
     if (disc)
         pel_disc_row(disc, clip, pel_outline_run(o));
     else
-        *pel_outline_run(o) = (struct pel_row){0, 0};
+        *pel_outline_run(o) = (struct pel_span){0, 0};
 }
 
 #endif

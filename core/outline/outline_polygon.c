@@ -14,7 +14,7 @@ static size_t rim_runs(int32_t n)
 
 static size_t rim_size(int32_t n)
 {
-    return RIM_BYTES + rim_runs(n) * sizeof(struct pel_row);
+    return RIM_BYTES + rim_runs(n) * sizeof(struct pel_span);
 }
 
 size_t pel_polygon_outline_scratch_size(int32_t n)

@@ -7,7 +7,7 @@ void pel_rectangle_outline(const struct pel_surface *surface,
                            const struct pel_paint *paint)
 {
     const struct pel_rect clip = pel_outline_clip(surface);
-    const struct pel_row none = {0, 0};
+    const struct pel_span none = {0, 0};
     bool legal = pel_point_legal(from) && pel_point_legal(to);
     PEL_ASSERT(legal);
     struct pel_rect r = {pel_first_pixel(from.x), pel_first_pixel(from.y),
@@ -17,9 +17,9 @@ void pel_rectangle_outline(const struct pel_surface *surface,
         return;
     struct pel_outline_line o;
     pel_outline_begin(&o, surface);
-    const struct pel_row row = {r.x0, r.x1};
+    const struct pel_span span = {r.x0, r.x1};
     for (int32_t y = r.y0; y <= r.y1; y++) {
-        *pel_outline_run(&o) = y < r.y1 ? row : none;
+        *pel_outline_run(&o) = y < r.y1 ? span : none;
         pel_outline_put(&o, paint, y);
     }
 }

@@ -27,10 +27,10 @@ static void sides_start(struct sides *s, const struct pel_point *const v[3],
 /* Row y, not clipped, and on to the next. */
 static PEL_WIDE void sides_next(struct sides *s,
                                 const struct pel_point *const v[3],
-                                struct pel_row *row)
+                                struct pel_span *span)
 {
-    row->x0 = pel_min(s->a.x, s->b.x);
-    row->x1 = pel_max(s->a.x, s->b.x);
+    span->x0 = pel_min(s->a.x, s->b.x);
+    span->x1 = pel_max(s->a.x, s->b.x);
     s->y++;
     pel_edge_next(&s->a);
     if (s->y == s->bend && s->y < s->end)
@@ -54,7 +54,7 @@ void pel_triangle_outline(const struct pel_surface *surface,
     sides_start(&s, order, &clip);
     pel_outline_begin(&o, surface);
     for (int32_t y = s.y; y <= s.end; y++) {
-        *pel_outline_run(&o) = (struct pel_row){0, 0};
+        *pel_outline_run(&o) = (struct pel_span){0, 0};
         if (y < s.end)
             sides_next(&s, order, pel_outline_run(&o));
         pel_outline_put(&o, paint, y);

@@ -8,16 +8,16 @@
  * gone through once: runs above and below that reach to the end of this run
  * stay for the next one. Interior that is cut out ends at x, so that it is
  * empty when it is seen again. */
-static bool next_piece(struct pel_rim *r, struct pel_row *piece)
+static bool next_piece(struct pel_rim *r, struct pel_span *piece)
 {
     const struct pel_rim_line *above = &r->line[0], *below = &r->line[2];
-    const struct pel_row *run = &r->line[1].run[r->at[1]];
+    const struct pel_span *run = &r->line[1].run[r->at[1]];
     if (r->at[1] == r->line[1].n)
         return false;
     piece->x0 = r->x = pel_max(r->x, run->x0);
     while (r->at[0] < above->n && r->at[2] < below->n) {
-        const struct pel_row *a = &above->run[r->at[0]];
-        const struct pel_row *b = &below->run[r->at[2]];
+        const struct pel_span *a = &above->run[r->at[0]];
+        const struct pel_span *b = &below->run[r->at[2]];
         const int32_t end = pel_min(a->x1, b->x1);
         const int32_t x0 =
             pel_max(pel_max(run->x0 + 1, r->x), pel_max(a->x0, b->x0));
@@ -39,19 +39,19 @@ static bool next_piece(struct pel_rim *r, struct pel_row *piece)
 /* The next pieces, to paint them; false when there are no more. */
 static PEL_WIDE bool next_pieces(struct pel_rim *r)
 {
-    const struct pel_rect *clip = &r->rows.surface->clip;
-    struct pel_row piece;
-    r->rows.n = 0;
-    r->rows.y = r->y - 1;
-    if (r->rows.y < clip->y0 || r->rows.y >= clip->y1)
+    const struct pel_rect *clip = &r->spans.surface->clip;
+    struct pel_span piece;
+    r->spans.n = 0;
+    r->spans.y = r->y - 1;
+    if (r->spans.y < clip->y0 || r->spans.y >= clip->y1)
         return false;
-    while (r->rows.n < PEL_RIM_PIECES && next_piece(r, &piece)) {
+    while (r->spans.n < PEL_RIM_PIECES && next_piece(r, &piece)) {
         piece.x0 = pel_max(piece.x0, clip->x0);
         piece.x1 = pel_min(piece.x1, clip->x1);
         if (piece.x0 < piece.x1)
-            r->piece[r->rows.n++] = piece;
+            r->piece[r->spans.n++] = piece;
     }
-    return r->rows.n > 0;
+    return r->spans.n > 0;
 }
 
 /* On by a row: the neighbours of the present one are complete then. */
@@ -73,13 +73,13 @@ static PEL_ALWAYS_INLINE void advance(struct pel_rim *r, int32_t y)
 {
     for (int k = 0; k < 2 && r->y != y; k++) {
         while (next_pieces(r))
-            r->out->fill(r->out, &r->rows);
+            r->out->fill(r->out, &r->spans);
         step(r);
     }
     r->y = y;
 }
 
-static void add_run(struct pel_rim *r, const struct pel_row *run)
+static void add_run(struct pel_rim *r, const struct pel_span *run)
 {
     struct pel_rim_line *line = &r->line[2];
     if (line->n && line->run[line->n - 1].x1 == run->x0)
@@ -88,21 +88,22 @@ static void add_run(struct pel_rim *r, const struct pel_row *run)
         line->run[line->n++] = *run;
 }
 
-static void rim_fill(const struct pel_paint *paint, const struct pel_rows *rows)
+static void rim_fill(const struct pel_paint *paint,
+                     const struct pel_spans *spans)
 {
     struct pel_rim *r = (struct pel_rim *)(uintptr_t)paint;
-    int32_t y = rows->y;
-    for (int32_t i = 0; i < rows->n; i++, y += rows->step) {
-        if (rows->row[i].x0 >= rows->row[i].x1)
+    int32_t y = spans->y;
+    for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
+        if (spans->span[i].x0 >= spans->span[i].x1)
             continue;
         if (y != r->y)
             advance(r, y);
-        add_run(r, &rows->row[i]);
+        add_run(r, &spans->span[i]);
     }
 }
 
 bool pel_rim_begin(struct pel_rim *rim, const struct pel_surface *surface,
-                   const struct pel_paint *paint, struct pel_row *memory,
+                   const struct pel_paint *paint, struct pel_span *memory,
                    int32_t runs)
 {
     if (pel_rect_empty(&surface->clip))
@@ -119,7 +120,7 @@ bool pel_rim_begin(struct pel_rim *rim, const struct pel_surface *surface,
     rim->y = rim->surface.clip.y0;
     rim->at[1] = 0; /* the other two, and x, are set by the first step */
     rim->out = paint;
-    rim->rows = (struct pel_rows){surface, rim->piece, 0, 0, 0};
+    rim->spans = (struct pel_spans){surface, rim->piece, 0, 0, 0};
     return true;
 }
 

@@ -7,7 +7,7 @@
  *
  * The shape is drawn on the rim's own surface with the rim's own paint:
  *
- *     struct pel_row memory[PEL_RIM_MEMORY(2)];
+ *     struct pel_span memory[PEL_RIM_MEMORY(2)];
  *     struct pel_rim rim;
  *     if (pel_rim_begin(&rim, surface, paint, memory, PEL_RIM_MEMORY(2))) {
  *         pel_ring(&rim.surface, &ring, &rim.paint);
@@ -29,7 +29,7 @@
 #define PEL_RIM_MEMORY(n) (3 * (n))
 
 struct pel_rim_line {
-    struct pel_row *run;
+    struct pel_span *run;
     int32_t n;
 };
 
@@ -39,8 +39,8 @@ struct pel_rim {
     struct pel_paint paint;
     struct pel_surface surface;
     const struct pel_paint *out;
-    struct pel_rows rows; /* pieces of row y - 1 */
-    struct pel_row piece[PEL_RIM_PIECES];
+    struct pel_spans spans; /* pieces of row y - 1 */
+    struct pel_span piece[PEL_RIM_PIECES];
     struct pel_rim_line line[3]; /* rows y - 2, y - 1 and y */
     int32_t y, capacity;
     int32_t x, at[3]; /* row y - 1 is cut up to x, and to which runs of each */
@@ -50,7 +50,7 @@ struct pel_rim {
  * caller's and free again after the end. false: nothing can be covered, and no
  * end is needed. */
 bool pel_rim_begin(struct pel_rim *rim, const struct pel_surface *surface,
-                   const struct pel_paint *paint, struct pel_row *memory,
+                   const struct pel_paint *paint, struct pel_span *memory,
                    int32_t runs);
 
 void pel_rim_end(struct pel_rim *rim);

@@ -12,7 +12,7 @@
 
 #include <stddef.h>
 
-#include "../base/fixed.h"
+#include "../base/point.h"
 #include "ramp_walk.h"
 
 enum { PEL_PIECE_MIN_LOG2 = 2, PEL_PIECE_MAX_LOG2 = 6 };

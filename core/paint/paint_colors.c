@@ -10,23 +10,23 @@ enum { RUN_PIXELS = PEL_FAST_64BIT ? 64 : PEL_KNOW_SIDES ? 16 : 4 };
  * length, as a 64-bit CPU's pieces of curve.h do; or the surface is the buffer.
  */
 void pel_color_paint_fill(const struct pel_paint *paint,
-                          const struct pel_rows *rows)
+                          const struct pel_spans *spans)
 {
     const struct pel_color_paint *p = (const void *)paint;
-    const bool in_place = pel_colors_in_place(p, rows->surface);
-    const struct pel_row *row = rows->row;
-    int32_t y = rows->y;
+    const bool in_place = pel_colors_in_place(p, spans->surface);
+    const struct pel_span *span = spans->span;
+    int32_t y = spans->y;
     pel_color colors[RUN_PIXELS];
-    for (; row < rows->row + rows->n; row++, y += rows->step) {
-        int32_t x = row->x0, n = row->x1 - x;
+    for (; span < spans->span + spans->n; span++, y += spans->step) {
+        int32_t x = span->x0, n = span->x1 - x;
         if (in_place && n > 0) {
-            p->colors(p, x, y, n, pel_address32(rows->surface, x, y));
+            p->colors(p, x, y, n, pel_address32(spans->surface, x, y));
             continue;
         }
-        for (; x < row->x1; x += n) {
-            n = pel_min(row->x1 - x, RUN_PIXELS - (x & (RUN_PIXELS - 1)));
+        for (; x < span->x1; x += n) {
+            n = pel_min(span->x1 - x, RUN_PIXELS - (x & (RUN_PIXELS - 1)));
             p->colors(p, x, y, n, colors);
-            pel_put_colors(rows->surface, x, y, n, colors);
+            pel_put_colors(spans->surface, x, y, n, colors);
         }
     }
 }

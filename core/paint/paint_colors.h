@@ -54,7 +54,7 @@ static inline bool pel_colors_in_place(const struct pel_color_paint *paint,
 
 /* The fill function of all of them. */
 void pel_color_paint_fill(const struct pel_paint *paint,
-                          const struct pel_rows *rows);
+                          const struct pel_spans *spans);
 
 /* For init functions. */
 static inline void pel_color_paint_init(struct pel_color_paint *paint,

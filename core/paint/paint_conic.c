@@ -17,13 +17,13 @@ static void mixed(const struct pel_color_paint *paint, int32_t x, int32_t y,
 
 #if PEL_PATCHES
 
-static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_conic *p = (const void *)paint;
     const struct pel_patchwork work = {&p->base,         &p->curve,
                                        &p->ramp,         pel_conic_taylor,
                                        pel_conic_colors, false};
-    pel_patch_fill(&work, rows);
+    pel_patch_fill(&work, spans);
 }
 
 #endif

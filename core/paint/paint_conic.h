@@ -7,13 +7,13 @@
 #include "paint_colors.h"
 
 /* The colour at an angle is that of the ramp at t = angle - start, in turns
- * from 0 to 1, clockwise on screen (base/fixed_trig.h). PEL_PAD and PEL_REPEAT
+ * from 0 to 1, clockwise on screen (base/trig.h). PEL_PAD and PEL_REPEAT
  * are the same; PEL_REFLECT goes there and back within the turn, without a
  * seam. A pixel centre on the centre counts as angle 0.
  *
  * The angle is off by less than 1e-5 turns, and its ray by less than 1/256 px
  * at every distance: so one method serves every tolerance. Angles are computed
- * to 2^-30 turns (base/fixed_turn.h) at the ends of pieces and joined by cubics
+ * to 2^-30 turns (base/turn.h) at the ends of pieces and joined by cubics
  * (curve.h), to 1/512 px and 1e-5 turns since |a''''| <= 6 / r^4 along a row.
  */
 struct pel_conic {

@@ -1,5 +1,5 @@
 #include "paint_conic.h"
-#include "../base/fixed_turn.h"
+#include "../base/turn.h"
 #include "curve_colors.h"
 
 /* For a cubic that is right to 1/512 px and 1e-5 turns. */

@@ -84,12 +84,12 @@ static pel_color *color_at(const struct pel_surface *s, int32_t x)
     return (pel_color *)s->pixels + (x - s->bounds.x0);
 }
 
-static void keep_one(const struct pel_rows *rows, pel_color color)
+static void keep_one(const struct pel_spans *spans, pel_color color)
 {
-    const struct pel_row *row = rows->row;
-    for (int32_t i = rows->n; i > 0; i--, row++)
-        for (int32_t x = row->x0; x < row->x1; x++)
-            *color_at(rows->surface, x) = color;
+    const struct pel_span *span = spans->span;
+    for (int32_t i = spans->n; i > 0; i--, span++)
+        for (int32_t x = span->x0; x < span->x1; x++)
+            *color_at(spans->surface, x) = color;
 }
 
 static void keep_all(const struct pel_surface *s, int32_t x, int32_t y,
@@ -111,23 +111,23 @@ static const struct pel_format kept = {
 };
 
 static PEL_NOINLINE void source_colors(const struct pel_paint *source,
-                                       int32_t y, const struct pel_row *row,
+                                       int32_t y, const struct pel_span *span,
                                        pel_color *colors)
 {
     const struct pel_surface surface = {colors,
-                                        4 * (row->x1 - row->x0),
-                                        {row->x0, y, row->x1, y + 1},
-                                        {row->x0, y, row->x1, y + 1},
+                                        4 * (span->x1 - span->x0),
+                                        {span->x0, y, span->x1, y + 1},
+                                        {span->x0, y, span->x1, y + 1},
                                         &kept};
-    const struct pel_rows rows = {&surface, row, y, 1, 1};
-    source->fill(source, &rows);
+    const struct pel_spans spans = {&surface, span, y, 1, 1};
+    source->fill(source, &spans);
 }
 
 /* A power of two, as in paint_colors.c. */
 enum { RUN_PIXELS = PEL_FAST_64BIT ? 64 : PEL_KNOW_SIDES ? 16 : 4 };
 
 static PEL_NOINLINE void dither_colors(const struct pel_format *format,
-                                       int32_t y, const struct pel_row *part,
+                                       int32_t y, const struct pel_span *part,
                                        pel_color *colors)
 {
     const struct depth depth = depth_of(format);
@@ -136,32 +136,32 @@ static PEL_NOINLINE void dither_colors(const struct pel_format *format,
         *colors = dithered_color(*colors, &depth, 2u * thresholds[x & 7] + 1);
 }
 
-static void fill_run(const struct pel_dither *p, const struct pel_rows *rows,
-                     int32_t y, const struct pel_row *row)
+static void fill_run(const struct pel_dither *p, const struct pel_spans *spans,
+                     int32_t y, const struct pel_span *span)
 {
     pel_color colors[RUN_PIXELS];
-    struct pel_row part = *row;
-    for (; part.x0 < row->x1; part.x0 = part.x1) {
-        part.x1 = pel_min(row->x1, (part.x0 | (RUN_PIXELS - 1)) + 1);
+    struct pel_span part = *span;
+    for (; part.x0 < span->x1; part.x0 = part.x1) {
+        part.x1 = pel_min(span->x1, (part.x0 | (RUN_PIXELS - 1)) + 1);
         /* What the source does not paint stays transparent. */
         memset(colors, 0, (size_t)(part.x1 - part.x0) * sizeof *colors);
         source_colors(p->source, y, &part, colors);
-        dither_colors(rows->surface->format, y, &part, colors);
-        pel_put_colors(rows->surface, part.x0, y, part.x1 - part.x0, colors);
+        dither_colors(spans->surface->format, y, &part, colors);
+        pel_put_colors(spans->surface, part.x0, y, part.x1 - part.x0, colors);
     }
 }
 
-static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_dither *p = (const void *)paint;
-    const struct pel_row *row = rows->row;
-    int32_t y = rows->y;
-    if (depth_of(rows->surface->format).red == 8) {
-        p->source->fill(p->source, rows);
+    const struct pel_span *span = spans->span;
+    int32_t y = spans->y;
+    if (depth_of(spans->surface->format).red == 8) {
+        p->source->fill(p->source, spans);
         return;
     }
-    for (; row < rows->row + rows->n; row++, y += rows->step)
-        fill_run(p, rows, y, row);
+    for (; span < spans->span + spans->n; span++, y += spans->step)
+        fill_run(p, spans, y, span);
 }
 
 enum pel_status pel_dither_init(struct pel_dither *paint,

@@ -1,6 +1,6 @@
 #include "paint_fan.h"
 
-#include "../base/fixed_fraction.h"
+#include "../base/fraction.h"
 
 /* Positive when b lies clockwise of a; below 2^51. */
 static PEL_WIDE int64_t cross(const struct pel_point *a,

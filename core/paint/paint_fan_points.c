@@ -1,4 +1,4 @@
-#include "../base/fixed_trig.h"
+#include "../base/trig.h"
 #include "paint_fan.h"
 
 /* round(sum / n), n > 0. */

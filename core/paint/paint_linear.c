@@ -1,6 +1,6 @@
 #include "paint_linear.h"
 
-#include "../base/fixed_fraction.h"
+#include "../base/fraction.h"
 #include "ramp_vector.h"
 
 /* Begins a walk of n pixels at (x, y). */

@@ -1,7 +1,7 @@
 #include "paint_radial.h"
 
-#include "../base/fixed_fraction.h"
-#include "../base/fixed_root.h"
+#include "../base/fraction.h"
+#include "../base/root.h"
 #include "curve_colors.h"
 #include "patch.h"
 #include "ramp_vector.h"
@@ -60,12 +60,12 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 
 #if PEL_PATCHES
 
-static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_radial *p = (const void *)paint;
     const struct pel_patchwork work = {&p->base,          &p->curve,  &p->ramp,
                                        pel_radial_taylor, run_colors, true};
-    pel_patch_fill(&work, rows);
+    pel_patch_fill(&work, spans);
 }
 
 #endif

@@ -71,9 +71,9 @@ void pel_texture_fill_run(const struct pel_texture *p,
                           const struct pel_surface *surface, int32_t x,
                           int32_t n, int32_t y)
 {
-    const struct pel_row row = {x, x + n};
-    const struct pel_rows rows = {surface, &row, y, 1, 1};
-    p->base.paint.fill(&p->base.paint, &rows);
+    const struct pel_span span = {x, x + n};
+    const struct pel_spans spans = {surface, &span, y, 1, 1};
+    p->base.paint.fill(&p->base.paint, &spans);
 }
 
 #endif

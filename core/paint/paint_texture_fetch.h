@@ -35,8 +35,8 @@ static inline const void *pel_texture_line(const struct pel_texture *p,
 
 static inline pel_color pel_texel_of_565(uint32_t w)
 {
-    return PEL_RGB(pel_widen5(w >> 11), pel_widen6(w >> 5 & 63),
-                   pel_widen5(w & 31));
+    return PEL_RGB(pel_widen(w >> 11, 5), pel_widen(w >> 5 & 63, 6),
+                   pel_widen(w & 31, 5));
 }
 
 static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,

@@ -1,4 +1,4 @@
-#include "../base/fixed_fraction.h"
+#include "../base/fraction.h"
 #include "../raster/triangle_sort.h"
 #include "paint_texture.h"
 

@@ -197,26 +197,27 @@ static void copy_run(const struct copy *c, int32_t x, int32_t y)
 }
 
 static PEL_NOINLINE void copy_rows(const struct pel_texture *p,
-                                   const struct pel_rows *rows)
+                                   const struct pel_spans *spans)
 {
-    const struct pel_row *row = rows->row;
+    const struct pel_span *span = spans->span;
     struct copy c = {p, NULL, NULL};
-    for (int32_t i = 0, y = rows->y; i < rows->n; i++, row++, y += rows->step) {
-        if (row->x0 >= row->x1)
+    for (int32_t i = 0, y = spans->y; i < spans->n;
+         i++, span++, y += spans->step) {
+        if (span->x0 >= span->x1)
             continue;
-        c.out = pel_address16(rows->surface, row->x0, y);
-        c.end = c.out + (row->x1 - row->x0);
-        copy_run(&c, row->x0, y);
+        c.out = pel_address16(spans->surface, span->x0, y);
+        c.end = c.out + (span->x1 - span->x0);
+        copy_run(&c, span->x0, y);
     }
 }
 
-static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_texture *p = (const void *)paint;
-    if (pel_texture_is_copied(p, rows->surface->format))
-        copy_rows(p, rows);
+    if (pel_texture_is_copied(p, spans->surface->format))
+        copy_rows(p, spans);
     else
-        pel_color_paint_fill(paint, rows);
+        pel_color_paint_fill(paint, spans);
 }
 
 enum pel_status pel_texture_init_nearest(struct pel_texture *paint,

@@ -10,11 +10,11 @@
 /* A fill on its way. */
 struct fill {
     const struct pel_patchwork *work;
-    const struct pel_rows *rows;
+    const struct pel_spans *rows;
     struct pel_ramp_mixer mixer;
-    struct pel_row whole; /* pixels that are in every row of the strip */
-    bool in_place;        /* colours are the surface's pixels */
-    bool pairs;           /* and what is left of the centre is a mirror image */
+    struct pel_span whole; /* pixels that are in every row of the strip */
+    bool in_place;         /* colours are the surface's pixels */
+    bool pairs; /* and what is left of the centre is a mirror image */
 };
 
 /* Pixels from (x, y) on, and where their colours go: those of its mirror image
@@ -32,12 +32,12 @@ static int32_t width_of(const struct patch *p)
 }
 
 /* The pixels of line y that are in a patch; may be empty. */
-static struct pel_row part_of(const struct fill *f, const struct patch *p,
-                              int32_t y)
+static struct pel_span part_of(const struct fill *f, const struct patch *p,
+                               int32_t y)
 {
-    const struct pel_row *row = &f->rows->row[y - f->rows->y];
-    return (struct pel_row){pel_max(row->x0, p->x),
-                            pel_min(row->x1, p->x + width_of(p))};
+    const struct pel_span *row = &f->rows->span[y - f->rows->y];
+    return (struct pel_span){pel_max(row->x0, p->x),
+                             pel_min(row->x1, p->x + width_of(p))};
 }
 
 static bool is_whole(const struct fill *f, const struct patch *p)
@@ -49,7 +49,7 @@ static bool is_empty(const struct fill *f, const struct patch *p)
 {
     bool empty = !is_whole(f, p);
     for (int32_t y = p->y; empty && y < p->y + p->rows; y++) {
-        const struct pel_row row = part_of(f, p, y);
+        const struct pel_span row = part_of(f, p, y);
         empty = row.x0 >= row.x1;
     }
     return empty;
@@ -72,7 +72,7 @@ static void color_run(const struct fill *f, const struct pel_run *run,
 static void color_near(const struct fill *f, const struct patch *p)
 {
     for (int32_t i = 0; i < p->rows; i++) {
-        const struct pel_row row = part_of(f, p, p->y + i);
+        const struct pel_span row = part_of(f, p, p->y + i);
         struct pel_run run = {row.x0, p->y + i, row.x1 - row.x0};
         if (run.n <= 0)
             continue;
@@ -201,7 +201,7 @@ static void color_and_put(struct fill *f, struct patch *p)
     p->stride = PEL_GRID_WIDTH;
     color(f, p);
     for (int32_t y = p->y; y < p->y + p->rows; y++, p->out += p->stride) {
-        const struct pel_row row = part_of(f, p, y);
+        const struct pel_span row = part_of(f, p, y);
         if (row.x0 < row.x1)
             pel_put_colors(f->rows->surface, row.x0, y, row.x1 - row.x0,
                            p->out + (row.x0 - p->x));
@@ -228,7 +228,7 @@ static void color_one(struct fill *f, struct patch *p)
 /* Where to begin a patch that goes beyond the strip: sooner, where pixels may
  * be coloured twice and so all of it fits, which is faster. */
 static int32_t last_of(const struct fill *f, const struct patch *p,
-                       struct pel_row all)
+                       struct pel_span all)
 {
     const int32_t sooner = all.x1 - PEL_GRID_WIDTH;
     const bool fits = f->in_place && sooner < p->x && sooner >= f->whole.x0 &&
@@ -238,7 +238,7 @@ static int32_t last_of(const struct fill *f, const struct patch *p,
 
 /* Patches from the axis to both sides, the left one the mirror image of the
  * right one. A column on the axis is in both. */
-static void color_pairs(struct fill *f, struct patch *p, struct pel_row all)
+static void color_pairs(struct fill *f, struct patch *p, struct pel_span all)
 {
     const bool symmetric = image_of(f, all.x0, 0) == all.x1;
     struct patch left = *p;
@@ -259,14 +259,14 @@ static void color_pairs(struct fill *f, struct patch *p, struct pel_row all)
 }
 
 /* From the first pixel of lines y to y + n - 1 to behind the last. */
-static struct pel_row measure(struct fill *f, int32_t y, int32_t n,
-                              int32_t *covered)
+static struct pel_span measure(struct fill *f, int32_t y, int32_t n,
+                               int32_t *covered)
 {
-    struct pel_row all = {INT32_MAX, INT32_MIN};
-    f->whole = (struct pel_row){INT32_MIN, INT32_MAX};
+    struct pel_span all = {INT32_MAX, INT32_MIN};
+    f->whole = (struct pel_span){INT32_MIN, INT32_MAX};
     *covered = 0;
     for (int32_t i = y - f->rows->y; i < y - f->rows->y + n; i++) {
-        const struct pel_row *row = &f->rows->row[i];
+        const struct pel_span *row = &f->rows->span[i];
         f->whole.x0 = pel_max(f->whole.x0, row->x0);
         f->whole.x1 = pel_min(f->whole.x1, row->x1);
         if (row->x0 < row->x1) {
@@ -278,7 +278,7 @@ static struct pel_row measure(struct fill *f, int32_t y, int32_t n,
     return all;
 }
 
-static void color_strip(struct fill *f, struct patch *p, struct pel_row all)
+static void color_strip(struct fill *f, struct patch *p, struct pel_span all)
 {
     const int32_t middle = f->work->curve->center.x >> 8;
     if (f->pairs && all.x0 < middle && middle < all.x1) {
@@ -295,11 +295,11 @@ static void color_strip(struct fill *f, struct patch *p, struct pel_row all)
  * as some 250 pixels along a row, and a row's beginning as long as 50. */
 static void color_lines(struct fill *f, int32_t y, int32_t n)
 {
-    const struct pel_rows part = {f->rows->surface,
-                                  &f->rows->row[y - f->rows->y], y, n, 1};
+    const struct pel_spans part = {f->rows->surface,
+                                   &f->rows->span[y - f->rows->y], y, n, 1};
     struct patch p = {0, y, n, 0, NULL, NULL, 0};
     int32_t covered;
-    const struct pel_row all = measure(f, y, n, &covered);
+    const struct pel_span all = measure(f, y, n, &covered);
     if (covered == 0)
         return;
     if ((all.x1 - all.x0) / PEL_GRID_WIDTH * 250 + 250 < n * 50 + covered)
@@ -318,7 +318,7 @@ static bool is_coarse(const struct pel_patchwork *work)
 }
 
 void pel_patch_fill(const struct pel_patchwork *work,
-                    const struct pel_rows *rows)
+                    const struct pel_spans *rows)
 {
     const bool many = rows->step == 1 && rows->n > 1 &&
                       work->ramp->spread != PEL_REFLECT && is_coarse(work);

@@ -77,7 +77,7 @@ bool pel_patch_grid(const struct pel_patchwork *work, struct pel_point way,
 
 /* What the paint's fill function is to do. */
 void pel_patch_fill(const struct pel_patchwork *work,
-                    const struct pel_rows *rows);
+                    const struct pel_spans *rows);
 
 #endif
 #endif

@@ -1,4 +1,4 @@
-#include "../base/fixed_turn.h"
+#include "../base/turn.h"
 #include "paint_conic.h"
 #include "patch.h"
 

@@ -1,4 +1,4 @@
-#include "../base/fixed_root.h"
+#include "../base/root.h"
 #include "paint_radial.h"
 #include "patch.h"
 

@@ -86,7 +86,7 @@ struct pel_walker {
 
 /* The functions of such a paint, a struct pel_color_paint with a walker. */
 void pel_walker_fill(const struct pel_paint *paint,
-                     const struct pel_rows *rows);
+                     const struct pel_spans *spans);
 void pel_walker_colors(const struct pel_color_paint *paint, int32_t x,
                        int32_t y, int32_t n, pel_color *colors);
 

@@ -1,4 +1,4 @@
-#include "../base/fixed.h"
+#include "../base/point.h"
 #include "ramp_mix.h"
 #include "ramp_walk.h"
 
@@ -106,20 +106,21 @@ static const void *part_of(const struct pel_walker *walker, const void *paint)
 }
 
 /* A walk goes on from one buffer to the next: only its beginning is costly. */
-void pel_walker_fill(const struct pel_paint *paint, const struct pel_rows *rows)
+void pel_walker_fill(const struct pel_paint *paint,
+                     const struct pel_spans *spans)
 {
     const struct pel_walker *walker =
         ((const struct pel_color_paint *)(const void *)paint)->walker;
     const void *part = part_of(walker, paint);
-    const struct pel_row *row = rows->row;
+    const struct pel_span *span = spans->span;
     struct pel_strip s;
-    s.y = rows->y;
-    for (; row < rows->row + rows->n; row++, s.y += rows->step) {
-        s.x = row->x0;
-        while ((s.walk.n = row->x1 - s.x) > 0) {
+    s.y = spans->y;
+    for (; span < spans->span + spans->n; span++, s.y += spans->step) {
+        s.x = span->x0;
+        while ((s.walk.n = span->x1 - s.x) > 0) {
             walker->begin(part, &s);
             while (s.walk.n > 0)
-                put_some(walker, part, rows->surface, &s);
+                put_some(walker, part, spans->surface, &s);
         }
     }
 }

@@ -14,8 +14,8 @@ enum {
 
 struct pel_collector {
     const struct pel_paint *paint;
-    struct pel_rows rows;
-    struct pel_row row[PEL_COLLECT_ROWS];
+    struct pel_spans spans;
+    struct pel_span span[PEL_COLLECT_ROWS];
 };
 
 static inline void pel_collect_begin(struct pel_collector *c,
@@ -23,18 +23,18 @@ static inline void pel_collect_begin(struct pel_collector *c,
                                      const struct pel_paint *paint)
 {
     c->paint = paint;
-    c->rows = (struct pel_rows){surface, c->row, 0, 0, 1};
+    c->spans = (struct pel_spans){surface, c->span, 0, 0, 1};
 }
 
 static PEL_ALWAYS_INLINE void pel_collect_end(struct pel_collector *c)
 {
-    if (c->rows.n)
-        c->paint->fill(c->paint, &c->rows);
-    c->rows.n = 0;
+    if (c->spans.n)
+        c->paint->fill(c->paint, &c->spans);
+    c->spans.n = 0;
 }
 
 /* Can a run in line y join the batch? The second run decides its step. */
-static inline bool pel_collect_joins(struct pel_rows *r, int32_t y)
+static inline bool pel_collect_joins(struct pel_spans *r, int32_t y)
 {
     if (r->n == PEL_COLLECT_ROWS)
         return false;
@@ -47,18 +47,18 @@ static inline bool pel_collect_joins(struct pel_rows *r, int32_t y)
 static inline void pel_collect(struct pel_collector *c, int32_t y, int32_t x0,
                                int32_t x1)
 {
-    if (c->rows.n && !pel_collect_joins(&c->rows, y))
+    if (c->spans.n && !pel_collect_joins(&c->spans, y))
         pel_collect_end(c);
-    if (c->rows.n == 0)
-        c->rows.y = y;
-    c->row[c->rows.n++] = (struct pel_row){x0, x1};
+    if (c->spans.n == 0)
+        c->spans.y = y;
+    c->span[c->spans.n++] = (struct pel_span){x0, x1};
 }
 
 /* Of the pixels [x0, x1) of line y those inside the clip; y is. */
 static inline void pel_collect_clipped(struct pel_collector *c, int32_t y,
                                        int32_t x0, int32_t x1)
 {
-    const struct pel_rect *clip = &c->rows.surface->clip;
+    const struct pel_rect *clip = &c->spans.surface->clip;
     x0 = pel_max(x0, clip->x0);
     x1 = pel_min(x1, clip->x1);
     if (x0 < x1)

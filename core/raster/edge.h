@@ -29,7 +29,7 @@
 #ifndef PEL_RASTER_EDGE_H
 #define PEL_RASTER_EDGE_H
 
-#include "../base/fixed.h"
+#include "../base/point.h"
 
 struct pel_edge {
     int32_t x;    /* first pixel on or right of the edge, in this row */

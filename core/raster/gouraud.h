@@ -31,7 +31,7 @@ enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
                                  const pel_color c[3]);
 
 void pel_gouraud_fill(const struct pel_paint *paint,
-                      const struct pel_rows *rows);
+                      const struct pel_spans *spans);
 
 bool pel_gouraud_fast(const struct pel_paint *paint,
                       const struct pel_surface *surface,

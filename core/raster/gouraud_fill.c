@@ -17,37 +17,37 @@ static PEL_NOINLINE void colors_of_run(const struct pel_gouraud *g, int32_t x,
 
 static PEL_NOINLINE void fill_run_xrgb(const struct pel_gouraud *g,
                                        const struct pel_surface *s, int32_t y,
-                                       const struct pel_row *row)
+                                       const struct pel_span *span)
 {
     const struct pel_gouraud_run run = pel_gouraud_run_make(g, 1);
     uint32_t v[3];
-    pel_gouraud_at(g, row->x0, y, v);
-    pel_gouraud_run_xrgb(pel_address32(s, row->x0, y), row->x1 - row->x0, v,
+    pel_gouraud_at(g, span->x0, y, v);
+    pel_gouraud_run_xrgb(pel_address32(s, span->x0, y), span->x1 - span->x0, v,
                          &run);
 }
 
 static PEL_NOINLINE void fill_run_rgb565(const struct pel_gouraud *g,
                                          const struct pel_surface *s, int32_t y,
-                                         const struct pel_row *row)
+                                         const struct pel_span *span)
 {
     const struct pel_gouraud_run run = pel_gouraud_run_make(g, 2);
     uint32_t v[3];
-    pel_gouraud_at(g, row->x0, y, v);
-    pel_gouraud_run_rgb565(pel_address16(s, row->x0, y), row->x1 - row->x0, v,
-                           &run);
+    pel_gouraud_at(g, span->x0, y, v);
+    pel_gouraud_run_rgb565(pel_address16(s, span->x0, y), span->x1 - span->x0,
+                           v, &run);
 }
 
 /* A format that has a writer of its own for opaque colours. */
 static bool fill_direct(const struct pel_gouraud *g,
                         const struct pel_surface *s, int32_t y,
-                        const struct pel_row *row)
+                        const struct pel_span *span)
 {
     if (!pel_gouraud_opaque(g) || !s->format->put)
         return false;
     if (s->format->id == PEL_FORMAT_RGB565_LE)
-        fill_run_rgb565(g, s, y, row);
+        fill_run_rgb565(g, s, y, span);
     else if (PEL_FAST_64BIT && s->format->id == PEL_FORMAT_XRGB8888)
-        fill_run_xrgb(g, s, y, row);
+        fill_run_xrgb(g, s, y, span);
     else
         return false;
     return true;
@@ -55,19 +55,19 @@ static bool fill_direct(const struct pel_gouraud *g,
 
 /* Any other, through a short buffer. */
 void pel_gouraud_fill(const struct pel_paint *paint,
-                      const struct pel_rows *rows)
+                      const struct pel_spans *spans)
 {
     const struct pel_gouraud *g = (const struct pel_gouraud *)paint;
     pel_color colors[PEL_BUFFER_PIXELS];
-    int32_t y = rows->y;
-    for (int32_t i = 0; i < rows->n; i++, y += rows->step) {
-        struct pel_row part = rows->row[i];
-        if (fill_direct(g, rows->surface, y, &part))
+    int32_t y = spans->y;
+    for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
+        struct pel_span part = spans->span[i];
+        if (fill_direct(g, spans->surface, y, &part))
             continue;
         for (int32_t n; part.x0 < part.x1; part.x0 += n) {
             n = pel_min(part.x1 - part.x0, PEL_BUFFER_PIXELS);
             colors_of_run(g, part.x0, y, n, colors);
-            pel_put_colors(rows->surface, part.x0, y, n, colors);
+            pel_put_colors(spans->surface, part.x0, y, n, colors);
         }
     }
 }

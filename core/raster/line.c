@@ -59,7 +59,7 @@ static PEL_NOINLINE void start(struct walk *w, int32_t y)
 }
 
 /* The run of row y, and on to the next row. */
-static PEL_WALK void next_run(struct walk *w, int32_t y, struct pel_row *run)
+static PEL_WALK void next_run(struct walk *w, int32_t y, struct pel_span *run)
 {
     int32_t x = -w->edge.x, next = x + 1;
     if (w->flat) {
@@ -77,16 +77,16 @@ static void fill(struct walk *w, const struct pel_surface *surface, int32_t y,
                  int32_t end, const struct pel_paint *paint)
 {
     const struct pel_rect *clip = &surface->clip;
-    struct pel_row row[PEL_BATCH_ROWS];
-    struct pel_rows rows = {surface, row, y, 0, 1};
-    for (; rows.y < end; rows.y += rows.n) {
-        rows.n = pel_min(end - rows.y, PEL_BATCH_ROWS);
-        for (int32_t i = 0; i < rows.n; i++) {
-            next_run(w, rows.y + i, &row[i]);
-            row[i].x0 = pel_max(row[i].x0, clip->x0);
-            row[i].x1 = pel_min(row[i].x1, clip->x1);
+    struct pel_span span[PEL_BATCH_ROWS];
+    struct pel_spans spans = {surface, span, y, 0, 1};
+    for (; spans.y < end; spans.y += spans.n) {
+        spans.n = pel_min(end - spans.y, PEL_BATCH_ROWS);
+        for (int32_t i = 0; i < spans.n; i++) {
+            next_run(w, spans.y + i, &span[i]);
+            span[i].x0 = pel_max(span[i].x0, clip->x0);
+            span[i].x1 = pel_min(span[i].x1, clip->x1);
         }
-        paint->fill(paint, &rows);
+        paint->fill(paint, &spans);
     }
 }
 

@@ -16,7 +16,7 @@ struct pel_fast_triangle;
 
 struct pel_paint {
     /* Colours every run of `rows`. Required. */
-    void (*fill)(const struct pel_paint *paint, const struct pel_rows *rows);
+    void (*fill)(const struct pel_paint *paint, const struct pel_spans *spans);
 
     /* May colour a whole triangle that is not clipped, in its own row loop
      * (raster/fast_triangle.h); false when it did nothing. May be NULL, and is
@@ -53,7 +53,8 @@ struct pel_flat {
         PEL_PAINT(pel_flat_fill, pel_flat_fast), (color) \
     }
 
-void pel_flat_fill(const struct pel_paint *paint, const struct pel_rows *rows);
+void pel_flat_fill(const struct pel_paint *paint,
+                   const struct pel_spans *spans);
 
 bool pel_flat_fast(const struct pel_paint *paint,
                    const struct pel_surface *surface,

@@ -37,6 +37,20 @@ static void fill16(const struct pel_surface *s,
         pel_span16((pel_word16 *)(w.line + 2 * (uintptr_t)x), n, value);
 }
 
+static bool fill(const struct pel_surface *s, const struct pel_fast_triangle *t,
+                 pel_color color)
+{
+    if (s->format->bits == 32)
+        fill32(s, t, color);
+    else if (s->format->bits == 16)
+        fill16(s, t, color);
+    else
+        return false;
+    return true;
+}
+
+#if PEL_VECTORS
+
 /* A function of its own: inlined beside the others it takes registers from
  * fill16 (clang). */
 static PEL_NOINLINE void blend32(const struct pel_surface *s,
@@ -61,18 +75,6 @@ static void blend565(const struct pel_surface *s,
         pel_blend565_run((pel_word16 *)(w.line + 2 * (uintptr_t)x), n, &b);
 }
 
-static bool fill(const struct pel_surface *s, const struct pel_fast_triangle *t,
-                 pel_color color)
-{
-    if (s->format->bits == 32)
-        fill32(s, t, color);
-    else if (s->format->bits == 16)
-        fill16(s, t, color);
-    else
-        return false;
-    return true;
-}
-
 /* By layout, which only the ids of core's own formats tell. */
 static bool blend(const struct pel_surface *s,
                   const struct pel_fast_triangle *t, pel_color color)
@@ -93,6 +95,20 @@ static bool blend(const struct pel_surface *s,
         return false;
     }
 }
+
+#else
+
+/* The format's own loop does as well. */
+static bool blend(const struct pel_surface *s,
+                  const struct pel_fast_triangle *t, pel_color color)
+{
+    (void)s;
+    (void)t;
+    (void)color;
+    return false;
+}
+
+#endif
 
 bool pel_flat_fast(const struct pel_paint *paint,
                    const struct pel_surface *surface,

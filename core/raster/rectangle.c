@@ -7,14 +7,14 @@ static PEL_ALWAYS_INLINE void fill_rows(const struct pel_surface *surface,
                                         const struct pel_rect *r,
                                         const struct pel_paint *paint)
 {
-    struct pel_row row[PEL_COLLECT_ROWS];
-    struct pel_rows rows = {surface, row, r->y0, 0, 1};
+    struct pel_span span[PEL_COLLECT_ROWS];
+    struct pel_spans spans = {surface, span, r->y0, 0, 1};
     const int32_t end = r->y1;
     for (int i = 0; i < PEL_COLLECT_ROWS; i++)
-        row[i] = (struct pel_row){r->x0, r->x1};
-    for (; rows.y < end; rows.y += rows.n) {
-        rows.n = pel_min(end - rows.y, PEL_COLLECT_ROWS);
-        paint->fill(paint, &rows);
+        span[i] = (struct pel_span){r->x0, r->x1};
+    for (; spans.y < end; spans.y += spans.n) {
+        spans.n = pel_min(end - spans.y, PEL_COLLECT_ROWS);
+        paint->fill(paint, &spans);
     }
 }
 

@@ -14,7 +14,7 @@ struct walk {
 
 /* A batch of rows, and its columns one by one. */
 union batch {
-    struct pel_row row[PEL_BATCH_ROWS];
+    struct pel_span span[PEL_BATCH_ROWS];
     int32_t x[PEL_BATCH_ROWS * 2];
 };
 
@@ -57,14 +57,14 @@ static void walk_short(struct walk *w, int32_t y, int32_t *x, int32_t n)
 
 /* Both edges follow one formula, so which of them is the left one can be
  * decided here: a row is [min, max) of the two, inside the clip. */
-static void tidy(struct pel_row *row, int32_t n, const struct pel_rect *clip)
+static void tidy(struct pel_span *span, int32_t n, const struct pel_rect *clip)
 {
     const int32_t left = clip->x0, right = clip->x1;
     do {
-        int32_t a = row->x0, b = row->x1;
-        row->x0 = pel_max(pel_min(a, b), left);
-        row->x1 = pel_min(pel_max(a, b), right);
-        row++;
+        int32_t a = span->x0, b = span->x1;
+        span->x0 = pel_max(pel_min(a, b), left);
+        span->x1 = pel_min(pel_max(a, b), right);
+        span++;
     } while (--n);
 }
 
@@ -127,17 +127,17 @@ static void fill(const struct pel_surface *surface,
 {
     const enum side side = side_of(p, &surface->clip);
     union batch batch;
-    struct pel_rows rows = {surface, batch.row, y, 0, 1};
+    struct pel_spans spans = {surface, batch.span, y, 0, 1};
     struct walk w;
     pel_edge_start(&w.tall, p[0], p[2], y);
     start_short(&w, y < pel_first_pixel(p[1]->y) ? p + 1 : p + 2, y);
-    for (; rows.y < bottom; rows.y += rows.n) {
-        rows.n = pel_min(bottom - rows.y, PEL_BATCH_ROWS);
-        walk_edge(&w.tall, batch.x + (side == RIGHT), rows.n);
-        walk_short(&w, rows.y, batch.x + (side != RIGHT), rows.n);
+    for (; spans.y < bottom; spans.y += spans.n) {
+        spans.n = pel_min(bottom - spans.y, PEL_BATCH_ROWS);
+        walk_edge(&w.tall, batch.x + (side == RIGHT), spans.n);
+        walk_short(&w, spans.y, batch.x + (side != RIGHT), spans.n);
         if (side == UNKNOWN)
-            tidy(batch.row, rows.n, &surface->clip);
-        paint->fill(paint, &rows);
+            tidy(batch.span, spans.n, &surface->clip);
+        paint->fill(paint, &spans);
     }
 }
 

@@ -3,7 +3,7 @@
 #ifndef PEL_RASTER_TRIANGLE_SORT_H
 #define PEL_RASTER_TRIANGLE_SORT_H
 
-#include "../base/fixed.h"
+#include "../base/point.h"
 #include "../pel_config.h"
 
 static inline void pel_swap_points(const struct pel_point **a,

@@ -24,13 +24,13 @@ static PEL_WIDE bool start(struct walk *w, const struct pel_surface *surface,
 /* The pieces of the next line. */
 static PEL_WIDE void cut_line(struct walk *w, const struct pel_arc_shape *arc)
 {
-    const struct pel_rect *clip = &w->cut.rows.surface->clip;
-    struct pel_row run, *row = w->cut.row;
-    pel_wedge_parts(&w->wedge, &arc->center, w->ring.outer.y, row);
+    const struct pel_rect *clip = &w->cut.spans.surface->clip;
+    struct pel_span run, *span = w->cut.span;
+    pel_wedge_parts(&w->wedge, &arc->center, w->ring.outer.y, span);
     pel_disc_row(&w->ring.outer.disc, clip, &run);
-    w->cut.rows.n = pel_cut_within(row, 2, &run);
+    w->cut.spans.n = pel_cut_within(span, 2, &run);
     pel_disc_row(&w->ring.hole, clip, &run);
-    w->cut.rows.n = pel_cut_take(row, w->cut.rows.n, &run);
+    w->cut.spans.n = pel_cut_take(span, w->cut.spans.n, &run);
     pel_ring_next(&w->ring);
 }
 

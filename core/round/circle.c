@@ -47,12 +47,12 @@ void pel_circle(const struct pel_surface *surface, struct pel_point center,
     if (!legal || pel_rect_empty(&surface->clip))
         return;
     const struct pel_rect *clip = &surface->clip;
-    struct pel_row row[PEL_BATCH_ROWS];
-    struct pel_rows rows = {surface, row, 0, 0, 1};
+    struct pel_span span[PEL_BATCH_ROWS];
+    struct pel_spans spans = {surface, span, 0, 0, 1};
     struct side left, right;
-    rows.y = pel_max(pel_first_pixel(center.y - radius), clip->y0);
+    spans.y = pel_max(pel_first_pixel(center.y - radius), clip->y0);
     int32_t end = pel_min(pel_pixel_of(center.y + radius + 128), clip->y1);
-    int32_t v = pel_pixel_center(rows.y) - center.y;
+    int32_t v = pel_pixel_center(spans.y) - center.y;
     int64_t reach = pel_square(radius) - pel_square(v);
     int32_t split =
         pel_min(pel_max(pel_first_pixel(center.x), clip->x0), clip->x1);
@@ -62,14 +62,14 @@ void pel_circle(const struct pel_surface *surface, struct pel_point center,
     side_start(&left, reach, center.x - pel_pixel_center(split - 1));
     const bool mirror = mirrored(&left, &right, radius);
     const int32_t middle = split + (right.u == 0);
-    for (; rows.y < end; rows.y += rows.n) {
-        rows.n = pel_min(end - rows.y, PEL_BATCH_ROWS);
-        for (int32_t i = 0; i < rows.n; i++, v += 256) {
+    for (; spans.y < end; spans.y += spans.n) {
+        spans.n = pel_min(end - spans.y, PEL_BATCH_ROWS);
+        for (int32_t i = 0; i < spans.n; i++, v += 256) {
             int32_t columns = side_next(&left, v);
-            row[i].x0 = split - columns;
-            row[i].x1 =
+            span[i].x0 = split - columns;
+            span[i].x1 =
                 mirror ? middle + columns : split + side_next(&right, v);
         }
-        paint->fill(paint, &rows);
+        paint->fill(paint, &spans);
     }
 }

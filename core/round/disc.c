@@ -41,13 +41,15 @@ static PEL_HOT int32_t columns(struct pel_disc_side *s, int32_t first,
 }
 
 void pel_disc_row(struct pel_disc *disc, const struct pel_rect *clip,
-                  struct pel_row *row)
+                  struct pel_span *span)
 {
     struct pel_disc_side *l = &disc->left, *r = &disc->right;
-    row->x0 = split_at(l->center, clip);
-    row->x1 = split_at(r->center, clip);
-    row->x0 -= columns(l, first_left(l->center, row->x0), row->x0 - clip->x0);
-    row->x1 += columns(r, first_right(r->center, row->x1), clip->x1 - row->x1);
+    span->x0 = split_at(l->center, clip);
+    span->x1 = split_at(r->center, clip);
+    span->x0 -=
+        columns(l, first_left(l->center, span->x0), span->x0 - clip->x0);
+    span->x1 +=
+        columns(r, first_right(r->center, span->x1), clip->x1 - span->x1);
 }
 
 /* The low 9 bits of u^2 are the same in all columns. */

@@ -23,7 +23,7 @@
 #ifndef PEL_ROUND_DISC_H
 #define PEL_ROUND_DISC_H
 
-#include "../base/fixed.h"
+#include "../base/point.h"
 #include "../base/format.h"
 
 struct pel_disc_side {
@@ -55,7 +55,7 @@ void pel_disc_start(struct pel_disc *disc, const struct pel_rect *clip,
 
 /* The visible run of the present row; the same clip as at the start. */
 void pel_disc_row(struct pel_disc *disc, const struct pel_rect *clip,
-                  struct pel_row *row);
+                  struct pel_span *span);
 
 /* Moves on to a row whose reach is 512 * change greater. */
 static inline void pel_disc_step(struct pel_disc *disc, int32_t change)

@@ -13,10 +13,10 @@ void pel_ellipse(const struct pel_surface *surface,
         return;
     pel_collect_begin(&c, surface, paint);
     for (; w.y < w.end; pel_ellipse_next(&w, ellipse)) {
-        struct pel_row row;
-        pel_disc_row(&w.disc, &surface->clip, &row);
-        if (row.x0 < row.x1)
-            pel_collect(&c, w.y, row.x0, row.x1);
+        struct pel_span span;
+        pel_disc_row(&w.disc, &surface->clip, &span);
+        if (span.x0 < span.x1)
+            pel_collect(&c, w.y, span.x0, span.x1);
     }
     pel_collect_end(&c);
 }

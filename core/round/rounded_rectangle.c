@@ -13,10 +13,10 @@ void pel_rounded_rectangle(const struct pel_surface *surface,
         return;
     pel_collect_begin(&c, surface, paint);
     for (; w.visible.y0 < w.visible.y1; pel_rounded_next(&w)) {
-        struct pel_row row;
-        pel_disc_row(&w.disc, &w.visible, &row);
-        if (row.x0 < row.x1)
-            pel_collect(&c, w.visible.y0, row.x0, row.x1);
+        struct pel_span span;
+        pel_disc_row(&w.disc, &w.visible, &span);
+        if (span.x0 < span.x1)
+            pel_collect(&c, w.visible.y0, span.x0, span.x1);
     }
     pel_collect_end(&c);
 }

@@ -14,15 +14,15 @@ void pel_sector(const struct pel_surface *surface,
         !pel_wedge_start(&wedge, &sector->center,
                          (struct pel_angles){sector->from, sector->to}, w.y))
         return;
-    struct pel_row row[2];
-    struct pel_rows rows = {surface, row, 0, 0, 0};
+    struct pel_span span[2];
+    struct pel_spans spans = {surface, span, 0, 0, 0};
     for (; w.y < w.end; pel_disc_walk_next(&w)) {
-        struct pel_row run;
-        pel_wedge_parts(&wedge, &sector->center, w.y, row);
+        struct pel_span run;
+        pel_wedge_parts(&wedge, &sector->center, w.y, span);
         pel_disc_row(&w.disc, &surface->clip, &run);
-        rows.y = w.y;
-        rows.n = pel_cut_within(row, 2, &run);
-        if (rows.n)
-            paint->fill(paint, &rows);
+        spans.y = w.y;
+        spans.n = pel_cut_within(span, 2, &run);
+        if (spans.n)
+            paint->fill(paint, &spans);
     }
 }

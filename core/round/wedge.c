@@ -1,6 +1,6 @@
 #include "wedge.h"
 
-#include "../base/fixed_trig.h"
+#include "../base/trig.h"
 
 enum {
     FAR = 1 << 20, /* px: beyond every pixel */
@@ -63,18 +63,18 @@ static int32_t end_of(struct pel_angles angles)
 
 /* The row through the centre holds the angles 0 and a half turn alone. */
 static void level_row(struct pel_angles angles, int32_t split,
-                      struct pel_row part[2])
+                      struct pel_span part[2])
 {
     const int32_t from = angles.from, to = end_of(angles);
     bool right = from == 0 || from > to;
     bool left = from < to ? from <= HALF_TURN && HALF_TURN < to
                           : from <= HALF_TURN || HALF_TURN < to;
-    part[0] = (struct pel_row){left ? -FAR : split, split};
-    part[1] = (struct pel_row){split, right ? FAR : split};
+    part[0] = (struct pel_span){left ? -FAR : split, split};
+    part[1] = (struct pel_span){split, right ? FAR : split};
 }
 
 void pel_wedge_parts(struct pel_wedge *wedge, const struct pel_point *center,
-                     int32_t y, struct pel_row part[2])
+                     int32_t y, struct pel_span part[2])
 {
     const int32_t v = pel_pixel_center(y) - center->y;
     const int32_t from = wedge->angles.from, to = end_of(wedge->angles);
@@ -86,11 +86,11 @@ void pel_wedge_parts(struct pel_wedge *wedge, const struct pel_point *center,
     const int32_t last = ray_at(&wedge->to, to, y, v > 0);
     const int32_t x0 = v > 0 ? last : first, x1 = v > 0 ? first : last;
     if (from < to) {
-        part[0] = (struct pel_row){x0, x1};
-        part[1] = (struct pel_row){FAR, FAR};
+        part[0] = (struct pel_span){x0, x1};
+        part[1] = (struct pel_span){FAR, FAR};
     } else {
-        part[0] = (struct pel_row){-FAR, x1};
-        part[1] = (struct pel_row){x0, FAR};
+        part[0] = (struct pel_span){-FAR, x1};
+        part[1] = (struct pel_span){x0, FAR};
     }
 }
 

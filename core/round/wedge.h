@@ -44,6 +44,6 @@ bool pel_wedge_start(struct pel_wedge *wedge, const struct pel_point *center,
  * other; one may be empty. They reach beyond every pixel. Every line is asked
  * for once, from the first one down. */
 void pel_wedge_parts(struct pel_wedge *wedge, const struct pel_point *center,
-                     int32_t y, struct pel_row part[2]);
+                     int32_t y, struct pel_span part[2]);
 
 #endif

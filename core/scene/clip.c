@@ -1,6 +1,6 @@
 #include "clip.h"
 
-#include "../base/fixed_divide.h"
+#include "../base/divide.h"
 
 enum { PLANES = 5 };
 

@@ -56,12 +56,12 @@ enum { RUNS = PEL_FAST_64BIT ? 8 : 4 };
 /* Runs of one line, so the step is 0. The pixel at which a run begins was
  * found, and with `keeps` noted, by the search for it. */
 static void fill_line(const struct pel_depth_paint *p,
-                      const struct pel_rows *rows, const struct pel_row *line,
-                      int32_t y)
+                      const struct pel_spans *spans,
+                      const struct pel_span *line, int32_t y)
 {
     const struct pel_rect *b = &p->depth->bounds;
-    struct pel_row run[RUNS];
-    struct pel_rows out = {rows->surface, run, y, 0, 0};
+    struct pel_span run[RUNS];
+    struct pel_spans out = {spans->surface, run, y, 0, 0};
     const int32_t end = pel_min(line->x1, b->x1);
     int32_t x = pel_max(line->x0, b->x0);
     if (y < b->y0 || y >= b->y1)
@@ -79,12 +79,12 @@ static void fill_line(const struct pel_depth_paint *p,
         p->inner->fill(p->inner, &out);
 }
 
-static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_depth_paint *p = (const void *)paint;
-    int32_t y = rows->y;
-    for (int32_t i = 0; i < rows->n; i++, y += rows->step)
-        fill_line(p, rows, &rows->row[i], y);
+    int32_t y = spans->y;
+    for (int32_t i = 0; i < spans->n; i++, y += spans->step)
+        fill_line(p, spans, &spans->span[i], y);
 }
 
 void pel_depth_paint_init(struct pel_depth_paint *paint,

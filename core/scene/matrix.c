@@ -1,6 +1,6 @@
 #include "matrix.h"
 
-#include "../base/fixed_trig.h"
+#include "../base/trig.h"
 
 void pel_matrix_turn(struct pel_matrix *m, int axis, uint16_t turn)
 {

@@ -1,6 +1,6 @@
 #include "paint_perspective.h"
 
-#include "../base/fixed_divide.h"
+#include "../base/divide.h"
 #include "vector.h"
 
 /* origin 2^16 + part 2^(reach - 14), in 2^-32 texels, and by how much that may

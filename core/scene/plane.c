@@ -1,6 +1,6 @@
 #include "plane.h"
 
-#include "../base/fixed_divide.h"
+#include "../base/divide.h"
 #include "../raster/triangle.h"
 #include "../raster/triangle_sort.h"
 #include "vector.h"

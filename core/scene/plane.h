@@ -2,7 +2,7 @@
 #ifndef PEL_SCENE_PLANE_H
 #define PEL_SCENE_PLANE_H
 
-#include "../base/fixed.h"
+#include "../base/point.h"
 
 /* At the centre of pixel (x, y): at + x dx + y dy, in 2^-24, modulo 2^64. Right
  * where the value fits, which is inside the triangle; gradients may wrap, so

@@ -1,6 +1,6 @@
 #include "projector.h"
 
-#include "../base/fixed_divide.h"
+#include "../base/divide.h"
 
 static void fine_place(const struct pel_projector *p, const int16_t position[3],
                        int64_t out[3])

@@ -1,6 +1,6 @@
 #include "projector.h"
 
-#include "../base/fixed_divide.h"
+#include "../base/divide.h"
 
 const struct pel_pose pel_pose_none = {PEL_MATRIX_IDENTITY, {0, 0, 0}};
 

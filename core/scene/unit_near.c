@@ -1,4 +1,4 @@
-#include "../base/fixed_sqrt.h"
+#include "../base/sqrt.h"
 #include "vector.h"
 
 /* v . v <= 3 2^60 < 2^62. The inverse is 2^(62 - shift) / |v|, so v inverse,

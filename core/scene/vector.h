@@ -3,7 +3,7 @@
 #ifndef PEL_SCENE_VECTOR_H
 #define PEL_SCENE_VECTOR_H
 
-#include "../base/fixed.h"
+#include "../base/point.h"
 #include "../pel_config.h"
 
 /* Places in the world: 1/65,536 unit, from -16,384 to 16,384 units. A

@@ -2,7 +2,7 @@
 #ifndef PEL_SCENE_VECTOR_SUMS_H
 #define PEL_SCENE_VECTOR_SUMS_H
 
-#include "../base/fixed.h"
+#include "../base/point.h"
 
 #ifndef PEL_WIDE_SUM
 #define PEL_WIDE_SUM static inline

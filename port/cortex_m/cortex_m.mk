@@ -6,7 +6,7 @@ ifndef MCU_CPUS
 
 MCU_CPUS := cortex-m0plus cortex-m4
 MCU_CC := arm-none-eabi-gcc
-MCU_CFLAGS := -std=c99 $(WARNINGS) -I. -MMD -MP -mthumb -mfloat-abi=soft \
+MCU_CFLAGS = -std=c99 $(WARNINGS) $(WERROR) -I. -MMD -MP -mthumb -mfloat-abi=soft \
               -ffunction-sections -fdata-sections
 
 # memcpy and memset, where a program needs them, are those of newlib-nano; the
@@ -14,6 +14,7 @@ MCU_CFLAGS := -std=c99 $(WARNINGS) -I. -MMD -MP -mthumb -mfloat-abi=soft \
 MCU_LDFLAGS := -mthumb -mfloat-abi=soft -nostartfiles --specs=nano.specs \
                -Wl,--gc-sections -Wl,--fatal-warnings
 MCU_PORT := $(wildcard port/cortex_m/*.c)
+mcu_script = -T port/cortex_m/$1.ld -T port/cortex_m/sections.ld
 
 need-arm:
 	@tests/tools/need.sh $(MCU_CC):gcc-arm-none-eabi

@@ -11,7 +11,7 @@ enum { RADIUS_MAX = 1025, SIDE = 2 * RADIUS_MAX + 6, LEFT = -RADIUS_MAX - 3 };
 /* The one run that each row may have. */
 struct picture {
     struct pel_paint paint;
-    struct pel_row row[SIDE];
+    struct pel_span row[SIDE];
     uint64_t pixels;
 };
 
@@ -19,15 +19,15 @@ static struct picture picture;
 static struct pel_surface surface;
 
 static void take_rows(const struct pel_paint *paint,
-                      const struct pel_rows *rows)
+                      const struct pel_spans *rows)
 {
     struct picture *p = (struct picture *)(uintptr_t)paint;
     for (int32_t i = 0; i < rows->n; i++) {
         int32_t y = rows->y + i * rows->step;
-        struct pel_row *row = &p->row[y - LEFT];
+        struct pel_span *row = &p->row[y - LEFT];
         if (row->x0 < row->x1)
             fail_msg("row %d has two runs", y);
-        *row = rows->row[i];
+        *row = rows->span[i];
     }
 }
 
@@ -61,21 +61,21 @@ static int64_t ceil_256(int64_t v)
 }
 
 /* Pixels whose centre lies within `reach` of the disc's centre line. */
-static struct pel_row expected_row(struct pel_point center, int32_t radius,
-                                   int32_t y)
+static struct pel_span expected_row(struct pel_point center, int32_t radius,
+                                    int32_t y)
 {
     const int64_t v = (int64_t)y * 256 + 128 - center.y;
     const int64_t square = (int64_t)radius * radius - v * v;
     if (square < 0)
-        return (struct pel_row){0, 0};
+        return (struct pel_span){0, 0};
     const int64_t reach = root_of(square);
-    return (struct pel_row){
+    return (struct pel_span){
         (int32_t)ceil_256(center.x - reach - 128),
         (int32_t)-ceil_256(-(center.x + reach - 128)) + 1,
     };
 }
 
-static bool same(const struct pel_row *a, const struct pel_row *b)
+static bool same(const struct pel_span *a, const struct pel_span *b)
 {
     return (a->x0 == b->x0 && a->x1 == b->x1) ||
            (a->x0 >= a->x1 && b->x0 >= b->x1);
@@ -88,8 +88,8 @@ static void check_circle(struct pel_point center, int32_t radius)
            (size_t)(2 * reach + 1) * sizeof picture.row[0]);
     pel_circle(&surface, center, radius, &picture.paint);
     for (int32_t y = -reach; y <= reach; y++) {
-        const struct pel_row want = expected_row(center, radius, y);
-        const struct pel_row *got = &picture.row[y - LEFT];
+        const struct pel_span want = expected_row(center, radius, y);
+        const struct pel_span *got = &picture.row[y - LEFT];
         if (!same(&want, got))
             fail_msg("centre %d, %d, radius %d: row %d: expected %d..%d, got "
                      "%d..%d",

@@ -1,5 +1,5 @@
-/* Every value: the mix of two channels, and every pixel and colour of every
- * format, through pack and unpack and through memory. */
+/* Every value: the mix of two channels, every pixel and colour of every format,
+ * through pack and unpack and through memory, and every blend of a channel. */
 #include <string.h>
 
 #include "tests/support/cases.h"
@@ -104,6 +104,71 @@ static void test_all_colors(void **state)
     }
 }
 
+/* One color over the first n pixels of the first line. */
+typedef void draw_line(const struct pel_surface *s, int n, pel_color color);
+
+static void draw_run(const struct pel_surface *s, int n, pel_color color)
+{
+    const struct pel_span row = {0, n};
+    s->format->blend(&(struct pel_spans){s, &row, 0, 1, 1}, color);
+}
+
+static void draw_pixels(const struct pel_surface *s, int n, pel_color color)
+{
+    for (int x = 0; x < n; x++) {
+        const struct pel_span row = {x, x + 1};
+        s->format->blend(&(struct pel_spans){s, &row, 0, 1, 1}, color);
+    }
+}
+
+static void draw_colors(const struct pel_surface *s, int n, pel_color color)
+{
+    pel_color colors[256];
+    for (int i = 0; i < n; i++)
+        colors[i] = color;
+    s->format->put(s, 0, 0, n, colors);
+}
+
+/* Over a line that has every value of every channel: red and blue rise from 0,
+ * green falls to 0. */
+static void check_blends(const struct layout *l, pel_color color)
+{
+    static draw_line *const ways[] = {draw_run, draw_pixels, draw_colors};
+    pel_color memory[256], below[256], want[256], got[256];
+    const int n = 1 << l->green[1]; /* the widest channel's values */
+    struct pel_surface s;
+    for (int i = 0; i < n; i++) {
+        const int v = 256 / n * i;
+        below[i] = PEL_RGB(v, 255 - v, v);
+        want[i] =
+            layout_unpack(l, layout_over(l, layout_pack(l, below[i]), color));
+    }
+    assert_int_equal(pel_surface_init(&s, l->format, memory, n, 1), PEL_OK);
+    for (size_t way = 0; way < sizeof ways / sizeof ways[0]; way++) {
+        s.format->put(&s, 0, 0, n, below);
+        ways[way](&s, n, color);
+        s.format->load(&s, 0, 0, n, got);
+        for (int i = 0; i < n; i++)
+            if (got[i] != want[i])
+                fail_msg("%s: %08x over %06x, way %zu: expected %08x, got %08x",
+                         l->name, color, below[i] & 0xFFFFFFu, way, want[i],
+                         got[i]);
+    }
+}
+
+/* Every source and alpha, but for channels of 8 bits, which are mixed as in
+ * test_all_mixes. */
+static void test_all_blends(void **state)
+{
+    (void)state;
+    for (int f = 0; f < LAYOUT_COUNT; f++) {
+        const int apart = layouts[f].green[1] == 8 ? 15 : 1;
+        for (int a = 0; a < 255; a++)
+            for (int v = 0; v < 256; v += apart)
+                check_blends(&layouts[f], PEL_RGBA(v, 255 - v, v, a));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -112,6 +177,7 @@ int main(void)
         cmocka_unit_test(test_round_div255),
         cmocka_unit_test(test_all_pixels),
         cmocka_unit_test(test_all_colors),
+        cmocka_unit_test(test_all_blends),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

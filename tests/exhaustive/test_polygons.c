@@ -21,11 +21,11 @@ static uint64_t bit_of(int32_t x, int32_t y)
 }
 
 static void take_rows(const struct pel_paint *paint,
-                      const struct pel_rows *rows)
+                      const struct pel_spans *rows)
 {
     struct picture *p = (struct picture *)(uintptr_t)paint;
     for (int i = 0; i < rows->n; i++)
-        for (int32_t x = rows->row[i].x0; x < rows->row[i].x1; x++) {
+        for (int32_t x = rows->span[i].x0; x < rows->span[i].x1; x++) {
             uint64_t bit = bit_of(x, rows->y + i * rows->step);
             p->twice |= (p->bits & bit) != 0;
             p->bits |= bit;

@@ -21,12 +21,12 @@ static struct plane fill, outline;
 static struct pel_surface surface;
 
 static void plane_fill(const struct pel_paint *paint,
-                       const struct pel_rows *rows)
+                       const struct pel_spans *rows)
 {
     struct plane *p = (struct plane *)(uintptr_t)paint;
     int32_t y = rows->y - LEFT;
     for (int32_t i = 0; i < rows->n; i++, y += rows->step)
-        for (int32_t x = rows->row[i].x0; x < rows->row[i].x1; x++)
+        for (int32_t x = rows->span[i].x0; x < rows->span[i].x1; x++)
             if (p->hit[y][x - LEFT]++)
                 fail_msg("%d, %d is painted twice", x, y + LEFT);
 }

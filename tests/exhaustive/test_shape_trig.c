@@ -1,5 +1,5 @@
 /* Every direction: nearest integers, in order, symmetric. */
-#include "core/base/fixed_trig.h"
+#include "core/base/trig.h"
 #include "tests/support/check.h"
 #include "tests/support/reference_shape.h"
 

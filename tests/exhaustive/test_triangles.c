@@ -89,11 +89,11 @@ static void take(void *picture, int32_t y, int32_t x0, int32_t x1)
 }
 
 static void take_rows(const struct pel_paint *paint,
-                      const struct pel_rows *rows)
+                      const struct pel_spans *rows)
 {
     struct picture *p = (struct picture *)(uintptr_t)paint;
     for (int i = 0; i < rows->n; i++)
-        take(p, rows->y + i * rows->step, rows->row[i].x0, rows->row[i].x1);
+        take(p, rows->y + i * rows->step, rows->span[i].x0, rows->span[i].x1);
 }
 
 #if PEL_FAST_64BIT

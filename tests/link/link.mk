@@ -27,7 +27,7 @@ $(BUILD)/link/$1/%.elf: $(BUILD)/mcu/$1-Os/tests/link/%.o \
     $(MCU_PORT:%.c=$(BUILD)/mcu/$1-Os/%.o) $(BUILD)/mcu/$1-Os/libpel.a
 	@mkdir -p $$(@D)
 	$(MCU_CC) -mcpu=$1 $(MCU_LDFLAGS) -Wl,--wrap=main -Wl,-Map=$$@.map \
-	    -T port/cortex_m/$(LINK_BOARD_$1).ld $$^ -o $$@
+	    $(call mcu_script,$(LINK_BOARD_$1)) $$^ -o $$@
 $(BUILD)/mcu/$1-Os/tests/link/shape_%.o: tests/link/shape.c | need-arm
 	@mkdir -p $$(@D)
 	$(MCU_CC) -mcpu=$1 -Os $(MCU_CFLAGS) -DDRAW=draw_$$* -c $$< -o $$@

@@ -130,7 +130,7 @@ static void test_around_128_rows(void **state)
 }
 
 static void fill_fails(const struct pel_paint *paint,
-                       const struct pel_rows *rows)
+                       const struct pel_spans *rows)
 {
     (void)paint;
     fail_msg("format %d: the writer was not taken", rows->surface->format->id);

@@ -164,11 +164,11 @@ static void test_gradient_in_bands(void **state)
 /* A paint that knows nothing but its fill function, and one with its own way
  * into xrgb8888: the same as what they show there, dithered. */
 static void left_half(const struct pel_paint *paint,
-                      const struct pel_rows *rows)
+                      const struct pel_spans *rows)
 {
     (void)paint;
     for (int i = 0; i < rows->n; i++)
-        for (int32_t x = rows->row[i].x0; x < rows->row[i].x1; x++) {
+        for (int32_t x = rows->span[i].x0; x < rows->span[i].x1; x++) {
             const pel_color c = PEL_RGB(x * 5, 99, 255 - x);
             if (x < 20)
                 rows->surface->format->put(rows->surface, x,
@@ -217,15 +217,16 @@ static void test_any_source(void **state)
 
 /* What a source is given: a surface of its own, transparent, that holds its
  * run. It colours it as two runs of one line. */
-static void two_runs(const struct pel_paint *paint, const struct pel_rows *rows)
+static void two_runs(const struct pel_paint *paint,
+                     const struct pel_spans *rows)
 {
     (void)paint;
     const struct pel_surface *s = rows->surface;
-    const struct pel_row all = rows->row[0];
+    const struct pel_span all = rows->span[0];
     const struct pel_rect line = {all.x0, rows->y, all.x1, rows->y + 1};
     const int32_t middle = (all.x0 + all.x1 + 1) / 2;
-    const struct pel_row parts[2] = {{all.x0, middle}, {middle, all.x1}};
-    const struct pel_rows two = {s, parts, rows->y, 2, 0};
+    const struct pel_span parts[2] = {{all.x0, middle}, {middle, all.x1}};
+    const struct pel_spans two = {s, parts, rows->y, 2, 0};
     pel_color before[64];
     assert_int_equal(rows->n, 1);
     assert_in_range(rows->step, 0, 1);

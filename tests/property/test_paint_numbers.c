@@ -1,7 +1,7 @@
 /* The numbers under the paints: square roots, angles, quotients. */
-#include "core/base/fixed_fraction.h"
-#include "core/base/fixed_root.h"
-#include "core/base/fixed_turn.h"
+#include "core/base/fraction.h"
+#include "core/base/root.h"
+#include "core/base/turn.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
 #include "tests/support/paint_math.h"

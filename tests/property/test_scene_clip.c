@@ -10,12 +10,12 @@ enum { SIDE = 96, CELLS = 6, ROW = CELLS + 1 };
 
 static uint8_t hits[SIDE][SIDE];
 
-static void count(const struct pel_paint *paint, const struct pel_rows *rows)
+static void count(const struct pel_paint *paint, const struct pel_spans *rows)
 {
     int32_t y = rows->y;
     (void)paint;
     for (int32_t i = 0; i < rows->n; i++, y += rows->step)
-        for (int32_t x = rows->row[i].x0; x < rows->row[i].x1; x++)
+        for (int32_t x = rows->span[i].x0; x < rows->span[i].x1; x++)
             hits[y][x]++;
 }
 

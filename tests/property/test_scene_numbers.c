@@ -1,6 +1,6 @@
 /* Arithmetic of the 3-D pipeline, of which there are two where products of 64
  * bits are long: both give these numbers. */
-#include "core/base/fixed_divide.h"
+#include "core/base/divide.h"
 #include "core/scene/plane.h"
 #include "core/scene/vector.h"
 #include "tests/support/cases.h"

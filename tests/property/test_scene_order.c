@@ -120,13 +120,13 @@ static void test_the_nearest_is_seen(void **state)
 static bool told_apart(int64_t near, int64_t z, int64_t gap)
 {
     const struct pel_rect pixel = {0, 0, 1, 1};
-    const struct pel_row row = {0, 1};
+    const struct pel_span row = {0, 1};
     const struct pel_flat flat = PEL_FLAT(PEL_RGB(1, 2, 3));
     uint16_t memory[1];
     uint32_t color = 0;
     struct pel_depth depth;
     struct pel_surface s;
-    const struct pel_rows rows = {&s, &row, 0, 1, 1};
+    const struct pel_spans rows = {&s, &row, 0, 1, 1};
     assert_int_equal(pel_depth_init(&depth, &pixel, 16, memory, 2), PEL_OK);
     assert_int_equal(pel_surface_init(&s, &pel_xrgb8888, &color, 1, 1), PEL_OK);
     for (int i = 0; i < 2; i++) {

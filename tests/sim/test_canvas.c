@@ -10,8 +10,8 @@
 #include <cmocka.h>
 
 #include "core/pel.h"
-#include "sim/canvas.h"
-#include "sim/format_names.h"
+#include "sim/image/canvas.h"
+#include "sim/image/format_names.h"
 
 enum { WIDTH = 41, HEIGHT = 37 };
 

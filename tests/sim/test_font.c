@@ -1,5 +1,5 @@
 /* BDF and PSF files: what is read, and what is refused with which words. */
-#include "sim/font.h"
+#include "sim/font/font.h"
 #include "tests/support/check.h"
 
 #include "mesh_messages.h"

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "sim/mesh_depth.h"
+#include "sim/mesh/depth.h"
 
 struct row {
     const char *text;

@@ -3,7 +3,7 @@
 #include "tests/support/check.h"
 
 #include "mesh_messages.h"
-#include "sim/pel2d.h"
+#include "sim/mesh/pel2d.h"
 
 #define HEAD "pel2d 3 1\n"
 #define A "0 0 1 2 3 0 0 0\n"

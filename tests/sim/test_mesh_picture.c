@@ -4,9 +4,9 @@
 #include "tests/support/check.h"
 
 #include "mesh_messages.h"
-#include "sim/canvas.h"
-#include "sim/render_painter.h"
-#include "sim/stage_pel2d.h"
+#include "sim/image/canvas.h"
+#include "sim/render/painter.h"
+#include "sim/render/scene_pel2d.h"
 #include "core/format/formats.h"
 #include "core/raster/rectangle.h"
 #include "tests/support/reference.h"
@@ -188,17 +188,17 @@ static void compare(const char *path, enum painter_shade shade, int tolerance)
 static void project(const char *mesh, struct pel2d *flat)
 {
     const struct model_source source = {.path = mesh};
-    struct stage_settings settings = stage_default;
+    struct scene_settings settings = scene_default;
     struct model model;
-    struct stage stage;
+    struct scene scene;
     uint32_t clipped;
-    settings.mapping = STAGE_MAP_VERTICES;
+    settings.mapping = SCENE_MAP_VERTICES;
     assert_true(model_load(&model, &source));
-    assert_true(stage_init(&stage, &model));
-    assert_true(stage_prepare(&stage, &settings));
-    assert_true(stage_project(&stage, flat, &clipped));
+    assert_true(scene_init(&scene, &model));
+    assert_true(scene_prepare(&scene, &settings));
+    assert_true(scene_project(&scene, flat, &clipped));
     assert_int_equal(clipped, 0);
-    stage_free(&stage);
+    scene_free(&scene);
     model_free(&model);
 }
 

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "sim/number.h"
+#include "sim/cli/number.h"
 
 struct row {
     const char *text;

@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "sim/output.h"
+#include "sim/cli/output.h"
 
 static char directory[] = "/tmp/pel-output-XXXXXX";
 

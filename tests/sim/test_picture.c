@@ -15,7 +15,7 @@
 #include <png.h>
 #endif
 
-#include "sim/picture.h"
+#include "sim/image/picture.h"
 
 static char directory[] = "/tmp/pel-picture-XXXXXX";
 

@@ -7,7 +7,7 @@
 
 #include <cmocka.h>
 
-#include "sim/demo_rules_sheet.h"
+#include "sim/demo/rules_sheet.h"
 
 /* Twice the signed area of (a, b, p), all in 1/4 px. */
 static int side(const int *a, const int *b, const int *p)

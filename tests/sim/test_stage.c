@@ -1,11 +1,11 @@
-/* Meshes, cameras and stages: what is refused, where points land, what is
+/* Meshes, cameras and scenes: what is refused, where points land, what is
  * clipped, in which scale the world goes to core. */
 #include "tests/support/check.h"
 
 #include <math.h>
 
 #include "mesh_messages.h"
-#include "sim/stage_pel2d.h"
+#include "sim/render/scene_pel2d.h"
 
 static void set(struct mesh *mesh, uint32_t i, double x, double y, double z)
 {
@@ -74,9 +74,9 @@ static void test_normals(void **state)
 }
 
 /* 100x50 pixels of a 40x20 mm sensor at 10 mm: 25 px at a slope of 1. */
-static struct stage_settings make_settings(double distance)
+static struct scene_settings make_settings(double distance)
 {
-    struct stage_settings s = stage_default;
+    struct scene_settings s = scene_default;
     s.camera.width = 100;
     s.camera.height = 50;
     s.camera.sensor[0] = 40;
@@ -84,29 +84,29 @@ static struct stage_settings make_settings(double distance)
     s.camera.focal = 10;
     s.camera.eye[2] = distance;
     s.camera.has_eye = s.camera.has_target = s.camera.has_sensor = true;
-    s.mapping = STAGE_MAP_VERTICES;
-    s.lit = STAGE_UNLIT;
+    s.mapping = SCENE_MAP_VERTICES;
+    s.lit = SCENE_UNLIT;
     return s;
 }
 
-/* A mesh as the stage shows it; `units` is the world's scale. */
+/* A mesh as the scene shows it; `units` is the world's scale. */
 struct shown {
     struct pel2d flat;
     uint32_t clipped;
     double units;
 };
 
-static bool show(const struct mesh *mesh, const struct stage_settings *settings,
+static bool show(const struct mesh *mesh, const struct scene_settings *settings,
                  struct shown *shown)
 {
     struct model model;
-    struct stage stage;
+    struct scene scene;
     assert_true(model_make(&model, mesh));
-    assert_true(stage_init(&stage, &model));
-    const bool done = stage_prepare(&stage, settings) &&
-                      stage_project(&stage, &shown->flat, &shown->clipped);
-    shown->units = stage.units;
-    stage_free(&stage);
+    assert_true(scene_init(&scene, &model));
+    const bool done = scene_prepare(&scene, settings) &&
+                      scene_project(&scene, &shown->flat, &shown->clipped);
+    shown->units = scene.units;
+    scene_free(&scene);
     model_free(&model);
     return done;
 }
@@ -123,7 +123,7 @@ static void test_formula(void **state)
     (void)state;
     for (int exponent = -30; exponent <= 45; exponent++) {
         const double size = ldexp(1, exponent);
-        const struct stage_settings s = make_settings(2 * size);
+        const struct scene_settings s = make_settings(2 * size);
         struct mesh mesh;
         struct shown shown;
         make_square(&mesh);
@@ -151,7 +151,7 @@ static void test_formula(void **state)
 /* Orthographic: 40 by 20 units on 100 by 50 pixels, at any distance. */
 static void test_orthographic(void **state)
 {
-    struct stage_settings s = make_settings(300);
+    struct scene_settings s = make_settings(300);
     struct mesh mesh;
     struct shown shown;
     (void)state;
@@ -170,8 +170,8 @@ static void test_orthographic(void **state)
 /* A quarter of a turn around z takes each corner to the next one. */
 static void test_turn(void **state)
 {
-    const struct stage_settings s = make_settings(2);
-    struct stage_settings turned = s;
+    const struct scene_settings s = make_settings(2);
+    struct scene_settings turned = s;
     struct mesh mesh;
     struct shown before, after;
     (void)state;
@@ -197,7 +197,7 @@ static void test_behind(void **state)
 {
     struct mesh mesh;
     struct shown shown;
-    struct stage_settings s = make_settings(0);
+    struct scene_settings s = make_settings(0);
     (void)state;
     make_square(&mesh);
     for (uint32_t i = 0; i < 4; i++) { /* from z = 1 to z = -1, below the eye */
@@ -240,7 +240,7 @@ static void test_any_camera(void **state)
     for (int round = 0; round < 300; round++) {
         struct mesh mesh;
         struct shown shown;
-        struct stage_settings s = make_settings(0);
+        struct scene_settings s = make_settings(0);
         double size = pow(10, (double)(next(&seed) % 25) - 9);
         assert_true(mesh_init(&mesh, 60, 20));
         for (uint32_t i = 0; i < 60; i++) {
@@ -283,7 +283,7 @@ static void test_framing(void **state)
     (void)state;
     assert_true(mesh_load(&mesh, MESH_BUILTIN));
     for (int i = 0; i < 6; i++) {
-        struct stage_settings s = stage_default;
+        struct scene_settings s = scene_default;
         struct shown shown;
         s.camera.width = size[i / 2][0];
         s.camera.height = size[i / 2][1];
@@ -298,7 +298,7 @@ static void test_framing(void **state)
 }
 
 /* Is it refused with that message? */
-static void refuse_settings(const struct stage_settings *s, const char *text)
+static void refuse_settings(const struct scene_settings *s, const char *text)
 {
     struct mesh mesh;
     struct shown shown;
@@ -315,13 +315,13 @@ static void refuse_settings(const struct stage_settings *s, const char *text)
 
 static void test_refused(void **state)
 {
-    struct stage_settings same = make_settings(0), along = make_settings(2);
-    struct stage_settings lens = make_settings(2), phong = make_settings(2);
+    struct scene_settings same = make_settings(0), along = make_settings(2);
+    struct scene_settings lens = make_settings(2), phong = make_settings(2);
     (void)state;
     along.camera.up[1] = 0;
     along.camera.up[2] = 1;
     lens.camera.focal = 1e6;
-    phong.shade = STAGE_PHONG;
+    phong.shade = SCENE_PHONG;
     refuse_settings(&same, "eye and target are one place, or up points");
     refuse_settings(&along, "eye and target are one place, or up points");
     refuse_settings(&lens, "make more than 65536 or less than 1/256 pixel");

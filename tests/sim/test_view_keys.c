@@ -5,13 +5,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "sim/view_keys.h"
+#include "sim/view/keys.h"
 
 /* A view of the built-in mesh. */
 static void make(struct view *view, struct model *model)
 {
     const struct model_source source = {.path = MESH_BUILTIN};
-    struct stage_settings settings = stage_default;
+    struct scene_settings settings = scene_default;
     settings.camera.width = 200;
     settings.camera.height = 100;
     assert_true(model_load(model, &source));
@@ -38,29 +38,29 @@ static void test_shade(void **state)
 {
     struct view *view = *state;
     press(view, "f");
-    assert_int_equal(view->settings.shade, STAGE_FLAT);
+    assert_int_equal(view->settings.shade, SCENE_FLAT);
     press(view, "p");
-    assert_int_equal(view->settings.shade, STAGE_PHONG);
+    assert_int_equal(view->settings.shade, SCENE_PHONG);
     press(view, "g");
-    assert_int_equal(view->settings.shade, STAGE_GOURAUD);
+    assert_int_equal(view->settings.shade, SCENE_GOURAUD);
 }
 
 static void test_texture_and_order(void **state)
 {
     struct view *view = *state;
-    const int textures[] = {STAGE_TEXTURE_NONE, STAGE_TEXTURE_NEAREST,
-                            STAGE_TEXTURE_BILINEAR};
+    const int textures[] = {SCENE_TEXTURE_NONE, SCENE_TEXTURE_NEAREST,
+                            SCENE_TEXTURE_BILINEAR};
     for (int i = 0; i < 3; i++) {
         press(view, "t");
         assert_int_equal(view->settings.texture, textures[i]);
     }
     press(view, "z");
-    assert_int_equal(view->settings.order, STAGE_ZBUFFER32);
+    assert_int_equal(view->settings.order, SCENE_ZBUFFER32);
     press(view, "z");
-    assert_int_equal(view->settings.order, STAGE_PAINTER);
-    view->first.order = view->settings.order = STAGE_ZBUFFER16;
+    assert_int_equal(view->settings.order, SCENE_PAINTER);
+    view->first.order = view->settings.order = SCENE_ZBUFFER16;
     press(view, "zz");
-    assert_int_equal(view->settings.order, STAGE_ZBUFFER16);
+    assert_int_equal(view->settings.order, SCENE_ZBUFFER16);
 }
 
 static void test_terms(void **state)
@@ -68,11 +68,11 @@ static void test_terms(void **state)
     struct view *view = *state;
     view->lit = true;
     press(view, "a");
-    assert_int_equal(view->settings.terms, STAGE_DIFFUSE | STAGE_SPECULAR);
+    assert_int_equal(view->settings.terms, SCENE_DIFFUSE | SCENE_SPECULAR);
     press(view, "ds");
     assert_int_equal(view->settings.terms, 0);
     press(view, "sda");
-    assert_int_equal(view->settings.terms, STAGE_ALL_TERMS);
+    assert_int_equal(view->settings.terms, SCENE_ALL_TERMS);
 }
 
 /* The first key of light brings the light and takes nothing from it. */
@@ -82,17 +82,17 @@ static void test_unlit(void **state)
     struct view *view = *state;
     for (int i = 0; keys[i]; i++) {
         view->lit = false;
-        view->settings.lit = STAGE_LIT_AUTO;
+        view->settings.lit = SCENE_LIT_AUTO;
         assert_int_equal(view_key(view, keys[i]), VIEW_CHANGED);
-        assert_int_equal(view->settings.lit, STAGE_LIT);
+        assert_int_equal(view->settings.lit, SCENE_LIT);
         assert_true(view->lit);
         assert_int_equal(view->dark, 0);
-        assert_int_equal(view->settings.terms, STAGE_ALL_TERMS);
+        assert_int_equal(view->settings.terms, SCENE_ALL_TERMS);
     }
     press(view, "l");
-    assert_int_equal(view->settings.lit, STAGE_UNLIT);
+    assert_int_equal(view->settings.lit, SCENE_UNLIT);
     press(view, "p"); /* which is light */
-    assert_int_equal(view->settings.lit, STAGE_LIT_AUTO);
+    assert_int_equal(view->settings.lit, SCENE_LIT_AUTO);
     view->lit = true;
     assert_int_equal(view_key(view, 'l'), VIEW_NOTHING);
 }
@@ -100,11 +100,11 @@ static void test_unlit(void **state)
 static void test_lights(void **state)
 {
     struct view *view = *state;
-    struct stage_settings s;
+    struct scene_settings s;
     view->lit = true;
     view->first.lights = 3;
     for (int i = 0; i < 3; i++)
-        view->first.light[i] = (struct stage_light){.color = {1, 2, 3}};
+        view->first.light[i] = (struct scene_light){.color = {1, 2, 3}};
     view_reset(view);
     press(view, "13");
     view_settings(view, 200, 100, &s);
@@ -124,7 +124,7 @@ static void test_lights(void **state)
 static void test_own_light(void **state)
 {
     struct view *view = *state;
-    struct stage_settings s;
+    struct scene_settings s;
     view->lit = true;
     view_settings(view, 200, 100, &s);
     assert_int_equal(s.lights, 0);
@@ -138,7 +138,7 @@ static void test_own_light(void **state)
 static void test_turn(void **state)
 {
     struct view *view = *state;
-    struct stage_settings s;
+    struct scene_settings s;
     assert_int_equal(view_key(view, VIEW_KEY_RIGHT), VIEW_CHANGED);
     assert_true(view->spin > 0 && view->spin < 0.1);
     assert_int_equal(view_key(view, VIEW_KEY_LEFT), VIEW_CHANGED);
@@ -156,7 +156,7 @@ static void test_turn(void **state)
 
 static double height_of_eye(const struct view *view, double *distance)
 {
-    struct stage_settings s;
+    struct scene_settings s;
     double square = 0;
     view_settings(view, 200, 100, &s);
     for (int k = 0; k < 3; k++)
@@ -206,7 +206,7 @@ static void test_sizes(void **state)
 {
     struct view *view = *state;
     const struct camera *first = &view->first.camera;
-    struct stage_settings s;
+    struct scene_settings s;
     view_settings(view, 400, 100, &s);
     assert_int_equal(s.camera.width, 400);
     assert_true(s.camera.sensor[0] == 2 * first->sensor[0]);
@@ -220,7 +220,7 @@ static void test_sizes(void **state)
 static void test_first(void **state)
 {
     struct view *view = *state;
-    struct stage_settings s;
+    struct scene_settings s;
     press(view, "+- tzf");
     view_key(view, VIEW_KEY_UP);
     view_key(view, VIEW_KEY_RIGHT);
@@ -232,9 +232,9 @@ static void test_first(void **state)
                         sizeof(s.camera.sensor));
     assert_int_equal(s.camera.has_sensor, view->first.camera.has_sensor);
     assert_int_equal(s.turn[1], 0);
-    assert_int_equal(s.shade, STAGE_GOURAUD);
-    assert_int_equal(s.texture, STAGE_TEXTURE_BILINEAR);
-    assert_int_equal(s.order, STAGE_PAINTER);
+    assert_int_equal(s.shade, SCENE_GOURAUD);
+    assert_int_equal(s.texture, SCENE_TEXTURE_BILINEAR);
+    assert_int_equal(s.order, SCENE_PAINTER);
     assert_true(view->turning);
 }
 
@@ -259,11 +259,11 @@ static void test_extremes(void **state)
 {
     static const int tilts[] = {VIEW_KEY_UP, VIEW_KEY_DOWN};
     struct view *view = *state;
-    struct stage_settings s;
+    struct scene_settings s;
     struct model model;
-    struct stage stage;
+    struct scene scene;
     make(view, &model);
-    assert_true(stage_init(&stage, &model));
+    assert_true(scene_init(&scene, &model));
     for (int i = 0; i < 8; i++) {
         view_reset(view);
         view->first.camera.projection =
@@ -273,9 +273,9 @@ static void test_extremes(void **state)
             view_key(view, tilts[i >> 1 & 1]);
         }
         view_settings(view, i & 1 ? 3000 : 200, 20, &s);
-        assert_true(stage_prepare(&stage, &s));
+        assert_true(scene_prepare(&scene, &s));
     }
-    stage_free(&stage);
+    scene_free(&scene);
     model_free(&model);
 }
 

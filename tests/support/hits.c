@@ -11,7 +11,7 @@ static size_t index_of(const struct hits *h, int32_t x, int32_t y)
     return (size_t)(y - b->y0) * (size_t)(b->x1 - b->x0) + (size_t)(x - b->x0);
 }
 
-static void count_run(struct hits *h, int32_t y, const struct pel_row *row)
+static void count_run(struct hits *h, int32_t y, const struct pel_span *row)
 {
     const struct pel_rect *clip = &h->surface.clip;
     if (row->x0 >= row->x1)
@@ -28,7 +28,7 @@ static void count_run(struct hits *h, int32_t y, const struct pel_row *row)
     h->pixels += (uint64_t)(row->x1 - row->x0);
 }
 
-static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
+static void fill(const struct pel_paint *paint, const struct pel_spans *rows)
 {
     struct hits *h = (struct hits *)(uintptr_t)paint;
     int32_t y = rows->y;
@@ -36,7 +36,7 @@ static void fill(const struct pel_paint *paint, const struct pel_rows *rows)
     assert_in_range(rows->n, 1, PEL_BATCH_ROWS);
     assert_in_range(rows->step, 0, 1);
     for (int i = 0; i < rows->n; i++, y += rows->step)
-        count_run(h, y, &rows->row[i]);
+        count_run(h, y, &rows->span[i]);
     h->batches++;
     h->runs += (uint64_t)rows->n;
 }

@@ -13,7 +13,7 @@ void portable_pel_line(const struct pel_surface *, struct pel_point,
                        struct pel_point, const struct pel_paint *);
 void portable_pel_rectangle(const struct pel_surface *, struct pel_point,
                             struct pel_point, const struct pel_paint *);
-void portable_pel_flat_fill(const struct pel_paint *, const struct pel_rows *);
+void portable_pel_flat_fill(const struct pel_paint *, const struct pel_spans *);
 
 #define PORTABLE(name) extern const struct pel_format portable_pel_##name
 PORTABLE(rgb565_le);

@@ -43,13 +43,13 @@ static bool take_fast(const struct pel_paint *paint,
 #endif
 
 static void take_rows(const struct pel_paint *paint,
-                      const struct pel_rows *rows)
+                      const struct pel_spans *rows)
 {
     struct probe *p = (struct probe *)(uintptr_t)paint;
     p->slow++;
     for (int i = 0; i < rows->n; i++)
-        check_row(p, rows->y + i * rows->step, rows->row[i].x0,
-                  rows->row[i].x1);
+        check_row(p, rows->y + i * rows->step, rows->span[i].x0,
+                  rows->span[i].x1);
 }
 
 static const struct pel_paint ways[2] = {{take_rows, NULL},

@@ -2,7 +2,7 @@
 # same bytes everywhere. A build is named COMPILER-CPU-LEVEL or, of a variant of
 # core, COMPILER-CPU-LEVEL-VARIANT.
 
-.PHONY: check-cpus deep-cpus need-cpus
+.PHONY: check-cpus deep-cpus need-cpus board
 
 # CPUs, each with the prefix of its compiler and its emulator; `host` is this
 # machine. s390x and powerpc are big-endian, with 64 and with 32 bits. The
@@ -67,6 +67,15 @@ need-cpus: | need-boards
 
 # $1 builds: lines of a build and the emulator that runs it
 cpu_lines = $(foreach b,$1,'$b $(CPU_RUN_$(call cpu_word,2,$b))')
+
+# An example on a board without an operating system: its text comes out here.
+EXAMPLE ?= bands
+board: $(BUILD)/board/$(EXAMPLE) ## EXAMPLE=bands on a Cortex-M4 board, in QEMU
+	@$(CPU_RUN_m4) $<
+$(BUILD)/board/%: examples/%.c $(CORE) | need-arm need-qemu-arm
+	@mkdir -p $(@D)
+	@arm-none-eabi-gcc $(CPU_FLAGS_m4) -std=c99 -Os -I. -ffunction-sections \
+	    -Wl,--gc-sections $< $(CORE) $(CPU_LINK_m4) -o $@
 
 check-cpus: $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes) ## the golden scenes on other CPUs and compilers
 	printf '%s\n' $(call cpu_lines,$(CPU_CHECK)) | tests/tools/cpus.sh $(BUILD)

@@ -1,7 +1,7 @@
 # Checks of the sources and the objects, and builds for other CPUs: each a target
 # of its own, and each one test of `make check`.
 
-CHECK_EXTRA += layers metrics size bench-mcu check-cpus
+CHECK_EXTRA += layers metrics size bench-mcu check-cpus board
 
 .PHONY: layers metrics need-clang need-format
 
@@ -30,10 +30,10 @@ layers: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(BUILD)/libpel.a | need-clang ## che
 	    $(filter $(BUILD)/mcu/cortex-m0plus%,$(MCU_CORE_OBJECTS))
 	@tests/tools/layers_objects.sh arm-none-eabi-size arm-none-eabi-nm \
 	    $(filter $(BUILD)/mcu/cortex-m4%,$(MCU_CORE_OBJECTS))
-	tests/tools/layers_headers.sh "$(CC)" $(WARNINGS)
+	tests/tools/layers_headers.sh "$(CC)" $(WARNINGS) -Werror
 	@mkdir -p $(BUILD)/link
 	for c in g++ clang++; do \
-	    $$c -std=c++11 $(WARNINGS) -I. tests/link/from_cpp.cpp \
+	    $$c -std=c++11 $(WARNINGS) -Werror -I. tests/link/from_cpp.cpp \
 	        $(BUILD)/libpel.a -o $(BUILD)/link/from_cpp && \
 	    $(BUILD)/link/from_cpp || exit 1; done
 	@echo "layers: all of core and its headers are in order"

@@ -18,11 +18,11 @@ struct plane {
 static struct plane plane;
 
 static void take_rows(const struct pel_paint *paint,
-                      const struct pel_rows *rows)
+                      const struct pel_spans *rows)
 {
     struct plane *p = (struct plane *)(uintptr_t)paint;
     for (int32_t i = 0; i < rows->n; i++)
-        for (int32_t x = rows->row[i].x0; x < rows->row[i].x1; x++)
+        for (int32_t x = rows->span[i].x0; x < rows->span[i].x1; x++)
             p->hit[rows->y + i * rows->step][x]++;
 }
 

@@ -1,5 +1,5 @@
 /* Products of numbers of 31, 32 and 64 bits, against the compiler's. */
-#include "core/base/fixed.h"
+#include "core/base/point.h"
 #include "tests/support/check.h"
 
 enum { LIMIT = 1 << 30 };

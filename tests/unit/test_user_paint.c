@@ -13,12 +13,12 @@ static pel_color color_at(int32_t x, int32_t y)
 }
 
 static void fill_named(const struct pel_paint *paint,
-                       const struct pel_rows *rows)
+                       const struct pel_spans *rows)
 {
     (void)paint;
     for (int32_t i = 0; i < rows->n; i++) {
-        const int32_t y = rows->y + i * rows->step, x1 = rows->row[i].x1;
-        for (int32_t x = rows->row[i].x0, n; x < x1; x += n) {
+        const int32_t y = rows->y + i * rows->step, x1 = rows->span[i].x1;
+        for (int32_t x = rows->span[i].x0, n; x < x1; x += n) {
             pel_color colors[PEL_BUFFER_PIXELS];
             for (n = 0; n < PEL_BUFFER_PIXELS && x + n < x1; n++)
                 colors[n] = color_at(x + n, y);
@@ -88,7 +88,7 @@ struct counting {
 };
 
 static void count_rows(const struct pel_paint *paint,
-                       const struct pel_rows *rows)
+                       const struct pel_spans *rows)
 {
     ((struct counting *)(uintptr_t)paint)->rows += rows->n;
 }

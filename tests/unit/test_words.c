@@ -34,11 +34,11 @@ static void test_widening(void **state)
 {
     (void)state;
     for (uint32_t v = 0; v < 32; v++)
-        assert_int_equal(pel_widen5(v), v * 8 + v / 4);
+        assert_int_equal(pel_widen(v, 5), v * 8 + v / 4);
     for (uint32_t v = 0; v < 64; v++)
-        assert_int_equal(pel_widen6(v), v * 4 + v / 16);
-    assert_int_equal(pel_widen5(31), 255);
-    assert_int_equal(pel_widen6(63), 255);
+        assert_int_equal(pel_widen(v, 6), v * 4 + v / 16);
+    assert_int_equal(pel_widen(31, 5), 255);
+    assert_int_equal(pel_widen(63, 6), 255);
 }
 
 int main(void)

@@ -320,7 +320,7 @@ static void test_zigzags(void **state)
 }
 
 static void count_runs(const struct pel_paint *paint,
-                       const struct pel_rows *rows)
+                       const struct pel_spans *rows)
 {
     (void)paint;
     hits.runs += (uint64_t)rows->n;
@@ -331,21 +331,21 @@ static void count_runs(const struct pel_paint *paint,
 static void test_outline_of_many_runs(void **state)
 {
     enum { RUNS = 8000, PART = 4 };
-    static struct pel_row run[RUNS], memory[PEL_RIM_MEMORY(RUNS)];
+    static struct pel_span run[RUNS], memory[PEL_RIM_MEMORY(RUNS)];
     const int32_t rows = (int32_t)cases_scaled(2000);
     const struct pel_surface surface = {.clip = {0, 0, 4 * RUNS, rows}};
     const struct pel_paint paint = PEL_PAINT(count_runs, NULL);
     struct pel_rim rim;
     (void)state;
     for (int32_t i = 0; i < RUNS; i++)
-        run[i] = (struct pel_row){4 * i, 4 * i + 3};
+        run[i] = (struct pel_span){4 * i, 4 * i + 3};
     hits.runs = 0;
     alarm(TOO_LONG);
     assert_true(
         pel_rim_begin(&rim, &surface, &paint, memory, PEL_RIM_MEMORY(RUNS)));
     for (int32_t y = 0; y < rows; y++) {
         for (int32_t i = 0; i < RUNS; i += PART) {
-            const struct pel_rows part = {&rim.surface, run + i, y, PART, 0};
+            const struct pel_spans part = {&rim.surface, run + i, y, PART, 0};
             rim.paint.fill(&rim.paint, &part);
         }
     }

@@ -1,0 +1,23 @@
+#include "point.h"
+
+#if !PEL_LONG_MULTIPLY
+
+uint64_t pel_times(uint64_t a, int32_t n)
+{
+    const uint32_t low = (uint32_t)a, high = (uint32_t)(a >> 32);
+    const uint32_t sum = high * (uint32_t)n - (n < 0 ? low : 0);
+    return pel_multiply(low, (uint32_t)n) + ((uint64_t)sum << 32);
+}
+
+/* By halves of 16 bits: the sum in the middle may leave a carry. */
+uint64_t pel_multiply(uint32_t a, uint32_t b)
+{
+    const uint32_t a0 = a & 0xFFFF, a1 = a >> 16;
+    const uint32_t b0 = b & 0xFFFF, b1 = b >> 16;
+    const uint32_t one = a0 * b1, middle = a1 * b0 + (a0 * b0 >> 16);
+    const uint32_t sum = one + middle;
+    const uint32_t high = a1 * b1 + (sum >> 16) + ((uint32_t)(sum < one) << 16);
+    return (uint64_t)high << 32 | a * b;
+}
+
+#endif

@@ -1,0 +1,129 @@
+/* Sub-pixel coordinates. Pixel (x, y) covers [x, x+1) x [y, y+1), its centre
+ * lies at (x + 1/2, y + 1/2), y grows downwards. Vertices are whole numbers of
+ * 1/256 px, from -32,768 px up to and including 32,767 + 255/256 px: so a
+ * difference of two fits 25 bits with its sign. */
+#ifndef PEL_BASE_POINT_H
+#define PEL_BASE_POINT_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "../pel_config.h"
+
+#define PEL_COORDINATE_MIN INT32_C(-8388608)
+#define PEL_COORDINATE_MAX INT32_C(8388607)
+
+/* n pixels, -32,768 to 32,767, in sub-pixels, for constant expressions too. A
+ * constant may have a fraction, PEL_PX(7.5), and compiles to a whole number of
+ * sub-pixels: what 1/256 px cannot say is cut off. */
+#define PEL_PX(n) ((int32_t)((n)*256))
+
+struct pel_point {
+    int32_t x, y; /* 1/256 px */
+};
+
+/* Initialiser of a point from pixels; in an expression, write
+ * (struct pel_point)PEL_AT(x, y). */
+#define PEL_AT(x, y)         \
+    {                        \
+        PEL_PX(x), PEL_PX(y) \
+    }
+
+/* Everything below shifts negative numbers to the right and wants the floor.
+ * C leaves that to the compiler, so here is the one place that asks. */
+typedef char pel_shift_is_arithmetic[((-3) >> 1) == -2 ? 1 : -1];
+
+/* Sums of sub-pixels are written in int. */
+typedef char pel_int_has_32_bits[sizeof(int) >= 4 ? 1 : -1];
+
+/* Pixel that holds a sub-pixel coordinate. */
+static inline int32_t pel_pixel_of(int32_t v)
+{
+    return v >> 8;
+}
+
+/* First pixel whose centre lies at or after v: ceil((v - 128) / 256). */
+static inline int32_t pel_first_pixel(int32_t v)
+{
+    return (v + 127) >> 8;
+}
+
+/* Centre of pixel i; |i| < 2^23. */
+static inline int32_t pel_pixel_center(int32_t i)
+{
+    return i * 256 + 128;
+}
+
+/* a b for |a|, |b| < 2^30; a b without a sign; a n modulo 2^64, of any a in
+ * two's complement. Small CPUs have functions (product.c,
+ * multiply.c) that are shorter than the compiler's for 64 by 64 bits. */
+#if PEL_LONG_MULTIPLY
+static inline int64_t pel_product(int32_t a, int32_t b)
+{
+    return (int64_t)a * b;
+}
+
+static inline uint64_t pel_multiply(uint32_t a, uint32_t b)
+{
+    return (uint64_t)a * b;
+}
+
+static inline uint64_t pel_times(uint64_t a, int32_t n)
+{
+    return a * (uint64_t)(int64_t)n;
+}
+#else
+int64_t pel_product(int32_t a, int32_t b);
+uint64_t pel_multiply(uint32_t a, uint32_t b);
+uint64_t pel_times(uint64_t a, int32_t n);
+#endif
+
+/* a b with a sign, of any two. */
+static inline int64_t pel_long_product(int32_t a, int32_t b)
+{
+    return (int64_t)pel_times((uint64_t)(int64_t)a, b);
+}
+
+static inline int64_t pel_square(int32_t u)
+{
+    return pel_product(u, u);
+}
+
+static inline int32_t pel_min(int32_t a, int32_t b)
+{
+    return a < b ? a : b;
+}
+
+static inline int32_t pel_max(int32_t a, int32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* Legal coordinates plus 2^23 fit 24 bits: no bit above is set in either. */
+static inline uint32_t pel_point_offset(struct pel_point p)
+{
+    return ((uint32_t)p.x + 0x800000u) | ((uint32_t)p.y + 0x800000u);
+}
+
+/* Is the point in range? */
+static inline bool pel_point_legal(struct pel_point p)
+{
+    return pel_point_offset(p) >> 24 == 0;
+}
+
+/* Are all n points? */
+static inline bool pel_points_legal(const struct pel_point *v, int32_t n)
+{
+    while (n-- > 0)
+        if (!pel_point_legal(v[n]))
+            return false;
+    return true;
+}
+
+/* A radius in sub-pixels: 0..32,767 px. */
+static inline bool pel_radius_legal(int32_t radius)
+{
+    return radius >= 0 && radius <= PEL_PX(32767);
+}
+
+#endif

@@ -1,0 +1,13 @@
+#include "packed.h"
+
+/* The brighter pixel stays the brighter one: where the color does not make both
+ * values alike, each remains what it is. */
+void pel_blend_mono(const struct pel_spans *spans, pel_color color)
+{
+    const struct pel_format *format = spans->surface->format;
+    const uint32_t alpha = pel_alpha(color);
+    const uint32_t pixel =
+        format->pack(pel_mix(PEL_RGB(0, 0, 0), color, alpha));
+    if (pixel == format->pack(pel_mix(PEL_RGB(255, 255, 255), color, alpha)))
+        format->fill(spans, pixel);
+}

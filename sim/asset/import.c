@@ -1,0 +1,336 @@
+/* pel import: makes assets for firmware, and pel2d files. */
+#include "sim/asset/import.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+#include <unistd.h>
+
+#include "sim/cli/arguments.h"
+#include "sim/cli/commands.h"
+#include "core/format/argb8888.h"
+#include "sim/image/format_names.h"
+#include "sim/cli/message.h"
+#include "sim/render/scene_options.h"
+#include "sim/render/scene_pel2d.h"
+#include "sim/image/texture.h"
+
+struct import_command {
+    struct scene_options scene;
+    struct import_options options;
+    const struct pel_format *format; /* NULL: not given */
+    char name[128];                  /* made from the output's */
+};
+
+enum { OPTION_NAME = 0x200, OPTION_FORMAT, OPTION_NORMALS, OPTION_CODES };
+
+static const struct argp_option options[] = {
+    {"output", 'o', "FILE", 0,
+     "the asset: .c, with a .h beside it that declares it, or .pel2d for a "
+     "projected mesh; - is C on standard output, without a header",
+     0},
+    {"name", OPTION_NAME, "NAME", 0,
+     "of the C object (default: the output's base name)", 0},
+    {"format", OPTION_FORMAT, "NAME", 0,
+     "pixel format of a picture (default: rgb565_le); " IMPORT_ALPHA_FORMAT
+     " keeps its alpha for pel_copy_alpha, others blend it onto --background "
+     "(default: #000000)",
+     0},
+    {"normals", OPTION_NORMALS, "BITS", 0, "8 (default) or 16", 0},
+    {"codes", OPTION_CODES, "RANGES", 0,
+     "of a font, these code points alone, such as 32-126,0x20AC", 0},
+    {0},
+};
+
+static bool has_ending(const char *path, const char *const *ending)
+{
+    const char *dot = strrchr(path, '.');
+    for (; dot && *ending; ending++)
+        if (strcasecmp(dot, *ending) == 0)
+            return true;
+    return false;
+}
+
+static bool is_picture(const char *path)
+{
+    static const char *const ending[] = {".png", ".jpg", ".jpeg", ".tga",
+                                         ".bmp", ".ppm", ".pgm",  NULL};
+    return has_ending(path, ending);
+}
+
+static bool is_font(const char *path)
+{
+    static const char *const ending[] = {".bdf", ".psf", ".psfu", NULL};
+    return has_ending(path, ending);
+}
+
+static bool is_pel2d(const char *path)
+{
+    static const char *const ending[] = {".pel2d", NULL};
+    return has_ending(path, ending);
+}
+
+static bool parse_input(const char *text, struct import_command *c)
+{
+    if (c->scene.source.path)
+        return message_error("'%s' is a second input; one would be right",
+                             text);
+    c->scene.source.path = text;
+    return true;
+}
+
+static bool parse_format(const char *text, struct import_command *c)
+{
+    c->format = strcmp(text, IMPORT_ALPHA_FORMAT) == 0 ? &pel_argb8888
+                                                       : format_find(text);
+    return c->format ||
+           message_error("--format is '%s'; one of %s, " IMPORT_ALPHA_FORMAT
+                         " would be right",
+                         text, format_list());
+}
+
+static bool parse_normals(const char *text, struct import_command *c)
+{
+    bool is_8 = strcmp(text, "8") == 0;
+    c->options.normal_bits = is_8 ? 8 : 16;
+    return is_8 || strcmp(text, "16") == 0 ||
+           message_error("--normals is '%s'; 8 or 16 would be right", text);
+}
+
+static error_t parse(int key, char *text, struct argp_state *state)
+{
+    struct import_command *c = state->input;
+    if (key >= OPTION_NAME && key <= OPTION_CODES)
+        options_note(&c->scene.given, options, key);
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &c->scene;
+        return 0;
+    case ARGP_KEY_ARG:
+        return parse_input(text, c) ? 0 : EINVAL;
+    case 'o':
+        c->options.output = text;
+        return 0;
+    case OPTION_NAME:
+        c->options.name = text;
+        return 0;
+    case OPTION_CODES:
+        c->options.codes = text;
+        return import_codes_legal(text) ? 0 : EINVAL;
+    case OPTION_FORMAT:
+        return parse_format(text, c) ? 0 : EINVAL;
+    case OPTION_NORMALS:
+        return parse_normals(text, c) ? 0 : EINVAL;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = {{&scene_argp, 0, NULL, 2}, {0}};
+
+static const struct argp parser = {
+    .options = options,
+    .parser = parse,
+    .args_doc = "MESH|PICTURE|FONT",
+    .doc =
+        "Makes an asset for firmware: a C file with one const struct, and the "
+        "header that declares it, of a mesh (core/asset/mesh_asset.h), a "
+        "picture (core/asset/image_asset.h) or a font "
+        "(core/asset/font_asset.h); or an output .pel2d, a mesh projected "
+        "already.\nOf the options under the headings below, a C asset of a "
+        "mesh takes --texture-file and --normals-from alone; a .pel2d takes "
+        "also --color, --turn, --texture, --wrap, --size and those that place "
+        "camera and light. What has no meaning is refused.\v"
+        "The colours of a mesh's asset are texels at its vertices: firmware "
+        "draws what `pel render --texture nearest --mapping vertices` draws, "
+        "with the same --normals 16 where there is light.\n"
+        "MESH is a file that assimp reads, or " MESH_BUILTIN
+        "; PICTURE is a .png, .jpg, .tga, .bmp, .ppm or .pgm file; FONT is a "
+        ".bdf or .psf file. The same input gives the same bytes.",
+    .children = children,
+};
+
+/* Base name of the output up to the first dot, what C does not take as _. */
+static void make_name(struct import_command *c)
+{
+    const char *slash = strrchr(c->options.output, '/');
+    const char *base = slash ? slash + 1 : c->options.output;
+    size_t n = strcspn(base, ".");
+    if (strcmp(base, "-") == 0 || n == 0)
+        base = "asset", n = 5;
+    snprintf(c->name, sizeof(c->name), "%s%.*s",
+             isdigit((unsigned char)*base) ? "_" : "", (int)n, base);
+    for (char *p = c->name; *p; p++)
+        if (!isalnum((unsigned char)*p))
+            *p = '_';
+    c->options.name = c->name;
+}
+
+static bool check_name(const char *name)
+{
+    static const char words[] =
+        " auto break case char const continue default do double else enum "
+        "extern float for goto if inline int long register restrict return "
+        "short signed sizeof static struct switch typedef union unsigned void "
+        "volatile while ";
+    char padded[160];
+    size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyz"
+                            "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+    snprintf(padded, sizeof(padded), " %s ", name);
+    return (n > 0 && n < 128 && name[n] == '\0' &&
+            !isdigit((unsigned char)*name) && !strstr(words, padded)) ||
+           message_error("the name '%s' is no identifier of C; --name such as "
+                         "duck would be right",
+                         name);
+}
+
+/* By its name's ending, when it is there: assimp's own messages would not tell
+ * of pictures and fonts. */
+static bool check_kind(const char *path)
+{
+    static const char *const packed[] = {".gz", NULL}, *const pcf[] = {".pcf",
+                                                                       NULL};
+    if (access(path, R_OK) != 0 || mesh_ending_known(path) || is_pel2d(path))
+        return true;
+    if (has_ending(path, packed))
+        return message_error_at(path, 0,
+                                "is packed; `gunzip -k` first, and of a font "
+                                ".pcf then `pcf2bdf -o FONT.bdf`, would be "
+                                "right");
+    if (has_ending(path, pcf))
+        return message_error_at(path, 0,
+                                "is a font of another kind; `pcf2bdf -o "
+                                "FONT.bdf` first would be right");
+    return message_error_at(path, 0,
+                            "neither mesh, picture nor font by its "
+                            "ending");
+}
+
+static bool check(struct import_command *c)
+{
+    static const char *const ending[] = {".c", NULL};
+    const char *input = c->scene.source.path, *output = c->options.output;
+    if (!input || !output)
+        return message_error("%s is missing; `pel import MESH|PICTURE|FONT -o "
+                             "ASSET.c` would be right",
+                             input ? "-o ASSET.c" : "an input");
+    if (strcmp(input, "-") == 0)
+        return message_error("import does not read standard input: a file "
+                             "would be right");
+    if (is_pel2d(output) && (is_picture(input) || is_font(input)))
+        return message_error_at(input, 0,
+                                "a pel2d file holds a mesh; an "
+                                "output .c would be right");
+    if (is_pel2d(output))
+        return import_check(&c->scene.given, IMPORT_PEL2D);
+    if (strcmp(output, "-") != 0 && !has_ending(output, ending))
+        return message_error_at(output, 0,
+                                "an output .c or .pel2d would be right");
+    if (!is_picture(input) && !is_font(input) && !check_kind(input))
+        return false;
+    if (!c->options.name)
+        make_name(c);
+    return check_name(c->options.name) &&
+           import_check(&c->scene.given, is_picture(input) ? IMPORT_PICTURE
+                                         : is_font(input)  ? IMPORT_FONT
+                                                           : IMPORT_MESH);
+}
+
+/* Gouraud's colours at the vertices, whatever draws them. */
+static bool project(const struct scene_options *o, const struct model *model,
+                    struct pel2d *flat)
+{
+    struct scene scene;
+    struct scene_settings settings = o->settings;
+    uint32_t clipped = 0;
+    settings.shade = SCENE_GOURAUD;
+    settings.mapping = SCENE_MAP_VERTICES;
+    const bool done = scene_init(&scene, model) &&
+                      scene_prepare(&scene, &settings) &&
+                      scene_project(&scene, flat, &clipped);
+    scene_free(&scene);
+    if (clipped > 0)
+        fprintf(stderr,
+                "pel: %s: %u of %u triangles reach behind the camera or far "
+                "out of the picture and were clipped\n",
+                o->source.path, clipped, model->mesh.triangles);
+    return done;
+}
+
+static bool import_as_pel2d(struct import_command *c)
+{
+    struct pel2d flat;
+    struct model model;
+    const char *path = c->scene.source.path;
+    if (pel2d_is_file(path))
+        return message_error_at(path, 0,
+                                "is projected already; a mesh would be right");
+    if (!model_load(&model, &c->scene.source))
+        return false;
+    const bool projected = project(&c->scene, &model, &flat);
+    const bool done = projected && pel2d_save(&flat, c->options.output);
+    if (projected)
+        pel2d_free(&flat);
+    model_free(&model);
+    return done;
+}
+
+static bool import_as_picture(struct import_command *c)
+{
+    struct picture picture;
+    const pel_color background = c->scene.settings.camera.background;
+    if (c->format == &pel_argb8888 && background != 0)
+        return message_error(
+            "--background is for formats without alpha; " IMPORT_ALPHA_FORMAT
+            " keeps it");
+    if (!texture_load(&picture, c->scene.source.path))
+        return false;
+    c->options.background = background | PEL_RGB(0, 0, 0);
+    bool done =
+        import_picture(&c->options, &picture,
+                       c->format ? c->format : format_find("rgb565_le"));
+    picture_free(&picture);
+    return done;
+}
+
+static bool import_as_mesh(struct import_command *c)
+{
+    struct mesh mesh;
+    const char *path = c->scene.source.path;
+    if (pel2d_is_file(path))
+        return message_error_at(path, 0,
+                                "is projected already; a mesh would be right");
+    if (!mesh_load(&mesh, path))
+        return false;
+    bool done = (!c->scene.source.smooth_normals || mesh_normals(&mesh)) &&
+                mesh_paint(&mesh, path, c->scene.source.texture) &&
+                import_mesh(&c->options, &mesh);
+    mesh_free(&mesh);
+    return done;
+}
+
+static bool import_as_font(const struct import_command *c)
+{
+    return import_font(&c->options);
+}
+
+int command_import(int argc, char **argv)
+{
+    struct import_command c = {
+        .scene = {.settings = scene_default},
+        .options = {.normal_bits = 8},
+    };
+    c.scene.settings.texture = SCENE_TEXTURE_NEAREST;
+    c.scene.settings.camera.background = 0; /* no option gives that */
+    arguments_parse(&parser, argc, argv, &c);
+    c.options.source = c.scene.source.path;
+    if (!check(&c))
+        return STATUS_ERROR;
+    bool done = is_pel2d(c.options.output)        ? import_as_pel2d(&c)
+                : is_picture(c.scene.source.path) ? import_as_picture(&c)
+                : is_font(c.scene.source.path)    ? import_as_font(&c)
+                                                  : import_as_mesh(&c);
+    return done ? STATUS_OK : STATUS_ERROR;
+}

@@ -1,0 +1,115 @@
+#include "sim/asset/import.h"
+
+#include "sim/image/canvas.h"
+#include "core/asset/image_asset.h"
+#include "sim/image/format_names.h"
+#include "core/format/argb8888.h"
+#include "sim/asset/text.h"
+
+static const char *name_of(const struct pel_format *format)
+{
+    const struct format_name *entry = format_names;
+    while (entry->name && entry->format != format)
+        entry++;
+    return entry->name ? entry->name : IMPORT_ALPHA_FORMAT;
+}
+
+static void write_bytes(struct import_text *text, const uint8_t *byte,
+                        size_t size)
+{
+    text->column = 80;
+    for (size_t i = 0; i < size; i++) {
+        const long value = byte[i];
+        import_array_item(text, &value, 1);
+    }
+}
+
+/* The union gives the bytes the alignment of a word. */
+static void write_asset(struct import_text *text,
+                        const struct import_options *options,
+                        const struct pel_surface *surface)
+{
+    FILE *out = text->output.stream;
+    const char *name = options->name;
+    struct pel_image_asset image = {
+        .format = surface->format->id,
+        .width = (uint16_t)surface->bounds.x1,
+        .height = (uint16_t)surface->bounds.y1,
+        .stride = surface->stride,
+    };
+    image.size = pel_image_lines(&image) * (uint32_t)image.stride;
+    fprintf(out, "\nstatic const union {\n    uint8_t bytes[%u];\n",
+            image.size);
+    fprintf(out, "    uint32_t word;\n} %s_pixels = {{", name);
+    write_bytes(text, surface->pixels, image.size);
+    fprintf(out, "\n}};\n");
+    import_struct_begin(text);
+    fprintf(out, "    PEL_IMAGE_MAGIC,\n    PEL_IMAGE_VERSION,\n");
+    fprintf(out, "    %u, /* %s */\n", image.format, name_of(surface->format));
+    fprintf(out, "    %u,\n    %u,\n    %ld,\n    %lu,\n    %s_pixels.bytes,\n",
+            image.width, image.height, (long)image.stride,
+            (unsigned long)image.size, name);
+    fprintf(out, "};\n");
+}
+
+/* As pel_argb8888 loads them; nothing that is drawn there keeps its alpha. */
+static void store_alpha(const struct pel_surface *surface, int y, int width,
+                        const pel_color *color)
+{
+    uint8_t *to = (uint8_t *)surface->pixels + (long)y * surface->stride;
+    for (int x = 0; x < width; x++)
+        for (int k = 0; k < 4; k++)
+            *to++ = (uint8_t)(color[x] >> 8 * k);
+}
+
+/* Makes the row opaque. Was it? */
+static bool blend(pel_color *color, int width, pel_color background)
+{
+    bool is_opaque = true;
+    for (int x = 0; x < width; x++) {
+        const uint32_t alpha = pel_alpha(color[x]);
+        is_opaque = is_opaque && alpha == 255;
+        color[x] = pel_mix(background, color[x] | PEL_RGB(0, 0, 0), alpha);
+    }
+    return is_opaque;
+}
+
+static void store(const struct pel_surface *surface,
+                  const struct picture *picture,
+                  const struct import_options *options)
+{
+    const struct pel_format *format = surface->format;
+    bool is_opaque = true;
+    for (int y = 0; y < picture->height; y++) {
+        pel_color *row = picture_row(picture, y);
+        if (format->id == PEL_FORMAT_ARGB8888)
+            store_alpha(surface, y, picture->width, row);
+        else {
+            is_opaque =
+                blend(row, picture->width, options->background) && is_opaque;
+            format->put(surface, 0, y, picture->width, row);
+        }
+    }
+    if (!is_opaque)
+        fprintf(stderr,
+                "pel: %s: what is transparent is blended onto #%06x; "
+                "--format " IMPORT_ALPHA_FORMAT " would keep it\n",
+                options->source, (unsigned)(options->background & 0xFFFFFF));
+}
+
+bool import_picture(const struct import_options *options,
+                    struct picture *picture, const struct pel_format *format)
+{
+    struct canvas canvas;
+    struct import_text text;
+    if (!canvas_init(&canvas, format, picture->width, picture->height))
+        return false;
+    store(&canvas.surface, picture, options);
+    bool done = import_text_open(&text, options, "image");
+    if (done) {
+        write_asset(&text, options, &canvas.surface);
+        done = import_text_commit(&text);
+    }
+    canvas_free(&canvas);
+    return done;
+}

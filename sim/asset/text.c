@@ -1,0 +1,136 @@
+#include "sim/asset/text.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "sim/asset/import.h"
+#include "sim/cli/message.h"
+
+static const char made[] = "/* Made by pel import from ";
+
+/* The base name, without what could end a comment. */
+static void print_base_name(FILE *out, const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    for (const char *c = slash ? slash + 1 : path; *c; c++)
+        fputc(isalnum((unsigned char)*c) || strchr("._-+ ", *c) ? *c : '_',
+              out);
+}
+
+static void print_origin(FILE *out, const struct import_options *options)
+{
+    fputs(made, out);
+    print_base_name(out, options->source);
+    fprintf(out, ". */\n");
+}
+
+static void print_declaration(const struct import_text *text)
+{
+    fprintf(text->output.stream, "extern const struct pel_%s_asset %s;\n",
+            text->kind, text->options->name);
+}
+
+bool import_text_open(struct import_text *text,
+                      const struct import_options *options, const char *kind)
+{
+    text->options = options;
+    text->kind = kind;
+    if (!output_open(&text->output, options->output))
+        return false;
+    print_origin(text->output.stream, options);
+    fprintf(text->output.stream, "#include \"core/asset/%s_asset.h\"\n", kind);
+    return true;
+}
+
+void import_array_begin(struct import_text *text, const char *name,
+                        const struct import_array *array)
+{
+    FILE *out = text->output.stream;
+    fprintf(out, "\nstatic const %s %s_%s[%u]", array->type, name, array->what,
+            array->count);
+    if (array->axes > 1)
+        fprintf(out, "[%d]", array->axes);
+    fprintf(out, " = {");
+    text->column = 80;
+}
+
+void import_array_item(struct import_text *text, const long *value, int n)
+{
+    char item[80];
+    int size = snprintf(item, sizeof(item), n > 1 ? "{%ld" : "%ld", value[0]);
+    for (int i = 1; i < n; i++)
+        size += snprintf(item + size, sizeof(item) - (size_t)size, ", %ld",
+                         value[i]);
+    size +=
+        snprintf(item + size, sizeof(item) - (size_t)size, n > 1 ? "}," : ",");
+    bool wrap = text->column + 1 + size > 80;
+    fprintf(text->output.stream, "%s%s", wrap ? "\n    " : " ", item);
+    text->column = wrap ? 4 + size : text->column + 1 + size;
+}
+
+void import_array_end(struct import_text *text)
+{
+    fprintf(text->output.stream, "\n};\n");
+}
+
+void import_struct_begin(struct import_text *text)
+{
+    FILE *out = text->output.stream;
+    fputc('\n', out);
+    print_declaration(text);
+    fprintf(out, "const struct pel_%s_asset %s = {\n", text->kind,
+            text->options->name);
+}
+
+/* Is there a file that somebody else wrote? */
+static bool is_foreign(const char *path)
+{
+    char start[sizeof(made)] = "";
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return access(path, F_OK) == 0;
+    const size_t n = fread(start, 1, sizeof(made) - 1, file);
+    fclose(file);
+    return n > 0 && strcmp(start, made) != 0;
+}
+
+/* pel.h, which C++ may include too. */
+static bool write_header(struct import_text *text, const char *path)
+{
+    const char *name = text->options->name;
+    if (is_foreign(path)) {
+        message_error_at(path, 0,
+                         "was not made by pel import and stays as it is; it "
+                         "should say: extern const struct pel_%s_asset %s;",
+                         text->kind, name);
+        return true;
+    }
+    if (!output_open(&text->output, path))
+        return false;
+    FILE *out = text->output.stream;
+    print_origin(out, text->options);
+    fprintf(out, "#ifndef PEL_ASSET_%s_H\n#define PEL_ASSET_%s_H\n\n", name,
+            name);
+    fprintf(out, "#include \"core/pel.h\"\n\n");
+    print_declaration(text);
+    fprintf(out, "\n#endif\n");
+    return output_commit(&text->output);
+}
+
+bool import_text_commit(struct import_text *text)
+{
+    const char *output = text->options->output;
+    if (!output_commit(&text->output))
+        return false;
+    if (strcmp(output, "-") == 0)
+        return true;
+    char *header = strdup(output);
+    if (!header)
+        return message_error("out of memory");
+    header[strlen(header) - 1] = 'h';
+    const bool done = write_header(text, header);
+    free(header);
+    return done;
+}

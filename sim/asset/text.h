@@ -1,0 +1,46 @@
+/* C text of an asset: arrays, in lines of at most 80 columns, and a struct. */
+#ifndef SIM_ASSET_TEXT_H
+#define SIM_ASSET_TEXT_H
+
+#include <stdint.h>
+
+#include "sim/cli/output.h"
+
+struct import_options;
+
+struct import_text {
+    struct output output;
+    const struct import_options *options;
+    const char *kind; /* "image": struct pel_image_asset */
+    int column;       /* of the line that is being written */
+};
+
+/* Opens the output and writes its first lines: the comment, with the base name
+ * of the source, and #include of the header of that kind of asset. */
+bool import_text_open(struct import_text *text,
+                      const struct import_options *options, const char *kind);
+
+/* Ends the output and puts it in its place, and beside it, unless that is
+ * standard output, its header: .h for .c. A header that pel import has not made
+ * stays as it is, and a message says what it has to declare. */
+bool import_text_commit(struct import_text *text);
+
+struct import_array {
+    const char *type, *what;
+    uint32_t count;
+    int axes; /* numbers of an element */
+};
+
+/* `static const TYPE NAME_WHAT[COUNT][AXES] = {`, without AXES when it is 1. */
+void import_array_begin(struct import_text *text, const char *name,
+                        const struct import_array *array);
+
+/* One element: a number when n is 1, else {a, b, ...}. */
+void import_array_item(struct import_text *text, const long *value, int n);
+
+void import_array_end(struct import_text *text);
+
+/* `const struct pel_KIND_asset NAME = {`, and its declaration before it. */
+void import_struct_begin(struct import_text *text);
+
+#endif

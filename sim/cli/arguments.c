@@ -1,0 +1,54 @@
+#include "sim/cli/arguments.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "sim/cli/commands.h"
+
+struct root_input {
+    char **argv;
+    void *input;
+};
+
+/* Takes the real arguments; see arguments_parse. */
+static error_t parse_root(int key, char *text, struct argp_state *state)
+{
+    const struct root_input *root = state->input;
+    (void)text;
+    if (key != ARGP_KEY_INIT)
+        return ARGP_ERR_UNKNOWN;
+    state->argv = root->argv;
+    state->child_inputs[0] = root->input;
+    return 0;
+}
+
+/* Messages of getopt begin with argv[0], which is to be "pel"; help shows the
+ * program's invocation name, "pel NAME", where argv is not that of the call. */
+void arguments_parse(const struct argp *argp, int argc, char **argv,
+                     void *input)
+{
+    static char program[] = "pel";
+    const struct argp_child children[] = {{argp, 0, NULL, 0}, {0}};
+    const struct argp root = {NULL,     parse_root, NULL, NULL,
+                              children, NULL,       NULL};
+    struct root_input names = {argv, input};
+    char *unused[] = {program, NULL};
+    program_invocation_short_name = argv[0];
+    argv[0] = program;
+    argp_err_exit_status = STATUS_ERROR;
+    if (argp_parse(&root, argc, unused, 0, NULL, &names) != 0)
+        exit(STATUS_ERROR);
+}
+
+void arguments_error(const struct argp_state *state, const char *format, ...)
+{
+    va_list arguments;
+    fprintf(stderr, "pel: ");
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fprintf(stderr, "\nTry `%s --help' for more information.\n", state->name);
+    exit(STATUS_ERROR);
+}

@@ -1,0 +1,175 @@
+#include "sim/cli/device.h"
+
+#include <string.h>
+
+#include "sim/cli/arguments.h"
+#include "core/raster/rectangle.h"
+#include "drivers/display_linux.h"
+#include "sim/cli/message.h"
+#include "sim/cli/number.h"
+#include "port/linux/bands.h"
+
+enum { OPTION_DEVICE = 0x700, OPTION_JOBS };
+
+static const struct argp_option options[] = {
+    {"device", OPTION_DEVICE, "NAME", 0,
+     "show the picture until a key is pressed: fb:/dev/fb0 (with ,direct "
+     ",shadow or ,pages after it), drm:/dev/dri/card0, or auto: what "
+     "FRAMEBUFFER names, else /dev/fb0, else DRM",
+     0},
+    {"jobs", OPTION_JOBS, "N", 0,
+     "threads that draw bands side by side (0: one for each processor)", 0},
+    {0},
+};
+
+static error_t parse(int key, char *text, struct argp_state *state)
+{
+    struct device_options *o = state->input;
+    int64_t v;
+    switch (key) {
+    case OPTION_DEVICE:
+        o->name = text;
+        return 0;
+    case OPTION_JOBS:
+        if (number_integer(text, 0, PEL_POOL_MOST, &v) != NUMBER_OK)
+            arguments_error(state, "--jobs %s: a whole number in 0..%d", text,
+                            (int)PEL_POOL_MOST);
+        o->jobs = (int)v;
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+const struct argp device_argp = {options, parse, NULL, NULL, NULL, NULL, NULL};
+
+bool device_check_output(const struct device_options *o, const char *output)
+{
+    return !o->name || strcmp(output, "-") == 0 ||
+           message_error("--device shows the picture and -o writes it: one of "
+                         "them would be right");
+}
+
+struct job {
+    device_draw_function *draw;
+    const void *context;
+    int failed; /* set by any thread */
+};
+
+static void draw_band(void *context, const struct pel_surface *band)
+{
+    struct job *job = context;
+    struct canvas part = {.surface = *band};
+    if (!job->draw(&part, job->context))
+        __atomic_store_n(&job->failed, 1, __ATOMIC_RELAXED);
+}
+
+static bool draw_in(struct pel_pool *pool, struct canvas *canvas,
+                    struct job *job)
+{
+    if (pool->threads == 0)
+        return job->draw(canvas, job->context);
+    canvas->surface.clip = canvas->surface.bounds;
+    pel_bands_draw(pool, &canvas->surface, draw_band, job);
+    return !job->failed;
+}
+
+static void start_pool(struct pel_pool *pool, const struct device_options *o)
+{
+    pel_pool_start(pool, o->jobs ? o->jobs : pel_pool_processors());
+}
+
+bool device_draw_canvas(const struct device_options *o, struct canvas *canvas,
+                        device_draw_function *draw, const void *context)
+{
+    struct pel_pool pool;
+    struct job job = {draw, context, 0};
+    start_pool(&pool, o);
+    const bool done = draw_in(&pool, canvas, &job);
+    pel_pool_end(&pool);
+    return done;
+}
+
+/* The part of the picture that the screen holds, as a canvas with the picture's
+ * coordinates: its pixel (0, 0) lies at (left, top) of the screen. Formats of
+ * devices have whole bytes. */
+static struct canvas place(const struct pel_surface *screen,
+                           const struct device_picture *picture)
+{
+    struct canvas canvas = {.surface = *screen};
+    struct pel_rect whole = {0, 0, picture->width, picture->height};
+    const int32_t left = (screen->bounds.x1 - picture->width) / 2;
+    const int32_t top = (screen->bounds.y1 - picture->height) / 2;
+    const struct pel_rect visible = {-left, -top, screen->bounds.x1 - left,
+                                     screen->bounds.y1 - top};
+    const struct pel_rect shown = pel_rect_intersect(&whole, &visible);
+    canvas.surface.pixels = pel_surface_line(screen, shown.y0 + top) +
+                            (shown.x0 + left) * screen->format->bits / 8;
+    canvas.surface.bounds = canvas.surface.clip = shown;
+    return canvas;
+}
+
+static bool fails(struct pel_display_linux *screen)
+{
+    return message_error("%s", screen->message.text);
+}
+
+/* One frame. False, with a message, when the device or the drawing fails. */
+static bool show_frame(struct pel_display_linux *screen,
+                       const struct device_picture *picture,
+                       struct pel_pool *pool, struct job *job)
+{
+    struct pel_surface surface;
+    enum pel_status status =
+        pel_display_begin(&screen->display, &screen->area, &surface);
+    if (status != PEL_OK)
+        return fails(screen);
+    pel_clear(&surface, PEL_RGB(0, 0, 0));
+    struct canvas canvas = place(&surface, picture);
+    if (!draw_in(pool, &canvas, job))
+        return false;
+    status = pel_display_flush(&screen->display, &surface);
+    if (status == PEL_OK)
+        status = pel_display_flip(&screen->display);
+    return status == PEL_OK || fails(screen);
+}
+
+static bool show(struct pel_display_linux *screen,
+                 const struct device_picture *picture, struct pel_pool *pool)
+{
+    struct job job = {picture->draw, picture->context, 0};
+    enum pel_console_event event;
+    do {
+        if (!show_frame(screen, picture, pool, &job))
+            return false;
+        do
+            event = pel_display_linux_wait(screen, -1);
+        while (event == PEL_CONSOLE_NOTHING);
+    } while (event == PEL_CONSOLE_REDRAW);
+    return true;
+}
+
+static void tell(const struct pel_message *message)
+{
+    if (message->text[0])
+        fprintf(stderr, "pel: %s\n", message->text);
+}
+
+bool device_show(const struct device_options *o,
+                 const struct device_picture *picture)
+{
+    struct pel_display_linux screen;
+    struct pel_pool pool;
+    const char *name = strcmp(o->name, "auto") == 0 ? NULL : o->name;
+    if (pel_display_linux_open(&screen, name, PEL_FB_STILL) != PEL_OK)
+        return fails(&screen);
+    tell(&screen.note);
+    tell(&screen.console);
+    if (picture->format)
+        *picture->format = screen.display.format;
+    start_pool(&pool, o);
+    const bool shown = show(&screen, picture, &pool);
+    pel_pool_end(&pool);
+    pel_display_linux_close(&screen);
+    return shown;
+}

@@ -1,0 +1,49 @@
+/* Pictures on a Linux device: the options --device and --jobs, and what they
+ * do. */
+#ifndef SIM_CLI_DEVICE_H
+#define SIM_CLI_DEVICE_H
+
+#include <argp.h>
+
+#include "sim/image/canvas.h"
+
+struct device_options {
+    const char *name; /* fb:PATH, drm:PATH or auto; NULL: no device */
+    int jobs;         /* threads that draw; 0: one for each processor */
+};
+
+/* Argp's child for a command whose parser's input is a struct that begins with
+ * a struct device_options. */
+extern const struct argp device_argp;
+
+/* May the picture go to `output` ("-" when none was named)? A device and a file
+ * at once may not: false, with a message. */
+bool device_check_output(const struct device_options *options,
+                         const char *output);
+
+/* What draws a picture onto a canvas; on a device the canvas is a part of it,
+ * whose bounds and clip are what is to be drawn. With several jobs it runs on
+ * several threads at a time, and writes to nothing but the canvas. False, with
+ * a message, on failure. */
+typedef bool device_draw_function(struct canvas *canvas, const void *context);
+
+/* Draws onto a canvas with the threads asked for. */
+bool device_draw_canvas(const struct device_options *options,
+                        struct canvas *canvas, device_draw_function *draw,
+                        const void *context);
+
+/* What is shown, in the device's pixel format: `format` is told which. */
+struct device_picture {
+    int width, height;                /* px */
+    const struct pel_format **format; /* may be NULL */
+    device_draw_function *draw;
+    const void *context;
+};
+
+/* Shows a picture in the middle of the screen (cut off where it is larger,
+ * black around it) until a key is pressed or a signal comes; draws it again
+ * when another terminal was shown in between. False, with a message. */
+bool device_show(const struct device_options *options,
+                 const struct device_picture *picture);
+
+#endif

@@ -1,0 +1,54 @@
+#include "sim/cli/message.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* What a script asks for. */
+static const char *place_file;
+static long place_line;
+
+void message_place(const char *file, long line)
+{
+    place_file = file;
+    place_line = line;
+}
+
+static void print_place(const char *file, long line)
+{
+    const bool is_input = strcmp(file, "-") == 0;
+    fprintf(stderr, "%s:", is_input ? "(standard input)" : file);
+    if (line > 0)
+        fprintf(stderr, "%ld:", line);
+    fputc(' ', stderr);
+}
+
+__attribute__((format(printf, 3, 0))) static void print_error(
+    const char *file, long line, const char *format, va_list arguments)
+{
+    fprintf(stderr, "pel: ");
+    if (place_file)
+        print_place(place_file, place_line);
+    if (file)
+        print_place(file, line);
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+}
+
+bool message_error(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    print_error(NULL, 0, format, arguments);
+    va_end(arguments);
+    return false;
+}
+
+bool message_error_at(const char *file, long line, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    print_error(file, line, format, arguments);
+    va_end(arguments);
+    return false;
+}

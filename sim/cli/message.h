@@ -1,0 +1,24 @@
+/* Errors: a line on standard error that says what is wrong and what would be
+ * right; a long list goes on in indented lines. All return false, so that a
+ * caller can `return message_error(...)`. */
+#ifndef SIM_CLI_MESSAGE_H
+#define SIM_CLI_MESSAGE_H
+
+#include <stdbool.h>
+
+/* pel: TEXT */
+__attribute__((format(printf, 1, 2))) bool message_error(const char *format,
+                                                         ...);
+
+/* pel: FILE:LINE: TEXT; the line is left out when 0. "-" is shown as
+ * (standard input). */
+__attribute__((format(printf, 3, 4))) bool message_error_at(const char *file,
+                                                            long line,
+                                                            const char *format,
+                                                            ...);
+
+/* Until it is called with NULL, all errors name that place first, pel:
+ * FILE:LINE: ...: for what a script asks of functions that know no scripts. */
+void message_place(const char *file, long line);
+
+#endif

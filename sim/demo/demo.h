@@ -1,0 +1,29 @@
+/* The gallery: every demo draws one picture. */
+#ifndef SIM_DEMO_DEMO_H
+#define SIM_DEMO_DEMO_H
+
+#include "sim/image/picture.h"
+
+struct demo_result {
+    struct picture picture; /* made by draw, freed by its caller */
+    double milliseconds;    /* of the drawing alone, without loading */
+    char note[2048]; /* text, added to the caption: which mesh was taken */
+};
+
+struct demo {
+    const char *name;    /* of the files, without ending; NULL ends an array */
+    const char *caption; /* one or two sentences of HTML text */
+    /* False, with a message on standard error, when it failed. */
+    bool (*draw)(struct demo_result *result, int which);
+    int which; /* of the pictures that `draw` makes */
+};
+
+/* Arrays that end with a NULL name. Scripts join the gallery through the
+ * command line of `pel demo`. */
+extern const struct demo demo_rules[];
+extern const struct demo demo_formats[];
+extern const struct demo demo_duck[];
+extern const struct demo demo_texture[];
+extern const struct demo demo_lighting[];
+
+#endif

@@ -1,0 +1,17 @@
+/* Fonts as assets in memory (core/asset/font_asset.h). */
+#ifndef SIM_FONT_ASSET_H
+#define SIM_FONT_ASSET_H
+
+#include "core/asset/font_asset.h"
+#include "sim/font/font.h"
+
+/* Makes the asset of a font: glyphs in the order of their code points, equal
+ * bits once. Its arrays are malloc'ed; the font is not needed any more. False,
+ * with a message that names `path`, when it has too many glyphs or memory is
+ * short; the asset is then empty. */
+bool font_asset_make(struct pel_font_asset *asset, const struct font *font,
+                     const char *path);
+
+void font_asset_free(struct pel_font_asset *asset);
+
+#endif

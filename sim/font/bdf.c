@@ -1,0 +1,345 @@
+/* Glyph Bitmap Distribution Format, Adobe Technical Note 5005 (versions 2.1 and
+ * 2.2). Vertical writing is read over. */
+#include <string.h>
+#include <strings.h>
+
+#include "sim/font/font.h"
+#include "sim/cli/message.h"
+#include "sim/cli/number.h"
+
+struct bdf {
+    struct font *font;
+    const char *path;
+    const char *next, *end; /* of the file */
+    long line;
+    char word[80];   /* the line's first */
+    char rest[1024]; /* and what follows, without blanks at both ends */
+    char registry[64], encoding[64];
+    int box[4], advance; /* of the font; the advance is -1 when it has none */
+    bool has_box;
+    int ascent, descent; /* -1: not given */
+    long chars, read;    /* -1: not given */
+};
+
+/* pel: FILE:LINE: TEXT */
+#define ERROR(b, ...) message_error_at((b)->path, (b)->line, __VA_ARGS__)
+
+static bool is(const struct bdf *b, const char *word)
+{
+    return strcmp(b->word, word) == 0;
+}
+
+/* The next line that is not blank and no comment. */
+static bool next_line(struct bdf *b, const char *wanted)
+{
+    do {
+        if (b->next >= b->end)
+            return ERROR(b, "the file ends here; %s would be right", wanted);
+        const char *start = b->next, *stop = start;
+        while (stop < b->end && *stop != '\n')
+            stop++;
+        b->next = stop + 1;
+        b->line++;
+        while (start < stop && strchr(" \t\r", stop[-1]))
+            stop--;
+        size_t word = 0, size = (size_t)(stop - start);
+        while (word < size && !strchr(" \t", start[word]))
+            word++;
+        size_t rest = word;
+        while (rest < size && strchr(" \t", start[rest]))
+            rest++;
+        if (word >= sizeof(b->word) || size - rest >= sizeof(b->rest))
+            return ERROR(b, "the line is too long; %s would be right", wanted);
+        memcpy(b->word, start, word);
+        b->word[word] = '\0';
+        memcpy(b->rest, start + rest, size - rest);
+        b->rest[size - rest] = '\0';
+    } while (!*b->word || is(b, "COMMENT"));
+    return true;
+}
+
+/* Exactly n whole numbers after the word. */
+static bool numbers(struct bdf *b, int n, int *value)
+{
+    char copy[sizeof(b->rest)], *state = NULL;
+    strcpy(copy, b->rest);
+    char *field = strtok_r(copy, " \t", &state);
+    for (int i = 0; i < n; i++, field = strtok_r(NULL, " \t", &state)) {
+        int64_t v = 0;
+        if (!field || number_integer(field, -32768, FONT_CODE_MAX, &v))
+            return ERROR(b, "'%s %s': %s with %d whole number%s would be right",
+                         b->word, b->rest, b->word, n, n > 1 ? "s" : "");
+        value[i] = (int)v;
+    }
+    return !field ||
+           ERROR(b,
+                 "'%s' is too much; %s with %d whole number%s would be right",
+                 field, b->word, n, n > 1 ? "s" : "");
+}
+
+static bool number_in(struct bdf *b, int lo, int hi, int *value)
+{
+    return numbers(b, 1, value) &&
+           ((*value >= lo && *value <= hi) ||
+            ERROR(b, "%s is %d; %d to %d would be right", b->word, *value, lo,
+                  hi));
+}
+
+/* "name" or name. */
+static void unquote(const char *text, char *to, size_t size)
+{
+    size_t n = strlen(text);
+    if (n >= 2 && text[0] == '"' && text[n - 1] == '"') {
+        text++;
+        n -= 2;
+    }
+    if (n >= size)
+        n = size - 1;
+    memcpy(to, text, n);
+    to[n] = '\0';
+}
+
+static bool read_properties(struct bdf *b)
+{
+    int count, code;
+    if (!number_in(b, 0, 10000, &count))
+        return false;
+    for (;;) {
+        if (!next_line(b, "ENDPROPERTIES"))
+            return false;
+        if (is(b, "ENDPROPERTIES"))
+            return true;
+        bool right = true;
+        if (is(b, "FONT_ASCENT"))
+            right = number_in(b, 0, FONT_SIZE_MAX, &b->ascent);
+        else if (is(b, "FONT_DESCENT"))
+            right = number_in(b, 0, FONT_SIZE_MAX, &b->descent);
+        else if (is(b, "DEFAULT_CHAR")) {
+            right = number_in(b, 0, FONT_CODE_MAX, &code);
+            b->font->missing = code;
+        } else if (is(b, "CHARSET_REGISTRY"))
+            unquote(b->rest, b->registry, sizeof(b->registry));
+        else if (is(b, "CHARSET_ENCODING"))
+            unquote(b->rest, b->encoding, sizeof(b->encoding));
+        else if (is(b, "STARTCHAR") || is(b, "CHARS"))
+            right = ERROR(b,
+                          "%s among the properties; ENDPROPERTIES before it "
+                          "would be right",
+                          b->word);
+        if (!right)
+            return false;
+    }
+}
+
+/* Code points are read as Unicode: is that what the font has? */
+static bool check_charset(struct bdf *b)
+{
+    bool latin1 = strcasecmp(b->registry, "ISO8859") == 0 &&
+                  strcmp(b->encoding, "1") == 0;
+    return !*b->registry || latin1 ||
+           strcasecmp(b->registry, "ISO10646") == 0 ||
+           ERROR(b,
+                 "the font is encoded in %s-%s; ISO10646-1 (Unicode) or "
+                 "ISO8859-1 would be right",
+                 b->registry, b->encoding);
+}
+
+struct glyph {
+    int code;    /* -1: none in the font's encoding */
+    int advance; /* -1: not given */
+    int box[4];
+    bool has_box;
+};
+
+static bool read_advance(struct bdf *b, int *advance)
+{
+    int v[2];
+    if (!numbers(b, 2, v))
+        return false;
+    if (v[0] < 0 || v[0] > FONT_SIZE_MAX || v[1] != 0)
+        return ERROR(b, "DWIDTH is %d %d; 0 to %d, and 0, would be right", v[0],
+                     v[1], FONT_SIZE_MAX);
+    *advance = v[0];
+    return true;
+}
+
+static bool read_box(struct bdf *b, int box[4])
+{
+    if (!numbers(b, 4, box))
+        return false;
+    return (box[0] >= 0 && box[0] <= FONT_SIZE_MAX && box[1] >= 0 &&
+            box[1] <= FONT_SIZE_MAX && box[2] >= -128 && box[2] <= 127 &&
+            box[1] + box[3] >= -128 && box[1] + box[3] <= 127) ||
+           ERROR(b,
+                 "%s is %s; a width and height of 0 to %d, and a place "
+                 "within -128 to 127 of the origin, would be right",
+                 b->word, b->rest, FONT_SIZE_MAX);
+}
+
+/* ENCODING CODE, or ENCODING -1 with a code of the font's own. */
+static bool read_encoding(struct bdf *b, struct glyph *g)
+{
+    int own[2];
+    if (strncmp(b->rest, "-1", 2) == 0 && strpbrk(b->rest, " \t")) {
+        g->code = -1;
+        return numbers(b, 2, own);
+    }
+    return number_in(b, -1, FONT_CODE_MAX, &g->code);
+}
+
+/* What stands between STARTCHAR and BITMAP. */
+static bool read_head(struct bdf *b, struct glyph *g)
+{
+    static const char *const others[] = {"SWIDTH", "SWIDTH1", "DWIDTH1",
+                                         "VVECTOR", "ATTRIBUTES"};
+    bool has_code = false;
+    while (next_line(b, "BITMAP")) {
+        bool right = true;
+        if (is(b, "BITMAP")) {
+            const char *lacks = !has_code          ? "ENCODING"
+                                : !g->has_box      ? "BBX"
+                                : g->advance == -1 ? "DWIDTH"
+                                                   : NULL;
+            return !lacks || ERROR(b,
+                                   "the glyph has no %s; one before BITMAP "
+                                   "would be right",
+                                   lacks);
+        }
+        if (is(b, "ENCODING"))
+            has_code = right = read_encoding(b, g);
+        else if (is(b, "DWIDTH"))
+            right = read_advance(b, &g->advance);
+        else if (is(b, "BBX"))
+            g->has_box = right = read_box(b, g->box);
+        else {
+            size_t i = 0;
+            while (i < sizeof(others) / sizeof(*others) && !is(b, others[i]))
+                i++;
+            if (i == sizeof(others) / sizeof(*others))
+                right = ERROR(b,
+                              "'%s' in a glyph; ENCODING, DWIDTH, BBX or "
+                              "BITMAP would be right",
+                              b->word);
+        }
+        if (!right)
+            return false;
+    }
+    return false;
+}
+
+static int digit(char c)
+{
+    static const char digits[] = "0123456789abcdef0123456789ABCDEF";
+    const char *at = c ? strchr(digits, c) : NULL;
+    return at ? (int)(at - digits) % 16 : -1;
+}
+
+/* Bits right of the width are padding, whatever they are. */
+static bool read_rows(struct bdf *b, const struct glyph *g, uint8_t *rows)
+{
+    const int stride = (g->box[0] + 7) / 8;
+    for (int y = 0; y < g->box[1] && stride > 0; y++, rows += stride) {
+        if (!next_line(b, "a row of the glyph"))
+            return false;
+        bool right = strlen(b->word) == (size_t)(2 * stride) && !*b->rest;
+        for (int i = 0; right && i < 2 * stride; i++) {
+            int value = digit(b->word[i]);
+            right = value >= 0;
+            rows[i / 2] = (uint8_t)(rows[i / 2] << 4 | (value & 15));
+        }
+        if (!right)
+            return ERROR(b,
+                         "'%s' as row %d of %d; %d hexadecimal digits would be "
+                         "right",
+                         b->word, y + 1, g->box[1], 2 * stride);
+    }
+    return next_line(b, "ENDCHAR") &&
+           (is(b, "ENDCHAR") ||
+            ERROR(b, "'%s' after %d rows; ENDCHAR would be right", b->word,
+                  g->box[1]));
+}
+
+static bool read_glyph(struct bdf *b)
+{
+    struct glyph g = {-1, b->advance, {0, 0, 0, 0}, b->has_box};
+    uint8_t rows[FONT_SIZE_MAX * ((FONT_SIZE_MAX + 7) / 8)] = {0};
+    memcpy(g.box, b->box, sizeof(g.box));
+    if (!read_head(b, &g) || !read_rows(b, &g, rows))
+        return false;
+    b->read++;
+    const struct font_char c = {
+        .code = (uint32_t)g.code,
+        .width = g.box[0],
+        .height = g.box[1],
+        .left = g.box[2],
+        .top = g.box[1] + g.box[3],
+        .advance = g.advance,
+    };
+    return g.code < 0 ||
+           font_add(b->font, &c, rows, ((size_t)g.box[0] + 7) / 8);
+}
+
+/* One line between the glyphs, and what belongs to it. */
+static bool read_entry(struct bdf *b)
+{
+    static const char *const others[] = {"CONTENTVERSION", "FONT",   "SIZE",
+                                         "METRICSSET",     "SWIDTH", "SWIDTH1",
+                                         "DWIDTH1",        "VVECTOR"};
+    int count;
+    if (is(b, "STARTCHAR"))
+        return read_glyph(b);
+    if (is(b, "STARTPROPERTIES"))
+        return read_properties(b) && check_charset(b);
+    if (is(b, "FONTBOUNDINGBOX"))
+        return b->has_box = read_box(b, b->box);
+    if (is(b, "DWIDTH"))
+        return read_advance(b, &b->advance);
+    if (is(b, "CHARS")) {
+        bool right = number_in(b, 0, FONT_CODE_MAX, &count);
+        b->chars = count;
+        return right;
+    }
+    for (size_t i = 0; i < sizeof(others) / sizeof(*others); i++)
+        if (is(b, others[i]))
+            return true;
+    return ERROR(b, "'%s' between glyphs; STARTCHAR or ENDFONT would be right",
+                 b->word);
+}
+
+/* The lines of a font without properties are as high as its box. */
+static bool finish(struct bdf *b)
+{
+    int above = b->box[1] + b->box[3], below = -b->box[3];
+    if (b->chars != b->read)
+        return ERROR(b, "%ld glyphs; the %ld that CHARS says would be right",
+                     b->read, b->chars);
+    b->font->ascent = b->ascent >= 0 ? b->ascent : above > 0 ? above : 0;
+    b->font->descent = b->descent >= 0 ? b->descent : below > 0 ? below : 0;
+    return true;
+}
+
+bool font_parse_bdf(struct font *font, const struct font_file *file)
+{
+    struct bdf b = {
+        .font = font,
+        .path = file->path,
+        .next = file->data,
+        .end = file->data + file->size,
+        .advance = -1,
+        .ascent = -1,
+        .descent = -1,
+        .chars = -1,
+    };
+    if (!next_line(&b, "STARTFONT 2.1"))
+        return false;
+    if (!is(&b, "STARTFONT") || strncmp(b.rest, "2.", 2) != 0)
+        return ERROR(&b, "'%s %s'; STARTFONT 2.1 would be right", b.word,
+                     b.rest);
+    while (next_line(&b, "ENDFONT")) {
+        if (is(&b, "ENDFONT"))
+            return finish(&b);
+        if (!read_entry(&b))
+            return false;
+    }
+    return false;
+}

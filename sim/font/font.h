@@ -1,0 +1,56 @@
+/* Fonts of 1-bit glyphs, as files hold them. */
+#ifndef SIM_FONT_FONT_H
+#define SIM_FONT_FONT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum {
+    FONT_SIZE_MAX = 255, /* px, of a glyph, a line and an advance */
+    FONT_CODE_MAX = 0x10FFFF
+};
+
+/* A code point and its glyph; empty ones have width and height 0. */
+struct font_char {
+    uint32_t code;
+    int width, height;
+    int left, top; /* px from the pen to the left column, and from the baseline
+                      up to above the top row */
+    int advance;
+    size_t offset; /* of its rows in font.bits, as in core/asset/font_asset.h */
+};
+
+struct font {
+    int ascent, descent;
+    long missing;            /* the code point shown for others, or -1 */
+    struct font_char *chars; /* by code point */
+    size_t count;
+    uint8_t *bits;
+    size_t size;
+};
+
+/* Reads a BDF or a PSF file (versions 1 and 2), which it knows by its first
+ * bytes; "-" is standard input. False, with a message on standard error, when
+ * it cannot; the font is then empty. */
+bool font_load(struct font *font, const char *path);
+void font_free(struct font *font);
+
+/* A file in memory, with a 0 behind its last byte. */
+struct font_file {
+    const char *path;
+    char *data;
+    size_t size;
+};
+
+/* The two parsers. */
+bool font_parse_bdf(struct font *font, const struct font_file *file);
+bool font_parse_psf(struct font *font, const struct font_file *file);
+
+/* For the parsers: adds a glyph whose rows are `stride` bytes apart, without
+ * the empty rows and columns around it. False when memory is short or the glyph
+ * is out of range (message). */
+bool font_add(struct font *font, const struct font_char *glyph,
+              const uint8_t *rows, size_t stride);
+
+#endif

@@ -1,0 +1,188 @@
+/* PC Screen Font, the Linux console's, versions 1 and 2 (kbd's psf.h). */
+
+#include "sim/font/font.h"
+#include "sim/cli/message.h"
+
+struct psf {
+    struct font *font;
+    const char *path;
+    const uint8_t *data;
+    size_t size, at; /* bytes read */
+    uint32_t count, glyph_size, width, height;
+    size_t glyphs; /* where they begin */
+    bool has_table;
+    int version;
+};
+
+static uint32_t little(const uint8_t *p, int bytes)
+{
+    uint32_t v = 0;
+    while (bytes-- > 0)
+        v = v << 8 | p[bytes];
+    return v;
+}
+
+static bool cut_short(const struct psf *p)
+{
+    return message_error_at(p->path, 0,
+                            "ends after %zu bytes; a whole PSF file would be "
+                            "right",
+                            p->size);
+}
+
+static bool read_head1(struct psf *p)
+{
+    enum { MODE_512 = 1, MODE_TABLE = 2 | 4 };
+    if (p->size < 4)
+        return cut_short(p);
+    p->count = p->data[2] & MODE_512 ? 512 : 256;
+    p->has_table = p->data[2] & MODE_TABLE;
+    p->glyph_size = p->height = p->data[3];
+    p->width = 8;
+    p->glyphs = 4;
+    return true;
+}
+
+static bool read_head2(struct psf *p)
+{
+    if (p->size < 32)
+        return cut_short(p);
+    p->glyphs = little(p->data + 8, 4);
+    p->has_table = little(p->data + 12, 4) & 1;
+    p->count = little(p->data + 16, 4);
+    p->glyph_size = little(p->data + 20, 4);
+    p->height = little(p->data + 24, 4);
+    p->width = little(p->data + 28, 4);
+    return (little(p->data + 4, 4) == 0 && p->glyphs >= 32) ||
+           message_error_at(p->path, 0,
+                            "a PSF 2 header of version %u and %zu bytes; "
+                            "version 0 and at least 32 bytes would be right",
+                            (unsigned)little(p->data + 4, 4), p->glyphs);
+}
+
+static bool check_size(const struct psf *p)
+{
+    if (p->width < 1 || p->width > FONT_SIZE_MAX || p->height < 1 ||
+        p->height > 127)
+        return message_error_at(p->path, 0,
+                                "glyphs of %u x %u; 1 to %d wide and 1 to 127 "
+                                "high would be right",
+                                (unsigned)p->width, (unsigned)p->height,
+                                FONT_SIZE_MAX);
+    if (p->glyph_size != (p->width + 7) / 8 * p->height || p->count < 1)
+        return message_error_at(
+            p->path, 0, "%u glyphs of %u bytes; %u bytes would be right",
+            (unsigned)p->count, (unsigned)p->glyph_size,
+            (unsigned)((p->width + 7) / 8 * p->height));
+    if (p->glyphs > p->size || (p->size - p->glyphs) / p->glyph_size < p->count)
+        return cut_short(p);
+    return true;
+}
+
+/* Cells have no baseline of their own; a quarter of the height, rounded down,
+ * is usual below it. */
+static bool add(struct psf *p, uint32_t glyph, uint32_t code)
+{
+    const struct font_char c = {
+        .code = code,
+        .width = (int)p->width,
+        .height = (int)p->height,
+        .top = p->font->ascent,
+        .advance = (int)p->width,
+    };
+    if (code > FONT_CODE_MAX)
+        return message_error_at(p->path, 0,
+                                "the table names U+%X; up to U+10FFFF would be "
+                                "right",
+                                (unsigned)code);
+    for (size_t i = 0; i < p->font->count; i++)
+        if (p->font->chars[i].code == code)
+            return true; /* the first one counts, as on the console */
+    return font_add(p->font, &c,
+                    p->data + p->glyphs + (size_t)glyph * p->glyph_size,
+                    (p->width + 7) / 8);
+}
+
+/* One code point of a PSF 2 table: UTF-8. 0 bytes left: false. */
+static bool next_utf8(struct psf *p, uint32_t *code)
+{
+    int more = 0;
+    uint32_t c = p->data[p->at++];
+    if (c >= 0xC0)
+        more = c < 0xE0 ? 1 : c < 0xF0 ? 2 : 3;
+    *code = more ? c & (0x3Fu >> more) : c;
+    for (; more > 0; more--) {
+        if (p->at == p->size || (p->data[p->at] & 0xC0) != 0x80)
+            return false;
+        *code = *code << 6 | (p->data[p->at++] & 0x3Fu);
+    }
+    return c < 0x80 || (c >= 0xC2 && c <= 0xF4);
+}
+
+enum { CODE, SEQUENCE, END, BAD };
+
+/* What comes next in the table of a glyph. */
+static int next_entry(struct psf *p, uint32_t *code)
+{
+    const size_t unit = p->version == 1 ? 2 : 1;
+    if (p->size - p->at < unit)
+        return BAD;
+    if (p->version == 1) {
+        *code = little(p->data + p->at, 2);
+        p->at += 2;
+        return *code == 0xFFFF ? END : *code == 0xFFFE ? SEQUENCE : CODE;
+    }
+    if (p->data[p->at] >= 0xFE)
+        return p->data[p->at++] == 0xFF ? END : SEQUENCE;
+    return next_utf8(p, code) ? CODE : BAD;
+}
+
+/* Code points of each glyph; sequences of several, which follow, are left
+ * out. */
+static bool read_table(struct psf *p)
+{
+    p->at = p->glyphs + (size_t)p->count * p->glyph_size;
+    for (uint32_t glyph = 0; glyph < p->count; glyph++) {
+        bool in_sequence = false;
+        for (;;) {
+            uint32_t code = 0;
+            int entry = next_entry(p, &code);
+            if (entry == END)
+                break;
+            if (entry == BAD)
+                return message_error_at(p->path, 0,
+                                        "the Unicode table breaks off at byte "
+                                        "%zu, glyph %u of %u; a whole one "
+                                        "would be right",
+                                        p->at, (unsigned)glyph,
+                                        (unsigned)p->count);
+            if (entry == SEQUENCE)
+                in_sequence = true;
+            else if (!in_sequence && !add(p, glyph, code))
+                return false;
+        }
+    }
+    return true;
+}
+
+bool font_parse_psf(struct font *font, const struct font_file *file)
+{
+    struct psf p = {
+        .font = font,
+        .path = file->path,
+        .data = (const uint8_t *)file->data,
+        .size = file->size,
+    };
+    p.version = p.data[0] == 0x36 ? 1 : 2;
+    if (!(p.version == 1 ? read_head1(&p) : read_head2(&p)) || !check_size(&p))
+        return false;
+    font->descent = (int)p.height / 4;
+    font->ascent = (int)p.height - font->descent;
+    font->missing = 0xFFFD;
+    if (p.has_table)
+        return read_table(&p);
+    for (uint32_t glyph = 0; glyph < p.count; glyph++)
+        if (!add(&p, glyph, glyph))
+            return false;
+    return true;
+}

@@ -1,0 +1,58 @@
+/* Canvases: a surface with memory of its own, of any format and layout, drawn
+ * whole or in bands. */
+#ifndef SIM_IMAGE_CANVAS_H
+#define SIM_IMAGE_CANVAS_H
+
+#include "core/base/surface.h"
+#include "sim/image/picture.h"
+
+enum {
+    CANVAS_SIZE_MAX = 32767,    /* px each way */
+    CANVAS_PIXELS_MAX = 1 << 28 /* in all: 1 GB as a picture */
+};
+
+struct canvas {
+    struct pel_surface surface;
+    void *memory; /* malloc'ed */
+};
+
+/* How a canvas lies in memory. A zeroed one is packed and top-down. */
+struct canvas_layout {
+    struct pel_rect bounds; /* absolute pixels; a tile of a format with less
+                               than 8 bits begins at a byte */
+    int padding;            /* pixel words added to each line */
+    bool bottom_up;         /* negative stride; not for mono1_pages */
+};
+
+bool canvas_size_legal(int width, int height);
+
+/* Black pixels 0..width, 0..height, packed. False, with a message on standard
+ * error, when the size is out of range or memory is short. */
+bool canvas_init(struct canvas *canvas, const struct pel_format *format,
+                 int width, int height);
+
+/* The general form; the memory is not set to a colour but to bytes 0xA5. */
+bool canvas_init_layout(struct canvas *canvas, const struct pel_format *format,
+                        const struct canvas_layout *layout);
+
+void canvas_free(struct canvas *canvas);
+
+/* The pixels of the surface as a new picture, read with format->load. */
+bool canvas_picture(const struct canvas *canvas, struct picture *picture);
+
+/* Draws onto a surface whose clip is the whole surface. */
+typedef void canvas_draw_function(struct pel_surface *surface, void *context);
+
+/* Are bands of `rows` lines possible? 0 (no bands) always, else rows >= 1, and
+ * a multiple of 8 for mono1_pages. */
+bool canvas_bands_legal(const struct pel_format *format, int rows);
+
+/* Calls draw once for the canvas (rows = 0), or once for each band of `rows`
+ * lines from the top, as a device with memory for one band does: each band is a
+ * small surface of its own, with its absolute bounds, that takes the pixels
+ * from the canvas and brings them back. False, with a message, when memory is
+ * short. */
+bool canvas_draw(struct canvas *canvas, int rows, canvas_draw_function *draw,
+                 void *context);
+
+#endif

@@ -1,0 +1,201 @@
+/* pel compare: where two pictures differ. */
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+#include "sim/cli/arguments.h"
+#include "sim/cli/commands.h"
+#include "sim/cli/message.h"
+#include "sim/cli/number.h"
+#include "sim/image/picture.h"
+#include "sim/image/texture.h"
+
+struct compare_options {
+    const char *path[2], *diff;
+    int count, tolerance;
+};
+
+struct differences {
+    long count; /* pixels beyond the tolerance */
+    int worst;  /* of any channel */
+    int x, y;   /* the first such pixel, in reading order */
+};
+
+enum { OPTION_TOLERANCE = 0x100, OPTION_DIFF };
+
+static const struct argp_option options[] = {
+    {"tolerance", OPTION_TOLERANCE, "N", 0,
+     "equal when no channel differs by more than N steps of 255 (0)", 0},
+    {"diff", OPTION_DIFF, "FILE", 0,
+     "write a picture of the differences: red, brighter where larger, on the "
+     "first picture in grey; blue where only one has pixels",
+     0},
+    {0},
+};
+
+static void parse_tolerance(const char *text, struct argp_state *state)
+{
+    int64_t v;
+    struct compare_options *o = state->input;
+    if (number_integer(text, 0, 255, &v) != NUMBER_OK)
+        arguments_error(
+            state, "--tolerance %s: must be a whole number in 0..255", text);
+    o->tolerance = (int)v;
+}
+
+static error_t parse_option(int key, char *text, struct argp_state *state)
+{
+    struct compare_options *o = state->input;
+    switch (key) {
+    case OPTION_TOLERANCE:
+        parse_tolerance(text, state);
+        return 0;
+    case OPTION_DIFF:
+        o->diff = text;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (o->count == 2)
+            arguments_error(state, "two pictures only, not %s too", text);
+        o->path[o->count++] = text;
+        return 0;
+    case ARGP_KEY_END:
+        if (o->count < 2)
+            arguments_error(state, "two pictures are needed, %d given",
+                            o->count);
+        if (strcmp(o->path[0], "-") == 0 && strcmp(o->path[1], "-") == 0)
+            arguments_error(state, "only one picture can be standard input");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp parser = {
+    options,
+    parse_option,
+    "A B",
+    "Compares two pictures (.ppm, .pgm, .png and what else pel reads; - is a "
+    "PPM on standard input).\v"
+    "Exit status: 0 equal, 1 different, 2 error. Prints the sizes when they "
+    "differ, else the number of differing pixels, the worst difference, and "
+    "the first such pixel.",
+    NULL,
+    NULL,
+    NULL,
+};
+
+static int channel_difference(uint32_t a, uint32_t b)
+{
+    return a > b ? (int)(a - b) : (int)(b - a);
+}
+
+static int pixel_difference(pel_color a, pel_color b)
+{
+    const int red = channel_difference(pel_red(a), pel_red(b));
+    const int green = channel_difference(pel_green(a), pel_green(b));
+    const int blue = channel_difference(pel_blue(a), pel_blue(b));
+    const int most = red > green ? red : green;
+    return most > blue ? most : blue;
+}
+
+static struct differences count_differences(const struct picture p[2],
+                                            int tolerance)
+{
+    struct differences d = {0, 0, 0, 0};
+    for (int y = 0; y < p[0].height; y++) {
+        for (int x = 0; x < p[0].width; x++) {
+            const int difference = pixel_difference(picture_row(&p[0], y)[x],
+                                                    picture_row(&p[1], y)[x]);
+            if (difference > d.worst)
+                d.worst = difference;
+            if (difference <= tolerance)
+                continue;
+            if (d.count++ == 0) {
+                d.x = x;
+                d.y = y;
+            }
+        }
+    }
+    return d;
+}
+
+static bool has_pixel(const struct picture *p, int x, int y)
+{
+    return x < p->width && y < p->height;
+}
+
+static pel_color diff_color(const struct picture p[2], int x, int y,
+                            int tolerance)
+{
+    if (!has_pixel(&p[0], x, y) || !has_pixel(&p[1], x, y))
+        return PEL_RGB(0, 0, 255);
+    const pel_color a = picture_row(&p[0], y)[x];
+    const int difference = pixel_difference(a, picture_row(&p[1], y)[x]);
+    const uint32_t gray = pel_gray(a) / 3;
+    if (difference <= tolerance)
+        return PEL_RGB(gray, gray, gray);
+    return PEL_RGB(127 + (difference + 1) / 2, 0, 0);
+}
+
+static bool write_diff(const struct picture p[2],
+                       const struct compare_options *o)
+{
+    struct picture diff;
+    const int width = p[0].width > p[1].width ? p[0].width : p[1].width;
+    const int height = p[0].height > p[1].height ? p[0].height : p[1].height;
+    if (!o->diff)
+        return true;
+    if (!picture_init(&diff, width, height, 0))
+        return false;
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++)
+            picture_row(&diff, y)[x] = diff_color(p, x, y, o->tolerance);
+    const bool done = picture_save(&diff, o->diff);
+    picture_free(&diff);
+    return done;
+}
+
+static int report(const struct picture p[2], const struct compare_options *o)
+{
+    if (p[0].width != p[1].width || p[0].height != p[1].height) {
+        printf("sizes differ: %s has %d x %d pixels, %s has %d x %d\n",
+               o->path[0], p[0].width, p[0].height, o->path[1], p[1].width,
+               p[1].height);
+        return STATUS_DIFFERENT;
+    }
+    const struct differences d = count_differences(p, o->tolerance);
+    if (d.count == 0)
+        return STATUS_OK;
+    const unsigned a = picture_row(&p[0], d.y)[d.x] & 0xFFFFFFu;
+    const unsigned b = picture_row(&p[1], d.y)[d.x] & 0xFFFFFFu;
+    printf("%ld of %ld pixels differ, worst by %d of 255, first at (%d, %d): "
+           "#%06x, #%06x\n",
+           d.count, (long)p[0].width * p[0].height, d.worst, d.x, d.y, a, b);
+    return STATUS_DIFFERENT;
+}
+
+/* A picture's ending tells its kind; PPM needs none. */
+static bool load(struct picture *picture, const char *path)
+{
+    static const char *const ending[] = {".png", ".jpg", ".jpeg",
+                                         ".tga", ".bmp", NULL};
+    const char *dot = strrchr(path, '.');
+    for (const char *const *e = ending; dot && *e; e++)
+        if (strcasecmp(dot, *e) == 0)
+            return texture_load(picture, path);
+    return picture_load(picture, path);
+}
+
+int command_compare(int argc, char **argv)
+{
+    struct compare_options o = {{NULL, NULL}, NULL, 0, 0};
+    struct picture p[2] = {{0, 0, NULL}, {0, 0, NULL}};
+    int status = STATUS_ERROR;
+    arguments_parse(&parser, argc, argv, &o);
+    if ((!o.diff || picture_path_check(o.diff)) && load(&p[0], o.path[0]) &&
+        load(&p[1], o.path[1]) && write_diff(p, &o))
+        status = report(p, &o);
+    picture_free(&p[0]);
+    picture_free(&p[1]);
+    return status;
+}

@@ -1,0 +1,52 @@
+/* Pictures in memory, and the files they come from and go to. */
+#ifndef SIM_IMAGE_PICTURE_H
+#define SIM_IMAGE_PICTURE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/base/color.h"
+
+/* Rows from the top, no padding, 0xAARRGGBB; 1..32,767 pixels each way. The
+ * pixels are malloc'ed and owned by the picture. */
+struct picture {
+    int width, height;
+    pel_color *pixels;
+};
+
+/* A picture of one colour. False, with a message on standard error, when the
+ * size is out of range or memory is short; the picture is then empty, as
+ * picture_free leaves it. */
+bool picture_init(struct picture *picture, int width, int height,
+                  pel_color color);
+
+/* Frees the pixels; an empty picture ({0}) may be freed too. */
+void picture_free(struct picture *picture);
+
+static inline pel_color *picture_row(const struct picture *picture, int y)
+{
+    return picture->pixels + (size_t)y * (size_t)picture->width;
+}
+
+/* Reads the PPM or PGM file (P6, P5, P3, P2; maxval 255, one picture) at
+ * `path`; "-" is standard input. Memory grows with the data that is really
+ * there, so a header that lies costs nothing. False, with a message on standard
+ * error that names file, line (text) or byte (binary), what is wrong and what
+ * would be right; the picture is then empty. */
+bool picture_load(struct picture *picture, const char *path);
+
+/* Writes the picture, alpha left out, in the format of the ending of `path`:
+ * .ppm (P6), .bmp (24 bits), .png (needs libpng at build time); "-" is PPM on
+ * standard output. The file appears whole or not at all. False, with a message
+ * on standard error, when that failed. */
+bool picture_save(const struct picture *picture, const char *path);
+
+/* Is the ending of `path` one that picture_save writes? False, with a message,
+ * when not: commands ask before they work. */
+bool picture_path_check(const char *path);
+
+/* The best compressed ending that this build writes: ".png", or ".bmp" where
+ * libpng was missing. */
+const char *picture_best_ending(void);
+
+#endif

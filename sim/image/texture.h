@@ -1,0 +1,21 @@
+/* Texture files, and the colour of a point of one. */
+#ifndef SIM_IMAGE_TEXTURE_H
+#define SIM_IMAGE_TEXTURE_H
+
+#include "sim/image/picture.h"
+
+/* Reads the picture at `path`: through SDL2_image (PNG, JPEG, TGA, BMP and
+ * whatever else it knows) where this build has it, PPM and PGM always. False,
+ * with a message on standard error, when it cannot; the picture is then empty.
+ */
+bool texture_load(struct picture *picture, const char *path);
+
+/* The same from a file's bytes in memory; `name` is for the message. */
+bool texture_load_bytes(struct picture *picture, const char *name,
+                        const void *bytes, size_t size);
+
+/* The texel at column floor(u W), row floor(v H), repeated outside 0..1;
+ * opaque. */
+pel_color texture_at(const struct picture *picture, double u, double v);
+
+#endif

@@ -1,0 +1,314 @@
+#include "sim/mesh/mesh.h"
+
+#include "sim/cli/byte_order_mark.h"
+#include "sim/cli/message.h"
+
+#ifdef HAVE_ASSIMP
+#include <assimp/cimport.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* v from the first row down, node transforms applied, triangles, vertices that
+ * are the same in all attributes joined. */
+enum {
+    IMPORT_FLAGS = aiProcess_PreTransformVertices | aiProcess_Triangulate |
+                   aiProcess_FlipUVs | aiProcess_JoinIdenticalVertices
+};
+
+bool mesh_files_supported(void)
+{
+    return true;
+}
+
+static uint32_t triangles_of(const struct aiMesh *from)
+{
+    uint32_t n = 0;
+    for (unsigned i = 0; i < from->mNumFaces; i++)
+        n += from->mFaces[i].mNumIndices == 3;
+    return n;
+}
+
+/* Of all parts that have triangles. */
+static void count(const struct aiScene *scene, uint64_t *vertices,
+                  uint64_t *triangles)
+{
+    *vertices = *triangles = 0;
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        uint32_t n = triangles_of(scene->mMeshes[i]);
+        *triangles += n;
+        *vertices += n ? scene->mMeshes[i]->mNumVertices : 0;
+    }
+}
+
+static unsigned byte_of(float value)
+{
+    return value > 0 ? value < 1 ? (unsigned)(value * 255 + 0.5f) : 255 : 0;
+}
+
+static pel_color color_of(const struct aiColor4D *c)
+{
+    return PEL_RGB(byte_of(c->r), byte_of(c->g), byte_of(c->b));
+}
+
+static pel_color material_color(const struct aiScene *scene,
+                                const struct aiMesh *from)
+{
+    struct aiColor4D color = {0.8f, 0.8f, 0.8f, 1};
+    if (from->mMaterialIndex < scene->mNumMaterials)
+        aiGetMaterialColor(scene->mMaterials[from->mMaterialIndex],
+                           AI_MATKEY_COLOR_DIFFUSE, &color);
+    return color_of(&color);
+}
+
+static void set3(double to[3], const struct aiVector3D *from)
+{
+    to[0] = (double)from->x;
+    to[1] = (double)from->y;
+    to[2] = (double)from->z;
+}
+
+static void copy_vertices(const struct aiScene *scene,
+                          const struct aiMesh *from, struct mesh_vertex *to)
+{
+    pel_color color = material_color(scene, from);
+    for (unsigned i = 0; i < from->mNumVertices; i++, to++) {
+        set3(to->position, &from->mVertices[i]);
+        if (from->mNormals)
+            set3(to->normal, &from->mNormals[i]);
+        if (from->mTextureCoords[0]) {
+            to->uv[0] = (double)from->mTextureCoords[0][i].x;
+            to->uv[1] = (double)from->mTextureCoords[0][i].y;
+        }
+        to->color = from->mColors[0] ? color_of(&from->mColors[0][i]) : color;
+    }
+}
+
+/* A part's vertices go to `vertex` on, so an index that is wrong in the part
+ * stays wrong: mesh_check refuses it. */
+static uint32_t copy_triangles(const struct aiMesh *from, uint32_t vertex,
+                               uint32_t (*to)[3])
+{
+    uint32_t n = 0;
+    for (unsigned i = 0; i < from->mNumFaces; i++) {
+        const struct aiFace *face = &from->mFaces[i];
+        if (face->mNumIndices != 3)
+            continue;
+        for (int k = 0; k < 3; k++)
+            to[n][k] = face->mIndices[k] < from->mNumVertices
+                           ? face->mIndices[k] + vertex
+                           : UINT32_MAX;
+        n++;
+    }
+    return n;
+}
+
+static void copy_parts(const struct aiScene *scene, struct mesh *mesh)
+{
+    uint32_t vertex = 0, triangle = 0;
+    mesh->has_normals = true;
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        const struct aiMesh *from = scene->mMeshes[i];
+        if (triangles_of(from) == 0)
+            continue;
+        copy_vertices(scene, from, mesh->vertex + vertex);
+        triangle += copy_triangles(from, vertex, mesh->triangle + triangle);
+        vertex += from->mNumVertices;
+        mesh->has_normals = mesh->has_normals && from->mNormals;
+        mesh->has_uv = mesh->has_uv || from->mTextureCoords[0];
+        mesh->has_colors = mesh->has_colors || from->mColors[0];
+    }
+}
+
+/* The path of the first texture as the file has it; false when there is none.
+ */
+static bool find_texture(const struct aiScene *scene, struct aiString *name)
+{
+    for (unsigned i = 0; i < scene->mNumMaterials; i++)
+        if (aiGetMaterialTexture(scene->mMaterials[i], aiTextureType_DIFFUSE, 0,
+                                 name, NULL, NULL, NULL, NULL, NULL,
+                                 NULL) == aiReturn_SUCCESS)
+            return true;
+    return false;
+}
+
+/* A texture file inside the mesh file: the name is * and its number. */
+static bool copy_inner_texture(const struct aiScene *scene, const char *name,
+                               struct mesh *mesh)
+{
+    unsigned long i = strtoul(name + 1, NULL, 10);
+    if (i >= scene->mNumTextures || scene->mTextures[i]->mHeight != 0)
+        return true; /* not there, or bare texels, which no format has */
+    const struct aiTexture *from = scene->mTextures[i];
+    mesh->texture_bytes = malloc(from->mWidth);
+    if (!mesh->texture_bytes)
+        return message_error("no memory for a texture of %u bytes",
+                             from->mWidth);
+    memcpy(mesh->texture_bytes, from->pcData, from->mWidth);
+    mesh->texture_size = from->mWidth;
+    return true;
+}
+
+/* Relative to the directory of the mesh. */
+static bool copy_texture(const struct aiScene *scene, const char *path,
+                         struct mesh *mesh)
+{
+    struct aiString name;
+    if (!find_texture(scene, &name))
+        return true;
+    if (name.data[0] == '*')
+        return copy_inner_texture(scene, name.data, mesh);
+    const char *slash = strrchr(path, '/');
+    int directory = slash && name.data[0] != '/' ? (int)(slash - path) + 1 : 0;
+    size_t size = (size_t)directory + strlen(name.data) + 1;
+    mesh->texture = malloc(size);
+    if (!mesh->texture)
+        return message_error("no memory for the name of a texture");
+    snprintf(mesh->texture, size, "%.*s%s", directory, path, name.data);
+    for (char *c = mesh->texture + directory; *c; c++)
+        if (*c == '\\') /* as files made on other systems have it */
+            *c = '/';
+    return true;
+}
+
+static bool copy_scene(const struct aiScene *scene, const char *path,
+                       struct mesh *mesh)
+{
+    uint64_t vertices, triangles;
+    count(scene, &vertices, &triangles);
+    if (triangles == 0)
+        return message_error_at(path, 0, "a mesh file without triangles");
+    if (vertices > 1u << 28 || triangles > 1u << 28)
+        return message_error_at(path, 0,
+                                "more than 2^28 vertices or triangles");
+    if (!mesh_init(mesh, (uint32_t)vertices, (uint32_t)triangles))
+        return false;
+    copy_parts(scene, mesh);
+    return copy_texture(scene, path, mesh);
+}
+
+/* Some of assimp's readers put another vertex in the place of an index that is
+ * out of range, and only log it. */
+static void note_bad_index(const char *text, char *user)
+{
+    if (strstr(text, "ndex") && strstr(text, "out of range"))
+        *user = 1;
+}
+
+/* Before anything is done with them: assimp's own steps trust the indices. */
+static bool check_indices(const struct aiScene *scene, const char *path)
+{
+    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
+        const struct aiMesh *part = scene->mMeshes[m];
+        for (unsigned i = 0; i < part->mNumFaces; i++)
+            for (unsigned k = 0; k < part->mFaces[i].mNumIndices; k++)
+                if (part->mFaces[i].mIndices[k] >= part->mNumVertices)
+                    return message_error_at(
+                        path, 0,
+                        "face %u of part %u names vertex %u; the part has %u, "
+                        "counted from 0",
+                        i, m, part->mFaces[i].mIndices[k], part->mNumVertices);
+    }
+    return true;
+}
+
+/* Nor do they bear a scene without faces. */
+static bool check_faces(const struct aiScene *scene, const char *path)
+{
+    for (unsigned m = 0; m < scene->mNumMeshes; m++)
+        for (unsigned i = 0; i < scene->mMeshes[m]->mNumFaces; i++)
+            if (scene->mMeshes[m]->mFaces[i].mNumIndices >= 3)
+                return true;
+    return message_error_at(path, 0, "a mesh file without triangles");
+}
+
+/* The file as it is; NULL, with a message, when it is not right. */
+static const struct aiScene *read_scene(const char *path)
+{
+    char bad_index = 0;
+    const struct aiLogStream log = {note_bad_index, &bad_index};
+    aiAttachLogStream(&log);
+    const struct aiScene *scene = aiImportFile(path, 0);
+    aiDetachLogStream(&log);
+    if (!scene) {
+        message_error_at(path, 0, "no mesh that can be read (%s)",
+                         aiGetErrorString());
+        return NULL;
+    }
+    if (bad_index)
+        message_error_at(path, 0, "a face names a vertex that is out of range");
+    if (!bad_index && check_indices(scene, path) && check_faces(scene, path))
+        return scene;
+    aiReleaseImport(scene);
+    return NULL;
+}
+
+bool mesh_ending_known(const char *path)
+{
+    const char *dot = strrchr(path, '.');
+    return !dot || strchr(dot, '/') || aiIsExtensionSupported(dot);
+}
+
+/* Of assimp's readers only those of XML and .x know the mark; that of .obj
+ * leaves out the first line without a word. */
+static bool check_mark(const char *path)
+{
+    char start[8] = "";
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return true;
+    const size_t n = fread(start, 1, sizeof(start) - 1, file);
+    fclose(file);
+    const char *text = start + byte_order_mark(start);
+    return n == 0 || text == start || *text == '<' ||
+           strncmp(text, "xof ", 4) == 0 ||
+           message_error_at(path, 0,
+                            "begins with a UTF-8 byte order mark, which its "
+                            "format does not know; the same without it (`sed "
+                            "-i '1s/^\\xEF\\xBB\\xBF//' %s`) would be right",
+                            path);
+}
+
+bool mesh_load_file(struct mesh *mesh, const char *path)
+{
+    if (access(path, R_OK) != 0)
+        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+    const struct aiScene *scene = check_mark(path) ? read_scene(path) : NULL;
+    if (!scene)
+        return false;
+    scene = aiApplyPostProcessing(scene, IMPORT_FLAGS); /* frees on failure */
+    if (!scene)
+        return message_error_at(path, 0, "no mesh that can be drawn (%s)",
+                                aiGetErrorString());
+    bool done = copy_scene(scene, path, mesh);
+    aiReleaseImport(scene);
+    return done;
+}
+
+#else
+
+bool mesh_files_supported(void)
+{
+    return false;
+}
+
+bool mesh_ending_known(const char *path)
+{
+    (void)path;
+    return true;
+}
+
+bool mesh_load_file(struct mesh *mesh, const char *path)
+{
+    (void)mesh;
+    return message_error_at(path, 0,
+                            "this pel was built without assimp, which the "
+                            "package libassimp-dev brings; " MESH_BUILTIN
+                            " and pel2d files would be right");
+}
+
+#endif

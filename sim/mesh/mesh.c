@@ -1,0 +1,104 @@
+#include "sim/mesh/mesh.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/cli/message.h"
+
+bool mesh_init(struct mesh *mesh, uint32_t vertices, uint32_t triangles)
+{
+    memset(mesh, 0, sizeof(*mesh));
+    mesh->vertex = calloc(vertices, sizeof(*mesh->vertex));
+    mesh->triangle = calloc(triangles, sizeof(*mesh->triangle));
+    if (!mesh->vertex || !mesh->triangle) {
+        mesh_free(mesh);
+        return message_error("no memory for a mesh of %u vertices and %u "
+                             "triangles",
+                             vertices, triangles);
+    }
+    mesh->vertices = vertices;
+    mesh->triangles = triangles;
+    return true;
+}
+
+void mesh_free(struct mesh *mesh)
+{
+    free(mesh->vertex);
+    free(mesh->triangle);
+    free(mesh->texture);
+    free(mesh->texture_bytes);
+    memset(mesh, 0, sizeof(*mesh));
+}
+
+/* Also false for a NaN. */
+static bool within(const double *value, int n, double limit)
+{
+    for (int i = 0; i < n; i++)
+        if (!(fabs(value[i]) <= limit))
+            return false;
+    return true;
+}
+
+static bool check_vertices(const struct mesh *mesh, const char *path)
+{
+    for (uint32_t i = 0; i < mesh->vertices; i++) {
+        const struct mesh_vertex *v = &mesh->vertex[i];
+        if (!within(v->position, 3, MESH_LIMIT))
+            return message_error_at(path, 0,
+                                    "vertex %u lies at (%g, %g, %g); legal "
+                                    "are coordinates up to %g",
+                                    i, v->position[0], v->position[1],
+                                    v->position[2], MESH_LIMIT);
+        if (!within(v->uv, 2, 1e6))
+            return message_error_at(path, 0,
+                                    "vertex %u has uv (%g, %g); legal is -1e6 "
+                                    "to 1e6",
+                                    i, v->uv[0], v->uv[1]);
+    }
+    return true;
+}
+
+bool mesh_check(const struct mesh *mesh, const char *path)
+{
+    for (uint32_t i = 0; i < mesh->triangles; i++)
+        for (int k = 0; k < 3; k++)
+            if (mesh->triangle[i][k] >= mesh->vertices)
+                return message_error_at(path, 0,
+                                        "triangle %u names vertex %u; the mesh "
+                                        "has %u, counted from 0",
+                                        i, mesh->triangle[i][k],
+                                        mesh->vertices);
+    return check_vertices(mesh, path);
+}
+
+bool mesh_is_builtin(const char *path)
+{
+    const char prefix[] = MESH_BUILTIN_PREFIX;
+    return strncmp(path, prefix, sizeof(prefix) - 1) == 0;
+}
+
+static bool load(struct mesh *mesh, const char *path)
+{
+    if (!mesh_is_builtin(path))
+        return mesh_load_file(mesh, path);
+    return strcmp(path, MESH_BUILTIN) == 0
+               ? mesh_load_builtin(mesh)
+               : message_error_at(path, 0,
+                                  "no mesh that is built in; " MESH_BUILTIN
+                                  ", or a file, would be right");
+}
+
+bool mesh_load(struct mesh *mesh, const char *path)
+{
+    memset(mesh, 0, sizeof(*mesh));
+    bool done = load(mesh, path);
+    if (!done || !mesh_check(mesh, path)) {
+        mesh_free(mesh);
+        return false;
+    }
+    if (mesh->has_normals || mesh_normals(mesh))
+        return true;
+    mesh_free(mesh);
+    return false;
+}

@@ -1,0 +1,76 @@
+/* Triangle meshes on the host, in world units, right-handed, y up. */
+#ifndef SIM_MESH_MESH_H
+#define SIM_MESH_MESH_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "core/base/color.h"
+
+struct mesh_vertex {
+    double position[3]; /* world units, at most MESH_LIMIT in size */
+    double normal[3];   /* unit length, or all 0 where there is no direction */
+    double uv[2];       /* of the texture; v = 0 is its first row */
+    pel_color color;    /* opaque */
+};
+
+/* Owns everything it points to; {0} is an empty mesh. */
+struct mesh {
+    struct mesh_vertex *vertex;
+    uint32_t (*triangle)[3]; /* indices of vertices, from 0 */
+    uint32_t vertices, triangles;
+    bool has_normals, has_uv;
+    bool has_colors;     /* per vertex in the file, not those of a material */
+    char *texture;       /* path of the first texture; NULL: none, or inside */
+    void *texture_bytes; /* a texture file inside the mesh file, or NULL */
+    size_t texture_size; /* bytes of it */
+};
+
+/* Coordinates beyond this are refused: nothing can be projected there. */
+#define MESH_LIMIT 1e15
+
+/* What names of meshes without a file begin with, and the only one: a vase. */
+#define MESH_BUILTIN_PREFIX "builtin:"
+#define MESH_BUILTIN MESH_BUILTIN_PREFIX "vase"
+
+bool mesh_is_builtin(const char *path);
+
+/* A mesh of that many zeroed vertices and triangles, 1..2^28 each. False, with
+ * a message on standard error, when memory is short. */
+bool mesh_init(struct mesh *mesh, uint32_t vertices, uint32_t triangles);
+void mesh_free(struct mesh *mesh);
+
+/* Reads any format that assimp reads, or MESH_BUILTIN: node transforms applied,
+ * triangles only (lines and points are left out), normals made from the faces
+ * where the file has none. False, with a message on standard error, when the
+ * file cannot be read, is malformed, or assimp was missing at build time. */
+bool mesh_load(struct mesh *mesh, const char *path);
+
+/* Does assimp know the ending of this name? True when it has none, or this
+ * build has no assimp: then loading tells. */
+bool mesh_ending_known(const char *path);
+
+/* Can this build read mesh files, or only MESH_BUILTIN? */
+bool mesh_files_supported(void);
+
+/* Are indices, coordinates and uv legal? False, with a message that names
+ * `path`, the triangle and its index, or the vertex. */
+bool mesh_check(const struct mesh *mesh, const char *path);
+
+/* Vertex normals: the mean of the faces, weighted by area. 0 where it has no
+ * direction. Vertices at one place share theirs: a seam of the texture is no
+ * edge of the mesh. False, with a message, when memory is short. */
+bool mesh_normals(struct mesh *mesh);
+
+/* The vertices' colours, for assets: those of the file `texture` (nearest
+ * texel, repeated outside 0..1) where one is given, otherwise those of the mesh
+ * file, of the mesh's own texture, or of its materials. A texture of the mesh's
+ * own that cannot be read leaves the materials, with a message. False, with a
+ * message, when `texture` cannot be read or the mesh has no uv for it. */
+bool mesh_paint(struct mesh *mesh, const char *path, const char *texture);
+
+/* Parts of mesh_load, in files of their own. */
+bool mesh_load_file(struct mesh *mesh, const char *path);
+bool mesh_load_builtin(struct mesh *mesh);
+
+#endif

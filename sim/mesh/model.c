@@ -1,0 +1,190 @@
+#include "sim/mesh/model.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/asset/import.h"
+#include "sim/cli/message.h"
+#include "sim/image/texture.h"
+
+/* Memory for the arrays, which the mesh then views. */
+struct arrays {
+    int16_t (*positions)[3], (*normals)[3];
+    uint16_t (*uv)[2];
+    uint8_t (*colors)[3];
+    uint16_t (*indices16)[3];
+    uint32_t (*indices32)[3];
+};
+
+static bool has_small_indices(const struct mesh *mesh)
+{
+    return mesh->vertices <= 65536;
+}
+
+static void set_quanta(struct pel_mesh *to, const struct mesh *mesh)
+{
+    const size_t stride = sizeof(struct mesh_vertex) / sizeof(double);
+    const struct import_points positions = {
+        mesh->vertex[0].position, stride, mesh->vertices, 3, true, 64};
+    const struct import_points uv = {
+        mesh->vertex[0].uv, stride, mesh->vertices, 2, false,
+        PEL_MESH_SHIFT_MAX};
+    to->position = import_quantum(&positions);
+    to->texture = import_quantum(&uv);
+}
+
+static void set_vertex(const struct pel_mesh *to, const struct arrays *a,
+                       const struct mesh_vertex *v, uint32_t i)
+{
+    for (int k = 0; k < 3; k++) {
+        a->positions[i][k] =
+            (int16_t)import_quantised(&to->position, k, v->position[k]);
+        a->normals[i][k] = (int16_t)lround(v->normal[k] * 32767);
+    }
+    for (int k = 0; k < 2 && a->uv; k++)
+        a->uv[i][k] = (uint16_t)import_quantised(&to->texture, k, v->uv[k]);
+    a->colors[i][0] = (uint8_t)pel_red(v->color);
+    a->colors[i][1] = (uint8_t)pel_green(v->color);
+    a->colors[i][2] = (uint8_t)pel_blue(v->color);
+}
+
+static void set_triangle(const struct arrays *a, const uint32_t index[3],
+                         uint32_t i)
+{
+    for (int k = 0; k < 3; k++)
+        if (a->indices16)
+            a->indices16[i][k] = (uint16_t)index[k];
+        else
+            a->indices32[i][k] = index[k];
+}
+
+static void view(struct pel_mesh *to, const struct arrays *a)
+{
+    to->positions = (const int16_t(*)[3])a->positions;
+    to->normals16 = (const int16_t(*)[3])a->normals;
+    to->uv = (const uint16_t(*)[2])a->uv;
+    to->colors = (const uint8_t(*)[3])a->colors;
+    to->indices16 = (const uint16_t(*)[3])a->indices16;
+    to->indices32 = (const uint32_t(*)[3])a->indices32;
+}
+
+static bool make_arrays(struct pel_mesh *to, struct arrays *a,
+                        const struct mesh *mesh)
+{
+    const size_t n = mesh->vertices, m = mesh->triangles;
+    const bool small = has_small_indices(mesh);
+    memset(a, 0, sizeof(*a));
+    a->positions = malloc(n * sizeof(*a->positions));
+    a->normals = malloc(n * sizeof(*a->normals));
+    a->colors = malloc(n * sizeof(*a->colors));
+    if (mesh->has_uv)
+        a->uv = malloc(n * sizeof(*a->uv));
+    if (small)
+        a->indices16 = malloc(m * sizeof(*a->indices16));
+    else
+        a->indices32 = malloc(m * sizeof(*a->indices32));
+    view(to, a);
+    return a->positions && a->normals && a->colors &&
+           (a->uv || !mesh->has_uv) && (a->indices16 || a->indices32);
+}
+
+static void set_box(struct model *model, const struct mesh *mesh)
+{
+    for (int k = 0; k < 3; k++) {
+        model->low[k] = INFINITY;
+        model->high[k] = -INFINITY;
+        for (uint32_t i = 0; i < mesh->vertices; i++) {
+            const double at = mesh->vertex[i].position[k];
+            model->low[k] = fmin(model->low[k], at);
+            model->high[k] = fmax(model->high[k], at);
+        }
+    }
+}
+
+bool model_make(struct model *model, const struct mesh *mesh)
+{
+    struct arrays arrays;
+    struct pel_mesh *to = &model->mesh;
+    memset(model, 0, sizeof(*model));
+    if (!make_arrays(to, &arrays, mesh)) {
+        model_free(model);
+        return message_error("no memory for %u vertices and %u triangles",
+                             mesh->vertices, mesh->triangles);
+    }
+    to->vertices = mesh->vertices;
+    to->triangles = mesh->triangles;
+    model->plain = !mesh->has_colors;
+    set_box(model, mesh);
+    set_quanta(to, mesh);
+    for (uint32_t i = 0; i < mesh->vertices; i++)
+        set_vertex(to, &arrays, &mesh->vertex[i], i);
+    for (uint32_t i = 0; i < mesh->triangles; i++)
+        set_triangle(&arrays, mesh->triangle[i], i);
+    return true;
+}
+
+/* A texture inside the mesh file, or beside it; true when there is none. */
+static bool load_own(struct picture *picture, const struct mesh *mesh,
+                     const char *path)
+{
+    if (mesh->texture_bytes)
+        return texture_load_bytes(picture, path, mesh->texture_bytes,
+                                  mesh->texture_size);
+    return !mesh->texture || texture_load(picture, mesh->texture);
+}
+
+static bool is_opaque(const struct picture *p)
+{
+    const size_t n = (size_t)p->width * (size_t)p->height;
+    pel_color all = PEL_RGB(0, 0, 0);
+    for (size_t i = 0; i < n; i++)
+        all &= p->pixels[i];
+    return pel_alpha(all) == 255;
+}
+
+bool model_add_texture(struct model *model, const struct mesh *mesh,
+                       const struct model_source *source)
+{
+    struct picture *to = &model->texture;
+    if (source->without_texture)
+        return true;
+    if (source->texture && !mesh->has_uv)
+        return message_error_at(source->path, 0,
+                                "the mesh has no texture coordinates, so a "
+                                "texture cannot apply");
+    if (source->texture && !texture_load(to, source->texture))
+        return false;
+    if (!source->texture && mesh->has_uv && !load_own(to, mesh, source->path))
+        message_error_at(source->path, 0, "its texture is left out");
+    model->texture_opaque = is_opaque(to);
+    return true;
+}
+
+bool model_load(struct model *model, const struct model_source *source)
+{
+    struct mesh mesh;
+    memset(model, 0, sizeof(*model));
+    if (!mesh_load(&mesh, source->path))
+        return false;
+    bool done = (!source->smooth_normals || mesh_normals(&mesh)) &&
+                model_make(model, &mesh) &&
+                model_add_texture(model, &mesh, source);
+    if (!done)
+        model_free(model);
+    mesh_free(&mesh);
+    return done;
+}
+
+void model_free(struct model *model)
+{
+    const struct pel_mesh *m = &model->mesh;
+    free((void *)m->positions);
+    free((void *)m->normals16);
+    free((void *)m->uv);
+    free((void *)m->colors);
+    free((void *)m->indices16);
+    free((void *)m->indices32);
+    picture_free(&model->texture);
+    memset(model, 0, sizeof(*model));
+}

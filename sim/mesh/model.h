@@ -1,0 +1,41 @@
+/* Meshes as core draws them: quantised as `pel import` does it, and with their
+ * texture. */
+#ifndef SIM_MESH_MODEL_H
+#define SIM_MESH_MODEL_H
+
+#include "core/scene/mesh.h"
+#include "sim/mesh/mesh.h"
+#include "sim/image/picture.h"
+
+/* Owns what it points to; {0} is an empty one. */
+struct model {
+    struct pel_mesh mesh;   /* world units; normals of 16 bits and colours are
+                               always there, uv where the file has them */
+    double low[3], high[3]; /* the box around it, world units */
+    bool plain; /* its colours are those of materials: they show no shape */
+    struct picture texture; /* straight alpha; width 0: there is none */
+    bool texture_opaque;
+};
+
+struct model_source {
+    const char *path;     /* a mesh file or MESH_BUILTIN */
+    const char *texture;  /* a picture file; NULL: the mesh's own */
+    bool without_texture; /* none is read */
+    bool smooth_normals;  /* the mean of the faces around a vertex,
+                           whatever the file has */
+};
+
+/* Reads a mesh and its texture. A texture of the mesh's own that cannot be read
+ * is left out, with a message. False, with a message on standard error, when
+ * the mesh or source->texture cannot be read, or the mesh has no uv for it;
+ * `model` is then empty. */
+bool model_load(struct model *model, const struct model_source *source);
+
+/* The two halves of it, for meshes that are changed in between. */
+bool model_make(struct model *model, const struct mesh *mesh);
+bool model_add_texture(struct model *model, const struct mesh *mesh,
+                       const struct model_source *source);
+
+void model_free(struct model *model);
+
+#endif

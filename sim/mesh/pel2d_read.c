@@ -1,0 +1,237 @@
+#include "sim/mesh/pel2d.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/cli/byte_order_mark.h"
+#include "sim/cli/message.h"
+#include "sim/cli/number.h"
+
+enum { FIELDS_MAX = 8, LINE_MAX_BYTES = 1024 };
+
+struct reader {
+    FILE *file;
+    const char *path;
+    long line;
+    char text[LINE_MAX_BYTES];
+    char *field[FIELDS_MAX + 1]; /* one more than any line may have */
+    int fields;
+    uint32_t vertices, triangles; /* as the first line has them */
+};
+
+/* The next line without its end; false, with a message, when there is none or
+ * it cannot be text. `wanted` is what should stand there. */
+static bool next_line(struct reader *r, const char *wanted)
+{
+    int c, n = 0;
+    r->line++;
+    while ((c = getc(r->file)) != EOF && c != '\n') {
+        if (c == '\0' || n == LINE_MAX_BYTES - 1)
+            return message_error_at(
+                r->path, r->line, "%s; %s would be right",
+                c ? "a line of over 1,023 bytes" : "a NUL byte", wanted);
+        r->text[n++] = (char)c;
+    }
+    r->text[n] = '\0';
+    if (ferror(r->file))
+        return message_error_at(r->path, r->line, "%s", strerror(errno));
+    if (c == EOF && n == 0)
+        return message_error_at(
+            r->path, r->line, "the file ends here; %s would be right", wanted);
+    return true;
+}
+
+static void split(struct reader *r)
+{
+    const size_t mark = r->line == 1 ? byte_order_mark(r->text) : 0;
+    char *rest = NULL, *text = r->text + mark;
+    r->fields = 0;
+    while (r->fields <= FIELDS_MAX &&
+           (r->field[r->fields] = strtok_r(text, " \t\r\n", &rest)) != NULL) {
+        r->fields++;
+        text = NULL;
+    }
+}
+
+/* The next line, of exactly `fields` fields. */
+static bool next_fields(struct reader *r, int fields, const char *wanted)
+{
+    if (!next_line(r, wanted))
+        return false;
+    split(r);
+    if (r->fields == fields)
+        return true;
+    return message_error_at(r->path, r->line, "%s%d fields; %s would be right",
+                            r->fields > FIELDS_MAX ? "more than " : "",
+                            r->fields > FIELDS_MAX ? FIELDS_MAX : r->fields,
+                            wanted);
+}
+
+static bool parse_integer(struct reader *r, int i, const char *name,
+                          uint32_t max, uint32_t *value)
+{
+    int64_t n = 0;
+    if (number_integer(r->field[i], 0, max, &n) == NUMBER_OK) {
+        *value = (uint32_t)n;
+        return true;
+    }
+    return message_error_at(r->path, r->line,
+                            "%s is '%s'; a whole number from 0 to %u would be "
+                            "right",
+                            name, r->field[i], max);
+}
+
+/* Is the decimal a whole number of 1/256 = 0.00390625? */
+static bool is_multiple(const char *text)
+{
+    char first[9] = "00000000"; /* the digits down to 10^-8 */
+    const char *dot = strchr(text, '.');
+    size_t n = dot ? strlen(dot + 1) : 0;
+    if (n > 0)
+        memcpy(first, dot + 1, n < 8 ? n : 8);
+    if (n > 8 && strspn(dot + 9, "0") != n - 8)
+        return false;
+    return strtol(first, NULL, 10) % 390625 == 0;
+}
+
+static bool parse_coordinate(struct reader *r, int i, const char *name,
+                             int32_t *value)
+{
+    const char *text = r->field[i];
+    enum number_status status = number_subpixels(text, value);
+    if (status == NUMBER_MALFORMED)
+        return message_error_at(r->path, r->line,
+                                "%s is '%s'; decimal pixels such as -12.25 "
+                                "would be right",
+                                name, text);
+    if (status == NUMBER_RANGE)
+        return message_error_at(r->path, r->line,
+                                "%s is %s; -32768 to 32767.99609375 would be "
+                                "right",
+                                name, text);
+    if (!is_multiple(text))
+        return message_error_at(r->path, r->line,
+                                "%s is %s; a whole number of 1/256 px such as "
+                                "%.8f would be right",
+                                name, text, *value / 256.0);
+    return true;
+}
+
+static bool parse_depth(struct reader *r, int i, struct mesh_depth *depth)
+{
+    return mesh_depth_parse(r->field[i], depth) ||
+           message_error_at(r->path, r->line,
+                            "depth is '%s'; a decimal below 1e18 in size with "
+                            "at most 36 digits after the point would be right",
+                            r->field[i]);
+}
+
+static bool parse_uv(struct reader *r, int i, const char *name, double *value)
+{
+    char *end;
+    const char *text = r->field[i];
+    *value = strtod(text, &end);
+    if (*end == '\0' && text[strspn(text, "+-.eE0123456789")] == '\0' &&
+        fabs(*value) <= 1e6)
+        return true;
+    return message_error_at(r->path, r->line,
+                            "%s is '%s'; a decimal from -1e6 to 1e6 would be "
+                            "right",
+                            name, text);
+}
+
+static bool read_header(struct reader *r)
+{
+    const char *wanted = "'pel2d VERTICES TRIANGLES'";
+    if (!next_fields(r, 3, wanted))
+        return false;
+    if (strcmp(r->field[0], "pel2d") != 0)
+        return message_error_at(r->path, r->line,
+                                "the file begins with '%s'; %s would be right",
+                                r->field[0], wanted);
+    return parse_integer(r, 1, "VERTICES", 1u << 28, &r->vertices) &&
+           parse_integer(r, 2, "TRIANGLES", 1u << 28, &r->triangles);
+}
+
+static bool read_vertex(struct reader *r, struct pel2d *flat)
+{
+    struct pel2d_vertex v;
+    uint32_t c[3] = {0};
+    if (!next_fields(r, 8, "a vertex, 'x y r g b depth u v',"))
+        return false;
+    if (!parse_coordinate(r, 0, "x", &v.at.x) ||
+        !parse_coordinate(r, 1, "y", &v.at.y) ||
+        !parse_integer(r, 2, "r", 255, &c[0]) ||
+        !parse_integer(r, 3, "g", 255, &c[1]) ||
+        !parse_integer(r, 4, "b", 255, &c[2]) || !parse_depth(r, 5, &v.depth) ||
+        !parse_uv(r, 6, "u", &v.u) || !parse_uv(r, 7, "v", &v.v))
+        return false;
+    v.color = PEL_RGB(c[0], c[1], c[2]);
+    return pel2d_add_vertex(flat, &v);
+}
+
+static bool read_triangle(struct reader *r, struct pel2d *flat)
+{
+    static const char *const name[3] = {"i", "j", "k"};
+    uint32_t index[3] = {0};
+    if (!next_fields(r, 3, "a triangle, 'i j k',"))
+        return false;
+    if (r->vertices == 0)
+        return message_error_at(r->path, r->line,
+                                "a triangle in a file without vertices; "
+                                "TRIANGLES 0 would be right");
+    for (int k = 0; k < 3; k++)
+        if (!parse_integer(r, k, name[k], r->vertices - 1, &index[k]))
+            return false;
+    return pel2d_add_triangle(flat, index);
+}
+
+/* Blank lines may follow the last triangle, nothing else. */
+static bool read_end(struct reader *r)
+{
+    int c;
+    r->line++;
+    while ((c = getc(r->file)) != EOF) {
+        if (c == '\n')
+            r->line++;
+        else if (!strchr(" \t\r", c) || c == '\0')
+            return message_error_at(r->path, r->line,
+                                    "text after the last triangle; the first "
+                                    "line says that there are %u",
+                                    r->triangles);
+    }
+    return !ferror(r->file) ||
+           message_error_at(r->path, r->line, "%s", strerror(errno));
+}
+
+static bool read_all(struct reader *r, struct pel2d *flat)
+{
+    if (!read_header(r))
+        return false;
+    for (uint32_t i = 0; i < r->vertices; i++)
+        if (!read_vertex(r, flat))
+            return false;
+    for (uint32_t i = 0; i < r->triangles; i++)
+        if (!read_triangle(r, flat))
+            return false;
+    return read_end(r);
+}
+
+bool pel2d_load(struct pel2d *flat, const char *path)
+{
+    bool is_input = strcmp(path, "-") == 0;
+    struct reader r = {.file = is_input ? stdin : fopen(path, "r"),
+                       .path = path};
+    memset(flat, 0, sizeof(*flat));
+    if (!r.file)
+        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+    bool done = read_all(&r, flat);
+    if (!is_input)
+        fclose(r.file);
+    if (!done)
+        pel2d_free(flat);
+    return done;
+}

@@ -1,8 +1,0 @@
-/* Time, for those who print how long something took. */
-#ifndef SIM_MILLISECONDS_H
-#define SIM_MILLISECONDS_H
-
-/* Of a clock that only runs forwards. */
-double milliseconds(void);
-
-#endif

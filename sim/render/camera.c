@@ -1,0 +1,224 @@
+#include "sim/render/camera.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "sim/cli/message.h"
+
+/* The margin of a picture that is framed. */
+#define SEEN 0.9
+
+/* Camera space here: x right, y up, z away from the eye along the view. */
+struct frustum {
+    double eye[3];
+    double axis[3][3]; /* x, y, z of camera space, in world space */
+    double extent[2];  /* x/z and y/z at the sides of the picture, or x, y */
+};
+
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double out[3])
+{
+    out[0] = a[1] * b[2] - a[2] * b[1];
+    out[1] = a[2] * b[0] - a[0] * b[2];
+    out[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* The length before; 0 when the vector has no direction. */
+static double normalise(double v[3])
+{
+    double length = sqrt(dot(v, v));
+    for (int k = 0; k < 3 && length > 0; k++)
+        v[k] /= length;
+    return length;
+}
+
+/* False when eye and target are the same or `up` points along the view. */
+static bool frustum_init(struct frustum *frustum, const struct camera *camera)
+{
+    double up[3];
+    double *x = frustum->axis[0], *y = frustum->axis[1], *z = frustum->axis[2];
+    const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
+    memcpy(frustum->eye, camera->eye, sizeof(frustum->eye));
+    memcpy(up, camera->up, sizeof(up));
+    for (int k = 0; k < 3; k++)
+        z[k] = camera->target[k] - camera->eye[k];
+    double distance = normalise(z);
+    normalise(up);
+    cross(z, up, x);
+    if (!(distance > 0) || !(normalise(x) > 1e-9))
+        return false;
+    cross(x, z, y);
+    for (int k = 0; k < 2; k++)
+        frustum->extent[k] =
+            camera->sensor[k] / 2 / (flat ? 1 : camera->focal) * SEEN;
+    return true;
+}
+
+static void frustum_point(const struct frustum *frustum, const double world[3],
+                          double point[3])
+{
+    double d[3];
+    for (int k = 0; k < 3; k++)
+        d[k] = world[k] - frustum->eye[k];
+    for (int k = 0; k < 3; k++)
+        point[k] = dot(frustum->axis[k], d);
+}
+
+static void place_of(const struct pel_mesh *mesh, uint32_t i, double place[3])
+{
+    const struct pel_mesh_quantum *q = &mesh->position;
+    for (int k = 0; k < 3; k++)
+        place[k] = ldexp(pel_mesh_quantum_value(q, k, mesh->positions[i][k]),
+                         -q->shift);
+}
+
+static double middle_of_box(const struct model *model, double middle[3])
+{
+    double radius = 0;
+    for (int k = 0; k < 3; k++) {
+        const double half = (model->high[k] - model->low[k]) / 2;
+        middle[k] = model->low[k] + half;
+        radius += half * half;
+    }
+    return sqrt(radius);
+}
+
+/* How much the sides of the picture need, and which distance. */
+struct needs {
+    double side[2][2]; /* of each axis, each direction */
+    double depth;      /* of the deepest vertex around the target */
+};
+
+/* In camera space around the target, a vertex is seen in perspective when
+ * |x| <= extent (distance + z), and in an orthographic picture when |x| <=
+ * extent: so that is what each side asks for, a distance or a size. */
+static void find_needs(const struct model *model, const struct frustum *frustum,
+                       bool flat, struct needs *needs)
+{
+    memset(needs, 0, sizeof(*needs));
+    for (uint32_t i = 0; i < model->mesh.vertices; i++) {
+        double p[3], world[3];
+        place_of(&model->mesh, i, world);
+        frustum_point(frustum, world, p);
+        const double z = p[2] - 1; /* the eye is 1 away from the target */
+        needs->depth = fmax(needs->depth, fabs(z));
+        for (int k = 0; k < 2; k++) {
+            double *side = &needs->side[k][p[k] < 0];
+            const double need =
+                flat ? fabs(p[k]) : fabs(p[k]) / frustum->extent[k] - z;
+            *side = fmax(*side, need);
+        }
+    }
+}
+
+/* The eye looks from the front, a little from the right and above. */
+static void look(struct camera *camera)
+{
+    static const double direction[3] = {0.36, 0.28, 0.89};
+    for (int k = 0; k < 3; k++)
+        camera->eye[k] = camera->target[k] + direction[k];
+}
+
+/* By how much to move the target so that opposite sides ask for nearly the
+ * same. */
+static void center(struct camera *camera, const struct frustum *frustum,
+                   const struct needs *needs)
+{
+    const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
+    for (int j = 0; j < 2 && !camera->has_target; j++) {
+        const double shift = (needs->side[j][0] - needs->side[j][1]) / 2 *
+                             (flat ? 1 : frustum->extent[j]);
+        for (int k = 0; k < 3; k++)
+            camera->target[k] += shift * frustum->axis[j][k];
+    }
+}
+
+/* The sensor of an orthographic camera: as large as the model needs. */
+static void fit_sensor(struct camera *camera, const struct needs *needs)
+{
+    const double w = fmax(needs->side[0][0], needs->side[0][1]);
+    const double h = fmax(needs->side[1][0], needs->side[1][1]);
+    double pixel = 2 / SEEN * fmax(w / camera->width, h / camera->height);
+    if (!(pixel > 0))
+        pixel = 1;
+    camera->sensor[0] = pixel * camera->width;
+    camera->sensor[1] = pixel * camera->height;
+}
+
+/* Places the eye; moves the target, unless the user chose it, until the model
+ * is in the middle: a few steps do. */
+static bool frame_eye(struct camera *camera, const struct model *model)
+{
+    const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
+    struct needs needs;
+    struct frustum frustum;
+    double distance;
+    for (int step = 0; step < 8; step++) {
+        look(camera);
+        if (!frustum_init(&frustum, camera))
+            return false;
+        find_needs(model, &frustum, flat, &needs);
+        if (step < 7)
+            center(camera, &frustum, &needs);
+    }
+    distance = needs.depth * (flat ? 2 : 1.01);
+    for (int k = 0; k < 2 && !flat; k++)
+        distance = fmax(distance, fmax(needs.side[k][0], needs.side[k][1]));
+    for (int k = 0; k < 3; k++)
+        camera->eye[k] = camera->target[k] -
+                         frustum.axis[2][k] * (distance > 0 ? distance : 1);
+    if (flat && !camera->has_sensor)
+        fit_sensor(camera, &needs);
+    return true;
+}
+
+/* An eye that the user placed sees the model around the target. */
+static bool frame_sensor(struct camera *camera, const struct model *model)
+{
+    struct needs needs;
+    struct frustum frustum;
+    if (!frustum_init(&frustum, camera))
+        return false;
+    for (int k = 0; k < 3; k++)
+        frustum.eye[k] = camera->target[k] - frustum.axis[2][k];
+    find_needs(model, &frustum, true, &needs);
+    fit_sensor(camera, &needs);
+    return true;
+}
+
+static void frame_near(struct camera *camera, const struct model *model,
+                       const struct frustum *frustum)
+{
+    double middle[3], at[3], way[3];
+    const double radius = middle_of_box(model, middle);
+    frustum_point(frustum, middle, at);
+    for (int k = 0; k < 3; k++)
+        way[k] = camera->target[k] - camera->eye[k];
+    camera->near = fmax(sqrt(dot(way, way)) / 1000, 0.98 * (at[2] - radius));
+}
+
+bool camera_frame(struct camera *camera, const struct model *model)
+{
+    struct frustum frustum;
+    const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
+    if (!camera->has_sensor)
+        camera->sensor[1] = camera->sensor[0] * camera->height / camera->width;
+    if (!camera->has_target)
+        middle_of_box(model, camera->target);
+    if (!camera->has_eye && !frame_eye(camera, model))
+        return message_error("up points along the view; 0,1,0 would be right "
+                             "for a mesh that stands upright");
+    const bool fitted = !flat || !camera->has_eye || camera->has_sensor ||
+                        frame_sensor(camera, model);
+    if (!fitted || !frustum_init(&frustum, camera))
+        return message_error("eye and target are one place, or up points along "
+                             "the view; an eye beside the target and an up "
+                             "across the view would be right");
+    if (!camera->has_near)
+        frame_near(camera, model, &frustum);
+    return true;
+}

@@ -1,0 +1,318 @@
+/* pel render: draws a mesh. */
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "sim/cli/arguments.h"
+#include "sim/image/canvas.h"
+#include "sim/cli/commands.h"
+#include "core/raster/rectangle.h"
+#include "sim/cli/device.h"
+#include "sim/image/format_names.h"
+#include "sim/cli/message.h"
+#include "sim/cli/milliseconds.h"
+#include "sim/cli/number.h"
+#include "sim/cli/output.h"
+#include "sim/render/print_camera.h"
+#include "sim/render/painter.h"
+#include "sim/render/scene_options.h"
+
+struct render_options {
+    struct device_options device;
+    struct scene_options scene;
+    const char *output; /* NULL: standard output */
+    const struct pel_format *format;
+    int bands;
+    bool lines, timed, print_camera;
+};
+
+enum {
+    OPTION_FORMAT = 0x200,
+    OPTION_BANDS,
+    OPTION_COLLINEAR,
+    OPTION_TIME,
+    OPTION_CAMERA
+};
+
+static const struct argp_option options[] = {
+    {"output", 'o', "FILE", 0,
+     "the picture: .ppm, .png or .bmp; standard output when left out", 0},
+    {"format", OPTION_FORMAT, "NAME", 0,
+     "draw in this pixel format (default: xrgb8888)", 0},
+    {"bands", OPTION_BANDS, "ROWS", 0, "draw in bands of so many rows", 0},
+    {"collinear", OPTION_COLLINEAR, "WHAT", 0,
+     "of a pel2d file: a triangle without area is nothing (default) or a line",
+     0},
+    {"time", OPTION_TIME, NULL, 0,
+     "print the milliseconds that the drawing took on standard error", 0},
+    {"print-camera", OPTION_CAMERA, NULL, 0,
+     "print an initialiser of struct pel_camera, for firmware that shows the "
+     "same view; there is a picture only with -o or --device",
+     0},
+    {0},
+};
+
+static bool parse_collinear(const char *text, struct render_options *o)
+{
+    o->lines = strcmp(text, "line") == 0;
+    return o->lines || strcmp(text, "nothing") == 0 ||
+           message_error("--collinear is '%s'; nothing or line would be right",
+                         text);
+}
+
+static bool parse_format(const char *text, struct render_options *o)
+{
+    o->format = format_find(text);
+    return o->format ||
+           message_error("--format is '%s'; one of %s would be right", text,
+                         format_list());
+}
+
+static bool parse_bands(const char *text, struct render_options *o)
+{
+    int64_t rows = 0;
+    if (number_integer(text, 0, 32767, &rows) != NUMBER_OK)
+        return message_error("--bands is '%s'; rows from 0 (none) to 32767 "
+                             "would be right",
+                             text);
+    o->bands = (int)rows;
+    return true;
+}
+
+static bool parse_mesh(const char *text, struct render_options *o)
+{
+    if (o->scene.source.path)
+        return message_error("'%s' is a second mesh; one would be right", text);
+    o->scene.source.path = text;
+    return true;
+}
+
+static error_t parse(int key, char *text, struct argp_state *state)
+{
+    struct render_options *o = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &o->scene;
+        state->child_inputs[1] = &o->device;
+        return 0;
+    case ARGP_KEY_ARG:
+        return parse_mesh(text, o) ? 0 : EINVAL;
+    case 'o':
+        o->output = text;
+        return 0;
+    case OPTION_FORMAT:
+        return parse_format(text, o) ? 0 : EINVAL;
+    case OPTION_BANDS:
+        return parse_bands(text, o) ? 0 : EINVAL;
+    case OPTION_TIME:
+        o->timed = true;
+        return 0;
+    case OPTION_CAMERA:
+        o->print_camera = true;
+        return 0;
+    case OPTION_COLLINEAR:
+        return parse_collinear(text, o) ? 0 : EINVAL;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = {
+    {&scene_argp, 0, NULL, 1}, {&device_argp, 0, NULL, 0}, {0}};
+
+static const struct argp parser = {
+    .options = options,
+    .parser = parse,
+    .args_doc = "MESH",
+    .doc = "Draws a mesh.\v"
+           "MESH is a file that assimp reads, a pel2d file (- is one on "
+           "standard input), or " MESH_BUILTIN ".",
+    .children = children,
+};
+
+static const char *output_of(const struct render_options *o)
+{
+    return o->output ? o->output : "-";
+}
+
+static bool check(const struct render_options *o)
+{
+    if (!o->scene.source.path)
+        return message_error("a mesh is missing; `pel render MESH -o OUT.ppm` "
+                             "would be right");
+    if (o->print_camera && o->output && strcmp(o->output, "-") == 0)
+        return message_error("--print-camera is for standard output, and the "
+                             "picture too; -o FILE would be right");
+    if (!canvas_bands_legal(o->format, o->bands))
+        return message_error("--bands is %d; in mono1_pages a multiple of 8 "
+                             "would be right",
+                             o->bands);
+    return picture_path_check(output_of(o)) &&
+           device_check_output(&o->device, output_of(o));
+}
+
+/* A mesh on its scene, or a pel2d file's triangles: only read while parts of a
+ * picture are drawn side by side. */
+struct drawing {
+    const struct render_options *options;
+    const struct scene *scene; /* or NULL, and then: */
+    struct painter *painter;
+};
+
+/* One part, which may fail. */
+struct part {
+    const struct scene *scene;
+    bool failed;
+};
+
+static void draw_scene(struct pel_surface *surface, void *context)
+{
+    struct part *part = context;
+    part->failed = part->failed || !scene_draw(part->scene, surface);
+}
+
+static bool draw(struct canvas *canvas, const void *context)
+{
+    const struct drawing *drawing = context;
+    const struct render_options *o = drawing->options;
+    struct part part = {drawing->scene, false};
+    pel_clear(&canvas->surface, o->scene.settings.camera.background);
+    if (!drawing->scene)
+        return canvas_draw(canvas, o->bands, painter_draw, drawing->painter);
+    return canvas_draw(canvas, o->bands, draw_scene, &part) && !part.failed;
+}
+
+/* Of each part that is drawn by itself: with several threads there are more. */
+static bool draw_mesh(struct canvas *canvas, const void *context)
+{
+    const struct drawing *drawing = context;
+    const double start = milliseconds();
+    const bool done = draw(canvas, context);
+    if (drawing->options->timed)
+        fprintf(stderr, "drawn: %.3f ms\n", milliseconds() - start);
+    return done;
+}
+
+static bool show(const struct drawing *drawing)
+{
+    const struct camera *camera = &drawing->options->scene.settings.camera;
+    const struct device_picture picture = {.width = camera->width,
+                                           .height = camera->height,
+                                           .draw = draw_mesh,
+                                           .context = drawing};
+    return device_show(&drawing->options->device, &picture);
+}
+
+static bool save(const struct drawing *drawing)
+{
+    const struct render_options *o = drawing->options;
+    const struct camera *camera = &o->scene.settings.camera;
+    struct picture picture = {0};
+    struct canvas canvas;
+    if (!canvas_init(&canvas, o->format, camera->width, camera->height))
+        return false;
+    const bool done =
+        device_draw_canvas(&o->device, &canvas, draw_mesh, drawing) &&
+        canvas_picture(&canvas, &picture) &&
+        picture_save(&picture, output_of(o));
+    canvas_free(&canvas);
+    picture_free(&picture);
+    return done;
+}
+
+static bool finish(const struct drawing *drawing)
+{
+    return drawing->options->device.name ? show(drawing) : save(drawing);
+}
+
+/* What is projected and coloured already goes straight to the painter. */
+static bool check_pel2d(const struct scene_options *o)
+{
+    const char *path = o->source.path;
+    if (o->settings.camera.is_set)
+        return message_error_at(path, 0,
+                                "is projected already: of the camera's options "
+                                "only --size and --background apply");
+    if (o->has_mesh_option || o->source.texture || o->source.smooth_normals)
+        return message_error_at(path, 0,
+                                "has its colours already: options of light, "
+                                "texture and order are for mesh files");
+    if (o->settings.shade == SCENE_PHONG)
+        return message_error_at(path, 0,
+                                "has no normals: --shade flat or gouraud "
+                                "would be right");
+    return true;
+}
+
+static bool render_pel2d(const struct render_options *o)
+{
+    struct pel2d flat;
+    const bool is_flat = o->scene.settings.shade == SCENE_FLAT;
+    struct painter painter = {.shade = is_flat ? PAINTER_FLAT : PAINTER_GOURAUD,
+                              .lines = o->lines};
+    const struct drawing drawing = {o, NULL, &painter};
+    if (o->print_camera)
+        return message_error_at(o->scene.source.path, 0,
+                                "is projected already: --print-camera is for "
+                                "mesh files");
+    if (!check_pel2d(&o->scene) || !pel2d_load(&flat, o->scene.source.path))
+        return false;
+    const bool done = painter_init(&painter, &flat) && finish(&drawing);
+    painter_free(&painter);
+    pel2d_free(&flat);
+    return done;
+}
+
+static bool prepare(struct scene *scene, const struct scene_settings *settings,
+                    bool timed)
+{
+    const double start = milliseconds();
+    const bool done = scene_prepare(scene, settings);
+    if (done && timed)
+        fprintf(stderr, "placed, lit and sorted: %.3f ms\n",
+                milliseconds() - start);
+    return done;
+}
+
+static bool print(const struct scene *scene)
+{
+    struct output output;
+    if (!output_open(&output, "-"))
+        return false;
+    print_camera(output.stream, scene);
+    return output_commit(&output);
+}
+
+static bool render_mesh(const struct render_options *o)
+{
+    struct model model;
+    struct scene scene;
+    const struct drawing drawing = {o, &scene, NULL};
+    if (o->lines)
+        return message_error_at(o->scene.source.path, 0,
+                                "--collinear is for pel2d files");
+    if (!model_load(&model, &o->scene.source))
+        return false;
+    const bool ready = scene_init(&scene, &model) &&
+                       prepare(&scene, &o->scene.settings, o->timed);
+    const bool printed = ready && (!o->print_camera || print(&scene));
+    const bool only = o->print_camera && !o->output && !o->device.name;
+    const bool done = printed && (only || finish(&drawing));
+    scene_free(&scene);
+    model_free(&model);
+    return done;
+}
+
+int command_render(int argc, char **argv)
+{
+    struct render_options o = {
+        .device = {.jobs = 1},
+        .scene = {.settings = scene_default},
+        .format = format_find("xrgb8888"),
+    };
+    arguments_parse(&parser, argc, argv, &o);
+    const bool done =
+        check(&o) && (pel2d_is_file(o.scene.source.path) ? render_pel2d(&o)
+                                                         : render_mesh(&o));
+    return done ? STATUS_OK : STATUS_ERROR;
+}

@@ -1,0 +1,175 @@
+#include "sim/render/scene.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/cli/message.h"
+#include "sim/render/scene_world.h"
+
+const struct scene_settings scene_default = {
+    .camera = {.up = {0, 1, 0},
+               .focal = 50,
+               .sensor = {36, 0},
+               .width = 1200,
+               .height = 1200,
+               .background = PEL_RGB(255, 255, 255)},
+    .ambient_color = {1, 1, 1},
+    .ambient = 0.3,
+    .diffuse = 0.7,
+    .specular = 0.3,
+    .shininess = 20,
+    .terms = SCENE_ALL_TERMS,
+    .shade = SCENE_GOURAUD,
+    .texture = SCENE_TEXTURE_BILINEAR,
+    .mapping = SCENE_MAP_PERSPECTIVE,
+    .wrap = PEL_WRAP_REPEAT,
+    .span = 16,
+};
+
+bool scene_init(struct scene *scene, const struct model *model)
+{
+    memset(scene, 0, sizeof(*scene));
+    scene->model = model;
+    scene->mesh = model->mesh;
+    scene->lighting.lights = SCENE_LIGHTS_MAX;
+    scene->core.mesh = &scene->mesh;
+    scene->core.lighting = &scene->lighting;
+    scene->scratch_size = pel_scene_scratch_size(&scene->core);
+    scene->scratch = malloc(scene->scratch_size);
+    return scene->scratch ||
+           message_error("no memory to draw %u vertices and %u triangles",
+                         model->mesh.vertices, model->mesh.triangles);
+}
+
+void scene_free(struct scene *scene)
+{
+    free(scene->scratch);
+    scene->scratch = NULL;
+}
+
+static void set_texture(struct scene *scene, const struct scene_settings *s)
+{
+    static const struct pel_mapping *const mappings[] = {
+        &pel_map_vertices, &pel_map_affine, &pel_map_perspective,
+        &pel_map_perspective};
+    struct pel_mesh_texture *to = &scene->texture;
+    const struct picture *picture = &scene->model->texture;
+    to->texels = (struct pel_texels){.colors = picture->pixels,
+                                     .width = picture->width,
+                                     .height = picture->height,
+                                     .opaque = scene->model->texture_opaque};
+    to->mapping = mappings[s->mapping];
+    to->sampler = s->texture == SCENE_TEXTURE_NEAREST
+                      ? pel_texture_init_nearest
+                      : pel_texture_init_bilinear;
+    to->wrap_u = to->wrap_v = s->wrap;
+    to->span = s->mapping == SCENE_MAP_SUBDIVIDED ? s->span : 1;
+    const bool has_texture =
+        picture->width > 0 && s->texture != SCENE_TEXTURE_NONE;
+    scene->core.texture = has_texture ? to : NULL;
+}
+
+static bool is_lit(const struct scene *scene, const struct scene_settings *s)
+{
+    const bool shapeless =
+        (scene->model->plain || s->has_color) && !scene->core.texture;
+    return s->shade == SCENE_PHONG || s->lit == SCENE_LIT ||
+           (s->lit == SCENE_LIT_AUTO && (s->has_light || shapeless));
+}
+
+static void set_look(struct scene *scene, const struct scene_settings *s)
+{
+    static const struct pel_shading *const shadings[][2] = {
+        {&pel_shade_flat, &pel_shade_lit_flat},
+        {&pel_shade_gouraud, &pel_shade_lit_gouraud},
+        {&pel_shade_phong, &pel_shade_phong}};
+    struct pel_scene *core = &scene->core;
+    set_texture(scene, s);
+    core->shading = shadings[s->shade][is_lit(scene, s)];
+    core->cull = s->cull;
+    core->transparency = s->transparency;
+    core->color = s->color;
+    if (s->has_color)
+        scene->mesh.colors = NULL;
+    scene->depth_bits = s->order == SCENE_ZBUFFER16   ? 16
+                        : s->order == SCENE_ZBUFFER32 ? 32
+                                                      : 0;
+    /* What can be seen through is blended from far to near in any order. */
+    const bool clear =
+        s->transparency > 0 || (core->texture && !scene->model->texture_opaque);
+    core->sort = scene->depth_bits == 0 || clear ? pel_depth_sort : NULL;
+}
+
+static bool check(const struct scene_settings *s)
+{
+    return s->shade != SCENE_PHONG || s->lit != SCENE_UNLIT ||
+           message_error("Phong shading is light at every pixel; without "
+                         "light, flat or gouraud would be right");
+}
+
+/* Camera and mesh are what is left that core may refuse. */
+static bool refuse(const struct scene_settings *s, enum pel_status status)
+{
+    if (status == PEL_ERROR_RANGE)
+        return message_error("the near plane at %g is too close for a mesh so "
+                             "far away, or the camera's place is out of range",
+                             s->camera.near);
+    if (status == PEL_ERROR_SIZE && s->camera.projection == PEL_PERSPECTIVE)
+        return message_error("focal length %g and sensor %gx%g make more than "
+                             "65536 or less than 1/256 pixel of a unit at "
+                             "distance 1, or the mesh is too small or large "
+                             "for its distance",
+                             s->camera.focal, s->camera.sensor[0],
+                             s->camera.sensor[1]);
+    if (status == PEL_ERROR_SIZE)
+        return message_error("a sensor of %gx%g makes more than 65536 or less "
+                             "than 1/256 pixel of a unit",
+                             s->camera.sensor[0], s->camera.sensor[1]);
+    return message_error("the scene cannot be drawn (status %d)", status);
+}
+
+bool scene_prepare(struct scene *scene, const struct scene_settings *settings)
+{
+    struct scene_settings s = *settings;
+    if (!check(&s) || !camera_frame(&s.camera, scene->model))
+        return false;
+    scene_place(scene, &s);
+    scene_place_lights(scene, &s);
+    set_look(scene, &s);
+    const enum pel_status status = pel_scene_prepare(
+        &scene->frame, &scene->core, scene->scratch, scene->scratch_size);
+    return status == PEL_OK || refuse(&s, status);
+}
+
+static bool draw_depth(const struct scene *scene, struct pel_frame *frame,
+                       const struct pel_surface *surface)
+{
+    struct pel_depth depth;
+    const struct pel_rect bounds =
+        pel_rect_intersect(&surface->clip, &scene->core.viewport);
+    const size_t size = pel_depth_size(&bounds, scene->depth_bits);
+    if (size == 0) /* nothing is seen */
+        return true;
+    void *memory = malloc(size);
+    if (!memory)
+        return message_error("no memory for a depth buffer of %zu bytes", size);
+    const enum pel_status status =
+        pel_depth_init(&depth, &bounds, scene->depth_bits, memory, size);
+    if (status == PEL_OK)
+        pel_scene_draw_depth(frame, surface, &depth);
+    free(memory);
+    return status == PEL_OK ||
+           message_error("no depth buffer (status %d)", status);
+}
+
+/* Vertices and order are only read; the rest is this call's own. */
+bool scene_draw(const struct scene *scene, const struct pel_surface *surface)
+{
+    struct pel_frame frame = scene->frame;
+    struct pel_frame_work work;
+    frame.work = &work;
+    if (scene->depth_bits > 0)
+        return draw_depth(scene, &frame, surface);
+    pel_scene_draw(&frame, surface);
+    return true;
+}

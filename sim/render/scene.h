@@ -1,0 +1,126 @@
+/* A scene: a model, seen by a camera, lit, drawn by core/scene. Settings are
+ * in numbers for people; what core gets of them are integers.
+ *
+ *     struct scene_settings settings = scene_default;
+ *     struct scene scene;
+ *     model_load(&model, &source) && scene_init(&scene, &model) &&
+ *         scene_prepare(&scene, &settings) && scene_draw(&scene, &surface)
+ *
+ * Prepare again for other settings, draw as often as there are bands; free at
+ * the end. */
+#ifndef SIM_RENDER_SCENE_H
+#define SIM_RENDER_SCENE_H
+
+#include "sim/render/camera.h"
+#include "core/base/surface.h"
+#include "core/scene/pipeline.h"
+
+enum scene_shade { SCENE_FLAT, SCENE_GOURAUD, SCENE_PHONG };
+
+/* Is there light? AUTO: when a light or a number of it was set, for Phong, and
+ * for a model whose colours show no shape and that has no texture. */
+enum scene_lit { SCENE_LIT_AUTO, SCENE_LIT, SCENE_UNLIT };
+
+enum scene_texture {
+    SCENE_TEXTURE_NONE,
+    SCENE_TEXTURE_NEAREST,
+    SCENE_TEXTURE_BILINEAR
+};
+
+enum scene_mapping {
+    SCENE_MAP_VERTICES,   /* a texel for every vertex */
+    SCENE_MAP_AFFINE,     /* u, v linear on screen */
+    SCENE_MAP_SUBDIVIDED, /* in perspective every `span` pixels */
+    SCENE_MAP_PERSPECTIVE /* in every pixel */
+};
+
+enum scene_order { SCENE_PAINTER, SCENE_ZBUFFER16, SCENE_ZBUFFER32 };
+
+enum scene_term {
+    SCENE_AMBIENT = 1,
+    SCENE_DIFFUSE = 2,
+    SCENE_SPECULAR = 4,
+    SCENE_ALL_TERMS = 7
+};
+
+enum { SCENE_LIGHTS_MAX = 32 };
+
+/* struct pel_light: `at` in world units, or the way to a directional one. */
+struct scene_light {
+    double at[3];
+    double color[3]; /* red, green, blue; 1 is full, less than 16 */
+    bool directional;
+};
+
+struct scene_settings {
+    struct camera camera; /* with the size of the picture, its background */
+    int left, top;        /* px: where that lies on the surface */
+    uint16_t turn[3];     /* of the model around the middle of its box, in
+                             1/65,536 turns: around x, then y, then z */
+
+    struct scene_light light[SCENE_LIGHTS_MAX];
+    int lights; /* 0, and lit: a white one from above, left of the viewer */
+    double ambient_color[3];
+    double ambient, diffuse, specular; /* ka, kd, ks: 0 to less than 16 */
+    int shininess;                     /* 1..256 */
+    unsigned terms;                    /* of enum scene_term; others are 0 */
+    bool plain_highlights, no_back_highlights; /* struct pel_lighting */
+    enum scene_lit lit;
+    bool has_light; /* a light or a number of it was set */
+
+    enum scene_shade shade;
+    enum scene_texture texture;
+    enum scene_mapping mapping;
+    enum pel_wrap wrap;
+    int span; /* subdivided: 2, 4, 8, ... 64 */
+
+    enum scene_order order;
+    enum pel_cull cull;
+    bool has_color; /* instead of the colours of the vertices: */
+    pel_color color;
+    uint8_t transparency; /* 0: opaque; 255: nothing is drawn */
+};
+
+/* What no option says: up is +y, perspective, 50 mm on a sensor 36 mm wide,
+ * 1200x1200, white, and the rest of the camera left to camera_frame; Gouraud,
+ * the model's own texture bilinear and in perspective, repeated, the
+ * painter's order, both sides, ka 0.3, kd 0.7, ks 0.3, shininess 20. */
+extern const struct scene_settings scene_default;
+
+/* What core works on. It points into itself: it stays where it is. */
+struct scene {
+    const struct model *model; /* the caller's, like its texture */
+    struct pel_scene core;
+    struct pel_mesh mesh; /* the model's, in the world's scale */
+    struct pel_pose pose;
+    struct pel_lighting lighting;
+    struct pel_light light[SCENE_LIGHTS_MAX];
+    struct pel_mesh_texture texture;
+    struct pel_frame frame;
+    void *scratch; /* malloc'ed */
+    size_t scratch_size;
+    int depth_bits; /* 16, 32; 0: the painter's order */
+    double units;   /* of core in a unit of the model: a power of two */
+};
+
+/* Takes the memory. False, with a message on standard error, when it is short;
+ * the scene may then be freed all the same. */
+bool scene_init(struct scene *scene, const struct model *model);
+
+/* Sets a picture up, completing the camera with camera_frame. Places go to core
+ * as they are while all are within +-16,384 units, the eye is 1/16 unit or more
+ * from the target, and the mesh not too small for its asset, so that firmware
+ * draws the same picture of the same mesh; otherwise all are multiplied by a
+ * power of two. A light more than 1,024 times farther away than all else is
+ * directional. False, with a message, for settings that cannot be drawn;
+ * scene_draw must not be called then. */
+bool scene_prepare(struct scene *scene, const struct scene_settings *settings);
+
+/* Draws the model onto the surface, inside its clip, and nothing else: not the
+ * background. Several threads may draw parts at a time. False, with a message,
+ * when there is no memory for a depth buffer. */
+bool scene_draw(const struct scene *scene, const struct pel_surface *surface);
+
+void scene_free(struct scene *scene);
+
+#endif

@@ -1,0 +1,145 @@
+#include "sim/render/scene_pel2d.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/cli/message.h"
+
+struct projection {
+    const struct scene *scene;
+    uint32_t *index; /* of each vertex in `flat`, NOT_YET before its use */
+    struct pel2d *flat;
+    uint32_t clipped;
+};
+
+#define NOT_YET UINT32_MAX
+
+static double uv_of(const struct pel_mesh *mesh, uint32_t vertex, int axis)
+{
+    if (!mesh->uv)
+        return 0;
+    return ldexp(
+        pel_mesh_quantum_value(&mesh->texture, axis, mesh->uv[vertex][axis]),
+        -mesh->texture.shift);
+}
+
+static bool add(struct projection *p, const struct pel2d_vertex *v, int32_t z)
+{
+    struct pel2d_vertex vertex = *v;
+    vertex.color |= PEL_RGB(0, 0, 0);
+    vertex.depth = (struct mesh_depth){{z, 0, 0}};
+    return pel2d_add_vertex(p->flat, &vertex);
+}
+
+static bool add_vertex(struct projection *p, uint32_t i)
+{
+    const struct pel_frame_vertex *from = &p->scene->frame.vertex[i];
+    const struct pel_mesh *mesh = &p->scene->mesh;
+    const struct pel2d_vertex v = {.at = {from->at.x, from->at.y},
+                                   .color = from->color,
+                                   .u = uv_of(mesh, i, 0),
+                                   .v = uv_of(mesh, i, 1)};
+    p->index[i] = p->flat->vertices;
+    return add(p, &v, from->at.z);
+}
+
+/* A triangle that nothing cuts shares its vertices with others. */
+static bool add_whole(struct projection *p, const uint32_t corner[3])
+{
+    uint32_t to[3];
+    for (int k = 0; k < 3; k++) {
+        if (p->index[corner[k]] == NOT_YET && !add_vertex(p, corner[k]))
+            return false;
+        to[k] = p->index[corner[k]];
+    }
+    return pel2d_add_triangle(p->flat, to);
+}
+
+/* A colour between those of three vertices. */
+static pel_color mix_colors(const struct pel_frame *frame,
+                            const uint32_t vertex[3], const int32_t weight[3])
+{
+    pel_color mixed = 0;
+    for (int shift = 0; shift < 32; shift += 8) {
+        int32_t value[3];
+        for (int k = 0; k < 3; k++)
+            value[k] = (int32_t)(frame->vertex[vertex[k]].color >> shift & 255);
+        mixed |= (pel_color)pel_scale_down(pel_dot(weight, value), 30) << shift;
+    }
+    return mixed;
+}
+
+/* A place between three vertices. */
+static bool add_corner(struct projection *p, const uint32_t vertex[3],
+                       const struct pel_clip_corner *c)
+{
+    struct pel_frame frame = p->scene->frame;
+    struct pel_frame_triangle *t = &frame.work->triangle;
+    memcpy(t->vertex, vertex, sizeof t->vertex);
+    pel_frame_set_corner(&frame, 0, c);
+    struct pel2d_vertex v = {.at = t->at[0],
+                             .color = mix_colors(&frame, vertex, c->weight)};
+    for (int k = 0; k < 3; k++) {
+        const double weight = (double)c->weight[k] / PEL_COSINE_ONE;
+        v.u += weight * uv_of(&p->scene->mesh, vertex[k], 0);
+        v.v += weight * uv_of(&p->scene->mesh, vertex[k], 1);
+    }
+    return add(p, &v, c->place[2]);
+}
+
+/* The others have vertices of their own, as a fan. */
+static bool add_clipped(struct projection *p, const uint32_t corner[3])
+{
+    const struct pel_projector *projector = &p->scene->frame.projector;
+    const uint32_t first = p->flat->vertices;
+    struct pel_clip clip;
+    pel_clip_start(&clip);
+    for (int k = 0; k < 3; k++) {
+        clip.polygon[0][k] = &clip.corner[k];
+        pel_project_coarse(projector, p->scene->mesh.positions[corner[k]],
+                           clip.corner[k].place);
+    }
+    const int32_t n = pel_clip_triangle(projector, &clip);
+    p->clipped++;
+    for (int32_t i = 0; i < n; i++)
+        if (!add_corner(p, corner, clip.polygon[0][i]))
+            return false;
+    for (uint32_t i = 2; (int32_t)i < n; i++) {
+        const uint32_t to[3] = {first, first + i - 1, first + i};
+        if (!pel2d_add_triangle(p->flat, to))
+            return false;
+    }
+    return true;
+}
+
+static bool add_triangle(struct projection *p, uint32_t triangle)
+{
+    uint32_t corner[3];
+    bool on_screen = true;
+    pel_mesh_corners(&p->scene->mesh, triangle, corner);
+    for (int k = 0; k < 3; k++)
+        on_screen = on_screen &&
+                    p->scene->frame.vertex[corner[k]].at.x != PEL_NOT_ON_SCREEN;
+    return on_screen ? add_whole(p, corner) : add_clipped(p, corner);
+}
+
+bool scene_project(const struct scene *scene, struct pel2d *flat,
+                   uint32_t *clipped)
+{
+    const struct pel_mesh *mesh = &scene->mesh;
+    struct projection p = {.scene = scene, .flat = flat};
+    memset(flat, 0, sizeof(*flat));
+    p.index = malloc(mesh->vertices * sizeof(*p.index));
+    bool done = p.index || message_error("no memory to project %u vertices",
+                                         mesh->vertices);
+    for (uint32_t i = 0; i < mesh->vertices && done; i++)
+        p.index[i] = NOT_YET;
+    for (uint32_t i = 0; i < mesh->triangles && done; i++)
+        done = add_triangle(&p, i);
+    free(p.index);
+    *clipped = p.clipped;
+    if (!done)
+        pel2d_free(flat);
+    return done;
+}

@@ -1,0 +1,206 @@
+#include "sim/render/scene_world.h"
+
+#include <math.h>
+
+#define WORLD 16384.0      /* units each way, as core has them */
+#define NEAREST (1 / 16.0) /* of an eye, if nothing is to be scaled */
+#define FAR_LIGHT 1024
+
+static pel_length length_of(const struct scene *scene, double value)
+{
+    const double v = value * scene->units * 65536;
+    return (pel_length)lround(fmax(-PEL_LENGTH_MAX, fmin(v, PEL_LENGTH_MAX)));
+}
+
+static double reach_of(const double v[3])
+{
+    return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
+}
+
+/* The largest coordinate of camera and model, however that is turned. */
+static double reach_of_all(const struct scene *scene,
+                           const struct scene_settings *s)
+{
+    double middle[3], radius = 0;
+    double reach = fmax(reach_of(s->camera.eye), reach_of(s->camera.target));
+    for (int k = 0; k < 3; k++) {
+        const double half = (scene->model->high[k] - scene->model->low[k]) / 2;
+        middle[k] = scene->model->low[k] + half;
+        radius += half * half;
+    }
+    reach = fmax(reach, reach_of(middle) + sqrt(radius));
+    if (s->camera.projection == PEL_ORTHOGRAPHIC)
+        for (int k = 0; k < 2; k++)
+            reach = fmax(reach, s->camera.sensor[k]);
+    return reach;
+}
+
+static bool is_far(const struct scene_light *light, double reach)
+{
+    return !light->directional && reach_of(light->at) > FAR_LIGHT * reach;
+}
+
+/* The power of two that makes all fit core's world, 1 where it does already.
+ */
+static double units_of(const struct scene *scene,
+                       const struct scene_settings *s)
+{
+    const double places = reach_of_all(scene, s);
+    double reach = places, way[3];
+    int exponent;
+    for (int i = 0; i < s->lights; i++)
+        if (!s->light[i].directional && !is_far(&s->light[i], places))
+            reach = fmax(reach, reach_of(s->light[i].at));
+    for (int k = 0; k < 3; k++)
+        way[k] = s->camera.target[k] - s->camera.eye[k];
+    if (reach <= WORLD && hypot(hypot(way[0], way[1]), way[2]) >= NEAREST &&
+        scene->model->mesh.position.shift <= PEL_MESH_SHIFT_MAX)
+        return 1;
+    frexp(reach, &exponent); /* reach < 2^exponent */
+    return ldexp(WORLD, -exponent);
+}
+
+static void place_pose(struct scene *scene, const uint16_t turn[3])
+{
+    static const struct pel_matrix none = PEL_MATRIX_IDENTITY;
+    const struct model *model = scene->model;
+    struct pel_matrix *to = &scene->pose.turn;
+    int64_t middle[3], moved[3];
+    *to = none;
+    for (int k = 0; k < 3; k++) {
+        const struct pel_matrix from = *to;
+        struct pel_matrix one;
+        pel_matrix_turn(&one, k, turn[k]);
+        pel_matrix_multiply(to, &one, &from);
+        middle[k] = length_of(scene, (model->low[k] + model->high[k]) / 2);
+    }
+    pel_matrix_apply(to, middle, 30, moved);
+    for (int k = 0; k < 3; k++)
+        scene->pose.at[k] = (pel_length)(middle[k] - moved[k]);
+    const bool turned = turn[0] || turn[1] || turn[2];
+    scene->core.pose = turned ? &scene->pose : NULL;
+}
+
+/* Of any length: the largest part gets 30 bits. */
+static void place_up(const double from[3], int32_t up[3])
+{
+    const double reach = reach_of(from);
+    for (int k = 0; k < 3; k++)
+        up[k] =
+            (int32_t)lround(from[k] / (reach > 0 ? reach : 1) * PEL_COSINE_ONE);
+}
+
+/* A lens in 1/1000 mm, in larger steps where that is too much; square pixels
+ * that nobody measured are exactly square. */
+static void place_lens(struct pel_camera *to, const struct camera *from)
+{
+    double lens[3] = {from->focal, from->sensor[0], from->sensor[1]};
+    double unit = 1000;
+    if (!from->has_sensor) {
+        unit = ceil(36000.0 / from->width) * from->width / lens[1];
+        lens[2] = lens[1] * from->height / from->width;
+    }
+    const double most = fmax(lens[0], fmax(lens[1], lens[2]));
+    while (most * unit > 1 << 24)
+        unit /= 2;
+    to->focal = (int32_t)fmax(round(lens[0] * unit), 1);
+    for (int k = 0; k < 2; k++)
+        to->sensor[k] = (int32_t)fmax(round(lens[1 + k] * unit), 1);
+}
+
+static void place_camera(struct scene *scene, const struct scene_settings *s)
+{
+    const struct camera *from = &s->camera;
+    struct pel_camera *to = &scene->core.camera;
+    for (int k = 0; k < 3; k++) {
+        to->eye[k] = length_of(scene, from->eye[k]);
+        to->target[k] = length_of(scene, from->target[k]);
+    }
+    place_up(from->up, to->up);
+    to->projection = from->projection;
+    to->near = (pel_length)fmax(length_of(scene, from->near), 1);
+    if (from->projection == PEL_PERSPECTIVE)
+        place_lens(to, from);
+    for (int k = 0; k < 2 && from->projection == PEL_ORTHOGRAPHIC; k++)
+        to->sensor[k] = length_of(scene, from->sensor[k]);
+    scene->core.viewport = (struct pel_rect){
+        s->left, s->top, s->left + from->width, s->top + from->height};
+}
+
+void scene_place(struct scene *scene, const struct scene_settings *settings)
+{
+    int exponent;
+    scene->units = units_of(scene, settings);
+    frexp(scene->units, &exponent); /* units = 2^(exponent - 1) */
+    scene->mesh = scene->model->mesh;
+    scene->mesh.position.shift -= exponent - 1;
+    place_pose(scene, settings->turn);
+    place_camera(scene, settings);
+}
+
+static pel_factor factor_of(double value)
+{
+    return (pel_factor)lround(value * 65536);
+}
+
+static void place_light(struct scene *scene, struct pel_light *to,
+                        const struct scene_light *from, bool directional)
+{
+    const double reach = reach_of(from->at);
+    to->directional = directional;
+    for (int k = 0; k < 3; k++) {
+        to->color[k] = factor_of(from->color[k]);
+        to->at[k] = directional
+                        ? (int32_t)lround(from->at[k] / reach * PEL_COSINE_ONE)
+                        : length_of(scene, from->at[k]);
+    }
+}
+
+/* A light for those who name none: white, from above, left of the viewer. */
+static struct scene_light own_light(const struct camera *camera)
+{
+    struct scene_light light = {.color = {1, 1, 1}, .directional = true};
+    double way[3], up = 0, along = 0;
+    for (int k = 0; k < 3; k++) {
+        way[k] = camera->eye[k] - camera->target[k];
+        along += way[k] * way[k];
+        up += camera->up[k] * camera->up[k];
+    }
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        const double left = way[i] * camera->up[j] - way[j] * camera->up[i];
+        light.at[k] = way[k] / sqrt(along) + 0.9 * camera->up[k] / sqrt(up) +
+                      0.6 * left / sqrt(along * up);
+    }
+    return light;
+}
+
+static void place_material(struct pel_lighting *to,
+                           const struct scene_settings *s)
+{
+    const unsigned terms = s->terms;
+    for (int k = 0; k < 3; k++)
+        to->ambient_color[k] = factor_of(s->ambient_color[k]);
+    to->ambient = terms & SCENE_AMBIENT ? factor_of(s->ambient) : 0;
+    to->diffuse = terms & SCENE_DIFFUSE ? factor_of(s->diffuse) : 0;
+    to->specular = terms & SCENE_SPECULAR ? factor_of(s->specular) : 0;
+    to->shininess = s->shininess;
+    to->plain_highlights = s->plain_highlights;
+    to->no_back_highlights = s->no_back_highlights;
+}
+
+void scene_place_lights(struct scene *scene, const struct scene_settings *s)
+{
+    const double reach = reach_of_all(scene, s);
+    scene->lighting.light = scene->light;
+    scene->lighting.lights = s->lights;
+    for (int i = 0; i < s->lights; i++)
+        place_light(scene, &scene->light[i], &s->light[i],
+                    s->light[i].directional || is_far(&s->light[i], reach));
+    if (s->lights == 0) {
+        const struct scene_light own = own_light(&s->camera);
+        place_light(scene, &scene->light[0], &own, true);
+        scene->lighting.lights = 1;
+    }
+    place_material(&scene->lighting, s);
+}

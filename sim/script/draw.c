@@ -1,0 +1,126 @@
+#include <stdlib.h>
+
+#include "core/outline/outline.h"
+#include "sim/cli/message.h"
+#include "sim/script/paints.h"
+
+/* A part of the list, drawn by one pen for every band: each begins as `start`
+ * and ends as `end`. */
+struct replay {
+    const struct script *script;
+    size_t from, to; /* items */
+    struct script_pen start, end;
+};
+
+static void replay_draw(struct pel_surface *surface, void *context)
+{
+    struct replay *replay = context;
+    const struct script *script = replay->script;
+    struct script_pen pen = replay->start;
+    pen.surface = surface;
+    pel_surface_clip(surface, &pen.clip);
+    for (size_t i = replay->from; i < replay->to; i++) {
+        const struct script_item *item = &script->items[i];
+        if (item->command->draw && item->command->role != SCRIPT_SCENE)
+            item->command->draw(&pen, script->values + item->first,
+                                item->count);
+    }
+    replay->end = pen;
+}
+
+bool script_needs_whole(const struct script *script)
+{
+    for (size_t i = 0; i < script->item_count; i++)
+        if (script->items[i].command->role == SCRIPT_WHOLE)
+            return true;
+    return false;
+}
+
+/* Is the whole picture there for what moves its pixels? `rows` as in
+ * script_draw. */
+static bool check_whole(const struct script *script,
+                        const struct pel_rect *shown, int rows)
+{
+    const int32_t width = shown->x1 - shown->x0;
+    const int32_t height = shown->y1 - shown->y0;
+    int band = rows > 0 ? rows : 0;
+    for (size_t i = 0; i < script->item_count; i++) {
+        const struct script_item *item = &script->items[i];
+        const char *name = item->command->name;
+        if (item->command->role == SCRIPT_BANDS && rows < 0)
+            band = script->values[item->first];
+        if (item->command->role != SCRIPT_WHOLE)
+            continue;
+        if (band > 0)
+            return message_error_at(
+                script->path, item->line,
+                "%s: a band of %d rows has no pixels of "
+                "the others; %s would be right",
+                name, band, rows < 0 ? "bands 0 before it" : "--bands 0");
+        if (width != script->width || height != script->height)
+            return message_error_at(script->path, item->line,
+                                    "%s: the screen has %d x %d pixels of %d "
+                                    "x %d, and all are needed",
+                                    name, (int)width, (int)height,
+                                    script->width, script->height);
+    }
+    return true;
+}
+
+static bool draw_part(struct replay *replay, size_t to, struct canvas *canvas,
+                      int rows)
+{
+    replay->to = to;
+    if (!canvas_draw(canvas, rows, replay_draw, replay))
+        return false;
+    replay->from = to;
+    replay->start = replay->end;
+    return !replay->end.failed;
+}
+
+static bool draw_parts(struct replay *replay, struct canvas *canvas)
+{
+    const struct script *script = replay->script;
+    int rows = 0;
+    for (size_t i = 0; i < script->item_count; i++) {
+        const struct script_item *item = &script->items[i];
+        if (item->command->role != SCRIPT_BANDS)
+            continue;
+        if (!draw_part(replay, i, canvas, rows))
+            return false;
+        rows = script->values[item->first];
+    }
+    return draw_part(replay, script->item_count, canvas, rows);
+}
+
+bool script_draw(const struct script *script, struct canvas *canvas, int rows)
+{
+    struct replay replay = {.script = script};
+    const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    struct script_pen *pen = &replay.start;
+    if (rows > 0 && !canvas_bands_legal(script->format, rows))
+        return message_error("bands of %d rows: mono1_pages needs a multiple "
+                             "of 8",
+                             rows);
+    if (!check_whole(script, &canvas->surface.bounds, rows))
+        return false;
+    pen->flat = white;
+    pen->clip = canvas->surface.bounds;
+    pen->assets = script->assets;
+    pen->scratch_size =
+        pel_polygon_outline_scratch_size((int32_t)script->polygon_max);
+    pen->scratch = malloc(pen->scratch_size + 1);
+    pen->paints = malloc(sizeof *pen->paints);
+    if (!pen->scratch || !pen->paints) {
+        free(pen->scratch);
+        free(pen->paints);
+        return message_error("no memory for a polygon of %zu vertices",
+                             script->polygon_max);
+    }
+    const bool done = rows >= 0
+                          ? draw_part(&replay, script->item_count, canvas, rows)
+                          : draw_parts(&replay, canvas);
+    free(pen->scratch);
+    free(pen->paints);
+    return done;
+}

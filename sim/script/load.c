@@ -1,0 +1,109 @@
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/cli/byte_order_mark.h"
+#include "sim/cli/message.h"
+#include "sim/script/assets.h"
+#include "sim/script/parser.h"
+
+/* The comment at the head of the script. */
+struct caption {
+    FILE *stream;
+    char *text;
+    size_t size;
+    bool ended;
+};
+
+/* Takes a line of the script into the caption, while nothing but comments has
+ * come; an empty line ends it too. */
+static void caption_add(struct caption *caption, const char *text)
+{
+    text += strspn(text, " \t");
+    caption->ended = caption->ended || *text != '#';
+    if (caption->ended)
+        return;
+    text += strspn(text, "# \t");
+    const size_t length = strcspn(text, "\r\n");
+    fprintf(caption->stream, "%s%.*s", ftell(caption->stream) ? " " : "",
+            (int)length, text);
+}
+
+static bool parse_lines(struct script_parser *p, FILE *file,
+                        struct caption *caption)
+{
+    char *text = NULL;
+    size_t capacity = 0;
+    ssize_t length;
+    bool good = true;
+    while (good && (length = getline(&text, &capacity, file)) >= 0) {
+        p->line++;
+        if (strlen(text) != (size_t)length) {
+            good = message_error_at(p->script->path, p->line,
+                                    "a zero byte: scripts are text");
+        } else {
+            char *line = text + (p->line == 1 ? byte_order_mark(text) : 0);
+            caption_add(caption, line);
+            good = script_parse_line(p, line);
+        }
+    }
+    free(text);
+    if (good && ferror(file))
+        good = message_error_at(p->script->path, 0, "cannot be read: %s",
+                                strerror(errno));
+    return good;
+}
+
+static bool load_from(struct script *script, FILE *file)
+{
+    struct script_parser parser = {.script = script};
+    struct caption caption = {NULL, NULL, 0, false};
+    caption.stream = open_memstream(&caption.text, &caption.size);
+    if (!caption.stream)
+        return message_error("out of memory");
+    bool good = parse_lines(&parser, file, &caption);
+    if (good && script->width == 0)
+        good = message_error_at(script->path, parser.line,
+                                "no canvas: a script begins with canvas WIDTH "
+                                "HEIGHT FORMAT");
+    free(parser.words);
+    fclose(caption.stream);
+    script->caption = caption.text;
+    return good;
+}
+
+bool script_load(struct script *script, const char *path,
+                 const struct pel_format *format)
+{
+    const struct script empty = {.path = path, .format = format};
+    const bool is_input = strcmp(path, "-") == 0;
+    *script = empty;
+    script->assets = calloc(1, sizeof *script->assets);
+    if (!script->assets)
+        return message_error("out of memory");
+    FILE *file = is_input ? stdin : fopen(path, "r");
+    if (!file) {
+        message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+        script_free(script);
+        return false;
+    }
+    const bool done = load_from(script, file);
+    if (!is_input)
+        fclose(file);
+    if (!done)
+        script_free(script);
+    return done;
+}
+
+void script_free(struct script *script)
+{
+    const struct script empty = {0};
+    free(script->items);
+    free(script->values);
+    free(script->caption);
+    if (script->assets)
+        script_assets_free(script->assets);
+    free(script->assets);
+    *script = empty;
+}

@@ -1,0 +1,152 @@
+#include "sim/script/paints.h"
+
+#include "sim/script/assets.h"
+
+static struct pel_point point(const int32_t *v)
+{
+    return (struct pel_point){v[0], v[1]};
+}
+
+/* A ramp from n values, AT COLOUR AT COLOUR ... */
+static struct pel_ramp ramp_of(const struct script_pen *pen, const int32_t *v,
+                               size_t n)
+{
+    struct pel_stop stops[SCRIPT_STOPS_MAX];
+    for (size_t i = 0; i < n / 2; i++)
+        stops[i] = (struct pel_stop){v[2 * i], (pel_color)v[2 * i + 1]};
+    pel_ramp_fill(pen->paints->ramp, SCRIPT_RAMP_COLORS, stops, (int32_t)n / 2);
+    return (struct pel_ramp){pen->paints->ramp, SCRIPT_RAMP_COLORS,
+                             pen->spread};
+}
+
+/* None of these can fail: the values were checked when the script was read. */
+
+const struct pel_paint *script_make_linear(const struct script_pen *pen)
+{
+    struct pel_linear *p = &pen->paints->paint.linear;
+    const int32_t *v = pen->values;
+    pen->paints->ramp[0] = (pel_color)v[2];
+    pen->paints->ramp[1] = (pel_color)v[5];
+    const struct pel_ramp ramp = {pen->paints->ramp, 2, pen->spread};
+    pel_linear_init(p, point(v), point(v + 3), &ramp);
+    return &p->base.paint;
+}
+
+const struct pel_paint *script_make_linear_stops(const struct script_pen *pen)
+{
+    struct pel_linear *p = &pen->paints->paint.linear;
+    const int32_t *v = pen->values;
+    const struct pel_ramp ramp = ramp_of(pen, v + 4, pen->value_count - 4);
+    pel_linear_init(p, point(v), point(v + 2), &ramp);
+    return &p->base.paint;
+}
+
+const struct pel_paint *script_make_radial(const struct script_pen *pen)
+{
+    struct pel_radial *p = &pen->paints->paint.radial;
+    const int32_t *v = pen->values;
+    const struct pel_rings rings = {point(v), v[2], pen->phase};
+    const struct pel_ramp ramp = ramp_of(pen, v + 3, pen->value_count - 3);
+    pel_radial_init(p, &rings, &ramp);
+    return &p->base.paint;
+}
+
+const struct pel_paint *script_make_conic(const struct script_pen *pen)
+{
+    struct pel_conic *p = &pen->paints->paint.conic;
+    const int32_t *v = pen->values;
+    const struct pel_ramp ramp = ramp_of(pen, v + 3, pen->value_count - 3);
+    pel_conic_init(p, point(v), (uint16_t)v[2], &ramp);
+    return &p->base.paint;
+}
+
+const struct pel_paint *script_make_wheel(const struct script_pen *pen)
+{
+    struct pel_hue_wheel *p = &pen->paints->paint.wheel;
+    const int32_t *v = pen->values;
+    pel_hue_wheel_init(p, point(v), (uint16_t)v[2], (uint8_t)v[3],
+                       (uint8_t)v[4]);
+    return &p->conic.base.paint;
+}
+
+static void set_fan_points(struct pel_fan_points *points, const int32_t *v,
+                           struct pel_point *rim, pel_color *colors)
+{
+    for (int32_t i = 0; i < points->n; i++) {
+        rim[i] = point(v + 3 * i);
+        colors[i] = (pel_color)v[3 * i + 2];
+    }
+    points->rim = rim;
+    points->colors = colors;
+    pel_fan_set_hub(points);
+}
+
+static enum pel_status init_fan(const struct script_pen *pen)
+{
+    struct pel_point rim[SCRIPT_FAN_POINTS_MAX];
+    pel_color colors[SCRIPT_FAN_POINTS_MAX];
+    struct pel_fan_points points = {.n = (int32_t)pen->value_count / 3};
+    set_fan_points(&points, pen->values, rim, colors);
+    return pel_fan_init(&pen->paints->paint.fan, &points, pen->paints->wedges);
+}
+
+bool script_fan_legal(const struct script_pen *pen)
+{
+    return init_fan(pen) == PEL_OK;
+}
+
+const struct pel_paint *script_make_fan(const struct script_pen *pen)
+{
+    init_fan(pen);
+    return &pen->paints->paint.fan.base.paint;
+}
+
+static const struct pel_paint *make_mapped(const struct script_pen *pen,
+                                           const struct pel_texture_map *map)
+{
+    struct pel_texture *p = &pen->paints->paint.texture;
+    const struct pel_texels texels = {
+        .surface = &pen->assets->pictures[pen->values[0]]};
+    if (pen->bilinear)
+        pel_texture_init_bilinear(p, &texels, map);
+    else
+        pel_texture_init_nearest(p, &texels, map);
+    p->wrap_u = (uint8_t)pen->wrap;
+    p->wrap_v = (uint8_t)pen->wrap;
+    return &p->base.paint;
+}
+
+const struct pel_paint *script_make_texture(const struct script_pen *pen)
+{
+    const int32_t x = pen->values[1], y = pen->values[2];
+    const struct pel_texture_map map = PEL_TEXTURE_AT(x, y);
+    return make_mapped(pen, &map);
+}
+
+const struct pel_paint *script_make_texture_map(const struct script_pen *pen)
+{
+    struct pel_texture_map map;
+    struct pel_point v[3];
+    struct pel_texel_point t[3];
+    for (int i = 0; i < 3; i++) {
+        const int32_t *values = pen->values + 1 + 4 * i;
+        v[i] = point(values);
+        t[i] = (struct pel_texel_point){values[2], values[3]};
+    }
+    pel_texture_map_triangle(&map, v, t);
+    return make_mapped(pen, &map);
+}
+
+const struct pel_paint *script_dithered(const struct script_pen *pen,
+                                        const struct pel_paint *paint)
+{
+    if (!pen->dither)
+        return paint;
+    pel_dither_init(&pen->paints->dither, paint);
+    return &pen->paints->dither.paint;
+}
+
+const struct pel_paint *script_paint(const struct script_pen *pen)
+{
+    return script_dithered(pen, pen->make ? pen->make(pen) : &pen->flat.paint);
+}

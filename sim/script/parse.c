@@ -1,0 +1,298 @@
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/image/glyph_find.h"
+#include "sim/image/format_names.h"
+#include "sim/cli/message.h"
+#include "sim/script/assets.h"
+#include "sim/script/parser.h"
+
+/* Room for one more entry of `size` bytes in a list; NULL, with a message, when
+ * memory is short: the list is then as it was. */
+static void *list_grow(const struct script_parser *p, void *list, size_t count,
+                       size_t *capacity, size_t size)
+{
+    if (count < *capacity)
+        return list;
+    const size_t n = *capacity ? 2 * *capacity : 64;
+    void *grown = realloc(list, n * size);
+    if (grown)
+        *capacity = n;
+    else
+        message_error_at(p->script->path, p->line, "out of memory");
+    return grown;
+}
+
+static bool add_word(struct script_parser *p, char *word)
+{
+    char **list =
+        list_grow(p, p->words, p->word_count, &p->word_capacity, sizeof *list);
+    if (!list)
+        return false;
+    p->words = list;
+    list[p->word_count++] = word;
+    return true;
+}
+
+static bool add_value(struct script_parser *p, int32_t value)
+{
+    struct script *s = p->script;
+    int32_t *list = list_grow(p, s->values, s->value_count, &p->value_capacity,
+                              sizeof *list);
+    if (!list)
+        return false;
+    s->values = list;
+    list[s->value_count++] = value;
+    return true;
+}
+
+static bool add_item(struct script_parser *p, const struct script_item *item)
+{
+    struct script *s = p->script;
+    struct script_item *list =
+        list_grow(p, s->items, s->item_count, &p->item_capacity, sizeof *list);
+    if (!list)
+        return false;
+    s->items = list;
+    list[s->item_count++] = *item;
+    return true;
+}
+
+/* The end of a text in quotes, which begins behind the first; \" \\ and \n
+ * become what they stand for. NULL when the closing quote is missing, or
+ * another character stands behind a backslash. */
+static char *end_quote(char *text)
+{
+    char *to = text;
+    for (; *text && *text != '"'; text++) {
+        if (*text == '\\') {
+            text++;
+            if (!*text || !strchr("\"\\n", *text))
+                return NULL;
+            *to++ = (char)(*text == 'n' ? '\n' : *text);
+        } else
+            *to++ = *text;
+    }
+    if (!*text)
+        return NULL;
+    *to = '\0';
+    return text + 1;
+}
+
+/* Words keep their opening quote, as a sign. */
+static bool split_words(struct script_parser *p, char *text)
+{
+    static const char space[] = " \t\r\n\v\f";
+    p->word_count = 0;
+    while (*(text += strspn(text, space))) {
+        char *end =
+            *text == '"' ? end_quote(text + 1) : text + strcspn(text, space);
+        if (!end || (*end && !strchr(space, *end)))
+            return message_error_at(p->script->path, p->line,
+                                    "%.*s: a text ends with a quote and a "
+                                    "blank after it; in it, \\\" \\\\ and "
+                                    "\\n would be right",
+                                    (int)strcspn(text, "\r\n"), text);
+        if (!add_word(p, text))
+            return false;
+        text = end + (*end != '\0');
+        *end = '\0';
+    }
+    return true;
+}
+
+/* How many words of the line are the command's name: all of it, or 0. */
+static size_t match_name(const struct script_parser *p, const char *name)
+{
+    size_t n = 0;
+    while (*name) {
+        const size_t length = strcspn(name, " ");
+        if (n == p->word_count || strlen(p->words[n]) != length ||
+            strncmp(p->words[n], name, length) != 0)
+            return 0;
+        name += length + (name[length] == ' ');
+        n++;
+    }
+    return n;
+}
+
+static const struct script_command *find_command(const struct script_parser *p,
+                                                 size_t *name_words)
+{
+    for (const struct script_command *const *t = script_tables; *t; t++) {
+        for (const struct script_command *c = *t; c->name; c++) {
+            *name_words = match_name(p, c->name);
+            if (*name_words)
+                return c;
+        }
+    }
+    script_refuse_unknown(p);
+    return NULL;
+}
+
+/* How many arguments a command needs, and in groups of how many more may
+ * follow; 0 when none may. */
+static size_t needed_of(const char *kinds, size_t *group)
+{
+    const size_t n = strcspn(kinds, "*+");
+    *group = kinds[n] == '*' ? 2 : kinds[n] == '+' ? 3 : 0;
+    return n;
+}
+
+/* The kind of argument i, or 0 when the command takes no more. */
+static enum script_kind kind_at(const char *kinds, size_t i)
+{
+    size_t group;
+    const size_t n = needed_of(kinds, &group);
+    if (i >= n && group)
+        i = n - group + (i - n) % group;
+    return i < n ? (enum script_kind)kinds[i] : 0;
+}
+
+static bool refuse_count(const struct script_place *at, size_t given)
+{
+    static const char *const more[] = {"", "", " or more, in pairs",
+                                       " or more, in threes"};
+    size_t group;
+    const size_t needed = needed_of(at->command->kinds, &group);
+    return message_error_at(
+        at->path, at->line, "%s takes %zu value%s%s, not %zu: %s %s",
+        at->command->name, needed, needed == 1 ? "" : "s", more[group], given,
+        at->command->name, at->command->usage);
+}
+
+/* Arguments from word `first` on. A word with # is a comment, unless a colour
+ * belongs there. */
+static bool parse_arguments(struct script_parser *p,
+                            const struct script_place *at, size_t first)
+{
+    size_t n = 0, group;
+    const size_t needed = needed_of(at->command->kinds, &group);
+    for (size_t i = first; i < p->word_count; i++, n++) {
+        const enum script_kind kind = kind_at(at->command->kinds, n);
+        int32_t value;
+        if (p->words[i][0] == '#' && kind != KIND_COLOR)
+            break;
+        if (!kind)
+            return refuse_count(at, p->word_count - first);
+        if (!script_argument(at, kind, p->words[i], &value) ||
+            !add_value(p, value))
+            return false;
+    }
+    if (n < needed || (group && (n - needed) % group != 0))
+        return refuse_count(at, n);
+    return true;
+}
+
+static bool take_canvas(struct script_parser *p, const struct script_place *at,
+                        const int32_t *v)
+{
+    struct script *script = p->script;
+    if (script->width)
+        return message_error_at(at->path, at->line,
+                                "a second canvas: a script has one");
+    script->width = v[0];
+    script->height = v[1];
+    if (!script->format)
+        script->format = format_names[v[2]].format;
+    if (!canvas_size_legal(v[0], v[1]))
+        return message_error_at(at->path, at->line,
+                                "canvas: %d x %d pixels are too many: %ld at "
+                                "most",
+                                v[0], v[1], (long)CANVAS_PIXELS_MAX);
+    script_scene_init(&p->scene, v[0], v[1]);
+    return true;
+}
+
+/* A text that its font can show whole. */
+static bool check_text(const struct script_parser *p,
+                       const struct script_place *at, int32_t text)
+{
+    const struct script_assets *assets = at->assets;
+    const char *c = assets->texts[text];
+    if (!p->has_font)
+        return message_error_at(at->path, at->line,
+                                "text without a font: font FILE before it");
+    while (*c) {
+        const char *const from = c;
+        const uint32_t code = pel_utf8_next(&c);
+        if (code != '\n' &&
+            !pel_glyph_find(&assets->fonts[assets->font_count - 1], code))
+            return message_error_at(at->path, at->line,
+                                    "text: the font has no %.*s (U+%04lX), and "
+                                    "no glyph for what it lacks",
+                                    (int)(c - from), from, (unsigned long)code);
+    }
+    return true;
+}
+
+/* What hangs together between lines: `v` are the values of this one. */
+static bool check_command(struct script_parser *p,
+                          const struct script_place *at, const int32_t *v,
+                          size_t n)
+{
+    const struct script_command *c = at->command;
+    const char *wrong = c->check ? c->check(v, n) : NULL;
+    if (wrong)
+        return message_error_at(at->path, at->line, "%s: %s", c->name, wrong);
+    if (c->role == SCRIPT_PAINT || c->role == SCRIPT_PAINT_VERTEX)
+        p->by_vertex = c->role == SCRIPT_PAINT_VERTEX;
+    p->has_font = p->has_font || c->role == SCRIPT_FONT;
+    if (c->role == SCRIPT_TEXT && !check_text(p, at, v[2]))
+        return false;
+    if (c->role == SCRIPT_SCENE) {
+        struct script_pen pen = {.scene = &p->scene, .assets = at->assets};
+        c->draw(&pen, v, n);
+        if (pen.failed)
+            return message_error_at(at->path, at->line,
+                                    "light %d: up to %d would be right",
+                                    SCENE_LIGHTS_MAX + 1, SCENE_LIGHTS_MAX);
+    }
+    if ((c->role == SCRIPT_SHAPE || c->role == SCRIPT_TEXT) && p->by_vertex)
+        return message_error_at(at->path, at->line,
+                                "%s: paint vertex colours triangles; set "
+                                "another paint first",
+                                c->name);
+    if (c->role == SCRIPT_BANDS && !canvas_bands_legal(p->script->format, v[0]))
+        return message_error_at(at->path, at->line,
+                                "bands %d: mono1_pages needs a multiple of 8",
+                                v[0]);
+    return true;
+}
+
+static bool parse_command(struct script_parser *p,
+                          const struct script_place *at, size_t name_words)
+{
+    struct script *script = p->script;
+    const size_t first = script->value_count;
+    const bool is_canvas = at->command->role == SCRIPT_CANVAS;
+    if (!is_canvas && !script->width)
+        return message_error_at(at->path, at->line,
+                                "%s before the canvas: the first command must "
+                                "be canvas WIDTH HEIGHT FORMAT",
+                                at->command->name);
+    if (!parse_arguments(p, at, name_words))
+        return false;
+    const struct script_item item = {at->command, at->line, first,
+                                     script->value_count - first};
+    const int32_t *v = script->values + first;
+    if (item.count / 2 > script->polygon_max)
+        script->polygon_max = item.count / 2;
+    return (is_canvas ? take_canvas(p, at, v)
+                      : check_command(p, at, v, item.count)) &&
+           add_item(p, &item);
+}
+
+bool script_parse_line(struct script_parser *parser, char *text)
+{
+    struct script_place at = {parser->script->path, parser->line, NULL,
+                              parser->script->assets, &parser->scene};
+    size_t name_words;
+    if (!split_words(parser, text))
+        return false;
+    if (parser->word_count == 0 || parser->words[0][0] == '#')
+        return true;
+    at.command = find_command(parser, &name_words);
+    return at.command && parse_command(parser, &at, name_words);
+}

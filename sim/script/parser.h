@@ -1,0 +1,26 @@
+/* Reading one line of a script after the other. Only for script*.c. */
+#ifndef SIM_SCRIPT_PARSER_H
+#define SIM_SCRIPT_PARSER_H
+
+#include "sim/script/meshes.h"
+
+struct script_parser {
+    struct script *script;
+    long line;
+    size_t item_capacity, value_capacity;
+    char **words; /* of the line, in its own memory */
+    size_t word_count, word_capacity;
+    bool by_vertex; /* paint vertex is in force */
+    bool has_font;
+    struct script_scene scene; /* in force */
+};
+
+/* Adds what the line says to the script. Cuts `text` into words. False, with a
+ * message, when it is not right. */
+bool script_parse_line(struct script_parser *parser, char *text);
+
+/* Says that no command has the name of this line, and which one may have been
+ * meant, or which ones there are. False. */
+bool script_refuse_unknown(const struct script_parser *parser);
+
+#endif

@@ -1,0 +1,146 @@
+/* pel run: draws a script. */
+
+#include "sim/cli/arguments.h"
+#include "sim/cli/commands.h"
+#include "sim/cli/device.h"
+#include "sim/image/format_names.h"
+#include "sim/cli/message.h"
+#include "sim/cli/number.h"
+#include "sim/script/script.h"
+
+struct run_options {
+    struct device_options device;
+    const char *script, *output;
+    const struct pel_format *format; /* NULL: the script's */
+    int bands;                       /* -1: the script's */
+};
+
+enum { OPTION_BANDS = 0x100, OPTION_FORMAT };
+
+static const struct argp_option options[] = {
+    {"output", 'o', "FILE", 0,
+     "the picture: .ppm, .png or .bmp; standard output when left out", 0},
+    {"bands", OPTION_BANDS, "ROWS", 0,
+     "draw in bands of so many rows (0: whole), whatever the script says", 0},
+    {"format", OPTION_FORMAT, "NAME", 0,
+     "draw in this pixel format, whatever the script says", 0},
+    {0},
+};
+
+static error_t parse_bands(const char *text, struct argp_state *state)
+{
+    int64_t v;
+    struct run_options *o = state->input;
+    if (number_integer(text, 0, 32767, &v) != NUMBER_OK)
+        arguments_error(
+            state, "--bands %s: rows must be a whole number in 0..32767", text);
+    o->bands = (int)v;
+    return 0;
+}
+
+static error_t parse_format(const char *text, struct argp_state *state)
+{
+    struct run_options *o = state->input;
+    o->format = format_find(text);
+    if (!o->format)
+        arguments_error(state, "--format is '%s'; one of %s would be right",
+                        text, format_list());
+    return 0;
+}
+
+static error_t parse_option(int key, char *text, struct argp_state *state)
+{
+    struct run_options *o = state->input;
+    switch (key) {
+    case ARGP_KEY_INIT:
+        state->child_inputs[0] = &o->device;
+        return 0;
+    case 'o':
+        o->output = text;
+        return 0;
+    case OPTION_BANDS:
+        return parse_bands(text, state);
+    case OPTION_FORMAT:
+        return parse_format(text, state);
+    case ARGP_KEY_ARG:
+        if (o->script)
+            arguments_error(state, "one script only, not %s too", text);
+        o->script = text;
+        return 0;
+    case ARGP_KEY_NO_ARGS:
+        arguments_error(state, "a script is missing; - is standard input");
+        return 0;
+    default:
+        return ARGP_ERR_UNKNOWN;
+    }
+}
+
+static const struct argp_child children[] = {{&device_argp, 0, NULL, 0}, {0}};
+
+static const struct argp parser = {
+    options,
+    parse_option,
+    "SCRIPT",
+    "Draws a script into a picture.\v"
+    "A script holds one command a line: canvas WIDTH HEIGHT FORMAT first, then "
+    "clear, clip, paint, shapes from triangle to arc, outline, text, image, "
+    "scroll, mesh and others: sim/scenes/README.md describes them.",
+    children,
+    NULL,
+    NULL,
+};
+
+struct drawing {
+    struct script *script;
+    int bands;
+};
+
+static bool draw_script(struct canvas *canvas, const void *context)
+{
+    const struct drawing *drawing = context;
+    return script_draw(drawing->script, canvas, drawing->bands);
+}
+
+static bool show(const struct run_options *o, struct script *script)
+{
+    const struct drawing drawing = {script, o->bands};
+    const struct device_picture picture = {
+        .width = script->width,
+        .height = script->height,
+        .format = &script->format,
+        .draw = draw_script,
+        .context = &drawing,
+    };
+    return device_show(&o->device, &picture);
+}
+
+static bool save(const struct run_options *o, struct script *script)
+{
+    const struct drawing drawing = {script, o->bands};
+    struct picture picture = {0, 0, NULL};
+    struct canvas canvas;
+    if (!canvas_init(&canvas, script->format, script->width, script->height))
+        return false;
+    const bool done =
+        device_draw_canvas(&o->device, &canvas, draw_script, &drawing) &&
+        canvas_picture(&canvas, &picture) && picture_save(&picture, o->output);
+    canvas_free(&canvas);
+    picture_free(&picture);
+    return done;
+}
+
+int command_run(int argc, char **argv)
+{
+    struct run_options o = {.device = {.jobs = 1}, .output = "-", .bands = -1};
+    struct script script;
+    arguments_parse(&parser, argc, argv, &o);
+    if (!picture_path_check(o.output) ||
+        !device_check_output(&o.device, o.output) ||
+        !script_load(&script, o.script, o.format))
+        return STATUS_ERROR;
+    if (script_needs_whole(&script))
+        o.device.jobs = 1;
+    const bool done = o.device.name ? show(&o, &script) : save(&o, &script);
+    script_free(&script);
+    return done ? STATUS_OK : STATUS_ERROR;
+}

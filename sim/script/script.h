@@ -1,0 +1,51 @@
+/* Scripts: a script, read into a list of things to draw. Reading checks
+ * everything, so that drawing cannot fail half-way and a list can be replayed
+ * for every band. */
+#ifndef SIM_SCRIPT_SCRIPT_H
+#define SIM_SCRIPT_SCRIPT_H
+
+#include "sim/image/canvas.h"
+
+struct script_command;
+struct script_assets;
+
+/* One line of the script that draws, or that changes how. */
+struct script_item {
+    const struct script_command *command;
+    long line;
+    size_t first; /* of the script's values */
+    size_t count;
+};
+
+struct script {
+    const char *path; /* of the script, the caller's; "-" is standard input */
+    const struct pel_format *format;
+    int width, height;
+    struct script_item *items;
+    size_t item_count;
+    int32_t *values; /* arguments of all items; colours as their bits */
+    size_t value_count;
+    size_t polygon_max;           /* vertices of the largest polygon */
+    struct script_assets *assets; /* fonts, pictures and texts that it names */
+    char *caption; /* the comment that the script begins with, or "" */
+};
+
+/* Reads a script (sim/scenes/README.md). `format`, when not NULL, replaces that
+ * of its canvas line. False, with a message on standard error that names file
+ * and line, when it is not right; the script is then empty. */
+bool script_load(struct script *script, const char *path,
+                 const struct pel_format *format);
+
+void script_free(struct script *script);
+
+/* Does it move pixels that have been drawn? Then it cannot be drawn in bands or
+ * by several threads. */
+bool script_needs_whole(const struct script *script);
+
+/* Draws the script onto a canvas of its size and format. rows >= 0 replaces
+ * every `bands` line of the script (0 draws it whole), -1 follows them. False,
+ * with a message and nothing drawn, when bands are not possible; or when memory
+ * is short. */
+bool script_draw(const struct script *script, struct canvas *canvas, int rows);
+
+#endif

@@ -1,0 +1,159 @@
+/* pel view on a framebuffer or DRM device. */
+#include <stdio.h>
+#include <string.h>
+
+#include "core/raster/rectangle.h"
+#include "drivers/display_linux.h"
+#include "sim/cli/message.h"
+#include "sim/view/displays.h"
+
+enum { IDLE_MS = 50 };
+
+struct screen {
+    struct pel_display_linux linux;
+    struct pel_rect area; /* where the picture is */
+    struct viewer viewer;
+};
+
+static bool fails(const struct screen *s)
+{
+    return message_error("%s", s->linux.message.text);
+}
+
+static bool draw(struct screen *s)
+{
+    const struct pel_display *display = &s->linux.display;
+    struct pel_surface surface;
+    enum pel_status status =
+        pel_display_begin(display, &s->linux.area, &surface);
+    if (status != PEL_OK)
+        return fails(s);
+    pel_clear(&surface, PEL_RGB(0, 0, 0));
+    const struct pel_rect whole = surface.clip;
+    pel_surface_clip(&surface, &s->area);
+    if (!viewer_draw(&s->viewer, &surface))
+        return false;
+    surface.clip = whole;
+    status = pel_display_flush(display, &surface);
+    if (status == PEL_OK)
+        status = pel_display_flip(display);
+    viewer_shown(&s->viewer);
+    return status == PEL_OK || fails(s);
+}
+
+/* The picture once more: what a display was handed is its own. */
+static bool save(struct screen *s, bool last)
+{
+    struct canvas canvas;
+    if (last && !s->viewer.options->output)
+        return true;
+    if (!canvas_init(&canvas, s->linux.display.format, s->area.x1 - s->area.x0,
+                     s->area.y1 - s->area.y0))
+        return false;
+    const bool done = viewer_draw(&s->viewer, &canvas.surface) &&
+                      (last ? viewer_save_last(&s->viewer, &canvas.surface)
+                            : viewer_save_new(&canvas.surface));
+    canvas_free(&canvas);
+    return done;
+}
+
+static bool press(struct screen *s, const char *bytes, size_t count)
+{
+    for (size_t used; count > 0; bytes += used, count -= used)
+        if (viewer_key(&s->viewer, view_terminal_key(bytes, count, &used)) &&
+            !save(s, false))
+            return false;
+    return true;
+}
+
+/* What has come; when there is nothing to draw, what comes in a moment. Input
+ * that has ended ends the view, but not when frames are counted. */
+static bool handle(struct screen *s)
+{
+    struct viewer *viewer = &s->viewer;
+    const bool busy = viewer->stale || viewer->view.turning;
+    char bytes[64];
+    size_t count;
+    switch (
+        pel_console_read(busy ? 0 : IDLE_MS, bytes, sizeof(bytes), &count)) {
+    case PEL_CONSOLE_REDRAW:
+        viewer->stale = true;
+        return true;
+    case PEL_CONSOLE_KEY:
+        viewer->over = count == 0 && viewer->options->frames == 0;
+        return press(s, bytes, count);
+    default:
+        return true;
+    }
+}
+
+static bool run(struct screen *s)
+{
+    while (!viewer_is_over(&s->viewer)) {
+        if (!handle(s))
+            return false;
+        if (s->viewer.over)
+            break;
+        viewer_advance(&s->viewer);
+        if (s->viewer.stale && !draw(s))
+            return false;
+    }
+    return save(s, true);
+}
+
+/* The picture in the middle; the camera for the size of what is seen of it. */
+static void place(struct screen *s, struct camera *camera)
+{
+    const struct pel_rect *screen = &s->linux.area;
+    if (camera->width == 0) {
+        camera->width = screen->x1;
+        camera->height = screen->y1;
+    }
+    s->area.x0 = pel_max(screen->x1 - camera->width, 0) / 2;
+    s->area.y0 = pel_max(screen->y1 - camera->height, 0) / 2;
+    s->area.x1 = pel_min(s->area.x0 + camera->width, screen->x1);
+    s->area.y1 = pel_min(s->area.y0 + camera->height, screen->y1);
+}
+
+static void tell(const struct pel_message *message)
+{
+    if (message->text[0])
+        fprintf(stderr, "pel: %s\n", message->text);
+}
+
+static bool run_viewer(struct screen *s, const struct view_job *job)
+{
+    struct pel_pool pool;
+    struct scene_settings settings = *job->settings;
+    place(s, &settings.camera);
+    const bool ready =
+        viewer_init(&s->viewer, job->model, &settings, job->options);
+    pel_pool_start(&pool, view_jobs(job->device->jobs));
+    s->viewer.pool = &pool;
+    const bool done = ready && run(s);
+    pel_pool_end(&pool);
+    viewer_free(&s->viewer);
+    return done;
+}
+
+/* What is printed is read when the console is back. */
+bool view_device(const struct view_job *job)
+{
+    struct screen s = {.area = {0, 0, 0, 0}};
+    char title[VIEWER_TITLE_SIZE];
+    const char *name =
+        strcmp(job->device->name, "auto") == 0 ? NULL : job->device->name;
+    if (pel_display_linux_open(&s.linux, name, PEL_FB_ANY) != PEL_OK)
+        return fails(&s);
+    tell(&s.linux.note);
+    tell(&s.linux.console);
+    view_tell_keys(job->options);
+    const bool done = run_viewer(&s, job);
+    pel_display_linux_close(&s.linux);
+    if (done) {
+        viewer_title(&s.viewer, title);
+        fprintf(stderr, "%s\n", title);
+        viewer_report(&s.viewer);
+    }
+    return done;
+}

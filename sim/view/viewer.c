@@ -1,0 +1,189 @@
+#include "sim/view/viewer.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "sim/image/canvas.h"
+#include "core/raster/rectangle.h"
+#include "sim/cli/message.h"
+#include "sim/cli/milliseconds.h"
+#include "port/linux/bands.h"
+
+static const double turns_per_ms = 1.0 / 10000;
+
+bool viewer_init(struct viewer *viewer, const struct model *model,
+                 const struct scene_settings *settings,
+                 const struct viewer_options *options)
+{
+    memset(viewer, 0, sizeof(*viewer));
+    viewer->model = model;
+    viewer->options = options;
+    if (!view_init(&viewer->view, settings, model))
+        return false;
+    viewer->view.turning = !options->still;
+    viewer->stale = true;
+    return scene_init(&viewer->scene, model);
+}
+
+void viewer_free(struct viewer *viewer)
+{
+    scene_free(&viewer->scene);
+}
+
+bool viewer_key(struct viewer *viewer, int key)
+{
+    const enum view_action action = view_key(&viewer->view, key);
+    viewer->stale = viewer->stale || action == VIEW_CHANGED;
+    viewer->over = viewer->over || action == VIEW_END;
+    return action == VIEW_SAVE;
+}
+
+bool viewer_is_over(const struct viewer *viewer)
+{
+    const int frames = viewer->options->frames;
+    return viewer->over || (frames > 0 && viewer->drawn >= frames);
+}
+
+/* Once a second. */
+static bool measure(struct viewer *viewer, double now)
+{
+    const double passed = now - viewer->rate.since;
+    const int drawn = viewer->drawn - viewer->rate.drawn;
+    if (passed < 1000)
+        return false;
+    viewer->rate.fps = drawn * 1000 / passed;
+    viewer->rate.milliseconds =
+        drawn ? (viewer->drawing - viewer->rate.drawing) / drawn : 0;
+    viewer->rate.since = now;
+    viewer->rate.drawn = viewer->drawn;
+    viewer->rate.drawing = viewer->drawing;
+    return true;
+}
+
+bool viewer_advance(struct viewer *viewer)
+{
+    const double now = milliseconds();
+    const struct viewer_options *options = viewer->options;
+    if (viewer->drawn == 0) {
+        viewer->begun = viewer->last = viewer->rate.since = now;
+        return false;
+    }
+    if (viewer->view.turning) {
+        view_orbit(&viewer->view,
+                   options->has_step ? options->step
+                                     : (now - viewer->last) * turns_per_ms,
+                   0);
+        viewer->stale = true;
+    }
+    viewer->stale = viewer->stale || options->frames > 0;
+    viewer->last = now;
+    return measure(viewer, now);
+}
+
+struct job {
+    const struct scene *scene;
+    pel_color background;
+    int failed; /* set by any thread */
+};
+
+static void draw_band(void *context, const struct pel_surface *band)
+{
+    struct job *job = context;
+    pel_clear(band, job->background);
+    if (!scene_draw(job->scene, band))
+        __atomic_store_n(&job->failed, 1, __ATOMIC_RELAXED);
+}
+
+static bool has_light(const struct scene *scene)
+{
+    const struct pel_shading *shading = scene->core.shading;
+    return shading != &pel_shade_flat && shading != &pel_shade_gouraud;
+}
+
+bool viewer_draw(struct viewer *viewer, const struct pel_surface *surface)
+{
+    const double start = milliseconds();
+    const struct pel_rect *clip = &surface->clip;
+    struct scene_settings settings;
+    view_settings(&viewer->view, clip->x1 - clip->x0, clip->y1 - clip->y0,
+                  &settings);
+    settings.left = clip->x0;
+    settings.top = clip->y0;
+    if (!scene_prepare(&viewer->scene, &settings))
+        return false;
+    viewer->view.lit = has_light(&viewer->scene);
+    struct job job = {&viewer->scene, settings.camera.background, 0};
+    pel_bands_draw(viewer->pool, surface, draw_band, &job);
+    viewer->drawing += milliseconds() - start;
+    return !job.failed;
+}
+
+void viewer_shown(struct viewer *viewer)
+{
+    viewer->drawn++;
+    viewer->stale = false;
+}
+
+static bool save(const struct pel_surface *surface, const char *path)
+{
+    const struct canvas canvas = {.surface = *surface};
+    struct picture picture;
+    const bool done =
+        canvas_picture(&canvas, &picture) && picture_save(&picture, path);
+    picture_free(&picture);
+    return done;
+}
+
+bool viewer_save_last(const struct viewer *viewer,
+                      const struct pel_surface *surface)
+{
+    return !viewer->options->output || save(surface, viewer->options->output);
+}
+
+bool viewer_save_new(const struct pel_surface *surface)
+{
+    char path[32];
+    for (int i = 1; i < 1000; i++) {
+        snprintf(path, sizeof(path), "view-%03d%s", i, picture_best_ending());
+        if (access(path, F_OK) != 0)
+            return save(surface, path) &&
+                   fprintf(stderr, "written: %s\n", path) > 0;
+    }
+    return message_error("view-001 to view-999 are there already");
+}
+
+static void put_speed(const struct viewer *viewer, char text[48])
+{
+    text[0] = '\0';
+    if (viewer->view.turning && viewer->rate.fps > 0)
+        snprintf(text, 48, "%.1f fps (drawing %.1f ms), ", viewer->rate.fps,
+                 viewer->rate.milliseconds);
+}
+
+void viewer_title(const struct viewer *viewer, char title[VIEWER_TITLE_SIZE])
+{
+    static const char *const shades[] = {"flat", "Gouraud", "Phong"};
+    static const char *const textures[] = {"no texture", "nearest", "bilinear"};
+    static const char *const orders[] = {"painter", "z-buffer 16",
+                                         "z-buffer 32"};
+    const struct scene_settings *s = &viewer->view.settings;
+    const bool has_texture = viewer->model->texture.width > 0;
+    char speed[48];
+    put_speed(viewer, speed);
+    snprintf(title, VIEWER_TITLE_SIZE,
+             "pel view: %s%u triangles, %s, %s, %s, %s", speed,
+             (unsigned)viewer->model->mesh.triangles, shades[s->shade],
+             viewer->view.lit ? "lit" : "no light",
+             textures[has_texture ? s->texture : SCENE_TEXTURE_NONE],
+             orders[s->order]);
+}
+
+void viewer_report(const struct viewer *viewer)
+{
+    const double passed = milliseconds() - viewer->begun;
+    if (viewer->drawn > 0)
+        fprintf(stderr, "%d frames, %.1f fps, drawing %.3f ms a frame\n",
+                viewer->drawn, viewer->drawn * 1000 / passed,
+                viewer->drawing / viewer->drawn);
+}

@@ -1,0 +1,78 @@
+/* A view on its scene, with a clock: what the window and the device of pel view
+ * have in common. A display does, until viewer_is_over:
+ *
+ *     tell view_key and the like what the user does
+ *     viewer_advance(viewer)
+ *     where viewer->stale: viewer_draw(viewer, surface), show it,
+ *                          viewer_shown(viewer)
+ */
+#ifndef SIM_VIEW_VIEWER_H
+#define SIM_VIEW_VIEWER_H
+
+#include "port/linux/pool.h"
+#include "sim/view/view.h"
+#include "sim/view/keys.h"
+
+struct viewer_options {
+    int frames;         /* to draw, and then to end; 0: until the user ends */
+    bool has_step;      /* not by the clock: */
+    double step;        /* turns of the model from frame to frame */
+    const char *output; /* for the last picture; NULL: none */
+    bool still;         /* no turning at the start */
+};
+
+struct viewer {
+    struct view view;
+    const struct viewer_options *options; /* the caller's, like the model */
+    const struct model *model;
+    struct scene scene;
+    struct pel_pool *pool; /* the display's, which starts it when it is open */
+    bool stale;            /* there is something new to draw */
+    bool over;             /* the user ended it */
+    int drawn;             /* frames */
+    double begun, last;    /* ms: the first frame, the last viewer_advance */
+    double drawing;        /* ms spent on drawing, all frames */
+    struct {
+        double since, drawing; /* ms */
+        int drawn;
+        double fps, milliseconds; /* of the last second; 0: not known */
+    } rate;
+};
+
+/* False, with a message. viewer_free in any case; the pool is for the display
+ * to set. */
+bool viewer_init(struct viewer *viewer, const struct model *model,
+                 const struct scene_settings *settings,
+                 const struct viewer_options *options);
+void viewer_free(struct viewer *viewer);
+
+/* Does what a key says, all but writing the picture: true when that is to be
+ * done, with viewer_save. */
+bool viewer_key(struct viewer *viewer, int key);
+
+/* Lets the time pass. True when the title has changed. */
+bool viewer_advance(struct viewer *viewer);
+
+/* Clears the surface and draws a picture of the size of its clip, side by side
+ * on the threads of the pool. False, with a message. */
+bool viewer_draw(struct viewer *viewer, const struct pel_surface *surface);
+
+/* The frame that was drawn is seen. */
+void viewer_shown(struct viewer *viewer);
+
+bool viewer_is_over(const struct viewer *viewer);
+
+/* Writes what was drawn to options->output, if that is there; after 'w' to a
+ * new file, whose name is told. False, with a message. */
+bool viewer_save_last(const struct viewer *viewer,
+                      const struct pel_surface *surface);
+bool viewer_save_new(const struct pel_surface *surface);
+
+/* What is seen, and how fast: "60.0 fps, 3.1 ms, ...". */
+enum { VIEWER_TITLE_SIZE = 160 };
+void viewer_title(const struct viewer *viewer, char title[VIEWER_TITLE_SIZE]);
+
+/* Frames, their rate and the time of drawing in all, on standard error. */
+void viewer_report(const struct viewer *viewer);
+
+#endif

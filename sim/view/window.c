@@ -1,0 +1,258 @@
+/* The window of pel view. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/cli/message.h"
+#include "sim/view/displays.h"
+
+#ifdef HAVE_SDL2
+#include <SDL.h>
+
+#include "sim/image/canvas.h"
+#include "core/format/formats.h"
+
+/* The picture is drawn into a canvas and carried to the window as a texture: a
+ * 32-bit word that is little-endian on every CPU. */
+#if SDL_BYTEORDER == SDL_LIL_ENDIAN
+#define PIXELS SDL_PIXELFORMAT_RGB888
+#else
+#define PIXELS SDL_PIXELFORMAT_BGRX8888
+#endif
+
+enum { IDLE_MS = 50, OWN_SIZE = 800 };
+
+struct window {
+    SDL_Window *window;
+    SDL_Renderer *renderer;
+    SDL_Texture *texture; /* of the canvas' size */
+    struct canvas canvas;
+    struct viewer *viewer;
+    bool renamed; /* the title is to be set */
+};
+
+static bool fails(const char *what)
+{
+    return message_error("%s (%s); --device auto shows it without a window",
+                         what, SDL_GetError());
+}
+
+/* Canvas and texture of the window's size, whenever that is a new one. */
+static bool fit(struct window *w)
+{
+    const struct pel_rect *had = &w->canvas.surface.bounds;
+    int width, height;
+    if (SDL_GetRendererOutputSize(w->renderer, &width, &height) != 0)
+        return fails("the window's size is not known");
+    width = pel_max(width, 1);
+    height = pel_max(height, 1);
+    if (w->canvas.memory && had->x1 == width && had->y1 == height)
+        return true;
+    canvas_free(&w->canvas);
+    SDL_DestroyTexture(w->texture);
+    w->texture = SDL_CreateTexture(w->renderer, PIXELS,
+                                   SDL_TEXTUREACCESS_STREAMING, width, height);
+    if (!w->texture)
+        return fails("no texture of the window's size");
+    return canvas_init(&w->canvas, &pel_xrgb8888, width, height);
+}
+
+static bool draw(struct window *w)
+{
+    const struct pel_surface *surface = &w->canvas.surface;
+    if (!fit(w) || !viewer_draw(w->viewer, surface))
+        return false;
+    if (SDL_UpdateTexture(w->texture, NULL, surface->pixels, surface->stride) !=
+            0 ||
+        SDL_RenderCopy(w->renderer, w->texture, NULL, NULL) != 0)
+        return fails("the picture cannot be shown");
+    SDL_RenderPresent(w->renderer);
+    viewer_shown(w->viewer);
+    return true;
+}
+
+static int key_of(SDL_Keycode code)
+{
+    switch (code) {
+    case SDLK_LEFT:
+        return VIEW_KEY_LEFT;
+    case SDLK_RIGHT:
+        return VIEW_KEY_RIGHT;
+    case SDLK_UP:
+        return VIEW_KEY_UP;
+    case SDLK_DOWN:
+        return VIEW_KEY_DOWN;
+    case SDLK_KP_PLUS:
+        return '+';
+    case SDLK_KP_MINUS:
+        return '-';
+    default:
+        return code > 0 && code < 128 ? code : VIEW_KEY_UNKNOWN;
+    }
+}
+
+static bool press(struct window *w, SDL_Keycode code)
+{
+    w->renamed = true;
+    return !viewer_key(w->viewer, key_of(code)) ||
+           viewer_save_new(&w->canvas.surface);
+}
+
+/* Half a turn from one side of the window to the other. */
+static void drag(struct window *w, const SDL_MouseMotionEvent *motion)
+{
+    const struct pel_rect *window = &w->canvas.surface.bounds;
+    if (!(motion->state & SDL_BUTTON_LMASK) || !w->canvas.memory)
+        return;
+    view_orbit(&w->viewer->view, motion->xrel * 0.5 / window->x1,
+               motion->yrel * 0.5 / window->y1);
+    w->viewer->stale = true;
+}
+
+static void wheel(struct window *w, const SDL_MouseWheelEvent *turned)
+{
+    for (int i = 0; i < abs(turned->y) && i < 16; i++)
+        viewer_key(w->viewer, turned->y > 0 ? '+' : '-');
+}
+
+static bool handle(struct window *w, const SDL_Event *event)
+{
+    switch (event->type) {
+    case SDL_QUIT:
+        w->viewer->over = true;
+        return true;
+    case SDL_KEYDOWN:
+        return press(w, event->key.keysym.sym);
+    case SDL_MOUSEMOTION:
+        drag(w, &event->motion);
+        return true;
+    case SDL_MOUSEWHEEL:
+        wheel(w, &event->wheel);
+        return true;
+    case SDL_WINDOWEVENT:
+        w->viewer->stale = true;
+        return true;
+    default:
+        return true;
+    }
+}
+
+/* What has come; when there is nothing to draw, what comes in a moment. */
+static bool handle_all(struct window *w)
+{
+    const struct viewer *viewer = w->viewer;
+    const bool busy = viewer->view.turning || viewer->options->frames > 0;
+    SDL_Event event;
+    if (!SDL_WaitEventTimeout(&event, busy ? 0 : IDLE_MS))
+        return true;
+    do {
+        if (!handle(w, &event))
+            return false;
+    } while (SDL_PollEvent(&event));
+    return true;
+}
+
+static void rename_window(struct window *w)
+{
+    char title[VIEWER_TITLE_SIZE];
+    viewer_title(w->viewer, title);
+    SDL_SetWindowTitle(w->window, title);
+    w->renamed = false;
+}
+
+/* The first picture is there before the first key. */
+static bool run(struct window *w)
+{
+    struct viewer *viewer = w->viewer;
+    view_tell_keys(viewer->options);
+    while (!viewer_is_over(viewer)) {
+        if (viewer_advance(viewer))
+            w->renamed = true;
+        if (viewer->stale && !draw(w))
+            return false;
+        if (w->renamed)
+            rename_window(w);
+        if (!handle_all(w))
+            return false;
+    }
+    return viewer_save_last(viewer, &w->canvas.surface);
+}
+
+/* As fast as it goes when frames are counted, else as the screen takes them. */
+static bool open_window(struct window *w)
+{
+    const struct camera *camera = &w->viewer->view.first.camera;
+    const bool timed = w->viewer->options->frames > 0;
+    w->window = SDL_CreateWindow("pel view", SDL_WINDOWPOS_UNDEFINED,
+                                 SDL_WINDOWPOS_UNDEFINED, camera->width,
+                                 camera->height, SDL_WINDOW_RESIZABLE);
+    if (!w->window)
+        return fails("no window");
+    w->renderer = SDL_CreateRenderer(w->window, -1,
+                                     timed ? 0 : SDL_RENDERER_PRESENTVSYNC);
+    return w->renderer || fails("nothing can be drawn into the window");
+}
+
+static void close_window(struct window *w)
+{
+    canvas_free(&w->canvas);
+    SDL_DestroyTexture(w->texture);
+    SDL_DestroyRenderer(w->renderer);
+    SDL_DestroyWindow(w->window);
+    SDL_Quit();
+}
+
+static bool run_viewer(struct window *w, const struct view_job *job)
+{
+    struct viewer viewer;
+    struct pel_pool pool;
+    struct scene_settings settings = *job->settings;
+    if (settings.camera.width == 0)
+        settings.camera.width = settings.camera.height = OWN_SIZE;
+    w->viewer = &viewer;
+    const bool ready =
+        viewer_init(&viewer, job->model, &settings, job->options);
+    pel_pool_start(&pool, view_jobs(job->device->jobs));
+    viewer.pool = &pool;
+    const bool done = ready && open_window(w) && run(w);
+    if (done && job->options->frames > 0)
+        viewer_report(&viewer);
+    pel_pool_end(&pool);
+    viewer_free(&viewer);
+    return done;
+}
+
+/* Without a screen SDL takes a driver that shows nothing, which nobody wants
+ * who has not asked for it. */
+static bool is_unseen(void)
+{
+    const char *driver = SDL_GetCurrentVideoDriver();
+    return !getenv("SDL_VIDEODRIVER") && driver &&
+           (strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0);
+}
+
+bool view_window(const struct view_job *job)
+{
+    struct window window = {.renamed = true};
+    if (SDL_Init(SDL_INIT_VIDEO) != 0)
+        return fails("no screen for a window");
+    if (is_unseen()) {
+        SDL_Quit();
+        return message_error("no screen for a window: DISPLAY and "
+                             "WAYLAND_DISPLAY name none; --device auto would "
+                             "be right, or pel render");
+    }
+    const bool done = run_viewer(&window, job);
+    close_window(&window);
+    return done;
+}
+
+#else
+
+bool view_window(const struct view_job *job)
+{
+    (void)job;
+    return message_error("built without SDL2, which opens windows: install "
+                         "libsdl2-dev and make again, or use --device auto");
+}
+
+#endif
