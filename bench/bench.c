@@ -7,23 +7,22 @@
 
 #include "report.h"
 
-enum { WORKLOADS_MAX = 40 };
+enum { WORKLOADS_MAX = 80 };
 
 struct options {
     struct measure_options measure;
-    const char *csv, *budgets, *only, *skip;
+    const char *csv, *only, *skip;
     bool append, brief;
 };
 
 static const struct argp_option option_table[] = {
     {"repeats", 'r', "N", 0, "samples of each method (21; 3 to 101)", 0},
     {"csv", 'c', "FILE", 0, "write the figures to FILE", 0},
-    {"budgets", 'b', "FILE", 0, "budgets (bench/budgets.csv)", 0},
     {"only", 'o', "TEXT", 0, "only workloads whose name contains TEXT", 0},
     {"skip", 'k', "TEXT", 0, "no workloads whose name contains TEXT", 0},
     {"append", 'a', 0, 0, "add the figures to the end of FILE", 0},
     {"no-coverage", 'n', 0, 0, "do not compare pixels with Pel's", 0},
-    {"brief", 's', 0, 0, "print the budgets only", 0},
+    {"brief", 's', 0, 0, "print the comparison with peers only", 0},
     {0},
 };
 
@@ -38,9 +37,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         return 0;
     case 'c':
         o->csv = arg;
-        return 0;
-    case 'b':
-        o->budgets = arg;
         return 0;
     case 'o':
         o->only = arg;
@@ -68,8 +64,8 @@ static bool is_wanted(const struct options *o, const char *name)
            !(o->skip && strstr(name, o->skip));
 }
 
-static int measure_all(const struct options *o, const struct budgets *budgets,
-                       struct workload *w, struct measurement *m)
+static int measure_all(const struct options *o, struct workload *w,
+                       struct measurement *m)
 {
     int n = 0;
     for (const struct workload *from = workloads; from->name; from++) {
@@ -80,7 +76,7 @@ static int measure_all(const struct options *o, const struct budgets *budgets,
             method_fail("out of memory", "free some and start again");
         measure(&m[n], &w[n], &o->measure);
         if (!o->brief)
-            report_table(stdout, &m[n], budgets_find(budgets, w[n].name));
+            report_table(stdout, &m[n]);
         fflush(stdout);
         workload_close(&w[n]);
         n++;
@@ -88,8 +84,8 @@ static int measure_all(const struct options *o, const struct budgets *budgets,
     return n;
 }
 
-static void write_csv(const struct options *o, const struct budgets *budgets,
-                      const struct measurement *m, int n)
+static void write_csv(const struct options *o, const struct measurement *m,
+                      int n)
 {
     FILE *out = fopen(o->csv, o->append ? "a" : "w");
     if (!out)
@@ -97,7 +93,7 @@ static void write_csv(const struct options *o, const struct budgets *budgets,
     if (!o->append)
         report_csv_header(out);
     for (int i = 0; i < n; i++)
-        report_csv(out, &m[i], budgets);
+        report_csv(out, &m[i]);
     if (ferror(out) | fclose(out))
         method_fail(o->csv, "name a file on a disk with free space");
 }
@@ -106,8 +102,7 @@ int main(int argc, char **argv)
 {
     static struct workload workload[WORKLOADS_MAX];
     static struct measurement measurement[WORKLOADS_MAX];
-    static struct budgets budgets;
-    struct options o = {.measure = {21, false}, .budgets = "bench/budgets.csv"};
+    struct options o = {.measure = {21, false}};
     const struct argp argp = {option_table,
                               parse,
                               0,
@@ -119,12 +114,11 @@ int main(int argc, char **argv)
     argp_parse(&argp, argc, argv, 0, 0, &o);
     if (!method_is_pel(methods[0]))
         method_fail("there is no build of Pel", "install gcc or clang");
-    budgets_read(&budgets, o.budgets);
     timing_pin();
     fputs(methods_absent, stdout);
-    int n = measure_all(&o, &budgets, workload, measurement);
-    report_verdict(stdout, measurement, n, &budgets);
+    int n = measure_all(&o, workload, measurement);
+    report_verdict(stdout, measurement, n);
     if (o.csv)
-        write_csv(&o, &budgets, measurement, n);
+        write_csv(&o, measurement, n);
     return 0;
 }

@@ -41,9 +41,9 @@ endef
 $(eval $(call bench_compiler,gcc,$(BENCH_GCC),gcc))
 $(eval $(call bench_compiler,clang,$(BENCH_CLANG),clang))
 
-BENCH_SOURCES := $(addprefix bench/, bench.c budget.c canvas.c coverage.c \
+BENCH_SOURCES := $(addprefix bench/, bench.c canvas.c coverage.c \
     measure.c method_floor.c method_memset.c methods.c report_csv.c report_table.c \
-    report_verdict.c scale.c timing.c workload.c workload_circle.c workload_polygon.c \
+    report_verdict.c timing.c workload.c workload_circle.c workload_polygon.c \
     workload_triangle.c)
 BENCH_METHODS += method_memset method_floor
 
@@ -61,32 +61,38 @@ endef
 $(eval $(call bench_peer,allegro,allegro,liballegro4-dev))
 $(eval $(call bench_peer,sdl2,sdl2,libsdl2-dev))
 $(eval $(call bench_peer,cairo,cairo,libcairo2-dev))
+$(eval $(call bench_peer,osmesa,osmesa,libosmesa6-dev))
 
-
-# Qt has no C interface: one C++ file.
-ifeq ($(shell pkg-config --exists Qt5Gui && command -v $(CXX) >/dev/null && echo yes),yes)
-BENCH_METHODS += method_qt5
-BENCH_LIBRARIES += $(shell pkg-config --libs Qt5Gui) -lstdc++
-BENCH_OBJECTS += $(BENCH)/host/bench/peer_qt5.o
+# The same for libraries without a C interface: one C++ file each.
+define bench_peer_cpp
+ifeq ($$(shell pkg-config --exists $(2) && command -v $(CXX) >/dev/null && echo yes),yes)
+BENCH_METHODS += method_$(1)
+BENCH_FLAGS_$(1) := $$(subst -I/,-isystem /,$$(shell pkg-config --cflags $(2)))
+BENCH_LIBRARIES += $$(shell pkg-config --libs $(2))
+BENCH_OBJECTS += $(BENCH)/host/bench/peer_$(1).o
 else
-BENCH_ABSENT += peer qt5: not installed (Debian packages qtbase5-dev and g++).\n
+BENCH_ABSENT += peer $(1): not installed (Debian packages $(3) and g++).\n
 endif
+endef
+$(eval $(call bench_peer_cpp,qt5,Qt5Gui,qtbase5-dev))
+$(eval $(call bench_peer_cpp,agg,libagg,libagg-dev))
 
 BENCH_OBJECTS += $(BENCH_SOURCES:%.c=$(BENCH)/host/%.o)
 
+$(BENCH)/host/bench/methods.o: bench/bench.mk
 $(BENCH)/host/bench/methods.o: PEL_CFLAGS += \
     -DBENCH_METHODS='$(call bench_list,$(BENCH_METHODS))' -DBENCH_ABSENT='"$(subst .\n ,.\n,$(BENCH_ABSENT))"'
 $(BENCH)/host/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(PEL_CFLAGS) -O2 $(BENCH_FLAGS_$(patsubst peer_%,%,$(*F))) -c $< -o $@
 
-$(BENCH)/host/bench/peer_qt5.o: bench/peer_qt5.cpp
+$(BENCH)/host/%.o: %.cpp
 	@mkdir -p $(@D)
-	$(CXX) -std=c++17 -Wall -Wextra -Werror -O2 -fPIC -I. -MMD -MP \
-	    $(subst -I/,-isystem /,$(shell pkg-config --cflags Qt5Gui)) -c $< -o $@
+	$(CXX) -std=c++17 -Wall -Wextra $(WERROR) -O2 -fPIC -I. -MMD -MP \
+	    $(BENCH_FLAGS_$(patsubst peer_%,%,$(*F))) -c $< -o $@
 
 $(BENCH_PROGRAM): $(BENCH_OBJECTS)
-	$(CC) $^ $(BENCH_LIBRARIES) -lm -o $@
+	$(CC) $^ $(BENCH_LIBRARIES) -lstdc++ -lm -o $@
 
 # Qt 5.15 mixes AVX2 fills with SSE code, which costs a transition per row (four
 # times slower on recent CPUs); its alpha is better with AVX2. Each in the way
@@ -121,7 +127,7 @@ bench-instructions: $(BENCH)/pel-count ## count Pel's instructions per shape
 	bench/instructions.sh $(BENCH)/pel-count $(BENCH)/instructions.csv
 
 -include $(BENCH_SOURCES:%.c=$(BENCH)/host/%.d) $(BENCH_DEPENDENCIES) \
-    $(BENCH)/host/bench/count.d $(BENCH)/host/bench/peer_qt5.d \
+    $(BENCH)/host/bench/count.d $(wildcard $(BENCH)/host/bench/peer_*.d) \
     $(BENCH)/count/methods.d
 
 # The 3-D pipeline, from the library as the user builds it; meshes are read by

@@ -84,7 +84,8 @@ void measure(struct measurement *out, const struct workload *w,
     for (int i = 0; i < out->results; i++) {
         struct result *r = &out->result[i];
         *r = finish(&contender[i], options->repeats);
-        if (r->method && !method_is_limit(r->method) && !options->no_coverage)
+        if (r->method && !method_is_limit(r->method) &&
+            !method_is_apart(r->method) && !options->no_coverage)
             r->coverage = coverage_of(r->method, w, &canvas);
     }
     canvas_close(&canvas);

@@ -5,7 +5,7 @@
 #include "coverage.h"
 #include "timing.h"
 
-enum { METHODS_MAX = 12, REPEATS_MAX = 101 };
+enum { METHODS_MAX = 16, REPEATS_MAX = 101 };
 
 struct result {
     const struct method *method; /* NULL: this one does not draw the workload */

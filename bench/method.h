@@ -33,6 +33,10 @@ bool method_is_pel(const struct method *m);
 bool method_is_limit(const struct method *m); /* "memset" or "floor" */
 bool method_is_peer(const struct method *m);
 
+/* Draws into memory of its own and copies all of it to the canvas after each
+ * call: its pixels cannot be compared shape by shape. */
+bool method_is_apart(const struct method *m); /* "osmesa" */
+
 /* Zeroed memory; exits when there is none. */
 void *method_allocate(int n, size_t size);
 

@@ -1,5 +1,5 @@
 /* The limit: as many bytes as the workload covers, from the start of the
- * canvas, in the blocks that the limits of budgets.csv were measured with. */
+ * canvas, in blocks that stay in the cache of one core. */
 #include "method.h"
 
 #include <stdlib.h>

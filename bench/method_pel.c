@@ -3,10 +3,13 @@
 #include "method.h"
 
 #include <stdlib.h>
+#include <string.h>
 
+#include "bench/letters.h"
+#include "core/format/argb8888.h"
 #include "core/pel.h"
 
-enum { RAMP = 256 };
+enum { RAMP = 256, PERIMETER = 4 };
 
 struct item {
     struct pel_point v[SHAPE_VERTICES];
@@ -21,11 +24,20 @@ struct job {
     void (*draw)(const struct job *job, const struct item *item, int n);
     void *scratch; /* of polygons */
     size_t scratch_size;
-    const struct pel_paint *paint; /* of the whole canvas */
-    struct pel_radial radial;
-    struct pel_conic conic;
+    union {
+        struct pel_paint paint; /* the first member of all */
+        struct pel_linear linear;
+        struct pel_radial radial;
+        struct pel_conic conic;
+        struct pel_fan fan;
+    } source; /* of the whole canvas, */
+    struct pel_dither dither;
+    const struct pel_paint *paint; /* which is one of the two */
     pel_color ramp_color[RAMP];
-    struct pel_surface texture;
+    struct pel_fan_triangle fan_triangle[PERIMETER];
+    struct pel_surface texture, sprite;
+    enum paint copy;
+    uint8_t wrap; /* of the texture */
 };
 
 static void draw_triangles(const struct job *job, const struct item *item,
@@ -76,6 +88,32 @@ static void draw_screen(const struct job *job, const struct item *item, int n)
         pel_rectangle(&job->surface, item->v[0], item->v[1], job->paint);
 }
 
+static void draw_copies(const struct job *job, const struct item *item, int n)
+{
+    struct pel_copy_part copy = {
+        &job->sprite, {0, 0, SPRITE_SIDE, SPRITE_SIDE}, 0, 0};
+    for (; n > 0; n--, item++) {
+        copy.x = item->v[0].x / 256;
+        copy.y = item->v[0].y / 256;
+        if (job->copy == PAINT_KEYED)
+            pel_copy_keyed(&job->surface, &copy, SPRITE_KEY);
+        else if (job->copy == PAINT_COPY_ALPHA)
+            pel_copy_alpha(&job->surface, &copy, 255);
+        else
+            pel_copy(&job->surface, &copy);
+    }
+}
+
+static void draw_text(const struct job *job, const struct item *item, int n)
+{
+    for (; n > 0; n--, item++) {
+        const struct pel_flat flat = PEL_FLAT(item->color[0]);
+        const struct pel_text_block text = {
+            &letters, letters_line, item->v[0].x / 256, item->v[0].y / 256};
+        pel_text(&job->surface, &text, &flat.paint);
+    }
+}
+
 /* A paint for every triangle, as for a mesh. */
 static void draw_textured(const struct job *job, const struct item *item, int n,
                           enum pel_status init(struct pel_texture *,
@@ -88,6 +126,7 @@ static void draw_textured(const struct job *job, const struct item *item, int n,
     for (; n > 0; n--, item++) {
         pel_texture_map_triangle(&map, item->v, item->texel);
         init(&paint, &texels, &map);
+        paint.wrap_u = paint.wrap_v = job->wrap;
         pel_triangle(&job->surface, item->v, &paint.base.paint);
     }
 }
@@ -114,6 +153,10 @@ static void (*draw_of(const struct workload *w))(const struct job *,
         return draw_lines;
     case FORM_SCREEN:
         return draw_screen;
+    case FORM_COPY:
+        return draw_copies;
+    case FORM_TEXT:
+        return draw_text;
     case FORM_TRIANGLE:
     case FORM_SLIVER:
         break;
@@ -144,39 +187,68 @@ static struct item item_of(const struct workload *w, const struct shape *s)
     return item;
 }
 
-static void set_gradient(struct job *job, const struct workload *w)
+static void set_fan(struct job *job, const struct workload *w)
 {
-    const pel_color *color = job->item[0].color;
-    const struct pel_stop stops[3] = {
-        {0, color[0]}, {32768, color[2]}, {65536, color[1]}};
-    const bool mixed = w->paint == PAINT_RADIAL || w->paint == PAINT_CONIC;
-    const struct pel_ramp ramp = {mixed ? color : job->ramp_color,
-                                  mixed ? 2 : RAMP, PEL_PAD};
-    const struct pel_rings rings = {
-        {PEL_PX(w->width) / 2, PEL_PX(w->height) / 2}, PEL_PX(w->width) / 2, 0};
-    if (!mixed)
-        pel_ramp_fill(job->ramp_color, RAMP, stops, 3);
-    if (w->paint == PAINT_RADIAL || w->paint == PAINT_RADIAL_STOPS)
-        pel_radial_init(&job->radial, &rings, &ramp);
-    else
-        pel_conic_init(&job->conic, rings.center, 0, &ramp);
-    job->paint = w->paint == PAINT_RADIAL || w->paint == PAINT_RADIAL_STOPS
-                     ? &job->radial.base.paint
-                     : &job->conic.base.paint;
+    const int32_t x = PEL_PX(w->width), y = PEL_PX(w->height);
+    const struct pel_point perimeter[PERIMETER] = {
+        {0, 0}, {x, 0}, {x, y}, {0, y}};
+    const pel_color *c = job->item[0].color;
+    const pel_color perimeter_color[PERIMETER] = {c[0], c[1], c[0], c[1]};
+    const struct pel_fan_points points = {
+        {x / 2, y / 2}, c[2], perimeter, perimeter_color, PERIMETER};
+    pel_fan_init(&job->source.fan, &points, job->fan_triangle);
 }
 
-/* In the canvas's own format. */
-static void set_texture(struct job *job)
+static void set_gradient(struct job *job, const struct workload *w)
 {
-    const struct pel_format *format = job->surface.format;
-    const uint32_t *texel = workload_texture();
-    void *memory = method_allocate(TEXTURE_SIDE, TEXTURE_SIDE * 4);
-    pel_surface_init(&job->texture, format, memory,
-                     (size_t)TEXTURE_SIDE * TEXTURE_SIDE * 4,
-                     &(struct pel_rect){0, 0, TEXTURE_SIDE, TEXTURE_SIDE});
-    for (int y = 0; y < TEXTURE_SIDE; y++)
-        format->put(&job->texture, 0, y, TEXTURE_SIDE,
-                    texel + y * TEXTURE_SIDE);
+    const struct item *item = &job->item[0];
+    const bool stops =
+        w->paint == PAINT_RADIAL_STOPS || w->paint == PAINT_CONIC_STOPS;
+    const struct pel_stop stop[3] = {
+        {0, item->color[0]}, {32768, item->color[2]}, {65536, item->color[1]}};
+    const struct pel_ramp ramp = {stops ? job->ramp_color : item->color,
+                                  stops ? RAMP : 2, PEL_PAD};
+    const struct pel_rings rings = {
+        {PEL_PX(w->width) / 2, PEL_PX(w->height) / 2}, PEL_PX(w->width) / 2, 0};
+    pel_ramp_fill(job->ramp_color, RAMP, stop, 3);
+    if (w->paint == PAINT_FAN)
+        set_fan(job, w);
+    else if (w->paint < PAINT_RADIAL)
+        pel_linear_init(&job->source.linear, item->v[0], item->v[2], &ramp);
+    else if (w->paint < PAINT_CONIC)
+        pel_radial_init(&job->source.radial, &rings, &ramp);
+    else
+        pel_conic_init(&job->source.conic, rings.center, 0, &ramp);
+    pel_dither_init(&job->dither, &job->source.paint);
+    job->paint =
+        w->paint == PAINT_DITHERED ? &job->dither.paint : &job->source.paint;
+}
+
+/* A square picture. */
+static void set_picture(struct pel_surface *picture,
+                        const struct pel_format *format, int side,
+                        const uint32_t *color)
+{
+    void *memory = method_allocate(side, (size_t)side * 4);
+    pel_surface_init(picture, format, memory, (size_t)side * (size_t)side * 4,
+                     &(struct pel_rect){0, 0, side, side});
+    for (int y = 0; y < side; y++)
+        format->put(picture, 0, y, side, color + y * side);
+}
+
+/* In the canvas's own format, but for sprites with alpha. */
+static void set_pictures(struct job *job, const struct workload *w)
+{
+    const uint32_t *sprite = workload_sprite(w->paint);
+    const bool alpha = w->paint == PAINT_COPY_ALPHA;
+    set_picture(&job->texture, job->surface.format, TEXTURE_SIDE,
+                workload_texture());
+    set_picture(&job->sprite, alpha ? &pel_argb8888 : job->surface.format,
+                SPRITE_SIDE, sprite);
+    if (alpha) /* what is drawn into argb8888 is opaque */
+        memcpy(job->sprite.pixels, sprite, SPRITE_SIDE * SPRITE_SIDE * 4);
+    job->copy = w->paint;
+    job->wrap = w->size < TEXTURE_SIDE / 2 ? PEL_WRAP_CLAMP : PEL_WRAP_REPEAT;
 }
 
 static void *open_job(const struct workload *w, const struct canvas *c)
@@ -190,8 +262,9 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     job->item = method_allocate(w->count, sizeof *job->item);
     for (int i = 0; i < w->count; i++)
         job->item[i] = item_of(w, &w->shape[i]);
-    set_gradient(job, w);
-    set_texture(job);
+    if (w->form == FORM_SCREEN)
+        set_gradient(job, w);
+    set_pictures(job, w);
     job->radius = PEL_PX(w->size);
     job->draw = draw_of(w);
     job->scratch_size = pel_polygon_scratch_size(SHAPE_VERTICES);
@@ -209,6 +282,7 @@ static void close_job(void *data)
 {
     struct job *job = data;
     free(job->texture.pixels);
+    free(job->sprite.pixels);
     free(job->item);
     free(job->scratch);
     free(job);

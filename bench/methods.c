@@ -31,6 +31,11 @@ bool method_is_peer(const struct method *m)
     return !method_is_pel(m) && !method_is_limit(m);
 }
 
+bool method_is_apart(const struct method *m)
+{
+    return strcmp(m->name, "osmesa") == 0;
+}
+
 void *method_allocate(int n, size_t size)
 {
     void *memory = calloc((size_t)n, size);

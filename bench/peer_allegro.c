@@ -1,8 +1,11 @@
 /* Allegro 4: triangle(), polygon(), circlefill() and line(), with drawing_mode
- * for alpha, and triangle3d() with POLYTYPE_GRGB for Gouraud. */
+ * for alpha, triangle3d() with POLYTYPE_GRGB for Gouraud, sprites, and text of
+ * its own font. */
 #include "method.h"
 
 #include <stdlib.h>
+
+#include "letters.h"
 
 #define ALLEGRO_NO_MAGIC_MAIN
 #include <allegro.h>
@@ -11,7 +14,7 @@ struct item {
     int point[2 * SHAPE_VERTICES];
     int color;
     V3D v[3];
-    BITMAP *texture;
+    BITMAP *texture; /* or sprite */
 };
 
 struct job {
@@ -68,9 +71,46 @@ static void draw_lines(BITMAP *bitmap, struct item *item, int n, int radius)
     }
 }
 
+static void draw_copies(BITMAP *bitmap, struct item *item, int n, int radius)
+{
+    (void)radius;
+    for (; n > 0; n--, item++)
+        blit(item->texture, bitmap, 0, 0, item->point[0], item->point[1],
+             SPRITE_SIDE, SPRITE_SIDE);
+}
+
+static void draw_keyed(BITMAP *bitmap, struct item *item, int n, int radius)
+{
+    (void)radius;
+    for (; n > 0; n--, item++)
+        draw_sprite(bitmap, item->texture, item->point[0], item->point[1]);
+}
+
+static void draw_alpha(BITMAP *bitmap, struct item *item, int n, int radius)
+{
+    (void)radius;
+    for (; n > 0; n--, item++)
+        draw_trans_sprite(bitmap, item->texture, item->point[0],
+                          item->point[1]);
+}
+
+static void draw_text(BITMAP *bitmap, struct item *item, int n, int radius)
+{
+    (void)radius;
+    for (; n > 0; n--, item++)
+        textout_ex(bitmap, font, letters_line, item->point[0], item->point[1],
+                   item->color, -1);
+}
+
 static void choose(struct job *job, const struct workload *w)
 {
-    if (w->form == FORM_CIRCLE)
+    if (w->form == FORM_TEXT)
+        job->draw = draw_text;
+    else if (w->form == FORM_COPY)
+        job->draw = w->paint == PAINT_COPY    ? draw_copies
+                    : w->paint == PAINT_KEYED ? draw_keyed
+                                              : draw_alpha;
+    else if (w->form == FORM_CIRCLE)
         job->draw = draw_circles;
     else if (w->form == FORM_POLYGON)
         job->draw = draw_polygons;
@@ -119,18 +159,29 @@ static BITMAP *bitmap_over(const struct canvas *c)
     return bitmap;
 }
 
-static BITMAP *texture_of(int depth)
+/* Without alpha, so that the key is Allegro's, or with it. */
+static BITMAP *picture_of(const uint32_t *color, int side, int depth,
+                          bool alpha)
 {
-    BITMAP *texture = create_bitmap_ex(depth, TEXTURE_SIDE, TEXTURE_SIDE);
-    const uint32_t *texel = workload_texture();
-    for (int i = 0; texture && i < TEXTURE_SIDE * TEXTURE_SIDE; i++)
-        putpixel(texture, i % TEXTURE_SIDE, i / TEXTURE_SIDE,
-                 makecol_depth(depth, (int)(texel[i] >> 16 & 255),
-                               (int)(texel[i] >> 8 & 255),
-                               (int)(texel[i] & 255)));
-    if (!texture)
+    BITMAP *picture = create_bitmap_ex(depth, side, side);
+    for (int i = 0; picture && i < side * side; i++)
+        putpixel(picture, i % side, i / side,
+                 makeacol_depth(depth, (int)(color[i] >> 16 & 255),
+                                (int)(color[i] >> 8 & 255),
+                                (int)(color[i] & 255),
+                                alpha ? (int)(color[i] >> 24) : 0));
+    if (!picture)
         method_fail("Allegro has no memory", "free some and start again");
-    return texture;
+    return picture;
+}
+
+static BITMAP *texture_of(const struct workload *w, int depth)
+{
+    const bool alpha = w->paint == PAINT_COPY_ALPHA;
+    if (w->form != FORM_COPY)
+        return picture_of(workload_texture(), TEXTURE_SIDE, depth, false);
+    return picture_of(workload_sprite(w->paint), SPRITE_SIDE,
+                      alpha ? 32 : depth, alpha);
 }
 
 /* No gradients but Gouraud's, and no bilinear textures. */
@@ -145,13 +196,16 @@ static void *open_job(const struct workload *w, const struct canvas *c)
         return NULL;
     struct job *job = method_allocate(1, sizeof *job);
     job->bitmap = bitmap_over(c);
-    job->texture = texture_of(c->bits);
+    job->texture = texture_of(w, c->bits);
     job->item = method_allocate(w->count, sizeof *job->item);
     for (int i = 0; i < w->count; i++)
         job->item[i] = item_of(&w->shape[i], c->bits, job->texture);
     job->radius = w->size;
     choose(job, w);
-    set_trans_blender(0, 0, 0, WORKLOAD_ALPHA);
+    if (w->form == FORM_COPY)
+        set_alpha_blender();
+    else
+        set_trans_blender(0, 0, 0, WORKLOAD_ALPHA);
     drawing_mode(w->paint == PAINT_ALPHA ? DRAW_MODE_TRANS : DRAW_MODE_SOLID,
                  NULL, 0, 0);
     return job;

@@ -1,4 +1,5 @@
-/* cairo without antialiasing: paths that are filled, lines that are stroked. */
+/* cairo without antialiasing: paths that are filled, lines that are stroked,
+ * patterns that are painted. */
 #define _DEFAULT_SOURCE
 #include "method.h"
 
@@ -11,11 +12,41 @@ struct job {
     const struct workload *workload;
     cairo_surface_t *surface;
     cairo_t *cairo;
+    cairo_pattern_t *pattern; /* of a gradient, or NULL */
 };
+
+static bool can_draw(const struct workload *w)
+{
+    if (w->form == FORM_SCREEN)
+        return w->paint <= PAINT_RADIAL_STOPS && w->paint != PAINT_DITHERED;
+    return w->form != FORM_TEXT && w->paint < PAINT_GOURAUD;
+}
+
+static void add_stop(cairo_pattern_t *pattern, double at, uint32_t color)
+{
+    cairo_pattern_add_color_stop_rgb(pattern, at, (color >> 16 & 255) / 255.0,
+                                     (color >> 8 & 255) / 255.0,
+                                     (color & 255) / 255.0);
+}
+
+static cairo_pattern_t *gradient_of(const struct workload *w)
+{
+    const struct shape *s = w->shape;
+    const double x = w->width / 2.0, y = w->height / 2.0;
+    cairo_pattern_t *pattern =
+        w->paint < PAINT_RADIAL
+            ? cairo_pattern_create_linear(0, 0, s->x[2], s->y[2])
+            : cairo_pattern_create_radial(x, y, 0, x, y, x);
+    add_stop(pattern, 0, s->color[0]);
+    if (w->paint == PAINT_RADIAL_STOPS)
+        add_stop(pattern, .5, s->color[2]);
+    add_stop(pattern, 1, s->color[1]);
+    return pattern;
+}
 
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
-    if (w->paint >= PAINT_GOURAUD)
+    if (!can_draw(w))
         return NULL;
     struct job *job = method_allocate(1, sizeof *job);
     job->workload = w;
@@ -29,6 +60,10 @@ static void *open_job(const struct workload *w, const struct canvas *c)
     cairo_set_antialias(job->cairo, CAIRO_ANTIALIAS_NONE);
     cairo_set_line_width(job->cairo, 1);
     cairo_set_line_cap(job->cairo, CAIRO_LINE_CAP_SQUARE);
+    if (w->form == FORM_SCREEN) {
+        job->pattern = gradient_of(w);
+        cairo_set_source(job->cairo, job->pattern);
+    }
     return job;
 }
 
@@ -72,8 +107,11 @@ static void draw(void *data, int first, int n)
     const struct shape *s = w->shape + first;
     cairo_surface_mark_dirty(job->surface);
     for (; n > 0; n--, s++) {
-        set_color(job, s);
-        if (w->form == FORM_CIRCLE)
+        if (!job->pattern)
+            set_color(job, s);
+        if (job->pattern)
+            cairo_paint(job->cairo);
+        else if (w->form == FORM_CIRCLE)
             draw_circle(job->cairo, s, w->size);
         else if (w->form == FORM_LINE)
             draw_line(job->cairo, s);
@@ -86,6 +124,7 @@ static void draw(void *data, int first, int n)
 static void close_job(void *data)
 {
     struct job *job = data;
+    cairo_pattern_destroy(job->pattern);
     cairo_destroy(job->cairo);
     cairo_surface_destroy(job->surface);
     free(job);

@@ -18,6 +18,7 @@ struct item {
 struct job {
     const struct workload *workload;
     QImage *image;
+    QImage sprite;
     QPainter *painter;
     struct item *item;
 };
@@ -25,20 +26,21 @@ struct job {
 static QBrush gradient_of(const struct workload *w, const struct shape *s)
 {
     const QPointF center(w->width / 2., w->height / 2.);
+    QLinearGradient linear(QPointF(0, 0), QPointF(s->x[2], s->y[2]));
     QRadialGradient radial(center, w->width / 2.);
     QConicalGradient conic(center, 0);
     const bool stops =
         w->paint == PAINT_RADIAL_STOPS || w->paint == PAINT_CONIC_STOPS;
-    for (QGradient *g : {static_cast<QGradient *>(&radial),
-                         static_cast<QGradient *>(&conic)}) {
-        g->setColorAt(0, QColor::fromRgb(s->color[0]));
-        if (stops)
-            g->setColorAt(.5, QColor::fromRgb(s->color[2]));
-        g->setColorAt(1, QColor::fromRgb(s->color[1]));
-    }
-    if (w->paint == PAINT_RADIAL || w->paint == PAINT_RADIAL_STOPS)
-        return QBrush(radial);
-    return QBrush(conic);
+    QGradient *g = &conic;
+    if (w->paint < PAINT_RADIAL)
+        g = &linear;
+    else if (w->paint < PAINT_CONIC)
+        g = &radial;
+    g->setColorAt(0, QColor::fromRgb(s->color[0]));
+    if (stops)
+        g->setColorAt(.5, QColor::fromRgb(s->color[2]));
+    g->setColorAt(1, QColor::fromRgb(s->color[1]));
+    return QBrush(*g);
 }
 
 /* The turned texture at unit scale, its middle at vertex 0. */
@@ -81,8 +83,11 @@ static struct item item_of(const struct workload *w, const struct shape *s,
 
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
-    if (w->paint == PAINT_GOURAUD)
+    if (w->paint == PAINT_GOURAUD || w->paint == PAINT_DITHERED ||
+        w->paint == PAINT_FAN || w->paint == PAINT_KEYED ||
+        w->form == FORM_TEXT)
         return nullptr;
+    const bool alpha = w->paint == PAINT_COPY_ALPHA;
     struct job *job = new struct job;
     job->workload = w;
     job->image =
@@ -98,6 +103,13 @@ static void *open_job(const struct workload *w, const struct canvas *c)
         QImage(reinterpret_cast<const uchar *>(workload_texture()),
                TEXTURE_SIDE, TEXTURE_SIDE, QImage::Format_RGB32)
             .convertToFormat(job->image->format());
+    job->sprite =
+        QImage(reinterpret_cast<const uchar *>(workload_sprite(w->paint)),
+               SPRITE_SIDE, SPRITE_SIDE, QImage::Format_ARGB32)
+            .convertToFormat(alpha ? QImage::Format_ARGB32_Premultiplied
+                                   : job->image->format());
+    if (w->paint == PAINT_COPY)
+        job->painter->setCompositionMode(QPainter::CompositionMode_Source);
     job->item = new struct item[static_cast<size_t>(w->count)];
     for (int i = 0; i < w->count; i++)
         job->item[i] = item_of(w, &w->shape[i], texture);
@@ -130,7 +142,10 @@ static void draw(void *data, int first, int n)
 {
     const struct job *job = static_cast<struct job *>(data);
     for (const struct item *item = job->item + first; n > 0; n--, item++)
-        draw_shape(job->painter, job->workload, item);
+        if (job->workload->form == FORM_COPY)
+            job->painter->drawImage(item->point[0], job->sprite);
+        else
+            draw_shape(job->painter, job->workload, item);
 }
 
 static void close_job(void *data)

@@ -1,5 +1,5 @@
 /* SDL2: SDL_RenderGeometry and lines on a software renderer, one call for all
- * shapes. */
+ * shapes; copies from surface to surface. */
 #include "method.h"
 
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 #include <SDL.h>
 
 struct job {
-    SDL_Surface *surface;
+    SDL_Surface *surface, *sprite;
     SDL_Renderer *renderer;
     const struct workload *workload;
     SDL_Vertex *vertex;
@@ -38,13 +38,38 @@ static void open_renderer(struct job *job, const struct canvas *c)
         method_fail(SDL_GetError(), "check the installation of SDL2");
 }
 
+/* In the format of the canvas, or with alpha. */
+static void open_sprite(struct job *job, enum paint paint)
+{
+    SDL_Surface *all = SDL_CreateRGBSurfaceWithFormatFrom(
+        (void *)(uintptr_t)workload_sprite(paint), SPRITE_SIDE, SPRITE_SIDE, 32,
+        SPRITE_SIDE * 4, SDL_PIXELFORMAT_ARGB8888);
+    const Uint32 format = paint == PAINT_COPY_ALPHA
+                              ? (Uint32)SDL_PIXELFORMAT_ARGB8888
+                              : job->surface->format->format;
+    if (all)
+        job->sprite = SDL_ConvertSurfaceFormat(all, format, 0);
+    if (!job->sprite)
+        method_fail(SDL_GetError(), "check the installation of SDL2");
+    SDL_FreeSurface(all);
+    SDL_SetSurfaceBlendMode(job->sprite, paint == PAINT_COPY_ALPHA
+                                             ? SDL_BLENDMODE_BLEND
+                                             : SDL_BLENDMODE_NONE);
+    if (paint == PAINT_KEYED)
+        SDL_SetColorKey(job->sprite, SDL_TRUE,
+                        SDL_MapRGB(job->sprite->format, SPRITE_KEY >> 16,
+                                   SPRITE_KEY >> 8 & 255, SPRITE_KEY & 255));
+}
+
 static void *open_job(const struct workload *w, const struct canvas *c)
 {
     if (w->form == FORM_CIRCLE || w->form == FORM_POLYGON ||
-        w->paint > PAINT_GOURAUD)
+        w->form == FORM_TEXT ||
+        (w->form != FORM_COPY && w->paint > PAINT_GOURAUD))
         return NULL;
     struct job *job = method_allocate(1, sizeof *job);
     open_renderer(job, c);
+    open_sprite(job, w->paint);
     SDL_SetRenderDrawBlendMode(job->renderer, w->paint == PAINT_ALPHA
                                                   ? SDL_BLENDMODE_BLEND
                                                   : SDL_BLENDMODE_NONE);
@@ -66,10 +91,21 @@ static void draw_lines(const struct job *job, int first, int n)
     }
 }
 
+static void draw_copies(const struct job *job, int first, int n)
+{
+    const struct shape *s = job->workload->shape + first;
+    for (; n > 0; n--, s++) {
+        SDL_Rect to = {s->x[0], s->y[0], 0, 0};
+        SDL_BlitSurface(job->sprite, NULL, job->surface, &to);
+    }
+}
+
 static void draw(void *data, int first, int n)
 {
     const struct job *job = data;
-    if (job->workload->form == FORM_LINE)
+    if (job->workload->form == FORM_COPY)
+        draw_copies(job, first, n);
+    else if (job->workload->form == FORM_LINE)
         draw_lines(job, first, n);
     else if (SDL_RenderGeometry(job->renderer, NULL, job->vertex + first * 3,
                                 n * 3, NULL, 0))
@@ -81,6 +117,7 @@ static void close_job(void *data)
 {
     struct job *job = data;
     SDL_DestroyRenderer(job->renderer);
+    SDL_FreeSurface(job->sprite);
     SDL_FreeSurface(job->surface);
     free(job->vertex);
     free(job);

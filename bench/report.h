@@ -4,22 +4,19 @@
 
 #include <stdio.h>
 
-#include "budget.h"
 #include "measure.h"
 
 /* Columns: compiler, workload, method, ns, q1, q3, ratio_to_memset,
- * ratio_to_best_peer, budget_ns, budget_by_memset, budget_by_peer, pixels,
- * more_percent, wrong_percent; empty where there is nothing to say. */
+ * ratio_to_best_peer, pixels, more_percent, wrong_percent; empty where there is
+ * nothing to say. */
 void report_csv_header(FILE *out);
-void report_csv(FILE *out, const struct measurement *m,
-                const struct budgets *all);
+void report_csv(FILE *out, const struct measurement *m);
 
 /* The same for people, one block for each workload. */
-void report_table(FILE *out, const struct measurement *m,
-                  const struct budget *budget);
+void report_table(FILE *out, const struct measurement *m);
 
-/* Does Pel keep its budgets? One line for each workload and build of Pel. */
-void report_verdict(FILE *out, const struct measurement *m, int n,
-                    const struct budgets *all);
+/* One line for each workload that peers draw: each build of Pel beside the best
+ * of them. */
+void report_verdict(FILE *out, const struct measurement *m, int n);
 
 #endif

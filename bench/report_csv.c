@@ -1,12 +1,9 @@
 #include "report.h"
 
-#include "scale.h"
-
 void report_csv_header(FILE *out)
 {
     fputs("compiler,workload,method,ns,q1,q3,ratio_to_memset,"
-          "ratio_to_best_peer,budget_ns,budget_by_memset,budget_by_peer,"
-          "pixels,more_percent,wrong_percent\n",
+          "ratio_to_best_peer,pixels,more_percent,wrong_percent\n",
           out);
 }
 
@@ -17,35 +14,13 @@ static void put_ratio(FILE *out, double ns, const struct result *to)
         fprintf(out, "%.4f", ns / to->ns.median);
 }
 
-static void put_positive(FILE *out, double value)
-{
-    fputc(',', out);
-    if (value > 0)
-        fprintf(out, "%.1f", value);
-}
-
-static void put_budget(FILE *out, const struct measurement *m,
-                       const struct method *method, const struct budgets *all)
-{
-    const struct budget *b = budgets_find(all, m->workload->name);
-    if (!b || !method_is_pel(method)) {
-        fputs(",,,", out);
-        return;
-    }
-    double ns = scale_budget(b, method);
-    put_positive(out, ns);
-    put_positive(out, scale_by_memset(m, b, ns));
-    put_positive(out, scale_by_peer(m, all, ns));
-}
-
 static void put_result(FILE *out, const struct measurement *m,
-                       const struct result *r, const struct budgets *all)
+                       const struct result *r)
 {
     fprintf(out, "%s,%s,%s,%.2f,%.2f,%.2f", r->method->build, m->workload->name,
             r->method->name, r->ns.median, r->ns.q1, r->ns.q3);
     put_ratio(out, r->ns.median, measurement_find(m, "memset"));
     put_ratio(out, r->ns.median, measurement_best_peer(m));
-    put_budget(out, m, r->method, all);
     fprintf(out, ",%.2f,", m->pixels);
     if (r->coverage.known)
         fprintf(out, "%.4f,%.4f", r->coverage.more, r->coverage.wrong);
@@ -54,10 +29,9 @@ static void put_result(FILE *out, const struct measurement *m,
     fputc('\n', out);
 }
 
-void report_csv(FILE *out, const struct measurement *m,
-                const struct budgets *all)
+void report_csv(FILE *out, const struct measurement *m)
 {
     for (int i = 0; i < m->results; i++)
         if (m->result[i].method)
-            put_result(out, m, &m->result[i], all);
+            put_result(out, m, &m->result[i]);
 }

@@ -20,14 +20,11 @@ static void put_result(FILE *out, const struct measurement *m,
     fputc('\n', out);
 }
 
-void report_table(FILE *out, const struct measurement *m,
-                  const struct budget *budget)
+void report_table(FILE *out, const struct measurement *m)
 {
     const struct workload *w = m->workload;
     fprintf(out, "\n%s: %d shapes, %.1f px each, %dx%d, %d bits", w->name,
             w->count, m->pixels, w->width, w->height, w->bits);
-    if (budget)
-        fprintf(out, "; budget %.0f ns", budget->ns);
     fprintf(out, "\n  %-22s %10s %10s %10s %8s %8s %8s %8s\n", "method",
             "ns median", "q1", "q3", "/memset", "/peer", "more %", "wrong %");
     for (int i = 0; i < m->results; i++)

@@ -1,65 +1,52 @@
 #include "report.h"
 
-#include <string.h>
+#include <math.h>
 
-#include "scale.h"
-
-static void put_header(FILE *out, const char *title)
+static void put_header(FILE *out, const struct measurement *m)
 {
-    fprintf(out, "\n%s\n%-19s %-13s %9s %9s | %7s %16s %16s\n", title,
-            "workload", "build of pel", "ns", "floor", "budget", "by memset",
-            "by peer");
+    fprintf(out,
+            "\nNanoseconds of the best peer, and how many times as long it "
+            "takes as Pel.\n%-20s %-9s %10s",
+            "workload", "peer", "ns");
+    for (int k = 0; k < m->results; k++)
+        if (method_is_pel(methods[k]))
+            fprintf(out, " %13s", methods[k]->build);
+    fputc('\n', out);
 }
 
-static void put_check(FILE *out, double ns, double limit)
+/* Adds to the sum of logarithms of each build. */
+static void put_row(FILE *out, const struct measurement *m,
+                    const struct result *peer, double *sum)
 {
-    if (limit > 0)
-        fprintf(out, " %11.1f %-4s", limit, ns <= limit ? "ok" : "OVER");
-    else
-        fprintf(out, " %11s %-4s", "-", "");
+    fprintf(out, "%-20s %-9s %10.1f", m->workload->name, peer->method->name,
+            peer->ns.median);
+    for (int k = 0; k < m->results; k++)
+        if (method_is_pel(methods[k])) {
+            const double times = peer->ns.median / m->result[k].ns.median;
+            sum[k] += log(times);
+            fprintf(out, " %13.2f", times);
+        }
+    fputc('\n', out);
 }
 
-static void put_result(FILE *out, const struct measurement *m,
-                       const struct budgets *all, const struct result *pel)
+void report_verdict(FILE *out, const struct measurement *m, int n)
 {
-    const struct budget *b = budgets_find(all, m->workload->name);
-    const struct result *floor_ns = measurement_find(m, "floor");
-    const double ns = pel->ns.median, budget = scale_budget(b, pel->method);
-    const int peer = scale_peer(m, all);
-    fprintf(out, "%-19s %-13s %9.1f %9.1f | %7.0f", m->workload->name,
-            pel->method->build, ns, floor_ns->ns.median, budget);
-    put_check(out, ns, scale_by_memset(m, b, budget));
-    put_check(out, ns, scale_by_peer(m, all, budget));
-    fprintf(out, " %s\n", peer < 0 ? "" : all->peer[peer]);
-}
-
-static void put_builds(FILE *out, const struct measurement *m, int n,
-                       const struct budgets *all, bool native)
-{
+    double sum[METHODS_MAX] = {0};
+    int rows = 0;
+    if (n > 0)
+        put_header(out, m);
     for (int i = 0; i < n; i++) {
-        if (!budgets_find(all, m[i].workload->name))
-            continue;
-        for (int k = 0; k < m[i].results; k++) {
-            const struct result *r = &m[i].result[k];
-            if (r->method && method_is_pel(r->method) &&
-                (strstr(r->method->build, "native") != NULL) == native)
-                put_result(out, &m[i], all, r);
+        const struct result *peer = measurement_best_peer(&m[i]);
+        if (peer) {
+            put_row(out, &m[i], peer, sum);
+            rows++;
         }
     }
-}
-
-void report_verdict(FILE *out, const struct measurement *m, int n,
-                    const struct budgets *all)
-{
-    fputs(
-        "\nBudgets, ns. They were measured on another machine, so what counts "
-        "is the budget\ntimes what memset (or the best peer with a figure "
-        "there) takes here over what it\ntook there. The floor stores the "
-        "same pixels and does nothing else.\n",
-        out);
-    put_header(out, "Baseline code:");
-    put_builds(out, m, n, all, false);
-    put_header(out, "For this CPU (-O3 -march=native), which wider vectors may "
-                    "use:");
-    put_builds(out, m, n, all, true);
+    if (rows == 0)
+        return;
+    fprintf(out, "%-41s", "geometric mean");
+    for (int k = 0; k < m->results; k++)
+        if (method_is_pel(methods[k]))
+            fprintf(out, " %13.2f", exp(sum[k] / rows));
+    fputc('\n', out);
 }

@@ -2,6 +2,7 @@
 
 #include <stdlib.h>
 
+#include "bench/lighting.h"
 #include "core/format/formats.h"
 #include "method.h"
 #include "timing.h"
@@ -10,18 +11,6 @@ enum { TEXELS = 256, TIMES_MAX = 41 };
 
 /* A picture takes this long at most before it is timed less often. */
 static const double enough_ns = 3e8;
-
-static const struct pel_light light = {
-    .at = {PEL_UNITS(2), PEL_UNITS(3), PEL_UNITS(4)},
-    .color = {65536, 65536, 65536}};
-static const struct pel_lighting lighting = {
-    .light = &light,
-    .lights = 1,
-    .ambient_color = {65536, 65536, 65536},
-    .ambient = PEL_FACTOR(20),
-    .diffuse = PEL_FACTOR(70),
-    .specular = PEL_FACTOR(30),
-    .shininess = 20};
 
 static uint64_t counted;
 

@@ -1,5 +1,5 @@
 # Called by speed_chart.sh with `data`, a folder, and `png`, the picture's name.
-set terminal pngcairo size 1100,760 font "sans,11"
+set terminal pngcairo size 1100,1100 font "sans,11"
 set output png
 set title "Nanoseconds per pixel: Pel, its limits and peers (less is better)"
 set logscale x
@@ -23,7 +23,7 @@ pel_gcc_-O2:Pel,_gcc_-O2:#0055cc:7 pel_clang_-O2:Pel,_clang_-O2:#0055cc:6 \
 pel_gcc_-native:Pel,_gcc_native:#33aadd:7 \
 pel_clang_-native:Pel,_clang_native:#33aadd:6 \
 allegro4:Allegro_4:#dd7700:5 sdl2:SDL2:#228833:9 cairo:cairo:#cc2222:13 \
-qt5:Qt_5:#8844aa:11"] {
+qt5:Qt_5:#8844aa:11 osmesa:OSMesa:#996633:1 agg:AGG:#cc66aa:2"] {
     name = system("echo ".s." | cut -d: -f1")
     if (has(name)) {
         files = files." ".name

@@ -19,7 +19,7 @@ awk -F, -v out="$data" '
     {
         series = $3 == "pel" ? "pel " $1 : $3
         gsub(/ /, "_", series)
-        print row[$2], $4 / $12 >(out "/" series)
+        print row[$2], $4 / $9 >(out "/" series)
     }' "$csv"
 
 gnuplot -e "data='$data'; png='$png'" "$(dirname "$0")/speed_chart.gp"

@@ -5,44 +5,58 @@
 #define BIG 1200, 1200, 32
 #define PANEL 320, 240, 16
 
+#define LARGE BIG, 1198, 80000, 120000, 40, 0
+#define MEDIUM BIG, 80, 800, 1200, 2000, 0
+#define SMALL BIG, 8, 6, 14, 20000, 0
+#define PANEL_LARGE PANEL, 238, 8000, 12000, 400, 0
+#define PANEL_MEDIUM PANEL, 80, 800, 1200, 2000, 0
+#define PANEL_SMALL PANEL, 8, 6, 14, 20000, 0
+
+/* Triangles of three sizes on either canvas. */
+#define TRIANGLES(name, paint)                                       \
+    {name "-large", FORM_TRIANGLE, paint, LARGE},                    \
+        {name "-medium", FORM_TRIANGLE, paint, MEDIUM},              \
+        {name "-small", FORM_TRIANGLE, paint, SMALL},                \
+        {"565-" name "-large", FORM_TRIANGLE, paint, PANEL_LARGE},   \
+        {"565-" name "-medium", FORM_TRIANGLE, paint, PANEL_MEDIUM}, \
+    {                                                                \
+        "565-" name "-small", FORM_TRIANGLE, paint, PANEL_SMALL      \
+    }
+
+/* `count` shapes on either canvas. */
+#define BOTH(name, form, paint, size, count)                  \
+    {name, form, paint, BIG, size, 0, 0, count, 0},           \
+    {                                                         \
+        "565-" name, form, paint, PANEL, size, 0, 0, count, 0 \
+    }
+
 const struct workload workloads[] = {
-    {"flat-large", FORM_TRIANGLE, PAINT_FLAT, BIG, 1198, 80000, 120000, 40, 0},
-    {"flat-medium", FORM_TRIANGLE, PAINT_FLAT, BIG, 80, 800, 1200, 2000, 0},
-    {"flat-small", FORM_TRIANGLE, PAINT_FLAT, BIG, 8, 6, 14, 20000, 0},
+    TRIANGLES("flat", PAINT_FLAT),
+    TRIANGLES("alpha", PAINT_ALPHA),
+    TRIANGLES("gouraud", PAINT_GOURAUD),
+    TRIANGLES("nearest", PAINT_NEAREST),
+    TRIANGLES("bilinear", PAINT_BILINEAR),
     {"sliver", FORM_SLIVER, PAINT_FLAT, BIG, 1000, 0, 0, 400, 0},
-    {"gouraud-large", FORM_TRIANGLE, PAINT_GOURAUD, BIG, 1198, 80000, 120000,
-     40, 0},
-    {"gouraud-medium", FORM_TRIANGLE, PAINT_GOURAUD, BIG, 80, 800, 1200, 2000,
-     0},
-    {"gouraud-small", FORM_TRIANGLE, PAINT_GOURAUD, BIG, 8, 6, 14, 20000, 0},
-    {"alpha-large", FORM_TRIANGLE, PAINT_ALPHA, BIG, 1198, 80000, 120000, 40,
-     0},
-    {"alpha-medium", FORM_TRIANGLE, PAINT_ALPHA, BIG, 80, 800, 1200, 2000, 0},
-    {"circle-5", FORM_CIRCLE, PAINT_FLAT, BIG, 5, 0, 0, 20000, 0},
-    {"circle-50", FORM_CIRCLE, PAINT_FLAT, BIG, 50, 0, 0, 2000, 0},
+    BOTH("circle-5", FORM_CIRCLE, PAINT_FLAT, 5, 20000),
+    BOTH("circle-50", FORM_CIRCLE, PAINT_FLAT, 50, 2000),
     {"circle-500", FORM_CIRCLE, PAINT_FLAT, BIG, 500, 0, 0, 40, 0},
-    {"polygon-8", FORM_POLYGON, PAINT_FLAT, BIG, 80, 0, 0, 2000, 0},
-    {"line", FORM_LINE, PAINT_FLAT, BIG, 80, 0, 0, 4000, 0},
-    {"radial", FORM_SCREEN, PAINT_RADIAL, BIG, 0, 0, 0, 1, 0},
-    {"radial-stops", FORM_SCREEN, PAINT_RADIAL_STOPS, BIG, 0, 0, 0, 1, 0},
-    {"conic", FORM_SCREEN, PAINT_CONIC, BIG, 0, 0, 0, 1, 0},
-    {"conic-stops", FORM_SCREEN, PAINT_CONIC_STOPS, BIG, 0, 0, 0, 1, 0},
-    {"texture-nearest", FORM_TRIANGLE, PAINT_NEAREST, BIG, 80, 800, 1200, 2000,
-     0},
-    {"texture-bilinear", FORM_TRIANGLE, PAINT_BILINEAR, BIG, 80, 800, 1200,
-     2000, 0},
-    {"565-flat-large", FORM_TRIANGLE, PAINT_FLAT, PANEL, 238, 8000, 12000, 400,
-     0},
-    {"565-flat-medium", FORM_TRIANGLE, PAINT_FLAT, PANEL, 80, 800, 1200, 2000,
-     0},
-    {"565-gouraud-medium", FORM_TRIANGLE, PAINT_GOURAUD, PANEL, 80, 800, 1200,
-     2000, 0},
-    {"565-alpha-medium", FORM_TRIANGLE, PAINT_ALPHA, PANEL, 80, 800, 1200, 2000,
-     0},
-    {"565-texture", FORM_TRIANGLE, PAINT_NEAREST, PANEL, 80, 800, 1200, 2000,
-     0},
-    {"565-radial", FORM_SCREEN, PAINT_RADIAL, PANEL, 0, 0, 0, 1, 0},
-    {"565-conic", FORM_SCREEN, PAINT_CONIC, PANEL, 0, 0, 0, 1, 0},
+    BOTH("polygon-8", FORM_POLYGON, PAINT_FLAT, 80, 2000),
+    BOTH("line", FORM_LINE, PAINT_FLAT, 80, 4000),
+    BOTH("linear-vertical", FORM_SCREEN, PAINT_VERTICAL, 0, 1),
+    BOTH("linear-horizontal", FORM_SCREEN, PAINT_HORIZONTAL, 0, 1),
+    BOTH("linear-sloped", FORM_SCREEN, PAINT_SLOPED, 0, 1),
+    BOTH("radial", FORM_SCREEN, PAINT_RADIAL, 0, 1),
+    BOTH("radial-stops", FORM_SCREEN, PAINT_RADIAL_STOPS, 0, 1),
+    BOTH("conic", FORM_SCREEN, PAINT_CONIC, 0, 1),
+    BOTH("conic-stops", FORM_SCREEN, PAINT_CONIC_STOPS, 0, 1),
+    BOTH("fan", FORM_SCREEN, PAINT_FAN, 0, 1),
+    {"565-dithered", FORM_SCREEN, PAINT_DITHERED, PANEL, 0, 0, 0, 1, 0},
+    {"565-dithered-big", FORM_SCREEN, PAINT_DITHERED, 1200, 1200, 16, 0, 0, 0,
+     1, 0},
+    BOTH("copy", FORM_COPY, PAINT_COPY, 0, 1000),
+    BOTH("copy-keyed", FORM_COPY, PAINT_KEYED, 0, 1000),
+    BOTH("copy-alpha", FORM_COPY, PAINT_COPY_ALPHA, 0, 1000),
+    BOTH("text", FORM_TEXT, PAINT_FLAT, 0, 1000),
     {0},
 };
 
@@ -53,6 +67,8 @@ int workload_vertices(const struct workload *w)
         return 1;
     case FORM_LINE:
     case FORM_SCREEN:
+    case FORM_COPY:
+    case FORM_TEXT:
         return 2;
     case FORM_POLYGON:
         return SHAPE_VERTICES;
@@ -77,6 +93,30 @@ const uint32_t *workload_texture(void)
     return texel;
 }
 
+/* 255 inside the disc, 128 on its rim, 0 outside. */
+static uint32_t sprite_alpha(int i)
+{
+    const int dx = 2 * (i % SPRITE_SIDE) + 1 - SPRITE_SIDE;
+    const int dy = 2 * (i / SPRITE_SIDE) + 1 - SPRITE_SIDE;
+    const int square = dx * dx + dy * dy;
+    return square < 60 * 60 ? 255 : square < 63 * 63 ? 128 : 0;
+}
+
+const uint32_t *workload_sprite(enum paint paint)
+{
+    static uint32_t pixel[SPRITE_SIDE * SPRITE_SIDE];
+    struct random r = {88172645463325252u};
+    for (int i = 0; i < SPRITE_SIDE * SPRITE_SIDE; i++) {
+        const uint32_t alpha = sprite_alpha(i);
+        pixel[i] = 0xFF000000u | random_color(&r);
+        if (paint == PAINT_COPY_ALPHA)
+            pixel[i] = alpha << 24 | (pixel[i] & 0xFFFFFFu);
+        if (paint == PAINT_KEYED && alpha == 0)
+            pixel[i] = 0xFF000000u | SPRITE_KEY;
+    }
+    return pixel;
+}
+
 bool workload_open(struct workload *w)
 {
     void (*const make[])(const struct workload *, struct random *,
@@ -84,6 +124,7 @@ bool workload_open(struct workload *w)
         [FORM_TRIANGLE] = triangle_make, [FORM_SLIVER] = sliver_make,
         [FORM_CIRCLE] = circle_make,     [FORM_POLYGON] = polygon_make,
         [FORM_LINE] = line_make,         [FORM_SCREEN] = screen_make,
+        [FORM_COPY] = copy_make,         [FORM_TEXT] = text_make,
     };
     struct random r = {88172645463325252u};
     w->shape = calloc((size_t)w->count, sizeof *w->shape);

@@ -1,6 +1,5 @@
-/* Workloads: what every method has to draw. TARGETS of the budgets define
- * them: vertices on whole pixels, uniform in a square box at a random place,
- * kept when the area is in the range. */
+/* Workloads: what every method has to draw: vertices on whole pixels, uniform
+ * in a square box at a random place, kept when the area is in the range. */
 #ifndef BENCH_WORKLOAD_H
 #define BENCH_WORKLOAD_H
 
@@ -17,22 +16,35 @@ enum form {
     FORM_CIRCLE,
     FORM_POLYGON,
     FORM_LINE,
-    FORM_SCREEN /* the whole canvas */
+    FORM_SCREEN, /* the whole canvas */
+    FORM_COPY,   /* of the sprite, to a random place */
+    FORM_TEXT    /* a line of letters there */
 };
 
-/* Gradients are about the centre of the canvas, to half its width; the _STOPS
- * have a third colour in the middle. Textures show TEXTURE_SIDE^2 texels at
- * unit scale, turned. */
+/* Linear gradients run from corner (0, 0) of the canvas to the shape's vertex
+ * 2, the others are about its centre, to half its width; two colours, and the
+ * _STOPS have a third in the middle. PAINT_DITHERED is the sloped one. A fan
+ * has its hub in the centre. Textures show TEXTURE_SIDE^2 texels at unit scale,
+ * turned; large triangles repeat them. Copies have no colours but those of the
+ * sprite. */
 enum paint {
     PAINT_FLAT,
     PAINT_ALPHA,
     PAINT_GOURAUD,
+    PAINT_VERTICAL,
+    PAINT_HORIZONTAL,
+    PAINT_SLOPED,
+    PAINT_DITHERED,
     PAINT_RADIAL,
     PAINT_RADIAL_STOPS,
     PAINT_CONIC,
     PAINT_CONIC_STOPS,
+    PAINT_FAN,
     PAINT_NEAREST,
-    PAINT_BILINEAR
+    PAINT_BILINEAR,
+    PAINT_COPY,
+    PAINT_KEYED,
+    PAINT_COPY_ALPHA
 };
 
 /* Alpha of PAINT_ALPHA, of 255. */
@@ -74,6 +86,16 @@ enum { TEXTURE_SIDE = 256 };
 /* 0xFFRRGGBB, line by line, of random colours as shapes have them. */
 const uint32_t *workload_texture(void);
 
+enum { SPRITE_SIDE = 64, SPRITE_KEY = 0xFF00FF };
+
+/* 0xAARRGGBB, line by line, of random colours: a square; with PAINT_KEYED a
+ * disc in a square of the key; with PAINT_COPY_ALPHA one with a soft rim in
+ * nothing. It stays until the next call. */
+const uint32_t *workload_sprite(enum paint paint);
+
+/* Letters of a line of text, and the size of each, px. */
+enum { TEXT_LETTERS = 24, LETTER_SIDE = 8 };
+
 /* A random turn of the texture about its middle, where vertex 0 lies. */
 void texture_place(struct random *r, struct shape *s);
 
@@ -84,5 +106,7 @@ void circle_make(const struct workload *w, struct random *r, struct shape *s);
 void polygon_make(const struct workload *w, struct random *r, struct shape *s);
 void line_make(const struct workload *w, struct random *r, struct shape *s);
 void screen_make(const struct workload *w, struct random *r, struct shape *s);
+void copy_make(const struct workload *w, struct random *r, struct shape *s);
+void text_make(const struct workload *w, struct random *r, struct shape *s);
 
 #endif

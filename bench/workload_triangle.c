@@ -64,6 +64,28 @@ void screen_make(const struct workload *w, struct random *r, struct shape *s)
     (void)r;
     s->x[1] = w->width;
     s->y[1] = w->height;
+    s->x[2] = w->paint == PAINT_VERTICAL ? 0 : w->width;
+    s->y[2] = w->paint == PAINT_HORIZONTAL ? 0 : w->height;
+}
+
+/* A rectangle at a random place inside. */
+static void place_inside(const struct workload *w, struct random *r,
+                         struct shape *s, int width, int height)
+{
+    s->x[0] = random_between(r, 0, w->width - width);
+    s->y[0] = random_between(r, 0, w->height - height);
+    s->x[1] = s->x[0] + width;
+    s->y[1] = s->y[0] + height;
+}
+
+void copy_make(const struct workload *w, struct random *r, struct shape *s)
+{
+    place_inside(w, r, s, SPRITE_SIDE, SPRITE_SIDE);
+}
+
+void text_make(const struct workload *w, struct random *r, struct shape *s)
+{
+    place_inside(w, r, s, TEXT_LETTERS * LETTER_SIDE, LETTER_SIDE);
 }
 
 void line_make(const struct workload *w, struct random *r, struct shape *s)

@@ -42,10 +42,12 @@
 #endif
 #endif
 
-/* 1 on CPUs that multiply 32 by 32 to 64 bits with one instruction. */
+/* 1 on CPUs that multiply 32 by 32 to 64 bits with one instruction or two:
+ * RISC-V with M, and Xtensa but for the ESP8266, which has no windowed ABI. */
 #ifndef PEL_LONG_MULTIPLY
 #if PEL_FAST_64BIT || (defined(__ARM_ARCH) && __ARM_ARCH >= 7) || \
-    defined(__i386__)
+    defined(__i386__) || defined(__riscv_mul) ||                  \
+    defined(__XTENSA_WINDOWED_ABI__)
 #define PEL_LONG_MULTIPLY 1
 #else
 #define PEL_LONG_MULTIPLY 0

@@ -1,8 +1,8 @@
 /* What a hit test costs: a pixel in the shape, one outside near by, and one far
  * off; and the topmost of 16 targets, of which the last but 15 is hit. */
 #include "bench/mcu/report.h"
+#include "bench/mcu/stopwatch.h"
 #include "core/pel.h"
-#include "port/cortex_m/systick.h"
 
 enum { CALLS = 16, TARGETS = 16 };
 
@@ -110,12 +110,12 @@ static const struct hit_case {
 #undef NAMES
 };
 
-static uint32_t hit_ticks(hit_function *volatile hit, int32_t x, int32_t y)
+static int32_t hit_time(hit_function *volatile hit, int32_t x, int32_t y)
 {
-    uint32_t from = systick_read();
+    uint32_t from = stopwatch_read();
     for (int i = 0; i < CALLS; i++)
         hit(NULL, x, y);
-    return systick_elapsed(from, systick_read());
+    return stopwatch_eighths(from, stopwatch_read());
 }
 
 struct disc_target {
@@ -141,9 +141,9 @@ static void topmost_report(void)
                                  PEL_PX(12)};
         list[i] = &discs[i].target;
     }
-    uint32_t from = systick_read();
+    uint32_t from = stopwatch_read();
     const int32_t top = pel_hit_topmost(list, TARGETS, 18, 50);
-    report("topmost", TARGETS, systick_elapsed(from, systick_read()),
+    report("topmost", TARGETS, stopwatch_eighths(from, stopwatch_read()),
            top == 0 ? 1 : 0);
 }
 
@@ -152,9 +152,9 @@ void hits_report(void)
     for (unsigned i = 0; i < sizeof hit_cases / sizeof *hit_cases; i++)
         for (int k = 0; k < 3; k++) {
             const struct hit_case *c = &hit_cases[i];
-            uint32_t ticks = hit_ticks(c->hit, c->x[k], c->y[k]) -
-                             hit_ticks(nothing, c->x[k], c->y[k]);
-            report(c->name[k], 1, ticks, CALLS);
+            int32_t time = hit_time(c->hit, c->x[k], c->y[k]) -
+                           hit_time(nothing, c->x[k], c->y[k]);
+            report(c->name[k], 1, time, CALLS);
         }
     topmost_report();
 }

@@ -1,8 +1,8 @@
-/* Instructions per triangle and per pixel on a Cortex-M, counted by SysTick in
- * an emulator in which time is instructions. */
+/* Instructions per triangle and per pixel, counted in an emulator in which time
+ * is instructions. */
 #include "bench/mcu/report.h"
+#include "bench/mcu/stopwatch.h"
 #include "core/pel.h"
-#include "port/cortex_m/systick.h"
 
 enum { WIDTH = 240, HEIGHT = 320, TRIANGLES = 200 };
 
@@ -42,13 +42,13 @@ static void triangles_make(int32_t side)
     }
 }
 
-static uint32_t triangles_ticks(draw_function *draw,
-                                const struct pel_paint *paint)
+static int32_t triangles_time(draw_function *draw,
+                              const struct pel_paint *paint)
 {
-    uint32_t from = systick_read();
+    uint32_t from = stopwatch_read();
     for (int i = 0; i < TRIANGLES; i++)
         draw(&surface, triangle[i], paint);
-    return systick_elapsed(from, systick_read());
+    return stopwatch_eighths(from, stopwatch_read());
 }
 
 /* What the loop itself costs. */
@@ -73,28 +73,27 @@ static void triangles_report(const char *name, const struct pel_paint *paint)
     draw_function *volatile loop_only = draw_nothing;
     for (unsigned i = 0; i < sizeof sides / sizeof *sides; i++) {
         triangles_make(sides[i]);
-        uint32_t loop = triangles_ticks(loop_only, paint);
-        uint32_t ticks = triangles_ticks(pel_triangle, paint);
-        report(name, sides[i], ticks - loop, TRIANGLES);
+        int32_t loop = triangles_time(loop_only, paint);
+        int32_t time = triangles_time(pel_triangle, paint);
+        report(name, sides[i], time - loop, TRIANGLES);
     }
 }
 
-static uint32_t rectangle_ticks(int32_t width, const struct pel_paint *paint)
+static int32_t rectangle_time(int32_t width, const struct pel_paint *paint)
 {
     const struct pel_point top_left = PEL_AT(10, 10);
     const struct pel_point bottom_right = PEL_AT(10 + width, HEIGHT - 10);
-    uint32_t from = systick_read();
+    uint32_t from = stopwatch_read();
     pel_rectangle(&surface, top_left, bottom_right, paint);
-    return systick_elapsed(from, systick_read());
+    return stopwatch_eighths(from, stopwatch_read());
 }
 
 /* The cost of a pixel more in a long run: rows of 208 px less rows of 16. */
 static void pixels_report(const char *name, const struct pel_paint *paint)
 {
     const int32_t wide = 208, narrow = 16;
-    uint32_t ticks =
-        rectangle_ticks(wide, paint) - rectangle_ticks(narrow, paint);
-    report(name, wide - narrow, ticks,
+    int32_t time = rectangle_time(wide, paint) - rectangle_time(narrow, paint);
+    report(name, wide - narrow, time,
            (uint32_t)(wide - narrow) * (HEIGHT - 20));
 }
 
@@ -109,7 +108,7 @@ int main(void)
                                         PEL_RGB(0, 0, 255)};
     struct pel_gouraud gouraud;
     pel_gouraud_init(&gouraud, screen, colors);
-    systick_start();
+    stopwatch_start();
     triangles_report("walk", &none);
     triangles_report("fill", &flat.paint);
     pixels_report("flat-pixel", &flat.paint);
@@ -117,5 +116,6 @@ int main(void)
     pixels_report("gouraud-pixel", &gouraud.paint);
     textures_report();
     hits_report();
+    matrix_report();
     return 0;
 }

@@ -1,24 +1,34 @@
-# Instructions on Cortex-M, counted in an emulator: exact, and the same on every
-# machine. Both CPUs' code runs on one board, whose memory holds a whole screen;
-# SysTick there is 25 MHz, and an instruction takes 64 ns: 1.6 ticks.
-include port/cortex_m/cortex_m.mk
+# Instructions on microcontrollers and small CPUs, counted in an emulator: exact,
+# and the same on every machine.
+include port/boards.mk
 
 .PHONY: bench-mcu
 
-MCU_BENCH := $(wildcard bench/mcu/*.c)
+MCU_BENCH := $(sort $(wildcard bench/mcu/*.c))
+MCU_BENCH_ELFS := $(BOARDS:%=$(BUILD)/bench/mcu/%.elf)
 
-# $1 CPU
+# As the tables name the CPUs; and -icount of QEMU (stopwatch.h).
+MCU_BENCH_m0plus := cortex-m0plus shift=6
+MCU_BENCH_m4 := cortex-m4 shift=6
+MCU_BENCH_rv32 := rv32imc shift=0
+MCU_BENCH_a53 := cortex-a53 shift=6
+
+# $1 board
 define mcu_bench
-$(BUILD)/bench/mcu/$1.elf: $(MCU_BENCH:%.c=$(BUILD)/mcu/$1-O2/%.o) \
-    $(MCU_PORT:%.c=$(BUILD)/mcu/$1-O2/%.o) $(BUILD)/mcu/$1-O2/libpel.a
+$(BUILD)/bench/mcu/$1/%.o: %.c | need-boards
 	@mkdir -p $$(@D)
-	$(MCU_CC) -mcpu=$1 $(MCU_LDFLAGS) $(call mcu_script,mps2_an386) \
-	    $$^ -o $$@
+	$(CPU_PREFIX_$1)-gcc $(CPU_FLAGS_$1) $$(PEL_CFLAGS) -O2 -c $$< -o $$@
+$(BUILD)/bench/mcu/$1.elf: $(MCU_BENCH:%.c=$(BUILD)/bench/mcu/$1/%.o) \
+    $(CORE:%.c=$(BUILD)/bench/mcu/$1/%.o)
+	$(CPU_PREFIX_$1)-gcc $(CPU_FLAGS_$1) $$^ $(CPU_LINK_$1) -o $$@
 endef
-$(foreach c,$(MCU_CPUS),$(eval $(call mcu_bench,$c)))
+$(foreach b,$(BOARDS),$(eval $(call mcu_bench,$b)))
 
-MCU_BENCH_ELFS := $(MCU_CPUS:%=$(BUILD)/bench/mcu/%.elf)
-
-bench-mcu: $(MCU_BENCH_ELFS) | need-qemu-arm ## instructions on Cortex-M: build/bench/mcu.tsv
-	bench/mcu/run.sh $(BUILD)/bench "$(MCU_CPUS)" >$(BUILD)/bench/mcu.tsv
+bench-mcu: $(MCU_BENCH_ELFS) ## instructions on small CPUs: build/bench/mcu.tsv; ACCEPT=1 keeps them
+	printf '%s\n' $(foreach b,$(BOARDS),\
+	    '$(MCU_BENCH_$b) $(BUILD)/bench/mcu/$b.elf $(CPU_RUN_$b)') | \
+	    bench/mcu/run.sh >$(BUILD)/bench/mcu.tsv
 	bench/mcu/table.sh $(BUILD)/bench/mcu.tsv $(ACCEPT)
+
+-include $(foreach b,$(BOARDS),$(wildcard $(BUILD)/bench/mcu/$b/*/*.d \
+    $(BUILD)/bench/mcu/$b/*/*/*.d))

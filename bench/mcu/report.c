@@ -1,14 +1,10 @@
 #include "bench/mcu/report.h"
 
-#include "port/cortex_m/semihost.h"
+#include <inttypes.h>
+#include <stdio.h>
 
-void report(const char *name, int32_t parameter, uint32_t ticks, uint32_t per)
+void report(const char *name, int32_t parameter, int32_t time, uint32_t per)
 {
-    const uint32_t numbers[] = {(uint32_t)parameter, ticks, per};
-    semihost_write(name);
-    for (int i = 0; i < 3; i++) {
-        semihost_write(" ");
-        semihost_write_number(numbers[i]);
-    }
-    semihost_write("\n");
+    printf("%s %" PRId32 " %" PRId32 " %" PRIu32 "\n", name, parameter, time,
+           per);
 }

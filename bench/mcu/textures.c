@@ -1,8 +1,8 @@
 /* What a pixel of a texture costs: lines 224 px long less lines of 96, both
  * inside the picture, or past its edge again and again where it repeats. */
 #include "bench/mcu/report.h"
+#include "bench/mcu/stopwatch.h"
 #include "core/pel.h"
-#include "port/cortex_m/systick.h"
 
 enum { SIDE = 256, LINES = 64, LONG = 224, SHORT = 96 };
 
@@ -24,19 +24,19 @@ static const struct pel_surface screen = {
     .format = &pel_rgb565_le,
 };
 
-static uint32_t ticks_of(int32_t width, const struct pel_paint *paint)
+static int32_t time_of(int32_t width, const struct pel_paint *paint)
 {
     const struct pel_point from = {0, 0}, to = {PEL_PX(width), PEL_PX(LINES)};
-    uint32_t start = systick_read();
+    uint32_t start = stopwatch_read();
     pel_rectangle(&screen, from, to, paint);
-    return systick_elapsed(start, systick_read());
+    return stopwatch_eighths(start, stopwatch_read());
 }
 
 static void texture_report(const char *name, const struct pel_texture *texture)
 {
     const struct pel_paint *paint = &texture->base.paint;
-    uint32_t ticks = ticks_of(LONG, paint) - ticks_of(SHORT, paint);
-    report(name, LONG - SHORT, ticks, (LONG - SHORT) * LINES);
+    int32_t time = time_of(LONG, paint) - time_of(SHORT, paint);
+    report(name, LONG - SHORT, time, (LONG - SHORT) * LINES);
 }
 
 /* A step of 0.95 texels to the right and 0.24 down for a pixel to the right. */

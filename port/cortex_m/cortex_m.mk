@@ -32,7 +32,7 @@ $(BUILD)/mcu/$1$2/libpel.a: $(CORE:%.c=$(BUILD)/mcu/$1$2/%.o)
 	rm -f $$@
 	arm-none-eabi-ar rcs $$@ $$^
 endef
-$(foreach c,$(MCU_CPUS),$(foreach o,-Os -O2,$(eval $(call mcu_objects,$c,$o))))
+$(foreach c,$(MCU_CPUS),$(eval $(call mcu_objects,$c,-Os)))
 
 -include $(wildcard $(BUILD)/mcu/*/*/*.d $(BUILD)/mcu/*/*/*/*.d)
 .PRECIOUS: $(BUILD)/mcu/%.o

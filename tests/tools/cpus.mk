@@ -6,31 +6,20 @@
 
 # CPUs, each with the prefix of its compiler and its emulator; `host` is this
 # machine. s390x and powerpc are big-endian, with 64 and with 32 bits. The
-# microcontrollers run on a board without an operating system.
+# microcontrollers run on boards without an operating system.
+include port/boards.mk
 CPUS := host i686 armhf aarch64 s390x powerpc
-MICRO_CPUS := m0plus m4
+MICRO_CPUS := m0plus m4 rv32
 CPU_PREFIX_i686 := i686-linux-gnu
 CPU_PREFIX_armhf := arm-linux-gnueabihf
 CPU_PREFIX_aarch64 := aarch64-linux-gnu
 CPU_PREFIX_s390x := s390x-linux-gnu
 CPU_PREFIX_powerpc := powerpc-linux-gnu
-CPU_PREFIX_m0plus := arm-none-eabi
-CPU_PREFIX_m4 := arm-none-eabi
-CPU_FLAGS_m0plus := -mcpu=cortex-m0plus -mthumb --specs=picolibc.specs
-CPU_FLAGS_m4 := -mcpu=cortex-m4 -mthumb --specs=picolibc.specs
 CPU_RUN_i686 := qemu-i386-static
 CPU_RUN_armhf := qemu-arm-static
 CPU_RUN_aarch64 := qemu-aarch64-static
 CPU_RUN_s390x := qemu-s390x-static
 CPU_RUN_powerpc := qemu-ppc-static
-CPU_RUN_m4 := qemu-system-arm -M mps2-an386 -display none -monitor none \
-    -serial none -chardev stdio,id=out \
-    -semihosting-config enable=on,target=native,chardev=out -kernel
-CPU_RUN_m0plus := $(CPU_RUN_m4)
-CPU_LINK_m4 := --oslib=semihost --crt0=hosted -Wl,--defsym=__flash=0 \
-    -Wl,--defsym=__flash_size=4M -Wl,--defsym=__ram=0x20000000 \
-    -Wl,--defsym=__ram_size=4M
-CPU_LINK_m0plus := $(CPU_LINK_m4)
 
 cpu_cc_gcc = $(if $(CPU_PREFIX_$1),$(CPU_PREFIX_$1)-)gcc
 cpu_cc_clang = clang$(if $(CPU_PREFIX_$1), --target=$(CPU_PREFIX_$1))
@@ -70,14 +59,11 @@ cpu_build = $(call cpu_build_of,$1,$(call cpu_word,1,$1),$(call \
 CPU_BUILDS := $(if $(filter deep deep-cpus,$(MAKECMDGOALS)),$(CPU_DEEP),$(CPU_CHECK))
 $(foreach b,$(CPU_BUILDS),$(eval $(call cpu_build,$b)))
 
-need-cpus:
+need-cpus: | need-boards
 	@tests/tools/need.sh gcc:gcc clang:clang \
 	    $(foreach p,$(filter-out host,$(CPUS)),\
 	        $(CPU_PREFIX_$p)-gcc:gcc-$(CPU_PREFIX_$p) \
-	        $(CPU_RUN_$p):qemu-user-static) \
-	    arm-none-eabi-gcc:gcc-arm-none-eabi qemu-system-arm:qemu-system-arm
-	@test -f "$$(arm-none-eabi-gcc -print-file-name=picolibc.specs)" || \
-	    tests/tools/need.sh picolibc.specs:picolibc-arm-none-eabi
+	        $(CPU_RUN_$p):qemu-user-static)
 
 # $1 builds: lines of a build and the emulator that runs it
 cpu_lines = $(foreach b,$1,'$b $(CPU_RUN_$(call cpu_word,2,$b))')

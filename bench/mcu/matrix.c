@@ -1,0 +1,284 @@
+/* What a pixel costs in every paint, copy and shading on four formats: rows of
+ * 192 px less rows of 64, in a band of a screen of 240 x 320; and, on rgb565,
+ * what setting up and drawing 8 x 8 px costs. */
+#include <stdio.h>
+
+#include "bench/letters.h"
+#include "bench/lighting.h"
+#include "bench/mcu/report.h"
+#include "bench/mcu/stopwatch.h"
+#include "core/format/argb8888.h"
+#include "core/pel.h"
+
+enum {
+    LEFT = 24,
+    TOP = 120,
+    LONG = 192,
+    SHORT = 64,
+    ROWS = 8,
+    SMALL = 8, /* px a side */
+    SIDE = 256 /* of the picture, texels */
+};
+
+static uint32_t band_memory[LONG * ROWS], picture_memory[SIDE * SIDE];
+static struct pel_surface band, picture, sprite;
+
+static const struct pel_point corners[4] = {PEL_AT(0, 0), PEL_AT(240, 0),
+                                            PEL_AT(240, 320), PEL_AT(0, 320)};
+static const struct pel_point around[3] = {PEL_AT(-300, -10), PEL_AT(540, -10),
+                                           PEL_AT(120, 700)};
+static const pel_color colors[4] = {PEL_RGB(250, 40, 20), PEL_RGB(20, 60, 240),
+                                    PEL_RGB(40, 200, 90),
+                                    PEL_RGB(230, 220, 40)};
+static const struct pel_ramp ramp = {colors, 2, PEL_PAD};
+
+static union {
+    struct pel_paint paint; /* the first member of all */
+    struct pel_flat flat;
+    struct pel_linear linear;
+    struct pel_radial radial;
+    struct pel_conic conic;
+    struct pel_hue_wheel hue;
+    struct pel_fan fan;
+    struct pel_gouraud gouraud;
+    struct pel_texture texture;
+} source;
+static struct pel_dither dither;
+static const struct pel_paint *paint;
+
+/* A mesh of one triangle, larger than the screen, under one light. */
+static const int16_t positions[3][3] = {
+    {-900, -700, 0}, {900, -700, 0}, {0, 900, 0}};
+static const int8_t normals[3][3] = {
+    {-60, -60, 94}, {60, -60, 94}, {0, 85, 94}};
+static const uint8_t indices[1][3] = {{0, 1, 2}};
+static const struct pel_mesh mesh = {.vertices = 3,
+                                     .triangles = 1,
+                                     .position = {{0, 0, 0}, 1, 8},
+                                     .positions = positions,
+                                     .normals8 = normals,
+                                     .indices8 = indices};
+static struct pel_scene scene = {.mesh = &mesh,
+                                 .camera = {.eye = {0, 0, PEL_UNITS(3)},
+                                            .up = {0, 1, 0},
+                                            .near = PEL_UNITS(1) / 16,
+                                            .focal = 50,
+                                            .sensor = {30, 40}},
+                                 .viewport = {0, 0, 240, 320},
+                                 .lighting = &lighting,
+                                 .color = PEL_RGB(200, 180, 90)};
+static struct pel_frame frame;
+
+static enum pel_status make_mesh(const struct pel_shading *shading)
+{
+    static uint64_t scratch[250];
+    scene.shading = shading;
+    return pel_scene_prepare(&frame, &scene, scratch, sizeof scratch);
+}
+
+/* A step of 0.95 texels to the right and 0.24 down for a pixel to the right. */
+static const struct pel_texels texels = {.surface = &picture};
+static const struct pel_texture_map turned = {
+    {UINT64_C(20) << 32, 4080218931, 0 - UINT64_C(1030792151)},
+    {UINT64_C(20) << 32, 1030792151, 4080218931}};
+
+enum make {
+    FLAT,
+    ALPHA,
+    VERTICAL,
+    HORIZONTAL,
+    SLOPED,
+    RADIAL,
+    CONIC,
+    HUE,
+    FAN,
+    GOURAUD,
+    NEAREST,
+    BILINEAR,
+    MESH_FLAT,
+    MESH_GOURAUD,
+    MESH_PHONG
+};
+
+static enum pel_status make_source(enum make what)
+{
+    static const struct pel_flat flat = PEL_FLAT(PEL_RGB(255, 128, 0));
+    static const struct pel_flat alpha = PEL_FLAT(PEL_RGBA(255, 128, 0, 128));
+    static const struct pel_rings rings = {PEL_AT(120, 160), PEL_PX(200), 0};
+    static struct pel_fan_triangle triangles[4];
+    static const struct pel_fan_points fan = {
+        PEL_AT(120, 160), PEL_RGB(255, 255, 255), corners, colors, 4};
+    switch (what) {
+    case FLAT:
+        source.flat = flat;
+        return PEL_OK;
+    case ALPHA:
+        source.flat = alpha;
+        return PEL_OK;
+    case VERTICAL:
+        return pel_linear_init(&source.linear, corners[0], corners[3], &ramp);
+    case HORIZONTAL:
+        return pel_linear_init(&source.linear, corners[0], corners[1], &ramp);
+    case SLOPED:
+        return pel_linear_init(&source.linear, corners[0], corners[2], &ramp);
+    case RADIAL:
+        return pel_radial_init(&source.radial, &rings, &ramp);
+    case CONIC:
+        return pel_conic_init(&source.conic, rings.center, 0, &ramp);
+    case HUE:
+        return pel_hue_wheel_init(&source.hue, rings.center, 0, 255, 255);
+    case FAN:
+        return pel_fan_init(&source.fan, &fan, triangles);
+    case GOURAUD:
+        return pel_gouraud_init(&source.gouraud, around, colors);
+    case NEAREST:
+        return pel_texture_init_nearest(&source.texture, &texels, &turned);
+    case BILINEAR:
+        return pel_texture_init_bilinear(&source.texture, &texels, &turned);
+    case MESH_FLAT:
+        return make_mesh(&pel_shade_lit_flat);
+    case MESH_GOURAUD:
+        return make_mesh(&pel_shade_lit_gouraud);
+    case MESH_PHONG:
+        return make_mesh(&pel_shade_phong);
+    }
+    return PEL_ERROR_RANGE;
+}
+
+static void draw_paint(int32_t width, int32_t rows)
+{
+    const struct pel_point from = PEL_AT(LEFT, TOP);
+    const struct pel_point to = PEL_AT(LEFT + width, TOP + rows);
+    pel_rectangle(&band, from, to, paint);
+}
+
+static void draw_copy(int32_t width, int32_t rows)
+{
+    pel_copy(&band,
+             &(struct pel_copy_part){&picture, {0, 0, width, rows}, LEFT, TOP});
+}
+
+static void draw_keyed(int32_t width, int32_t rows)
+{
+    pel_copy_keyed(
+        &band,
+        &(struct pel_copy_part){&picture, {0, 0, width, rows}, LEFT, TOP},
+        PEL_RGB(0, 0, 0));
+}
+
+static void draw_copy_alpha(int32_t width, int32_t rows)
+{
+    pel_copy_alpha(
+        &band, &(struct pel_copy_part){&sprite, {0, 0, width, rows}, LEFT, TOP},
+        255);
+}
+
+/* Letters of 8 x 8 px, in one colour. */
+static void draw_text(int32_t width, int32_t rows)
+{
+    (void)rows;
+    pel_text(&band,
+             &(struct pel_text_block){
+                 &letters, letters_line + (LONG - width) / 8, LEFT, TOP},
+             paint);
+}
+
+static void draw_mesh(int32_t width, int32_t rows)
+{
+    struct pel_surface part = band;
+    pel_surface_clip(&part,
+                     &(struct pel_rect){LEFT, TOP, LEFT + width, TOP + rows});
+    pel_scene_draw(&frame, &part);
+}
+
+static const struct {
+    const char *name;
+    enum make make;
+    void (*draw)(int32_t width, int32_t rows);
+    bool dithered;
+} cases[] = {
+    {"flat", FLAT, draw_paint, false},
+    {"alpha", ALPHA, draw_paint, false},
+    {"linear-vertical", VERTICAL, draw_paint, false},
+    {"linear-horizontal", HORIZONTAL, draw_paint, false},
+    {"linear-sloped", SLOPED, draw_paint, false},
+    {"radial", RADIAL, draw_paint, false},
+    {"conic", CONIC, draw_paint, false},
+    {"hue", HUE, draw_paint, false},
+    {"fan", FAN, draw_paint, false},
+    {"gouraud", GOURAUD, draw_paint, false},
+    {"nearest", NEAREST, draw_paint, false},
+    {"bilinear", BILINEAR, draw_paint, false},
+    {"dithered-flat", FLAT, draw_paint, true},
+    {"dithered-linear", SLOPED, draw_paint, true},
+    {"dithered-gouraud", GOURAUD, draw_paint, true},
+    {"dithered-nearest", NEAREST, draw_paint, true},
+    {"copy", FLAT, draw_copy, false},
+    {"copy-keyed", FLAT, draw_keyed, false},
+    {"copy-alpha", FLAT, draw_copy_alpha, false},
+    {"text", FLAT, draw_text, false},
+    {"mesh-flat", MESH_FLAT, draw_mesh, false},
+    {"mesh-gouraud", MESH_GOURAUD, draw_mesh, false},
+    {"mesh-phong", MESH_PHONG, draw_mesh, false},
+};
+
+static int32_t draw_time(int i, int32_t width, int32_t rows)
+{
+    const uint32_t from = stopwatch_read();
+    cases[i].draw(width, rows);
+    return stopwatch_eighths(from, stopwatch_read());
+}
+
+static void make(int i)
+{
+    if (make_source(cases[i].make) != PEL_OK)
+        printf("%s refused\n", cases[i].name);
+    pel_dither_init(&dither, &source.paint);
+    paint = cases[i].dithered ? &dither.paint : &source.paint;
+}
+
+static void case_report(int i, const char *format)
+{
+    char name[40];
+    snprintf(name, sizeof name, "%s/%s", format, cases[i].name);
+    const uint32_t from = stopwatch_read();
+    make(i);
+    const int32_t init = stopwatch_eighths(from, stopwatch_read());
+    report(name, LONG - SHORT,
+           draw_time(i, LONG, ROWS) - draw_time(i, SHORT, ROWS),
+           (LONG - SHORT) * ROWS);
+    if (band.format == &pel_rgb565_le)
+        report(name, SMALL, init + draw_time(i, SMALL, SMALL), 1);
+}
+
+/* The picture has stripes of noise and of zeros, 16 bytes each: what a key
+ * leaves out, and transparent in the sprite, which is the same memory. */
+static void format_begin(const struct pel_format *format)
+{
+    const struct pel_rect bounds = {LEFT, TOP, LEFT + LONG, TOP + ROWS};
+    const struct pel_rect square = {0, 0, SIDE, SIDE};
+    for (uint32_t i = 0; i < SIDE * SIDE; i++)
+        picture_memory[i] = i / 4 & 1 ? i * 2654435761u : 0;
+    pel_surface_init_rect(&band, format, band_memory, pel_stride(format, LONG),
+                          &bounds);
+    pel_surface_init(&picture, format, picture_memory, sizeof picture_memory,
+                     &square);
+    pel_surface_init(&sprite, &pel_argb8888, picture_memory,
+                     sizeof picture_memory, &square);
+}
+
+void matrix_report(void)
+{
+    static const struct {
+        const char *name;
+        const struct pel_format *format;
+    } formats[] = {{"rgb565", &pel_rgb565_le},
+                   {"xrgb8888", &pel_xrgb8888},
+                   {"gray8", &pel_gray8},
+                   {"mono1", &pel_mono1}};
+    for (unsigned k = 0; k < sizeof formats / sizeof *formats; k++) {
+        format_begin(formats[k].format);
+        for (int i = 0; i < (int)(sizeof cases / sizeof *cases); i++)
+            case_report(i, formats[k].name);
+    }
+}

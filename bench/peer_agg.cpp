@@ -1,0 +1,200 @@
+/* AGG 2.4 with hard edges: its rasteriser with coverage cut at one half, runs
+ * of whole pixels, its span generators for gradients, Gouraud and textures. */
+#include <agg_gamma_functions.h>
+#include <agg_image_accessors.h>
+#include <agg_pixfmt_rgb_packed.h>
+#include <agg_pixfmt_rgba.h>
+#include <agg_rasterizer_scanline_aa.h>
+#include <agg_renderer_scanline.h>
+#include <agg_scanline_bin.h>
+#include <agg_span_allocator.h>
+#include <agg_span_gouraud_rgba.h>
+#include <agg_span_gradient.h>
+#include <agg_span_image_filter_rgba.h>
+#include <agg_span_interpolator_linear.h>
+
+extern "C" {
+#include "method.h"
+}
+
+using color = agg::rgba8;
+using interpolator = agg::span_interpolator_linear<>;
+
+struct job {
+    const struct workload *workload;
+    agg::rendering_buffer canvas, texture;
+    agg::rasterizer_scanline_aa<> rasterizer;
+    agg::scanline_bin line;
+    agg::span_allocator<color> colors;
+    color ramp[256];
+    bool is_wide;
+};
+
+static color color_of(uint32_t c, unsigned alpha = 255)
+{
+    return color(c >> 16 & 255, c >> 8 & 255, c & 255, alpha);
+}
+
+/* The colours of a ramp, as span_gradient asks for them. */
+struct ramp {
+    const color *at;
+    static unsigned size()
+    {
+        return 256;
+    }
+    const color &operator[](unsigned i) const
+    {
+        return at[i];
+    }
+};
+
+template <class Base, class Generator>
+static void fill(struct job *job, Base &base, Generator &generator)
+{
+    agg::render_scanlines_bin(job->rasterizer, job->line, base, job->colors,
+                              generator);
+}
+
+/* `way` takes a pixel to the gradient's own axes, where it ends at `end`. */
+template <class Function, class Base>
+static void fill_gradient(struct job *job, Base &base, agg::trans_affine way,
+                          double end)
+{
+    interpolator along(way);
+    ramp colors = {job->ramp};
+    Function function;
+    agg::span_gradient<color, interpolator, Function, ramp> generator(
+        along, function, colors, 0, end);
+    fill(job, base, generator);
+}
+
+template <class Base>
+static void fill_screen(struct job *job, Base &base, const struct shape *s)
+{
+    const double x = s->x[2], y = s->y[2], scale = 256 / (x * x + y * y);
+    const double half = job->workload->width / 2.;
+    const agg::trans_affine along(x * scale, 0, y * scale, 0, 0, 0);
+    const agg::trans_affine_translation around(-half,
+                                               -job->workload->height / 2.);
+    if (job->workload->paint < PAINT_RADIAL)
+        fill_gradient<agg::gradient_x>(job, base, along, 256);
+    else if (job->workload->paint < PAINT_CONIC)
+        fill_gradient<agg::gradient_radial>(job, base, around, half);
+    else
+        fill_gradient<agg::gradient_conic>(job, base, around, half);
+}
+
+template <class Base>
+static void fill_texture(struct job *job, Base &base, const struct shape *s)
+{
+    using wrap = agg::wrap_mode_repeat_auto_pow2;
+    using source = agg::image_accessor_wrap<agg::pixfmt_bgra32, wrap, wrap>;
+    double screen[6], texels[6];
+    for (int k = 0; k < 3; k++) {
+        screen[2 * k] = s->x[k];
+        screen[2 * k + 1] = s->y[k];
+        texels[2 * k] = s->u[k];
+        texels[2 * k + 1] = s->v[k];
+    }
+    agg::pixfmt_bgra32 pixels(job->texture);
+    source picture(pixels);
+    agg::trans_affine way(screen, texels);
+    interpolator along(way);
+    if (job->workload->paint == PAINT_NEAREST) {
+        agg::span_image_filter_rgba_nn<source, interpolator> near(picture,
+                                                                  along);
+        fill(job, base, near);
+    } else {
+        agg::span_image_filter_rgba_bilinear<source, interpolator> mean(picture,
+                                                                        along);
+        fill(job, base, mean);
+    }
+}
+
+static void set_outline(struct job *job, const struct shape *s)
+{
+    const struct workload *w = job->workload;
+    const int n = workload_vertices(w);
+    job->rasterizer.reset();
+    if (w->form == FORM_SCREEN) {
+        job->rasterizer.move_to_d(0, 0);
+        job->rasterizer.line_to_d(s->x[1], 0);
+        job->rasterizer.line_to_d(s->x[1], s->y[1]);
+        job->rasterizer.line_to_d(0, s->y[1]);
+    } else {
+        job->rasterizer.move_to_d(s->x[0], s->y[0]);
+        for (int k = 1; k < n; k++)
+            job->rasterizer.line_to_d(s->x[k], s->y[k]);
+    }
+}
+
+template <class Base>
+static void draw_shape(struct job *job, Base &base, const struct shape *s)
+{
+    const struct workload *w = job->workload;
+    set_outline(job, s);
+    if (w->form == FORM_SCREEN) {
+        fill_screen(job, base, s);
+    } else if (w->paint == PAINT_GOURAUD) {
+        agg::span_gouraud_rgba<color> generator(
+            color_of(s->color[0]), color_of(s->color[1]), color_of(s->color[2]),
+            s->x[0], s->y[0], s->x[1], s->y[1], s->x[2], s->y[2], 0);
+        fill(job, base, generator);
+    } else if (w->paint >= PAINT_NEAREST) {
+        fill_texture(job, base, s);
+    } else {
+        agg::render_scanlines_bin_solid(
+            job->rasterizer, job->line, base,
+            color_of(s->color[0],
+                     w->paint == PAINT_ALPHA ? WORKLOAD_ALPHA : 255));
+    }
+}
+
+template <class Pixels> static void draw_on(struct job *job, int first, int n)
+{
+    Pixels pixels(job->canvas);
+    agg::renderer_base<Pixels> base(pixels);
+    for (int i = first; i < first + n; i++)
+        draw_shape(job, base, &job->workload->shape[i]);
+}
+
+static void *open_job(const struct workload *w, const struct canvas *c)
+{
+    if (w->form > FORM_SCREEN || w->form == FORM_CIRCLE ||
+        w->form == FORM_LINE || w->paint == PAINT_DITHERED ||
+        w->paint == PAINT_FAN || w->paint == PAINT_RADIAL_STOPS ||
+        w->paint == PAINT_CONIC_STOPS)
+        return nullptr;
+    struct job *job = new struct job;
+    const uint32_t *end = w->shape[0].color;
+    job->workload = w;
+    job->is_wide = c->bits == 32;
+    job->canvas.attach(c->pixels, static_cast<unsigned>(c->width),
+                       static_cast<unsigned>(c->height), c->stride);
+    job->texture.attach(reinterpret_cast<agg::int8u *>(
+                            const_cast<uint32_t *>(workload_texture())),
+                        TEXTURE_SIDE, TEXTURE_SIDE, TEXTURE_SIDE * 4);
+    job->rasterizer.gamma(agg::gamma_threshold(.5));
+    for (int i = 0; i < 256; i++)
+        job->ramp[i] = color_of(end[0]).gradient(color_of(end[1]), i / 255.);
+    return job;
+}
+
+static void draw(void *data, int first, int n)
+{
+    struct job *job = static_cast<struct job *>(data);
+    if (job->is_wide)
+        draw_on<agg::pixfmt_bgra32>(job, first, n);
+    else
+        draw_on<agg::pixfmt_rgb565>(job, first, n);
+}
+
+static void close_job(void *data)
+{
+    delete static_cast<struct job *>(data);
+}
+
+extern "C" {
+extern const struct method method_agg;
+const struct method method_agg = {"agg", "packaged", open_job, draw, close_job};
+}

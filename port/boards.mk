@@ -1,0 +1,51 @@
+# Boards of QEMU without an operating system, one for each CPU: compiler, flags,
+# memory, emulator. picolibc, which the package picolibc-PREFIX brings, has
+# start-up code and semihosting for all of them. Both Cortex-M run on one board,
+# whose memory holds whole screens. Included by whoever needs it; once is enough.
+ifndef BOARDS
+
+.PHONY: need-boards
+
+BOARDS := m0plus m4 rv32 a53
+
+CPU_PREFIX_m0plus := arm-none-eabi
+CPU_PREFIX_m4 := arm-none-eabi
+CPU_PREFIX_rv32 := riscv64-unknown-elf
+CPU_PREFIX_a53 := aarch64-linux-gnu
+
+# The library as it was built for speed: the other one copies byte by byte.
+BOARD_LIBRARY := --specs=picolibc.specs --picolibc-buildtype=release
+CPU_FLAGS_m0plus := -mcpu=cortex-m0plus -mthumb $(BOARD_LIBRARY)
+CPU_FLAGS_m4 := -mcpu=cortex-m4 -mthumb $(BOARD_LIBRARY)
+# -misa-spec: with counters, as the manual of before 2019 has them
+CPU_FLAGS_rv32 := -march=rv32imc -misa-spec=2.2 -mabi=ilp32 $(BOARD_LIBRARY)
+# Data in memory without a map need not be aligned in QEMU 7.
+CPU_FLAGS_a53 := -mcpu=cortex-a53 --specs=picolibc.specs
+
+# $1 start of code, $2 start of data; 4 MB each
+board_link = --oslib=semihost --crt0=hosted -Wl,--defsym=__flash=$1 \
+    -Wl,--defsym=__flash_size=4M -Wl,--defsym=__ram=$2 \
+    -Wl,--defsym=__ram_size=4M
+CPU_LINK_m0plus := $(call board_link,0,0x20000000)
+CPU_LINK_m4 := $(CPU_LINK_m0plus)
+CPU_LINK_rv32 := $(call board_link,0x80000000,0x80400000)
+CPU_LINK_a53 := -static -l:release/libc.a $(call board_link,0x40080000,0x40480000)
+
+# $1 architecture, $2 machine
+board_run = qemu-system-$1 -M $2 -display none -monitor none -serial none \
+    -chardev stdio,id=out \
+    -semihosting-config enable=on,target=native,chardev=out -kernel
+CPU_RUN_m0plus := $(call board_run,arm,mps2-an386)
+CPU_RUN_m4 := $(CPU_RUN_m0plus)
+CPU_RUN_rv32 := $(call board_run,riscv32,virt -bios none)
+CPU_RUN_a53 := $(call board_run,aarch64,virt -cpu cortex-a53)
+
+need-boards:
+	@tests/tools/need.sh qemu-system-arm:qemu-system-arm \
+	    qemu-system-riscv32:qemu-system-misc \
+	    $(foreach b,$(BOARDS),$(CPU_PREFIX_$b)-gcc:gcc-$(CPU_PREFIX_$b))
+	@$(foreach b,$(BOARDS),test -f \
+	    "$$($(CPU_PREFIX_$b)-gcc -print-file-name=picolibc.specs)" || \
+	    tests/tools/need.sh picolibc.specs:picolibc-$(CPU_PREFIX_$b);)
+
+endif
