@@ -5,7 +5,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "sim/cli/child.h"
 #include "sim/cli/commands.h"
+
+enum { OPTION_LIMIT = 0x800 };
+
+static const struct argp_option options[] = {
+    {"limit", OPTION_LIMIT, "SECONDS,MEGABYTES", 0,
+     "that reading a file through a library may take: a mesh, or a picture "
+     "other than .ppm (default: 60,2048)",
+     -1},
+    {0},
+};
 
 struct root_input {
     char **argv;
@@ -16,7 +27,8 @@ struct root_input {
 static error_t parse_root(int key, char *text, struct argp_state *state)
 {
     const struct root_input *root = state->input;
-    (void)text;
+    if (key == OPTION_LIMIT)
+        return child_limits_parse(text) ? 0 : EINVAL;
     if (key != ARGP_KEY_INIT)
         return ARGP_ERR_UNKNOWN;
     state->argv = root->argv;
@@ -31,8 +43,8 @@ void arguments_parse(const struct argp *argp, int argc, char **argv,
 {
     static char program[] = "pel";
     const struct argp_child children[] = {{argp, 0, NULL, 0}, {0}};
-    const struct argp root = {NULL,     parse_root, NULL, NULL,
-                              children, NULL,       NULL};
+    const struct argp root = {
+        .options = options, .parser = parse_root, .children = children};
     struct root_input names = {argv, input};
     char *unused[] = {program, NULL};
     program_invocation_short_name = argv[0];

@@ -1,5 +1,6 @@
 /* PC Screen Font, the Linux console's, versions 1 and 2 (kbd's psf.h). */
 
+#include "sim/cli/bytes.h"
 #include "sim/font/font.h"
 #include "sim/cli/message.h"
 
@@ -13,14 +14,6 @@ struct psf {
     bool has_table;
     int version;
 };
-
-static uint32_t little(const uint8_t *p, int bytes)
-{
-    uint32_t v = 0;
-    while (bytes-- > 0)
-        v = v << 8 | p[bytes];
-    return v;
-}
 
 static bool cut_short(const struct psf *p)
 {
@@ -47,17 +40,17 @@ static bool read_head2(struct psf *p)
 {
     if (p->size < 32)
         return cut_short(p);
-    p->glyphs = little(p->data + 8, 4);
-    p->has_table = little(p->data + 12, 4) & 1;
-    p->count = little(p->data + 16, 4);
-    p->glyph_size = little(p->data + 20, 4);
-    p->height = little(p->data + 24, 4);
-    p->width = little(p->data + 28, 4);
-    return (little(p->data + 4, 4) == 0 && p->glyphs >= 32) ||
+    p->glyphs = bytes_little(p->data + 8, 4);
+    p->has_table = bytes_little(p->data + 12, 4) & 1;
+    p->count = bytes_little(p->data + 16, 4);
+    p->glyph_size = bytes_little(p->data + 20, 4);
+    p->height = bytes_little(p->data + 24, 4);
+    p->width = bytes_little(p->data + 28, 4);
+    return (bytes_little(p->data + 4, 4) == 0 && p->glyphs >= 32) ||
            message_error_at(p->path, 0,
                             "a PSF 2 header of version %u and %zu bytes; "
                             "version 0 and at least 32 bytes would be right",
-                            (unsigned)little(p->data + 4, 4), p->glyphs);
+                            (unsigned)bytes_little(p->data + 4, 4), p->glyphs);
 }
 
 static bool check_size(const struct psf *p)
@@ -128,7 +121,7 @@ static int next_entry(struct psf *p, uint32_t *code)
     if (p->size - p->at < unit)
         return BAD;
     if (p->version == 1) {
-        *code = little(p->data + p->at, 2);
+        *code = bytes_little(p->data + p->at, 2);
         p->at += 2;
         return *code == 0xFFFF ? END : *code == 0xFFFE ? SEQUENCE : CODE;
     }

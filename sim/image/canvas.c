@@ -19,12 +19,6 @@ static int32_t lines_of(const struct pel_format *format,
     return is_paged(format) ? (height + 7) / 8 : height;
 }
 
-bool canvas_size_legal(int width, int height)
-{
-    return width >= 1 && height >= 1 && width <= CANVAS_SIZE_MAX &&
-           height <= CANVAS_SIZE_MAX && width <= CANVAS_PIXELS_MAX / height;
-}
-
 bool canvas_init_layout(struct canvas *canvas, const struct pel_format *format,
                         const struct canvas_layout *layout)
 {
@@ -32,11 +26,11 @@ bool canvas_init_layout(struct canvas *canvas, const struct pel_format *format,
     canvas->memory = NULL;
     const int32_t width = bounds->x1 - bounds->x0;
     const int32_t height = bounds->y1 - bounds->y0;
-    if (!canvas_size_legal(width, height))
+    if (!picture_size_legal(width, height))
         return message_error("a canvas of %d x %d pixels: 1 to %d each way, "
                              "%d in all",
-                             width, height, (int)CANVAS_SIZE_MAX,
-                             (int)CANVAS_PIXELS_MAX);
+                             width, height, PICTURE_SIZE_MAX,
+                             PICTURE_PIXELS_MAX);
     const int32_t lines = lines_of(format, bounds);
     int32_t stride = pel_stride(format, width) + layout->padding * format->word;
     const size_t size = (size_t)stride * (size_t)lines;

@@ -6,11 +6,6 @@
 #include "core/base/surface.h"
 #include "sim/image/picture.h"
 
-enum {
-    CANVAS_SIZE_MAX = 32767,    /* px each way */
-    CANVAS_PIXELS_MAX = 1 << 28 /* in all: 1 GB as a picture */
-};
-
 struct canvas {
     struct pel_surface surface;
     void *memory; /* malloc'ed */
@@ -24,10 +19,8 @@ struct canvas_layout {
     bool bottom_up;         /* negative stride; not for mono1_pages */
 };
 
-bool canvas_size_legal(int width, int height);
-
 /* Black pixels 0..width, 0..height, packed. False, with a message on standard
- * error, when the size is out of range or memory is short. */
+ * error, when the size is not that of a legal picture or memory is short. */
 bool canvas_init(struct canvas *canvas, const struct pel_format *format,
                  int width, int height);
 

@@ -9,15 +9,22 @@
 #include "sim/cli/output.h"
 #include "sim/image/picture_file.h"
 
+bool picture_size_legal(int width, int height)
+{
+    return width >= 1 && height >= 1 && width <= PICTURE_SIZE_MAX &&
+           height <= PICTURE_SIZE_MAX && width <= PICTURE_PIXELS_MAX / height;
+}
+
 bool picture_init(struct picture *picture, int width, int height,
                   pel_color color)
 {
     const struct picture empty = {0, 0, NULL};
     *picture = empty;
-    if (width < 1 || height < 1 || width > PICTURE_SIZE_MAX ||
-        height > PICTURE_SIZE_MAX)
-        return message_error("a picture of %d x %d pixels: 1 to %d each way",
-                             width, height, (int)PICTURE_SIZE_MAX);
+    if (!picture_size_legal(width, height))
+        return message_error("a picture of %d x %d pixels: 1 to %d each way, "
+                             "%d in all",
+                             width, height, PICTURE_SIZE_MAX,
+                             PICTURE_PIXELS_MAX);
     const size_t n = (size_t)width * (size_t)height;
     picture->pixels = malloc(n * sizeof *picture->pixels);
     if (!picture->pixels)

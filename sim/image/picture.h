@@ -7,12 +7,19 @@
 
 #include "core/base/color.h"
 
-/* Rows from the top, no padding, 0xAARRGGBB; 1..32,767 pixels each way. The
- * pixels are malloc'ed and owned by the picture. */
+/* Rows from the top, no padding, 0xAARRGGBB. The pixels are malloc'ed and owned
+ * by the picture. */
 struct picture {
     int width, height;
     pel_color *pixels;
 };
+
+enum {
+    PICTURE_SIZE_MAX = 32767,    /* px each way */
+    PICTURE_PIXELS_MAX = 1 << 28 /* in all: 1 GB */
+};
+
+bool picture_size_legal(int width, int height);
 
 /* A picture of one colour. False, with a message on standard error, when the
  * size is out of range or memory is short; the picture is then empty, as

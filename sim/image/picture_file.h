@@ -7,8 +7,6 @@
 
 #include "sim/image/picture.h"
 
-enum { PICTURE_SIZE_MAX = 32767 };
-
 /* Reads a PPM or PGM; `name` is for messages. */
 bool picture_read_ppm(struct picture *picture, FILE *file, const char *name);
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/cli/child.h"
 #include "sim/cli/message.h"
 
 bool mesh_init(struct mesh *mesh, uint32_t vertices, uint32_t triangles)
@@ -90,10 +91,45 @@ bool mesh_is_builtin(const char *path)
     return strncmp(path, prefix, sizeof(prefix) - 1) == 0;
 }
 
+static bool put_mesh(const void *path, FILE *out)
+{
+    struct mesh mesh = {0};
+    if (!mesh_load_file(&mesh, path))
+        return false;
+    child_put(out, &mesh, sizeof(mesh));
+    child_put(out, mesh.vertex, mesh.vertices * sizeof(*mesh.vertex));
+    child_put(out, mesh.triangle, mesh.triangles * sizeof(*mesh.triangle));
+    child_put(out, mesh.texture, mesh.texture ? strlen(mesh.texture) + 1 : 0);
+    child_put(out, mesh.texture_bytes, mesh.texture_size);
+    mesh_free(&mesh);
+    return true;
+}
+
+static bool get_mesh(struct mesh *mesh, FILE *in)
+{
+    size_t size;
+    bool good = true;
+    struct mesh *counts = child_get(in, &size, &good);
+    if (!counts)
+        return false;
+    *mesh = *counts;
+    free(counts);
+    mesh->vertex = child_get(in, &size, &good);
+    mesh->triangle = child_get(in, &size, &good);
+    mesh->texture = child_get(in, &size, &good);
+    mesh->texture_bytes = child_get(in, &size, &good);
+    return good;
+}
+
 static bool load(struct mesh *mesh, const char *path)
 {
-    if (!mesh_is_builtin(path))
-        return mesh_load_file(mesh, path);
+    if (!mesh_is_builtin(path)) {
+        FILE *in = child_run(path, put_mesh, path);
+        const bool done = in && get_mesh(mesh, in);
+        if (in)
+            fclose(in);
+        return done;
+    }
     return strcmp(path, MESH_BUILTIN) == 0
                ? mesh_load_builtin(mesh)
                : message_error_at(path, 0,

@@ -196,11 +196,11 @@ static bool take_canvas(struct script_parser *p, const struct script_place *at,
     script->height = v[1];
     if (!script->format)
         script->format = format_names[v[2]].format;
-    if (!canvas_size_legal(v[0], v[1]))
+    if (!picture_size_legal(v[0], v[1]))
         return message_error_at(at->path, at->line,
-                                "canvas: %d x %d pixels are too many: %ld at "
+                                "canvas: %d x %d pixels are too many: %d at "
                                 "most",
-                                v[0], v[1], (long)CANVAS_PIXELS_MAX);
+                                v[0], v[1], PICTURE_PIXELS_MAX);
     script_scene_init(&p->scene, v[0], v[1]);
     return true;
 }

@@ -108,10 +108,10 @@ static void test_legal(void **state)
     assert_true(canvas_bands_legal(&pel_mono1_pages, 16));
     assert_false(canvas_bands_legal(&pel_mono1_pages, 12));
     assert_false(canvas_bands_legal(&pel_rgb888, -1));
-    assert_false(canvas_size_legal(0, 1));
-    assert_false(canvas_size_legal(1, 32768));
-    assert_false(canvas_size_legal(32767, 32767));
-    assert_true(canvas_size_legal(16384, 16384));
+    assert_false(picture_size_legal(0, 1));
+    assert_false(picture_size_legal(1, 32768));
+    assert_false(picture_size_legal(32767, 32767));
+    assert_true(picture_size_legal(16384, 16384));
 }
 
 /* The list for messages is the table. */

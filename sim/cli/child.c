@@ -1,0 +1,208 @@
+#include "sim/cli/child.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "sim/cli/message.h"
+#include "sim/cli/milliseconds.h"
+#include "sim/cli/option_text.h"
+
+struct child_limits child_limits = {60, 2048};
+
+bool child_limits_parse(const char *text)
+{
+    static const struct option_numbers numbers = {
+        2, ',', 1, 1e6, "SECONDS,MEGABYTES such as 60,2048"};
+    double value[2];
+    if (!option_numbers("--limit", text, &numbers, value))
+        return false;
+    child_limits.seconds = (int)value[0];
+    child_limits.megabytes = (int)value[1];
+    return true;
+}
+
+struct child {
+    const char *path;
+    FILE *result, *messages; /* both in memory that parent and child share */
+    int pipe[2];             /* what libraries print; its end is the child's */
+    pid_t id;
+    bool late;
+    char line[160]; /* the last one that was printed */
+    size_t length;
+};
+
+static FILE *shared_memory(void)
+{
+    const int file = memfd_create("pel", MFD_CLOEXEC);
+    return file < 0 ? NULL : fdopen(file, "w+");
+}
+
+/* Bytes of address space that this process has. */
+static rlim_t own_memory(void)
+{
+    unsigned long pages = 0;
+    FILE *file = fopen("/proc/self/statm", "r");
+    if (!file)
+        return 0;
+    if (fscanf(file, "%lu", &pages) != 1)
+        pages = 0;
+    fclose(file);
+    return pages * (rlim_t)sysconf(_SC_PAGESIZE);
+}
+
+static void set_limit(int resource, rlim_t most)
+{
+    const struct rlimit limit = {most, most};
+    setrlimit((__rlimit_resource_t)resource, &limit);
+}
+
+/* The time on the wall is the parent's to watch. */
+__attribute__((noreturn)) static void do_work(struct child *c, child_work *work,
+                                              const void *what)
+{
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    set_limit(RLIMIT_CORE, 0);
+    set_limit(RLIMIT_CPU, (rlim_t)child_limits.seconds + 1);
+    set_limit(RLIMIT_AS, own_memory() + ((rlim_t)child_limits.megabytes << 20));
+    dup2(c->pipe[1], STDOUT_FILENO);
+    dup2(c->pipe[1], STDERR_FILENO);
+    stderr = c->messages;
+    const bool done = work(what, c->result);
+    const bool written = fflush(c->result) == 0 && fflush(stderr) == 0;
+    _exit(done && written ? EXIT_SUCCESS : EXIT_FAILURE);
+}
+
+/* Keeps the last line that is not empty. */
+static void take_text(struct child *c, const char *text, size_t size)
+{
+    for (; size > 0; text++, size--) {
+        if (c->length > 0 && c->line[c->length - 1] == '\n' && *text != '\n')
+            c->length = 0;
+        if (c->length < sizeof(c->line) - 1 && (c->length > 0 || *text != '\n'))
+            c->line[c->length++] = *text;
+    }
+}
+
+/* Until the child has ended, which closes the pipe, or its time has. */
+static void listen_to(struct child *c)
+{
+    const double end = milliseconds() + 1000.0 * child_limits.seconds;
+    struct pollfd wanted = {c->pipe[0], POLLIN, 0};
+    char text[4096];
+    ssize_t size = 1;
+    while (size != 0 && !c->late) {
+        const double left = end - milliseconds();
+        const int ready = left > 0 ? poll(&wanted, 1, (int)left + 1) : 0;
+        c->late = ready == 0;
+        size = ready > 0 ? read(c->pipe[0], text, sizeof(text)) : -1;
+        if (size > 0)
+            take_text(c, text, (size_t)size);
+    }
+    if (c->late)
+        kill(c->id, SIGKILL);
+    c->line[strcspn(c->line, "\n")] = '\0';
+}
+
+static int status_of(const struct child *c)
+{
+    int status = 0;
+    while (waitpid(c->id, &status, 0) < 0 && errno == EINTR)
+        continue;
+    return status;
+}
+
+/* Libraries say so, each in words of its own. */
+static bool lacks_memory(const char *text)
+{
+    return strstr(text, "bad_alloc") || strstr(text, "bad allocation") ||
+           strstr(text, "memory");
+}
+
+/* Shows the child's own messages, or says how it ended. Was it well? */
+static bool report(struct child *c, int status)
+{
+    char text[8192];
+    const bool failed = status != 0;
+    const bool crashed = WIFSIGNALED(status);
+    rewind(c->messages);
+    text[fread(text, 1, sizeof(text) - 1, c->messages)] = '\0';
+    if (c->late)
+        return message_error_at(c->path, 0,
+                                "the library that reads it took more than %d "
+                                "s; --limit SECONDS,MEGABYTES would allow more",
+                                child_limits.seconds);
+    if (failed && lacks_memory(crashed ? c->line : text))
+        return message_error_at(c->path, 0,
+                                "the library that reads it took more than %d "
+                                "MB; --limit SECONDS,MEGABYTES would allow "
+                                "more",
+                                child_limits.megabytes);
+    fputs(text, stderr);
+    if (!crashed && (!failed || *text))
+        return !failed;
+    return message_error_at(
+        c->path, 0, "the library that reads it crashed: %s%s%s",
+        crashed ? strsignal(WTERMSIG(status)) : "ended without a word",
+        *c->line ? ": " : "", c->line);
+}
+
+static bool run(struct child *c, child_work *work, const void *what)
+{
+    c->id = fork();
+    if (c->id == 0)
+        do_work(c, work, what);
+    close(c->pipe[1]);
+    if (c->id > 0)
+        listen_to(c);
+    close(c->pipe[0]);
+    if (c->id < 0)
+        return message_error_at(c->path, 0, "no process to read it: %s",
+                                strerror(errno));
+    return report(c, status_of(c));
+}
+
+FILE *child_run(const char *path, child_work *work, const void *what)
+{
+    struct child c = {
+        .path = path, .result = shared_memory(), .messages = shared_memory()};
+    bool done = false;
+    if (!c.result || !c.messages || pipe2(c.pipe, O_CLOEXEC) != 0)
+        message_error_at(path, 0, "no pipe to read it: %s", strerror(errno));
+    else
+        done = run(&c, work, what);
+    if (c.messages)
+        fclose(c.messages);
+    if (done)
+        rewind(c.result);
+    else if (c.result)
+        fclose(c.result);
+    return done ? c.result : NULL;
+}
+
+void child_put(FILE *out, const void *data, size_t size)
+{
+    fwrite(&size, sizeof(size), 1, out);
+    if (size > 0)
+        fwrite(data, 1, size, out);
+}
+
+void *child_get(FILE *in, size_t *size, bool *good)
+{
+    *size = 0;
+    if (!*good || fread(size, sizeof(*size), 1, in) != 1 || *size == 0)
+        return NULL;
+    void *data = malloc(*size);
+    *good = data && fread(data, 1, *size, in) == *size;
+    if (!*good)
+        message_error("no memory for %zu bytes", *size);
+    return data;
+}
