@@ -3,6 +3,7 @@
 
 #include "sim/cli/commands.h"
 #include "sim/cli/message.h"
+#include "sim/cli/standard.h"
 
 struct command {
     const char *name, *usage, *what;
@@ -44,6 +45,7 @@ static int run_command(const struct command *command, int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    standard_watch();
     if (argc < 2) {
         print_usage(stderr);
         return STATUS_ERROR;

@@ -80,6 +80,7 @@ TEST_SIM_OBJECTS := $(filter-out $(BUILD)/sim/main.o,$(SIM_OBJECTS)) $(LINUX_OBJ
 $(T)/sim/%.o: tests/sim/%.c
 	@mkdir -p $(@D)
 	$(CC) $(PEL_CFLAGS) $(SIM_FLAGS) $(CFLAGS) -c $< -o $@
+-include $(wildcard $(T)/sim/*.d)
 $(T)/sim/%: $(T)/sim/%.o $(TEST_SIM_OBJECTS) $(T)/host/libsupport.a $(BUILD)/libpel.a
 	$(CC) $(CFLAGS) $(LDFLAGS) $^ -lcmocka $(SIM_LIBS) $(LINUX_LIBS) -o $@
 

@@ -26,10 +26,10 @@ static void print_origin(FILE *out, const struct import_options *options)
     fprintf(out, ". */\n");
 }
 
-static void print_declaration(const struct import_text *text)
+static void print_declaration(FILE *out, const struct import_text *text)
 {
-    fprintf(text->output.stream, "extern const struct pel_%s_asset %s;\n",
-            text->kind, text->options->name);
+    fprintf(out, "extern const struct pel_%s_asset %s;\n", text->kind,
+            text->options->name);
 }
 
 bool import_text_open(struct import_text *text,
@@ -79,7 +79,7 @@ void import_struct_begin(struct import_text *text)
 {
     FILE *out = text->output.stream;
     fputc('\n', out);
-    print_declaration(text);
+    print_declaration(out, text);
     fprintf(out, "const struct pel_%s_asset %s = {\n", text->kind,
             text->options->name);
 }
@@ -97,40 +97,48 @@ static bool is_foreign(const char *path)
 }
 
 /* pel.h, which C++ may include too. */
-static bool write_header(struct import_text *text, const char *path)
+static void print_header(FILE *out, const struct import_text *text)
 {
     const char *name = text->options->name;
-    if (is_foreign(path)) {
-        message_error_at(path, 0,
-                         "was not made by pel import and stays as it is; it "
-                         "should say: extern const struct pel_%s_asset %s;",
-                         text->kind, name);
-        return true;
-    }
-    if (!output_open(&text->output, path))
-        return false;
-    FILE *out = text->output.stream;
     print_origin(out, text->options);
     fprintf(out, "#ifndef PEL_ASSET_%s_H\n#define PEL_ASSET_%s_H\n\n", name,
             name);
     fprintf(out, "#include \"core/pel.h\"\n\n");
-    print_declaration(text);
+    print_declaration(out, text);
     fprintf(out, "\n#endif\n");
-    return output_commit(&text->output);
+}
+
+static bool commit_with_header(struct import_text *text, const char *path)
+{
+    struct output header;
+    if (is_foreign(path)) {
+        const bool done = output_commit(&text->output);
+        message_error_at(path, 0,
+                         "was not made by pel import and stays as it is; it "
+                         "should say: extern const struct pel_%s_asset %s;",
+                         text->kind, text->options->name);
+        return done;
+    }
+    if (!output_open(&header, path)) {
+        output_abandon(&text->output);
+        return false;
+    }
+    print_header(header.stream, text);
+    return output_commit_both(&text->output, &header);
 }
 
 bool import_text_commit(struct import_text *text)
 {
     const char *output = text->options->output;
-    if (!output_commit(&text->output))
-        return false;
     if (strcmp(output, "-") == 0)
-        return true;
+        return output_commit(&text->output);
     char *header = strdup(output);
-    if (!header)
+    if (!header) {
+        output_abandon(&text->output);
         return message_error("out of memory");
+    }
     header[strlen(header) - 1] = 'h';
-    const bool done = write_header(text, header);
+    const bool done = commit_with_header(text, header);
     free(header);
     return done;
 }

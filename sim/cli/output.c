@@ -1,6 +1,8 @@
 #include "sim/cli/output.h"
 
 #include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -10,57 +12,50 @@
 
 bool output_open(struct output *output, const char *path)
 {
+    memset(output, 0, sizeof *output);
     output->path = path;
-    output->data = NULL;
-    output->size = 0;
     output->stream = open_memstream(&output->data, &output->size);
-    if (!output->stream)
-        return message_error_at(path, 0, "out of memory");
-    return true;
+    return output->stream || message_error_at(path, 0, "out of memory");
 }
 
 void output_abandon(struct output *output)
 {
     if (output->stream)
         fclose(output->stream);
-    output->stream = NULL;
+    if (output->temporary)
+        unlink(output->temporary);
+    free(output->temporary);
+    free(output->target);
     free(output->data);
-    output->data = NULL;
+    memset(output, 0, sizeof *output);
 }
 
-static bool write_all(const struct output *output, FILE *file)
+static bool refuse(const struct output *output)
 {
-    return fwrite(output->data, 1, output->size, file) == output->size &&
-           fflush(file) == 0;
+    const bool is_path = strcmp(output->path, "-") != 0;
+    return message_error("%s%s cannot be written: %s",
+                         is_path ? output->path : "standard output",
+                         is_path ? ":" : "", strerror(errno));
 }
 
-static bool report(const char *path)
+/* To a file that is open, and is closed then; -1 is one that did not open. */
+static bool write_to(const struct output *output, int file)
 {
-    return message_error_at(path, 0, "cannot be written: %s", strerror(errno));
+    ssize_t n = file;
+    for (size_t at = 0; n >= 0 && at < output->size; at += (size_t)n) {
+        n = write(file, output->data + at, output->size - at);
+        if (n < 0 && errno == EINTR)
+            n = 0;
+    }
+    return (n >= 0 && close(file) == 0) || refuse(output);
 }
 
 static bool write_stdout(const struct output *output)
 {
-    if (isatty(STDOUT_FILENO))
-        return message_error("standard output is a terminal: name a file "
-                             "with -o, or use a pipe");
-    if (!write_all(output, stdout))
-        return message_error("standard output cannot be written: %s",
-                             strerror(errno));
-    return true;
-}
-
-/* What is there and is no file (a device, a pipe) is written to, not replaced.
- */
-static bool write_in_place(const struct output *output)
-{
-    FILE *file = fopen(output->path, "wb");
-    if (!file)
-        return report(output->path);
-    const bool done = write_all(output, file);
-    if (fclose(file) != 0 || !done)
-        return report(output->path);
-    return true;
+    return isatty(STDOUT_FILENO)
+               ? message_error("standard output is a terminal: name a file "
+                               "with -o, or use a pipe")
+               : write_to(output, dup(STDOUT_FILENO));
 }
 
 static mode_t mode_of_new_files(void)
@@ -70,61 +65,89 @@ static mode_t mode_of_new_files(void)
     return 0666 & ~mask;
 }
 
-/* Writes to `temporary`, a template of mkstemp, and moves that to `target`. */
-static bool write_and_rename(const struct output *output, char *temporary,
-                             const char *target, mode_t mode)
+/* Signals that end the program wait until the temporary file is gone. Threads
+ * of pools take none. */
+static void block_signals(void)
 {
-    const int descriptor = mkstemp(temporary);
-    FILE *file = descriptor < 0 ? NULL : fdopen(descriptor, "wb");
-    if (!file)
-        return report(output->path);
-    const bool written =
-        write_all(output, file) && fchmod(descriptor, mode) == 0;
-    if (fclose(file) == 0 && written && rename(temporary, target) == 0)
+    sigset_t ending;
+    sigemptyset(&ending);
+    sigaddset(&ending, SIGHUP);
+    sigaddset(&ending, SIGINT);
+    sigaddset(&ending, SIGQUIT);
+    sigaddset(&ending, SIGTERM);
+    sigprocmask(SIG_BLOCK, &ending, NULL);
+}
+
+/* A file with a short name beside the target: there may be no room for a longer
+ * one than the target's. */
+static bool write_temporary(struct output *output, mode_t mode)
+{
+    const char *slash = strrchr(output->target, '/');
+    const int folder = slash ? (int)(slash - output->target) + 1 : 0;
+    if (asprintf(&output->temporary, "%.*s.pel-XXXXXX", folder,
+                 output->target) < 0) {
+        output->temporary = NULL;
+        return message_error_at(output->path, 0, "out of memory");
+    }
+    block_signals();
+    const int file = mkstemp(output->temporary);
+    return write_to(output, file < 0 || fchmod(file, mode) != 0 ? -1 : file);
+}
+
+/* What is there and is no file (a device, a pipe), and a link to a file that is
+ * not there, are written to, not replaced. */
+static bool write_path(struct output *output)
+{
+    struct stat status, link;
+    const char *path = output->path;
+    const bool is_there = stat(path, &status) == 0;
+    if (is_there ? !S_ISREG(status.st_mode) : lstat(path, &link) == 0)
+        return write_to(output, open(path, O_WRONLY | O_CREAT | O_TRUNC, 0666));
+    output->target = is_there ? realpath(path, NULL) : strdup(path);
+    return output->target
+               ? write_temporary(output, is_there ? status.st_mode & 07777
+                                                  : mode_of_new_files())
+               : refuse(output);
+}
+
+/* All but the name. */
+static bool write_output(struct output *output)
+{
+    const bool whole = !ferror(output->stream);
+    const bool ended = fclose(output->stream) == 0;
+    output->stream = NULL;
+    if (!whole || !ended)
+        return message_error_at(output->path, 0, "out of memory");
+    return strcmp(output->path, "-") == 0 ? write_stdout(output)
+                                          : write_path(output);
+}
+
+static bool take_name(struct output *output)
+{
+    if (!output->temporary)
         return true;
-    report(output->path);
-    unlink(temporary);
-    return false;
+    if (rename(output->temporary, output->target) != 0)
+        return refuse(output);
+    free(output->temporary);
+    output->temporary = NULL;
+    return true;
 }
 
-static bool write_file(const struct output *output, const char *target,
-                       mode_t mode)
+bool output_commit_both(struct output *output, struct output *second)
 {
-    char *temporary;
-    if (asprintf(&temporary, "%s.XXXXXX", target) < 0)
-        return message_error_at(target, 0, "out of memory");
-    const bool done = write_and_rename(output, temporary, target, mode);
-    free(temporary);
-    return done;
-}
-
-static bool write_path(const struct output *output)
-{
-    struct stat status;
-    if (stat(output->path, &status) != 0)
-        return write_file(output, output->path, mode_of_new_files());
-    if (!S_ISREG(status.st_mode))
-        return write_in_place(output);
-    char *target = realpath(output->path, NULL);
-    if (!target)
-        return report(output->path);
-    const bool done = write_file(output, target, status.st_mode & 07777);
-    free(target);
+    sigset_t before;
+    sigprocmask(SIG_BLOCK, NULL, &before);
+    const bool done = write_output(output) &&
+                      (!second || write_output(second)) && take_name(output) &&
+                      (!second || take_name(second));
+    output_abandon(output);
+    if (second)
+        output_abandon(second);
+    sigprocmask(SIG_SETMASK, &before, NULL);
     return done;
 }
 
 bool output_commit(struct output *output)
 {
-    const bool whole = !ferror(output->stream);
-    const bool ended = fclose(output->stream) == 0;
-    output->stream = NULL;
-    bool done = false;
-    if (!whole || !ended)
-        message_error_at(output->path, 0, "out of memory");
-    else if (strcmp(output->path, "-") == 0)
-        done = write_stdout(output);
-    else
-        done = write_path(output);
-    output_abandon(output);
-    return done;
+    return output_commit_both(output, NULL);
 }

@@ -11,15 +11,21 @@ struct output {
     const char *path; /* the caller's; "-" is standard output */
     char *data;
     size_t size;
+    char *target, *temporary; /* names, while it is written */
 };
 
 /* False, with a message on standard error, when memory is short. */
 bool output_open(struct output *output, const char *path);
 
-/* Ends the output and puts it in its place. Devices and pipes are written to;
- * links are followed; the mode of an existing file is kept. False, with a
- * message, when that failed: the old file is then untouched. */
+/* Ends the output and puts it in its place. Devices, pipes and links to nothing
+ * are written to; links are followed; the mode of an existing file is kept.
+ * False, with a message, when that failed: the old file is then untouched.
+ * Signals that end the program come after it, so that nothing is left behind.
+ */
 bool output_commit(struct output *output);
+
+/* The same for two, of which both appear or none; `second` may be NULL. */
+bool output_commit_both(struct output *output, struct output *second);
 
 /* Ends the output and writes nothing. */
 void output_abandon(struct output *output);

@@ -13,6 +13,7 @@ struct psf {
     size_t glyphs; /* where they begin */
     bool has_table;
     int version;
+    uint8_t seen[FONT_CODE_MAX / 8 + 1]; /* a bit for each code point */
 };
 
 static bool cut_short(const struct psf *p)
@@ -88,9 +89,9 @@ static bool add(struct psf *p, uint32_t glyph, uint32_t code)
                                 "the table names U+%X; up to U+10FFFF would be "
                                 "right",
                                 (unsigned)code);
-    for (size_t i = 0; i < p->font->count; i++)
-        if (p->font->chars[i].code == code)
-            return true; /* the first one counts, as on the console */
+    if (p->seen[code / 8] >> code % 8 & 1)
+        return true; /* the first one counts, as on the console */
+    p->seen[code / 8] |= (uint8_t)(1u << code % 8);
     return font_add(p->font, &c,
                     p->data + p->glyphs + (size_t)glyph * p->glyph_size,
                     (p->width + 7) / 8);

@@ -9,6 +9,7 @@
 #include "sim/cli/byte_order_mark.h"
 #include "sim/cli/message.h"
 #include "sim/cli/number.h"
+#include "sim/cli/text_line.h"
 
 enum { FIELDS_MAX = 8, LINE_MAX_BYTES = 1024 };
 
@@ -26,22 +27,18 @@ struct reader {
  * it cannot be text. `wanted` is what should stand there. */
 static bool next_line(struct reader *r, const char *wanted)
 {
-    int c, n = 0;
     r->line++;
-    while ((c = getc(r->file)) != EOF && c != '\n') {
-        if (c == '\0' || n == LINE_MAX_BYTES - 1)
-            return message_error_at(
-                r->path, r->line, "%s; %s would be right",
-                c ? "a line of over 1,023 bytes" : "a NUL byte", wanted);
-        r->text[n++] = (char)c;
-    }
-    r->text[n] = '\0';
+    const enum text_line got =
+        text_line_read(r->file, r->text, sizeof(r->text));
     if (ferror(r->file))
         return message_error_at(r->path, r->line, "%s", strerror(errno));
-    if (c == EOF && n == 0)
-        return message_error_at(
-            r->path, r->line, "the file ends here; %s would be right", wanted);
-    return true;
+    return got == TEXT_LINE ||
+           message_error_at(r->path, r->line, "%s; %s would be right",
+                            got == TEXT_LINE_ZERO   ? "a NUL byte"
+                            : got == TEXT_LINE_LONG ? "a line of over 1,023 "
+                                                      "bytes"
+                                                    : "the file ends here",
+                            wanted);
 }
 
 static void split(struct reader *r)

@@ -7,6 +7,9 @@
 #include "sim/cli/message.h"
 #include "sim/script/assets.h"
 #include "sim/script/parser.h"
+#include "sim/cli/text_line.h"
+
+enum { LINE_SIZE_MAX = 1 << 20 }; /* bytes */
 
 /* The comment at the head of the script. */
 struct caption {
@@ -30,29 +33,37 @@ static void caption_add(struct caption *caption, const char *text)
             (int)length, text);
 }
 
+/* A line that is no text, or the end of the file. */
+static bool refuse_line(const struct script_parser *p, FILE *file,
+                        enum text_line got)
+{
+    const char *path = p->script->path;
+    if (ferror(file))
+        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+    if (got == TEXT_LINE_ZERO)
+        return message_error_at(path, p->line + 1,
+                                "a zero byte: scripts are text");
+    return got != TEXT_LINE_LONG ||
+           message_error_at(path, p->line + 1, "a line of over %d bytes",
+                            LINE_SIZE_MAX);
+}
+
 static bool parse_lines(struct script_parser *p, FILE *file,
                         struct caption *caption)
 {
-    char *text = NULL;
-    size_t capacity = 0;
-    ssize_t length;
     bool good = true;
-    while (good && (length = getline(&text, &capacity, file)) >= 0) {
-        p->line++;
-        if (strlen(text) != (size_t)length) {
-            good = message_error_at(p->script->path, p->line,
-                                    "a zero byte: scripts are text");
-        } else {
-            char *line = text + (p->line == 1 ? byte_order_mark(text) : 0);
-            caption_add(caption, line);
-            good = script_parse_line(p, line);
-        }
+    enum text_line got = TEXT_LINE;
+    char *text = malloc(LINE_SIZE_MAX + 1);
+    if (!text)
+        return message_error("out of memory");
+    while (good &&
+           (got = text_line_read(file, text, LINE_SIZE_MAX + 1)) == TEXT_LINE) {
+        char *line = text + (++p->line == 1 ? byte_order_mark(text) : 0);
+        caption_add(caption, line);
+        good = script_parse_line(p, line);
     }
     free(text);
-    if (good && ferror(file))
-        good = message_error_at(p->script->path, 0, "cannot be read: %s",
-                                strerror(errno));
-    return good;
+    return good && refuse_line(p, file, got);
 }
 
 static bool load_from(struct script *script, FILE *file)

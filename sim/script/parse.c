@@ -80,6 +80,8 @@ static char *end_quote(char *text)
     return text + 1;
 }
 
+enum { WORD_SIZE_MAX = 4096 }; /* as many bytes as a path may have */
+
 /* Words keep their opening quote, as a sign. */
 static bool split_words(struct script_parser *p, char *text)
 {
@@ -88,12 +90,19 @@ static bool split_words(struct script_parser *p, char *text)
     while (*(text += strspn(text, space))) {
         char *end =
             *text == '"' ? end_quote(text + 1) : text + strcspn(text, space);
-        if (!end || (*end && !strchr(space, *end)))
+        if (end && end - text > WORD_SIZE_MAX)
             return message_error_at(p->script->path, p->line,
-                                    "%.*s: a text ends with a quote and a "
+                                    "a word of %ld bytes; up to %d would be "
+                                    "right",
+                                    (long)(end - text), WORD_SIZE_MAX);
+        if (!end || (*end && !strchr(space, *end))) {
+            text[strcspn(text, "\r")] = '\0';
+            return message_error_at(p->script->path, p->line,
+                                    "%.80s: a text ends with a quote and a "
                                     "blank after it; in it, \\\" \\\\ and "
                                     "\\n would be right",
-                                    (int)strcspn(text, "\r\n"), text);
+                                    text);
+        }
         if (!add_word(p, text))
             return false;
         text = end + (*end != '\0');

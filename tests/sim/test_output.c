@@ -1,5 +1,7 @@
 /* Output files appear whole or not at all. */
+#include <dirent.h>
 #include <setjmp.h>
+#include <signal.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -7,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cmocka.h>
@@ -93,6 +96,93 @@ static void test_link(void **state)
     check_file(target, "new");
 }
 
+/* A link to nothing stays a link; what it names appears. */
+static void test_dangling_link(void **state)
+{
+    char path[64], target[64];
+    (void)state;
+    path_of("link", path, sizeof path);
+    path_of("target", target, sizeof target);
+    unlink(target);
+    assert_true(write_output(path, "new", true));
+    check_file(target, "new");
+}
+
+/* The longest name that there is. */
+static void test_long_name(void **state)
+{
+    char name[256], path[320];
+    (void)state;
+    memset(name, 'n', 255);
+    name[255] = '\0';
+    path_of(name, path, sizeof path);
+    assert_true(write_output(path, "text", true));
+    assert_true(write_output(path, "again", true));
+    check_file(path, "again");
+    unlink(path);
+}
+
+/* When the second of two cannot be written, the first stays as it was. */
+static void test_both(void **state)
+{
+    struct output first, second;
+    char path[64], none[64], text[512] = "";
+    FILE *kept = stderr;
+    (void)state;
+    path_of("file", path, sizeof path);
+    path_of("none/file", none, sizeof none);
+    assert_true(write_output(path, "old", true));
+    assert_true(output_open(&first, path));
+    assert_true(output_open(&second, none));
+    fputs("new", first.stream);
+    stderr = fmemopen(text, sizeof text, "w");
+    const bool done = output_commit_both(&first, &second);
+    fclose(stderr);
+    stderr = kept;
+    assert_false(done);
+    check_file(path, "old");
+}
+
+static int files_of_directory(void)
+{
+    int n = 0;
+    DIR *list = opendir(directory);
+    assert_non_null(list);
+    while (readdir(list))
+        n++;
+    closedir(list);
+    return n;
+}
+
+/* A signal that comes while a temporary file is there ends the program after
+ * it is gone. */
+static void test_signals(void **state)
+{
+    static const int signals[] = {SIGHUP, SIGINT, SIGTERM};
+    static char text[64 << 20];
+    char path[64];
+    (void)state;
+    memset(text, 'x', sizeof text - 1);
+    path_of("file", path, sizeof path);
+    for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
+        assert_true(write_output(path, "old", true));
+        const int before = files_of_directory();
+        int status, files = before;
+        const pid_t child = fork();
+        if (child == 0) {
+            write_output(path, text, true);
+            pause();
+        }
+        while (files == before)
+            files = files_of_directory();
+        kill(child, signals[i]);
+        assert_int_equal(waitpid(child, &status, 0), child);
+        assert_true(WIFSIGNALED(status));
+        assert_int_equal(WTERMSIG(status), signals[i]);
+        assert_int_equal(files_of_directory(), before);
+    }
+}
+
 /* A device is written to, and stays a device. */
 static void test_device(void **state)
 {
@@ -140,8 +230,10 @@ static int tear_down(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_file),    cmocka_unit_test(test_mode),
-        cmocka_unit_test(test_link),    cmocka_unit_test(test_device),
+        cmocka_unit_test(test_file),      cmocka_unit_test(test_mode),
+        cmocka_unit_test(test_link),      cmocka_unit_test(test_dangling_link),
+        cmocka_unit_test(test_long_name), cmocka_unit_test(test_both),
+        cmocka_unit_test(test_signals),   cmocka_unit_test(test_device),
         cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);

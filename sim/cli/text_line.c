@@ -1,0 +1,16 @@
+#include "sim/cli/text_line.h"
+
+enum text_line text_line_read(FILE *file, char *text, size_t size)
+{
+    size_t n = 0;
+    int c;
+    while ((c = getc(file)) != EOF && c != '\n') {
+        if (c == '\0')
+            return TEXT_LINE_ZERO;
+        if (n == size - 1)
+            return TEXT_LINE_LONG;
+        text[n++] = (char)c;
+    }
+    text[n] = '\0';
+    return c == EOF && n == 0 ? TEXT_LINE_NONE : TEXT_LINE;
+}

@@ -1,0 +1,17 @@
+/* Lines of text files that may be anything. */
+#ifndef SIM_CLI_TEXT_LINE_H
+#define SIM_CLI_TEXT_LINE_H
+
+#include <stdio.h>
+
+enum text_line {
+    TEXT_LINE,      /* one was read, perhaps an empty one */
+    TEXT_LINE_NONE, /* the file ends here, or cannot be read: ferror() */
+    TEXT_LINE_ZERO, /* a zero byte, which no text has */
+    TEXT_LINE_LONG  /* it does not fit */
+};
+
+/* The next line, without its \n, into text[size]. */
+enum text_line text_line_read(FILE *file, char *text, size_t size);
+
+#endif
