@@ -19,7 +19,7 @@
 #define PIXELS SDL_PIXELFORMAT_BGRX8888
 #endif
 
-enum { IDLE_MS = 50, OWN_SIZE = 800 };
+enum { IDLE_MS = 50, OWN_SIZE = 800, TEXTURE_SIZE_MAX = 16384 };
 
 struct window {
     SDL_Window *window;
@@ -28,6 +28,8 @@ struct window {
     struct canvas canvas;
     struct viewer *viewer;
     bool renamed; /* the title is to be set */
+    int most;     /* px that a texture has each way; larger windows show one
+                     stretched */
 };
 
 static bool fails(const char *what)
@@ -43,8 +45,8 @@ static bool fit(struct window *w)
     int width, height;
     if (SDL_GetRendererOutputSize(w->renderer, &width, &height) != 0)
         return fails("the window's size is not known");
-    width = pel_max(width, 1);
-    height = pel_max(height, 1);
+    width = pel_max(pel_min(width, w->most), 1);
+    height = pel_max(pel_min(height, w->most), 1);
     if (w->canvas.memory && had->x1 == width && had->y1 == height)
         return true;
     canvas_free(&w->canvas);
@@ -177,6 +179,15 @@ static bool run(struct window *w)
     return viewer_save_last(viewer, &w->canvas.surface);
 }
 
+/* Each way; 0 x 0 is no limit, but that of pictures. */
+static int texture_size_most(SDL_Renderer *renderer)
+{
+    SDL_RendererInfo info = {0};
+    SDL_GetRendererInfo(renderer, &info);
+    const int most = pel_min(info.max_texture_width, info.max_texture_height);
+    return most > 0 ? pel_min(most, TEXTURE_SIZE_MAX) : TEXTURE_SIZE_MAX;
+}
+
 /* As fast as it goes when frames are counted, else as the screen takes them. */
 static bool open_window(struct window *w)
 {
@@ -189,7 +200,10 @@ static bool open_window(struct window *w)
         return fails("no window");
     w->renderer = SDL_CreateRenderer(w->window, -1,
                                      timed ? 0 : SDL_RENDERER_PRESENTVSYNC);
-    return w->renderer || fails("nothing can be drawn into the window");
+    if (!w->renderer)
+        return fails("nothing can be drawn into the window");
+    w->most = texture_size_most(w->renderer);
+    return true;
 }
 
 static void close_window(struct window *w)

@@ -52,6 +52,21 @@ size='--size 160x120'
 grep -q '^2 frames, [0-9.]* fps, drawing [0-9.]* ms a frame$' "$dir/told" ||
     fail "the rate is not told: $(cat "$dir/told")"
 
+# A window larger than any picture shows one of a legal size, stretched.
+cat >"$dir/large.c" <<'END'
+int SDL_GetRendererOutputSize(void *renderer, int *width, int *height)
+{
+    (void)renderer;
+    *width = 40000;
+    *height = 20;
+    return 0;
+}
+END
+${CC:-cc} -shared -fPIC "$dir/large.c" -o "$dir/large.so"
+LD_PRELOAD="$dir/large.so" "$PEL" view --frames 1 -o "$dir/view.ppm" \
+    2>"$dir/told" || fail "a large window: $(cat "$dir/told")"
+head -n 2 "$dir/view.ppm" | grep -q '^16384 20$' || fail "not as large as it may"
+
 # refuse MESSAGE ARGUMENTS...: status 2, and one line on standard error, beside
 # argp's own hint.
 refuse() {
