@@ -1,0 +1,14 @@
+/* PSF fonts of both versions; the caller has seen their first two bytes. */
+#include "fuzz_input.h"
+#include "sim/font/font.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    struct font font = {.missing = -1};
+    const struct font_file file = {"fuzz.psf", fuzz_text(data, size), size};
+    if (size >= 2)
+        font_parse_psf(&font, &file);
+    font_free(&font);
+    free(file.data);
+    return 0;
+}
