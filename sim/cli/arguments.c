@@ -1,8 +1,6 @@
 #include "sim/cli/arguments.h"
 
 #include <errno.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "sim/cli/child.h"
@@ -52,15 +50,4 @@ void arguments_parse(const struct argp *argp, int argc, char **argv,
     argp_err_exit_status = STATUS_ERROR;
     if (argp_parse(&root, argc, unused, 0, NULL, &names) != 0)
         exit(STATUS_ERROR);
-}
-
-void arguments_error(const struct argp_state *state, const char *format, ...)
-{
-    va_list arguments;
-    fprintf(stderr, "pel: ");
-    va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
-    va_end(arguments);
-    fprintf(stderr, "\nTry `%s --help' for more information.\n", state->name);
-    exit(STATUS_ERROR);
 }

@@ -9,9 +9,4 @@
 void arguments_parse(const struct argp *argp, int argc, char **argv,
                      void *input);
 
-/* For parsers, in place of argp_error: "pel: TEXT", where help is, and the end
- * of the program with STATUS_ERROR. */
-__attribute__((format(printf, 2, 3), noreturn)) void arguments_error(
-    const struct argp_state *state, const char *format, ...);
-
 #endif

@@ -1,5 +1,7 @@
 /* pel console: repairs a console that a program left broken. */
 
+#include <errno.h>
+
 #include "sim/cli/arguments.h"
 #include "sim/cli/commands.h"
 #include "drivers/console_linux.h"
@@ -31,11 +33,9 @@ static error_t parse(int key, char *text, struct argp_state *state)
         o->terminal = text;
         return 0;
     case ARGP_KEY_ARG:
-        arguments_error(state,
-                        "unknown argument %s: --reset is the one thing "
-                        "to do",
-                        text);
-        return 0;
+        message_error("unknown argument %s: --reset is the one thing to do",
+                      text);
+        return EINVAL;
     default:
         return ARGP_ERR_UNKNOWN;
     }

@@ -1,12 +1,12 @@
 #include "sim/cli/device.h"
 
+#include <errno.h>
 #include <string.h>
 
-#include "sim/cli/arguments.h"
 #include "core/raster/rectangle.h"
 #include "drivers/display_linux.h"
 #include "sim/cli/message.h"
-#include "sim/cli/number.h"
+#include "sim/cli/option_text.h"
 #include "port/linux/bands.h"
 
 enum { OPTION_DEVICE = 0x700, OPTION_JOBS };
@@ -25,17 +25,14 @@ static const struct argp_option options[] = {
 static error_t parse(int key, char *text, struct argp_state *state)
 {
     struct device_options *o = state->input;
-    int64_t v;
     switch (key) {
     case OPTION_DEVICE:
         o->name = text;
         return 0;
     case OPTION_JOBS:
-        if (number_integer(text, 0, PEL_POOL_MOST, &v) != NUMBER_OK)
-            arguments_error(state, "--jobs %s: a whole number in 0..%d", text,
-                            (int)PEL_POOL_MOST);
-        o->jobs = (int)v;
-        return 0;
+        return option_integer("--jobs", text, 0, PEL_POOL_MOST, &o->jobs)
+                   ? 0
+                   : EINVAL;
     default:
         return ARGP_ERR_UNKNOWN;
     }

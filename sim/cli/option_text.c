@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "sim/image/format_names.h"
 #include "sim/cli/message.h"
+#include "sim/cli/number.h"
 
 /* strtod also takes blanks before a number, hexadecimal ones, and words. */
 bool option_numbers_read(const char *text, const struct option_numbers *o,
@@ -29,6 +31,25 @@ bool option_numbers(const char *option, const char *text,
     return option_numbers_read(text, numbers, value) ||
            message_error("%s is '%s'; %s would be right", option, text,
                          numbers->right);
+}
+
+bool option_integer(const char *option, const char *text, int min, int max,
+                    int *value)
+{
+    int64_t v = 0;
+    const bool right = number_integer(text, min, max, &v) == NUMBER_OK;
+    *value = (int)v;
+    return right || message_error("%s is '%s'; a whole number from %d to %d "
+                                  "would be right",
+                                  option, text, min, max);
+}
+
+bool option_format(const char *text, const struct pel_format **format)
+{
+    *format = format_find(text);
+    return *format ||
+           message_error("--format is '%s'; one of %s would be right", text,
+                         format_list());
 }
 
 /* "a, b or c" */

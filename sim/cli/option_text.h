@@ -6,6 +6,8 @@
 #include <argp.h>
 #include <stdbool.h>
 
+#include "core/base/format.h"
+
 /* The range of numbers, and an example of what would be right. */
 struct option_numbers {
     int n;          /* how many, with `separator` between them */
@@ -26,6 +28,13 @@ bool option_numbers_read(const char *text, const struct option_numbers *numbers,
  * them all. */
 bool option_choice(const char *option, const char *text,
                    const char *const *names, int *choice);
+
+/* A whole number from min to max. */
+bool option_integer(const char *option, const char *text, int min, int max,
+                    int *value);
+
+/* A pixel format by its name. */
+bool option_format(const char *text, const struct pel_format **format);
 
 /* #rrggbb or rrggbb, opaque. */
 bool option_color(const char *option, const char *text, unsigned *color);

@@ -34,7 +34,8 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->script_count = state->argc - state->next;
         return 0;
     case ARGP_KEY_NO_ARGS:
-        arguments_error(state, "the directory for the pictures is missing");
+        message_error("the directory for the pictures is missing");
+        return EINVAL;
     default:
         return ARGP_ERR_UNKNOWN;
     }

@@ -1,4 +1,5 @@
 /* pel compare: where two pictures differ. */
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -6,7 +7,7 @@
 #include "sim/cli/arguments.h"
 #include "sim/cli/commands.h"
 #include "sim/cli/message.h"
-#include "sim/cli/number.h"
+#include "sim/cli/option_text.h"
 #include "sim/image/picture.h"
 #include "sim/image/texture.h"
 
@@ -33,14 +34,20 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static void parse_tolerance(const char *text, struct argp_state *state)
+static bool check_paths(const struct compare_options *o)
 {
-    int64_t v;
-    struct compare_options *o = state->input;
-    if (number_integer(text, 0, 255, &v) != NUMBER_OK)
-        arguments_error(
-            state, "--tolerance %s: must be a whole number in 0..255", text);
-    o->tolerance = (int)v;
+    if (o->count < 2)
+        return message_error("two pictures are needed, %d given", o->count);
+    return strcmp(o->path[0], "-") != 0 || strcmp(o->path[1], "-") != 0 ||
+           message_error("only one picture can be standard input");
+}
+
+static bool add_path(struct compare_options *o, const char *text)
+{
+    if (o->count == 2)
+        return message_error("two pictures only, not %s too", text);
+    o->path[o->count++] = text;
+    return true;
 }
 
 static error_t parse_option(int key, char *text, struct argp_state *state)
@@ -48,23 +55,16 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
     struct compare_options *o = state->input;
     switch (key) {
     case OPTION_TOLERANCE:
-        parse_tolerance(text, state);
-        return 0;
+        return option_integer("--tolerance", text, 0, 255, &o->tolerance)
+                   ? 0
+                   : EINVAL;
     case OPTION_DIFF:
         o->diff = text;
         return 0;
     case ARGP_KEY_ARG:
-        if (o->count == 2)
-            arguments_error(state, "two pictures only, not %s too", text);
-        o->path[o->count++] = text;
-        return 0;
+        return add_path(o, text) ? 0 : EINVAL;
     case ARGP_KEY_END:
-        if (o->count < 2)
-            arguments_error(state, "two pictures are needed, %d given",
-                            o->count);
-        if (strcmp(o->path[0], "-") == 0 && strcmp(o->path[1], "-") == 0)
-            arguments_error(state, "only one picture can be standard input");
-        return 0;
+        return check_paths(o) ? 0 : EINVAL;
     default:
         return ARGP_ERR_UNKNOWN;
     }

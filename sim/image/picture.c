@@ -44,6 +44,16 @@ void picture_free(struct picture *picture)
     *picture = empty;
 }
 
+void picture_bytes(const struct picture *picture, int y, unsigned char *to)
+{
+    const pel_color *row = picture_row(picture, y);
+    for (int x = 0; x < picture->width; x++) {
+        *to++ = (unsigned char)pel_red(row[x]);
+        *to++ = (unsigned char)pel_green(row[x]);
+        *to++ = (unsigned char)pel_blue(row[x]);
+    }
+}
+
 bool picture_load(struct picture *picture, const char *path)
 {
     const struct picture empty = {0, 0, NULL};

@@ -9,13 +9,7 @@ static void write_rows(const struct picture *picture, png_structp png,
                        png_bytep line)
 {
     for (int y = 0; y < picture->height; y++) {
-        const pel_color *row = picture_row(picture, y);
-        png_bytep to = line;
-        for (int x = 0; x < picture->width; x++) {
-            *to++ = (png_byte)pel_red(row[x]);
-            *to++ = (png_byte)pel_green(row[x]);
-            *to++ = (png_byte)pel_blue(row[x]);
-        }
+        picture_bytes(picture, y, line);
         png_write_row(png, line);
     }
 }

@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "sim/cli/message.h"
-#include "sim/cli/number.h"
 #include "sim/cli/option_text.h"
 #include "sim/render/scene_options.h"
 
@@ -94,17 +93,6 @@ static bool parse_factor(const char *option, const char *text, double *factor)
     return option_numbers(option, text, &numbers, factor);
 }
 
-static bool parse_shininess(const char *text, struct scene_settings *s)
-{
-    int64_t v = 0;
-    if (number_integer(text, 1, 256, &v) != NUMBER_OK)
-        return message_error("--shininess is '%s'; a whole number from 1 to "
-                             "256 would be right",
-                             text);
-    s->shininess = (int)v;
-    return true;
-}
-
 /* The bit of a name that ends at a comma or the text's end; 0: none. */
 static unsigned find_term(const char *text)
 {
@@ -167,7 +155,7 @@ static bool parse_lighting(int key, const char *text, struct scene_settings *s)
     case KEY_KS:
         return parse_factor("--ks", text, &s->specular);
     case KEY_SHININESS:
-        return parse_shininess(text, s);
+        return option_integer("--shininess", text, 1, 256, &s->shininess);
     case KEY_TERMS:
         return parse_terms(text, s);
     case KEY_HIGHLIGHTS:

@@ -11,7 +11,6 @@
 #include "sim/image/format_names.h"
 #include "sim/cli/message.h"
 #include "sim/cli/milliseconds.h"
-#include "sim/cli/number.h"
 #include "sim/cli/output.h"
 #include "sim/render/print_camera.h"
 #include "sim/render/painter.h"
@@ -61,25 +60,6 @@ static bool parse_collinear(const char *text, struct render_options *o)
                          text);
 }
 
-static bool parse_format(const char *text, struct render_options *o)
-{
-    o->format = format_find(text);
-    return o->format ||
-           message_error("--format is '%s'; one of %s would be right", text,
-                         format_list());
-}
-
-static bool parse_bands(const char *text, struct render_options *o)
-{
-    int64_t rows = 0;
-    if (number_integer(text, 0, 32767, &rows) != NUMBER_OK)
-        return message_error("--bands is '%s'; rows from 0 (none) to 32767 "
-                             "would be right",
-                             text);
-    o->bands = (int)rows;
-    return true;
-}
-
 static bool parse_mesh(const char *text, struct render_options *o)
 {
     if (o->scene.source.path)
@@ -102,9 +82,10 @@ static error_t parse(int key, char *text, struct argp_state *state)
         o->output = text;
         return 0;
     case OPTION_FORMAT:
-        return parse_format(text, o) ? 0 : EINVAL;
+        return option_format(text, &o->format) ? 0 : EINVAL;
     case OPTION_BANDS:
-        return parse_bands(text, o) ? 0 : EINVAL;
+        return option_integer("--bands", text, 0, 32767, &o->bands) ? 0
+                                                                    : EINVAL;
     case OPTION_TIME:
         o->timed = true;
         return 0;

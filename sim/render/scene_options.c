@@ -144,13 +144,10 @@ static bool parse_turn(const char *text, struct scene_settings *s)
 
 static bool parse_transparency(const char *text, struct scene_settings *s)
 {
-    int64_t v = 0;
-    if (number_integer(text, 0, 255, &v) != NUMBER_OK)
-        return message_error("--transparency is '%s'; a whole number from 0 "
-                             "(opaque) to 255 would be right",
-                             text);
+    int v;
+    const bool right = option_integer("--transparency", text, 0, 255, &v);
     s->transparency = (uint8_t)v;
-    return true;
+    return right;
 }
 
 static bool parse_value(int key, const char *text, struct scene_options *o)

@@ -1,11 +1,12 @@
 /* pel run: draws a script. */
 
+#include <errno.h>
+
 #include "sim/cli/arguments.h"
 #include "sim/cli/commands.h"
 #include "sim/cli/device.h"
-#include "sim/image/format_names.h"
 #include "sim/cli/message.h"
-#include "sim/cli/number.h"
+#include "sim/cli/option_text.h"
 #include "sim/script/script.h"
 
 struct run_options {
@@ -27,25 +28,12 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static error_t parse_bands(const char *text, struct argp_state *state)
+static bool parse_script(const char *text, struct run_options *o)
 {
-    int64_t v;
-    struct run_options *o = state->input;
-    if (number_integer(text, 0, 32767, &v) != NUMBER_OK)
-        arguments_error(
-            state, "--bands %s: rows must be a whole number in 0..32767", text);
-    o->bands = (int)v;
-    return 0;
-}
-
-static error_t parse_format(const char *text, struct argp_state *state)
-{
-    struct run_options *o = state->input;
-    o->format = format_find(text);
-    if (!o->format)
-        arguments_error(state, "--format is '%s'; one of %s would be right",
-                        text, format_list());
-    return 0;
+    if (o->script)
+        return message_error("one script only, not %s too", text);
+    o->script = text;
+    return true;
 }
 
 static error_t parse_option(int key, char *text, struct argp_state *state)
@@ -59,17 +47,15 @@ static error_t parse_option(int key, char *text, struct argp_state *state)
         o->output = text;
         return 0;
     case OPTION_BANDS:
-        return parse_bands(text, state);
+        return option_integer("--bands", text, 0, 32767, &o->bands) ? 0
+                                                                    : EINVAL;
     case OPTION_FORMAT:
-        return parse_format(text, state);
+        return option_format(text, &o->format) ? 0 : EINVAL;
     case ARGP_KEY_ARG:
-        if (o->script)
-            arguments_error(state, "one script only, not %s too", text);
-        o->script = text;
-        return 0;
+        return parse_script(text, o) ? 0 : EINVAL;
     case ARGP_KEY_NO_ARGS:
-        arguments_error(state, "a script is missing; - is standard input");
-        return 0;
+        message_error("a script is missing; - is standard input");
+        return EINVAL;
     default:
         return ARGP_ERR_UNKNOWN;
     }

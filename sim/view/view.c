@@ -6,7 +6,6 @@
 #include "sim/cli/arguments.h"
 #include "sim/cli/commands.h"
 #include "sim/cli/message.h"
-#include "sim/cli/number.h"
 #include "sim/cli/option_text.h"
 #include "sim/mesh/pel2d.h"
 #include "sim/render/scene_options.h"
@@ -29,17 +28,6 @@ static const struct argp_option options[] = {
     {"output", 'o', "FILE", 0, "write the last picture: .ppm, .png or .bmp", 0},
     {0},
 };
-
-static bool parse_frames(const char *text, struct viewer_options *o)
-{
-    int64_t frames = 0;
-    if (number_integer(text, 1, 1000000, &frames) != NUMBER_OK)
-        return message_error("--frames is '%s'; a whole number from 1 to "
-                             "1000000 would be right",
-                             text);
-    o->frames = (int)frames;
-    return true;
-}
 
 static bool parse_step(const char *text, struct viewer_options *o)
 {
@@ -64,7 +52,7 @@ static bool parse_value(int key, const char *text, struct viewer_options *o)
 {
     switch (key) {
     case OPTION_FRAMES:
-        return parse_frames(text, o);
+        return option_integer("--frames", text, 1, 1000000, &o->frames);
     case OPTION_STEP:
         return parse_step(text, o);
     case OPTION_STILL:

@@ -235,7 +235,7 @@ said err 'pel: a script is missing'
 status 2 "$PEL" run "$work/s.pel" "$work/s.pel"
 said err 'pel: one script only'
 status 2 "$PEL" run "$work/s.pel" --bands x
-said err 'pel: --bands x: rows must be'
+said err "pel: --bands is 'x'; a whole number from 0 to 32767"
 status 2 "$PEL" run "$work/s.pel" --format rgb
 said err "pel: --format is 'rgb'; one of "
 status 2 "$PEL" run "$work/s.pel" --fast
