@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "core/raster/rectangle.h"
-#include "drivers/display_linux.h"
 #include "sim/cli/message.h"
 #include "sim/cli/option_text.h"
 #include "port/linux/bands.h"
@@ -61,14 +60,14 @@ static void draw_band(void *context, const struct pel_surface *band)
         __atomic_store_n(&job->failed, 1, __ATOMIC_RELAXED);
 }
 
-static bool draw_in(struct pel_pool *pool, struct canvas *canvas,
-                    struct job *job)
+bool device_draw_bands(struct pel_pool *pool, struct canvas *canvas,
+                       device_draw_function *draw, const void *context)
 {
+    struct job job = {draw, context, 0};
     if (pool->threads == 0)
-        return job->draw(canvas, job->context);
-    canvas->surface.clip = canvas->surface.bounds;
-    pel_bands_draw(pool, &canvas->surface, draw_band, job);
-    return !job->failed;
+        return draw(canvas, context);
+    pel_bands_draw(pool, &canvas->surface, draw_band, &job);
+    return !job.failed;
 }
 
 static void start_pool(struct pel_pool *pool, const struct device_options *o)
@@ -80,9 +79,8 @@ bool device_draw_canvas(const struct device_options *o, struct canvas *canvas,
                         device_draw_function *draw, const void *context)
 {
     struct pel_pool pool;
-    struct job job = {draw, context, 0};
     start_pool(&pool, o);
-    const bool done = draw_in(&pool, canvas, &job);
+    const bool done = device_draw_bands(&pool, canvas, draw, context);
     pel_pool_end(&pool);
     return done;
 }
@@ -106,44 +104,9 @@ static struct canvas place(const struct pel_surface *screen,
     return canvas;
 }
 
-static bool fails(struct pel_display_linux *screen)
+static bool fails(const struct pel_display_linux *screen)
 {
     return message_error("%s", screen->message.text);
-}
-
-/* One frame. False, with a message, when the device or the drawing fails. */
-static bool show_frame(struct pel_display_linux *screen,
-                       const struct device_picture *picture,
-                       struct pel_pool *pool, struct job *job)
-{
-    struct pel_surface surface;
-    enum pel_status status =
-        pel_display_begin(&screen->display, &screen->area, &surface);
-    if (status != PEL_OK)
-        return fails(screen);
-    pel_clear(&surface, PEL_RGB(0, 0, 0));
-    struct canvas canvas = place(&surface, picture);
-    if (!draw_in(pool, &canvas, job))
-        return false;
-    status = pel_display_flush(&screen->display, &surface);
-    if (status == PEL_OK)
-        status = pel_display_flip(&screen->display);
-    return status == PEL_OK || fails(screen);
-}
-
-static bool show(struct pel_display_linux *screen,
-                 const struct device_picture *picture, struct pel_pool *pool)
-{
-    struct job job = {picture->draw, picture->context, 0};
-    enum pel_console_event event;
-    do {
-        if (!show_frame(screen, picture, pool, &job))
-            return false;
-        do
-            event = pel_display_linux_wait(screen, -1);
-        while (event == PEL_CONSOLE_NOTHING);
-    } while (event == PEL_CONSOLE_REDRAW);
-    return true;
 }
 
 static void tell(const struct pel_message *message)
@@ -152,21 +115,73 @@ static void tell(const struct pel_message *message)
         fprintf(stderr, "pel: %s\n", message->text);
 }
 
+bool device_open(struct pel_display_linux *screen,
+                 const struct device_options *o, enum pel_fb_way way)
+{
+    const char *name = strcmp(o->name, "auto") == 0 ? NULL : o->name;
+    if (pel_display_linux_open(screen, name, way) != PEL_OK)
+        return fails(screen);
+    tell(&screen->note);
+    tell(&screen->console);
+    return true;
+}
+
+bool device_frame(struct pel_display_linux *screen, device_frame_function *draw,
+                  void *context)
+{
+    struct pel_surface surface;
+    enum pel_status status =
+        pel_display_begin(&screen->display, &screen->area, &surface);
+    if (status != PEL_OK)
+        return fails(screen);
+    pel_clear(&surface, PEL_RGB(0, 0, 0));
+    if (!draw(&surface, context))
+        return false;
+    status = pel_display_flush(&screen->display, &surface);
+    if (status == PEL_OK)
+        status = pel_display_flip(&screen->display);
+    return status == PEL_OK || fails(screen);
+}
+
+/* A picture, and the threads that draw it. */
+struct showing {
+    const struct device_picture *picture;
+    struct pel_pool pool;
+};
+
+static bool draw_placed(struct pel_surface *surface, void *context)
+{
+    struct showing *s = context;
+    struct canvas canvas = place(surface, s->picture);
+    return device_draw_bands(&s->pool, &canvas, s->picture->draw,
+                             s->picture->context);
+}
+
+static bool show(struct pel_display_linux *screen, struct showing *s)
+{
+    enum pel_console_event event;
+    do {
+        if (!device_frame(screen, draw_placed, s))
+            return false;
+        do
+            event = pel_display_linux_wait(screen, -1);
+        while (event == PEL_CONSOLE_NOTHING);
+    } while (event == PEL_CONSOLE_REDRAW);
+    return true;
+}
+
 bool device_show(const struct device_options *o,
                  const struct device_picture *picture)
 {
     struct pel_display_linux screen;
-    struct pel_pool pool;
-    const char *name = strcmp(o->name, "auto") == 0 ? NULL : o->name;
-    if (pel_display_linux_open(&screen, name, PEL_FB_STILL) != PEL_OK)
-        return fails(&screen);
-    tell(&screen.note);
-    tell(&screen.console);
+    struct showing showing = {.picture = picture};
+    if (!device_open(&screen, o, PEL_FB_STILL))
+        return false;
     if (picture->format)
         *picture->format = screen.display.format;
-    start_pool(&pool, o);
-    const bool shown = show(&screen, picture, &pool);
-    pel_pool_end(&pool);
+    start_pool(&showing.pool, o);
+    const bool shown = show(&screen, &showing);
+    pel_pool_end(&showing.pool);
     pel_display_linux_close(&screen);
     return shown;
 }

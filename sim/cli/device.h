@@ -6,6 +6,8 @@
 #include <argp.h>
 
 #include "sim/image/canvas.h"
+#include "drivers/display_linux.h"
+#include "port/linux/pool.h"
 
 struct device_options {
     const char *name; /* fb:PATH, drm:PATH or auto; NULL: no device */
@@ -27,10 +29,28 @@ bool device_check_output(const struct device_options *options,
  * a message, on failure. */
 typedef bool device_draw_function(struct canvas *canvas, const void *context);
 
+/* Draws onto a canvas within its clip, in bands side by side on the threads of
+ * the pool. */
+bool device_draw_bands(struct pel_pool *pool, struct canvas *canvas,
+                       device_draw_function *draw, const void *context);
+
 /* Draws onto a canvas with the threads asked for. */
 bool device_draw_canvas(const struct device_options *options,
                         struct canvas *canvas, device_draw_function *draw,
                         const void *context);
+
+/* Opens the device that the options name and tells what it has to tell. False,
+ * with a message. */
+bool device_open(struct pel_display_linux *screen,
+                 const struct device_options *options, enum pel_fb_way way);
+
+/* Draws a frame onto a surface, which is black. False, with a message. */
+typedef bool device_frame_function(struct pel_surface *surface, void *context);
+
+/* Draws one frame and shows it. False, with a message, when the device or the
+ * drawing fails. */
+bool device_frame(struct pel_display_linux *screen, device_frame_function *draw,
+                  void *context);
 
 /* What is shown, in the device's pixel format: `format` is told which. */
 struct device_picture {

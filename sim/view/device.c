@@ -1,10 +1,6 @@
 /* pel view on a framebuffer or DRM device. */
 #include <stdio.h>
-#include <string.h>
 
-#include "core/raster/rectangle.h"
-#include "drivers/display_linux.h"
-#include "sim/cli/message.h"
 #include "sim/view/displays.h"
 
 enum { IDLE_MS = 50 };
@@ -15,30 +11,15 @@ struct screen {
     struct viewer viewer;
 };
 
-static bool fails(const struct screen *s)
+static bool draw_view(struct pel_surface *surface, void *context)
 {
-    return message_error("%s", s->linux.message.text);
-}
-
-static bool draw(struct screen *s)
-{
-    const struct pel_display *display = &s->linux.display;
-    struct pel_surface surface;
-    enum pel_status status =
-        pel_display_begin(display, &s->linux.area, &surface);
-    if (status != PEL_OK)
-        return fails(s);
-    pel_clear(&surface, PEL_RGB(0, 0, 0));
-    const struct pel_rect whole = surface.clip;
-    pel_surface_clip(&surface, &s->area);
-    if (!viewer_draw(&s->viewer, &surface))
-        return false;
-    surface.clip = whole;
-    status = pel_display_flush(display, &surface);
-    if (status == PEL_OK)
-        status = pel_display_flip(display);
+    struct screen *s = context;
+    const struct pel_rect whole = surface->clip;
+    pel_surface_clip(surface, &s->area);
+    const bool done = viewer_draw(&s->viewer, surface);
+    surface->clip = whole;
     viewer_shown(&s->viewer);
-    return status == PEL_OK || fails(s);
+    return done;
 }
 
 /* The picture once more: what a display was handed is its own. */
@@ -95,7 +76,7 @@ static bool run(struct screen *s)
         if (s->viewer.over)
             break;
         viewer_advance(&s->viewer);
-        if (s->viewer.stale && !draw(s))
+        if (s->viewer.stale && !device_frame(&s->linux, draw_view, s))
             return false;
     }
     return save(s, true);
@@ -113,12 +94,6 @@ static void place(struct screen *s, struct camera *camera)
     s->area.y0 = pel_max(screen->y1 - camera->height, 0) / 2;
     s->area.x1 = pel_min(s->area.x0 + camera->width, screen->x1);
     s->area.y1 = pel_min(s->area.y0 + camera->height, screen->y1);
-}
-
-static void tell(const struct pel_message *message)
-{
-    if (message->text[0])
-        fprintf(stderr, "pel: %s\n", message->text);
 }
 
 static bool run_viewer(struct screen *s, const struct view_job *job)
@@ -141,12 +116,8 @@ bool view_device(const struct view_job *job)
 {
     struct screen s = {.area = {0, 0, 0, 0}};
     char title[VIEWER_TITLE_SIZE];
-    const char *name =
-        strcmp(job->device->name, "auto") == 0 ? NULL : job->device->name;
-    if (pel_display_linux_open(&s.linux, name, PEL_FB_ANY) != PEL_OK)
-        return fails(&s);
-    tell(&s.linux.note);
-    tell(&s.linux.console);
+    if (!device_open(&s.linux, job->device, PEL_FB_ANY))
+        return false;
     view_tell_keys(job->options);
     const bool done = run_viewer(&s, job);
     pel_display_linux_close(&s.linux);

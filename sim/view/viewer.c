@@ -4,11 +4,10 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "sim/image/canvas.h"
 #include "core/raster/rectangle.h"
+#include "sim/cli/device.h"
 #include "sim/cli/message.h"
 #include "sim/cli/milliseconds.h"
-#include "port/linux/bands.h"
 
 static const double turns_per_ms = 1.0 / 10000;
 
@@ -81,18 +80,11 @@ bool viewer_advance(struct viewer *viewer)
     return measure(viewer, now);
 }
 
-struct job {
-    const struct scene *scene;
-    pel_color background;
-    int failed; /* set by any thread */
-};
-
-static void draw_band(void *context, const struct pel_surface *band)
+static bool draw_band(struct canvas *band, const void *context)
 {
-    struct job *job = context;
-    pel_clear(band, job->background);
-    if (!scene_draw(job->scene, band))
-        __atomic_store_n(&job->failed, 1, __ATOMIC_RELAXED);
+    const struct viewer *viewer = context;
+    pel_clear(&band->surface, viewer->view.settings.camera.background);
+    return scene_draw(&viewer->scene, &band->surface);
 }
 
 static bool has_light(const struct scene *scene)
@@ -113,10 +105,11 @@ bool viewer_draw(struct viewer *viewer, const struct pel_surface *surface)
     if (!scene_prepare(&viewer->scene, &settings))
         return false;
     viewer->view.lit = has_light(&viewer->scene);
-    struct job job = {&viewer->scene, settings.camera.background, 0};
-    pel_bands_draw(viewer->pool, surface, draw_band, &job);
+    struct canvas canvas = {.surface = *surface};
+    const bool done =
+        device_draw_bands(viewer->pool, &canvas, draw_band, viewer);
     viewer->drawing += milliseconds() - start;
-    return !job.failed;
+    return done;
 }
 
 void viewer_shown(struct viewer *viewer)
