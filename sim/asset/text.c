@@ -7,6 +7,7 @@
 
 #include "sim/asset/import.h"
 #include "sim/cli/message.h"
+#include "sim/cli/text_line.h"
 
 static const char made[] = "/* Made by pel import from ";
 
@@ -87,13 +88,11 @@ void import_struct_begin(struct import_text *text)
 /* Is there a file that somebody else wrote? */
 static bool is_foreign(const char *path)
 {
-    char start[sizeof(made)] = "";
-    FILE *file = fopen(path, "r");
-    if (!file)
-        return access(path, F_OK) == 0;
-    const size_t n = fread(start, 1, sizeof(made) - 1, file);
-    fclose(file);
-    return n > 0 && strcmp(start, made) != 0;
+    char start[sizeof(made)];
+    return access(path, F_OK) == 0 &&
+           (access(path, R_OK) != 0 ||
+            (text_start(path, start, sizeof(start)) > 0 &&
+             strcmp(start, made) != 0));
 }
 
 /* pel.h, which C++ may include too. */

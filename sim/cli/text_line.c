@@ -14,3 +14,13 @@ enum text_line text_line_read(FILE *file, char *text, size_t size)
     text[n] = '\0';
     return c == EOF && n == 0 ? TEXT_LINE_NONE : TEXT_LINE;
 }
+
+size_t text_start(const char *path, char *text, size_t size)
+{
+    FILE *file = fopen(path, "rb");
+    const size_t n = file ? fread(text, 1, size - 1, file) : 0;
+    text[n] = '\0';
+    if (file)
+        fclose(file);
+    return n;
+}

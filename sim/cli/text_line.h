@@ -14,4 +14,8 @@ enum text_line {
 /* The next line, without its \n, into text[size]. */
 enum text_line text_line_read(FILE *file, char *text, size_t size);
 
+/* The first bytes of a file, at most size - 1 and with a 0 behind them; how
+ * many, 0 when it cannot be read. */
+size_t text_start(const char *path, char *text, size_t size);
+
 #endif

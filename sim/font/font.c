@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "sim/cli/byte_order_mark.h"
+#include "sim/cli/list.h"
 #include "sim/cli/message.h"
 
 enum { FILE_MAX = 64 << 20, CHUNK = 1 << 16 };
@@ -164,15 +165,11 @@ static struct font_char trimmed(const struct font_char *c, const uint8_t *rows,
 
 static bool grow(struct font *font, size_t bytes)
 {
-    /* Powers of two, whatever there was before. */
-    if ((font->count & (font->count - 1)) == 0) {
-        size_t room = font->count ? 2 * font->count : 1;
-        struct font_char *chars =
-            realloc(font->chars, room * sizeof(*font->chars));
-        if (!chars)
-            return message_error("out of memory");
-        font->chars = chars;
-    }
+    struct font_char *chars =
+        list_grow(font->chars, font->count, sizeof(*chars));
+    if (!chars)
+        return false;
+    font->chars = chars;
     uint8_t *bits = realloc(font->bits, font->size + bytes + 1);
     if (!bits)
         return message_error("out of memory");

@@ -2,6 +2,7 @@
 
 #include "sim/cli/byte_order_mark.h"
 #include "sim/cli/message.h"
+#include "sim/cli/text_line.h"
 
 #ifdef HAVE_ASSIMP
 #include <assimp/cimport.h>
@@ -301,12 +302,8 @@ static bool check_strips(const char *path)
  * leaves out the first line without a word. */
 static bool check_mark(const char *path)
 {
-    char start[8] = "";
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return true;
-    const size_t n = fread(start, 1, sizeof(start) - 1, file);
-    fclose(file);
+    char start[8];
+    const size_t n = text_start(path, start, sizeof(start));
     const char *text = start + byte_order_mark(start);
     return n == 0 || text == start || *text == '<' ||
            strncmp(text, "xof ", 4) == 0 ||

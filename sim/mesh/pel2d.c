@@ -6,32 +6,23 @@
 #include <sys/stat.h>
 
 #include "sim/cli/byte_order_mark.h"
+#include "sim/cli/list.h"
 #include "sim/cli/message.h"
+#include "sim/cli/text_line.h"
 
 enum { COUNT_MAX = 1 << 28 };
 
-/* Memory for one more than `count` elements of `size` bytes. */
-static void *grown(void *memory, uint32_t count, uint32_t *room, size_t size)
+static void *grown(void *list, uint32_t count, size_t size)
 {
-    uint32_t more = *room ? *room * 2 : 256;
-    if (count < *room)
-        return memory;
-    if (count >= COUNT_MAX) {
-        message_error("a mesh has at most %d vertices or triangles", COUNT_MAX);
-        return NULL;
-    }
-    memory = realloc(memory, more * size);
-    if (memory)
-        *room = more;
-    else
-        message_error("no memory for %u vertices or triangles", more);
-    return memory;
+    if (count < COUNT_MAX)
+        return list_grow(list, count, size);
+    message_error("a mesh has at most %d vertices or triangles", COUNT_MAX);
+    return NULL;
 }
 
 bool pel2d_add_vertex(struct pel2d *flat, const struct pel2d_vertex *vertex)
 {
-    void *memory = grown(flat->vertex, flat->vertices, &flat->vertices_room,
-                         sizeof(*flat->vertex));
+    void *memory = grown(flat->vertex, flat->vertices, sizeof(*flat->vertex));
     if (!memory)
         return false;
     flat->vertex = memory;
@@ -41,8 +32,8 @@ bool pel2d_add_vertex(struct pel2d *flat, const struct pel2d_vertex *vertex)
 
 bool pel2d_add_triangle(struct pel2d *flat, const uint32_t index[3])
 {
-    void *memory = grown(flat->triangle, flat->triangles, &flat->triangles_room,
-                         sizeof(*flat->triangle));
+    void *memory =
+        grown(flat->triangle, flat->triangles, sizeof(*flat->triangle));
     if (!memory)
         return false;
     flat->triangle = memory;
@@ -59,7 +50,7 @@ void pel2d_free(struct pel2d *flat)
 
 bool pel2d_is_file(const char *path)
 {
-    char start[10] = "";
+    char start[10];
     struct stat status;
     const char *dot = strrchr(path, '.');
     if (strcmp(path, "-") == 0 || (dot && strcmp(dot, ".pel2d") == 0))
@@ -68,12 +59,8 @@ bool pel2d_is_file(const char *path)
         return false;
     if (!S_ISREG(status.st_mode)) /* what is read from a pipe is gone */
         return true;
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return false;
-    size_t n = fread(start, 1, sizeof(start) - 1, file);
-    fclose(file);
+    text_start(path, start, sizeof(start));
     const char *text = start + byte_order_mark(start);
-    return n > 0 && strncmp(text, "pel2d", 5) == 0 &&
+    return strncmp(text, "pel2d", 5) == 0 &&
            (text[5] == ' ' || text[5] == '\t');
 }

@@ -27,7 +27,6 @@ struct pel2d {
     struct pel2d_vertex *vertex;
     uint32_t (*triangle)[3];
     uint32_t vertices, triangles;
-    uint32_t vertices_room, triangles_room; /* that memory is there for */
 };
 
 /* Append one. False, with a message on standard error, when memory is short or

@@ -7,19 +7,10 @@
 
 #include "core/format/argb8888.h"
 #include "sim/font/asset.h"
+#include "sim/cli/list.h"
 #include "sim/cli/message.h"
 #include "sim/script/meshes.h"
 #include "sim/image/texture.h"
-
-/* A list with room for one more of `size` bytes; NULL, with a message. */
-static void *list_grow(const struct script_place *place, void *list,
-                       size_t count, size_t size)
-{
-    void *grown = realloc(list, (count + 1) * size);
-    if (!grown)
-        message_error_at(place->path, place->line, "out of memory");
-    return grown;
-}
 
 static bool out_of_memory(const struct script_place *place)
 {
@@ -65,7 +56,7 @@ bool script_add_font(const struct script_place *place, const char *word,
 {
     struct script_assets *a = place->assets;
     struct pel_font_asset *list =
-        list_grow(place, a->fonts, a->font_count, sizeof(*list));
+        list_grow(a->fonts, a->font_count, sizeof(*list));
     char *path = script_file(place, word);
     bool done = false;
     if (list)
@@ -111,7 +102,7 @@ bool script_add_picture(const struct script_place *place, const char *word,
 {
     struct script_assets *a = place->assets;
     struct pel_surface *list =
-        list_grow(place, a->pictures, a->picture_count, sizeof(*list));
+        list_grow(a->pictures, a->picture_count, sizeof(*list));
     char *path = script_file(place, word);
     bool done = false;
     if (list)
@@ -132,7 +123,7 @@ static bool add_text(const struct script_place *place, char *text,
 {
     struct script_assets *a = place->assets;
     char **list =
-        text ? list_grow(place, a->texts, a->text_count, sizeof(*list)) : NULL;
+        text ? list_grow(a->texts, a->text_count, sizeof(*list)) : NULL;
     if (!list) {
         free(text);
         return false;

@@ -1,33 +1,16 @@
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/image/glyph_find.h"
 #include "sim/image/format_names.h"
+#include "sim/cli/list.h"
 #include "sim/cli/message.h"
 #include "sim/script/assets.h"
 #include "sim/script/parser.h"
 
-/* Room for one more entry of `size` bytes in a list; NULL, with a message, when
- * memory is short: the list is then as it was. */
-static void *list_grow(const struct script_parser *p, void *list, size_t count,
-                       size_t *capacity, size_t size)
-{
-    if (count < *capacity)
-        return list;
-    const size_t n = *capacity ? 2 * *capacity : 64;
-    void *grown = realloc(list, n * size);
-    if (grown)
-        *capacity = n;
-    else
-        message_error_at(p->script->path, p->line, "out of memory");
-    return grown;
-}
-
 static bool add_word(struct script_parser *p, char *word)
 {
-    char **list =
-        list_grow(p, p->words, p->word_count, &p->word_capacity, sizeof *list);
+    char **list = list_grow(p->words, p->word_count, sizeof *list);
     if (!list)
         return false;
     p->words = list;
@@ -38,8 +21,7 @@ static bool add_word(struct script_parser *p, char *word)
 static bool add_value(struct script_parser *p, int32_t value)
 {
     struct script *s = p->script;
-    int32_t *list = list_grow(p, s->values, s->value_count, &p->value_capacity,
-                              sizeof *list);
+    int32_t *list = list_grow(s->values, s->value_count, sizeof *list);
     if (!list)
         return false;
     s->values = list;
@@ -50,8 +32,7 @@ static bool add_value(struct script_parser *p, int32_t value)
 static bool add_item(struct script_parser *p, const struct script_item *item)
 {
     struct script *s = p->script;
-    struct script_item *list =
-        list_grow(p, s->items, s->item_count, &p->item_capacity, sizeof *list);
+    struct script_item *list = list_grow(s->items, s->item_count, sizeof *list);
     if (!list)
         return false;
     s->items = list;

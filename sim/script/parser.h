@@ -7,9 +7,8 @@
 struct script_parser {
     struct script *script;
     long line;
-    size_t item_capacity, value_capacity;
     char **words; /* of the line, in its own memory */
-    size_t word_count, word_capacity;
+    size_t word_count;
     bool by_vertex; /* paint vertex is in force */
     bool has_font;
     struct script_scene scene; /* in force */
