@@ -163,13 +163,26 @@ static struct font_char trimmed(const struct font_char *c, const uint8_t *rows,
     return t;
 }
 
-static bool grow(struct font *font, size_t bytes)
+static bool add_char(struct font *font, const struct font_char *c)
 {
     struct font_char *chars =
         list_grow(font->chars, font->count, sizeof(*chars));
     if (!chars)
         return false;
     font->chars = chars;
+    chars[font->count++] = *c;
+    return true;
+}
+
+bool font_add_alias(struct font *font, uint32_t code)
+{
+    struct font_char c = font->chars[font->count - 1];
+    c.code = code;
+    return add_char(font, &c);
+}
+
+static bool grow_bits(struct font *font, size_t bytes)
+{
     uint8_t *bits = realloc(font->bits, font->size + bytes + 1);
     if (!bits)
         return message_error("out of memory");
@@ -186,14 +199,13 @@ bool font_add(struct font *font, const struct font_char *glyph,
     const size_t row = ((size_t)c.width + 7) / 8;
     const size_t bytes = row * (size_t)c.height;
     c.offset = font->size;
-    if (!grow(font, bytes))
+    if (!grow_bits(font, bytes) || !add_char(font, &c))
         return false;
     for (int y = 0; y < c.height; y++)
         for (int x = 0; x < c.width; x++)
             if (bit_at(rows + (size_t)(y0 + y) * stride, x0 + x))
                 font->bits[font->size + (size_t)y * row + (size_t)x / 8] |=
                     (uint8_t)(0x80 >> x % 8);
-    font->chars[font->count++] = c;
     font->size += bytes;
     return true;
 }

@@ -53,4 +53,8 @@ bool font_parse_psf(struct font *font, const struct font_file *file);
 bool font_add(struct font *font, const struct font_char *glyph,
               const uint8_t *rows, size_t stride);
 
+/* The last glyph once more, for another code point. False when memory is short.
+ */
+bool font_add_alias(struct font *font, uint32_t code);
+
 #endif

@@ -13,6 +13,7 @@ struct psf {
     size_t glyphs; /* where they begin */
     bool has_table;
     int version;
+    uint32_t last;                       /* glyph that was added */
     uint8_t seen[FONT_CODE_MAX / 8 + 1]; /* a bit for each code point */
 };
 
@@ -92,6 +93,9 @@ static bool add(struct psf *p, uint32_t glyph, uint32_t code)
     if (p->seen[code / 8] >> code % 8 & 1)
         return true; /* the first one counts, as on the console */
     p->seen[code / 8] |= (uint8_t)(1u << code % 8);
+    if (p->font->count > 0 && p->last == glyph)
+        return font_add_alias(p->font, code);
+    p->last = glyph;
     return font_add(p->font, &c,
                     p->data + p->glyphs + (size_t)glyph * p->glyph_size,
                     (p->width + 7) / 8);
