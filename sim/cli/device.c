@@ -75,13 +75,30 @@ static void start_pool(struct pel_pool *pool, const struct device_options *o)
     pel_pool_start(pool, o->jobs ? o->jobs : pel_pool_processors());
 }
 
-bool device_draw_canvas(const struct device_options *o, struct canvas *canvas,
-                        device_draw_function *draw, const void *context)
+static bool draw_canvas(const struct device_options *o, struct canvas *canvas,
+                        const struct device_picture *picture)
 {
     struct pel_pool pool;
     start_pool(&pool, o);
-    const bool done = device_draw_bands(&pool, canvas, draw, context);
+    const bool done =
+        device_draw_bands(&pool, canvas, picture->draw, picture->context);
     pel_pool_end(&pool);
+    return done;
+}
+
+static bool save(const struct device_options *o,
+                 const struct device_picture *picture, const char *path)
+{
+    struct picture drawn = {0};
+    struct canvas canvas;
+    if (!canvas_init(&canvas, *picture->format, picture->width,
+                     picture->height))
+        return false;
+    const bool done = draw_canvas(o, &canvas, picture) &&
+                      canvas_picture(&canvas, &drawn) &&
+                      picture_save(&drawn, path);
+    canvas_free(&canvas);
+    picture_free(&drawn);
     return done;
 }
 
@@ -170,18 +187,23 @@ static bool show(struct pel_display_linux *screen, struct showing *s)
     return true;
 }
 
-bool device_show(const struct device_options *o,
-                 const struct device_picture *picture)
+static bool show_on_screen(const struct device_options *o,
+                           const struct device_picture *picture)
 {
     struct pel_display_linux screen;
     struct showing showing = {.picture = picture};
     if (!device_open(&screen, o, PEL_FB_STILL))
         return false;
-    if (picture->format)
-        *picture->format = screen.display.format;
+    *picture->format = screen.display.format;
     start_pool(&showing.pool, o);
     const bool shown = show(&screen, &showing);
     pel_pool_end(&showing.pool);
     pel_display_linux_close(&screen);
     return shown;
+}
+
+bool device_show(const struct device_options *o,
+                 const struct device_picture *picture, const char *output)
+{
+    return o->name ? show_on_screen(o, picture) : save(o, picture, output);
 }

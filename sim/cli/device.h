@@ -34,11 +34,6 @@ typedef bool device_draw_function(struct canvas *canvas, const void *context);
 bool device_draw_bands(struct pel_pool *pool, struct canvas *canvas,
                        device_draw_function *draw, const void *context);
 
-/* Draws onto a canvas with the threads asked for. */
-bool device_draw_canvas(const struct device_options *options,
-                        struct canvas *canvas, device_draw_function *draw,
-                        const void *context);
-
 /* Opens the device that the options name and tells what it has to tell. False,
  * with a message. */
 bool device_open(struct pel_display_linux *screen,
@@ -52,18 +47,19 @@ typedef bool device_frame_function(struct pel_surface *surface, void *context);
 bool device_frame(struct pel_display_linux *screen, device_frame_function *draw,
                   void *context);
 
-/* What is shown, in the device's pixel format: `format` is told which. */
+/* A picture in a pixel format: a device tells which it has. */
 struct device_picture {
-    int width, height;                /* px */
-    const struct pel_format **format; /* may be NULL */
+    int width, height; /* px */
+    const struct pel_format **format;
     device_draw_function *draw;
     const void *context;
 };
 
-/* Shows a picture in the middle of the screen (cut off where it is larger,
- * black around it) until a key is pressed or a signal comes; draws it again
- * when another terminal was shown in between. False, with a message. */
+/* Draws a picture with the threads asked for. With a device: in the middle of
+ * the screen (cut off where it is larger, black around it) until a key is
+ * pressed or a signal comes; again when another terminal was shown in between.
+ * Without: into the file `output`. False, with a message. */
 bool device_show(const struct device_options *options,
-                 const struct device_picture *picture);
+                 const struct device_picture *picture, const char *output);
 
 #endif

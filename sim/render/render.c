@@ -175,36 +175,17 @@ static bool draw_mesh(struct canvas *canvas, const void *context)
     return done;
 }
 
-static bool show(const struct drawing *drawing)
-{
-    const struct camera *camera = &drawing->options->scene.settings.camera;
-    const struct device_picture picture = {.width = camera->width,
-                                           .height = camera->height,
-                                           .draw = draw_mesh,
-                                           .context = drawing};
-    return device_show(&drawing->options->device, &picture);
-}
-
-static bool save(const struct drawing *drawing)
+static bool finish(const struct drawing *drawing)
 {
     const struct render_options *o = drawing->options;
     const struct camera *camera = &o->scene.settings.camera;
-    struct picture picture = {0};
-    struct canvas canvas;
-    if (!canvas_init(&canvas, o->format, camera->width, camera->height))
-        return false;
-    const bool done =
-        device_draw_canvas(&o->device, &canvas, draw_mesh, drawing) &&
-        canvas_picture(&canvas, &picture) &&
-        picture_save(&picture, output_of(o));
-    canvas_free(&canvas);
-    picture_free(&picture);
-    return done;
-}
-
-static bool finish(const struct drawing *drawing)
-{
-    return drawing->options->device.name ? show(drawing) : save(drawing);
+    const struct pel_format *format = o->format;
+    const struct device_picture picture = {.width = camera->width,
+                                           .height = camera->height,
+                                           .format = &format,
+                                           .draw = draw_mesh,
+                                           .context = drawing};
+    return device_show(&o->device, &picture, output_of(o));
 }
 
 /* The first option that means nothing for a pel2d file, or NULL. */

@@ -97,22 +97,7 @@ static bool show(const struct run_options *o, struct script *script)
         .draw = draw_script,
         .context = &drawing,
     };
-    return device_show(&o->device, &picture);
-}
-
-static bool save(const struct run_options *o, struct script *script)
-{
-    const struct drawing drawing = {script, o->bands};
-    struct picture picture = {0, 0, NULL};
-    struct canvas canvas;
-    if (!canvas_init(&canvas, script->format, script->width, script->height))
-        return false;
-    const bool done =
-        device_draw_canvas(&o->device, &canvas, draw_script, &drawing) &&
-        canvas_picture(&canvas, &picture) && picture_save(&picture, o->output);
-    canvas_free(&canvas);
-    picture_free(&picture);
-    return done;
+    return device_show(&o->device, &picture, o->output);
 }
 
 int command_run(int argc, char **argv)
@@ -126,7 +111,7 @@ int command_run(int argc, char **argv)
         return STATUS_ERROR;
     if (script_needs_whole(&script))
         o.device.jobs = 1;
-    const bool done = o.device.name ? show(&o, &script) : save(&o, &script);
+    const bool done = show(&o, &script);
     script_free(&script);
     return done ? STATUS_OK : STATUS_ERROR;
 }
