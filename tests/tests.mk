@@ -42,8 +42,8 @@ TEST_HOST_ONLY := tests/property/test_fast $(TEST_TWINS)
 # These see what the knobs of core change inside.
 TEST_KNOBS := tests/property/test_triangles tests/property/test_shapes \
     tests/property/test_pictures tests/property/test_scene_numbers \
-    tests/property/test_scene_pictures tests/property/test_paint_conic \
-    tests/property/test_paint_radial tests/property/test_shape_coverage \
+    tests/property/test_scene_pictures tests/property/test_paint_gradients \
+    tests/property/test_shape_coverage \
     tests/unit/test_product
 
 # $1 build

@@ -1,4 +1,4 @@
-/* Division of 64 by 32 bits. */
+/* Division of 64 by 32 and by 64 bits. */
 #ifndef PEL_BASE_DIVIDE_H
 #define PEL_BASE_DIVIDE_H
 
@@ -14,6 +14,18 @@ static inline uint32_t pel_divide(uint64_t n, uint32_t d)
 }
 #else
 uint32_t pel_divide(uint64_t n, uint32_t d);
+#endif
+
+/* floor(n / d), and what is left; d > 0. On small CPUs in less code and stack
+ * than the compiler's. */
+#if PEL_FAST_64BIT
+static inline uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest)
+{
+    *rest = n % d;
+    return n / d;
+}
+#else
+uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest);
 #endif
 
 #endif

@@ -49,6 +49,17 @@ struct pel_spans {
     int32_t n, step; /* n <= PEL_BATCH_ROWS */
 };
 
+/* What dither asks of formats with fewer than 8 bits a channel. */
+struct pel_dithering {
+    /* n >= 1 opaque pixels from (x, y) on: pixel x takes pixels[x & 7]. */
+    void (*pattern)(const struct pel_surface *surface, int32_t x, int32_t y,
+                    int32_t n, const uint32_t pixels[8]);
+
+    /* Bits of red, green and blue, 1 to 7, apart from each other in the pixel;
+     * {n, 0, 0} where it is n bits of grey. */
+    uint8_t depth[3];
+};
+
 struct pel_format {
     uint8_t id;   /* enum pel_format_id; 128..255 for formats of your own */
     uint8_t bits; /* of a pixel: 1, 4, 8, 16, 24 or 32 */
@@ -75,6 +86,8 @@ struct pel_format {
                 int32_t n, const pel_color *colors);
     void (*load)(const struct pel_surface *surface, int32_t x, int32_t y,
                  int32_t n, pel_color *colors);
+
+    const struct pel_dithering *dithering; /* NULL: dither is of no use */
 };
 
 #endif

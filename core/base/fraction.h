@@ -50,7 +50,7 @@ void pel_fraction_more(struct pel_fraction *f, int bits);
  * end, and zeros behind it, after a rest below d, which it changes. What is
  * left of n is 0. Bit by bit, in less code than the compiler's division. d <
  * 2^63. */
-uint64_t pel_long_divide(uint64_t n, uint64_t d, int bits, uint64_t *rest);
+uint64_t pel_divide_bits(uint64_t n, uint64_t d, int bits, uint64_t *rest);
 
 #endif
 

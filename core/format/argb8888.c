@@ -21,5 +21,13 @@ static inline uint32_t blended(uint32_t p, const struct pel_premultiplied *s)
 #include "body32.h"
 
 const struct pel_format pel_argb8888 = {
-    PEL_FORMAT_ARGB8888, 32, 4, pack, unpack, pel_fill32, blend32, put, load,
+    .id = PEL_FORMAT_ARGB8888,
+    .bits = 32,
+    .word = 4,
+    .pack = pack,
+    .unpack = unpack,
+    .fill = pel_fill32,
+    .blend = blend32,
+    .put = put,
+    .load = load,
 };

@@ -7,5 +7,13 @@ static const struct pel_fields fields = {{0, 8}, {8, 8}, {16, 8}, 0};
 #include "body24.h"
 
 const struct pel_format pel_bgr888 = {
-    PEL_FORMAT_BGR888, 24, 1, pack, unpack, pel_fill24, blend, put, load,
+    .id = PEL_FORMAT_BGR888,
+    .bits = 24,
+    .word = 1,
+    .pack = pack,
+    .unpack = unpack,
+    .fill = pel_fill24,
+    .blend = blend,
+    .put = put,
+    .load = load,
 };

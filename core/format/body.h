@@ -48,6 +48,13 @@ static void put(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
         over(p, *colors++);
 }
 
+static inline void pattern(const struct pel_surface *s, int32_t x, int32_t y,
+                           int32_t n, const uint32_t pixels[8])
+{
+    for (place p = at(s, x, y); n > 0; n--, p = next(p))
+        set(p, pixels[x++ & 7]);
+}
+
 static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
                  pel_color *colors)
 {

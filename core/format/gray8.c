@@ -8,5 +8,13 @@
 #include "body_word.inc"
 
 const struct pel_format pel_gray8 = {
-    PEL_FORMAT_GRAY8, 8, 1, pack, unpack, pel_fill8, blend, put, load,
+    .id = PEL_FORMAT_GRAY8,
+    .bits = 8,
+    .word = 1,
+    .pack = pack,
+    .unpack = unpack,
+    .fill = pel_fill8,
+    .blend = blend,
+    .put = put,
+    .load = load,
 };

@@ -9,6 +9,17 @@ static void fill(const struct pel_spans *spans, uint32_t pixel)
     pel_fill_bits(spans, pixel ? 0xFFu : 0u);
 }
 
+static const struct pel_dithering dithering = {pattern, {1, 0, 0}};
+
 const struct pel_format pel_mono1 = {
-    PEL_FORMAT_MONO1, 1, 1, pack, unpack, fill, pel_blend_mono, put, load,
+    .id = PEL_FORMAT_MONO1,
+    .bits = 1,
+    .word = 1,
+    .pack = pack,
+    .unpack = unpack,
+    .fill = fill,
+    .blend = pel_blend_mono,
+    .put = put,
+    .load = load,
+    .dithering = &dithering,
 };

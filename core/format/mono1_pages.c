@@ -45,6 +45,17 @@ static void fill(const struct pel_spans *spans, uint32_t pixel)
     }
 }
 
+static const struct pel_dithering dithering = {pattern, {1, 0, 0}};
+
 const struct pel_format pel_mono1_pages = {
-    PEL_FORMAT_MONO1_PAGES, 1, 1, pack, unpack, fill, pel_blend_mono, put, load,
+    .id = PEL_FORMAT_MONO1_PAGES,
+    .bits = 1,
+    .word = 1,
+    .pack = pack,
+    .unpack = unpack,
+    .fill = fill,
+    .blend = pel_blend_mono,
+    .put = put,
+    .load = load,
+    .dithering = &dithering,
 };

@@ -9,6 +9,17 @@ static const struct pel_fields fields = {{5, 3}, {2, 3}, {0, 2}, 0};
 #define WORD pel_word8
 #include "body_word.inc"
 
+static const struct pel_dithering dithering = {pattern, {3, 3, 2}};
+
 const struct pel_format pel_rgb332 = {
-    PEL_FORMAT_RGB332, 8, 1, pack, unpack, pel_fill8, blend, put, load,
+    .id = PEL_FORMAT_RGB332,
+    .bits = 8,
+    .word = 1,
+    .pack = pack,
+    .unpack = unpack,
+    .fill = pel_fill8,
+    .blend = blend,
+    .put = put,
+    .load = load,
+    .dithering = &dithering,
 };

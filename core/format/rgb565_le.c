@@ -6,7 +6,17 @@ static const struct pel_fields fields = {{11, 5}, {5, 6}, {0, 5}, 0};
 #include "fields.inc"
 #include "body565.h"
 
+static const struct pel_dithering dithering = {pattern, {5, 6, 5}};
+
 const struct pel_format pel_rgb565_le = {
-    PEL_FORMAT_RGB565_LE, 16,       2,      pack, unpack,
-    pel_fill16,           blend565, put565, load,
+    .id = PEL_FORMAT_RGB565_LE,
+    .bits = 16,
+    .word = 2,
+    .pack = pack,
+    .unpack = unpack,
+    .fill = pel_fill16,
+    .blend = blend565,
+    .put = put565,
+    .load = load,
+    .dithering = &dithering,
 };

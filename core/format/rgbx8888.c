@@ -7,5 +7,13 @@ static const struct pel_fields fields = {{24, 8}, {16, 8}, {8, 8}, 0xFF};
 #include "body32.h"
 
 const struct pel_format pel_rgbx8888 = {
-    PEL_FORMAT_RGBX8888, 32, 4, pack, unpack, pel_fill32, blend32, put, load,
+    .id = PEL_FORMAT_RGBX8888,
+    .bits = 32,
+    .word = 4,
+    .pack = pack,
+    .unpack = unpack,
+    .fill = pel_fill32,
+    .blend = blend32,
+    .put = put,
+    .load = load,
 };

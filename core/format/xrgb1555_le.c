@@ -9,6 +9,17 @@ static const struct pel_fields fields = {{10, 5}, {5, 5}, {0, 5}, 0x8000};
 #define WORD pel_word16
 #include "body_word.inc"
 
+static const struct pel_dithering dithering = {pattern, {5, 5, 5}};
+
 const struct pel_format pel_xrgb1555_le = {
-    PEL_FORMAT_XRGB1555_LE, 16, 2, pack, unpack, pel_fill16, blend, put, load,
+    .id = PEL_FORMAT_XRGB1555_LE,
+    .bits = 16,
+    .word = 2,
+    .pack = pack,
+    .unpack = unpack,
+    .fill = pel_fill16,
+    .blend = blend,
+    .put = put,
+    .load = load,
+    .dithering = &dithering,
 };

@@ -11,8 +11,8 @@
  *  - the ends are the first and the last stop's colour when n > slope.
  *
  * A ramp of two colours needs no array of many: they are mixed on the way, in
- * 256 cells with round((a (255 - i) + b i) / 255) in cell i, also within 1 of
- * the exactly rounded colour. */
+ * 256 cells, each with the exactly rounded colour of its middle, (i + 1/2) /
+ * 256: as pel_ramp_fill() would. */
 #ifndef PEL_PAINT_COLOR_RAMP_H
 #define PEL_PAINT_COLOR_RAMP_H
 
@@ -49,11 +49,10 @@ struct pel_stop {
 enum pel_status pel_ramp_fill(pel_color *colors, int32_t n,
                               const struct pel_stop *stops, int32_t count);
 
-/* PEL_ERROR_NULL, PEL_ERROR_SIZE, or PEL_OK. For the init functions of paints,
- * like the next one. */
+/* PEL_ERROR_NULL, PEL_ERROR_SIZE, or PEL_OK. For the init functions of
+ * paints. */
 enum pel_status pel_ramp_check(const struct pel_ramp *ramp);
 
-/* Have all colours alpha 255? */
-bool pel_ramp_opaque(const struct pel_ramp *ramp);
 PEL_END_DECLS
+
 #endif

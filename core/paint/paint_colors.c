@@ -7,8 +7,7 @@
 enum { RUN_PIXELS = PEL_FAST_64BIT ? 64 : PEL_KNOW_SIDES ? 16 : 4 };
 
 /* The runs go through a short buffer in parts that begin at multiples of its
- * length, as a 64-bit CPU's pieces of curve.h do; or the surface is the buffer.
- */
+ * length; or the surface is the buffer. */
 void pel_color_paint_fill(const struct pel_paint *paint,
                           const struct pel_spans *spans)
 {

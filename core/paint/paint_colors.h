@@ -1,5 +1,5 @@
-/* Paints that compute a colour for every pixel: gradients, textures, and
- * what a program adds of its own.
+/* Paints that compute a colour for every pixel: textures, and what a program
+ * adds of its own.
  *
  * Such a paint gives one function, from absolute x and y to colours; this file
  * hands it runs of pixels and takes the colours to any format, opaque or
@@ -22,7 +22,6 @@
 PEL_BEGIN_DECLS
 
 struct pel_color_paint;
-struct pel_walker;
 
 /* The colours of pixels (x, y) to (x + n - 1, y), n >= 1, each at the pixel's
  * centre. Must be a function of the pixel alone: a run may come in any parts.
@@ -34,13 +33,11 @@ struct pel_color_paint {
     struct pel_paint paint;
     pel_colors_function *colors;
     bool opaque; /* all colours have alpha 255: nothing is blended */
-    const struct pel_walker *walker; /* of gradients on small CPUs
-                                        (ramp_walk.h), else NULL */
 };
 
-#define PEL_COLOR_PAINT(colors, opaque)                                 \
-    {                                                                   \
-        PEL_PAINT(pel_color_paint_fill, NULL), (colors), (opaque), NULL \
+#define PEL_COLOR_PAINT(colors, opaque)                           \
+    {                                                             \
+        PEL_PAINT(pel_color_paint_fill, NULL), (colors), (opaque) \
     }
 
 /* Are opaque colours the surface's pixels themselves? In xrgb8888 on a
@@ -67,7 +64,6 @@ static inline void pel_color_paint_init(struct pel_color_paint *paint,
     paint->paint = fill;
     paint->colors = colors;
     paint->opaque = opaque;
-    paint->walker = NULL;
 }
 PEL_END_DECLS
 #endif

@@ -1,7 +1,5 @@
 #include "paint_dither.h"
 
-#include <string.h>
-
 /* The Bayer matrix: 0..63, each once. */
 static const uint8_t matrix[8][8] = {
     {0, 32, 8, 40, 2, 34, 10, 42},  {48, 16, 56, 24, 50, 18, 58, 26},
@@ -10,32 +8,23 @@ static const uint8_t matrix[8][8] = {
     {15, 47, 7, 39, 13, 45, 5, 37}, {63, 31, 55, 23, 61, 29, 53, 21},
 };
 
-/* Bits of each channel in the format. */
-struct depth {
-    uint8_t red, green, blue;
-    bool gray; /* of all channels in one: those of red */
+/* The source draws into this surface, whose format passes on what it is given
+ * to the target's, dithered. */
+struct proxy {
+    struct pel_surface surface;
+    const struct pel_surface *target;
 };
 
-static struct depth depth_of(const struct pel_format *format)
+static const struct pel_surface *target_of(const struct pel_surface *proxy)
 {
-    switch (format->id) {
-    case PEL_FORMAT_RGB565_LE:
-    case PEL_FORMAT_RGB565_BE:
-    case PEL_FORMAT_BGR565_LE:
-        return (struct depth){5, 6, 5, false};
-    case PEL_FORMAT_XRGB1555_LE:
-        return (struct depth){5, 5, 5, false};
-    case PEL_FORMAT_RGB332:
-        return (struct depth){3, 3, 2, false};
-    case PEL_FORMAT_GRAY4:
-        return (struct depth){4, 4, 4, true};
-    case PEL_FORMAT_MONO1:
-    case PEL_FORMAT_MONO1_PAGES:
-        return (struct depth){1, 1, 1, true};
-    default:
-        return (struct depth){8, 8, 8, false};
-    }
+    return ((const struct proxy *)(const void *)proxy)->target;
 }
+
+/* A channel between two levels: the low one, how far to the high one, and how
+ * much of that it has gone, times 128. */
+struct channel {
+    uint32_t low, step, gone;
+};
 
 /* 8 bits from fewer, repeated from the top: what the format shows. */
 static uint32_t widened(uint32_t level, int bits)
@@ -46,122 +35,157 @@ static uint32_t widened(uint32_t level, int bits)
     return c | c >> 4 * bits;
 }
 
-/* c, or one of the levels around it: the higher one when the part of the step
- * that c has gone exceeds threshold / 128. */
-static uint32_t dithered(uint32_t c, int bits, uint32_t threshold)
+static struct channel channel_of(uint32_t c, int bits)
 {
     uint32_t level = c >> (8 - bits), low = widened(level, bits);
     if (low > c)
         low = widened(--level, bits);
     if (low == c)
-        return c;
-    uint32_t high = widened(level + 1, bits);
-    return (c - low) * 128 > threshold * (high - low) ? high : low;
+        return (struct channel){c, 0, 0};
+    return (struct channel){low, widened(level + 1, bits) - low,
+                            (c - low) * 128};
 }
 
-static pel_color dithered_color(pel_color c, const struct depth *d,
-                                uint32_t threshold)
+/* Does it take the high level at 2 m + 1 of 128, m of the matrix? */
+static inline bool is_high(const struct channel *c, uint32_t m)
 {
-    if (d->gray) {
-        uint32_t gray = dithered(pel_gray(c), d->red, threshold);
-        return PEL_RGBA(gray, gray, gray, pel_alpha(c));
-    }
-    return PEL_RGBA(dithered(pel_red(c), d->red, threshold),
-                    dithered(pel_green(c), d->green, threshold),
-                    dithered(pel_blue(c), d->blue, threshold), pel_alpha(c));
+    return c->gone > (2 * m + 1) * c->step;
 }
 
-/* The source draws into a line of colours, in a format of its own that takes
- * them as they are, alpha and all, instead of blending. */
+/* Its colour at a place of the matrix. */
+static pel_color dithered(const struct pel_format *format, pel_color color,
+                          uint32_t m)
+{
+    pel_color c = pel_alpha(color);
+    if (format->dithering->depth[1] == 0) {
+        const struct channel gray =
+            channel_of(pel_gray(color), format->dithering->depth[0]);
+        return c << 24 |
+               (gray.low + (is_high(&gray, m) ? gray.step : 0)) * 0x010101u;
+    }
+    for (int k = 0; k < 3; k++) {
+        const struct channel v = channel_of(color >> (16 - 8 * k) & 255,
+                                            format->dithering->depth[k]);
+        c = c << 8 | (v.low + (is_high(&v, m) ? v.step : 0));
+    }
+    return c;
+}
+
+/* One opaque colour: its pixel value where every channel is low, and the bits
+ * that change where one is high. */
+struct levels {
+    uint32_t pixel, change[3];
+    struct channel channel[3];
+};
+
+static void levels_of(const struct pel_format *format, pel_color color,
+                      struct levels *l)
+{
+    const bool gray = format->dithering->depth[1] == 0;
+    const uint32_t unit = gray ? 0x010101u : 0x010000u;
+    pel_color low = 0;
+    for (int k = 0; k < 3; k++) {
+        const uint32_t c = gray ? pel_gray(color) : color >> (16 - 8 * k) & 255;
+        const int bits = format->dithering->depth[gray ? 0 : k];
+        l->channel[k] = channel_of(c, bits);
+        low = low << 8 | l->channel[k].low;
+        if (gray && k)
+            l->channel[k].gone = 0;
+    }
+    l->pixel = format->pack(low);
+    for (int k = 0; k < 3; k++)
+        l->change[k] =
+            l->pixel ^ format->pack(low + (l->channel[k].step * unit >> 8 * k));
+}
+
+/* The pixel values of a row's columns [x, end), which go on repeating. */
+static void row_pattern(const struct levels *l, int32_t x, int32_t end,
+                        const uint8_t thresholds[8], uint32_t pattern[8])
+{
+    for (end = pel_min(end, x + 8); x < end; x++) {
+        const uint32_t m = thresholds[x & 7];
+        uint32_t pixel = l->pixel;
+        for (int k = 0; k < 3; k++)
+            if (is_high(&l->channel[k], m))
+                pixel ^= l->change[k];
+        pattern[x & 7] = pixel;
+    }
+}
+
+static void fill_color(const struct pel_spans *spans, uint32_t color)
+{
+    const struct pel_surface *target = target_of(spans->surface);
+    struct levels levels;
+    uint32_t pattern[8];
+    int32_t y = spans->y;
+    levels_of(target->format, color, &levels);
+    for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
+        const struct pel_span *span = &spans->span[i];
+        if (span->x0 >= span->x1)
+            continue;
+        row_pattern(&levels, span->x0, span->x1, matrix[y & 7], pattern);
+        target->format->dithering->pattern(target, span->x0, y,
+                                           span->x1 - span->x0, pattern);
+    }
+}
+
+static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
+                       int32_t n, const pel_color *colors)
+{
+    const struct pel_surface *target = target_of(surface);
+    pel_color out[8];
+    while (n > 0) {
+        const int32_t count = pel_min(n, 8);
+        for (int32_t i = 0; i < count; i++)
+            out[i] =
+                dithered(target->format, colors[i], matrix[y & 7][(x + i) & 7]);
+        target->format->put(target, x, y, count, out);
+        x += count;
+        n -= count;
+        colors += count;
+    }
+}
+
+static void blend_color(const struct pel_spans *spans, pel_color color)
+{
+    int32_t y = spans->y;
+    for (int32_t i = 0; i < spans->n; i++, y += spans->step)
+        for (int32_t x = spans->span[i].x0; x < spans->span[i].x1; x++)
+            put_colors(spans->surface, x, y, 1, &color);
+}
+
+static void load_colors(const struct pel_surface *surface, int32_t x, int32_t y,
+                        int32_t n, pel_color *colors)
+{
+    const struct pel_surface *target = target_of(surface);
+    target->format->load(target, x, y, n, colors);
+}
 
 static uint32_t keep(uint32_t color)
 {
     return color;
 }
 
-static pel_color *color_at(const struct pel_surface *s, int32_t x)
-{
-    return (pel_color *)s->pixels + (x - s->bounds.x0);
-}
-
-static void keep_one(const struct pel_spans *spans, pel_color color)
-{
-    const struct pel_span *span = spans->span;
-    for (int32_t i = spans->n; i > 0; i--, span++)
-        for (int32_t x = span->x0; x < span->x1; x++)
-            *color_at(spans->surface, x) = color;
-}
-
-static void keep_all(const struct pel_surface *s, int32_t x, int32_t y,
-                     int32_t n, const pel_color *colors)
-{
-    (void)y;
-    memcpy(color_at(s, x), colors, (size_t)n * sizeof *colors);
-}
-
-static void load(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                 pel_color *colors)
-{
-    (void)y;
-    memcpy(colors, color_at(s, x), (size_t)n * sizeof *colors);
-}
-
-static const struct pel_format kept = {
-    255, 32, 4, keep, keep, keep_one, keep_one, keep_all, load,
+static const struct pel_format proxy_format = {
+    255,        32,          4,          keep,        keep,
+    fill_color, blend_color, put_colors, load_colors, NULL,
 };
-
-static PEL_NOINLINE void source_colors(const struct pel_paint *source,
-                                       int32_t y, const struct pel_span *span,
-                                       pel_color *colors)
-{
-    const struct pel_surface surface = {colors,
-                                        4 * (span->x1 - span->x0),
-                                        {span->x0, y, span->x1, y + 1},
-                                        {span->x0, y, span->x1, y + 1},
-                                        &kept};
-    const struct pel_spans spans = {&surface, span, y, 1, 1};
-    source->fill(source, &spans);
-}
-
-/* A power of two, as in paint_colors.c. */
-enum { RUN_PIXELS = PEL_FAST_64BIT ? 64 : PEL_KNOW_SIDES ? 16 : 4 };
-
-static PEL_NOINLINE void dither_colors(const struct pel_format *format,
-                                       int32_t y, const struct pel_span *part,
-                                       pel_color *colors)
-{
-    const struct depth depth = depth_of(format);
-    const uint8_t *thresholds = matrix[y & 7];
-    for (int32_t x = part->x0; x < part->x1; x++, colors++)
-        *colors = dithered_color(*colors, &depth, 2u * thresholds[x & 7] + 1);
-}
-
-static void fill_run(const struct pel_dither *p, const struct pel_spans *spans,
-                     int32_t y, const struct pel_span *span)
-{
-    pel_color colors[RUN_PIXELS];
-    struct pel_span part = *span;
-    for (; part.x0 < span->x1; part.x0 = part.x1) {
-        part.x1 = pel_min(span->x1, (part.x0 | (RUN_PIXELS - 1)) + 1);
-        /* What the source does not paint stays transparent. */
-        memset(colors, 0, (size_t)(part.x1 - part.x0) * sizeof *colors);
-        source_colors(p->source, y, &part, colors);
-        dither_colors(spans->surface->format, y, &part, colors);
-        pel_put_colors(spans->surface, part.x0, y, part.x1 - part.x0, colors);
-    }
-}
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
-    const struct pel_dither *p = (const void *)paint;
-    const struct pel_span *span = spans->span;
-    int32_t y = spans->y;
-    if (depth_of(spans->surface->format).red == 8) {
-        p->source->fill(p->source, spans);
+    const struct pel_paint *source = ((const struct pel_dither *)paint)->source;
+    PEL_ASSERT(source->fill != fill);
+    if (source->fill == fill)
+        return;
+    if (!spans->surface->format->dithering) {
+        source->fill(source, spans);
         return;
     }
-    for (; span < spans->span + spans->n; span++, y += spans->step)
-        fill_run(p, spans, y, span);
+    struct proxy proxy = {*spans->surface, spans->surface};
+    const struct pel_spans all = {&proxy.surface, spans->span, spans->y,
+                                  spans->n, spans->step};
+    proxy.surface.format = &proxy_format;
+    source->fill(source, &all);
 }
 
 enum pel_status pel_dither_init(struct pel_dither *paint,

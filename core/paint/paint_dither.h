@@ -13,17 +13,18 @@ PEL_BEGIN_DECLS
  * pixels of one colour the mean of what is shown is that colour to 1/128 of the
  * step between two levels. Colours that are levels stay.
  *
- * Red, green and blue apart in the formats of 16 bits and in rgb332; the grey
- * of a colour in gray4, mono1 and mono1_pages; nothing in formats of 8 bits a
- * channel. Acts on the source's colour, before it is blended with its alpha. */
+ * Red, green and blue apart, or the grey of a colour, as the format's
+ * `dithering` says; nothing in formats of 8 bits a channel. Acts on the
+ * source's colour, before it is blended with its alpha. */
 struct pel_dither {
     struct pel_paint paint;
     const struct pel_paint *source;
 };
 
-/* The source must live as long as the paint and may be any paint but another
- * dither; it is asked for its colours in one line at a time. PEL_ERROR_NULL,
- * PEL_ERROR_RANGE (a dither). */
+/* The source must live as long as the paint and may be any paint but a dither.
+ * It draws into a surface that is the shape's but for its format, one of id
+ * 255: so it draws through the format's functions alone. PEL_ERROR_NULL,
+ * PEL_ERROR_RANGE (the source is a dither). */
 enum pel_status pel_dither_init(struct pel_dither *paint,
                                 const struct pel_paint *source);
 PEL_END_DECLS

@@ -6,8 +6,10 @@
 
 PEL_BEGIN_DECLS
 
-/* pel_hsv(hue, s, v) with the hue that a pixel's angle is, less start, in
- * 1/65,536 turns rounded down: no ramp, and no memory for one. */
+/* A conic of 1,536 cells, 256 in each sixth of the turn, so that one channel
+ * moves by at most one step from cell to cell. Cell k has the colour of the hue
+ * in its middle, (k + 1/2) / 1,536 turns, rounded as pel_hsv rounds: no ramp,
+ * and no memory for one. */
 struct pel_hue_wheel {
     struct pel_conic conic;
     uint8_t s, v;
@@ -17,5 +19,7 @@ struct pel_hue_wheel {
 enum pel_status pel_hue_wheel_init(struct pel_hue_wheel *paint,
                                    struct pel_point center, uint16_t start,
                                    uint8_t s, uint8_t v);
+
 PEL_END_DECLS
+
 #endif

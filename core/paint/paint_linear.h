@@ -12,28 +12,37 @@
 #ifndef PEL_PAINT_PAINT_LINEAR_H
 #define PEL_PAINT_PAINT_LINEAR_H
 
-#include "color_ramp.h"
-#include "paint_colors.h"
+#include "gradient.h"
 
 PEL_BEGIN_DECLS
 
-/* The colour at a point P is that of the ramp at t = (P - from).(to - from) /
- * |to - from|^2: 0 at `from`, 1 at `to`, level across the way. t is a plane,
- * stepped in 64 bits from pixel (0, 0), with as many fraction bits as its range
- * leaves. It is never too small, and too large by less than 2^-16 sub-pixel
- * along the way plus 2^-32 of it, everywhere. */
+/* Cell k of n holds the pixels whose centre P satisfies
+ *
+ *     k |d|^2 <= n (P - from).d < (k + 1) |d|^2,    d = to - from,
+ *
+ * in sub-pixels, exactly: the way is 0 at `from`, 1 at `to`, and level across.
+ */
 struct pel_linear {
-    struct pel_color_paint base;
-    struct pel_ramp ramp;
-    uint64_t at, dx, dy; /* 2^-bits of the way, two's complement */
-    uint8_t bits;
+    struct pel_gradient base;
+    struct pel_point from; /* where d.x >= 0, `to` else */
+    struct pel_point d;
+    bool reversed;  /* the way leads from `to` to `from` */
+    bool by_pixel;  /* cells are narrower than 1/16 px */
+    int64_t square; /* |d|^2 */
+
+    /* From row to row a boundary moves by down + down_rest / d.x pixels, from
+     * cell to cell by cell + (cell_rest + part_rest / n) / (256 d.x). */
+    int32_t down, down_rest;
+    int32_t cell;
+    uint32_t cell_rest, part_rest;
 };
 
-/* Opaque when all colours of the ramp are, as they are now.
- * PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n, or from and to are one point),
+/* PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n, or from and to are one point),
  * PEL_ERROR_RANGE (a point out of range). */
 enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
                                 struct pel_point to,
                                 const struct pel_ramp *ramp);
+
 PEL_END_DECLS
+
 #endif

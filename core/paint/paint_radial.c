@@ -1,158 +1,248 @@
 #include "paint_radial.h"
 
-#include "../base/fraction.h"
-#include "../base/root.h"
-#include "curve_colors.h"
-#include "patch.h"
-#include "ramp_vector.h"
+#include "../base/divide.h"
+#include "../base/sqrt.h"
+#include "../raster/edge.h"
+#include "../round/disc_side.h"
 
-/* For a cubic that is right to 1/512 px, which is 2^-13 of the way or less when
- * the radius is at least 16 px; for smaller ones from the second on, which
- * gives 1/8,192 px. */
-static const int32_t far[6] = {2581, 6502, 16384, 41286, 104032, 262144};
+/* A circle between rings: k of them lie inside, in copy `way` of the way. Its
+ * radius is floor(k radius / n) exactly, rest / n what the floor drops. */
+struct circle {
+    int32_t way, part;
+    int32_t radius, rest;
+};
 
-/* 64 r is the root of 4,096 r^2, below 2^61. dx / r = 64 dx inverse
- * 2^(shift - 62), where 64 |dx| 2^shift <= 2^31, and the slope is 2^14 times
- * that times the scale, which is at most 2^30. */
-static PEL_WALK int64_t slope_of(const struct pel_root *r, int32_t x,
-                                 uint32_t scale)
+static void circle_set(const struct pel_radial *p, int32_t way, int32_t part,
+                       struct circle *c)
 {
-    const uint64_t way = (uint64_t)(int64_t)x << (6 + r->shift);
-    const int64_t cosine =
-        (int64_t)pel_times(way, (int32_t)(r->inverse >> 1)) >> 31;
-    return (int64_t)pel_times((uint64_t)cosine, (int32_t)scale) >> 16;
+    const uint32_t n = (uint32_t)p->base.cells;
+    const uint64_t ring =
+        pel_multiply((uint32_t)part, (uint32_t)p->rings.radius);
+    const uint32_t inner = pel_divide(ring, n);
+    c->way = way;
+    c->part = part;
+    c->radius = way * p->rings.radius + (int32_t)inner;
+    c->rest = (int32_t)((uint32_t)ring - inner * n);
 }
 
-static PEL_WIDE uint64_t square_of(int32_t x, int32_t y)
+/* The inner circle of the ring that holds a pixel with the square of its
+ * distance, below 2^49. With u its root, rounded up, ring k holds it when k
+ * radius / n < u, which is k <= (u n - 1) / radius. */
+static void circle_find(const struct pel_radial *p, uint64_t square,
+                        struct circle *c)
 {
-    return (uint64_t)(pel_square(x) + pel_square(y)) * 4096;
+    const uint32_t radius = (uint32_t)p->rings.radius;
+    const uint32_t n = (uint32_t)p->base.cells;
+    struct pel_root root;
+    pel_square_root(square, &root);
+    if (pel_multiply(root.root, root.root) == square && root.root)
+        root.root--; /* u - 1 */
+    const uint32_t way = pel_divide(root.root, radius);
+    const uint32_t part = pel_divide(
+        pel_multiply(root.root - way * radius + (square > 0), n) - (square > 0),
+        radius);
+    circle_set(p, (int32_t)way, (int32_t)part, c);
 }
 
-#if PEL_FAST_64BIT
-
-static PEL_HOT struct pel_knot knot_of(const struct pel_curve *curve, int32_t x,
-                                       int32_t y)
+static int32_t place_of(const struct pel_radial *p, const struct circle *c)
 {
-    const struct pel_radial *p = PEL_CURVE_PAINT(struct pel_radial, curve);
-    const struct pel_root r = pel_root_of(square_of(x, y));
-    return (struct pel_knot){(uint64_t)r.root * p->scale + p->phase,
-                             slope_of(&r, x, p->scale)};
+    int32_t way = c->way, part = c->part + p->first;
+    if (part >= p->base.cells) {
+        part -= p->base.cells;
+        way++;
+    }
+    return pel_gradient_place(&p->base, way, part);
 }
 
-static void run_colors(const struct pel_color_paint *paint, const void *mixer,
-                       const struct pel_run *run, pel_color *out)
+static uint64_t square_at(const struct pel_radial *p, int32_t x, int32_t y)
 {
-    const struct pel_radial *p = (const void *)paint;
-    struct pel_course course = pel_course_of(&p->curve, run);
-    course.knot = knot_of;
-    pel_course_colors(&course, mixer, out);
+    const struct pel_point center = p->rings.center;
+    return (uint64_t)(pel_square(pel_pixel_center(x) - center.x) +
+                      pel_square(pel_pixel_center(y) - center.y));
 }
 
-static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
-                   int32_t n, pel_color *out)
+/* One side of the rings, left or right of the centre. A circle's columns are
+ * counted from there, or from where rows begin; `steps` is the square of the
+ * distance of the next one outwards in 512ths, as disc.h has it. */
+struct side {
+    struct pel_cells cells;
+    struct circle circle; /* where the present cell ends */
+    int64_t steps;        /* these three at the first row and the last circle */
+    int32_t u, columns;
+    int32_t v, first; /* distance of the first row, the column that is 0 */
+    int32_t limit;    /* so many columns are visible */
+};
+
+static void circle_outwards(const struct pel_radial *p, struct circle *c)
 {
-    const struct pel_radial *p = (const void *)paint;
-    const struct pel_run run = {x, y, n};
-    struct pel_ramp_mixer mixer;
-    pel_ramp_prepare(&mixer, &p->ramp);
-    run_colors(paint, &mixer, &run, out);
+    c->radius += p->width;
+    c->rest += p->rest;
+    if (c->rest >= p->base.cells) {
+        c->rest -= p->base.cells;
+        c->radius++;
+    }
 }
 
-#if PEL_PATCHES
+static void circle_inwards(const struct pel_radial *p, struct circle *c)
+{
+    c->radius -= p->width;
+    c->rest -= p->rest;
+    if (c->rest < 0) {
+        c->rest += p->base.cells;
+        c->radius--;
+    }
+}
 
+static void end_at_circle(struct side *s, uint32_t low)
+{
+    const bool left = s->cells.stop != INT32_MAX;
+    const int64_t reach = (pel_square(s->circle.radius) - low) >> 9;
+    int64_t d = reach - s->steps;
+    int32_t u = s->u, columns = s->columns, v = s->v, rest = 0;
+    for (int32_t i = 0; i < s->cells.spans->n; i++) {
+        pel_disc_side_adjust(&d, &u, &columns, s->limit);
+        if (i == 0) {
+            s->steps = reach - d;
+            s->u = u;
+            s->columns = columns;
+        }
+        rest |= pel_cells_end_run(&s->cells, i,
+                                  s->first + (left ? -columns : columns));
+        if (s->cells.spans->step) {
+            d -= v + 128;
+            v += 256;
+        }
+    }
+    s->cells.rest = rest < 0;
+}
+
+static void end_outwards(struct pel_cells *cells, int32_t count)
+{
+    const struct pel_radial *p = (const void *)cells->gradient;
+    struct side *s = (void *)cells;
+    while (--count)
+        circle_outwards(p, &s->circle);
+    end_at_circle(s, p->low);
+    circle_outwards(p, &s->circle);
+}
+
+static void end_inwards(struct pel_cells *cells, int32_t count)
+{
+    const struct pel_radial *p = (const void *)cells->gradient;
+    struct side *s = (void *)cells;
+    while (--count)
+        circle_inwards(p, &s->circle);
+    end_at_circle(s, p->low);
+    circle_inwards(p, &s->circle);
+}
+
+/* The pixels in column x are the first on the side, at distance u. */
+static void side_start(struct side *s, const struct pel_radial *p, int32_t u)
+{
+    s->u = u;
+    s->columns = 0;
+    s->v = pel_pixel_center(s->cells.spans->y) - p->rings.center.y;
+    s->steps = (pel_square(u) + pel_square(s->v)) >> 9;
+}
+
+/* What is left of `split`, the first column of the right side: from the ring of
+ * the farthest pixel inwards. */
+static PEL_WIDE void left_start(struct side *s, const struct pel_radial *p,
+                                int32_t split)
+{
+    struct pel_cells *c = &s->cells;
+    const int32_t last = c->spans->y + (c->spans->n - 1) * c->spans->step;
+    const int32_t twice = 2 * p->rings.center.y;
+    const int32_t y =
+        twice - pel_pixel_center(c->spans->y) > pel_pixel_center(last)
+            ? c->spans->y
+            : last;
+    circle_find(p, square_at(p, c->all.x0, y), &s->circle);
+    if (p->base.period == 0 &&
+        (s->circle.way || s->circle.part > p->base.cells - 1 - p->first))
+        circle_set(p, 0, p->base.cells - 1 - p->first, &s->circle);
+    c->end = end_inwards;
+    c->step = -1;
+    c->stop = split;
+    c->limit = s->circle.way < 65535
+                   ? s->circle.way * p->base.cells + s->circle.part
+                   : INT32_MAX;
+    s->first = pel_min(split, c->all.x1);
+    s->limit = s->first - c->all.x0;
+    side_start(s, p, p->rings.center.x - pel_pixel_center(s->first - 1));
+    c->place = place_of(p, &s->circle);
+}
+
+/* The rest: from the ring of the nearest pixel outwards. */
+static PEL_WIDE void right_start(struct side *s, const struct pel_radial *p,
+                                 int32_t split)
+{
+    struct pel_cells *c = &s->cells;
+    const int32_t last = c->spans->y + (c->spans->n - 1) * c->spans->step;
+    const int32_t middle = pel_pixel_of(p->rings.center.y);
+    const int32_t y = pel_min(pel_max(middle, c->spans->y), last);
+    s->first = pel_max(split, c->all.x0);
+    circle_find(p, square_at(p, s->first, y), &s->circle);
+    c->place = place_of(p, &s->circle);
+    c->end = end_outwards;
+    c->step = 1;
+    c->stop = INT32_MAX;
+    c->limit = INT32_MAX;
+    s->limit = c->all.x1 - s->first;
+    circle_outwards(p, &s->circle);
+    side_start(s, p, pel_pixel_center(s->first) - p->rings.center.x);
+}
+
+static void draw(const struct pel_gradient *gradient,
+                 const struct pel_spans *spans)
+{
+    const struct pel_radial *p = (const void *)gradient;
+    const int32_t split = pel_first_pixel(p->rings.center.x);
+    struct side s;
+    if (!pel_cells_begin(&s.cells, gradient, spans))
+        return;
+    if (s.cells.all.x0 < split) {
+        left_start(&s, p, split);
+        pel_cells_draw(&s.cells);
+    }
+    if (s.cells.all.x1 > split) {
+        right_start(&s, p, split);
+        pel_cells_draw(&s.cells);
+    }
+}
+
+/* Rings narrower than 1/64 px are drawn a pixel at a time. */
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_radial *p = (const void *)paint;
-    const struct pel_patchwork work = {&p->base,          &p->curve,  &p->ramp,
-                                       pel_radial_taylor, run_colors, true};
-    pel_patch_fill(&work, spans);
-}
-
-#endif
-
-#else
-
-static int64_t knot(const struct pel_curve *curve, int32_t x, int32_t y,
-                    uint64_t *value)
-{
-    const struct pel_radial *p = PEL_CURVE_PAINT(struct pel_radial, curve);
-    struct pel_root r;
-    *value = square_of(x, y);
-    pel_root_guess(*value, &r); /* pel_square_root() would keep a copy */
-    pel_root_settle(*value, &r);
-    *value = pel_multiply(r.root, p->scale) + p->phase;
-    return slope_of(&r, x, p->scale);
-}
-
-static void run(const struct pel_curve *curve, struct pel_ramp_walk *walk,
-                int32_t n, pel_color *colors)
-{
-    pel_ramp_run(&PEL_CURVE_PAINT(struct pel_radial, curve)->ramp, walk, n,
-                 colors);
-}
-
-static const struct pel_walker walker = {offsetof(struct pel_radial, curve),
-                                         pel_curve_begin, pel_curve_follow};
-
-#endif
-
-/* One pixel farther than where a padded ramp ends: the errors are less than a
- * sub-pixel. */
-static int32_t outside_of(const struct pel_rings *rings, enum pel_spread spread)
-{
-    const int64_t way = (int64_t)rings->radius * (65536 - rings->phase);
-    return spread == PEL_PAD ? (int32_t)(way / 65536) + 257 : PEL_CURVE_NOWHERE;
-}
-
-/* Distances along a row have no maximum inside a piece, so its ends tell
- * whether it reaches 1, up to the bound of t: hence the limit. A little is
- * added to the phase, because a walk looks at 32 bits: so a position does not
- * fall below a cell's beginning that it lies on. */
-static void set_curve(struct pel_radial *p, const struct pel_rings *rings)
-{
-    uint8_t bits = 36;
-    for (int32_t radius = rings->radius; radius > 1; radius >>= 1)
-        bits++;
-    p->scale =
-        (uint32_t)pel_fraction_of(1, (int64_t)rings->radius * 64, bits) + 1;
-    p->phase = (uint64_t)rings->phase << (bits - 16);
-    p->phase += UINT64_C(1) << (bits - 32);
-    p->curve.center = rings->center;
-    p->curve.least = far + (rings->radius < PEL_PX(16));
-#if PEL_FAST_64BIT
-    p->curve.run = pel_ramp_run;
-#else
-    p->curve.knot = knot;
-    p->curve.run = run;
-#endif
-    p->curve.bits = bits;
-    p->curve.limit = (UINT64_C(1) << bits) - (UINT64_C(1) << (bits - 10));
+    if (p->base.period && p->rings.radius < 4 * p->base.cells)
+        pel_gradient_parts(&p->base, spans, 1, draw);
+    else
+        draw(&p->base, spans);
 }
 
 enum pel_status pel_radial_init(struct pel_radial *paint,
                                 const struct pel_rings *rings,
                                 const struct pel_ramp *ramp)
 {
-    enum pel_status status = pel_ramp_check(ramp);
-    if (paint)
-        pel_paint_clear(&paint->base.paint);
-    if (!paint || !rings)
+    if (!paint)
         return PEL_ERROR_NULL;
+    pel_paint_clear(&paint->base.paint);
+    if (!rings)
+        return PEL_ERROR_NULL;
+    const enum pel_status status = pel_gradient_init(&paint->base, ramp);
     if (status != PEL_OK)
         return status;
-    if (!pel_points_legal(&rings->center, 1) || rings->radius < 256 ||
+    if (!pel_point_legal(rings->center) || rings->radius < 256 ||
         rings->radius > PEL_PX(32767))
         return PEL_ERROR_RANGE;
-#if PEL_FAST_64BIT
-    pel_color_paint_init(&paint->base, colors, pel_ramp_opaque(ramp));
-#else
-    pel_walker_paint_init(&paint->base, &walker, pel_ramp_opaque(ramp));
-#endif
-#if PEL_PATCHES
-    paint->base.paint.fill = fill;
-#endif
-    paint->ramp = *ramp;
-    set_curve(paint, rings);
-    paint->curve.outside = outside_of(rings, ramp->spread);
+    const uint32_t x = 128 - (uint32_t)rings->center.x;
+    const uint32_t y = 128 - (uint32_t)rings->center.y;
+    const int32_t n = paint->base.cells;
+    paint->base.paint = (struct pel_paint){fill, NULL};
+    paint->rings = *rings;
+    paint->first = (int32_t)((uint32_t)rings->phase * (uint32_t)n >> 16);
+    paint->width = pel_floor_divide(rings->radius, n, &paint->rest);
+    paint->low = (x * x + y * y) & 511;
     return PEL_OK;
 }

@@ -2,41 +2,36 @@
 #ifndef PEL_PAINT_PAINT_RADIAL_H
 #define PEL_PAINT_PAINT_RADIAL_H
 
-#include "color_ramp.h"
-#include "curve.h"
-#include "paint_colors.h"
+#include "gradient.h"
 
 PEL_BEGIN_DECLS
 
-/* The colour at distance r from the centre is that of the ramp at
- * t = r / radius + phase / 65,536. A falling phase moves the rings outwards. */
+/* The way is the distance from the centre in radii, plus the phase: a falling
+ * phase moves the rings outwards. */
 struct pel_rings {
     struct pel_point center;
     int32_t radius; /* 1/256 px, 256..PEL_PX(32767) */
     uint16_t phase; /* 65,536ths of the way */
 };
 
-/* r is off by less than 1/256 px, and t by less than 2^-11: jumps are where
- * they belong within 1/256 px, and the colour is within 1 of the exactly
- * rounded one when the ramp has as many cells as its slope (color_ramp.h), up
- * to 1,000.
- *
- * Distances are computed exactly (integer square root, rounded down to 1/16,384
- * px) at the ends of pieces and joined by cubics (curve.h), to 1/512 px since
- * |r''''| <= 3 / r^3 along a row. */
+/* Ring k, from 0 on, is that of pel_ring around the centre with the radii
+ * floor(k radius / n) and floor((k + 1) radius / n) in sub-pixels, for all k,
+ * beyond the radius too; the pixel on the centre itself belongs to ring 0. It
+ * shows cell k + floor(phase n / 65,536) of n, by the ramp's spread. */
 struct pel_radial {
-    struct pel_color_paint base;
-    struct pel_curve curve;
-    struct pel_ramp ramp;
-    uint64_t phase; /* 2^-bits of the way; bits of the curve */
-    uint32_t scale; /* 2^-bits of the way in 1/64 sub-pixel */
+    struct pel_gradient base;
+    struct pel_rings rings;
+    int32_t first;       /* cell of ring 0 */
+    int32_t width, rest; /* radius = width n + rest */
+    uint32_t low;        /* the square of every pixel's distance modulo 512 */
 };
 
-/* Opaque when all colours of the ramp are, as they are now.
- * PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n), PEL_ERROR_RANGE (centre or
+/* PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n), PEL_ERROR_RANGE (centre or
  * radius out of range). */
 enum pel_status pel_radial_init(struct pel_radial *paint,
                                 const struct pel_rings *rings,
                                 const struct pel_ramp *ramp);
+
 PEL_END_DECLS
+
 #endif

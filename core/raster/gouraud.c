@@ -51,7 +51,7 @@ static gradient divide(uint64_t n, uint64_t d)
     return pel_fraction_of((int64_t)n, (int64_t)d, 32);
 #else
     uint64_t rest = 0;
-    return pel_long_divide(n << 30, d, 66, &rest);
+    return pel_divide_bits(n << 30, d, 66, &rest);
 #endif
 }
 

@@ -66,6 +66,20 @@ struct pel_flat {
         PEL_PAINT(pel_flat_fill, pel_flat_fast), (color) \
     }
 
+/* One color over every run, stored or blended by its alpha. Fill-only twins
+ * cannot blend: a broken contract. */
+static inline void pel_fill_color(const struct pel_spans *spans,
+                                  pel_color color)
+{
+    const struct pel_format *format = spans->surface->format;
+    const uint32_t alpha = pel_alpha(color);
+    PEL_ASSERT(alpha == 255 || format->blend);
+    if (alpha == 255)
+        format->fill(spans, format->pack(color));
+    else if (format->blend)
+        format->blend(spans, color);
+}
+
 void pel_flat_fill(const struct pel_paint *paint,
                    const struct pel_spans *spans);
 

@@ -20,14 +20,14 @@ union api_paint {
     struct pel_color_paint colors;
 };
 
-enum { API_SURFACES = 3, API_PAINTS = 6, API_WEDGES = 16 };
+enum { API_SURFACES = 3, API_PAINTS = 6, API_TRIANGLES = 16 };
 
 struct api {
     struct input in;
     /* The last one is only read: paints may keep it. */
     struct pel_surface surface[API_SURFACES + 1];
     union api_paint paint[API_PAINTS];
-    struct pel_fan_wedge wedge[API_PAINTS][API_WEDGES];
+    struct pel_fan_triangle triangle[API_PAINTS][API_TRIANGLES];
     pel_color ramp[64];
 };
 

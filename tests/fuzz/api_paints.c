@@ -26,25 +26,25 @@ static void fill_ramp(struct api *a)
 
 static void fan(struct api *a, struct pel_fan *paint, int slot)
 {
-    struct pel_point rim[API_WEDGES];
-    pel_color colors[API_WEDGES];
-    struct pel_fan_points points = {.rim = rim, .colors = colors};
-    points.n = 1 + (int32_t)input_below(&a->in, API_WEDGES);
+    struct pel_point perimeter[API_TRIANGLES];
+    pel_color colors[API_TRIANGLES];
+    struct pel_fan_points points = {.perimeter = perimeter, .colors = colors};
+    points.n = 1 + (int32_t)input_below(&a->in, API_TRIANGLES);
     points.hub = api_point(a);
     points.hub_color = input_word(&a->in);
-    for (int i = 0; i < API_WEDGES; i++) {
-        rim[i] = points.hub;
+    for (int i = 0; i < API_TRIANGLES; i++) {
+        perimeter[i] = points.hub;
         colors[i] = points.hub_color * (uint32_t)i;
     }
     if (input_byte(&a->in) & 1)
         for (int i = 0; i < points.n; i++)
-            rim[i] = api_point(a);
+            perimeter[i] = api_point(a);
     else
-        pel_fan_rim(rim, points.n, points.hub, input_number(&a->in),
-                    (uint16_t)input_word(&a->in));
+        pel_fan_perimeter(perimeter, points.n, points.hub, input_number(&a->in),
+                          (uint16_t)input_word(&a->in));
     if (input_byte(&a->in) & 1)
         pel_fan_set_hub(&points);
-    pel_fan_init(paint, &points, a->wedge[slot]);
+    pel_fan_init(paint, &points, a->triangle[slot]);
 }
 
 static void plane(struct api *a, struct pel_texture_plane *p)

@@ -1,7 +1,5 @@
 /* Ordered dither: the matrix, the levels, the mean, and what it leaves alone.
  */
-#include <string.h>
-
 #include "core/paint/paint_dither.h"
 #include "core/paint/paint_linear.h"
 #include "tests/support/canvas.h"
@@ -215,56 +213,66 @@ static void test_any_source(void **state)
     }
 }
 
-/* What a source is given: a surface of its own, transparent, that holds its
- * run. It colours it as two runs of one line. */
-static void two_runs(const struct pel_paint *paint,
-                     const struct pel_spans *rows)
+/* What a source is given: the shape's surface, but for its format, which keeps
+ * colours. It colours its rows, then loads what is there. */
+static void fill_and_load(const struct pel_paint *paint,
+                          const struct pel_spans *rows)
 {
     (void)paint;
     const struct pel_surface *s = rows->surface;
-    const struct pel_span all = rows->span[0];
-    const struct pel_rect line = {all.x0, rows->y, all.x1, rows->y + 1};
-    const int32_t middle = (all.x0 + all.x1 + 1) / 2;
-    const struct pel_span parts[2] = {{all.x0, middle}, {middle, all.x1}};
-    const struct pel_spans two = {s, parts, rows->y, 2, 0};
-    pel_color before[64];
-    assert_int_equal(rows->n, 1);
-    assert_in_range(rows->step, 0, 1);
+    const struct pel_span *row = rows->span;
+    pel_color c[40];
     assert_int_equal(s->format->bits, 32);
     assert_int_equal(s->format->word, 4);
-    assert_in_range(s->format->id, 128, 255);
-    assert_memory_equal(&s->bounds, &line, sizeof line);
-    assert_memory_equal(&s->clip, &line, sizeof line);
-    assert_int_equal(s->stride, 4 * (all.x1 - all.x0));
-    memset(before, 0xA5, sizeof before);
-    assert_in_range(all.x1 - all.x0, 1, 63);
-    s->format->load(s, all.x0, rows->y, all.x1 - all.x0, before);
-    for (int32_t x = all.x0; x < all.x1; x++)
-        assert_int_equal(before[x - all.x0], 0);
-    assert_int_equal(before[all.x1 - all.x0], 0xA5A5A5A5);
-    s->format->fill(&two, s->format->pack(0xFF4080C0));
-    s->format->load(s, all.x0, rows->y, all.x1 - all.x0, before);
-    for (int32_t x = all.x0; x < all.x1; x++)
-        assert_int_equal(before[x - all.x0], 0xFF4080C0);
+    assert_int_equal(s->format->id, 255);
+    assert_memory_equal(&s->bounds, &canvas.surface.bounds, sizeof s->bounds);
+    assert_memory_equal(&s->clip, &canvas.surface.clip, sizeof s->clip);
+    s->format->fill(rows, s->format->pack(0xFF4080C0));
+    s->format->load(s, row->x0, rows->y, row->x1 - row->x0, c);
+    for (int32_t i = 0; i < row->x1 - row->x0; i++)
+        assert_int_equal(canvas_pixel(&canvas, row->x0 + i, rows->y),
+                         layout_pack(canvas.layout, c[i]));
 }
 
+/* A format of one's own, here of the depths of another, is dithered too. */
 static void test_sources_surface(void **state)
 {
     (void)state;
-    static const struct pel_paint source = {two_runs, NULL};
+    static const struct pel_paint source = {fill_and_load, NULL};
     static const struct pel_rect b = {0, 0, 40, 3};
+    struct pel_format own = pel_rgb332;
     struct pel_dither d;
+    own.id = 200;
     assert_int_equal(pel_dither_init(&d, &source), PEL_OK);
     canvas_open(&canvas, &pel_rgb332, &b, 0);
+    canvas.surface.format = &own;
     pel_rectangle(&canvas.surface, origin, far_end, &d.paint);
-    const struct layout *l = &layouts[0];
-    while (l->format != &pel_rgb332)
-        l++;
     for (int32_t y = 0; y < 3; y++)
         for (int32_t x = 0; x < 40; x++)
             assert_int_equal(
                 canvas_pixel(&canvas, x, y),
-                layout_pack(l, dithered_color(l, 0xFF4080C0, x, y)));
+                layout_pack(canvas.layout,
+                            dithered_color(canvas.layout, 0xFF4080C0, x, y)));
+}
+
+/* Refused, and where a source became a dither later nothing is drawn. */
+static void test_dither_of_dither(void **state)
+{
+    (void)state;
+    static const struct pel_rect b = {0, 0, 8, 8};
+    const struct pel_flat flat = PEL_FLAT(0xFF4080C0);
+    struct pel_dither d, e = {{NULL, NULL}, NULL};
+    assert_int_equal(pel_dither_init(&d, &flat.paint), PEL_OK);
+    assert_int_equal(pel_dither_init(&e, &d.paint), PEL_ERROR_RANGE);
+    assert_int_equal(pel_dither_init(&d, &d.paint), PEL_ERROR_RANGE);
+    assert_int_equal(pel_dither_init(&d, &e.paint), PEL_OK);
+    e = d;
+    for (int i = 0; i < LAYOUT_COUNT; i++) {
+        canvas_open(&canvas, layouts[i].format, &b, 0);
+        pel_rectangle(&canvas.surface, origin, far_end, &d.paint);
+        assert_int_equal(canvas_pixel(&canvas, 3, 3),
+                         canvas_pixel_before(&canvas, 3, 3));
+    }
 }
 
 static void test_errors(void **state)
@@ -284,6 +292,7 @@ int main(void)
         cmocka_unit_test(test_gradient_in_bands),
         cmocka_unit_test(test_any_source),
         cmocka_unit_test(test_sources_surface),
+        cmocka_unit_test(test_dither_of_dither),
         cmocka_unit_test(test_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,162 +1,392 @@
-/* The colours of gradients with stops: within 1 of the exactly rounded colour,
- * but for 1/256 px around a jump. */
-#include "core/paint/paint_conic.h"
-#include "core/paint/paint_linear.h"
-#include "core/paint/paint_radial.h"
+/* Gradients: every pixel of random ones, on shapes, in every format, shows the
+ * cell that exact arithmetic says; and a cell is the ring or the sector of the
+ * same numbers. What a pixel shows is a function of the pixel alone, so bands,
+ * tiles and clips change no byte. */
+#include "core/pel.h"
+#include "tests/support/canvas.h"
 #include "tests/support/check.h"
-#include "tests/support/paint_cells.h"
+#include "tests/support/hits.h"
+#include "tests/support/paint_math.h"
+#include "tests/support/shapes.h"
 
-static struct histogram errors[3] = {
-    {.name = "linear_color", .step = 1.0L / 32},
-    {.name = "radial_color", .step = 1.0L / 32},
-    {.name = "conic_color", .step = 1.0L / 32}};
+__extension__ typedef __int128 wide;
+
+enum kind { LINEAR, RADIAL, CONIC, HUE, KINDS };
 
 struct gradient {
-    int kind; /* 0 linear, 1 radial, 2 conic */
-    struct pel_point at, to;
+    enum kind kind;
+    struct pel_point at, to; /* from, or the centre */
     int32_t radius;
-    struct pel_stop stops[6];
-    int32_t count;
-    pel_color colors[2048];
+    uint16_t phase; /* or start */
     struct pel_ramp ramp;
     union {
+        struct pel_paint paint;
         struct pel_linear linear;
         struct pel_radial radial;
         struct pel_conic conic;
-    } paint;
+        struct pel_hue_wheel wheel;
+    } u;
 };
 
-/* Stops without hard edges, as many cells as the steepest channel asks for. */
-static void random_ramp(struct random *r, struct gradient *g)
+static pel_color colors[32767];
+static struct canvas canvas;
+static struct hits hits;
+
+static wide floor_divide(wide n, wide d)
 {
-    real slope = 0;
-    int32_t at = 0;
-    g->count = random_between(r, 2, 6);
-    for (int32_t i = 0; i < g->count; i++) {
-        g->stops[i] = (struct pel_stop){at, random_word(r)};
-        at = i == g->count - 2 ? 65536 : at + 65536 / (g->count - 1);
-        for (int k = 0; i && k < 32; k += 8) {
-            real a = g->stops[i - 1].color >> k & 255;
-            real b = g->stops[i].color >> k & 255;
-            real s =
-                real_abs(b - a) * 65536 / (g->stops[i].at - g->stops[i - 1].at);
-            slope = s > slope ? s : slope;
-        }
-    }
-    int32_t n = pel_max(3, (int32_t)slope + 1);
-    if (g->count == 2 && random_word(r) % 2) {
-        n = 2;
-        g->colors[0] = g->stops[0].color;
-        g->colors[1] = g->stops[1].color;
+    return n / d - (n % d < 0);
+}
+
+static int32_t cells_of(const struct gradient *g)
+{
+    return g->kind == HUE ? 1536 : g->ramp.n == 2 ? 256 : g->ramp.n;
+}
+
+static wide linear_cell(const struct gradient *g, int32_t x, int32_t y)
+{
+    const wide dx = g->to.x - g->at.x, dy = g->to.y - g->at.y;
+    const wide way = dx * (pel_pixel_center(x) - g->at.x) +
+                     dy * (pel_pixel_center(y) - g->at.y);
+    return floor_divide(way * cells_of(g), dx * dx + dy * dy);
+}
+
+/* The outer radius of ring k - 1. */
+static wide ring_radius(const struct gradient *g, wide k)
+{
+    return k * g->radius / cells_of(g);
+}
+
+/* From a guess to the one ring that holds the pixel. */
+static wide ring_at(const struct gradient *g, int32_t x, int32_t y)
+{
+    const wide u = pel_pixel_center(x) - g->at.x;
+    const wide v = pel_pixel_center(y) - g->at.y, square = u * u + v * v;
+    wide k = (wide)(real_root((real)square) * cells_of(g) / g->radius);
+    while (k > 0 && square <= ring_radius(g, k) * ring_radius(g, k))
+        k--;
+    while (square > ring_radius(g, k + 1) * ring_radius(g, k + 1))
+        k++;
+    return k;
+}
+
+static int32_t sectors_of(const struct gradient *g)
+{
+    return g->kind == CONIC && g->ramp.spread == PEL_REFLECT ? 2 * cells_of(g)
+                                                             : cells_of(g);
+}
+
+static uint16_t angle_of(const struct gradient *g, int64_t k)
+{
+    return (uint16_t)(g->phase + 65536 * k / sectors_of(g));
+}
+
+static wide cross(struct pel_point d, wide u, wide v)
+{
+    return d.x * v - d.y * u;
+}
+
+/* The rule of round/wedge.h, for sectors of up to a half turn. */
+static bool in_sector(const struct gradient *g, int64_t k, wide u, wide v)
+{
+    const struct pel_point from = pel_direction(angle_of(g, k));
+    const struct pel_point to = pel_direction(angle_of(g, k + 1));
+    if (cross(from, u, v) == 0 && from.x * u + from.y * v > 0)
+        return true;
+    return cross(from, u, v) > 0 && cross(to, u, v) < 0;
+}
+
+static wide sector_at(const struct gradient *g, int32_t x, int32_t y)
+{
+    const int64_t n = sectors_of(g);
+    int64_t u = pel_pixel_center(x) - g->at.x,
+            v = pel_pixel_center(y) - g->at.y;
+    if (u == 0 && v == 0)
+        u = 1;
+    if (n == 1)
+        return 0;
+    real turn = real_turn((real)u, (real)v) * 65536 - g->phase;
+    int64_t k = (int64_t)((turn < 0 ? turn + 65536 : turn) * (real)n / 65536);
+    for (int64_t i = k + 2 * n - 2; i <= k + 2 * n + 2; i++)
+        if (in_sector(g, i % n, u, v))
+            return i % n;
+    fail_msg("no sector %ld of %ld; %s", (long)k, (long)n, cases_replay());
+    return 0;
+}
+
+static wide number_at(const struct gradient *g, int32_t x, int32_t y)
+{
+    if (g->kind == LINEAR)
+        return linear_cell(g, x, y);
+    return g->kind == RADIAL ? ring_at(g, x, y) : sector_at(g, x, y);
+}
+
+static pel_color middle_color(pel_color a, pel_color b, uint32_t i)
+{
+    pel_color c = 0;
+    for (int shift = 0; shift < 32; shift += 8)
+        c |= ((a >> shift & 255) * (511 - 2 * i) +
+              (b >> shift & 255) * (2 * i + 1) + 256) /
+                 512
+             << shift;
+    return c;
+}
+
+static uint32_t hue_channel(const struct gradient *g, uint32_t part)
+{
+    const uint32_t whole = 255 * 512;
+    const uint32_t s = g->u.wheel.s, v = g->u.wheel.v;
+    return (v * (whole - s * part) + whole / 2) / whole;
+}
+
+static pel_color hue_color(const struct gradient *g, uint32_t cell)
+{
+    static const char order[6][4] = {"vtp", "tvp", "pvt", "ptv", "tpv", "vpt"};
+    const uint32_t part = cell % 256 * 2 + 1, sixth = cell / 256;
+    pel_color c = 255;
+    for (int i = 0; i < 3; i++)
+        c = c << 8 | (order[sixth][i] == 'v'   ? g->u.wheel.v
+                      : order[sixth][i] == 'p' ? hue_channel(g, 512)
+                      : sixth % 2              ? hue_channel(g, part)
+                                               : hue_channel(g, 512 - part));
+    return c;
+}
+
+static pel_color color_of(const struct gradient *g, wide k)
+{
+    const wide n = cells_of(g),
+               period =
+                   g->kind != HUE && g->ramp.spread == PEL_REFLECT ? 2 * n : n;
+    if (g->kind == RADIAL)
+        k += g->phase * n / 65536;
+    if (g->kind < CONIC && g->ramp.spread == PEL_PAD)
+        k = k < 0 ? 0 : k < n ? k : n - 1;
+    k -= floor_divide(k, period) * period;
+    k = k < n ? k : 2 * n - 1 - k;
+    if (g->kind == HUE)
+        return hue_color(g, (uint32_t)k);
+    if (g->ramp.n == 2)
+        return middle_color(colors[0], colors[1], (uint32_t)k);
+    return colors[k];
+}
+
+static int32_t any_size(struct random *r)
+{
+    const int32_t most = 1 << random_between(r, 8, 23);
+    return random_between(r, most / 2, most);
+}
+
+/* Near the box, or anywhere; often where centres of pixels are on a boundary.
+ */
+static struct pel_point any_point(struct random *r, const struct pel_rect *b)
+{
+    const int32_t grid = 1 << random_between(r, 0, 10);
+    struct pel_point p;
+    if (random_word(r) % 4 == 0) {
+        p.x = random_between(r, PEL_COORDINATE_MIN, PEL_COORDINATE_MAX);
+        p.y = random_between(r, PEL_COORDINATE_MIN, PEL_COORDINATE_MAX);
     } else {
-        assert_int_equal(pel_ramp_fill(g->colors, n, g->stops, g->count),
-                         PEL_OK);
+        const int32_t far = any_size(r) / (random_word(r) % 2 ? 1 : 100);
+        p.x = b->x0 * 256 + random_between(r, -far, far + 9000);
+        p.y = b->y0 * 256 + random_between(r, -far, far + 9000);
     }
-    g->ramp =
-        (struct pel_ramp){g->colors, n, (enum pel_spread)(random_word(r) % 3)};
+    p.x = p.x / grid * grid + (random_word(r) % 3 ? 0 : 128);
+    p.y = p.y / grid * grid + (random_word(r) % 3 ? 0 : 128);
+    p.x = pel_min(pel_max(p.x, PEL_COORDINATE_MIN), PEL_COORDINATE_MAX);
+    p.y = pel_min(pel_max(p.y, PEL_COORDINATE_MIN), PEL_COORDINATE_MAX);
+    return p;
 }
 
-static struct pel_color_paint *init(struct gradient *g)
+static void any_ramp(struct random *r, struct pel_ramp *ramp)
 {
-    const struct pel_rings rings = {g->at, g->radius, 0};
-    if (g->kind == 0) {
-        assert_int_equal(
-            pel_linear_init(&g->paint.linear, g->at, g->to, &g->ramp), PEL_OK);
-        return &g->paint.linear.base;
-    }
-    if (g->kind == 1) {
-        assert_int_equal(pel_radial_init(&g->paint.radial, &rings, &g->ramp),
-                         PEL_OK);
-        return &g->paint.radial.base;
-    }
-    assert_int_equal(pel_conic_init(&g->paint.conic, g->at, 0, &g->ramp),
-                     PEL_OK);
-    if (g->ramp.spread == PEL_PAD)
-        g->ramp.spread = PEL_REPEAT;
-    return &g->paint.conic.base;
+    static const int32_t usual[] = {1, 2, 2, 3, 16, 256, 256, 1000};
+    ramp->colors = colors;
+    ramp->n = usual[random_word(r) % 8];
+    if (random_word(r) % 100 == 0)
+        ramp->n = random_between(r, 1, 32767);
+    ramp->spread = (enum pel_spread)(random_word(r) % 3);
+    const pel_color opaque = random_word(r) % 4 ? 0xFF000000 : 0;
+    const pel_color few = random_word(r) % 2 ? 0x80FFFFFF : 0xFF808080;
+    for (int32_t i = 0; i < ramp->n; i++)
+        colors[i] = (random_word(r) & few) | opaque;
 }
 
-/* t at a pixel, and how much of it is 1/256 px (of a conic, or 1e-5 turns). */
-static real position(const struct gradient *g, int32_t x, int32_t y,
-                     real *reach)
+static void any_gradient(struct random *r, struct gradient *g,
+                         const struct pel_rect *b)
 {
-    real px = (real)pel_pixel_center(x) - g->at.x;
-    real py = (real)pel_pixel_center(y) - g->at.y;
-    real dx = (real)g->to.x - g->at.x, dy = (real)g->to.y - g->at.y;
-    real square = dx * dx + dy * dy, way;
-    if (g->kind == 0) {
-        *reach = 1 / real_root(square);
-        return (px * dx + py * dy) / square;
-    }
-    if (g->kind == 1) {
-        *reach = 1.0L / g->radius;
-        return real_root(px * px + py * py) / g->radius;
-    }
-    way = g->ramp.spread == PEL_REFLECT ? 2 : 1;
-    *reach = 1e-5L * way;
-    return real_turn(px, py) * way;
+    g->kind = (enum kind)(random_word(r) % KINDS);
+    g->at = any_point(r, b);
+    g->to = any_point(r, b);
+    g->phase = (uint16_t)(random_word(r) << random_between(r, 0, 15));
+    g->radius = pel_min(any_size(r), PEL_PX(32767));
+    any_ramp(r, &g->ramp);
+    const struct pel_rings rings = {g->at, pel_max(g->radius, 256), g->phase};
+    g->radius = rings.radius;
+    if (g->at.x == g->to.x && g->at.y == g->to.y)
+        g->kind = RADIAL;
+    const enum pel_status status =
+        g->kind == LINEAR
+            ? pel_linear_init(&g->u.linear, g->at, g->to, &g->ramp)
+        : g->kind == RADIAL ? pel_radial_init(&g->u.radial, &rings, &g->ramp)
+        : g->kind == CONIC
+            ? pel_conic_init(&g->u.conic, g->at, g->phase, &g->ramp)
+            : pel_hue_wheel_init(&g->u.wheel, g->at, g->phase,
+                                 (uint8_t)random_word(r),
+                                 (uint8_t)random_word(r));
+    assert_int_equal(status, PEL_OK);
 }
 
-static real difference(const struct gradient *g, real t, int k, pel_color got)
+static struct pel_rect any_bounds(struct random *r)
 {
-    real want = stops_channel(g->stops, g->count, g->ramp.spread, t, k);
-    return (real)(got >> 8 * k & 255) - want;
+    const int32_t reach = random_word(r) % 4 ? 40 : 32600;
+    struct pel_rect b;
+    b.x0 = random_between(r, -reach, reach) & ~7;
+    b.y0 = random_between(r, -reach, reach) & ~7;
+    b.x1 = b.x0 + random_between(r, 1, 64);
+    b.y1 = b.y0 + random_between(r, 1, random_word(r) % 4 ? 9 : 70);
+    return b;
 }
 
-static void check_channel(const struct gradient *g, const int32_t at[2], int k,
-                          pel_color got)
+static void draw(const struct pel_surface *s, const struct pel_point v[3],
+                 uint32_t shape, const struct pel_paint *p)
 {
-    real reach, t = position(g, at[0], at[1], &reach);
-    real jump = t - real_round(t), error = difference(g, t, k, got);
-    real rounded = (real)(got >> 8 * k & 255) -
-                   real_round((real)(got >> 8 * k & 255) - error);
-    if (real_abs(jump) > reach)
-        histogram_add(&errors[g->kind], error);
-    if (real_abs(rounded) <= 1)
+    static const struct pel_point all[2] = {
+        {PEL_COORDINATE_MIN, PEL_COORDINATE_MIN},
+        {PEL_COORDINATE_MAX, PEL_COORDINATE_MAX}};
+    const struct pel_ring_shape ring = {v[0], 1000, 5000};
+    if (shape == 0)
+        pel_triangle(s, v, p);
+    else if (shape == 1)
+        pel_ring(s, &ring, p);
+    else
+        pel_rectangle(s, all[0], all[1], p);
+}
+
+static void check_pixel(const struct gradient *g, int32_t x, int32_t y)
+{
+    const wide k = number_at(g, x, y);
+    const pel_color color = color_of(g, k);
+    uint32_t want = canvas_pixel_before(&canvas, x, y);
+    if (hits_at(&hits, x, y))
+        want = layout_over(canvas.layout, want, color);
+    if (canvas_pixel(&canvas, x, y) != want)
+        fail_msg("kind %d, %d,%d to %d,%d radius %d phase %d, n %d, spread %d, "
+                 "%s pixel %d,%d: cell %ld, color %08x, expected %x, got %x; "
+                 "%s",
+                 (int)g->kind, g->at.x, g->at.y, g->to.x, g->to.y, g->radius,
+                 g->phase, g->ramp.n, (int)g->ramp.spread, canvas.layout->name,
+                 x, y, (long)k, color, want, canvas_pixel(&canvas, x, y),
+                 cases_replay());
+}
+
+/* The pixels of the same cell as (x, y), by the shape that it is. */
+static void check_shape(const struct gradient *g, int32_t x, int32_t y)
+{
+    const struct pel_rect *b = &canvas.surface.bounds;
+    const int32_t k = (int32_t)number_at(g, x, y), most = PEL_PX(32767);
+    const wide outer = g->kind == RADIAL ? ring_radius(g, k + 1) : most;
+    if (outer > most || (k == 0 && g->kind == RADIAL) || sectors_of(g) == 1)
         return;
-    if (real_abs(jump) <= reach &&
-        (real_abs(difference(g, t - 2 * jump, k, got)) < 1.5L ||
-         real_abs(difference(g, t + reach, k, got)) < 1.5L ||
-         real_abs(difference(g, t - reach, k, got)) < 1.5L))
-        return;
-    fail_msg("kind %d at %d,%d to %d,%d radius %d, n %d, spread %d, pixel "
-             "%d,%d channel %d: got %08x, %Lg off at t %Lg; %s",
-             g->kind, g->at.x, g->at.y, g->to.x, g->to.y, g->radius, g->ramp.n,
-             (int)g->ramp.spread, at[0], at[1], k, got, error, t,
-             cases_replay());
+    hits_open(&hits, b);
+    if (g->kind == RADIAL)
+        pel_ring(&hits.surface,
+                 &(struct pel_ring_shape){g->at, (int32_t)ring_radius(g, k),
+                                          (int32_t)outer},
+                 &hits.paint);
+    else
+        pel_sector(&hits.surface,
+                   &(struct pel_sector_shape){g->at, most, angle_of(g, k),
+                                              angle_of(g, k + 1)},
+                   &hits.paint);
+    for (y = b->y0; y < b->y1; y++)
+        for (x = b->x0; x < b->x1; x++) {
+            const wide u = pel_pixel_center(x) - g->at.x;
+            const wide v = pel_pixel_center(y) - g->at.y;
+            const bool reached = u * u + v * v <= (wide)most * most;
+            if (hits_at(&hits, x, y) != (reached && number_at(g, x, y) == k))
+                fail_msg("cell %d at %d,%d is another shape; %s", k, x, y,
+                         cases_replay());
+        }
 }
 
-static void test_colors(void **state)
+static void test_every_cell(void **state)
 {
     (void)state;
     static struct gradient g;
-    for (struct cases c = cases_of(20000); cases_next(&c);) {
+    for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct random *r = &c.random;
-        g.kind = (int)(c.next % 3);
-        g.at = (struct pel_point){random_between(r, -200000, 200000),
-                                  random_between(r, -200000, 200000)};
-        g.radius = 256 << random_between(r, 0, 11);
-        g.to = (struct pel_point){
-            g.at.x + random_between(r, -g.radius, g.radius),
-            g.at.y + (random_word(r) % 2 ? g.radius : -g.radius)};
-        random_ramp(r, &g);
-        struct pel_color_paint *p = init(&g);
-        int32_t at[2] = {random_between(r, -1200, 1200),
-                         random_between(r, -1200, 1200)};
-        pel_color got[32];
-        p->colors(p, at[0], at[1], 32, got);
-        for (int32_t i = 0; i < 32; i++, at[0]++)
-            for (int k = 0; k < 4; k++)
-                check_channel(&g, at, k, got[i]);
+        const struct pel_rect b = any_bounds(r);
+        const uint32_t shape = random_word(r) % 4;
+        struct pel_point v[3];
+        any_gradient(r, &g, &b);
+        shape_in_box(r, v, 3, &b);
+        canvas_open(&canvas, layouts[random_word(r) % LAYOUT_COUNT].format, &b,
+                    random_word(r) % CANVAS_STYLES);
+        hits_open(&hits, &b);
+        draw(&canvas.surface, v, shape, &g.u.paint);
+        draw(&hits.surface, v, shape, &hits.paint);
+        for (int32_t y = b.y0; y < b.y1; y++)
+            for (int32_t x = b.x0; x < b.x1; x++)
+                check_pixel(&g, x, y);
+        canvas_check(&canvas);
+        if (g.kind != LINEAR)
+            check_shape(&g, random_between(r, b.x0, b.x1 - 1),
+                        random_between(r, b.y0, b.y1 - 1));
     }
-    for (int i = 0; i < 3; i++)
-        histogram_end(&errors[i]);
+}
+
+static void test_errors(void **state)
+{
+    (void)state;
+    static const pel_color two[2];
+    const struct pel_point at = {0, 0}, to = {1, 0};
+    const struct pel_point out = {PEL_COORDINATE_MAX + 1, 0};
+    const struct pel_ramp good = {two, 2, PEL_PAD}, none = {two, 0, PEL_PAD},
+                          many = {two, 32768, PEL_PAD}, null = {NULL, 2, 0};
+    struct pel_linear l;
+    struct pel_radial radial;
+    struct pel_conic conic;
+    struct pel_hue_wheel wheel;
+    const struct {
+        const struct pel_ramp *ramp;
+        struct pel_point at;
+        int32_t radius;
+        enum pel_status linear, radial, conic;
+    } rows[] = {
+        {&good, at, 256, PEL_OK, PEL_OK, PEL_OK},
+        {NULL, at, 256, PEL_ERROR_NULL, PEL_ERROR_NULL, PEL_ERROR_NULL},
+        {&null, at, 256, PEL_ERROR_NULL, PEL_ERROR_NULL, PEL_ERROR_NULL},
+        {&none, at, 256, PEL_ERROR_SIZE, PEL_ERROR_SIZE, PEL_ERROR_SIZE},
+        {&many, at, 256, PEL_ERROR_SIZE, PEL_ERROR_SIZE, PEL_ERROR_SIZE},
+        {&good, out, 256, PEL_ERROR_RANGE, PEL_ERROR_RANGE, PEL_ERROR_RANGE},
+        {&good, to, 255, PEL_ERROR_SIZE, PEL_ERROR_RANGE, PEL_OK},
+        {&good, to, PEL_PX(32767) + 1, PEL_ERROR_SIZE, PEL_ERROR_RANGE, PEL_OK},
+    };
+    for (unsigned i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const struct pel_rings rings = {rows[i].at, rows[i].radius, 0};
+        const struct pel_ramp *ramp = rows[i].ramp;
+        assert_int_equal(pel_linear_init(&l, rows[i].at, to, ramp),
+                         rows[i].linear);
+        assert_int_equal(pel_radial_init(&radial, &rings, ramp),
+                         rows[i].radial);
+        assert_int_equal(pel_conic_init(&conic, rows[i].at, 0, ramp),
+                         rows[i].conic);
+        assert_int_equal(pel_linear_init(NULL, rows[i].at, to, ramp),
+                         PEL_ERROR_NULL);
+        assert_int_equal(pel_radial_init(NULL, &rings, ramp), PEL_ERROR_NULL);
+        assert_int_equal(pel_conic_init(NULL, rows[i].at, 0, ramp),
+                         PEL_ERROR_NULL);
+    }
+    assert_int_equal(pel_linear_init(&l, at, out, &good), PEL_ERROR_RANGE);
+    assert_int_equal(pel_radial_init(&radial, NULL, &good), PEL_ERROR_NULL);
+    assert_int_equal(pel_hue_wheel_init(NULL, at, 0, 1, 2), PEL_ERROR_NULL);
+    assert_int_equal(pel_hue_wheel_init(&wheel, out, 0, 1, 2), PEL_ERROR_RANGE);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_colors),
+        cmocka_unit_test(test_every_cell),
+        cmocka_unit_test(test_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,6 @@
-/* The numbers under the paints: square roots, angles, quotients. */
+/* The numbers under the paints: square roots, quotients. */
 #include "core/base/fraction.h"
-#include "core/base/root.h"
-#include "core/base/turn.h"
+#include "core/base/sqrt.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
 #include "tests/support/paint_math.h"
@@ -12,11 +11,6 @@ static void check_root(uint64_t v)
 {
     struct pel_root r;
     pel_square_root(v, &r);
-    const struct pel_root whole = pel_root_of(v);
-    if (whole.root != r.root || whole.inverse != r.inverse ||
-        whole.shift != r.shift)
-        fail_msg("roots of %llu: %u and %u", (unsigned long long)v, r.root,
-                 whole.root);
     uint64_t g = r.root;
     if (g * g > v || (g + 1) * (g + 1) <= v)
         fail_msg("the root of %llu is not %llu", (unsigned long long)v,
@@ -49,40 +43,6 @@ static void test_roots(void **state)
     check_root((UINT64_C(1) << 62) - 1);
 }
 
-static int32_t random_way(struct random *r)
-{
-    int32_t reach = (1 << random_between(r, 0, 25)) - 1;
-    return random_between(r, -reach, reach);
-}
-
-static void test_angles(void **state)
-{
-    (void)state;
-    struct histogram h = {.name = "turn_of", .step = 0x1p-36L};
-    for (struct cases c = cases_of(1000000); cases_next(&c);) {
-        int32_t x = random_way(&c.random), y = random_way(&c.random);
-        real error =
-            pel_turn_of(x, y) / 4294967296.0L - real_turn((real)x, (real)y);
-        error -= real_round(error);
-        histogram_add(&h, error);
-        if (real_abs(error) >= 0x1p-30L)
-            fail_msg("angle of %d, %d is off by %Lg turns", x, y, error);
-    }
-    histogram_end(&h);
-}
-
-static void test_axes_and_diagonals_are_exact(void **state)
-{
-    (void)state;
-    static const int8_t way[8][2] = {{1, 0},  {1, 1},   {0, 1},  {-1, 1},
-                                     {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
-    assert_int_equal(pel_turn_of(0, 0), 0);
-    for (int32_t size = 1; size < 1 << 25; size += size / 3 + 1)
-        for (uint32_t i = 0; i < 8; i++)
-            assert_int_equal(pel_turn_of(way[i][0] * size, way[i][1] * size),
-                             i << 29);
-}
-
 static int64_t random_long(struct random *r, int bits)
 {
     uint64_t v = (uint64_t)random_word(r) << 32 | random_word(r);
@@ -103,7 +63,10 @@ static void test_quotients(void **state)
             n = -n;
         wide scaled = (wide)n * ((wide)1 << bits), q = scaled / d;
         q -= scaled % d < 0;
-        if (pel_fraction_of(n, d, bits) != (uint64_t)q)
+        struct pel_fraction f;
+        pel_fraction_start(&f, n, d);
+        pel_fraction_more(&f, bits);
+        if (f.quotient != (uint64_t)q)
             fail_msg("%lld / %lld with %d bits", (long long)n, (long long)d,
                      bits);
     }
@@ -113,8 +76,6 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_roots),
-        cmocka_unit_test(test_angles),
-        cmocka_unit_test(test_axes_and_diagonals_are_exact),
         cmocka_unit_test(test_quotients),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

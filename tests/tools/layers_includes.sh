@@ -17,7 +17,7 @@ find core drivers port -name '*.[ch]' | sort | xargs awk '
         allow("core/outline", "core core/base core/format core/raster" \
               " core/round")
         allow("core/hit", "core core/base core/raster core/round")
-        allow("core/paint", "core core/base core/format core/raster")
+        allow("core/paint", "core core/base core/format core/raster core/round")
         allow("core/scene", "core core/base core/asset core/format" \
               " core/raster core/paint")
         allow("core/asset", "core core/base")

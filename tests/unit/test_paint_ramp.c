@@ -89,16 +89,6 @@ static void test_largest(void **state)
     assert_int_equal(pel_ramp_fill(ramp, 3, s, 32768), PEL_ERROR_SIZE);
 }
 
-static void test_opaque(void **state)
-{
-    (void)state;
-    const pel_color c[3] = {0xFF000000, 0xFF123456, 0xFE000000};
-    struct pel_ramp ramp = {c, 2, PEL_PAD};
-    assert_true(pel_ramp_opaque(&ramp));
-    ramp.n = 3;
-    assert_false(pel_ramp_opaque(&ramp));
-}
-
 static void test_errors(void **state)
 {
     (void)state;
@@ -123,7 +113,6 @@ int main(void)
         cmocka_unit_test(test_hard_edge),
         cmocka_unit_test(test_hard_edge_in_the_middle),
         cmocka_unit_test(test_largest),
-        cmocka_unit_test(test_opaque),
         cmocka_unit_test(test_errors),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

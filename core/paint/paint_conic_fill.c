@@ -1,0 +1,195 @@
+#include "../base/divide.h"
+#include "../base/trig.h"
+#include "../raster/edge.h"
+#include "paint_conic.h"
+
+enum { HALF_TURN = 32768, FULL_TURN = 65536 };
+
+/* An angle between cells: floor(65536 k / period) from the start, and what the
+ * floor drops. */
+struct angle {
+    uint32_t turn, rest;
+};
+
+/* Not before which angle, of 65,536, a pixel lies: bit by bit, since it is on
+ * the ray of an angle of its half turn or clockwise of it where the cross
+ * product is 0 or more. */
+static uint32_t turn_of(int32_t u, int32_t v)
+{
+    uint32_t turn = v < 0 || (v == 0 && u < 0) ? HALF_TURN : 0;
+    if (v == 0)
+        return turn;
+    for (uint32_t bit = HALF_TURN / 2; bit; bit >>= 1) {
+        const struct pel_point d = pel_direction((uint16_t)(turn + bit));
+        if (pel_product(d.x, v) - pel_product(d.y, u) >= 0)
+            turn += bit;
+    }
+    return turn;
+}
+
+/* The last cell k that begins at or before a turn from the start:
+ * 65536 k / period < turn + 1. (turn + 1) period <= 2^16 65,534. */
+static int32_t place_of(const struct pel_conic *p, uint32_t turn)
+{
+    turn = (turn - p->start) & 0xFFFFu;
+    return (int32_t)(((turn + 1) * (uint32_t)p->base.period - 1) >> 16);
+}
+
+static void angle_add(const struct pel_conic *p, struct angle *a)
+{
+    a->turn += p->width;
+    a->rest += p->rest;
+    if (a->rest >= (uint32_t)p->base.period) {
+        a->rest -= (uint32_t)p->base.period;
+        a->turn++;
+    }
+}
+
+static void angle_take(const struct pel_conic *p, struct angle *a)
+{
+    a->turn -= p->width;
+    if (a->rest < p->rest) {
+        a->rest += (uint32_t)p->base.period;
+        a->turn--;
+    }
+    a->rest -= p->rest;
+}
+
+/* Rows above or below the centre. */
+struct rays {
+    struct pel_cells cells;
+    struct angle end; /* of the present cell */
+    int32_t v;        /* of the first row */
+};
+
+/* Where a ray d, which is not level, meets the rows. At the height h it is u =
+ * h d.x / |d.y| to the right of the centre, at the pixel floor(f / |d.y|) from
+ * the centre's with
+ *
+ *     256 f = h d.x + (part - 128) |d.y| + 256 |d.y|,
+ *
+ * less 1 above the centre: there a pixel on the ray is beyond it, below it is
+ * before it. Another row's f is larger or smaller by d.x. |h d.x| < 2^39, so f
+ * fits 33 bits. */
+static struct pel_edge ray_at(const struct pel_conic *p, struct pel_point d,
+                              int32_t v)
+{
+    const bool above = v < 0;
+    const int32_t h = above ? -v : v, dy = above ? -d.y : d.y;
+    const int32_t part = (p->center.x & 255) + 128;
+    const int64_t f = (pel_product(h, d.x) + part * dy - above) >> 8;
+    struct pel_edge e;
+    if (f == (int32_t)f) {
+        e.x = pel_floor_divide((int32_t)f, dy, &e.m);
+    } else {
+        const uint32_t whole =
+            pel_divide((uint64_t)(f < 0 ? ~f : f), (uint32_t)dy);
+        e.x = (int32_t)(f < 0 ? ~whole : whole);
+        e.m = (int32_t)((uint32_t)f - (uint32_t)e.x * (uint32_t)dy);
+    }
+    e.x += pel_pixel_of(p->center.x);
+    e.m -= dy;
+    e.q = pel_floor_divide(above ? -d.x : d.x, dy, &e.r);
+    e.dy = dy;
+    return e;
+}
+
+static void end_cells(struct pel_cells *cells, int32_t count)
+{
+    const struct pel_conic *p = (const void *)cells->gradient;
+    struct rays *r = (void *)cells;
+    while (--count)
+        (r->v < 0 ? angle_add : angle_take)(p, &r->end);
+    pel_cells_end_at(cells,
+                     ray_at(p, pel_direction((uint16_t)r->end.turn), r->v));
+    (r->v < 0 ? angle_add : angle_take)(p, &r->end);
+}
+
+/* As many cells may end as begin in the half turn of the rows. The first pixel
+ * by angle is in the first column: clockwise above the centre,
+ * counter-clockwise below, in the row nearest to the centre where that is left
+ * of it, else in the farthest one. */
+static PEL_WIDE bool rays_start(struct rays *r, const struct pel_conic *p,
+                                const struct pel_spans *spans)
+{
+    struct pel_cells *c = &r->cells;
+    if (!pel_cells_begin(c, &p->base, spans))
+        return false;
+    const int32_t u = pel_pixel_center(c->all.x0) - p->center.x;
+    r->v = pel_pixel_center(spans->y) - p->center.y;
+    const bool above = r->v < 0, last = above == (u < 0);
+    const int32_t v = last ? r->v + (spans->n - 1) * spans->step * 256 : r->v;
+    c->place = place_of(p, turn_of(u, v));
+    const uint32_t k = (uint32_t)c->place << 16;
+    r->end.turn = pel_divide(k, (uint32_t)p->base.period);
+    r->end.rest = k - r->end.turn * (uint32_t)p->base.period;
+    r->end.turn += p->start;
+    if (above)
+        angle_add(p, &r->end);
+    c->end = end_cells;
+    c->step = above ? 1 : -1;
+    c->limit = above ? place_of(p, FULL_TURN - 1) - c->place
+                     : c->place - place_of(p, 0);
+    if (c->limit < 0)
+        c->limit += p->base.period;
+    return true;
+}
+
+/* The row through the centre has two angles: a half turn, then 0. */
+static void draw_level(struct pel_cells *c, const struct pel_conic *p)
+{
+    c->stop = pel_first_pixel(p->center.x);
+    c->limit = 0;
+    c->place = place_of(p, HALF_TURN);
+    pel_cells_draw(c);
+    c->stop = INT32_MAX;
+    c->limit = 0;
+    c->place = place_of(p, 0);
+    pel_cells_draw(c);
+}
+
+static PEL_WIDE void draw(const struct pel_conic *p,
+                          const struct pel_spans *spans)
+{
+    struct rays r;
+    if (!rays_start(&r, p, spans))
+        return;
+    if (r.v)
+        pel_cells_draw(&r.cells);
+    else
+        draw_level(&r.cells, p);
+}
+
+/* The rows above the centre, the row through it, the rows below. */
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
+{
+    const struct pel_conic *p = (const void *)paint;
+    const int32_t level = pel_first_pixel(p->center.y);
+    struct pel_spans part = *spans;
+    for (int32_t left = spans->n; left > 0; left -= part.n) {
+        const int32_t v = pel_pixel_center(part.y) - p->center.y;
+        part.n = spans->step == 0 ? left : v == 0 ? 1 : left;
+        if (spans->step && v < 0)
+            part.n = pel_min(left, level - part.y);
+        draw(p, &part);
+        part.span += part.n;
+        part.y += part.n;
+    }
+}
+
+enum pel_status pel_conic_begin(struct pel_conic *paint,
+                                struct pel_point center, uint16_t start)
+{
+    if (!pel_point_legal(center))
+        return PEL_ERROR_RANGE;
+    struct pel_gradient *g = &paint->base;
+    if (g->period == 0)
+        g->period = g->cells;
+    int32_t rest;
+    paint->width = (uint16_t)pel_floor_divide(65536, g->period, &rest);
+    paint->rest = (uint16_t)rest;
+    paint->center = center;
+    paint->start = start;
+    g->paint = (struct pel_paint){fill, NULL};
+    return PEL_OK;
+}
