@@ -33,18 +33,18 @@ TEST_PROPERTY := $(basename $(sort $(wildcard tests/property/test_*.c)))
 TEST_EXHAUSTIVE := $(basename $(sort $(wildcard tests/exhaustive/test_*.c)))
 
 # Broken contracts are tested where asserts count, and where there are none.
-TEST_ASSERT := tests/unit/test_assert
+TEST_ASSERT := tests/unit/test_all_assert
 # These link the portable build beside their own.
-TEST_TWINS := tests/property/test_walkers tests/property/test_walkers_large \
-    tests/property/test_fast_writers tests/property/test_texture_writers
+TEST_TWINS := tests/property/test_raster_walks tests/property/test_raster_walks_large \
+    tests/property/test_fast_flat tests/property/test_fast_textures
 # These name what only the default build has.
-TEST_HOST_ONLY := tests/property/test_fast $(TEST_TWINS)
+TEST_HOST_ONLY := tests/property/test_fast_triangle $(TEST_TWINS)
 # These see what the knobs of core change inside.
-TEST_KNOBS := tests/property/test_triangles tests/property/test_shapes \
-    tests/property/test_pictures tests/property/test_scene_numbers \
+TEST_KNOBS := tests/property/test_raster_triangles tests/property/test_round_shapes \
+    tests/property/test_all_pictures tests/property/test_scene_numbers \
     tests/property/test_scene_pictures tests/property/test_paint_gradients \
-    tests/property/test_shape_coverage \
-    tests/unit/test_product
+    tests/property/test_round_coverage \
+    tests/unit/test_base_product
 
 # $1 build
 define test_build
@@ -88,7 +88,7 @@ include tests/fuzz/fuzz.mk
 
 TEST_PROGRAMS_host := $(TEST_EXHAUSTIVE) $(TEST_PROPERTY) $(TEST_UNIT)
 TEST_PROGRAMS_portable := $(filter-out $(TEST_HOST_ONLY),$(TEST_PROPERTY)) \
-    tests/exhaustive/test_colors
+    tests/exhaustive/test_base_colors
 TEST_PROGRAMS_san := $(TEST_PROPERTY) $(TEST_UNIT)
 TEST_PROGRAMS_assert := $(TEST_ASSERT)
 TEST_PROGRAMS_small := $(TEST_KNOBS)
@@ -141,7 +141,7 @@ DEEP_SCALE ?= 1000
 DEEP_PARTS := 0 1 2 3 4
 DEEP_EXTRA := deep-cpus
 DEEP_PROGRAMS := $(TEST_PROPERTY:%=$(T)/host/%) \
-    $(T)/portable/tests/property/test_triangles
+    $(T)/portable/tests/property/test_raster_triangles
 deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hour
 	@mkdir -p $(T)/deep
 	@seed=$${PEL_SEED:-$$(date +%s)}; echo "PEL_SEED=$$seed"; \
@@ -150,7 +150,7 @@ deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hou
 	done >$(T)/deep.list; \
 	for b in host portable; do for i in $(DEEP_PARTS); do \
 	    printf '%s\t%s\n' "test_triangles $$b $$i" "PEL_SEED=$$seed$$i \
-	        PEL_SCALE=1000 $(T)/$$b/tests/property/test_triangles"; \
+	        PEL_SCALE=1000 $(T)/$$b/tests/property/test_raster_triangles"; \
 	done; done >>$(T)/deep.list; \
 	for p in $(filter-out %/test_triangles,$(TEST_PROPERTY)); do \
 	    printf '%s\t%s\n' "$$p" "PEL_SCALE=$(DEEP_SCALE) $(T)/host/$$p"; \

@@ -3,7 +3,7 @@
 # the same each time, and show what the font file holds. Unifont is imported from
 # the console's PSF file and from X's font as BDF: both show the same.
 #
-#     PEL=build/pel test_font.sh      from the project's directory
+#     PEL=build/pel test_font_files.sh      from the project's directory
 set -eu
 PEL=${PEL:-build/pel}
 LIBPEL=$(dirname "$PEL")/libpel.a

@@ -3,7 +3,7 @@
 # where they are, terms that add up, depth buffers, bands of every look; and
 # what is refused. assimp reads the square, so it has to be there.
 #
-#     PEL=build/pel test_render_look.sh
+#     PEL=build/pel test_render_settings.sh
 set -eu
 PEL=${PEL:-build/pel}
 dir=$(mktemp -d)

@@ -2,7 +2,7 @@
 # pel demo: the pictures that every system promises, their times, and what is
 # said where a package is missing.
 #
-#     PEL=build/pel test_demo.sh      from the project's directory
+#     PEL=build/pel test_demo_gallery.sh      from the project's directory
 set -u
 PEL=${PEL:-build/pel}
 work=$(mktemp -d) || exit 1

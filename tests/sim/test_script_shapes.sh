@@ -1,7 +1,7 @@
 #!/bin/sh
 # Scripts with curved shapes, outlines, texts and pictures: what is refused and
 # with which words, and that files are found beside the script. What is drawn is
-# core's; that bands change nothing is tested with all scenes (test_run.sh).
+# core's; that bands change nothing is tested with all scenes (test_script_run.sh).
 set -u
 PEL=${PEL:-build/pel}
 work=$(mktemp -d) || exit 1

@@ -1,6 +1,6 @@
 /* Hit tests: a list of targets, numbers out of range, thick lines of a few
  * sub-pixels. That each equals its fill is tested with the fills
- * (property/test_shape_coverage). */
+ * (property/test_round_coverage). */
 #include "tests/support/any_shape.h"
 #include "tests/support/check.h"
 #include "tests/support/paint_math.h"

@@ -2,7 +2,7 @@
 # pel render: every format and any bands give the same picture, wrong options
 # are refused with the valid ones, and nothing is written then.
 #
-#     PEL=build/pel test_render.sh
+#     PEL=build/pel test_render_command.sh
 set -eu
 PEL=${PEL:-build/pel}
 dir=$(mktemp -d)

@@ -3,7 +3,7 @@
 # at the start and after some turning, in every look and with any number of
 # threads; and what is refused.
 #
-#     PEL=build/pel test_view.sh
+#     PEL=build/pel test_view_command.sh
 set -eu
 PEL=${PEL:-build/pel}
 export SDL_VIDEODRIVER=dummy

@@ -303,6 +303,6 @@ checks=$((checks + 1))
 [ $? = 2 ] || fail "a short file was taken"
 said err "b.ppm: byte 22: ends in row 1 of 32767"
 
-[ $failures = 0 ] && echo "test_run.sh: $checks checks passed" && exit 0
-echo "test_run.sh: $failures of $checks checks failed" >&2
+[ $failures = 0 ] && echo "test_script_run.sh: $checks checks passed" && exit 0
+echo "test_script_run.sh: $failures of $checks checks failed" >&2
 exit 1

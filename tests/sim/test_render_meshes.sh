@@ -3,7 +3,7 @@
 # settings, state stays in force, files are found beside the script, and what is
 # wrong is refused with its line.
 #
-#     PEL=build/pel test_mesh_scenes.sh
+#     PEL=build/pel test_render_meshes.sh
 set -u
 PEL=${PEL:-build/pel}
 work=$(mktemp -d) || exit 1

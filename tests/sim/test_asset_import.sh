@@ -2,7 +2,7 @@
 # pel import: C assets compile without a warning as C99 and as C++, are the same
 # each time, and draw what the mesh or the picture itself draws.
 #
-#     PEL=build/pel test_import.sh      from the project's directory
+#     PEL=build/pel test_asset_import.sh      from the project's directory
 set -eu
 PEL=${PEL:-build/pel}
 LIBPEL=$(dirname "$PEL")/libpel.a
@@ -305,7 +305,7 @@ grep -q 'tiny.obj: 2 of 6 triangles are lost' "$dir/message" ||
 "$PEL" import builtin:vase -o "$dir/vase.pel2d"
 refuse "is projected already" "$dir/vase.pel2d" -o "$dir/x.c"
 
-# A pel2d file draws what its mesh draws (test_render.sh).
+# A pel2d file draws what its mesh draws (test_render_command.sh).
 "$PEL" render builtin:vase -o "$dir/a.ppm"
 "$PEL" render "$dir/vase.pel2d" -o "$dir/b.ppm"
 "$PEL" compare --tolerance 1 "$dir/a.ppm" "$dir/b.ppm" || fail "the pel2d file draws something else"
