@@ -24,8 +24,7 @@ PEL_BEGIN_DECLS
 struct pel_gradient {
     struct pel_paint paint;
 
-    /* The colour of a cell, 0 <= cell < cells; NULL: the ramp's two colours are
-     * mixed. */
+    /* The colour of a cell, 0 <= cell < cells. */
     pel_color (*color)(const struct pel_gradient *gradient, int32_t cell);
 
     struct pel_ramp ramp;
@@ -51,10 +50,8 @@ struct pel_cells {
     int32_t place; /* of the next cell */
     bool rest;     /* has any row pixels left? end sets it */
 
-    pel_color color;    /* of the next cell */
-    pel_color mask;     /* bits of colours that the format shows; 0: any */
-    uint32_t sum[2];    /* of the next cell of two mixed colours, */
-    uint32_t change[2]; /* and to the cell after it */
+    pel_color color; /* of the next cell */
+    pel_color mask;  /* bits of colours that the format shows; 0: any */
 
     /* The run of the present cell, in every row. */
     struct pel_span run[PEL_BATCH_ROWS];
