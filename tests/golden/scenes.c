@@ -280,6 +280,42 @@ static void draw_depth(const struct pel_surface *s)
     draw_scene(&scene, s, &depth);
 }
 
+/* Every gradient, dithered on the left, and one that is transparent. */
+static void draw_gradients(const struct pel_surface *s)
+{
+    static const pel_color stops[4] = {PEL_RGB(250, 240, 20),
+                                       PEL_RGBA(200, 30, 90, 160), 0,
+                                       PEL_RGBA(9, 60, 200, 220)};
+    const struct pel_ramp mixed = {stops, 2, PEL_PAD};
+    const struct pel_ramp many = {stops, 4, PEL_REFLECT};
+    const struct pel_rings rings = {PEL_AT(61, 23.7), PEL_PX(14.3), 20000};
+    const struct pel_rect left = {0, 0, WIDTH / 2, HEIGHT};
+    struct pel_linear linear;
+    struct pel_radial radial;
+    struct pel_conic conic;
+    struct pel_hue_wheel wheel;
+    struct pel_surface half = *s;
+    struct pel_dither dither;
+    if (pel_linear_init(&linear, (struct pel_point)PEL_AT(90, 3.3),
+                        (struct pel_point)PEL_AT(2.2, 60), &mixed) ||
+        pel_radial_init(&radial, &rings, &many) ||
+        pel_conic_init(&conic, rings.center, 777, &many) ||
+        pel_hue_wheel_init(&wheel, (struct pel_point)PEL_AT(30, 50), 1, 220,
+                           240) ||
+        pel_dither_init(&dither, &linear.base.paint))
+        printf("gradients: refused\n");
+    pel_rectangle(s, (struct pel_point)PEL_AT(0, 0),
+                  (struct pel_point)PEL_AT(WIDTH, HEIGHT), &linear.base.paint);
+    pel_surface_clip(&half, &left);
+    pel_rectangle(&half, (struct pel_point)PEL_AT(0, 0),
+                  (struct pel_point)PEL_AT(WIDTH, HEIGHT), &dither.paint);
+    pel_circle(s, rings.center, PEL_PX(30), &radial.base.paint);
+    pel_circle(s, (struct pel_point)PEL_AT(75, 55), PEL_PX(16),
+               &conic.base.paint);
+    pel_circle(s, (struct pel_point)PEL_AT(30, 50), PEL_PX(18),
+               &wheel.conic.base.paint);
+}
+
 static const struct scene {
     const char *name;
     void (*draw)(const struct pel_surface *);
@@ -294,6 +330,7 @@ static const struct scene {
     {"far", draw_far},
     {"phong", draw_phong},
     {"depth", draw_depth},
+    {"gradients", draw_gradients},
 };
 
 static const struct {
