@@ -71,37 +71,37 @@ struct rays {
  * less 1 above the centre: there a pixel on the ray is beyond it, below it is
  * before it. Another row's f is larger or smaller by d.x. |h d.x| < 2^39, so f
  * fits 33 bits. */
-static struct pel_edge ray_at(const struct pel_conic *p, struct pel_point d,
-                              int32_t v)
+static PEL_WIDE void ray_at(struct pel_edge *e, const struct pel_conic *p,
+                            uint32_t turn, int32_t v)
 {
+    const struct pel_point d = pel_direction((uint16_t)turn);
     const bool above = v < 0;
     const int32_t h = above ? -v : v, dy = above ? -d.y : d.y;
     const int32_t part = (p->center.x & 255) + 128;
     const int64_t f = (pel_product(h, d.x) + part * dy - above) >> 8;
-    struct pel_edge e;
     if (f == (int32_t)f) {
-        e.x = pel_floor_divide((int32_t)f, dy, &e.m);
+        e->x = pel_floor_divide((int32_t)f, dy, &e->m);
     } else {
         const uint32_t whole =
             pel_divide((uint64_t)(f < 0 ? ~f : f), (uint32_t)dy);
-        e.x = (int32_t)(f < 0 ? ~whole : whole);
-        e.m = (int32_t)((uint32_t)f - (uint32_t)e.x * (uint32_t)dy);
+        e->x = (int32_t)(f < 0 ? ~whole : whole);
+        e->m = (int32_t)((uint32_t)f - (uint32_t)e->x * (uint32_t)dy);
     }
-    e.x += pel_pixel_of(p->center.x);
-    e.m -= dy;
-    e.q = pel_floor_divide(above ? -d.x : d.x, dy, &e.r);
-    e.dy = dy;
-    return e;
+    e->x += pel_pixel_of(p->center.x);
+    e->m -= dy;
+    e->q = pel_floor_divide(above ? -d.x : d.x, dy, &e->r);
+    e->dy = dy;
 }
 
 static void end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_conic *p = (const void *)cells->gradient;
     struct rays *r = (void *)cells;
+    struct pel_edge edge;
     while (--count)
         (r->v < 0 ? angle_add : angle_take)(p, &r->end);
-    pel_cells_end_at(cells,
-                     ray_at(p, pel_direction((uint16_t)r->end.turn), r->v));
+    ray_at(&edge, p, r->end.turn, r->v);
+    pel_cells_end_at(cells, edge);
     (r->v < 0 ? angle_add : angle_take)(p, &r->end);
 }
 

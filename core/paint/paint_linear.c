@@ -21,7 +21,8 @@ static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y)
 
 /* n rest < 2^15 2^49. Seen from `to`, who is on a boundary is still before it:
  * it belongs to the cell that begins there for who comes from `from`. */
-static struct position position_of(const struct pel_linear *p, int64_t product)
+static PEL_WIDE struct position position_of(const struct pel_linear *p,
+                                            int64_t product)
 {
     const uint64_t square = (uint64_t)p->square;
     struct pel_fraction f;
@@ -108,8 +109,8 @@ static void end_cells(struct pel_cells *cells, int32_t count)
 /* The boundary after a position, where it crosses the row of the position's
  * pixel, x; at product. Before a padded way the first cell ends where the
  * second begins. */
-static void set_end(struct lines *l, const struct pel_linear *p,
-                    const struct position *at, int64_t product)
+static PEL_WIDE void set_end(struct lines *l, const struct pel_linear *p,
+                             const struct position *at, int64_t product)
 {
     const bool before = p->base.period == 0 && at->way < 0;
     const int32_t n = p->base.cells;

@@ -93,47 +93,40 @@ static void circle_inwards(const struct pel_radial *p, struct circle *c)
     }
 }
 
-static void end_at_circle(struct side *s, uint32_t low)
+static void circle_move(struct side *s, int32_t count)
 {
-    const bool left = s->cells.stop != INT32_MAX;
-    const int64_t reach = (pel_square(s->circle.radius) - low) >> 9;
+    const struct pel_radial *p = (const void *)s->cells.gradient;
+    for (; count > 0; count--)
+        if (s->cells.step < 0)
+            circle_inwards(p, &s->circle);
+        else
+            circle_outwards(p, &s->circle);
+}
+
+/* Columns grow to the left on the left side, where the walk is inwards. */
+static void end_cells(struct pel_cells *cells, int32_t count)
+{
+    const struct pel_radial *p = (const void *)cells->gradient;
+    struct side *s = (void *)cells;
+    circle_move(s, count - 1);
+    const int64_t reach = (pel_square(s->circle.radius) - p->low) >> 9;
     int64_t d = reach - s->steps;
     int32_t u = s->u, columns = s->columns, v = s->v, rest = 0;
-    for (int32_t i = 0; i < s->cells.spans->n; i++) {
+    for (int32_t i = 0; i < cells->spans->n; i++) {
         pel_disc_side_adjust(&d, &u, &columns, s->limit);
         if (i == 0) {
             s->steps = reach - d;
             s->u = u;
             s->columns = columns;
         }
-        rest |= pel_cells_end_run(&s->cells, i,
-                                  s->first + (left ? -columns : columns));
-        if (s->cells.spans->step) {
+        rest |= pel_cells_end_run(cells, i, s->first + columns * cells->step);
+        if (cells->spans->step) {
             d -= v + 128;
             v += 256;
         }
     }
-    s->cells.rest = rest < 0;
-}
-
-static void end_outwards(struct pel_cells *cells, int32_t count)
-{
-    const struct pel_radial *p = (const void *)cells->gradient;
-    struct side *s = (void *)cells;
-    while (--count)
-        circle_outwards(p, &s->circle);
-    end_at_circle(s, p->low);
-    circle_outwards(p, &s->circle);
-}
-
-static void end_inwards(struct pel_cells *cells, int32_t count)
-{
-    const struct pel_radial *p = (const void *)cells->gradient;
-    struct side *s = (void *)cells;
-    while (--count)
-        circle_inwards(p, &s->circle);
-    end_at_circle(s, p->low);
-    circle_inwards(p, &s->circle);
+    cells->rest = rest < 0;
+    circle_move(s, 1);
 }
 
 /* The pixels in column x are the first on the side, at distance u. */
@@ -161,7 +154,7 @@ static PEL_WIDE void left_start(struct side *s, const struct pel_radial *p,
     if (p->base.period == 0 &&
         (s->circle.way || s->circle.part > p->base.cells - 1 - p->first))
         circle_set(p, 0, p->base.cells - 1 - p->first, &s->circle);
-    c->end = end_inwards;
+    c->end = end_cells;
     c->step = -1;
     c->stop = split;
     c->limit = s->circle.way < 65535
@@ -184,7 +177,7 @@ static PEL_WIDE void right_start(struct side *s, const struct pel_radial *p,
     s->first = pel_max(split, c->all.x0);
     circle_find(p, square_at(p, s->first, y), &s->circle);
     c->place = place_of(p, &s->circle);
-    c->end = end_outwards;
+    c->end = end_cells;
     c->step = 1;
     c->stop = INT32_MAX;
     c->limit = INT32_MAX;
