@@ -1,5 +1,7 @@
 #include "word16.h"
 
+#if PEL_KNOW_SIDES
+
 /* The first eight pixels, and one more where the address asks for it; then
  * pairs, each like the one eight pixels before it. */
 void pel_pattern16(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
@@ -20,3 +22,14 @@ void pel_pattern16(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
     for (; p < end; p++)
         *p = p[-8];
 }
+
+#else
+
+void pel_pattern16(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                   const uint32_t pixels[8])
+{
+    for (pel_word16 *p = pel_address16(s, x, y); n > 0; n--)
+        *p++ = (pel_word16)pixels[x++ & 7];
+}
+
+#endif

@@ -78,16 +78,17 @@ static PEL_ALWAYS_INLINE int32_t pel_cells_end_run(struct pel_cells *c,
     return run->x1 - end;
 }
 
-/* Ends all runs at an edge, given at the first row. */
+/* Ends all runs at an edge, given at the first row, and left beyond the last.
+ */
 static PEL_ALWAYS_INLINE void pel_cells_end_at(struct pel_cells *c,
-                                               struct pel_edge edge)
+                                               struct pel_edge *edge)
 {
     const int32_t n = c->spans->n, step = c->spans->step;
     int32_t rest = 0;
     for (int32_t i = 0; i < n; i++) {
-        rest |= pel_cells_end_run(c, i, edge.x);
+        rest |= pel_cells_end_run(c, i, edge->x);
         if (step)
-            pel_edge_next(&edge);
+            pel_edge_next(edge);
     }
     c->rest = rest < 0;
 }

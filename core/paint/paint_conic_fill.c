@@ -101,7 +101,7 @@ static void end_cells(struct pel_cells *cells, int32_t count)
     while (--count)
         (r->v < 0 ? angle_add : angle_take)(p, &r->end);
     ray_at(&edge, p, r->end.turn, r->v);
-    pel_cells_end_at(cells, edge);
+    pel_cells_end_at(cells, &edge);
     (r->v < 0 ? angle_add : angle_take)(p, &r->end);
 }
 

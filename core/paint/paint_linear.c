@@ -100,9 +100,9 @@ static void end_cells(struct pel_cells *cells, int32_t count)
     const struct pel_linear *p = (const void *)cells->gradient;
     struct lines *l = (void *)cells;
     next_lines(l, p, count - 1);
-    pel_cells_end_at(cells,
-                     (struct pel_edge){l->x, (int32_t)(l->m >> 8) - p->d.x,
-                                       p->down, p->down_rest, p->d.x});
+    struct pel_edge edge = {l->x, (int32_t)(l->m >> 8) - p->d.x, p->down,
+                            p->down_rest, p->d.x};
+    pel_cells_end_at(cells, &edge);
     next_lines(l, p, 1);
 }
 
