@@ -142,9 +142,7 @@ static int32_t pass(const struct pel_cells *c, int32_t most)
 
 #endif
 
-/* How many cells from the present one on have its color; 0: all that may come.
- * Moves on to the first other one. */
-static PEL_NOINLINE int32_t count_alike(struct pel_cells *c)
+int32_t pel_cells_pass(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
     const pel_color first = c->color;
@@ -167,31 +165,13 @@ static PEL_NOINLINE int32_t count_alike(struct pel_cells *c)
     return count;
 }
 
-static void end_all(struct pel_cells *c)
-{
-    for (int32_t i = 0; i < c->spans->n; i++)
-        pel_cells_end_run(c, i, INT32_MAX);
-    c->rest = false;
-}
-
-void pel_cells_draw(struct pel_cells *c)
+void pel_cells_first(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
     if (g->period == 0)
         c->limit =
             pel_min(c->limit, c->step > 0 ? g->cells - 1 - c->place : c->place);
     c->color = color_at(g, c->place);
-    do {
-        const pel_color present = c->color;
-        const int32_t count = count_alike(c);
-        if (count)
-            c->end(c, count);
-        else
-            end_all(c);
-        const struct pel_spans cell = {c->spans->surface, c->run, c->spans->y,
-                                       c->spans->n, c->spans->step};
-        pel_fill_color(&cell, present);
-    } while (c->rest);
 }
 
 void pel_gradient_parts(const struct pel_gradient *g,

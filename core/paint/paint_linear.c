@@ -137,7 +137,6 @@ static PEL_WIDE bool lines_start(struct lines *l, const struct pel_linear *p,
     int32_t span = p->d.y < 0 ? (spans->n - 1) * spans->step : 0;
     const int64_t product = product_at(p, l->cells.all.x0, spans->y + span);
     const struct position at = position_of(p, product);
-    l->cells.end = end_cells;
     l->cells.step = p->reversed ? -1 : 1;
     l->cells.place = place_of(p, &at);
     l->x = l->cells.all.x0;
@@ -154,13 +153,19 @@ static PEL_WIDE bool lines_start(struct lines *l, const struct pel_linear *p,
     return true;
 }
 
+/* A function of its own, to spare the stack of what comes before it. */
+static PEL_WIDE void walk(struct lines *l)
+{
+    pel_cells_draw(&l->cells, end_cells);
+}
+
 /* Rows of which the boundaries lie at most 129 pixels apart. */
 static void draw(const struct pel_gradient *gradient,
                  const struct pel_spans *spans)
 {
     struct lines l;
     if (lines_start(&l, (const void *)gradient, spans))
-        pel_cells_draw(&l.cells);
+        walk(&l);
 }
 
 /* Where boundaries lie far apart from row to row the rows are drawn one by one.

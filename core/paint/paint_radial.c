@@ -154,7 +154,6 @@ static PEL_WIDE void left_start(struct side *s, const struct pel_radial *p,
     if (p->base.period == 0 &&
         (s->circle.way || s->circle.part > p->base.cells - 1 - p->first))
         circle_set(p, 0, p->base.cells - 1 - p->first, &s->circle);
-    c->end = end_cells;
     c->step = -1;
     c->stop = split;
     c->limit = s->circle.way < 65535
@@ -177,13 +176,18 @@ static PEL_WIDE void right_start(struct side *s, const struct pel_radial *p,
     s->first = pel_max(split, c->all.x0);
     circle_find(p, square_at(p, s->first, y), &s->circle);
     c->place = place_of(p, &s->circle);
-    c->end = end_cells;
     c->step = 1;
     c->stop = INT32_MAX;
     c->limit = INT32_MAX;
     s->limit = c->all.x1 - s->first;
     circle_outwards(p, &s->circle);
     side_start(s, p, pel_pixel_center(s->first) - p->rings.center.x);
+}
+
+/* A function of its own, to spare the stack of what comes before it. */
+static PEL_WIDE void walk(struct side *s)
+{
+    pel_cells_draw(&s->cells, end_cells);
 }
 
 static void draw(const struct pel_gradient *gradient,
@@ -194,13 +198,14 @@ static void draw(const struct pel_gradient *gradient,
     struct side s;
     if (!pel_cells_begin(&s.cells, gradient, spans))
         return;
-    if (s.cells.all.x0 < split) {
-        left_start(&s, p, split);
-        pel_cells_draw(&s.cells);
-    }
-    if (s.cells.all.x1 > split) {
-        right_start(&s, p, split);
-        pel_cells_draw(&s.cells);
+    for (int left = 1; left >= 0; left--) {
+        if (left ? s.cells.all.x0 >= split : s.cells.all.x1 <= split)
+            continue;
+        if (left)
+            left_start(&s, p, split);
+        else
+            right_start(&s, p, split);
+        walk(&s);
     }
 }
 
