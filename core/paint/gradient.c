@@ -41,7 +41,7 @@ int32_t pel_gradient_place(const struct pel_gradient *g, int32_t way,
 
 #if PEL_KNOW_SIDES
 
-/* Formats drop the low bits of channels; 0: of all, they show grey. */
+/* Formats drop the low bits of channels; those of grey show a sum: 0. */
 static pel_color mask_of(const struct pel_format *format)
 {
     pel_color mask = 0xFF;
@@ -108,13 +108,14 @@ static int32_t pass_mixed(const struct pel_cells *c, pel_color mask,
     const uint32_t change1 = sign * ((b & m) - (a & m));
     uint32_t high = mix_sum(a >> 8 & m, b >> 8 & m, i);
     uint32_t low = mix_sum(a & m, b & m, i);
-    const pel_color first = mixed(high, low);
+    const uint32_t high0 = high, low0 = low;
+    const uint32_t high_mask = mask & ~m, low_mask = (mask & m) << 8;
     most = pel_min(most, (int32_t)(down ? i : 255 - i));
     int32_t left = most;
     for (; left > 0; left--) {
         high += change0;
         low += change1;
-        if ((mixed(high, low) ^ first) & mask)
+        if (((high ^ high0) & high_mask) | ((low ^ low0) & low_mask))
             break;
     }
     return most - left;
@@ -125,7 +126,7 @@ static int32_t pass_mixed(const struct pel_cells *c, pel_color mask,
 static int32_t pass(const struct pel_cells *c, int32_t most)
 {
     const struct pel_gradient *g = c->gradient;
-    if (g->ramp.n != 2 || c->mask == 0)
+    if (g->ramp.n != 2 || c->mask == 0 || c->mask == UINT32_MAX)
         return 0;
     return pass_mixed(c, pel_alpha(c->color) == 255 ? c->mask : UINT32_MAX,
                       most);
