@@ -31,12 +31,12 @@ static pel_color color_at(const struct pel_gradient *g, int32_t place)
     return g->color(g, place < g->cells ? place : g->period - 1 - place);
 }
 
-int32_t pel_gradient_place(const struct pel_gradient *g, int32_t way,
+int32_t pel_gradient_place(const struct pel_gradient *g, int32_t copy,
                            int32_t part)
 {
     if (g->period == 0)
-        return way < 0 ? 0 : way > 0 ? g->cells - 1 : part;
-    return g->period > g->cells && (way & 1) ? part + g->cells : part;
+        return copy < 0 ? 0 : copy > 0 ? g->cells - 1 : part;
+    return g->period > g->cells && (copy & 1) ? part + g->cells : part;
 }
 
 #if PEL_KNOW_SIDES

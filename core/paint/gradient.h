@@ -122,8 +122,8 @@ void pel_gradient_parts(const struct pel_gradient *gradient,
                         void (*draw)(const struct pel_gradient *gradient,
                                      const struct pel_spans *spans));
 
-/* The place of the cell `part` of the way's copy number `way`. */
-int32_t pel_gradient_place(const struct pel_gradient *gradient, int32_t way,
+/* The place of the cell `part` of copy number `copy` of the way. */
+int32_t pel_gradient_place(const struct pel_gradient *gradient, int32_t copy,
                            int32_t part);
 
 /* Sets all but the paint. PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n). */

@@ -5,10 +5,10 @@
 
 enum { FAR = 1 << 18 }; /* px: beyond every pixel, seen from any other */
 
-/* A pixel on the way: in cell `part` of the way's copy number `way`, of whose
+/* A pixel on the way: in cell `part` of copy number `copy` of the way, of whose
  * beginning its product is `rest` beyond, 0 <= rest < square. */
 struct position {
-    int32_t way, part;
+    int32_t copy, part;
     int64_t rest;
 };
 
@@ -34,14 +34,14 @@ static PEL_WIDE struct position position_of(const struct pel_linear *p,
     if (p->reversed && rest == 0 && at.part-- == 0) {
         at.part += p->base.cells;
         at.rest += p->square;
-        at.way--;
+        at.copy--;
     }
     return at;
 }
 
 static int32_t place_of(const struct pel_linear *p, const struct position *at)
 {
-    const int32_t place = pel_gradient_place(&p->base, at->way, at->part);
+    const int32_t place = pel_gradient_place(&p->base, at->copy, at->part);
     if (!p->reversed)
         return place;
     const int32_t mirrored = p->base.cells - 1 - place;
@@ -112,7 +112,7 @@ static void end_cells(struct pel_cells *cells, int32_t count)
 static PEL_WIDE void set_end(struct lines *l, const struct pel_linear *p,
                              const struct position *at, int64_t product)
 {
-    const bool before = p->base.period == 0 && at->way < 0;
+    const bool before = p->base.period == 0 && at->copy < 0;
     const int32_t n = p->base.cells;
     const int64_t width = (int64_t)p->d.x * 256;
     struct pel_fraction f;

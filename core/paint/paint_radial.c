@@ -5,23 +5,24 @@
 #include "../raster/edge.h"
 #include "../round/disc_side.h"
 
-/* A circle between rings: k of them lie inside, in copy `way` of the way. Its
- * radius is floor(k radius / n) exactly, rest / n what the floor drops. */
+/* A circle between rings: k of them lie inside, in copy number `copy` of the
+ * way. Its radius is floor(k radius / n) exactly, rest / n what the floor
+ * drops. */
 struct circle {
-    int32_t way, part;
+    int32_t copy, part;
     int32_t radius, rest;
 };
 
-static void circle_set(const struct pel_radial *p, int32_t way, int32_t part,
+static void circle_set(const struct pel_radial *p, int32_t copy, int32_t part,
                        struct circle *c)
 {
     const uint32_t n = (uint32_t)p->base.cells;
     const uint64_t ring =
         pel_multiply((uint32_t)part, (uint32_t)p->rings.radius);
     const uint32_t inner = pel_divide(ring, n);
-    c->way = way;
+    c->copy = copy;
     c->part = part;
-    c->radius = way * p->rings.radius + (int32_t)inner;
+    c->radius = copy * p->rings.radius + (int32_t)inner;
     c->rest = (int32_t)((uint32_t)ring - inner * n);
 }
 
@@ -37,21 +38,22 @@ static void circle_find(const struct pel_radial *p, uint64_t square,
     pel_square_root(square, &root);
     if (pel_multiply(root.root, root.root) == square && root.root)
         root.root--; /* u - 1 */
-    const uint32_t way = pel_divide(root.root, radius);
-    const uint32_t part = pel_divide(
-        pel_multiply(root.root - way * radius + (square > 0), n) - (square > 0),
-        radius);
-    circle_set(p, (int32_t)way, (int32_t)part, c);
+    const uint32_t copy = pel_divide(root.root, radius);
+    const uint32_t part =
+        pel_divide(pel_multiply(root.root - copy * radius + (square > 0), n) -
+                       (square > 0),
+                   radius);
+    circle_set(p, (int32_t)copy, (int32_t)part, c);
 }
 
 static int32_t place_of(const struct pel_radial *p, const struct circle *c)
 {
-    int32_t way = c->way, part = c->part + p->first;
+    int32_t copy = c->copy, part = c->part + p->first;
     if (part >= p->base.cells) {
         part -= p->base.cells;
-        way++;
+        copy++;
     }
-    return pel_gradient_place(&p->base, way, part);
+    return pel_gradient_place(&p->base, copy, part);
 }
 
 static uint64_t square_at(const struct pel_radial *p, int32_t x, int32_t y)
@@ -152,12 +154,12 @@ static PEL_WIDE void left_start(struct side *s, const struct pel_radial *p,
             : last;
     circle_find(p, square_at(p, c->all.x0, y), &s->circle);
     if (p->base.period == 0 &&
-        (s->circle.way || s->circle.part > p->base.cells - 1 - p->first))
+        (s->circle.copy || s->circle.part > p->base.cells - 1 - p->first))
         circle_set(p, 0, p->base.cells - 1 - p->first, &s->circle);
     c->step = -1;
     c->stop = split;
-    c->limit = s->circle.way < 65535
-                   ? s->circle.way * p->base.cells + s->circle.part
+    c->limit = s->circle.copy < 65535
+                   ? s->circle.copy * p->base.cells + s->circle.part
                    : INT32_MAX;
     s->first = pel_min(split, c->all.x1);
     s->limit = s->first - c->all.x0;
