@@ -2,6 +2,7 @@
 #include "../base/trig.h"
 #include "../raster/edge.h"
 #include "paint_conic.h"
+#include "cells.h"
 
 enum { HALF_TURN = 32768, FULL_TURN = 65536 };
 

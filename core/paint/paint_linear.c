@@ -2,6 +2,7 @@
 
 #include "../base/divide.h"
 #include "../base/fraction.h"
+#include "cells.h"
 
 enum { FAR = 1 << 18 }; /* px: beyond every pixel, seen from any other */
 

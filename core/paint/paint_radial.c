@@ -4,6 +4,7 @@
 #include "../base/sqrt.h"
 #include "../raster/edge.h"
 #include "../round/disc_side.h"
+#include "cells.h"
 
 /* A circle between rings: k of them lie inside, in copy number `copy` of the
  * way. Its radius is floor(k radius / n) exactly, rest / n what the floor
