@@ -1,5 +1,4 @@
 #include "cells.h"
-#include "gradient.h"
 
 /* The middle of cell i of 256 from a to b, rounded: a + (b - a) (2 i + 1) /
  * 512, for two channels in the halves of a word, is the upper byte of
