@@ -62,7 +62,7 @@ LINUX_STATIC_SIM = $(SIM_OBJECTS:$(BUILD)/%=$(LINUX_STATIC)/%)
 # The function that a program brings a version of its own of.
 LINUX_WRAP_session := ioctl
 LINUX_WRAP_no_restore := pel_console_state_restore
-LINUX_WRAP_no_draw := scene_draw
+LINUX_WRAP_no_draw := script_draw
 $(LINUX_CHECK)/guest/pel_%: $(LINUX_HERE)/%.c linux-static
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_STATIC_FLAGS) \

@@ -1,10 +1,10 @@
-/* Linked in place of what draws a scene: it fails, as it does when there is no
+/* Linked in place of what draws a script: it fails, as it does when there is no
  * memory. */
 #include <stdbool.h>
 
-bool __wrap_scene_draw(const void *scene, void *canvas, int rows);
+bool __wrap_script_draw(const void *script, void *canvas, int rows);
 
-bool __wrap_scene_draw(const void *scene, void *canvas, int rows)
+bool __wrap_script_draw(const void *script, void *canvas, int rows)
 {
-    return scene == 0 && canvas == 0 && rows == 0;
+    return script == 0 && canvas == 0 && rows == 0;
 }
