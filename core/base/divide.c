@@ -1,6 +1,6 @@
 #include "divide.h"
 
-#if PEL_FAST_64BIT
+#if PEL_64BIT
 /* In the header. */
 #elif PEL_LONG_MULTIPLY
 

@@ -4,10 +4,10 @@
 
 #include <stdint.h>
 
-#include "../pel_config.h"
+#include "inline.h"
 
 /* floor(n / d); d > 0, n < d 2^32. */
-#if PEL_FAST_64BIT
+#if PEL_64BIT
 static inline uint32_t pel_divide(uint64_t n, uint32_t d)
 {
     return (uint32_t)(n / d);
@@ -18,7 +18,7 @@ uint32_t pel_divide(uint64_t n, uint32_t d);
 
 /* floor(n / d), and what is left; d > 0. On small CPUs in less code and stack
  * than the compiler's. */
-#if PEL_FAST_64BIT
+#if PEL_64BIT
 static inline uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest)
 {
     *rest = n % d;

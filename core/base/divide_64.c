@@ -1,6 +1,6 @@
 #include "divide.h"
 
-#if !PEL_FAST_64BIT
+#if !PEL_64BIT
 
 /* Subtracts shifted divisors, from the first that fits down. */
 uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest)

@@ -1,6 +1,6 @@
 #include "fraction.h"
 
-#if !PEL_FAST_64BIT || !defined(__GNUC__)
+#if !PEL_64BIT || !defined(__GNUC__)
 
 /* The quotient comes into n where its bits go out. */
 uint64_t pel_divide_bits(uint64_t n, uint64_t d, int bits, uint64_t *rest)

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "../pel_config.h"
+#include "inline.h"
 
 /* quotient = floor(n / d 2^bits) modulo 2^64, in two's complement, where bits
  * grow from 0 with every call of more. 0 < d < 2^51, any n. */
@@ -13,7 +13,7 @@ struct pel_fraction {
     int64_t rest, d;
 };
 
-#if PEL_FAST_64BIT && defined(__GNUC__)
+#if PEL_64BIT && defined(__GNUC__)
 
 /* Without a branch on the sign, which cannot be predicted. */
 static inline void pel_fraction_start(struct pel_fraction *f, int64_t n,

@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "../pel_config.h"
+#include "inline.h"
 
 PEL_BEGIN_DECLS
 

@@ -4,15 +4,6 @@
 #define PEL_FORMAT_WORD_H
 
 #include "../base/surface.h"
-#include "../pel_config.h"
-
-#ifdef __GNUC__
-#define PEL_MAY_ALIAS __attribute__((__may_alias__))
-#define PEL_ALWAYS_INLINE inline __attribute__((__always_inline__))
-#else
-#define PEL_MAY_ALIAS
-#define PEL_ALWAYS_INLINE inline
-#endif
 
 typedef uint8_t pel_word8;
 typedef uint16_t PEL_MAY_ALIAS pel_word16;
@@ -68,7 +59,7 @@ static inline uintptr_t pel_column_zero(const struct pel_surface *s, int32_t y,
  * empty one.) */
 static PEL_ALWAYS_INLINE void pel_prefetch(uintptr_t address)
 {
-#if PEL_FAST_64BIT && defined(__GNUC__)
+#if PEL_64BIT && defined(__GNUC__)
     __builtin_prefetch(PEL_CAST_ADDRESS(const void *, address), 1);
 #else
     (void)address;
@@ -80,7 +71,7 @@ static PEL_ALWAYS_INLINE void pel_prefetch(uintptr_t address)
  * two, which takes less time than asking. */
 static PEL_ALWAYS_INLINE void pel_prefetch_run(uintptr_t address, int32_t bytes)
 {
-    if (PEL_FAST_64BIT && bytes > 128)
+    if (PEL_64BIT && bytes > 128)
         for (int32_t i = 0; i < bytes; i += 64)
             pel_prefetch(address + PEL_CAST(uintptr_t, i));
 }

@@ -109,8 +109,9 @@ static void end_cells(struct pel_cells *cells, int32_t count)
  * by angle is in the first column: clockwise above the centre,
  * counter-clockwise below, in the row nearest to the centre where that is left
  * of it, else in the farthest one. */
-static PEL_WIDE bool rays_start(struct rays *r, const struct pel_conic *p,
-                                const struct pel_spans *spans)
+static PEL_NOINLINE_32 bool rays_start(struct rays *r,
+                                       const struct pel_conic *p,
+                                       const struct pel_spans *spans)
 {
     struct pel_cells *c = &r->cells;
     if (!pel_cells_begin(c, &p->base, spans))
@@ -148,8 +149,8 @@ static void draw_level(struct pel_cells *c, const struct pel_conic *p)
     pel_cells_draw(c);
 }
 
-static PEL_WIDE void draw(const struct pel_conic *p,
-                          const struct pel_spans *spans)
+static PEL_NOINLINE_32 void draw(const struct pel_conic *p,
+                                 const struct pel_spans *spans)
 {
     struct rays r;
     if (!rays_start(&r, p, spans))

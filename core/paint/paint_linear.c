@@ -128,8 +128,9 @@ static void set_end(struct lines *l, const struct pel_linear *p,
 }
 
 /* In the cell of the first pixel on the way, or before it. */
-static PEL_WIDE bool lines_start(struct lines *l, const struct pel_linear *p,
-                                 const struct pel_spans *spans)
+static PEL_NOINLINE_32 bool lines_start(struct lines *l,
+                                        const struct pel_linear *p,
+                                        const struct pel_spans *spans)
 {
     if (!pel_cells_begin(&l->cells, &p->base, spans))
         return false;

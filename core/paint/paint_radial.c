@@ -147,8 +147,9 @@ static void side_start(struct side *s, const struct pel_radial *p, int32_t u)
 
 /* What is left of `split`, the first column of the right side: from the ring of
  * the farthest pixel inwards. */
-static PEL_WIDE void left_start(struct side *s, const struct pel_radial *p,
-                                int32_t split)
+static PEL_NOINLINE_32 void left_start(struct side *s,
+                                       const struct pel_radial *p,
+                                       int32_t split)
 {
     struct pel_cells *c = &s->cells;
     const int32_t last = c->spans->y + (c->spans->n - 1) * c->spans->step;
@@ -174,8 +175,9 @@ static PEL_WIDE void left_start(struct side *s, const struct pel_radial *p,
 }
 
 /* The rest: from the ring of the nearest pixel outwards. */
-static PEL_WIDE void right_start(struct side *s, const struct pel_radial *p,
-                                 int32_t split)
+static PEL_NOINLINE_32 void right_start(struct side *s,
+                                        const struct pel_radial *p,
+                                        int32_t split)
 {
     struct pel_cells *c = &s->cells;
     const int32_t last = c->spans->y + (c->spans->n - 1) * c->spans->step;

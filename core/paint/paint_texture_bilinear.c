@@ -49,7 +49,7 @@ static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
     }
 }
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 
 /* A run that does not leave the picture. */
 static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
@@ -88,7 +88,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     const struct pel_texture *p = (const void *)paint;
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y, PEL_TEXTURE_HALF_BACK);
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
     if (p->kind != PEL_TEXTURE_ANY && pel_texture_axes_inside(&a, p, n, 1)) {
         if (!pel_texture_bilinear_run(p, &a, n, out))
             fast_run(p, &a, n, out);
@@ -106,7 +106,7 @@ enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,
     if (status != PEL_OK)
         return status;
     pel_color_paint_init(&paint->base, colors, paint->base.opaque);
-#if PEL_FAST_64BIT && PEL_VECTORS
+#if PEL_FAST_FILLS && PEL_VECTORS
     paint->base.paint.fast = pel_texture_bilinear_fast;
 #endif
     return PEL_OK;

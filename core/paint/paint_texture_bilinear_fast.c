@@ -1,6 +1,6 @@
 #include "paint_texture_bilinear_fast.h"
 
-#if PEL_FAST_64BIT && PEL_VECTORS
+#if PEL_FAST_FILLS && PEL_VECTORS
 
 #include "paint_texture_rows.h"
 

@@ -9,7 +9,7 @@
  * that weights are rounded. */
 enum { PEL_TEXTURE_HALF_BACK = 0x80000000u - 0x800000u };
 
-#if PEL_FAST_64BIT && PEL_VECTORS
+#if PEL_FAST_FILLS && PEL_VECTORS
 
 /* The colours of a run that lies inside the picture with the texels right of it
  * and below; false for pictures that are not for vectors. */

@@ -42,8 +42,8 @@ static enum pel_status set_colors(struct pel_texture *p,
 }
 
 /* One by one: less code than a call of memcpy. */
-static PEL_WIDE void copy_plane(struct pel_texture_plane *to,
-                                const struct pel_texture_plane *from)
+static PEL_NOINLINE_32 void copy_plane(struct pel_texture_plane *to,
+                                       const struct pel_texture_plane *from)
 {
     to->at = from->at;
     to->dx = from->dx;
@@ -67,7 +67,7 @@ enum pel_status pel_texture_set(struct pel_texture *paint,
                            : set_colors(paint, texels);
 }
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 
 void pel_texture_fill_run(const struct pel_texture *p,
                           const struct pel_surface *surface, int32_t x,

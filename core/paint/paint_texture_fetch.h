@@ -21,7 +21,7 @@ enum pel_status pel_texture_set(struct pel_texture *paint,
 
 /* With a constant kind on 64-bit CPUs, where each kind has a loop of its own;
  * elsewhere there is one loop for all. */
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 #define PEL_TEXTURE_INLINE PEL_ALWAYS_INLINE
 #else
 #define PEL_TEXTURE_INLINE inline

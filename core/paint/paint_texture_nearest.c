@@ -7,9 +7,9 @@ static inline int32_t in_picture(struct pel_texture_axis *a)
     return pel_texture_axis_texel(a, pel_texture_axis_index(a));
 }
 
-static PEL_WIDE void outer_run(const struct pel_texture *p,
-                               struct pel_texture_axes *a, int32_t n,
-                               pel_color *out)
+static PEL_NOINLINE_32 void outer_run(const struct pel_texture *p,
+                                      struct pel_texture_axes *a, int32_t n,
+                                      pel_color *out)
 {
     for (; n > 0; n--, pel_texture_axes_step(a, p)) {
         int32_t u = in_picture(&a->u), v = in_picture(&a->v);
@@ -17,7 +17,7 @@ static PEL_WIDE void outer_run(const struct pel_texture *p,
     }
 }
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 
 /* A run that does not leave the picture. */
 static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
@@ -51,7 +51,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     const struct pel_texture *p = (const void *)paint;
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y, 0);
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
     if (p->kind != PEL_TEXTURE_ANY && pel_texture_axes_inside(&a, p, n, 0)) {
         fast_run(p, &a, n, out);
         return;

@@ -1,6 +1,6 @@
 #include "paint_texture_nearest_fast.h"
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 
 #include "../format/word16.h"
 #include "../format/word32.h"

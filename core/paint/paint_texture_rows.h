@@ -7,7 +7,7 @@
 #include "../raster/fast_triangle.h"
 #include "paint_texture_fetch.h"
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 
 /* Fills a run that leaves the picture, the general way. */
 void pel_texture_fill_run(const struct pel_texture *p,

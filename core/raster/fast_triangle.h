@@ -8,7 +8,7 @@
 #include "../format/word.h"
 #include "paint.h"
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 
 /* x >> 32 is the first pixel on or right of the edge in this row. */
 struct pel_slope {

@@ -1,6 +1,6 @@
 #include "fast_triangle.h"
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 
 #include "gouraud_spans.h"
 

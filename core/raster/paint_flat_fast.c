@@ -1,6 +1,6 @@
 #include "fast_triangle.h"
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 
 #include "../format/blend32.h"
 #include "../format/blend565.h"

@@ -20,7 +20,8 @@ union batch {
 
 /* Writes x of an edge in n rows to every other number of a batch. Edges are
  * walked one by one, so that the state of one stays in registers. */
-static PEL_WALK void walk_edge(struct pel_edge *edge, int32_t *x, int32_t n)
+static PEL_INLINE_LOOP void walk_edge(struct pel_edge *edge, int32_t *x,
+                                      int32_t n)
 {
     struct pel_edge e = *edge;
     int32_t *const end = x + 2 * n;

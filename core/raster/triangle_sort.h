@@ -3,7 +3,6 @@
 #define PEL_RASTER_TRIANGLE_SORT_H
 
 #include "../base/point.h"
-#include "../pel_config.h"
 
 static inline void pel_swap_points(const struct pel_point **a,
                                    const struct pel_point **b)
@@ -30,7 +29,7 @@ static inline void pel_sort_rows(const struct pel_point *p[3])
 
 /* By y, and by x at one y. 64-bit CPUs compare both as one number, without a
  * branch that cannot be predicted. */
-#if PEL_FAST_64BIT
+#if PEL_64BIT
 static inline bool pel_above(const struct pel_point *a,
                              const struct pel_point *b)
 {
@@ -54,7 +53,7 @@ static inline int64_t pel_point_key(const struct pel_point *p)
 
 /* Which vertex is the topmost, of equally high ones the left one: planes of
  * values over a triangle are anchored there. */
-#if PEL_FAST_64BIT
+#if PEL_64BIT
 static inline int pel_topmost(const struct pel_point v[3])
 {
     const int64_t a = pel_point_key(&v[0]), b = pel_point_key(&v[1]),

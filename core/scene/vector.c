@@ -1,13 +1,13 @@
 #include "vector.h"
 
-#if !PEL_FAST_64BIT
+#if !PEL_64BIT
 #define PEL_WIDE_SUM
 #include "vector_sums.h"
 #endif
 
 int pel_bits_of(uint64_t v)
 {
-#if defined(__GNUC__) && PEL_FAST_64BIT
+#if defined(__GNUC__) && PEL_64BIT
     return v ? 64 - __builtin_clzll(v) : 0;
 #else
     int bits = 0;

@@ -4,7 +4,7 @@
 #define PEL_SCENE_VECTOR_H
 
 #include "../base/point.h"
-#include "../pel_config.h"
+#include "../base/inline.h"
 
 /* Places in the world: 1/65,536 unit, from -16,384 to 16,384 units. A
  * difference of two fits 32 bits unsigned, and their sum weighted by a unit
@@ -29,13 +29,13 @@ typedef int32_t pel_factor;
 
 /* The sums that follow are in the header where they are short, and there once
  * where 64 bits are long code. */
-#if PEL_FAST_64BIT
+#if PEL_64BIT
 #include "vector_sums.h"
 #endif
 
 PEL_BEGIN_DECLS
 
-#if !PEL_FAST_64BIT
+#if !PEL_64BIT
 int64_t pel_scale_down(int64_t v, int n);
 int32_t pel_scaled(int32_t a, int32_t b, int n);
 int64_t pel_dot(const int32_t a[3], const int32_t b[3]);

@@ -4,7 +4,7 @@
 
 #include "core/raster/fast_triangle.h"
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 
 typedef void fast_row(void *context, int32_t y, int32_t x0, int32_t x1);
 
