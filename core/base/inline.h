@@ -34,11 +34,11 @@
  * are functions of their own. On others the first is inlined, the second as the
  * compiler chooses. */
 #if PEL_64BIT
-#define PEL_INLINE_64BIT PEL_ALWAYS_INLINE
-#define PEL_NOINLINE_32BIT
+#define PEL_INLINE_64 PEL_ALWAYS_INLINE
+#define PEL_NOINLINE_32
 #else
-#define PEL_INLINE_64BIT PEL_NOINLINE
-#define PEL_NOINLINE_32BIT PEL_NOINLINE
+#define PEL_INLINE_64 PEL_NOINLINE
+#define PEL_NOINLINE_32 PEL_NOINLINE
 #endif
 
 /* A loop that is a function of its own where registers are few (Thumb-1) or

@@ -1,7 +1,6 @@
 #include "triangle.h"
 
 #include "edge.h"
-#include "fast_triangle.h"
 #include "triangle_sort.h"
 
 /* The edges of a triangle in a row: the long one, from top to bottom, and
@@ -145,7 +144,7 @@ static void fill(const struct pel_surface *surface,
 void pel_triangle(const struct pel_surface *surface,
                   const struct pel_point v[3], const struct pel_paint *paint)
 {
-    if (pel_fast_triangle(surface, v, paint))
+    if (PEL_FAST_FILLS && pel_fast_triangle(surface, v, paint))
         return;
     PEL_ASSERT(legal(v));
     if (!legal(v))

@@ -2,7 +2,7 @@
 #ifndef TESTS_SUPPORT_FAST_ROWS_H
 #define TESTS_SUPPORT_FAST_ROWS_H
 
-#include "core/raster/fast_triangle.h"
+#include "core/fast/fast_triangle.h"
 
 #if PEL_FAST_FILLS
 

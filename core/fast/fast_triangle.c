@@ -1,6 +1,6 @@
 #include "fast_triangle.h"
 
-#include "triangle_sort.h"
+#include "../raster/triangle_sort.h"
 
 #if PEL_FAST_FILLS
 
