@@ -24,10 +24,24 @@
 #define PEL_ALWAYS_INLINE inline __attribute__((__always_inline__))
 #define PEL_NOINLINE __attribute__((__noinline__))
 #define PEL_MAY_ALIAS __attribute__((__may_alias__))
+
+/* Zero bits above the highest one of v, which is not 0. */
+static inline int pel_leading_zeros(uint64_t v)
+{
+    return __builtin_clzll(v);
+}
 #else
 #define PEL_ALWAYS_INLINE inline
 #define PEL_NOINLINE
 #define PEL_MAY_ALIAS
+
+static inline int pel_leading_zeros(uint64_t v)
+{
+    int zeros = 0;
+    for (; !(v >> 63); v <<= 1)
+        zeros++;
+    return zeros;
+}
 #endif
 
 /* On 32-bit CPUs 64-bit numbers are long code and stack is short: there both

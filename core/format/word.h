@@ -9,15 +9,32 @@ typedef uint8_t pel_word8;
 typedef uint16_t PEL_MAY_ALIAS pel_word16;
 typedef uint32_t PEL_MAY_ALIAS pel_word32;
 
+#ifdef __GNUC__
 /* One instruction on Arm, which compilers do not find in the shifts. */
 static inline uint32_t pel_swap16(uint32_t v)
 {
-#ifdef __GNUC__
     return __builtin_bswap16((uint16_t)v);
-#else
-    return (v << 8 & 0xFF00u) | (v >> 8 & 0xFFu);
-#endif
 }
+
+/* Asks for a cache line that is soon written. The address need not be in
+ * memory. (Always inlined: gcc takes a function that only prefetches for an
+ * empty one.) */
+static PEL_ALWAYS_INLINE void pel_prefetch(uintptr_t address)
+{
+    if (PEL_64BIT)
+        __builtin_prefetch(PEL_CAST_ADDRESS(const void *, address), 1);
+}
+#else
+static inline uint32_t pel_swap16(uint32_t v)
+{
+    return (v << 8 & 0xFF00u) | (v >> 8 & 0xFFu);
+}
+
+static inline void pel_prefetch(uintptr_t address)
+{
+    (void)address;
+}
+#endif
 
 static inline uint32_t pel_swap32(uint32_t v)
 {
@@ -54,21 +71,9 @@ static inline uintptr_t pel_column_zero(const struct pel_surface *s, int32_t y,
            PEL_CAST(uintptr_t, bytes * PEL_CAST(ptrdiff_t, s->bounds.x0));
 }
 
-/* Asks for a cache line that is soon written. The address need not be in
- * memory. (Always inlined: gcc takes a function that only prefetches for an
- * empty one.) */
-static PEL_ALWAYS_INLINE void pel_prefetch(uintptr_t address)
-{
-#if PEL_64BIT && defined(__GNUC__)
-    __builtin_prefetch(PEL_CAST_ADDRESS(const void *, address), 1);
-#else
-    (void)address;
-#endif
-}
-
-/* Asks for those of a long run, some rows ahead: stores retire in order, so
- * each miss would wait for the one before it. Short ones wait for a line or
- * two, which takes less time than asking. */
+/* Asks for the cache lines of a long run, some rows ahead: stores retire in
+ * order, so each miss would wait for the one before it. Short ones wait for a
+ * line or two, which takes less time than asking. */
 static PEL_ALWAYS_INLINE void pel_prefetch_run(uintptr_t address, int32_t bytes)
 {
     if (PEL_64BIT && bytes > 128)

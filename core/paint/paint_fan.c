@@ -1,6 +1,6 @@
 #include "paint_fan.h"
 
-#include "../base/fraction.h"
+#include "../base/divide.h"
 
 /* Positive when b lies clockwise of a; below 2^51. */
 static PEL_NOINLINE_32 int64_t cross(const struct pel_point *a,

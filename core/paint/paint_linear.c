@@ -1,7 +1,6 @@
 #include "paint_linear.h"
 
 #include "../base/divide.h"
-#include "../base/fraction.h"
 
 enum { FAR = 1 << 18 }; /* px: beyond every pixel, seen from any other */
 

@@ -1,4 +1,4 @@
-#include "../base/fraction.h"
+#include "../base/divide.h"
 #include "../raster/triangle_sort.h"
 #include "paint_texture.h"
 

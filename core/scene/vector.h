@@ -27,19 +27,19 @@ typedef int32_t pel_factor;
 #define PEL_FACTOR(percent) PEL_CAST(pel_factor, (percent)*INT64_C(65536) / 100)
 #define PEL_FACTOR_END (UINT32_C(16) * 65536)
 
-/* The sums that follow are in the header where they are short, and there once
- * where 64 bits are long code. */
+/* Sums are in the header where they are short, and in vector.c where 64 bits
+ * are long code. */
 #if PEL_64BIT
 #include "vector_sums.h"
-#endif
-
+#else
 PEL_BEGIN_DECLS
-
-#if !PEL_64BIT
 int64_t pel_scale_down(int64_t v, int n);
 int32_t pel_scaled(int32_t a, int32_t b, int n);
 int64_t pel_dot(const int32_t a[3], const int32_t b[3]);
+PEL_END_DECLS
 #endif
+
+PEL_BEGIN_DECLS
 
 /* Bits of v: 0 for 0, otherwise 2^(bits - 1) <= v < 2^bits. */
 int pel_bits_of(uint64_t v);
