@@ -23,7 +23,7 @@ static inline int half_shift(uint64_t v)
 /* 2^31 / sqrt(m / 2^32), 2^30 <= m < 2^32: the table, linear between its values
  * (off by 2^-11.5), then one step of Newton's iteration y (3 - m y^2) / 2,
  * which leaves 3/2 of the square of that. */
-static inline uint32_t root_inverse(uint32_t m)
+static PEL_ALWAYS_INLINE uint32_t root_inverse(uint32_t m)
 {
     const uint16_t *t = &root_table[(m >> 26) - 16];
     uint32_t y =

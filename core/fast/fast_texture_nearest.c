@@ -1,5 +1,4 @@
-#include "../format/word16.h"
-#include "../format/word32.h"
+#include "../format/word.h"
 #include "fast_texture.h"
 
 #if PEL_FAST_FILLS

@@ -87,4 +87,47 @@ static inline ptrdiff_t pel_spans_pitch(const struct pel_spans *spans)
     return PEL_CAST(ptrdiff_t, spans->surface->stride) * spans->step;
 }
 
+/* Pixels of 8, 16 and 32 bits are words. Those of 24 are three bytes, the
+ * lowest byte of the pixel value first. */
+void pel_fill8(const struct pel_spans *spans, uint32_t pixel);
+void pel_fill16(const struct pel_spans *spans, uint32_t pixel);
+void pel_fill24(const struct pel_spans *spans, uint32_t pixel);
+void pel_fill32(const struct pel_spans *spans, uint32_t pixel);
+
+static inline pel_word8 *pel_address8(const struct pel_surface *s, int32_t x,
+                                      int32_t y)
+{
+    return (pel_word8 *)(pel_column_zero(s, y, 1) + (uintptr_t)x);
+}
+
+static inline pel_word16 *pel_address16(const struct pel_surface *s, int32_t x,
+                                        int32_t y)
+{
+    return (pel_word16 *)(pel_column_zero(s, y, 2) + 2 * (uintptr_t)x);
+}
+
+static inline uint8_t *pel_address24(const struct pel_surface *s, int32_t x,
+                                     int32_t y)
+{
+    return (uint8_t *)(pel_column_zero(s, y, 3) + 3 * (uintptr_t)x);
+}
+
+static inline pel_word32 *pel_address32(const struct pel_surface *s, int32_t x,
+                                        int32_t y)
+{
+    return (pel_word32 *)(pel_column_zero(s, y, 4) + 4 * (uintptr_t)x);
+}
+
+static inline uint32_t pel_get24(const uint8_t *p)
+{
+    return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16;
+}
+
+static inline void pel_put24(uint8_t *p, uint32_t pixel)
+{
+    p[0] = (uint8_t)pixel;
+    p[1] = (uint8_t)(pixel >> 8);
+    p[2] = (uint8_t)(pixel >> 16);
+}
+
 #endif

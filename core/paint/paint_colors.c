@@ -1,6 +1,6 @@
 #include "paint_colors.h"
 
-#include "../format/word32.h"
+#include "../format/word.h"
 
 /* Colours between a paint and a format, a power of two: a paint starts anew for
  * every part, but there is little stack where code is to be small. */

@@ -1,4 +1,4 @@
-#include "../format/word16.h"
+#include "../format/word.h"
 #include "paint_texture_fetch.h"
 
 /* The texel where the axis is, or the one that stands for it. */

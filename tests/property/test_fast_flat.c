@@ -5,7 +5,7 @@
  * prefetched. */
 #include <string.h>
 
-#include "core/format/put565.h"
+#include "core/format/vector.h"
 #include "tests/support/check.h"
 #include "tests/support/portable.h"
 

@@ -5,7 +5,7 @@
 set -eu
 cd "$(dirname "$0")/../.."
 
-find core drivers port -name '*.[ch]' | sort | xargs awk '
+find core drivers port -name '*.[ch]' -o -name '*.inc' | sort | xargs awk '
     BEGIN {
         allow("core", "core/base core/format core/raster core/round" \
               " core/outline core/hit core/paint core/scene core/asset" \
