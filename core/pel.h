@@ -23,7 +23,6 @@
 #include "base/color.h"
 #include "base/point.h"
 #include "base/trig.h"
-#include "base/turn.h"
 #include "base/format.h"
 #include "base/hsv.h"
 #include "base/rect.h"

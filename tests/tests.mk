@@ -17,13 +17,13 @@ TEST_SANITIZE := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all
 # small     the portable walk as for the least code, and the least buffers
 # large     the portable walk with long products, and the largest buffers
 TEST_FLAGS_host := -O2 -g
-TEST_FLAGS_portable := -O2 -g -DPEL_FAST_64BIT=0 -DPEL_VECTORS=0
+TEST_FLAGS_portable := -O2 -g -DPEL_64BIT=0 -DPEL_VECTORS=0
 TEST_FLAGS_san := $(TEST_SANITIZE)
 TEST_FLAGS_assert := $(TEST_SANITIZE) \
     -DPEL_CONFIG_FILE='"tests/support/assert_config.h"'
-TEST_FLAGS_small := -O2 -DPEL_FAST_64BIT=0 -DPEL_LONG_MULTIPLY=0 \
+TEST_FLAGS_small := -O2 -DPEL_64BIT=0 -DPEL_LONG_MULTIPLY=0 \
     -DPEL_KNOW_SIDES=0 -DPEL_BATCH_ROWS=4 -DPEL_BUFFER_PIXELS=4
-TEST_FLAGS_large := -O2 -DPEL_FAST_64BIT=0 -DPEL_LONG_MULTIPLY=1 \
+TEST_FLAGS_large := -O2 -DPEL_64BIT=0 -DPEL_LONG_MULTIPLY=1 \
     -DPEL_BATCH_ROWS=255 -DPEL_BUFFER_PIXELS=255
 TEST_BUILDS := host portable san assert small large
 

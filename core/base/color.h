@@ -6,7 +6,7 @@
 
 #include <stdint.h>
 
-#include "../pel_config.h"
+#include "inline.h"
 
 typedef uint32_t pel_color;
 

@@ -1,13 +1,11 @@
 #include "divide.h"
 
-#if PEL_FAST_64BIT
-/* In the header. */
-#elif PEL_LONG_MULTIPLY
+#if !PEL_64BIT
 
-/* In less stack than the compiler's division of all sizes. With d brought to
+/* With d brought to
  * its highest bit, a digit of 16 bits that is guessed from the upper half of d
  * alone is at most 2 too large. */
-uint32_t pel_divide(uint64_t n, uint32_t d)
+static inline uint32_t divide_by_digits(uint64_t n, uint32_t d)
 {
     for (; d < UINT32_C(0x80000000); d <<= 1)
         n <<= 1;
@@ -25,11 +23,9 @@ uint32_t pel_divide(uint64_t n, uint32_t d)
     return quotient;
 }
 
-#else
-
-/* Bit by bit, in less code than the compiler's division of all sizes. `high` is
- * the rest, below d; what leaves it on the left is worth 2^32. */
-uint32_t pel_divide(uint64_t n, uint32_t d)
+/* In the least code. `high` is the rest, below d; what leaves it on the left is
+ * worth 2^32. */
+static inline uint32_t divide_by_bits(uint64_t n, uint32_t d)
 {
     uint32_t high = (uint32_t)(n >> 32), low = (uint32_t)n;
     for (int bit = 0; bit < 32; bit++) {
@@ -42,6 +38,67 @@ uint32_t pel_divide(uint64_t n, uint32_t d)
         }
     }
     return low;
+}
+
+uint32_t pel_divide(uint64_t n, uint32_t d)
+{
+    return PEL_LONG_MULTIPLY ? divide_by_digits(n, d) : divide_by_bits(n, d);
+}
+
+/* Subtracts shifted divisors, from the first that fits down. */
+uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest)
+{
+    uint64_t quotient = 0;
+    int shift = 0;
+    for (; d <= n >> 1; d <<= 1)
+        shift++;
+    for (; shift >= 0; shift--, d >>= 1) {
+        quotient <<= 1;
+        if (n >= d) {
+            n -= d;
+            quotient++;
+        }
+    }
+    *rest = n;
+    return quotient;
+}
+
+/* The quotient comes into n where its bits go out. */
+uint64_t pel_divide_bits(uint64_t n, uint64_t d, int bits, uint64_t *rest)
+{
+    uint64_t left = *rest;
+    for (; bits > 0; bits--) {
+        left = left * 2 + (n >> 63);
+        n <<= 1;
+        if (left >= d) {
+            left -= d;
+            n |= 1;
+        }
+    }
+    *rest = left;
+    return n;
+}
+
+/* Of n < 0, all bits turned round are divided and turned back. */
+void pel_fraction_start(struct pel_fraction *f, int64_t n, int64_t d)
+{
+    uint64_t rest = 0;
+    f->d = d;
+    f->quotient =
+        pel_divide_bits((uint64_t)(n < 0 ? ~n : n), (uint64_t)d, 64, &rest);
+    f->rest = (int64_t)rest;
+    if (n < 0) {
+        f->quotient = ~f->quotient;
+        f->rest = d - 1 - f->rest;
+    }
+}
+
+void pel_fraction_more(struct pel_fraction *f, int bits)
+{
+    uint64_t rest = (uint64_t)f->rest;
+    f->quotient =
+        (f->quotient << bits) + pel_divide_bits(0, (uint64_t)f->d, bits, &rest);
+    f->rest = (int64_t)rest;
 }
 
 #endif

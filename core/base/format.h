@@ -9,6 +9,7 @@
 
 #include "color.h"
 #include "rect.h"
+#include "span.h"
 
 enum pel_format_id {
     PEL_FORMAT_RGB565_LE = 1, /* 16: R 15..11, G 10..5, B 4..0 */
@@ -30,23 +31,6 @@ enum pel_format_id {
                                   its top row a multiple of 8 */
     PEL_FORMAT_ARGB8888       /* 32: A 31..24, R, G, B 7..0: a source with alpha
                                   (format/argb8888.h), not a display's format */
-};
-
-struct pel_surface;
-
-/* A run of pixels, half-open; empty when x0 >= x1. */
-struct pel_span {
-    int32_t x0, x1; /* px, absolute */
-};
-
-/* What a shape hands to a paint: n >= 1 runs, all inside the surface's clip, no
- * pixel twice. Run i lies in line y + i * step: step is 1 (n lines downwards)
- * or 0 (n runs of one line). */
-struct pel_spans {
-    const struct pel_surface *surface;
-    const struct pel_span *span;
-    int32_t y;
-    int32_t n, step; /* n <= PEL_BATCH_ROWS */
 };
 
 /* What dither asks of formats with fewer than 8 bits a channel. */

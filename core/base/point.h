@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "../pel_config.h"
+#include "multiply.h"
 
 PEL_BEGIN_DECLS
 
@@ -54,41 +54,6 @@ static inline int32_t pel_first_pixel(int32_t v)
 static inline int32_t pel_pixel_center(int32_t i)
 {
     return i * 256 + 128;
-}
-
-/* a b for |a|, |b| < 2^30; a b without a sign; a n modulo 2^64, of any a in
- * two's complement. Small CPUs have functions (product.c,
- * multiply.c) that are shorter than the compiler's for 64 by 64 bits. */
-#if PEL_LONG_MULTIPLY
-static inline int64_t pel_product(int32_t a, int32_t b)
-{
-    return PEL_CAST(int64_t, a) * b;
-}
-
-static inline uint64_t pel_multiply(uint32_t a, uint32_t b)
-{
-    return PEL_CAST(uint64_t, a) * b;
-}
-
-static inline uint64_t pel_times(uint64_t a, int32_t n)
-{
-    return a * PEL_CAST(uint64_t, n);
-}
-#else
-int64_t pel_product(int32_t a, int32_t b);
-uint64_t pel_multiply(uint32_t a, uint32_t b);
-uint64_t pel_times(uint64_t a, int32_t n);
-#endif
-
-/* a b with a sign, of any two. */
-static inline int64_t pel_long_product(int32_t a, int32_t b)
-{
-    return PEL_CAST(int64_t, pel_times(PEL_CAST(uint64_t, a), b));
-}
-
-static inline int64_t pel_square(int32_t u)
-{
-    return pel_product(u, u);
 }
 
 static inline int32_t pel_min(int32_t a, int32_t b)

@@ -16,5 +16,13 @@ PEL_BEGIN_DECLS
  * differ by a half turn are exactly opposite, and different angles have
  * different directions, in the order of the angles. */
 struct pel_point pel_direction(uint16_t turn);
+
+/* 2^32 / 2 pi. */
+enum { PEL_TURNS_OF_RADIAN = 683565276 };
+
+/* The inverse: the angle of (x, y) in 2^-32 of a turn, 0 along +x and growing
+ * towards +y (clockwise on screen), off by less than 2^-30 turns; exact on the
+ * axes and diagonals. |x|, |y| < 2^25; (0, 0) gives 0. */
+uint32_t pel_turn_of(int32_t x, int32_t y);
 PEL_END_DECLS
 #endif

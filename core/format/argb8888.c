@@ -18,7 +18,7 @@ static inline uint32_t blended(uint32_t p, const struct pel_premultiplied *s)
     return pack(pel_over(unpack(p), s));
 }
 
-#include "body32.h"
+#include "body32.inc"
 
 const struct pel_format pel_argb8888 = {
     .id = PEL_FORMAT_ARGB8888,

@@ -4,7 +4,7 @@
 #define ORDER PEL_LE16
 static const struct pel_fields fields = {{0, 5}, {5, 6}, {11, 5}, 0};
 #include "fields.inc"
-#include "body565.h"
+#include "body565.inc"
 
 static const struct pel_dithering dithering = {pel_pattern16, {5, 6, 5}};
 

@@ -4,7 +4,7 @@
 #define ORDER(v) (v)
 static const struct pel_fields fields = {{0, 8}, {8, 8}, {16, 8}, 0};
 #include "fields.inc"
-#include "body24.h"
+#include "body24.inc"
 
 const struct pel_format pel_bgr888 = {
     .id = PEL_FORMAT_BGR888,

@@ -5,7 +5,6 @@
 #define PEL_FORMAT_BLEND32_H
 
 #include "vector.h"
-#include "word32.h"
 
 #if PEL_VECTORS
 
@@ -99,9 +98,6 @@ static PEL_ALWAYS_INLINE void pel_blend32_run(pel_word32 *p, int32_t n,
         pel_blend32_long(p, n, b, ahead);
     }
 }
-
-/* A format's blend, in blend32.c. */
-void pel_blend32_rows(const struct pel_spans *spans, pel_color color);
 
 #endif
 #endif

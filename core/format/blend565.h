@@ -4,7 +4,6 @@
 #define PEL_FORMAT_BLEND565_H
 
 #include "vector.h"
-#include "word16.h"
 
 #if PEL_VECTORS
 
@@ -109,9 +108,6 @@ static PEL_ALWAYS_INLINE void pel_blend565_run(pel_word16 *p, int32_t n,
         pel_put_u16x8(p, pel_blend565_vector(pel_get_u16x8(p), b));
     pel_put_u16x8(end, tail);
 }
-
-/* A format's blend, in blend565.c. */
-void pel_blend565_rows(const struct pel_spans *spans, pel_color color);
 
 #endif
 #endif

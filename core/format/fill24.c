@@ -1,4 +1,4 @@
-#include "word24.h"
+#include "word.h"
 
 void pel_fill24(const struct pel_spans *spans, uint32_t pixel)
 {

@@ -1,6 +1,6 @@
 #include <string.h>
 
-#include "word8.h"
+#include "word.h"
 
 void pel_fill8(const struct pel_spans *spans, uint32_t pixel)
 {

@@ -1,5 +1,5 @@
 #include "formats.h"
-#include "word8.h"
+#include "word.h"
 
 #define BITS 8
 #include "gray.inc"

@@ -2,7 +2,7 @@
 
 #define BITS 1
 #include "gray.inc"
-#include "body_bits.h"
+#include "body_bits.inc"
 
 static void fill(const struct pel_spans *spans, uint32_t pixel)
 {

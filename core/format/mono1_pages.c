@@ -32,7 +32,7 @@ static inline void set(place p, uint32_t pixel)
     pel_place_set(p, pixel, BITS);
 }
 
-#include "body.h"
+#include "body.inc"
 
 static void fill(const struct pel_spans *spans, uint32_t pixel)
 {

@@ -1,4 +1,4 @@
-#include "word16.h"
+#include "word.h"
 
 #if PEL_KNOW_SIDES
 

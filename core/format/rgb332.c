@@ -1,6 +1,6 @@
 #include "fields.h"
 #include "formats.h"
-#include "word8.h"
+#include "word.h"
 
 #define ORDER(v) (v)
 static const struct pel_fields fields = {{5, 3}, {2, 3}, {0, 2}, 0};

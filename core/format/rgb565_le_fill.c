@@ -1,6 +1,6 @@
 #include "fields.h"
 #include "formats.h"
-#include "word16.h"
+#include "word.h"
 
 static const struct pel_fields fields = {{11, 5}, {5, 6}, {0, 5}, 0};
 

@@ -4,7 +4,7 @@
 #define ORDER(v) (v)
 static const struct pel_fields fields = {{16, 8}, {8, 8}, {0, 8}, 0};
 #include "fields.inc"
-#include "body24.h"
+#include "body24.inc"
 
 const struct pel_format pel_rgb888 = {
     .id = PEL_FORMAT_RGB888,

@@ -3,7 +3,7 @@
 #define PEL_FORMAT_SPAN16_H
 
 #include "vector.h"
-#include "word16.h"
+#include "word.h"
 
 #if PEL_VECTORS
 

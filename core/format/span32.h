@@ -5,7 +5,7 @@
 #define PEL_FORMAT_SPAN32_H
 
 #include "vector.h"
-#include "word32.h"
+#include "word.h"
 
 #if PEL_VECTORS
 

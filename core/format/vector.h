@@ -1,5 +1,5 @@
-/* 16-byte vectors of GNU C, loaded and stored at any address through memcpy.
- * Only where PEL_VECTORS is 1. */
+/* 16-byte vectors of GNU C, loaded and stored at any address through memcpy,
+ * and the functions of formats that take them. Only where PEL_VECTORS is 1. */
 #ifndef PEL_FORMAT_VECTOR_H
 #define PEL_FORMAT_VECTOR_H
 
@@ -7,9 +7,21 @@
 
 #include "word.h"
 
+/* Blends a color into spans of 32-bit pixels: a format's blend. */
+void pel_blend32_rows(const struct pel_spans *spans, pel_color color);
+
+/* The same of the three formats of 5-6-5 bits. */
+void pel_blend565_rows(const struct pel_spans *spans, pel_color color);
+
+/* Stores eights of opaque colours and stops before the first that has another,
+ * or before the last few of n: how many were stored. */
+int32_t pel_put565_opaque(const struct pel_format *format, pel_word16 *p,
+                          int32_t n, const pel_color *colors);
+
 #if PEL_VECTORS
 
 typedef uint32_t pel_u32x4 __attribute__((__vector_size__(16)));
+typedef int32_t pel_s32x4 __attribute__((__vector_size__(16)));
 typedef uint16_t pel_u16x8 __attribute__((__vector_size__(16)));
 typedef uint8_t pel_u8x16 __attribute__((__vector_size__(16)));
 typedef uint64_t pel_u64x2 __attribute__((__vector_size__(16)));
@@ -38,121 +50,121 @@ static inline void pel_put_u16x8(void *p, pel_u16x8 v)
     memcpy(p, &v, 16);
 }
 
-/* Lanes i to l, of 0 to 3 in a and 4 to 7 in b. */
+/* Lanes of two vectors of a type: those of a, then those of b. */
 #ifdef __clang__
-#define PEL_LANES(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
+#define PEL_SHUFFLE(type, a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #else
-#define PEL_LANES(a, b, i, j, k, l) \
-    __builtin_shuffle(a, b, (pel_u32x4){i, j, k, l})
+#define PEL_SHUFFLE(type, a, b, ...) \
+    __builtin_shuffle(a, b, (type){__VA_ARGS__})
 #endif
+
+/* Lanes i to l, of 0 to 3 in a and 4 to 7 in b. */
+#define PEL_LANES(a, b, i, j, k, l) PEL_SHUFFLE(pel_u32x4, a, b, i, j, k, l)
 
 /* Bytes of a and b by turns: the lower eight of both, the upper eight. */
 static inline pel_u8x16 pel_zip_low_u8x16(pel_u8x16 a, pel_u8x16 b)
 {
-#ifdef __clang__
-    return __builtin_shufflevector(a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5,
-                                   21, 6, 22, 7, 23);
-#else
-    return __builtin_shuffle(
-        a, b,
-        (pel_u8x16){0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5, 21, 6, 22, 7, 23});
-#endif
+    return PEL_SHUFFLE(pel_u8x16, a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5,
+                       21, 6, 22, 7, 23);
 }
 
 static inline pel_u8x16 pel_zip_high_u8x16(pel_u8x16 a, pel_u8x16 b)
 {
-#ifdef __clang__
-    return __builtin_shufflevector(a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28,
-                                   13, 29, 14, 30, 15, 31);
-#else
-    return __builtin_shuffle(a, b,
-                             (pel_u8x16){8, 24, 9, 25, 10, 26, 11, 27, 12, 28,
-                                         13, 29, 14, 30, 15, 31});
-#endif
+    return PEL_SHUFFLE(pel_u8x16, a, b, 8, 24, 9, 25, 10, 26, 11, 27, 12, 28,
+                       13, 29, 14, 30, 15, 31);
 }
 
-/* In every lane the sum of the products of the lower and of the upper 16 bits,
- * signed ones. */
+/* pel_dot_s16: in every lane the sum of the products of the lower and of the
+ * upper 16 bits, signed ones.
+ * pel_divide255_u16x8: floor(u 257 / 65,536) = floor((u + floor(u / 256)) /
+ * 256) in every lane, which pel_round_div255 does after adding 128.
+ * pel_narrow_u16x8: eight lanes, all below 65,536, in 16 bits each.
+ * pel_join_u8x16: sixteen lanes, all below 256, in 8 bits each.
+ * pel_narrow_u8x16: the same of 32 bits. */
+#ifdef __SSE2__
+typedef int16_t pel_s16x8 __attribute__((__vector_size__(16)));
+
 static inline pel_u32x4 pel_dot_s16(pel_u32x4 a, pel_u32x4 b)
 {
-#ifdef __SSE2__
-    typedef int16_t s16x8 __attribute__((__vector_size__(16)));
-    return (pel_u32x4)__builtin_ia32_pmaddwd128((s16x8)a, (s16x8)b);
-#else
-    typedef int32_t s32x4 __attribute__((__vector_size__(16)));
-    const s32x4 low = ((s32x4)(a << 16) >> 16) * ((s32x4)(b << 16) >> 16);
-    const s32x4 high = ((s32x4)a >> 16) * ((s32x4)b >> 16);
-    return (pel_u32x4)low + (pel_u32x4)high;
-#endif
+    return (pel_u32x4)__builtin_ia32_pmaddwd128((pel_s16x8)a, (pel_s16x8)b);
 }
 
-/* floor(u 257 / 65,536) = floor((u + floor(u / 256)) / 256) in every lane: what
- * pel_round_div255 does after adding 128. */
 static inline pel_u16x8 pel_divide255_u16x8(pel_u16x8 u)
 {
-#ifdef __SSE2__
-    typedef int16_t s16x8 __attribute__((__vector_size__(16)));
-    const s16x8 m = {257, 257, 257, 257, 257, 257, 257, 257};
-    return (pel_u16x8)__builtin_ia32_pmulhuw128((s16x8)u, m);
-#else
-    return (u + (u >> 8)) >> 8;
-#endif
+    const pel_s16x8 m = {257, 257, 257, 257, 257, 257, 257, 257};
+    return (pel_u16x8)__builtin_ia32_pmulhuw128((pel_s16x8)u, m);
 }
 
-/* Eight lanes, all below 65,536, in 16 bits each. */
+/* The instruction narrows signed numbers. */
 static inline pel_u16x8 pel_narrow_u16x8(pel_u32x4 low, pel_u32x4 high)
 {
-#ifdef __SSE2__
-    /* It narrows signed numbers. */
-    typedef int32_t s32x4 __attribute__((__vector_size__(16)));
-    const s32x4 a = (s32x4)(low - 0x8000u), b = (s32x4)(high - 0x8000u);
+    const pel_s32x4 a = (pel_s32x4)(low - 0x8000u);
+    const pel_s32x4 b = (pel_s32x4)(high - 0x8000u);
     return (pel_u16x8)__builtin_ia32_packssdw128(a, b) ^ 0x8000;
-#else
-    typedef uint16_t u16x4 __attribute__((__vector_size__(8)));
-    const u16x4 a = __builtin_convertvector(low, u16x4);
-    const u16x4 b = __builtin_convertvector(high, u16x4);
-    pel_u16x8 v;
-    memcpy(&v, &a, 8);
-    memcpy((uint8_t *)&v + 8, &b, 8);
-    return v;
-#endif
 }
 
-/* Sixteen lanes, all below 256, in 8 bits each. */
 static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
 {
-#ifdef __SSE2__
-    typedef int16_t s16x8 __attribute__((__vector_size__(16)));
-    return (pel_u8x16)__builtin_ia32_packuswb128((s16x8)low, (s16x8)high);
-#else
-    typedef uint8_t u8x8 __attribute__((__vector_size__(8)));
-    const u8x8 both[2] = {__builtin_convertvector(low, u8x8),
-                          __builtin_convertvector(high, u8x8)};
-    pel_u8x16 v;
-    memcpy(&v, both, 16);
-    return v;
-#endif
+    return (pel_u8x16)__builtin_ia32_packuswb128((pel_s16x8)low,
+                                                 (pel_s16x8)high);
 }
 
-/* The same of 32 bits. */
 static inline pel_u8x16 pel_narrow_u8x16(pel_u32x4 a, pel_u32x4 b, pel_u32x4 c,
                                          pel_u32x4 d)
 {
-#ifdef __SSE2__
-    typedef int32_t s32x4 __attribute__((__vector_size__(16)));
     return pel_join_u8x16(
-        (pel_u16x8)__builtin_ia32_packssdw128((s32x4)a, (s32x4)b),
-        (pel_u16x8)__builtin_ia32_packssdw128((s32x4)c, (s32x4)d));
+        (pel_u16x8)__builtin_ia32_packssdw128((pel_s32x4)a, (pel_s32x4)b),
+        (pel_u16x8)__builtin_ia32_packssdw128((pel_s32x4)c, (pel_s32x4)d));
+}
+
 #else
-    typedef uint8_t u8x4 __attribute__((__vector_size__(4)));
-    const u8x4 four[4] = {
-        __builtin_convertvector(a, u8x4), __builtin_convertvector(b, u8x4),
-        __builtin_convertvector(c, u8x4), __builtin_convertvector(d, u8x4)};
+typedef uint16_t pel_u16x4 __attribute__((__vector_size__(8)));
+typedef uint8_t pel_u8x8 __attribute__((__vector_size__(8)));
+typedef uint8_t pel_u8x4 __attribute__((__vector_size__(4)));
+
+static inline pel_u32x4 pel_dot_s16(pel_u32x4 a, pel_u32x4 b)
+{
+    const pel_s32x4 low =
+        ((pel_s32x4)(a << 16) >> 16) * ((pel_s32x4)(b << 16) >> 16);
+    const pel_s32x4 high = ((pel_s32x4)a >> 16) * ((pel_s32x4)b >> 16);
+    return (pel_u32x4)low + (pel_u32x4)high;
+}
+
+static inline pel_u16x8 pel_divide255_u16x8(pel_u16x8 u)
+{
+    return (u + (u >> 8)) >> 8;
+}
+
+static inline pel_u16x8 pel_narrow_u16x8(pel_u32x4 low, pel_u32x4 high)
+{
+    const pel_u16x4 both[2] = {__builtin_convertvector(low, pel_u16x4),
+                               __builtin_convertvector(high, pel_u16x4)};
+    pel_u16x8 v;
+    memcpy(&v, both, 16);
+    return v;
+}
+
+static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
+{
+    const pel_u8x8 both[2] = {__builtin_convertvector(low, pel_u8x8),
+                              __builtin_convertvector(high, pel_u8x8)};
+    pel_u8x16 v;
+    memcpy(&v, both, 16);
+    return v;
+}
+
+static inline pel_u8x16 pel_narrow_u8x16(pel_u32x4 a, pel_u32x4 b, pel_u32x4 c,
+                                         pel_u32x4 d)
+{
+    const pel_u8x4 four[4] = {__builtin_convertvector(a, pel_u8x4),
+                              __builtin_convertvector(b, pel_u8x4),
+                              __builtin_convertvector(c, pel_u8x4),
+                              __builtin_convertvector(d, pel_u8x4)};
     pel_u8x16 v;
     memcpy(&v, four, 16);
     return v;
-#endif
 }
 
+#endif
 #endif
 #endif

@@ -4,29 +4,37 @@
 #define PEL_FORMAT_WORD_H
 
 #include "../base/surface.h"
-#include "../pel_config.h"
-
-#ifdef __GNUC__
-#define PEL_MAY_ALIAS __attribute__((__may_alias__))
-#define PEL_ALWAYS_INLINE inline __attribute__((__always_inline__))
-#else
-#define PEL_MAY_ALIAS
-#define PEL_ALWAYS_INLINE inline
-#endif
 
 typedef uint8_t pel_word8;
 typedef uint16_t PEL_MAY_ALIAS pel_word16;
 typedef uint32_t PEL_MAY_ALIAS pel_word32;
 
+#ifdef __GNUC__
 /* One instruction on Arm, which compilers do not find in the shifts. */
 static inline uint32_t pel_swap16(uint32_t v)
 {
-#ifdef __GNUC__
     return __builtin_bswap16(PEL_CAST(uint16_t, v));
-#else
-    return (v << 8 & 0xFF00u) | (v >> 8 & 0xFFu);
-#endif
 }
+
+/* Asks for a cache line that is soon written. The address need not be in
+ * memory. (Always inlined: gcc takes a function that only prefetches for an
+ * empty one.) */
+static PEL_ALWAYS_INLINE void pel_prefetch(uintptr_t address)
+{
+    if (PEL_64BIT)
+        __builtin_prefetch(PEL_CAST_ADDRESS(const void *, address), 1);
+}
+#else
+static inline uint32_t pel_swap16(uint32_t v)
+{
+    return (v << 8 & 0xFF00u) | (v >> 8 & 0xFFu);
+}
+
+static inline void pel_prefetch(uintptr_t address)
+{
+    (void)address;
+}
+#endif
 
 static inline uint32_t pel_swap32(uint32_t v)
 {
@@ -63,24 +71,12 @@ static inline uintptr_t pel_column_zero(const struct pel_surface *s, int32_t y,
            PEL_CAST(uintptr_t, bytes * PEL_CAST(ptrdiff_t, s->bounds.x0));
 }
 
-/* Asks for a cache line that is soon written. The address need not be in
- * memory. (Always inlined: gcc takes a function that only prefetches for an
- * empty one.) */
-static PEL_ALWAYS_INLINE void pel_prefetch(uintptr_t address)
-{
-#if PEL_FAST_64BIT && defined(__GNUC__)
-    __builtin_prefetch(PEL_CAST_ADDRESS(const void *, address), 1);
-#else
-    (void)address;
-#endif
-}
-
-/* Asks for those of a long run, some rows ahead: stores retire in order, so
- * each miss would wait for the one before it. Short ones wait for a line or
- * two, which takes less time than asking. */
+/* Asks for the cache lines of a long run, some rows ahead: stores retire in
+ * order, so each miss would wait for the one before it. Short ones wait for a
+ * line or two, which takes less time than asking. */
 static PEL_ALWAYS_INLINE void pel_prefetch_run(uintptr_t address, int32_t bytes)
 {
-    if (PEL_FAST_64BIT && bytes > 128)
+    if (PEL_64BIT && bytes > 128)
         for (int32_t i = 0; i < bytes; i += 64)
             pel_prefetch(address + PEL_CAST(uintptr_t, i));
 }
@@ -89,6 +85,54 @@ static PEL_ALWAYS_INLINE void pel_prefetch_run(uintptr_t address, int32_t bytes)
 static inline ptrdiff_t pel_spans_pitch(const struct pel_spans *spans)
 {
     return PEL_CAST(ptrdiff_t, spans->surface->stride) * spans->step;
+}
+
+/* Pixels of 8, 16 and 32 bits are words. Those of 24 are three bytes, the
+ * lowest byte of the pixel value first. */
+void pel_fill8(const struct pel_spans *spans, uint32_t pixel);
+void pel_fill16(const struct pel_spans *spans, uint32_t pixel);
+
+void pel_fill24(const struct pel_spans *spans, uint32_t pixel);
+void pel_fill32(const struct pel_spans *spans, uint32_t pixel);
+
+/* Of struct pel_dithering, in pattern16.c. */
+void pel_pattern16(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                   const uint32_t pixels[8]);
+
+static inline pel_word8 *pel_address8(const struct pel_surface *s, int32_t x,
+                                      int32_t y)
+{
+    return (pel_word8 *)(pel_column_zero(s, y, 1) + (uintptr_t)x);
+}
+
+static inline pel_word16 *pel_address16(const struct pel_surface *s, int32_t x,
+                                        int32_t y)
+{
+    return (pel_word16 *)(pel_column_zero(s, y, 2) + 2 * (uintptr_t)x);
+}
+
+static inline uint8_t *pel_address24(const struct pel_surface *s, int32_t x,
+                                     int32_t y)
+{
+    return (uint8_t *)(pel_column_zero(s, y, 3) + 3 * (uintptr_t)x);
+}
+
+static inline pel_word32 *pel_address32(const struct pel_surface *s, int32_t x,
+                                        int32_t y)
+{
+    return (pel_word32 *)(pel_column_zero(s, y, 4) + 4 * (uintptr_t)x);
+}
+
+static inline uint32_t pel_get24(const uint8_t *p)
+{
+    return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16;
+}
+
+static inline void pel_put24(uint8_t *p, uint32_t pixel)
+{
+    p[0] = (uint8_t)pixel;
+    p[1] = (uint8_t)(pixel >> 8);
+    p[2] = (uint8_t)(pixel >> 16);
 }
 
 #endif

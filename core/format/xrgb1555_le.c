@@ -1,6 +1,6 @@
 #include "fields.h"
 #include "formats.h"
-#include "word16.h"
+#include "word.h"
 
 #define ORDER PEL_LE16
 static const struct pel_fields fields = {{10, 5}, {5, 5}, {0, 5}, 0x8000};

@@ -12,8 +12,9 @@ struct walk {
 };
 
 /* Separate functions, so that their stack is free while a row is painted. */
-static PEL_WIDE bool start(struct walk *w, const struct pel_surface *surface,
-                           const struct pel_sector_shape *sector)
+static PEL_NOINLINE_32 bool start(struct walk *w,
+                                  const struct pel_surface *surface,
+                                  const struct pel_sector_shape *sector)
 {
     if (pel_rect_empty(&surface->clip))
         return false;
@@ -27,8 +28,8 @@ static PEL_WIDE bool start(struct walk *w, const struct pel_surface *surface,
 }
 
 /* Cuts the spans of the row above the next row of the circle. */
-static PEL_WIDE void cut_row(struct walk *w,
-                             const struct pel_sector_shape *sector)
+static PEL_NOINLINE_32 void cut_row(struct walk *w,
+                                    const struct pel_sector_shape *sector)
 {
     struct pel_outline_row *o = &w->row;
     struct pel_span inside, disc, *span = pel_outline_span(o);

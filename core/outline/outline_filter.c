@@ -36,7 +36,7 @@ static bool next_part(struct pel_outline_filter *r, struct pel_span *part)
 }
 
 /* Sets the next parts to paint; false when there are none. */
-static PEL_WIDE bool next_parts(struct pel_outline_filter *r)
+static PEL_NOINLINE_32 bool next_parts(struct pel_outline_filter *r)
 {
     const struct pel_rect *clip = &r->spans.surface->clip;
     struct pel_span part;
@@ -54,7 +54,7 @@ static PEL_WIDE bool next_parts(struct pel_outline_filter *r)
 }
 
 /* Moves on by a row, whose neighbours are then complete. */
-static PEL_WIDE void step(struct pel_outline_filter *r)
+static PEL_NOINLINE_32 void step(struct pel_outline_filter *r)
 {
     const struct pel_outline_spans done = r->row[0];
     r->row[0] = r->row[1];

@@ -25,9 +25,9 @@ static void sides_start(struct sides *s, const struct pel_point *const v[3],
 }
 
 /* Sets the span of row y, not clipped, and moves on to the next. */
-static PEL_WIDE void sides_next(struct sides *s,
-                                const struct pel_point *const v[3],
-                                struct pel_span *span)
+static PEL_NOINLINE_32 void sides_next(struct sides *s,
+                                       const struct pel_point *const v[3],
+                                       struct pel_span *span)
 {
     span->x0 = pel_min(s->a.x, s->b.x);
     span->x1 = pel_max(s->a.x, s->b.x);

@@ -72,8 +72,9 @@ struct rays {
  * less 1 above the centre: there a pixel on the ray is beyond it, below it is
  * before it. Another row's f is larger or smaller by d.x. |h d.x| < 2^39, so f
  * fits 33 bits. */
-static PEL_WIDE void ray_at(struct pel_edge *e, const struct pel_conic *p,
-                            struct pel_point d, int32_t v)
+static PEL_NOINLINE_32 void ray_at(struct pel_edge *e,
+                                   const struct pel_conic *p,
+                                   struct pel_point d, int32_t v)
 {
     const bool above = v < 0;
     const int32_t h = above ? -v : v, dy = above ? -d.y : d.y;
@@ -109,8 +110,9 @@ static void end_cells(struct pel_cells *cells, int32_t count)
  * by angle is in the first column: clockwise above the centre,
  * counter-clockwise below, in the row nearest to the centre where that is left
  * of it, else in the farthest one. */
-static PEL_WIDE bool rays_start(struct rays *r, const struct pel_conic *p,
-                                const struct pel_spans *spans)
+static PEL_NOINLINE_32 bool rays_start(struct rays *r,
+                                       const struct pel_conic *p,
+                                       const struct pel_spans *spans)
 {
     struct pel_cells *c = &r->cells;
     if (!pel_cells_begin(c, &p->base, spans))

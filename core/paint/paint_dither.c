@@ -41,7 +41,7 @@ static inline uint32_t widened(uint32_t top, uint32_t bits)
 }
 
 /* The level below the lowest of all is not asked for: 0 is a level. */
-static PEL_WALK struct channel channel_of(uint32_t c, uint32_t bits)
+static PEL_INLINE_LOOP struct channel channel_of(uint32_t c, uint32_t bits)
 {
     const uint32_t unit = 256u >> bits;
     uint32_t top = c & (0u - unit), low = widened(top, bits);
@@ -120,9 +120,9 @@ static void row_pattern(const struct levels *l, int32_t x, int32_t end,
     const uint32_t change0 = l->change[0], places0 = l->places[0];
     const uint32_t change1 = l->change[1], places1 = l->places[1];
     const uint32_t change2 = l->change[2], places2 = l->places[2];
-    const int32_t n = PEL_FAST_64BIT ? 8 : pel_min(end - x, 8);
+    const int32_t n = PEL_64BIT ? 8 : pel_min(end - x, 8);
     for (int32_t i = 0; i < n; i++) {
-        const int32_t at = PEL_FAST_64BIT ? i : (x + i) & 7;
+        const int32_t at = PEL_64BIT ? i : (x + i) & 7;
         const uint32_t m = span[at];
         pattern[at] = l->pixel ^ (m < places0 ? change0 : 0) ^
                       (m < places1 ? change1 : 0) ^ (m < places2 ? change2 : 0);

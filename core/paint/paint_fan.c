@@ -1,10 +1,10 @@
 #include "paint_fan.h"
 
-#include "../base/fraction.h"
+#include "../base/divide.h"
 
 /* Positive when b lies clockwise of a; below 2^51. */
-static PEL_WIDE int64_t cross(const struct pel_point *a,
-                              const struct pel_point *b)
+static PEL_NOINLINE_32 int64_t cross(const struct pel_point *a,
+                                     const struct pel_point *b)
 {
     return pel_product(a->x, b->y) - pel_product(a->y, b->x);
 }
@@ -21,7 +21,7 @@ struct part {
     int32_t x, y, n;
 };
 
-#if PEL_FAST_64BIT
+#if PEL_64BIT
 
 /* The colours of a part inside one triangle. */
 static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
@@ -60,16 +60,17 @@ static int32_t pixels_inside(const struct pel_fan_triangle *t,
 #else
 
 /* The same with little stack, a channel and a ray at a time. */
-static PEL_WIDE void set_channel_at(struct part *r,
-                                    const struct pel_fan_triangle *t, int k)
+static PEL_NOINLINE_32 void set_channel_at(struct part *r,
+                                           const struct pel_fan_triangle *t,
+                                           int k)
 {
     r->at = t->at[k] + pel_times(t->dx[k], r->x) + pel_times(t->dy[k], r->y);
 }
 
 /* Channel k of the colours of a part inside one triangle. */
-static PEL_WIDE void put_channel(const struct part *r,
-                                 const struct pel_fan_triangle *t, int k,
-                                 pel_color *out)
+static PEL_NOINLINE_32 void put_channel(const struct part *r,
+                                        const struct pel_fan_triangle *t, int k,
+                                        pel_color *out)
 {
     uint64_t v = r->at;
     for (int32_t i = 0; i < r->n; i++, v += t->dx[k])
@@ -87,9 +88,9 @@ static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
 
 /* For how many of n pixels, the first at d from the hub, the cross product with
  * a ray is at least `least`. */
-static PEL_WIDE int32_t pixels_beside(const struct pel_point *ray,
-                                      const struct pel_point *d, int32_t least,
-                                      int32_t n)
+static PEL_NOINLINE_32 int32_t pixels_beside(const struct pel_point *ray,
+                                             const struct pel_point *d,
+                                             int32_t least, int32_t n)
 {
     int64_t side = pel_product(ray->x, d->y) - pel_product(ray->y, d->x);
     int32_t count = 0;

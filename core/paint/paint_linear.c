@@ -1,7 +1,6 @@
 #include "paint_linear.h"
 
 #include "../base/divide.h"
-#include "../base/fraction.h"
 #include "cells.h"
 
 enum { FAR = 1 << 18 }; /* px: beyond every pixel, seen from any other */
@@ -22,8 +21,8 @@ static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y)
 
 /* n rest < 2^15 2^49. Seen from `to`, who is on a boundary is still before it:
  * it belongs to the cell that begins there for who comes from `from`. */
-static PEL_WIDE struct position position_of(const struct pel_linear *p,
-                                            int64_t product)
+static PEL_NOINLINE_32 struct position position_of(const struct pel_linear *p,
+                                                   int64_t product)
 {
     const uint64_t square = (uint64_t)p->square;
     struct pel_fraction f;
@@ -110,8 +109,8 @@ static void end_cells(struct pel_cells *cells, int32_t count)
 /* The boundary after a position, where it crosses the row of the position's
  * pixel, x; at product. Before a padded way the first cell ends where the
  * second begins. */
-static PEL_WIDE void set_end(struct lines *l, const struct pel_linear *p,
-                             const struct position *at, int64_t product)
+static PEL_NOINLINE_32 void set_end(struct lines *l, const struct pel_linear *p,
+                                    const struct position *at, int64_t product)
 {
     const bool before = p->base.period == 0 && at->copy < 0;
     const int32_t n = p->base.cells;
@@ -130,8 +129,9 @@ static PEL_WIDE void set_end(struct lines *l, const struct pel_linear *p,
 }
 
 /* In the cell of the first pixel on the way, or before it. */
-static PEL_WIDE bool lines_start(struct lines *l, const struct pel_linear *p,
-                                 const struct pel_spans *spans)
+static PEL_NOINLINE_32 bool lines_start(struct lines *l,
+                                        const struct pel_linear *p,
+                                        const struct pel_spans *spans)
 {
     if (!pel_cells_begin(&l->cells, &p->base, spans))
         return false;
@@ -155,7 +155,7 @@ static PEL_WIDE bool lines_start(struct lines *l, const struct pel_linear *p,
 }
 
 /* A function of its own, to spare the stack of what comes before it. */
-static PEL_WIDE void walk(struct lines *l)
+static PEL_NOINLINE_32 void walk(struct lines *l)
 {
     pel_cells_draw(&l->cells, end_cells);
 }

@@ -143,8 +143,9 @@ static void side_start(struct side *s, const struct pel_radial *p, int32_t u)
 
 /* What is left of `split`, the first column of the right side: from the ring of
  * the farthest pixel inwards. */
-static PEL_WIDE void left_start(struct side *s, const struct pel_radial *p,
-                                int32_t split)
+static PEL_NOINLINE_32 void left_start(struct side *s,
+                                       const struct pel_radial *p,
+                                       int32_t split)
 {
     struct pel_cells *c = &s->cells;
     const int32_t last = c->spans->y + (c->spans->n - 1) * c->spans->step;
@@ -169,8 +170,9 @@ static PEL_WIDE void left_start(struct side *s, const struct pel_radial *p,
 }
 
 /* The rest: from the ring of the nearest pixel outwards. */
-static PEL_WIDE void right_start(struct side *s, const struct pel_radial *p,
-                                 int32_t split)
+static PEL_NOINLINE_32 void right_start(struct side *s,
+                                        const struct pel_radial *p,
+                                        int32_t split)
 {
     struct pel_cells *c = &s->cells;
     const int32_t last = c->spans->y + (c->spans->n - 1) * c->spans->step;
@@ -188,7 +190,7 @@ static PEL_WIDE void right_start(struct side *s, const struct pel_radial *p,
 }
 
 /* A function of its own, to spare the stack of what comes before it. */
-static PEL_WIDE void walk(struct side *s)
+static PEL_NOINLINE_32 void walk(struct side *s)
 {
     pel_cells_draw(&s->cells, end_cells);
 }

@@ -1,4 +1,4 @@
-#include "paint_texture_bilinear_fast.h"
+#include "paint_texture_fetch.h"
 
 /* a (256 - f) + b f in both 16-bit halves of a word: at most 255 * 256. */
 static inline uint32_t mix_halves(uint32_t a, uint32_t b, uint32_t f)
@@ -49,8 +49,6 @@ static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
     }
 }
 
-#if PEL_FAST_64BIT
-
 /* A run that does not leave the picture. */
 static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
                                         const struct pel_texture_axes *a,
@@ -68,9 +66,9 @@ static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
 }
 
 /* A run of a kind that is read without a call. */
-static void fast_run(const struct pel_texture *p,
-                     const struct pel_texture_axes *a, int32_t n,
-                     pel_color *out)
+static inline void fast_run(const struct pel_texture *p,
+                            const struct pel_texture_axes *a, int32_t n,
+                            pel_color *out)
 {
     if (p->kind == PEL_TEXTURE_COLORS)
         inner_run(p, PEL_TEXTURE_COLORS, a, n, out);
@@ -80,22 +78,17 @@ static void fast_run(const struct pel_texture *p,
         inner_run(p, PEL_TEXTURE_RGB565_LE, a, n, out);
 }
 
-#endif
-
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
     const struct pel_texture *p = (const void *)paint;
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y, PEL_TEXTURE_HALF_BACK);
-#if PEL_FAST_64BIT
-    if (p->kind != PEL_TEXTURE_ANY && pel_texture_axes_inside(&a, p, n, 1)) {
-        if (!pel_texture_bilinear_run(p, &a, n, out))
-            fast_run(p, &a, n, out);
-        return;
-    }
-#endif
-    outer_run(p, &a, n, out);
+    if (!PEL_FAST_FILLS || p->kind == PEL_TEXTURE_ANY ||
+        !pel_texture_axes_inside(&a, p, n, 1))
+        outer_run(p, &a, n, out);
+    else if (!PEL_VECTORS || !pel_texture_bilinear_run(p, &a, n, out))
+        fast_run(p, &a, n, out);
 }
 
 enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,
@@ -106,8 +99,7 @@ enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,
     if (status != PEL_OK)
         return status;
     pel_color_paint_init(&paint->base, colors, paint->base.opaque);
-#if PEL_FAST_64BIT && PEL_VECTORS
-    paint->base.paint.fast = pel_texture_bilinear_fast;
-#endif
+    if (PEL_FAST_FILLS && PEL_VECTORS)
+        paint->base.paint.fast = pel_texture_bilinear_fast;
     return PEL_OK;
 }

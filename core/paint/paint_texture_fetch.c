@@ -1,4 +1,4 @@
-#include "paint_texture_rows.h"
+#include "paint_texture_fetch.h"
 
 static enum pel_texture_kind kind_of(const struct pel_format *format)
 {
@@ -42,8 +42,8 @@ static enum pel_status set_colors(struct pel_texture *p,
 }
 
 /* One by one: less code than a call of memcpy. */
-static PEL_WIDE void copy_plane(struct pel_texture_plane *to,
-                                const struct pel_texture_plane *from)
+static PEL_NOINLINE_32 void copy_plane(struct pel_texture_plane *to,
+                                       const struct pel_texture_plane *from)
 {
     to->at = from->at;
     to->dx = from->dx;
@@ -66,16 +66,3 @@ enum pel_status pel_texture_set(struct pel_texture *paint,
     return texels->surface ? set_surface(paint, texels->surface)
                            : set_colors(paint, texels);
 }
-
-#if PEL_FAST_64BIT
-
-void pel_texture_fill_run(const struct pel_texture *p,
-                          const struct pel_surface *surface, int32_t x,
-                          int32_t n, int32_t y)
-{
-    const struct pel_span span = {x, x + n};
-    const struct pel_spans spans = {surface, &span, y, 1, 1};
-    p->base.paint.fill(&p->base.paint, &spans);
-}
-
-#endif

@@ -21,7 +21,7 @@ enum pel_status pel_texture_set(struct pel_texture *paint,
 
 /* With a constant kind on 64-bit CPUs, where each kind has a loop of its own;
  * elsewhere there is one loop for all. */
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 #define PEL_TEXTURE_INLINE PEL_ALWAYS_INLINE
 #else
 #define PEL_TEXTURE_INLINE inline
@@ -150,5 +150,37 @@ static inline bool pel_texture_axes_inside(const struct pel_texture_axes *a,
     return pel_texture_axis_inside(&a->u, p->map.u.dx, n, more) &&
            pel_texture_axis_inside(&a->v, p->map.v.dx, n, more);
 }
+
+/* Between surfaces of one 565 format, pixels of 16 bits that are all colour,
+ * texels are copied. */
+static inline bool pel_texture_is_copied(const struct pel_texture *p,
+                                         const struct pel_format *format)
+{
+    return p->surface && p->surface->format == format &&
+           (format->id == PEL_FORMAT_RGB565_LE ||
+            format->id == PEL_FORMAT_RGB565_BE ||
+            format->id == PEL_FORMAT_BGR565_LE);
+}
+
+/* Bilinear: half a texel back to the middle of the texel before, and half of
+ * 1/256 on so that weights are rounded. */
+enum { PEL_TEXTURE_HALF_BACK = 0x80000000u - 0x800000u };
+
+/* In core/fast: the same bytes, four pixels at a time where there are vectors.
+ * Nearest textures of texels that are copied as they are; */
+bool pel_texture_nearest_fast(const struct pel_paint *paint,
+                              const struct pel_surface *surface,
+                              const struct pel_fast_triangle *triangle);
+
+/* bilinear ones, with vectors alone; */
+bool pel_texture_bilinear_fast(const struct pel_paint *paint,
+                               const struct pel_surface *surface,
+                               const struct pel_fast_triangle *triangle);
+
+/* and the colours of a run that lies inside the picture with the texels right
+ * of it and below; false for pictures that are not for vectors. */
+bool pel_texture_bilinear_run(const struct pel_texture *p,
+                              const struct pel_texture_axes *a, int32_t n,
+                              pel_color *out);
 
 #endif

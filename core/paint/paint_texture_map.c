@@ -1,4 +1,4 @@
-#include "../base/fraction.h"
+#include "../base/divide.h"
 #include "../raster/triangle_sort.h"
 #include "paint_texture.h"
 
@@ -10,7 +10,7 @@ struct setup {
 };
 
 /* n / area in 2^-32; `at` gets on by `way` sub-pixels, with the 24 bits. */
-#if PEL_FAST_64BIT
+#if PEL_64BIT
 
 /* Of most triangles n fits 32 bits: one division. */
 static inline uint64_t gradient(const struct setup *s, int64_t n, int32_t way,

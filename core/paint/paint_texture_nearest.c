@@ -1,5 +1,5 @@
-#include "../format/word16.h"
-#include "paint_texture_nearest_fast.h"
+#include "../format/word.h"
+#include "paint_texture_fetch.h"
 
 /* The texel where the axis is, or the one that stands for it. */
 static inline int32_t in_picture(struct pel_texture_axis *a)
@@ -7,17 +7,15 @@ static inline int32_t in_picture(struct pel_texture_axis *a)
     return pel_texture_axis_texel(a, pel_texture_axis_index(a));
 }
 
-static PEL_WIDE void outer_run(const struct pel_texture *p,
-                               struct pel_texture_axes *a, int32_t n,
-                               pel_color *out)
+static PEL_NOINLINE_32 void outer_run(const struct pel_texture *p,
+                                      struct pel_texture_axes *a, int32_t n,
+                                      pel_color *out)
 {
     for (; n > 0; n--, pel_texture_axes_step(a, p)) {
         int32_t u = in_picture(&a->u), v = in_picture(&a->v);
         *out++ = pel_texel(p, p->kind, u, v);
     }
 }
-
-#if PEL_FAST_64BIT
 
 /* A run that does not leave the picture. */
 static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
@@ -31,9 +29,9 @@ static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
 }
 
 /* A run of a kind that is read without a call. */
-static void fast_run(const struct pel_texture *p,
-                     const struct pel_texture_axes *a, int32_t n,
-                     pel_color *out)
+static inline void fast_run(const struct pel_texture *p,
+                            const struct pel_texture_axes *a, int32_t n,
+                            pel_color *out)
 {
     if (p->kind == PEL_TEXTURE_COLORS)
         inner_run(p, PEL_TEXTURE_COLORS, a, n, out);
@@ -43,21 +41,17 @@ static void fast_run(const struct pel_texture *p,
         inner_run(p, PEL_TEXTURE_RGB565_LE, a, n, out);
 }
 
-#endif
-
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
     const struct pel_texture *p = (const void *)paint;
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y, 0);
-#if PEL_FAST_64BIT
-    if (p->kind != PEL_TEXTURE_ANY && pel_texture_axes_inside(&a, p, n, 0)) {
+    if (PEL_FAST_FILLS && p->kind != PEL_TEXTURE_ANY &&
+        pel_texture_axes_inside(&a, p, n, 0))
         fast_run(p, &a, n, out);
-        return;
-    }
-#endif
-    outer_run(p, &a, n, out);
+    else
+        outer_run(p, &a, n, out);
 }
 
 /* Between surfaces of one format of 16 bits: texels are copied as they are. */

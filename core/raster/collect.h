@@ -8,9 +8,7 @@
 
 /* Spans of a batch; half on small CPUs, where collecting shapes use much
  * stack. */
-enum {
-    PEL_COLLECT_ROWS = PEL_FAST_64BIT ? PEL_BATCH_ROWS : PEL_BATCH_ROWS / 2
-};
+enum { PEL_COLLECT_ROWS = PEL_64BIT ? PEL_BATCH_ROWS : PEL_BATCH_ROWS / 2 };
 
 struct pel_collector {
     const struct pel_paint *paint;

@@ -1,7 +1,6 @@
 #include "gouraud.h"
 
 #include "../base/divide.h"
-#include "../base/fraction.h"
 #include "triangle_sort.h"
 
 /* The plane of channel values a, b, c at A, B, C is, in sub-pixels,
@@ -47,15 +46,14 @@ static bool reciprocal_is_enough(const struct setup *s)
 /* floor(n 2^32 / d) modulo 2^64, 0 <= n < 2^34, 0 < d < 2^50. */
 static gradient divide(uint64_t n, uint64_t d)
 {
-#if PEL_FAST_64BIT && defined(__GNUC__)
-    return pel_fraction_of((int64_t)n, (int64_t)d, 32);
-#else
     uint64_t rest = 0;
-    return pel_divide_bits(n << 30, d, 66, &rest);
-#endif
+    if (PEL_64BIT)
+        return pel_fraction_of((int64_t)n, (int64_t)d, 32);
+    else
+        return pel_divide_bits(n << 30, d, 66, &rest);
 }
 
-#if PEL_FAST_64BIT && defined(__GNUC__)
+#if PEL_64BIT
 static int64_t with_sign_of(int64_t area, int64_t v)
 {
     return area < 0 ? -v : v;
@@ -64,7 +62,7 @@ static int64_t with_sign_of(int64_t area, int64_t v)
 static void set_reciprocal(struct setup *s)
 {
     const uint64_t area = (uint64_t)with_sign_of(s->area, s->area);
-    const int zeros = __builtin_clzll(area);
+    const int zeros = pel_leading_zeros(area);
     s->shift = zeros - 32;
     s->inverse = with_sign_of(
         s->area, (int64_t)((UINT64_C(1) << 63) / (area << zeros >> 32)));
@@ -111,8 +109,9 @@ static gradient gradient_of(const struct setup *s, int64_t n)
  * value is that at a plus the gradients times the offset, -127..128 sub-pixels
  * in x and y; from there the plane is traced back to pixel (0, 0). Bits 8..39
  * of `sum` are the 32 bits of 8.24, and are right modulo 2^64. */
-static PEL_WIDE void set_channel(struct pel_gouraud *p, const struct setup *s,
-                                 int k, const int32_t value[3])
+static PEL_NOINLINE_32 void set_channel(struct pel_gouraud *p,
+                                        const struct setup *s, int k,
+                                        const int32_t value[3])
 {
     const int32_t b = value[1] - value[0], c = value[2] - value[0];
     gradient gx = gradient_of(s, (int64_t)b * (s->c.y - s->a.y) -

@@ -4,8 +4,7 @@
 #define PEL_RASTER_GOURAUD_SPANS_H
 
 #include "../format/vector.h"
-#include "../format/word16.h"
-#include "../format/word32.h"
+#include "../format/word.h"
 #include "gouraud.h"
 
 /* Blue, green and red at pixel (x, y). */

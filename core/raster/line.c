@@ -58,7 +58,8 @@ static PEL_NOINLINE void start(struct walk *w, int32_t y)
 }
 
 /* Sets the span of row y and moves on to the next row. */
-static PEL_WALK void next_span(struct walk *w, int32_t y, struct pel_span *span)
+static PEL_INLINE_LOOP void next_span(struct walk *w, int32_t y,
+                                      struct pel_span *span)
 {
     int32_t x = -w->edge.x, next = x + 1;
     if (w->flat) {

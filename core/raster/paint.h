@@ -9,7 +9,7 @@
 #define PEL_RASTER_PAINT_H
 
 #include "../base/surface.h"
-#include "../pel_config.h"
+#include "../base/inline.h"
 
 PEL_BEGIN_DECLS
 
@@ -25,16 +25,23 @@ struct pel_paint {
     void (*fill)(const struct pel_paint *paint, const struct pel_spans *spans);
 
     /* Colours a whole triangle that is not clipped, in its own loop over the
-     * rows (raster/fast_triangle.h), or returns false and does nothing. May be
-     * NULL; not called where PEL_FAST_64BIT is 0. */
+     * rows (fast/fast_triangle.h), or returns false and does nothing. May be
+     * NULL; not called where PEL_FAST_FILLS is 0. */
     bool (*fast)(const struct pel_paint *paint,
                  const struct pel_surface *surface,
                  const struct pel_fast_triangle *triangle);
 };
 
+/* Draws a legal triangle by paint->fast; false when it has none, or the
+ * triangle is clipped or too large. Linked where PEL_FAST_FILLS is 1
+ * (core/fast). */
+bool pel_fast_triangle(const struct pel_surface *surface,
+                       const struct pel_point v[3],
+                       const struct pel_paint *paint);
+
 /* Initialiser of a paint with both functions; the second is linked only where
  * it is called. */
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 #define PEL_PAINT(fill, fast) \
     {                         \
         fill, fast            \

@@ -101,7 +101,7 @@ static PEL_NOINLINE void heap_sort(struct sweep *w, int32_t count, enum key key)
 }
 
 /* Sides that begin in row y become active. */
-static PEL_WIDE void enter(struct sweep *w, int32_t y)
+static PEL_NOINLINE_32 void enter(struct sweep *w, int32_t y)
 {
     while (w->next < w->count && first_of(w, w->next) == y)
         swap(&w->order[w->active++], &w->order[w->next++]);
@@ -109,7 +109,7 @@ static PEL_WIDE void enter(struct sweep *w, int32_t y)
 
 /* Insertion sort, as few sides change places from row to row; heap sort when
  * many begin or cross. */
-static PEL_WIDE void sort_by_x(struct sweep *w)
+static PEL_NOINLINE_32 void sort_by_x(struct sweep *w)
 {
     int64_t moves_left = (int64_t)w->active * 8;
     for (int32_t i = 1; i < w->active; i++) {

@@ -95,8 +95,9 @@ static void side_next(struct side *s, int32_t y)
 
 /* A function of its own, so that its stack is free again when rows are painted.
  * The rows y to the result; none when it is not above y. */
-static PEL_WIDE int32_t start(struct side side[2], const struct pel_point v[4],
-                              const struct pel_rect *clip, int32_t *y)
+static PEL_NOINLINE_32 int32_t start(struct side side[2],
+                                     const struct pel_point v[4],
+                                     const struct pel_rect *clip, int32_t *y)
 {
     int top = 0;
     for (int i = 1; i < 4; i++)
@@ -136,7 +137,7 @@ void pel_thick_line(const struct pel_surface *surface,
     PEL_ASSERT(legal);
     if (!legal)
         return;
-    if (PEL_FAST_64BIT && paint->fast) {
+    if (PEL_FAST_FILLS && paint->fast) {
         draw_halves(surface, v, paint);
         return;
     }

@@ -1,7 +1,6 @@
 #include "triangle.h"
 
 #include "edge.h"
-#include "fast_triangle.h"
 #include "triangle_sort.h"
 
 /* The edges of a triangle in a row: the long one, from top to bottom, and
@@ -20,7 +19,8 @@ union batch {
 
 /* Writes x of an edge in n rows to every other number of a batch. Edges are
  * walked one by one, so that the state of one stays in registers. */
-static PEL_WALK void walk_edge(struct pel_edge *edge, int32_t *x, int32_t n)
+static PEL_INLINE_LOOP void walk_edge(struct pel_edge *edge, int32_t *x,
+                                      int32_t n)
 {
     struct pel_edge e = *edge;
     int32_t *const end = x + 2 * n;
@@ -144,7 +144,7 @@ static void fill(const struct pel_surface *surface,
 void pel_triangle(const struct pel_surface *surface,
                   const struct pel_point v[3], const struct pel_paint *paint)
 {
-    if (pel_fast_triangle(surface, v, paint))
+    if (PEL_FAST_FILLS && pel_fast_triangle(surface, v, paint))
         return;
     PEL_ASSERT(legal(v));
     if (!legal(v))

@@ -12,8 +12,8 @@ int64_t pel_triangle_area(const struct pel_point v[3])
 
 /* Sets the extreme vertices of a triangle without area; false when it has one,
  * or is out of range. Not inlined, to save stack. */
-static PEL_WIDE bool line_of(const struct pel_point v[3],
-                             struct pel_point ends[2])
+static PEL_NOINLINE_32 bool line_of(const struct pel_point v[3],
+                                    struct pel_point ends[2])
 {
     const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
     if (!pel_points_legal(v, 3) || pel_triangle_area(v) != 0)

@@ -3,7 +3,6 @@
 #define PEL_RASTER_TRIANGLE_SORT_H
 
 #include "../base/point.h"
-#include "../pel_config.h"
 
 static inline void pel_swap_points(const struct pel_point **a,
                                    const struct pel_point **b)
@@ -28,23 +27,6 @@ static inline void pel_sort_rows(const struct pel_point *p[3])
     p[2] = c;
 }
 
-/* By y, and by x at one y. 64-bit CPUs compare both as one number, without a
- * branch that cannot be predicted. */
-#if PEL_FAST_64BIT
-static inline bool pel_above(const struct pel_point *a,
-                             const struct pel_point *b)
-{
-    return a->y * INT64_C(4294967296) + a->x <
-           b->y * INT64_C(4294967296) + b->x;
-}
-#else
-static inline bool pel_above(const struct pel_point *a,
-                             const struct pel_point *b)
-{
-    return a->y < b->y || (a->y == b->y && a->x < b->x);
-}
-#endif
-
 /* A point as a number with the order of pel_above: minimum and maximum of two
  * need no branch. */
 static inline int64_t pel_point_key(const struct pel_point *p)
@@ -52,9 +34,18 @@ static inline int64_t pel_point_key(const struct pel_point *p)
     return p->y * INT64_C(4294967296) + (int64_t)((uint32_t)p->x ^ 0x80000000u);
 }
 
-/* Which vertex is the topmost, of equally high ones the left one: planes of
- * values over a triangle are anchored there. */
-#if PEL_FAST_64BIT
+/* pel_above: by y, and by x at one y. pel_topmost: which vertex is the topmost,
+ * of equally high ones the left one; planes of values over a triangle are
+ * anchored there. 64-bit CPUs compare both coordinates as one number, without
+ * branches that cannot be predicted. */
+#if PEL_64BIT
+static inline bool pel_above(const struct pel_point *a,
+                             const struct pel_point *b)
+{
+    return a->y * INT64_C(4294967296) + a->x <
+           b->y * INT64_C(4294967296) + b->x;
+}
+
 static inline int pel_topmost(const struct pel_point v[3])
 {
     const int64_t a = pel_point_key(&v[0]), b = pel_point_key(&v[1]),
@@ -63,6 +54,12 @@ static inline int pel_topmost(const struct pel_point v[3])
     return (second & ~third) + 2 * third;
 }
 #else
+static inline bool pel_above(const struct pel_point *a,
+                             const struct pel_point *b)
+{
+    return a->y < b->y || (a->y == b->y && a->x < b->x);
+}
+
 static inline int pel_topmost(const struct pel_point v[3])
 {
     const int i = pel_above(&v[1], &v[0]) ? 1 : 0;

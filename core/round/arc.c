@@ -10,8 +10,9 @@ struct walk {
 };
 
 /* Separate functions, so that their stack is free while a row is painted. */
-static PEL_WIDE bool start(struct walk *w, const struct pel_surface *surface,
-                           const struct pel_arc_shape *arc)
+static PEL_NOINLINE_32 bool start(struct walk *w,
+                                  const struct pel_surface *surface,
+                                  const struct pel_arc_shape *arc)
 {
     pel_cut_begin(&w->cut, surface);
     return pel_ring_start(&w->ring, &arc->center, arc->inner, arc->outer,
@@ -21,7 +22,8 @@ static PEL_WIDE bool start(struct walk *w, const struct pel_surface *surface,
 }
 
 /* Cuts the spans of a row and moves on to the next. */
-static PEL_WIDE void cut_row(struct walk *w, const struct pel_arc_shape *arc)
+static PEL_NOINLINE_32 void cut_row(struct walk *w,
+                                    const struct pel_arc_shape *arc)
 {
     const struct pel_rect *clip = &w->cut.spans.surface->clip;
     struct pel_span disc, *span = w->cut.span;

@@ -21,7 +21,7 @@ static PEL_NOINLINE void side_start(struct side *s, int64_t half_width2,
 }
 
 /* Returns the columns of the row and moves on to the next. */
-static PEL_HOT int32_t side_next(struct side *s, int32_t v)
+static PEL_INLINE_64 int32_t side_next(struct side *s, int32_t v)
 {
     pel_disc_side_adjust(&s->d, &s->u, &s->columns, s->limit);
     s->d -= v + 128;
@@ -35,7 +35,7 @@ static PEL_HOT int32_t side_next(struct side *s, int32_t v)
 static bool mirrored(const struct side *left, const struct side *right,
                      int32_t radius)
 {
-    return PEL_FAST_64BIT && (right->u == 0 || right->u == 128) &&
+    return PEL_64BIT && (right->u == 0 || right->u == 128) &&
            pel_min(left->limit, right->limit) > radius >> 8;
 }
 

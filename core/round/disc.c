@@ -31,8 +31,8 @@ void pel_disc_start(struct pel_disc *disc, const struct pel_rect *clip,
 }
 
 /* The columns of a side in this row, at most `limit`, from `first` outwards. */
-static PEL_HOT int32_t columns(struct pel_disc_side *s, int32_t first,
-                               int32_t limit)
+static PEL_INLINE_64 int32_t columns(struct pel_disc_side *s, int32_t first,
+                                     int32_t limit)
 {
     int32_t n = (s->u - first) >> 8;
     pel_disc_side_adjust(&s->d, &s->u, &n, limit);

@@ -32,12 +32,12 @@ static PEL_ALWAYS_INLINE void pel_disc_side_adjust(int64_t *d, int32_t *u,
                                                    int32_t *columns,
                                                    int32_t limit)
 {
-    if (PEL_FAST_64BIT && *d < 0) {
+    if (PEL_64BIT && *d < 0) {
         pel_disc_side_remove(d, u, columns);
         return;
     }
     pel_disc_side_add(d, u, columns, limit);
-    if (!PEL_FAST_64BIT)
+    if (!PEL_64BIT)
         pel_disc_side_remove(d, u, columns);
 }
 

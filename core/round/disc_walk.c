@@ -1,7 +1,5 @@
 #include "disc_walk.h"
 
-#include "../pel_config.h"
-
 bool pel_disc_walk_start(struct pel_disc_walk *w,
                          const struct pel_point *center, int32_t radius,
                          const struct pel_rect *clip)

@@ -1,7 +1,5 @@
 #include "rounded_rectangle_walk.h"
 
-#include "../pel_config.h"
-
 static bool legal(const struct pel_rounded_shape *r)
 {
     return pel_point_legal(r->from) && pel_point_legal(r->to) &&

@@ -14,8 +14,8 @@ void pel_clip_start(struct pel_clip *clip)
 /* How far inside plane 0 (near) or 1..4 (guard band: right, left, bottom, top)
  * a place is. The sub-pixel is at most limit: center + x 2^spread / z <= limit;
  * below 2^55. */
-static PEL_WIDE int64_t depth_inside(const struct pel_projector *p,
-                                     const int32_t place[3], int plane)
+static PEL_NOINLINE_32 int64_t depth_inside(const struct pel_projector *p,
+                                            const int32_t place[3], int plane)
 {
     const int k = plane > 2;
     const int32_t z = p->one ? p->one : place[2];
@@ -38,10 +38,10 @@ static void mix(const int32_t a[3], const int32_t b[3], int32_t part,
 /* The place of an edge where it meets the plane, from its corner inside: n / d
  * of the way, both below 2^57 and cut to d's first 32 bits. Rounding leaves it
  * before the near plane. */
-static PEL_WIDE void cut_edge(const struct pel_projector *p,
-                              const struct pel_clip_corner *a,
-                              const struct pel_clip_corner *b,
-                              struct pel_clip_corner *cut)
+static PEL_NOINLINE_32 void cut_edge(const struct pel_projector *p,
+                                     const struct pel_clip_corner *a,
+                                     const struct pel_clip_corner *b,
+                                     struct pel_clip_corner *cut)
 {
     if (a->inside < 0) {
         const struct pel_clip_corner *swap = a;

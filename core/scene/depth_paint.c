@@ -51,7 +51,7 @@ static int32_t skip(const struct pel_depth_paint *p, int32_t x, int32_t x1,
 }
 
 /* Runs that go to the inner paint at a time. */
-enum { RUNS = PEL_FAST_64BIT ? 8 : 4 };
+enum { RUNS = PEL_64BIT ? 8 : 4 };
 
 /* Runs of one line, so the step is 0. The pixel at which a run begins was
  * found, and with `keeps` noted, by the search for it. */

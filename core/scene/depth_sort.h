@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "../pel_config.h"
+#include "../base/inline.h"
 
 PEL_BEGIN_DECLS
 

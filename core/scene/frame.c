@@ -80,8 +80,8 @@ void pel_frame_colors(const struct pel_frame *frame, pel_color color[3])
 }
 
 /* Do the xs, or the ys, reach into pixels [first, end)? */
-static PEL_WIDE bool range_meets(const struct pel_point at[3], bool y,
-                                 int32_t first, int32_t end)
+static PEL_NOINLINE_32 bool range_meets(const struct pel_point at[3], bool y,
+                                        int32_t first, int32_t end)
 {
     int32_t low = INT32_MAX, high = INT32_MIN;
     for (int i = 0; i < 3; i++) {

@@ -3,7 +3,7 @@
 #define PEL_SCENE_MESH_H
 
 #include "../asset/mesh_asset.h"
-#include "../pel_config.h"
+#include "../base/inline.h"
 
 PEL_BEGIN_DECLS
 

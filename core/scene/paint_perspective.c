@@ -38,8 +38,9 @@ static bool divide(const struct pel_perspective *p, int32_t x, int32_t y,
 }
 
 /* Linear over a span, `way` pixels from its begin. */
-static PEL_WIDE void set_line(struct pel_texture_plane *line, uint64_t from,
-                              uint64_t to, int span, int32_t way)
+static PEL_NOINLINE_32 void set_line(struct pel_texture_plane *line,
+                                     uint64_t from, uint64_t to, int span,
+                                     int32_t way)
 {
     line->dx = (uint64_t)((int64_t)(to - from) >> span);
     line->at = from + (uint64_t)way * line->dx;
@@ -89,10 +90,10 @@ static bool thin(const struct pel_plane_setup *s)
 
 /* What corners differ from the first one in, times w, 2^-reach: with 2^reach
  * above the largest of it; of more than 31 bits, the first ones. */
-static PEL_WIDE void set_plane(struct pel_perspective *p, int k,
-                               const struct pel_plane_setup *setup,
-                               const struct pel_texture_corner corner[3],
-                               const int32_t w[3])
+static PEL_NOINLINE_32 void set_plane(struct pel_perspective *p, int k,
+                                      const struct pel_plane_setup *setup,
+                                      const struct pel_texture_corner corner[3],
+                                      const int32_t w[3])
 {
     int64_t way[3];
     int32_t value[3];

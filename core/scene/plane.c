@@ -5,7 +5,7 @@
 #include "../raster/triangle_sort.h"
 #include "vector.h"
 
-#if !PEL_FAST_64BIT
+#if !PEL_64BIT
 uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y)
 {
     return p->at + pel_times(p->dx, x) + pel_times(p->dy, y);

@@ -42,7 +42,7 @@ static inline struct pel_plane pel_plane_level(int32_t value)
 }
 
 /* The value at (x, y). */
-#if PEL_FAST_64BIT
+#if PEL_64BIT
 static inline uint64_t pel_plane_at(const struct pel_plane *p, int32_t x,
                                     int32_t y)
 {

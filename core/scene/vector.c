@@ -1,22 +1,20 @@
 #include "vector.h"
 
-#if !PEL_FAST_64BIT
+#if !PEL_64BIT
 #define PEL_WIDE_SUM
 #include "vector_sums.h"
 #endif
 
 int pel_bits_of(uint64_t v)
 {
-#if defined(__GNUC__) && PEL_FAST_64BIT
-    return v ? 64 - __builtin_clzll(v) : 0;
-#else
     int bits = 0;
+    if (PEL_64BIT)
+        return v ? 64 - pel_leading_zeros(v) : 0;
     for (; v >> 32; bits += 8)
         v >>= 8;
     for (uint32_t low = (uint32_t)v; low; low >>= 1)
         bits++;
     return bits;
-#endif
 }
 
 uint64_t pel_reach_of(const int64_t v[3])

@@ -4,7 +4,7 @@
 #define PEL_SCENE_VECTOR_H
 
 #include "../base/point.h"
-#include "../pel_config.h"
+#include "../base/inline.h"
 
 /* Places in the world: 1/65,536 unit, from -16,384 to 16,384 units. A
  * difference of two fits 32 bits unsigned, and their sum weighted by a unit
@@ -27,19 +27,19 @@ typedef int32_t pel_factor;
 #define PEL_FACTOR(percent) PEL_CAST(pel_factor, (percent)*INT64_C(65536) / 100)
 #define PEL_FACTOR_END (UINT32_C(16) * 65536)
 
-/* The sums that follow are in the header where they are short, and there once
- * where 64 bits are long code. */
-#if PEL_FAST_64BIT
+/* Sums are in the header where they are short, and in vector.c where 64 bits
+ * are long code. */
+#if PEL_64BIT
 #include "vector_sums.h"
-#endif
-
+#else
 PEL_BEGIN_DECLS
-
-#if !PEL_FAST_64BIT
 int64_t pel_scale_down(int64_t v, int n);
 int32_t pel_scaled(int32_t a, int32_t b, int n);
 int64_t pel_dot(const int32_t a[3], const int32_t b[3]);
+PEL_END_DECLS
 #endif
+
+PEL_BEGIN_DECLS
 
 /* Bits of v: 0 for 0, otherwise 2^(bits - 1) <= v < 2^bits. */
 int pel_bits_of(uint64_t v);

@@ -96,7 +96,7 @@ static void take_rows(const struct pel_paint *paint,
         take(p, rows->y + i * rows->step, rows->span[i].x0, rows->span[i].x1);
 }
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 static bool take_fast(const struct pel_paint *paint,
                       const struct pel_surface *surface,
                       const struct pel_fast_triangle *t)
@@ -152,7 +152,7 @@ static void test_half_pixels(void **state)
     check_all(&p, 1);
 }
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 static void test_quarter_pixels_fast(void **state)
 {
     struct picture p = {{take_rows, take_fast}, 0, false};
@@ -188,7 +188,7 @@ int main(void)
         cmocka_unit_test(test_half_planes),
         cmocka_unit_test(test_quarter_pixels),
         cmocka_unit_test(test_half_pixels),
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
         cmocka_unit_test(test_quarter_pixels_fast),
 #endif
     };

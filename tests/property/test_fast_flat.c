@@ -1,11 +1,11 @@
-/* The writers that own the row loop of a triangle (paint_flat_fast.c,
- * gouraud_fast.c) and those of runs below them, against the portable build,
+/* The writers that own the row loop of a triangle (fast_flat.c,
+ * fast_gouraud.c) and those of runs below them, against the portable build,
  * byte for byte: first rows of every width from 0 to 40 px, at every place of a
  * row against 16 bytes, heights on both sides of the one from which rows are
  * prefetched. */
 #include <string.h>
 
-#include "core/format/put565.h"
+#include "core/format/vector.h"
 #include "tests/support/check.h"
 #include "tests/support/portable.h"
 

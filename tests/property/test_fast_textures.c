@@ -1,5 +1,5 @@
-/* The writers of textured triangles (paint_texture_nearest_fast.c,
- * paint_texture_bilinear_fast.c) against the portable build, byte for byte:
+/* The writers of textured triangles (fast_texture_nearest.c,
+ * fast_texture_bilinear.c) against the portable build, byte for byte:
  * pictures of every kind and odd sizes, u and v from inside the picture to two
  * pictures outside, runs of every length up to 70 px, each picture in memory of
  * its own size, so that a sanitizer sees what is read beside it. */

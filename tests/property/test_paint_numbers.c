@@ -1,5 +1,5 @@
 /* The numbers under the paints: square roots, quotients. */
-#include "core/base/fraction.h"
+#include "core/base/divide.h"
 #include "core/base/sqrt.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"

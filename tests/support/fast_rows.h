@@ -2,9 +2,9 @@
 #ifndef TESTS_SUPPORT_FAST_ROWS_H
 #define TESTS_SUPPORT_FAST_ROWS_H
 
-#include "core/raster/fast_triangle.h"
+#include "core/fast/fast_triangle.h"
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 
 typedef void fast_row(void *context, int32_t y, int32_t x0, int32_t x1);
 

@@ -27,7 +27,7 @@ static void check_row(void *probe, int32_t y, int32_t x0, int32_t x1)
                  x0, x1, cases_replay());
 }
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 
 static bool take_fast(const struct pel_paint *paint,
                       const struct pel_surface *surface,

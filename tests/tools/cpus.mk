@@ -25,11 +25,12 @@ cpu_cc_gcc = $(if $(CPU_PREFIX_$1),$(CPU_PREFIX_$1)-)gcc
 cpu_cc_clang = clang$(if $(CPU_PREFIX_$1), --target=$(CPU_PREFIX_$1))
 
 # Ways of core that a 64-bit CPU does not take by itself.
-CPU_VARIANT_narrow := -DPEL_FAST_64BIT=0
+CPU_VARIANT_narrow := -DPEL_64BIT=0
+CPU_VARIANT_nofill := -DPEL_FAST_FILLS=0
 CPU_VARIANT_plain := -DPEL_VECTORS=0
 
 CPU_CHECK := $(foreach o,O0 Os O3,gcc-host-$o clang-host-$o) \
-    gcc-host-O2-narrow clang-host-O2-plain gcc-armhf-O0 gcc-m4-O0 \
+    gcc-host-O2-narrow gcc-host-O2-nofill clang-host-O2-plain gcc-armhf-O0 gcc-m4-O0 \
     $(foreach p,i686 armhf aarch64 s390x $(MICRO_CPUS),gcc-$p-O2)
 CPU_DEEP := $(foreach c,gcc clang,$(foreach o,O0 Os O2 O3,\
     $(foreach p,$(CPUS),$c-$p-$o) \

@@ -5,11 +5,11 @@
 set -eu
 cd "$(dirname "$0")/../.."
 
-find core drivers port -name '*.[ch]' | sort | xargs awk '
+find core drivers port -name '*.[ch]' -o -name '*.inc' | sort | xargs awk '
     BEGIN {
         allow("core", "core/base core/format core/raster core/round" \
               " core/outline core/hit core/paint core/scene core/asset" \
-              " core/image")
+              " core/image core/fast")
         allow("core/base", "core")
         allow("core/format", "core core/base")
         allow("core/raster", "core core/base core/format")
@@ -18,6 +18,7 @@ find core drivers port -name '*.[ch]' | sort | xargs awk '
               " core/round")
         allow("core/hit", "core core/base core/raster core/round")
         allow("core/paint", "core core/base core/format core/raster core/round")
+        allow("core/fast", "core/base core/format core/raster core/paint")
         allow("core/scene", "core core/base core/asset core/format" \
               " core/raster core/paint")
         allow("core/asset", "core core/base")

@@ -3,7 +3,7 @@
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 files=$(find core drivers port sim bench tests examples \
-    -name '*.[ch]' -o -name '*.cpp' | sort)
+    -name '*.[ch]' -o -name '*.inc' -o -name '*.cpp' | sort)
 status=0
 LC_ALL=C awk -f tests/tools/metrics.awk $files || status=1
 clang-format --dry-run -Werror -style=file $files 2>&1 |

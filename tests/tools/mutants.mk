@@ -9,7 +9,7 @@
 # its own: such a change is noticed, whatever comes of it.
 TEST_FLAGS_mutant_host := $(filter-out -g,$(TEST_SANITIZE))
 TEST_FLAGS_mutant_portable := -O1 -fsanitize=undefined \
-    -fno-sanitize-recover=all -DPEL_FAST_64BIT=0 -DPEL_VECTORS=0 \
+    -fno-sanitize-recover=all -DPEL_64BIT=0 -DPEL_VECTORS=0 \
     -DPEL_KNOW_SIDES=0 -DPEL_LONG_MULTIPLY=0
 MUTANT_BUILDS := mutant_host mutant_portable
 MUTANT_TESTS := $(sort $(shell sed -n 's/#.*//; s/^core[^:]*: *//; s/+//g; \

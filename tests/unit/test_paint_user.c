@@ -79,7 +79,7 @@ static void test_every_shape_in_every_format(void **state)
     }
 }
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 
 struct counting {
     struct pel_paint paint;
@@ -142,7 +142,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_shape_in_every_format),
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
         cmocka_unit_test(test_fast_is_asked_first),
 #endif
     };

@@ -145,7 +145,7 @@ static void test_runs_are_direct(void **state)
     struct pel_format formats[2] = {pel_rgb565_le, pel_xrgb8888};
     struct pel_surface s;
     (void)state;
-    for (int f = 0; f < (PEL_FAST_64BIT ? 2 : 1); f++) {
+    for (int f = 0; f < (PEL_FAST_FILLS ? 2 : 1); f++) {
         formats[f].put = put_fails;
         assert_int_equal(pel_surface_init(&s, &formats[f], pixels,
                                           sizeof pixels,

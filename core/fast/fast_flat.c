@@ -1,11 +1,10 @@
-#include "fast_triangle.h"
-
-#if PEL_FAST_64BIT
-
 #include "../format/blend32.h"
 #include "../format/blend565.h"
 #include "../format/span16.h"
 #include "../format/span32.h"
+#include "fast_triangle.h"
+
+#if PEL_FAST_FILLS
 
 /* In lower triangles prefetches cost more than they gain. */
 enum { ROWS_WORTH_PREFETCHING = 128, ROWS_AHEAD = 4 };

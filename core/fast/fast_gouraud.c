@@ -1,8 +1,7 @@
+#include "../raster/gouraud_spans.h"
 #include "fast_triangle.h"
 
-#if PEL_FAST_64BIT
-
-#include "gouraud_spans.h"
+#if PEL_FAST_FILLS
 
 /* Written out, as all work for a row here: compilers would keep a loop over
  * three channels, and the channels in memory. */

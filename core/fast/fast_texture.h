@@ -1,18 +1,21 @@
 /* The rows of a textured triangle that is not clipped, on 64-bit CPUs, and four
  * pixels of a row at a time. */
-#ifndef PEL_PAINT_PAINT_TEXTURE_ROWS_H
-#define PEL_PAINT_PAINT_TEXTURE_ROWS_H
+#ifndef PEL_FAST_FAST_TEXTURE_H
+#define PEL_FAST_FAST_TEXTURE_H
 
 #include "../format/vector.h"
-#include "../raster/fast_triangle.h"
-#include "paint_texture_fetch.h"
-
-#if PEL_FAST_64BIT
+#include "../paint/paint_texture_fetch.h"
+#include "fast_triangle.h"
 
 /* Fills a run that leaves the picture, the general way. */
-void pel_texture_fill_run(const struct pel_texture *p,
-                          const struct pel_surface *surface, int32_t x,
-                          int32_t n, int32_t y);
+static inline void pel_texture_fill_run(const struct pel_texture *p,
+                                        const struct pel_surface *surface,
+                                        int32_t x, int32_t n, int32_t y)
+{
+    const struct pel_span span = {x, x + n};
+    const struct pel_spans spans = {surface, &span, y, 1, 1};
+    p->base.paint.fill(&p->base.paint, &spans);
+}
 
 /* A run of n > 0 pixels, and where the first is in the picture. */
 struct pel_texture_run {
@@ -181,6 +184,5 @@ static PEL_ALWAYS_INLINE void pel_texture_four_index(
     index[3] = (int32_t)(i[1] >> 32);
 }
 
-#endif
 #endif
 #endif

@@ -1,10 +1,7 @@
-#include "paint_texture_nearest_fast.h"
+#include "../format/word.h"
+#include "fast_texture.h"
 
-#if PEL_FAST_64BIT
-
-#include "../format/word16.h"
-#include "../format/word32.h"
-#include "paint_texture_rows.h"
+#if PEL_FAST_FILLS
 
 /* Texels are copied as they are, `bytes` wide, but for bits that are set. */
 static PEL_ALWAYS_INLINE uint32_t texel_at(const uint8_t *memory, int bytes,

@@ -1,14 +1,13 @@
-/* Triangles on 64-bit CPUs: an edge is one 32.32 number and one addition a row.
- * A paint that can write the format of the surface loops over the rows, so that
- * there is one indirect call per triangle. Only triangles inside the clip come
- * here; coverage is exactly that of edge.h (proof: fast_triangle.c). */
-#ifndef PEL_RASTER_FAST_TRIANGLE_H
-#define PEL_RASTER_FAST_TRIANGLE_H
+/* Triangles by 64-bit arithmetic: an edge is one 32.32 number and one addition
+ * a row. A paint that can write the format of the surface loops over the rows,
+ * so that there is one indirect call per triangle. Only triangles inside the
+ * clip come here; coverage is exactly that of edge.h (proof: fast_triangle.c).
+ */
+#ifndef PEL_FAST_FAST_TRIANGLE_H
+#define PEL_FAST_FAST_TRIANGLE_H
 
 #include "../format/word.h"
-#include "paint.h"
-
-#if PEL_FAST_64BIT
+#include "../raster/paint.h"
 
 /* x >> 32 is the first pixel on or right of the edge in this row. */
 struct pel_slope {
@@ -68,14 +67,4 @@ static inline uintptr_t pel_fast_walk_ahead(const struct pel_fast_walk *w,
            (uintptr_t)(columns * (int64_t)pixel_bytes);
 }
 
-/* Tries to draw a legal triangle; true when that is done, or it is empty. */
-bool pel_fast_triangle(const struct pel_surface *surface,
-                       const struct pel_point v[3],
-                       const struct pel_paint *paint);
-
-#else
-
-#define pel_fast_triangle(surface, v, paint) false
-
-#endif
 #endif

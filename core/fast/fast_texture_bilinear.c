@@ -1,8 +1,6 @@
-#include "paint_texture_bilinear_fast.h"
+#include "fast_texture.h"
 
-#if PEL_FAST_64BIT && PEL_VECTORS
-
-#include "paint_texture_rows.h"
+#if PEL_FAST_FILLS && PEL_VECTORS
 
 /* The colours of two texels of rgb565_le, the second in the upper half: as
  * pel_texel, both at a time. */

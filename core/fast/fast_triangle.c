@@ -1,8 +1,8 @@
 #include "fast_triangle.h"
 
-#include "triangle_sort.h"
+#include "../raster/triangle_sort.h"
 
-#if PEL_FAST_64BIT
+#if PEL_FAST_FILLS
 
 static int64_t floor_divide(int64_t n, int64_t d)
 {

@@ -1,0 +1,66 @@
+/* How declarations are spelled: in C and C++, and which functions are inlined.
+ * Without GNU C the compiler chooses. */
+#ifndef PEL_BASE_INLINE_H
+#define PEL_BASE_INLINE_H
+
+#include "../pel_config.h"
+
+/* Headers declare C functions; C++ has casts of its own. */
+#ifdef __cplusplus
+#define PEL_BEGIN_DECLS extern "C" {
+#define PEL_END_DECLS }
+#define PEL_CAST(type, value) static_cast<type>(value)
+#define PEL_CAST_ADDRESS(type, value) reinterpret_cast<type>(value)
+#else
+#define PEL_BEGIN_DECLS
+#define PEL_END_DECLS
+#define PEL_CAST(type, value) ((type)(value))
+#define PEL_CAST_ADDRESS(type, value) ((type)(value))
+#endif
+
+/* PEL_NOINLINE: the function's stack is free again when it returns.
+ * PEL_MAY_ALIAS: words of this type may lie in an array of another type. */
+#ifdef __GNUC__
+#define PEL_ALWAYS_INLINE inline __attribute__((__always_inline__))
+#define PEL_NOINLINE __attribute__((__noinline__))
+#define PEL_MAY_ALIAS __attribute__((__may_alias__))
+
+/* Zero bits above the highest one of v, which is not 0. */
+static inline int pel_leading_zeros(uint64_t v)
+{
+    return __builtin_clzll(v);
+}
+#else
+#define PEL_ALWAYS_INLINE inline
+#define PEL_NOINLINE
+#define PEL_MAY_ALIAS
+
+static inline int pel_leading_zeros(uint64_t v)
+{
+    int zeros = 0;
+    for (; !(v >> 63); v <<= 1)
+        zeros++;
+    return zeros;
+}
+#endif
+
+/* On 32-bit CPUs 64-bit numbers are long code and stack is short: there both
+ * are functions of their own. On others the first is inlined, the second as the
+ * compiler chooses. */
+#if PEL_64BIT
+#define PEL_INLINE_64 PEL_ALWAYS_INLINE
+#define PEL_NOINLINE_32
+#else
+#define PEL_INLINE_64 PEL_NOINLINE
+#define PEL_NOINLINE_32 PEL_NOINLINE
+#endif
+
+/* A loop that is a function of its own where registers are few (Thumb-1) or
+ * Thumb code is to be small, and is inlined elsewhere. */
+#if defined(__thumb__) && (!defined(__thumb2__) || !PEL_KNOW_SIDES)
+#define PEL_INLINE_LOOP PEL_NOINLINE
+#else
+#define PEL_INLINE_LOOP PEL_ALWAYS_INLINE
+#endif
+
+#endif

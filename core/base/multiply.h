@@ -1,0 +1,44 @@
+/* Products of 64 bits. */
+#ifndef PEL_BASE_MULTIPLY_H
+#define PEL_BASE_MULTIPLY_H
+
+#include "inline.h"
+
+PEL_BEGIN_DECLS
+
+/* pel_product: a b for |a|, |b| < 2^30. pel_multiply: a b without a sign.
+ * pel_times: a n modulo 2^64, of any a in two's complement. Small CPUs have
+ * functions that are shorter than the compiler's for 64 by 64 bits. */
+#if PEL_LONG_MULTIPLY
+static inline int64_t pel_product(int32_t a, int32_t b)
+{
+    return PEL_CAST(int64_t, a) * b;
+}
+
+static inline uint64_t pel_multiply(uint32_t a, uint32_t b)
+{
+    return PEL_CAST(uint64_t, a) * b;
+}
+
+static inline uint64_t pel_times(uint64_t a, int32_t n)
+{
+    return a * PEL_CAST(uint64_t, n);
+}
+#else
+int64_t pel_product(int32_t a, int32_t b);
+uint64_t pel_multiply(uint32_t a, uint32_t b);
+uint64_t pel_times(uint64_t a, int32_t n);
+#endif
+
+/* a b with a sign, of any two. */
+static inline int64_t pel_long_product(int32_t a, int32_t b)
+{
+    return PEL_CAST(int64_t, pel_times(PEL_CAST(uint64_t, a), b));
+}
+
+static inline int64_t pel_square(int32_t u)
+{
+    return pel_product(u, u);
+}
+PEL_END_DECLS
+#endif
