@@ -34,22 +34,12 @@ struct shape {
 typedef void draw(const struct pel_surface *s, const struct shape *shape,
                   const struct pel_paint *paint);
 
-static int setup(void **state)
+static void setup(void)
 {
     const struct pel_rect screen = {0, 0, SIDE, SIDE};
-    (void)state;
     hits_open(&hits, &screen);
     canvas_open(&canvas[0], &pel_gray8, &screen, CANVAS_AT_END);
     canvas_open(&canvas[1], &pel_gray8, &screen, CANVAS_UP);
-    return 0;
-}
-
-static int teardown(void **state)
-{
-    (void)state;
-    canvas_close(&canvas[0]);
-    canvas_close(&canvas[1]);
-    return 0;
 }
 
 static void fail_at(const struct shape *s, int i, const char *name)
@@ -96,10 +86,9 @@ static bool in_triangle(const void *shape, int32_t x, int32_t y)
 }
 
 /* Triples that differ by more than the order of their points. */
-static void test_triangles(void **state)
+static void test_triangles(void)
 {
     struct shape s = {{{0, 0}}, {NULL, 0, PEL_EVEN_ODD}, 0};
-    (void)state;
     for (int32_t i = 0; i < PLACES * PLACES; i++)
         for (int32_t j = i; j < PLACES * PLACES; j++)
             for (int32_t k = j; k < PLACES * PLACES; k++) {
@@ -124,12 +113,11 @@ static bool in_disc(const void *shape, int32_t x, int32_t y)
 
 /* Radii about which the disc reaches a border or the far side of the screen, or
  * takes in all of it. */
-static void test_circles(void **state)
+static void test_circles(void)
 {
     static const int32_t radii[] = {0,   1,   127, 128,  129,  255,  256,
                                     257, 384, 512, 1024, 1280, 2048, 300000};
     struct shape s = {{{0, 0}}, {NULL, 0, PEL_EVEN_ODD}, 0};
-    (void)state;
     for (int32_t i = 0; i < PLACES * PLACES; i++) {
         s.v[0] = place(i);
         for (size_t k = 0; k < sizeof radii / sizeof radii[0]; k++) {
@@ -170,10 +158,9 @@ static bool in_rectangle(const void *shape, int32_t x, int32_t y)
            py < s->v[1].y;
 }
 
-static void test_lines_and_rectangles(void **state)
+static void test_lines_and_rectangles(void)
 {
     struct shape s = {{{0, 0}}, {NULL, 0, PEL_EVEN_ODD}, 0};
-    (void)state;
     for (int32_t i = 0; i < PLACES * PLACES; i++)
         for (int32_t j = 0; j < PLACES * PLACES; j++) {
             s.v[0] = place(i);
@@ -197,10 +184,9 @@ static bool in_polygon(const void *shape, int32_t x, int32_t y)
     return reference_polygon_at(&((const struct shape *)shape)->outline, x, y);
 }
 
-static void test_quadrilaterals(void **state)
+static void test_quadrilaterals(void)
 {
     struct shape s = {{{0, 0}}, {s.v, 4, PEL_EVEN_ODD}, 0};
-    (void)state;
     for (int32_t i = 0; i < FEW * FEW * FEW * FEW * FEW * FEW * FEW * FEW;
          i++) {
         for (int32_t k = 0, rest = i; k < 4; k++, rest /= FEW * FEW)
@@ -215,11 +201,7 @@ static void test_quadrilaterals(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_triangles),
-        cmocka_unit_test(test_circles),
-        cmocka_unit_test(test_lines_and_rectangles),
-        cmocka_unit_test(test_quadrilaterals),
-    };
-    return cmocka_run_group_tests(tests, setup, teardown);
+    setup();
+    return RUN_TESTS(test_triangles, test_circles, test_lines_and_rectangles,
+                     test_quadrilaterals);
 }

@@ -39,9 +39,8 @@ enum {
     RADII = sizeof radii / sizeof *radii
 };
 
-static void test_ellipses(void **state)
+static void test_ellipses(void)
 {
-    (void)state;
     struct any_shape s = {.kind = ANY_ELLIPSE};
     for (int a = 0; a < RADII; a++)
         for (int b = 0; b < RADII; b++)
@@ -56,9 +55,8 @@ static void test_ellipses(void **state)
 
 /* One pixel centre is enough for shapes smaller than a pixel: every square of
  * up to 40 sub-pixels that holds it, with every radius that matters. */
-static void test_tiny_round_corners(void **state)
+static void test_tiny_round_corners(void)
 {
-    (void)state;
     struct any_shape s = {.kind = ANY_ROUNDED_RECTANGLE};
     for (int32_t side = 1; side <= 40; side++)
         for (int32_t x = 0; x <= side; x++)
@@ -75,9 +73,8 @@ static void test_tiny_round_corners(void **state)
                 }
 }
 
-static void test_round_corners(void **state)
+static void test_round_corners(void)
 {
-    (void)state;
     struct any_shape s = {.kind = ANY_ROUNDED_RECTANGLE};
     for (int w = 0; w < RADII; w++)
         for (int h = 0; h < RADII; h++)
@@ -95,10 +92,6 @@ static void test_round_corners(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ellipses),
-        cmocka_unit_test(test_tiny_round_corners),
-        cmocka_unit_test(test_round_corners),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_ellipses, test_tiny_round_corners,
+                     test_round_corners);
 }

@@ -63,9 +63,8 @@ static int32_t next_cut(struct random *r, int32_t from, int32_t end,
     return pel_min(cut, end);
 }
 
-static void test_tiles_equal_the_whole(void **state)
+static void test_tiles_equal_the_whole(void)
 {
-    (void)state;
     for (struct cases c = cases_of(60000); cases_next(&c);) {
         struct random *r = &c.random;
         struct item item = open_case(&c, false);
@@ -84,9 +83,8 @@ static void test_tiles_equal_the_whole(void **state)
     }
 }
 
-static void test_clip_is_crop(void **state)
+static void test_clip_is_crop(void)
 {
-    (void)state;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct item item = open_case(&c, false);
         const struct pel_rect b = whole.surface.bounds;
@@ -143,9 +141,8 @@ static void check_bytes(const struct item *item)
         }
 }
 
-static void test_bytes_follow_the_rule(void **state)
+static void test_bytes_follow_the_rule(void)
 {
-    (void)state;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct item item = open_case(&c, c.next % 2);
         item_draw(&core_default, &whole.surface, &item);
@@ -168,9 +165,8 @@ static struct item reordered(const struct item *item, int32_t i)
     return p;
 }
 
-static void test_vertex_order_changes_nothing(void **state)
+static void test_vertex_order_changes_nothing(void)
 {
-    (void)state;
     for (struct cases c = cases_of(30000); cases_next(&c);) {
         struct item item = open_case(&c, false);
         const struct pel_rect b = whole.surface.bounds;
@@ -208,9 +204,8 @@ static void extent_of(const struct item *item, const struct pel_rect *b,
     }
 }
 
-static void test_translation_changes_nothing(void **state)
+static void test_translation_changes_nothing(void)
 {
-    (void)state;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct item item = open_case(&c, false);
         struct pel_rect b = whole.surface.bounds, e;
@@ -233,12 +228,8 @@ static void test_translation_changes_nothing(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tiles_equal_the_whole),
-        cmocka_unit_test(test_clip_is_crop),
-        cmocka_unit_test(test_bytes_follow_the_rule),
-        cmocka_unit_test(test_vertex_order_changes_nothing),
-        cmocka_unit_test(test_translation_changes_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_tiles_equal_the_whole, test_clip_is_crop,
+                     test_bytes_follow_the_rule,
+                     test_vertex_order_changes_nothing,
+                     test_translation_changes_nothing);
 }

@@ -308,9 +308,8 @@ static void check_shape(const struct gradient *g, int32_t x, int32_t y)
         }
 }
 
-static void test_every_cell(void **state)
+static void test_every_cell(void)
 {
-    (void)state;
     static struct gradient g;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -334,9 +333,8 @@ static void test_every_cell(void **state)
     }
 }
 
-static void test_errors(void **state)
+static void test_errors(void)
 {
-    (void)state;
     static const pel_color two[2];
     const struct pel_point at = {0, 0}, to = {1, 0};
     const struct pel_point out = {PEL_COORDINATE_MAX + 1, 0};
@@ -384,9 +382,5 @@ static void test_errors(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_cell),
-        cmocka_unit_test(test_errors),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_every_cell, test_errors);
 }

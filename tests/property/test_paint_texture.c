@@ -200,9 +200,8 @@ static void check_row(struct random *r, const struct mapped *m,
     }
 }
 
-static void test_nearest(void **state)
+static void test_nearest(void)
 {
-    (void)state;
     for (struct cases c = cases_of(40000); cases_next(&c);) {
         if (c.next % 64 == 1)
             open_random_picture(&c.random, false);
@@ -212,9 +211,8 @@ static void test_nearest(void **state)
     histogram_end(&nearest_errors);
 }
 
-static void test_bilinear(void **state)
+static void test_bilinear(void)
 {
-    (void)state;
     for (struct cases c = cases_of(40000); cases_next(&c);) {
         if (c.next % 64 == 1)
             open_random_picture(&c.random, true);
@@ -245,9 +243,8 @@ static void check_unit_scale(init_function *init)
     }
 }
 
-static void test_unit_scale_is_exact(void **state)
+static void test_unit_scale_is_exact(void)
 {
-    (void)state;
     static const int16_t size[][2] = {{451, 300}, {256, 64}, {1, 1}, {13, 1}};
     for (int s = 0; s < 4; s++)
         for (int wrap = 0; wrap < 9; wrap++) {
@@ -260,9 +257,8 @@ static void test_unit_scale_is_exact(void **state)
 }
 
 /* Any order of the vertices gives the same map. */
-static void test_order_changes_nothing(void **state)
+static void test_order_changes_nothing(void)
 {
-    (void)state;
     static const int8_t order[5][3] = {
         {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     open_picture(451, 300, false);
@@ -315,9 +311,8 @@ static void check_formats(const struct pel_format *from,
     canvas_check(&source);
 }
 
-static void test_formats(void **state)
+static void test_formats(void)
 {
-    (void)state;
     for (int from = 0; from < LAYOUT_COUNT; from++)
         for (int to = 0; to < LAYOUT_COUNT; to++)
             for (uint8_t wrap = 0; wrap < 3; wrap++)
@@ -325,9 +320,8 @@ static void test_formats(void **state)
 }
 
 /* A surface with alpha shows what the same colours in an array show. */
-static void test_alpha_surface(void **state)
+static void test_alpha_surface(void)
 {
-    (void)state;
     static uint8_t memory[451 * 300 * 4];
     const struct pel_texture_map map = {{0x12345678, 0x9ABCDEF0, 0x13579BDF},
                                         {0x87654321, 0x2468ACE0, 0xFEDCBA98}};
@@ -354,9 +348,8 @@ static void test_alpha_surface(void **state)
     }
 }
 
-static void test_errors(void **state)
+static void test_errors(void)
 {
-    (void)state;
     const struct pel_texture_map map = PEL_TEXTURE_AT(0, 0);
     const pel_color one = 0;
     struct pel_texels t = {NULL, &one, 1, 1, false};
@@ -387,14 +380,7 @@ static void test_errors(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nearest),
-        cmocka_unit_test(test_bilinear),
-        cmocka_unit_test(test_unit_scale_is_exact),
-        cmocka_unit_test(test_order_changes_nothing),
-        cmocka_unit_test(test_formats),
-        cmocka_unit_test(test_alpha_surface),
-        cmocka_unit_test(test_errors),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_nearest, test_bilinear, test_unit_scale_is_exact,
+                     test_order_changes_nothing, test_formats,
+                     test_alpha_surface, test_errors);
 }

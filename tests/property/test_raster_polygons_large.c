@@ -105,46 +105,35 @@ static void check_polygons(generator *generate, uint64_t count)
     assert_true(covered > 0);
 }
 
-static void test_random(void **state)
+static void test_random(void)
 {
-    (void)state;
     check_polygons(shape_random, 6000);
     check_polygons(shape_adversarial, 6000);
 }
 
-static void test_pixels(void **state)
+static void test_pixels(void)
 {
-    (void)state;
     check_polygons(pixels, 6000);
 }
 
-static void test_stars_and_spirals(void **state)
+static void test_stars_and_spirals(void)
 {
-    (void)state;
     check_polygons(star, 4500);
     check_polygons(spiral, 4500);
 }
 
-static void test_combs(void **state)
+static void test_combs(void)
 {
-    (void)state;
     check_polygons(comb, 6000);
 }
 
-static void test_repeated_sides(void **state)
+static void test_repeated_sides(void)
 {
-    (void)state;
     check_polygons(repeat, 4500);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_pixels),
-        cmocka_unit_test(test_stars_and_spirals),
-        cmocka_unit_test(test_combs),
-        cmocka_unit_test(test_repeated_sides),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_random, test_pixels, test_stars_and_spirals,
+                     test_combs, test_repeated_sides);
 }

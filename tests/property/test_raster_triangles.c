@@ -31,23 +31,17 @@ static void check_triangles(generator *generate)
     print_message("%llu pixels covered\n", (unsigned long long)covered);
 }
 
-static void test_random_triangles(void **state)
+static void test_random_triangles(void)
 {
-    (void)state;
     check_triangles(shape_random);
 }
 
-static void test_adversarial_triangles(void **state)
+static void test_adversarial_triangles(void)
 {
-    (void)state;
     check_triangles(shape_adversarial);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_triangles),
-        cmocka_unit_test(test_adversarial_triangles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_random_triangles, test_adversarial_triangles);
 }

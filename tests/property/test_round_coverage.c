@@ -73,9 +73,8 @@ static void add(struct pel_rect *box, int32_t x, int32_t y)
 
 /* The dirty box is that of the pixels that belong to the shape or its outline
  * inside the clip, painting or not, and changes nothing of what is painted. */
-static void test_dirty_boxes(void **state)
+static void test_dirty_boxes(void)
 {
-    (void)state;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct random *r = &c.random;
         const enum any_kind kind = (enum any_kind)(random_word(r) % ANY_KINDS);
@@ -107,9 +106,8 @@ static void test_dirty_boxes(void **state)
     }
 }
 
-static void test_fills(void **state)
+static void test_fills(void)
 {
-    (void)state;
     for (int kind = 0; kind < ANY_KINDS; kind++) {
         const struct any_shape s = {.kind = (enum any_kind)kind};
         uint64_t usual = check_fills(s.kind, false);
@@ -120,9 +118,8 @@ static void test_fills(void **state)
     }
 }
 
-static void test_outlines(void **state)
+static void test_outlines(void)
 {
-    (void)state;
     for (int kind = 0; kind < ANY_KINDS; kind++) {
         const struct any_shape s = {.kind = (enum any_kind)kind};
         uint64_t usual = check_outlines(s.kind, false);
@@ -135,10 +132,5 @@ static void test_outlines(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fills),
-        cmocka_unit_test(test_outlines),
-        cmocka_unit_test(test_dirty_boxes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_fills, test_outlines, test_dirty_boxes);
 }

@@ -56,9 +56,8 @@ static struct drawing open_case(struct random *r)
     return d;
 }
 
-static void test_bytes_follow_the_rule(void **state)
+static void test_bytes_follow_the_rule(void)
 {
-    (void)state;
     uint64_t covered = 0;
     for (struct cases c = cases_of(60000); cases_next(&c);) {
         const struct drawing d = open_case(&c.random);
@@ -97,9 +96,8 @@ static void check_tile(const struct drawing *d, const struct pel_rect *t)
                          cases_replay());
 }
 
-static void test_tiles_equal_the_whole(void **state)
+static void test_tiles_equal_the_whole(void)
 {
-    (void)state;
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         const struct drawing d = open_case(&c.random);
         const struct pel_rect b = whole.surface.bounds;
@@ -118,16 +116,8 @@ static void test_tiles_equal_the_whole(void **state)
     }
 }
 
-static int teardown(void **state)
-{
-    (void)state;
-    canvas_close(&whole);
-    canvas_close(&tile);
-    return 0;
-}
-
 /* Clips with no pixel, far away or turned round: nothing is drawn. */
-static void test_empty_clips(void **state)
+static void test_empty_clips(void)
 {
     static const struct pel_rect clip[] = {
         {8388608, 0, 8388672, 64},
@@ -141,7 +131,6 @@ static void test_empty_clips(void **state)
     };
     static const pel_color colors[3] = {PEL_RGB(9, 8, 7), PEL_RGB(250, 0, 0),
                                         PEL_RGB(0, 3, 99)};
-    (void)state;
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         const struct drawing d = open_case(&c.random);
         pel_surface_clip(
@@ -155,10 +144,6 @@ static void test_empty_clips(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bytes_follow_the_rule),
-        cmocka_unit_test(test_tiles_equal_the_whole),
-        cmocka_unit_test(test_empty_clips),
-    };
-    return cmocka_run_group_tests(tests, NULL, teardown);
+    return RUN_TESTS(test_bytes_follow_the_rule, test_tiles_equal_the_whole,
+                     test_empty_clips);
 }

@@ -61,10 +61,9 @@ static void generate(struct random *r, struct shape *s, int32_t n)
 }
 
 /* v[1] is where the window looks: a point of the rim, or near the centre. */
-static void test_circles(void **state)
+static void test_circles(void)
 {
     struct shape s;
-    (void)state;
     for (struct cases c = cases_of(400000); cases_next(&c);) {
         generate(&c.random, &s, 2);
         wide dx = (wide)s.v[1].x - s.v[0].x, dy = (wide)s.v[1].y - s.v[0].y;
@@ -81,10 +80,9 @@ static void test_circles(void **state)
     }
 }
 
-static void test_lines(void **state)
+static void test_lines(void)
 {
     struct shape s;
-    (void)state;
     for (struct cases c = cases_of(400000); cases_next(&c);) {
         generate(&c.random, &s, 2);
         open_window(&c.random, &s, 2);
@@ -93,10 +91,9 @@ static void test_lines(void **state)
     }
 }
 
-static void test_rectangles(void **state)
+static void test_rectangles(void)
 {
     struct shape s;
-    (void)state;
     for (struct cases c = cases_of(200000); cases_next(&c);) {
         generate(&c.random, &s, 2);
         open_window(&c.random, &s, 2);
@@ -119,28 +116,25 @@ static void check_polygon(struct random *r, struct shape *s, int32_t n)
     hits_check(&hits, in_polygon, s, "polygon");
 }
 
-static void test_small_polygons(void **state)
+static void test_small_polygons(void)
 {
     struct shape s;
-    (void)state;
     for (struct cases c = cases_of(200000); cases_next(&c);)
         check_polygon(&c.random, &s, random_between(&c.random, 1, 7));
 }
 
-static void test_large_polygons(void **state)
+static void test_large_polygons(void)
 {
     struct shape s;
-    (void)state;
     for (struct cases c = cases_of(30000); cases_next(&c);)
         check_polygon(&c.random, &s, random_between(&c.random, 8, 28));
 }
 
 /* A triangle as a polygon is the triangle, by either rule. */
-static void test_triangle_polygons(void **state)
+static void test_triangle_polygons(void)
 {
     struct shape s;
     uint32_t scratch[64];
-    (void)state;
     for (struct cases c = cases_of(200000); cases_next(&c);) {
         generate(&c.random, &s, 3);
         s.outline = (struct pel_polygon_shape){
@@ -159,10 +153,9 @@ static bool lower(const struct pel_point *a, const struct pel_point *b)
 }
 
 /* Without area: the line between the two extreme vertices. */
-static void test_collinear_triangles(void **state)
+static void test_collinear_triangles(void)
 {
     struct shape s, line;
-    (void)state;
     for (struct cases c = cases_of(200000); cases_next(&c);) {
         generate(&c.random, &s, 3);
         if (random_word(&c.random) & 1)
@@ -184,14 +177,7 @@ static void test_collinear_triangles(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_circles),
-        cmocka_unit_test(test_lines),
-        cmocka_unit_test(test_rectangles),
-        cmocka_unit_test(test_small_polygons),
-        cmocka_unit_test(test_large_polygons),
-        cmocka_unit_test(test_triangle_polygons),
-        cmocka_unit_test(test_collinear_triangles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_circles, test_lines, test_rectangles,
+                     test_small_polygons, test_large_polygons,
+                     test_triangle_polygons, test_collinear_triangles);
 }

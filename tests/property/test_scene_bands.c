@@ -75,11 +75,10 @@ static int32_t cut(struct random *r, int32_t a, int32_t b)
     return a + (b - a < 16 ? 8 : random_between(r, 8, b - a - 8) & ~7);
 }
 
-static void test_bands_equal_the_whole(void **state)
+static void test_bands_equal_the_whole(void)
 {
     static struct drawing d;
     static struct canvas whole;
-    (void)state;
     for (struct cases c = cases_of(3000); cases_next(&c);) {
         struct random *r = &c.random;
         const struct layout *l = &layouts[random_word(r) % LAYOUT_COUNT];
@@ -101,11 +100,10 @@ static void test_bands_equal_the_whole(void **state)
     canvas_close(&whole);
 }
 
-static void test_formats_pack_one_picture(void **state)
+static void test_formats_pack_one_picture(void)
 {
     static struct drawing d;
     static struct canvas exact, packed;
-    (void)state;
     for (struct cases c = cases_of(1500); cases_next(&c);) {
         const struct layout *l =
             &layouts[random_word(&c.random) % LAYOUT_COUNT];
@@ -136,9 +134,5 @@ static void test_formats_pack_one_picture(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bands_equal_the_whole),
-        cmocka_unit_test(test_formats_pack_one_picture),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_bands_equal_the_whole, test_formats_pack_one_picture);
 }

@@ -136,11 +136,10 @@ static uint64_t check_line(int32_t at, bool column)
     return sum;
 }
 
-static void test_clipped_triangles_leave_no_gap(void **state)
+static void test_clipped_triangles_leave_no_gap(void)
 {
     static struct plane p;
     uint64_t seen = 0, clipped = 0;
-    (void)state;
     for (struct cases c = cases_of(8000); cases_next(&c);) {
         any_plane(&c.random, &p);
         draw(&p, SIDE);
@@ -188,12 +187,11 @@ static bool wrong(int32_t x, int32_t y)
 
 /* Where a triangle that is cut meets one that is not, both see the vertices
  * that they share at one place; and all bands do. */
-static void test_vertices_stay_where_neighbours_see_them(void **state)
+static void test_vertices_stay_where_neighbours_see_them(void)
 {
     static struct plane p;
     static uint8_t whole[SIDE][SIDE];
     uint64_t pictures = 0;
-    (void)state;
     for (struct cases c = cases_of(4000); cases_next(&c);) {
         any_far_plane(&c.random, &p);
         draw(&p, SIDE);
@@ -214,9 +212,6 @@ static void test_vertices_stay_where_neighbours_see_them(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_clipped_triangles_leave_no_gap),
-        cmocka_unit_test(test_vertices_stay_where_neighbours_see_them),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_clipped_triangles_leave_no_gap,
+                     test_vertices_stay_where_neighbours_see_them);
 }

@@ -89,10 +89,9 @@ static int draw_bands(struct fixture *f, int buffers, bool waits)
 static const struct pel_format *const formats[] = {&pel_rgb565_be, &pel_rgb888,
                                                    &pel_xrgb8888};
 
-static void test_one_buffer_waits(void **state)
+static void test_one_buffer_waits(void)
 {
     struct fixture f;
-    (void)state;
     for (struct cases c = cases_of(300); cases_next(&c);) {
         set_up(&f, formats[random_word(&c.random) % 3], &c);
         draw_whole(&f);
@@ -102,11 +101,10 @@ static void test_one_buffer_waits(void **state)
     }
 }
 
-static void test_two_buffers_in_turn_need_no_wait(void **state)
+static void test_two_buffers_in_turn_need_no_wait(void)
 {
     struct fixture f;
     int overlapping = 0;
-    (void)state;
     for (struct cases c = cases_of(300); cases_next(&c);) {
         set_up(&f, formats[random_word(&c.random) % 3], &c);
         draw_whole(&f);
@@ -119,11 +117,10 @@ static void test_two_buffers_in_turn_need_no_wait(void **state)
 }
 
 /* This is what the two above would look like if they were wrong. */
-static void test_one_buffer_without_wait_is_noticed(void **state)
+static void test_one_buffer_without_wait_is_noticed(void)
 {
     struct fixture f;
     int noticed = 0;
-    (void)state;
     for (struct cases c = cases_of(300); cases_next(&c);) {
         set_up(&f, &pel_rgb565_be, &c);
         draw_bands(&f, 1, false);
@@ -135,12 +132,11 @@ static void test_one_buffer_without_wait_is_noticed(void **state)
 
 /* A frame that is kept, of which only what changed is sent: what was drawn
  * before is still there after the transfer, and windows are rounded. */
-static void test_parts_of_a_kept_frame(void **state)
+static void test_parts_of_a_kept_frame(void)
 {
     struct fixture f;
     struct pel_surface s;
     struct display_dma nothing = {.steps_left = 0};
-    (void)state;
     for (struct cases c = cases_of(300); cases_next(&c);) {
         set_up(&f, formats[random_word(&c.random) % 3], &c);
         f.dma.window = 4;
@@ -164,14 +160,13 @@ static void test_parts_of_a_kept_frame(void **state)
     }
 }
 
-static void test_windows_that_are_not_rounded(void **state)
+static void test_windows_that_are_not_rounded(void)
 {
     struct fixture f;
     struct pel_surface s;
     struct cases c = cases_of(1);
     const struct pel_rect odd = {1, 4, 9, 8};
     struct pel_rect area = odd;
-    (void)state;
     cases_next(&c);
     set_up(&f, &pel_rgb565_be, &c);
     f.dma.window = 4;
@@ -191,12 +186,11 @@ static void test_windows_that_are_not_rounded(void **state)
 
 /* What went wrong in a transfer is told by the next call that waits for it, and
  * a frame that did not arrive is not flipped to. */
-static void test_a_transfer_that_never_ends(void **state)
+static void test_a_transfer_that_never_ends(void)
 {
     struct fixture f;
     struct pel_surface s;
     struct cases c = cases_of(1);
-    (void)state;
     cases_next(&c);
     set_up(&f, &pel_rgb565_be, &c);
     f.dma.broken = true;
@@ -212,13 +206,8 @@ static void test_a_transfer_that_never_ends(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_one_buffer_waits),
-        cmocka_unit_test(test_two_buffers_in_turn_need_no_wait),
-        cmocka_unit_test(test_one_buffer_without_wait_is_noticed),
-        cmocka_unit_test(test_parts_of_a_kept_frame),
-        cmocka_unit_test(test_windows_that_are_not_rounded),
-        cmocka_unit_test(test_a_transfer_that_never_ends),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(
+        test_one_buffer_waits, test_two_buffers_in_turn_need_no_wait,
+        test_one_buffer_without_wait_is_noticed, test_parts_of_a_kept_frame,
+        test_windows_that_are_not_rounded, test_a_transfer_that_never_ends);
 }

@@ -75,7 +75,7 @@ static enum pel_status dither_of_a_dither(union any_paint *p)
 }
 
 /* A paint whose init function failed draws nothing, whatever it was before. */
-static void test_failed_paints(void **state)
+static void test_failed_paints(void)
 {
     static enum pel_status (*const init[])(union any_paint *) = {
         linear,
@@ -92,7 +92,6 @@ static void test_failed_paints(void **state)
     static const struct pel_rect bounds = {0, 0, 16, 16};
     const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(16, 0), PEL_AT(0, 16)};
     const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
-    (void)state;
     for (size_t i = 0; i < sizeof init / sizeof *init; i++) {
         union any_paint p;
         struct pel_surface s;
@@ -111,11 +110,10 @@ static void test_failed_paints(void **state)
 }
 
 /* Coordinates at the ends of what fits show the picture's edge. */
-static void test_ends_of_the_range(void **state)
+static void test_ends_of_the_range(void)
 {
     static const pel_color texels[4] = {1, 2, 3, 4};
     const struct pel_texels t = {NULL, texels, 2, 2, false};
-    (void)state;
     for (int i = 0; i < 4; i++) {
         /* INT32_MIN texels, half a texel and the rounding of weights on */
         const uint64_t low = UINT64_C(0x800000007F800000);
@@ -132,9 +130,5 @@ static void test_ends_of_the_range(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_failed_paints),
-        cmocka_unit_test(test_ends_of_the_range),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_failed_paints, test_ends_of_the_range);
 }

@@ -72,19 +72,17 @@ static void check_symmetric(int32_t low, int32_t width)
         }
 }
 
-static void test_radius(void **state)
+static void test_radius(void)
 {
     const int32_t at = PEL_PX(MIDDLE) + 128;
-    (void)state;
     for (int32_t r = 0; r <= 200; r++) {
         plane_draw((struct pel_point){at, at}, PEL_PX(r));
         check_symmetric(MIDDLE - r, 2 * r + 1);
     }
 }
 
-static void test_diameter(void **state)
+static void test_diameter(void)
 {
-    (void)state;
     for (int32_t d = 1; d <= 200; d++) {
         const int32_t at = PEL_PX(100) + d * 128;
         plane_draw((struct pel_point){at, at}, d * 128);
@@ -102,18 +100,17 @@ static void check_rows(const char *const *rows)
 
 /* A corner, less or more the least step: one column in reach, the
  * left or the right one. */
-static void test_sides(void **state)
+static void test_sides(void)
 {
     static const char *const left[] = {"...", ".#.", "...", NULL};
     static const char *const right[] = {"...", "..#", "...", NULL};
-    (void)state;
     plane_draw((struct pel_point){PEL_PX(2) - 1, PEL_PX(1) + 128}, 127);
     check_rows(left);
     plane_draw((struct pel_point){PEL_PX(2) + 1, PEL_PX(1) + 128}, 127);
     check_rows(right);
 }
 
-static void test_pictures(void **state)
+static void test_pictures(void)
 {
     static const char *const radius_0[] = {"...", ".#.", "...", NULL};
     static const char *const radius_1[] = {".#.", "###", ".#.", NULL};
@@ -131,7 +128,6 @@ static void test_pictures(void **state)
     } row[] = {{384, 0, radius_0},     {384, 256, radius_1},
                {640, 512, radius_2},   {896, 768, radius_3},
                {256, 256, diameter_2}, {512, 512, diameter_4}};
-    (void)state;
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
         plane_draw((struct pel_point){row[i].at, row[i].at}, row[i].radius);
         check_rows(row[i].rows);
@@ -139,9 +135,8 @@ static void test_pictures(void **state)
 }
 
 /* Radius 0 is the pixel whose centre is the disc's, and nothing elsewhere. */
-static void test_radius_0_between_pixels(void **state)
+static void test_radius_0_between_pixels(void)
 {
-    (void)state;
     for (int32_t k = 0; k < 256; k++) {
         plane_draw((struct pel_point){PEL_PX(7) + k, PEL_PX(7) + 128}, 0);
         assert_int_equal(plane.hit[7][7], k == 128);
@@ -152,12 +147,6 @@ static void test_radius_0_between_pixels(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_radius),
-        cmocka_unit_test(test_diameter),
-        cmocka_unit_test(test_sides),
-        cmocka_unit_test(test_pictures),
-        cmocka_unit_test(test_radius_0_between_pixels),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_radius, test_diameter, test_sides, test_pictures,
+                     test_radius_0_between_pixels);
 }

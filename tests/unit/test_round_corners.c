@@ -19,9 +19,8 @@ static void check_near(int32_t got, long double want)
         fail_msg("corner: expected %Lf, got %d; %s", want, got, cases_replay());
 }
 
-static void test_corners_are_the_nearest(void **state)
+static void test_corners_are_the_nearest(void)
 {
-    (void)state;
     uint64_t checked = 0;
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         struct any_shape s;
@@ -47,9 +46,8 @@ static void test_corners_are_the_nearest(void **state)
     assert_true(checked > 0);
 }
 
-static void test_corners_of_a_point(void **state)
+static void test_corners_of_a_point(void)
 {
-    (void)state;
     struct pel_point v[4];
     const struct pel_thick_line_shape line = {PEL_AT(3, 4), PEL_AT(3, 4), 512};
     assert_true(pel_thick_line_corners(&line, v));
@@ -71,9 +69,8 @@ static void check_nothing(const struct any_shape *s)
 
 /* Nothing is drawn and nothing is hit beyond the range. The shapes hold pixel
  * (0, 0) but for what is out of range. */
-static void test_out_of_range(void **state)
+static void test_out_of_range(void)
 {
-    (void)state;
     static const enum any_kind kinds[] = {ANY_ELLIPSE, ANY_ROUNDED_RECTANGLE,
                                           ANY_RING,    ANY_SECTOR,
                                           ANY_ARC,     ANY_THICK_LINE};
@@ -108,10 +105,6 @@ static void test_out_of_range(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_corners_are_the_nearest),
-        cmocka_unit_test(test_corners_of_a_point),
-        cmocka_unit_test(test_out_of_range),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_corners_are_the_nearest, test_corners_of_a_point,
+                     test_out_of_range);
 }

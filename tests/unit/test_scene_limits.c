@@ -81,11 +81,10 @@ static bool meets_ground(real half, real height, int32_t x, int32_t y,
 }
 
 /* The ground goes on behind the eye, and out of range to the sides. */
-static void test_near_plane(void **state)
+static void test_near_plane(void)
 {
     static struct ground g;
     static struct canvas c;
-    (void)state;
     for (int32_t half = 64; half < 32000; half = half * 3 / 2) {
         int32_t wrong = 0;
         real at[2];
@@ -102,7 +101,7 @@ static void test_near_plane(void **state)
 }
 
 /* The same with a texture: no place of it moves by the cuts. */
-static void test_texture_across_the_near_plane(void **state)
+static void test_texture_across_the_near_plane(void)
 {
     enum { TEXELS = 256 };
     static pel_color texels[TEXELS * TEXELS];
@@ -113,7 +112,6 @@ static void test_texture_across_the_near_plane(void **state)
         .mapping = &pel_map_perspective,
         .sampler = pel_texture_init_nearest};
     real worst = 0, at[2];
-    (void)state;
     for (int32_t i = 0; i < TEXELS * TEXELS; i++)
         texels[i] = UINT32_C(0xFF000000) | (uint32_t)i;
     for (int32_t half = 64; half < 32000; half = half * 3 / 2) {
@@ -141,11 +139,10 @@ static void test_texture_across_the_near_plane(void **state)
 }
 
 /* A wall around the eye fills the picture, however far its corners are. */
-static void test_guard_band(void **state)
+static void test_guard_band(void)
 {
     static struct ground g;
     static struct canvas c;
-    (void)state;
     for (int16_t away = 1; away < 1000; away = (int16_t)(away * 2)) {
         ground_init(&g, 32767, away);
         for (int i = 0; i < 4; i++) { /* upright, before the eye */
@@ -161,11 +158,10 @@ static void test_guard_band(void **state)
     canvas_close(&c);
 }
 
-static void test_behind_is_nothing(void **state)
+static void test_behind_is_nothing(void)
 {
     static struct ground g;
     static struct canvas c;
-    (void)state;
     ground_init(&g, 1000, 10);
     g.scene.camera.near_plane = PEL_UNITS(100);
     draw(&g, &c);
@@ -176,7 +172,7 @@ static void test_behind_is_nothing(void **state)
 
 /* Opposite normals meet in one that has no direction: ambient light there, and
  * no colour beyond those of either side. */
-static void test_opposite_normals(void **state)
+static void test_opposite_normals(void)
 {
     static const int8_t normals[4][3] = {
         {0, 127, 0}, {0, -127, 0}, {0, -127, 0}, {0, 127, 0}};
@@ -191,7 +187,6 @@ static void test_opposite_normals(void **state)
         .diffuse = PEL_FACTOR(50),
         .shininess = 1};
     uint32_t bright = 0, dark = 0;
-    (void)state;
     ground_init(&g, 300, 100);
     g.mesh.normals8 = normals;
     g.scene.lighting = &lighting;
@@ -210,14 +205,13 @@ static void test_opposite_normals(void **state)
 
 /* Needles, seen from a side that makes them a few sub-pixels thick or less:
  * colours stay between those of their vertices. */
-static void test_slivers(void **state)
+static void test_slivers(void)
 {
     static const uint8_t colors[4][3] = {
         {10, 20, 30}, {240, 20, 130}, {10, 250, 30}, {10, 250, 230}};
     static struct ground g;
     static struct canvas c;
     int32_t seen = 0;
-    (void)state;
     for (int16_t thick = -40; thick <= 40; thick++) {
         ground_init(&g, 30000, 1);
         g.mesh.colors = colors;
@@ -247,13 +241,12 @@ static void test_slivers(void **state)
     canvas_close(&c);
 }
 
-static void test_a_wrong_index_is_named(void **state)
+static void test_a_wrong_index_is_named(void)
 {
     static struct ground g;
     static uint16_t indices16[2][3] = {{0, 1, 2}, {0, 4, 3}};
     static uint32_t indices32[2][3] = {{0, 1, 2}, {0, 2, UINT32_MAX}};
     struct pel_frame frame;
-    (void)state;
     ground_init(&g, 1000, 10);
     g.mesh.indices8 = NULL;
     g.mesh.indices16 = (void *)indices16;
@@ -288,12 +281,11 @@ static enum pel_status prepare(struct ground *g)
     return pel_scene_prepare(&frame, &g->scene, g->scratch, size);
 }
 
-static void test_what_cannot_be_seen_is_refused(void **state)
+static void test_what_cannot_be_seen_is_refused(void)
 {
     static struct ground g;
     const struct ground *clean = &g;
     struct ground bad;
-    (void)state;
     ground_init(&g, 1000, 10);
     assert_int_equal(prepare(&g), PEL_OK);
     bad = *clean;
@@ -319,7 +311,7 @@ static void test_what_cannot_be_seen_is_refused(void **state)
 }
 
 /* A plane of a million triangles, seen from above: no gap. */
-static void test_a_million_triangles(void **state)
+static void test_a_million_triangles(void)
 {
     enum { CELLS = 708 };
     const uint32_t row = CELLS + 1;
@@ -328,7 +320,6 @@ static void test_a_million_triangles(void **state)
     static struct canvas c;
     struct ground g;
     struct pel_frame frame;
-    (void)state;
     ground_init(&g, 1, 1);
     for (uint32_t i = 0; i < row * row; i++) {
         positions[i][0] = (int16_t)((int32_t)(i % row) * 92 - 32568);
@@ -367,16 +358,9 @@ static void test_a_million_triangles(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_near_plane),
-        cmocka_unit_test(test_texture_across_the_near_plane),
-        cmocka_unit_test(test_guard_band),
-        cmocka_unit_test(test_behind_is_nothing),
-        cmocka_unit_test(test_opposite_normals),
-        cmocka_unit_test(test_slivers),
-        cmocka_unit_test(test_a_wrong_index_is_named),
-        cmocka_unit_test(test_what_cannot_be_seen_is_refused),
-        cmocka_unit_test(test_a_million_triangles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(
+        test_near_plane, test_texture_across_the_near_plane, test_guard_band,
+        test_behind_is_nothing, test_opposite_normals, test_slivers,
+        test_a_wrong_index_is_named, test_what_cannot_be_seen_is_refused,
+        test_a_million_triangles);
 }
