@@ -40,7 +40,7 @@ TEST_TWINS := tests/property/test_raster_walks tests/property/test_raster_walks_
 # These name what only the default build has.
 TEST_HOST_ONLY := tests/property/test_fast_triangle $(TEST_TWINS)
 # These see what the knobs of core change inside.
-TEST_KNOBS := tests/property/test_raster_triangles tests/property/test_round_shapes \
+TEST_KNOBS := tests/property/test_raster_triangles \
     tests/property/test_all_pictures tests/property/test_scene_numbers \
     tests/property/test_scene_pictures tests/property/test_paint_gradients \
     tests/property/test_round_coverage \

@@ -1,4 +1,4 @@
-/* Polygons of 29 to 2,000 vertices against winding numbers: random ones, stars,
+/* Polygons of 8 to 2,000 vertices against winding numbers: random ones, stars,
  * spirals and combs, outlines that run over themselves, and sides of which many
  * begin, end or cross in one row. */
 #include "tests/support/check.h"
@@ -78,8 +78,8 @@ static void pixels(struct random *r, struct pel_point *v, int32_t n)
 /* Few vertices more often than many, as slow as these are. */
 static int32_t random_count(struct random *r)
 {
-    static const int32_t most[] = {40, 60, 100, 200, 600, VERTICES_MAX};
-    return random_between(r, 29, most[random_word(r) % 6]);
+    static const int32_t most[] = {20, 40, 60, 100, 200, 600, VERTICES_MAX};
+    return random_between(r, 8, most[random_word(r) % 7]);
 }
 
 static void check_polygons(generator *generate, uint64_t count)
@@ -107,8 +107,8 @@ static void check_polygons(generator *generate, uint64_t count)
 
 static void test_random(void)
 {
-    check_polygons(shape_random, 6000);
-    check_polygons(shape_adversarial, 6000);
+    check_polygons(shape_random, 10000);
+    check_polygons(shape_adversarial, 10000);
 }
 
 static void test_pixels(void)

@@ -1,12 +1,8 @@
 /* Decimals in text against exact 128-bit arithmetic. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
+#include "tests/support/check.h"
 
 #include "sim/cli/number.h"
 

@@ -1,11 +1,7 @@
 /* System E: the cases of the fill rule, y down and y up, against the rule as
  * exact arithmetic states it; and the two against each other. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "tests/support/check.h"
 
 #include "sim/demo/rules_sheet.h"
 

@@ -1,13 +1,9 @@
 /* Canvases: bands of every height give the bytes of the whole, in every format;
  * padding and negative strides change nothing that is seen. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "tests/support/check.h"
 
 #include "core/pel.h"
 #include "sim/image/canvas.h"

@@ -10,7 +10,7 @@ static void run(void **state)
     (*function)();
 }
 
-int check_run(const char *names, test_function *const *functions)
+int run_all_tests(const char *names, test_function *const *functions)
 {
     static char name[TESTS_MAX][NAME_SIZE];
     static struct CMUnitTest tests[TESTS_MAX];

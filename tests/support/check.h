@@ -13,9 +13,9 @@
 typedef void test_function(void);
 
 /* Runs the functions and returns what main shall: `return RUN_TESTS(a, b);` */
-#define RUN_TESTS(...)      \
-    check_run(#__VA_ARGS__, \
-              (test_function *const[]){__VA_ARGS__, (test_function *)0})
-int check_run(const char *names, test_function *const *functions);
+#define RUN_TESTS(...)          \
+    run_all_tests(#__VA_ARGS__, \
+                  (test_function *const[]){__VA_ARGS__, (test_function *)0})
+int run_all_tests(const char *names, test_function *const *functions);
 
 #endif

@@ -71,13 +71,12 @@ static void test_sides(void)
         {&left, &right, PEL_AT(0, 4), true},
         {&left, &right, PEL_AT(0, -4), false},
     };
-    setup();
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
         const struct pel_point v[3] = {
             {center.x + row[i].from->x, center.y + row[i].from->y},
             {center.x + row[i].to->x, center.y + row[i].to->y},
             {center.x + row[i].third.x, center.y + row[i].third.y}};
-        setup(NULL);
+        setup();
         pel_triangle(&hits.surface, v, &hits.paint);
         if (hits_at(&hits, 5, 5) != row[i].owned)
             fail_msg("row %zu: expected %d", i, row[i].owned);
