@@ -7,28 +7,15 @@
 
 static struct hits hits;
 
-static bool fill_at(const void *s, int32_t x, int32_t y)
-{
-    bool covered = any_reference_at(s, x, y);
-    if (covered != any_hit(s, x, y))
-        fail_msg("hit test of %d, %d: expected %d", x, y, covered);
-    return covered;
-}
-
-static bool outline_at(const void *s, int32_t x, int32_t y)
-{
-    return any_reference_outline_at(s, x, y);
-}
-
 static void check(const struct any_shape *s)
 {
     static const struct pel_rect window = {-3, -3, 4, 4};
     hits_open(&hits, &window);
     any_draw(&hits.surface, s, &hits.paint);
-    hits_check(&hits, fill_at, s, any_name(s));
+    hits_check(&hits, any_fill_expected, s, any_name(s));
     hits_open(&hits, &window);
     any_draw_outline(&hits.surface, s, &hits.paint);
-    hits_check(&hits, outline_at, s, any_name(s));
+    hits_check(&hits, any_outline_expected, s, any_name(s));
 }
 
 static const int32_t places[] = {0, 1, 63, 127, 128, 129, 200, 255};
@@ -69,7 +56,7 @@ static void test_tiny_round_corners(void)
                         fail_msg("hit: side %d at %d, %d", side, x, y);
                     hits_open(&hits, &(struct pel_rect){0, 0, 1, 1});
                     any_draw(&hits.surface, &s, &hits.paint);
-                    hits_check(&hits, fill_at, &s, "round corners");
+                    hits_check(&hits, any_fill_expected, &s, "round corners");
                 }
 }
 

@@ -86,15 +86,7 @@ static void check_tile(const struct drawing *d, const struct pel_rect *tile,
 {
     canvas_open(&other, whole.layout->format, tile, style);
     draw(&other.surface, d);
-    canvas_check(&other);
-    for (int32_t y = tile->y0; y < tile->y1; y++)
-        for (int32_t x = tile->x0; x < tile->x1; x++)
-            if (canvas_pixel(&whole, x, y) != canvas_pixel(&other, x, y))
-                fail_msg("%s, shape %d, tile at %d, %d: pixel %d, %d: "
-                         "whole %x, tile %x; %s",
-                         whole.layout->name, kind_of(d), tile->x0, tile->y0, x,
-                         y, canvas_pixel(&whole, x, y),
-                         canvas_pixel(&other, x, y), cases_replay());
+    canvas_check_part(&whole, &other);
 }
 
 /* Columns and rows where a tile of any format may begin: all, or every 8th. */
@@ -138,14 +130,7 @@ static void test_clip_is_crop(void)
         draw(&whole.surface, &d);
         pel_surface_clip(&other.surface, &clip);
         draw(&other.surface, &d);
-        canvas_check(&other);
-        const struct pel_rect *p = &other.surface.clip;
-        for (int32_t y = p->y0; y < p->y1; y++)
-            for (int32_t x = p->x0; x < p->x1; x++)
-                if (canvas_pixel(&whole, x, y) != canvas_pixel(&other, x, y))
-                    fail_msg("%s, shape %d: pixel %d, %d; %s",
-                             whole.layout->name, kind_of(&d), x, y,
-                             cases_replay());
+        canvas_check_part(&whole, &other);
     }
 }
 

@@ -226,7 +226,6 @@ static void test_bytes_are_the_plane(void)
             }
         canvas_check(&canvas);
     }
-    canvas_close(&canvas);
 }
 
 int main(void)

@@ -170,7 +170,6 @@ static void test_every_pixel_is_blended_once(void)
                              cases_replay());
             }
     }
-    canvas_close(&canvas);
 }
 
 int main(void)

@@ -11,20 +11,6 @@ enum { WINDOW = 20 };
 
 static struct hits hits;
 
-static bool fill_at(const void *s, int32_t x, int32_t y)
-{
-    bool covered = any_reference_at(s, x, y);
-    if (covered != any_hit(s, x, y))
-        fail_msg("%s: hit test of %d, %d: expected %d, got %d; %s", any_name(s),
-                 x, y, covered, !covered, cases_replay());
-    return covered;
-}
-
-static bool outline_at(const void *s, int32_t x, int32_t y)
-{
-    return any_reference_outline_at(s, x, y);
-}
-
 static void open_window(struct random *r, const struct any_shape *s)
 {
     const struct pel_rect window = any_window(r, s, WINDOW);
@@ -44,7 +30,7 @@ static uint64_t check_fills(enum any_kind kind, bool adversarial)
         any_random(&c.random, &s, kind, adversarial);
         open_window(&c.random, &s);
         any_draw(&hits.surface, &s, &hits.paint);
-        hits_check(&hits, fill_at, &s, any_name(&s));
+        hits_check(&hits, any_fill_expected, &s, any_name(&s));
         covered += hits.pixels;
     }
     return covered;
@@ -58,7 +44,7 @@ static uint64_t check_outlines(enum any_kind kind, bool adversarial)
         any_random(&c.random, &s, kind, adversarial);
         open_window(&c.random, &s);
         any_draw_outline(&hits.surface, &s, &hits.paint);
-        hits_check(&hits, outline_at, &s, any_name(&s));
+        hits_check(&hits, any_outline_expected, &s, any_name(&s));
         covered += hits.pixels;
     }
     return covered;
@@ -103,7 +89,9 @@ static void test_dirty_boxes(void)
                      dirty.box.y1, box.x0, box.y0, box.x1, box.y1,
                      cases_replay());
         if (paints)
-            hits_check(&hits, outline ? outline_at : fill_at, &s, any_name(&s));
+            hits_check(&hits,
+                       outline ? any_outline_expected : any_fill_expected, &s,
+                       any_name(&s));
         else
             assert_int_equal(hits.pixels, 0);
     }

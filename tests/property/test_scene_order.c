@@ -148,7 +148,6 @@ static void test_the_nearest_is_seen(void)
     print_message("%llu pixels, %llu with a surface nearer by less than a "
                   "step\n",
                   (unsigned long long)pixels, (unsigned long long)close_ones);
-    canvas_close(&c);
 }
 
 /* Is a pixel at distance z seen in front of one at z + gap? */

@@ -209,8 +209,6 @@ static void check_pictures(uint64_t count, dressing *dress, int32_t tolerance)
                   (unsigned long long)covered, (unsigned long long)differ,
                   (int)worst);
     assert_true(differ * 1000 <= covered);
-    canvas_close(&p.colors);
-    canvas_close(&p.numbers);
 }
 
 static void dress_vertices(struct random *r, struct picture *p)

@@ -211,3 +211,17 @@ bool any_reference_outline_at(const struct any_shape *s, int32_t x, int32_t y)
            !any_reference_at(&whole, x, y - 1) ||
            !any_reference_at(&whole, x, y + 1);
 }
+
+bool any_fill_expected(const void *s, int32_t x, int32_t y)
+{
+    const bool covered = any_reference_at(s, x, y);
+    if (covered != any_hit(s, x, y))
+        fail_msg("%s: hit test of %d, %d: expected %d; %s", any_name(s), x, y,
+                 covered, cases_replay());
+    return covered;
+}
+
+bool any_outline_expected(const void *s, int32_t x, int32_t y)
+{
+    return any_reference_outline_at(s, x, y);
+}

@@ -43,78 +43,71 @@ static void check_work(const char *name, uint64_t runs)
                  (int)hits.runs, (int)hits.pixels);
 }
 
-static void test_triangles(void)
+static void draw_triangle(uint64_t i)
 {
     const struct pel_point v[2][3] = {
         {{low, low}, {high, high - 5}, {low + 9000, high}},
         {{low, low + 1}, {high, high - 700}, {high - 300, high}}};
-    alarm(TOO_LONG);
-    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
-        open_window(i);
-        pel_triangle(&hits.surface, v[i % 2], &hits.paint);
-        check_work("triangle", 1);
-    }
-    alarm(0);
+    pel_triangle(&hits.surface, v[i % 2], &hits.paint);
 }
 
 /* A disc of this size shows one side, both or none. */
-static void test_circles(void)
+static void draw_circle(uint64_t i)
 {
-    alarm(TOO_LONG);
-    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
-        const struct pel_point at = {(int32_t)(i * 77777 % 16777216) + low,
-                                     (int32_t)(i * 55555 % 16777216) + low};
-        open_window(i);
-        pel_circle(&hits.surface, at, high - 255, &hits.paint);
-        check_work("circle", 1);
-    }
-    alarm(0);
+    const struct pel_point at = {(int32_t)(i * 77777 % 16777216) + low,
+                                 (int32_t)(i * 55555 % 16777216) + low};
+    pel_circle(&hits.surface, at, high - 255, &hits.paint);
 }
 
-static void test_lines(void)
+static void draw_line(uint64_t i)
 {
     const struct pel_point v[4] = {
         {low, low}, {high, high}, {low + 512, high}, {high, low + 99999}};
-    alarm(TOO_LONG);
-    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
-        open_window(i);
-        pel_line(&hits.surface, v[i % 4], v[(i + 1) % 4], &hits.paint);
-        check_work("line", 1);
-    }
-    alarm(0);
+    pel_line(&hits.surface, v[i % 4], v[(i + 1) % 4], &hits.paint);
 }
 
-static void test_rectangles(void)
+static void draw_rectangle(uint64_t i)
 {
     const struct pel_point from = {low, low}, to = {high, high};
-    alarm(TOO_LONG);
-    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
-        open_window(i);
-        pel_rectangle(&hits.surface, from, to, &hits.paint);
-        check_work("rectangle", 1);
-        assert_int_equal(hits.batches, batches_of(SIDE, PEL_COLLECT_ROWS));
-        assert_int_equal(hits.pixels, SIDE * SIDE);
-    }
-    alarm(0);
+    (void)i;
+    pel_rectangle(&hits.surface, from, to, &hits.paint);
+    assert_int_equal(hits.batches, batches_of(SIDE, PEL_COLLECT_ROWS));
+    assert_int_equal(hits.pixels, SIDE * SIDE);
 }
 
-static void test_polygons(void)
+static void draw_polygon(uint64_t i)
 {
     static const struct pel_point v[6] = {
         {-8388608, -8388608}, {8388607, 8388600},  {-8000000, 8388607},
         {8388607, -8388608},  {-8388608, 1000000}, {7000000, 3000000}};
+    const struct pel_polygon_shape p = {v, 6,
+                                        i % 2 ? PEL_EVEN_ODD : PEL_NON_ZERO};
     uint32_t scratch[64];
-    alarm(TOO_LONG);
-    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
-        const struct pel_polygon_shape p = {
-            v, 6, i % 2 ? PEL_EVEN_ODD : PEL_NON_ZERO};
-        open_window(i);
-        assert_int_equal(pel_polygon(&hits.surface, &p, &hits.paint, scratch,
-                                     sizeof scratch),
-                         PEL_OK);
-        check_work("polygon", 3);
+    assert_int_equal(
+        pel_polygon(&hits.surface, &p, &hits.paint, scratch, sizeof scratch),
+        PEL_OK);
+}
+
+static void test_huge_shapes(void)
+{
+    static const struct {
+        const char *name;
+        void (*draw)(uint64_t i);
+        uint64_t runs; /* of a row */
+    } rows[] = {{"triangle", draw_triangle, 1},
+                {"circle", draw_circle, 1},
+                {"line", draw_line, 1},
+                {"rectangle", draw_rectangle, 1},
+                {"polygon", draw_polygon, 3}};
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        alarm(TOO_LONG);
+        for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
+            open_window(i);
+            rows[k].draw(i);
+            check_work(rows[k].name, rows[k].runs);
+        }
+        alarm(0);
     }
-    alarm(0);
 }
 
 /* More runs in one line than a batch holds, and in the next one again. */
@@ -344,8 +337,7 @@ static void test_outline_of_many_runs(void)
 
 int main(void)
 {
-    return RUN_TESTS(test_triangles, test_circles, test_lines, test_rectangles,
-                     test_polygons, test_batches, test_batches_of_one_line,
+    return RUN_TESTS(test_huge_shapes, test_batches, test_batches_of_one_line,
                      test_rows_of_circle, test_pieces, test_needle,
                      test_zigzags, test_outline_of_many_runs);
 }

@@ -35,7 +35,6 @@ static void test_runs(void)
             for (int32_t n = 1; n <= LENGTH_MAX; n++)
                 check_load(&canvas, x, n);
     }
-    canvas_close(&canvas);
 }
 
 int main(void)

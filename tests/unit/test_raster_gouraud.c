@@ -39,7 +39,6 @@ static void test_last_bit_counts(void)
         check_last_bit(&canvas, 0x10001, cross);
         check_last_bit(&canvas, 0xFFFFFFFF, cross);
     }
-    canvas_close(&canvas);
 }
 
 /* A triangle without area covers nothing, and its set-up ends. */
@@ -62,7 +61,6 @@ static void test_one_point_three_times(void)
         pel_triangle_gouraud(&canvas.surface, v[i], c);
         assert_memory_equal(canvas.memory, canvas.before, canvas.size);
     }
-    canvas_close(&canvas);
     alarm(0);
 }
 
@@ -79,7 +77,6 @@ static void test_alpha_0_touches_nothing(void)
         if (memcmp(canvas.memory, canvas.before, canvas.size) != 0)
             fail_msg("%s: alpha 0 changed a pixel", layouts[f].name);
     }
-    canvas_close(&canvas);
 }
 
 /* Equal colours are that colour, exactly, wherever the vertices are. */
@@ -99,8 +96,6 @@ static void test_equal_colors_are_flat(void)
             if (memcmp(smooth.memory, flat.memory, flat.size) != 0)
                 fail_msg("%s, alpha %u", layouts[f].name, a);
         }
-    canvas_close(&smooth);
-    canvas_close(&flat);
 }
 
 static void test_what_is_refused(void)

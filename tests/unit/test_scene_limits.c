@@ -97,7 +97,6 @@ static void test_near_plane(void)
         if (wrong * 1000 > SIDE * SIDE)
             fail_msg("%d wide: %d pixels differ", half, wrong);
     }
-    canvas_close(&c);
 }
 
 /* The same with a texture: no place of it moves by the cuts. */
@@ -135,7 +134,6 @@ static void test_texture_across_the_near_plane(void)
     }
     print_message("texels off by %.4f at most\n", (double)worst);
     assert_true(worst < 1.0L / 64);
-    canvas_close(&c);
 }
 
 /* A wall around the eye fills the picture, however far its corners are. */
@@ -155,7 +153,6 @@ static void test_guard_band(void)
                 if (canvas_pixel(&c, x, y) != UINT32_C(0xFFFFFFFF))
                     fail_msg("away %d: pixel %d, %d", away, x, y);
     }
-    canvas_close(&c);
 }
 
 static void test_behind_is_nothing(void)
@@ -167,7 +164,6 @@ static void test_behind_is_nothing(void)
     draw(&g, &c);
     for (int32_t i = 0; i < SIDE * SIDE; i++)
         assert_int_equal(canvas_pixel(&c, i % SIDE, i / SIDE), 0);
-    canvas_close(&c);
 }
 
 /* Opposite normals meet in one that has no direction: ambient light there, and
@@ -200,7 +196,6 @@ static void test_opposite_normals(void)
             fail_msg("pixel %d, %d: %u", i % SIDE, i / SIDE, v);
     }
     assert_true(bright > 100 && dark > 100);
-    canvas_close(&c);
 }
 
 /* Needles, seen from a side that makes them a few sub-pixels thick or less:
@@ -238,7 +233,6 @@ static void test_slivers(void)
         }
     }
     assert_true(seen > 100);
-    canvas_close(&c);
 }
 
 static void test_a_wrong_index_is_named(void)
@@ -350,7 +344,6 @@ static void test_a_million_triangles(void)
     pel_scene_draw(&frame, &c.surface);
     for (int32_t i = 0; i < SIDE * SIDE; i++)
         assert_int_equal(canvas_pixel(&c, i % SIDE, i / SIDE), 0xFFFFFFFF);
-    canvas_close(&c);
     free(scratch);
     free(positions);
     free(indices);
