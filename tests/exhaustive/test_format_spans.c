@@ -28,9 +28,7 @@ static void check_run(const struct layout *l, int32_t from, int32_t n,
     const struct pel_flat flat = PEL_FLAT(color);
     const int32_t count = (int32_t)sizeof memory * 8 / l->bits;
     struct pel_surface s;
-    assert_int_equal(pel_surface_init(&s, l->format, memory, sizeof memory,
-                                      &(struct pel_rect){0, 0, count, 1}),
-                     PEL_OK);
+    s = surface_of(l->format, memory, sizeof memory, count, 1);
     memcpy(memory, before, sizeof memory);
     pel_rectangle(&s, (struct pel_point){PEL_PX(from), 0},
                   (struct pel_point){PEL_PX(from + n), 256}, &flat.paint);

@@ -147,10 +147,7 @@ static void test_writers_are_taken(void)
             const struct pel_flat flat = {{fill_fails, pel_flat_fast},
                                           colors[i]};
             struct pel_surface s;
-            assert_int_equal(pel_surface_init(&s, all[f], memory[0],
-                                              sizeof memory[0],
-                                              &(struct pel_rect){0, 0, 32, 32}),
-                             PEL_OK);
+            s = surface_of(all[f], memory[0], sizeof memory[0], 32, 32);
             pel_triangle(&s, v, &flat.paint);
         }
 }
@@ -166,10 +163,7 @@ static void test_gouraud_writers_are_taken(void)
     for (size_t f = 0; f < sizeof all / sizeof *all; f++) {
         struct pel_gouraud g;
         struct pel_surface s;
-        assert_int_equal(pel_surface_init(&s, all[f], memory[0],
-                                          sizeof memory[0],
-                                          &(struct pel_rect){0, 0, 32, 32}),
-                         PEL_OK);
+        s = surface_of(all[f], memory[0], sizeof memory[0], 32, 32);
         assert_int_equal(pel_gouraud_init(&g, v, colors), PEL_OK);
         g.paint.fill = fill_fails;
         pel_triangle(&s, v, &g.paint);

@@ -176,9 +176,7 @@ static void test_key_ignores_alpha(void)
     const struct pel_rect b = {0, 0, 8, 1};
     struct pel_surface argb;
     canvas_open(&to, &pel_rgb888, &b, 0);
-    assert_int_equal(pel_surface_init(&argb, &pel_argb8888, words, sizeof words,
-                                      &(struct pel_rect){0, 0, 3, 1}),
-                     PEL_OK);
+    argb = surface_of(&pel_argb8888, words, sizeof words, 3, 1);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 4; k++)
             ((uint8_t *)&words[i])[k] = (uint8_t)(color[i] >> 8 * k);

@@ -5,6 +5,7 @@
 #include "core/scene/pipeline.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
+#include "tests/support/layouts.h"
 
 enum { SIDE = 96, CELLS = 6, ROW = CELLS + 1 };
 
@@ -95,10 +96,7 @@ static void draw(struct plane *p, int32_t rows)
     struct pel_surface surface;
     struct pel_frame frame;
     memset(hits, 0, sizeof hits);
-    assert_int_equal(pel_surface_init(&surface, &pel_xrgb8888, pixels,
-                                      sizeof pixels,
-                                      &(struct pel_rect){0, 0, SIDE, SIDE}),
-                     PEL_OK);
+    surface = surface_of(&pel_xrgb8888, pixels, sizeof pixels, SIDE, SIDE);
     assert_int_equal(
         pel_scene_prepare(&frame, &p->scene, p->scratch, sizeof p->scratch),
         PEL_OK);

@@ -162,9 +162,7 @@ static bool told_apart(int64_t near, int64_t z, int64_t gap)
     struct pel_surface s;
     const struct pel_spans rows = {&s, &row, 0, 1, 1};
     assert_int_equal(pel_depth_init(&depth, &pixel, 16, memory, 2), PEL_OK);
-    assert_int_equal(pel_surface_init(&s, &pel_xrgb8888, &color, sizeof color,
-                                      &(struct pel_rect){0, 0, 1, 1}),
-                     PEL_OK);
+    s = surface_of(&pel_xrgb8888, &color, sizeof color, 1, 1);
     for (int i = 0; i < 2; i++) {
         const int64_t at = i ? z : z + gap;
         const struct pel_plane plane =

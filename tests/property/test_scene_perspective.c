@@ -5,6 +5,7 @@
 #include "core/pel.h"
 #include "tests/support/any_scene.h"
 #include "tests/support/check.h"
+#include "tests/support/layouts.h"
 #include "tests/support/reference_scene.h"
 
 enum { SIDE = 256, TEXELS = 1024 };
@@ -29,10 +30,7 @@ static void draw(const struct subject *s)
     struct pel_texture sampler;
     struct pel_perspective paint;
     memset(pixels, 0, sizeof pixels);
-    assert_int_equal(pel_surface_init(&surface, &pel_xrgb8888, pixels,
-                                      sizeof pixels,
-                                      &(struct pel_rect){0, 0, SIDE, SIDE}),
-                     PEL_OK);
+    surface = surface_of(&pel_xrgb8888, pixels, sizeof pixels, SIDE, SIDE);
     assert_int_equal(pel_texture_init_nearest(&sampler, &t, &none), PEL_OK);
     sampler.wrap_u = sampler.wrap_v = s->wrap;
     if (!pel_plane_start(&setup, s->v))

@@ -83,8 +83,7 @@ static void test_gouraud(void)
     struct pel_surface s;
     struct pel_point v[3];
     open_hits();
-    pel_surface_init(&s, &pel_xrgb8888, pixels, sizeof pixels,
-                     &(struct pel_rect){0, 0, 16, 16});
+    s = surface_of(&pel_xrgb8888, pixels, sizeof pixels, 16, 16);
     alarm(20);
     for (int k = 0; k < 6; k++)
         for (int i = 0; i < ILLEGAL; i++) {
@@ -150,9 +149,7 @@ static void test_places(void)
     uint32_t pixel = 0;
     struct pel_surface s;
     open_hits();
-    assert_int_equal(pel_surface_init(&s, &pel_xrgb8888, &pixel, sizeof pixel,
-                                      &(struct pel_rect){0, 0, 1, 1}),
-                     PEL_OK);
+    s = surface_of(&pel_xrgb8888, &pixel, sizeof pixel, 1, 1);
     for (int k = 0; k < 24; k++) {
         int32_t at[6] = {0, 0, 1, 1, 0, 0};
         at[k / 4] = place[k % 4];
@@ -211,12 +208,8 @@ static void check_twin(const struct pel_format *twin)
     const pel_color opaque[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0),
                                  PEL_RGB(0, 0, 255)};
     struct pel_surface s, other;
-    assert_int_equal(pel_surface_init(&s, twin, pixels, sizeof pixels,
-                                      &(struct pel_rect){0, 0, 8, 8}),
-                     PEL_OK);
-    assert_int_equal(pel_surface_init(&other, &pel_gray8, pixels, sizeof pixels,
-                                      &(struct pel_rect){0, 0, 8, 8}),
-                     PEL_OK);
+    s = surface_of(twin, pixels, sizeof pixels, 8, 8);
+    other = surface_of(&pel_gray8, pixels, sizeof pixels, 8, 8);
     pel_clear(&s, 0);
     pel_circle(&s, clipped[0], PEL_PX(4), &half.paint);
     expect_broken("twin, circle", 0);

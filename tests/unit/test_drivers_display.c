@@ -1,6 +1,7 @@
 /* The seam of displays against a display that is busy for a random time: who
  * may touch the pixels, and when. */
 #include "tests/support/check.h"
+#include "tests/support/layouts.h"
 
 #include <string.h>
 
@@ -24,11 +25,10 @@ static void set_up(struct fixture *f, const struct pel_format *format,
     memset(screen_memory, 0, sizeof(screen_memory));
     memset(memory, 0, sizeof(memory));
     memset(whole_memory, 0, sizeof(whole_memory));
-    pel_surface_init(&f->dma.screen, format, screen_memory,
-                     sizeof screen_memory,
-                     &(struct pel_rect){0, 0, WIDTH, HEIGHT});
-    pel_surface_init(&f->whole, format, whole_memory, sizeof whole_memory,
-                     &(struct pel_rect){0, 0, WIDTH, HEIGHT});
+    f->dma.screen =
+        surface_of(format, screen_memory, sizeof screen_memory, WIDTH, HEIGHT);
+    f->whole =
+        surface_of(format, whole_memory, sizeof whole_memory, WIDTH, HEIGHT);
     f->dma.random.state = random_word(&c->random);
     f->dma.most_steps = random_between(&c->random, 1, 12);
     display_dma_init(&f->display, &f->dma);
@@ -140,8 +140,8 @@ static void test_parts_of_a_kept_frame(void)
     for (struct cases c = cases_of(300); cases_next(&c);) {
         set_up(&f, formats[random_word(&c.random) % 3], &c);
         f.dma.window = 4;
-        pel_surface_init(&s, f.display.format, memory[0], sizeof memory[0],
-                         &(struct pel_rect){0, 0, WIDTH, HEIGHT});
+        s = surface_of(f.display.format, memory[0], sizeof memory[0], WIDTH,
+                       HEIGHT);
         for (int part = 0; part < 4; part++) {
             struct pel_rect area = {random_between(&c.random, 0, 20),
                                     random_between(&c.random, 0, 20),
@@ -170,8 +170,7 @@ static void test_windows_that_are_not_rounded(void)
     cases_next(&c);
     set_up(&f, &pel_rgb565_be, &c);
     f.dma.window = 4;
-    pel_surface_init(&s, &pel_rgb565_be, memory[0], sizeof memory[0],
-                     &(struct pel_rect){0, 0, WIDTH, HEIGHT});
+    s = surface_of(&pel_rgb565_be, memory[0], sizeof memory[0], WIDTH, HEIGHT);
     assert_int_equal(pel_display_begin(&f.display, &odd, &s), PEL_OK);
     assert_int_equal(pel_display_flush(&f.display, &s), PEL_ERROR_SIZE);
     pel_display_align(&f.display, &area);
@@ -194,8 +193,7 @@ static void test_a_transfer_that_never_ends(void)
     cases_next(&c);
     set_up(&f, &pel_rgb565_be, &c);
     f.dma.broken = true;
-    pel_surface_init(&s, &pel_rgb565_be, memory[0], sizeof memory[0],
-                     &(struct pel_rect){0, 0, WIDTH, HEIGHT});
+    s = surface_of(&pel_rgb565_be, memory[0], sizeof memory[0], WIDTH, HEIGHT);
     assert_int_equal(pel_display_flush(&f.display, &s), PEL_OK);
     assert_int_equal(pel_display_flush(&f.display, &s), PEL_ERROR_DEVICE);
     assert_int_equal(pel_display_wait(&f.display), PEL_ERROR_DEVICE);

@@ -26,9 +26,7 @@ static uint32_t blended(const struct pel_format *format, pel_color start,
 {
     const struct pel_flat flat = PEL_FLAT(color);
     struct pel_surface s;
-    assert_int_equal(pel_surface_init(&s, format, pixels, sizeof pixels,
-                                      &(struct pel_rect){0, 0, 8, 8}),
-                     PEL_OK);
+    s = surface_of(format, pixels, sizeof pixels, 8, 8);
     pel_clear(&s, start);
     for (int i = 0; i < times; i++)
         pel_rectangle(&s, screen[0], screen[1], &flat.paint);
@@ -120,10 +118,7 @@ static void check_x_bytes(const struct pel_format *format,
         for (int i = 0; i < 64; i++)
             before[i] = (uint8_t)(i * 37 % 128); /* no X bit is set */
         memcpy(pixels, before, sizeof before);
-        assert_int_equal(
-            pel_surface_init(&s, format, pixels, sizeof pixels,
-                             &(struct pel_rect){0, 0, 512 / format->bits, 1}),
-            PEL_OK);
+        s = surface_of(format, pixels, sizeof pixels, 512 / format->bits, 1);
         draw_run(&s, n, color, (enum way)way);
         memcpy(after, pixels, sizeof after);
         for (int i = 0; i < 512 / format->bits; i++) {
@@ -180,9 +175,7 @@ static void test_put(void)
             memory[i] = (uint8_t)random_word(&c.random);
         memcpy(pixels, memory, sizeof memory);
         random_colors(&c.random, colors, n);
-        assert_int_equal(pel_surface_init(&s, l->format, pixels, sizeof pixels,
-                                          &(struct pel_rect){0, 0, WIDTH, 1}),
-                         PEL_OK);
+        s = surface_of(l->format, pixels, sizeof pixels, WIDTH, 1);
         l->format->load(&s, 0, 0, WIDTH, was);
         l->format->put(&s, x, 0, n, colors);
         l->format->load(&s, 0, 0, WIDTH, got);

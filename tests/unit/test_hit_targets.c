@@ -1,8 +1,9 @@
-/* Hit tests: a list of targets, numbers out of range, thick lines of a few
- * sub-pixels. That each equals its fill is tested with the fills
- * (property/test_round_coverage). */
+/* Hit tests: a list of targets, thick lines of a few sub-pixels; and numbers
+ * out of range, of which nothing is hit or drawn. That each equals its fill is
+ * tested with the fills (property/test_round_coverage). */
 #include "tests/support/any_shape.h"
 #include "tests/support/check.h"
+#include "tests/support/hits.h"
 #include "tests/support/paint_math.h"
 
 struct disc_target {
@@ -109,14 +110,31 @@ static struct any_shape shape_at(enum any_kind kind, int32_t base, int32_t way)
     return s;
 }
 
-/* One number changed: the shape is not hit; then back again. */
+/* Around the pixel; polygons tell by their status. */
+static uint64_t pixels_drawn(const struct any_shape *s, int32_t pixel)
+{
+    static struct hits hits;
+    const int32_t low = pel_max(pixel - 16, -32768);
+    const int32_t high = pel_min(pixel + 16, 32768);
+    const struct pel_rect window = {low, low, high, high};
+    if (s->kind == ANY_POLYGON)
+        return 0;
+    hits_open(&hits, &window);
+    any_draw(&hits.surface, s, &hits.paint);
+    const uint64_t filled = hits.pixels;
+    hits_open(&hits, &window);
+    any_draw_outline(&hits.surface, s, &hits.paint);
+    return filled + hits.pixels;
+}
+
+/* One number changed: nothing is hit or drawn; then back again. */
 static void check_number(struct any_shape *s, int32_t *number, int32_t to,
                          int32_t pixel)
 {
     const int32_t from = *number;
     assert_true(any_hit(s, pixel, pixel));
     *number = to;
-    if (any_hit(s, pixel, pixel))
+    if (any_hit(s, pixel, pixel) || pixels_drawn(s, pixel))
         fail_msg("%s at %d: %d instead of %d", any_name(s), pixel, to, from);
     *number = from;
 }

@@ -117,9 +117,7 @@ static void test_fast_is_asked_first(void **state)
     static uint8_t pixels[64];
     struct pel_surface s;
     (void)state;
-    assert_int_equal(pel_surface_init(&s, &pel_gray8, pixels, sizeof pixels,
-                                      &(struct pel_rect){0, 0, 8, 8}),
-                     PEL_OK);
+    s = surface_of(&pel_gray8, pixels, sizeof pixels, 8, 8);
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
         struct counting c = {{count_rows, count_fast}, row[i].takes, 0, 0};
         pel_triangle(&s, row[i].v, &c.paint);

@@ -1,8 +1,7 @@
-/* Where the corners of thick lines are, and broken contracts of shapes. */
+/* Where the corners of thick lines are. */
 #include "core/raster/thick_line.h"
 #include "tests/support/any_shape.h"
 #include "tests/support/check.h"
-#include "tests/support/hits.h"
 
 /* Newton's root, from above. */
 static long double root(long double n)
@@ -55,56 +54,7 @@ static void test_corners_of_a_point(void)
         assert_true(v[i].x == PEL_PX(3) && v[i].y == PEL_PX(4));
 }
 
-static struct hits hits;
-
-static void check_nothing(const struct any_shape *s)
-{
-    const struct pel_rect window = {-20, -20, 20, 20};
-    hits_open(&hits, &window);
-    any_draw(&hits.surface, s, &hits.paint);
-    any_draw_outline(&hits.surface, s, &hits.paint);
-    assert_int_equal(hits.pixels, 0);
-    assert_false(any_hit(s, 0, 0));
-}
-
-/* Nothing is drawn and nothing is hit beyond the range. The shapes hold pixel
- * (0, 0) but for what is out of range. */
-static void test_out_of_range(void)
-{
-    static const enum any_kind kinds[] = {ANY_ELLIPSE, ANY_ROUNDED_RECTANGLE,
-                                          ANY_RING,    ANY_SECTOR,
-                                          ANY_ARC,     ANY_THICK_LINE};
-    static const int32_t radii[] = {-1, INT32_MIN, PEL_PX(32767) + 1,
-                                    INT32_MAX};
-    const struct any_shape good = {.v = {{-900, -900}, {900, 900}},
-                                   .radius = 2000,
-                                   .inner = 1400,
-                                   .from = 100,
-                                   .to = 40000};
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
-        struct any_shape s = good;
-        s.kind = kinds[i];
-        assert_true(any_hit(&s, 0, 0));
-        for (size_t k = 0; k < 4; k++) {
-            s.radius = radii[k];
-            check_nothing(&s);
-        }
-        s = good;
-        s.kind = kinds[i];
-        s.radius = PEL_PX(32767); /* reaches the window from there */
-        s.from = 0;
-        s.v[0].x = PEL_COORDINATE_MIN - 1;
-        check_nothing(&s);
-        s.from = 40000;
-        s.to = 60000;
-        s.v[0] = good.v[0];
-        s.v[0].y = PEL_COORDINATE_MAX + 1;
-        check_nothing(&s);
-    }
-}
-
 int main(void)
 {
-    return RUN_TESTS(test_corners_are_the_nearest, test_corners_of_a_point,
-                     test_out_of_range);
+    return RUN_TESTS(test_corners_are_the_nearest, test_corners_of_a_point);
 }
