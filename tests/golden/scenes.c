@@ -284,38 +284,22 @@ static const struct scene {
     const char *name;
     void (*draw)(const struct pel_surface *);
 } scenes[] = {
-    {"triangles", draw_triangles},
-    {"gouraud", draw_gouraud},
-    {"gouraud_alpha", draw_gouraud_alpha},
-    {"circles", draw_circles},
-    {"even_odd", draw_even_odd},
-    {"non_zero", draw_non_zero},
-    {"lines", draw_lines},
-    {"far", draw_far},
-    {"phong", draw_phong},
-    {"depth", draw_depth},
-};
+#define SCENE(name) #name, draw_##name
+    {SCENE(triangles)}, {SCENE(gouraud)},  {SCENE(gouraud_alpha)},
+    {SCENE(circles)},   {SCENE(even_odd)}, {SCENE(non_zero)},
+    {SCENE(lines)},     {SCENE(far)},      {SCENE(phong)},
+    {SCENE(depth)}};
 
 static const struct {
     const char *name;
     const struct pel_format *format;
 } formats[] = {
-    {"rgb565_le", &pel_rgb565_le},
-    {"rgb565_be", &pel_rgb565_be},
-    {"bgr565_le", &pel_bgr565_le},
-    {"xrgb1555_le", &pel_xrgb1555_le},
-    {"rgb888", &pel_rgb888},
-    {"bgr888", &pel_bgr888},
-    {"xrgb8888", &pel_xrgb8888},
-    {"xbgr8888", &pel_xbgr8888},
-    {"rgbx8888", &pel_rgbx8888},
-    {"bgrx8888", &pel_bgrx8888},
-    {"rgb332", &pel_rgb332},
-    {"gray8", &pel_gray8},
-    {"gray4", &pel_gray4},
-    {"mono1", &pel_mono1},
-    {"mono1_pages", &pel_mono1_pages},
-};
+#define FORMAT(name) #name, &pel_##name
+    {FORMAT(rgb565_le)},   {FORMAT(rgb565_be)}, {FORMAT(bgr565_le)},
+    {FORMAT(xrgb1555_le)}, {FORMAT(rgb888)},    {FORMAT(bgr888)},
+    {FORMAT(xrgb8888)},    {FORMAT(xbgr8888)},  {FORMAT(rgbx8888)},
+    {FORMAT(bgrx8888)},    {FORMAT(rgb332)},    {FORMAT(gray8)},
+    {FORMAT(gray4)},       {FORMAT(mono1)},     {FORMAT(mono1_pages)}};
 
 /* CRC-32 of ISO 3309, reflected, bit by bit. */
 static uint32_t crc32(const uint8_t *p, size_t n)

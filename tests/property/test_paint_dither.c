@@ -266,17 +266,9 @@ static void test_dither_of_dither(void)
     }
 }
 
-static void test_errors(void)
-{
-    const struct pel_flat flat = PEL_FLAT(0);
-    struct pel_dither d;
-    assert_int_equal(pel_dither_init(NULL, &flat.paint), PEL_ERROR_NULL);
-    assert_int_equal(pel_dither_init(&d, NULL), PEL_ERROR_NULL);
-}
-
 int main(void)
 {
     return RUN_TESTS(test_flat, test_mean, test_gradient_in_bands,
                      test_any_source, test_sources_surface,
-                     test_dither_of_dither, test_errors);
+                     test_dither_of_dither);
 }

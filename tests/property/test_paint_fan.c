@@ -283,46 +283,6 @@ static void test_largest(void)
     assert_int_equal(pel_fan_init(&fan.fan, &p, triangles), PEL_ERROR_SIZE);
 }
 
-static void test_errors(void)
-{
-    const struct pel_point far[3] = {
-        PEL_AT(0, 0), PEL_AT(20, 0), {PEL_PX(10), PEL_COORDINATE_MAX + 1}};
-    const struct pel_point v[4] = {PEL_AT(0, 0), PEL_AT(20, 0), PEL_AT(10, 10),
-                                   PEL_AT(-5, 3)};
-    const pel_color c[4] = {0, 0, 0, 0};
-    struct pel_fan_points p = {PEL_AT(10, 3), 0, v, c, 3};
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_OK);
-    assert_int_equal(pel_fan_init(NULL, &p, fan.memory), PEL_ERROR_NULL);
-    assert_int_equal(pel_fan_init(&fan.fan, &p, NULL), PEL_ERROR_NULL);
-    assert_int_equal(pel_fan_init(&fan.fan, NULL, fan.memory), PEL_ERROR_NULL);
-    p.colors = NULL;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_NULL);
-    p.colors = c;
-    p.perimeter = NULL;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_NULL);
-    p.perimeter = far;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_RANGE);
-    p.perimeter = v;
-    p.n = 2;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_SIZE);
-    /* A star of five points in one line goes around its middle twice. */
-    const struct pel_point star[5] = {PEL_AT(0, -20), PEL_AT(12, 16),
-                                      PEL_AT(-19, -6), PEL_AT(19, -6),
-                                      PEL_AT(-12, 16)};
-    const pel_color hues[5] = {0, 0, 0, 0, 0};
-    const struct pel_fan_points twice = {PEL_AT(0, 0), 0, star, hues, 5};
-    assert_int_equal(pel_fan_init(&fan.fan, &twice, fan.memory),
-                     PEL_ERROR_RANGE);
-    p.n = 3;
-    p.hub.y = PEL_PX(-1);
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_RANGE);
-    p.hub.y = PEL_COORDINATE_MAX + 1;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_RANGE);
-    p.n = 0;
-    pel_fan_set_hub(&p);
-    assert_int_equal(p.hub.x, PEL_PX(10));
-}
-
 /* Rims that go around once, from every point on and both ways: with a point on
  * the hub, and with points beside the level rays. */
 static void test_perimeters_around_once(void)
@@ -347,5 +307,5 @@ int main(void)
 {
     return RUN_TESTS(test_stars, test_any_triangle, test_triangle_is_gouraud,
                      test_hub_on_an_edge, test_any_beginning, test_opaque,
-                     test_largest, test_perimeters_around_once, test_errors);
+                     test_largest, test_perimeters_around_once);
 }
