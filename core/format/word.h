@@ -22,7 +22,7 @@ typedef uint32_t PEL_MAY_ALIAS pel_word32;
 static inline uint32_t pel_swap16(uint32_t v)
 {
 #ifdef __GNUC__
-    return __builtin_bswap16((uint16_t)v);
+    return __builtin_bswap16(PEL_CAST(uint16_t, v));
 #else
     return (v << 8 & 0xFF00u) | (v >> 8 & 0xFFu);
 #endif

@@ -1,74 +1,47 @@
-#include "gradient.h"
+#include "cells.h"
 
 /* The middle of cell i of 256 from a to b, rounded: a + (b - a) (2 i + 1) /
- * 512, for two channels in the halves of a word, is the upper byte of start(a,
- * b) + i (b - a). In each half the sum is between 128 and 255 * 256 + 128, so
- * nothing is left over between them, though b - a may be negative. */
-static uint32_t start(uint32_t a, uint32_t b)
+ * 512, for two channels in the halves of a word, is the upper byte of
+ * mix_sum(a, b, i), which changes by b - a from cell to cell. In each half it
+ * is between 128 and 255 * 256 + 128, so nothing is left over between them,
+ * though b - a may be negative. */
+static uint32_t mix_sum(uint32_t a, uint32_t b, uint32_t i)
 {
     const uint32_t half = (b + UINT32_C(0x01000100) - a) >> 1;
-    return a * 256 + (half & UINT32_C(0x00FF00FF));
+    return a * 256 + (half & UINT32_C(0x00FF00FF)) + (b - a) * i;
 }
 
-static pel_color mixed(const uint32_t sum[2])
+static pel_color mixed(uint32_t high, uint32_t low)
 {
-    return (sum[0] & UINT32_C(0xFF00FF00)) | (sum[1] >> 8 & 0xFF00FFu);
-}
-
-static void mix_start(const struct pel_ramp *ramp, uint32_t i, uint32_t sum[2],
-                      uint32_t change[2])
-{
-    for (int k = 0; k < 2; k++) {
-        const uint32_t a = ramp->colors[0] >> (8 - 8 * k) & 0xFF00FFu;
-        const uint32_t b = ramp->colors[1] >> (8 - 8 * k) & 0xFF00FFu;
-        change[k] = b - a;
-        sum[k] = start(a, b) + (b - a) * i;
-    }
+    return (high & UINT32_C(0xFF00FF00)) | (low >> 8 & 0xFF00FFu);
 }
 
 static pel_color ramp_color(const struct pel_gradient *g, int32_t cell)
 {
-    return g->ramp.colors[cell];
+    const pel_color a = g->ramp.colors[0], b = g->ramp.colors[1];
+    const uint32_t i = (uint32_t)cell, mask = 0xFF00FFu;
+    if (g->ramp.n != 2)
+        return g->ramp.colors[cell];
+    return mixed(mix_sum(a >> 8 & mask, b >> 8 & mask, i),
+                 mix_sum(a & mask, b & mask, i));
 }
 
-/* The color of the cell at c->place. */
-static PEL_NOINLINE void set_color(struct pel_cells *c)
+static pel_color color_at(const struct pel_gradient *g, int32_t place)
 {
-    const struct pel_gradient *g = c->gradient;
-    const bool back = c->place >= g->cells;
-    const int32_t cell = back ? g->period - 1 - c->place : c->place;
-    if (g->color) {
-        c->color = g->color(g, cell);
-        return;
-    }
-    mix_start(&g->ramp, (uint32_t)cell, c->sum, c->change);
-    for (int k = 0; k < 2; k++)
-        if (back == (c->step > 0))
-            c->change[k] = 0 - c->change[k];
-    c->color = mixed(c->sum);
+    return g->color(g, place < g->cells ? place : g->period - 1 - place);
 }
 
-/* Moves on to the next cell. */
-static void next_color(struct pel_cells *c)
-{
-    const struct pel_gradient *g = c->gradient;
-    c->place += c->step;
-    if (g->period && c->place == g->period)
-        c->place = 0;
-    else if (g->period && c->place < 0)
-        c->place = g->period - 1;
-    set_color(c);
-}
-
-int32_t pel_gradient_place(const struct pel_gradient *g, int32_t way,
+int32_t pel_gradient_place(const struct pel_gradient *g, int32_t copy,
                            int32_t part)
 {
     if (g->period == 0)
-        return way < 0 ? 0 : way > 0 ? g->cells - 1 : part;
-    return g->period > g->cells && (way & 1) ? part + g->cells : part;
+        return copy < 0 ? 0 : copy > 0 ? g->cells - 1 : part;
+    return g->period > g->cells && (copy & 1) ? part + g->cells : part;
 }
 
-/* Formats drop the low bits of channels; those of grey ask pack. */
+#if PEL_KNOW_SIDES
+
+/* Formats drop the low bits of channels; those of grey show a sum: 0. */
 static pel_color mask_of(const struct pel_format *format)
 {
     pel_color mask = 0xFF;
@@ -80,6 +53,16 @@ static pel_color mask_of(const struct pel_format *format)
         mask = mask << 8 | (0xFF00u >> format->dithering->depth[k] & 0xFF);
     return mask;
 }
+
+#else
+
+static pel_color mask_of(const struct pel_format *format)
+{
+    (void)format;
+    return 0;
+}
+
+#endif
 
 bool pel_cells_begin(struct pel_cells *c, const struct pel_gradient *gradient,
                      const struct pel_spans *spans)
@@ -103,94 +86,93 @@ bool pel_cells_begin(struct pel_cells *c, const struct pel_gradient *gradient,
 }
 
 /* Are both the same pixel value? */
-static bool alike(const struct pel_cells *c, pel_color a, pel_color b)
+static bool alike(const struct pel_format *format, pel_color a, pel_color b)
 {
-    if (pel_alpha(a & b) != 255)
-        return a == b;
-    if (c->mask)
-        return ((a ^ b) & c->mask) == 0;
-    const struct pel_format *format = c->spans->surface->format;
-    return a == b || format->pack(a) == format->pack(b);
+    return a == b ||
+           (pel_alpha(a & b) == 255 && format->pack(a) == format->pack(b));
 }
 
-/* Moves on through cells of two mixed colours, at most `count` of them and not
- * past the last of the 256 that are stepped, while they are alike. How many it
- * left. */
-static int32_t pass_mixed(struct pel_cells *c, int32_t count)
+#if PEL_KNOW_SIDES
+
+/* Passes cells of two mixed colours that are alike under the mask, at most
+ * `most` of them and none but by steps. How many. */
+static int32_t pass_mixed(const struct pel_cells *c, pel_color mask,
+                          int32_t most)
 {
-    const pel_color mask = pel_alpha(c->color) == 255 ? c->mask : UINT32_MAX;
-    const uint32_t mask0 = mask & UINT32_C(0xFF00FF00), mask1 = mask << 8;
-    const uint32_t change0 = c->change[0], change1 = c->change[1];
-    const uint32_t first0 = c->sum[0], first1 = c->sum[1];
-    uint32_t sum0 = first0, sum1 = first1;
-    const int32_t most =
-        pel_min(c->step > 0 ? 255 - (c->place & 255) : c->place & 255, count);
+    const struct pel_gradient *g = c->gradient;
+    const bool back = c->place >= g->cells, down = back == (c->step > 0);
+    const uint32_t i = (uint32_t)(back ? g->period - 1 - c->place : c->place);
+    const uint32_t a = g->ramp.colors[0], b = g->ramp.colors[1], m = 0xFF00FFu;
+    const uint32_t sign = down ? UINT32_MAX : 1;
+    const uint32_t change0 = sign * ((b >> 8 & m) - (a >> 8 & m));
+    const uint32_t change1 = sign * ((b & m) - (a & m));
+    uint32_t high = mix_sum(a >> 8 & m, b >> 8 & m, i);
+    uint32_t low = mix_sum(a & m, b & m, i);
+    const uint32_t high0 = high, low0 = low;
+    const uint32_t high_mask = mask & ~m, low_mask = (mask & m) << 8;
+    most = pel_min(most, (int32_t)(down ? i : 255 - i));
     int32_t left = most;
-    while (left > 0) {
-        sum0 += change0;
-        sum1 += change1;
-        left--;
-        if (((sum0 ^ first0) & mask0) |
-            ((sum1 ^ first1) & mask1 & UINT32_C(0xFF00FF00)))
+    for (; left > 0; left--) {
+        high += change0;
+        low += change1;
+        if (((high ^ high0) & high_mask) | ((low ^ low0) & low_mask))
             break;
     }
-    c->sum[0] = sum0;
-    c->sum[1] = sum1;
-    c->color = mixed(c->sum);
-    c->place += (most - left) * c->step;
     return most - left;
 }
 
-/* How many cells from the present one on have its color; 0: all that may come.
- * Moves on to the first other one. */
-static PEL_NOINLINE int32_t count_alike(struct pel_cells *c)
+/* Cells from the present one on that are passed at once, short of the first
+ * other one. */
+static int32_t pass(const struct pel_cells *c, int32_t most)
 {
+    const struct pel_gradient *g = c->gradient;
+    if (g->ramp.n != 2 || c->mask == 0 || c->mask == UINT32_MAX)
+        return 0;
+    return pass_mixed(c, pel_alpha(c->color) == 255 ? c->mask : UINT32_MAX,
+                      most);
+}
+
+#else
+
+static int32_t pass(const struct pel_cells *c, int32_t most)
+{
+    (void)c;
+    (void)most;
+    return 0;
+}
+
+#endif
+
+int32_t pel_cells_pass(struct pel_cells *c)
+{
+    const struct pel_gradient *g = c->gradient;
     const pel_color first = c->color;
-    const int32_t period = c->gradient->period;
-    const int32_t most = period ? pel_min(c->limit, period) : c->limit;
-    const bool mixes = !c->gradient->color && c->mask;
+    const int32_t most = g->period ? pel_min(c->limit, g->period) : c->limit;
     int32_t count = 0;
     do {
-        int32_t passed = 0;
+        const int32_t passed = pass(c, most - count);
+        count += passed;
         if (count == most)
             return 0;
-        if (mixes)
-            passed = pass_mixed(c, most - count);
-        if (passed == 0) {
-            passed = 1;
-            next_color(c);
-        }
-        count += passed;
-    } while (alike(c, first, c->color));
+        count++;
+        c->place += c->step * (passed + 1);
+        if (g->period && c->place == g->period)
+            c->place = 0;
+        else if (g->period && c->place < 0)
+            c->place = g->period - 1;
+        c->color = color_at(g, c->place);
+    } while (alike(c->spans->surface->format, first, c->color));
     c->limit -= count;
     return count;
 }
 
-static void end_all(struct pel_cells *c)
-{
-    for (int32_t i = 0; i < c->spans->n; i++)
-        pel_cells_end_run(c, i, INT32_MAX);
-    c->rest = false;
-}
-
-void pel_cells_draw(struct pel_cells *c)
+void pel_cells_first(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
     if (g->period == 0)
         c->limit =
             pel_min(c->limit, c->step > 0 ? g->cells - 1 - c->place : c->place);
-    set_color(c);
-    do {
-        const pel_color present = c->color;
-        const int32_t count = count_alike(c);
-        if (count)
-            c->end(c, count);
-        else
-            end_all(c);
-        const struct pel_spans cell = {c->spans->surface, c->run, c->spans->y,
-                                       c->spans->n, c->spans->step};
-        pel_fill_color(&cell, present);
-    } while (c->rest);
+    c->color = color_at(g, c->place);
 }
 
 void pel_gradient_parts(const struct pel_gradient *g,
@@ -216,7 +198,7 @@ enum pel_status pel_gradient_init(struct pel_gradient *g,
     const enum pel_status status = pel_ramp_check(ramp);
     if (status != PEL_OK)
         return status;
-    g->color = ramp->n == 2 ? NULL : ramp_color;
+    g->color = ramp_color;
     g->ramp = *ramp;
     g->cells = ramp->n == 2 ? 256 : ramp->n;
     g->period = ramp->spread == PEL_PAD      ? 0

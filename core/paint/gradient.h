@@ -3,18 +3,10 @@
  * The way from 0 to 1 has n cells (color_ramp.h); they go on at both ends as
  * the ramp's spread says. Each kind says exactly which pixels a cell holds
  * (paint_linear.h, paint_radial.h, paint_conic.h). Nothing is rounded: bands,
- * tiles, clips, formats and CPUs change no byte.
- *
- * A batch of rows is drawn a cell at a time, from left to right: the boundary
- * where the cell ends is walked down the rows by compare and carry, as an edge
- * or a circle is. What lies before it in every row is one call to the format,
- * with one colour. Neighbours that are the same pixel value are one cell. */
+ * tiles, clips, formats and CPUs change no byte. */
 #ifndef PEL_PAINT_GRADIENT_H
 #define PEL_PAINT_GRADIENT_H
 
-#include "../base/point.h"
-#include "../format/word.h"
-#include "../raster/edge.h"
 #include "../raster/paint.h"
 #include "color_ramp.h"
 
@@ -24,8 +16,7 @@ PEL_BEGIN_DECLS
 struct pel_gradient {
     struct pel_paint paint;
 
-    /* The colour of a cell, 0 <= cell < cells; NULL: the ramp's two colours are
-     * mixed. */
+    /* The colour of a cell, 0 <= cell < cells. */
     pel_color (*color)(const struct pel_gradient *gradient, int32_t cell);
 
     struct pel_ramp ramp;
@@ -34,75 +25,8 @@ struct pel_gradient {
                        and the last go on */
 };
 
-/* A batch of rows on its way through the cells. A cell's place is its number
- * from 0 on, and below the period where there is one. */
-struct pel_cells {
-    const struct pel_gradient *gradient;
-    const struct pel_spans *spans; /* the shape's */
-    struct pel_span all;           /* from their first pixel to their last */
-
-    /* Lets the present cell end where `count` >= 1 cells end, the present one
-     * included: pel_cells_end_run for every row, and `rest`. */
-    void (*end)(struct pel_cells *cells, int32_t count);
-
-    int32_t stop;  /* runs end here, or where the shape's do */
-    int32_t limit; /* so many cells may end; what is left is one cell */
-    int32_t step;  /* from one cell's place to the next: 1 or -1 */
-    int32_t place; /* of the next cell */
-    bool rest;     /* has any row pixels left? end sets it */
-
-    pel_color color;    /* of the next cell */
-    pel_color mask;     /* bits of colours that the format shows; 0: any */
-    uint32_t sum[2];    /* of the next cell of two mixed colours, */
-    uint32_t change[2]; /* and to the cell after it */
-
-    /* The run of the present cell, in every row. */
-    struct pel_span run[PEL_BATCH_ROWS];
-};
-
-/* Sets gradient, rows, all, and run: none has begun. No stop, no limit. false:
- * there is no pixel. */
-bool pel_cells_begin(struct pel_cells *cells,
-                     const struct pel_gradient *gradient,
-                     const struct pel_spans *spans);
-
-/* Draws what is left of every row up to `stop`, from the cell at `place` on. */
-void pel_cells_draw(struct pel_cells *cells);
-
-/* Row i's next run ends before pixel x, which may lie anywhere. Negative when
- * pixels are left. */
-static PEL_ALWAYS_INLINE int32_t pel_cells_end_run(struct pel_cells *c,
-                                                   int32_t i, int32_t x)
-{
-    struct pel_span *run = &c->run[i];
-    const int32_t end = pel_min(c->spans->span[i].x1, c->stop);
-    run->x0 = run->x1;
-    run->x1 = pel_max(run->x1, pel_min(x, end));
-    return run->x1 - end;
-}
-
-/* Ends all runs at an edge, given at the first row. */
-static PEL_ALWAYS_INLINE void pel_cells_end_at(struct pel_cells *c,
-                                               struct pel_edge edge)
-{
-    const int32_t n = c->spans->n, step = c->spans->step;
-    int32_t rest = 0;
-    for (int32_t i = 0; i < n; i++) {
-        rest |= pel_cells_end_run(c, i, edge.x);
-        if (step)
-            pel_edge_next(&edge);
-    }
-    c->rest = rest < 0;
-}
-
-/* Hands the rows to `draw` in parts of at most `width` pixels of one row. */
-void pel_gradient_parts(const struct pel_gradient *gradient,
-                        const struct pel_spans *spans, int32_t width,
-                        void (*draw)(const struct pel_gradient *gradient,
-                                     const struct pel_spans *spans));
-
-/* The place of the cell `part` of the way's copy number `way`. */
-int32_t pel_gradient_place(const struct pel_gradient *gradient, int32_t way,
+/* The place of the cell `part` of copy number `copy` of the way. */
+int32_t pel_gradient_place(const struct pel_gradient *gradient, int32_t copy,
                            int32_t part);
 
 /* Sets all but the paint. PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n). */

@@ -2,6 +2,7 @@
 #include "../base/trig.h"
 #include "../raster/edge.h"
 #include "paint_conic.h"
+#include "cells.h"
 
 enum { HALF_TURN = 32768, FULL_TURN = 65536 };
 
@@ -71,37 +72,36 @@ struct rays {
  * less 1 above the centre: there a pixel on the ray is beyond it, below it is
  * before it. Another row's f is larger or smaller by d.x. |h d.x| < 2^39, so f
  * fits 33 bits. */
-static struct pel_edge ray_at(const struct pel_conic *p, struct pel_point d,
-                              int32_t v)
+static PEL_WIDE void ray_at(struct pel_edge *e, const struct pel_conic *p,
+                            struct pel_point d, int32_t v)
 {
     const bool above = v < 0;
     const int32_t h = above ? -v : v, dy = above ? -d.y : d.y;
     const int32_t part = (p->center.x & 255) + 128;
     const int64_t f = (pel_product(h, d.x) + part * dy - above) >> 8;
-    struct pel_edge e;
     if (f == (int32_t)f) {
-        e.x = pel_floor_divide((int32_t)f, dy, &e.m);
+        e->x = pel_floor_divide((int32_t)f, dy, &e->m);
     } else {
         const uint32_t whole =
             pel_divide((uint64_t)(f < 0 ? ~f : f), (uint32_t)dy);
-        e.x = (int32_t)(f < 0 ? ~whole : whole);
-        e.m = (int32_t)((uint32_t)f - (uint32_t)e.x * (uint32_t)dy);
+        e->x = (int32_t)(f < 0 ? ~whole : whole);
+        e->m = (int32_t)((uint32_t)f - (uint32_t)e->x * (uint32_t)dy);
     }
-    e.x += pel_pixel_of(p->center.x);
-    e.m -= dy;
-    e.q = pel_floor_divide(above ? -d.x : d.x, dy, &e.r);
-    e.dy = dy;
-    return e;
+    e->x += pel_pixel_of(p->center.x);
+    e->m -= dy;
+    e->q = pel_floor_divide(above ? -d.x : d.x, dy, &e->r);
+    e->dy = dy;
 }
 
 static void end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_conic *p = (const void *)cells->gradient;
     struct rays *r = (void *)cells;
+    struct pel_edge edge;
     while (--count)
         (r->v < 0 ? angle_add : angle_take)(p, &r->end);
-    pel_cells_end_at(cells,
-                     ray_at(p, pel_direction((uint16_t)r->end.turn), r->v));
+    ray_at(&edge, p, pel_direction((uint16_t)r->end.turn), r->v);
+    pel_cells_end_at(cells, &edge);
     (r->v < 0 ? angle_add : angle_take)(p, &r->end);
 }
 
@@ -126,7 +126,6 @@ static PEL_WIDE bool rays_start(struct rays *r, const struct pel_conic *p,
     r->end.turn += p->start;
     if (above)
         angle_add(p, &r->end);
-    c->end = end_cells;
     c->step = above ? 1 : -1;
     c->limit = above ? place_of(p, FULL_TURN - 1) - c->place
                      : c->place - place_of(p, 0);
@@ -135,29 +134,25 @@ static PEL_WIDE bool rays_start(struct rays *r, const struct pel_conic *p,
     return true;
 }
 
-/* The row through the centre has two angles: a half turn, then 0. */
-static void draw_level(struct pel_cells *c, const struct pel_conic *p)
+/* The row through the centre has two angles: left of it a half turn, then 0. */
+static void level_start(struct pel_cells *c, const struct pel_conic *p,
+                        bool left)
 {
-    c->stop = pel_first_pixel(p->center.x);
+    c->stop = left ? pel_first_pixel(p->center.x) : INT32_MAX;
     c->limit = 0;
-    c->place = place_of(p, HALF_TURN);
-    pel_cells_draw(c);
-    c->stop = INT32_MAX;
-    c->limit = 0;
-    c->place = place_of(p, 0);
-    pel_cells_draw(c);
+    c->place = place_of(p, left ? HALF_TURN : 0);
 }
 
-static PEL_WIDE void draw(const struct pel_conic *p,
-                          const struct pel_spans *spans)
+static void draw(const struct pel_conic *p, const struct pel_spans *spans)
 {
     struct rays r;
     if (!rays_start(&r, p, spans))
         return;
-    if (r.v)
-        pel_cells_draw(&r.cells);
-    else
-        draw_level(&r.cells, p);
+    for (int parts = r.v ? 1 : 2; parts > 0; parts--) {
+        if (r.v == 0)
+            level_start(&r.cells, p, parts == 2);
+        pel_cells_draw(&r.cells, end_cells);
+    }
 }
 
 /* The rows above the centre, the row through it, the rows below. */

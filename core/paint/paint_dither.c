@@ -1,5 +1,7 @@
 #include "paint_dither.h"
 
+#include "../raster/edge.h"
+
 /* The Bayer matrix: 0..63, each once. */
 static const uint8_t matrix[8][8] = {
     {0, 32, 8, 40, 2, 34, 10, 42},  {48, 16, 56, 24, 50, 18, 58, 26},
@@ -26,89 +28,104 @@ struct channel {
     uint32_t low, step, gone;
 };
 
-/* 8 bits from fewer, repeated from the top: what the format shows. */
-static uint32_t widened(uint32_t level, int bits)
+/* 8 bits from fewer, which are the upper ones, repeated: what the format shows.
+ */
+static inline uint32_t widened(uint32_t top, uint32_t bits)
 {
-    uint32_t c = level << (8 - bits);
-    c |= c >> bits;
-    c |= c >> 2 * bits;
-    return c | c >> 4 * bits;
-}
-
-static struct channel channel_of(uint32_t c, int bits)
-{
-    uint32_t level = c >> (8 - bits), low = widened(level, bits);
-    if (low > c)
-        low = widened(--level, bits);
-    if (low == c)
-        return (struct channel){c, 0, 0};
-    return (struct channel){low, widened(level + 1, bits) - low,
-                            (c - low) * 128};
-}
-
-/* Does it take the high level at 2 m + 1 of 128, m of the matrix? */
-static inline bool is_high(const struct channel *c, uint32_t m)
-{
-    return c->gone > (2 * m + 1) * c->step;
-}
-
-/* Its colour at a place of the matrix. */
-static pel_color dithered(const struct pel_format *format, pel_color color,
-                          uint32_t m)
-{
-    pel_color c = pel_alpha(color);
-    if (format->dithering->depth[1] == 0) {
-        const struct channel gray =
-            channel_of(pel_gray(color), format->dithering->depth[0]);
-        return c << 24 |
-               (gray.low + (is_high(&gray, m) ? gray.step : 0)) * 0x010101u;
-    }
-    for (int k = 0; k < 3; k++) {
-        const struct channel v = channel_of(color >> (16 - 8 * k) & 255,
-                                            format->dithering->depth[k]);
-        c = c << 8 | (v.low + (is_high(&v, m) ? v.step : 0));
+    uint32_t c = top | top >> bits;
+    if (bits < 4) {
+        c |= c >> 2 * bits;
+        c |= c >> 4 * bits;
     }
     return c;
 }
 
-/* One opaque colour: its pixel value where every channel is low, and the bits
- * that change where one is high. */
+/* The level below the lowest of all is not asked for: 0 is a level. */
+static PEL_WALK struct channel channel_of(uint32_t c, uint32_t bits)
+{
+    const uint32_t unit = 256u >> bits;
+    uint32_t top = c & (0u - unit), low = widened(top, bits);
+    if (low > c) {
+        top -= unit;
+        low = widened(top, bits);
+    }
+    if (low == c)
+        return (struct channel){c, 0, 0};
+    return (struct channel){low, widened(top + unit, bits) - low,
+                            (c - low) * 128};
+}
+
+/* Its value at a place of the matrix: the high level where it has gone more
+ * than 2 m + 1 of 128. */
+static inline uint32_t dithered_channel(uint32_t c, uint32_t bits, uint32_t m)
+{
+    const struct channel v = channel_of(c, bits);
+    return v.gone > (2 * m + 1) * v.step ? v.low + v.step : v.low;
+}
+
+static inline pel_color dithered(const uint8_t depth[3], pel_color color,
+                                 uint32_t m)
+{
+    const pel_color alpha = color & UINT32_C(0xFF000000);
+    if (depth[1] == 0)
+        return alpha |
+               dithered_channel(pel_gray(color), depth[0], m) * 0x010101u;
+    return alpha | dithered_channel(pel_red(color), depth[0], m) << 16 |
+           dithered_channel(pel_green(color), depth[1], m) << 8 |
+           dithered_channel(pel_blue(color), depth[2], m);
+}
+
+/* One opaque colour: its pixel value where every channel is low, the bits that
+ * change where one is high, and how many places of the matrix that are. */
 struct levels {
-    uint32_t pixel, change[3];
-    struct channel channel[3];
+    uint32_t pixel, change[3], places[3];
 };
 
-static void levels_of(const struct pel_format *format, pel_color color,
-                      struct levels *l)
+/* gone > (2 m + 1) step holds for (gone - 1) / step / 2, rounded up, m. */
+static uint32_t places_of(const struct channel *v)
 {
-    const bool gray = format->dithering->depth[1] == 0;
-    const uint32_t unit = gray ? 0x010101u : 0x010000u;
-    pel_color low = 0;
+    int32_t rest;
+    if (v->gone == 0)
+        return 0;
+    return (uint32_t)(pel_floor_divide((int32_t)v->gone - 1, (int32_t)v->step,
+                                       &rest) +
+                      1) /
+           2;
+}
+
+static PEL_NOINLINE void levels_of(const struct pel_format *format,
+                                   pel_color color, struct levels *l)
+{
+    const uint8_t *depth = format->dithering->depth;
+    const bool gray = depth[1] == 0;
+    const pel_color c = gray ? pel_gray(color) * 0x010101u : color;
+    pel_color low = 0, high[3];
     for (int k = 0; k < 3; k++) {
-        const uint32_t c = gray ? pel_gray(color) : color >> (16 - 8 * k) & 255;
-        const int bits = format->dithering->depth[gray ? 0 : k];
-        l->channel[k] = channel_of(c, bits);
-        low = low << 8 | l->channel[k].low;
-        if (gray && k)
-            l->channel[k].gone = 0;
+        const struct channel v =
+            channel_of(c >> (16 - 8 * k) & 255, depth[gray ? 0 : k]);
+        low |= v.low << (16 - 8 * k);
+        high[k] = v.step * (gray ? 0x010101u : 0x010000u >> 8 * k);
+        l->places[k] = gray && k ? 0 : places_of(&v);
     }
     l->pixel = format->pack(low);
     for (int k = 0; k < 3; k++)
-        l->change[k] =
-            l->pixel ^ format->pack(low + (l->channel[k].step * unit >> 8 * k));
+        l->change[k] = l->pixel ^ format->pack(low + high[k]);
 }
 
-/* The pixel values of a row's columns [x, end), which go on repeating. */
+/* The pixel values of a row's columns [x, end), which go on repeating; on
+ * 64-bit CPUs all eight. */
 static void row_pattern(const struct levels *l, int32_t x, int32_t end,
-                        const uint8_t thresholds[8], uint32_t pattern[8])
+                        const uint8_t span[8], uint32_t pattern[8])
 {
-    for (end = pel_min(end, x + 8); x < end; x++) {
-        const uint32_t m = thresholds[x & 7];
-        uint32_t pixel = l->pixel;
-        for (int k = 0; k < 3; k++)
-            if (is_high(&l->channel[k], m))
-                pixel ^= l->change[k];
-        pattern[x & 7] = pixel;
+    const uint32_t change0 = l->change[0], places0 = l->places[0];
+    const uint32_t change1 = l->change[1], places1 = l->places[1];
+    const uint32_t change2 = l->change[2], places2 = l->places[2];
+    const int32_t n = PEL_FAST_64BIT ? 8 : pel_min(end - x, 8);
+    for (int32_t i = 0; i < n; i++) {
+        const int32_t at = PEL_FAST_64BIT ? i : (x + i) & 7;
+        const uint32_t m = span[at];
+        pattern[at] = l->pixel ^ (m < places0 ? change0 : 0) ^
+                      (m < places1 ? change1 : 0) ^ (m < places2 ? change2 : 0);
     }
 }
 
@@ -133,12 +150,13 @@ static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
                        int32_t n, const pel_color *colors)
 {
     const struct pel_surface *target = target_of(surface);
+    const uint8_t *const depth = target->format->dithering->depth;
+    const uint8_t *const span = matrix[y & 7];
     pel_color out[8];
     while (n > 0) {
         const int32_t count = pel_min(n, 8);
         for (int32_t i = 0; i < count; i++)
-            out[i] =
-                dithered(target->format, colors[i], matrix[y & 7][(x + i) & 7]);
+            out[i] = dithered(depth, colors[i], span[(x + i) & 7]);
         target->format->put(target, x, y, count, out);
         x += count;
         n -= count;

@@ -36,6 +36,7 @@ enum pel_status pel_hue_wheel_init(struct pel_hue_wheel *paint,
     paint->s = s;
     paint->v = v;
     paint->conic.base.color = color;
+    paint->conic.base.ramp.n = 0;
     paint->conic.base.cells = 6 * 256;
     paint->conic.base.period = 6 * 256;
     return pel_conic_begin(&paint->conic, center, start);

@@ -2,13 +2,14 @@
 
 #include "../base/divide.h"
 #include "../base/fraction.h"
+#include "cells.h"
 
 enum { FAR = 1 << 18 }; /* px: beyond every pixel, seen from any other */
 
-/* A pixel on the way: in cell `part` of the way's copy number `way`, of whose
+/* A pixel on the way: in cell `part` of copy number `copy` of the way, of whose
  * beginning its product is `rest` beyond, 0 <= rest < square. */
 struct position {
-    int32_t way, part;
+    int32_t copy, part;
     int64_t rest;
 };
 
@@ -21,7 +22,8 @@ static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y)
 
 /* n rest < 2^15 2^49. Seen from `to`, who is on a boundary is still before it:
  * it belongs to the cell that begins there for who comes from `from`. */
-static struct position position_of(const struct pel_linear *p, int64_t product)
+static PEL_WIDE struct position position_of(const struct pel_linear *p,
+                                            int64_t product)
 {
     const uint64_t square = (uint64_t)p->square;
     struct pel_fraction f;
@@ -33,14 +35,14 @@ static struct position position_of(const struct pel_linear *p, int64_t product)
     if (p->reversed && rest == 0 && at.part-- == 0) {
         at.part += p->base.cells;
         at.rest += p->square;
-        at.way--;
+        at.copy--;
     }
     return at;
 }
 
 static int32_t place_of(const struct pel_linear *p, const struct position *at)
 {
-    const int32_t place = pel_gradient_place(&p->base, at->way, at->part);
+    const int32_t place = pel_gradient_place(&p->base, at->copy, at->part);
     if (!p->reversed)
         return place;
     const int32_t mirrored = p->base.cells - 1 - place;
@@ -99,19 +101,19 @@ static void end_cells(struct pel_cells *cells, int32_t count)
     const struct pel_linear *p = (const void *)cells->gradient;
     struct lines *l = (void *)cells;
     next_lines(l, p, count - 1);
-    pel_cells_end_at(cells,
-                     (struct pel_edge){l->x, (int32_t)(l->m >> 8) - p->d.x,
-                                       p->down, p->down_rest, p->d.x});
+    struct pel_edge edge = {l->x, (int32_t)(l->m >> 8) - p->d.x, p->down,
+                            p->down_rest, p->d.x};
+    pel_cells_end_at(cells, &edge);
     next_lines(l, p, 1);
 }
 
 /* The boundary after a position, where it crosses the row of the position's
  * pixel, x; at product. Before a padded way the first cell ends where the
  * second begins. */
-static void set_end(struct lines *l, const struct pel_linear *p,
-                    const struct position *at, int64_t product)
+static PEL_WIDE void set_end(struct lines *l, const struct pel_linear *p,
+                             const struct position *at, int64_t product)
 {
-    const bool before = p->base.period == 0 && at->way < 0;
+    const bool before = p->base.period == 0 && at->copy < 0;
     const int32_t n = p->base.cells;
     const int64_t width = (int64_t)p->d.x * 256;
     struct pel_fraction f;
@@ -136,7 +138,6 @@ static PEL_WIDE bool lines_start(struct lines *l, const struct pel_linear *p,
     int32_t span = p->d.y < 0 ? (spans->n - 1) * spans->step : 0;
     const int64_t product = product_at(p, l->cells.all.x0, spans->y + span);
     const struct position at = position_of(p, product);
-    l->cells.end = end_cells;
     l->cells.step = p->reversed ? -1 : 1;
     l->cells.place = place_of(p, &at);
     l->x = l->cells.all.x0;
@@ -153,13 +154,19 @@ static PEL_WIDE bool lines_start(struct lines *l, const struct pel_linear *p,
     return true;
 }
 
+/* A function of its own, to spare the stack of what comes before it. */
+static PEL_WIDE void walk(struct lines *l)
+{
+    pel_cells_draw(&l->cells, end_cells);
+}
+
 /* Rows of which the boundaries lie at most 129 pixels apart. */
 static void draw(const struct pel_gradient *gradient,
                  const struct pel_spans *spans)
 {
     struct lines l;
     if (lines_start(&l, (const void *)gradient, spans))
-        pel_cells_draw(&l.cells);
+        walk(&l);
 }
 
 /* Where boundaries lie far apart from row to row the rows are drawn one by one.

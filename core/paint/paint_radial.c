@@ -4,24 +4,26 @@
 #include "../base/sqrt.h"
 #include "../raster/edge.h"
 #include "../round/disc_side.h"
+#include "cells.h"
 
-/* A circle between rings: k of them lie inside, in copy `way` of the way. Its
- * radius is floor(k radius / n) exactly, rest / n what the floor drops. */
+/* A circle between rings: k of them lie inside, in copy number `copy` of the
+ * way. Its radius is floor(k radius / n) exactly, rest / n what the floor
+ * drops. */
 struct circle {
-    int32_t way, part;
+    int32_t copy, part;
     int32_t radius, rest;
 };
 
-static void circle_set(const struct pel_radial *p, int32_t way, int32_t part,
+static void circle_set(const struct pel_radial *p, int32_t copy, int32_t part,
                        struct circle *c)
 {
     const uint32_t n = (uint32_t)p->base.cells;
     const uint64_t ring =
         pel_multiply((uint32_t)part, (uint32_t)p->rings.radius);
     const uint32_t inner = pel_divide(ring, n);
-    c->way = way;
+    c->copy = copy;
     c->part = part;
-    c->radius = way * p->rings.radius + (int32_t)inner;
+    c->radius = copy * p->rings.radius + (int32_t)inner;
     c->rest = (int32_t)((uint32_t)ring - inner * n);
 }
 
@@ -37,21 +39,22 @@ static void circle_find(const struct pel_radial *p, uint64_t square,
     pel_square_root(square, &root);
     if (pel_multiply(root.root, root.root) == square && root.root)
         root.root--; /* u - 1 */
-    const uint32_t way = pel_divide(root.root, radius);
-    const uint32_t part = pel_divide(
-        pel_multiply(root.root - way * radius + (square > 0), n) - (square > 0),
-        radius);
-    circle_set(p, (int32_t)way, (int32_t)part, c);
+    const uint32_t copy = pel_divide(root.root, radius);
+    const uint32_t part =
+        pel_divide(pel_multiply(root.root - copy * radius + (square > 0), n) -
+                       (square > 0),
+                   radius);
+    circle_set(p, (int32_t)copy, (int32_t)part, c);
 }
 
 static int32_t place_of(const struct pel_radial *p, const struct circle *c)
 {
-    int32_t way = c->way, part = c->part + p->first;
+    int32_t copy = c->copy, part = c->part + p->first;
     if (part >= p->base.cells) {
         part -= p->base.cells;
-        way++;
+        copy++;
     }
-    return pel_gradient_place(&p->base, way, part);
+    return pel_gradient_place(&p->base, copy, part);
 }
 
 static uint64_t square_at(const struct pel_radial *p, int32_t x, int32_t y)
@@ -93,47 +96,40 @@ static void circle_inwards(const struct pel_radial *p, struct circle *c)
     }
 }
 
-static void end_at_circle(struct side *s, uint32_t low)
+static void circle_move(struct side *s, int32_t count)
 {
-    const bool left = s->cells.stop != INT32_MAX;
-    const int64_t reach = (pel_square(s->circle.radius) - low) >> 9;
+    const struct pel_radial *p = (const void *)s->cells.gradient;
+    for (; count > 0; count--)
+        if (s->cells.step < 0)
+            circle_inwards(p, &s->circle);
+        else
+            circle_outwards(p, &s->circle);
+}
+
+/* Columns grow to the left on the left side, where the walk is inwards. */
+static void end_cells(struct pel_cells *cells, int32_t count)
+{
+    const struct pel_radial *p = (const void *)cells->gradient;
+    struct side *s = (void *)cells;
+    circle_move(s, count - 1);
+    const int64_t reach = (pel_square(s->circle.radius) - p->low) >> 9;
     int64_t d = reach - s->steps;
     int32_t u = s->u, columns = s->columns, v = s->v, rest = 0;
-    for (int32_t i = 0; i < s->cells.spans->n; i++) {
+    for (int32_t i = 0; i < cells->spans->n; i++) {
         pel_disc_side_adjust(&d, &u, &columns, s->limit);
         if (i == 0) {
             s->steps = reach - d;
             s->u = u;
             s->columns = columns;
         }
-        rest |= pel_cells_end_run(&s->cells, i,
-                                  s->first + (left ? -columns : columns));
-        if (s->cells.spans->step) {
+        rest |= pel_cells_end_run(cells, i, s->first + columns * cells->step);
+        if (cells->spans->step) {
             d -= v + 128;
             v += 256;
         }
     }
-    s->cells.rest = rest < 0;
-}
-
-static void end_outwards(struct pel_cells *cells, int32_t count)
-{
-    const struct pel_radial *p = (const void *)cells->gradient;
-    struct side *s = (void *)cells;
-    while (--count)
-        circle_outwards(p, &s->circle);
-    end_at_circle(s, p->low);
-    circle_outwards(p, &s->circle);
-}
-
-static void end_inwards(struct pel_cells *cells, int32_t count)
-{
-    const struct pel_radial *p = (const void *)cells->gradient;
-    struct side *s = (void *)cells;
-    while (--count)
-        circle_inwards(p, &s->circle);
-    end_at_circle(s, p->low);
-    circle_inwards(p, &s->circle);
+    cells->rest = rest < 0;
+    circle_move(s, 1);
 }
 
 /* The pixels in column x are the first on the side, at distance u. */
@@ -159,13 +155,12 @@ static PEL_WIDE void left_start(struct side *s, const struct pel_radial *p,
             : last;
     circle_find(p, square_at(p, c->all.x0, y), &s->circle);
     if (p->base.period == 0 &&
-        (s->circle.way || s->circle.part > p->base.cells - 1 - p->first))
+        (s->circle.copy || s->circle.part > p->base.cells - 1 - p->first))
         circle_set(p, 0, p->base.cells - 1 - p->first, &s->circle);
-    c->end = end_inwards;
     c->step = -1;
     c->stop = split;
-    c->limit = s->circle.way < 65535
-                   ? s->circle.way * p->base.cells + s->circle.part
+    c->limit = s->circle.copy < 65535
+                   ? s->circle.copy * p->base.cells + s->circle.part
                    : INT32_MAX;
     s->first = pel_min(split, c->all.x1);
     s->limit = s->first - c->all.x0;
@@ -184,13 +179,18 @@ static PEL_WIDE void right_start(struct side *s, const struct pel_radial *p,
     s->first = pel_max(split, c->all.x0);
     circle_find(p, square_at(p, s->first, y), &s->circle);
     c->place = place_of(p, &s->circle);
-    c->end = end_outwards;
     c->step = 1;
     c->stop = INT32_MAX;
     c->limit = INT32_MAX;
     s->limit = c->all.x1 - s->first;
     circle_outwards(p, &s->circle);
     side_start(s, p, pel_pixel_center(s->first) - p->rings.center.x);
+}
+
+/* A function of its own, to spare the stack of what comes before it. */
+static PEL_WIDE void walk(struct side *s)
+{
+    pel_cells_draw(&s->cells, end_cells);
 }
 
 static void draw(const struct pel_gradient *gradient,
@@ -201,13 +201,14 @@ static void draw(const struct pel_gradient *gradient,
     struct side s;
     if (!pel_cells_begin(&s.cells, gradient, spans))
         return;
-    if (s.cells.all.x0 < split) {
-        left_start(&s, p, split);
-        pel_cells_draw(&s.cells);
-    }
-    if (s.cells.all.x1 > split) {
-        right_start(&s, p, split);
-        pel_cells_draw(&s.cells);
+    for (int left = 1; left >= 0; left--) {
+        if (left ? s.cells.all.x0 >= split : s.cells.all.x1 <= split)
+            continue;
+        if (left)
+            left_start(&s, p, split);
+        else
+            right_start(&s, p, split);
+        walk(&s);
     }
 }
 

@@ -72,12 +72,15 @@ static inline void pel_fill_color(const struct pel_spans *spans,
                                   pel_color color)
 {
     const struct pel_format *format = spans->surface->format;
-    const uint32_t alpha = pel_alpha(color);
-    PEL_ASSERT(alpha == 255 || format->blend);
-    if (alpha == 255)
-        format->fill(spans, format->pack(color));
-    else if (format->blend)
-        format->blend(spans, color);
+    void (*draw)(const struct pel_spans *, uint32_t) = format->blend;
+    uint32_t value = color;
+    if (pel_alpha(color) == 255) {
+        draw = format->fill;
+        value = format->pack(color);
+    }
+    PEL_ASSERT(draw);
+    if (draw)
+        draw(spans, value);
 }
 
 void pel_flat_fill(const struct pel_paint *paint,
