@@ -42,10 +42,10 @@ $(eval $(call bench_compiler,gcc,$(BENCH_GCC),gcc))
 $(eval $(call bench_compiler,clang,$(BENCH_CLANG),clang))
 
 BENCH_SOURCES := $(addprefix bench/, bench.c canvas.c coverage.c \
-    measure.c method_floor.c method_memset.c methods.c report_csv.c report_table.c \
+    measure.c method_memset.c methods.c report_csv.c report_table.c \
     report_verdict.c timing.c workload.c workload_circle.c workload_polygon.c \
     workload_triangle.c)
-BENCH_METHODS += method_memset method_floor
+BENCH_METHODS += method_memset
 
 # method, name of pkg-config, Debian package
 define bench_peer

@@ -7,7 +7,7 @@
 #include "workload.h"
 
 struct method {
-    const char *name;  /* "pel", "memset", "floor" or the peer's */
+    const char *name;  /* "pel", "memset" or the peer's */
     const char *build; /* "gcc -O2"; "packaged" for what was not built here */
 
     /* Gets ready to draw the workload into the canvas: shapes in the method's
@@ -30,7 +30,7 @@ extern const struct method *const methods[];
 extern const char methods_absent[];
 
 bool method_is_pel(const struct method *m);
-bool method_is_limit(const struct method *m); /* "memset" or "floor" */
+bool method_is_limit(const struct method *m); /* "memset" */
 bool method_is_peer(const struct method *m);
 
 /* Draws into memory of its own and copies all of it to the canvas after each

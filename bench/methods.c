@@ -23,7 +23,7 @@ bool method_is_pel(const struct method *m)
 
 bool method_is_limit(const struct method *m)
 {
-    return strcmp(m->name, "memset") == 0 || strcmp(m->name, "floor") == 0;
+    return strcmp(m->name, "memset") == 0;
 }
 
 bool method_is_peer(const struct method *m)

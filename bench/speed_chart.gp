@@ -1,7 +1,7 @@
 # Called by speed_chart.sh with `data`, a folder, and `png`, the picture's name.
 set terminal pngcairo size 1100,1100 font "sans,11"
 set output png
-set title "Nanoseconds per pixel: Pel, its limits and peers (less is better)"
+set title "Nanoseconds per pixel: Pel, memset and peers (less is better)"
 set logscale x
 set xlabel "ns per pixel, median"
 set xrange [0.02:*]
@@ -18,7 +18,7 @@ files = ""
 titles = ""
 colors = ""
 types = ""
-do for [s in "memset:memset:#000000:1 floor:stores_alone:#888888:2 \
+do for [s in "memset:memset:#000000:1 \
 pel_gcc_-O2:Pel,_gcc_-O2:#0055cc:7 pel_clang_-O2:Pel,_clang_-O2:#0055cc:6 \
 pel_gcc_-native:Pel,_gcc_native:#33aadd:7 \
 pel_clang_-native:Pel,_clang_native:#33aadd:6 \

@@ -40,7 +40,7 @@ TEST_TWINS := tests/property/test_raster_walks tests/property/test_raster_walks_
 # These name what only the default build has.
 TEST_HOST_ONLY := tests/property/test_fast_triangle $(TEST_TWINS)
 # These see what the knobs of core change inside.
-TEST_KNOBS := tests/property/test_raster_triangles tests/property/test_round_shapes \
+TEST_KNOBS := tests/property/test_raster_triangles \
     tests/property/test_all_pictures tests/property/test_scene_numbers \
     tests/property/test_scene_pictures tests/property/test_paint_gradients \
     tests/property/test_round_coverage \
@@ -149,10 +149,10 @@ deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hou
 	    "flock $(T)/check.lock $(MAKE) --no-print-directory WERROR=-Werror BUILD=$(BUILD) $$t"; \
 	done >$(T)/deep.list; \
 	for b in host portable; do for i in $(DEEP_PARTS); do \
-	    printf '%s\t%s\n' "test_triangles $$b $$i" "PEL_SEED=$$seed$$i \
+	    printf '%s\t%s\n' "test_raster_triangles $$b $$i" "PEL_SEED=$$seed$$i \
 	        PEL_SCALE=1000 $(T)/$$b/tests/property/test_raster_triangles"; \
 	done; done >>$(T)/deep.list; \
-	for p in $(filter-out %/test_triangles,$(TEST_PROPERTY)); do \
+	for p in $(filter-out %/test_raster_triangles,$(TEST_PROPERTY)); do \
 	    printf '%s\t%s\n' "$$p" "PEL_SCALE=$(DEEP_SCALE) $(T)/host/$$p"; \
 	done >>$(T)/deep.list; \
 	PEL_SEED=$$seed PEL_TIMEOUT=36000 tests/support/run.sh $(T)/deep \

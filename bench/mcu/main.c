@@ -1,4 +1,4 @@
-/* Instructions per triangle and per pixel, counted in an emulator in which time
+/* Instructions per triangle, counted in an emulator in which time
  * is instructions. */
 #include "bench/mcu/report.h"
 #include "bench/mcu/stopwatch.h"
@@ -79,41 +79,13 @@ static void triangles_report(const char *name, const struct pel_paint *paint)
     }
 }
 
-static int32_t rectangle_time(int32_t width, const struct pel_paint *paint)
-{
-    const struct pel_point top_left = PEL_AT(10, 10);
-    const struct pel_point bottom_right = PEL_AT(10 + width, HEIGHT - 10);
-    uint32_t from = stopwatch_read();
-    pel_rectangle(&surface, top_left, bottom_right, paint);
-    return stopwatch_eighths(from, stopwatch_read());
-}
-
-/* The cost of a pixel more in a long run: rows of 208 px less rows of 16. */
-static void pixels_report(const char *name, const struct pel_paint *paint)
-{
-    const int32_t wide = 208, narrow = 16;
-    int32_t time = rectangle_time(wide, paint) - rectangle_time(narrow, paint);
-    report(name, wide - narrow, time,
-           (uint32_t)(wide - narrow) * (HEIGHT - 20));
-}
-
 int main(void)
 {
     static const struct pel_paint none = {.fill = fill_nothing};
     static const struct pel_flat flat = PEL_FLAT(PEL_RGB(255, 128, 0));
-    static const struct pel_flat glass = PEL_FLAT(PEL_RGBA(255, 128, 0, 100));
-    static const struct pel_point screen[3] = {
-        PEL_AT(-300, -10), PEL_AT(540, -10), PEL_AT(120, 700)};
-    static const pel_color colors[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0),
-                                        PEL_RGB(0, 0, 255)};
-    struct pel_gouraud gouraud;
-    pel_gouraud_init(&gouraud, screen, colors);
     stopwatch_start();
     triangles_report("walk", &none);
     triangles_report("fill", &flat.paint);
-    pixels_report("flat-pixel", &flat.paint);
-    pixels_report("alpha-pixel", &glass.paint);
-    pixels_report("gouraud-pixel", &gouraud.paint);
     textures_report();
     hits_report();
     matrix_report();

@@ -13,9 +13,8 @@ static uint32_t step(void)
     return (1u << 24) / (uint32_t)cases_scaled(1u << 24) | 1;
 }
 
-static void test_all_mixes(void **state)
+static void test_all_mixes(void)
 {
-    (void)state;
     for (uint32_t a = 0; a < 256; a++)
         for (uint32_t s = 0; s < 256; s++)
             for (uint32_t d = 0; d < 256; d++) {
@@ -28,9 +27,8 @@ static void test_all_mixes(void **state)
 }
 
 /* A channel does not reach into its neighbours. */
-static void test_mixes_of_one_channel(void **state)
+static void test_mixes_of_one_channel(void)
 {
-    (void)state;
     for (uint32_t a = 0; a < 256; a++)
         for (uint32_t s = 0; s < 256; s++)
             for (int shift = 0; shift < 24; shift += 8) {
@@ -42,9 +40,8 @@ static void test_mixes_of_one_channel(void **state)
             }
 }
 
-static void test_round_div255(void **state)
+static void test_round_div255(void)
 {
-    (void)state;
     for (uint32_t t = 0; t <= 255 * 255; t++)
         assert_int_equal(pel_round_div255(t), (2 * t + 255) / 510);
 }
@@ -81,26 +78,23 @@ static void check_pixels(const struct layout *l)
     }
 }
 
-static void test_channels_are_taken_modulo_256(void **state)
+static void test_channels_are_taken_modulo_256(void)
 {
     const uint8_t byte = 200;
-    (void)state;
     assert_int_equal(PEL_RGBA(256, -1, 511, 1000), 0xE800FFFF);
     assert_int_equal(PEL_RGB(byte + byte, INT32_MIN, UINT64_MAX), 0xFF9000FF);
 }
 
-static void test_all_pixels(void **state)
+static void test_all_pixels(void)
 {
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++)
         check_pixels(&layouts[f]);
 }
 
 /* Alpha is ignored. */
-static void test_all_colors(void **state)
+static void test_all_colors(void)
 {
     const uint32_t apart = step();
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         const struct layout *l = &layouts[f];
         for (uint32_t c = 0; c < 1u << 24; c += apart) {
@@ -158,9 +152,8 @@ static void check_blends(const struct layout *l, pel_color color)
 
 /* Every source and alpha, but for channels of 8 bits, which are mixed as in
  * test_all_mixes. */
-static void test_all_blends(void **state)
+static void test_all_blends(void)
 {
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         const int apart = layouts[f].green[1] == 8 ? 15 : 1;
         for (int a = 0; a < 255; a++)
@@ -171,14 +164,7 @@ static void test_all_blends(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all_mixes),
-        cmocka_unit_test(test_mixes_of_one_channel),
-        cmocka_unit_test(test_round_div255),
-        cmocka_unit_test(test_channels_are_taken_modulo_256),
-        cmocka_unit_test(test_all_pixels),
-        cmocka_unit_test(test_all_colors),
-        cmocka_unit_test(test_all_blends),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_all_mixes, test_mixes_of_one_channel,
+                     test_round_div255, test_channels_are_taken_modulo_256,
+                     test_all_pixels, test_all_colors, test_all_blends);
 }

@@ -29,9 +29,8 @@ static pel_color expected(int64_t hue, int64_t sixth, int64_t s, int64_t v)
                    channel(hue, 4, sixth, s, v));
 }
 
-static void test_every_degree(void **state)
+static void test_every_degree(void)
 {
-    (void)state;
     for (int32_t hue = 0; hue < 360; hue++)
         for (uint32_t s = 0; s < 256; s++)
             for (uint32_t v = 0; v < 256; v++) {
@@ -44,9 +43,8 @@ static void test_every_degree(void **state)
 }
 
 /* A sixth is 65,536 here: six times the hue in 1/65,536 turns. */
-static void test_every_turn(void **state)
+static void test_every_turn(void)
 {
-    (void)state;
     for (int32_t hue = 0; hue < 65536; hue++)
         for (uint32_t s = (uint32_t)hue % 5 * 3; s < 256; s += 17)
             for (uint32_t v = (uint32_t)hue % 7 * 2; v < 256; v += 23) {
@@ -61,9 +59,8 @@ static void test_every_turn(void **state)
                          expected(6 * (int64_t)hue, 65536, 255, 255));
 }
 
-static void test_any_hue(void **state)
+static void test_any_hue(void)
 {
-    (void)state;
     for (int32_t hue = -4000; hue < 4000; hue++) {
         int32_t degrees = ((hue % 360) + 360) % 360;
         assert_int_equal(pel_hsv_degrees(hue, 200, 211),
@@ -81,9 +78,8 @@ static void test_any_hue(void **state)
                      pel_hsv_degrees(INT32_MAX % 360, 255, 255));
 }
 
-static void test_corners(void **state)
+static void test_corners(void)
 {
-    (void)state;
     assert_int_equal(pel_hsv_degrees(0, 255, 255), PEL_RGB(255, 0, 0));
     assert_int_equal(pel_hsv_degrees(60, 255, 255), PEL_RGB(255, 255, 0));
     assert_int_equal(pel_hsv_degrees(120, 255, 255), PEL_RGB(0, 255, 0));
@@ -96,11 +92,6 @@ static void test_corners(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_corners),
-        cmocka_unit_test(test_any_hue),
-        cmocka_unit_test(test_every_degree),
-        cmocka_unit_test(test_every_turn),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_corners, test_any_hue, test_every_degree,
+                     test_every_turn);
 }

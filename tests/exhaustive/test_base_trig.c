@@ -3,9 +3,8 @@
 #include "tests/support/check.h"
 #include "tests/support/reference_shape.h"
 
-static void test_nearest(void **state)
+static void test_nearest(void)
 {
-    (void)state;
     for (uint32_t turn = 0; turn < 65536; turn++) {
         const struct pel_point d = pel_direction((uint16_t)turn);
         const struct pel_point want = reference_direction((uint16_t)turn);
@@ -15,9 +14,8 @@ static void test_nearest(void **state)
     }
 }
 
-static void test_order(void **state)
+static void test_order(void)
 {
-    (void)state;
     struct pel_point last = pel_direction(65535);
     for (uint32_t turn = 0; turn < 65536; turn++) {
         const struct pel_point d = pel_direction((uint16_t)turn);
@@ -27,9 +25,8 @@ static void test_order(void **state)
     }
 }
 
-static void test_symmetry(void **state)
+static void test_symmetry(void)
 {
-    (void)state;
     for (uint32_t turn = 0; turn < 65536; turn++) {
         const struct pel_point d = pel_direction((uint16_t)turn);
         const struct pel_point half = pel_direction((uint16_t)(turn + 32768));
@@ -43,10 +40,5 @@ static void test_symmetry(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nearest),
-        cmocka_unit_test(test_order),
-        cmocka_unit_test(test_symmetry),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_nearest, test_order, test_symmetry);
 }

@@ -28,9 +28,7 @@ static void check_run(const struct layout *l, int32_t from, int32_t n,
     const struct pel_flat flat = PEL_FLAT(color);
     const int32_t count = (int32_t)sizeof memory * 8 / l->bits;
     struct pel_surface s;
-    assert_int_equal(pel_surface_init(&s, l->format, memory, sizeof memory,
-                                      &(struct pel_rect){0, 0, count, 1}),
-                     PEL_OK);
+    s = surface_of(l->format, memory, sizeof memory, count, 1);
     memcpy(memory, before, sizeof memory);
     pel_rectangle(&s, (struct pel_point){PEL_PX(from), 0},
                   (struct pel_point){PEL_PX(from + n), 256}, &flat.paint);
@@ -46,13 +44,11 @@ static void check_run(const struct layout *l, int32_t from, int32_t n,
     }
 }
 
-static int setup(void **state)
+static void setup(void)
 {
     struct random r = {1};
-    (void)state;
     for (int i = 0; i < PIXELS; i++)
         before[i] = random_word(&r);
-    return 0;
 }
 
 static bool is_words(const struct layout *l)
@@ -60,9 +56,8 @@ static bool is_words(const struct layout *l)
     return l->bits >= 8;
 }
 
-static void test_opaque(void **state)
+static void test_opaque(void)
 {
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         const struct layout *l = &layouts[f];
         for (int32_t from = 0; is_words(l) && from < 16; from++)
@@ -71,9 +66,8 @@ static void test_opaque(void **state)
     }
 }
 
-static void test_blended(void **state)
+static void test_blended(void)
 {
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         const struct layout *l = &layouts[f];
         for (int32_t from = 0; is_words(l) && from < 16; from++)
@@ -83,9 +77,8 @@ static void test_blended(void **state)
 }
 
 /* Nothing is read behind the surface: address sanitizers look at its end. */
-static void test_last_pixels(void **state)
+static void test_last_pixels(void)
 {
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         const struct layout *l = &layouts[f];
         const int32_t count = (int32_t)sizeof memory * 8 / l->bits;
@@ -98,10 +91,6 @@ static void test_last_pixels(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_opaque),
-        cmocka_unit_test(test_blended),
-        cmocka_unit_test(test_last_pixels),
-    };
-    return cmocka_run_group_tests(tests, setup, NULL);
+    setup();
+    return RUN_TESTS(test_opaque, test_blended, test_last_pixels);
 }

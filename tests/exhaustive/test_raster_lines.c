@@ -36,11 +36,10 @@ static struct pel_rect around(int32_t side)
     return (struct pel_rect){low, low, low + side + 2, low + side + 2};
 }
 
-static void test_all_lines(void **state)
+static void test_all_lines(void)
 {
     enum { SIDE = 17 };
     const struct pel_rect bounds = around(SIDE);
-    (void)state;
     hits_open(&hits, &bounds);
     for (int32_t i = 0; i < SIDE * SIDE; i++)
         for (int32_t j = 0; j < SIDE * SIDE; j++) {
@@ -62,10 +61,9 @@ static void check_clip(const struct pel_rect *clip)
             check_line(SIDE, i, j);
 }
 
-static void test_all_clips(void **state)
+static void test_all_clips(void)
 {
     struct pel_rect c;
-    (void)state;
     for (c.y0 = -3; c.y0 < 3; c.y0++)
         for (c.y1 = c.y0 + 1; c.y1 <= 3; c.y1++)
             for (c.x0 = -3; c.x0 < 3; c.x0++)
@@ -74,10 +72,9 @@ static void test_all_clips(void **state)
 }
 
 /* Only the pixels that hold the points count. */
-static void test_all_places_in_a_pixel(void **state)
+static void test_all_places_in_a_pixel(void)
 {
     const struct pel_rect bounds = {-4, -4, 4, 4};
-    (void)state;
     for (int32_t k = 0; k < 256; k++) {
         const struct pel_point v[2] = {{PEL_PX(-3) + k, PEL_PX(1) + 255 - k},
                                        {PEL_PX(2) + 255 - k, PEL_PX(-2) + k}};
@@ -90,10 +87,6 @@ static void test_all_places_in_a_pixel(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all_lines),
-        cmocka_unit_test(test_all_clips),
-        cmocka_unit_test(test_all_places_in_a_pixel),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_all_lines, test_all_clips,
+                     test_all_places_in_a_pixel);
 }

@@ -48,14 +48,14 @@ static void expected(const struct pel_polygon_shape *outline, uint64_t bits[2])
 
 static struct pel_surface surface;
 
-static int setup(void **state)
+static void setup(void)
 {
     static uint8_t nothing;
     const struct pel_rect bounds = {-WINDOW / 2, -WINDOW / 2, WINDOW / 2,
                                     WINDOW / 2};
-    (void)state;
-    return pel_surface_init_rect(&surface, &pel_gray8, &nothing, WINDOW,
-                                 &bounds);
+    assert_int_equal(
+        pel_surface_init_rect(&surface, &pel_gray8, &nothing, WINDOW, &bounds),
+        PEL_OK);
 }
 
 static void check_polygon(const struct pel_point *v, int32_t n)
@@ -86,9 +86,8 @@ static struct pel_point point_of(int32_t i, int32_t side, int32_t step)
                               (i / side - side / 2) * step};
 }
 
-static void test_all_quadrilaterals(void **state)
+static void test_all_quadrilaterals(void)
 {
-    (void)state;
     for (int32_t i = 0; i < 1 << 16; i++) {
         struct pel_point v[4];
         for (int k = 0; k < 4; k++)
@@ -98,9 +97,8 @@ static void test_all_quadrilaterals(void **state)
 }
 
 /* Few points, so that vertices meet and sides run over one another. */
-static void test_coarse_polygons(void **state)
+static void test_coarse_polygons(void)
 {
-    (void)state;
     for (struct cases c = cases_of(60000); cases_next(&c);) {
         struct pel_point v[8];
         const int32_t n = random_between(&c.random, 5, 8);
@@ -110,9 +108,8 @@ static void test_coarse_polygons(void **state)
     }
 }
 
-static void test_fine_polygons(void **state)
+static void test_fine_polygons(void)
 {
-    (void)state;
     for (struct cases c = cases_of(60000); cases_next(&c);) {
         struct pel_point v[8];
         const int32_t n = random_between(&c.random, 5, 8);
@@ -124,10 +121,7 @@ static void test_fine_polygons(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all_quadrilaterals),
-        cmocka_unit_test(test_coarse_polygons),
-        cmocka_unit_test(test_fine_polygons),
-    };
-    return cmocka_run_group_tests(tests, setup, NULL);
+    setup();
+    return RUN_TESTS(test_all_quadrilaterals, test_coarse_polygons,
+                     test_fine_polygons);
 }

@@ -31,13 +31,14 @@ static void take_rows(const struct pel_paint *paint,
     }
 }
 
-static int setup(void **state)
+static void setup(void)
 {
     static uint8_t nothing;
     const struct pel_rect bounds = {LEFT, LEFT, LEFT + SIDE, LEFT + SIDE};
-    (void)state;
     picture.paint = (struct pel_paint){.fill = take_rows};
-    return pel_surface_init_rect(&surface, &pel_gray8, &nothing, SIDE, &bounds);
+    assert_int_equal(
+        pel_surface_init_rect(&surface, &pel_gray8, &nothing, SIDE, &bounds),
+        PEL_OK);
 }
 
 /* The largest s with s^2 <= square; square < 2^40. */
@@ -100,9 +101,8 @@ static void check_circle(struct pel_point center, int32_t radius)
     }
 }
 
-static void test_root(void **state)
+static void test_root(void)
 {
-    (void)state;
     for (int64_t s = 0; s < 1 << 19; s += s / 64 + 1) {
         assert_true(root_of(s * s) == s);
         assert_true(root_of(s * s + 2 * s) == s);
@@ -111,12 +111,11 @@ static void test_root(void **state)
     assert_true(ceil_256(0) == 0 && ceil_256(1) == 1 && ceil_256(256) == 1);
 }
 
-static void test_whole_radii(void **state)
+static void test_whole_radii(void)
 {
     static const struct pel_point centers[] = {
         {128, 128}, {0, 0},   {128, 0},  {0, 128},    {127, 128},
         {129, 127}, {1, 255}, {37, 201}, {-100, -129}};
-    (void)state;
     picture.pixels = 0;
     for (int32_t r = 0; r <= 1024; r++)
         for (size_t i = 0; i < sizeof centers / sizeof centers[0]; i++) {
@@ -128,9 +127,8 @@ static void test_whole_radii(void **state)
     print_message("%llu pixels\n", (unsigned long long)picture.pixels);
 }
 
-static void test_subpixel_radii(void **state)
+static void test_subpixel_radii(void)
 {
-    (void)state;
     picture.pixels = 0;
     for (int32_t radius = 0; radius <= PEL_PX(16); radius++)
         for (int32_t y = 0; y < 256; y += 32)
@@ -140,9 +138,8 @@ static void test_subpixel_radii(void **state)
 }
 
 /* Every centre in a pixel, every radius up to a pixel and a half. */
-static void test_all_small(void **state)
+static void test_all_small(void)
 {
-    (void)state;
     for (int32_t radius = 0; radius <= 384; radius += 1 + radius / 32)
         for (int32_t y = 0; y < 256; y++)
             for (int32_t x = 0; x < 256; x++)
@@ -151,11 +148,7 @@ static void test_all_small(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_root),
-        cmocka_unit_test(test_whole_radii),
-        cmocka_unit_test(test_subpixel_radii),
-        cmocka_unit_test(test_all_small),
-    };
-    return cmocka_run_group_tests(tests, setup, NULL);
+    setup();
+    return RUN_TESTS(test_root, test_whole_radii, test_subpixel_radii,
+                     test_all_small);
 }

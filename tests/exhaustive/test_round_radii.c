@@ -39,12 +39,13 @@ static void plane_clear(struct plane *p, int32_t reach)
     p->paint = (struct pel_paint){.fill = plane_fill};
 }
 
-static int setup(void **state)
+static void setup(void)
 {
     static uint8_t nothing;
     const struct pel_rect bounds = {LEFT, LEFT, LEFT + SIDE, LEFT + SIDE};
-    (void)state;
-    return pel_surface_init_rect(&surface, &pel_gray8, &nothing, SIDE, &bounds);
+    assert_int_equal(
+        pel_surface_init_rect(&surface, &pel_gray8, &nothing, SIDE, &bounds),
+        PEL_OK);
 }
 
 static const struct pel_point centers[] = {{128, 128}, {0, 0},   {128, 0},
@@ -154,18 +155,16 @@ static bool is_skipped(int32_t pixels, uint32_t which)
     return pixels > 64 && ((uint32_t)pixels + which) % 3;
 }
 
-static void test_circles(void **state)
+static void test_circles(void)
 {
-    (void)state;
     for (int32_t r = 0; r <= RADIUS_MAX; r++)
         for (uint32_t c = 0; c < CENTERS; c++)
             if (!is_skipped(r, c))
                 check_circle(centers[c], radius_of(r, c + (uint32_t)r));
 }
 
-static void test_rings(void **state)
+static void test_rings(void)
 {
-    (void)state;
     struct random random = {1};
     for (int32_t r = 0; r <= RADIUS_MAX; r++)
         for (uint32_t c = 0; c < CENTERS; c++) {
@@ -178,9 +177,8 @@ static void test_rings(void **state)
         }
 }
 
-static void test_sectors(void **state)
+static void test_sectors(void)
 {
-    (void)state;
     struct random random = {2};
     for (int32_t r = 0; r <= RADIUS_MAX; r++)
         for (uint32_t c = 0; c < CENTERS; c++) {
@@ -196,9 +194,8 @@ static void test_sectors(void **state)
 }
 
 /* A disc of whole diameter d in a box of d x d touches all four sides. */
-static void test_diameters(void **state)
+static void test_diameters(void)
 {
-    (void)state;
     for (int32_t d = 1; d <= RADIUS_MAX; d++) {
         const int32_t reach = d + 2, near = -LEFT, far = d - 1 - LEFT;
         const int32_t middle = d / 2 - LEFT;
@@ -221,9 +218,8 @@ static bool same_at(const struct plane *p, int32_t x, int32_t y)
 }
 
 /* Eight-fold, across both axes and the diagonal, and 2 r + 1 px wide. */
-static void test_symmetry(void **state)
+static void test_symmetry(void)
 {
-    (void)state;
     const struct pel_point center = {128, 128};
     for (int32_t r = 0; r <= RADIUS_MAX; r++) {
         const int32_t reach = r + 2;
@@ -242,10 +238,7 @@ static void test_symmetry(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_circles),  cmocka_unit_test(test_rings),
-        cmocka_unit_test(test_sectors),  cmocka_unit_test(test_diameters),
-        cmocka_unit_test(test_symmetry),
-    };
-    return cmocka_run_group_tests(tests, setup, NULL);
+    setup();
+    return RUN_TESTS(test_circles, test_rings, test_sectors, test_diameters,
+                     test_symmetry);
 }

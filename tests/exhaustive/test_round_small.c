@@ -7,28 +7,15 @@
 
 static struct hits hits;
 
-static bool fill_at(const void *s, int32_t x, int32_t y)
-{
-    bool covered = any_reference_at(s, x, y);
-    if (covered != any_hit(s, x, y))
-        fail_msg("hit test of %d, %d: expected %d", x, y, covered);
-    return covered;
-}
-
-static bool outline_at(const void *s, int32_t x, int32_t y)
-{
-    return any_reference_outline_at(s, x, y);
-}
-
 static void check(const struct any_shape *s)
 {
     static const struct pel_rect window = {-3, -3, 4, 4};
     hits_open(&hits, &window);
     any_draw(&hits.surface, s, &hits.paint);
-    hits_check(&hits, fill_at, s, any_name(s));
+    hits_check(&hits, any_fill_expected, s, any_name(s));
     hits_open(&hits, &window);
     any_draw_outline(&hits.surface, s, &hits.paint);
-    hits_check(&hits, outline_at, s, any_name(s));
+    hits_check(&hits, any_outline_expected, s, any_name(s));
 }
 
 static const int32_t places[] = {0, 1, 63, 127, 128, 129, 200, 255};
@@ -39,9 +26,8 @@ enum {
     RADII = sizeof radii / sizeof *radii
 };
 
-static void test_ellipses(void **state)
+static void test_ellipses(void)
 {
-    (void)state;
     struct any_shape s = {.kind = ANY_ELLIPSE};
     for (int a = 0; a < RADII; a++)
         for (int b = 0; b < RADII; b++)
@@ -56,9 +42,8 @@ static void test_ellipses(void **state)
 
 /* One pixel centre is enough for shapes smaller than a pixel: every square of
  * up to 40 sub-pixels that holds it, with every radius that matters. */
-static void test_tiny_round_corners(void **state)
+static void test_tiny_round_corners(void)
 {
-    (void)state;
     struct any_shape s = {.kind = ANY_ROUNDED_RECTANGLE};
     for (int32_t side = 1; side <= 40; side++)
         for (int32_t x = 0; x <= side; x++)
@@ -71,13 +56,12 @@ static void test_tiny_round_corners(void **state)
                         fail_msg("hit: side %d at %d, %d", side, x, y);
                     hits_open(&hits, &(struct pel_rect){0, 0, 1, 1});
                     any_draw(&hits.surface, &s, &hits.paint);
-                    hits_check(&hits, fill_at, &s, "round corners");
+                    hits_check(&hits, any_fill_expected, &s, "round corners");
                 }
 }
 
-static void test_round_corners(void **state)
+static void test_round_corners(void)
 {
-    (void)state;
     struct any_shape s = {.kind = ANY_ROUNDED_RECTANGLE};
     for (int w = 0; w < RADII; w++)
         for (int h = 0; h < RADII; h++)
@@ -95,10 +79,6 @@ static void test_round_corners(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ellipses),
-        cmocka_unit_test(test_tiny_round_corners),
-        cmocka_unit_test(test_round_corners),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_ellipses, test_tiny_round_corners,
+                     test_round_corners);
 }

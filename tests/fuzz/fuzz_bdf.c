@@ -1,5 +1,5 @@
 /* BDF fonts, and the assets that are made of them. */
-#include "fuzz_input.h"
+#include "input.h"
 #include "sim/font/asset.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -1,5 +1,5 @@
 /* Projected meshes, on standard input. */
-#include "fuzz_input.h"
+#include "input.h"
 #include "sim/mesh/pel2d.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

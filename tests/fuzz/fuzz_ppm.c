@@ -1,5 +1,5 @@
 /* PPM and PGM pictures. */
-#include "fuzz_input.h"
+#include "input.h"
 #include "sim/image/picture_file.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

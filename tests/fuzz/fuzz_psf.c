@@ -1,5 +1,5 @@
 /* PSF fonts of both versions; the caller has seen their first two bytes. */
-#include "fuzz_input.h"
+#include "input.h"
 #include "sim/font/font.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

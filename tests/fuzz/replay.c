@@ -1,7 +1,4 @@
 /* Runs a fuzz target over the files of its corpus, without libFuzzer. */
-#include <stdio.h>
-#include <stdlib.h>
-
 #include "input.h"
 
 int main(int argc, char **argv)

@@ -1,6 +1,8 @@
 /* What changes no byte: bands and tiles, clipping, vertex order, translation,
  * stride and direction of lines. And what every byte must be, in every format:
- * the source packed, or blended by the rule. Fenced canvases throughout. */
+ * the source packed, or blended by the rule. Every shape and outline, on fenced
+ * canvases. */
+#include "tests/support/any_shape.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
@@ -27,30 +29,64 @@ static struct pel_rect random_bounds(struct random *r, int32_t size)
     return b;
 }
 
-static struct item open_case(struct cases *c, bool opaque)
+/* One of the three. */
+struct drawing {
+    struct item item;
+    struct any_shape shape;
+    enum { ITEM, SHAPE, OUTLINE } what;
+};
+
+static struct drawing open_case(struct cases *c, bool opaque)
 {
     struct random *r = &c->random;
-    struct item item;
+    struct drawing d;
     const struct pel_rect bounds = random_bounds(r, 40);
     canvas_open(&whole, random_format(r), &bounds, random_word(r) % 8);
-    item_random(r, &item, &bounds, opaque);
-    return item;
+    item_random(r, &d.item, &bounds, opaque);
+    any_in_box(r, &d.shape, (enum any_kind)(random_word(r) % ANY_KINDS),
+               &bounds);
+    d.what = random_word(r) % 2 ? ITEM : random_word(r) % 2 ? SHAPE : OUTLINE;
+    return d;
 }
 
-static void check_tile(const struct item *item, const struct pel_rect *tile,
+static void cover(const struct pel_surface *surface, const struct drawing *d,
+                  const struct pel_paint *paint)
+{
+    if (d->what == ITEM)
+        item_cover(surface, &d->item, paint);
+    else if (d->what == SHAPE)
+        any_draw(surface, &d->shape, paint);
+    else
+        any_draw_outline(surface, &d->shape, paint);
+}
+
+static void draw(const struct pel_surface *surface, const struct drawing *d)
+{
+    const struct pel_flat flat = PEL_FLAT(d->item.color[0]);
+    if (d->what == ITEM)
+        item_draw(&core_default, surface, &d->item);
+    else
+        cover(surface, d, &flat.paint);
+}
+
+static bool is_gouraud(const struct drawing *d)
+{
+    return d->what == ITEM && d->item.kind == ITEM_GOURAUD;
+}
+
+/* For messages. */
+static int kind_of(const struct drawing *d)
+{
+    return d->what == ITEM ? (int)d->item.kind
+                           : 100 * (int)d->what + (int)d->shape.kind;
+}
+
+static void check_tile(const struct drawing *d, const struct pel_rect *tile,
                        unsigned style)
 {
     canvas_open(&other, whole.layout->format, tile, style);
-    item_draw(&core_default, &other.surface, item);
-    canvas_check(&other);
-    for (int32_t y = tile->y0; y < tile->y1; y++)
-        for (int32_t x = tile->x0; x < tile->x1; x++)
-            if (canvas_pixel(&whole, x, y) != canvas_pixel(&other, x, y))
-                fail_msg("%s, shape %d, tile at %d, %d: pixel %d, %d: "
-                         "whole %x, tile %x; %s",
-                         whole.layout->name, item->kind, tile->x0, tile->y0, x,
-                         y, canvas_pixel(&whole, x, y),
-                         canvas_pixel(&other, x, y), cases_replay());
+    draw(&other.surface, d);
+    canvas_check_part(&whole, &other);
 }
 
 /* Columns and rows where a tile of any format may begin: all, or every 8th. */
@@ -63,55 +99,46 @@ static int32_t next_cut(struct random *r, int32_t from, int32_t end,
     return pel_min(cut, end);
 }
 
-static void test_tiles_equal_the_whole(void **state)
+static void test_tiles_equal_the_whole(void)
 {
-    (void)state;
-    for (struct cases c = cases_of(60000); cases_next(&c);) {
+    for (struct cases c = cases_of(80000); cases_next(&c);) {
         struct random *r = &c.random;
-        struct item item = open_case(&c, false);
+        struct drawing d = open_case(&c, false);
         const struct pel_rect b = whole.surface.bounds;
         bool aligned = whole.layout->bits < 8, bands = random_word(r) % 2;
         struct pel_rect t;
-        item_draw(&core_default, &whole.surface, &item);
+        draw(&whole.surface, &d);
         canvas_check(&whole);
         for (t.y0 = b.y0; t.y0 < b.y1; t.y0 = t.y1) {
             t.y1 = next_cut(r, t.y0, b.y1, aligned);
             for (t.x0 = b.x0; t.x0 < b.x1; t.x0 = t.x1) {
                 t.x1 = bands ? b.x1 : next_cut(r, t.x0, b.x1, aligned);
-                check_tile(&item, &t, random_word(r) % 8);
+                check_tile(&d, &t, random_word(r) % 8);
             }
         }
     }
 }
 
-static void test_clip_is_crop(void **state)
+static void test_clip_is_crop(void)
 {
-    (void)state;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
-        struct item item = open_case(&c, false);
+        struct drawing d = open_case(&c, false);
         const struct pel_rect b = whole.surface.bounds;
         const struct pel_rect clip = shape_clip(&c.random, &b);
         canvas_open(&other, whole.layout->format, &b,
                     random_word(&c.random) % 8);
-        item_draw(&core_default, &whole.surface, &item);
+        draw(&whole.surface, &d);
         pel_surface_clip(&other.surface, &clip);
-        item_draw(&core_default, &other.surface, &item);
-        canvas_check(&other);
-        const struct pel_rect *p = &other.surface.clip;
-        for (int32_t y = p->y0; y < p->y1; y++)
-            for (int32_t x = p->x0; x < p->x1; x++)
-                if (canvas_pixel(&whole, x, y) != canvas_pixel(&other, x, y))
-                    fail_msg("%s, shape %d: pixel %d, %d; %s",
-                             whole.layout->name, item.kind, x, y,
-                             cases_replay());
+        draw(&other.surface, &d);
+        canvas_check_part(&whole, &other);
     }
 }
 
-static pel_color source_of(const struct item *item, const struct pel_gouraud *g,
+static pel_color source_of(const struct drawing *d, const struct pel_gouraud *g,
                            int32_t x, int32_t y)
 {
-    if (item->kind != ITEM_GOURAUD)
-        return item->color[0];
+    if (!is_gouraud(d))
+        return d->item.color[0];
     pel_color c = 0;
     for (int k = 0; k < 4; k++)
         c |= (g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k]) >>
@@ -120,36 +147,35 @@ static pel_color source_of(const struct item *item, const struct pel_gouraud *g,
 }
 
 /* Alpha 255: the source packed; 0: what was there; else the blend. */
-static void check_bytes(const struct item *item)
+static void check_bytes(const struct drawing *d)
 {
     const struct pel_rect *b = &whole.surface.bounds;
     struct pel_gouraud g = {.at = {0}};
-    if (item->kind == ITEM_GOURAUD)
-        pel_gouraud_init(&g, item->v, item->color);
+    if (is_gouraud(d))
+        pel_gouraud_init(&g, d->item.v, d->item.color);
     hits_open(&hits, b);
-    item_cover(&hits.surface, item, &hits.paint);
+    cover(&hits.surface, d, &hits.paint);
     for (int32_t y = b->y0; y < b->y1; y++)
         for (int32_t x = b->x0; x < b->x1; x++) {
             uint32_t want = canvas_pixel_before(&whole, x, y);
-            pel_color source = source_of(item, &g, x, y);
+            pel_color source = source_of(d, &g, x, y);
             if (hits_at(&hits, x, y))
                 want = layout_over(whole.layout, want, source);
             if (canvas_pixel(&whole, x, y) != want)
                 fail_msg("%s, shape %d, colour %08x: pixel %d, %d: before %x, "
                          "expected %x, got %x; %s",
-                         whole.layout->name, item->kind, source, x, y,
+                         whole.layout->name, kind_of(d), source, x, y,
                          canvas_pixel_before(&whole, x, y), want,
                          canvas_pixel(&whole, x, y), cases_replay());
         }
 }
 
-static void test_bytes_follow_the_rule(void **state)
+static void test_bytes_follow_the_rule(void)
 {
-    (void)state;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
-        struct item item = open_case(&c, c.next % 2);
-        item_draw(&core_default, &whole.surface, &item);
-        check_bytes(&item);
+        struct drawing d = open_case(&c, c.next % 2);
+        draw(&whole.surface, &d);
+        check_bytes(&d);
         canvas_check(&whole);
     }
 }
@@ -168,11 +194,10 @@ static struct item reordered(const struct item *item, int32_t i)
     return p;
 }
 
-static void test_vertex_order_changes_nothing(void **state)
+static void test_vertex_order_changes_nothing(void)
 {
-    (void)state;
     for (struct cases c = cases_of(30000); cases_next(&c);) {
-        struct item item = open_case(&c, false);
+        const struct item item = open_case(&c, false).item;
         const struct pel_rect b = whole.surface.bounds;
         if (item.kind == ITEM_RECTANGLE || item.kind == ITEM_CIRCLE)
             continue;
@@ -186,7 +211,7 @@ static void test_vertex_order_changes_nothing(void **state)
     }
 }
 
-/* A shift of the item by whole pixels that keeps it in range: of bits 3 and up,
+/* A shift by whole pixels that keeps it in range: of bits 3 and up,
  * so that tiles of every format may begin there. */
 static int32_t random_shift(struct random *r, int32_t lo, int32_t hi)
 {
@@ -195,50 +220,75 @@ static int32_t random_shift(struct random *r, int32_t lo, int32_t hi)
     return 8 * random_between(r, -room_down, room_up);
 }
 
-static void extent_of(const struct item *item, const struct pel_rect *b,
-                      struct pel_rect *e)
+/* Grows by the points. */
+static void extend(struct pel_rect *e, const struct pel_point *v, int32_t n)
 {
-    *e = (struct pel_rect){PEL_PX(b->x0), PEL_PX(b->y0), PEL_PX(b->x1) - 1,
-                           PEL_PX(b->y1) - 1};
-    for (int32_t i = 0; i < item->n; i++) {
-        e->x0 = pel_min(e->x0, item->v[i].x);
-        e->y0 = pel_min(e->y0, item->v[i].y);
-        e->x1 = pel_max(e->x1, item->v[i].x);
-        e->y1 = pel_max(e->y1, item->v[i].y);
+    for (; n > 0; n--, v++) {
+        e->x0 = pel_min(e->x0, v->x);
+        e->y0 = pel_min(e->y0, v->y);
+        e->x1 = pel_max(e->x1, v->x);
+        e->y1 = pel_max(e->y1, v->y);
     }
 }
 
-static void test_translation_changes_nothing(void **state)
+static void shift(struct pel_point *v, int32_t n, int32_t dx, int32_t dy)
 {
-    (void)state;
+    for (; n > 0; n--, v++) {
+        v->x += PEL_PX(dx);
+        v->y += PEL_PX(dy);
+    }
+}
+
+static void test_translation_changes_nothing(void)
+{
     for (struct cases c = cases_of(100000); cases_next(&c);) {
-        struct item item = open_case(&c, false);
-        struct pel_rect b = whole.surface.bounds, e;
-        extent_of(&item, &b, &e);
+        struct drawing d = open_case(&c, false);
+        struct pel_rect b = whole.surface.bounds;
+        struct pel_rect e = {PEL_PX(b.x0), PEL_PX(b.y0), PEL_PX(b.x1) - 1,
+                             PEL_PX(b.y1) - 1};
+        extend(&e, d.item.v, d.item.n);
+        extend(&e, d.shape.v, ANY_POINTS);
         int32_t dx = random_shift(&c.random, e.x0, e.x1);
         int32_t dy = random_shift(&c.random, e.y0, e.y1);
         b = (struct pel_rect){b.x0 + dx, b.y0 + dy, b.x1 + dx, b.y1 + dy};
         canvas_open(&other, whole.layout->format, &b,
                     random_word(&c.random) % 8);
         canvas_copy(&other, &whole);
-        item_draw(&core_default, &whole.surface, &item);
-        for (int32_t i = 0; i < item.n; i++) {
-            item.v[i].x += PEL_PX(dx);
-            item.v[i].y += PEL_PX(dy);
-        }
-        item_draw(&core_default, &other.surface, &item);
+        draw(&whole.surface, &d);
+        shift(d.item.v, d.item.n, dx, dy);
+        shift(d.shape.v, ANY_POINTS, dx, dy);
+        draw(&other.surface, &d);
         canvas_check_same(&whole, &other);
+    }
+}
+
+/* Clips with no pixel, far away or turned round: nothing is drawn. */
+static void test_empty_clips(void)
+{
+    static const struct pel_rect clip[] = {
+        {8388608, 0, 8388672, 64},
+        {0, 0, -536870912, 64},
+        {INT32_MAX, 0, INT32_MIN, 24},
+        {0, INT32_MAX, 64, INT32_MIN},
+        {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN},
+        {INT32_MIN, INT32_MIN, INT32_MIN, INT32_MIN},
+        {40, 0, 20, 64},
+        {0, 40, 64, 20},
+    };
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        const struct drawing d = open_case(&c, false);
+        pel_surface_clip(
+            &whole.surface,
+            &clip[random_word(&c.random) % (sizeof clip / sizeof *clip)]);
+        draw(&whole.surface, &d);
+        canvas_check(&whole);
     }
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tiles_equal_the_whole),
-        cmocka_unit_test(test_clip_is_crop),
-        cmocka_unit_test(test_bytes_follow_the_rule),
-        cmocka_unit_test(test_vertex_order_changes_nothing),
-        cmocka_unit_test(test_translation_changes_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_tiles_equal_the_whole, test_clip_is_crop,
+                     test_bytes_follow_the_rule,
+                     test_vertex_order_changes_nothing,
+                     test_translation_changes_nothing, test_empty_clips);
 }

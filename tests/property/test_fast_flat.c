@@ -104,28 +104,24 @@ static void check_heights(const int32_t *heights, int32_t n, int32_t step)
             }
 }
 
-static void test_one_row(void **state)
+static void test_one_row(void)
 {
-    (void)state;
     check_heights((const int32_t[]){1, 2}, 2, 1);
 }
 
-static void test_around_16_rows(void **state)
+static void test_around_16_rows(void)
 {
-    (void)state;
     check_heights((const int32_t[]){15, 16, 17}, 3, 1);
 }
 
-static void test_many_rows(void **state)
+static void test_many_rows(void)
 {
-    (void)state;
     check_heights((const int32_t[]){40}, 1, 1);
 }
 
 /* Rows are fetched into the cache there. */
-static void test_around_128_rows(void **state)
+static void test_around_128_rows(void)
 {
-    (void)state;
     check_heights((const int32_t[]){127, 128, 129}, 3, 10);
 }
 
@@ -138,7 +134,7 @@ static void fill_fails(const struct pel_paint *paint,
 
 /* The writers are there for speed: what they are made for must not go the other
  * way. Colours with alpha have one for all but xrgb1555_le. */
-static void test_writers_are_taken(void **state)
+static void test_writers_are_taken(void)
 {
     static const struct pel_format *const all[] = {
         &pel_xrgb8888,  &pel_xbgr8888,  &pel_rgbx8888,  &pel_bgrx8888,
@@ -146,36 +142,28 @@ static void test_writers_are_taken(void **state)
     static const struct pel_point v[3] = {PEL_AT(1, 1), PEL_AT(20, 2),
                                           PEL_AT(3, 20)};
     static const pel_color colors[] = {0x00112233, 0xFF112233, 0x80112233};
-    (void)state;
     for (size_t f = 0; f < sizeof all / sizeof *all; f++)
         for (size_t i = 0; i < (f < 7 ? 3 : 2); i++) {
             const struct pel_flat flat = {{fill_fails, pel_flat_fast},
                                           colors[i]};
             struct pel_surface s;
-            assert_int_equal(pel_surface_init(&s, all[f], memory[0],
-                                              sizeof memory[0],
-                                              &(struct pel_rect){0, 0, 32, 32}),
-                             PEL_OK);
+            s = surface_of(all[f], memory[0], sizeof memory[0], 32, 32);
             pel_triangle(&s, v, &flat.paint);
         }
 }
 
 /* Opaque interpolated colours have two. */
-static void test_gouraud_writers_are_taken(void **state)
+static void test_gouraud_writers_are_taken(void)
 {
     static const struct pel_format *const all[] = {&pel_xrgb8888,
                                                    &pel_rgb565_le};
     static const struct pel_point v[3] = {PEL_AT(1, 1), PEL_AT(20, 2),
                                           PEL_AT(3, 20)};
     static const pel_color colors[3] = {0xFF000000, 0xFF112233, 0xFFFFFFFF};
-    (void)state;
     for (size_t f = 0; f < sizeof all / sizeof *all; f++) {
         struct pel_gouraud g;
         struct pel_surface s;
-        assert_int_equal(pel_surface_init(&s, all[f], memory[0],
-                                          sizeof memory[0],
-                                          &(struct pel_rect){0, 0, 32, 32}),
-                         PEL_OK);
+        s = surface_of(all[f], memory[0], sizeof memory[0], 32, 32);
         assert_int_equal(pel_gouraud_init(&g, v, colors), PEL_OK);
         g.paint.fill = fill_fails;
         pel_triangle(&s, v, &g.paint);
@@ -193,12 +181,11 @@ static int32_t put(size_t f, const pel_color *colors, int32_t n)
 }
 
 /* Eights of opaque colours are stored, whatever the colours, and no more. */
-static void test_opaque_eights_are_put(void **state)
+static void test_opaque_eights_are_put(void)
 {
     static const pel_color one_bit[] = {0xFF000000, 0xFF000001, 0xFF000100,
                                         0xFF010000, 0xFFFFFFFE, 0xFFFFFEFF,
                                         0xFFFEFFFF, 0xFFFFFFFF};
-    (void)state;
     for (size_t f = 0; f < 3; f++)
         for (size_t c = 0; c < 8; c++) {
             pel_color colors[25];
@@ -210,9 +197,8 @@ static void test_opaque_eights_are_put(void **state)
 }
 
 /* One bit of one alpha is enough to leave an eight to others. */
-static void test_any_alpha_stops(void **state)
+static void test_any_alpha_stops(void)
 {
-    (void)state;
     for (size_t f = 0; f < 3; f++)
         for (int i = 0; i < 16; i++)
             for (int bit = 24; bit < 32; bit++) {
@@ -228,15 +214,8 @@ static void test_any_alpha_stops(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_one_row),
-        cmocka_unit_test(test_around_16_rows),
-        cmocka_unit_test(test_many_rows),
-        cmocka_unit_test(test_around_128_rows),
-        cmocka_unit_test(test_writers_are_taken),
-        cmocka_unit_test(test_gouraud_writers_are_taken),
-        cmocka_unit_test(test_opaque_eights_are_put),
-        cmocka_unit_test(test_any_alpha_stops),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_one_row, test_around_16_rows, test_many_rows,
+                     test_around_128_rows, test_writers_are_taken,
+                     test_gouraud_writers_are_taken, test_opaque_eights_are_put,
+                     test_any_alpha_stops);
 }

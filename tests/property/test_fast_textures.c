@@ -208,9 +208,8 @@ static void set_random_map(struct drawing *d, const struct picture *p,
     assert_memory_equal(&d->map, &other, sizeof other);
 }
 
-static void test_random_triangles(void **state)
+static void test_random_triangles(void)
 {
-    (void)state;
     const struct pel_rect box = {-16, -8, WIDTH - 17, HEIGHT - 9};
     struct picture p = {0};
     uint64_t opened = UINT64_MAX;
@@ -258,9 +257,8 @@ static void check_width(struct picture *p, struct drawing *d, int32_t width,
     }
 }
 
-static void test_every_length(void **state)
+static void test_every_length(void)
 {
-    (void)state;
     struct random r = {5};
     for (int kind = 0; kind < KINDS; kind++)
         for (int width = 1; width <= 70; width++) {
@@ -283,9 +281,8 @@ static void fill_fails(const struct pel_paint *paint,
 
 /* The writers are there for speed: what they are made for must not go the other
  * way. */
-static void test_writers_are_taken(void **state)
+static void test_writers_are_taken(void)
 {
-    (void)state;
     static const struct {
         int8_t kind, layout;
         bool bilinear;
@@ -318,10 +315,6 @@ static void test_writers_are_taken(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_triangles),
-        cmocka_unit_test(test_every_length),
-        cmocka_unit_test(test_writers_are_taken),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_random_triangles, test_every_length,
+                     test_writers_are_taken);
 }

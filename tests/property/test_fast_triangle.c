@@ -43,41 +43,36 @@ static void check_sizes(uint64_t count, const int32_t px[2], int32_t width)
     assert_true(p.fast > 0);
 }
 
-static void test_around_128_rows(void **state)
+static void test_around_128_rows(void)
 {
-    (void)state;
     check_sizes(40000, (const int32_t[]){127, 129}, PEL_PX(400));
 }
 
-static void test_as_wide_as_a_surface(void **state)
+static void test_as_wide_as_a_surface(void)
 {
     const int32_t width = PEL_PX(32767) - 1;
-    (void)state;
     check_sizes(40000, (const int32_t[]){0, 129}, width);
     check_sizes(40000, (const int32_t[]){1, 1}, width);
     check_sizes(40000, (const int32_t[]){128, 128}, width);
 }
 
-static void test_around_4094_px(void **state)
+static void test_around_4094_px(void)
 {
-    (void)state;
     check_sizes(800, (const int32_t[]){4093, 4096}, PEL_PX(5000));
     check_sizes(800, (const int32_t[]){4094, 4094}, PEL_PX(32000));
 }
 
-static void test_any_size(void **state)
+static void test_any_size(void)
 {
-    (void)state;
     check_sizes(4000, (const int32_t[]){1, 4094}, PEL_PX(32000));
     check_sizes(100000, (const int32_t[]){1, 40}, PEL_PX(40));
 }
 
 /* Slivers whose edges cross each row within a sub-pixel of each other, and
  * slopes next to whole numbers, where a drift would show first. */
-static void test_tight_slopes(void **state)
+static void test_tight_slopes(void)
 {
     struct probe p;
-    (void)state;
     probe_open(&p, true);
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         int32_t dy =
@@ -97,12 +92,6 @@ static void test_tight_slopes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_around_128_rows),
-        cmocka_unit_test(test_as_wide_as_a_surface),
-        cmocka_unit_test(test_around_4094_px),
-        cmocka_unit_test(test_any_size),
-        cmocka_unit_test(test_tight_slopes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_around_128_rows, test_as_wide_as_a_surface,
+                     test_around_4094_px, test_any_size, test_tight_slopes);
 }

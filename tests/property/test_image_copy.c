@@ -107,9 +107,8 @@ static pel_color alpha_rule(const struct pel_copy_part *c, int32_t x, int32_t y,
     return (opaque_rule(c, x, y, 0) & UINT32_C(0xFFFFFF)) | alpha << 24;
 }
 
-static void test_opaque(void **state)
+static void test_opaque(void)
 {
-    (void)state;
     for (struct cases c = cases_of(22500); cases_next(&c);) {
         const struct pel_copy_part copy = open_case(&c, c.next);
         pel_copy(&to.surface, &copy);
@@ -117,9 +116,8 @@ static void test_opaque(void **state)
     }
 }
 
-static void test_keyed(void **state)
+static void test_keyed(void)
 {
-    (void)state;
     for (struct cases c = cases_of(22500); cases_next(&c);) {
         const struct pel_copy_part copy = open_case(&c, c.next);
         const struct pel_rect *b = &from.surface.bounds;
@@ -131,9 +129,8 @@ static void test_keyed(void **state)
     }
 }
 
-static void test_alpha(void **state)
+static void test_alpha(void)
 {
-    (void)state;
     for (struct cases c = cases_of(22500); cases_next(&c);) {
         const struct pel_copy_part copy = open_case(&c, c.next);
         uint32_t alpha = random_word(&c.random) & 255;
@@ -154,9 +151,8 @@ static pel_color argb_rule(const struct pel_copy_part *c, int32_t x, int32_t y,
     return (p & UINT32_C(0xFFFFFF)) | weight << 24;
 }
 
-static void test_alpha_of_pixels(void **state)
+static void test_alpha_of_pixels(void)
 {
-    (void)state;
     uint64_t xrgb = 0;
     while (layouts[xrgb].format != &pel_xrgb8888)
         xrgb++;
@@ -173,17 +169,14 @@ static void test_alpha_of_pixels(void **state)
 }
 
 /* The alpha of a pixel is no part of the key, and nothing else's. */
-static void test_key_ignores_alpha(void **state)
+static void test_key_ignores_alpha(void)
 {
-    (void)state;
     static uint32_t words[3];
     const pel_color color[] = {0x12FF00FF, 0xFFFF00FF, 0x00FF00FE};
     const struct pel_rect b = {0, 0, 8, 1};
     struct pel_surface argb;
     canvas_open(&to, &pel_rgb888, &b, 0);
-    assert_int_equal(pel_surface_init(&argb, &pel_argb8888, words, sizeof words,
-                                      &(struct pel_rect){0, 0, 3, 1}),
-                     PEL_OK);
+    argb = surface_of(&pel_argb8888, words, sizeof words, 3, 1);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 4; k++)
             ((uint8_t *)&words[i])[k] = (uint8_t)(color[i] >> 8 * k);
@@ -195,9 +188,8 @@ static void test_key_ignores_alpha(void **state)
 }
 
 /* As a destination it is xrgb8888. */
-static void test_argb_is_drawn_into_as_xrgb(void **state)
+static void test_argb_is_drawn_into_as_xrgb(void)
 {
-    (void)state;
     const struct pel_rect b = {0, 0, 16, 4};
     const struct pel_flat mixed = PEL_FLAT(PEL_RGBA(200, 100, 50, 77));
     const struct pel_flat solid = PEL_FLAT(PEL_RGB(20, 10, 5));
@@ -215,9 +207,8 @@ static void test_argb_is_drawn_into_as_xrgb(void **state)
     canvas_check_same(&to, &from);
 }
 
-static void test_out_of_range(void **state)
+static void test_out_of_range(void)
 {
-    (void)state;
     const struct pel_rect b = {0, 0, 16, 16};
     canvas_open(&to, &pel_gray8, &b, 0);
     canvas_open(&from, &pel_rgb332, &b, 0);
@@ -234,24 +225,9 @@ static void test_out_of_range(void **state)
                          canvas_pixel_before(&to, x, 3));
 }
 
-static int teardown(void **state)
-{
-    (void)state;
-    canvas_close(&to);
-    canvas_close(&from);
-    return 0;
-}
-
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_opaque),
-        cmocka_unit_test(test_keyed),
-        cmocka_unit_test(test_alpha),
-        cmocka_unit_test(test_alpha_of_pixels),
-        cmocka_unit_test(test_key_ignores_alpha),
-        cmocka_unit_test(test_argb_is_drawn_into_as_xrgb),
-        cmocka_unit_test(test_out_of_range),
-    };
-    return cmocka_run_group_tests(tests, NULL, teardown);
+    return RUN_TESTS(test_opaque, test_keyed, test_alpha, test_alpha_of_pixels,
+                     test_key_ignores_alpha, test_argb_is_drawn_into_as_xrgb,
+                     test_out_of_range);
 }

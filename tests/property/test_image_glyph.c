@@ -36,9 +36,8 @@ static void random_bits(struct random *r, uint8_t *bits)
     }
 }
 
-static void test_bits(void **state)
+static void test_bits(void)
 {
-    (void)state;
     static uint8_t bits[BYTES];
     for (struct cases c = cases_of(60000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -60,9 +59,8 @@ static void test_bits(void **state)
     }
 }
 
-static void test_out_of_range(void **state)
+static void test_out_of_range(void)
 {
-    (void)state;
     static const uint8_t bits[] = {0xFF};
     const struct pel_rect window = {0, 0, 8, 8};
     struct pel_stencil g = {bits, 0, 8, 8};
@@ -78,9 +76,5 @@ static void test_out_of_range(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bits),
-        cmocka_unit_test(test_out_of_range),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_bits, test_out_of_range);
 }

@@ -44,9 +44,8 @@ static void check(const struct pel_rect *all, int32_t dx, int32_t dy,
         }
 }
 
-static void test_scroll(void **state)
+static void test_scroll(void)
 {
-    (void)state;
     for (struct cases c = cases_of(15000); cases_next(&c);) {
         struct random *r = &c.random;
         struct pel_rect b = {random_between(r, -40, 40) & ~7,
@@ -67,9 +66,8 @@ static void test_scroll(void **state)
     }
 }
 
-static void test_out_of_range(void **state)
+static void test_out_of_range(void)
 {
-    (void)state;
     const struct pel_rect b = {0, 0, 16, 16};
     canvas_open(&canvas, &pel_gray8, &b, 0);
     assert_int_equal(pel_scroll(&canvas.surface, &b, 65537, 0).n, 0);
@@ -79,18 +77,7 @@ static void test_out_of_range(void **state)
                          canvas_pixel_before(&canvas, 3, y));
 }
 
-static int teardown(void **state)
-{
-    (void)state;
-    canvas_close(&canvas);
-    return 0;
-}
-
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_scroll),
-        cmocka_unit_test(test_out_of_range),
-    };
-    return cmocka_run_group_tests(tests, NULL, teardown);
+    return RUN_TESTS(test_scroll, test_out_of_range);
 }

@@ -69,9 +69,8 @@ static pel_color dithered_color(const struct layout *l, pel_color c, int32_t x,
 }
 
 /* One colour, any alpha, on any surface. */
-static void test_flat(void **state)
+static void test_flat(void)
 {
-    (void)state;
     for (struct cases c = cases_of(1500); cases_next(&c);) {
         struct random *r = &c.random;
         const int32_t x0 = random_between(r, -2000, 2000) * 8;
@@ -115,9 +114,8 @@ static void check_mean(const struct layout *l, uint32_t c, int shift)
         assert_int_equal(sum, c * 64);
 }
 
-static void test_mean(void **state)
+static void test_mean(void)
 {
-    (void)state;
     const struct pel_rect b = {0, 0, 8, 8};
     for (int i = 0; i < LAYOUT_COUNT; i++)
         for (uint32_t c = 0; c < 256; c++) {
@@ -132,9 +130,8 @@ static void test_mean(void **state)
 }
 
 /* A paint that computes colours, in bands and whole. */
-static void test_gradient_in_bands(void **state)
+static void test_gradient_in_bands(void)
 {
-    (void)state;
     static struct canvas band;
     static const pel_color colors[2] = {0xFF102030, 0xC0F0E0D0};
     const struct pel_ramp ramp = {colors, 2, PEL_REFLECT};
@@ -151,10 +148,7 @@ static void test_gradient_in_bands(void **state)
             const struct pel_rect part = {y0 & 8, y0, 64, y0 + 8};
             canvas_open(&band, layouts[i].format, &part, 1);
             pel_rectangle(&band.surface, origin, far_end, &d.paint);
-            for (int32_t y = y0; y < y0 + 8; y++)
-                for (int32_t x = part.x0; x < 64; x++)
-                    assert_int_equal(canvas_pixel(&band, x, y),
-                                     canvas_pixel(&canvas, x, y));
+            canvas_check_part(&canvas, &band);
         }
     }
 }
@@ -198,9 +192,8 @@ static void check_source(const struct layout *l, const struct pel_paint *source)
         }
 }
 
-static void test_any_source(void **state)
+static void test_any_source(void)
 {
-    (void)state;
     static const struct pel_paint half = {left_half, NULL};
     const struct pel_point v[3] = {PEL_AT(-200, -100), PEL_AT(300, -100),
                                    PEL_AT(30, 400)};
@@ -235,9 +228,8 @@ static void fill_and_load(const struct pel_paint *paint,
 }
 
 /* A format of one's own, here of the depths of another, is dithered too. */
-static void test_sources_surface(void **state)
+static void test_sources_surface(void)
 {
-    (void)state;
     static const struct pel_paint source = {fill_and_load, NULL};
     static const struct pel_rect b = {0, 0, 40, 3};
     struct pel_format own = pel_rgb332;
@@ -256,9 +248,8 @@ static void test_sources_surface(void **state)
 }
 
 /* Refused, and where a source became a dither later nothing is drawn. */
-static void test_dither_of_dither(void **state)
+static void test_dither_of_dither(void)
 {
-    (void)state;
     static const struct pel_rect b = {0, 0, 8, 8};
     const struct pel_flat flat = PEL_FLAT(0xFF4080C0);
     struct pel_dither d, e = {{NULL, NULL}, NULL};
@@ -275,25 +266,9 @@ static void test_dither_of_dither(void **state)
     }
 }
 
-static void test_errors(void **state)
-{
-    (void)state;
-    const struct pel_flat flat = PEL_FLAT(0);
-    struct pel_dither d;
-    assert_int_equal(pel_dither_init(NULL, &flat.paint), PEL_ERROR_NULL);
-    assert_int_equal(pel_dither_init(&d, NULL), PEL_ERROR_NULL);
-}
-
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_flat),
-        cmocka_unit_test(test_mean),
-        cmocka_unit_test(test_gradient_in_bands),
-        cmocka_unit_test(test_any_source),
-        cmocka_unit_test(test_sources_surface),
-        cmocka_unit_test(test_dither_of_dither),
-        cmocka_unit_test(test_errors),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_flat, test_mean, test_gradient_in_bands,
+                     test_any_source, test_sources_surface,
+                     test_dither_of_dither);
 }

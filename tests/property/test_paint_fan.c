@@ -136,9 +136,8 @@ static void check_runs(struct random *r)
     }
 }
 
-static void test_stars(void **state)
+static void test_stars(void)
 {
-    (void)state;
     for (struct cases c = cases_of(2500); cases_next(&c);) {
         random_star(&c.random);
         assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.memory),
@@ -149,9 +148,8 @@ static void test_stars(void **state)
 }
 
 /* Convex and not, any legal points: where the perimeter goes around the hub. */
-static void test_any_triangle(void **state)
+static void test_any_triangle(void)
 {
-    (void)state;
     for (struct cases c = cases_of(10000); cases_next(&c);) {
         struct random *r = &c.random;
         if (c.next % 2)
@@ -169,9 +167,8 @@ static void test_any_triangle(void **state)
 
 /* Around the mean place, with a colour that is the mean: the whole triangle is
  * one plane. */
-static void test_triangle_is_gouraud(void **state)
+static void test_triangle_is_gouraud(void)
 {
-    (void)state;
     const struct pel_point v[3] = {{PEL_PX(30), PEL_PX(3)},
                                    {PEL_PX(3), PEL_PX(60)},
                                    {PEL_PX(90), PEL_PX(81)}};
@@ -197,9 +194,8 @@ static void test_triangle_is_gouraud(void **state)
         }
 }
 
-static void test_hub_on_an_edge(void **state)
+static void test_hub_on_an_edge(void)
 {
-    (void)state;
     const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(20, 0), PEL_AT(10, 10)};
     const pel_color c[3] = {0xFF000000, 0xFFFFFFFF, 0xFF00FF00};
     pel_color got[40];
@@ -241,9 +237,8 @@ static void draw_half(int first, bool reversed, pel_color *out)
                             out + i);
 }
 
-static void test_any_beginning(void **state)
+static void test_any_beginning(void)
 {
-    (void)state;
     static pel_color want[HALF_SIZE * HALF_SIZE], got[HALF_SIZE * HALF_SIZE];
     draw_half(0, false, want);
     assert_int_equal(want[12 * HALF_SIZE + 12], 0xFF000000);
@@ -262,9 +257,8 @@ static void test_any_beginning(void **state)
         }
 }
 
-static void test_opaque(void **state)
+static void test_opaque(void)
 {
-    (void)state;
     const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(20, 0), PEL_AT(10, 10)};
     for (int i = 0; i < 4; i++) {
         pel_color c[4] = {0xFF000000, 0xFF000000, 0xFF000000, 0xFF000000};
@@ -276,9 +270,8 @@ static void test_opaque(void **state)
     }
 }
 
-static void test_largest(void **state)
+static void test_largest(void)
 {
-    (void)state;
     static struct pel_point v[32768];
     static pel_color colors[32768];
     static struct pel_fan_triangle triangles[32768];
@@ -290,56 +283,14 @@ static void test_largest(void **state)
     assert_int_equal(pel_fan_init(&fan.fan, &p, triangles), PEL_ERROR_SIZE);
 }
 
-static void test_errors(void **state)
-{
-    (void)state;
-    const struct pel_point far[3] = {
-        PEL_AT(0, 0), PEL_AT(20, 0), {PEL_PX(10), PEL_COORDINATE_MAX + 1}};
-    const struct pel_point v[4] = {PEL_AT(0, 0), PEL_AT(20, 0), PEL_AT(10, 10),
-                                   PEL_AT(-5, 3)};
-    const pel_color c[4] = {0, 0, 0, 0};
-    struct pel_fan_points p = {PEL_AT(10, 3), 0, v, c, 3};
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_OK);
-    assert_int_equal(pel_fan_init(NULL, &p, fan.memory), PEL_ERROR_NULL);
-    assert_int_equal(pel_fan_init(&fan.fan, &p, NULL), PEL_ERROR_NULL);
-    assert_int_equal(pel_fan_init(&fan.fan, NULL, fan.memory), PEL_ERROR_NULL);
-    p.colors = NULL;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_NULL);
-    p.colors = c;
-    p.perimeter = NULL;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_NULL);
-    p.perimeter = far;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_RANGE);
-    p.perimeter = v;
-    p.n = 2;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_SIZE);
-    /* A star of five points in one line goes around its middle twice. */
-    const struct pel_point star[5] = {PEL_AT(0, -20), PEL_AT(12, 16),
-                                      PEL_AT(-19, -6), PEL_AT(19, -6),
-                                      PEL_AT(-12, 16)};
-    const pel_color hues[5] = {0, 0, 0, 0, 0};
-    const struct pel_fan_points twice = {PEL_AT(0, 0), 0, star, hues, 5};
-    assert_int_equal(pel_fan_init(&fan.fan, &twice, fan.memory),
-                     PEL_ERROR_RANGE);
-    p.n = 3;
-    p.hub.y = PEL_PX(-1);
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_RANGE);
-    p.hub.y = PEL_COORDINATE_MAX + 1;
-    assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory), PEL_ERROR_RANGE);
-    p.n = 0;
-    pel_fan_set_hub(&p);
-    assert_int_equal(p.hub.x, PEL_PX(10));
-}
-
 /* Rims that go around once, from every point on and both ways: with a point on
  * the hub, and with points beside the level rays. */
-static void test_perimeters_around_once(void **state)
+static void test_perimeters_around_once(void)
 {
     static const struct pel_point perimeters[2][5] = {
         {{900, 900}, {-900, 900}, {-900, -900}, {0, 0}, {900, -900}},
         {{900, 1}, {-900, 1}, {-900, 0}, {-900, -1}, {900, -1}}};
     const pel_color hues[5] = {0, 0, 0, 0, 0};
-    (void)state;
     for (int k = 0; k < 2; k++)
         for (int first = 0; first < 5; first++)
             for (int way = -1; way <= 1; way += 2) {
@@ -354,16 +305,7 @@ static void test_perimeters_around_once(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stars),
-        cmocka_unit_test(test_any_triangle),
-        cmocka_unit_test(test_triangle_is_gouraud),
-        cmocka_unit_test(test_hub_on_an_edge),
-        cmocka_unit_test(test_any_beginning),
-        cmocka_unit_test(test_opaque),
-        cmocka_unit_test(test_largest),
-        cmocka_unit_test(test_perimeters_around_once),
-        cmocka_unit_test(test_errors),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_stars, test_any_triangle, test_triangle_is_gouraud,
+                     test_hub_on_an_edge, test_any_beginning, test_opaque,
+                     test_largest, test_perimeters_around_once);
 }

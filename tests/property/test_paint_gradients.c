@@ -308,9 +308,8 @@ static void check_shape(const struct gradient *g, int32_t x, int32_t y)
         }
 }
 
-static void test_every_cell(void **state)
+static void test_every_cell(void)
 {
-    (void)state;
     static struct gradient g;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -334,59 +333,7 @@ static void test_every_cell(void **state)
     }
 }
 
-static void test_errors(void **state)
-{
-    (void)state;
-    static const pel_color two[2];
-    const struct pel_point at = {0, 0}, to = {1, 0};
-    const struct pel_point out = {PEL_COORDINATE_MAX + 1, 0};
-    const struct pel_ramp good = {two, 2, PEL_PAD}, none = {two, 0, PEL_PAD},
-                          many = {two, 32768, PEL_PAD}, null = {NULL, 2, 0};
-    struct pel_linear l;
-    struct pel_radial radial;
-    struct pel_conic conic;
-    struct pel_hue_wheel wheel;
-    const struct {
-        const struct pel_ramp *ramp;
-        struct pel_point at;
-        int32_t radius;
-        enum pel_status linear, radial, conic;
-    } rows[] = {
-        {&good, at, 256, PEL_OK, PEL_OK, PEL_OK},
-        {NULL, at, 256, PEL_ERROR_NULL, PEL_ERROR_NULL, PEL_ERROR_NULL},
-        {&null, at, 256, PEL_ERROR_NULL, PEL_ERROR_NULL, PEL_ERROR_NULL},
-        {&none, at, 256, PEL_ERROR_SIZE, PEL_ERROR_SIZE, PEL_ERROR_SIZE},
-        {&many, at, 256, PEL_ERROR_SIZE, PEL_ERROR_SIZE, PEL_ERROR_SIZE},
-        {&good, out, 256, PEL_ERROR_RANGE, PEL_ERROR_RANGE, PEL_ERROR_RANGE},
-        {&good, to, 255, PEL_ERROR_SIZE, PEL_ERROR_RANGE, PEL_OK},
-        {&good, to, PEL_PX(32767) + 1, PEL_ERROR_SIZE, PEL_ERROR_RANGE, PEL_OK},
-    };
-    for (unsigned i = 0; i < sizeof rows / sizeof *rows; i++) {
-        const struct pel_rings rings = {rows[i].at, rows[i].radius, 0};
-        const struct pel_ramp *ramp = rows[i].ramp;
-        assert_int_equal(pel_linear_init(&l, rows[i].at, to, ramp),
-                         rows[i].linear);
-        assert_int_equal(pel_radial_init(&radial, &rings, ramp),
-                         rows[i].radial);
-        assert_int_equal(pel_conic_init(&conic, rows[i].at, 0, ramp),
-                         rows[i].conic);
-        assert_int_equal(pel_linear_init(NULL, rows[i].at, to, ramp),
-                         PEL_ERROR_NULL);
-        assert_int_equal(pel_radial_init(NULL, &rings, ramp), PEL_ERROR_NULL);
-        assert_int_equal(pel_conic_init(NULL, rows[i].at, 0, ramp),
-                         PEL_ERROR_NULL);
-    }
-    assert_int_equal(pel_linear_init(&l, at, out, &good), PEL_ERROR_RANGE);
-    assert_int_equal(pel_radial_init(&radial, NULL, &good), PEL_ERROR_NULL);
-    assert_int_equal(pel_hue_wheel_init(NULL, at, 0, 1, 2), PEL_ERROR_NULL);
-    assert_int_equal(pel_hue_wheel_init(&wheel, out, 0, 1, 2), PEL_ERROR_RANGE);
-}
-
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_cell),
-        cmocka_unit_test(test_errors),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_every_cell);
 }

@@ -26,9 +26,8 @@ static void check_root(uint64_t v)
 }
 
 /* All small numbers, and squares with their neighbours of every size. */
-static void test_roots(void **state)
+static void test_roots(void)
 {
-    (void)state;
     for (uint64_t v = 0; v < 300000; v++)
         check_root(v);
     for (struct cases c = cases_of(1000000); cases_next(&c);) {
@@ -49,9 +48,8 @@ static int64_t random_long(struct random *r, int bits)
     return (int64_t)(v >> (64 - bits));
 }
 
-static void test_quotients(void **state)
+static void test_quotients(void)
 {
-    (void)state;
     for (struct cases c = cases_of(300000); cases_next(&c);) {
         struct random *r = &c.random;
         int64_t d = random_long(r, random_between(r, 1, 51));
@@ -74,9 +72,5 @@ static void test_quotients(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_roots),
-        cmocka_unit_test(test_quotients),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_roots, test_quotients);
 }

@@ -127,9 +127,8 @@ static void check_pixels(const struct canvas *c, const struct hits *h,
     canvas_check(c);
 }
 
-static void test_pixels(void **state)
+static void test_pixels(void)
 {
-    (void)state;
     static struct canvas canvas;
     static struct hits hits;
     for (struct cases c = cases_of(20000); cases_next(&c);) {
@@ -166,9 +165,8 @@ static uint32_t checksum_of(uint32_t kind)
     return sum;
 }
 
-static void test_same_bytes_everywhere(void **state)
+static void test_same_bytes_everywhere(void)
 {
-    (void)state;
     static const uint32_t sums[KINDS] = {0xf2040aa4, 0x7de153e6, 0x4e4be96e};
     for (uint32_t kind = 0; kind < KINDS; kind++)
         if (checksum_of(kind) != sums[kind])
@@ -178,9 +176,5 @@ static void test_same_bytes_everywhere(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pixels),
-        cmocka_unit_test(test_same_bytes_everywhere),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_pixels, test_same_bytes_everywhere);
 }

@@ -42,18 +42,12 @@ static void open_random_picture(struct random *r, bool noise)
     picture.wrap_v = (enum pel_wrap)(random_word(r) % 3);
 }
 
-static int64_t floored(int64_t i, int64_t n)
-{
-    return (i % n + n) % n;
-}
-
 static int64_t wrapped(int64_t i, int64_t size, enum pel_wrap wrap)
 {
+    const int64_t period = wrap == PEL_WRAP_REPEAT ? size : 2 * size;
     if (wrap == PEL_WRAP_CLAMP)
         return i < 0 ? 0 : i >= size ? size - 1 : i;
-    if (wrap == PEL_WRAP_REPEAT)
-        return floored(i, size);
-    i = floored(i, 2 * size);
+    i = (i % period + period) % period;
     return i < size ? i : 2 * size - 1 - i;
 }
 
@@ -200,27 +194,25 @@ static void check_row(struct random *r, const struct mapped *m,
     }
 }
 
-static void test_nearest(void **state)
+static void check_rows(bool noise, init_function *init, check_function *check)
 {
-    (void)state;
     for (struct cases c = cases_of(40000); cases_next(&c);) {
         if (c.next % 64 == 1)
-            open_random_picture(&c.random, false);
+            open_random_picture(&c.random, noise);
         const struct mapped m = random_mapped(&c.random);
-        check_row(&c.random, &m, pel_texture_init_nearest, check_nearest);
+        check_row(&c.random, &m, init, check);
     }
+}
+
+static void test_nearest(void)
+{
+    check_rows(false, pel_texture_init_nearest, check_nearest);
     histogram_end(&nearest_errors);
 }
 
-static void test_bilinear(void **state)
+static void test_bilinear(void)
 {
-    (void)state;
-    for (struct cases c = cases_of(40000); cases_next(&c);) {
-        if (c.next % 64 == 1)
-            open_random_picture(&c.random, true);
-        const struct mapped m = random_mapped(&c.random);
-        check_row(&c.random, &m, pel_texture_init_bilinear, check_bilinear);
-    }
+    check_rows(true, pel_texture_init_bilinear, check_bilinear);
     histogram_end(&bilinear_errors);
 }
 
@@ -245,9 +237,8 @@ static void check_unit_scale(init_function *init)
     }
 }
 
-static void test_unit_scale_is_exact(void **state)
+static void test_unit_scale_is_exact(void)
 {
-    (void)state;
     static const int16_t size[][2] = {{451, 300}, {256, 64}, {1, 1}, {13, 1}};
     for (int s = 0; s < 4; s++)
         for (int wrap = 0; wrap < 9; wrap++) {
@@ -260,9 +251,8 @@ static void test_unit_scale_is_exact(void **state)
 }
 
 /* Any order of the vertices gives the same map. */
-static void test_order_changes_nothing(void **state)
+static void test_order_changes_nothing(void)
 {
-    (void)state;
     static const int8_t order[5][3] = {
         {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
     open_picture(451, 300, false);
@@ -298,8 +288,7 @@ static void check_formats(const struct pel_format *from,
     canvas_open(&target, to, &large, wrap);
     assert_int_equal(pel_texture_init_nearest(&p, &texels, &map), PEL_OK);
     p.wrap_u = p.wrap_v = wrap;
-    const struct pel_point a = PEL_AT(-32, -40), b = PEL_AT(40, 24);
-    pel_rectangle(&target.surface, a, b, &p.base.paint);
+    pel_box(&target.surface, &large, &p.base.paint);
     canvas_check(&target);
     for (int32_t y = large.y0; y < large.y1; y++)
         for (int32_t x = large.x0; x < large.x1; x++) {
@@ -315,9 +304,8 @@ static void check_formats(const struct pel_format *from,
     canvas_check(&source);
 }
 
-static void test_formats(void **state)
+static void test_formats(void)
 {
-    (void)state;
     for (int from = 0; from < LAYOUT_COUNT; from++)
         for (int to = 0; to < LAYOUT_COUNT; to++)
             for (uint8_t wrap = 0; wrap < 3; wrap++)
@@ -325,20 +313,18 @@ static void test_formats(void **state)
 }
 
 /* A surface with alpha shows what the same colours in an array show. */
-static void test_alpha_surface(void **state)
+static void test_alpha_surface(void)
 {
-    (void)state;
     static uint8_t memory[451 * 300 * 4];
     const struct pel_texture_map map = {{0x12345678, 0x9ABCDEF0, 0x13579BDF},
                                         {0x87654321, 0x2468ACE0, 0xFEDCBA98}};
-    struct pel_surface surface;
     struct pel_texture p, q;
     pel_color from_surface[300], from_array[300];
     open_picture(451, 300, true);
     for (size_t i = 0; i < sizeof memory; i++)
         memory[i] = (uint8_t)(picture.texel[i / 4] >> i % 4 * 8);
-    const struct pel_rect all = {0, 0, 451, 300};
-    pel_surface_init(&surface, &pel_argb8888, memory, sizeof memory, &all);
+    struct pel_surface surface =
+        surface_of(&pel_argb8888, memory, sizeof memory, 451, 300);
     const struct pel_texels t = {&surface, NULL, 0, 0, false};
     for (int i = 0; i < 2; i++) {
         init_function *init =
@@ -354,47 +340,9 @@ static void test_alpha_surface(void **state)
     }
 }
 
-static void test_errors(void **state)
-{
-    (void)state;
-    const struct pel_texture_map map = PEL_TEXTURE_AT(0, 0);
-    const pel_color one = 0;
-    struct pel_texels t = {NULL, &one, 1, 1, false};
-    struct pel_texture p;
-    struct pel_texture_map m;
-    struct pel_surface surface;
-    uint16_t words[2] = {0, 0};
-    struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(1, 0), PEL_AT(0, 1)};
-    const struct pel_texel_point q[3] = {{0, 0}, {1, 0}, {0, 1}};
-    assert_int_equal(pel_texture_init_nearest(NULL, &t, &map), PEL_ERROR_NULL);
-    assert_int_equal(pel_texture_init_nearest(&p, NULL, &map), PEL_ERROR_NULL);
-    assert_int_equal(pel_texture_init_bilinear(&p, &t, NULL), PEL_ERROR_NULL);
-    t.width = 0;
-    assert_int_equal(pel_texture_init_nearest(&p, &t, &map), PEL_ERROR_SIZE);
-    t.width = 1;
-    t.height = 32768;
-    assert_int_equal(pel_texture_init_bilinear(&p, &t, &map), PEL_ERROR_SIZE);
-    t.colors = NULL;
-    assert_int_equal(pel_texture_init_nearest(&p, &t, &map), PEL_ERROR_NULL);
-    const struct pel_rect two = {0, 0, 2, 1};
-    pel_surface_init(&surface, &pel_rgb565_le_fill, words, sizeof words, &two);
-    t.surface = &surface;
-    assert_int_equal(pel_texture_init_nearest(&p, &t, &map), PEL_ERROR_FORMAT);
-    assert_int_equal(pel_texture_map_triangle(&m, NULL, q), PEL_ERROR_NULL);
-    v[1].x = PEL_COORDINATE_MAX + 1;
-    assert_int_equal(pel_texture_map_triangle(&m, v, q), PEL_ERROR_RANGE);
-}
-
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_nearest),
-        cmocka_unit_test(test_bilinear),
-        cmocka_unit_test(test_unit_scale_is_exact),
-        cmocka_unit_test(test_order_changes_nothing),
-        cmocka_unit_test(test_formats),
-        cmocka_unit_test(test_alpha_surface),
-        cmocka_unit_test(test_errors),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_nearest, test_bilinear, test_unit_scale_is_exact,
+                     test_order_changes_nothing, test_formats,
+                     test_alpha_surface);
 }

@@ -122,15 +122,13 @@ static void check_bound(const char *name, generator *generate, uint64_t count)
     assert_true(t.channels > 0);
 }
 
-static void test_random(void **state)
+static void test_random(void)
 {
-    (void)state;
     check_bound("gouraud_random", shape_random, 400000);
 }
 
-static void test_adversarial(void **state)
+static void test_adversarial(void)
 {
-    (void)state;
     check_bound("gouraud_adversarial", shape_adversarial, 400000);
 }
 
@@ -156,9 +154,8 @@ static void borders(struct random *r, struct pel_point *v, int32_t n)
             v[i] = (struct pel_point){v[i].y, v[i].x};
 }
 
-static void test_borders(void **state)
+static void test_borders(void)
 {
-    (void)state;
     check_bound("gouraud_borders", borders, 200000);
 }
 
@@ -178,9 +175,8 @@ static void slivers(struct random *r, struct pel_point v[3])
 }
 
 /* The plane goes on beyond the triangle, within the bound for each pixel. */
-static void test_beyond_slivers(void **state)
+static void test_beyond_slivers(void)
 {
-    (void)state;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct pel_point v[3];
         pel_color color[3];
@@ -199,10 +195,9 @@ static void test_beyond_slivers(void **state)
 }
 
 /* What is drawn is the plane, cut to 8 bits, through clips and both walkers. */
-static void test_bytes_are_the_plane(void **state)
+static void test_bytes_are_the_plane(void)
 {
     static struct canvas canvas;
-    (void)state;
     for (struct cases c = cases_of(30000); cases_next(&c);) {
         struct pel_point v[3];
         pel_color color[3];
@@ -231,17 +226,10 @@ static void test_bytes_are_the_plane(void **state)
             }
         canvas_check(&canvas);
     }
-    canvas_close(&canvas);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_adversarial),
-        cmocka_unit_test(test_borders),
-        cmocka_unit_test(test_beyond_slivers),
-        cmocka_unit_test(test_bytes_are_the_plane),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_random, test_adversarial, test_borders,
+                     test_beyond_slivers, test_bytes_are_the_plane);
 }

@@ -100,11 +100,10 @@ static void open_around(const struct pel_rect *o)
     hits_open(&hits, &b);
 }
 
-static void test_skylines(void **state)
+static void test_skylines(void)
 {
     static struct pel_point region[POINTS];
     struct mesh m;
-    (void)state;
     for (struct cases c = cases_of(4000); cases_next(&c);) {
         mesh_random(&c.random, &m);
         open_around(&m.outline);
@@ -134,14 +133,13 @@ static int32_t add_square(struct pel_point *v, int32_t n,
 
 /* By even-odd the outline and the outline with the square are each other's
  * complement in the square. */
-static void test_inside_and_outside(void **state)
+static void test_inside_and_outside(void)
 {
     enum { MOST = 300 };
     const struct pel_rect px = {-20, -20, 20, 20};
     const struct pel_rect square = {PEL_PX(-20), PEL_PX(-20), PEL_PX(20),
                                     PEL_PX(20)};
     struct pel_point v[MOST + 6];
-    (void)state;
     for (struct cases c = cases_of(3000); cases_next(&c);) {
         const int32_t n = random_between(&c.random, 3, MOST);
         shape_in_box(&c.random, v, n, &px);
@@ -154,9 +152,5 @@ static void test_inside_and_outside(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_skylines),
-        cmocka_unit_test(test_inside_and_outside),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_skylines, test_inside_and_outside);
 }

@@ -132,11 +132,10 @@ static struct pel_rect bounds_of(const struct mesh *m)
     return b;
 }
 
-static void test_every_pixel_is_hit_once(void **state)
+static void test_every_pixel_is_hit_once(void)
 {
     static struct hits hits;
     struct mesh m;
-    (void)state;
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         mesh_random(&c.random, &m);
         const struct pel_rect b = bounds_of(&m);
@@ -146,11 +145,10 @@ static void test_every_pixel_is_hit_once(void **state)
     }
 }
 
-static void test_every_pixel_is_blended_once(void **state)
+static void test_every_pixel_is_blended_once(void)
 {
     static struct canvas canvas;
     struct mesh m;
-    (void)state;
     for (struct cases c = cases_of(10000); cases_next(&c);) {
         struct random *r = &c.random;
         const struct layout *l = &layouts[random_word(r) % LAYOUT_COUNT];
@@ -172,14 +170,10 @@ static void test_every_pixel_is_blended_once(void **state)
                              cases_replay());
             }
     }
-    canvas_close(&canvas);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_pixel_is_hit_once),
-        cmocka_unit_test(test_every_pixel_is_blended_once),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_every_pixel_is_hit_once,
+                     test_every_pixel_is_blended_once);
 }

@@ -99,31 +99,27 @@ static void check_edges(uint64_t count, const int32_t dy[2])
     assert_true(p[1].rows > 0);
 }
 
-static void test_up_to_128_rows(void **state)
+static void test_up_to_128_rows(void)
 {
-    (void)state;
     check_edges(100000, (const int32_t[]){1, 2000});
     check_edges(50000, (const int32_t[]){2000, 32768});
 }
 
-static void test_up_to_4094_rows(void **state)
+static void test_up_to_4094_rows(void)
 {
-    (void)state;
     check_edges(20000, (const int32_t[]){32768, 100000});
     check_edges(2000, (const int32_t[]){100000, PEL_PX(4094)});
     check_edges(1000, (const int32_t[]){PEL_PX(4000), PEL_PX(4094)});
 }
 
-static void test_up_to_15625_rows(void **state)
+static void test_up_to_15625_rows(void)
 {
-    (void)state;
     check_edges(1200, (const int32_t[]){PEL_PX(4094), 4000000});
 }
 
 /* The generator's promise: no edge passes more closely. */
-static void test_generator(void **state)
+static void test_generator(void)
 {
-    (void)state;
     for (struct cases c = cases_of(10000); cases_next(&c);) {
         struct near_miss m;
         near_miss_random(&c.random, &m, (const int32_t[]){1, 1000000});
@@ -138,11 +134,6 @@ static void test_generator(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_generator),
-        cmocka_unit_test(test_up_to_128_rows),
-        cmocka_unit_test(test_up_to_4094_rows),
-        cmocka_unit_test(test_up_to_15625_rows),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_generator, test_up_to_128_rows, test_up_to_4094_rows,
+                     test_up_to_15625_rows);
 }

@@ -1,5 +1,5 @@
 /* Coverage of triangles, random and adversarial, through clip windows anywhere,
- * against 128-bit arithmetic. */
+ * against 128-bit arithmetic; as polygons; and without area as lines. */
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
 #include "tests/support/reference.h"
@@ -7,9 +7,23 @@
 
 static struct hits hits;
 
+static bool in_line(const void *shape, int32_t x, int32_t y)
+{
+    const struct pel_point *v = shape;
+    return reference_line_at(v[0], v[1], x, y);
+}
+
 static bool in_triangle(const void *v, int32_t x, int32_t y)
 {
     return reference_triangle_at(v, x, y);
+}
+
+static void open_window(struct random *r, const struct pel_point v[3])
+{
+    const struct pel_rect window = shape_window(r, v, 3, 20);
+    const struct pel_rect clip = shape_clip(r, &window);
+    hits_open(&hits, &window);
+    pel_surface_clip(&hits.surface, &clip);
 }
 
 typedef void generator(struct random *r, struct pel_point *v, int32_t n);
@@ -20,10 +34,7 @@ static void check_triangles(generator *generate)
     for (struct cases c = cases_of(1000000); cases_next(&c);) {
         struct pel_point v[3];
         generate(&c.random, v, 3);
-        const struct pel_rect window = shape_window(&c.random, v, 3, 20);
-        const struct pel_rect clip = shape_clip(&c.random, &window);
-        hits_open(&hits, &window);
-        pel_surface_clip(&hits.surface, &clip);
+        open_window(&c.random, v);
         pel_triangle(&hits.surface, v, &hits.paint);
         hits_check(&hits, in_triangle, v, "triangle");
         covered += hits.pixels;
@@ -31,23 +42,72 @@ static void check_triangles(generator *generate)
     print_message("%llu pixels covered\n", (unsigned long long)covered);
 }
 
-static void test_random_triangles(void **state)
+static void test_random_triangles(void)
 {
-    (void)state;
     check_triangles(shape_random);
 }
 
-static void test_adversarial_triangles(void **state)
+static void test_adversarial_triangles(void)
 {
-    (void)state;
     check_triangles(shape_adversarial);
+}
+
+/* Either random or adversarial. */
+static void generate(struct random *r, struct pel_point v[3])
+{
+    if (random_word(r) & 1)
+        shape_random(r, v, 3);
+    else
+        shape_adversarial(r, v, 3);
+}
+
+/* A triangle as a polygon is the triangle, by either rule. */
+static void test_triangle_polygons(void)
+{
+    uint32_t scratch[PEL_POLYGON_SCRATCH_SIZE(3) / 4];
+    for (struct cases c = cases_of(200000); cases_next(&c);) {
+        struct pel_point v[3];
+        const struct pel_polygon_shape p = {
+            v, 3, random_word(&c.random) & 1 ? PEL_EVEN_ODD : PEL_NON_ZERO};
+        generate(&c.random, v);
+        open_window(&c.random, v);
+        assert_int_equal(pel_polygon(&hits.surface, &p, &hits.paint, scratch,
+                                     sizeof scratch),
+                         PEL_OK);
+        hits_check(&hits, in_triangle, v, "triangle as polygon");
+    }
+}
+
+static bool lower(const struct pel_point *a, const struct pel_point *b)
+{
+    return a->y > b->y || (a->y == b->y && a->x > b->x);
+}
+
+/* Without area: the line between the two extreme vertices. */
+static void test_collinear_triangles(void)
+{
+    for (struct cases c = cases_of(200000); cases_next(&c);) {
+        struct pel_point v[3], line[2];
+        generate(&c.random, v);
+        if (random_word(&c.random) & 1)
+            v[2] = v[random_word(&c.random) % 2];
+        open_window(&c.random, v);
+        pel_triangle_or_line(&hits.surface, v, &hits.paint);
+        line[0] = line[1] = v[0];
+        for (int i = 1; i < 3; i++) {
+            if (lower(&line[0], &v[i]))
+                line[0] = v[i];
+            if (lower(&v[i], &line[1]))
+                line[1] = v[i];
+        }
+        const bool flat = pel_triangle_area(v) == 0;
+        hits_check(&hits, flat ? in_line : in_triangle, flat ? line : v,
+                   "triangle or line");
+    }
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_triangles),
-        cmocka_unit_test(test_adversarial_triangles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_random_triangles, test_adversarial_triangles,
+                     test_triangle_polygons, test_collinear_triangles);
 }

@@ -34,23 +34,17 @@ static void check_items(uint64_t count, int32_t size)
     }
 }
 
-static void test_small(void **state)
+static void test_small(void)
 {
-    (void)state;
     check_items(200000, 24);
 }
 
-static void test_large(void **state)
+static void test_large(void)
 {
-    (void)state;
     check_items(3000, 300);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_small),
-        cmocka_unit_test(test_large),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_small, test_large);
 }

@@ -42,9 +42,8 @@ static struct any_shape open_disc(struct random *r)
     return disc;
 }
 
-static void test_rings(void **state)
+static void test_rings(void)
 {
-    (void)state;
     for (struct cases c = cases_of(40000); cases_next(&c);) {
         const struct any_shape disc = open_disc(&c.random);
         int32_t cut[PARTS + 1];
@@ -76,9 +75,8 @@ static void random_angles(struct random *r, uint16_t angle[PARTS + 1])
         angle[i] = (uint16_t)(start + (uint32_t)cut[i]);
 }
 
-static void test_sectors(void **state)
+static void test_sectors(void)
 {
-    (void)state;
     for (struct cases c = cases_of(40000); cases_next(&c);) {
         const struct any_shape disc = open_disc(&c.random);
         const uint16_t a = (uint16_t)random_word(&c.random);
@@ -93,9 +91,8 @@ static void test_sectors(void **state)
     }
 }
 
-static void test_arcs(void **state)
+static void test_arcs(void)
 {
-    (void)state;
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         const struct any_shape disc = open_disc(&c.random);
         uint16_t angle[PARTS + 1];
@@ -115,10 +112,5 @@ static void test_arcs(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rings),
-        cmocka_unit_test(test_sectors),
-        cmocka_unit_test(test_arcs),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_rings, test_sectors, test_arcs);
 }

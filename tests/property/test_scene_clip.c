@@ -5,6 +5,7 @@
 #include "core/scene/pipeline.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
+#include "tests/support/layouts.h"
 
 enum { SIDE = 96, CELLS = 6, ROW = CELLS + 1 };
 
@@ -95,10 +96,7 @@ static void draw(struct plane *p, int32_t rows)
     struct pel_surface surface;
     struct pel_frame frame;
     memset(hits, 0, sizeof hits);
-    assert_int_equal(pel_surface_init(&surface, &pel_xrgb8888, pixels,
-                                      sizeof pixels,
-                                      &(struct pel_rect){0, 0, SIDE, SIDE}),
-                     PEL_OK);
+    surface = surface_of(&pel_xrgb8888, pixels, sizeof pixels, SIDE, SIDE);
     assert_int_equal(
         pel_scene_prepare(&frame, &p->scene, p->scratch, sizeof p->scratch),
         PEL_OK);
@@ -136,11 +134,10 @@ static uint64_t check_line(int32_t at, bool column)
     return sum;
 }
 
-static void test_clipped_triangles_leave_no_gap(void **state)
+static void test_clipped_triangles_leave_no_gap(void)
 {
     static struct plane p;
     uint64_t seen = 0, clipped = 0;
-    (void)state;
     for (struct cases c = cases_of(8000); cases_next(&c);) {
         any_plane(&c.random, &p);
         draw(&p, SIDE);
@@ -188,12 +185,11 @@ static bool wrong(int32_t x, int32_t y)
 
 /* Where a triangle that is cut meets one that is not, both see the vertices
  * that they share at one place; and all bands do. */
-static void test_vertices_stay_where_neighbours_see_them(void **state)
+static void test_vertices_stay_where_neighbours_see_them(void)
 {
     static struct plane p;
     static uint8_t whole[SIDE][SIDE];
     uint64_t pictures = 0;
-    (void)state;
     for (struct cases c = cases_of(4000); cases_next(&c);) {
         any_far_plane(&c.random, &p);
         draw(&p, SIDE);
@@ -214,9 +210,6 @@ static void test_vertices_stay_where_neighbours_see_them(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_clipped_triangles_leave_no_gap),
-        cmocka_unit_test(test_vertices_stay_where_neighbours_see_them),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_clipped_triangles_leave_no_gap,
+                     test_vertices_stay_where_neighbours_see_them);
 }

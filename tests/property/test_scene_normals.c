@@ -48,12 +48,11 @@ static void add_face(const struct lump *m, uint32_t t, uint32_t vertex,
     }
 }
 
-static void test_normals_are_means_of_faces(void **state)
+static void test_normals_are_means_of_faces(void)
 {
     static struct lump m;
     uint64_t scratch[VERTICES * 3], zeros = 0;
     int16_t got[VERTICES][3];
-    (void)state;
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         any_lump(&c.random, &m);
         assert_int_equal(
@@ -82,11 +81,10 @@ static void test_normals_are_means_of_faces(void **state)
 
 /* Highlights with an exponent of 256 at full strength, where an error of the
  * reflected direction counts 256 times; and a zero normal. */
-static void test_light_of_a_place(void **state)
+static void test_light_of_a_place(void)
 {
     static struct any_scene s;
     real worst = 0;
-    (void)state;
     for (struct cases c = cases_of(5000); cases_next(&c);) {
         struct pel_mesh_lights lights;
         struct pel_mesh_light light[ANY_LIGHTS];
@@ -129,9 +127,5 @@ static void test_light_of_a_place(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_normals_are_means_of_faces),
-        cmocka_unit_test(test_light_of_a_place),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_normals_are_means_of_faces, test_light_of_a_place);
 }

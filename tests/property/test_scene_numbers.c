@@ -15,9 +15,8 @@ static int64_t any_number(struct random *r, int bits)
     return random_word(r) % 2 ? v : -v;
 }
 
-static void test_division(void **state)
+static void test_division(void)
 {
-    (void)state;
     for (struct cases c = cases_of(300000); cases_next(&c);) {
         struct random *r = &c.random;
         uint32_t d = random_word(r) >> random_word(r) % 32;
@@ -40,9 +39,8 @@ static uint64_t cut(wide n, wide area)
 }
 
 /* From area 1 to the largest; values up to the largest of all. */
-static void test_gradients_are_exact(void **state)
+static void test_gradients_are_exact(void)
 {
-    (void)state;
     for (struct cases c = cases_of(200000); cases_next(&c);) {
         struct random *r = &c.random;
         const int bits = random_between(r, 1, 23);
@@ -93,10 +91,9 @@ static real worst_part(const int64_t v[3], const pel_cosine unit[3])
     return worst;
 }
 
-static void test_directions(void **state)
+static void test_directions(void)
 {
     real exact = 0, near = 0;
-    (void)state;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct random *r = &c.random;
         const int bits = random_between(r, 1, 62);
@@ -129,10 +126,5 @@ static void test_directions(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_division),
-        cmocka_unit_test(test_gradients_are_exact),
-        cmocka_unit_test(test_directions),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_division, test_gradients_are_exact, test_directions);
 }

@@ -7,10 +7,9 @@
 
 enum { SIDE = 64, ENTRIES = 300 };
 
-static void test_farthest_first_then_lowest_index(void **state)
+static void test_farthest_first_then_lowest_index(void)
 {
     static struct pel_depth_entry e[ENTRIES];
-    (void)state;
     for (struct cases c = cases_of(3000); cases_next(&c);) {
         const uint32_t n = random_word(&c.random) % ENTRIES;
         const int32_t range = random_between(&c.random, 0, 3)
@@ -115,13 +114,12 @@ static void check_pixel(const struct any_scene *s,
                  cases_replay());
 }
 
-static void test_the_nearest_is_seen(void **state)
+static void test_the_nearest_is_seen(void)
 {
     static uint32_t memory[SIDE * SIDE];
     static struct any_scene s;
     static struct canvas c;
     const struct pel_flat black = PEL_FLAT(UINT32_C(0xFF000000));
-    (void)state;
     for (struct cases k = cases_of(3000); cases_next(&k);) {
         const int bits = random_word(&k.random) % 2 ? 16 : 32;
         const struct pel_rect *v = &s.scene.viewport;
@@ -150,7 +148,6 @@ static void test_the_nearest_is_seen(void **state)
     print_message("%llu pixels, %llu with a surface nearer by less than a "
                   "step\n",
                   (unsigned long long)pixels, (unsigned long long)close_ones);
-    canvas_close(&c);
 }
 
 /* Is a pixel at distance z seen in front of one at z + gap? */
@@ -165,9 +162,7 @@ static bool told_apart(int64_t near, int64_t z, int64_t gap)
     struct pel_surface s;
     const struct pel_spans rows = {&s, &row, 0, 1, 1};
     assert_int_equal(pel_depth_init(&depth, &pixel, 16, memory, 2), PEL_OK);
-    assert_int_equal(pel_surface_init(&s, &pel_xrgb8888, &color, sizeof color,
-                                      &(struct pel_rect){0, 0, 1, 1}),
-                     PEL_OK);
+    s = surface_of(&pel_xrgb8888, &color, sizeof color, 1, 1);
     for (int i = 0; i < 2; i++) {
         const int64_t at = i ? z : z + gap;
         const struct pel_plane plane =
@@ -182,11 +177,10 @@ static bool told_apart(int64_t near, int64_t z, int64_t gap)
 
 /* far / near = 1000: below a gap of z^2 / (near 65,536) 16 bits fail, and more
  * often the smaller it is; above it never. */
-static void test_16_bits_end_where_they_should(void **state)
+static void test_16_bits_end_where_they_should(void)
 {
     const int64_t near = 1000000;
     uint64_t failures = 0, tries = 0;
-    (void)state;
     for (struct cases c = cases_of(5000); cases_next(&c);) {
         const int64_t z = near * random_between(&c.random, 10, 1000);
         const int64_t gap = z / 65536 * (z / near);
@@ -201,10 +195,7 @@ static void test_16_bits_end_where_they_should(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_farthest_first_then_lowest_index),
-        cmocka_unit_test(test_the_nearest_is_seen),
-        cmocka_unit_test(test_16_bits_end_where_they_should),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_farthest_first_then_lowest_index,
+                     test_the_nearest_is_seen,
+                     test_16_bits_end_where_they_should);
 }

@@ -5,6 +5,7 @@
 #include "core/pel.h"
 #include "tests/support/any_scene.h"
 #include "tests/support/check.h"
+#include "tests/support/layouts.h"
 #include "tests/support/reference_scene.h"
 
 enum { SIDE = 256, TEXELS = 1024 };
@@ -29,10 +30,7 @@ static void draw(const struct subject *s)
     struct pel_texture sampler;
     struct pel_perspective paint;
     memset(pixels, 0, sizeof pixels);
-    assert_int_equal(pel_surface_init(&surface, &pel_xrgb8888, pixels,
-                                      sizeof pixels,
-                                      &(struct pel_rect){0, 0, SIDE, SIDE}),
-                     PEL_OK);
+    surface = surface_of(&pel_xrgb8888, pixels, sizeof pixels, SIDE, SIDE);
     assert_int_equal(pel_texture_init_nearest(&sampler, &t, &none), PEL_OK);
     sampler.wrap_u = sampler.wrap_v = s->wrap;
     if (!pel_plane_start(&setup, s->v))
@@ -127,9 +125,8 @@ static void any_subject(struct random *r, struct subject *s)
     }
 }
 
-static void test_texels_are_right(void **state)
+static void test_texels_are_right(void)
 {
-    (void)state;
     for (int32_t i = 0; i < TEXELS * TEXELS; i++)
         texels[i] = UINT32_C(0xFF000000) | (uint32_t)(i % TEXELS) << 12 |
                     (uint32_t)(i / TEXELS);
@@ -143,10 +140,9 @@ static void test_texels_are_right(void **state)
 }
 
 /* Whole pictures away lies the same picture. */
-static void test_far_texels_are_the_same(void **state)
+static void test_far_texels_are_the_same(void)
 {
     static pel_color near_by[SIDE * SIDE];
-    (void)state;
     for (struct cases c = cases_of(200); cases_next(&c);) {
         struct subject s;
         any_subject(&c.random, &s);
@@ -165,10 +161,9 @@ static void test_far_texels_are_the_same(void **state)
 
 /* A floor that leads away by a ratio of 256, its far end one texel high a
  * pixel: the span falls back to division where its ends are behind the eye. */
-static void test_a_floor_to_the_horizon(void **state)
+static void test_a_floor_to_the_horizon(void)
 {
     const int32_t spans[] = {1, 16, 64};
-    (void)state;
     for (int i = 0; i < 3; i++) {
         const struct subject s = {
             {PEL_AT(0, 250), PEL_AT(255, 250), PEL_AT(120, 10)},
@@ -183,7 +178,7 @@ static void test_a_floor_to_the_horizon(void **state)
 }
 
 /* What uv can say of 256 texels must stay below 2^21: 8,192 pictures. */
-static void test_what_reaches_too_far_is_refused(void **state)
+static void test_what_reaches_too_far_is_refused(void)
 {
     static const struct {
         struct pel_mesh_quantum quantum;
@@ -198,7 +193,6 @@ static void test_what_reaches_too_far_is_refused(void **state)
     static struct any_scene s;
     struct pel_frame frame;
     struct cases c = cases_of(1);
-    (void)state;
     cases_next(&c);
     any_scene(&c.random, &s, SIDE);
     any_scene_noise(&c.random, &s, 8);
@@ -212,11 +206,7 @@ static void test_what_reaches_too_far_is_refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_texels_are_right),
-        cmocka_unit_test(test_far_texels_are_the_same),
-        cmocka_unit_test(test_a_floor_to_the_horizon),
-        cmocka_unit_test(test_what_reaches_too_far_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_texels_are_right, test_far_texels_are_the_same,
+                     test_a_floor_to_the_horizon,
+                     test_what_reaches_too_far_is_refused);
 }

@@ -209,8 +209,6 @@ static void check_pictures(uint64_t count, dressing *dress, int32_t tolerance)
                   (unsigned long long)covered, (unsigned long long)differ,
                   (int)worst);
     assert_true(differ * 1000 <= covered);
-    canvas_close(&p.colors);
-    canvas_close(&p.numbers);
 }
 
 static void dress_vertices(struct random *r, struct picture *p)
@@ -242,30 +240,22 @@ static void dress_texture(struct random *r, struct picture *p)
         p->s.texture.mapping = &pel_map_affine;
 }
 
-static void test_colors_of_vertices(void **state)
+static void test_colors_of_vertices(void)
 {
-    (void)state;
     check_pictures(1500, dress_vertices, 1);
 }
 
-static void test_phong(void **state)
+static void test_phong(void)
 {
-    (void)state;
     check_pictures(700, dress_phong, 2);
 }
 
-static void test_textures(void **state)
+static void test_textures(void)
 {
-    (void)state;
     check_pictures(1000, dress_texture, 2);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_colors_of_vertices),
-        cmocka_unit_test(test_phong),
-        cmocka_unit_test(test_textures),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_colors_of_vertices, test_phong, test_textures);
 }

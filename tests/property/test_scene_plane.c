@@ -90,24 +90,21 @@ static void check_planes(uint64_t count, int32_t thickness, real allowed)
     assert_true(pixels > 0);
 }
 
-static void test_triangles(void **state)
+static void test_triangles(void)
 {
-    (void)state;
     check_planes(200, 0, 1.0L / 64);
 }
 
-static void test_slivers(void **state)
+static void test_slivers(void)
 {
-    (void)state;
     check_planes(500, 40, 1.0L / 64);
     check_planes(1500, 1, 1.0L * (1 << 13));
 }
 
 /* u over a triangle whose 1 / z is w. */
-static void test_affine_is_off_by_its_bound(void **state)
+static void test_affine_is_off_by_its_bound(void)
 {
     real tightest = 0;
-    (void)state;
     for (struct cases c = cases_of(400); cases_next(&c);) {
         const real r = 1 + random_between(&c.random, 1, 3000) / 1000.0L;
         const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(400, 0),
@@ -145,10 +142,6 @@ static void test_affine_is_off_by_its_bound(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_triangles),
-        cmocka_unit_test(test_slivers),
-        cmocka_unit_test(test_affine_is_off_by_its_bound),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_triangles, test_slivers,
+                     test_affine_is_off_by_its_bound);
 }

@@ -77,10 +77,9 @@ static void lean(struct random *r, struct pel_camera *c)
                    random_between(r, -30, 30);
 }
 
-static void test_vertices_are_where_they_belong(void **state)
+static void test_vertices_are_where_they_belong(void)
 {
     static struct any_scene s;
-    (void)state;
     for (struct cases c = cases_of(5000); cases_next(&c);) {
         struct pel_projector p;
         any_scene(&c.random, &s, 4096);
@@ -133,11 +132,10 @@ static bool on_view(const struct any_scene *s, const real screen[3])
 }
 
 /* What the bound does not hold to a neighbour is nearer than that. */
-static void test_far_a_thousand_times_near(void **state)
+static void test_far_a_thousand_times_near(void)
 {
     static struct any_scene s;
     real ratio = 0;
-    (void)state;
     vertices = moved = 0;
     for (struct cases c = cases_of(3000); cases_next(&c);) {
         struct pel_projector p;
@@ -177,9 +175,6 @@ static void test_far_a_thousand_times_near(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_vertices_are_where_they_belong),
-        cmocka_unit_test(test_far_a_thousand_times_near),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_vertices_are_where_they_belong,
+                     test_far_a_thousand_times_near);
 }

@@ -1,22 +1,9 @@
 #!/bin/sh
 # pel import: C assets compile without a warning as C99 and as C++, are the same
 # each time, and draw what the mesh or the picture itself draws.
-#
-#     PEL=build/pel test_asset_import.sh      from the project's directory
 set -eu
-PEL=${PEL:-build/pel}
-LIBPEL=$(dirname "$PEL")/libpel.a
-CC=${CC:-cc}
-WARNINGS="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow \
-    -Wundef -Werror"
-dir=$(mktemp -d)
-trap 'rm -rf "$dir"' EXIT
-failed=0
-
-fail() {
-    echo "FAILED: $*" >&2
-    failed=1
-}
+. "$(dirname "$0")/lib.sh"
+dir=$work
 
 # same NAME INPUT OPTIONS...: $dir/NAME.c, the same when made again elsewhere.
 same() {
@@ -309,5 +296,3 @@ refuse "is projected already" "$dir/vase.pel2d" -o "$dir/x.c"
 "$PEL" render builtin:vase -o "$dir/a.ppm"
 "$PEL" render "$dir/vase.pel2d" -o "$dir/b.ppm"
 "$PEL" compare --tolerance 1 "$dir/a.ppm" "$dir/b.ppm" || fail "the pel2d file draws something else"
-
-exit $failed

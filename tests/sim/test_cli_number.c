@@ -1,12 +1,8 @@
 /* Decimals in text against exact 128-bit arithmetic. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include <cmocka.h>
+#include "tests/support/check.h"
 
 #include "sim/cli/number.h"
 
@@ -55,9 +51,8 @@ static const struct row rows[] = {
     {"inf", NUMBER_MALFORMED, 0},
 };
 
-static void test_table(void **state)
+static void test_table(void)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         int32_t value = 12345;
         const enum number_status status =
@@ -89,10 +84,9 @@ static uint64_t next(uint64_t *seed)
     return *seed >> 20;
 }
 
-static void test_random(void **state)
+static void test_random(void)
 {
     uint64_t seed = 1;
-    (void)state;
     for (int i = 0; i < 200000; i++) {
         char text[40];
         const int digits = 1 + (int)(next(&seed) % 6);
@@ -113,10 +107,9 @@ static void test_random(void **state)
     }
 }
 
-static void test_integer(void **state)
+static void test_integer(void)
 {
     int64_t value;
-    (void)state;
     assert_int_equal(number_integer("-5", -5, 5, &value), NUMBER_OK);
     assert_int_equal(value, -5);
     assert_int_equal(number_integer("6", -5, 5, &value), NUMBER_RANGE);
@@ -128,10 +121,5 @@ static void test_integer(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_table),
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_integer),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_table, test_random, test_integer);
 }

@@ -1,18 +1,8 @@
 #!/bin/sh
 # pel demo: the pictures that every system promises, their times, and what is
 # said where a package is missing.
-#
-#     PEL=build/pel test_demo_gallery.sh      from the project's directory
 set -u
-PEL=${PEL:-build/pel}
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-failures=0
-
-fail() {
-    echo "FAILED: $*" >&2
-    failures=$((failures + 1))
-}
+. "$(dirname "$0")/lib.sh"
 
 PEL_MODELS=$work "$PEL" demo "$work/demo" sim/scenes/meshes.pel >"$work/out" ||
     fail "no gallery"
@@ -42,5 +32,3 @@ done
     fail "does not say what is missing"
 [ "$(grep -c 'texture is a generated board' "$work/demo/index.html")" = 21 ] ||
     fail "does not say whose texture it is"
-
-exit $((failures > 0))

@@ -1,11 +1,7 @@
 /* System E: the cases of the fill rule, y down and y up, against the rule as
  * exact arithmetic states it; and the two against each other. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 
-#include <cmocka.h>
+#include "tests/support/check.h"
 
 #include "sim/demo/rules_sheet.h"
 
@@ -71,9 +67,8 @@ static void check_case(int number, bool y_up)
 }
 
 /* Top-left with y down, bottom-left with y up, no pixel twice. */
-static void test_rule(void **state)
+static void test_rule(void)
 {
-    (void)state;
     for (int i = 0; rules_cases[i].caption; i++) {
         if (rules_cases[i].line)
             continue;
@@ -83,9 +78,8 @@ static void test_rule(void **state)
 }
 
 /* What is seen with y up is what is seen with y down, turned over. */
-static void test_twins(void **state)
+static void test_twins(void)
 {
-    (void)state;
     for (int i = 0; rules_cases[i].caption; i++) {
         struct rules_pixels down, up;
         rules_draw(&rules_cases[i], false, &down);
@@ -100,10 +94,9 @@ static void test_twins(void **state)
 }
 
 /* The option draws lines where the default draws nothing. */
-static void test_collinear(void **state)
+static void test_collinear(void)
 {
     int lines = 0, covered = 0;
-    (void)state;
     for (int i = 0; rules_cases[i].caption; i++) {
         struct rules_pixels pixels;
         if (!rules_cases[i].line)
@@ -122,10 +115,5 @@ static void test_collinear(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rule),
-        cmocka_unit_test(test_twins),
-        cmocka_unit_test(test_collinear),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_rule, test_twins, test_collinear);
 }

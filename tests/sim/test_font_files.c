@@ -35,9 +35,8 @@ static bool load(struct font *font, const char *bytes, size_t size)
     return done;
 }
 
-static void test_bdf(void **state)
+static void test_bdf(void)
 {
-    (void)state;
     static const char text[] =
         HEAD "CHARS 3\n" CHAR_L CHAR_NONE "\n" CHAR_SPACE "ENDFONT\n";
     struct font f;
@@ -61,9 +60,8 @@ static void test_bdf(void **state)
 }
 
 /* Lines as DOS ends them, and the box and width of the whole font. */
-static void test_bdf_defaults(void **state)
+static void test_bdf_defaults(void)
 {
-    (void)state;
     static const char text[] =
         "STARTFONT 2.2\r\nFONTBOUNDINGBOX 9 2 0 0\r\nDWIDTH 9 0\r\nCHARS 1\r\n"
         "STARTCHAR a\r\nENCODING 97\r\nBITMAP\r\nff80\r\n8080\r\nENDCHAR\r\n"
@@ -92,9 +90,8 @@ static void check_refused(const char *bytes, size_t size, const char *message)
     assert_true(f.count == 0 && !f.bits && !f.chars);
 }
 
-static void test_bdf_errors(void **state)
+static void test_bdf_errors(void)
 {
-    (void)state;
     static const struct {
         const char *text, *message;
     } row[] = {
@@ -149,9 +146,8 @@ static size_t make_psf1(char *to, int mode)
     return 4 + 512;
 }
 
-static void test_psf1(void **state)
+static void test_psf1(void)
 {
-    (void)state;
     char bytes[2000];
     struct font f;
     size_t size = make_psf1(bytes, 0);
@@ -167,9 +163,8 @@ static void test_psf1(void **state)
 }
 
 /* Glyph 65 is A, U+0391 and a sequence; the others have no code point. */
-static void test_psf1_table(void **state)
+static void test_psf1_table(void)
 {
-    (void)state;
     char bytes[2000];
     struct font f;
     size_t size = make_psf1(bytes, 2);
@@ -195,9 +190,8 @@ static void test_psf1_table(void **state)
 }
 
 /* Version 2: two glyphs of 9 x 1, with a table in UTF-8. */
-static void test_psf2(void **state)
+static void test_psf2(void)
 {
-    (void)state;
     static const char bytes[] =
         "\x72\xB5\x4A\x86\0\0\0\0\x20\0\0\0\1\0\0\0\2\0\0\0\2\0\0\0\1\0\0\0"
         "\x09\0\0\0\xFF\x80\x00\x80"
@@ -229,9 +223,8 @@ static void test_psf2(void **state)
 }
 
 /* Every cut of a right file is refused, and nothing is read behind its end. */
-static void test_cut_short(void **state)
+static void test_cut_short(void)
 {
-    (void)state;
     static const char text[] = HEAD "CHARS 1\n" CHAR_L "ENDFONT\n";
     for (size_t n = 0; n + 8 < sizeof text; n++)
         check_refused(text, n, "");
@@ -239,11 +232,6 @@ static void test_cut_short(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bdf),        cmocka_unit_test(test_bdf_defaults),
-        cmocka_unit_test(test_bdf_errors), cmocka_unit_test(test_psf1),
-        cmocka_unit_test(test_psf1_table), cmocka_unit_test(test_psf2),
-        cmocka_unit_test(test_cut_short),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_bdf, test_bdf_defaults, test_bdf_errors, test_psf1,
+                     test_psf1_table, test_psf2, test_cut_short);
 }

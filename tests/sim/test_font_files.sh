@@ -2,22 +2,9 @@
 # pel import of fonts: C assets compile without a warning as C99 and as C++, are
 # the same each time, and show what the font file holds. Unifont is imported from
 # the console's PSF file and from X's font as BDF: both show the same.
-#
-#     PEL=build/pel test_font_files.sh      from the project's directory
 set -eu
-PEL=${PEL:-build/pel}
-LIBPEL=$(dirname "$PEL")/libpel.a
-CC=${CC:-cc}
-WARNINGS="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow \
-    -Wundef -Werror"
-dir=$(mktemp -d)
-trap 'rm -rf "$dir"' EXIT
-failed=0
-
-fail() {
-    echo "FAILED: $*" >&2
-    failed=1
-}
+. "$(dirname "$0")/lib.sh"
+dir=$work
 
 # font NAME FILE OPTIONS...: $dir/NAME shows a text.
 font() {
@@ -144,7 +131,7 @@ pcf=/usr/share/fonts/X11/misc/unifont.pcf.gz
 [ -r "$psf" ] || fail "$psf is missing: the package psf-unifont brings it"
 [ -r "$pcf" ] || fail "$pcf is missing: the package xfonts-unifont brings it"
 command -v pcf2bdf >/dev/null || fail "pcf2bdf is missing: its package is pcf2bdf"
-if [ $failed = 0 ]; then
+if [ ! -e "$work/failed" ]; then
     cp "$psf" "$dir/packed.psf"
     refused 'is compressed; what .gzip -d. makes' "$dir/packed.psf"
     gzip -cd "$psf" >"$dir/console.psf"
@@ -158,4 +145,3 @@ if [ $failed = 0 ]; then
         shows window "$text" <"$dir/console.pgm"
     done
 fi
-[ $failed = 0 ]

@@ -1,13 +1,9 @@
 /* Canvases: bands of every height give the bytes of the whole, in every format;
  * padding and negative strides change nothing that is seen. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
+#include "tests/support/check.h"
 
 #include "core/pel.h"
 #include "sim/image/canvas.h"
@@ -63,10 +59,9 @@ static void check_same(const struct picture *want, const struct picture *got,
         fail_msg("%s in bands of %d rows differs", format, rows);
 }
 
-static void test_bands(void **state)
+static void test_bands(void)
 {
     const struct canvas_layout layout = {{0, 0, WIDTH, HEIGHT}, 0, false};
-    (void)state;
     for (const struct format_name *f = format_names; f->name; f++) {
         struct picture whole;
         picture_of(f->format, &layout, 0, &whole);
@@ -82,12 +77,11 @@ static void test_bands(void **state)
     }
 }
 
-static void test_layouts(void **state)
+static void test_layouts(void)
 {
     const struct canvas_layout packed = {{0, 0, WIDTH, HEIGHT}, 0, false};
     const struct canvas_layout padded = {{0, 0, WIDTH, HEIGHT}, 5, false};
     const struct canvas_layout turned = {{0, 0, WIDTH, HEIGHT}, 3, true};
-    (void)state;
     for (const struct format_name *f = format_names; f->name; f++) {
         struct picture p[4];
         picture_of(f->format, &packed, 0, &p[0]);
@@ -101,9 +95,8 @@ static void test_layouts(void **state)
     }
 }
 
-static void test_legal(void **state)
+static void test_legal(void)
 {
-    (void)state;
     assert_true(canvas_bands_legal(&pel_rgb888, 1));
     assert_true(canvas_bands_legal(&pel_mono1_pages, 16));
     assert_false(canvas_bands_legal(&pel_mono1_pages, 12));
@@ -115,10 +108,9 @@ static void test_legal(void **state)
 }
 
 /* The list for messages is the table. */
-static void test_names(void **state)
+static void test_names(void)
 {
     const char *list = format_list();
-    (void)state;
     for (const struct format_name *f = format_names; f->name; f++) {
         const size_t length = strlen(f->name);
         assert_ptr_equal(format_find(f->name), f->format);
@@ -135,11 +127,5 @@ static void test_names(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bands),
-        cmocka_unit_test(test_layouts),
-        cmocka_unit_test(test_legal),
-        cmocka_unit_test(test_names),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_bands, test_layouts, test_legal, test_names);
 }

@@ -47,9 +47,8 @@ static const struct row rows[] = {
     {"1 ", NULL},
 };
 
-static void test_text(void **state)
+static void test_text(void)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
         struct mesh_depth depth;
         char text[MESH_DEPTH_TEXT];
@@ -94,9 +93,8 @@ static struct mesh_depth sum_of(const char *const text[3])
     return mesh_depth_sum(&d[0], &d[1], &d[2]);
 }
 
-static void test_sums(void **state)
+static void test_sums(void)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof(sums) / sizeof(sums[0]); i++) {
         struct mesh_depth a = sum_of(sums[i].a), b = sum_of(sums[i].b);
         int forth = mesh_depth_compare(&a, &b), back;
@@ -111,9 +109,5 @@ static void test_sums(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_text),
-        cmocka_unit_test(test_sums),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_text, test_sums);
 }

@@ -70,18 +70,16 @@ static void refuse(size_t row, const char *text, size_t size,
         fail_msg("row %zu\nexpected %s\ngot      %s", row, expected, m.text);
 }
 
-static void test_wrong(void **state)
+static void test_wrong(void)
 {
-    (void)state;
     for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); i++)
         refuse(i, wrong[i].text, strlen(wrong[i].text), wrong[i].message);
 }
 
-static void test_wrong_bytes(void **state)
+static void test_wrong_bytes(void)
 {
     static const char nul[] = HEAD "0 0 1 2 3 0 \0 0\n";
     char line[2048] = "pel2d ";
-    (void)state;
     refuse(0, nul, sizeof(nul) - 1, "2: a NUL byte; a vertex");
     memset(line + 6, '1', sizeof(line) - 6);
     refuse(1, line, sizeof(line), "1: a line of over 1,023 bytes");
@@ -89,10 +87,9 @@ static void test_wrong_bytes(void **state)
     refuse(2, "pel2d 268435456 268435456\n", 26, "2: the file ends here");
 }
 
-static void test_every_cut(void **state)
+static void test_every_cut(void)
 {
     static const char whole[] = HEAD A BC "0 1 2";
-    (void)state;
     for (size_t n = 0; n < sizeof(whole) - 2; n++)
         refuse(n, whole, n, "");
 }
@@ -118,11 +115,10 @@ static void check_right(const char *text)
 }
 
 /* With and without a byte order mark. */
-static void test_right(void **state)
+static void test_right(void)
 {
     static const char text[] =
         "\xEF\xBB\xBFpel2d\t3  1\r\n" A BC "2 0 1\n\n \t\n";
-    (void)state;
     check_right(text);
     check_right(text + 3);
 }
@@ -166,12 +162,11 @@ static void assert_same(const struct pel2d *a, const struct pel2d *b)
                         a->triangles * sizeof(*a->triangle));
 }
 
-static void test_round_trip(void **state)
+static void test_round_trip(void)
 {
     struct pel2d flat = {0}, back;
     uint64_t seed = 1;
     char *path = file_with("", 0);
-    (void)state;
     for (int i = 0; i < 3000; i++)
         add_random(&flat, &seed);
     flat.vertex[0].at =
@@ -192,10 +187,6 @@ static void test_round_trip(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_wrong),      cmocka_unit_test(test_wrong_bytes),
-        cmocka_unit_test(test_every_cut),  cmocka_unit_test(test_right),
-        cmocka_unit_test(test_round_trip),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_wrong, test_wrong_bytes, test_every_cut, test_right,
+                     test_round_trip);
 }

@@ -1,18 +1,9 @@
 #!/bin/sh
 # pel render: every format and any bands give the same picture, wrong options
 # are refused with the valid ones, and nothing is written then.
-#
-#     PEL=build/pel test_render_command.sh
 set -eu
-PEL=${PEL:-build/pel}
-dir=$(mktemp -d)
-trap 'rm -rf "$dir"' EXIT
-failed=0
-
-fail() {
-    echo "FAILED: $*" >&2
-    failed=1
-}
+. "$(dirname "$0")/lib.sh"
+dir=$work
 
 # Bands, and the formats of 24 bits, change nothing; standard input and output.
 # A pel2d file draws what its mesh draws; planes of colours are off by less than
@@ -181,5 +172,3 @@ status=0
 status=0
 "$PEL" render $v --print-camera >/dev/full 2>"$dir/message" || status=$?
 [ $status -eq 2 ] || fail "no space for the camera: status $status"
-
-exit $failed

@@ -2,18 +2,8 @@
 # Meshes in scene scripts: the picture is that of pel render with the same
 # settings, state stays in force, files are found beside the script, and what is
 # wrong is refused with its line.
-#
-#     PEL=build/pel test_render_meshes.sh
 set -u
-PEL=${PEL:-build/pel}
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-failures=0
-
-fail() {
-    echo "FAILED: $*" >&2
-    failures=$((failures + 1))
-}
+. "$(dirname "$0")/lib.sh"
 
 printf 'P3 2 2 255  255 0 0  0 255 0  0 0 255  255 255 255' >"$work/four.ppm"
 
@@ -203,5 +193,3 @@ mesh builtin:vase
 END
 seq -f 'light point %g 1 1 1 1 1' 33 >"$work/lights"
 refused 34 "light 33: up to 32 would be right" <"$work/lights"
-
-exit $((failures > 0))

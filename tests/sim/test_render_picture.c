@@ -216,17 +216,15 @@ static void compare_mesh(const char *mesh)
     free(path);
 }
 
-static void test_vase(void **state)
+static void test_vase(void)
 {
-    (void)state;
     compare_mesh(MESH_BUILTIN);
 }
 
-static void test_duck(void **state)
+static void test_duck(void)
 {
     const char *models = getenv("PEL_MODELS");
     char path[4096];
-    (void)state;
     snprintf(path, sizeof(path), "%s/Collada/duck.dae",
              models ? models : "/usr/share/assimp/models");
     if (!mesh_files_supported() || access(path, R_OK) != 0)
@@ -238,9 +236,5 @@ static void test_duck(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_vase),
-        cmocka_unit_test(test_duck),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_vase, test_duck);
 }

@@ -36,10 +36,9 @@ static void refuse(const struct mesh *mesh, const char *message)
     assert_string_equal(m.text, message);
 }
 
-static void test_check(void **state)
+static void test_check(void)
 {
     struct mesh mesh;
-    (void)state;
     make_square(&mesh);
     assert_true(mesh_check(&mesh, "a.obj"));
     mesh.triangle[1][2] = 4;
@@ -59,10 +58,9 @@ static void test_check(void **state)
     mesh_free(&mesh);
 }
 
-static void test_normals(void **state)
+static void test_normals(void)
 {
     struct mesh mesh;
-    (void)state;
     make_square(&mesh);
     mesh.triangle[1][1] = 0; /* without area */
     assert_true(mesh_normals(&mesh));
@@ -113,14 +111,13 @@ static bool show(const struct mesh *mesh, const struct scene_settings *settings,
 
 /* The square at any size, seen from twice its size: always the same places, to
  * the sub-pixel. */
-static void test_formula(void **state)
+static void test_formula(void)
 {
     static const int32_t expected[4][2] = {
         {PEL_PX(50) - 3200, PEL_PX(25) + 3200},
         {PEL_PX(50) + 3200, PEL_PX(25) + 3200},
         {PEL_PX(50) + 3200, PEL_PX(25) - 3200},
         {PEL_PX(50) - 3200, PEL_PX(25) - 3200}};
-    (void)state;
     for (int exponent = -30; exponent <= 45; exponent++) {
         const double size = ldexp(1, exponent);
         const struct scene_settings s = make_settings(2 * size);
@@ -149,12 +146,11 @@ static void test_formula(void **state)
 }
 
 /* Orthographic: 40 by 20 units on 100 by 50 pixels, at any distance. */
-static void test_orthographic(void **state)
+static void test_orthographic(void)
 {
     struct scene_settings s = make_settings(300);
     struct mesh mesh;
     struct shown shown;
-    (void)state;
     s.camera.projection = PEL_ORTHOGRAPHIC;
     make_square(&mesh);
     assert_true(show(&mesh, &s, &shown));
@@ -168,13 +164,12 @@ static void test_orthographic(void **state)
 }
 
 /* A quarter of a turn around z takes each corner to the next one. */
-static void test_turn(void **state)
+static void test_turn(void)
 {
     const struct scene_settings s = make_settings(2);
     struct scene_settings turned = s;
     struct mesh mesh;
     struct shown before, after;
-    (void)state;
     turned.turn[2] = 16384;
     make_square(&mesh);
     for (uint32_t i = 0; i < 4; i++)
@@ -193,12 +188,11 @@ static void test_turn(void **state)
 
 /* The square lies flat, 1 below the eye, half of it before and half behind: the
  * part behind is cut off. All of it behind: nothing is left. */
-static void test_behind(void **state)
+static void test_behind(void)
 {
     struct mesh mesh;
     struct shown shown;
     struct scene_settings s = make_settings(0);
-    (void)state;
     make_square(&mesh);
     for (uint32_t i = 0; i < 4; i++) { /* from z = 1 to z = -1, below the eye */
         mesh.vertex[i].position[2] = -mesh.vertex[i].position[1];
@@ -233,10 +227,9 @@ static double random_in(uint64_t *seed, double limit)
 
 /* Cameras in the midst of random triangles: nothing out of range comes out, and
  * indices stay inside. */
-static void test_any_camera(void **state)
+static void test_any_camera(void)
 {
     uint64_t seed = 7;
-    (void)state;
     for (int round = 0; round < 300; round++) {
         struct mesh mesh;
         struct shown shown;
@@ -276,11 +269,10 @@ static double reach_of(const struct pel2d *flat, const int size[2])
 }
 
 /* By default everything is in the picture and touches the margin. */
-static void test_framing(void **state)
+static void test_framing(void)
 {
     static const int size[][2] = {{1200, 1200}, {640, 480}, {100, 900}};
     struct mesh mesh;
-    (void)state;
     assert_true(mesh_load(&mesh, MESH_BUILTIN));
     for (int i = 0; i < 6; i++) {
         struct scene_settings s = scene_default;
@@ -313,11 +305,10 @@ static void refuse_settings(const struct scene_settings *s, const char *text)
     mesh_free(&mesh);
 }
 
-static void test_refused(void **state)
+static void test_refused(void)
 {
     struct scene_settings same = make_settings(0), along = make_settings(2);
     struct scene_settings lens = make_settings(2), phong = make_settings(2);
-    (void)state;
     along.camera.up[1] = 0;
     along.camera.up[2] = 1;
     lens.camera.focal = 1e6;
@@ -330,12 +321,7 @@ static void test_refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_check),      cmocka_unit_test(test_normals),
-        cmocka_unit_test(test_formula),    cmocka_unit_test(test_orthographic),
-        cmocka_unit_test(test_turn),       cmocka_unit_test(test_behind),
-        cmocka_unit_test(test_any_camera), cmocka_unit_test(test_framing),
-        cmocka_unit_test(test_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_check, test_normals, test_formula, test_orthographic,
+                     test_turn, test_behind, test_any_camera, test_framing,
+                     test_refused);
 }

@@ -2,18 +2,9 @@
 # pel render, look by look: a texture texel by pixel, wrap modes, lights from
 # where they are, terms that add up, depth buffers, bands of every look; and
 # what is refused. assimp reads the square, so it has to be there.
-#
-#     PEL=build/pel test_render_settings.sh
 set -eu
-PEL=${PEL:-build/pel}
-dir=$(mktemp -d)
-trap 'rm -rf "$dir"' EXIT
-failed=0
-
-fail() {
-    echo "FAILED: $*" >&2
-    failed=1
-}
+. "$(dirname "$0")/lib.sh"
+dir=$work
 
 render() { # OUTPUT OPTIONS...
     out=$1
@@ -371,5 +362,3 @@ refuse "Phong shading is light at every pixel" --shade phong --unlit
 refuse "builtin:vase: --collinear is for pel2d files" --collinear line
 refuse "focal length 1e+06 and sensor 1e-06x1e-06 make more than 65536" \
     --focal 1e6 --sensor 1e-6x1e-6
-
-exit $failed

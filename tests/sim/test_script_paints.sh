@@ -2,33 +2,12 @@
 # Scripts with gradients, textures and dither: what is refused and with which
 # words, pairs that must draw the same, and colours that are known.
 set -u
-PEL=${PEL:-build/pel}
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-
-# Also in the subshell at the end of a pipe.
-fail() {
-    echo "FAILED: $*" >&2
-    : >"$work/failed"
-}
+. "$(dirname "$0")/lib.sh"
 
 # draw SCRIPT OUT
 draw() {
     { echo "canvas 32 32 xrgb8888"; printf '%b\n' "$1"; } >"$work/s.pel"
     "$PEL" run "$work/s.pel" -o "$2" || fail "refused: $1"
-}
-
-# refused LINE TEXT: after a canvas in line 1, the script on standard input.
-refused() {
-    { echo "canvas 32 32 xrgb8888"; cat; } >"$work/s.pel"
-    rm -f "$work/o.ppm"
-    "$PEL" run "$work/s.pel" -o "$work/o.ppm" >"$work/out" 2>"$work/err"
-    got=$?
-    [ $got = 2 ] || fail "status $got, not 2, for: $2"
-    grep -qF "pel: $work/s.pel:$1: $2" "$work/err" ||
-        fail "no '$1: $2' in: $(cat "$work/err")"
-    [ "$(grep -cv '^    ' "$work/err")" = 1 ] || fail "more than one: $2"
-    [ ! -e "$work/o.ppm" ] || fail "output in spite of: $2"
 }
 
 # same FIRST SECOND: two scripts draw the same; differ: not the same.
@@ -87,29 +66,28 @@ differ "option filter bilinear\n$enlarged\n$all" \
     "$enlarged\n$all"
 
 echo 'paint linear 3 4 #000000 3 4 #ffffff' |
-    refused 2 'paint linear: the two points must not be the same'
+    refused_script 2 'paint linear: the two points must not be the same'
 echo 'paint linear stops 3 4 9 4 0.5 #000000 0.4 #ffffff' |
-    refused 2 'paint linear stops: a stop must not lie before'
+    refused_script 2 'paint linear stops: a stop must not lie before'
 echo 'paint linear stops 3 4 9 4 0.5 #000000 1.1 #ffffff' |
-    refused 2 'paint linear stops: 1.1 must be a part of the way, 0 to 1'
+    refused_script 2 'paint linear stops: 1.1 must be a part of the way, 0 to 1'
 echo 'paint radial 3 4 0.5 0 #000000 1 #ffffff' |
-    refused 2 'paint radial: the radius must be 1 or more'
+    refused_script 2 'paint radial: the radius must be 1 or more'
 echo 'paint radial 3 4 5 0 #000000' |
-    refused 2 'paint radial takes 7 values or more, in pairs, not 5'
+    refused_script 2 'paint radial takes 7 values or more, in pairs, not 5'
 echo 'paint fan 0 0 #ff0000 9 0 #00ff00' |
-    refused 2 'paint fan takes 9 values or more, in threes, not 6'
+    refused_script 2 'paint fan takes 9 values or more, in threes, not 6'
 echo 'paint fan 0 0 #ff0000 9 0 #00ff00 9 9 #00ff00 1' |
-    refused 2 'paint fan takes 9 values or more, in threes, not 10'
+    refused_script 2 'paint fan takes 9 values or more, in threes, not 10'
 echo 'paint fan 0 0 #ff0000 9 0 #00ff00 18 0 #00ff00' |
-    refused 2 'paint fan: the points must go around their middle once'
+    refused_script 2 'paint fan: the points must go around their middle once'
 echo 'paint texture nothing.ppm 0 0' |
-    refused 2 "paint texture: $work/nothing.ppm cannot be read (No such file"
+    refused_script 2 "paint texture: $work/nothing.ppm cannot be read (No such file"
 echo 'P6 2' >"$work/bad.ppm"
 echo 'paint texture bad.ppm 0 0' |
-    refused 2 "$work/bad.ppm:2: ends before the height"
-echo 'option spread more' | refused 2 'unknown command option spread more: valid are option spread pad, option'
-echo 'option dither maybe' | refused 2 'unknown command option dither maybe: valid are option dither on, option dither off'
-echo 'paint flat' | refused 2 'paint flat takes 1 value, not 0'
+    refused_script 2 "$work/bad.ppm:2: ends before the height"
+echo 'option spread more' | refused_script 2 'unknown command option spread more: valid are option spread pad, option'
+echo 'option dither maybe' | refused_script 2 'unknown command option dither maybe: valid are option dither on, option dither off'
+echo 'paint flat' | refused_script 2 'paint flat takes 1 value, not 0'
 
 [ -e "$work/failed" ] || echo "paints in scripts: all right"
-[ ! -e "$work/failed" ]

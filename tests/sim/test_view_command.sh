@@ -2,19 +2,10 @@
 # pel view, in a window that nobody sees: its pictures are those of pel render,
 # at the start and after some turning, in every look and with any number of
 # threads; and what is refused.
-#
-#     PEL=build/pel test_view_command.sh
 set -eu
-PEL=${PEL:-build/pel}
+. "$(dirname "$0")/lib.sh"
+dir=$work
 export SDL_VIDEODRIVER=dummy
-dir=$(mktemp -d)
-trap 'rm -rf "$dir"' EXIT
-failed=0
-
-fail() {
-    echo "FAILED: $*" >&2
-    failed=1
-}
 
 # equal WHAT VIEW-OPTIONS RENDER-OPTIONS OPTIONS-OF-BOTH...
 equal() {
@@ -99,8 +90,6 @@ SDL_VIDEODRIVER=none refuse "no screen for a window" --frames 1
     unset SDL_VIDEODRIVER DISPLAY WAYLAND_DISPLAY
     export XDG_RUNTIME_DIR="$dir" # SDL looks there
     refuse "no screen for a window" --frames 1
-    exit $failed
-) || failed=1
+)
 "$PEL" view --help | grep -q 'f g p *shading: flat, Gouraud, Phong' ||
     fail "--help does not list the keys"
-[ $failed -eq 0 ]

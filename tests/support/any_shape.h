@@ -60,4 +60,9 @@ void any_draw_outline(const struct pel_surface *surface,
                       const struct any_shape *s, const struct pel_paint *paint);
 bool any_reference_outline_at(const struct any_shape *s, int32_t x, int32_t y);
 
+/* For hits_check: by the references; that of fills fails when the hit test says
+ * something else. */
+bool any_fill_expected(const void *s, int32_t x, int32_t y);
+bool any_outline_expected(const void *s, int32_t x, int32_t y);
+
 #endif

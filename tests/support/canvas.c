@@ -83,7 +83,9 @@ static void map_memory(struct canvas *c, size_t size)
     size_t page = page_size(), body = (size + page - 1) / page * page;
     if (c->map && c->map_size >= body + 2 * page)
         return;
-    canvas_close(c);
+    if (c->map)
+        munmap(c->map, c->map_size);
+    free(c->before);
     c->map_size = body + 2 * page;
     c->map = mmap(NULL, c->map_size, PROT_READ | PROT_WRITE,
                   MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
@@ -129,14 +131,6 @@ void canvas_open(struct canvas *c, const struct pel_format *format,
     fill_noise(c, bounds);
 }
 
-void canvas_close(struct canvas *c)
-{
-    if (c->map)
-        munmap(c->map, c->map_size);
-    free(c->before);
-    c->map = c->before = NULL;
-}
-
 void canvas_copy(struct canvas *c, const struct canvas *from)
 {
     const struct pel_rect *r = &c->surface.bounds, *f = &from->surface.bounds;
@@ -157,6 +151,18 @@ void canvas_check_same(const struct canvas *a, const struct canvas *b)
                 fail_msg("%s: pixel %d, %d: expected %x, got %x; %s",
                          a->layout->name, x, y, canvas_pixel(a, x, y),
                          canvas_pixel(b, x + dx, y + dy), cases_replay());
+}
+
+void canvas_check_part(const struct canvas *whole, const struct canvas *part)
+{
+    const struct pel_rect *r = &part->surface.clip;
+    for (int32_t y = r->y0; y < r->y1; y++)
+        for (int32_t x = r->x0; x < r->x1; x++)
+            if (canvas_pixel(whole, x, y) != canvas_pixel(part, x, y))
+                fail_msg("%s: pixel %d, %d is %x, in the whole %x; %s",
+                         part->layout->name, x, y, canvas_pixel(part, x, y),
+                         canvas_pixel(whole, x, y), cases_replay());
+    canvas_check(part);
 }
 
 void canvas_check(const struct canvas *c)

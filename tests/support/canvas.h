@@ -12,7 +12,8 @@ enum canvas_style {
     CANVAS_STYLES = 8
 };
 
-/* Start with all zero; may be opened again and again; ends with close. */
+/* Start with all zero; static: may be opened again and again, and are
+ * never closed. */
 struct canvas {
     struct pel_surface surface;
     const struct layout *layout;
@@ -26,7 +27,6 @@ struct canvas {
  * starts with the same value there. */
 void canvas_open(struct canvas *c, const struct pel_format *format,
                  const struct pel_rect *bounds, unsigned style);
-void canvas_close(struct canvas *c);
 
 uint32_t canvas_pixel(const struct canvas *c, int32_t x, int32_t y);
 uint32_t canvas_pixel_before(const struct canvas *c, int32_t x, int32_t y);
@@ -38,6 +38,10 @@ void canvas_copy(struct canvas *c, const struct canvas *from);
 /* Every pixel of both canvases, which have the same size and format, is the
  * same; the test fails with the first difference. */
 void canvas_check_same(const struct canvas *a, const struct canvas *b);
+
+/* Inside the clip of `part` both have the same pixels at the same places, and
+ * canvas_check(part). */
+void canvas_check_part(const struct canvas *whole, const struct canvas *part);
 
 /* Nothing outside the present clip has changed. */
 void canvas_check(const struct canvas *c);

@@ -1,5 +1,7 @@
 #include "layouts.h"
 
+#include "check.h"
+
 #define LAYOUT(name) #name, &pel_##name
 
 const struct layout layouts[LAYOUT_COUNT] = {
@@ -80,4 +82,14 @@ uint32_t layout_over(const struct layout *l, uint32_t pixel, pel_color color)
         return pixel;
     return layout_pack(l,
                        layout_mix(layout_unpack(l, pixel), color, color >> 24));
+}
+
+struct pel_surface surface_of(const struct pel_format *format, void *memory,
+                              size_t size, int32_t width, int32_t height)
+{
+    const struct pel_rect bounds = {0, 0, width, height};
+    struct pel_surface s;
+    assert_int_equal(pel_surface_init(&s, format, memory, size, &bounds),
+                     PEL_OK);
+    return s;
 }

@@ -28,4 +28,8 @@ pel_color layout_mix(pel_color d, pel_color s, uint32_t a);
 /* What a pixel becomes when `color` is drawn over it with its own alpha. */
 uint32_t layout_over(const struct layout *l, uint32_t pixel, pel_color color);
 
+/* Bounds from (0, 0) on; the test fails when core refuses them. */
+struct pel_surface surface_of(const struct pel_format *format, void *memory,
+                              size_t size, int32_t width, int32_t height);
+
 #endif

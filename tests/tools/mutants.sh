@@ -31,10 +31,11 @@ die()
 # FILE TEST... on one line each.
 sed 's/#.*//' $here/mutants_tests.txt | tr '\n' ' ' |
     sed 's| *core/|\ncore/|g; s/: / /g' | grep . >"$work/tests.txt"
-for file in $(cut -d ' ' -f 1 "$work/tests.txt"; grep '^core/' \
-    $here/mutants_equivalent.txt | cut -f 1 | sort -u); do
+for file in $(cut -d ' ' -f 1 "$work/tests.txt"); do
     [ -f "$file" ] || die "$file is listed, and does not exist"
 done
+awk -f $here/mutants_stale.awk $here/mutants_equivalent.txt >&2 ||
+    die "what is gone needs no reason"
 [ $# -gt 0 ] || set -- $(cut -d ' ' -f 1 "$work/tests.txt")
 
 tests_of()

@@ -55,7 +55,7 @@ compile_changed()
 notices()
 {
     twin=
-    case $name in *test_walkers* | *test_fast_writers)
+    case $name in *test_raster_walks* | *test_fast_flat | *test_fast_textures)
         twin=$tests/portable_core.o
         ;;
     esac

@@ -61,10 +61,9 @@ static void spoil(struct pel_point v[3], int k, int32_t value)
         v[k / 2].x = value;
 }
 
-static void test_triangles(void **state)
+static void test_triangles(void)
 {
     struct pel_point v[3];
-    (void)state;
     open_hits();
     for (int k = 0; k < 6; k++)
         for (int i = 0; i < ILLEGAL; i++) {
@@ -77,16 +76,14 @@ static void test_triangles(void **state)
 }
 
 /* The paint's set-up must not trip over what the triangle then refuses. */
-static void test_gouraud(void **state)
+static void test_gouraud(void)
 {
     static uint32_t pixels[256];
     const pel_color c[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0), 0};
     struct pel_surface s;
     struct pel_point v[3];
-    (void)state;
     open_hits();
-    pel_surface_init(&s, &pel_xrgb8888, pixels, sizeof pixels,
-                     &(struct pel_rect){0, 0, 16, 16});
+    s = surface_of(&pel_xrgb8888, pixels, sizeof pixels, 16, 16);
     alarm(20);
     for (int k = 0; k < 6; k++)
         for (int i = 0; i < ILLEGAL; i++) {
@@ -104,9 +101,8 @@ static void test_gouraud(void **state)
     alarm(0);
 }
 
-static void test_two_points(void **state)
+static void test_two_points(void)
 {
-    (void)state;
     open_hits();
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < ILLEGAL; i++) {
@@ -121,12 +117,11 @@ static void test_two_points(void **state)
         }
 }
 
-static void test_circles(void **state)
+static void test_circles(void)
 {
     static const int32_t radius[] = {-1, PEL_PX(32767) + 1, INT32_MIN,
                                      INT32_MAX};
     const struct pel_point center = {2048, 2048};
-    (void)state;
     open_hits();
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < ILLEGAL; i++) {
@@ -142,7 +137,7 @@ static void test_circles(void **state)
 }
 
 /* Places of text, copies and the rim of a fan. */
-static void test_places(void **state)
+static void test_places(void)
 {
     static const struct pel_font_glyph glyph = {0, 8, 1, 0, 1, 255};
     static const uint8_t bits[1] = {255};
@@ -153,11 +148,8 @@ static void test_places(void **state)
     struct pel_point rim[3] = {{1, 2}, {3, 4}, {5, 6}};
     uint32_t pixel = 0;
     struct pel_surface s;
-    (void)state;
     open_hits();
-    assert_int_equal(pel_surface_init(&s, &pel_xrgb8888, &pixel, sizeof pixel,
-                                      &(struct pel_rect){0, 0, 1, 1}),
-                     PEL_OK);
+    s = surface_of(&pel_xrgb8888, &pixel, sizeof pixel, 1, 1);
     for (int k = 0; k < 24; k++) {
         int32_t at[6] = {0, 0, 1, 1, 0, 0};
         at[k / 4] = place[k % 4];
@@ -183,12 +175,11 @@ static void test_places(void **state)
 }
 
 /* Polygons are checked by their status, not by PEL_ASSERT. */
-static void test_polygons(void **state)
+static void test_polygons(void)
 {
     uint32_t scratch[64];
     struct pel_point v[3];
     const struct pel_polygon_shape outline = {v, 3, PEL_NON_ZERO};
-    (void)state;
     open_hits();
     for (int k = 0; k < 6; k++)
         for (int i = 0; i < ILLEGAL; i++) {
@@ -217,12 +208,8 @@ static void check_twin(const struct pel_format *twin)
     const pel_color opaque[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0),
                                  PEL_RGB(0, 0, 255)};
     struct pel_surface s, other;
-    assert_int_equal(pel_surface_init(&s, twin, pixels, sizeof pixels,
-                                      &(struct pel_rect){0, 0, 8, 8}),
-                     PEL_OK);
-    assert_int_equal(pel_surface_init(&other, &pel_gray8, pixels, sizeof pixels,
-                                      &(struct pel_rect){0, 0, 8, 8}),
-                     PEL_OK);
+    s = surface_of(twin, pixels, sizeof pixels, 8, 8);
+    other = surface_of(&pel_gray8, pixels, sizeof pixels, 8, 8);
     pel_clear(&s, 0);
     pel_circle(&s, clipped[0], PEL_PX(4), &half.paint);
     expect_broken("twin, circle", 0);
@@ -244,9 +231,8 @@ static void check_twin(const struct pel_format *twin)
     assert_int_equal(broken, 0);
 }
 
-static void test_fill_only_twins(void **state)
+static void test_fill_only_twins(void)
 {
-    (void)state;
     open_hits();
     check_twin(&pel_rgb565_le_fill);
     check_twin(&pel_rgb565_be_fill);
@@ -254,14 +240,6 @@ static void test_fill_only_twins(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_triangles),
-        cmocka_unit_test(test_two_points),
-        cmocka_unit_test(test_circles),
-        cmocka_unit_test(test_places),
-        cmocka_unit_test(test_polygons),
-        cmocka_unit_test(test_fill_only_twins),
-        cmocka_unit_test(test_gouraud),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_triangles, test_two_points, test_circles, test_places,
+                     test_polygons, test_fill_only_twins, test_gouraud);
 }

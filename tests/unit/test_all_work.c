@@ -43,87 +43,75 @@ static void check_work(const char *name, uint64_t runs)
                  (int)hits.runs, (int)hits.pixels);
 }
 
-static void test_triangles(void **state)
+static void draw_triangle(uint64_t i)
 {
     const struct pel_point v[2][3] = {
         {{low, low}, {high, high - 5}, {low + 9000, high}},
         {{low, low + 1}, {high, high - 700}, {high - 300, high}}};
-    (void)state;
-    alarm(TOO_LONG);
-    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
-        open_window(i);
-        pel_triangle(&hits.surface, v[i % 2], &hits.paint);
-        check_work("triangle", 1);
-    }
-    alarm(0);
+    pel_triangle(&hits.surface, v[i % 2], &hits.paint);
 }
 
 /* A disc of this size shows one side, both or none. */
-static void test_circles(void **state)
+static void draw_circle(uint64_t i)
 {
-    (void)state;
-    alarm(TOO_LONG);
-    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
-        const struct pel_point at = {(int32_t)(i * 77777 % 16777216) + low,
-                                     (int32_t)(i * 55555 % 16777216) + low};
-        open_window(i);
-        pel_circle(&hits.surface, at, high - 255, &hits.paint);
-        check_work("circle", 1);
-    }
-    alarm(0);
+    const struct pel_point at = {(int32_t)(i * 77777 % 16777216) + low,
+                                 (int32_t)(i * 55555 % 16777216) + low};
+    pel_circle(&hits.surface, at, high - 255, &hits.paint);
 }
 
-static void test_lines(void **state)
+static void draw_line(uint64_t i)
 {
     const struct pel_point v[4] = {
         {low, low}, {high, high}, {low + 512, high}, {high, low + 99999}};
-    (void)state;
-    alarm(TOO_LONG);
-    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
-        open_window(i);
-        pel_line(&hits.surface, v[i % 4], v[(i + 1) % 4], &hits.paint);
-        check_work("line", 1);
-    }
-    alarm(0);
+    pel_line(&hits.surface, v[i % 4], v[(i + 1) % 4], &hits.paint);
 }
 
-static void test_rectangles(void **state)
+static void draw_rectangle(uint64_t i)
 {
     const struct pel_point from = {low, low}, to = {high, high};
-    (void)state;
-    alarm(TOO_LONG);
-    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
-        open_window(i);
-        pel_rectangle(&hits.surface, from, to, &hits.paint);
-        check_work("rectangle", 1);
-        assert_int_equal(hits.batches, batches_of(SIDE, PEL_COLLECT_ROWS));
-        assert_int_equal(hits.pixels, SIDE * SIDE);
-    }
-    alarm(0);
+    (void)i;
+    pel_rectangle(&hits.surface, from, to, &hits.paint);
+    assert_int_equal(hits.batches, batches_of(SIDE, PEL_COLLECT_ROWS));
+    assert_int_equal(hits.pixels, SIDE * SIDE);
 }
 
-static void test_polygons(void **state)
+static void draw_polygon(uint64_t i)
 {
     static const struct pel_point v[6] = {
         {-8388608, -8388608}, {8388607, 8388600},  {-8000000, 8388607},
         {8388607, -8388608},  {-8388608, 1000000}, {7000000, 3000000}};
+    const struct pel_polygon_shape p = {v, 6,
+                                        i % 2 ? PEL_EVEN_ODD : PEL_NON_ZERO};
     uint32_t scratch[64];
-    (void)state;
-    alarm(TOO_LONG);
-    for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
-        const struct pel_polygon_shape p = {
-            v, 6, i % 2 ? PEL_EVEN_ODD : PEL_NON_ZERO};
-        open_window(i);
-        assert_int_equal(pel_polygon(&hits.surface, &p, &hits.paint, scratch,
-                                     sizeof scratch),
-                         PEL_OK);
-        check_work("polygon", 3);
+    assert_int_equal(
+        pel_polygon(&hits.surface, &p, &hits.paint, scratch, sizeof scratch),
+        PEL_OK);
+}
+
+static void test_huge_shapes(void)
+{
+    static const struct {
+        const char *name;
+        void (*draw)(uint64_t i);
+        uint64_t runs; /* of a row */
+    } rows[] = {{"triangle", draw_triangle, 1},
+                {"circle", draw_circle, 1},
+                {"line", draw_line, 1},
+                {"rectangle", draw_rectangle, 1},
+                {"polygon", draw_polygon, 3}};
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        alarm(TOO_LONG);
+        for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
+            open_window(i);
+            rows[k].draw(i);
+            check_work(rows[k].name, rows[k].runs);
+        }
+        alarm(0);
     }
-    alarm(0);
 }
 
 /* More runs in one line than a batch holds, and in the next one again. */
-static void test_batches_of_one_line(void **state)
+static void test_batches_of_one_line(void)
 {
     enum { TEETH_SHOWN = 300, N = 4 * TEETH_SHOWN };
     const struct pel_rect b = {0, 0, 2 * TEETH_SHOWN, 2};
@@ -131,7 +119,6 @@ static void test_batches_of_one_line(void **state)
     static uint32_t scratch[9 * N];
     const struct pel_polygon_shape p = {v, N, PEL_EVEN_ODD};
     const uint64_t a_line = batches_of(TEETH_SHOWN, PEL_COLLECT_ROWS);
-    (void)state;
     for (int32_t i = 0; i < N; i++)
         v[i] = (struct pel_point){PEL_PX(i / 2),
                                   (i + 1) / 2 % 2 ? PEL_PX(-9) : PEL_PX(12)};
@@ -144,7 +131,7 @@ static void test_batches_of_one_line(void **state)
 }
 
 /* Batches are filled before they are handed on. */
-static void test_batches(void **state)
+static void test_batches(void)
 {
     enum { ROWS = 150 };
     const struct pel_rect b = {0, 0, 3, ROWS};
@@ -156,7 +143,6 @@ static void test_batches(void **state)
     uint32_t scratch[36];
     const uint64_t least = batches_of(ROWS, PEL_BATCH_ROWS);
     const uint64_t collected = batches_of(ROWS, PEL_COLLECT_ROWS);
-    (void)state;
     hits_open(&hits, &b);
     pel_triangle(&hits.surface, v, &hits.paint);
     assert_int_equal(hits.batches, least);
@@ -178,11 +164,10 @@ static void test_batches(void **state)
 }
 
 /* A circle that ends just above the centres of a row does not reach for it. */
-static void test_rows_of_circle(void **state)
+static void test_rows_of_circle(void)
 {
     const struct pel_rect b = {0, 0, 12, 12};
     const struct pel_point center = {PEL_PX(5) + 128, PEL_PX(5) + 128};
-    (void)state;
     hits_open(&hits, &b);
     pel_circle(&hits.surface, center, PEL_PX(3) - 1, &hits.paint);
     assert_int_equal(hits.runs, 5);
@@ -222,7 +207,7 @@ static void check_pieces(const char *name, uint64_t pieces)
                  (int)most);
 }
 
-static void test_pieces(void **state)
+static void test_pieces(void)
 {
     const struct pel_rect b = {0, 0, 60, 60};
     const struct pel_point center = {PEL_PX(30), PEL_PX(30)};
@@ -232,7 +217,6 @@ static void test_pieces(void **state)
         {center, PEL_PX(12), PEL_PX(25), 0x1800, 0x1000},
         {center, PEL_PX(12), PEL_PX(25), 0x9800, 0x9000},
     };
-    (void)state;
     hits_open(&hits, &b);
     pel_sector(&hits.surface, &sector, &hits.paint);
     check_pieces("sector", 1);
@@ -244,14 +228,13 @@ static void test_pieces(void **state)
 }
 
 /* Runs without a pixel are not handed on. */
-static void test_needle(void **state)
+static void test_needle(void)
 {
     static const struct pel_point v[4] = {
         {300, 0}, {310, PEL_PX(4)}, {320, PEL_PX(5)}, {330, 0}};
     static uint32_t scratch[9 * 4];
     const struct pel_polygon_shape p = {v, 4, PEL_NON_ZERO};
     const struct pel_rect b = {0, 0, 6, 6};
-    (void)state;
     hits_open(&hits, &b);
     assert_int_equal(
         pel_polygon(&hits.surface, &p, &hits.paint, scratch, sizeof scratch),
@@ -310,9 +293,8 @@ static int32_t crossing(int32_t i)
     return i % 2 ? (i - TEETH / 2) * 200 : (TEETH / 2 - i) * 200;
 }
 
-static void test_zigzags(void **state)
+static void test_zigzags(void)
 {
-    (void)state;
     check_zigzag(TEETH, to_the_left);
     check_zigzag(TEETH, to_the_right);
     check_zigzag(TEETH, anywhere);
@@ -328,7 +310,7 @@ static void count_runs(const struct pel_paint *paint,
 
 /* Rows of many runs, each three pixels with one between them: what is left of
  * a run is its ends, and all of it in the first row and the last. */
-static void test_outline_of_many_runs(void **state)
+static void test_outline_of_many_runs(void)
 {
     enum { RUNS = 8000, PART = 4 };
     static struct pel_span run[RUNS], memory[PEL_OUTLINE_FILTER_SPANS(RUNS)];
@@ -336,7 +318,6 @@ static void test_outline_of_many_runs(void **state)
     const struct pel_surface surface = {.clip = {0, 0, 4 * RUNS, rows}};
     const struct pel_paint paint = PEL_PAINT(count_runs, NULL);
     struct pel_outline_filter f;
-    (void)state;
     for (int32_t i = 0; i < RUNS; i++)
         run[i] = (struct pel_span){4 * i, 4 * i + 3};
     hits.runs = 0;
@@ -356,19 +337,7 @@ static void test_outline_of_many_runs(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_triangles),
-        cmocka_unit_test(test_circles),
-        cmocka_unit_test(test_lines),
-        cmocka_unit_test(test_rectangles),
-        cmocka_unit_test(test_polygons),
-        cmocka_unit_test(test_batches),
-        cmocka_unit_test(test_batches_of_one_line),
-        cmocka_unit_test(test_rows_of_circle),
-        cmocka_unit_test(test_pieces),
-        cmocka_unit_test(test_needle),
-        cmocka_unit_test(test_zigzags),
-        cmocka_unit_test(test_outline_of_many_runs),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_huge_shapes, test_batches, test_batches_of_one_line,
+                     test_rows_of_circle, test_pieces, test_needle,
+                     test_zigzags, test_outline_of_many_runs);
 }

@@ -19,11 +19,10 @@ static int32_t list_numbers(int32_t *v)
     return n;
 }
 
-static void test_products(void **state)
+static void test_products(void)
 {
     int32_t v[31 * 7 * 2];
     const int32_t n = list_numbers(v);
-    (void)state;
     for (int32_t i = 0; i < n; i++)
         for (int32_t k = 0; k < n; k++)
             if (pel_product(v[i], v[k]) != (int64_t)v[i] * v[k])
@@ -31,10 +30,9 @@ static void test_products(void **state)
 }
 
 /* Numbers of all sizes whose bits have no pattern. */
-static void test_many_products(void **state)
+static void test_many_products(void)
 {
     uint64_t seed = 1;
-    (void)state;
     for (int i = 0; i < 200000; i++) {
         seed = seed * UINT64_C(6364136223846793005) + 1442695040888963407;
         const int32_t a = (int32_t)(seed >> 33) - LIMIT;
@@ -51,9 +49,8 @@ static uint64_t number_of(int i)
     return (UINT64_C(1) << (i / 7 % 64)) + (uint64_t)(i % 7 - 3);
 }
 
-static void test_whole_products(void **state)
+static void test_whole_products(void)
 {
-    (void)state;
     for (int i = 0; i < 64 * 7; i++)
         for (int k = 0; k < 64 * 7; k++) {
             const uint64_t a = number_of(i), b = number_of(k);
@@ -70,10 +67,5 @@ static void test_whole_products(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_products),
-        cmocka_unit_test(test_many_products),
-        cmocka_unit_test(test_whole_products),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_products, test_many_products, test_whole_products);
 }

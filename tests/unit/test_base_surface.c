@@ -4,11 +4,10 @@
 
 static uint32_t memory[4096];
 
-static void test_null_is_refused(void **state)
+static void test_null_is_refused(void)
 {
     struct pel_surface s;
     const struct pel_rect b = {0, 0, 8, 8};
-    (void)state;
     assert_int_equal(pel_surface_init(NULL, &pel_gray8, memory, sizeof memory,
                                       &(struct pel_rect){0, 0, 8, 8}),
                      PEL_ERROR_NULL);
@@ -31,7 +30,7 @@ static void test_null_is_refused(void **state)
                      PEL_ERROR_NULL);
 }
 
-static void test_sizes(void **state)
+static void test_sizes(void)
 {
     static const struct {
         int32_t width, height;
@@ -49,7 +48,6 @@ static void test_sizes(void **state)
         {1, INT32_MAX, PEL_ERROR_SIZE},
         {INT32_MIN, INT32_MIN, PEL_ERROR_SIZE},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++)
         for (int f = 0; f < LAYOUT_COUNT; f++) {
             struct pel_surface s;
@@ -62,10 +60,9 @@ static void test_sizes(void **state)
 }
 
 /* The last byte counts, in every format. */
-static void test_memory_sizes(void **state)
+static void test_memory_sizes(void)
 {
     const struct pel_rect bounds = {-16, 8, 5, 31};
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         const struct pel_format *format = layouts[f].format;
         const size_t lines = format->id == PEL_FORMAT_MONO1_PAGES ? 3 : 23;
@@ -81,7 +78,7 @@ static void test_memory_sizes(void **state)
     }
 }
 
-static void test_bounds(void **state)
+static void test_bounds(void)
 {
     static const struct {
         struct pel_rect bounds;
@@ -106,7 +103,6 @@ static void test_bounds(void **state)
         {{0, INT32_MIN, 1, INT32_MAX}, PEL_ERROR_SIZE},
         {{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN}, PEL_ERROR_SIZE},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
         struct pel_surface s;
         if (pel_surface_init_rect(&s, &pel_xrgb8888, memory, 131068,
@@ -118,10 +114,9 @@ static void test_bounds(void **state)
 }
 
 /* Lines may run upwards and have padding, but must not overlap. */
-static void test_strides(void **state)
+static void test_strides(void)
 {
     const struct pel_rect b = {0, 0, 17, 16};
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         const struct pel_format *format = layouts[f].format;
         const int32_t word = format->word, need = pel_stride(format, 17);
@@ -152,9 +147,8 @@ static void test_strides(void **state)
     }
 }
 
-static void test_stride_of_nothing(void **state)
+static void test_stride_of_nothing(void)
 {
-    (void)state;
     assert_int_equal(pel_stride(NULL, 8), 0);
     assert_int_equal(pel_stride(&pel_rgb888, 0), 0);
     assert_int_equal(pel_stride(&pel_rgb888, -1), 0);
@@ -167,10 +161,9 @@ static void test_stride_of_nothing(void **state)
     assert_int_equal(pel_stride(&pel_rgb888, INT32_MAX), 0);
 }
 
-static void test_alignment(void **state)
+static void test_alignment(void)
 {
     const struct pel_rect b = {0, 0, 8, 8};
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         const struct pel_format *format = layouts[f].format;
         for (int offset = 0; offset < 4; offset++) {
@@ -189,9 +182,8 @@ static void test_alignment(void **state)
 }
 
 /* Tiles of packed formats begin at a byte. */
-static void test_origins(void **state)
+static void test_origins(void)
 {
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++)
         for (int32_t o = -9; o < 10; o++) {
             const struct pel_format *format = layouts[f].format;
@@ -209,11 +201,10 @@ static void test_origins(void **state)
         }
 }
 
-static void test_surface_is_what_was_said(void **state)
+static void test_surface_is_what_was_said(void)
 {
     const struct pel_rect b = {-16, 8, 5, 24};
     struct pel_surface s;
-    (void)state;
     assert_int_equal(pel_surface_init_rect(&s, &pel_rgb888, memory, -66, &b),
                      PEL_OK);
     assert_ptr_equal(s.pixels, memory);
@@ -228,13 +219,12 @@ static void test_surface_is_what_was_said(void **state)
     assert_memory_equal(&s.bounds, (&(struct pel_rect){0, 0, 17, 3}), sizeof b);
 }
 
-static void test_clip_stays_inside(void **state)
+static void test_clip_stays_inside(void)
 {
     const struct pel_rect outside = {INT32_MIN, INT32_MIN, INT32_MAX,
                                      INT32_MAX};
     const struct pel_rect part = {3, -5, 70, 4}, apart = {20, 20, 30, 30};
     struct pel_surface s;
-    (void)state;
     assert_int_equal(pel_surface_init(&s, &pel_gray8, memory, sizeof memory,
                                       &(struct pel_rect){0, 0, 16, 8}),
                      PEL_OK);
@@ -249,17 +239,8 @@ static void test_clip_stays_inside(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_null_is_refused),
-        cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_memory_sizes),
-        cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_strides),
-        cmocka_unit_test(test_stride_of_nothing),
-        cmocka_unit_test(test_alignment),
-        cmocka_unit_test(test_origins),
-        cmocka_unit_test(test_surface_is_what_was_said),
-        cmocka_unit_test(test_clip_stays_inside),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_null_is_refused, test_sizes, test_memory_sizes,
+                     test_bounds, test_strides, test_stride_of_nothing,
+                     test_alignment, test_origins,
+                     test_surface_is_what_was_said, test_clip_stays_inside);
 }

@@ -1,6 +1,7 @@
 /* The seam of displays against a display that is busy for a random time: who
  * may touch the pixels, and when. */
 #include "tests/support/check.h"
+#include "tests/support/layouts.h"
 
 #include <string.h>
 
@@ -24,11 +25,10 @@ static void set_up(struct fixture *f, const struct pel_format *format,
     memset(screen_memory, 0, sizeof(screen_memory));
     memset(memory, 0, sizeof(memory));
     memset(whole_memory, 0, sizeof(whole_memory));
-    pel_surface_init(&f->dma.screen, format, screen_memory,
-                     sizeof screen_memory,
-                     &(struct pel_rect){0, 0, WIDTH, HEIGHT});
-    pel_surface_init(&f->whole, format, whole_memory, sizeof whole_memory,
-                     &(struct pel_rect){0, 0, WIDTH, HEIGHT});
+    f->dma.screen =
+        surface_of(format, screen_memory, sizeof screen_memory, WIDTH, HEIGHT);
+    f->whole =
+        surface_of(format, whole_memory, sizeof whole_memory, WIDTH, HEIGHT);
     f->dma.random.state = random_word(&c->random);
     f->dma.most_steps = random_between(&c->random, 1, 12);
     display_dma_init(&f->display, &f->dma);
@@ -89,10 +89,9 @@ static int draw_bands(struct fixture *f, int buffers, bool waits)
 static const struct pel_format *const formats[] = {&pel_rgb565_be, &pel_rgb888,
                                                    &pel_xrgb8888};
 
-static void test_one_buffer_waits(void **state)
+static void test_one_buffer_waits(void)
 {
     struct fixture f;
-    (void)state;
     for (struct cases c = cases_of(300); cases_next(&c);) {
         set_up(&f, formats[random_word(&c.random) % 3], &c);
         draw_whole(&f);
@@ -102,11 +101,10 @@ static void test_one_buffer_waits(void **state)
     }
 }
 
-static void test_two_buffers_in_turn_need_no_wait(void **state)
+static void test_two_buffers_in_turn_need_no_wait(void)
 {
     struct fixture f;
     int overlapping = 0;
-    (void)state;
     for (struct cases c = cases_of(300); cases_next(&c);) {
         set_up(&f, formats[random_word(&c.random) % 3], &c);
         draw_whole(&f);
@@ -119,11 +117,10 @@ static void test_two_buffers_in_turn_need_no_wait(void **state)
 }
 
 /* This is what the two above would look like if they were wrong. */
-static void test_one_buffer_without_wait_is_noticed(void **state)
+static void test_one_buffer_without_wait_is_noticed(void)
 {
     struct fixture f;
     int noticed = 0;
-    (void)state;
     for (struct cases c = cases_of(300); cases_next(&c);) {
         set_up(&f, &pel_rgb565_be, &c);
         draw_bands(&f, 1, false);
@@ -135,17 +132,16 @@ static void test_one_buffer_without_wait_is_noticed(void **state)
 
 /* A frame that is kept, of which only what changed is sent: what was drawn
  * before is still there after the transfer, and windows are rounded. */
-static void test_parts_of_a_kept_frame(void **state)
+static void test_parts_of_a_kept_frame(void)
 {
     struct fixture f;
     struct pel_surface s;
     struct display_dma nothing = {.steps_left = 0};
-    (void)state;
     for (struct cases c = cases_of(300); cases_next(&c);) {
         set_up(&f, formats[random_word(&c.random) % 3], &c);
         f.dma.window = 4;
-        pel_surface_init(&s, f.display.format, memory[0], sizeof memory[0],
-                         &(struct pel_rect){0, 0, WIDTH, HEIGHT});
+        s = surface_of(f.display.format, memory[0], sizeof memory[0], WIDTH,
+                       HEIGHT);
         for (int part = 0; part < 4; part++) {
             struct pel_rect area = {random_between(&c.random, 0, 20),
                                     random_between(&c.random, 0, 20),
@@ -164,19 +160,17 @@ static void test_parts_of_a_kept_frame(void **state)
     }
 }
 
-static void test_windows_that_are_not_rounded(void **state)
+static void test_windows_that_are_not_rounded(void)
 {
     struct fixture f;
     struct pel_surface s;
     struct cases c = cases_of(1);
     const struct pel_rect odd = {1, 4, 9, 8};
     struct pel_rect area = odd;
-    (void)state;
     cases_next(&c);
     set_up(&f, &pel_rgb565_be, &c);
     f.dma.window = 4;
-    pel_surface_init(&s, &pel_rgb565_be, memory[0], sizeof memory[0],
-                     &(struct pel_rect){0, 0, WIDTH, HEIGHT});
+    s = surface_of(&pel_rgb565_be, memory[0], sizeof memory[0], WIDTH, HEIGHT);
     assert_int_equal(pel_display_begin(&f.display, &odd, &s), PEL_OK);
     assert_int_equal(pel_display_flush(&f.display, &s), PEL_ERROR_SIZE);
     pel_display_align(&f.display, &area);
@@ -191,17 +185,15 @@ static void test_windows_that_are_not_rounded(void **state)
 
 /* What went wrong in a transfer is told by the next call that waits for it, and
  * a frame that did not arrive is not flipped to. */
-static void test_a_transfer_that_never_ends(void **state)
+static void test_a_transfer_that_never_ends(void)
 {
     struct fixture f;
     struct pel_surface s;
     struct cases c = cases_of(1);
-    (void)state;
     cases_next(&c);
     set_up(&f, &pel_rgb565_be, &c);
     f.dma.broken = true;
-    pel_surface_init(&s, &pel_rgb565_be, memory[0], sizeof memory[0],
-                     &(struct pel_rect){0, 0, WIDTH, HEIGHT});
+    s = surface_of(&pel_rgb565_be, memory[0], sizeof memory[0], WIDTH, HEIGHT);
     assert_int_equal(pel_display_flush(&f.display, &s), PEL_OK);
     assert_int_equal(pel_display_flush(&f.display, &s), PEL_ERROR_DEVICE);
     assert_int_equal(pel_display_wait(&f.display), PEL_ERROR_DEVICE);
@@ -212,13 +204,8 @@ static void test_a_transfer_that_never_ends(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_one_buffer_waits),
-        cmocka_unit_test(test_two_buffers_in_turn_need_no_wait),
-        cmocka_unit_test(test_one_buffer_without_wait_is_noticed),
-        cmocka_unit_test(test_parts_of_a_kept_frame),
-        cmocka_unit_test(test_windows_that_are_not_rounded),
-        cmocka_unit_test(test_a_transfer_that_never_ends),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(
+        test_one_buffer_waits, test_two_buffers_in_turn_need_no_wait,
+        test_one_buffer_without_wait_is_noticed, test_parts_of_a_kept_frame,
+        test_windows_that_are_not_rounded, test_a_transfer_that_never_ends);
 }

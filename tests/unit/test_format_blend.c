@@ -26,9 +26,7 @@ static uint32_t blended(const struct pel_format *format, pel_color start,
 {
     const struct pel_flat flat = PEL_FLAT(color);
     struct pel_surface s;
-    assert_int_equal(pel_surface_init(&s, format, pixels, sizeof pixels,
-                                      &(struct pel_rect){0, 0, 8, 8}),
-                     PEL_OK);
+    s = surface_of(format, pixels, sizeof pixels, 8, 8);
     pel_clear(&s, start);
     for (int i = 0; i < times; i++)
         pel_rectangle(&s, screen[0], screen[1], &flat.paint);
@@ -39,12 +37,11 @@ static uint32_t blended(const struct pel_format *format, pel_color start,
  * 16 (255 - d) < 127.5, that is from d = 248 on; 247 is 8 away and gains 1. So
  * 2000 blends leave 248, where a shift by 8 for the division would stop at 225.
  */
-static void test_white_comes_to_rest_at_248(void **state)
+static void test_white_comes_to_rest_at_248(void)
 {
     static const struct pel_format *const formats[] = {
         &pel_xrgb8888, &pel_xbgr8888, &pel_rgbx8888, &pel_bgrx8888,
         &pel_rgb888,   &pel_bgr888,   &pel_gray8};
-    (void)state;
     for (size_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
         const uint32_t got = blended(formats[f], PEL_RGB(0, 0, 0),
                                      PEL_RGBA(255, 255, 255, 16), 2000);
@@ -54,19 +51,17 @@ static void test_white_comes_to_rest_at_248(void **state)
 }
 
 /* Black over white is the mirror image: 7 remain. */
-static void test_black_comes_to_rest_at_7(void **state)
+static void test_black_comes_to_rest_at_7(void)
 {
-    (void)state;
     assert_int_equal(blended(&pel_xrgb8888, PEL_RGB(255, 255, 255),
                              PEL_RGBA(0, 0, 0, 16), 2000),
                      PEL_RGB(7, 7, 7));
 }
 
 /* Every format: the state that the rule, taken 2000 times, has. */
-static void test_every_format_follows_the_rule(void **state)
+static void test_every_format_follows_the_rule(void)
 {
     static const uint32_t alphas[] = {1, 16, 64, 127, 128, 200, 254};
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++)
         for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++) {
             const struct layout *l = &layouts[f];
@@ -123,10 +118,7 @@ static void check_x_bytes(const struct pel_format *format,
         for (int i = 0; i < 64; i++)
             before[i] = (uint8_t)(i * 37 % 128); /* no X bit is set */
         memcpy(pixels, before, sizeof before);
-        assert_int_equal(
-            pel_surface_init(&s, format, pixels, sizeof pixels,
-                             &(struct pel_rect){0, 0, 512 / format->bits, 1}),
-            PEL_OK);
+        s = surface_of(format, pixels, sizeof pixels, 512 / format->bits, 1);
         draw_run(&s, n, color, (enum way)way);
         memcpy(after, pixels, sizeof after);
         for (int i = 0; i < 512 / format->bits; i++) {
@@ -143,13 +135,12 @@ static void check_x_bytes(const struct pel_format *format,
 
 /* Alpha 0 leaves the X byte as it is, every other alpha sets it: in the formats
  * that have one, and in argb8888, where it is the alpha of the pixel. */
-static void test_x_bytes(void **state)
+static void test_x_bytes(void)
 {
     static const struct pel_format *const formats[] = {
         &pel_xrgb8888, &pel_xbgr8888, &pel_rgbx8888,
         &pel_bgrx8888, &pel_argb8888, &pel_xrgb1555_le};
     static const uint32_t alphas[] = {0, 1, 128, 254, 255};
-    (void)state;
     for (size_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
         const struct layout *l =
             layout_of(formats[f] == &pel_argb8888 ? &pel_xrgb8888 : formats[f]);
@@ -170,13 +161,12 @@ static void random_colors(struct random *r, pel_color *colors, int n)
 }
 
 /* put, of every format: what the rule makes of every pixel, and no other. */
-static void test_put(void **state)
+static void test_put(void)
 {
     enum { WIDTH = 48 };
     uint8_t memory[WIDTH * 4];
     pel_color colors[WIDTH], was[WIDTH], got[WIDTH];
     struct pel_surface s;
-    (void)state;
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         const struct layout *l = &layouts[c.next % LAYOUT_COUNT];
         const int x = random_between(&c.random, 0, WIDTH - 1);
@@ -185,9 +175,7 @@ static void test_put(void **state)
             memory[i] = (uint8_t)random_word(&c.random);
         memcpy(pixels, memory, sizeof memory);
         random_colors(&c.random, colors, n);
-        assert_int_equal(pel_surface_init(&s, l->format, pixels, sizeof pixels,
-                                          &(struct pel_rect){0, 0, WIDTH, 1}),
-                         PEL_OK);
+        s = surface_of(l->format, pixels, sizeof pixels, WIDTH, 1);
         l->format->load(&s, 0, 0, WIDTH, was);
         l->format->put(&s, x, 0, n, colors);
         l->format->load(&s, 0, 0, WIDTH, got);
@@ -208,12 +196,7 @@ static void test_put(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_white_comes_to_rest_at_248),
-        cmocka_unit_test(test_black_comes_to_rest_at_7),
-        cmocka_unit_test(test_every_format_follows_the_rule),
-        cmocka_unit_test(test_x_bytes),
-        cmocka_unit_test(test_put),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(
+        test_white_comes_to_rest_at_248, test_black_comes_to_rest_at_7,
+        test_every_format_follows_the_rule, test_x_bytes, test_put);
 }

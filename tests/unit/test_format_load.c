@@ -25,24 +25,19 @@ static void check_load(const struct canvas *c, int32_t x, int32_t n)
     }
 }
 
-static void test_runs(void **state)
+static void test_runs(void)
 {
     static struct canvas canvas;
     const struct pel_rect bounds = {0, 0, WIDTH, 9};
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         canvas_open(&canvas, layouts[f].format, &bounds, 0);
         for (int32_t x = 0; x < WIDTH - LENGTH_MAX; x++)
             for (int32_t n = 1; n <= LENGTH_MAX; n++)
                 check_load(&canvas, x, n);
     }
-    canvas_close(&canvas);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_runs),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_runs);
 }

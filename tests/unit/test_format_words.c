@@ -4,9 +4,8 @@
 #include "core/format/word.h"
 #include "tests/support/check.h"
 
-static void test_swaps(void **state)
+static void test_swaps(void)
 {
-    (void)state;
     for (uint32_t v = 0; v <= 0xFFFF; v++)
         assert_int_equal(pel_swap16(v), (v & 255) * 256 + v / 256);
     assert_int_equal(pel_swap32(0x01020304), 0x04030201);
@@ -16,12 +15,11 @@ static void test_swaps(void **state)
                          UINT32_C(1) << ((3 - i / 8) * 8 + i % 8));
 }
 
-static void test_words_in_memory(void **state)
+static void test_words_in_memory(void)
 {
     static const uint8_t byte[4] = {0x11, 0x22, 0x33, 0x44};
     uint16_t half;
     uint32_t word;
-    (void)state;
     memcpy(&half, byte, 2);
     memcpy(&word, byte, 4);
     assert_int_equal(PEL_LE16(half), 0x2211);
@@ -30,9 +28,8 @@ static void test_words_in_memory(void **state)
 }
 
 /* To 8 bits by repeating them from the top. */
-static void test_widening(void **state)
+static void test_widening(void)
 {
-    (void)state;
     for (uint32_t v = 0; v < 32; v++)
         assert_int_equal(pel_widen(v, 5), v * 8 + v / 4);
     for (uint32_t v = 0; v < 64; v++)
@@ -43,10 +40,5 @@ static void test_widening(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_swaps),
-        cmocka_unit_test(test_words_in_memory),
-        cmocka_unit_test(test_widening),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_swaps, test_words_in_memory, test_widening);
 }

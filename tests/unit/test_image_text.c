@@ -29,9 +29,8 @@ static const struct pel_font_asset font = {
     sizeof bits,    ranges,           glyphs, bits,
 };
 
-static void test_check(void **state)
+static void test_check(void)
 {
-    (void)state;
     static const struct pel_font_range tangled[] = {
         {' ', 1, 1}, {'a', 2, 2}, {'b', 1, 3}};
     static const struct pel_font_range beyond[] = {
@@ -59,9 +58,8 @@ static void test_check(void **state)
     assert_int_equal(pel_font_asset_check(&f), PEL_OK);
 }
 
-static void test_find(void **state)
+static void test_find(void)
 {
-    (void)state;
     struct pel_font_asset f = font;
     assert_ptr_equal(pel_glyph_find(&font, ' '), &glyphs[1]);
     assert_ptr_equal(pel_glyph_find(&font, 'a'), &glyphs[2]);
@@ -86,9 +84,8 @@ static int encode(uint32_t code, char *to)
     return n;
 }
 
-static void test_every_code_point(void **state)
+static void test_every_code_point(void)
 {
-    (void)state;
     for (uint32_t code = 1; code <= 0x10FFFF; code++) {
         char text[8];
         const char *next = text;
@@ -104,9 +101,8 @@ static void test_every_code_point(void **state)
 }
 
 /* How many bytes each step takes; all give U+FFFD. */
-static void test_malformed(void **state)
+static void test_malformed(void)
 {
-    (void)state;
     static const struct {
         const char *text;
         int steps[5];
@@ -143,9 +139,8 @@ static void test_malformed(void **state)
     assert_int_equal(pel_utf8_next(&next), 'a');
 }
 
-static void test_measure(void **state)
+static void test_measure(void)
 {
-    (void)state;
     static const struct {
         const char *text;
         int32_t width, height;
@@ -181,9 +176,8 @@ static void check_picture(const char *string, const char *const *picture)
                          hits_at(&hits, x, y));
 }
 
-static void test_pictures(void **state)
+static void test_pictures(void)
 {
-    (void)state;
     static const char *const lines[] = {
         "................", "................", ".##....##..###..",
         "#..#..#..#.#.#..", ".##....##..###..", "#.....#.........",
@@ -194,9 +188,8 @@ static void test_pictures(void **state)
 }
 
 /* Any clip and any place: the same pixels, as long as the pen is in range. */
-static void test_far_away(void **state)
+static void test_far_away(void)
 {
-    (void)state;
     static char string[200000];
     const struct pel_rect window = {0, 0, 100, 8};
     const struct pel_text_block text = {&font, string, -40000, 0};
@@ -209,14 +202,7 @@ static void test_far_away(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_check),
-        cmocka_unit_test(test_find),
-        cmocka_unit_test(test_every_code_point),
-        cmocka_unit_test(test_malformed),
-        cmocka_unit_test(test_measure),
-        cmocka_unit_test(test_pictures),
-        cmocka_unit_test(test_far_away),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_check, test_find, test_every_code_point,
+                     test_malformed, test_measure, test_pictures,
+                     test_far_away);
 }

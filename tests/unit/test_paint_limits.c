@@ -1,4 +1,4 @@
-/* Paints at the ends of what they take, and beyond. */
+/* Paints at the ends of what they take, and beyond: which errors they give. */
 #include <string.h>
 
 #include "tests/support/check.h"
@@ -75,7 +75,7 @@ static enum pel_status dither_of_a_dither(union any_paint *p)
 }
 
 /* A paint whose init function failed draws nothing, whatever it was before. */
-static void test_failed_paints(void **state)
+static void test_failed_paints(void)
 {
     static enum pel_status (*const init[])(union any_paint *) = {
         linear,
@@ -92,7 +92,6 @@ static void test_failed_paints(void **state)
     static const struct pel_rect bounds = {0, 0, 16, 16};
     const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(16, 0), PEL_AT(0, 16)};
     const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
-    (void)state;
     for (size_t i = 0; i < sizeof init / sizeof *init; i++) {
         union any_paint p;
         struct pel_surface s;
@@ -111,11 +110,10 @@ static void test_failed_paints(void **state)
 }
 
 /* Coordinates at the ends of what fits show the picture's edge. */
-static void test_ends_of_the_range(void **state)
+static void test_ends_of_the_range(void)
 {
     static const pel_color texels[4] = {1, 2, 3, 4};
     const struct pel_texels t = {NULL, texels, 2, 2, false};
-    (void)state;
     for (int i = 0; i < 4; i++) {
         /* INT32_MIN texels, half a texel and the rounding of weights on */
         const uint64_t low = UINT64_C(0x800000007F800000);
@@ -130,11 +128,135 @@ static void test_ends_of_the_range(void **state)
     }
 }
 
+static void test_errors_of_gradients(void)
+{
+    static const pel_color two[2];
+    const struct pel_point at = {0, 0}, to = {1, 0};
+    const struct pel_point out = {PEL_COORDINATE_MAX + 1, 0};
+    const struct pel_ramp good = {two, 2, PEL_PAD}, none = {two, 0, PEL_PAD},
+                          many = {two, 32768, PEL_PAD}, null = {NULL, 2, 0};
+    struct pel_linear l;
+    struct pel_radial radial;
+    struct pel_conic conic;
+    struct pel_hue_wheel wheel;
+    const struct {
+        const struct pel_ramp *ramp;
+        struct pel_point at;
+        int32_t radius;
+        enum pel_status linear, radial, conic;
+    } rows[] = {
+        {&good, at, 256, PEL_OK, PEL_OK, PEL_OK},
+        {NULL, at, 256, PEL_ERROR_NULL, PEL_ERROR_NULL, PEL_ERROR_NULL},
+        {&null, at, 256, PEL_ERROR_NULL, PEL_ERROR_NULL, PEL_ERROR_NULL},
+        {&none, at, 256, PEL_ERROR_SIZE, PEL_ERROR_SIZE, PEL_ERROR_SIZE},
+        {&many, at, 256, PEL_ERROR_SIZE, PEL_ERROR_SIZE, PEL_ERROR_SIZE},
+        {&good, out, 256, PEL_ERROR_RANGE, PEL_ERROR_RANGE, PEL_ERROR_RANGE},
+        {&good, to, 255, PEL_ERROR_SIZE, PEL_ERROR_RANGE, PEL_OK},
+        {&good, to, PEL_PX(32767) + 1, PEL_ERROR_SIZE, PEL_ERROR_RANGE, PEL_OK},
+    };
+    for (unsigned i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const struct pel_rings rings = {rows[i].at, rows[i].radius, 0};
+        const struct pel_ramp *ramp = rows[i].ramp;
+        assert_int_equal(pel_linear_init(&l, rows[i].at, to, ramp),
+                         rows[i].linear);
+        assert_int_equal(pel_radial_init(&radial, &rings, ramp),
+                         rows[i].radial);
+        assert_int_equal(pel_conic_init(&conic, rows[i].at, 0, ramp),
+                         rows[i].conic);
+        assert_int_equal(pel_linear_init(NULL, rows[i].at, to, ramp),
+                         PEL_ERROR_NULL);
+        assert_int_equal(pel_radial_init(NULL, &rings, ramp), PEL_ERROR_NULL);
+        assert_int_equal(pel_conic_init(NULL, rows[i].at, 0, ramp),
+                         PEL_ERROR_NULL);
+    }
+    assert_int_equal(pel_linear_init(&l, at, out, &good), PEL_ERROR_RANGE);
+    assert_int_equal(pel_radial_init(&radial, NULL, &good), PEL_ERROR_NULL);
+    assert_int_equal(pel_hue_wheel_init(NULL, at, 0, 1, 2), PEL_ERROR_NULL);
+    assert_int_equal(pel_hue_wheel_init(&wheel, out, 0, 1, 2), PEL_ERROR_RANGE);
+}
+
+static void test_errors_of_textures(void)
+{
+    const struct pel_texture_map map = PEL_TEXTURE_AT(0, 0);
+    const pel_color one = 0;
+    struct pel_texels t = {NULL, &one, 1, 1, false};
+    struct pel_texture p;
+    struct pel_texture_map m;
+    struct pel_surface surface;
+    uint16_t words[2] = {0, 0};
+    struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(1, 0), PEL_AT(0, 1)};
+    const struct pel_texel_point q[3] = {{0, 0}, {1, 0}, {0, 1}};
+    assert_int_equal(pel_texture_init_nearest(NULL, &t, &map), PEL_ERROR_NULL);
+    assert_int_equal(pel_texture_init_nearest(&p, NULL, &map), PEL_ERROR_NULL);
+    assert_int_equal(pel_texture_init_bilinear(&p, &t, NULL), PEL_ERROR_NULL);
+    t.width = 0;
+    assert_int_equal(pel_texture_init_nearest(&p, &t, &map), PEL_ERROR_SIZE);
+    t.width = 1;
+    t.height = 32768;
+    assert_int_equal(pel_texture_init_bilinear(&p, &t, &map), PEL_ERROR_SIZE);
+    t.colors = NULL;
+    assert_int_equal(pel_texture_init_nearest(&p, &t, &map), PEL_ERROR_NULL);
+    const struct pel_rect two = {0, 0, 2, 1};
+    pel_surface_init(&surface, &pel_rgb565_le_fill, words, sizeof words, &two);
+    t.surface = &surface;
+    assert_int_equal(pel_texture_init_nearest(&p, &t, &map), PEL_ERROR_FORMAT);
+    assert_int_equal(pel_texture_map_triangle(&m, NULL, q), PEL_ERROR_NULL);
+    v[1].x = PEL_COORDINATE_MAX + 1;
+    assert_int_equal(pel_texture_map_triangle(&m, v, q), PEL_ERROR_RANGE);
+}
+
+static void test_errors_of_fans(void)
+{
+    static struct pel_fan_triangle memory[5];
+    struct pel_fan fan;
+    const struct pel_point far[3] = {
+        PEL_AT(0, 0), PEL_AT(20, 0), {PEL_PX(10), PEL_COORDINATE_MAX + 1}};
+    const struct pel_point v[4] = {PEL_AT(0, 0), PEL_AT(20, 0), PEL_AT(10, 10),
+                                   PEL_AT(-5, 3)};
+    const pel_color c[4] = {0, 0, 0, 0};
+    struct pel_fan_points p = {PEL_AT(10, 3), 0, v, c, 3};
+    assert_int_equal(pel_fan_init(&fan, &p, memory), PEL_OK);
+    assert_int_equal(pel_fan_init(NULL, &p, memory), PEL_ERROR_NULL);
+    assert_int_equal(pel_fan_init(&fan, &p, NULL), PEL_ERROR_NULL);
+    assert_int_equal(pel_fan_init(&fan, NULL, memory), PEL_ERROR_NULL);
+    p.colors = NULL;
+    assert_int_equal(pel_fan_init(&fan, &p, memory), PEL_ERROR_NULL);
+    p.colors = c;
+    p.perimeter = NULL;
+    assert_int_equal(pel_fan_init(&fan, &p, memory), PEL_ERROR_NULL);
+    p.perimeter = far;
+    assert_int_equal(pel_fan_init(&fan, &p, memory), PEL_ERROR_RANGE);
+    p.perimeter = v;
+    p.n = 2;
+    assert_int_equal(pel_fan_init(&fan, &p, memory), PEL_ERROR_SIZE);
+    /* A star of five points in one line goes around its middle twice. */
+    const struct pel_point star[5] = {PEL_AT(0, -20), PEL_AT(12, 16),
+                                      PEL_AT(-19, -6), PEL_AT(19, -6),
+                                      PEL_AT(-12, 16)};
+    const pel_color hues[5] = {0, 0, 0, 0, 0};
+    const struct pel_fan_points twice = {PEL_AT(0, 0), 0, star, hues, 5};
+    assert_int_equal(pel_fan_init(&fan, &twice, memory), PEL_ERROR_RANGE);
+    p.n = 3;
+    p.hub.y = PEL_PX(-1);
+    assert_int_equal(pel_fan_init(&fan, &p, memory), PEL_ERROR_RANGE);
+    p.hub.y = PEL_COORDINATE_MAX + 1;
+    assert_int_equal(pel_fan_init(&fan, &p, memory), PEL_ERROR_RANGE);
+    p.n = 0;
+    pel_fan_set_hub(&p);
+    assert_int_equal(p.hub.x, PEL_PX(10));
+}
+
+static void test_errors_of_dither(void)
+{
+    const struct pel_flat flat = PEL_FLAT(0);
+    struct pel_dither d;
+    assert_int_equal(pel_dither_init(NULL, &flat.paint), PEL_ERROR_NULL);
+    assert_int_equal(pel_dither_init(&d, NULL), PEL_ERROR_NULL);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_failed_paints),
-        cmocka_unit_test(test_ends_of_the_range),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_failed_paints, test_ends_of_the_range,
+                     test_errors_of_gradients, test_errors_of_textures,
+                     test_errors_of_fans, test_errors_of_dither);
 }

@@ -37,9 +37,8 @@ static void check_ramp(const struct pel_stop *s, int32_t count, int32_t n)
         }
 }
 
-static void test_exact(void **state)
+static void test_exact(void)
 {
-    (void)state;
     for (struct cases c = cases_of(2000); cases_next(&c);) {
         struct random *r = &c.random;
         struct pel_stop s[8];
@@ -55,9 +54,8 @@ static void test_exact(void **state)
 }
 
 /* Stops at one place: the later colour from there on. */
-static void test_hard_edge(void **state)
+static void test_hard_edge(void)
 {
-    (void)state;
     static const struct pel_stop s[] = {
         {0, 0xFF000000}, {16384, 0xFF000000}, {16384, 0xFFFFFFFF}};
     pel_color ramp[8];
@@ -67,9 +65,8 @@ static void test_hard_edge(void **state)
 }
 
 /* In the very middle of a cell too. */
-static void test_hard_edge_in_the_middle(void **state)
+static void test_hard_edge_in_the_middle(void)
 {
-    (void)state;
     static const struct pel_stop s[] = {
         {0, 0xFF000000}, {32768, 0xFF000000}, {32768, 0xFFFFFFFF}};
     pel_color ramp[1];
@@ -77,9 +74,8 @@ static void test_hard_edge_in_the_middle(void **state)
     assert_int_equal(ramp[0], 0xFFFFFFFF);
 }
 
-static void test_largest(void **state)
+static void test_largest(void)
 {
-    (void)state;
     static struct pel_stop s[32768];
     static pel_color ramp[32767];
     for (int i = 0; i < 32768; i++)
@@ -89,9 +85,8 @@ static void test_largest(void **state)
     assert_int_equal(pel_ramp_fill(ramp, 3, s, 32768), PEL_ERROR_SIZE);
 }
 
-static void test_errors(void **state)
+static void test_errors(void)
 {
-    (void)state;
     pel_color ramp[4];
     struct pel_stop s[2] = {{10, 0}, {9, 0}};
     assert_int_equal(pel_ramp_fill(NULL, 4, s, 1), PEL_ERROR_NULL);
@@ -108,12 +103,6 @@ static void test_errors(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_exact),
-        cmocka_unit_test(test_hard_edge),
-        cmocka_unit_test(test_hard_edge_in_the_middle),
-        cmocka_unit_test(test_largest),
-        cmocka_unit_test(test_errors),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_exact, test_hard_edge, test_hard_edge_in_the_middle,
+                     test_largest, test_errors);
 }

@@ -31,14 +31,6 @@ static const struct pel_paint named = {.fill = fill_named};
 
 static struct canvas canvas, flat;
 
-static int teardown(void **state)
-{
-    (void)state;
-    canvas_close(&canvas);
-    canvas_close(&flat);
-    return 0;
-}
-
 /* White pixels of another canvas tell what the item covers. */
 static void check_item(const struct layout *l, const struct item *item,
                        const struct pel_rect *b, unsigned style)
@@ -125,9 +117,7 @@ static void test_fast_is_asked_first(void **state)
     static uint8_t pixels[64];
     struct pel_surface s;
     (void)state;
-    assert_int_equal(pel_surface_init(&s, &pel_gray8, pixels, sizeof pixels,
-                                      &(struct pel_rect){0, 0, 8, 8}),
-                     PEL_OK);
+    s = surface_of(&pel_gray8, pixels, sizeof pixels, 8, 8);
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
         struct counting c = {{count_rows, count_fast}, row[i].takes, 0, 0};
         pel_triangle(&s, row[i].v, &c.paint);
@@ -146,5 +136,5 @@ int main(void)
         cmocka_unit_test(test_fast_is_asked_first),
 #endif
     };
-    return cmocka_run_group_tests(tests, NULL, teardown);
+    return cmocka_run_group_tests(tests, NULL, NULL);
 }

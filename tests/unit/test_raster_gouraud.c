@@ -31,20 +31,18 @@ static void check_last_bit(struct canvas *canvas, uint32_t dx, uint32_t cross)
                 fail_msg("step %u, crossing at %u: pixel %u", dx, cross, x);
 }
 
-static void test_last_bit_counts(void **state)
+static void test_last_bit_counts(void)
 {
     static struct canvas canvas;
-    (void)state;
     for (uint32_t cross = 0; cross < 16; cross++) {
         check_last_bit(&canvas, 1, cross);
         check_last_bit(&canvas, 0x10001, cross);
         check_last_bit(&canvas, 0xFFFFFFFF, cross);
     }
-    canvas_close(&canvas);
 }
 
 /* A triangle without area covers nothing, and its set-up ends. */
-static void test_one_point_three_times(void **state)
+static void test_one_point_three_times(void)
 {
     static struct canvas canvas;
     const pel_color c[3] = {PEL_RGB(1, 2, 3), PEL_RGB(40, 50, 60), 0};
@@ -57,41 +55,36 @@ static void test_one_point_three_times(void **state)
         {{0, 0}, {0, 0}, {256, 256}},
         {{0, 0}, {1024, 1024}, {512, 512}},
     };
-    (void)state;
     alarm(10);
     for (size_t i = 0; i < sizeof v / sizeof v[0]; i++) {
         canvas_open(&canvas, &pel_xrgb8888, &bounds, 0);
         pel_triangle_gouraud(&canvas.surface, v[i], c);
         assert_memory_equal(canvas.memory, canvas.before, canvas.size);
     }
-    canvas_close(&canvas);
     alarm(0);
 }
 
 /* Alpha 0 leaves the pixel untouched, bits that no colour uses included. */
-static void test_alpha_0_touches_nothing(void **state)
+static void test_alpha_0_touches_nothing(void)
 {
     static struct canvas canvas;
     static const struct pel_point v[3] = {PEL_AT(-1, -1), PEL_AT(200, 0),
                                           PEL_AT(0, 20)};
     const pel_color c[3] = {0x00FF0000, 0x0000FF00, 0x000000FF};
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         canvas_open(&canvas, layouts[f].format, &bounds, 0);
         pel_triangle_gouraud(&canvas.surface, v, c);
         if (memcmp(canvas.memory, canvas.before, canvas.size) != 0)
             fail_msg("%s: alpha 0 changed a pixel", layouts[f].name);
     }
-    canvas_close(&canvas);
 }
 
 /* Equal colours are that colour, exactly, wherever the vertices are. */
-static void test_equal_colors_are_flat(void **state)
+static void test_equal_colors_are_flat(void)
 {
     static struct canvas smooth, flat;
     static const struct pel_point v[3] = {
         {-8388608, -7000000}, {8388607, 100}, {-500, 8388607}};
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++)
         for (uint32_t a = 0; a < 256; a += 51) {
             const struct pel_flat paint = PEL_FLAT(a << 24 | 0x123456u);
@@ -103,11 +96,9 @@ static void test_equal_colors_are_flat(void **state)
             if (memcmp(smooth.memory, flat.memory, flat.size) != 0)
                 fail_msg("%s, alpha %u", layouts[f].name, a);
         }
-    canvas_close(&smooth);
-    canvas_close(&flat);
 }
 
-static void test_what_is_refused(void **state)
+static void test_what_is_refused(void)
 {
     struct pel_gouraud g;
     static const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(9, 0),
@@ -115,7 +106,6 @@ static void test_what_is_refused(void **state)
     static const struct pel_point far[3] = {
         PEL_AT(0, 0), PEL_AT(9, 0), {0, PEL_COORDINATE_MAX + 1}};
     static const pel_color c[3] = {1, 2, 3};
-    (void)state;
     assert_int_equal(pel_gouraud_init(&g, v, c), PEL_OK);
     assert_int_equal(pel_gouraud_init(NULL, v, c), PEL_ERROR_NULL);
     assert_int_equal(pel_gouraud_init(&g, NULL, c), PEL_ERROR_NULL);
@@ -135,7 +125,7 @@ static void put_fails(const struct pel_surface *surface, int32_t x, int32_t y,
 }
 
 /* Opaque colours of a clipped triangle go straight into the pixels. */
-static void test_runs_are_direct(void **state)
+static void test_runs_are_direct(void)
 {
     static const struct pel_point v[3] = {PEL_AT(-1, -1), PEL_AT(200, 0),
                                           PEL_AT(0, 20)};
@@ -144,26 +134,16 @@ static void test_runs_are_direct(void **state)
     static uint32_t pixels[64];
     struct pel_format formats[2] = {pel_rgb565_le, pel_xrgb8888};
     struct pel_surface s;
-    (void)state;
     for (int f = 0; f < (PEL_FAST_FILLS ? 2 : 1); f++) {
         formats[f].put = put_fails;
-        assert_int_equal(pel_surface_init(&s, &formats[f], pixels,
-                                          sizeof pixels,
-                                          &(struct pel_rect){0, 0, 8, 8}),
-                         PEL_OK);
+        s = surface_of(&formats[f], pixels, sizeof pixels, 8, 8);
         pel_triangle_gouraud(&s, v, c);
     }
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_runs_are_direct),
-        cmocka_unit_test(test_what_is_refused),
-        cmocka_unit_test(test_alpha_0_touches_nothing),
-        cmocka_unit_test(test_equal_colors_are_flat),
-        cmocka_unit_test(test_one_point_three_times),
-        cmocka_unit_test(test_last_bit_counts),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_runs_are_direct, test_what_is_refused,
+                     test_alpha_0_touches_nothing, test_equal_colors_are_flat,
+                     test_one_point_three_times, test_last_bit_counts);
 }

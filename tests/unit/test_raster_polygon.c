@@ -12,13 +12,11 @@ static const struct pel_point square[4] = {PEL_AT(1, 1), PEL_AT(5, 1),
                                            PEL_AT(5, 5), PEL_AT(1, 5)};
 static const struct pel_polygon_shape outline = {square, 4, PEL_EVEN_ODD};
 
-static int setup(void **state)
+static void setup(void)
 {
     const struct pel_rect bounds = {0, 0, 8, 8};
-    (void)state;
     hits_open(&hits, &bounds);
     memset(scratch, 0x5A, sizeof scratch);
-    return 0;
 }
 
 /* The status, and what of `outline` was drawn: all or nothing. */
@@ -34,9 +32,8 @@ static void expect(enum pel_status want, const struct pel_polygon_shape *p,
         assert_int_equal(hits.pixels, before);
 }
 
-static void test_scratch_size(void **state)
+static void test_scratch_size(void)
 {
-    (void)state;
     assert_int_equal(pel_polygon_scratch_size(0), 0);
     assert_int_equal(pel_polygon_scratch_size(-1), 0);
     assert_int_equal(pel_polygon_scratch_size(INT32_MIN), 0);
@@ -51,35 +48,35 @@ static void test_scratch_size(void **state)
                     (size_t)INT32_MAX * 36);
 }
 
-static void test_exact_size_is_enough(void **state)
+static void test_exact_size_is_enough(void)
 {
-    (void)state;
+    setup();
     expect(PEL_OK, &outline, scratch, 4 * 36);
     assert_int_equal(hits.pixels, 16);
     for (size_t i = 36; i < sizeof scratch / sizeof scratch[0]; i++)
         assert_int_equal(scratch[i], 0x5A5A5A5A);
 }
 
-static void test_small_scratch_is_refused(void **state)
+static void test_small_scratch_is_refused(void)
 {
-    (void)state;
+    setup();
     for (size_t size = 0; size < 4 * 36; size++)
         expect(PEL_ERROR_SCRATCH, &outline, scratch, size);
 }
 
-static void test_misaligned_scratch_is_refused(void **state)
+static void test_misaligned_scratch_is_refused(void)
 {
-    (void)state;
+    setup();
     for (size_t offset = 1; offset < 4; offset++)
         expect(PEL_ERROR_SCRATCH, &outline, (uint8_t *)scratch + offset,
                4 * WORDS);
     expect(PEL_OK, &outline, (uint8_t *)scratch + 4, 4 * 36);
 }
 
-static void test_null_is_refused(void **state)
+static void test_null_is_refused(void)
 {
     const struct pel_polygon_shape without_points = {NULL, 4, PEL_EVEN_ODD};
-    (void)state;
+    setup();
     expect(PEL_ERROR_NULL, &without_points, scratch, sizeof scratch);
     expect(PEL_ERROR_NULL, &outline, NULL, 1000);
     expect(PEL_ERROR_NULL, NULL, scratch, sizeof scratch);
@@ -92,10 +89,10 @@ static void test_null_is_refused(void **state)
 }
 
 /* Fewer than three vertices cover nothing and need no memory. */
-static void test_few_vertices(void **state)
+static void test_few_vertices(void)
 {
     static const int32_t few[] = {2, 1, 0, -1, INT32_MIN};
-    (void)state;
+    setup();
     for (size_t i = 0; i < sizeof few / sizeof few[0]; i++) {
         const struct pel_polygon_shape p = {square, few[i], PEL_NON_ZERO};
         expect(PEL_OK, &p, scratch, sizeof scratch);
@@ -105,10 +102,10 @@ static void test_few_vertices(void **state)
 }
 
 /* The memory is refused before a vertex is looked at. */
-static void test_huge_counts_are_refused(void **state)
+static void test_huge_counts_are_refused(void)
 {
     static const int32_t huge[] = {INT32_MAX, INT32_MAX / 36, 1 << 26};
-    (void)state;
+    setup();
     for (size_t i = 0; i < sizeof huge / sizeof huge[0]; i++) {
         const struct pel_polygon_shape p = {square, huge[i], PEL_NON_ZERO};
         expect(PEL_ERROR_SCRATCH, &p, scratch, sizeof scratch);
@@ -116,11 +113,11 @@ static void test_huge_counts_are_refused(void **state)
     }
 }
 
-static void test_vertices_out_of_range_are_refused(void **state)
+static void test_vertices_out_of_range_are_refused(void)
 {
     static const int32_t illegal[] = {
         PEL_COORDINATE_MIN - 1, PEL_COORDINATE_MAX + 1, INT32_MIN, INT32_MAX};
-    (void)state;
+    setup();
     for (int i = 0; i < 4; i++)
         for (int k = 0; k < 8; k++) {
             struct pel_point v[4];
@@ -132,12 +129,12 @@ static void test_vertices_out_of_range_are_refused(void **state)
 }
 
 /* An empty clip, and outlines of which no row is visible, are no errors. */
-static void test_nothing_to_see(void **state)
+static void test_nothing_to_see(void)
 {
     const struct pel_rect none = {3, 3, 3, 8};
     static const struct pel_point flat[3] = {{0, 10}, {500, 10}, {900, 10}};
     const struct pel_polygon_shape p = {flat, 3, PEL_NON_ZERO};
-    (void)state;
+    setup();
     expect(PEL_OK, &p, scratch, sizeof scratch);
     pel_surface_clip(&hits.surface, &none);
     expect(PEL_OK, &outline, scratch, sizeof scratch);
@@ -146,16 +143,9 @@ static void test_nothing_to_see(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_scratch_size),
-        cmocka_unit_test_setup(test_exact_size_is_enough, setup),
-        cmocka_unit_test_setup(test_small_scratch_is_refused, setup),
-        cmocka_unit_test_setup(test_misaligned_scratch_is_refused, setup),
-        cmocka_unit_test_setup(test_null_is_refused, setup),
-        cmocka_unit_test_setup(test_few_vertices, setup),
-        cmocka_unit_test_setup(test_huge_counts_are_refused, setup),
-        cmocka_unit_test_setup(test_vertices_out_of_range_are_refused, setup),
-        cmocka_unit_test_setup(test_nothing_to_see, setup),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(
+        test_scratch_size, test_exact_size_is_enough,
+        test_small_scratch_is_refused, test_misaligned_scratch_is_refused,
+        test_null_is_refused, test_few_vertices, test_huge_counts_are_refused,
+        test_vertices_out_of_range_are_refused, test_nothing_to_see);
 }

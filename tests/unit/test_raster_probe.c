@@ -7,12 +7,10 @@
 static struct hits hits;
 static const struct pel_point center = {5 * 256 + 128, 5 * 256 + 128};
 
-static int setup(void **state)
+static void setup(void)
 {
     const struct pel_rect bounds = {0, 0, 11, 11};
-    (void)state;
     hits_open(&hits, &bounds);
-    return 0;
 }
 
 /* Does the triangle between two rays own the centre? */
@@ -34,24 +32,24 @@ static bool owns(const struct pel_point *a, const struct pel_point *b)
  *        / | \
  *       3  2  1
  */
-static void test_eight_triangles(void **state)
+static void test_eight_triangles(void)
 {
     static const struct pel_point ray[8] = {
         PEL_AT(4, 0),  PEL_AT(4, 4),   PEL_AT(0, 4),  PEL_AT(-4, 4),
         PEL_AT(-4, 0), PEL_AT(-4, -4), PEL_AT(0, -4), PEL_AT(4, -4)};
-    (void)state;
+    setup();
     for (int k = 0; k < 8; k++)
         if (owns(&ray[k], &ray[(k + 1) % 8]) != (k == 0))
             fail_msg("triangle %d: expected %d", k, k == 0);
 }
 
 /* No ray to the right: the triangle that has that direction inside. */
-static void test_turned_triangles(void **state)
+static void test_turned_triangles(void)
 {
     static const struct pel_point ray[8] = {
         {1000, 100},  {800, 801},    {-9, 1000},  {-700, 699},
         {-1000, -50}, {-600, -1000}, {11, -1001}, {999, -1000}};
-    (void)state;
+    setup();
     for (int k = 0; k < 8; k++)
         if (owns(&ray[k], &ray[(k + 1) % 8]) != (k == 7))
             fail_msg("triangle %d: expected %d", k, k == 7);
@@ -59,7 +57,7 @@ static void test_turned_triangles(void **state)
 
 /* Half planes: a vertical side owns its centre from the right, a horizontal one
  * from below. */
-static void test_sides(void **state)
+static void test_sides(void)
 {
     static const struct pel_point up = PEL_AT(0, -4), down = PEL_AT(0, 4),
                                   left = PEL_AT(-4, 0), right = PEL_AT(4, 0);
@@ -73,13 +71,12 @@ static void test_sides(void **state)
         {&left, &right, PEL_AT(0, 4), true},
         {&left, &right, PEL_AT(0, -4), false},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
         const struct pel_point v[3] = {
             {center.x + row[i].from->x, center.y + row[i].from->y},
             {center.x + row[i].to->x, center.y + row[i].to->y},
             {center.x + row[i].third.x, center.y + row[i].third.y}};
-        setup(NULL);
+        setup();
         pel_triangle(&hits.surface, v, &hits.paint);
         if (hits_at(&hits, 5, 5) != row[i].owned)
             fail_msg("row %zu: expected %d", i, row[i].owned);
@@ -88,10 +85,5 @@ static void test_sides(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_eight_triangles, setup),
-        cmocka_unit_test_setup(test_turned_triangles, setup),
-        cmocka_unit_test_setup(test_sides, setup),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_eight_triangles, test_turned_triangles, test_sides);
 }

@@ -7,13 +7,6 @@ static struct canvas canvas;
 
 static const struct pel_rect bounds = {-8, -8, 16, 9};
 
-static int teardown(void **state)
-{
-    (void)state;
-    canvas_close(&canvas);
-    return 0;
-}
-
 /* The clip holds `want`, and nothing else has changed. */
 static void check_clip(const struct pel_rect *clip, uint32_t want)
 {
@@ -26,13 +19,12 @@ static void check_clip(const struct pel_rect *clip, uint32_t want)
 }
 
 /* Alpha is ignored, and no other bit. */
-static void test_clear_sets_the_color(void **state)
+static void test_clear_sets_the_color(void)
 {
     static const pel_color colors[] = {0,          0xFF000000, 0x00FFFFFF,
                                        0x12345678, 0x80FEFCF8, 0xFF102040};
     static const struct pel_rect clips[] = {
         {-8, -8, 16, 9}, {-3, 1, 5, 2}, {0, -8, 1, 9}};
-    (void)state;
     for (int f = 0; f < LAYOUT_COUNT; f++)
         for (size_t i = 0; i < sizeof colors / sizeof colors[0]; i++)
             for (size_t k = 0; k < sizeof clips / sizeof clips[0]; k++) {
@@ -44,11 +36,10 @@ static void test_clear_sets_the_color(void **state)
             }
 }
 
-static void test_clear_of_an_empty_clip(void **state)
+static void test_clear_of_an_empty_clip(void)
 {
     static const struct pel_rect clips[] = {
         {4, 4, 4, 8}, {4, 4, 8, 4}, {9, 0, 3, 8}, {40, 40, 50, 50}};
-    (void)state;
     for (size_t k = 0; k < sizeof clips / sizeof clips[0]; k++) {
         canvas_open(&canvas, &pel_xrgb8888, &bounds, 0);
         pel_surface_clip(&canvas.surface, &clips[k]);
@@ -58,7 +49,7 @@ static void test_clear_of_an_empty_clip(void **state)
 }
 
 /* Corners in sub-pixels around pixel (1, 2): its centre is at (384, 640). */
-static void test_rectangle_takes_centres(void **state)
+static void test_rectangle_takes_centres(void)
 {
     static const struct {
         struct pel_point from, to;
@@ -72,7 +63,6 @@ static void test_rectangle_takes_centres(void **state)
         {{256, 512}, {512, 768}, true},
     };
     const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
-    (void)state;
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
         canvas_open(&canvas, &pel_gray8, &bounds, 0);
         pel_clear(&canvas.surface, 0);
@@ -86,7 +76,7 @@ static void test_rectangle_takes_centres(void **state)
 }
 
 /* Boxes of whole pixels, of any numbers. */
-static void test_boxes(void **state)
+static void test_boxes(void)
 {
     static const struct pel_rect box[] = {
         {1, 2, 3, 4},
@@ -98,7 +88,6 @@ static void test_boxes(void **state)
         {INT32_MAX - 1, 0, INT32_MAX, 5},
     };
     const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
-    (void)state;
     for (size_t i = 0; i < sizeof box / sizeof box[0]; i++) {
         const struct pel_rect *b = &box[i];
         canvas_open(&canvas, &pel_gray8, &bounds, 0);
@@ -114,7 +103,7 @@ static void test_boxes(void **state)
 }
 
 /* An illegal corner draws nothing, though the rest would be visible. */
-static void test_illegal_corners(void **state)
+static void test_illegal_corners(void)
 {
     const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
     static const struct {
@@ -125,7 +114,6 @@ static void test_illegal_corners(void **state)
         {{0, 0}, {PEL_COORDINATE_MAX + 1, 1000}},
         {{0, 0}, {1000, PEL_COORDINATE_MAX + 1}},
     };
-    (void)state;
     for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
         canvas_open(&canvas, &pel_gray8, &bounds, 0);
         pel_rectangle(&canvas.surface, row[i].from, row[i].to, &white.paint);
@@ -135,12 +123,7 @@ static void test_illegal_corners(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_clear_sets_the_color),
-        cmocka_unit_test(test_clear_of_an_empty_clip),
-        cmocka_unit_test(test_rectangle_takes_centres),
-        cmocka_unit_test(test_boxes),
-        cmocka_unit_test(test_illegal_corners),
-    };
-    return cmocka_run_group_tests(tests, NULL, teardown);
+    return RUN_TESTS(test_clear_sets_the_color, test_clear_of_an_empty_clip,
+                     test_rectangle_takes_centres, test_boxes,
+                     test_illegal_corners);
 }

@@ -23,47 +23,50 @@ static const uint8_t quad[2][3] = {{0, 1, 2}, {0, 2, 3}};
 static const uint16_t quad_uv[4][2] = {
     {0, 65535}, {65535, 65535}, {65535, 0}, {0, 0}};
 
-static void ground_init(struct ground *g, int16_t half, int16_t height)
+static struct ground g;
+static struct canvas c;
+
+static void ground_init(int16_t half, int16_t height)
 {
     const int16_t corner[4][2] = {{(int16_t)-half, half},
                                   {half, half},
                                   {half, (int16_t)-half},
                                   {(int16_t)-half, (int16_t)-half}};
     for (int i = 0; i < 4; i++) {
-        g->positions[i][0] = corner[i][0];
-        g->positions[i][1] = (int16_t)-height;
-        g->positions[i][2] = corner[i][1];
+        g.positions[i][0] = corner[i][0];
+        g.positions[i][1] = (int16_t)-height;
+        g.positions[i][2] = corner[i][1];
     }
-    g->mesh = (struct pel_mesh){.vertices = 4,
-                                .triangles = 2,
-                                .position = {{0, 0, 0}, 1, 6},
-                                .texture = {{0, 0, 0}, 1, 16},
-                                .positions = (void *)g->positions,
-                                .uv = quad_uv,
-                                .indices8 = quad};
-    g->scene = (struct pel_scene){.mesh = &g->mesh,
-                                  .camera = {.target = {0, 0, -PEL_UNITS(1)},
-                                             .up = {0, 1, 0},
-                                             .focal = 50,
-                                             .sensor = {100, 100},
-                                             .near_plane = PEL_UNITS(1) / 64},
-                                  .viewport = view,
-                                  .shading = &pel_shade_flat,
-                                  .color = PEL_RGB(255, 255, 255),
-                                  .sort = pel_depth_sort,
-                                  .cull = PEL_CULL_BACK};
+    g.mesh = (struct pel_mesh){.vertices = 4,
+                               .triangles = 2,
+                               .position = {{0, 0, 0}, 1, 6},
+                               .texture = {{0, 0, 0}, 1, 16},
+                               .positions = (void *)g.positions,
+                               .uv = quad_uv,
+                               .indices8 = quad};
+    g.scene = (struct pel_scene){.mesh = &g.mesh,
+                                 .camera = {.target = {0, 0, -PEL_UNITS(1)},
+                                            .up = {0, 1, 0},
+                                            .focal = 50,
+                                            .sensor = {100, 100},
+                                            .near_plane = PEL_UNITS(1) / 64},
+                                 .viewport = view,
+                                 .shading = &pel_shade_flat,
+                                 .color = PEL_RGB(255, 255, 255),
+                                 .sort = pel_depth_sort,
+                                 .cull = PEL_CULL_BACK};
 }
 
-static void draw(struct ground *g, struct canvas *c)
+static void draw(void)
 {
     struct pel_frame frame;
     assert_int_equal(
-        pel_scene_prepare(&frame, &g->scene, g->scratch, sizeof g->scratch),
+        pel_scene_prepare(&frame, &g.scene, g.scratch, sizeof g.scratch),
         PEL_OK);
-    canvas_open(c, &pel_xrgb8888, &view, 0);
-    memset(c->surface.pixels, 0, c->size);
-    pel_scene_draw(&frame, &c->surface);
-    canvas_check(c);
+    canvas_open(&c, &pel_xrgb8888, &view, 0);
+    memset(c.surface.pixels, 0, c.size);
+    pel_scene_draw(&frame, &c.surface);
+    canvas_check(&c);
 }
 
 /* Where the ray through a pixel meets the ground: x and -z in units. */
@@ -81,16 +84,13 @@ static bool meets_ground(real half, real height, int32_t x, int32_t y,
 }
 
 /* The ground goes on behind the eye, and out of range to the sides. */
-static void test_near_plane(void **state)
+static void test_near_plane(void)
 {
-    static struct ground g;
-    static struct canvas c;
-    (void)state;
     for (int32_t half = 64; half < 32000; half = half * 3 / 2) {
         int32_t wrong = 0;
         real at[2];
-        ground_init(&g, (int16_t)half, 32);
-        draw(&g, &c);
+        ground_init((int16_t)half, 32);
+        draw();
         for (int32_t y = 0; y < SIDE; y++)
             for (int32_t x = 0; x < SIDE; x++)
                 wrong += meets_ground((real)half / 64, 0.5L, x, y, at) !=
@@ -98,29 +98,25 @@ static void test_near_plane(void **state)
         if (wrong * 1000 > SIDE * SIDE)
             fail_msg("%d wide: %d pixels differ", half, wrong);
     }
-    canvas_close(&c);
 }
 
 /* The same with a texture: no place of it moves by the cuts. */
-static void test_texture_across_the_near_plane(void **state)
+static void test_texture_across_the_near_plane(void)
 {
     enum { TEXELS = 256 };
     static pel_color texels[TEXELS * TEXELS];
-    static struct ground g;
-    static struct canvas c;
     const struct pel_mesh_texture texture = {
         .texels = {NULL, texels, TEXELS, TEXELS, true},
         .mapping = &pel_map_perspective,
         .sampler = pel_texture_init_nearest};
     real worst = 0, at[2];
-    (void)state;
     for (int32_t i = 0; i < TEXELS * TEXELS; i++)
         texels[i] = UINT32_C(0xFF000000) | (uint32_t)i;
     for (int32_t half = 64; half < 32000; half = half * 3 / 2) {
         const real size = (real)half / 64;
-        ground_init(&g, (int16_t)half, 32);
+        ground_init((int16_t)half, 32);
         g.scene.texture = &texture;
-        draw(&g, &c);
+        draw();
         for (int32_t y = SIDE / 2 + 8; y < SIDE; y++)
             for (int32_t x = 0; x < SIDE; x++) {
                 const uint32_t got = canvas_pixel(&c, x, y) & 0xFFFFFFu;
@@ -137,51 +133,40 @@ static void test_texture_across_the_near_plane(void **state)
     }
     print_message("texels off by %.4f at most\n", (double)worst);
     assert_true(worst < 1.0L / 64);
-    canvas_close(&c);
 }
 
 /* A wall around the eye fills the picture, however far its corners are. */
-static void test_guard_band(void **state)
+static void test_guard_band(void)
 {
-    static struct ground g;
-    static struct canvas c;
-    (void)state;
     for (int16_t away = 1; away < 1000; away = (int16_t)(away * 2)) {
-        ground_init(&g, 32767, away);
+        ground_init(32767, away);
         for (int i = 0; i < 4; i++) { /* upright, before the eye */
             g.positions[i][1] = (int16_t)-g.positions[i][2];
             g.positions[i][2] = (int16_t)-away;
         }
-        draw(&g, &c);
+        draw();
         for (int32_t y = 0; y < SIDE; y++)
             for (int32_t x = 0; x < SIDE; x++)
                 if (canvas_pixel(&c, x, y) != UINT32_C(0xFFFFFFFF))
                     fail_msg("away %d: pixel %d, %d", away, x, y);
     }
-    canvas_close(&c);
 }
 
-static void test_behind_is_nothing(void **state)
+static void test_behind_is_nothing(void)
 {
-    static struct ground g;
-    static struct canvas c;
-    (void)state;
-    ground_init(&g, 1000, 10);
+    ground_init(1000, 10);
     g.scene.camera.near_plane = PEL_UNITS(100);
-    draw(&g, &c);
+    draw();
     for (int32_t i = 0; i < SIDE * SIDE; i++)
         assert_int_equal(canvas_pixel(&c, i % SIDE, i / SIDE), 0);
-    canvas_close(&c);
 }
 
 /* Opposite normals meet in one that has no direction: ambient light there, and
  * no colour beyond those of either side. */
-static void test_opposite_normals(void **state)
+static void test_opposite_normals(void)
 {
     static const int8_t normals[4][3] = {
         {0, 127, 0}, {0, -127, 0}, {0, -127, 0}, {0, 127, 0}};
-    static struct ground g;
-    static struct canvas c;
     const struct pel_light sun = {{0, 1, 0}, true, {65536, 65536, 65536}};
     const struct pel_lighting lighting = {
         .light = &sun,
@@ -191,12 +176,11 @@ static void test_opposite_normals(void **state)
         .diffuse = PEL_FACTOR(50),
         .shininess = 1};
     uint32_t bright = 0, dark = 0;
-    (void)state;
-    ground_init(&g, 300, 100);
+    ground_init(300, 100);
     g.mesh.normals8 = normals;
     g.scene.lighting = &lighting;
     g.scene.shading = &pel_shade_phong;
-    draw(&g, &c);
+    draw();
     for (int32_t i = 0; i < SIDE * SIDE; i++) {
         const uint32_t v = canvas_pixel(&c, i % SIDE, i / SIDE) & 255;
         bright += v == 191;
@@ -205,21 +189,17 @@ static void test_opposite_normals(void **state)
             fail_msg("pixel %d, %d: %u", i % SIDE, i / SIDE, v);
     }
     assert_true(bright > 100 && dark > 100);
-    canvas_close(&c);
 }
 
 /* Needles, seen from a side that makes them a few sub-pixels thick or less:
  * colours stay between those of their vertices. */
-static void test_slivers(void **state)
+static void test_slivers(void)
 {
     static const uint8_t colors[4][3] = {
         {10, 20, 30}, {240, 20, 130}, {10, 250, 30}, {10, 250, 230}};
-    static struct ground g;
-    static struct canvas c;
     int32_t seen = 0;
-    (void)state;
     for (int16_t thick = -40; thick <= 40; thick++) {
-        ground_init(&g, 30000, 1);
+        ground_init(30000, 1);
         g.mesh.colors = colors;
         g.mesh.position.shift = 14;
         g.scene.cull = PEL_CULL_NONE;
@@ -229,7 +209,7 @@ static void test_slivers(void **state)
             g.positions[i][1] = (int16_t)(i * 9000 - 13000 + i % 2 * thick);
             g.positions[i][2] = -32000;
         }
-        draw(&g, &c);
+        draw();
         for (int32_t i = 0; i < SIDE * SIDE; i++) {
             const uint32_t v = canvas_pixel(&c, i % SIDE, i / SIDE);
             if (!v)
@@ -244,17 +224,14 @@ static void test_slivers(void **state)
         }
     }
     assert_true(seen > 100);
-    canvas_close(&c);
 }
 
-static void test_a_wrong_index_is_named(void **state)
+static void test_a_wrong_index_is_named(void)
 {
-    static struct ground g;
     static uint16_t indices16[2][3] = {{0, 1, 2}, {0, 4, 3}};
     static uint32_t indices32[2][3] = {{0, 1, 2}, {0, 2, UINT32_MAX}};
     struct pel_frame frame;
-    (void)state;
-    ground_init(&g, 1000, 10);
+    ground_init(1000, 10);
     g.mesh.indices8 = NULL;
     g.mesh.indices16 = (void *)indices16;
     assert_int_equal(
@@ -273,63 +250,57 @@ static void test_a_wrong_index_is_named(void **state)
     assert_int_equal(pel_mesh_check(&g.mesh, NULL), PEL_ERROR_NULL);
 }
 
-static enum pel_status prepare(struct ground *g)
+static enum pel_status prepare(struct ground *s)
 {
     struct pel_frame frame;
-    const size_t size = pel_scene_scratch_size(&g->scene);
+    const size_t size = pel_scene_scratch_size(&s->scene);
     static char least[PEL_SCENE_SCRATCH_SIZE(4, 2, 0)];
     assert_int_equal(size, sizeof least);
-    assert_true(size <= sizeof g->scratch - 8);
-    assert_int_equal(pel_scene_prepare(&frame, &g->scene, g->scratch, size - 1),
+    assert_true(size <= sizeof s->scratch - 8);
+    assert_int_equal(pel_scene_prepare(&frame, &s->scene, s->scratch, size - 1),
                      PEL_ERROR_SCRATCH);
     assert_int_equal(
-        pel_scene_prepare(&frame, &g->scene, (uint8_t *)g->scratch + 4, size),
+        pel_scene_prepare(&frame, &s->scene, (uint8_t *)s->scratch + 4, size),
         PEL_ERROR_SCRATCH);
-    return pel_scene_prepare(&frame, &g->scene, g->scratch, size);
+    return pel_scene_prepare(&frame, &s->scene, s->scratch, size);
 }
 
-static void test_what_cannot_be_seen_is_refused(void **state)
+static void test_what_cannot_be_seen_is_refused(void)
 {
-    static struct ground g;
-    const struct ground *clean = &g;
     struct ground bad;
-    (void)state;
-    ground_init(&g, 1000, 10);
+    ground_init(1000, 10);
     assert_int_equal(prepare(&g), PEL_OK);
-    bad = *clean;
+    bad = g;
     bad.scene.camera.target[2] = 0; /* where the eye is */
     assert_int_equal(prepare(&bad), PEL_ERROR_RANGE);
     bad.scene.camera.target[1] = 5; /* along `up` */
     assert_int_equal(prepare(&bad), PEL_ERROR_RANGE);
-    bad = *clean;
+    bad = g;
     bad.scene.camera.eye[0] = PEL_LENGTH_MAX + 1;
     assert_int_equal(prepare(&bad), PEL_ERROR_RANGE);
-    bad = *clean;
+    bad = g;
     bad.scene.camera.near_plane = 0;
     assert_int_equal(prepare(&bad), PEL_ERROR_RANGE);
-    bad = *clean;
+    bad = g;
     bad.scene.camera.sensor[1] = 0;
     assert_int_equal(prepare(&bad), PEL_ERROR_SIZE);
-    bad = *clean;
+    bad = g;
     bad.scene.viewport.x1 = 0;
     assert_int_equal(prepare(&bad), PEL_ERROR_SIZE);
-    bad = *clean;
+    bad = g;
     bad.scene.shading = &pel_shade_phong; /* no normals, no light */
     assert_int_equal(prepare(&bad), PEL_ERROR_NULL);
 }
 
 /* A plane of a million triangles, seen from above: no gap. */
-static void test_a_million_triangles(void **state)
+static void test_a_million_triangles(void)
 {
     enum { CELLS = 708 };
     const uint32_t row = CELLS + 1;
     int16_t(*positions)[3] = malloc(sizeof *positions * row * row);
     uint32_t(*indices)[3] = malloc(sizeof *indices * 2 * CELLS * CELLS);
-    static struct canvas c;
-    struct ground g;
     struct pel_frame frame;
-    (void)state;
-    ground_init(&g, 1, 1);
+    ground_init(1, 1);
     for (uint32_t i = 0; i < row * row; i++) {
         positions[i][0] = (int16_t)((int32_t)(i % row) * 92 - 32568);
         positions[i][1] = 0;
@@ -359,7 +330,6 @@ static void test_a_million_triangles(void **state)
     pel_scene_draw(&frame, &c.surface);
     for (int32_t i = 0; i < SIDE * SIDE; i++)
         assert_int_equal(canvas_pixel(&c, i % SIDE, i / SIDE), 0xFFFFFFFF);
-    canvas_close(&c);
     free(scratch);
     free(positions);
     free(indices);
@@ -367,16 +337,9 @@ static void test_a_million_triangles(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_near_plane),
-        cmocka_unit_test(test_texture_across_the_near_plane),
-        cmocka_unit_test(test_guard_band),
-        cmocka_unit_test(test_behind_is_nothing),
-        cmocka_unit_test(test_opposite_normals),
-        cmocka_unit_test(test_slivers),
-        cmocka_unit_test(test_a_wrong_index_is_named),
-        cmocka_unit_test(test_what_cannot_be_seen_is_refused),
-        cmocka_unit_test(test_a_million_triangles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(
+        test_near_plane, test_texture_across_the_near_plane, test_guard_band,
+        test_behind_is_nothing, test_opposite_normals, test_slivers,
+        test_a_wrong_index_is_named, test_what_cannot_be_seen_is_refused,
+        test_a_million_triangles);
 }

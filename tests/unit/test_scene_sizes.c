@@ -2,7 +2,7 @@
 #include "core/scene/pipeline.h"
 #include "tests/support/check.h"
 
-static void test_depth_sizes(void **state)
+static void test_depth_sizes(void)
 {
     static const struct {
         struct pel_rect bounds;
@@ -19,7 +19,6 @@ static void test_depth_sizes(void **state)
         {{0, -2147483647, 1, 2}, 32, 0},
     };
     static char least[PEL_DEPTH_SIZE(21, 3, 32)];
-    (void)state;
     assert_int_equal(pel_depth_size(&(struct pel_rect){-1, 5, 20, 8}, 32),
                      sizeof least);
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
@@ -35,7 +34,7 @@ static void test_depth_sizes(void **state)
 }
 
 /* What pel_mesh_check takes may lie farther away than that. */
-static void test_an_orthographic_mesh_far_away(void **state)
+static void test_an_orthographic_mesh_far_away(void)
 {
     static const int16_t positions[1][3] = {{0, 0, 0}};
     static const uint8_t indices[1][3] = {{0, 0, 0}};
@@ -52,7 +51,6 @@ static void test_an_orthographic_mesh_far_away(void **state)
                             .positions = positions,
                             .indices8 = indices};
     struct pel_projector p;
-    (void)state;
     assert_int_equal(
         pel_projector_init(&p, &mesh, &pel_pose_none, &camera, &view), PEL_OK);
     mesh.position.step = 16384;
@@ -72,9 +70,5 @@ static void test_an_orthographic_mesh_far_away(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_depth_sizes),
-        cmocka_unit_test(test_an_orthographic_mesh_far_away),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_depth_sizes, test_an_orthographic_mesh_far_away);
 }

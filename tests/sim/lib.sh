@@ -1,0 +1,33 @@
+# What the tests of the host program's commands begin with. PEL names the program
+# (build/pel unless told); they run from the project's folder.
+#
+#     . "$(dirname "$0")/lib.sh"
+#
+# $work is a folder that is gone when the test ends; the test fails when fail was
+# called, also in a subshell.
+PEL=${PEL:-build/pel}
+LIBPEL=$(dirname "$PEL")/libpel.a
+CC=${CC:-cc}
+WARNINGS="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow \
+    -Wundef -Werror"
+work=$(mktemp -d) || exit 1
+trap 'status=$?; [ ! -e "$work/failed" ] || status=1; rm -rf "$work"
+    exit $status' EXIT
+
+fail() {
+    echo "FAILED: $*" >&2
+    : >"$work/failed"
+}
+
+# refused_script LINE TEXT: after a canvas in line 1, the script on standard input.
+refused_script() {
+    { echo "canvas 32 32 xrgb8888"; cat; } >"$work/s.pel"
+    rm -f "$work/o.ppm"
+    "$PEL" run "$work/s.pel" -o "$work/o.ppm" >"$work/out" 2>"$work/err"
+    got=$?
+    [ $got = 2 ] || fail "status $got, not 2, for: $2"
+    grep -qF "pel: $work/s.pel:$1: $2" "$work/err" ||
+        fail "no '$1: $2' in: $(cat "$work/err")"
+    [ "$(grep -cv '^    ' "$work/err")" = 1 ] || fail "more than one: $2"
+    [ ! -e "$work/o.ppm" ] || fail "output in spite of: $2"
+}
