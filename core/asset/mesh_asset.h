@@ -17,14 +17,14 @@ enum { PEL_MESH_VERSION = 1 };
  *     (offset[k] + q * step) / 2^shift
  * with 1 <= step <= 16,384 and |offset[k]| <= 2^30. |q| < 2^16, so the
  * numerator stays below 2^31. Rounding to q is off by half a step at most. */
-struct pel_mesh_quantum {
+struct pel_quantization {
     int32_t offset[3];
     int32_t step;
     int32_t shift; /* -64..64; a negative one multiplies */
 };
 
-static inline bool pel_mesh_quantum_legal(
-    const struct pel_mesh_quantum *quantum)
+static inline bool pel_quantization_legal(
+    const struct pel_quantization *quantum)
 {
     const int32_t limit = INT32_C(1) << 30;
     for (int k = 0; k < 3; k++)
@@ -39,8 +39,8 @@ struct pel_mesh_asset {
     uint32_t version;   /* PEL_MESH_VERSION */
     uint32_t vertices;  /* at least 1; 16-bit indices: at most 65,536 */
     uint32_t triangles; /* at least 1 */
-    struct pel_mesh_quantum position; /* world units, y up, right-handed */
-    struct pel_mesh_quantum texture;  /* u, v; v = 0 is the first row */
+    struct pel_quantization position; /* world units, y up, right-handed */
+    struct pel_quantization texture;  /* u, v; v = 0 is the first row */
 
     /* Per vertex. Those that the mesh has not are NULL, but for positions; of
      * normals one kind at most. Normals have the length 127 or 32,767, or are
@@ -71,16 +71,16 @@ static inline enum pel_status pel_mesh_asset_check(
     if (mesh->vertices < 1 || mesh->triangles < 1 ||
         (mesh->indices16 && mesh->vertices > 65536) ||
         (mesh->normals8 && mesh->normals16) ||
-        !pel_mesh_quantum_legal(&mesh->position) ||
-        (mesh->uv && !pel_mesh_quantum_legal(&mesh->texture)))
+        !pel_quantization_legal(&mesh->position) ||
+        (mesh->uv && !pel_quantization_legal(&mesh->texture)))
         return PEL_ERROR_SIZE;
     return PEL_OK;
 }
 
 /* The numerator of quantised number q of an axis: divided by 2^shift it is the
  * coordinate. */
-static inline int32_t pel_mesh_quantum_value(
-    const struct pel_mesh_quantum *quantum, int axis, int32_t q)
+static inline int32_t pel_quantization_value(
+    const struct pel_quantization *quantum, int axis, int32_t q)
 {
     return quantum->offset[axis] + q * quantum->step;
 }

@@ -25,8 +25,8 @@ static bool across(const int64_t forward[3], const int64_t up[3],
     if (!pel_vector_fit(forward, a) || !pel_vector_fit(up, b))
         return false;
     cross(a, b, product);
-    return pel_reach_of(product) >= UINT32_C(1) << 30 &&
-           pel_unit_exact(product, right);
+    return pel_vector_bound(product) >= UINT32_C(1) << 30 &&
+           pel_normalize(product, right);
 }
 
 enum pel_status pel_camera_basis(const struct pel_camera *camera,
@@ -41,8 +41,8 @@ enum pel_status pel_camera_basis(const struct pel_camera *camera,
     }
     if (!across(forward, up, basis->row[0]))
         return PEL_ERROR_RANGE;
-    pel_unit_exact(forward, basis->row[2]);
+    pel_normalize(forward, basis->row[2]);
     cross(basis->row[2], basis->row[0], up); /* down */
-    pel_unit_exact(up, basis->row[1]);
+    pel_normalize(up, basis->row[1]);
     return PEL_OK;
 }

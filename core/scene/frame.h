@@ -37,7 +37,7 @@ struct pel_frame_work {
     union {
         struct pel_flat flat;
         struct pel_gouraud gouraud;
-        struct pel_tinted tinted;
+        struct pel_modulated tinted;
         struct pel_phong phong;
     } paint;
     struct pel_perspective perspective;

@@ -40,13 +40,13 @@ static void lead(const int32_t from[3], const int32_t to[3], pel_cosine unit[3])
 {
     for (int k = 0; k < 3; k++)
         unit[k] = to[k] - from[k];
-    pel_unit_near(unit, unit);
+    pel_normalize_fast(unit, unit);
 }
 
 /* way: the normal, to the eye, to the light. */
 static void add_light(const struct pel_mesh_lights *lights,
                       const struct pel_mesh_light *light, pel_cosine way[3][3],
-                      struct pel_shine *shine)
+                      struct pel_light_sum *shine)
 {
     const pel_cosine nl = cosine_of(way[0], way[2]);
     if (nl > 0)
@@ -59,16 +59,16 @@ static void add_light(const struct pel_mesh_lights *lights,
               lights->lighting->shininess));
 }
 
-void pel_mesh_lights_shine(const struct pel_mesh_lights *lights,
-                           const int32_t place[3], const int32_t normal[3],
-                           struct pel_shine *shine)
+void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
+                         const int32_t place[3], const int32_t normal[3],
+                         struct pel_light_sum *shine)
 {
     pel_cosine way[3][3];
     for (int k = 0; k < 3; k++) {
         shine->surface[k] = lights->ambient[k];
         shine->plain[k] = 0;
     }
-    if (!pel_unit_near(normal, way[0]))
+    if (!pel_normalize_fast(normal, way[0]))
         return;
     lead(place, lights->eye, way[1]);
     for (int32_t i = 0; i < lights->lighting->lights; i++) {
@@ -82,8 +82,8 @@ void pel_mesh_lights_shine(const struct pel_mesh_lights *lights,
 }
 
 /* Both products stay below 65,280 2^15, and their sum below 2^32. */
-uint32_t pel_shine_channel(const struct pel_shine *shine, int channel,
-                           uint32_t surface)
+uint32_t pel_lit_channel(const struct pel_light_sum *shine, int channel,
+                         uint32_t surface)
 {
     const uint32_t v =
         (uint32_t)pel_scaled((int32_t)surface, shine->surface[channel], 16) +
@@ -91,11 +91,11 @@ uint32_t pel_shine_channel(const struct pel_shine *shine, int channel,
     return v >> 8 < 255 ? v >> 8 : 255;
 }
 
-pel_color pel_shine_color(const struct pel_shine *shine, pel_color surface)
+pel_color pel_lit_color(const struct pel_light_sum *shine, pel_color surface)
 {
     pel_color out = surface & UINT32_C(0xFF000000);
     for (int k = 0; k < 3; k++)
-        out |= pel_shine_channel(shine, k, (surface >> (16 - 8 * k) & 255) << 8)
+        out |= pel_lit_channel(shine, k, (surface >> (16 - 8 * k) & 255) << 8)
                << (16 - 8 * k);
     return out;
 }

@@ -64,27 +64,27 @@ enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
                                      const pel_length eye[3]);
 
 /* A vertex's place in lighting units. */
-void pel_mesh_lights_place(const struct pel_mesh_lights *lights,
-                           const int16_t position[3], int32_t place[3]);
+void pel_mesh_lights_position(const struct pel_mesh_lights *lights,
+                              const int16_t position[3], int32_t place[3]);
 
 /* The light at a place: red, green and blue factors, below 2^31. */
-struct pel_shine {
+struct pel_light_sum {
     pel_factor surface[3]; /* what the surface's colour multiplies */
     pel_factor plain[3];   /* what it does not */
 };
 
 /* normal: a vector of any length up to 2^30; it is brought to length 1 without
  * a division. */
-void pel_mesh_lights_shine(const struct pel_mesh_lights *lights,
-                           const int32_t place[3], const int32_t normal[3],
-                           struct pel_shine *shine);
+void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
+                         const int32_t place[3], const int32_t normal[3],
+                         struct pel_light_sum *shine);
 
 /* A channel of the colour, 0 red to 2 blue, 0..255; surface in 1/256 steps,
  * 0..65,280. Rounded to the nearest. */
-uint32_t pel_shine_channel(const struct pel_shine *shine, int channel,
-                           uint32_t surface);
+uint32_t pel_lit_channel(const struct pel_light_sum *shine, int channel,
+                         uint32_t surface);
 
 /* All three, with the alpha of `surface`. */
-pel_color pel_shine_color(const struct pel_shine *shine, pel_color surface);
+pel_color pel_lit_color(const struct pel_light_sum *shine, pel_color surface);
 PEL_END_DECLS
 #endif

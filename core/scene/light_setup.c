@@ -48,7 +48,7 @@ static void set_place(const struct pel_pose *pose, const int32_t world[3],
     int64_t v[3];
     to_mesh(pose, world, directional, v);
     if (directional)
-        pel_unit_exact(v, out);
+        pel_normalize(v, out);
     else
         for (int k = 0; k < 3; k++)
             out[k] = (int32_t)pel_scale_down(v[k], -up);
@@ -63,23 +63,23 @@ static void times(const pel_factor a[3], pel_factor b, pel_factor out[3])
 
 /* As far as the farthest of the mesh, the eye and the lights is: with as many
  * bits. All bits where a light is not legal. */
-static uint64_t reach_of(const struct pel_mesh_quantum *quantum,
+static uint64_t reach_of(const struct pel_quantization *quantum,
                          const struct pel_lighting *lighting,
                          const struct pel_pose *pose, const pel_length eye[3])
 {
-    uint64_t reach = (uint64_t)pel_scale_down(pel_quantum_reach(quantum),
+    uint64_t reach = (uint64_t)pel_scale_down(pel_quantization_extent(quantum),
                                               quantum->shift - 30);
     int64_t v[3];
     to_mesh(pose, eye, false, v);
     for (int32_t i = 0; i < lighting->lights; i++) {
         const struct pel_light *light = &lighting->light[i];
-        reach |= pel_reach_of(v);
+        reach |= pel_vector_bound(v);
         if (!light_legal(light))
             return UINT64_MAX;
         if (!light->directional)
             to_mesh(pose, light->at, false, v);
     }
-    return reach | pel_reach_of(v);
+    return reach | pel_vector_bound(v);
 }
 
 enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
@@ -113,11 +113,11 @@ enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
     return PEL_OK;
 }
 
-void pel_mesh_lights_place(const struct pel_mesh_lights *lights,
-                           const int16_t position[3], int32_t out[3])
+void pel_mesh_lights_position(const struct pel_mesh_lights *lights,
+                              const int16_t position[3], int32_t out[3])
 {
     for (int k = 0; k < 3; k++)
         out[k] = (int32_t)pel_scale_down(
-            pel_mesh_quantum_value(&lights->mesh->position, k, position[k]),
+            pel_quantization_value(&lights->mesh->position, k, position[k]),
             lights->down);
 }

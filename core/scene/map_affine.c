@@ -26,4 +26,4 @@ static const struct pel_color_paint *surface(struct pel_frame *frame)
     return &p->base;
 }
 
-const struct pel_mapping pel_map_affine = {NULL, surface, pel_mapping_tint};
+const struct pel_mapping pel_map_affine = {NULL, surface, pel_modulate};

@@ -6,7 +6,7 @@ static pel_color vertex_color(const struct pel_frame *frame, uint32_t vertex)
     pel_color color;
     for (int k = 0; k < 2; k++) {
         struct pel_texture_plane *plane = k ? &t.map.v : &t.map.u;
-        plane->at = (uint64_t)pel_mapping_place(frame, vertex, k) << 16;
+        plane->at = (uint64_t)pel_texture_coordinate(frame, vertex, k) << 16;
         plane->dx = plane->dy = 0;
     }
     t.base.colors(&t.base, 0, 0, 1, &color);

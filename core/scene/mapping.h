@@ -45,15 +45,15 @@ struct pel_mesh_texture {
 };
 
 /* u (k = 0) or v (1) of a vertex, 1/65,536 texel. */
-int64_t pel_mapping_place(const struct pel_frame *frame, uint32_t vertex,
-                          int k);
+int64_t pel_texture_coordinate(const struct pel_frame *frame, uint32_t vertex,
+                               int k);
 
 /* The same of the corners of frame->work->triangle; z is left alone. */
 void pel_mapping_corners(const struct pel_frame *frame,
                          struct pel_texture_corner corner[3]);
 
-const struct pel_paint *pel_mapping_tint(struct pel_frame *frame,
-                                         const struct pel_color_paint *surface,
-                                         const pel_color color[3]);
+const struct pel_paint *pel_modulate(struct pel_frame *frame,
+                                     const struct pel_color_paint *surface,
+                                     const pel_color color[3]);
 PEL_END_DECLS
 #endif

@@ -9,7 +9,7 @@ void pel_matrix_turn(struct pel_matrix *m, int axis, uint16_t turn)
     const int64_t v[3] = {d.x, d.y, 0};
     const int a = axis == 2 ? 0 : axis + 1, b = axis == 0 ? 2 : axis - 1;
     pel_cosine unit[3];
-    pel_unit_exact(v, unit);
+    pel_normalize(v, unit);
     *m = identity;
     m->row[a][a] = m->row[b][b] = unit[0];
     m->row[a][b] = -unit[1];

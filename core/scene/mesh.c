@@ -22,9 +22,9 @@ void pel_mesh_of_asset(struct pel_mesh *mesh,
                               .indices32 = asset->indices32};
 }
 
-static bool quantum_legal(const struct pel_mesh_quantum *q)
+static bool quantum_legal(const struct pel_quantization *q)
 {
-    return pel_mesh_quantum_legal(q) && q->shift >= PEL_MESH_SHIFT_MIN &&
+    return pel_quantization_legal(q) && q->shift >= PEL_MESH_SHIFT_MIN &&
            q->shift <= PEL_MESH_SHIFT_MAX;
 }
 

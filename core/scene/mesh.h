@@ -14,8 +14,8 @@ enum { PEL_MESH_SHIFT_MIN = -14, PEL_MESH_SHIFT_MAX = 46 };
  * struct pel_mesh_asset; arrays that the mesh has not are NULL. */
 struct pel_mesh {
     uint32_t vertices, triangles;
-    struct pel_mesh_quantum position; /* inside +-16,384 units */
-    struct pel_mesh_quantum texture;
+    struct pel_quantization position; /* inside +-16,384 units */
+    struct pel_quantization texture;
 
     const int16_t (*positions)[3];
     const int8_t (*normals8)[3];   /* at most one of the two */

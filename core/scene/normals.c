@@ -45,7 +45,7 @@ enum pel_status pel_mesh_normals(const struct pel_mesh *mesh,
         add_face(mesh, i, sum);
     for (uint32_t i = 0; i < mesh->vertices; i++) {
         pel_cosine unit[3];
-        pel_unit_exact(sum[i], unit);
+        pel_normalize(sum[i], unit);
         for (int k = 0; k < 3; k++)
             normals[i][k] =
                 (int16_t)pel_scale_down((int64_t)unit[k] * 32767, 30);

@@ -99,7 +99,7 @@ static PEL_WIDE void set_plane(struct pel_perspective *p, int k,
     p->origin[k] = corner[setup->first].uv[k];
     for (int i = 0; i < 3; i++)
         way[i] = corner[i].uv[k] - p->origin[k];
-    const int reach = pel_bits_of(pel_reach_of(way));
+    const int reach = pel_bits_of(pel_vector_bound(way));
     const int cut = pel_max(reach - 31, 0);
     p->reach[k] = (uint8_t)reach;
     for (int i = 0; i < 3; i++)

@@ -25,18 +25,17 @@ static PEL_NOINLINE void light(const struct pel_phong *p, int32_t x, int32_t y,
     for (int k = 0; k < 6; k++)
         at[k] = pel_plane_at(&p->plane[k], x, y);
     for (; n > 0; n--, x++, out++) {
-        struct pel_shine shine;
+        struct pel_light_sum shine;
         int32_t whole[6]; /* normal, place */
         pel_color lit = pel_round_div255(pel_alpha(*out) * p->alpha) << 24;
         for (int k = 0; k < 6; k++) {
             whole[k] = pel_plane_whole(at[k]);
             at[k] += p->plane[k].dx;
         }
-        pel_mesh_lights_shine(p->lights, whole + 3, whole, &shine);
+        pel_mesh_lights_sum(p->lights, whole + 3, whole, &shine);
         for (int k = 0; k < 3; k++)
-            lit |=
-                pel_shine_channel(&shine, 2 - k, surface_of(p, k, x, y, *out))
-                << 8 * k;
+            lit |= pel_lit_channel(&shine, 2 - k, surface_of(p, k, x, y, *out))
+                   << 8 * k;
         *out = lit;
     }
 }

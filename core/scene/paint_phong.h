@@ -29,13 +29,13 @@ void pel_phong_init(struct pel_phong *paint, bool opaque);
 
 /* A surface's colours times those of a triangle, as 0..1: light of its corners
  * on a texture. Alphas too. */
-struct pel_tinted {
+struct pel_modulated {
     struct pel_color_paint base;
     const struct pel_color_paint *surface;
     struct pel_gouraud tint;
 };
 
-void pel_tinted_init(struct pel_tinted *paint,
+void pel_tinted_init(struct pel_modulated *paint,
                      const struct pel_color_paint *surface, bool opaque);
 PEL_END_DECLS
 #endif

@@ -3,7 +3,7 @@
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
-    const struct pel_tinted *p = (const void *)paint;
+    const struct pel_modulated *p = (const void *)paint;
     const struct pel_gouraud *g = &p->tint;
     uint32_t v[4];
     p->surface->colors(p->surface, x, y, n, out);
@@ -20,7 +20,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     }
 }
 
-void pel_tinted_init(struct pel_tinted *paint,
+void pel_tinted_init(struct pel_modulated *paint,
                      const struct pel_color_paint *surface, bool opaque)
 {
     paint->surface = surface;

@@ -31,7 +31,7 @@ size_t pel_scene_scratch_size(const struct pel_scene *scene)
 
 /* Do all numbers of uv stand for places within 2^22 texels? They are below
  * 2^31, and less than 2^21 texels a whole number of pictures away. */
-static bool reach_legal(const struct pel_mesh_quantum *q, int32_t texels)
+static bool reach_legal(const struct pel_quantization *q, int32_t texels)
 {
     const int32_t u = q->offset[0], v = q->offset[1];
     const uint32_t most =

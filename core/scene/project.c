@@ -7,7 +7,7 @@ static void fine_place(const struct pel_projector *p, const int16_t position[3],
 {
     int32_t place[3];
     for (int k = 0; k < 3; k++)
-        place[k] = pel_mesh_quantum_value(&p->quantum, k, position[k]);
+        place[k] = pel_quantization_value(&p->quantum, k, position[k]);
     for (int k = 0; k < 3; k++)
         out[k] = pel_scale_down(pel_dot(p->rows.row[k], place), p->down) +
                  p->origin[k];

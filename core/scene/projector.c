@@ -61,7 +61,7 @@ static PEL_NOINLINE void place_origin(struct pel_projector *p,
                                       18 - shift);
 }
 
-int64_t pel_quantum_reach(const struct pel_mesh_quantum *quantum)
+int64_t pel_quantization_extent(const struct pel_quantization *quantum)
 {
     int64_t reach = pel_long_product(98304, quantum->step);
     for (const int32_t *o = quantum->offset; o < quantum->offset + 3; o++)
@@ -74,8 +74,8 @@ int64_t pel_quantum_reach(const struct pel_mesh_quantum *quantum)
 static void choose_coarse(struct pel_projector *p)
 {
     const int64_t far =
-        (pel_quantum_reach(&p->quantum) * (1 << 30) >> p->down) + 1 +
-        (int64_t)pel_reach_of(p->origin);
+        (pel_quantization_extent(&p->quantum) * (1 << 30) >> p->down) + 1 +
+        (int64_t)pel_vector_bound(p->origin);
     p->coarse = pel_max(pel_bits_of((uint64_t)far) - 29, 0);
 }
 

@@ -32,7 +32,7 @@ struct pel_projector {
     int32_t spread[2]; /* 0..24 */
     int32_t down;      /* bits from a row times a place to fine */
     int32_t fine_bits, coarse;
-    struct pel_mesh_quantum quantum;
+    struct pel_quantization quantum;
 };
 
 /* PEL_ERROR_NULL; PEL_ERROR_SIZE: an empty viewport, or one beyond +-32,767 px,
@@ -48,7 +48,7 @@ enum pel_status pel_projector_init(struct pel_projector *projector,
                                    const struct pel_rect *viewport);
 
 /* At least how far a place is from (0, 0, 0), in numerators; below 2^33. */
-int64_t pel_quantum_reach(const struct pel_mesh_quantum *quantum);
+int64_t pel_quantization_extent(const struct pel_quantization *quantum);
 
 /* Where x has this value, a vertex is not in front of the near plane, or out of
  * the legal range of sub-pixels less one pixel: it has to be clipped. */

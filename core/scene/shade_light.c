@@ -14,10 +14,10 @@ pel_color pel_shade_light_vertex(const struct pel_frame *frame, uint32_t vertex,
                                  pel_color surface)
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
-    struct pel_shine shine;
+    struct pel_light_sum shine;
     int32_t place[3], normal[3];
-    pel_mesh_lights_place(&frame->lights, mesh->positions[vertex], place);
+    pel_mesh_lights_position(&frame->lights, mesh->positions[vertex], place);
     pel_mesh_normal(mesh, vertex, normal);
-    pel_mesh_lights_shine(&frame->lights, place, normal, &shine);
-    return pel_shine_color(&shine, surface);
+    pel_mesh_lights_sum(&frame->lights, place, normal, &shine);
+    return pel_lit_color(&shine, surface);
 }

@@ -16,8 +16,8 @@ static const struct pel_paint *paint(struct pel_frame *frame,
         pel_mesh_normal(mesh, t->vertex[i], value[i]);
     pel_frame_planes(frame, value, p->plane);
     for (int i = 0; i < 3; i++)
-        pel_mesh_lights_place(&frame->lights, mesh->positions[t->vertex[i]],
-                              value[i]);
+        pel_mesh_lights_position(&frame->lights, mesh->positions[t->vertex[i]],
+                                 value[i]);
     pel_frame_planes(frame, value, p->plane + 3);
     if (!surface) {
         pel_frame_colors(frame, color);

@@ -3,7 +3,7 @@
 
 /* v . v <= 3 2^60 < 2^62. The inverse is 2^(62 - shift) / |v|, so v inverse,
  * below 2^62, is 2^30 v / |v| after a shift by 32 - shift. */
-bool pel_unit_near(const int32_t v[3], pel_cosine unit[3])
+bool pel_normalize_fast(const int32_t v[3], pel_cosine unit[3])
 {
     uint32_t inverse = 0;
     int shift = 0;

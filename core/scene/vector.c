@@ -19,7 +19,7 @@ int pel_bits_of(uint64_t v)
 #endif
 }
 
-uint64_t pel_reach_of(const int64_t v[3])
+uint64_t pel_vector_bound(const int64_t v[3])
 {
     uint64_t reach = 0;
     for (const int64_t *end = v + 3; v != end; v++)

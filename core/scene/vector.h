@@ -50,7 +50,7 @@ static inline int64_t pel_size_of(int64_t v)
 }
 
 /* At least the largest size of a part, and with as many bits. */
-uint64_t pel_reach_of(const int64_t v[3]);
+uint64_t pel_vector_bound(const int64_t v[3]);
 
 /* a b - c d; must fit. */
 int64_t pel_minor(int32_t a, int32_t b, int32_t c, int32_t d);
@@ -58,11 +58,11 @@ int64_t pel_minor(int32_t a, int32_t b, int32_t c, int32_t d);
 /* A direction for light: unit gets v scaled to length 1, each part off by less
  * than 2^-21. No division. |v[k]| <= 2^30; false, and all 0, when v is 0. unit
  * may be v. */
-bool pel_unit_near(const int32_t v[3], pel_cosine unit[3]);
+bool pel_normalize_fast(const int32_t v[3], pel_cosine unit[3]);
 
 /* A direction for places: the same, off by less than 2^-28, by divisions.
  * |v[k]| < 2^62. */
-bool pel_unit_exact(const int64_t v[3], pel_cosine unit[3]);
+bool pel_normalize(const int64_t v[3], pel_cosine unit[3]);
 
 /* v times a power of two, so that the largest part is in [2^29, 2^30]; rounded
  * where v has more bits. False, and all 0, when v is 0. |v[k]| < 2^62. */

@@ -20,7 +20,7 @@ static double uv_of(const struct pel_mesh *mesh, uint32_t vertex, int axis)
     if (!mesh->uv)
         return 0;
     return ldexp(
-        pel_mesh_quantum_value(&mesh->texture, axis, mesh->uv[vertex][axis]),
+        pel_quantization_value(&mesh->texture, axis, mesh->uv[vertex][axis]),
         -mesh->texture.shift);
 }
 
