@@ -1,9 +1,11 @@
-/* Cameras: where the eye is, and what part of the world a picture shows. */
+/* Cameras, and the way from the numbers of a mesh to sub-pixels. */
 #ifndef PEL_SCENE_CAMERA_H
 #define PEL_SCENE_CAMERA_H
 
+#include "../base/rect.h"
 #include "../base/status.h"
-#include "matrix.h"
+#include "mesh.h"
+#include "vector.h"
 
 PEL_BEGIN_DECLS
 
@@ -37,5 +39,78 @@ struct pel_camera {
  * target, or `up` is 0 or lies along the view, or a place is out of range. */
 enum pel_status pel_camera_basis(const struct pel_camera *camera,
                                  struct pel_matrix *basis);
+
+/* Where a mesh stands: world = turn place + at. */
+struct pel_pose {
+    struct pel_matrix turn;
+    pel_length at[3];
+};
+
+/* World places are those of the mesh. */
+extern const struct pel_pose pel_pose_none;
+
+/* Camera space here has x and y scaled by what the viewport needs, so that the
+ * sub-pixel of a place is center + x 2^spread / z. `fine` numbers are
+ * 2^-fine_bits world units in 64 bits, below 2^61; coarse ones, 2^-coarse of
+ * them, are below 2^29 in size for every vertex of the mesh: what is kept of
+ * a vertex, and clipped. */
+struct pel_projector {
+    struct pel_matrix rows; /* of the mesh, scaled */
+    int64_t origin[3];      /* fine */
+    int64_t near_fine;      /* the near plane, fine */
+    int32_t near_coarse;    /* coarse, at least 1 */
+    int32_t one;       /* coarse: z of all places when orthographic, or 0 */
+    int32_t center[2]; /* sub-pixels */
+    int32_t spread[2]; /* 0..24 */
+    int32_t down;      /* bits from a row times a place to fine */
+    int32_t fine_bits, coarse;
+    struct pel_quantization quantum;
+};
+
+/* PEL_ERROR_NULL; PEL_ERROR_SIZE: an empty viewport, or one beyond +-32,767 px,
+ * or a focal length or sensor out of range, or of an extent that makes more
+ * than 65,536 or less than 1/256 pixel of a unit at distance 1;
+ * PEL_ERROR_RANGE: pel_camera_basis, or `near_plane` is not above 0, or more
+ * than 2^28 times smaller than the farthest a vertex of the mesh could be away,
+ * or, orthographic, that vertex is 2^29 units away or more. */
+enum pel_status pel_projector_init(struct pel_projector *projector,
+                                   const struct pel_mesh *mesh,
+                                   const struct pel_pose *pose,
+                                   const struct pel_camera *camera,
+                                   const struct pel_rect *viewport);
+
+/* At least how far a place is from (0, 0, 0), in numerators; below 2^33. */
+int64_t pel_quantization_extent(const struct pel_quantization *quantum);
+
+/* Where x has this value, a vertex is not in front of the near plane, or out of
+ * the legal range of sub-pixels less one pixel: it has to be clipped. */
+#define PEL_NOT_ON_SCREEN INT32_MIN
+
+struct pel_projected {
+    int32_t x, y; /* sub-pixels, absolute */
+    int32_t z;    /* coarse; right for every vertex */
+};
+
+/* Of a vertex. x and y are the nearest sub-pixel to the exact projection of
+ * the exact place, or its neighbour, while (S + |x|) D / z < 2^27: S sub-pixels
+ * per unit at distance 1, x sub-pixels from the middle of the viewport, D the
+ * way from eye to pose and from there to the vertex, its three parts added. The
+ * error before rounding is less than (S + |x|) D / z 2^-28 sub-pixels, where
+ * the camera's directions are right to 2^-28 (camera.h). */
+void pel_project(const struct pel_projector *projector,
+                 const int16_t position[3], struct pel_projected *out);
+
+/* x, y, z of a vertex, coarse. */
+void pel_project_coarse(const struct pel_projector *projector,
+                        const int16_t position[3], int32_t out[3]);
+
+/* The sub-pixel of a coarse place that lies before the near plane and inside
+ * the legal range; the result is held inside it. */
+struct pel_point pel_project_clipped(const struct pel_projector *projector,
+                                     const int32_t coarse[3]);
+
+/* The legal range of sub-pixels less one pixel. */
+#define PEL_GUARD_MIN (PEL_COORDINATE_MIN + 256)
+#define PEL_GUARD_MAX (PEL_COORDINATE_MAX - 256)
 PEL_END_DECLS
 #endif

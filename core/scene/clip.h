@@ -3,7 +3,7 @@
 #ifndef PEL_SCENE_CLIP_H
 #define PEL_SCENE_CLIP_H
 
-#include "projector.h"
+#include "camera.h"
 
 PEL_BEGIN_DECLS
 

@@ -1,5 +1,127 @@
 #include "light.h"
 
+/* All factors at once: PEL_FACTOR_END is a power of two, and the highest bits
+ * of a negative number are set. */
+static uint32_t factors_of(const pel_factor f[3])
+{
+    return (uint32_t)f[0] | (uint32_t)f[1] | (uint32_t)f[2];
+}
+
+static bool light_legal(const struct pel_light *l)
+{
+    const uint32_t limit = PEL_LENGTH_MAX;
+    int32_t any = 0;
+    for (int k = 0; k < 3; k++) {
+        any |= l->at[k];
+        if ((uint32_t)l->at[k] + limit > 2 * limit)
+            return false;
+    }
+    return factors_of(l->color) < PEL_FACTOR_END && (any || !l->directional);
+}
+
+static bool material_legal(const struct pel_lighting *l)
+{
+    const pel_factor material[3] = {l->ambient, l->diffuse, l->specular};
+    return (uint32_t)l->lights <= 32 && (uint32_t)l->shininess - 1 <= 255 &&
+           (factors_of(l->ambient_color) | factors_of(material)) <
+               PEL_FACTOR_END;
+}
+
+/* A place of the world, or a direction, in the axes of the mesh and 2^-30. */
+static PEL_NOINLINE void to_mesh(const struct pel_pose *pose,
+                                 const int32_t world[3], bool directional,
+                                 int64_t out[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const pel_cosine column[3] = {
+            pose->turn.row[0][k], pose->turn.row[1][k], pose->turn.row[2][k]};
+        const int64_t at = directional ? 0 : pel_dot(column, pose->at);
+        out[k] = pel_scale_down(pel_dot(column, world) - at, 16);
+    }
+}
+
+/* A place of the world in lighting units, which are 2^up parts of 2^-30, or a
+ * direction. */
+static void set_place(const struct pel_pose *pose, const int32_t world[3],
+                      bool directional, int up, int32_t out[3])
+{
+    int64_t v[3];
+    to_mesh(pose, world, directional, v);
+    if (directional)
+        pel_normalize(v, out);
+    else
+        for (int k = 0; k < 3; k++)
+            out[k] = (int32_t)pel_scale_down(v[k], -up);
+}
+
+/* Factors times another: below 2^24. */
+static void times(const pel_factor a[3], pel_factor b, pel_factor out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = pel_scaled(a[k], b, 16);
+}
+
+/* As far as the farthest of the mesh, the eye and the lights is: with as many
+ * bits. All bits where a light is not legal. */
+static uint64_t reach_of(const struct pel_quantization *quantum,
+                         const struct pel_lighting *lighting,
+                         const struct pel_pose *pose, const pel_length eye[3])
+{
+    uint64_t reach = (uint64_t)pel_scale_down(pel_quantization_extent(quantum),
+                                              quantum->shift - 30);
+    int64_t v[3];
+    to_mesh(pose, eye, false, v);
+    for (int32_t i = 0; i < lighting->lights; i++) {
+        const struct pel_light *light = &lighting->light[i];
+        reach |= pel_vector_bound(v);
+        if (!light_legal(light))
+            return UINT64_MAX;
+        if (!light->directional)
+            to_mesh(pose, light->at, false, v);
+    }
+    return reach | pel_vector_bound(v);
+}
+
+enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
+                                     const struct pel_lighting *lighting,
+                                     const struct pel_mesh *mesh,
+                                     const struct pel_pose *pose,
+                                     const pel_length eye[3])
+{
+    if (lighting->lights > 0 && !lighting->light)
+        return PEL_ERROR_NULL;
+    if (!material_legal(lighting))
+        return PEL_ERROR_RANGE;
+    /* Bits to the left of 2^-30 unit. */
+    const int up =
+        28 - pel_bits_of(reach_of(&mesh->position, lighting, pose, eye));
+    if (up < -34)
+        return PEL_ERROR_RANGE;
+    lights->lighting = lighting;
+    lights->mesh = mesh;
+    lights->down = mesh->position.shift - 30 - up;
+    set_place(pose, eye, false, up, lights->eye);
+    times(lighting->ambient_color, lighting->ambient, lights->ambient);
+    for (int32_t i = 0; i < lighting->lights; i++) {
+        const struct pel_light *light = &lighting->light[i];
+        struct pel_mesh_light *m = &lights->light[i];
+        m->directional = light->directional;
+        set_place(pose, light->at, light->directional, up, m->at);
+        times(light->color, lighting->diffuse, m->diffuse);
+        times(light->color, lighting->specular, m->specular);
+    }
+    return PEL_OK;
+}
+
+void pel_mesh_lights_position(const struct pel_mesh_lights *lights,
+                              const int16_t position[3], int32_t out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = (int32_t)pel_scale_down(
+            pel_quantization_value(&lights->mesh->position, k, position[k]),
+            lights->down);
+}
+
 /* v^n in 2^-30, 0 <= v <= 2^30. A product is cut by less than 2^-30, and the
  * n - 1 products that n makes of it leave less than n 2^-30. */
 static pel_cosine power(pel_cosine v, int32_t n)

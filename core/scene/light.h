@@ -3,7 +3,7 @@
 #define PEL_SCENE_LIGHT_H
 
 #include "../base/color.h"
-#include "projector.h"
+#include "camera.h"
 
 PEL_BEGIN_DECLS
 

@@ -30,7 +30,6 @@
 #ifndef PEL_SCENE_PIPELINE_H
 #define PEL_SCENE_PIPELINE_H
 
-#include "mapping.h"
 #include "shading.h"
 
 PEL_BEGIN_DECLS
@@ -49,7 +48,7 @@ size_t pel_scene_scratch_size(const struct pel_scene *scene);
  * frame points to the scene and to the scratch memory, which is aligned to 8
  * bytes. PEL_ERROR_NULL: no scene, mesh, shading, scratch; or no lighting,
  * normals, uv, mapping or sampler where they are needed; PEL_ERROR_SCRATCH;
- * PEL_ERROR_RANGE: uv or span of a texture (mapping.h); errors of
+ * PEL_ERROR_RANGE: uv or span of a texture (shading.h); errors of
  * pel_mesh_check, with frame->fault, pel_projector_init, pel_mesh_lights_init
  * and the sampler. */
 enum pel_status pel_scene_prepare(struct pel_frame *frame,

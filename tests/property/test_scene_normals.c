@@ -1,7 +1,6 @@
 /* Vertex normals from faces, and the light of a place, in extended precision.
  */
 #include "core/pel.h"
-#include "core/scene/normals.h"
 #include "tests/support/any_scene.h"
 #include "tests/support/check.h"
 #include "tests/support/reference_scene.h"
