@@ -11,8 +11,8 @@ enum { PEL_TEXTURE_HALF_BACK = 0x80000000u - 0x800000u };
 
 #if PEL_FAST_64BIT && PEL_VECTORS
 
-/* The colours of a run that lies inside the picture with the texels right of it
- * and below; false for pictures that are not for vectors. */
+/* The colors of a span that lies inside the picture with the texels right of it
+ * and below; false for other spans, and pictures that do not fit vectors. */
 bool pel_texture_bilinear_run(const struct pel_texture *p,
                               const struct pel_texture_axes *a, int32_t n,
                               pel_color *out);

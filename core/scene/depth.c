@@ -43,21 +43,16 @@ static inline uint32_t number_of(uint64_t value)
     return (int64_t)value < 0 ? 0 : (uint32_t)(value >> 22);
 }
 
-static inline bool nearer16(uint16_t *held, uint64_t value, bool keeps)
+/* Tests the value of a pixel whose depth is held; true when it is nearer. */
+static inline bool is_nearer(const struct pel_depth_paint *p, void *held,
+                             uint64_t value, bool wide)
 {
-    const uint16_t number = (uint16_t)(number_of(value) >> 16);
-    const bool nearer = number > *held;
-    if (nearer && keeps)
-        *held = number;
-    return nearer;
-}
-
-static inline bool nearer32(uint32_t *held, uint64_t value, bool keeps)
-{
-    const uint32_t number = number_of(value);
-    const bool nearer = number > *held;
-    if (nearer && keeps)
-        *held = number;
+    const uint32_t number = number_of(value) >> (wide ? 0 : 16);
+    const bool nearer = number > (wide ? *(uint32_t *)held : *(uint16_t *)held);
+    if (nearer && p->keeps && wide)
+        *(uint32_t *)held = number;
+    else if (nearer && p->keeps)
+        *(uint16_t *)held = (uint16_t)number;
     return nearer;
 }
 
@@ -71,15 +66,13 @@ static int32_t skip(const struct pel_depth_paint *p, int32_t x, int32_t x1,
     uint64_t value = pel_plane_at(&p->plane, x, y);
     if (p->depth->bits == 16) {
         uint16_t *held = (uint16_t *)p->depth->values + at;
-        while (x < x1 && nearer16(held, value, p->keeps) == nearer) {
-            x++;
+        for (; x < x1 && is_nearer(p, held, value, false) == nearer; x++) {
             held++;
             value += p->plane.dx;
         }
     } else {
         uint32_t *held = (uint32_t *)p->depth->values + at;
-        while (x < x1 && nearer32(held, value, p->keeps) == nearer) {
-            x++;
+        for (; x < x1 && is_nearer(p, held, value, true) == nearer; x++) {
             held++;
             value += p->plane.dx;
         }
