@@ -2,7 +2,7 @@
 
 #include "../base/divide.h"
 
-/* Exact for vectors up to 2^30: below 2^61. */
+/* The cross product, exact for vectors up to 2^30: below 2^61. */
 static void cross(const int32_t a[3], const int32_t b[3], int64_t out[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -17,10 +17,10 @@ static bool in_world(pel_length v)
     return (uint32_t)v + limit <= 2 * limit;
 }
 
-/* Of vectors that fit 30 bits as they are the product is exact; rounding others
- * moves it by less than 2^30. */
-static bool across(const int64_t forward[3], const int64_t up[3],
-                   pel_cosine right[3])
+/* The product is exact when the vectors fit 30 bits; rounding others moves it
+ * by less than 2^30. */
+static bool find_right(const int64_t forward[3], const int64_t up[3],
+                       pel_cosine right[3])
 {
     int32_t a[3], b[3];
     int64_t product[3];
@@ -41,7 +41,7 @@ enum pel_status pel_camera_basis(const struct pel_camera *camera,
         forward[k] = (int64_t)camera->target[k] - camera->eye[k];
         up[k] = camera->up[k];
     }
-    if (!across(forward, up, basis->row[0]))
+    if (!find_right(forward, up, basis->row[0]))
         return PEL_ERROR_RANGE;
     pel_normalize(forward, basis->row[2]);
     cross(basis->row[2], basis->row[0], up); /* down */
@@ -91,43 +91,43 @@ static bool scale_row(struct pel_projector *p, const struct pel_camera *camera,
     return true;
 }
 
-/* A row times a place is 2^-(30 + shift) unit, times a world vector 2^-46 unit.
- * The coarser of both less 2 bits is fine: each part is then below 3 2^59, and
- * what the other one loses is nothing that the rows' own rounding would leave
- * right. */
-static PEL_NOINLINE void place_origin(struct pel_projector *p,
-                                      const struct pel_pose *pose,
-                                      const struct pel_camera *camera)
+/* A row times a position is 2^-(30 + shift) unit, times a world vector 2^-46
+ * unit. The coarser of both less 2 bits is fine: each part is then below 3
+ * 2^59, and what the other one loses is nothing that the rows' own rounding
+ * would leave right. */
+static PEL_NOINLINE void set_origin(struct pel_projector *p,
+                                    const struct pel_pose *pose,
+                                    const struct pel_camera *camera)
 {
-    const int shift = pel_min(p->quantum.shift, 16);
+    const int shift = pel_min(p->quantization.shift, 16);
     p->fine_bits = shift + 28;
-    p->down = p->quantum.shift - shift + 2;
+    p->down = p->quantization.shift - shift + 2;
     for (int k = 0; k < 3; k++)
         p->origin[k] = pel_scale_down(pel_dot(p->rows.row[k], pose->at) -
                                           pel_dot(p->rows.row[k], camera->eye),
                                       18 - shift);
 }
 
-int64_t pel_quantization_extent(const struct pel_quantization *quantum)
+int64_t pel_quantization_extent(const struct pel_quantization *quantization)
 {
-    int64_t reach = pel_long_product(98304, quantum->step);
-    for (const int32_t *o = quantum->offset; o < quantum->offset + 3; o++)
-        reach += pel_size_of(*o);
-    return reach;
+    int64_t extent = pel_long_product(98304, quantization->step);
+    for (int k = 0; k < 3; k++)
+        extent += pel_size_of(quantization->offset[k]);
+    return extent;
 }
 
-/* At least how far the origin and the farthest number of the mesh can be away:
- * a row is not longer than 1. */
+/* An upper bound of the distance of the origin plus that of the farthest
+ * position of the mesh: a row is not longer than 1. */
 static void choose_coarse(struct pel_projector *p)
 {
     const int64_t far =
-        (pel_quantization_extent(&p->quantum) * (1 << 30) >> p->down) + 1 +
+        (pel_quantization_extent(&p->quantization) * (1 << 30) >> p->down) + 1 +
         (int64_t)pel_vector_bound(p->origin);
     p->coarse = pel_max(pel_bits_of((uint64_t)far) - 29, 0);
 }
 
-static enum pel_status place_near(struct pel_projector *p,
-                                  const struct pel_camera *camera)
+static enum pel_status set_near(struct pel_projector *p,
+                                const struct pel_camera *camera)
 {
     const int bits = p->fine_bits - p->coarse; /* of a unit, coarse */
     int64_t near = pel_scale_down(camera->near_plane, 16 - bits);
@@ -158,23 +158,23 @@ enum pel_status pel_projector_init(struct pel_projector *projector,
     if (!scale_row(p, camera, 0, viewport->x0, viewport->x1) ||
         !scale_row(p, camera, 1, viewport->y0, viewport->y1))
         return PEL_ERROR_SIZE;
-    p->quantum = mesh->position;
-    place_origin(p, pose, camera);
+    p->quantization = mesh->position;
+    set_origin(p, pose, camera);
     pel_matrix_multiply(&p->rows, &p->rows, &pose->turn);
     choose_coarse(p);
     if (camera->projection == PEL_ORTHOGRAPHIC) /* one unit fits 29 bits */
         p->coarse = pel_max(p->coarse, p->fine_bits - 29);
-    return place_near(p, camera);
+    return set_near(p, camera);
 }
 
-static void fine_place(const struct pel_projector *p, const int16_t position[3],
-                       int64_t out[3])
+static void fine_position(const struct pel_projector *p,
+                          const int16_t position[3], int64_t out[3])
 {
-    int32_t place[3];
+    int32_t value[3];
     for (int k = 0; k < 3; k++)
-        place[k] = pel_quantization_value(&p->quantum, k, position[k]);
+        value[k] = pel_quantization_value(&p->quantization, k, position[k]);
     for (int k = 0; k < 3; k++)
-        out[k] = pel_scale_down(pel_dot(p->rows.row[k], place), p->down) +
+        out[k] = pel_scale_down(pel_dot(p->rows.row[k], value), p->down) +
                  p->origin[k];
 }
 
@@ -192,7 +192,8 @@ static void quotient(int64_t n, int64_t z, int bits, int32_t *out)
     *out = (int32_t)pel_divide(sum, divisor) - (INT32_C(1) << 24);
 }
 
-/* The sub-pixel of a place, held in the legal range; is it there by itself? */
+/* The sub-pixel of a position, clamped to the legal range; true when that
+ * changes nothing. */
 static bool on_screen(const struct pel_projector *p, const int64_t c[2],
                       int64_t z, int32_t out[2])
 {
@@ -213,7 +214,7 @@ void pel_project(const struct pel_projector *projector,
     const struct pel_projector *p = projector;
     int64_t fine[3];
     int32_t at[2];
-    fine_place(p, position, fine);
+    fine_position(p, position, fine);
     out->z = (int32_t)(fine[2] >> p->coarse);
     const int64_t z = p->one ? pel_scale_down(p->one, -p->coarse) : fine[2];
     const bool seen = out->z >= p->near_coarse && on_screen(p, fine, z, at);
@@ -225,7 +226,7 @@ void pel_project_coarse(const struct pel_projector *projector,
                         const int16_t position[3], int32_t out[3])
 {
     int64_t fine[3];
-    fine_place(projector, position, fine);
+    fine_position(projector, position, fine);
     for (int k = 0; k < 3; k++)
         out[k] = (int32_t)(fine[k] >> projector->coarse);
 }
@@ -233,9 +234,9 @@ void pel_project_coarse(const struct pel_projector *projector,
 struct pel_point pel_project_clipped(const struct pel_projector *projector,
                                      const int32_t coarse[3])
 {
-    const int64_t place[2] = {coarse[0], coarse[1]};
+    const int64_t position[2] = {coarse[0], coarse[1]};
     int32_t at[2];
-    on_screen(projector, place, projector->one ? projector->one : coarse[2],
+    on_screen(projector, position, projector->one ? projector->one : coarse[2],
               at);
     return (struct pel_point){at[0], at[1]};
 }

@@ -166,7 +166,7 @@ static const struct pel_paint *filter(struct pel_frame *frame,
     int32_t near[3];
     for (int i = 0; i < 3; i++)
         near[i] = nearness(&frame->projector,
-                           frame->work->triangle.corner[i]->place[2]);
+                           frame->work->triangle.corner[i]->position[2]);
     pel_plane_set(&plane, pel_frame_setup(frame), near);
     pel_depth_paint_init(p, paint, p->depth, &plane, frame->opaque);
     return &p->base.paint;

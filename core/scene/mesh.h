@@ -74,7 +74,7 @@ size_t pel_mesh_normals_scratch_size(const struct pel_mesh *mesh);
 /* Per vertex the mean of its faces' normals, weighted by their areas, scaled to
  * the length 32,767 and rounded: off by less than 0.6 in each part. 0 where a
  * vertex has no face, none with an area, or faces that cancel out. Vertices are
- * those of the indices: two at one place are two, which keeps an edge sharp.
+ * those of the indices: two at one position are two, which keeps an edge sharp.
  * `scratch` is aligned to 8 bytes. Errors of pel_mesh_check,
  * PEL_ERROR_NULL (`normals` or `scratch` too), PEL_ERROR_SCRATCH. */
 enum pel_status pel_mesh_normals(const struct pel_mesh *mesh,

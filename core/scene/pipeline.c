@@ -8,7 +8,7 @@ typedef char pel_scene_sizes[sizeof(struct pel_mesh_light) % 8 == 0 &&
 
 enum { WORK_SIZE = PEL_SCENE_SCRATCH_SIZE(0, 0, 0) };
 
-/* Where the lists begin. */
+/* Offsets of the lists, bytes. */
 struct parts {
     size_t vertices, order, end;
 };
@@ -29,9 +29,9 @@ size_t pel_scene_scratch_size(const struct pel_scene *scene)
     return scene && scene->mesh ? parts_of(scene).end : 0;
 }
 
-/* Do all numbers of uv stand for places within 2^22 texels? They are below
+/* True when all numbers of uv mean points within 2^22 texels: they are below
  * 2^31, and less than 2^21 texels a whole number of pictures away. */
-static bool reach_legal(const struct pel_quantization *q, int32_t texels)
+static bool uv_legal(const struct pel_quantization *q, int32_t texels)
 {
     const int32_t u = q->offset[0], v = q->offset[1];
     const uint32_t most =
@@ -58,8 +58,8 @@ static enum pel_status start_texture(struct pel_frame *frame)
     frame->texture.wrap_v = (uint8_t)t->wrap_v;
     if (status != PEL_OK)
         return status;
-    if (!reach_legal(&frame->scene->mesh->texture,
-                     frame->texture.width | frame->texture.height))
+    if (!uv_legal(&frame->scene->mesh->texture,
+                  frame->texture.width | frame->texture.height))
         return PEL_ERROR_RANGE;
     if (t->mapping->surface)
         frame->opaque &= frame->texture.base.opaque;
@@ -79,7 +79,7 @@ static pel_color surface_color(const struct pel_frame *frame, uint32_t vertex)
     return PEL_RGB(c[0], c[1], c[2]);
 }
 
-static void place_vertices(struct pel_frame *frame)
+static void project_vertices(struct pel_frame *frame)
 {
     const struct pel_scene *s = frame->scene;
     for (uint32_t i = 0; i < s->mesh->vertices; i++) {
@@ -112,7 +112,7 @@ static enum taken take(const struct pel_frame *frame, uint32_t triangle,
         before |= v->z >= frame->projector.near_coarse;
         t->at[i] = (struct pel_point){v->x, v->y};
         clip->polygon[0][i] = c;
-        c->place[2] = v->z;
+        c->position[2] = v->z;
         *depth += v->z;
     }
     return !before ? BEHIND : cut ? CUT : WHOLE;
@@ -192,14 +192,14 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
     const enum pel_status status = start(frame);
     if (status != PEL_OK)
         return status;
-    place_vertices(frame);
+    project_vertices(frame);
     list_triangles(frame);
     if (scene->sort)
         scene->sort(frame->order, frame->triangles);
     return PEL_OK;
 }
 
-/* work->triangle has its corners, and an area. */
+/* Draws work->triangle, which has an area. */
 static void draw_triangle(struct pel_frame *frame)
 {
     struct pel_frame_work *work = frame->work;
@@ -227,10 +227,10 @@ void pel_frame_set_corner(struct pel_frame *frame, int i,
             return;
         }
     }
-    t->at[i] = pel_project_clipped(&frame->projector, corner->place);
+    t->at[i] = pel_project_clipped(&frame->projector, corner->position);
 }
 
-/* Cuts the triangle that has been taken. */
+/* Cuts the triangle that `take` has set. */
 static int32_t clip(struct pel_frame *frame)
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
@@ -238,11 +238,11 @@ static int32_t clip(struct pel_frame *frame)
     for (int i = 0; i < 3; i++)
         pel_project_coarse(&frame->projector,
                            mesh->positions[work->triangle.vertex[i]],
-                           work->clip.corner[i].place);
+                           work->clip.corner[i].position);
     return pel_clip_triangle(&frame->projector, &work->clip);
 }
 
-/* What is left as a fan around its first corner. */
+/* Draws what is left of a triangle as a fan around its first corner. */
 static void draw_entry(struct pel_frame *frame, uint32_t triangle)
 {
     const struct pel_point *at = frame->work->triangle.at;

@@ -37,7 +37,8 @@ void pel_depth_sort(struct pel_depth_entry *entry, uint32_t n);
 /* All of it is the caller's, and stays while frames of it are drawn. */
 struct pel_scene {
     const struct pel_mesh *mesh;
-    const struct pel_pose *pose; /* NULL: world places are those of the mesh */
+    const struct pel_pose
+        *pose; /* NULL: world positions are those of the mesh */
     struct pel_camera camera;
     struct pel_rect viewport; /* px; nothing is drawn outside */
 
