@@ -111,8 +111,9 @@ static PEL_NOINLINE void set_origin(struct pel_projector *p,
 int64_t pel_quantization_extent(const struct pel_quantization *quantization)
 {
     int64_t extent = pel_long_product(98304, quantization->step);
-    for (int k = 0; k < 3; k++)
-        extent += pel_size_of(quantization->offset[k]);
+    const int32_t *const end = quantization->offset + 3;
+    for (const int32_t *o = quantization->offset; o < end; o++)
+        extent += pel_size_of(*o);
     return extent;
 }
 

@@ -8,13 +8,25 @@ typedef char pel_scene_sizes[sizeof(struct pel_mesh_light) % 8 == 0 &&
 
 enum { WORK_SIZE = PEL_SCENE_SCRATCH_SIZE(0, 0, 0) };
 
+/* Offsets of the lists, bytes. */
+struct parts {
+    size_t vertices, order, end;
+};
+
+static struct parts parts_of(const struct pel_scene *scene)
+{
+    const struct pel_mesh *mesh = scene->mesh;
+    const int32_t n = scene->lighting ? scene->lighting->lights : 0;
+    const int32_t lights = pel_max(n, 0);
+    return (struct parts){
+        PEL_SCENE_SCRATCH_SIZE(0, 0, lights),
+        PEL_SCENE_SCRATCH_SIZE(mesh->vertices, 0, lights),
+        PEL_SCENE_SCRATCH_SIZE(mesh->vertices, mesh->triangles, lights)};
+}
+
 size_t pel_scene_scratch_size(const struct pel_scene *scene)
 {
-    if (!scene || !scene->mesh)
-        return 0;
-    const int32_t lights = scene->lighting ? scene->lighting->lights : 0;
-    return PEL_SCENE_SCRATCH_SIZE(scene->mesh->vertices, scene->mesh->triangles,
-                                  pel_max(lights, 0));
+    return scene && scene->mesh ? parts_of(scene).end : 0;
 }
 
 /* True when all numbers of uv mean points within 2^22 texels: they are below
@@ -166,8 +178,8 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
     if (!frame || !scene || !scene->mesh || !scene->shading || !scratch)
         return PEL_ERROR_NULL;
     frame->triangles = 0;
-    const size_t size = pel_scene_scratch_size(scene);
-    if (scratch_size < size || (uintptr_t)scratch % 8)
+    const struct parts part = parts_of(scene);
+    if (scratch_size < part.end || (uintptr_t)scratch % 8)
         return PEL_ERROR_SCRATCH;
     frame->scene = scene;
     frame->filter = NULL;
@@ -175,10 +187,8 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
     frame->opaque = frame->alpha == 255;
     frame->work = scratch;
     frame->lights.light = (void *)((uint8_t *)scratch + WORK_SIZE);
-    frame->order = (void *)((uint8_t *)scratch + size);
-    frame->order -= scene->mesh->triangles;
-    frame->vertex = (void *)frame->order;
-    frame->vertex -= scene->mesh->vertices;
+    frame->vertex = (void *)((uint8_t *)scratch + part.vertices);
+    frame->order = (void *)((uint8_t *)scratch + part.order);
     const enum pel_status status = start(frame);
     if (status != PEL_OK)
         return status;

@@ -1,7 +1,6 @@
 #include "plane.h"
 
 #include "../base/divide.h"
-#include "../base/fraction.h"
 #include "../raster/triangle.h"
 #include "../raster/triangle_sort.h"
 #include "vector.h"
@@ -78,15 +77,27 @@ static void invert(struct pel_plane_setup *s)
     (void)s;
 }
 
+/* Bit by bit, 64 of n and 32 behind them, but for leading zeros. The rest,
+ * below 2^50, has room for the next bit. */
 static uint64_t divide(const struct pel_plane_setup *s, uint64_t n,
                        uint64_t *fine)
 {
-    struct pel_fraction f;
-    pel_fraction_start(&f, (int64_t)n, (int64_t)s->area);
-    pel_fraction_more(&f, 24);
-    *fine = f.quotient;
-    pel_fraction_more(&f, 8);
-    return f.quotient;
+    uint64_t q = 0, rest = 0;
+    int bits = 96;
+    for (; bits > 32 && n >> 63 == 0; bits--)
+        n <<= 1;
+    for (; bits > 0; bits--) {
+        if (bits == 8)
+            *fine = q;
+        rest = rest * 2 + (n >> 63);
+        n <<= 1;
+        q *= 2;
+        if (rest >= s->area) {
+            rest -= s->area;
+            q++;
+        }
+    }
+    return q;
 }
 
 #endif

@@ -4,7 +4,7 @@
 #include "../base/trig.h"
 
 #if !PEL_FAST_64BIT
-#define PEL_WIDE_SUM
+#define PEL_WIDE_SUM PEL_NOINLINE
 #include "vector_sums.inc"
 #endif
 
