@@ -5,7 +5,7 @@
 
 #if !PEL_FAST_64BIT
 #define PEL_WIDE_SUM PEL_NOINLINE
-#include "vector_sums.inc"
+#include "vector_sums.h"
 #endif
 
 int pel_bits_of(uint64_t v)

@@ -5,6 +5,10 @@
 
 #include "../base/point.h"
 #include "../pel_config.h"
+/* Inline where a CPU has 64 bits; elsewhere functions of vector.c. */
+#if PEL_FAST_64BIT
+#include "vector_sums.h"
+#endif
 
 PEL_BEGIN_DECLS
 
@@ -29,11 +33,7 @@ typedef int32_t pel_factor;
 #define PEL_FACTOR(percent) PEL_CAST(pel_factor, (percent)*INT64_C(65536) / 100)
 #define PEL_FACTOR_END (UINT32_C(16) * 65536)
 
-/* Inline where a CPU has 64 bits; elsewhere functions of vector.c. */
-#if PEL_FAST_64BIT
-#define PEL_WIDE_SUM static inline
-#include "vector_sums.inc"
-#else
+#if !PEL_FAST_64BIT
 int64_t pel_scale_down(int64_t v, int n);
 int32_t pel_scaled(int32_t a, int32_t b, int n);
 int64_t pel_dot(const int32_t a[3], const int32_t b[3]);

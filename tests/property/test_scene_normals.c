@@ -111,8 +111,7 @@ static void test_light_of_a_place(void **state)
             reference_normal(&s.scene, i, normal);
             reference_light(&s.scene, place, normal, white, want);
             for (int k = 0; k < 3; k++) {
-                real off =
-                    (real)(sum.surface[k] + sum.plain[k]) * 255 / 65536;
+                real off = (real)(sum.surface[k] + sum.plain[k]) * 255 / 65536;
                 off = off > 255 ? 255 - want[k] : off - want[k];
                 off = off < 0 ? -off : off;
                 worst = off > worst ? off : worst;

@@ -1,4 +1,12 @@
-/* Functions of vector.h, included there or in vector.c. */
+/* Functions of vector.h, compiled there or in vector.c. */
+#ifndef PEL_SCENE_VECTOR_SUMS_H
+#define PEL_SCENE_VECTOR_SUMS_H
+
+#include "../base/point.h"
+
+#ifndef PEL_WIDE_SUM
+#define PEL_WIDE_SUM static inline
+#endif
 
 /* v 2^-n, the nearest (a tie upwards); v 2^-n must fit. -62 <= n <= 62. */
 PEL_WIDE_SUM int64_t pel_scale_down(int64_t v, int n)
@@ -20,3 +28,5 @@ PEL_WIDE_SUM int64_t pel_dot(const int32_t a[3], const int32_t b[3])
     return pel_long_product(a[0], b[0]) + pel_long_product(a[1], b[1]) +
            pel_long_product(a[2], b[2]);
 }
+
+#endif
