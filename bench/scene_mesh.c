@@ -37,7 +37,7 @@ static void set_uv(struct bench_mesh *m, const struct mesh *from,
             uv[i][k] = (uint16_t)(at * 65535);
         }
     }
-    m->mesh.texture = (struct pel_mesh_quantum){{0, 0, 0}, 1, 16};
+    m->mesh.texture = (struct pel_quantization){{0, 0, 0}, 1, 16};
     m->mesh.uv = (void *)uv;
 }
 

@@ -70,7 +70,6 @@
 #include "asset/image_asset.h"
 #include "asset/mesh_asset.h"
 
-#include "scene/normals.h"
 #include "scene/pipeline.h"
 
 #endif

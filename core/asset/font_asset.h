@@ -35,7 +35,7 @@ struct pel_font_asset {
     uint8_t version;         /* PEL_FONT_VERSION */
     uint8_t ascent, descent; /* px of a line above and below its baseline */
     uint16_t ranges, glyphs; /* counts */
-    uint16_t missing;        /* glyph of what the font lacks; PEL_FONT_NONE */
+    uint16_t missing;        /* glyph of other characters, or PEL_FONT_NONE */
     uint32_t size;           /* bytes of bits */
     const struct pel_font_range *range; /* by code point, no overlap */
     const struct pel_font_glyph *glyph;
@@ -50,9 +50,9 @@ static inline uint32_t pel_font_glyph_size(const struct pel_font_glyph *glyph)
     return PEL_FONT_GLYPH_SIZE(glyph->width, glyph->height);
 }
 
-/* Can the program read this asset? PEL_ERROR_NULL; PEL_ERROR_RANGE: no font
- * asset, or one of another version; PEL_ERROR_SIZE: glyphs outside of `bits`,
- * ranges outside of the glyphs or not in order. */
+/* Checks that the program can read this asset. PEL_ERROR_NULL; PEL_ERROR_RANGE:
+ * no font asset, or one of another version; PEL_ERROR_SIZE: glyphs outside of
+ * `bits`, ranges outside of the glyphs or not in order. */
 static inline enum pel_status pel_font_asset_check(
     const struct pel_font_asset *font)
 {

@@ -16,22 +16,22 @@ struct pel_image_asset {
     uint8_t version;        /* PEL_IMAGE_VERSION */
     uint8_t format;         /* enum pel_format_id of the pixels */
     uint16_t width, height; /* px, 1..32,767 */
-    int32_t stride;         /* bytes to the next line (page) down */
+    int32_t stride;         /* bytes to the next row (page) down */
     uint32_t size;          /* bytes of pixels */
     const void *pixels;     /* aligned to 4 bytes */
 };
 
-/* Lines of memory: those of pixels, or pages of eight of them. */
-static inline uint32_t pel_image_lines(const struct pel_image_asset *image)
+/* Rows of memory: rows of pixels, or pages of eight of them. */
+static inline uint32_t pel_image_rows(const struct pel_image_asset *image)
 {
     return image->format == PEL_FORMAT_MONO1_PAGES ? (image->height + 7u) / 8
                                                    : image->height;
 }
 
-/* Can the program read this asset as `format`? PEL_ERROR_NULL;
+/* Checks that the program can read this asset as `format`. PEL_ERROR_NULL;
  * PEL_ERROR_RANGE: no image asset, or one of another version; PEL_ERROR_FORMAT:
- * its pixels are of another format; PEL_ERROR_SIZE; PEL_ERROR_STRIDE: a line
- * does not fit its stride, or the lines do not fit the size. */
+ * its pixels are of another format; PEL_ERROR_SIZE; PEL_ERROR_STRIDE: a row
+ * does not fit its stride, or the rows do not fit the size. */
 static inline enum pel_status pel_image_asset_check(
     const struct pel_image_asset *image, const struct pel_format *format)
 {
@@ -45,8 +45,7 @@ static inline enum pel_status pel_image_asset_check(
         image->height > 32767)
         return PEL_ERROR_SIZE;
     if (image->stride < pel_stride(format, image->width) ||
-        image->size / PEL_CAST(uint32_t, image->stride) <
-            pel_image_lines(image))
+        image->size / PEL_CAST(uint32_t, image->stride) < pel_image_rows(image))
         return PEL_ERROR_STRIDE;
     return PEL_OK;
 }

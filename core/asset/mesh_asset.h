@@ -13,25 +13,24 @@
 #define PEL_MESH_MAGIC UINT32_C(0x4D4C4550)
 enum { PEL_MESH_VERSION = 1 };
 
-/* What a quantised number q of axis k stands for:
+/* A quantized number q of axis k means
  *     (offset[k] + q * step) / 2^shift
  * with 1 <= step <= 16,384 and |offset[k]| <= 2^30. |q| < 2^16, so the
  * numerator stays below 2^31. Rounding to q is off by half a step at most. */
-struct pel_mesh_quantum {
+struct pel_quantization {
     int32_t offset[3];
     int32_t step;
     int32_t shift; /* -64..64; a negative one multiplies */
 };
 
-static inline bool pel_mesh_quantum_legal(
-    const struct pel_mesh_quantum *quantum)
+static inline bool pel_quantization_legal(const struct pel_quantization *p)
 {
     const int32_t limit = INT32_C(1) << 30;
     for (int k = 0; k < 3; k++)
-        if (quantum->offset[k] < -limit || quantum->offset[k] > limit)
+        if (p->offset[k] < -limit || p->offset[k] > limit)
             return false;
-    return quantum->step >= 1 && quantum->step <= 16384 &&
-           quantum->shift >= -64 && quantum->shift <= 64;
+    return p->step >= 1 && p->step <= 16384 && p->shift >= -64 &&
+           p->shift <= 64;
 }
 
 struct pel_mesh_asset {
@@ -39,12 +38,11 @@ struct pel_mesh_asset {
     uint32_t version;   /* PEL_MESH_VERSION */
     uint32_t vertices;  /* at least 1; 16-bit indices: at most 65,536 */
     uint32_t triangles; /* at least 1 */
-    struct pel_mesh_quantum position; /* world units, y up, right-handed */
-    struct pel_mesh_quantum texture;  /* u, v; v = 0 is the first row */
+    struct pel_quantization position; /* world units, y up, right-handed */
+    struct pel_quantization texture;  /* u, v; v = 0 is the first row */
 
-    /* Per vertex. Those that the mesh has not are NULL, but for positions; of
-     * normals one kind at most. Normals have the length 127 or 32,767, or are
-     * 0 where there is no direction. */
+    /* Per vertex; NULL when the mesh has none, but for positions; one kind of
+     * normals at most, of length 127 or 32,767, or 0: no direction. */
     const int16_t (*positions)[3];
     const int8_t (*normals8)[3];
     const int16_t (*normals16)[3];
@@ -56,11 +54,11 @@ struct pel_mesh_asset {
     const uint32_t (*indices32)[3];
 };
 
-/* Can the program read this asset? PEL_ERROR_NULL: no asset, no positions, or
- * not exactly one array of indices; PEL_ERROR_RANGE: no mesh asset, or one of
- * another version; PEL_ERROR_SIZE: counts out of range, two arrays of normals,
- * or a quantum out of range. The indices themselves are right in what `pel
- * import` writes. */
+/* Checks that the program can read this asset. PEL_ERROR_NULL: no asset, no
+ * positions, or not exactly one array of indices; PEL_ERROR_RANGE: no mesh
+ * asset, or one of another version; PEL_ERROR_SIZE: counts out of range, two
+ * arrays of normals, or a quantization out of range. Indices are not checked.
+ */
 static inline enum pel_status pel_mesh_asset_check(
     const struct pel_mesh_asset *mesh)
 {
@@ -71,18 +69,17 @@ static inline enum pel_status pel_mesh_asset_check(
     if (mesh->vertices < 1 || mesh->triangles < 1 ||
         (mesh->indices16 && mesh->vertices > 65536) ||
         (mesh->normals8 && mesh->normals16) ||
-        !pel_mesh_quantum_legal(&mesh->position) ||
-        (mesh->uv && !pel_mesh_quantum_legal(&mesh->texture)))
+        !pel_quantization_legal(&mesh->position) ||
+        (mesh->uv && !pel_quantization_legal(&mesh->texture)))
         return PEL_ERROR_SIZE;
     return PEL_OK;
 }
 
-/* The numerator of quantised number q of an axis: divided by 2^shift it is the
- * coordinate. */
-static inline int32_t pel_mesh_quantum_value(
-    const struct pel_mesh_quantum *quantum, int axis, int32_t q)
+/* The numerator of the number q: divided by 2^shift it is the coordinate. */
+static inline int32_t pel_quantization_value(const struct pel_quantization *p,
+                                             int axis, int32_t q)
 {
-    return quantum->offset[axis] + q * quantum->step;
+    return p->offset[axis] + q * p->step;
 }
 
 #endif

@@ -31,5 +31,14 @@ void pel_text(const struct pel_surface *surface,
  * one more than line feeds. For strings up to 2^22 bytes. */
 struct pel_text_size pel_text_measure(const struct pel_font_asset *font,
                                       const char *string);
+
+/* The code point at *text, which ends with a 0; moves *text behind it. Bytes
+ * that are not UTF-8 (stray and missing bytes, overlong forms, surrogates, more
+ * than U+10FFFF) give U+FFFD once for every sequence that breaks off. */
+uint32_t pel_utf8_next(const char **text);
+
+/* The glyph of a code point, or else the font's `missing` one, or NULL. */
+const struct pel_font_glyph *pel_glyph_find(const struct pel_font_asset *font,
+                                            uint32_t code);
 PEL_END_DECLS
 #endif

@@ -1,4 +1,4 @@
-/* Textures: pictures as paints, mapped by any affine map. */
+/* Textures: pictures as paints, under any affine map. */
 #ifndef PEL_PAINT_PAINT_TEXTURE_H
 #define PEL_PAINT_PAINT_TEXTURE_H
 
@@ -8,8 +8,8 @@ PEL_BEGIN_DECLS
 
 /* The picture: 1 to 32,767 texels a side, in memory of the caller's that must
  * live as long as the paint. Either a surface in any format (its whole bounds;
- * opaque, but for argb8888) or an array of colours with straight alpha, line by
- * line without padding. The first line in memory is v = 0. */
+ * opaque, but for argb8888) or an array of colours with straight alpha, row by
+ * row without padding. The first row in memory is v = 0. */
 struct pel_texels {
     const struct pel_surface *surface; /* or NULL, and then: */
     const pel_color *colors;
@@ -17,18 +17,16 @@ struct pel_texels {
     bool opaque; /* all colors have alpha 255; false is right for any */
 };
 
-/* Which texel stands for one outside the picture, of W in a line or column. */
+/* The texel that replaces one outside the picture, of W in a row or column. */
 enum pel_wrap {
     PEL_WRAP_CLAMP,  /* the nearest: 0 or W - 1 */
     PEL_WRAP_REPEAT, /* i - W floor(i / W): the picture again and again */
-    PEL_WRAP_MIRROR /* the same, every other picture turned round: -1 is 0, W is
-                  W - 1 */
+    PEL_WRAP_MIRROR  /* repeat with every other picture mirrored: -1 is 0 */
 };
 
 /* One coordinate of the picture at the centre of pixel (x, y): at + x dx + y dy
- * in 2^-32 texels, modulo 2^64 and in two's complement. It must fit 32 bits
- * before the point where the paint is seen, and nowhere else. Texel i covers
- * [i, i + 1). */
+ * in 2^-32 texels, modulo 2^64 and in two's complement. Its whole part must fit
+ * 32 bits at painted pixels. Texel i covers [i, i + 1). */
 struct pel_texture_plane {
     uint64_t at, dx, dy;
 };
@@ -37,8 +35,8 @@ struct pel_texture_map {
     struct pel_texture_plane u, v; /* to the right, and down */
 };
 
-/* The map that shows the picture with its corner at pixel (x, y), texel by
- * pixel: for turned or scaled pictures, write the planes likewise. */
+/* The map that shows the picture, a texel per pixel, with its corner at pixel
+ * (x, y). */
 #define PEL_TEXTURE_AT(x, y)                                                  \
     {                                                                         \
         {0x80000000u - (PEL_CAST(uint64_t, x) << 32), UINT64_C(1) << 32, 0},  \
@@ -47,15 +45,15 @@ struct pel_texture_map {
         }                                                                     \
     }
 
-/* A point of the picture; legal is what fits. */
+/* A point of the picture; any number is legal. */
 struct pel_texel_point {
     int32_t u, v; /* 1/256 texel */
 };
 
-/* The map that takes v[i] to t[i]. u and v are right to 2^-14 texel at every
- * pixel where they are of use. The order of vertices apart from each other does
- * not matter. A triangle without area gets the place of its top vertex
- * everywhere. PEL_ERROR_NULL, PEL_ERROR_RANGE (a vertex out of range). */
+/* The map that takes v[i] to t[i], right to 2^-14 texel inside the triangle.
+ * The order of distinct vertices does not matter. A triangle without area gets
+ * the point of its top vertex everywhere. PEL_ERROR_NULL, PEL_ERROR_RANGE (a
+ * vertex out of range). */
 enum pel_status pel_texture_map_triangle(struct pel_texture_map *map,
                                          const struct pel_point v[3],
                                          const struct pel_texel_point t[3]);

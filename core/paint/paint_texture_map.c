@@ -3,41 +3,43 @@
 #include "paint_texture.h"
 
 /* The triangle from its top vertex on, in the order that makes the area
- * positive. */
+ * positive. Without area all three are the top vertex. */
 struct setup {
     const struct pel_point *a, *b, *c;
-    int64_t area; /* twice the area */
+    int64_t area; /* twice the area, or 1 */
 };
 
-/* n / area in 2^-32; `at` gets on by `way` sub-pixels, with the 24 bits. */
+/* n / area in 2^-32; its upper 24 bits times `distance` sub-pixels are added to
+ * `at`.
+ */
 #if PEL_64BIT
 
 /* Of most triangles n fits 32 bits: one division. */
-static inline uint64_t gradient(const struct setup *s, int64_t n, int32_t way,
-                                uint64_t *at)
+static inline uint64_t gradient(const struct setup *s, int64_t n,
+                                int32_t distance, uint64_t *at)
 {
     struct pel_fraction g;
     if (n == (int32_t)n) {
         pel_fraction_start(&g, n * INT64_C(4294967296), s->area);
-        *at += (uint64_t)(((int64_t)g.quotient >> 8) * way);
+        *at += (uint64_t)(((int64_t)g.quotient >> 8) * distance);
         return g.quotient;
     }
     pel_fraction_start(&g, n, s->area);
     const uint64_t whole = g.quotient << 24;
     pel_fraction_more(&g, 32);
-    *at += (whole + ((uint32_t)g.quotient >> 8)) * (uint64_t)(int64_t)way;
+    *at += (whole + ((uint32_t)g.quotient >> 8)) * (uint64_t)(int64_t)distance;
     return g.quotient;
 }
 
 #else
 
-static uint64_t gradient(const struct setup *s, int64_t n, int32_t way,
+static uint64_t gradient(const struct setup *s, int64_t n, int32_t distance,
                          uint64_t *at)
 {
     struct pel_fraction g;
     pel_fraction_start(&g, n, s->area);
     pel_fraction_more(&g, 24);
-    *at += g.quotient * (uint64_t)(int64_t)way;
+    *at += g.quotient * (uint64_t)(int64_t)distance;
     pel_fraction_more(&g, 8);
     return g.quotient;
 }
@@ -46,11 +48,11 @@ static uint64_t gradient(const struct setup *s, int64_t n, int32_t way,
 
 /* One coordinate of the picture, with the values t at a, b, c. The gradient in
  * x is nx / area with nx = (tb - ta)(c.y - a.y) - (tc - ta)(b.y - a.y), below
- * 2^58; in y alike. The anchor is the pixel of a. Where its centre lies, way
- * sub-pixels from a, is known from the gradient to 2^-24, which leaves an error
- * of 128 2^-32 texel; a step of one pixel takes the full 2^-32, off by less
- * than 2^17 of these on the longest way. That many are added, so that a
- * coordinate never falls below a whole number that it lies on. */
+ * 2^58; in y alike. The gradient cut to 2^-24 leads from a to the centre of its
+ * pixel, with an error of 128 2^-32 texel; a step of one pixel takes the full
+ * 2^-32, off by less than 2^17 of these over the longest distance. That many
+ * are added, so a coordinate never falls below a whole number that it lies on.
+ */
 static struct pel_texture_plane plane_of(const struct setup *s,
                                          const int32_t t[3])
 {
@@ -67,13 +69,6 @@ static struct pel_texture_plane plane_of(const struct setup *s,
     return plane;
 }
 
-/* The same place in the picture for every pixel. */
-static void set_flat(struct pel_texture_map *map, struct pel_texel_point t)
-{
-    map->u = (struct pel_texture_plane){(uint64_t)(int64_t)t.u << 24, 0, 0};
-    map->v = (struct pel_texture_plane){(uint64_t)(int64_t)t.v << 24, 0, 0};
-}
-
 enum pel_status pel_texture_map_triangle(struct pel_texture_map *map,
                                          const struct pel_point v[3],
                                          const struct pel_texel_point t[3])
@@ -84,14 +79,14 @@ enum pel_status pel_texture_map_triangle(struct pel_texture_map *map,
         return PEL_ERROR_RANGE;
     const int64_t area = pel_area_of(v);
     const int a = pel_topmost(v), next = a < 2 ? a + 1 : 0;
-    const int b = area < 0 ? 3 - a - next : next, c = 3 - a - b;
-    const struct setup s = {&v[a], &v[b], &v[c], area < 0 ? -area : area};
+    const int b = area == 0 ? a : area < 0 ? 3 - a - next : next;
+    const int c = area == 0 ? a : 3 - a - b;
+    const struct setup s = {&v[a], &v[b], &v[c],
+                            area < 0 ? -area
+                            : area   ? area
+                                     : 1};
     const int32_t u[3] = {t[a].u, t[b].u, t[c].u};
     const int32_t w[3] = {t[a].v, t[b].v, t[c].v};
-    if (area == 0) {
-        set_flat(map, t[a]);
-        return PEL_OK;
-    }
     map->u = plane_of(&s, u);
     map->v = plane_of(&s, w);
     return PEL_OK;

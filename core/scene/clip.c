@@ -11,23 +11,24 @@ void pel_clip_start(struct pel_clip *clip)
             clip->corner[i].weight[k] = (i == k) * PEL_COSINE_ONE;
 }
 
-/* How far inside plane 0 (near) or 1..4 (guard band: right, left, bottom, top)
- * a place is. The sub-pixel is at most limit: center + x 2^spread / z <= limit;
- * below 2^55. */
+/* The distance of a position to plane 0 (near) or 1..4 (guard band: right,
+ * left, bottom, top), below 0 outside. The sub-pixel is at most limit: center +
+ * x 2^spread / z <= limit; below 2^55. */
 static PEL_NOINLINE_32 int64_t depth_inside(const struct pel_projector *p,
-                                            const int32_t place[3], int plane)
+                                            const int32_t position[3],
+                                            int plane)
 {
     const int k = plane > 2;
-    const int32_t z = p->one ? p->one : place[2];
+    const int32_t z = p->one ? p->one : position[2];
     const int32_t limit = (plane & 1 ? PEL_GUARD_MAX : PEL_GUARD_MIN);
-    const int64_t inside = pel_minor(limit - p->center[k], z, place[k],
+    const int64_t inside = pel_minor(limit - p->center[k], z, position[k],
                                      (int32_t)(UINT32_C(1) << p->spread[k]));
     if (plane == 0)
-        return place[2] - p->near_coarse;
+        return position[2] - p->near_coarse;
     return plane & 1 ? inside : -inside;
 }
 
-/* From a towards b. */
+/* a + part (b - a). */
 static void mix(const int32_t a[3], const int32_t b[3], int32_t part,
                 int32_t out[3])
 {
@@ -35,9 +36,9 @@ static void mix(const int32_t a[3], const int32_t b[3], int32_t part,
         out[k] = a[k] + pel_scaled(b[k] - a[k], part, 30);
 }
 
-/* The place of an edge where it meets the plane, from its corner inside: n / d
- * of the way, both below 2^57 and cut to d's first 32 bits. Rounding leaves it
- * before the near plane. */
+/* The point where an edge meets the plane, n / d of the edge from its corner
+ * inside: both below 2^57 and cut to d's first 32 bits. Rounding leaves it in
+ * front of the near plane. */
 static PEL_NOINLINE_32 void cut_edge(const struct pel_projector *p,
                                      const struct pel_clip_corner *a,
                                      const struct pel_clip_corner *b,
@@ -52,9 +53,9 @@ static PEL_NOINLINE_32 void cut_edge(const struct pel_projector *p,
     for (; d >> 32; d >>= 1)
         n >>= 1;
     const int32_t part = (int32_t)pel_divide(n << 30, (uint32_t)d);
-    mix(a->place, b->place, part, cut->place);
+    mix(a->position, b->position, part, cut->position);
     mix(a->weight, b->weight, part, cut->weight);
-    cut->place[2] = pel_max(cut->place[2], p->near_coarse);
+    cut->position[2] = pel_max(cut->position[2], p->near_coarse);
 }
 
 /* The part of a polygon inside one plane (Sutherland and Hodgman); `made` is
@@ -67,7 +68,7 @@ static int32_t cut_polygon(const struct pel_projector *p, int plane,
     struct pel_clip_corner **const first = clip->polygon[plane & 1];
     struct pel_clip_corner **to = first, *a = from[n - 1];
     for (int32_t i = 0; i < n; i++)
-        from[i]->inside = depth_inside(p, from[i]->place, plane);
+        from[i]->inside = depth_inside(p, from[i]->position, plane);
     for (; n > 0 && to < first + PEL_CLIP_CORNERS - 1; n--) {
         struct pel_clip_corner *b = *from++;
         if ((a->inside < 0) != (b->inside < 0) &&

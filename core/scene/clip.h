@@ -1,22 +1,22 @@
-/* Triangles that reach behind the near plane, or out of what sub-pixels can
- * say, cut to a polygon that does not. */
+/* Clipping: triangles behind the near plane or out of the range of sub-pixels
+ * are cut to a polygon inside. */
 #ifndef PEL_SCENE_CLIP_H
 #define PEL_SCENE_CLIP_H
 
-#include "projector.h"
+#include "camera.h"
 
 PEL_BEGIN_DECLS
 
-/* A corner of the polygon: its coarse place, and how much of each vertex of the
- * triangle is in it, 2^-30; one of them is PEL_COSINE_ONE at a vertex. */
+/* A corner of the polygon: its coarse position, and the weights of the
+ * triangle's vertices, 2^-30; a vertex has a weight of PEL_COSINE_ONE. */
 struct pel_clip_corner {
-    int32_t place[3];
+    int32_t position[3];
     int32_t weight[3];
-    int64_t inside; /* of the plane at work: how far, or below 0 */
+    int64_t inside; /* distance to the current plane, below 0 outside */
 };
 
-/* Five planes add a corner each, and make two; a polygon that rounding has bent
- * at its edge, one more. */
+/* Five planes add a corner each and make two new ones; rounding may bend the
+ * polygon at an edge, which adds one more. */
 enum { PEL_CLIP_CORNERS = 10, PEL_CLIP_MADE = 3 + 12 };
 
 typedef struct pel_clip_corner *pel_clip_polygon[PEL_CLIP_CORNERS];
@@ -26,15 +26,16 @@ struct pel_clip {
     pel_clip_polygon polygon[2];
 };
 
-/* Once: corners 0 to 2 are vertices, which no cut changes. */
+/* Sets the weights of corners 0 to 2, the vertices; no cut changes them. */
 void pel_clip_start(struct pel_clip *clip);
 
-/* Cuts the triangle with the places of clip->corner[0] to [2] by the near plane
- * and by the four planes of the guard band, the legal range of sub-pixels less
- * a pixel, and leaves the corners in clip->polygon[0], in the triangle's order.
- * Their number, up to PEL_CLIP_CORNERS; fewer than 3 are nothing. Two triangles
- * that share an edge are cut at the same places of it: a cut depends on the
- * ends of the edge alone, not on their order, and is right to a coarse step. */
+/* Cuts the triangle with the positions of clip->corner[0] to [2] by the near
+ * plane and the four planes of the guard band, the legal range of sub-pixels
+ * less a pixel. The corners of the rest are in clip->polygon[0], in the
+ * triangle's order; returns their number, up to PEL_CLIP_CORNERS, fewer than 3
+ * when nothing is left. Triangles that share an edge are cut at the same points
+ * of it: a cut depends on the ends of the edge alone, not on their order, and
+ * is right to a coarse step. */
 int32_t pel_clip_triangle(const struct pel_projector *projector,
                           struct pel_clip *clip);
 PEL_END_DECLS

@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "pipeline.h"
+
 size_t pel_depth_size(const struct pel_rect *bounds, int bits)
 {
     if (!pel_bounds_legal(bounds) || (bits != 16 && bits != 32))
@@ -33,4 +35,167 @@ enum pel_status pel_depth_init(struct pel_depth *depth,
 void pel_depth_clear(const struct pel_depth *depth)
 {
     memset(depth->values, 0, pel_depth_size(&depth->bounds, depth->bits));
+}
+
+/* A value, 2^-24 of 0..2^30, as 32 bits; below 0 only by rounding. */
+static inline uint32_t number_of(uint64_t value)
+{
+    return (int64_t)value < 0 ? 0 : (uint32_t)(value >> 22);
+}
+
+/* Tests the value of a pixel whose depth is held; true when it is nearer. */
+static inline bool is_nearer(const struct pel_depth_paint *p, void *held,
+                             uint64_t value, bool wide)
+{
+    const uint32_t number = number_of(value) >> (wide ? 0 : 16);
+    const bool nearer = number > (wide ? *(uint32_t *)held : *(uint16_t *)held);
+    if (nearer && p->keeps && wide)
+        *(uint32_t *)held = number;
+    else if (nearer && p->keeps)
+        *(uint16_t *)held = (uint16_t)number;
+    return nearer;
+}
+
+/* The first pixel from x on whose test does not give `nearer`, or x1. */
+static int32_t skip(const struct pel_depth_paint *p, int32_t x, int32_t x1,
+                    int32_t y, bool nearer)
+{
+    const struct pel_rect *b = &p->depth->bounds;
+    const size_t at =
+        (size_t)(y - b->y0) * (size_t)(b->x1 - b->x0) + (size_t)(x - b->x0);
+    uint64_t value = pel_plane_at(&p->plane, x, y);
+    if (p->depth->bits == 16) {
+        uint16_t *held = (uint16_t *)p->depth->values + at;
+        for (; x < x1 && is_nearer(p, held, value, false) == nearer; x++) {
+            held++;
+            value += p->plane.dx;
+        }
+    } else {
+        uint32_t *held = (uint32_t *)p->depth->values + at;
+        for (; x < x1 && is_nearer(p, held, value, true) == nearer; x++) {
+            held++;
+            value += p->plane.dx;
+        }
+    }
+    return x;
+}
+
+/* Spans that go to the inner paint at a time. */
+enum { SPANS = PEL_64BIT ? 8 : 4 };
+
+/* The visible parts are spans of one row, so the step is 0. skip has tested the
+ * first pixel of each, and with `keeps` stored its depth. */
+static void fill_span(const struct pel_depth_paint *p,
+                      const struct pel_surface *surface,
+                      const struct pel_span *span, int32_t y)
+{
+    const struct pel_rect *b = &p->depth->bounds;
+    struct pel_span part[SPANS];
+    struct pel_spans out = {surface, part, y, 0, 0};
+    const int32_t end = pel_min(span->x1, b->x1);
+    int32_t x = pel_max(span->x0, b->x0);
+    if (y < b->y0 || y >= b->y1)
+        return;
+    while ((x = skip(p, x, end, y, false)) < end) {
+        part[out.n].x0 = x;
+        part[out.n++].x1 = x = skip(p, x + 1, end, y, true);
+        if (out.n == SPANS) {
+            p->inner->fill(p->inner, &out);
+            out.n = 0;
+        }
+        x++;
+    }
+    if (out.n)
+        p->inner->fill(p->inner, &out);
+}
+
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
+{
+    const struct pel_depth_paint *p = (const void *)paint;
+    int32_t y = spans->y;
+    for (int32_t i = 0; i < spans->n; i++, y += spans->step)
+        fill_span(p, spans->surface, &spans->span[i], y);
+}
+
+void pel_depth_paint_init(struct pel_depth_paint *paint,
+                          const struct pel_paint *inner,
+                          const struct pel_depth *depth,
+                          const struct pel_plane *plane, bool keeps)
+{
+    paint->base.paint = (struct pel_paint){fill, NULL};
+    paint->inner = inner;
+    paint->depth = depth;
+    paint->plane = *plane;
+    paint->keeps = keeps;
+}
+
+/* Pixels that are hidden or not opaque get alpha 0, which leaves them as they
+ * are. */
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
+{
+    const struct pel_depth_paint *p = (const void *)paint;
+    const struct pel_color_paint *inner = (const void *)p->inner;
+    const struct pel_rect *b = &p->depth->bounds;
+    const bool inside = y >= b->y0 && y < b->y1;
+    inner->colors(inner, x, y, n, out);
+    for (const pel_color *end = out + n; out < end; out++, x++)
+        if (!inside || x < b->x0 || x >= b->x1 || pel_alpha(*out) < 255 ||
+            skip(p, x, x + 1, y, false) > x)
+            *out = 0;
+}
+
+/* near / z, from both with all their bits: z is coarse, near fine and cut to
+ * 31 bits, so the quotient has what a coarse z leaves right. */
+static int32_t nearness(const struct pel_projector *p, int32_t z)
+{
+    if (p->one)
+        return (int32_t)(PEL_DEPTH_NEAR - z);
+    const int cut = pel_bits_of((uint64_t)p->near_fine) - 31;
+    const int64_t near = pel_scale_down(p->near_fine, cut);
+    const int64_t q =
+        pel_scale_down(near * PEL_DEPTH_NEAR / z, p->coarse - cut);
+    return q < PEL_DEPTH_NEAR ? (int32_t)q : PEL_DEPTH_NEAR;
+}
+
+static const struct pel_paint *filter(struct pel_frame *frame,
+                                      const struct pel_paint *paint)
+{
+    struct pel_depth_paint *p = &frame->work->depth;
+    struct pel_plane plane;
+    int32_t near[3];
+    for (int i = 0; i < 3; i++)
+        near[i] = nearness(&frame->projector,
+                           frame->work->triangle.corner[i]->position[2]);
+    pel_plane_set(&plane, pel_frame_setup(frame), near);
+    pel_depth_paint_init(p, paint, p->depth, &plane, frame->opaque);
+    return &p->base.paint;
+}
+
+/* Of a paint whose colors have any alpha, lets the opaque ones through and
+ * stores their depth. */
+static const struct pel_paint *filter_texels(struct pel_frame *frame,
+                                             const struct pel_paint *paint)
+{
+    struct pel_depth_paint *p = &frame->work->depth;
+    filter(frame, paint);
+    pel_color_paint_init(&p->base, colors, false);
+    p->keeps = true;
+    return &p->base.paint;
+}
+
+/* Opaque pixels are as near as what the first pass stored: the second pass,
+ * which only tests, leaves them. */
+void pel_scene_draw_depth(struct pel_frame *frame,
+                          const struct pel_surface *surface,
+                          const struct pel_depth *depth)
+{
+    frame->work->depth.depth = depth;
+    if (!frame->opaque && frame->alpha == 255) {
+        frame->filter = filter_texels;
+        pel_scene_draw(frame, surface);
+    }
+    frame->filter = filter;
+    pel_scene_draw(frame, surface);
+    frame->filter = NULL;
 }

@@ -1,14 +1,14 @@
-#include "depth_sort.h"
+#include "scene.h"
 
-/* One key for both: a falling depth, then a rising index. */
+/* Keys rise with falling depth, and with the index where depths are equal. */
 static uint64_t key_of(const struct pel_depth_entry *e)
 {
     return (uint64_t)(~(uint32_t)e->depth ^ UINT32_C(0x80000000)) << 32 |
            e->index;
 }
 
-/* Moves the entry at `at` down to where it belongs in the heap of n, the one
- * that comes last on top. */
+/* Moves the entry at `at` down to its rank in the heap of n, whose largest key
+ * is on top. */
 static void sift(struct pel_depth_entry *entry, uint32_t at, uint32_t n)
 {
     const struct pel_depth_entry moved = entry[at];

@@ -1,5 +1,127 @@
 #include "light.h"
 
+/* All factors at once: PEL_FACTOR_END is a power of two, and the highest bits
+ * of a negative number are set. */
+static uint32_t factors_of(const pel_factor f[3])
+{
+    return (uint32_t)f[0] | (uint32_t)f[1] | (uint32_t)f[2];
+}
+
+static bool light_legal(const struct pel_light *l)
+{
+    const uint32_t limit = PEL_LENGTH_MAX;
+    int32_t any = 0;
+    for (int k = 0; k < 3; k++) {
+        any |= l->at[k];
+        if ((uint32_t)l->at[k] + limit > 2 * limit)
+            return false;
+    }
+    return factors_of(l->color) < PEL_FACTOR_END && (any || !l->directional);
+}
+
+static bool material_legal(const struct pel_lighting *l)
+{
+    const pel_factor material[3] = {l->ambient, l->diffuse, l->specular};
+    return (uint32_t)l->lights <= 32 && (uint32_t)l->shininess - 1 <= 255 &&
+           (factors_of(l->ambient_color) | factors_of(material)) <
+               PEL_FACTOR_END;
+}
+
+/* A position of the world, or a direction, in the axes of the mesh, 2^-30. */
+static PEL_NOINLINE void to_mesh(const struct pel_pose *pose,
+                                 const int32_t world[3], bool directional,
+                                 int64_t out[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const pel_cosine column[3] = {
+            pose->turn.row[0][k], pose->turn.row[1][k], pose->turn.row[2][k]};
+        const int64_t at = directional ? 0 : pel_dot(column, pose->at);
+        out[k] = pel_scale_down(pel_dot(column, world) - at, 16);
+    }
+}
+
+/* A position of the world in lighting units, which are 2^up parts of 2^-30, or
+ * a direction. */
+static void set_position(const struct pel_pose *pose, const int32_t world[3],
+                         bool directional, int up, int32_t out[3])
+{
+    int64_t v[3];
+    to_mesh(pose, world, directional, v);
+    if (directional)
+        pel_normalize(v, out);
+    else
+        for (int k = 0; k < 3; k++)
+            out[k] = (int32_t)pel_scale_down(v[k], -up);
+}
+
+/* Factors times another: below 2^24. */
+static void times(const pel_factor a[3], pel_factor b, pel_factor out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = pel_scaled(a[k], b, 16);
+}
+
+/* An upper bound, with as many bits as the largest, of the coordinates of the
+ * mesh, the eye and the lights. All bits when a light is not legal. */
+static uint64_t bound_of(const struct pel_quantization *quantization,
+                         const struct pel_lighting *lighting,
+                         const struct pel_pose *pose, const pel_length eye[3])
+{
+    uint64_t bound = (uint64_t)pel_scale_down(
+        pel_quantization_extent(quantization), quantization->shift - 30);
+    int64_t v[3];
+    to_mesh(pose, eye, false, v);
+    for (int32_t i = 0; i < lighting->lights; i++) {
+        const struct pel_light *light = &lighting->light[i];
+        bound |= pel_vector_bound(v);
+        if (!light_legal(light))
+            return UINT64_MAX;
+        if (!light->directional)
+            to_mesh(pose, light->at, false, v);
+    }
+    return bound | pel_vector_bound(v);
+}
+
+enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
+                                     const struct pel_lighting *lighting,
+                                     const struct pel_mesh *mesh,
+                                     const struct pel_pose *pose,
+                                     const pel_length eye[3])
+{
+    if (lighting->lights > 0 && !lighting->light)
+        return PEL_ERROR_NULL;
+    if (!material_legal(lighting))
+        return PEL_ERROR_RANGE;
+    /* Bits to the left of 2^-30 unit. */
+    const int up =
+        28 - pel_bits_of(bound_of(&mesh->position, lighting, pose, eye));
+    if (up < -34)
+        return PEL_ERROR_RANGE;
+    lights->lighting = lighting;
+    lights->mesh = mesh;
+    lights->down = mesh->position.shift - 30 - up;
+    set_position(pose, eye, false, up, lights->eye);
+    times(lighting->ambient_color, lighting->ambient, lights->ambient);
+    for (int32_t i = 0; i < lighting->lights; i++) {
+        const struct pel_light *light = &lighting->light[i];
+        struct pel_mesh_light *m = &lights->light[i];
+        m->directional = light->directional;
+        set_position(pose, light->at, light->directional, up, m->at);
+        times(light->color, lighting->diffuse, m->diffuse);
+        times(light->color, lighting->specular, m->specular);
+    }
+    return PEL_OK;
+}
+
+void pel_mesh_lights_position(const struct pel_mesh_lights *lights,
+                              const int16_t position[3], int32_t out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = (int32_t)pel_scale_down(
+            pel_quantization_value(&lights->mesh->position, k, position[k]),
+            lights->down);
+}
+
 /* v^n in 2^-30, 0 <= v <= 2^30. A product is cut by less than 2^-30, and the
  * n - 1 products that n makes of it leave less than n 2^-30. */
 static pel_cosine power(pel_cosine v, int32_t n)
@@ -35,67 +157,68 @@ static void add(pel_factor sum[3], const pel_factor factor[3], pel_cosine part)
         sum[k] += pel_scaled(factor[k], part, 30);
 }
 
-/* The direction from one place to another. */
-static void lead(const int32_t from[3], const int32_t to[3], pel_cosine unit[3])
+/* The direction from one position to another. */
+static void direction(const int32_t from[3], const int32_t to[3],
+                      pel_cosine unit[3])
 {
     for (int k = 0; k < 3; k++)
         unit[k] = to[k] - from[k];
-    pel_unit_near(unit, unit);
+    pel_normalize_fast(unit, unit);
 }
 
-/* way: the normal, to the eye, to the light. */
+/* towards: the normal, to the eye, to the light. */
 static void add_light(const struct pel_mesh_lights *lights,
-                      const struct pel_mesh_light *light, pel_cosine way[3][3],
-                      struct pel_shine *shine)
+                      const struct pel_mesh_light *light,
+                      pel_cosine towards[3][3], struct pel_light_sum *sum)
 {
-    const pel_cosine nl = cosine_of(way[0], way[2]);
+    const pel_cosine nl = cosine_of(towards[0], towards[2]);
     if (nl > 0)
-        add(shine->surface, light->diffuse, nl);
+        add(sum->surface, light->diffuse, nl);
     else if (lights->lighting->no_back_highlights)
         return;
-    add(lights->lighting->plain_highlights ? shine->plain : shine->surface,
+    add(lights->lighting->plain_highlights ? sum->plain : sum->surface,
         light->specular,
-        power(reflected(way[2], way[0], way[1], nl),
+        power(reflected(towards[2], towards[0], towards[1], nl),
               lights->lighting->shininess));
 }
 
-void pel_mesh_lights_shine(const struct pel_mesh_lights *lights,
-                           const int32_t place[3], const int32_t normal[3],
-                           struct pel_shine *shine)
+void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
+                         const int32_t position[3], const int32_t normal[3],
+                         struct pel_light_sum *sum)
 {
-    pel_cosine way[3][3];
+    pel_cosine towards[3][3];
     for (int k = 0; k < 3; k++) {
-        shine->surface[k] = lights->ambient[k];
-        shine->plain[k] = 0;
+        sum->surface[k] = lights->ambient[k];
+        sum->plain[k] = 0;
     }
-    if (!pel_unit_near(normal, way[0]))
+    if (!pel_normalize_fast(normal, towards[0]))
         return;
-    lead(place, lights->eye, way[1]);
+    direction(position, lights->eye, towards[1]);
     for (int32_t i = 0; i < lights->lighting->lights; i++) {
         const struct pel_mesh_light *light = &lights->light[i];
         for (int k = 0; k < 3; k++)
-            way[2][k] = light->at[k];
+            towards[2][k] = light->at[k];
         if (!light->directional)
-            lead(place, light->at, way[2]);
-        add_light(lights, light, way, shine);
+            direction(position, light->at, towards[2]);
+        add_light(lights, light, towards, sum);
     }
 }
 
 /* Both products stay below 65,280 2^15, and their sum below 2^32. */
-uint32_t pel_shine_channel(const struct pel_shine *shine, int channel,
-                           uint32_t surface)
+uint32_t pel_lit_channel(const struct pel_light_sum *sum, int channel,
+                         uint32_t surface)
 {
     const uint32_t v =
-        (uint32_t)pel_scaled((int32_t)surface, shine->surface[channel], 16) +
-        (uint32_t)pel_scaled(65280, shine->plain[channel], 16) + 128;
+        (uint32_t)pel_scaled((int32_t)surface, sum->surface[channel], 16) +
+        (uint32_t)pel_scaled(65280, sum->plain[channel], 16) + 128;
     return v >> 8 < 255 ? v >> 8 : 255;
 }
 
-pel_color pel_shine_color(const struct pel_shine *shine, pel_color surface)
+pel_color pel_lit_color(const struct pel_light_sum *sum, pel_color surface)
 {
     pel_color out = surface & UINT32_C(0xFF000000);
     for (int k = 0; k < 3; k++)
-        out |= pel_shine_channel(shine, k, (surface >> (16 - 8 * k) & 255) << 8)
+        out |= pel_lit_channel(sum, k, (surface >> (16 - 8 * k) & 255) << 8)
                << (16 - 8 * k);
     return out;
 }

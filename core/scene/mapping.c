@@ -1,11 +1,12 @@
-#include "mapping.h"
+#include "shading.h"
 
-/* The numerator times the texels of a side is below 2^46. */
-int64_t pel_mapping_place(const struct pel_frame *frame, uint32_t vertex, int k)
+/* u (k = 0) or v (1) of a vertex, 1/65,536 texel. The numerator times the
+ * texels of a side is below 2^46. */
+static int64_t texel_of(const struct pel_frame *frame, uint32_t vertex, int k)
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
     const int64_t v = pel_long_product(
-        pel_mesh_quantum_value(&mesh->texture, k, mesh->uv[vertex][k]),
+        pel_quantization_value(&mesh->texture, k, mesh->uv[vertex][k]),
         k ? frame->texture.height : frame->texture.width);
     return pel_scale_down(v, mesh->texture.shift - 16);
 }
@@ -17,31 +18,96 @@ void pel_mapping_corners(const struct pel_frame *frame,
 {
     const struct pel_frame_triangle *t = &frame->work->triangle;
     for (int k = 0; k < 2; k++) {
-        const int64_t first = pel_mapping_place(frame, t->vertex[0], k);
-        int64_t way[3];
+        const int64_t first = texel_of(frame, t->vertex[0], k);
+        int64_t offset[3];
         int cut = 0;
         int32_t value[3], at[3];
         for (int i = 0; i < 3; i++) {
-            way[i] = pel_mapping_place(frame, t->vertex[i], k) - first;
-            if (way[i] != (int32_t)way[i])
+            offset[i] = texel_of(frame, t->vertex[i], k) - first;
+            if (offset[i] != (int32_t)offset[i])
                 cut = 8;
         }
         for (int i = 0; i < 3; i++)
-            value[i] = (int32_t)(way[i] >> cut);
+            value[i] = (int32_t)(offset[i] >> cut);
         pel_corners_mix(t, value, at);
         for (int i = 0; i < 3; i++)
             corner[i].uv[k] = first + pel_scale_down(at[i], -cut);
     }
 }
 
-const struct pel_paint *pel_mapping_tint(struct pel_frame *frame,
-                                         const struct pel_color_paint *surface,
-                                         const pel_color color[3])
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
 {
-    struct pel_tinted *p = &frame->work->paint.tinted;
+    const struct pel_modulated *p = (const void *)paint;
+    const struct pel_gouraud *g = &p->factor;
+    uint32_t v[4];
+    p->surface->colors(p->surface, x, y, n, out);
+    for (int k = 0; k < 4; k++)
+        v[k] = g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k];
+    for (; n > 0; n--, out++) {
+        pel_color color = 0;
+        for (int k = 0; k < 4; k++) {
+            color |= pel_round_div255((*out >> 8 * k & 255) * (v[k] >> 24))
+                     << 8 * k;
+            v[k] += g->dx[k];
+        }
+        *out = color;
+    }
+}
+
+const struct pel_paint *pel_modulate(struct pel_frame *frame,
+                                     const struct pel_color_paint *surface,
+                                     const pel_color color[3])
+{
+    struct pel_modulated *p = &frame->work->paint.modulated;
     if ((color[0] & color[1] & color[2]) == UINT32_C(0xFFFFFFFF))
         return &surface->paint;
-    pel_tinted_init(p, surface, frame->opaque);
-    pel_frame_gouraud(frame, color, &p->tint);
+    p->surface = surface;
+    pel_color_paint_init(&p->base, colors, frame->opaque);
+    pel_frame_gouraud(frame, color, &p->factor);
     return &p->base.paint;
 }
+
+static pel_color vertex_color(const struct pel_frame *frame, uint32_t vertex)
+{
+    struct pel_texture t = frame->texture;
+    pel_color color;
+    for (int k = 0; k < 2; k++) {
+        struct pel_texture_plane *plane = k ? &t.map.v : &t.map.u;
+        plane->at = (uint64_t)texel_of(frame, vertex, k) << 16;
+        plane->dx = plane->dy = 0;
+    }
+    t.base.colors(&t.base, 0, 0, 1, &color);
+    return color | UINT32_C(0xFF000000);
+}
+
+const struct pel_mapping pel_map_vertices = {vertex_color, NULL, NULL};
+
+/* u and v as planes of 1/256 texel are 2^-32 texel; the most
+ * that a plane can be too low is added, so that a point on a border of texels
+ * stays in the upper one. */
+static void set(struct pel_frame *frame,
+                const struct pel_texture_corner corner[3], int k,
+                struct pel_texture_plane *out)
+{
+    struct pel_plane plane;
+    int32_t value[3];
+    for (int i = 0; i < 3; i++)
+        value[i] = (int32_t)pel_scale_down(corner[i].uv[k], 8);
+    pel_plane_set(&plane, pel_frame_setup(frame), value);
+    out->at = plane.at + 131072;
+    out->dx = plane.dx;
+    out->dy = plane.dy;
+}
+
+static const struct pel_color_paint *surface(struct pel_frame *frame)
+{
+    struct pel_texture *p = &frame->texture;
+    struct pel_texture_corner corner[3];
+    pel_mapping_corners(frame, corner);
+    set(frame, corner, 0, &p->map.u);
+    set(frame, corner, 1, &p->map.v);
+    return &p->base;
+}
+
+const struct pel_mapping pel_map_affine = {NULL, surface, pel_modulate};

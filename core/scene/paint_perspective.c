@@ -1,23 +1,21 @@
-#include "paint_perspective.h"
-
 #include "../base/divide.h"
-#include "vector.h"
+#include "shading.h"
 
-/* origin 2^16 + part 2^(reach - 14), in 2^-32 texels, and by how much that may
- * be too low, five of its last bits: a place on a border of texels stays in the
- * upper one. |part| <= 3/2 2^30. */
-static uint64_t coordinate(int64_t origin, int32_t part, int reach)
+/* origin 2^16 + part 2^(extent - 14), in 2^-32 texels, plus its largest error,
+ * five of its last bits: a point on a border of texels stays in the upper one.
+ * |part| <= 3/2 2^30. */
+static uint64_t coordinate(int64_t origin, int32_t part, int extent)
 {
     return ((uint64_t)origin << 16) +
-           (uint64_t)pel_scale_down((int64_t)part + 8, 14 - reach);
+           (uint64_t)pel_scale_down((int64_t)part + 8, 14 - extent);
 }
 
-/* The place in the texture, 2^-32 texels. False, and some place, where w is not
- * above 0 or u or v would be out of reach: outside of the triangle. w is cut to
+/* The point in the texture, 2^-32 texels. False, and any point, where w is not
+ * above 0 or u or v would be out of range: outside of the triangle. w is cut to
  * 32 bits with its first one set, the others to match w / 4: a quotient of
  * 2^-30 parts is too low by less than 5 of them. */
 static bool divide(const struct pel_perspective *p, int32_t x, int32_t y,
-                   uint64_t place[2])
+                   uint64_t position[2])
 {
     const int64_t w = (int64_t)pel_plane_at(&p->w, x, y);
     bool legal = w >= INT64_C(1) << 26 && w >> 55 == 0;
@@ -32,22 +30,23 @@ static bool divide(const struct pel_perspective *p, int32_t x, int32_t y,
         if (legal)
             part = pel_scaled((int32_t)(n * 16 >> shift),
                               (int32_t)(inverse >> 1), 30);
-        place[k] = coordinate(p->origin[k], part, p->reach[k]);
+        position[k] = coordinate(p->origin[k], part, p->extent[k]);
     }
     return legal;
 }
 
-/* Linear over a span, `way` pixels from its begin. */
+/* Linear over a span, from pixel x of it on. */
 static PEL_NOINLINE_32 void set_line(struct pel_texture_plane *line,
                                      uint64_t from, uint64_t to, int span,
-                                     int32_t way)
+                                     int32_t x)
 {
     line->dx = (uint64_t)((int64_t)(to - from) >> span);
-    line->at = from + (uint64_t)way * line->dx;
+    line->at = from + (uint64_t)x * line->dx;
 }
 
-/* The map of the pixels from x on, in x less than that, and how many there are:
- * up to the end of the span where both ends of it can be divided, or one. */
+/* Sets the map of the pixels from x on, as pixels 0, 1 ..., and returns their
+ * number: up to the end of the span when both of its ends can be divided, or
+ * one. */
 static int32_t start(const struct pel_perspective *p, int32_t x, int32_t y,
                      struct pel_texture_map *map)
 {
@@ -77,9 +76,9 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     }
 }
 
-/* A triangle that is thinner than a pixel has gradients that may wrap on the
- * way to the end of a span: of one that is not its area takes as many bits as
- * 256 times twice a side. Otherwise they are below 2^31 a pixel. */
+/* True for a triangle that is thinner than a pixel, whose gradients may wrap
+ * before the end of a span: its area takes fewer bits than 256 times twice a
+ * side. Other gradients are below 2^31 a pixel. */
 static bool thin(const struct pel_plane_setup *s)
 {
     const uint32_t sides = (uint32_t)pel_size_of(s->ab.x) |
@@ -88,23 +87,24 @@ static bool thin(const struct pel_plane_setup *s)
     return pel_bits_of(s->area) < pel_bits_of(sides) + 10;
 }
 
-/* What corners differ from the first one in, times w, 2^-reach: with 2^reach
- * above the largest of it; of more than 31 bits, the first ones. */
+/* The plane of the differences of u or v from the first corner, times w
+ * 2^-extent, with 2^extent above the largest; of more than 31 bits, the first
+ * ones. */
 static PEL_NOINLINE_32 void set_plane(struct pel_perspective *p, int k,
                                       const struct pel_plane_setup *setup,
                                       const struct pel_texture_corner corner[3],
                                       const int32_t w[3])
 {
-    int64_t way[3];
+    int64_t offset[3];
     int32_t value[3];
     p->origin[k] = corner[setup->first].uv[k];
     for (int i = 0; i < 3; i++)
-        way[i] = corner[i].uv[k] - p->origin[k];
-    const int reach = pel_bits_of(pel_reach_of(way));
-    const int cut = pel_max(reach - 31, 0);
-    p->reach[k] = (uint8_t)reach;
+        offset[i] = corner[i].uv[k] - p->origin[k];
+    const int extent = pel_bits_of(pel_vector_bound(offset));
+    const int cut = pel_max(extent - 31, 0);
+    p->extent[k] = (uint8_t)extent;
     for (int i = 0; i < 3; i++)
-        value[i] = pel_scaled((int32_t)(way[i] >> cut), w[i], reach - cut);
+        value[i] = pel_scaled((int32_t)(offset[i] >> cut), w[i], extent - cut);
     pel_plane_set(&p->uv[k], setup, value);
 }
 
@@ -129,3 +129,20 @@ void pel_perspective_init(struct pel_perspective *paint,
         set_plane(paint, k, setup, corner, w);
     pel_color_paint_init(&paint->base, colors, texture->base.opaque);
 }
+
+static const struct pel_color_paint *surface(struct pel_frame *frame)
+{
+    struct pel_perspective *p = &frame->work->perspective;
+    const int32_t span = frame->scene->texture->span;
+    struct pel_texture_corner corner[3];
+    pel_mapping_corners(frame, corner);
+    for (int i = 0; i < 3; i++)
+        corner[i].z = frame->projector.one
+                          ? 1
+                          : frame->work->triangle.corner[i]->position[2];
+    pel_perspective_init(p, &frame->texture, pel_frame_setup(frame), corner,
+                         span);
+    return &p->base;
+}
+
+const struct pel_mapping pel_map_perspective = {NULL, surface, pel_modulate};

@@ -7,22 +7,22 @@
 
 PEL_BEGIN_DECLS
 
-/* How a texture follows the distance. */
+/* Pixels between divisions. */
 enum {
-    PEL_SPAN_EXACT = 1, /* divided at every pixel */
-    PEL_SPAN_MAX = 64   /* a power of two: so many pixels, from a multiple of
-                           that on, are linear between divided places */
+    PEL_SPAN_EXACT = 1, /* a division at every pixel */
+    PEL_SPAN_MAX = 64   /* the largest; a power of two: spans of so many pixels,
+                           from a multiple of it on, are linear */
 };
 
 /* Planes over the screen: w, which is proportional to 1 / z and at most 2^30
- * inside the triangle, and u w and v w less the place `origin`, in 2^reach
+ * inside the triangle, and (u - origin) w and (v - origin) w in 2^extent
  * texels 2^-16, so that their size is at most that of w. */
 struct pel_perspective {
     struct pel_color_paint base;
-    struct pel_texture *texture; /* how it is sampled; its map is worked on */
+    struct pel_texture *texture; /* the sampler; its map is overwritten */
     struct pel_plane w, uv[2];
     int64_t origin[2]; /* 1/65,536 texel */
-    uint8_t reach[2];
+    uint8_t extent[2];
     uint8_t span; /* bits of it: 0..6 */
 };
 
@@ -32,13 +32,13 @@ struct pel_texture_corner {
     int32_t z;     /* the distance, in any unit; above 0 */
 };
 
-/* span: above, or 0, which is 1. Where a span cannot be divided at its ends,
- * because they lie too far outside of the triangle, its pixels are; thin
- * triangles are divided everywhere. A coordinate is right to 1/256 texel in
- * exact mode while the distances of the corners are within a ratio of 256 and
- * the triangle takes less than 4,096 texels. Between divided places it is off
- * by at most du (r - 1) / 4, du the texels of a span, r the ratio of the
- * distances at its ends. The order of the corners does not matter. */
+/* span: above, or 0, which is 1. Every pixel is divided in thin triangles, and
+ * in spans whose ends lie too far outside of the triangle. A coordinate is
+ * right to 1/256 texel in exact mode while the distances of the corners are
+ * within a ratio of 256 and the triangle takes less than 4,096 texels. Between
+ * divided positions it is off by at most du (r - 1) / 4, du the texels of a
+ * span, r the ratio of the distances at its ends. The order of the corners does
+ * not matter. */
 void pel_perspective_init(struct pel_perspective *paint,
                           struct pel_texture *texture,
                           const struct pel_plane_setup *setup,

@@ -8,7 +8,7 @@ typedef char pel_scene_sizes[sizeof(struct pel_mesh_light) % 8 == 0 &&
 
 enum { WORK_SIZE = PEL_SCENE_SCRATCH_SIZE(0, 0, 0) };
 
-/* Where the lists begin. */
+/* Offsets of the lists, bytes. */
 struct parts {
     size_t vertices, order, end;
 };
@@ -29,9 +29,9 @@ size_t pel_scene_scratch_size(const struct pel_scene *scene)
     return scene && scene->mesh ? parts_of(scene).end : 0;
 }
 
-/* Do all numbers of uv stand for places within 2^22 texels? They are below
+/* True when all numbers of uv mean points within 2^22 texels: they are below
  * 2^31, and less than 2^21 texels a whole number of pictures away. */
-static bool reach_legal(const struct pel_mesh_quantum *q, int32_t texels)
+static bool uv_legal(const struct pel_quantization *q, int32_t texels)
 {
     const int32_t u = q->offset[0], v = q->offset[1];
     const uint32_t most =
@@ -58,8 +58,8 @@ static enum pel_status start_texture(struct pel_frame *frame)
     frame->texture.wrap_v = (uint8_t)t->wrap_v;
     if (status != PEL_OK)
         return status;
-    if (!reach_legal(&frame->scene->mesh->texture,
-                     frame->texture.width | frame->texture.height))
+    if (!uv_legal(&frame->scene->mesh->texture,
+                  frame->texture.width | frame->texture.height))
         return PEL_ERROR_RANGE;
     if (t->mapping->surface)
         frame->opaque &= frame->texture.base.opaque;
@@ -79,7 +79,7 @@ static pel_color surface_color(const struct pel_frame *frame, uint32_t vertex)
     return PEL_RGB(c[0], c[1], c[2]);
 }
 
-static void place_vertices(struct pel_frame *frame)
+static void project_vertices(struct pel_frame *frame)
 {
     const struct pel_scene *s = frame->scene;
     for (uint32_t i = 0; i < s->mesh->vertices; i++) {
@@ -92,18 +92,65 @@ static void place_vertices(struct pel_frame *frame)
     }
 }
 
+enum taken { BEHIND, WHOLE, CUT };
+
+/* Sets the work's triangle to one of the mesh: `at` is right when WHOLE is
+ * returned; clip->corner and polygon 0 get its corners with z alone, and
+ * `depth` the sum of the three z. */
+static enum taken take(const struct pel_frame *frame, uint32_t triangle,
+                       int32_t *depth)
+{
+    struct pel_frame_triangle *t = &frame->work->triangle;
+    struct pel_clip *clip = &frame->work->clip;
+    bool cut = false, before = false;
+    pel_mesh_corners(frame->scene->mesh, triangle, t->vertex);
+    *depth = 0;
+    for (int i = 0; i < 3; i++) {
+        struct pel_clip_corner *c = &clip->corner[i];
+        const struct pel_projected *v = &frame->vertex[t->vertex[i]].at;
+        cut |= v->x == PEL_NOT_ON_SCREEN;
+        before |= v->z >= frame->projector.near_coarse;
+        t->at[i] = (struct pel_point){v->x, v->y};
+        clip->polygon[0][i] = c;
+        c->position[2] = v->z;
+        *depth += v->z;
+    }
+    return !before ? BEHIND : cut ? CUT : WHOLE;
+}
+
+/* True when the xs, or the ys, overlap pixels [first, end). */
+static PEL_NOINLINE_32 bool range_meets(const struct pel_point at[3], bool y,
+                                 int32_t first, int32_t end)
+{
+    int32_t low = INT32_MAX, high = INT32_MIN;
+    for (int i = 0; i < 3; i++) {
+        const int32_t v = y ? at[i].y : at[i].x;
+        low = pel_min(low, v);
+        high = pel_max(high, v);
+    }
+    return high > first * 256 && low < end * 256;
+}
+
+/* True when the triangle's box overlaps the rectangle and the side that is seen
+ * is to be drawn. */
+static bool is_shown(const struct pel_frame *frame,
+                     const struct pel_point at[3], const struct pel_rect *rect)
+{
+    return range_meets(at, false, rect->x0, rect->x1) &&
+           range_meets(at, true, rect->y0, rect->y1) &&
+           pel_side_drawn(frame->scene->cull, pel_triangle_area(at));
+}
+
 static void list_triangles(struct pel_frame *frame)
 {
     struct pel_depth_entry *entry = frame->order;
     const uint32_t n = frame->scene->mesh->triangles;
     for (uint32_t i = 0; i < n; i++) {
-        const enum pel_frame_taken taken =
-            pel_frame_take(frame, i, &entry->depth);
+        const enum taken taken = take(frame, i, &entry->depth);
         entry->index = i;
-        if (taken == PEL_TAKEN_CUT ||
-            (taken == PEL_TAKEN_WHOLE &&
-             pel_frame_shows(frame, frame->work->triangle.at,
-                             &frame->scene->viewport)))
+        if (taken == CUT ||
+            (taken == WHOLE && is_shown(frame, frame->work->triangle.at,
+                                        &frame->scene->viewport)))
             entry++;
     }
     frame->triangles = (uint32_t)(entry - frame->order);
@@ -145,9 +192,83 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
     const enum pel_status status = start(frame);
     if (status != PEL_OK)
         return status;
-    place_vertices(frame);
+    project_vertices(frame);
     list_triangles(frame);
     if (scene->sort)
         scene->sort(frame->order, frame->triangles);
     return PEL_OK;
+}
+
+/* Draws work->triangle, which has an area. */
+static void draw_triangle(struct pel_frame *frame)
+{
+    struct pel_frame_work *work = frame->work;
+    const struct pel_mesh_texture *texture = frame->scene->texture;
+    const struct pel_color_paint *surface = NULL;
+    work->triangle.is_set_up = false;
+    if (texture && texture->mapping->surface)
+        surface = texture->mapping->surface(frame);
+    const struct pel_paint *paint =
+        frame->scene->shading->paint(frame, surface);
+    if (frame->filter)
+        paint = frame->filter(frame, paint);
+    pel_triangle(&work->surface, work->triangle.at, paint);
+}
+
+void pel_frame_set_corner(struct pel_frame *frame, int i,
+                          const struct pel_clip_corner *corner)
+{
+    struct pel_frame_triangle *t = &frame->work->triangle;
+    t->corner[i] = corner;
+    for (int k = 0; k < 3; k++) {
+        const struct pel_projected *v = &frame->vertex[t->vertex[k]].at;
+        if (corner->weight[k] == PEL_COSINE_ONE && v->x != PEL_NOT_ON_SCREEN) {
+            t->at[i] = (struct pel_point){v->x, v->y};
+            return;
+        }
+    }
+    t->at[i] = pel_project_clipped(&frame->projector, corner->position);
+}
+
+/* Cuts the triangle that `take` has set. */
+static int32_t clip(struct pel_frame *frame)
+{
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    struct pel_frame_work *work = frame->work;
+    for (int i = 0; i < 3; i++)
+        pel_project_coarse(&frame->projector,
+                           mesh->positions[work->triangle.vertex[i]],
+                           work->clip.corner[i].position);
+    return pel_clip_triangle(&frame->projector, &work->clip);
+}
+
+/* Draws what is left of a triangle as a fan around its first corner. */
+static void draw_entry(struct pel_frame *frame, uint32_t triangle)
+{
+    const struct pel_point *at = frame->work->triangle.at;
+    struct pel_clip_corner *const *corner = frame->work->clip.polygon[0];
+    int32_t depth, n = 3;
+    if (take(frame, triangle, &depth) == CUT)
+        n = clip(frame);
+    for (int32_t i = 2; i < n; i++) {
+        pel_frame_set_corner(frame, 0, corner[0]);
+        pel_frame_set_corner(frame, 1, corner[i - 1]);
+        pel_frame_set_corner(frame, 2, corner[i]);
+        if (is_shown(frame, at, &frame->work->surface.clip))
+            draw_triangle(frame);
+    }
+}
+
+void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface)
+{
+    struct pel_surface *target = &frame->work->surface;
+    if (frame->triangles == 0 || frame->alpha == 0)
+        return;
+    pel_clip_start(&frame->work->clip);
+    *target = *surface;
+    target->clip = pel_rect_intersect(&surface->clip, &frame->scene->viewport);
+    if (pel_rect_empty(&target->clip))
+        return;
+    for (uint32_t i = 0; i < frame->triangles; i++)
+        draw_entry(frame, frame->order[i].index);
 }

@@ -23,14 +23,14 @@
  *     if (pel_scene_prepare(&frame, &scene, scratch, sizeof scratch) == PEL_OK)
  *         pel_scene_draw(&frame, &surface);
  *
- * prepare is called once for a picture, draw as often as it has bands. Integers
- * only, no allocation; a program links the shadings, mappings, sort and depth
- * buffer that it names. A triangle that reaches behind the near plane, or
- * farther than sub-pixels can say, is clipped and never wraps. */
+ * prepare is called once for a picture, draw once for each band. A program
+ * links the shadings, mappings, sort and depth buffer that it names. A triangle
+ * that extends behind the near plane, or out of the range of sub-pixels, is
+ * clipped.
+ */
 #ifndef PEL_SCENE_PIPELINE_H
 #define PEL_SCENE_PIPELINE_H
 
-#include "mapping.h"
 #include "shading.h"
 
 PEL_BEGIN_DECLS
@@ -45,11 +45,11 @@ PEL_BEGIN_DECLS
      PEL_CAST(size_t, triangles) * sizeof(struct pel_depth_entry))
 size_t pel_scene_scratch_size(const struct pel_scene *scene);
 
-/* Sets up a picture: places and lights every vertex, sorts the triangles. The
+/* Sets up a picture: projects and lights every vertex, sorts the triangles. The
  * frame points to the scene and to the scratch memory, which is aligned to 8
  * bytes. PEL_ERROR_NULL: no scene, mesh, shading, scratch; or no lighting,
  * normals, uv, mapping or sampler where they are needed; PEL_ERROR_SCRATCH;
- * PEL_ERROR_RANGE: uv or span of a texture (mapping.h); errors of
+ * PEL_ERROR_RANGE: uv or span of a texture (shading.h); errors of
  * pel_mesh_check, with frame->fault, pel_projector_init, pel_mesh_lights_init
  * and the sampler. */
 enum pel_status pel_scene_prepare(struct pel_frame *frame,
@@ -57,17 +57,16 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
                                   size_t scratch_size);
 
 /* Draws the frame onto the surface: the whole picture or a band or tile of it;
- * bands make the same bytes as the whole. What the frame points to is worked
- * on, so two threads take two frames. */
+ * bands make the same bytes as the whole. The frame's scratch memory changes,
+ * so two threads take two frames. */
 void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface);
 
-/* The same, but of triangles that meet in a pixel the nearest is seen. What is
- * opaque is kept in the buffer, whatever the order: an opaque scene, or the
- * opaque texels of a texture that has others. Those others, or a scene with
- * transparency, come after that and are only tested against it: they are
- * blended in the scene's order, and so want `sort`, and a mesh that is drawn
- * after all opaque ones. Meshes may share a buffer while camera and viewport
- * stay; for an orthographic camera the buffer serves one mesh only. */
+/* The same with a depth buffer: of triangles that meet in a pixel the nearest
+ * is seen. Opaque pixels, of a scene or of a texture, are drawn in any order
+ * and store their depth. Translucent ones follow and are only tested: they are
+ * blended in the scene's order, so set `sort`, and draw such a mesh after all
+ * opaque ones. Meshes may share a buffer while camera and viewport stay; for an
+ * orthographic camera a buffer serves one mesh only. */
 void pel_scene_draw_depth(struct pel_frame *frame,
                           const struct pel_surface *surface,
                           const struct pel_depth *depth);

@@ -29,8 +29,8 @@ static uint64_t multiply(uint64_t a, uint64_t b, uint64_t *low)
 }
 
 /* word = area 2^(63 - bits), in [2^62, 2^63). r = 2^63 / (word >> 31) is right
- * to 2^-31, so word r 2^-32 misses 2^62 by less than 2^32; what it misses, by
- * Newton, makes r right to 2^-59. */
+ * to 2^-31, so word r 2^-32 differs from 2^62 by less than 2^32; a Newton step
+ * with this difference makes r right to 2^-59. */
 static void invert(struct pel_plane_setup *s)
 {
     const int bits = pel_bits_of(s->area);
@@ -44,9 +44,8 @@ static void invert(struct pel_plane_setup *s)
     s->shift = (uint8_t)(30 + bits);
 }
 
-/* By the inverse, 2^-(shift + 32) of which is the one of a pixel. That is off
- * by less than 2^-58 of itself, so that what is left, |n| 2^32 less as many
- * areas, is below 2^31 + 2^51 in size. */
+/* inverse 2^-(shift + 32) is 1 / area, off by less than 2^-58 of itself, so the
+ * rest of n 2^32 is below 2^31 + 2^51 in size. */
 static uint64_t divide(const struct pel_plane_setup *s, uint64_t n,
                        uint64_t *fine)
 {
@@ -78,8 +77,8 @@ static void invert(struct pel_plane_setup *s)
     (void)s;
 }
 
-/* Bit by bit, 64 of n and 32 behind them, but for the zeros that it begins
- * with. A rest, below 2^50, has room for the next bit. */
+/* Bit by bit, 64 of n and 32 behind them, but for leading zeros. The rest,
+ * below 2^50, has room for the next bit. */
 static uint64_t divide(const struct pel_plane_setup *s, uint64_t n,
                        uint64_t *fine)
 {
@@ -113,14 +112,15 @@ static void gradient(const struct pel_plane_setup *s, int64_t n, uint64_t *fine,
     }
 }
 
-/* Vertex i, from the topmost one. */
-static struct pel_point way_to(const struct pel_plane_setup *s,
-                               const struct pel_point v[3], int i)
+/* From the topmost vertex to vertex i. */
+static struct pel_point vector_to(const struct pel_plane_setup *s,
+                                  const struct pel_point v[3], int i)
 {
     return (struct pel_point){v[i].x - s->a.x, v[i].y - s->a.y};
 }
 
-/* Which of the others is the second one is as if the area were positive. */
+/* The second and third vertices are in the order that makes the area positive.
+ */
 bool pel_plane_start(struct pel_plane_setup *setup, const struct pel_point v[3])
 {
     struct pel_plane_setup *s = setup;
@@ -130,8 +130,8 @@ bool pel_plane_start(struct pel_plane_setup *setup, const struct pel_point v[3])
     s->second = (uint8_t)(area < 0 ? 3 - a - b : b);
     s->third = (uint8_t)(area < 0 ? b : 3 - a - b);
     s->a = v[a];
-    s->ab = way_to(s, v, s->second);
-    s->ac = way_to(s, v, s->third);
+    s->ab = vector_to(s, v, s->second);
+    s->ac = vector_to(s, v, s->third);
     s->area = (uint64_t)pel_size_of(area);
     if (area)
         invert(s);
@@ -139,9 +139,9 @@ bool pel_plane_start(struct pel_plane_setup *setup, const struct pel_point v[3])
 }
 
 /* With nx = (vb - va) ac.y - (vc - va) ab.y, below 2^57, the gradient is nx /
- * area; in y alike. The anchor is the pixel of a, whose centre is up to 128
- * sub-pixels away. From there a step of a pixel has eight bits more, which keep
- * the longest way right to 2^16 2^-24. */
+ * area; in y alike. The gradient of a sub-pixel leads from a to the centre of
+ * its pixel, up to 128 sub-pixels away; from there that of a pixel has eight
+ * bits more, which keeps the longest distance right to 2^16 2^-24. */
 void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
                    const int32_t value[3])
 {

@@ -7,23 +7,22 @@
 PEL_BEGIN_DECLS
 
 /* At the centre of pixel (x, y): at + x dx + y dy, in 2^-24, modulo 2^64. Right
- * where the value fits, which is inside the triangle; gradients may wrap, so
- * that slivers need no special case. */
+ * inside the triangle; gradients may wrap, so slivers need no special case. */
 struct pel_plane {
     uint64_t at, dx, dy;
 };
 
-/* What all planes of a triangle share. */
+/* The part of the set-up that all planes of a triangle share. */
 struct pel_plane_setup {
     struct pel_point a;      /* the topmost vertex */
-    struct pel_point ab, ac; /* to the others */
+    struct pel_point ab, ac; /* from it to the others */
     uint64_t area;           /* twice the triangle's */
     uint64_t inverse;        /* of it, 2^-(shift + 32), 63 bits */
     uint8_t shift;
-    uint8_t first, second, third; /* which vertices they are */
+    uint8_t first, second, third; /* indices of a and the others */
 };
 
-/* v is legal. One division. False: no area, and nothing may be set. */
+/* v is legal. One division. False: no area; planes must not be set. */
 bool pel_plane_start(struct pel_plane_setup *setup,
                      const struct pel_point v[3]);
 

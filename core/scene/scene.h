@@ -1,11 +1,10 @@
-/* What a picture is made of: a mesh, a camera, light, a look. It is drawn by
- * pipeline.h. */
+/* A scene: a mesh, its camera, light, texture and settings. pipeline.h draws
+ * it. */
 #ifndef PEL_SCENE_SCENE_H
 #define PEL_SCENE_SCENE_H
 
 #include "../base/color.h"
-#include "depth_sort.h"
-#include "projector.h"
+#include "camera.h"
 
 PEL_BEGIN_DECLS
 
@@ -13,7 +12,7 @@ struct pel_lighting;
 struct pel_mesh_texture;
 struct pel_shading;
 
-/* Which sides of a triangle are drawn; the front one shows its vertices
+/* Sides of triangles that are not drawn; the front shows the vertices
  * counter-clockwise. */
 enum pel_cull { PEL_CULL_NONE, PEL_CULL_BACK, PEL_CULL_FRONT };
 
@@ -25,27 +24,37 @@ static inline bool pel_side_drawn(enum pel_cull cull, int64_t area)
                                    : area > 0;
 }
 
+struct pel_depth_entry {
+    int32_t depth; /* any number that grows with the distance */
+    uint32_t index;
+};
+
+/* Sorts by falling depth, equal depths by rising index, so the result is the
+ * same on every CPU. In place, without recursion, at most about 2 n log2(n)
+ * comparisons for any input. */
+void pel_depth_sort(struct pel_depth_entry *entry, uint32_t n);
+
 /* All of it is the caller's, and stays while frames of it are drawn. */
 struct pel_scene {
     const struct pel_mesh *mesh;
-    const struct pel_pose *pose; /* NULL: world places are those of the mesh */
+    const struct pel_pose
+        *pose; /* NULL: world positions are those of the mesh */
     struct pel_camera camera;
     struct pel_rect viewport; /* px; nothing is drawn outside */
 
     const struct pel_shading *shading;   /* shading.h */
     const struct pel_lighting *lighting; /* light.h; for shadings with light */
-    const struct pel_mesh_texture *texture; /* mapping.h; NULL: no texture */
+    const struct pel_mesh_texture *texture; /* shading.h; NULL: no texture */
     pel_color color;      /* of a mesh without colours; alpha is not used */
     uint8_t transparency; /* 0: opaque; 255: nothing is drawn */
 
     enum pel_cull cull;
 
-    /* Painter's order, from the farthest to the nearest: by the exact sum of
-     * the depths of three vertices, equal ones by index. NULL: the order of the
+    /* pel_depth_sort for painter's order, from the farthest to the nearest, by
+     * the exact sum of the depths of three vertices. NULL: the order of the
      * mesh, for depth buffers. */
     void (*sort)(struct pel_depth_entry *entry, uint32_t n);
 };
 
 PEL_END_DECLS
-
 #endif

@@ -1,5 +1,67 @@
 #include "shading.h"
 
+/* A channel of struct pel_gouraud in 1/256 steps: it has a half more, so that
+ * its upper 8 bits are rounded. */
+static uint32_t channel(uint32_t v)
+{
+    return v < 0x800000u ? 0 : (v - 0x7F8000u) >> 16;
+}
+
+/* Channel k of the surface in 1/256 steps. */
+static uint32_t surface_of(const struct pel_phong *p, int k, int32_t x,
+                           int32_t y, pel_color under)
+{
+    const struct pel_gouraud *g = &p->colors;
+    if (p->surface)
+        return (under >> 8 * k & 255) << 8;
+    return channel(g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k]);
+}
+
+/* Not inlined: its stack is free while the surface computes its colors. */
+static PEL_NOINLINE void light(const struct pel_phong *p, int32_t x, int32_t y,
+                               int32_t n, pel_color *out)
+{
+    uint64_t at[6];
+    for (int k = 0; k < 6; k++)
+        at[k] = pel_plane_at(&p->plane[k], x, y);
+    for (; n > 0; n--, x++, out++) {
+        struct pel_light_sum sum;
+        int32_t whole[6]; /* normal, position */
+        pel_color lit = pel_round_div255(pel_alpha(*out) * p->alpha) << 24;
+        for (int k = 0; k < 6; k++) {
+            whole[k] = pel_plane_whole(at[k]);
+            at[k] += p->plane[k].dx;
+        }
+        pel_mesh_lights_sum(p->lights, whole + 3, whole, &sum);
+        for (int k = 0; k < 3; k++)
+            lit |= pel_lit_channel(&sum, 2 - k, surface_of(p, k, x, y, *out))
+                   << 8 * k;
+        *out = lit;
+    }
+}
+
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
+{
+    const struct pel_phong *p = (const void *)paint;
+    if (p->surface)
+        p->surface->colors(p->surface, x, y, n, out);
+    else
+        for (int32_t i = 0; i < n; i++)
+            out[i] = UINT32_C(0xFF000000);
+    light(p, x, y, n, out);
+}
+
+/* The planes of three values, value[i][k] at vertex i. */
+static void set_planes(struct pel_frame *frame, int32_t value[3][3],
+                       struct pel_plane plane[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const int32_t vertex[3] = {value[0][k], value[1][k], value[2][k]};
+        pel_frame_plane(frame, vertex, &plane[k]);
+    }
+}
+
 static const struct pel_paint *paint(struct pel_frame *frame,
                                      const struct pel_color_paint *surface)
 {
@@ -8,17 +70,17 @@ static const struct pel_paint *paint(struct pel_frame *frame,
     struct pel_phong *p = &frame->work->paint.phong;
     int32_t value[3][3];
     pel_color color[3];
-    pel_phong_init(p, frame->opaque);
+    pel_color_paint_init(&p->base, colors, frame->opaque);
     p->lights = &frame->lights;
     p->surface = surface;
     p->alpha = frame->alpha;
     for (int i = 0; i < 3; i++)
         pel_mesh_normal(mesh, t->vertex[i], value[i]);
-    pel_frame_planes(frame, value, p->plane);
+    set_planes(frame, value, p->plane);
     for (int i = 0; i < 3; i++)
-        pel_mesh_lights_place(&frame->lights, mesh->positions[t->vertex[i]],
-                              value[i]);
-    pel_frame_planes(frame, value, p->plane + 3);
+        pel_mesh_lights_position(&frame->lights, mesh->positions[t->vertex[i]],
+                                 value[i]);
+    set_planes(frame, value, p->plane + 3);
     if (!surface) {
         pel_frame_colors(frame, color);
         pel_frame_gouraud(frame, color, &p->colors);

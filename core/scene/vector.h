@@ -1,12 +1,18 @@
-/* Numbers of the 3-D pipeline. Space is right-handed, y up; vectors are
- * columns. What has no name here is a plain integer with its unit beside it. */
+/* Vectors and rotations of the 3-D pipeline. Space is right-handed, y up;
+ * vectors are columns. */
 #ifndef PEL_SCENE_VECTOR_H
 #define PEL_SCENE_VECTOR_H
 
 #include "../base/point.h"
 #include "../base/inline.h"
+/* Inline where a CPU has 64 bits; elsewhere functions of vector.c. */
+#if PEL_64BIT
+#include "vector_sums.h"
+#endif
 
-/* Places in the world: 1/65,536 unit, from -16,384 to 16,384 units. A
+PEL_BEGIN_DECLS
+
+/* Positions in the world: 1/65,536 unit, from -16,384 to 16,384 units. A
  * difference of two fits 32 bits unsigned, and their sum weighted by a unit
  * vector 62. */
 typedef int32_t pel_length;
@@ -16,7 +22,7 @@ typedef int32_t pel_length;
 /* n units, for constant expressions too; a constant may have a fraction. */
 #define PEL_UNITS(n) PEL_CAST(pel_length, (n)*INT64_C(65536))
 
-/* Parts of unit vectors: 2^-30, from -1 to 1. */
+/* Components of unit vectors: 2^-30, from -1 to 1. */
 typedef int32_t pel_cosine;
 
 #define PEL_COSINE_ONE (INT32_C(1) << 30)
@@ -27,12 +33,7 @@ typedef int32_t pel_factor;
 #define PEL_FACTOR(percent) PEL_CAST(pel_factor, (percent)*INT64_C(65536) / 100)
 #define PEL_FACTOR_END (UINT32_C(16) * 65536)
 
-/* Sums are in the header where they are short, and in vector.c where 64 bits
- * are long code. */
-#if PEL_64BIT
-#include "vector_sums.h"
-#else
-PEL_BEGIN_DECLS
+#if !PEL_64BIT
 int64_t pel_scale_down(int64_t v, int n);
 int32_t pel_scaled(int32_t a, int32_t b, int n);
 int64_t pel_dot(const int32_t a[3], const int32_t b[3]);
@@ -49,23 +50,51 @@ static inline int64_t pel_size_of(int64_t v)
     return v < 0 ? -v : v;
 }
 
-/* At least the largest size of a part, and with as many bits. */
-uint64_t pel_reach_of(const int64_t v[3]);
+/* An upper bound of |v[k]|, with as many bits as the largest of them. */
+uint64_t pel_vector_bound(const int64_t v[3]);
 
 /* a b - c d; must fit. */
 int64_t pel_minor(int32_t a, int32_t b, int32_t c, int32_t d);
 
-/* A direction for light: unit gets v scaled to length 1, each part off by less
- * than 2^-21. No division. |v[k]| <= 2^30; false, and all 0, when v is 0. unit
- * may be v. */
-bool pel_unit_near(const int32_t v[3], pel_cosine unit[3]);
+/* unit = v / |v|, each component off by less than 2^-21. No division.
+ * |v[k]| <= 2^30; false, and all 0, when v is 0. unit may be v. */
+bool pel_normalize_fast(const int32_t v[3], pel_cosine unit[3]);
 
-/* A direction for places: the same, off by less than 2^-28, by divisions.
- * |v[k]| < 2^62. */
-bool pel_unit_exact(const int64_t v[3], pel_cosine unit[3]);
+/* The same, off by less than 2^-28. |v[k]| < 2^62. */
+bool pel_normalize(const int64_t v[3], pel_cosine unit[3]);
 
-/* v times a power of two, so that the largest part is in [2^29, 2^30]; rounded
- * where v has more bits. False, and all 0, when v is 0. |v[k]| < 2^62. */
+/* v times a power of two, so that the largest component is in [2^29, 2^30];
+ * rounded where v has more bits. False, and all 0, when v is 0. |v[k]| < 2^62.
+ */
 bool pel_vector_fit(const int64_t v[3], int32_t fit[3]);
+
+/* A rotation: orthogonal, with determinant 1, but for rounding. */
+struct pel_matrix {
+    pel_cosine row[3][3];
+};
+
+#define PEL_MATRIX_IDENTITY                                 \
+    {                                                       \
+        {                                                   \
+            {PEL_COSINE_ONE, 0, 0}, {0, PEL_COSINE_ONE, 0}, \
+            {                                               \
+                0, 0, PEL_COSINE_ONE                        \
+            }                                               \
+        }                                                   \
+    }
+
+/* The turn around axis 0, 1 or 2 (x, y, z) by an angle in 1/65,536 turns:
+ * counter-clockwise when the axis points at the viewer. The angle is that of
+ * pel_direction, to 2^-15 radians; the matrix is orthogonal to 2^-29. */
+void pel_matrix_turn(struct pel_matrix *m, int axis, uint16_t turn);
+
+/* m = a b: b is done first. m may be a. Entries are rounded to the nearest. */
+void pel_matrix_multiply(struct pel_matrix *m, const struct pel_matrix *a,
+                         const struct pel_matrix *b);
+
+/* out = m v 2^-shift, rounded, 0 <= shift <= 60; for |v[k]| <= 2^31, which
+ * keeps sums below 3 2^61. out may be v. */
+void pel_matrix_apply(const struct pel_matrix *m, const int64_t v[3], int shift,
+                      int64_t out[3]);
 PEL_END_DECLS
 #endif

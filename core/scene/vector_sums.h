@@ -1,4 +1,4 @@
-/* Bodies for vector.h or for vector.c. */
+/* Functions of vector.h, compiled there or in vector.c. */
 #ifndef PEL_SCENE_VECTOR_SUMS_H
 #define PEL_SCENE_VECTOR_SUMS_H
 
@@ -22,7 +22,7 @@ PEL_WIDE_SUM int32_t pel_scaled(int32_t a, int32_t b, int n)
     return PEL_CAST(int32_t, pel_scale_down(pel_long_product(a, b), n));
 }
 
-/* The product of vectors whose sizes multiply to less than 2^63. */
+/* The dot product of vectors whose lengths multiply to less than 2^63. */
 PEL_WIDE_SUM int64_t pel_dot(const int32_t a[3], const int32_t b[3])
 {
     return pel_long_product(a[0], b[0]) + pel_long_product(a[1], b[1]) +

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/image/glyph_find.h"
+#include "core/image/glyph_text.h"
 #include "sim/font/asset.h"
 #include "sim/asset/text.h"
 #include "sim/cli/message.h"

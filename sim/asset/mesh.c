@@ -10,7 +10,7 @@ struct import {
     struct import_text text;
     const struct import_options *options;
     const struct mesh *mesh;
-    struct pel_mesh_quantum position, texture;
+    struct pel_quantization position, texture;
 };
 
 /* Element i of an array, n numbers of it. */
@@ -90,7 +90,7 @@ static void write_arrays(struct import *import)
     write_array(import, &indices, get_triangle);
 }
 
-static void write_quantum(FILE *out, const struct pel_mesh_quantum *q)
+static void write_quantum(FILE *out, const struct pel_quantization *q)
 {
     fprintf(out, "    {{%ld, %ld, %ld}, %ld, %ld},\n", (long)q->offset[0],
             (long)q->offset[1], (long)q->offset[2], (long)q->step,

@@ -37,7 +37,7 @@ static void write_asset(struct import_text *text,
         .height = (uint16_t)surface->bounds.y1,
         .stride = surface->stride,
     };
-    image.size = pel_image_lines(&image) * (uint32_t)image.stride;
+    image.size = pel_image_rows(&image) * (uint32_t)image.stride;
     fprintf(out, "\nstatic const union {\n    uint8_t bytes[%u];\n",
             image.size);
     fprintf(out, "    uint32_t word;\n} %s_pixels = {{", name);

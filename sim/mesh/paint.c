@@ -10,14 +10,14 @@
  * finds the same texel. */
 static void sample(struct mesh *mesh, const struct picture *texture)
 {
-    const struct pel_mesh_quantum q = import_quantum_uv(mesh);
+    const struct pel_quantization q = import_quantum_uv(mesh);
     for (uint32_t i = 0; i < mesh->vertices; i++) {
         struct mesh_vertex *v = &mesh->vertex[i];
         double at[2];
         for (int k = 0; k < 2; k++) {
             const long number = import_quantised(&q, k, v->uv[k]);
             at[k] =
-                ldexp(pel_mesh_quantum_value(&q, k, (int32_t)number), -q.shift);
+                ldexp(pel_quantization_value(&q, k, (int32_t)number), -q.shift);
         }
         v->color = texture_at(texture, at[0], at[1]);
     }

@@ -70,9 +70,9 @@ static void frustum_point(const struct frustum *frustum, const double world[3],
 
 static void place_of(const struct pel_mesh *mesh, uint32_t i, double place[3])
 {
-    const struct pel_mesh_quantum *q = &mesh->position;
+    const struct pel_quantization *q = &mesh->position;
     for (int k = 0; k < 3; k++)
-        place[k] = ldexp(pel_mesh_quantum_value(q, k, mesh->positions[i][k]),
+        place[k] = ldexp(pel_quantization_value(q, k, mesh->positions[i][k]),
                          -q->shift);
 }
 

@@ -20,7 +20,7 @@ static double uv_of(const struct pel_mesh *mesh, uint32_t vertex, int axis)
     if (!mesh->uv)
         return 0;
     return ldexp(
-        pel_mesh_quantum_value(&mesh->texture, axis, mesh->uv[vertex][axis]),
+        pel_quantization_value(&mesh->texture, axis, mesh->uv[vertex][axis]),
         -mesh->texture.shift);
 }
 
@@ -85,7 +85,7 @@ static bool add_corner(struct projection *p, const uint32_t vertex[3],
         v.u += weight * uv_of(&p->scene->mesh, vertex[k], 0);
         v.v += weight * uv_of(&p->scene->mesh, vertex[k], 1);
     }
-    return add(p, &v, c->place[2]);
+    return add(p, &v, c->position[2]);
 }
 
 /* The others have vertices of their own, as a fan. */
@@ -98,7 +98,7 @@ static bool add_clipped(struct projection *p, const uint32_t corner[3])
     for (int k = 0; k < 3; k++) {
         clip.polygon[0][k] = &clip.corner[k];
         pel_project_coarse(projector, p->scene->mesh.positions[corner[k]],
-                           clip.corner[k].place);
+                           clip.corner[k].position);
     }
     const int32_t n = pel_clip_triangle(projector, &clip);
     p->clipped++;

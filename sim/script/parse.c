@@ -1,7 +1,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/image/glyph_find.h"
+#include "core/image/glyph_text.h"
 #include "sim/image/format_names.h"
 #include "sim/cli/list.h"
 #include "sim/cli/message.h"

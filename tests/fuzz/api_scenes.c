@@ -16,7 +16,7 @@ struct place {
     uint8_t colors[VERTICES][3], indices[TRIANGLES][3];
 };
 
-static void take_quantum(struct api *a, struct pel_mesh_quantum *q)
+static void take_quantum(struct api *a, struct pel_quantization *q)
 {
     for (int k = 0; k < 3; k++)
         q->offset[k] = input_number(&a->in);

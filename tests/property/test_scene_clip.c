@@ -165,7 +165,7 @@ static void any_far_plane(struct random *r, struct plane *p)
         p->positions[i][0] = (int16_t)(i % ROW * cell - cell * CELLS / 2);
         p->positions[i][2] = (int16_t)(i / ROW * cell - cell * CELLS / 2);
     }
-    p->mesh.position = (struct pel_mesh_quantum){{far, far, far}, 1, 16};
+    p->mesh.position = (struct pel_quantization){{far, far, far}, 1, 16};
     for (int k = 0; k < 3; k++) {
         const int32_t reach = k == 1 ? 3000 : cell * CELLS / 2;
         p->scene.camera.eye[k] = far + random_between(r, -reach, reach);

@@ -1,7 +1,6 @@
 /* Vertex normals from faces, and the light of a place, in extended precision.
  */
 #include "core/pel.h"
-#include "core/scene/normals.h"
 #include "tests/support/any_scene.h"
 #include "tests/support/check.h"
 #include "tests/support/reference_scene.h"
@@ -102,16 +101,15 @@ static void test_light_of_a_place(void)
             const real white[3] = {255, 255, 255};
             real place[3], normal[3], want[3];
             int32_t at[3], n[3];
-            struct pel_shine shine;
-            pel_mesh_lights_place(&lights, s.positions[i], at);
+            struct pel_light_sum sum;
+            pel_mesh_lights_position(&lights, s.positions[i], at);
             pel_mesh_normal(&s.mesh, i, n);
-            pel_mesh_lights_shine(&lights, at, n, &shine);
+            pel_mesh_lights_sum(&lights, at, n, &sum);
             reference_place(&s.scene, i, place);
             reference_normal(&s.scene, i, normal);
             reference_light(&s.scene, place, normal, white, want);
             for (int k = 0; k < 3; k++) {
-                real off =
-                    (real)(shine.surface[k] + shine.plain[k]) * 255 / 65536;
+                real off = (real)(sum.surface[k] + sum.plain[k]) * 255 / 65536;
                 off = off > 255 ? 255 - want[k] : off - want[k];
                 off = off < 0 ? -off : off;
                 worst = off > worst ? off : worst;

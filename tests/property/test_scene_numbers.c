@@ -108,14 +108,14 @@ static void test_directions(void)
                     any_number(r, random_between(r, 1, 28)) * 2 * half + half;
             v[random_word(r) % 3] = half << 30;
         }
-        if (!pel_unit_exact(v, unit))
+        if (!pel_normalize(v, unit))
             continue;
         real off = worst_part(v, unit);
         exact = off > exact ? off : exact;
         if (bits > 30)
             continue;
         const int32_t small[3] = {(int32_t)v[0], (int32_t)v[1], (int32_t)v[2]};
-        assert_true(pel_unit_near(small, unit));
+        assert_true(pel_normalize_fast(small, unit));
         off = worst_part(v, unit);
         near = off > near ? off : near;
     }

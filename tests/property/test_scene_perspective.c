@@ -181,7 +181,7 @@ static void test_a_floor_to_the_horizon(void)
 static void test_what_reaches_too_far_is_refused(void)
 {
     static const struct {
-        struct pel_mesh_quantum quantum;
+        struct pel_quantization quantum;
         enum pel_status status;
     } rows[] = {{{{0, 0, 0}, 1, 3}, PEL_OK},
                 {{{0, 0, 0}, 1, 2}, PEL_ERROR_RANGE},

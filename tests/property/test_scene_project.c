@@ -104,11 +104,11 @@ static void move_to_a_vertex(struct random *r, struct any_scene *s)
 {
     struct pel_camera *c = &s->scene.camera;
     const struct pel_pose *pose = s->scene.pose;
-    const struct pel_mesh_quantum *q = &s->mesh.position;
+    const struct pel_quantization *q = &s->mesh.position;
     const uint32_t near = random_word(r) % s->mesh.vertices;
     int64_t v[3];
     for (int k = 0; k < 3; k++)
-        v[k] = pel_mesh_quantum_value(q, k, s->positions[near][k]);
+        v[k] = pel_quantization_value(q, k, s->positions[near][k]);
     if (pose)
         pel_matrix_apply(&pose->turn, v, 30, v);
     for (int k = 0; k < 3; k++) {

@@ -31,7 +31,7 @@ static void any_mesh(struct random *r, struct any_scene *s)
  * its origin. */
 static void any_quantum(struct random *r, struct any_scene *s)
 {
-    struct pel_mesh_quantum *q = &s->mesh.position;
+    struct pel_quantization *q = &s->mesh.position;
     const int32_t extent = 32768 * q->step;
     const int32_t units = random_between(r, -4, 8); /* log2 */
     q->shift = pel_bits_of((uint64_t)extent) - units;
@@ -53,7 +53,7 @@ static void any_pose(struct random *r, struct any_scene *s)
 /* The middle of the mesh in the world, and how far it reaches from there. */
 static pel_length middle_of(const struct any_scene *s, pel_length middle[3])
 {
-    const struct pel_mesh_quantum *q = &s->mesh.position;
+    const struct pel_quantization *q = &s->mesh.position;
     int64_t v[3];
     for (int k = 0; k < 3; k++)
         v[k] = q->offset[k];

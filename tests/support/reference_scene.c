@@ -55,7 +55,7 @@ static void turn(const struct pel_scene *s, real v[3])
 void reference_place(const struct pel_scene *scene, uint32_t vertex,
                      real place[3])
 {
-    const struct pel_mesh_quantum *q = &scene->mesh->position;
+    const struct pel_quantization *q = &scene->mesh->position;
     for (int k = 0; k < 3; k++)
         place[k] = ((real)q->offset[k] +
                     (real)scene->mesh->positions[vertex][k] * q->step) /
@@ -229,7 +229,7 @@ void reference_texel(const struct pel_mesh_texture *texture, real u, real v,
 
 void reference_uv(const struct pel_scene *scene, uint32_t vertex, real uv[2])
 {
-    const struct pel_mesh_quantum *q = &scene->mesh->texture;
+    const struct pel_quantization *q = &scene->mesh->texture;
     const struct pel_texels *t = &scene->texture->texels;
     for (int k = 0; k < 2; k++)
         uv[k] =

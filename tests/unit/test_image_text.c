@@ -1,7 +1,6 @@
 /* Text: UTF-8, glyphs of code points, places and sizes, drawn pictures. */
 #include <string.h>
 
-#include "core/image/glyph_find.h"
 #include "core/image/glyph_text.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"

@@ -1,4 +1,0 @@
-#include "shading.h"
-
-const struct pel_shading pel_shade_lit_flat = {
-    pel_shade_start_light, pel_shade_light_vertex, pel_shade_flat_paint};
