@@ -95,6 +95,8 @@
 #ifndef PEL_BUFFER_PIXELS
 #if PEL_FAST_64BIT
 #define PEL_BUFFER_PIXELS 32
+#elif PEL_KNOW_SIDES
+#define PEL_BUFFER_PIXELS 16
 #else
 #define PEL_BUFFER_PIXELS 4
 #endif
