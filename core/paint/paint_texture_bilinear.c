@@ -15,7 +15,7 @@ static inline uint32_t mix_lines(uint32_t a, uint32_t b, uint32_t f)
 }
 
 /* The four texels a b over c d with the weights fu / 256, fv / 256. */
-static PEL_ALWAYS_INLINE pel_color mixed(const pel_color t[4], uint32_t fu,
+static PEL_WALK pel_color mixed(const pel_color t[4], uint32_t fu,
                                          uint32_t fv)
 {
     const uint32_t mask = 0xFF00FFu;
@@ -49,7 +49,7 @@ static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
     }
 }
 
-#if PEL_FAST_64BIT
+#if PEL_KNOW_SIDES
 
 /* A run that does not leave the picture. */
 static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
@@ -67,7 +67,7 @@ static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
     }
 }
 
-/* A run of a kind that is read without a call. */
+/* Each kind has a loop of its own. */
 static void fast_run(const struct pel_texture *p,
                      const struct pel_texture_axes *a, int32_t n,
                      pel_color *out)
@@ -76,8 +76,10 @@ static void fast_run(const struct pel_texture *p,
         inner_run(p, PEL_TEXTURE_COLORS, a, n, out);
     else if (p->kind == PEL_TEXTURE_XRGB8888)
         inner_run(p, PEL_TEXTURE_XRGB8888, a, n, out);
-    else
+    else if (p->kind == PEL_TEXTURE_RGB565_LE)
         inner_run(p, PEL_TEXTURE_RGB565_LE, a, n, out);
+    else
+        inner_run(p, p->kind, a, n, out);
 }
 
 #endif
@@ -88,8 +90,8 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     const struct pel_texture *p = (const void *)paint;
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y, PEL_TEXTURE_HALF_BACK);
-#if PEL_FAST_64BIT
-    if (p->kind != PEL_TEXTURE_ANY && pel_texture_axes_inside(&a, p, n, 1)) {
+#if PEL_KNOW_SIDES
+    if (pel_texture_axes_inside(&a, p, n, 1)) {
         if (!pel_texture_bilinear_run(p, &a, n, out))
             fast_run(p, &a, n, out);
         return;
