@@ -55,8 +55,6 @@ static void copy_run(const struct run *r, int32_t bits)
 {
     if (bits < 8)
         copy_bits(r, bits);
-    else if (!r->keyed && r->set == 0)
-        memcpy(r->to, r->from, (size_t)(r->n * bits / 8));
     else if (bits == 8)
         copy8(r);
     else if (bits == 16)
@@ -89,16 +87,19 @@ bool pel_copy_same(const struct pel_surface *surface,
     const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
     const int32_t to = (r.x0 - surface->bounds.x0) * f->bits;
     const int32_t from = (r.x0 - dx - source->bounds.x0) * f->bits;
-    struct run run = {.n = r.x1 - r.x0,
-                      .to_bit = to & 7,
-                      .from_bit = from & 7,
-                      .set = f->pack(0),
-                      .skip = key ? f->pack(*key) : 0,
-                      .keyed = key != NULL};
+    struct run run = {NULL,     NULL,       r.x1 - r.x0, to & 7,
+                      from & 7, f->pack(0), 0,           key};
+    const bool whole = !key && f->bits >= 8 && run.set == 0;
+    const size_t size = (size_t)(run.n * f->bits / 8);
+    if (key)
+        run.skip = f->pack(*key);
     for (int32_t y = r.y0; y < r.y1; y++) {
         run.to = (uint8_t *)pel_surface_line(surface, y) + to / 8;
         run.from = (uint8_t *)pel_surface_line(source, y - dy) + from / 8;
-        copy_run(&run, f->bits);
+        if (whole)
+            memcpy(run.to, run.from, size);
+        else
+            copy_run(&run, f->bits);
     }
     return true;
 }
