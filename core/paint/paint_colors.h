@@ -41,7 +41,8 @@ struct pel_color_paint {
     }
 
 /* Are opaque colours the surface's pixels themselves? In xrgb8888 on a
- * little-endian CPU. Not where code is to be small: that format is rare there. */
+ * little-endian CPU. Not where code is to be small: that format is rare
+ * there. */
 static inline bool pel_colors_in_place(const struct pel_color_paint *paint,
                                        const struct pel_surface *surface)
 {

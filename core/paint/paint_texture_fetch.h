@@ -51,7 +51,7 @@ static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,
         return PEL_LE32(((const pel_word32 *)line)[u]) | UINT32_C(0xFF000000);
     if (kind == PEL_TEXTURE_RGB565_LE)
         return pel_texel_of_565(PEL_LE16(((const pel_word16 *)line)[u]));
-    if (kind == PEL_TEXTURE_BYTE)
+    if (PEL_KNOW_SIDES && kind == PEL_TEXTURE_BYTE)
         return p->surface->format->unpack(((const uint8_t *)line)[u]);
     pel_color color;
     p->surface->format->load(p->surface, u + p->surface->bounds.x0,
