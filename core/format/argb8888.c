@@ -28,6 +28,6 @@ const struct pel_format pel_argb8888 = {
     .unpack = unpack,
     .fill = pel_fill32,
     .blend = blend32,
-    .put = put32,
+    .put = put,
     .load = load,
 };

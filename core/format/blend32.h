@@ -100,28 +100,6 @@ static PEL_ALWAYS_INLINE void pel_blend32_run(pel_word32 *p, int32_t n,
     }
 }
 
-/* Four colours, as `pixels` packs them, over those at p, each by its own alpha;
- * `unused`: the X bits. */
-static PEL_ALWAYS_INLINE void pel_put32_four(pel_word32 *p,
-                                             const pel_color *colors,
-                                             pel_u32x4 pixels, uint32_t unused)
-{
-    const pel_u32x4 a = pel_get_u32x4(colors) >> 24, pair = a | a << 16;
-    const pel_u32x4 none = (pel_u32x4)(a == 0), below = pel_get_u32x4(p);
-    const pel_u8x16 s = (pel_u8x16)pixels, d = (pel_u8x16)below, zero = {0};
-    const pel_u16x8 al = (pel_u16x8)PEL_LANES(pair, pair, 0, 0, 1, 1);
-    const pel_u16x8 ah = (pel_u16x8)PEL_LANES(pair, pair, 2, 2, 3, 3);
-    const pel_u16x8 low = (pel_u16x8)pel_zip_low_u8x16(s, zero) * al +
-                          (pel_u16x8)pel_zip_low_u8x16(d, zero) * (255 - al);
-    const pel_u16x8 high = (pel_u16x8)pel_zip_high_u8x16(s, zero) * ah +
-                           (pel_u16x8)pel_zip_high_u8x16(d, zero) * (255 - ah);
-    const pel_u32x4 mixed =
-        (pel_u32x4)pel_join_u8x16(pel_divide255_u16x8(low + 128),
-                                  pel_divide255_u16x8(high + 128)) |
-        unused;
-    pel_put_u32x4(p, (mixed & ~none) | (below & none));
-}
-
 /* A format's blend, in blend32.c. */
 void pel_blend32_rows(const struct pel_spans *spans, pel_color color);
 

@@ -14,6 +14,6 @@ const struct pel_format pel_xbgr8888 = {
     .unpack = unpack,
     .fill = pel_fill32,
     .blend = blend32,
-    .put = put32,
+    .put = put,
     .load = load,
 };
