@@ -71,7 +71,7 @@
 /* Pixels of the colour buffer between a paint and a format, 4 to 255: 4 bytes
  * of stack each. */
 #ifndef PEL_BUFFER_PIXELS
-#define PEL_BUFFER_PIXELS (PEL_64BIT ? 32 : 4)
+#define PEL_BUFFER_PIXELS (PEL_64BIT ? 32 : PEL_KNOW_SIDES ? 16 : 4)
 #endif
 
 #if PEL_BATCH_ROWS < 4 || PEL_BATCH_ROWS > 255 || PEL_BUFFER_PIXELS < 4 || \

@@ -128,7 +128,7 @@ static int32_t bytes_of(const struct pel_texture *p)
 
 static bool is_fit(const struct pel_texture *p)
 {
-    return p->kind != PEL_TEXTURE_ANY &&
+    return p->kind < PEL_TEXTURE_BYTE &&
            pel_texture_stride_fits(p, bytes_of(p));
 }
 

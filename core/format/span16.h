@@ -2,8 +2,7 @@
 #ifndef PEL_FORMAT_SPAN16_H
 #define PEL_FORMAT_SPAN16_H
 
-#include "vector.h"
-#include "word.h"
+#include "span32.h"
 
 #if PEL_VECTORS
 
@@ -60,39 +59,6 @@ static inline pel_value16 pel_make_value16(uint32_t pixel)
 {
     return pixel | pixel << 16;
 }
-
-/* `blocks` >= 1 times eight pixels of v, and where the next ones go. Arm stores
- * four registers with one instruction, which compilers do not find. */
-#if defined(__arm__) && defined(__GNUC__)
-static inline pel_word32 *pel_put_blocks(pel_word32 *q, int32_t blocks,
-                                         uint32_t v)
-{
-    register uint32_t a __asm__("r3") = v;
-    register uint32_t b __asm__("r4") = v;
-    register uint32_t c __asm__("r5") = v;
-    register uint32_t d __asm__("r6") = v;
-    do
-        __asm__ volatile("stmia %0!, {%1, %2, %3, %4}"
-                         : "+l"(q)
-                         : "l"(a), "l"(b), "l"(c), "l"(d)
-                         : "memory");
-    while (--blocks);
-    return q;
-}
-#else
-static inline pel_word32 *pel_put_blocks(pel_word32 *q, int32_t blocks,
-                                         uint32_t v)
-{
-    do {
-        q[0] = v;
-        q[1] = v;
-        q[2] = v;
-        q[3] = v;
-        q += 4;
-    } while (--blocks);
-    return q;
-}
-#endif
 
 /* Pairs of pixels as words, once the address allows it. */
 static inline void pel_span16(pel_word16 *p, int32_t n, pel_value16 v)

@@ -81,15 +81,46 @@ static inline pel_value32 pel_make_value32(uint32_t pixel)
     return pixel;
 }
 
+/* `blocks` >= 1 times 16 bytes of v, and where the next ones go. Arm stores
+ * four registers with one instruction, which compilers do not find. */
+#if defined(__arm__) && defined(__GNUC__)
+static inline pel_word32 *pel_put_blocks(pel_word32 *q, int32_t blocks,
+                                         uint32_t v)
+{
+    register uint32_t a __asm__("r3") = v;
+    register uint32_t b __asm__("r4") = v;
+    register uint32_t c __asm__("r5") = v;
+    register uint32_t d __asm__("r6") = v;
+    do
+        __asm__ volatile("stmia %0!, {%1, %2, %3, %4}"
+                         : "+l"(q)
+                         : "l"(a), "l"(b), "l"(c), "l"(d)
+                         : "memory");
+    while (--blocks);
+    return q;
+}
+#else
+static inline pel_word32 *pel_put_blocks(pel_word32 *q, int32_t blocks,
+                                         uint32_t v)
+{
+    do {
+        q[0] = v;
+        q[1] = v;
+        q[2] = v;
+        q[3] = v;
+        q += 4;
+    } while (--blocks);
+    return q;
+}
+#endif
+
 static inline void pel_span32(pel_word32 *p, int32_t n, pel_value32 v)
 {
-    for (; n >= 4; n -= 4, p += 4) {
-        p[0] = v;
-        p[1] = v;
-        p[2] = v;
-        p[3] = v;
-    }
-    for (; n > 0; n--)
+    if (n <= 0)
+        return;
+    if (n >= 4)
+        p = pel_put_blocks(p, n >> 2, v);
+    for (n &= 3; n > 0; n--)
         *p++ = v;
 }
 

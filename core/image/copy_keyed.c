@@ -13,7 +13,9 @@ void pel_copy_keyed(const struct pel_surface *surface,
                     const struct pel_copy_part *copy, pel_color key)
 {
     const struct pel_format *format = copy->source->format;
-    if (format->unpack) /* not a fill-only twin, of which nothing is copied */
-        key = format->unpack(format->pack(key));
-    pel_copy_lines(surface, copy, drop_key, key);
+    if (!format->load || !surface->format->put)
+        pel_copy_lines(surface, copy, drop_key, key); /* copies nothing */
+    else if (!pel_copy_same(surface, copy, &key))
+        pel_copy_lines(surface, copy, drop_key,
+                       format->unpack(format->pack(key)));
 }

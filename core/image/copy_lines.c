@@ -1,5 +1,7 @@
 #include "copy_lines.h"
 
+#include "../format/word32.h"
+
 static bool within(int32_t v)
 {
     return v >= -65536 && v <= 65536;
@@ -39,12 +41,18 @@ void pel_copy_lines(const struct pel_surface *surface,
         !pel_copy_visible(surface, copy, &r))
         return;
     const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
+    const bool in_place = !weigh && source->format->id == PEL_FORMAT_ARGB8888 &&
+                          PEL_LE32(UINT32_C(1)) == 1;
     for (int32_t y = r.y0; y < r.y1; y++)
         for (int32_t x = r.x0, n; x < r.x1; x += n) {
-            n = pel_min(r.x1 - x, PEL_BUFFER_PIXELS);
-            source->format->load(source, x - dx, y - dy, n, colors);
+            n = in_place ? r.x1 - x : pel_min(r.x1 - x, PEL_BUFFER_PIXELS);
+            const pel_color *from = colors;
+            if (in_place)
+                from = pel_address32(source, x - dx, y - dy);
+            else
+                source->format->load(source, x - dx, y - dy, n, colors);
             if (weigh)
                 weigh(colors, n, option);
-            surface->format->put(surface, x, y, n, colors);
+            surface->format->put(surface, x, y, n, from);
         }
 }

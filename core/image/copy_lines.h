@@ -10,6 +10,12 @@ bool pel_copy_visible(const struct pel_surface *surface,
                       const struct pel_copy_part *copy,
                       struct pel_rect *visible);
 
+/* Copies pixels as they lie in memory, but for those of the key unless it is
+ * NULL. false: the formats do not allow it; nothing is
+ * done. In copy_same.c. */
+bool pel_copy_same(const struct pel_surface *surface,
+                   const struct pel_copy_part *copy, const pel_color *key);
+
 /* Gives n colours of the source the alpha with which they are put. */
 typedef void pel_copy_weigh(pel_color *colors, int32_t n, uint32_t option);
 

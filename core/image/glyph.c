@@ -2,22 +2,19 @@
 
 #include "../raster/collect.h"
 
-static bool bit_at(const uint8_t *span, int32_t i)
+/* The first of the bits i..end - 1 that differs from those of `same`, 0 or
+ * 0xFF; end when none does. */
+static int32_t find(const uint8_t *row, int32_t i, int32_t end, uint32_t same)
 {
-    return span[i >> 3] >> (7 - (i & 7)) & 1;
-}
-
-/* The first of the bits i..end - 1 that is as wanted; end when none is. Whole
- * bytes of the other kind are passed at once. */
-static int32_t find(const uint8_t *span, int32_t i, int32_t end, bool wanted)
-{
-    const uint8_t other = wanted ? 0 : 0xFF;
-    while (i < end && bit_at(span, i) != wanted) {
-        i++;
-        while (!(i & 7) && i + 8 <= end && span[i >> 3] == other)
-            i += 8;
+    for (; i < end; i = (i | 7) + 1) {
+        uint32_t bits = (row[i >> 3] ^ same) << (24 + (i & 7));
+        if (bits == 0)
+            continue;
+        for (; (int32_t)bits >= 0; bits <<= 1)
+            i++;
+        break;
     }
-    return i;
+    return pel_min(i, end);
 }
 
 /* The columns [left, right) of a row whose column 0 is pixel x. */
@@ -25,12 +22,12 @@ static void collect_row(struct pel_collector *c, const uint8_t *span, int32_t x,
                         int32_t y, const struct pel_span *visible)
 {
     int32_t end = visible->x1 - x;
-    int32_t i = find(span, visible->x0 - x, end, true);
+    int32_t i = find(span, visible->x0 - x, end, 0);
     while (i < end) {
         int32_t start = i;
-        i = find(span, i, end, false);
+        i = find(span, i, end, 0xFF);
         pel_collect(c, y, x + start, x + i);
-        i = find(span, i, end, true);
+        i = find(span, i, end, 0);
     }
 }
 

@@ -41,12 +41,12 @@ struct pel_color_paint {
     }
 
 /* Are opaque colours the surface's pixels themselves? In xrgb8888 on a
- * little-endian CPU. Small CPUs hardly ever have that format: they are spared
- * the code. */
+ * little-endian CPU. Not where code is to be small: that format is rare
+ * there. */
 static inline bool pel_colors_in_place(const struct pel_color_paint *paint,
                                        const struct pel_surface *surface)
 {
-    return PEL_FAST_FILLS && paint->opaque &&
+    return PEL_KNOW_SIDES && paint->opaque &&
            surface->format->id == PEL_FORMAT_XRGB8888 &&
            PEL_LE32(UINT32_C(1)) == 1;
 }

@@ -15,8 +15,8 @@ static inline uint32_t mix_lines(uint32_t a, uint32_t b, uint32_t f)
 }
 
 /* The four texels a b over c d with the weights fu / 256, fv / 256. */
-static PEL_ALWAYS_INLINE pel_color mixed(const pel_color t[4], uint32_t fu,
-                                         uint32_t fv)
+static PEL_INLINE_64 pel_color mixed(const pel_color t[4], uint32_t fu,
+                                     uint32_t fv)
 {
     const uint32_t mask = 0xFF00FFu;
     uint32_t rb = mix_lines(mix_halves(t[0] & mask, t[1] & mask, fu),
@@ -49,15 +49,48 @@ static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
     }
 }
 
+/* A run that does not leave the picture. */
+static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
+                                        const struct pel_texture_axes *a,
+                                        int32_t n, pel_color *out)
+{
+    const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
+    uint64_t u = a->u.at, v = a->v.at;
+    for (; n > 0; n--, u += du, v += dv) {
+        int32_t i = (int32_t)(u >> 32), j = (int32_t)(v >> 32);
+        const pel_color t[4] = {
+            pel_texel(p, kind, i, j), pel_texel(p, kind, i + 1, j),
+            pel_texel(p, kind, i, j + 1), pel_texel(p, kind, i + 1, j + 1)};
+        *out++ = mixed(t, weight(u), weight(v));
+    }
+}
+
+/* Each kind has a loop of its own. */
+static inline void fast_run(const struct pel_texture *p,
+                            const struct pel_texture_axes *a, int32_t n,
+                            pel_color *out)
+{
+    if (p->kind == PEL_TEXTURE_COLORS)
+        inner_run(p, PEL_TEXTURE_COLORS, a, n, out);
+    else if (p->kind == PEL_TEXTURE_XRGB8888)
+        inner_run(p, PEL_TEXTURE_XRGB8888, a, n, out);
+    else if (p->kind == PEL_TEXTURE_RGB565_LE)
+        inner_run(p, PEL_TEXTURE_RGB565_LE, a, n, out);
+    else
+        inner_run(p, p->kind, a, n, out);
+}
+
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
     const struct pel_texture *p = (const void *)paint;
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y, PEL_TEXTURE_HALF_BACK);
-    if (!PEL_FAST_FILLS || !PEL_VECTORS ||
-        !pel_texture_bilinear_run(p, &a, n, out))
+    if (!PEL_KNOW_SIDES || !pel_texture_axes_inside(&a, p, n, 1))
         outer_run(p, &a, n, out);
+    else if (!PEL_FAST_FILLS || !PEL_VECTORS ||
+             !pel_texture_bilinear_run(p, &a, n, out))
+        fast_run(p, &a, n, out);
 }
 
 enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,

@@ -8,6 +8,8 @@ static enum pel_texture_kind kind_of(const struct pel_format *format)
         return PEL_TEXTURE_XRGB8888;
     if (format->id == PEL_FORMAT_RGB565_LE)
         return PEL_TEXTURE_RGB565_LE;
+    if (PEL_KNOW_SIDES && format->bits == 8 && format->id < 128)
+        return PEL_TEXTURE_BYTE;
     return PEL_TEXTURE_ANY;
 }
 

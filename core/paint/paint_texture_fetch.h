@@ -6,11 +6,13 @@
 #include "../raster/edge.h"
 #include "paint_texture.h"
 
-/* How texels are read. The first three without a call. */
+/* How texels are read: the first three without a call, those of a byte by
+ * unpack, all others by load. */
 enum pel_texture_kind {
     PEL_TEXTURE_COLORS,
     PEL_TEXTURE_XRGB8888,
     PEL_TEXTURE_RGB565_LE,
+    PEL_TEXTURE_BYTE,
     PEL_TEXTURE_ANY
 };
 
@@ -49,6 +51,8 @@ static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,
         return PEL_LE32(((const pel_word32 *)line)[u]) | UINT32_C(0xFF000000);
     if (kind == PEL_TEXTURE_RGB565_LE)
         return pel_texel_of_565(PEL_LE16(((const pel_word16 *)line)[u]));
+    if (PEL_KNOW_SIDES && kind == PEL_TEXTURE_BYTE)
+        return p->surface->format->unpack(((const uint8_t *)line)[u]);
     pel_color color;
     p->surface->format->load(p->surface, u + p->surface->bounds.x0,
                              v + p->surface->bounds.y0, 1, &color);

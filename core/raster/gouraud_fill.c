@@ -46,7 +46,7 @@ static bool fill_direct(const struct pel_gouraud *g,
         return false;
     if (s->format->id == PEL_FORMAT_RGB565_LE)
         fill_rgb565(g, s, y, span);
-    else if (PEL_FAST_FILLS && s->format->id == PEL_FORMAT_XRGB8888)
+    else if (PEL_KNOW_SIDES && s->format->id == PEL_FORMAT_XRGB8888)
         fill_xrgb(g, s, y, span);
     else
         return false;
