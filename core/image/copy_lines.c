@@ -1,6 +1,6 @@
 #include "copy_lines.h"
 
-#include "../format/word32.h"
+#include "../format/word.h"
 
 static bool within(int32_t v)
 {

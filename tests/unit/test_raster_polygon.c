@@ -128,6 +128,23 @@ static void test_vertices_out_of_range_are_refused(void)
         }
 }
 
+/* Whatever the clip, as the fill is. */
+static void test_outlines_out_of_range_are_refused(void)
+{
+    static uint32_t memory[PEL_POLYGON_OUTLINE_SCRATCH_SIZE(3) / 4];
+    static const struct pel_point v[3] = {
+        PEL_AT(1, 1), PEL_AT(5, 1), {0, PEL_COORDINATE_MAX + 1}};
+    const struct pel_polygon_shape p = {v, 3, PEL_EVEN_ODD};
+    const struct pel_rect clips[2] = {{0, 0, 8, 8}, {3, 3, 3, 8}};
+    setup();
+    for (int i = 0; i < 2; i++) {
+        pel_surface_clip(&hits.surface, &clips[i]);
+        assert_int_equal(pel_polygon_outline(&hits.surface, &p, &hits.paint,
+                                             memory, sizeof memory),
+                         PEL_ERROR_RANGE);
+    }
+}
+
 /* An empty clip, and outlines of which no row is visible, are no errors. */
 static void test_nothing_to_see(void)
 {
@@ -147,5 +164,6 @@ int main(void)
         test_scratch_size, test_exact_size_is_enough,
         test_small_scratch_is_refused, test_misaligned_scratch_is_refused,
         test_null_is_refused, test_few_vertices, test_huge_counts_are_refused,
-        test_vertices_out_of_range_are_refused, test_nothing_to_see);
+        test_vertices_out_of_range_are_refused,
+        test_outlines_out_of_range_are_refused, test_nothing_to_see);
 }
