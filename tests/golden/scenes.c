@@ -60,7 +60,6 @@ static void draw_star(const struct pel_surface *s, enum pel_fill_rule rule)
     static const struct pel_point v[7] = {
         PEL_AT(48, 1), {19000, 17777}, {1111, 5003},  {24005, 4900},
         {5200, 17999}, {12200, -3000}, {12300, 21000}};
-    static uint32_t scratch[128];
     const struct pel_polygon_shape outline = {v, 7, rule};
     const struct pel_flat flat = PEL_FLAT(PEL_RGBA(230, 180, 20, 200));
     if (pel_polygon(s, &outline, &flat.paint, scratch, sizeof scratch))
