@@ -37,7 +37,7 @@
 #ifndef PEL_DRIVERS_DISPLAY_H
 #define PEL_DRIVERS_DISPLAY_H
 
-#include "../core/base/surface.h"
+#include <pel/base/surface.h>
 
 struct pel_display {
     void *context; /* the driver's own state */

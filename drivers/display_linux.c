@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../core/format/formats.h"
+#include <pel/format/formats.h>
 
 enum { CARDS = 8 }; /* DRM devices that are tried */
 

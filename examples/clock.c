@@ -2,7 +2,7 @@
  * lines at a time, in 4,800 bytes. Here the panel is a PPM file. */
 #include <stdio.h>
 
-#include "core/pel.h"
+#include <pel/pel.h>
 
 enum { SIDE = 240, LINES = 10 };
 

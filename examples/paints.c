@@ -1,10 +1,10 @@
 /* Gradients, a texture and text; the picture goes to standard output as PPM.
  *
  *     build/pel import sim/scenes/letters.bdf -o letters.c
- *     cc -I. examples/paints.c letters.c build/libpel.a -o paints */
+ *     cc -Ibuild/include examples/paints.c letters.c build/libpel.a -o paints */
 #include <stdio.h>
 
-#include "core/pel.h"
+#include <pel/pel.h>
 #include "letters.h"
 
 enum { WIDTH = 300, HEIGHT = 120, COLORS = 256 };

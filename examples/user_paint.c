@@ -1,11 +1,11 @@
 /* A paint of one's own: a checkerboard, with its two colours beside it. The
  * picture goes to standard output as PPM.
  *
- *     cc -I. examples/user_paint.c build/libpel.a -o user_paint */
+ *     cc -Ibuild/include examples/user_paint.c build/libpel.a -o user_paint */
 #include <stdio.h>
 
-#include "core/paint/paint_colors.h"
-#include "core/pel.h"
+#include <pel/paint/paint_colors.h>
+#include <pel/pel.h>
 
 struct checkers {
     struct pel_color_paint base; /* first, so that one points to the other */

@@ -138,9 +138,9 @@ static const struct argp parser = {
     .args_doc = "MESH|PICTURE|FONT",
     .doc =
         "Makes an asset for firmware: a C file with one const struct, and the "
-        "header that declares it, of a mesh (core/asset/mesh_asset.h), a "
-        "picture (core/asset/image_asset.h) or a font "
-        "(core/asset/font_asset.h); or an output .pel2d, a mesh projected "
+        "header that declares it, of a mesh (pel/asset/mesh_asset.h), a "
+        "picture (pel/asset/image_asset.h) or a font "
+        "(pel/asset/font_asset.h); or an output .pel2d, a mesh projected "
         "already.\nOf the options under the headings below, a C asset of a "
         "mesh takes --texture-file and --normals-from alone; a .pel2d takes "
         "also --color, --turn, --texture, --wrap, --size and those that place "

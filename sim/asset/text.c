@@ -41,7 +41,7 @@ bool import_text_open(struct import_text *text,
     if (!output_open(&text->output, options->output))
         return false;
     print_origin(text->output.stream, options);
-    fprintf(text->output.stream, "#include \"core/asset/%s_asset.h\"\n", kind);
+    fprintf(text->output.stream, "#include <pel/asset/%s_asset.h>\n", kind);
     return true;
 }
 
@@ -102,7 +102,7 @@ static void print_header(FILE *out, const struct import_text *text)
     print_origin(out, text->options);
     fprintf(out, "#ifndef PEL_ASSET_%s_H\n#define PEL_ASSET_%s_H\n\n", name,
             name);
-    fprintf(out, "#include \"core/pel.h\"\n\n");
+    fprintf(out, "#include <pel/pel.h>\n\n");
     print_declaration(out, text);
     fprintf(out, "\n#endif\n");
 }

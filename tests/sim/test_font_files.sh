@@ -7,6 +7,7 @@
 set -eu
 PEL=${PEL:-build/pel}
 LIBPEL=$(dirname "$PEL")/libpel.a
+INCLUDE=-I$(dirname "$PEL")/include
 CC=${CC:-cc}
 WARNINGS="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow \
     -Wundef -Werror"
@@ -31,9 +32,9 @@ font() {
         fail "$name: a path in the asset"
     fi
     if command -v c++ >/dev/null; then
-        c++ -x c++ -Wall -Wextra -Werror -I. -c "$dir/$name.c" -o /dev/null
+        c++ -x c++ -Wall -Wextra -Werror -I. $INCLUDE -c "$dir/$name.c" -o /dev/null
     fi
-    $CC -std=c99 -O1 $WARNINGS -I. tests/sim/font_show.c "$dir/$name.c" \
+    $CC -std=c99 -O1 $WARNINGS -I. $INCLUDE tests/sim/font_show.c "$dir/$name.c" \
         "$LIBPEL" -o "$dir/$name"
 }
 
