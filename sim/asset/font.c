@@ -49,8 +49,8 @@ bool import_codes_legal(const char *codes)
         legal = next_range(&p, range);
     }
     return (legal && *p == '\0') ||
-           message_error("--codes is '%s'; code points and characters such as "
-                         "32-126,0x20AC,\xC3\xA4 would be right",
+           message_error("--codes is '%s': expected code points and characters "
+                         "such as 32-126,0x20AC,\xC3\xA4",
                          codes);
 }
 
@@ -101,11 +101,11 @@ static void keep_range(const struct font *font, const unsigned long range[2],
 static bool check_lacking(const struct lacking *l, const char *path)
 {
     if (l->count > 0)
-        message_error_at(path, 0, "lacks %lu of --codes:%s%s%s", l->count,
-                         l->list, l->more ? " ..." : "",
-                         l->single ? "; a font that has them, or --codes "
-                                     "without, would be right"
-                                   : "");
+        message_error_at(
+            path, 0, "lacks %lu of --codes:%s%s%s", l->count, l->list,
+            l->more ? " ..." : "",
+            l->single ? ": expected a font that has them, or --codes without"
+                      : "");
     return !l->single;
 }
 
@@ -125,10 +125,11 @@ static bool keep_codes(struct font *font, const char *path, const char *codes)
             font->chars[kept++] = font->chars[i];
     free(keep);
     font->count = kept;
-    return (kept > 0 || message_error_at(path, 0,
-                                         "has no glyph of --codes %s; code "
-                                         "points that it has would be right",
-                                         codes)) &&
+    return (kept > 0 ||
+            message_error_at(
+                path, 0,
+                "has no glyph of --codes %s: expected code points that it has",
+                codes)) &&
            check_lacking(&lacking, path);
 }
 

@@ -77,8 +77,7 @@ static bool is_pel2d(const char *path)
 static bool parse_input(const char *text, struct import_command *c)
 {
     if (c->scene.source.path)
-        return message_error("'%s' is a second input; one would be right",
-                             text);
+        return message_error("'%s' is a second input: expected one", text);
     c->scene.source.path = text;
     return true;
 }
@@ -88,9 +87,9 @@ static bool parse_format(const char *text, struct import_command *c)
     c->format = strcmp(text, IMPORT_ALPHA_FORMAT) == 0 ? &pel_argb8888
                                                        : format_find(text);
     return c->format ||
-           message_error("--format is '%s'; one of %s, " IMPORT_ALPHA_FORMAT
-                         " would be right",
-                         text, format_list());
+           message_error(
+               "--format is '%s': expected one of %s, " IMPORT_ALPHA_FORMAT,
+               text, format_list());
 }
 
 static bool parse_normals(const char *text, struct import_command *c)
@@ -98,7 +97,7 @@ static bool parse_normals(const char *text, struct import_command *c)
     bool is_8 = strcmp(text, "8") == 0;
     c->options.normal_bits = is_8 ? 8 : 16;
     return is_8 || strcmp(text, "16") == 0 ||
-           message_error("--normals is '%s'; 8 or 16 would be right", text);
+           message_error("--normals is '%s': expected 8 or 16", text);
 }
 
 static error_t parse(int key, char *text, struct argp_state *state)
@@ -183,8 +182,8 @@ static bool check_name(const char *name)
     snprintf(padded, sizeof(padded), " %s ", name);
     return (n > 0 && n < 128 && name[n] == '\0' &&
             !isdigit((unsigned char)*name) && !strstr(words, padded)) ||
-           message_error("the name '%s' is no identifier of C; --name such as "
-                         "duck would be right",
+           message_error("the name '%s' is no identifier of C: expected --name "
+                         "such as duck",
                          name);
 }
 
@@ -198,13 +197,12 @@ static bool check_kind(const char *path)
         return true;
     if (has_ending(path, packed))
         return message_error_at(path, 0,
-                                "is packed; `gunzip -k` first, and of a font "
-                                ".pcf then `pcf2bdf -o FONT.bdf`, would be "
-                                "right");
+                                "is packed: expected `gunzip -k` first, and of "
+                                "a font .pcf then `pcf2bdf -o FONT.bdf`");
     if (has_ending(path, pcf))
-        return message_error_at(path, 0,
-                                "is a font of another kind; `pcf2bdf -o "
-                                "FONT.bdf` first would be right");
+        return message_error_at(
+            path, 0,
+            "is a font of another kind: expected `pcf2bdf -o FONT.bdf` first");
     return message_error_at(path, 0,
                             "neither mesh, picture nor font by its "
                             "ending");
@@ -215,21 +213,19 @@ static bool check(struct import_command *c)
     static const char *const ending[] = {".c", NULL};
     const char *input = c->scene.source.path, *output = c->options.output;
     if (!input || !output)
-        return message_error("%s is missing; `pel import MESH|PICTURE|FONT -o "
-                             "ASSET.c` would be right",
-                             input ? "-o ASSET.c" : "an input");
+        return message_error(
+            "%s is missing: expected `pel import MESH|PICTURE|FONT -o ASSET.c`",
+            input ? "-o ASSET.c" : "an input");
     if (strcmp(input, "-") == 0)
-        return message_error("import does not read standard input: a file "
-                             "would be right");
+        return message_error(
+            "import does not read standard input: expected a file");
     if (is_pel2d(output) && (is_picture(input) || is_font(input)))
-        return message_error_at(input, 0,
-                                "a pel2d file holds a mesh; an "
-                                "output .c would be right");
+        return message_error_at(
+            input, 0, "a pel2d file holds a mesh: expected an output .c");
     if (is_pel2d(output))
         return import_check(&c->scene.given, IMPORT_PEL2D);
     if (strcmp(output, "-") != 0 && !has_ending(output, ending))
-        return message_error_at(output, 0,
-                                "an output .c or .pel2d would be right");
+        return message_error_at(output, 0, "expected an output .c or .pel2d");
     if (!is_picture(input) && !is_font(input) && !check_kind(input))
         return false;
     if (!c->options.name)
@@ -268,7 +264,7 @@ static bool import_as_pel2d(struct import_command *c)
     const char *path = c->scene.source.path;
     if (pel2d_is_file(path))
         return message_error_at(path, 0,
-                                "is projected already; a mesh would be right");
+                                "is projected already: expected a mesh");
     if (!model_load(&model, &c->scene.source))
         return false;
     const bool projected = project(&c->scene, &model, &flat);
@@ -303,7 +299,7 @@ static bool import_as_mesh(struct import_command *c)
     const char *path = c->scene.source.path;
     if (pel2d_is_file(path))
         return message_error_at(path, 0,
-                                "is projected already; a mesh would be right");
+                                "is projected already: expected a mesh");
     if (!mesh_load(&mesh, path))
         return false;
     bool done = (!c->scene.source.smooth_normals || mesh_normals(&mesh)) &&

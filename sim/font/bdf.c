@@ -34,7 +34,7 @@ static bool next_line(struct bdf *b, const char *wanted)
 {
     do {
         if (b->next >= b->end)
-            return ERROR(b, "the file ends here; %s would be right", wanted);
+            return ERROR(b, "the file ends here: expected %s", wanted);
         const char *start = b->next, *stop = start;
         while (stop < b->end && *stop != '\n')
             stop++;
@@ -49,7 +49,7 @@ static bool next_line(struct bdf *b, const char *wanted)
         while (rest < size && strchr(" \t", start[rest]))
             rest++;
         if (word >= sizeof(b->word) || size - rest >= sizeof(b->rest))
-            return ERROR(b, "the line is too long; %s would be right", wanted);
+            return ERROR(b, "the line is too long: expected %s", wanted);
         memcpy(b->word, start, word);
         b->word[word] = '\0';
         memcpy(b->rest, start + rest, size - rest);
@@ -67,13 +67,12 @@ static bool numbers(struct bdf *b, int n, int *value)
     for (int i = 0; i < n; i++, field = strtok_r(NULL, " \t", &state)) {
         int64_t v = 0;
         if (!field || number_integer(field, -32768, FONT_CODE_MAX, &v))
-            return ERROR(b, "'%s %s': %s with %d whole number%s would be right",
+            return ERROR(b, "'%s %s': expected %s with %d whole number%s",
                          b->word, b->rest, b->word, n, n > 1 ? "s" : "");
         value[i] = (int)v;
     }
     return !field ||
-           ERROR(b,
-                 "'%s' is too much; %s with %d whole number%s would be right",
+           ERROR(b, "'%s' is too much: expected %s with %d whole number%s",
                  field, b->word, n, n > 1 ? "s" : "");
 }
 
@@ -81,8 +80,7 @@ static bool number_in(struct bdf *b, int lo, int hi, int *value)
 {
     return numbers(b, 1, value) &&
            ((*value >= lo && *value <= hi) ||
-            ERROR(b, "%s is %d; %d to %d would be right", b->word, *value, lo,
-                  hi));
+            ERROR(b, "%s is %d: expected %d to %d", b->word, *value, lo, hi));
 }
 
 /* "name" or name. */
@@ -122,10 +120,9 @@ static bool read_properties(struct bdf *b)
         else if (is(b, "CHARSET_ENCODING"))
             unquote(b->rest, b->encoding, sizeof(b->encoding));
         else if (is(b, "STARTCHAR") || is(b, "CHARS"))
-            right = ERROR(b,
-                          "%s among the properties; ENDPROPERTIES before it "
-                          "would be right",
-                          b->word);
+            right = ERROR(
+                b, "%s among the properties: expected ENDPROPERTIES before it",
+                b->word);
         if (!right)
             return false;
     }
@@ -139,8 +136,8 @@ static bool check_charset(struct bdf *b)
     return !*b->registry || latin1 ||
            strcasecmp(b->registry, "ISO10646") == 0 ||
            ERROR(b,
-                 "the font is encoded in %s-%s; ISO10646-1 (Unicode) or "
-                 "ISO8859-1 would be right",
+                 "the font is encoded in %s-%s: expected ISO10646-1 (Unicode) "
+                 "or ISO8859-1",
                  b->registry, b->encoding);
 }
 
@@ -157,8 +154,8 @@ static bool read_advance(struct bdf *b, int *advance)
     if (!numbers(b, 2, v))
         return false;
     if (v[0] < 0 || v[0] > FONT_SIZE_MAX || v[1] != 0)
-        return ERROR(b, "DWIDTH is %d %d; 0 to %d, and 0, would be right", v[0],
-                     v[1], FONT_SIZE_MAX);
+        return ERROR(b, "DWIDTH is %d %d: expected 0 to %d, and 0", v[0], v[1],
+                     FONT_SIZE_MAX);
     *advance = v[0];
     return true;
 }
@@ -171,8 +168,8 @@ static bool read_box(struct bdf *b, int box[4])
             box[1] <= FONT_SIZE_MAX && box[2] >= -128 && box[2] <= 127 &&
             box[1] + box[3] >= -128 && box[1] + box[3] <= 127) ||
            ERROR(b,
-                 "%s is %s; a width and height of 0 to %d, and a place "
-                 "within -128 to 127 of the origin, would be right",
+                 "%s is %s: expected a width and height of 0 to %d, and a "
+                 "place within -128 to 127 of the origin",
                  b->word, b->rest, FONT_SIZE_MAX);
 }
 
@@ -200,10 +197,9 @@ static bool read_head(struct bdf *b, struct glyph *g)
                                 : !g->has_box      ? "BBX"
                                 : g->advance == -1 ? "DWIDTH"
                                                    : NULL;
-            return !lacks || ERROR(b,
-                                   "the glyph has no %s; one before BITMAP "
-                                   "would be right",
-                                   lacks);
+            return !lacks ||
+                   ERROR(b, "the glyph has no %s: expected one before BITMAP",
+                         lacks);
         }
         if (is(b, "ENCODING"))
             has_code = right = read_encoding(b, g);
@@ -216,10 +212,10 @@ static bool read_head(struct bdf *b, struct glyph *g)
             while (i < sizeof(others) / sizeof(*others) && !is(b, others[i]))
                 i++;
             if (i == sizeof(others) / sizeof(*others))
-                right = ERROR(b,
-                              "'%s' in a glyph; ENCODING, DWIDTH, BBX or "
-                              "BITMAP would be right",
-                              b->word);
+                right = ERROR(
+                    b,
+                    "'%s' in a glyph: expected ENCODING, DWIDTH, BBX or BITMAP",
+                    b->word);
         }
         if (!right)
             return false;
@@ -249,14 +245,12 @@ static bool read_rows(struct bdf *b, const struct glyph *g, uint8_t *rows)
         }
         if (!right)
             return ERROR(b,
-                         "'%s' as row %d of %d; %d hexadecimal digits would be "
-                         "right",
+                         "'%s' as row %d of %d: expected %d hexadecimal digits",
                          b->word, y + 1, g->box[1], 2 * stride);
     }
     return next_line(b, "ENDCHAR") &&
-           (is(b, "ENDCHAR") ||
-            ERROR(b, "'%s' after %d rows; ENDCHAR would be right", b->word,
-                  g->box[1]));
+           (is(b, "ENDCHAR") || ERROR(b, "'%s' after %d rows: expected ENDCHAR",
+                                      b->word, g->box[1]));
 }
 
 static bool read_glyph(struct bdf *b)
@@ -302,7 +296,7 @@ static bool read_entry(struct bdf *b)
     for (size_t i = 0; i < sizeof(others) / sizeof(*others); i++)
         if (is(b, others[i]))
             return true;
-    return ERROR(b, "'%s' between glyphs; STARTCHAR or ENDFONT would be right",
+    return ERROR(b, "'%s' between glyphs: expected STARTCHAR or ENDFONT",
                  b->word);
 }
 
@@ -311,8 +305,8 @@ static bool finish(struct bdf *b)
 {
     int above = b->box[1] + b->box[3], below = -b->box[3];
     if (b->chars != b->read)
-        return ERROR(b, "%ld glyphs; the %ld that CHARS says would be right",
-                     b->read, b->chars);
+        return ERROR(b, "%ld glyphs: expected the %ld that CHARS says", b->read,
+                     b->chars);
     b->font->ascent = b->ascent >= 0 ? b->ascent : above > 0 ? above : 0;
     b->font->descent = b->descent >= 0 ? b->descent : below > 0 ? below : 0;
     return true;
@@ -333,8 +327,7 @@ bool font_parse_bdf(struct font *font, const struct font_file *file)
     if (!next_line(&b, "STARTFONT 2.1"))
         return false;
     if (!is(&b, "STARTFONT") || strncmp(b.rest, "2.", 2) != 0)
-        return ERROR(&b, "'%s %s'; STARTFONT 2.1 would be right", b.word,
-                     b.rest);
+        return ERROR(&b, "'%s %s': expected STARTFONT 2.1", b.word, b.rest);
     while (next_line(&b, "ENDFONT")) {
         if (is(&b, "ENDFONT"))
             return finish(&b);

@@ -26,7 +26,7 @@ static bool read_stream(struct font_file *file, FILE *stream)
         file->size += got;
         if (file->size > FILE_MAX)
             return message_error_at(file->path, 0,
-                                    "over 64 MB; a font would be right");
+                                    "over 64 MB: expected a font");
     }
     file->data[file->size] = '\0';
     return !ferror(stream) ||
@@ -59,11 +59,11 @@ static bool parse(struct font *font, const struct font_file *file)
     if (begins(file, "\x36\x04", 2) || begins(file, "\x72\xB5\x4A\x86", 4))
         return font_parse_psf(font, file);
     if (begins(file, "\x1F\x8B", 2))
-        return message_error_at(file->path, 0,
-                                "is compressed; what `gzip -d` makes of it "
-                                "would be right");
+        return message_error_at(
+            file->path, 0,
+            "is compressed: expected what `gzip -d` makes of it");
     return message_error_at(file->path, 0,
-                            "is no font; a BDF or PSF file would be right");
+                            "is no font: expected a BDF or PSF file");
 }
 
 static bool parse_behind_mark(struct font *font, const struct font_file *file)
@@ -84,14 +84,13 @@ static bool sort(struct font *font, const char *path)
 {
     if (font->count == 0)
         return message_error_at(path, 0,
-                                "has no glyph with a code point; a font "
-                                "encoded in Unicode would be right");
+                                "has no glyph with a code point: expected a "
+                                "font encoded in Unicode");
     qsort(font->chars, font->count, sizeof(*font->chars), by_code);
     for (size_t i = 1; i < font->count; i++)
         if (font->chars[i - 1].code == font->chars[i].code)
             return message_error_at(path, 0,
-                                    "has two glyphs of U+%04X; one would be "
-                                    "right",
+                                    "has two glyphs of U+%04X: expected one",
                                     (unsigned)font->chars[i].code);
     return true;
 }

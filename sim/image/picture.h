@@ -39,7 +39,7 @@ static inline pel_color *picture_row(const struct picture *picture, int y)
  * `path`; "-" is standard input. Memory grows with the data that is really
  * there, so a header that lies costs nothing. False, with a message on standard
  * error that names file, line (text) or byte (binary), what is wrong and what
- * would be right; the picture is then empty. */
+ * is expected; the picture is then empty. */
 bool picture_load(struct picture *picture, const char *path);
 
 /* Writes the picture, alpha left out, in the format of the ending of `path`:

@@ -48,8 +48,8 @@ static bool check_size(const char *name, uint32_t width, uint32_t height)
     return (width <= most && height <= most &&
             picture_size_legal((int)width, (int)height)) ||
            message_error_at(name, 0,
-                            "a picture of %u x %u pixels; 1 to %d each way, "
-                            "%d in all, would be right",
+                            "a picture of %u x %u pixels: expected 1 to %d "
+                            "each way, %d in all",
                             width, height, PICTURE_SIZE_MAX,
                             PICTURE_PIXELS_MAX);
 }
@@ -125,13 +125,12 @@ bool texture_put(const void *what, FILE *out)
     const SDL_Surface *image = decode(file, head.ending);
     if (!image)
         return message_error_at(name, 0,
-                                "no picture that can be read (%s); a PNG, "
-                                "JPEG, TGA, BMP or PPM file would be right",
+                                "no picture that can be read (%s): expected a "
+                                "PNG, JPEG, TGA, BMP or PPM file",
                                 SDL_GetError());
     if (is_strict && reading.ended)
-        return message_error_at(name, 0,
-                                "ends before its picture does; a whole file "
-                                "would be right");
+        return message_error_at(
+            name, 0, "ends before its picture does: expected a whole file");
     return check_size(name, (uint32_t)image->w, (uint32_t)image->h) &&
            put_pixels(image, out);
 }

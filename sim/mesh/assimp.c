@@ -291,11 +291,11 @@ static bool check_strips(const char *path)
             sscanf(line, "element tristrips %lu", &strips);
     fclose(file);
     return strips == 0 ||
-           message_error_at(path, 0,
-                            "has %lu triangle strips, of which assimp would "
-                            "lose all but a triangle each; a file with faces "
-                            "would be right",
-                            strips);
+           message_error_at(
+               path, 0,
+               "has %lu triangle strips, of which assimp would lose all but a "
+               "triangle each: expected a file with faces",
+               strips);
 }
 
 /* Of assimp's readers only those of XML and .x know the mark; that of .obj
@@ -309,8 +309,8 @@ static bool check_mark(const char *path)
            strncmp(text, "xof ", 4) == 0 ||
            message_error_at(path, 0,
                             "begins with a UTF-8 byte order mark, which its "
-                            "format does not know; the same without it (`sed "
-                            "-i '1s/^\\xEF\\xBB\\xBF//' %s`) would be right",
+                            "format does not know: expected the same without "
+                            "it (`sed -i '1s/^\\xEF\\xBB\\xBF//' %s`)",
                             path);
 }
 
@@ -353,10 +353,10 @@ bool mesh_ending_known(const char *path)
 bool mesh_load_file(struct mesh *mesh, const char *path)
 {
     (void)mesh;
-    return message_error_at(path, 0,
-                            "this pel was built without assimp, which the "
-                            "package libassimp-dev brings; " MESH_BUILTIN
-                            " and pel2d files would be right");
+    return message_error_at(
+        path, 0,
+        "this pel was built without assimp, which the package libassimp-dev "
+        "brings: expected " MESH_BUILTIN " and pel2d files");
 }
 
 #endif

@@ -38,7 +38,7 @@ void pel2d_free(struct pel2d *flat);
 
 /* Reads the file at `path`, "-" for standard input. Memory grows with the lines
  * that are really there. False, with a message that names file, line, field and
- * what would be right; `flat` is then empty. */
+ * what is expected; `flat` is then empty. */
 bool pel2d_load(struct pel2d *flat, const char *path);
 
 /* Writes the file, whole or not at all; reading it back gives the same values.

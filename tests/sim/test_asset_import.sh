@@ -241,18 +241,18 @@ done
 if "$PEL" render "$dir/square.ply" -o "$dir/a.ppm" 2>/dev/null; then
     for kind in psf.gz pcf.gz; do
         : >"$dir/x.$kind"
-        refuse "x.$kind: is packed; \`gunzip -k\`" "$dir/x.$kind" -o "$dir/y.c"
+        refuse "x.$kind: is packed: expected \`gunzip -k\`" "$dir/x.$kind" -o "$dir/y.c"
     done
     : >"$dir/x.pcf"
     refuse "\`pcf2bdf -o FONT.bdf\`" "$dir/x.pcf" -o "$dir/y.c"
     refuse "square.c: neither mesh, picture nor font" "$dir/square.c" -o "$dir/y.c"
 fi
-refuse "an output .c or .pel2d would be right" builtin:vase -o "$dir/x.h"
+refuse "expected an output .c or .pel2d" builtin:vase -o "$dir/x.h"
 refuse "is no identifier of C" builtin:vase --name 3d -o "$dir/x.c"
 refuse "is no identifier of C" builtin:vase --name int -o "$dir/x.c"
-refuse "--format is 'rgb'; one of rgb565_le," "$dir/picture.ppm" \
+refuse "--format is 'rgb': expected one of rgb565_le," "$dir/picture.ppm" \
     --format rgb -o "$dir/x.c"
-refuse "8 or 16 would be right" builtin:vase --normals 12 -o "$dir/x.c"
+refuse "expected 8 or 16" builtin:vase --normals 12 -o "$dir/x.c"
 
 # An option that means nothing for what is made is refused by name.
 refuse "--format is for pictures" builtin:vase --format rgb888 -o "$dir/x.c"
@@ -273,7 +273,7 @@ refuse "--normals is for C assets of meshes" "$dir/picture.ppm" --normals 16 -o 
 refuse "--codes is for fonts" builtin:vase --codes 32 -o "$dir/x.c"
 refuse "--texture-file is for meshes" sim/scenes/letters.bdf --texture-file a.ppm -o "$dir/x.c"
 refuse "--name is for C assets" builtin:vase --name x -o "$dir/x.pel2d"
-refuse "builtin:vase, or a file, would be right" builtin:cube -o "$dir/x.c"
+refuse "expected builtin:vase, or a file" builtin:cube -o "$dir/x.c"
 refuse "no mesh that can be read" "$dir/message" -o "$dir/x.c"
 sed 's/^3 0 1 2/3 0 1 4/' "$dir/square.ply" >"$dir/bad.ply"
 refuse "face 0 of part 0 names vertex 4; the part has 4" "$dir/bad.ply" -o "$dir/x.c"

@@ -51,7 +51,7 @@ refused() {
     shift
     "$PEL" import "$@" -o "$dir/refused.c" 2>"$dir/message" || status=$?
     [ $status = 2 ] || fail "$*: status $status, not 2"
-    grep -q "^pel: .*$words.*would be right" "$dir/message" ||
+    grep -a "^pel: .*$words" "$dir/message" | grep -q ": expected " ||
         fail "$*: '$words' is not in: $(cat "$dir/message")"
     [ ! -e "$dir/refused.c" ] || fail "$*: left a file"
 }
@@ -129,7 +129,7 @@ cmp "$dir/few.c" "$dir/chars.c" || fail "characters in --codes"
 refused 'no glyph of --codes 200-300' "$dir/hand.bdf" --codes 200-300
 
 # What the font lacks is named: an error, or a note where a range has gaps.
-refused 'lacks 2 of --codes: U+00E4 U+0062;' "$dir/hand.bdf" --codes ä,a,b
+refused 'lacks 2 of --codes: U+00E4 U+0062:' "$dir/hand.bdf" --codes ä,a,b
 "$PEL" import "$dir/hand.bdf" --codes a-k --name asset -o "$dir/gaps.c" \
     2>"$dir/message" || fail "a range with gaps"
 grep -q 'hand.bdf: lacks 9 of --codes: U+0062-0069 U+006B$' "$dir/message" ||
@@ -138,7 +138,7 @@ for codes in '' ab a- 1- 1-2, 2-1 b-a ,1 -1 1,,2 0x110000 "$(printf '\303')"; do
     refused "--codes is '$codes'" "$dir/hand.bdf" --codes "$codes"
 done
 sed '/^ENDFONT/d' "$dir/hand.bdf" >"$dir/cut.bdf"
-refused 'cut.bdf:37: the file ends here; ENDFONT' "$dir/cut.bdf"
+refused 'cut.bdf:37: the file ends here: expected ENDFONT' "$dir/cut.bdf"
 
 psf=/usr/share/consolefonts/Unifont-APL8x16.psf.gz
 pcf=/usr/share/fonts/X11/misc/unifont.pcf.gz
@@ -147,7 +147,7 @@ pcf=/usr/share/fonts/X11/misc/unifont.pcf.gz
 command -v pcf2bdf >/dev/null || fail "pcf2bdf is missing: its package is pcf2bdf"
 if [ $failed = 0 ]; then
     cp "$psf" "$dir/packed.psf"
-    refused 'is compressed; what .gzip -d. makes' "$dir/packed.psf"
+    refused 'is compressed: expected what .gzip -d. makes' "$dir/packed.psf"
     gzip -cd "$psf" >"$dir/console.psf"
     gzip -cd "$pcf" >"$dir/window.pcf"
     pcf2bdf -o "$dir/window.bdf" "$dir/window.pcf"
