@@ -133,23 +133,11 @@ static bool keep_codes(struct font *font, const char *path, const char *codes)
            check_lacking(&lacking, path);
 }
 
-static void write_bits(struct import_text *text, const char *name,
-                       const struct pel_font_asset *font)
-{
-    const struct import_array array = {"uint8_t", "bits", font->size, 1};
-    import_array_begin(text, name, &array);
-    for (uint32_t i = 0; i < font->size; i++) {
-        const long value = font->bits[i];
-        import_array_item(text, &value, 1);
-    }
-    import_array_end(text);
-}
-
 static void write_glyphs(struct import_text *text, const char *name,
                          const struct pel_font_asset *font)
 {
     const struct import_array array = {"struct pel_font_glyph", "glyphs",
-                                       font->glyphs, 1};
+                                       font->glyphs, 1, NULL};
     import_array_begin(text, name, &array);
     for (uint32_t i = 0; i < font->glyphs; i++) {
         const struct pel_font_glyph *g = &font->glyph[i];
@@ -164,7 +152,7 @@ static void write_ranges(struct import_text *text, const char *name,
                          const struct pel_font_asset *font)
 {
     const struct import_array array = {"struct pel_font_range", "ranges",
-                                       font->ranges, 1};
+                                       font->ranges, 1, NULL};
     import_array_begin(text, name, &array);
     for (uint32_t i = 0; i < font->ranges; i++) {
         const struct pel_font_range *r = &font->range[i];
@@ -178,7 +166,9 @@ static void write_asset(struct import_text *text, const char *name,
                         const struct pel_font_asset *font)
 {
     FILE *out = text->output.stream;
-    write_bits(text, name, font);
+    const struct import_array bits = {"uint8_t", "bits", font->size, 1,
+                                      font->bits};
+    import_array(text, name, &bits);
     write_glyphs(text, name, font);
     write_ranges(text, name, font);
     import_struct_begin(text);

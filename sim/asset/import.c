@@ -21,6 +21,7 @@ struct import_command {
     struct scene_options scene;
     struct import_options options;
     const struct pel_format *format; /* NULL: not given */
+    int normal_bits;                 /* 8 or 16 */
     char name[128];                  /* made from the output's */
 };
 
@@ -95,7 +96,7 @@ static bool parse_format(const char *text, struct import_command *c)
 static bool parse_normals(const char *text, struct import_command *c)
 {
     bool is_8 = strcmp(text, "8") == 0;
-    c->options.normal_bits = is_8 ? 8 : 16;
+    c->normal_bits = is_8 ? 8 : 16;
     return is_8 || strcmp(text, "16") == 0 ||
            message_error("--normals is '%s': expected 8 or 16", text);
 }
@@ -296,15 +297,22 @@ static bool import_as_picture(struct import_command *c)
 static bool import_as_mesh(struct import_command *c)
 {
     struct mesh mesh;
-    const char *path = c->scene.source.path;
+    struct model model = {0};
+    struct model_source *source = &c->scene.source;
+    const char *path = source->path;
     if (pel2d_is_file(path))
         return message_error_at(path, 0,
                                 "is projected already: expected a mesh");
     if (!mesh_load(&mesh, path))
         return false;
-    bool done = (!c->scene.source.smooth_normals || mesh_normals(&mesh)) &&
-                mesh_paint(&mesh, path, c->scene.source.texture) &&
-                import_mesh(&c->options, &mesh);
+    source->without_texture = mesh.has_colors && !source->texture;
+    bool done = (!source->smooth_normals || mesh_normals(&mesh)) &&
+                model_make_asset(&model, &mesh, c->normal_bits) &&
+                model_add_texture(&model, &mesh, source);
+    if (done && model.texture.width > 0)
+        model_paint(&model);
+    done = done && import_mesh(&c->options, &model);
+    model_free(&model);
     mesh_free(&mesh);
     return done;
 }
@@ -318,7 +326,7 @@ int command_import(int argc, char **argv)
 {
     struct import_command c = {
         .scene = {.settings = scene_default},
-        .options = {.normal_bits = 8},
+        .normal_bits = 8,
     };
     c.scene.settings.texture = SCENE_TEXTURE_NEAREST;
     c.scene.settings.camera.background = 0; /* no option gives that */

@@ -3,9 +3,8 @@
 #define SIM_ASSET_IMPORT_H
 
 #include "core/base/format.h"
-#include "sim/mesh/mesh.h"
+#include "sim/mesh/model.h"
 #include "sim/cli/option_text.h"
-#include "sim/image/picture.h"
 
 /* The name of the format that keeps the alpha of pictures; no display has it,
  * so that format_find knows nothing of it. */
@@ -15,7 +14,6 @@ struct import_options {
     const char *source;   /* file, for the comment: its base name is shown */
     const char *output;   /* file or "-" */
     const char *name;     /* of the C object */
-    int normal_bits;      /* 8 or 16 */
     const char *codes;    /* of a font: code points to keep, or NULL for all */
     pel_color background; /* of a picture's transparent parts, opaque */
 };
@@ -23,7 +21,8 @@ struct import_options {
 /* Write a C file with one const struct and its arrays, and its header beside
  * it, the same for the same input: no date, no path. False, with a message on
  * standard error, when that failed. */
-bool import_mesh(const struct import_options *options, const struct mesh *mesh);
+bool import_mesh(const struct import_options *options,
+                 const struct model *model);
 bool import_font(const struct import_options *options);
 
 /* The picture is made opaque, with a note on standard error when it was not,

@@ -76,6 +76,36 @@ void import_array_end(struct import_text *text)
     fprintf(text->output.stream, "\n};\n");
 }
 
+static long number_at(const struct import_array *array, size_t i)
+{
+    const char *type = array->type;
+    if (strcmp(type, "int8_t") == 0)
+        return ((const int8_t *)array->data)[i];
+    if (strcmp(type, "uint8_t") == 0)
+        return ((const uint8_t *)array->data)[i];
+    if (strcmp(type, "int16_t") == 0)
+        return ((const int16_t *)array->data)[i];
+    if (strcmp(type, "uint16_t") == 0)
+        return ((const uint16_t *)array->data)[i];
+    return (long)((const uint32_t *)array->data)[i];
+}
+
+void import_array(struct import_text *text, const char *name,
+                  const struct import_array *array)
+{
+    if (!array->data)
+        return;
+    import_array_begin(text, name, array);
+    for (uint32_t i = 0; i < array->count; i++) {
+        long value[3] = {0};
+        for (int k = 0; k < array->axes; k++)
+            value[k] =
+                number_at(array, (size_t)i * (size_t)array->axes + (size_t)k);
+        import_array_item(text, value, array->axes);
+    }
+    import_array_end(text);
+}
+
 void import_struct_begin(struct import_text *text)
 {
     FILE *out = text->output.stream;

@@ -28,7 +28,8 @@ bool import_text_commit(struct import_text *text);
 struct import_array {
     const char *type, *what;
     uint32_t count;
-    int axes; /* numbers of an element */
+    int axes;         /* numbers of an element */
+    const void *data; /* of import_array: all of them, of `type` */
 };
 
 /* `static const TYPE NAME_WHAT[COUNT][AXES] = {`, without AXES when it is 1. */
@@ -39,6 +40,10 @@ void import_array_begin(struct import_text *text, const char *name,
 void import_array_item(struct import_text *text, const long *value, int n);
 
 void import_array_end(struct import_text *text);
+
+/* The three for an array of numbers; NULL data is left out. */
+void import_array(struct import_text *text, const char *name,
+                  const struct import_array *array);
 
 /* `const struct pel_KIND_asset NAME = {`, and its declaration before it. */
 void import_struct_begin(struct import_text *text);

@@ -75,13 +75,6 @@ void mesh_normalise(struct mesh *mesh);
  * False, with a message, when memory is short. */
 bool mesh_weld(struct mesh *mesh);
 
-/* The vertices' colours, for assets: those of the file `texture` (nearest
- * texel, repeated outside 0..1) where one is given, otherwise those of the mesh
- * file, of the mesh's own texture, or of its materials. A texture of the mesh's
- * own that cannot be read leaves the materials, with a message. False, with a
- * message, when `texture` cannot be read or the mesh has no uv for it. */
-bool mesh_paint(struct mesh *mesh, const char *path, const char *texture);
-
 /* Parts of mesh_load, in files of their own. */
 bool mesh_load_file(struct mesh *mesh, const char *path);
 bool mesh_load_builtin(struct mesh *mesh);
