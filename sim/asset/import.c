@@ -1,13 +1,12 @@
 /* pel import: makes assets for firmware, and pel2d files. */
 #include "sim/asset/import.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 #include <unistd.h>
 
+#include "sim/asset/text.h"
 #include "sim/cli/arguments.h"
 #include "sim/cli/commands.h"
 #include "core/format/argb8888.h"
@@ -17,12 +16,21 @@
 #include "sim/render/scene_pel2d.h"
 #include "sim/image/texture.h"
 
+/* What is made, in the bits of a set. */
+enum import_kind {
+    IMPORT_MESH = 1,
+    IMPORT_PICTURE = 2,
+    IMPORT_FONT = 4,
+    IMPORT_PEL2D = 8
+};
+
 struct import_command {
     struct scene_options scene;
     struct import_options options;
     const struct pel_format *format; /* NULL: not given */
     int normal_bits;                 /* 8 or 16 */
-    char name[128];                  /* made from the output's */
+    enum import_kind kind;
+    char name[128]; /* made from the output's */
 };
 
 enum { OPTION_NAME = 0x200, OPTION_FORMAT, OPTION_NORMALS, OPTION_CODES };
@@ -47,40 +55,19 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static bool has_ending(const char *path, const char *const *ending)
-{
-    const char *dot = strrchr(path, '.');
-    for (; dot && *ending; ending++)
-        if (strcasecmp(dot, *ending) == 0)
-            return true;
-    return false;
-}
-
 static bool is_picture(const char *path)
 {
-    static const char *const ending[] = {".png", ".jpg", ".jpeg", ".tga",
-                                         ".bmp", ".ppm", ".pgm",  NULL};
-    return has_ending(path, ending);
+    return path_has_ending(path, " .png .jpg .jpeg .tga .bmp .ppm .pgm ");
 }
 
 static bool is_font(const char *path)
 {
-    static const char *const ending[] = {".bdf", ".psf", ".psfu", NULL};
-    return has_ending(path, ending);
+    return path_has_ending(path, " .bdf .psf .psfu ");
 }
 
 static bool is_pel2d(const char *path)
 {
-    static const char *const ending[] = {".pel2d", NULL};
-    return has_ending(path, ending);
-}
-
-static bool parse_input(const char *text, struct import_command *c)
-{
-    if (c->scene.source.path)
-        return message_error("'%s' is a second input: expected one", text);
-    c->scene.source.path = text;
-    return true;
+    return path_has_ending(path, " .pel2d ");
 }
 
 static bool parse_format(const char *text, struct import_command *c)
@@ -111,7 +98,12 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[0] = &c->scene;
         return 0;
     case ARGP_KEY_ARG:
-        return parse_input(text, c) ? 0 : EINVAL;
+        if (c->scene.source.path) {
+            message_error("'%s' is a second input: expected one", text);
+            return EINVAL;
+        }
+        c->scene.source.path = text;
+        return 0;
     case 'o':
         c->options.output = text;
         return 0;
@@ -154,53 +146,68 @@ static const struct argp parser = {
     .children = children,
 };
 
-/* Base name of the output up to the first dot, what C does not take as _. */
-static void make_name(struct import_command *c)
+/* The kinds that an option is for; those that the table leaves out place,
+ * light and colour what a pel2d file holds. */
+static const struct use {
+    const char *option;
+    unsigned kinds; /* of enum import_kind */
+    const char *what;
+} uses[] = {
+    {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT, "C assets"},
+    {"format", IMPORT_PICTURE, "pictures"},
+    {"normals", IMPORT_MESH, "C assets of meshes"},
+    {"codes", IMPORT_FONT, "fonts"},
+    {"texture-file", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
+    {"normals-from", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
+    {"shade", 0, "pel render"},
+    {"transparency", 0, "pel render"},
+    {"order", 0, "pel render"},
+    {"cull", 0, "pel render"},
+    {"mapping", 0, "pel render"},
+    {"span", 0, "pel render"},
+    {"background", IMPORT_PICTURE, "pictures"},
+    {NULL, IMPORT_PEL2D, "an output .pel2d"},
+};
+
+static const char *name_of(enum import_kind kind)
 {
-    const char *slash = strrchr(c->options.output, '/');
-    const char *base = slash ? slash + 1 : c->options.output;
-    size_t n = strcspn(base, ".");
-    if (strcmp(base, "-") == 0 || n == 0)
-        base = "asset", n = 5;
-    snprintf(c->name, sizeof(c->name), "%s%.*s",
-             isdigit((unsigned char)*base) ? "_" : "", (int)n, base);
-    for (char *p = c->name; *p; p++)
-        if (!isalnum((unsigned char)*p))
-            *p = '_';
-    c->options.name = c->name;
+    switch (kind) {
+    case IMPORT_MESH:
+        return "a C asset of a mesh holds the mesh itself";
+    case IMPORT_PICTURE:
+        return "this is a picture";
+    case IMPORT_FONT:
+        return "this is a font";
+    default:
+        return "a pel2d file holds triangles with Gouraud's colours";
+    }
 }
 
-static bool check_name(const char *name)
+static bool check_options(const struct options_given *given,
+                          enum import_kind kind)
 {
-    static const char words[] =
-        " auto break case char const continue default do double else enum "
-        "extern float for goto if inline int long register restrict return "
-        "short signed sizeof static struct switch typedef union unsigned void "
-        "volatile while ";
-    char padded[160];
-    size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyz"
-                            "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
-    snprintf(padded, sizeof(padded), " %s ", name);
-    return (n > 0 && n < 128 && name[n] == '\0' &&
-            !isdigit((unsigned char)*name) && !strstr(words, padded)) ||
-           message_error("the name '%s' is no identifier of C: expected --name "
-                         "such as duck",
-                         name);
+    for (int i = 0; i < given->count; i++) {
+        const struct use *use = uses;
+        while (use->option && strcmp(use->option, given->names[i]) != 0)
+            use++;
+        if (!(use->kinds & (unsigned)kind))
+            return message_error("--%s is for %s; %s", given->names[i],
+                                 use->what, name_of(kind));
+    }
+    return true;
 }
 
 /* By its name's ending, when it is there: assimp's own messages would not tell
  * of pictures and fonts. */
-static bool check_kind(const char *path)
+static bool check_mesh(const char *path)
 {
-    static const char *const packed[] = {".gz", NULL}, *const pcf[] = {".pcf",
-                                                                       NULL};
     if (access(path, R_OK) != 0 || mesh_ending_known(path) || is_pel2d(path))
         return true;
-    if (has_ending(path, packed))
+    if (path_has_ending(path, " .gz "))
         return message_error_at(path, 0,
                                 "is packed: expected `gunzip -k` first, and of "
                                 "a font .pcf then `pcf2bdf -o FONT.bdf`");
-    if (has_ending(path, pcf))
+    if (path_has_ending(path, " .pcf "))
         return message_error_at(
             path, 0,
             "is a font of another kind: expected `pcf2bdf -o FONT.bdf` first");
@@ -209,10 +216,17 @@ static bool check_kind(const char *path)
                             "ending");
 }
 
+static enum import_kind kind_of(const struct import_options *o)
+{
+    return is_pel2d(o->output)     ? IMPORT_PEL2D
+           : is_picture(o->source) ? IMPORT_PICTURE
+           : is_font(o->source)    ? IMPORT_FONT
+                                   : IMPORT_MESH;
+}
+
 static bool check(struct import_command *c)
 {
-    static const char *const ending[] = {".c", NULL};
-    const char *input = c->scene.source.path, *output = c->options.output;
+    const char *input = c->options.source, *output = c->options.output;
     if (!input || !output)
         return message_error(
             "%s is missing: expected `pel import MESH|PICTURE|FONT -o ASSET.c`",
@@ -220,21 +234,23 @@ static bool check(struct import_command *c)
     if (strcmp(input, "-") == 0)
         return message_error(
             "import does not read standard input: expected a file");
-    if (is_pel2d(output) && (is_picture(input) || is_font(input)))
+    c->kind = kind_of(&c->options);
+    if (c->kind == IMPORT_PEL2D && (is_picture(input) || is_font(input)))
         return message_error_at(
             input, 0, "a pel2d file holds a mesh: expected an output .c");
-    if (is_pel2d(output))
-        return import_check(&c->scene.given, IMPORT_PEL2D);
-    if (strcmp(output, "-") != 0 && !has_ending(output, ending))
+    if (!is_pel2d(output) && strcmp(output, "-") != 0 &&
+        !path_has_ending(output, " .c "))
         return message_error_at(output, 0, "expected an output .c or .pel2d");
-    if (!is_picture(input) && !is_font(input) && !check_kind(input))
+    if (c->kind == IMPORT_MESH && !check_mesh(input))
         return false;
     if (!c->options.name)
-        make_name(c);
-    return check_name(c->options.name) &&
-           import_check(&c->scene.given, is_picture(input) ? IMPORT_PICTURE
-                                         : is_font(input)  ? IMPORT_FONT
-                                                           : IMPORT_MESH);
+        c->options.name = import_name(output, c->name);
+    if (!check_options(&c->scene.given, c->kind) ||
+        (c->kind != IMPORT_PEL2D && !import_name_check(c->options.name)))
+        return false;
+    return c->kind == IMPORT_PICTURE || c->kind == IMPORT_FONT ||
+           !pel2d_is_file(input) ||
+           message_error_at(input, 0, "is projected already: expected a mesh");
 }
 
 /* Gouraud's colours at the vertices, whatever draws them. */
@@ -262,10 +278,6 @@ static bool import_as_pel2d(struct import_command *c)
 {
     struct pel2d flat;
     struct model model;
-    const char *path = c->scene.source.path;
-    if (pel2d_is_file(path))
-        return message_error_at(path, 0,
-                                "is projected already: expected a mesh");
     if (!model_load(&model, &c->scene.source))
         return false;
     const bool projected = project(&c->scene, &model, &flat);
@@ -300,9 +312,6 @@ static bool import_as_mesh(struct import_command *c)
     struct model model = {0};
     struct model_source *source = &c->scene.source;
     const char *path = source->path;
-    if (pel2d_is_file(path))
-        return message_error_at(path, 0,
-                                "is projected already: expected a mesh");
     if (!mesh_load(&mesh, path))
         return false;
     source->without_texture = mesh.has_colors && !source->texture;
@@ -317,11 +326,6 @@ static bool import_as_mesh(struct import_command *c)
     return done;
 }
 
-static bool import_as_font(const struct import_command *c)
-{
-    return import_font(&c->options);
-}
-
 int command_import(int argc, char **argv)
 {
     struct import_command c = {
@@ -334,9 +338,9 @@ int command_import(int argc, char **argv)
     c.options.source = c.scene.source.path;
     if (!check(&c))
         return STATUS_ERROR;
-    bool done = is_pel2d(c.options.output)        ? import_as_pel2d(&c)
-                : is_picture(c.scene.source.path) ? import_as_picture(&c)
-                : is_font(c.scene.source.path)    ? import_as_font(&c)
-                                                  : import_as_mesh(&c);
+    const bool done = c.kind == IMPORT_PEL2D     ? import_as_pel2d(&c)
+                      : c.kind == IMPORT_PICTURE ? import_as_picture(&c)
+                      : c.kind == IMPORT_FONT    ? import_font(&c.options)
+                                                 : import_as_mesh(&c);
     return done ? STATUS_OK : STATUS_ERROR;
 }

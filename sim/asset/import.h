@@ -4,7 +4,6 @@
 
 #include "core/base/format.h"
 #include "sim/mesh/model.h"
-#include "sim/cli/option_text.h"
 
 /* The name of the format that keeps the alpha of pictures; no display has it,
  * so that format_find knows nothing of it. */
@@ -29,18 +28,6 @@ bool import_font(const struct import_options *options);
  * unless the format is pel_argb8888. */
 bool import_picture(const struct import_options *options,
                     struct picture *picture, const struct pel_format *format);
-
-/* What is made, in the bits of a set. */
-enum import_kind {
-    IMPORT_MESH = 1,
-    IMPORT_PICTURE = 2,
-    IMPORT_FONT = 4,
-    IMPORT_PEL2D = 8
-};
-
-/* Does every option that was given mean something for this kind? False, with a
- * message that says what the first one that does not is for. */
-bool import_check(const struct options_given *given, enum import_kind kind);
 
 /* Are these code points as --codes wants them? False, with a message. */
 bool import_codes_legal(const char *codes);

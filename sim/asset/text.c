@@ -33,6 +33,39 @@ static void print_declaration(FILE *out, const struct import_text *text)
             text->options->name);
 }
 
+const char *import_name(const char *output, char name[IMPORT_NAME])
+{
+    const char *slash = strrchr(output, '/');
+    const char *base = slash ? slash + 1 : output;
+    size_t n = strcspn(base, ".");
+    if (strcmp(base, "-") == 0 || n == 0)
+        base = "asset", n = 5;
+    snprintf(name, IMPORT_NAME, "%s%.*s",
+             isdigit((unsigned char)*base) ? "_" : "", (int)n, base);
+    for (char *p = name; *p; p++)
+        if (!isalnum((unsigned char)*p))
+            *p = '_';
+    return name;
+}
+
+bool import_name_check(const char *name)
+{
+    static const char words[] =
+        " auto break case char const continue default do double else enum "
+        "extern float for goto if inline int long register restrict return "
+        "short signed sizeof static struct switch typedef union unsigned void "
+        "volatile while ";
+    char padded[160];
+    size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyz"
+                            "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+    snprintf(padded, sizeof(padded), " %s ", name);
+    return (n > 0 && n < IMPORT_NAME && name[n] == '\0' &&
+            !isdigit((unsigned char)*name) && !strstr(words, padded)) ||
+           message_error("the name '%s' is no identifier of C: expected --name "
+                         "such as duck",
+                         name);
+}
+
 bool import_text_open(struct import_text *text,
                       const struct import_options *options, const char *kind)
 {

@@ -15,6 +15,15 @@ struct import_text {
     int column;       /* of the line that is being written */
 };
 
+enum { IMPORT_NAME = 128 }; /* bytes of a name */
+
+/* A name of C from the output's: its base name up to the first dot, with _ for
+ * what C does not take. */
+const char *import_name(const char *output, char name[IMPORT_NAME]);
+
+/* Is it an identifier of C? False, with a message. */
+bool import_name_check(const char *name);
+
 /* Opens the output and writes its first lines: the comment, with the base name
  * of the source, and #include of the header of that kind of asset. */
 bool import_text_open(struct import_text *text,

@@ -21,6 +21,9 @@ enum {
 
 bool picture_size_legal(int width, int height);
 
+/* The same; false with a message, that names `path` unless it is NULL. */
+bool picture_size_check(const char *path, int64_t width, int64_t height);
+
 /* A picture of one colour. False, with a message on standard error, when the
  * size is out of range or memory is short; the picture is then empty, as
  * picture_free leaves it. */
@@ -51,6 +54,9 @@ bool picture_save(const struct picture *picture, const char *path);
 /* Is the ending of `path` one that picture_save writes? False, with a message,
  * when not: commands ask before they work. */
 bool picture_path_check(const char *path);
+
+/* Does the name end as one of `endings`, " .ppm .pgm ", whatever the case? */
+bool path_has_ending(const char *path, const char *endings);
 
 /* The best compressed ending that this build writes: ".png", or ".bmp" where
  * libpng was missing. */

@@ -1,9 +1,11 @@
 /* PPM and PGM: P6 and P5 binary, P3 and P2 text. */
+#include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "sim/cli/message.h"
-#include "sim/image/picture_file.h"
+#include "sim/image/picture.h"
 
 struct reader {
     FILE *file;
@@ -190,7 +192,7 @@ static bool read_rows(struct reader *r, struct picture *picture,
                             r->byte - 1, r->width, r->height);
 }
 
-bool picture_read_ppm(struct picture *picture, FILE *file, const char *name)
+static bool read_ppm(struct picture *picture, FILE *file, const char *name)
 {
     struct reader reader = {file, name, 1, 0, 0, 0, 0, false};
     if (!read_header(&reader))
@@ -201,5 +203,18 @@ bool picture_read_ppm(struct picture *picture, FILE *file, const char *name)
     free(line);
     if (!done)
         picture_free(picture);
+    return done;
+}
+
+bool picture_load(struct picture *picture, const char *path)
+{
+    *picture = (struct picture){0, 0, NULL};
+    if (strcmp(path, "-") == 0)
+        return read_ppm(picture, stdin, path);
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+    const bool done = read_ppm(picture, file, path);
+    fclose(file);
     return done;
 }
