@@ -1,20 +1,20 @@
 /* Glyph Bitmap Distribution Format, Adobe Technical Note 5005 (versions 2.1 and
  * 2.2). Vertical writing is read over. */
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 #include "sim/font/font.h"
 #include "sim/cli/message.h"
-#include "sim/cli/number.h"
 
 struct bdf {
     struct font *font;
     const char *path;
-    const char *next, *end; /* of the file */
+    char *next, *end; /* of the file */
     long line;
-    char word[80];   /* the line's first */
-    char rest[1024]; /* and what follows, without blanks at both ends */
-    char registry[64], encoding[64];
+    char *word; /* the line's first */
+    char *rest; /* and what follows, without blanks at both ends */
+    const char *registry, *encoding;
     int box[4], advance; /* of the font; the advance is -1 when it has none */
     bool has_box;
     int ascent, descent; /* -1: not given */
@@ -29,31 +29,34 @@ static bool is(const struct bdf *b, const char *word)
     return strcmp(b->word, word) == 0;
 }
 
-/* The next line that is not blank and no comment. */
+/* Is the line's word among `words`, with a blank between two of them? */
+static bool is_one_of(const struct bdf *b, const char *words)
+{
+    const size_t n = strlen(b->word);
+    for (; *words; words += strcspn(words, " "), words += *words == ' ')
+        if (strcspn(words, " ") == n && strncmp(words, b->word, n) == 0)
+            return true;
+    return false;
+}
+
+/* The next line that is not blank and no comment. It is ended where it lies. */
 static bool next_line(struct bdf *b, const char *wanted)
 {
     do {
         if (b->next >= b->end)
             return ERROR(b, "the file ends here: expected %s", wanted);
-        const char *start = b->next, *stop = start;
-        while (stop < b->end && *stop != '\n')
-            stop++;
+        char *stop = memchr(b->next, '\n', (size_t)(b->end - b->next));
+        stop = stop ? stop : b->end;
+        b->word = b->next;
         b->next = stop + 1;
         b->line++;
-        while (start < stop && strchr(" \t\r", stop[-1]))
+        while (stop > b->word && strchr(" \t\r", stop[-1]))
             stop--;
-        size_t word = 0, size = (size_t)(stop - start);
-        while (word < size && !strchr(" \t", start[word]))
-            word++;
-        size_t rest = word;
-        while (rest < size && strchr(" \t", start[rest]))
-            rest++;
-        if (word >= sizeof(b->word) || size - rest >= sizeof(b->rest))
-            return ERROR(b, "the line is too long: expected %s", wanted);
-        memcpy(b->word, start, word);
-        b->word[word] = '\0';
-        memcpy(b->rest, start + rest, size - rest);
-        b->rest[size - rest] = '\0';
+        *stop = '\0';
+        b->rest = b->word + strcspn(b->word, " \t");
+        if (*b->rest)
+            *b->rest++ = '\0';
+        b->rest += strspn(b->rest, " \t");
     } while (!*b->word || is(b, "COMMENT"));
     return true;
 }
@@ -61,19 +64,18 @@ static bool next_line(struct bdf *b, const char *wanted)
 /* Exactly n whole numbers after the word. */
 static bool numbers(struct bdf *b, int n, int *value)
 {
-    char copy[sizeof(b->rest)], *state = NULL;
-    strcpy(copy, b->rest);
-    char *field = strtok_r(copy, " \t", &state);
-    for (int i = 0; i < n; i++, field = strtok_r(NULL, " \t", &state)) {
-        int64_t v = 0;
-        if (!field || number_integer(field, -32768, FONT_CODE_MAX, &v))
-            return ERROR(b, "'%s %s': expected %s with %d whole number%s",
-                         b->word, b->rest, b->word, n, n > 1 ? "s" : "");
+    char *end = b->rest;
+    bool right = true;
+    for (int i = 0; right && i < n; i++) {
+        const char *start = end;
+        const long v = strtol(start, &end, 10);
+        right = end > start && strchr(" \t", *end) && v >= -32768 &&
+                v <= FONT_CODE_MAX;
         value[i] = (int)v;
     }
-    return !field ||
-           ERROR(b, "'%s' is too much: expected %s with %d whole number%s",
-                 field, b->word, n, n > 1 ? "s" : "");
+    return (right && end[strspn(end, " \t")] == '\0') ||
+           ERROR(b, "'%s %s': expected %s with %d whole number%s", b->word,
+                 b->rest, b->word, n, n > 1 ? "s" : "");
 }
 
 static bool number_in(struct bdf *b, int lo, int hi, int *value)
@@ -84,17 +86,13 @@ static bool number_in(struct bdf *b, int lo, int hi, int *value)
 }
 
 /* "name" or name. */
-static void unquote(const char *text, char *to, size_t size)
+static const char *unquoted(char *text)
 {
-    size_t n = strlen(text);
-    if (n >= 2 && text[0] == '"' && text[n - 1] == '"') {
-        text++;
-        n -= 2;
-    }
-    if (n >= size)
-        n = size - 1;
-    memcpy(to, text, n);
-    to[n] = '\0';
+    const size_t n = strlen(text);
+    if (n < 2 || text[0] != '"' || text[n - 1] != '"')
+        return text;
+    text[n - 1] = '\0';
+    return text + 1;
 }
 
 static bool read_properties(struct bdf *b)
@@ -116,9 +114,9 @@ static bool read_properties(struct bdf *b)
             right = number_in(b, 0, FONT_CODE_MAX, &code);
             b->font->missing = code;
         } else if (is(b, "CHARSET_REGISTRY"))
-            unquote(b->rest, b->registry, sizeof(b->registry));
+            b->registry = unquoted(b->rest);
         else if (is(b, "CHARSET_ENCODING"))
-            unquote(b->rest, b->encoding, sizeof(b->encoding));
+            b->encoding = unquoted(b->rest);
         else if (is(b, "STARTCHAR") || is(b, "CHARS"))
             right = ERROR(
                 b, "%s among the properties: expected ENDPROPERTIES before it",
@@ -187,8 +185,6 @@ static bool read_encoding(struct bdf *b, struct glyph *g)
 /* What stands between STARTCHAR and BITMAP. */
 static bool read_head(struct bdf *b, struct glyph *g)
 {
-    static const char *const others[] = {"SWIDTH", "SWIDTH1", "DWIDTH1",
-                                         "VVECTOR", "ATTRIBUTES"};
     bool has_code = false;
     while (next_line(b, "BITMAP")) {
         bool right = true;
@@ -207,27 +203,15 @@ static bool read_head(struct bdf *b, struct glyph *g)
             right = read_advance(b, &g->advance);
         else if (is(b, "BBX"))
             g->has_box = right = read_box(b, g->box);
-        else {
-            size_t i = 0;
-            while (i < sizeof(others) / sizeof(*others) && !is(b, others[i]))
-                i++;
-            if (i == sizeof(others) / sizeof(*others))
-                right = ERROR(
-                    b,
-                    "'%s' in a glyph: expected ENCODING, DWIDTH, BBX or BITMAP",
-                    b->word);
-        }
+        else if (!is_one_of(b, "SWIDTH SWIDTH1 DWIDTH1 VVECTOR ATTRIBUTES"))
+            right = ERROR(b,
+                          "'%s' in a glyph: expected ENCODING, DWIDTH, BBX or "
+                          "BITMAP",
+                          b->word);
         if (!right)
             return false;
     }
     return false;
-}
-
-static int digit(char c)
-{
-    static const char digits[] = "0123456789abcdef0123456789ABCDEF";
-    const char *at = c ? strchr(digits, c) : NULL;
-    return at ? (int)(at - digits) % 16 : -1;
 }
 
 /* Bits right of the width are padding, whatever they are. */
@@ -237,11 +221,12 @@ static bool read_rows(struct bdf *b, const struct glyph *g, uint8_t *rows)
     for (int y = 0; y < g->box[1] && stride > 0; y++, rows += stride) {
         if (!next_line(b, "a row of the glyph"))
             return false;
-        bool right = strlen(b->word) == (size_t)(2 * stride) && !*b->rest;
-        for (int i = 0; right && i < 2 * stride; i++) {
-            int value = digit(b->word[i]);
-            right = value >= 0;
-            rows[i / 2] = (uint8_t)(rows[i / 2] << 4 | (value & 15));
+        const size_t digits = strspn(b->word, "0123456789abcdefABCDEF");
+        const bool right =
+            digits == (size_t)(2 * stride) && !b->word[digits] && !*b->rest;
+        for (int i = 0; right && i < stride; i++) {
+            const char byte[3] = {b->word[2 * i], b->word[2 * i + 1]};
+            rows[i] = (uint8_t)strtoul(byte, NULL, 16);
         }
         if (!right)
             return ERROR(b,
@@ -276,9 +261,6 @@ static bool read_glyph(struct bdf *b)
 /* One line between the glyphs, and what belongs to it. */
 static bool read_entry(struct bdf *b)
 {
-    static const char *const others[] = {"CONTENTVERSION", "FONT",   "SIZE",
-                                         "METRICSSET",     "SWIDTH", "SWIDTH1",
-                                         "DWIDTH1",        "VVECTOR"};
     int count;
     if (is(b, "STARTCHAR"))
         return read_glyph(b);
@@ -293,10 +275,9 @@ static bool read_entry(struct bdf *b)
         b->chars = count;
         return right;
     }
-    for (size_t i = 0; i < sizeof(others) / sizeof(*others); i++)
-        if (is(b, others[i]))
-            return true;
-    return ERROR(b, "'%s' between glyphs: expected STARTCHAR or ENDFONT",
+    return is_one_of(b, "CONTENTVERSION FONT SIZE METRICSSET SWIDTH SWIDTH1 "
+                        "DWIDTH1 VVECTOR") ||
+           ERROR(b, "'%s' between glyphs: expected STARTCHAR or ENDFONT",
                  b->word);
 }
 
@@ -319,6 +300,8 @@ bool font_parse_bdf(struct font *font, const struct font_file *file)
         .path = file->path,
         .next = file->data,
         .end = file->data + file->size,
+        .registry = "",
+        .encoding = "",
         .advance = -1,
         .ascent = -1,
         .descent = -1,

@@ -9,26 +9,22 @@
 #include "sim/cli/list.h"
 #include "sim/cli/message.h"
 
-enum { FILE_MAX = 64 << 20, CHUNK = 1 << 16 };
+enum { FILE_MAX = 64 << 20 };
 
 static bool read_stream(struct font_file *file, FILE *stream)
 {
-    size_t room = 0, got = 1;
-    while (got > 0) {
-        if (file->size + CHUNK >= room) {
-            room = 2 * room + 2 * CHUNK;
-            char *larger = realloc(file->data, room);
-            if (!larger)
-                return message_error_at(file->path, 0, "out of memory");
-            file->data = larger;
-        }
-        got = fread(file->data + file->size, 1, CHUNK, stream);
-        file->size += got;
-        if (file->size > FILE_MAX)
-            return message_error_at(file->path, 0,
-                                    "over 64 MB: expected a font");
+    char chunk[1 << 16];
+    size_t size = 0, got = 1;
+    FILE *memory = open_memstream(&file->data, &file->size);
+    while (memory && got > 0 && size <= FILE_MAX) {
+        got = fread(chunk, 1, sizeof chunk, stream);
+        size += fwrite(chunk, 1, got, memory);
     }
-    file->data[file->size] = '\0';
+    const bool failed = !memory || ferror(memory);
+    if ((memory && fclose(memory) != 0) || failed)
+        return message_error_at(file->path, 0, "out of memory");
+    if (size > FILE_MAX)
+        return message_error_at(file->path, 0, "over 64 MB: expected a font");
     return !ferror(stream) ||
            message_error_at(file->path, 0, "cannot be read: %s",
                             strerror(errno));
