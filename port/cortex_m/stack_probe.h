@@ -1,4 +1,4 @@
-/* How much stack a call uses. */
+/* Measures the stack that a call uses. */
 #ifndef PORT_CORTEX_M_STACK_PROBE_H
 #define PORT_CORTEX_M_STACK_PROBE_H
 

@@ -54,7 +54,7 @@ bool import_codes_legal(const char *codes)
                          codes);
 }
 
-/* What --codes names and the font lacks. */
+/* Code points of --codes that the font lacks. */
 struct lacking {
     unsigned long count;
     bool single; /* one of it was named by itself */
@@ -109,7 +109,7 @@ static bool check_lacking(const struct lacking *l, const char *path)
     return !l->single;
 }
 
-/* Drops the glyphs that are not asked for; they stay in order. */
+/* Drops the glyphs that --codes leaves out; they stay in order. */
 static bool keep_codes(struct font *font, const char *path, const char *codes)
 {
     struct lacking lacking = {0};

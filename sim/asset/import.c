@@ -16,7 +16,7 @@
 #include "sim/render/scene_pel2d.h"
 #include "sim/image/texture.h"
 
-/* What is made, in the bits of a set. */
+/* The kinds of output, as the bits of a set. */
 enum import_kind {
     IMPORT_MESH = 1,
     IMPORT_PICTURE = 2,
@@ -197,8 +197,8 @@ static bool check_options(const struct options_given *given,
     return true;
 }
 
-/* By its name's ending, when it is there: assimp's own messages would not tell
- * of pictures and fonts. */
+/* By its name's ending, when it is there: assimp's own messages do not
+ * speak of pictures and fonts. */
 static bool check_mesh(const char *path)
 {
     if (access(path, R_OK) != 0 || mesh_ending_known(path) || is_pel2d(path))

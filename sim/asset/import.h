@@ -6,7 +6,7 @@
 #include "sim/mesh/model.h"
 
 /* The name of the format that keeps the alpha of pictures; no display has it,
- * so that format_find knows nothing of it. */
+ * so format_find does not find it. */
 #define IMPORT_ALPHA_FORMAT "argb8888"
 
 struct import_options {
@@ -29,7 +29,7 @@ bool import_font(const struct import_options *options);
 bool import_picture(const struct import_options *options,
                     struct picture *picture, const struct pel_format *format);
 
-/* Are these code points as --codes wants them? False, with a message. */
+/* True for a legal list of --codes; false with a message. */
 bool import_codes_legal(const char *codes);
 
 #endif

@@ -40,8 +40,8 @@ static void write_asset(struct import_text *text, const struct pel_mesh *m)
     fprintf(out, "};\n");
 }
 
-/* What a firmware's author asks first: where the camera may stand, and how much
- * memory a scene with this mesh takes. */
+/* A comment with the box of the mesh, for placing the camera, and the memory
+ * that a scene with it takes. */
 static void write_figures(FILE *out, const struct model *model)
 {
     const struct pel_mesh counts = {.vertices = model->mesh.vertices,

@@ -148,7 +148,7 @@ void import_struct_begin(struct import_text *text)
             text->options->name);
 }
 
-/* Is there a file that somebody else wrote? */
+/* True for a file that pel import has not made. */
 static bool is_foreign(const char *path)
 {
     char start[sizeof(made)];

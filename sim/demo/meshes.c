@@ -14,13 +14,13 @@
 #include "sim/image/canvas.h"
 #include "sim/render/scene.h"
 
-/* Where Debian's package assimp-testmodels has its models; the variable
+/* The models of Debian's package assimp-testmodels; the variable
  * PEL_MODELS names another directory. */
 #define MODELS "/usr/share/assimp/models"
 #define DUCK "Collada/duck.dae"
 
-/* The mesh before it is quantised; `source` tells what was taken (its path is
- * good until the next call), and the result's note says so. */
+/* The mesh before it is quantised; `source` names its file (the path is
+ * good until the next call), and so does the result's note. */
 static bool load_mesh(struct mesh *mesh, struct model_source *source,
                       struct demo_result *result)
 {

@@ -140,7 +140,7 @@ void rules_draw(const struct rules_case *rules, bool y_up,
                              pixels->color[row_of(y, y_up)]);
 }
 
-/* Where a case is shown: px of its left top corner. */
+/* The place of a case on the sheet: px of its left top corner. */
 struct cell {
     const struct pel_surface *sheet;
     int32_t x, y;

@@ -19,8 +19,8 @@ struct rules_case {
 /* All cases; the last has no caption. */
 extern const struct rules_case rules_cases[];
 
-/* What was drawn, as seen, the top row first: the colours, and how often each
- * pixel was painted. */
+/* A drawn case as it is seen, the top row first: the colours, and how often
+ * each pixel was painted. */
 struct rules_pixels {
     pel_color color[RULES_HEIGHT][RULES_WIDTH];
     uint8_t hits[RULES_HEIGHT][RULES_WIDTH];

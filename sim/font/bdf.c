@@ -29,7 +29,7 @@ static bool is(const struct bdf *b, const char *word)
     return strcmp(b->word, word) == 0;
 }
 
-/* Is the line's word among `words`, with a blank between two of them? */
+/* True when the line's word is among `words`, which blanks separate. */
 static bool is_one_of(const struct bdf *b, const char *words)
 {
     const size_t n = strlen(b->word);
@@ -39,7 +39,8 @@ static bool is_one_of(const struct bdf *b, const char *words)
     return false;
 }
 
-/* The next line that is not blank and no comment. It is ended where it lies. */
+/* The next line that is not blank and no comment. Zero bytes are put behind its
+ * parts. */
 static bool next_line(struct bdf *b, const char *wanted)
 {
     do {
@@ -182,7 +183,7 @@ static bool read_encoding(struct bdf *b, struct glyph *g)
     return number_in(b, -1, FONT_CODE_MAX, &g->code);
 }
 
-/* What stands between STARTCHAR and BITMAP. */
+/* The lines between STARTCHAR and BITMAP. */
 static bool read_head(struct bdf *b, struct glyph *g)
 {
     bool has_code = false;

@@ -115,7 +115,7 @@ static bool next_utf8(struct psf *p, uint32_t *code)
 
 enum { CODE, SEQUENCE, END, BAD };
 
-/* What comes next in the table of a glyph. */
+/* The next entry in the table of a glyph. */
 static int next_entry(struct psf *p, uint32_t *code)
 {
     const size_t unit = p->version == 1 ? 2 : 1;

@@ -82,15 +82,15 @@ static void picture_bytes(const struct picture *picture, int y,
 static bool write_ppm(const struct picture *picture, FILE *file)
 {
     const size_t width = (size_t)picture->width;
-    unsigned char *line = malloc(3 * width);
-    if (!line)
+    unsigned char *bytes = malloc(3 * width);
+    if (!bytes)
         return false;
     fprintf(file, "P6\n%d %d\n255\n", picture->width, picture->height);
     for (int y = 0; y < picture->height; y++) {
-        picture_bytes(picture, y, line);
-        fwrite(line, 3, width, file);
+        picture_bytes(picture, y, bytes);
+        fwrite(bytes, 3, width, file);
     }
-    free(line);
+    free(bytes);
     return true;
 }
 
@@ -107,17 +107,17 @@ static void put32(unsigned char *to, uint32_t v)
 }
 
 /* A picture at the limit has 32,767 x 98,304 bytes: below 2^32. */
-static void write_headers(const struct picture *p, uint32_t line, FILE *file)
+static void write_headers(const struct picture *p, uint32_t bytes, FILE *file)
 {
     unsigned char h[HEADERS] = {'B', 'M'};
-    put32(h + 2, HEADERS + line * (uint32_t)p->height);
+    put32(h + 2, HEADERS + bytes * (uint32_t)p->height);
     put32(h + 10, HEADERS);
     put32(h + 14, INFO_HEADER);
     put32(h + 18, (uint32_t)p->width);
     put32(h + 22, (uint32_t)p->height);
     h[26] = 1;
     h[28] = 24;
-    put32(h + 34, line * (uint32_t)p->height);
+    put32(h + 34, bytes * (uint32_t)p->height);
     fwrite(h, 1, sizeof h, file);
 }
 
@@ -125,36 +125,36 @@ static bool write_bmp(const struct picture *picture, FILE *file)
 {
     const uint32_t width = (uint32_t)picture->width;
     const uint32_t size = (3 * width + 3) / 4 * 4;
-    unsigned char *line = calloc(size, 1);
-    if (!line)
+    unsigned char *bytes = calloc(size, 1);
+    if (!bytes)
         return false;
     write_headers(picture, size, file);
     for (int y = picture->height - 1; y >= 0; y--) {
         const pel_color *row = picture_row(picture, y);
         for (uint32_t x = 0; x < width; x++)
             for (uint32_t k = 0; k < 3; k++)
-                line[3 * x + k] = (unsigned char)(row[x] >> 8 * k & 255);
-        fwrite(line, 1, size, file);
+                bytes[3 * x + k] = (unsigned char)(row[x] >> 8 * k & 255);
+        fwrite(bytes, 1, size, file);
     }
-    free(line);
+    free(bytes);
     return true;
 }
 
 #ifdef HAVE_LIBPNG
 
 static void write_rows(const struct picture *picture, png_structp png,
-                       png_bytep line)
+                       png_bytep bytes)
 {
     for (int y = 0; y < picture->height; y++) {
-        picture_bytes(picture, y, line);
-        png_write_row(png, line);
+        picture_bytes(picture, y, bytes);
+        png_write_row(png, bytes);
     }
 }
 
 /* libpng reports errors by jumping back to the setjmp. Nothing that changes
  * after it is read then. */
 static bool write_all(const struct picture *picture, FILE *file,
-                      png_structp png, png_infop info, png_bytep line)
+                      png_structp png, png_infop info, png_bytep bytes)
 {
     if (setjmp(png_jmpbuf(png)))
         return false;
@@ -164,7 +164,7 @@ static bool write_all(const struct picture *picture, FILE *file,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
     png_write_info(png, info);
-    write_rows(picture, png, line);
+    write_rows(picture, png, bytes);
     png_write_end(png, info);
     return true;
 }
@@ -174,10 +174,11 @@ static bool write_png(const struct picture *picture, FILE *file)
     png_structp png =
         png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
     png_infop info = png ? png_create_info_struct(png) : NULL;
-    png_bytep line = malloc(3 * (size_t)picture->width);
-    const bool done = info && line && write_all(picture, file, png, info, line);
+    png_bytep bytes = malloc(3 * (size_t)picture->width);
+    const bool done =
+        info && bytes && write_all(picture, file, png, info, bytes);
     png_destroy_write_struct(&png, &info);
-    free(line);
+    free(bytes);
     return done;
 }
 

@@ -51,11 +51,11 @@ bool picture_load(struct picture *picture, const char *path);
  * on standard error, when that failed. */
 bool picture_save(const struct picture *picture, const char *path);
 
-/* Is the ending of `path` one that picture_save writes? False, with a message,
- * when not: commands ask before they work. */
+/* True when picture_save writes the ending of `path`; false with a message.
+ * Commands call it before they start. */
 bool picture_path_check(const char *path);
 
-/* Does the name end as one of `endings`, " .ppm .pgm ", whatever the case? */
+/* True when the name ends as one of `endings`, " .ppm .pgm ", in any case. */
 bool path_has_ending(const char *path, const char *endings);
 
 /* The best compressed ending that this build writes: ".png", or ".bmp" where

@@ -55,7 +55,7 @@ static bool claimed_size(const struct head *head, uint32_t size[2])
 }
 
 /* SDL_image takes what is missing at the end of a file as black. A reader that
- * wants more than there is, and does not go back, has but a part. */
+ * reads beyond the end, and does not seek back, has read an incomplete file. */
 static struct {
     size_t (*read)(SDL_RWops *, void *, size_t, size_t);
     Sint64 (*seek)(SDL_RWops *, Sint64, int);

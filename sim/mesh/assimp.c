@@ -23,7 +23,7 @@ bool mesh_files_supported(void)
     return true;
 }
 
-/* What there is in a scene: vertices are those of parts with triangles, and a
+/* The contents of a scene: vertices are those of parts with triangles, and a
  * polygon counts as the triangles that it takes. */
 struct counts {
     uint64_t vertices, triangles, lines, points;

@@ -45,8 +45,8 @@ bool pel2d_load(struct pel2d *flat, const char *path);
  * False, with a message, when that failed. */
 bool pel2d_save(const struct pel2d *flat, const char *path);
 
-/* Is `path` one that pel2d_load should read: "-", a pipe, a name that ends in
- * .pel2d, or a file that begins as one? */
+/* True when pel2d_load should read `path`: "-", a pipe, a name that ends in
+ * .pel2d, or a file that begins as one. */
 bool pel2d_is_file(const char *path);
 
 #endif

@@ -24,7 +24,7 @@ struct reader {
 };
 
 /* The next line without its end; false, with a message, when there is none or
- * it cannot be text. `wanted` is what should stand there. */
+ * it cannot be text. `wanted` is what is expected there. */
 static bool next_line(struct reader *r, const char *wanted)
 {
     r->line++;
@@ -68,19 +68,19 @@ static bool next_fields(struct reader *r, int fields, const char *wanted)
 }
 
 static bool parse_integer(struct reader *r, int i, const char *name,
-                          uint32_t max, uint32_t *value)
+                          uint32_t most, uint32_t *value)
 {
     int64_t n = 0;
-    if (number_integer(r->field[i], 0, max, &n) == NUMBER_OK) {
+    if (number_integer(r->field[i], 0, most, &n) == NUMBER_OK) {
         *value = (uint32_t)n;
         return true;
     }
     return message_error_at(r->path, r->line,
                             "%s is '%s': expected a whole number from 0 to %u",
-                            name, r->field[i], max);
+                            name, r->field[i], most);
 }
 
-/* Is the decimal a whole number of 1/256 = 0.00390625? */
+/* True when the decimal is a whole number of 1/256 = 0.00390625. */
 static bool is_multiple(const char *text)
 {
     char first[9] = "00000000"; /* the digits down to 10^-8 */
