@@ -133,12 +133,12 @@ static bool keep_codes(struct font *font, const char *path, const char *codes)
            check_lacking(&lacking, path);
 }
 
-static void write_glyphs(struct import_text *text, const char *name,
+static void write_glyphs(struct import_text *text,
                          const struct pel_font_asset *font)
 {
     const struct import_array array = {"struct pel_font_glyph", "glyphs",
                                        font->glyphs, 1, NULL};
-    import_array_begin(text, name, &array);
+    import_array_begin(text, &array);
     for (uint32_t i = 0; i < font->glyphs; i++) {
         const struct pel_font_glyph *g = &font->glyph[i];
         const long value[] = {(long)g->offset, g->width, g->height,
@@ -148,12 +148,12 @@ static void write_glyphs(struct import_text *text, const char *name,
     import_array_end(text);
 }
 
-static void write_ranges(struct import_text *text, const char *name,
+static void write_ranges(struct import_text *text,
                          const struct pel_font_asset *font)
 {
     const struct import_array array = {"struct pel_font_range", "ranges",
                                        font->ranges, 1, NULL};
-    import_array_begin(text, name, &array);
+    import_array_begin(text, &array);
     for (uint32_t i = 0; i < font->ranges; i++) {
         const struct pel_font_range *r = &font->range[i];
         const long value[] = {(long)r->first, r->count, r->glyph};
@@ -162,15 +162,16 @@ static void write_ranges(struct import_text *text, const char *name,
     import_array_end(text);
 }
 
-static void write_asset(struct import_text *text, const char *name,
+static void write_asset(struct import_text *text,
                         const struct pel_font_asset *font)
 {
     FILE *out = text->output.stream;
+    const char *name = text->options->name;
     const struct import_array bits = {"uint8_t", "bits", font->size, 1,
                                       font->bits};
-    import_array(text, name, &bits);
-    write_glyphs(text, name, font);
-    write_ranges(text, name, font);
+    import_array(text, &bits);
+    write_glyphs(text, font);
+    write_ranges(text, font);
     import_struct_begin(text);
     fprintf(out, "    PEL_FONT_MAGIC,\n    PEL_FONT_VERSION,\n");
     fprintf(out, "    %u, /* px above the baseline */\n", font->ascent);
@@ -188,7 +189,7 @@ static bool write_file(const struct import_options *options,
     struct import_text text;
     if (!import_text_open(&text, options, "font"))
         return false;
-    write_asset(&text, options->name, asset);
+    write_asset(&text, asset);
     return import_text_commit(&text);
 }
 

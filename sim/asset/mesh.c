@@ -26,7 +26,7 @@ static void write_asset(struct import_text *text, const struct pel_mesh *m)
         {"uint32_t", "indices", t, 3, m->indices32},
     };
     for (int i = 0; i < 7; i++)
-        import_array(text, name, &arrays[i]);
+        import_array(text, &arrays[i]);
     import_struct_begin(text);
     fprintf(out, "    PEL_MESH_MAGIC,\n    PEL_MESH_VERSION,\n");
     fprintf(out, "    %u,\n    %u,\n", n, t);

@@ -78,12 +78,12 @@ bool import_text_open(struct import_text *text,
     return true;
 }
 
-void import_array_begin(struct import_text *text, const char *name,
+void import_array_begin(struct import_text *text,
                         const struct import_array *array)
 {
     FILE *out = text->output.stream;
-    fprintf(out, "\nstatic const %s %s_%s[%u]", array->type, name, array->what,
-            array->count);
+    fprintf(out, "\nstatic const %s %s_%s[%u]", array->type,
+            text->options->name, array->what, array->count);
     if (array->axes > 1)
         fprintf(out, "[%d]", array->axes);
     fprintf(out, " = {");
@@ -123,12 +123,11 @@ static long number_at(const struct import_array *array, size_t i)
     return (long)((const uint32_t *)array->data)[i];
 }
 
-void import_array(struct import_text *text, const char *name,
-                  const struct import_array *array)
+void import_array(struct import_text *text, const struct import_array *array)
 {
     if (!array->data)
         return;
-    import_array_begin(text, name, array);
+    import_array_begin(text, array);
     for (uint32_t i = 0; i < array->count; i++) {
         long value[3] = {0};
         for (int k = 0; k < array->axes; k++)

@@ -42,7 +42,7 @@ struct import_array {
 };
 
 /* `static const TYPE NAME_WHAT[COUNT][AXES] = {`, without AXES when it is 1. */
-void import_array_begin(struct import_text *text, const char *name,
+void import_array_begin(struct import_text *text,
                         const struct import_array *array);
 
 /* One element: a number when n is 1, else {a, b, ...}. */
@@ -51,8 +51,7 @@ void import_array_item(struct import_text *text, const long *value, int n);
 void import_array_end(struct import_text *text);
 
 /* The three for an array of numbers; NULL data is left out. */
-void import_array(struct import_text *text, const char *name,
-                  const struct import_array *array);
+void import_array(struct import_text *text, const struct import_array *array);
 
 /* `const struct pel_KIND_asset NAME = {`, and its declaration before it. */
 void import_struct_begin(struct import_text *text);

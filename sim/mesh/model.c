@@ -18,6 +18,13 @@ struct arrays {
     uint32_t (*indices32)[3];
 };
 
+static void set_color(uint8_t to[3], pel_color color)
+{
+    to[0] = (uint8_t)pel_red(color);
+    to[1] = (uint8_t)pel_green(color);
+    to[2] = (uint8_t)pel_blue(color);
+}
+
 static void set_vertex(const struct pel_mesh *to, const struct arrays *a,
                        const struct mesh_vertex *v, uint32_t i)
 {
@@ -31,9 +38,7 @@ static void set_vertex(const struct pel_mesh *to, const struct arrays *a,
     }
     for (int k = 0; k < 2 && a->uv; k++)
         a->uv[i][k] = (uint16_t)import_quantised(&to->texture, k, v->uv[k]);
-    a->colors[i][0] = (uint8_t)pel_red(v->color);
-    a->colors[i][1] = (uint8_t)pel_green(v->color);
-    a->colors[i][2] = (uint8_t)pel_blue(v->color);
+    set_color(a->colors[i], v->color);
 }
 
 static void set_triangle(const struct arrays *a, const uint32_t index[3],
@@ -123,10 +128,7 @@ void model_paint(struct model *model)
         double at[2];
         for (int k = 0; k < 2; k++)
             at[k] = ldexp(pel_mesh_quantum_value(q, k, m->uv[i][k]), -q->shift);
-        const pel_color color = texture_at(&model->texture, at[0], at[1]);
-        to[i][0] = (uint8_t)pel_red(color);
-        to[i][1] = (uint8_t)pel_green(color);
-        to[i][2] = (uint8_t)pel_blue(color);
+        set_color(to[i], texture_at(&model->texture, at[0], at[1]));
     }
 }
 

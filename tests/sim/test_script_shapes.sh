@@ -136,7 +136,7 @@ echo 'font none.bdf' | refused 2 "font: $work/none.bdf cannot be read (No such"
 echo 'image 1 2 none.ppm' | refused 2 "image: $work/none.ppm cannot be read"
 echo 'P6 2' >"$work/bad.ppm"
 echo 'image 1 2 bad.ppm' | refused 2 "$work/bad.ppm:2: ends before the height"
-echo 'font bad.ppm' | refused 2 "$work/bad.ppm: is no font; a BDF or PSF file"
+echo 'font bad.ppm' | refused 2 "$work/bad.ppm: is no font: expected a BDF or PSF file"
 echo 'image alpha 1 2 256 p.ppm' |
     refused 2 'image alpha: 256 must be a whole number in 0..255'
 
