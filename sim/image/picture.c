@@ -198,12 +198,14 @@ static const struct picture_format formats[] = {
     {NULL, NULL},
 };
 
+/* A name that is an ending alone has none. */
 static const struct picture_format *format_of(const char *path)
 {
     const struct picture_format *format = formats;
     if (strcmp(path, "-") == 0)
         return format;
-    while (format->ending && !path_has_ending(path, format->ending))
+    while (format->ending &&
+           !(*path && path_has_ending(path + 1, format->ending)))
         format++;
     return format->ending ? format : NULL;
 }
