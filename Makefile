@@ -21,7 +21,12 @@ WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow \
             -Wundef
 CFLAGS ?= -O2 -g
 # WERROR is -Werror in our own checks alone: a compiler of tomorrow warns of more.
-PEL_CFLAGS = -std=c99 $(WARNINGS) $(WERROR) -I. -MMD -MP
+PEL_CFLAGS = -std=c99 $(WARNINGS) $(WERROR) -I. -I$(BUILD)/include -MMD -MP
+
+# Core is included as <pel/...>, as where it is installed or copied.
+MAKE_INCLUDE = mkdir -p $(BUILD)/include && \
+    ln -sfn '$(CURDIR)/core' $(BUILD)/include/pel
+$(shell $(MAKE_INCLUDE))
 
 CORE := $(sort $(wildcard core/*/*.c))
 CORE_OBJECTS := $(CORE:%.c=$(BUILD)/%.o)
@@ -53,15 +58,23 @@ $(BUILD)/examples/letters.c: sim/scenes/letters.bdf $(BUILD)/pel
 	$(BUILD)/pel import $< -o $@
 $(BUILD)/examples/paints: $(BUILD)/examples/letters.c
 
+# A copy of core under the name pel is all that a program needs.
+$(BUILD)/vendored/user_paint: examples/user_paint.c $(CORE)
+	@rm -rf $(@D) && mkdir -p $(@D) && cp -R core $(@D)/pel
+	cd $(@D) && $(CC) -std=c99 $(WARNINGS) $(WERROR) $(CFLAGS) -I. \
+	    '$(CURDIR)/examples/user_paint.c' pel/*/*.c -o $(@F)
+
 CHECK_EXTRA += examples
 .PHONY: examples
-examples: $(EXAMPLE_PROGRAMS) ## build and run the examples
+examples: $(EXAMPLE_PROGRAMS) $(BUILD)/vendored/user_paint ## build and run the examples
 	$(BUILD)/examples/bands
 	@set -e; for e in $(filter-out %/bands,$(EXAMPLE_PROGRAMS)); do \
 	    $$e >$$e.ppm; echo "$$e.ppm"; done
+	@$(BUILD)/vendored/user_paint | cmp - $(BUILD)/examples/user_paint.ppm
 
-clean: ## remove build/
+clean: ## empty build/
 	rm -rf $(BUILD)
+	$(MAKE_INCLUDE)
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(filter-out %.d,$(MAKEFILE_LIST)) | sort | \

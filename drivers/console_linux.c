@@ -21,11 +21,11 @@ static struct {
     struct pel_console_hooks hooks;
     struct pel_guardian guardian;
     sigset_t mask; /* of the thread, before */
-    int switches;  /* signalfd that tells of terminal switches; -1: none */
+    int switches;  /* signalfd of terminal switches; -1: none */
     bool taken;
 } console = {.guardian = {.line = -1}, .switches = -1};
 
-/* What could not be restored here, the guardian tries again. */
+/* The guardian tries again what could not be restored here. */
 static void restore(void)
 {
     if (pel_console_state_restore(&console.state))
@@ -51,7 +51,8 @@ static int terminal_open(int *number)
         if (fd < 0)
             continue;
         if (pel_linux_ioctl(fd, KDGETMODE, &mode) == 0) {
-            /* /dev/tty has a number of its own; the terminal tells its. */
+            /* /dev/tty has a number of its own: ask the terminal for its
+             * number. */
             *number = 0;
             if (pel_linux_ioctl(fd, TIOCGDEV, number) == 0)
                 *number &= 255;

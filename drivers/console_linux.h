@@ -33,7 +33,7 @@ enum pel_console_event {
     PEL_CONSOLE_REDRAW   /* shown again: all pixels are lost */
 };
 
-/* What a display does when another terminal is shown, and when it returns.
+/* Work of a display when another terminal is shown, and when it returns.
  * NULL: nothing. */
 struct pel_console_hooks {
     void *context;

@@ -36,7 +36,7 @@ static bool show_cursor(int fd)
     return n > 0;
 }
 
-/* The first failure is the one to tell. */
+/* The first failure is reported. */
 static void note(struct pel_message *message, const char *what, int *error)
 {
     if (*error)

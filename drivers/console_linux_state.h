@@ -38,7 +38,7 @@ struct pel_console_state {
 int pel_console_state_save(struct pel_console_state *state,
                            struct pel_message *message);
 
-/* Is the virtual terminal the one that is shown? True where there is none. */
+/* True when the virtual terminal is the one that is shown, or there is none. */
 bool pel_console_state_is_shown(const struct pel_console_state *state);
 
 /* Puts everything back; the framebuffer's mode and palette only while the

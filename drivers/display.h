@@ -1,5 +1,5 @@
 /* Displays: where a surface is shown. The one run-time seam of Pel; panels, LCD
- * controllers, Linux devices and simulators all look like this to a program:
+ * controllers, Linux devices and simulators all have this form:
  *
  *     for each frame:
  *         for each band (one, the whole screen, where memory allows):
@@ -37,14 +37,14 @@
 #ifndef PEL_DRIVERS_DISPLAY_H
 #define PEL_DRIVERS_DISPLAY_H
 
-#include "../core/base/surface.h"
+#include <pel/base/surface.h>
 
 struct pel_display {
     void *context; /* the driver's own state */
 
     int32_t width, height; /* px; 0: any surface will do, whatever its size */
     const struct pel_format *format; /* of what flush takes; NULL: any */
-    int32_t stride; /* bytes between lines that flush wants; 0: any */
+    int32_t stride; /* bytes between rows that flush needs; 0: any */
     int32_t pages;  /* frames of memory that begin hands out in turn: with 2,
                        it gives what was drawn two flips ago. 0 is 1 */
 

@@ -7,11 +7,11 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../core/format/formats.h"
+#include <pel/format/formats.h>
 
 enum { CARDS = 8 }; /* DRM devices that are tried */
 
-/* What to open: the name taken apart. */
+/* The device to open: the parts of its name. */
 struct choice {
     enum pel_linux_kind kind;
     char path[200];
@@ -108,8 +108,9 @@ static const char *format_name(const struct pel_format *format)
     return names[format->id];
 }
 
-static void tell(struct pel_display_linux *screen, const struct choice *choice,
-                 const char *id, const char *how)
+static void set_note(struct pel_display_linux *screen,
+                     const struct choice *choice, const char *id,
+                     const char *how)
 {
     pel_message_set(&screen->note, "%s (%.16s, %dx%d, %s, %s): %s",
                     choice->path, id, (int)screen->display.width,
@@ -150,7 +151,7 @@ static int open_fb(struct pel_display_linux *screen,
     if (!error)
         error = pel_display_fb_start(&screen->display, fb, choice->way);
     if (!error)
-        tell(screen, choice, fb->mode.fixed.id, way_name(fb->way));
+        set_note(screen, choice, fb->mode.fixed.id, way_name(fb->way));
     return error;
 }
 
@@ -197,7 +198,7 @@ static int open_drm(struct pel_display_linux *screen, struct choice *choice)
     if (!error)
         error = pel_display_drm_start(&screen->display, drm);
     if (!error)
-        tell(screen, choice, "DRM", "two buffers, flipped");
+        set_note(screen, choice, "DRM", "two buffers, flipped");
     return error;
 }
 

@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include <xf86drm.h>
 
-#include "../core/format/formats.h"
+#include <pel/format/formats.h>
 #include "display_linux_drm_output.h"
 #include "linux_io.h"
 

@@ -33,8 +33,8 @@ struct pel_display_drm {
     struct pel_drm_buffer buffer[2];
     int32_t back;
     bool shown;    /* the output shows a buffer of ours */
-    bool no_flips; /* the device does not know page flips */
-    bool flipping; /* a flip is asked for, and has not happened */
+    bool no_flips; /* the device has no page flips */
+    bool flipping; /* a flip was requested and has not happened */
     struct pel_message *message;
 };
 

@@ -21,7 +21,7 @@ static int failed(struct pel_display_fb *fb, const char *what)
     return error;
 }
 
-/* What the kernel says, not what it was asked: FBIOPUT_VSCREENINFO may return 0
+/* The mode as the kernel reports it: FBIOPUT_VSCREENINFO may return 0
  * and change nothing. */
 static int read_mode(int fd, struct pel_fb_mode *mode)
 {
@@ -202,7 +202,7 @@ static void copy_dirty(struct pel_display_fb *fb)
                pel_surface_line(&fb->shadow, y), (size_t)fb->shadow.stride);
 }
 
-/* A device without the request is not asked again. */
+/* A device without the request gets it once. */
 static void wait_for_vsync(struct pel_display_fb *fb)
 {
     uint32_t head = 0;
@@ -259,8 +259,8 @@ static enum pel_status fb_flip(const struct pel_display *display)
     return status;
 }
 
-/* What the device is now; its format. */
-static int look(struct pel_display_fb *fb)
+/* The mode of the device now, and its format. */
+static int read_format(struct pel_display_fb *fb)
 {
     if (read_mode(fb->fd, &fb->mode))
         return failed(fb, "cannot read the framebuffer's mode");
@@ -280,7 +280,7 @@ int pel_display_fb_open(struct pel_display_fb *fb, const char *path,
                          "is the driver loaded? ls /dev/fb*");
         return error;
     }
-    int error = look(fb);
+    int error = read_format(fb);
     if (error == ENOTTY)
         pel_message_set(message, "%s is no framebuffer device", path);
     if (error)
@@ -291,7 +291,7 @@ int pel_display_fb_open(struct pel_display_fb *fb, const char *path,
 int pel_display_fb_start(struct pel_display *display, struct pel_display_fb *fb,
                          enum pel_fb_way way)
 {
-    int error = look(fb);
+    int error = read_format(fb);
     if (error)
         return error;
     choose_way(fb, way);

@@ -11,7 +11,7 @@
  *             to it. Where yres_virtual is, or can be made, twice the height
  *             and the device is seen to pan
  *     shadow  a frame of ordinary memory; flip copies the lines that were
- *             flushed, after the vertical blank where the device tells of it
+ *             flushed, after the vertical blank where the device reports it
  *     direct  the visible memory: no copy, but what is drawn is seen at once
  * Only the surfaces of begin can be flushed.
  *
@@ -34,7 +34,7 @@ enum pel_fb_way {
     PEL_FB_DIRECT
 };
 
-/* What the kernel says of a device. */
+/* The mode of a device, as the kernel reports it. */
 struct pel_fb_mode {
     struct fb_fix_screeninfo fixed;
     struct fb_var_screeninfo variable;
@@ -51,7 +51,7 @@ struct pel_display_fb {
     struct pel_surface shadow;
     int32_t back;           /* the page that begin gives */
     int32_t dirty0, dirty1; /* lines that flip copies; none when equal */
-    bool no_vsync;          /* the device does not know FBIO_WAITFORVSYNC */
+    bool no_vsync;          /* the device has no FBIO_WAITFORVSYNC */
     struct pel_message *message;
 };
 

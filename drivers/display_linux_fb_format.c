@@ -1,7 +1,7 @@
 /* Which of Pel's formats a framebuffer's mode is. */
 #include <stddef.h>
 
-#include "../core/format/formats.h"
+#include <pel/format/formats.h>
 #include "display_linux_fb.h"
 
 struct layout {
@@ -40,7 +40,7 @@ static uint32_t pixel_bytes(const struct pel_fb_mode *mode)
     return told > needed && told <= room ? told : needed;
 }
 
-/* On palettes all channels tell the same: an index of that many bits. */
+/* On palettes all channels have the same field: an index of that many bits. */
 static bool is_palette(const struct pel_fb_mode *mode)
 {
     const struct fb_var_screeninfo *v = &mode->variable;

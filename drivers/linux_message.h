@@ -1,4 +1,4 @@
-/* What a Linux driver has to say: one line without a newline, for the program
+/* Messages of Linux drivers: one line without a newline, for the program
  * to print. */
 #ifndef PEL_DRIVERS_LINUX_MESSAGE_H
 #define PEL_DRIVERS_LINUX_MESSAGE_H
@@ -6,7 +6,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 
-#include "../core/pel_config.h"
+#include <pel/base/inline.h>
 
 PEL_BEGIN_DECLS
 

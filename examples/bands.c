@@ -2,7 +2,7 @@
  * terminal; on a board, panel_write sends the band over SPI. */
 #include <stdio.h>
 
-#include "core/pel.h"
+#include <pel/pel.h>
 
 enum { WIDTH = 64, HEIGHT = 32, LINES = 8 };
 

@@ -2,13 +2,13 @@
  * lines at a time, in 4,800 bytes. Here the panel is a PPM file. */
 #include <stdio.h>
 
-#include "core/pel.h"
+#include <pel/pel.h>
 
 enum { SIDE = 240, LINES = 10 };
 
 static uint16_t band[SIDE * LINES];
 
-/* On a board: send 2 * count bytes, which lie as the panel wants them. */
+/* On a board: send 2 * count bytes, which lie in the order of the panel. */
 static void panel_write(const uint16_t *pixels, int count)
 {
     const uint8_t *byte = (const uint8_t *)pixels;
@@ -36,16 +36,16 @@ static void draw_hand(const struct pel_surface *screen, uint16_t turn,
 
 static void draw(const struct pel_surface *screen, const struct pel_paint *sky)
 {
-    static const struct pel_flat rim = PEL_FLAT(PEL_RGB(255, 170, 40));
+    static const struct pel_flat frame = PEL_FLAT(PEL_RGB(255, 170, 40));
     static const struct pel_ring_shape ring = {PEL_AT(SIDE / 2, SIDE / 2),
                                                PEL_PX(104), PEL_PX(112)};
     const struct pel_point top = PEL_AT(0, 0), bottom = PEL_AT(SIDE, SIDE);
 
     pel_rectangle(screen, top, bottom, sky);
-    pel_ring(screen, &ring, &rim.paint);
+    pel_ring(screen, &ring, &frame.paint);
     draw_hand(screen, 39140, 60, PEL_PX(9)); /* ten past ten: turns begin at */
     draw_hand(screen, 60075, 90, PEL_PX(5)); /* three o'clock, 65,536 a round */
-    pel_circle(screen, center, PEL_PX(7), &rim.paint);
+    pel_circle(screen, center, PEL_PX(7), &frame.paint);
 }
 
 int main(void)

@@ -1,10 +1,11 @@
 /* Gradients, a texture and text; the picture goes to standard output as PPM.
  *
  *     build/pel import sim/scenes/letters.bdf -o letters.c
- *     cc -I. examples/paints.c letters.c build/libpel.a -o paints */
+ *     cc -Ibuild/include examples/paints.c letters.c build/libpel.a -o paints
+ */
 #include <stdio.h>
 
-#include "core/pel.h"
+#include <pel/pel.h>
 #include "letters.h"
 
 enum { WIDTH = 300, HEIGHT = 120, COLORS = 256 };
@@ -89,7 +90,7 @@ static void write_name(const struct pel_surface *screen, int32_t x,
 
 int main(void)
 {
-    static uint8_t pixels[WIDTH * HEIGHT * 3]; /* R, G, B, as PPM wants them */
+    static uint8_t pixels[WIDTH * HEIGHT * 3]; /* R, G, B, as in PPM */
     struct pel_surface screen;
     if (pel_surface_init(&screen, &pel_bgr888, pixels, sizeof pixels,
                          &(struct pel_rect){0, 0, WIDTH, HEIGHT}) != PEL_OK)

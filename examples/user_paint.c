@@ -1,11 +1,11 @@
 /* A paint of one's own: a checkerboard, with its two colours beside it. The
  * picture goes to standard output as PPM.
  *
- *     cc -I. examples/user_paint.c build/libpel.a -o user_paint */
+ *     cc -Ibuild/include examples/user_paint.c build/libpel.a -o user_paint */
 #include <stdio.h>
 
-#include "core/paint/paint_colors.h"
-#include "core/pel.h"
+#include <pel/paint/paint_colors.h>
+#include <pel/pel.h>
 
 struct checkers {
     struct pel_color_paint base; /* first, so that one points to the other */
@@ -13,7 +13,7 @@ struct checkers {
     int32_t size; /* px, a power of two */
 };
 
-/* A function of x and y alone: it may be asked for any pixels, in any order. */
+/* A function of x and y alone: pixels may be filled in any order. */
 static void checkers_colors(const struct pel_color_paint *paint, int32_t x,
                             int32_t y, int32_t n, pel_color *colors)
 {
@@ -24,7 +24,7 @@ static void checkers_colors(const struct pel_color_paint *paint, int32_t x,
 
 int main(void)
 {
-    static uint8_t pixels[200 * 200 * 3]; /* R, G, B, as PPM wants them */
+    static uint8_t pixels[200 * 200 * 3]; /* R, G, B, as in PPM */
     static const struct checkers checkers = {
         PEL_COLOR_PAINT(checkers_colors, false), PEL_RGB(255, 96, 0),
         PEL_RGBA(0, 64, 128, 160), 8};

@@ -6,7 +6,7 @@ ifndef MCU_CPUS
 
 MCU_CPUS := cortex-m0plus cortex-m4
 MCU_CC := arm-none-eabi-gcc
-MCU_CFLAGS = -std=c99 $(WARNINGS) $(WERROR) -I. -MMD -MP -mthumb -mfloat-abi=soft \
+MCU_CFLAGS = -std=c99 $(WARNINGS) $(WERROR) -I. -I$(BUILD)/include -MMD -MP -mthumb -mfloat-abi=soft \
               -ffunction-sections -fdata-sections
 
 # memcpy and memset, where a program needs them, are those of newlib-nano; the

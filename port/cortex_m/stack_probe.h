@@ -1,10 +1,10 @@
-/* How much stack a call uses. */
+/* Measures the stack that a call uses. */
 #ifndef PORT_CORTEX_M_STACK_PROBE_H
 #define PORT_CORTEX_M_STACK_PROBE_H
 
 #include <stdint.h>
 
-#include "../../core/pel_config.h"
+#include <pel/base/inline.h>
 
 PEL_BEGIN_DECLS
 

@@ -1,5 +1,5 @@
 /* A small pool of POSIX threads, for work that falls into independent parts.
- * Core knows nothing of it: surfaces, paints and formats have no state, so
+ * Core does not use it: surfaces, paints and formats have no state, so
  * threads that draw into different bands of one surface need no locks. */
 #ifndef PEL_PORT_LINUX_POOL_H
 #define PEL_PORT_LINUX_POOL_H
@@ -7,7 +7,7 @@
 #include <pthread.h>
 #include <stdbool.h>
 
-#include "../../core/pel_config.h"
+#include <pel/base/inline.h>
 
 PEL_BEGIN_DECLS
 

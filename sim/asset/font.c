@@ -49,12 +49,12 @@ bool import_codes_legal(const char *codes)
         legal = next_range(&p, range);
     }
     return (legal && *p == '\0') ||
-           message_error("--codes is '%s'; code points and characters such as "
-                         "32-126,0x20AC,\xC3\xA4 would be right",
+           message_error("--codes is '%s': expected code points and characters "
+                         "such as 32-126,0x20AC,\xC3\xA4",
                          codes);
 }
 
-/* What --codes names and the font lacks. */
+/* Code points of --codes that the font lacks. */
 struct lacking {
     unsigned long count;
     bool single; /* one of it was named by itself */
@@ -101,15 +101,15 @@ static void keep_range(const struct font *font, const unsigned long range[2],
 static bool check_lacking(const struct lacking *l, const char *path)
 {
     if (l->count > 0)
-        message_error_at(path, 0, "lacks %lu of --codes:%s%s%s", l->count,
-                         l->list, l->more ? " ..." : "",
-                         l->single ? "; a font that has them, or --codes "
-                                     "without, would be right"
-                                   : "");
+        message_error_at(
+            path, 0, "lacks %lu of --codes:%s%s%s", l->count, l->list,
+            l->more ? " ..." : "",
+            l->single ? ": expected a font that has them, or --codes without"
+                      : "");
     return !l->single;
 }
 
-/* Drops the glyphs that are not asked for; they stay in order. */
+/* Drops the glyphs that --codes leaves out; they stay in order. */
 static bool keep_codes(struct font *font, const char *path, const char *codes)
 {
     struct lacking lacking = {0};
@@ -125,31 +125,20 @@ static bool keep_codes(struct font *font, const char *path, const char *codes)
             font->chars[kept++] = font->chars[i];
     free(keep);
     font->count = kept;
-    return (kept > 0 || message_error_at(path, 0,
-                                         "has no glyph of --codes %s; code "
-                                         "points that it has would be right",
-                                         codes)) &&
+    return (kept > 0 ||
+            message_error_at(
+                path, 0,
+                "has no glyph of --codes %s: expected code points that it has",
+                codes)) &&
            check_lacking(&lacking, path);
 }
 
-static void write_bits(struct import_text *text, const char *name,
-                       const struct pel_font_asset *font)
-{
-    const struct import_array array = {"uint8_t", "bits", font->size, 1};
-    import_array_begin(text, name, &array);
-    for (uint32_t i = 0; i < font->size; i++) {
-        const long value = font->bits[i];
-        import_array_item(text, &value, 1);
-    }
-    import_array_end(text);
-}
-
-static void write_glyphs(struct import_text *text, const char *name,
+static void write_glyphs(struct import_text *text,
                          const struct pel_font_asset *font)
 {
     const struct import_array array = {"struct pel_font_glyph", "glyphs",
-                                       font->glyphs, 1};
-    import_array_begin(text, name, &array);
+                                       font->glyphs, 1, NULL};
+    import_array_begin(text, &array);
     for (uint32_t i = 0; i < font->glyphs; i++) {
         const struct pel_font_glyph *g = &font->glyph[i];
         const long value[] = {(long)g->offset, g->width, g->height,
@@ -159,12 +148,12 @@ static void write_glyphs(struct import_text *text, const char *name,
     import_array_end(text);
 }
 
-static void write_ranges(struct import_text *text, const char *name,
+static void write_ranges(struct import_text *text,
                          const struct pel_font_asset *font)
 {
     const struct import_array array = {"struct pel_font_range", "ranges",
-                                       font->ranges, 1};
-    import_array_begin(text, name, &array);
+                                       font->ranges, 1, NULL};
+    import_array_begin(text, &array);
     for (uint32_t i = 0; i < font->ranges; i++) {
         const struct pel_font_range *r = &font->range[i];
         const long value[] = {(long)r->first, r->count, r->glyph};
@@ -173,13 +162,16 @@ static void write_ranges(struct import_text *text, const char *name,
     import_array_end(text);
 }
 
-static void write_asset(struct import_text *text, const char *name,
+static void write_asset(struct import_text *text,
                         const struct pel_font_asset *font)
 {
     FILE *out = text->output.stream;
-    write_bits(text, name, font);
-    write_glyphs(text, name, font);
-    write_ranges(text, name, font);
+    const char *name = text->options->name;
+    const struct import_array bits = {"uint8_t", "bits", font->size, 1,
+                                      font->bits};
+    import_array(text, &bits);
+    write_glyphs(text, font);
+    write_ranges(text, font);
     import_struct_begin(text);
     fprintf(out, "    PEL_FONT_MAGIC,\n    PEL_FONT_VERSION,\n");
     fprintf(out, "    %u, /* px above the baseline */\n", font->ascent);
@@ -197,7 +189,7 @@ static bool write_file(const struct import_options *options,
     struct import_text text;
     if (!import_text_open(&text, options, "font"))
         return false;
-    write_asset(&text, options->name, asset);
+    write_asset(&text, asset);
     return import_text_commit(&text);
 }
 

@@ -1,13 +1,12 @@
 /* pel import: makes assets for firmware, and pel2d files. */
 #include "sim/asset/import.h"
 
-#include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 #include <unistd.h>
 
+#include "sim/asset/text.h"
 #include "sim/cli/arguments.h"
 #include "sim/cli/commands.h"
 #include "core/format/argb8888.h"
@@ -17,11 +16,21 @@
 #include "sim/render/scene_pel2d.h"
 #include "sim/image/texture.h"
 
+/* The kinds of output, as the bits of a set. */
+enum import_kind {
+    IMPORT_MESH = 1,
+    IMPORT_PICTURE = 2,
+    IMPORT_FONT = 4,
+    IMPORT_PEL2D = 8
+};
+
 struct import_command {
     struct scene_options scene;
     struct import_options options;
     const struct pel_format *format; /* NULL: not given */
-    char name[128];                  /* made from the output's */
+    int normal_bits;                 /* 8 or 16 */
+    enum import_kind kind;
+    char name[128]; /* made from the output's */
 };
 
 enum { OPTION_NAME = 0x200, OPTION_FORMAT, OPTION_NORMALS, OPTION_CODES };
@@ -46,41 +55,19 @@ static const struct argp_option options[] = {
     {0},
 };
 
-static bool has_ending(const char *path, const char *const *ending)
-{
-    const char *dot = strrchr(path, '.');
-    for (; dot && *ending; ending++)
-        if (strcasecmp(dot, *ending) == 0)
-            return true;
-    return false;
-}
-
 static bool is_picture(const char *path)
 {
-    static const char *const ending[] = {".png", ".jpg", ".jpeg", ".tga",
-                                         ".bmp", ".ppm", ".pgm",  NULL};
-    return has_ending(path, ending);
+    return path_has_ending(path, " .png .jpg .jpeg .tga .bmp .ppm .pgm ");
 }
 
 static bool is_font(const char *path)
 {
-    static const char *const ending[] = {".bdf", ".psf", ".psfu", NULL};
-    return has_ending(path, ending);
+    return path_has_ending(path, " .bdf .psf .psfu ");
 }
 
 static bool is_pel2d(const char *path)
 {
-    static const char *const ending[] = {".pel2d", NULL};
-    return has_ending(path, ending);
-}
-
-static bool parse_input(const char *text, struct import_command *c)
-{
-    if (c->scene.source.path)
-        return message_error("'%s' is a second input; one would be right",
-                             text);
-    c->scene.source.path = text;
-    return true;
+    return path_has_ending(path, " .pel2d ");
 }
 
 static bool parse_format(const char *text, struct import_command *c)
@@ -88,17 +75,17 @@ static bool parse_format(const char *text, struct import_command *c)
     c->format = strcmp(text, IMPORT_ALPHA_FORMAT) == 0 ? &pel_argb8888
                                                        : format_find(text);
     return c->format ||
-           message_error("--format is '%s'; one of %s, " IMPORT_ALPHA_FORMAT
-                         " would be right",
-                         text, format_list());
+           message_error(
+               "--format is '%s': expected one of %s, " IMPORT_ALPHA_FORMAT,
+               text, format_list());
 }
 
 static bool parse_normals(const char *text, struct import_command *c)
 {
     bool is_8 = strcmp(text, "8") == 0;
-    c->options.normal_bits = is_8 ? 8 : 16;
+    c->normal_bits = is_8 ? 8 : 16;
     return is_8 || strcmp(text, "16") == 0 ||
-           message_error("--normals is '%s'; 8 or 16 would be right", text);
+           message_error("--normals is '%s': expected 8 or 16", text);
 }
 
 static error_t parse(int key, char *text, struct argp_state *state)
@@ -111,7 +98,12 @@ static error_t parse(int key, char *text, struct argp_state *state)
         state->child_inputs[0] = &c->scene;
         return 0;
     case ARGP_KEY_ARG:
-        return parse_input(text, c) ? 0 : EINVAL;
+        if (c->scene.source.path) {
+            message_error("'%s' is a second input: expected one", text);
+            return EINVAL;
+        }
+        c->scene.source.path = text;
+        return 0;
     case 'o':
         c->options.output = text;
         return 0;
@@ -138,9 +130,9 @@ static const struct argp parser = {
     .args_doc = "MESH|PICTURE|FONT",
     .doc =
         "Makes an asset for firmware: a C file with one const struct, and the "
-        "header that declares it, of a mesh (core/asset/mesh_asset.h), a "
-        "picture (core/asset/image_asset.h) or a font "
-        "(core/asset/font_asset.h); or an output .pel2d, a mesh projected "
+        "header that declares it, of a mesh (pel/asset/mesh_asset.h), a "
+        "picture (pel/asset/image_asset.h) or a font "
+        "(pel/asset/font_asset.h); or an output .pel2d, a mesh projected "
         "already.\nOf the options under the headings below, a C asset of a "
         "mesh takes --texture-file and --normals-from alone; a .pel2d takes "
         "also --color, --turn, --texture, --wrap, --size and those that place "
@@ -154,90 +146,111 @@ static const struct argp parser = {
     .children = children,
 };
 
-/* Base name of the output up to the first dot, what C does not take as _. */
-static void make_name(struct import_command *c)
+/* The kinds that an option is for; those that the table leaves out place,
+ * light and colour what a pel2d file holds. */
+static const struct use {
+    const char *option;
+    unsigned kinds; /* of enum import_kind */
+    const char *what;
+} uses[] = {
+    {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT, "C assets"},
+    {"format", IMPORT_PICTURE, "pictures"},
+    {"normals", IMPORT_MESH, "C assets of meshes"},
+    {"codes", IMPORT_FONT, "fonts"},
+    {"texture-file", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
+    {"normals-from", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
+    {"shade", 0, "pel render"},
+    {"transparency", 0, "pel render"},
+    {"order", 0, "pel render"},
+    {"cull", 0, "pel render"},
+    {"mapping", 0, "pel render"},
+    {"span", 0, "pel render"},
+    {"background", IMPORT_PICTURE, "pictures"},
+    {NULL, IMPORT_PEL2D, "an output .pel2d"},
+};
+
+static const char *name_of(enum import_kind kind)
 {
-    const char *slash = strrchr(c->options.output, '/');
-    const char *base = slash ? slash + 1 : c->options.output;
-    size_t n = strcspn(base, ".");
-    if (strcmp(base, "-") == 0 || n == 0)
-        base = "asset", n = 5;
-    snprintf(c->name, sizeof(c->name), "%s%.*s",
-             isdigit((unsigned char)*base) ? "_" : "", (int)n, base);
-    for (char *p = c->name; *p; p++)
-        if (!isalnum((unsigned char)*p))
-            *p = '_';
-    c->options.name = c->name;
+    switch (kind) {
+    case IMPORT_MESH:
+        return "a C asset of a mesh holds the mesh itself";
+    case IMPORT_PICTURE:
+        return "this is a picture";
+    case IMPORT_FONT:
+        return "this is a font";
+    default:
+        return "a pel2d file holds triangles with Gouraud's colours";
+    }
 }
 
-static bool check_name(const char *name)
+static bool check_options(const struct options_given *given,
+                          enum import_kind kind)
 {
-    static const char words[] =
-        " auto break case char const continue default do double else enum "
-        "extern float for goto if inline int long register restrict return "
-        "short signed sizeof static struct switch typedef union unsigned void "
-        "volatile while ";
-    char padded[160];
-    size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyz"
-                            "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
-    snprintf(padded, sizeof(padded), " %s ", name);
-    return (n > 0 && n < 128 && name[n] == '\0' &&
-            !isdigit((unsigned char)*name) && !strstr(words, padded)) ||
-           message_error("the name '%s' is no identifier of C; --name such as "
-                         "duck would be right",
-                         name);
+    for (int i = 0; i < given->count; i++) {
+        const struct use *use = uses;
+        while (use->option && strcmp(use->option, given->names[i]) != 0)
+            use++;
+        if (!(use->kinds & (unsigned)kind))
+            return message_error("--%s is for %s; %s", given->names[i],
+                                 use->what, name_of(kind));
+    }
+    return true;
 }
 
-/* By its name's ending, when it is there: assimp's own messages would not tell
- * of pictures and fonts. */
-static bool check_kind(const char *path)
+/* By its name's ending, when it is there: assimp's own messages do not
+ * speak of pictures and fonts. */
+static bool check_mesh(const char *path)
 {
-    static const char *const packed[] = {".gz", NULL}, *const pcf[] = {".pcf",
-                                                                       NULL};
     if (access(path, R_OK) != 0 || mesh_ending_known(path) || is_pel2d(path))
         return true;
-    if (has_ending(path, packed))
+    if (path_has_ending(path, " .gz "))
         return message_error_at(path, 0,
-                                "is packed; `gunzip -k` first, and of a font "
-                                ".pcf then `pcf2bdf -o FONT.bdf`, would be "
-                                "right");
-    if (has_ending(path, pcf))
-        return message_error_at(path, 0,
-                                "is a font of another kind; `pcf2bdf -o "
-                                "FONT.bdf` first would be right");
+                                "is packed: expected `gunzip -k` first, and of "
+                                "a font .pcf then `pcf2bdf -o FONT.bdf`");
+    if (path_has_ending(path, " .pcf "))
+        return message_error_at(
+            path, 0,
+            "is a font of another kind: expected `pcf2bdf -o FONT.bdf` first");
     return message_error_at(path, 0,
                             "neither mesh, picture nor font by its "
                             "ending");
 }
 
+static enum import_kind kind_of(const struct import_options *o)
+{
+    return is_pel2d(o->output)     ? IMPORT_PEL2D
+           : is_picture(o->source) ? IMPORT_PICTURE
+           : is_font(o->source)    ? IMPORT_FONT
+                                   : IMPORT_MESH;
+}
+
 static bool check(struct import_command *c)
 {
-    static const char *const ending[] = {".c", NULL};
-    const char *input = c->scene.source.path, *output = c->options.output;
+    const char *input = c->options.source, *output = c->options.output;
     if (!input || !output)
-        return message_error("%s is missing; `pel import MESH|PICTURE|FONT -o "
-                             "ASSET.c` would be right",
-                             input ? "-o ASSET.c" : "an input");
+        return message_error(
+            "%s is missing: expected `pel import MESH|PICTURE|FONT -o ASSET.c`",
+            input ? "-o ASSET.c" : "an input");
     if (strcmp(input, "-") == 0)
-        return message_error("import does not read standard input: a file "
-                             "would be right");
-    if (is_pel2d(output) && (is_picture(input) || is_font(input)))
-        return message_error_at(input, 0,
-                                "a pel2d file holds a mesh; an "
-                                "output .c would be right");
-    if (is_pel2d(output))
-        return import_check(&c->scene.given, IMPORT_PEL2D);
-    if (strcmp(output, "-") != 0 && !has_ending(output, ending))
-        return message_error_at(output, 0,
-                                "an output .c or .pel2d would be right");
-    if (!is_picture(input) && !is_font(input) && !check_kind(input))
+        return message_error(
+            "import does not read standard input: expected a file");
+    c->kind = kind_of(&c->options);
+    if (c->kind == IMPORT_PEL2D && (is_picture(input) || is_font(input)))
+        return message_error_at(
+            input, 0, "a pel2d file holds a mesh: expected an output .c");
+    if (!is_pel2d(output) && strcmp(output, "-") != 0 &&
+        !path_has_ending(output, " .c "))
+        return message_error_at(output, 0, "expected an output .c or .pel2d");
+    if (c->kind == IMPORT_MESH && !check_mesh(input))
         return false;
     if (!c->options.name)
-        make_name(c);
-    return check_name(c->options.name) &&
-           import_check(&c->scene.given, is_picture(input) ? IMPORT_PICTURE
-                                         : is_font(input)  ? IMPORT_FONT
-                                                           : IMPORT_MESH);
+        c->options.name = import_name(output, c->name);
+    if (!check_options(&c->scene.given, c->kind) ||
+        (c->kind != IMPORT_PEL2D && !import_name_check(c->options.name)))
+        return false;
+    return c->kind == IMPORT_PICTURE || c->kind == IMPORT_FONT ||
+           !pel2d_is_file(input) ||
+           message_error_at(input, 0, "is projected already: expected a mesh");
 }
 
 /* Gouraud's colours at the vertices, whatever draws them. */
@@ -265,10 +278,6 @@ static bool import_as_pel2d(struct import_command *c)
 {
     struct pel2d flat;
     struct model model;
-    const char *path = c->scene.source.path;
-    if (pel2d_is_file(path))
-        return message_error_at(path, 0,
-                                "is projected already; a mesh would be right");
     if (!model_load(&model, &c->scene.source))
         return false;
     const bool projected = project(&c->scene, &model, &flat);
@@ -300,29 +309,28 @@ static bool import_as_picture(struct import_command *c)
 static bool import_as_mesh(struct import_command *c)
 {
     struct mesh mesh;
-    const char *path = c->scene.source.path;
-    if (pel2d_is_file(path))
-        return message_error_at(path, 0,
-                                "is projected already; a mesh would be right");
+    struct model model = {0};
+    struct model_source *source = &c->scene.source;
+    const char *path = source->path;
     if (!mesh_load(&mesh, path))
         return false;
-    bool done = (!c->scene.source.smooth_normals || mesh_normals(&mesh)) &&
-                mesh_paint(&mesh, path, c->scene.source.texture) &&
-                import_mesh(&c->options, &mesh);
+    source->without_texture = mesh.has_colors && !source->texture;
+    bool done = (!source->smooth_normals || mesh_normals(&mesh)) &&
+                model_make_asset(&model, &mesh, c->normal_bits) &&
+                model_add_texture(&model, &mesh, source);
+    if (done && model.texture.width > 0)
+        model_paint(&model);
+    done = done && import_mesh(&c->options, &model);
+    model_free(&model);
     mesh_free(&mesh);
     return done;
-}
-
-static bool import_as_font(const struct import_command *c)
-{
-    return import_font(&c->options);
 }
 
 int command_import(int argc, char **argv)
 {
     struct import_command c = {
         .scene = {.settings = scene_default},
-        .options = {.normal_bits = 8},
+        .normal_bits = 8,
     };
     c.scene.settings.texture = SCENE_TEXTURE_NEAREST;
     c.scene.settings.camera.background = 0; /* no option gives that */
@@ -330,9 +338,9 @@ int command_import(int argc, char **argv)
     c.options.source = c.scene.source.path;
     if (!check(&c))
         return STATUS_ERROR;
-    bool done = is_pel2d(c.options.output)        ? import_as_pel2d(&c)
-                : is_picture(c.scene.source.path) ? import_as_picture(&c)
-                : is_font(c.scene.source.path)    ? import_as_font(&c)
-                                                  : import_as_mesh(&c);
+    const bool done = c.kind == IMPORT_PEL2D     ? import_as_pel2d(&c)
+                      : c.kind == IMPORT_PICTURE ? import_as_picture(&c)
+                      : c.kind == IMPORT_FONT    ? import_font(&c.options)
+                                                 : import_as_mesh(&c);
     return done ? STATUS_OK : STATUS_ERROR;
 }

@@ -33,6 +33,39 @@ static void print_declaration(FILE *out, const struct import_text *text)
             text->options->name);
 }
 
+const char *import_name(const char *output, char name[IMPORT_NAME])
+{
+    const char *slash = strrchr(output, '/');
+    const char *base = slash ? slash + 1 : output;
+    size_t n = strcspn(base, ".");
+    if (strcmp(base, "-") == 0 || n == 0)
+        base = "asset", n = 5;
+    snprintf(name, IMPORT_NAME, "%s%.*s",
+             isdigit((unsigned char)*base) ? "_" : "", (int)n, base);
+    for (char *p = name; *p; p++)
+        if (!isalnum((unsigned char)*p))
+            *p = '_';
+    return name;
+}
+
+bool import_name_check(const char *name)
+{
+    static const char words[] =
+        " auto break case char const continue default do double else enum "
+        "extern float for goto if inline int long register restrict return "
+        "short signed sizeof static struct switch typedef union unsigned void "
+        "volatile while ";
+    char padded[160];
+    size_t n = strspn(name, "abcdefghijklmnopqrstuvwxyz"
+                            "ABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+    snprintf(padded, sizeof(padded), " %s ", name);
+    return (n > 0 && n < IMPORT_NAME && name[n] == '\0' &&
+            !isdigit((unsigned char)*name) && !strstr(words, padded)) ||
+           message_error("the name '%s' is no identifier of C: expected --name "
+                         "such as duck",
+                         name);
+}
+
 bool import_text_open(struct import_text *text,
                       const struct import_options *options, const char *kind)
 {
@@ -41,16 +74,16 @@ bool import_text_open(struct import_text *text,
     if (!output_open(&text->output, options->output))
         return false;
     print_origin(text->output.stream, options);
-    fprintf(text->output.stream, "#include \"core/asset/%s_asset.h\"\n", kind);
+    fprintf(text->output.stream, "#include <pel/asset/%s_asset.h>\n", kind);
     return true;
 }
 
-void import_array_begin(struct import_text *text, const char *name,
+void import_array_begin(struct import_text *text,
                         const struct import_array *array)
 {
     FILE *out = text->output.stream;
-    fprintf(out, "\nstatic const %s %s_%s[%u]", array->type, name, array->what,
-            array->count);
+    fprintf(out, "\nstatic const %s %s_%s[%u]", array->type,
+            text->options->name, array->what, array->count);
     if (array->axes > 1)
         fprintf(out, "[%d]", array->axes);
     fprintf(out, " = {");
@@ -76,6 +109,35 @@ void import_array_end(struct import_text *text)
     fprintf(text->output.stream, "\n};\n");
 }
 
+static long number_at(const struct import_array *array, size_t i)
+{
+    const char *type = array->type;
+    if (strcmp(type, "int8_t") == 0)
+        return ((const int8_t *)array->data)[i];
+    if (strcmp(type, "uint8_t") == 0)
+        return ((const uint8_t *)array->data)[i];
+    if (strcmp(type, "int16_t") == 0)
+        return ((const int16_t *)array->data)[i];
+    if (strcmp(type, "uint16_t") == 0)
+        return ((const uint16_t *)array->data)[i];
+    return (long)((const uint32_t *)array->data)[i];
+}
+
+void import_array(struct import_text *text, const struct import_array *array)
+{
+    if (!array->data)
+        return;
+    import_array_begin(text, array);
+    for (uint32_t i = 0; i < array->count; i++) {
+        long value[3] = {0};
+        for (int k = 0; k < array->axes; k++)
+            value[k] =
+                number_at(array, (size_t)i * (size_t)array->axes + (size_t)k);
+        import_array_item(text, value, array->axes);
+    }
+    import_array_end(text);
+}
+
 void import_struct_begin(struct import_text *text)
 {
     FILE *out = text->output.stream;
@@ -85,7 +147,7 @@ void import_struct_begin(struct import_text *text)
             text->options->name);
 }
 
-/* Is there a file that somebody else wrote? */
+/* True for a file that pel import has not made. */
 static bool is_foreign(const char *path)
 {
     char start[sizeof(made)];
@@ -102,7 +164,7 @@ static void print_header(FILE *out, const struct import_text *text)
     print_origin(out, text->options);
     fprintf(out, "#ifndef PEL_ASSET_%s_H\n#define PEL_ASSET_%s_H\n\n", name,
             name);
-    fprintf(out, "#include \"core/pel.h\"\n\n");
+    fprintf(out, "#include <pel/pel.h>\n\n");
     print_declaration(out, text);
     fprintf(out, "\n#endif\n");
 }

@@ -15,6 +15,15 @@ struct import_text {
     int column;       /* of the line that is being written */
 };
 
+enum { IMPORT_NAME = 128 }; /* bytes of a name */
+
+/* A name of C from the output's: its base name up to the first dot, with _ for
+ * what C does not take. */
+const char *import_name(const char *output, char name[IMPORT_NAME]);
+
+/* True for an identifier of C; false with a message. */
+bool import_name_check(const char *name);
+
 /* Opens the output and writes its first lines: the comment, with the base name
  * of the source, and #include of the header of that kind of asset. */
 bool import_text_open(struct import_text *text,
@@ -28,17 +37,21 @@ bool import_text_commit(struct import_text *text);
 struct import_array {
     const char *type, *what;
     uint32_t count;
-    int axes; /* numbers of an element */
+    int axes;         /* numbers of an element */
+    const void *data; /* of import_array: all of them, of `type` */
 };
 
 /* `static const TYPE NAME_WHAT[COUNT][AXES] = {`, without AXES when it is 1. */
-void import_array_begin(struct import_text *text, const char *name,
+void import_array_begin(struct import_text *text,
                         const struct import_array *array);
 
 /* One element: a number when n is 1, else {a, b, ...}. */
 void import_array_item(struct import_text *text, const long *value, int n);
 
 void import_array_end(struct import_text *text);
+
+/* The three for an array of numbers; NULL data is left out. */
+void import_array(struct import_text *text, const struct import_array *array);
 
 /* `const struct pel_KIND_asset NAME = {`, and its declaration before it. */
 void import_struct_begin(struct import_text *text);

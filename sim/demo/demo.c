@@ -9,9 +9,10 @@
 #include "sim/image/canvas.h"
 #include "sim/cli/commands.h"
 #include "sim/demo/demo.h"
-#include "sim/demo/index.h"
+#include "sim/cli/libraries.h"
 #include "sim/cli/message.h"
 #include "sim/cli/milliseconds.h"
+#include "sim/cli/output.h"
 #include "sim/script/script.h"
 
 struct demo_options {
@@ -48,11 +49,81 @@ static const struct argp parser = {
     "Draws the gallery into a directory: every demo and every script, as "
     "PPM and PNG (BMP without libpng), with index.html.\v"
     "Prints the milliseconds that the drawing of each picture took, the best "
-    "of "
-    "three where it is less than 50.",
+    "of three where it is less than 50.",
     NULL,
     NULL,
     NULL,
+};
+
+static const char head[] =
+    "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+    "<title>Pel: gallery</title>\n<style>\n"
+    "body { font: 16px/1.5 sans-serif; margin: 2em; color: #222; }\n"
+    "main { display: grid; gap: 2em; "
+    "grid-template-columns: repeat(auto-fill, minmax(20em, 1fr)); }\n"
+    "figure { margin: 0; }\n"
+    "h2 { font-size: 1em; margin: 0 0 0.3em; }\n"
+    "img { max-width: 100%; height: auto; border: 1px solid #ccc; }\n"
+    "figcaption { font-size: 0.9em; }\n"
+    "figcaption small { color: #666; }\n"
+    "</style>\n</head>\n<body>\n<h1>Pel: gallery</h1>\n"
+    "<p>A picture is a link to itself at full size. Times are those of the "
+    "drawing, the best of three where it takes less than 50 ms.</p>\n<main>\n";
+
+static const char *escape_of(char c)
+{
+    return c == '&'   ? "&amp;"
+           : c == '<' ? "&lt;"
+           : c == '>' ? "&gt;"
+           : c == '"' ? "&quot;"
+                      : NULL;
+}
+
+static void print_escaped(FILE *page, const char *text)
+{
+    for (; *text; text++) {
+        const char *escape = escape_of(*text);
+        if (escape)
+            fputs(escape, page);
+        else
+            fputc(*text, page);
+    }
+}
+
+static void print_figure(FILE *page, const struct demo *demo,
+                         const struct demo_result *result)
+{
+    const struct picture *p = &result->picture;
+    const char *ending = picture_best_ending();
+    fprintf(page,
+            "<figure>\n<h2>%s</h2>\n"
+            "<a href=\"%s%s\"><img src=\"%s%s\" width=\"%d\" height=\"%d\" "
+            "alt=\"%s\"></a>\n<figcaption>%s ",
+            demo->name, demo->name, ending, demo->name, ending, p->width,
+            p->height, demo->name, demo->caption);
+    print_escaped(page, result->note);
+    fprintf(page,
+            "<br>\n<small>%d x %d pixels, %.3f ms, "
+            "<a href=\"%s.ppm\">PPM</a></small></figcaption>\n</figure>\n",
+            p->width, p->height, result->milliseconds, demo->name);
+}
+
+/* Tells which libraries are missing, on the page and on standard output. */
+static void tell_missing(FILE *page)
+{
+    for (const struct library *l = libraries; l->name; l++) {
+        if (l->present)
+            continue;
+        printf("built without %s (package %s): %s\n", l->name, l->package,
+               l->adds);
+        fprintf(page, "<p>Built without %s (package %s): %s.</p>\n", l->name,
+                l->package, l->adds);
+    }
+}
+
+struct gallery {
+    const char *directory;
+    FILE *page;
 };
 
 static bool save_as(const char *directory, const char *name, const char *ending,
@@ -66,16 +137,16 @@ static bool save_as(const char *directory, const char *name, const char *ending,
     return done;
 }
 
-static bool add_picture(struct demo_index *index, const struct demo *demo,
+static bool add_picture(const struct gallery *g, const struct demo *demo,
                         const struct demo_result *result)
 {
     const struct picture *p = &result->picture;
     printf("%-26s %5d x %-5d %10.3f ms\n", demo->name, p->width, p->height,
            result->milliseconds);
     fflush(stdout);
-    demo_index_add(index, demo, result);
-    return save_as(index->directory, demo->name, ".ppm", p) &&
-           save_as(index->directory, demo->name, picture_best_ending(), p);
+    print_figure(g->page, demo, result);
+    return save_as(g->directory, demo->name, ".ppm", p) &&
+           save_as(g->directory, demo->name, picture_best_ending(), p);
 }
 
 /* One picture of a demo or a script, from nothing. */
@@ -117,13 +188,13 @@ static bool draw_best(draw_function *draw, const void *what,
     return done;
 }
 
-static bool add_demos(struct demo_index *index, const struct demo *demo)
+static bool add_demos(const struct gallery *g, const struct demo *demo)
 {
     bool done = true;
     for (; done && demo->name; demo++) {
         struct demo_result result = {{0, 0, NULL}, 0, ""};
         done = draw_best(draw_demo, demo, &result) &&
-               add_picture(index, demo, &result);
+               add_picture(g, demo, &result);
         picture_free(&result.picture);
     }
     return done;
@@ -139,47 +210,62 @@ static void name_of(const char *path, char *name, size_t size)
         *dot = '\0';
 }
 
-static bool add_script(struct demo_index *index, const char *path)
+static bool add_script(const struct gallery *g, const char *path)
 {
-    char name[128], caption[1024];
+    char name[128];
     struct demo_result result = {{0, 0, NULL}, 0, ""};
     struct script script;
     if (!script_load(&script, path, NULL))
         return false;
     name_of(path, name, sizeof name);
-    demo_index_escape(script.caption, caption, sizeof caption);
-    const struct demo demo = {name, caption, NULL, 0};
+    snprintf(result.note, sizeof result.note, "%s", script.caption);
+    const struct demo demo = {name, "", NULL, 0};
     const bool done = draw_best(draw_script, &script, &result) &&
-                      add_picture(index, &demo, &result);
+                      add_picture(g, &demo, &result);
     picture_free(&result.picture);
     script_free(&script);
     return done;
 }
 
-static bool add_all(struct demo_index *index, const struct demo_options *o)
+static bool add_all(const struct gallery *g, const struct demo_options *o)
 {
     bool done = true;
     for (int i = 0; done && i < o->script_count; i++)
-        done = add_script(index, o->scripts[i]);
-    return done && add_demos(index, demo_formats) &&
-           add_demos(index, demo_rules) && add_demos(index, demo_duck) &&
-           add_demos(index, demo_texture) && add_demos(index, demo_lighting);
+        done = add_script(g, o->scripts[i]);
+    return done && add_demos(g, demo_formats) && add_demos(g, demo_rules) &&
+           add_demos(g, demo_duck) && add_demos(g, demo_texture) &&
+           add_demos(g, demo_lighting);
+}
+
+static bool write_page(struct output *output, const struct demo_options *o)
+{
+    const struct gallery gallery = {o->directory, output->stream};
+    fputs(head, output->stream);
+    if (!add_all(&gallery, o)) {
+        output_abandon(output);
+        return false;
+    }
+    fputs("</main>\n", output->stream);
+    tell_missing(output->stream);
+    fputs("</body>\n</html>\n", output->stream);
+    return output_commit(output);
 }
 
 int command_demo(int argc, char **argv)
 {
     struct demo_options o = {NULL, NULL, 0};
-    struct demo_index index;
+    struct output output;
+    char *path;
     arguments_parse(&parser, argc, argv, &o);
     if (mkdir(o.directory, 0777) != 0 && errno != EEXIST) {
         message_error_at(o.directory, 0, "cannot be made: %s", strerror(errno));
         return STATUS_ERROR;
     }
-    if (!demo_index_open(&index, o.directory))
-        return STATUS_ERROR;
-    if (!add_all(&index, &o)) {
-        demo_index_abandon(&index);
+    if (asprintf(&path, "%s/index.html", o.directory) < 0) {
+        message_error("out of memory");
         return STATUS_ERROR;
     }
-    return demo_index_commit(&index) ? STATUS_OK : STATUS_ERROR;
+    const bool done = output_open(&output, path) && write_page(&output, &o);
+    free(path);
+    return done ? STATUS_OK : STATUS_ERROR;
 }

@@ -92,8 +92,8 @@ bool font_asset_make(struct pel_font_asset *asset, const struct font *font,
     *asset = (struct pel_font_asset){.magic = 0};
     if (n >= PEL_FONT_NONE)
         return message_error_at(path, 0,
-                                "has %zu glyphs; fewer than 65,535 would be "
-                                "right (pel import has --codes)",
+                                "has %zu glyphs: expected fewer than 65,535 "
+                                "(pel import has --codes)",
                                 n);
     const struct arrays to = {malloc((n + 1) * sizeof(*to.range)),
                               calloc(n + 1, sizeof(*to.glyph)),

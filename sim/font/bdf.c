@@ -1,20 +1,20 @@
 /* Glyph Bitmap Distribution Format, Adobe Technical Note 5005 (versions 2.1 and
  * 2.2). Vertical writing is read over. */
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
 #include "sim/font/font.h"
 #include "sim/cli/message.h"
-#include "sim/cli/number.h"
 
 struct bdf {
     struct font *font;
     const char *path;
-    const char *next, *end; /* of the file */
+    char *next, *end; /* of the file */
     long line;
-    char word[80];   /* the line's first */
-    char rest[1024]; /* and what follows, without blanks at both ends */
-    char registry[64], encoding[64];
+    char *word; /* the line's first */
+    char *rest; /* and what follows, without blanks at both ends */
+    const char *registry, *encoding;
     int box[4], advance; /* of the font; the advance is -1 when it has none */
     bool has_box;
     int ascent, descent; /* -1: not given */
@@ -29,31 +29,35 @@ static bool is(const struct bdf *b, const char *word)
     return strcmp(b->word, word) == 0;
 }
 
-/* The next line that is not blank and no comment. */
+/* True when the line's word is among `words`, which blanks separate. */
+static bool is_one_of(const struct bdf *b, const char *words)
+{
+    const size_t n = strlen(b->word);
+    for (; *words; words += strcspn(words, " "), words += *words == ' ')
+        if (strcspn(words, " ") == n && strncmp(words, b->word, n) == 0)
+            return true;
+    return false;
+}
+
+/* The next line that is not blank and no comment. Zero bytes are put behind its
+ * parts. */
 static bool next_line(struct bdf *b, const char *wanted)
 {
     do {
         if (b->next >= b->end)
-            return ERROR(b, "the file ends here; %s would be right", wanted);
-        const char *start = b->next, *stop = start;
-        while (stop < b->end && *stop != '\n')
-            stop++;
+            return ERROR(b, "the file ends here: expected %s", wanted);
+        char *stop = memchr(b->next, '\n', (size_t)(b->end - b->next));
+        stop = stop ? stop : b->end;
+        b->word = b->next;
         b->next = stop + 1;
         b->line++;
-        while (start < stop && strchr(" \t\r", stop[-1]))
+        while (stop > b->word && strchr(" \t\r", stop[-1]))
             stop--;
-        size_t word = 0, size = (size_t)(stop - start);
-        while (word < size && !strchr(" \t", start[word]))
-            word++;
-        size_t rest = word;
-        while (rest < size && strchr(" \t", start[rest]))
-            rest++;
-        if (word >= sizeof(b->word) || size - rest >= sizeof(b->rest))
-            return ERROR(b, "the line is too long; %s would be right", wanted);
-        memcpy(b->word, start, word);
-        b->word[word] = '\0';
-        memcpy(b->rest, start + rest, size - rest);
-        b->rest[size - rest] = '\0';
+        *stop = '\0';
+        b->rest = b->word + strcspn(b->word, " \t");
+        if (*b->rest)
+            *b->rest++ = '\0';
+        b->rest += strspn(b->rest, " \t");
     } while (!*b->word || is(b, "COMMENT"));
     return true;
 }
@@ -61,42 +65,35 @@ static bool next_line(struct bdf *b, const char *wanted)
 /* Exactly n whole numbers after the word. */
 static bool numbers(struct bdf *b, int n, int *value)
 {
-    char copy[sizeof(b->rest)], *state = NULL;
-    strcpy(copy, b->rest);
-    char *field = strtok_r(copy, " \t", &state);
-    for (int i = 0; i < n; i++, field = strtok_r(NULL, " \t", &state)) {
-        int64_t v = 0;
-        if (!field || number_integer(field, -32768, FONT_CODE_MAX, &v))
-            return ERROR(b, "'%s %s': %s with %d whole number%s would be right",
-                         b->word, b->rest, b->word, n, n > 1 ? "s" : "");
+    char *end = b->rest;
+    bool right = true;
+    for (int i = 0; right && i < n; i++) {
+        const char *start = end;
+        const long v = strtol(start, &end, 10);
+        right = end > start && strchr(" \t", *end) && v >= -32768 &&
+                v <= FONT_CODE_MAX;
         value[i] = (int)v;
     }
-    return !field ||
-           ERROR(b,
-                 "'%s' is too much; %s with %d whole number%s would be right",
-                 field, b->word, n, n > 1 ? "s" : "");
+    return (right && end[strspn(end, " \t")] == '\0') ||
+           ERROR(b, "'%s %s': expected %s with %d whole number%s", b->word,
+                 b->rest, b->word, n, n > 1 ? "s" : "");
 }
 
 static bool number_in(struct bdf *b, int lo, int hi, int *value)
 {
     return numbers(b, 1, value) &&
            ((*value >= lo && *value <= hi) ||
-            ERROR(b, "%s is %d; %d to %d would be right", b->word, *value, lo,
-                  hi));
+            ERROR(b, "%s is %d: expected %d to %d", b->word, *value, lo, hi));
 }
 
 /* "name" or name. */
-static void unquote(const char *text, char *to, size_t size)
+static const char *unquoted(char *text)
 {
-    size_t n = strlen(text);
-    if (n >= 2 && text[0] == '"' && text[n - 1] == '"') {
-        text++;
-        n -= 2;
-    }
-    if (n >= size)
-        n = size - 1;
-    memcpy(to, text, n);
-    to[n] = '\0';
+    const size_t n = strlen(text);
+    if (n < 2 || text[0] != '"' || text[n - 1] != '"')
+        return text;
+    text[n - 1] = '\0';
+    return text + 1;
 }
 
 static bool read_properties(struct bdf *b)
@@ -118,14 +115,13 @@ static bool read_properties(struct bdf *b)
             right = number_in(b, 0, FONT_CODE_MAX, &code);
             b->font->missing = code;
         } else if (is(b, "CHARSET_REGISTRY"))
-            unquote(b->rest, b->registry, sizeof(b->registry));
+            b->registry = unquoted(b->rest);
         else if (is(b, "CHARSET_ENCODING"))
-            unquote(b->rest, b->encoding, sizeof(b->encoding));
+            b->encoding = unquoted(b->rest);
         else if (is(b, "STARTCHAR") || is(b, "CHARS"))
-            right = ERROR(b,
-                          "%s among the properties; ENDPROPERTIES before it "
-                          "would be right",
-                          b->word);
+            right = ERROR(
+                b, "%s among the properties: expected ENDPROPERTIES before it",
+                b->word);
         if (!right)
             return false;
     }
@@ -139,8 +135,8 @@ static bool check_charset(struct bdf *b)
     return !*b->registry || latin1 ||
            strcasecmp(b->registry, "ISO10646") == 0 ||
            ERROR(b,
-                 "the font is encoded in %s-%s; ISO10646-1 (Unicode) or "
-                 "ISO8859-1 would be right",
+                 "the font is encoded in %s-%s: expected ISO10646-1 (Unicode) "
+                 "or ISO8859-1",
                  b->registry, b->encoding);
 }
 
@@ -157,8 +153,8 @@ static bool read_advance(struct bdf *b, int *advance)
     if (!numbers(b, 2, v))
         return false;
     if (v[0] < 0 || v[0] > FONT_SIZE_MAX || v[1] != 0)
-        return ERROR(b, "DWIDTH is %d %d; 0 to %d, and 0, would be right", v[0],
-                     v[1], FONT_SIZE_MAX);
+        return ERROR(b, "DWIDTH is %d %d: expected 0 to %d, and 0", v[0], v[1],
+                     FONT_SIZE_MAX);
     *advance = v[0];
     return true;
 }
@@ -171,8 +167,8 @@ static bool read_box(struct bdf *b, int box[4])
             box[1] <= FONT_SIZE_MAX && box[2] >= -128 && box[2] <= 127 &&
             box[1] + box[3] >= -128 && box[1] + box[3] <= 127) ||
            ERROR(b,
-                 "%s is %s; a width and height of 0 to %d, and a place "
-                 "within -128 to 127 of the origin, would be right",
+                 "%s is %s: expected a width and height of 0 to %d, and a "
+                 "place within -128 to 127 of the origin",
                  b->word, b->rest, FONT_SIZE_MAX);
 }
 
@@ -187,11 +183,9 @@ static bool read_encoding(struct bdf *b, struct glyph *g)
     return number_in(b, -1, FONT_CODE_MAX, &g->code);
 }
 
-/* What stands between STARTCHAR and BITMAP. */
+/* The lines between STARTCHAR and BITMAP. */
 static bool read_head(struct bdf *b, struct glyph *g)
 {
-    static const char *const others[] = {"SWIDTH", "SWIDTH1", "DWIDTH1",
-                                         "VVECTOR", "ATTRIBUTES"};
     bool has_code = false;
     while (next_line(b, "BITMAP")) {
         bool right = true;
@@ -200,10 +194,9 @@ static bool read_head(struct bdf *b, struct glyph *g)
                                 : !g->has_box      ? "BBX"
                                 : g->advance == -1 ? "DWIDTH"
                                                    : NULL;
-            return !lacks || ERROR(b,
-                                   "the glyph has no %s; one before BITMAP "
-                                   "would be right",
-                                   lacks);
+            return !lacks ||
+                   ERROR(b, "the glyph has no %s: expected one before BITMAP",
+                         lacks);
         }
         if (is(b, "ENCODING"))
             has_code = right = read_encoding(b, g);
@@ -211,27 +204,15 @@ static bool read_head(struct bdf *b, struct glyph *g)
             right = read_advance(b, &g->advance);
         else if (is(b, "BBX"))
             g->has_box = right = read_box(b, g->box);
-        else {
-            size_t i = 0;
-            while (i < sizeof(others) / sizeof(*others) && !is(b, others[i]))
-                i++;
-            if (i == sizeof(others) / sizeof(*others))
-                right = ERROR(b,
-                              "'%s' in a glyph; ENCODING, DWIDTH, BBX or "
-                              "BITMAP would be right",
-                              b->word);
-        }
+        else if (!is_one_of(b, "SWIDTH SWIDTH1 DWIDTH1 VVECTOR ATTRIBUTES"))
+            right = ERROR(b,
+                          "'%s' in a glyph: expected ENCODING, DWIDTH, BBX or "
+                          "BITMAP",
+                          b->word);
         if (!right)
             return false;
     }
     return false;
-}
-
-static int digit(char c)
-{
-    static const char digits[] = "0123456789abcdef0123456789ABCDEF";
-    const char *at = c ? strchr(digits, c) : NULL;
-    return at ? (int)(at - digits) % 16 : -1;
 }
 
 /* Bits right of the width are padding, whatever they are. */
@@ -241,22 +222,21 @@ static bool read_rows(struct bdf *b, const struct glyph *g, uint8_t *rows)
     for (int y = 0; y < g->box[1] && stride > 0; y++, rows += stride) {
         if (!next_line(b, "a row of the glyph"))
             return false;
-        bool right = strlen(b->word) == (size_t)(2 * stride) && !*b->rest;
-        for (int i = 0; right && i < 2 * stride; i++) {
-            int value = digit(b->word[i]);
-            right = value >= 0;
-            rows[i / 2] = (uint8_t)(rows[i / 2] << 4 | (value & 15));
+        const size_t digits = strspn(b->word, "0123456789abcdefABCDEF");
+        const bool right =
+            digits == (size_t)(2 * stride) && !b->word[digits] && !*b->rest;
+        for (int i = 0; right && i < stride; i++) {
+            const char byte[3] = {b->word[2 * i], b->word[2 * i + 1]};
+            rows[i] = (uint8_t)strtoul(byte, NULL, 16);
         }
         if (!right)
             return ERROR(b,
-                         "'%s' as row %d of %d; %d hexadecimal digits would be "
-                         "right",
+                         "'%s' as row %d of %d: expected %d hexadecimal digits",
                          b->word, y + 1, g->box[1], 2 * stride);
     }
     return next_line(b, "ENDCHAR") &&
-           (is(b, "ENDCHAR") ||
-            ERROR(b, "'%s' after %d rows; ENDCHAR would be right", b->word,
-                  g->box[1]));
+           (is(b, "ENDCHAR") || ERROR(b, "'%s' after %d rows: expected ENDCHAR",
+                                      b->word, g->box[1]));
 }
 
 static bool read_glyph(struct bdf *b)
@@ -282,9 +262,6 @@ static bool read_glyph(struct bdf *b)
 /* One line between the glyphs, and what belongs to it. */
 static bool read_entry(struct bdf *b)
 {
-    static const char *const others[] = {"CONTENTVERSION", "FONT",   "SIZE",
-                                         "METRICSSET",     "SWIDTH", "SWIDTH1",
-                                         "DWIDTH1",        "VVECTOR"};
     int count;
     if (is(b, "STARTCHAR"))
         return read_glyph(b);
@@ -299,10 +276,9 @@ static bool read_entry(struct bdf *b)
         b->chars = count;
         return right;
     }
-    for (size_t i = 0; i < sizeof(others) / sizeof(*others); i++)
-        if (is(b, others[i]))
-            return true;
-    return ERROR(b, "'%s' between glyphs; STARTCHAR or ENDFONT would be right",
+    return is_one_of(b, "CONTENTVERSION FONT SIZE METRICSSET SWIDTH SWIDTH1 "
+                        "DWIDTH1 VVECTOR") ||
+           ERROR(b, "'%s' between glyphs: expected STARTCHAR or ENDFONT",
                  b->word);
 }
 
@@ -311,8 +287,8 @@ static bool finish(struct bdf *b)
 {
     int above = b->box[1] + b->box[3], below = -b->box[3];
     if (b->chars != b->read)
-        return ERROR(b, "%ld glyphs; the %ld that CHARS says would be right",
-                     b->read, b->chars);
+        return ERROR(b, "%ld glyphs: expected the %ld that CHARS says", b->read,
+                     b->chars);
     b->font->ascent = b->ascent >= 0 ? b->ascent : above > 0 ? above : 0;
     b->font->descent = b->descent >= 0 ? b->descent : below > 0 ? below : 0;
     return true;
@@ -325,6 +301,8 @@ bool font_parse_bdf(struct font *font, const struct font_file *file)
         .path = file->path,
         .next = file->data,
         .end = file->data + file->size,
+        .registry = "",
+        .encoding = "",
         .advance = -1,
         .ascent = -1,
         .descent = -1,
@@ -333,8 +311,7 @@ bool font_parse_bdf(struct font *font, const struct font_file *file)
     if (!next_line(&b, "STARTFONT 2.1"))
         return false;
     if (!is(&b, "STARTFONT") || strncmp(b.rest, "2.", 2) != 0)
-        return ERROR(&b, "'%s %s'; STARTFONT 2.1 would be right", b.word,
-                     b.rest);
+        return ERROR(&b, "'%s %s': expected STARTFONT 2.1", b.word, b.rest);
     while (next_line(&b, "ENDFONT")) {
         if (is(&b, "ENDFONT"))
             return finish(&b);

@@ -9,26 +9,22 @@
 #include "sim/cli/list.h"
 #include "sim/cli/message.h"
 
-enum { FILE_MAX = 64 << 20, CHUNK = 1 << 16 };
+enum { FILE_MAX = 64 << 20 };
 
 static bool read_stream(struct font_file *file, FILE *stream)
 {
-    size_t room = 0, got = 1;
-    while (got > 0) {
-        if (file->size + CHUNK >= room) {
-            room = 2 * room + 2 * CHUNK;
-            char *larger = realloc(file->data, room);
-            if (!larger)
-                return message_error_at(file->path, 0, "out of memory");
-            file->data = larger;
-        }
-        got = fread(file->data + file->size, 1, CHUNK, stream);
-        file->size += got;
-        if (file->size > FILE_MAX)
-            return message_error_at(file->path, 0,
-                                    "over 64 MB; a font would be right");
+    char chunk[1 << 16];
+    size_t size = 0, got = 1;
+    FILE *memory = open_memstream(&file->data, &file->size);
+    while (memory && got > 0 && size <= FILE_MAX) {
+        got = fread(chunk, 1, sizeof chunk, stream);
+        size += fwrite(chunk, 1, got, memory);
     }
-    file->data[file->size] = '\0';
+    const bool failed = !memory || ferror(memory);
+    if ((memory && fclose(memory) != 0) || failed)
+        return message_error_at(file->path, 0, "out of memory");
+    if (size > FILE_MAX)
+        return message_error_at(file->path, 0, "over 64 MB: expected a font");
     return !ferror(stream) ||
            message_error_at(file->path, 0, "cannot be read: %s",
                             strerror(errno));
@@ -59,11 +55,11 @@ static bool parse(struct font *font, const struct font_file *file)
     if (begins(file, "\x36\x04", 2) || begins(file, "\x72\xB5\x4A\x86", 4))
         return font_parse_psf(font, file);
     if (begins(file, "\x1F\x8B", 2))
-        return message_error_at(file->path, 0,
-                                "is compressed; what `gzip -d` makes of it "
-                                "would be right");
+        return message_error_at(
+            file->path, 0,
+            "is compressed: expected what `gzip -d` makes of it");
     return message_error_at(file->path, 0,
-                            "is no font; a BDF or PSF file would be right");
+                            "is no font: expected a BDF or PSF file");
 }
 
 static bool parse_behind_mark(struct font *font, const struct font_file *file)
@@ -84,14 +80,13 @@ static bool sort(struct font *font, const char *path)
 {
     if (font->count == 0)
         return message_error_at(path, 0,
-                                "has no glyph with a code point; a font "
-                                "encoded in Unicode would be right");
+                                "has no glyph with a code point: expected a "
+                                "font encoded in Unicode");
     qsort(font->chars, font->count, sizeof(*font->chars), by_code);
     for (size_t i = 1; i < font->count; i++)
         if (font->chars[i - 1].code == font->chars[i].code)
             return message_error_at(path, 0,
-                                    "has two glyphs of U+%04X; one would be "
-                                    "right",
+                                    "has two glyphs of U+%04X: expected one",
                                     (unsigned)font->chars[i].code);
     return true;
 }

@@ -30,7 +30,7 @@ struct font {
     size_t size;
 };
 
-/* Reads a BDF or a PSF file (versions 1 and 2), which it knows by its first
+/* Reads a BDF or a PSF file (versions 1 and 2), told apart by their first
  * bytes; "-" is standard input. False, with a message on standard error, when
  * it cannot; the font is then empty. */
 bool font_load(struct font *font, const char *path);

@@ -19,10 +19,8 @@ struct psf {
 
 static bool cut_short(const struct psf *p)
 {
-    return message_error_at(p->path, 0,
-                            "ends after %zu bytes; a whole PSF file would be "
-                            "right",
-                            p->size);
+    return message_error_at(
+        p->path, 0, "ends after %zu bytes: expected a whole PSF file", p->size);
 }
 
 static bool read_head1(struct psf *p)
@@ -50,8 +48,8 @@ static bool read_head2(struct psf *p)
     p->width = bytes_little(p->data + 28, 4);
     return (bytes_little(p->data + 4, 4) == 0 && p->glyphs >= 32) ||
            message_error_at(p->path, 0,
-                            "a PSF 2 header of version %u and %zu bytes; "
-                            "version 0 and at least 32 bytes would be right",
+                            "a PSF 2 header of version %u and %zu bytes: "
+                            "expected version 0 and at least 32 bytes",
                             (unsigned)bytes_little(p->data + 4, 4), p->glyphs);
 }
 
@@ -59,16 +57,15 @@ static bool check_size(const struct psf *p)
 {
     if (p->width < 1 || p->width > FONT_SIZE_MAX || p->height < 1 ||
         p->height > 127)
-        return message_error_at(p->path, 0,
-                                "glyphs of %u x %u; 1 to %d wide and 1 to 127 "
-                                "high would be right",
-                                (unsigned)p->width, (unsigned)p->height,
-                                FONT_SIZE_MAX);
-    if (p->glyph_size != (p->width + 7) / 8 * p->height || p->count < 1)
         return message_error_at(
-            p->path, 0, "%u glyphs of %u bytes; %u bytes would be right",
-            (unsigned)p->count, (unsigned)p->glyph_size,
-            (unsigned)((p->width + 7) / 8 * p->height));
+            p->path, 0,
+            "glyphs of %u x %u: expected 1 to %d wide and 1 to 127 high",
+            (unsigned)p->width, (unsigned)p->height, FONT_SIZE_MAX);
+    if (p->glyph_size != (p->width + 7) / 8 * p->height || p->count < 1)
+        return message_error_at(p->path, 0,
+                                "%u glyphs of %u bytes: expected %u bytes",
+                                (unsigned)p->count, (unsigned)p->glyph_size,
+                                (unsigned)((p->width + 7) / 8 * p->height));
     if (p->glyphs > p->size || (p->size - p->glyphs) / p->glyph_size < p->count)
         return cut_short(p);
     return true;
@@ -87,8 +84,7 @@ static bool add(struct psf *p, uint32_t glyph, uint32_t code)
     };
     if (code > FONT_CODE_MAX)
         return message_error_at(p->path, 0,
-                                "the table names U+%X; up to U+10FFFF would be "
-                                "right",
+                                "the table names U+%X: expected up to U+10FFFF",
                                 (unsigned)code);
     if (p->seen[code / 8] >> code % 8 & 1)
         return true; /* the first one counts, as on the console */
@@ -119,7 +115,7 @@ static bool next_utf8(struct psf *p, uint32_t *code)
 
 enum { CODE, SEQUENCE, END, BAD };
 
-/* What comes next in the table of a glyph. */
+/* The next entry in the table of a glyph. */
 static int next_entry(struct psf *p, uint32_t *code)
 {
     const size_t unit = p->version == 1 ? 2 : 1;
@@ -148,12 +144,11 @@ static bool read_table(struct psf *p)
             if (entry == END)
                 break;
             if (entry == BAD)
-                return message_error_at(p->path, 0,
-                                        "the Unicode table breaks off at byte "
-                                        "%zu, glyph %u of %u; a whole one "
-                                        "would be right",
-                                        p->at, (unsigned)glyph,
-                                        (unsigned)p->count);
+                return message_error_at(
+                    p->path, 0,
+                    "the Unicode table breaks off at byte %zu, glyph %u of %u: "
+                    "expected a whole one",
+                    p->at, (unsigned)glyph, (unsigned)p->count);
             if (entry == SEQUENCE)
                 in_sequence = true;
             else if (!in_sequence && !add(p, glyph, code))

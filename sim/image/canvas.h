@@ -11,11 +11,11 @@ struct canvas {
     void *memory; /* malloc'ed */
 };
 
-/* How a canvas lies in memory. A zeroed one is packed and top-down. */
+/* The memory layout of a canvas. A zeroed one is packed and top-down. */
 struct canvas_layout {
     struct pel_rect bounds; /* absolute pixels; a tile of a format with less
                                than 8 bits begins at a byte */
-    int padding;            /* pixel words added to each line */
+    int padding;            /* pixel words added to each row */
     bool bottom_up;         /* negative stride; not for mono1_pages */
 };
 
@@ -36,7 +36,7 @@ bool canvas_picture(const struct canvas *canvas, struct picture *picture);
 /* Draws onto a surface whose clip is the whole surface. */
 typedef void canvas_draw_function(struct pel_surface *surface, void *context);
 
-/* Are bands of `rows` lines possible? 0 (no bands) always, else rows >= 1, and
+/* True when bands of `rows` rows are possible: 0 (no bands), or rows >= 1, and
  * a multiple of 8 for mono1_pages. */
 bool canvas_bands_legal(const struct pel_format *format, int rows);
 

@@ -1,8 +1,8 @@
 /* pel compare: where two pictures differ. */
 #include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "sim/cli/arguments.h"
 #include "sim/cli/commands.h"
@@ -84,18 +84,15 @@ static const struct argp parser = {
     NULL,
 };
 
-static int channel_difference(uint32_t a, uint32_t b)
-{
-    return a > b ? (int)(a - b) : (int)(b - a);
-}
-
+/* Of the channel that differs most. */
 static int pixel_difference(pel_color a, pel_color b)
 {
-    const int red = channel_difference(pel_red(a), pel_red(b));
-    const int green = channel_difference(pel_green(a), pel_green(b));
-    const int blue = channel_difference(pel_blue(a), pel_blue(b));
-    const int most = red > green ? red : green;
-    return most > blue ? most : blue;
+    int most = 0;
+    for (int shift = 0; shift < 24; shift += 8) {
+        const int d = abs((int)(a >> shift & 255) - (int)(b >> shift & 255));
+        most = d > most ? d : most;
+    }
+    return most;
 }
 
 static struct differences count_differences(const struct picture p[2],
@@ -177,13 +174,9 @@ static int report(const struct picture p[2], const struct compare_options *o)
 /* A picture's ending tells its kind; PPM needs none. */
 static bool load(struct picture *picture, const char *path)
 {
-    static const char *const ending[] = {".png", ".jpg", ".jpeg",
-                                         ".tga", ".bmp", NULL};
-    const char *dot = strrchr(path, '.');
-    for (const char *const *e = ending; dot && *e; e++)
-        if (strcasecmp(dot, *e) == 0)
-            return texture_load(picture, path);
-    return picture_load(picture, path);
+    return path_has_ending(path, " .png .jpg .jpeg .tga .bmp ")
+               ? texture_load(picture, path)
+               : picture_load(picture, path);
 }
 
 int command_compare(int argc, char **argv)

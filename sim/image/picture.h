@@ -21,6 +21,9 @@ enum {
 
 bool picture_size_legal(int width, int height);
 
+/* The same; false with a message, that names `path` unless it is NULL. */
+bool picture_size_check(const char *path, int64_t width, int64_t height);
+
 /* A picture of one colour. False, with a message on standard error, when the
  * size is out of range or memory is short; the picture is then empty, as
  * picture_free leaves it. */
@@ -39,7 +42,7 @@ static inline pel_color *picture_row(const struct picture *picture, int y)
  * `path`; "-" is standard input. Memory grows with the data that is really
  * there, so a header that lies costs nothing. False, with a message on standard
  * error that names file, line (text) or byte (binary), what is wrong and what
- * would be right; the picture is then empty. */
+ * is expected; the picture is then empty. */
 bool picture_load(struct picture *picture, const char *path);
 
 /* Writes the picture, alpha left out, in the format of the ending of `path`:
@@ -48,9 +51,12 @@ bool picture_load(struct picture *picture, const char *path);
  * on standard error, when that failed. */
 bool picture_save(const struct picture *picture, const char *path);
 
-/* Is the ending of `path` one that picture_save writes? False, with a message,
- * when not: commands ask before they work. */
+/* True when picture_save writes the ending of `path`; false with a message.
+ * Commands call it before they start. */
 bool picture_path_check(const char *path);
+
+/* True when the name ends as one of `endings`, " .ppm .pgm ", in any case. */
+bool path_has_ending(const char *path, const char *endings);
 
 /* The best compressed ending that this build writes: ".png", or ".bmp" where
  * libpng was missing. */

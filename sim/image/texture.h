@@ -14,7 +14,7 @@ bool texture_load(struct picture *picture, const char *path);
 bool texture_load_bytes(struct picture *picture, const char *name,
                         const void *bytes, size_t size);
 
-/* Have all texels alpha 255? */
+/* True when all texels have alpha 255. */
 bool texture_opaque(const struct picture *picture);
 
 /* The texel at column floor(u W), row floor(v H), repeated outside 0..1;

@@ -23,7 +23,7 @@ bool mesh_files_supported(void)
     return true;
 }
 
-/* What there is in a scene: vertices are those of parts with triangles, and a
+/* The contents of a scene: vertices are those of parts with triangles, and a
  * polygon counts as the triangles that it takes. */
 struct counts {
     uint64_t vertices, triangles, lines, points;
@@ -54,7 +54,6 @@ static struct counts count(const struct aiScene *scene)
     return c;
 }
 
-/* Nothing of a file is lost without a word. */
 static void note_losses(const char *path, const struct counts *file,
                         const struct counts *drawn)
 {
@@ -240,13 +239,12 @@ static bool check_indices(const struct aiScene *scene, const char *path)
     return true;
 }
 
-/* Nor do they bear a scene without faces. */
+/* Those steps fail on a scene without faces. */
 static bool check_faces(const struct aiScene *scene, const char *path)
 {
     for (unsigned m = 0; m < scene->mNumMeshes; m++)
-        for (unsigned i = 0; i < scene->mMeshes[m]->mNumFaces; i++)
-            if (scene->mMeshes[m]->mFaces[i].mNumIndices >= 3)
-                return true;
+        if (triangles_of(scene->mMeshes[m]) > 0)
+            return true;
     return message_error_at(path, 0, "a mesh file without triangles");
 }
 
@@ -291,15 +289,15 @@ static bool check_strips(const char *path)
             sscanf(line, "element tristrips %lu", &strips);
     fclose(file);
     return strips == 0 ||
-           message_error_at(path, 0,
-                            "has %lu triangle strips, of which assimp would "
-                            "lose all but a triangle each; a file with faces "
-                            "would be right",
-                            strips);
+           message_error_at(
+               path, 0,
+               "has %lu triangle strips, of which assimp would lose all but a "
+               "triangle each: expected a file with faces",
+               strips);
 }
 
-/* Of assimp's readers only those of XML and .x know the mark; that of .obj
- * leaves out the first line without a word. */
+/* Of assimp's readers only those of XML and .x skip the mark; that of .obj
+ * leaves out the first line without a message. */
 static bool check_mark(const char *path)
 {
     char start[8];
@@ -309,8 +307,8 @@ static bool check_mark(const char *path)
            strncmp(text, "xof ", 4) == 0 ||
            message_error_at(path, 0,
                             "begins with a UTF-8 byte order mark, which its "
-                            "format does not know; the same without it (`sed "
-                            "-i '1s/^\\xEF\\xBB\\xBF//' %s`) would be right",
+                            "format does not have: expected the same without "
+                            "it (`sed -i '1s/^\\xEF\\xBB\\xBF//' %s`)",
                             path);
 }
 
@@ -353,10 +351,10 @@ bool mesh_ending_known(const char *path)
 bool mesh_load_file(struct mesh *mesh, const char *path)
 {
     (void)mesh;
-    return message_error_at(path, 0,
-                            "this pel was built without assimp, which the "
-                            "package libassimp-dev brings; " MESH_BUILTIN
-                            " and pel2d files would be right");
+    return message_error_at(
+        path, 0,
+        "this pel was built without assimp, which the package libassimp-dev "
+        "brings: expected " MESH_BUILTIN " and pel2d files");
 }
 
 #endif

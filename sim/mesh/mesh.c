@@ -132,9 +132,10 @@ static bool load(struct mesh *mesh, const char *path)
     }
     return strcmp(path, MESH_BUILTIN) == 0
                ? mesh_load_builtin(mesh)
-               : message_error_at(path, 0,
-                                  "no mesh that is built in; " MESH_BUILTIN
-                                  ", or a file, would be right");
+               : message_error_at(
+                     path, 0,
+                     "no mesh that is built in: expected " MESH_BUILTIN
+                     ", or a file");
 }
 
 bool mesh_load(struct mesh *mesh, const char *path)

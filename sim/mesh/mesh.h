@@ -29,7 +29,7 @@ struct mesh {
 /* Coordinates beyond this are refused: nothing can be projected there. */
 #define MESH_LIMIT 1e15
 
-/* What names of meshes without a file begin with, and the only one: a vase. */
+/* The prefix of the names of built-in meshes, and the only one: a vase. */
 #define MESH_BUILTIN_PREFIX "builtin:"
 #define MESH_BUILTIN MESH_BUILTIN_PREFIX "vase"
 
@@ -49,15 +49,15 @@ void mesh_free(struct mesh *mesh);
  */
 bool mesh_load(struct mesh *mesh, const char *path);
 
-/* Does assimp know the ending of this name? True when it has none, or this
- * build has no assimp: then loading tells. */
+/* True when assimp reads files with the ending of this name, the name has none,
+ * or this build has no assimp. */
 bool mesh_ending_known(const char *path);
 
-/* Can this build read mesh files, or only MESH_BUILTIN? */
+/* True when this build reads mesh files, not only MESH_BUILTIN. */
 bool mesh_files_supported(void);
 
-/* Are indices, coordinates and uv legal? False, with a message that names
- * `path`, the triangle and its index, or the vertex. */
+/* True when indices, coordinates and uv are legal; false with a message that
+ * names `path`, the triangle and its index, or the vertex. */
 bool mesh_check(const struct mesh *mesh, const char *path);
 
 /* The box around its vertices. */
@@ -74,13 +74,6 @@ void mesh_normalise(struct mesh *mesh);
 /* Joins vertices that are the same in all they have; the first of each stays.
  * False, with a message, when memory is short. */
 bool mesh_weld(struct mesh *mesh);
-
-/* The vertices' colours, for assets: those of the file `texture` (nearest
- * texel, repeated outside 0..1) where one is given, otherwise those of the mesh
- * file, of the mesh's own texture, or of its materials. A texture of the mesh's
- * own that cannot be read leaves the materials, with a message. False, with a
- * message, when `texture` cannot be read or the mesh has no uv for it. */
-bool mesh_paint(struct mesh *mesh, const char *path, const char *texture);
 
 /* Parts of mesh_load, in files of their own. */
 bool mesh_load_file(struct mesh *mesh, const char *path);

@@ -10,16 +10,19 @@
 
 /* Memory for the arrays, which the mesh then views. */
 struct arrays {
-    int16_t (*positions)[3], (*normals)[3];
+    int16_t (*positions)[3], (*normals16)[3];
+    int8_t (*normals8)[3];
     uint16_t (*uv)[2];
     uint8_t (*colors)[3];
     uint16_t (*indices16)[3];
     uint32_t (*indices32)[3];
 };
 
-static bool has_small_indices(const struct mesh *mesh)
+static void set_color(uint8_t to[3], pel_color color)
 {
-    return mesh->vertices <= 65536;
+    to[0] = (uint8_t)pel_red(color);
+    to[1] = (uint8_t)pel_green(color);
+    to[2] = (uint8_t)pel_blue(color);
 }
 
 static void set_vertex(const struct pel_mesh *to, const struct arrays *a,
@@ -28,13 +31,14 @@ static void set_vertex(const struct pel_mesh *to, const struct arrays *a,
     for (int k = 0; k < 3; k++) {
         a->positions[i][k] =
             (int16_t)import_quantised(&to->position, k, v->position[k]);
-        a->normals[i][k] = (int16_t)lround(v->normal[k] * 32767);
+        if (a->normals8)
+            a->normals8[i][k] = (int8_t)lround(v->normal[k] * 127);
+        else
+            a->normals16[i][k] = (int16_t)lround(v->normal[k] * 32767);
     }
     for (int k = 0; k < 2 && a->uv; k++)
         a->uv[i][k] = (uint16_t)import_quantised(&to->texture, k, v->uv[k]);
-    a->colors[i][0] = (uint8_t)pel_red(v->color);
-    a->colors[i][1] = (uint8_t)pel_green(v->color);
-    a->colors[i][2] = (uint8_t)pel_blue(v->color);
+    set_color(a->colors[i], v->color);
 }
 
 static void set_triangle(const struct arrays *a, const uint32_t index[3],
@@ -50,7 +54,8 @@ static void set_triangle(const struct arrays *a, const uint32_t index[3],
 static void view(struct pel_mesh *to, const struct arrays *a)
 {
     to->positions = (const int16_t(*)[3])a->positions;
-    to->normals16 = (const int16_t(*)[3])a->normals;
+    to->normals16 = (const int16_t(*)[3])a->normals16;
+    to->normals8 = (const int8_t(*)[3])a->normals8;
     to->uv = (const uint16_t(*)[2])a->uv;
     to->colors = (const uint8_t(*)[3])a->colors;
     to->indices16 = (const uint16_t(*)[3])a->indices16;
@@ -58,31 +63,34 @@ static void view(struct pel_mesh *to, const struct arrays *a)
 }
 
 static bool make_arrays(struct pel_mesh *to, struct arrays *a,
-                        const struct mesh *mesh)
+                        const struct mesh *mesh, int normal_bits)
 {
     const size_t n = mesh->vertices, m = mesh->triangles;
-    const bool small = has_small_indices(mesh);
     memset(a, 0, sizeof(*a));
     a->positions = malloc(n * sizeof(*a->positions));
-    a->normals = malloc(n * sizeof(*a->normals));
+    if (normal_bits == 8)
+        a->normals8 = malloc(n * sizeof(*a->normals8));
+    else
+        a->normals16 = malloc(n * sizeof(*a->normals16));
     a->colors = malloc(n * sizeof(*a->colors));
     if (mesh->has_uv)
         a->uv = malloc(n * sizeof(*a->uv));
-    if (small)
+    if (n <= 65536)
         a->indices16 = malloc(m * sizeof(*a->indices16));
     else
         a->indices32 = malloc(m * sizeof(*a->indices32));
     view(to, a);
-    return a->positions && a->normals && a->colors &&
+    return a->positions && (a->normals8 || a->normals16) && a->colors &&
            (a->uv || !mesh->has_uv) && (a->indices16 || a->indices32);
 }
 
-bool model_make(struct model *model, const struct mesh *mesh)
+static bool make(struct model *model, const struct mesh *mesh, int shift_max,
+                 int normal_bits)
 {
     struct arrays arrays;
     struct pel_mesh *to = &model->mesh;
     memset(model, 0, sizeof(*model));
-    if (!make_arrays(to, &arrays, mesh)) {
+    if (!make_arrays(to, &arrays, mesh, normal_bits)) {
         model_free(model);
         return message_error("no memory for %u vertices and %u triangles",
                              mesh->vertices, mesh->triangles);
@@ -91,13 +99,37 @@ bool model_make(struct model *model, const struct mesh *mesh)
     to->triangles = mesh->triangles;
     model->plain = !mesh->has_colors;
     mesh_box(mesh, model->low, model->high);
-    to->position = import_quantum(mesh, 64);
+    to->position = import_quantum(mesh, shift_max);
     to->texture = import_quantum_uv(mesh);
     for (uint32_t i = 0; i < mesh->vertices; i++)
         set_vertex(to, &arrays, &mesh->vertex[i], i);
     for (uint32_t i = 0; i < mesh->triangles; i++)
         set_triangle(&arrays, mesh->triangle[i], i);
     return true;
+}
+
+bool model_make(struct model *model, const struct mesh *mesh)
+{
+    return make(model, mesh, 64, 16);
+}
+
+bool model_make_asset(struct model *model, const struct mesh *mesh,
+                      int normal_bits)
+{
+    return make(model, mesh, PEL_MESH_SHIFT_MAX, normal_bits);
+}
+
+void model_paint(struct model *model)
+{
+    const struct pel_mesh *m = &model->mesh;
+    const struct pel_quantization *q = &m->texture;
+    uint8_t(*to)[3] = (uint8_t(*)[3])(uintptr_t)m->colors;
+    for (uint32_t i = 0; i < m->vertices; i++) {
+        double at[2];
+        for (int k = 0; k < 2; k++)
+            at[k] = ldexp(pel_quantization_value(q, k, m->uv[i][k]), -q->shift);
+        set_color(to[i], texture_at(&model->texture, at[0], at[1]));
+    }
 }
 
 /* A texture inside the mesh file, or beside it; true when there is none. */
@@ -148,6 +180,7 @@ void model_free(struct model *model)
     const struct pel_mesh *m = &model->mesh;
     free((void *)m->positions);
     free((void *)m->normals16);
+    free((void *)m->normals8);
     free((void *)m->uv);
     free((void *)m->colors);
     free((void *)m->indices16);

@@ -36,6 +36,15 @@ bool model_make(struct model *model, const struct mesh *mesh);
 bool model_add_texture(struct model *model, const struct mesh *mesh,
                        const struct model_source *source);
 
+/* As model_make, but for an asset in flash: a shift of PEL_MESH_SHIFT_MAX at
+ * most, and normals of 8 or 16 bits. */
+bool model_make_asset(struct model *model, const struct mesh *mesh,
+                      int normal_bits);
+
+/* Gives the vertices the texels at their uv: those that a program finds which
+ * samples there. */
+void model_paint(struct model *model);
+
 void model_free(struct model *model);
 
 #endif

@@ -38,15 +38,15 @@ void pel2d_free(struct pel2d *flat);
 
 /* Reads the file at `path`, "-" for standard input. Memory grows with the lines
  * that are really there. False, with a message that names file, line, field and
- * what would be right; `flat` is then empty. */
+ * what is expected; `flat` is then empty. */
 bool pel2d_load(struct pel2d *flat, const char *path);
 
 /* Writes the file, whole or not at all; reading it back gives the same values.
  * False, with a message, when that failed. */
 bool pel2d_save(const struct pel2d *flat, const char *path);
 
-/* Is `path` one that pel2d_load should read: "-", a pipe, a name that ends in
- * .pel2d, or a file that begins as one? */
+/* True when pel2d_load should read `path`: "-", a pipe, a name that ends in
+ * .pel2d, or a file that begins as one. */
 bool pel2d_is_file(const char *path);
 
 #endif

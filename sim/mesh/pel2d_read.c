@@ -24,7 +24,7 @@ struct reader {
 };
 
 /* The next line without its end; false, with a message, when there is none or
- * it cannot be text. `wanted` is what should stand there. */
+ * it cannot be text. `wanted` is what is expected there. */
 static bool next_line(struct reader *r, const char *wanted)
 {
     r->line++;
@@ -33,7 +33,7 @@ static bool next_line(struct reader *r, const char *wanted)
     if (ferror(r->file))
         return message_error_at(r->path, r->line, "%s", strerror(errno));
     return got == TEXT_LINE ||
-           message_error_at(r->path, r->line, "%s; %s would be right",
+           message_error_at(r->path, r->line, "%s: expected %s",
                             got == TEXT_LINE_ZERO   ? "a NUL byte"
                             : got == TEXT_LINE_LONG ? "a line of over 1,023 "
                                                       "bytes"
@@ -61,27 +61,26 @@ static bool next_fields(struct reader *r, int fields, const char *wanted)
     split(r);
     if (r->fields == fields)
         return true;
-    return message_error_at(r->path, r->line, "%s%d fields; %s would be right",
+    return message_error_at(r->path, r->line, "%s%d fields: expected %s",
                             r->fields > FIELDS_MAX ? "more than " : "",
                             r->fields > FIELDS_MAX ? FIELDS_MAX : r->fields,
                             wanted);
 }
 
 static bool parse_integer(struct reader *r, int i, const char *name,
-                          uint32_t max, uint32_t *value)
+                          uint32_t most, uint32_t *value)
 {
     int64_t n = 0;
-    if (number_integer(r->field[i], 0, max, &n) == NUMBER_OK) {
+    if (number_integer(r->field[i], 0, most, &n) == NUMBER_OK) {
         *value = (uint32_t)n;
         return true;
     }
     return message_error_at(r->path, r->line,
-                            "%s is '%s'; a whole number from 0 to %u would be "
-                            "right",
-                            name, r->field[i], max);
+                            "%s is '%s': expected a whole number from 0 to %u",
+                            name, r->field[i], most);
 }
 
-/* Is the decimal a whole number of 1/256 = 0.00390625? */
+/* True when the decimal is a whole number of 1/256 = 0.00390625. */
 static bool is_multiple(const char *text)
 {
     char first[9] = "00000000"; /* the digits down to 10^-8 */
@@ -100,20 +99,18 @@ static bool parse_coordinate(struct reader *r, int i, const char *name,
     const char *text = r->field[i];
     enum number_status status = number_subpixels(text, value);
     if (status == NUMBER_MALFORMED)
-        return message_error_at(r->path, r->line,
-                                "%s is '%s'; decimal pixels such as -12.25 "
-                                "would be right",
-                                name, text);
+        return message_error_at(
+            r->path, r->line,
+            "%s is '%s': expected decimal pixels such as -12.25", name, text);
     if (status == NUMBER_RANGE)
         return message_error_at(r->path, r->line,
-                                "%s is %s; -32768 to 32767.99609375 would be "
-                                "right",
+                                "%s is %s: expected -32768 to 32767.99609375",
                                 name, text);
     if (!is_multiple(text))
-        return message_error_at(r->path, r->line,
-                                "%s is %s; a whole number of 1/256 px such as "
-                                "%.8f would be right",
-                                name, text, *value / 256.0);
+        return message_error_at(
+            r->path, r->line,
+            "%s is %s: expected a whole number of 1/256 px such as %.8f", name,
+            text, *value / 256.0);
     return true;
 }
 
@@ -121,8 +118,8 @@ static bool parse_depth(struct reader *r, int i, struct mesh_depth *depth)
 {
     return mesh_depth_parse(r->field[i], depth) ||
            message_error_at(r->path, r->line,
-                            "depth is '%s'; a decimal below 1e18 in size with "
-                            "at most 36 digits after the point would be right",
+                            "depth is '%s': expected a decimal below 1e18 in "
+                            "size with at most 36 digits after the point",
                             r->field[i]);
 }
 
@@ -135,8 +132,7 @@ static bool parse_uv(struct reader *r, int i, const char *name, double *value)
         fabs(*value) <= 1e6)
         return true;
     return message_error_at(r->path, r->line,
-                            "%s is '%s'; a decimal from -1e6 to 1e6 would be "
-                            "right",
+                            "%s is '%s': expected a decimal from -1e6 to 1e6",
                             name, text);
 }
 
@@ -147,7 +143,7 @@ static bool read_header(struct reader *r)
         return false;
     if (strcmp(r->field[0], "pel2d") != 0)
         return message_error_at(r->path, r->line,
-                                "the file begins with '%s'; %s would be right",
+                                "the file begins with '%s': expected %s",
                                 r->field[0], wanted);
     return parse_integer(r, 1, "VERTICES", 1u << 28, &r->vertices) &&
            parse_integer(r, 2, "TRIANGLES", 1u << 28, &r->triangles);
@@ -157,7 +153,7 @@ static bool read_vertex(struct reader *r, struct pel2d *flat)
 {
     struct pel2d_vertex v;
     uint32_t c[3] = {0};
-    if (!next_fields(r, 8, "a vertex, 'x y r g b depth u v',"))
+    if (!next_fields(r, 8, "a vertex, 'x y r g b depth u v'"))
         return false;
     if (!parse_coordinate(r, 0, "x", &v.at.x) ||
         !parse_coordinate(r, 1, "y", &v.at.y) ||
@@ -174,12 +170,12 @@ static bool read_triangle(struct reader *r, struct pel2d *flat)
 {
     static const char *const name[3] = {"i", "j", "k"};
     uint32_t index[3] = {0};
-    if (!next_fields(r, 3, "a triangle, 'i j k',"))
+    if (!next_fields(r, 3, "a triangle, 'i j k'"))
         return false;
     if (r->vertices == 0)
-        return message_error_at(r->path, r->line,
-                                "a triangle in a file without vertices; "
-                                "TRIANGLES 0 would be right");
+        return message_error_at(
+            r->path, r->line,
+            "a triangle in a file without vertices: expected TRIANGLES 0");
     for (int k = 0; k < 3; k++)
         if (!parse_integer(r, k, name[k], r->vertices - 1, &index[k]))
             return false;

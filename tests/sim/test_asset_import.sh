@@ -19,9 +19,9 @@ same() {
     if grep -n "$dir" "$dir/$name.c" "$dir/$name.h"; then
         fail "$name: a path in the asset"
     fi
-    $CC -std=c99 $WARNINGS -I. -c "$dir/$name.c" -o "$dir/$name.o"
+    $CC -std=c99 $WARNINGS -I. $INCLUDE -c "$dir/$name.c" -o "$dir/$name.o"
     if command -v c++ >/dev/null; then
-        c++ -x c++ -Wall -Wextra -Werror -I. -c "$dir/$name.c" \
+        c++ -x c++ -Wall -Wextra -Werror -I. $INCLUDE -c "$dir/$name.c" \
             -o "$dir/again/$name.o"
     fi
 }
@@ -32,7 +32,7 @@ mesh() {
     name=$1 file=$2 eye=$3 target=$4
     shift 4
     same "$name" "$file" "$@"
-    $CC -std=c99 -O2 $WARNINGS -DEYE="$eye" -DTARGET="$target" -I. tests/sim/import_draw.c \
+    $CC -std=c99 -O2 $WARNINGS -DEYE="$eye" -DTARGET="$target" -I. $INCLUDE tests/sim/import_draw.c \
         "$dir/$name.o" "$LIBPEL" -lm -o "$dir/$name"
     for shade in flat gouraud ${1:+phong}; do
         case $shade in
@@ -56,7 +56,7 @@ framed() {
         --print-camera -o "$dir/framed.ppm" >"$dir/camera.inc"
     "$PEL" render "$file" --size 600x600 "$@" --print-camera |
         cmp - "$dir/camera.inc" || fail "$name: another camera without -o"
-    $CC -std=c99 -O2 $WARNINGS -DCAMERA="\"$dir/camera.inc\"" -I. \
+    $CC -std=c99 -O2 $WARNINGS -DCAMERA="\"$dir/camera.inc\"" -I. $INCLUDE \
         tests/sim/import_draw.c "$dir/$name.o" "$LIBPEL" -lm -o "$dir/framed"
     "$dir/framed" "$dir/framed.ppm" gouraud || fail "$name: framed differs"
 }
@@ -126,7 +126,7 @@ awk 'BEGIN { for (i = 0; i < 135; i++) print (i * 89 + i * i * 7) % 256 }' \
 for format in rgb565_le rgb565_be bgr565_le xrgb1555_le rgb888 bgr888 xrgb8888 \
     xbgr8888 rgbx8888 bgrx8888 rgb332 gray8 gray4 mono1 mono1_pages; do
     same $format "$dir/picture.ppm" --format $format
-    $CC -std=c99 $WARNINGS -DFORMAT=pel_$format -I. tests/sim/import_show.c \
+    $CC -std=c99 $WARNINGS -DFORMAT=pel_$format -I. $INCLUDE tests/sim/import_show.c \
         "$dir/$format.o" "$LIBPEL" -o "$dir/show"
     "$dir/show" >"$dir/$format.ppm" || fail "$format: the asset is refused"
 done
@@ -164,7 +164,7 @@ if "$PEL" import "$dir/alpha.tga" -o "$dir/alpha.c" 2>"$dir/message"; then
     alpha "0, 255, 0, 32, 16, 136, 64, 32, 16" --format rgb888 \
         --background '#102040'
     same argb8888 "$dir/alpha.tga" --format argb8888
-    $CC -std=c99 $WARNINGS -DFORMAT=pel_argb8888 -I. tests/sim/import_show.c \
+    $CC -std=c99 $WARNINGS -DFORMAT=pel_argb8888 -I. $INCLUDE tests/sim/import_show.c \
         "$dir/argb8888.o" "$LIBPEL" -o "$dir/show"
     "$dir/show" >"$dir/argb8888.ppm" || fail "argb8888: the asset is refused"
 else
@@ -191,13 +191,13 @@ int main(void)
 }
 EOF
 for asset in square picture letters; do
-    $CC -std=c99 $WARNINGS -I. -c "$dir/$asset.c" -o "$dir/again/$asset.o"
+    $CC -std=c99 $WARNINGS -I. $INCLUDE -c "$dir/$asset.c" -o "$dir/again/$asset.o"
 done
 assets="$dir/again/square.o $dir/again/picture.o $dir/again/letters.o"
-$CC -std=c99 $WARNINGS -I. "$dir/use.c" $assets "$LIBPEL" -o "$dir/use"
+$CC -std=c99 $WARNINGS -I. $INCLUDE "$dir/use.c" $assets "$LIBPEL" -o "$dir/use"
 "$dir/use" || fail "an asset of a header is refused"
 if command -v c++ >/dev/null; then
-    c++ -x c++ -Wall -Wextra -Werror -I. "$dir/use.c" -x none $assets \
+    c++ -x c++ -Wall -Wextra -Werror -I. $INCLUDE "$dir/use.c" -x none $assets \
         "$LIBPEL" -o "$dir/use"
     "$dir/use" || fail "an asset of a header is refused in C++"
 fi
@@ -227,18 +227,18 @@ done
 if "$PEL" render "$dir/square.ply" -o "$dir/a.ppm" 2>/dev/null; then
     for kind in psf.gz pcf.gz; do
         : >"$dir/x.$kind"
-        refuse "x.$kind: is packed; \`gunzip -k\`" "$dir/x.$kind" -o "$dir/y.c"
+        refuse "x.$kind: is packed: expected \`gunzip -k\`" "$dir/x.$kind" -o "$dir/y.c"
     done
     : >"$dir/x.pcf"
     refuse "\`pcf2bdf -o FONT.bdf\`" "$dir/x.pcf" -o "$dir/y.c"
     refuse "square.c: neither mesh, picture nor font" "$dir/square.c" -o "$dir/y.c"
 fi
-refuse "an output .c or .pel2d would be right" builtin:vase -o "$dir/x.h"
+refuse "expected an output .c or .pel2d" builtin:vase -o "$dir/x.h"
 refuse "is no identifier of C" builtin:vase --name 3d -o "$dir/x.c"
 refuse "is no identifier of C" builtin:vase --name int -o "$dir/x.c"
-refuse "--format is 'rgb'; one of rgb565_le," "$dir/picture.ppm" \
+refuse "--format is 'rgb': expected one of rgb565_le," "$dir/picture.ppm" \
     --format rgb -o "$dir/x.c"
-refuse "8 or 16 would be right" builtin:vase --normals 12 -o "$dir/x.c"
+refuse "expected 8 or 16" builtin:vase --normals 12 -o "$dir/x.c"
 
 # An option that means nothing for what is made is refused by name.
 refuse "--format is for pictures" builtin:vase --format rgb888 -o "$dir/x.c"
@@ -259,7 +259,7 @@ refuse "--normals is for C assets of meshes" "$dir/picture.ppm" --normals 16 -o 
 refuse "--codes is for fonts" builtin:vase --codes 32 -o "$dir/x.c"
 refuse "--texture-file is for meshes" sim/scenes/letters.bdf --texture-file a.ppm -o "$dir/x.c"
 refuse "--name is for C assets" builtin:vase --name x -o "$dir/x.pel2d"
-refuse "builtin:vase, or a file, would be right" builtin:cube -o "$dir/x.c"
+refuse "expected builtin:vase, or a file" builtin:cube -o "$dir/x.c"
 refuse "no mesh that can be read" "$dir/message" -o "$dir/x.c"
 sed 's/^3 0 1 2/3 0 1 4/' "$dir/square.ply" >"$dir/bad.ply"
 refuse "face 0 of part 0 names vertex 4; the part has 4" "$dir/bad.ply" -o "$dir/x.c"

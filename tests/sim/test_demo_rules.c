@@ -1,9 +1,9 @@
-/* System E: the cases of the fill rule, y down and y up, against the rule as
+/* The cases of the fill rule, y down and y up, against the rule as
  * exact arithmetic states it; and the two against each other. */
 
 #include "tests/support/check.h"
 
-#include "sim/demo/rules_sheet.h"
+#include "sim/demo/rules.h"
 
 /* Twice the signed area of (a, b, p), all in 1/4 px. */
 static int side(const int *a, const int *b, const int *p)
@@ -40,7 +40,7 @@ static int count_covers(const struct rules_case *rules, int x, int y, bool y_up)
 {
     int n = 0;
     for (int i = 0; i < rules->count; i++) {
-        const uint8_t *q = rules->v[i];
+        const uint8_t *q = &rules->v[6 * i];
         int v[3][2];
         for (int k = 0; k < 3; k++) {
             v[k][0] = q[2 * k];
@@ -78,16 +78,16 @@ static void test_rule(void)
 }
 
 /* What is seen with y up is what is seen with y down, turned over. */
-static void test_twins(void)
+static void test_turned_over(void)
 {
     for (int i = 0; rules_cases[i].caption; i++) {
         struct rules_pixels down, up;
         rules_draw(&rules_cases[i], false, &down);
         rules_draw(&rules_cases[i], true, &up);
         for (int y = 0; y < RULES_HEIGHT; y++) {
-            const int twin = RULES_HEIGHT - 1 - y;
-            assert_memory_equal(down.hits[y], up.hits[twin], RULES_WIDTH);
-            assert_memory_equal(down.color[y], up.color[twin],
+            const int opposite = RULES_HEIGHT - 1 - y;
+            assert_memory_equal(down.hits[y], up.hits[opposite], RULES_WIDTH);
+            assert_memory_equal(down.color[y], up.color[opposite],
                                 sizeof down.color[y]);
         }
     }
@@ -115,5 +115,5 @@ static void test_collinear(void)
 
 int main(void)
 {
-    return RUN_TESTS(test_rule, test_twins, test_collinear);
+    return RUN_TESTS(test_rule, test_turned_over, test_collinear);
 }

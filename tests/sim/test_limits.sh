@@ -44,8 +44,8 @@ refused 'took more than 2048 MB; --limit SECONDS,MEGABYTES would allow more' \
     "$work/many.ply" import
 
 # Pictures: sizes are claimed, data is missing.
-large='a picture of 30000 x 30000 pixels; 1 to 32767 each way, 268435456 in all'
-short='ends before its picture does; a whole file would be right'
+large='a picture of 30000 x 30000 pixels: expected 1 to 32767 each way, 268435456 in all'
+short='ends before its picture does: expected a whole file'
 bmp() { # COUNT SIZE: a head of 54 bytes with that width and height
     printf 'BM\066\0\0\0\0\0\0\0\066\0\0\0\050\0\0\0%b%b\001\0\030\0' "$1" "$1"
     head -c 24 /dev/zero

@@ -15,34 +15,38 @@ struct row {
 };
 
 static const struct row wrong[] = {
-    {"", "1: the file ends here; 'pel2d VERTICES TRIANGLES' would be right"},
-    {"\n", "1: 0 fields; 'pel2d VERTICES TRIANGLES' would be right"},
+    {"", "1: the file ends here: expected 'pel2d VERTICES TRIANGLES'"},
+    {"\n", "1: 0 fields: expected 'pel2d VERTICES TRIANGLES'"},
     {"pel2d\n", "1: 1 fields"},
     {"pel2d 3\n", "1: 2 fields"},
     {"pel3d 3 1\n", "1: the file begins with 'pel3d'"},
-    {"pel2d x 1\n", "1: VERTICES is 'x'; a whole number"},
+    {"pel2d x 1\n", "1: VERTICES is 'x': expected a whole number"},
     {"pel2d -1 1\n", "1: VERTICES is '-1'"},
     {"pel2d 3 99999999999\n", "1: TRIANGLES is '99999999999'"},
     {"pel2d 3 1 1\n", "1: 4 fields"},
-    {HEAD, "2: the file ends here; a vertex, 'x y r g b depth u v',"},
+    {HEAD, "2: the file ends here: expected a vertex, 'x y r g b depth u v'"},
     {HEAD "0 0 1 2 3 0 0\n", "2: 7 fields"},
     {HEAD "0 0 1 2 3 0 0 0 0\n", "2: more than 8 fields"},
     {HEAD "0 0 1 2 3 0 0 0 0 0 0\n", "2: more than 8 fields"},
-    {HEAD A "x 0 1 2 3 0 0 0\n", "3: x is 'x'; decimal pixels"},
+    {HEAD A "x 0 1 2 3 0 0 0\n", "3: x is 'x': expected decimal pixels"},
     {HEAD A "1e2 0 1 2 3 0 0 0\n", "3: x is '1e2'"},
-    {HEAD A "0 0.1 1 2 3 0 0 0\n", "3: y is 0.1; a whole number of 1/256 px"},
+    {HEAD A "0 0.1 1 2 3 0 0 0\n",
+     "3: y is 0.1: expected a whole number of 1/256 px"},
     {HEAD A "0.00390625000001 0 1 2 3 0 0 0\n", "3: x is 0.00390625000001"},
-    {HEAD A "32768 0 1 2 3 0 0 0\n", "3: x is 32768; -32768 to 32767.99609375"},
-    {HEAD A "0 -32768.00390625 1 2 3 0 0 0\n", "3: y is -32768.00390625; -32"},
-    {HEAD A "0 0 256 2 3 0 0 0\n", "3: r is '256'; a whole number from 0 to 2"},
+    {HEAD A "32768 0 1 2 3 0 0 0\n",
+     "3: x is 32768: expected -32768 to 32767.99609375"},
+    {HEAD A "0 -32768.00390625 1 2 3 0 0 0\n",
+     "3: y is -32768.00390625: expected -32"},
+    {HEAD A "0 0 256 2 3 0 0 0\n",
+     "3: r is '256': expected a whole number from 0 to 2"},
     {HEAD A "0 0 1 -2 3 0 0 0\n", "3: g is '-2'"},
     {HEAD A "0 0 1 2 3.0 0 0 0\n", "3: b is '3.0'"},
     {HEAD A "0 0 1 2 3 far 0 0\n", "3: depth is 'far'"},
     {HEAD A "0 0 1 2 3 0 nan 0\n", "3: u is 'nan'"},
     {HEAD A "0 0 1 2 3 0 0 1e7\n", "3: v is '1e7'"},
-    {HEAD A BC, "5: the file ends here; a triangle, 'i j k',"},
-    {HEAD A BC "0 1\n", "5: 2 fields; a triangle"},
-    {HEAD A BC "0 1 3\n", "5: k is '3'; a whole number from 0 to 2"},
+    {HEAD A BC, "5: the file ends here: expected a triangle, 'i j k'"},
+    {HEAD A BC "0 1\n", "5: 2 fields: expected a triangle"},
+    {HEAD A BC "0 1 3\n", "5: k is '3': expected a whole number from 0 to 2"},
     {HEAD A BC "-1 1 2\n", "5: i is '-1'"},
     {HEAD A BC "0 4294967296 2\n", "5: j is '4294967296'"},
     {HEAD A BC "0 1 2\n0 1 2\n", "6: text after the last triangle"},
@@ -80,7 +84,7 @@ static void test_wrong_bytes(void)
 {
     static const char nul[] = HEAD "0 0 1 2 3 0 \0 0\n";
     char line[2048] = "pel2d ";
-    refuse(0, nul, sizeof(nul) - 1, "2: a NUL byte; a vertex");
+    refuse(0, nul, sizeof(nul) - 1, "2: a NUL byte: expected a vertex");
     memset(line + 6, '1', sizeof(line) - 6);
     refuse(1, line, sizeof(line), "1: a line of over 1,023 bytes");
     /* A first line that lies about its file costs no memory. */

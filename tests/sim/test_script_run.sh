@@ -234,7 +234,7 @@ status 2 "$PEL" run "$work/s.pel" --fast
 said err "pel: unrecognized option '--fast'"
 said err "Try \`pel run --help'"
 status 2 "$PEL" run "$work/s.pel" -o "$work/o.jpg"
-said err 'the name must end in .ppm, .bmp or .png'
+said err 'expected a name that ends in .ppm, .bmp or .png'
 status 2 "$PEL" run "$work/s.pel" -o "$work/none/o.ppm"
 said err "pel: $work/none/o.ppm: cannot be written: No such file"
 "$PEL" run "$work/s.pel" >/dev/full 2>"$work/err" && fail "no space: status 0"

@@ -75,7 +75,7 @@ board: $(BUILD)/board/$(EXAMPLE) ## EXAMPLE=bands on a Cortex-M4 board, in QEMU
 	@$(CPU_RUN_m4) $<
 $(BUILD)/board/%: examples/%.c $(CORE) | need-arm need-qemu-arm
 	@mkdir -p $(@D)
-	@arm-none-eabi-gcc $(CPU_FLAGS_m4) -std=c99 -Os -I. -ffunction-sections \
+	@arm-none-eabi-gcc $(CPU_FLAGS_m4) -std=c99 -Os -I$(BUILD)/include -ffunction-sections \
 	    -Wl,--gc-sections $< $(CORE) $(CPU_LINK_m4) -o $@
 
 check-cpus: $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes) ## the golden scenes on other CPUs and compilers

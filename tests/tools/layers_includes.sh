@@ -5,7 +5,7 @@
 set -eu
 cd "$(dirname "$0")/../.."
 
-find core drivers port -name '*.[ch]' -o -name '*.inc' | sort | xargs awk '
+find core drivers port examples -name '*.[ch]' -o -name '*.inc' | sort | xargs awk '
     BEGIN {
         allow("core", "core/base core/format core/raster core/round" \
               " core/outline core/hit core/paint core/scene core/asset" \
@@ -25,6 +25,7 @@ find core drivers port -name '*.[ch]' -o -name '*.inc' | sort | xargs awk '
         allow("core/image", "core core/base core/asset core/format core/raster")
         allow("drivers", "core core/base core/format core/raster port")
         allow("port", "core core/base core/format core/raster drivers")
+        allow("examples", "core core/paint core/raster")
         split("stdint.h stdbool.h stddef.h string.h", names, " ")
         for (i in names)
             system_header[names[i]] = 1
@@ -64,7 +65,10 @@ find core drivers port -name '*.[ch]' -o -name '*.inc' | sort | xargs awk '
         name = $0
         sub(/.*</, "", name)
         sub(/>.*/, "", name)
-        if (FILENAME ~ /^core\// && !(name in system_header))
+        if (FILENAME !~ /^core\//) {
+            if (sub(/^pel\//, "core/", name))
+                check(name, name)
+        } else if (!(name in system_header))
             complain("core includes <" name "> (stdint, stdbool, stddef and " \
                      "string only)")
     }
@@ -73,10 +77,19 @@ find core drivers port -name '*.[ch]' -o -name '*.inc' | sort | xargs awk '
         name = $0
         sub(/^[^"]*"/, "", name)
         sub(/".*/, "", name)
+        if (name == "letters.h") # that make writes
+            next
         path = resolve(dirname(FILENAME) "/" name)
+        if (FILENAME !~ /^core/ && path ~ /^core/)
+            complain("includes core as <pel/...>, not as " name)
+        check(name, path)
+    }
+
+    function check(name, path,    line, from)
+    {
         if ((getline line < path) < 0) {
             complain("\"" name "\" is not at " path)
-            next
+            return
         }
         close(path)
         from = layer(FILENAME)

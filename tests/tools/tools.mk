@@ -30,7 +30,8 @@ layers: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(BUILD)/libpel.a | need-clang ## che
 	    $(filter $(BUILD)/mcu/cortex-m0plus%,$(MCU_CORE_OBJECTS))
 	@tests/tools/layers_objects.sh arm-none-eabi-size arm-none-eabi-nm \
 	    $(filter $(BUILD)/mcu/cortex-m4%,$(MCU_CORE_OBJECTS))
-	tests/tools/layers_headers.sh "$(CC)" $(WARNINGS) -Werror
+	tests/tools/layers_headers.sh "$(CC)" $(WARNINGS) -Werror \
+	    -I$(BUILD)/include
 	@mkdir -p $(BUILD)/link
 	for c in g++ clang++; do \
 	    $$c -std=c++11 $(WARNINGS) -Werror -Wold-style-cast -I. tests/link/from_cpp.cpp \

@@ -20,7 +20,7 @@ LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display vm screen_check \
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
                pel_no_draw fb_mode console_state faults frames session)
 LINUX_STATIC := $(LINUX_CHECK)/static
-LINUX_CFLAGS = -std=gnu99 $(WARNINGS) $(WERROR) -O2 -I.
+LINUX_CFLAGS = -std=gnu99 $(WARNINGS) $(WERROR) -O2 -I. -I$(BUILD)/include
 # getgrgid in a static program is what the linker warns of: the guest has files.
 LINUX_STATIC_FLAGS := -static -Wl,--no-warnings
 LINUX_FAULTS := open ioctl mmap read write poll fork socketpair signalfd calloc

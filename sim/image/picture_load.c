@@ -1,9 +1,11 @@
 /* PPM and PGM: P6 and P5 binary, P3 and P2 text. */
+#include <errno.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "sim/cli/message.h"
-#include "sim/image/picture_file.h"
+#include "sim/image/picture.h"
 
 struct reader {
     FILE *file;
@@ -46,9 +48,9 @@ static int skip_space(struct reader *r)
     return c;
 }
 
-/* A decimal number of at most `max`, and the white space character after it;
+/* A decimal number of at most `most`, and the white space character after it;
  * the file may end there. */
-static bool read_number(struct reader *r, const char *what, int max, int *value)
+static bool read_number(struct reader *r, const char *what, int most, int *value)
 {
     int c = skip_space(r);
     const long line = r->line;
@@ -57,12 +59,12 @@ static bool read_number(struct reader *r, const char *what, int max, int *value)
     if (c < '0' || c > '9')
         return message_error_at(r->name, line,
                                 "byte %ld: the %s must be a number in 0..%d",
-                                r->byte - 1, what, max);
+                                r->byte - 1, what, most);
     for (*value = 0; c >= '0' && c <= '9'; c = read_char(r)) {
         *value = *value * 10 + (c - '0');
-        if (*value > max)
+        if (*value > most)
             return message_error_at(
-                r->name, line, "the %s is too large: %d at most", what, max);
+                r->name, line, "the %s is too large: %d at most", what, most);
     }
     if (c != EOF && !is_space(c))
         return message_error_at(r->name, line,
@@ -112,28 +114,28 @@ static bool read_header(struct reader *r)
     return true;
 }
 
-static bool read_text_line(struct reader *r, unsigned char *line)
+static bool read_text_row(struct reader *r, unsigned char *bytes)
 {
     for (int i = 0; i < r->width * r->channels; i++) {
         int sample;
         if (!read_number(r, "sample", 255, &sample))
             return false;
-        line[i] = (unsigned char)sample;
+        bytes[i] = (unsigned char)sample;
     }
     return true;
 }
 
-static bool read_binary_line(struct reader *r, unsigned char *line)
+static bool read_binary_row(struct reader *r, unsigned char *bytes)
 {
     const size_t size = (size_t)r->width * (size_t)r->channels;
-    const size_t got = fread(line, 1, size, r->file);
+    const size_t got = fread(bytes, 1, size, r->file);
     r->byte += (long)got;
     return got == size;
 }
 
-static bool read_line(struct reader *r, int y, unsigned char *line)
+static bool read_row(struct reader *r, int y, unsigned char *bytes)
 {
-    if (r->binary ? read_binary_line(r, line) : read_text_line(r, line))
+    if (r->binary ? read_binary_row(r, bytes) : read_text_row(r, bytes))
         return true;
     if (ferror(r->file))
         return message_error_at(r->name, 0, "cannot be read");
@@ -144,14 +146,14 @@ static bool read_line(struct reader *r, int y, unsigned char *line)
     return false;
 }
 
-static void unpack_line(const struct reader *r, const unsigned char *line,
-                        pel_color *row)
+static void unpack_row(const struct reader *r, const unsigned char *bytes,
+                       pel_color *row)
 {
-    for (int x = 0; x < r->width; x++, line += r->channels) {
+    for (int x = 0; x < r->width; x++, bytes += r->channels) {
         if (r->channels == 3)
-            row[x] = PEL_RGB(line[0], line[1], line[2]);
+            row[x] = PEL_RGB(bytes[0], bytes[1], bytes[2]);
         else
-            row[x] = PEL_RGB(line[0], line[0], line[0]);
+            row[x] = PEL_RGB(bytes[0], bytes[0], bytes[0]);
     }
 }
 
@@ -174,12 +176,12 @@ static bool grow(struct picture *p, const struct reader *r, int y)
 }
 
 static bool read_rows(struct reader *r, struct picture *picture,
-                      unsigned char *line)
+                      unsigned char *bytes)
 {
     for (int y = 0; y < r->height; y++) {
-        if (!read_line(r, y, line) || !grow(picture, r, y))
+        if (!read_row(r, y, bytes) || !grow(picture, r, y))
             return false;
-        unpack_line(r, line, picture_row(picture, y));
+        unpack_row(r, bytes, picture_row(picture, y));
     }
     const int c = r->binary ? read_char(r) : skip_space(r);
     if (c == EOF)
@@ -190,16 +192,29 @@ static bool read_rows(struct reader *r, struct picture *picture,
                             r->byte - 1, r->width, r->height);
 }
 
-bool picture_read_ppm(struct picture *picture, FILE *file, const char *name)
+static bool read_ppm(struct picture *picture, FILE *file, const char *name)
 {
     struct reader reader = {file, name, 1, 0, 0, 0, 0, false};
     if (!read_header(&reader))
         return false;
-    unsigned char *line = malloc((size_t)(reader.width * reader.channels));
-    const bool done = line ? read_rows(&reader, picture, line)
-                           : message_error_at(name, 0, "out of memory");
-    free(line);
+    unsigned char *bytes = malloc((size_t)(reader.width * reader.channels));
+    const bool done = bytes ? read_rows(&reader, picture, bytes)
+                            : message_error_at(name, 0, "out of memory");
+    free(bytes);
     if (!done)
         picture_free(picture);
+    return done;
+}
+
+bool picture_load(struct picture *picture, const char *path)
+{
+    *picture = (struct picture){0, 0, NULL};
+    if (strcmp(path, "-") == 0)
+        return read_ppm(picture, stdin, path);
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+    const bool done = read_ppm(picture, file, path);
+    fclose(file);
     return done;
 }
