@@ -4,7 +4,7 @@
 
 #include "core/base/format.h"
 #include "sim/mesh/mesh.h"
-#include "sim/cli/option_text.h"
+#include "sim/cli/arguments.h"
 #include "sim/image/picture.h"
 
 /* The name of the format that keeps the alpha of pictures; no display has it,

@@ -3,8 +3,7 @@
 #ifndef SIM_CLI_DEVICE_H
 #define SIM_CLI_DEVICE_H
 
-#include <argp.h>
-
+#include "sim/cli/arguments.h"
 #include "sim/image/canvas.h"
 #include "drivers/display_linux.h"
 #include "port/linux/pool.h"
@@ -14,9 +13,11 @@ struct device_options {
     int jobs;         /* threads that draw; 0: one for each processor */
 };
 
-/* Argp's child for a command whose parser's input is a struct that begins with
- * a struct device_options. */
-extern const struct argp device_argp;
+/* The input is a struct device_options. */
+extern const struct option_row device_option_table[];
+
+/* -o. The input is a const char *, which is NULL when left out. */
+extern const struct option_row output_option_table[];
 
 /* May the picture go to `output` ("-" when none was named)? A device and a file
  * at once may not: false, with a message. */

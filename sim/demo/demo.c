@@ -1,5 +1,6 @@
 /* pel demo: draws the gallery. */
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,46 +15,11 @@
 #include "sim/cli/milliseconds.h"
 #include "sim/script/script.h"
 
-struct demo_options {
-    const char *directory;
-    char **scripts;
-    int script_count;
-};
-
-static error_t parse_option(int key, char *text, struct argp_state *state)
-{
-    struct demo_options *o = state->input;
-    switch (key) {
-    case ARGP_KEY_ARG:
-        if (o->directory)
-            return ARGP_ERR_UNKNOWN; /* comes again as ARGP_KEY_ARGS */
-        o->directory = text;
-        return 0;
-    case ARGP_KEY_ARGS:
-        o->scripts = state->argv + state->next;
-        o->script_count = state->argc - state->next;
-        return 0;
-    case ARGP_KEY_NO_ARGS:
-        message_error("the directory for the pictures is missing");
-        return EINVAL;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-static const struct argp parser = {
-    NULL,
-    parse_option,
-    "DIRECTORY [SCRIPT...]",
-    "Draws the gallery into a directory: every demo and every script, as "
-    "PPM and PNG (BMP without libpng), with index.html.\v"
+static const char about[] =
+    "Draws the gallery into a directory: every demo and every script, as PPM "
+    "and PNG (BMP without libpng), with index.html.\v"
     "Prints the milliseconds that the drawing of each picture took, the best "
-    "of "
-    "three where it is less than 50.",
-    NULL,
-    NULL,
-    NULL,
-};
+    "of three where it is less than 50.";
 
 static bool save_as(const char *directory, const char *name, const char *ending,
                     const struct picture *picture)
@@ -156,11 +122,11 @@ static bool add_script(struct demo_index *index, const char *path)
     return done;
 }
 
-static bool add_all(struct demo_index *index, const struct demo_options *o)
+static bool add_all(struct demo_index *index, char **scripts)
 {
     bool done = true;
-    for (int i = 0; done && i < o->script_count; i++)
-        done = add_script(index, o->scripts[i]);
+    for (; done && *scripts; scripts++)
+        done = add_script(index, *scripts);
     return done && add_demos(index, demo_formats) &&
            add_demos(index, demo_rules) && add_demos(index, demo_duck) &&
            add_demos(index, demo_texture) && add_demos(index, demo_lighting);
@@ -168,16 +134,20 @@ static bool add_all(struct demo_index *index, const struct demo_options *o)
 
 int command_demo(int argc, char **argv)
 {
-    struct demo_options o = {NULL, NULL, 0};
     struct demo_index index;
-    arguments_parse(&parser, argc, argv, &o);
-    if (mkdir(o.directory, 0777) != 0 && errno != EEXIST) {
-        message_error_at(o.directory, 0, "cannot be made: %s", strerror(errno));
+    const struct command_line line = {.arguments = "DIRECTORY [SCRIPT...]",
+                                      .least = 1,
+                                      .most = INT_MAX,
+                                      .about = about};
+    char **arguments = arguments_parse(&line, argc, argv);
+    const char *directory = *arguments;
+    if (mkdir(directory, 0777) != 0 && errno != EEXIST) {
+        message_error_at(directory, 0, "cannot be made: %s", strerror(errno));
         return STATUS_ERROR;
     }
-    if (!demo_index_open(&index, o.directory))
+    if (!demo_index_open(&index, directory))
         return STATUS_ERROR;
-    if (!add_all(&index, &o)) {
+    if (!add_all(&index, arguments + 1)) {
         demo_index_abandon(&index);
         return STATUS_ERROR;
     }

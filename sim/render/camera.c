@@ -198,7 +198,8 @@ static void frame_near(struct camera *camera, const struct model *model,
     frustum_point(frustum, middle, at);
     for (int k = 0; k < 3; k++)
         way[k] = camera->target[k] - camera->eye[k];
-    camera->near = fmax(sqrt(dot(way, way)) / 1000, 0.98 * (at[2] - radius));
+    camera->near_plane =
+        fmax(sqrt(dot(way, way)) / 1000, 0.98 * (at[2] - radius));
 }
 
 bool camera_frame(struct camera *camera, const struct model *model)

@@ -6,6 +6,9 @@
 #include "core/scene/camera.h"
 #include "sim/mesh/model.h"
 
+/* Names of projections, in the order of enum pel_projection. */
+#define CAMERA_PROJECTIONS "perspective|orthographic"
+
 /* The flags say what the user gave. */
 struct camera {
     double eye[3], target[3], up[3]; /* world units */
@@ -13,7 +16,7 @@ struct camera {
     double focal;      /* mm, > 0; perspective */
     double sensor[2];  /* width and height, > 0: mm, or of what is seen in world
                           units when orthographic */
-    double near;       /* world units, > 0: nothing nearer is seen */
+    double near_plane; /* world units, > 0: nothing nearer is seen */
     int width, height; /* px of the picture, 1..32,767 */
     pel_color background;
     bool has_eye, has_target, has_sensor, has_near;

@@ -15,6 +15,19 @@
 #include "core/base/surface.h"
 #include "core/scene/pipeline.h"
 
+/* Names of these settings for commands and scripts, in the order of their
+ * numbers. */
+#define SCENE_SHADES "flat|gouraud|phong"
+#define SCENE_TEXTURES "none|nearest|bilinear"
+#define SCENE_MAPPINGS "vertices|affine|subdivided|perspective"
+#define SCENE_SPANS "2|4|8|16|32|64"
+#define SCENE_WRAPS "clamp|repeat|mirror"
+#define SCENE_NORMALS "file|smooth"
+#define SCENE_ORDERS "painter|zbuffer16|zbuffer32|zbuffer"
+#define SCENE_CULLS "none|back|front"
+#define SCENE_TERMS "ambient|diffuse|specular"
+#define SCENE_HIGHLIGHTS "coloured|plain"
+
 enum scene_shade { SCENE_FLAT, SCENE_GOURAUD, SCENE_PHONG };
 
 /* Is there light? AUTO: when a light or a number of it was set, for Phong, and
@@ -34,7 +47,13 @@ enum scene_mapping {
     SCENE_MAP_PERSPECTIVE /* in every pixel */
 };
 
-enum scene_order { SCENE_PAINTER, SCENE_ZBUFFER16, SCENE_ZBUFFER32 };
+/* SCENE_ZBUFFER is SCENE_ZBUFFER32. */
+enum scene_order {
+    SCENE_PAINTER,
+    SCENE_ZBUFFER16,
+    SCENE_ZBUFFER32,
+    SCENE_ZBUFFER
+};
 
 enum scene_term {
     SCENE_AMBIENT = 1,

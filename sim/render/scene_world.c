@@ -118,7 +118,7 @@ static void place_camera(struct scene *scene, const struct scene_settings *s)
     }
     place_up(from->up, to->up);
     to->projection = from->projection;
-    to->near_plane = (pel_length)fmax(length_of(scene, from->near), 1);
+    to->near_plane = (pel_length)fmax(length_of(scene, from->near_plane), 1);
     if (from->projection == PEL_PERSPECTIVE)
         place_lens(to, from);
     for (int k = 0; k < 2 && from->projection == PEL_ORTHOGRAPHIC; k++)
@@ -203,4 +203,38 @@ void scene_place_lights(struct scene *scene, const struct scene_settings *s)
         scene->lighting.lights = 1;
     }
     place_material(&scene->lighting, s);
+}
+
+static void print_three(FILE *out, const char *name, const int32_t value[3])
+{
+    fprintf(out, "    .%s = {%ld, %ld, %ld},\n", name, (long)value[0],
+            (long)value[1], (long)value[2]);
+}
+
+void scene_print_camera(FILE *out, const struct scene *scene)
+{
+    const struct pel_camera *camera = &scene->core.camera;
+    const struct pel_rect *view = &scene->core.viewport;
+    const int scale = ilogb(scene->units);
+    fprintf(out,
+            "/* struct pel_camera, for a viewport of %ld x %ld pixels; places "
+            "in 1/65536. */\n",
+            (long)(view->x1 - view->x0), (long)(view->y1 - view->y0));
+    if (scale != 0)
+        fprintf(out,
+                "/* The mesh is too large or small as it is: after "
+                "pel_mesh_of_asset, take\n   mesh.position.shift -= %d. */\n",
+                scale);
+    fprintf(out, "{\n");
+    print_three(out, "eye", camera->eye);
+    print_three(out, "target", camera->target);
+    print_three(out, "up", camera->up);
+    if (camera->projection == PEL_PERSPECTIVE)
+        fprintf(out, "    .focal = %ld,\n", (long)camera->focal);
+    fprintf(out, "    .sensor = {%ld, %ld},\n", (long)camera->sensor[0],
+            (long)camera->sensor[1]);
+    fprintf(out, "    .near_plane = %ld,\n", (long)camera->near_plane);
+    fprintf(out, "    .projection = %s,\n}\n",
+            camera->projection == PEL_PERSPECTIVE ? "PEL_PERSPECTIVE"
+                                                  : "PEL_ORTHOGRAPHIC");
 }

@@ -2,7 +2,7 @@
 #ifndef SIM_SCRIPT_PARSER_H
 #define SIM_SCRIPT_PARSER_H
 
-#include "sim/script/meshes.h"
+#include "sim/script/assets.h"
 
 struct script_parser {
     struct script *script;

@@ -6,20 +6,6 @@
 #define ARROW (1.0 / 48)
 #define CLOSER 1.125
 
-const char view_keys_help[] =
-    "  arrows, mouse drag  turn\n"
-    "  + -, mouse wheel    closer, farther\n"
-    "  space               stop or start the turning\n"
-    "  f g p               shading: flat, Gouraud, Phong\n"
-    "  t                   texture: none, nearest, bilinear\n"
-    "  l                   light on or off (Phong has it always)\n"
-    "  1 to 9              that light on or off\n"
-    "  a d s               ambient, diffuse, specular light on or off\n"
-    "  z                   painter's order or z-buffer\n"
-    "  r                   back to the start\n"
-    "  w                   write the picture to a file\n"
-    "  q, Escape           end\n";
-
 static enum view_action move(struct view *view, int key)
 {
     switch (key) {
