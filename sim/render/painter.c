@@ -48,8 +48,8 @@ static bool check_texture(const struct painter *painter)
     for (uint32_t i = 0; i < painter->flat->vertices; i++)
         for (int k = 0; k < 2; k++)
             if (!(fabs(texels_of(painter, &v[i], k)) < (1 << 23) - 1))
-                return message_error("vertex %u lies at u v %g %g; less than "
-                                     "2^23 texels away would be right",
+                return message_error("vertex %u lies at u v %g %g: expected less "
+                                     "than 2^23 texels",
                                      i, v[i].u, v[i].v);
     return true;
 }

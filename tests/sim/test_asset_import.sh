@@ -232,7 +232,7 @@ refuse() {
     [ ! -s "$dir/out" ] && [ ! -e "$dir/x.c" ] && [ ! -e "$dir/x.h" ] &&
         [ ! -e "$dir/x.pel2d" ] || fail "import $*: output"
 }
-refuse "an input is missing" -o "$dir/x.c"
+refuse "0 arguments: expected MESH" -o "$dir/x.c"
 refuse "-o ASSET.c is missing" builtin:vase
 for kind in obj png bdf; do
     refuse "none.$kind: cannot be read: No such file" "$dir/none.$kind" -o "$dir/x.c"
@@ -249,9 +249,9 @@ fi
 refuse "an output .c or .pel2d would be right" builtin:vase -o "$dir/x.h"
 refuse "is no identifier of C" builtin:vase --name 3d -o "$dir/x.c"
 refuse "is no identifier of C" builtin:vase --name int -o "$dir/x.c"
-refuse "--format is 'rgb'; one of rgb565_le," "$dir/picture.ppm" \
+refuse "--format is 'rgb': expected one of rgb565_le," "$dir/picture.ppm" \
     --format rgb -o "$dir/x.c"
-refuse "8 or 16 would be right" builtin:vase --normals 12 -o "$dir/x.c"
+refuse "expected 8 or 16" builtin:vase --normals 12 -o "$dir/x.c"
 
 # An option that means nothing for what is made is refused by name.
 refuse "--format is for pictures" builtin:vase --format rgb888 -o "$dir/x.c"
