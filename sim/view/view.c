@@ -7,7 +7,7 @@
 #include "sim/cli/message.h"
 #include "sim/mesh/pel2d.h"
 #include "sim/render/scene_options.h"
-#include "sim/view/displays.h"
+#include "sim/view/viewer.h"
 
 struct view_options {
     struct device_options device;
@@ -71,17 +71,6 @@ static bool run(const struct view_options *o)
     const bool done = o->device.name ? view_device(&job) : view_window(&job);
     model_free(&model);
     return done;
-}
-
-void view_tell_keys(const struct viewer_options *o)
-{
-    if (o->frames == 0)
-        fputs(VIEW_KEYS_HELP, stderr);
-}
-
-int view_jobs(int jobs)
-{
-    return jobs > 0 ? jobs : pel_pool_processors();
 }
 
 int command_view(int argc, char **argv)

@@ -10,6 +10,7 @@
 #define SIM_VIEW_VIEWER_H
 
 #include "port/linux/pool.h"
+#include "sim/cli/device.h"
 #include "sim/view/view.h"
 #include "sim/view/keys.h"
 
@@ -21,17 +22,24 @@ struct viewer_options {
     bool still;         /* no turning at the start */
 };
 
+struct view_job {
+    const struct model *model;
+    const struct scene_settings *settings; /* a size of 0x0: any will do */
+    const struct viewer_options *options;
+    const struct device_options *device;
+};
+
 struct viewer {
     struct view view;
     const struct viewer_options *options; /* the caller's, like the model */
     const struct model *model;
     struct scene scene;
-    struct pel_pool *pool; /* the display's, which starts it when it is open */
-    bool stale;            /* there is something new to draw */
-    bool over;             /* the user ended it */
-    int drawn;             /* frames */
-    double begun, last;    /* ms: the first frame, the last viewer_advance */
-    double drawing;        /* ms spent on drawing, all frames */
+    struct pel_pool pool;
+    bool stale;         /* there is something new to draw */
+    bool over;          /* the user ended it */
+    int drawn;          /* frames */
+    double begun, last; /* ms: the first frame, the last viewer_advance */
+    double drawing;     /* ms spent on drawing, all frames */
     struct {
         double since, drawing; /* ms */
         int drawn;
@@ -39,11 +47,10 @@ struct viewer {
     } rate;
 };
 
-/* False, with a message. viewer_free in any case; the pool is for the display
- * to set. */
-bool viewer_init(struct viewer *viewer, const struct model *model,
-                 const struct scene_settings *settings,
-                 const struct viewer_options *options);
+/* Starts the threads, when the display is open; `settings` are the job's with a
+ * size. False, with a message. viewer_free in any case. */
+bool viewer_init(struct viewer *viewer, const struct view_job *job,
+                 const struct scene_settings *settings);
 void viewer_free(struct viewer *viewer);
 
 /* Does what a key says, all but writing the picture: true when that is to be
@@ -74,5 +81,14 @@ void viewer_title(const struct viewer *viewer, char title[VIEWER_TITLE_SIZE]);
 
 /* Frames, their rate and the time of drawing in all, on standard error. */
 void viewer_report(const struct viewer *viewer);
+
+/* Shows the model in a window, until the user or options->frames ends it; what
+ * was seen is told on standard error then. False, with a message: in a build
+ * without SDL2, which names its package, too. */
+bool view_window(const struct view_job *job);
+
+/* The same on job->device, with keys from the terminal: in the middle of the
+ * screen, black around it. */
+bool view_device(const struct view_job *job);
 
 #endif

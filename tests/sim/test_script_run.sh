@@ -229,7 +229,7 @@ status 0 "$PEL" run "$work/s.pel" -o "$work/o.ppm"
 printf 'canvas 8 8 rgb888\n' >"$work/s.pel"
 status 2 "$PEL"
 status 2 "$PEL" paint
-said err 'pel: unknown command paint: valid are '
+said err 'pel: unknown command paint: expected run, '
 status 2 "$PEL" run
 said err 'pel: 0 arguments: expected SCRIPT'
 status 2 "$PEL" run "$work/s.pel" "$work/s.pel"
