@@ -93,7 +93,8 @@ static void take_text(struct child *c, const char *text, size_t size)
     }
 }
 
-/* Until the child has ended, which closes the pipe, or its time has. */
+/* Reads until the child has ended, which closes the pipe, or its time is over.
+ */
 static void listen_to(struct child *c)
 {
     const double end = milliseconds() + 1000.0 * child_limits.seconds;

@@ -1,10 +1,10 @@
-/* The time, for those who tell how long something took. */
+/* Time, for measurements and limits. */
 #ifndef SIM_CLI_MILLISECONDS_H
 #define SIM_CLI_MILLISECONDS_H
 
 #include <time.h>
 
-/* Of a clock that only runs forwards. */
+/* The time of a clock that only runs forwards. */
 static inline double milliseconds(void)
 {
     struct timespec t;

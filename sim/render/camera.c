@@ -87,7 +87,7 @@ static double middle_of_box(const struct model *model, double middle[3])
     return sqrt(radius);
 }
 
-/* How much the sides of the picture need, and which distance. */
+/* The distance or size that each side of the picture needs. */
 struct needs {
     double side[2][2]; /* of each axis, each direction */
     double depth;      /* of the deepest vertex around the target */
@@ -123,8 +123,7 @@ static void place_eye_in_front(struct camera *camera)
         camera->eye[k] = camera->target[k] + direction[k];
 }
 
-/* By how much to move the target so that opposite sides ask for nearly the
- * same. */
+/* Moves the target so that opposite sides need nearly the same. */
 static void center(struct camera *camera, const struct frustum *frustum,
                    const struct needs *needs)
 {

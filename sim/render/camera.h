@@ -26,7 +26,7 @@ struct camera {
  * box; the eye stands in front, a little to the right and above, as near as
  * shows every vertex with a margin of 1/20; pixels are square; the near plane
  * is close before the model however it is turned around its middle, but at
- * 1/1000 of the way from eye to target at least. False, with a message on
+ * 1/1000 of the distance from eye to target at least. False, with a message on
  * standard error, when eye and target are the same or `up` points along the
  * view. The flags stay: set them to keep what was found. */
 bool camera_frame(struct camera *camera, const struct model *model);

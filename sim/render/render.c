@@ -95,7 +95,7 @@ static bool draw(struct canvas *canvas, const void *context)
     return canvas_draw(canvas, o->bands, draw_scene, &part) && !part.failed;
 }
 
-/* Of each part that is drawn by itself: with several threads there are more. */
+/* Several threads draw several parts, and each tells its time. */
 static bool draw_mesh(struct canvas *canvas, const void *context)
 {
     const struct drawing *drawing = context;
@@ -135,7 +135,7 @@ static const char *mesh_option(const struct render_options *o)
     return o->print_camera ? "print-camera" : NULL;
 }
 
-/* What is projected and coloured already goes straight to the painter. */
+/* A pel2d file is projected and coloured already: the painter draws it. */
 static bool check_pel2d(const struct render_options *o)
 {
     const struct scene_options *s = &o->scene;

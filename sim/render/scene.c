@@ -94,7 +94,7 @@ static void set_appearance(struct scene *scene, const struct scene_settings *s)
     scene->depth_bits = s->order == SCENE_PAINTER     ? 0
                         : s->order == SCENE_ZBUFFER16 ? 16
                                                       : 32;
-    /* What can be seen through is blended from far to near. */
+    /* Transparent triangles are blended from far to near. */
     const bool clear =
         s->transparency > 0 || (core->texture && !scene->model->texture_opaque);
     core->sort = scene->depth_bits == 0 || clear ? pel_depth_sort : NULL;
@@ -113,7 +113,7 @@ static enum pel_status prepare(struct scene *scene)
                              scene->scratch_size);
 }
 
-/* Is it the texture that core refuses? */
+/* True when core refuses the texture and nothing else. */
 static bool texture_refused(struct scene *scene, enum pel_status status)
 {
     const bool textured = scene->core.texture;

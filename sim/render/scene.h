@@ -30,7 +30,7 @@
 
 enum scene_shade { SCENE_FLAT, SCENE_GOURAUD, SCENE_PHONG };
 
-/* Is there light? AUTO: when a light or a number of it was set, for Phong, and
+/* AUTO: there is light when a light or a number of it was set, for Phong, and
  * for a model whose colours show no shape and that has no texture. */
 enum scene_lit { SCENE_LIT_AUTO, SCENE_LIT, SCENE_UNLIT };
 
@@ -64,7 +64,8 @@ enum scene_term {
 
 enum { SCENE_LIGHTS_MAX = 32 };
 
-/* struct pel_light: `at` in world units, or the way to a directional one. */
+/* struct pel_light: `at` in world units, or the direction to a directional one.
+ */
 struct scene_light {
     double at[3];
     double color[3]; /* red, green, blue; 1 is full, less than 16 */
@@ -100,13 +101,14 @@ struct scene_settings {
     uint8_t transparency; /* 0: opaque; 255: nothing is drawn */
 };
 
-/* What no option says: up is +y, perspective, 50 mm on a sensor 36 mm wide,
+/* Defaults: up is +y, perspective, 50 mm on a sensor 36 mm wide,
  * 1200x1200, white, and the rest of the camera left to camera_frame; Gouraud,
  * the model's own texture bilinear and in perspective, repeated, the
  * painter's order, both sides, ka 0.3, kd 0.7, ks 0.3, shininess 20. */
 extern const struct scene_settings scene_default;
 
-/* What core works on. It points into itself: it stays where it is. */
+/* The scene of core and its parts. It must not be moved: it points into
+ * itself. */
 struct scene {
     const struct model *model; /* the caller's, like its texture */
     struct pel_scene core;

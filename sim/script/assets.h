@@ -1,4 +1,4 @@
-/* What commands of scripts name: fonts, pictures, texts and meshes, loaded when
+/* Fonts, pictures, texts and meshes that commands of scripts name, loaded when
  * the script is read. Only for sim/script. */
 #ifndef SIM_SCRIPT_ASSETS_H
 #define SIM_SCRIPT_ASSETS_H
@@ -7,7 +7,7 @@
 #include "sim/render/scene.h"
 #include "sim/script/commands.h"
 
-/* What commands have set for the meshes that follow. */
+/* Settings of the meshes that follow. */
 struct script_scene {
     struct scene_settings settings;
     int32_t texture; /* of script_assets.texts: its file; -1: the mesh's own */

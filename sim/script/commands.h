@@ -10,7 +10,7 @@
 struct script_paints;
 struct script_scene;
 
-/* What commands change and shapes use, while a script is drawn. */
+/* The state that commands change and shapes use, while a script is drawn. */
 struct script_pen {
     struct pel_surface *surface;
     /* Makes the paint in force from `values`, in the pen's memory; NULL: they
@@ -83,7 +83,7 @@ struct script_command {
     void (*draw)(struct script_pen *pen, const int32_t *v); /* or NULL */
     /* Says what is wrong with these arguments, or returns NULL. May be NULL. */
     const char *(*check)(const int32_t *v, size_t n);
-    /* Of a paint: script_pen.make. */
+    /* script_pen.make of a paint command. */
     const struct pel_paint *(*make)(const struct script_pen *pen);
     /* A setting, which the values are written to before `draw`: where it lies
      * in struct script_pen, or struct script_scene for SCRIPT_SCENE; bytes of
@@ -97,7 +97,7 @@ struct script_command {
     .offset = offsetof(type, member),        \
     .size = sizeof(((type *)NULL)->member) / (values)
 
-/* Does what a command says: makes the setting, chooses the paint, draws. */
+/* Runs a command: makes its setting, chooses its paint, draws. */
 void script_perform(struct script_pen *pen,
                     const struct script_command *command, const int32_t *v,
                     size_t n);

@@ -76,8 +76,8 @@ bool script_needs_whole(const struct script *script)
     return false;
 }
 
-/* Is the whole picture there for what moves its pixels? `rows` as in
- * script_draw. */
+/* False, with a message, when commands move pixels of a picture that is not
+ * whole. `rows` as in script_draw. */
 static bool check_whole(const struct script *script,
                         const struct pel_rect *shown, int rows)
 {

@@ -67,7 +67,7 @@ static const char *check_sun(const int32_t *v, size_t n)
                : "expected the direction towards it, X Y Z, not 0 0 0";
 }
 
-/* As at first, but for the material. */
+/* All as at the start, but for the material. */
 static void set_no_lights(struct script_pen *pen, const int32_t *v)
 {
     (void)v;

@@ -91,28 +91,13 @@ static bool split_words(struct script_parser *p, char *text)
     return true;
 }
 
-/* How many words of the line are the command's name: all of it, or 0. */
-static size_t match_name(const struct script_parser *p, const char *name)
-{
-    size_t n = 0;
-    while (*name) {
-        const size_t length = strcspn(name, " ");
-        if (n == p->word_count || strlen(p->words[n]) != length ||
-            strncmp(p->words[n], name, length) != 0)
-            return 0;
-        name += length + (name[length] == ' ');
-        n++;
-    }
-    return n;
-}
-
 static const struct script_command *find_command(const struct script_parser *p,
                                                  size_t *name_words)
 {
     for (const struct script_command *const *t = script_tables; *t; t++) {
         for (const struct script_command *c = *t; c->name; c++) {
-            *name_words = match_name(p, c->name);
-            if (*name_words)
+            *name_words = script_common_words(p, c->name);
+            if (*name_words == script_name_words(c->name))
                 return c;
         }
     }
@@ -120,8 +105,8 @@ static const struct script_command *find_command(const struct script_parser *p,
     return NULL;
 }
 
-/* How many arguments a command needs, and in groups of how many more may
- * follow; 0 when none may. */
+/* The number of arguments that a command needs; more may follow in groups of
+ * *group, none when that is 0. */
 static size_t needed_of(const char *kinds, size_t *group)
 {
     const size_t n = strcspn(kinds, "*+");
@@ -220,7 +205,7 @@ static bool check_text(const struct script_parser *p,
     return true;
 }
 
-/* What hangs together between lines: `v` are the values of this one. */
+/* Checks the line against those before it; `v` are its values. */
 static bool check_command(struct script_parser *p,
                           const struct script_place *at, const int32_t *v,
                           size_t n)

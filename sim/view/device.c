@@ -47,7 +47,8 @@ static bool press(struct screen *s, const char *bytes, size_t count)
     return true;
 }
 
-/* What has come; when there is nothing to draw, what comes in a moment. Input
+/* Handles the keys that have come; waits a moment for one when there is nothing
+ * to draw. Input
  * that has ended ends the view, but not when frames are counted. */
 static bool handle(struct screen *s)
 {
@@ -96,7 +97,7 @@ static void place(struct screen *s, struct camera *camera)
     s->area.y1 = pel_min(s->area.y0 + camera->height, screen->y1);
 }
 
-/* What is printed is read when the console is back. */
+/* Prints after the console is back, where it can be read. */
 bool view_device(const struct view_job *job)
 {
     struct screen s = {.area = {0, 0, 0, 0}};

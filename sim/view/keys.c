@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* Of one press: turns, and a factor. */
+/* One press turns by ARROW turns or comes closer by the factor CLOSER. */
 #define ARROW (1.0 / 48)
 #define CLOSER 1.125
 

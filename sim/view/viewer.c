@@ -48,7 +48,7 @@ bool viewer_is_over(const struct viewer *viewer)
     return viewer->over || (frames > 0 && viewer->drawn >= frames);
 }
 
-/* Once a second. */
+/* Measures once a second. True when it did. */
 static bool measure(struct viewer *viewer, double now)
 {
     const double passed = now - viewer->rate.since;

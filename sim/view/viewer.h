@@ -53,8 +53,8 @@ bool viewer_init(struct viewer *viewer, const struct view_job *job,
                  const struct scene_settings *settings);
 void viewer_free(struct viewer *viewer);
 
-/* Does what a key says, all but writing the picture: true when that is to be
- * done, with viewer_save. */
+/* Handles a key. True when the picture is to be written, with viewer_save_new.
+ */
 bool viewer_key(struct viewer *viewer, int key);
 
 /* Lets the time pass. True when the title has changed. */
@@ -70,7 +70,7 @@ void viewer_shown(struct viewer *viewer);
 bool viewer_is_over(const struct viewer *viewer);
 
 /* Writes what was drawn to options->output, if that is there; after 'w' to a
- * new file, whose name is told. False, with a message. */
+ * new file, whose name is printed. False, with a message. */
 bool viewer_save_last(const struct viewer *viewer,
                       const struct pel_surface *surface);
 bool viewer_save_new(const struct pel_surface *surface);
@@ -82,9 +82,9 @@ void viewer_title(const struct viewer *viewer, char title[VIEWER_TITLE_SIZE]);
 /* Frames, their rate and the time of drawing in all, on standard error. */
 void viewer_report(const struct viewer *viewer);
 
-/* Shows the model in a window, until the user or options->frames ends it; what
- * was seen is told on standard error then. False, with a message: in a build
- * without SDL2, which names its package, too. */
+/* Shows the model in a window, until the user or options->frames ends it;
+ * prints what was seen on standard error then. False, with a message: in a
+ * build without SDL2, which names its package, too. */
 bool view_window(const struct view_job *job);
 
 /* The same on job->device, with keys from the terminal: in the middle of the

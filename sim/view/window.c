@@ -138,7 +138,8 @@ static bool handle(struct window *w, const SDL_Event *event)
     }
 }
 
-/* What has come; when there is nothing to draw, what comes in a moment. */
+/* Handles the events that have come; waits a moment for one when there is
+ * nothing to draw. */
 static bool handle_all(struct window *w)
 {
     const struct viewer *viewer = w->viewer;
@@ -178,7 +179,7 @@ static bool run(struct window *w)
     return viewer_save_last(viewer, &w->canvas.surface);
 }
 
-/* Each way; 0 x 0 is no limit, but that of pictures. */
+/* Pixels each way; 0 x 0 stands for no limit but TEXTURE_SIZE_MAX. */
 static int texture_size_most(SDL_Renderer *renderer)
 {
     SDL_RendererInfo info = {0};
@@ -187,7 +188,7 @@ static int texture_size_most(SDL_Renderer *renderer)
     return most > 0 ? pel_min(most, TEXTURE_SIZE_MAX) : TEXTURE_SIZE_MAX;
 }
 
-/* As fast as it goes when frames are counted, else as the screen takes them. */
+/* Frames that are counted do not wait for the screen; others do. */
 static bool open_window(struct window *w)
 {
     const struct camera *camera = &w->viewer->view.first.camera;

@@ -173,7 +173,7 @@ END
 refused 2 "camera projection: flat: expected perspective|orthographic" <<'END'
 camera projection flat
 END
-refused 2 "unknown command camera: valid are" <<'END'
+refused 2 "unknown command camera: expected" <<'END'
 camera
 END
 refused 2 "light point: 16: expected a decimal from 0 to less than" <<'END'

@@ -142,11 +142,11 @@ canvas 8 8 rgb888
 
 trinagle 0 0 1 1 2 2
 END
-refused 2 'unknown command paint plaid: valid are' <<'END'
+refused 2 'unknown command paint plaid: expected' <<'END'
 canvas 8 8 rgb888
 paint plaid #000000
 END
-refused 2 'unknown command polygon: valid are polygon evenodd, polygon nonzero' <<'END'
+refused 2 'unknown command polygon: expected polygon evenodd, polygon nonzero' <<'END'
 canvas 8 8 rgb888
 polygon
 END
