@@ -63,7 +63,7 @@ echo 'roundrect 30000 0 9000 5 2' | refused 2 'roundrect: expected a right and a
 echo 'outline star 1 2 3' |
     refused 2 'unknown command outline star: expected'
 echo 'star 1 2 3' | refused 2 'unknown command star: expected'
-grep -q '^    canvas, clear, clip, bands, ' "$work/err" || fail "no list: star"
+grep -q ' star: expected canvas, clear, clip, bands, ' "$work/err" || fail "no list: star"
 awk 'length > 80 && NR > 1 { exit 1 }' "$work/err" || fail "a long list: star"
 echo 'circel 1 2 3' | refused 2 'unknown command circel; did you mean circle?'
 echo 'outlin arc 1 2' |
