@@ -23,8 +23,6 @@ bool viewer_init(struct viewer *viewer, const struct view_job *job,
         return false;
     viewer->view.turning = !job->options->still;
     viewer->stale = true;
-    if (job->options->frames == 0)
-        fputs(VIEW_KEYS_HELP, stderr);
     return scene_init(&viewer->scene, job->model);
 }
 
@@ -68,6 +66,8 @@ bool viewer_advance(struct viewer *viewer)
 {
     const double now = milliseconds();
     const struct viewer_options *options = viewer->options;
+    if (viewer->begun == 0 && options->frames == 0)
+        fputs(VIEW_KEYS_HELP, stderr);
     if (viewer->drawn == 0) {
         viewer->begun = viewer->last = viewer->rate.since = now;
         return false;

@@ -57,7 +57,8 @@ void viewer_free(struct viewer *viewer);
  */
 bool viewer_key(struct viewer *viewer, int key);
 
-/* Lets the time pass. True when the title has changed. */
+/* Lets the time pass; first prints the keys when there is a user. True when the
+ * title has changed. */
 bool viewer_advance(struct viewer *viewer);
 
 /* Clears the surface and draws a picture of the size of its clip, side by side
