@@ -1,9 +1,13 @@
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "sim/cli/commands.h"
 #include "sim/cli/message.h"
-#include "sim/cli/standard.h"
 
 struct command {
     const char *name, *usage, *what;
@@ -25,6 +29,32 @@ static const struct command commands[] = {
 
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
+static void check_written(void)
+{
+    const bool lost = ferror(stdout);
+    errno = 0;
+    if (fclose(stdout) != 0 || lost)
+        message_error("standard output cannot be written: %s",
+                      errno ? strerror(errno) : "a part is lost");
+    else if (!ferror(stderr))
+        return;
+    _exit(STATUS_ERROR);
+}
+
+/* Before anything is opened: streams that the caller closed become ones that
+ * always fail, so that no file gets their numbers; and however the program
+ * ends, it ends with STATUS_ERROR, and a message, when anything that it wrote
+ * there is lost. Files beyond the size limit are errors like others. */
+static void watch_streams(void)
+{
+    for (int i = STDIN_FILENO; i <= STDERR_FILENO; i++)
+        if (fcntl(i, F_GETFD) < 0 &&
+            open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY) < 0)
+            _exit(STATUS_ERROR);
+    signal(SIGXFSZ, SIG_IGN); /* writing fails, then */
+    atexit(check_written);
+}
+
 static void print_usage(FILE *file)
 {
     fprintf(file, "Usage: pel COMMAND [ARGUMENTS]\n\n");
@@ -45,7 +75,7 @@ static int run_command(const struct command *command, int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    standard_watch();
+    watch_streams();
     if (argc < 2) {
         print_usage(stderr);
         return STATUS_ERROR;
@@ -57,8 +87,8 @@ int main(int argc, char **argv)
     for (size_t i = 0; i < COMMAND_COUNT; i++)
         if (strcmp(argv[1], commands[i].name) == 0)
             return run_command(&commands[i], argc - 1, argv + 1);
-    message_error("unknown command %s: valid are run, render, view, compare, "
-                  "import, demo, console",
+    message_error("unknown command %s: expected run, render, view, compare, "
+                  "import, demo or console",
                   argv[1]);
     return STATUS_ERROR;
 }

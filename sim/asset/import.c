@@ -33,28 +33,6 @@ struct import_command {
     char name[128]; /* made from the output's */
 };
 
-enum { OPTION_NAME = 0x200, OPTION_FORMAT, OPTION_NORMALS, OPTION_CODES };
-
-static const struct argp_option options[] = {
-    {"output", 'o', "FILE", 0,
-     "the asset: .c, with a .h beside it that declares it, or .pel2d for a "
-     "projected mesh; - is C on standard output, without a header",
-     0},
-    {"name", OPTION_NAME, "NAME", 0,
-     "of the C object (default: the output's base name)", 0},
-    {"format", OPTION_FORMAT, "NAME", 0,
-     "pixel format of a picture (default: rgb565_le); " IMPORT_ALPHA_FORMAT
-     " keeps its alpha for pel_copy_alpha, others blend it onto --background "
-     "(default: #000000)",
-     0},
-    {"normals", OPTION_NORMALS, "BITS", 0, "8 (default) or 16", 0},
-    {"codes", OPTION_CODES, "RANGES", 0,
-     "of a font, these alone, numbers or characters: 32-126,0x20AC,\xC3\xA4; "
-     "what a font lacks of them is named, and an error outside of ranges",
-     0},
-    {0},
-};
-
 static bool is_picture(const char *path)
 {
     return path_has_ending(path, " .png .jpg .jpeg .tga .bmp .ppm .pgm ");
@@ -70,81 +48,72 @@ static bool is_pel2d(const char *path)
     return path_has_ending(path, " .pel2d ");
 }
 
-static bool parse_format(const char *text, struct import_command *c)
+static bool parse_format(const char *option, const char *text, void *input)
 {
+    struct import_command *c = input;
     c->format = strcmp(text, IMPORT_ALPHA_FORMAT) == 0 ? &pel_argb8888
                                                        : format_find(text);
     return c->format ||
            message_error(
-               "--format is '%s': expected one of %s, " IMPORT_ALPHA_FORMAT,
+               "--%s is '%s': expected one of %s, " IMPORT_ALPHA_FORMAT, option,
                text, format_list());
 }
 
-static bool parse_normals(const char *text, struct import_command *c)
+static bool parse_normals(const char *option, const char *text, void *input)
 {
-    bool is_8 = strcmp(text, "8") == 0;
-    c->normal_bits = is_8 ? 8 : 16;
-    return is_8 || strcmp(text, "16") == 0 ||
-           message_error("--normals is '%s': expected 8 or 16", text);
+    const int choice = choice_find("8|16", text);
+    ((struct import_command *)input)->normal_bits = choice ? 16 : 8;
+    return choice >= 0 || option_refuse(option, text, "8 or 16");
 }
 
-static error_t parse(int key, char *text, struct argp_state *state)
+static bool parse_codes(const char *option, const char *text, void *input)
 {
-    struct import_command *c = state->input;
-    if (key >= OPTION_NAME && key <= OPTION_CODES)
-        options_note(&c->scene.given, options, key);
-    switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &c->scene;
-        return 0;
-    case ARGP_KEY_ARG:
-        if (c->scene.source.path) {
-            message_error("'%s' is a second input: expected one", text);
-            return EINVAL;
-        }
-        c->scene.source.path = text;
-        return 0;
-    case 'o':
-        c->options.output = text;
-        return 0;
-    case OPTION_NAME:
-        c->options.name = text;
-        return 0;
-    case OPTION_CODES:
-        c->options.codes = text;
-        return import_codes_legal(text) ? 0 : EINVAL;
-    case OPTION_FORMAT:
-        return parse_format(text, c) ? 0 : EINVAL;
-    case OPTION_NORMALS:
-        return parse_normals(text, c) ? 0 : EINVAL;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
+    (void)option;
+    ((struct import_command *)input)->options.codes = text;
+    return import_codes_legal(text);
 }
 
-static const struct argp_child children[] = {{&scene_argp, 0, NULL, 2}, {0}};
-
-static const struct argp parser = {
-    .options = options,
-    .parser = parse,
-    .args_doc = "MESH|PICTURE|FONT",
-    .doc =
-        "Makes an asset for firmware: a C file with one const struct, and the "
-        "header that declares it, of a mesh (pel/asset/mesh_asset.h), a "
-        "picture (pel/asset/image_asset.h) or a font "
-        "(pel/asset/font_asset.h); or an output .pel2d, a mesh projected "
-        "already.\nOf the options under the headings below, a C asset of a "
-        "mesh takes --texture-file and --normals-from alone; a .pel2d takes "
-        "also --color, --turn, --texture, --wrap, --size and those that place "
-        "camera and light. What has no meaning is refused.\v"
-        "The colours of a mesh's asset are texels at its vertices: firmware "
-        "draws what `pel render --texture nearest --mapping vertices` draws, "
-        "with the same --normals 16 where there is light.\n"
-        "MESH is a file that assimp reads, or " MESH_BUILTIN
-        "; PICTURE is a .png, .jpg, .tga, .bmp, .ppm or .pgm file; FONT is a "
-        ".bdf or .psf file. The same input gives the same bytes.",
-    .children = children,
+static const struct option_row output_options[] = {
+    {"output", "FILE",
+     "the asset: .c, with a .h beside it that declares it, or .pel2d for a "
+     "projected mesh; - is C on standard output, without a header",
+     OPTION_TEXT, .offset = offsetof(struct import_command, options.output),
+     .letter = 'o'},
+    {.help = NULL},
 };
+
+static const struct option_row options[] = {
+    {"name", "NAME", "of the C object (default: the output's base name)",
+     OPTION_TEXT, .offset = offsetof(struct import_command, options.name)},
+    {"format", "NAME",
+     "pixel format of a picture (default: rgb565_le); " IMPORT_ALPHA_FORMAT
+     " keeps its alpha for pel_copy_alpha, others blend it onto --background "
+     "(default: #000000)",
+     OPTION_CALL, .parse = parse_format},
+    {"normals", "BITS", "8 (default) or 16", OPTION_CALL,
+     .parse = parse_normals},
+    {"codes", "RANGES",
+     "of a font, these alone, numbers or characters: 32-126,0x20AC,\xC3\xA4; "
+     "what a font lacks of them is named, and an error outside of ranges",
+     OPTION_CALL, .parse = parse_codes},
+    {.help = NULL},
+};
+
+static const char about[] =
+    "Makes an asset for firmware: a C file with one const struct, and the "
+    "header that declares it, of a mesh (pel/asset/mesh_asset.h), a "
+    "picture (pel/asset/image_asset.h) or a font "
+    "(pel/asset/font_asset.h); or an output .pel2d, a mesh projected "
+    "already.\nOf the options under the headings below, a C asset of a "
+    "mesh takes --texture-file and --normals-from alone; a .pel2d takes "
+    "also --color, --turn, --texture, --wrap, --size and those that place "
+    "camera and light. What has no meaning is refused.\v"
+    "The colours of a mesh's asset are texels at its vertices: firmware "
+    "draws what `pel render --texture nearest --mapping vertices` draws, "
+    "with the same --normals 16 where there is light.\n"
+    "MESH is a file that assimp reads, or " MESH_BUILTIN
+    "; PICTURE is a .png, .jpg, .tga, .bmp, .ppm or .pgm file; FONT is a "
+    ".bdf or .psf file. The same input gives the same bytes.";
 
 /* The kinds that an option is for; those that the table leaves out place,
  * light and colour what a pel2d file holds. */
@@ -334,7 +303,15 @@ int command_import(int argc, char **argv)
     };
     c.scene.settings.texture = SCENE_TEXTURE_NEAREST;
     c.scene.settings.camera.background = 0; /* no option gives that */
-    arguments_parse(&parser, argc, argv, &c);
+    const struct command_line line = {
+        .arguments = "MESH|PICTURE|FONT",
+        .least = 1,
+        .most = 1,
+        .about = about,
+        .tables = {{output_options, &c, NULL},
+                   {options, &c, &c.scene.given},
+                   {scene_option_table, &c.scene, &c.scene.given}}};
+    c.scene.source.path = *arguments_parse(&line, argc, argv);
     c.options.source = c.scene.source.path;
     if (!check(&c))
         return STATUS_ERROR;

@@ -14,17 +14,18 @@
 
 #include "sim/cli/message.h"
 #include "sim/cli/milliseconds.h"
-#include "sim/cli/option_text.h"
+#include "sim/cli/arguments.h"
 
 struct child_limits child_limits = {60, 2048};
 
-bool child_limits_parse(const char *text)
+bool child_limits_parse(const char *option, const char *text, void *input)
 {
-    static const struct option_numbers numbers = {
-        2, ',', 1, 1e6, "SECONDS,MEGABYTES such as 60,2048"};
+    static const struct option_row numbers = {
+        .n = 2, .separator = ',', .low = 1, .high = 1e6};
     double value[2];
-    if (!option_numbers("--limit", text, &numbers, value))
-        return false;
+    (void)input;
+    if (!option_numbers(text, &numbers, value))
+        return option_refuse(option, text, "SECONDS,MEGABYTES such as 60,2048");
     child_limits.seconds = (int)value[0];
     child_limits.megabytes = (int)value[1];
     return true;
@@ -92,7 +93,8 @@ static void take_text(struct child *c, const char *text, size_t size)
     }
 }
 
-/* Until the child has ended, which closes the pipe, or its time has. */
+/* Reads until the child has ended, which closes the pipe, or its time is over.
+ */
 static void listen_to(struct child *c)
 {
     const double end = milliseconds() + 1000.0 * child_limits.seconds;
@@ -138,13 +140,14 @@ static bool report(struct child *c, int status)
     if (c->late)
         return message_error_at(c->path, 0,
                                 "the library that reads it took more than %d "
-                                "s; --limit SECONDS,MEGABYTES would allow more",
+                                "s: expected less, or a higher --limit "
+                                "SECONDS,MEGABYTES",
                                 child_limits.seconds);
     if (failed && lacks_memory(crashed ? c->line : text))
         return message_error_at(c->path, 0,
                                 "the library that reads it took more than %d "
-                                "MB; --limit SECONDS,MEGABYTES would allow "
-                                "more",
+                                "MB: expected less, or a higher --limit "
+                                "SECONDS,MEGABYTES",
                                 child_limits.megabytes);
     fputs(text, stderr);
     if (!crashed && (!failed || *text))

@@ -6,15 +6,15 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Of one file's reading; --limit of every command sets them. */
+/* Limits for reading one file; --limit of every command sets them. */
 struct child_limits {
     int seconds;   /* of the clock on the wall */
     int megabytes; /* of memory, beside what pel has already */
 };
 extern struct child_limits child_limits;
 
-/* Takes the value of --limit. False, with a message. */
-bool child_limits_parse(const char *text);
+/* Takes the value of --limit; `input` is not used. False, with a message. */
+bool child_limits_parse(const char *option, const char *text, void *input);
 
 /* Writes its result to `out`. False, with a message. */
 typedef bool child_work(const void *what, FILE *out);
@@ -25,10 +25,10 @@ typedef bool child_work(const void *what, FILE *out);
  * shown, but for the last line before a crash. */
 FILE *child_run(const char *path, child_work *work, const void *what);
 
-/* A block of memory on its way from the child: `size` bytes, 0 for NULL. */
+/* Sends a block of memory from the child: `size` bytes, 0 for NULL. */
 void child_put(FILE *out, const void *data, size_t size);
 
-/* The next block, malloc'ed, or NULL; *size is told. *good becomes false, with
+/* The next block, malloc'ed, or NULL; *size is set. *good becomes false, with
  * a message, when memory is short. */
 void *child_get(FILE *in, size_t *size, bool *good);
 

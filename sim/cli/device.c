@@ -1,49 +1,37 @@
 #include "sim/cli/device.h"
 
-#include <errno.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "core/raster/rectangle.h"
 #include "sim/cli/message.h"
-#include "sim/cli/option_text.h"
 #include "port/linux/bands.h"
 
-enum { OPTION_DEVICE = 0x700, OPTION_JOBS };
-
-static const struct argp_option options[] = {
-    {"device", OPTION_DEVICE, "NAME", 0,
+const struct option_row device_option_table[] = {
+    {"device", "NAME",
      "show the picture until a key is pressed: fb:/dev/fb0 (with ,direct "
      ",shadow or ,pages after it), drm:/dev/dri/card0, or auto: what "
      "FRAMEBUFFER names, else /dev/fb0, else DRM",
-     0},
-    {"jobs", OPTION_JOBS, "N", 0,
-     "threads that draw bands side by side (0: one for each processor)", 0},
-    {0},
+     OPTION_TEXT, .offset = offsetof(struct device_options, name)},
+    {"jobs", "N",
+     "threads that draw bands side by side (0: one for each processor)",
+     OPTION_INTEGER, .offset = offsetof(struct device_options, jobs), .low = 0,
+     .high = PEL_POOL_MOST},
+    {.help = NULL},
 };
 
-static error_t parse(int key, char *text, struct argp_state *state)
-{
-    struct device_options *o = state->input;
-    switch (key) {
-    case OPTION_DEVICE:
-        o->name = text;
-        return 0;
-    case OPTION_JOBS:
-        return option_integer("--jobs", text, 0, PEL_POOL_MOST, &o->jobs)
-                   ? 0
-                   : EINVAL;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-const struct argp device_argp = {options, parse, NULL, NULL, NULL, NULL, NULL};
+const struct option_row output_option_table[] = {
+    {"output", "FILE", "the picture: .ppm, .png or .bmp", OPTION_TEXT,
+     .letter = 'o'},
+    {.help = NULL},
+};
 
 bool device_check_output(const struct device_options *o, const char *output)
 {
     return !o->name || strcmp(output, "-") == 0 ||
-           message_error("--device shows the picture and -o writes it: one of "
-                         "them would be right");
+           message_error(
+               "--device shows the picture and -o writes it: expected "
+               "one of them");
 }
 
 struct job {

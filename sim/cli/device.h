@@ -3,8 +3,7 @@
 #ifndef SIM_CLI_DEVICE_H
 #define SIM_CLI_DEVICE_H
 
-#include <argp.h>
-
+#include "sim/cli/arguments.h"
 #include "sim/image/canvas.h"
 #include "drivers/display_linux.h"
 #include "port/linux/pool.h"
@@ -14,16 +13,18 @@ struct device_options {
     int jobs;         /* threads that draw; 0: one for each processor */
 };
 
-/* Argp's child for a command whose parser's input is a struct that begins with
- * a struct device_options. */
-extern const struct argp device_argp;
+/* The input is a struct device_options. */
+extern const struct option_row device_option_table[];
 
-/* May the picture go to `output` ("-" when none was named)? A device and a file
- * at once may not: false, with a message. */
+/* -o. The input is a const char *, which is NULL when left out. */
+extern const struct option_row output_option_table[];
+
+/* True when the picture may go to `output` ("-": none was named). A device and
+ * a file at once may not: false, with a message. */
 bool device_check_output(const struct device_options *options,
                          const char *output);
 
-/* What draws a picture onto a canvas; on a device the canvas is a part of it,
+/* Draws a picture onto a canvas; on a device the canvas is a part of it,
  * whose bounds and clip are what is to be drawn. With several jobs it runs on
  * several threads at a time, and writes to nothing but the canvas. False, with
  * a message, on failure. */
@@ -34,7 +35,7 @@ typedef bool device_draw_function(struct canvas *canvas, const void *context);
 bool device_draw_bands(struct pel_pool *pool, struct canvas *canvas,
                        device_draw_function *draw, const void *context);
 
-/* Opens the device that the options name and tells what it has to tell. False,
+/* Opens the device that the options name and prints its notes. False,
  * with a message. */
 bool device_open(struct pel_display_linux *screen,
                  const struct device_options *options, enum pel_fb_way way);
@@ -47,7 +48,7 @@ typedef bool device_frame_function(struct pel_surface *surface, void *context);
 bool device_frame(struct pel_display_linux *screen, device_frame_function *draw,
                   void *context);
 
-/* A picture in a pixel format: a device tells which it has. */
+/* A picture; a device sets its own pixel format. */
 struct device_picture {
     int width, height; /* px */
     const struct pel_format **format;

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What a script asks for. */
+/* The line of a script that errors name first. */
 static const char *place_file;
 static long place_line;
 

@@ -1,5 +1,5 @@
-/* Errors: a line on standard error that says what is wrong and what would be
- * right; a long list goes on in indented lines. All return false, so that a
+/* Errors: a line on standard error, "what is wrong: expected what"; a long list
+ * goes on in indented lines. All return false, so that a
  * caller can `return message_error(...)`. */
 #ifndef SIM_CLI_MESSAGE_H
 #define SIM_CLI_MESSAGE_H
@@ -18,7 +18,8 @@ __attribute__((format(printf, 3, 4))) bool message_error_at(const char *file,
                                                             ...);
 
 /* Until it is called with NULL, all errors name that place first, pel:
- * FILE:LINE: ...: for what a script asks of functions that know no scripts. */
+ * FILE:LINE: ...: for work that a script starts in functions without a line
+ * number. */
 void message_place(const char *file, long line);
 
 #endif

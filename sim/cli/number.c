@@ -6,7 +6,7 @@
 
 /* A decimal as read: whole + fraction / scale, and the sign. Whole parts stop
  * at 2^48: that is out of every range. The fraction keeps 13 digits; `rest`
- * tells whether any digit after them is not 0. */
+ * says whether any digit after them is not 0. */
 struct decimal {
     bool negative, rest;
     int64_t whole, fraction, scale;

@@ -94,8 +94,7 @@ static bool write_temporary(struct output *output, mode_t mode)
     return write_to(output, file < 0 || fchmod(file, mode) != 0 ? -1 : file);
 }
 
-/* What is there and is no file (a device, a pipe), and a link to a file that is
- * not there, are written to, not replaced. */
+/* Devices, pipes, and links to missing files are written to, not replaced. */
 static bool write_path(struct output *output)
 {
     struct stat status, link;

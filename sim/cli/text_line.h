@@ -1,8 +1,9 @@
-/* Lines of text files that may be anything. */
+/* Lines of files that may be no text. */
 #ifndef SIM_CLI_TEXT_LINE_H
 #define SIM_CLI_TEXT_LINE_H
 
 #include <stdio.h>
+#include <string.h>
 
 enum text_line {
     TEXT_LINE,      /* one was read, perhaps an empty one */
@@ -17,5 +18,12 @@ enum text_line text_line_read(FILE *file, char *text, size_t size);
 /* The first bytes of a file, at most size - 1 and with a 0 behind them; how
  * many, 0 when it cannot be read. */
 size_t text_start(const char *path, char *text, size_t size);
+
+/* Bytes of the UTF-8 byte order mark, which some editors write first: 3 where a
+ * text begins with it, else 0. */
+static inline size_t byte_order_mark(const char *text)
+{
+    return strncmp(text, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0;
+}
 
 #endif

@@ -1,5 +1,6 @@
 /* pel demo: draws the gallery. */
 #include <errno.h>
+#include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,45 +16,11 @@
 #include "sim/cli/output.h"
 #include "sim/script/script.h"
 
-struct demo_options {
-    const char *directory;
-    char **scripts;
-    int script_count;
-};
-
-static error_t parse_option(int key, char *text, struct argp_state *state)
-{
-    struct demo_options *o = state->input;
-    switch (key) {
-    case ARGP_KEY_ARG:
-        if (o->directory)
-            return ARGP_ERR_UNKNOWN; /* comes again as ARGP_KEY_ARGS */
-        o->directory = text;
-        return 0;
-    case ARGP_KEY_ARGS:
-        o->scripts = state->argv + state->next;
-        o->script_count = state->argc - state->next;
-        return 0;
-    case ARGP_KEY_NO_ARGS:
-        message_error("the directory for the pictures is missing");
-        return EINVAL;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-static const struct argp parser = {
-    NULL,
-    parse_option,
-    "DIRECTORY [SCRIPT...]",
-    "Draws the gallery into a directory: every demo and every script, as "
-    "PPM and PNG (BMP without libpng), with index.html.\v"
+static const char about[] =
+    "Draws the gallery into a directory: every demo and every script, as PPM "
+    "and PNG (BMP without libpng), with index.html.\v"
     "Prints the milliseconds that the drawing of each picture took, the best "
-    "of three where it is less than 50.",
-    NULL,
-    NULL,
-    NULL,
-};
+    "of three where it is less than 50.";
 
 static const char head[] =
     "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
@@ -227,21 +194,22 @@ static bool add_script(const struct gallery *g, const char *path)
     return done;
 }
 
-static bool add_all(const struct gallery *g, const struct demo_options *o)
+static bool add_all(const struct gallery *g, char **scripts)
 {
     bool done = true;
-    for (int i = 0; done && i < o->script_count; i++)
-        done = add_script(g, o->scripts[i]);
+    for (; done && *scripts; scripts++)
+        done = add_script(g, *scripts);
     return done && add_demos(g, demo_formats) && add_demos(g, demo_rules) &&
            add_demos(g, demo_duck) && add_demos(g, demo_texture) &&
            add_demos(g, demo_lighting);
 }
 
-static bool write_page(struct output *output, const struct demo_options *o)
+static bool write_page(struct output *output, const char *directory,
+                       char **scripts)
 {
-    const struct gallery gallery = {o->directory, output->stream};
+    const struct gallery gallery = {directory, output->stream};
     fputs(head, output->stream);
-    if (!add_all(&gallery, o)) {
+    if (!add_all(&gallery, scripts)) {
         output_abandon(output);
         return false;
     }
@@ -253,19 +221,24 @@ static bool write_page(struct output *output, const struct demo_options *o)
 
 int command_demo(int argc, char **argv)
 {
-    struct demo_options o = {NULL, NULL, 0};
     struct output output;
     char *path;
-    arguments_parse(&parser, argc, argv, &o);
-    if (mkdir(o.directory, 0777) != 0 && errno != EEXIST) {
-        message_error_at(o.directory, 0, "cannot be made: %s", strerror(errno));
+    const struct command_line line = {.arguments = "DIRECTORY [SCRIPT...]",
+                                      .least = 1,
+                                      .most = INT_MAX,
+                                      .about = about};
+    char **arguments = arguments_parse(&line, argc, argv);
+    const char *directory = *arguments;
+    if (mkdir(directory, 0777) != 0 && errno != EEXIST) {
+        message_error_at(directory, 0, "cannot be made: %s", strerror(errno));
         return STATUS_ERROR;
     }
-    if (asprintf(&path, "%s/index.html", o.directory) < 0) {
+    if (asprintf(&path, "%s/index.html", directory) < 0) {
         message_error("out of memory");
         return STATUS_ERROR;
     }
-    const bool done = output_open(&output, path) && write_page(&output, &o);
+    const bool done = output_open(&output, path) &&
+                      write_page(&output, directory, arguments + 1);
     free(path);
     return done ? STATUS_OK : STATUS_ERROR;
 }

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/cli/byte_order_mark.h"
+#include "sim/cli/text_line.h"
 #include "sim/cli/list.h"
 #include "sim/cli/message.h"
 

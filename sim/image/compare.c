@@ -1,5 +1,4 @@
 /* pel compare: where two pictures differ. */
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -7,13 +6,13 @@
 #include "sim/cli/arguments.h"
 #include "sim/cli/commands.h"
 #include "sim/cli/message.h"
-#include "sim/cli/option_text.h"
 #include "sim/image/picture.h"
 #include "sim/image/texture.h"
 
 struct compare_options {
-    const char *path[2], *diff;
-    int count, tolerance;
+    char **path;
+    const char *diff;
+    int tolerance;
 };
 
 struct differences {
@@ -22,67 +21,24 @@ struct differences {
     int x, y;   /* the first such pixel, in reading order */
 };
 
-enum { OPTION_TOLERANCE = 0x100, OPTION_DIFF };
-
-static const struct argp_option options[] = {
-    {"tolerance", OPTION_TOLERANCE, "N", 0,
-     "equal when no channel differs by more than N steps of 255 (0)", 0},
-    {"diff", OPTION_DIFF, "FILE", 0,
+static const struct option_row options[] = {
+    {"tolerance", "N",
+     "equal when no channel differs by more than N steps of 255 (0)",
+     OPTION_INTEGER, .offset = offsetof(struct compare_options, tolerance),
+     .low = 0, .high = 255},
+    {"diff", "FILE",
      "write a picture of the differences: red, brighter where larger, on the "
      "first picture in grey; blue where only one has pixels",
-     0},
-    {0},
+     OPTION_TEXT, .offset = offsetof(struct compare_options, diff)},
+    {.help = NULL},
 };
 
-static bool check_paths(const struct compare_options *o)
-{
-    if (o->count < 2)
-        return message_error("two pictures are needed, %d given", o->count);
-    return strcmp(o->path[0], "-") != 0 || strcmp(o->path[1], "-") != 0 ||
-           message_error("only one picture can be standard input");
-}
-
-static bool add_path(struct compare_options *o, const char *text)
-{
-    if (o->count == 2)
-        return message_error("two pictures only, not %s too", text);
-    o->path[o->count++] = text;
-    return true;
-}
-
-static error_t parse_option(int key, char *text, struct argp_state *state)
-{
-    struct compare_options *o = state->input;
-    switch (key) {
-    case OPTION_TOLERANCE:
-        return option_integer("--tolerance", text, 0, 255, &o->tolerance)
-                   ? 0
-                   : EINVAL;
-    case OPTION_DIFF:
-        o->diff = text;
-        return 0;
-    case ARGP_KEY_ARG:
-        return add_path(o, text) ? 0 : EINVAL;
-    case ARGP_KEY_END:
-        return check_paths(o) ? 0 : EINVAL;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-static const struct argp parser = {
-    options,
-    parse_option,
-    "A B",
+static const char about[] =
     "Compares two pictures (.ppm, .pgm, .png and what else pel reads; - is a "
     "PPM on standard input).\v"
     "Exit status: 0 equal, 1 different, 2 error. Prints the sizes when they "
     "differ, else the number of differing pixels, the worst difference, and "
-    "the first such pixel.",
-    NULL,
-    NULL,
-    NULL,
-};
+    "the first such pixel.";
 
 /* Of the channel that differs most. */
 static int pixel_difference(pel_color a, pel_color b)
@@ -181,10 +137,19 @@ static bool load(struct picture *picture, const char *path)
 
 int command_compare(int argc, char **argv)
 {
-    struct compare_options o = {{NULL, NULL}, NULL, 0, 0};
+    struct compare_options o = {NULL, NULL, 0};
     struct picture p[2] = {{0, 0, NULL}, {0, 0, NULL}};
     int status = STATUS_ERROR;
-    arguments_parse(&parser, argc, argv, &o);
+    const struct command_line line = {.arguments = "A B",
+                                      .least = 2,
+                                      .most = 2,
+                                      .about = about,
+                                      .tables = {{options, &o, NULL}}};
+    o.path = arguments_parse(&line, argc, argv);
+    if (strcmp(o.path[0], "-") == 0 && strcmp(o.path[1], "-") == 0) {
+        message_error("two pictures from standard input: expected one");
+        return STATUS_ERROR;
+    }
     if ((!o.diff || picture_path_check(o.diff)) && load(&p[0], o.path[0]) &&
         load(&p[1], o.path[1]) && write_diff(p, &o))
         status = report(p, &o);

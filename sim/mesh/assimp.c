@@ -1,6 +1,5 @@
 #include "sim/mesh/mesh.h"
 
-#include "sim/cli/byte_order_mark.h"
 #include "sim/cli/message.h"
 #include "sim/cli/text_line.h"
 

@@ -5,7 +5,6 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "sim/cli/byte_order_mark.h"
 #include "sim/cli/list.h"
 #include "sim/cli/message.h"
 #include "sim/cli/output.h"

@@ -6,7 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/cli/byte_order_mark.h"
 #include "sim/cli/message.h"
 #include "sim/cli/number.h"
 #include "sim/cli/text_line.h"

@@ -87,7 +87,7 @@ static double middle_of_box(const struct model *model, double middle[3])
     return sqrt(radius);
 }
 
-/* How much the sides of the picture need, and which distance. */
+/* The distance or size that each side of the picture needs. */
 struct needs {
     double side[2][2]; /* of each axis, each direction */
     double depth;      /* of the deepest vertex around the target */
@@ -116,15 +116,14 @@ static void find_needs(const struct model *model, const struct frustum *frustum,
 }
 
 /* The eye looks from the front, a little from the right and above. */
-static void look(struct camera *camera)
+static void place_eye_in_front(struct camera *camera)
 {
     static const double direction[3] = {0.36, 0.28, 0.89};
     for (int k = 0; k < 3; k++)
         camera->eye[k] = camera->target[k] + direction[k];
 }
 
-/* By how much to move the target so that opposite sides ask for nearly the
- * same. */
+/* Moves the target so that opposite sides need nearly the same. */
 static void center(struct camera *camera, const struct frustum *frustum,
                    const struct needs *needs)
 {
@@ -158,7 +157,7 @@ static bool frame_eye(struct camera *camera, const struct model *model)
     struct frustum frustum;
     double distance;
     for (int step = 0; step < 8; step++) {
-        look(camera);
+        place_eye_in_front(camera);
         if (!frustum_init(&frustum, camera))
             return false;
         find_needs(model, &frustum, flat, &needs);
@@ -193,12 +192,13 @@ static bool frame_sensor(struct camera *camera, const struct model *model)
 static void frame_near(struct camera *camera, const struct model *model,
                        const struct frustum *frustum)
 {
-    double middle[3], at[3], way[3];
+    double middle[3], at[3], view[3];
     const double radius = middle_of_box(model, middle);
     frustum_point(frustum, middle, at);
     for (int k = 0; k < 3; k++)
-        way[k] = camera->target[k] - camera->eye[k];
-    camera->near = fmax(sqrt(dot(way, way)) / 1000, 0.98 * (at[2] - radius));
+        view[k] = camera->target[k] - camera->eye[k];
+    camera->near_plane =
+        fmax(sqrt(dot(view, view)) / 1000, 0.98 * (at[2] - radius));
 }
 
 bool camera_frame(struct camera *camera, const struct model *model)
@@ -210,14 +210,14 @@ bool camera_frame(struct camera *camera, const struct model *model)
     if (!camera->has_target)
         middle_of_box(model, camera->target);
     if (!camera->has_eye && !frame_eye(camera, model))
-        return message_error("up points along the view; 0,1,0 would be right "
-                             "for a mesh that stands upright");
+        return message_error("up points along the view: expected 0,1,0 for a "
+                             "mesh that stands upright");
     const bool fitted = !flat || !camera->has_eye || camera->has_sensor ||
                         frame_sensor(camera, model);
     if (!fitted || !frustum_init(&frustum, camera))
         return message_error("eye and target are one place, or up points along "
-                             "the view; an eye beside the target and an up "
-                             "across the view would be right");
+                             "the view: expected an eye beside the target and "
+                             "an up across the view");
     if (!camera->has_near)
         frame_near(camera, model, &frustum);
     return true;

@@ -34,7 +34,7 @@ static void sort(const struct pel2d *flat, struct item *item, uint32_t *order)
         order[i] = item[i].triangle;
 }
 
-/* Of the rule in the header: coordinates times W - 1, not W. */
+/* Texels by the rule in painter.h: coordinates times W - 1, not W. */
 static double texels_of(const struct painter *painter,
                         const struct pel2d_vertex *v, int axis)
 {
@@ -48,9 +48,10 @@ static bool check_texture(const struct painter *painter)
     for (uint32_t i = 0; i < painter->flat->vertices; i++)
         for (int k = 0; k < 2; k++)
             if (!(fabs(texels_of(painter, &v[i], k)) < (1 << 23) - 1))
-                return message_error("vertex %u lies at u v %g %g; less than "
-                                     "2^23 texels away would be right",
-                                     i, v[i].u, v[i].v);
+                return message_error(
+                    "vertex %u lies at u v %g %g: expected less "
+                    "than 2^23 texels",
+                    i, v[i].u, v[i].v);
     return true;
 }
 

@@ -1,4 +1,4 @@
-/* The painter: a projected mesh, drawn back to front. */
+/* A projected mesh, drawn back to front. */
 #ifndef SIM_RENDER_PAINTER_H
 #define SIM_RENDER_PAINTER_H
 

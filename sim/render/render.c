@@ -1,5 +1,4 @@
 /* pel render: draws a mesh. */
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -12,9 +11,9 @@
 #include "sim/cli/message.h"
 #include "sim/cli/milliseconds.h"
 #include "sim/cli/output.h"
-#include "sim/render/print_camera.h"
 #include "sim/render/painter.h"
 #include "sim/render/scene_options.h"
+#include "sim/render/scene_world.h"
 #include "sim/image/texture.h"
 
 struct render_options {
@@ -26,90 +25,25 @@ struct render_options {
     bool lines, timed, print_camera;
 };
 
-enum {
-    OPTION_FORMAT = 0x200,
-    OPTION_BANDS,
-    OPTION_COLLINEAR,
-    OPTION_TIME,
-    OPTION_CAMERA
-};
+#define AT(member) offsetof(struct render_options, member)
 
-static const struct argp_option options[] = {
-    {"output", 'o', "FILE", 0,
-     "the picture: .ppm, .png or .bmp; standard output when left out", 0},
-    {"format", OPTION_FORMAT, "NAME", 0,
-     "draw in this pixel format (default: xrgb8888)", 0},
-    {"bands", OPTION_BANDS, "ROWS", 0, "draw in bands of so many rows", 0},
-    {"collinear", OPTION_COLLINEAR, "WHAT", 0,
+static const struct option_row options[] = {
+    {"format", "NAME", "draw in this pixel format (default: xrgb8888)",
+     OPTION_FORMAT, .offset = AT(format)},
+    {"bands", "ROWS", "draw in bands of so many rows", OPTION_INTEGER,
+     .offset = AT(bands), .low = 0, .high = 32767},
+    {"collinear", "WHAT",
      "of a pel2d file: a triangle without area is nothing (default) or a line",
-     0},
-    {"time", OPTION_TIME, NULL, 0,
-     "print the milliseconds that the drawing took on standard error", 0},
-    {"print-camera", OPTION_CAMERA, NULL, 0,
+     OPTION_CHOICE, .offset = AT(lines), .n = sizeof(bool),
+     .expected = "nothing|line"},
+    {"time", NULL,
+     "print the milliseconds that the drawing took on standard error",
+     OPTION_FLAG, .offset = AT(timed)},
+    {"print-camera", NULL,
      "print an initialiser of struct pel_camera, for firmware that shows the "
      "same view; there is a picture only with -o or --device",
-     0},
-    {0},
-};
-
-static bool parse_collinear(const char *text, struct render_options *o)
-{
-    o->lines = strcmp(text, "line") == 0;
-    return o->lines || strcmp(text, "nothing") == 0 ||
-           message_error("--collinear is '%s'; nothing or line would be right",
-                         text);
-}
-
-static bool parse_mesh(const char *text, struct render_options *o)
-{
-    if (o->scene.source.path)
-        return message_error("'%s' is a second mesh; one would be right", text);
-    o->scene.source.path = text;
-    return true;
-}
-
-static error_t parse(int key, char *text, struct argp_state *state)
-{
-    struct render_options *o = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &o->scene;
-        state->child_inputs[1] = &o->device;
-        return 0;
-    case ARGP_KEY_ARG:
-        return parse_mesh(text, o) ? 0 : EINVAL;
-    case 'o':
-        o->output = text;
-        return 0;
-    case OPTION_FORMAT:
-        return option_format(text, &o->format) ? 0 : EINVAL;
-    case OPTION_BANDS:
-        return option_integer("--bands", text, 0, 32767, &o->bands) ? 0
-                                                                    : EINVAL;
-    case OPTION_TIME:
-        o->timed = true;
-        return 0;
-    case OPTION_CAMERA:
-        o->print_camera = true;
-        return 0;
-    case OPTION_COLLINEAR:
-        return parse_collinear(text, o) ? 0 : EINVAL;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-static const struct argp_child children[] = {
-    {&scene_argp, 0, NULL, 1}, {&device_argp, 0, NULL, 0}, {0}};
-
-static const struct argp parser = {
-    .options = options,
-    .parser = parse,
-    .args_doc = "MESH",
-    .doc = "Draws a mesh.\v"
-           "MESH is a file that assimp reads, a pel2d file (- is one on "
-           "standard input), or " MESH_BUILTIN ".",
-    .children = children,
+     OPTION_FLAG, .offset = AT(print_camera)},
+    {.help = NULL},
 };
 
 static const char *output_of(const struct render_options *o)
@@ -119,15 +53,12 @@ static const char *output_of(const struct render_options *o)
 
 static bool check(const struct render_options *o)
 {
-    if (!o->scene.source.path)
-        return message_error("a mesh is missing; `pel render MESH -o OUT.ppm` "
-                             "would be right");
     if (o->print_camera && o->output && strcmp(o->output, "-") == 0)
         return message_error("--print-camera is for standard output, and the "
-                             "picture too; -o FILE would be right");
+                             "picture too: expected -o FILE");
     if (!canvas_bands_legal(o->format, o->bands))
-        return message_error("--bands is %d; in mono1_pages a multiple of 8 "
-                             "would be right",
+        return message_error("--bands is %d: expected a multiple of 8 for "
+                             "mono1_pages",
                              o->bands);
     return picture_path_check(output_of(o)) &&
            device_check_output(&o->device, output_of(o));
@@ -164,7 +95,7 @@ static bool draw(struct canvas *canvas, const void *context)
     return canvas_draw(canvas, o->bands, draw_scene, &part) && !part.failed;
 }
 
-/* Of each part that is drawn by itself: with several threads there are more. */
+/* Several threads draw several parts, and each tells its time. */
 static bool draw_mesh(struct canvas *canvas, const void *context)
 {
     const struct drawing *drawing = context;
@@ -204,7 +135,7 @@ static const char *mesh_option(const struct render_options *o)
     return o->print_camera ? "print-camera" : NULL;
 }
 
-/* What is projected and coloured already goes straight to the painter. */
+/* A pel2d file is projected and coloured already: the painter draws it. */
 static bool check_pel2d(const struct render_options *o)
 {
     const struct scene_options *s = &o->scene;
@@ -216,13 +147,13 @@ static bool check_pel2d(const struct render_options *o)
                                 wrong);
     if (s->settings.shade == SCENE_PHONG)
         return message_error_at(s->source.path, 0,
-                                "has no normals: --shade flat or gouraud "
-                                "would be right");
+                                "has no normals: expected --shade flat or "
+                                "gouraud");
     return s->source.texture || s->settings.texture == SCENE_TEXTURE_NONE ||
            (!options_has(&s->given, "texture") &&
             !options_has(&s->given, "wrap")) ||
            message_error_at(s->source.path, 0,
-                            "names no texture: --texture-file would be right");
+                            "names no texture: expected --texture-file");
 }
 
 static bool load_texture(struct painter_texture *texture,
@@ -273,7 +204,7 @@ static bool print(const struct scene *scene)
     struct output output;
     if (!output_open(&output, "-"))
         return false;
-    print_camera(output.stream, scene);
+    scene_print_camera(output.stream, scene);
     return output_commit(&output);
 }
 
@@ -304,7 +235,19 @@ int command_render(int argc, char **argv)
         .scene = {.settings = scene_default},
         .format = format_find("xrgb8888"),
     };
-    arguments_parse(&parser, argc, argv, &o);
+    const struct command_line line = {
+        .arguments = "MESH",
+        .least = 1,
+        .most = 1,
+        .about = "Draws a mesh.\v"
+                 "MESH is a file that assimp reads, a pel2d file (- is one on "
+                 "standard input), or " MESH_BUILTIN
+                 ". The picture goes to standard output without -o.",
+        .tables = {{output_option_table, &o.output, NULL},
+                   {options, &o, NULL},
+                   {device_option_table, &o.device, NULL},
+                   {scene_option_table, &o.scene, &o.scene.given}}};
+    o.scene.source.path = *arguments_parse(&line, argc, argv);
     const bool done =
         check(&o) && (pel2d_is_file(o.scene.source.path) ? render_pel2d(&o)
                                                          : render_mesh(&o));

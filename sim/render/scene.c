@@ -77,7 +77,7 @@ static bool is_lit(const struct scene *scene, const struct scene_settings *s)
            (s->lit == SCENE_LIT_AUTO && (s->has_light || shapeless));
 }
 
-static void set_look(struct scene *scene, const struct scene_settings *s)
+static void set_appearance(struct scene *scene, const struct scene_settings *s)
 {
     static const struct pel_shading *const shadings[][2] = {
         {&pel_shade_flat, &pel_shade_lit_flat},
@@ -91,10 +91,10 @@ static void set_look(struct scene *scene, const struct scene_settings *s)
     core->color = s->color;
     if (s->has_color)
         scene->mesh.colors = NULL;
-    scene->depth_bits = s->order == SCENE_ZBUFFER16   ? 16
-                        : s->order == SCENE_ZBUFFER32 ? 32
-                                                      : 0;
-    /* What can be seen through is blended from far to near. */
+    scene->depth_bits = s->order == SCENE_PAINTER     ? 0
+                        : s->order == SCENE_ZBUFFER16 ? 16
+                                                      : 32;
+    /* Transparent triangles are blended from far to near. */
     const bool clear =
         s->transparency > 0 || (core->texture && !scene->model->texture_opaque);
     core->sort = scene->depth_bits == 0 || clear ? pel_depth_sort : NULL;
@@ -103,8 +103,8 @@ static void set_look(struct scene *scene, const struct scene_settings *s)
 static bool check(const struct scene_settings *s)
 {
     return s->shade != SCENE_PHONG || s->lit != SCENE_UNLIT ||
-           message_error("Phong shading is light at every pixel; without "
-                         "light, flat or gouraud would be right");
+           message_error("Phong shading is light at every pixel: expected "
+                         "flat or gouraud without light");
 }
 
 static enum pel_status prepare(struct scene *scene)
@@ -113,7 +113,7 @@ static enum pel_status prepare(struct scene *scene)
                              scene->scratch_size);
 }
 
-/* Is it the texture that core refuses? */
+/* True when core refuses the texture and nothing else. */
 static bool texture_refused(struct scene *scene, enum pel_status status)
 {
     const bool textured = scene->core.texture;
@@ -127,13 +127,13 @@ static bool refuse(struct scene *scene, const struct scene_settings *s,
 {
     const struct pel_texels *texels = &scene->texture.texels;
     if (texture_refused(scene, status))
-        return message_error("texture coordinates reach farther than 262144 "
-                             "texels of %dx%d; smaller ones would be right",
+        return message_error("texture coordinates lie beyond 262144 texels of "
+                             "%dx%d: expected smaller ones",
                              texels->width, texels->height);
     if (status == PEL_ERROR_RANGE)
         return message_error("the near plane at %g is too close for a mesh so "
                              "far away, or the camera's place is out of range",
-                             s->camera.near);
+                             s->camera.near_plane);
     if (status == PEL_ERROR_SIZE && s->camera.projection == PEL_PERSPECTIVE)
         return message_error("focal length %g and sensor %gx%g make more than "
                              "65536 or less than 1/256 pixel of a unit at "
@@ -155,7 +155,7 @@ bool scene_prepare(struct scene *scene, const struct scene_settings *settings)
         return false;
     scene_place(scene, &s);
     scene_place_lights(scene, &s);
-    set_look(scene, &s);
+    set_appearance(scene, &s);
     const enum pel_status status = prepare(scene);
     return status == PEL_OK || refuse(scene, &s, status);
 }

@@ -15,9 +15,22 @@
 #include "core/base/surface.h"
 #include "core/scene/pipeline.h"
 
+/* Names of these settings for commands and scripts, in the order of their
+ * numbers. */
+#define SCENE_SHADES "flat|gouraud|phong"
+#define SCENE_TEXTURES "none|nearest|bilinear"
+#define SCENE_MAPPINGS "vertices|affine|subdivided|perspective"
+#define SCENE_SPANS "2|4|8|16|32|64"
+#define SCENE_WRAPS "clamp|repeat|mirror"
+#define SCENE_NORMALS "file|smooth"
+#define SCENE_ORDERS "painter|zbuffer16|zbuffer32|zbuffer"
+#define SCENE_CULLS "none|back|front"
+#define SCENE_TERMS "ambient|diffuse|specular"
+#define SCENE_HIGHLIGHTS "coloured|plain"
+
 enum scene_shade { SCENE_FLAT, SCENE_GOURAUD, SCENE_PHONG };
 
-/* Is there light? AUTO: when a light or a number of it was set, for Phong, and
+/* AUTO: there is light when a light or a number of it was set, for Phong, and
  * for a model whose colours show no shape and that has no texture. */
 enum scene_lit { SCENE_LIT_AUTO, SCENE_LIT, SCENE_UNLIT };
 
@@ -34,7 +47,13 @@ enum scene_mapping {
     SCENE_MAP_PERSPECTIVE /* in every pixel */
 };
 
-enum scene_order { SCENE_PAINTER, SCENE_ZBUFFER16, SCENE_ZBUFFER32 };
+/* SCENE_ZBUFFER is SCENE_ZBUFFER32. */
+enum scene_order {
+    SCENE_PAINTER,
+    SCENE_ZBUFFER16,
+    SCENE_ZBUFFER32,
+    SCENE_ZBUFFER
+};
 
 enum scene_term {
     SCENE_AMBIENT = 1,
@@ -45,7 +64,8 @@ enum scene_term {
 
 enum { SCENE_LIGHTS_MAX = 32 };
 
-/* struct pel_light: `at` in world units, or the way to a directional one. */
+/* struct pel_light: `at` in world units, or the direction to a directional one.
+ */
 struct scene_light {
     double at[3];
     double color[3]; /* red, green, blue; 1 is full, less than 16 */
@@ -81,13 +101,14 @@ struct scene_settings {
     uint8_t transparency; /* 0: opaque; 255: nothing is drawn */
 };
 
-/* What no option says: up is +y, perspective, 50 mm on a sensor 36 mm wide,
+/* Defaults: up is +y, perspective, 50 mm on a sensor 36 mm wide,
  * 1200x1200, white, and the rest of the camera left to camera_frame; Gouraud,
  * the model's own texture bilinear and in perspective, repeated, the
  * painter's order, both sides, ka 0.3, kd 0.7, ks 0.3, shininess 20. */
 extern const struct scene_settings scene_default;
 
-/* What core works on. It points into itself: it stays where it is. */
+/* The scene of core and its parts. It must not be moved: it points into
+ * itself. */
 struct scene {
     const struct model *model; /* the caller's, like its texture */
     struct pel_scene core;

@@ -1,195 +1,256 @@
 #include "sim/render/scene_options.h"
 
-#include <errno.h>
 #include <math.h>
+#include <string.h>
 
 #include "sim/cli/message.h"
 #include "sim/cli/number.h"
-#include "sim/cli/option_text.h"
 
-enum {
-    KEY_SHADE = 0x300,
-    KEY_COLOR,
-    KEY_TRANSPARENCY,
-    KEY_NORMALS,
-    KEY_TURN,
-    KEY_ORDER,
-    KEY_CULL,
-    KEY_TEXTURE,
-    KEY_TEXTURE_FILE,
-    KEY_MAPPING,
-    KEY_SPAN,
-    KEY_WRAP
-};
-
-static const struct argp_option options[] = {
-    {0, 0, 0, 0, "Shading:", 1},
-    {"shade", KEY_SHADE, "MODE", 0, "flat, gouraud (default) or phong", 0},
-    {"color", KEY_COLOR, "COLOUR", 0,
-     "#rrggbb for the whole mesh, instead of its colours", 0},
-    {"transparency", KEY_TRANSPARENCY, "0..255", 0,
-     "0 (default) is opaque, 255 draws nothing", 0},
-    {"normals-from", KEY_NORMALS, "SOURCE", 0,
-     "file (default: where it has them), or smooth: at each vertex the mean of "
-     "the faces around it; facets are --shade flat",
-     0},
-    {"turn", KEY_TURN, "X,Y,Z", 0,
-     "turn the mesh around its middle, in parts of a turn around x, then y, "
-     "then z",
-     0},
-    {"order", KEY_ORDER, "NAME", 0,
-     "painter (default: what a device without memory for depths shows; joints "
-     "of large triangles may tear), zbuffer16, or zbuffer32, zbuffer for "
-     "short: exact at every pixel",
-     0},
-    {"cull", KEY_CULL, "SIDE", 0, "leave out none (default), back or front", 0},
-    {0, 0, 0, 0, "Texture:", 4},
-    {"texture", KEY_TEXTURE, "MODE", 0, "none, nearest or bilinear (default)",
-     0},
-    {"texture-file", KEY_TEXTURE_FILE, "FILE", 0,
-     "this picture instead of the mesh's own; of a pel2d file, instead of its "
-     "colours, with texels floor(u (W - 1)), floor(v (H - 1))",
-     0},
-    {"mapping", KEY_MAPPING, "NAME", 0,
-     "vertices (a texel for each), affine, subdivided, or perspective "
-     "(default)",
-     0},
-    {"span", KEY_SPAN, "PIXELS", 0,
-     "between divisions when subdivided: 2, 4, 8, 16 (default), 32 or 64", 0},
-    {"wrap", KEY_WRAP, "NAME", 0,
-     "outside of the texture: clamp, repeat (default) or mirror", 0},
-    {0},
-};
-
-/* Options that take one of some names. The index of a name is the number of
- * what it stands for. */
-static const struct choice {
-    int key;
-    const char *option;
-    const char *names[5];
-} choices[] = {
-    {KEY_SHADE, "--shade", {"flat", "gouraud", "phong"}},
-    {KEY_NORMALS, "--normals-from", {"file", "smooth"}},
-    {KEY_ORDER, "--order", {"painter", "zbuffer16", "zbuffer32", "zbuffer"}},
-    {KEY_CULL, "--cull", {"none", "back", "front"}},
-    {KEY_TEXTURE, "--texture", {"none", "nearest", "bilinear"}},
-    {KEY_MAPPING,
-     "--mapping",
-     {"vertices", "affine", "subdivided", "perspective"}},
-    {KEY_WRAP, "--wrap", {"clamp", "repeat", "mirror"}},
-    {0, NULL, {NULL}},
-};
-
-static void set_choice(int key, int choice, struct scene_options *o)
+/* WIDTHxHEIGHT in pixels. */
+static bool parse_size(const char *option, const char *text, void *input)
 {
-    struct scene_settings *s = &o->settings;
-    switch (key) {
-    case KEY_SHADE:
-        s->shade = (enum scene_shade)choice;
-        break;
-    case KEY_NORMALS:
-        o->source.smooth_normals = choice == 1;
-        break;
-    case KEY_ORDER:
-        s->order = choice == 3 ? SCENE_ZBUFFER32 : (enum scene_order)choice;
-        break;
-    case KEY_CULL:
-        s->cull = (enum pel_cull)choice;
-        break;
-    case KEY_TEXTURE:
-        s->texture = (enum scene_texture)choice;
-        o->source.without_texture = choice == SCENE_TEXTURE_NONE;
-        break;
-    case KEY_MAPPING:
-        s->mapping = (enum scene_mapping)choice;
-        break;
-    default:
-        s->wrap = (enum pel_wrap)choice;
+    struct camera *camera = &((struct scene_options *)input)->settings.camera;
+    static const struct option_row numbers = {
+        .n = 2, .separator = 'x', .low = 1, .high = 32767};
+    double size[2];
+    if (strspn(text, "0123456789x") != strlen(text) ||
+        !option_numbers(text, &numbers, size))
+        return option_refuse(option, text,
+                             "WxH from 1x1 to 32767x32767, such as 640x480");
+    camera->width = (int)size[0];
+    camera->height = (int)size[1];
+    return true;
+}
+
+/* X,Y,Z:R,G,B */
+static bool read_light(const char *text, struct scene_light *light)
+{
+    static const struct option_row place = {
+        .n = 3, .separator = ',', .low = -MESH_LIMIT, .high = MESH_LIMIT};
+    static const struct option_row channels = {
+        .n = 3, .separator = ',', .low = 0, .high = 15.99};
+    char copy[256];
+    const size_t length = strcspn(text, ":");
+    if (text[length] == '\0' || length >= sizeof(copy))
+        return false;
+    memcpy(copy, text, length);
+    copy[length] = '\0';
+    return option_numbers(copy, &place, light->at) &&
+           option_numbers(text + length + 1, &channels, light->color);
+}
+
+static bool parse_light(const char *option, const char *text, void *input)
+{
+    struct scene_settings *s = &((struct scene_options *)input)->settings;
+    struct scene_light *light = &s->light[s->lights];
+    if (s->lights == SCENE_LIGHTS_MAX)
+        return message_error("--%s is light %d: expected up to %d", option,
+                             s->lights + 1, SCENE_LIGHTS_MAX);
+    if (!read_light(text, light))
+        return option_refuse(option, text,
+                             "X,Y,Z:R,G,B with colours from 0 to 15.99, such "
+                             "as 2,5,3:1,1,1");
+    light->directional = strcmp(option, "sun") == 0;
+    if (light->directional && light->at[0] == 0 && light->at[1] == 0 &&
+        light->at[2] == 0)
+        return option_refuse(option, text,
+                             "the direction towards it, such as 1,2,1:1,1,1");
+    s->lights++;
+    return true;
+}
+
+/* Names between commas: bit i is the i-th of SCENE_TERMS. */
+static bool parse_terms(const char *option, const char *text, void *input)
+{
+    struct scene_settings *s = &((struct scene_options *)input)->settings;
+    int term = 0;
+    char name[16];
+    s->terms = 0;
+    for (const char *at = text; *at && term >= 0; at += *at == ',') {
+        const size_t length = strcspn(at, ",");
+        term = -1;
+        if (length < sizeof(name)) {
+            memcpy(name, at, length);
+            name[length] = '\0';
+            term = choice_find(SCENE_TERMS, name);
+        }
+        s->terms |= term < 0 ? 0 : 1u << term;
+        at += length;
     }
+    return (s->terms && term >= 0) ||
+           option_refuse(option, text,
+                         "a list of ambient, diffuse and specular, such as "
+                         "ambient,diffuse");
 }
 
-static bool parse_choice(const struct choice *c, const char *text,
-                         struct scene_options *o)
+static bool parse_unlit(const char *option, const char *text, void *input)
 {
-    int choice;
-    if (!option_choice(c->option, text, c->names, &choice))
-        return false;
-    set_choice(c->key, choice, o);
+    (void)option;
+    (void)text;
+    ((struct scene_options *)input)->settings.lit = SCENE_UNLIT;
     return true;
 }
 
-static bool parse_span(const char *text, struct scene_settings *s)
+static bool parse_span(const char *option, const char *text, void *input)
 {
-    int64_t v = 0;
-    if (number_integer(text, 2, PEL_SPAN_MAX, &v) != NUMBER_OK ||
-        (v & (v - 1)) != 0)
-        return message_error("--span is '%s'; 2, 4, 8, 16, 32 or 64 would be "
-                             "right",
-                             text);
-    s->span = (int)v;
+    const int choice = choice_find(SCENE_SPANS, text);
+    if (choice < 0)
+        return option_refuse(option, text, SCENE_SPANS);
+    ((struct scene_options *)input)->settings.span = 2 << choice;
     return true;
 }
 
-static bool parse_turn(const char *text, struct scene_settings *s)
+static bool parse_turn(const char *option, const char *text, void *input)
 {
-    static const struct option_numbers numbers = {
-        3, ',', -1, 1, "X,Y,Z in parts of a turn, such as 0,0.25,0,"};
+    struct scene_settings *s = &((struct scene_options *)input)->settings;
+    static const struct option_row numbers = {
+        .n = 3, .separator = ',', .low = -1, .high = 1};
     double turn[3];
-    if (!option_numbers("--turn", text, &numbers, turn))
-        return false;
+    if (!option_numbers(text, &numbers, turn))
+        return option_refuse(option, text,
+                             "X,Y,Z in parts of a turn, such as 0,0.25,0");
     for (int k = 0; k < 3; k++)
         s->turn[k] = (uint16_t)lround(turn[k] * 65536);
     return true;
 }
 
-static bool parse_transparency(const char *text, struct scene_settings *s)
+static bool parse_transparency(const char *option, const char *text,
+                               void *input)
 {
-    int v;
-    const bool right = option_integer("--transparency", text, 0, 255, &v);
+    struct scene_settings *s = &((struct scene_options *)input)->settings;
+    int64_t v = 0;
+    const bool good = number_integer(text, 0, 255, &v) == NUMBER_OK;
     s->transparency = (uint8_t)v;
-    return right;
+    return good || option_refuse(option, text, "a whole number from 0 to 255");
 }
 
-static bool parse_value(int key, const char *text, struct scene_options *o)
+static bool parse_texture(const char *option, const char *text, void *input)
 {
-    struct scene_settings *s = &o->settings;
-    switch (key) {
-    case KEY_COLOR:
-        s->has_color = true;
-        return option_color("--color", text, &s->color);
-    case KEY_TRANSPARENCY:
-        return parse_transparency(text, s);
-    case KEY_TURN:
-        return parse_turn(text, s);
-    case KEY_SPAN:
-        return parse_span(text, s);
-    default:
-        o->source.texture = text;
-        return true;
-    }
+    struct scene_options *o = input;
+    const int choice = choice_find(SCENE_TEXTURES, text);
+    if (choice < 0)
+        return option_refuse(option, text, SCENE_TEXTURES);
+    o->settings.texture = (enum scene_texture)choice;
+    o->source.without_texture = choice == SCENE_TEXTURE_NONE;
+    return true;
 }
 
-static error_t parse(int key, char *text, struct argp_state *state)
-{
-    struct scene_options *o = state->input;
-    const struct choice *choice = choices;
-    if (key == ARGP_KEY_INIT) {
-        state->child_inputs[0] = o;
-        state->child_inputs[1] = o;
-        return 0;
+#define AT(member) offsetof(struct scene_options, member)
+#define SIZE(member) sizeof(((struct scene_options *)NULL)->member)
+#define HEADING(text) \
+    {                 \
+        .help = text  \
     }
-    if (key < KEY_SHADE || key > KEY_WRAP)
-        return ARGP_ERR_UNKNOWN;
-    options_note(&o->given, options, key);
-    while (choice->key && choice->key != key)
-        choice++;
-    const bool right =
-        choice->key ? parse_choice(choice, text, o) : parse_value(key, text, o);
-    return right ? 0 : EINVAL;
-}
+#define CALL(function) OPTION_CALL, .parse = function
+#define CHOICE(member, names) \
+    OPTION_CHOICE, .offset = AT(member), .n = SIZE(member), .expected = names
+#define NUMBERS(member, count, between, least, most, example)               \
+    OPTION_NUMBERS, .offset = AT(member), .n = count, .separator = between, \
+                    .low = least, .high = most, .expected = example
+#define POINT(member) \
+    NUMBERS(member, 3, ',', -MESH_LIMIT, MESH_LIMIT, "X,Y,Z such as 0,1.5,4")
+#define FACTOR(member)                                                        \
+    NUMBERS(member, 1, 0, 0, 15.99, "a number from 0 to 15.99, such as 0.5"), \
+        .flag = AT(settings.has_light)
 
-static const struct argp_child children[] = {
-    {&camera_argp, 0, "Camera:", 2}, {&light_argp, 0, NULL, 3}, {0}};
-
-const struct argp scene_argp = {
-    .options = options, .parser = parse, .children = children};
+const struct option_row scene_option_table[] = {
+    HEADING("Shading:"),
+    {"shade", "MODE", "flat, gouraud (default) or phong",
+     CHOICE(settings.shade, SCENE_SHADES)},
+    {"color", "COLOUR", "#rrggbb for the whole mesh, instead of its colours",
+     OPTION_COLOR, .offset = AT(settings.color),
+     .flag = AT(settings.has_color)},
+    {"transparency", "0..255", "0 (default) is opaque, 255 draws nothing",
+     CALL(parse_transparency)},
+    {"normals-from", "SOURCE",
+     "file (default: where it has them), or smooth: at each vertex the mean of "
+     "the faces around it; facets are --shade flat",
+     CHOICE(source.smooth_normals, SCENE_NORMALS)},
+    {"turn", "X,Y,Z",
+     "turn the mesh around its middle, in parts of a turn around x, then y, "
+     "then z",
+     CALL(parse_turn)},
+    {"order", "NAME",
+     "painter (default: for devices without memory for depths; joints of large "
+     "triangles may tear), zbuffer16, or zbuffer32, zbuffer for short: exact "
+     "at every pixel",
+     CHOICE(settings.order, SCENE_ORDERS)},
+    {"cull", "SIDE", "leave out none (default), back or front",
+     CHOICE(settings.cull, SCENE_CULLS)},
+    HEADING("Camera:"),
+    {"eye", "X,Y,Z",
+     "where the camera stands (default: where it sees the whole mesh)",
+     POINT(settings.camera.eye), .flag = AT(settings.camera.has_eye)},
+    {"target", "X,Y,Z", "what it looks at (default: the middle of the mesh)",
+     POINT(settings.camera.target), .flag = AT(settings.camera.has_target)},
+    {"up", "X,Y,Z", "what is up in the picture (default: 0,1,0)",
+     POINT(settings.camera.up)},
+    {"projection", "NAME", "perspective (default) or orthographic",
+     CHOICE(settings.camera.projection, CAMERA_PROJECTIONS)},
+    {"focal", "MM", "focal length in mm (default: 50)",
+     NUMBERS(settings.camera.focal, 1, 0, 1e-6, 1e6,
+             "a length in mm, such as 50")},
+    {"sensor", "WxH",
+     "sensor size in mm (default: 36 mm wide, square pixels); of an "
+     "orthographic camera the size of what is seen, in the mesh's units",
+     NUMBERS(settings.camera.sensor, 2, 'x', 1e-6, MESH_LIMIT,
+             "WxH in mm, such as 36x24"),
+     .flag = AT(settings.camera.has_sensor)},
+    {"near", "DISTANCE",
+     "nothing nearer to the eye is seen (default: just before the mesh)",
+     NUMBERS(settings.camera.near_plane, 1, 0, 1e-15, MESH_LIMIT,
+             "a distance above 0, such as 0.1"),
+     .flag = AT(settings.camera.has_near)},
+    {"size", "WxH", "size of the picture in pixels (default: 1200x1200)",
+     CALL(parse_size)},
+    {"background", "COLOUR", "#rrggbb (default: #ffffff)", OPTION_COLOR,
+     .offset = AT(settings.camera.background)},
+    HEADING("Light (none unless one of these is given, for Phong, and where "
+            "nothing else would show the shape):"),
+    {"light", "X,Y,Z:R,G,B",
+     "a light at a place, 1,1,1 being full white; up to 32 (default: one from "
+     "above, left of the viewer)",
+     CALL(parse_light), .flag = AT(settings.has_light)},
+    {"sun", "X,Y,Z:R,G,B", "a light from that direction", CALL(parse_light),
+     .flag = AT(settings.has_light)},
+    {"ambient", "R,G,B", "ambient light (default: 1,1,1)",
+     NUMBERS(settings.ambient_color, 3, ',', 0, 15.99,
+             "R,G,B from 0 to 15.99, such as 1,0.9,0.8"),
+     .flag = AT(settings.has_light)},
+    {"ka", "NUMBER", "ambient factor (default: 0.3)", FACTOR(settings.ambient)},
+    {"kd", "NUMBER", "diffuse factor (default: 0.7)", FACTOR(settings.diffuse)},
+    {"ks", "NUMBER", "specular factor (default: 0.3)",
+     FACTOR(settings.specular)},
+    {"shininess", "1..256", "exponent of highlights (default: 20)",
+     OPTION_INTEGER, .offset = AT(settings.shininess),
+     .flag = AT(settings.has_light), .low = 1, .high = 256},
+    {"terms", "LIST", "which of ambient,diffuse,specular (default: all)",
+     CALL(parse_terms), .flag = AT(settings.has_light)},
+    {"highlights", "KIND", "coloured (default) by the surface, or plain",
+     CHOICE(settings.plain_highlights, SCENE_HIGHLIGHTS),
+     .flag = AT(settings.has_light)},
+    {"back-highlights", "WHETHER",
+     "highlights where light falls on the back: on (default), as the formula "
+     "stands, or off",
+     CHOICE(settings.no_back_highlights, "on|off"),
+     .flag = AT(settings.has_light)},
+    {"unlit", NULL, "no light, whatever the mesh", CALL(parse_unlit)},
+    HEADING("Texture:"),
+    {"texture", "MODE", "none, nearest or bilinear (default)",
+     CALL(parse_texture)},
+    {"texture-file", "FILE",
+     "this picture instead of the mesh's own; of a pel2d file, instead of its "
+     "colours, with texels floor(u (W - 1)), floor(v (H - 1))",
+     OPTION_TEXT, .offset = AT(source.texture)},
+    {"mapping", "NAME",
+     "vertices (a texel for each), affine, subdivided, or perspective "
+     "(default)",
+     CHOICE(settings.mapping, SCENE_MAPPINGS)},
+    {"span", "PIXELS",
+     "between divisions when subdivided: 2, 4, 8, 16 (default), 32 or 64",
+     CALL(parse_span)},
+    {"wrap", "NAME",
+     "outside of the texture: clamp, repeat (default) or mirror",
+     CHOICE(settings.wrap, SCENE_WRAPS)},
+    {.help = NULL},
+};

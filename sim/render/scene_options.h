@@ -2,23 +2,17 @@
 #ifndef SIM_RENDER_SCENE_OPTIONS_H
 #define SIM_RENDER_SCENE_OPTIONS_H
 
-#include <argp.h>
-
-#include "sim/cli/option_text.h"
+#include "sim/cli/arguments.h"
 #include "sim/render/scene.h"
 
-/* What a command with a model takes: the file names are argv's. */
 struct scene_options {
     struct scene_settings settings;
     struct model_source source; /* the path is for the command to set */
-    struct options_given given; /* all of them, and the command's own */
+    struct options_given given;
 };
 
-/* Lights, material, shading, texture, order, and camera_argp for where things
- * are. The input is a struct scene_options, set to its defaults before. */
-extern const struct argp scene_argp;
-
-/* Its lights and material, and its camera, with the same input. */
-extern const struct argp light_argp, camera_argp;
+/* Shading, camera, lights, material, texture. The input is a struct
+ * scene_options, set to its defaults before. */
+extern const struct option_row scene_option_table[];
 
 #endif

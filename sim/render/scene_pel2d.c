@@ -88,7 +88,7 @@ static bool add_corner(struct projection *p, const uint32_t vertex[3],
     return add(p, &v, c->position[2]);
 }
 
-/* The others have vertices of their own, as a fan. */
+/* A clipped triangle becomes a fan with vertices of its own. */
 static bool add_clipped(struct projection *p, const uint32_t corner[3])
 {
     const struct pel_projector *projector = &p->scene->frame.projector;

@@ -12,32 +12,32 @@ static pel_length length_of(const struct scene *scene, double value)
     return (pel_length)lround(fmax(-PEL_LENGTH_MAX, fmin(v, PEL_LENGTH_MAX)));
 }
 
-static double reach_of(const double v[3])
+static double extent_of(const double v[3])
 {
     return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
 }
 
 /* The largest coordinate of camera and model, however that is turned. */
-static double reach_of_all(const struct scene *scene,
-                           const struct scene_settings *s)
+static double extent_of_all(const struct scene *scene,
+                            const struct scene_settings *s)
 {
     double middle[3], radius = 0;
-    double reach = fmax(reach_of(s->camera.eye), reach_of(s->camera.target));
+    double extent = fmax(extent_of(s->camera.eye), extent_of(s->camera.target));
     for (int k = 0; k < 3; k++) {
         const double half = (scene->model->high[k] - scene->model->low[k]) / 2;
         middle[k] = scene->model->low[k] + half;
         radius += half * half;
     }
-    reach = fmax(reach, reach_of(middle) + sqrt(radius));
+    extent = fmax(extent, extent_of(middle) + sqrt(radius));
     if (s->camera.projection == PEL_ORTHOGRAPHIC)
         for (int k = 0; k < 2; k++)
-            reach = fmax(reach, s->camera.sensor[k]);
-    return reach;
+            extent = fmax(extent, s->camera.sensor[k]);
+    return extent;
 }
 
-static bool is_far(const struct scene_light *light, double reach)
+static bool is_far(const struct scene_light *light, double extent)
 {
-    return !light->directional && reach_of(light->at) > FAR_LIGHT * reach;
+    return !light->directional && extent_of(light->at) > FAR_LIGHT * extent;
 }
 
 /* The power of two that makes all fit core's world, 1 where it does already.
@@ -45,18 +45,18 @@ static bool is_far(const struct scene_light *light, double reach)
 static double units_of(const struct scene *scene,
                        const struct scene_settings *s)
 {
-    const double places = reach_of_all(scene, s);
-    double reach = places, way[3];
+    const double places = extent_of_all(scene, s);
+    double extent = places, view[3];
     int exponent;
     for (int i = 0; i < s->lights; i++)
         if (!s->light[i].directional && !is_far(&s->light[i], places))
-            reach = fmax(reach, reach_of(s->light[i].at));
+            extent = fmax(extent, extent_of(s->light[i].at));
     for (int k = 0; k < 3; k++)
-        way[k] = s->camera.target[k] - s->camera.eye[k];
-    if (reach <= WORLD && hypot(hypot(way[0], way[1]), way[2]) >= NEAREST &&
+        view[k] = s->camera.target[k] - s->camera.eye[k];
+    if (extent <= WORLD && hypot(hypot(view[0], view[1]), view[2]) >= NEAREST &&
         scene->model->mesh.position.shift <= PEL_MESH_SHIFT_MAX)
         return 1;
-    frexp(reach, &exponent); /* reach < 2^exponent */
+    frexp(extent, &exponent); /* extent < 2^exponent */
     return ldexp(WORLD, -exponent);
 }
 
@@ -81,13 +81,13 @@ static void place_pose(struct scene *scene, const uint16_t turn[3])
     scene->core.pose = turned ? &scene->pose : NULL;
 }
 
-/* Of any length: the largest part gets 30 bits. */
+/* `from` has any length: the largest part gets 30 bits. */
 static void place_up(const double from[3], int32_t up[3])
 {
-    const double reach = reach_of(from);
+    const double extent = extent_of(from);
     for (int k = 0; k < 3; k++)
-        up[k] =
-            (int32_t)lround(from[k] / (reach > 0 ? reach : 1) * PEL_COSINE_ONE);
+        up[k] = (int32_t)lround(from[k] / (extent > 0 ? extent : 1) *
+                                PEL_COSINE_ONE);
 }
 
 /* A lens in 1/1000 mm, in larger steps where that is too much; square pixels
@@ -118,7 +118,7 @@ static void place_camera(struct scene *scene, const struct scene_settings *s)
     }
     place_up(from->up, to->up);
     to->projection = from->projection;
-    to->near_plane = (pel_length)fmax(length_of(scene, from->near), 1);
+    to->near_plane = (pel_length)fmax(length_of(scene, from->near_plane), 1);
     if (from->projection == PEL_PERSPECTIVE)
         place_lens(to, from);
     for (int k = 0; k < 2 && from->projection == PEL_ORTHOGRAPHIC; k++)
@@ -146,12 +146,12 @@ static pel_factor factor_of(double value)
 static void place_light(struct scene *scene, struct pel_light *to,
                         const struct scene_light *from, bool directional)
 {
-    const double reach = reach_of(from->at);
+    const double extent = extent_of(from->at);
     to->directional = directional;
     for (int k = 0; k < 3; k++) {
         to->color[k] = factor_of(from->color[k]);
         to->at[k] = directional
-                        ? (int32_t)lround(from->at[k] / reach * PEL_COSINE_ONE)
+                        ? (int32_t)lround(from->at[k] / extent * PEL_COSINE_ONE)
                         : length_of(scene, from->at[k]);
     }
 }
@@ -160,16 +160,16 @@ static void place_light(struct scene *scene, struct pel_light *to,
 static struct scene_light own_light(const struct camera *camera)
 {
     struct scene_light light = {.color = {1, 1, 1}, .directional = true};
-    double way[3], up = 0, along = 0;
+    double view[3], up = 0, along = 0;
     for (int k = 0; k < 3; k++) {
-        way[k] = camera->eye[k] - camera->target[k];
-        along += way[k] * way[k];
+        view[k] = camera->eye[k] - camera->target[k];
+        along += view[k] * view[k];
         up += camera->up[k] * camera->up[k];
     }
     for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        const double left = way[i] * camera->up[j] - way[j] * camera->up[i];
-        light.at[k] = way[k] / sqrt(along) + 0.9 * camera->up[k] / sqrt(up) +
+        const double left = view[i] * camera->up[j] - view[j] * camera->up[i];
+        light.at[k] = view[k] / sqrt(along) + 0.9 * camera->up[k] / sqrt(up) +
                       0.6 * left / sqrt(along * up);
     }
     return light;
@@ -191,16 +191,50 @@ static void place_material(struct pel_lighting *to,
 
 void scene_place_lights(struct scene *scene, const struct scene_settings *s)
 {
-    const double reach = reach_of_all(scene, s);
+    const double extent = extent_of_all(scene, s);
     scene->lighting.light = scene->light;
     scene->lighting.lights = s->lights;
     for (int i = 0; i < s->lights; i++)
         place_light(scene, &scene->light[i], &s->light[i],
-                    s->light[i].directional || is_far(&s->light[i], reach));
+                    s->light[i].directional || is_far(&s->light[i], extent));
     if (s->lights == 0) {
         const struct scene_light own = own_light(&s->camera);
         place_light(scene, &scene->light[0], &own, true);
         scene->lighting.lights = 1;
     }
     place_material(&scene->lighting, s);
+}
+
+static void print_three(FILE *out, const char *name, const int32_t value[3])
+{
+    fprintf(out, "    .%s = {%ld, %ld, %ld},\n", name, (long)value[0],
+            (long)value[1], (long)value[2]);
+}
+
+void scene_print_camera(FILE *out, const struct scene *scene)
+{
+    const struct pel_camera *camera = &scene->core.camera;
+    const struct pel_rect *view = &scene->core.viewport;
+    const int scale = ilogb(scene->units);
+    fprintf(out,
+            "/* struct pel_camera, for a viewport of %ld x %ld pixels; places "
+            "in 1/65536. */\n",
+            (long)(view->x1 - view->x0), (long)(view->y1 - view->y0));
+    if (scale != 0)
+        fprintf(out,
+                "/* The mesh is too large or small as it is: after "
+                "pel_mesh_of_asset, take\n   mesh.position.shift -= %d. */\n",
+                scale);
+    fprintf(out, "{\n");
+    print_three(out, "eye", camera->eye);
+    print_three(out, "target", camera->target);
+    print_three(out, "up", camera->up);
+    if (camera->projection == PEL_PERSPECTIVE)
+        fprintf(out, "    .focal = %ld,\n", (long)camera->focal);
+    fprintf(out, "    .sensor = {%ld, %ld},\n", (long)camera->sensor[0],
+            (long)camera->sensor[1]);
+    fprintf(out, "    .near_plane = %ld,\n", (long)camera->near_plane);
+    fprintf(out, "    .projection = %s,\n}\n",
+            camera->projection == PEL_PERSPECTIVE ? "PEL_PERSPECTIVE"
+                                                  : "PEL_ORTHOGRAPHIC");
 }

@@ -12,6 +12,46 @@ struct replay {
     struct script_pen start, end;
 };
 
+const struct script_command *const script_tables[] = {
+    script_shapes,        script_images, script_paint_commands,
+    script_mesh_commands, NULL,
+};
+
+/* `v` in units of the kind; the setting has `size` bytes a value. */
+static void set_values(char *to, size_t size, const int32_t *v, size_t n)
+{
+    for (size_t i = 0; i < n; i++, to += size) {
+        if (size == sizeof(double))
+            *(double *)(void *)to = v[i] / 65536.0;
+        else if (size == sizeof(int32_t))
+            *(int32_t *)(void *)to = v[i];
+        else if (size == sizeof(uint16_t))
+            *(uint16_t *)(void *)to = (uint16_t)v[i];
+        else
+            *(uint8_t *)to = (uint8_t)v[i];
+    }
+}
+
+void script_perform(struct script_pen *pen,
+                    const struct script_command *command, const int32_t *v,
+                    size_t n)
+{
+    char *settings =
+        command->role == SCRIPT_SCENE ? (char *)pen->scene : (char *)pen;
+    if (command->role == SCRIPT_PAINT || command->role == SCRIPT_PAINT_VERTEX) {
+        pen->make = command->make;
+        pen->values = v;
+        pen->value_count = n;
+    }
+    if (command->size)
+        set_values(settings + command->offset, command->size, v, n);
+    if (command->flag)
+        *(bool *)(settings + command->flag) = true;
+    pen->count = n;
+    if (command->draw)
+        command->draw(pen, v);
+}
+
 static void replay_draw(struct pel_surface *surface, void *context)
 {
     struct replay *replay = context;
@@ -21,9 +61,9 @@ static void replay_draw(struct pel_surface *surface, void *context)
     pel_surface_clip(surface, &pen.clip);
     for (size_t i = replay->from; i < replay->to; i++) {
         const struct script_item *item = &script->items[i];
-        if (item->command->draw && item->command->role != SCRIPT_SCENE)
-            item->command->draw(&pen, script->values + item->first,
-                                item->count);
+        if (item->command->role != SCRIPT_SCENE)
+            script_perform(&pen, item->command, script->values + item->first,
+                           item->count);
     }
     replay->end = pen;
 }
@@ -36,8 +76,8 @@ bool script_needs_whole(const struct script *script)
     return false;
 }
 
-/* Is the whole picture there for what moves its pixels? `rows` as in
- * script_draw. */
+/* False, with a message, when commands move pixels of a picture that is not
+ * whole. `rows` as in script_draw. */
 static bool check_whole(const struct script *script,
                         const struct pel_rect *shown, int rows)
 {
@@ -55,7 +95,7 @@ static bool check_whole(const struct script *script,
             return message_error_at(
                 script->path, item->line,
                 "%s: a band of %d rows has no pixels of "
-                "the others; %s would be right",
+                "the others: expected %s",
                 name, band, rows < 0 ? "bands 0 before it" : "--bands 0");
         if (width != script->width || height != script->height)
             return message_error_at(script->path, item->line,
@@ -96,15 +136,14 @@ static bool draw_parts(struct replay *replay, struct canvas *canvas)
 bool script_draw(const struct script *script, struct canvas *canvas, int rows)
 {
     struct replay replay = {.script = script};
-    const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
     struct script_pen *pen = &replay.start;
     if (rows > 0 && !canvas_bands_legal(script->format, rows))
-        return message_error("bands of %d rows: mono1_pages needs a multiple "
-                             "of 8",
+        return message_error("bands of %d rows: expected a multiple of 8 for "
+                             "mono1_pages",
                              rows);
     if (!check_whole(script, &canvas->surface.bounds, rows))
         return false;
-    pen->flat = white;
+    script_paint_init(pen);
     pen->clip = canvas->surface.bounds;
     pen->assets = script->assets;
     pen->scratch_size =

@@ -3,18 +3,16 @@
 #include "core/image/scroll.h"
 #include "sim/script/assets.h"
 
-static void set_font(struct script_pen *pen, const int32_t *v, size_t n)
+static void set_font(struct script_pen *pen, const int32_t *v)
 {
-    (void)n;
     pen->font = &pen->assets->fonts[v[0]];
 }
 
 /* There is a font: reading the script made sure. */
-static void draw_text(struct script_pen *pen, const int32_t *v, size_t n)
+static void draw_text(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_text_block text = {pen->font, pen->assets->texts[v[2]],
                                         v[0], v[1]};
-    (void)n;
     pel_text(pen->surface, &text, script_paint(pen));
 }
 
@@ -25,43 +23,39 @@ static struct pel_copy_part copy_of(const struct script_pen *pen,
     return (struct pel_copy_part){source, source->bounds, v[0], v[1]};
 }
 
-static void draw_image(struct script_pen *pen, const int32_t *v, size_t n)
+static void draw_image(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_copy_part copy = copy_of(pen, v, v[2]);
-    (void)n;
     pel_copy(pen->surface, &copy);
 }
 
-static void draw_image_alpha(struct script_pen *pen, const int32_t *v, size_t n)
+static void draw_image_alpha(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_copy_part copy = copy_of(pen, v, v[3]);
-    (void)n;
     pel_copy_alpha(pen->surface, &copy, (uint8_t)v[2]);
 }
 
-static void draw_image_key(struct script_pen *pen, const int32_t *v, size_t n)
+static void draw_image_key(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_copy_part copy = copy_of(pen, v, v[3]);
-    (void)n;
     pel_copy_keyed(pen->surface, &copy, (pel_color)v[2]);
 }
 
-static void draw_scroll(struct script_pen *pen, const int32_t *v, size_t n)
+static void draw_scroll(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_rect area = {v[0], v[1], v[0] + v[2], v[1] + v[3]};
-    (void)n;
     pel_scroll(pen->surface, &area, v[4], v[5]);
 }
 
 const struct script_command script_images[] = {
-    {"font", "F", "FILE", SCRIPT_FONT, set_font, NULL},
-    {"text", "iiT", "X Y \"TEXT\"", SCRIPT_TEXT, draw_text, NULL},
-    {"image key", "iicP", "X Y COLOUR FILE", SCRIPT_STATE, draw_image_key,
-     NULL},
-    {"image alpha", "iibP", "X Y ALPHA FILE", SCRIPT_STATE, draw_image_alpha,
-     NULL},
-    {"image", "iiP", "X Y FILE", SCRIPT_STATE, draw_image, NULL},
-    {"scroll", "iinnii", "X Y WIDTH HEIGHT DX DY", SCRIPT_WHOLE, draw_scroll,
-     NULL},
-    {NULL, NULL, NULL, SCRIPT_STATE, NULL, NULL},
+    {"font", "F", "FILE", SCRIPT_FONT, .draw = set_font},
+    {"text", "iiT", "X Y \"TEXT\"", SCRIPT_TEXT, .draw = draw_text},
+    {"image key", "iicP", "X Y COLOUR FILE", SCRIPT_STATE,
+     .draw = draw_image_key},
+    {"image alpha", "iibP", "X Y ALPHA FILE", SCRIPT_STATE,
+     .draw = draw_image_alpha},
+    {"image", "iiP", "X Y FILE", SCRIPT_STATE, .draw = draw_image},
+    {"scroll", "iinnii", "X Y WIDTH HEIGHT DX DY", SCRIPT_WHOLE,
+     .draw = draw_scroll},
+    {.name = NULL},
 };

@@ -3,7 +3,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/cli/byte_order_mark.h"
 #include "sim/cli/message.h"
 #include "sim/script/assets.h"
 #include "sim/script/parser.h"

@@ -1,3 +1,4 @@
+/* Paints and their settings. Paints are made for every shape that they fill. */
 #include "sim/script/paints.h"
 
 #include "sim/script/assets.h"
@@ -21,7 +22,16 @@ static struct pel_ramp ramp_of(const struct script_pen *pen, const int32_t *v,
 
 /* None of these can fail: the values were checked when the script was read. */
 
-const struct pel_paint *script_make_linear(const struct script_pen *pen)
+static const struct pel_paint *make_flat(const struct script_pen *pen)
+{
+    static const struct pel_flat flat = PEL_FLAT(0);
+    struct pel_flat *p = &pen->paints->paint.flat;
+    *p = flat;
+    p->color = (pel_color)pen->values[0];
+    return &p->paint;
+}
+
+static const struct pel_paint *make_linear(const struct script_pen *pen)
 {
     struct pel_linear *p = &pen->paints->paint.linear;
     const int32_t *v = pen->values;
@@ -32,7 +42,7 @@ const struct pel_paint *script_make_linear(const struct script_pen *pen)
     return &p->base.paint;
 }
 
-const struct pel_paint *script_make_linear_stops(const struct script_pen *pen)
+static const struct pel_paint *make_linear_stops(const struct script_pen *pen)
 {
     struct pel_linear *p = &pen->paints->paint.linear;
     const int32_t *v = pen->values;
@@ -41,7 +51,7 @@ const struct pel_paint *script_make_linear_stops(const struct script_pen *pen)
     return &p->base.paint;
 }
 
-const struct pel_paint *script_make_radial(const struct script_pen *pen)
+static const struct pel_paint *make_radial(const struct script_pen *pen)
 {
     struct pel_radial *p = &pen->paints->paint.radial;
     const int32_t *v = pen->values;
@@ -51,7 +61,7 @@ const struct pel_paint *script_make_radial(const struct script_pen *pen)
     return &p->base.paint;
 }
 
-const struct pel_paint *script_make_conic(const struct script_pen *pen)
+static const struct pel_paint *make_conic(const struct script_pen *pen)
 {
     struct pel_conic *p = &pen->paints->paint.conic;
     const int32_t *v = pen->values;
@@ -60,7 +70,7 @@ const struct pel_paint *script_make_conic(const struct script_pen *pen)
     return &p->base.paint;
 }
 
-const struct pel_paint *script_make_wheel(const struct script_pen *pen)
+static const struct pel_paint *make_wheel(const struct script_pen *pen)
 {
     struct pel_hue_wheel *p = &pen->paints->paint.wheel;
     const int32_t *v = pen->values;
@@ -91,12 +101,7 @@ static enum pel_status init_fan(const struct script_pen *pen)
                         pen->paints->triangles);
 }
 
-bool script_fan_legal(const struct script_pen *pen)
-{
-    return init_fan(pen) == PEL_OK;
-}
-
-const struct pel_paint *script_make_fan(const struct script_pen *pen)
+static const struct pel_paint *make_fan(const struct script_pen *pen)
 {
     init_fan(pen);
     return &pen->paints->paint.fan.base.paint;
@@ -117,14 +122,14 @@ static const struct pel_paint *make_mapped(const struct script_pen *pen,
     return &p->base.paint;
 }
 
-const struct pel_paint *script_make_texture(const struct script_pen *pen)
+static const struct pel_paint *make_texture(const struct script_pen *pen)
 {
     const int32_t x = pen->values[1], y = pen->values[2];
     const struct pel_texture_map map = PEL_TEXTURE_AT(x, y);
     return make_mapped(pen, &map);
 }
 
-const struct pel_paint *script_make_texture_map(const struct script_pen *pen)
+static const struct pel_paint *make_texture_map(const struct script_pen *pen)
 {
     struct pel_texture_map map;
     struct pel_point v[3];
@@ -149,5 +154,103 @@ const struct pel_paint *script_dithered(const struct script_pen *pen,
 
 const struct pel_paint *script_paint(const struct script_pen *pen)
 {
-    return script_dithered(pen, pen->make ? pen->make(pen) : &pen->flat.paint);
+    return script_dithered(pen, pen->make(pen));
 }
+
+void script_paint_init(struct script_pen *pen)
+{
+    static const int32_t white = -1;
+    pen->make = make_flat;
+    pen->values = &white;
+}
+
+static const char *check_ends(const int32_t *from, const int32_t *to)
+{
+    return from[0] == to[0] && from[1] == to[1]
+               ? "expected two points that are not the same"
+               : NULL;
+}
+
+static const char *check_stops(const int32_t *v, size_t n)
+{
+    if (n / 2 > SCRIPT_STOPS_MAX)
+        return "expected up to 64 stops";
+    for (size_t i = 2; i < n; i += 2)
+        if (v[i] < v[i - 2])
+            return "expected stops in ascending order";
+    return NULL;
+}
+
+static const char *check_linear(const int32_t *v, size_t n)
+{
+    (void)n;
+    return check_ends(v, v + 3);
+}
+
+static const char *check_linear_stops(const int32_t *v, size_t n)
+{
+    const char *wrong = check_ends(v, v + 2);
+    return wrong ? wrong : check_stops(v + 4, n - 4);
+}
+
+static const char *check_radial(const int32_t *v, size_t n)
+{
+    if (v[2] < PEL_PX(1))
+        return "expected a radius of 1 or more";
+    return check_stops(v + 3, n - 3);
+}
+
+static const char *check_conic(const int32_t *v, size_t n)
+{
+    return check_stops(v + 3, n - 3);
+}
+
+static const char *check_fan(const int32_t *v, size_t n)
+{
+    static struct script_paints paints;
+    const struct script_pen pen = {
+        .values = v, .value_count = n, .paints = &paints};
+    if (n / 3 > SCRIPT_FAN_POINTS_MAX)
+        return "expected up to 64 points";
+    return init_fan(&pen) == PEL_OK
+               ? NULL
+               : "expected points that go around their middle once";
+}
+
+#define PAINT(name, kinds, usage, make_, check_)                         \
+    {                                                                    \
+        name, kinds, usage, SCRIPT_PAINT, .check = check_, .make = make_ \
+    }
+#define OPTION(name, kinds, usage, member)               \
+    {                                                    \
+        name, kinds, usage, SCRIPT_STATE,                \
+            SCRIPT_SETTING(struct script_pen, member, 1) \
+    }
+
+const struct script_command script_paint_commands[] = {
+    PAINT("paint flat", "c", "COLOUR", make_flat, NULL),
+    {"paint vertex", "ccc", "COLOUR0 COLOUR1 COLOUR2",
+     .role = SCRIPT_PAINT_VERTEX},
+    PAINT("paint linear stops", "ppppwcwc*",
+          "X0 Y0 X1 Y1 AT COLOUR AT COLOUR ...", make_linear_stops,
+          check_linear_stops),
+    PAINT("paint linear", "ppcppc", "X0 Y0 COLOUR X1 Y1 COLOUR", make_linear,
+          check_linear),
+    PAINT("paint radial", "pplwcwc*", "CX CY R AT COLOUR AT COLOUR ...",
+          make_radial, check_radial),
+    PAINT("paint conic", "pptwcwc*", "CX CY TURN AT COLOUR AT COLOUR ...",
+          make_conic, check_conic),
+    PAINT("paint wheel", "pptbb", "CX CY TURN SATURATION VALUE", make_wheel,
+          NULL),
+    PAINT("paint fan", "ppcppcppc+", "X Y COLOUR X Y COLOUR X Y COLOUR ...",
+          make_fan, check_fan),
+    PAINT("paint texture map", "Ppppppppppppp",
+          "FILE X0 Y0 U0 V0 X1 Y1 U1 V1 X2 Y2 U2 V2", make_texture_map, NULL),
+    PAINT("paint texture", "Pii", "FILE X Y", make_texture, NULL),
+    OPTION("option spread", "o", "pad|repeat|reflect", spread),
+    OPTION("option phase", "t", "TURN", phase),
+    OPTION("option filter", "o", "nearest|bilinear", bilinear),
+    OPTION("option wrap", "o", "clamp|repeat|mirror", wrap),
+    OPTION("option dither", "o", "off|on", dither),
+    {.name = NULL},
+};

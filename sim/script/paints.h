@@ -1,4 +1,4 @@
-/* The paints of scripts. Only for script*.c. */
+/* The paints of scripts. Only for sim/script. */
 #ifndef SIM_SCRIPT_PAINTS_H
 #define SIM_SCRIPT_PAINTS_H
 
@@ -19,6 +19,7 @@ enum {
 /* Memory for one paint, which is made anew for every shape. */
 struct script_paints {
     union {
+        struct pel_flat flat;
         struct pel_linear linear;
         struct pel_radial radial;
         struct pel_conic conic;
@@ -30,13 +31,5 @@ struct script_paints {
     pel_color ramp[SCRIPT_RAMP_COLORS];
     struct pel_fan_triangle triangles[SCRIPT_FAN_POINTS_MAX];
 };
-
-/* The paint that the pen's values describe, in the pen's memory. */
-script_make_paint script_make_linear, script_make_linear_stops,
-    script_make_radial, script_make_conic, script_make_wheel, script_make_fan,
-    script_make_texture, script_make_texture_map;
-
-/* Do the pen's values describe a fan? */
-bool script_fan_legal(const struct script_pen *pen);
 
 #endif

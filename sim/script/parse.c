@@ -73,15 +73,14 @@ static bool split_words(struct script_parser *p, char *text)
             *text == '"' ? end_quote(text + 1) : text + strcspn(text, space);
         if (end && end - text > WORD_SIZE_MAX)
             return message_error_at(p->script->path, p->line,
-                                    "a word of %ld bytes; up to %d would be "
-                                    "right",
+                                    "a word of %ld bytes: expected up to %d",
                                     (long)(end - text), WORD_SIZE_MAX);
         if (!end || (*end && !strchr(space, *end))) {
             text[strcspn(text, "\r")] = '\0';
             return message_error_at(p->script->path, p->line,
-                                    "%.80s: a text ends with a quote and a "
-                                    "blank after it; in it, \\\" \\\\ and "
-                                    "\\n would be right",
+                                    "%.80s: expected a text that ends with a "
+                                    "quote and a blank after it, with \\\", "
+                                    "\\\\ and \\n in it",
                                     text);
         }
         if (!add_word(p, text))
@@ -92,28 +91,13 @@ static bool split_words(struct script_parser *p, char *text)
     return true;
 }
 
-/* How many words of the line are the command's name: all of it, or 0. */
-static size_t match_name(const struct script_parser *p, const char *name)
-{
-    size_t n = 0;
-    while (*name) {
-        const size_t length = strcspn(name, " ");
-        if (n == p->word_count || strlen(p->words[n]) != length ||
-            strncmp(p->words[n], name, length) != 0)
-            return 0;
-        name += length + (name[length] == ' ');
-        n++;
-    }
-    return n;
-}
-
 static const struct script_command *find_command(const struct script_parser *p,
                                                  size_t *name_words)
 {
     for (const struct script_command *const *t = script_tables; *t; t++) {
         for (const struct script_command *c = *t; c->name; c++) {
-            *name_words = match_name(p, c->name);
-            if (*name_words)
+            *name_words = script_common_words(p, c->name);
+            if (*name_words == script_name_words(c->name))
                 return c;
         }
     }
@@ -121,8 +105,8 @@ static const struct script_command *find_command(const struct script_parser *p,
     return NULL;
 }
 
-/* How many arguments a command needs, and in groups of how many more may
- * follow; 0 when none may. */
+/* The number of arguments that a command needs; more may follow in groups of
+ * *group, none when that is 0. */
 static size_t needed_of(const char *kinds, size_t *group)
 {
     const size_t n = strcspn(kinds, "*+");
@@ -146,10 +130,10 @@ static bool refuse_count(const struct script_place *at, size_t given)
                                        " or more, in threes"};
     size_t group;
     const size_t needed = needed_of(at->command->kinds, &group);
-    return message_error_at(
-        at->path, at->line, "%s takes %zu value%s%s, not %zu: %s %s",
-        at->command->name, needed, needed == 1 ? "" : "s", more[group], given,
-        at->command->name, at->command->usage);
+    return message_error_at(at->path, at->line,
+                            "%s: %zu values: expected %zu%s: %s %s",
+                            at->command->name, given, needed, more[group],
+                            at->command->name, at->command->usage);
 }
 
 /* Arguments from word `first` on. A word with # is a comment, unless a colour
@@ -181,17 +165,19 @@ static bool take_canvas(struct script_parser *p, const struct script_place *at,
     struct script *script = p->script;
     if (script->width)
         return message_error_at(at->path, at->line,
-                                "a second canvas: a script has one");
+                                "a second canvas: expected one");
     script->width = v[0];
     script->height = v[1];
     if (!script->format)
         script->format = format_names[v[2]].format;
     if (!picture_size_legal(v[0], v[1]))
         return message_error_at(at->path, at->line,
-                                "canvas: %d x %d pixels are too many: %d at "
-                                "most",
+                                "canvas: %d x %d pixels are too many: "
+                                "expected up to %d",
                                 v[0], v[1], PICTURE_PIXELS_MAX);
-    script_scene_init(&p->scene, v[0], v[1]);
+    p->scene = (struct script_scene){.settings = scene_default, .texture = -1};
+    p->scene.settings.camera.width = v[0];
+    p->scene.settings.camera.height = v[1];
     return true;
 }
 
@@ -202,8 +188,10 @@ static bool check_text(const struct script_parser *p,
     const struct script_assets *assets = at->assets;
     const char *c = assets->texts[text];
     if (!p->has_font)
-        return message_error_at(at->path, at->line,
-                                "text without a font: font FILE before it");
+        return message_error_at(
+            at->path, at->line,
+            "text without a font: expected font FILE before "
+            "it");
     while (*c) {
         const char *const from = c;
         const uint32_t code = pel_utf8_next(&c);
@@ -217,7 +205,7 @@ static bool check_text(const struct script_parser *p,
     return true;
 }
 
-/* What hangs together between lines: `v` are the values of this one. */
+/* Checks the line against those before it; `v` are its values. */
 static bool check_command(struct script_parser *p,
                           const struct script_place *at, const int32_t *v,
                           size_t n)
@@ -233,20 +221,21 @@ static bool check_command(struct script_parser *p,
         return false;
     if (c->role == SCRIPT_SCENE) {
         struct script_pen pen = {.scene = &p->scene, .assets = at->assets};
-        c->draw(&pen, v, n);
+        script_perform(&pen, c, v, n);
         if (pen.failed)
             return message_error_at(at->path, at->line,
-                                    "light %d: up to %d would be right",
+                                    "light %d: expected up to %d",
                                     SCENE_LIGHTS_MAX + 1, SCENE_LIGHTS_MAX);
     }
     if ((c->role == SCRIPT_SHAPE || c->role == SCRIPT_TEXT) && p->by_vertex)
         return message_error_at(at->path, at->line,
-                                "%s: paint vertex colours triangles; set "
+                                "%s: paint vertex colours triangles: expected "
                                 "another paint first",
                                 c->name);
     if (c->role == SCRIPT_BANDS && !canvas_bands_legal(p->script->format, v[0]))
         return message_error_at(at->path, at->line,
-                                "bands %d: mono1_pages needs a multiple of 8",
+                                "bands %d: expected a multiple of 8 for "
+                                "mono1_pages",
                                 v[0]);
     return true;
 }
@@ -259,8 +248,8 @@ static bool parse_command(struct script_parser *p,
     const bool is_canvas = at->command->role == SCRIPT_CANVAS;
     if (!is_canvas && !script->width)
         return message_error_at(at->path, at->line,
-                                "%s before the canvas: the first command must "
-                                "be canvas WIDTH HEIGHT FORMAT",
+                                "%s before the canvas: expected canvas WIDTH "
+                                "HEIGHT FORMAT first",
                                 at->command->name);
     if (!parse_arguments(p, at, name_words))
         return false;

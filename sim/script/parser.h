@@ -1,8 +1,8 @@
-/* Reading one line of a script after the other. Only for script*.c. */
+/* Reading one line of a script after the other. Only for sim/script. */
 #ifndef SIM_SCRIPT_PARSER_H
 #define SIM_SCRIPT_PARSER_H
 
-#include "sim/script/meshes.h"
+#include "sim/script/assets.h"
 
 struct script_parser {
     struct script *script;
@@ -17,6 +17,11 @@ struct script_parser {
 /* Adds what the line says to the script. Cuts `text` into words. False, with a
  * message, when it is not right. */
 bool script_parse_line(struct script_parser *parser, char *text);
+
+/* Words of a command's name, and how many of them the line begins with. */
+size_t script_name_words(const char *name);
+size_t script_common_words(const struct script_parser *parser,
+                           const char *name);
 
 /* Says that no command has the name of this line, and which one may have been
  * meant, or which ones there are. False. */

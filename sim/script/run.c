@@ -1,80 +1,33 @@
 /* pel run: draws a script. */
 
-#include <errno.h>
-
 #include "sim/cli/arguments.h"
 #include "sim/cli/commands.h"
 #include "sim/cli/device.h"
-#include "sim/cli/message.h"
-#include "sim/cli/option_text.h"
 #include "sim/script/script.h"
 
 struct run_options {
     struct device_options device;
-    const char *script, *output;
+    const char *output;
     const struct pel_format *format; /* NULL: the script's */
     int bands;                       /* -1: the script's */
 };
 
-enum { OPTION_BANDS = 0x100, OPTION_FORMAT };
-
-static const struct argp_option options[] = {
-    {"output", 'o', "FILE", 0,
-     "the picture: .ppm, .png or .bmp; standard output when left out", 0},
-    {"bands", OPTION_BANDS, "ROWS", 0,
-     "draw in bands of so many rows (0: whole), whatever the script says", 0},
-    {"format", OPTION_FORMAT, "NAME", 0,
-     "draw in this pixel format, whatever the script says", 0},
-    {0},
+static const struct option_row options[] = {
+    {"bands", "ROWS",
+     "draw in bands of so many rows (0: whole), whatever the script says",
+     OPTION_INTEGER, .offset = offsetof(struct run_options, bands), .low = 0,
+     .high = 32767},
+    {"format", "NAME", "draw in this pixel format, whatever the script says",
+     OPTION_FORMAT, .offset = offsetof(struct run_options, format)},
+    {.help = NULL},
 };
 
-static bool parse_script(const char *text, struct run_options *o)
-{
-    if (o->script)
-        return message_error("one script only, not %s too", text);
-    o->script = text;
-    return true;
-}
-
-static error_t parse_option(int key, char *text, struct argp_state *state)
-{
-    struct run_options *o = state->input;
-    switch (key) {
-    case ARGP_KEY_INIT:
-        state->child_inputs[0] = &o->device;
-        return 0;
-    case 'o':
-        o->output = text;
-        return 0;
-    case OPTION_BANDS:
-        return option_integer("--bands", text, 0, 32767, &o->bands) ? 0
-                                                                    : EINVAL;
-    case OPTION_FORMAT:
-        return option_format(text, &o->format) ? 0 : EINVAL;
-    case ARGP_KEY_ARG:
-        return parse_script(text, o) ? 0 : EINVAL;
-    case ARGP_KEY_NO_ARGS:
-        message_error("a script is missing; - is standard input");
-        return EINVAL;
-    default:
-        return ARGP_ERR_UNKNOWN;
-    }
-}
-
-static const struct argp_child children[] = {{&device_argp, 0, NULL, 0}, {0}};
-
-static const struct argp parser = {
-    options,
-    parse_option,
-    "SCRIPT",
+static const char about[] =
     "Draws a script into a picture.\v"
     "A script holds one command a line: canvas WIDTH HEIGHT FORMAT first, then "
     "clear, clip, paint, shapes from triangle to arc, outline, text, image, "
-    "scroll, mesh and others: sim/scenes/README.md describes them.",
-    children,
-    NULL,
-    NULL,
-};
+    "scroll, mesh and others: sim/scenes/README.md describes them. SCRIPT - is "
+    "standard input; the picture goes to standard output without -o.";
 
 struct drawing {
     struct script *script;
@@ -104,10 +57,18 @@ int command_run(int argc, char **argv)
 {
     struct run_options o = {.device = {.jobs = 1}, .output = "-", .bands = -1};
     struct script script;
-    arguments_parse(&parser, argc, argv, &o);
+    const struct command_line line = {
+        .arguments = "SCRIPT",
+        .least = 1,
+        .most = 1,
+        .about = about,
+        .tables = {{output_option_table, &o.output, NULL},
+                   {options, &o, NULL},
+                   {device_option_table, &o.device, NULL}}};
+    char **script_path = arguments_parse(&line, argc, argv);
     if (!picture_path_check(o.output) ||
         !device_check_output(&o.device, o.output) ||
-        !script_load(&script, o.script, o.format))
+        !script_load(&script, *script_path, o.format))
         return STATUS_ERROR;
     if (script_needs_whole(&script))
         o.device.jobs = 1;

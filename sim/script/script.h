@@ -38,8 +38,8 @@ bool script_load(struct script *script, const char *path,
 
 void script_free(struct script *script);
 
-/* Does it move pixels that have been drawn? Then it cannot be drawn in bands or
- * by several threads. */
+/* True when it moves pixels that have been drawn: it cannot be drawn in bands
+ * or by several threads. */
 bool script_needs_whole(const struct script *script);
 
 /* Draws the script onto a canvas of its size and format. rows >= 0 replaces

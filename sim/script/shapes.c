@@ -1,35 +1,46 @@
+/* The canvas, shapes and what clips and bands them. */
 #include "core/outline/outline.h"
 #include "core/raster/thick_line.h"
 #include "core/round/arc.h"
 #include "core/round/ring.h"
 #include "sim/script/commands.h"
 
-static struct pel_point point(const int32_t *v)
+/* A pel_point is two int32_t, and so is each pair of coordinates. */
+static const struct pel_point *points(const int32_t *v)
 {
-    return (struct pel_point){v[0], v[1]};
+    return (const struct pel_point *)(const void *)v;
+}
+
+static struct pel_point far_corner(const int32_t *v)
+{
+    return (struct pel_point){v[0] + v[2], v[1] + v[3]};
 }
 
 static struct pel_sector_shape sector(const int32_t *v)
 {
-    return (struct pel_sector_shape){point(v), v[2], v[3], v[4]};
+    return (struct pel_sector_shape){*points(v), v[2], v[3], v[4]};
 }
 
 static struct pel_ellipse_shape ellipse(const int32_t *v)
 {
-    return (struct pel_ellipse_shape){point(v), point(v + 2)};
+    return (struct pel_ellipse_shape){points(v)[0], points(v)[1]};
 }
 
 static struct pel_rounded_shape rounded(const int32_t *v)
 {
-    const struct pel_point to = {v[0] + v[2], v[1] + v[3]};
-    return (struct pel_rounded_shape){point(v), to, v[4]};
+    return (struct pel_rounded_shape){*points(v), far_corner(v), v[4]};
+}
+
+static struct pel_thick_line_shape thick_line(const int32_t *v)
+{
+    return (struct pel_thick_line_shape){points(v)[0], points(v)[1], v[4]};
 }
 
 static const char *check_rect(const int32_t *v, size_t n)
 {
     (void)n;
     if (v[0] + v[2] > PEL_COORDINATE_MAX || v[1] + v[3] > PEL_COORDINATE_MAX)
-        return "the right and the bottom side must lie below 32768";
+        return "expected a right and a bottom side below 32768";
     return NULL;
 }
 
@@ -56,141 +67,195 @@ static const char *check_arc(const int32_t *v, size_t n)
 static const char *check_thick(const int32_t *v, size_t n)
 {
     (void)n;
-    const struct pel_thick_line_shape line = {point(v), point(v + 2), v[4]};
+    const struct pel_thick_line_shape line = thick_line(v);
     struct pel_point corner[4];
     return pel_thick_line_corners(&line, corner)
                ? NULL
-               : "the ends must keep half the width from -32768 and 32768";
+               : "expected ends half the width away from -32768 and 32768";
 }
 
-static void draw_ring(struct script_pen *pen, const int32_t *v, size_t n)
+static void draw_clear(struct script_pen *pen, const int32_t *v)
 {
-    const struct pel_ring_shape ring = {point(v), v[2], v[3]};
-    (void)n;
+    pel_clear(pen->surface, (pel_color)v[0]);
+}
+
+static void set_clip(struct script_pen *pen, const int32_t *v)
+{
+    pen->clip = (struct pel_rect){v[0], v[1], v[0] + v[2], v[1] + v[3]};
+    pel_surface_clip(pen->surface, &pen->clip);
+}
+
+static void draw_triangle(struct script_pen *pen, const int32_t *v)
+{
+    struct pel_gouraud gouraud;
+    const struct pel_paint *paint;
+    if (pen->make) {
+        paint = script_paint(pen);
+    } else {
+        const pel_color color[3] = {(pel_color)pen->values[0],
+                                    (pel_color)pen->values[1],
+                                    (pel_color)pen->values[2]};
+        pel_gouraud_init(&gouraud, points(v), color);
+        paint = script_dithered(pen, &gouraud.paint);
+    }
+    if (pen->collinear_line)
+        pel_triangle_or_line(pen->surface, points(v), paint);
+    else
+        pel_triangle(pen->surface, points(v), paint);
+}
+
+/* Cannot fail: vertices and scratch memory were checked before. */
+static void draw_polygon(struct script_pen *pen, const int32_t *v,
+                         enum pel_fill_rule rule, bool outline)
+{
+    const struct pel_polygon_shape shape = {points(v),
+                                            (int32_t)(pen->count / 2), rule};
+    (outline ? pel_polygon_outline
+             : pel_polygon)(pen->surface, &shape, script_paint(pen),
+                            pen->scratch, pen->scratch_size);
+}
+
+static void draw_evenodd(struct script_pen *pen, const int32_t *v)
+{
+    draw_polygon(pen, v, PEL_EVEN_ODD, false);
+}
+
+static void draw_nonzero(struct script_pen *pen, const int32_t *v)
+{
+    draw_polygon(pen, v, PEL_NON_ZERO, false);
+}
+
+static void outline_evenodd(struct script_pen *pen, const int32_t *v)
+{
+    draw_polygon(pen, v, PEL_EVEN_ODD, true);
+}
+
+static void outline_nonzero(struct script_pen *pen, const int32_t *v)
+{
+    draw_polygon(pen, v, PEL_NON_ZERO, true);
+}
+
+static void draw_circle(struct script_pen *pen, const int32_t *v)
+{
+    pel_circle(pen->surface, *points(v), v[2], script_paint(pen));
+}
+
+static void draw_rect(struct script_pen *pen, const int32_t *v)
+{
+    pel_rectangle(pen->surface, *points(v), far_corner(v), script_paint(pen));
+}
+
+static void draw_line(struct script_pen *pen, const int32_t *v)
+{
+    pel_line(pen->surface, points(v)[0], points(v)[1], script_paint(pen));
+}
+
+static void draw_ring(struct script_pen *pen, const int32_t *v)
+{
+    const struct pel_ring_shape ring = {*points(v), v[2], v[3]};
     pel_ring(pen->surface, &ring, script_paint(pen));
 }
 
-static void draw_sector(struct script_pen *pen, const int32_t *v, size_t n)
+static void draw_sector(struct script_pen *pen, const int32_t *v)
 {
-    const struct pel_sector_shape s = sector(v);
-    (void)n;
-    pel_sector(pen->surface, &s, script_paint(pen));
+    const struct pel_sector_shape shape = sector(v);
+    pel_sector(pen->surface, &shape, script_paint(pen));
 }
 
-static void draw_arc(struct script_pen *pen, const int32_t *v, size_t n)
+static void draw_arc(struct script_pen *pen, const int32_t *v)
 {
-    const struct pel_arc_shape arc = {point(v), v[2], v[3], v[4], v[5]};
-    (void)n;
+    const struct pel_arc_shape arc = {*points(v), v[2], v[3], v[4], v[5]};
     pel_arc(pen->surface, &arc, script_paint(pen));
 }
 
-static void draw_ellipse(struct script_pen *pen, const int32_t *v, size_t n)
+static void draw_ellipse(struct script_pen *pen, const int32_t *v)
 {
-    const struct pel_ellipse_shape e = ellipse(v);
-    (void)n;
-    pel_ellipse(pen->surface, &e, script_paint(pen));
+    const struct pel_ellipse_shape shape = ellipse(v);
+    pel_ellipse(pen->surface, &shape, script_paint(pen));
 }
 
-static void draw_rounded(struct script_pen *pen, const int32_t *v, size_t n)
+static void draw_rounded(struct script_pen *pen, const int32_t *v)
 {
-    const struct pel_rounded_shape r = rounded(v);
-    (void)n;
-    pel_rounded_rectangle(pen->surface, &r, script_paint(pen));
+    const struct pel_rounded_shape shape = rounded(v);
+    pel_rounded_rectangle(pen->surface, &shape, script_paint(pen));
 }
 
-static void draw_thick(struct script_pen *pen, const int32_t *v, size_t n)
+static void draw_thick(struct script_pen *pen, const int32_t *v)
 {
-    const struct pel_thick_line_shape line = {point(v), point(v + 2), v[4]};
-    (void)n;
+    const struct pel_thick_line_shape line = thick_line(v);
     pel_thick_line(pen->surface, &line, script_paint(pen));
 }
 
-static void outline_triangle(struct script_pen *pen, const int32_t *v, size_t n)
+static void outline_triangle(struct script_pen *pen, const int32_t *v)
 {
-    const struct pel_point p[3] = {point(v), point(v + 2), point(v + 4)};
-    (void)n;
-    pel_triangle_outline(pen->surface, p, script_paint(pen));
+    pel_triangle_outline(pen->surface, points(v), script_paint(pen));
 }
 
-static void outline_rect(struct script_pen *pen, const int32_t *v, size_t n)
+static void outline_rect(struct script_pen *pen, const int32_t *v)
 {
-    const struct pel_point to = {v[0] + v[2], v[1] + v[3]};
-    (void)n;
-    pel_rectangle_outline(pen->surface, point(v), to, script_paint(pen));
+    pel_rectangle_outline(pen->surface, *points(v), far_corner(v),
+                          script_paint(pen));
 }
 
-static void outline_rounded(struct script_pen *pen, const int32_t *v, size_t n)
+static void outline_rounded(struct script_pen *pen, const int32_t *v)
 {
-    const struct pel_rounded_shape r = rounded(v);
-    (void)n;
-    pel_rounded_rectangle_outline(pen->surface, &r, script_paint(pen));
+    const struct pel_rounded_shape shape = rounded(v);
+    pel_rounded_rectangle_outline(pen->surface, &shape, script_paint(pen));
 }
 
-static void outline_circle(struct script_pen *pen, const int32_t *v, size_t n)
+static void outline_circle(struct script_pen *pen, const int32_t *v)
 {
-    (void)n;
-    pel_circle_outline(pen->surface, point(v), v[2], script_paint(pen));
+    pel_circle_outline(pen->surface, *points(v), v[2], script_paint(pen));
 }
 
-static void outline_ellipse(struct script_pen *pen, const int32_t *v, size_t n)
+static void outline_ellipse(struct script_pen *pen, const int32_t *v)
 {
-    const struct pel_ellipse_shape e = ellipse(v);
-    (void)n;
-    pel_ellipse_outline(pen->surface, &e, script_paint(pen));
+    const struct pel_ellipse_shape shape = ellipse(v);
+    pel_ellipse_outline(pen->surface, &shape, script_paint(pen));
 }
 
-static void outline_arc(struct script_pen *pen, const int32_t *v, size_t n)
+static void outline_arc(struct script_pen *pen, const int32_t *v)
 {
-    const struct pel_sector_shape s = sector(v);
-    (void)n;
-    pel_arc_outline(pen->surface, &s, script_paint(pen));
+    const struct pel_sector_shape shape = sector(v);
+    pel_arc_outline(pen->surface, &shape, script_paint(pen));
 }
 
-static void outline_polygon(struct script_pen *pen, const int32_t *v, size_t n,
-                            enum pel_fill_rule rule)
-{
-    /* A pel_point is two int32_t, and so is each pair of coordinates. */
-    const struct pel_polygon_shape outline = {
-        (const struct pel_point *)(const void *)v, (int32_t)(n / 2), rule};
-    pel_polygon_outline(pen->surface, &outline, script_paint(pen), pen->scratch,
-                        pen->scratch_size);
-}
-
-static void outline_evenodd(struct script_pen *pen, const int32_t *v, size_t n)
-{
-    outline_polygon(pen, v, n, PEL_EVEN_ODD);
-}
-
-static void outline_nonzero(struct script_pen *pen, const int32_t *v, size_t n)
-{
-    outline_polygon(pen, v, n, PEL_NON_ZERO);
-}
+#define SHAPE(name, kinds, usage, draw_, check_)                         \
+    {                                                                    \
+        name, kinds, usage, SCRIPT_SHAPE, .draw = draw_, .check = check_ \
+    }
 
 const struct script_command script_shapes[] = {
-    {"ring", "ppll", "CX CY INNER OUTER", SCRIPT_SHAPE, draw_ring, NULL},
-    {"sector", "ppltt", "CX CY R FROM TO", SCRIPT_SHAPE, draw_sector,
-     check_sector},
-    {"arc", "pplltt", "CX CY INNER OUTER FROM TO", SCRIPT_SHAPE, draw_arc,
-     check_arc},
-    {"ellipse", "ppll", "CX CY RX RY", SCRIPT_SHAPE, draw_ellipse, NULL},
-    {"roundrect", "pplll", "X Y WIDTH HEIGHT R", SCRIPT_SHAPE, draw_rounded,
-     check_rect},
-    {"thickline", "ppppl", "X0 Y0 X1 Y1 WIDTH", SCRIPT_SHAPE, draw_thick,
-     check_thick},
-    {"outline triangle", "pppppp", "X0 Y0 X1 Y1 X2 Y2", SCRIPT_SHAPE,
-     outline_triangle, NULL},
-    {"outline rect", "ppll", "X Y WIDTH HEIGHT", SCRIPT_SHAPE, outline_rect,
-     check_rect},
-    {"outline roundrect", "pplll", "X Y WIDTH HEIGHT R", SCRIPT_SHAPE,
-     outline_rounded, check_rect},
-    {"outline circle", "ppl", "CX CY R", SCRIPT_SHAPE, outline_circle, NULL},
-    {"outline ellipse", "ppll", "CX CY RX RY", SCRIPT_SHAPE, outline_ellipse,
-     NULL},
-    {"outline arc", "ppltt", "CX CY R FROM TO", SCRIPT_SHAPE, outline_arc,
-     check_sector},
-    {"outline polygon evenodd", "pppppp*", "X Y X Y X Y ...", SCRIPT_SHAPE,
-     outline_evenodd, NULL},
-    {"outline polygon nonzero", "pppppp*", "X Y X Y X Y ...", SCRIPT_SHAPE,
-     outline_nonzero, NULL},
-    {NULL, NULL, NULL, SCRIPT_STATE, NULL, NULL},
+    {"canvas", "ssf", "WIDTH HEIGHT FORMAT", .role = SCRIPT_CANVAS},
+    {"clear", "c", "COLOUR", SCRIPT_STATE, .draw = draw_clear},
+    {"clip", "iinn", "X Y WIDTH HEIGHT", SCRIPT_STATE, .draw = set_clip},
+    {"bands", "n", "ROWS", .role = SCRIPT_BANDS},
+    {"option collinear", "o", "nothing|line", SCRIPT_STATE,
+     SCRIPT_SETTING(struct script_pen, collinear_line, 1)},
+    {"triangle", "pppppp", "X0 Y0 X1 Y1 X2 Y2", SCRIPT_TRIANGLE,
+     .draw = draw_triangle},
+    SHAPE("polygon evenodd", "pppppp*", "X Y X Y X Y ...", draw_evenodd, NULL),
+    SHAPE("polygon nonzero", "pppppp*", "X Y X Y X Y ...", draw_nonzero, NULL),
+    SHAPE("circle", "ppl", "CX CY R", draw_circle, NULL),
+    SHAPE("rect", "ppll", "X Y WIDTH HEIGHT", draw_rect, check_rect),
+    SHAPE("line", "pppp", "X0 Y0 X1 Y1", draw_line, NULL),
+    SHAPE("ring", "ppll", "CX CY INNER OUTER", draw_ring, NULL),
+    SHAPE("sector", "ppltt", "CX CY R FROM TO", draw_sector, check_sector),
+    SHAPE("arc", "pplltt", "CX CY INNER OUTER FROM TO", draw_arc, check_arc),
+    SHAPE("ellipse", "ppll", "CX CY RX RY", draw_ellipse, NULL),
+    SHAPE("roundrect", "pplll", "X Y WIDTH HEIGHT R", draw_rounded, check_rect),
+    SHAPE("thickline", "ppppl", "X0 Y0 X1 Y1 WIDTH", draw_thick, check_thick),
+    SHAPE("outline triangle", "pppppp", "X0 Y0 X1 Y1 X2 Y2", outline_triangle,
+          NULL),
+    SHAPE("outline rect", "ppll", "X Y WIDTH HEIGHT", outline_rect, check_rect),
+    SHAPE("outline roundrect", "pplll", "X Y WIDTH HEIGHT R", outline_rounded,
+          check_rect),
+    SHAPE("outline circle", "ppl", "CX CY R", outline_circle, NULL),
+    SHAPE("outline ellipse", "ppll", "CX CY RX RY", outline_ellipse, NULL),
+    SHAPE("outline arc", "ppltt", "CX CY R FROM TO", outline_arc, check_sector),
+    SHAPE("outline polygon evenodd", "pppppp*", "X Y X Y X Y ...",
+          outline_evenodd, NULL),
+    SHAPE("outline polygon nonzero", "pppppp*", "X Y X Y X Y ...",
+          outline_nonzero, NULL),
+    {.name = NULL},
 };

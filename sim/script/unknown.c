@@ -1,5 +1,6 @@
 /* Messages for commands that do not exist. */
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "sim/cli/message.h"
@@ -19,7 +20,7 @@ static void join_words(const struct script_parser *p, size_t n,
                                    "%s%s", i ? " " : "", p->words[i]);
 }
 
-static size_t words_of(const char *name)
+size_t script_name_words(const char *name)
 {
     size_t n = 1;
     for (; *name; name++)
@@ -58,7 +59,7 @@ static const struct script_command *guess(const struct script_parser *p)
     for (const struct script_command *const *t = script_tables; *t; t++) {
         for (const struct script_command *c = *t; c->name; c++) {
             char given[NAME_MAX_SIZE];
-            join_words(p, words_of(c->name), given);
+            join_words(p, script_name_words(c->name), given);
             const int d = distance(given, c->name);
             if (d < least && 2 * d < (int)strlen(c->name)) {
                 least = d;
@@ -69,8 +70,7 @@ static const struct script_command *guess(const struct script_parser *p)
     return best;
 }
 
-/* How many of the line's words begin this name. */
-static size_t common_words(const struct script_parser *p, const char *name)
+size_t script_common_words(const struct script_parser *p, const char *name)
 {
     size_t n = 0;
     while (*name && n < p->word_count) {
@@ -84,27 +84,7 @@ static size_t common_words(const struct script_parser *p, const char *name)
     return n;
 }
 
-/* The names of commands, in lines when one is too short for them. */
-struct name_list {
-    size_t length, column;
-    char text[3072];
-};
-
-static void add_name(struct name_list *list, const char *name, size_t size)
-{
-    const bool wrap = list->column + 2 + size + 1 > COLUMNS;
-    const size_t room = sizeof list->text - list->length;
-    const int n = snprintf(list->text + list->length, room, "%s%s%.*s",
-                           list->length ? "," : "",
-                           wrap           ? "\n    "
-                           : list->length ? " "
-                                          : "",
-                           (int)size, name);
-    list->length += (size_t)n < room ? (size_t)n : room - 1;
-    list->column = wrap ? 4 + size : list->column + 2 + size;
-}
-
-/* Has no command before this one the same first word? */
+/* True when no command before this one has the same first word. */
 static bool is_first(const struct script_command *command)
 {
     const size_t size = strcspn(command->name, " ");
@@ -118,15 +98,21 @@ static bool is_first(const struct script_command *command)
 
 /* The commands that begin with the line's first `common` words; when that is
  * none, the first words of all. */
-static void add_names(const struct script_parser *p, size_t common,
-                      struct name_list *list)
+static void print_names(FILE *out, const struct script_parser *p, size_t common)
 {
+    size_t column = COLUMNS / 2; /* about where the message has come */
     for (const struct script_command *const *t = script_tables; *t; t++)
-        for (const struct script_command *c = *t; c->name; c++)
-            if (common == 0 && is_first(c))
-                add_name(list, c->name, strcspn(c->name, " "));
-            else if (common > 0 && common_words(p, c->name) >= common)
-                add_name(list, c->name, strlen(c->name));
+        for (const struct script_command *c = *t; c->name; c++) {
+            const size_t size =
+                common ? strlen(c->name) : strcspn(c->name, " ");
+            if (common ? script_common_words(p, c->name) < common
+                       : !is_first(c))
+                continue;
+            const bool wrap = column + size + 3 > COLUMNS;
+            fprintf(out, "%s%s%.*s", ftell(out) ? "," : "",
+                    wrap ? "\n    " : " ", (int)size, c->name);
+            column = (wrap ? 4 : column + 2) + size;
+        }
 }
 
 static size_t most_common_words(const struct script_parser *p)
@@ -134,7 +120,7 @@ static size_t most_common_words(const struct script_parser *p)
     size_t most = 0;
     for (const struct script_command *const *t = script_tables; *t; t++) {
         for (const struct script_command *c = *t; c->name; c++) {
-            const size_t n = common_words(p, c->name);
+            const size_t n = script_common_words(p, c->name);
             most = n > most ? n : most;
         }
     }
@@ -145,17 +131,20 @@ bool script_refuse_unknown(const struct script_parser *p)
 {
     const size_t common = most_common_words(p);
     const struct script_command *meant = guess(p);
-    struct name_list list = {.column = COLUMNS};
-    char given[NAME_MAX_SIZE];
+    char given[NAME_MAX_SIZE], *names = NULL;
+    size_t size;
     join_words(p, common + 1, given);
     if (meant)
         return message_error_at(p->script->path, p->line,
                                 "unknown command %s; did you mean %s?", given,
                                 meant->name);
-    add_names(p, common, &list);
-    const bool is_line = !strchr(list.text + 1, '\n');
-    return message_error_at(
-        p->script->path, p->line, "unknown command %s: valid are%s%s", given,
-        is_line ? " " : "",
-        list.text + (is_line ? strspn(list.text, "\n ") : 0));
+    FILE *out = open_memstream(&names, &size);
+    if (out) {
+        print_names(out, p, common);
+        fclose(out);
+    }
+    message_error_at(p->script->path, p->line, "unknown command %s: expected%s",
+                     given, names ? names : " another");
+    free(names);
+    return false;
 }

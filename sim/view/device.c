@@ -1,7 +1,7 @@
 /* pel view on a framebuffer or DRM device. */
 #include <stdio.h>
 
-#include "sim/view/displays.h"
+#include "sim/view/viewer.h"
 
 enum { IDLE_MS = 50 };
 
@@ -47,7 +47,8 @@ static bool press(struct screen *s, const char *bytes, size_t count)
     return true;
 }
 
-/* What has come; when there is nothing to draw, what comes in a moment. Input
+/* Handles the keys that have come; waits a moment for one when there is nothing
+ * to draw. Input
  * that has ended ends the view, but not when frames are counted. */
 static bool handle(struct screen *s)
 {
@@ -96,30 +97,17 @@ static void place(struct screen *s, struct camera *camera)
     s->area.y1 = pel_min(s->area.y0 + camera->height, screen->y1);
 }
 
-static bool run_viewer(struct screen *s, const struct view_job *job)
-{
-    struct pel_pool pool;
-    struct scene_settings settings = *job->settings;
-    place(s, &settings.camera);
-    const bool ready =
-        viewer_init(&s->viewer, job->model, &settings, job->options);
-    pel_pool_start(&pool, view_jobs(job->device->jobs));
-    s->viewer.pool = &pool;
-    const bool done = ready && run(s);
-    pel_pool_end(&pool);
-    viewer_free(&s->viewer);
-    return done;
-}
-
-/* What is printed is read when the console is back. */
+/* Prints after the console is back, where it can be read. */
 bool view_device(const struct view_job *job)
 {
     struct screen s = {.area = {0, 0, 0, 0}};
+    struct scene_settings settings = *job->settings;
     char title[VIEWER_TITLE_SIZE];
     if (!device_open(&s.linux, job->device, PEL_FB_ANY))
         return false;
-    view_tell_keys(job->options);
-    const bool done = run_viewer(&s, job);
+    place(&s, &settings.camera);
+    const bool done = viewer_init(&s.viewer, job, &settings) && run(&s);
+    viewer_free(&s.viewer);
     pel_display_linux_close(&s.linux);
     if (done) {
         viewer_title(&s.viewer, title);

@@ -2,74 +2,48 @@
 
 #include <string.h>
 
-/* Of one press: turns, and a factor. */
+/* One press turns by ARROW turns or comes closer by the factor CLOSER. */
 #define ARROW (1.0 / 48)
 #define CLOSER 1.125
 
-const char view_keys_help[] =
-    "  arrows, mouse drag  turn\n"
-    "  + -, mouse wheel    closer, farther\n"
-    "  space               stop or start the turning\n"
-    "  f g p               shading: flat, Gouraud, Phong\n"
-    "  t                   texture: none, nearest, bilinear\n"
-    "  l                   light on or off (Phong has it always)\n"
-    "  1 to 9              that light on or off\n"
-    "  a d s               ambient, diffuse, specular light on or off\n"
-    "  z                   painter's order or z-buffer\n"
-    "  r                   back to the start\n"
-    "  w                   write the picture to a file\n"
-    "  q, Escape           end\n";
-
+/* Keys that turn the model right and up, and come closer. `=' is the key of `+'
+ * without shift. */
 static enum view_action move(struct view *view, int key)
 {
-    switch (key) {
-    case VIEW_KEY_LEFT:
-        view_orbit(view, -ARROW, 0);
-        break;
-    case VIEW_KEY_RIGHT:
-        view_orbit(view, ARROW, 0);
-        break;
-    case VIEW_KEY_UP:
-        view_orbit(view, 0, -ARROW);
-        break;
-    case VIEW_KEY_DOWN:
-        view_orbit(view, 0, ARROW);
-        break;
-    case '+':
-    case '=': /* the same key without shift */
-        view_zoom(view, CLOSER);
-        break;
-    case '-':
-        view_zoom(view, 1 / CLOSER);
-        break;
-    case ' ':
+    static const struct {
+        int key;
+        double right, up, closer;
+    } moves[] = {
+        {VIEW_KEY_LEFT, -ARROW, 0, 1}, {VIEW_KEY_RIGHT, ARROW, 0, 1},
+        {VIEW_KEY_UP, 0, -ARROW, 1},   {VIEW_KEY_DOWN, 0, ARROW, 1},
+        {'+', 0, 0, CLOSER},           {'=', 0, 0, CLOSER},
+        {'-', 0, 0, 1 / CLOSER},
+    };
+    if (key == ' ') {
         view->turning = !view->turning;
-        break;
-    default:
-        return VIEW_NOTHING;
+        return VIEW_CHANGED;
     }
-    return VIEW_CHANGED;
+    for (size_t i = 0; i < sizeof(moves) / sizeof(moves[0]); i++)
+        if (moves[i].key == key) {
+            view_orbit(view, moves[i].right, moves[i].up);
+            view_zoom(view, moves[i].closer);
+            return VIEW_CHANGED;
+        }
+    return VIEW_NOTHING;
 }
 
-static void shade(struct scene_settings *s, enum scene_shade shade)
-{
-    s->shade = shade;
-    if (shade == SCENE_PHONG && s->lit == SCENE_UNLIT)
-        s->lit = SCENE_LIT_AUTO;
-}
-
-static enum view_action look(struct view *view, int key)
+static enum view_action change_appearance(struct view *view, int key)
 {
     struct scene_settings *s = &view->settings;
     switch (key) {
     case 'f':
-        shade(s, SCENE_FLAT);
-        break;
     case 'g':
-        shade(s, SCENE_GOURAUD);
-        break;
     case 'p':
-        shade(s, SCENE_PHONG);
+        s->shade = key == 'f'   ? SCENE_FLAT
+                   : key == 'g' ? SCENE_GOURAUD
+                                : SCENE_PHONG;
+        if (key == 'p' && s->lit == SCENE_UNLIT)
+            s->lit = SCENE_LIT_AUTO;
         break;
     case 't':
         s->texture = (enum scene_texture)((s->texture + 1) % 3);
@@ -117,7 +91,7 @@ enum view_action view_key(struct view *view, int key)
         return VIEW_SAVE;
     enum view_action action = move(view, key);
     if (action == VIEW_NOTHING)
-        action = look(view, key);
+        action = change_appearance(view, key);
     return action == VIEW_NOTHING ? light(view, key) : action;
 }
 

@@ -22,7 +22,19 @@ enum view_action {
 };
 
 /* The keys and what they do, a line each. */
-extern const char view_keys_help[];
+#define VIEW_KEYS_HELP                                                   \
+    "  arrows, mouse drag  turn\n"                                       \
+    "  + -, mouse wheel    closer, farther\n"                            \
+    "  space               stop or start the turning\n"                  \
+    "  f g p               shading: flat, Gouraud, Phong\n"              \
+    "  t                   texture: none, nearest, bilinear\n"           \
+    "  l                   light on or off (Phong has it always)\n"      \
+    "  1 to 9              that light on or off\n"                       \
+    "  a d s               ambient, diffuse, specular light on or off\n" \
+    "  z                   painter's order or z-buffer\n"                \
+    "  r                   back to the start\n"                          \
+    "  w                   write the picture to a file\n"                \
+    "  q, Escape           end\n"
 
 /* Changes the view as the key says. A key of light on a view that has none
  * brings the light, all of it that is not switched off. */

@@ -1,6 +1,6 @@
-/* What pel view shows at a moment: settings as they were given, and what the
- * user has changed since. No input, no output: keys, mouse and clock are told
- * by calls. */
+/* The picture of pel view at a moment: settings as they were given, and changes
+ * by the user since. No input, no output: calls say what keys, mouse and clock
+ * do. */
 #ifndef SIM_VIEW_VIEW_H
 #define SIM_VIEW_VIEW_H
 

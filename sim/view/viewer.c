@@ -11,22 +11,24 @@
 
 static const double turns_per_ms = 1.0 / 10000;
 
-bool viewer_init(struct viewer *viewer, const struct model *model,
-                 const struct scene_settings *settings,
-                 const struct viewer_options *options)
+bool viewer_init(struct viewer *viewer, const struct view_job *job,
+                 const struct scene_settings *settings)
 {
+    const int jobs = job->device->jobs;
     memset(viewer, 0, sizeof(*viewer));
-    viewer->model = model;
-    viewer->options = options;
-    if (!view_init(&viewer->view, settings, model))
+    pel_pool_start(&viewer->pool, jobs > 0 ? jobs : pel_pool_processors());
+    viewer->model = job->model;
+    viewer->options = job->options;
+    if (!view_init(&viewer->view, settings, job->model))
         return false;
-    viewer->view.turning = !options->still;
+    viewer->view.turning = !job->options->still;
     viewer->stale = true;
-    return scene_init(&viewer->scene, model);
+    return scene_init(&viewer->scene, job->model);
 }
 
 void viewer_free(struct viewer *viewer)
 {
+    pel_pool_end(&viewer->pool);
     scene_free(&viewer->scene);
 }
 
@@ -44,7 +46,7 @@ bool viewer_is_over(const struct viewer *viewer)
     return viewer->over || (frames > 0 && viewer->drawn >= frames);
 }
 
-/* Once a second. */
+/* Measures once a second. True when it did. */
 static bool measure(struct viewer *viewer, double now)
 {
     const double passed = now - viewer->rate.since;
@@ -64,6 +66,8 @@ bool viewer_advance(struct viewer *viewer)
 {
     const double now = milliseconds();
     const struct viewer_options *options = viewer->options;
+    if (viewer->begun == 0 && options->frames == 0)
+        fputs(VIEW_KEYS_HELP, stderr);
     if (viewer->drawn == 0) {
         viewer->begun = viewer->last = viewer->rate.since = now;
         return false;
@@ -107,7 +111,7 @@ bool viewer_draw(struct viewer *viewer, const struct pel_surface *surface)
     viewer->view.lit = has_light(&viewer->scene);
     struct canvas canvas = {.surface = *surface};
     const bool done =
-        device_draw_bands(viewer->pool, &canvas, draw_band, viewer);
+        device_draw_bands(&viewer->pool, &canvas, draw_band, viewer);
     viewer->drawing += milliseconds() - start;
     return done;
 }
@@ -143,7 +147,8 @@ bool viewer_save_new(const struct pel_surface *surface)
             return save(surface, path) &&
                    fprintf(stderr, "written: %s\n", path) > 0;
     }
-    return message_error("view-001 to view-999 are there already");
+    return message_error("view-001 to view-999 are there already: expected a "
+                         "free name");
 }
 
 static void put_speed(const struct viewer *viewer, char text[48])
@@ -159,7 +164,7 @@ void viewer_title(const struct viewer *viewer, char title[VIEWER_TITLE_SIZE])
     static const char *const shades[] = {"flat", "Gouraud", "Phong"};
     static const char *const textures[] = {"no texture", "nearest", "bilinear"};
     static const char *const orders[] = {"painter", "z-buffer 16",
-                                         "z-buffer 32"};
+                                         "z-buffer 32", "z-buffer 32"};
     const struct scene_settings *s = &viewer->view.settings;
     const bool has_texture = viewer->model->texture.width > 0;
     char speed[48];

@@ -10,6 +10,7 @@
 #define SIM_VIEW_VIEWER_H
 
 #include "port/linux/pool.h"
+#include "sim/cli/device.h"
 #include "sim/view/view.h"
 #include "sim/view/keys.h"
 
@@ -21,17 +22,24 @@ struct viewer_options {
     bool still;         /* no turning at the start */
 };
 
+struct view_job {
+    const struct model *model;
+    const struct scene_settings *settings; /* a size of 0x0: any will do */
+    const struct viewer_options *options;
+    const struct device_options *device;
+};
+
 struct viewer {
     struct view view;
     const struct viewer_options *options; /* the caller's, like the model */
     const struct model *model;
     struct scene scene;
-    struct pel_pool *pool; /* the display's, which starts it when it is open */
-    bool stale;            /* there is something new to draw */
-    bool over;             /* the user ended it */
-    int drawn;             /* frames */
-    double begun, last;    /* ms: the first frame, the last viewer_advance */
-    double drawing;        /* ms spent on drawing, all frames */
+    struct pel_pool pool;
+    bool stale;         /* there is something new to draw */
+    bool over;          /* the user ended it */
+    int drawn;          /* frames */
+    double begun, last; /* ms: the first frame, the last viewer_advance */
+    double drawing;     /* ms spent on drawing, all frames */
     struct {
         double since, drawing; /* ms */
         int drawn;
@@ -39,18 +47,18 @@ struct viewer {
     } rate;
 };
 
-/* False, with a message. viewer_free in any case; the pool is for the display
- * to set. */
-bool viewer_init(struct viewer *viewer, const struct model *model,
-                 const struct scene_settings *settings,
-                 const struct viewer_options *options);
+/* Starts the threads, when the display is open; `settings` are the job's with a
+ * size. False, with a message. viewer_free in any case. */
+bool viewer_init(struct viewer *viewer, const struct view_job *job,
+                 const struct scene_settings *settings);
 void viewer_free(struct viewer *viewer);
 
-/* Does what a key says, all but writing the picture: true when that is to be
- * done, with viewer_save. */
+/* Handles a key. True when the picture is to be written, with viewer_save_new.
+ */
 bool viewer_key(struct viewer *viewer, int key);
 
-/* Lets the time pass. True when the title has changed. */
+/* Lets the time pass; first prints the keys when there is a user. True when the
+ * title has changed. */
 bool viewer_advance(struct viewer *viewer);
 
 /* Clears the surface and draws a picture of the size of its clip, side by side
@@ -63,7 +71,7 @@ void viewer_shown(struct viewer *viewer);
 bool viewer_is_over(const struct viewer *viewer);
 
 /* Writes what was drawn to options->output, if that is there; after 'w' to a
- * new file, whose name is told. False, with a message. */
+ * new file, whose name is printed. False, with a message. */
 bool viewer_save_last(const struct viewer *viewer,
                       const struct pel_surface *surface);
 bool viewer_save_new(const struct pel_surface *surface);
@@ -74,5 +82,14 @@ void viewer_title(const struct viewer *viewer, char title[VIEWER_TITLE_SIZE]);
 
 /* Frames, their rate and the time of drawing in all, on standard error. */
 void viewer_report(const struct viewer *viewer);
+
+/* Shows the model in a window, until the user or options->frames ends it;
+ * prints what was seen on standard error then. False, with a message: in a
+ * build without SDL2, which names its package, too. */
+bool view_window(const struct view_job *job);
+
+/* The same on job->device, with keys from the terminal: in the middle of the
+ * screen, black around it. */
+bool view_device(const struct view_job *job);
 
 #endif

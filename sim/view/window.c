@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "sim/cli/message.h"
-#include "sim/view/displays.h"
+#include "sim/view/viewer.h"
 
 #ifdef HAVE_SDL2
 #include <SDL.h>
@@ -34,8 +34,8 @@ struct window {
 
 static bool fails(const char *what)
 {
-    return message_error("%s (%s); --device auto shows it without a window",
-                         what, SDL_GetError());
+    return message_error("%s (%s): expected a screen, or --device auto", what,
+                         SDL_GetError());
 }
 
 /* Canvas and texture of the window's size, whenever that is a new one. */
@@ -138,7 +138,8 @@ static bool handle(struct window *w, const SDL_Event *event)
     }
 }
 
-/* What has come; when there is nothing to draw, what comes in a moment. */
+/* Handles the events that have come; waits a moment for one when there is
+ * nothing to draw. */
 static bool handle_all(struct window *w)
 {
     const struct viewer *viewer = w->viewer;
@@ -165,7 +166,6 @@ static void rename_window(struct window *w)
 static bool run(struct window *w)
 {
     struct viewer *viewer = w->viewer;
-    view_tell_keys(viewer->options);
     while (!viewer_is_over(viewer)) {
         if (viewer_advance(viewer))
             w->renamed = true;
@@ -179,7 +179,7 @@ static bool run(struct window *w)
     return viewer_save_last(viewer, &w->canvas.surface);
 }
 
-/* Each way; 0 x 0 is no limit, but that of pictures. */
+/* Pixels each way; 0 x 0 stands for no limit but TEXTURE_SIZE_MAX. */
 static int texture_size_most(SDL_Renderer *renderer)
 {
     SDL_RendererInfo info = {0};
@@ -188,7 +188,7 @@ static int texture_size_most(SDL_Renderer *renderer)
     return most > 0 ? pel_min(most, TEXTURE_SIZE_MAX) : TEXTURE_SIZE_MAX;
 }
 
-/* As fast as it goes when frames are counted, else as the screen takes them. */
+/* Frames that are counted do not wait for the screen; others do. */
 static bool open_window(struct window *w)
 {
     const struct camera *camera = &w->viewer->view.first.camera;
@@ -218,19 +218,14 @@ static void close_window(struct window *w)
 static bool run_viewer(struct window *w, const struct view_job *job)
 {
     struct viewer viewer;
-    struct pel_pool pool;
     struct scene_settings settings = *job->settings;
     if (settings.camera.width == 0)
         settings.camera.width = settings.camera.height = OWN_SIZE;
     w->viewer = &viewer;
-    const bool ready =
-        viewer_init(&viewer, job->model, &settings, job->options);
-    pel_pool_start(&pool, view_jobs(job->device->jobs));
-    viewer.pool = &pool;
-    const bool done = ready && open_window(w) && run(w);
+    const bool done =
+        viewer_init(&viewer, job, &settings) && open_window(w) && run(w);
     if (done && job->options->frames > 0)
         viewer_report(&viewer);
-    pel_pool_end(&pool);
     viewer_free(&viewer);
     return done;
 }
@@ -252,8 +247,8 @@ bool view_window(const struct view_job *job)
     if (is_unseen()) {
         SDL_Quit();
         return message_error("no screen for a window: DISPLAY and "
-                             "WAYLAND_DISPLAY name none; --device auto would "
-                             "be right, or pel render");
+                             "WAYLAND_DISPLAY name none: expected --device "
+                             "auto, or pel render");
     }
     const bool done = run_viewer(&window, job);
     close_window(&window);

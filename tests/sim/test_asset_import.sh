@@ -219,7 +219,7 @@ refuse() {
     [ ! -s "$dir/out" ] && [ ! -e "$dir/x.c" ] && [ ! -e "$dir/x.h" ] &&
         [ ! -e "$dir/x.pel2d" ] || fail "import $*: output"
 }
-refuse "an input is missing" -o "$dir/x.c"
+refuse "0 arguments: expected MESH" -o "$dir/x.c"
 refuse "-o ASSET.c is missing" builtin:vase
 for kind in obj png bdf; do
     refuse "none.$kind: cannot be read: No such file" "$dir/none.$kind" -o "$dir/x.c"

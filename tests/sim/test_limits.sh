@@ -33,14 +33,14 @@ for model in OpenGEX/camera.ogex OpenGEX/collada.ogex; do
 done
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n' \
     >"$work/cut.ply"
-refused 'took more than 1 s; --limit SECONDS,MEGABYTES would allow more' \
+refused 'took more than 1 s: expected less, or a higher --limit' \
     "$work/cut.ply" import --limit 1,500
 {
     printf 'ply\nformat ascii 1.0\nelement vertex 900000000\nproperty float x\n'
     printf 'property float y\nproperty float z\nelement face 1\n'
     printf 'property list uchar int vertex_indices\nend_header\n0 0 0\n'
 } >"$work/many.ply"
-refused 'took more than 2048 MB; --limit SECONDS,MEGABYTES would allow more' \
+refused 'took more than 2048 MB: expected less, or a higher --limit' \
     "$work/many.ply" import
 
 # Pictures: sizes are claimed, data is missing.
@@ -70,9 +70,9 @@ done
 for file in cut.tga packed.tga cut.jpg; do
     refused "$short" "$work/$file" import
 done
-refused 'took more than 1 s; ' "$work/time.png" import --limit 1,500
+refused 'took more than 1 s: ' "$work/time.png" import --limit 1,500
 tga '\002' '\0\020' >"$work/4096.tga"
-refused 'took more than 40 MB; ' "$work/4096.tga" import --limit 9,40
+refused 'took more than 40 MB: ' "$work/4096.tga" import --limit 9,40
 printf 'canvas 8 8 gray8\nimage 0 0 large.png\n' >"$work/s.pel"
 (ulimit -v 8000000 && timeout 10 "$PEL" run "$work/s.pel") >"$work/out" 2>"$work/err"
 grep -qF "pel: $work/s.pel:2: $work/large.png: $large" "$work/err" ||

@@ -127,25 +127,25 @@ refuse() { # MESSAGE OPTIONS...
     [ ! -e "$dir/x.ppm" ] || fail "render $*: output"
 }
 v=builtin:vase
-refuse "--shade is 'fancy'; flat, gouraud or phong would be right" \
+refuse "--shade is 'fancy': expected flat|gouraud|phong" \
     $v --shade fancy
-refuse "--format is 'rgb'; one of rgb565_le, rgb565_be," $v --format rgb
+refuse "--format is 'rgb': expected rgb565_le, rgb565_be," $v --format rgb
 refuse "--bands is '-1'" $v --bands -1
-refuse "--bands is 12; in mono1_pages a multiple of 8" \
+refuse "--bands is 12: expected a multiple of 8 for mono1_pages" \
     $v --bands 12 --format mono1_pages
-refuse "--collinear is 'dot'; nothing or line" $v --collinear dot
-refuse "--size is '12'; WxH" $v --size 12
-refuse "--size is '0x5'; WxH" $v --size 0x5
-refuse "--size is '40000x5'; WxH" $v --size 40000x5
-refuse "--eye is '1,2'; X,Y,Z" $v --eye 1,2
-refuse "--target is '1,2,nan'; X,Y,Z" $v --target 1,2,nan
+refuse "--collinear is 'dot': expected nothing|line" $v --collinear dot
+refuse "--size is '12': expected WxH" $v --size 12
+refuse "--size is '0x5': expected WxH" $v --size 0x5
+refuse "--size is '40000x5': expected WxH" $v --size 40000x5
+refuse "--eye is '1,2': expected X,Y,Z" $v --eye 1,2
+refuse "--target is '1,2,nan': expected X,Y,Z" $v --target 1,2,nan
 refuse "up points along the view" $v --up 0,0,0
 refuse "eye and target are one place" $v --eye 1,1,1 --target 1,1,1
-refuse "--focal is '0'; a length in mm" $v --focal 0
-refuse "--sensor is '36'; WxH in mm" $v --sensor 36
-refuse "--background is 'red'; #rrggbb" $v --background red
-refuse "a mesh is missing"
-refuse "'b' is a second mesh" a b
+refuse "--focal is '0': expected a length in mm" $v --focal 0
+refuse "--sensor is '36': expected WxH in mm" $v --sensor 36
+refuse "--background is 'red': expected #rrggbb" $v --background red
+refuse "0 arguments: expected MESH"
+refuse "2 arguments: expected MESH" a b
 printf 'ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\n' \
     >"$dir/point.ply"
 printf 'property float y\nproperty float z\nend_header\n1 2 3\n' \
@@ -160,14 +160,14 @@ for option in "focal 20" "order zbuffer" "mapping affine" "normals-from smooth" 
 done
 refuse "$dir/vase.pel2d: names no texture" "$dir/vase.pel2d" --texture nearest
 sed 's/ 1 1$/ 1e6 1/' "$dir/square.pel2d" >"$dir/far.pel2d"
-refuse "vertex 2 lies at u v 1e+06 1; less than 2^23 texels away" \
+refuse "vertex 2 lies at u v 1e+06 1: expected less than 2^23 texels" \
     "$dir/far.pel2d" --texture-file "$dir/c.ppm"
 echo "pel2d 1 1" >"$dir/short.pel2d"
 refuse "$dir/short.pel2d:2: the file ends here" "$dir/short.pel2d"
 
 status=0
 "$PEL" render $v --print-camera -o - >"$dir/out" 2>&1 || status=$?
-[ $status -eq 2 ] && grep -q 'picture too; -o FILE' "$dir/out" ||
+[ $status -eq 2 ] && grep -q 'picture too: expected -o FILE' "$dir/out" ||
     fail "a picture among text"
 status=0
 "$PEL" render $v --print-camera >/dev/full 2>"$dir/message" || status=$?

@@ -148,37 +148,37 @@ refused 3 "$work/bad.ppm:2: ends before the height" <<'END'
 texture bad.ppm
 mesh builtin:vase
 END
-refused 2 "camera eye takes 3 values, not 2: camera eye X Y Z" <<'END'
+refused 2 "camera eye: 2 values: expected 3: camera eye X Y Z" <<'END'
 camera eye 1 2
 END
-refused 2 "camera eye: 16385 must be a decimal number in -16384..16384" <<'END'
+refused 2 "camera eye: 16385: expected a decimal in -16384..16384" <<'END'
 camera eye 1 2 16385
 END
-refused 2 "camera focal: 0 must be a decimal number above 0" <<'END'
+refused 2 "camera focal: 0: expected a decimal above 0" <<'END'
 camera focal 0
 END
-refused 2 "camera viewport: all of it must lie within" <<'END'
+refused 2 "camera viewport: expected all of it within" <<'END'
 camera viewport 32000 0 800 600
 END
-refused 2 "camera projection: flat must be perspective|orthographic" <<'END'
+refused 2 "camera projection: flat: expected perspective|orthographic" <<'END'
 camera projection flat
 END
-refused 2 "unknown command camera: valid are" <<'END'
+refused 2 "unknown command camera: expected" <<'END'
 camera
 END
-refused 2 "light point: 16 must be a decimal number from 0 to less than" <<'END'
+refused 2 "light point: 16: expected a decimal from 0 to less than" <<'END'
 light point 1 2 3 1 1 16
 END
-refused 2 "light sun: X Y Z is the way towards it" <<'END'
+refused 2 "light sun: expected the direction towards it" <<'END'
 light sun 0 0 0 1 1 1
 END
-refused 2 "material: 257 must be a whole number in 1..256" <<'END'
+refused 2 "material: 257: expected a whole number in 1..256" <<'END'
 material 1 1 1 257
 END
-refused 2 "shade: fancy must be flat|gouraud|phong" <<'END'
+refused 2 "shade: fancy: expected flat|gouraud|phong" <<'END'
 shade fancy
 END
-refused 2 "option mesh span: 3 must be 2|4|8|16|32|64" <<'END'
+refused 2 "option mesh span: 3: expected 2|4|8|16|32|64" <<'END'
 option mesh span 3
 END
 refused 4 "eye and target are one place" <<'END'
@@ -192,4 +192,4 @@ option mesh light off
 mesh builtin:vase
 END
 seq -f 'light point %g 1 1 1 1 1' 33 >"$work/lights"
-refused 34 "light 33: up to 32 would be right" <"$work/lights"
+refused 34 "light 33: expected up to 32" <"$work/lights"

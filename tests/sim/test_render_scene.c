@@ -316,7 +316,7 @@ static void test_refused(void)
     refuse_settings(&same, "eye and target are one place, or up points");
     refuse_settings(&along, "eye and target are one place, or up points");
     refuse_settings(&lens, "make more than 65536 or less than 1/256 pixel");
-    refuse_settings(&phong, "without light, flat or gouraud");
+    refuse_settings(&phong, "expected flat or gouraud without light");
 }
 
 int main(void)

@@ -127,7 +127,7 @@ square 9999 >"$dir/far0.obj"
 status=0
 render farther "$dir/far0.obj" $view --texture-file "$dir/bands.ppm" 2>"$dir/message" ||
     status=$?
-[ $status -eq 2 ] && grep -q 'farther than 262144 texels of 1024x1;' \
+[ $status -eq 2 ] && grep -q 'beyond 262144 texels of 1024x1:' \
     "$dir/message" || fail "too far: $(cat "$dir/message")"
 
 # Turned round, the back is seen, mirrored; culled, nothing.
@@ -329,35 +329,35 @@ refuse() { # MESSAGE OPTIONS...
         fail "render $*: $(cat "$dir/message")"
     [ ! -e "$dir/x.ppm" ] || fail "render $*: output"
 }
-refuse "--texture is 'soft'; none, nearest or bilinear" --texture soft
-refuse "--mapping is 'x'; vertices, affine, subdivided or perspective" \
+refuse "--texture is 'soft': expected none|nearest|bilinear" --texture soft
+refuse "--mapping is 'x': expected vertices|affine|subdivided|perspective" \
     --mapping x
-refuse "--wrap is 'x'; clamp, repeat or mirror would" --wrap x
-refuse "--order is 'x'; painter, zbuffer16, zbuffer32 or zbuffer" --order x
-refuse "--cull is 'x'; none, back or front" --cull x
-refuse "--normals-from is 'x'; file or smooth" --normals-from x
-refuse "--projection is 'x'; perspective or orthographic" --projection x
-refuse "--terms is 'ambient,x'; a list of ambient, diffuse and specular" --terms ambient,x
-refuse "--terms is ''; a list" --terms ""
-refuse "--highlights is 'x'; coloured or plain" --highlights x
-refuse "--light is '1,2,3'; X,Y,Z:R,G,B" --light 1,2,3
-refuse "--light is '1,2:1,1,1'; X,Y,Z:R,G,B" --light 1,2:1,1,1
-refuse "--light is '1,2,3:1,1,16'; X,Y,Z:R,G,B with colours from 0 to 15.99" --light 1,2,3:1,1,16
-refuse "--sun is '0,0,0:1,1,1'; the way towards it" --sun 0,0,0:1,1,1
-refuse "--light is light 33; up to 32" $(seq -f '--light=%g,1,1:1,1,1' 33)
-refuse "--ambient is '1'; R,G,B" --ambient 1
-refuse "--kd is '-1'; a number from 0 to 15.99" --kd -1
-refuse "--shininess is '257'; a whole number from 1 to 256" --shininess 257
+refuse "--wrap is 'x': expected clamp|repeat|mirror" --wrap x
+refuse "--order is 'x': expected painter|zbuffer16|zbuffer32|zbuffer" --order x
+refuse "--cull is 'x': expected none|back|front" --cull x
+refuse "--normals-from is 'x': expected file|smooth" --normals-from x
+refuse "--projection is 'x': expected perspective|orthographic" --projection x
+refuse "--terms is 'ambient,x': expected a list of ambient, diffuse and specular" --terms ambient,x
+refuse "--terms is '': expected a list" --terms ""
+refuse "--highlights is 'x': expected coloured|plain" --highlights x
+refuse "--light is '1,2,3': expected X,Y,Z:R,G,B" --light 1,2,3
+refuse "--light is '1,2:1,1,1': expected X,Y,Z:R,G,B" --light 1,2:1,1,1
+refuse "--light is '1,2,3:1,1,16': expected X,Y,Z:R,G,B with colours from 0 to 15.99" --light 1,2,3:1,1,16
+refuse "--sun is '0,0,0:1,1,1': expected the direction towards it" --sun 0,0,0:1,1,1
+refuse "--light is light 33: expected up to 32" $(seq -f '--light=%g,1,1:1,1,1' 33)
+refuse "--ambient is '1': expected R,G,B" --ambient 1
+refuse "--kd is '-1': expected a number from 0 to 15.99" --kd -1
+refuse "--shininess is '257': expected a whole number from 1 to 256" --shininess 257
 refuse "--shininess is '0'" --shininess 0
-refuse "--span is '3'; 2, 4, 8, 16, 32 or 64" --span 3
+refuse "--span is '3': expected 2|4|8|16|32|64" --span 3
 refuse "--transparency is '256'" --transparency 256
-refuse "--turn is '0,2,0'; X,Y,Z in parts of a turn" --turn 0,2,0
-refuse "--turn is '0,0x1p-2,0'; X,Y,Z in parts of a turn" --turn 0,0x1p-2,0
-refuse "--focal is '0x32'; a length in mm" --focal 0x32
-refuse "--focal is ' 50'; a length in mm" --focal " 50"
-refuse "--focal is 'nan'; a length in mm" --focal nan
-refuse "--color is 'red'; #rrggbb" --color red
-refuse "--near is '0'; a distance above 0" --near 0
+refuse "--turn is '0,2,0': expected X,Y,Z in parts of a turn" --turn 0,2,0
+refuse "--turn is '0,0x1p-2,0': expected X,Y,Z in parts of a turn" --turn 0,0x1p-2,0
+refuse "--focal is '0x32': expected a length in mm" --focal 0x32
+refuse "--focal is ' 50': expected a length in mm" --focal " 50"
+refuse "--focal is 'nan': expected a length in mm" --focal nan
+refuse "--color is 'red': expected #rrggbb" --color red
+refuse "--near is '0': expected a distance above 0" --near 0
 refuse "Phong shading is light at every pixel" --shade phong --unlit
 refuse "builtin:vase: --collinear is for pel2d files" --collinear line
 refuse "focal length 1e+06 and sensor 1e-06x1e-06 make more than 65536" \

@@ -66,28 +66,28 @@ differ "option filter bilinear\n$enlarged\n$all" \
     "$enlarged\n$all"
 
 echo 'paint linear 3 4 #000000 3 4 #ffffff' |
-    refused_script 2 'paint linear: the two points must not be the same'
+    refused_script 2 'paint linear: expected two points that are not the same'
 echo 'paint linear stops 3 4 9 4 0.5 #000000 0.4 #ffffff' |
-    refused_script 2 'paint linear stops: a stop must not lie before'
+    refused_script 2 'paint linear stops: expected stops in ascending order'
 echo 'paint linear stops 3 4 9 4 0.5 #000000 1.1 #ffffff' |
-    refused_script 2 'paint linear stops: 1.1 must be a part of the way, 0 to 1'
+    refused_script 2 'paint linear stops: 1.1: expected a position from 0 to 1'
 echo 'paint radial 3 4 0.5 0 #000000 1 #ffffff' |
-    refused_script 2 'paint radial: the radius must be 1 or more'
+    refused_script 2 'paint radial: expected a radius of 1 or more'
 echo 'paint radial 3 4 5 0 #000000' |
-    refused_script 2 'paint radial takes 7 values or more, in pairs, not 5'
+    refused_script 2 'paint radial: 5 values: expected 7 or more, in pairs'
 echo 'paint fan 0 0 #ff0000 9 0 #00ff00' |
-    refused_script 2 'paint fan takes 9 values or more, in threes, not 6'
+    refused_script 2 'paint fan: 6 values: expected 9 or more, in threes'
 echo 'paint fan 0 0 #ff0000 9 0 #00ff00 9 9 #00ff00 1' |
-    refused_script 2 'paint fan takes 9 values or more, in threes, not 10'
+    refused_script 2 'paint fan: 10 values: expected 9 or more, in threes'
 echo 'paint fan 0 0 #ff0000 9 0 #00ff00 18 0 #00ff00' |
-    refused_script 2 'paint fan: the points must go around their middle once'
+    refused_script 2 'paint fan: expected points that go around their middle once'
 echo 'paint texture nothing.ppm 0 0' |
     refused_script 2 "paint texture: $work/nothing.ppm cannot be read (No such file"
 echo 'P6 2' >"$work/bad.ppm"
 echo 'paint texture bad.ppm 0 0' |
     refused_script 2 "$work/bad.ppm:2: ends before the height"
-echo 'option spread more' | refused_script 2 'unknown command option spread more: valid are option spread pad, option'
-echo 'option dither maybe' | refused_script 2 'unknown command option dither maybe: valid are option dither on, option dither off'
-echo 'paint flat' | refused_script 2 'paint flat takes 1 value, not 0'
+echo 'option spread more' | refused_script 2 'option spread: more: expected pad|repeat|reflect'
+echo 'option dither maybe' | refused_script 2 'option dither: maybe: expected off|on'
+echo 'paint flat' | refused_script 2 'paint flat: 0 values: expected 1'
 
 [ -e "$work/failed" ] || echo "paints in scripts: all right"

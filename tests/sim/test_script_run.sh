@@ -40,7 +40,7 @@ xbgr8888 rgbx8888 bgrx8888 rgb332 gray8 gray4 mono1 mono1_pages'
 for scene in "$scenes"/*.pel; do
     if grep -q '^scroll ' "$scene"; then
         status 2 "$PEL" run "$scene" --bands 8
-        said err "scroll: a band of 8 rows has no pixels of the others; --bands 0"
+        said err "scroll: a band of 8 rows has no pixels of the others: expected --bands 0"
         continue
     fi
     for format in $formats; do
@@ -114,19 +114,19 @@ refused 2 'a second canvas' <<'END'
 canvas 8 8 rgb888
 canvas 8 8 rgb888
 END
-refused 1 'canvas: unknown format rgb565: valid are rgb565_le, rgb565_be' <<'END'
+refused 1 'canvas: rgb565: expected rgb565_le, rgb565_be' <<'END'
 canvas 8 8 rgb565
 END
-refused 1 'canvas: 0 must be a whole number in 1..32767' <<'END'
+refused 1 'canvas: 0: expected a whole number in 1..32767' <<'END'
 canvas 0 8 rgb888
 END
-refused 1 'canvas: 32768 must be a whole number in 1..32767' <<'END'
+refused 1 'canvas: 32768: expected a whole number in 1..32767' <<'END'
 canvas 8 32768 rgb888
 END
 refused 1 'canvas: 32767 x 32767 pixels are too many' <<'END'
 canvas 32767 32767 mono1
 END
-refused 1 'canvas takes 3 values, not 2: canvas WIDTH HEIGHT FORMAT' <<'END'
+refused 1 'canvas: 2 values: expected 3: canvas WIDTH HEIGHT FORMAT' <<'END'
 canvas 8 8
 END
 refused 3 'unknown command trinagle; did you mean triangle?' <<'END'
@@ -134,55 +134,55 @@ canvas 8 8 rgb888
 
 trinagle 0 0 1 1 2 2
 END
-refused 2 'unknown command paint plaid: valid are' <<'END'
+refused 2 'unknown command paint plaid: expected' <<'END'
 canvas 8 8 rgb888
 paint plaid #000000
 END
-refused 2 'unknown command polygon: valid are polygon evenodd, polygon nonzero' <<'END'
+refused 2 'unknown command polygon: expected polygon evenodd, polygon nonzero' <<'END'
 canvas 8 8 rgb888
 polygon
 END
-refused 2 'triangle takes 6 values, not 5' <<'END'
+refused 2 'triangle: 5 values: expected 6' <<'END'
 canvas 8 8 rgb888
 triangle 0 0 1 1 2
 END
-refused 2 'triangle takes 6 values, not 7' <<'END'
+refused 2 'triangle: 7 values: expected 6' <<'END'
 canvas 8 8 rgb888
 triangle 0 0 1 1 2 2 3
 END
-refused 2 'polygon nonzero takes 6 values or more, in pairs, not 7' <<'END'
+refused 2 'polygon nonzero: 7 values: expected 6 or more, in pairs' <<'END'
 canvas 8 8 rgb888
 polygon nonzero 0 0 1 1 2 2 3
 END
-refused 2 'triangle: 1e3 must be a decimal number' <<'END'
+refused 2 'triangle: 1e3: expected pixels in -32768..32767.998, such as' <<'END'
 canvas 8 8 rgb888
 triangle 0 0 1e3 1 2 2
 END
-refused 2 'triangle: 32768 must be in -32768..32767.998 pixels' <<'END'
+refused 2 'triangle: 32768: expected pixels in -32768..32767.998' <<'END'
 canvas 8 8 rgb888
 triangle 0 0 32768 1 2 2
 END
-refused 2 'triangle: -32768.01 must be in' <<'END'
+refused 2 'triangle: -32768.01: expected pixels in' <<'END'
 canvas 8 8 rgb888
 triangle 0 0 -32768.01 1 2 2
 END
-refused 2 'circle: -1 must be in 0..32767 pixels' <<'END'
+refused 2 'circle: -1: expected pixels in 0..32767' <<'END'
 canvas 8 8 rgb888
 circle 4 4 -1
 END
-refused 2 'rect: the right and the bottom side must lie below 32768' <<'END'
+refused 2 'rect: expected a right and a bottom side below 32768' <<'END'
 canvas 8 8 rgb888
 rect 30000 0 2768 1
 END
-refused 2 'clip: 1.5 must be a whole number' <<'END'
+refused 2 'clip: 1.5: expected a whole number' <<'END'
 canvas 8 8 rgb888
 clip 0 0 1.5 1
 END
-refused 2 'clear: #12345 must be a colour: #rrggbb or #rrggbbaa' <<'END'
+refused 2 'clear: #12345: expected a colour, #rrggbb or #rrggbbaa' <<'END'
 canvas 8 8 rgb888
 clear #12345
 END
-refused 2 'clear: red must be a colour' <<'END'
+refused 2 'clear: red: expected a colour' <<'END'
 canvas 8 8 rgb888
 clear red
 END
@@ -191,7 +191,7 @@ canvas 8 8 rgb888
 paint vertex #000000 #000000 #000000
 circle 4 4 1
 END
-refused 2 'bands 12: mono1_pages needs a multiple of 8' <<'END'
+refused 2 'bands 12: expected a multiple of 8 for mono1_pages' <<'END'
 canvas 8 8 mono1_pages
 bands 12
 END
@@ -221,15 +221,15 @@ status 0 "$PEL" run "$work/s.pel" -o "$work/o.ppm"
 printf 'canvas 8 8 rgb888\n' >"$work/s.pel"
 status 2 "$PEL"
 status 2 "$PEL" paint
-said err 'pel: unknown command paint: valid are '
+said err 'pel: unknown command paint: expected run, '
 status 2 "$PEL" run
-said err 'pel: a script is missing'
+said err 'pel: 0 arguments: expected SCRIPT'
 status 2 "$PEL" run "$work/s.pel" "$work/s.pel"
-said err 'pel: one script only'
+said err 'pel: 2 arguments: expected SCRIPT'
 status 2 "$PEL" run "$work/s.pel" --bands x
-said err "pel: --bands is 'x'; a whole number from 0 to 32767"
+said err "pel: --bands is 'x': expected a whole number from 0 to 32767"
 status 2 "$PEL" run "$work/s.pel" --format rgb
-said err "pel: --format is 'rgb'; one of "
+said err "pel: --format is 'rgb': expected rgb565_le, "
 status 2 "$PEL" run "$work/s.pel" --fast
 said err "pel: unrecognized option '--fast'"
 said err "Try \`pel run --help'"

@@ -53,7 +53,7 @@ repeat() { # a letter, for ever
 endless zeroes '(standard input):1: a zero byte: scripts are text' </dev/zero
 repeat x | endless 'a line' ':1: a line of over 1048576 bytes'
 { echo 'canvas 8 8 gray8' && repeat 5 | head -c 5000; } |
-    endless 'a word' ':2: a word of 5000 bytes; up to 4096 would be right'
+    endless 'a word' ':2: a word of 5000 bytes: expected up to 4096'
 { echo 'canvas 8 8 gray8' && printf 'text 1 1 "' && repeat 5 |
     head -c 5000 && echo '"'; } | endless 'a text' ':2: a word of 5002 bytes'
 

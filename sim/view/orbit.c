@@ -30,8 +30,8 @@ bool view_init(struct view *view, const struct scene_settings *settings,
     return true;
 }
 
-/* From the target to the eye, as length, elevation above the horizon in turns,
- * and the directions of the horizon and of up. */
+/* The vector from the target to the eye, as length, elevation above the horizon
+ * in turns, and the directions of the horizon and of up. */
 struct orbit {
     double length, elevation;
     double ahead[3], up[3];
