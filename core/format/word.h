@@ -1,5 +1,5 @@
 /* Memory of pixels: words that may alias the caller's array, byte order, and
- * the address of a run. */
+ * the address of a pixel. */
 #ifndef PEL_FORMAT_WORD_H
 #define PEL_FORMAT_WORD_H
 
@@ -61,9 +61,9 @@ static PEL_ALWAYS_INLINE uint32_t pel_widen(uint32_t v, int bits)
     return v >> (bits - 8);
 }
 
-/* The address that column 0 of line y has or would have, pixels being `bytes`
+/* The address that column 0 of row y has or would have, pixels being `bytes`
  * wide. Addresses are counted from there as numbers, not as pointers: neither
- * column 0 nor an empty run need lie in memory. */
+ * column 0 nor an empty span need lie in memory. */
 static inline uintptr_t pel_column_zero(const struct pel_surface *s, int32_t y,
                                         int bytes)
 {
@@ -71,17 +71,18 @@ static inline uintptr_t pel_column_zero(const struct pel_surface *s, int32_t y,
            PEL_CAST(uintptr_t, bytes * PEL_CAST(ptrdiff_t, s->bounds.x0));
 }
 
-/* Asks for the cache lines of a long run, some rows ahead: stores retire in
+/* Asks for the cache lines of a long span, some rows ahead: stores retire in
  * order, so each miss would wait for the one before it. Short ones wait for a
  * line or two, which takes less time than asking. */
-static PEL_ALWAYS_INLINE void pel_prefetch_run(uintptr_t address, int32_t bytes)
+static PEL_ALWAYS_INLINE void pel_prefetch_span(uintptr_t address,
+                                                int32_t bytes)
 {
     if (PEL_64BIT && bytes > 128)
         for (int32_t i = 0; i < bytes; i += 64)
             pel_prefetch(address + PEL_CAST(uintptr_t, i));
 }
 
-/* Bytes from one run's line to the next's. */
+/* Bytes from the row of a span to that of the next. */
 static inline ptrdiff_t pel_spans_pitch(const struct pel_spans *spans)
 {
     return PEL_CAST(ptrdiff_t, spans->surface->stride) * spans->step;
