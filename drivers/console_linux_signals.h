@@ -2,7 +2,7 @@
 #ifndef PEL_DRIVERS_CONSOLE_LINUX_SIGNALS_H
 #define PEL_DRIVERS_CONSOLE_LINUX_SIGNALS_H
 
-#include "../core/pel_config.h"
+#include "../core/base/inline.h"
 
 PEL_BEGIN_DECLS
 

@@ -6,7 +6,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 
-#include "../core/pel_config.h"
+#include "../core/base/inline.h"
 
 PEL_BEGIN_DECLS
 

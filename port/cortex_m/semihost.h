@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include "../../core/pel_config.h"
+#include "../../core/base/inline.h"
 
 PEL_BEGIN_DECLS
 

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include "../../core/pel_config.h"
+#include "../../core/base/inline.h"
 
 PEL_BEGIN_DECLS
 

@@ -7,7 +7,7 @@
 #include <pthread.h>
 #include <stdbool.h>
 
-#include "../../core/pel_config.h"
+#include "../../core/base/inline.h"
 
 PEL_BEGIN_DECLS
 
