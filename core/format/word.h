@@ -13,7 +13,7 @@ typedef uint32_t PEL_MAY_ALIAS pel_word32;
 /* One instruction on Arm, which compilers do not find in the shifts. */
 static inline uint32_t pel_swap16(uint32_t v)
 {
-    return __builtin_bswap16((uint16_t)v);
+    return __builtin_bswap16(PEL_CAST(uint16_t, v));
 }
 
 /* Asks for a cache line that is soon written. The address need not be in
@@ -90,45 +90,52 @@ static inline ptrdiff_t pel_spans_pitch(const struct pel_spans *spans)
 
 /* Pixels of 8, 16 and 32 bits are words. Those of 24 are three bytes, the
  * lowest byte of the pixel value first. */
+PEL_BEGIN_DECLS
 void pel_fill8(const struct pel_spans *spans, uint32_t pixel);
 void pel_fill16(const struct pel_spans *spans, uint32_t pixel);
 void pel_fill24(const struct pel_spans *spans, uint32_t pixel);
 void pel_fill32(const struct pel_spans *spans, uint32_t pixel);
+PEL_END_DECLS
 
 static inline pel_word8 *pel_address8(const struct pel_surface *s, int32_t x,
                                       int32_t y)
 {
-    return (pel_word8 *)(pel_column_zero(s, y, 1) + (uintptr_t)x);
+    return PEL_CAST_ADDRESS(pel_word8 *,
+                            pel_column_zero(s, y, 1) + PEL_CAST(uintptr_t, x));
 }
 
 static inline pel_word16 *pel_address16(const struct pel_surface *s, int32_t x,
                                         int32_t y)
 {
-    return (pel_word16 *)(pel_column_zero(s, y, 2) + 2 * (uintptr_t)x);
+    return PEL_CAST_ADDRESS(pel_word16 *, pel_column_zero(s, y, 2) +
+                                              2 * PEL_CAST(uintptr_t, x));
 }
 
 static inline uint8_t *pel_address24(const struct pel_surface *s, int32_t x,
                                      int32_t y)
 {
-    return (uint8_t *)(pel_column_zero(s, y, 3) + 3 * (uintptr_t)x);
+    return PEL_CAST_ADDRESS(uint8_t *, pel_column_zero(s, y, 3) +
+                                           3 * PEL_CAST(uintptr_t, x));
 }
 
 static inline pel_word32 *pel_address32(const struct pel_surface *s, int32_t x,
                                         int32_t y)
 {
-    return (pel_word32 *)(pel_column_zero(s, y, 4) + 4 * (uintptr_t)x);
+    return PEL_CAST_ADDRESS(pel_word32 *, pel_column_zero(s, y, 4) +
+                                              4 * PEL_CAST(uintptr_t, x));
 }
 
 static inline uint32_t pel_get24(const uint8_t *p)
 {
-    return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16;
+    return p[0] | PEL_CAST(uint32_t, p[1]) << 8 |
+           PEL_CAST(uint32_t, p[2]) << 16;
 }
 
 static inline void pel_put24(uint8_t *p, uint32_t pixel)
 {
-    p[0] = (uint8_t)pixel;
-    p[1] = (uint8_t)(pixel >> 8);
-    p[2] = (uint8_t)(pixel >> 16);
+    p[0] = PEL_CAST(uint8_t, pixel);
+    p[1] = PEL_CAST(uint8_t, pixel >> 8);
+    p[2] = PEL_CAST(uint8_t, pixel >> 16);
 }
 
 #endif
