@@ -56,7 +56,7 @@ static inline uint32_t pel_round_div255(uint32_t t)
     return (t + (t >> 8)) >> 8;
 }
 
-/* A color times its alpha, and what is left of the color below. The factor 257
+/* A color times its alpha, and the weight of the color below. The factor 257
  * makes the division by 255 a shift: 257 (t + 128) >> 16 is pel_round_div255(t)
  * for every t in its range. */
 struct pel_premultiplied {

@@ -23,8 +23,8 @@ static inline uint32_t divide_by_digits(uint64_t n, uint32_t d)
     return quotient;
 }
 
-/* In the least code. `high` is the rest, below d; what leaves it on the left is
- * worth 2^32. */
+/* In the least code. `high` is the rest, below d; the bit that leaves it on the
+ * left is worth 2^32. */
 static inline uint32_t divide_by_bits(uint64_t n, uint32_t d)
 {
     uint32_t high = (uint32_t)(n >> 32), low = (uint32_t)n;

@@ -14,8 +14,8 @@ struct pel_fraction {
 };
 
 /* The next `bits` bits of a quotient, modulo 2^64: of n from its upper end, and
- * zeros behind it, after a rest below d, which it changes. What is left of n is
- * 0. d < 2^63. */
+ * zeros behind it, after a rest below d, which it changes. The rest of n is 0.
+ * d < 2^63. */
 uint64_t pel_divide_bits(uint64_t n, uint64_t d, int bits, uint64_t *rest);
 
 #if PEL_64BIT
@@ -26,7 +26,7 @@ static inline uint32_t pel_divide(uint64_t n, uint32_t d)
     return (uint32_t)(n / d);
 }
 
-/* floor(n / d), and what is left; d > 0. */
+/* floor(n / d) and the remainder; d > 0. */
 static inline uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest)
 {
     *rest = n % d;

@@ -1,7 +1,7 @@
 /* Pixel formats: how colours enter and leave memory.
  *
  * A format is one const object in one file of core/format. A surface points to
- * the one it needs, so a program links what it names. The layouts are those of
+ * its format, so a program links what it names. The layouts are those of
  * DRM's fourcc list where it has them: the word is little-endian on every CPU
  * (rgb888 is B, G, R in memory), except in rgb565_be. */
 #ifndef PEL_BASE_FORMAT_H
@@ -33,7 +33,7 @@ enum pel_format_id {
                                   (format/argb8888.h), not a display's format */
 };
 
-/* What dither asks of formats with fewer than 8 bits a channel. */
+/* For dither in formats with fewer than 8 bits a channel. */
 struct pel_dithering {
     /* n >= 1 opaque pixels from (x, y) on: pixel x takes pixels[x & 7]. */
     void (*pattern)(const struct pel_surface *surface, int32_t x, int32_t y,
@@ -55,12 +55,12 @@ struct pel_format {
     uint32_t (*pack)(pel_color color);
     pel_color (*unpack)(uint32_t pixel);
 
-    /* One opaque pixel value into every run. */
+    /* One opaque pixel value into every span. */
     void (*fill)(const struct pel_spans *spans, uint32_t pixel);
 
-    /* The color over every run, weighted by its alpha, which is below 255; 0
-     * leaves every bit as it is. NULL in the fill-only twins, like put and
-     * load: what needs them draws nothing there. */
+    /* The color over every span, weighted by its alpha, which is below 255; 0
+     * leaves every bit as it is. NULL in the fill-only variants, like put and
+     * load: paints that need them draw nothing there. */
     void (*blend)(const struct pel_spans *spans, pel_color color);
 
     /* n >= 1 colours over the pixels (x, y) to (x + n - 1, y) of the surface,

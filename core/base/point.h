@@ -17,7 +17,7 @@ PEL_BEGIN_DECLS
 
 /* n pixels, -32,768 to 32,767, in sub-pixels, for constant expressions too. A
  * constant may have a fraction, PEL_PX(7.5), and compiles to a whole number of
- * sub-pixels: what 1/256 px cannot say is cut off. */
+ * sub-pixels: the rest is cut off. */
 #define PEL_PX(n) PEL_CAST(int32_t, (n)*INT64_C(256))
 
 struct pel_point {
@@ -31,11 +31,11 @@ struct pel_point {
         PEL_PX(x), PEL_PX(y) \
     }
 
-/* Everything below shifts negative numbers to the right and wants the floor.
- * C leaves that to the compiler, so here is the one place that asks. */
+/* Core shifts negative numbers to the right and expects the floor, which C
+ * leaves to the compiler. */
 typedef char pel_shift_is_arithmetic[((-3) >> 1) == -2 ? 1 : -1];
 
-/* Sums of sub-pixels are written in int. */
+/* Sums of sub-pixels are of type int. */
 typedef char pel_int_has_32_bits[sizeof(int) >= 4 ? 1 : -1];
 
 /* Pixel that holds a sub-pixel coordinate. */

@@ -54,7 +54,7 @@ void pel_root_guess(uint64_t v, struct pel_root *r)
  * / 2 root, by which the root has to grow, is that inverse 2^(shift - 63); with
  * the upper half of the inverse it is right to 2^-6 and rounded down, so the
  * floor is at most one step away. Products are modulo 2^64, by parts. */
-void pel_root_settle(uint64_t v, struct pel_root *r)
+void pel_root_correct(uint64_t v, struct pel_root *r)
 {
     v -= pel_multiply(r->root, r->root);
     uint64_t growth = pel_multiply((uint32_t)v, r->inverse >> 16);

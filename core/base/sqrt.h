@@ -16,12 +16,12 @@ struct pel_root {
  * the stack: the inverse and a root that is off by less than 2^10, and from
  * these the root. */
 void pel_root_guess(uint64_t v, struct pel_root *root);
-void pel_root_settle(uint64_t v, struct pel_root *root);
+void pel_root_correct(uint64_t v, struct pel_root *root);
 
 static inline void pel_square_root(uint64_t v, struct pel_root *root)
 {
     pel_root_guess(v, root);
-    pel_root_settle(v, root);
+    pel_root_correct(v, root);
 }
 
 /* The inverse and the shift alone; v from 1 on. */

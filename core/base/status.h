@@ -1,8 +1,8 @@
-/* What the functions that can fail return: those that set something up or take
+/* The result of functions that can fail: those that set something up or take
  * scratch memory. Other draw calls return nothing; a shape that is clipped away
  * is no error.
  * Pointers given to draw calls and hit tests are never NULL: only functions
- * that return a status look. */
+ * that return a status check them. */
 #ifndef PEL_BASE_STATUS_H
 #define PEL_BASE_STATUS_H
 

@@ -66,10 +66,10 @@ enum pel_status pel_surface_init(struct pel_surface *surface,
     if (!pel_bounds_legal(bounds))
         return PEL_ERROR_SIZE;
     const int32_t stride = pel_stride(format, bounds->x1 - bounds->x0);
-    int32_t lines = bounds->y1 - bounds->y0;
+    int32_t rows = bounds->y1 - bounds->y0;
     if (format->id == PEL_FORMAT_MONO1_PAGES)
-        lines = (lines + 7) / 8;
-    if (size < (uint32_t)stride * (uint32_t)lines) /* 131,068 by 32,767 fits */
+        rows = (rows + 7) / 8;
+    if (size < (uint32_t)stride * (uint32_t)rows) /* 131,068 by 32,767 fits */
         return PEL_ERROR_SIZE;
     return pel_surface_init_rect(surface, format, pixels, stride, bounds);
 }

@@ -11,23 +11,23 @@
 PEL_BEGIN_DECLS
 
 struct pel_surface {
-    void *pixels;           /* where pixel (bounds.x0, bounds.y0) begins */
-    int32_t stride;         /* bytes to the next line down (mono1_pages: to the
+    void *pixels;           /* the address of pixel (bounds.x0, bounds.y0) */
+    int32_t stride;         /* bytes to the next row down (mono1_pages: to the
                                next page of 8); may be negative */
     struct pel_rect bounds; /* the pixels that memory holds, absolute */
     struct pel_rect clip;   /* the pixels that may change; inside bounds */
     const struct pel_format *format;
 };
 
-/* Bytes of a line of `width` pixels, 1..32,767, with no padding (mono1_pages:
- * of a page of 8 lines); 0 when width or format is not legal. */
+/* Bytes of a row of `width` pixels, 1..32,767, with no padding (mono1_pages:
+ * of a page of 8 rows); 0 when width or format is not legal. */
 int32_t pel_stride(const struct pel_format *format, int32_t width);
 
-/* A surface over `size` bytes of memory, lines packed without padding:
+/* A surface over `size` bytes of memory, rows packed without padding:
  *
  *     static uint16_t band[64 * 8];
- *     const struct pel_rect lines = {0, y, 64, y + 8};
- *     pel_surface_init(&screen, &pel_rgb565_le, band, sizeof band, &lines);
+ *     const struct pel_rect rows = {0, y, 64, y + 8};
+ *     pel_surface_init(&screen, &pel_rgb565_le, band, sizeof band, &rows);
  *
  * `bounds` are absolute pixels inside -32,768..32,767 (x1 and y1 up to 32,768),
  * at most 32,767 wide and high: {0, 0, width, height} for a whole picture. A
@@ -42,8 +42,8 @@ enum pel_status pel_surface_init(struct pel_surface *surface,
                                  size_t size, const struct pel_rect *bounds);
 
 /* The general form, for which the caller knows that the memory is there.
- * `pixels` is where pixel (bounds->x0, bounds->y0) begins, `stride` leads to
- * the line below it: negative for a bottom-up picture (not in mono1_pages, and
+ * `pixels` is the address of pixel (bounds->x0, bounds->y0), `stride` leads to
+ * the row below it: negative for a bottom-up picture (not in mono1_pages, and
  * not INT32_MIN), larger than pel_stride() for padding, which is never written.
  * PEL_ERROR_NULL, PEL_ERROR_SIZE, PEL_ERROR_STRIDE, PEL_ERROR_ALIGNMENT. */
 enum pel_status pel_surface_init_rect(struct pel_surface *surface,
@@ -51,14 +51,14 @@ enum pel_status pel_surface_init_rect(struct pel_surface *surface,
                                       void *pixels, int32_t stride,
                                       const struct pel_rect *bounds);
 
-/* Are these bounds of a surface (see above), whatever its format? */
+/* True for bounds that a surface of some format may have (see above). */
 bool pel_bounds_legal(const struct pel_rect *bounds);
 
 /* Sets the clip to the part of `clip` inside the bounds. Any rectangle will do;
  * when nothing is left of it, one at the bounds' corner with no pixel. */
 void pel_surface_clip(struct pel_surface *surface, const struct pel_rect *clip);
 
-/* Where line y begins, that is pixel bounds.x0 of it; not for mono1_pages. */
+/* The address of pixel (bounds.x0, y); not for mono1_pages. */
 static inline uint8_t *pel_surface_line(const struct pel_surface *s, int32_t y)
 {
     return PEL_CAST(uint8_t *, s->pixels) +

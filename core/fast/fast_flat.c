@@ -22,7 +22,7 @@ static void fill32(const struct pel_surface *s,
     const uintptr_t ahead = pel_fast_walk_ahead(&w, ROWS_AHEAD, 4);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
         uintptr_t p = w.row + 4 * (uintptr_t)x;
-        pel_prefetch_run(p + ahead, 4 * n);
+        pel_prefetch_span(p + ahead, 4 * n);
         pel_span32((pel_word32 *)p, n, value);
     }
 }
@@ -60,7 +60,7 @@ static PEL_NOINLINE void blend32(const struct pel_surface *s,
     const uintptr_t ahead = pel_fast_walk_ahead(&w, ROWS_AHEAD, 4);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
         uintptr_t p = w.row + 4 * (uintptr_t)x;
-        pel_blend32_run((pel_word32 *)p, n, &b, ahead);
+        pel_blend32_span((pel_word32 *)p, n, &b, ahead);
     }
 }
 
@@ -70,7 +70,7 @@ static void blend565(const struct pel_surface *s,
     const struct pel_blend565 b = pel_blend565_make(s->format, color);
     struct pel_fast_walk w = pel_fast_walk_begin(s, t, 2);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);)
-        pel_blend565_run((pel_word16 *)(w.row + 2 * (uintptr_t)x), n, &b);
+        pel_blend565_span((pel_word16 *)(w.row + 2 * (uintptr_t)x), n, &b);
 }
 
 /* Chosen by id, which tells the layout of core's own formats. */

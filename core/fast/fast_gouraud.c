@@ -24,7 +24,7 @@ static void write_xrgb(const struct pel_surface *s,
     pel_gouraud_at(paint, 0, t->y0, start);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
         uintptr_t p = w.row + 4 * (uintptr_t)x;
-        pel_prefetch_run(p + 2 * w.pitch, 4 * n);
+        pel_prefetch_span(p + 2 * w.pitch, 4 * n);
         at_column(start, paint->dx, (uint32_t)x, v);
         pel_gouraud_span_xrgb((pel_word32 *)p, n, v, &steps);
         pel_gouraud_step(start, paint->dy);

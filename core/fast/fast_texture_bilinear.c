@@ -67,7 +67,7 @@ static PEL_ALWAYS_INLINE pel_u32x4 mixed(const struct pel_texture_steps *s,
     const pel_u32x4 wu = weights_of(u >> 24), wv = weights_of(v >> 24);
     const uint8_t *const top = s->memory, *const low = top + s->stride;
     int32_t i[4];
-    pel_texture_four_index(f, s, false, i);
+    pel_texture_four_index(f, &s->lanes, false, i);
     const pel_u32x4 a =
         channels(pair_at(top, kind, i[0]), pair_at(low, kind, i[0]),
                  PEL_LANES(wu, wu, 0, 0, 0, 0), PEL_LANES(wv, wv, 0, 0, 0, 0));
@@ -89,10 +89,10 @@ static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *s,
 {
     pel_word32 *out = (pel_word32 *)r->out;
     const uint64_t last = (uint64_t)r->n - 4;
-    struct pel_texture_two t =
-        pel_texture_two_at(s, r->u + last * s->du, r->v + last * s->dv);
-    struct pel_texture_four f =
-        r->n < 4 ? pel_texture_four_few(s, r) : pel_texture_four_next(&t, s);
+    struct pel_texture_two t = pel_texture_two_at(
+        &s->lanes, r->u + last * s->lanes.du, r->v + last * s->lanes.dv);
+    struct pel_texture_four f = r->n < 4 ? pel_texture_four_few(&s->lanes, r)
+                                         : pel_texture_four_next(&t, &s->lanes);
     const pel_u32x4 pixels = mixed(s, kind, &f);
     if (r->n < 4) {
         out[0] = pixels[0];
@@ -102,9 +102,9 @@ static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *s,
     }
     pel_word32 *const end = out + last;
     pel_put_u32x4(end, pixels);
-    t = pel_texture_two_at(s, r->u, r->v);
+    t = pel_texture_two_at(&s->lanes, r->u, r->v);
     for (; out < end; out += 4) {
-        f = pel_texture_four_next(&t, s);
+        f = pel_texture_four_next(&t, &s->lanes);
         pel_put_u32x4(out, mixed(s, kind, &f));
     }
 }

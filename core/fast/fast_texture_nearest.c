@@ -27,7 +27,7 @@ static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int bytes,
                                    const struct pel_texture_four *f)
 {
     int32_t i[4];
-    pel_texture_four_index(f, s, masked, i);
+    pel_texture_four_index(f, &s->lanes, masked, i);
     if (bytes == 4) {
         const pel_u32x4 a = {texel_at(s->memory, 4, i[0])},
                         b = {texel_at(s->memory, 4, i[1])},
@@ -49,10 +49,10 @@ static PEL_ALWAYS_INLINE void put_few(const struct pel_texture_steps *s,
                                       int bytes, bool masked,
                                       const struct pel_texture_run *r)
 {
-    const struct pel_texture_four f = pel_texture_four_few(s, r);
+    const struct pel_texture_four f = pel_texture_four_few(&s->lanes, r);
     const uintptr_t half = (uintptr_t)r->n >> 1, last = (uintptr_t)r->n - 1;
     int32_t i[4];
-    pel_texture_four_index(&f, s, masked, i);
+    pel_texture_four_index(&f, &s->lanes, masked, i);
     put(r->out, bytes, texel_at(s->memory, bytes, i[0]) | s->set);
     put(r->out + half * (uintptr_t)bytes, bytes,
         texel_at(s->memory, bytes, i[1]) | s->set);
@@ -71,13 +71,13 @@ static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *s,
     }
     const uint64_t last = (uint64_t)r->n - 4;
     const uintptr_t end = r->out + last * (uintptr_t)bytes;
-    struct pel_texture_two t =
-        pel_texture_two_at(s, r->u + last * s->du, r->v + last * s->dv);
-    struct pel_texture_four f = pel_texture_four_next(&t, s);
+    struct pel_texture_two t = pel_texture_two_at(
+        &s->lanes, r->u + last * s->lanes.du, r->v + last * s->lanes.dv);
+    struct pel_texture_four f = pel_texture_four_next(&t, &s->lanes);
     put4(s, bytes, masked, end, &f);
-    t = pel_texture_two_at(s, r->u, r->v);
+    t = pel_texture_two_at(&s->lanes, r->u, r->v);
     for (uintptr_t out = r->out; out < end; out += 4 * (uintptr_t)bytes) {
-        f = pel_texture_four_next(&t, s);
+        f = pel_texture_four_next(&t, &s->lanes);
         put4(s, bytes, masked, out, &f);
     }
 }
@@ -91,11 +91,12 @@ static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *s,
     (void)masked;
     uint64_t u = r->u, v = r->v;
     uintptr_t out = r->out;
-    for (int32_t n = r->n; n > 0; n--, u += s->du, v += s->dv) {
+    for (int32_t n = r->n; n > 0; n--, u += s->lanes.du, v += s->lanes.dv) {
         const uint8_t *line =
-            s->memory + (ptrdiff_t)(v >> 32 & s->v_mask) * s->stride;
+            s->memory + (ptrdiff_t)(v >> 32 & s->lanes.v_mask) * s->stride;
         put(out, bytes,
-            texel_at(line, bytes, (ptrdiff_t)(u >> 32 & s->u_mask)) | s->set);
+            texel_at(line, bytes, (ptrdiff_t)(u >> 32 & s->lanes.u_mask)) |
+                s->set);
         out += (uintptr_t)bytes;
     }
 }

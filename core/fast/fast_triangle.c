@@ -90,7 +90,7 @@ static void sort(const struct pel_point v[3], struct pel_point sorted[3])
     sorted[2] = point_of(max64(high, c));
 }
 
-bool pel_fast_triangle(const struct pel_surface *surface,
+bool pel_triangle_fast(const struct pel_surface *surface,
                        const struct pel_point v[3],
                        const struct pel_paint *paint)
 {

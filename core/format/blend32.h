@@ -1,4 +1,4 @@
-/* Blending one color into runs of 32-bit pixels. Channels are bytes, so their
+/* Blending one color into spans of 32-bit pixels. Channels are bytes, so their
  * order does not matter: all four 32-bit formats share this. Only where
  * PEL_VECTORS is 1. */
 #ifndef PEL_FORMAT_BLEND32_H
@@ -8,7 +8,7 @@
 
 #if PEL_VECTORS
 
-/* What a run needs of the color, of two pixels, byte by byte. */
+/* The color, of two pixels, byte by byte. */
 struct pel_blend32 {
     pel_u16x8 sources; /* source * alpha + 128, for pel_divide255_u16x8 */
     pel_u16x8 rests;   /* 255 - alpha */
@@ -46,12 +46,13 @@ static inline pel_u16x8 pel_blend32_mix(pel_u16x8 d,
 }
 
 /* Fewer than 4 pixels: the first, the middle and the last one, of which some
- * may be the same. As in pel_span32_short, none is one somewhere else. */
+ * may be the same. With n <= 0 a variable is written instead,
+ * as in pel_span32_short. */
 static inline void pel_blend32_short(pel_word32 *p, int32_t n,
                                      const struct pel_blend32 *b)
 {
-    pel_word32 elsewhere = 0;
-    pel_word32 *q = n > 0 ? p : &elsewhere;
+    pel_word32 unused = 0;
+    pel_word32 *q = n > 0 ? p : &unused;
     const int32_t last = n > 0 ? n - 1 : 0, middle = last >> 1;
     pel_u32x4 v = {q[0], q[middle], q[last], 0};
     v = (pel_u32x4)pel_blend32_mix((pel_u16x8)v, b);
@@ -60,9 +61,9 @@ static inline void pel_blend32_short(pel_word32 *p, int32_t n,
     q[last] = v[2];
 }
 
-/* More than 8 pixels by eights, of which the last ends before the run does. The
- * run's last eight pixels are read before the first store, and stored last:
- * they may overlap those before them. */
+/* More than 8 pixels by eights, of which the last ends before the span does.
+ * The span's last eight pixels are read before the first store, and stored
+ * last: they may overlap those before them. */
 static PEL_ALWAYS_INLINE void pel_blend32_long(pel_word32 *p, int32_t n,
                                                const struct pel_blend32 *b,
                                                uintptr_t ahead)
@@ -81,11 +82,11 @@ static PEL_ALWAYS_INLINE void pel_blend32_long(pel_word32 *p, int32_t n,
     pel_put_u16x8(end + 4, last);
 }
 
-/* `ahead`: bytes to the run that is next but a few, whose cache lines the loop
- * asks for as it goes; a loop of its own would end at a branch of its own. */
-static PEL_ALWAYS_INLINE void pel_blend32_run(pel_word32 *p, int32_t n,
-                                              const struct pel_blend32 *b,
-                                              uintptr_t ahead)
+/* `ahead`: bytes to the span a few rows below, which the loop prefetches: a
+ * loop of its own would cost a branch that is often mispredicted. */
+static PEL_ALWAYS_INLINE void pel_blend32_span(pel_word32 *p, int32_t n,
+                                               const struct pel_blend32 *b,
+                                               uintptr_t ahead)
 {
     if (n < 4) {
         pel_blend32_short(p, n, b);

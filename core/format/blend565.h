@@ -1,4 +1,4 @@
-/* Blending one color into runs of 5-6-5 pixels, in any of their three orders.
+/* Blending one color into spans of 5-6-5 pixels, in any of their three orders.
  * Only where PEL_VECTORS is 1. */
 #ifndef PEL_FORMAT_BLEND565_H
 #define PEL_FORMAT_BLEND565_H
@@ -62,8 +62,8 @@ static inline pel_u16x8 pel_blend565_vector(pel_u16x8 v,
 static inline void pel_blend565_short(pel_word16 *p, int32_t n,
                                       const struct pel_blend565 *b)
 {
-    pel_word16 elsewhere = 0;
-    pel_word16 *q = n > 0 ? p : &elsewhere;
+    pel_word16 unused = 0;
+    pel_word16 *q = n > 0 ? p : &unused;
     const int32_t last = n > 0 ? n - 1 : 0, middle = last >> 1;
     const uint64_t pixels =
         q[0] | (uint64_t)q[middle] << 16 | (uint64_t)q[last] << 32;
@@ -90,9 +90,9 @@ static inline void pel_blend565_ends(pel_word16 *p, int32_t n,
     memcpy(p + n - 4, &last, 8);
 }
 
-/* As pel_blend32_run. */
-static PEL_ALWAYS_INLINE void pel_blend565_run(pel_word16 *p, int32_t n,
-                                               const struct pel_blend565 *b)
+/* As pel_blend32_span. */
+static PEL_ALWAYS_INLINE void pel_blend565_span(pel_word16 *p, int32_t n,
+                                                const struct pel_blend565 *b)
 {
     if (n < 4) {
         pel_blend565_short(p, n, b);

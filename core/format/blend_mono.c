@@ -1,7 +1,7 @@
 #include "packed.h"
 
-/* The brighter pixel stays the brighter one: where the color does not make both
- * values alike, each remains what it is. */
+/* A blend never makes the darker value the brighter one: it sets both to one
+ * value or leaves both as they are. */
 void pel_blend_mono(const struct pel_spans *spans, pel_color color)
 {
     const struct pel_format *format = spans->surface->format;

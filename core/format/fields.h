@@ -1,5 +1,5 @@
-/* Pixels whose channels are fields of bits. What is constant in a format folds
- * into shifts and masks. */
+/* Pixels whose channels are fields of bits. Constants of a format fold into
+ * shifts and masks. */
 #ifndef PEL_FORMAT_FIELDS_H
 #define PEL_FORMAT_FIELDS_H
 

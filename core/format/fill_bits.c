@@ -8,10 +8,10 @@ static void put_bits(uint8_t *p, uint32_t mask, uint32_t byte)
     *p = (uint8_t)((*p & ~mask) | (byte & mask));
 }
 
-/* Bits [b0, b1) of a line, the high bit of a byte first. */
-static void fill_run(uint8_t *line, int32_t b0, int32_t b1, uint32_t byte)
+/* Bits [b0, b1) of a row, the high bit of a byte first. */
+static void fill_span(uint8_t *row, int32_t b0, int32_t b1, uint32_t byte)
 {
-    uint8_t *first = line + b0 / 8, *last = line + (b1 - 1) / 8;
+    uint8_t *first = row + b0 / 8, *last = row + (b1 - 1) / 8;
     uint32_t head = 0xFFu >> (b0 & 7), tail = 0xFF00u >> (((b1 - 1) & 7) + 1);
     if (first == last) {
         put_bits(first, head & tail, byte);
@@ -30,6 +30,6 @@ void pel_fill_bits(const struct pel_spans *spans, uint32_t byte)
     int32_t y = spans->y;
     for (int i = 0; i < spans->n; i++, span++, y += spans->step)
         if (span->x0 < span->x1)
-            fill_run(pel_surface_line(s, y), (span->x0 - s->bounds.x0) * bits,
-                     (span->x1 - s->bounds.x0) * bits, byte);
+            fill_span(pel_surface_line(s, y), (span->x0 - s->bounds.x0) * bits,
+                      (span->x1 - s->bounds.x0) * bits, byte);
 }

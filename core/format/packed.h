@@ -4,7 +4,7 @@
 
 #include "word.h"
 
-/* Where a pixel is. */
+/* The place of a pixel. */
 struct pel_place {
     uint8_t *byte;
     int shift; /* of the pixel's bits from bit 0 */
@@ -21,11 +21,11 @@ static inline void pel_place_set(struct pel_place p, uint32_t pixel, int bits)
     *p.byte = (uint8_t)((*p.byte & ~mask) | pixel << p.shift);
 }
 
-/* Runs of gray4 and mono1, in fill_bits.c: `byte` is the pixel repeated over 8
+/* Spans of gray4 and mono1, in fill_bits.c: `byte` is the pixel repeated over 8
  * bits. */
 void pel_fill_bits(const struct pel_spans *spans, uint32_t byte);
 
-/* Blends runs of pixels of one bit, in blend_mono.c. */
+/* Blends spans of pixels of one bit, in blend_mono.c. */
 void pel_blend_mono(const struct pel_spans *spans, pel_color color);
 
 #endif

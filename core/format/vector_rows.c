@@ -15,8 +15,8 @@ void pel_blend32_rows(const struct pel_spans *spans, pel_color color)
     const uintptr_t ahead = ROWS_AHEAD * (uintptr_t)pel_spans_pitch(spans);
     int32_t y = spans->y;
     for (int32_t i = 0; i < spans->n; i++, span++, y += spans->step)
-        pel_blend32_run(pel_address32(spans->surface, span->x0, y),
-                        span->x1 - span->x0, &b, ahead);
+        pel_blend32_span(pel_address32(spans->surface, span->x0, y),
+                         span->x1 - span->x0, &b, ahead);
 }
 
 void pel_blend565_rows(const struct pel_spans *spans, pel_color color)
@@ -26,8 +26,8 @@ void pel_blend565_rows(const struct pel_spans *spans, pel_color color)
     const struct pel_span *span = spans->span;
     int32_t y = spans->y;
     for (int32_t i = 0; i < spans->n; i++, span++, y += spans->step)
-        pel_blend565_run(pel_address16(spans->surface, span->x0, y),
-                         span->x1 - span->x0, &b);
+        pel_blend565_span(pel_address16(spans->surface, span->x0, y),
+                          span->x1 - span->x0, &b);
 }
 
 enum order { RGB, BGR, SWAPPED };

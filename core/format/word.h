@@ -1,5 +1,5 @@
 /* Memory of pixels: words that may alias the caller's array, byte order, and
- * the address of a run. */
+ * the address of a pixel. */
 #ifndef PEL_FORMAT_WORD_H
 #define PEL_FORMAT_WORD_H
 
@@ -61,9 +61,9 @@ static PEL_ALWAYS_INLINE uint32_t pel_widen(uint32_t v, int bits)
     return v >> (bits - 8);
 }
 
-/* The address that column 0 of line y has or would have, pixels being `bytes`
+/* The address that column 0 of row y has or would have, pixels being `bytes`
  * wide. Addresses are counted from there as numbers, not as pointers: neither
- * column 0 nor an empty run need lie in memory. */
+ * column 0 nor an empty span need lie in memory. */
 static inline uintptr_t pel_column_zero(const struct pel_surface *s, int32_t y,
                                         int bytes)
 {
@@ -71,17 +71,18 @@ static inline uintptr_t pel_column_zero(const struct pel_surface *s, int32_t y,
            PEL_CAST(uintptr_t, bytes * PEL_CAST(ptrdiff_t, s->bounds.x0));
 }
 
-/* Asks for the cache lines of a long run, some rows ahead: stores retire in
+/* Asks for the cache lines of a long span, some rows ahead: stores retire in
  * order, so each miss would wait for the one before it. Short ones wait for a
  * line or two, which takes less time than asking. */
-static PEL_ALWAYS_INLINE void pel_prefetch_run(uintptr_t address, int32_t bytes)
+static PEL_ALWAYS_INLINE void pel_prefetch_span(uintptr_t address,
+                                                int32_t bytes)
 {
     if (PEL_64BIT && bytes > 128)
         for (int32_t i = 0; i < bytes; i += 64)
             pel_prefetch(address + PEL_CAST(uintptr_t, i));
 }
 
-/* Bytes from one run's line to the next's. */
+/* Bytes from the row of a span to that of the next. */
 static inline ptrdiff_t pel_spans_pitch(const struct pel_spans *spans)
 {
     return PEL_CAST(ptrdiff_t, spans->surface->stride) * spans->step;
@@ -89,11 +90,13 @@ static inline ptrdiff_t pel_spans_pitch(const struct pel_spans *spans)
 
 /* Pixels of 8, 16 and 32 bits are words. Those of 24 are three bytes, the
  * lowest byte of the pixel value first. */
+PEL_BEGIN_DECLS
 void pel_fill8(const struct pel_spans *spans, uint32_t pixel);
 void pel_fill16(const struct pel_spans *spans, uint32_t pixel);
 
 void pel_fill24(const struct pel_spans *spans, uint32_t pixel);
 void pel_fill32(const struct pel_spans *spans, uint32_t pixel);
+PEL_END_DECLS
 
 /* Of struct pel_dithering, in pattern16.c. */
 void pel_pattern16(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
@@ -102,37 +105,42 @@ void pel_pattern16(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
 static inline pel_word8 *pel_address8(const struct pel_surface *s, int32_t x,
                                       int32_t y)
 {
-    return (pel_word8 *)(pel_column_zero(s, y, 1) + (uintptr_t)x);
+    return PEL_CAST_ADDRESS(pel_word8 *,
+                            pel_column_zero(s, y, 1) + PEL_CAST(uintptr_t, x));
 }
 
 static inline pel_word16 *pel_address16(const struct pel_surface *s, int32_t x,
                                         int32_t y)
 {
-    return (pel_word16 *)(pel_column_zero(s, y, 2) + 2 * (uintptr_t)x);
+    return PEL_CAST_ADDRESS(pel_word16 *, pel_column_zero(s, y, 2) +
+                                              2 * PEL_CAST(uintptr_t, x));
 }
 
 static inline uint8_t *pel_address24(const struct pel_surface *s, int32_t x,
                                      int32_t y)
 {
-    return (uint8_t *)(pel_column_zero(s, y, 3) + 3 * (uintptr_t)x);
+    return PEL_CAST_ADDRESS(uint8_t *, pel_column_zero(s, y, 3) +
+                                           3 * PEL_CAST(uintptr_t, x));
 }
 
 static inline pel_word32 *pel_address32(const struct pel_surface *s, int32_t x,
                                         int32_t y)
 {
-    return (pel_word32 *)(pel_column_zero(s, y, 4) + 4 * (uintptr_t)x);
+    return PEL_CAST_ADDRESS(pel_word32 *, pel_column_zero(s, y, 4) +
+                                              4 * PEL_CAST(uintptr_t, x));
 }
 
 static inline uint32_t pel_get24(const uint8_t *p)
 {
-    return (uint32_t)p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16;
+    return p[0] | PEL_CAST(uint32_t, p[1]) << 8 |
+           PEL_CAST(uint32_t, p[2]) << 16;
 }
 
 static inline void pel_put24(uint8_t *p, uint32_t pixel)
 {
-    p[0] = (uint8_t)pixel;
-    p[1] = (uint8_t)(pixel >> 8);
-    p[2] = (uint8_t)(pixel >> 16);
+    p[0] = PEL_CAST(uint8_t, pixel);
+    p[1] = PEL_CAST(uint8_t, pixel >> 8);
+    p[2] = PEL_CAST(uint8_t, pixel >> 16);
 }
 
 #endif

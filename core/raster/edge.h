@@ -110,9 +110,10 @@ static inline void pel_edge_skip(struct pel_edge *e, int32_t k)
 static inline int32_t pel_edge_carry(int32_t f, int32_t t, int32_t r,
                                      int32_t dy)
 {
-    const uint32_t a = (uint32_t)(f + 1) * (uint32_t)dy - 1;
-    const uint32_t sum = a + (uint32_t)t * (uint32_t)r;
-    return (int32_t)((sum >> 8) + ((uint32_t)(sum < a) << 24));
+    const uint32_t a = PEL_CAST(uint32_t, f + 1) * PEL_CAST(uint32_t, dy) - 1;
+    const uint32_t sum = a + PEL_CAST(uint32_t, t) * PEL_CAST(uint32_t, r);
+    const uint32_t carry = sum < a;
+    return PEL_CAST(int32_t, (sum >> 8) + (carry << 24));
 }
 
 /* The edge from a down to b, a.y < b.y, at row `top`, which lies on or below

@@ -34,35 +34,30 @@ static inline void pel_gouraud_step(uint32_t v[3], const uint32_t dx[3])
     v[2] += dx[2];
 }
 
-/* Steps of the channels, the same in all spans of a triangle. */
+/* pel_gouraud_steps: steps of the channels, the same in all spans of a
+ * triangle. `apart`: pixels from lane to lane; a store is 4 * apart pixels. */
+#if PEL_VECTORS
+
 struct pel_gouraud_steps {
     uint32_t dx[3];
-#if PEL_VECTORS
     pel_u32x4 lanes[3]; /* from the first lane's pixel to each lane's */
     pel_u32x4 steps[3]; /* from a vector of pixels to the next */
-#endif
 };
 
-/* `apart`: pixels from lane to lane; a store is 4 * apart pixels. */
 static inline struct pel_gouraud_steps pel_gouraud_steps_make(
     const struct pel_gouraud *g, uint32_t apart)
 {
     struct pel_gouraud_steps s;
     for (int k = 0; k < 3; k++) {
-        s.dx[k] = g->dx[k];
-#if PEL_VECTORS
         const pel_u32x4 zero = {0, 0, 0, 0}, odd = {0, ~0u, 0, ~0u},
                         upper = {0, 0, ~0u, ~0u};
         const pel_u32x4 d = zero + apart * g->dx[k];
+        s.dx[k] = g->dx[k];
         s.lanes[k] = (d & odd) + ((d << 1) & upper);
         s.steps[k] = d << 2;
-#endif
     }
-    (void)apart;
     return s;
 }
-
-#if PEL_VECTORS
 
 static inline pel_u32x4 pel_gouraud_xrgb4(pel_u32x4 b, pel_u32x4 g, pel_u32x4 r)
 {
@@ -190,6 +185,17 @@ static PEL_ALWAYS_INLINE void pel_gouraud_span_rgb565(
 }
 
 #else
+
+struct pel_gouraud_steps {
+    uint32_t dx[3];
+};
+
+static inline struct pel_gouraud_steps pel_gouraud_steps_make(
+    const struct pel_gouraud *g, uint32_t apart)
+{
+    (void)apart;
+    return (struct pel_gouraud_steps){{g->dx[0], g->dx[1], g->dx[2]}};
+}
 
 static inline void pel_gouraud_span_xrgb(pel_word32 *p, int32_t n,
                                          uint32_t v[3],

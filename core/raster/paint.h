@@ -35,7 +35,7 @@ struct pel_paint {
 /* Draws a legal triangle by paint->fast; false when it has none, or the
  * triangle is clipped or too large. Linked where PEL_FAST_FILLS is 1
  * (core/fast). */
-bool pel_fast_triangle(const struct pel_surface *surface,
+bool pel_triangle_fast(const struct pel_surface *surface,
                        const struct pel_point v[3],
                        const struct pel_paint *paint);
 

@@ -144,7 +144,7 @@ static void fill(const struct pel_surface *surface,
 void pel_triangle(const struct pel_surface *surface,
                   const struct pel_point v[3], const struct pel_paint *paint)
 {
-    if (PEL_FAST_FILLS && pel_fast_triangle(surface, v, paint))
+    if (PEL_FAST_FILLS && pel_triangle_fast(surface, v, paint))
         return;
     PEL_ASSERT(legal(v));
     if (!legal(v))
