@@ -16,19 +16,16 @@ struct run {
 };
 
 #define RUN copy8
-#define LOOP loop8
 #define WORD pel_word8
 #define LANES pel_u8x16
 #include "copy_word.inc"
 
 #define RUN copy16
-#define LOOP loop16
 #define WORD pel_word16
 #define LANES pel_u16x8
 #include "copy_word.inc"
 
 #define RUN copy32
-#define LOOP loop32
 #define WORD pel_word32
 #define LANES pel_u32x4
 #include "copy_word.inc"
