@@ -50,7 +50,8 @@ static int skip_space(struct reader *r)
 
 /* A decimal number of at most `most`, and the white space character after it;
  * the file may end there. */
-static bool read_number(struct reader *r, const char *what, int most, int *value)
+static bool read_number(struct reader *r, const char *what, int most,
+                        int *value)
 {
     int c = skip_space(r);
     const long line = r->line;
