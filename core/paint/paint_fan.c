@@ -155,36 +155,48 @@ static struct pel_point ray_of(const struct pel_fan_points *points, int turn,
                               points->perimeter[i].y - points->hub.y};
 }
 
-/* True for a ray in the second half of the turn, [1/2, 1). A point on the hub
- * is where the one before was. */
-static bool is_late(const struct pel_point *ray, bool was)
+static bool is_zero(const struct pel_point *ray)
 {
-    if (ray->x == 0 && ray->y == 0)
-        return was;
+    return ray->x == 0 && ray->y == 0;
+}
+
+/* True for a ray in the second half of the turn, [1/2, 1). */
+static bool is_late(const struct pel_point *ray)
+{
     return ray->y < 0 || (ray->y == 0 && ray->x < 0);
 }
 
 /* The direction of the perimeter around the hub: 1 clockwise, -1
  * counter-clockwise, 0 when it turns back or goes around more than once. Each
- * time around it leaves the second half of the turn once. */
+ * time around it leaves the second half of the turn once. Over points on the
+ * hub the way from ray to ray may be any part of a turn: one that seems to turn
+ * back, and stays in its half, has gone around. */
 static int turn_of_perimeter(const struct pel_fan_points *points)
 {
-    int turn = 0, rounds = 0;
+    int turn = 0, rounds = 0, around[2] = {0, 0};
     pel_color color;
-    struct pel_point a = ray_of(points, 1, 0, &color), b;
-    bool was = is_late(&a, false);
-    for (int32_t i = 1; i <= points->n; i++, a = b) {
-        b = ray_of(points, 1, i, &color);
+    struct pel_point a = {0, 0};
+    bool skipped = false;
+    for (int32_t i = 0, end = points->n; i <= end; i++) {
+        const struct pel_point b = ray_of(points, 1, i % points->n, &color);
+        if (is_zero(&b)) {
+            skipped = true;
+            continue;
+        }
         const int64_t c = cross(&a, &b);
-        if ((c > 0 && turn < 0) || (c < 0 && turn > 0))
+        if (is_zero(&a))
+            end += i;
+        else if (c != 0 && !skipped && turn == (c > 0 ? -1 : 1))
             return 0;
-        if (c != 0)
+        else if (c != 0 && !skipped)
             turn = c > 0 ? 1 : -1;
-        const bool is = is_late(&b, was);
-        rounds += was && !is;
-        was = is;
+        else if (c != 0 && is_late(&a) == is_late(&b))
+            around[c > 0]++;
+        rounds += is_late(&a) && !is_late(&b);
+        skipped = false;
+        a = b;
     }
-    return rounds > 1 ? 0 : turn;
+    return rounds + around[turn < 0] > 1 ? 0 : turn;
 }
 
 /* Sets channel k, the plane with the values c at the hub and the two points;

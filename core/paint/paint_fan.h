@@ -57,7 +57,7 @@ struct pel_fan {
  * the points need not. The hub may lie on an edge of the polygon or be one of
  * its corners: pixels between no two rays then have its colour. PEL_ERROR_NULL,
  * PEL_ERROR_SIZE (n), PEL_ERROR_RANGE (a point out of range, or the perimeter
- * turns back as seen from the hub, or goes around it twice). */
+ * turns back as seen from the hub, or goes around it more than once). */
 enum pel_status pel_fan_init(struct pel_fan *paint,
                              const struct pel_fan_points *points,
                              struct pel_fan_triangle *memory);

@@ -332,15 +332,17 @@ static void test_errors(void **state)
 }
 
 /* Rims that go around once, from every point on and both ways: with a point on
- * the hub, and with points beside the level rays. */
+ * the hub, and with points beside the level rays. The last goes a little more
+ * than once around a hub that is one of its corners. */
 static void test_perimeters_around_once(void **state)
 {
-    static const struct pel_point perimeters[2][5] = {
+    static const struct pel_point perimeters[3][5] = {
         {{900, 900}, {-900, 900}, {-900, -900}, {0, 0}, {900, -900}},
-        {{900, 1}, {-900, 1}, {-900, 0}, {-900, -1}, {900, -1}}};
+        {{900, 1}, {-900, 1}, {-900, 0}, {-900, -1}, {900, -1}},
+        {{900, -400}, {0, 900}, {-900, -10}, {900, -300}, {0, 0}}};
     const pel_color hues[5] = {0, 0, 0, 0, 0};
     (void)state;
-    for (int k = 0; k < 2; k++)
+    for (int k = 0; k < 3; k++)
         for (int first = 0; first < 5; first++)
             for (int way = -1; way <= 1; way += 2) {
                 struct pel_point v[5];
@@ -348,7 +350,7 @@ static void test_perimeters_around_once(void **state)
                     v[i] = perimeters[k][(first + way * i + 5) % 5];
                 const struct pel_fan_points p = {{0, 0}, 0, v, hues, 5};
                 assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory),
-                                 PEL_OK);
+                                 k < 2 ? PEL_OK : PEL_ERROR_RANGE);
             }
 }
 
