@@ -40,8 +40,9 @@ enum pel_status pel_polygon_outline(const struct pel_surface *surface,
     void *const spans = memory + FILTER_BYTES;
     const int32_t n = PEL_OUTLINE_FILTER_SPANS(polygon->n / 2);
     const size_t used = FILTER_BYTES + (size_t)n * sizeof(struct pel_span);
+    /* With an empty clip the fill draws nothing, and finds the same errors. */
     if (!pel_outline_filter_begin(filter, surface, paint, spans, n))
-        return PEL_OK;
+        return pel_polygon(surface, polygon, paint, memory + used, size - used);
     enum pel_status status = pel_polygon(
         &filter->surface, polygon, &filter->paint, memory + used, size - used);
     pel_outline_filter_end(filter);

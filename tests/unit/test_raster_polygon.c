@@ -131,6 +131,23 @@ static void test_vertices_out_of_range_are_refused(void **state)
         }
 }
 
+/* Whatever the clip, as the fill is. */
+static void test_outlines_out_of_range_are_refused(void **state)
+{
+    static uint32_t memory[PEL_POLYGON_OUTLINE_SCRATCH_SIZE(3) / 4];
+    static const struct pel_point v[3] = {
+        PEL_AT(1, 1), PEL_AT(5, 1), {0, PEL_COORDINATE_MAX + 1}};
+    const struct pel_polygon_shape p = {v, 3, PEL_EVEN_ODD};
+    const struct pel_rect clips[2] = {{0, 0, 8, 8}, {3, 3, 3, 8}};
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        pel_surface_clip(&hits.surface, &clips[i]);
+        assert_int_equal(pel_polygon_outline(&hits.surface, &p, &hits.paint,
+                                             memory, sizeof memory),
+                         PEL_ERROR_RANGE);
+    }
+}
+
 /* An empty clip, and outlines of which no row is visible, are no errors. */
 static void test_nothing_to_see(void **state)
 {
@@ -155,6 +172,7 @@ int main(void)
         cmocka_unit_test_setup(test_few_vertices, setup),
         cmocka_unit_test_setup(test_huge_counts_are_refused, setup),
         cmocka_unit_test_setup(test_vertices_out_of_range_are_refused, setup),
+        cmocka_unit_test_setup(test_outlines_out_of_range_are_refused, setup),
         cmocka_unit_test_setup(test_nothing_to_see, setup),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
