@@ -141,6 +141,8 @@ enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
                                  const struct pel_point v[3],
                                  const pel_color c[3])
 {
+    if (paint)
+        pel_paint_clear(&paint->paint);
     if (!paint || !v || !c)
         return PEL_ERROR_NULL;
     if (!pel_points_legal(v, 3))

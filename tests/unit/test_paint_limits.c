@@ -7,6 +7,7 @@
 union any_paint {
     struct pel_paint paint;
     struct pel_flat flat;
+    struct pel_gouraud gouraud;
     struct pel_linear linear;
     struct pel_radial radial;
     struct pel_conic conic;
@@ -18,6 +19,13 @@ union any_paint {
 
 static const struct pel_point inside = {0, 0}, outside = {INT32_MAX, 0};
 static const struct pel_ramp no_ramp = {NULL, 2, PEL_PAD};
+
+static enum pel_status gouraud(union any_paint *p)
+{
+    const struct pel_point v[3] = {outside, inside, inside};
+    const pel_color c[3] = {1, 2, 3};
+    return pel_gouraud_init(&p->gouraud, v, c);
+}
 
 static enum pel_status linear(union any_paint *p)
 {
@@ -78,6 +86,7 @@ static enum pel_status dither_of_a_dither(union any_paint *p)
 static void test_failed_paints(void **state)
 {
     static enum pel_status (*const init[])(union any_paint *) = {
+        gouraud,
         linear,
         radial,
         conic,
