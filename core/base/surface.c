@@ -29,6 +29,8 @@ enum pel_status pel_surface_init_rect(struct pel_surface *surface,
                                       void *pixels, int32_t stride,
                                       const struct pel_rect *bounds)
 {
+    if (surface)
+        *surface = (struct pel_surface){0};
     if (!surface || !format || !pixels || !bounds)
         return PEL_ERROR_NULL;
     if (!pel_bounds_legal(bounds))
@@ -61,15 +63,15 @@ enum pel_status pel_surface_init(struct pel_surface *surface,
                                  const struct pel_format *format, void *pixels,
                                  size_t size, const struct pel_rect *bounds)
 {
-    if (!format || !bounds)
-        return PEL_ERROR_NULL;
-    if (!pel_bounds_legal(bounds))
-        return PEL_ERROR_SIZE;
-    const int32_t stride = pel_stride(format, bounds->x1 - bounds->x0);
-    int32_t lines = bounds->y1 - bounds->y0;
-    if (format->id == PEL_FORMAT_MONO1_PAGES)
-        lines = (lines + 7) / 8;
-    if (size < (uint32_t)stride * (uint32_t)lines) /* 131,068 by 32,767 fits */
-        return PEL_ERROR_SIZE;
+    static const struct pel_rect nothing = {0, 0, 0, 0};
+    int32_t stride = 0;
+    if (format && bounds && pel_bounds_legal(bounds)) {
+        int32_t lines = bounds->y1 - bounds->y0;
+        if (format->id == PEL_FORMAT_MONO1_PAGES)
+            lines = (lines + 7) / 8;
+        stride = pel_stride(format, bounds->x1 - bounds->x0);
+        if (size < (uint32_t)stride * (uint32_t)lines) /* 131,068 by 32,767 */
+            bounds = &nothing; /* refused by its size, as memory is */
+    }
     return pel_surface_init_rect(surface, format, pixels, stride, bounds);
 }
