@@ -24,14 +24,11 @@ static bool origin_legal(const struct pel_format *f, const struct pel_rect *b)
     return ((b->x0 * f->bits) & 7) == 0;
 }
 
-enum pel_status pel_surface_init_rect(struct pel_surface *surface,
-                                      const struct pel_format *format,
-                                      void *pixels, int32_t stride,
-                                      const struct pel_rect *bounds)
+static enum pel_status check(const struct pel_format *format,
+                             const void *pixels, int32_t stride,
+                             const struct pel_rect *bounds)
 {
-    if (surface)
-        *surface = (struct pel_surface){0};
-    if (!surface || !format || !pixels || !bounds)
+    if (!format || !pixels || !bounds)
         return PEL_ERROR_NULL;
     if (!pel_bounds_legal(bounds))
         return PEL_ERROR_SIZE;
@@ -43,10 +40,25 @@ enum pel_status pel_surface_init_rect(struct pel_surface *surface,
         return PEL_ERROR_STRIDE;
     if ((uintptr_t)pixels % format->word || stride % format->word)
         return PEL_ERROR_ALIGNMENT;
+    return PEL_OK;
+}
+
+enum pel_status pel_surface_init_rect(struct pel_surface *surface,
+                                      const struct pel_format *format,
+                                      void *pixels, int32_t stride,
+                                      const struct pel_rect *bounds)
+{
+    const enum pel_status status = check(format, pixels, stride, bounds);
+    if (!surface)
+        return PEL_ERROR_NULL;
+    if (status != PEL_OK) {
+        *surface = (struct pel_surface){0};
+        return status;
+    }
     surface->pixels = pixels;
     surface->stride = stride;
-    surface->bounds = *bounds;
     surface->clip = *bounds;
+    surface->bounds = surface->clip;
     surface->format = format;
     return PEL_OK;
 }
