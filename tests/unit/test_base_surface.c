@@ -259,6 +259,9 @@ static void test_failed_surfaces(void **state)
         assert_int_equal(
             pel_surface_init(&s, &pel_gray8, memory, sizeof memory, &row),
             PEL_OK);
+        assert_int_equal(
+            pel_surface_init(&s, &pel_gray8, memory, sizeof memory, &s.bounds),
+            PEL_OK);
         assert_true((i == 0 ? pel_surface_init(&s, NULL, memory, 64, &row)
                      : i == 1
                          ? pel_surface_init(&s, &pel_gray8, memory, 1, &row)
