@@ -51,7 +51,9 @@ struct pel_format {
 
     /* Colour (alpha ignored) to pixel and back (opaque, but for argb8888). 8 to
      * n bits truncates, n to 8 replicates: pack(unpack(p)) == p for every p
-     * that pack makes. X bits are set. */
+     * that pack makes. X bits are set. A pixel is the word as the CPU reads it
+     * from memory: on a little-endian one that of rgb565_be has its bytes
+     * swapped. */
     uint32_t (*pack)(pel_color color);
     pel_color (*unpack)(uint32_t pixel);
 
@@ -59,8 +61,8 @@ struct pel_format {
     void (*fill)(const struct pel_spans *spans, uint32_t pixel);
 
     /* The color over every span, weighted by its alpha, which is below 255; 0
-     * leaves every bit as it is. NULL in the fill-only variants, like put and
-     * load: paints that need them draw nothing there. */
+     * leaves every bit as it is. NULL in the fill-only variants, like unpack,
+     * put and load: paints that need them draw nothing there. */
     void (*blend)(const struct pel_spans *spans, pel_color color);
 
     /* n >= 1 colours over the pixels (x, y) to (x + n - 1, y) of the surface,

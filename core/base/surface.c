@@ -24,12 +24,11 @@ static bool origin_legal(const struct pel_format *f, const struct pel_rect *b)
     return ((b->x0 * f->bits) & 7) == 0;
 }
 
-enum pel_status pel_surface_init_rect(struct pel_surface *surface,
-                                      const struct pel_format *format,
-                                      void *pixels, int32_t stride,
-                                      const struct pel_rect *bounds)
+static enum pel_status check(const struct pel_format *format,
+                             const void *pixels, int32_t stride,
+                             const struct pel_rect *bounds)
 {
-    if (!surface || !format || !pixels || !bounds)
+    if (!format || !pixels || !bounds)
         return PEL_ERROR_NULL;
     if (!pel_bounds_legal(bounds))
         return PEL_ERROR_SIZE;
@@ -41,10 +40,25 @@ enum pel_status pel_surface_init_rect(struct pel_surface *surface,
         return PEL_ERROR_STRIDE;
     if ((uintptr_t)pixels % format->word || stride % format->word)
         return PEL_ERROR_ALIGNMENT;
+    return PEL_OK;
+}
+
+enum pel_status pel_surface_init_rect(struct pel_surface *surface,
+                                      const struct pel_format *format,
+                                      void *pixels, int32_t stride,
+                                      const struct pel_rect *bounds)
+{
+    const enum pel_status status = check(format, pixels, stride, bounds);
+    if (!surface)
+        return PEL_ERROR_NULL;
+    if (status != PEL_OK) {
+        *surface = (struct pel_surface){0};
+        return status;
+    }
     surface->pixels = pixels;
     surface->stride = stride;
-    surface->bounds = *bounds;
     surface->clip = *bounds;
+    surface->bounds = surface->clip;
     surface->format = format;
     return PEL_OK;
 }
@@ -61,15 +75,15 @@ enum pel_status pel_surface_init(struct pel_surface *surface,
                                  const struct pel_format *format, void *pixels,
                                  size_t size, const struct pel_rect *bounds)
 {
-    if (!format || !bounds)
-        return PEL_ERROR_NULL;
-    if (!pel_bounds_legal(bounds))
-        return PEL_ERROR_SIZE;
-    const int32_t stride = pel_stride(format, bounds->x1 - bounds->x0);
-    int32_t rows = bounds->y1 - bounds->y0;
-    if (format->id == PEL_FORMAT_MONO1_PAGES)
-        rows = (rows + 7) / 8;
-    if (size < (uint32_t)stride * (uint32_t)rows) /* 131,068 by 32,767 fits */
-        return PEL_ERROR_SIZE;
+    static const struct pel_rect nothing = {0, 0, 0, 0};
+    int32_t stride = 0;
+    if (format && bounds && pel_bounds_legal(bounds)) {
+        int32_t lines = bounds->y1 - bounds->y0;
+        if (format->id == PEL_FORMAT_MONO1_PAGES)
+            lines = (lines + 7) / 8;
+        stride = pel_stride(format, bounds->x1 - bounds->x0);
+        if (size < (uint32_t)stride * (uint32_t)lines) /* 131,068 by 32,767 */
+            bounds = &nothing; /* refused by its size, as memory is */
+    }
     return pel_surface_init_rect(surface, format, pixels, stride, bounds);
 }

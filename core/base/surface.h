@@ -36,7 +36,8 @@ int32_t pel_stride(const struct pel_format *format, int32_t width);
  * formats with less than 8 bits a tile begins at a byte (x0 even for gray4, a
  * multiple of 8 for mono1; y0 a multiple of 8 for mono1_pages). The clip is the
  * whole surface. PEL_ERROR_NULL, PEL_ERROR_SIZE (bounds out of range, or more
- * than the memory holds), PEL_ERROR_ALIGNMENT. */
+ * than the memory holds), PEL_ERROR_ALIGNMENT: the surface has no pixel then,
+ * and shapes draw nothing. */
 enum pel_status pel_surface_init(struct pel_surface *surface,
                                  const struct pel_format *format, void *pixels,
                                  size_t size, const struct pel_rect *bounds);

@@ -30,8 +30,9 @@ struct pel_fan_points {
 void pel_fan_set_hub(struct pel_fan_points *points);
 
 /* n points evenly around a circle, the first at the angle start (1/65,536
- * turns), clockwise; n > 0. A circle out of range is a broken contract:
- * PEL_ASSERT, and the points stay as they are. */
+ * turns), clockwise; n > 0. Their angles are whole 65,536ths, rounded down: a
+ * point is within radius / 8,000 and a sub-pixel of its place. A circle out of
+ * range is a broken contract: PEL_ASSERT, and the points stay as they are. */
 void pel_fan_perimeter(struct pel_point *v, int32_t n, struct pel_point center,
                        int32_t radius, uint16_t start);
 

@@ -237,10 +237,35 @@ static void test_clip_stays_inside(void)
     assert_memory_equal(&s.clip, &(struct pel_rect){0}, sizeof s.clip);
 }
 
+/* Where init failed there is no pixel, whatever the surface was before. */
+static void test_failed_surfaces(void)
+{
+    static const struct pel_rect row = {0, 0, 64, 1}, none = {0, 0, 64, 0};
+    static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    for (int i = 0; i < 3; i++) {
+        struct pel_surface s;
+        memory[0] = 0;
+        assert_int_equal(
+            pel_surface_init(&s, &pel_gray8, memory, sizeof memory, &row),
+            PEL_OK);
+        assert_int_equal(
+            pel_surface_init(&s, &pel_gray8, memory, sizeof memory, &s.bounds),
+            PEL_OK);
+        assert_true((i == 0 ? pel_surface_init(&s, NULL, memory, 64, &row)
+                     : i == 1
+                         ? pel_surface_init(&s, &pel_gray8, memory, 1, &row)
+                         : pel_surface_init_rect(&s, &pel_gray8, memory, 64,
+                                                 &none)) < 0);
+        pel_surface_clip(&s, &row);
+        pel_box(&s, &row, &white.paint);
+        assert_int_equal(*(const uint8_t *)memory, 0);
+    }
+}
+
 int main(void)
 {
-    return RUN_TESTS(test_null_is_refused, test_sizes, test_memory_sizes,
-                     test_bounds, test_strides, test_stride_of_nothing,
-                     test_alignment, test_origins,
+    return RUN_TESTS(test_failed_surfaces, test_null_is_refused, test_sizes,
+                     test_memory_sizes, test_bounds, test_strides,
+                     test_stride_of_nothing, test_alignment, test_origins,
                      test_surface_is_what_was_said, test_clip_stays_inside);
 }
