@@ -13,7 +13,7 @@ void pel_copy_keyed(const struct pel_surface *surface,
                     const struct pel_copy_part *copy, pel_color key)
 {
     const struct pel_format *format = copy->source->format;
-    if (!format->load || !surface->format->put)
+    if (!format || !surface->format || !format->load || !surface->format->put)
         pel_copy_lines(surface, copy, drop_key, key); /* copies nothing */
     else if (!pel_copy_same(surface, copy, &key))
         pel_copy_lines(surface, copy, drop_key,

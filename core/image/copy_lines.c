@@ -36,9 +36,10 @@ void pel_copy_lines(const struct pel_surface *surface,
     const struct pel_surface *source = copy->source;
     pel_color colors[PEL_BUFFER_PIXELS];
     struct pel_rect r;
+    if (!pel_copy_visible(surface, copy, &r))
+        return;
     PEL_ASSERT(source->format->load && surface->format->put);
-    if (!source->format->load || !surface->format->put ||
-        !pel_copy_visible(surface, copy, &r))
+    if (!source->format->load || !surface->format->put)
         return;
     const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
     const bool in_place = !weigh && source->format->id == PEL_FORMAT_ARGB8888 &&

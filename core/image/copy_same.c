@@ -68,7 +68,8 @@ static void copy_run(const struct run *r, int32_t bits)
 static bool can_copy(const struct pel_format *f, bool keyed)
 {
     if (f->id >= 128)
-        return !keyed && f->bits >= 8 && f->pack(0) == 0;
+        return !keyed && f->bits >= 8 && f->pack(0) == 0 &&
+               f->pack(PEL_RGB(255, 255, 255)) == UINT32_MAX >> (32 - f->bits);
     if (f->id == PEL_FORMAT_MONO1_PAGES)
         return false;
     return !keyed || (f->bits != 4 && f->bits != 24);
@@ -80,10 +81,10 @@ bool pel_copy_same(const struct pel_surface *surface,
     const struct pel_format *f = surface->format;
     const struct pel_surface *source = copy->source;
     struct pel_rect r;
-    if (f->id != source->format->id || !can_copy(f, key != NULL))
-        return false;
     if (!pel_copy_visible(surface, copy, &r))
         return true;
+    if (f->id != source->format->id || !can_copy(f, key != NULL))
+        return false;
     const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
     const int32_t to = (r.x0 - surface->bounds.x0) * f->bits;
     const int32_t from = (r.x0 - dx - source->bounds.x0) * f->bits;

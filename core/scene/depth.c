@@ -18,15 +18,19 @@ enum pel_status pel_depth_init(struct pel_depth *depth,
                                const struct pel_rect *bounds, int bits,
                                void *memory, size_t size)
 {
-    if (!depth || !bounds || !memory)
+    if (!depth || !bounds)
         return PEL_ERROR_NULL;
-    const size_t needed = pel_depth_size(bounds, bits);
+    const struct pel_rect area = *bounds;
+    const size_t needed = pel_depth_size(&area, bits);
+    *depth = (struct pel_depth){0};
+    if (!memory)
+        return PEL_ERROR_NULL;
     if (needed == 0)
         return PEL_ERROR_SIZE;
     if (size < needed || (uintptr_t)memory % (size_t)(bits / 8))
         return PEL_ERROR_SCRATCH;
     depth->values = memory;
-    depth->bounds = *bounds;
+    depth->bounds = area;
     depth->bits = (uint8_t)bits;
     pel_depth_clear(depth);
     return PEL_OK;
@@ -34,7 +38,9 @@ enum pel_status pel_depth_init(struct pel_depth *depth,
 
 void pel_depth_clear(const struct pel_depth *depth)
 {
-    memset(depth->values, 0, pel_depth_size(&depth->bounds, depth->bits));
+    const size_t size = pel_depth_size(&depth->bounds, depth->bits);
+    if (size)
+        memset(depth->values, 0, size);
 }
 
 /* A value, 2^-24 of 0..2^30, as 32 bits; below 0 only by rounding. */

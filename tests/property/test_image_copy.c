@@ -225,9 +225,70 @@ static void test_out_of_range(void)
                          canvas_pixel_before(&to, x, 3));
 }
 
+/* A surface whose init failed has no format. */
+static void test_failed_surfaces(void)
+{
+    const struct pel_rect b = {0, 0, 8, 8};
+    struct pel_surface failed;
+    canvas_open(&to, &pel_gray8, &b, 0);
+    assert_true(pel_surface_init(&failed, &pel_gray8, &failed, 1, &b) < 0);
+    const struct pel_copy_part c = {&failed, b, 0, 0};
+    const struct pel_copy_part d = {&to.surface, b, 0, 0};
+    pel_copy(&to.surface, &c);
+    pel_copy_keyed(&to.surface, &c, 0);
+    pel_copy_alpha(&to.surface, &c, 255);
+    pel_copy(&failed, &d);
+    pel_copy_keyed(&failed, &d, 0);
+    assert_int_equal(canvas_pixel(&to, 3, 3), canvas_pixel_before(&to, 3, 3));
+}
+
+static uint32_t pack_321(pel_color c)
+{
+    return pel_red(c) >> 5 << 5 | pel_green(c) >> 6 << 3 |
+           pel_blue(c) >> 7 << 1;
+}
+
+static pel_color unpack_321(uint32_t p)
+{
+    return PEL_RGB((p >> 5) * 36, (p >> 3 & 3) * 85, (p >> 1 & 1) * 255);
+}
+
+static void load_321(const struct pel_surface *s, int32_t x, int32_t y,
+                     int32_t n, pel_color *colors)
+{
+    for (const uint8_t *p = pel_surface_line(s, y) + x; n > 0; n--)
+        *colors++ = unpack_321(*p++);
+}
+
+static void put_321(const struct pel_surface *s, int32_t x, int32_t y,
+                    int32_t n, const pel_color *colors)
+{
+    for (uint8_t *p = pel_surface_line(s, y) + x; n > 0; n--)
+        *p++ = (uint8_t)pack_321(*colors++);
+}
+
+/* Bits that a program's own format leaves unused are not copied. */
+static void test_unused_bits(void)
+{
+    static const struct pel_format own = {.id = 200,
+                                          .bits = 8,
+                                          .word = 1,
+                                          .pack = pack_321,
+                                          .unpack = unpack_321,
+                                          .load = load_321,
+                                          .put = put_321};
+    static const struct pel_rect b = {0, 0, 1, 1};
+    uint8_t source = 0xFF, pixel = 0;
+    struct pel_surface f, t;
+    assert_int_equal(pel_surface_init(&f, &own, &source, 1, &b), PEL_OK);
+    assert_int_equal(pel_surface_init(&t, &own, &pixel, 1, &b), PEL_OK);
+    pel_copy(&t, &(struct pel_copy_part){&f, b, 0, 0});
+    assert_int_equal(pixel, pack_321(unpack_321(0xFF)));
+}
+
 int main(void)
 {
     return RUN_TESTS(test_opaque, test_keyed, test_alpha, test_alpha_of_pixels,
                      test_key_ignores_alpha, test_argb_is_drawn_into_as_xrgb,
-                     test_out_of_range);
+                     test_out_of_range, test_failed_surfaces, test_unused_bits);
 }
