@@ -120,7 +120,7 @@ static enum taken take(const struct pel_frame *frame, uint32_t triangle,
 
 /* True when the xs, or the ys, overlap pixels [first, end). */
 static PEL_NOINLINE_32 bool range_meets(const struct pel_point at[3], bool y,
-                                 int32_t first, int32_t end)
+                                        int32_t first, int32_t end)
 {
     int32_t low = INT32_MAX, high = INT32_MIN;
     for (int i = 0; i < 3; i++) {
