@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 #include "core/base/color.h"
 
@@ -44,6 +45,9 @@ static inline pel_color *picture_row(const struct picture *picture, int y)
  * error that names file, line (text) or byte (binary), what is wrong and what
  * is expected; the picture is then empty. */
 bool picture_load(struct picture *picture, const char *path);
+
+/* The same from a stream; `name` is that of messages. */
+bool picture_read_ppm(struct picture *picture, FILE *file, const char *name);
 
 /* Writes the picture, alpha left out, in the format of the ending of `path`:
  * .ppm (P6), .bmp (24 bits), .png (needs libpng at build time); "-" is PPM on

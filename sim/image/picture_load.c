@@ -193,7 +193,7 @@ static bool read_rows(struct reader *r, struct picture *picture,
                             r->byte - 1, r->width, r->height);
 }
 
-static bool read_ppm(struct picture *picture, FILE *file, const char *name)
+bool picture_read_ppm(struct picture *picture, FILE *file, const char *name)
 {
     struct reader reader = {file, name, 1, 0, 0, 0, 0, false};
     if (!read_header(&reader))
@@ -211,11 +211,11 @@ bool picture_load(struct picture *picture, const char *path)
 {
     *picture = (struct picture){0, 0, NULL};
     if (strcmp(path, "-") == 0)
-        return read_ppm(picture, stdin, path);
+        return picture_read_ppm(picture, stdin, path);
     FILE *file = fopen(path, "rb");
     if (!file)
         return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
-    const bool done = read_ppm(picture, file, path);
+    const bool done = picture_read_ppm(picture, file, path);
     fclose(file);
     return done;
 }

@@ -22,7 +22,7 @@ FUZZ_LINK_gcc := $(TEST_SANITIZE)
 define fuzz_build
 $(F)/$1/%.o: %.c
 	@mkdir -p $$(@D)
-	$$(FUZZ_CC_$1) $$(PEL_CFLAGS) $$(if $$(filter-out core/% tests/%,$$<),\
+	$$(FUZZ_CC_$1) $$(PEL_CFLAGS) -D_POSIX_C_SOURCE=200809L $$(if $$(filter-out core/% tests/%,$$<),\
 	    $$(SIM_FLAGS) $$(LINUX_FLAGS)) $$(FUZZ_FLAGS_$1) -c $$< -o $$@
 $(F)/$1/libpel.a: $(CORE:%.c=$(F)/$1/%.o)
 	rm -f $$@

@@ -1,6 +1,6 @@
 /* PPM and PGM pictures. */
 #include "input.h"
-#include "sim/image/picture_file.h"
+#include "sim/image/picture.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {

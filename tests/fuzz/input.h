@@ -3,8 +3,6 @@
 #ifndef TESTS_FUZZ_INPUT_H
 #define TESTS_FUZZ_INPUT_H
 
-#define _POSIX_C_SOURCE 200809L /* fmemopen */
-
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>

@@ -50,7 +50,7 @@ loaded? ls /dev/dri/card*" drm:/dev/none
 else
     shown "/dev/null: this program was built without DRM" drm:/dev/null
 fi
-refused "pel: pel console does nothing by itself" "$pel" console
+refused "pel: nothing to do: expected pel console --reset" "$pel" console
 refused "pel: /dev/null is not a virtual terminal; give one with --tty" \
     "$pel" console --reset --tty /dev/null
 refused "pel: cannot open /dev/none: No such file or directory; has this \
