@@ -96,15 +96,15 @@ static void next_lines(struct lines *l, const struct pel_linear *p,
 
 /* An edge does without the lowest 8 bits, which never change from row to row.
  */
-static void end_cells(struct pel_cells *cells, int32_t count)
+static PEL_WIDE bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_linear *p = (const void *)cells->gradient;
     struct lines *l = (void *)cells;
     next_lines(l, p, count - 1);
     struct pel_edge edge = {l->x, (int32_t)(l->m >> 8) - p->d.x, p->down,
                             p->down_rest, p->d.x};
-    pel_cells_end_at(cells, &edge);
     next_lines(l, p, 1);
+    return pel_cells_end_at(cells, &edge);
 }
 
 /* The boundary after a position, where it crosses the row of the position's
@@ -130,17 +130,15 @@ static PEL_WIDE void set_end(struct lines *l, const struct pel_linear *p,
 }
 
 /* In the cell of the first pixel on the way, or before it. */
-static PEL_WIDE bool lines_start(struct lines *l, const struct pel_linear *p,
-                                 const struct pel_spans *spans)
+static PEL_WIDE void start(struct lines *l, const struct pel_linear *p)
 {
-    if (!pel_cells_begin(&l->cells, &p->base, spans))
-        return false;
-    int32_t span = p->d.y < 0 ? (spans->n - 1) * spans->step : 0;
-    const int64_t product = product_at(p, l->cells.all.x0, spans->y + span);
+    const struct pel_spans *rows = &l->cells.cell;
+    int32_t span = p->d.y < 0 ? (rows->n - 1) * rows->step : 0;
+    const int64_t product = product_at(p, l->cells.x0, rows->y + span);
     const struct position at = position_of(p, product);
     l->cells.step = p->reversed ? -1 : 1;
     l->cells.place = place_of(p, &at);
-    l->x = l->cells.all.x0;
+    l->x = l->cells.x0;
     if (p->d.x == 0)
         l->cells.limit = 0;
     else
@@ -151,7 +149,6 @@ static PEL_WIDE bool lines_start(struct lines *l, const struct pel_linear *p,
             line_add(&l->x, &l->m, (uint32_t)p->d.x << 8,
                      (uint32_t)(p->d.x - p->down_rest) << 8);
     }
-    return true;
 }
 
 /* A function of its own, to spare the stack of what comes before it. */
@@ -160,25 +157,21 @@ static PEL_WIDE void walk(struct lines *l)
     pel_cells_draw(&l->cells, end_cells);
 }
 
-/* Rows of which the boundaries lie at most 129 pixels apart. */
-static void draw(const struct pel_gradient *gradient,
-                 const struct pel_spans *spans)
-{
-    struct lines l;
-    if (lines_start(&l, (const void *)gradient, spans))
-        walk(&l);
-}
-
-/* Where boundaries lie far apart from row to row the rows are drawn one by one.
- */
+/* Where boundaries lie far apart from row to row, above 129 pixels, the rows
+ * are drawn one by one. */
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    const bool steep = p->down > 128 || p->down < -128 || p->d.x == 0;
-    if (p->by_pixel || steep)
-        pel_gradient_parts(&p->base, spans, p->by_pixel ? 1 : FAR, draw);
-    else
-        draw(&p->base, spans);
+    const bool alone =
+        p->by_pixel || p->down > 128 || p->down < -128 || p->d.x == 0;
+    struct lines l;
+    pel_cells_open(&l.cells, &p->base, spans);
+    while (pel_cells_more(&l.cells, spans, alone ? 1 : PEL_CELL_ROWS)) {
+        if (p->by_pixel)
+            l.cells.stop = l.cells.x0 + 1;
+        start(&l, p);
+        walk(&l);
+    }
 }
 
 static void set_steps(struct pel_linear *p)

@@ -72,9 +72,15 @@ struct side {
     struct circle circle; /* where the present cell ends */
     int64_t steps;        /* these three at the first row and the last circle */
     int32_t u, columns;
-    int32_t v, first; /* distance of the first row, the column that is 0 */
-    int32_t limit;    /* so many columns are visible */
+    int32_t first; /* the column that is 0 */
+    int32_t limit; /* so many columns are visible */
 };
+
+/* The height of the first row, from the centre down. */
+static int32_t height_of(const struct side *s, const struct pel_radial *p)
+{
+    return pel_pixel_center(s->cells.cell.y) - p->rings.center.y;
+}
 
 static void circle_outwards(const struct pel_radial *p, struct circle *c)
 {
@@ -107,15 +113,16 @@ static void circle_move(struct side *s, int32_t count)
 }
 
 /* Columns grow to the left on the left side, where the walk is inwards. */
-static void end_cells(struct pel_cells *cells, int32_t count)
+static PEL_WIDE bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_radial *p = (const void *)cells->gradient;
     struct side *s = (void *)cells;
     circle_move(s, count - 1);
     const int64_t reach = (pel_square(s->circle.radius) - p->low) >> 9;
     int64_t d = reach - s->steps;
-    int32_t u = s->u, columns = s->columns, v = s->v, rest = 0;
-    for (int32_t i = 0; i < cells->spans->n; i++) {
+    int32_t u = s->u, columns = s->columns, rest = 0;
+    int32_t v = height_of(s, p);
+    for (int32_t i = 0; i < cells->cell.n; i++) {
         pel_disc_side_adjust(&d, &u, &columns, s->limit);
         if (i == 0) {
             s->steps = reach - d;
@@ -123,13 +130,13 @@ static void end_cells(struct pel_cells *cells, int32_t count)
             s->columns = columns;
         }
         rest |= pel_cells_end_run(cells, i, s->first + columns * cells->step);
-        if (cells->spans->step) {
+        if (cells->cell.step) {
             d -= v + 128;
             v += 256;
         }
     }
-    cells->rest = rest < 0;
     circle_move(s, 1);
+    return rest < 0;
 }
 
 /* The pixels in column x are the first on the side, at distance u. */
@@ -137,8 +144,16 @@ static void side_start(struct side *s, const struct pel_radial *p, int32_t u)
 {
     s->u = u;
     s->columns = 0;
-    s->v = pel_pixel_center(s->cells.spans->y) - p->rings.center.y;
-    s->steps = (pel_square(u) + pel_square(s->v)) >> 9;
+    s->steps = (pel_square(u) + pel_square(height_of(s, p))) >> 9;
+}
+
+/* Behind the last pixel of all rows before `stop`. */
+static int32_t end_of(const struct pel_cells *c)
+{
+    int32_t x1 = c->span[0].x1;
+    for (int32_t i = 1; i < c->cell.n; i++)
+        x1 = pel_max(x1, c->span[i].x1);
+    return pel_min(x1, c->stop);
 }
 
 /* What is left of `split`, the first column of the right side: from the ring of
@@ -147,42 +162,37 @@ static PEL_WIDE void left_start(struct side *s, const struct pel_radial *p,
                                 int32_t split)
 {
     struct pel_cells *c = &s->cells;
-    const int32_t last = c->spans->y + (c->spans->n - 1) * c->spans->step;
+    const int32_t last = c->cell.y + (c->cell.n - 1) * c->cell.step;
     const int32_t twice = 2 * p->rings.center.y;
     const int32_t y =
-        twice - pel_pixel_center(c->spans->y) > pel_pixel_center(last)
-            ? c->spans->y
-            : last;
-    circle_find(p, square_at(p, c->all.x0, y), &s->circle);
+        twice - pel_pixel_center(c->cell.y) > pel_pixel_center(last) ? c->cell.y
+                                                                     : last;
+    circle_find(p, square_at(p, c->x0, y), &s->circle);
     if (p->base.period == 0 &&
         (s->circle.copy || s->circle.part > p->base.cells - 1 - p->first))
         circle_set(p, 0, p->base.cells - 1 - p->first, &s->circle);
     c->step = -1;
-    c->stop = split;
+    c->stop = pel_min(c->stop, split);
     c->limit = s->circle.copy < 65535
                    ? s->circle.copy * p->base.cells + s->circle.part
                    : INT32_MAX;
-    s->first = pel_min(split, c->all.x1);
-    s->limit = s->first - c->all.x0;
+    s->first = end_of(c);
+    s->limit = s->first - c->x0;
     side_start(s, p, p->rings.center.x - pel_pixel_center(s->first - 1));
     c->place = place_of(p, &s->circle);
 }
 
 /* The rest: from the ring of the nearest pixel outwards. */
-static PEL_WIDE void right_start(struct side *s, const struct pel_radial *p,
-                                 int32_t split)
+static PEL_WIDE void right_start(struct side *s, const struct pel_radial *p)
 {
     struct pel_cells *c = &s->cells;
-    const int32_t last = c->spans->y + (c->spans->n - 1) * c->spans->step;
+    const int32_t last = c->cell.y + (c->cell.n - 1) * c->cell.step;
     const int32_t middle = pel_pixel_of(p->rings.center.y);
-    const int32_t y = pel_min(pel_max(middle, c->spans->y), last);
-    s->first = pel_max(split, c->all.x0);
+    const int32_t y = pel_min(pel_max(middle, c->cell.y), last);
+    s->first = c->x0;
     circle_find(p, square_at(p, s->first, y), &s->circle);
     c->place = place_of(p, &s->circle);
-    c->step = 1;
-    c->stop = INT32_MAX;
-    c->limit = INT32_MAX;
-    s->limit = c->all.x1 - s->first;
+    s->limit = end_of(c) - s->first;
     circle_outwards(p, &s->circle);
     side_start(s, p, pel_pixel_center(s->first) - p->rings.center.x);
 }
@@ -193,33 +203,23 @@ static PEL_WIDE void walk(struct side *s)
     pel_cells_draw(&s->cells, end_cells);
 }
 
-static void draw(const struct pel_gradient *gradient,
-                 const struct pel_spans *spans)
-{
-    const struct pel_radial *p = (const void *)gradient;
-    const int32_t split = pel_first_pixel(p->rings.center.x);
-    struct side s;
-    if (!pel_cells_begin(&s.cells, gradient, spans))
-        return;
-    for (int left = 1; left >= 0; left--) {
-        if (left ? s.cells.all.x0 >= split : s.cells.all.x1 <= split)
-            continue;
-        if (left)
-            left_start(&s, p, split);
-        else
-            right_start(&s, p, split);
-        walk(&s);
-    }
-}
-
 /* Rings narrower than 1/64 px are drawn a pixel at a time. */
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_radial *p = (const void *)paint;
-    if (p->base.period && p->rings.radius < 4 * p->base.cells)
-        pel_gradient_parts(&p->base, spans, 1, draw);
-    else
-        draw(&p->base, spans);
+    const bool by_pixel = p->base.period && p->rings.radius < 4 * p->base.cells;
+    struct side s;
+    pel_cells_open(&s.cells, &p->base, spans);
+    while (pel_cells_more(&s.cells, spans, by_pixel ? 1 : PEL_CELL_ROWS)) {
+        const int32_t split = pel_first_pixel(p->rings.center.x);
+        if (by_pixel)
+            s.cells.stop = s.cells.x0 + 1;
+        if (s.cells.x0 < split)
+            left_start(&s, p, split);
+        else
+            right_start(&s, p);
+        walk(&s);
+    }
 }
 
 enum pel_status pel_radial_init(struct pel_radial *paint,
