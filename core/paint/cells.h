@@ -54,6 +54,10 @@ int32_t pel_cells_pass(struct pel_cells *c);
 /* Before the first cell: its color, and a limit where the ramp is padded. */
 void pel_cells_first(struct pel_cells *c);
 
+/* Ends all runs at an edge, given at the first row, and left beyond the last.
+ * true when pixels are left. */
+bool pel_cells_end_at(struct pel_cells *c, struct pel_edge *edge);
+
 /* Ends all runs where their rows do: false, no pixels are left. */
 bool pel_cells_end_all(struct pel_cells *c);
 
@@ -67,21 +71,6 @@ static PEL_ALWAYS_INLINE int32_t pel_cells_end_run(struct pel_cells *c,
     run->x0 = run->x1;
     run->x1 = pel_max(run->x1, pel_min(x, end));
     return run->x1 - end;
-}
-
-/* Ends all runs at an edge, given at the first row, and left beyond the last.
- * true when pixels are left. */
-static PEL_ALWAYS_INLINE bool pel_cells_end_at(struct pel_cells *c,
-                                               struct pel_edge *edge)
-{
-    const int32_t n = c->cell.n, step = c->cell.step;
-    int32_t rest = 0;
-    for (int32_t i = 0; i < n; i++) {
-        rest |= pel_cells_end_run(c, i, edge->x);
-        if (step)
-            pel_edge_next(edge);
-    }
-    return rest < 0;
 }
 
 /* Draws what is left of every row up to `stop`, from the cell at c->place on.

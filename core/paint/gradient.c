@@ -96,6 +96,18 @@ bool pel_cells_more(struct pel_cells *c, const struct pel_spans *spans,
     return true;
 }
 
+bool pel_cells_end_at(struct pel_cells *c, struct pel_edge *edge)
+{
+    const int32_t n = c->cell.n, step = c->cell.step;
+    int32_t rest = 0;
+    for (int32_t i = 0; i < n; i++) {
+        rest |= pel_cells_end_run(c, i, edge->x);
+        if (step)
+            pel_edge_next(edge);
+    }
+    return rest < 0;
+}
+
 bool pel_cells_end_all(struct pel_cells *c)
 {
     for (int32_t i = 0; i < c->cell.n; i++)

@@ -6,47 +6,11 @@
 
 enum { FAR = 1 << 18 }; /* px: beyond every pixel, seen from any other */
 
-/* A pixel on the way: in cell `part` of copy number `copy` of the way, of whose
- * beginning its product is `rest` beyond, 0 <= rest < square. */
-struct position {
-    int32_t copy, part;
-    int64_t rest;
-};
-
 /* (P - from).d at pixel (x, y). Below 2^50. */
 static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y)
 {
     return pel_product(pel_pixel_center(x) - p->from.x, p->d.x) +
            pel_product(pel_pixel_center(y) - p->from.y, p->d.y);
-}
-
-/* n rest < 2^15 2^49. Seen from `to`, who is on a boundary is still before it:
- * it belongs to the cell that begins there for who comes from `from`. */
-static PEL_WIDE struct position position_of(const struct pel_linear *p,
-                                            int64_t product)
-{
-    const uint64_t square = (uint64_t)p->square;
-    struct pel_fraction f;
-    uint64_t rest;
-    pel_fraction_start(&f, product, p->square);
-    struct position at = {(int32_t)f.quotient, 0, f.rest};
-    at.part = (int32_t)pel_divide_64(pel_times((uint64_t)f.rest, p->base.cells),
-                                     square, &rest);
-    if (p->reversed && rest == 0 && at.part-- == 0) {
-        at.part += p->base.cells;
-        at.rest += p->square;
-        at.copy--;
-    }
-    return at;
-}
-
-static int32_t place_of(const struct pel_linear *p, const struct position *at)
-{
-    const int32_t place = pel_gradient_place(&p->base, at->copy, at->part);
-    if (!p->reversed)
-        return place;
-    const int32_t mirrored = p->base.cells - 1 - place;
-    return mirrored < 0 ? mirrored + p->base.period : mirrored;
 }
 
 /* The boundaries of a linear gradient are parallel lines. A pixel lies beyond
@@ -58,7 +22,50 @@ struct lines {
     int32_t x;     /* where the present cell ends: of f the quotient, */
     uint32_t m;    /* what is left, below 256 d.x, */
     uint32_t part; /* and of the rounding what is left, in 1/n */
+    uint64_t
+        gone; /* the product of the first pixel, from its copy of the way */
 };
+
+/* A cell of copy number `copy` of the way. */
+static int32_t place_of(const struct pel_linear *p, int32_t copy, int32_t part)
+{
+    const int32_t place = pel_gradient_place(&p->base, copy, part);
+    if (!p->reversed)
+        return place;
+    const int32_t mirrored = p->base.cells - 1 - place;
+    return mirrored < 0 ? mirrored + p->base.period : mirrored;
+}
+
+/* The cell of a pixel; 0 <= gone < square, and n gone < 2^15 2^49. Seen from
+ * `to`, who is on a boundary is still before it: it belongs to the cell that
+ * begins there for who comes from `from`. Of a product < 0, all bits turned
+ * round are divided and turned back. Before a padded way the first cell ends
+ * where the second begins. */
+static PEL_WIDE void set_cell(struct lines *l, const struct pel_linear *p,
+                              int64_t product)
+{
+    const uint64_t square = (uint64_t)p->square;
+    uint64_t rest;
+    int32_t copy = (int32_t)pel_divide_64(
+        (uint64_t)(product < 0 ? ~product : product), square, &l->gone);
+    if (product < 0) {
+        copy = ~copy;
+        l->gone = square - 1 - l->gone;
+    }
+    int32_t part = (int32_t)pel_divide_64(pel_times(l->gone, p->base.cells),
+                                          square, &rest);
+    if (p->reversed && rest == 0 && part-- == 0) {
+        part += p->base.cells;
+        l->gone += square;
+        copy--;
+    }
+    l->cells.place = place_of(p, copy, part);
+    if (p->base.period == 0 && copy < 0) {
+        part = 0;
+        l->gone = (uint64_t)product;
+    }
+    l->part = (uint32_t)part;
+}
 
 /* m grows by `by` <= width = 256 d.x < 2^32. */
 static inline void line_add(int32_t *x, uint32_t *m, uint32_t width,
@@ -72,8 +79,8 @@ static inline void line_add(int32_t *x, uint32_t *m, uint32_t width,
 }
 
 /* To the end of `count` cells more. */
-static void next_lines(struct lines *l, const struct pel_linear *p,
-                       int32_t count)
+static PEL_WIDE void next_lines(struct lines *l, const struct pel_linear *p,
+                                int32_t count)
 {
     const uint32_t width = (uint32_t)p->d.x << 8, n = (uint32_t)p->base.cells;
     const uint32_t cell_rest = p->cell_rest, part_rest = p->part_rest;
@@ -96,59 +103,75 @@ static void next_lines(struct lines *l, const struct pel_linear *p,
 
 /* An edge does without the lowest 8 bits, which never change from row to row.
  */
+static PEL_WIDE bool end_at_lines(struct lines *l, const struct pel_linear *p)
+{
+    struct pel_edge edge = {l->x, (int32_t)(l->m >> 8) - p->d.x, p->down,
+                            p->down_rest, p->d.x};
+    return pel_cells_end_at(&l->cells, &edge);
+}
+
 static PEL_WIDE bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_linear *p = (const void *)cells->gradient;
     struct lines *l = (void *)cells;
     next_lines(l, p, count - 1);
-    struct pel_edge edge = {l->x, (int32_t)(l->m >> 8) - p->d.x, p->down,
-                            p->down_rest, p->d.x};
+    const bool rest = end_at_lines(l, p);
     next_lines(l, p, 1);
-    return pel_cells_end_at(cells, &edge);
+    return rest;
 }
 
-/* The boundary after a position, where it crosses the row of the position's
- * pixel, x; at product. Before a padded way the first cell ends where the
- * second begins. */
-static PEL_WIDE void set_end(struct lines *l, const struct pel_linear *p,
-                             const struct position *at, int64_t product)
+/* The boundary after the first pixel's cell, number `part`, where it crosses
+ * the row of that pixel, x. */
+static PEL_WIDE void set_end(struct lines *l, const struct pel_linear *p)
 {
-    const bool before = p->base.period == 0 && at->copy < 0;
-    const int32_t n = p->base.cells;
-    const int64_t width = (int64_t)p->d.x * 256;
-    struct pel_fraction f;
-    uint64_t part;
-    const uint64_t line = pel_divide_64(
-        pel_times((uint64_t)p->square, before ? 1 : at->part + 1) +
-            (uint64_t)(n - 1 + p->reversed),
-        (uint64_t)n, &part);
-    pel_fraction_start(
-        &f, (int64_t)line - (before ? product : at->rest) + width - 1, width);
-    l->x += f.quotient > FAR ? FAR : (int32_t)f.quotient;
-    l->m = (uint32_t)f.rest;
-    l->part = (uint32_t)part;
+    const uint32_t n = (uint32_t)p->base.cells, width = (uint32_t)p->d.x << 8;
+    uint64_t way = pel_times((uint64_t)p->square, (int32_t)l->part + 1) + n -
+                   1 + p->reversed;
+    const uint32_t high = pel_divide(way >> 32, n);
+    way -= (uint64_t)(high * n) << 32;
+    const uint32_t low = pel_divide(way, n);
+    l->part = (uint32_t)way - low * n;
+    way = ((uint64_t)high << 32 | low) - l->gone + width - 1;
+    if (way >> 18 >= width) {
+        l->x += FAR;
+        l->m = 0;
+        return;
+    }
+    const uint32_t x = pel_divide(way, width);
+    l->x += (int32_t)x;
+    l->m = (uint32_t)way - x * width;
 }
 
-/* In the cell of the first pixel on the way, or before it. */
-static PEL_WIDE void start(struct lines *l, const struct pel_linear *p)
+/* In the cell of the first pixel on the way, in row y, or before it. */
+static void start(struct lines *l, const struct pel_linear *p, int32_t y)
 {
-    const struct pel_spans *rows = &l->cells.cell;
-    int32_t span = p->d.y < 0 ? (rows->n - 1) * rows->step : 0;
-    const int64_t product = product_at(p, l->cells.x0, rows->y + span);
-    const struct position at = position_of(p, product);
+    set_cell(l, p, product_at(p, l->cells.x0, y));
     l->cells.step = p->reversed ? -1 : 1;
-    l->cells.place = place_of(p, &at);
     l->x = l->cells.x0;
-    if (p->d.x == 0)
-        l->cells.limit = 0;
+    if (p->d.x)
+        set_end(l, p);
     else
-        set_end(l, p, &at, product);
-    for (; span > 0; span--) {
+        l->cells.limit = 0;
+}
+
+/* From the last row to the first. */
+static void back(struct lines *l, const struct pel_linear *p, int32_t rows)
+{
+    for (; rows > 0; rows--) {
         l->x -= p->down + 1;
         if (p->d.x)
             line_add(&l->x, &l->m, (uint32_t)p->d.x << 8,
                      (uint32_t)(p->d.x - p->down_rest) << 8);
     }
+}
+
+/* The first pixel is in the last row where boundaries lean to the right. */
+static PEL_WIDE void start_rows(struct lines *l, const struct pel_linear *p)
+{
+    const struct pel_spans *rows = &l->cells.cell;
+    const int32_t span = p->d.y < 0 ? (rows->n - 1) * rows->step : 0;
+    start(l, p, rows->y + span);
+    back(l, p, span);
 }
 
 /* A function of its own, to spare the stack of what comes before it. */
@@ -169,7 +192,7 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     while (pel_cells_more(&l.cells, spans, alone ? 1 : PEL_CELL_ROWS)) {
         if (p->by_pixel)
             l.cells.stop = l.cells.x0 + 1;
-        start(&l, p);
+        start_rows(&l, p);
         walk(&l);
     }
 }
