@@ -21,7 +21,6 @@ struct pel_cells {
     struct pel_spans cell;       /* the present cell's runs */
     const struct pel_span *span; /* the shape's, of these rows */
 
-    int32_t x0;    /* the first pixel that is left */
     int32_t stop;  /* runs end here, or where the shape's do */
     int32_t limit; /* so many cells may end; what is left is one cell */
     int32_t step;  /* from one cell's place to the next: 1 or -1 */
@@ -42,10 +41,10 @@ void pel_cells_open(struct pel_cells *cells,
                     const struct pel_spans *spans);
 
 /* Goes on to the next batch, of at most `most` <= PEL_CELL_ROWS rows, unless
- * pixels are left of the present one. Sets x0; no stop, no limit, step 1.
- * false: no pixel is left. */
-bool pel_cells_more(struct pel_cells *cells, const struct pel_spans *spans,
-                    int32_t most);
+ * pixels are left of the present one. No stop, no limit, step 1. The first
+ * pixel that is left; INT32_MAX: none. */
+int32_t pel_cells_next(struct pel_cells *cells, const struct pel_spans *spans,
+                       int32_t most);
 
 /* How many cells from the one at c->place on are the same pixel value as that;
  * 0: all that may come. Moves on to the first other one. */

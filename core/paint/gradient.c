@@ -78,22 +78,23 @@ static int32_t first_left(const struct pel_cells *c)
     return x0;
 }
 
-bool pel_cells_more(struct pel_cells *c, const struct pel_spans *spans,
-                    int32_t most)
+int32_t pel_cells_next(struct pel_cells *c, const struct pel_spans *spans,
+                       int32_t most)
 {
+    int32_t x0;
     c->stop = INT32_MAX;
     c->limit = INT32_MAX;
     c->step = 1;
-    while ((c->x0 = first_left(c)) == INT32_MAX) {
+    while ((x0 = first_left(c)) == INT32_MAX) {
         c->span += c->cell.n;
         c->cell.y += c->cell.n * c->cell.step;
         c->cell.n = pel_min(spans->n - (int32_t)(c->span - spans->span), most);
         if (c->cell.n == 0)
-            return false;
+            break;
         for (int32_t i = 0; i < c->cell.n; i++)
             c->run[i].x1 = c->span[i].x0;
     }
-    return true;
+    return x0;
 }
 
 bool pel_cells_end_at(struct pel_cells *c, struct pel_edge *edge)

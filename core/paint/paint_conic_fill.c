@@ -124,10 +124,11 @@ static PEL_WIDE bool end_cells(struct pel_cells *cells, int32_t count)
  * by angle is in the first column: clockwise above the centre,
  * counter-clockwise below, in the row nearest to the centre where that is left
  * of it, else in the farthest one. */
-static void rays_start(struct rays *r, const struct pel_conic *p, int32_t v)
+static void rays_start(struct rays *r, const struct pel_conic *p, int32_t x0,
+                       int32_t v)
 {
     struct pel_cells *c = &r->cells;
-    const int32_t u = pel_pixel_center(c->x0) - p->center.x;
+    const int32_t u = pel_pixel_center(x0) - p->center.x;
     const bool above = v < 0, last = above == (u < 0);
     if (last)
         v += (c->cell.n - 1) * c->cell.step * 256;
@@ -146,10 +147,11 @@ static void rays_start(struct rays *r, const struct pel_conic *p, int32_t v)
 }
 
 /* The row through the centre has two angles: left of it a half turn, then 0. */
-static void level_start(struct pel_cells *c, const struct pel_conic *p)
+static void level_start(struct pel_cells *c, const struct pel_conic *p,
+                        int32_t x0)
 {
     const int32_t split = pel_first_pixel(p->center.x);
-    const bool left = c->x0 < split;
+    const bool left = x0 < split;
     if (left)
         c->stop = split;
     c->limit = 0;
@@ -157,7 +159,8 @@ static void level_start(struct pel_cells *c, const struct pel_conic *p)
 }
 
 /* The batch has rows above the centre, or the row through it, or rows below. */
-static PEL_WIDE void start(struct rays *r, const struct pel_conic *p)
+static PEL_WIDE void start(struct rays *r, const struct pel_conic *p,
+                           int32_t x0)
 {
     struct pel_spans *rows = &r->cells.cell;
     const int32_t v = height_of(r, p);
@@ -166,9 +169,9 @@ static PEL_WIDE void start(struct rays *r, const struct pel_conic *p)
     else if (rows->step && v == 0)
         rows->n = 1;
     if (v == 0)
-        level_start(&r->cells, p);
+        level_start(&r->cells, p, x0);
     else
-        rays_start(r, p, v);
+        rays_start(r, p, x0, v);
 }
 
 /* A function of its own, to spare the stack of what comes before it. */
@@ -181,8 +184,9 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     struct rays r;
     pel_cells_open(&r.cells, (const void *)paint, spans);
-    while (pel_cells_more(&r.cells, spans, PEL_CELL_ROWS)) {
-        start(&r, (const void *)paint);
+    for (int32_t x0;
+         (x0 = pel_cells_next(&r.cells, spans, PEL_CELL_ROWS)) < INT32_MAX;) {
+        start(&r, (const void *)paint, x0);
         walk(&r);
     }
 }

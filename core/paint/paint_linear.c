@@ -19,11 +19,15 @@ static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y)
  * with an f that grows by square / n from one boundary to the next. */
 struct lines {
     struct pel_cells cells;
-    int32_t x;     /* where the present cell ends: of f the quotient, */
-    uint32_t m;    /* what is left, below 256 d.x, */
-    uint32_t part; /* and of the rounding what is left, in 1/n */
-    uint64_t
-        gone; /* the product of the first pixel, from its copy of the way */
+    union {
+        struct {
+            int32_t x;  /* where the present cell ends: of f the quotient, */
+            uint32_t m; /* and what is left, below 256 d.x */
+        } end;
+        uint64_t gone; /* at the start: the product of the first pixel, from its
+                          copy of the way on */
+    } at;
+    uint32_t part; /* of the rounding what is left, in 1/n */
 };
 
 /* A cell of copy number `copy` of the way. */
@@ -47,22 +51,22 @@ static PEL_WIDE void set_cell(struct lines *l, const struct pel_linear *p,
     const uint64_t square = (uint64_t)p->square;
     uint64_t rest;
     int32_t copy = (int32_t)pel_divide_64(
-        (uint64_t)(product < 0 ? ~product : product), square, &l->gone);
+        (uint64_t)(product < 0 ? ~product : product), square, &l->at.gone);
     if (product < 0) {
         copy = ~copy;
-        l->gone = square - 1 - l->gone;
+        l->at.gone = square - 1 - l->at.gone;
     }
-    int32_t part = (int32_t)pel_divide_64(pel_times(l->gone, p->base.cells),
+    int32_t part = (int32_t)pel_divide_64(pel_times(l->at.gone, p->base.cells),
                                           square, &rest);
     if (p->reversed && rest == 0 && part-- == 0) {
         part += p->base.cells;
-        l->gone += square;
+        l->at.gone += square;
         copy--;
     }
     l->cells.place = place_of(p, copy, part);
     if (p->base.period == 0 && copy < 0) {
         part = 0;
-        l->gone = (uint64_t)product;
+        l->at.gone = (uint64_t)product;
     }
     l->part = (uint32_t)part;
 }
@@ -85,8 +89,8 @@ static PEL_WIDE void next_lines(struct lines *l, const struct pel_linear *p,
     const uint32_t width = (uint32_t)p->d.x << 8, n = (uint32_t)p->base.cells;
     const uint32_t cell_rest = p->cell_rest, part_rest = p->part_rest;
     const int32_t cell = p->cell;
-    uint32_t m = l->m, part = l->part;
-    int32_t x = l->x;
+    uint32_t m = l->at.end.m, part = l->part;
+    int32_t x = l->at.end.x;
     for (; count > 0 && x < 2 * FAR; count--) {
         x += cell;
         line_add(&x, &m, width, cell_rest);
@@ -96,8 +100,8 @@ static PEL_WIDE void next_lines(struct lines *l, const struct pel_linear *p,
             line_add(&x, &m, width, 1);
         }
     }
-    l->x = x;
-    l->m = m;
+    l->at.end.x = x;
+    l->at.end.m = m;
     l->part = part;
 }
 
@@ -105,8 +109,8 @@ static PEL_WIDE void next_lines(struct lines *l, const struct pel_linear *p,
  */
 static PEL_WIDE bool end_at_lines(struct lines *l, const struct pel_linear *p)
 {
-    struct pel_edge edge = {l->x, (int32_t)(l->m >> 8) - p->d.x, p->down,
-                            p->down_rest, p->d.x};
+    struct pel_edge edge = {l->at.end.x, (int32_t)(l->at.end.m >> 8) - p->d.x,
+                            p->down, p->down_rest, p->d.x};
     return pel_cells_end_at(&l->cells, &edge);
 }
 
@@ -122,7 +126,8 @@ static PEL_WIDE bool end_cells(struct pel_cells *cells, int32_t count)
 
 /* The boundary after the first pixel's cell, number `part`, where it crosses
  * the row of that pixel, x. */
-static PEL_WIDE void set_end(struct lines *l, const struct pel_linear *p)
+static PEL_WIDE void set_end(struct lines *l, const struct pel_linear *p,
+                             int32_t x0)
 {
     const uint32_t n = (uint32_t)p->base.cells, width = (uint32_t)p->d.x << 8;
     uint64_t way = pel_times((uint64_t)p->square, (int32_t)l->part + 1) + n -
@@ -131,47 +136,46 @@ static PEL_WIDE void set_end(struct lines *l, const struct pel_linear *p)
     way -= (uint64_t)(high * n) << 32;
     const uint32_t low = pel_divide(way, n);
     l->part = (uint32_t)way - low * n;
-    way = ((uint64_t)high << 32 | low) - l->gone + width - 1;
-    if (way >> 18 >= width) {
-        l->x += FAR;
-        l->m = 0;
-        return;
-    }
-    const uint32_t x = pel_divide(way, width);
-    l->x += (int32_t)x;
-    l->m = (uint32_t)way - x * width;
+    way = ((uint64_t)high << 32 | low) - l->at.gone + width - 1;
+    const uint32_t x = way >> 18 < width ? pel_divide(way, width) : FAR;
+    l->at.end.x = x0 + (int32_t)x;
+    l->at.end.m = x < FAR ? (uint32_t)way - x * width : 0;
 }
 
-/* In the cell of the first pixel on the way, in row y, or before it. */
-static void start(struct lines *l, const struct pel_linear *p, int32_t y)
-{
-    set_cell(l, p, product_at(p, l->cells.x0, y));
-    l->cells.step = p->reversed ? -1 : 1;
-    l->x = l->cells.x0;
-    if (p->d.x)
-        set_end(l, p);
-    else
-        l->cells.limit = 0;
-}
-
-/* From the last row to the first. */
-static void back(struct lines *l, const struct pel_linear *p, int32_t rows)
-{
-    for (; rows > 0; rows--) {
-        l->x -= p->down + 1;
-        if (p->d.x)
-            line_add(&l->x, &l->m, (uint32_t)p->d.x << 8,
-                     (uint32_t)(p->d.x - p->down_rest) << 8);
-    }
-}
-
-/* The first pixel is in the last row where boundaries lean to the right. */
-static PEL_WIDE void start_rows(struct lines *l, const struct pel_linear *p)
+/* To the product of the first pixel, which is in the last row where boundaries
+ * lean to the right. */
+static PEL_WIDE int64_t first_product(const struct lines *l,
+                                      const struct pel_linear *p, int32_t x0)
 {
     const struct pel_spans *rows = &l->cells.cell;
     const int32_t span = p->d.y < 0 ? (rows->n - 1) * rows->step : 0;
-    start(l, p, rows->y + span);
-    back(l, p, span);
+    return product_at(p, x0, rows->y + span);
+}
+
+/* From the last row to the first. */
+static PEL_WIDE void back(struct lines *l, const struct pel_linear *p)
+{
+    const struct pel_spans *rows = &l->cells.cell;
+    for (int32_t i = (rows->n - 1) * rows->step; i > 0; i--) {
+        l->at.end.x -= p->down + 1;
+        line_add(&l->at.end.x, &l->at.end.m, (uint32_t)p->d.x << 8,
+                 (uint32_t)(p->d.x - p->down_rest) << 8);
+    }
+}
+
+/* In the cell of the first pixel on the way, or before it. */
+static PEL_ALWAYS_INLINE void start(struct lines *l, const struct pel_linear *p,
+                                    int32_t x0)
+{
+    set_cell(l, p, first_product(l, p, x0));
+    l->cells.step = p->reversed ? -1 : 1;
+    if (p->d.x == 0) {
+        l->cells.limit = 0;
+        return;
+    }
+    set_end(l, p, x0);
+    if (p->d.y < 0)
+        back(l, p);
 }
 
 /* A function of its own, to spare the stack of what comes before it. */
@@ -189,10 +193,12 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
         p->by_pixel || p->down > 128 || p->down < -128 || p->d.x == 0;
     struct lines l;
     pel_cells_open(&l.cells, &p->base, spans);
-    while (pel_cells_more(&l.cells, spans, alone ? 1 : PEL_CELL_ROWS)) {
+    for (int32_t x0;
+         (x0 = pel_cells_next(&l.cells, spans, alone ? 1 : PEL_CELL_ROWS)) <
+         INT32_MAX;) {
         if (p->by_pixel)
-            l.cells.stop = l.cells.x0 + 1;
-        start_rows(&l, p);
+            l.cells.stop = x0 + 1;
+        start(&l, p, x0);
         walk(&l);
     }
 }

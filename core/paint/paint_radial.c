@@ -156,10 +156,10 @@ static int32_t end_of(const struct pel_cells *c)
     return pel_min(x1, c->stop);
 }
 
-/* What is left of `split`, the first column of the right side: from the ring of
+/* What is left of the first column of the right side: from the ring of
  * the farthest pixel inwards. */
 static PEL_WIDE void left_start(struct side *s, const struct pel_radial *p,
-                                int32_t split)
+                                int32_t x0)
 {
     struct pel_cells *c = &s->cells;
     const int32_t last = c->cell.y + (c->cell.n - 1) * c->cell.step;
@@ -167,29 +167,30 @@ static PEL_WIDE void left_start(struct side *s, const struct pel_radial *p,
     const int32_t y =
         twice - pel_pixel_center(c->cell.y) > pel_pixel_center(last) ? c->cell.y
                                                                      : last;
-    circle_find(p, square_at(p, c->x0, y), &s->circle);
+    circle_find(p, square_at(p, x0, y), &s->circle);
     if (p->base.period == 0 &&
         (s->circle.copy || s->circle.part > p->base.cells - 1 - p->first))
         circle_set(p, 0, p->base.cells - 1 - p->first, &s->circle);
     c->step = -1;
-    c->stop = pel_min(c->stop, split);
+    c->stop = pel_min(c->stop, pel_first_pixel(p->rings.center.x));
     c->limit = s->circle.copy < 65535
                    ? s->circle.copy * p->base.cells + s->circle.part
                    : INT32_MAX;
     s->first = end_of(c);
-    s->limit = s->first - c->x0;
+    s->limit = s->first - x0;
     side_start(s, p, p->rings.center.x - pel_pixel_center(s->first - 1));
     c->place = place_of(p, &s->circle);
 }
 
 /* The rest: from the ring of the nearest pixel outwards. */
-static PEL_WIDE void right_start(struct side *s, const struct pel_radial *p)
+static PEL_WIDE void right_start(struct side *s, const struct pel_radial *p,
+                                 int32_t x0)
 {
     struct pel_cells *c = &s->cells;
     const int32_t last = c->cell.y + (c->cell.n - 1) * c->cell.step;
     const int32_t middle = pel_pixel_of(p->rings.center.y);
     const int32_t y = pel_min(pel_max(middle, c->cell.y), last);
-    s->first = c->x0;
+    s->first = x0;
     circle_find(p, square_at(p, s->first, y), &s->circle);
     c->place = place_of(p, &s->circle);
     s->limit = end_of(c) - s->first;
@@ -210,14 +211,15 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     const bool by_pixel = p->base.period && p->rings.radius < 4 * p->base.cells;
     struct side s;
     pel_cells_open(&s.cells, &p->base, spans);
-    while (pel_cells_more(&s.cells, spans, by_pixel ? 1 : PEL_CELL_ROWS)) {
-        const int32_t split = pel_first_pixel(p->rings.center.x);
+    for (int32_t x0;
+         (x0 = pel_cells_next(&s.cells, spans, by_pixel ? 1 : PEL_CELL_ROWS)) <
+         INT32_MAX;) {
         if (by_pixel)
-            s.cells.stop = s.cells.x0 + 1;
-        if (s.cells.x0 < split)
-            left_start(&s, p, split);
+            s.cells.stop = x0 + 1;
+        if (x0 < pel_first_pixel(p->rings.center.x))
+            left_start(&s, p, x0);
         else
-            right_start(&s, p);
+            right_start(&s, p, x0);
         walk(&s);
     }
 }
