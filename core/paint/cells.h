@@ -11,6 +11,14 @@
 #include "../raster/edge.h"
 #include "gradient.h"
 
+/* PEL_CELL_STEP: a function of its own, for its stack, where code is to be
+ * small. */
+#if PEL_KNOW_SIDES
+#define PEL_CELL_STEP inline
+#else
+#define PEL_CELL_STEP PEL_NOINLINE
+#endif
+
 /* Rows of a batch; few where stack is short. */
 enum { PEL_CELL_ROWS = PEL_KNOW_SIDES ? PEL_BATCH_ROWS : 2 };
 

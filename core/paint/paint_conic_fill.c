@@ -107,7 +107,7 @@ static void move(struct rays *r, const struct pel_conic *p, int32_t v)
         angle_take(p, &r->end);
 }
 
-static PEL_WIDE bool end_cells(struct pel_cells *cells, int32_t count)
+static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_conic *p = (const void *)cells->gradient;
     struct rays *r = (void *)cells;

@@ -83,8 +83,8 @@ static inline void line_add(int32_t *x, uint32_t *m, uint32_t width,
 }
 
 /* To the end of `count` cells more. */
-static PEL_WIDE void next_lines(struct lines *l, const struct pel_linear *p,
-                                int32_t count)
+static PEL_CELL_STEP void next_lines(struct lines *l,
+                                     const struct pel_linear *p, int32_t count)
 {
     const uint32_t width = (uint32_t)p->d.x << 8, n = (uint32_t)p->base.cells;
     const uint32_t cell_rest = p->cell_rest, part_rest = p->part_rest;
@@ -107,14 +107,15 @@ static PEL_WIDE void next_lines(struct lines *l, const struct pel_linear *p,
 
 /* An edge does without the lowest 8 bits, which never change from row to row.
  */
-static PEL_WIDE bool end_at_lines(struct lines *l, const struct pel_linear *p)
+static PEL_CELL_STEP bool end_at_lines(struct lines *l,
+                                       const struct pel_linear *p)
 {
     struct pel_edge edge = {l->at.end.x, (int32_t)(l->at.end.m >> 8) - p->d.x,
                             p->down, p->down_rest, p->d.x};
     return pel_cells_end_at(&l->cells, &edge);
 }
 
-static PEL_WIDE bool end_cells(struct pel_cells *cells, int32_t count)
+static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_linear *p = (const void *)cells->gradient;
     struct lines *l = (void *)cells;
