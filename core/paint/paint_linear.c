@@ -185,20 +185,26 @@ static PEL_WIDE void walk(struct lines *l)
     pel_cells_draw(&l->cells, end_cells);
 }
 
-/* Where boundaries lie far apart from row to row, above 129 pixels, the rows
- * are drawn one by one. */
+/* The first pixel of the next batch. Where boundaries lie far apart from row to
+ * row, above 129 pixels, the rows are drawn one by one. */
+static PEL_CELL_STEP int32_t next(struct lines *l, const struct pel_linear *p,
+                                  const struct pel_spans *spans)
+{
+    const bool alone =
+        p->by_pixel || p->down > 128 || p->down < -128 || p->d.x == 0;
+    const int32_t x0 =
+        pel_cells_next(&l->cells, spans, alone ? 1 : PEL_CELL_ROWS);
+    if (p->by_pixel && x0 < INT32_MAX)
+        l->cells.stop = x0 + 1;
+    return x0;
+}
+
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    const bool alone =
-        p->by_pixel || p->down > 128 || p->down < -128 || p->d.x == 0;
     struct lines l;
     pel_cells_open(&l.cells, &p->base, spans);
-    for (int32_t x0;
-         (x0 = pel_cells_next(&l.cells, spans, alone ? 1 : PEL_CELL_ROWS)) <
-         INT32_MAX;) {
-        if (p->by_pixel)
-            l.cells.stop = x0 + 1;
+    for (int32_t x0; (x0 = next(&l, p, spans)) < INT32_MAX;) {
         start(&l, p, x0);
         walk(&l);
     }

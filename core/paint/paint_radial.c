@@ -205,18 +205,25 @@ static PEL_WIDE void walk(struct side *s)
     pel_cells_draw(&s->cells, end_cells);
 }
 
-/* Rings narrower than 1/64 px are drawn a pixel at a time. */
+/* The first pixel of the next batch. Rings narrower than 1/64 px are drawn a
+ * pixel at a time. */
+static PEL_CELL_STEP int32_t next(struct side *s, const struct pel_radial *p,
+                                  const struct pel_spans *spans)
+{
+    const bool by_pixel = p->base.period && p->rings.radius < 4 * p->base.cells;
+    const int32_t x0 =
+        pel_cells_next(&s->cells, spans, by_pixel ? 1 : PEL_CELL_ROWS);
+    if (by_pixel && x0 < INT32_MAX)
+        s->cells.stop = x0 + 1;
+    return x0;
+}
+
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_radial *p = (const void *)paint;
-    const bool by_pixel = p->base.period && p->rings.radius < 4 * p->base.cells;
     struct side s;
     pel_cells_open(&s.cells, &p->base, spans);
-    for (int32_t x0;
-         (x0 = pel_cells_next(&s.cells, spans, by_pixel ? 1 : PEL_CELL_ROWS)) <
-         INT32_MAX;) {
-        if (by_pixel)
-            s.cells.stop = x0 + 1;
+    for (int32_t x0; (x0 = next(&s, p, spans)) < INT32_MAX;) {
         set_columns(&s, p, x0);
         set_square(&s, p, x0);
         find_ring(&s, p);
