@@ -99,9 +99,9 @@ static PEL_WIDE void ray_at(struct pel_edge *e, const struct pel_conic *p,
 }
 
 /* The next angle on the way. */
-static void move(struct rays *r, const struct pel_conic *p, int32_t v)
+static void move(struct rays *r, const struct pel_conic *p)
 {
-    if (v < 0)
+    if (r->cells.step > 0)
         angle_add(p, &r->end);
     else
         angle_take(p, &r->end);
@@ -111,12 +111,11 @@ static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_conic *p = (const void *)cells->gradient;
     struct rays *r = (void *)cells;
-    const int32_t v = height_of(r, p);
     struct pel_edge edge;
     while (--count)
-        move(r, p, v);
-    ray_at(&edge, p, pel_direction((uint16_t)r->end.turn), v);
-    move(r, p, v);
+        move(r, p);
+    ray_at(&edge, p, pel_direction((uint16_t)r->end.turn), height_of(r, p));
+    move(r, p);
     return pel_cells_end_at(cells, &edge);
 }
 

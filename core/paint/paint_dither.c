@@ -1,5 +1,6 @@
 #include "paint_dither.h"
 
+#include "../format/word.h"
 #include "../raster/edge.h"
 
 /* The Bayer matrix: 0..63, each once. */
@@ -41,7 +42,7 @@ static inline uint32_t widened(uint32_t top, uint32_t bits)
 }
 
 /* The level below the lowest of all is not asked for: 0 is a level. */
-static PEL_WALK struct channel channel_of(uint32_t c, uint32_t bits)
+static PEL_ALWAYS_INLINE struct channel channel_of(uint32_t c, uint32_t bits)
 {
     const uint32_t unit = 256u >> bits;
     uint32_t top = c & (0u - unit), low = widened(top, bits);
@@ -57,7 +58,7 @@ static PEL_WALK struct channel channel_of(uint32_t c, uint32_t bits)
 
 /* Its value at a place of the matrix: the high level where it has gone more
  * than 2 m + 1 of 128. */
-static inline uint32_t dithered_channel(uint32_t c, uint32_t bits, uint32_t m)
+static PEL_WALK uint32_t dithered_channel(uint32_t c, uint32_t bits, uint32_t m)
 {
     const struct channel v = channel_of(c, bits);
     return v.gone > (2 * m + 1) * v.step ? v.low + v.step : v.low;
