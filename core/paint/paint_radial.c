@@ -92,20 +92,21 @@ static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
     const struct pel_radial *p = (const void *)cells->gradient;
     struct side *s = (void *)cells;
     circle_move(s, count - 1);
-    const int64_t reach = (pel_square(s->circle.radius) - p->low) >> 9;
-    int64_t d = reach - s->steps;
+    int64_t d = -s->steps;
+    s->steps = (pel_square(s->circle.radius) - p->low) >> 9;
+    d += s->steps;
     int32_t u = s->u, columns = s->columns, rest = 0;
-    int32_t v = height_of(s, p);
+    int32_t v = height_of(s, p) + 128;
     for (int32_t i = 0; i < cells->cell.n; i++) {
         pel_disc_side_adjust(&d, &u, &columns, s->limit);
         if (i == 0) {
-            s->steps = reach - d;
+            s->steps -= d;
             s->u = u;
             s->columns = columns;
         }
         rest |= pel_cells_end_run(cells, i, s->first + columns * cells->step);
         if (cells->cell.step) {
-            d -= v + 128;
+            d -= v;
             v += 256;
         }
     }
