@@ -54,35 +54,66 @@ static pel_color mask_of(const struct pel_format *format)
     return mask;
 }
 
-#else
-
-static pel_color mask_of(const struct pel_format *format)
-{
-    (void)format;
-    return 0;
-}
-
 #endif
 
-bool pel_cells_begin(struct pel_cells *c, const struct pel_gradient *gradient,
-                     const struct pel_spans *spans)
+void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
+                    const struct pel_spans *spans)
 {
     c->gradient = gradient;
-    c->spans = spans;
-    c->stop = INT32_MAX;
-    c->step = 1;
-    c->limit = INT32_MAX;
+    c->cell =
+        (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
+    c->span = spans->span;
+#if PEL_KNOW_SIDES
     c->mask = mask_of(spans->surface->format);
-    c->all = (struct pel_span){INT32_MAX, INT32_MIN};
-    for (int32_t i = 0; i < spans->n; i++) {
-        const struct pel_span *span = &spans->span[i];
-        c->run[i].x1 = span->x0;
-        if (span->x0 < span->x1) {
-            c->all.x0 = pel_min(c->all.x0, span->x0);
-            c->all.x1 = pel_max(c->all.x1, span->x1);
-        }
+#endif
+}
+
+/* The first pixel that is left of the batch; INT32_MAX: none is. */
+static int32_t first_left(const struct pel_cells *c)
+{
+    int32_t x0 = INT32_MAX;
+    for (int32_t i = 0; i < c->cell.n; i++)
+        if (c->run[i].x1 < c->span[i].x1)
+            x0 = pel_min(x0, c->run[i].x1);
+    return x0;
+}
+
+int32_t pel_cells_next(struct pel_cells *c, const struct pel_spans *spans,
+                       int32_t most)
+{
+    int32_t x0;
+    c->stop = INT32_MAX;
+    c->limit = INT32_MAX;
+    c->step = 1;
+    while ((x0 = first_left(c)) == INT32_MAX) {
+        c->span += c->cell.n;
+        c->cell.y += c->cell.n * c->cell.step;
+        c->cell.n = pel_min(spans->n - (int32_t)(c->span - spans->span), most);
+        if (c->cell.n == 0)
+            break;
+        for (int32_t i = 0; i < c->cell.n; i++)
+            c->run[i].x1 = c->span[i].x0;
     }
-    return c->all.x0 < c->all.x1;
+    return x0;
+}
+
+bool pel_cells_end_at(struct pel_cells *c, struct pel_edge *edge)
+{
+    const int32_t n = c->cell.n, step = c->cell.step;
+    int32_t rest = 0;
+    for (int32_t i = 0; i < n; i++) {
+        rest |= pel_cells_end_run(c, i, edge->x);
+        if (step)
+            pel_edge_next(edge);
+    }
+    return rest < 0;
+}
+
+bool pel_cells_end_all(struct pel_cells *c)
+{
+    for (int32_t i = 0; i < c->cell.n; i++)
+        pel_cells_end_run(c, i, INT32_MAX);
+    return false;
 }
 
 /* Are both the same pixel value? */
@@ -161,7 +192,7 @@ int32_t pel_cells_pass(struct pel_cells *c)
         else if (g->period && c->place < 0)
             c->place = g->period - 1;
         c->color = color_at(g, c->place);
-    } while (alike(c->spans->surface->format, first, c->color));
+    } while (alike(c->cell.surface->format, first, c->color));
     c->limit -= count;
     return count;
 }
@@ -173,22 +204,6 @@ void pel_cells_first(struct pel_cells *c)
         c->limit =
             pel_min(c->limit, c->step > 0 ? g->cells - 1 - c->place : c->place);
     c->color = color_at(g, c->place);
-}
-
-void pel_gradient_parts(const struct pel_gradient *g,
-                        const struct pel_spans *spans, int32_t width,
-                        void (*draw)(const struct pel_gradient *,
-                                     const struct pel_spans *))
-{
-    struct pel_span part;
-    struct pel_spans one = {spans->surface, &part, spans->y, 1, 1};
-    for (int32_t i = 0; i < spans->n; i++, one.y += spans->step) {
-        part = (struct pel_span){spans->span[i].x0, spans->span[i].x0};
-        for (; part.x0 < spans->span[i].x1; part.x0 = part.x1) {
-            part.x1 = pel_min(part.x0 + width, spans->span[i].x1);
-            draw(g, &one);
-        }
-    }
 }
 
 enum pel_status pel_gradient_init(struct pel_gradient *g,

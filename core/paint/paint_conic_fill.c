@@ -60,8 +60,13 @@ static void angle_take(const struct pel_conic *p, struct angle *a)
 struct rays {
     struct pel_cells cells;
     struct angle end; /* of the present cell */
-    int32_t v;        /* of the first row */
 };
+
+/* The height of the first row, from the centre down. */
+static int32_t height_of(const struct rays *r, const struct pel_conic *p)
+{
+    return pel_pixel_center(r->cells.cell.y) - p->center.y;
+}
 
 /* Where a ray d, which is not level, meets the rows. At the height h it is u =
  * h d.x / |d.y| to the right of the centre, at the pixel floor(f / |d.y|) from
@@ -94,33 +99,39 @@ static PEL_NOINLINE_32 void ray_at(struct pel_edge *e,
     e->dy = dy;
 }
 
-static void end_cells(struct pel_cells *cells, int32_t count)
+/* The next angle on the way. */
+static void move(struct rays *r, const struct pel_conic *p)
+{
+    if (r->cells.step > 0)
+        angle_add(p, &r->end);
+    else
+        angle_take(p, &r->end);
+}
+
+static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_conic *p = (const void *)cells->gradient;
     struct rays *r = (void *)cells;
     struct pel_edge edge;
     while (--count)
-        (r->v < 0 ? angle_add : angle_take)(p, &r->end);
-    ray_at(&edge, p, pel_direction((uint16_t)r->end.turn), r->v);
-    pel_cells_end_at(cells, &edge);
-    (r->v < 0 ? angle_add : angle_take)(p, &r->end);
+        move(r, p);
+    ray_at(&edge, p, pel_direction((uint16_t)r->end.turn), height_of(r, p));
+    move(r, p);
+    return pel_cells_end_at(cells, &edge);
 }
 
 /* As many cells may end as begin in the half turn of the rows. The first pixel
  * by angle is in the first column: clockwise above the centre,
  * counter-clockwise below, in the row nearest to the centre where that is left
  * of it, else in the farthest one. */
-static PEL_NOINLINE_32 bool rays_start(struct rays *r,
-                                       const struct pel_conic *p,
-                                       const struct pel_spans *spans)
+static void rays_start(struct rays *r, const struct pel_conic *p, int32_t x0,
+                       int32_t v)
 {
     struct pel_cells *c = &r->cells;
-    if (!pel_cells_begin(c, &p->base, spans))
-        return false;
-    const int32_t u = pel_pixel_center(c->all.x0) - p->center.x;
-    r->v = pel_pixel_center(spans->y) - p->center.y;
-    const bool above = r->v < 0, last = above == (u < 0);
-    const int32_t v = last ? r->v + (spans->n - 1) * spans->step * 256 : r->v;
+    const int32_t u = pel_pixel_center(x0) - p->center.x;
+    const bool above = v < 0, last = above == (u < 0);
+    if (last)
+        v += (c->cell.n - 1) * c->cell.step * 256;
     c->place = place_of(p, turn_of(u, v));
     const uint32_t k = (uint32_t)c->place << 16;
     r->end.turn = pel_divide(k, (uint32_t)p->base.period);
@@ -133,44 +144,50 @@ static PEL_NOINLINE_32 bool rays_start(struct rays *r,
                      : c->place - place_of(p, 0);
     if (c->limit < 0)
         c->limit += p->base.period;
-    return true;
 }
 
 /* The row through the centre has two angles: left of it a half turn, then 0. */
 static void level_start(struct pel_cells *c, const struct pel_conic *p,
-                        bool left)
+                        int32_t x0)
 {
-    c->stop = left ? pel_first_pixel(p->center.x) : INT32_MAX;
+    const int32_t split = pel_first_pixel(p->center.x);
+    const bool left = x0 < split;
+    if (left)
+        c->stop = split;
     c->limit = 0;
     c->place = place_of(p, left ? HALF_TURN : 0);
 }
 
-static void draw(const struct pel_conic *p, const struct pel_spans *spans)
+/* The batch has rows above the centre, or the row through it, or rows below. */
+static PEL_NOINLINE_32 void start(struct rays *r, const struct pel_conic *p,
+                                  int32_t x0)
 {
-    struct rays r;
-    if (!rays_start(&r, p, spans))
-        return;
-    for (int parts = r.v ? 1 : 2; parts > 0; parts--) {
-        if (r.v == 0)
-            level_start(&r.cells, p, parts == 2);
-        pel_cells_draw(&r.cells, end_cells);
-    }
+    struct pel_spans *rows = &r->cells.cell;
+    const int32_t v = height_of(r, p);
+    if (rows->step && v < 0)
+        rows->n = pel_min(rows->n, pel_first_pixel(p->center.y) - rows->y);
+    else if (rows->step && v == 0)
+        rows->n = 1;
+    if (v == 0)
+        level_start(&r->cells, p, x0);
+    else
+        rays_start(r, p, x0, v);
 }
 
-/* The rows above the centre, the row through it, the rows below. */
+/* A function of its own, to spare the stack of what comes before it. */
+static PEL_NOINLINE_32 void walk(struct rays *r)
+{
+    pel_cells_draw(&r->cells, end_cells);
+}
+
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
-    const struct pel_conic *p = (const void *)paint;
-    const int32_t level = pel_first_pixel(p->center.y);
-    struct pel_spans part = *spans;
-    for (int32_t left = spans->n; left > 0; left -= part.n) {
-        const int32_t v = pel_pixel_center(part.y) - p->center.y;
-        part.n = spans->step == 0 ? left : v == 0 ? 1 : left;
-        if (spans->step && v < 0)
-            part.n = pel_min(left, level - part.y);
-        draw(p, &part);
-        part.span += part.n;
-        part.y += part.n;
+    struct rays r;
+    pel_cells_open(&r.cells, (const void *)paint, spans);
+    for (int32_t x0;
+         (x0 = pel_cells_next(&r.cells, spans, PEL_CELL_ROWS)) < INT32_MAX;) {
+        start(&r, (const void *)paint, x0);
+        walk(&r);
     }
 }
 

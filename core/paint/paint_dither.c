@@ -1,5 +1,6 @@
 #include "paint_dither.h"
 
+#include "../format/word.h"
 #include "../raster/edge.h"
 
 /* The Bayer matrix: 0..63, each once. */
@@ -41,7 +42,7 @@ static inline uint32_t widened(uint32_t top, uint32_t bits)
 }
 
 /* The level below the lowest of all is not asked for: 0 is a level. */
-static PEL_INLINE_LOOP struct channel channel_of(uint32_t c, uint32_t bits)
+static PEL_ALWAYS_INLINE struct channel channel_of(uint32_t c, uint32_t bits)
 {
     const uint32_t unit = 256u >> bits;
     uint32_t top = c & (0u - unit), low = widened(top, bits);
@@ -57,14 +58,15 @@ static PEL_INLINE_LOOP struct channel channel_of(uint32_t c, uint32_t bits)
 
 /* Its value at a place of the matrix: the high level where it has gone more
  * than 2 m + 1 of 128. */
-static inline uint32_t dithered_channel(uint32_t c, uint32_t bits, uint32_t m)
+static PEL_INLINE_LOOP uint32_t dithered_channel(uint32_t c, uint32_t bits,
+                                                 uint32_t m)
 {
     const struct channel v = channel_of(c, bits);
     return v.gone > (2 * m + 1) * v.step ? v.low + v.step : v.low;
 }
 
-static inline pel_color dithered(const uint8_t depth[3], pel_color color,
-                                 uint32_t m)
+static PEL_INLINE_LOOP pel_color dithered(const uint8_t depth[3],
+                                          pel_color color, uint32_t m)
 {
     const pel_color alpha = color & UINT32_C(0xFF000000);
     if (depth[1] == 0)
@@ -78,7 +80,8 @@ static inline pel_color dithered(const uint8_t depth[3], pel_color color,
 /* One opaque colour: its pixel value where every channel is low, the bits that
  * change where one is high, and how many places of the matrix that are. */
 struct levels {
-    uint32_t pixel, change[3], places[3];
+    uint32_t pixel, change[3];
+    uint8_t places[3];
 };
 
 /* gone > (2 m + 1) step holds for (gone - 1) / step / 2, rounded up, m. */
@@ -105,7 +108,7 @@ static PEL_NOINLINE void levels_of(const struct pel_format *format,
             channel_of(c >> (16 - 8 * k) & 255, depth[gray ? 0 : k]);
         low |= v.low << (16 - 8 * k);
         high[k] = v.step * (gray ? 0x010101u : 0x010000u >> 8 * k);
-        l->places[k] = gray && k ? 0 : places_of(&v);
+        l->places[k] = (uint8_t)(gray && k ? 0 : places_of(&v));
     }
     l->pixel = format->pack(low);
     for (int k = 0; k < 3; k++)
@@ -114,8 +117,9 @@ static PEL_NOINLINE void levels_of(const struct pel_format *format,
 
 /* The pixel values of a row's columns [x, end), which go on repeating; on
  * 64-bit CPUs all eight. */
-static void row_pattern(const struct levels *l, int32_t x, int32_t end,
-                        const uint8_t span[8], uint32_t pattern[8])
+static PEL_INLINE_LOOP void row_pattern(const struct levels *l, int32_t x,
+                                        int32_t end, const uint8_t span[8],
+                                        uint32_t pattern[8])
 {
     const uint32_t change0 = l->change[0], places0 = l->places[0];
     const uint32_t change1 = l->change[1], places1 = l->places[1];
@@ -146,17 +150,19 @@ static void fill_color(const struct pel_spans *spans, uint32_t color)
     }
 }
 
+/* At a time; one where stack is short. */
+enum { PUT_PIXELS = PEL_KNOW_SIDES ? 8 : 1 };
+
 static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
                        int32_t n, const pel_color *colors)
 {
     const struct pel_surface *target = target_of(surface);
-    const uint8_t *const depth = target->format->dithering->depth;
-    const uint8_t *const span = matrix[y & 7];
-    pel_color out[8];
+    pel_color out[PUT_PIXELS];
     while (n > 0) {
-        const int32_t count = pel_min(n, 8);
+        const int32_t count = pel_min(n, PUT_PIXELS);
         for (int32_t i = 0; i < count; i++)
-            out[i] = dithered(depth, colors[i], span[(x + i) & 7]);
+            out[i] = dithered(target->format->dithering->depth, colors[i],
+                              matrix[y & 7][(x + i) & 7]);
         target->format->put(target, x, y, count, out);
         x += count;
         n -= count;
@@ -166,10 +172,14 @@ static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
 
 static void blend_color(const struct pel_spans *spans, pel_color color)
 {
+    const struct pel_surface *target = target_of(spans->surface);
     int32_t y = spans->y;
     for (int32_t i = 0; i < spans->n; i++, y += spans->step)
-        for (int32_t x = spans->span[i].x0; x < spans->span[i].x1; x++)
-            put_colors(spans->surface, x, y, 1, &color);
+        for (int32_t x = spans->span[i].x0; x < spans->span[i].x1; x++) {
+            const pel_color out = dithered(target->format->dithering->depth,
+                                           color, matrix[y & 7][x & 7]);
+            target->format->put(target, x, y, 1, &out);
+        }
 }
 
 static void load_colors(const struct pel_surface *surface, int32_t x, int32_t y,
@@ -199,10 +209,12 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
         source->fill(source, spans);
         return;
     }
-    struct proxy proxy = {*spans->surface, spans->surface};
-    const struct pel_spans all = {&proxy.surface, spans->span, spans->y,
-                                  spans->n, spans->step};
+    struct proxy proxy;
+    struct pel_spans all = *spans;
+    proxy.surface = *spans->surface;
     proxy.surface.format = &proxy_format;
+    proxy.target = spans->surface;
+    all.surface = &proxy.surface;
     source->fill(source, &all);
 }
 

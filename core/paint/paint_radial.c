@@ -27,26 +27,6 @@ static void circle_set(const struct pel_radial *p, int32_t copy, int32_t part,
     c->rest = (int32_t)((uint32_t)ring - inner * n);
 }
 
-/* The inner circle of the ring that holds a pixel with the square of its
- * distance, below 2^49. With u its root, rounded up, ring k holds it when k
- * radius / n < u, which is k <= (u n - 1) / radius. */
-static void circle_find(const struct pel_radial *p, uint64_t square,
-                        struct circle *c)
-{
-    const uint32_t radius = (uint32_t)p->rings.radius;
-    const uint32_t n = (uint32_t)p->base.cells;
-    struct pel_root root;
-    pel_square_root(square, &root);
-    if (pel_multiply(root.root, root.root) == square && root.root)
-        root.root--; /* u - 1 */
-    const uint32_t copy = pel_divide(root.root, radius);
-    const uint32_t part =
-        pel_divide(pel_multiply(root.root - copy * radius + (square > 0), n) -
-                       (square > 0),
-                   radius);
-    circle_set(p, (int32_t)copy, (int32_t)part, c);
-}
-
 static int32_t place_of(const struct pel_radial *p, const struct circle *c)
 {
     int32_t copy = c->copy, part = c->part + p->first;
@@ -57,24 +37,24 @@ static int32_t place_of(const struct pel_radial *p, const struct circle *c)
     return pel_gradient_place(&p->base, copy, part);
 }
 
-static uint64_t square_at(const struct pel_radial *p, int32_t x, int32_t y)
-{
-    const struct pel_point center = p->rings.center;
-    return (uint64_t)(pel_square(pel_pixel_center(x) - center.x) +
-                      pel_square(pel_pixel_center(y) - center.y));
-}
-
 /* One side of the rings, left or right of the centre. A circle's columns are
  * counted from there, or from where rows begin; `steps` is the square of the
  * distance of the next one outwards in 512ths, as disc.h has it. */
 struct side {
     struct pel_cells cells;
     struct circle circle; /* where the present cell ends */
-    int64_t steps;        /* these three at the first row and the last circle */
+    int64_t steps;        /* these three at the first row and the last circle;
+                             first the square of a pixel's distance */
     int32_t u, columns;
-    int32_t v, first; /* distance of the first row, the column that is 0 */
-    int32_t limit;    /* so many columns are visible */
+    int32_t first; /* the column that is 0 */
+    int32_t limit; /* so many columns are visible */
 };
+
+/* The height of the first row, from the centre down. */
+static int32_t height_of(const struct side *s, const struct pel_radial *p)
+{
+    return pel_pixel_center(s->cells.cell.y) - p->rings.center.y;
+}
 
 static void circle_outwards(const struct pel_radial *p, struct circle *c)
 {
@@ -107,86 +87,118 @@ static void circle_move(struct side *s, int32_t count)
 }
 
 /* Columns grow to the left on the left side, where the walk is inwards. */
-static void end_cells(struct pel_cells *cells, int32_t count)
+static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_radial *p = (const void *)cells->gradient;
     struct side *s = (void *)cells;
     circle_move(s, count - 1);
-    const int64_t reach = (pel_square(s->circle.radius) - p->low) >> 9;
-    int64_t d = reach - s->steps;
-    int32_t u = s->u, columns = s->columns, v = s->v, rest = 0;
-    for (int32_t i = 0; i < cells->spans->n; i++) {
+    int64_t d = -s->steps;
+    s->steps = (pel_square(s->circle.radius) - p->low) >> 9;
+    d += s->steps;
+    int32_t u = s->u, columns = s->columns, rest = 0;
+    int32_t v = height_of(s, p) + 128;
+    for (int32_t i = 0; i < cells->cell.n; i++) {
         pel_disc_side_adjust(&d, &u, &columns, s->limit);
         if (i == 0) {
-            s->steps = reach - d;
+            s->steps -= d;
             s->u = u;
             s->columns = columns;
         }
         rest |= pel_cells_end_run(cells, i, s->first + columns * cells->step);
-        if (cells->spans->step) {
-            d -= v + 128;
+        if (cells->cell.step) {
+            d -= v;
             v += 256;
         }
     }
-    cells->rest = rest < 0;
     circle_move(s, 1);
+    return rest < 0;
 }
 
-/* The pixels in column x are the first on the side, at distance u. */
-static void side_start(struct side *s, const struct pel_radial *p, int32_t u)
+/* Behind the last pixel of all rows before `stop`. */
+static int32_t end_of(const struct pel_cells *c)
 {
-    s->u = u;
+    int32_t x1 = c->span[0].x1;
+    for (int32_t i = 1; i < c->cell.n; i++)
+        x1 = pel_max(x1, c->span[i].x1);
+    return pel_min(x1, c->stop);
+}
+
+/* The columns before the first of the right side, or the rest. */
+static PEL_NOINLINE_32 void set_columns(struct side *s,
+                                        const struct pel_radial *p, int32_t x0)
+{
+    struct pel_cells *c = &s->cells;
+    const int32_t split = pel_first_pixel(p->rings.center.x);
     s->columns = 0;
-    s->v = pel_pixel_center(s->cells.spans->y) - p->rings.center.y;
-    s->steps = (pel_square(u) + pel_square(s->v)) >> 9;
+    s->first = x0;
+    if (x0 < split) {
+        c->step = -1;
+        c->stop = pel_min(c->stop, split);
+        s->first = end_of(c);
+        s->limit = s->first - x0;
+        s->u = p->rings.center.x - pel_pixel_center(s->first - 1);
+    } else {
+        s->limit = end_of(c) - x0;
+        s->u = pel_pixel_center(x0) - p->rings.center.x;
+    }
 }
 
-/* What is left of `split`, the first column of the right side: from the ring of
- * the farthest pixel inwards. */
-static PEL_NOINLINE_32 void left_start(struct side *s,
-                                       const struct pel_radial *p,
-                                       int32_t split)
+/* The square of the distance of the pixel where the walk begins: the farthest
+ * one on the left side, the nearest one on the right. */
+static PEL_NOINLINE_32 void set_square(struct side *s,
+                                       const struct pel_radial *p, int32_t x0)
 {
-    struct pel_cells *c = &s->cells;
-    const int32_t last = c->spans->y + (c->spans->n - 1) * c->spans->step;
-    const int32_t twice = 2 * p->rings.center.y;
-    const int32_t y =
-        twice - pel_pixel_center(c->spans->y) > pel_pixel_center(last)
-            ? c->spans->y
-            : last;
-    circle_find(p, square_at(p, c->all.x0, y), &s->circle);
-    if (p->base.period == 0 &&
-        (s->circle.copy || s->circle.part > p->base.cells - 1 - p->first))
-        circle_set(p, 0, p->base.cells - 1 - p->first, &s->circle);
-    c->step = -1;
-    c->stop = split;
-    c->limit = s->circle.copy < 65535
-                   ? s->circle.copy * p->base.cells + s->circle.part
-                   : INT32_MAX;
-    s->first = pel_min(split, c->all.x1);
-    s->limit = s->first - c->all.x0;
-    side_start(s, p, p->rings.center.x - pel_pixel_center(s->first - 1));
-    c->place = place_of(p, &s->circle);
-}
-
-/* The rest: from the ring of the nearest pixel outwards. */
-static PEL_NOINLINE_32 void right_start(struct side *s,
-                                        const struct pel_radial *p,
-                                        int32_t split)
-{
-    struct pel_cells *c = &s->cells;
-    const int32_t last = c->spans->y + (c->spans->n - 1) * c->spans->step;
+    const struct pel_spans *rows = &s->cells.cell;
+    const int32_t last = rows->y + (rows->n - 1) * rows->step;
     const int32_t middle = pel_pixel_of(p->rings.center.y);
-    const int32_t y = pel_min(pel_max(middle, c->spans->y), last);
-    s->first = pel_max(split, c->all.x0);
-    circle_find(p, square_at(p, s->first, y), &s->circle);
-    c->place = place_of(p, &s->circle);
-    c->step = 1;
-    c->stop = INT32_MAX;
-    c->limit = INT32_MAX;
-    s->limit = c->all.x1 - s->first;
-    circle_outwards(p, &s->circle);
-    side_start(s, p, pel_pixel_center(s->first) - p->rings.center.x);
+    const int32_t twice = 2 * p->rings.center.y;
+    int32_t y = pel_min(pel_max(middle, rows->y), last);
+    if (s->cells.step < 0)
+        y = twice - pel_pixel_center(rows->y) > pel_pixel_center(last) ? rows->y
+                                                                       : last;
+    const int32_t u = pel_pixel_center(x0) - p->rings.center.x;
+    const int32_t v = pel_pixel_center(y) - p->rings.center.y;
+    s->steps = pel_square(u) + pel_square(v);
+}
+
+/* The inner circle of the ring that holds the pixel where the walk begins, the
+ * square of its distance being below 2^49. With u its root, rounded up, ring k
+ * holds it when k radius / n < u, which is k <= (u n - 1) / radius. */
+static PEL_NOINLINE_32 void find_ring(struct side *s,
+                                      const struct pel_radial *p)
+{
+    const uint64_t square = (uint64_t)s->steps;
+    const uint32_t radius = (uint32_t)p->rings.radius;
+    const uint32_t n = (uint32_t)p->base.cells;
+    struct pel_root root;
+    pel_square_root(square, &root);
+    if (pel_multiply(root.root, root.root) == square && root.root)
+        root.root--; /* u - 1 */
+    const uint32_t copy = pel_divide(root.root, radius);
+    const uint32_t part =
+        pel_divide(pel_multiply(root.root - copy * radius + (square > 0), n) -
+                       (square > 0),
+                   radius);
+    circle_set(p, (int32_t)copy, (int32_t)part, &s->circle);
+}
+
+/* From the circle that was found: the ring's inner one, which is the end of the
+ * first cell on the left side. */
+static PEL_NOINLINE_32 void set_ring(struct side *s, const struct pel_radial *p)
+{
+    struct pel_cells *c = &s->cells;
+    struct circle *circle = &s->circle;
+    const int32_t n = p->base.cells, most = n - 1 - p->first;
+    if (c->step < 0) {
+        if (p->base.period == 0 && (circle->copy || circle->part > most))
+            circle_set(p, 0, most, circle);
+        c->limit =
+            circle->copy < 65535 ? circle->copy * n + circle->part : INT32_MAX;
+    }
+    c->place = place_of(p, circle);
+    if (c->step > 0)
+        circle_outwards(p, circle);
+    s->steps = (pel_square(s->u) + pel_square(height_of(s, p))) >> 9;
 }
 
 /* A function of its own, to spare the stack of what comes before it. */
@@ -195,33 +207,31 @@ static PEL_NOINLINE_32 void walk(struct side *s)
     pel_cells_draw(&s->cells, end_cells);
 }
 
-static void draw(const struct pel_gradient *gradient,
-                 const struct pel_spans *spans)
+/* The first pixel of the next batch. Rings narrower than 1/64 px are drawn a
+ * pixel at a time. */
+static PEL_CELL_STEP int32_t next(struct side *s, const struct pel_radial *p,
+                                  const struct pel_spans *spans)
 {
-    const struct pel_radial *p = (const void *)gradient;
-    const int32_t split = pel_first_pixel(p->rings.center.x);
-    struct side s;
-    if (!pel_cells_begin(&s.cells, gradient, spans))
-        return;
-    for (int left = 1; left >= 0; left--) {
-        if (left ? s.cells.all.x0 >= split : s.cells.all.x1 <= split)
-            continue;
-        if (left)
-            left_start(&s, p, split);
-        else
-            right_start(&s, p, split);
-        walk(&s);
-    }
+    const bool by_pixel = p->base.period && p->rings.radius < 4 * p->base.cells;
+    const int32_t x0 =
+        pel_cells_next(&s->cells, spans, by_pixel ? 1 : PEL_CELL_ROWS);
+    if (by_pixel && x0 < INT32_MAX)
+        s->cells.stop = x0 + 1;
+    return x0;
 }
 
-/* Rings narrower than 1/64 px are drawn a pixel at a time. */
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_radial *p = (const void *)paint;
-    if (p->base.period && p->rings.radius < 4 * p->base.cells)
-        pel_gradient_parts(&p->base, spans, 1, draw);
-    else
-        draw(&p->base, spans);
+    struct side s;
+    pel_cells_open(&s.cells, &p->base, spans);
+    for (int32_t x0; (x0 = next(&s, p, spans)) < INT32_MAX;) {
+        set_columns(&s, p, x0);
+        set_square(&s, p, x0);
+        find_ring(&s, p);
+        set_ring(&s, p);
+        walk(&s);
+    }
 }
 
 enum pel_status pel_radial_init(struct pel_radial *paint,
