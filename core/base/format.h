@@ -35,7 +35,9 @@ enum pel_format_id {
 
 /* For dither in formats with fewer than 8 bits a channel. */
 struct pel_dithering {
-    /* n >= 1 opaque pixels from (x, y) on: pixel x takes pixels[x & 7]. */
+    /* n >= 1 opaque pixels from (x, y) on: pixel x takes pixels[x & 7]. NULL
+     * where pixels are words of 16 bits: only programs that dither have that
+     * code. */
     void (*pattern)(const struct pel_surface *surface, int32_t x, int32_t y,
                     int32_t n, const uint32_t pixels[8]);
 

@@ -6,7 +6,7 @@ static const struct pel_fields fields = {{0, 5}, {5, 6}, {11, 5}, 0};
 #include "fields.inc"
 #include "body565.inc"
 
-static const struct pel_dithering dithering = {pel_pattern16, {5, 6, 5}};
+static const struct pel_dithering dithering = {NULL, {5, 6, 5}};
 
 const struct pel_format pel_bgr565_le = {
     .id = PEL_FORMAT_BGR565_LE,

@@ -139,14 +139,16 @@ static void fill_color(const struct pel_spans *spans, uint32_t color)
     struct levels levels;
     uint32_t pattern[8];
     int32_t y = spans->y;
+    void (*const own)(const struct pel_surface *, int32_t, int32_t, int32_t,
+                      const uint32_t *) = target->format->dithering->pattern;
     levels_of(target->format, color, &levels);
     for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
         const struct pel_span *span = &spans->span[i];
         if (span->x0 >= span->x1)
             continue;
         row_pattern(&levels, span->x0, span->x1, matrix[y & 7], pattern);
-        target->format->dithering->pattern(target, span->x0, y,
-                                           span->x1 - span->x0, pattern);
+        (own ? own : pel_pattern16)(target, span->x0, y, span->x1 - span->x0,
+                                    pattern);
     }
 }
 
