@@ -15,8 +15,8 @@ static inline uint32_t mix_lines(uint32_t a, uint32_t b, uint32_t f)
 }
 
 /* The four texels a b over c d with the weights fu / 256, fv / 256. */
-static PEL_INLINE_64 pel_color mixed(const pel_color t[4], uint32_t fu,
-                                     uint32_t fv)
+static PEL_ALWAYS_INLINE pel_color mixed(const pel_color t[4], uint32_t fu,
+                                         uint32_t fv)
 {
     const uint32_t mask = 0xFF00FFu;
     uint32_t rb = mix_lines(mix_halves(t[0] & mask, t[1] & mask, fu),
