@@ -13,7 +13,7 @@
 #endif
 
 /* Is called with the condition of a contract, such as the range of a vertex.
- * By default nothing is checked; a call that breaks its contract draws
+ * By default nothing is reported: a call that breaks its contract draws
  * nothing. */
 #ifndef PEL_ASSERT
 #define PEL_ASSERT(condition) ((void)0)

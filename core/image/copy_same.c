@@ -68,7 +68,7 @@ static void copy_run(const struct run *r, int32_t bits)
 static bool can_copy(const struct pel_format *f, bool keyed)
 {
     if (f->id >= 128)
-        return !keyed && f->bits >= 8 && f->pack(0) == 0 &&
+        return !keyed && f->bits % 8 == 0 && f->pack(0) == 0 &&
                f->pack(PEL_RGB(255, 255, 255)) == UINT32_MAX >> (32 - f->bits);
     if (f->id == PEL_FORMAT_MONO1_PAGES)
         return false;

@@ -49,7 +49,7 @@ static void move_colors(const struct move *m)
 static void move_lines(const struct pel_surface *surface,
                        const struct pel_rect *from, int32_t dx, int32_t dy)
 {
-    const bool bytes = surface->format->bits >= 8;
+    const bool bytes = surface->format->bits % 8 == 0;
     struct move m = {surface, from->x0, 0, from->x1 - from->x0, dx, dy};
     for (int32_t i = 0; i < from->y1 - from->y0; i++) {
         m.y = dy > 0 ? from->y1 - 1 - i : from->y0 + i;

@@ -30,7 +30,7 @@ struct pel_cells {
     const struct pel_span *span; /* the shape's, of these rows */
 
     int32_t stop;  /* runs end here, or where the shape's do */
-    int32_t limit; /* so many cells may end; what is left is one cell */
+    int32_t limit; /* cells that may end yet; at 0 the rest is one cell */
     int32_t step;  /* from one cell's place to the next: 1 or -1 */
     int32_t place; /* of the next cell */
 

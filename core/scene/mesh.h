@@ -55,7 +55,8 @@ inline void pel_mesh_corners(const struct pel_mesh *mesh, uint32_t triangle,
                                      : mesh->indices32[triangle][k];
 }
 
-/* A vertex's normal, of any length up to 2^29; the mesh has normals. */
+/* A vertex's normal, of any length: each component is up to 2^29 in size. The
+ * mesh has normals. */
 inline void pel_mesh_normal(const struct pel_mesh *mesh, uint32_t vertex,
                             int32_t normal[3])
 {

@@ -181,8 +181,9 @@ static bool check_mesh(const char *path)
             path, 0,
             "is a font of another kind: expected `pcf2bdf -o FONT.bdf` first");
     return message_error_at(path, 0,
-                            "neither mesh, picture nor font by its "
-                            "ending");
+                            "neither mesh, picture nor font by its ending: "
+                            "expected a font .bdf or .psf, a picture .png, "
+                            ".ppm, .jpg, or a mesh that assimp reads");
 }
 
 static enum import_kind kind_of(const struct import_options *o)

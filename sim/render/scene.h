@@ -47,7 +47,7 @@ enum scene_mapping {
     SCENE_MAP_PERSPECTIVE /* in every pixel */
 };
 
-/* SCENE_ZBUFFER is SCENE_ZBUFFER32. */
+/* SCENE_ZBUFFER is drawn as SCENE_ZBUFFER32. */
 enum scene_order {
     SCENE_PAINTER,
     SCENE_ZBUFFER16,
