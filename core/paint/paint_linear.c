@@ -174,7 +174,7 @@ static void draw(const struct pel_gradient *gradient,
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    const bool steep = p->down > 128 || p->down < -128 || p->d.x == 0;
+    const bool steep = p->d.x == 0 || p->down > 128 || p->down < -128;
     if (p->by_pixel || steep)
         pel_gradient_parts(&p->base, spans, p->by_pixel ? 1 : FAR, draw);
     else
