@@ -115,7 +115,7 @@ static PEL_NOINLINE void levels_of(const struct pel_format *format,
 /* The pixel values of a row's columns [x, end), which go on repeating; on
  * 64-bit CPUs all eight. */
 static void row_pattern(const struct levels *l, int32_t x, int32_t end,
-                        const uint8_t span[8], uint32_t pattern[8])
+                        const uint8_t row[8], uint32_t pattern[8])
 {
     const uint32_t change0 = l->change[0], places0 = l->places[0];
     const uint32_t change1 = l->change[1], places1 = l->places[1];
@@ -123,7 +123,7 @@ static void row_pattern(const struct levels *l, int32_t x, int32_t end,
     const int32_t n = PEL_64BIT ? 8 : pel_min(end - x, 8);
     for (int32_t i = 0; i < n; i++) {
         const int32_t at = PEL_64BIT ? i : (x + i) & 7;
-        const uint32_t m = span[at];
+        const uint32_t m = row[at];
         pattern[at] = l->pixel ^ (m < places0 ? change0 : 0) ^
                       (m < places1 ? change1 : 0) ^ (m < places2 ? change2 : 0);
     }
@@ -151,12 +151,12 @@ static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
 {
     const struct pel_surface *target = target_of(surface);
     const uint8_t *const depth = target->format->dithering->depth;
-    const uint8_t *const span = matrix[y & 7];
+    const uint8_t *const row = matrix[y & 7];
     pel_color out[8];
     while (n > 0) {
         const int32_t count = pel_min(n, 8);
         for (int32_t i = 0; i < count; i++)
-            out[i] = dithered(depth, colors[i], span[(x + i) & 7]);
+            out[i] = dithered(depth, colors[i], row[(x + i) & 7]);
         target->format->put(target, x, y, count, out);
         x += count;
         n -= count;

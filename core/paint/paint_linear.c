@@ -135,8 +135,8 @@ static PEL_NOINLINE_32 bool lines_start(struct lines *l,
 {
     if (!pel_cells_begin(&l->cells, &p->base, spans))
         return false;
-    int32_t span = p->d.y < 0 ? (spans->n - 1) * spans->step : 0;
-    const int64_t product = product_at(p, l->cells.all.x0, spans->y + span);
+    int32_t row = p->d.y < 0 ? (spans->n - 1) * spans->step : 0;
+    const int64_t product = product_at(p, l->cells.all.x0, spans->y + row);
     const struct position at = position_of(p, product);
     l->cells.step = p->reversed ? -1 : 1;
     l->cells.place = place_of(p, &at);
@@ -145,7 +145,7 @@ static PEL_NOINLINE_32 bool lines_start(struct lines *l,
         l->cells.limit = 0;
     else
         set_end(l, p, &at, product);
-    for (; span > 0; span--) {
+    for (; row > 0; row--) {
         l->x -= p->down + 1;
         if (p->d.x)
             line_add(&l->x, &l->m, (uint32_t)p->d.x << 8,
