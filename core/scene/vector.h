@@ -37,10 +37,7 @@ typedef int32_t pel_factor;
 int64_t pel_scale_down(int64_t v, int n);
 int32_t pel_scaled(int32_t a, int32_t b, int n);
 int64_t pel_dot(const int32_t a[3], const int32_t b[3]);
-PEL_END_DECLS
 #endif
-
-PEL_BEGIN_DECLS
 
 /* Bits of v: 0 for 0, otherwise 2^(bits - 1) <= v < 2^bits. */
 int pel_bits_of(uint64_t v);
