@@ -18,16 +18,16 @@ static int32_t find(const uint8_t *row, int32_t i, int32_t end, uint32_t same)
 }
 
 /* The columns [left, right) of a row whose column 0 is pixel x. */
-static void collect_row(struct pel_collector *c, const uint8_t *span, int32_t x,
+static void collect_row(struct pel_collector *c, const uint8_t *row, int32_t x,
                         int32_t y, const struct pel_span *visible)
 {
     int32_t end = visible->x1 - x;
-    int32_t i = find(span, visible->x0 - x, end, 0);
+    int32_t i = find(row, visible->x0 - x, end, 0);
     while (i < end) {
         int32_t start = i;
-        i = find(span, i, end, 0xFF);
+        i = find(row, i, end, 0xFF);
         pel_collect(c, y, x + start, x + i);
-        i = find(span, i, end, 0);
+        i = find(row, i, end, 0);
     }
 }
 
@@ -50,11 +50,11 @@ void pel_glyph(const struct pel_surface *surface,
     if (pel_rect_empty(&r))
         return;
     const struct pel_span visible = {r.x0, r.x1};
-    const uint8_t *span =
+    const uint8_t *row =
         glyph->bits + (ptrdiff_t)(r.y0 - y) * (ptrdiff_t)glyph->stride;
     struct pel_collector c;
     pel_collect_begin(&c, surface, paint);
-    for (; r.y0 < r.y1; r.y0++, span += glyph->stride)
-        collect_row(&c, span, x, r.y0, &visible);
+    for (; r.y0 < r.y1; r.y0++, row += glyph->stride)
+        collect_row(&c, row, x, r.y0, &visible);
     pel_collect_end(&c);
 }

@@ -29,8 +29,8 @@ enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
                                uint16_t start, const struct pel_ramp *ramp);
 
 /* The same with n cells of colours of its own, 1 <= n <= 32,767: the gradient's
- * `color` and `cells` are set before, its ramp is not looked at.
- * PEL_ERROR_RANGE. */
+ * `color` and `cells` are set before, `period` too (n, or 2 n there and back),
+ * and its ramp's n is 0. PEL_ERROR_RANGE. */
 enum pel_status pel_conic_begin(struct pel_conic *paint,
                                 struct pel_point center, uint16_t start);
 

@@ -118,7 +118,7 @@ static PEL_NOINLINE void levels_of(const struct pel_format *format,
 /* The pixel values of a row's columns [x, end), which go on repeating; on
  * 64-bit CPUs all eight. */
 static PEL_INLINE_LOOP void row_pattern(const struct levels *l, int32_t x,
-                                        int32_t end, const uint8_t span[8],
+                                        int32_t end, const uint8_t row[8],
                                         uint32_t pattern[8])
 {
     const uint32_t change0 = l->change[0], places0 = l->places[0];
@@ -127,7 +127,7 @@ static PEL_INLINE_LOOP void row_pattern(const struct levels *l, int32_t x,
     const int32_t n = PEL_64BIT ? 8 : pel_min(end - x, 8);
     for (int32_t i = 0; i < n; i++) {
         const int32_t at = PEL_64BIT ? i : (x + i) & 7;
-        const uint32_t m = span[at];
+        const uint32_t m = row[at];
         pattern[at] = l->pixel ^ (m < places0 ? change0 : 0) ^
                       (m < places1 ? change1 : 0) ^ (m < places2 ? change2 : 0);
     }
@@ -159,12 +159,13 @@ static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
                        int32_t n, const pel_color *colors)
 {
     const struct pel_surface *target = target_of(surface);
+    const uint8_t *const depth = target->format->dithering->depth;
+    const uint8_t *const row = matrix[y & 7];
     pel_color out[PUT_PIXELS];
     while (n > 0) {
         const int32_t count = pel_min(n, PUT_PIXELS);
         for (int32_t i = 0; i < count; i++)
-            out[i] = dithered(target->format->dithering->depth, colors[i],
-                              matrix[y & 7][(x + i) & 7]);
+            out[i] = dithered(depth, colors[i], row[(x + i) & 7]);
         target->format->put(target, x, y, count, out);
         x += count;
         n -= count;

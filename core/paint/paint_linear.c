@@ -192,7 +192,7 @@ static PEL_CELL_STEP int32_t next(struct lines *l, const struct pel_linear *p,
                                   const struct pel_spans *spans)
 {
     const bool alone =
-        p->by_pixel || p->down > 128 || p->down < -128 || p->d.x == 0;
+        p->by_pixel || p->d.x == 0 || p->down > 128 || p->down < -128;
     const int32_t x0 =
         pel_cells_next(&l->cells, spans, alone ? 1 : PEL_CELL_ROWS);
     if (p->by_pixel && x0 < INT32_MAX)

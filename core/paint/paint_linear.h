@@ -31,7 +31,8 @@ struct pel_linear {
     int64_t square; /* |d|^2 */
 
     /* From row to row a boundary moves by down + down_rest / d.x pixels, from
-     * cell to cell by cell + (cell_rest + part_rest / n) / (256 d.x). */
+     * cell to cell by cell + (cell_rest + part_rest / n) / (256 d.x). Not set
+     * where d.x is 0. */
     int32_t down, down_rest;
     int32_t cell;
     uint32_t cell_rest, part_rest;

@@ -105,7 +105,7 @@ static bool parse_color(const struct option_row *o, const char *text,
 static bool parse_value(const struct option_row *o, const char *text,
                         void *input)
 {
-    void *value = (char *)input + o->offset;
+    void *value = input ? (char *)input + o->offset : NULL;
     switch (o->kind) {
     case OPTION_FLAG:
         *(bool *)value = true;

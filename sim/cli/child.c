@@ -82,13 +82,16 @@ __attribute__((noreturn)) static void do_work(struct child *c, child_work *work,
     _exit(done && written ? EXIT_SUCCESS : EXIT_FAILURE);
 }
 
-/* Keeps the last line that is not empty. */
+/* Keeps the last line that is not empty; of a long one the beginning, with room
+ * for its end. */
 static void take_text(struct child *c, const char *text, size_t size)
 {
     for (; size > 0; text++, size--) {
-        if (c->length > 0 && c->line[c->length - 1] == '\n' && *text != '\n')
+        const bool ended = c->length > 0 && c->line[c->length - 1] == '\n';
+        const bool ends = *text == '\n';
+        if (ended && !ends)
             c->length = 0;
-        if (c->length < sizeof(c->line) - 1 && (c->length > 0 || *text != '\n'))
+        if (ends ? c->length > 0 && !ended : c->length < sizeof(c->line) - 2)
             c->line[c->length++] = *text;
     }
 }
@@ -111,6 +114,7 @@ static void listen_to(struct child *c)
     }
     if (c->late)
         kill(c->id, SIGKILL);
+    c->line[c->length] = '\0';
     c->line[strcspn(c->line, "\n")] = '\0';
 }
 
@@ -122,11 +126,15 @@ static int status_of(const struct child *c)
     return status;
 }
 
-/* Libraries say so, each in words of its own. */
-static bool lacks_memory(const char *text)
+/* Libraries say so, each in words of its own. Files may be named memory: the
+ * blank keeps out those in a folder, and messages begin with the path. */
+static bool lacks_memory(const char *text, const char *path)
 {
+    const char *const name = strstr(text, path);
+    if (name)
+        text = name + strlen(path);
     return strstr(text, "bad_alloc") || strstr(text, "bad allocation") ||
-           strstr(text, "memory");
+           strstr(text, " memory");
 }
 
 /* Shows the child's own messages, or says how it ended. Was it well? */
@@ -143,7 +151,7 @@ static bool report(struct child *c, int status)
                                 "s: expected less, or a higher --limit "
                                 "SECONDS,MEGABYTES",
                                 child_limits.seconds);
-    if (failed && lacks_memory(crashed ? c->line : text))
+    if (failed && lacks_memory(crashed ? c->line : text, c->path))
         return message_error_at(c->path, 0,
                                 "the library that reads it took more than %d "
                                 "MB: expected less, or a higher --limit "

@@ -47,7 +47,12 @@ static bool write_to(const struct output *output, int file)
         if (n < 0 && errno == EINTR)
             n = 0;
     }
-    return (n >= 0 && close(file) == 0) || refuse(output);
+    if (n >= 0)
+        return close(file) == 0 || refuse(output);
+    refuse(output);
+    if (file >= 0)
+        close(file);
+    return false;
 }
 
 static bool write_stdout(const struct output *output)
@@ -91,7 +96,11 @@ static bool write_temporary(struct output *output, mode_t mode)
     }
     block_signals();
     const int file = mkstemp(output->temporary);
-    return write_to(output, file < 0 || fchmod(file, mode) != 0 ? -1 : file);
+    if (file < 0 || fchmod(file, mode) == 0)
+        return write_to(output, file);
+    refuse(output);
+    close(file);
+    return false;
 }
 
 /* Devices, pipes, and links to missing files are written to, not replaced. */

@@ -88,11 +88,12 @@ static pel_color material_color(const struct aiScene *scene,
     return color_of(&color);
 }
 
+/* Files have -0 and 0 for the same number: with 0 added it has no sign. */
 static void set3(double to[3], const struct aiVector3D *from)
 {
-    to[0] = (double)from->x;
-    to[1] = (double)from->y;
-    to[2] = (double)from->z;
+    to[0] = (double)from->x + 0.0;
+    to[1] = (double)from->y + 0.0;
+    to[2] = (double)from->z + 0.0;
 }
 
 static void copy_vertices(const struct aiScene *scene,
@@ -104,8 +105,8 @@ static void copy_vertices(const struct aiScene *scene,
         if (from->mNormals)
             set3(to->normal, &from->mNormals[i]);
         if (from->mTextureCoords[0]) {
-            to->uv[0] = (double)from->mTextureCoords[0][i].x;
-            to->uv[1] = (double)from->mTextureCoords[0][i].y;
+            to->uv[0] = (double)from->mTextureCoords[0][i].x + 0.0;
+            to->uv[1] = (double)from->mTextureCoords[0][i].y + 0.0;
         }
         to->color = from->mColors[0] ? color_of(&from->mColors[0][i]) : color;
     }

@@ -289,6 +289,11 @@ echo 'f 1 2 3 4 5 6 7 8' >>"$dir/tiny.obj"
 "$PEL" import "$dir/tiny.obj" --name asset -o "$dir/tiny.c" 2>"$dir/message"
 grep -q 'tiny.obj: 2 of 6 triangles are lost' "$dir/message" ||
     fail "triangles lost without a word: $(cat "$dir/message")"
+printf 'v %s 0\n' '0 0' '1 0' '0 1' '1 1' >"$dir/zero.obj"
+printf 'vn 0 0 1\nvn -0 0 1\nf 1//1 2//1 3//1\nf 2//2 4//2 3//2\n' \
+    >>"$dir/zero.obj"
+"$PEL" import "$dir/zero.obj" --name asset -o "$dir/zero.c"
+grep -q '^/\* 4 vertices' "$dir/zero.c" || fail "-0 is not joined with 0"
 "$PEL" import builtin:vase -o "$dir/vase.pel2d"
 refuse "is projected already" "$dir/vase.pel2d" -o "$dir/x.c"
 

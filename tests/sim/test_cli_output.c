@@ -193,19 +193,37 @@ static void test_device(void **state)
     assert_true(S_ISCHR(status.st_mode));
 }
 
-/* A message, and no file anywhere. */
-static void test_refused(void **state)
+static void check_refused(const char *path, const char *message)
 {
-    char path[64], text[512] = "";
+    char text[512] = "";
     FILE *kept = stderr;
-    (void)state;
-    path_of("none/file", path, sizeof path);
     stderr = fmemopen(text, sizeof text, "w");
     const bool done = write_output(path, "text", true);
     fclose(stderr);
     stderr = kept;
     assert_false(done);
-    assert_non_null(strstr(text, "none/file: cannot be written: No such"));
+    assert_non_null(strstr(text, message));
+}
+
+/* A message, and no file anywhere. */
+static void test_refused(void **state)
+{
+    char path[64];
+    (void)state;
+    path_of("none/file", path, sizeof path);
+    check_refused(path, "none/file: cannot be written: No such");
+}
+
+/* What cannot be written is closed all the same: its number is free again. */
+static void test_full(void **state)
+{
+    const int before = dup(STDOUT_FILENO);
+    (void)state;
+    close(before);
+    check_refused("/dev/full", "/dev/full: cannot be written: No space");
+    const int after = dup(STDOUT_FILENO);
+    close(after);
+    assert_int_equal(after, before);
 }
 
 static int set_up(void **state)
@@ -234,7 +252,7 @@ int main(void)
         cmocka_unit_test(test_link),      cmocka_unit_test(test_dangling_link),
         cmocka_unit_test(test_long_name), cmocka_unit_test(test_both),
         cmocka_unit_test(test_signals),   cmocka_unit_test(test_device),
-        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_refused),   cmocka_unit_test(test_full),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
