@@ -46,12 +46,15 @@ static inline int pel_leading_zeros(uint64_t v)
 
 /* On 32-bit CPUs 64-bit numbers are long code and stack is short: there both
  * are functions of their own. On others the first is inlined, the second as the
- * compiler chooses. */
+ * compiler chooses. PEL_INLINE_KINDS: with a constant kind on 64-bit CPUs,
+ * where each kind has a loop of its own; elsewhere one loop serves all. */
 #if PEL_64BIT
 #define PEL_INLINE_64 PEL_ALWAYS_INLINE
+#define PEL_INLINE_KINDS PEL_ALWAYS_INLINE
 #define PEL_NOINLINE_32
 #else
 #define PEL_INLINE_64 PEL_NOINLINE
+#define PEL_INLINE_KINDS inline
 #define PEL_NOINLINE_32 PEL_NOINLINE
 #endif
 

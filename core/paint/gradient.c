@@ -54,6 +54,18 @@ static pel_color mask_of(const struct pel_format *format)
     return mask;
 }
 
+static void set_mask(struct pel_cells *c)
+{
+    c->mask = mask_of(c->cell.surface->format);
+}
+
+#else
+
+static void set_mask(struct pel_cells *c)
+{
+    (void)c;
+}
+
 #endif
 
 void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
@@ -63,9 +75,7 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
     c->cell =
         (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
     c->span = spans->span;
-#if PEL_KNOW_SIDES
-    c->mask = mask_of(spans->surface->format);
-#endif
+    set_mask(c);
 }
 
 /* The first pixel that is left of the batch; INT32_MAX: none is. */

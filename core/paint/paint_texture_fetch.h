@@ -21,14 +21,6 @@ enum pel_status pel_texture_set(struct pel_texture *paint,
                                 const struct pel_texels *texels,
                                 const struct pel_texture_map *map);
 
-/* With a constant kind on 64-bit CPUs, where each kind has a loop of its own;
- * elsewhere there is one loop for all. */
-#if PEL_FAST_FILLS
-#define PEL_TEXTURE_INLINE PEL_ALWAYS_INLINE
-#else
-#define PEL_TEXTURE_INLINE inline
-#endif
-
 static inline const void *pel_texture_line(const struct pel_texture *p,
                                            int32_t v)
 {
@@ -41,8 +33,8 @@ static inline pel_color pel_texel_of_565(uint32_t w)
                    pel_widen(w & 31, 5));
 }
 
-static PEL_TEXTURE_INLINE pel_color pel_texel(const struct pel_texture *p,
-                                              int kind, int32_t u, int32_t v)
+static PEL_INLINE_KINDS pel_color pel_texel(const struct pel_texture *p,
+                                            int kind, int32_t u, int32_t v)
 {
     const void *line = pel_texture_line(p, v);
     if (kind == PEL_TEXTURE_COLORS)
