@@ -1,8 +1,8 @@
 #!/bin/sh
-# pairs.sh CPU ELF BUDGET GRADIENTS : the stack of every shape with every paint as pairs.c
-# measures it on its board, as TSV, a row for each shape: what pel_SHAPE and all
-# below it use. Fails when a pair is above the budget, that of linear, radial,
-# conic, hue and dither being GRADIENTS.
+# pairs.sh CPU ELF BUDGET GRADIENTS : the stack of every shape with every paint as
+# pairs.c measures it on its board, as TSV, a row for each shape: what pel_SHAPE
+# and all below it use. Fails when a pair is above the budget, which is GRADIENTS
+# for linear, radial, conic, hue and dither.
 set -eu
 here=$(dirname "$0")
 . "$here/board.sh"
