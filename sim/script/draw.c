@@ -47,6 +47,7 @@ void script_perform(struct script_pen *pen,
         set_values(settings + command->offset, command->size, v, n);
     if (command->flag)
         *(bool *)(settings + command->flag) = true;
+    pen->command = command;
     pen->count = n;
     if (command->draw)
         command->draw(pen, v);
