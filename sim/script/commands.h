@@ -101,6 +101,12 @@ struct script_command {
     .offset = offsetof(type, member),        \
     .size = sizeof(((type *)NULL)->member) / (values)
 
+/* A pen as scripts begin with it, on a surface. False, with a message, when
+ * memory is short. */
+bool script_pen_init(struct script_pen *pen, const struct script *script,
+                     struct pel_surface *surface);
+void script_pen_free(struct script_pen *pen);
+
 /* Runs a command: makes its setting, chooses its paint, draws. */
 void script_perform(struct script_pen *pen,
                     const struct script_command *command, const int32_t *v,
