@@ -39,7 +39,8 @@ static struct pel_quantization quantum_of(const struct extent *e, int shift)
     return quantum;
 }
 
-struct pel_quantization quantize_positions(const struct mesh *mesh, int shift_max)
+struct pel_quantization quantize_positions(const struct mesh *mesh,
+                                           int shift_max)
 {
     struct extent e = {{0}, 0};
     double low[3], high[3];
@@ -66,8 +67,7 @@ struct pel_quantization quantize_uv(const struct mesh *mesh)
     return quantum_of(&e, PEL_MESH_SHIFT_MAX);
 }
 
-long quantize(const struct pel_quantization *quantum, int axis,
-                      double value)
+long quantize(const struct pel_quantization *quantum, int axis, double value)
 {
     double numerator = ldexp(value, quantum->shift) - quantum->offset[axis];
     return lround(numerator / quantum->step);
