@@ -9,54 +9,7 @@
 #include "sim/cli/commands.h"
 #include "sim/cli/message.h"
 #include "sim/cli/number.h"
-#include "sim/script/paints.h"
-
-/* A format that keeps the colours that shapes bring, with their alpha, instead
- * of drawing them: a word each. */
-enum { SPY_FORMAT = 200 };
-
-static uint32_t spy_word(uint32_t word)
-{
-    return word;
-}
-
-static void spy_fill(const struct pel_spans *spans, uint32_t color)
-{
-    for (int32_t i = 0; i < spans->n; i++) {
-        const struct pel_surface *s = spans->surface;
-        uint32_t *row =
-            (uint32_t *)(void *)pel_surface_line(s, spans->y + i * spans->step);
-        for (int32_t x = spans->span[i].x0; x < spans->span[i].x1; x++)
-            row[x - s->bounds.x0] = color;
-    }
-}
-
-static uint32_t *spy_at(const struct pel_surface *s, int32_t x, int32_t y)
-{
-    return (uint32_t *)(void *)pel_surface_line(s, y) + (x - s->bounds.x0);
-}
-
-static void spy_put(const struct pel_surface *s, int32_t x, int32_t y,
-                    int32_t n, const pel_color *colors)
-{
-    memcpy(spy_at(s, x, y), colors, (size_t)n * sizeof(*colors));
-}
-
-static void spy_load(const struct pel_surface *s, int32_t x, int32_t y,
-                     int32_t n, pel_color *colors)
-{
-    memcpy(colors, spy_at(s, x, y), (size_t)n * sizeof(*colors));
-}
-
-static const struct pel_format spy = {.id = SPY_FORMAT,
-                                      .bits = 32,
-                                      .word = 4,
-                                      .pack = spy_word,
-                                      .unpack = spy_word,
-                                      .fill = spy_fill,
-                                      .blend = spy_fill,
-                                      .put = spy_put,
-                                      .load = spy_load};
+#include "sim/script/pick.h"
 
 struct explanation {
     const struct script *script;
@@ -70,26 +23,6 @@ struct explanation {
 static bool is_in(const struct pel_rect *r, int x, int y)
 {
     return x >= r->x0 && x < r->x1 && y >= r->y0 && y < r->y1;
-}
-
-/* Does the command cover the pixel? Then with this colour. Drawn twice, onto
- * different words: what it leaves, it leaves different. */
-static bool covers(const struct explanation *e, const struct script_item *item,
-                   const struct pel_rect *clip, pel_color *color)
-{
-    const struct pel_rect bounds = {e->x, e->y, e->x + 1, e->y + 1};
-    uint32_t word[2] = {0x00123456, 0x00654321};
-    for (int i = 0; i < 2; i++) {
-        struct pel_surface surface;
-        struct script_pen pen = e->pen;
-        pel_surface_init(&surface, &spy, &word[i], sizeof word[i], &bounds);
-        pel_surface_clip(&surface, clip);
-        pen.surface = &surface;
-        script_perform(&pen, item->command, e->script->values + item->first,
-                       item->count);
-    }
-    *color = word[0];
-    return word[0] == word[1];
 }
 
 /* How far the pixel's centre lies inside of a triangle's edges, and the rule
@@ -209,11 +142,11 @@ static void explain_item(struct explanation *e, const struct script_item *item)
 {
     pel_color color = 0;
     const struct pel_format *format = e->script->format;
-    const struct pel_rect *bounds = &e->pen.surface->bounds;
     const int32_t *v = e->script->values + item->first;
     const pel_color before = pixel(e);
     const bool moves = item->command->role == SCRIPT_WHOLE;
-    const bool covered = !moves && covers(e, item, bounds, &color);
+    const bool covered =
+        !moves && script_covers(&e->pen, e->script, item, e->x, e->y, &color);
     const bool clipped = !is_in(&e->pen.clip, e->x, e->y);
     script_perform(&e->pen, item->command, v, item->count);
     const pel_color after = pixel(e);
@@ -244,21 +177,15 @@ static void explain_all(struct explanation *e)
     for (size_t i = 0; i < script->item_count; i++) {
         const struct script_item *item = &script->items[i];
         const enum script_role role = item->command->role;
-        const char *name = item->command->name;
-        if (role == SCRIPT_SCENE || role == SCRIPT_CANVAS ||
-            role == SCRIPT_BANDS)
-            continue;
         if (role == SCRIPT_PAINT || role == SCRIPT_PAINT_VERTEX)
             e->paint = item;
-        if (strcmp(name, "clip") == 0)
+        if (strcmp(item->command->name, "clip") == 0)
             e->clip = item;
-        if ((role == SCRIPT_STATE && strcmp(name, "clear") != 0 &&
-             strncmp(name, "image", 5) != 0) ||
-            role == SCRIPT_FONT || e->paint == item)
+        if (script_draws(item->command))
+            explain_item(e, item);
+        else if (role != SCRIPT_SCENE)
             script_perform(&e->pen, item->command, script->values + item->first,
                            item->count);
-        else
-            explain_item(e, item);
     }
     if (!e->touched)
         puts("no command touches this pixel");
