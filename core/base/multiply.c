@@ -21,6 +21,22 @@ uint64_t pel_times(uint64_t a, int32_t n)
     return pel_multiply(low, (uint32_t)n) + ((uint64_t)sum << 32);
 }
 
+int64_t pel_dot(const int32_t a[3], const int32_t b[3])
+{
+    return pel_long_product(a[0], b[0]) + pel_long_product(a[1], b[1]) +
+           pel_long_product(a[2], b[2]);
+}
+
+int pel_bits_of(uint64_t v)
+{
+    int bits = 0;
+    for (; v >> 32; bits += 8)
+        v >>= 8;
+    for (uint32_t low = (uint32_t)v; low; low >>= 1)
+        bits++;
+    return bits;
+}
+
 /* By halves of 16 bits: the sum in the middle may leave a carry. */
 uint64_t pel_multiply(uint32_t a, uint32_t b)
 {

@@ -66,6 +66,11 @@ static inline int32_t pel_max(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
+static inline int32_t pel_magnitude(int32_t v)
+{
+    return v < 0 ? -v : v;
+}
+
 /* Legal coordinates plus 2^23 fit 24 bits: no bit above is set in either. */
 static inline uint32_t pel_point_offset(struct pel_point p)
 {

@@ -5,18 +5,6 @@
 #include "vector_sums.h"
 #endif
 
-int pel_bits_of(uint64_t v)
-{
-    int bits = 0;
-    if (PEL_64BIT)
-        return v ? 64 - pel_leading_zeros(v) : 0;
-    for (; v >> 32; bits += 8)
-        v >>= 8;
-    for (uint32_t low = (uint32_t)v; low; low >>= 1)
-        bits++;
-    return bits;
-}
-
 uint64_t pel_vector_bound(const int64_t v[3])
 {
     uint64_t bound = 0;

@@ -36,16 +36,7 @@ typedef int32_t pel_factor;
 #if !PEL_64BIT
 int64_t pel_scale_down(int64_t v, int n);
 int32_t pel_scaled(int32_t a, int32_t b, int n);
-int64_t pel_dot(const int32_t a[3], const int32_t b[3]);
 #endif
-
-/* Bits of v: 0 for 0, otherwise 2^(bits - 1) <= v < 2^bits. */
-int pel_bits_of(uint64_t v);
-
-static inline int64_t pel_size_of(int64_t v)
-{
-    return v < 0 ? -v : v;
-}
 
 /* An upper bound of |v[k]|, with as many bits as the largest of them. */
 uint64_t pel_vector_bound(const int64_t v[3]);

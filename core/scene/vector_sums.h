@@ -22,11 +22,4 @@ PEL_WIDE_SUM int32_t pel_scaled(int32_t a, int32_t b, int n)
     return PEL_CAST(int32_t, pel_scale_down(pel_long_product(a, b), n));
 }
 
-/* The dot product of vectors whose lengths multiply to less than 2^63. */
-PEL_WIDE_SUM int64_t pel_dot(const int32_t a[3], const int32_t b[3])
-{
-    return pel_long_product(a[0], b[0]) + pel_long_product(a[1], b[1]) +
-           pel_long_product(a[2], b[2]);
-}
-
 #endif
