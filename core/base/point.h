@@ -93,6 +93,12 @@ static inline bool pel_points_legal(const struct pel_point *v, int32_t n)
     return true;
 }
 
+/* Where a picture or text goes, px: -65,536..65,536. */
+static inline bool pel_offset_legal(int32_t x, int32_t y)
+{
+    return x >= -65536 && x <= 65536 && y >= -65536 && y <= 65536;
+}
+
 /* A radius in sub-pixels: 0..32,767 px. */
 static inline bool pel_radius_legal(int32_t radius)
 {
