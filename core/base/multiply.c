@@ -14,7 +14,8 @@ int64_t pel_product(int32_t a, int32_t b)
     return (int64_t)((uint64_t)(uint32_t)high << 32 | sum);
 }
 
-uint64_t pel_times(uint64_t a, int32_t n)
+/* Not inlined below, where registers are few. */
+PEL_NOINLINE uint64_t pel_times(uint64_t a, int32_t n)
 {
     const uint32_t low = (uint32_t)a, high = (uint32_t)(a >> 32);
     const uint32_t sum = high * (uint32_t)n - (n < 0 ? low : 0);
