@@ -4,11 +4,6 @@
 #define PEL_SCENE_VECTOR_H
 
 #include "../base/point.h"
-#include "../base/inline.h"
-/* Inline where a CPU has 64 bits; elsewhere functions of vector.c. */
-#if PEL_64BIT
-#include "vector_sums.h"
-#endif
 
 PEL_BEGIN_DECLS
 
@@ -33,7 +28,25 @@ typedef int32_t pel_factor;
 #define PEL_FACTOR(percent) PEL_CAST(pel_factor, (percent)*INT64_C(65536) / 100)
 #define PEL_FACTOR_END (UINT32_C(16) * 65536)
 
-#if !PEL_64BIT
+/* pel_scale_down: v 2^-n, -62 <= n <= 62; pel_scaled: a b 2^-n, 0 <= n <= 62.
+ * The nearest, a tie upwards; it must fit. Inline where a CPU has 64 bits,
+ * elsewhere functions of vector.c. */
+#if PEL_64BIT
+#define PEL_WIDE static inline
+#endif
+#ifdef PEL_WIDE
+PEL_WIDE int64_t pel_scale_down(int64_t v, int n)
+{
+    if (n <= 0)
+        return PEL_CAST(int64_t, PEL_CAST(uint64_t, v) << -n);
+    return ((v >> (n - 1)) + 1) >> 1;
+}
+
+PEL_WIDE int32_t pel_scaled(int32_t a, int32_t b, int n)
+{
+    return PEL_CAST(int32_t, pel_scale_down(pel_long_product(a, b), n));
+}
+#else
 int64_t pel_scale_down(int64_t v, int n);
 int32_t pel_scaled(int32_t a, int32_t b, int n);
 #endif
