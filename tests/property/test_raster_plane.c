@@ -1,7 +1,7 @@
 /* Planes of values over triangles, slivers above all, at every pixel that is
  * covered; and what affine textures are off by. */
 #include "core/pel.h"
-#include "core/scene/plane.h"
+#include "core/raster/plane.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
 #include "tests/support/reference.h"
