@@ -6,7 +6,7 @@ enum { SYS_WRITE0 = 0x04, SYS_EXIT_EXTENDED = 0x20 };
 #if defined(__riscv)
 #define FIRST "a0"
 #define SECOND "a1"
-#define TRAP                                                                 \
+#define TRAP                                                               \
     ".option push\n.option norvc\n.balign 16\nslli x0, x0, 0x1f\nebreak\n" \
     "srai x0, x0, 7\n.option pop"
 #else
