@@ -100,6 +100,7 @@ check-cpus: $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes) ## the golden scenes on other 
 	printf '%s\n' $(call cpu_lines,$(CPU_CHECK)) | tests/tools/cpus.sh $(BUILD)
 
 MCU_CHECK := $(CPU_CHECK_BOARDS) $(CPU_CHECK_SMALL)
+check-mcu: check-lcd
 check-mcu: $(MCU_CHECK:%=$(BUILD)/cpus/%/scenes) ## every board of QEMU draws the golden scenes as far as memory goes
 	printf '%s\n' $(call cpu_lines,$(MCU_CHECK)) | tests/tools/cpus.sh $(BUILD)
 

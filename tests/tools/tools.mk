@@ -45,4 +45,5 @@ metrics: | need-format ## lengths of functions and files, parameters, layout
 # Tests run side by side, each in a make of its own, so that what several of them
 # need is built before.
 tests: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(LINK_ELFS) $(MCU_BENCH_ELFS) \
-    $(patsubst %,$(BUILD)/cpus/%/scenes,$(CPU_CHECK) $(MCU_CHECK))
+    $(patsubst %,$(BUILD)/cpus/%/scenes,$(CPU_CHECK) $(MCU_CHECK)) \
+    $(LCD_BOARDS:%=$(LCD)/%.elf)
