@@ -4,6 +4,7 @@
 
 -include tests/tools/tools.mk
 -include tests/device/linux/linux.mk
+-include tests/device/lcd/lcd.mk
 
 T := $(BUILD)/tests
 TAB := $(shell printf '\t')
