@@ -34,10 +34,9 @@ static inline int64_t pel_point_key(const struct pel_point *p)
     return p->y * INT64_C(4294967296) + (int64_t)((uint32_t)p->x ^ 0x80000000u);
 }
 
-/* pel_above: by y, and by x at one y. pel_topmost: which vertex is the topmost,
- * of equally high ones the left one; planes of values over a triangle are
- * anchored there. 64-bit CPUs compare both coordinates as one number, without
- * branches that cannot be predicted. */
+/* pel_above: by y, and by x at one y. pel_topmost: which vertex is above the
+ * others; planes over a triangle are anchored there. 64-bit CPUs compare both
+ * coordinates as one number, without branches that cannot be predicted. */
 #if PEL_64BIT
 static inline bool pel_above(const struct pel_point *a,
                              const struct pel_point *b)
