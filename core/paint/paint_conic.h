@@ -7,8 +7,8 @@
 PEL_BEGIN_DECLS
 
 /* The gradient runs clockwise on screen, once around from the angle `start`.
- * Cell k of n holds the pixels that pel_sector, with a radius that reaches them, holds
- * between the angles
+ * Cell k of n holds the pixels that pel_sector, with a radius that reaches
+ * them, holds between the angles
  *
  *     start + floor(65536 k / n) and start + floor(65536 (k + 1) / n)
  *
