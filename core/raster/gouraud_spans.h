@@ -1,5 +1,5 @@
-/* Writers of opaque Gouraud spans in xrgb8888 and rgb565_le, with the channels
- * in registers, as 8.24. The bytes are those of the formats' own pack. */
+/* Writers of opaque Gouraud spans in xrgb8888 and rgb565_le, the same bytes as
+ * the formats' own pack makes. Channels are 8.24, and stay in registers. */
 #ifndef PEL_RASTER_GOURAUD_SPANS_H
 #define PEL_RASTER_GOURAUD_SPANS_H
 
