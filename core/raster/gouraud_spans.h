@@ -79,7 +79,8 @@ static PEL_ALWAYS_INLINE struct pel_gouraud_four pel_gouraud_times(
 static inline struct pel_gouraud_steps pel_gouraud_steps_make(
     const struct pel_gouraud *g, uint32_t apart)
 {
-    const pel_u32x4 odd = {0, ~0u, 0, ~0u}, upper = {0, 0, ~0u, ~0u};
+    const pel_u32x4 odd = {0, ~0u, 0, ~0u};
+    const pel_u32x4 upper = {0, 0, ~0u, ~0u};
     struct pel_gouraud_steps s;
     for (int k = 0; k < 3; k++) {
         const pel_u32x4 zero = {0, 0, 0, 0}, d = zero + apart * g->dx[k];
