@@ -1,6 +1,6 @@
 /* Pixel formats: how colours enter and leave memory.
  *
- * A format is one const object in one file of core/format. A surface points to
+ * A format is a const object in a file of core/format. A surface points to
  * its format, so a program links what it names. The layouts are those of
  * DRM's fourcc list where it has them: the word is little-endian on every CPU
  * (rgb888 is B, G, R in memory), except in rgb565_be. */
