@@ -24,7 +24,6 @@
 #include "base/point.h"
 #include "base/trig.h"
 #include "base/format.h"
-#include "base/hsv.h"
 #include "base/rect.h"
 #include "base/status.h"
 #include "base/surface.h"

@@ -1,4 +1,4 @@
-#include "hsv.h"
+#include "color.h"
 
 /* round(v (255 turn - s part) / (255 turn)), part <= turn <= 65,536: the sum
  * below is at most 255 * 255 * 65,536 + 255 * 32,768, less than 2^32. */

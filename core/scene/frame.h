@@ -22,7 +22,7 @@ struct pel_phong {
     uint8_t alpha;             /* multiplies that of the surface */
 };
 
-/* The paint of pel_modulate: colors of `surface` times those of `factor`, as
+/* A paint that modulates: colors of `surface` times those of `factor`, as
  * 0..1, alphas too. */
 struct pel_modulated {
     struct pel_color_paint base;

@@ -74,22 +74,5 @@ struct pel_mesh_texture {
     enum pel_wrap wrap_u, wrap_v;
     int32_t span; /* of pel_map_perspective; 0 is 1, exact */
 };
-
-/* Parts of shadings. */
-enum pel_status pel_shade_start_light(struct pel_frame *frame);
-pel_color pel_shade_light_vertex(const struct pel_frame *frame, uint32_t vertex,
-                                 pel_color surface);
-const struct pel_paint *pel_shade_flat_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface);
-const struct pel_paint *pel_shade_gouraud_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface);
-
-/* Parts of mappings: u and v of the corners of frame->work->triangle, whose z
- * is not set, and `modulate`. */
-void pel_mapping_corners(const struct pel_frame *frame,
-                         struct pel_texture_corner corner[3]);
-const struct pel_paint *pel_modulate(struct pel_frame *frame,
-                                     const struct pel_color_paint *surface,
-                                     const pel_color color[3]);
 PEL_END_DECLS
 #endif
