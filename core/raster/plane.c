@@ -112,24 +112,29 @@ void pel_plane_corners(struct pel_plane_setup *setup,
                        const struct pel_point v[3])
 {
     struct pel_plane_setup *s = setup;
-    const int32_t bx = v[1].x - v[0].x, by = v[1].y - v[0].y;
-    const int32_t cx = v[2].x - v[0].x, cy = v[2].y - v[0].y;
+    int32_t bx = v[1].x - v[0].x, by = v[1].y - v[0].y;
+    int32_t cx = v[2].x - v[0].x, cy = v[2].y - v[0].y;
     const int64_t area = pel_product(bx, cy) - pel_product(cx, by);
     const int32_t sign = area < 0 ? -1 : 1;
-    s->right[0] = (by - cy) * sign;
-    s->right[1] = cy * sign;
-    s->right[2] = -by * sign;
-    s->down[0] = (cx - bx) * sign;
-    s->down[1] = -cx * sign;
-    s->down[2] = bx * sign;
+    bx *= sign;
+    by *= sign;
+    cx *= sign;
+    cy *= sign;
+    s->right[0] = by - cy;
+    s->right[1] = cy;
+    s->right[2] = -by;
+    s->down[0] = cx - bx;
+    s->down[1] = -cx;
+    s->down[2] = bx;
     s->area = (uint64_t)pel_size_of(area);
     s->bits = (uint8_t)pel_bits_of(s->area);
     s->first = (uint8_t)topmost(v);
     s->a = v[s->first];
 }
 
-bool pel_plane_invert(struct pel_plane_setup *setup)
+bool pel_plane_start(struct pel_plane_setup *setup, const struct pel_point v[3])
 {
+    pel_plane_corners(setup, v);
     if (setup->area)
         invert(setup);
     return setup->area != 0;

@@ -26,18 +26,13 @@ struct pel_plane_setup {
     uint8_t first;    /* the index of a */
 };
 
-/* Sets all but the inverse, for legal vertices, and that. False: no area, and
- * no inverse. */
+/* Sets it for legal vertices. False: no area. */
+bool pel_plane_start(struct pel_plane_setup *setup,
+                     const struct pel_point v[3]);
+
+/* Sets all but the inverse, for those who divide by other means. */
 void pel_plane_corners(struct pel_plane_setup *setup,
                        const struct pel_point v[3]);
-bool pel_plane_invert(struct pel_plane_setup *setup);
-
-static inline bool pel_plane_start(struct pel_plane_setup *setup,
-                                   const struct pel_point v[3])
-{
-    pel_plane_corners(setup, v);
-    return pel_plane_invert(setup);
-}
 
 /* The plane, in 2^-24, with value[i] at v[i]. At pixels inside the triangle it
  * is off by less than 2^-6, and when the triangle is thinner than 1/256 px by

@@ -1,6 +1,6 @@
 #include "../base/inline.h"
 #if !PEL_64BIT
-#define PEL_WIDE
+#define PEL_WIDE PEL_NOINLINE
 #endif
 #include "vector.h"
 
