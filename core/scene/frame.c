@@ -3,10 +3,8 @@
 void pel_corners_mix(const struct pel_frame_triangle *triangle,
                      const int32_t vertex[3], int32_t corner[3])
 {
-    for (int i = 0; i < 3; i++) {
-        const int32_t *weight = triangle->corner[i]->weight;
-        corner[i] = (int32_t)pel_scale_down(pel_dot(weight, vertex), 30);
-    }
+    for (int i = 0; i < 3; i++)
+        corner[i] = pel_weighted(triangle->corner[i]->weight, vertex);
 }
 
 const struct pel_plane_setup *pel_frame_setup(struct pel_frame *frame)
