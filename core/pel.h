@@ -61,7 +61,6 @@
 #include "paint/paint_texture.h"
 
 #include "image/copy.h"
-#include "image/glyph.h"
 #include "image/glyph_text.h"
 #include "image/scroll.h"
 
