@@ -1,9 +1,7 @@
-/* Pixel formats: how colours enter and leave memory.
- *
- * A format is one const object in one file of core/format. A surface points to
- * its format, so a program links what it names. The layouts are those of
- * DRM's fourcc list where it has them: the word is little-endian on every CPU
- * (rgb888 is B, G, R in memory), except in rgb565_be. */
+/* Pixel formats: how colours enter and leave memory. A program links those that
+ * it names. The layouts are those of DRM's fourcc list where it has them: the
+ * word is little-endian on every CPU (rgb888 is B, G, R in memory), except in
+ * rgb565_be. */
 #ifndef PEL_BASE_FORMAT_H
 #define PEL_BASE_FORMAT_H
 
@@ -80,8 +78,9 @@ struct pel_format {
     void (*fill)(const struct pel_spans *spans, uint32_t pixel);
 
     /* The color over every span, weighted by its alpha, which is below 255; 0
-     * leaves every bit as it is. NULL in the fill-only variants, like unpack,
-     * put and load: paints that need them draw nothing there. */
+     * leaves every bit as it is. NULL, like unpack, put and load, in the
+     * fill-only formats pel_rgb565_le_fill and pel_rgb565_be_fill: paints that
+     * need them draw nothing there. */
     void (*blend)(const struct pel_spans *spans, pel_color color);
 
     /* n >= 1 colours over the pixels (x, y) to (x + n - 1, y) of the surface,

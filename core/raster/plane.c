@@ -81,17 +81,20 @@ static uint64_t divide(const struct pel_plane_setup *s, uint64_t n,
 
 #endif
 
-/* Towards zero: of a sub-pixel in 2^-24, and the same of a pixel. Without a
- * branch on the sign, which CPUs cannot predict. */
-static PEL_NOINLINE_32 void gradient(const struct pel_plane_setup *s, int64_t n,
-                                     uint64_t *fine, uint64_t *pixel)
+/* The gradient of a pixel, cut towards zero; that of a sub-pixel times
+ * `distance` is added to *at. Without a branch on the sign, which CPUs cannot
+ * predict. */
+static PEL_NOINLINE_32 uint64_t gradient(const struct pel_plane_setup *s,
+                                         int64_t n, int32_t distance,
+                                         uint64_t *at)
 {
     const uint64_t sign = (uint64_t)(n >> 63);
-    *pixel = *fine = 0;
+    uint64_t fine;
     if (n == 0)
-        return;
-    *pixel = (divide(s, ((uint64_t)n ^ sign) - sign, fine) ^ sign) - sign;
-    *fine = (*fine ^ sign) - sign;
+        return 0;
+    n = (int64_t)divide(s, ((uint64_t)n ^ sign) - sign, &fine);
+    *at += pel_times((fine ^ sign) - sign, distance);
+    return ((uint64_t)n ^ sign) - sign;
 }
 
 /* Of equally high vertices the left one. 64-bit CPUs compare both coordinates
@@ -148,14 +151,12 @@ void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
 {
     const struct pel_plane_setup *s = setup;
     const int32_t x = pel_pixel_of(s->a.x), y = pel_pixel_of(s->a.y);
-    struct pel_plane fine;
     *plane = pel_plane_level(value[s->first]);
     if (s->area == 0)
         return;
-    fine.at = plane->at;
-    gradient(s, pel_dot(value, s->right), &fine.dx, &plane->dx);
-    gradient(s, pel_dot(value, s->down), &fine.dy, &plane->dy);
-    plane->at = pel_plane_at(&fine, pel_pixel_center(x) - s->a.x,
-                             pel_pixel_center(y) - s->a.y);
+    plane->dx = gradient(s, pel_dot(value, s->right),
+                         pel_pixel_center(x) - s->a.x, &plane->at);
+    plane->dy = gradient(s, pel_dot(value, s->down),
+                         pel_pixel_center(y) - s->a.y, &plane->at);
     plane->at = pel_plane_at(plane, -x, -y);
 }
