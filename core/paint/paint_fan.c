@@ -234,9 +234,9 @@ static void set_triangle(struct pel_fan_triangle *t, const struct pel_fan *p,
     setup.a = p->hub;
     setup.first = 0;
     for (int k = 0; k < 4; k++) {
-        const int32_t value[3] = {(int32_t)(p->hub_color >> 8 * k & 255) << 8,
-                                  (int32_t)(a >> 8 * k & 255) << 8,
-                                  (int32_t)(b >> 8 * k & 255) << 8};
+        const int32_t value[3] = {(int32_t)(p->hub_color >> 8 * k & 255) * 256,
+                                  (int32_t)(a >> 8 * k & 255) * 256,
+                                  (int32_t)(b >> 8 * k & 255) * 256};
         struct pel_plane plane;
         pel_plane_set(&plane, &setup, value);
         t->at[k] = plane.at + 0x80000000u;
