@@ -28,6 +28,7 @@ static PEL_NOINLINE_32 uint64_t multiply_high(uint64_t a, uint64_t b)
  * with this difference makes r right to 2^-59. */
 static void invert(struct pel_plane_setup *s)
 {
+    s->bits = (uint8_t)pel_bits_of(s->area);
     const uint64_t word = s->area << (63 - s->bits);
     const uint64_t r =
         pel_divide((UINT64_C(1) << 63) - 1, (uint32_t)(word >> 31));
@@ -130,7 +131,6 @@ void pel_plane_corners(struct pel_plane_setup *setup,
     s->down[1] = -cx;
     s->down[2] = bx;
     s->area = (uint64_t)pel_size_of(area);
-    s->bits = (uint8_t)pel_bits_of(s->area);
     s->first = (uint8_t)topmost(v);
     s->a = v[s->first];
 }

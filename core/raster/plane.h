@@ -21,8 +21,8 @@ struct pel_plane_setup {
     struct pel_point a; /* the topmost vertex: planes start there */
     int32_t right[3], down[3];
     uint64_t area;    /* twice the triangle's */
-    uint64_t inverse; /* of it, 2^-(bits + 62); where CPUs use it */
-    uint8_t bits;     /* of the area */
+    uint64_t inverse; /* of it, 2^-(bits + 62), where CPUs use it */
+    uint8_t bits;     /* of the area, where there is an inverse */
     uint8_t first;    /* the index of a */
 };
 

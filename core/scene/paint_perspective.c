@@ -87,7 +87,7 @@ static bool thin(const struct pel_plane_setup *s)
         if (i != s->first)
             sides |= (uint32_t)pel_size_of(s->right[i]) |
                      (uint32_t)pel_size_of(s->down[i]);
-    return s->bits < pel_bits_of(sides) + 10;
+    return pel_bits_of(s->area) < pel_bits_of(sides) + 10;
 }
 
 /* The plane of the differences of u or v from the first corner, times w
