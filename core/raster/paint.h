@@ -73,8 +73,8 @@ struct pel_flat {
         PEL_PAINT(pel_flat_fill, pel_flat_fast), (color) \
     }
 
-/* One color over every span, stored or blended by its alpha. Fill-only formats
- * (pel_rgb565_le_fill, pel_rgb565_be_fill) cannot blend: a broken contract. */
+/* One color over every run, stored or blended by its alpha. Fill-only twins
+ * cannot blend: a broken contract. */
 static inline void pel_fill_color(const struct pel_spans *spans,
                                   pel_color color)
 {

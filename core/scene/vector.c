@@ -1,6 +1,6 @@
 #include "../base/inline.h"
 #if !PEL_64BIT
-#define PEL_WIDE PEL_NOINLINE
+#define PEL_WIDE
 #endif
 #include "vector.h"
 
