@@ -111,7 +111,7 @@ static const char about[] =
     "The colours of a mesh's asset are texels at its vertices: firmware "
     "draws what `pel render --texture nearest --mapping vertices` draws, "
     "with the same --normals 16 where there is light.\n"
-    "MESH is a file that assimp reads, or " MESH_BUILTIN
+    "MESH is a file that assimp reads, or one of " MESH_BUILTINS
     "; PICTURE is a .png, .jpg, .tga, .bmp, .ppm or .pgm file; FONT is a "
     ".bdf or .psf file. The same input gives the same bytes.";
 

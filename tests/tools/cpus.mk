@@ -2,7 +2,7 @@
 # same bytes everywhere. A build is named COMPILER-CPU-LEVEL or, of a variant of
 # core, COMPILER-CPU-LEVEL-VARIANT.
 
-.PHONY: check-cpus deep-cpus need-cpus board
+.PHONY: check-cpus check-examples deep-cpus need-cpus board
 
 # CPUs, each with the prefix of its compiler and its emulator; `host` is this
 # machine. s390x and powerpc are big-endian, with 64 and with 32 bits. The
@@ -69,14 +69,37 @@ need-cpus: | need-boards
 # $1 builds: lines of a build and the emulator that runs it
 cpu_lines = $(foreach b,$1,'$b $(CPU_RUN_$(call cpu_word,2,$b))')
 
-# An example on a board without an operating system: its text comes out here.
-EXAMPLE ?= bands
-board: $(BUILD)/board/$(EXAMPLE) ## EXAMPLE=bands on a Cortex-M4 board, in QEMU
-	@$(CPU_RUN_m4) $<
-$(BUILD)/board/%: examples/%.c $(CORE) | need-arm need-qemu-arm
+# An example on a board without an operating system, which counts instructions.
+EXAMPLE ?= board
+BOARD ?= m4
+# RAM that an example is to run in, 2 KB of stack with it.
+BOARD_RAM_board := 4K
+BOARD_RAM_oled := 4K
+BOARD_RAM_mesh := 8K
+BOARD_PROGRAM = $(BUILD)/board/$(BOARD)/$(EXAMPLE)
+board: $(BOARD_PROGRAM) ## EXAMPLE=board on the CPU BOARD=m4 (port/boards.mk), in QEMU
+	@tests/tools/example.sh $< $(CPU_RUN_$(BOARD)) $< \
+	    -icount $(word 2,$(MCU_BENCH_$(BOARD))),sleep=off
+$(BOARD_PROGRAM): $(call example_sources,$(EXAMPLE)) $(CORE) | need-boards
 	@mkdir -p $(@D)
-	@arm-none-eabi-gcc $(CPU_FLAGS_m4) -std=c99 -Os -I$(BUILD)/include -ffunction-sections \
-	    -Wl,--gc-sections $< $(CORE) $(CPU_LINK_m4) -o $@
+	@$(CPU_PREFIX_$(BOARD))-gcc $(CPU_FLAGS_$(BOARD)) -std=c99 -O2 \
+	    -I$(BUILD)/include -I$(BUILD)/examples -ffunction-sections \
+	    -Wl,--gc-sections $^ $(CPU_LINK_$(BOARD)) \
+	    -Wl,--defsym=__ram_size=$(or $(BOARD_RAM_$(EXAMPLE)),4M) -o $@
+
+# The examples on an M0+, in the RAM above, draw what they draw on the host; and
+# what a frame of the gauge may take.
+check-examples: examples
+	@for e in board gauge mesh oled; do \
+	    $(MAKE) --no-print-directory BOARD=m0plus EXAMPLE=$$e board \
+	        >$(BUILD)/board/$$e.txt || exit; done
+	@$(BUILD)/examples/board | cmp - $(BUILD)/board/board.txt
+	@for e in gauge mesh oled; do $(BUILD)/pel compare \
+	    $(BUILD)/examples/$$e.ppm $(BUILD)/board/m0plus/$$e.ppm || exit; done
+	@cat $(BUILD)/board/gauge.txt
+	@awk '/^whole/ { whole = $$4 } /^step/ { step = $$6 } \
+	    END { exit !(whole && whole <= 2500000 && step && step <= 150000) }' \
+	    $(BUILD)/board/gauge.txt
 
 check-cpus: $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes) ## the golden scenes on other CPUs and compilers
 	printf '%s\n' $(call cpu_lines,$(CPU_CHECK)) | tests/tools/cpus.sh $(BUILD)
