@@ -42,12 +42,13 @@ bool mesh_is_builtin(const char *path);
 bool mesh_init(struct mesh *mesh, uint32_t vertices, uint32_t triangles);
 void mesh_free(struct mesh *mesh);
 
-/* Reads any format that assimp reads, or a built-in one: node transforms applied,
- * triangles only, vertices that are the same in all they have joined. Normals
- * of the file are brought to unit length; where it has none, they are made from
- * the faces. A message counts what is left out: points, lines, polygons that
- * cannot be cut into triangles. False, with a message on standard error, when
- * the file cannot be read, is malformed, or assimp was missing at build time.
+/* Reads any format that assimp reads, or a built-in one: node transforms
+ * applied, triangles only, vertices that are the same in all they have joined.
+ * Normals of the file are brought to unit length; where it has none, they are
+ * made from the faces. A message counts what is left out: points, lines,
+ * polygons that cannot be cut into triangles. False, with a message on standard
+ * error, when the file cannot be read, is malformed, or assimp was missing at
+ * build time.
  */
 bool mesh_load(struct mesh *mesh, const char *path);
 
