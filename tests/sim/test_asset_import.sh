@@ -144,7 +144,20 @@ same_as mono1_pages mono1
 "$PEL" compare --tolerance 16 "$dir/gray4.ppm" "$dir/gray8.ppm" >/dev/null ||
     fail "gray4 is more than a step away from gray8"
 
-# Alpha: kept by argb8888, blended by the others, which say so. The pixels are
+# Palettes, of whose colours there are not too many.
+for picture in palette8:picture palette4:gray4; do
+    format=${picture%:*}
+    same $format "$dir/${picture#*:}.ppm" --format $format
+    $CC -std=c99 $WARNINGS -DFORMAT=asset_palette.format -I. $INCLUDE \
+        tests/sim/import_show.c "$dir/$format.o" "$LIBPEL" -o "$dir/show"
+    "$dir/show" >"$dir/$format.ppm" || fail "$format: the asset is refused"
+    same_as $format ${picture#*:}
+done
+"$PEL" import sim/scenes/face.ppm --format palette4 -o "$dir/face.c"
+grep -qx 'extern const struct pel_palette face_palette;' "$dir/face.h" ||
+    fail "no palette in $(cat "$dir/face.h")"
+
+# Alpha: kept by argb8888 and palettes, blended by the others, which say so. The pixels are
 # opaque green, half red, and blue that is not there; a .tga has no checksum.
 printf '\0\0\2\0\0\0\0\0\0\0\0\0\3\0\1\0\40\50' >"$dir/alpha.tga"
 printf '\0\377\0\377\0\0\377\200\377\0\0\0' >>"$dir/alpha.tga"
@@ -163,6 +176,7 @@ if "$PEL" import "$dir/alpha.tga" -o "$dir/alpha.c" 2>"$dir/message"; then
         fail "blended without a word"
     alpha "0, 255, 0, 32, 16, 136, 64, 32, 16" --format rgb888 \
         --background '#102040'
+    alpha "4278255360, 2164195328, 255" --format palette8
     same argb8888 "$dir/alpha.tga" --format argb8888
     $CC -std=c99 $WARNINGS -DFORMAT=pel_argb8888 -I. $INCLUDE tests/sim/import_show.c \
         "$dir/argb8888.o" "$LIBPEL" -o "$dir/show"
@@ -242,6 +256,8 @@ refuse "expected 8 or 16" builtin:vase --normals 12 -o "$dir/x.c"
 
 # An option that means nothing for what is made is refused by name.
 refuse "--format is for pictures" builtin:vase --format rgb888 -o "$dir/x.c"
+refuse "picture.ppm: has more than 16 colours: expected a picture with fewer" \
+    "$dir/picture.ppm" --format palette4 -o "$dir/x.c"
 refuse "--background is for pictures" builtin:vase --background '#123456' -o "$dir/x.c"
 refuse "--background is for formats without alpha" "$dir/picture.ppm" \
     --background '#123456' --format argb8888 -o "$dir/x.c"
