@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "core/pel.h"
+#include "drivers/crc.h"
 #include "tests/golden/mesh.h"
 
 static uint32_t memory[WIDTH * HEIGHT];
@@ -212,18 +213,6 @@ static const struct {
     {FORMAT(bgrx8888)},    {FORMAT(rgb332)},    {FORMAT(gray8)},
     {FORMAT(gray4)},       {FORMAT(mono1)},     {FORMAT(mono1_pages)}};
 
-/* CRC-32 of ISO 3309, reflected, bit by bit. */
-static uint32_t crc32(const uint8_t *p, size_t n)
-{
-    uint32_t crc = 0xFFFFFFFFu;
-    for (; n > 0; n--) {
-        crc ^= *p++;
-        for (int bit = 0; bit < 8; bit++)
-            crc = crc >> 1 ^ (crc & 1 ? UINT32_C(0xEDB88320) : 0);
-    }
-    return ~crc;
-}
-
 /* Draws the scene in bands of 24 lines: the bytes are those of the whole. */
 static int print_crc(const struct scene *scene, const char *name,
                      const struct pel_format *format)
@@ -243,7 +232,7 @@ static int print_crc(const struct scene *scene, const char *name,
         scene->draw(&s);
     }
     printf("%s %s %08" PRIx32 "\n", scene->name, name,
-           crc32((const uint8_t *)memory, HEIGHT / 24 * band));
+           pel_crc(0, (const uint8_t *)memory, HEIGHT / 24 * band));
     return 0;
 }
 

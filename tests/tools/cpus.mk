@@ -90,10 +90,11 @@ $(BOARD_PROGRAM): $(call example_sources,$(EXAMPLE)) $(CORE) | need-boards
 # The examples on an M0+, in the RAM above, draw what they draw on the host; and
 # what a frame of the gauge may take.
 check-examples: examples
-	@for e in board gauge mesh oled; do \
+	@for e in board gauge mesh oled selftest; do \
 	    $(MAKE) --no-print-directory BOARD=m0plus EXAMPLE=$$e board \
 	        >$(BUILD)/board/$$e.txt || exit; done
-	@$(BUILD)/examples/board | cmp - $(BUILD)/board/board.txt
+	@for e in board selftest; do \
+	    $(BUILD)/examples/$$e | cmp - $(BUILD)/board/$$e.txt || exit; done
 	@for e in gauge mesh oled; do $(BUILD)/pel compare \
 	    $(BUILD)/examples/$$e.ppm $(BUILD)/board/m0plus/$$e.ppm || exit; done
 	@cat $(BUILD)/board/gauge.txt
