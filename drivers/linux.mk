@@ -4,7 +4,7 @@ PKG_CONFIG ?= pkg-config
 LINUX_SOURCES := $(wildcard port/linux/*.c) \
     $(filter-out drivers/display_linux_drm%, \
                  $(wildcard drivers/display_linux*.c)) \
-    $(wildcard drivers/console_linux*.c) drivers/linux_message.c
+    $(wildcard drivers/console_linux*.c) drivers/linux_message.c drivers/dirty.c
 LINUX_FLAGS := -D_GNU_SOURCE
 LINUX_LIBS := -pthread
 ifeq ($(shell $(PKG_CONFIG) --exists libdrm 2>/dev/null && echo yes),yes)

@@ -14,7 +14,7 @@ static bool draw_sheet(struct sheet *sheet, struct demo_result *result)
     if (!canvas_init(&canvas, &pel_xrgb8888, SIZE, SIZE))
         return false;
     const double start = milliseconds();
-    bool done = sheet_draw(sheet, &canvas.surface);
+    bool done = sheet->show.draw(&sheet->show, &canvas.surface);
     result->milliseconds = milliseconds() - start;
     done = done && canvas_picture(&canvas, &result->picture);
     canvas_free(&canvas);
@@ -26,11 +26,12 @@ static bool draw_figures(struct demo_result *result, int fill)
 {
     struct sheet sheet;
     bool done = sheet_init(&sheet, NULL);
-    sheet_resize(&sheet, SIZE, SIZE);
+    if (done)
+        sheet.show.resize(&sheet.show, SIZE, SIZE);
     for (int i = 0; done && i < FIGURES && fill != FILL_OWN; i++)
         sheet.style[i].fill = (enum fill)fill;
     for (int i = 0; done && i < 20; i++)
-        sheet_advance(&sheet);
+        sheet.show.advance(&sheet.show, 0);
     done = done && draw_sheet(&sheet, result);
     sheet_free(&sheet);
     return done;

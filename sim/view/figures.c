@@ -53,6 +53,14 @@ static struct outline place(const struct figures *all, const struct figure *f)
     return o;
 }
 
+struct pel_rect figures_box(const struct figures *all, int k)
+{
+    const struct outline o = place(all, &figures[k]);
+    return (struct pel_rect){
+        (int32_t)floor(o.x - o.r) - 1, (int32_t)floor(o.y - o.r) - 1,
+        (int32_t)ceil(o.x + o.r) + 1, (int32_t)ceil(o.y + o.r) + 1};
+}
+
 static void write_shape(FILE *out, const struct figure *f,
                         const struct outline *o)
 {

@@ -24,6 +24,9 @@ struct figures {
 void figures_write(FILE *out, const struct figures *figures,
                    const struct style style[FIGURES]);
 
+/* The pixels around figure k. */
+struct pel_rect figures_box(const struct figures *figures, int k);
+
 /* The styles that the figures begin with. */
 void figures_styles(struct style style[FIGURES]);
 

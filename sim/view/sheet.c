@@ -11,23 +11,22 @@
 #include "sim/cli/list.h"
 #include "sim/cli/message.h"
 #include "sim/cli/milliseconds.h"
-#include "sim/script/pick.h"
+#include "sim/script/commands.h"
 
-enum { ZOOM_MOST = 32, BAND_ROWS = 16 };
+enum { BAND_ROWS = 16 };
 
-/* Shapes that a style may paint. */
-static bool is_shape(const struct script_item *item)
+bool sheet_is_shape(const struct script_item *item)
 {
     const enum script_role role = item->command->role;
     return role == SCRIPT_SHAPE || role == SCRIPT_TRIANGLE ||
            role == SCRIPT_TEXT;
 }
 
-static int count_shapes(const struct script *script, size_t items)
+int sheet_count_shapes(const struct script *script, size_t items)
 {
     int n = 0;
     for (size_t i = 0; i < items; i++)
-        n += is_shape(&script->items[i]);
+        n += sheet_is_shape(&script->items[i]);
     return n;
 }
 
@@ -53,135 +52,6 @@ static bool read_lines(struct sheet *s)
     return whole || message_error_at(s->path, 0, "cannot be read");
 }
 
-bool sheet_init(struct sheet *s, const char *path)
-{
-    *s = (struct sheet){.path = path, .picked = -1, .zoom = 1, .moving = true};
-    s->stale = true;
-    if (path) {
-        if (!read_lines(s) || !script_load(&s->base, path, NULL))
-            return false;
-        s->shapes = count_shapes(&s->base, s->base.item_count);
-    } else {
-        s->shapes = FIGURES;
-    }
-    s->style = malloc(((size_t)s->shapes + 1) * sizeof *s->style);
-    if (!s->style)
-        return message_error("out of memory");
-    for (int i = 0; i < s->shapes; i++)
-        s->style[i] =
-            (struct style){FILL_OWN, PEL_RGB(0, 128, 255), 255, false};
-    if (!path)
-        figures_styles(s->style);
-    return true;
-}
-
-void sheet_free(struct sheet *s)
-{
-    for (size_t i = 0; i < s->lines; i++)
-        free(s->line[i]);
-    free(s->line);
-    free(s->style);
-    script_free(&s->base);
-    script_free(&s->script);
-    canvas_free(&s->canvas);
-}
-
-void sheet_resize(struct sheet *s, int width, int height)
-{
-    s->width = width;
-    s->height = height;
-    s->stale = true;
-}
-
-/* A line of the file whose first words are these. */
-static bool begins(const char *line, const char *with)
-{
-    line += strspn(line, " \t");
-    return strncmp(line, with, strlen(with)) == 0;
-}
-
-/* Middle and reach of a shape: those of its box. */
-static struct outline outline_of(const struct sheet *s,
-                                 const struct script_item *item)
-{
-    const int32_t *v = s->base.values + item->first;
-    const char *kinds = item->command->kinds;
-    double box[4] = {1e9, 1e9, -1e9, -1e9};
-    const size_t pairs = strncmp(kinds, "pp", 2) == 0 ? item->count / 2 : 1;
-    const bool corners = strspn(kinds, "p*") == strlen(kinds);
-    for (size_t i = 0; i < (corners ? 2 * pairs : 2); i++) {
-        const size_t k = i % 2;
-        box[k] = fmin(box[k], v[i] / 256.0);
-        box[k + 2] = fmax(box[k + 2], v[i] / 256.0);
-    }
-    if (strncmp(kinds, "ppll", 4) == 0 && strstr(item->command->name, "rect")) {
-        box[2] += v[2] / 256.0;
-        box[3] += v[3] / 256.0;
-    } else if (!corners && item->count > 2) {
-        const double r = v[item->count > 3 && kinds[3] == 'l' ? 3 : 2] / 256.0;
-        for (int k = 0; k < 4; k++)
-            box[k] += k < 2 ? -r : r;
-    }
-    struct outline o = {.x = (box[0] + box[2]) / 2,
-                        .y = (box[1] + box[3]) / 2,
-                        .corners = 4,
-                        .phase = s->figures.phase};
-    o.r = fmax(hypot(box[2] - box[0], box[3] - box[1]) / 2, 1);
-    for (int i = 0; i < 4; i++) {
-        o.corner[i][0] = o.x + (i == 0 || i == 3 ? -o.r : o.r);
-        o.corner[i][1] = o.y + (i < 2 ? -o.r : o.r);
-    }
-    return o;
-}
-
-/* A line that draws a shape in a style, between paints and options that are as
- * they were after it. */
-static void write_styled(FILE *out, const struct sheet *s, size_t line,
-                         const struct style *style,
-                         const struct script_item *item)
-{
-    const char *paint = "paint flat #ffffff\n", *spread = "option spread pad\n",
-               *phase = "option phase 0\n";
-    for (size_t i = 0; i < line; i++) {
-        paint = begins(s->line[i], "paint") ? s->line[i] : paint;
-        spread = begins(s->line[i], "option spread") ? s->line[i] : spread;
-        phase = begins(s->line[i], "option phase") ? s->line[i] : phase;
-    }
-    const bool has_color = strchr(paint, '#') != NULL;
-    const struct outline o = outline_of(s, item);
-    if (style->fill == FILL_OWN && (has_color || !style->marked))
-        style_recolor(out, style, paint);
-    else
-        style_write(out, style, &o);
-    fprintf(out, "%s\n%s\n%s\n%s\n", s->line[line], paint, spread, phase);
-}
-
-static void write_file(FILE *out, const struct sheet *s)
-{
-    int shape = 0;
-    size_t item = 0;
-    for (size_t i = 0; i < s->lines; i++) {
-        const struct script *script = &s->base;
-        while (item < script->item_count &&
-               script->items[item].line < (long)i + 1)
-            item++;
-        const struct script_item *at =
-            item < script->item_count && script->items[item].line == (long)i + 1
-                ? &script->items[item]
-                : NULL;
-        const struct style *style =
-            at && is_shape(at) ? &s->style[shape++] : NULL;
-        if (style &&
-            (style->fill != FILL_OWN || style->alpha != 255 || style->marked))
-            write_styled(out, s, i, style, at);
-        else
-            fprintf(out, "%s\n", s->line[i]);
-        if (at && at->command->role == SCRIPT_CANVAS &&
-            inspect_formats[s->inspect.format].dithered)
-            fputs("option dither on\n", out);
-    }
-}
-
 /* The script as it is to be shown, read from memory. */
 static bool compose(struct sheet *s)
 {
@@ -197,7 +67,7 @@ static bool compose(struct sheet *s)
     s->figures.height = pel_max(s->height / s->zoom, 1);
     s->figures.dithered = as->dithered;
     if (file && s->path)
-        write_file(file, s);
+        sheet_write_file(file, s);
     else if (file)
         figures_write(file, &s->figures, s->style);
     if (!file || fclose(file) != 0 || !(file = fmemopen(text, size, "r"))) {
@@ -222,8 +92,7 @@ static struct pel_rect place(const struct sheet *s)
     return (struct pel_rect){left, top, left + width, top + height};
 }
 
-/* The picture's pixel under the pointer; false: none is. */
-static bool pixel_at(const struct sheet *s, int *x, int *y)
+bool sheet_pixel(const struct sheet *s, int *x, int *y)
 {
     const struct pel_rect at = place(s);
     *x = (s->pointer[0] - at.x0) / s->zoom;
@@ -232,11 +101,45 @@ static bool pixel_at(const struct sheet *s, int *x, int *y)
            s->pointer[1] >= at.y0 && s->pointer[1] < at.y1;
 }
 
-static bool draw_picture(struct sheet *s)
+static bool same_style(const struct style *a, const struct style *b)
 {
-    const double start = milliseconds();
-    if (s->stale && !compose(s))
-        return false;
+    return a->fill == b->fill && a->color == b->color && a->alpha == b->alpha &&
+           a->marked == b->marked;
+}
+
+/* The pixels of figures that have changed, where they were and are. */
+static void add_areas(struct sheet *s)
+{
+    const struct pel_rect *bounds = &s->canvas.surface.bounds;
+    const bool moved = memcmp(&s->drawn, &s->figures, sizeof s->drawn) != 0;
+    for (int k = 0; k < s->shapes; k++) {
+        if (!moved && same_style(&s->drawn_style[k], &s->style[k]))
+            continue;
+        const struct pel_rect box[2] = {figures_box(&s->drawn, k),
+                                        figures_box(&s->figures, k)};
+        for (int i = 0; i < 2; i++) {
+            struct pel_rect area = pel_rect_intersect(&box[i], bounds);
+            area.x0 &= ~7; /* where bytes begin */
+            area.x1 = pel_min((area.x1 + 7) & ~7, bounds->x1);
+            pel_dirty_areas_add(&s->areas, &area);
+        }
+    }
+}
+
+/* Draws an area of the picture, in its memory. */
+static bool draw_area(struct sheet *s, const struct pel_rect *area)
+{
+    struct canvas part = {.memory = NULL};
+    const struct pel_surface *all = &s->canvas.surface;
+    pel_surface_init_rect(&part.surface, all->format,
+                          pel_surface_line(all, area->y0) +
+                              area->x0 * all->format->bits / 8,
+                          all->stride, area);
+    return script_draw(&s->script, &part, -1);
+}
+
+static bool draw_whole(struct sheet *s)
+{
     canvas_free(&s->canvas);
     if (!canvas_init(&s->canvas, s->script.format, s->script.width,
                      s->script.height))
@@ -244,7 +147,25 @@ static bool draw_picture(struct sheet *s)
     if (s->inspect.heat)
         memset(s->canvas.memory, 0,
                (size_t)s->canvas.surface.stride * (size_t)s->script.height);
-    const bool done = script_draw(&s->script, &s->canvas, -1);
+    s->areas.area[s->areas.count++] = s->canvas.surface.bounds;
+    return script_draw(&s->script, &s->canvas, -1);
+}
+
+static bool draw_picture(struct sheet *s)
+{
+    const double start = milliseconds();
+    bool done = !s->stale || compose(s);
+    s->areas.count = 0;
+    const bool whole = s->whole || s->path || s->inspect.heat;
+    if (done && !whole)
+        add_areas(s);
+    for (int i = 0; done && i < s->areas.count; i++)
+        done = draw_area(s, &s->areas.area[i]);
+    if (done && whole)
+        done = draw_whole(s);
+    s->drawn = s->figures;
+    memcpy(s->drawn_style, s->style, (size_t)s->shapes * sizeof *s->style);
+    s->whole = !done;
     s->milliseconds = milliseconds() - start;
     return done;
 }
@@ -276,14 +197,22 @@ static void show_overlays(const struct sheet *s,
     const struct inspect *show = &s->inspect;
     const struct pel_rect at = place(s);
     int x, y;
+    for (int i = 0; show->areas && i < s->areas.count; i++) {
+        const struct pel_rect *a = &s->areas.area[i];
+        const struct pel_rect box = {
+            at.x0 + a->x0 * s->zoom, at.y0 + a->y0 * s->zoom,
+            at.x0 + a->x1 * s->zoom, at.y0 + a->y1 * s->zoom};
+        inspect_box(surface, &box, PEL_RGB(255, 0, 0));
+    }
     if (show->bands)
         inspect_bands(surface, &at, BAND_ROWS, s->zoom);
-    if (show->magnifier && pixel_at(s, &x, &y))
+    if (show->magnifier && sheet_pixel(s, &x, &y))
         inspect_magnifier(surface, &s->canvas.surface, &s->script, x, y);
 }
 
-bool sheet_draw(struct sheet *s, const struct pel_surface *surface)
+static bool draw(struct show *show, const struct pel_surface *surface)
 {
+    struct sheet *s = (struct sheet *)show;
     if (!draw_picture(s))
         return false;
     pel_clear(surface, PEL_RGB(0, 0, 0));
@@ -292,8 +221,11 @@ bool sheet_draw(struct sheet *s, const struct pel_surface *surface)
     return true;
 }
 
-bool sheet_advance(struct sheet *s)
+/* One step, however long the frame took: a recorded run can be drawn again. */
+static bool advance(struct show *show, double time)
 {
+    struct sheet *s = (struct sheet *)show;
+    (void)time;
     bool changes = false;
     for (int i = 0; i < s->shapes; i++)
         changes = changes || s->style[i].fill == FILL_RADIAL;
@@ -306,154 +238,71 @@ bool sheet_advance(struct sheet *s)
     return true;
 }
 
-/* Marks one shape alone; -1: none. */
-static void mark(struct sheet *s, int shape)
+static enum view_action input(struct show *show, const struct pel_input *input)
 {
-    s->picked = shape;
-    for (int i = 0; i < s->shapes; i++)
-        s->style[i].marked = i == shape;
-}
-
-static enum view_action pick(struct sheet *s)
-{
-    int x, y;
-    const long item = pixel_at(s, &x, &y) ? script_pick(&s->script, x, y) : -1;
-    const bool shape = item >= 0 && is_shape(&s->script.items[item]);
-    mark(s, shape ? count_shapes(&s->script, (size_t)item) : -1);
-    return VIEW_CHANGED;
-}
-
-static void set_fill(struct style *style, enum fill fill)
-{
-    style->fill = fill;
-}
-
-static void fade(struct style *style, enum fill steps)
-{
-    const int alpha = style->alpha + 17 * ((int)steps - 1);
-    style->alpha = (uint8_t)pel_max(0, pel_min(alpha, 255));
-}
-
-/* The picked shape, or all where none is. */
-static enum view_action change(struct sheet *s,
-                               void (*by)(struct style *, enum fill),
-                               int argument)
-{
-    for (int i = 0; i < s->shapes; i++)
-        if (s->picked < 0 || s->picked == i)
-            by(&s->style[i], (enum fill)argument);
-    return VIEW_CHANGED;
-}
-
-static enum view_action zoom(struct sheet *s, int by)
-{
-    s->zoom = pel_max(1, pel_min(s->zoom + by, ZOOM_MOST));
-    return VIEW_CHANGED;
-}
-
-static enum view_action toggle(bool *which)
-{
-    *which = !*which;
-    return VIEW_CHANGED;
-}
-
-static enum view_action press(struct sheet *s, int key)
-{
-    struct inspect *show = &s->inspect;
-    switch (key) {
-    case '1':
-    case '2':
-    case '3':
-    case '4':
-        return change(s, set_fill, FILL_FLAT + key - '1');
-    case '0':
-        if (s->path)
-            return change(s, set_fill, FILL_OWN);
-        mark(s, -1);
-        figures_styles(s->style);
-        return VIEW_CHANGED;
-    case '+':
-    case '=':
-    case PEL_KEY_UP:
-        return change(s, fade, 2);
-    case '-':
-    case PEL_KEY_DOWN:
-        return change(s, fade, 0);
-    case PEL_KEY_TAB:
-    case PEL_KEY_RIGHT:
-        mark(s, s->picked + 1 < s->shapes ? s->picked + 1 : -1);
-        return VIEW_CHANGED;
-    case PEL_KEY_LEFT:
-        mark(s, s->picked >= 0 ? s->picked - 1 : s->shapes - 1);
-        return VIEW_CHANGED;
-    case PEL_KEY_ENTER:
-        mark(s, -1);
-        return VIEW_CHANGED;
-    case PEL_KEY_F1 + 1:
-        return zoom(s, -1);
-    case PEL_KEY_F1 + 2:
-        return zoom(s, 1);
-    case ' ':
-        return toggle(&s->moving);
-    case 'o':
-        return toggle(&show->heat);
-    case 'b':
-        return toggle(&show->bands);
-    case 'd':
-        return toggle(&show->areas);
-    case 'm':
-        return toggle(&show->magnifier);
-    case 'i':
-        return toggle(&show->numbers);
-    case 'h':
-        return toggle(&show->help);
-    case 'x':
-        show->format = (show->format + 1) % INSPECT_FORMATS;
-        return VIEW_CHANGED;
-    case 'w':
-        return VIEW_SAVE;
-    case 'q':
-    case PEL_KEY_ESCAPE:
-        return VIEW_END;
-    default:
-        return VIEW_NOTHING;
-    }
-}
-
-static void point(struct sheet *s, int x, int y)
-{
-    s->pointer[0] = pel_max(0, pel_min(x, s->width - 1));
-    s->pointer[1] = pel_max(0, pel_min(y, s->height - 1));
-}
-
-static enum view_action take(struct sheet *s, const struct pel_input *input)
-{
-    const bool down = input->state == PEL_INPUT_DOWN;
-    switch (input->kind) {
-    case PEL_INPUT_KEY:
-        return input->state == PEL_INPUT_UP ? VIEW_NOTHING
-                                            : press(s, input->code);
-    case PEL_INPUT_MOVE:
-        point(s, s->pointer[0] + input->x, s->pointer[1] + input->y);
-        return s->inspect.magnifier ? VIEW_CHANGED : VIEW_NOTHING;
-    case PEL_INPUT_POINT:
-        point(s, input->x, input->y);
-        return s->inspect.magnifier ? VIEW_CHANGED : VIEW_NOTHING;
-    case PEL_INPUT_BUTTON:
-        return down && input->code == 1 ? pick(s) : VIEW_NOTHING;
-    case PEL_INPUT_TOUCH:
-        point(s, input->x, input->y);
-        return down ? pick(s) : VIEW_NOTHING;
-    case PEL_INPUT_WHEEL:
-        return change(s, fade, input->y > 0 ? 2 : 0);
-    default:
-        return VIEW_NOTHING;
-    }
-}
-
-enum view_action sheet_input(struct sheet *s, const struct pel_input *input)
-{
-    const enum view_action action = take(s, input);
+    struct sheet *s = (struct sheet *)show;
+    const struct inspect before = s->inspect;
+    const int zoom = s->zoom;
+    const enum view_action action = sheet_take(s, input);
     s->stale = s->stale || action == VIEW_CHANGED;
+    s->whole = s->whole || zoom != s->zoom || before.heat != s->inspect.heat ||
+               before.format != s->inspect.format;
     return action;
+}
+
+static void resize(struct show *show, int width, int height)
+{
+    struct sheet *s = (struct sheet *)show;
+    s->width = width;
+    s->height = height;
+    s->stale = s->whole = true;
+}
+
+static void title(const struct show *show, char *text)
+{
+    const struct sheet *s = (const struct sheet *)show;
+    snprintf(text, SHOW_TITLE_SIZE, "pel view: %s, %d x %d pixels, %s",
+             s->path ? s->path : "figures", s->script.width, s->script.height,
+             inspect_formats[s->inspect.format].name);
+}
+
+bool sheet_init(struct sheet *s, const char *path)
+{
+    *s = (struct sheet){
+        .show = {resize, input, advance, draw, title, SHEET_KEYS_HELP},
+        .path = path,
+        .picked = -1,
+        .zoom = 1,
+        .moving = true,
+        .areas = {.window = 256},
+    };
+    if (path) {
+        if (!read_lines(s) || !script_load(&s->base, path, NULL))
+            return false;
+        s->shapes = sheet_count_shapes(&s->base, s->base.item_count);
+    } else {
+        s->shapes = FIGURES;
+    }
+    s->style = malloc(((size_t)s->shapes + 1) * sizeof *s->style);
+    s->drawn_style = malloc(((size_t)s->shapes + 1) * sizeof *s->style);
+    if (!s->style || !s->drawn_style)
+        return message_error("out of memory");
+    for (int i = 0; i < s->shapes; i++)
+        s->style[i] =
+            (struct style){FILL_OWN, PEL_RGB(0, 128, 255), 255, false};
+    if (!path)
+        figures_styles(s->style);
+    return true;
+}
+
+void sheet_free(struct sheet *s)
+{
+    for (size_t i = 0; i < s->lines; i++)
+        free(s->line[i]);
+    free(s->line);
+    free(s->style);
+    free(s->drawn_style);
+    script_free(&s->base);
+    script_free(&s->script);
+    canvas_free(&s->canvas);
 }

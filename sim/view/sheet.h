@@ -3,13 +3,14 @@
 #ifndef SIM_VIEW_SHEET_H
 #define SIM_VIEW_SHEET_H
 
-#include "drivers/input.h"
+#include "drivers/dirty.h"
 #include "sim/script/script.h"
 #include "sim/view/figures.h"
 #include "sim/view/inspect.h"
-#include "sim/view/keys.h"
+#include "sim/view/show.h"
 
 struct sheet {
+    struct show show; /* first */
     const char *path; /* NULL: the figures */
     char **line;      /* of the file */
     size_t lines;
@@ -25,7 +26,12 @@ struct sheet {
     struct script script;   /* as it is shown */
     struct canvas canvas;   /* the picture */
     struct inspect inspect;
-    bool stale;          /* the script is not as it should be */
+    bool stale;                /* the picture is not as it should be */
+    struct style *drawn_style; /* and where they were when it was drawn */
+    struct figures drawn;
+    bool whole; /* the next picture is drawn whole: not areas alone */
+    struct pel_dirty_areas
+        areas;           /* px of it that changed with the last frame */
     double milliseconds; /* of the last drawing */
 };
 
@@ -33,19 +39,18 @@ struct sheet {
 bool sheet_init(struct sheet *sheet, const char *path);
 void sheet_free(struct sheet *sheet);
 
-/* The size of the window, before the first picture and whenever it changes. */
-void sheet_resize(struct sheet *sheet, int width, int height);
+/* For sim/view/sheet*.c alone. */
 
-/* What the user does. */
-enum view_action sheet_input(struct sheet *sheet,
-                             const struct pel_input *input);
+enum view_action sheet_take(struct sheet *sheet, const struct pel_input *input);
+void sheet_write_file(FILE *out, const struct sheet *sheet);
 
-/* A thirtieth of a second passes. True when the picture changes. */
-bool sheet_advance(struct sheet *sheet);
+/* Is it one that a style may paint? And how many of those there are among the
+ * first items. */
+bool sheet_is_shape(const struct script_item *item);
+int sheet_count_shapes(const struct script *script, size_t items);
 
-/* Draws the window's pixels, from (0, 0) of the surface's bounds on. False,
- * with a message. */
-bool sheet_draw(struct sheet *sheet, const struct pel_surface *surface);
+/* The picture's pixel under the pointer; false: none is. */
+bool sheet_pixel(const struct sheet *sheet, int *x, int *y);
 
 #define SHEET_KEYS_HELP                                                  \
     "  click, Tab          pick a shape; Enter: none\n"                  \
