@@ -2,14 +2,13 @@
 # same bytes everywhere. A build is named COMPILER-CPU-LEVEL or, of a variant of
 # core, COMPILER-CPU-LEVEL-VARIANT.
 
-.PHONY: check-cpus check-examples deep-cpus need-cpus board
+.PHONY: check-cpus check-examples check-mcu deep-cpus need-cpus board
 
 # CPUs, each with the prefix of its compiler and its emulator; `host` is this
 # machine. s390x and powerpc are big-endian, with 64 and with 32 bits. The
 # microcontrollers run on boards without an operating system.
 include port/boards.mk
 CPUS := host i686 armhf aarch64 s390x powerpc
-MICRO_CPUS := m0plus m4 rv32
 CPU_PREFIX_i686 := i686-linux-gnu
 CPU_PREFIX_armhf := arm-linux-gnueabihf
 CPU_PREFIX_aarch64 := aarch64-linux-gnu
@@ -30,12 +29,14 @@ CPU_VARIANT_nofill := -DPEL_FAST_FILLS=0
 CPU_VARIANT_plain := -DPEL_VECTORS=0
 
 CPU_CHECK := $(foreach o,O0 Os O3,gcc-host-$o clang-host-$o) \
-    gcc-host-O2-narrow gcc-host-O2-nofill clang-host-O2-plain gcc-armhf-O0 gcc-m4-O0 \
-    $(foreach p,i686 armhf aarch64 s390x $(MICRO_CPUS),gcc-$p-O2)
+    gcc-host-O2-narrow gcc-host-O2-nofill clang-host-O2-plain gcc-armhf-O0 \
+    $(foreach p,i686 armhf aarch64 s390x,gcc-$p-O2)
+CPU_CHECK_BOARDS := gcc-m4-O0 $(BOARDS:%=gcc-%-O2)
+CPU_CHECK_SMALL := $(SMALL_BOARDS:%=gcc-%-O2)
 CPU_DEEP := $(foreach c,gcc clang,$(foreach o,O0 Os O2 O3,\
     $(foreach p,$(CPUS),$c-$p-$o) \
     $(foreach p,host aarch64,$c-$p-$o-narrow $c-$p-$o-plain))) \
-    $(foreach o,O0 Os O2 O3,$(foreach p,$(MICRO_CPUS),gcc-$p-$o))
+    $(foreach o,O0 Os O2 O3,$(foreach p,$(BOARDS),gcc-$p-$o))
 
 cpu_word = $(word $1,$(subst -, ,$2))
 
@@ -44,7 +45,7 @@ CPU_WARNINGS_gcc_O3 := -Wno-maybe-uninitialized
 
 # $1 build, $2 compiler, $3 CPU, $4 level, $5 variant
 define cpu_build_of
-$(BUILD)/cpus/$1/%.o: %.c | need-cpus
+$(BUILD)/cpus/$1/%.o: %.c | $(if $(filter $3,$(BOARDS)),need-boards,need-cpus)
 	@mkdir -p $$(@D)
 	$$(call cpu_cc_$2,$3) $$(CPU_FLAGS_$3) $$(PEL_CFLAGS) -$4 \
 	    $$(CPU_WARNINGS_$2_$4) $$(CPU_VARIANT_$5) -c $$< -o $$@
@@ -57,8 +58,25 @@ cpu_build = $(call cpu_build_of,$1,$(call cpu_word,1,$1),$(call \
     cpu_word,2,$1),$(call cpu_word,3,$1),$(call cpu_word,4,$1))
 
 # The many rules of the deep builds only where they are asked for.
-CPU_BUILDS := $(if $(filter deep deep-cpus,$(MAKECMDGOALS)),$(CPU_DEEP),$(CPU_CHECK))
+CPU_BUILDS := $(if $(filter deep deep-cpus,$(MAKECMDGOALS)),$(CPU_DEEP),$(CPU_CHECK) \
+    $(CPU_CHECK_BOARDS))
 $(foreach b,$(CPU_BUILDS),$(eval $(call cpu_build,$b)))
+
+# The scenes from the objects of a CPU in the memory of a board, without meshes
+# where they do not fit.
+SMALL_FLAGS_microbit := -DNO_MESHES
+SMALL_FLAGS_stm32vldiscovery := -DNO_MESHES
+SMALL_FLAGS_sifive_e := -DNO_MESHES
+# $1 board, $2 CPU
+define cpu_small_board
+$(BUILD)/cpus/gcc-$1-O2/scenes: tests/golden/scenes.c $(BUILD)/cpus/gcc-$2-O2/scenes
+	@mkdir -p $$(@D)
+	@grep -v $(if $(SMALL_FLAGS_$1),-e '^phong ' -e '^depth ',nothing) \
+	    tests/golden/scenes.txt >$$(@D)/golden.txt
+	@$(CPU_PREFIX_$2)-gcc $(CPU_FLAGS_$2) $$(PEL_CFLAGS) -Os $(SMALL_FLAGS_$1) $$< \
+	    $(CORE:%.c=$(BUILD)/cpus/gcc-$2-O2/%.o) $(CPU_LINK_$1) -o $$@
+endef
+$(foreach b,$(SMALL_BOARDS),$(eval $(call cpu_small_board,$b,$(SMALL_CPU_$b))))
 
 need-cpus: | need-boards
 	@tests/tools/need.sh gcc:gcc clang:clang \
@@ -71,21 +89,23 @@ cpu_lines = $(foreach b,$1,'$b $(CPU_RUN_$(call cpu_word,2,$b))')
 
 # An example on a board without an operating system, which counts instructions.
 EXAMPLE ?= board
+COMMA := ,
 BOARD ?= m4
 # RAM that an example is to run in, 2 KB of stack with it.
 BOARD_RAM_board := 4K
 BOARD_RAM_oled := 4K
 BOARD_RAM_mesh := 8K
+BOARD_CPU = $(or $(SMALL_CPU_$(BOARD)),$(BOARD))
 BOARD_PROGRAM = $(BUILD)/board/$(BOARD)/$(EXAMPLE)
-board: $(BOARD_PROGRAM) ## EXAMPLE=board on the CPU BOARD=m4 (port/boards.mk), in QEMU
+board: $(BOARD_PROGRAM) ## EXAMPLE=board on BOARD=m4 or another of port/boards.mk, in QEMU
 	@tests/tools/example.sh $< $(CPU_RUN_$(BOARD)) $< \
-	    -icount $(word 2,$(MCU_BENCH_$(BOARD))),sleep=off
+	    -icount $(word 2,$(MCU_BENCH_$(BOARD_CPU))),sleep=off
 $(BOARD_PROGRAM): $(call example_sources,$(EXAMPLE)) $(CORE) | need-boards
 	@mkdir -p $(@D)
-	@$(CPU_PREFIX_$(BOARD))-gcc $(CPU_FLAGS_$(BOARD)) -std=c99 -O2 \
+	@$(CPU_PREFIX_$(BOARD_CPU))-gcc $(CPU_FLAGS_$(BOARD_CPU)) -std=c99 -O2 \
 	    -I$(BUILD)/include -I$(BUILD)/examples -ffunction-sections \
-	    -Wl,--gc-sections $^ $(CPU_LINK_$(BOARD)) \
-	    -Wl,--defsym=__ram_size=$(or $(BOARD_RAM_$(EXAMPLE)),4M) -o $@
+	    -Wl,--gc-sections $^ $(CPU_LINK_$(BOARD)) $(if $(BOARD_RAM_$(EXAMPLE)),\
+	    -Wl$(COMMA)--defsym=__ram_size=$(BOARD_RAM_$(EXAMPLE))) -o $@
 
 # Instructions of the gauge on an M0+. 150,000 are asked of a step: of what it
 # takes 180,000 are divisions for the rows of a vertical gradient.
@@ -108,6 +128,11 @@ check-examples: examples
 
 check-cpus: $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes) ## the golden scenes on other CPUs and compilers
 	printf '%s\n' $(call cpu_lines,$(CPU_CHECK)) | tests/tools/cpus.sh $(BUILD)
+
+MCU_CHECK := $(CPU_CHECK_BOARDS) $(CPU_CHECK_SMALL)
+check-mcu: check-lcd
+check-mcu: $(MCU_CHECK:%=$(BUILD)/cpus/%/scenes) ## every board of QEMU draws the golden scenes as far as memory goes
+	printf '%s\n' $(call cpu_lines,$(MCU_CHECK)) | tests/tools/cpus.sh $(BUILD)
 
 deep-cpus: $(CPU_DEEP:%=$(BUILD)/cpus/%/scenes) ## the same for all CPUs, compilers and levels
 	printf '%s\n' $(call cpu_lines,$(CPU_DEEP)) | tests/tools/cpus.sh $(BUILD)
