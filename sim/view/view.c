@@ -43,7 +43,7 @@ static const struct option_row options[] = {
 
 static const char about[] =
     "Turns a mesh in a window, or on a device.\v"
-    "MESH is a file that assimp reads, or " MESH_BUILTIN
+    "MESH is a file that assimp reads, or one of " MESH_BUILTINS
     " (when left out). The size is that of the screen on a device, 800x800 in "
     "a window, unless --size names one; --jobs is 0 unless given; -o takes the "
     "last picture.\n\nKeys:\n" VIEW_KEYS_HELP;

@@ -1,0 +1,35 @@
+#!/bin/sh
+# board_examples.sh BUILD : runs BUILD/board/BOARD/EXAMPLE for each line
+# `BOARD/EXAMPLE EMULATOR` of the input. It must write what BUILD/examples/EXAMPLE
+# does, but for the comments of pictures, in which the gauge on an M0+ counts its
+# instructions.
+set -u
+build=$1
+status=0
+
+# Without the comments of a PPM.
+plain() {
+    LC_ALL=C sed '1,6{/^# /d}' "$1"
+}
+
+while read -r name emulator; do
+    out=$build/board/$name.out
+    host=$build/examples/${name#*/}
+    [ -f "$host.out" ] || "$host" >"$host.out"
+    icount=
+    case $name in m0plus/*) icount="-icount shift=6,sleep=off" ;; esac
+    if timeout 60 $emulator "$build/board/$name" $icount >"$out" \
+        2>"$out.messages" </dev/null && plain "$out" >"$out.plain" &&
+        plain "$host.out" | cmp -s - "$out.plain"; then
+        echo "equal      $name"
+    else
+        echo "DIFFERENT  $name"
+        cat "$out.messages"
+        status=1
+    fi
+done
+LC_ALL=C sed -n '1,6s/^# //p' "$build/board/m0plus/gauge.out" | awk '{ print }
+    /^whole/ { whole = $4 } /^step/ { step = $6 }
+    END { exit !(whole && whole <= 2500000 && step && step <= 150000) }' ||
+    status=1
+exit $status
