@@ -46,14 +46,6 @@ void pel_dirty_areas_add(struct pel_dirty_areas *dirty,
     }
 }
 
-int32_t pel_dirty_areas_pixels(const struct pel_dirty_areas *dirty)
-{
-    int32_t sum = 0;
-    for (int32_t i = 0; i < dirty->count; i++)
-        sum += pixels(&dirty->area[i]);
-    return sum;
-}
-
 /* Rows of a band, a multiple of 8, 4 or 2 where that fits: windows may have to
  * be, and pages are. */
 static int32_t rows_of(const struct pel_display *display, int32_t stride,

@@ -32,9 +32,6 @@ struct pel_dirty_areas {
 void pel_dirty_areas_add(struct pel_dirty_areas *dirty,
                          const struct pel_rect *area);
 
-/* Pixels of all areas. */
-int32_t pel_dirty_areas_pixels(const struct pel_dirty_areas *dirty);
-
 /* How a picture is drawn. */
 struct pel_dirty_work {
     /* Memory of bands, for a display that has none of its own: `size` bytes

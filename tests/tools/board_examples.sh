@@ -1,8 +1,8 @@
 #!/bin/sh
-# board_examples.sh BUILD : runs BUILD/board/BOARD/EXAMPLE for each line
+# board_examples.sh BUILD WHOLE STEP : runs BUILD/board/BOARD/EXAMPLE for each line
 # `BOARD/EXAMPLE EMULATOR` of the input. It must write what BUILD/examples/EXAMPLE
-# does, but for the comments of pictures, in which the gauge on an M0+ counts its
-# instructions.
+# does, but for the comments of pictures, in which the gauge counts its
+# instructions: on an M0+ at most WHOLE for a frame and STEP for one degree.
 set -u
 build=$1
 status=0
@@ -28,8 +28,9 @@ while read -r name emulator; do
         status=1
     fi
 done
-LC_ALL=C sed -n '1,6s/^# //p' "$build/board/m0plus/gauge.out" | awk '{ print }
-    /^whole/ { whole = $4 } /^step/ { step = $6 }
-    END { exit !(whole && whole <= 2500000 && step && step <= 150000) }' ||
+LC_ALL=C sed -n '1,6s/^# //p' "$build/board/m0plus/gauge.out" |
+    awk -v most_whole="$2" -v most_step="$3" '{ print }
+    /^whole/ { whole = $4 } /^step/ { step = $4 }
+    END { exit !(whole && whole <= most_whole && step && step <= most_step) }' ||
     status=1
 exit $status
