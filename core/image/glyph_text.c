@@ -64,6 +64,11 @@ const struct pel_font_glyph *pel_glyph_find(const struct pel_font_asset *font,
     return font->missing == PEL_FONT_NONE ? NULL : &font->glyph[font->missing];
 }
 
+static int32_t line_height(const struct pel_font_asset *font)
+{
+    return font->ascent + font->descent;
+}
+
 /* The glyph with its pen at (x, y), which is far outside of every surface when
  * the string is long enough: then it is not drawn. */
 static void draw(const struct pel_surface *surface,
@@ -81,56 +86,52 @@ static void draw(const struct pel_surface *surface,
         pel_glyph(surface, &g, x, y, paint);
 }
 
-int32_t pel_text_line(const struct pel_surface *surface,
-                      const struct pel_text_block *text, const char *end,
-                      const struct pel_paint *paint)
+void pel_text_until(const struct pel_surface *surface,
+                    const struct pel_text_block *text, const char *end,
+                    const struct pel_paint *paint)
 {
+    const char *next = text->string;
+    const bool legal = pel_offset_legal(text->x, text->y);
+    PEL_ASSERT(legal);
+    if (!legal)
+        return;
     struct pel_point pen = {text->x, text->y + text->font->ascent};
-    for (const char *next = text->string; next < end;) {
-        const struct pel_font_glyph *glyph =
-            pel_glyph_find(text->font, pel_utf8_next(&next));
-        if (glyph && surface)
+    while (*next && next != end) {
+        uint32_t code = pel_utf8_next(&next);
+        if (code == '\n') {
+            pen.x = text->x;
+            pen.y += line_height(text->font);
+            continue;
+        }
+        const struct pel_font_glyph *glyph = pel_glyph_find(text->font, code);
+        if (glyph) {
             draw(surface, text, glyph, pen, paint);
-        pen.x += glyph ? glyph->advance : 0;
-    }
-    return pen.x - text->x;
-}
-
-/* Draws the lines, unless surface is NULL, and measures them. */
-static struct pel_text_size lines(const struct pel_surface *surface,
-                                  const struct pel_text_block *text,
-                                  const struct pel_paint *paint)
-{
-    const int32_t height = text->font->ascent + text->font->descent;
-    struct pel_text_size size = {0, 0};
-    struct pel_text_block line = *text;
-    const char *end = line.string;
-    for (;; line.string = ++end) {
-        while (*end && *end != '\n')
-            end++;
-        const int32_t width = pel_text_line(surface, &line, end, paint);
-        size.width = pel_max(size.width, width);
-        size.height += height;
-        line.y += height;
-        if (!*end)
-            return size;
+            pen.x += glyph->advance;
+        }
     }
 }
 
 void pel_text(const struct pel_surface *surface,
               const struct pel_text_block *text, const struct pel_paint *paint)
 {
-    const uint32_t limit = 65536;
-    bool legal = (uint32_t)text->x + limit <= 2 * limit &&
-                 (uint32_t)text->y + limit <= 2 * limit;
-    PEL_ASSERT(legal);
-    if (legal)
-        lines(surface, text, paint);
+    pel_text_until(surface, text, NULL, paint);
 }
 
 struct pel_text_size pel_text_measure(const struct pel_font_asset *font,
                                       const char *string)
 {
-    const struct pel_text_block text = {font, string, 0, 0};
-    return lines(NULL, &text, NULL);
+    struct pel_text_size size = {0, line_height(font)};
+    int32_t width = 0;
+    while (*string) {
+        uint32_t code = pel_utf8_next(&string);
+        if (code == '\n') {
+            size.height += line_height(font);
+            width = 0;
+            continue;
+        }
+        const struct pel_font_glyph *glyph = pel_glyph_find(font, code);
+        width += glyph ? glyph->advance : 0;
+        size.width = pel_max(size.width, width);
+    }
+    return size;
 }

@@ -27,16 +27,15 @@ struct pel_text_size {
 void pel_text(const struct pel_surface *surface,
               const struct pel_text_block *text, const struct pel_paint *paint);
 
+/* The same of the text before `end`, the address of a character of it. */
+void pel_text_until(const struct pel_surface *surface,
+                    const struct pel_text_block *text, const char *end,
+                    const struct pel_paint *paint);
+
 /* The size of all boxes: the widest line, and all lines, of which a string has
  * one more than line feeds. For strings up to 2^22 bytes. */
 struct pel_text_size pel_text_measure(const struct pel_font_asset *font,
                                       const char *string);
-
-/* One line: the text up to `end`, whatever it holds. Returns its width, px;
- * surface NULL: does not paint. */
-int32_t pel_text_line(const struct pel_surface *surface,
-                      const struct pel_text_block *text, const char *end,
-                      const struct pel_paint *paint);
 
 /* The code point at *text, which ends with a 0; moves *text behind it. Bytes
  * that are not UTF-8 (stray and missing bytes, overlong forms, surrogates, more

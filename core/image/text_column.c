@@ -4,25 +4,26 @@
  * there. */
 struct line {
     const char *end, *next;
+    int32_t width; /* px */
 };
 
 static struct line line_at(const struct pel_text_column *column,
                            const char *string)
 {
-    struct line fits = {NULL, NULL}; /* up to the spaces seen last */
-    int32_t x = 0;
+    struct line fits = {NULL, NULL, 0}; /* up to the spaces seen last */
+    int32_t x = 0, before;
     for (const char *at = string, *next = at;; at = next) {
         if (!*at || *at == '\n')
-            return (struct line){at, *at ? at + 1 : at};
+            return (struct line){at, *at ? at + 1 : at, x};
         const struct pel_font_glyph *glyph =
             pel_glyph_find(column->text.font, pel_utf8_next(&next));
+        before = x;
         x += glyph ? glyph->advance : 0;
-        if (*at == ' ') {
-            if (fits.next != at)
-                fits.end = at;
-            fits.next = next;
-        } else if (column->width > 0 && x > column->width && at > string)
-            return fits.end ? fits : (struct line){at, at};
+        if (*at == ' ')
+            fits = fits.next == at ? (struct line){fits.end, next, fits.width}
+                                   : (struct line){at, next, before};
+        else if (column->width > 0 && x > column->width && at > string)
+            return fits.end ? fits : (struct line){at, at, before};
     }
 }
 
@@ -42,17 +43,17 @@ struct pel_text_size pel_text_column_draw(const struct pel_surface *surface,
     const int32_t height = column->line_height
                                ? column->line_height
                                : text.font->ascent + text.font->descent;
-    struct line line = {text.string, text.string};
+    struct line line = {text.string, text.string, 0};
     PEL_ASSERT(legal);
-    for (bool more = legal; more; more = *line.end, text.y += height) {
+    for (bool more = legal; more; more = *line.end) {
         text.string = line.next;
         line = line_at(column, text.string);
-        const int32_t width = pel_text_line(NULL, &text, line.end, NULL);
         text.x = column->text.x +
-                 (column->width - width) * (int32_t)column->align / 2;
-        if (surface)
-            pel_text_line(surface, &text, line.end, paint);
-        size.width = pel_max(size.width, width);
+                 (column->width - line.width) * (int32_t)column->align / 2;
+        if (surface && within(text.x) && within(text.y))
+            pel_text_until(surface, &text, line.end, paint);
+        text.y += height;
+        size.width = pel_max(size.width, line.width);
         size.height += height;
     }
     return size;

@@ -112,9 +112,10 @@ $(foreach b,$(BOARDS),$(foreach e,$(BOARD_EXAMPLES),$(eval $(call \
 $(foreach b,$(SMALL_BOARDS),$(foreach e,$(SMALL_EXAMPLES_$b),$(eval $(call \
     board_example,$b,$(SMALL_CPU_$b),$e))))
 
-board: $(BUILD)/board/$(BOARD)/$(EXAMPLE) ## EXAMPLE=board on the CPU BOARD=m4 (port/boards.mk), in QEMU
+BOARD_CPU = $(or $(SMALL_CPU_$(BOARD)),$(BOARD))
+board: $(BUILD)/board/$(BOARD)/$(EXAMPLE) ## EXAMPLE=board on BOARD=m4 or another of port/boards.mk, in QEMU
 	@tests/tools/example.sh $< $(CPU_RUN_$(BOARD)) $< \
-	    -icount $(or $(word 2,$(MCU_BENCH_$(BOARD))),shift=6),sleep=off
+	    -icount $(word 2,$(MCU_BENCH_$(BOARD_CPU))),sleep=off
 
 # Instructions of the gauge on an M0+. 150,000 are asked of a step: of what it
 # takes 180,000 are divisions for the rows of a vertical gradient.
