@@ -90,7 +90,7 @@ static inline void pel_disc_walk_next(struct pel_disc_walk *w)
     w->y++;
 }
 
-/* Does the hole hold all of the clip? A disc holds what has its farthest corner.
+/* Does the hole hold all of the clip, as a disc with its farthest corner does?
  */
 static inline bool pel_ring_around(const struct pel_point *center,
                                    int32_t inner, const struct pel_rect *clip)
