@@ -120,7 +120,7 @@ for chars in '' "$(printf 'a\303')"; do
 done
 
 # A box stands for what is missing where the font has no glyph for that.
-font box sim/scenes/fixed_6x13.psf --chars 'i'
+font box sim/scenes/fixed_6x13.bdf --chars 'i'
 shows box 'xi' <<'EOF'
 P2
 12 13
