@@ -105,6 +105,19 @@ row_qxl() {
     pictures drm xrgb8888 8 drm:/dev/dri/card0
 }
 
+row_input() {
+    . /mnt/guest_input.sh
+    devices
+    buttons /mnt/pel
+    buttons /mnt/pel_gpiod2
+}
+
+row_faults_input() {
+    . /mnt/guest_input.sh
+    make_chip
+    faults "input:$chip:5=left,17/27=wheel"
+}
+
 # No screen: what is visible in its memory is the picture.
 row_vfb() {
     dump() {
