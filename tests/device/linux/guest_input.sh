@@ -159,8 +159,8 @@ touch_screen() {
     wait $touch_pid || fail "touch_device: status $?"
     event=$(told | sed -n '1s/ here//p')
     expect "touch" "$event here" "touch 0 at 100 50 down" \
-        "touch 1 at 900 250 down" "touch 0 at 101 50 again" \
-        "touch 0 at 101 50 up" "touch 1 at 900 250 up" "$event gone"
+        "touch 1 at 900 250 down" "touch 0 at 200 50 again" \
+        "touch 0 at 200 50 up" "touch 1 at 900 250 up" "$event gone"
 }
 
 # The outside pulls lines: 0 closes a contact to ground.
@@ -289,4 +289,46 @@ freed() {
     $pel input --only-buttons --buttons "$chip:5=left" --seconds 0.2 > $log 2>&1 ||
         fail "pel input: $(cat $log)"
     is_free && pass "the end: the lines are free" || fail "lines held"
+}
+
+tap() { # LINE
+    pull "$1" 0
+    usleep 80000
+    pull "$1" 1
+    usleep 80000
+}
+
+# Writes the view's picture number $1.
+take() { # NUMBER
+    wait_drawn
+    tap 6
+    becomes grep -q "^written: view-00$1" $log || fail "no picture $1"
+}
+
+# A button, an encoder and a finger turn a view; back is the first picture.
+view_by_hand() { # DEVICE
+    make_chip
+    modprobe uinput
+    modprobe evdev
+    cd /tmp || exit 2
+    rm -f view-*
+    start $pel view builtin:vase --still --device "$1" --jobs 2 \
+        --buttons "$chip:5=right,6=w,7=q,17/27=wheel-x"
+    take 1
+    tap 5
+    take 2
+    pull 27 0 17 0 27 1 17 1
+    take 3
+    /mnt/touch_device
+    take 4
+    tap 7
+    wait $pid
+    status=$?
+    if [ $status = 0 ] && cmp -s view-001.* view-003.* &&
+        ! cmp -s view-001.* view-002.* && ! cmp -s view-001.* view-004.*; then
+        pass "a view turned by hand"
+    else
+        fail "a view turned by hand: status $status: $(cat $log)"
+    fi
+    cd /mnt || exit 2
 }

@@ -96,6 +96,8 @@ row_virtio() {
     mode 32 xrgb8888 8 fb:/dev/fb0
     mesh fb:/dev/fb0
     view fb:/dev/fb0
+    . /mnt/guest_input.sh
+    view_by_hand fb:/dev/fb0
     pictures drm xrgb8888 8 drm:/dev/dri/card0
 }
 

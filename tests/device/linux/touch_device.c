@@ -47,7 +47,7 @@ int main(void)
         {EV_ABS, ABS_MT_POSITION_Y, 5000},
         {EV_SYN, SYN_REPORT, 0},
         {EV_ABS, ABS_MT_SLOT, 0},
-        {EV_ABS, ABS_MT_POSITION_X, 1010},
+        {EV_ABS, ABS_MT_POSITION_X, 2000},
         {EV_SYN, SYN_REPORT, 0},
         {EV_ABS, ABS_MT_TRACKING_ID, -1},
         {EV_SYN, SYN_REPORT, 0},
