@@ -24,13 +24,13 @@
 #include "base/point.h"
 #include "base/trig.h"
 #include "base/format.h"
-#include "base/hsv.h"
 #include "base/rect.h"
 #include "base/status.h"
 #include "base/surface.h"
 
 #include "format/argb8888.h"
 #include "format/formats.h"
+#include "format/palette.h"
 
 #include "raster/dirty.h"
 #include "raster/gouraud.h"
@@ -58,13 +58,14 @@
 #include "paint/paint_fan.h"
 #include "paint/paint_hue.h"
 #include "paint/paint_linear.h"
+#include "paint/paint_mask.h"
 #include "paint/paint_radial.h"
 #include "paint/paint_texture.h"
 
 #include "image/copy.h"
-#include "image/glyph.h"
 #include "image/glyph_text.h"
 #include "image/scroll.h"
+#include "image/text_column.h"
 
 #include "asset/font_asset.h"
 #include "asset/image_asset.h"
