@@ -46,6 +46,12 @@ struct pel_dithering {
     uint8_t depth[3];
 };
 
+/* Blue, green and red in 8.24, modulo 2^32: of the first pixel of a row, and
+ * from each to the next. */
+struct pel_planes {
+    uint32_t at[3], dx[3];
+};
+
 struct pel_format {
     uint8_t id;   /* enum pel_format_id; 128..255 for formats of your own */
     uint8_t bits; /* of a pixel: 1, 4, 8, 16, 24 or 32 */
@@ -76,6 +82,11 @@ struct pel_format {
                  int32_t n, pel_color *colors);
 
     const struct pel_dithering *dithering; /* NULL: dither is of no use */
+
+    /* n >= 1 opaque pixels whose channels are planes; or false, and nothing is
+     * done. May be NULL. */
+    bool (*planes)(const struct pel_surface *surface, int32_t x, int32_t y,
+                   int32_t n, const struct pel_planes *planes);
 };
 
 #endif

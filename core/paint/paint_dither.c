@@ -1,15 +1,39 @@
 #include "paint_dither.h"
 
 #include "../format/word.h"
-#include "../raster/edge.h"
 
-/* The Bayer matrix: 0..63, each once. */
-static const uint8_t matrix[8][8] = {
-    {0, 32, 8, 40, 2, 34, 10, 42},  {48, 16, 56, 24, 50, 18, 58, 26},
-    {12, 44, 4, 36, 14, 46, 6, 38}, {60, 28, 52, 20, 62, 30, 54, 22},
-    {3, 35, 11, 43, 1, 33, 9, 41},  {51, 19, 59, 27, 49, 17, 57, 25},
-    {15, 47, 7, 39, 13, 45, 5, 37}, {63, 31, 55, 23, 61, 29, 53, 21},
+/* A channel of n bits has 2^n - 1 steps from level to level: of 255 / (2^n - 1)
+ * or, 255 mod (2^n - 1) of them, one more. At a place whose number in the Bayer
+ * matrix is m, 0..63, a channel shows the next level when it is k beyond its
+ * own and 128 k > (2 m + 1) step: when k > floor((2 m + 1) step / 128). With
+ * the threshold 255 less these floors of all steps, every channel c shows level
+ *
+ *     floor(((2^n - 1) c + threshold) / 256).
+ */
+#define STEPS(n) ((1 << (n)) - 1)
+#define FLOORS(m, step) ((2 * (m) + 1) * (step) / 128)
+#define THRESHOLD(n, m)                                              \
+    (255 - (STEPS(n) - 255 % STEPS(n)) * FLOORS(m, 255 / STEPS(n)) - \
+     255 % STEPS(n) * FLOORS(m, 255 / STEPS(n) + 1))
+#define ROW(n, m)                                                              \
+    THRESHOLD(n, (m) ^ 0), THRESHOLD(n, (m) ^ 32), THRESHOLD(n, (m) ^ 8),      \
+        THRESHOLD(n, (m) ^ 40), THRESHOLD(n, (m) ^ 2), THRESHOLD(n, (m) ^ 34), \
+        THRESHOLD(n, (m) ^ 10), THRESHOLD(n, (m) ^ 42)
+#define PLACES(n)                                                         \
+    ROW(n, 0), ROW(n, 48), ROW(n, 12), ROW(n, 60), ROW(n, 3), ROW(n, 51), \
+        ROW(n, 15), ROW(n, 63)
+
+/* Of 1 to 7 bits, 8 rows of 8 places each. */
+enum { ROW_PLACES = 8, PLACES = 64 };
+static const uint8_t thresholds[7 * PLACES] = {
+    PLACES(1), PLACES(2), PLACES(3), PLACES(4), PLACES(5), PLACES(6), PLACES(7),
 };
+
+/* Those of n bits in row y. */
+static inline const uint8_t *row_of(uint32_t n, int32_t y)
+{
+    return &thresholds[(n - 1) * PLACES + ((uint32_t)y & 7) * ROW_PLACES];
+}
 
 /* The source draws into this surface, whose format passes on what it is given
  * to the target's, dithered. */
@@ -23,166 +47,203 @@ static const struct pel_surface *target_of(const struct pel_surface *proxy)
     return ((const struct proxy *)(const void *)proxy)->target;
 }
 
-/* A channel between two levels: the low one, how far to the high one, and how
- * much of that it has gone, times 128. */
-struct channel {
-    uint32_t low, step, gone;
-};
-
-/* 8 bits from fewer, which are the upper ones, repeated: what the format shows.
- */
-static inline uint32_t widened(uint32_t top, uint32_t bits)
+/* A channel of n bits, as 8 bits again. */
+static PEL_NOINLINE uint32_t dithered_channel(uint32_t c, uint32_t n, int32_t x,
+                                              int32_t y)
 {
-    uint32_t c = top | top >> bits;
-    if (bits < 4) {
-        c |= c >> 2 * bits;
-        c |= c >> 4 * bits;
-    }
-    return c;
+    const uint32_t threshold = row_of(n, y)[x & 7];
+    return pel_widen(((c << n) - c + threshold) >> 8, (int)n);
 }
 
-/* The level below the lowest of all is not asked for: 0 is a level. */
-static PEL_ALWAYS_INLINE struct channel channel_of(uint32_t c, uint32_t bits)
+static pel_color dithered(const struct pel_format *format, pel_color color,
+                          int32_t x, int32_t y)
 {
-    const uint32_t unit = 256u >> bits;
-    uint32_t top = c & (0u - unit), low = widened(top, bits);
-    if (low > c) {
-        top -= unit;
-        low = widened(top, bits);
-    }
-    if (low == c)
-        return (struct channel){c, 0, 0};
-    return (struct channel){low, widened(top + unit, bits) - low,
-                            (c - low) * 128};
-}
-
-/* Its value at a place of the matrix: the high level where it has gone more
- * than 2 m + 1 of 128. */
-static PEL_INLINE_LOOP uint32_t dithered_channel(uint32_t c, uint32_t bits,
-                                                 uint32_t m)
-{
-    const struct channel v = channel_of(c, bits);
-    return v.gone > (2 * m + 1) * v.step ? v.low + v.step : v.low;
-}
-
-static PEL_INLINE_LOOP pel_color dithered(const uint8_t depth[3],
-                                          pel_color color, uint32_t m)
-{
+    const uint8_t *const depth = format->dithering->depth;
     const pel_color alpha = color & UINT32_C(0xFF000000);
     if (depth[1] == 0)
         return alpha |
-               dithered_channel(pel_gray(color), depth[0], m) * 0x010101u;
-    return alpha | dithered_channel(pel_red(color), depth[0], m) << 16 |
-           dithered_channel(pel_green(color), depth[1], m) << 8 |
-           dithered_channel(pel_blue(color), depth[2], m);
+               dithered_channel(pel_gray(color), depth[0], x, y) * 0x010101u;
+    return alpha | dithered_channel(pel_red(color), depth[0], x, y) << 16 |
+           dithered_channel(pel_green(color), depth[1], x, y) << 8 |
+           dithered_channel(pel_blue(color), depth[2], x, y);
 }
 
-/* One opaque colour: its pixel value where every channel is low, the bits that
- * change where one is high, and how many places of the matrix that are. */
-struct levels {
-    uint32_t pixel, change[3];
-    uint8_t places[3];
+/* A row of pixels of 5-6-5 bits, R 15..11; its places are those of x. */
+struct row565 {
+    pel_word16 *p, *end;
+    const uint8_t *places;
+    int32_t x;
 };
 
-/* gone > (2 m + 1) step holds for (gone - 1) / step / 2, rounded up, m. */
-static uint32_t places_of(const struct channel *v)
+/* Those formats have loops of their own. */
+static inline bool is_565(const struct pel_format *format)
 {
-    int32_t rest;
-    if (v->gone == 0)
-        return 0;
-    return (uint32_t)(pel_floor_divide((int32_t)v->gone - 1, (int32_t)v->step,
-                                       &rest) +
-                      1) /
-           2;
+    return PEL_KNOW_SIDES && (format->id == PEL_FORMAT_RGB565_LE ||
+                              format->id == PEL_FORMAT_RGB565_BE);
 }
 
-static PEL_NOINLINE void levels_of(const struct pel_format *format,
-                                   pel_color color, struct levels *l)
+static struct row565 row565_of(const struct pel_surface *target, int32_t x,
+                               int32_t y, int32_t n)
 {
-    const uint8_t *depth = format->dithering->depth;
-    const bool gray = depth[1] == 0;
-    const pel_color c = gray ? pel_gray(color) * 0x010101u : color;
-    pel_color low = 0, high[3];
-    for (int k = 0; k < 3; k++) {
-        const struct channel v =
-            channel_of(c >> (16 - 8 * k) & 255, depth[gray ? 0 : k]);
-        low |= v.low << (16 - 8 * k);
-        high[k] = v.step * (gray ? 0x010101u : 0x010000u >> 8 * k);
-        l->places[k] = (uint8_t)(gray && k ? 0 : places_of(&v));
-    }
-    l->pixel = format->pack(low);
-    for (int k = 0; k < 3; k++)
-        l->change[k] = l->pixel ^ format->pack(low + high[k]);
+    pel_word16 *const p = pel_address16(target, x, y);
+    return (struct row565){p, p + n, row_of(5, y), x};
 }
 
-/* The pixel values of a row's columns [x, end), which go on repeating; on
- * 64-bit CPUs all eight. */
-static PEL_INLINE_LOOP void row_pattern(const struct levels *l, int32_t x,
-                                        int32_t end, const uint8_t row[8],
-                                        uint32_t pattern[8])
+/* Channels times 2^n - 1, red and blue in the halves of a word. */
+struct steps565 {
+    uint32_t red_blue, green;
+};
+
+static PEL_ALWAYS_INLINE struct steps565 steps565_of(uint32_t red_blue,
+                                                     uint32_t green)
 {
-    const uint32_t change0 = l->change[0], places0 = l->places[0];
-    const uint32_t change1 = l->change[1], places1 = l->places[1];
-    const uint32_t change2 = l->change[2], places2 = l->places[2];
-    const int32_t n = PEL_64BIT ? 8 : pel_min(end - x, 8);
-    for (int32_t i = 0; i < n; i++) {
-        const int32_t at = PEL_64BIT ? i : (x + i) & 7;
-        const uint32_t m = row[at];
-        pattern[at] = l->pixel ^ (m < places0 ? change0 : 0) ^
-                      (m < places1 ? change1 : 0) ^ (m < places2 ? change2 : 0);
+    return (struct steps565){(red_blue << 5) - red_blue, (green << 6) - green};
+}
+
+static PEL_ALWAYS_INLINE struct steps565 steps565_of_color(pel_color c)
+{
+    return steps565_of(c & 0xFF00FFu, c >> 8 & 0xFFu);
+}
+
+static PEL_ALWAYS_INLINE void store565(struct row565 *r, struct steps565 s,
+                                       bool swapped)
+{
+    const uint8_t *const place = r->places + (r->x++ & 7);
+    const uint32_t five = place[0], six = place[PLACES];
+    const uint32_t rb = s.red_blue + (five | five << 16), g = s.green + six;
+    const uint32_t pixel =
+        (rb >> 13 & 0xF800u) | (g >> 3 & 0x07E0u) | (rb >> 8 & 0x1Fu);
+    *r->p++ = (pel_word16)(swapped ? PEL_BE16(pixel) : PEL_LE16(pixel));
+}
+
+static PEL_ALWAYS_INLINE void fill565(struct row565 r, pel_color color,
+                                      bool swapped)
+{
+    const struct steps565 steps = steps565_of_color(color);
+    while (r.p < r.end)
+        store565(&r, steps, swapped);
+}
+
+/* How many colours before the first that is not opaque. */
+static PEL_ALWAYS_INLINE int32_t put565(struct row565 r,
+                                        const pel_color *colors, bool swapped)
+{
+    const pel_color *c = colors;
+    for (; r.p < r.end && pel_alpha(*c) == 255; c++)
+        store565(&r, steps565_of_color(*c), swapped);
+    return (int32_t)(c - colors);
+}
+
+static PEL_ALWAYS_INLINE void step565(struct row565 r,
+                                      const struct pel_planes *planes,
+                                      bool swapped)
+{
+    uint32_t blue = planes->at[0], green = planes->at[1], red = planes->at[2];
+    const uint32_t db = planes->dx[0], dg = planes->dx[1], dr = planes->dx[2];
+    for (; r.p < r.end; blue += db, green += dg, red += dr)
+        store565(&r, steps565_of(red >> 24 << 16 | blue >> 24, green >> 24),
+                 swapped);
+}
+
+static bool fill_planes(const struct pel_surface *surface, int32_t x, int32_t y,
+                        int32_t n, const struct pel_planes *planes)
+{
+    const struct pel_surface *target = target_of(surface);
+    if (!is_565(target->format))
+        return false;
+    const struct row565 row = row565_of(target, x, y, n);
+    if (target->format->id == PEL_FORMAT_RGB565_BE)
+        step565(row, planes, true);
+    else
+        step565(row, planes, false);
+    return true;
+}
+
+/* The pixels of an opaque colour, at most as many as until they repeat. */
+static void fill_first(const struct pel_surface *target, int32_t x, int32_t y,
+                       int32_t n, pel_color color)
+{
+    const struct pel_format *const format = target->format;
+    struct row565 row = row565_of(target, x, y, n);
+    if (!is_565(format))
+        for (; row.p < row.end; row.p++)
+            *row.p =
+                (pel_word16)format->pack(dithered(format, color, row.x++, y));
+    else if (format->id == PEL_FORMAT_RGB565_BE)
+        fill565(row, color, true);
+    else
+        fill565(row, color, false);
+}
+
+static PEL_NOINLINE void fill_run(const struct pel_surface *target, int32_t x,
+                                  int32_t y, int32_t n, pel_color color)
+{
+    const struct pel_format *const format = target->format;
+    uint32_t pixels[ROW_PLACES];
+    if (!format->dithering->pattern) {
+        pel_word16 *const p = pel_address16(target, x, y);
+        const int32_t first = pel_min(n, ROW_PLACES + ((uintptr_t)p >> 1 & 1));
+        fill_first(target, x, y, first, color);
+        pel_pattern16(p + first, n - first);
+        return;
     }
+    for (int32_t i = x; i < x + pel_min(n, ROW_PLACES); i++)
+        pixels[i & 7] = format->pack(dithered(format, color, i, y));
+    format->dithering->pattern(target, x, y, n, pixels);
 }
 
 static void fill_color(const struct pel_spans *spans, uint32_t color)
 {
-    const struct pel_surface *target = target_of(spans->surface);
-    struct levels levels;
-    uint32_t pattern[8];
+    const struct pel_span *span = spans->span;
     int32_t y = spans->y;
-    void (*const own)(const struct pel_surface *, int32_t, int32_t, int32_t,
-                      const uint32_t *) = target->format->dithering->pattern;
-    levels_of(target->format, color, &levels);
-    for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
-        const struct pel_span *span = &spans->span[i];
-        if (span->x0 >= span->x1)
-            continue;
-        row_pattern(&levels, span->x0, span->x1, matrix[y & 7], pattern);
-        (own ? own : pel_pattern16)(target, span->x0, y, span->x1 - span->x0,
-                                    pattern);
-    }
+    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step)
+        if (span->x0 < span->x1)
+            fill_run(target_of(spans->surface), span->x0, y,
+                     span->x1 - span->x0, color);
 }
 
-/* At a time; one where stack is short. */
-enum { PUT_PIXELS = PEL_KNOW_SIDES ? 8 : 1 };
+/* Colours of any alpha; more than one where there is stack for it. */
+static int32_t put_any(const struct pel_surface *target, int32_t x, int32_t y,
+                       int32_t n, const pel_color *colors)
+{
+    pel_color out[PEL_KNOW_SIDES ? 8 : 1];
+    n = pel_min(n, (int32_t)(sizeof out / sizeof *out));
+    for (int32_t i = 0; i < n; i++)
+        out[i] = dithered(target->format, colors[i], x + i, y);
+    target->format->put(target, x, y, n, out);
+    return n;
+}
+
+/* The opaque ones that come first. */
+static int32_t put_opaque(const struct pel_surface *target, int32_t x,
+                          int32_t y, int32_t n, const pel_color *colors)
+{
+    if (!is_565(target->format))
+        return 0;
+    const struct row565 row = row565_of(target, x, y, n);
+    return target->format->id == PEL_FORMAT_RGB565_BE
+               ? put565(row, colors, true)
+               : put565(row, colors, false);
+}
 
 static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
                        int32_t n, const pel_color *colors)
 {
-    const struct pel_surface *target = target_of(surface);
-    const uint8_t *const depth = target->format->dithering->depth;
-    const uint8_t *const row = matrix[y & 7];
-    pel_color out[PUT_PIXELS];
-    while (n > 0) {
-        const int32_t count = pel_min(n, PUT_PIXELS);
-        for (int32_t i = 0; i < count; i++)
-            out[i] = dithered(depth, colors[i], row[(x + i) & 7]);
-        target->format->put(target, x, y, count, out);
-        x += count;
-        n -= count;
-        colors += count;
+    const struct pel_surface *const target = target_of(surface);
+    for (int32_t done; n > 0; x += done, n -= done, colors += done) {
+        done = put_opaque(target, x, y, n, colors);
+        if (done == 0)
+            done = put_any(target, x, y, n, colors);
     }
 }
 
 static void blend_color(const struct pel_spans *spans, pel_color color)
 {
-    const struct pel_surface *target = target_of(spans->surface);
+    const struct pel_span *span = spans->span;
     int32_t y = spans->y;
-    for (int32_t i = 0; i < spans->n; i++, y += spans->step)
-        for (int32_t x = spans->span[i].x0; x < spans->span[i].x1; x++) {
-            const pel_color out = dithered(target->format->dithering->depth,
-                                           color, matrix[y & 7][x & 7]);
-            target->format->put(target, x, y, 1, &out);
-        }
+    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step)
+        for (int32_t x = span->x0; x < span->x1; x++)
+            put_any(target_of(spans->surface), x, y, 1, &color);
 }
 
 static void load_colors(const struct pel_surface *surface, int32_t x, int32_t y,
@@ -198,8 +259,8 @@ static uint32_t keep(uint32_t color)
 }
 
 static const struct pel_format proxy_format = {
-    255,        32,          4,          keep,        keep,
-    fill_color, blend_color, put_colors, load_colors, NULL,
+    255,         32,         4,           keep, keep,        fill_color,
+    blend_color, put_colors, load_colors, NULL, fill_planes,
 };
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)

@@ -37,6 +37,15 @@ static PEL_NOINLINE void fill_rgb565(const struct pel_gouraud *g,
                             v, &steps);
 }
 
+static PEL_NOINLINE bool fill_planes(const struct pel_gouraud *g,
+                                     const struct pel_surface *s, int32_t y,
+                                     const struct pel_span *span)
+{
+    struct pel_planes planes = {{0}, {g->dx[0], g->dx[1], g->dx[2]}};
+    pel_gouraud_at(g, span->x0, y, planes.at);
+    return s->format->planes(s, span->x0, y, span->x1 - span->x0, &planes);
+}
+
 /* Fills an opaque span in a format that has a writer of its own; else false. */
 static bool fill_direct(const struct pel_gouraud *g,
                         const struct pel_surface *s, int32_t y,
@@ -44,6 +53,8 @@ static bool fill_direct(const struct pel_gouraud *g,
 {
     if (!pel_gouraud_opaque(g) || !s->format->put)
         return false;
+    if (PEL_KNOW_SIDES && s->format->planes && span->x0 < span->x1)
+        return fill_planes(g, s, y, span);
     if (s->format->id == PEL_FORMAT_RGB565_LE)
         fill_rgb565(g, s, y, span);
     else if (PEL_KNOW_SIDES && s->format->id == PEL_FORMAT_XRGB8888)
