@@ -15,24 +15,26 @@
 #define THRESHOLD(n, m)                                              \
     (255 - (STEPS(n) - 255 % STEPS(n)) * FLOORS(m, 255 / STEPS(n)) - \
      255 % STEPS(n) * FLOORS(m, 255 / STEPS(n) + 1))
-#define ROW(n, m)                                                              \
+#define PLACES(n, m)                                                           \
     THRESHOLD(n, (m) ^ 0), THRESHOLD(n, (m) ^ 32), THRESHOLD(n, (m) ^ 8),      \
         THRESHOLD(n, (m) ^ 40), THRESHOLD(n, (m) ^ 2), THRESHOLD(n, (m) ^ 34), \
         THRESHOLD(n, (m) ^ 10), THRESHOLD(n, (m) ^ 42)
-#define PLACES(n)                                                         \
-    ROW(n, 0), ROW(n, 48), ROW(n, 12), ROW(n, 60), ROW(n, 3), ROW(n, 51), \
-        ROW(n, 15), ROW(n, 63)
+#define ROW(m)                                                                \
+    {                                                                         \
+        PLACES(1, m), PLACES(2, m), PLACES(3, m), PLACES(4, m), PLACES(5, m), \
+            PLACES(6, m), PLACES(7, m)                                        \
+    }
 
-/* Of 1 to 7 bits, 8 rows of 8 places each. */
-enum { ROW_PLACES = 8, PLACES = 64 };
-static const uint8_t thresholds[7 * PLACES] = {
-    PLACES(1), PLACES(2), PLACES(3), PLACES(4), PLACES(5), PLACES(6), PLACES(7),
+/* Of the rows of the matrix: 8 places for 1 bit, 8 for 2, up to 7. */
+enum { SIDE = 8 };
+static const uint8_t thresholds[SIDE][7 * SIDE] = {
+    ROW(0), ROW(48), ROW(12), ROW(60), ROW(3), ROW(51), ROW(15), ROW(63),
 };
 
 /* Those of n bits in row y. */
-static inline const uint8_t *row_of(uint32_t n, int32_t y)
+static inline const uint8_t *places_of(uint32_t n, int32_t y)
 {
-    return &thresholds[(n - 1) * PLACES + ((uint32_t)y & 7) * ROW_PLACES];
+    return &thresholds[y & 7][(n - 1) * SIDE];
 }
 
 /* The source draws into this surface, whose format passes on what it is given
@@ -51,7 +53,7 @@ static const struct pel_surface *target_of(const struct pel_surface *proxy)
 static PEL_NOINLINE uint32_t dithered_channel(uint32_t c, uint32_t n, int32_t x,
                                               int32_t y)
 {
-    const uint32_t threshold = row_of(n, y)[x & 7];
+    const uint32_t threshold = places_of(n, y)[x & 7];
     return pel_widen(((c << n) - c + threshold) >> 8, (int)n);
 }
 
@@ -86,7 +88,7 @@ static struct row565 row565_of(const struct pel_surface *target, int32_t x,
                                int32_t y, int32_t n)
 {
     pel_word16 *const p = pel_address16(target, x, y);
-    return (struct row565){p, p + n, row_of(5, y), x};
+    return (struct row565){p, p + n, places_of(5, y), x};
 }
 
 /* Channels times 2^n - 1, red and blue in the halves of a word. */
@@ -109,19 +111,35 @@ static PEL_ALWAYS_INLINE void store565(struct row565 *r, struct steps565 s,
                                        bool swapped)
 {
     const uint8_t *const place = r->places + (r->x++ & 7);
-    const uint32_t five = place[0], six = place[PLACES];
+    const uint32_t five = place[0], six = place[SIDE];
     const uint32_t rb = s.red_blue + (five | five << 16), g = s.green + six;
-    const uint32_t pixel =
-        (rb >> 13 & 0xF800u) | (g >> 3 & 0x07E0u) | (rb >> 8 & 0x1Fu);
+    const uint32_t levels = rb & UINT32_C(0x1F001F00);
+    const uint32_t pixel = levels >> 13 | (g >> 3 & 0x07E0u) | levels >> 8;
     *r->p++ = (pel_word16)(swapped ? PEL_BE16(pixel) : PEL_LE16(pixel));
 }
 
-static PEL_ALWAYS_INLINE void fill565(struct row565 r, pel_color color,
-                                      bool swapped)
+/* Pixels that are stored one by one, of n; the rest are as those before. */
+static inline int32_t first_of(int32_t n, const pel_word16 *p)
+{
+    return n < 2 * SIDE ? n : SIDE + ((uintptr_t)p % 4 != 0);
+}
+
+static PEL_ALWAYS_INLINE void fill565(const struct pel_surface *target,
+                                      const struct pel_spans *spans,
+                                      pel_color color, bool swapped)
 {
     const struct steps565 steps = steps565_of_color(color);
-    while (r.p < r.end)
-        store565(&r, steps, swapped);
+    const struct pel_span *span = spans->span;
+    int32_t y = spans->y;
+    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
+        const int32_t n = span->x1 - span->x0;
+        struct row565 r = row565_of(target, span->x0, y, n);
+        pel_word16 *const first = r.p + first_of(n, r.p);
+        while (r.p < first)
+            store565(&r, steps, swapped);
+        if (r.p < r.end)
+            pel_pattern16(r.p, (int32_t)(r.end - r.p));
+    }
 }
 
 /* How many colours before the first that is not opaque. */
@@ -159,47 +177,39 @@ static bool fill_planes(const struct pel_surface *surface, int32_t x, int32_t y,
     return true;
 }
 
-/* The pixels of an opaque colour, at most as many as until they repeat. */
-static void fill_first(const struct pel_surface *target, int32_t x, int32_t y,
-                       int32_t n, pel_color color)
+/* Pixels of one opaque colour in any format. */
+static PEL_NOINLINE void fill_row(const struct pel_surface *target, int32_t y,
+                                  const struct pel_span *span, pel_color color)
 {
     const struct pel_format *const format = target->format;
-    struct row565 row = row565_of(target, x, y, n);
-    if (!is_565(format))
-        for (; row.p < row.end; row.p++)
-            *row.p =
-                (pel_word16)format->pack(dithered(format, color, row.x++, y));
-    else if (format->id == PEL_FORMAT_RGB565_BE)
-        fill565(row, color, true);
-    else
-        fill565(row, color, false);
-}
-
-static PEL_NOINLINE void fill_run(const struct pel_surface *target, int32_t x,
-                                  int32_t y, int32_t n, pel_color color)
-{
-    const struct pel_format *const format = target->format;
-    uint32_t pixels[ROW_PLACES];
-    if (!format->dithering->pattern) {
-        pel_word16 *const p = pel_address16(target, x, y);
-        const int32_t first = pel_min(n, ROW_PLACES + ((uintptr_t)p >> 1 & 1));
-        fill_first(target, x, y, first, color);
-        pel_pattern16(p + first, n - first);
+    const int32_t x = span->x0, n = span->x1 - x;
+    pel_word16 *p = pel_address16(target, x, y);
+    uint32_t pixels[SIDE];
+    for (int32_t i = x; i < x + pel_min(n, SIDE); i++)
+        pixels[i & 7] = format->pack(dithered(format, color, i, y));
+    if (format->dithering->pattern) {
+        format->dithering->pattern(target, x, y, n, pixels);
         return;
     }
-    for (int32_t i = x; i < x + pel_min(n, ROW_PLACES); i++)
-        pixels[i & 7] = format->pack(dithered(format, color, i, y));
-    format->dithering->pattern(target, x, y, n, pixels);
+    const int32_t first = first_of(n, p);
+    for (int32_t i = x; i < x + first; i++)
+        *p++ = (pel_word16)pixels[i & 7];
+    pel_pattern16(p, n - first);
 }
 
 static void fill_color(const struct pel_spans *spans, uint32_t color)
 {
+    const struct pel_surface *const target = target_of(spans->surface);
     const struct pel_span *span = spans->span;
     int32_t y = spans->y;
-    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step)
-        if (span->x0 < span->x1)
-            fill_run(target_of(spans->surface), span->x0, y,
-                     span->x1 - span->x0, color);
+    if (target->format->id == PEL_FORMAT_RGB565_LE && is_565(target->format))
+        fill565(target, spans, color, false);
+    else if (is_565(target->format))
+        fill565(target, spans, color, true);
+    else
+        for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step)
+            if (span->x0 < span->x1)
+                fill_row(target, y, span, color);
 }
 
 /* Colours of any alpha; more than one where there is stack for it. */
