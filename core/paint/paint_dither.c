@@ -73,8 +73,7 @@ static pel_color dithered(const struct pel_format *format, pel_color color,
 /* A row of pixels of 5-6-5 bits, R 15..11; its places are those of x. */
 struct row565 {
     pel_word16 *p, *end;
-    const uint8_t *places;
-    int32_t x;
+    const uint8_t *place, *wrap;
 };
 
 /* Those formats have loops of their own. */
@@ -88,7 +87,8 @@ static struct row565 row565_of(const struct pel_surface *target, int32_t x,
                                int32_t y, int32_t n)
 {
     pel_word16 *const p = pel_address16(target, x, y);
-    return (struct row565){p, p + n, places_of(5, y), x};
+    const uint8_t *const places = places_of(5, y);
+    return (struct row565){p, p + n, places + (x & 7), places + SIDE};
 }
 
 /* Channels times 2^n - 1, red and blue in the halves of a word. */
@@ -107,14 +107,16 @@ static PEL_ALWAYS_INLINE struct steps565 steps565_of_color(pel_color c)
     return steps565_of(c & 0xFF00FFu, c >> 8 & 0xFFu);
 }
 
-static PEL_ALWAYS_INLINE void store565(pel_word16 *p, const uint8_t *place,
-                                       struct steps565 s, bool swapped)
+static PEL_ALWAYS_INLINE void store565(struct row565 *r, struct steps565 s,
+                                       bool swapped)
 {
-    const uint32_t five = place[0], six = place[SIDE];
+    const uint32_t five = r->place[0], six = r->place[SIDE];
     const uint32_t rb = s.red_blue + (five | five << 16), g = s.green + six;
     const uint32_t levels = rb & UINT32_C(0x1F001F00);
-    const uint32_t pixel = levels >> 13 | (g >> 3 & 0x07E0u) | levels >> 8;
-    *p = (pel_word16)(swapped ? PEL_BE16(pixel) : PEL_LE16(pixel));
+    const uint32_t pixel = levels >> 13 | g >> 8 << 5 | levels >> 8;
+    *r->p++ = (pel_word16)(swapped ? PEL_BE16(pixel) : PEL_LE16(pixel));
+    if (++r->place == r->wrap)
+        r->place -= SIDE;
 }
 
 /* Pixels that are stored one by one, of n; the rest are as those before. */
@@ -134,12 +136,12 @@ static PEL_ALWAYS_INLINE void fill565(const struct pel_surface *target,
         const int32_t n = span->x1 - span->x0;
         if (n <= 0)
             continue;
-        const struct row565 r = row565_of(target, span->x0, y, n);
-        const int32_t first = first_of(n, r.p);
-        for (int32_t k = 0; k < first; k++)
-            store565(r.p + k, r.places + ((r.x + k) & 7), steps, swapped);
-        if (first < n)
-            pel_pattern16(r.p + first, n - first);
+        struct row565 r = row565_of(target, span->x0, y, n);
+        pel_word16 *const first = r.p + first_of(n, r.p);
+        while (r.p < first)
+            store565(&r, steps, swapped);
+        if (first < r.end)
+            pel_pattern16(first, (int32_t)(r.end - first));
     }
 }
 
@@ -148,8 +150,8 @@ static PEL_ALWAYS_INLINE int32_t put565(struct row565 r,
                                         const pel_color *colors, bool swapped)
 {
     const pel_color *c = colors;
-    for (; r.p < r.end && pel_alpha(*c) == 255; c++, r.p++, r.x++)
-        store565(r.p, r.places + (r.x & 7), steps565_of_color(*c), swapped);
+    for (; r.p < r.end && pel_alpha(*c) == 255; c++)
+        store565(&r, steps565_of_color(*c), swapped);
     return (int32_t)(c - colors);
 }
 
@@ -159,20 +161,9 @@ static PEL_ALWAYS_INLINE void step565(struct row565 r,
 {
     uint32_t blue = planes->at[0], green = planes->at[1], red = planes->at[2];
     const uint32_t db = planes->dx[0], dg = planes->dx[1], dr = planes->dx[2];
-    for (; r.p < r.end; r.x = 0) {
-        const uint8_t *place = r.places + (r.x & 7),
-                      *const last =
-                          r.places +
-                          pel_min(8, (r.x & 7) + (int32_t)(r.end - r.p));
-        do {
-            store565(r.p++, place++,
-                     steps565_of(red >> 24 << 16 | blue >> 24, green >> 24),
-                     swapped);
-            blue += db;
-            green += dg;
-            red += dr;
-        } while (place < last);
-    }
+    for (; r.p < r.end; blue += db, green += dg, red += dr)
+        store565(&r, steps565_of(red >> 24 << 16 | blue >> 24, green >> 24),
+                 swapped);
 }
 
 static bool fill_planes(const struct pel_surface *surface, int32_t x, int32_t y,
