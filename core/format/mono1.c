@@ -9,7 +9,7 @@ static void fill(const struct pel_spans *spans, uint32_t pixel)
     pel_fill_bits(spans, pixel ? 0xFFu : 0u);
 }
 
-static const struct pel_dithering dithering = {pattern, {1, 0, 0}};
+static const struct pel_dithering dithering = {pattern_bits, {1, 0, 0}};
 
 const struct pel_format pel_mono1 = {
     .id = PEL_FORMAT_MONO1,

@@ -1,17 +1,18 @@
 #include "word.h"
 
-/* Where speed counts in pairs: p is at the address of a pair. */
-void pel_pattern16(pel_word16 *p, int32_t n)
+/* In pairs where speed counts. */
+void pel_pattern16(const struct pel_surface *s, int32_t x, int32_t y, int32_t n)
 {
+    pel_word16 *p = pel_address16(s, x, y);
     pel_word16 *const end = p + n;
-    if (PEL_KNOW_SIDES) {
-        pel_word32 *q = (pel_word32 *)(void *)p;
-        for (; end - p >= 8; p += 8, q += 4) {
-            q[0] = q[-4];
-            q[1] = q[-3];
-            q[2] = q[-2];
-            q[3] = q[-1];
-        }
+    for (; p < end && (!PEL_KNOW_SIDES || (uintptr_t)p % 4); p++)
+        *p = p[-8];
+    pel_word32 *q = (pel_word32 *)(void *)p;
+    for (; end - p >= 8; p += 8, q += 4) {
+        q[0] = q[-4];
+        q[1] = q[-3];
+        q[2] = q[-2];
+        q[3] = q[-1];
     }
     for (; p < end; p++)
         *p = p[-8];

@@ -37,6 +37,13 @@ static inline const uint8_t *places_of(uint32_t n, int32_t y)
     return &thresholds[y & 7][(n - 1) * SIDE];
 }
 
+/* How many of n pixels of one colour are worked out; others are like the one
+ * eight before them. */
+static inline int32_t first_of(int32_t n)
+{
+    return n < 2 * SIDE ? n : SIDE;
+}
+
 /* The source draws into this surface, whose format passes on what it is given
  * to the target's, dithered. */
 struct proxy {
@@ -68,6 +75,13 @@ static pel_color dithered(const struct pel_format *format, pel_color color,
     return alpha | dithered_channel(pel_red(color), depth[0], x, y) << 16 |
            dithered_channel(pel_green(color), depth[1], x, y) << 8 |
            dithered_channel(pel_blue(color), depth[2], x, y);
+}
+
+static PEL_ALWAYS_INLINE void put_pixel(const struct pel_surface *target,
+                                        int32_t x, int32_t y, pel_color color)
+{
+    const pel_color out = dithered(target->format, color, x, y);
+    target->format->put(target, x, y, 1, &out);
 }
 
 /* A row of pixels of 5-6-5 bits, R 15..11; its places are those of x. */
@@ -119,12 +133,6 @@ static PEL_ALWAYS_INLINE void store565(struct row565 *r, struct steps565 s,
         r->place -= SIDE;
 }
 
-/* Pixels that are stored one by one, of n; the rest are as those before. */
-static inline int32_t first_of(int32_t n, const pel_word16 *p)
-{
-    return n < 2 * SIDE ? n : SIDE + ((uintptr_t)p % 4 != 0);
-}
-
 static PEL_ALWAYS_INLINE void fill565(const struct pel_surface *target,
                                       const struct pel_spans *spans,
                                       pel_color color, bool swapped)
@@ -133,15 +141,14 @@ static PEL_ALWAYS_INLINE void fill565(const struct pel_surface *target,
     const struct pel_span *span = spans->span;
     int32_t y = spans->y;
     for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
-        const int32_t n = span->x1 - span->x0;
+        const int32_t n = span->x1 - span->x0, first = first_of(n);
         if (n <= 0)
             continue;
-        struct row565 r = row565_of(target, span->x0, y, n);
-        pel_word16 *const first = r.p + first_of(n, r.p);
-        while (r.p < first)
+        struct row565 r = row565_of(target, span->x0, y, first);
+        while (r.p < r.end)
             store565(&r, steps, swapped);
-        if (first < r.end)
-            pel_pattern16(first, (int32_t)(r.end - first));
+        if (first < n)
+            pel_pattern16(target, span->x0 + first, y, n - first);
     }
 }
 
@@ -180,53 +187,6 @@ static bool fill_planes(const struct pel_surface *surface, int32_t x, int32_t y,
     return true;
 }
 
-/* Pixels of one opaque colour in any format. */
-static PEL_NOINLINE void fill_row(const struct pel_surface *target, int32_t y,
-                                  const struct pel_span *span, pel_color color)
-{
-    const struct pel_format *const format = target->format;
-    const int32_t x = span->x0, n = span->x1 - x;
-    pel_word16 *p = pel_address16(target, x, y);
-    uint32_t pixels[SIDE];
-    for (int32_t i = x; i < x + pel_min(n, SIDE); i++)
-        pixels[i & 7] = format->pack(dithered(format, color, i, y));
-    if (format->dithering->pattern) {
-        format->dithering->pattern(target, x, y, n, pixels);
-        return;
-    }
-    const int32_t first = first_of(n, p);
-    for (int32_t i = x; i < x + first; i++)
-        *p++ = (pel_word16)pixels[i & 7];
-    pel_pattern16(p, n - first);
-}
-
-static void fill_color(const struct pel_spans *spans, uint32_t color)
-{
-    const struct pel_surface *const target = target_of(spans->surface);
-    const struct pel_span *span = spans->span;
-    int32_t y = spans->y;
-    if (target->format->id == PEL_FORMAT_RGB565_LE && is_565(target->format))
-        fill565(target, spans, color, false);
-    else if (is_565(target->format))
-        fill565(target, spans, color, true);
-    else
-        for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step)
-            if (span->x0 < span->x1)
-                fill_row(target, y, span, color);
-}
-
-/* Colours of any alpha; more than one where there is stack for it. */
-static int32_t put_any(const struct pel_surface *target, int32_t x, int32_t y,
-                       int32_t n, const pel_color *colors)
-{
-    pel_color out[PEL_KNOW_SIDES ? 8 : 1];
-    n = pel_min(n, (int32_t)(sizeof out / sizeof *out));
-    for (int32_t i = 0; i < n; i++)
-        out[i] = dithered(target->format, colors[i], x + i, y);
-    target->format->put(target, x, y, n, out);
-    return n;
-}
-
 /* The opaque ones that come first. */
 static int32_t put_opaque(const struct pel_surface *target, int32_t x,
                           int32_t y, int32_t n, const pel_color *colors)
@@ -243,20 +203,38 @@ static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
                        int32_t n, const pel_color *colors)
 {
     const struct pel_surface *const target = target_of(surface);
-    for (int32_t done; n > 0; x += done, n -= done, colors += done) {
-        done = put_opaque(target, x, y, n, colors);
-        if (done == 0)
-            done = put_any(target, x, y, n, colors);
+    for (const int32_t end = x + n; x < end;) {
+        const int32_t done = put_opaque(target, x, y, end - x, colors);
+        x += done;
+        colors += done;
+        if (x < end)
+            put_pixel(target, x++, y, *colors++);
     }
 }
 
-static void blend_color(const struct pel_spans *spans, pel_color color)
+/* One colour of any alpha. */
+static void fill_color(const struct pel_spans *spans, pel_color color)
 {
+    const struct pel_surface *const target = target_of(spans->surface);
+    const struct pel_format *const format = target->format;
+    if (is_565(format) && pel_alpha(color) == 255) {
+        if (format->id == PEL_FORMAT_RGB565_BE)
+            fill565(target, spans, color, true);
+        else
+            fill565(target, spans, color, false);
+        return;
+    }
     const struct pel_span *span = spans->span;
     int32_t y = spans->y;
-    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step)
-        for (int32_t x = span->x0; x < span->x1; x++)
-            put_any(target_of(spans->surface), x, y, 1, &color);
+    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
+        int32_t x = span->x0, n = span->x1 - x;
+        for (int32_t k = pel_alpha(color) < 255 ? n : first_of(n); k > 0;
+             k--, n--)
+            put_pixel(target, x++, y, color);
+        if (n > 0)
+            (format->dithering->pattern ? format->dithering->pattern
+                                        : pel_pattern16)(target, x, y, n);
+    }
 }
 
 static void load_colors(const struct pel_surface *surface, int32_t x, int32_t y,
@@ -266,15 +244,26 @@ static void load_colors(const struct pel_surface *surface, int32_t x, int32_t y,
     target->format->load(target, x, y, n, colors);
 }
 
-static uint32_t keep(uint32_t color)
+static uint32_t opaque(uint32_t color)
 {
-    return color;
+    return color | UINT32_C(0xFF000000);
 }
 
 static const struct pel_format proxy_format = {
-    255,         32,         4,           keep, keep,        fill_color,
-    blend_color, put_colors, load_colors, NULL, fill_planes,
+    255,        32,         4,           opaque, opaque,      fill_color,
+    fill_color, put_colors, load_colors, NULL,   fill_planes, target_of,
 };
+
+/* A function of its own, to spare the stack of the source. */
+static PEL_NOINLINE_32 void set_proxy(struct proxy *proxy, struct pel_spans *to,
+                                      const struct pel_spans *spans)
+{
+    proxy->surface = *spans->surface;
+    proxy->surface.format = &proxy_format;
+    proxy->target = spans->surface;
+    *to = *spans;
+    to->surface = &proxy->surface;
+}
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
@@ -282,17 +271,13 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     PEL_ASSERT(source->fill != fill);
     if (source->fill == fill)
         return;
-    if (!spans->surface->format->dithering) {
-        source->fill(source, spans);
-        return;
-    }
     struct proxy proxy;
-    struct pel_spans all = *spans;
-    proxy.surface = *spans->surface;
-    proxy.surface.format = &proxy_format;
-    proxy.target = spans->surface;
-    all.surface = &proxy.surface;
-    source->fill(source, &all);
+    struct pel_spans all;
+    if (spans->surface->format->dithering) {
+        set_proxy(&proxy, &all, spans);
+        spans = &all;
+    }
+    source->fill(source, spans);
 }
 
 enum pel_status pel_dither_init(struct pel_dither *paint,

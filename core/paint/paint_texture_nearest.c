@@ -192,6 +192,7 @@ static void copy_run(const struct copy *c, int32_t x, int32_t y)
 }
 
 static PEL_NOINLINE void copy_rows(const struct pel_texture *p,
+                                   const struct pel_surface *surface,
                                    const struct pel_spans *spans)
 {
     const struct pel_span *span = spans->span;
@@ -200,7 +201,7 @@ static PEL_NOINLINE void copy_rows(const struct pel_texture *p,
          i++, span++, y += spans->step) {
         if (span->x0 >= span->x1)
             continue;
-        c.out = pel_address16(spans->surface, span->x0, y);
+        c.out = pel_address16(surface, span->x0, y);
         c.end = c.out + (span->x1 - span->x0);
         copy_run(&c, span->x0, y);
     }
@@ -209,8 +210,11 @@ static PEL_NOINLINE void copy_rows(const struct pel_texture *p,
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_texture *p = (const void *)paint;
-    if (pel_texture_is_copied(p, spans->surface->format))
-        copy_rows(p, spans);
+    const struct pel_surface *s = spans->surface;
+    if (PEL_KNOW_SIDES && s->format->target)
+        s = s->format->target(s);
+    if (pel_texture_is_copied(p, s->format))
+        copy_rows(p, s, spans);
     else
         pel_color_paint_fill(paint, spans);
 }
