@@ -2,6 +2,8 @@
 
 #include "../format/word.h"
 
+#define OPAQUE UINT32_C(0xFF000000)
+
 /* A channel of n bits has 2^n - 1 steps from level to level: of 255 / (2^n - 1)
  * or, 255 mod (2^n - 1) of them, one more. At a place whose number in the Bayer
  * matrix is m, 0..63, a channel shows the next level when it is k beyond its
@@ -37,18 +39,13 @@ static inline const uint8_t *places_of(uint32_t n, int32_t y)
     return &thresholds[y & 7][(n - 1) * SIDE];
 }
 
-/* How many of n pixels of one colour are worked out; others are like the one
- * eight before them. */
-static inline int32_t first_of(int32_t n)
-{
-    return n < 2 * SIDE ? n : SIDE;
-}
-
 /* The source draws into this surface, whose format passes on what it is given
  * to the target's, dithered. */
 struct proxy {
     struct pel_surface surface;
     const struct pel_surface *target;
+    struct pel_spans spans; /* on it */
+    pel_color out;          /* of a pixel: here it takes no more stack */
 };
 
 static const struct pel_surface *target_of(const struct pel_surface *proxy)
@@ -64,24 +61,42 @@ static PEL_NOINLINE uint32_t dithered_channel(uint32_t c, uint32_t n, int32_t x,
     return pel_widen(((c << n) - c + threshold) >> 8, (int)n);
 }
 
-static pel_color dithered(const struct pel_format *format, pel_color color,
-                          int32_t x, int32_t y)
+/* Sets the colour that a pixel gets: red, green and blue one after the other.
+ */
+static PEL_NOINLINE_32 void set_out(struct proxy *proxy, int32_t x, int32_t y,
+                                    pel_color color)
 {
-    const uint8_t *const depth = format->dithering->depth;
-    const pel_color alpha = color & UINT32_C(0xFF000000);
-    if (depth[1] == 0)
-        return alpha |
-               dithered_channel(pel_gray(color), depth[0], x, y) * 0x010101u;
-    return alpha | dithered_channel(pel_red(color), depth[0], x, y) << 16 |
-           dithered_channel(pel_green(color), depth[1], x, y) << 8 |
-           dithered_channel(pel_blue(color), depth[2], x, y);
+    const uint8_t *depth = proxy->target->format->dithering->depth;
+    pel_color out = pel_alpha(color);
+    if (depth[1] == 0) {
+        out = out << 24 |
+              dithered_channel(pel_gray(color), depth[0], x, y) * 0x010101u;
+    } else {
+        for (const uint8_t *const end = depth + 3; depth < end; depth++) {
+            color <<= 8;
+            out = out << 8 | dithered_channel(color >> 24, *depth, x, y);
+        }
+    }
+    proxy->out = out;
 }
 
-static PEL_ALWAYS_INLINE void put_pixel(const struct pel_surface *target,
+/* One pixel of a colour of any alpha, of the surface of a proxy. */
+static PEL_ALWAYS_INLINE void put_pixel(const struct pel_surface *surface,
                                         int32_t x, int32_t y, pel_color color)
 {
-    const pel_color out = dithered(target->format, color, x, y);
-    target->format->put(target, x, y, 1, &out);
+    struct proxy *const proxy = (struct proxy *)(void *)surface;
+    set_out(proxy, x, y, color);
+    proxy->target->format->put(proxy->target, x, y, 1, &proxy->out);
+}
+
+/* n >= 1 pixels like those before. */
+static void repeat_pixels(const struct pel_surface *target, int32_t x,
+                          int32_t y, int32_t n)
+{
+    if (target->format->dithering->pattern)
+        target->format->dithering->pattern(target, x, y, n);
+    else
+        pel_pattern16(target, x, y, n);
 }
 
 /* A row of pixels of 5-6-5 bits, R 15..11; its places are those of x. */
@@ -141,7 +156,7 @@ static PEL_ALWAYS_INLINE void fill565(const struct pel_surface *target,
     const struct pel_span *span = spans->span;
     int32_t y = spans->y;
     for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
-        const int32_t n = span->x1 - span->x0, first = first_of(n);
+        const int32_t n = span->x1 - span->x0, first = n < 2 * SIDE ? n : SIDE;
         if (n <= 0)
             continue;
         struct row565 r = row565_of(target, span->x0, y, first);
@@ -150,6 +165,18 @@ static PEL_ALWAYS_INLINE void fill565(const struct pel_surface *target,
         if (first < n)
             pel_pattern16(target, span->x0 + first, y, n - first);
     }
+}
+
+static bool fill_opaque(const struct pel_spans *spans, pel_color color)
+{
+    const struct pel_surface *const target = target_of(spans->surface);
+    if (!is_565(target->format))
+        return false;
+    if (target->format->id == PEL_FORMAT_RGB565_BE)
+        fill565(target, spans, color, true);
+    else
+        fill565(target, spans, color, false);
+    return true;
 }
 
 /* How many colours before the first that is not opaque. */
@@ -208,33 +235,25 @@ static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
         x += done;
         colors += done;
         if (x < end)
-            put_pixel(target, x++, y, *colors++);
+            put_pixel(surface, x++, y, *colors++);
     }
 }
 
-/* One colour of any alpha. */
+/* One colour of any alpha. Little is kept over the calls, to spare stack. */
 static void fill_color(const struct pel_spans *spans, pel_color color)
 {
-    const struct pel_surface *const target = target_of(spans->surface);
-    const struct pel_format *const format = target->format;
-    if (is_565(format) && pel_alpha(color) == 255) {
-        if (format->id == PEL_FORMAT_RGB565_BE)
-            fill565(target, spans, color, true);
-        else
-            fill565(target, spans, color, false);
-        return;
-    }
     const struct pel_span *span = spans->span;
     int32_t y = spans->y;
-    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
-        int32_t x = span->x0, n = span->x1 - x;
-        for (int32_t k = pel_alpha(color) < 255 ? n : first_of(n); k > 0;
-             k--, n--)
-            put_pixel(target, x++, y, color);
-        if (n > 0)
-            (format->dithering->pattern ? format->dithering->pattern
-                                        : pel_pattern16)(target, x, y, n);
-    }
+    if (color >= OPAQUE && fill_opaque(spans, color))
+        return;
+    for (; span < spans->span + spans->n; span++, y += spans->step)
+        for (int32_t x = span->x0; x < span->x1; x++) {
+            if (x - span->x0 == SIDE && color >= OPAQUE) {
+                repeat_pixels(target_of(spans->surface), x, y, span->x1 - x);
+                break;
+            }
+            put_pixel(spans->surface, x, y, color);
+        }
 }
 
 static void load_colors(const struct pel_surface *surface, int32_t x, int32_t y,
@@ -246,7 +265,7 @@ static void load_colors(const struct pel_surface *surface, int32_t x, int32_t y,
 
 static uint32_t opaque(uint32_t color)
 {
-    return color | UINT32_C(0xFF000000);
+    return color | OPAQUE;
 }
 
 static const struct pel_format proxy_format = {
@@ -254,30 +273,35 @@ static const struct pel_format proxy_format = {
     fill_color, put_colors, load_colors, NULL,   fill_planes, target_of,
 };
 
-/* A function of its own, to spare the stack of the source. */
-static PEL_NOINLINE_32 void set_proxy(struct proxy *proxy, struct pel_spans *to,
-                                      const struct pel_spans *spans)
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans);
+
+/* What the source is to colour; NULL: it is a dither itself. A function of its
+ * own, to spare the stack of the source. */
+static PEL_NOINLINE_32 const struct pel_spans *spans_of(
+    struct proxy *proxy, const struct pel_dither *paint,
+    const struct pel_spans *spans)
 {
+    const struct pel_paint *const source = paint->source;
+    PEL_ASSERT(source->fill != fill);
+    if (source->fill == fill)
+        return NULL;
+    if (!spans->surface->format->dithering)
+        return spans;
     proxy->surface = *spans->surface;
     proxy->surface.format = &proxy_format;
     proxy->target = spans->surface;
-    *to = *spans;
-    to->surface = &proxy->surface;
+    proxy->spans = *spans;
+    proxy->spans.surface = &proxy->surface;
+    return &proxy->spans;
 }
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
-    const struct pel_paint *source = ((const struct pel_dither *)paint)->source;
-    PEL_ASSERT(source->fill != fill);
-    if (source->fill == fill)
-        return;
+    const struct pel_dither *const dither = (const void *)paint;
     struct proxy proxy;
-    struct pel_spans all;
-    if (spans->surface->format->dithering) {
-        set_proxy(&proxy, &all, spans);
-        spans = &all;
-    }
-    source->fill(source, spans);
+    spans = spans_of(&proxy, dither, spans);
+    if (spans)
+        dither->source->fill(dither->source, spans);
 }
 
 enum pel_status pel_dither_init(struct pel_dither *paint,
