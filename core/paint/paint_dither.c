@@ -39,13 +39,16 @@ static inline const uint8_t *places_of(uint32_t n, int32_t y)
     return &thresholds[y & 7][(n - 1) * SIDE];
 }
 
+/* At a time; one where stack is short. */
+enum { OUT_PIXELS = PEL_KNOW_SIDES ? 8 : 1 };
+
 /* The source draws into this surface, whose format passes on what it is given
  * to the target's, dithered. */
 struct proxy {
     struct pel_surface surface;
     const struct pel_surface *target;
-    struct pel_spans spans; /* on it */
-    pel_color out;          /* of a pixel: here it takes no more stack */
+    struct pel_spans spans;    /* on it */
+    pel_color out[OUT_PIXELS]; /* of pixels: here they take no more stack */
 };
 
 static const struct pel_surface *target_of(const struct pel_surface *proxy)
@@ -53,40 +56,46 @@ static const struct pel_surface *target_of(const struct pel_surface *proxy)
     return ((const struct proxy *)(const void *)proxy)->target;
 }
 
-/* A channel of n bits, as 8 bits again. */
-static PEL_NOINLINE uint32_t dithered_channel(uint32_t c, uint32_t n, int32_t x,
-                                              int32_t y)
+/* Red, green and blue one after the other, or grey. Of opaque channels the
+ * upper bits count. */
+static inline pel_color dithered(const uint8_t depth[3], pel_color color,
+                                 int32_t x, int32_t y)
 {
-    const uint32_t threshold = places_of(n, y)[x & 7];
-    return pel_widen(((c << n) - c + threshold) >> 8, (int)n);
-}
-
-/* Sets the colour that a pixel gets: red, green and blue one after the other.
- */
-static PEL_NOINLINE_32 void set_out(struct proxy *proxy, int32_t x, int32_t y,
-                                    pel_color color)
-{
-    const uint8_t *depth = proxy->target->format->dithering->depth;
+    const bool gray = depth[1] == 0, opaque = color >= OPAQUE;
+    const uint8_t *const end = depth + (gray ? 1 : 3);
     pel_color out = pel_alpha(color);
-    if (depth[1] == 0) {
-        out = out << 24 |
-              dithered_channel(pel_gray(color), depth[0], x, y) * 0x010101u;
-    } else {
-        for (const uint8_t *const end = depth + 3; depth < end; depth++) {
-            color <<= 8;
-            out = out << 8 | dithered_channel(color >> 24, *depth, x, y);
-        }
+    color = gray ? pel_gray(color) << 24 : color << 8;
+    for (; depth < end; depth++, color <<= 8) {
+        const uint32_t c = color >> 24, n = *depth;
+        const uint32_t threshold = places_of(n, y)[x & 7];
+        const uint32_t level = ((c << n) - c + threshold) >> 8;
+        out = out << 8 | (opaque ? level << (8 - n) : pel_widen(level, (int)n));
     }
-    proxy->out = out;
+    return gray ? out >> 8 << 24 | (out & 255) * 0x010101u : out;
 }
 
-/* One pixel of a colour of any alpha, of the surface of a proxy. */
-static PEL_ALWAYS_INLINE void put_pixel(const struct pel_surface *surface,
-                                        int32_t x, int32_t y, pel_color color)
+/* Dithers the first n colours of `out`, in place. */
+static PEL_NOINLINE_32 void dither_out(struct proxy *proxy, int32_t x,
+                                       int32_t y, int32_t n)
+{
+    const uint8_t *const depth = proxy->target->format->dithering->depth;
+    for (int32_t i = 0; i < n; i++)
+        proxy->out[i] = dithered(depth, proxy->out[i], x + i, y);
+}
+
+/* n pixels of any alpha, or as many as `out` holds; how many. `next` is from
+ * each colour to the next. */
+static PEL_ALWAYS_INLINE int32_t put_any(const struct pel_surface *surface,
+                                         int32_t x, int32_t y, int32_t n,
+                                         const pel_color *colors, int32_t next)
 {
     struct proxy *const proxy = (struct proxy *)(void *)surface;
-    set_out(proxy, x, y, color);
-    proxy->target->format->put(proxy->target, x, y, 1, &proxy->out);
+    n = pel_min(n, OUT_PIXELS);
+    for (int32_t i = 0; i < n; i++)
+        proxy->out[i] = colors[i * next];
+    dither_out(proxy, x, y, n);
+    proxy->target->format->put(proxy->target, x, y, n, proxy->out);
+    return n;
 }
 
 /* n >= 1 pixels like those before. */
@@ -229,13 +238,10 @@ static int32_t put_opaque(const struct pel_surface *target, int32_t x,
 static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
                        int32_t n, const pel_color *colors)
 {
-    const struct pel_surface *const target = target_of(surface);
-    for (const int32_t end = x + n; x < end;) {
-        const int32_t done = put_opaque(target, x, y, end - x, colors);
-        x += done;
-        colors += done;
-        if (x < end)
-            put_pixel(surface, x++, y, *colors++);
+    for (int32_t done; n > 0; x += done, n -= done, colors += done) {
+        done = put_opaque(target_of(surface), x, y, n, colors);
+        if (done == 0)
+            done = put_any(surface, x, y, n, colors, 1);
     }
 }
 
@@ -247,12 +253,12 @@ static void fill_color(const struct pel_spans *spans, pel_color color)
     if (color >= OPAQUE && fill_opaque(spans, color))
         return;
     for (; span < spans->span + spans->n; span++, y += spans->step)
-        for (int32_t x = span->x0; x < span->x1; x++) {
+        for (int32_t x = span->x0; x < span->x1;) {
             if (x - span->x0 == SIDE && color >= OPAQUE) {
                 repeat_pixels(target_of(spans->surface), x, y, span->x1 - x);
                 break;
             }
-            put_pixel(spans->surface, x, y, color);
+            x += put_any(spans->surface, x, y, span->x1 - x, &color, 0);
         }
 }
 
