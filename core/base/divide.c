@@ -82,10 +82,9 @@ uint64_t pel_divide_bits(uint64_t n, uint64_t d, int bits, uint64_t *rest)
 /* Of n < 0, all bits turned round are divided and turned back. */
 void pel_fraction_start(struct pel_fraction *f, int64_t n, int64_t d)
 {
-    uint64_t rest = 0;
+    uint64_t rest;
     f->d = d;
-    f->quotient =
-        pel_divide_bits((uint64_t)(n < 0 ? ~n : n), (uint64_t)d, 64, &rest);
+    f->quotient = pel_divide_64((uint64_t)(n < 0 ? ~n : n), (uint64_t)d, &rest);
     f->rest = (int64_t)rest;
     if (n < 0) {
         f->quotient = ~f->quotient;
