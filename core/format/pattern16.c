@@ -1,9 +1,8 @@
 #include "word.h"
 
 /* In pairs where speed counts. */
-void pel_pattern16(const struct pel_surface *s, int32_t x, int32_t y, int32_t n)
+void pel_pattern16(pel_word16 *p, int32_t n)
 {
-    pel_word16 *p = pel_address16(s, x, y);
     pel_word16 *const end = p + n;
     for (; p < end && (!PEL_KNOW_SIDES || (uintptr_t)p % 4); p++)
         *p = p[-8];

@@ -98,9 +98,9 @@ void pel_fill24(const struct pel_spans *spans, uint32_t pixel);
 void pel_fill32(const struct pel_spans *spans, uint32_t pixel);
 PEL_END_DECLS
 
-/* Of struct pel_dithering, in pattern16.c. */
-void pel_pattern16(const struct pel_surface *s, int32_t x, int32_t y,
-                   int32_t n);
+/* Of struct pel_dithering, where pixels are words of 16 bits: in pattern16.c.
+ */
+void pel_pattern16(pel_word16 *p, int32_t n);
 
 static inline pel_word8 *pel_address8(const struct pel_surface *s, int32_t x,
                                       int32_t y)

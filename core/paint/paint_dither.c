@@ -1,6 +1,5 @@
 #include "paint_dither.h"
-
-#include "../format/word.h"
+#include "paint_dither_565.h"
 
 #define OPAQUE UINT32_C(0xFF000000)
 
@@ -28,15 +27,14 @@
     }
 
 /* Of the rows of the matrix: 8 places for 1 bit, 8 for 2, up to 7. */
-enum { SIDE = 8 };
-static const uint8_t thresholds[SIDE][7 * SIDE] = {
+static const uint8_t thresholds[PEL_PLACES][7 * PEL_PLACES] = {
     ROW(0), ROW(48), ROW(12), ROW(60), ROW(3), ROW(51), ROW(15), ROW(63),
 };
 
 /* Those of n bits in row y. */
 static inline const uint8_t *places_of(uint32_t n, int32_t y)
 {
-    return &thresholds[y & 7][(n - 1) * SIDE];
+    return &thresholds[y & 7][(n - 1) * PEL_PLACES];
 }
 
 /* At a time; one where stack is short. */
@@ -56,22 +54,12 @@ static const struct pel_surface *target_of(const struct pel_surface *proxy)
     return ((const struct proxy *)(const void *)proxy)->target;
 }
 
-/* Red, green and blue one after the other, or grey. Of opaque channels the
- * upper bits count. */
-static inline pel_color dithered(const uint8_t depth[3], pel_color color,
-                                 int32_t x, int32_t y)
+/* A channel of n bits. Of opaque colours the upper bits count. */
+static inline uint32_t dithered(uint32_t c, uint32_t n, uint32_t threshold,
+                                bool opaque)
 {
-    const bool gray = depth[1] == 0, opaque = color >= OPAQUE;
-    const uint8_t *const end = depth + (gray ? 1 : 3);
-    pel_color out = pel_alpha(color);
-    color = gray ? pel_gray(color) << 24 : color << 8;
-    for (; depth < end; depth++, color <<= 8) {
-        const uint32_t c = color >> 24, n = *depth;
-        const uint32_t threshold = places_of(n, y)[x & 7];
-        const uint32_t level = ((c << n) - c + threshold) >> 8;
-        out = out << 8 | (opaque ? level << (8 - n) : pel_widen(level, (int)n));
-    }
-    return gray ? out >> 8 << 24 | (out & 255) * 0x010101u : out;
+    const uint32_t level = ((c << n) - c + threshold) >> 8;
+    return opaque ? level << (8 - n) : pel_widen(level, (int)n);
 }
 
 /* Dithers the first n colours of `out`, in place. */
@@ -79,8 +67,20 @@ static PEL_NOINLINE_32 void dither_out(struct proxy *proxy, int32_t x,
                                        int32_t y, int32_t n)
 {
     const uint8_t *const depth = proxy->target->format->dithering->depth;
-    for (int32_t i = 0; i < n; i++)
-        proxy->out[i] = dithered(depth, proxy->out[i], x + i, y);
+    const int channels = depth[1] ? 3 : 1;
+    for (pel_color *out = proxy->out; out < proxy->out + n; out++, x++) {
+        const bool opaque = *out >= OPAQUE;
+        pel_color left = *out << 8, color = *out >> 24;
+        if (channels == 1)
+            left = pel_gray(*out) << 24;
+        for (int k = 0; k < channels; k++, left <<= 8)
+            color =
+                color << 8 | dithered(left >> 24, depth[k],
+                                      places_of(depth[k], y)[x & 7], opaque);
+        if (channels == 1)
+            color = color >> 8 << 24 | (color & 255) * 0x010101u;
+        *out = color;
+    }
 }
 
 /* n pixels of any alpha, or as many as `out` holds; how many. `next` is from
@@ -105,75 +105,42 @@ static void repeat_pixels(const struct pel_surface *target, int32_t x,
     if (target->format->dithering->pattern)
         target->format->dithering->pattern(target, x, y, n);
     else
-        pel_pattern16(target, x, y, n);
+        pel_pattern16(pel_address16(target, x, y), n);
 }
 
-/* A row of pixels of 5-6-5 bits, R 15..11; its places are those of x. */
-struct row565 {
-    pel_word16 *p, *end;
-    const uint8_t *place, *wrap;
-};
-
-/* Those formats have loops of their own. */
+/* In 5-6-5 bits there are loops for that. */
 static inline bool is_565(const struct pel_format *format)
 {
     return PEL_KNOW_SIDES && (format->id == PEL_FORMAT_RGB565_LE ||
-                              format->id == PEL_FORMAT_RGB565_BE);
+                                    format->id == PEL_FORMAT_RGB565_BE);
 }
 
-static struct row565 row565_of(const struct pel_surface *target, int32_t x,
-                               int32_t y, int32_t n)
+static bool is_swapped(const struct pel_format *format)
+{
+    return (format->id == PEL_FORMAT_RGB565_BE) == (PEL_LE16(1) == 1);
+}
+
+static struct pel_row565 row565_of(const struct pel_surface *target, int32_t x,
+                                   int32_t y, int32_t n)
 {
     pel_word16 *const p = pel_address16(target, x, y);
     const uint8_t *const places = places_of(5, y);
-    return (struct row565){p, p + n, places + (x & 7), places + SIDE};
-}
-
-/* Channels times 2^n - 1, red and blue in the halves of a word. */
-struct steps565 {
-    uint32_t red_blue, green;
-};
-
-static PEL_ALWAYS_INLINE struct steps565 steps565_of(uint32_t red_blue,
-                                                     uint32_t green)
-{
-    return (struct steps565){(red_blue << 5) - red_blue, (green << 6) - green};
-}
-
-static PEL_ALWAYS_INLINE struct steps565 steps565_of_color(pel_color c)
-{
-    return steps565_of(c & 0xFF00FFu, c >> 8 & 0xFFu);
-}
-
-static PEL_ALWAYS_INLINE void store565(struct row565 *r, struct steps565 s,
-                                       bool swapped)
-{
-    const uint32_t five = r->place[0], six = r->place[SIDE];
-    const uint32_t rb = s.red_blue + (five | five << 16), g = s.green + six;
-    const uint32_t levels = rb & UINT32_C(0x1F001F00);
-    const uint32_t pixel = levels >> 13 | g >> 8 << 5 | levels >> 8;
-    *r->p++ = (pel_word16)(swapped ? PEL_BE16(pixel) : PEL_LE16(pixel));
-    if (++r->place == r->wrap)
-        r->place -= SIDE;
+    const struct pel_row565 row = {p, p + n, places + (x & 7),
+                                   places + PEL_PLACES};
+    return row;
 }
 
 static PEL_ALWAYS_INLINE void fill565(const struct pel_surface *target,
                                       const struct pel_spans *spans,
                                       pel_color color, bool swapped)
 {
-    const struct steps565 steps = steps565_of_color(color);
+    const struct pel_steps565 steps = pel_steps565_of(color);
     const struct pel_span *span = spans->span;
     int32_t y = spans->y;
-    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
-        const int32_t n = span->x1 - span->x0, first = n < 2 * SIDE ? n : SIDE;
-        if (n <= 0)
-            continue;
-        struct row565 r = row565_of(target, span->x0, y, first);
-        while (r.p < r.end)
-            store565(&r, steps, swapped);
-        if (first < n)
-            pel_pattern16(target, span->x0 + first, y, n - first);
-    }
+    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step)
+        if (span->x0 < span->x1)
+            pel_row565_fill(row565_of(target, span->x0, y, span->x1 - span->x0),
+                            steps, swapped);
 }
 
 static bool fill_opaque(const struct pel_spans *spans, pel_color color)
@@ -181,45 +148,24 @@ static bool fill_opaque(const struct pel_spans *spans, pel_color color)
     const struct pel_surface *const target = target_of(spans->surface);
     if (!is_565(target->format))
         return false;
-    if (target->format->id == PEL_FORMAT_RGB565_BE)
+    if (is_swapped(target->format))
         fill565(target, spans, color, true);
     else
         fill565(target, spans, color, false);
     return true;
 }
 
-/* How many colours before the first that is not opaque. */
-static PEL_ALWAYS_INLINE int32_t put565(struct row565 r,
-                                        const pel_color *colors, bool swapped)
-{
-    const pel_color *c = colors;
-    for (; r.p < r.end && pel_alpha(*c) == 255; c++)
-        store565(&r, steps565_of_color(*c), swapped);
-    return (int32_t)(c - colors);
-}
-
-static PEL_ALWAYS_INLINE void step565(struct row565 r,
-                                      const struct pel_planes *planes,
-                                      bool swapped)
-{
-    uint32_t blue = planes->at[0], green = planes->at[1], red = planes->at[2];
-    const uint32_t db = planes->dx[0], dg = planes->dx[1], dr = planes->dx[2];
-    for (; r.p < r.end; blue += db, green += dg, red += dr)
-        store565(&r, steps565_of(red >> 24 << 16 | blue >> 24, green >> 24),
-                 swapped);
-}
-
 static bool fill_planes(const struct pel_surface *surface, int32_t x, int32_t y,
                         int32_t n, const struct pel_planes *planes)
 {
-    const struct pel_surface *target = target_of(surface);
+    const struct pel_surface *const target = target_of(surface);
     if (!is_565(target->format))
         return false;
-    const struct row565 row = row565_of(target, x, y, n);
-    if (target->format->id == PEL_FORMAT_RGB565_BE)
-        step565(row, planes, true);
+    const struct pel_row565 row = row565_of(target, x, y, n);
+    if (is_swapped(target->format))
+        pel_row565_planes(row, planes, true);
     else
-        step565(row, planes, false);
+        pel_row565_planes(row, planes, false);
     return true;
 }
 
@@ -229,10 +175,9 @@ static int32_t put_opaque(const struct pel_surface *target, int32_t x,
 {
     if (!is_565(target->format))
         return 0;
-    const struct row565 row = row565_of(target, x, y, n);
-    return target->format->id == PEL_FORMAT_RGB565_BE
-               ? put565(row, colors, true)
-               : put565(row, colors, false);
+    const struct pel_row565 row = row565_of(target, x, y, n);
+    return is_swapped(target->format) ? pel_row565_put(row, colors, true)
+                                      : pel_row565_put(row, colors, false);
 }
 
 static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
@@ -254,7 +199,7 @@ static void fill_color(const struct pel_spans *spans, pel_color color)
         return;
     for (; span < spans->span + spans->n; span++, y += spans->step)
         for (int32_t x = span->x0; x < span->x1;) {
-            if (x - span->x0 == SIDE && color >= OPAQUE) {
+            if (x - span->x0 == PEL_PLACES && color >= OPAQUE) {
                 repeat_pixels(target_of(spans->surface), x, y, span->x1 - x);
                 break;
             }
