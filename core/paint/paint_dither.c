@@ -112,7 +112,7 @@ static void repeat_pixels(const struct pel_surface *target, int32_t x,
 static inline bool is_565(const struct pel_format *format)
 {
     return PEL_KNOW_SIDES && (format->id == PEL_FORMAT_RGB565_LE ||
-                                    format->id == PEL_FORMAT_RGB565_BE);
+                              format->id == PEL_FORMAT_RGB565_BE);
 }
 
 static bool is_swapped(const struct pel_format *format)

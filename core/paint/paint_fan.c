@@ -13,6 +13,7 @@ static PEL_NOINLINE_32 int64_t cross(const struct pel_point *a,
 struct part {
     uint64_t at;
     int32_t x, y, n;
+    pel_color start; /* before its channels: the alpha of opaque fans */
 };
 
 static PEL_NOINLINE_32 void set_channel_at(struct part *r,
@@ -22,11 +23,16 @@ static PEL_NOINLINE_32 void set_channel_at(struct part *r,
     r->at = t->at[k] + pel_times(t->dx[k], r->x) + pel_times(t->dy[k], r->y);
 }
 
-/* Adds channel k, in `step` to the right, to the colours of a part. */
-static PEL_NOINLINE_32 void add_channel(const struct part *r, uint64_t step,
-                                        int k, pel_color *out)
+/* Channel k of the colours of a part inside one triangle, where those before it
+ * are. */
+static PEL_NOINLINE_32 void add_channel(const struct part *r,
+                                        const struct pel_fan_triangle *t, int k,
+                                        pel_color *out)
 {
+    const uint64_t step = t->dx[k];
     uint64_t v = r->at;
+    for (int32_t i = 0; k == 0 && i < r->n; i++)
+        out[i] = r->start;
     for (pel_color *const end = out + r->n; out < end; out++, v += step) {
         uint32_t whole = (uint32_t)(v >> 32);
         if (whole > 255)
@@ -35,15 +41,12 @@ static PEL_NOINLINE_32 void add_channel(const struct part *r, uint64_t step,
     }
 }
 
-/* The colours of a part inside one triangle, a channel at a time. */
 static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
-                            bool opaque, pel_color *out)
+                            pel_color *out)
 {
-    for (int32_t i = 0; i < r->n; i++)
-        out[i] = opaque ? UINT32_C(0xFF000000) : 0;
-    for (int k = opaque ? 2 : 3; k >= 0; k--) {
+    for (int k = 0; k < (r->start ? 3 : 4); k++) {
         set_channel_at(r, t, k);
-        add_channel(r, t->dx[k], k, out);
+        add_channel(r, t, k, out);
     }
 }
 
@@ -54,7 +57,8 @@ static PEL_NOINLINE_32 int32_t pixels_beside(const struct pel_point *ray,
                                              const struct pel_point *d,
                                              int32_t least, int32_t n)
 {
-    int64_t side = cross(ray, d) - least;
+    int64_t side =
+        pel_product(ray->x, d->y) - pel_product(ray->y, d->x) - least;
     const int64_t step = (int64_t)ray->y * 256;
     int32_t count = 0;
     for (; count < n && side >= 0; count++)
@@ -91,12 +95,12 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 {
     const struct pel_fan *p = (const void *)paint;
     const int32_t end = x + n;
-    struct part r = {0, x, y, n};
+    struct part r = {0, x, y, n, p->base.opaque ? UINT32_C(0xFF000000) : 0};
     int32_t triangle = 0;
     for (; (r.n = end - r.x) > 0; r.x += r.n) {
         r.n = find_triangle(p, &r, &triangle);
         if (r.n > 0) {
-            triangle_colors(&r, &p->triangles[triangle], p->base.opaque, out);
+            triangle_colors(&r, &p->triangles[triangle], out);
         } else {
             *out = p->hub_color;
             r.n = 1;
