@@ -130,28 +130,23 @@ static struct pel_row565 row565_of(const struct pel_surface *target, int32_t x,
     return row;
 }
 
-static PEL_ALWAYS_INLINE void fill565(const struct pel_surface *target,
-                                      const struct pel_spans *spans,
-                                      pel_color color, bool swapped)
-{
-    const struct pel_steps565 steps = pel_steps565_of(color);
-    const struct pel_span *span = spans->span;
-    int32_t y = spans->y;
-    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step)
-        if (span->x0 < span->x1)
-            pel_row565_fill(row565_of(target, span->x0, y, span->x1 - span->x0),
-                            steps, swapped);
-}
-
+/* False: the format has no loop. */
 static bool fill_opaque(const struct pel_spans *spans, pel_color color)
 {
     const struct pel_surface *const target = target_of(spans->surface);
+    const struct pel_steps565 steps = pel_steps565_of(color);
+    const struct pel_span *span = spans->span;
+    const bool swapped = is_swapped(target->format);
+    int32_t y = spans->y;
     if (!is_565(target->format))
         return false;
-    if (is_swapped(target->format))
-        fill565(target, spans, color, true);
-    else
-        fill565(target, spans, color, false);
+    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
+        const int32_t x = span->x0, n = span->x1 - x;
+        if (n > 0 && swapped)
+            pel_row565_fill(row565_of(target, x, y, n), steps, true);
+        else if (n > 0)
+            pel_row565_fill(row565_of(target, x, y, n), steps, false);
+    }
     return true;
 }
 

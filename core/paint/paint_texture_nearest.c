@@ -28,21 +28,6 @@ static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
         *out++ = pel_texel(p, kind, (int32_t)(u >> 32), (int32_t)(v >> 32));
 }
 
-/* Each kind has a loop of its own. */
-static inline void fast_run(const struct pel_texture *p,
-                            const struct pel_texture_axes *a, int32_t n,
-                            pel_color *out)
-{
-    if (p->kind == PEL_TEXTURE_COLORS)
-        inner_run(p, PEL_TEXTURE_COLORS, a, n, out);
-    else if (p->kind == PEL_TEXTURE_XRGB8888)
-        inner_run(p, PEL_TEXTURE_XRGB8888, a, n, out);
-    else if (p->kind == PEL_TEXTURE_RGB565_LE)
-        inner_run(p, PEL_TEXTURE_RGB565_LE, a, n, out);
-    else
-        inner_run(p, p->kind, a, n, out);
-}
-
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
@@ -50,7 +35,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y, 0);
     if (PEL_KNOW_SIDES && pel_texture_axes_inside(&a, p, n, 0))
-        fast_run(p, &a, n, out);
+        pel_texture_run(p, &a, n, out, inner_run);
     else
         outer_run(p, &a, n, out);
 }
