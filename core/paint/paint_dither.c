@@ -209,14 +209,14 @@ static void load_colors(const struct pel_surface *surface, int32_t x, int32_t y,
     target->format->load(target, x, y, n, colors);
 }
 
-static uint32_t opaque(uint32_t color)
+static uint32_t keep(uint32_t color)
 {
     return color | OPAQUE;
 }
 
 static const struct pel_format proxy_format = {
-    255,        32,         4,           opaque, opaque,      fill_color,
-    fill_color, put_colors, load_colors, NULL,   fill_planes, target_of,
+    255,        32,         4,           keep, keep,        fill_color,
+    fill_color, put_colors, load_colors, NULL, fill_planes, target_of,
 };
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans);
