@@ -62,25 +62,38 @@ static inline uint32_t dithered(uint32_t c, uint32_t n, uint32_t threshold,
     return opaque ? level << (8 - n) : pel_widen(level, (int)n);
 }
 
+static inline pel_color dithered_gray(pel_color color, uint32_t n,
+                                      uint32_t threshold)
+{
+    const bool opaque = color >= OPAQUE;
+    return (color & OPAQUE) |
+           dithered(pel_gray(color), n, threshold, opaque) * 0x010101u;
+}
+
+static inline pel_color dithered_color(pel_color color, const uint8_t depth[3],
+                                       int32_t x, int32_t y)
+{
+    const bool opaque = color >= OPAQUE;
+    pel_color out = color >> 24;
+    for (int k = 0; k < 3; k++) {
+        color <<= 8;
+        out = out << 8 | dithered(color >> 24, depth[k],
+                                  places_of(depth[k], y)[x & 7], opaque);
+    }
+    return out;
+}
+
 /* Dithers the first n colours of `out`, in place. */
 static PEL_NOINLINE_32 void dither_out(struct proxy *proxy, int32_t x,
                                        int32_t y, int32_t n)
 {
     const uint8_t *const depth = proxy->target->format->dithering->depth;
-    const int channels = depth[1] ? 3 : 1;
-    for (pel_color *out = proxy->out; out < proxy->out + n; out++, x++) {
-        const bool opaque = *out >= OPAQUE;
-        pel_color left = *out << 8, color = *out >> 24;
-        if (channels == 1)
-            left = pel_gray(*out) << 24;
-        for (int k = 0; k < channels; k++, left <<= 8)
-            color =
-                color << 8 | dithered(left >> 24, depth[k],
-                                      places_of(depth[k], y)[x & 7], opaque);
-        if (channels == 1)
-            color = color >> 8 << 24 | (color & 255) * 0x010101u;
-        *out = color;
-    }
+    const uint8_t *const places = places_of(depth[0], y);
+    const uint32_t bits = depth[0];
+    const bool gray = depth[1] == 0;
+    for (pel_color *out = proxy->out; out < proxy->out + n; out++, x++)
+        *out = gray ? dithered_gray(*out, bits, places[x & 7])
+                    : dithered_color(*out, depth, x, y);
 }
 
 /* n pixels of any alpha, or as many as `out` holds; how many. `next` is from
