@@ -54,7 +54,7 @@ LINK_ELFS := $(foreach c,$(MCU_CPUS),\
     $(patsubst %,$(BUILD)/link/$c/%.elf,$(LINK_PROGRAMS_$c) \
         $(if $(filter $c,$(LINK_WHOLE)),pairs)))
 
-# Bytes of stack that any shape with any paint may take. Gradients and dither
+# Bytes of stack that any shape with any paint may take. Gradients
 # are to come down to the same: 436 is what the worst of their pairs takes.
 LINK_STACK := 384
 LINK_STACK_GRADIENTS := 436
