@@ -26,11 +26,6 @@ static pel_color ramp_color(const struct pel_gradient *g, int32_t cell)
                  mix_sum(a & mask, b & mask, i));
 }
 
-static pel_color color_at(const struct pel_gradient *g, int32_t place)
-{
-    return g->color(g, place < g->cells ? place : g->period - 1 - place);
-}
-
 int32_t pel_gradient_place(const struct pel_gradient *g, int32_t copy,
                            int32_t part)
 {
@@ -39,34 +34,18 @@ int32_t pel_gradient_place(const struct pel_gradient *g, int32_t copy,
     return g->period > g->cells && (copy & 1) ? part + g->cells : part;
 }
 
-#if PEL_KNOW_SIDES
-
-/* Formats drop the low bits of channels; those of grey show a sum: 0. */
-static pel_color mask_of(const struct pel_format *format)
+/* Sets the ink of the cell at c->place. */
+static void dip(struct pel_cells *c)
 {
-    pel_color mask = 0xFF;
-    if (!format->dithering)
-        return UINT32_MAX;
-    if (format->dithering->depth[1] == 0)
-        return 0;
-    for (int k = 0; k < 3; k++)
-        mask = mask << 8 | (0xFF00u >> format->dithering->depth[k] & 0xFF);
-    return mask;
+    const struct pel_gradient *g = c->gradient;
+    const struct pel_format *format = c->cell.surface->format;
+    const int32_t place = c->place;
+    const pel_color color =
+        g->color(g, place < g->cells ? place : g->period - 1 - place);
+    const bool opaque = pel_alpha(color) == 255;
+    c->ink.draw = opaque ? format->fill : format->blend;
+    c->ink.value = opaque ? format->pack(color) : color;
 }
-
-static void set_mask(struct pel_cells *c)
-{
-    c->mask = mask_of(c->cell.surface->format);
-}
-
-#else
-
-static void set_mask(struct pel_cells *c)
-{
-    (void)c;
-}
-
-#endif
 
 void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
                     const struct pel_spans *spans)
@@ -75,46 +54,70 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
     c->cell =
         (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
     c->span = spans->span;
-    set_mask(c);
 }
 
-/* The first pixel that is left of the batch; INT32_MAX: none is. */
-static int32_t first_left(const struct pel_cells *c)
+/* Are pixels left of the batch? */
+static bool find_left(struct pel_cells *c)
 {
-    int32_t x0 = INT32_MAX;
+    c->lo = INT32_MAX;
+    c->hi = INT32_MIN;
     for (int32_t i = 0; i < c->cell.n; i++)
-        if (c->run[i].x1 < c->span[i].x1)
-            x0 = pel_min(x0, c->run[i].x1);
-    return x0;
+        if (c->run[i].x1 < c->span[i].x1) {
+            c->lo = pel_min(c->lo, c->run[i].x1);
+            c->hi = pel_max(c->hi, c->span[i].x1);
+        }
+    return c->lo < c->hi;
 }
 
-int32_t pel_cells_next(struct pel_cells *c, const struct pel_spans *spans,
-                       int32_t most)
+bool pel_cells_next(struct pel_cells *c, const struct pel_spans *spans,
+                    int32_t most)
 {
-    int32_t x0;
-    c->stop = INT32_MAX;
     c->limit = INT32_MAX;
-    c->step = 1;
-    while ((x0 = first_left(c)) == INT32_MAX) {
+    c->way = 1;
+    while (!find_left(c)) {
         c->span += c->cell.n;
         c->cell.y += c->cell.n * c->cell.step;
         c->cell.n = pel_min(spans->n - (int32_t)(c->span - spans->span), most);
         if (c->cell.n == 0)
-            break;
+            return false;
         for (int32_t i = 0; i < c->cell.n; i++)
             c->run[i].x1 = c->span[i].x0;
     }
-    return x0;
+    return true;
 }
 
-bool pel_cells_end_at(struct pel_cells *c, struct pel_edge *edge)
+/* Row i's next run ends before pixel x, which may lie anywhere. Negative when
+ * pixels are left. */
+static inline int32_t end_run(struct pel_cells *c, int32_t i, int32_t x)
 {
-    const int32_t n = c->cell.n, step = c->cell.step;
+    struct pel_span *run = &c->run[i];
+    const int32_t end = pel_min(c->span[i].x1, c->hi);
+    run->x0 = run->x1;
+    run->x1 = pel_max(run->x1, pel_min(x, end));
+    return run->x1 - end;
+}
+
+bool pel_cells_end(struct pel_cells *c)
+{
+    const int32_t lo = c->lo, hi = c->hi, n = c->cell.n;
+    struct pel_boundary b = c->end;
     int32_t rest = 0;
     for (int32_t i = 0; i < n; i++) {
-        rest |= pel_cells_end_run(c, i, edge->x);
-        if (step)
-            pel_edge_next(edge);
+        for (; b.error < 0 && b.x < hi; b.x++) {
+            b.error += b.step;
+            b.step += b.bend;
+        }
+        for (; b.x > lo && b.error >= b.step - b.bend; b.x--) {
+            b.step -= b.bend;
+            b.error -= b.step;
+        }
+        if (i == 0)
+            c->end = b;
+        rest |= end_run(c, i, b.x);
+        if (c->cell.step) {
+            b.error += b.row;
+            b.row += b.row_bend;
+        }
     }
     return rest < 0;
 }
@@ -122,87 +125,27 @@ bool pel_cells_end_at(struct pel_cells *c, struct pel_edge *edge)
 bool pel_cells_end_all(struct pel_cells *c)
 {
     for (int32_t i = 0; i < c->cell.n; i++)
-        pel_cells_end_run(c, i, INT32_MAX);
+        end_run(c, i, INT32_MAX);
     return false;
 }
-
-/* Are both the same pixel value? */
-static bool alike(const struct pel_format *format, pel_color a, pel_color b)
-{
-    return a == b ||
-           (pel_alpha(a & b) == 255 && format->pack(a) == format->pack(b));
-}
-
-#if PEL_KNOW_SIDES
-
-/* Passes cells of two mixed colours that are alike under the mask, at most
- * `most` of them and none but by steps. How many. */
-static int32_t pass_mixed(const struct pel_cells *c, pel_color mask,
-                          int32_t most)
-{
-    const struct pel_gradient *g = c->gradient;
-    const bool back = c->place >= g->cells, down = back == (c->step > 0);
-    const uint32_t i = (uint32_t)(back ? g->period - 1 - c->place : c->place);
-    const uint32_t a = g->ramp.colors[0], b = g->ramp.colors[1], m = 0xFF00FFu;
-    const uint32_t sign = down ? UINT32_MAX : 1;
-    const uint32_t change0 = sign * ((b >> 8 & m) - (a >> 8 & m));
-    const uint32_t change1 = sign * ((b & m) - (a & m));
-    uint32_t high = mix_sum(a >> 8 & m, b >> 8 & m, i);
-    uint32_t low = mix_sum(a & m, b & m, i);
-    const uint32_t high0 = high, low0 = low;
-    const uint32_t high_mask = mask & ~m, low_mask = (mask & m) << 8;
-    most = pel_min(most, (int32_t)(down ? i : 255 - i));
-    int32_t left = most;
-    for (; left > 0; left--) {
-        high += change0;
-        low += change1;
-        if (((high ^ high0) & high_mask) | ((low ^ low0) & low_mask))
-            break;
-    }
-    return most - left;
-}
-
-/* Cells from the present one on that are passed at once, short of the first
- * other one. */
-static int32_t pass(const struct pel_cells *c, int32_t most)
-{
-    const struct pel_gradient *g = c->gradient;
-    if (g->ramp.n != 2 || c->mask == 0 || c->mask == UINT32_MAX)
-        return 0;
-    return pass_mixed(c, pel_alpha(c->color) == 255 ? c->mask : UINT32_MAX,
-                      most);
-}
-
-#else
-
-static int32_t pass(const struct pel_cells *c, int32_t most)
-{
-    (void)c;
-    (void)most;
-    return 0;
-}
-
-#endif
 
 int32_t pel_cells_pass(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
-    const pel_color first = c->color;
+    const struct pel_ink first = c->ink;
     const int32_t most = g->period ? pel_min(c->limit, g->period) : c->limit;
     int32_t count = 0;
     do {
-        const int32_t passed = pass(c, most - count);
-        count += passed;
         if (count == most)
             return 0;
         count++;
-        c->place += c->step * (passed + 1);
+        c->place += c->way;
         if (g->period && c->place == g->period)
             c->place = 0;
         else if (g->period && c->place < 0)
             c->place = g->period - 1;
-        c->color = color_at(g, c->place);
-    } while (alike(c->cell.surface->format, first, c->color));
+        dip(c);
+    } while (c->ink.value == first.value && c->ink.draw == first.draw);
     c->limit -= count;
     return count;
 }
@@ -212,8 +155,8 @@ void pel_cells_first(struct pel_cells *c)
     const struct pel_gradient *g = c->gradient;
     if (g->period == 0)
         c->limit =
-            pel_min(c->limit, c->step > 0 ? g->cells - 1 - c->place : c->place);
-    c->color = color_at(g, c->place);
+            pel_min(c->limit, c->way > 0 ? g->cells - 1 - c->place : c->place);
+    dip(c);
 }
 
 enum pel_status pel_gradient_init(struct pel_gradient *g,

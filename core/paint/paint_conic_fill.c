@@ -1,8 +1,7 @@
 #include "../base/divide.h"
 #include "../base/trig.h"
-#include "../raster/edge.h"
-#include "paint_conic.h"
 #include "cells.h"
+#include "paint_conic.h"
 
 enum { HALF_TURN = 32768, FULL_TURN = 65536 };
 
@@ -68,41 +67,26 @@ static int32_t height_of(const struct rays *r, const struct pel_conic *p)
     return pel_pixel_center(r->cells.cell.y) - p->center.y;
 }
 
-/* Where a ray d, which is not level, meets the rows. At the height h it is u =
- * h d.x / |d.y| to the right of the centre, at the pixel floor(f / |d.y|) from
- * the centre's with
- *
- *     256 f = h d.x + (part - 128) |d.y| + 256 |d.y|,
- *
- * less 1 above the centre: there a pixel on the ray is beyond it, below it is
- * before it. Another row's f is larger or smaller by d.x. |h d.x| < 2^39, so f
- * fits 33 bits. */
-static PEL_NOINLINE_32 void ray_at(struct pel_edge *e,
-                                   const struct pel_conic *p,
-                                   struct pel_point d, int32_t v)
+/* Ends at a ray d, which is not level. A pixel is on it or clockwise of it when
+ * the cross product is 0 or more: beyond it above the centre, before it below.
+ * The lowest 8 bits never change from pixel to pixel. */
+static PEL_NOINLINE_32 void set_end(struct rays *r, const struct pel_conic *p,
+                                    struct pel_point d)
 {
-    const bool above = v < 0;
-    const int32_t h = above ? -v : v, dy = above ? -d.y : d.y;
-    const int32_t part = (p->center.x & 255) + 128;
-    const int64_t f = (pel_product(h, d.x) + part * dy - above) >> 8;
-    if (f == (int32_t)f) {
-        e->x = pel_floor_divide((int32_t)f, dy, &e->m);
-    } else {
-        const uint32_t whole =
-            pel_divide((uint64_t)(f < 0 ? ~f : f), (uint32_t)dy);
-        e->x = (int32_t)(f < 0 ? ~whole : whole);
-        e->m = (int32_t)((uint32_t)f - (uint32_t)e->x * (uint32_t)dy);
-    }
-    e->x += pel_pixel_of(p->center.x);
-    e->m -= dy;
-    e->q = pel_floor_divide(above ? -d.x : d.x, dy, &e->r);
-    e->dy = dy;
+    struct pel_boundary *end = &r->cells.end;
+    const int32_t u = pel_pixel_center(end->x) - p->center.x;
+    const int64_t cross =
+        (pel_product(d.x, height_of(r, p)) - pel_product(d.y, u)) >> 8;
+    const bool above = d.y < 0;
+    end->error = above ? cross : ~cross;
+    end->step = above ? -d.y : d.y;
+    end->row = above ? d.x : -d.x;
 }
 
 /* The next angle on the way. */
 static void move(struct rays *r, const struct pel_conic *p)
 {
-    if (r->cells.step > 0)
+    if (r->cells.way > 0)
         angle_add(p, &r->end);
     else
         angle_take(p, &r->end);
@@ -112,23 +96,21 @@ static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_conic *p = (const void *)cells->gradient;
     struct rays *r = (void *)cells;
-    struct pel_edge edge;
     while (--count)
         move(r, p);
-    ray_at(&edge, p, pel_direction((uint16_t)r->end.turn), height_of(r, p));
+    set_end(r, p, pel_direction((uint16_t)r->end.turn));
     move(r, p);
-    return pel_cells_end_at(cells, &edge);
+    return pel_cells_end(cells);
 }
 
 /* As many cells may end as begin in the half turn of the rows. The first pixel
  * by angle is in the first column: clockwise above the centre,
  * counter-clockwise below, in the row nearest to the centre where that is left
  * of it, else in the farthest one. */
-static void rays_start(struct rays *r, const struct pel_conic *p, int32_t x0,
-                       int32_t v)
+static void rays_start(struct rays *r, const struct pel_conic *p, int32_t v)
 {
     struct pel_cells *c = &r->cells;
-    const int32_t u = pel_pixel_center(x0) - p->center.x;
+    const int32_t u = pel_pixel_center(c->lo) - p->center.x;
     const bool above = v < 0, last = above == (u < 0);
     if (last)
         v += (c->cell.n - 1) * c->cell.step * 256;
@@ -139,28 +121,28 @@ static void rays_start(struct rays *r, const struct pel_conic *p, int32_t x0,
     r->end.turn += p->start;
     if (above)
         angle_add(p, &r->end);
-    c->step = above ? 1 : -1;
+    c->way = above ? 1 : -1;
     c->limit = above ? place_of(p, FULL_TURN - 1) - c->place
                      : c->place - place_of(p, 0);
     if (c->limit < 0)
         c->limit += p->base.period;
+    c->end.x = c->lo;
+    c->end.bend = c->end.row_bend = 0;
 }
 
 /* The row through the centre has two angles: left of it a half turn, then 0. */
-static void level_start(struct pel_cells *c, const struct pel_conic *p,
-                        int32_t x0)
+static void level_start(struct pel_cells *c, const struct pel_conic *p)
 {
     const int32_t split = pel_first_pixel(p->center.x);
-    const bool left = x0 < split;
+    const bool left = c->lo < split;
     if (left)
-        c->stop = split;
+        c->hi = pel_min(c->hi, split);
     c->limit = 0;
     c->place = place_of(p, left ? HALF_TURN : 0);
 }
 
 /* The batch has rows above the centre, or the row through it, or rows below. */
-static PEL_NOINLINE_32 void start(struct rays *r, const struct pel_conic *p,
-                                  int32_t x0)
+static PEL_NOINLINE_32 void start(struct rays *r, const struct pel_conic *p)
 {
     struct pel_spans *rows = &r->cells.cell;
     const int32_t v = height_of(r, p);
@@ -169,9 +151,9 @@ static PEL_NOINLINE_32 void start(struct rays *r, const struct pel_conic *p,
     else if (rows->step && v == 0)
         rows->n = 1;
     if (v == 0)
-        level_start(&r->cells, p, x0);
+        level_start(&r->cells, p);
     else
-        rays_start(r, p, x0, v);
+        rays_start(r, p, v);
 }
 
 /* A function of its own, to spare the stack of what comes before it. */
@@ -184,9 +166,8 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     struct rays r;
     pel_cells_open(&r.cells, (const void *)paint, spans);
-    for (int32_t x0;
-         (x0 = pel_cells_next(&r.cells, spans, PEL_CELL_ROWS)) < INT32_MAX;) {
-        start(&r, (const void *)paint, x0);
+    while (pel_cells_next(&r.cells, spans, PEL_CELL_ROWS)) {
+        start(&r, (const void *)paint);
         walk(&r);
     }
 }
@@ -199,9 +180,9 @@ enum pel_status pel_conic_begin(struct pel_conic *paint,
     struct pel_gradient *g = &paint->base;
     if (g->period == 0)
         g->period = g->cells;
-    int32_t rest;
-    paint->width = (uint16_t)pel_floor_divide(65536, g->period, &rest);
-    paint->rest = (uint16_t)rest;
+    const uint32_t n = (uint32_t)g->period, width = pel_divide(FULL_TURN, n);
+    paint->width = (uint16_t)width;
+    paint->rest = (uint16_t)(FULL_TURN - width * n);
     paint->center = center;
     paint->start = start;
     g->paint = (struct pel_paint){fill, NULL};
