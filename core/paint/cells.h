@@ -20,8 +20,13 @@
 #define PEL_CELL_STEP PEL_NOINLINE
 #endif
 
-/* Rows of a batch; one where code is to be small. */
-enum { PEL_CELL_ROWS = PEL_KNOW_SIDES ? PEL_BATCH_ROWS : 1 };
+/* Rows of a batch: one where code is to be small, and no more than errors of 32
+ * bits have room for. */
+enum {
+    PEL_CELL_ROWS = !PEL_KNOW_SIDES       ? 1
+                    : PEL_BATCH_ROWS < 32 ? PEL_BATCH_ROWS
+                                          : 32
+};
 
 /* The boundary where the present cell ends, at a pixel of the first row. Its
  * error grows by `step` >= 0 to the next pixel, and that by `bend`; by `row` to
@@ -45,12 +50,16 @@ struct pel_cells {
     const struct pel_span *span; /* the shape's, of these rows */
     struct pel_boundary end;
 
-    int32_t lo, hi; /* runs begin and end here at the farthest */
+    int32_t lo, hi; /* runs begin and end here at the farthest, */
+    bool box;       /* in all rows */
     int32_t limit;  /* cells that may end yet; at 0 the rest is one cell */
     int32_t way;    /* from one cell's place to the next: 1 or -1 */
     int32_t place;  /* of the next cell */
 
     struct pel_ink ink; /* of the next cell */
+#if PEL_KNOW_SIDES
+    pel_color mask; /* of mixed colours what can be seen; 0: ask the ink */
+#endif
 
     /* The run of the present cell, in every row. */
     struct pel_span run[PEL_CELL_ROWS];

@@ -47,18 +47,10 @@ static void dip(struct pel_cells *c)
     c->ink.value = opaque ? format->pack(color) : color;
 }
 
-void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
-                    const struct pel_spans *spans)
-{
-    c->gradient = gradient;
-    c->cell =
-        (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
-    c->span = spans->span;
-}
-
-/* Are pixels left of the batch? */
+/* Are pixels left of the batch? Not in a box where one row has none. */
 static bool find_left(struct pel_cells *c)
 {
+    int32_t rest = 0;
     c->lo = INT32_MAX;
     c->hi = INT32_MIN;
     for (int32_t i = 0; i < c->cell.n; i++)
@@ -66,6 +58,9 @@ static bool find_left(struct pel_cells *c)
             c->lo = pel_min(c->lo, c->run[i].x1);
             c->hi = pel_max(c->hi, c->span[i].x1);
         }
+    for (int32_t i = 0; i < c->cell.n; i++)
+        rest |= (c->run[i].x1 - c->lo) | (c->hi - c->span[i].x1);
+    c->box = rest == 0;
     return c->lo < c->hi;
 }
 
@@ -86,47 +81,146 @@ bool pel_cells_next(struct pel_cells *c, const struct pel_spans *spans,
     return true;
 }
 
-/* Row i's next run ends before pixel x, which may lie anywhere. Negative when
- * pixels are left. */
-static inline int32_t end_run(struct pel_cells *c, int32_t i, int32_t x)
+/* One where batches have no more. */
+static inline int32_t rows_of(const struct pel_cells *c)
 {
-    struct pel_span *run = &c->run[i];
-    const int32_t end = pel_min(c->span[i].x1, c->hi);
-    run->x0 = run->x1;
-    run->x1 = pel_max(run->x1, pel_min(x, end));
-    return run->x1 - end;
+    return PEL_CELL_ROWS == 1 ? 1 : c->cell.n;
 }
 
-bool pel_cells_end(struct pel_cells *c)
+/* Keeps the runs in the spans of their rows: true when pixels are left. */
+static bool cut(struct pel_cells *c)
 {
-    const int32_t lo = c->lo, hi = c->hi, n = c->cell.n;
-    struct pel_boundary b = c->end;
+    const int32_t hi = c->hi;
     int32_t rest = 0;
-    for (int32_t i = 0; i < n; i++) {
-        for (; b.error < 0 && b.x < hi; b.x++) {
-            b.error += b.step;
-            b.step += b.bend;
-        }
-        for (; b.x > lo && b.error >= b.step - b.bend; b.x--) {
-            b.step -= b.bend;
-            b.error -= b.step;
-        }
-        if (i == 0)
-            c->end = b;
-        rest |= end_run(c, i, b.x);
-        if (c->cell.step) {
-            b.error += b.row;
-            b.row += b.row_bend;
-        }
+    for (int32_t i = 0; i < rows_of(c); i++) {
+        const int32_t end = pel_min(c->span[i].x1, hi);
+        const int32_t x = pel_max(c->run[i].x0, pel_min(c->run[i].x1, end));
+        c->run[i].x1 = x;
+        rest |= x - end;
     }
     return rest < 0;
 }
 
+/* To the first pixel of the first row that lies beyond the boundary. */
+static void end_first(struct pel_cells *c)
+{
+    struct pel_boundary *b = &c->end;
+    const int32_t bend = b->bend, hi = c->hi;
+    int32_t x = b->x, step = b->step;
+    int64_t error = b->error;
+    for (; error < 0 && x < hi; x++) {
+        error += step;
+        step += bend;
+    }
+    b->x = x;
+    b->step = step;
+    b->error = error;
+}
+
+/* From the first row to all. The error is not taken for more than +-2^30: that
+ * is beyond 32 rows and every step. true when pixels are left in a box. */
+static bool end_rows(struct pel_cells *c)
+{
+    const struct pel_boundary *b = &c->end;
+    const int32_t lo = c->lo, hi = c->hi, bend = b->bend, most = 1 << 30;
+    const int32_t row_bend = c->cell.step ? b->row_bend : 0;
+    int32_t row = c->cell.step ? b->row : 0;
+    int32_t x = b->x, step = b->step - bend, rest = 0;
+    int32_t error = b->error < -most  ? -most
+                    : b->error > most ? most
+                                      : (int32_t)b->error;
+    struct pel_span *run = c->run;
+    for (int32_t n = rows_of(c); n > 0; n--, run++) {
+        if (error < 0 && x < hi)
+            do {
+                step += bend;
+                error += step;
+                x++;
+            } while (error < 0 && x < hi);
+        else
+            for (; x > lo && error >= step; x--) {
+                error -= step;
+                step -= bend;
+            }
+        run->x0 = run->x1;
+        run->x1 = x;
+        rest |= x - hi;
+        error += row;
+        row += row_bend;
+    }
+    return rest < 0;
+}
+
+bool pel_cells_end(struct pel_cells *c)
+{
+    end_first(c);
+    const bool rest = end_rows(c);
+    return c->box ? rest : cut(c);
+}
+
 bool pel_cells_end_all(struct pel_cells *c)
 {
-    for (int32_t i = 0; i < c->cell.n; i++)
-        end_run(c, i, INT32_MAX);
-    return false;
+    for (int32_t i = 0; i < rows_of(c); i++) {
+        c->run[i].x0 = c->run[i].x1;
+        c->run[i].x1 = INT32_MAX;
+    }
+    return cut(c);
+}
+
+#if PEL_KNOW_SIDES
+
+/* Formats drop the low bits of channels, those of grey show a sum: how many
+ * cells of two mixed colours, at most `most`, lie beyond the one at c->place
+ * and look like it. */
+static int32_t pass_mixed(const struct pel_cells *c, int32_t most)
+{
+    const struct pel_gradient *g = c->gradient;
+    const uint32_t a = g->ramp.colors[0], b = g->ramp.colors[1], m = 0xFF00FFu;
+    const bool back = c->place >= g->cells, down = back == (c->way > 0);
+    const int32_t i = back ? g->period - 1 - c->place : c->place;
+    const uint32_t mask = c->mask, sign = down ? UINT32_MAX : 1;
+    const uint32_t change0 = sign * ((b >> 8 & m) - (a >> 8 & m));
+    const uint32_t change1 = sign * ((b & m) - (a & m));
+    uint32_t high = mix_sum(a >> 8 & m, b >> 8 & m, (uint32_t)i);
+    uint32_t low = mix_sum(a & m, b & m, (uint32_t)i);
+    const uint32_t first = mixed(high, low) & mask;
+    most = pel_min(most, down ? i : 255 - i);
+    int32_t left = most;
+    for (; left > 0; left--) {
+        high += change0;
+        low += change1;
+        if ((mixed(high, low) & mask) != first)
+            break;
+    }
+    return most - left;
+}
+
+/* The bits of opaque colours that can be seen; 0: any. */
+static pel_color mask_of(const struct pel_gradient *g,
+                         const struct pel_format *format)
+{
+    const struct pel_dithering *bits = format->dithering;
+    pel_color mask = 0;
+    if (g->ramp.n != 2 || !bits || bits->depth[1] == 0 ||
+        pel_alpha(g->ramp.colors[0] & g->ramp.colors[1]) != 255)
+        return 0;
+    for (int k = 0; k < 3; k++)
+        mask = mask << 8 | (0xFF00u >> bits->depth[k] & 0xFF);
+    return mask;
+}
+
+#endif
+
+void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
+                    const struct pel_spans *spans)
+{
+    c->gradient = gradient;
+    c->cell =
+        (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
+    c->span = spans->span;
+#if PEL_KNOW_SIDES
+    c->mask = mask_of(gradient, spans->surface->format);
+#endif
 }
 
 int32_t pel_cells_pass(struct pel_cells *c)
@@ -136,6 +230,13 @@ int32_t pel_cells_pass(struct pel_cells *c)
     const int32_t most = g->period ? pel_min(c->limit, g->period) : c->limit;
     int32_t count = 0;
     do {
+#if PEL_KNOW_SIDES
+        if (c->mask) {
+            const int32_t passed = pass_mixed(c, most - count);
+            count += passed;
+            c->place += c->way * passed;
+        }
+#endif
         if (count == most)
             return 0;
         count++;
