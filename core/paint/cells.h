@@ -48,6 +48,7 @@ struct pel_cells {
     const struct pel_gradient *gradient;
     struct pel_spans cell;       /* the present cell's runs */
     const struct pel_span *span; /* the shape's, of these rows */
+    int32_t left, most;          /* spans from there on; rows of a batch */
     struct pel_boundary end;
 
     int32_t lo, hi; /* runs begin and end here at the farthest, */
@@ -65,16 +66,14 @@ struct pel_cells {
     struct pel_span run[PEL_CELL_ROWS];
 };
 
-/* Before the first batch. */
+/* Before the first batch; of at most `most` <= PEL_CELL_ROWS rows. */
 void pel_cells_open(struct pel_cells *cells,
                     const struct pel_gradient *gradient,
-                    const struct pel_spans *spans);
+                    const struct pel_spans *spans, int32_t most);
 
-/* Goes on to the next batch, of at most `most` <= PEL_CELL_ROWS rows, unless
- * pixels are left of the present one: between lo and hi. No limit, way 1. false
- * when none are. */
-bool pel_cells_next(struct pel_cells *cells, const struct pel_spans *spans,
-                    int32_t most);
+/* Goes on to the next batch, unless pixels are left of the present one: between
+ * lo and hi. No limit, way 1. false when none are. */
+bool pel_cells_next(struct pel_cells *cells);
 
 /* How many cells from the one at c->place on are the same pixel value as that;
  * 0: all that may come. Moves on to the first other one. */

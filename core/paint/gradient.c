@@ -47,126 +47,6 @@ static void dip(struct pel_cells *c)
     c->ink.value = opaque ? format->pack(color) : color;
 }
 
-/* Are pixels left of the batch? Not in a box where one row has none. */
-static bool find_left(struct pel_cells *c)
-{
-    int32_t rest = 0;
-    c->lo = INT32_MAX;
-    c->hi = INT32_MIN;
-    for (int32_t i = 0; i < c->cell.n; i++)
-        if (c->run[i].x1 < c->span[i].x1) {
-            c->lo = pel_min(c->lo, c->run[i].x1);
-            c->hi = pel_max(c->hi, c->span[i].x1);
-        }
-    for (int32_t i = 0; i < c->cell.n; i++)
-        rest |= (c->run[i].x1 - c->lo) | (c->hi - c->span[i].x1);
-    c->box = rest == 0;
-    return c->lo < c->hi;
-}
-
-bool pel_cells_next(struct pel_cells *c, const struct pel_spans *spans,
-                    int32_t most)
-{
-    c->limit = INT32_MAX;
-    c->way = 1;
-    while (!find_left(c)) {
-        c->span += c->cell.n;
-        c->cell.y += c->cell.n * c->cell.step;
-        c->cell.n = pel_min(spans->n - (int32_t)(c->span - spans->span), most);
-        if (c->cell.n == 0)
-            return false;
-        for (int32_t i = 0; i < c->cell.n; i++)
-            c->run[i].x1 = c->span[i].x0;
-    }
-    return true;
-}
-
-/* One where batches have no more. */
-static inline int32_t rows_of(const struct pel_cells *c)
-{
-    return PEL_CELL_ROWS == 1 ? 1 : c->cell.n;
-}
-
-/* Keeps the runs in the spans of their rows: true when pixels are left. */
-static bool cut(struct pel_cells *c)
-{
-    const int32_t hi = c->hi;
-    int32_t rest = 0;
-    for (int32_t i = 0; i < rows_of(c); i++) {
-        const int32_t end = pel_min(c->span[i].x1, hi);
-        const int32_t x = pel_max(c->run[i].x0, pel_min(c->run[i].x1, end));
-        c->run[i].x1 = x;
-        rest |= x - end;
-    }
-    return rest < 0;
-}
-
-/* To the first pixel of the first row that lies beyond the boundary. */
-static void end_first(struct pel_cells *c)
-{
-    struct pel_boundary *b = &c->end;
-    const int32_t bend = b->bend, hi = c->hi;
-    int32_t x = b->x, step = b->step;
-    int64_t error = b->error;
-    for (; error < 0 && x < hi; x++) {
-        error += step;
-        step += bend;
-    }
-    b->x = x;
-    b->step = step;
-    b->error = error;
-}
-
-/* From the first row to all. The error is not taken for more than +-2^30: that
- * is beyond 32 rows and every step. true when pixels are left in a box. */
-static bool end_rows(struct pel_cells *c)
-{
-    const struct pel_boundary *b = &c->end;
-    const int32_t lo = c->lo, hi = c->hi, bend = b->bend, most = 1 << 30;
-    const int32_t row_bend = c->cell.step ? b->row_bend : 0;
-    int32_t row = c->cell.step ? b->row : 0;
-    int32_t x = b->x, step = b->step - bend, rest = 0;
-    int32_t error = b->error < -most  ? -most
-                    : b->error > most ? most
-                                      : (int32_t)b->error;
-    struct pel_span *run = c->run;
-    for (int32_t n = rows_of(c); n > 0; n--, run++) {
-        if (error < 0 && x < hi)
-            do {
-                step += bend;
-                error += step;
-                x++;
-            } while (error < 0 && x < hi);
-        else
-            for (; x > lo && error >= step; x--) {
-                error -= step;
-                step -= bend;
-            }
-        run->x0 = run->x1;
-        run->x1 = x;
-        rest |= x - hi;
-        error += row;
-        row += row_bend;
-    }
-    return rest < 0;
-}
-
-bool pel_cells_end(struct pel_cells *c)
-{
-    end_first(c);
-    const bool rest = end_rows(c);
-    return c->box ? rest : cut(c);
-}
-
-bool pel_cells_end_all(struct pel_cells *c)
-{
-    for (int32_t i = 0; i < rows_of(c); i++) {
-        c->run[i].x0 = c->run[i].x1;
-        c->run[i].x1 = INT32_MAX;
-    }
-    return cut(c);
-}
-
 #if PEL_KNOW_SIDES
 
 /* Formats drop the low bits of channels, those of grey show a sum: how many
@@ -211,16 +91,154 @@ static pel_color mask_of(const struct pel_gradient *g,
 
 #endif
 
+/* One where batches have no more. */
+static inline int32_t rows_of(const struct pel_cells *c)
+{
+    return PEL_CELL_ROWS == 1 ? 1 : c->cell.n;
+}
+
+/* Begins the batch at c->span. */
+static void load(struct pel_cells *c)
+{
+    c->cell.n = pel_min(c->left, c->most);
+    for (int32_t i = 0; i < rows_of(c); i++)
+        c->run[i].x1 = c->span[i].x0;
+}
+
 void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
-                    const struct pel_spans *spans)
+                    const struct pel_spans *spans, int32_t most)
 {
     c->gradient = gradient;
     c->cell =
         (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
     c->span = spans->span;
+    c->left = spans->n;
+    c->most = most;
 #if PEL_KNOW_SIDES
     c->mask = mask_of(gradient, spans->surface->format);
 #endif
+    load(c);
+}
+
+/* Are pixels left of the batch? */
+static bool find_left(struct pel_cells *c)
+{
+    int32_t rest = 0;
+    c->lo = INT32_MAX;
+    c->hi = INT32_MIN;
+    for (int32_t i = 0; i < rows_of(c); i++)
+        if (c->run[i].x1 < c->span[i].x1) {
+            c->lo = pel_min(c->lo, c->run[i].x1);
+            c->hi = pel_max(c->hi, c->span[i].x1);
+        }
+    for (int32_t i = 0; PEL_CELL_ROWS > 1 && i < c->cell.n; i++)
+        rest |= (c->run[i].x1 - c->lo) | (c->hi - c->span[i].x1);
+    c->box = rest == 0;
+    return c->lo < c->hi;
+}
+
+bool pel_cells_next(struct pel_cells *c)
+{
+    c->limit = INT32_MAX;
+    c->way = 1;
+    while (!find_left(c)) {
+        const int32_t n = rows_of(c);
+        c->left -= n;
+        if (c->left == 0)
+            return false;
+        c->span += n;
+        c->cell.y += n * c->cell.step;
+        load(c);
+    }
+    return true;
+}
+
+/* Row i's next run goes to pixel x; in boxes no farther than the row does. What
+ * is negative there when pixels are left. */
+static inline int32_t end_run(struct pel_cells *c, int32_t i, int32_t x)
+{
+    struct pel_span *run = &c->run[i];
+    run->x0 = run->x1;
+    run->x1 = x;
+    return x - c->hi;
+}
+
+/* Keeps the runs in the spans of their rows: true when pixels are left. */
+static bool cut(struct pel_cells *c)
+{
+    const int32_t hi = c->hi;
+    int32_t rest = 0;
+    for (int32_t i = 0; i < c->cell.n; i++) {
+        const int32_t end = pel_min(c->span[i].x1, hi);
+        const int32_t x = pel_max(c->run[i].x0, pel_min(c->run[i].x1, end));
+        c->run[i].x1 = x;
+        rest |= x - end;
+    }
+    return rest < 0;
+}
+
+/* To the first pixel of the first row that lies beyond the boundary. */
+static int32_t end_first(struct pel_cells *c)
+{
+    struct pel_boundary *b = &c->end;
+    const int32_t bend = b->bend, hi = c->hi;
+    int32_t x = b->x, step = b->step;
+    int64_t error = b->error;
+    for (; error < 0 && x < hi; x++) {
+        error += step;
+        step += bend;
+    }
+    b->x = x;
+    b->step = step;
+    b->error = error;
+    return end_run(c, 0, x);
+}
+
+/* From row to row. The error is not taken for more than +-2^30: that is beyond
+ * 32 rows and every step. */
+static int32_t end_others(struct pel_cells *c)
+{
+    const struct pel_boundary *b = &c->end;
+    const int32_t lo = c->lo, hi = c->hi, bend = b->bend, most = 1 << 30;
+    const int32_t row_bend = c->cell.step ? b->row_bend : 0;
+    int32_t row = c->cell.step ? b->row : 0;
+    int32_t x = b->x, step = b->step - bend, rest = 0;
+    int32_t error = b->error < -most  ? -most
+                    : b->error > most ? most
+                                      : (int32_t)b->error;
+    for (int32_t i = 1; i < rows_of(c); i++) {
+        error += row;
+        row += row_bend;
+        if (error < 0 && x < hi)
+            do {
+                step += bend;
+                error += step;
+                x++;
+            } while (error < 0 && x < hi);
+        else
+            for (; x > lo && error >= step; x--) {
+                error -= step;
+                step -= bend;
+            }
+        rest |= end_run(c, i, x);
+    }
+    return rest;
+}
+
+bool pel_cells_end(struct pel_cells *c)
+{
+    int32_t rest = end_first(c);
+    if (PEL_CELL_ROWS == 1)
+        return rest < 0;
+    rest |= end_others(c);
+    return c->box ? rest < 0 : cut(c);
+}
+
+bool pel_cells_end_all(struct pel_cells *c)
+{
+    for (int32_t i = 0; i < rows_of(c); i++)
+        end_run(c, i, c->hi);
+    return PEL_CELL_ROWS > 1 && !c->box && cut(c);
 }
 
 int32_t pel_cells_pass(struct pel_cells *c)

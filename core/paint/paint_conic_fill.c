@@ -58,7 +58,7 @@ static void angle_take(const struct pel_conic *p, struct angle *a)
 /* Rows above or below the centre. */
 struct rays {
     struct pel_cells cells;
-    struct angle end; /* of the present cell */
+    struct angle at; /* where the present cell begins */
 };
 
 /* The height of the first row, from the centre down. */
@@ -87,19 +87,19 @@ static PEL_NOINLINE_32 void set_end(struct rays *r, const struct pel_conic *p,
 static void move(struct rays *r, const struct pel_conic *p)
 {
     if (r->cells.way > 0)
-        angle_add(p, &r->end);
+        angle_add(p, &r->at);
     else
-        angle_take(p, &r->end);
+        angle_take(p, &r->at);
 }
 
 static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_conic *p = (const void *)cells->gradient;
     struct rays *r = (void *)cells;
-    while (--count)
+    do
         move(r, p);
-    set_end(r, p, pel_direction((uint16_t)r->end.turn));
-    move(r, p);
+    while (--count);
+    set_end(r, p, pel_direction((uint16_t)r->at.turn));
     return pel_cells_end(cells);
 }
 
@@ -116,11 +116,11 @@ static void rays_start(struct rays *r, const struct pel_conic *p, int32_t v)
         v += (c->cell.n - 1) * c->cell.step * 256;
     c->place = place_of(p, turn_of(u, v));
     const uint32_t k = (uint32_t)c->place << 16;
-    r->end.turn = pel_divide(k, (uint32_t)p->base.period);
-    r->end.rest = k - r->end.turn * (uint32_t)p->base.period;
-    r->end.turn += p->start;
-    if (above)
-        angle_add(p, &r->end);
+    r->at.turn = pel_divide(k, (uint32_t)p->base.period);
+    r->at.rest = k - r->at.turn * (uint32_t)p->base.period;
+    r->at.turn += p->start;
+    if (!above)
+        angle_add(p, &r->at);
     c->way = above ? 1 : -1;
     c->limit = above ? place_of(p, FULL_TURN - 1) - c->place
                      : c->place - place_of(p, 0);
@@ -165,8 +165,8 @@ static PEL_NOINLINE_32 void walk(struct rays *r)
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     struct rays r;
-    pel_cells_open(&r.cells, (const void *)paint, spans);
-    while (pel_cells_next(&r.cells, spans, PEL_CELL_ROWS)) {
+    pel_cells_open(&r.cells, (const void *)paint, spans, PEL_CELL_ROWS);
+    while (pel_cells_next(&r.cells)) {
         start(&r, (const void *)paint);
         walk(&r);
     }

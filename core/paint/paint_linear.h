@@ -27,7 +27,7 @@ struct pel_linear {
     struct pel_point from, d;
     int64_t square; /* |d|^2 = 256 n cell + cell_rest */
     int64_t cell;
-    uint32_t cell_rest;
+    int32_t cell_rest;
 };
 
 /* PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n, or from and to are one point),

@@ -18,7 +18,7 @@ struct circle {
  * than that of the radius, on the left side when it is not. */
 struct side {
     struct pel_cells cells;
-    struct circle circle; /* where the present cell ends, */
+    struct circle circle; /* where the present cell begins, */
     int64_t square;       /* and its square in 512ths */
 };
 
@@ -56,14 +56,14 @@ static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_radial *p = (const void *)cells->gradient;
     struct side *s = (void *)cells;
-    while (--count)
+    const int64_t square = s->square;
+    do
         circle_move(p, &s->circle, cells->way);
-    const int64_t square = circle_square(p, &s->circle);
-    cells->end.error -= cells->way * (square - s->square);
-    s->square = square;
-    const bool rest = pel_cells_end(cells);
-    circle_move(p, &s->circle, cells->way);
-    return rest;
+    while (--count);
+    s->square = circle_square(p, &s->circle);
+    cells->end.error -=
+        cells->way > 0 ? s->square - square : square - s->square;
+    return pel_cells_end(cells);
 }
 
 static int64_t square_at(const struct pel_radial *p, int32_t x, int32_t y)
@@ -116,8 +116,8 @@ static PEL_NOINLINE_32 void find_ring(struct side *s,
     circle_set(p, (int32_t)copy, (int32_t)part, &s->circle);
 }
 
-/* The place of the ring that was found, and the circle where it ends: on the
- * left side the inner one, unless the last cell of a padded way begins farther
+/* The place of the ring that was found, and the circle where it begins: on the
+ * left side the outer one, unless the last cell of a padded way begins farther
  * inside. */
 static PEL_NOINLINE_32 void set_ring(struct side *s, const struct pel_radial *p)
 {
@@ -129,12 +129,11 @@ static PEL_NOINLINE_32 void set_ring(struct side *s, const struct pel_radial *p)
             circle_set(p, 0, most, circle);
         c->limit =
             circle->copy < 65535 ? circle->copy * n + circle->part : INT32_MAX;
+        circle_move(p, circle, 1);
     }
     const int32_t beyond = circle->part > most;
     c->place = pel_gradient_place(&p->base, circle->copy + beyond,
                                   circle->part + p->first - beyond * n);
-    if (c->way > 0)
-        circle_move(p, circle, 1);
 }
 
 /* At the first pixel of the first row. */
@@ -176,8 +175,8 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_radial *p = (const void *)paint;
     struct side s;
-    pel_cells_open(&s.cells, &p->base, spans);
-    while (pel_cells_next(&s.cells, spans, PEL_CELL_ROWS)) {
+    pel_cells_open(&s.cells, &p->base, spans, PEL_CELL_ROWS);
+    while (pel_cells_next(&s.cells)) {
         set_side(&s.cells, p);
         find_ring(&s, p, square_at(p, s.cells.lo, first_row(&s.cells, p)));
         set_ring(&s, p);
