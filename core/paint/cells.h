@@ -29,11 +29,10 @@ enum {
 };
 
 /* The boundary where the present cell ends, at a pixel of the first row. Its
- * error grows by `step` >= 0 to the next pixel, and that by `bend`; by `row` to
- * the pixel below, and that by row_bend. */
+ * error grows by `step` to the next pixel. */
 struct pel_boundary {
     int64_t error;
-    int32_t x, step, bend, row, row_bend;
+    int32_t x, step;
 };
 
 /* How a colour is drawn: a function of the format, and what it takes. */
@@ -48,14 +47,13 @@ struct pel_cells {
     const struct pel_gradient *gradient;
     struct pel_spans cell;       /* the present cell's runs */
     const struct pel_span *span; /* the shape's, of these rows */
-    int32_t left, most;          /* spans from there on; rows of a batch */
     struct pel_boundary end;
 
     int32_t lo, hi; /* runs begin and end here at the farthest, */
     bool box;       /* in all rows */
-    int32_t limit;  /* cells that may end yet; at 0 the rest is one cell */
-    int32_t way;    /* from one cell's place to the next: 1 or -1 */
+    int8_t way;     /* from one cell's place to the next: 1 or -1 */
     int32_t place;  /* of the next cell */
+    int32_t limit;  /* cells that may end yet; at 0 the rest is one cell */
 
     struct pel_ink ink; /* of the next cell */
 #if PEL_KNOW_SIDES
@@ -66,14 +64,16 @@ struct pel_cells {
     struct pel_span run[PEL_CELL_ROWS];
 };
 
-/* Before the first batch; of at most `most` <= PEL_CELL_ROWS rows. */
+/* Before the first batch. */
 void pel_cells_open(struct pel_cells *cells,
                     const struct pel_gradient *gradient,
-                    const struct pel_spans *spans, int32_t most);
+                    const struct pel_spans *spans);
 
-/* Goes on to the next batch, unless pixels are left of the present one: between
- * lo and hi. No limit, way 1. false when none are. */
-bool pel_cells_next(struct pel_cells *cells);
+/* Goes on to the next batch, of at most `most` <= PEL_CELL_ROWS rows, unless
+ * pixels are left of the present one: between lo and hi. No limit, way 1. false
+ * when none are. */
+bool pel_cells_next(struct pel_cells *cells, const struct pel_spans *spans,
+                    int32_t most);
 
 /* How many cells from the one at c->place on are the same pixel value as that;
  * 0: all that may come. Moves on to the first other one. */
@@ -82,9 +82,10 @@ int32_t pel_cells_pass(struct pel_cells *c);
 /* Before the first cell: its ink, and a limit where the ramp is padded. */
 void pel_cells_first(struct pel_cells *c);
 
-/* Ends all runs at the boundary, which it moves to the last pixel of the first
- * row before it. true when pixels are left. */
-bool pel_cells_end(struct pel_cells *c);
+/* Ends all runs at the boundary. Its error grows by `row` to the pixel below;
+ * `row` from row to row, and the step from pixel to pixel, by `bend`. true when
+ * pixels are left. */
+bool pel_cells_end(struct pel_cells *c, int32_t row, int32_t bend);
 
 /* Ends all runs where their rows do: false, no pixels are left. */
 bool pel_cells_end_all(struct pel_cells *c);

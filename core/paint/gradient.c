@@ -97,27 +97,16 @@ static inline int32_t rows_of(const struct pel_cells *c)
     return PEL_CELL_ROWS == 1 ? 1 : c->cell.n;
 }
 
-/* Begins the batch at c->span. */
-static void load(struct pel_cells *c)
-{
-    c->cell.n = pel_min(c->left, c->most);
-    for (int32_t i = 0; i < rows_of(c); i++)
-        c->run[i].x1 = c->span[i].x0;
-}
-
 void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
-                    const struct pel_spans *spans, int32_t most)
+                    const struct pel_spans *spans)
 {
     c->gradient = gradient;
     c->cell =
         (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
     c->span = spans->span;
-    c->left = spans->n;
-    c->most = most;
 #if PEL_KNOW_SIDES
     c->mask = mask_of(gradient, spans->surface->format);
 #endif
-    load(c);
 }
 
 /* Are pixels left of the batch? */
@@ -126,7 +115,7 @@ static bool find_left(struct pel_cells *c)
     int32_t rest = 0;
     c->lo = INT32_MAX;
     c->hi = INT32_MIN;
-    for (int32_t i = 0; i < rows_of(c); i++)
+    for (int32_t i = 0; i < c->cell.n; i++)
         if (c->run[i].x1 < c->span[i].x1) {
             c->lo = pel_min(c->lo, c->run[i].x1);
             c->hi = pel_max(c->hi, c->span[i].x1);
@@ -137,18 +126,19 @@ static bool find_left(struct pel_cells *c)
     return c->lo < c->hi;
 }
 
-bool pel_cells_next(struct pel_cells *c)
+bool pel_cells_next(struct pel_cells *c, const struct pel_spans *spans,
+                    int32_t most)
 {
     c->limit = INT32_MAX;
     c->way = 1;
     while (!find_left(c)) {
-        const int32_t n = rows_of(c);
-        c->left -= n;
-        if (c->left == 0)
+        c->span += c->cell.n;
+        c->cell.y += c->cell.n * c->cell.step;
+        c->cell.n = pel_min(spans->n - (int32_t)(c->span - spans->span), most);
+        if (c->cell.n == 0)
             return false;
-        c->span += n;
-        c->cell.y += n * c->cell.step;
-        load(c);
+        for (int32_t i = 0; i < rows_of(c); i++)
+            c->run[i].x1 = c->span[i].x0;
     }
     return true;
 }
@@ -178,10 +168,10 @@ static bool cut(struct pel_cells *c)
 }
 
 /* To the first pixel of the first row that lies beyond the boundary. */
-static int32_t end_first(struct pel_cells *c)
+static int32_t end_first(struct pel_cells *c, int32_t bend)
 {
     struct pel_boundary *b = &c->end;
-    const int32_t bend = b->bend, hi = c->hi;
+    const int32_t hi = c->hi;
     int32_t x = b->x, step = b->step;
     int64_t error = b->error;
     for (; error < 0 && x < hi; x++) {
@@ -196,16 +186,17 @@ static int32_t end_first(struct pel_cells *c)
 
 /* From row to row. The error is not taken for more than +-2^30: that is beyond
  * 32 rows and every step. */
-static int32_t end_others(struct pel_cells *c)
+static int32_t end_others(struct pel_cells *c, int32_t row, int32_t bend)
 {
     const struct pel_boundary *b = &c->end;
-    const int32_t lo = c->lo, hi = c->hi, bend = b->bend, most = 1 << 30;
-    const int32_t row_bend = c->cell.step ? b->row_bend : 0;
-    int32_t row = c->cell.step ? b->row : 0;
+    const int32_t lo = c->lo, hi = c->hi, most = 1 << 30;
+    const int32_t row_bend = c->cell.step ? bend : 0;
     int32_t x = b->x, step = b->step - bend, rest = 0;
     int32_t error = b->error < -most  ? -most
                     : b->error > most ? most
                                       : (int32_t)b->error;
+    if (c->cell.step == 0)
+        row = 0;
     for (int32_t i = 1; i < rows_of(c); i++) {
         error += row;
         row += row_bend;
@@ -225,12 +216,12 @@ static int32_t end_others(struct pel_cells *c)
     return rest;
 }
 
-bool pel_cells_end(struct pel_cells *c)
+bool pel_cells_end(struct pel_cells *c, int32_t row, int32_t bend)
 {
-    int32_t rest = end_first(c);
+    int32_t rest = end_first(c, bend);
     if (PEL_CELL_ROWS == 1)
         return rest < 0;
-    rest |= end_others(c);
+    rest |= end_others(c, row, bend);
     return c->box ? rest < 0 : cut(c);
 }
 

@@ -70,8 +70,8 @@ static int32_t height_of(const struct rays *r, const struct pel_conic *p)
 /* Ends at a ray d, which is not level. A pixel is on it or clockwise of it when
  * the cross product is 0 or more: beyond it above the centre, before it below.
  * The lowest 8 bits never change from pixel to pixel. */
-static PEL_NOINLINE_32 void set_end(struct rays *r, const struct pel_conic *p,
-                                    struct pel_point d)
+static PEL_NOINLINE_32 bool end_at(struct rays *r, const struct pel_conic *p,
+                                   struct pel_point d)
 {
     struct pel_boundary *end = &r->cells.end;
     const int32_t u = pel_pixel_center(end->x) - p->center.x;
@@ -80,7 +80,7 @@ static PEL_NOINLINE_32 void set_end(struct rays *r, const struct pel_conic *p,
     const bool above = d.y < 0;
     end->error = above ? cross : ~cross;
     end->step = above ? -d.y : d.y;
-    end->row = above ? d.x : -d.x;
+    return pel_cells_end(&r->cells, above ? d.x : -d.x, 0);
 }
 
 /* The next angle on the way. */
@@ -99,8 +99,7 @@ static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
     do
         move(r, p);
     while (--count);
-    set_end(r, p, pel_direction((uint16_t)r->at.turn));
-    return pel_cells_end(cells);
+    return end_at(r, p, pel_direction((uint16_t)r->at.turn));
 }
 
 /* As many cells may end as begin in the half turn of the rows. The first pixel
@@ -127,7 +126,6 @@ static void rays_start(struct rays *r, const struct pel_conic *p, int32_t v)
     if (c->limit < 0)
         c->limit += p->base.period;
     c->end.x = c->lo;
-    c->end.bend = c->end.row_bend = 0;
 }
 
 /* The row through the centre has two angles: left of it a half turn, then 0. */
@@ -165,8 +163,8 @@ static PEL_NOINLINE_32 void walk(struct rays *r)
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     struct rays r;
-    pel_cells_open(&r.cells, (const void *)paint, spans, PEL_CELL_ROWS);
-    while (pel_cells_next(&r.cells)) {
+    pel_cells_open(&r.cells, (const void *)paint, spans);
+    while (pel_cells_next(&r.cells, spans, PEL_CELL_ROWS)) {
         start(&r, (const void *)paint);
         walk(&r);
     }

@@ -23,6 +23,12 @@ static int32_t unit_of(const struct pel_linear *p)
     return p->base.cells * 256;
 }
 
+/* How the error changes to the pixel below. */
+static int32_t row_of(const struct pel_linear *p)
+{
+    return p->d.x < 0 ? -p->d.y : p->d.y;
+}
+
 static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_linear *p = (const void *)cells->gradient;
@@ -39,7 +45,7 @@ static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
     }
     cells->end.error = error;
     l->part = part;
-    return pel_cells_end(cells);
+    return pel_cells_end(cells, row_of(p), 0);
 }
 
 /* The cell of a pixel with this product, and its error. Before a padded way it
@@ -79,7 +85,7 @@ static PEL_NOINLINE_32 void start(struct lines *l, const struct pel_linear *p)
 {
     struct pel_cells *c = &l->cells;
     const bool falling = p->d.x < 0;
-    const int32_t row = falling ? -p->d.y : p->d.y;
+    const int32_t row = row_of(p);
     const int32_t last =
         PEL_CELL_ROWS > 1 && row < 0 ? (c->cell.n - 1) * c->cell.step : 0;
     set_cell(l, p, product_at(p, c->lo, c->cell.y + last));
@@ -87,8 +93,6 @@ static PEL_NOINLINE_32 void start(struct lines *l, const struct pel_linear *p)
         c->end.error -= pel_product(row, last);
     c->end.x = c->lo;
     c->end.step = falling ? -p->d.x : p->d.x;
-    c->end.row = row;
-    c->end.bend = c->end.row_bend = 0;
     if (falling)
         c->way = -1;
     if (p->d.x == 0)
@@ -114,9 +118,9 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     const int32_t dx = magnitude(p->d.x), dy = magnitude(p->d.y);
     const bool by_pixel = p->base.period && (dx + dy) >> 4 > p->cell;
     struct lines l;
-    pel_cells_open(&l.cells, &p->base, spans,
-                   by_pixel || dy > 8 * dx ? 1 : PEL_CELL_ROWS);
-    while (pel_cells_next(&l.cells)) {
+    const int32_t most = by_pixel || dy > 8 * dx ? 1 : PEL_CELL_ROWS;
+    pel_cells_open(&l.cells, &p->base, spans);
+    while (pel_cells_next(&l.cells, spans, most)) {
         if (by_pixel)
             l.cells.hi = l.cells.lo + 1;
         start(&l, p);

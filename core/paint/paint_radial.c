@@ -63,7 +63,8 @@ static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
     s->square = circle_square(p, &s->circle);
     cells->end.error -=
         cells->way > 0 ? s->square - square : square - s->square;
-    return pel_cells_end(cells);
+    const int32_t v = pel_pixel_center(cells->cell.y) - p->rings.center.y;
+    return pel_cells_end(cells, cells->way * (v + 128), cells->way * 256);
 }
 
 static int64_t square_at(const struct pel_radial *p, int32_t x, int32_t y)
@@ -147,8 +148,6 @@ static PEL_NOINLINE_32 void set_end(struct side *s, const struct pel_radial *p)
     end->error = c->way > 0 ? end->error - 1 : -end->error;
     end->x = c->lo;
     end->step = c->way * (pel_pixel_center(c->lo) - p->rings.center.x + 128);
-    end->row = c->way * (pel_pixel_center(y) - p->rings.center.y + 128);
-    end->bend = end->row_bend = c->way * 256;
 }
 
 /* A function of its own, to spare the stack of what comes before it. */
@@ -175,8 +174,8 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_radial *p = (const void *)paint;
     struct side s;
-    pel_cells_open(&s.cells, &p->base, spans, PEL_CELL_ROWS);
-    while (pel_cells_next(&s.cells)) {
+    pel_cells_open(&s.cells, &p->base, spans);
+    while (pel_cells_next(&s.cells, spans, PEL_CELL_ROWS)) {
         set_side(&s.cells, p);
         find_ring(&s, p, square_at(p, s.cells.lo, first_row(&s.cells, p)));
         set_ring(&s, p);
