@@ -44,16 +44,16 @@ struct pel_ink {
 /* A batch of rows on its way through the cells. A cell's place is its number
  * from 0 on, and below the period where there is one. */
 struct pel_cells {
+    struct pel_boundary end; /* before the first: at a batch's first pixel */
     const struct pel_gradient *gradient;
-    struct pel_spans cell;       /* the present cell's runs */
     const struct pel_span *span; /* the shape's, of these rows */
-    struct pel_boundary end;
+    struct pel_spans cell;       /* the present cell's runs */
 
-    int32_t lo, hi; /* runs begin and end here at the farthest, */
-    bool box;       /* in all rows */
-    int8_t way;     /* from one cell's place to the next: 1 or -1 */
-    int32_t place;  /* of the next cell */
-    int32_t limit;  /* cells that may end yet; at 0 the rest is one cell */
+    int32_t hi;    /* runs end here at the farthest, */
+    bool box;      /* in all rows */
+    int8_t way;    /* from one cell's place to the next: 1 or -1 */
+    int32_t place; /* of the next cell */
+    int32_t limit; /* cells that may end yet; at 0 the rest is one cell */
 
     struct pel_ink ink; /* of the next cell */
 #if PEL_KNOW_SIDES
@@ -70,7 +70,7 @@ void pel_cells_open(struct pel_cells *cells,
                     const struct pel_spans *spans);
 
 /* Goes on to the next batch, of at most `most` <= PEL_CELL_ROWS rows, unless
- * pixels are left of the present one: between lo and hi. No limit, way 1. false
+ * pixels are left of the present one: from end.x to hi. No limit, way 1. false
  * when none are. */
 bool pel_cells_next(struct pel_cells *cells, const struct pel_spans *spans,
                     int32_t most);

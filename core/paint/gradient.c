@@ -109,21 +109,24 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
 #endif
 }
 
-/* Are pixels left of the batch? */
+/* Are pixels left of the batch? Rows that have none end far away. */
 static bool find_left(struct pel_cells *c)
 {
-    int32_t rest = 0;
-    c->lo = INT32_MAX;
-    c->hi = INT32_MIN;
+    const int32_t far = 1 << 20;
+    int32_t lo = far, hi = -far, rest = 0;
     for (int32_t i = 0; i < c->cell.n; i++)
         if (c->run[i].x1 < c->span[i].x1) {
-            c->lo = pel_min(c->lo, c->run[i].x1);
-            c->hi = pel_max(c->hi, c->span[i].x1);
+            lo = pel_min(lo, c->run[i].x1);
+            hi = pel_max(hi, c->span[i].x1);
+        } else if (PEL_CELL_ROWS > 1) {
+            c->run[i].x1 = far;
         }
     for (int32_t i = 0; PEL_CELL_ROWS > 1 && i < c->cell.n; i++)
-        rest |= (c->run[i].x1 - c->lo) | (c->hi - c->span[i].x1);
+        rest |= (c->run[i].x1 - lo) | (hi - c->span[i].x1);
+    c->end.x = lo;
+    c->hi = hi;
     c->box = rest == 0;
-    return c->lo < c->hi;
+    return lo < hi;
 }
 
 bool pel_cells_next(struct pel_cells *c, const struct pel_spans *spans,
@@ -189,7 +192,7 @@ static int32_t end_first(struct pel_cells *c, int32_t bend)
 static int32_t end_others(struct pel_cells *c, int32_t row, int32_t bend)
 {
     const struct pel_boundary *b = &c->end;
-    const int32_t lo = c->lo, hi = c->hi, most = 1 << 30;
+    const int32_t hi = c->hi, most = 1 << 30;
     const int32_t row_bend = c->cell.step ? bend : 0;
     int32_t x = b->x, step = b->step - bend, rest = 0;
     int32_t error = b->error < -most  ? -most
@@ -207,7 +210,7 @@ static int32_t end_others(struct pel_cells *c, int32_t row, int32_t bend)
                 x++;
             } while (error < 0 && x < hi);
         else
-            for (; x > lo && error >= step; x--) {
+            for (; error >= step && x > c->run[i].x1; x--) {
                 error -= step;
                 step -= bend;
             }

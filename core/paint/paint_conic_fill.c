@@ -109,7 +109,7 @@ static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 static void rays_start(struct rays *r, const struct pel_conic *p, int32_t v)
 {
     struct pel_cells *c = &r->cells;
-    const int32_t u = pel_pixel_center(c->lo) - p->center.x;
+    const int32_t u = pel_pixel_center(c->end.x) - p->center.x;
     const bool above = v < 0, last = above == (u < 0);
     if (last)
         v += (c->cell.n - 1) * c->cell.step * 256;
@@ -125,14 +125,13 @@ static void rays_start(struct rays *r, const struct pel_conic *p, int32_t v)
                      : c->place - place_of(p, 0);
     if (c->limit < 0)
         c->limit += p->base.period;
-    c->end.x = c->lo;
 }
 
 /* The row through the centre has two angles: left of it a half turn, then 0. */
 static void level_start(struct pel_cells *c, const struct pel_conic *p)
 {
     const int32_t split = pel_first_pixel(p->center.x);
-    const bool left = c->lo < split;
+    const bool left = c->end.x < split;
     if (left)
         c->hi = pel_min(c->hi, split);
     c->limit = 0;
@@ -154,19 +153,13 @@ static PEL_NOINLINE_32 void start(struct rays *r, const struct pel_conic *p)
         rays_start(r, p, v);
 }
 
-/* A function of its own, to spare the stack of what comes before it. */
-static PEL_NOINLINE_32 void walk(struct rays *r)
-{
-    pel_cells_draw(&r->cells, end_cells);
-}
-
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     struct rays r;
     pel_cells_open(&r.cells, (const void *)paint, spans);
     while (pel_cells_next(&r.cells, spans, PEL_CELL_ROWS)) {
         start(&r, (const void *)paint);
-        walk(&r);
+        pel_cells_draw(&r.cells, end_cells);
     }
 }
 

@@ -4,7 +4,8 @@
 #include "cells.h"
 
 /* (P - from).d at pixel (x, y). Below 2^50. */
-static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y)
+static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
+                                          int32_t y)
 {
     return pel_product(pel_pixel_center(x) - p->from.x, p->d.x) +
            pel_product(pel_pixel_center(y) - p->from.y, p->d.y);
@@ -21,6 +22,11 @@ struct lines {
 static int32_t unit_of(const struct pel_linear *p)
 {
     return p->base.cells * 256;
+}
+
+static int32_t magnitude(int32_t v)
+{
+    return v < 0 ? -v : v;
 }
 
 /* How the error changes to the pixel below. */
@@ -48,66 +54,63 @@ static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
     return pel_cells_end(cells, row_of(p), 0);
 }
 
-/* The cell of a pixel with this product, and its error. Before a padded way it
- * is in the first cell all the same. Of a product < 0, all bits turned round
- * are divided and turned back. n gone < 2^15 2^49. */
-static void set_cell(struct lines *l, const struct pel_linear *p,
-                     int64_t product)
+/* The copy of the way that has a product, from which it is left in the error.
+ * Of a product < 0, all bits turned round are divided and turned back. */
+static PEL_NOINLINE_32 int32_t find_copy(struct lines *l,
+                                         const struct pel_linear *p,
+                                         int64_t product)
 {
-    const uint64_t square = (uint64_t)p->square;
+    const bool below = product < 0;
+    uint64_t rest;
+    const int32_t copy = (int32_t)pel_divide_64(
+        (uint64_t)(below ? ~product : product), (uint64_t)p->square, &rest);
+    l->cells.end.error = below ? p->square - 1 - (int64_t)rest : (int64_t)rest;
+    if (p->base.period == 0 && (p->d.x < 0 ? copy > 0 : below))
+        l->cells.end.error = product;
+    return below ? ~copy : copy;
+}
+
+/* The cell of the first pixel: in the first row, or the row where it is lowest,
+ * from where the error is taken to the first. Before a padded way it is in the
+ * first cell all the same. n error < 2^15 2^49. */
+static PEL_NOINLINE_32 void set_cell(struct lines *l,
+                                     const struct pel_linear *p, int32_t copy)
+{
     const bool falling = p->d.x < 0;
     const int32_t n = p->base.cells;
-    uint64_t gone, rest;
-    int32_t copy = (int32_t)pel_divide_64(
-        (uint64_t)(product < 0 ? ~product : product), square, &gone);
-    if (product < 0) {
-        copy = ~copy;
-        gone = square - 1 - gone;
-    }
-    const int32_t part =
-        (int32_t)pel_divide_64(pel_times(gone, n), square, &rest);
-    l->cells.place = pel_gradient_place(&p->base, copy, part);
+    int64_t *const error = &l->cells.end.error;
+    uint64_t rest;
     if (p->base.period == 0 && (falling ? copy > 0 : copy < 0)) {
-        const int64_t way = falling ? p->square - product : product;
-        l->cells.end.error = way >> 8;
-        l->part = n * (int32_t)(way & 255) - falling;
+        l->cells.place = falling ? n - 1 : 0;
+        *error = falling ? p->square - *error : *error;
+        l->part = n * (int32_t)(*error & 255) - falling;
+        *error >>= 8;
         return;
     }
+    l->cells.place = pel_gradient_place(
+        &p->base, copy,
+        (int32_t)pel_divide_64(pel_times((uint64_t)*error, n),
+                               (uint64_t)p->square, &rest));
     if (falling)
-        rest = square - 1 - rest;
-    l->cells.end.error =
-        (int64_t)pel_divide_64(rest, (uint64_t)unit_of(p), &rest);
+        rest = (uint64_t)p->square - 1 - rest;
+    *error = (int64_t)pel_divide_64(rest, (uint64_t)unit_of(p), &rest);
     l->part = (int32_t)rest;
 }
 
-/* At the first pixel of the first row, in the lowest cell of any row. */
-static PEL_NOINLINE_32 void start(struct lines *l, const struct pel_linear *p)
+static PEL_ALWAYS_INLINE void start(struct lines *l, const struct pel_linear *p)
 {
     struct pel_cells *c = &l->cells;
-    const bool falling = p->d.x < 0;
     const int32_t row = row_of(p);
     const int32_t last =
         PEL_CELL_ROWS > 1 && row < 0 ? (c->cell.n - 1) * c->cell.step : 0;
-    set_cell(l, p, product_at(p, c->lo, c->cell.y + last));
+    set_cell(l, p, find_copy(l, p, product_at(p, c->end.x, c->cell.y + last)));
     if (PEL_CELL_ROWS > 1)
         c->end.error -= pel_product(row, last);
-    c->end.x = c->lo;
-    c->end.step = falling ? -p->d.x : p->d.x;
-    if (falling)
+    c->end.step = magnitude(p->d.x);
+    if (p->d.x < 0)
         c->way = -1;
     if (p->d.x == 0)
         c->limit = 0;
-}
-
-/* A function of its own, to spare the stack of what comes before it. */
-static PEL_NOINLINE_32 void walk(struct lines *l)
-{
-    pel_cells_draw(&l->cells, end_cells);
-}
-
-static int32_t magnitude(int32_t v)
-{
-    return v < 0 ? -v : v;
 }
 
 /* Where boundaries lie far apart from row to row, the rows are drawn one by
@@ -122,9 +125,9 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     pel_cells_open(&l.cells, &p->base, spans);
     while (pel_cells_next(&l.cells, spans, most)) {
         if (by_pixel)
-            l.cells.hi = l.cells.lo + 1;
+            l.cells.hi = l.cells.end.x + 1;
         start(&l, p);
-        walk(&l);
+        pel_cells_draw(&l.cells, end_cells);
     }
 }
 

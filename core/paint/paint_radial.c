@@ -144,16 +144,9 @@ static PEL_NOINLINE_32 void set_end(struct side *s, const struct pel_radial *p)
     struct pel_boundary *end = &c->end;
     const int32_t y = c->cell.y;
     s->square = circle_square(p, &s->circle);
-    end->error = (square_at(p, c->lo, y) >> 9) - s->square;
+    end->error = (square_at(p, c->end.x, y) >> 9) - s->square;
     end->error = c->way > 0 ? end->error - 1 : -end->error;
-    end->x = c->lo;
-    end->step = c->way * (pel_pixel_center(c->lo) - p->rings.center.x + 128);
-}
-
-/* A function of its own, to spare the stack of what comes before it. */
-static PEL_NOINLINE_32 void walk(struct side *s)
-{
-    pel_cells_draw(&s->cells, end_cells);
+    end->step = c->way * (pel_pixel_center(c->end.x) - p->rings.center.x + 128);
 }
 
 /* The part of the batch on one side. Rings narrower than 1/64 px are drawn a
@@ -163,8 +156,8 @@ static PEL_CELL_STEP void set_side(struct pel_cells *c,
 {
     const int32_t split = pel_first_pixel(p->rings.center.x);
     if (p->base.period && p->rings.radius < 4 * p->base.cells)
-        c->hi = c->lo + 1;
-    if (c->lo < split) {
+        c->hi = c->end.x + 1;
+    if (c->end.x < split) {
         c->way = -1;
         c->hi = pel_min(c->hi, split);
     }
@@ -177,10 +170,10 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     pel_cells_open(&s.cells, &p->base, spans);
     while (pel_cells_next(&s.cells, spans, PEL_CELL_ROWS)) {
         set_side(&s.cells, p);
-        find_ring(&s, p, square_at(p, s.cells.lo, first_row(&s.cells, p)));
+        find_ring(&s, p, square_at(p, s.cells.end.x, first_row(&s.cells, p)));
         set_ring(&s, p);
         set_end(&s, p);
-        walk(&s);
+        pel_cells_draw(&s.cells, end_cells);
     }
 }
 
