@@ -35,12 +35,6 @@ struct pel_boundary {
     int32_t x, step;
 };
 
-/* How a colour is drawn: a function of the format, and what it takes. */
-struct pel_ink {
-    void (*draw)(const struct pel_spans *spans, uint32_t value);
-    uint32_t value;
-};
-
 /* A batch of rows on its way through the cells. A cell's place is its number
  * from 0 on, and below the period where there is one. */
 struct pel_cells {
@@ -49,15 +43,19 @@ struct pel_cells {
     const struct pel_span *span; /* the shape's, of these rows */
     struct pel_spans cell;       /* the present cell's runs */
 
-    int32_t hi;    /* runs end here at the farthest, */
-    bool box;      /* in all rows */
-    int8_t way;    /* from one cell's place to the next: 1 or -1 */
-    int32_t place; /* of the next cell */
-    int32_t limit; /* cells that may end yet; at 0 the rest is one cell */
+    int32_t hi;     /* runs end here at the farthest, */
+    bool box;       /* in all rows */
+    int8_t way;     /* from one cell's place to the next: 1 or -1 */
+    bool opaque;    /* of the next cell: its colour is one, */
+    uint32_t value; /* and the pixel value, or else the colour */
+    int32_t place;  /* of the next cell */
+    int32_t limit;  /* cells that may end yet; at 0 the rest is one cell */
 
-    struct pel_ink ink; /* of the next cell */
+    /* Of the kind's walk: a whole number, and what it leaves. */
+    int32_t whole, rest;
+
 #if PEL_KNOW_SIDES
-    pel_color mask; /* of mixed colours what can be seen; 0: ask the ink */
+    pel_color mask; /* of mixed colours what can be seen; 0: ask the format */
 #endif
 
     /* The run of the present cell, in every row. */
@@ -79,7 +77,7 @@ bool pel_cells_next(struct pel_cells *cells, const struct pel_spans *spans,
  * 0: all that may come. Moves on to the first other one. */
 int32_t pel_cells_pass(struct pel_cells *c);
 
-/* Before the first cell: its ink, and a limit where the ramp is padded. */
+/* Before the first cell: its colour, and a limit where the ramp is padded. */
 void pel_cells_first(struct pel_cells *c);
 
 /* Ends all runs at the boundary. Its error grows by `row` to the pixel below;
@@ -100,15 +98,14 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
     bool rest = false;
     pel_cells_first(c);
     do {
-        const struct pel_ink ink = c->ink;
+        const uint32_t value = c->value;
+        const bool opaque = c->opaque;
         const int32_t count = pel_cells_pass(c);
         if (count)
             rest = end(c, count);
         else
             rest = pel_cells_end_all(c);
-        PEL_ASSERT(ink.draw);
-        if (ink.draw)
-            ink.draw(&c->cell, ink.value);
+        pel_fill_value(&c->cell, value, opaque);
     } while (rest);
 }
 

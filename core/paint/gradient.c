@@ -34,17 +34,15 @@ int32_t pel_gradient_place(const struct pel_gradient *g, int32_t copy,
     return g->period > g->cells && (copy & 1) ? part + g->cells : part;
 }
 
-/* Sets the ink of the cell at c->place. */
+/* Takes the colour of the cell at c->place. */
 static void dip(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
-    const struct pel_format *format = c->cell.surface->format;
     const int32_t place = c->place;
     const pel_color color =
         g->color(g, place < g->cells ? place : g->period - 1 - place);
-    const bool opaque = pel_alpha(color) == 255;
-    c->ink.draw = opaque ? format->fill : format->blend;
-    c->ink.value = opaque ? format->pack(color) : color;
+    c->opaque = pel_alpha(color) == 255;
+    c->value = c->opaque ? c->cell.surface->format->pack(color) : color;
 }
 
 #if PEL_KNOW_SIDES
@@ -238,7 +236,8 @@ bool pel_cells_end_all(struct pel_cells *c)
 int32_t pel_cells_pass(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
-    const struct pel_ink first = c->ink;
+    const uint32_t value = c->value;
+    const bool opaque = c->opaque;
     const int32_t most = g->period ? pel_min(c->limit, g->period) : c->limit;
     int32_t count = 0;
     do {
@@ -258,7 +257,7 @@ int32_t pel_cells_pass(struct pel_cells *c)
         else if (g->period && c->place < 0)
             c->place = g->period - 1;
         dip(c);
-    } while (c->ink.value == first.value && c->ink.draw == first.draw);
+    } while (c->value == value && c->opaque == opaque);
     c->limit -= count;
     return count;
 }

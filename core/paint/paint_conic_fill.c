@@ -5,16 +5,10 @@
 
 enum { HALF_TURN = 32768, FULL_TURN = 65536 };
 
-/* An angle between cells: floor(65536 k / period) from the start, and what the
- * floor drops. */
-struct angle {
-    uint32_t turn, rest;
-};
-
 /* Not before which angle, of 65,536, a pixel lies: bit by bit, since it is on
  * the ray of an angle of its half turn or clockwise of it where the cross
  * product is 0 or more. */
-static uint32_t turn_of(int32_t u, int32_t v)
+static PEL_NOINLINE_32 uint32_t turn_of(int32_t u, int32_t v)
 {
     uint32_t turn = v < 0 || (v == 0 && u < 0) ? HALF_TURN : 0;
     if (v == 0)
@@ -35,131 +29,102 @@ static int32_t place_of(const struct pel_conic *p, uint32_t turn)
     return (int32_t)(((turn + 1) * (uint32_t)p->base.period - 1) >> 16);
 }
 
-static void angle_add(const struct pel_conic *p, struct angle *a)
+/* To the next cell's angle clockwise, or counter-clockwise. Present cells begin
+ * at the angle floor(65536 k / period) from the start, c->whole, and what the
+ * floor drops. */
+static PEL_NOINLINE_32 void angle_move(struct pel_cells *c,
+                                       const struct pel_conic *p, int32_t way)
 {
-    a->turn += p->width;
-    a->rest += p->rest;
-    if (a->rest >= (uint32_t)p->base.period) {
-        a->rest -= (uint32_t)p->base.period;
-        a->turn++;
+    c->whole += way * p->width;
+    c->rest += way * p->rest;
+    if (c->rest < 0 || c->rest >= p->base.period) {
+        c->rest -= way * p->base.period;
+        c->whole += way;
     }
 }
-
-static void angle_take(const struct pel_conic *p, struct angle *a)
-{
-    a->turn -= p->width;
-    if (a->rest < p->rest) {
-        a->rest += (uint32_t)p->base.period;
-        a->turn--;
-    }
-    a->rest -= p->rest;
-}
-
-/* Rows above or below the centre. */
-struct rays {
-    struct pel_cells cells;
-    struct angle at; /* where the present cell begins */
-};
 
 /* The height of the first row, from the centre down. */
-static int32_t height_of(const struct rays *r, const struct pel_conic *p)
+static int32_t height_of(const struct pel_cells *c, const struct pel_conic *p)
 {
-    return pel_pixel_center(r->cells.cell.y) - p->center.y;
+    return pel_pixel_center(c->cell.y) - p->center.y;
 }
 
 /* Ends at a ray d, which is not level. A pixel is on it or clockwise of it when
  * the cross product is 0 or more: beyond it above the centre, before it below.
  * The lowest 8 bits never change from pixel to pixel. */
-static PEL_NOINLINE_32 bool end_at(struct rays *r, const struct pel_conic *p,
+static PEL_NOINLINE_32 bool end_at(struct pel_cells *c,
+                                   const struct pel_conic *p,
                                    struct pel_point d)
 {
-    struct pel_boundary *end = &r->cells.end;
+    struct pel_boundary *end = &c->end;
     const int32_t u = pel_pixel_center(end->x) - p->center.x;
     const int64_t cross =
-        (pel_product(d.x, height_of(r, p)) - pel_product(d.y, u)) >> 8;
+        (pel_product(d.x, height_of(c, p)) - pel_product(d.y, u)) >> 8;
     const bool above = d.y < 0;
     end->error = above ? cross : ~cross;
     end->step = above ? -d.y : d.y;
-    return pel_cells_end(&r->cells, above ? d.x : -d.x, 0);
-}
-
-/* The next angle on the way. */
-static void move(struct rays *r, const struct pel_conic *p)
-{
-    if (r->cells.way > 0)
-        angle_add(p, &r->at);
-    else
-        angle_take(p, &r->at);
+    return pel_cells_end(c, above ? d.x : -d.x, 0);
 }
 
 static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_conic *p = (const void *)cells->gradient;
-    struct rays *r = (void *)cells;
     do
-        move(r, p);
+        angle_move(cells, p, cells->way);
     while (--count);
-    return end_at(r, p, pel_direction((uint16_t)r->at.turn));
+    return end_at(cells, p, pel_direction((uint16_t)cells->whole));
 }
 
-/* As many cells may end as begin in the half turn of the rows. The first pixel
- * by angle is in the first column: clockwise above the centre,
- * counter-clockwise below, in the row nearest to the centre where that is left
- * of it, else in the farthest one. */
-static void rays_start(struct rays *r, const struct pel_conic *p, int32_t v)
+/* Cuts the batch, so that it has rows above the centre, or the row through it,
+ * which has two angles, or rows below. The height of the first pixel by angle:
+ * it is in the first column, clockwise above the centre, counter-clockwise
+ * below, in the row nearest to the centre where that is left of it, else in the
+ * farthest one. */
+static PEL_NOINLINE_32 int32_t first_row(struct pel_cells *c,
+                                         const struct pel_conic *p)
 {
-    struct pel_cells *c = &r->cells;
-    const int32_t u = pel_pixel_center(c->end.x) - p->center.x;
-    const bool above = v < 0, last = above == (u < 0);
-    if (last)
-        v += (c->cell.n - 1) * c->cell.step * 256;
-    c->place = place_of(p, turn_of(u, v));
-    const uint32_t k = (uint32_t)c->place << 16;
-    r->at.turn = pel_divide(k, (uint32_t)p->base.period);
-    r->at.rest = k - r->at.turn * (uint32_t)p->base.period;
-    r->at.turn += p->start;
-    if (!above)
-        angle_add(p, &r->at);
+    const int32_t v = height_of(c, p);
+    const int32_t split = pel_first_pixel(p->center.x);
+    const bool above = v < 0, left = c->end.x < split;
+    if (c->cell.step && v <= 0)
+        c->cell.n = pel_min(
+            c->cell.n, above ? pel_first_pixel(p->center.y) - c->cell.y : 1);
+    if (v == 0 && left)
+        c->hi = pel_min(c->hi, split);
     c->way = above ? 1 : -1;
+    return v && above == left ? v + (c->cell.n - 1) * c->cell.step * 256 : v;
+}
+
+/* The cell of an angle. As many may end as begin in the half turn of the rows,
+ * and none in the row through the centre. */
+static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
+                                     const struct pel_conic *p, uint32_t angle)
+{
+    const bool above = c->way > 0;
+    c->place = place_of(p, angle);
+    const uint32_t k = (uint32_t)c->place << 16;
+    const uint32_t turn = pel_divide(k, (uint32_t)p->base.period);
+    c->rest = (int32_t)(k - turn * (uint32_t)p->base.period);
+    c->whole = (int32_t)(turn + p->start);
+    if (!above)
+        angle_move(c, p, 1);
     c->limit = above ? place_of(p, FULL_TURN - 1) - c->place
                      : c->place - place_of(p, 0);
     if (c->limit < 0)
         c->limit += p->base.period;
-}
-
-/* The row through the centre has two angles: left of it a half turn, then 0. */
-static void level_start(struct pel_cells *c, const struct pel_conic *p)
-{
-    const int32_t split = pel_first_pixel(p->center.x);
-    const bool left = c->end.x < split;
-    if (left)
-        c->hi = pel_min(c->hi, split);
-    c->limit = 0;
-    c->place = place_of(p, left ? HALF_TURN : 0);
-}
-
-/* The batch has rows above the centre, or the row through it, or rows below. */
-static PEL_NOINLINE_32 void start(struct rays *r, const struct pel_conic *p)
-{
-    struct pel_spans *rows = &r->cells.cell;
-    const int32_t v = height_of(r, p);
-    if (rows->step && v < 0)
-        rows->n = pel_min(rows->n, pel_first_pixel(p->center.y) - rows->y);
-    else if (rows->step && v == 0)
-        rows->n = 1;
-    if (v == 0)
-        level_start(&r->cells, p);
-    else
-        rays_start(r, p, v);
+    if (height_of(c, p) == 0)
+        c->limit = 0;
 }
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
-    struct rays r;
-    pel_cells_open(&r.cells, (const void *)paint, spans);
-    while (pel_cells_next(&r.cells, spans, PEL_CELL_ROWS)) {
-        start(&r, (const void *)paint);
-        pel_cells_draw(&r.cells, end_cells);
+    const struct pel_conic *p = (const void *)paint;
+    struct pel_cells c;
+    pel_cells_open(&c, &p->base, spans);
+    while (pel_cells_next(&c, spans, PEL_CELL_ROWS)) {
+        const int32_t v = first_row(&c, p);
+        set_cell(&c, p, turn_of(pel_pixel_center(c.end.x) - p->center.x, v));
+        pel_cells_draw(&c, end_cells);
     }
 }
 

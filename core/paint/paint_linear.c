@@ -12,13 +12,9 @@ static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
 }
 
 /* The error of the boundary where cell k begins is n product - k square, in
- * units of 256 n. Where products fall to the right, so do cells, and it is
- * (k + 1) square - 1 - n product. */
-struct lines {
-    struct pel_cells cells;
-    int32_t part; /* what is left of the error: -1 to 256 n */
-};
-
+ * units of 256 n, and what they leave (c->rest, from -1 to 256 n - 1). Where
+ * products fall to the right, so do cells, and it is (k + 1) square - 1 - n
+ * product. */
 static int32_t unit_of(const struct pel_linear *p)
 {
     return p->base.cells * 256;
@@ -35,12 +31,11 @@ static int32_t row_of(const struct pel_linear *p)
     return p->d.x < 0 ? -p->d.y : p->d.y;
 }
 
-static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
+static PEL_CELL_STEP bool end_cells(struct pel_cells *c, int32_t count)
 {
-    const struct pel_linear *p = (const void *)cells->gradient;
-    struct lines *l = (void *)cells;
-    int64_t error = cells->end.error;
-    int32_t part = l->part;
+    const struct pel_linear *p = (const void *)c->gradient;
+    int64_t error = c->end.error;
+    int32_t part = c->rest;
     for (; count > 0; count--) {
         error -= p->cell;
         if (part < p->cell_rest) {
@@ -49,14 +44,14 @@ static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
         }
         part -= p->cell_rest;
     }
-    cells->end.error = error;
-    l->part = part;
-    return pel_cells_end(cells, row_of(p), 0);
+    c->end.error = error;
+    c->rest = part;
+    return pel_cells_end(c, row_of(p), 0);
 }
 
 /* The copy of the way that has a product, from which it is left in the error.
  * Of a product < 0, all bits turned round are divided and turned back. */
-static PEL_NOINLINE_32 int32_t find_copy(struct lines *l,
+static PEL_NOINLINE_32 int32_t find_copy(struct pel_cells *c,
                                          const struct pel_linear *p,
                                          int64_t product)
 {
@@ -64,46 +59,46 @@ static PEL_NOINLINE_32 int32_t find_copy(struct lines *l,
     uint64_t rest;
     const int32_t copy = (int32_t)pel_divide_64(
         (uint64_t)(below ? ~product : product), (uint64_t)p->square, &rest);
-    l->cells.end.error = below ? p->square - 1 - (int64_t)rest : (int64_t)rest;
+    c->end.error = below ? p->square - 1 - (int64_t)rest : (int64_t)rest;
     if (p->base.period == 0 && (p->d.x < 0 ? copy > 0 : below))
-        l->cells.end.error = product;
+        c->end.error = product;
     return below ? ~copy : copy;
 }
 
 /* The cell of the first pixel: in the first row, or the row where it is lowest,
  * from where the error is taken to the first. Before a padded way it is in the
  * first cell all the same. n error < 2^15 2^49. */
-static PEL_NOINLINE_32 void set_cell(struct lines *l,
+static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
                                      const struct pel_linear *p, int32_t copy)
 {
     const bool falling = p->d.x < 0;
     const int32_t n = p->base.cells;
-    int64_t *const error = &l->cells.end.error;
+    int64_t *const error = &c->end.error;
     uint64_t rest;
     if (p->base.period == 0 && (falling ? copy > 0 : copy < 0)) {
-        l->cells.place = falling ? n - 1 : 0;
+        c->place = falling ? n - 1 : 0;
         *error = falling ? p->square - *error : *error;
-        l->part = n * (int32_t)(*error & 255) - falling;
+        c->rest = n * (int32_t)(*error & 255) - falling;
         *error >>= 8;
         return;
     }
-    l->cells.place = pel_gradient_place(
+    c->place = pel_gradient_place(
         &p->base, copy,
         (int32_t)pel_divide_64(pel_times((uint64_t)*error, n),
                                (uint64_t)p->square, &rest));
     if (falling)
         rest = (uint64_t)p->square - 1 - rest;
     *error = (int64_t)pel_divide_64(rest, (uint64_t)unit_of(p), &rest);
-    l->part = (int32_t)rest;
+    c->rest = (int32_t)rest;
 }
 
-static PEL_ALWAYS_INLINE void start(struct lines *l, const struct pel_linear *p)
+static PEL_ALWAYS_INLINE void start(struct pel_cells *c,
+                                    const struct pel_linear *p)
 {
-    struct pel_cells *c = &l->cells;
     const int32_t row = row_of(p);
     const int32_t last =
         PEL_CELL_ROWS > 1 && row < 0 ? (c->cell.n - 1) * c->cell.step : 0;
-    set_cell(l, p, find_copy(l, p, product_at(p, c->end.x, c->cell.y + last)));
+    set_cell(c, p, find_copy(c, p, product_at(p, c->end.x, c->cell.y + last)));
     if (PEL_CELL_ROWS > 1)
         c->end.error -= pel_product(row, last);
     c->end.step = magnitude(p->d.x);
@@ -118,16 +113,15 @@ static PEL_ALWAYS_INLINE void start(struct lines *l, const struct pel_linear *p)
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    const int32_t dx = magnitude(p->d.x), dy = magnitude(p->d.y);
-    const bool by_pixel = p->base.period && (dx + dy) >> 4 > p->cell;
-    struct lines l;
-    const int32_t most = by_pixel || dy > 8 * dx ? 1 : PEL_CELL_ROWS;
-    pel_cells_open(&l.cells, &p->base, spans);
-    while (pel_cells_next(&l.cells, spans, most)) {
-        if (by_pixel)
-            l.cells.hi = l.cells.end.x + 1;
-        start(&l, p);
-        pel_cells_draw(&l.cells, end_cells);
+    const bool far = magnitude(p->d.y) > 8 * magnitude(p->d.x);
+    const int32_t most = p->by_pixel || far ? 1 : PEL_CELL_ROWS;
+    struct pel_cells c;
+    pel_cells_open(&c, &p->base, spans);
+    while (pel_cells_next(&c, spans, most)) {
+        if (p->by_pixel)
+            c.hi = c.end.x + 1;
+        start(&c, p);
+        pel_cells_draw(&c, end_cells);
     }
 }
 
@@ -152,5 +146,8 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     paint->cell = (int64_t)pel_divide_64((uint64_t)paint->square,
                                          (uint64_t)unit_of(paint), &rest);
     paint->cell_rest = (int32_t)rest;
+    paint->by_pixel =
+        paint->base.period &&
+        (magnitude(paint->d.x) + magnitude(paint->d.y)) >> 4 > paint->cell;
     return PEL_OK;
 }

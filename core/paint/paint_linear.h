@@ -28,6 +28,7 @@ struct pel_linear {
     int64_t square; /* |d|^2 = 256 n cell + cell_rest */
     int64_t cell;
     int32_t cell_rest;
+    bool by_pixel; /* cells are narrower than 1/16 px */
 };
 
 /* PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n, or from and to are one point),

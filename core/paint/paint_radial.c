@@ -3,71 +3,59 @@
 #include "../base/divide.h"
 #include "cells.h"
 
-/* A circle between rings: k of them lie inside, in copy number `copy` of the
- * way. Its radius is floor(k radius / n) exactly, rest / n what the floor
- * drops. */
-struct circle {
-    int32_t copy, part;
-    int32_t radius, rest;
-};
-
 /* One side of the rings, left or right of the centre. Squares of distances are
  * counted in 512ths: from pixel to pixel and from row to row they grow by whole
  * ones, so that what is left of them, p->low, never changes. A pixel lies
  * beyond a circle on the right side when the square of its distance is larger
- * than that of the radius, on the left side when it is not. */
+ * than that of the radius, on the left side when it is not.
+ *
+ * The present cell begins at a circle of the radius floor(k radius / n), cells'
+ * `whole`, rest / n what the floor drops: k rings lie inside, `part` of them in
+ * copy number `copy` of the way. */
 struct side {
     struct pel_cells cells;
-    struct circle circle; /* where the present cell begins, */
-    int64_t square;       /* and its square in 512ths */
+    union {
+        struct {
+            int32_t copy, part;
+        } ring;         /* until the circle is set, */
+        int64_t square; /* and its square in 512ths */
+    } u;
 };
 
-static void circle_set(const struct pel_radial *p, int32_t copy, int32_t part,
-                       struct circle *c)
-{
-    const uint32_t n = (uint32_t)p->base.cells;
-    const uint64_t ring =
-        pel_multiply((uint32_t)part, (uint32_t)p->rings.radius);
-    const uint32_t inner = pel_divide(ring, n);
-    c->copy = copy;
-    c->part = part;
-    c->radius = copy * p->rings.radius + (int32_t)inner;
-    c->rest = (int32_t)((uint32_t)ring - inner * n);
-}
-
 /* To the next circle outwards, or inwards. */
-static void circle_move(const struct pel_radial *p, struct circle *c,
+static void circle_move(struct pel_cells *c, const struct pel_radial *p,
                         int32_t way)
 {
-    c->radius += way * p->width;
+    c->whole += way * p->width;
     c->rest += way * p->rest;
     if (c->rest < 0 || c->rest >= p->base.cells) {
         c->rest -= way * p->base.cells;
-        c->radius += way;
+        c->whole += way;
     }
 }
 
-static int64_t circle_square(const struct pel_radial *p, const struct circle *c)
+static void set_square(struct side *s, const struct pel_radial *p)
 {
-    return (pel_square(c->radius) - p->low) >> 9;
+    s->u.square = (pel_square(s->cells.whole) - p->low) >> 9;
 }
 
 static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_radial *p = (const void *)cells->gradient;
     struct side *s = (void *)cells;
-    const int64_t square = s->square;
-    do
-        circle_move(p, &s->circle, cells->way);
-    while (--count);
-    s->square = circle_square(p, &s->circle);
-    cells->end.error -=
-        cells->way > 0 ? s->square - square : square - s->square;
+    const int32_t way = cells->way;
     const int32_t v = pel_pixel_center(cells->cell.y) - p->rings.center.y;
-    return pel_cells_end(cells, cells->way * (v + 128), cells->way * 256);
+    cells->end.error += way > 0 ? s->u.square : -s->u.square;
+    do
+        circle_move(cells, p, way);
+    while (--count);
+    set_square(s, p);
+    cells->end.error -= way > 0 ? s->u.square : -s->u.square;
+    return pel_cells_end(cells, way * (v + 128), way * 256);
 }
 
-static int64_t square_at(const struct pel_radial *p, int32_t x, int32_t y)
+static PEL_NOINLINE_32 int64_t square_at(const struct pel_radial *p, int32_t x,
+                                         int32_t y)
 {
     return pel_square(pel_pixel_center(x) - p->rings.center.x) +
            pel_square(pel_pixel_center(y) - p->rings.center.y);
@@ -78,6 +66,8 @@ static int64_t square_at(const struct pel_radial *p, int32_t x, int32_t y)
 static int32_t first_row(const struct pel_cells *c, const struct pel_radial *p)
 {
     const int32_t y = c->cell.y, last = y + (c->cell.n - 1) * c->cell.step;
+    if (PEL_CELL_ROWS == 1)
+        return y;
     if (c->way > 0)
         return pel_min(pel_max(pel_pixel_of(p->rings.center.y), y), last);
     return 2 * p->rings.center.y - pel_pixel_center(y) > pel_pixel_center(last)
@@ -85,10 +75,11 @@ static int32_t first_row(const struct pel_cells *c, const struct pel_radial *p)
                : last;
 }
 
-/* floor(sqrt(v)) for v < 2^52, bit by bit. */
-static PEL_NOINLINE_32 uint32_t root_of(uint64_t v)
+/* Of the square of a distance, below 2^51, in the error: its root, rounded up,
+ * less 1, bit by bit. 0 of 0. */
+static PEL_NOINLINE_32 void find_root(struct pel_cells *c)
 {
-    uint64_t root = 0;
+    uint64_t root = 0, v = (uint64_t)c->end.error - (c->end.error > 0);
     for (uint64_t bit = UINT64_C(1) << 50; bit; bit >>= 2) {
         const uint64_t more = root + bit;
         root >>= 1;
@@ -97,24 +88,22 @@ static PEL_NOINLINE_32 uint32_t root_of(uint64_t v)
             root += bit;
         }
     }
-    return (uint32_t)root;
+    c->whole = (int32_t)root;
 }
 
-/* The inner circle of the ring that holds a pixel. With u the root of the
- * square of its distance, rounded up, ring k holds it when k radius / n < u,
- * which is k <= (u n - 1) / radius. */
+/* The ring that holds the pixel: ring k does when k radius / n < u, the root
+ * rounded up, which is k <= (u n - 1) / radius. */
 static PEL_NOINLINE_32 void find_ring(struct side *s,
-                                      const struct pel_radial *p,
-                                      int64_t square)
+                                      const struct pel_radial *p)
 {
     const uint32_t radius = (uint32_t)p->rings.radius;
-    const uint32_t n = (uint32_t)p->base.cells;
-    const uint32_t some = square > 0;
-    const uint32_t below = root_of((uint64_t)square - some); /* u - 1 */
+    const uint32_t below = (uint32_t)s->cells.whole;
+    const uint32_t some = s->cells.end.error > 0;
     const uint32_t copy = pel_divide(below, radius);
-    const uint32_t part = pel_divide(
-        pel_multiply(below - copy * radius + some, n) - some, radius);
-    circle_set(p, (int32_t)copy, (int32_t)part, &s->circle);
+    const uint64_t part =
+        pel_multiply(below - copy * radius + some, (uint32_t)p->base.cells);
+    s->u.ring.copy = (int32_t)copy;
+    s->u.ring.part = (int32_t)pel_divide(part - some, radius);
 }
 
 /* The place of the ring that was found, and the circle where it begins: on the
@@ -123,30 +112,46 @@ static PEL_NOINLINE_32 void find_ring(struct side *s,
 static PEL_NOINLINE_32 void set_ring(struct side *s, const struct pel_radial *p)
 {
     struct pel_cells *c = &s->cells;
-    struct circle *circle = &s->circle;
     const int32_t n = p->base.cells, most = n - 1 - p->first;
-    if (c->way < 0) {
-        if (p->base.period == 0 && (circle->copy || circle->part > most))
-            circle_set(p, 0, most, circle);
-        c->limit =
-            circle->copy < 65535 ? circle->copy * n + circle->part : INT32_MAX;
-        circle_move(p, circle, 1);
+    int32_t copy = s->u.ring.copy, part = s->u.ring.part;
+    if (c->way < 0 && p->base.period == 0 && (copy || part > most)) {
+        copy = 0;
+        part = most;
     }
-    const int32_t beyond = circle->part > most;
-    c->place = pel_gradient_place(&p->base, circle->copy + beyond,
-                                  circle->part + p->first - beyond * n);
+    if (c->way < 0)
+        c->limit = copy < 65535 ? copy * n + part : INT32_MAX;
+    const int32_t beyond = part > most;
+    c->place = pel_gradient_place(&p->base, copy + beyond,
+                                  part + p->first - beyond * n);
+    const uint64_t ring =
+        pel_multiply((uint32_t)part, (uint32_t)p->rings.radius);
+    const uint32_t inner = pel_divide(ring, (uint32_t)n);
+    c->whole = copy * p->rings.radius + (int32_t)inner;
+    c->rest = (int32_t)((uint32_t)ring - inner * (uint32_t)n);
+    if (c->way < 0)
+        circle_move(c, p, 1);
 }
 
-/* At the first pixel of the first row. */
+/* From the square of the distance of the first pixel to its error. */
 static PEL_NOINLINE_32 void set_end(struct side *s, const struct pel_radial *p)
 {
+    struct pel_boundary *end = &s->cells.end;
+    const int32_t way = s->cells.way;
+    set_square(s, p);
+    end->error -= s->u.square;
+    end->error = way > 0 ? end->error - 1 : -end->error;
+    end->step = way * (pel_pixel_center(end->x) - p->rings.center.x + 128);
+}
+
+static PEL_ALWAYS_INLINE void start(struct side *s, const struct pel_radial *p)
+{
     struct pel_cells *c = &s->cells;
-    struct pel_boundary *end = &c->end;
-    const int32_t y = c->cell.y;
-    s->square = circle_square(p, &s->circle);
-    end->error = (square_at(p, c->end.x, y) >> 9) - s->square;
-    end->error = c->way > 0 ? end->error - 1 : -end->error;
-    end->step = c->way * (pel_pixel_center(c->end.x) - p->rings.center.x + 128);
+    c->end.error = square_at(p, c->end.x, first_row(c, p));
+    find_root(c);
+    find_ring(s, p);
+    set_ring(s, p);
+    c->end.error = square_at(p, c->end.x, c->cell.y) >> 9;
+    set_end(s, p);
 }
 
 /* The part of the batch on one side. Rings narrower than 1/64 px are drawn a
@@ -170,9 +175,7 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     pel_cells_open(&s.cells, &p->base, spans);
     while (pel_cells_next(&s.cells, spans, PEL_CELL_ROWS)) {
         set_side(&s.cells, p);
-        find_ring(&s, p, square_at(p, s.cells.end.x, first_row(&s.cells, p)));
-        set_ring(&s, p);
-        set_end(&s, p);
+        start(&s, p);
         pel_cells_draw(&s.cells, end_cells);
     }
 }
