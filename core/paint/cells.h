@@ -39,17 +39,19 @@ struct pel_boundary {
  * from 0 on, and below the period where there is one. */
 struct pel_cells {
     struct pel_boundary end; /* before the first: at a batch's first pixel */
+
+    bool box;       /* hi ends all rows */
+    bool opaque;    /* the next cell's colour is, */
+    int8_t way;     /* from one cell's place to the next: 1 or -1 */
+    int32_t hi;     /* runs end here at the farthest */
+    uint32_t value; /* the opaque colour's pixel value, or the other colour */
+
     const struct pel_gradient *gradient;
     const struct pel_span *span; /* the shape's, of these rows */
     struct pel_spans cell;       /* the present cell's runs */
 
-    int32_t hi;     /* runs end here at the farthest, */
-    bool box;       /* in all rows */
-    int8_t way;     /* from one cell's place to the next: 1 or -1 */
-    bool opaque;    /* of the next cell: its colour is one, */
-    uint32_t value; /* and the pixel value, or else the colour */
-    int32_t place;  /* of the next cell */
-    int32_t limit;  /* cells that may end yet; at 0 the rest is one cell */
+    int32_t place; /* of the next cell */
+    int32_t limit; /* cells that may end yet; at 0 the rest is one cell */
 
     /* Of the kind's walk: a whole number, and what it leaves. */
     int32_t whole, rest;

@@ -1,5 +1,7 @@
 #include "cells.h"
 
+enum { FAR = 1 << 20 }; /* px: to the right of every pixel */
+
 /* The middle of cell i of 256 from a to b, rounded: a + (b - a) (2 i + 1) /
  * 512, for two channels in the halves of a word, is the upper byte of
  * mix_sum(a, b, i), which changes by b - a from cell to cell. In each half it
@@ -43,6 +45,12 @@ static void dip(struct pel_cells *c)
         g->color(g, place < g->cells ? place : g->period - 1 - place);
     c->opaque = pel_alpha(color) == 255;
     c->value = c->opaque ? c->cell.surface->format->pack(color) : color;
+}
+
+/* One where batches have no more. */
+static inline int32_t rows_of(const struct pel_cells *c)
+{
+    return PEL_CELL_ROWS == 1 ? 1 : c->cell.n;
 }
 
 #if PEL_KNOW_SIDES
@@ -89,12 +97,6 @@ static pel_color mask_of(const struct pel_gradient *g,
 
 #endif
 
-/* One where batches have no more. */
-static inline int32_t rows_of(const struct pel_cells *c)
-{
-    return PEL_CELL_ROWS == 1 ? 1 : c->cell.n;
-}
-
 void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
                     const struct pel_spans *spans)
 {
@@ -102,6 +104,7 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
     c->cell =
         (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
     c->span = spans->span;
+    c->run[0].x1 = FAR;
 #if PEL_KNOW_SIDES
     c->mask = mask_of(gradient, spans->surface->format);
 #endif
@@ -110,16 +113,20 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
 /* Are pixels left of the batch? Rows that have none end far away. */
 static bool find_left(struct pel_cells *c)
 {
-    const int32_t far = 1 << 20;
-    int32_t lo = far, hi = -far, rest = 0;
-    for (int32_t i = 0; i < c->cell.n; i++)
+    int32_t lo = FAR, hi = -FAR, rest = 0;
+    if (PEL_CELL_ROWS == 1) {
+        c->end.x = c->run[0].x1;
+        c->hi = c->span->x1;
+        return c->end.x < c->hi;
+    }
+    for (int32_t i = 0; i < rows_of(c); i++)
         if (c->run[i].x1 < c->span[i].x1) {
             lo = pel_min(lo, c->run[i].x1);
             hi = pel_max(hi, c->span[i].x1);
-        } else if (PEL_CELL_ROWS > 1) {
-            c->run[i].x1 = far;
+        } else {
+            c->run[i].x1 = FAR;
         }
-    for (int32_t i = 0; PEL_CELL_ROWS > 1 && i < c->cell.n; i++)
+    for (int32_t i = 0; i < c->cell.n; i++)
         rest |= (c->run[i].x1 - lo) | (hi - c->span[i].x1);
     c->end.x = lo;
     c->hi = hi;
@@ -252,10 +259,8 @@ int32_t pel_cells_pass(struct pel_cells *c)
             return 0;
         count++;
         c->place += c->way;
-        if (g->period && c->place == g->period)
-            c->place = 0;
-        else if (g->period && c->place < 0)
-            c->place = g->period - 1;
+        if ((uint32_t)c->place >= (uint32_t)g->period)
+            c->place -= c->way * g->period; /* which padded ways have not */
         dip(c);
     } while (c->value == value && c->opaque == opaque);
     c->limit -= count;
@@ -275,9 +280,10 @@ enum pel_status pel_gradient_init(struct pel_gradient *g,
                                   const struct pel_ramp *ramp)
 {
     pel_paint_clear(&g->paint);
-    const enum pel_status status = pel_ramp_check(ramp);
-    if (status != PEL_OK)
-        return status;
+    if (!ramp || !ramp->colors)
+        return PEL_ERROR_NULL;
+    if (ramp->n < 1 || ramp->n > 32767)
+        return PEL_ERROR_SIZE;
     g->color = ramp_color;
     g->ramp = *ramp;
     g->cells = ramp->n == 2 ? 256 : ramp->n;

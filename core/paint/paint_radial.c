@@ -17,8 +17,9 @@ struct side {
     union {
         struct {
             int32_t copy, part;
-        } ring;         /* until the circle is set, */
-        int64_t square; /* and its square in 512ths */
+        } ring; /* until the circle is set, */
+        int64_t
+            square; /* and its square in 512ths, on the left side negative */
     } u;
 };
 
@@ -36,7 +37,9 @@ static void circle_move(struct pel_cells *c, const struct pel_radial *p,
 
 static void set_square(struct side *s, const struct pel_radial *p)
 {
-    s->u.square = (pel_square(s->cells.whole) - p->low) >> 9;
+    const int64_t mirror = s->cells.way >> 1; /* 0, or -1 */
+    s->u.square =
+        (((pel_square(s->cells.whole) - p->low) >> 9) ^ mirror) - mirror;
 }
 
 static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
@@ -45,12 +48,12 @@ static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
     struct side *s = (void *)cells;
     const int32_t way = cells->way;
     const int32_t v = pel_pixel_center(cells->cell.y) - p->rings.center.y;
-    cells->end.error += way > 0 ? s->u.square : -s->u.square;
+    cells->end.error += s->u.square;
     do
         circle_move(cells, p, way);
     while (--count);
     set_square(s, p);
-    cells->end.error -= way > 0 ? s->u.square : -s->u.square;
+    cells->end.error -= s->u.square;
     return pel_cells_end(cells, way * (v + 128), way * 256);
 }
 
@@ -138,8 +141,7 @@ static PEL_NOINLINE_32 void set_end(struct side *s, const struct pel_radial *p)
     struct pel_boundary *end = &s->cells.end;
     const int32_t way = s->cells.way;
     set_square(s, p);
-    end->error -= s->u.square;
-    end->error = way > 0 ? end->error - 1 : -end->error;
+    end->error = (((end->error >> 9) - 1) ^ (way >> 1)) - s->u.square;
     end->step = way * (pel_pixel_center(end->x) - p->rings.center.x + 128);
 }
 
@@ -150,7 +152,8 @@ static PEL_ALWAYS_INLINE void start(struct side *s, const struct pel_radial *p)
     find_root(c);
     find_ring(s, p);
     set_ring(s, p);
-    c->end.error = square_at(p, c->end.x, c->cell.y) >> 9;
+    if (PEL_CELL_ROWS > 1)
+        c->end.error = square_at(p, c->end.x, c->cell.y);
     set_end(s, p);
 }
 
