@@ -35,25 +35,26 @@ static void circle_move(struct pel_cells *c, const struct pel_radial *p,
     }
 }
 
-static void set_square(struct side *s, const struct pel_radial *p)
+/* From the square of the circle before to that of this one. */
+static PEL_NOINLINE_32 void set_square(struct side *s,
+                                       const struct pel_radial *p)
 {
     const int64_t mirror = s->cells.way >> 1; /* 0, or -1 */
+    s->cells.end.error += s->u.square;
     s->u.square =
         (((pel_square(s->cells.whole) - p->low) >> 9) ^ mirror) - mirror;
+    s->cells.end.error -= s->u.square;
 }
 
 static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_radial *p = (const void *)cells->gradient;
-    struct side *s = (void *)cells;
+    do
+        circle_move(cells, p, cells->way);
+    while (--count);
+    set_square((void *)cells, p);
     const int32_t way = cells->way;
     const int32_t v = pel_pixel_center(cells->cell.y) - p->rings.center.y;
-    cells->end.error += s->u.square;
-    do
-        circle_move(cells, p, way);
-    while (--count);
-    set_square(s, p);
-    cells->end.error -= s->u.square;
     return pel_cells_end(cells, way * (v + 128), way * 256);
 }
 
@@ -140,9 +141,10 @@ static PEL_NOINLINE_32 void set_end(struct side *s, const struct pel_radial *p)
 {
     struct pel_boundary *end = &s->cells.end;
     const int32_t way = s->cells.way;
-    set_square(s, p);
-    end->error = (((end->error >> 9) - 1) ^ (way >> 1)) - s->u.square;
     end->step = way * (pel_pixel_center(end->x) - p->rings.center.x + 128);
+    end->error = ((end->error >> 9) - 1) ^ (way >> 1);
+    s->u.square = 0;
+    set_square(s, p);
 }
 
 static PEL_ALWAYS_INLINE void start(struct side *s, const struct pel_radial *p)
