@@ -2,8 +2,13 @@
 # and what fragments add to CHECK_EXTRA, a list of make targets of which each is
 # one test. `make deep` runs the same programs for longer.
 
+# Drivers that run on any platform.
+DRIVERS := $(foreach f,$(sort $(wildcard drivers/*.c)),\
+    $(if $(findstring linux,$f),,$f))
+
 -include tests/tools/tools.mk
 -include tests/device/linux/linux.mk
+-include tests/device/lcd/lcd.mk
 
 T := $(BUILD)/tests
 TAB := $(shell printf '\t')
@@ -27,7 +32,7 @@ TEST_FLAGS_large := -O2 -DPEL_64BIT=0 -DPEL_LONG_MULTIPLY=1 \
     -DPEL_BATCH_ROWS=255 -DPEL_BUFFER_PIXELS=255
 TEST_BUILDS := host portable san assert small large
 
-TEST_SUPPORT := $(sort $(wildcard tests/support/*.c))
+TEST_SUPPORT := $(sort $(wildcard tests/support/*.c)) $(DRIVERS)
 TEST_UNIT := $(basename $(sort $(wildcard tests/unit/test_*.c)))
 TEST_PROPERTY := $(basename $(sort $(wildcard tests/property/test_*.c)))
 TEST_EXHAUSTIVE := $(basename $(sort $(wildcard tests/exhaustive/test_*.c)))
@@ -54,7 +59,7 @@ $(T)/$1/%.o: %.c
 $(T)/$1/libpel.a: $(CORE:%.c=$(T)/$1/%.o)
 	rm -f $$@
 	$$(AR) rcs $$@ $$^
-$(T)/$1/libsupport.a: $(TEST_SUPPORT:%.c=$(T)/$1/%.o)
+$(T)/$1/libsupport.a: $(TEST_SUPPORT:%.c=$(T)/$1/%.o) $(DRIVERS:%.c=$(T)/$1/%.o)
 	rm -f $$@
 	$$(AR) rcs $$@ $$^
 $(T)/$1/tests/%: $(T)/$1/tests/%.o $(T)/$1/libsupport.a $(T)/$1/libpel.a

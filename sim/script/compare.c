@@ -1,0 +1,185 @@
+/* pel compare: where two pictures differ. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/cli/arguments.h"
+#include "sim/cli/commands.h"
+#include "sim/cli/message.h"
+#include "sim/image/picture.h"
+#include "sim/image/texture.h"
+#include "sim/script/shrink.h"
+
+struct compare_options {
+    char **path;
+    const char *diff, *shrink, *command, *output;
+    int tolerance;
+};
+
+struct differences {
+    long count; /* pixels beyond the tolerance */
+    int worst;  /* of any channel */
+    int x, y;   /* the first such pixel, in reading order */
+};
+
+static const struct option_row options[] = {
+    {"tolerance", "N",
+     "equal when no channel differs by more than N steps of 255 (0)",
+     OPTION_INTEGER, .offset = offsetof(struct compare_options, tolerance),
+     .low = 0, .high = 255},
+    {"diff", "FILE",
+     "write a picture of the differences: red, brighter where larger, on the "
+     "first picture in grey; blue where only one has pixels",
+     OPTION_TEXT, .offset = offsetof(struct compare_options, diff)},
+    {"shrink", "SCRIPT",
+     "no pictures: leave out lines of a scene script, as many as may go while "
+     "the --command still fails, and write what is left",
+     OPTION_TEXT, .offset = offsetof(struct compare_options, shrink)},
+    {"command", "COMMAND",
+     "for --shrink: a command of sh, with the script as $1; it fails when its "
+     "status is that for the whole script, which is not 0",
+     OPTION_TEXT, .offset = offsetof(struct compare_options, command)},
+    {"output", "FILE", "of --shrink, instead of standard output", OPTION_TEXT,
+     .offset = offsetof(struct compare_options, output), .letter = 'o'},
+    {.help = NULL},
+};
+
+static const char about[] =
+    "Compares two pictures (.ppm, .pgm, .png and what else pel reads; - is a "
+    "PPM on standard input).\v"
+    "Exit status: 0 equal, 1 different, 2 error. Prints the sizes when they "
+    "differ, else the number of differing pixels, the worst difference, and "
+    "the first such pixel.\n\nThe smallest script whose bands are not as the "
+    "whole:\n  pel compare --shrink BAD.pel --command 'pel run $1 -o a.ppm; "
+    "pel run $1 --bands 8 -o b.ppm; pel compare a.ppm b.ppm'";
+
+/* Of the channel that differs most. */
+static int pixel_difference(pel_color a, pel_color b)
+{
+    int most = 0;
+    for (int shift = 0; shift < 24; shift += 8) {
+        const int d = abs((int)(a >> shift & 255) - (int)(b >> shift & 255));
+        most = d > most ? d : most;
+    }
+    return most;
+}
+
+static struct differences count_differences(const struct picture p[2],
+                                            int tolerance)
+{
+    struct differences d = {0, 0, 0, 0};
+    for (int y = 0; y < p[0].height; y++) {
+        for (int x = 0; x < p[0].width; x++) {
+            const int difference = pixel_difference(picture_row(&p[0], y)[x],
+                                                    picture_row(&p[1], y)[x]);
+            if (difference > d.worst)
+                d.worst = difference;
+            if (difference <= tolerance)
+                continue;
+            if (d.count++ == 0) {
+                d.x = x;
+                d.y = y;
+            }
+        }
+    }
+    return d;
+}
+
+static bool has_pixel(const struct picture *p, int x, int y)
+{
+    return x < p->width && y < p->height;
+}
+
+static pel_color diff_color(const struct picture p[2], int x, int y,
+                            int tolerance)
+{
+    if (!has_pixel(&p[0], x, y) || !has_pixel(&p[1], x, y))
+        return PEL_RGB(0, 0, 255);
+    const pel_color a = picture_row(&p[0], y)[x];
+    const int difference = pixel_difference(a, picture_row(&p[1], y)[x]);
+    const uint32_t gray = pel_gray(a) / 3;
+    if (difference <= tolerance)
+        return PEL_RGB(gray, gray, gray);
+    return PEL_RGB(127 + (difference + 1) / 2, 0, 0);
+}
+
+static bool write_diff(const struct picture p[2],
+                       const struct compare_options *o)
+{
+    struct picture diff;
+    const int width = p[0].width > p[1].width ? p[0].width : p[1].width;
+    const int height = p[0].height > p[1].height ? p[0].height : p[1].height;
+    if (!o->diff)
+        return true;
+    if (!picture_init(&diff, width, height, 0))
+        return false;
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++)
+            picture_row(&diff, y)[x] = diff_color(p, x, y, o->tolerance);
+    const bool done = picture_save(&diff, o->diff);
+    picture_free(&diff);
+    return done;
+}
+
+static int report(const struct picture p[2], const struct compare_options *o)
+{
+    if (p[0].width != p[1].width || p[0].height != p[1].height) {
+        printf("sizes differ: %s has %d x %d pixels, %s has %d x %d\n",
+               o->path[0], p[0].width, p[0].height, o->path[1], p[1].width,
+               p[1].height);
+        return STATUS_DIFFERENT;
+    }
+    const struct differences d = count_differences(p, o->tolerance);
+    if (d.count == 0)
+        return STATUS_OK;
+    const unsigned a = picture_row(&p[0], d.y)[d.x] & 0xFFFFFFu;
+    const unsigned b = picture_row(&p[1], d.y)[d.x] & 0xFFFFFFu;
+    printf("%ld of %ld pixels differ, worst by %d of 255, first at (%d, %d): "
+           "#%06x, #%06x\n",
+           d.count, (long)p[0].width * p[0].height, d.worst, d.x, d.y, a, b);
+    return STATUS_DIFFERENT;
+}
+
+/* A picture's ending tells its kind; PPM needs none. */
+static bool load(struct picture *picture, const char *path)
+{
+    return path_has_ending(path, " .png .jpg .jpeg .tga .bmp ")
+               ? texture_load(picture, path)
+               : picture_load(picture, path);
+}
+
+static int compare(const struct compare_options *o)
+{
+    struct picture p[2] = {{0, 0, NULL}, {0, 0, NULL}};
+    int status = STATUS_ERROR;
+    if (strcmp(o->path[0], "-") == 0 && strcmp(o->path[1], "-") == 0) {
+        message_error("two pictures from standard input: expected one");
+        return STATUS_ERROR;
+    }
+    if ((!o->diff || picture_path_check(o->diff)) && load(&p[0], o->path[0]) &&
+        load(&p[1], o->path[1]) && write_diff(p, o))
+        status = report(p, o);
+    picture_free(&p[0]);
+    picture_free(&p[1]);
+    return status;
+}
+
+int command_compare(int argc, char **argv)
+{
+    struct compare_options o = {.output = "-"};
+    const struct command_line line = {.arguments = "A B",
+                                      .most = 2,
+                                      .about = about,
+                                      .tables = {{options, &o, NULL}}};
+    o.path = arguments_parse(&line, argc, argv);
+    const int count = !o.path[0] ? 0 : !o.path[1] ? 1 : 2;
+    if (count == 2 && !o.shrink && !o.command)
+        return compare(&o);
+    if (count == 0 && o.shrink && o.command)
+        return script_shrink(o.shrink, o.command, o.output) ? STATUS_OK
+                                                            : STATUS_ERROR;
+    message_error("%d argument%s: expected A B, or --shrink SCRIPT --command "
+                  "COMMAND",
+                  count, count == 1 ? "" : "s");
+    return STATUS_ERROR;
+}
