@@ -5,22 +5,6 @@
 
 enum { HALF_TURN = 32768, FULL_TURN = 65536 };
 
-/* Not before which angle, of 65,536, a pixel lies: bit by bit, since it is on
- * the ray of an angle of its half turn or clockwise of it where the cross
- * product is 0 or more. */
-static PEL_NOINLINE_32 uint32_t turn_of(int32_t u, int32_t v)
-{
-    uint32_t turn = v < 0 || (v == 0 && u < 0) ? HALF_TURN : 0;
-    if (v == 0)
-        return turn;
-    for (uint32_t bit = HALF_TURN / 2; bit; bit >>= 1) {
-        const struct pel_point d = pel_direction((uint16_t)(turn + bit));
-        if (pel_product(d.x, v) - pel_product(d.y, u) >= 0)
-            turn += bit;
-    }
-    return turn;
-}
-
 /* The last cell k that begins at or before a turn from the start:
  * 65536 k / period < turn + 1. (turn + 1) period <= 2^16 65,534. */
 static int32_t place_of(const struct pel_conic *p, uint32_t turn)
@@ -29,37 +13,57 @@ static int32_t place_of(const struct pel_conic *p, uint32_t turn)
     return (int32_t)(((turn + 1) * (uint32_t)p->base.period - 1) >> 16);
 }
 
-/* To the next cell's angle clockwise, or counter-clockwise. Present cells begin
- * at the angle floor(65536 k / period) from the start, c->whole, and what the
- * floor drops. */
-static PEL_NOINLINE_32 void angle_move(struct pel_cells *c,
-                                       const struct pel_conic *p, int32_t way)
+/* The height of the first row, from the centre down. */
+static int32_t height_of(const struct pel_cells *c)
 {
-    c->whole += way * p->width;
-    c->rest += way * p->rest;
-    if (c->rest < 0 || c->rest >= p->base.period) {
-        c->rest -= way * p->base.period;
-        c->whole += way;
-    }
+    const struct pel_conic *p = (const void *)c->gradient;
+    return pel_pixel_center(c->cell.y) - p->center.y;
 }
 
-/* The height of the first row, from the centre down. */
-static int32_t height_of(const struct pel_cells *c, const struct pel_conic *p)
+/* Adds the bit in c->limit to the angle in c->whole when the pixel in the first
+ * column, at the height in c->rest, lies on the ray d or clockwise of it. */
+static PEL_NOINLINE_32 void add_bit(struct pel_cells *c, struct pel_point d)
 {
-    return pel_pixel_center(c->cell.y) - p->center.y;
+    const struct pel_conic *p = (const void *)c->gradient;
+    const int32_t u = pel_pixel_center(c->end.x) - p->center.x;
+    if (pel_product(d.x, c->rest) - pel_product(d.y, u) >= 0)
+        c->whole += c->limit;
+}
+
+/* Not before which angle, of 65,536, a pixel lies: bit by bit from c->limit. */
+static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
+{
+    for (; c->limit; c->limit >>= 1)
+        add_bit(c, pel_direction((uint16_t)(c->whole + c->limit)));
+}
+
+/* Moves by `count` >= 1 cells, clockwise or counter-clockwise. The present one
+ * begins at the angle floor(65536 k / period) from the start, c->whole, and
+ * c->rest is what the floor drops. */
+static PEL_NOINLINE_32 void angle_move(struct pel_cells *c, int32_t way,
+                                       int32_t count)
+{
+    const struct pel_conic *p = (const void *)c->gradient;
+    do {
+        c->whole += way * p->width;
+        c->rest += way * p->rest;
+        if (c->rest < 0 || c->rest >= p->base.period) {
+            c->rest -= way * p->base.period;
+            c->whole += way;
+        }
+    } while (--count);
 }
 
 /* Ends at a ray d, which is not level. A pixel is on it or clockwise of it when
  * the cross product is 0 or more: beyond it above the centre, before it below.
  * The lowest 8 bits never change from pixel to pixel. */
-static PEL_NOINLINE_32 bool end_at(struct pel_cells *c,
-                                   const struct pel_conic *p,
-                                   struct pel_point d)
+static PEL_NOINLINE_32 bool end_at(struct pel_cells *c, struct pel_point d)
 {
+    const struct pel_conic *p = (const void *)c->gradient;
     struct pel_boundary *end = &c->end;
     const int32_t u = pel_pixel_center(end->x) - p->center.x;
     const int64_t cross =
-        (pel_product(d.x, height_of(c, p)) - pel_product(d.y, u)) >> 8;
+        (pel_product(d.x, height_of(c)) - pel_product(d.y, u)) >> 8;
     const bool above = d.y < 0;
     end->error = above ? cross : ~cross;
     end->step = above ? -d.y : d.y;
@@ -68,22 +72,19 @@ static PEL_NOINLINE_32 bool end_at(struct pel_cells *c,
 
 static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
-    const struct pel_conic *p = (const void *)cells->gradient;
-    do
-        angle_move(cells, p, cells->way);
-    while (--count);
-    return end_at(cells, p, pel_direction((uint16_t)cells->whole));
+    angle_move(cells, cells->way, count);
+    return end_at(cells, pel_direction((uint16_t)cells->whole));
 }
 
 /* Cuts the batch, so that it has rows above the centre, or the row through it,
- * which has two angles, or rows below. The height of the first pixel by angle:
- * it is in the first column, clockwise above the centre, counter-clockwise
- * below, in the row nearest to the centre where that is left of it, else in the
- * farthest one. */
-static PEL_NOINLINE_32 int32_t first_row(struct pel_cells *c,
-                                         const struct pel_conic *p)
+ * which has two angles, or rows below. Finds the height of the first pixel by
+ * angle, and its half turn: it is in the first column, clockwise above the
+ * centre, counter-clockwise below, in the row nearest to the centre where that
+ * is left of it, else in the farthest one. */
+static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
 {
-    const int32_t v = height_of(c, p);
+    const struct pel_conic *p = (const void *)c->gradient;
+    const int32_t v = height_of(c);
     const int32_t split = pel_first_pixel(p->center.x);
     const bool above = v < 0, left = c->end.x < split;
     if (c->cell.step && v <= 0)
@@ -92,38 +93,42 @@ static PEL_NOINLINE_32 int32_t first_row(struct pel_cells *c,
     if (v == 0 && left)
         c->hi = pel_min(c->hi, split);
     c->way = above ? 1 : -1;
-    return v && above == left ? v + (c->cell.n - 1) * c->cell.step * 256 : v;
+    c->whole = above || (v == 0 && left) ? HALF_TURN : 0;
+    c->limit = v ? HALF_TURN / 2 : 0;
+    c->rest = v;
+    if (v && above == left)
+        c->rest += (c->cell.n - 1) * c->cell.step * 256;
 }
 
-/* The cell of an angle. As many may end as begin in the half turn of the rows,
+/* The cell of the angle. As many may end as begin in the half turn of the rows,
  * and none in the row through the centre. */
-static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
-                                     const struct pel_conic *p, uint32_t angle)
+static PEL_NOINLINE_32 void set_cell(struct pel_cells *c)
 {
+    const struct pel_conic *p = (const void *)c->gradient;
     const bool above = c->way > 0;
-    c->place = place_of(p, angle);
+    c->place = place_of(p, (uint32_t)c->whole);
     const uint32_t k = (uint32_t)c->place << 16;
     const uint32_t turn = pel_divide(k, (uint32_t)p->base.period);
     c->rest = (int32_t)(k - turn * (uint32_t)p->base.period);
     c->whole = (int32_t)(turn + p->start);
     if (!above)
-        angle_move(c, p, 1);
+        angle_move(c, 1, 1);
     c->limit = above ? place_of(p, FULL_TURN - 1) - c->place
                      : c->place - place_of(p, 0);
     if (c->limit < 0)
         c->limit += p->base.period;
-    if (height_of(c, p) == 0)
+    if (height_of(c) == 0)
         c->limit = 0;
 }
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
-    const struct pel_conic *p = (const void *)paint;
     struct pel_cells c;
-    pel_cells_open(&c, &p->base, spans);
+    pel_cells_open(&c, (const void *)paint, spans);
     while (pel_cells_next(&c, spans, PEL_CELL_ROWS)) {
-        const int32_t v = first_row(&c, p);
-        set_cell(&c, p, turn_of(pel_pixel_center(c.end.x) - p->center.x, v));
+        first_row(&c);
+        find_angle(&c);
+        set_cell(&c);
         pel_cells_draw(&c, end_cells);
     }
 }
