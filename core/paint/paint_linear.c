@@ -117,7 +117,7 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     const int32_t most = p->by_pixel || far ? 1 : PEL_CELL_ROWS;
     struct pel_cells c;
     pel_cells_open(&c, &p->base, spans);
-    while (pel_cells_next(&c, spans, most)) {
+    while (pel_cells_next(&c, most)) {
         if (p->by_pixel)
             c.hi = c.end.x + 1;
         start(&c, p);
