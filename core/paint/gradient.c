@@ -250,7 +250,7 @@ int32_t pel_cells_pass(struct pel_cells *c)
     int32_t count = 0;
     do {
 #if PEL_KNOW_SIDES
-        if (c->mask) {
+        if (c->mask && most > count) {
             const int32_t passed = pass_mixed(c, most - count);
             count += passed;
             c->place += c->way * passed;

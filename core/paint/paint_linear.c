@@ -86,6 +86,8 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
         &p->base, copy,
         (int32_t)pel_divide_64(pel_times((uint64_t)*error, n),
                                (uint64_t)p->square, &rest));
+    if (p->d.x == 0)
+        return;
     if (falling)
         rest = (uint64_t)p->square - 1 - rest;
     *error = (int64_t)pel_divide_64(rest, (uint64_t)unit_of(p), &rest);
