@@ -60,12 +60,12 @@ static void quantise(struct bench_mesh *m, const struct mesh *from)
     int16_t(*positions)[3] = memory(sizeof *positions * from->vertices);
     int8_t(*normals)[3] = memory(sizeof *normals * from->vertices);
     uint8_t(*colors)[3] = memory(sizeof *colors * from->vertices);
-    m->mesh.position = import_quantum(from, PEL_MESH_SHIFT_MAX);
+    m->mesh.position = quantize_positions(from, PEL_MESH_SHIFT_MAX);
     for (uint32_t i = 0; i < from->vertices; i++)
         for (int k = 0; k < 3; k++) {
             const struct mesh_vertex *v = &from->vertex[i];
             positions[i][k] =
-                (int16_t)import_quantised(&m->mesh.position, k, v->position[k]);
+                (int16_t)quantize(&m->mesh.position, k, v->position[k]);
             normals[i][k] = (int8_t)lround(v->normal[k] * 127);
             colors[i][k] = (uint8_t)(v->color >> (16 - 8 * k));
         }

@@ -22,6 +22,8 @@ static const struct command commands[] = {
     {"compare", "A B", "find the differences of two pictures", command_compare},
     {"import", "MESH|PICTURE|FONT -o ASSET.c", "make an asset for firmware",
      command_import},
+    {"explain", "SCRIPT X Y", "tell what a script does to a pixel, and why",
+     command_explain},
     {"demo", "DIRECTORY [SCRIPT...]", "draw the gallery", command_demo},
     {"console", "--reset", "repair a console left in graphics mode",
      command_console},
@@ -88,7 +90,7 @@ int main(int argc, char **argv)
         if (strcmp(argv[1], commands[i].name) == 0)
             return run_command(&commands[i], argc - 1, argv + 1);
     message_error("unknown command %s: expected run, render, view, compare, "
-                  "import, demo or console",
+                  "import, explain, demo or console",
                   argv[1]);
     return STATUS_ERROR;
 }

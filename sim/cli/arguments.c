@@ -1,6 +1,7 @@
 #include "sim/cli/arguments.h"
 
 #include <argp.h>
+#include <assert.h>
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,7 +14,7 @@
 #include "sim/cli/number.h"
 #include "sim/image/format_names.h"
 
-enum { FIRST_KEY = 0x100, ROWS_MAX = 80 };
+enum { FIRST_KEY = 0x100 };
 
 static const struct option_row limit_options[] = {
     {"limit", "SECONDS,MEGABYTES",
@@ -26,10 +27,10 @@ static const struct option_row limit_options[] = {
 /* All rows of a command, the last for argp's end. */
 struct rows {
     char **argv, **arguments;
-    struct argp_option argp[ROWS_MAX];
-    const struct option_row *option[ROWS_MAX];
-    void *input[ROWS_MAX];
-    struct options_given *given[ROWS_MAX];
+    struct argp_option argp[OPTIONS_MAX];
+    const struct option_row *option[OPTIONS_MAX];
+    void *input[OPTIONS_MAX];
+    struct options_given *given[OPTIONS_MAX];
     int count, group;
 };
 
@@ -170,6 +171,7 @@ static void add_rows(struct rows *rows, const struct option_row *o, void *input,
 {
     for (; o->help; o++) {
         const int i = rows->count++;
+        assert(i < OPTIONS_MAX - 1);
         rows->group += o->kind == OPTION_HEADING;
         rows->option[i] = o;
         rows->input[i] = input;
@@ -206,7 +208,8 @@ char **arguments_parse(const struct command_line *line, int argc, char **argv)
         exit(STATUS_ERROR);
     const int count = (int)(argv + argc - rows.arguments);
     if (count < line->least || count > line->most) {
-        message_error("%d arguments: expected %s", count, line->arguments);
+        message_error("%d argument%s: expected %s", count,
+                      count == 1 ? "" : "s", line->arguments);
         exit(STATUS_ERROR);
     }
     return rows.arguments;

@@ -35,9 +35,11 @@ struct option_row {
     bool (*parse)(const char *option, const char *text, void *input);
 };
 
+enum { OPTIONS_MAX = 80 }; /* of one command, --help included */
+
 /* The names, without dashes, of the options that were given, each once. */
 struct options_given {
-    const char *names[64];
+    const char *names[OPTIONS_MAX];
     int count;
 };
 bool options_has(const struct options_given *given, const char *name);

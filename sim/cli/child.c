@@ -78,7 +78,8 @@ __attribute__((noreturn)) static void do_work(struct child *c, child_work *work,
     dup2(c->pipe[1], STDERR_FILENO);
     stderr = c->messages;
     const bool done = work(what, c->result);
-    const bool written = fflush(c->result) == 0 && fflush(stderr) == 0;
+    const bool written =
+        fflush(c->result) == 0 && !ferror(c->result) && fflush(stderr) == 0;
     _exit(done && written ? EXIT_SUCCESS : EXIT_FAILURE);
 }
 
@@ -168,6 +169,7 @@ static bool report(struct child *c, int status)
 
 static bool run(struct child *c, child_work *work, const void *what)
 {
+    fflush(stdout); /* or the child would have it too */
     c->id = fork();
     if (c->id == 0)
         do_work(c, work, what);
@@ -209,11 +211,12 @@ void child_put(FILE *out, const void *data, size_t size)
 void *child_get(FILE *in, size_t *size, bool *good)
 {
     *size = 0;
-    if (!*good || fread(size, sizeof(*size), 1, in) != 1 || *size == 0)
+    if (*good && fread(size, sizeof(*size), 1, in) != 1)
+        *good = message_error("a child process ended its result too early");
+    if (!*good || *size == 0)
         return NULL;
     void *data = malloc(*size);
-    *good = data && fread(data, 1, *size, in) == *size;
-    if (!*good)
-        message_error("no memory for %zu bytes", *size);
+    *good = (data && fread(data, 1, *size, in) == *size) ||
+            message_error("no memory for %zu bytes", *size);
     return data;
 }

@@ -29,7 +29,7 @@ FILE *child_run(const char *path, child_work *work, const void *what);
 void child_put(FILE *out, const void *data, size_t size);
 
 /* The next block, malloc'ed, or NULL; *size is set. *good becomes false, with
- * a message, when memory is short. */
+ * a message, when memory is short or the result ends too early. */
 void *child_get(FILE *in, size_t *size, bool *good);
 
 #endif

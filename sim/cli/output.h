@@ -24,7 +24,8 @@ bool output_open(struct output *output, const char *path);
  */
 bool output_commit(struct output *output);
 
-/* The same for two, of which both appear or none; `second` may be NULL. */
+/* The same for two, written whole before either appears; `second` may be NULL.
+ */
 bool output_commit_both(struct output *output, struct output *second);
 
 /* Ends the output and writes nothing. */

@@ -30,14 +30,14 @@ static void set_vertex(const struct pel_mesh *to, const struct arrays *a,
 {
     for (int k = 0; k < 3; k++) {
         a->positions[i][k] =
-            (int16_t)import_quantised(&to->position, k, v->position[k]);
+            (int16_t)quantize(&to->position, k, v->position[k]);
         if (a->normals8)
             a->normals8[i][k] = (int8_t)lround(v->normal[k] * 127);
         else
             a->normals16[i][k] = (int16_t)lround(v->normal[k] * 32767);
     }
     for (int k = 0; k < 2 && a->uv; k++)
-        a->uv[i][k] = (uint16_t)import_quantised(&to->texture, k, v->uv[k]);
+        a->uv[i][k] = (uint16_t)quantize(&to->texture, k, v->uv[k]);
     set_color(a->colors[i], v->color);
 }
 
@@ -99,8 +99,8 @@ static bool make(struct model *model, const struct mesh *mesh, int shift_max,
     to->triangles = mesh->triangles;
     model->plain = !mesh->has_colors;
     mesh_box(mesh, model->low, model->high);
-    to->position = import_quantum(mesh, shift_max);
-    to->texture = import_quantum_uv(mesh);
+    to->position = quantize_positions(mesh, shift_max);
+    to->texture = quantize_uv(mesh);
     for (uint32_t i = 0; i < mesh->vertices; i++)
         set_vertex(to, &arrays, &mesh->vertex[i], i);
     for (uint32_t i = 0; i < mesh->triangles; i++)

@@ -39,7 +39,8 @@ static struct pel_quantization quantum_of(const struct extent *e, int shift)
     return quantum;
 }
 
-struct pel_quantization import_quantum(const struct mesh *mesh, int shift_max)
+struct pel_quantization quantize_positions(const struct mesh *mesh,
+                                           int shift_max)
 {
     struct extent e = {{0}, 0};
     double low[3], high[3];
@@ -51,7 +52,7 @@ struct pel_quantization import_quantum(const struct mesh *mesh, int shift_max)
     return quantum_of(&e, shift_max);
 }
 
-struct pel_quantization import_quantum_uv(const struct mesh *mesh)
+struct pel_quantization quantize_uv(const struct mesh *mesh)
 {
     struct extent e = {{0}, 0};
     for (int k = 0; k < 2; k++) {
@@ -66,8 +67,7 @@ struct pel_quantization import_quantum_uv(const struct mesh *mesh)
     return quantum_of(&e, PEL_MESH_SHIFT_MAX);
 }
 
-long import_quantised(const struct pel_quantization *quantum, int axis,
-                      double value)
+long quantize(const struct pel_quantization *quantum, int axis, double value)
 {
     double numerator = ldexp(value, quantum->shift) - quantum->offset[axis];
     return lround(numerator / quantum->step);

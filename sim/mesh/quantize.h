@@ -7,13 +7,13 @@
 
 /* For the positions of a mesh: signed numbers, around the middle of its box.
  * The shift is at most `shift_max`. */
-struct pel_quantization import_quantum(const struct mesh *mesh, int shift_max);
+struct pel_quantization quantize_positions(const struct mesh *mesh,
+                                           int shift_max);
 
 /* For its uv: unsigned numbers, from the least coordinates on. */
-struct pel_quantization import_quantum_uv(const struct mesh *mesh);
+struct pel_quantization quantize_uv(const struct mesh *mesh);
 
 /* The nearest number of a coordinate. */
-long import_quantised(const struct pel_quantization *quantum, int axis,
-                      double value);
+long quantize(const struct pel_quantization *quantum, int axis, double value);
 
 #endif

@@ -66,7 +66,7 @@ static bool parse_terms(const char *option, const char *text, void *input)
     int term = 0;
     char name[16];
     s->terms = 0;
-    for (const char *at = text; *at && term >= 0; at += *at == ',') {
+    for (const char *at = text; at && term >= 0;) {
         const size_t length = strcspn(at, ",");
         term = -1;
         if (length < sizeof(name)) {
@@ -75,9 +75,9 @@ static bool parse_terms(const char *option, const char *text, void *input)
             term = choice_find(SCENE_TERMS, name);
         }
         s->terms |= term < 0 ? 0 : 1u << term;
-        at += length;
+        at = at[length] ? at + length + 1 : NULL;
     }
-    return (s->terms && term >= 0) ||
+    return term >= 0 ||
            option_refuse(option, text,
                          "a list of ambient, diffuse and specular, such as "
                          "ambient,diffuse");

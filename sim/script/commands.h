@@ -5,6 +5,7 @@
 #include "core/asset/font_asset.h"
 #include "core/paint/paint_texture.h"
 #include "core/pel.h"
+#include "core/raster/polygon.h"
 #include "sim/script/script.h"
 
 struct script_paints;
@@ -18,7 +19,8 @@ struct script_pen {
     const struct pel_paint *(*make)(const struct script_pen *pen);
     const int32_t *values;
     size_t value_count;
-    size_t count; /* of the values of the command that is drawn */
+    const struct script_command *command; /* that is drawn, */
+    size_t count;                         /* and how many values it has */
     enum pel_spread spread;
     enum pel_wrap wrap;
     uint16_t phase; /* of radial gradients */
@@ -90,12 +92,20 @@ struct script_command {
      * each value, 8 for doubles of 65,536ths, 0 for no setting; where the flag
      * lies that becomes true, 0 for none. */
     size_t offset, size, flag;
+    enum pel_fill_rule rule; /* of a polygon */
+    bool outline;            /* draws the outline instead of the shape */
 };
 
 /* The part of a row that names a member of `values` values. */
 #define SCRIPT_SETTING(type, member, values) \
     .offset = offsetof(type, member),        \
     .size = sizeof(((type *)NULL)->member) / (values)
+
+/* A pen as scripts begin with it, on a surface. False, with a message, when
+ * memory is short. */
+bool script_pen_init(struct script_pen *pen, const struct script *script,
+                     struct pel_surface *surface);
+void script_pen_free(struct script_pen *pen);
 
 /* Runs a command: makes its setting, chooses its paint, draws. */
 void script_perform(struct script_pen *pen,

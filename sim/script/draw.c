@@ -47,6 +47,7 @@ void script_perform(struct script_pen *pen,
         set_values(settings + command->offset, command->size, v, n);
     if (command->flag)
         *(bool *)(settings + command->flag) = true;
+    pen->command = command;
     pen->count = n;
     if (command->draw)
         command->draw(pen, v);
@@ -133,6 +134,31 @@ static bool draw_parts(struct replay *replay, struct canvas *canvas)
     return draw_part(replay, script->item_count, canvas, rows);
 }
 
+bool script_pen_init(struct script_pen *pen, const struct script *script,
+                     struct pel_surface *surface)
+{
+    const size_t size =
+        pel_polygon_outline_scratch_size((int32_t)script->polygon_max);
+    *pen = (struct script_pen){.surface = surface,
+                               .clip = surface->bounds,
+                               .assets = script->assets,
+                               .scratch = malloc(size + 1),
+                               .scratch_size = size,
+                               .paints = malloc(sizeof *pen->paints)};
+    script_paint_init(pen);
+    if (pen->scratch && pen->paints)
+        return true;
+    script_pen_free(pen);
+    return message_error("no memory for a polygon of %zu vertices",
+                         script->polygon_max);
+}
+
+void script_pen_free(struct script_pen *pen)
+{
+    free(pen->scratch);
+    free(pen->paints);
+}
+
 bool script_draw(const struct script *script, struct canvas *canvas, int rows)
 {
     struct replay replay = {.script = script};
@@ -143,23 +169,11 @@ bool script_draw(const struct script *script, struct canvas *canvas, int rows)
                              rows);
     if (!check_whole(script, &canvas->surface.bounds, rows))
         return false;
-    script_paint_init(pen);
-    pen->clip = canvas->surface.bounds;
-    pen->assets = script->assets;
-    pen->scratch_size =
-        pel_polygon_outline_scratch_size((int32_t)script->polygon_max);
-    pen->scratch = malloc(pen->scratch_size + 1);
-    pen->paints = malloc(sizeof *pen->paints);
-    if (!pen->scratch || !pen->paints) {
-        free(pen->scratch);
-        free(pen->paints);
-        return message_error("no memory for a polygon of %zu vertices",
-                             script->polygon_max);
-    }
+    if (!script_pen_init(pen, script, &canvas->surface))
+        return false;
     const bool done = rows >= 0
                           ? draw_part(&replay, script->item_count, canvas, rows)
                           : draw_parts(&replay, canvas);
-    free(pen->scratch);
-    free(pen->paints);
+    script_pen_free(pen);
     return done;
 }

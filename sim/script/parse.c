@@ -75,14 +75,11 @@ static bool split_words(struct script_parser *p, char *text)
             return message_error_at(p->script->path, p->line,
                                     "a word of %ld bytes: expected up to %d",
                                     (long)(end - text), WORD_SIZE_MAX);
-        if (!end || (*end && !strchr(space, *end))) {
-            text[strcspn(text, "\r")] = '\0';
+        if (!end || (*end && !strchr(space, *end)))
             return message_error_at(p->script->path, p->line,
-                                    "%.80s: expected a text that ends with a "
-                                    "quote and a blank after it, with \\\", "
-                                    "\\\\ and \\n in it",
-                                    text);
-        }
+                                    "expected a text that ends with a quote "
+                                    "and a blank after it, with \\\", \\\\ and "
+                                    "\\n in it");
         if (!add_word(p, text))
             return false;
         text = end + (*end != '\0');

@@ -23,8 +23,8 @@ size_t script_name_words(const char *name);
 size_t script_common_words(const struct script_parser *parser,
                            const char *name);
 
-/* Says that no command has the name of this line, and which one may have been
- * meant, or which ones there are. False. */
+/* Says that no command has the name of this line, and which ones there are.
+ * False. */
 bool script_refuse_unknown(const struct script_parser *parser);
 
 #endif

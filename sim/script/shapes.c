@@ -16,21 +16,6 @@ static struct pel_point far_corner(const int32_t *v)
     return (struct pel_point){v[0] + v[2], v[1] + v[3]};
 }
 
-static struct pel_sector_shape sector(const int32_t *v)
-{
-    return (struct pel_sector_shape){*points(v), v[2], v[3], v[4]};
-}
-
-static struct pel_ellipse_shape ellipse(const int32_t *v)
-{
-    return (struct pel_ellipse_shape){points(v)[0], points(v)[1]};
-}
-
-static struct pel_rounded_shape rounded(const int32_t *v)
-{
-    return (struct pel_rounded_shape){*points(v), far_corner(v), v[4]};
-}
-
 static struct pel_thick_line_shape thick_line(const int32_t *v)
 {
     return (struct pel_thick_line_shape){points(v)[0], points(v)[1], v[4]};
@@ -104,45 +89,57 @@ static void draw_triangle(struct script_pen *pen, const int32_t *v)
         pel_triangle(pen->surface, points(v), paint);
 }
 
+/* The functions below draw a shape or, as the row of the table says, its
+ * outline. */
+
 /* Cannot fail: vertices and scratch memory were checked before. */
-static void draw_polygon(struct script_pen *pen, const int32_t *v,
-                         enum pel_fill_rule rule, bool outline)
+static void draw_polygon(struct script_pen *pen, const int32_t *v)
 {
-    const struct pel_polygon_shape shape = {points(v),
-                                            (int32_t)(pen->count / 2), rule};
-    (outline ? pel_polygon_outline
-             : pel_polygon)(pen->surface, &shape, script_paint(pen),
-                            pen->scratch, pen->scratch_size);
-}
-
-static void draw_evenodd(struct script_pen *pen, const int32_t *v)
-{
-    draw_polygon(pen, v, PEL_EVEN_ODD, false);
-}
-
-static void draw_nonzero(struct script_pen *pen, const int32_t *v)
-{
-    draw_polygon(pen, v, PEL_NON_ZERO, false);
-}
-
-static void outline_evenodd(struct script_pen *pen, const int32_t *v)
-{
-    draw_polygon(pen, v, PEL_EVEN_ODD, true);
-}
-
-static void outline_nonzero(struct script_pen *pen, const int32_t *v)
-{
-    draw_polygon(pen, v, PEL_NON_ZERO, true);
+    const struct pel_polygon_shape shape = {
+        points(v), (int32_t)(pen->count / 2), pen->command->rule};
+    (pen->command->outline ? pel_polygon_outline : pel_polygon)(
+        pen->surface, &shape, script_paint(pen), pen->scratch,
+        pen->scratch_size);
 }
 
 static void draw_circle(struct script_pen *pen, const int32_t *v)
 {
-    pel_circle(pen->surface, *points(v), v[2], script_paint(pen));
+    (pen->command->outline ? pel_circle_outline : pel_circle)(
+        pen->surface, *points(v), v[2], script_paint(pen));
 }
 
 static void draw_rect(struct script_pen *pen, const int32_t *v)
 {
-    pel_rectangle(pen->surface, *points(v), far_corner(v), script_paint(pen));
+    (pen->command->outline ? pel_rectangle_outline : pel_rectangle)(
+        pen->surface, *points(v), far_corner(v), script_paint(pen));
+}
+
+static void draw_ellipse(struct script_pen *pen, const int32_t *v)
+{
+    const struct pel_ellipse_shape shape = {points(v)[0], points(v)[1]};
+    (pen->command->outline ? pel_ellipse_outline : pel_ellipse)(
+        pen->surface, &shape, script_paint(pen));
+}
+
+static void draw_rounded(struct script_pen *pen, const int32_t *v)
+{
+    const struct pel_rounded_shape shape = {*points(v), far_corner(v), v[4]};
+    (pen->command->outline
+         ? pel_rounded_rectangle_outline
+         : pel_rounded_rectangle)(pen->surface, &shape, script_paint(pen));
+}
+
+/* The outline of a sector's round side is called an arc. */
+static void draw_sector(struct script_pen *pen, const int32_t *v)
+{
+    const struct pel_sector_shape shape = {*points(v), v[2], v[3], v[4]};
+    (pen->command->outline ? pel_arc_outline : pel_sector)(pen->surface, &shape,
+                                                           script_paint(pen));
+}
+
+static void outline_triangle(struct script_pen *pen, const int32_t *v)
+{
+    pel_triangle_outline(pen->surface, points(v), script_paint(pen));
 }
 
 static void draw_line(struct script_pen *pen, const int32_t *v)
@@ -156,28 +153,10 @@ static void draw_ring(struct script_pen *pen, const int32_t *v)
     pel_ring(pen->surface, &ring, script_paint(pen));
 }
 
-static void draw_sector(struct script_pen *pen, const int32_t *v)
-{
-    const struct pel_sector_shape shape = sector(v);
-    pel_sector(pen->surface, &shape, script_paint(pen));
-}
-
 static void draw_arc(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_arc_shape arc = {*points(v), v[2], v[3], v[4], v[5]};
     pel_arc(pen->surface, &arc, script_paint(pen));
-}
-
-static void draw_ellipse(struct script_pen *pen, const int32_t *v)
-{
-    const struct pel_ellipse_shape shape = ellipse(v);
-    pel_ellipse(pen->surface, &shape, script_paint(pen));
-}
-
-static void draw_rounded(struct script_pen *pen, const int32_t *v)
-{
-    const struct pel_rounded_shape shape = rounded(v);
-    pel_rounded_rectangle(pen->surface, &shape, script_paint(pen));
 }
 
 static void draw_thick(struct script_pen *pen, const int32_t *v)
@@ -186,43 +165,9 @@ static void draw_thick(struct script_pen *pen, const int32_t *v)
     pel_thick_line(pen->surface, &line, script_paint(pen));
 }
 
-static void outline_triangle(struct script_pen *pen, const int32_t *v)
-{
-    pel_triangle_outline(pen->surface, points(v), script_paint(pen));
-}
-
-static void outline_rect(struct script_pen *pen, const int32_t *v)
-{
-    pel_rectangle_outline(pen->surface, *points(v), far_corner(v),
-                          script_paint(pen));
-}
-
-static void outline_rounded(struct script_pen *pen, const int32_t *v)
-{
-    const struct pel_rounded_shape shape = rounded(v);
-    pel_rounded_rectangle_outline(pen->surface, &shape, script_paint(pen));
-}
-
-static void outline_circle(struct script_pen *pen, const int32_t *v)
-{
-    pel_circle_outline(pen->surface, *points(v), v[2], script_paint(pen));
-}
-
-static void outline_ellipse(struct script_pen *pen, const int32_t *v)
-{
-    const struct pel_ellipse_shape shape = ellipse(v);
-    pel_ellipse_outline(pen->surface, &shape, script_paint(pen));
-}
-
-static void outline_arc(struct script_pen *pen, const int32_t *v)
-{
-    const struct pel_sector_shape shape = sector(v);
-    pel_arc_outline(pen->surface, &shape, script_paint(pen));
-}
-
-#define SHAPE(name, kinds, usage, draw_, check_)                         \
-    {                                                                    \
-        name, kinds, usage, SCRIPT_SHAPE, .draw = draw_, .check = check_ \
+#define SHAPE(name, kinds, usage, ...)                \
+    {                                                 \
+        name, kinds, usage, SCRIPT_SHAPE, __VA_ARGS__ \
     }
 
 const struct script_command script_shapes[] = {
@@ -234,28 +179,39 @@ const struct script_command script_shapes[] = {
      SCRIPT_SETTING(struct script_pen, collinear_line, 1)},
     {"triangle", "pppppp", "X0 Y0 X1 Y1 X2 Y2", SCRIPT_TRIANGLE,
      .draw = draw_triangle},
-    SHAPE("polygon evenodd", "pppppp*", "X Y X Y X Y ...", draw_evenodd, NULL),
-    SHAPE("polygon nonzero", "pppppp*", "X Y X Y X Y ...", draw_nonzero, NULL),
-    SHAPE("circle", "ppl", "CX CY R", draw_circle, NULL),
-    SHAPE("rect", "ppll", "X Y WIDTH HEIGHT", draw_rect, check_rect),
-    SHAPE("line", "pppp", "X0 Y0 X1 Y1", draw_line, NULL),
-    SHAPE("ring", "ppll", "CX CY INNER OUTER", draw_ring, NULL),
-    SHAPE("sector", "ppltt", "CX CY R FROM TO", draw_sector, check_sector),
-    SHAPE("arc", "pplltt", "CX CY INNER OUTER FROM TO", draw_arc, check_arc),
-    SHAPE("ellipse", "ppll", "CX CY RX RY", draw_ellipse, NULL),
-    SHAPE("roundrect", "pplll", "X Y WIDTH HEIGHT R", draw_rounded, check_rect),
-    SHAPE("thickline", "ppppl", "X0 Y0 X1 Y1 WIDTH", draw_thick, check_thick),
-    SHAPE("outline triangle", "pppppp", "X0 Y0 X1 Y1 X2 Y2", outline_triangle,
-          NULL),
-    SHAPE("outline rect", "ppll", "X Y WIDTH HEIGHT", outline_rect, check_rect),
-    SHAPE("outline roundrect", "pplll", "X Y WIDTH HEIGHT R", outline_rounded,
-          check_rect),
-    SHAPE("outline circle", "ppl", "CX CY R", outline_circle, NULL),
-    SHAPE("outline ellipse", "ppll", "CX CY RX RY", outline_ellipse, NULL),
-    SHAPE("outline arc", "ppltt", "CX CY R FROM TO", outline_arc, check_sector),
+    SHAPE("polygon evenodd", "pppppp*", "X Y X Y X Y ...", .draw = draw_polygon,
+          .rule = PEL_EVEN_ODD),
+    SHAPE("polygon nonzero", "pppppp*", "X Y X Y X Y ...", .draw = draw_polygon,
+          .rule = PEL_NON_ZERO),
+    SHAPE("circle", "ppl", "CX CY R", .draw = draw_circle),
+    SHAPE("rect", "ppll", "X Y WIDTH HEIGHT", .draw = draw_rect,
+          .check = check_rect),
+    SHAPE("line", "pppp", "X0 Y0 X1 Y1", .draw = draw_line),
+    SHAPE("ring", "ppll", "CX CY INNER OUTER", .draw = draw_ring),
+    SHAPE("sector", "ppltt", "CX CY R FROM TO", .draw = draw_sector,
+          .check = check_sector),
+    SHAPE("arc", "pplltt", "CX CY INNER OUTER FROM TO", .draw = draw_arc,
+          .check = check_arc),
+    SHAPE("ellipse", "ppll", "CX CY RX RY", .draw = draw_ellipse),
+    SHAPE("roundrect", "pplll", "X Y WIDTH HEIGHT R", .draw = draw_rounded,
+          .check = check_rect),
+    SHAPE("thickline", "ppppl", "X0 Y0 X1 Y1 WIDTH", .draw = draw_thick,
+          .check = check_thick),
+    SHAPE("outline triangle", "pppppp", "X0 Y0 X1 Y1 X2 Y2",
+          .draw = outline_triangle),
+    SHAPE("outline rect", "ppll", "X Y WIDTH HEIGHT", .draw = draw_rect,
+          .check = check_rect, .outline = true),
+    SHAPE("outline roundrect", "pplll", "X Y WIDTH HEIGHT R",
+          .draw = draw_rounded, .check = check_rect, .outline = true),
+    SHAPE("outline circle", "ppl", "CX CY R", .draw = draw_circle,
+          .outline = true),
+    SHAPE("outline ellipse", "ppll", "CX CY RX RY", .draw = draw_ellipse,
+          .outline = true),
+    SHAPE("outline arc", "ppltt", "CX CY R FROM TO", .draw = draw_sector,
+          .check = check_sector, .outline = true),
     SHAPE("outline polygon evenodd", "pppppp*", "X Y X Y X Y ...",
-          outline_evenodd, NULL),
+          .draw = draw_polygon, .rule = PEL_EVEN_ODD, .outline = true),
     SHAPE("outline polygon nonzero", "pppppp*", "X Y X Y X Y ...",
-          outline_nonzero, NULL),
+          .draw = draw_polygon, .rule = PEL_NON_ZERO, .outline = true),
     {.name = NULL},
 };

@@ -129,7 +129,7 @@ END
 refused 1 'canvas: 2 values: expected 3: canvas WIDTH HEIGHT FORMAT' <<'END'
 canvas 8 8
 END
-refused 3 'unknown command trinagle; did you mean triangle?' <<'END'
+refused 3 'unknown command trinagle: expected canvas' <<'END'
 canvas 8 8 rgb888
 
 trinagle 0 0 1 1 2 2

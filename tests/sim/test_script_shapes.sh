@@ -44,9 +44,9 @@ echo 'outline star 1 2 3' |
 echo 'star 1 2 3' | refused_script 2 'unknown command star: expected'
 grep -q ' star: expected canvas, clear, clip, bands, ' "$work/err" || fail "no list: star"
 awk 'length > 80 && NR > 1 { exit 1 }' "$work/err" || fail "a long list: star"
-echo 'circel 1 2 3' | refused_script 2 'unknown command circel; did you mean circle?'
+echo 'circel 1 2 3' | refused_script 2 'unknown command circel: expected canvas, clear'
 echo 'outlin arc 1 2' |
-    refused_script 2 'unknown command outlin; did you mean outline arc?'
+    refused_script 2 'unknown command outlin: expected canvas'
 printf 'paint vertex #ff0000 #00ff00 #0000ff\nring 16 16 4 9\n' |
     refused_script 3 'ring: paint vertex colours triangles'
 
@@ -104,9 +104,9 @@ grep -qF "s.pel:3: scroll: a band of 9 rows" "$work/err" || fail "no line: scrol
 echo 'text 1 2 "x"' | refused_script 2 'text without a font: expected font FILE before it'
 printf 'font "a folder/f.bdf"\ntext 1 2 x\n' |
     refused_script 3 'text: x: expected a text in quotes'
-printf 'font "a folder/f.bdf"\ntext 1 2 "x\n' | refused_script 3 '"x'
-printf 'font "a folder/f.bdf"\ntext 1 2 "x"y\n' | refused_script 3 '"x'
-printf '%s\n' 'font "a folder/f.bdf"' 'text 1 2 "x\tx"' | refused_script 3 '"x'
+printf 'font "a folder/f.bdf"\ntext 1 2 "x\n' | refused_script 3 'expected a text that ends'
+printf 'font "a folder/f.bdf"\ntext 1 2 "x"y\n' | refused_script 3 'expected a text that ends'
+printf '%s\n' 'font "a folder/f.bdf"' 'text 1 2 "x\tx"' | refused_script 3 'expected a text that ends'
 printf 'font "a folder/f.bdf"\ntext 1 2 "xHx"\n' |
     refused_script 3 'text: the font has no H (U+0048), and no glyph for what it lacks'
 printf 'font "a folder/f.bdf"\ntext 1 2 "\303\274"\n' |

@@ -8,10 +8,11 @@
 #include "sim/cli/message.h"
 #include "sim/image/picture.h"
 #include "sim/image/texture.h"
+#include "sim/script/shrink.h"
 
 struct compare_options {
     char **path;
-    const char *diff;
+    const char *diff, *shrink, *command, *output;
     int tolerance;
 };
 
@@ -30,6 +31,16 @@ static const struct option_row options[] = {
      "write a picture of the differences: red, brighter where larger, on the "
      "first picture in grey; blue where only one has pixels",
      OPTION_TEXT, .offset = offsetof(struct compare_options, diff)},
+    {"shrink", "SCRIPT",
+     "no pictures: leave out lines of a scene script, as many as may go while "
+     "the --command still fails, and write what is left",
+     OPTION_TEXT, .offset = offsetof(struct compare_options, shrink)},
+    {"command", "COMMAND",
+     "for --shrink: a command of sh, with the script as $1; it fails when its "
+     "status is that for the whole script, which is not 0",
+     OPTION_TEXT, .offset = offsetof(struct compare_options, command)},
+    {"output", "FILE", "of --shrink, instead of standard output", OPTION_TEXT,
+     .offset = offsetof(struct compare_options, output), .letter = 'o'},
     {.help = NULL},
 };
 
@@ -38,7 +49,9 @@ static const char about[] =
     "PPM on standard input).\v"
     "Exit status: 0 equal, 1 different, 2 error. Prints the sizes when they "
     "differ, else the number of differing pixels, the worst difference, and "
-    "the first such pixel.";
+    "the first such pixel.\n\nThe smallest script whose bands are not as the "
+    "whole:\n  pel compare --shrink BAD.pel --command 'pel run $1 -o a.ppm; "
+    "pel run $1 --bands 8 -o b.ppm; pel compare a.ppm b.ppm'";
 
 /* Of the channel that differs most. */
 static int pixel_difference(pel_color a, pel_color b)
@@ -135,25 +148,38 @@ static bool load(struct picture *picture, const char *path)
                : picture_load(picture, path);
 }
 
-int command_compare(int argc, char **argv)
+static int compare(const struct compare_options *o)
 {
-    struct compare_options o = {NULL, NULL, 0};
     struct picture p[2] = {{0, 0, NULL}, {0, 0, NULL}};
     int status = STATUS_ERROR;
+    if (strcmp(o->path[0], "-") == 0 && strcmp(o->path[1], "-") == 0) {
+        message_error("two pictures from standard input: expected one");
+        return STATUS_ERROR;
+    }
+    if ((!o->diff || picture_path_check(o->diff)) && load(&p[0], o->path[0]) &&
+        load(&p[1], o->path[1]) && write_diff(p, o))
+        status = report(p, o);
+    picture_free(&p[0]);
+    picture_free(&p[1]);
+    return status;
+}
+
+int command_compare(int argc, char **argv)
+{
+    struct compare_options o = {.output = "-"};
     const struct command_line line = {.arguments = "A B",
-                                      .least = 2,
                                       .most = 2,
                                       .about = about,
                                       .tables = {{options, &o, NULL}}};
     o.path = arguments_parse(&line, argc, argv);
-    if (strcmp(o.path[0], "-") == 0 && strcmp(o.path[1], "-") == 0) {
-        message_error("two pictures from standard input: expected one");
-        return STATUS_ERROR;
-    }
-    if ((!o.diff || picture_path_check(o.diff)) && load(&p[0], o.path[0]) &&
-        load(&p[1], o.path[1]) && write_diff(p, &o))
-        status = report(p, &o);
-    picture_free(&p[0]);
-    picture_free(&p[1]);
-    return status;
+    const int count = !o.path[0] ? 0 : !o.path[1] ? 1 : 2;
+    if (count == 2 && !o.shrink && !o.command)
+        return compare(&o);
+    if (count == 0 && o.shrink && o.command)
+        return script_shrink(o.shrink, o.command, o.output) ? STATUS_OK
+                                                            : STATUS_ERROR;
+    message_error("%d argument%s: expected A B, or --shrink SCRIPT --command "
+                  "COMMAND",
+                  count, count == 1 ? "" : "s");
+    return STATUS_ERROR;
 }

@@ -1,0 +1,45 @@
+#include "input.h"
+
+static uint16_t after(const struct pel_input_queue *queue, uint16_t i)
+{
+    return (uint16_t)(i + 1) == queue->size ? 0 : (uint16_t)(i + 1);
+}
+
+static void copy(volatile struct pel_input *to,
+                 const volatile struct pel_input *from)
+{
+    to->time = from->time;
+    to->kind = from->kind;
+    to->state = from->state;
+    to->code = from->code;
+    to->x = from->x;
+    to->y = from->y;
+}
+
+/* One place stays free, so that a full queue differs from an empty one. The
+ * last one is for PEL_INPUT_LOST, which stands for all that come while it is
+ * taken. */
+bool pel_input_push(struct pel_input_queue *queue,
+                    const struct pel_input *event)
+{
+    const uint16_t end = queue->end, next = after(queue, end);
+    const uint16_t first = queue->first;
+    if (next == first)
+        return false;
+    const bool fits = after(queue, next) != first;
+    copy(&queue->events[end], event);
+    if (!fits)
+        queue->events[end].kind = PEL_INPUT_LOST;
+    queue->end = next;
+    return fits;
+}
+
+bool pel_input_pop(struct pel_input_queue *queue, struct pel_input *event)
+{
+    const uint16_t first = queue->first;
+    if (first == queue->end)
+        return false;
+    copy(event, &queue->events[first]);
+    queue->first = after(queue, first);
+    return true;
+}

@@ -1,0 +1,257 @@
+/* pel explain: what the commands of a script do to one pixel, and why. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/raster/triangle.h"
+#include "sim/cli/arguments.h"
+#include "sim/cli/commands.h"
+#include "sim/cli/message.h"
+#include "sim/cli/number.h"
+#include "sim/script/pick.h"
+
+struct explanation {
+    const struct script *script;
+    int x, y;
+    bool all; /* tells of commands that leave the pixel, too */
+    struct script_pen pen;
+    const struct script_item *paint, *clip; /* in force, or NULL */
+    bool touched;
+};
+
+static bool is_in(const struct pel_rect *r, int x, int y)
+{
+    return x >= r->x0 && x < r->x1 && y >= r->y0 && y < r->y1;
+}
+
+/* How far the pixel's centre lies inside of a triangle's edges, and the rule
+ * where it lies on one. */
+static void explain_triangle(const struct explanation *e, const int32_t *v)
+{
+    const struct pel_point *p = (const struct pel_point *)(const void *)v;
+    const int64_t cx = pel_pixel_center(e->x), cy = pel_pixel_center(e->y);
+    const int64_t area = pel_triangle_area(p);
+    if (area == 0) {
+        printf("    without area: nothing, unless option collinear is line\n");
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        const struct pel_point a = p[area > 0 ? i : (i + 1) % 3];
+        const struct pel_point b = p[area > 0 ? (i + 1) % 3 : i];
+        const int64_t dx = b.x - a.x, dy = b.y - a.y;
+        const int64_t edge = dx * (cy - a.y) - dy * (cx - a.x);
+        const bool takes = dy < 0 || (dy == 0 && dx > 0);
+        printf("    edge %d-%d: ", i, (i + 1) % 3);
+        if (edge == 0)
+            printf("the centre lies on it, a %s one: %s\n",
+                   dy < 0   ? "left"
+                   : dy > 0 ? "right"
+                   : dx > 0 ? "top"
+                            : "bottom",
+                   takes ? "inside" : "outside");
+        else
+            printf("%s by %.6g px (%lld / 65536 px2)\n",
+                   edge > 0 ? "inside" : "outside",
+                   fabs((double)edge) / hypot((double)dx, (double)dy) / 256,
+                   (long long)edge);
+    }
+}
+
+static void explain_circle(const struct explanation *e, const int32_t *v)
+{
+    const int64_t dx = pel_pixel_center(e->x) - v[0];
+    const int64_t dy = pel_pixel_center(e->y) - v[1];
+    const int64_t square = dx * dx + dy * dy;
+    printf("    the centre lies %.6f px from the circle's, squared %lld, the "
+           "radius %lld / 65536 px2: %s\n",
+           sqrt((double)square) / 256, (long long)square,
+           (long long)v[2] * v[2],
+           square <= (int64_t)v[2] * v[2] ? "inside or on it" : "outside");
+}
+
+static void explain_rect(const struct explanation *e, const int32_t *v)
+{
+    printf("    the centre %.3f %.3f, sides from %.3f %.3f up to, not "
+           "including, %.3f %.3f\n",
+           e->x + 0.5, e->y + 0.5, v[0] / 256.0, v[1] / 256.0,
+           (v[0] + v[2]) / 256.0, (v[1] + v[3]) / 256.0);
+}
+
+/* The sides of a polygon that the pixel's row crosses before its centre. */
+static void explain_polygon(const struct explanation *e, const int32_t *v,
+                            size_t n)
+{
+    const struct pel_point *p = (const struct pel_point *)(const void *)v;
+    const int64_t cx = pel_pixel_center(e->x), cy = pel_pixel_center(e->y);
+    int down = 0, up = 0;
+    for (size_t i = 0; i < n; i++) {
+        const struct pel_point a = p[i], b = p[(i + 1) % n];
+        const bool falls = a.y <= cy && b.y > cy, rises = b.y <= cy && a.y > cy;
+        const int64_t edge =
+            (b.x - a.x) * (cy - a.y) - (int64_t)(b.y - a.y) * (cx - a.x);
+        down += falls && edge <= 0;
+        up += rises && edge >= 0;
+    }
+    printf("    sides left of the centre or through it: %d down, %d up: "
+           "winding %d, %s\n",
+           down, up, down - up, (down + up) % 2 ? "odd" : "even");
+}
+
+static void explain_shape(const struct explanation *e,
+                          const struct script_item *item)
+{
+    const char *name = item->command->name;
+    const int32_t *v = e->script->values + item->first;
+    if (strcmp(name, "triangle") == 0)
+        explain_triangle(e, v);
+    else if (strcmp(name, "circle") == 0)
+        explain_circle(e, v);
+    else if (strcmp(name, "rect") == 0)
+        explain_rect(e, v);
+    else if (strncmp(name, "polygon", 7) == 0)
+        explain_polygon(e, v, item->count / 2);
+}
+
+static pel_color pixel(const struct explanation *e)
+{
+    pel_color color;
+    const struct pel_surface *s = e->pen.surface;
+    s->format->load(s, e->x, e->y, 1, &color);
+    return color;
+}
+
+static void print_paint(const struct explanation *e,
+                        const struct script_item *item, pel_color color)
+{
+    const enum script_role role = item->command->role;
+    const bool painted =
+        role == SCRIPT_TRIANGLE || role == SCRIPT_SHAPE || role == SCRIPT_TEXT;
+    if (painted && e->paint)
+        printf("%s (line %ld)%s, ", e->paint->command->name, e->paint->line,
+               e->pen.dither ? ", dithered" : "");
+    else if (painted)
+        printf("white, as at first, ");
+    printf("#%06x", (unsigned)color & 0xFFFFFF);
+    if (pel_alpha(color) != 255)
+        printf(" alpha %u", (unsigned)pel_alpha(color));
+}
+
+/* A command that draws. */
+static void explain_item(struct explanation *e, const struct script_item *item)
+{
+    pel_color color = 0;
+    const struct pel_format *format = e->script->format;
+    const int32_t *v = e->script->values + item->first;
+    const pel_color before = pixel(e);
+    const bool moves = item->command->role == SCRIPT_WHOLE;
+    const bool covered =
+        !moves && script_covers(&e->pen, e->script, item, e->x, e->y, &color);
+    const bool clipped = !is_in(&e->pen.clip, e->x, e->y);
+    script_perform(&e->pen, item->command, v, item->count);
+    const pel_color after = pixel(e);
+    const bool touched = (covered && !clipped) || (moves && before != after);
+    e->touched = e->touched || touched;
+    if (!touched && !e->all)
+        return;
+    printf("line %ld: %s: ", item->line, item->command->name);
+    if (covered && clipped)
+        printf("outside of the clip of line %ld\n", e->clip->line);
+    else if (!touched)
+        puts("not covered");
+    else {
+        if (moves)
+            printf("moved here");
+        else
+            print_paint(e, item, color);
+        printf(" over #%06x gives #%06x, %s value 0x%0*x\n",
+               (unsigned)before & 0xFFFFFF, (unsigned)after & 0xFFFFFF, "pixel",
+               (format->bits + 3) / 4, (unsigned)format->pack(after));
+    }
+    explain_shape(e, item);
+}
+
+static void explain_all(struct explanation *e)
+{
+    const struct script *script = e->script;
+    for (size_t i = 0; i < script->item_count; i++) {
+        const struct script_item *item = &script->items[i];
+        const enum script_role role = item->command->role;
+        if (role == SCRIPT_PAINT || role == SCRIPT_PAINT_VERTEX)
+            e->paint = item;
+        if (strcmp(item->command->name, "clip") == 0)
+            e->clip = item;
+        if (script_draws(item->command))
+            explain_item(e, item);
+        else if (role != SCRIPT_SCENE)
+            script_perform(&e->pen, item->command, script->values + item->first,
+                           item->count);
+    }
+    if (!e->touched)
+        puts("no command touches this pixel");
+}
+
+struct explain_options {
+    bool all;
+    const struct pel_format *format;
+};
+
+static const struct option_row options[] = {
+    {"all", NULL, "tell of commands that leave the pixel alone, too",
+     OPTION_FLAG, .offset = offsetof(struct explain_options, all)},
+    {"format", "NAME", "draw in this pixel format, whatever the script says",
+     OPTION_FORMAT, .offset = offsetof(struct explain_options, format)},
+    {.help = NULL},
+};
+
+static bool explain(struct explanation *e)
+{
+    struct canvas canvas;
+    const struct script *script = e->script;
+    if (!canvas_init(&canvas, script->format, script->width, script->height))
+        return false;
+    const bool done = script_pen_init(&e->pen, script, &canvas.surface);
+    if (done) {
+        printf("pixel (%d, %d): centre %.1f %.1f of %d x %d\n", e->x, e->y,
+               e->x + 0.5, e->y + 0.5, script->width, script->height);
+        explain_all(e);
+        script_pen_free(&e->pen);
+    }
+    canvas_free(&canvas);
+    return done;
+}
+
+static bool parse_pixel(const char *text, const char *axis, int size, int *to)
+{
+    int64_t value;
+    if (number_integer(text, 0, size - 1, &value) != NUMBER_OK)
+        return message_error("%s is '%s': expected a pixel in 0..%d", axis,
+                             text, size - 1);
+    *to = (int)value;
+    return true;
+}
+
+int command_explain(int argc, char **argv)
+{
+    struct explain_options o = {false, NULL};
+    struct script script;
+    const struct command_line line = {
+        .arguments = "SCRIPT X Y",
+        .least = 3,
+        .most = 3,
+        .about = "Tells which commands of a script touch a pixel.\v"
+                 "In order, with the paint, the colour that it brings, what "
+                 "was there, what comes of it and the value in the canvas's "
+                 "format; and, for triangles, circles, rectangles and "
+                 "polygons, why the pixel is covered or not.",
+        .tables = {{options, &o, NULL}}};
+    char **arguments = arguments_parse(&line, argc, argv);
+    if (!script_load(&script, arguments[0], o.format))
+        return STATUS_ERROR;
+    struct explanation e = {.script = &script, .all = o.all};
+    const bool done = parse_pixel(arguments[1], "X", script.width, &e.x) &&
+                      parse_pixel(arguments[2], "Y", script.height, &e.y) &&
+                      explain(&e);
+    script_free(&script);
+    return done ? STATUS_OK : STATUS_ERROR;
+}

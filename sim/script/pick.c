@@ -1,0 +1,107 @@
+#include "sim/script/pick.h"
+
+#include <string.h>
+
+/* A format that keeps the colours that shapes bring, with their alpha, instead
+ * of drawing them: a word each. */
+enum { SPY_FORMAT = 200 };
+
+static uint32_t spy_word(uint32_t word)
+{
+    return word;
+}
+
+static uint32_t *spy_at(const struct pel_surface *s, int32_t x, int32_t y)
+{
+    return (uint32_t *)(void *)pel_surface_line(s, y) + (x - s->bounds.x0);
+}
+
+static void spy_fill(const struct pel_spans *spans, uint32_t color)
+{
+    for (int32_t i = 0; i < spans->n; i++)
+        for (int32_t x = spans->span[i].x0; x < spans->span[i].x1; x++)
+            *spy_at(spans->surface, x, spans->y + i * spans->step) = color;
+}
+
+static void spy_put(const struct pel_surface *s, int32_t x, int32_t y,
+                    int32_t n, const pel_color *colors)
+{
+    memcpy(spy_at(s, x, y), colors, (size_t)n * sizeof(*colors));
+}
+
+static void spy_load(const struct pel_surface *s, int32_t x, int32_t y,
+                     int32_t n, pel_color *colors)
+{
+    memcpy(colors, spy_at(s, x, y), (size_t)n * sizeof(*colors));
+}
+
+static const struct pel_format spy = {.id = SPY_FORMAT,
+                                      .bits = 32,
+                                      .word = 4,
+                                      .pack = spy_word,
+                                      .unpack = spy_word,
+                                      .fill = spy_fill,
+                                      .blend = spy_fill,
+                                      .put = spy_put,
+                                      .load = spy_load};
+
+bool script_draws(const struct script_command *command)
+{
+    switch (command->role) {
+    case SCRIPT_WHOLE:
+    case SCRIPT_MESH:
+    case SCRIPT_TRIANGLE:
+    case SCRIPT_SHAPE:
+    case SCRIPT_TEXT:
+        return true;
+    default:
+        return strcmp(command->name, "clear") == 0 ||
+               strncmp(command->name, "image", 5) == 0;
+    }
+}
+
+/* Drawn twice, onto different words: what it leaves, it leaves different. */
+bool script_covers(const struct script_pen *pen, const struct script *script,
+                   const struct script_item *item, int x, int y,
+                   pel_color *color)
+{
+    const struct pel_rect bounds = {x, y, x + 1, y + 1};
+    uint32_t word[2] = {0x00123456, 0x00654321};
+    for (int i = 0; i < 2; i++) {
+        struct pel_surface surface;
+        struct script_pen own = *pen;
+        own.surface = &surface;
+        pel_surface_init(&surface, &spy, &word[i], sizeof word[i], &bounds);
+        script_perform(&own, item->command, script->values + item->first,
+                       item->count);
+    }
+    *color = word[0];
+    return word[0] == word[1];
+}
+
+long script_pick(const struct script *script, int x, int y)
+{
+    long found = -1;
+    pel_color color;
+    struct script_pen pen;
+    uint32_t word;
+    struct pel_surface surface;
+    const struct pel_rect pixel = {x, y, x + 1, y + 1};
+    pel_surface_init(&surface, &spy, &word, sizeof word, &pixel);
+    if (!script_pen_init(&pen, script, &surface))
+        return -1;
+    for (size_t i = 0; i < script->item_count; i++) {
+        const struct script_item *item = &script->items[i];
+        const struct script_command *c = item->command;
+        const bool shown = x >= pen.clip.x0 && x < pen.clip.x1 &&
+                           y >= pen.clip.y0 && y < pen.clip.y1;
+        if (!script_draws(c) && c->role != SCRIPT_SCENE)
+            script_perform(&pen, c, script->values + item->first, item->count);
+        else if (script_draws(c) && c->role != SCRIPT_WHOLE &&
+                 strcmp(c->name, "clear") != 0 && shown &&
+                 script_covers(&pen, script, item, x, y, &color))
+            found = (long)i;
+    }
+    script_pen_free(&pen);
+    return found;
+}

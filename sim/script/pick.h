@@ -1,0 +1,21 @@
+/* Which commands of a script draw at a pixel. Only for sim. */
+#ifndef SIM_SCRIPT_PICK_H
+#define SIM_SCRIPT_PICK_H
+
+#include "sim/script/paints.h"
+
+/* Does the command draw pixels, rather than change how others do? */
+bool script_draws(const struct script_command *command);
+
+/* Does a command that draws cover pixel (x, y), whatever the clip? Then with
+ * *color. `pen` is as it is before the command. */
+bool script_covers(const struct script_pen *pen, const struct script *script,
+                   const struct script_item *item, int x, int y,
+                   pel_color *color);
+
+/* The index of the last item, seen by the script's clip, that draws pixel
+ * (x, y) of its canvas: a shape, a text, a picture, a mesh; -1: none but
+ * clear. -1, with a message, when memory is short. */
+long script_pick(const struct script *script, int x, int y);
+
+#endif

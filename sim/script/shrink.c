@@ -1,0 +1,163 @@
+/* Delta debugging (Zeller and Hildebrandt, 2002): parts of the lines are left
+ * out, halves first, then quarters, down to single lines, until no line can be
+ * left out any more. */
+#include "sim/script/shrink.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "sim/cli/list.h"
+#include "sim/cli/message.h"
+#include "sim/cli/output.h"
+
+struct lines {
+    char **text; /* each with its end of line */
+    size_t count;
+};
+
+struct shrinking {
+    char *command;   /* its output is not shown */
+    char *candidate; /* the path that the command is given */
+    int status;      /* of the whole */
+    int runs;
+};
+
+static bool read_lines(struct lines *lines, const char *path)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+    while (getline(&text, &size, file) > 0) {
+        char **list = list_grow(lines->text, lines->count, sizeof(*list));
+        if (!list)
+            break;
+        lines->text = list;
+        list[lines->count++] = text;
+        text = NULL;
+    }
+    free(text);
+    const bool whole = feof(file) && !ferror(file);
+    fclose(file);
+    return whole || message_error_at(path, 0, "cannot be read");
+}
+
+static void free_lines(struct lines *lines)
+{
+    for (size_t i = 0; i < lines->count; i++)
+        free(lines->text[i]);
+    free(lines->text);
+}
+
+/* All lines but those from `from` up to, not including, `to`. */
+static bool write_lines(const struct lines *lines, size_t from, size_t to,
+                        const char *path)
+{
+    struct output output;
+    if (!output_open(&output, path))
+        return false;
+    for (size_t i = 0; i < lines->count; i++)
+        if (i < from || i >= to)
+            fputs(lines->text[i], output.stream);
+    return output_commit(&output);
+}
+
+/* The status of the command for these lines; -1, with a message, when it did
+ * not run or was interrupted. */
+static int status_of(struct shrinking *s, const struct lines *lines,
+                     size_t from, size_t to)
+{
+    if (!write_lines(lines, from, to, s->candidate))
+        return -1;
+    fflush(stdout);
+    s->runs++;
+    const int status = system(s->command);
+    if (status >= 0 && !WIFSIGNALED(status))
+        return status;
+    message_error("--command did not end: %s",
+                  status < 0 ? strerror(errno) : strsignal(WTERMSIG(status)));
+    return -1;
+}
+
+static void leave_out(struct lines *lines, size_t from, size_t to)
+{
+    for (size_t i = from; i < to; i++)
+        free(lines->text[i]);
+    memmove(lines->text + from, lines->text + to,
+            (lines->count - to) * sizeof(*lines->text));
+    lines->count -= to - from;
+}
+
+/* Goes once through all parts of `size` lines. *less: some could go. */
+static bool try_parts(struct shrinking *s, struct lines *lines, size_t size,
+                      bool *less)
+{
+    *less = false;
+    for (size_t end = lines->count; end > 0;) {
+        const size_t from = end > size ? end - size : 0;
+        const int status = status_of(s, lines, from, end);
+        if (status < 0)
+            return false;
+        if (status == s->status) {
+            leave_out(lines, from, end);
+            *less = true;
+        }
+        end = from;
+    }
+    return true;
+}
+
+static bool shrink(struct shrinking *s, struct lines *lines, const char *path)
+{
+    bool less = false;
+    s->status = status_of(s, lines, 0, 0);
+    if (s->status < 0)
+        return false;
+    if (s->status == 0)
+        return message_error_at(path, 0,
+                                "the command does not fail: expected one that "
+                                "ends with a status other than 0 for this "
+                                "script, as $1");
+    for (size_t size = (lines->count + 1) / 2; size > 0;
+         size = less || size == 1 ? size : size / 2) {
+        if (!try_parts(s, lines, size, &less))
+            return false;
+        if (size == 1 && !less)
+            break;
+        if (less && size > (lines->count + 1) / 2)
+            size = (lines->count + 1) / 2;
+    }
+    return true;
+}
+
+bool script_shrink(const char *path, const char *command, const char *output)
+{
+    struct shrinking s = {NULL};
+    struct lines lines = {NULL, 0};
+    const char *slash = strrchr(path, '/');
+    if (asprintf(&s.candidate, "%.*s.pel-shrink-%ld.pel",
+                 slash ? (int)(slash - path) + 1 : 0, path,
+                 (long)getpid()) < 0 ||
+        setenv("PEL_CANDIDATE", s.candidate, 1) != 0 ||
+        asprintf(&s.command,
+                 "set -- \"$PEL_CANDIDATE\"; exec >/dev/null 2>&1\n%s",
+                 command) < 0)
+        return message_error("out of memory");
+    bool done = read_lines(&lines, path);
+    const size_t before = lines.count;
+    done =
+        done && shrink(&s, &lines, path) && write_lines(&lines, 0, 0, output);
+    if (done)
+        fprintf(stderr, "pel: %s: %zu of %zu lines are left, after %d runs\n",
+                path, lines.count, before, s.runs);
+    unlink(s.candidate);
+    free(s.candidate);
+    free(s.command);
+    free_lines(&lines);
+    return done;
+}

@@ -1,0 +1,68 @@
+#!/bin/sh
+# pel explain: the commands that touch a pixel, and the reasons. What the last
+# one leaves is what pel run draws.
+set -u
+. "$(dirname "$0")/lib.sh"
+
+explains() { # X Y TEXT...
+    "$PEL" explain --all "$work/s.pel" "$1" "$2" >"$work/out" 2>"$work/err" ||
+        fail "$1 $2: $(cat "$work/err")"
+    at="$1 $2"
+    shift 2
+    for text; do
+        grep -qF -- "$text" "$work/out" || fail "$at: no '$text' in: $(cat "$work/out")"
+    done
+}
+
+cat >"$work/s.pel" <<'END'
+canvas 16 16 rgb565_le
+clear #102030
+paint flat #ff000080
+triangle 2.5 2.5 12.5 2.5 2.5 12.5
+clip 0 0 8 16
+paint flat #00ff00
+circle 8.5 8.5 3
+rect 1 1 2 2
+paint linear 0 0 #000000 16 0 #ffffff
+polygon evenodd 10 10 14 10 14 14 10 14
+END
+explains 2 2 'line 4: triangle: paint flat (line 3), #ff0000 alpha 128 over' \
+    'edge 0-1: the centre lies on it, a top one: inside' \
+    'edge 2-0: the centre lies on it, a left one: inside' \
+    'line 8: rect: paint flat (line 6), #00ff00 over' 'pixel value 0x07e0'
+explains 7 7 'edge 1-2: the centre lies on it, a right one: outside' \
+    'line 7: circle: paint flat (line 6)' 'inside or on it'
+explains 9 8 'line 7: circle: outside of the clip of line 5'
+explains 5 8 'squared 589824, the radius 589824'
+explains 12 12 'line 10: polygon evenodd: outside of the clip' \
+    'through it: 0 down, 1 up: winding -1, odd'
+explains 15 0 'line 2: clear: #102030 over #000000 gives #102031'
+
+# After every script of the gallery: the same pixel as in the picture.
+for scene in sim/scenes/*.pel; do
+    "$PEL" run "$scene" --format xrgb8888 -o "$work/o.ppm" || fail "$scene"
+    size=$(sed -n '2p;2q' "$work/o.ppm")
+    width=${size% *} height=${size#* }
+    head=$(printf 'P6\n%s\n255\n' "$size" | wc -c)
+    for part in 17 41 63 88; do
+        x=$((width * part / 100)) y=$((height * (101 - part) / 100))
+        want=$(tail -c +$((head + 1 + 3 * (y * width + x))) "$work/o.ppm" |
+            head -c 3 | od -An -tx1 | tr -d ' ')
+        got=$("$PEL" explain --format xrgb8888 "$scene" $x $y |
+            sed -n 's/.* gives #\([0-9a-f]*\),.*/\1/p' | tail -n 1)
+        [ "${got:-000000}" = "$want" ] || fail "$scene $x $y: $got, not $want"
+    done
+done
+
+refuse() { # TEXT ARGUMENT...
+    text=$1
+    shift
+    "$PEL" explain "$@" >"$work/out" 2>"$work/err"
+    got=$?
+    [ $got = 2 ] || fail "status $got for: $*"
+    grep -qF "$text" "$work/err" || fail "no '$text' in: $(cat "$work/err")"
+}
+refuse "X is '16': expected a pixel in 0..15" "$work/s.pel" 16 0
+refuse "Y is '-1': expected a pixel in 0..15" "$work/s.pel" -- 0 -1
+refuse '2 arguments: expected SCRIPT X Y' "$work/s.pel" 1
+refuse 'cannot be read' "$work/none.pel" 1 1

@@ -1,0 +1,46 @@
+#!/bin/sh
+# pel compare --shrink: the smallest script that fails as the whole does.
+set -u
+. "$(dirname "$0")/lib.sh"
+export PEL
+
+dir="$work/a 'folder'"
+mkdir "$dir"
+cp sim/scenes/shapes.pel "$dir/s.pel"
+
+# Of 56 lines one ring and its paint are needed for this pixel.
+"$PEL" compare --shrink "$dir/s.pel" -o "$work/small.pel" \
+    --command '! "$PEL" explain "$1" 40 40 | grep -q "ring: .* gives #f2cf45"' \
+    2>"$work/err" || fail "$(cat "$work/err")"
+cat >"$work/want.pel" <<'END'
+canvas 480 320 xrgb8888
+clear #f4f1e8
+paint flat #f1c40fc0
+ring 70.5 70.5 35 50
+END
+cmp "$work/want.pel" "$work/small.pel" || fail "another script"
+grep -q 'pel: .*s.pel: 4 of 56 lines are left, after [0-9]* runs' "$work/err" ||
+    fail "no report: $(cat "$work/err")"
+
+# Another failure than the whole script's does not count.
+"$PEL" compare --shrink "$dir/s.pel" \
+    --command 'grep -q ^sector "$1" || exit 1; grep -q ^arc "$1" && exit 3' \
+    >"$work/small.pel" || fail "no script"
+[ "$(grep -c . "$work/small.pel")" = 2 ] && grep -q ^sector "$work/small.pel" ||
+    fail "not sector and arc: $(cat "$work/small.pel")"
+[ -z "$(find "$dir" -name '.pel*')" ] || fail "a file is left behind"
+
+refuse() { # TEXT ARGUMENT...
+    text=$1
+    shift
+    "$PEL" compare "$@" >"$work/out" 2>"$work/err"
+    got=$?
+    [ $got = 2 ] || fail "status $got for: $*"
+    grep -qF "$text" "$work/err" || fail "no '$text' in: $(cat "$work/err")"
+    [ ! -s "$work/out" ] || fail "output: $*"
+}
+refuse 'the command does not fail' --shrink "$dir/s.pel" --command true
+refuse 'did not end: Killed' --shrink "$dir/s.pel" --command 'kill -9 $$'
+refuse 'cannot be read' --shrink "$dir/none" --command false
+refuse 'expected A B, or --shrink SCRIPT' --shrink "$dir/s.pel"
+refuse 'expected A B, or --shrink SCRIPT' a.ppm
