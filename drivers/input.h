@@ -32,7 +32,7 @@ enum pel_input_kind {
     PEL_INPUT_WHEEL,  /* turned by y notches away from the user or clockwise,
                          x to the right */
     PEL_INPUT_DEVICE  /* a device, numbered by its driver: code; state: DOWN it
-                         came, UP it went, after all that it held was released */
+                         came; UP it went, and all that it held is released */
 };
 
 enum pel_input_state {

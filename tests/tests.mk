@@ -2,6 +2,10 @@
 # and what fragments add to CHECK_EXTRA, a list of make targets of which each is
 # one test. `make deep` runs the same programs for longer.
 
+# Drivers that run on any platform.
+DRIVERS := $(foreach f,$(sort $(wildcard drivers/*.c)),\
+    $(if $(findstring linux,$f),,$f))
+
 -include tests/tools/tools.mk
 -include tests/device/linux/linux.mk
 
@@ -54,7 +58,7 @@ $(T)/$1/%.o: %.c
 $(T)/$1/libpel.a: $(CORE:%.c=$(T)/$1/%.o)
 	rm -f $$@
 	$$(AR) rcs $$@ $$^
-$(T)/$1/libsupport.a: $(TEST_SUPPORT:%.c=$(T)/$1/%.o)
+$(T)/$1/libsupport.a: $(TEST_SUPPORT:%.c=$(T)/$1/%.o) $(DRIVERS:%.c=$(T)/$1/%.o)
 	rm -f $$@
 	$$(AR) rcs $$@ $$^
 $(T)/$1/tests/%: $(T)/$1/tests/%.o $(T)/$1/libsupport.a $(T)/$1/libpel.a

@@ -23,8 +23,12 @@ LINK_BOARD_cortex-m4 := mps2_an386
 
 # $1 CPU
 define link_programs
+$(BUILD)/mcu/$1-Os/libdrivers.a: $(DRIVERS:%.c=$(BUILD)/mcu/$1-Os/%.o)
+	rm -f $$@
+	arm-none-eabi-ar rcs $$@ $$^
 $(BUILD)/link/$1/%.elf: $(BUILD)/mcu/$1-Os/tests/link/%.o \
-    $(MCU_PORT:%.c=$(BUILD)/mcu/$1-Os/%.o) $(BUILD)/mcu/$1-Os/libpel.a
+    $(MCU_PORT:%.c=$(BUILD)/mcu/$1-Os/%.o) $(BUILD)/mcu/$1-Os/libdrivers.a \
+    $(BUILD)/mcu/$1-Os/libpel.a
 	@mkdir -p $$(@D)
 	$(MCU_CC) -mcpu=$1 $(MCU_LDFLAGS) -Wl,--wrap=main -Wl,-Map=$$@.map \
 	    $(call mcu_script,$(LINK_BOARD_$1)) $$^ -o $$@
