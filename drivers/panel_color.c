@@ -1,43 +1,31 @@
 #include "panel_chip.h"
 
-/* Parameters go with D/C high, and are on the stack perhaps. */
-static enum pel_status send_command(const struct pel_panel *panel,
-                                    const uint8_t *bytes, int32_t n)
-{
-    const struct pel_bus *bus = panel->bus;
-    const struct pel_bus_rows rest = {bytes + 1, n - 1, 1, 0};
-    enum pel_status status = bus->command(bus, bytes, 1, NULL, 0);
-    if (status == PEL_OK && rest.length)
-        status = bus->data(bus, &rest);
-    return status == PEL_OK && bus->wait ? bus->wait(bus) : status;
-}
-
+/* Parameters go with D/C high. The list may lie on the stack: none of it is in
+ * flight in the end. */
 enum pel_status pel_panel_color_command(const struct pel_panel *panel,
                                         const uint8_t *list)
 {
-    enum pel_status status = PEL_OK;
-    for (int32_t n; *list && status == PEL_OK; list += n + 1) {
+    const struct pel_bus *bus = panel->bus;
+    for (int32_t n; *list; list += n + 1) {
         n = *list & ~PEL_PANEL_PAUSE;
-        status = send_command(panel, list + 1, n);
+        const struct pel_bus_rows rest = {list + 2, n - 1, 1, 0};
+        enum pel_status status = bus->command(bus, list + 1, 1, NULL, 0);
+        if (status == PEL_OK && n > 1)
+            status = bus->data(bus, &rest);
         if (status == PEL_OK && n != *list)
-            status = panel->bus->pause(panel->bus, false, 120);
+            status = bus->pause(bus, false, 120);
+        if (status != PEL_OK)
+            return status;
     }
-    return status;
+    return bus->wait ? bus->wait(bus) : PEL_OK;
 }
 
-/* Adds a command whose parameters are coordinates of the chip, the first and
- * the last one of [from, to), to a list. */
-static uint8_t *add_range(uint8_t *list, bool wide, uint8_t command,
-                          int32_t from, int32_t to)
+/* Coordinates of the chip, of two bytes or one. */
+static uint8_t *add(uint8_t *list, bool wide, int32_t v)
 {
-    const int32_t ends[2] = {from, to - 1};
-    *list++ = wide ? 5 : 3;
-    *list++ = command;
-    for (int i = 0; i < 2; i++) {
-        if (wide)
-            *list++ = (uint8_t)(ends[i] >> 8);
-        *list++ = (uint8_t)ends[i];
-    }
+    if (wide)
+        *list++ = (uint8_t)(v >> 8);
+    *list++ = (uint8_t)v;
     return list;
 }
 
@@ -45,13 +33,16 @@ static enum pel_status send_window(const struct pel_panel *panel,
                                    const struct pel_rect *a)
 {
     const struct pel_panel_chip *chip = panel->chip;
-    const int turned = panel->rotation & 1;
-    const int32_t x = panel->from[turned], y = panel->from[!turned];
-    const uint8_t *command = chip->window[turned];
     uint8_t list[16];
     uint8_t *end = list;
-    end = add_range(end, chip->wide, command[0], a->x0 + x, a->x1 + x);
-    end = add_range(end, chip->wide, command[1], a->y0 + y, a->y1 + y);
+    for (int i = 0; i < 2; i++) {
+        const int turned = panel->rotation & 1;
+        const int32_t from = panel->from[i ^ turned];
+        *end++ = chip->wide ? 5 : 3;
+        *end++ = chip->window[turned][i];
+        end = add(end, chip->wide, from + (i ? a->y0 : a->x0));
+        end = add(end, chip->wide, from + (i ? a->y1 : a->x1) - 1);
+    }
     *end++ = 1;
     *end++ = chip->write;
     *end = 0;
@@ -62,6 +53,9 @@ enum pel_status pel_panel_color_send(const struct pel_panel *panel,
                                      const struct pel_surface *surface)
 {
     const struct pel_rect *a = &surface->clip;
+    enum pel_status status = send_window(panel, a);
+    if (status != PEL_OK)
+        return status;
     struct pel_bus_rows rows = {
         pel_surface_line(surface, a->y0) + 2 * (a->x0 - surface->bounds.x0),
         2 * (a->x1 - a->x0), a->y1 - a->y0, surface->stride};
@@ -69,6 +63,5 @@ enum pel_status pel_panel_color_send(const struct pel_panel *panel,
         rows.length *= rows.count;
         rows.count = 1;
     }
-    enum pel_status status = send_window(panel, a);
-    return status == PEL_OK ? panel->bus->data(panel->bus, &rows) : status;
+    return panel->bus->data(panel->bus, &rows);
 }
