@@ -236,15 +236,16 @@ enum pel_console_event pel_console_check(void)
     return event;
 }
 
-enum pel_console_event pel_console_read(int milliseconds, char *keys,
+enum pel_console_event pel_console_read(int milliseconds, int other, char *keys,
                                         size_t size, size_t *count)
 {
-    struct pollfd lines[2] = {{.fd = console.switches, .events = POLLIN},
-                              {.fd = console.state.input, .events = POLLIN}};
+    struct pollfd lines[3] = {{.fd = console.switches, .events = POLLIN},
+                              {.fd = console.state.input, .events = POLLIN},
+                              {.fd = other, .events = POLLIN}};
     *count = 0;
     if (!console.taken)
         lines[1].fd = -1;
-    int n = poll(lines, 2, milliseconds);
+    int n = poll(lines, 3, milliseconds);
     if (n > 0 && lines[0].revents && pel_console_check() == PEL_CONSOLE_REDRAW)
         return PEL_CONSOLE_REDRAW;
     if (n > 0 && lines[1].revents) {
@@ -261,5 +262,5 @@ enum pel_console_event pel_console_wait(int milliseconds)
 {
     char key;
     size_t count;
-    return pel_console_read(milliseconds, &key, 1, &count);
+    return pel_console_read(milliseconds, -1, &key, 1, &count);
 }

@@ -64,8 +64,9 @@ enum pel_console_event pel_console_check(void);
 enum pel_console_event pel_console_wait(int milliseconds);
 
 /* The same, and keeps the keys: at most `size` >= 1 bytes, as the terminal
- * sends them; PEL_CONSOLE_KEY with a count of 0: the input has ended. */
-enum pel_console_event pel_console_read(int milliseconds, char *keys,
+ * sends them; PEL_CONSOLE_KEY with a count of 0: the input has ended. Waits no
+ * longer when the descriptor `other` is readable; -1: none. */
+enum pel_console_event pel_console_read(int milliseconds, int other, char *keys,
                                         size_t size, size_t *count);
 
 /* Repairs a virtual terminal that something left in graphics mode, with a raw

@@ -43,3 +43,10 @@ bool pel_input_pop(struct pel_input_queue *queue, struct pel_input *event)
     queue->first = after(queue, first);
     return true;
 }
+
+int pel_input_room(const struct pel_input_queue *queue)
+{
+    const int held = queue->end - queue->first;
+    const int room = queue->size - 2 - (held < 0 ? held + queue->size : held);
+    return room < 0 ? 0 : room;
+}

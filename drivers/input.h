@@ -21,7 +21,8 @@ PEL_BEGIN_DECLS
 
 enum pel_input_kind {
     /* One or more events were lost here. What is held down is not known: the
-     * program takes all keys, buttons and fingers for released. */
+     * program takes all keys, buttons and fingers for released; those that its
+     * driver knows to be held come as pressed after it. */
     PEL_INPUT_LOST,
     PEL_INPUT_KEY,    /* a key or a button: code, state */
     PEL_INPUT_BUTTON, /* of a pointer: code 1 left, 2 middle, 3 right, 4...;
@@ -93,6 +94,9 @@ bool pel_input_push(struct pel_input_queue *queue,
 
 /* The oldest event, which leaves the queue. False when there is none. */
 bool pel_input_pop(struct pel_input_queue *queue, struct pel_input *event);
+
+/* How many events can be pushed before one is lost. */
+int pel_input_room(const struct pel_input_queue *queue);
 
 PEL_END_DECLS
 #endif

@@ -1,7 +1,18 @@
 # The Linux drivers and the thread pool, for the programs that use them. DRM is
-# in where pkg-config finds libdrm.
+# in where pkg-config finds libdrm, so are input devices with libevdev and GPIO
+# lines with libgpiod, whose versions 1 and 2 have a file each.
 PKG_CONFIG ?= pkg-config
-LINUX_SOURCES := $(wildcard port/linux/*.c) \
+linux_has = $(shell $(PKG_CONFIG) --exists '$(1)' 2>/dev/null && echo yes)
+LINUX_EVDEV := $(if $(call linux_has,libevdev),libevdev)
+LINUX_GPIO := $(if $(call linux_has,libgpiod),libgpiod)
+LINUX_GPIO_VERSION := $(if $(LINUX_GPIO),$(if \
+    $(call linux_has,libgpiod >= 2),v2,v1),none)
+LINUX_SOURCES := $(filter-out %/evdev.c %/evdev_none.c %/gpio.c %/gpio_v1.c \
+                   %/gpio_v2.c %/gpio_none.c,$(wildcard port/linux/*.c)) \
+    port/linux/evdev$(if $(LINUX_EVDEV),,_none).c \
+    port/linux/gpio_$(LINUX_GPIO_VERSION).c \
+    $(if $(LINUX_GPIO),port/linux/gpio.c) \
+    drivers/input.c drivers/input_button.c drivers/input_encoder.c \
     $(filter-out drivers/display_linux_drm%, \
                  $(wildcard drivers/display_linux*.c)) \
     $(wildcard drivers/console_linux*.c) drivers/linux_message.c
@@ -14,6 +25,11 @@ LINUX_FLAGS += -DPEL_WITH_DRM=1 \
 LINUX_LIBS += $(shell $(PKG_CONFIG) --libs libdrm)
 else
 LINUX_FLAGS += -DPEL_WITH_DRM=0
+endif
+ifneq ($(LINUX_EVDEV)$(LINUX_GPIO),)
+LINUX_FLAGS += $(patsubst -I%,-isystem %,\
+    $(shell $(PKG_CONFIG) --cflags $(LINUX_EVDEV) $(LINUX_GPIO)))
+LINUX_LIBS += $(shell $(PKG_CONFIG) --libs $(LINUX_EVDEV) $(LINUX_GPIO))
 endif
 LINUX_OBJECTS := $(LINUX_SOURCES:%.c=$(BUILD)/%.o)
 

@@ -5,7 +5,9 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdint.h>
 #include <sys/ioctl.h>
+#include <time.h>
 
 static inline int pel_linux_open(const char *path, int flags)
 {
@@ -34,6 +36,15 @@ static inline int pel_linux_ioctl_number(int fd, unsigned long request,
         result = ioctl(fd, request, argument);
     while (result < 0 && errno == EINTR);
     return result;
+}
+
+/* Of CLOCK_MONOTONIC; wraps. */
+static inline uint32_t pel_linux_milliseconds(void)
+{
+    struct timespec now = {0, 0};
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (uint32_t)((uint64_t)now.tv_sec * 1000 +
+                      (uint64_t)now.tv_nsec / 1000000);
 }
 
 #endif

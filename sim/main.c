@@ -27,6 +27,8 @@ static const struct command commands[] = {
     {"demo", "DIRECTORY [SCRIPT...]", "draw the gallery", command_demo},
     {"console", "--reset", "repair a console left in graphics mode",
      command_console},
+    {"input", "[--buttons CHIP:LINES]", "print keys, pointers, buttons",
+     command_input},
 };
 
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
@@ -90,7 +92,7 @@ int main(int argc, char **argv)
         if (strcmp(argv[1], commands[i].name) == 0)
             return run_command(&commands[i], argc - 1, argv + 1);
     message_error("unknown command %s: expected run, render, view, compare, "
-                  "import, explain, demo or console",
+                  "import, explain, demo, console or input",
                   argv[1]);
     return STATUS_ERROR;
 }

@@ -17,5 +17,6 @@ int command_import(int argc, char **argv);
 int command_explain(int argc, char **argv);
 int command_demo(int argc, char **argv);
 int command_console(int argc, char **argv);
+int command_input(int argc, char **argv);
 
 #endif

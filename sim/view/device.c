@@ -40,24 +40,26 @@ static bool save(struct screen *s, bool last)
 
 static bool press(struct screen *s, const char *bytes, size_t count)
 {
-    for (size_t used; count > 0; bytes += used, count -= used)
-        if (viewer_key(&s->viewer, view_terminal_key(bytes, count, &used)) &&
-            !save(s, false))
+    struct pel_input key = {.kind = PEL_INPUT_KEY, .state = PEL_INPUT_DOWN};
+    for (size_t used; count > 0; bytes += used, count -= used) {
+        key.code = (uint16_t)view_terminal_key(bytes, count, &used);
+        if (viewer_input(&s->viewer, &key) && !save(s, false))
             return false;
+    }
     return true;
 }
 
-/* Handles the keys that have come; waits a moment for one when there is nothing
- * to draw. Input
- * that has ended ends the view, but not when frames are counted. */
-static bool handle(struct screen *s)
+/* Handles the keys of the terminal that have come; waits a moment for one, or
+ * for other input, when there is nothing to draw. A terminal that has ended
+ * ends the view, but not when frames are counted. */
+static bool handle_keys(struct screen *s)
 {
     struct viewer *viewer = &s->viewer;
     const bool busy = viewer->stale || viewer->view.turning;
     char bytes[64];
     size_t count;
-    switch (
-        pel_console_read(busy ? 0 : IDLE_MS, bytes, sizeof(bytes), &count)) {
+    switch (pel_console_read(busy ? 0 : IDLE_MS, viewer->input.poll, bytes,
+                             sizeof(bytes), &count)) {
     case PEL_CONSOLE_REDRAW:
         viewer->stale = true;
         return true;
@@ -72,7 +74,7 @@ static bool handle(struct screen *s)
 static bool run(struct screen *s)
 {
     while (!viewer_is_over(&s->viewer)) {
-        if (!handle(s))
+        if (!handle_keys(s) || (viewer_inputs(&s->viewer) && !save(s, false)))
             return false;
         if (s->viewer.over)
             break;
@@ -97,6 +99,18 @@ static void place(struct screen *s, struct camera *camera)
     s->area.y1 = pel_min(s->area.y0 + camera->height, screen->y1);
 }
 
+/* A virtual terminal has the keys of all keyboards, in their layouts; from
+ * elsewhere the keyboards are read. */
+static bool open_input(struct screen *s)
+{
+    const struct pel_input_linux_options options = {
+        .buttons = s->viewer.options->buttons,
+        .no_keys = s->linux.has_console && !s->linux.console.text[0],
+        .width = s->area.x1 - s->area.x0,
+        .height = s->area.y1 - s->area.y0};
+    return viewer_open_input(&s->viewer, &options);
+}
+
 /* Prints after the console is back, where it can be read. */
 bool view_device(const struct view_job *job)
 {
@@ -106,7 +120,8 @@ bool view_device(const struct view_job *job)
     if (!device_open(&s.linux, job->device, PEL_FB_ANY))
         return false;
     place(&s, &settings.camera);
-    const bool done = viewer_init(&s.viewer, job, &settings) && run(&s);
+    const bool done =
+        viewer_init(&s.viewer, job, &settings) && open_input(&s) && run(&s);
     viewer_free(&s.viewer);
     pel_display_linux_close(&s.linux);
     if (done) {

@@ -14,12 +14,12 @@ static enum view_action move(struct view *view, int key)
         int key;
         double right, up, closer;
     } moves[] = {
-        {VIEW_KEY_LEFT, -ARROW, 0, 1}, {VIEW_KEY_RIGHT, ARROW, 0, 1},
-        {VIEW_KEY_UP, 0, -ARROW, 1},   {VIEW_KEY_DOWN, 0, ARROW, 1},
-        {'+', 0, 0, CLOSER},           {'=', 0, 0, CLOSER},
+        {PEL_KEY_LEFT, -ARROW, 0, 1}, {PEL_KEY_RIGHT, ARROW, 0, 1},
+        {PEL_KEY_UP, 0, -ARROW, 1},   {PEL_KEY_DOWN, 0, ARROW, 1},
+        {'+', 0, 0, CLOSER},          {'=', 0, 0, CLOSER},
         {'-', 0, 0, 1 / CLOSER},
     };
-    if (key == ' ') {
+    if (key == ' ' || key == PEL_KEY_ENTER) {
         view->turning = !view->turning;
         return VIEW_CHANGED;
     }
@@ -85,7 +85,7 @@ static enum view_action light(struct view *view, int key)
 
 enum view_action view_key(struct view *view, int key)
 {
-    if (key == 'q' || key == VIEW_KEY_ESCAPE)
+    if (key == 'q' || key == PEL_KEY_ESCAPE)
         return VIEW_END;
     if (key == 'w')
         return VIEW_SAVE;
@@ -97,17 +97,17 @@ enum view_action view_key(struct view *view, int key)
 
 int view_terminal_key(const char *bytes, size_t count, size_t *used)
 {
-    static const int arrows[4] = {VIEW_KEY_UP, VIEW_KEY_DOWN, VIEW_KEY_RIGHT,
-                                  VIEW_KEY_LEFT};
+    static const int arrows[4] = {PEL_KEY_UP, PEL_KEY_DOWN, PEL_KEY_RIGHT,
+                                  PEL_KEY_LEFT};
     *used = 1;
-    if (bytes[0] != VIEW_KEY_ESCAPE || count < 2 ||
+    if (bytes[0] != PEL_KEY_ESCAPE || count < 2 ||
         (bytes[1] != '[' && bytes[1] != 'O'))
-        return (unsigned char)bytes[0];
+        return bytes[0] == '\n' ? PEL_KEY_ENTER : (unsigned char)bytes[0];
     *used = 2;
     /* Parameters and intermediate bytes, then a final one. */
     while (*used < count && bytes[*used] >= 0x20 && bytes[*used] < 0x40)
         ++*used;
     const char end = *used < count ? bytes[(*used)++] : '\0';
     return *used == 3 && end >= 'A' && end <= 'D' ? arrows[end - 'A']
-                                                  : VIEW_KEY_UNKNOWN;
+                                                  : PEL_KEY_OTHER;
 }

@@ -1,18 +1,9 @@
-/* Keys of pel view: what they are called, and what they do to a view. */
+/* What keys do to a view. */
 #ifndef SIM_VIEW_KEYS_H
 #define SIM_VIEW_KEYS_H
 
+#include "drivers/input.h"
 #include "sim/view/view.h"
-
-/* Keys are the characters on them; these have none. */
-enum {
-    VIEW_KEY_ESCAPE = 27,
-    VIEW_KEY_LEFT = 256,
-    VIEW_KEY_RIGHT,
-    VIEW_KEY_UP,
-    VIEW_KEY_DOWN,
-    VIEW_KEY_UNKNOWN
-};
 
 enum view_action {
     VIEW_NOTHING, /* no such key, and nothing has changed */
@@ -23,9 +14,9 @@ enum view_action {
 
 /* The keys and what they do, a line each. */
 #define VIEW_KEYS_HELP                                                   \
-    "  arrows, mouse drag  turn\n"                                       \
-    "  + -, mouse wheel    closer, farther\n"                            \
-    "  space               stop or start the turning\n"                  \
+    "  arrows, drag        turn\n"                                       \
+    "  + -, wheel          closer, farther\n"                            \
+    "  space, enter        stop or start the turning\n"                  \
     "  f g p               shading: flat, Gouraud, Phong\n"              \
     "  t                   texture: none, nearest, bilinear\n"           \
     "  l                   light on or off (Phong has it always)\n"      \
@@ -36,12 +27,13 @@ enum view_action {
     "  w                   write the picture to a file\n"                \
     "  q, Escape           end\n"
 
-/* Changes the view as the key says. A key of light on a view that has none
- * brings the light, all of it that is not switched off. */
+/* Changes the view as the key says, of enum pel_key. A key of light on a view
+ * that has none brings the light, all of it that is not switched off. */
 enum view_action view_key(struct view *view, int key);
 
-/* The first key of what a terminal has sent, *used of `count` >= 1 bytes:
- * arrows as CSI or SS3 sequences, Escape as a byte that no sequence follows. */
+/* The first key (enum pel_key) of what a terminal has sent, *used of `count` >=
+ * 1 bytes: arrows as CSI or SS3 sequences, Escape as a byte that no sequence
+ * follows. */
 int view_terminal_key(const char *bytes, size_t count, size_t *used);
 
 #endif

@@ -38,6 +38,8 @@ static const struct option_row options[] = {
      .parse = parse_step},
     {"still", NULL, "do not turn until space is pressed", OPTION_FLAG,
      .offset = offsetof(struct viewer_options, still)},
+    {"buttons", "CHIP:LINES", "buttons at GPIO lines: see pel input --help",
+     OPTION_TEXT, .offset = offsetof(struct viewer_options, buttons)},
     {.help = NULL},
 };
 

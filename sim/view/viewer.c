@@ -29,15 +29,8 @@ bool viewer_init(struct viewer *viewer, const struct view_job *job,
 void viewer_free(struct viewer *viewer)
 {
     pel_pool_end(&viewer->pool);
+    pel_input_linux_close(&viewer->input);
     scene_free(&viewer->scene);
-}
-
-bool viewer_key(struct viewer *viewer, int key)
-{
-    const enum view_action action = view_key(&viewer->view, key);
-    viewer->stale = viewer->stale || action == VIEW_CHANGED;
-    viewer->over = viewer->over || action == VIEW_END;
-    return action == VIEW_SAVE;
 }
 
 bool viewer_is_over(const struct viewer *viewer)
@@ -112,6 +105,8 @@ bool viewer_draw(struct viewer *viewer, const struct pel_surface *surface)
     struct canvas canvas = {.surface = *surface};
     const bool done =
         device_draw_bands(&viewer->pool, &canvas, draw_band, viewer);
+    viewer->width = clip->x1 - clip->x0;
+    viewer->height = clip->y1 - clip->y0;
     viewer->drawing += milliseconds() - start;
     return done;
 }

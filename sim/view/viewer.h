@@ -1,7 +1,7 @@
 /* A view on its scene, with a clock: what the window and the device of pel view
  * have in common. A display does, until viewer_is_over:
  *
- *     tell view_key and the like what the user does
+ *     viewer_input(viewer, event): tell what the user does
  *     viewer_advance(viewer)
  *     where viewer->stale: viewer_draw(viewer, surface), show it,
  *                          viewer_shown(viewer)
@@ -9,17 +9,19 @@
 #ifndef SIM_VIEW_VIEWER_H
 #define SIM_VIEW_VIEWER_H
 
+#include "port/linux/input.h"
 #include "port/linux/pool.h"
 #include "sim/cli/device.h"
 #include "sim/view/view.h"
 #include "sim/view/keys.h"
 
 struct viewer_options {
-    int frames;         /* to draw, and then to end; 0: until the user ends */
-    bool has_step;      /* not by the clock: */
-    double step;        /* turns of the model from frame to frame */
-    const char *output; /* for the last picture; NULL: none */
-    bool still;         /* no turning at the start */
+    int frames;          /* to draw, and then to end; 0: until the user ends */
+    bool has_step;       /* not by the clock: */
+    double step;         /* turns of the model from frame to frame */
+    const char *output;  /* for the last picture; NULL: none */
+    bool still;          /* no turning at the start */
+    const char *buttons; /* see port/linux/buttons.h; NULL: none */
 };
 
 struct view_job {
@@ -35,9 +37,13 @@ struct viewer {
     const struct model *model;
     struct scene scene;
     struct pel_pool pool;
-    bool stale;         /* there is something new to draw */
-    bool over;          /* the user ended it */
-    int drawn;          /* frames */
+    struct pel_input_linux input; /* or not open */
+    int width, height;            /* px of what was drawn */
+    bool dragging;                /* the pointer's button is held */
+    int16_t x, y;                 /* where a finger or a tablet's pointer was */
+    bool stale;                   /* there is something new to draw */
+    bool over;                    /* the user ended it */
+    int drawn;                    /* frames */
     double begun, last; /* ms: the first frame, the last viewer_advance */
     double drawing;     /* ms spent on drawing, all frames */
     struct {
@@ -53,9 +59,17 @@ bool viewer_init(struct viewer *viewer, const struct view_job *job,
                  const struct scene_settings *settings);
 void viewer_free(struct viewer *viewer);
 
-/* Handles a key. True when the picture is to be written, with viewer_save_new.
- */
-bool viewer_key(struct viewer *viewer, int key);
+/* Opens the devices and buttons that a window does not have. False, with a
+ * message. */
+bool viewer_open_input(struct viewer *viewer,
+                       const struct pel_input_linux_options *options);
+
+/* Handles an event: keys, a drag with the first button or finger, the wheel.
+ * True when the picture is to be written, with viewer_save_new. */
+bool viewer_input(struct viewer *viewer, const struct pel_input *event);
+
+/* The same for all that came from what viewer_open_input opened. */
+bool viewer_inputs(struct viewer *viewer);
 
 /* Lets the time pass; first prints the keys when there is a user. True when the
  * title has changed. */

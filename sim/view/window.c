@@ -76,66 +76,68 @@ static int key_of(SDL_Keycode code)
 {
     switch (code) {
     case SDLK_LEFT:
-        return VIEW_KEY_LEFT;
+        return PEL_KEY_LEFT;
     case SDLK_RIGHT:
-        return VIEW_KEY_RIGHT;
+        return PEL_KEY_RIGHT;
     case SDLK_UP:
-        return VIEW_KEY_UP;
+        return PEL_KEY_UP;
     case SDLK_DOWN:
-        return VIEW_KEY_DOWN;
+        return PEL_KEY_DOWN;
+    case SDLK_KP_ENTER:
+        return PEL_KEY_ENTER;
     case SDLK_KP_PLUS:
         return '+';
     case SDLK_KP_MINUS:
         return '-';
     default:
-        return code > 0 && code < 128 ? code : VIEW_KEY_UNKNOWN;
+        return code > 0 && code < 128 ? code : PEL_KEY_OTHER;
     }
 }
 
-static bool press(struct window *w, SDL_Keycode code)
+/* The event as one of drivers/input.h. False for one that has none. */
+static bool input_of(const SDL_Event *event, struct pel_input *e)
 {
-    w->renamed = true;
-    return !viewer_key(w->viewer, key_of(code)) ||
-           viewer_save_new(&w->canvas.surface);
-}
-
-/* Half a turn from one side of the window to the other. */
-static void drag(struct window *w, const SDL_MouseMotionEvent *motion)
-{
-    const struct pel_rect *window = &w->canvas.surface.bounds;
-    if (!(motion->state & SDL_BUTTON_LMASK) || !w->canvas.memory)
-        return;
-    view_orbit(&w->viewer->view, motion->xrel * 0.5 / window->x1,
-               motion->yrel * 0.5 / window->y1);
-    w->viewer->stale = true;
-}
-
-static void wheel(struct window *w, const SDL_MouseWheelEvent *turned)
-{
-    for (int i = 0; i < abs(turned->y) && i < 16; i++)
-        viewer_key(w->viewer, turned->y > 0 ? '+' : '-');
+    *e = (struct pel_input){.time = event->common.timestamp};
+    switch (event->type) {
+    case SDL_KEYDOWN:
+    case SDL_KEYUP:
+        e->kind = PEL_INPUT_KEY;
+        e->state = event->key.repeat ? PEL_INPUT_AGAIN : event->key.state;
+        e->code = (uint16_t)key_of(event->key.keysym.sym);
+        return true;
+    case SDL_MOUSEBUTTONDOWN:
+    case SDL_MOUSEBUTTONUP:
+        e->kind = PEL_INPUT_BUTTON;
+        e->state = event->button.state;
+        e->code = event->button.button;
+        return true;
+    case SDL_MOUSEMOTION:
+        e->kind = PEL_INPUT_MOVE;
+        e->x = (int16_t)event->motion.xrel;
+        e->y = (int16_t)event->motion.yrel;
+        return true;
+    case SDL_MOUSEWHEEL:
+        e->kind = PEL_INPUT_WHEEL;
+        e->x = (int16_t)event->wheel.x;
+        e->y = (int16_t)event->wheel.y;
+        return true;
+    default:
+        return false;
+    }
 }
 
 static bool handle(struct window *w, const SDL_Event *event)
 {
-    switch (event->type) {
-    case SDL_QUIT:
+    struct pel_input input;
+    if (event->type == SDL_QUIT)
         w->viewer->over = true;
-        return true;
-    case SDL_KEYDOWN:
-        return press(w, event->key.keysym.sym);
-    case SDL_MOUSEMOTION:
-        drag(w, &event->motion);
-        return true;
-    case SDL_MOUSEWHEEL:
-        wheel(w, &event->wheel);
-        return true;
-    case SDL_WINDOWEVENT:
+    else if (event->type == SDL_WINDOWEVENT)
         w->viewer->stale = true;
+    if (!input_of(event, &input))
         return true;
-    default:
-        return true;
-    }
+    w->renamed = w->renamed || input.kind == PEL_INPUT_KEY;
+    return !viewer_input(w->viewer, &input) ||
+           viewer_save_new(&w->canvas.surface);
 }
 
 /* Handles the events that have come; waits a moment for one when there is
@@ -145,13 +147,11 @@ static bool handle_all(struct window *w)
     const struct viewer *viewer = w->viewer;
     const bool busy = viewer->view.turning || viewer->options->frames > 0;
     SDL_Event event;
-    if (!SDL_WaitEventTimeout(&event, busy ? 0 : IDLE_MS))
-        return true;
-    do {
+    int more = SDL_WaitEventTimeout(&event, busy ? 0 : IDLE_MS);
+    for (; more; more = SDL_PollEvent(&event))
         if (!handle(w, &event))
             return false;
-    } while (SDL_PollEvent(&event));
-    return true;
+    return !viewer_inputs(w->viewer) || viewer_save_new(&w->canvas.surface);
 }
 
 static void rename_window(struct window *w)
@@ -215,6 +215,14 @@ static void close_window(struct window *w)
     SDL_Quit();
 }
 
+/* All but the buttons comes with the window. */
+static bool open_buttons(struct viewer *viewer)
+{
+    const struct pel_input_linux_options options = {
+        .buttons = viewer->options->buttons, .no_devices = true};
+    return !options.buttons || viewer_open_input(viewer, &options);
+}
+
 static bool run_viewer(struct window *w, const struct view_job *job)
 {
     struct viewer viewer;
@@ -222,8 +230,8 @@ static bool run_viewer(struct window *w, const struct view_job *job)
     if (settings.camera.width == 0)
         settings.camera.width = settings.camera.height = OWN_SIZE;
     w->viewer = &viewer;
-    const bool done =
-        viewer_init(&viewer, job, &settings) && open_window(w) && run(w);
+    const bool done = viewer_init(&viewer, job, &settings) &&
+                      open_buttons(&viewer) && open_window(w) && run(w);
     if (done && job->options->frames > 0)
         viewer_report(&viewer);
     viewer_free(&viewer);

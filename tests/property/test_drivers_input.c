@@ -99,7 +99,10 @@ static void test_queues(void)
             if (random_word(r) & 1) {
                 e = (struct pel_input){.kind = PEL_INPUT_KEY,
                                        .code = (uint16_t)in++};
-                held += pel_input_push(&queue, &e);
+                const int room = pel_input_room(&queue);
+                const bool fits = pel_input_push(&queue, &e);
+                assert_int_equal(fits, room > 0);
+                held += fits;
                 assert_true(held <= queue.size - 2);
                 continue;
             }

@@ -139,10 +139,10 @@ static void test_turn(void **state)
 {
     struct view *view = *state;
     struct scene_settings s;
-    assert_int_equal(view_key(view, VIEW_KEY_RIGHT), VIEW_CHANGED);
+    assert_int_equal(view_key(view, PEL_KEY_RIGHT), VIEW_CHANGED);
     assert_true(view->spin > 0 && view->spin < 0.1);
-    assert_int_equal(view_key(view, VIEW_KEY_LEFT), VIEW_CHANGED);
-    assert_int_equal(view_key(view, VIEW_KEY_LEFT), VIEW_CHANGED);
+    assert_int_equal(view_key(view, PEL_KEY_LEFT), VIEW_CHANGED);
+    assert_int_equal(view_key(view, PEL_KEY_LEFT), VIEW_CHANGED);
     assert_true(view->spin > 0.9 && view->spin < 1);
     view->spin = 0.25;
     view->settings.turn[1] = 60000;
@@ -173,14 +173,14 @@ static void test_tilt(void **state)
     double distance, now;
     const double start = height_of_eye(view, &distance);
     for (int i = 0; i < 40; i++)
-        view_key(view, VIEW_KEY_DOWN);
+        view_key(view, PEL_KEY_DOWN);
     const double top = height_of_eye(view, &now);
     assert_true(fabs(now - distance) < 1e-9 * distance);
     assert_true(top > start && top < distance && top > 0.99 * distance);
-    view_key(view, VIEW_KEY_UP);
+    view_key(view, PEL_KEY_UP);
     assert_true(height_of_eye(view, &now) < top);
     for (int i = 0; i < 40; i++)
-        view_key(view, VIEW_KEY_UP);
+        view_key(view, PEL_KEY_UP);
     assert_true(height_of_eye(view, &now) < -0.99 * distance);
 }
 
@@ -222,8 +222,8 @@ static void test_first(void **state)
     struct view *view = *state;
     struct scene_settings s;
     press(view, "+- tzf");
-    view_key(view, VIEW_KEY_UP);
-    view_key(view, VIEW_KEY_RIGHT);
+    view_key(view, PEL_KEY_UP);
+    view_key(view, PEL_KEY_RIGHT);
     press(view, "r");
     view_settings(view, 200, 100, &s);
     assert_memory_equal(s.camera.eye, view->first.camera.eye,
@@ -245,11 +245,11 @@ static void test_others(void **state)
     memcpy(&before, view, sizeof(before));
     assert_int_equal(view_key(view, 'w'), VIEW_SAVE);
     assert_int_equal(view_key(view, 'q'), VIEW_END);
-    assert_int_equal(view_key(view, VIEW_KEY_ESCAPE), VIEW_END);
+    assert_int_equal(view_key(view, PEL_KEY_ESCAPE), VIEW_END);
     for (int key = -1; key < 400; key++)
-        if (key < 0 || key >= VIEW_KEY_UNKNOWN ||
-            !strchr("fgptzr+=-  123456789adslwq\033", key))
-            if (key < VIEW_KEY_LEFT || key >= VIEW_KEY_UNKNOWN)
+        if (key < 0 || key > 127 ||
+            !strchr("fgptzr+=- \r123456789adslwq\033", key))
+            if (key < PEL_KEY_LEFT || key > PEL_KEY_DOWN)
                 assert_int_equal(view_key(view, key), VIEW_NOTHING);
     assert_memory_equal(&before, view, sizeof(before));
 }
@@ -257,7 +257,7 @@ static void test_others(void **state)
 /* The farthest that keys lead to can be drawn. */
 static void test_extremes(void **state)
 {
-    static const int tilts[] = {VIEW_KEY_UP, VIEW_KEY_DOWN};
+    static const int tilts[] = {PEL_KEY_UP, PEL_KEY_DOWN};
     struct view *view = *state;
     struct scene_settings s;
     struct model model;
@@ -282,14 +282,9 @@ static void test_extremes(void **state)
 static void test_terminal(void **state)
 {
     static const char bytes[] = "q\033[A\033OB\033[1;5C\033[C\033[D\033[3~\033";
-    static const int keys[] = {'q',
-                               VIEW_KEY_UP,
-                               VIEW_KEY_DOWN,
-                               VIEW_KEY_UNKNOWN,
-                               VIEW_KEY_RIGHT,
-                               VIEW_KEY_LEFT,
-                               VIEW_KEY_UNKNOWN,
-                               VIEW_KEY_ESCAPE};
+    static const int keys[] = {'q',           PEL_KEY_UP,    PEL_KEY_DOWN,
+                               PEL_KEY_OTHER, PEL_KEY_RIGHT, PEL_KEY_LEFT,
+                               PEL_KEY_OTHER, PEL_KEY_ESCAPE};
     size_t at = 0, used = 0;
     (void)state;
     for (size_t i = 0; i < sizeof(keys) / sizeof(keys[0]); i++) {
@@ -300,7 +295,7 @@ static void test_terminal(void **state)
         at += used;
     }
     assert_int_equal(at, sizeof(bytes) - 1);
-    assert_int_equal(view_terminal_key("\033[", 2, &used), VIEW_KEY_UNKNOWN);
+    assert_int_equal(view_terminal_key("\033[", 2, &used), PEL_KEY_OTHER);
     assert_int_equal(used, 2);
     assert_int_equal(view_terminal_key("\344", 1, &used), 0344);
 }

@@ -1,0 +1,51 @@
+/* Input devices of the Linux kernel, /dev/input/event*, through libevdev:
+ * keyboards, mice, tablets and touch screens as events, while they come and go.
+ * Keys have the characters of the US layout. */
+#ifndef PEL_PORT_LINUX_EVDEV_H
+#define PEL_PORT_LINUX_EVDEV_H
+
+#include "drivers/input.h"
+#include "drivers/linux_message.h"
+
+PEL_BEGIN_DECLS
+
+enum { PEL_EVDEV_FINGERS = 10 };
+
+struct libevdev;
+
+/* One that is open. */
+struct pel_evdev {
+    struct libevdev *device; /* NULL: none */
+    int number;              /* N of eventN */
+    int width, height;       /* px: places are within 0..width - 1 */
+    bool keys;               /* tells keys, too: see pel_evdev_open */
+    bool touches;            /* a touch screen, not a tablet or mouse */
+    bool more;               /* there was no room for all of what came */
+    int slot;                /* of the finger that is spoken of */
+    struct {
+        int16_t x, y;
+        bool down, changed, told;
+    } finger[PEL_EVDEV_FINGERS]; /* the first is a tablet's pointer, too */
+    int16_t move_x, move_y, wheel_x, wheel_y; /* of the report that comes in */
+};
+
+/* Opens /dev/input/eventN and tells that it is there, and what is held. Without
+ * `keys` those of keyboards are left out, which a program gets that reads a
+ * terminal. 0 or an errno, with a message: ENOTSUP when the device has nothing
+ * to tell. */
+int pel_evdev_open(struct pel_evdev *evdev, int number, bool keys,
+                   struct pel_input_queue *queue, struct pel_message *message);
+
+/* Pushes what came, while there is room; after a loss in the kernel
+ * PEL_INPUT_LOST and what is held. False when the device is gone, after all of
+ * it was released. */
+bool pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue);
+
+/* What to poll. */
+int pel_evdev_descriptor(const struct pel_evdev *evdev);
+
+/* Nothing when it is not open. */
+void pel_evdev_close(struct pel_evdev *evdev);
+
+PEL_END_DECLS
+#endif

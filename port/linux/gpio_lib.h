@@ -1,0 +1,27 @@
+/* What gpio.c needs of libgpiod, whose versions 1 and 2 have nothing in common.
+ */
+#ifndef PEL_PORT_LINUX_GPIO_LIB_H
+#define PEL_PORT_LINUX_GPIO_LIB_H
+
+#include "gpio.h"
+
+enum { PEL_GPIO_EDGES_AT_ONCE = 16 }; /* that the kernel keeps of a line */
+
+/* A chip; or NULL and errno. */
+void *pel_gpio_chip_open(const char *path);
+void pel_gpio_chip_close(void *chip);
+unsigned pel_gpio_chip_lines(void *chip);
+
+/* The line's number, or -1. */
+int pel_gpio_chip_find(void *chip, const char *name);
+
+/* Who holds a line; false when it is free. */
+bool pel_gpio_chip_holder(void *chip, unsigned offset, char *name, size_t size);
+
+/* Requests the lines at `offsets`: fills `request`, `debounces`. 0 or an
+ * errno. */
+int pel_gpio_request_lines(struct pel_gpio *gpio,
+                           const struct pel_gpio_request *request);
+void pel_gpio_release_lines(struct pel_gpio *gpio);
+
+#endif

@@ -1,0 +1,230 @@
+#include "input.h"
+
+#include <errno.h>
+#include <poll.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/epoll.h>
+#include <sys/inotify.h>
+#include <sys/timerfd.h>
+#include <unistd.h>
+
+#include "drivers/linux_io.h"
+
+/* Whom epoll wakes for, after the devices. */
+enum { NOTIFY = PEL_INPUT_LINUX_DEVICES, BUTTONS, TIMER };
+
+static int watch(struct pel_input_linux *in, int fd, int who)
+{
+    struct epoll_event e = {.events = EPOLLIN, .data = {.u32 = (uint32_t)who}};
+    return fd < 0 || epoll_ctl(in->poll, EPOLL_CTL_ADD, fd, &e) ? errno : 0;
+}
+
+/* Opens /dev/input/eventN, if that is not open. Rights may come later than the
+ * device, and then it is tried again. */
+static void open_device(struct pel_input_linux *in, int number)
+{
+    struct pel_evdev *free = NULL;
+    for (int i = PEL_INPUT_LINUX_DEVICES - 1; i >= 0; i--)
+        if (!in->devices[i].device)
+            free = &in->devices[i];
+        else if (in->devices[i].number == number)
+            return;
+    if (!free) {
+        pel_message_set(&in->note,
+                        "more than %d input devices: eventN with "
+                        "N = %d is left out",
+                        PEL_INPUT_LINUX_DEVICES, number);
+        return;
+    }
+    free->width = in->options.width;
+    free->height = in->options.height;
+    const int error = pel_evdev_open(free, number, !in->options.no_keys,
+                                     &in->queue, &in->message);
+    if (error == EACCES || error == ENOSYS)
+        in->note = in->message;
+    else if (!error)
+        watch(in, pel_evdev_descriptor(free), (int)(free - in->devices));
+}
+
+static void open_devices(struct pel_input_linux *in)
+{
+    char path[40];
+    if (in->options.no_devices)
+        return;
+    inotify_add_watch(in->notify, "/dev/input", IN_CREATE | IN_ATTRIB);
+    for (int i = 0; i < 64; i++) {
+        snprintf(path, sizeof(path), "/dev/input/event%d", i);
+        if (access(path, F_OK) == 0)
+            open_device(in, i);
+    }
+}
+
+static void arm(struct pel_input_linux *in, int milliseconds)
+{
+    struct itimerspec time = {{0, 0}, {0, 0}};
+    if (milliseconds >= 0) {
+        time.it_value.tv_sec = milliseconds / 1000;
+        time.it_value.tv_nsec = milliseconds % 1000 * 1000000L + 1;
+    }
+    timerfd_settime(in->timer, 0, &time, NULL);
+}
+
+static void push_chip(struct pel_input_linux *in, int state)
+{
+    const struct pel_input e = {.time = pel_linux_milliseconds(),
+                                .kind = PEL_INPUT_DEVICE,
+                                .state = (uint8_t)state,
+                                .code = PEL_INPUT_LINUX_CHIP};
+    pel_input_push(&in->queue, &e);
+}
+
+static void read_buttons(struct pel_input_linux *in)
+{
+    const bool open = in->buttons.open;
+    arm(in, pel_buttons_read(&in->buttons, &in->queue));
+    if (open && !in->buttons.open)
+        push_chip(in, PEL_INPUT_UP);
+}
+
+static int open_buttons(struct pel_input_linux *in)
+{
+    int descriptors[PEL_GPIO_MOST];
+    const int error = pel_buttons_open(&in->buttons, &in->message);
+    if (error)
+        return error;
+    const int n = pel_gpio_descriptors(&in->buttons.gpio, descriptors);
+    for (int i = 0; i < n; i++)
+        watch(in, descriptors[i], BUTTONS);
+    push_chip(in, PEL_INPUT_DOWN);
+    read_buttons(in);
+    return 0;
+}
+
+/* Something came to /dev or /dev/input, went, or got other rights. */
+static void note_file(struct pel_input_linux *in, const char *name)
+{
+    int number;
+    if (strcmp(name, "input") == 0)
+        open_devices(in);
+    else if (sscanf(name, "event%d", &number) == 1)
+        open_device(in, number);
+    else if (in->options.buttons && strncmp(name, "gpiochip", 8) == 0)
+        in->buttons.open ? read_buttons(in) : (void)open_buttons(in);
+}
+
+static void read_notes(struct pel_input_linux *in)
+{
+    char notes[4096] __attribute__((aligned(8)));
+    const ssize_t n = read(in->notify, notes, sizeof(notes));
+    for (ssize_t at = 0; at < n;) {
+        const struct inotify_event *e = (const void *)(notes + at);
+        at += (ssize_t)(sizeof(*e) + e->len);
+        if (e->mask & IN_Q_OVERFLOW)
+            open_devices(in);
+        else if (e->len > 0)
+            note_file(in, e->name);
+    }
+}
+
+static void read_all(struct pel_input_linux *in)
+{
+    struct epoll_event ready[PEL_INPUT_LINUX_DEVICES + PEL_GPIO_MOST];
+    uint64_t times;
+    const int n =
+        epoll_wait(in->poll, ready, PEL_INPUT_LINUX_DEVICES + PEL_GPIO_MOST, 0);
+    bool buttons = false;
+    for (int i = 0; i < n; i++) {
+        const int who = (int)ready[i].data.u32;
+        if (who == NOTIFY)
+            read_notes(in);
+        else if (who < NOTIFY)
+            in->devices[who].more = true;
+        else if (who == TIMER)
+            buttons = read(in->timer, &times, sizeof(times)) > 0 || buttons;
+        else
+            buttons = true;
+    }
+    for (int i = 0; i < PEL_INPUT_LINUX_DEVICES; i++)
+        if (in->devices[i].device && in->devices[i].more)
+            pel_evdev_read(&in->devices[i], &in->queue);
+    if (buttons)
+        read_buttons(in);
+}
+
+bool pel_input_linux_next(struct pel_input_linux *in, struct pel_input *event)
+{
+    if (pel_input_pop(&in->queue, event))
+        return true;
+    read_all(in);
+    return pel_input_pop(&in->queue, event);
+}
+
+bool pel_input_linux_wait(struct pel_input_linux *in, int milliseconds,
+                          struct pel_input *event)
+{
+    struct pollfd line = {.fd = in->poll, .events = POLLIN};
+    const uint32_t start = pel_linux_milliseconds();
+    while (!pel_input_linux_next(in, event)) {
+        const uint32_t passed = pel_linux_milliseconds() - start;
+        if (milliseconds >= 0 && passed >= (uint32_t)milliseconds)
+            return false;
+        if (poll(&line, 1, milliseconds < 0 ? -1 : milliseconds - (int)passed) <
+            0)
+            return false;
+    }
+    return true;
+}
+
+/* The descriptors; 0 or an errno. */
+static int prepare(struct pel_input_linux *in)
+{
+    in->poll = epoll_create1(EPOLL_CLOEXEC);
+    if (in->poll < 0)
+        return errno;
+    in->notify = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
+    const int error = watch(in, in->notify, NOTIFY);
+    if (error)
+        return error;
+    in->timer = timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK);
+    return watch(in, in->timer, TIMER);
+}
+
+int pel_input_linux_open(struct pel_input_linux *in,
+                         const struct pel_input_linux_options *options)
+{
+    memset(in, 0, sizeof(*in));
+    in->queue.events = in->events;
+    in->queue.size = PEL_INPUT_LINUX_EVENTS;
+    in->options = *options;
+    in->poll = in->notify = in->timer = -1;
+    int error = prepare(in);
+    if (error)
+        pel_message_errno(&in->message, "cannot wait for input", error);
+    else
+        inotify_add_watch(in->notify, "/dev",
+                          IN_CREATE | IN_ATTRIB | IN_DELETE);
+    if (!error && options->buttons)
+        error = pel_buttons_parse(&in->buttons, options->buttons, &in->message);
+    if (!error && options->buttons)
+        error = open_buttons(in);
+    if (error)
+        pel_input_linux_close(in);
+    else
+        open_devices(in);
+    return error;
+}
+
+void pel_input_linux_close(struct pel_input_linux *in)
+{
+    const int descriptors[] = {in->timer, in->notify, in->poll};
+    if (in->queue.size == 0)
+        return;
+    pel_buttons_close(&in->buttons);
+    for (int i = 0; i < PEL_INPUT_LINUX_DEVICES; i++)
+        pel_evdev_close(&in->devices[i]);
+    for (int i = 0; i < 3; i++)
+        if (descriptors[i] >= 0)
+            close(descriptors[i]);
+    in->queue.size = 0;
+}

@@ -1,0 +1,125 @@
+/* pel input: prints what the keyboards, pointers, touch screens and buttons of
+ * a Linux machine tell. */
+#include <math.h>
+#include <stdio.h>
+
+#include "port/linux/input.h"
+#include "port/linux/key_names.h"
+#include "sim/cli/arguments.h"
+#include "sim/cli/commands.h"
+#include "sim/cli/message.h"
+#include "sim/cli/milliseconds.h"
+
+struct input_options {
+    const char *buttons;
+    double size[2];
+    double seconds; /* 0: for ever */
+    bool no_devices;
+};
+
+static const struct option_row options[] = {
+    {"buttons", "CHIP:LINES",
+     "buttons and encoders at GPIO lines: gpiochip0:5=left,6=right,13=enter; "
+     "a line's name will do (GPIO5=left); 17/27=wheel is an encoder; "
+     "pull-down, "
+     "floating, debounce=5 are for all lines",
+     OPTION_TEXT, .offset = offsetof(struct input_options, buttons)},
+    {"size", "WxH", "where tablets and touch screens point to (1000x1000)",
+     OPTION_NUMBERS, .offset = offsetof(struct input_options, size), .n = 2,
+     .separator = 'x', .low = 1, .high = 32767, .expected = "320x240"},
+    {"seconds", "S", "end after that time", OPTION_NUMBERS,
+     .offset = offsetof(struct input_options, seconds), .n = 1, .low = 0.001,
+     .high = 1e6, .expected = "10"},
+    {"only-buttons", NULL, "leave out keyboards, pointers, touch screens",
+     OPTION_FLAG, .offset = offsetof(struct input_options, no_devices)},
+    {.help = NULL},
+};
+
+static void print_what(const struct pel_input *e)
+{
+    char name[PEL_KEY_NAME_SIZE];
+    switch (e->kind) {
+    case PEL_INPUT_KEY:
+        printf("key %s", pel_key_name(e->code, name));
+        break;
+    case PEL_INPUT_BUTTON:
+        printf("button %d", e->code);
+        break;
+    case PEL_INPUT_MOVE:
+        printf("move %d %d", e->x, e->y);
+        break;
+    case PEL_INPUT_POINT:
+        printf("point %d %d", e->x, e->y);
+        break;
+    case PEL_INPUT_TOUCH:
+        printf("touch %d at %d %d", e->code, e->x, e->y);
+        break;
+    case PEL_INPUT_WHEEL:
+        printf("wheel %d %d", e->x, e->y);
+        break;
+    case PEL_INPUT_DEVICE:
+        printf(e->code == PEL_INPUT_LINUX_CHIP ? "buttons" : "event%d",
+               e->code);
+        break;
+    default:
+        printf("lost");
+    }
+}
+
+static void print(const struct pel_input *e)
+{
+    static const char *const states[] = {"up", "down", "again"};
+    static const char *const devices[] = {"gone", "here", ""};
+    printf("%lu.%03lu ", (unsigned long)e->time / 1000,
+           (unsigned long)e->time % 1000);
+    print_what(e);
+    if (e->kind == PEL_INPUT_DEVICE)
+        printf(" %s\n", devices[e->state]);
+    else if (e->kind == PEL_INPUT_KEY || e->kind == PEL_INPUT_BUTTON ||
+             e->kind == PEL_INPUT_TOUCH)
+        printf(" %s\n", states[e->state]);
+    else
+        printf("\n");
+}
+
+static void print_all(struct pel_input_linux *input, double seconds)
+{
+    const double end = milliseconds() + seconds * 1000;
+    struct pel_input event;
+    int left = -1;
+    while (left != 0) {
+        if (seconds > 0)
+            left = (int)fmax(end - milliseconds(), 0);
+        if (pel_input_linux_wait(input, left, &event))
+            print(&event);
+    }
+}
+
+int command_input(int argc, char **argv)
+{
+    static struct pel_input_linux input;
+    struct input_options o = {.size = {1000, 1000}};
+    const struct command_line line = {
+        .arguments = "",
+        .about = "Prints what keyboards, mice, tablets, touch screens and "
+                 "buttons do.\v"
+                 "A line is the time in seconds and what happened. Ends with "
+                 "Ctrl-C.",
+        .tables = {{options, &o, NULL}}};
+    arguments_parse(&line, argc, argv);
+    const struct pel_input_linux_options linux_options = {
+        .buttons = o.buttons,
+        .no_devices = o.no_devices,
+        .width = (int)o.size[0],
+        .height = (int)o.size[1]};
+    if (pel_input_linux_open(&input, &linux_options)) {
+        message_error("%s", input.message.text);
+        return STATUS_ERROR;
+    }
+    if (input.note.text[0])
+        fprintf(stderr, "pel: %s\n", input.note.text);
+    setvbuf(stdout, NULL, _IOLBF, 0);
+    print_all(&input, o.seconds);
+    pel_input_linux_close(&input);
+    return STATUS_OK;
+}
