@@ -4,7 +4,7 @@
 #define PEL_DRIVERS_DISPLAY_LINUX_PANEL_H
 
 #include "panel.h"
-#include "port/linux/bus.h"
+#include "../port/linux/bus.h"
 
 PEL_BEGIN_DECLS
 

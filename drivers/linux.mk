@@ -43,4 +43,11 @@ $(BUILD)/linux-flags: FORCE
 	@mkdir -p $(@D)
 	@echo '$(LINUX_FLAGS)' | cmp -s - $@ || echo '$(LINUX_FLAGS)' >$@
 
+# For programs of others, with what they link beside it.
+all: $(BUILD)/libpel_linux.a
+$(BUILD)/libpel_linux.a: $(LINUX_OBJECTS)
+	rm -f $@
+	$(AR) rcs $@ $^
+	@echo '$(LINUX_FLAGS) $(LINUX_LIBS)' >$(@:.a=.libs)
+
 -include $(LINUX_OBJECTS:.o=.d)

@@ -6,7 +6,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "drivers/linux_io.h"
+#include "../../drivers/linux_io.h"
 
 int pel_bus_fails(struct pel_bus_linux *bus, const char *what, int error)
 {

@@ -8,7 +8,7 @@
 #ifndef PEL_PORT_LINUX_BUS_H
 #define PEL_PORT_LINUX_BUS_H
 
-#include "drivers/bus.h"
+#include "../../drivers/bus.h"
 #include "gpio.h"
 
 PEL_BEGIN_DECLS

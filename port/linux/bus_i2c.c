@@ -5,7 +5,7 @@
 #include <linux/i2c.h>
 #include <string.h>
 
-#include "drivers/linux_io.h"
+#include "../../drivers/linux_io.h"
 
 enum { PIECE = 128, COMMAND = 0x00, DATA = 0x40 };
 

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "drivers/linux_io.h"
+#include "../../drivers/linux_io.h"
 
 /* spidev starts each piece at a multiple of the processor's cache lines in its
  * buffer: 128 bytes at most. */

@@ -15,8 +15,8 @@ LINUX_CACHE := $(PEL_CACHE)/linux-vm
 LINUX_ROWS := $(shell sed -n 's/^\([a-z0-9_]*\)|.*/\1/p' $(LINUX_HERE)/rows.txt)
 LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 
-LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display panel_bus vm \
-               screen_check reference)
+LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display panel_bus \
+               panel_check vm screen_check reference)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
                pel_no_draw fb_mode console_state faults frames session)
 LINUX_STATIC := $(LINUX_CHECK)/static
@@ -51,7 +51,12 @@ $(LINUX_CHECK)/panel_bus: $(LINUX_HERE)/panel_bus.c $(LINUX_OBJECTS) \
 	    $(LINUX_PANEL_WRAPS:%=-Wl$(comma)--wrap=%) $^ $(LINUX_LIBS) -lcmocka \
 	    -o $@
 
-$(filter-out %/layout %/display %/panel_bus,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
+$(LINUX_CHECK)/panel_check: $(LINUX_HERE)/panel_check.c \
+    tests/support/panel_glass.c tests/support/check.c
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $^ -lcmocka -o $@
+
+$(filter-out %/layout %/display %/panel_bus %/panel_check,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $< -o $@
 
@@ -94,6 +99,7 @@ $(LINUX_CHECK)/guest/faults: $(LINUX_HERE)/faults.c \
 
 linux-image:
 	@$(LINUX_HERE)/vm_image.sh $(LINUX_CACHE)
+	@$(LINUX_HERE)/vm_panel_mock.sh $(LINUX_CACHE)
 
 check-linux: $(BUILD)/pel $(LINUX_TOOLS) $(LINUX_GUEST)
 check-linux: linux-image ## fbdev, DRM and consoles on a real kernel in QEMU
