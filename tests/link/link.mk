@@ -50,8 +50,18 @@ LINK_ELFS := $(foreach c,$(MCU_CPUS),\
 LINK_STACK := 384
 LINK_STACK_GRADIENTS := 436
 
+# The program of the guide, compiled and linked; its registers are no board's of
+# QEMU.
+LINK_GUIDE := $(BUILD)/mcu/cortex-m4-Os
+$(BUILD)/link/guide.elf: docs/firmware.md tests/link/guide.sh \
+    $(LINK_GUIDE)/libdrivers.a $(LINK_GUIDE)/libpel.a
+	tests/link/guide.sh $(BUILD)/link/guide $(MCU_CC) -mcpu=cortex-m4 -Os \
+	    $(MCU_CFLAGS) $(MCU_LDFLAGS) -Wl,-e,main \
+	    $(LINK_GUIDE)/libdrivers.a $(LINK_GUIDE)/libpel.a \
+	    -o $@
+
 # With ACCEPT=1 what is measured becomes the new limit.
-size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) | need-qemu-arm ## bytes and stack on Cortex-M: build/size.tsv
+size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) $(BUILD)/link/guide.elf | need-qemu-arm ## bytes and stack on Cortex-M: build/size.tsv
 	tests/link/size.sh $(BUILD) "$(MCU_CPUS)" "$(LINK_PROGRAMS)" >$(BUILD)/size.tsv
 	tests/link/budgets.sh $(BUILD)/size.tsv $(ACCEPT)
 	for cpu in $(MCU_CPUS); do \
