@@ -30,12 +30,15 @@ $(shell $(MAKE_INCLUDE))
 
 CORE := $(sort $(wildcard core/*/*.c))
 CORE_OBJECTS := $(CORE:%.c=$(BUILD)/%.o)
+# Drivers that no platform stands below.
+DRIVERS := $(foreach d,$(wildcard drivers/*.c),$(if $(findstring linux,$d),,$d))
 
 .PHONY: all help clean
 all: $(BUILD)/libpel.a ## build/libpel.a and the host program build/pel
 
 -include sim/sim.mk
 -include bench/bench.mk
+include packages/packages.mk
 -include tests/tests.mk
 
 $(BUILD)/libpel.a: $(CORE_OBJECTS)

@@ -16,7 +16,7 @@ LINUX_SOURCES := $(filter-out %/evdev.c %/evdev_none.c %/gpio.c %/gpio_v1.c \
     drivers/input.c drivers/input_button.c drivers/input_encoder.c \
     $(filter-out drivers/display_linux_drm%, \
                  $(wildcard drivers/display_linux*.c)) \
-    $(wildcard drivers/console_linux*.c) drivers/linux_message.c
+    $(wildcard drivers/console_linux*.c) drivers/linux_message.c drivers/dirty.c
 LINUX_FLAGS := -D_GNU_SOURCE
 LINUX_LIBS := -pthread
 ifeq ($(shell $(PKG_CONFIG) --exists libdrm 2>/dev/null && echo yes),yes)

@@ -8,6 +8,7 @@ DRIVERS := $(foreach f,$(sort $(wildcard drivers/*.c)),\
 
 -include tests/tools/tools.mk
 -include tests/device/linux/linux.mk
+-include tests/device/lcd/lcd.mk
 
 T := $(BUILD)/tests
 TAB := $(shell printf '\t')
@@ -31,7 +32,7 @@ TEST_FLAGS_large := -O2 -DPEL_64BIT=0 -DPEL_LONG_MULTIPLY=1 \
     -DPEL_BATCH_ROWS=255 -DPEL_BUFFER_PIXELS=255
 TEST_BUILDS := host portable san assert small large
 
-TEST_SUPPORT := $(sort $(wildcard tests/support/*.c))
+TEST_SUPPORT := $(sort $(wildcard tests/support/*.c)) $(DRIVERS)
 TEST_UNIT := $(basename $(sort $(wildcard tests/unit/test_*.c)))
 TEST_PROPERTY := $(basename $(sort $(wildcard tests/property/test_*.c)))
 TEST_EXHAUSTIVE := $(basename $(sort $(wildcard tests/exhaustive/test_*.c)))

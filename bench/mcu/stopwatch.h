@@ -1,6 +1,8 @@
-/* A stopwatch that counts instructions, in an emulator: SysTick at 25 MHz on a
- * Cortex-M and the counter of 62.5 MHz on AArch64, where an instruction takes
- * 64 ns (QEMU's -icount shift=6), retired instructions on RISC-V (shift=0). */
+/* A stopwatch that counts instructions, in an emulator. An instruction takes
+ * 64 ns (QEMU's -icount shift=6) of SysTick at 25 MHz on a Cortex-M, at 20 MHz
+ * on the board with an M33; of the counter of 24 MHz on a Versatile board with
+ * an ARM926, of 62.5 MHz on AArch64. RISC-V counts retired instructions
+ * (shift=0). */
 #ifndef BENCH_MCU_STOPWATCH_H
 #define BENCH_MCU_STOPWATCH_H
 
@@ -29,7 +31,11 @@ static inline uint32_t stopwatch_read(void)
  * Cortex-M. */
 static inline int32_t stopwatch_eighths(uint32_t from, uint32_t to)
 {
+#if __ARM_ARCH >= 8
+    return (int32_t)((to - from) & 0xFFFFFFu) * 25 / 4;
+#else
     return (int32_t)((to - from) & 0xFFFFFFu) * 5;
+#endif
 }
 
 #else
@@ -40,9 +46,11 @@ static inline void stopwatch_start(void)
 
 static inline uint32_t stopwatch_read(void)
 {
-#ifdef __riscv
+#if defined(__riscv)
     uint32_t count;
     __asm__ volatile("csrr %0, minstret" : "=r"(count) : : "memory");
+#elif defined(__arm__)
+    const uint32_t count = *(volatile uint32_t *)0x1000005Cu;
 #else
     uint64_t count;
     __asm__ volatile("isb\n\tmrs %0, cntvct_el0" : "=r"(count) : : "memory");
@@ -52,12 +60,14 @@ static inline uint32_t stopwatch_read(void)
 
 static inline int32_t stopwatch_eighths(uint32_t from, uint32_t to)
 {
-#ifdef __riscv
-    const uint32_t scale = 8;
+#if defined(__riscv)
+    const uint64_t scale = 8 * 24;
+#elif defined(__arm__)
+    const uint64_t scale = 125;
 #else
-    const uint32_t scale = 2;
+    const uint64_t scale = 2 * 24;
 #endif
-    return (int32_t)((to - from) * scale);
+    return (int32_t)((to - from) * scale / 24);
 }
 
 #endif

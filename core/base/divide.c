@@ -2,9 +2,8 @@
 
 #if !PEL_64BIT
 
-/* With d brought to
- * its highest bit, a digit of 16 bits that is guessed from the upper half of d
- * alone is at most 2 too large. */
+/* Two digits of 16 bits. With d shifted until its highest bit is set, a digit
+ * that is guessed from the upper half of d alone is at most 2 too large. */
 static inline uint32_t divide_by_digits(uint64_t n, uint32_t d)
 {
     for (; d < UINT32_C(0x80000000); d <<= 1)
@@ -23,8 +22,8 @@ static inline uint32_t divide_by_digits(uint64_t n, uint32_t d)
     return quotient;
 }
 
-/* In the least code. `high` is the rest, below d; the bit that leaves it on the
- * left is worth 2^32. */
+/* A bit at a time, which is the least code. `high` is the remainder, below d;
+ * the bit that is shifted out of it is worth 2^32. */
 static inline uint32_t divide_by_bits(uint64_t n, uint32_t d)
 {
     uint32_t high = (uint32_t)(n >> 32), low = (uint32_t)n;
@@ -45,7 +44,28 @@ uint32_t pel_divide(uint64_t n, uint32_t d)
     return PEL_LONG_MULTIPLY ? divide_by_digits(n, d) : divide_by_bits(n, d);
 }
 
-/* Subtracts shifted divisors, from the first that fits down. */
+/* Bit by bit, 64 of n and 32 behind them, but for leading zeros. */
+uint64_t pel_divide_fraction(uint64_t n, uint64_t d, uint64_t *fine)
+{
+    uint64_t q = 0, rest = 0;
+    int bits = 96;
+    for (; bits > 32 && n >> 63 == 0; bits--)
+        n <<= 1;
+    for (; bits > 0; bits--) {
+        if (bits == 8)
+            *fine = q;
+        rest = rest * 2 + (n >> 63);
+        n <<= 1;
+        q *= 2;
+        if (rest >= d) {
+            rest -= d;
+            q++;
+        }
+    }
+    return q;
+}
+
+/* Subtracts shifted divisors, the largest that fits first. */
 uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest)
 {
     uint64_t quotient = 0;
@@ -61,44 +81,6 @@ uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest)
     }
     *rest = n;
     return quotient;
-}
-
-/* The quotient comes into n where its bits go out. */
-uint64_t pel_divide_bits(uint64_t n, uint64_t d, int bits, uint64_t *rest)
-{
-    uint64_t left = *rest;
-    for (; bits > 0; bits--) {
-        left = left * 2 + (n >> 63);
-        n <<= 1;
-        if (left >= d) {
-            left -= d;
-            n |= 1;
-        }
-    }
-    *rest = left;
-    return n;
-}
-
-/* Of n < 0, all bits turned round are divided and turned back. */
-void pel_fraction_start(struct pel_fraction *f, int64_t n, int64_t d)
-{
-    uint64_t rest = 0;
-    f->d = d;
-    f->quotient =
-        pel_divide_bits((uint64_t)(n < 0 ? ~n : n), (uint64_t)d, 64, &rest);
-    f->rest = (int64_t)rest;
-    if (n < 0) {
-        f->quotient = ~f->quotient;
-        f->rest = d - 1 - f->rest;
-    }
-}
-
-void pel_fraction_more(struct pel_fraction *f, int bits)
-{
-    uint64_t rest = (uint64_t)f->rest;
-    f->quotient =
-        (f->quotient << bits) + pel_divide_bits(0, (uint64_t)f->d, bits, &rest);
-    f->rest = (int64_t)rest;
 }
 
 #endif

@@ -14,20 +14,11 @@ static pel_color sixth_color(uint32_t sixth, uint32_t part, uint32_t turn,
 {
     const uint32_t p = level(v, s, turn, turn);
     const uint32_t between = level(v, s, sixth & 1 ? part : turn - part, turn);
-    switch (sixth) {
-    case 0:
-        return PEL_RGB(v, between, p);
-    case 1:
-        return PEL_RGB(between, v, p);
-    case 2:
-        return PEL_RGB(p, v, between);
-    case 3:
-        return PEL_RGB(p, between, v);
-    case 4:
-        return PEL_RGB(between, p, v);
-    default:
-        return PEL_RGB(v, p, between);
-    }
+    const uint32_t levels[3] = {v, between, p};
+    static const uint8_t of_channel[6][3] = {{0, 1, 2}, {1, 0, 2}, {2, 0, 1},
+                                             {2, 1, 0}, {1, 2, 0}, {0, 2, 1}};
+    const uint8_t *k = of_channel[sixth];
+    return PEL_RGB(levels[k[0]], levels[k[1]], levels[k[2]]);
 }
 
 pel_color pel_hsv(int32_t hue, uint32_t s, uint32_t v)

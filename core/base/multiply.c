@@ -14,11 +14,28 @@ int64_t pel_product(int32_t a, int32_t b)
     return (int64_t)((uint64_t)(uint32_t)high << 32 | sum);
 }
 
-uint64_t pel_times(uint64_t a, int32_t n)
+/* Not inlined below, where registers are few. */
+PEL_NOINLINE uint64_t pel_times(uint64_t a, int32_t n)
 {
     const uint32_t low = (uint32_t)a, high = (uint32_t)(a >> 32);
     const uint32_t sum = high * (uint32_t)n - (n < 0 ? low : 0);
     return pel_multiply(low, (uint32_t)n) + ((uint64_t)sum << 32);
+}
+
+int64_t pel_dot(const int32_t a[3], const int32_t b[3])
+{
+    return pel_long_product(a[0], b[0]) + pel_long_product(a[1], b[1]) +
+           pel_long_product(a[2], b[2]);
+}
+
+int pel_bits_of(uint64_t v)
+{
+    int bits = 0;
+    for (; v >> 32; bits += 8)
+        v >>= 8;
+    for (uint32_t low = (uint32_t)v; low; low >>= 1)
+        bits++;
+    return bits;
 }
 
 /* By halves of 16 bits: the sum in the middle may leave a carry. */

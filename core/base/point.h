@@ -66,6 +66,11 @@ static inline int32_t pel_max(int32_t a, int32_t b)
     return a > b ? a : b;
 }
 
+static inline int32_t pel_magnitude(int32_t v)
+{
+    return v < 0 ? -v : v;
+}
+
 /* Legal coordinates plus 2^23 fit 24 bits: no bit above is set in either. */
 static inline uint32_t pel_point_offset(struct pel_point p)
 {
@@ -86,6 +91,12 @@ static inline bool pel_points_legal(const struct pel_point *v, int32_t n)
         if (!pel_point_legal(v[n]))
             return false;
     return true;
+}
+
+/* Where a picture or text goes, px: -65,536..65,536. */
+static inline bool pel_offset_legal(int32_t x, int32_t y)
+{
+    return x >= -65536 && x <= 65536 && y >= -65536 && y <= 65536;
 }
 
 /* A radius in sub-pixels: 0..32,767 px. */

@@ -36,9 +36,12 @@ static void fill16(const struct pel_surface *s,
         pel_span16((pel_word16 *)(w.row + 2 * (uintptr_t)x), n, value);
 }
 
+/* Formats of one's own fill by themselves. */
 static bool fill(const struct pel_surface *s, const struct pel_fast_triangle *t,
                  pel_color color)
 {
+    if (s->format->id >= 128)
+        return false;
     if (s->format->bits == 32)
         fill32(s, t, color);
     else if (s->format->bits == 16)

@@ -14,35 +14,26 @@ static PEL_ALWAYS_INLINE void at_column(const uint32_t start[3],
     v[2] = start[2] + x * dx[2];
 }
 
-static void write_xrgb(const struct pel_surface *s,
-                       const struct pel_fast_triangle *t,
-                       const struct pel_gouraud *paint)
+/* With constant `bytes` of a pixel, each of which has a loop of its own. */
+static PEL_ALWAYS_INLINE void write_rows(const struct pel_gouraud *paint,
+                                         const struct pel_surface *s,
+                                         const struct pel_fast_triangle *t,
+                                         int bytes)
 {
-    const struct pel_gouraud_steps steps = pel_gouraud_steps_make(paint, 1);
-    struct pel_fast_walk w = pel_fast_walk_begin(s, t, 4);
+    const struct pel_gouraud_steps steps =
+        pel_gouraud_steps_make(paint, 4u / (unsigned)bytes);
+    struct pel_fast_walk w = pel_fast_walk_begin(s, t, bytes);
     uint32_t start[3], v[3];
     pel_gouraud_at(paint, 0, t->y0, start);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
-        uintptr_t p = w.row + 4 * (uintptr_t)x;
-        pel_prefetch_span(p + 2 * w.pitch, 4 * n);
+        const uintptr_t p = w.row + (uintptr_t)bytes * (uintptr_t)x;
+        if (bytes == 4)
+            pel_prefetch_span(p + 2 * w.pitch, 4 * n);
         at_column(start, paint->dx, (uint32_t)x, v);
-        pel_gouraud_span_xrgb((pel_word32 *)p, n, v, &steps);
-        pel_gouraud_step(start, paint->dy);
-    }
-}
-
-static void write_rgb565(const struct pel_surface *s,
-                         const struct pel_fast_triangle *t,
-                         const struct pel_gouraud *paint)
-{
-    const struct pel_gouraud_steps steps = pel_gouraud_steps_make(paint, 2);
-    struct pel_fast_walk w = pel_fast_walk_begin(s, t, 2);
-    uint32_t start[3], v[3];
-    pel_gouraud_at(paint, 0, t->y0, start);
-    for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
-        uintptr_t p = w.row + 2 * (uintptr_t)x;
-        at_column(start, paint->dx, (uint32_t)x, v);
-        pel_gouraud_span_rgb565((pel_word16 *)p, n, v, &steps);
+        if (bytes == 4)
+            pel_gouraud_span_xrgb((pel_word32 *)p, n, v, &steps);
+        else
+            pel_gouraud_span_rgb565((pel_word16 *)p, n, v, &steps);
         pel_gouraud_step(start, paint->dy);
     }
 }
@@ -52,15 +43,12 @@ bool pel_gouraud_fast(const struct pel_paint *paint,
                       const struct pel_fast_triangle *triangle)
 {
     const struct pel_gouraud *g = (const struct pel_gouraud *)paint;
-    if (!pel_gouraud_opaque(g) || !surface->format->put)
-        return false;
-    if (surface->format->id == PEL_FORMAT_XRGB8888)
-        write_xrgb(surface, triangle, g);
-    else if (surface->format->id == PEL_FORMAT_RGB565_LE)
-        write_rgb565(surface, triangle, g);
-    else
-        return false;
-    return true;
+    const int bytes = pel_gouraud_bytes(g, surface->format);
+    if (bytes == 4)
+        write_rows(g, surface, triangle, 4);
+    else if (bytes == 2)
+        write_rows(g, surface, triangle, 2);
+    return bytes != 0;
 }
 
 #endif

@@ -1,6 +1,5 @@
 #include "argb8888.h"
 
-#include "formats.h"
 #include "word.h"
 
 static uint32_t pack(pel_color c)
@@ -21,13 +20,6 @@ static inline uint32_t blended(uint32_t p, const struct pel_premultiplied *s)
 #include "body32.inc"
 
 const struct pel_format pel_argb8888 = {
+    FORMAT_32,
     .id = PEL_FORMAT_ARGB8888,
-    .bits = 32,
-    .word = 4,
-    .pack = pack,
-    .unpack = unpack,
-    .fill = pel_fill32,
-    .blend = blend32,
-    .put = put,
-    .load = load,
 };

@@ -7,13 +7,6 @@ static const struct pel_fields fields = {{0, 8}, {8, 8}, {16, 8}, 0};
 #include "body24.inc"
 
 const struct pel_format pel_bgr888 = {
+    FORMAT_24,
     .id = PEL_FORMAT_BGR888,
-    .bits = 24,
-    .word = 1,
-    .pack = pack,
-    .unpack = unpack,
-    .fill = pel_fill24,
-    .blend = blend,
-    .put = put,
-    .load = load,
 };

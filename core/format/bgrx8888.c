@@ -7,13 +7,6 @@ static const struct pel_fields fields = {{8, 8}, {16, 8}, {24, 8}, 0xFF};
 #include "body32.inc"
 
 const struct pel_format pel_bgrx8888 = {
+    FORMAT_32,
     .id = PEL_FORMAT_BGRX8888,
-    .bits = 32,
-    .word = 4,
-    .pack = pack,
-    .unpack = unpack,
-    .fill = pel_fill32,
-    .blend = blend32,
-    .put = put,
-    .load = load,
 };

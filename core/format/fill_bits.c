@@ -1,6 +1,6 @@
 #include <string.h>
 
-#include "packed.h"
+#include "word.h"
 
 /* The bits of one byte that `mask` selects. */
 static void put_bits(uint8_t *p, uint32_t mask, uint32_t byte)
@@ -32,4 +32,16 @@ void pel_fill_bits(const struct pel_spans *spans, uint32_t byte)
         if (span->x0 < span->x1)
             fill_span(pel_surface_line(s, y), (span->x0 - s->bounds.x0) * bits,
                       (span->x1 - s->bounds.x0) * bits, byte);
+}
+
+/* A blend never makes the darker value the brighter one: it sets both to one
+ * value or leaves both as they are. */
+void pel_blend_mono(const struct pel_spans *spans, pel_color color)
+{
+    const struct pel_format *format = spans->surface->format;
+    const uint32_t alpha = pel_alpha(color);
+    const uint32_t pixel =
+        format->pack(pel_mix(PEL_RGB(0, 0, 0), color, alpha));
+    if (pixel == format->pack(pel_mix(PEL_RGB(255, 255, 255), color, alpha)))
+        format->fill(spans, pixel);
 }

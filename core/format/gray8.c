@@ -1,5 +1,4 @@
 #include "formats.h"
-#include "word.h"
 
 #define BITS 8
 #include "gray.inc"
@@ -8,13 +7,8 @@
 #include "body_word.inc"
 
 const struct pel_format pel_gray8 = {
+    FORMAT_WORD,
     .id = PEL_FORMAT_GRAY8,
-    .bits = 8,
-    .word = 1,
-    .pack = pack,
-    .unpack = unpack,
     .fill = pel_fill8,
     .blend = blend,
-    .put = put,
-    .load = load,
 };

@@ -1,6 +1,5 @@
 #include "fields.h"
 #include "formats.h"
-#include "word.h"
 
 #define ORDER(v) (v)
 static const struct pel_fields fields = {{5, 3}, {2, 3}, {0, 2}, 0};
@@ -12,14 +11,6 @@ static const struct pel_fields fields = {{5, 3}, {2, 3}, {0, 2}, 0};
 static const struct pel_dithering dithering = {pattern, {3, 3, 2}};
 
 const struct pel_format pel_rgb332 = {
-    .id = PEL_FORMAT_RGB332,
-    .bits = 8,
-    .word = 1,
-    .pack = pack,
-    .unpack = unpack,
-    .fill = pel_fill8,
-    .blend = blend,
-    .put = put,
-    .load = load,
-    .dithering = &dithering,
+    FORMAT_WORD,    .id = PEL_FORMAT_RGB332, .fill = pel_fill8,
+    .blend = blend, .dithering = &dithering,
 };

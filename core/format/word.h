@@ -88,59 +88,43 @@ static inline ptrdiff_t pel_spans_pitch(const struct pel_spans *spans)
     return PEL_CAST(ptrdiff_t, spans->surface->stride) * spans->step;
 }
 
-/* Pixels of 8, 16 and 32 bits are words. Those of 24 are three bytes, the
- * lowest byte of the pixel value first. */
-PEL_BEGIN_DECLS
-void pel_fill8(const struct pel_spans *spans, uint32_t pixel);
-void pel_fill16(const struct pel_spans *spans, uint32_t pixel);
-
-void pel_fill24(const struct pel_spans *spans, uint32_t pixel);
-void pel_fill32(const struct pel_spans *spans, uint32_t pixel);
-PEL_END_DECLS
-
-/* Of struct pel_dithering, in pattern16.c. */
-void pel_pattern16(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                   const uint32_t pixels[8]);
-
-static inline pel_word8 *pel_address8(const struct pel_surface *s, int32_t x,
-                                      int32_t y)
+/* The address of pixel (x, y), pixels being `bytes` wide. */
+static inline uintptr_t pel_address(const struct pel_surface *s, int32_t x,
+                                    int32_t y, int bytes)
 {
-    return PEL_CAST_ADDRESS(pel_word8 *,
-                            pel_column_zero(s, y, 1) + PEL_CAST(uintptr_t, x));
+    return pel_column_zero(s, y, bytes) +
+           PEL_CAST(uintptr_t, bytes) * PEL_CAST(uintptr_t, x);
 }
 
 static inline pel_word16 *pel_address16(const struct pel_surface *s, int32_t x,
                                         int32_t y)
 {
-    return PEL_CAST_ADDRESS(pel_word16 *, pel_column_zero(s, y, 2) +
-                                              2 * PEL_CAST(uintptr_t, x));
-}
-
-static inline uint8_t *pel_address24(const struct pel_surface *s, int32_t x,
-                                     int32_t y)
-{
-    return PEL_CAST_ADDRESS(uint8_t *, pel_column_zero(s, y, 3) +
-                                           3 * PEL_CAST(uintptr_t, x));
+    return PEL_CAST_ADDRESS(pel_word16 *, pel_address(s, x, y, 2));
 }
 
 static inline pel_word32 *pel_address32(const struct pel_surface *s, int32_t x,
                                         int32_t y)
 {
-    return PEL_CAST_ADDRESS(pel_word32 *, pel_column_zero(s, y, 4) +
-                                              4 * PEL_CAST(uintptr_t, x));
+    return PEL_CAST_ADDRESS(pel_word32 *, pel_address(s, x, y, 4));
 }
 
-static inline uint32_t pel_get24(const uint8_t *p)
-{
-    return p[0] | PEL_CAST(uint32_t, p[1]) << 8 |
-           PEL_CAST(uint32_t, p[2]) << 16;
-}
+PEL_BEGIN_DECLS
 
-static inline void pel_put24(uint8_t *p, uint32_t pixel)
-{
-    p[0] = PEL_CAST(uint8_t, pixel);
-    p[1] = PEL_CAST(uint8_t, pixel >> 8);
-    p[2] = PEL_CAST(uint8_t, pixel >> 16);
-}
+/* The fill of formats with pixels of 8, 16, 24 and 32 bits. */
+void pel_fill8(const struct pel_spans *spans, uint32_t pixel);
+void pel_fill16(const struct pel_spans *spans, uint32_t pixel);
+void pel_fill24(const struct pel_spans *spans, uint32_t pixel);
+void pel_fill32(const struct pel_spans *spans, uint32_t pixel);
+
+/* Of struct pel_dithering, for words of 16 bits. */
+void pel_pattern16(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
+                   const uint32_t pixels[8]);
+
+/* Spans of gray4 and mono1; `byte` is the pixel repeated over 8 bits. */
+void pel_fill_bits(const struct pel_spans *spans, uint32_t byte);
+
+/* Blends spans of pixels of one bit. */
+void pel_blend_mono(const struct pel_spans *spans, pel_color color);
+PEL_END_DECLS
 
 #endif

@@ -7,13 +7,6 @@ static const struct pel_fields fields = {{0, 8}, {8, 8}, {16, 8}, 0xFF000000};
 #include "body32.inc"
 
 const struct pel_format pel_xbgr8888 = {
+    FORMAT_32,
     .id = PEL_FORMAT_XBGR8888,
-    .bits = 32,
-    .word = 4,
-    .pack = pack,
-    .unpack = unpack,
-    .fill = pel_fill32,
-    .blend = blend32,
-    .put = put,
-    .load = load,
 };

@@ -1,6 +1,5 @@
 #include "fields.h"
 #include "formats.h"
-#include "word.h"
 
 #define ORDER PEL_LE16
 static const struct pel_fields fields = {{10, 5}, {5, 5}, {0, 5}, 0x8000};
@@ -12,14 +11,6 @@ static const struct pel_fields fields = {{10, 5}, {5, 5}, {0, 5}, 0x8000};
 static const struct pel_dithering dithering = {NULL, {5, 5, 5}};
 
 const struct pel_format pel_xrgb1555_le = {
-    .id = PEL_FORMAT_XRGB1555_LE,
-    .bits = 16,
-    .word = 2,
-    .pack = pack,
-    .unpack = unpack,
-    .fill = pel_fill16,
-    .blend = blend,
-    .put = put,
-    .load = load,
-    .dithering = &dithering,
+    FORMAT_WORD,    .id = PEL_FORMAT_XRGB1555_LE, .fill = pel_fill16,
+    .blend = blend, .dithering = &dithering,
 };

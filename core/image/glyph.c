@@ -33,9 +33,8 @@ static void collect_row(struct pel_collector *c, const uint8_t *row, int32_t x,
 
 static bool legal(const struct pel_stencil *g, int32_t x, int32_t y)
 {
-    return x >= -65536 && x <= 65536 && y >= -65536 && y <= 65536 &&
-           g->width >= 0 && g->width <= 32767 && g->height >= 0 &&
-           g->height <= 32767;
+    return pel_offset_legal(x, y) && g->width >= 0 && g->width <= 32767 &&
+           g->height >= 0 && g->height <= 32767;
 }
 
 void pel_glyph(const struct pel_surface *surface,

@@ -90,9 +90,7 @@ void pel_text(const struct pel_surface *surface,
               const struct pel_text_block *text, const struct pel_paint *paint)
 {
     const char *next = text->string;
-    const uint32_t limit = 65536;
-    bool legal = (uint32_t)text->x + limit <= 2 * limit &&
-                 (uint32_t)text->y + limit <= 2 * limit;
+    const bool legal = pel_offset_legal(text->x, text->y);
     PEL_ASSERT(legal);
     if (!legal)
         return;

@@ -89,7 +89,7 @@ struct pel_exposed pel_scroll(const struct pel_surface *surface,
                               int32_t dy)
 {
     struct pel_rect all = pel_rect_intersect(area, &surface->clip), to = all;
-    bool legal = dx >= -65536 && dx <= 65536 && dy >= -65536 && dy <= 65536;
+    const bool legal = pel_offset_legal(dx, dy);
     PEL_ASSERT(legal);
     if (!legal || pel_rect_empty(&all))
         return (struct pel_exposed){{all, all}, 0};

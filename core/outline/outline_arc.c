@@ -1,6 +1,6 @@
 #include "outline.h"
 
-#include "../round/disc_walk.h"
+#include "../round/disc.h"
 #include "../round/angle_range.h"
 #include "outline_row.h"
 
@@ -8,7 +8,6 @@ struct walk {
     struct pel_disc_walk circle;
     struct pel_angle_range angles;
     struct pel_outline_row row;
-    struct pel_rect clip;
 };
 
 /* Separate functions, so that their stack is free while a row is painted. */
@@ -18,10 +17,10 @@ static PEL_NOINLINE_32 bool start(struct walk *w,
 {
     if (pel_rect_empty(&surface->clip))
         return false;
-    w->clip = pel_outline_clip(surface);
+    const struct pel_rect clip = pel_outline_clip(surface);
     pel_outline_begin(&w->row, surface);
     return pel_disc_walk_start(&w->circle, &sector->center, sector->radius,
-                               &w->clip) &&
+                               &clip) &&
            pel_angle_range_start(&w->angles, &sector->center, sector->from,
                                  sector->to,
                                  pel_max(w->circle.y - 1, surface->clip.y0));
@@ -32,10 +31,11 @@ static PEL_NOINLINE_32 void cut_row(struct walk *w,
                                     const struct pel_sector_shape *sector)
 {
     struct pel_outline_row *o = &w->row;
+    const struct pel_rect clip = pel_outline_clip(o->cut.spans.surface);
     struct pel_span inside, disc, *span = pel_outline_span(o);
     *span = (struct pel_span){0, 0};
     if (w->circle.y < w->circle.end)
-        pel_disc_row(&w->circle.disc, &w->clip, span);
+        pel_disc_row(&w->circle.disc, &clip, span);
     if (pel_outline_next(o, w->circle.y, &inside)) {
         disc = *span;
         pel_angle_range_spans(&w->angles, &sector->center, w->circle.y - 1,

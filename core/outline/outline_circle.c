@@ -1,6 +1,6 @@
 #include "outline.h"
 
-#include "../round/disc_walk.h"
+#include "../round/disc.h"
 #include "outline_row.h"
 
 void pel_circle_outline(const struct pel_surface *surface,

@@ -53,10 +53,9 @@ static inline void pel_outline_disc(struct pel_outline_row *o,
                                     struct pel_disc *disc,
                                     const struct pel_rect *clip)
 {
+    *pel_outline_span(o) = (struct pel_span){0, 0};
     if (disc)
         pel_disc_row(disc, clip, pel_outline_span(o));
-    else
-        *pel_outline_span(o) = (struct pel_span){0, 0};
 }
 
 #endif

@@ -1,6 +1,6 @@
 #include "paint_fan.h"
 
-#include "../base/divide.h"
+#include "../raster/plane.h"
 
 /* Positive when b lies clockwise of a; below 2^51. */
 static PEL_NOINLINE_32 int64_t cross(const struct pel_point *a,
@@ -200,36 +200,6 @@ static int turn_of_perimeter(const struct pel_fan_points *points)
     return rounds + around[turn < 0] > 1 ? 0 : turn;
 }
 
-/* Sets channel k, the plane with the values c at the hub and the two points;
- * gradients are below 2^34 / area steps a sub-pixel. It starts at the centre of
- * the hub's pixel, with errors of 2^-32 there and in the step of a pixel. */
-static void set_channel(struct pel_fan_triangle *t, const struct pel_fan *p,
-                        int k, const int32_t c[3])
-{
-    const int64_t area = cross(&t->from, &t->to);
-    const int64_t b = c[1] - c[0], d = c[2] - c[0];
-    const int32_t x = pel_pixel_of(p->hub.x), y = pel_pixel_of(p->hub.y);
-    struct pel_fraction gx, gy;
-    t->at[k] = ((uint64_t)c[0] << 32) + 0x80000000u;
-    t->dx[k] = 0;
-    t->dy[k] = 0;
-    if (area == 0 || (b == 0 && d == 0))
-        return;
-    pel_fraction_start(&gx, b * t->to.y - d * t->from.y, area);
-    pel_fraction_start(&gy, d * t->from.x - b * t->to.x, area);
-    pel_fraction_more(&gx, 32);
-    pel_fraction_more(&gy, 32);
-    t->at[k] +=
-        gx.quotient * (uint64_t)(int64_t)(pel_pixel_center(x) - p->hub.x) +
-        gy.quotient * (uint64_t)(int64_t)(pel_pixel_center(y) - p->hub.y);
-    pel_fraction_more(&gx, 8);
-    pel_fraction_more(&gy, 8);
-    t->dx[k] = gx.quotient;
-    t->dy[k] = gy.quotient;
-    t->at[k] -= (uint64_t)(int64_t)x * t->dx[k];
-    t->at[k] -= (uint64_t)(int64_t)y * t->dy[k];
-}
-
 /* True when no triangle begins on the ray of the i-th point: the next point in
  * another direction is not clockwise of it. */
 static bool is_last_ray(const struct pel_fan_points *points, int turn,
@@ -255,13 +225,23 @@ static void set_triangle(struct pel_fan_triangle *t, const struct pel_fan *p,
     t->from = ray_of(points, turn, i, &a);
     t->to = ray_of(points, turn, i + 1, &b);
     t->closed = is_last_ray(points, turn, (i + 1) % points->n);
-    if (cross(&t->from, &t->to) == 0)
+    const struct pel_point v[3] = {p->hub,
+                                   {p->hub.x + t->from.x, p->hub.y + t->from.y},
+                                   {p->hub.x + t->to.x, p->hub.y + t->to.y}};
+    struct pel_plane_setup setup;
+    if (!pel_plane_start(&setup, v))
         *t = (struct pel_fan_triangle){.closed = 0};
+    setup.a = p->hub;
+    setup.first = 0;
     for (int k = 0; k < 4; k++) {
-        const int32_t c[3] = {(int32_t)(p->hub_color >> 8 * k & 255),
-                              (int32_t)(a >> 8 * k & 255),
-                              (int32_t)(b >> 8 * k & 255)};
-        set_channel(t, p, k, c);
+        const int32_t value[3] = {(int32_t)(p->hub_color >> 8 * k & 255) * 256,
+                                  (int32_t)(a >> 8 * k & 255) * 256,
+                                  (int32_t)(b >> 8 * k & 255) * 256};
+        struct pel_plane plane;
+        pel_plane_set(&plane, &setup, value);
+        t->at[k] = plane.at + 0x80000000u;
+        t->dx[k] = plane.dx;
+        t->dy[k] = plane.dy;
     }
 }
 

@@ -214,17 +214,17 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 static void set_steps(struct pel_linear *p)
 {
     const int32_t n = p->base.cells, dy = p->d.y < 0 ? -p->d.y : p->d.y;
-    struct pel_fraction f;
+    uint64_t rest;
     p->square = pel_square(p->d.x) + pel_square(p->d.y);
     p->by_pixel =
         p->base.period && pel_long_product(p->d.x + dy, n * 16) > p->square;
     if (p->d.x == 0)
         return;
-    pel_fraction_start(&f, p->square, n);
-    p->part_rest = (uint32_t)f.rest;
-    pel_fraction_start(&f, (int64_t)f.quotient, (int64_t)p->d.x * 256);
-    p->cell = f.quotient > FAR ? FAR : (int32_t)f.quotient;
-    p->cell_rest = (uint32_t)f.rest;
+    uint64_t q = pel_divide_64((uint64_t)p->square, (uint64_t)n, &rest);
+    p->part_rest = (uint32_t)rest;
+    q = pel_divide_64(q, (uint64_t)p->d.x * 256, &rest);
+    p->cell = q > FAR ? FAR : (int32_t)q;
+    p->cell_rest = (uint32_t)rest;
     p->down = pel_floor_divide(-p->d.y, p->d.x, &p->down_rest);
 }
 

@@ -2,6 +2,7 @@
 #ifndef PEL_PAINT_PAINT_TEXTURE_H
 #define PEL_PAINT_PAINT_TEXTURE_H
 
+#include "../raster/plane.h"
 #include "paint_colors.h"
 
 PEL_BEGIN_DECLS
@@ -24,15 +25,11 @@ enum pel_wrap {
     PEL_WRAP_MIRROR  /* repeat with every other picture mirrored: -1 is 0 */
 };
 
-/* One coordinate of the picture at the centre of pixel (x, y): at + x dx + y dy
- * in 2^-32 texels, modulo 2^64 and in two's complement. Its whole part must fit
- * 32 bits at painted pixels. Texel i covers [i, i + 1). */
-struct pel_texture_plane {
-    uint64_t at, dx, dy;
-};
-
+/* The coordinates of the picture as planes (raster/plane.h) in 2^-32 texels.
+ * Their whole parts must fit 32 bits at painted pixels. Texel i covers [i, i +
+ * 1). */
 struct pel_texture_map {
-    struct pel_texture_plane u, v; /* to the right, and down */
+    struct pel_plane u, v; /* to the right, and down */
 };
 
 /* The map that shows the picture, a texel per pixel, with its corner at pixel
@@ -57,6 +54,11 @@ struct pel_texel_point {
 enum pel_status pel_texture_map_triangle(struct pel_texture_map *map,
                                          const struct pel_point v[3],
                                          const struct pel_texel_point t[3]);
+
+/* One plane of it, from values in 1/256 texel. */
+void pel_texture_plane(struct pel_plane *plane,
+                       const struct pel_plane_setup *setup,
+                       const int32_t value[3]);
 
 struct pel_texture {
     struct pel_color_paint base;

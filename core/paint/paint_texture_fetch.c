@@ -44,8 +44,8 @@ static enum pel_status set_colors(struct pel_texture *p,
 }
 
 /* One by one: less code than a call of memcpy. */
-static PEL_NOINLINE_32 void copy_plane(struct pel_texture_plane *to,
-                                       const struct pel_texture_plane *from)
+static PEL_NOINLINE_32 void copy_plane(struct pel_plane *to,
+                                       const struct pel_plane *from)
 {
     to->at = from->at;
     to->dx = from->dx;

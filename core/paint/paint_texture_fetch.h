@@ -52,8 +52,8 @@ static PEL_INLINE_KINDS pel_color pel_texel(const struct pel_texture *p,
 }
 
 /* The coordinate at pixel (x, y). */
-static inline uint64_t pel_texture_at(const struct pel_texture_plane *p,
-                                      int32_t x, int32_t y)
+static inline uint64_t pel_texture_at(const struct pel_plane *p, int32_t x,
+                                      int32_t y)
 {
     return p->at + pel_times(p->dx, x) + pel_times(p->dy, y);
 }

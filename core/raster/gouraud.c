@@ -1,29 +1,14 @@
 #include "gouraud.h"
 
 #include "../base/divide.h"
-#include "triangle_sort.h"
+#include "plane.h"
 
-/* The plane of channel values a, b, c at A, B, C is, in sub-pixels,
- *
- *     a + (nx (X - A.x) + ny (Y - A.y)) / area
- *
- * with nx = (b - a)(C.y - A.y) - (c - a)(B.y - A.y), ny alike and the area of
- * pel_triangle_area. A step of one pixel is nx 256 / area, in 8.24:
- * nx 2^32 / area. One reciprocal serves all channels where it is close enough;
- * elsewhere (large or very thin triangles) a long division is exact. */
-
-/* n 2^32 / area modulo 2^64, two's complement; n is nx or ny. */
-typedef uint64_t gradient;
-
-/* The planes start at a, the topmost vertex, of two the left one. Swapping b
- * and c changes nothing: numerators and area change their signs together. */
+/* A step of one pixel in 8.24 is a gradient times 2^32. One reciprocal serves
+ * all channels where it is close enough; elsewhere, in large or very thin
+ * triangles, a long division is exact. */
 struct setup {
-    struct pel_point a, b, c;
-    int64_t area;
-    bool exact;      /* long division, not the reciprocal */
-    int64_t inverse; /* 2^63 / word with the sign of area, |area| = word
-                        2^-shift and word in [2^31, 2^32) */
-    int shift;
+    struct pel_plane_setup plane;
+    int64_t reciprocal; /* 2^(31 + bits) / area; 0: long division */
 };
 
 /* The reciprocal is good to 2^-30 of its value: 2^-31 by its own last bit, as
@@ -33,107 +18,71 @@ struct setup {
  * area >= 16 D a gradient is at most 510 D 2^32 / 16 D < 2^37, and so off by
  * less than 2^7 steps of 2^-24: 2^-17 per pixel, the bound of the header. With
  * D <= 2^20 (4,096 px) that is 2^-4 at most, and a numerator, below 2^29, times
- * the inverse, at most 2^32, fits 2^61. */
-static bool reciprocal_is_enough(const struct setup *s)
+ * the reciprocal, at most 2^32, fits 2^61. */
+static bool reciprocal_is_enough(const struct pel_plane_setup *s)
 {
-    int64_t area = s->area < 0 ? -s->area : s->area;
-    int32_t x0 = pel_min(pel_min(s->a.x, s->b.x), s->c.x);
-    int32_t x1 = pel_max(pel_max(s->a.x, s->b.x), s->c.x);
-    int32_t longer = pel_max(x1 - x0, pel_max(s->b.y, s->c.y) - s->a.y);
-    return longer <= 1048576 && area >= (int64_t)16 * longer;
+    const int32_t *const x = s->down, *const y = s->right;
+    const int32_t longer = pel_max(
+        pel_max(pel_max(x[2], -x[1]), 0) - pel_min(pel_min(x[2], -x[1]), 0),
+        pel_max(pel_max(y[2], -y[1]), 0) - pel_min(pel_min(y[2], -y[1]), 0));
+    return longer <= 1048576 && s->area >= (uint64_t)longer * 16;
 }
 
-/* floor(n 2^32 / d) modulo 2^64, 0 <= n < 2^34, 0 < d < 2^50. */
-static gradient divide(uint64_t n, uint64_t d)
+/* False: no area. */
+static bool start(struct setup *s, const struct pel_point v[3])
 {
-    uint64_t rest = 0;
-    if (PEL_64BIT)
-        return pel_fraction_of((int64_t)n, (int64_t)d, 32);
-    else
-        return pel_divide_bits(n << 30, d, 66, &rest);
+    pel_plane_corners(&s->plane, v);
+    s->reciprocal = 0;
+    if (s->plane.area == 0)
+        return false;
+    if (!reciprocal_is_enough(&s->plane))
+        return true;
+    const uint32_t word =
+        (uint32_t)(s->plane.area << (64 - s->plane.bits) >> 32);
+    s->reciprocal = INT64_C(1) << 32;
+    if (word > UINT32_C(0x80000000))
+        s->reciprocal = pel_divide(UINT64_C(1) << 63, word);
+    return true;
 }
 
-#if PEL_64BIT
-static int64_t with_sign_of(int64_t area, int64_t v)
+/* n 2^32 / area modulo 2^64: rounded down, or by long division towards zero. */
+static uint64_t gradient_of(const struct setup *s, int64_t n)
 {
-    return area < 0 ? -v : v;
+    if (s->reciprocal)
+        return (uint64_t)(n * s->reciprocal >> (s->plane.bits - 1));
+    uint64_t fine;
+    const uint64_t q =
+        pel_divide_fraction((uint64_t)pel_size_of(n), s->plane.area, &fine);
+    return n < 0 ? 0 - q : q;
 }
 
-static void set_reciprocal(struct setup *s)
+static int32_t channel_of(pel_color color, int k)
 {
-    const uint64_t area = (uint64_t)with_sign_of(s->area, s->area);
-    const int zeros = pel_leading_zeros(area);
-    s->shift = zeros - 32;
-    s->inverse = with_sign_of(
-        s->area, (int64_t)((UINT64_C(1) << 63) / (area << zeros >> 32)));
-}
-#else
-/* s->shift is 0 before. */
-static void set_reciprocal(struct setup *s)
-{
-    uint64_t word = (uint64_t)(s->area < 0 ? -s->area : s->area);
-    for (; word > UINT64_C(0xFFFFFFFF); s->shift--)
-        word >>= 1;
-    for (int step = 16; step > 0; step /= 2)
-        if (word < UINT64_C(1) << (32 - step)) {
-            word <<= step;
-            s->shift += step;
-        }
-    s->inverse = (int64_t)divide(UINT64_C(0x80000000), word);
-    if (s->area < 0)
-        s->inverse = -s->inverse;
-}
-#endif
-
-/* n 2^32 / area = n 2^(32 + shift) / word = n inverse 2^(shift - 31). 16 <=
- * |area| < 2^42 here, so -10 <= shift <= 27. */
-static gradient by_reciprocal(const struct setup *s, int64_t n)
-{
-    return (gradient)(n * s->inverse >> (31 - s->shift));
+    return (int32_t)(color >> 8 * k & 255);
 }
 
-/* Rounds towards zero. */
-static gradient by_long_division(int64_t n, int64_t area)
-{
-    gradient q =
-        divide((uint64_t)(n < 0 ? -n : n), (uint64_t)(area < 0 ? -area : area));
-    return (n < 0) != (area < 0) ? 0 - q : q;
-}
-
-static gradient gradient_of(const struct setup *s, int64_t n)
-{
-    return s->exact ? by_long_division(n, s->area) : by_reciprocal(s, n);
-}
-
-/* Sets channel k from its values at a, b, c. At the centre of a's pixel the
- * value is that at a plus the gradients times the offset, -127..128 sub-pixels
- * in x and y; from there the plane is traced back to pixel (0, 0). Bits 8..39
- * of `sum` are the 32 bits of 8.24, and are right modulo 2^64. */
+/* Sets channel k from the colors at the vertices. At the centre of a's pixel
+ * the value is that at a plus the gradients times the offset, -127..128
+ * sub-pixels in x and y; from there the plane is traced back to pixel (0, 0).
+ * Bits 8..39 of `sum` are the 32 bits of 8.24, and are right modulo 2^64. */
 static PEL_NOINLINE_32 void set_channel(struct pel_gouraud *p,
                                         const struct setup *s, int k,
-                                        const int32_t value[3])
+                                        const pel_color color[3])
 {
-    const int32_t b = value[1] - value[0], c = value[2] - value[0];
-    gradient gx = gradient_of(s, (int64_t)b * (s->c.y - s->a.y) -
-                                     (int64_t)c * (s->b.y - s->a.y));
-    gradient gy = gradient_of(s, (int64_t)c * (s->b.x - s->a.x) -
-                                     (int64_t)b * (s->c.x - s->a.x));
-    const int32_t x = pel_pixel_of(s->a.x), y = pel_pixel_of(s->a.y);
-    gradient sum = gx * (gradient)(int64_t)(pel_pixel_center(x) - s->a.x) +
-                   gy * (gradient)(int64_t)(pel_pixel_center(y) - s->a.y);
+    const struct pel_plane_setup *t = &s->plane;
+    const int32_t b = channel_of(color[1], k) - channel_of(color[0], k);
+    const int32_t c = channel_of(color[2], k) - channel_of(color[0], k);
+    const uint64_t gx = gradient_of(s, pel_product(b, t->right[1]) +
+                                           pel_product(c, t->right[2]));
+    const uint64_t gy =
+        gradient_of(s, pel_product(b, t->down[1]) + pel_product(c, t->down[2]));
+    const int32_t x = pel_pixel_of(t->a.x), y = pel_pixel_of(t->a.y);
+    const uint64_t sum = pel_times(gx, pel_pixel_center(x) - t->a.x) +
+                         pel_times(gy, pel_pixel_center(y) - t->a.y);
     p->dx[k] = (uint32_t)gx;
     p->dy[k] = (uint32_t)gy;
-    p->at[k] = ((uint32_t)value[0] << 24) + 0x800000u + (uint32_t)(sum >> 8) -
-               (uint32_t)x * p->dx[k] - (uint32_t)y * p->dy[k];
-}
-
-static void set_geometry(struct setup *s)
-{
-    s->area = (int64_t)(s->b.x - s->a.x) * (s->c.y - s->a.y) -
-              (int64_t)(s->c.x - s->a.x) * (s->b.y - s->a.y);
-    s->exact = s->area == 0 || !reciprocal_is_enough(s);
-    if (!s->exact)
-        set_reciprocal(s);
+    p->at[k] +=
+        (uint32_t)(sum >> 8) - (uint32_t)x * p->dx[k] - (uint32_t)y * p->dy[k];
 }
 
 enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
@@ -146,21 +95,17 @@ enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
         return PEL_ERROR_NULL;
     if (!pel_points_legal(v, 3))
         return PEL_ERROR_RANGE;
-    const int a = pel_topmost(v), b = a == 0, last = 3 - a - b;
-    struct setup s = {.a = v[a], .b = v[b], .c = v[last]};
+    struct setup s;
     const bool opaque = pel_alpha(c[0] & c[1] & c[2]) == 255;
     paint->paint =
         (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
-    set_geometry(&s);
+    const bool has_area = start(&s, v);
     for (int k = 0; k < 4; k++) {
-        const int32_t value[3] = {(int32_t)(c[a] >> 8 * k & 255),
-                                  (int32_t)(c[b] >> 8 * k & 255),
-                                  (int32_t)(c[last] >> 8 * k & 255)};
-        paint->at[k] = ((uint32_t)value[0] << 24) + 0x800000u;
+        paint->at[k] = (c[s.plane.first] >> 8 * k << 24) + 0x800000u;
         paint->dx[k] = 0;
         paint->dy[k] = 0;
-        if (s.area != 0 && !(k == 3 && opaque))
-            set_channel(paint, &s, k, value);
+        if (has_area && !(k == 3 && opaque))
+            set_channel(paint, &s, k, c);
     }
     return PEL_OK;
 }

@@ -37,23 +37,7 @@ static PEL_NOINLINE void fill_rgb565(const struct pel_gouraud *g,
                             v, &steps);
 }
 
-/* Fills an opaque span in a format that has a writer of its own; else false. */
-static bool fill_direct(const struct pel_gouraud *g,
-                        const struct pel_surface *s, int32_t y,
-                        const struct pel_span *span)
-{
-    if (!pel_gouraud_opaque(g) || !s->format->put)
-        return false;
-    if (s->format->id == PEL_FORMAT_RGB565_LE)
-        fill_rgb565(g, s, y, span);
-    else if (PEL_KNOW_SIDES && s->format->id == PEL_FORMAT_XRGB8888)
-        fill_xrgb(g, s, y, span);
-    else
-        return false;
-    return true;
-}
-
-/* Other spans go through a short buffer. */
+/* Spans that no writer can paint go through a short buffer. */
 void pel_gouraud_fill(const struct pel_paint *paint,
                       const struct pel_spans *spans)
 {
@@ -62,9 +46,12 @@ void pel_gouraud_fill(const struct pel_paint *paint,
     int32_t y = spans->y;
     for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
         struct pel_span part = spans->span[i];
-        if (fill_direct(g, spans->surface, y, &part))
-            continue;
-        for (int32_t n; part.x0 < part.x1; part.x0 += n) {
+        const int bytes = pel_gouraud_bytes(g, spans->surface->format);
+        if (bytes == 2)
+            fill_rgb565(g, spans->surface, y, &part);
+        else if (PEL_KNOW_SIDES && bytes == 4)
+            fill_xrgb(g, spans->surface, y, &part);
+        for (int32_t n; bytes == 0 && part.x0 < part.x1; part.x0 += n) {
             n = pel_min(part.x1 - part.x0, PEL_BUFFER_PIXELS);
             colors_of_span(g, part.x0, y, n, colors);
             pel_put_colors(spans->surface, part.x0, y, n, colors);

@@ -4,8 +4,18 @@
 #define PEL_RASTER_GOURAUD_SPANS_H
 
 #include "../format/vector.h"
-#include "../format/word.h"
 #include "gouraud.h"
+
+/* Bytes of a pixel where a writer can paint it; 0 elsewhere. */
+static inline int pel_gouraud_bytes(const struct pel_gouraud *g,
+                                    const struct pel_format *format)
+{
+    if (!pel_gouraud_opaque(g) || !format->put)
+        return 0;
+    if (format->id == PEL_FORMAT_RGB565_LE)
+        return 2;
+    return PEL_KNOW_SIDES && format->id == PEL_FORMAT_XRGB8888 ? 4 : 0;
+}
 
 /* Blue, green and red at pixel (x, y). */
 static PEL_ALWAYS_INLINE void pel_gouraud_at(const struct pel_gouraud *g,
@@ -14,6 +24,14 @@ static PEL_ALWAYS_INLINE void pel_gouraud_at(const struct pel_gouraud *g,
 {
     for (int k = 0; k < 3; k++)
         v[k] = g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k];
+}
+
+static PEL_ALWAYS_INLINE void pel_gouraud_step(uint32_t v[3],
+                                               const uint32_t dx[3])
+{
+    v[0] += dx[0];
+    v[1] += dx[1];
+    v[2] += dx[2];
 }
 
 static inline uint32_t pel_gouraud_xrgb(const uint32_t v[3])
@@ -27,13 +45,6 @@ static inline pel_word16 pel_gouraud_word565(uint32_t b, uint32_t g, uint32_t r)
     return (pel_word16)PEL_LE16((r >> 27) << 11 | (g >> 26) << 5 | b >> 27);
 }
 
-static inline void pel_gouraud_step(uint32_t v[3], const uint32_t dx[3])
-{
-    v[0] += dx[0];
-    v[1] += dx[1];
-    v[2] += dx[2];
-}
-
 /* pel_gouraud_steps: steps of the channels, the same in all spans of a
  * triangle. `apart`: pixels from lane to lane; a store is 4 * apart pixels. */
 #if PEL_VECTORS
@@ -42,6 +53,11 @@ struct pel_gouraud_steps {
     uint32_t dx[3];
     pel_u32x4 lanes[3]; /* from the first lane's pixel to each lane's */
     pel_u32x4 steps[3]; /* from a vector of pixels to the next */
+};
+
+/* The channels of four pixels. */
+struct pel_gouraud_four {
+    pel_u32x4 b, g, r;
 };
 
 static inline struct pel_gouraud_steps pel_gouraud_steps_make(
@@ -59,9 +75,32 @@ static inline struct pel_gouraud_steps pel_gouraud_steps_make(
     return s;
 }
 
-static inline pel_u32x4 pel_gouraud_xrgb4(pel_u32x4 b, pel_u32x4 g, pel_u32x4 r)
+static PEL_ALWAYS_INLINE struct pel_gouraud_four pel_gouraud_lanes(
+    const uint32_t v[3], const struct pel_gouraud_steps *s)
 {
-    return (r >> 8 & 0xFF0000u) | (g >> 16 & 0xFF00u) | b >> 24 |
+    return (struct pel_gouraud_four){s->lanes[0] + v[0], s->lanes[1] + v[1],
+                                     s->lanes[2] + v[2]};
+}
+
+/* n pixels on. */
+static PEL_ALWAYS_INLINE struct pel_gouraud_four pel_gouraud_on(
+    struct pel_gouraud_four v, uint32_t n, const uint32_t dx[3])
+{
+    return (struct pel_gouraud_four){v.b + n * dx[0], v.g + n * dx[1],
+                                     v.r + n * dx[2]};
+}
+
+/* A vector of pixels on. */
+static PEL_ALWAYS_INLINE struct pel_gouraud_four pel_gouraud_next(
+    struct pel_gouraud_four v, const struct pel_gouraud_steps *s)
+{
+    return (struct pel_gouraud_four){v.b + s->steps[0], v.g + s->steps[1],
+                                     v.r + s->steps[2]};
+}
+
+static PEL_ALWAYS_INLINE pel_u32x4 pel_gouraud_xrgb4(struct pel_gouraud_four v)
+{
+    return (v.r >> 8 & 0xFF0000u) | (v.g >> 16 & 0xFF00u) | v.b >> 24 |
            UINT32_C(0xFF000000);
 }
 
@@ -81,64 +120,51 @@ static inline void pel_gouraud_short_xrgb(pel_word32 *p, int32_t n,
 
 /* Stores n > 8 pixels; the last eight overlap those before them. */
 static PEL_ALWAYS_INLINE void pel_gouraud_long_xrgb(
-    pel_word32 *p, int32_t n, pel_u32x4 v[3], const struct pel_gouraud_steps *s)
+    pel_word32 *p, int32_t n, struct pel_gouraud_four v,
+    const struct pel_gouraud_steps *s)
 {
-    const uint32_t last = (uint32_t)n - 8;
-    pel_word32 *const end = p + last;
-    pel_u32x4 b = v[0], g = v[1], r = v[2];
-    pel_u32x4 tail_b = b + last * s->dx[0], tail_g = g + last * s->dx[1],
-              tail_r = r + last * s->dx[2];
+    pel_word32 *const end = p + n - 8;
+    const struct pel_gouraud_four tail =
+        pel_gouraud_on(v, (uint32_t)n - 8, s->dx);
     do {
-        pel_put_u32x4(p, pel_gouraud_xrgb4(b, g, r));
-        b += s->steps[0];
-        g += s->steps[1];
-        r += s->steps[2];
-        pel_put_u32x4(p + 4, pel_gouraud_xrgb4(b, g, r));
-        b += s->steps[0];
-        g += s->steps[1];
-        r += s->steps[2];
+        pel_put_u32x4(p, pel_gouraud_xrgb4(v));
+        v = pel_gouraud_next(v, s);
+        pel_put_u32x4(p + 4, pel_gouraud_xrgb4(v));
+        v = pel_gouraud_next(v, s);
         p += 8;
     } while (p < end);
-    pel_put_u32x4(end, pel_gouraud_xrgb4(tail_b, tail_g, tail_r));
-    pel_put_u32x4(end + 4,
-                  pel_gouraud_xrgb4(tail_b + s->steps[0], tail_g + s->steps[1],
-                                    tail_r + s->steps[2]));
+    pel_put_u32x4(end, pel_gouraud_xrgb4(tail));
+    pel_put_u32x4(end + 4, pel_gouraud_xrgb4(pel_gouraud_next(tail, s)));
 }
 
 static PEL_ALWAYS_INLINE void pel_gouraud_span_xrgb(
     pel_word32 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_steps *s)
 {
-    pel_u32x4 lane[3] = {s->lanes[0] + v[0], s->lanes[1] + v[1],
-                         s->lanes[2] + v[2]};
+    const struct pel_gouraud_four four = pel_gouraud_lanes(v, s);
     if (n > 8) {
-        pel_gouraud_long_xrgb(p, n, lane, s);
+        pel_gouraud_long_xrgb(p, n, four, s);
         return;
     }
-    const pel_u32x4 first = pel_gouraud_xrgb4(lane[0], lane[1], lane[2]);
+    const pel_u32x4 first = pel_gouraud_xrgb4(four);
     if (n < 4) {
         pel_gouraud_short_xrgb(p, n, first);
         return;
     }
     const uint32_t last = (uint32_t)n - 4;
     pel_put_u32x4(p, first);
-    pel_put_u32x4(p + last, pel_gouraud_xrgb4(lane[0] + last * s->dx[0],
-                                              lane[1] + last * s->dx[1],
-                                              lane[2] + last * s->dx[2]));
+    pel_put_u32x4(p + last,
+                  pel_gouraud_xrgb4(pel_gouraud_on(four, last, s->dx)));
 }
 
 /* Eight pixels: the lanes hold pixels 0, 2, 4, 6; one step on 1, 3, 5, 7. */
-static PEL_ALWAYS_INLINE pel_u32x4 pel_gouraud_rgb565x8(pel_u32x4 b,
-                                                        pel_u32x4 g,
-                                                        pel_u32x4 r,
-                                                        const uint32_t dx[3])
+static PEL_ALWAYS_INLINE pel_u32x4
+pel_gouraud_rgb565x8(struct pel_gouraud_four v, const uint32_t dx[3])
 {
-    pel_u32x4 low = (r >> 16 & 0xF800u) | (g >> 21 & 0x07E0u) | b >> 27;
-    b += dx[0];
-    g += dx[1];
-    r += dx[2];
-    pel_u32x4 high =
-        (r & 0xF8000000u) | (g >> 5 & 0x07E00000u) | (b >> 11 & 0x001F0000u);
-    return low | high;
+    const pel_u32x4 low =
+        (v.r >> 16 & 0xF800u) | (v.g >> 21 & 0x07E0u) | v.b >> 27;
+    v = pel_gouraud_on(v, 1, dx);
+    return low | (v.r & 0xF8000000u) | (v.g >> 5 & 0x07E00000u) |
+           (v.b >> 11 & 0x001F0000u);
 }
 
 /* Stores the first n < 8 of eight pixels, by two stores that may overlap. */
@@ -163,9 +189,8 @@ static inline void pel_gouraud_short_rgb565(pel_word16 *p, int32_t n,
 static PEL_ALWAYS_INLINE void pel_gouraud_span_rgb565(
     pel_word16 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_steps *s)
 {
-    pel_u32x4 b = s->lanes[0] + v[0], g = s->lanes[1] + v[1],
-              r = s->lanes[2] + v[2];
-    const pel_u32x4 first = pel_gouraud_rgb565x8(b, g, r, s->dx);
+    struct pel_gouraud_four four = pel_gouraud_lanes(v, s);
+    const pel_u32x4 first = pel_gouraud_rgb565x8(four, s->dx);
     if (n < 8) {
         pel_gouraud_short_rgb565(p, n, first);
         return;
@@ -173,14 +198,11 @@ static PEL_ALWAYS_INLINE void pel_gouraud_span_rgb565(
     const uint32_t last = (uint32_t)n - 8;
     pel_word16 *end = p + last;
     pel_put_u32x4(p, first);
-    pel_put_u32x4(end,
-                  pel_gouraud_rgb565x8(b + last * s->dx[0], g + last * s->dx[1],
-                                       r + last * s->dx[2], s->dx));
+    pel_put_u32x4(
+        end, pel_gouraud_rgb565x8(pel_gouraud_on(four, last, s->dx), s->dx));
     while ((p += 8) < end) {
-        b += s->steps[0];
-        g += s->steps[1];
-        r += s->steps[2];
-        pel_put_u32x4(p, pel_gouraud_rgb565x8(b, g, r, s->dx));
+        four = pel_gouraud_next(four, s);
+        pel_put_u32x4(p, pel_gouraud_rgb565x8(four, s->dx));
     }
 }
 

@@ -7,7 +7,8 @@ int64_t pel_triangle_area(const struct pel_point v[3])
     PEL_ASSERT(pel_points_legal(v, 3));
     if (!pel_points_legal(v, 3))
         return 0;
-    return pel_area_of(v);
+    return pel_product(v[1].x - v[0].x, v[2].y - v[0].y) -
+           pel_product(v[2].x - v[0].x, v[1].y - v[0].y);
 }
 
 /* Sets the extreme vertices of a triangle without area; false when it has one,

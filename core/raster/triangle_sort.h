@@ -34,44 +34,14 @@ static inline int64_t pel_point_key(const struct pel_point *p)
     return p->y * INT64_C(4294967296) + (int64_t)((uint32_t)p->x ^ 0x80000000u);
 }
 
-/* pel_above: by y, and by x at one y. pel_topmost: which vertex is the topmost,
- * of equally high ones the left one; planes of values over a triangle are
- * anchored there. 64-bit CPUs compare both coordinates as one number, without
- * branches that cannot be predicted. */
-#if PEL_64BIT
+/* By y, and by x at one y. */
 static inline bool pel_above(const struct pel_point *a,
                              const struct pel_point *b)
 {
-    return a->y * INT64_C(4294967296) + a->x <
-           b->y * INT64_C(4294967296) + b->x;
-}
-
-static inline int pel_topmost(const struct pel_point v[3])
-{
-    const int64_t a = pel_point_key(&v[0]), b = pel_point_key(&v[1]),
-                  c = pel_point_key(&v[2]);
-    const int second = b < a, third = c < (b < a ? b : a);
-    return (second & ~third) + 2 * third;
-}
-#else
-static inline bool pel_above(const struct pel_point *a,
-                             const struct pel_point *b)
-{
+    if (PEL_64BIT)
+        return a->y * INT64_C(4294967296) + a->x <
+               b->y * INT64_C(4294967296) + b->x;
     return a->y < b->y || (a->y == b->y && a->x < b->x);
-}
-
-static inline int pel_topmost(const struct pel_point v[3])
-{
-    const int i = pel_above(&v[1], &v[0]) ? 1 : 0;
-    return pel_above(&v[2], &v[i]) ? 2 : i;
-}
-#endif
-
-/* pel_triangle_area of legal vertices. */
-static inline int64_t pel_area_of(const struct pel_point v[3])
-{
-    return pel_product(v[1].x - v[0].x, v[2].y - v[0].y) -
-           pel_product(v[2].x - v[0].x, v[1].y - v[0].y);
 }
 
 static inline void pel_sort3(const struct pel_point *p[3])

@@ -1,7 +1,7 @@
 #include "arc.h"
 
-#include "ring_walk.h"
 #include "angle_range.h"
+#include "disc.h"
 
 struct walk {
     struct pel_ring_walk ring;

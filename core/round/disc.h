@@ -1,6 +1,5 @@
 /* Spans of a disc, row by row: the pixels whose centre lies within, exactly.
- * Rings, sectors, ellipses, rounded rectangles and outlines use it; circle.c
- * walks the same sides (disc_side.h) itself.
+ * circle.c walks the same sides (disc_side.h) itself.
  *
  * A row holds the columns at a distance u from the centre with
  * u^2 <= half_width2. That is radius^2 - v^2 for a circle, v the distance of
@@ -22,8 +21,8 @@
 #ifndef PEL_ROUND_DISC_H
 #define PEL_ROUND_DISC_H
 
-#include "../base/point.h"
 #include "../base/format.h"
+#include "../base/point.h"
 
 struct pel_disc_side {
     int64_t d;      /* of the next column outwards */
@@ -65,5 +64,49 @@ static inline void pel_disc_step(struct pel_disc *disc, int32_t change)
 
 /* Moves from a row with one half_width2 to a row with another. */
 void pel_disc_change(struct pel_disc *disc, int64_t from, int64_t to);
+
+/* The rows of a disc around one centre. */
+struct pel_disc_walk {
+    struct pel_disc disc; /* at row y */
+    int32_t y, end;
+    int32_t v; /* distance of row y from the centre, 1/256 px */
+};
+
+/* The rows of a ring: a disc, and the hole inside at the same row. */
+struct pel_ring_walk {
+    struct pel_disc_walk outer;
+    struct pel_disc hole;
+};
+
+/* false: nothing is covered, or the disc is out of range (PEL_ASSERT). */
+bool pel_disc_walk_start(struct pel_disc_walk *w,
+                         const struct pel_point *center, int32_t radius,
+                         const struct pel_rect *clip);
+
+static inline void pel_disc_walk_next(struct pel_disc_walk *w)
+{
+    pel_disc_step(&w->disc, -(w->v + 128));
+    w->v += 256;
+    w->y++;
+}
+
+static inline bool pel_ring_start(struct pel_ring_walk *w,
+                                  const struct pel_point *center, int32_t inner,
+                                  int32_t outer, const struct pel_rect *clip)
+{
+    PEL_ASSERT(pel_radius_legal(inner));
+    if (!pel_radius_legal(inner) ||
+        !pel_disc_walk_start(&w->outer, center, outer, clip))
+        return false;
+    pel_disc_center(&w->hole, center->x, center->x);
+    pel_disc_start(&w->hole, clip, pel_square(inner) - pel_square(w->outer.v));
+    return true;
+}
+
+static inline void pel_ring_next(struct pel_ring_walk *w)
+{
+    pel_disc_step(&w->hole, -(w->outer.v + 128));
+    pel_disc_walk_next(&w->outer);
+}
 
 #endif

@@ -3,6 +3,96 @@
 #include "../raster/collect.h"
 #include "ellipse_walk.h"
 
+/* Adds n; both remainders are below b2. */
+static void add(struct pel_quotient *v, const struct pel_quotient *n,
+                int64_t b2)
+{
+    v->q += n->q;
+    v->r += n->r;
+    if (v->r >= b2) {
+        v->r -= b2;
+        v->q++;
+    }
+}
+
+/* product = v n for n >= 0, by doubling and adding from the highest bit of n
+ * down: no wider products, no division. */
+static void multiply(struct pel_quotient *product, const struct pel_quotient *v,
+                     int64_t n, int64_t b2)
+{
+    int bit = 0;
+    product->q = product->r = 0;
+    while (n >> bit > 1)
+        bit++;
+    for (; bit >= 0; bit--) {
+        add(product, product, b2);
+        if (n >> bit & 1)
+            add(product, v, b2);
+    }
+}
+
+static void negate(struct pel_quotient *v, int64_t b2)
+{
+    v->q = -v->q;
+    if (v->r) {
+        v->q--;
+        v->r = b2 - v->r;
+    }
+}
+
+/* Sets the quotients for the row at distance v. */
+static void row_start(struct pel_ellipse_walk *w, struct pel_point radius,
+                      int32_t v)
+{
+    const int64_t a2 = pel_square(radius.x), b2 = pel_square(radius.y);
+    const struct pel_quotient zero = {0, 0}, unit = {b2 == 1, b2 != 1};
+    struct pel_quotient ratio;
+    w->half_width2 = (struct pel_quotient){a2, 0};
+    w->delta = w->delta2 = zero;
+    if (b2 == 0)
+        return;
+    multiply(&ratio, &unit, a2, b2);
+    multiply(&w->half_width2, &ratio, b2 - pel_square(v), b2);
+    if (radius.y < 128)
+        return;
+    const int64_t step = pel_square_step(v);
+    multiply(&w->delta, &ratio, step < 0 ? -step : step, b2);
+    if (step > 0)
+        negate(&w->delta, b2);
+    multiply(&w->delta2, &ratio, 131072, b2);
+    negate(&w->delta2, b2);
+}
+
+bool pel_ellipse_start(struct pel_ellipse_walk *w,
+                       const struct pel_ellipse_shape *e,
+                       const struct pel_rect *clip)
+{
+    const struct pel_point center = e->center, radius = e->radius;
+    bool legal = pel_points_legal(&center, 1) && pel_radius_legal(radius.x) &&
+                 pel_radius_legal(radius.y);
+    PEL_ASSERT(legal);
+    if (!legal || pel_rect_empty(clip))
+        return false;
+    w->y = pel_max(pel_first_pixel(center.y - radius.y), clip->y0);
+    w->end = pel_min(pel_pixel_of(center.y + radius.y + 128), clip->y1);
+    if (w->y >= w->end)
+        return false;
+    row_start(w, radius, pel_pixel_center(w->y) - center.y);
+    pel_disc_center(&w->disc, center.x, center.x);
+    pel_disc_start(&w->disc, clip, w->half_width2.q);
+    return true;
+}
+
+void pel_ellipse_next(struct pel_ellipse_walk *w,
+                      const struct pel_ellipse_shape *e)
+{
+    const int64_t half_width2 = w->half_width2.q, b2 = pel_square(e->radius.y);
+    add(&w->half_width2, &w->delta, b2);
+    add(&w->delta, &w->delta2, b2);
+    pel_disc_change(&w->disc, half_width2, w->half_width2.q);
+    w->y++;
+}
+
 void pel_ellipse(const struct pel_surface *surface,
                  const struct pel_ellipse_shape *ellipse,
                  const struct pel_paint *paint)

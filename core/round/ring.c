@@ -1,7 +1,7 @@
 #include "ring.h"
 
 #include "../raster/cut.h"
-#include "ring_walk.h"
+#include "disc.h"
 
 void pel_ring(const struct pel_surface *surface,
               const struct pel_ring_shape *ring, const struct pel_paint *paint)

@@ -1,28 +1,39 @@
 #include "sector.h"
 
-#include "disc_walk.h"
 #include "angle_range.h"
+#include "disc.h"
+
+struct walk {
+    struct pel_disc_walk circle;
+    struct pel_angle_range angles;
+    struct pel_cut cut;
+};
+
+/* A function of its own, so that its stack is free while a row is painted. */
+static PEL_NOINLINE_32 void cut_row(struct walk *w,
+                                    const struct pel_sector_shape *sector)
+{
+    const struct pel_rect *clip = &w->cut.spans.surface->clip;
+    struct pel_span disc;
+    pel_angle_range_spans(&w->angles, &sector->center, w->circle.y,
+                          w->cut.span);
+    pel_disc_row(&w->circle.disc, clip, &disc);
+    w->cut.spans.n = pel_cut_within(w->cut.span, 2, &disc);
+}
 
 void pel_sector(const struct pel_surface *surface,
                 const struct pel_sector_shape *sector,
                 const struct pel_paint *paint)
 {
-    struct pel_disc_walk w;
-    struct pel_angle_range angles;
-    if (!pel_disc_walk_start(&w, &sector->center, sector->radius,
+    struct walk w;
+    pel_cut_begin(&w.cut, surface);
+    if (!pel_disc_walk_start(&w.circle, &sector->center, sector->radius,
                              &surface->clip) ||
-        !pel_angle_range_start(&angles, &sector->center, sector->from,
-                               sector->to, w.y))
+        !pel_angle_range_start(&w.angles, &sector->center, sector->from,
+                               sector->to, w.circle.y))
         return;
-    struct pel_span span[2];
-    struct pel_spans spans = {surface, span, 0, 0, 0};
-    for (; w.y < w.end; pel_disc_walk_next(&w)) {
-        struct pel_span disc;
-        pel_angle_range_spans(&angles, &sector->center, w.y, span);
-        pel_disc_row(&w.disc, &surface->clip, &disc);
-        spans.y = w.y;
-        spans.n = pel_cut_within(span, 2, &disc);
-        if (spans.n)
-            paint->fill(paint, &spans);
+    for (; w.circle.y < w.circle.end; pel_disc_walk_next(&w.circle)) {
+        cut_row(&w, sector);
+        pel_cut_paint(&w.cut, paint, w.circle.y);
     }
 }

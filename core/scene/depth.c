@@ -62,35 +62,39 @@ static inline bool is_nearer(const struct pel_depth_paint *p, void *held,
     return nearer;
 }
 
-/* The first pixel from x on whose test does not give `nearer`, or x1. */
-static int32_t skip(const struct pel_depth_paint *p, int32_t x, int32_t x1,
-                    int32_t y, bool nearer)
+/* The first pixel of a part of row y whose test does not give `nearer`, or the
+ * part's end. */
+static PEL_INLINE_KINDS int32_t skip_wide(const struct pel_depth_paint *p,
+                                          const struct pel_span *part,
+                                          int32_t y, bool nearer, bool wide)
 {
     const struct pel_rect *b = &p->depth->bounds;
-    const size_t at =
-        (size_t)(y - b->y0) * (size_t)(b->x1 - b->x0) + (size_t)(x - b->x0);
+    const size_t line = (size_t)(y - b->y0) * (size_t)(b->x1 - b->x0);
+    const size_t size = wide ? sizeof(uint32_t) : sizeof(uint16_t);
+    int32_t x = part->x0;
+    uint8_t *held =
+        (uint8_t *)p->depth->values + (line + (size_t)(x - b->x0)) * size;
     uint64_t value = pel_plane_at(&p->plane, x, y);
-    if (p->depth->bits == 16) {
-        uint16_t *held = (uint16_t *)p->depth->values + at;
-        for (; x < x1 && is_nearer(p, held, value, false) == nearer; x++) {
-            held++;
-            value += p->plane.dx;
-        }
-    } else {
-        uint32_t *held = (uint32_t *)p->depth->values + at;
-        for (; x < x1 && is_nearer(p, held, value, true) == nearer; x++) {
-            held++;
-            value += p->plane.dx;
-        }
+    for (; x < part->x1 && is_nearer(p, held, value, wide) == nearer; x++) {
+        held += size;
+        value += p->plane.dx;
     }
     return x;
+}
+
+static int32_t skip(const struct pel_depth_paint *p,
+                    const struct pel_span *part, int32_t y, bool nearer)
+{
+    const bool wide = p->depth->bits == 32;
+    if (PEL_64BIT && wide)
+        return skip_wide(p, part, y, nearer, true);
+    return skip_wide(p, part, y, nearer, PEL_64BIT ? false : wide);
 }
 
 /* Spans that go to the inner paint at a time. */
 enum { SPANS = PEL_64BIT ? 8 : 4 };
 
-/* The visible parts are spans of one row, so the step is 0. skip has tested the
- * first pixel of each, and with `keeps` stored its depth. */
+/* Hands the visible parts of a span to the inner paint, as spans of one row. */
 static void fill_span(const struct pel_depth_paint *p,
                       const struct pel_surface *surface,
                       const struct pel_span *span, int32_t y)
@@ -98,18 +102,21 @@ static void fill_span(const struct pel_depth_paint *p,
     const struct pel_rect *b = &p->depth->bounds;
     struct pel_span part[SPANS];
     struct pel_spans out = {surface, part, y, 0, 0};
-    const int32_t end = pel_min(span->x1, b->x1);
-    int32_t x = pel_max(span->x0, b->x0);
+    struct pel_span left = {pel_max(span->x0, b->x0), pel_min(span->x1, b->x1)};
     if (y < b->y0 || y >= b->y1)
         return;
-    while ((x = skip(p, x, end, y, false)) < end) {
-        part[out.n].x0 = x;
-        part[out.n++].x1 = x = skip(p, x + 1, end, y, true);
+    while (left.x0 < left.x1) {
+        const int32_t first = skip(p, &left, y, false);
+        if (first == left.x1)
+            break;
+        left.x0 = first + 1;
+        left.x0 = skip(p, &left, y, true);
+        part[out.n++] = (struct pel_span){first, left.x0};
+        left.x0++; /* that one is tested: hidden */
         if (out.n == SPANS) {
             p->inner->fill(p->inner, &out);
             out.n = 0;
         }
-        x++;
     }
     if (out.n)
         p->inner->fill(p->inner, &out);
@@ -145,10 +152,12 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     const struct pel_rect *b = &p->depth->bounds;
     const bool inside = y >= b->y0 && y < b->y1;
     inner->colors(inner, x, y, n, out);
-    for (const pel_color *end = out + n; out < end; out++, x++)
+    for (const pel_color *end = out + n; out < end; out++, x++) {
+        const struct pel_span pixel = {x, x + 1};
         if (!inside || x < b->x0 || x >= b->x1 || pel_alpha(*out) < 255 ||
-            skip(p, x, x + 1, y, false) > x)
+            skip(p, &pixel, y, false) > x)
             *out = 0;
+    }
 }
 
 /* near / z, from both with all their bits: z is coarse, near fine and cut to
@@ -190,12 +199,16 @@ static const struct pel_paint *filter_texels(struct pel_frame *frame,
     return &p->base.paint;
 }
 
-/* Opaque pixels are as near as what the first pass stored: the second pass,
- * which only tests, leaves them. */
+/* A texture with opaque and translucent texels is drawn twice. First the opaque
+ * ones, which store their depths. Then all of them are only tested: an opaque
+ * one is not nearer than what it has stored, so it stays as it is, and the
+ * translucent ones in front are blended. */
 void pel_scene_draw_depth(struct pel_frame *frame,
                           const struct pel_surface *surface,
                           const struct pel_depth *depth)
 {
+    if (frame->triangles == 0)
+        return;
     frame->work->depth.depth = depth;
     if (!frame->opaque && frame->alpha == 255) {
         frame->filter = filter_texels;

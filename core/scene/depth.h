@@ -6,7 +6,7 @@
 
 #include "../base/status.h"
 #include "../paint/paint_colors.h"
-#include "plane.h"
+#include "../raster/plane.h"
 
 PEL_BEGIN_DECLS
 

@@ -73,7 +73,7 @@ static pel_color vertex_color(const struct pel_frame *frame, uint32_t vertex)
     struct pel_texture t = frame->texture;
     pel_color color;
     for (int k = 0; k < 2; k++) {
-        struct pel_texture_plane *plane = k ? &t.map.v : &t.map.u;
+        struct pel_plane *plane = k ? &t.map.v : &t.map.u;
         plane->at = (uint64_t)texel_of(frame, vertex, k) << 16;
         plane->dx = plane->dy = 0;
     }
@@ -83,30 +83,18 @@ static pel_color vertex_color(const struct pel_frame *frame, uint32_t vertex)
 
 const struct pel_mapping pel_map_vertices = {vertex_color, NULL, NULL};
 
-/* u and v as planes of 1/256 texel are 2^-32 texel; the most
- * that a plane can be too low is added, so that a point on a border of texels
- * stays in the upper one. */
-static void set(struct pel_frame *frame,
-                const struct pel_texture_corner corner[3], int k,
-                struct pel_texture_plane *out)
-{
-    struct pel_plane plane;
-    int32_t value[3];
-    for (int i = 0; i < 3; i++)
-        value[i] = (int32_t)pel_scale_down(corner[i].uv[k], 8);
-    pel_plane_set(&plane, pel_frame_setup(frame), value);
-    out->at = plane.at + 131072;
-    out->dx = plane.dx;
-    out->dy = plane.dy;
-}
-
 static const struct pel_color_paint *surface(struct pel_frame *frame)
 {
     struct pel_texture *p = &frame->texture;
     struct pel_texture_corner corner[3];
+    int32_t value[3];
     pel_mapping_corners(frame, corner);
-    set(frame, corner, 0, &p->map.u);
-    set(frame, corner, 1, &p->map.v);
+    for (int k = 0; k < 2; k++) {
+        for (int i = 0; i < 3; i++)
+            value[i] = (int32_t)pel_scale_down(corner[i].uv[k], 8);
+        pel_texture_plane(k ? &p->map.v : &p->map.u, pel_frame_setup(frame),
+                          value);
+    }
     return &p->base;
 }
 

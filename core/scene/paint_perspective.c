@@ -36,9 +36,8 @@ static bool divide(const struct pel_perspective *p, int32_t x, int32_t y,
 }
 
 /* Linear over a span, from pixel x of it on. */
-static PEL_NOINLINE_32 void set_line(struct pel_texture_plane *line,
-                                     uint64_t from, uint64_t to, int span,
-                                     int32_t x)
+static PEL_NOINLINE_32 void set_line(struct pel_plane *line, uint64_t from,
+                                     uint64_t to, int span, int32_t x)
 {
     line->dx = (uint64_t)((int64_t)(to - from) >> span);
     line->at = from + (uint64_t)x * line->dx;
@@ -81,10 +80,12 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
  * side. Other gradients are below 2^31 a pixel. */
 static bool thin(const struct pel_plane_setup *s)
 {
-    const uint32_t sides = (uint32_t)pel_size_of(s->ab.x) |
-                           (uint32_t)pel_size_of(s->ac.x) |
-                           (uint32_t)(s->ab.y | s->ac.y);
-    return pel_bits_of(s->area) < pel_bits_of(sides) + 10;
+    uint32_t sides = 0; /* those that meet in a */
+    for (int i = 0; i < 3; i++)
+        if (i != s->first)
+            sides |= (uint32_t)pel_size_of(s->right[i]) |
+                     (uint32_t)pel_size_of(s->down[i]);
+    return s->bits < pel_bits_of(sides) + 10;
 }
 
 /* The plane of the differences of u or v from the first corner, times w

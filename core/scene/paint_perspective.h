@@ -3,7 +3,7 @@
 #define PEL_SCENE_PAINT_PERSPECTIVE_H
 
 #include "../paint/paint_texture.h"
-#include "plane.h"
+#include "../raster/plane.h"
 
 PEL_BEGIN_DECLS
 

@@ -175,9 +175,10 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
                                   const struct pel_scene *scene, void *scratch,
                                   size_t scratch_size)
 {
+    if (frame)
+        frame->triangles = 0;
     if (!frame || !scene || !scene->mesh || !scene->shading || !scratch)
         return PEL_ERROR_NULL;
-    frame->triangles = 0;
     const struct parts part = parts_of(scene);
     if (scratch_size < part.end || (uintptr_t)scratch % 8)
         return PEL_ERROR_SCRATCH;
@@ -261,9 +262,9 @@ static void draw_entry(struct pel_frame *frame, uint32_t triangle)
 
 void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface)
 {
-    struct pel_surface *target = &frame->work->surface;
     if (frame->triangles == 0 || frame->alpha == 0)
         return;
+    struct pel_surface *target = &frame->work->surface;
     pel_clip_start(&frame->work->clip);
     *target = *surface;
     target->clip = pel_rect_intersect(&surface->clip, &frame->scene->viewport);

@@ -51,7 +51,8 @@ size_t pel_scene_scratch_size(const struct pel_scene *scene);
  * normals, uv, mapping or sampler where they are needed; PEL_ERROR_SCRATCH;
  * PEL_ERROR_RANGE: uv or span of a texture (shading.h); errors of
  * pel_mesh_check, with frame->fault, pel_projector_init, pel_mesh_lights_init
- * and the sampler. */
+ * and the sampler. After an error a
+ * frame draws nothing. */
 enum pel_status pel_scene_prepare(struct pel_frame *frame,
                                   const struct pel_scene *scene, void *scratch,
                                   size_t scratch_size);

@@ -4,11 +4,6 @@
 #define PEL_SCENE_VECTOR_H
 
 #include "../base/point.h"
-#include "../base/inline.h"
-/* Inline where a CPU has 64 bits; elsewhere functions of vector.c. */
-#if PEL_64BIT
-#include "vector_sums.h"
-#endif
 
 PEL_BEGIN_DECLS
 
@@ -33,19 +28,28 @@ typedef int32_t pel_factor;
 #define PEL_FACTOR(percent) PEL_CAST(pel_factor, (percent)*INT64_C(65536) / 100)
 #define PEL_FACTOR_END (UINT32_C(16) * 65536)
 
-#if !PEL_64BIT
+/* pel_scale_down: v 2^-n, -62 <= n <= 62; pel_scaled: a b 2^-n, 0 <= n <= 62.
+ * The nearest, a tie upwards; it must fit. Inline where a CPU has 64 bits,
+ * elsewhere functions of vector.c. */
+#if PEL_64BIT
+#define PEL_WIDE static inline
+#endif
+#ifdef PEL_WIDE
+PEL_WIDE int64_t pel_scale_down(int64_t v, int n)
+{
+    if (n <= 0)
+        return PEL_CAST(int64_t, PEL_CAST(uint64_t, v) << -n);
+    return ((v >> (n - 1)) + 1) >> 1;
+}
+
+PEL_WIDE int32_t pel_scaled(int32_t a, int32_t b, int n)
+{
+    return PEL_CAST(int32_t, pel_scale_down(pel_long_product(a, b), n));
+}
+#else
 int64_t pel_scale_down(int64_t v, int n);
 int32_t pel_scaled(int32_t a, int32_t b, int n);
-int64_t pel_dot(const int32_t a[3], const int32_t b[3]);
 #endif
-
-/* Bits of v: 0 for 0, otherwise 2^(bits - 1) <= v < 2^bits. */
-int pel_bits_of(uint64_t v);
-
-static inline int64_t pel_size_of(int64_t v)
-{
-    return v < 0 ? -v : v;
-}
 
 /* An upper bound of |v[k]|, with as many bits as the largest of them. */
 uint64_t pel_vector_bound(const int64_t v[3]);

@@ -1,23 +1,30 @@
-# Core and programs for Cortex-M. Objects of CPU and level: build/mcu/CPU-Os/.
-# Included by whoever builds such programs; once is enough.
+# Core and programs for CPUs without an operating system, small. Objects of CPU
+# and level: build/mcu/CPU-Os/. Included by whoever builds such programs; once is
+# enough.
 ifndef MCU_CPUS
 
 .PHONY: need-arm need-qemu-arm
 
-MCU_CPUS := cortex-m0plus cortex-m4
-MCU_CC := arm-none-eabi-gcc
-MCU_CFLAGS = -std=c99 $(WARNINGS) $(WERROR) -I. -I$(BUILD)/include -MMD -MP -mthumb -mfloat-abi=soft \
-              -ffunction-sections -fdata-sections
+MCU_CPUS := cortex-m0plus cortex-m4 cortex-m7 cortex-m33 arm926 rv32imc
 
-# memcpy and memset, where a program needs them, are those of newlib-nano; the
-# compiler's helpers come from libgcc.
-MCU_LDFLAGS := -mthumb -mfloat-abi=soft -nostartfiles --specs=nano.specs \
-               -Wl,--gc-sections -Wl,--fatal-warnings
+# memcpy and memset, where a program needs them, are those of newlib-nano, on
+# RISC-V of picolibc; the compiler's helpers come from libgcc.
+MCU_CC := arm-none-eabi-gcc
+MCU_CORTEX := $(MCU_CC) --specs=nano.specs -mthumb -mfloat-abi=soft
+MCU_CC_cortex-m0plus := $(MCU_CORTEX) -mcpu=cortex-m0plus
+MCU_CC_cortex-m4 := $(MCU_CORTEX) -mcpu=cortex-m4
+MCU_CC_cortex-m7 := $(MCU_CORTEX) -mcpu=cortex-m7
+MCU_CC_cortex-m33 := $(MCU_CORTEX) -mcpu=cortex-m33
+MCU_CC_arm926 := $(MCU_CC) --specs=nano.specs -marm -mcpu=arm926ej-s
+MCU_CC_rv32imc := riscv64-unknown-elf-gcc --specs=picolibc.specs \
+    -march=rv32imc -mabi=ilp32
+MCU_CFLAGS = -std=c99 $(WARNINGS) $(WERROR) -I. -I$(BUILD)/include -MMD -MP \
+             -ffunction-sections -fdata-sections
+MCU_LDFLAGS := -nostartfiles -Wl,--gc-sections -Wl,--fatal-warnings
 MCU_PORT := $(wildcard port/cortex_m/*.c)
 mcu_script = -T port/cortex_m/$1.ld -T port/cortex_m/sections.ld
 
-need-arm:
-	@tests/tools/need.sh $(MCU_CC):gcc-arm-none-eabi
+need-arm: | need-boards
 	@test -f "$$($(MCU_CC) -print-file-name=libc_nano.a)" || \
 	    tests/tools/need.sh newlib-nano:libnewlib-arm-none-eabi
 need-qemu-arm:
@@ -27,10 +34,10 @@ need-qemu-arm:
 define mcu_objects
 $(BUILD)/mcu/$1$2/%.o: %.c | need-arm
 	@mkdir -p $$(@D)
-	$(MCU_CC) -mcpu=$1 $2 $(MCU_CFLAGS) -c $$< -o $$@
+	$(MCU_CC_$1) $2 $(MCU_CFLAGS) -c $$< -o $$@
 $(BUILD)/mcu/$1$2/libpel.a: $(CORE:%.c=$(BUILD)/mcu/$1$2/%.o)
 	rm -f $$@
-	arm-none-eabi-ar rcs $$@ $$^
+	$(AR) rcs $$@ $$^
 endef
 $(foreach c,$(MCU_CPUS),$(eval $(call mcu_objects,$c,-Os)))
 

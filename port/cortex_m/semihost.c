@@ -2,11 +2,28 @@
 
 enum { SYS_WRITE0 = 0x04, SYS_EXIT_EXTENDED = 0x20 };
 
+/* The trap that debuggers know, and the registers of its arguments. */
+#if defined(__riscv)
+#define FIRST "a0"
+#define SECOND "a1"
+#define TRAP                                                               \
+    ".option push\n.option norvc\n.balign 16\nslli x0, x0, 0x1f\nebreak\n" \
+    "srai x0, x0, 7\n.option pop"
+#else
+#define FIRST "r0"
+#define SECOND "r1"
+#ifdef __thumb__
+#define TRAP "bkpt 0xab"
+#else
+#define TRAP "svc 0x123456"
+#endif
+#endif
+
 static void call(uint32_t operation, const void *argument)
 {
-    register uint32_t r0 __asm__("r0") = operation;
-    register const void *r1 __asm__("r1") = argument;
-    __asm__ volatile("bkpt 0xab" : "+r"(r0) : "r"(r1) : "memory");
+    register uint32_t r0 __asm__(FIRST) = operation;
+    register const void *r1 __asm__(SECOND) = argument;
+    __asm__ volatile(TRAP : "+r"(r0) : "r"(r1) : "memory");
 }
 
 void semihost_write(const char *text)

@@ -21,6 +21,23 @@ void reset(void)
     semihost_exit(main());
 }
 
+#if defined(__riscv)
+
+/* Where the CPU begins: without a stack. */
+__attribute__((naked, section(".vectors"), used)) static void begin(void)
+{
+    __asm__ volatile("la sp, stack_top\n\tj reset");
+}
+
+#elif !defined(__thumb__)
+
+__attribute__((naked, section(".vectors"), used)) static void begin(void)
+{
+    __asm__ volatile("ldr sp, =stack_top\n\tb reset");
+}
+
+#else
+
 static void fault(void)
 {
     semihost_write("fault\n");
@@ -43,3 +60,5 @@ __attribute__((section(".vectors"),
     {reset, fault, fault, fault, fault, fault, 0, 0, 0, 0, fault, 0, 0, fault,
      fault},
 };
+
+#endif

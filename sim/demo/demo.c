@@ -200,8 +200,8 @@ static bool add_all(const struct gallery *g, char **scripts)
     for (; done && *scripts; scripts++)
         done = add_script(g, *scripts);
     return done && add_demos(g, demo_formats) && add_demos(g, demo_rules) &&
-           add_demos(g, demo_duck) && add_demos(g, demo_texture) &&
-           add_demos(g, demo_lighting);
+           add_demos(g, demo_figures) && add_demos(g, demo_duck) &&
+           add_demos(g, demo_texture) && add_demos(g, demo_lighting);
 }
 
 static bool write_page(struct output *output, const char *directory,

@@ -22,6 +22,7 @@ struct demo {
  * command line of `pel demo`. */
 extern const struct demo demo_rules[];
 extern const struct demo demo_formats[];
+extern const struct demo demo_figures[];
 extern const struct demo demo_duck[];
 extern const struct demo demo_texture[];
 extern const struct demo demo_lighting[];

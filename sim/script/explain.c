@@ -141,12 +141,13 @@ static void print_paint(const struct explanation *e,
 static void explain_item(struct explanation *e, const struct script_item *item)
 {
     pel_color color = 0;
+    const int at[2] = {e->x, e->y};
     const struct pel_format *format = e->script->format;
     const int32_t *v = e->script->values + item->first;
     const pel_color before = pixel(e);
     const bool moves = item->command->role == SCRIPT_WHOLE;
     const bool covered =
-        !moves && script_covers(&e->pen, e->script, item, e->x, e->y, &color);
+        !moves && script_covers(&e->pen, e->script, item, at, &color);
     const bool clipped = !is_in(&e->pen.clip, e->x, e->y);
     script_perform(&e->pen, item->command, v, item->count);
     const pel_color after = pixel(e);

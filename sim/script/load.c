@@ -83,26 +83,30 @@ static bool load_from(struct script *script, FILE *file)
     return good;
 }
 
-bool script_load(struct script *script, const char *path,
+bool script_read(struct script *script, FILE *file, const char *path,
                  const struct pel_format *format)
 {
-    const struct script empty = {.path = path, .format = format};
-    const bool is_input = strcmp(path, "-") == 0;
-    *script = empty;
+    *script = (struct script){.path = path, .format = format};
     script->assets = calloc(1, sizeof *script->assets);
     if (!script->assets)
         return message_error("out of memory");
-    FILE *file = is_input ? stdin : fopen(path, "r");
-    if (!file) {
-        message_error_at(path, 0, "cannot be read: %s", strerror(errno));
-        script_free(script);
-        return false;
-    }
     const bool done = load_from(script, file);
-    if (!is_input)
-        fclose(file);
     if (!done)
         script_free(script);
+    return done;
+}
+
+bool script_load(struct script *script, const char *path,
+                 const struct pel_format *format)
+{
+    const bool is_input = strcmp(path, "-") == 0;
+    FILE *file = is_input ? stdin : fopen(path, "r");
+    *script = (struct script){.path = path};
+    if (!file)
+        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+    const bool done = script_read(script, file, path, format);
+    if (!is_input)
+        fclose(file);
     return done;
 }
 

@@ -62,10 +62,11 @@ bool script_draws(const struct script_command *command)
 
 /* Drawn twice, onto different words: what it leaves, it leaves different. */
 bool script_covers(const struct script_pen *pen, const struct script *script,
-                   const struct script_item *item, int x, int y,
+                   const struct script_item *item, const int pixel[2],
                    pel_color *color)
 {
-    const struct pel_rect bounds = {x, y, x + 1, y + 1};
+    const struct pel_rect bounds = {pixel[0], pixel[1], pixel[0] + 1,
+                                    pixel[1] + 1};
     uint32_t word[2] = {0x00123456, 0x00654321};
     for (int i = 0; i < 2; i++) {
         struct pel_surface surface;
@@ -86,6 +87,7 @@ long script_pick(const struct script *script, int x, int y)
     struct script_pen pen;
     uint32_t word;
     struct pel_surface surface;
+    const int at[2] = {x, y};
     const struct pel_rect pixel = {x, y, x + 1, y + 1};
     pel_surface_init(&surface, &spy, &word, sizeof word, &pixel);
     if (!script_pen_init(&pen, script, &surface))
@@ -99,7 +101,7 @@ long script_pick(const struct script *script, int x, int y)
             script_perform(&pen, c, script->values + item->first, item->count);
         else if (script_draws(c) && c->role != SCRIPT_WHOLE &&
                  strcmp(c->name, "clear") != 0 && shown &&
-                 script_covers(&pen, script, item, x, y, &color))
+                 script_covers(&pen, script, item, at, &color))
             found = (long)i;
     }
     script_pen_free(&pen);

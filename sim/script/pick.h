@@ -7,10 +7,10 @@
 /* Does the command draw pixels, rather than change how others do? */
 bool script_draws(const struct script_command *command);
 
-/* Does a command that draws cover pixel (x, y), whatever the clip? Then with
- * *color. `pen` is as it is before the command. */
+/* Does a command that draws cover a pixel, x and y, whatever the clip? Then
+ * with *color. `pen` is as it is before the command. */
 bool script_covers(const struct script_pen *pen, const struct script *script,
-                   const struct script_item *item, int x, int y,
+                   const struct script_item *item, const int pixel[2],
                    pel_color *color);
 
 /* The index of the last item, seen by the script's clip, that draws pixel

@@ -4,6 +4,8 @@
 #ifndef SIM_SCRIPT_SCRIPT_H
 #define SIM_SCRIPT_SCRIPT_H
 
+#include <stdio.h>
+
 #include "sim/image/canvas.h"
 
 struct script_command;
@@ -34,6 +36,11 @@ struct script {
  * of its canvas line. False, with a message on standard error that names file
  * and line, when it is not right; the script is then empty. */
 bool script_load(struct script *script, const char *path,
+                 const struct pel_format *format);
+
+/* The same from a stream; `path` names it in messages, and its folder is that
+ * of the script's files. */
+bool script_read(struct script *script, FILE *file, const char *path,
                  const struct pel_format *format);
 
 void script_free(struct script *script);

@@ -47,7 +47,7 @@ static void fan(struct api *a, struct pel_fan *paint, int slot)
     pel_fan_init(paint, &points, a->triangle[slot]);
 }
 
-static void plane(struct api *a, struct pel_texture_plane *p)
+static void plane(struct api *a, struct pel_plane *p)
 {
     const int shift = (int)input_below(&a->in, 64);
     p->at = input_long(&a->in) >> shift;

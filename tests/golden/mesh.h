@@ -1,13 +1,8 @@
-/* The mesh of the golden scenes, and how it is seen and lit. */
+/* The golden scenes with a mesh, and how it is seen and lit. */
 #ifndef TESTS_GOLDEN_MESH_H
 #define TESTS_GOLDEN_MESH_H
 
-#include <stdio.h>
-#include <string.h>
-
-#include "core/pel.h"
-
-enum { WIDTH = 96, HEIGHT = 72 };
+#include "tests/golden/size.h"
 
 /* A ring of triangles, and a square that comes from far away, through it and
  * past the eye. */
@@ -16,8 +11,8 @@ enum { AROUND = 18, ACROSS = 10, RING = AROUND * ACROSS, VERTICES = RING + 4 };
 static int16_t positions[VERTICES][3], normals[VERTICES][3];
 static uint16_t uv[VERTICES][2];
 static uint8_t colors[VERTICES][3], indices[2 * RING + 2][3];
-static uint64_t scratch[2048];
-static uint16_t depths[WIDTH * 24];
+static uint64_t frame_scratch[2048];
+static uint16_t depths[WIDTH * LINES];
 
 static void make_ring_vertex(int32_t i, int32_t around, int32_t across)
 {
@@ -81,7 +76,7 @@ static int make_mesh(struct pel_mesh *mesh)
     }
     make_square();
     mesh->normals16 = (const int16_t(*)[3])normals;
-    return pel_mesh_normals(mesh, normals, scratch, sizeof scratch);
+    return pel_mesh_normals(mesh, normals, frame_scratch, sizeof frame_scratch);
 }
 
 static const struct pel_light lights[] = {
@@ -124,12 +119,53 @@ static void draw_scene(const struct pel_scene *scene,
                        const struct pel_depth *depth)
 {
     struct pel_frame frame;
-    if (pel_scene_prepare(&frame, scene, scratch, sizeof scratch) != PEL_OK)
+    if (pel_scene_prepare(&frame, scene, frame_scratch, sizeof frame_scratch) !=
+        PEL_OK)
         printf("scene: refused\n");
     else if (depth)
         pel_scene_draw_depth(&frame, s, depth);
     else
         pel_scene_draw(&frame, s);
+}
+
+/* The painter: Phong under a bilinear texture in perspective, transparent. */
+static void draw_phong(const struct pel_surface *s)
+{
+    static pel_color texels[8 * 5];
+    const struct pel_mesh_texture texture = {
+        .texels = {.colors = texels, .width = 8, .height = 5, .opaque = true},
+        .mapping = &pel_map_perspective,
+        .sampler = pel_texture_init_bilinear,
+        .wrap_u = PEL_WRAP_REPEAT,
+        .wrap_v = PEL_WRAP_MIRROR};
+    struct pel_mesh mesh;
+    struct pel_pose pose;
+    struct pel_scene scene;
+    for (int i = 0; i < 40; i++)
+        texels[i] = PEL_RGB(255 - i * 3, 255 - i * i % 128, i % 7 * 40);
+    if (make_mesh(&mesh) != PEL_OK)
+        printf("mesh: refused\n");
+    set_view(&scene, &mesh, &pose);
+    scene.shading = &pel_shade_phong;
+    scene.texture = &texture;
+    scene.sort = pel_depth_sort;
+    scene.transparency = 70;
+    draw_scene(&scene, s, NULL);
+}
+
+/* Depth buffers: Gouraud with light at the vertices, 16 bits. */
+static void draw_depth(const struct pel_surface *s)
+{
+    struct pel_mesh mesh;
+    struct pel_pose pose;
+    struct pel_scene scene;
+    struct pel_depth depth;
+    if (make_mesh(&mesh) != PEL_OK ||
+        pel_depth_init(&depth, &s->bounds, 16, depths, sizeof depths) != PEL_OK)
+        printf("mesh or depth: refused\n");
+    set_view(&scene, &mesh, &pose);
+    scene.shading = &pel_shade_lit_gouraud;
+    draw_scene(&scene, s, &depth);
 }
 
 #endif

@@ -4,13 +4,19 @@
 board() {
     case $1 in
     cortex-m0plus) echo microbit ;;
-    *) echo mps2-an386 ;;
+    cortex-m4) echo mps2-an386 ;;
+    cortex-m7) echo mps2-an500 ;;
+    cortex-m33) echo mps2-an505 ;;
+    arm926) echo versatilepb ;;
+    rv32imc) echo virt -bios none ;;
     esac
 }
 
 # run_on_board CPU ELF : what the program writes
 run_on_board() {
-    timeout 60 qemu-system-arm -M "$(board "$1")" -display none \
+    arch=arm
+    [ "$1" != rv32imc ] || arch=riscv32
+    QEMU_AUDIO_DRV=none timeout 60 qemu-system-$arch -M $(board "$1") -display none \
         -monitor none -serial none -chardev stdio,id=out \
         -semihosting-config enable=on,target=native,chardev=out \
         -kernel "$2" </dev/null

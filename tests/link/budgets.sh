@@ -20,7 +20,7 @@ awk -F '\t' -v OFS='\t' -v form="$form" -v accept="${2-}" -v new="$new" '
         depth[$1 FS $2] = $6
         used[$1 FS $2] = $7
         if (FNR > 1 && $2 !~ /\//)
-            unnamed[$1 FS $2] = 1
+            unnamed[unnamed_key[++unnameds] = $1 FS $2]
         next
     }
     /^#/ || NF == 0 { print > new; next }
@@ -47,7 +47,13 @@ awk -F '\t' -v OFS='\t' -v form="$form" -v accept="${2-}" -v new="$new" '
         print $1, $2, text, $4, stack, $6 > new
     }
     END {
-        for (key in unnamed) {
+        for (i = 1; i <= unnameds; i++) {
+            key = unnamed_key[i]
+            if (!(key in unnamed))
+                continue
+            print key, size[key], "-", depth[key], "-" > new
+            if (accept)
+                continue
             sub(FS, " ", key)
             print FILENAME ":" FNR ": no line for " key > "/dev/stderr"
             failed = 1

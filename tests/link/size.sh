@@ -1,10 +1,11 @@
 #!/bin/sh
-# size.sh BUILD CPUS PROGRAMS : what core costs on microcontrollers, as TSV: a row for
-# every object of core, whose stack is its largest frame, one for the objects
-# that a flat triangle needs, and one for every program of tests/link, linked. A
-# program's text and data are without start-up code, its bss holds its own
-# pixels; its stack is that of the deepest call from main, by the call graph,
-# and beside it what was used when the program ran on a board. The text of
+# size.sh BUILD : what core costs on microcontrollers, as TSV, for each line `CPU
+# PROGRAM...` of the input: a row for every object of core, whose stack is its
+# largest frame, one for the objects that a flat triangle needs, and one for every
+# program of tests/link, linked. A program's text and data are without start-up
+# code, its bss holds its own pixels; its stack is that of the deepest call from
+# main, by the call graph, and beside it what was used when the program ran on a
+# board. Of CPUs other than Cortex-M what was used stands for both. The text of
 # panel_CHIP is what the program has of drivers/.
 set -eu
 build=$1
@@ -19,9 +20,10 @@ fail() {
 
 # object CPU OBJECT
 object_row() {
-    frame=$(arm-none-eabi-objdump -d --no-show-raw-insn "$2" |
+    frame=-
+    [ -z "$graph" ] || frame=$("$tools-objdump" -d --no-show-raw-insn "$2" |
         awk -f "$here/stack.awk")
-    arm-none-eabi-size "$2" | awk -v cpu="$1" -v stack="$frame" \
+    "$tools-size" "$2" | awk -v cpu="$1" -v stack="$frame" \
         -v name="${2#"$build/mcu/$1-Os/"}" 'BEGIN { OFS = "\t" }
         NR == 2 { print cpu, name, $1, $2, $3, stack, "-" }'
 }
@@ -33,7 +35,7 @@ flat_row() {
         format/rgb565_le_fill; do
         objects="$objects $build/mcu/$1-Os/core/$name.o"
     done
-    arm-none-eabi-size $objects | awk -v cpu="$1" 'BEGIN { OFS = "\t" }
+    "$tools-size" $objects | awk -v cpu="$1" 'BEGIN { OFS = "\t" }
         NR > 1 { text += $1; data += $2; bss += $3 }
         END { print cpu, "walker+fill", text, data, bss, "-", "-" }'
 }
@@ -70,12 +72,13 @@ program_row() {
     case $2 in */panel_*) text=$(driver_text "$2") ;; esac
     used=$(stack_used "$1" "$2")
     [ -n "$used" ] || fail "$2 failed on $(board "$1")"
-    deepest=$(stack_deepest "$2")
+    deepest="$used 0"
+    [ -z "$graph" ] || deepest=$(stack_deepest "$2")
     own=${deepest#* }
     deepest=${deepest% *}
     [ "$used" -le "$deepest" ] ||
         fail "$2 used $used bytes of stack, its call graph has only $deepest"
-    arm-none-eabi-size -A "$2" | awk -v cpu="$1" \
+    "$tools-size" -A "$2" | awk -v cpu="$1" \
         -v name="$(basename "$2" .elf)" -v stack=$((deepest - own)) \
         -v used=$((used - own)) -v text="$text" 'BEGIN { OFS = "\t" }
         { size[$1] = $2 }
@@ -84,12 +87,17 @@ program_row() {
 }
 
 printf 'cpu\tfeature\ttext\tdata\tbss\tstack\tstack_used\n'
-for cpu in $2; do
+while read -r cpu programs; do
+    case $cpu in
+    rv32*) tools=riscv64-unknown-elf graph= ;;
+    arm926) tools=arm-none-eabi graph= ;;
+    *) tools=arm-none-eabi graph=yes ;;
+    esac
     for source in core/*/*.c; do
         object_row "$cpu" "$build/mcu/$cpu-Os/${source%.c}.o"
     done
     flat_row "$cpu"
-    for name in $3; do
+    for name in $programs; do
         program_row "$cpu" "$build/link/$cpu/$name.elf"
     done
 done

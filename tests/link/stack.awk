@@ -79,7 +79,7 @@ section ~ /^\.text/ && /^ .* 0x[0-9a-f]+ +0x[0-9a-f]+ .*\.o\)?$/ {
     popped = ""
     next
 }
-/^ +[0-9a-f]+:\t/ && code != "" {
+/^ *[0-9a-f]+:\t/ && code != "" {
     if ($2 ~ /^(push|stmdb)/) {
         list = $0
         sub(/.*\{/, "", list)

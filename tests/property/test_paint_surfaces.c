@@ -34,7 +34,7 @@ static struct pel_point random_point(struct random *r, const struct pel_rect *b)
 
 /* From 0 to 1 at the corner of the bounds, -1 to 1 texels a pixel. */
 static void random_plane(struct random *r, const struct pel_rect *b,
-                         struct pel_texture_plane *p)
+                         struct pel_plane *p)
 {
     p->at = random_word(r);
     p->dx = (uint64_t)(int64_t)random_word(r) * 2 - UINT32_MAX;

@@ -1,7 +1,7 @@
 /* Arithmetic of the 3-D pipeline, of which there are two where products of 64
  * bits are long: both give these numbers. */
 #include "core/base/divide.h"
-#include "core/scene/plane.h"
+#include "core/raster/plane.h"
 #include "core/scene/vector.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
@@ -60,11 +60,16 @@ static void test_gradients_are_exact(void)
         if (!pel_plane_start(&s, v))
             continue;
         pel_plane_set(&plane, &s, value);
-        const wide b = value[s.second] - (wide)value[s.first];
-        const wide d = value[s.third] - (wide)value[s.first];
-        const wide nx = b * s.ac.y - d * s.ab.y;
-        const wide ny = d * s.ab.x - b * s.ac.x;
-        const wide area = (wide)s.area;
+        const int second = s.first == 2 ? 0 : s.first + 1;
+        const int third = 3 - s.first - second;
+        const wide b = value[second] - (wide)value[s.first];
+        const wide d = value[third] - (wide)value[s.first];
+        const wide bx = v[second].x - s.a.x, by = v[second].y - s.a.y;
+        const wide dx = v[third].x - s.a.x, dy = v[third].y - s.a.y;
+        const wide sign = bx * dy < dx * by ? -1 : 1;
+        const wide nx = (b * dy - d * by) * sign;
+        const wide ny = (d * bx - b * dx) * sign;
+        const wide area = (bx * dy - dx * by) * sign;
         if (plane.dx != cut(nx * ((wide)1 << 32), area) ||
             plane.dy != cut(ny * ((wide)1 << 32), area))
             fail_msg("gradients of area %llu; %s", (unsigned long long)s.area,

@@ -6,7 +6,8 @@ set -u
 
 PEL_MODELS=$work "$PEL" demo "$work/demo" sim/scenes/meshes.pel >"$work/out" ||
     fail "no gallery"
-names='meshes formats rules-top-left rules-bottom-left duck-flat duck-gouraud
+names='meshes formats rules-top-left rules-bottom-left figures figures-flat
+figures-corners figures-rings figures-sectors duck-flat duck-gouraud
 texture-flat texture-nearest texture-bilinear lighting-texture-vertices
 lighting-texture-pixels lighting-gouraud-plain lighting-phong-plain'
 for shade in gouraud phong; do

@@ -74,6 +74,7 @@ static void submit(struct display_dma *dma, const struct pel_surface *s)
     }
     dma->source = *s;
     dma->transfers++;
+    dma->bytes += (uint32_t)(held - dma->held);
     dma->steps_left = random_between(&dma->random, 1, dma->most_steps);
 }
 

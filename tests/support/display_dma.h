@@ -23,6 +23,7 @@ struct display_dma {
     /* For the test to read. */
     int32_t steps_left; /* of the transfer in flight; 0: idle */
     int32_t transfers;  /* begun */
+    uint32_t bytes;     /* of them */
     int32_t flips;
     int32_t touched; /* lines in flight that the program wrote to */
 

@@ -2,14 +2,13 @@
 # same bytes everywhere. A build is named COMPILER-CPU-LEVEL or, of a variant of
 # core, COMPILER-CPU-LEVEL-VARIANT.
 
-.PHONY: check-cpus deep-cpus need-cpus board
+.PHONY: check-cpus check-mcu deep-cpus need-cpus board
 
 # CPUs, each with the prefix of its compiler and its emulator; `host` is this
 # machine. s390x and powerpc are big-endian, with 64 and with 32 bits. The
 # microcontrollers run on boards without an operating system.
 include port/boards.mk
 CPUS := host i686 armhf aarch64 s390x powerpc
-MICRO_CPUS := m0plus m4 rv32
 CPU_PREFIX_i686 := i686-linux-gnu
 CPU_PREFIX_armhf := arm-linux-gnueabihf
 CPU_PREFIX_aarch64 := aarch64-linux-gnu
@@ -30,12 +29,14 @@ CPU_VARIANT_nofill := -DPEL_FAST_FILLS=0
 CPU_VARIANT_plain := -DPEL_VECTORS=0
 
 CPU_CHECK := $(foreach o,O0 Os O3,gcc-host-$o clang-host-$o) \
-    gcc-host-O2-narrow gcc-host-O2-nofill clang-host-O2-plain gcc-armhf-O0 gcc-m4-O0 \
-    $(foreach p,i686 armhf aarch64 s390x $(MICRO_CPUS),gcc-$p-O2)
+    gcc-host-O2-narrow gcc-host-O2-nofill clang-host-O2-plain gcc-armhf-O0 \
+    $(foreach p,i686 armhf aarch64 s390x,gcc-$p-O2)
+CPU_CHECK_BOARDS := gcc-m4-O0 $(BOARDS:%=gcc-%-O2)
+CPU_CHECK_SMALL := $(SMALL_BOARDS:%=gcc-%-O2)
 CPU_DEEP := $(foreach c,gcc clang,$(foreach o,O0 Os O2 O3,\
     $(foreach p,$(CPUS),$c-$p-$o) \
     $(foreach p,host aarch64,$c-$p-$o-narrow $c-$p-$o-plain))) \
-    $(foreach o,O0 Os O2 O3,$(foreach p,$(MICRO_CPUS),gcc-$p-$o))
+    $(foreach o,O0 Os O2 O3,$(foreach p,$(BOARDS),gcc-$p-$o))
 
 cpu_word = $(word $1,$(subst -, ,$2))
 
@@ -44,7 +45,7 @@ CPU_WARNINGS_gcc_O3 := -Wno-maybe-uninitialized
 
 # $1 build, $2 compiler, $3 CPU, $4 level, $5 variant
 define cpu_build_of
-$(BUILD)/cpus/$1/%.o: %.c | need-cpus
+$(BUILD)/cpus/$1/%.o: %.c | $(if $(filter $3,$(BOARDS)),need-boards,need-cpus)
 	@mkdir -p $$(@D)
 	$$(call cpu_cc_$2,$3) $$(CPU_FLAGS_$3) $$(PEL_CFLAGS) -$4 \
 	    $$(CPU_WARNINGS_$2_$4) $$(CPU_VARIANT_$5) -c $$< -o $$@
@@ -57,8 +58,25 @@ cpu_build = $(call cpu_build_of,$1,$(call cpu_word,1,$1),$(call \
     cpu_word,2,$1),$(call cpu_word,3,$1),$(call cpu_word,4,$1))
 
 # The many rules of the deep builds only where they are asked for.
-CPU_BUILDS := $(if $(filter deep deep-cpus,$(MAKECMDGOALS)),$(CPU_DEEP),$(CPU_CHECK))
+CPU_BUILDS := $(if $(filter deep deep-cpus,$(MAKECMDGOALS)),$(CPU_DEEP),$(CPU_CHECK) \
+    $(CPU_CHECK_BOARDS))
 $(foreach b,$(CPU_BUILDS),$(eval $(call cpu_build,$b)))
+
+# The scenes from the objects of a CPU in the memory of a board, without meshes
+# where they do not fit.
+SMALL_FLAGS_microbit := -DNO_MESHES
+SMALL_FLAGS_stm32vldiscovery := -DNO_MESHES
+SMALL_FLAGS_sifive_e := -DNO_MESHES
+# $1 board, $2 CPU
+define cpu_small_board
+$(BUILD)/cpus/gcc-$1-O2/scenes: tests/golden/scenes.c $(BUILD)/cpus/gcc-$2-O2/scenes
+	@mkdir -p $$(@D)
+	@grep -v $(if $(SMALL_FLAGS_$1),-e '^phong ' -e '^depth ',nothing) \
+	    tests/golden/scenes.txt >$$(@D)/golden.txt
+	@$(CPU_PREFIX_$2)-gcc $(CPU_FLAGS_$2) $$(PEL_CFLAGS) -Os $(SMALL_FLAGS_$1) $$< \
+	    $(CORE:%.c=$(BUILD)/cpus/gcc-$2-O2/%.o) $(CPU_LINK_$1) -o $$@
+endef
+$(foreach b,$(SMALL_BOARDS),$(eval $(call cpu_small_board,$b,$(SMALL_CPU_$b))))
 
 need-cpus: | need-boards
 	@tests/tools/need.sh gcc:gcc clang:clang \
@@ -80,6 +98,11 @@ $(BUILD)/board/%: examples/%.c $(CORE) | need-arm need-qemu-arm
 
 check-cpus: $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes) ## the golden scenes on other CPUs and compilers
 	printf '%s\n' $(call cpu_lines,$(CPU_CHECK)) | tests/tools/cpus.sh $(BUILD)
+
+MCU_CHECK := $(CPU_CHECK_BOARDS) $(CPU_CHECK_SMALL)
+check-mcu: check-lcd
+check-mcu: $(MCU_CHECK:%=$(BUILD)/cpus/%/scenes) ## every board of QEMU draws the golden scenes as far as memory goes
+	printf '%s\n' $(call cpu_lines,$(MCU_CHECK)) | tests/tools/cpus.sh $(BUILD)
 
 deep-cpus: $(CPU_DEEP:%=$(BUILD)/cpus/%/scenes) ## the same for all CPUs, compilers and levels
 	printf '%s\n' $(call cpu_lines,$(CPU_DEEP)) | tests/tools/cpus.sh $(BUILD)

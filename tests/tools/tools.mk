@@ -1,7 +1,7 @@
 # Checks of the sources and the objects, and builds for other CPUs: each a target
 # of its own, and each one test of `make check`.
 
-CHECK_EXTRA += layers metrics size bench-mcu check-cpus board
+CHECK_EXTRA += layers metrics size bench-mcu check-cpus check-mcu board
 
 .PHONY: layers metrics need-clang need-format
 
@@ -45,4 +45,5 @@ metrics: | need-format ## lengths of functions and files, parameters, layout
 # Tests run side by side, each in a make of its own, so that what several of them
 # need is built before.
 tests: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(LINK_ELFS) $(MCU_BENCH_ELFS) \
-    $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes)
+    $(patsubst %,$(BUILD)/cpus/%/scenes,$(CPU_CHECK) $(MCU_CHECK)) \
+    $(LCD_BOARDS:%=$(LCD)/%.elf)

@@ -126,8 +126,8 @@ static void test_ends_of_the_range(void)
     for (int i = 0; i < 4; i++) {
         /* INT32_MIN texels, half a texel and the rounding of weights on */
         const uint64_t low = UINT64_C(0x800000007F800000);
-        const struct pel_texture_plane u = {low - (uint64_t)(i & 1), 0, 0};
-        const struct pel_texture_plane v = {low - (uint64_t)(i >> 1), 0, 0};
+        const struct pel_plane u = {low - (uint64_t)(i & 1), 0, 0};
+        const struct pel_plane v = {low - (uint64_t)(i >> 1), 0, 0};
         const struct pel_texture_map map = {u, v};
         struct pel_texture p;
         pel_color got;

@@ -1,6 +1,7 @@
 /* A paint that a program brings itself: it is handed rows of every shape, in
  * absolute coordinates, and may take whole triangles. */
 
+#include "core/hit/hit.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/items.h"
@@ -128,10 +129,50 @@ static void test_fast_is_asked_first(void **state)
 
 #endif
 
+/* A format of one's own that counts how often each pixel is written. */
+static void count_spans(const struct pel_spans *spans, uint32_t pixel)
+{
+    (void)pixel;
+    for (int32_t i = 0; i < spans->n; i++) {
+        const struct pel_surface *s = spans->surface;
+        uint32_t *row =
+            (uint32_t *)(void *)pel_surface_line(s, spans->y + i * spans->step);
+        for (int32_t x = spans->span[i].x0; x < spans->span[i].x1; x++)
+            row[x - s->bounds.x0]++;
+    }
+}
+
+static uint32_t pack_nothing(pel_color color)
+{
+    (void)color;
+    return 0;
+}
+
+static void test_fills_of_own_formats_are_called(void **state)
+{
+    static const struct pel_format counting = {.id = 128,
+                                               .bits = 32,
+                                               .word = 4,
+                                               .pack = pack_nothing,
+                                               .fill = count_spans};
+    static const struct pel_flat paint = PEL_FLAT(PEL_RGB(0, 0, 0));
+    static const struct pel_point v[3] = {PEL_AT(1, 1), PEL_AT(15, 2),
+                                          PEL_AT(3, 14)};
+    const struct pel_rect bounds = {0, 0, 16, 16};
+    uint32_t counts[16 * 16] = {0};
+    struct pel_surface s;
+    (void)state;
+    pel_surface_init(&s, &counting, counts, sizeof counts, &bounds);
+    pel_triangle(&s, v, &paint.paint);
+    for (int32_t i = 0; i < 256; i++)
+        assert_int_equal(counts[i], pel_hit_triangle(v, i % 16, i / 16));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_shape_in_every_format),
+        cmocka_unit_test(test_fills_of_own_formats_are_called),
 #if PEL_FAST_FILLS
         cmocka_unit_test(test_fast_is_asked_first),
 #endif

@@ -250,6 +250,31 @@ static void test_a_wrong_index_is_named(void)
     assert_int_equal(pel_mesh_check(&g.mesh, NULL), PEL_ERROR_NULL);
 }
 
+static void test_a_frame_that_failed_draws_nothing(void)
+{
+    static uint32_t values[SIDE * SIDE];
+    struct pel_depth depth;
+    struct pel_frame frame;
+    ground_init(1000, 10);
+    pel_depth_init(&depth, &view, 32, values, sizeof values);
+    for (int failed = 0; failed < 2; failed++) {
+        assert_int_equal(
+            pel_scene_prepare(&frame, &g.scene, g.scratch, sizeof g.scratch),
+            PEL_OK);
+        if (failed)
+            assert_int_equal(pel_scene_prepare(&frame, NULL, NULL, 0),
+                             PEL_ERROR_NULL);
+        canvas_open(&c, &pel_xrgb8888, &view, 0);
+        memset(c.surface.pixels, 0, c.size);
+        pel_scene_draw(&frame, &c.surface);
+        pel_scene_draw_depth(&frame, &c.surface, &depth);
+        uint32_t drawn = 0;
+        for (int32_t i = 0; i < SIDE * SIDE; i++)
+            drawn |= canvas_pixel(&c, i % SIDE, i / SIDE);
+        assert_int_equal(drawn == 0, failed);
+    }
+}
+
 static enum pel_status prepare(struct ground *s)
 {
     struct pel_frame frame;
@@ -340,6 +365,6 @@ int main(void)
     return RUN_TESTS(
         test_near_plane, test_texture_across_the_near_plane, test_guard_band,
         test_behind_is_nothing, test_opposite_normals, test_slivers,
-        test_a_wrong_index_is_named, test_what_cannot_be_seen_is_refused,
-        test_a_million_triangles);
+        test_a_wrong_index_is_named, test_a_frame_that_failed_draws_nothing,
+        test_what_cannot_be_seen_is_refused, test_a_million_triangles);
 }

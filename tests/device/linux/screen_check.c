@@ -1,8 +1,8 @@
 /* screen_check EXPECTED.ppm SCREEN.ppm [DAC_BITS]: is the screen the expected
  * picture, byte for byte? A smaller or larger picture is expected in the middle
  * of a black screen. DAC_BITS 6: the screen's converter has 6 bits and its last
- * one is repeated, as VGA palettes do; 5: the screen widens 5 bits with zeros.
- * Status 0 equal, 1 different, 2 error. */
+ * one is repeated, as VGA palettes do; 5: the screen widens 5 bits with zeros,
+ * 565: those of rgb565. Status 0 equal, 1 different, 2 error. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -28,8 +28,10 @@ static int load(const char *path, struct picture *p)
     return fclose(file);
 }
 
-static int converted(int c, int dac_bits)
+static int converted(int c, int dac_bits, int channel)
 {
+    if (dac_bits == 565)
+        return channel == 1 ? c >> 2 << 2 : c >> 3 << 3;
     if (dac_bits == 5)
         return c >> 3 << 3;
     return dac_bits == 6 ? c >> 2 << 2 | (c >> 2 & 1) * 3 : c;
@@ -54,7 +56,8 @@ static int compare(const struct picture *p, const struct picture *screen,
     for (int y = 0; y < screen->height; y++)
         for (int x = 0; x < screen->width; x++)
             for (int c = 0; c < 3; c++, got++) {
-                int want = converted(expected_at(p, screen, x, y, c), dac_bits);
+                int want =
+                    converted(expected_at(p, screen, x, y, c), dac_bits, c);
                 if (*got == want)
                     continue;
                 if (different++ == 0)

@@ -1,0 +1,156 @@
+#include "plane.h"
+
+#include "../base/divide.h"
+#include "triangle_sort.h"
+
+#if !PEL_64BIT
+uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y)
+{
+    return p->at + pel_times(p->dx, x) + pel_times(p->dy, y);
+}
+#endif
+
+/* With reciprocals where multiplications are fast and divisions are not. */
+#if PEL_LONG_MULTIPLY && !PEL_64BIT
+
+/* The upper half of a b. */
+static PEL_NOINLINE_32 uint64_t multiply_high(uint64_t a, uint64_t b)
+{
+    const uint64_t al = a & 0xFFFFFFFFu, ah = a >> 32;
+    const uint64_t bl = b & 0xFFFFFFFFu, bh = b >> 32;
+    const uint64_t cross = ah * bl + (al * bl >> 32);
+    const uint64_t other = al * bh + (cross & 0xFFFFFFFFu);
+    return ah * bh + (cross >> 32) + (other >> 32);
+}
+
+/* word = area 2^(63 - bits), in [2^62, 2^63). r = 2^63 / (word >> 31) is right
+ * to 2^-31, so word r 2^-32 differs from 2^62 by less than 2^32; a Newton step
+ * with this difference makes r right to 2^-59. */
+static void invert(struct pel_plane_setup *s)
+{
+    const uint64_t word = s->area << (63 - s->bits);
+    const uint64_t r =
+        pel_divide((UINT64_C(1) << 63) - 1, (uint32_t)(word >> 31));
+    const int64_t miss =
+        (int64_t)((UINT64_C(1) << 62) - multiply_high(word, r << 32)) >> 2;
+    s->inverse = (r << 31) + (uint64_t)((int64_t)r * miss >> 29);
+}
+
+/* The exact quotient of *n, from one that is off by 1 at most; *n becomes the
+ * remainder. */
+static PEL_NOINLINE_32 uint64_t exact(uint64_t quotient, uint64_t d,
+                                      uint64_t *n)
+{
+    *n -= quotient * d;
+    if ((int64_t)*n < 0) {
+        *n += d;
+        return quotient - 1;
+    }
+    if (*n < d)
+        return quotient;
+    *n -= d;
+    return quotient + 1;
+}
+
+/* inverse 2^-(62 + bits) is 1 / area, off by less than 2^-58 of itself: no
+ * quotient below 2^58 is off by more than 1. */
+static uint64_t divide(const struct pel_plane_setup *s, uint64_t n,
+                       uint64_t *fine)
+{
+    uint64_t q = multiply_high(n * 2, s->inverse) >> (s->bits - 1);
+    const uint64_t whole = exact(q, s->area, &n);
+    q = multiply_high(n << (63 - s->bits), s->inverse) >> 29;
+    n <<= 32;
+    q = exact(q, s->area, &n);
+    *fine = (whole << 24) + (q >> 8);
+    return (whole << 32) + q;
+}
+
+#else
+
+static void invert(struct pel_plane_setup *s)
+{
+    (void)s;
+}
+
+static uint64_t divide(const struct pel_plane_setup *s, uint64_t n,
+                       uint64_t *fine)
+{
+    return pel_divide_fraction(n, s->area, fine);
+}
+
+#endif
+
+/* Towards zero: of a sub-pixel in 2^-24, and the same of a pixel. Without a
+ * branch on the sign, which CPUs cannot predict. */
+static PEL_NOINLINE_32 void gradient(const struct pel_plane_setup *s, int64_t n,
+                                     uint64_t *fine, uint64_t *pixel)
+{
+    const uint64_t sign = (uint64_t)(n >> 63);
+    *pixel = *fine = 0;
+    if (n == 0)
+        return;
+    *pixel = (divide(s, ((uint64_t)n ^ sign) - sign, fine) ^ sign) - sign;
+    *fine = (*fine ^ sign) - sign;
+}
+
+/* Of equally high vertices the left one. 64-bit CPUs compare both coordinates
+ * as one number, without branches that cannot be predicted. */
+static int topmost(const struct pel_point v[3])
+{
+    if (PEL_64BIT) {
+        const int64_t a = pel_point_key(&v[0]), b = pel_point_key(&v[1]),
+                      c = pel_point_key(&v[2]);
+        const int second = b < a, third = c < (b < a ? b : a);
+        return (second & ~third) + 2 * third;
+    }
+    const int i = pel_above(&v[1], &v[0]);
+    return pel_above(&v[2], &v[i]) ? 2 : i;
+}
+
+void pel_plane_corners(struct pel_plane_setup *setup,
+                       const struct pel_point v[3])
+{
+    struct pel_plane_setup *s = setup;
+    const int32_t bx = v[1].x - v[0].x, by = v[1].y - v[0].y;
+    const int32_t cx = v[2].x - v[0].x, cy = v[2].y - v[0].y;
+    const int64_t area = pel_product(bx, cy) - pel_product(cx, by);
+    const int32_t sign = area < 0 ? -1 : 1;
+    s->right[0] = (by - cy) * sign;
+    s->right[1] = cy * sign;
+    s->right[2] = -by * sign;
+    s->down[0] = (cx - bx) * sign;
+    s->down[1] = -cx * sign;
+    s->down[2] = bx * sign;
+    s->area = (uint64_t)pel_size_of(area);
+    s->bits = (uint8_t)pel_bits_of(s->area);
+    s->first = (uint8_t)topmost(v);
+    s->a = v[s->first];
+}
+
+bool pel_plane_invert(struct pel_plane_setup *setup)
+{
+    if (setup->area)
+        invert(setup);
+    return setup->area != 0;
+}
+
+/* The gradient of a sub-pixel leads from a to the centre of its pixel, up to
+ * 128 sub-pixels away; from there that of a pixel has eight bits more, which
+ * keeps the longest distance right to 2^16 2^-24. */
+void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
+                   const int32_t value[3])
+{
+    const struct pel_plane_setup *s = setup;
+    const int32_t x = pel_pixel_of(s->a.x), y = pel_pixel_of(s->a.y);
+    struct pel_plane fine;
+    *plane = pel_plane_level(value[s->first]);
+    if (s->area == 0)
+        return;
+    fine.at = plane->at;
+    gradient(s, pel_dot(value, s->right), &fine.dx, &plane->dx);
+    gradient(s, pel_dot(value, s->down), &fine.dy, &plane->dy);
+    plane->at = pel_plane_at(&fine, pel_pixel_center(x) - s->a.x,
+                             pel_pixel_center(y) - s->a.y);
+    plane->at = pel_plane_at(plane, -x, -y);
+}

@@ -1,0 +1,40 @@
+/* What a graphics engineer wants to see of a script's picture. */
+#ifndef SIM_VIEW_INSPECT_H
+#define SIM_VIEW_INSPECT_H
+
+#include "sim/script/script.h"
+
+struct inspect {
+    bool heat, bands, areas, magnifier, numbers, help;
+    int format; /* of inspect_formats */
+};
+
+/* Pixel formats that the picture is shown in. */
+struct inspect_format {
+    const struct pel_format *format;
+    bool dithered;
+    const char *name;
+};
+enum { INSPECT_FORMATS = 5 };
+extern const struct inspect_format inspect_formats[INSPECT_FORMATS];
+
+/* A format of words that count how often each pixel is written, and are read as
+ * colours: black, blue, cyan, green, yellow, red, white for 6 and more. */
+extern const struct pel_format inspect_heat;
+
+/* Lines between bands of `rows` pixels, `zoom` pixels high each. */
+void inspect_bands(const struct pel_surface *surface,
+                   const struct pel_rect *picture, int rows, int zoom);
+
+/* A box around pixels of the picture. */
+void inspect_box(const struct pel_surface *surface, const struct pel_rect *box,
+                 pel_color color);
+
+/* Pixels around (x, y) of the picture, each 16 pixels wide, with the shapes of
+ * the script as their corners are, and the centres of pixels; in the corner of
+ * the surface that is farthest from the pointer. */
+void inspect_magnifier(const struct pel_surface *surface,
+                       const struct pel_surface *picture,
+                       const struct script *script, int x, int y);
+
+#endif

@@ -1,0 +1,113 @@
+#include "sim/view/record.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/cli/list.h"
+#include "sim/cli/message.h"
+
+static const struct {
+    const char *name;
+    int kind;
+} kinds[] = {
+    {"key", PEL_INPUT_KEY},     {"button", PEL_INPUT_BUTTON},
+    {"move", PEL_INPUT_MOVE},   {"point", PEL_INPUT_POINT},
+    {"touch", PEL_INPUT_TOUCH}, {"wheel", PEL_INPUT_WHEEL},
+    {"size", RECORD_SIZE},
+};
+enum { KINDS = sizeof kinds / sizeof kinds[0] };
+
+static const char *const states[] = {"up", "down", "again"};
+
+static int index_of(const char *word, const char *const *names, int n)
+{
+    for (int i = 0; i < n; i++)
+        if (strcmp(word, names[i]) == 0)
+            return i;
+    return -1;
+}
+
+static bool parse(const char *line, struct record_entry *entry)
+{
+    char kind[8], state[8];
+    int code = 0, x = 0, y = 0, end = -1, k = 0;
+    struct pel_input *in = &entry->input;
+    if (sscanf(line, "%ld size %d %d %n", &entry->frame, &x, &y, &end) == 3 &&
+        end >= 0 && !line[end] && x > 0 && y > 0 && x < 32768 && y < 32768) {
+        *in = (struct pel_input){0, RECORD_SIZE, 0, 0, (int16_t)x, (int16_t)y};
+        return entry->frame >= 0;
+    }
+    if (sscanf(line, "%ld %7s %d %7s %d %d %n", &entry->frame, kind, &code,
+               state, &x, &y, &end) != 6 ||
+        end < 0 || line[end])
+        return false;
+    while (k < KINDS - 1 && strcmp(kind, kinds[k].name) != 0)
+        k++;
+    const int s = index_of(state, states, 3);
+    *in = (struct pel_input){.kind = (uint8_t)kinds[k].kind,
+                             .state = (uint8_t)s,
+                             .code = (uint16_t)code,
+                             .x = (int16_t)x,
+                             .y = (int16_t)y};
+    return k < KINDS - 1 && s >= 0 && entry->frame >= 0 && code >= 0 &&
+           code <= 65535 && abs(x) < 32768 && abs(y) < 32768;
+}
+
+static bool add(struct record *r, const char *path, long line, const char *text)
+{
+    struct record_entry *list = list_grow(r->entry, r->count, sizeof *list);
+    if (!list)
+        return false;
+    r->entry = list;
+    if (!parse(text, &list[r->count]) ||
+        (r->count > 0 && list[r->count].frame < list[r->count - 1].frame))
+        return message_error_at(path, line,
+                                "expected FRAME KIND CODE STATE X Y, or FRAME "
+                                "size WIDTH HEIGHT, with frames that ascend");
+    r->count++;
+    return true;
+}
+
+bool record_load(struct record *r, const char *path)
+{
+    char line[128];
+    bool done = true;
+    *r = (struct record){NULL, 0, 0};
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+    for (long n = 1; done && fgets(line, sizeof line, file); n++)
+        done = *line == '#' || add(r, path, n, line);
+    fclose(file);
+    if (!done)
+        record_free(r);
+    return done;
+}
+
+void record_free(struct record *r)
+{
+    free(r->entry);
+    *r = (struct record){NULL, 0, 0};
+}
+
+const struct pel_input *record_next(struct record *r, long frame)
+{
+    return r->next < r->count && r->entry[r->next].frame <= frame
+               ? &r->entry[r->next++].input
+               : NULL;
+}
+
+void record_write(FILE *out, long frame, const struct pel_input *in)
+{
+    int k = 0;
+    if (in->kind == RECORD_SIZE) {
+        fprintf(out, "%ld size %d %d\n", frame, in->x, in->y);
+        return;
+    }
+    while (k < KINDS && kinds[k].kind != in->kind)
+        k++;
+    if (k < KINDS)
+        fprintf(out, "%ld %s %u %s %d %d\n", frame, kinds[k].name,
+                (unsigned)in->code, states[in->state], in->x, in->y);
+}

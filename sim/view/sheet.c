@@ -1,0 +1,327 @@
+#include "sim/view/sheet.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/image/copy.h"
+#include "core/paint/paint_texture.h"
+#include "core/raster/rectangle.h"
+#include "sim/cli/list.h"
+#include "sim/cli/message.h"
+#include "sim/cli/milliseconds.h"
+#include "sim/script/commands.h"
+
+enum { BAND_ROWS = 16 };
+
+bool sheet_is_shape(const struct script_item *item)
+{
+    const enum script_role role = item->command->role;
+    return role == SCRIPT_SHAPE || role == SCRIPT_TRIANGLE ||
+           role == SCRIPT_TEXT;
+}
+
+int sheet_count_shapes(const struct script *script, size_t items)
+{
+    int n = 0;
+    for (size_t i = 0; i < items; i++)
+        n += sheet_is_shape(&script->items[i]);
+    return n;
+}
+
+static bool read_lines(struct sheet *s)
+{
+    char *text = NULL;
+    size_t size = 0;
+    FILE *file = fopen(s->path, "r");
+    if (!file)
+        return message_error_at(s->path, 0, "cannot be read: %s",
+                                strerror(errno));
+    while (getline(&text, &size, file) > 0) {
+        char **list = list_grow(s->line, s->lines, sizeof *list);
+        if (!list)
+            break;
+        s->line = list;
+        list[s->lines++] = text;
+        text = NULL;
+    }
+    free(text);
+    const bool whole = feof(file) && !ferror(file);
+    fclose(file);
+    return whole || message_error_at(s->path, 0, "cannot be read");
+}
+
+bool sheet_compose(struct sheet *s)
+{
+    const struct inspect_format *as = &inspect_formats[s->inspect.format];
+    const struct pel_format *format = s->inspect.heat ? &inspect_heat
+                                      : !s->path || s->inspect.format > 0
+                                          ? as->format
+                                          : NULL;
+    if (!s->stale)
+        return true;
+    char *text = NULL;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+    s->figures.width = pel_max(s->width / s->zoom, 1);
+    s->figures.height = pel_max(s->height / s->zoom, 1);
+    s->figures.dithered = as->dithered;
+    if (file && s->path)
+        sheet_write_file(file, s);
+    else if (file)
+        figures_write(file, &s->figures, s->style);
+    if (!file || fclose(file) != 0 || !(file = fmemopen(text, size, "r"))) {
+        free(text);
+        return message_error("out of memory");
+    }
+    script_free(&s->script);
+    const bool done =
+        script_read(&s->script, file, s->path ? s->path : "figures", format);
+    fclose(file);
+    free(text);
+    s->stale = !done;
+    return done;
+}
+
+/* The picture in the middle of the window. */
+static struct pel_rect place(const struct sheet *s)
+{
+    const int width = s->script.width * s->zoom;
+    const int height = s->script.height * s->zoom;
+    const int left = (s->width - width) / 2, top = (s->height - height) / 2;
+    return (struct pel_rect){left, top, left + width, top + height};
+}
+
+/* The same on a surface, whose clip is the window. */
+static struct pel_rect place_on(const struct sheet *s,
+                                const struct pel_surface *surface)
+{
+    const struct pel_rect at = place(s), *clip = &surface->clip;
+    return (struct pel_rect){clip->x0 + at.x0, clip->y0 + at.y0,
+                             clip->x0 + at.x1, clip->y0 + at.y1};
+}
+
+bool sheet_pixel(const struct sheet *s, int *x, int *y)
+{
+    const struct pel_rect at = place(s);
+    *x = (s->pointer[0] - at.x0) / s->zoom;
+    *y = (s->pointer[1] - at.y0) / s->zoom;
+    return s->pointer[0] >= at.x0 && s->pointer[0] < at.x1 &&
+           s->pointer[1] >= at.y0 && s->pointer[1] < at.y1;
+}
+
+static bool same_style(const struct style *a, const struct style *b)
+{
+    return a->fill == b->fill && a->color == b->color && a->alpha == b->alpha &&
+           a->marked == b->marked;
+}
+
+/* The pixels of figures that have changed, where they were and are. */
+static void add_areas(struct sheet *s)
+{
+    const struct pel_rect *bounds = &s->canvas.surface.bounds;
+    const bool moved = memcmp(&s->drawn, &s->figures, sizeof s->drawn) != 0;
+    for (int k = 0; k < s->shapes; k++) {
+        if (!moved && same_style(&s->drawn_style[k], &s->style[k]))
+            continue;
+        const struct pel_rect box[2] = {figures_box(&s->drawn, k),
+                                        figures_box(&s->figures, k)};
+        for (int i = 0; i < 2; i++) {
+            struct pel_rect area = pel_rect_intersect(&box[i], bounds);
+            area.x0 &= ~7; /* where bytes begin */
+            area.x1 = pel_min((area.x1 + 7) & ~7, bounds->x1);
+            pel_dirty_areas_add(&s->areas, &area);
+        }
+    }
+}
+
+/* Draws an area of the picture, in its memory. */
+static bool draw_area(struct sheet *s, const struct pel_rect *area)
+{
+    struct canvas part = {.memory = NULL};
+    const struct pel_surface *all = &s->canvas.surface;
+    pel_surface_init_rect(&part.surface, all->format,
+                          pel_surface_line(all, area->y0) +
+                              area->x0 * all->format->bits / 8,
+                          all->stride, area);
+    return script_draw(&s->script, &part, -1);
+}
+
+static bool draw_whole(struct sheet *s)
+{
+    canvas_free(&s->canvas);
+    if (!canvas_init(&s->canvas, s->script.format, s->script.width,
+                     s->script.height))
+        return false;
+    if (s->inspect.heat)
+        memset(s->canvas.memory, 0,
+               (size_t)s->canvas.surface.stride * (size_t)s->script.height);
+    s->areas.area[s->areas.count++] = s->canvas.surface.bounds;
+    return script_draw(&s->script, &s->canvas, -1);
+}
+
+static bool draw_picture(struct sheet *s)
+{
+    const double start = milliseconds();
+    bool done = sheet_compose(s);
+    s->areas.count = 0;
+    const bool whole = s->whole || s->path || s->inspect.heat;
+    if (done && !whole)
+        add_areas(s);
+    for (int i = 0; done && i < s->areas.count; i++)
+        done = draw_area(s, &s->areas.area[i]);
+    if (done && whole)
+        done = draw_whole(s);
+    s->drawn = s->figures;
+    memcpy(s->drawn_style, s->style, (size_t)s->shapes * sizeof *s->style);
+    s->whole = !done;
+    s->milliseconds = milliseconds() - start;
+    return done;
+}
+
+/* The picture, a pixel as a square of zoom x zoom. */
+static void show_picture(const struct sheet *s,
+                         const struct pel_surface *surface)
+{
+    const struct pel_surface *from = &s->canvas.surface;
+    const struct pel_rect at = place_on(s, surface);
+    if (s->zoom == 1) {
+        const struct pel_copy_part all = {from, from->bounds, at.x0, at.y0};
+        pel_copy(surface, &all);
+        return;
+    }
+    const uint64_t step = (UINT64_C(1) << 32) / (uint64_t)s->zoom + 1;
+    const struct pel_texture_map map = {
+        {step / 2 - (uint64_t)at.x0 * step, step, 0},
+        {step / 2 - (uint64_t)at.y0 * step, 0, step}};
+    const struct pel_texels texels = {.surface = from};
+    struct pel_texture paint;
+    pel_texture_init_nearest(&paint, &texels, &map);
+    pel_box(surface, &at, &paint.base.paint);
+}
+
+static void show_overlays(const struct sheet *s,
+                          const struct pel_surface *surface)
+{
+    const struct inspect *show = &s->inspect;
+    const struct pel_rect at = place_on(s, surface);
+    int x, y;
+    for (int i = 0; show->areas && i < s->areas.count; i++) {
+        const struct pel_rect *a = &s->areas.area[i];
+        const struct pel_rect box = {
+            at.x0 + a->x0 * s->zoom, at.y0 + a->y0 * s->zoom,
+            at.x0 + a->x1 * s->zoom, at.y0 + a->y1 * s->zoom};
+        inspect_box(surface, &box, PEL_RGB(255, 0, 0));
+    }
+    if (show->bands)
+        inspect_bands(surface, &at, BAND_ROWS, s->zoom);
+    if (show->magnifier && sheet_pixel(s, &x, &y))
+        inspect_magnifier(surface, &s->canvas.surface, &s->script, x, y);
+}
+
+static bool draw(struct show *show, const struct pel_surface *surface)
+{
+    struct sheet *s = (struct sheet *)show;
+    if (!draw_picture(s))
+        return false;
+    pel_clear(surface, PEL_RGB(0, 0, 0));
+    show_picture(s, surface);
+    show_overlays(s, surface);
+    return true;
+}
+
+/* One step, however long the frame took: a recorded run can be drawn again. */
+static bool advance(struct show *show, double time)
+{
+    struct sheet *s = (struct sheet *)show;
+    (void)time;
+    bool changes = false;
+    for (int i = 0; i < s->shapes; i++)
+        changes = changes || s->style[i].fill == FILL_RADIAL;
+    changes = s->moving && (changes || !s->path);
+    if (!changes)
+        return false;
+    s->figures.turn = fmod(s->figures.turn + 1 / 240.0, 1);
+    s->figures.phase = fmod(s->figures.phase + 1 / 30.0, 1);
+    s->stale = true;
+    return true;
+}
+
+static enum view_action input(struct show *show, const struct pel_input *input)
+{
+    struct sheet *s = (struct sheet *)show;
+    const struct inspect before = s->inspect;
+    const int zoom = s->zoom;
+    const enum view_action action = sheet_take(s, input);
+    s->stale = s->stale || action == VIEW_CHANGED;
+    s->whole = s->whole || zoom != s->zoom || before.heat != s->inspect.heat ||
+               before.format != s->inspect.format;
+    return action;
+}
+
+static bool resize(struct show *show, int width, int height)
+{
+    struct sheet *s = (struct sheet *)show;
+    s->width = width;
+    s->height = height;
+    s->stale = s->whole = true;
+    return true;
+}
+
+static void title(const struct show *show, char *text)
+{
+    const struct sheet *s = (const struct sheet *)show;
+    snprintf(text, SHOW_TITLE_SIZE, "%s, %d x %d pixels, %s",
+             s->path ? s->path : "figures", s->script.width, s->script.height,
+             inspect_formats[s->inspect.format].name);
+}
+
+bool sheet_init(struct sheet *s, const char *path)
+{
+    *s = (struct sheet){
+        .show = {.resize = resize,
+                 .input = input,
+                 .advance = advance,
+                 .draw = draw,
+                 .title = title,
+                 .keys = SHEET_KEYS_HELP,
+                 .period = 1000 / 30.0,
+                 .width = 800,
+                 .height = 800},
+        .path = path,
+        .picked = -1,
+        .zoom = 1,
+        .moving = true,
+        .areas = {.window = 256},
+    };
+    if (path) {
+        if (!read_lines(s) || !script_load(&s->base, path, NULL))
+            return false;
+        s->shapes = sheet_count_shapes(&s->base, s->base.item_count);
+    } else {
+        s->shapes = FIGURES;
+    }
+    s->style = malloc(((size_t)s->shapes + 1) * sizeof *s->style);
+    s->drawn_style = malloc(((size_t)s->shapes + 1) * sizeof *s->style);
+    if (!s->style || !s->drawn_style)
+        return message_error("out of memory");
+    for (int i = 0; i < s->shapes; i++)
+        s->style[i] =
+            (struct style){FILL_OWN, PEL_RGB(0, 128, 255), 255, false};
+    if (!path)
+        figures_styles(s->style);
+    return true;
+}
+
+void sheet_free(struct sheet *s)
+{
+    for (size_t i = 0; i < s->lines; i++)
+        free(s->line[i]);
+    free(s->line);
+    free(s->style);
+    free(s->drawn_style);
+    script_free(&s->base);
+    script_free(&s->script);
+    canvas_free(&s->canvas);
+}

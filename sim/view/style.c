@@ -1,0 +1,116 @@
+#include "sim/view/style.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/base/multiply.h"
+
+#define MARK PEL_RGB(255, 255, 160)
+
+/* The hues from red over green and blue to red again. */
+static const pel_color hues[7] = {PEL_RGB(255, 0, 0), PEL_RGB(255, 255, 0),
+                                  PEL_RGB(0, 255, 0), PEL_RGB(0, 255, 255),
+                                  PEL_RGB(0, 0, 255), PEL_RGB(255, 0, 255),
+                                  PEL_RGB(255, 0, 0)};
+
+/* Half way to another colour, alpha and all from the first. */
+static pel_color mixed(pel_color a, pel_color b)
+{
+    return ((a >> 1 & 0x7F7F7F) + (b >> 1 & 0x7F7F7F)) | (a & 0xFF000000u);
+}
+
+/* #rrggbbaa, as the style shows a colour. */
+static void put_color(FILE *out, const struct style *style, pel_color color)
+{
+    const pel_color c = style->marked ? mixed(color, MARK) : color;
+    const unsigned alpha = (pel_alpha(color) * style->alpha + 127) / 255;
+    fprintf(out, "#%06x%02x", (unsigned)c & 0xFFFFFF, alpha);
+}
+
+static void put_stop(FILE *out, const struct style *style, double at,
+                     pel_color color)
+{
+    fprintf(out, " %.5f ", at);
+    put_color(out, style, color);
+}
+
+static void put_corners(FILE *out, const struct style *style,
+                        const struct outline *o)
+{
+    fputs("paint fan", out);
+    for (int i = 0; i < o->corners; i++) {
+        fprintf(out, " %.4f %.4f ", o->corner[i][0], o->corner[i][1]);
+        put_color(out, style, hues[i * 6 / o->corners]);
+    }
+}
+
+static void put_rings(FILE *out, const struct style *style,
+                      const struct outline *o)
+{
+    const double r = o->r / 3 > 1 ? o->r / 3 : 1;
+    fprintf(out,
+            "option spread repeat\noption phase %.5f\npaint radial %.4f %.4f "
+            "%.4f",
+            o->phase, o->x, o->y, r);
+    put_stop(out, style, 0, PEL_RGB(255, 255, 255));
+    put_stop(out, style, 0.5, style->color | PEL_RGB(0, 0, 0));
+    put_stop(out, style, 1, PEL_RGB(255, 255, 255));
+}
+
+static void put_sectors(FILE *out, const struct style *style,
+                        const struct outline *o)
+{
+    fprintf(out, "option spread pad\npaint conic %.4f %.4f %.5f", o->x, o->y,
+            o->turn);
+    for (int i = 0; i < 7; i++)
+        put_stop(out, style, i / 6.0, hues[i]);
+}
+
+void style_write(FILE *out, const struct style *style,
+                 const struct outline *outline)
+{
+    switch (style->fill) {
+    case FILL_CORNERS:
+        put_corners(out, style, outline);
+        break;
+    case FILL_RADIAL:
+        put_rings(out, style, outline);
+        break;
+    case FILL_SECTOR:
+        put_sectors(out, style, outline);
+        break;
+    default:
+        fputs("paint flat ", out);
+        put_color(out, style, style->color | PEL_RGB(0, 0, 0));
+    }
+    fputc('\n', out);
+}
+
+/* A colour #rrggbb or #rrggbbaa at `word`; its length, or 0. */
+static size_t color_at(const char *word, pel_color *color)
+{
+    const size_t digits =
+        *word == '#' ? strspn(word + 1, "0123456789abcdefABCDEF") : 0;
+    char text[9] = "";
+    if ((digits != 6 && digits != 8) ||
+        (word[digits + 1] && !strchr(" \t\r\n", word[digits + 1])))
+        return 0;
+    memcpy(text, word + 1, digits);
+    const uint32_t v = (uint32_t)strtoul(text, NULL, 16);
+    *color = digits == 6 ? 0xFF000000u | v : v << 24 | v >> 8;
+    return digits + 1;
+}
+
+void style_recolor(FILE *out, const struct style *style, const char *line)
+{
+    while (*line) {
+        pel_color color = 0;
+        const size_t length = color_at(line, &color);
+        if (length) {
+            put_color(out, style, color);
+            line += length;
+        } else {
+            fputc(*line++, out);
+        }
+    }
+}

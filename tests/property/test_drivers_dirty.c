@@ -1,0 +1,192 @@
+/* Pictures of which only the dirty areas are drawn and sent, by a display that
+ * is busy for a random time, against pictures that are drawn whole. */
+#include "tests/support/check.h"
+#include "tests/support/layouts.h"
+
+#include <string.h>
+
+#include "core/pel.h"
+#include "drivers/dirty.h"
+#include "tests/support/display_dma.h"
+
+enum { WIDTH = 61, HEIGHT = 47, PIXELS = WIDTH * HEIGHT, FIGURES = 5 };
+
+static uint32_t screen_memory[PIXELS], whole_memory[PIXELS], memory[2][PIXELS];
+
+struct fixture {
+    struct display_dma dma;
+    struct pel_display display;
+    struct pel_surface whole;
+    struct figure {
+        struct pel_point at;
+        int32_t radius;
+        struct pel_flat paint;
+    } figure[FIGURES];
+};
+
+static const struct pel_format *const formats[] = {&pel_rgb565_be, &pel_rgb888,
+                                                   &pel_xrgb8888, &pel_gray8};
+
+static void set_up(struct fixture *f, struct random *r)
+{
+    const struct pel_format *format = formats[random_word(r) % 4];
+    memset(f, 0, sizeof(*f));
+    f->dma.screen =
+        surface_of(format, screen_memory, sizeof screen_memory, WIDTH, HEIGHT);
+    f->whole =
+        surface_of(format, whole_memory, sizeof whole_memory, WIDTH, HEIGHT);
+    f->dma.random.state = random_word(r);
+    f->dma.most_steps = random_between(r, 1, 30);
+    f->dma.window = 1 << random_between(r, 0, 2);
+    display_dma_init(&f->display, &f->dma);
+}
+
+static void draw(void *context, const struct pel_surface *s)
+{
+    static const struct pel_point corners[3] = {PEL_AT(0, 0), PEL_AT(61, 5),
+                                                PEL_AT(9, 47)};
+    static const pel_color colors[3] = {PEL_RGB(250, 9, 9), PEL_RGB(0, 200, 90),
+                                        PEL_RGB(30, 40, 250)};
+    struct fixture *f = context;
+    pel_clear(s, PEL_RGB(20, 30, 40));
+    pel_triangle_gouraud(s, corners, colors);
+    for (int i = 0; i < FIGURES; i++) {
+        display_dma_step(&f->dma);
+        pel_circle(s, f->figure[i].at, f->figure[i].radius,
+                   &f->figure[i].paint.paint);
+    }
+}
+
+static void add(const struct fixture *f, const struct figure *figure,
+                struct pel_dirty_areas *dirty)
+{
+    struct pel_dirty box;
+    pel_dirty_begin(&box, NULL);
+    pel_circle(&f->whole, figure->at, figure->radius, &box.paint);
+    pel_dirty_areas_add(dirty, &box.box);
+}
+
+/* Some figures change; where they were and are is dirty. */
+static void move(struct fixture *f, struct random *r,
+                 struct pel_dirty_areas *dirty)
+{
+    for (int32_t i = random_between(r, 0, 3); i > 0; i--) {
+        struct figure *figure = &f->figure[random_word(r) % FIGURES];
+        const struct pel_flat paint = PEL_FLAT(random_word(r));
+        add(f, figure, dirty);
+        figure->at.x = random_between(r, -2000, 256 * WIDTH + 2000);
+        figure->at.y = random_between(r, -2000, 256 * HEIGHT + 2000);
+        figure->radius = random_between(r, 0, 256 * random_between(r, 1, 12));
+        figure->paint = paint;
+        add(f, figure, dirty);
+    }
+}
+
+/* What the areas are to cost, by themselves. */
+static uint32_t bytes_of(const struct fixture *f,
+                         const struct pel_dirty_areas *dirty)
+{
+    uint32_t bytes = 0;
+    for (int32_t i = 0; i < dirty->count; i++) {
+        struct pel_rect a = dirty->area[i];
+        pel_display_align(&f->display, &a);
+        bytes += (uint32_t)((a.x1 - a.x0) * (a.y1 - a.y0)) *
+                 f->display.format->bits / 8;
+    }
+    return bytes;
+}
+
+static void show(struct fixture *f, struct random *r,
+                 struct pel_dirty_areas *dirty)
+{
+    const uint32_t before = f->dma.bytes, expected = bytes_of(f, dirty);
+    struct pel_dirty_work work = {
+        {memory[0], memory[1]}, sizeof memory[0], draw, f};
+    work.size = (size_t)random_between(r, 4 * 4 * WIDTH, sizeof memory[0]);
+    if (random_word(r) % 4 == 0)
+        work.memory[1] = NULL;
+    assert_true(dirty->count <= PEL_DIRTY_AREAS);
+    assert_int_equal(pel_dirty_areas_show(dirty, &f->display, &work), PEL_OK);
+    assert_int_equal(dirty->count, 0);
+    assert_int_equal(f->dma.bytes - before, expected);
+    draw(f, &f->whole);
+    assert_int_equal(f->dma.touched, 0);
+    assert_memory_equal(screen_memory, whole_memory,
+                        (size_t)f->whole.stride * HEIGHT);
+}
+
+static void test_dirty_frames_equal_whole_ones(void)
+{
+    static struct fixture f;
+    uint64_t sent = 0, whole = 0;
+    for (struct cases c = cases_of(200); cases_next(&c);) {
+        struct pel_dirty_areas dirty = {.window =
+                                            random_between(&c.random, 0, 100)};
+        set_up(&f, &c.random);
+        pel_dirty_areas_add(&dirty, &f.whole.bounds);
+        for (int frame = 0; frame < 50; frame++) {
+            show(&f, &c.random, &dirty);
+            move(&f, &c.random, &dirty);
+            whole += (uint32_t)f.whole.stride * HEIGHT;
+        }
+        sent += f.dma.bytes;
+    }
+    print_message("dirty areas: %lu of %lu bytes sent\n", (unsigned long)sent,
+                  (unsigned long)whole);
+    assert_true(sent < whole / 2);
+}
+
+static void check_areas(const struct pel_rect *add, int n, int32_t window,
+                        const struct pel_rect *expected, int count)
+{
+    struct pel_dirty_areas dirty = {.window = window};
+    for (int i = 0; i < n; i++)
+        pel_dirty_areas_add(&dirty, &add[i]);
+    assert_int_equal(dirty.count, count);
+    assert_memory_equal(dirty.area, expected, (size_t)count * sizeof *expected);
+}
+
+static void test_areas_are_joined_where_that_costs_least(void)
+{
+    struct pel_rect row[PEL_DIRTY_AREAS + 1];
+    const struct pel_rect apart[3] = {
+        {0, 0, 4, 4}, {6, 0, 10, 4}, {0, 30, 4, 34}};
+    const struct pel_rect one = {0, 0, 10, 4}, none = {5, 5, 5, 9};
+    const struct pel_rect inner[2] = {{0, 0, 10, 10}, {2, 2, 5, 5}};
+    check_areas(&none, 1, 50, NULL, 0);
+    check_areas(inner, 2, 0, inner, 1);
+    check_areas(apart, 3, 0, apart, 3);
+    check_areas(apart, 3, 8, apart, 3); /* the gap is 2 x 4 */
+    check_areas(apart, 2, 9, &one, 1);
+    for (int32_t i = 0; i <= PEL_DIRTY_AREAS; i++)
+        row[i] = (struct pel_rect){i * i * 10, 0, i * i * 10 + 1, 1};
+    struct pel_rect joined[PEL_DIRTY_AREAS];
+    memcpy(joined, row, sizeof joined);
+    joined[0].x1 = 11; /* the nearest two, when there is one too many */
+    joined[1] = row[PEL_DIRTY_AREAS];
+    check_areas(row, PEL_DIRTY_AREAS + 1, 0, joined, PEL_DIRTY_AREAS);
+}
+
+/* An error ends the redraw, and the areas stay dirty. */
+static void test_errors(void)
+{
+    static struct fixture f;
+    struct random r = {1};
+    struct pel_dirty_areas dirty = {.window = 0};
+    struct pel_dirty_work work = {{memory[0], memory[1]}, 3, draw, &f};
+    set_up(&f, &r);
+    pel_dirty_areas_add(&dirty, &f.whole.bounds);
+    assert_int_equal(pel_dirty_areas_show(&dirty, &f.display, &work),
+                     PEL_ERROR_SCRATCH);
+    work.size = sizeof memory[0] / 4;
+    f.dma.broken = true;
+    assert_int_equal(pel_dirty_areas_show(&dirty, &f.display, &work),
+                     PEL_ERROR_DEVICE);
+    assert_int_equal(dirty.count, 1);
+}
+
+int main(void)
+{
+    return RUN_TESTS(test_dirty_frames_equal_whole_ones,
+                     test_areas_are_joined_where_that_costs_least, test_errors);
+}

@@ -1,0 +1,173 @@
+/* The sheet of pel view: what is picked is what is seen, and a picture of which
+ * only the changed areas were drawn is the one that is drawn whole. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/script/pick.h"
+#include "sim/view/sheet.h"
+#include "tests/support/check.h"
+
+static uint32_t seed = 1;
+
+static int random_below(int n)
+{
+    seed = seed * 1664525u + 1013904223u;
+    return (int)((uint64_t)(seed >> 8) * (uint64_t)n >> 24);
+}
+
+enum { SIZE = 40, SHAPES = 12 };
+
+static void put_shape(FILE *out)
+{
+    static const char *const forms[] = {
+        "triangle pppppp",
+        "polygon evenodd pppppppp",
+        "polygon nonzero pppppp",
+        "circle ppl",
+        "rect ppll",
+        "line pppp",
+        "ring pplr",
+        "sector ppltu",
+        "arc pplrtu",
+        "ellipse ppll",
+        "roundrect pplll",
+        "thickline ppppl",
+        "outline triangle pppppp",
+        "outline circle ppl",
+        "outline rect ppll",
+        "outline ellipse ppll",
+    };
+    const char *form = forms[random_below(sizeof forms / sizeof forms[0])];
+    const char *kind = strrchr(form, ' ') + 1;
+    fprintf(out, "%.*s", (int)(kind - form - 1), form);
+    for (double low = 0; *kind; kind++) {
+        const double part = random_below(2560) / 256.0;
+        if (*kind == 'p')
+            fprintf(out, " %.8f", part * (SIZE + 16) / 10 - 8);
+        else if (*kind == 'l' || *kind == 'r')
+            fprintf(out, " %.8f", low = part + (*kind == 'r' ? low : 0));
+        else
+            fprintf(out, " %.5f", part / 20 + (*kind == 'u' ? 0.5 : 0));
+    }
+    fputc('\n', out);
+}
+
+/* Shape i has the colour i + 1. */
+static void read_scene(struct script *script)
+{
+    char *text;
+    size_t size;
+    FILE *file = open_memstream(&text, &size);
+    fprintf(file, "canvas %d %d xrgb8888\n", SIZE, SIZE);
+    for (int i = 0; i < SHAPES; i++) {
+        if (random_below(6) == 0)
+            fprintf(file, "clip %d %d %d %d\n", random_below(16),
+                    random_below(16), random_below(SIZE), random_below(SIZE));
+        fprintf(file, "paint flat #%06x\n", (unsigned)i + 1);
+        put_shape(file);
+    }
+    fclose(file);
+    file = fmemopen(text, size, "r");
+    assert_true(script_read(script, file, "random scene", NULL));
+    fclose(file);
+    free(text);
+}
+
+static void test_the_shape_that_is_seen_is_picked(void **state)
+{
+    (void)state;
+    for (int scene = 0; scene < 100; scene++) {
+        struct script script;
+        struct canvas canvas;
+        struct picture picture;
+        read_scene(&script);
+        assert_true(canvas_init(&canvas, script.format, SIZE, SIZE));
+        assert_true(script_draw(&script, &canvas, -1));
+        assert_true(canvas_picture(&canvas, &picture));
+        for (int i = 0; i < SIZE * SIZE; i++) {
+            const int x = i % SIZE, y = i / SIZE;
+            const long item = script_pick(&script, x, y);
+            const int seen = (int)(picture_row(&picture, y)[x] & 0xFFFFFF);
+            int picked = 0;
+            for (long k = 0; k <= item; k++)
+                picked += sheet_is_shape(&script.items[k]);
+            if (picked != seen)
+                fail_msg("scene %d, pixel %d %d: shape %d is seen, %d picked",
+                         scene, x, y, seen, picked);
+        }
+        picture_free(&picture);
+        canvas_free(&canvas);
+        script_free(&script);
+    }
+}
+
+/* Something that a user may do. */
+static struct pel_input any_input(void)
+{
+    static const char keys[] = "12340+- 1234+-+-\t\t\t\r xxmbdoi";
+    const int k = random_below((int)sizeof keys - 1);
+    struct pel_input in = {.kind = PEL_INPUT_KEY,
+                           .state = PEL_INPUT_DOWN,
+                           .code = (uint16_t)keys[k]};
+    if (random_below(3) == 0)
+        in = (struct pel_input){.kind = PEL_INPUT_POINT,
+                                .x = (int16_t)random_below(100),
+                                .y = (int16_t)random_below(70)};
+    else if (random_below(3) == 0)
+        in = (struct pel_input){
+            .kind = PEL_INPUT_BUTTON, .state = PEL_INPUT_DOWN, .code = 1};
+    else if (random_below(60) == 0)
+        in.code = (uint16_t)(PEL_KEY_F1 + 1 + random_below(2));
+    return in;
+}
+
+/* Frame by frame beside a sheet that draws every picture whole. */
+static void test_changed_areas_are_enough(void **state)
+{
+    enum { FRAMES = 10000 };
+    struct sheet part, whole;
+    struct canvas canvas[2];
+    long sent = 0, all = 0;
+    (void)state;
+    assert_true(sheet_init(&part, NULL) && sheet_init(&whole, NULL));
+    part.show.resize(&part.show, 97, 65);
+    whole.show.resize(&whole.show, 97, 65);
+    for (int i = 0; i < 2; i++)
+        assert_true(canvas_init(&canvas[i], inspect_formats[0].format, 97, 65));
+    for (int frame = 0; frame < FRAMES; frame++) {
+        const struct pel_input in = any_input();
+        part.show.input(&part.show, &in);
+        whole.show.input(&whole.show, &in);
+        if (random_below(4) == 0) {
+            part.show.advance(&part.show, 0);
+            whole.show.advance(&whole.show, 0);
+        }
+        whole.stale = whole.whole = true;
+        assert_true(part.show.draw(&part.show, &canvas[0].surface));
+        assert_true(whole.show.draw(&whole.show, &canvas[1].surface));
+        const int bytes = part.script.format->bits;
+        for (int k = 0; k < part.areas.count; k++) {
+            const struct pel_rect *a = &part.areas.area[k];
+            sent += (a->x1 - a->x0) * (a->y1 - a->y0) * (long)bytes / 8;
+        }
+        all += (long)part.script.width * part.script.height * bytes / 8;
+        if (!part.inspect.areas &&
+            memcmp(canvas[0].memory, canvas[1].memory, 97 * 65 * 4) != 0)
+            fail_msg("frame %d is another one", frame);
+    }
+    print_message("%d frames: %ld of %ld bytes drawn\n", FRAMES, sent, all);
+    assert_true(sent < all);
+    for (int i = 0; i < 2; i++)
+        canvas_free(&canvas[i]);
+    sheet_free(&part);
+    sheet_free(&whole);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_the_shape_that_is_seen_is_picked),
+        cmocka_unit_test(test_changed_areas_are_enough),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
