@@ -102,7 +102,7 @@ linux-image:
 	@$(LINUX_HERE)/vm_panel_mock.sh $(LINUX_CACHE)
 
 check-linux: $(BUILD)/pel $(LINUX_TOOLS) $(LINUX_GUEST)
-check-linux: linux-image ## fbdev, DRM and consoles on a real kernel in QEMU
+check-linux: linux-image ## fbdev, DRM, consoles and panels on a real kernel in QEMU
 	@mkdir -p $(LINUX_CHECK)/rows
 	@$(LINUX_CHECK)/layout
 	@$(LINUX_CHECK)/display
