@@ -69,8 +69,8 @@ extern const struct pel_panel_chip pel_panel_sh1106_turned;
 enum pel_status pel_panel_init(struct pel_display *display,
                                struct pel_panel *panel);
 
-/* 0 (dark, or nearly) to 255; init leaves the chip's usual one. Nothing is seen
- * of it where a module's backlight is not wired to the chip. */
+/* 0 (dark, or nearly) to 255; init leaves what most modules want. Nothing is
+ * seen of it where a module's backlight is not wired to the chip. */
 enum pel_status pel_panel_brightness(const struct pel_panel *panel,
                                      uint8_t level);
 

@@ -216,8 +216,10 @@ static void check_state(const struct fixture *f)
     const struct panel_glass *g = &f->glass;
     assert_true(g->on && g->awake);
     assert_true(g->inverted == f->module->inverted);
-    if (g->family == PANEL_DCS)
+    if (g->family == PANEL_DCS) {
         assert_int_equal(g->depth & 7, 5);
+        assert_int_equal(g->brightness, 255);
+    }
     if (g->family == PANEL_PAGES)
         assert_int_equal(g->multiplex,
                          f->panel.chip == &pel_panel_ssd1306_32 ||
