@@ -63,10 +63,39 @@ static bool take_text(struct pel_panel_request *r, const char *key,
     return false;
 }
 
+/* -1: the key is of no number. */
+static int take_number(struct pel_panel_request *r, const char *key,
+                       const char *value, struct pel_message *message)
+{
+    int mode = r->bus.mode, address = r->bus.address;
+    const struct {
+        const char *key;
+        int most, step;
+        int *value;
+        const char *expected;
+    } rows[] = {
+        {"rotation", 270, 90, &r->rotation, "a rotation, 0, 90, 180 or 270"},
+        {"brightness", 255, 1, &r->brightness, "a brightness, 0 to 255"},
+        {"mode", 3, 1, &mode, "a mode of SPI, 0 to 3"},
+        {"address", 127, 1, &address, "an address, 0x3c"}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (strcmp(key, rows[i].key) == 0) {
+            const bool good = numbers(value, rows[i].value, NULL) &&
+                              *rows[i].value <= rows[i].most &&
+                              *rows[i].value % rows[i].step == 0;
+            r->bus.mode = (uint8_t)mode;
+            r->bus.address = (uint8_t)address;
+            return good ? 0 : refuse(message, value, rows[i].expected);
+        }
+    return -1;
+}
+
 static int take_value(struct pel_panel_request *r, const char *key,
                       const char *value, struct pel_message *message)
 {
-    int address = 0;
+    const int taken = take_number(r, key, value, message);
+    if (taken >= 0)
+        return taken;
     if (strcmp(key, "speed") == 0)
         return speed(value, &r->bus.speed)
                    ? 0
@@ -79,25 +108,12 @@ static int take_value(struct pel_panel_request *r, const char *key,
         return numbers(value, &r->left, &r->top)
                    ? 0
                    : refuse(message, value, "an offset, 52x40");
-    if (strcmp(key, "rotation") == 0)
-        return numbers(value, &r->rotation, NULL) && r->rotation <= 270 &&
-                       r->rotation % 90 == 0
-                   ? 0
-                   : refuse(message, value, "a rotation, 0, 90, 180 or 270");
-    if (strcmp(key, "brightness") == 0)
-        return numbers(value, &r->brightness, NULL) && r->brightness <= 255
-                   ? 0
-                   : refuse(message, value, "a brightness, 0 to 255");
-    if (strcmp(key, "address") == 0 && numbers(value, &address, NULL) &&
-        address < 128) {
-        r->bus.address = (uint8_t)address;
-        return 0;
-    }
     return take_text(r, key, value)
                ? 0
                : refuse(message, key,
-                        "spi, i2c, address, dc, reset, light, speed, size, "
-                        "offset, rotation, brightness, inverted or swapped");
+                        "spi, mode, speed, i2c, address, dc, reset, light, "
+                        "size, offset, rotation, brightness, inverted or "
+                        "swapped");
 }
 
 static int take(struct pel_panel_request *r, char *option,

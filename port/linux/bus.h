@@ -19,6 +19,7 @@ struct pel_bus_request {
     const char *spi;   /* /dev/spidev0.0, or */
     const char *i2c;   /* /dev/i2c-1 */
     uint32_t speed;    /* Hz, of SPI; 0: 32 MHz, which the kernel rounds down */
+    uint8_t mode;      /* of SPI, 0 to 3; panels without a pin CS want 3 */
     uint8_t address;   /* of I2C, 7 bits */
     bool plain;        /* I2C without control bytes, as touch chips have it */
     const char *dc;    /* high for data; SPI with `data` needs it */

@@ -110,16 +110,16 @@ static uint32_t read_bufsiz(void)
 int pel_bus_spi_start(struct pel_bus_linux *bus,
                       const struct pel_bus_request *request)
 {
-    uint8_t mode = SPI_MODE_0;
+    uint8_t mode = request->mode;
     bus->bus.command = spi_command;
     bus->bus.data = spi_data;
     bus->speed = request->speed ? request->speed : SPEED;
     bus->most = read_bufsiz();
     if (pel_linux_ioctl(bus->fd, SPI_IOC_WR_MODE, &mode) == 0)
         return 0;
-    if (errno == ENOTTY || errno == EINVAL) {
+    if (errno == ENOTTY || (errno == EINVAL && mode == 0)) {
         pel_message_set(bus->message, "%s is no SPI device", bus->path);
-        return errno;
+        return ENOTTY;
     }
-    return pel_bus_fails(bus, "mode 0", errno);
+    return pel_bus_fails(bus, "mode", errno);
 }

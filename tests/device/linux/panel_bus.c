@@ -25,6 +25,7 @@ enum { BUFSIZ_OF_SPIDEV = 4096, CACHE_LINE = 128 };
 static struct bus_log wire; /* what went over it */
 static struct pel_display_panel panel;
 static struct pel_display display;
+static int mode_set;
 static int levels[3], lines_open; /* D/C, reset, light */
 static int calls, fail_at, error_given;
 static int messages, settings; /* system calls: transfers, lines */
@@ -104,6 +105,8 @@ int __wrap_ioctl(int fd, unsigned long request, ...)
         return -1;
     if (request == I2C_RDWR)
         take_i2c(argument);
+    else if (request == SPI_IOC_WR_MODE)
+        mode_set = *(uint8_t *)argument;
     else if (_IOC_TYPE(request) == SPI_IOC_MAGIC && _IOC_NR(request) == 0)
         take_spi(argument,
                  _IOC_SIZE(request) / sizeof(struct spi_ioc_transfer));
@@ -168,7 +171,7 @@ static const struct {
      240,
      240},
     {"st7789,spi=/dev/spidev0.0,speed=40000000,size=135x240,rotation=90,"
-     "dc=GPIO25,brightness=200",
+     "mode=3,dc=GPIO25,brightness=200",
      {.family = PANEL_DCS, .columns = 240, .rows = 320, .left = 52, .top = 40},
      240,
      135},
@@ -258,6 +261,7 @@ static void test_frames(void)
         assert_int_equal(display.width, devices[i].width);
         assert_int_equal(display.height, devices[i].height);
         assert_int_equal(levels[2], i == 0);
+        assert_int_equal(mode_set, i == 0 ? 0 : 3);
         assert_int_equal(flush(&whole), PEL_OK);
         check_glass(i);
         pel_display_panel_close(&panel);
@@ -341,9 +345,10 @@ static void test_names_that_are_refused(void)
         {"st7789,spi=a,dc=b,speed=0", "32M"},
         {"st7789,spi=a,dc=b,speed=5000M", "32M"},
         {"st7789,spi=a,dc=b,brightness=256", "0 to 255"},
-        {"ssd1306,i2c=a,address=128", "spi, i2c"},
+        {"ssd1306,i2c=a,address=128", "0x3c"},
+        {"st7789,spi=a,dc=b,mode=4", "0 to 3"},
         {"st7789,spi=a,dc=", "OPTION=VALUE"},
-        {"st7789,colour=blue", "spi, i2c"}};
+        {"st7789,colour=blue", "spi, mode"}};
     struct pel_panel_request request;
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         assert_int_equal(pel_panel_parse(&request, names[i][0], &message),
