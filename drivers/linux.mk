@@ -28,7 +28,8 @@ else
 LINUX_FLAGS += -DPEL_WITH_DRM=0
 endif
 ifneq ($(LINUX_EVDEV)$(LINUX_GPIO),)
-LINUX_FLAGS += $(patsubst -I%,-isystem %,\
+LINUX_FLAGS += $(LINUX_EVDEV:%=-DHAVE_LIBEVDEV) $(LINUX_GPIO:%=-DHAVE_LIBGPIOD) \
+    $(patsubst -I%,-isystem %,\
     $(shell $(PKG_CONFIG) --cflags $(LINUX_EVDEV) $(LINUX_GPIO)))
 LINUX_LIBS += $(shell $(PKG_CONFIG) --libs $(LINUX_EVDEV) $(LINUX_GPIO))
 endif

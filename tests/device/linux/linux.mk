@@ -18,12 +18,13 @@ LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display panel_bus \
                panel_check vm screen_check reference)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
-               pel_no_draw fb_mode console_state faults frames session)
+               pel_no_draw fb_mode console_state faults frames session touch_device pel_gpiod2)
 LINUX_STATIC := $(LINUX_CHECK)/static
 LINUX_CFLAGS = -std=gnu99 $(WARNINGS) $(WERROR) -O2 -I. -I$(BUILD)/include
 # getgrgid in a static program is what the linker warns of: the guest has files.
 LINUX_STATIC_FLAGS := -static -Wl,--no-warnings
-LINUX_FAULTS := open ioctl mmap read write poll fork socketpair signalfd calloc
+LINUX_FAULTS := open ioctl mmap read write poll fork socketpair signalfd calloc \
+    epoll_create1 inotify_init1 timerfd_create
 comma := ,
 
 # The guest's programs bring their libraries along; readers of pictures and
@@ -65,6 +66,11 @@ $(LINUX_CHECK)/guest/fb_mode $(LINUX_CHECK)/guest/console_state: \
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_STATIC_FLAGS) $< -o $@
 
+$(LINUX_CHECK)/guest/touch_device: $(LINUX_HERE)/touch_device.c
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) $< \
+	    $(LINUX_LIBS) -o $@
+
 $(LINUX_CHECK)/guest/pel: linux-static
 	@mkdir -p $(@D)
 	@cp $(LINUX_STATIC)/pel $@
@@ -81,6 +87,15 @@ $(LINUX_CHECK)/guest/pel_%: $(LINUX_HERE)/%.c linux-static
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_STATIC_FLAGS) \
 	    $(LINUX_WRAP_$*:%=-Wl$(comma)--wrap=%) $< $(LINUX_STATIC_SIM) \
 	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
+
+# pel with the other version of libgpiod, or what stands for it.
+$(LINUX_CHECK)/guest/pel_gpiod2: port/linux/gpio_v2.c \
+    $(LINUX_HERE)/gpiod2/gpiod.c linux-static
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_STATIC_FLAGS) -I$(LINUX_HERE)/gpiod2 \
+	    $(filter %.c,$^) $(LINUX_STATIC_SIM) \
+	    $(filter-out %/gpio_v1.o,$(LINUX_STATIC_OBJECTS)) \
+	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
 
 $(LINUX_CHECK)/guest/frames $(LINUX_CHECK)/guest/session: \
     $(LINUX_CHECK)/guest/%: $(LINUX_HERE)/%.c linux-static
