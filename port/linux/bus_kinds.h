@@ -4,6 +4,8 @@
 
 #include "bus.h"
 
+PEL_BEGIN_DECLS
+
 /* Set up the device that is open, and `command` and `data`. 0 or an errno, with
  * the message. */
 int pel_bus_spi_start(struct pel_bus_linux *bus,
@@ -14,4 +16,5 @@ int pel_bus_i2c_start(struct pel_bus_linux *bus,
 /* "/dev/spidev0.0: WHAT: Input/output error"; the errno given. */
 int pel_bus_fails(struct pel_bus_linux *bus, const char *what, int error);
 
+PEL_END_DECLS
 #endif
