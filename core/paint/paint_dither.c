@@ -16,20 +16,32 @@
 #define THRESHOLD(n, m)                                              \
     (255 - (STEPS(n) - 255 % STEPS(n)) * FLOORS(m, 255 / STEPS(n)) - \
      255 % STEPS(n) * FLOORS(m, 255 / STEPS(n) + 1))
-#define PLACES(n, m)                                                           \
-    THRESHOLD(n, (m) ^ 0), THRESHOLD(n, (m) ^ 32), THRESHOLD(n, (m) ^ 8),      \
-        THRESHOLD(n, (m) ^ 40), THRESHOLD(n, (m) ^ 2), THRESHOLD(n, (m) ^ 34), \
-        THRESHOLD(n, (m) ^ 10), THRESHOLD(n, (m) ^ 42)
-#define ROW(m)                                                                \
-    {                                                                         \
-        PLACES(1, m), PLACES(2, m), PLACES(3, m), PLACES(4, m), PLACES(5, m), \
-            PLACES(6, m), PLACES(7, m)                                        \
+#define PLACES(of, n, m)                                              \
+    of(n, (m) ^ 0), of(n, (m) ^ 32), of(n, (m) ^ 8), of(n, (m) ^ 40), \
+        of(n, (m) ^ 2), of(n, (m) ^ 34), of(n, (m) ^ 10), of(n, (m) ^ 42)
+#define DEPTHS(m)                                             \
+    {                                                         \
+        PLACES(THRESHOLD, 1, m), PLACES(THRESHOLD, 2, m),     \
+            PLACES(THRESHOLD, 3, m), PLACES(THRESHOLD, 4, m), \
+            PLACES(THRESHOLD, 5, m), PLACES(THRESHOLD, 6, m), \
+            PLACES(THRESHOLD, 7, m)                           \
     }
+#define STEPS565(n, m)                             \
+    {                                              \
+        THRESHOLD(5, m) * 0x10001, THRESHOLD(n, m) \
+    }
+#define TWICE(m)                                       \
+    {                                                  \
+        PLACES(STEPS565, 6, m), PLACES(STEPS565, 6, m) \
+    }
+#define ROWS(of) of(0), of(48), of(12), of(60), of(3), of(51), of(15), of(63)
 
 /* Of the rows of the matrix: 8 places for 1 bit, 8 for 2, up to 7. */
-static const uint8_t thresholds[PEL_PLACES][7 * PEL_PLACES] = {
-    ROW(0), ROW(48), ROW(12), ROW(60), ROW(3), ROW(51), ROW(15), ROW(63),
-};
+static const uint8_t thresholds[PEL_PLACES][7 * PEL_PLACES] = {ROWS(DEPTHS)};
+
+/* For struct pel_row565: eight places from any of the first eight on. */
+static const struct pel_steps565 thresholds565[PEL_PLACES][2 * PEL_PLACES] = {
+    ROWS(TWICE)};
 
 /* Those of n bits in row y. */
 static inline const uint8_t *places_of(uint32_t n, int32_t y)
@@ -143,33 +155,47 @@ static bool is_swapped(const struct pel_format *format)
     return (format->id == PEL_FORMAT_RGB565_BE) == (PEL_LE16(1) == 1);
 }
 
+static inline struct pel_row565 row565_at(pel_word16 *p, int32_t x, int32_t y,
+                                          int32_t n)
+{
+    const struct pel_row565 row = {p, p + n, thresholds565[y & 7],
+                                   places_of(5, y), (uint32_t)x & 7};
+    return row;
+}
+
 static struct pel_row565 row565_of(const struct pel_surface *target, int32_t x,
                                    int32_t y, int32_t n)
 {
-    pel_word16 *const p = pel_address16(target, x, y);
-    const uint8_t *const places = places_of(5, y);
-    const struct pel_row565 row = {p, p + n, places + (x & 7),
-                                   places + PEL_PLACES};
-    return row;
+    return row565_at(pel_address16(target, x, y), x, y, n);
+}
+
+static PEL_ALWAYS_INLINE void fill_rows(const struct pel_spans *spans,
+                                        pel_color color, bool swapped)
+{
+    const struct pel_steps565 steps = pel_steps565_of(color);
+    const struct pel_span *span = spans->span;
+    const uintptr_t pitch = (uintptr_t)pel_spans_pitch(spans);
+    uintptr_t line = pel_column_zero(spans->surface, spans->y, 2);
+    int32_t y = spans->y;
+    for (int32_t i = spans->n; i > 0; i--, span++, line += pitch) {
+        const int32_t x = span->x0, n = span->x1 - x;
+        pel_word16 *const p = (pel_word16 *)(line + 2 * (uintptr_t)x);
+        if (n > 0)
+            pel_row565_fill(row565_at(p, x, y, n), steps, swapped);
+        y += spans->step;
+    }
 }
 
 /* False: the format has no loop. */
 static bool fill_opaque(const struct pel_spans *spans, pel_color color)
 {
     const struct pel_surface *const target = target_of(spans->surface);
-    const struct pel_steps565 steps = pel_steps565_of(color);
-    const struct pel_span *span = spans->span;
-    const bool swapped = is_swapped(target->format);
-    int32_t y = spans->y;
     if (!is_565(target->format))
         return false;
-    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
-        const int32_t x = span->x0, n = span->x1 - x;
-        if (n > 0 && swapped)
-            pel_row565_fill(row565_of(target, x, y, n), steps, true);
-        else if (n > 0)
-            pel_row565_fill(row565_of(target, x, y, n), steps, false);
-    }
+    if (is_swapped(target->format))
+        fill_rows(spans, color, true);
+    else
+        fill_rows(spans, color, false);
     return true;
 }
 
