@@ -52,13 +52,20 @@ enum pel_format_id {
     PEL_FORMAT_PALETTE8       /*  sources too; as gray4 in memory */
 };
 
+/* One grey, dithered in a row: column x shows pixel[0], or pixel[1] where part
+ * + thresholds[x & 7] is 256 or more. */
+struct pel_levels {
+    uint32_t pixel[2];
+    uint32_t part; /* 0..255 */
+    const uint8_t *thresholds;
+};
+
 /* For dither in formats with fewer than 8 bits a channel. */
 struct pel_dithering {
-    /* n >= 1 pixels from (x, y) on, each like the one eight before it. NULL
-     * where pixels are words of 16 bits: only programs that dither have that
-     * code. */
-    void (*pattern)(const struct pel_surface *surface, int32_t x, int32_t y,
-                    int32_t n);
+    /* n >= 1 pixels from (x, y) on. For grey whose pixels share bytes, NULL
+     * elsewhere. */
+    void (*fill)(const struct pel_surface *surface, int32_t x, int32_t y,
+                 int32_t n, const struct pel_levels *levels);
 
     /* Bits of red, green and blue, 1 to 7, apart from each other in the pixel;
      * {n, 0, 0} where it is n bits of grey. */

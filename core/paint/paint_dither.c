@@ -133,14 +133,17 @@ static PEL_ALWAYS_INLINE void put_out(struct proxy *proxy, int32_t x, int32_t y,
     proxy->target->format->put(proxy->target, x, y, n, proxy->out);
 }
 
-/* n >= 1 pixels like those before. */
+/* n >= 1 pixels, each like the one eight before: `bits` bytes. */
 static void repeat_pixels(const struct pel_surface *target, int32_t x,
                           int32_t y, int32_t n)
 {
-    if (target->format->dithering->pattern)
-        target->format->dithering->pattern(target, x, y, n);
+    const int32_t bits = target->format->bits;
+    uint8_t *p = (uint8_t *)pel_address(target, x, y, bits / 8);
+    if (bits == 16)
+        pel_pattern16((pel_word16 *)(void *)p, n);
     else
-        pel_pattern16(pel_address16(target, x, y), n);
+        for (n *= bits / 8; n > 0; n--, p++)
+            *p = p[-bits];
 }
 
 /* In 5-6-5 bits there are loops for that. */
@@ -186,16 +189,39 @@ static PEL_ALWAYS_INLINE void fill_rows(const struct pel_spans *spans,
     }
 }
 
-/* False: the format has no loop. */
-static bool fill_opaque(const struct pel_spans *spans, pel_color color)
+static PEL_NOINLINE_32 void fill_gray(const struct pel_spans *spans,
+                                      pel_color color)
 {
     const struct pel_surface *const target = target_of(spans->surface);
-    if (!is_565(target->format))
-        return false;
-    if (is_swapped(target->format))
+    const struct pel_dithering *const dithering = target->format->dithering;
+    const uint32_t bits = dithering->depth[0], gray = pel_gray(color);
+    const uint32_t steps = (gray << bits) - gray;
+    const struct pel_span *span = spans->span;
+    struct pel_levels levels = {{0}, steps & 255, NULL};
+    int32_t y = spans->y;
+    for (uint32_t k = 0; k < 2; k++)
+        levels.pixel[k] = target->format->pack(
+            (((steps >> 8) + k) << (8 - bits)) * 0x010101u);
+    for (; span < spans->span + spans->n; span++, y += spans->step) {
+        levels.thresholds = places_of(bits, y);
+        if (span->x0 < span->x1)
+            dithering->fill(target, span->x0, y, span->x1 - span->x0, &levels);
+    }
+}
+
+/* False: there is no loop for the format. */
+static bool fill_opaque(const struct pel_spans *spans, pel_color color)
+{
+    const struct pel_format *const format = target_of(spans->surface)->format;
+    const bool quick = is_565(format);
+    if (quick && is_swapped(format))
         fill_rows(spans, color, true);
-    else
+    else if (quick)
         fill_rows(spans, color, false);
+    else if (format->dithering->fill)
+        fill_gray(spans, color);
+    else
+        return false;
     return true;
 }
 
