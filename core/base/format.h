@@ -52,20 +52,18 @@ enum pel_format_id {
     PEL_FORMAT_PALETTE8       /*  sources too; as gray4 in memory */
 };
 
-/* One grey, dithered in a row: column x shows pixel[0], or pixel[1] where part
- * + thresholds[x & 7] is 256 or more. */
-struct pel_levels {
-    uint32_t pixel[2];
-    uint32_t part; /* 0..255 */
-    const uint8_t *thresholds;
-};
+/* A row of the dither's matrix: 8 places for channels of 1 bit, 8 for 2 bits,
+ * up to 7. */
+typedef uint8_t pel_thresholds[7 * 8];
 
 /* For dither in formats with fewer than 8 bits a channel. */
 struct pel_dithering {
-    /* n >= 1 pixels from (x, y) on. For grey whose pixels share bytes, NULL
-     * elsewhere. */
-    void (*fill)(const struct pel_surface *surface, int32_t x, int32_t y,
-                 int32_t n, const struct pel_levels *levels);
+    /* One opaque colour over the spans, in the surface, not in theirs. Grey c
+     * of n bits shows level ((2^n - 1) c + rows[y & 7][8 (n - 1) + (x & 7)]) /
+     * 256 at (x, y). For grey whose pixels share bytes; NULL elsewhere. */
+    void (*fill)(const struct pel_surface *surface,
+                 const struct pel_spans *spans, pel_color color,
+                 const pel_thresholds *rows);
 
     /* Bits of red, green and blue, 1 to 7, apart from each other in the pixel;
      * {n, 0, 0} where it is n bits of grey. */

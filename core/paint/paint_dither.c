@@ -36,8 +36,7 @@
     }
 #define ROWS(of) of(0), of(48), of(12), of(60), of(3), of(51), of(15), of(63)
 
-/* Of the rows of the matrix: 8 places for 1 bit, 8 for 2, up to 7. */
-static const uint8_t thresholds[PEL_PLACES][7 * PEL_PLACES] = {ROWS(DEPTHS)};
+static const pel_thresholds thresholds[PEL_PLACES] = {ROWS(DEPTHS)};
 
 /* For struct pel_row565: eight places from any of the first eight on. */
 static const struct pel_steps565 thresholds565[PEL_PLACES][2 * PEL_PLACES] = {
@@ -189,37 +188,18 @@ static PEL_ALWAYS_INLINE void fill_rows(const struct pel_spans *spans,
     }
 }
 
-static PEL_NOINLINE_32 void fill_gray(const struct pel_spans *spans,
-                                      pel_color color)
-{
-    const struct pel_surface *const target = target_of(spans->surface);
-    const struct pel_dithering *const dithering = target->format->dithering;
-    const uint32_t bits = dithering->depth[0], gray = pel_gray(color);
-    const uint32_t steps = (gray << bits) - gray;
-    const struct pel_span *span = spans->span;
-    struct pel_levels levels = {{0}, steps & 255, NULL};
-    int32_t y = spans->y;
-    for (uint32_t k = 0; k < 2; k++)
-        levels.pixel[k] = target->format->pack(
-            (((steps >> 8) + k) << (8 - bits)) * 0x010101u);
-    for (; span < spans->span + spans->n; span++, y += spans->step) {
-        levels.thresholds = places_of(bits, y);
-        if (span->x0 < span->x1)
-            dithering->fill(target, span->x0, y, span->x1 - span->x0, &levels);
-    }
-}
-
 /* False: there is no loop for the format. */
 static bool fill_opaque(const struct pel_spans *spans, pel_color color)
 {
-    const struct pel_format *const format = target_of(spans->surface)->format;
+    const struct pel_surface *const target = target_of(spans->surface);
+    const struct pel_format *const format = target->format;
     const bool quick = is_565(format);
     if (quick && is_swapped(format))
         fill_rows(spans, color, true);
     else if (quick)
         fill_rows(spans, color, false);
     else if (format->dithering->fill)
-        fill_gray(spans, color);
+        format->dithering->fill(target, spans, color, thresholds);
     else
         return false;
     return true;
