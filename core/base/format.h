@@ -58,12 +58,17 @@ typedef uint8_t pel_thresholds[7 * 8];
 
 /* For dither in formats with fewer than 8 bits a channel. */
 struct pel_dithering {
-    /* One opaque colour over the spans, in the surface, not in theirs. Grey c
-     * of n bits shows level ((2^n - 1) c + rows[y & 7][8 (n - 1) + (x & 7)]) /
-     * 256 at (x, y). For grey whose pixels share bytes; NULL elsewhere. */
+    /* For grey whose pixels share bytes; NULL elsewhere. Grey c of n bits shows
+     * level ((2^n - 1) c + rows[y & 7][8 (n - 1) + (x & 7)]) / 256 at (x, y) of
+     * the surface, whatever that of the spans is. fill: one opaque colour. put:
+     * a colour for each pixel of the one span, up to the first that is not
+     * opaque; how many. */
     void (*fill)(const struct pel_surface *surface,
                  const struct pel_spans *spans, pel_color color,
                  const pel_thresholds *rows);
+    int32_t (*put)(const struct pel_surface *surface,
+                   const struct pel_spans *spans, const pel_color *colors,
+                   const pel_thresholds *rows);
 
     /* Bits of red, green and blue, 1 to 7, apart from each other in the pixel;
      * {n, 0, 0} where it is n bits of grey. */

@@ -78,25 +78,17 @@ static inline uint32_t dithered(uint32_t c, uint32_t n, uint32_t threshold,
     return opaque ? level << (8 - n) : pel_widen(level, (int)n);
 }
 
-static inline pel_color dithered_gray(pel_color color, uint32_t n,
-                                      uint32_t threshold)
-{
-    const bool opaque = color >= OPAQUE;
-    return (color & OPAQUE) |
-           dithered(pel_gray(color), n, threshold, opaque) * 0x010101u;
-}
-
 static inline pel_color dithered_color(pel_color color, const uint8_t depth[3],
                                        int32_t x, int32_t y)
 {
-    const bool opaque = color >= OPAQUE;
-    pel_color out = color >> 24;
-    for (int k = 0; k < 3; k++) {
-        color <<= 8;
-        out = out << 8 | dithered(color >> 24, depth[k],
+    const bool opaque = color >= OPAQUE, gray = depth[1] == 0;
+    uint32_t left = gray ? pel_gray(color) << 16 : color, out = 0;
+    for (int k = 0; k < (gray ? 1 : 3); k++) {
+        left <<= 8;
+        out = out << 8 | dithered(left >> 24, depth[k],
                                   places_of(depth[k], y)[x & 7], opaque);
     }
-    return out;
+    return (color & OPAQUE) | (gray ? out * 0x010101u : out);
 }
 
 /* Dithers the first n colours of `out`, in place. */
@@ -104,12 +96,8 @@ static PEL_NOINLINE_32 void dither_out(struct proxy *proxy, int32_t x,
                                        int32_t y, int32_t n)
 {
     const uint8_t *const depth = proxy->target->format->dithering->depth;
-    const uint8_t *const places = places_of(depth[0], y);
-    const uint32_t bits = depth[0];
-    const bool gray = depth[1] == 0;
     for (pel_color *out = proxy->out; out < proxy->out + n; out++, x++)
-        *out = gray ? dithered_gray(*out, bits, places[x & 7])
-                    : dithered_color(*out, depth, x, y);
+        *out = dithered_color(*out, depth, x, y);
 }
 
 /* Takes n colours, or as many as `out` holds: how many. `next` is from each to
@@ -223,6 +211,10 @@ static bool fill_planes(const struct pel_surface *surface, int32_t x, int32_t y,
 static int32_t put_opaque(const struct pel_surface *target, int32_t x,
                           int32_t y, int32_t n, const pel_color *colors)
 {
+    const struct pel_span span = {x, x + n};
+    const struct pel_spans one = {target, &span, y, 1, 0};
+    if (target->format->dithering->put)
+        return target->format->dithering->put(target, &one, colors, thresholds);
     if (!is_565(target->format))
         return 0;
     const struct pel_row565 row = row565_of(target, x, y, n);
