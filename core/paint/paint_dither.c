@@ -126,7 +126,7 @@ static void repeat_pixels(const struct pel_surface *target, int32_t x,
 {
     const int32_t bits = target->format->bits;
     uint8_t *p = (uint8_t *)pel_address(target, x, y, bits / 8);
-    if (bits == 16)
+    if (PEL_KNOW_SIDES && bits == 16)
         pel_pattern16((pel_word16 *)(void *)p, n);
     else
         for (n *= bits / 8; n > 0; n--, p++)
@@ -213,7 +213,7 @@ static int32_t put_opaque(const struct pel_surface *target, int32_t x,
 {
     const struct pel_span span = {x, x + n};
     const struct pel_spans one = {target, &span, y, 1, 0};
-    if (target->format->dithering->put)
+    if (PEL_KNOW_SIDES && target->format->dithering->put)
         return target->format->dithering->put(target, &one, colors, thresholds);
     if (!is_565(target->format))
         return 0;

@@ -45,6 +45,24 @@ static PEL_ALWAYS_INLINE void pel_store565(pel_word16 *p,
     *p = (pel_word16)(swapped ? pel_swap16(pixel) : pixel);
 }
 
+/* n words, each like the one eight before; in pairs once the address allows it.
+ */
+static PEL_NOINLINE void pel_pattern16(pel_word16 *p, int32_t n)
+{
+    pel_word16 *const end = p + n;
+    for (; p < end && (uintptr_t)p % 4; p++)
+        *p = p[-8];
+    pel_word32 *q = (pel_word32 *)(void *)p;
+    for (; end - p >= 8; p += 8, q += 4) {
+        q[0] = q[-4];
+        q[1] = q[-3];
+        q[2] = q[-2];
+        q[3] = q[-1];
+    }
+    for (; p < end; p++)
+        *p = p[-8];
+}
+
 #if PEL_VECTORS
 
 static inline pel_u16x8 pel_row565_places(const uint8_t *places, uint32_t x)
