@@ -2,7 +2,7 @@
 # pairs.sh CPU ELF BUDGET GRADIENTS : the stack of every shape with every paint as
 # pairs.c measures it on its board, as TSV, a row for each shape: what pel_SHAPE
 # and all below it use. Fails when a pair is above the budget, which is GRADIENTS
-# for linear, radial, conic, hue and dither.
+# for linear, radial, conic and hue.
 set -eu
 here=$(dirname "$0")
 . "$here/board.sh"
@@ -23,7 +23,7 @@ here=$(dirname "$0")
         if (!($2 in named))
             names = names OFS $2
         named[$2]
-        budget = $2 ~ /^(linear|radial|conic|hue|dither)$/ ? gradients : all
+        budget = $2 ~ /^(linear|radial|conic|hue)$/ ? gradients : all
         if (used > budget) {
             print "size: " cpu ": " $1 " with " $2 " uses " used \
                   " bytes of stack, budget " budget > "/dev/stderr"

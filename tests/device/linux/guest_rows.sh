@@ -1,5 +1,7 @@
 # What each virtual machine does, by its name in rows.txt.
 
+. /mnt/guest_panel.sh
+
 row_cirrusfb() {
     mode 8 rgb332 6 fb:/dev/fb0 8 640 480
     mode 16 rgb565_le 8 fb:/dev/fb0 16 640 480

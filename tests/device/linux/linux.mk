@@ -15,8 +15,8 @@ LINUX_CACHE := $(PEL_CACHE)/linux-vm
 LINUX_ROWS := $(shell sed -n 's/^\([a-z0-9_]*\)|.*/\1/p' $(LINUX_HERE)/rows.txt)
 LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 
-LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display vm screen_check \
-               reference)
+LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display panel_bus \
+               panel_check vm screen_check reference)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
                pel_no_draw fb_mode console_state faults frames session \
                touch_device pel_gpiod2 faults_gpiod2)
@@ -45,7 +45,20 @@ $(LINUX_CHECK)/display: $(LINUX_HERE)/display.c drivers/display_memory.c \
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(filter-out %.h,$^) -o $@
 
-$(filter-out %/layout %/display,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
+LINUX_PANEL_WRAPS := open ioctl nanosleep pel_gpio_open pel_gpio_close pel_gpio_set
+$(LINUX_CHECK)/panel_bus: $(LINUX_HERE)/panel_bus.c $(LINUX_OBJECTS) \
+    tests/support/panel_glass.c tests/support/check.c $(BUILD)/libpel.a
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) \
+	    $(LINUX_PANEL_WRAPS:%=-Wl$(comma)--wrap=%) $^ $(LINUX_LIBS) -lcmocka \
+	    -o $@
+
+$(LINUX_CHECK)/panel_check: $(LINUX_HERE)/panel_check.c \
+    tests/support/panel_glass.c tests/support/check.c
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $^ -lcmocka -o $@
+
+$(filter-out %/layout %/display %/panel_bus %/panel_check,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $< -o $@
 
@@ -111,12 +124,14 @@ $(LINUX_CHECK)/guest/faults: $(LINUX_HERE)/faults.c \
 
 linux-image:
 	@$(LINUX_HERE)/vm_image.sh $(LINUX_CACHE)
+	@$(LINUX_HERE)/vm_panel_mock.sh $(LINUX_CACHE)
 
 check-linux: $(BUILD)/pel $(LINUX_TOOLS) $(LINUX_GUEST)
-check-linux: linux-image ## fbdev, DRM and consoles on a real kernel in QEMU
+check-linux: linux-image ## fbdev, DRM, consoles and panels on a real kernel in QEMU
 	@mkdir -p $(LINUX_CHECK)/rows
 	@$(LINUX_CHECK)/layout
 	@$(LINUX_CHECK)/display
+	@$(LINUX_CHECK)/panel_bus
 	@$(LINUX_HERE)/jobs.sh $(BUILD)/pel $(LINUX_CHECK)/jobs
 	@$(LINUX_HERE)/messages.sh $(abspath $(BUILD)) \
 	    $(abspath $(LINUX_CHECK))/messages

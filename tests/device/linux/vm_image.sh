@@ -6,7 +6,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 folder=$1
-modules="9p 9pnet_virtio virtio_pci cirrusfb cirrus bochs virtio-gpu qxl vfb
+modules="9p 9pnet_virtio virtio_pci i2c-dev cirrusfb cirrus bochs virtio-gpu qxl vfb
     evdev uinput virtio_input psmouse atkbd usbhid hid-generic uhci-hcd
     ehci-pci spidev configfs"
 
