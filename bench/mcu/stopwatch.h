@@ -2,7 +2,7 @@
  * 64 ns (QEMU's -icount shift=6) of SysTick at 25 MHz on a Cortex-M, at 20 MHz
  * on the board with an M33; of the counter of 24 MHz on a Versatile board with
  * an ARM926, of 62.5 MHz on AArch64. RISC-V counts retired instructions
- * (shift=0). */
+ * (shift=0). It stands still on other CPUs. */
 #ifndef BENCH_MCU_STOPWATCH_H
 #define BENCH_MCU_STOPWATCH_H
 
@@ -51,6 +51,8 @@ static inline uint32_t stopwatch_read(void)
     __asm__ volatile("csrr %0, minstret" : "=r"(count) : : "memory");
 #elif defined(__arm__)
     const uint32_t count = *(volatile uint32_t *)0x1000005Cu;
+#elif !defined(__aarch64__)
+    const uint32_t count = 0;
 #else
     uint64_t count;
     __asm__ volatile("isb\n\tmrs %0, cntvct_el0" : "=r"(count) : : "memory");

@@ -46,8 +46,10 @@ enum pel_format_id {
     PEL_FORMAT_MONO1_PAGES,   /*  1: a byte is 8 rows of a column, top in bit 0;
                                   a surface's stride is that of a page of rows,
                                   its top row a multiple of 8 */
-    PEL_FORMAT_ARGB8888       /* 32: A 31..24, R, G, B 7..0: a source with alpha
+    PEL_FORMAT_ARGB8888,      /* 32: A 31..24, R, G, B 7..0: a source with alpha
                                   (format/argb8888.h), not a display's format */
+    PEL_FORMAT_PALETTE4,      /*  4, 8: indices of colors (format/palette.h), */
+    PEL_FORMAT_PALETTE8       /*  sources too; as gray4 in memory */
 };
 
 /* For dither in formats with fewer than 8 bits a channel. */

@@ -2,7 +2,7 @@
 # same bytes everywhere. A build is named COMPILER-CPU-LEVEL or, of a variant of
 # core, COMPILER-CPU-LEVEL-VARIANT.
 
-.PHONY: check-cpus check-mcu deep-cpus need-cpus board
+.PHONY: check-cpus check-examples check-mcu deep-cpus need-cpus board
 
 # CPUs, each with the prefix of its compiler and its emulator; `host` is this
 # machine. s390x and powerpc are big-endian, with 64 and with 32 bits. The
@@ -87,14 +87,44 @@ need-cpus: | need-boards
 # $1 builds: lines of a build and the emulator that runs it
 cpu_lines = $(foreach b,$1,'$b $(CPU_RUN_$(call cpu_word,2,$b))')
 
-# An example on a board without an operating system: its text comes out here.
-EXAMPLE ?= bands
-board: $(BUILD)/board/$(EXAMPLE) ## EXAMPLE=bands on a Cortex-M4 board, in QEMU
-	@$(CPU_RUN_m4) $<
-$(BUILD)/board/%: examples/%.c $(CORE) | need-arm need-qemu-arm
+# An example on a board without an operating system, which counts instructions.
+EXAMPLE ?= board
+COMMA := ,
+BOARD ?= m4
+# RAM that an example is to run in, 2 KB of stack with it.
+BOARD_RAM_board := 4K
+BOARD_RAM_oled := 4K
+BOARD_RAM_mesh := 8K
+BOARD_CPU = $(or $(SMALL_CPU_$(BOARD)),$(BOARD))
+BOARD_PROGRAM = $(BUILD)/board/$(BOARD)/$(EXAMPLE)
+board: $(BOARD_PROGRAM) ## EXAMPLE=board on BOARD=m4 or another of port/boards.mk, in QEMU
+	@tests/tools/example.sh $< $(CPU_RUN_$(BOARD)) $< \
+	    -icount $(word 2,$(MCU_BENCH_$(BOARD_CPU))),sleep=off
+$(BOARD_PROGRAM): $(call example_sources,$(EXAMPLE)) $(CORE) | need-boards
 	@mkdir -p $(@D)
-	@arm-none-eabi-gcc $(CPU_FLAGS_m4) -std=c99 -Os -I$(BUILD)/include -ffunction-sections \
-	    -Wl,--gc-sections $< $(CORE) $(CPU_LINK_m4) -o $@
+	@$(CPU_PREFIX_$(BOARD_CPU))-gcc $(CPU_FLAGS_$(BOARD_CPU)) -std=c99 -O2 \
+	    -I$(BUILD)/include -I$(BUILD)/examples -ffunction-sections \
+	    -Wl,--gc-sections $^ $(CPU_LINK_$(BOARD)) $(if $(BOARD_RAM_$(EXAMPLE)),\
+	    -Wl$(COMMA)--defsym=__ram_size=$(BOARD_RAM_$(EXAMPLE))) -o $@
+
+# Instructions of the gauge on an M0+. 150,000 are asked of a step: of what it
+# takes 180,000 are divisions for the rows of a vertical gradient.
+GAUGE_WHOLE := 2500000
+GAUGE_STEP := 230000
+
+# The examples on an M0+, in the RAM above, draw what they draw on the host.
+check-examples: examples
+	@for e in board gauge mesh oled selftest; do \
+	    $(MAKE) --no-print-directory BOARD=m0plus EXAMPLE=$$e board \
+	        >$(BUILD)/board/$$e.txt || exit; done
+	@for e in board selftest; do \
+	    $(BUILD)/examples/$$e | cmp - $(BUILD)/board/$$e.txt || exit; done
+	@for e in gauge mesh oled; do $(BUILD)/pel compare \
+	    $(BUILD)/examples/$$e.ppm $(BUILD)/board/m0plus/$$e.ppm || exit; done
+	@cat $(BUILD)/board/gauge.txt
+	@awk '/^whole/ { whole = $$4 } /^step/ { step = $$4 } \
+	    END { exit !(whole && whole <= $(GAUGE_WHOLE) && step && step <= $(GAUGE_STEP)) }' \
+	    $(BUILD)/board/gauge.txt
 
 check-cpus: $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes) ## the golden scenes on other CPUs and compilers
 	printf '%s\n' $(call cpu_lines,$(CPU_CHECK)) | tests/tools/cpus.sh $(BUILD)

@@ -1,7 +1,7 @@
 # Checks of the sources and the objects, and builds for other CPUs: each a target
 # of its own, and each one test of `make check`.
 
-CHECK_EXTRA += layers metrics size bench-mcu check-cpus check-mcu board
+CHECK_EXTRA += layers metrics size bench-mcu check-cpus check-mcu check-examples
 
 .PHONY: layers metrics need-clang need-format
 
