@@ -8,7 +8,7 @@
 
 #include <stdint.h>
 
-#if defined(__thumb__)
+#if defined(__thumb__) && !defined(__linux__)
 
 #define SYSTICK                                                  \
     ((volatile uint32_t *)0xE000E010u) /* control, reload, value \
@@ -46,15 +46,15 @@ static inline void stopwatch_start(void)
 
 static inline uint32_t stopwatch_read(void)
 {
-#if defined(__riscv)
-    uint32_t count;
-    __asm__ volatile("csrr %0, minstret" : "=r"(count) : : "memory");
+    uint64_t count = 0;
+#if defined(__linux__)
+#elif defined(__riscv)
+    uint32_t low;
+    __asm__ volatile("csrr %0, minstret" : "=r"(low) : : "memory");
+    count = low;
 #elif defined(__arm__)
-    const uint32_t count = *(volatile uint32_t *)0x1000005Cu;
-#elif !defined(__aarch64__)
-    const uint32_t count = 0;
-#else
-    uint64_t count;
+    count = *(volatile uint32_t *)0x1000005Cu;
+#elif defined(__aarch64__)
     __asm__ volatile("isb\n\tmrs %0, cntvct_el0" : "=r"(count) : : "memory");
 #endif
     return (uint32_t)count;

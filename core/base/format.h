@@ -54,15 +54,21 @@ enum pel_format_id {
 
 /* For dither in formats with fewer than 8 bits a channel. */
 struct pel_dithering {
-    /* n >= 1 opaque pixels from (x, y) on: pixel x takes pixels[x & 7]. NULL
+    /* n >= 1 pixels from (x, y) on, each like the one eight before it. NULL
      * where pixels are words of 16 bits: only programs that dither have that
      * code. */
     void (*pattern)(const struct pel_surface *surface, int32_t x, int32_t y,
-                    int32_t n, const uint32_t pixels[8]);
+                    int32_t n);
 
     /* Bits of red, green and blue, 1 to 7, apart from each other in the pixel;
      * {n, 0, 0} where it is n bits of grey. */
     uint8_t depth[3];
+};
+
+/* Blue, green and red in 8.24, modulo 2^32: of the first pixel of a row, and
+ * from each to the next. */
+struct pel_planes {
+    uint32_t at[3], dx[3];
 };
 
 struct pel_format {
@@ -96,6 +102,16 @@ struct pel_format {
                  int32_t n, pel_color *colors);
 
     const struct pel_dithering *dithering; /* NULL: dither is of no use */
+
+    /* n >= 1 opaque pixels whose channels are planes; or false, and nothing is
+     * done. May be NULL. */
+    bool (*planes)(const struct pel_surface *surface, int32_t x, int32_t y,
+                   int32_t n, const struct pel_planes *planes);
+
+    /* Of a format that only passes on what it is given: the surface that gets
+     * it. Pixel values of that one's format would arrive as they are. May be
+     * NULL. */
+    const struct pel_surface *(*target)(const struct pel_surface *surface);
 };
 
 #endif

@@ -29,6 +29,8 @@ struct pel_palette {
          NULL,                                                    \
          NULL,                                                    \
          pel_palette_load,                                        \
+         NULL,                                                    \
+         NULL,                                                    \
          NULL},                                                   \
             (colors)                                              \
     }

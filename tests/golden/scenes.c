@@ -2,9 +2,8 @@
  * `SCENE FORMAT CRC32` for each, the CRC of the surface's memory. Needs printf
  * and core alone, so that the same file runs on every CPU and compiler; the
  * lines must be those of scenes.txt everywhere. */
-#include "tests/golden/size.h"
-
 #include "drivers/crc.h"
+#include "tests/golden/size.h"
 
 /* For boards of a few kilobytes. */
 #ifdef NO_MESHES

@@ -44,7 +44,7 @@ nm -D --defined-only "$library" | grep -v ' pel_' && fail "names not of pel"
 "$prefix/bin/pel" --help | grep -q '^Usage: pel' || fail "bin/pel"
 for page in man1/pel.1 man3/pel.3; do
     page=$prefix/share/man/$page
-    { grep '^\.SH NAME' "$page" && groff -man -ww -z "$page" 2>&1; } |
+    { grep '^\.SH NAME' "$page" && groff -K utf8 -T utf8 -man -ww -z "$page" 2>&1; } |
         sed 1d | grep . && fail "$page: see above"
     grep -q "pel $version" "$page" || fail "$page: no version"
 done

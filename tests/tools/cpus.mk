@@ -89,42 +89,46 @@ cpu_lines = $(foreach b,$1,'$b $(CPU_RUN_$(call cpu_word,2,$b))')
 
 # An example on a board without an operating system, which counts instructions.
 EXAMPLE ?= board
-COMMA := ,
 BOARD ?= m4
 # RAM that an example is to run in, 2 KB of stack with it.
 BOARD_RAM_board := 4K
 BOARD_RAM_oled := 4K
 BOARD_RAM_mesh := 8K
+EXAMPLES_CHECKED := board gauge mesh oled selftest
+BOARD_EXAMPLES := board gauge mesh oled selftest paints user_paint
+
+# $1 board, $2 CPU whose code it runs, $3 example, $4 its RAM
+define board_example
+$(BUILD)/board/$1/$3: $(filter-out drivers/%,$(call example_sources,$3)) \
+    $(wildcard examples/*.h) \
+    $(patsubst %.c,$(BUILD)/cpus/gcc-$2-O2/%.o,$(CORE) $(DRIVERS))
+	@mkdir -p $$(@D)
+	@$(CPU_PREFIX_$2)-gcc $(CPU_FLAGS_$2) -std=c99 -O2 -I$(BUILD)/include \
+	    -I$(BUILD)/examples -Wl,--gc-sections $$(filter-out %.h,$$^) $(CPU_LINK_$1) \
+	    $(4:%=-Wl,--defsym=__ram_size=%) -o $$@
+endef
+$(foreach b,$(BOARDS),$(foreach e,$(BOARD_EXAMPLES),$(eval $(call \
+    board_example,$b,$b,$e,$(if $(filter a53,$b),,$(BOARD_RAM_$e))))))
+$(foreach b,$(SMALL_BOARDS),$(foreach e,$(SMALL_EXAMPLES_$b),$(eval $(call \
+    board_example,$b,$(SMALL_CPU_$b),$e))))
+
 BOARD_CPU = $(or $(SMALL_CPU_$(BOARD)),$(BOARD))
-BOARD_PROGRAM = $(BUILD)/board/$(BOARD)/$(EXAMPLE)
-board: $(BOARD_PROGRAM) ## EXAMPLE=board on BOARD=m4 or another of port/boards.mk, in QEMU
+board: $(BUILD)/board/$(BOARD)/$(EXAMPLE) ## EXAMPLE=board on BOARD=m4 or another of port/boards.mk, in QEMU
 	@tests/tools/example.sh $< $(CPU_RUN_$(BOARD)) $< \
 	    -icount $(word 2,$(MCU_BENCH_$(BOARD_CPU))),sleep=off
-$(BOARD_PROGRAM): $(call example_sources,$(EXAMPLE)) $(CORE) | need-boards
-	@mkdir -p $(@D)
-	@$(CPU_PREFIX_$(BOARD_CPU))-gcc $(CPU_FLAGS_$(BOARD_CPU)) -std=c99 -O2 \
-	    -I$(BUILD)/include -I$(BUILD)/examples -ffunction-sections \
-	    -Wl,--gc-sections $^ $(CPU_LINK_$(BOARD)) $(if $(BOARD_RAM_$(EXAMPLE)),\
-	    -Wl$(COMMA)--defsym=__ram_size=$(BOARD_RAM_$(EXAMPLE))) -o $@
 
 # Instructions of the gauge on an M0+. 150,000 are asked of a step: of what it
 # takes 180,000 are divisions for the rows of a vertical gradient.
 GAUGE_WHOLE := 2500000
 GAUGE_STEP := 230000
 
-# The examples on an M0+, in the RAM above, draw what they draw on the host.
-check-examples: examples
-	@for e in board gauge mesh oled selftest; do \
-	    $(MAKE) --no-print-directory BOARD=m0plus EXAMPLE=$$e board \
-	        >$(BUILD)/board/$$e.txt || exit; done
-	@for e in board selftest; do \
-	    $(BUILD)/examples/$$e | cmp - $(BUILD)/board/$$e.txt || exit; done
-	@for e in gauge mesh oled; do $(BUILD)/pel compare \
-	    $(BUILD)/examples/$$e.ppm $(BUILD)/board/m0plus/$$e.ppm || exit; done
-	@cat $(BUILD)/board/gauge.txt
-	@awk '/^whole/ { whole = $$4 } /^step/ { step = $$4 } \
-	    END { exit !(whole && whole <= $(GAUGE_WHOLE) && step && step <= $(GAUGE_STEP)) }' \
-	    $(BUILD)/board/gauge.txt
+# The examples draw on every board, in the RAM above, what they draw on the host.
+BOARD_RUNS := $(foreach b,$(BOARDS),$(EXAMPLES_CHECKED:%=$b/%)) \
+    $(foreach b,$(SMALL_BOARDS),$(SMALL_EXAMPLES_$b:%=$b/%))
+check-examples: examples $(BOARD_RUNS:%=$(BUILD)/board/%) ## the examples on every board of QEMU
+	@printf '%s\n' $(foreach r,$(BOARD_RUNS),'$r $(CPU_RUN_$(patsubst \
+	    %/,%,$(dir $r)))') | tests/tools/board_examples.sh $(BUILD) \
+	    $(GAUGE_WHOLE) $(GAUGE_STEP)
 
 check-cpus: $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes) ## the golden scenes on other CPUs and compilers
 	printf '%s\n' $(call cpu_lines,$(CPU_CHECK)) | tests/tools/cpus.sh $(BUILD)

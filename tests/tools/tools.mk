@@ -46,4 +46,4 @@ metrics: | need-format ## lengths of functions and files, parameters, layout
 # need is built before.
 tests: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(LINK_ELFS) $(MCU_BENCH_ELFS) \
     $(patsubst %,$(BUILD)/cpus/%/scenes,$(CPU_CHECK) $(MCU_CHECK)) \
-    $(LCD_BOARDS:%=$(LCD)/%.elf)
+    $(LCD_BOARDS:%=$(LCD)/%.elf) $(BOARD_RUNS:%=$(BUILD)/board/%)
