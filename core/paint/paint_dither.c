@@ -49,9 +49,14 @@ struct proxy {
     pel_color out[OUT_PIXELS]; /* of pixels: here they take no more stack */
 };
 
-static const struct pel_surface *target_of(const struct pel_surface *proxy)
+static struct proxy *proxy_of(const struct pel_surface *surface)
 {
-    return ((const struct proxy *)(const void *)proxy)->target;
+    return (struct proxy *)(void *)surface;
+}
+
+static const struct pel_surface *target_of(const struct pel_surface *surface)
+{
+    return proxy_of(surface)->target;
 }
 
 /* A channel of n bits. Of opaque colours the upper bits count. */
@@ -96,19 +101,24 @@ static PEL_NOINLINE_32 void dither_out(struct proxy *proxy, int32_t x,
                     : dithered_color(*out, depth, x, y);
 }
 
-/* n pixels of any alpha, or as many as `out` holds; how many. `next` is from
- * each colour to the next. */
-static PEL_ALWAYS_INLINE int32_t put_any(const struct pel_surface *surface,
-                                         int32_t x, int32_t y, int32_t n,
-                                         const pel_color *colors, int32_t next)
+/* Takes n colours, or as many as `out` holds: how many. `next` is from each to
+ * the next. */
+static PEL_ALWAYS_INLINE int32_t take_colors(struct proxy *proxy, int32_t n,
+                                             const pel_color *colors,
+                                             int32_t next)
 {
-    struct proxy *const proxy = (struct proxy *)(void *)surface;
     n = pel_min(n, OUT_PIXELS);
     for (int32_t i = 0; i < n; i++)
         proxy->out[i] = colors[i * next];
+    return n;
+}
+
+/* Puts n colours that were taken, of any alpha. */
+static PEL_ALWAYS_INLINE void put_out(struct proxy *proxy, int32_t x, int32_t y,
+                                      int32_t n)
+{
     dither_out(proxy, x, y, n);
     proxy->target->format->put(proxy->target, x, y, n, proxy->out);
-    return n;
 }
 
 /* n >= 1 pixels like those before. */
@@ -193,8 +203,10 @@ static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
 {
     for (int32_t done; n > 0; x += done, n -= done, colors += done) {
         done = put_opaque(target_of(surface), x, y, n, colors);
-        if (done == 0)
-            done = put_any(surface, x, y, n, colors, 1);
+        if (done == 0) {
+            done = take_colors(proxy_of(surface), n, colors, 1);
+            put_out(proxy_of(surface), x, y, done);
+        }
     }
 }
 
@@ -211,7 +223,10 @@ static void fill_color(const struct pel_spans *spans, pel_color color)
                 repeat_pixels(target_of(spans->surface), x, y, span->x1 - x);
                 break;
             }
-            x += put_any(spans->surface, x, y, span->x1 - x, &color, 0);
+            struct proxy *const proxy = proxy_of(spans->surface);
+            const int32_t n = take_colors(proxy, span->x1 - x, &color, 0);
+            put_out(proxy, x, y, n);
+            x += n;
         }
 }
 
