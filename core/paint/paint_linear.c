@@ -11,10 +11,10 @@ static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
            pel_product(pel_pixel_center(y) - p->from.y, p->d.y);
 }
 
-/* The error of the boundary where cell k begins is n product - k square, in
- * units of 256 n, and what they leave (c->rest, from -1 to 256 n - 1). Where
- * products fall to the right, so do cells, and it is (k + 1) square - 1 - n
- * product. */
+/* The error of the boundary where cell k begins is n product - k square: whole
+ * units of 256 n, by which it grows from pixel to pixel, and what they leave
+ * (c->rest, from -1 to 256 n - 1). Where products fall to the right, so do
+ * cells, and it is (k + 1) square - 1 - n product. */
 static int32_t unit_of(const struct pel_linear *p)
 {
     return p->base.cells * 256;
