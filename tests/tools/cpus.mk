@@ -100,7 +100,8 @@ BOARD_PROGRAM = $(BUILD)/board/$(BOARD)/$(EXAMPLE)
 board: $(BOARD_PROGRAM) ## EXAMPLE=board on BOARD=m4 or another of port/boards.mk, in QEMU
 	@tests/tools/example.sh $< $(CPU_RUN_$(BOARD)) $< \
 	    -icount $(word 2,$(MCU_BENCH_$(BOARD_CPU))),sleep=off
-$(BOARD_PROGRAM): $(call example_sources,$(EXAMPLE)) $(CORE) | need-boards
+$(BOARD_PROGRAM): $(call example_sources,$(EXAMPLE)) \
+    $(CORE:%.c=$(BUILD)/cpus/gcc-$(BOARD_CPU)-O2/%.o) | need-boards
 	@mkdir -p $(@D)
 	@$(CPU_PREFIX_$(BOARD_CPU))-gcc $(CPU_FLAGS_$(BOARD_CPU)) -std=c99 -O2 \
 	    -I$(BUILD)/include -I$(BUILD)/examples -ffunction-sections \
@@ -108,7 +109,7 @@ $(BOARD_PROGRAM): $(call example_sources,$(EXAMPLE)) $(CORE) | need-boards
 	    -Wl$(COMMA)--defsym=__ram_size=$(BOARD_RAM_$(EXAMPLE))) -o $@
 
 # Instructions of the gauge on an M0+. 150,000 are asked of a step: of what it
-# takes 180,000 are divisions for the rows of a vertical gradient.
+# takes most are the rows of a vertical gradient.
 GAUGE_WHOLE := 2500000
 GAUGE_STEP := 230000
 
