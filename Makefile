@@ -68,7 +68,7 @@ $(BUILD)/examples/$1: $(call example_sources,$1) $(BUILD)/libpel.a \
 endef
 $(foreach e,$(EXAMPLES:examples/%.c=%),$(eval $(call example_program,$e)))
 
-$(BUILD)/examples/fixed_%.c: sim/scenes/fixed_%.psf $(BUILD)/pel
+$(BUILD)/examples/fixed_%.c: sim/scenes/fixed_%.bdf $(BUILD)/pel
 	@mkdir -p $(@D)
 	$(BUILD)/pel import $< -o $@
 $(BUILD)/examples/vase_small.c: $(BUILD)/pel

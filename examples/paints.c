@@ -1,6 +1,6 @@
 /* Gradients, a texture and text; the picture goes to standard output as PPM.
  *
- *     build/pel import sim/scenes/fixed_6x13.psf -o fixed_6x13.c
+ *     build/pel import sim/scenes/fixed_6x13.bdf -o fixed_6x13.c
  *     cc -Ibuild/include -I. examples/paints.c fixed_6x13.c build/libpel.a
  */
 #include "fixed_6x13.h"

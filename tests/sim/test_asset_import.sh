@@ -190,7 +190,7 @@ fi
 # included; one that somebody else wrote stays.
 "$PEL" import "$dir/square.ply" -o "$dir/square.c"
 "$PEL" import "$dir/picture.ppm" -o "$dir/picture.c"
-"$PEL" import sim/scenes/fixed_6x13.psf --name my_letters -o "$dir/letters.c"
+"$PEL" import sim/scenes/fixed_6x13.bdf --name my_letters -o "$dir/letters.c"
 cat >"$dir/use.c" <<'EOF'
 #include "letters.h"
 #include "picture.h"
@@ -216,7 +216,7 @@ if command -v c++ >/dev/null; then
     "$dir/use" || fail "an asset of a header is refused in C++"
 fi
 echo "/* mine */" >"$dir/letters.h"
-"$PEL" import sim/scenes/fixed_6x13.psf -o "$dir/letters.c" 2>"$dir/message"
+"$PEL" import sim/scenes/fixed_6x13.bdf -o "$dir/letters.c" 2>"$dir/message"
 grep -qF 'letters.h: was not made by pel import and stays as it is; it should say: extern const struct pel_font_asset letters;' \
     "$dir/message" || fail "somebody's header: $(cat "$dir/message")"
 [ "$(cat "$dir/letters.h")" = "/* mine */" ] || fail "a header is lost"
@@ -266,14 +266,14 @@ for option in "--eye 1,2,3" "--light 1,2,3:1,1,1" "--size 5x5" "--color #123456"
     refuse "${option%% *} is for an output .pel2d" "$dir/picture.ppm" $option -o "$dir/x.c"
 done
 for option in "--shade phong" "--cull back" "--mapping affine"; do
-    for kind in builtin:vase "$dir/picture.ppm" sim/scenes/fixed_6x13.psf; do
+    for kind in builtin:vase "$dir/picture.ppm" sim/scenes/fixed_6x13.bdf; do
         refuse "${option%% *} is for pel render" $kind $option -o "$dir/x.c"
     done
     refuse "${option%% *} is for pel render" builtin:vase $option -o "$dir/x.pel2d"
 done
 refuse "--normals is for C assets of meshes" "$dir/picture.ppm" --normals 16 -o "$dir/x.c"
 refuse "--codes is for fonts" builtin:vase --codes 32 -o "$dir/x.c"
-refuse "--texture-file is for meshes" sim/scenes/fixed_6x13.psf --texture-file a.ppm -o "$dir/x.c"
+refuse "--texture-file is for meshes" sim/scenes/fixed_6x13.bdf --texture-file a.ppm -o "$dir/x.c"
 refuse "--name is for C assets" builtin:vase --name x -o "$dir/x.pel2d"
 refuse "expected builtin:vase, builtin:vase-small, or a file" builtin:cube -o "$dir/x.c"
 refuse "no mesh that can be read" "$dir/message" -o "$dir/x.c"

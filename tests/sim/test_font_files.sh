@@ -120,7 +120,7 @@ for chars in '' "$(printf 'a\303')"; do
 done
 
 # A box stands for what is missing where the font has no glyph for that.
-font box sim/scenes/fixed_6x13.psf --chars 'i'
+font box sim/scenes/fixed_6x13.bdf --chars 'i'
 shows box 'xi' <<'EOF'
 P2
 12 13
@@ -134,8 +134,8 @@ P2
 100010001000
 100010001000
 100010001000
-111110001000
-000000011100
+100010001000
+111110011100
 000000000000
 000000000000
 EOF
