@@ -118,7 +118,7 @@ board: $(BUILD)/board/$(BOARD)/$(EXAMPLE) ## EXAMPLE=board on BOARD=m4 or anothe
 	    -icount $(word 2,$(MCU_BENCH_$(BOARD_CPU))),sleep=off
 
 # Instructions of the gauge on an M0+. 150,000 are asked of a step: of what it
-# takes 180,000 are divisions for the rows of a vertical gradient.
+# takes most are the rows of a vertical gradient.
 GAUGE_WHOLE := 2500000
 GAUGE_STEP := 230000
 
