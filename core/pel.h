@@ -24,7 +24,6 @@
 #include "base/point.h"
 #include "base/trig.h"
 #include "base/format.h"
-#include "base/hsv.h"
 #include "base/rect.h"
 #include "base/status.h"
 #include "base/surface.h"
@@ -62,7 +61,6 @@
 #include "paint/paint_texture.h"
 
 #include "image/copy.h"
-#include "image/glyph.h"
 #include "image/glyph_text.h"
 #include "image/scroll.h"
 

@@ -48,8 +48,7 @@ static inline uint32_t pel_gray(pel_color c)
     return pel_luma(pel_red(c), pel_green(c), pel_blue(c));
 }
 
-/* round(t / 255) for 0 <= t <= 255 * 255, as floor(floor(u 257 / 256) / 256)
- * with u = t + 128: equal to the rounded quotient for every t. */
+/* round(t / 255), exactly, for 0 <= t <= 255 * 255. */
 static inline uint32_t pel_round_div255(uint32_t t)
 {
     t += 128;
@@ -57,8 +56,7 @@ static inline uint32_t pel_round_div255(uint32_t t)
 }
 
 /* A color times its alpha, and the weight of the color below. The factor 257
- * makes the division by 255 a shift: 257 (t + 128) >> 16 is pel_round_div255(t)
- * for every t in its range. */
+ * makes a shift of the division: pel_round_div255(t) is 257 (t + 128) >> 16. */
 struct pel_premultiplied {
     uint32_t red, green, blue; /* 257 (channel alpha + 128) */
     uint32_t rest;             /* 257 (255 - alpha) */
@@ -90,9 +88,8 @@ static inline pel_color pel_over(pel_color d, const struct pel_premultiplied *s)
                    pel_channel_over(pel_blue(d), s->blue, s->rest, 8));
 }
 
-/* Source over destination with the source's weight a, 0..255, per channel
- * round((s a + d (255 - a)) / 255). The result is opaque: a = 255 gives s,
- * a = 0 gives d. */
+/* Source over destination, opaque: per channel round((s a + d (255 - a)) / 255)
+ * with the weight a, 0..255. */
 static inline pel_color pel_mix(pel_color d, pel_color s, uint32_t a)
 {
     const struct pel_premultiplied weighed =
@@ -100,4 +97,17 @@ static inline pel_color pel_mix(pel_color d, pel_color s, uint32_t a)
     return pel_over(d, &weighed);
 }
 
+/* Hue, saturation, value to RGB. A turn of hue goes red, yellow, green, cyan,
+ * blue, magenta. With F the part of its sixth that a hue has gone, 0 <= F < 1,
+ * the channels are v and p = v (1 - s),  q = v (1 - s F),  t = v (1 - s (1 -
+ * F)), s and v in [0, 1] given as 0..255, results in 0..255 rounded to the
+ * nearest (a tie upwards). */
+PEL_BEGIN_DECLS
+
+/* hue in 1/65,536 turns, any: -1 is 65,535. s and v 0..255. Opaque. */
+pel_color pel_hsv(int32_t hue, uint32_t s, uint32_t v);
+
+/* hue in degrees, any: 360 is 0, -1 is 359. */
+pel_color pel_hsv_degrees(int32_t hue, uint32_t s, uint32_t v);
+PEL_END_DECLS
 #endif

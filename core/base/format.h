@@ -1,6 +1,6 @@
 /* Pixel formats: how colours enter and leave memory.
  *
- * A format is one const object in one file of core/format. A surface points to
+ * A format is a const object in a file of core/format. A surface points to
  * its format, so a program links what it names. The layouts are those of
  * DRM's fourcc list where it has them: the word is little-endian on every CPU
  * (rgb888 is B, G, R in memory), except in rgb565_be. */
@@ -9,8 +9,25 @@
 
 #include "color.h"
 #include "rect.h"
-#include "span.h"
 
+struct pel_surface;
+
+/* Pixels of one row, half-open; empty when x0 >= x1. */
+struct pel_span {
+    int32_t x0, x1; /* px, absolute */
+};
+
+/* n >= 1 spans, all inside the surface's clip, no pixel twice. Span i lies in
+ * row y + i * step: step is 1 (n rows downwards) or 0 (n spans of one row). */
+struct pel_spans {
+    const struct pel_surface *surface;
+    const struct pel_span *span;
+    int32_t y;
+    int32_t n, step; /* n <= PEL_BATCH_ROWS */
+};
+
+/* No two formats of a program have the same id: copies between surfaces of one
+ * id take their pixels as they are. */
 enum pel_format_id {
     PEL_FORMAT_RGB565_LE = 1, /* 16: R 15..11, G 10..5, B 4..0 */
     PEL_FORMAT_RGB565_BE,     /* the same, high byte first */
@@ -53,9 +70,9 @@ struct pel_format {
 
     /* Colour (alpha ignored) to pixel and back (opaque, but for argb8888). 8 to
      * n bits truncates, n to 8 replicates: pack(unpack(p)) == p for every p
-     * that pack makes. X bits are set. A pixel is the word as the CPU reads it
-     * from memory: on a little-endian one that of rgb565_be has its bytes
-     * swapped. */
+     * that pack makes. Unused bits (X) are set, and ignored. A pixel is the
+     * word as the CPU reads it from memory: on a little-endian one that of
+     * rgb565_be has its bytes swapped. */
     uint32_t (*pack)(pel_color color);
     pel_color (*unpack)(uint32_t pixel);
 
@@ -63,8 +80,9 @@ struct pel_format {
     void (*fill)(const struct pel_spans *spans, uint32_t pixel);
 
     /* The color over every span, weighted by its alpha, which is below 255; 0
-     * leaves every bit as it is. NULL in the fill-only variants, like unpack,
-     * put and load: paints that need them draw nothing there. */
+     * leaves every bit as it is. NULL, like unpack, put and load, in the
+     * fill-only formats pel_rgb565_le_fill and pel_rgb565_be_fill: paints that
+     * need them draw nothing there. */
     void (*blend)(const struct pel_spans *spans, pel_color color);
 
     /* n >= 1 colours over the pixels (x, y) to (x + n - 1, y) of the surface,

@@ -1,7 +1,7 @@
-#include "hsv.h"
+#include "color.h"
 
-/* round(v (255 turn - s part) / (255 turn)), part <= turn <= 65,536: the sum
- * below is at most 255 * 255 * 65,536 + 255 * 32,768, less than 2^32. */
+/* round(v (255 turn - s part) / (255 turn)), part <= turn <= 65,536: the sum is
+ * less than 2^32. */
 static uint32_t level(uint32_t v, uint32_t s, uint32_t part, uint32_t turn)
 {
     uint32_t whole = 255 * turn;

@@ -1,5 +1,4 @@
-/* How declarations are spelled: in C and C++, and which functions are inlined.
- * Without GNU C the compiler chooses. */
+/* Declarations in C and C++, and which functions are inlined. */
 #ifndef PEL_BASE_INLINE_H
 #define PEL_BASE_INLINE_H
 

@@ -1,8 +1,6 @@
 /* The result of functions that can fail: those that set something up or take
- * scratch memory. Other draw calls return nothing; a shape that is clipped away
- * is no error.
- * Pointers given to draw calls and hit tests are never NULL: only functions
- * that return a status check them. */
+ * scratch memory. They check their pointers; those that draw calls and hit
+ * tests get must not be NULL. A shape that is clipped away is no error. */
 #ifndef PEL_BASE_STATUS_H
 #define PEL_BASE_STATUS_H
 

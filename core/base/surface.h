@@ -1,5 +1,4 @@
-/* Surfaces: a view of the caller's pixels. Nothing is allocated or owned; a
- * surface may live on the stack and needs no end. */
+/* Surfaces: a view of the caller's pixels, which it does not own. */
 #ifndef PEL_BASE_SURFACE_H
 #define PEL_BASE_SURFACE_H
 
@@ -19,8 +18,8 @@ struct pel_surface {
     const struct pel_format *format;
 };
 
-/* Bytes of a row of `width` pixels, 1..32,767, with no padding (mono1_pages:
- * of a page of 8 rows); 0 when width or format is not legal. */
+/* Bytes of a row of `width` pixels, 1..32,767, without padding (mono1_pages: of
+ * a page of 8 rows); 0 when width or format is not legal. */
 int32_t pel_stride(const struct pel_format *format, int32_t width);
 
 /* A surface over `size` bytes of memory, rows packed without padding:
@@ -42,17 +41,16 @@ enum pel_status pel_surface_init(struct pel_surface *surface,
                                  const struct pel_format *format, void *pixels,
                                  size_t size, const struct pel_rect *bounds);
 
-/* The general form, for which the caller knows that the memory is there.
- * `pixels` is the address of pixel (bounds->x0, bounds->y0), `stride` leads to
- * the row below it: negative for a bottom-up picture (not in mono1_pages, and
- * not INT32_MIN), larger than pel_stride() for padding, which is never written.
- * PEL_ERROR_NULL, PEL_ERROR_SIZE, PEL_ERROR_STRIDE, PEL_ERROR_ALIGNMENT. */
+/* The same with the bytes from a row to the one below: negative for a bottom-up
+ * picture (not in mono1_pages, and not INT32_MIN), larger than pel_stride() for
+ * padding, which is never written. The caller knows that the memory is there.
+ * Errors as above, and PEL_ERROR_STRIDE. */
 enum pel_status pel_surface_init_rect(struct pel_surface *surface,
                                       const struct pel_format *format,
                                       void *pixels, int32_t stride,
                                       const struct pel_rect *bounds);
 
-/* True for bounds that a surface of some format may have (see above). */
+/* True for bounds that a surface of some format may have. */
 bool pel_bounds_legal(const struct pel_rect *bounds);
 
 /* Sets the clip to the part of `clip` inside the bounds. Any rectangle will do;

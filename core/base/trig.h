@@ -11,10 +11,9 @@ PEL_BEGIN_DECLS
 #define PEL_DIRECTION_ONE INT32_C(32768)
 
 /* The direction of an angle: x = 32,768 cos, y = 32,768 sin, each the nearest
- * integer for every one of the 65,536 angles, on every CPU. So the whole
- * circle is symmetric in x, y and both diagonals, directions of angles that
- * differ by a half turn are exactly opposite, and different angles have
- * different directions, in the order of the angles. */
+ * integer, on every CPU. So the circle is symmetric in x, y and both diagonals,
+ * and different angles have different directions, in the order of the angles.
+ */
 struct pel_point pel_direction(uint16_t turn);
 
 /* 2^32 / 2 pi. */

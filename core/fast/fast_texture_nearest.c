@@ -103,10 +103,10 @@ static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *s,
 
 #endif
 
-static PEL_ALWAYS_INLINE void put_rows(const struct pel_texture *p,
-                                       const struct pel_surface *surface,
-                                       const struct pel_fast_triangle *t,
-                                       int bytes, bool masked)
+static PEL_ALWAYS_INLINE void put_rows_masked(const struct pel_texture *p,
+                                              const struct pel_surface *surface,
+                                              const struct pel_fast_triangle *t,
+                                              int bytes, bool masked)
 {
     const struct pel_texture_steps s =
         pel_texture_steps_make(p, bytes, 0, masked);
@@ -124,30 +124,16 @@ static PEL_ALWAYS_INLINE void put_rows(const struct pel_texture *p,
 }
 
 /* Without a mask a loop has two registers more, which gcc needs. */
-static bool is_masked(const struct pel_texture *p)
+static PEL_ALWAYS_INLINE void put_rows(const struct pel_texture *p,
+                                       const struct pel_surface *surface,
+                                       const struct pel_fast_triangle *t,
+                                       int bytes)
 {
-    return pel_texture_is_masked(p->width, p->wrap_u) ||
-           pel_texture_is_masked(p->height, p->wrap_v);
-}
-
-static void put_rows_16(const struct pel_texture *p,
-                        const struct pel_surface *surface,
-                        const struct pel_fast_triangle *t)
-{
-    if (is_masked(p))
-        put_rows(p, surface, t, 2, true);
+    if (pel_texture_is_masked(p->width, p->wrap_u) ||
+        pel_texture_is_masked(p->height, p->wrap_v))
+        put_rows_masked(p, surface, t, bytes, true);
     else
-        put_rows(p, surface, t, 2, false);
-}
-
-static void put_rows_32(const struct pel_texture *p,
-                        const struct pel_surface *surface,
-                        const struct pel_fast_triangle *t)
-{
-    if (is_masked(p))
-        put_rows(p, surface, t, 4, true);
-    else
-        put_rows(p, surface, t, 4, false);
+        put_rows_masked(p, surface, t, bytes, false);
 }
 
 /* Are texels, but for bits that are set, pixels of xrgb8888? */
@@ -165,9 +151,9 @@ bool pel_texture_nearest_fast(const struct pel_paint *paint,
     const struct pel_texture *p = (const void *)paint;
     const struct pel_format *format = surface->format;
     if (pel_texture_is_copied(p, format) && pel_texture_stride_fits(p, 2))
-        put_rows_16(p, surface, triangle);
+        put_rows(p, surface, triangle, 2);
     else if (is_32(p, format) && pel_texture_stride_fits(p, 4))
-        put_rows_32(p, surface, triangle);
+        put_rows(p, surface, triangle, 4);
     else
         return false;
     return true;

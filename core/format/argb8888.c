@@ -20,6 +20,6 @@ static inline uint32_t blended(uint32_t p, const struct pel_premultiplied *s)
 #include "body32.inc"
 
 const struct pel_format pel_argb8888 = {
-    FORMAT_32,
     .id = PEL_FORMAT_ARGB8888,
+    FORMAT_32,
 };

@@ -1,12 +1,11 @@
-#include "fields.h"
 #include "formats.h"
 
 #define ORDER PEL_LE16
-static const struct pel_fields fields = {{0, 5}, {5, 6}, {11, 5}, 0};
+#define FIELDS {0, 5}, {5, 6}, {11, 5}, 0
 #include "fields.inc"
 #include "body565.inc"
 
 const struct pel_format pel_bgr565_le = {
-    FORMAT_565,
     .id = PEL_FORMAT_BGR565_LE,
+    FORMAT_565,
 };

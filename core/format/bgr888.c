@@ -1,12 +1,11 @@
-#include "fields.h"
 #include "formats.h"
 
 #define ORDER(v) (v)
-static const struct pel_fields fields = {{0, 8}, {8, 8}, {16, 8}, 0};
+#define FIELDS {0, 8}, {8, 8}, {16, 8}, 0
 #include "fields.inc"
 #include "body24.inc"
 
 const struct pel_format pel_bgr888 = {
-    FORMAT_24,
     .id = PEL_FORMAT_BGR888,
+    FORMAT_24,
 };

@@ -1,6 +1,5 @@
-/* Blending one color into spans of 32-bit pixels. Channels are bytes, so their
- * order does not matter: all four 32-bit formats share this. Only where
- * PEL_VECTORS is 1. */
+/* One color over spans of 32-bit pixels, of any format: channels are bytes, in
+ * any order. Only where PEL_VECTORS is 1. */
 #ifndef PEL_FORMAT_BLEND32_H
 #define PEL_FORMAT_BLEND32_H
 
@@ -8,9 +7,10 @@
 
 #if PEL_VECTORS
 
-/* The color, of two pixels, byte by byte. */
+/* The color as the bytes of two pixels, 16 bits each. A byte d of the picture
+ * becomes (d * rest + source) / 255, rounded (pel_divide255_u16x8). */
 struct pel_blend32 {
-    pel_u16x8 sources; /* source * alpha + 128, for pel_divide255_u16x8 */
+    pel_u16x8 sources; /* byte of the color * alpha + 128 */
     pel_u16x8 rests;   /* 255 - alpha */
 };
 
@@ -26,7 +26,7 @@ static inline struct pel_blend32 pel_blend32_make(
 {
     const uint16_t alpha = (uint16_t)pel_alpha(color);
     const uint16_t rest = (uint16_t)(255 - alpha);
-    /* In the lane of the X byte: 255 * 255 + 128, and nothing of memory. */
+    /* The X byte becomes 255 whatever is in memory: (0 d + 255 255) / 255. */
     const pel_u16x8 x = pel_blend32_lanes(format->pack(0));
     const pel_u16x8 source = pel_blend32_lanes(format->pack(color));
     const struct pel_blend32 b = {source * alpha + x * rest + 128, ~x & rest};
@@ -46,8 +46,8 @@ static inline pel_u16x8 pel_blend32_mix(pel_u16x8 d,
 }
 
 /* Fewer than 4 pixels: the first, the middle and the last one, of which some
- * may be the same. With n <= 0 a variable is written instead,
- * as in pel_span32_short. */
+ * may be the same. With n <= 0 a variable takes their place, as in
+ * pel_span32_short. */
 static inline void pel_blend32_short(pel_word32 *p, int32_t n,
                                      const struct pel_blend32 *b)
 {
@@ -61,9 +61,8 @@ static inline void pel_blend32_short(pel_word32 *p, int32_t n,
     q[last] = v[2];
 }
 
-/* More than 8 pixels by eights, of which the last ends before the span does.
- * The span's last eight pixels are read before the first store, and stored
- * last: they may overlap those before them. */
+/* More than 8 pixels, by eights. The last eight may overlap those before them:
+ * they are read before the first store, and stored last. */
 static PEL_ALWAYS_INLINE void pel_blend32_long(pel_word32 *p, int32_t n,
                                                const struct pel_blend32 *b,
                                                uintptr_t ahead)
@@ -82,8 +81,7 @@ static PEL_ALWAYS_INLINE void pel_blend32_long(pel_word32 *p, int32_t n,
     pel_put_u16x8(end + 4, last);
 }
 
-/* `ahead`: bytes to the span a few rows below, which the loop prefetches: a
- * loop of its own would cost a branch that is often mispredicted. */
+/* `ahead`: bytes to the span a few rows below, which is prefetched. */
 static PEL_ALWAYS_INLINE void pel_blend32_span(pel_word32 *p, int32_t n,
                                                const struct pel_blend32 *b,
                                                uintptr_t ahead)

@@ -36,12 +36,6 @@ static inline struct pel_blend565 pel_blend565_make(
     return b;
 }
 
-static inline pel_u16x8 pel_blend565_mixes(pel_u16x8 d, pel_u16x8 s,
-                                           pel_u16x8 rest)
-{
-    return pel_divide255_u16x8(d * rest + s);
-}
-
 /* Eight pixels. */
 static inline pel_u16x8 pel_blend565_vector(pel_u16x8 v,
                                             const struct pel_blend565 *b)
@@ -51,9 +45,9 @@ static inline pel_u16x8 pel_blend565_vector(pel_u16x8 v,
     pel_u16x8 high = (v >> 8 & 0xF8) | v >> 13;
     pel_u16x8 middle = (v >> 3 & 0xFC) | (v >> 9 & 0x03);
     pel_u16x8 low = (v << 3 & 0xF8) | (v >> 2 & 0x07);
-    high = pel_blend565_mixes(high, b->high, b->rest);
-    middle = pel_blend565_mixes(middle, b->middle, b->rest);
-    low = pel_blend565_mixes(low, b->low, b->rest);
+    high = pel_divide255_u16x8(high * b->rest + b->high);
+    middle = pel_divide255_u16x8(middle * b->rest + b->middle);
+    low = pel_divide255_u16x8(low * b->rest + b->low);
     v = (high & 0xF8) << 8 | (middle & 0xFC) << 3 | low >> 3;
     return b->swapped ? (v << 8 | v >> 8) : v;
 }

@@ -11,8 +11,8 @@ static void fill(const struct pel_spans *spans, uint32_t pixel)
 }
 
 const struct pel_format pel_gray4 = {
-    FORMAT_BITS,
     .id = PEL_FORMAT_GRAY4,
     .fill = fill,
     .blend = blend,
+    FORMAT_BITS,
 };

@@ -7,8 +7,8 @@
 #include "body_word.inc"
 
 const struct pel_format pel_gray8 = {
-    FORMAT_WORD,
     .id = PEL_FORMAT_GRAY8,
     .fill = pel_fill8,
     .blend = blend,
+    FORMAT_WORD,
 };

@@ -17,8 +17,8 @@ static void fill(const struct pel_spans *spans, uint32_t pixel)
 }
 
 const struct pel_format pel_mono1_pages = {
-    FORMAT_BITS,
     .id = PEL_FORMAT_MONO1_PAGES,
     .fill = fill,
     .blend = pel_blend_mono,
+    FORMAT_BITS,
 };

@@ -1,6 +1,5 @@
-/* One run of equal 32-bit pixels. The vector form stores whole vectors that may
- * overlap inside the run, in classes of length, so that the branches depend on
- * the class alone; it never stores outside [p, p + n). */
+/* One span of equal 32-bit pixels. Vectors may overlap inside the span, so that
+ * branches depend on the class of its length alone. */
 #ifndef PEL_FORMAT_SPAN32_H
 #define PEL_FORMAT_SPAN32_H
 
@@ -11,13 +10,8 @@
 
 typedef pel_u32x4 pel_value32;
 
-static inline pel_value32 pel_make_value32(uint32_t pixel)
-{
-    return (pel_value32){pixel, pixel, pixel, pixel};
-}
-
-/* Fewer than 4 pixels. Slivers and small shapes have runs of none and of few in
- * no order; writing none somewhere else costs less than a wrong guess. */
+/* Fewer than 4 pixels. Small shapes have spans of none and of few in no order:
+ * writing none somewhere else costs less than a branch guessed wrong. */
 static inline void pel_span32_short(pel_word32 *p, int32_t n, uint32_t v)
 {
     pel_word32 elsewhere;
@@ -76,11 +70,6 @@ static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
 
 typedef uint32_t pel_value32;
 
-static inline pel_value32 pel_make_value32(uint32_t pixel)
-{
-    return pixel;
-}
-
 /* `blocks` >= 1 times 16 bytes of v, and where the next ones go. Arm stores
  * four registers with one instruction, which compilers do not find. */
 #if defined(__arm__) && defined(__GNUC__)
@@ -125,4 +114,10 @@ static inline void pel_span32(pel_word32 *p, int32_t n, pel_value32 v)
 }
 
 #endif
+
+static inline pel_value32 pel_make_value32(uint32_t pixel)
+{
+    return (pel_value32){0} + pixel;
+}
+
 #endif

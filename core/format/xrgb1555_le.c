@@ -1,8 +1,7 @@
-#include "fields.h"
 #include "formats.h"
 
 #define ORDER PEL_LE16
-static const struct pel_fields fields = {{10, 5}, {5, 5}, {0, 5}, 0x8000};
+#define FIELDS {10, 5}, {5, 5}, {0, 5}, 0x8000
 #include "fields.inc"
 
 #define WORD pel_word16
@@ -11,6 +10,9 @@ static const struct pel_fields fields = {{10, 5}, {5, 5}, {0, 5}, 0x8000};
 static const struct pel_dithering dithering = {NULL, {5, 5, 5}};
 
 const struct pel_format pel_xrgb1555_le = {
-    FORMAT_WORD,    .id = PEL_FORMAT_XRGB1555_LE, .fill = pel_fill16,
-    .blend = blend, .dithering = &dithering,
+    .id = PEL_FORMAT_XRGB1555_LE,
+    .fill = pel_fill16,
+    .blend = blend,
+    .dithering = &dithering,
+    FORMAT_WORD,
 };

@@ -1,12 +1,11 @@
-#include "fields.h"
 #include "formats.h"
 
 #define ORDER PEL_LE32
-static const struct pel_fields fields = {{16, 8}, {8, 8}, {0, 8}, 0xFF000000};
+#define FIELDS {16, 8}, {8, 8}, {0, 8}, 0xFF000000
 #include "fields.inc"
 #include "body32.inc"
 
 const struct pel_format pel_xrgb8888 = {
-    FORMAT_32,
     .id = PEL_FORMAT_XRGB8888,
+    FORMAT_32,
 };

@@ -1,9 +1,7 @@
-/* Hit testing: which pixels a shape covers.
- *
- * Each function is true for the pixels that the fill of the same name covers,
- * exactly. It computes that from the shape and reads no pixel: a few
- * multiplications, for a polygon per edge that crosses the row. A pixel or a
- * shape out of range is not hit. Outlines and the clip do not count. */
+/* Hit testing: each function is true for exactly the pixels that the fill of
+ * the same name covers, in a few multiplications (for a polygon, per edge that
+ * crosses the row). A pixel or a shape out of range is not hit. Outlines and
+ * the clip do not count. */
 #ifndef PEL_HIT_HIT_H
 #define PEL_HIT_HIT_H
 

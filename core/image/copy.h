@@ -23,7 +23,8 @@ void pel_copy(const struct pel_surface *surface,
               const struct pel_copy_part *copy);
 
 /* The same but for the pixels of one colour, which stay as they are. The key is
- * compared in the source's format: as it is when it has been packed into it. */
+ * packed into the source's format and compared there, without alpha and unused
+ * bits. */
 void pel_copy_keyed(const struct pel_surface *surface,
                     const struct pel_copy_part *copy, pel_color key);
 

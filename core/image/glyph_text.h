@@ -1,4 +1,5 @@
-/* Text: glyphs of a font next to each other. */
+/* 1-bit pictures, drawn with any paint; text: glyphs of a font next to each
+ * other. */
 #ifndef PEL_IMAGE_GLYPH_TEXT_H
 #define PEL_IMAGE_GLYPH_TEXT_H
 
@@ -6,6 +7,20 @@
 #include "../raster/paint.h"
 
 PEL_BEGIN_DECLS
+
+struct pel_stencil {
+    const uint8_t *bits; /* rows from the top, the left pixel in the high bit */
+    int32_t
+        stride; /* bytes from a row to the next: those of the width, or more */
+    int32_t width, height; /* px, 0..32,767 */
+};
+
+/* Paints the pixels whose bit is set, each once, with the glyph's left top
+ * pixel at (x, y). x and y lie in -65,536..65,536 px: otherwise nothing is
+ * drawn, which is a broken contract (PEL_ASSERT). */
+void pel_glyph(const struct pel_surface *surface,
+               const struct pel_stencil *glyph, int32_t x, int32_t y,
+               const struct pel_paint *paint);
 
 struct pel_text_block {
     const struct pel_font_asset *font; /* pel_font_asset_check gave PEL_OK */

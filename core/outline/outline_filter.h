@@ -15,9 +15,9 @@
  *     }
  *
  * That surface has a clip one pixel larger on every side, so that the clip
- * makes no edge; pixels outside of the clip are not touched. Unlike other
- * paints the filter has a state: it needs the rows from the top down, as all
- * shapes of core draw them, and each row from left to right. */
+ * makes no edge. Unlike other paints the filter has a state: it needs the rows
+ * from the top down, and each row from left to right, as all shapes of core
+ * draw them. */
 #ifndef PEL_OUTLINE_OUTLINE_FILTER_H
 #define PEL_OUTLINE_OUTLINE_FILTER_H
 

@@ -40,6 +40,7 @@ struct pel_boundary {
 struct pel_cells {
     struct pel_boundary end; /* before the first: at a batch's first pixel */
 
+    uint8_t left;   /* spans from `span` on */
     bool box;       /* hi ends all rows */
     bool opaque;    /* the next cell's colour is, */
     int8_t way;     /* from one cell's place to the next: 1 or -1 */
@@ -72,8 +73,7 @@ void pel_cells_open(struct pel_cells *cells,
 /* Goes on to the next batch, of at most `most` <= PEL_CELL_ROWS rows, unless
  * pixels are left of the present one: from end.x to hi. No limit, way 1. false
  * when none are. */
-bool pel_cells_next(struct pel_cells *cells, const struct pel_spans *spans,
-                    int32_t most);
+bool pel_cells_next(struct pel_cells *cells, int32_t most);
 
 /* How many cells from the one at c->place on are the same pixel value as that;
  * 0: all that may come. Moves on to the first other one. */

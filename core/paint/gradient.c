@@ -104,6 +104,7 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
     c->cell =
         (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
     c->span = spans->span;
+    c->left = (uint8_t)spans->n;
     c->run[0].x1 = FAR;
 #if PEL_KNOW_SIDES
     c->mask = mask_of(gradient, spans->surface->format);
@@ -134,15 +135,15 @@ static bool find_left(struct pel_cells *c)
     return lo < hi;
 }
 
-bool pel_cells_next(struct pel_cells *c, const struct pel_spans *spans,
-                    int32_t most)
+bool pel_cells_next(struct pel_cells *c, int32_t most)
 {
     c->limit = INT32_MAX;
     c->way = 1;
     while (!find_left(c)) {
         c->span += c->cell.n;
+        c->left = (uint8_t)(c->left - c->cell.n);
         c->cell.y += c->cell.n * c->cell.step;
-        c->cell.n = pel_min(spans->n - (int32_t)(c->span - spans->span), most);
+        c->cell.n = pel_min(c->left, most);
         if (c->cell.n == 0)
             return false;
         for (int32_t i = 0; i < rows_of(c); i++)
@@ -249,7 +250,7 @@ int32_t pel_cells_pass(struct pel_cells *c)
     int32_t count = 0;
     do {
 #if PEL_KNOW_SIDES
-        if (c->mask) {
+        if (c->mask && most > count) {
             const int32_t passed = pass_mixed(c, most - count);
             count += passed;
             c->place += c->way * passed;

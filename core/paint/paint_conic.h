@@ -6,21 +6,22 @@
 
 PEL_BEGIN_DECLS
 
-/* The way is the angle from `start` on, in turns, clockwise on screen. Cell k
- * of n holds the pixels that pel_sector, with a radius that reaches them, holds
- * between the angles
+/* The gradient runs clockwise on screen, once around from the angle `start`.
+ * Cell k of n holds the pixels that pel_sector, with a radius that reaches
+ * them, holds between the angles
  *
  *     start + floor(65536 k / n) and start + floor(65536 (k + 1) / n)
  *
  * (round/sector.h; the only cell of n = 1 holds all): on the ray of the first
  * or clockwise of it, and before the ray of the second. A pixel whose centre is
  * the gradient's counts as angle 0. PEL_PAD and PEL_REPEAT are the same; with
- * PEL_REFLECT the way goes there and back within the turn: in 2 n cells. */
+ * PEL_REFLECT the colours go there and back within the turn: in 2 n cells. */
 struct pel_conic {
     struct pel_gradient base;
     struct pel_point center;
-    uint16_t start;       /* 65,536ths of a turn */
-    uint16_t width, rest; /* 65,536 = width period + rest */
+    uint16_t start; /* turns / 65,536 */
+    uint16_t width; /* of a cell, rounded down, in turns / 65,536 */
+    uint16_t rest;  /* of the turn: 65,536 - width * period */
 };
 
 /* PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n), PEL_ERROR_RANGE (the centre
@@ -28,9 +29,9 @@ struct pel_conic {
 enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
                                uint16_t start, const struct pel_ramp *ramp);
 
-/* The same with n cells of colours of its own, 1 <= n <= 32,767: the gradient's
- * `color` and `cells` are set before, `period` too (n, or 2 n there and back),
- * and its ramp's n is 0. PEL_ERROR_RANGE. */
+/* The same for n cells, 1 <= n <= 32,767, that have colours of their own. Set
+ * the gradient's `color`, `cells` and `period` (n, or 2 n there and back)
+ * before; its ramp's n is 0. PEL_ERROR_RANGE. */
 enum pel_status pel_conic_begin(struct pel_conic *paint,
                                 struct pel_point center, uint16_t start);
 

@@ -125,7 +125,7 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     struct pel_cells c;
     pel_cells_open(&c, (const void *)paint, spans);
-    while (pel_cells_next(&c, spans, PEL_CELL_ROWS)) {
+    while (pel_cells_next(&c, PEL_CELL_ROWS)) {
         first_row(&c);
         find_angle(&c);
         set_cell(&c);

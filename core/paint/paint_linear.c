@@ -86,6 +86,8 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
         &p->base, copy,
         (int32_t)pel_divide_64(pel_times((uint64_t)*error, n),
                                (uint64_t)p->square, &rest));
+    if (!PEL_KNOW_SIDES && p->d.x == 0)
+        return;
     if (falling)
         rest = (uint64_t)p->square - 1 - rest;
     *error = (int64_t)pel_divide_64(rest, (uint64_t)unit_of(p), &rest);
@@ -156,7 +158,7 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
         fill_level(&c, p, spans);
         return;
     }
-    while (pel_cells_next(&c, spans, most)) {
+    while (pel_cells_next(&c, most)) {
         if (p->by_pixel)
             c.hi = c.end.x + 1;
         start(&c, p);

@@ -178,7 +178,7 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     const struct pel_radial *p = (const void *)paint;
     struct side s;
     pel_cells_open(&s.cells, &p->base, spans);
-    while (pel_cells_next(&s.cells, spans, PEL_CELL_ROWS)) {
+    while (pel_cells_next(&s.cells, PEL_CELL_ROWS)) {
         set_side(&s.cells, p);
         start(&s, p);
         pel_cells_draw(&s.cells, end_cells);

@@ -8,9 +8,8 @@
  *     flush(&dirty.box);
  *
  * It is the smallest box around the pixels that the shapes cover inside the
- * clip, for every shape. With NULL for the paint it is found without painting,
- * in the time that the rows of the shape take. Unlike other paints this one has
- * a state. */
+ * clip. With NULL for the paint it is found without painting. Unlike other
+ * paints this one has a state. */
 #ifndef PEL_RASTER_DIRTY_H
 #define PEL_RASTER_DIRTY_H
 

@@ -1,9 +1,9 @@
-/* The exact walk of an edge: for every row, the first pixel whose centre lies
- * on an edge or to the right of it.
+/* The exact walk of an edge: x(row), the first pixel of every row whose centre
+ * lies on the edge or to the right of it.
  *
  * The rule. A pixel belongs to a shape when its centre is inside; a centre that
  * lies exactly on an edge belongs to the shape of which that edge is a top or a
- * left edge. With x(row) as above for both edges of a row, the pixels are
+ * left edge. The pixels between two edges of a row are
  * [x(left), x(right)): a centre on the left edge is in, one on the right edge
  * is out, and two shapes that share an edge share the integer, so no pixel of a
  * mesh is missed or hit twice. Rows follow the same rule: those whose centre y

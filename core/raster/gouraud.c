@@ -33,6 +33,7 @@ static bool start(struct setup *s, const struct pel_point v[3])
 {
     pel_plane_corners(&s->plane, v);
     s->reciprocal = 0;
+    s->plane.bits = (uint8_t)pel_bits_of(s->plane.area);
     if (s->plane.area == 0)
         return false;
     if (!reciprocal_is_enough(&s->plane))

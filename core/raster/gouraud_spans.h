@@ -1,5 +1,5 @@
-/* Writers of opaque Gouraud spans in xrgb8888 and rgb565_le, with the channels
- * in registers, as 8.24. The bytes are those of the formats' own pack. */
+/* Writers of opaque Gouraud spans in xrgb8888 and rgb565_le, the same bytes as
+ * the formats' own pack makes. Channels are 8.24, and stay in registers. */
 #ifndef PEL_RASTER_GOURAUD_SPANS_H
 #define PEL_RASTER_GOURAUD_SPANS_H
 
@@ -49,58 +49,51 @@ static inline pel_word16 pel_gouraud_word565(uint32_t b, uint32_t g, uint32_t r)
  * triangle. `apart`: pixels from lane to lane; a store is 4 * apart pixels. */
 #if PEL_VECTORS
 
-struct pel_gouraud_steps {
-    uint32_t dx[3];
-    pel_u32x4 lanes[3]; /* from the first lane's pixel to each lane's */
-    pel_u32x4 steps[3]; /* from a vector of pixels to the next */
+/* Blue, green and red of four pixels. */
+struct pel_gouraud_four {
+    pel_u32x4 v[3];
 };
 
-/* The channels of four pixels. */
-struct pel_gouraud_four {
-    pel_u32x4 b, g, r;
+struct pel_gouraud_steps {
+    uint32_t dx[3];
+    struct pel_gouraud_four lanes; /* from the first lane's pixel to each */
+    struct pel_gouraud_four next;  /* from a vector of pixels to the next */
 };
+
+static PEL_ALWAYS_INLINE struct pel_gouraud_four pel_gouraud_add(
+    struct pel_gouraud_four a, struct pel_gouraud_four b)
+{
+    return (struct pel_gouraud_four){
+        {a.v[0] + b.v[0], a.v[1] + b.v[1], a.v[2] + b.v[2]}};
+}
+
+/* n v in every lane. */
+static PEL_ALWAYS_INLINE struct pel_gouraud_four pel_gouraud_times(
+    const uint32_t v[3], uint32_t n)
+{
+    const pel_u32x4 zero = {0, 0, 0, 0};
+    return (struct pel_gouraud_four){
+        {zero + n * v[0], zero + n * v[1], zero + n * v[2]}};
+}
 
 static inline struct pel_gouraud_steps pel_gouraud_steps_make(
     const struct pel_gouraud *g, uint32_t apart)
 {
+    const pel_u32x4 odd = {0, ~0u, 0, ~0u};
+    const pel_u32x4 upper = {0, 0, ~0u, ~0u};
     struct pel_gouraud_steps s;
     for (int k = 0; k < 3; k++) {
-        const pel_u32x4 zero = {0, 0, 0, 0}, odd = {0, ~0u, 0, ~0u},
-                        upper = {0, 0, ~0u, ~0u};
-        const pel_u32x4 d = zero + apart * g->dx[k];
+        const pel_u32x4 zero = {0, 0, 0, 0}, d = zero + apart * g->dx[k];
         s.dx[k] = g->dx[k];
-        s.lanes[k] = (d & odd) + ((d << 1) & upper);
-        s.steps[k] = d << 2;
+        s.lanes.v[k] = (d & odd) + ((d << 1) & upper);
+        s.next.v[k] = d << 2;
     }
     return s;
 }
 
-static PEL_ALWAYS_INLINE struct pel_gouraud_four pel_gouraud_lanes(
-    const uint32_t v[3], const struct pel_gouraud_steps *s)
+static PEL_ALWAYS_INLINE pel_u32x4 pel_gouraud_xrgb4(struct pel_gouraud_four c)
 {
-    return (struct pel_gouraud_four){s->lanes[0] + v[0], s->lanes[1] + v[1],
-                                     s->lanes[2] + v[2]};
-}
-
-/* n pixels on. */
-static PEL_ALWAYS_INLINE struct pel_gouraud_four pel_gouraud_on(
-    struct pel_gouraud_four v, uint32_t n, const uint32_t dx[3])
-{
-    return (struct pel_gouraud_four){v.b + n * dx[0], v.g + n * dx[1],
-                                     v.r + n * dx[2]};
-}
-
-/* A vector of pixels on. */
-static PEL_ALWAYS_INLINE struct pel_gouraud_four pel_gouraud_next(
-    struct pel_gouraud_four v, const struct pel_gouraud_steps *s)
-{
-    return (struct pel_gouraud_four){v.b + s->steps[0], v.g + s->steps[1],
-                                     v.r + s->steps[2]};
-}
-
-static PEL_ALWAYS_INLINE pel_u32x4 pel_gouraud_xrgb4(struct pel_gouraud_four v)
-{
-    return (v.r >> 8 & 0xFF0000u) | (v.g >> 16 & 0xFF00u) | v.b >> 24 |
+    return (c.v[2] >> 8 & 0xFF0000u) | (c.v[1] >> 16 & 0xFF00u) | c.v[0] >> 24 |
            UINT32_C(0xFF000000);
 }
 
@@ -125,22 +118,23 @@ static PEL_ALWAYS_INLINE void pel_gouraud_long_xrgb(
 {
     pel_word32 *const end = p + n - 8;
     const struct pel_gouraud_four tail =
-        pel_gouraud_on(v, (uint32_t)n - 8, s->dx);
+        pel_gouraud_add(v, pel_gouraud_times(s->dx, (uint32_t)n - 8));
     do {
         pel_put_u32x4(p, pel_gouraud_xrgb4(v));
-        v = pel_gouraud_next(v, s);
+        v = pel_gouraud_add(v, s->next);
         pel_put_u32x4(p + 4, pel_gouraud_xrgb4(v));
-        v = pel_gouraud_next(v, s);
+        v = pel_gouraud_add(v, s->next);
         p += 8;
     } while (p < end);
     pel_put_u32x4(end, pel_gouraud_xrgb4(tail));
-    pel_put_u32x4(end + 4, pel_gouraud_xrgb4(pel_gouraud_next(tail, s)));
+    pel_put_u32x4(end + 4, pel_gouraud_xrgb4(pel_gouraud_add(tail, s->next)));
 }
 
 static PEL_ALWAYS_INLINE void pel_gouraud_span_xrgb(
     pel_word32 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_steps *s)
 {
-    const struct pel_gouraud_four four = pel_gouraud_lanes(v, s);
+    const struct pel_gouraud_four four =
+        pel_gouraud_add(s->lanes, pel_gouraud_times(v, 1));
     if (n > 8) {
         pel_gouraud_long_xrgb(p, n, four, s);
         return;
@@ -152,19 +146,19 @@ static PEL_ALWAYS_INLINE void pel_gouraud_span_xrgb(
     }
     const uint32_t last = (uint32_t)n - 4;
     pel_put_u32x4(p, first);
-    pel_put_u32x4(p + last,
-                  pel_gouraud_xrgb4(pel_gouraud_on(four, last, s->dx)));
+    pel_put_u32x4(p + last, pel_gouraud_xrgb4(pel_gouraud_add(
+                                four, pel_gouraud_times(s->dx, last))));
 }
 
 /* Eight pixels: the lanes hold pixels 0, 2, 4, 6; one step on 1, 3, 5, 7. */
 static PEL_ALWAYS_INLINE pel_u32x4
-pel_gouraud_rgb565x8(struct pel_gouraud_four v, const uint32_t dx[3])
+pel_gouraud_rgb565x8(struct pel_gouraud_four c, const uint32_t dx[3])
 {
     const pel_u32x4 low =
-        (v.r >> 16 & 0xF800u) | (v.g >> 21 & 0x07E0u) | v.b >> 27;
-    v = pel_gouraud_on(v, 1, dx);
-    return low | (v.r & 0xF8000000u) | (v.g >> 5 & 0x07E00000u) |
-           (v.b >> 11 & 0x001F0000u);
+        (c.v[2] >> 16 & 0xF800u) | (c.v[1] >> 21 & 0x07E0u) | c.v[0] >> 27;
+    c = pel_gouraud_add(c, pel_gouraud_times(dx, 1));
+    return low | (c.v[2] & 0xF8000000u) | (c.v[1] >> 5 & 0x07E00000u) |
+           (c.v[0] >> 11 & 0x001F0000u);
 }
 
 /* Stores the first n < 8 of eight pixels, by two stores that may overlap. */
@@ -189,7 +183,8 @@ static inline void pel_gouraud_short_rgb565(pel_word16 *p, int32_t n,
 static PEL_ALWAYS_INLINE void pel_gouraud_span_rgb565(
     pel_word16 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_steps *s)
 {
-    struct pel_gouraud_four four = pel_gouraud_lanes(v, s);
+    struct pel_gouraud_four four =
+        pel_gouraud_add(s->lanes, pel_gouraud_times(v, 1));
     const pel_u32x4 first = pel_gouraud_rgb565x8(four, s->dx);
     if (n < 8) {
         pel_gouraud_short_rgb565(p, n, first);
@@ -199,9 +194,10 @@ static PEL_ALWAYS_INLINE void pel_gouraud_span_rgb565(
     pel_word16 *end = p + last;
     pel_put_u32x4(p, first);
     pel_put_u32x4(
-        end, pel_gouraud_rgb565x8(pel_gouraud_on(four, last, s->dx), s->dx));
+        end, pel_gouraud_rgb565x8(
+                 pel_gouraud_add(four, pel_gouraud_times(s->dx, last)), s->dx));
     while ((p += 8) < end) {
-        four = pel_gouraud_next(four, s);
+        four = pel_gouraud_add(four, s->next);
         pel_put_u32x4(p, pel_gouraud_rgb565x8(four, s->dx));
     }
 }

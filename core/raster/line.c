@@ -2,15 +2,16 @@
 
 #include "edge.h"
 
-/* A line is an exact edge (edge.h) with one span in each row.
+/* A line has one span in each row; an exact edge (edge.h) says where it is.
  *
- * Flat lines are moved down by half a pixel, so that row y of the edge is the
- * boundary above row y: the span of row y begins at its x. A crossing exactly
- * in a column's centre belongs to the row below, that is to the next span; so a
- * line that goes left is mirrored, pixel x to pixel -1 - x.
+ * Flat lines, no higher than wide: the span of a row goes from where the line
+ * crosses the row's upper boundary to where it crosses the lower one. The edge
+ * is the line moved down by half a pixel, so that it has its x on boundaries.
+ * A line to the left is mirrored, pixel x to pixel -1 - x, because a crossing
+ * exactly in the centre of a column belongs to the row below.
  *
- * Steep lines have the pixel floor(X / 256) in a row, X the line's x at the
- * row's centre: that is -ceil((128 - X - 128) / 256), the edge of -X + 128. */
+ * Steep lines: the pixel floor(x) at the row's centre. An edge rounds its x up,
+ * so it is that of -x, and the pixel is minus its result. */
 struct walk {
     struct pel_rect p; /* pixels (x0, y0) to (x1, y1), downwards */
     struct pel_edge edge;

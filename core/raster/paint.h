@@ -1,5 +1,9 @@
 /* Paints colour the pixels of shapes.
  *
+ * All shapes: a coordinate, radius or width out of range (base/point.h) is a
+ * broken contract: PEL_ASSERT, and nothing is drawn. What lies outside the clip
+ * takes no time, but for the set-up of a shape.
+ *
  * A paint is a const struct whose first member is a struct pel_paint. Shapes
  * give it their spans, and it colours them as a function of absolute x and y
  * alone. It has no state: one paint serves any number of shapes, threads and
@@ -39,8 +43,7 @@ bool pel_triangle_fast(const struct pel_surface *surface,
                        const struct pel_point v[3],
                        const struct pel_paint *paint);
 
-/* Initialiser of a paint with both functions; the second is linked only where
- * it is called. */
+/* Initialiser of a paint; `fast` is linked only where it is called. */
 #if PEL_FAST_FILLS
 #define PEL_PAINT(fill, fast) \
     {                         \
@@ -53,7 +56,7 @@ bool pel_triangle_fast(const struct pel_surface *surface,
     }
 #endif
 
-/* What init functions make of a paint when they fail: it draws nothing. */
+/* For init functions that fail: the paint draws nothing. */
 static inline void pel_paint_clear(struct pel_paint *paint)
 {
     paint->fill = pel_nothing_fill;
@@ -73,8 +76,8 @@ struct pel_flat {
         PEL_PAINT(pel_flat_fill, pel_flat_fast), (color) \
     }
 
-/* One color over every run, stored or blended by its alpha: an opaque one as
- * its pixel value. Fill-only twins cannot blend: a broken contract. */
+/* Stores or blends one color, an opaque one as its pixel value. Fill-only
+ * formats cannot blend: a broken contract. */
 static inline void pel_fill_value(const struct pel_spans *spans, uint32_t value,
                                   bool opaque)
 {

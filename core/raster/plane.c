@@ -28,6 +28,7 @@ static PEL_NOINLINE_32 uint64_t multiply_high(uint64_t a, uint64_t b)
  * with this difference makes r right to 2^-59. */
 static void invert(struct pel_plane_setup *s)
 {
+    s->bits = (uint8_t)pel_bits_of(s->area);
     const uint64_t word = s->area << (63 - s->bits);
     const uint64_t r =
         pel_divide((UINT64_C(1) << 63) - 1, (uint32_t)(word >> 31));
@@ -81,17 +82,20 @@ static uint64_t divide(const struct pel_plane_setup *s, uint64_t n,
 
 #endif
 
-/* Towards zero: of a sub-pixel in 2^-24, and the same of a pixel. Without a
- * branch on the sign, which CPUs cannot predict. */
-static PEL_NOINLINE_32 void gradient(const struct pel_plane_setup *s, int64_t n,
-                                     uint64_t *fine, uint64_t *pixel)
+/* The gradient of a pixel, cut towards zero; that of a sub-pixel times
+ * `distance` is added to *at. Without a branch on the sign, which CPUs cannot
+ * predict. */
+static PEL_NOINLINE_32 uint64_t gradient(const struct pel_plane_setup *s,
+                                         int64_t n, int32_t distance,
+                                         uint64_t *at)
 {
     const uint64_t sign = (uint64_t)(n >> 63);
-    *pixel = *fine = 0;
+    uint64_t fine;
     if (n == 0)
-        return;
-    *pixel = (divide(s, ((uint64_t)n ^ sign) - sign, fine) ^ sign) - sign;
-    *fine = (*fine ^ sign) - sign;
+        return 0;
+    n = (int64_t)divide(s, ((uint64_t)n ^ sign) - sign, &fine);
+    *at += pel_times((fine ^ sign) - sign, distance);
+    return ((uint64_t)n ^ sign) - sign;
 }
 
 /* Of equally high vertices the left one. 64-bit CPUs compare both coordinates
@@ -112,24 +116,28 @@ void pel_plane_corners(struct pel_plane_setup *setup,
                        const struct pel_point v[3])
 {
     struct pel_plane_setup *s = setup;
-    const int32_t bx = v[1].x - v[0].x, by = v[1].y - v[0].y;
-    const int32_t cx = v[2].x - v[0].x, cy = v[2].y - v[0].y;
+    int32_t bx = v[1].x - v[0].x, by = v[1].y - v[0].y;
+    int32_t cx = v[2].x - v[0].x, cy = v[2].y - v[0].y;
     const int64_t area = pel_product(bx, cy) - pel_product(cx, by);
     const int32_t sign = area < 0 ? -1 : 1;
-    s->right[0] = (by - cy) * sign;
-    s->right[1] = cy * sign;
-    s->right[2] = -by * sign;
-    s->down[0] = (cx - bx) * sign;
-    s->down[1] = -cx * sign;
-    s->down[2] = bx * sign;
+    bx *= sign;
+    by *= sign;
+    cx *= sign;
+    cy *= sign;
+    s->right[0] = by - cy;
+    s->right[1] = cy;
+    s->right[2] = -by;
+    s->down[0] = cx - bx;
+    s->down[1] = -cx;
+    s->down[2] = bx;
     s->area = (uint64_t)pel_size_of(area);
-    s->bits = (uint8_t)pel_bits_of(s->area);
     s->first = (uint8_t)topmost(v);
     s->a = v[s->first];
 }
 
-bool pel_plane_invert(struct pel_plane_setup *setup)
+bool pel_plane_start(struct pel_plane_setup *setup, const struct pel_point v[3])
 {
+    pel_plane_corners(setup, v);
     if (setup->area)
         invert(setup);
     return setup->area != 0;
@@ -143,14 +151,12 @@ void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
 {
     const struct pel_plane_setup *s = setup;
     const int32_t x = pel_pixel_of(s->a.x), y = pel_pixel_of(s->a.y);
-    struct pel_plane fine;
     *plane = pel_plane_level(value[s->first]);
     if (s->area == 0)
         return;
-    fine.at = plane->at;
-    gradient(s, pel_dot(value, s->right), &fine.dx, &plane->dx);
-    gradient(s, pel_dot(value, s->down), &fine.dy, &plane->dy);
-    plane->at = pel_plane_at(&fine, pel_pixel_center(x) - s->a.x,
-                             pel_pixel_center(y) - s->a.y);
+    plane->dx = gradient(s, pel_dot(value, s->right),
+                         pel_pixel_center(x) - s->a.x, &plane->at);
+    plane->dy = gradient(s, pel_dot(value, s->down),
+                         pel_pixel_center(y) - s->a.y, &plane->at);
     plane->at = pel_plane_at(plane, -x, -y);
 }

@@ -21,23 +21,18 @@ struct pel_plane_setup {
     struct pel_point a; /* the topmost vertex: planes start there */
     int32_t right[3], down[3];
     uint64_t area;    /* twice the triangle's */
-    uint64_t inverse; /* of it, 2^-(bits + 62); where CPUs use it */
-    uint8_t bits;     /* of the area */
+    uint64_t inverse; /* of it, 2^-(bits + 62), where CPUs use it */
+    uint8_t bits;     /* of the area, where there is an inverse */
     uint8_t first;    /* the index of a */
 };
 
-/* Sets all but the inverse, for legal vertices, and that. False: no area, and
- * no inverse. */
+/* Sets it for legal vertices. False: no area. */
+bool pel_plane_start(struct pel_plane_setup *setup,
+                     const struct pel_point v[3]);
+
+/* Sets all but the inverse, for those who divide by other means. */
 void pel_plane_corners(struct pel_plane_setup *setup,
                        const struct pel_point v[3]);
-bool pel_plane_invert(struct pel_plane_setup *setup);
-
-static inline bool pel_plane_start(struct pel_plane_setup *setup,
-                                   const struct pel_point v[3])
-{
-    pel_plane_corners(setup, v);
-    return pel_plane_invert(setup);
-}
 
 /* The plane, in 2^-24, with value[i] at v[i]. At pixels inside the triangle it
  * is off by less than 2^-6, and when the triangle is thinner than 1/256 px by

@@ -12,8 +12,7 @@ void pel_box(const struct pel_surface *surface, const struct pel_rect *box,
 
 /* The same by sub-pixels: the pixels whose centre lies in [from.x, to.x) x
  * [from.y, to.y), as a polygon has them. Nothing when to.x <= from.x or to.y <=
- * from.y. A corner out of range is a broken contract: PEL_ASSERT, and nothing
- * is drawn. */
+ * from.y. */
 void pel_rectangle(const struct pel_surface *surface, struct pel_point from,
                    struct pel_point to, const struct pel_paint *paint);
 

@@ -8,9 +8,7 @@ PEL_BEGIN_DECLS
 
 /* Fills the pixels whose centre lies inside the triangle (rule: raster/edge.h;
  * top-left, seen in a y-down surface). Exact for every legal vertex, in any
- * order of the vertices; a triangle without area covers nothing. Work is
- * bounded by the visible rows and pixels. A vertex out of range (base/point.h)
- * is a broken contract: PEL_ASSERT, and nothing is drawn. */
+ * order of the vertices; a triangle without area covers nothing. */
 void pel_triangle(const struct pel_surface *surface,
                   const struct pel_point v[3], const struct pel_paint *paint);
 

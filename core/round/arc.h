@@ -16,9 +16,7 @@ struct pel_arc_shape {
  * the two angles, by the rule of pel_sector: a curved band, outer - inner wide.
  * Arcs tile: around the turn, and with the rings and discs inside and around
  * them. Nothing when outer <= inner or from and to are one angle; the whole
- * ring when to - from is 65,536 or more, as of a gauge at 100 %.
- * Work is bounded by the size of the clip. A centre or radius out of range is a
- * broken contract: PEL_ASSERT, and nothing is drawn. */
+ * ring when to - from is 65,536 or more, as of a gauge at 100 %. */
 void pel_arc(const struct pel_surface *surface, const struct pel_arc_shape *arc,
              const struct pel_paint *paint);
 PEL_END_DECLS

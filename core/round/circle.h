@@ -12,9 +12,7 @@ PEL_BEGIN_DECLS
  * radius r gives a disc 2 r + 1 px wide, with one pixel alone at each of its
  * four ends; r + 1/4 px is as wide, without these. A disc of whole diameter d
  * in a d x d box has its centre at PEL_PX(x) + d * 128 and the radius d * 128,
- * and is d wide. Radius 0 covers a pixel when the centre is that pixel's.
- * Work is bounded by the size of the clip. A centre or radius out of range is a
- * broken contract: PEL_ASSERT, and nothing is drawn. */
+ * and is d wide. Radius 0 covers a pixel when the centre is that pixel's. */
 void pel_circle(const struct pel_surface *surface, struct pel_point center,
                 int32_t radius, const struct pel_paint *paint);
 PEL_END_DECLS

@@ -9,9 +9,9 @@
  * (u + 256)^2 - u^2 = 512 (u + 128), so the bits that the floor drops never
  * change, and u + 128 is subtracted from d without a multiplication.
  *
- * Work is bounded by the clip: a side begins at the visible column nearest to
- * the centre and has visible columns only. A row takes one step for each column
- * by which it differs from the row before.
+ * A side begins at the visible column nearest to the centre and has visible
+ * columns only. A row takes one step for each column by which it differs from
+ * the row before.
  *
  * The disc may be pulled apart: the left side around left_x, the right one
  * around right_x >= left_x, and all columns between them. Then half_width2 must

@@ -15,9 +15,7 @@ struct pel_ellipse_shape {
  * ellipse's with |u| <= radius.x, |v| <= radius.y and
  * u^2 radius.y^2 + v^2 radius.x^2 <= radius.x^2 radius.y^2, all in sub-pixels,
  * exactly, over the whole range. Equal radii give pel_circle; a radius of 0
- * leaves the pixels whose centre lies on the other axis. Work is bounded by the
- * size of the clip. A centre or radius out of range is a broken contract:
- * PEL_ASSERT, and nothing is drawn. */
+ * leaves the pixels whose centre lies on the other axis. */
 void pel_ellipse(const struct pel_surface *surface,
                  const struct pel_ellipse_shape *ellipse,
                  const struct pel_paint *paint);

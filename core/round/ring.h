@@ -15,9 +15,7 @@ struct pel_ring_shape {
  * inner^2 < (X - center.x)^2 + (Y - center.y)^2 <= outer^2, all in sub-pixels,
  * exactly: the disc of pel_circle with radius `outer` without the one with
  * radius `inner`. So rings tile: the inner disc, the ring around it and the
- * next ring cover every pixel once. Nothing when outer <= inner.
- * Work is bounded by the size of the clip. A centre or radius out of range is a
- * broken contract: PEL_ASSERT, and nothing is drawn. */
+ * next ring cover every pixel once. Nothing when outer <= inner. */
 void pel_ring(const struct pel_surface *surface,
               const struct pel_ring_shape *ring, const struct pel_paint *paint);
 PEL_END_DECLS

@@ -15,9 +15,7 @@ struct pel_rounded_shape {
  * from the rectangle that is smaller by r on every side, exactly; r is the
  * radius, or half of the shorter side (rounded down to a sub-pixel) if that is
  * less. So radius 0 gives pel_rectangle, and each corner is a quarter of the
- * closed disc of pel_circle. Nothing when to.x <= from.x or to.y <= from.y.
- * Work is bounded by the size of the clip. A corner or radius out of range is a
- * broken contract: PEL_ASSERT, and nothing is drawn. */
+ * closed disc of pel_circle. Nothing when to.x <= from.x or to.y <= from.y. */
 void pel_rounded_rectangle(const struct pel_surface *surface,
                            const struct pel_rounded_shape *rectangle,
                            const struct pel_paint *paint);

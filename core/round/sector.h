@@ -15,15 +15,12 @@ struct pel_sector_shape {
 
 /* Fills the pixels of pel_circle(center, radius) whose centre lies between the
  * two angles, half-open: on the ray of `from` or clockwise of it, and before
- * the ray of `to`. Decided by the signs of cross products with the integer
- * directions pel_direction(from) and pel_direction(to) (rule:
- * round/angle_range.h); so sectors tile: [a, b) and [b, c) share no pixel and
- * leave none between them, and sectors around the whole turn hold every pixel
- * of the disc once. A pixel whose centre is the centre of the disc counts as
+ * the ray of `to`. Exact, by the integer directions pel_direction(from) and
+ * pel_direction(to) (rule: round/angle_range.h): [a, b) and [b, c) share no
+ * pixel and leave none between them, and sectors around the whole turn hold
+ * every pixel of the disc once. A pixel centre on that of the disc counts as
  * angle 0. Nothing when from and to are one angle; the whole disc when to -
- * from is 65,536 or more. Work is bounded by the size of the clip. A centre or
- * radius out of range is a broken contract: PEL_ASSERT, and nothing is drawn.
- */
+ * from is 65,536 or more. */
 void pel_sector(const struct pel_surface *surface,
                 const struct pel_sector_shape *sector,
                 const struct pel_paint *paint);

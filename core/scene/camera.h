@@ -45,7 +45,7 @@ struct pel_pose {
     pel_length at[3];
 };
 
-/* World positions are those of the mesh. */
+/* No turn, at (0, 0, 0). */
 extern const struct pel_pose pel_pose_none;
 
 /* Camera space with x and y scaled for the viewport, so that the sub-pixel of a

@@ -9,11 +9,10 @@ static uint32_t factors_of(const pel_factor f[3])
 
 static bool light_legal(const struct pel_light *l)
 {
-    const uint32_t limit = PEL_LENGTH_MAX;
     int32_t any = 0;
     for (int k = 0; k < 3; k++) {
         any |= l->at[k];
-        if ((uint32_t)l->at[k] + limit > 2 * limit)
+        if (!pel_length_legal(l->at[k]))
             return false;
     }
     return factors_of(l->color) < PEL_FACTOR_END && (any || !l->directional);
@@ -135,17 +134,12 @@ static pel_cosine power(pel_cosine v, int32_t n)
     return (pel_cosine)result;
 }
 
-static pel_cosine cosine_of(const pel_cosine a[3], const pel_cosine b[3])
-{
-    return (pel_cosine)pel_scale_down(pel_dot(a, b), 30);
-}
-
 /* R.V = 2 (N.L) (N.V) - L.V, above 0 and at most 1; in halves, which fit. */
 static pel_cosine reflected(const pel_cosine l[3], const pel_cosine n[3],
                             const pel_cosine v[3], pel_cosine nl)
 {
     const int32_t half =
-        pel_scaled(nl, cosine_of(n, v), 30) - (cosine_of(l, v) >> 1);
+        pel_scaled(nl, pel_weighted(n, v), 30) - (pel_weighted(l, v) >> 1);
     return 2 * pel_max(pel_min(half, PEL_COSINE_ONE / 2), 0);
 }
 
@@ -171,7 +165,7 @@ static void add_light(const struct pel_mesh_lights *lights,
                       const struct pel_mesh_light *light,
                       pel_cosine towards[3][3], struct pel_light_sum *sum)
 {
-    const pel_cosine nl = cosine_of(towards[0], towards[2]);
+    const pel_cosine nl = pel_weighted(towards[0], towards[2]);
     if (nl > 0)
         add(sum->surface, light->diffuse, nl);
     else if (lights->lighting->no_back_highlights)

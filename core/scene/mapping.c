@@ -11,10 +11,11 @@ static int64_t texel_of(const struct pel_frame *frame, uint32_t vertex, int k)
     return pel_scale_down(v, mesh->texture.shift - 16);
 }
 
-/* Differences are below 2^38; what does not fit 32 bits is mixed without its
+/* u and v of the corners of the triangle; z is not set. Differences are below
+ * 2^38; what does not fit 32 bits is mixed without its
  * last 8. */
-void pel_mapping_corners(const struct pel_frame *frame,
-                         struct pel_texture_corner corner[3])
+static void set_corners(const struct pel_frame *frame,
+                        struct pel_texture_corner corner[3])
 {
     const struct pel_frame_triangle *t = &frame->work->triangle;
     for (int k = 0; k < 2; k++) {
@@ -55,9 +56,9 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     }
 }
 
-const struct pel_paint *pel_modulate(struct pel_frame *frame,
-                                     const struct pel_color_paint *surface,
-                                     const pel_color color[3])
+static const struct pel_paint *modulate(struct pel_frame *frame,
+                                        const struct pel_color_paint *surface,
+                                        const pel_color color[3])
 {
     struct pel_modulated *p = &frame->work->paint.modulated;
     if ((color[0] & color[1] & color[2]) == UINT32_C(0xFFFFFFFF))
@@ -83,12 +84,12 @@ static pel_color vertex_color(const struct pel_frame *frame, uint32_t vertex)
 
 const struct pel_mapping pel_map_vertices = {vertex_color, NULL, NULL};
 
-static const struct pel_color_paint *surface(struct pel_frame *frame)
+static const struct pel_color_paint *affine(struct pel_frame *frame)
 {
     struct pel_texture *p = &frame->texture;
     struct pel_texture_corner corner[3];
     int32_t value[3];
-    pel_mapping_corners(frame, corner);
+    set_corners(frame, corner);
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < 3; i++)
             value[i] = (int32_t)pel_scale_down(corner[i].uv[k], 8);
@@ -98,4 +99,21 @@ static const struct pel_color_paint *surface(struct pel_frame *frame)
     return &p->base;
 }
 
-const struct pel_mapping pel_map_affine = {NULL, surface, pel_modulate};
+const struct pel_mapping pel_map_affine = {NULL, affine, modulate};
+
+static const struct pel_color_paint *perspective(struct pel_frame *frame)
+{
+    struct pel_perspective *p = &frame->work->perspective;
+    const int32_t span = frame->scene->texture->span;
+    struct pel_texture_corner corner[3];
+    set_corners(frame, corner);
+    for (int i = 0; i < 3; i++)
+        corner[i].z = frame->projector.one
+                          ? 1
+                          : frame->work->triangle.corner[i]->position[2];
+    pel_perspective_init(p, &frame->texture, pel_frame_setup(frame), corner,
+                         span);
+    return &p->base;
+}
+
+const struct pel_mapping pel_map_perspective = {NULL, perspective, modulate};

@@ -84,13 +84,15 @@ static void add_face(const struct pel_mesh *m, uint32_t triangle,
     const int16_t *a = m->positions[corner[0]];
     const int16_t *b = m->positions[corner[1]];
     const int16_t *c = m->positions[corner[2]];
+    int32_t ab[3], ac[3];
+    int64_t normal[3];
     for (int k = 0; k < 3; k++) {
-        const int i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
-        const int64_t part = (int64_t)(b[i] - a[i]) * (c[j] - a[j]) -
-                             (int64_t)(b[j] - a[j]) * (c[i] - a[i]);
-        for (int n = 0; n < 3; n++)
-            sum[corner[n]][k] += part;
+        ab[k] = b[k] - a[k];
+        ac[k] = c[k] - a[k];
     }
+    pel_cross(ab, ac, normal);
+    for (int i = 0; i < 9; i++)
+        sum[corner[i / 3]][i % 3] += normal[i % 3];
 }
 
 enum pel_status pel_mesh_normals(const struct pel_mesh *mesh,

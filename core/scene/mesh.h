@@ -1,4 +1,4 @@
-/* Meshes: a view of const arrays, which may live in flash. */
+/* Meshes: views of const arrays, which may live in flash. */
 #ifndef PEL_SCENE_MESH_H
 #define PEL_SCENE_MESH_H
 
@@ -10,8 +10,7 @@ PEL_BEGIN_DECLS
 /* The shifts of a quantization that a scene takes. */
 enum { PEL_MESH_SHIFT_MIN = -14, PEL_MESH_SHIFT_MAX = 46 };
 
-/* Nothing is owned. The arrays are those of struct pel_mesh_asset; arrays that
- * the mesh lacks are NULL. */
+/* The arrays are those of struct pel_mesh_asset. */
 struct pel_mesh {
     uint32_t vertices, triangles;
     struct pel_quantization position; /* inside +-16,384 units */

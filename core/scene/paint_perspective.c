@@ -1,5 +1,7 @@
+#include "paint_perspective.h"
+
 #include "../base/divide.h"
-#include "shading.h"
+#include "vector.h"
 
 /* origin 2^16 + part 2^(extent - 14), in 2^-32 texels, plus its largest error,
  * five of its last bits: a point on a border of texels stays in the upper one.
@@ -85,7 +87,7 @@ static bool thin(const struct pel_plane_setup *s)
         if (i != s->first)
             sides |= (uint32_t)pel_size_of(s->right[i]) |
                      (uint32_t)pel_size_of(s->down[i]);
-    return s->bits < pel_bits_of(sides) + 10;
+    return pel_bits_of(s->area) < pel_bits_of(sides) + 10;
 }
 
 /* The plane of the differences of u or v from the first corner, times w
@@ -130,20 +132,3 @@ void pel_perspective_init(struct pel_perspective *paint,
         set_plane(paint, k, setup, corner, w);
     pel_color_paint_init(&paint->base, colors, texture->base.opaque);
 }
-
-static const struct pel_color_paint *surface(struct pel_frame *frame)
-{
-    struct pel_perspective *p = &frame->work->perspective;
-    const int32_t span = frame->scene->texture->span;
-    struct pel_texture_corner corner[3];
-    pel_mapping_corners(frame, corner);
-    for (int i = 0; i < 3; i++)
-        corner[i].z = frame->projector.one
-                          ? 1
-                          : frame->work->triangle.corner[i]->position[2];
-    pel_perspective_init(p, &frame->texture, pel_frame_setup(frame), corner,
-                         span);
-    return &p->base;
-}
-
-const struct pel_mapping pel_map_perspective = {NULL, surface, pel_modulate};

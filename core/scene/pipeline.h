@@ -24,10 +24,8 @@
  *         pel_scene_draw(&frame, &surface);
  *
  * prepare is called once for a picture, draw once for each band. A program
- * links the shadings, mappings, sort and depth buffer that it names. A triangle
- * that extends behind the near plane, or out of the range of sub-pixels, is
- * clipped.
- */
+ * links the shadings, mappings, sort and depth buffer that it names. Triangles
+ * are clipped behind the near plane and out of the range of sub-pixels. */
 #ifndef PEL_SCENE_PIPELINE_H
 #define PEL_SCENE_PIPELINE_H
 
@@ -62,12 +60,11 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
  * so two threads take two frames. */
 void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface);
 
-/* The same with a depth buffer: of triangles that meet in a pixel the nearest
- * is seen. Opaque pixels, of a scene or of a texture, are drawn in any order
- * and store their depth. Translucent ones follow and are only tested: they are
- * blended in the scene's order, so set `sort`, and draw such a mesh after all
- * opaque ones. Meshes may share a buffer while camera and viewport stay; for an
- * orthographic camera a buffer serves one mesh only. */
+/* The same with a depth buffer. Opaque pixels, of a scene or of a texture, are
+ * drawn in any order and store their depth. Translucent ones follow and are
+ * only tested: they are blended in the scene's order, so set `sort`, and draw
+ * such a mesh after all opaque ones. Meshes may share a buffer while camera and
+ * viewport stay; for an orthographic camera a buffer serves one mesh only. */
 void pel_scene_draw_depth(struct pel_frame *frame,
                           const struct pel_surface *surface,
                           const struct pel_depth *depth);

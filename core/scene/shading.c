@@ -1,5 +1,52 @@
 #include "shading.h"
 
+void pel_corners_mix(const struct pel_frame_triangle *triangle,
+                     const int32_t vertex[3], int32_t corner[3])
+{
+    for (int i = 0; i < 3; i++)
+        corner[i] = pel_weighted(triangle->corner[i]->weight, vertex);
+}
+
+const struct pel_plane_setup *pel_frame_setup(struct pel_frame *frame)
+{
+    struct pel_frame_triangle *t = &frame->work->triangle;
+    if (!t->is_set_up)
+        t->is_set_up = pel_plane_start(&t->setup, t->at);
+    return &t->setup;
+}
+
+void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
+                     struct pel_plane *plane)
+{
+    int32_t corner[3];
+    pel_corners_mix(&frame->work->triangle, value, corner);
+    pel_plane_set(plane, pel_frame_setup(frame), corner);
+}
+
+/* The lower 32 bits of a plane are what struct pel_gouraud has. */
+void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
+                       struct pel_gouraud *paint)
+{
+    paint->paint =
+        (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
+    for (int k = 0; k < 4; k++) {
+        struct pel_plane plane;
+        int32_t value[3];
+        for (int i = 0; i < 3; i++)
+            value[i] = (int32_t)(color[i] >> 8 * k & 255);
+        pel_frame_plane(frame, value, &plane);
+        paint->at[k] = (uint32_t)plane.at + 0x800000u;
+        paint->dx[k] = (uint32_t)plane.dx;
+        paint->dy[k] = (uint32_t)plane.dy;
+    }
+}
+
+void pel_frame_colors(const struct pel_frame *frame, pel_color color[3])
+{
+    for (int i = 0; i < 3; i++)
+        color[i] = frame->vertex[frame->work->triangle.vertex[i]].color;
+}
+
 /* The mean, rounded, of each channel: 43,691 / 2^18 is 1/6, and right where the
  * product fits. */
 static pel_color mean_of(const pel_color c[3])
@@ -13,8 +60,8 @@ static pel_color mean_of(const pel_color c[3])
     return mean;
 }
 
-const struct pel_paint *pel_shade_flat_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+static const struct pel_paint *flat_paint(struct pel_frame *frame,
+                                          const struct pel_color_paint *surface)
 {
     struct pel_flat *flat = &frame->work->paint.flat;
     pel_color color[3];
@@ -27,7 +74,7 @@ const struct pel_paint *pel_shade_flat_paint(
     return &flat->paint;
 }
 
-const struct pel_paint *pel_shade_gouraud_paint(
+static const struct pel_paint *gouraud_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface)
 {
     struct pel_gouraud *gouraud = &frame->work->paint.gouraud;
@@ -39,6 +86,122 @@ const struct pel_paint *pel_shade_gouraud_paint(
     return &gouraud->paint;
 }
 
-const struct pel_shading pel_shade_flat = {NULL, NULL, pel_shade_flat_paint};
-const struct pel_shading pel_shade_gouraud = {NULL, NULL,
-                                              pel_shade_gouraud_paint};
+const struct pel_shading pel_shade_flat = {NULL, NULL, flat_paint};
+const struct pel_shading pel_shade_gouraud = {NULL, NULL, gouraud_paint};
+
+static enum pel_status start_light(struct pel_frame *frame)
+{
+    const struct pel_scene *s = frame->scene;
+    if (!s->lighting || (!s->mesh->normals8 && !s->mesh->normals16))
+        return PEL_ERROR_NULL;
+    return pel_mesh_lights_init(&frame->lights, s->lighting, s->mesh,
+                                s->pose ? s->pose : &pel_pose_none,
+                                s->camera.eye);
+}
+
+static pel_color light_vertex(const struct pel_frame *frame, uint32_t vertex,
+                              pel_color surface)
+{
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    struct pel_light_sum sum;
+    int32_t position[3], normal[3];
+    pel_mesh_lights_position(&frame->lights, mesh->positions[vertex], position);
+    pel_mesh_normal(mesh, vertex, normal);
+    pel_mesh_lights_sum(&frame->lights, position, normal, &sum);
+    return pel_lit_color(&sum, surface);
+}
+
+const struct pel_shading pel_shade_lit_flat = {start_light, light_vertex,
+                                               flat_paint};
+const struct pel_shading pel_shade_lit_gouraud = {start_light, light_vertex,
+                                                  gouraud_paint};
+
+/* A channel of struct pel_gouraud in 1/256 steps: it has a half more, so that
+ * its upper 8 bits are rounded. */
+static uint32_t channel(uint32_t v)
+{
+    return v < 0x800000u ? 0 : (v - 0x7F8000u) >> 16;
+}
+
+/* Channel k of the surface in 1/256 steps. */
+static uint32_t surface_of(const struct pel_phong *p, int k, int32_t x,
+                           int32_t y, pel_color under)
+{
+    const struct pel_gouraud *g = &p->colors;
+    if (p->surface)
+        return (under >> 8 * k & 255) << 8;
+    return channel(g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k]);
+}
+
+/* Not inlined: its stack is free while the surface computes its colors. */
+static PEL_NOINLINE void light(const struct pel_phong *p, int32_t x, int32_t y,
+                               int32_t n, pel_color *out)
+{
+    uint64_t at[6];
+    for (int k = 0; k < 6; k++)
+        at[k] = pel_plane_at(&p->plane[k], x, y);
+    for (; n > 0; n--, x++, out++) {
+        struct pel_light_sum sum;
+        int32_t whole[6]; /* normal, position */
+        pel_color lit = pel_round_div255(pel_alpha(*out) * p->alpha) << 24;
+        for (int k = 0; k < 6; k++) {
+            whole[k] = pel_plane_whole(at[k]);
+            at[k] += p->plane[k].dx;
+        }
+        pel_mesh_lights_sum(p->lights, whole + 3, whole, &sum);
+        for (int k = 0; k < 3; k++)
+            lit |= pel_lit_channel(&sum, 2 - k, surface_of(p, k, x, y, *out))
+                   << 8 * k;
+        *out = lit;
+    }
+}
+
+static void phong_colors(const struct pel_color_paint *paint, int32_t x,
+                         int32_t y, int32_t n, pel_color *out)
+{
+    const struct pel_phong *p = (const void *)paint;
+    if (p->surface)
+        p->surface->colors(p->surface, x, y, n, out);
+    else
+        for (int32_t i = 0; i < n; i++)
+            out[i] = UINT32_C(0xFF000000);
+    light(p, x, y, n, out);
+}
+
+/* The planes of three values, value[i][k] at vertex i. */
+static void set_planes(struct pel_frame *frame, int32_t value[3][3],
+                       struct pel_plane plane[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const int32_t vertex[3] = {value[0][k], value[1][k], value[2][k]};
+        pel_frame_plane(frame, vertex, &plane[k]);
+    }
+}
+
+static const struct pel_paint *phong_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
+{
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    struct pel_frame_triangle *t = &frame->work->triangle;
+    struct pel_phong *p = &frame->work->paint.phong;
+    int32_t value[3][3];
+    pel_color color[3];
+    pel_color_paint_init(&p->base, phong_colors, frame->opaque);
+    p->lights = &frame->lights;
+    p->surface = surface;
+    p->alpha = frame->alpha;
+    for (int i = 0; i < 3; i++)
+        pel_mesh_normal(mesh, t->vertex[i], value[i]);
+    set_planes(frame, value, p->plane);
+    for (int i = 0; i < 3; i++)
+        pel_mesh_lights_position(&frame->lights, mesh->positions[t->vertex[i]],
+                                 value[i]);
+    set_planes(frame, value, p->plane + 3);
+    if (!surface) {
+        pel_frame_colors(frame, color);
+        pel_frame_gouraud(frame, color, &p->colors);
+    }
+    return &p->base.paint;
+}
+
+const struct pel_shading pel_shade_phong = {start_light, NULL, phong_paint};

@@ -3,9 +3,103 @@
 #ifndef PEL_SCENE_SHADING_H
 #define PEL_SCENE_SHADING_H
 
-#include "frame.h"
+#include "../raster/gouraud.h"
+#include "clip.h"
+#include "depth.h"
+#include "light.h"
+#include "paint_perspective.h"
+#include "scene.h"
 
 PEL_BEGIN_DECLS
+
+/* The paint of pel_shade_phong. The colors are those of `surface`, or where
+ * that is NULL those of `colors`, to 1/256 step. */
+struct pel_phong {
+    struct pel_color_paint base;
+    const struct pel_mesh_lights *lights;
+    const struct pel_color_paint *surface;
+    struct pel_gouraud colors;
+    struct pel_plane plane[6]; /* of the normal and of the position */
+    uint8_t alpha;             /* multiplies that of the surface */
+};
+
+/* A paint that modulates: colors of `surface` times those of `factor`, as
+ * 0..1, alphas too. */
+struct pel_modulated {
+    struct pel_color_paint base;
+    const struct pel_color_paint *surface;
+    struct pel_gouraud factor;
+};
+
+struct pel_frame_vertex {
+    struct pel_projected at;
+    pel_color color; /* lit by shadings that light vertices */
+};
+
+/* A triangle to draw: one of the mesh, or a part of it that clipping left. */
+struct pel_frame_triangle {
+    uint32_t vertex[3];
+    struct pel_point at[3];
+    const struct pel_clip_corner *corner[3];
+    bool is_set_up;
+    struct pel_plane_setup setup; /* read it by pel_frame_setup */
+};
+
+/* Scratch memory for one triangle at a time. */
+struct pel_frame_work {
+    struct pel_surface surface;
+    struct pel_frame_triangle triangle;
+    union {
+        struct pel_flat flat;
+        struct pel_gouraud gouraud;
+        struct pel_modulated modulated;
+        struct pel_phong phong;
+    } paint;
+    struct pel_perspective perspective;
+    struct pel_depth_paint depth;
+    struct pel_clip clip;
+};
+
+struct pel_frame {
+    const struct pel_scene *scene;
+    struct pel_frame_work *work;
+    struct pel_frame_vertex *vertex;
+    struct pel_depth_entry *order;
+    /* Puts a paint between a triangle and its paint. NULL: none. */
+    const struct pel_paint *(*filter)(struct pel_frame *frame,
+                                      const struct pel_paint *paint);
+    uint32_t triangles; /* in `order`: those that may be seen */
+    uint8_t alpha;
+    bool opaque;
+    struct pel_mesh_fault fault; /* when an index is wrong */
+    struct pel_mesh_lights lights;
+    struct pel_texture texture; /* the sampler; its map is set by mappings */
+    struct pel_projector projector;
+};
+
+/* The values at the corners from those at the vertices, |value| <= 2^30. */
+void pel_corners_mix(const struct pel_frame_triangle *triangle,
+                     const int32_t vertex[3], int32_t corner[3]);
+
+/* The plane set-up of frame->work->triangle, computed by the first call. */
+const struct pel_plane_setup *pel_frame_setup(struct pel_frame *frame);
+
+/* The plane of a value over that triangle, from its three vertices. */
+void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
+                     struct pel_plane *plane);
+
+/* Sets the paint to colors that are linear over that triangle, from those of
+ * its vertices, right to 2^-6 step. */
+void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
+                       struct pel_gouraud *paint);
+
+/* The colors of its vertices. */
+void pel_frame_colors(const struct pel_frame *frame, pel_color color[3]);
+
+/* Sets corner i of that triangle to one that clipping left. A vertex that is on
+ * screen keeps its sub-pixel, so that triangles around it meet there. */
+void pel_frame_set_corner(struct pel_frame *frame, int i,
+                          const struct pel_clip_corner *corner);
 
 struct pel_shading {
     /* Called once a frame, before the vertices. May be NULL. */
@@ -74,22 +168,5 @@ struct pel_mesh_texture {
     enum pel_wrap wrap_u, wrap_v;
     int32_t span; /* of pel_map_perspective; 0 is 1, exact */
 };
-
-/* Parts of shadings. */
-enum pel_status pel_shade_start_light(struct pel_frame *frame);
-pel_color pel_shade_light_vertex(const struct pel_frame *frame, uint32_t vertex,
-                                 pel_color surface);
-const struct pel_paint *pel_shade_flat_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface);
-const struct pel_paint *pel_shade_gouraud_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface);
-
-/* Parts of mappings: u and v of the corners of frame->work->triangle, whose z
- * is not set, and `modulate`. */
-void pel_mapping_corners(const struct pel_frame *frame,
-                         struct pel_texture_corner corner[3]);
-const struct pel_paint *pel_modulate(struct pel_frame *frame,
-                                     const struct pel_color_paint *surface,
-                                     const pel_color color[3]);
 PEL_END_DECLS
 #endif

@@ -88,7 +88,15 @@ void pel_matrix_multiply(struct pel_matrix *m, const struct pel_matrix *a,
         for (int k = 0; k < 3; k++) {
             const pel_cosine column[3] = {b->row[0][k], b->row[1][k],
                                           b->row[2][k]};
-            m->row[i][k] = (pel_cosine)pel_scale_down(pel_dot(row, column), 30);
+            m->row[i][k] = pel_weighted(row, column);
         }
+    }
+}
+
+void pel_cross(const int32_t a[3], const int32_t b[3], int64_t out[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const int i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
+        out[k] = pel_minor(a[i], b[j], a[j], b[i]);
     }
 }

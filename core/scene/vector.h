@@ -14,6 +14,12 @@ typedef int32_t pel_length;
 
 #define PEL_LENGTH_MAX (INT32_C(1) << 30)
 
+static inline bool pel_length_legal(pel_length v)
+{
+    const uint32_t limit = PEL_LENGTH_MAX;
+    return PEL_CAST(uint32_t, v) + limit <= 2 * limit;
+}
+
 /* n units, for constant expressions too; a constant may have a fraction. */
 #define PEL_UNITS(n) PEL_CAST(pel_length, (n)*INT64_C(65536))
 
@@ -28,9 +34,9 @@ typedef int32_t pel_factor;
 #define PEL_FACTOR(percent) PEL_CAST(pel_factor, (percent)*INT64_C(65536) / 100)
 #define PEL_FACTOR_END (UINT32_C(16) * 65536)
 
-/* pel_scale_down: v 2^-n, -62 <= n <= 62; pel_scaled: a b 2^-n, 0 <= n <= 62.
- * The nearest, a tie upwards; it must fit. Inline where a CPU has 64 bits,
- * elsewhere functions of vector.c. */
+/* pel_scale_down: v 2^-n, -62 <= n <= 62; pel_scaled: a b 2^-n, 0 <= n <= 62;
+ * pel_weighted: the dot product 2^-30. The nearest, a tie upwards; it must fit.
+ * Inline where a CPU has 64 bits, elsewhere functions of vector.c. */
 #if PEL_64BIT
 #define PEL_WIDE static inline
 #endif
@@ -46,9 +52,15 @@ PEL_WIDE int32_t pel_scaled(int32_t a, int32_t b, int n)
 {
     return PEL_CAST(int32_t, pel_scale_down(pel_long_product(a, b), n));
 }
+
+PEL_WIDE int32_t pel_weighted(const int32_t a[3], const int32_t b[3])
+{
+    return PEL_CAST(int32_t, pel_scale_down(pel_dot(a, b), 30));
+}
 #else
 int64_t pel_scale_down(int64_t v, int n);
 int32_t pel_scaled(int32_t a, int32_t b, int n);
+int32_t pel_weighted(const int32_t a[3], const int32_t b[3]);
 #endif
 
 /* An upper bound of |v[k]|, with as many bits as the largest of them. */
@@ -56,6 +68,9 @@ uint64_t pel_vector_bound(const int64_t v[3]);
 
 /* a b - c d; must fit. */
 int64_t pel_minor(int32_t a, int32_t b, int32_t c, int32_t d);
+
+/* The cross product; exact for vectors up to 2^30: below 2^61. */
+void pel_cross(const int32_t a[3], const int32_t b[3], int64_t out[3]);
 
 /* unit = v / |v|, each component off by less than 2^-21. No division.
  * |v[k]| <= 2^30; false, and all 0, when v is 0. unit may be v. */

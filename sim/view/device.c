@@ -1,9 +1,8 @@
 /* pel view on a framebuffer or DRM device. */
 #include <stdio.h>
 
+#include "sim/view/keys.h"
 #include "sim/view/viewer.h"
-
-enum { IDLE_MS = 50 };
 
 struct screen {
     struct pel_display_linux linux;
@@ -55,10 +54,9 @@ static bool press(struct screen *s, const char *bytes, size_t count)
 static bool handle_keys(struct screen *s)
 {
     struct viewer *viewer = &s->viewer;
-    const bool busy = viewer->stale || viewer->view.turning;
     char bytes[64];
     size_t count;
-    switch (pel_console_read(busy ? 0 : IDLE_MS, viewer->input.poll, bytes,
+    switch (pel_console_read(viewer_idle(viewer), viewer->input.poll, bytes,
                              sizeof(bytes), &count)) {
     case PEL_CONSOLE_REDRAW:
         viewer->stale = true;
@@ -85,18 +83,17 @@ static bool run(struct screen *s)
     return save(s, true);
 }
 
-/* The picture in the middle; the camera for the size of what is seen of it. */
-static void place(struct screen *s, struct camera *camera)
+/* The picture in the middle; all of the screen where its size does not matter.
+ */
+static void place(struct screen *s, const struct viewer_options *o)
 {
     const struct pel_rect *screen = &s->linux.area;
-    if (camera->width == 0) {
-        camera->width = screen->x1;
-        camera->height = screen->y1;
-    }
-    s->area.x0 = pel_max(screen->x1 - camera->width, 0) / 2;
-    s->area.y0 = pel_max(screen->y1 - camera->height, 0) / 2;
-    s->area.x1 = pel_min(s->area.x0 + camera->width, screen->x1);
-    s->area.y1 = pel_min(s->area.y0 + camera->height, screen->y1);
+    const int width = o->width ? o->width : screen->x1;
+    const int height = o->height ? o->height : screen->y1;
+    s->area.x0 = pel_max(screen->x1 - width, 0) / 2;
+    s->area.y0 = pel_max(screen->y1 - height, 0) / 2;
+    s->area.x1 = pel_min(s->area.x0 + width, screen->x1);
+    s->area.y1 = pel_min(s->area.y0 + height, screen->y1);
 }
 
 /* A virtual terminal has the keys of all keyboards, in their layouts; from
@@ -111,17 +108,23 @@ static bool open_input(struct screen *s)
     return viewer_open_input(&s->viewer, &options);
 }
 
+static bool start(struct screen *s, struct show *show,
+                  const struct viewer_options *o)
+{
+    return viewer_init(&s->viewer, show, o) && open_input(s) &&
+           viewer_resize(&s->viewer, s->area.x1 - s->area.x0,
+                         s->area.y1 - s->area.y0);
+}
+
 /* Prints after the console is back, where it can be read. */
-bool view_device(const struct view_job *job)
+bool view_device(struct show *show, const struct viewer_options *options)
 {
     struct screen s = {.area = {0, 0, 0, 0}};
-    struct scene_settings settings = *job->settings;
     char title[VIEWER_TITLE_SIZE];
-    if (!device_open(&s.linux, job->device, PEL_FB_ANY))
+    if (!device_open(&s.linux, options->device, PEL_FB_ANY))
         return false;
-    place(&s, &settings.camera);
-    const bool done =
-        viewer_init(&s.viewer, job, &settings) && open_input(&s) && run(&s);
+    place(&s, options);
+    const bool done = start(&s, show, options) && run(&s);
     viewer_free(&s.viewer);
     pel_display_linux_close(&s.linux);
     if (done) {

@@ -8,7 +8,7 @@
 #include "core/format/formats.h"
 #include "sim/cli/message.h"
 #include "sim/view/record.h"
-#include "sim/view/show.h"
+#include "sim/view/viewer.h"
 
 static bool save(const struct canvas *canvas, const char *directory, int frame)
 {
@@ -23,53 +23,56 @@ static bool save(const struct canvas *canvas, const char *directory, int frame)
     return done;
 }
 
-/* What the user did before a frame. False: the user ended it. */
+/* A canvas of a new size. */
+static bool resize(struct show *show, struct canvas *canvas, int width,
+                   int height)
+{
+    canvas_free(canvas);
+    return canvas_init(canvas, &pel_xrgb8888, width, height) &&
+           show->resize(show, width, height);
+}
+
+/* What the user did before a frame. *over: ended it. False, with a message. */
 static bool take(struct show *show, struct record *record, int frame,
-                 int size[2])
+                 struct canvas *canvas, bool *over)
 {
     const struct pel_input *input;
-    while ((input = record_next(record, frame))) {
-        if (input->kind == RECORD_SIZE) {
-            size[0] = input->x;
-            size[1] = input->y;
-        } else if (show->input(show, input) == VIEW_END) {
+    while (!*over && (input = record_next(record, frame))) {
+        if (input->kind != RECORD_SIZE)
+            *over = show->input(show, input) == VIEW_END;
+        else if (!resize(show, canvas, input->x, input->y))
             return false;
-        }
     }
     return true;
 }
 
-/* A canvas of the size that the window has by now. */
-static bool fit(struct show *show, struct canvas *canvas, const int size[2])
-{
-    const struct pel_rect *had = &canvas->surface.bounds;
-    if (canvas->memory && had->x1 == size[0] && had->y1 == size[1])
-        return true;
-    canvas_free(canvas);
-    if (!canvas_init(canvas, &pel_xrgb8888, size[0], size[1]))
-        return false;
-    show->resize(show, size[0], size[1]);
-    return true;
-}
-
-bool view_headless(struct show *show, const struct headless_options *o)
+static bool run(struct show *show, const struct viewer_options *o,
+                struct record *record)
 {
     struct canvas canvas = {.memory = NULL};
-    struct record record = {NULL, 0, 0};
-    int size[2] = {o->width, o->height};
-    bool done = !o->replay || record_load(&record, o->replay);
-    if (done && mkdir(o->directory, 0777) != 0 && errno != EEXIST)
-        done = message_error_at(o->directory, 0, "cannot be made: %s",
-                                strerror(errno));
-    for (int frame = 0; done && frame < o->frames; frame++) {
+    bool over = false;
+    bool done = resize(show, &canvas, o->width ? o->width : show->width,
+                       o->height ? o->height : show->height);
+    for (int frame = 0; done && !over && frame < o->frames; frame++) {
         if (frame > 0)
-            show->advance(show, 1000 / 30.0);
-        if (!take(show, &record, frame, size))
-            break;
-        done = fit(show, &canvas, size) && show->draw(show, &canvas.surface) &&
-               save(&canvas, o->directory, frame);
+            show->advance(show,
+                          show->period > 0 ? show->period : RECORD_PERIOD);
+        done = take(show, record, frame, &canvas, &over) &&
+               (over || (show->draw(show, &canvas.surface) &&
+                         save(&canvas, o->output, frame)));
     }
     canvas_free(&canvas);
+    return done;
+}
+
+bool view_headless(struct show *show, const struct viewer_options *o)
+{
+    struct record record = {NULL, 0, 0};
+    if (mkdir(o->output, 0777) != 0 && errno != EEXIST)
+        return message_error_at(o->output, 0, "cannot be made: %s",
+                                strerror(errno));
+    const bool done = (!o->replay || record_load(&record, o->replay)) &&
+                      run(show, o, &record);
     record_free(&record);
     return done;
 }

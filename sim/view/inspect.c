@@ -156,13 +156,13 @@ void inspect_magnifier(const struct pel_surface *surface,
                        const struct pel_surface *picture,
                        const struct script *script, int x, int y)
 {
-    const struct pel_rect *all = &surface->bounds;
+    const struct pel_rect *all = &surface->clip;
     struct pel_surface own = *surface;
     const bool right = 2 * x < picture->bounds.x1;
     const bool below = 2 * y < picture->bounds.y1;
     const struct lens l = {&own, x - PIXELS / 2, y - PIXELS / 2,
-                           right ? all->x1 - PIXELS * ZOOM : 0,
-                           below ? all->y1 - PIXELS * ZOOM : 0};
+                           right ? all->x1 - PIXELS * ZOOM : all->x0,
+                           below ? all->y1 - PIXELS * ZOOM : all->y0};
     const struct pel_rect box = {l.left, l.top, l.left + PIXELS * ZOOM,
                                  l.top + PIXELS * ZOOM};
     static const struct pel_flat gray = PEL_FLAT(PEL_RGB(96, 96, 96));

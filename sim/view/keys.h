@@ -2,15 +2,8 @@
 #ifndef SIM_VIEW_KEYS_H
 #define SIM_VIEW_KEYS_H
 
-#include "drivers/input.h"
+#include "sim/view/show.h"
 #include "sim/view/view.h"
-
-enum view_action {
-    VIEW_NOTHING, /* no such key, and nothing has changed */
-    VIEW_CHANGED,
-    VIEW_SAVE, /* the present picture is to be written */
-    VIEW_END
-};
 
 /* The keys and what they do, a line each. */
 #define VIEW_KEYS_HELP                                                   \

@@ -12,6 +12,9 @@
 
 #include "drivers/input.h"
 
+/* ms from frame to frame of what is recorded, where a show has no period. */
+#define RECORD_PERIOD (1000 / 30.0)
+
 /* A new size of the window, in x and y: a kind of its own beside those of
  * drivers/input.h. */
 enum { RECORD_SIZE = 200 };

@@ -52,14 +52,15 @@ static bool read_lines(struct sheet *s)
     return whole || message_error_at(s->path, 0, "cannot be read");
 }
 
-/* The script as it is to be shown, read from memory. */
-static bool compose(struct sheet *s)
+bool sheet_compose(struct sheet *s)
 {
     const struct inspect_format *as = &inspect_formats[s->inspect.format];
     const struct pel_format *format = s->inspect.heat ? &inspect_heat
                                       : !s->path || s->inspect.format > 0
                                           ? as->format
                                           : NULL;
+    if (!s->stale)
+        return true;
     char *text = NULL;
     size_t size;
     FILE *file = open_memstream(&text, &size);
@@ -90,6 +91,15 @@ static struct pel_rect place(const struct sheet *s)
     const int height = s->script.height * s->zoom;
     const int left = (s->width - width) / 2, top = (s->height - height) / 2;
     return (struct pel_rect){left, top, left + width, top + height};
+}
+
+/* The same on a surface, whose clip is the window. */
+static struct pel_rect place_on(const struct sheet *s,
+                                const struct pel_surface *surface)
+{
+    const struct pel_rect at = place(s), *clip = &surface->clip;
+    return (struct pel_rect){clip->x0 + at.x0, clip->y0 + at.y0,
+                             clip->x0 + at.x1, clip->y0 + at.y1};
 }
 
 bool sheet_pixel(const struct sheet *s, int *x, int *y)
@@ -154,7 +164,7 @@ static bool draw_whole(struct sheet *s)
 static bool draw_picture(struct sheet *s)
 {
     const double start = milliseconds();
-    bool done = !s->stale || compose(s);
+    bool done = sheet_compose(s);
     s->areas.count = 0;
     const bool whole = s->whole || s->path || s->inspect.heat;
     if (done && !whole)
@@ -175,7 +185,7 @@ static void show_picture(const struct sheet *s,
                          const struct pel_surface *surface)
 {
     const struct pel_surface *from = &s->canvas.surface;
-    const struct pel_rect at = place(s);
+    const struct pel_rect at = place_on(s, surface);
     if (s->zoom == 1) {
         const struct pel_copy_part all = {from, from->bounds, at.x0, at.y0};
         pel_copy(surface, &all);
@@ -195,7 +205,7 @@ static void show_overlays(const struct sheet *s,
                           const struct pel_surface *surface)
 {
     const struct inspect *show = &s->inspect;
-    const struct pel_rect at = place(s);
+    const struct pel_rect at = place_on(s, surface);
     int x, y;
     for (int i = 0; show->areas && i < s->areas.count; i++) {
         const struct pel_rect *a = &s->areas.area[i];
@@ -250,18 +260,19 @@ static enum view_action input(struct show *show, const struct pel_input *input)
     return action;
 }
 
-static void resize(struct show *show, int width, int height)
+static bool resize(struct show *show, int width, int height)
 {
     struct sheet *s = (struct sheet *)show;
     s->width = width;
     s->height = height;
     s->stale = s->whole = true;
+    return true;
 }
 
 static void title(const struct show *show, char *text)
 {
     const struct sheet *s = (const struct sheet *)show;
-    snprintf(text, SHOW_TITLE_SIZE, "pel view: %s, %d x %d pixels, %s",
+    snprintf(text, SHOW_TITLE_SIZE, "%s, %d x %d pixels, %s",
              s->path ? s->path : "figures", s->script.width, s->script.height,
              inspect_formats[s->inspect.format].name);
 }
@@ -269,7 +280,15 @@ static void title(const struct show *show, char *text)
 bool sheet_init(struct sheet *s, const char *path)
 {
     *s = (struct sheet){
-        .show = {resize, input, advance, draw, title, SHEET_KEYS_HELP},
+        .show = {.resize = resize,
+                 .input = input,
+                 .advance = advance,
+                 .draw = draw,
+                 .title = title,
+                 .keys = SHEET_KEYS_HELP,
+                 .period = 1000 / 30.0,
+                 .width = 800,
+                 .height = 800},
         .path = path,
         .picked = -1,
         .zoom = 1,

@@ -42,6 +42,9 @@ void sheet_free(struct sheet *sheet);
 /* For sim/view/sheet*.c alone. */
 
 enum view_action sheet_take(struct sheet *sheet, const struct pel_input *input);
+/* The script as it is to be shown, read from memory where it is stale. False,
+ * with a message. */
+bool sheet_compose(struct sheet *sheet);
 void sheet_write_file(FILE *out, const struct sheet *sheet);
 
 /* Is it one that a style may paint? And how many of those there are among the

@@ -15,8 +15,9 @@ static void mark(struct sheet *s, int shape)
 static enum view_action pick(struct sheet *s)
 {
     int x, y;
-    const long item =
-        sheet_pixel(s, &x, &y) ? script_pick(&s->script, x, y) : -1;
+    const long item = sheet_compose(s) && sheet_pixel(s, &x, &y)
+                          ? script_pick(&s->script, x, y)
+                          : -1;
     const bool shape = item >= 0 && sheet_is_shape(&s->script.items[item]);
     mark(s, shape ? sheet_count_shapes(&s->script, (size_t)item) : -1);
     return VIEW_CHANGED;

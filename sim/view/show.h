@@ -4,38 +4,39 @@
 
 #include "drivers/input.h"
 #include "sim/image/canvas.h"
-#include "sim/view/keys.h"
 
-struct show {
-    /* The window's size in px, before the first frame and whenever it changes.
-     */
-    void (*resize)(struct show *show, int width, int height);
-
-    /* What the user does. */
-    enum view_action (*input)(struct show *show, const struct pel_input *input);
-
-    /* A frame's time passes, in ms. True when the picture changes. */
-    bool (*advance)(struct show *show, double time);
-
-    /* Draws a frame. False, with a message. */
-    bool (*draw)(struct show *show, const struct pel_surface *surface);
-
-    /* What is seen, in a line of at most SHOW_TITLE_SIZE - 1 bytes. */
-    void (*title)(const struct show *show, char *title);
-
-    const char *keys; /* and what they do, a line each */
+enum view_action {
+    VIEW_NOTHING, /* nothing has changed */
+    VIEW_CHANGED,
+    VIEW_SAVE, /* the present picture is to be written */
+    VIEW_END
 };
 
 enum { SHOW_TITLE_SIZE = 160 };
 
-struct headless_options {
-    const char *directory; /* of the frames, frame-0000.ppm and so on */
-    const char *replay;    /* a record (record.h), or NULL */
-    int frames, width, height;
-};
+struct show {
+    /* The size in px of what is drawn, before the first frame and whenever it
+     * changes. False, with a message, when nothing can be drawn. */
+    bool (*resize)(struct show *show, int width, int height);
 
-/* Draws frames into files, a frame's time from one to the next. False, with a
- * message. */
-bool view_headless(struct show *show, const struct headless_options *options);
+    /* What the user does. */
+    enum view_action (*input)(struct show *show, const struct pel_input *input);
+
+    /* Time passes, in ms. True when the picture changes. */
+    bool (*advance)(struct show *show, double time);
+
+    /* Draws a frame onto the clip of a surface, which has the size of the last
+     * resize. False, with a message. */
+    bool (*draw)(struct show *show, const struct pel_surface *surface);
+
+    /* What is seen, in a line. */
+    void (*title)(const struct show *show, char title[SHOW_TITLE_SIZE]);
+
+    const char *keys;  /* and what they do, a line each */
+    double period;     /* ms from frame to frame; 0: as fast as it goes */
+    double draw_time;  /* ms: of the last frame; of what shows it */
+    int late;          /* frames that came too late; the same */
+    int width, height; /* px of a window, unless the user wants others */
+};
 
 #endif

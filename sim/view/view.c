@@ -1,4 +1,5 @@
-/* pel view: turns a mesh in a window or on a device. */
+/* pel view: shows a mesh, a script or figures in a window, on a device or in
+ * files, and takes what the user does. */
 #include <stdio.h>
 #include <string.h>
 
@@ -7,17 +8,23 @@
 #include "sim/cli/message.h"
 #include "sim/mesh/pel2d.h"
 #include "sim/render/scene_options.h"
+#include "sim/view/keys.h"
+#include "sim/view/sheet.h"
+#include "sim/view/turntable.h"
 #include "sim/view/viewer.h"
 
 struct view_options {
     struct device_options device;
     struct scene_options scene;
     struct viewer_options viewer;
+    bool has_step; /* not by the clock: */
+    double step;   /* turns of a mesh from frame to frame */
+    bool still;    /* no movement at the start */
 };
 
 static bool parse_step(const char *option, const char *text, void *input)
 {
-    struct viewer_options *o = input;
+    struct view_options *o = input;
     static const struct option_row numbers = {.n = 1, .low = -360, .high = 360};
     double degrees = 0;
     o->has_step = true;
@@ -28,69 +35,121 @@ static bool parse_step(const char *option, const char *text, void *input)
     return true;
 }
 
+#define AT(member) offsetof(struct view_options, member)
+
 static const struct option_row options[] = {
     {"frames", "N",
      "draw N frames as fast as it goes, print their rate, and end",
-     OPTION_INTEGER, .offset = offsetof(struct viewer_options, frames),
-     .low = 1, .high = 1000000},
+     OPTION_INTEGER, .offset = AT(viewer.frames), .low = 1, .high = 1000000},
+    {"headless", NULL,
+     "no window: write --frames frames to the folder -o, as frame-0000.ppm and "
+     "so on",
+     OPTION_FLAG, .offset = AT(viewer.headless)},
+    {"record", "FILE", "write what the user does to a file", OPTION_TEXT,
+     .offset = AT(viewer.record)},
+    {"replay", "FILE", "for --headless: do what was recorded", OPTION_TEXT,
+     .offset = AT(viewer.replay)},
     {"step", "DEGREES",
-     "turn by so much from frame to frame, whatever the time", OPTION_CALL,
-     .parse = parse_step},
-    {"still", NULL, "do not turn until space is pressed", OPTION_FLAG,
-     .offset = offsetof(struct viewer_options, still)},
+     "turn a mesh by so much from frame to frame, whatever the time",
+     OPTION_CALL, .parse = parse_step},
+    {"still", NULL, "nothing moves until space is pressed", OPTION_FLAG,
+     .offset = AT(still)},
     {"buttons", "CHIP:LINES", "buttons at GPIO lines: see pel input --help",
-     OPTION_TEXT, .offset = offsetof(struct viewer_options, buttons)},
+     OPTION_TEXT, .offset = AT(viewer.buttons)},
     {.help = NULL},
 };
 
 static const char about[] =
-    "Turns a mesh in a window, or on a device.\v"
+    "Shows a mesh, a scene script or figures, and takes keys, mouse, touch and "
+    "buttons.\v"
     "MESH is a file that assimp reads, or " MESH_BUILTIN
-    " (when left out). The size is that of the screen on a device, 800x800 in "
-    "a window, unless --size names one; --jobs is 0 unless given; -o takes the "
-    "last picture.\n\nKeys:\n" VIEW_KEYS_HELP;
+    " (when left out); SCRIPT.pel is a scene script, whose shapes can be "
+    "picked and painted; figures are built in. The size is that of the screen "
+    "on a device, 800x800 in a window, unless --size names one; --jobs is 0 "
+    "unless given; -o takes the last picture.\n\n"
+    "Keys for meshes:\n" VIEW_KEYS_HELP
+    "\nKeys for scripts and figures:\n" SHEET_KEYS_HELP;
 
-static bool check(const char *path)
+static bool is_script(const char *path)
 {
     const char *dot = strrchr(path, '.');
-    if (dot && strcmp(dot, ".pel") == 0)
-        return message_error_at(path, 0,
-                                "is a scene script, which `pel run` draws: "
-                                "expected a mesh");
-    return !pel2d_is_file(path) ||
-           message_error_at(path, 0,
-                            "is projected already and cannot be turned: "
-                            "`pel render` draws it");
+    return dot && strcmp(dot, ".pel") == 0;
 }
 
-static bool run(const struct view_options *o)
+static bool show(struct show *show, const struct view_options *o)
+{
+    return o->viewer.headless ? view_headless(show, &o->viewer)
+           : o->device.name   ? view_device(show, &o->viewer)
+                              : view_window(show, &o->viewer);
+}
+
+static bool run_mesh(const struct view_options *o)
 {
     struct model model;
-    const struct view_job job = {&model, &o->scene.settings, &o->viewer,
-                                 &o->device};
-    if (!check(o->scene.source.path) || !model_load(&model, &o->scene.source))
+    struct turntable t;
+    if (pel2d_is_file(o->scene.source.path))
+        return message_error_at(o->scene.source.path, 0,
+                                "is projected already and cannot be turned: "
+                                "`pel render` draws it");
+    if (!model_load(&model, &o->scene.source))
         return false;
-    const bool done = o->device.name ? view_device(&job) : view_window(&job);
+    bool done = turntable_init(&t, &model, &o->scene.settings, o->device.jobs);
+    t.has_step = o->has_step;
+    t.step = o->step;
+    t.view.turning = !o->still;
+    done = done && show(&t.show, o);
+    turntable_free(&t);
     model_free(&model);
     return done;
+}
+
+static bool run_sheet(const struct view_options *o, const char *path)
+{
+    struct sheet sheet;
+    bool done = sheet_init(&sheet, path);
+    sheet.moving = !o->still;
+    done = done && show(&sheet.show, o);
+    sheet_free(&sheet);
+    return done;
+}
+
+static bool check(const struct viewer_options *o)
+{
+    if (o->headless && (!o->output || o->frames == 0))
+        return message_error("--headless without %s: expected --frames N -o "
+                             "FOLDER",
+                             o->output ? "--frames" : "-o");
+    if (o->replay && !o->headless)
+        return message_error("--replay is for --headless");
+    if (o->record && o->headless)
+        return message_error("--record is for a window or a device");
+    return o->headless || !o->output || picture_path_check(o->output);
 }
 
 int command_view(int argc, char **argv)
 {
     struct view_options o = {.scene = {.settings = scene_default}};
-    o.scene.settings.camera.width = o.scene.settings.camera.height = 0;
+    struct camera *camera = &o.scene.settings.camera;
+    camera->width = camera->height = 0;
     const struct command_line line = {
-        .arguments = "[MESH]",
+        .arguments = "[MESH|SCRIPT.pel|figures]",
         .most = 1,
         .about = about,
         .tables = {{output_option_table, &o.viewer.output, NULL},
-                   {options, &o.viewer, NULL},
+                   {options, &o, NULL},
                    {device_option_table, &o.device, NULL},
                    {scene_option_table, &o.scene, NULL}}};
     const char *path = *arguments_parse(&line, argc, argv);
     o.scene.source.path = path ? path : MESH_BUILTIN;
-    if (o.viewer.output && !picture_path_check(o.viewer.output))
-        return STATUS_ERROR;
     o.scene.source.without_texture = false; /* there is a key for it */
-    return run(&o) ? STATUS_OK : STATUS_ERROR;
+    o.viewer.width = camera->width;
+    o.viewer.height = camera->height;
+    o.viewer.device = &o.device;
+    if (!check(&o.viewer))
+        return STATUS_ERROR;
+    const bool is_figures = path && strcmp(path, "figures") == 0;
+    const bool done = is_figures                ? run_sheet(&o, NULL)
+                      : path && is_script(path) ? run_sheet(&o, path)
+                                                : run_mesh(&o);
+    return done ? STATUS_OK : STATUS_ERROR;
 }

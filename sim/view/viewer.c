@@ -1,36 +1,45 @@
 #include "sim/view/viewer.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
-#include "core/raster/rectangle.h"
-#include "sim/cli/device.h"
 #include "sim/cli/message.h"
 #include "sim/cli/milliseconds.h"
+#include "sim/view/record.h"
 
-static const double turns_per_ms = 1.0 / 10000;
+enum { IDLE_MS = 50 };
 
-bool viewer_init(struct viewer *viewer, const struct view_job *job,
-                 const struct scene_settings *settings)
+bool viewer_init(struct viewer *viewer, struct show *show,
+                 const struct viewer_options *options)
 {
-    const int jobs = job->device->jobs;
-    memset(viewer, 0, sizeof(*viewer));
-    pel_pool_start(&viewer->pool, jobs > 0 ? jobs : pel_pool_processors());
-    viewer->model = job->model;
-    viewer->options = job->options;
-    if (!view_init(&viewer->view, settings, job->model))
-        return false;
-    viewer->view.turning = !job->options->still;
-    viewer->stale = true;
-    return scene_init(&viewer->scene, job->model);
+    *viewer = (struct viewer){.show = show, .options = options, .stale = true};
+    if (options->record && !show->period)
+        show->period = RECORD_PERIOD;
+    if (!options->record)
+        return true;
+    viewer->record = fopen(options->record, "w");
+    return viewer->record ||
+           message_error_at(options->record, 0, "cannot be written: %s",
+                            strerror(errno));
 }
 
 void viewer_free(struct viewer *viewer)
 {
-    pel_pool_end(&viewer->pool);
     pel_input_linux_close(&viewer->input);
-    scene_free(&viewer->scene);
+    if (viewer->record)
+        fclose(viewer->record);
+}
+
+bool viewer_resize(struct viewer *viewer, int width, int height)
+{
+    const struct pel_input size = {
+        .kind = RECORD_SIZE, .x = (int16_t)width, .y = (int16_t)height};
+    if (viewer->record)
+        record_write(viewer->record, viewer->steps, &size);
+    viewer->stale = true;
+    return viewer->show->resize(viewer->show, width, height);
 }
 
 bool viewer_is_over(const struct viewer *viewer)
@@ -55,59 +64,59 @@ static bool measure(struct viewer *viewer, double now)
     return true;
 }
 
+/* A step of time, when it is due: the one after it comes a period later, or at
+ * once where that is over too. */
+static bool step(struct viewer *viewer, double now)
+{
+    struct show *show = viewer->show;
+    const bool counted = viewer->options->frames > 0;
+    const double time =
+        counted || show->period <= 0 ? now - viewer->last : show->period;
+    if (!counted && now < viewer->due)
+        return false;
+    if (!counted && show->period > 0 && now >= viewer->due + show->period) {
+        show->late += (int)((now - viewer->due) / show->period);
+        viewer->due = now;
+    }
+    viewer->due += show->period;
+    viewer->last = now;
+    viewer->steps++;
+    viewer->moves = show->advance(show, time);
+    return viewer->moves;
+}
+
 bool viewer_advance(struct viewer *viewer)
 {
     const double now = milliseconds();
-    const struct viewer_options *options = viewer->options;
-    if (viewer->begun == 0 && options->frames == 0)
-        fputs(VIEW_KEYS_HELP, stderr);
+    if (viewer->begun == 0 && viewer->options->frames == 0)
+        fputs(viewer->show->keys, stderr);
     if (viewer->drawn == 0) {
         viewer->begun = viewer->last = viewer->rate.since = now;
+        viewer->due = now + viewer->show->period;
         return false;
     }
-    if (viewer->view.turning) {
-        view_orbit(&viewer->view,
-                   options->has_step ? options->step
-                                     : (now - viewer->last) * turns_per_ms,
-                   0);
-        viewer->stale = true;
-    }
-    viewer->stale = viewer->stale || options->frames > 0;
-    viewer->last = now;
+    viewer->stale =
+        step(viewer, now) || viewer->stale || viewer->options->frames > 0;
     return measure(viewer, now);
 }
 
-static bool draw_band(struct canvas *band, const void *context)
+int viewer_idle(const struct viewer *viewer)
 {
-    const struct viewer *viewer = context;
-    pel_clear(&band->surface, viewer->view.settings.camera.background);
-    return scene_draw(&viewer->scene, &band->surface);
-}
-
-static bool has_light(const struct scene *scene)
-{
-    const struct pel_shading *shading = scene->core.shading;
-    return shading != &pel_shade_flat && shading != &pel_shade_gouraud;
+    const double period = viewer->show->period;
+    const double left = viewer->due - milliseconds();
+    if (viewer->stale || viewer->options->frames > 0)
+        return 0;
+    if (period > 0)
+        return left > 0 ? (int)left + 1 : 0;
+    return viewer->moves ? 0 : IDLE_MS;
 }
 
 bool viewer_draw(struct viewer *viewer, const struct pel_surface *surface)
 {
     const double start = milliseconds();
-    const struct pel_rect *clip = &surface->clip;
-    struct scene_settings settings;
-    view_settings(&viewer->view, clip->x1 - clip->x0, clip->y1 - clip->y0,
-                  &settings);
-    settings.left = clip->x0;
-    settings.top = clip->y0;
-    if (!scene_prepare(&viewer->scene, &settings))
-        return false;
-    viewer->view.lit = has_light(&viewer->scene);
-    struct canvas canvas = {.surface = *surface};
-    const bool done =
-        device_draw_bands(&viewer->pool, &canvas, draw_band, viewer);
-    viewer->width = clip->x1 - clip->x0;
-    viewer->height = clip->y1 - clip->y0;
-    viewer->drawing += milliseconds() - start;
+    const bool done = viewer->show->draw(viewer->show, surface);
+    viewer->show->draw_time = milliseconds() - start;
+    viewer->drawing += viewer->show->draw_time;
     return done;
 }
 
@@ -146,30 +155,14 @@ bool viewer_save_new(const struct pel_surface *surface)
                          "free name");
 }
 
-static void put_speed(const struct viewer *viewer, char text[48])
-{
-    text[0] = '\0';
-    if (viewer->view.turning && viewer->rate.fps > 0)
-        snprintf(text, 48, "%.1f fps (drawing %.1f ms), ", viewer->rate.fps,
-                 viewer->rate.milliseconds);
-}
-
 void viewer_title(const struct viewer *viewer, char title[VIEWER_TITLE_SIZE])
 {
-    static const char *const shades[] = {"flat", "Gouraud", "Phong"};
-    static const char *const textures[] = {"no texture", "nearest", "bilinear"};
-    static const char *const orders[] = {"painter", "z-buffer 16",
-                                         "z-buffer 32", "z-buffer 32"};
-    const struct scene_settings *s = &viewer->view.settings;
-    const bool has_texture = viewer->model->texture.width > 0;
-    char speed[48];
-    put_speed(viewer, speed);
-    snprintf(title, VIEWER_TITLE_SIZE,
-             "pel view: %s%u triangles, %s, %s, %s, %s", speed,
-             (unsigned)viewer->model->mesh.triangles, shades[s->shade],
-             viewer->view.lit ? "lit" : "no light",
-             textures[has_texture ? s->texture : SCENE_TEXTURE_NONE],
-             orders[s->order]);
+    char text[SHOW_TITLE_SIZE], speed[64] = "";
+    viewer->show->title(viewer->show, text);
+    if (viewer->moves && viewer->rate.fps > 0)
+        snprintf(speed, sizeof speed, "%.1f fps (drawing %.1f ms), ",
+                 viewer->rate.fps, viewer->rate.milliseconds);
+    snprintf(title, VIEWER_TITLE_SIZE, "pel view: %s%s", speed, text);
 }
 
 void viewer_report(const struct viewer *viewer)

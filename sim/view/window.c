@@ -19,7 +19,7 @@
 #define PIXELS SDL_PIXELFORMAT_BGRX8888
 #endif
 
-enum { IDLE_MS = 50, OWN_SIZE = 800, TEXTURE_SIZE_MAX = 16384 };
+enum { TEXTURE_SIZE_MAX = 16384 };
 
 struct window {
     SDL_Window *window;
@@ -55,7 +55,8 @@ static bool fit(struct window *w)
                                    SDL_TEXTUREACCESS_STREAMING, width, height);
     if (!w->texture)
         return fails("no texture of the window's size");
-    return canvas_init(&w->canvas, &pel_xrgb8888, width, height);
+    return canvas_init(&w->canvas, &pel_xrgb8888, width, height) &&
+           viewer_resize(w->viewer, width, height);
 }
 
 static bool draw(struct window *w)
@@ -85,6 +86,10 @@ static int key_of(SDL_Keycode code)
         return PEL_KEY_DOWN;
     case SDLK_KP_ENTER:
         return PEL_KEY_ENTER;
+    case SDLK_F2:
+        return PEL_KEY_F1 + 1;
+    case SDLK_F3:
+        return PEL_KEY_F1 + 2;
     case SDLK_KP_PLUS:
         return '+';
     case SDLK_KP_MINUS:
@@ -112,9 +117,9 @@ static bool input_of(const SDL_Event *event, struct pel_input *e)
         e->code = event->button.button;
         return true;
     case SDL_MOUSEMOTION:
-        e->kind = PEL_INPUT_MOVE;
-        e->x = (int16_t)event->motion.xrel;
-        e->y = (int16_t)event->motion.yrel;
+        e->kind = PEL_INPUT_POINT;
+        e->x = (int16_t)event->motion.x;
+        e->y = (int16_t)event->motion.y;
         return true;
     case SDL_MOUSEWHEEL:
         e->kind = PEL_INPUT_WHEEL;
@@ -144,10 +149,8 @@ static bool handle(struct window *w, const SDL_Event *event)
  * nothing to draw. */
 static bool handle_all(struct window *w)
 {
-    const struct viewer *viewer = w->viewer;
-    const bool busy = viewer->view.turning || viewer->options->frames > 0;
     SDL_Event event;
-    int more = SDL_WaitEventTimeout(&event, busy ? 0 : IDLE_MS);
+    int more = SDL_WaitEventTimeout(&event, viewer_idle(w->viewer));
     for (; more; more = SDL_PollEvent(&event))
         if (!handle(w, &event))
             return false;
@@ -188,14 +191,17 @@ static int texture_size_most(SDL_Renderer *renderer)
     return most > 0 ? pel_min(most, TEXTURE_SIZE_MAX) : TEXTURE_SIZE_MAX;
 }
 
-/* Frames that are counted do not wait for the screen; others do. */
+/* Frames that are counted do not wait for the screen, nor do those of a timer.
+ */
 static bool open_window(struct window *w)
 {
-    const struct camera *camera = &w->viewer->view.first.camera;
-    const bool timed = w->viewer->options->frames > 0;
-    w->window = SDL_CreateWindow("pel view", SDL_WINDOWPOS_UNDEFINED,
-                                 SDL_WINDOWPOS_UNDEFINED, camera->width,
-                                 camera->height, SDL_WINDOW_RESIZABLE);
+    const struct show *show = w->viewer->show;
+    const struct viewer_options *o = w->viewer->options;
+    const bool timed = o->frames > 0 || show->period > 0;
+    w->window = SDL_CreateWindow(
+        "pel view", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
+        o->width ? o->width : show->width, o->height ? o->height : show->height,
+        SDL_WINDOW_RESIZABLE);
     if (!w->window)
         return fails("no window");
     w->renderer = SDL_CreateRenderer(w->window, -1,
@@ -223,16 +229,14 @@ static bool open_buttons(struct viewer *viewer)
     return !options.buttons || viewer_open_input(viewer, &options);
 }
 
-static bool run_viewer(struct window *w, const struct view_job *job)
+static bool run_viewer(struct window *w, struct show *show,
+                       const struct viewer_options *options)
 {
     struct viewer viewer;
-    struct scene_settings settings = *job->settings;
-    if (settings.camera.width == 0)
-        settings.camera.width = settings.camera.height = OWN_SIZE;
     w->viewer = &viewer;
-    const bool done = viewer_init(&viewer, job, &settings) &&
+    const bool done = viewer_init(&viewer, show, options) &&
                       open_buttons(&viewer) && open_window(w) && run(w);
-    if (done && job->options->frames > 0)
+    if (done && options->frames > 0)
         viewer_report(&viewer);
     viewer_free(&viewer);
     return done;
@@ -247,7 +251,7 @@ static bool is_unseen(void)
            (strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0);
 }
 
-bool view_window(const struct view_job *job)
+bool view_window(struct show *show, const struct viewer_options *options)
 {
     struct window window = {.renamed = true};
     if (SDL_Init(SDL_INIT_VIDEO) != 0)
@@ -258,16 +262,17 @@ bool view_window(const struct view_job *job)
                              "WAYLAND_DISPLAY name none: expected --device "
                              "auto, or pel render");
     }
-    const bool done = run_viewer(&window, job);
+    const bool done = run_viewer(&window, show, options);
     close_window(&window);
     return done;
 }
 
 #else
 
-bool view_window(const struct view_job *job)
+bool view_window(struct show *show, const struct viewer_options *options)
 {
-    (void)job;
+    (void)show;
+    (void)options;
     return message_error("built without SDL2, which opens windows: install "
                          "libsdl2-dev and make again, or use --device auto");
 }

@@ -1,5 +1,5 @@
 /* HSV to RGB against the rational form, written as the textbook has it. */
-#include "core/base/hsv.h"
+#include "core/base/color.h"
 #include "tests/support/check.h"
 
 /* n / d to the nearest whole number, a half upwards; n >= 0. */

@@ -27,16 +27,19 @@ object_row() {
         NR == 2 { print cpu, name, $1, $2, $3, stack, "-" }'
 }
 
-# The walker and the fill of a flat triangle in RGB565.
+# The walker and the fill of a flat triangle in RGB565: two objects, and what
+# they link of two others.
 flat_row() {
     objects=
-    for name in raster/triangle raster/paint_flat format/fill16 \
-        format/rgb565_le_fill; do
+    for name in raster/triangle raster/paint_flat format/fill \
+        format/rgb565_le; do
         objects="$objects $build/mcu/$1-Os/core/$name.o"
     done
-    "$tools-size" $objects | awk -v cpu="$1" 'BEGIN { OFS = "\t" }
-        NR > 1 { text += $1; data += $2; bss += $3 }
-        END { print cpu, "walker+fill", text, data, bss, "-", "-" }'
+    "$tools-size" -A $objects | awk -v cpu="$1" 'BEGIN { OFS = "\t" }
+        / *:$/ { part = /format/ }
+        /^\.(text|s?rodata)/ && (!part || $1 ~ /\.(pel_fill16|pack)$/ ||
+            $1 ~ /_fill$/) { text += $2 }
+        END { print cpu, "walker+fill", text, 0, 0, "-", "-" }'
 }
 
 stack_used() {

@@ -1,5 +1,5 @@
 /* Glyphs: every set bit is painted once, at any place, through any clip. */
-#include "core/image/glyph.h"
+#include "core/image/glyph_text.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"

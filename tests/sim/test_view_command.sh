@@ -75,13 +75,16 @@ refuse() {
 refuse "pel: --frames is '0': expected a whole number from 1" --frames 0
 refuse "pel: --frames is 'many': expected a whole number from 1" --frames many
 refuse "pel: --step is '400': expected degrees from -360 to 360" --step 400
-refuse "pel: 2 arguments: expected [MESH]" a.obj b.obj
+refuse "pel: 2 arguments: expected [MESH|SCRIPT.pel|figures]" a.obj b.obj
 refuse "pel: " "$dir/missing.obj" --frames 1
 refuse "turn" --turning --frames 1
 refuse "picture.gif" --frames 1 -o picture.gif
 echo 'pel2d 0 0' >"$dir/a.pel2d"
 refuse "a.pel2d: is projected already and cannot be turned" "$dir/a.pel2d"
-refuse "scene.pel: is a scene script, which" scene.pel
+refuse "scene.pel: cannot be read" scene.pel
+refuse "--headless without -o: expected --frames N -o FOLDER" --headless
+refuse "--headless without --frames" --headless -o "$dir/frames"
+refuse "--replay is for --headless" --replay "$dir/none"
 refuse "expected flat or gouraud without light" --frames 1 \
     --shade phong --unlit
 refuse "/dev/null is no framebuffer device" --device fb:/dev/null

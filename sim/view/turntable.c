@@ -1,0 +1,172 @@
+#include "sim/view/turntable.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/raster/rectangle.h"
+#include "sim/cli/device.h"
+
+static const double turns_per_ms = 1.0 / 10000;
+
+enum { MOST_NOTCHES = 16, OWN_SIZE = 800 };
+
+/* The camera is framed for the first size; others show what that does. */
+static bool resize(struct show *show, int width, int height)
+{
+    struct turntable *t = (struct turntable *)show;
+    const bool first = t->width == 0;
+    struct scene_settings settings = *t->settings;
+    settings.camera.width = t->width = width;
+    settings.camera.height = t->height = height;
+    if (!first)
+        return true;
+    const bool turning = t->view.turning;
+    const bool done = view_init(&t->view, &settings, t->model);
+    t->view.turning = turning;
+    return done;
+}
+
+static bool advance(struct show *show, double time)
+{
+    struct turntable *t = (struct turntable *)show;
+    if (!t->view.turning)
+        return false;
+    view_orbit(&t->view, t->has_step ? t->step : time * turns_per_ms, 0);
+    return true;
+}
+
+static bool draw_band(struct canvas *band, const void *context)
+{
+    const struct turntable *t = context;
+    pel_clear(&band->surface, t->view.settings.camera.background);
+    return scene_draw(&t->scene, &band->surface);
+}
+
+static bool has_light(const struct scene *scene)
+{
+    const struct pel_shading *shading = scene->core.shading;
+    return shading != &pel_shade_flat && shading != &pel_shade_gouraud;
+}
+
+static bool draw(struct show *show, const struct pel_surface *surface)
+{
+    struct turntable *t = (struct turntable *)show;
+    const struct pel_rect *clip = &surface->clip;
+    struct scene_settings settings;
+    view_settings(&t->view, clip->x1 - clip->x0, clip->y1 - clip->y0,
+                  &settings);
+    settings.left = clip->x0;
+    settings.top = clip->y0;
+    if (!scene_prepare(&t->scene, &settings))
+        return false;
+    t->view.lit = has_light(&t->scene);
+    struct canvas canvas = {.surface = *surface};
+    return device_draw_bands(&t->pool, &canvas, draw_band, t);
+}
+
+static void title(const struct show *show, char *text)
+{
+    const struct turntable *t = (const struct turntable *)show;
+    static const char *const shades[] = {"flat", "Gouraud", "Phong"};
+    static const char *const textures[] = {"no texture", "nearest", "bilinear"};
+    static const char *const orders[] = {"painter", "z-buffer 16",
+                                         "z-buffer 32", "z-buffer 32"};
+    const struct scene_settings *s = &t->view.settings;
+    const bool has_texture = t->model->texture.width > 0;
+    snprintf(text, SHOW_TITLE_SIZE, "%u triangles, %s, %s, %s, %s",
+             (unsigned)t->model->mesh.triangles, shades[s->shade],
+             t->view.lit ? "lit" : "no light",
+             textures[has_texture ? s->texture : SCENE_TEXTURE_NONE],
+             orders[s->order]);
+}
+
+/* Half a turn from one side of the picture to the other. */
+static void drag(struct turntable *t, int x, int y)
+{
+    if (!t->dragging || t->width <= 0)
+        return;
+    view_orbit(&t->view, x * 0.5 / t->width, y * 0.5 / t->height);
+}
+
+static void drag_to(struct turntable *t, const struct pel_input *e)
+{
+    drag(t, e->x - t->x, e->y - t->y);
+    t->x = e->x;
+    t->y = e->y;
+}
+
+static void touch(struct turntable *t, const struct pel_input *e)
+{
+    if (e->code != 0)
+        return;
+    t->dragging = t->dragging && e->state == PEL_INPUT_AGAIN;
+    drag_to(t, e);
+    t->dragging = e->state != PEL_INPUT_UP;
+}
+
+/* As many times as a wheel was turned by notches. */
+static void press_often(struct turntable *t, int notches, int up, int down)
+{
+    for (int i = 0; i < abs(notches) && i < MOST_NOTCHES; i++)
+        view_key(&t->view, notches > 0 ? up : down);
+}
+
+static enum view_action input(struct show *show, const struct pel_input *e)
+{
+    struct turntable *t = (struct turntable *)show;
+    switch (e->kind) {
+    case PEL_INPUT_LOST:
+        t->dragging = false;
+        return VIEW_NOTHING;
+    case PEL_INPUT_KEY:
+        return e->state == PEL_INPUT_UP ? VIEW_NOTHING
+                                        : view_key(&t->view, e->code);
+    case PEL_INPUT_BUTTON:
+        if (e->code == 1)
+            t->dragging = e->state != PEL_INPUT_UP;
+        return VIEW_NOTHING;
+    case PEL_INPUT_MOVE:
+        drag(t, e->x, e->y);
+        break;
+    case PEL_INPUT_POINT:
+        drag_to(t, e);
+        break;
+    case PEL_INPUT_TOUCH:
+        touch(t, e);
+        break;
+    case PEL_INPUT_WHEEL:
+        press_often(t, e->y, '+', '-');
+        press_often(t, e->x, PEL_KEY_RIGHT, PEL_KEY_LEFT);
+        return VIEW_CHANGED;
+    default:
+        return VIEW_NOTHING;
+    }
+    return t->dragging ? VIEW_CHANGED : VIEW_NOTHING;
+}
+
+bool turntable_init(struct turntable *t, const struct model *model,
+                    const struct scene_settings *settings, int jobs)
+{
+    *t = (struct turntable){
+        .show = {.resize = resize,
+                 .input = input,
+                 .advance = advance,
+                 .draw = draw,
+                 .title = title,
+                 .keys = VIEW_KEYS_HELP,
+                 .width = OWN_SIZE,
+                 .height = OWN_SIZE},
+        .model = model,
+        .settings = settings,
+    };
+    t->view.turning = true;
+    pel_pool_start(&t->pool, jobs > 0 ? jobs : pel_pool_processors());
+    return scene_init(&t->scene, model);
+}
+
+void turntable_free(struct turntable *t)
+{
+    pel_pool_end(&t->pool);
+    scene_free(&t->scene);
+}

@@ -1,0 +1,106 @@
+#!/bin/sh
+# pel view in a window of an X server that shows nothing, driven as a user does:
+# keys, clicks and sizes do what the help says. What was recorded, drawn once
+# more without a window, has every picture that was written.
+set -u
+. "$(dirname "$0")/lib.sh"
+for tool in Xvfb xdotool; do
+    command -v $tool >/dev/null || {
+        fail "$tool is missing: the package $(echo $tool | tr X x) brings it"
+        exit 1
+    }
+done
+PEL=$(realpath "$PEL")
+Xvfb -displayfd 3 -screen 0 1024x768x24 3>"$work/display" 2>"$work/xvfb" &
+server=$!
+trap 'status=$?; kill $server 2>/dev/null; wait $server 2>/dev/null
+    [ ! -e "$work/failed" ] || status=1; rm -rf "$work"; exit $status' EXIT
+
+until_true() { # COMMAND...: up to 10 s
+    for i in $(seq 100); do
+        "$@" >/dev/null 2>&1 && return
+        sleep 0.1
+    done
+    fail "not within 10 s: $*"
+    return 1
+}
+until_true test -s "$work/display"
+DISPLAY=:$(cat "$work/display")
+export DISPLAY
+unset SDL_VIDEODRIVER
+
+start() { # ARGUMENT...
+    (cd "$work" && exec "$PEL" view "$@" 2>err) &
+    program=$!
+    window=
+    until_true xdotool search --pid $program --name 'pel view' &&
+        window=$(xdotool search --pid $program --name 'pel view' | head -n 1)
+    xdotool windowfocus --sync "$window"
+}
+
+written=0
+picture() { # what follows a key w
+    xdotool key --window "$window" w
+    written=$((written + 1))
+    until_true grep -q "written: view-00$written" "$work/err"
+}
+
+start figures --size 320x240 --record record
+xdotool mousemove --window "$window" 160 120
+sleep 0.3
+picture
+xdotool click 1
+sleep 0.2
+picture
+xdotool key --window "$window" space 2 minus minus
+sleep 0.2
+picture
+xdotool key --window "$window" Tab 4
+picture
+xdotool windowsize "$window" 250 200
+sleep 0.3
+xdotool key --window "$window" F3 o
+picture
+xdotool key --window "$window" o x x m d
+picture
+xdotool key --window "$window" q 2>/dev/null
+wait $program || fail "status $? after q"
+last=$(tail -n 1 "$work/record" | cut -d ' ' -f 1)
+"$PEL" view figures --size 320x240 --headless --frames $((last + 1)) \
+    -o "$work/frames" --replay "$work/record" || fail "no replay"
+for i in $(seq $written); do
+    picture=$work/view-00$i.png
+    [ -e "$picture" ] || picture=$work/view-00$i.bmp
+    equal=0
+    for frame in "$work"/frames/*.ppm; do
+        "$PEL" compare "$frame" "$picture" >/dev/null && equal=1 && break
+    done
+    [ $equal = 1 ] || fail "picture $i is no frame of the replay"
+    cksum <"$picture" >>"$work/sums"
+done
+[ "$(sort -u "$work/sums" | wc -l)" = $written ] || fail "two pictures are one"
+
+# A script, whose shapes can be picked too; and the window is closed.
+start "$(realpath sim/scenes/shapes.pel)" --size 480x320
+xdotool mousemove --window "$window" 70 30 click 1
+sleep 0.3
+written=0
+rm -f "$work"/view-00*
+picture
+"$PEL" run sim/scenes/shapes.pel -o "$work/plain.ppm"
+"$PEL" compare "$work/plain.ppm" "$(ls "$work"/view-001.*)" >/dev/null &&
+    fail "nothing was picked"
+kill -TERM $program
+wait $program
+for kind in figures builtin:vase; do
+    start $kind
+    xdotool windowquit "$window" 2>/dev/null ||
+        xdotool key --window "$window" q 2>/dev/null
+    for i in $(seq 100); do
+        kill -0 $program 2>/dev/null || break
+        sleep 0.1
+    done
+    kill -0 $program 2>/dev/null && fail "$kind does not end with its window"
+    kill -9 $program 2>/dev/null
+    wait $program
+done
