@@ -122,6 +122,7 @@ row_faults_input() {
     faults input
     faults "buttons:$chip:5=left,17/27=wheel"
     faults "buttons:$chip:5=left,17/27=wheel" /mnt/faults_gpiod2
+    faults buttons:the-button=left
 }
 
 # No screen: what is visible in its memory is the picture.
