@@ -120,7 +120,7 @@ static PEL_ALWAYS_INLINE void put_out(struct proxy *proxy, int32_t x, int32_t y,
     proxy->target->format->put(proxy->target, x, y, n, proxy->out);
 }
 
-/* n >= 1 pixels, each like the one eight before: `bits` bytes. */
+/* n >= 1 pixels, each like the one eight before, which is `bits` bytes away. */
 static void repeat_pixels(const struct pel_surface *target, int32_t x,
                           int32_t y, int32_t n)
 {
@@ -133,7 +133,7 @@ static void repeat_pixels(const struct pel_surface *target, int32_t x,
             *p = p[-bits];
 }
 
-/* In 5-6-5 bits there are loops for that. */
+/* 5-6-5 bits have loops of their own. */
 static inline bool is_565(const struct pel_format *format)
 {
     return PEL_KNOW_SIDES && (format->id == PEL_FORMAT_RGB565_LE ||
@@ -145,35 +145,26 @@ static bool is_swapped(const struct pel_format *format)
     return (format->id == PEL_FORMAT_RGB565_BE) == (PEL_LE16(1) == 1);
 }
 
-static inline struct pel_row565 row565_at(pel_word16 *p, int32_t x, int32_t y,
-                                          int32_t n)
+static inline struct pel_row565 row565_of(const struct pel_surface *target,
+                                          int32_t x, int32_t y, int32_t n)
 {
+    pel_word16 *const p = pel_address16(target, x, y);
     const struct pel_row565 row = {p, p + n, thresholds565[y & 7],
                                    places_of(5, y), (uint32_t)x & 7};
     return row;
 }
 
-static struct pel_row565 row565_of(const struct pel_surface *target, int32_t x,
-                                   int32_t y, int32_t n)
-{
-    return row565_at(pel_address16(target, x, y), x, y, n);
-}
-
 static PEL_ALWAYS_INLINE void fill_rows(const struct pel_spans *spans,
                                         pel_color color, bool swapped)
 {
+    const struct pel_surface *const s = spans->surface;
     const struct pel_steps565 steps = pel_steps565_of(color);
     const struct pel_span *span = spans->span;
-    const uintptr_t pitch = (uintptr_t)pel_spans_pitch(spans);
-    uintptr_t line = pel_column_zero(spans->surface, spans->y, 2);
     int32_t y = spans->y;
-    for (int32_t i = spans->n; i > 0; i--, span++, line += pitch) {
-        const int32_t x = span->x0, n = span->x1 - x;
-        pel_word16 *const p = (pel_word16 *)(line + 2 * (uintptr_t)x);
-        if (n > 0)
-            pel_row565_fill(row565_at(p, x, y, n), steps, swapped);
-        y += spans->step;
-    }
+    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step)
+        if (span->x0 < span->x1)
+            pel_row565_fill(row565_of(s, span->x0, y, span->x1 - span->x0),
+                            steps, swapped);
 }
 
 /* False: there is no loop for the format. */
