@@ -62,10 +62,9 @@ static int32_t channel_of(pel_color color, int k)
     return (int32_t)(color >> 8 * k & 255);
 }
 
-/* Sets channel k from the colors at the vertices. At the centre of a's pixel
- * the value is that at a plus the gradients times the offset, -127..128
- * sub-pixels in x and y; from there the plane is traced back to pixel (0, 0).
- * Bits 8..39 of `sum` are the 32 bits of 8.24, and are right modulo 2^64. */
+/* Sets channel k from the colors at the vertices: the value at a plus the
+ * gradients times the way from a to the centre of pixel (0, 0). Bits 8..39 of
+ * `sum` are the 32 bits of 8.24, and are right modulo 2^64. */
 static PEL_NOINLINE_32 void set_channel(struct pel_gouraud *p,
                                         const struct setup *s, int k,
                                         const pel_color color[3])
@@ -77,13 +76,11 @@ static PEL_NOINLINE_32 void set_channel(struct pel_gouraud *p,
                                            pel_product(c, t->right[2]));
     const uint64_t gy =
         gradient_of(s, pel_product(b, t->down[1]) + pel_product(c, t->down[2]));
-    const int32_t x = pel_pixel_of(t->a.x), y = pel_pixel_of(t->a.y);
-    const uint64_t sum = pel_times(gx, pel_pixel_center(x) - t->a.x) +
-                         pel_times(gy, pel_pixel_center(y) - t->a.y);
+    const uint64_t sum =
+        pel_times(gx, 128 - t->a.x) + pel_times(gy, 128 - t->a.y);
     p->dx[k] = (uint32_t)gx;
     p->dy[k] = (uint32_t)gy;
-    p->at[k] +=
-        (uint32_t)(sum >> 8) - (uint32_t)x * p->dx[k] - (uint32_t)y * p->dy[k];
+    p->at[k] += (uint32_t)(sum >> 8);
 }
 
 enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
