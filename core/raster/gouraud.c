@@ -46,18 +46,23 @@ static bool start(struct setup *s, const struct pel_point v[3])
     return true;
 }
 
-/* n 2^32 / area modulo 2^64: rounded down, or by long division towards zero. */
-static uint64_t gradient_of(const struct setup *s, int64_t n)
+static uint64_t divide(int64_t n, uint64_t area)
 {
-    if (s->reciprocal)
-        return (uint64_t)(n * s->reciprocal >> (s->plane.bits - 1));
     uint64_t fine;
     const uint64_t q =
-        pel_divide_fraction((uint64_t)pel_size_of(n), s->plane.area, &fine);
+        pel_divide_fraction((uint64_t)pel_size_of(n), area, &fine);
     return n < 0 ? 0 - q : q;
 }
 
-static int32_t channel_of(pel_color color, int k)
+/* n 2^32 / area modulo 2^64: rounded down, or by long division towards zero. */
+static PEL_INLINE_64 uint64_t gradient_of(const struct setup *s, int64_t n)
+{
+    if (s->reciprocal)
+        return (uint64_t)(n * s->reciprocal >> (s->plane.bits - 1));
+    return divide(n, s->plane.area);
+}
+
+static inline int32_t channel_of(pel_color color, int k)
 {
     return (int32_t)(color >> 8 * k & 255);
 }
@@ -65,9 +70,9 @@ static int32_t channel_of(pel_color color, int k)
 /* Sets channel k from the colors at the vertices: the value at a plus the
  * gradients times the way from a to the centre of pixel (0, 0). Bits 8..39 of
  * `sum` are the 32 bits of 8.24, and are right modulo 2^64. */
-static PEL_NOINLINE_32 void set_channel(struct pel_gouraud *p,
-                                        const struct setup *s, int k,
-                                        const pel_color color[3])
+static PEL_INLINE_64 void set_channel(struct pel_gouraud *p,
+                                      const struct setup *s, int k,
+                                      const pel_color color[3])
 {
     const struct pel_plane_setup *t = &s->plane;
     const int32_t b = channel_of(color[1], k) - channel_of(color[0], k);
@@ -102,9 +107,14 @@ enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
         paint->at[k] = (c[s.plane.first] >> 8 * k << 24) + 0x800000u;
         paint->dx[k] = 0;
         paint->dy[k] = 0;
-        if (has_area && !(k == 3 && opaque))
-            set_channel(paint, &s, k, c);
     }
+    if (!has_area)
+        return PEL_OK;
+    set_channel(paint, &s, 0, c);
+    set_channel(paint, &s, 1, c);
+    set_channel(paint, &s, 2, c);
+    if (!opaque)
+        set_channel(paint, &s, 3, c);
     return PEL_OK;
 }
 
