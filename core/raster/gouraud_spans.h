@@ -57,6 +57,7 @@ struct pel_gouraud_four {
 struct pel_gouraud_steps {
     uint32_t dx[3];
     struct pel_gouraud_four lanes; /* from the first lane's pixel to each */
+    struct pel_gouraud_four few;   /* the same of pixels side by side */
     struct pel_gouraud_four next;  /* from a vector of pixels to the next */
 };
 
@@ -84,7 +85,9 @@ static inline struct pel_gouraud_steps pel_gouraud_steps_make(
     struct pel_gouraud_steps s;
     for (int k = 0; k < 3; k++) {
         const pel_u32x4 zero = {0, 0, 0, 0}, d = zero + apart * g->dx[k];
+        const pel_u32x4 one = zero + g->dx[k];
         s.dx[k] = g->dx[k];
+        s.few.v[k] = (one & odd) + ((one << 1) & upper);
         s.lanes.v[k] = (d & odd) + ((d << 1) & upper);
         s.next.v[k] = d << 2;
     }
@@ -161,33 +164,42 @@ pel_gouraud_rgb565x8(struct pel_gouraud_four c, const uint32_t dx[3])
            (c.v[0] >> 11 & 0x001F0000u);
 }
 
-/* Stores the first n < 8 of eight pixels, by two stores that may overlap. */
-static inline void pel_gouraud_short_rgb565(pel_word16 *p, int32_t n,
-                                            pel_u32x4 pixels)
+static PEL_ALWAYS_INLINE pel_u32x4 pel_gouraud_rgb565x4(
+    struct pel_gouraud_four c)
 {
-    uint16_t eight[8];
-    pel_put_u32x4(eight, pixels);
-    if (n >= 4) {
-        memcpy(p, eight, 8);
-        memcpy(p + n - 4, eight + n - 4, 8);
-        return;
-    }
+    return (c.v[2] >> 16 & 0xF800u) | (c.v[1] >> 21 & 0x07E0u) | c.v[0] >> 27;
+}
+
+/* Stores n < 4 pixels, as pel_gouraud_short_xrgb. */
+static inline void pel_gouraud_few_rgb565(pel_word16 *p, int32_t n,
+                                          pel_u32x4 pixels)
+{
+    uint32_t four[4];
     pel_word16 elsewhere;
     pel_word16 *q = n > 0 ? p : &elsewhere;
     int32_t last = n > 0 ? n - 1 : 0, half = (last + 1) >> 1;
-    q[0] = eight[0];
-    q[half] = eight[half];
-    q[last] = eight[last];
+    pel_put_u32x4(four, pixels);
+    q[0] = (pel_word16)four[0];
+    q[half] = (pel_word16)four[half];
+    q[last] = (pel_word16)four[last];
 }
 
 static PEL_ALWAYS_INLINE void pel_gouraud_span_rgb565(
     pel_word16 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_steps *s)
 {
-    struct pel_gouraud_four four =
-        pel_gouraud_add(s->lanes, pel_gouraud_times(v, 1));
+    struct pel_gouraud_four four = pel_gouraud_times(v, 1);
+    if (n < 4) {
+        four = pel_gouraud_add(s->few, four);
+        pel_gouraud_few_rgb565(p, n, pel_gouraud_rgb565x4(four));
+        return;
+    }
+    four = pel_gouraud_add(s->lanes, four);
     const pel_u32x4 first = pel_gouraud_rgb565x8(four, s->dx);
     if (n < 8) {
-        pel_gouraud_short_rgb565(p, n, first);
+        uint16_t eight[8];
+        pel_put_u32x4(eight, first);
+        memcpy(p, eight, 8);
+        memcpy(p + n - 4, eight + n - 4, 8);
         return;
     }
     const uint32_t last = (uint32_t)n - 8;
