@@ -1,7 +1,5 @@
 #include "paint_fan.h"
 
-#include "../raster/plane.h"
-
 /* Positive when b lies clockwise of a; below 2^51. */
 static PEL_NOINLINE_32 int64_t cross(const struct pel_point *a,
                                      const struct pel_point *b)
@@ -15,26 +13,25 @@ static uint64_t clamped(uint64_t value)
     return (uint64_t)(whole < 0 ? 0 : whole > 255 ? 255 : whole);
 }
 
-/* n pixels of a span, from (x, y) on; `at` is a channel there. */
+/* n pixels of a span, from (x, y) on. */
 struct part {
-    uint64_t at;
     int32_t x, y, n;
 };
 
 #if PEL_64BIT
 
 /* The colours of a part inside one triangle. */
-static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
-                            pel_color *out)
+static void triangle_colors(const struct part *r,
+                            const struct pel_fan_triangle *t, pel_color *out)
 {
     uint64_t v[4];
     for (int k = 0; k < 4; k++)
-        v[k] = t->at[k] + pel_times(t->dx[k], r->x) + pel_times(t->dy[k], r->y);
+        v[k] = pel_plane_at(&t->channel[k], r->x, r->y);
     for (int32_t n = r->n; n > 0; n--) {
         pel_color color = 0;
         for (int k = 3; k >= 0; k--) {
             color = color << 8 | (pel_color)clamped(v[k]);
-            v[k] += t->dx[k];
+            v[k] += t->channel[k].dx;
         }
         *out++ = color;
     }
@@ -60,30 +57,20 @@ static int32_t pixels_inside(const struct pel_fan_triangle *t,
 #else
 
 /* The same with little stack, a channel and a ray at a time. */
-static PEL_NOINLINE_32 void set_channel_at(struct part *r,
-                                           const struct pel_fan_triangle *t,
-                                           int k)
-{
-    r->at = t->at[k] + pel_times(t->dx[k], r->x) + pel_times(t->dy[k], r->y);
-}
-
-/* Channel k of the colours of a part inside one triangle. */
 static PEL_NOINLINE_32 void put_channel(const struct part *r,
                                         const struct pel_fan_triangle *t, int k,
                                         pel_color *out)
 {
-    uint64_t v = r->at;
-    for (int32_t i = 0; i < r->n; i++, v += t->dx[k])
+    uint64_t v = pel_plane_at(&t->channel[k], r->x, r->y);
+    for (int32_t i = 0; i < r->n; i++, v += t->channel[k].dx)
         out[i] = (pel_color)clamped(v) << 8 * k | (k ? out[i] : 0);
 }
 
-static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
-                            pel_color *out)
+static void triangle_colors(const struct part *r,
+                            const struct pel_fan_triangle *t, pel_color *out)
 {
-    for (int k = 0; k < 4; k++) {
-        set_channel_at(r, t, k);
+    for (int k = 0; k < 4; k++)
         put_channel(r, t, k, out);
-    }
 }
 
 /* For how many of n pixels, the first at d from the hub, the cross product with
@@ -130,7 +117,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 {
     const struct pel_fan *p = (const void *)paint;
     const int32_t end = x + n;
-    struct part r = {0, x, y, n};
+    struct part r = {x, y, n};
     int32_t triangle = 0;
     for (; (r.n = end - r.x) > 0; r.x += r.n) {
         r.n = find_triangle(p, &r, &triangle);
@@ -225,9 +212,7 @@ static void set_triangle(struct pel_fan_triangle *t, const struct pel_fan *p,
     t->from = ray_of(points, turn, i, &a);
     t->to = ray_of(points, turn, i + 1, &b);
     t->closed = is_last_ray(points, turn, (i + 1) % points->n);
-    const struct pel_point v[3] = {p->hub,
-                                   {p->hub.x + t->from.x, p->hub.y + t->from.y},
-                                   {p->hub.x + t->to.x, p->hub.y + t->to.y}};
+    const struct pel_point v[3] = {{0, 0}, t->from, t->to};
     struct pel_plane_setup setup;
     if (!pel_plane_start(&setup, v))
         *t = (struct pel_fan_triangle){.closed = 0};
@@ -237,11 +222,8 @@ static void set_triangle(struct pel_fan_triangle *t, const struct pel_fan *p,
         const int32_t value[3] = {(int32_t)(p->hub_color >> 8 * k & 255) * 256,
                                   (int32_t)(a >> 8 * k & 255) * 256,
                                   (int32_t)(b >> 8 * k & 255) * 256};
-        struct pel_plane plane;
-        pel_plane_set(&plane, &setup, value);
-        t->at[k] = plane.at + 0x80000000u;
-        t->dx[k] = plane.dx;
-        t->dy[k] = plane.dy;
+        pel_plane_set(&t->channel[k], &setup, value);
+        t->channel[k].at += 0x80000000u;
     }
 }
 
