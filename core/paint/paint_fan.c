@@ -131,12 +131,12 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     }
 }
 
-/* From the hub to the i-th point, clockwise, 0 <= i <= n; the n-th is the 0-th
+/* From the hub to the i-th point, clockwise, 0 <= i < 2 n; the n-th is the 0-th
  * again. Sets *color to its colour. */
 static struct pel_point ray_of(const struct pel_fan_points *points, int turn,
                                int32_t i, pel_color *color)
 {
-    i = i == points->n ? 0 : i;
+    i = i < points->n ? i : i - points->n;
     i = turn > 0 ? i : points->n - 1 - i;
     *color = points->colors[i];
     return (struct pel_point){points->perimeter[i].x - points->hub.x,
@@ -166,7 +166,7 @@ static int turn_of_perimeter(const struct pel_fan_points *points)
     struct pel_point a = {0, 0};
     bool skipped = false;
     for (int32_t i = 0, end = points->n; i <= end; i++) {
-        const struct pel_point b = ray_of(points, 1, i % points->n, &color);
+        const struct pel_point b = ray_of(points, 1, i, &color);
         if (is_zero(&b)) {
             skipped = true;
             continue;
@@ -195,8 +195,7 @@ static bool is_last_ray(const struct pel_fan_points *points, int turn,
     pel_color color;
     const struct pel_point ray = ray_of(points, turn, i, &color);
     for (int32_t k = 1; k < points->n; k++) {
-        const struct pel_point next =
-            ray_of(points, turn, (i + k) % points->n, &color);
+        const struct pel_point next = ray_of(points, turn, i + k, &color);
         int64_t dot = (int64_t)ray.x * next.x + (int64_t)ray.y * next.y;
         if (cross(&ray, &next) != 0 || dot <= 0)
             return cross(&ray, &next) == 0;
@@ -211,11 +210,11 @@ static void set_triangle(struct pel_fan_triangle *t, const struct pel_fan *p,
     pel_color a, b;
     t->from = ray_of(points, turn, i, &a);
     t->to = ray_of(points, turn, i + 1, &b);
-    t->closed = is_last_ray(points, turn, (i + 1) % points->n);
+    t->closed = is_last_ray(points, turn, i + 1 < points->n ? i + 1 : 0);
     const struct pel_point v[3] = {{0, 0}, t->from, t->to};
     struct pel_plane_setup setup;
     if (!pel_plane_start(&setup, v))
-        *t = (struct pel_fan_triangle){.closed = 0};
+        t->to.x = t->to.y = t->closed = 0;
     setup.a = p->hub;
     setup.first = 0;
     for (int k = 0; k < 4; k++) {
