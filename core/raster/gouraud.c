@@ -1,7 +1,7 @@
 #include "gouraud.h"
 
 #include "../base/divide.h"
-#include "plane.h"
+#include "corners.h"
 
 /* A step of one pixel in 8.24 is a gradient times 2^32. One reciprocal serves
  * all channels where it is close enough; elsewhere, in large or very thin
@@ -31,7 +31,10 @@ static bool reciprocal_is_enough(const struct pel_plane_setup *s)
 /* False: no area. */
 static bool start(struct setup *s, const struct pel_point v[3])
 {
-    pel_plane_corners(&s->plane, v);
+    if (PEL_64BIT)
+        pel_corners_set(&s->plane, v);
+    else
+        pel_plane_corners(&s->plane, v);
     s->reciprocal = 0;
     s->plane.bits = (uint8_t)pel_bits_of(s->plane.area);
     if (s->plane.area == 0)

@@ -164,8 +164,8 @@ pel_gouraud_rgb565x8(struct pel_gouraud_four c, const uint32_t dx[3])
            (c.v[0] >> 11 & 0x001F0000u);
 }
 
-static PEL_ALWAYS_INLINE pel_u32x4 pel_gouraud_rgb565x4(
-    struct pel_gouraud_four c)
+static PEL_ALWAYS_INLINE pel_u32x4
+pel_gouraud_rgb565x4(struct pel_gouraud_four c)
 {
     return (c.v[2] >> 16 & 0xF800u) | (c.v[1] >> 21 & 0x07E0u) | c.v[0] >> 27;
 }

@@ -1,7 +1,7 @@
 #include "plane.h"
 
 #include "../base/divide.h"
-#include "triangle_sort.h"
+#include "corners.h"
 
 #if !PEL_64BIT
 uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y)
@@ -98,13 +98,11 @@ static PEL_NOINLINE_32 uint64_t gradient(const struct pel_plane_setup *s,
     return ((uint64_t)n ^ sign) - sign;
 }
 
-#if !PEL_64BIT
 void pel_plane_corners(struct pel_plane_setup *setup,
                        const struct pel_point v[3])
 {
-    pel_plane_set_corners(setup, v);
+    pel_corners_set(setup, v);
 }
-#endif
 
 bool pel_plane_start(struct pel_plane_setup *setup, const struct pel_point v[3])
 {
@@ -121,13 +119,11 @@ void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
                    const int32_t value[3])
 {
     const struct pel_plane_setup *s = setup;
-    const int32_t x = pel_pixel_of(s->a.x), y = pel_pixel_of(s->a.y);
-    *plane = pel_plane_level(value[s->first]);
-    if (s->area == 0)
-        return;
-    plane->dx = gradient(s, pel_dot(value, s->right),
-                         pel_pixel_center(x) - s->a.x, &plane->at);
-    plane->dy = gradient(s, pel_dot(value, s->down),
-                         pel_pixel_center(y) - s->a.y, &plane->at);
-    plane->at = pel_plane_at(plane, -x, -y);
+    plane->at = pel_plane_level(value[s->first]).at;
+    plane->dx =
+        gradient(s, pel_dot(value, s->right), 128 - (s->a.x & 255), &plane->at);
+    plane->dy =
+        gradient(s, pel_dot(value, s->down), 128 - (s->a.y & 255), &plane->at);
+    plane->at =
+        pel_plane_at(plane, -pel_pixel_of(s->a.x), -pel_pixel_of(s->a.y));
 }

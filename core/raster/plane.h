@@ -3,7 +3,7 @@
 #ifndef PEL_RASTER_PLANE_H
 #define PEL_RASTER_PLANE_H
 
-#include "triangle_sort.h"
+#include "../base/point.h"
 
 PEL_BEGIN_DECLS
 
@@ -19,61 +19,20 @@ struct pel_plane {
  * for each one down. */
 struct pel_plane_setup {
     struct pel_point a; /* the topmost vertex: planes start there */
+    uint8_t first;      /* its index */
+    uint8_t bits;       /* of the area, where there is an inverse */
     int32_t right[3], down[3];
-    uint64_t area;    /* twice the triangle's */
+    uint64_t area;    /* twice the triangle's; 0: both gradients are 0 */
     uint64_t inverse; /* of it, 2^-(bits + 62), where CPUs use it */
-    uint8_t bits;     /* of the area, where there is an inverse */
-    uint8_t first;    /* the index of a */
 };
-
-/* Of equally high vertices the left one. 64-bit CPUs compare both coordinates
- * as one number, without branches that cannot be predicted. */
-static inline int pel_topmost(const struct pel_point v[3])
-{
-    if (PEL_64BIT) {
-        const int64_t a = pel_point_key(&v[0]), b = pel_point_key(&v[1]),
-                      c = pel_point_key(&v[2]);
-        const int second = b < a, third = c < (b < a ? b : a);
-        return (second & ~third) + 2 * third;
-    }
-    const int i = pel_above(&v[1], &v[0]);
-    return pel_above(&v[2], &v[i]) ? 2 : i;
-}
-
-static inline void pel_plane_set_corners(struct pel_plane_setup *setup,
-                                         const struct pel_point v[3])
-{
-    struct pel_plane_setup *s = setup;
-    int32_t bx = v[1].x - v[0].x, by = v[1].y - v[0].y;
-    int32_t cx = v[2].x - v[0].x, cy = v[2].y - v[0].y;
-    const int64_t area = pel_product(bx, cy) - pel_product(cx, by);
-    const int32_t sign = PEL_CAST(int32_t, area >> 63) | 1;
-    bx *= sign;
-    by *= sign;
-    cx *= sign;
-    cy *= sign;
-    s->right[0] = by - cy;
-    s->right[1] = cy;
-    s->right[2] = -by;
-    s->down[0] = cx - bx;
-    s->down[1] = -cx;
-    s->down[2] = bx;
-    s->area = PEL_CAST(uint64_t, pel_size_of(area));
-    s->first = PEL_CAST(uint8_t, pel_topmost(v));
-    s->a = v[s->first];
-}
 
 /* Sets it for legal vertices. False: no area. */
 bool pel_plane_start(struct pel_plane_setup *setup,
                      const struct pel_point v[3]);
 
 /* Sets all but the inverse, for those who divide by other means. */
-#if PEL_64BIT
-#define pel_plane_corners pel_plane_set_corners
-#else
 void pel_plane_corners(struct pel_plane_setup *setup,
                        const struct pel_point v[3]);
-#endif
 
 /* The plane, in 2^-24, with value[i] at v[i]. At pixels inside the triangle it
  * is off by less than 2^-6, and when the triangle is thinner than 1/256 px by
