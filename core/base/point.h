@@ -93,6 +93,18 @@ static inline bool pel_points_legal(const struct pel_point *v, int32_t n)
     return true;
 }
 
+/* Are the corners of a triangle? Without a loop 24 instructions less on an M0+.
+ */
+static inline bool pel_corners_legal(const struct pel_point v[3])
+{
+    if (!PEL_KNOW_SIDES)
+        return pel_points_legal(v, 3);
+    return (pel_point_offset(v[0]) | pel_point_offset(v[1]) |
+            pel_point_offset(v[2])) >>
+               24 ==
+           0;
+}
+
 /* Where a picture or text goes, px: -65,536..65,536. */
 static inline bool pel_offset_legal(int32_t x, int32_t y)
 {

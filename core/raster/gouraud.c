@@ -99,7 +99,7 @@ enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
         pel_paint_clear(&paint->paint);
     if (!paint || !v || !c)
         return PEL_ERROR_NULL;
-    if (!pel_points_legal(v, 3))
+    if (!pel_corners_legal(v))
         return PEL_ERROR_RANGE;
     struct setup s;
     const bool opaque = pel_alpha(c[0] & c[1] & c[2]) == 255;
