@@ -85,9 +85,9 @@ static uint64_t divide(const struct pel_plane_setup *s, uint64_t n,
 /* The gradient of a pixel, cut towards zero; that of a sub-pixel times
  * `distance` is added to *at. Without a branch on the sign, which CPUs cannot
  * predict. */
-static PEL_NOINLINE_32 uint64_t gradient(const struct pel_plane_setup *s,
-                                         int64_t n, int32_t distance,
-                                         uint64_t *at)
+static PEL_INLINE_64 uint64_t gradient(const struct pel_plane_setup *s,
+                                       int64_t n, int32_t distance,
+                                       uint64_t *at)
 {
     const uint64_t sign = (uint64_t)(n >> 63);
     uint64_t fine;
