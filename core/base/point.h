@@ -93,16 +93,12 @@ static inline bool pel_points_legal(const struct pel_point *v, int32_t n)
     return true;
 }
 
-/* Are the corners of a triangle? Without a loop 24 instructions less on an M0+.
- */
+/* Are all of a triangle? A loop takes 24 instructions more on an M0+. */
 static inline bool pel_corners_legal(const struct pel_point v[3])
 {
-    if (!PEL_KNOW_SIDES)
-        return pel_points_legal(v, 3);
-    return (pel_point_offset(v[0]) | pel_point_offset(v[1]) |
-            pel_point_offset(v[2])) >>
-               24 ==
-           0;
+    const uint32_t offset = pel_point_offset(v[0]) | pel_point_offset(v[1]) |
+                            pel_point_offset(v[2]);
+    return PEL_KNOW_SIDES ? offset >> 24 == 0 : pel_points_legal(v, 3);
 }
 
 /* Where a picture or text goes, px: -65,536..65,536. */

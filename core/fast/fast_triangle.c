@@ -62,8 +62,7 @@ static bool inside(const struct pel_rect *clip, const struct pel_rect *box)
            box->y1 <= pel_min(PEL_PX(clip->y1), PEL_COORDINATE_MAX);
 }
 
-/* Its upper half is y, the order of which is enough; most CPUs load it at once.
- */
+/* y above x: the order of y is enough, and most CPUs load both at once. */
 static int64_t key_of(const struct pel_point *p)
 {
     return (int64_t)((uint64_t)(uint32_t)p->y << 32 | (uint32_t)p->x);

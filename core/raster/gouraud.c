@@ -1,7 +1,7 @@
 #include "gouraud.h"
 
 #include "../base/divide.h"
-#include "corners.h"
+#include "plane.h"
 
 /* A step of one pixel in 8.24 is a gradient times 2^32. One reciprocal serves
  * all channels where it is close enough; elsewhere, in large or very thin

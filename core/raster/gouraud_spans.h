@@ -153,21 +153,20 @@ static PEL_ALWAYS_INLINE void pel_gouraud_span_xrgb(
                                 four, pel_gouraud_times(s->dx, last))));
 }
 
-/* Eight pixels: the lanes hold pixels 0, 2, 4, 6; one step on 1, 3, 5, 7. */
-static PEL_ALWAYS_INLINE pel_u32x4
-pel_gouraud_rgb565x8(struct pel_gouraud_four c, const uint32_t dx[3])
-{
-    const pel_u32x4 low =
-        (c.v[2] >> 16 & 0xF800u) | (c.v[1] >> 21 & 0x07E0u) | c.v[0] >> 27;
-    c = pel_gouraud_add(c, pel_gouraud_times(dx, 1));
-    return low | (c.v[2] & 0xF8000000u) | (c.v[1] >> 5 & 0x07E00000u) |
-           (c.v[0] >> 11 & 0x001F0000u);
-}
-
 static PEL_ALWAYS_INLINE pel_u32x4
 pel_gouraud_rgb565x4(struct pel_gouraud_four c)
 {
     return (c.v[2] >> 16 & 0xF800u) | (c.v[1] >> 21 & 0x07E0u) | c.v[0] >> 27;
+}
+
+/* Eight pixels: the lanes hold pixels 0, 2, 4, 6; one step on 1, 3, 5, 7. */
+static PEL_ALWAYS_INLINE pel_u32x4
+pel_gouraud_rgb565x8(struct pel_gouraud_four c, const uint32_t dx[3])
+{
+    const pel_u32x4 low = pel_gouraud_rgb565x4(c);
+    c = pel_gouraud_add(c, pel_gouraud_times(dx, 1));
+    return low | (c.v[2] & 0xF8000000u) | (c.v[1] >> 5 & 0x07E00000u) |
+           (c.v[0] >> 11 & 0x001F0000u);
 }
 
 /* Stores n < 4 pixels, as pel_gouraud_short_xrgb. */

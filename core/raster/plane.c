@@ -1,7 +1,6 @@
 #include "plane.h"
 
 #include "../base/divide.h"
-#include "corners.h"
 
 #if !PEL_64BIT
 uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y)
