@@ -33,6 +33,14 @@ CORE_OBJECTS := $(CORE:%.c=$(BUILD)/%.o)
 # Drivers that no platform stands below.
 DRIVERS := $(foreach d,$(wildcard drivers/*.c),$(if $(findstring linux,$d),,$d))
 
+# Examples, and the C files that pel import makes for them.
+EXAMPLE_ASSETS_gauge := fixed_10x20
+EXAMPLE_ASSETS_mesh := vase_small
+EXAMPLE_ASSETS_oled := fixed_6x13
+EXAMPLE_ASSETS_paints := fixed_6x13
+example_sources = examples/$1.c $(DRIVERS) \
+    $(EXAMPLE_ASSETS_$1:%=$(BUILD)/examples/%.c)
+
 .PHONY: all help clean
 all: $(BUILD)/libpel.a ## build/libpel.a and the host program build/pel
 
@@ -52,14 +60,20 @@ $(BUILD)/core/%.o: core/%.c
 EXAMPLES := $(sort $(wildcard examples/*.c))
 EXAMPLE_PROGRAMS := $(EXAMPLES:%.c=$(BUILD)/%)
 
-$(BUILD)/examples/%: examples/%.c $(BUILD)/libpel.a
-	@mkdir -p $(@D)
-	$(CC) $(PEL_CFLAGS) -I$(@D) $(CFLAGS) $(filter %.c %.a,$^) -o $@
+define example_program
+$(BUILD)/examples/$1: $(call example_sources,$1) $(BUILD)/libpel.a \
+    $(wildcard examples/*.h drivers/*.h)
+	@mkdir -p $$(@D)
+	$$(CC) $$(PEL_CFLAGS) -I$$(@D) $$(CFLAGS) $$(filter %.c %.a,$$^) -o $$@
+endef
+$(foreach e,$(EXAMPLES:examples/%.c=%),$(eval $(call example_program,$e)))
 
-$(BUILD)/examples/letters.c: sim/scenes/letters.bdf $(BUILD)/pel
+$(BUILD)/examples/fixed_%.c: sim/scenes/fixed_%.bdf $(BUILD)/pel
 	@mkdir -p $(@D)
 	$(BUILD)/pel import $< -o $@
-$(BUILD)/examples/paints: $(BUILD)/examples/letters.c
+$(BUILD)/examples/vase_small.c: $(BUILD)/pel
+	@mkdir -p $(@D)
+	$(BUILD)/pel import builtin:vase-small -o $@
 
 # A copy of core under the name pel is all that a program needs.
 $(BUILD)/vendored/user_paint: examples/user_paint.c $(CORE)
@@ -67,12 +81,9 @@ $(BUILD)/vendored/user_paint: examples/user_paint.c $(CORE)
 	cd $(@D) && $(CC) -std=c99 $(WARNINGS) $(WERROR) $(CFLAGS) -I. \
 	    '$(CURDIR)/examples/user_paint.c' pel/*/*.c -o $(@F)
 
-CHECK_EXTRA += examples
 .PHONY: examples
 examples: $(EXAMPLE_PROGRAMS) $(BUILD)/vendored/user_paint ## build and run the examples
-	$(BUILD)/examples/bands
-	@set -e; for e in $(filter-out %/bands,$(EXAMPLE_PROGRAMS)); do \
-	    $$e >$$e.ppm; echo "$$e.ppm"; done
+	@for e in $(EXAMPLE_PROGRAMS); do tests/tools/example.sh $$e $$e || exit; done
 	@$(BUILD)/vendored/user_paint | cmp - $(BUILD)/examples/user_paint.ppm
 
 clean: ## empty build/

@@ -30,6 +30,7 @@
 
 #include "format/argb8888.h"
 #include "format/formats.h"
+#include "format/palette.h"
 
 #include "raster/dirty.h"
 #include "raster/gouraud.h"
@@ -57,12 +58,14 @@
 #include "paint/paint_fan.h"
 #include "paint/paint_hue.h"
 #include "paint/paint_linear.h"
+#include "paint/paint_mask.h"
 #include "paint/paint_radial.h"
 #include "paint/paint_texture.h"
 
 #include "image/copy.h"
 #include "image/glyph_text.h"
 #include "image/scroll.h"
+#include "image/text_column.h"
 
 #include "asset/font_asset.h"
 #include "asset/image_asset.h"

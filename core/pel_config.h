@@ -32,11 +32,13 @@
 #define PEL_FAST_FILLS PEL_64BIT
 #endif
 
-/* 1 on CPUs that multiply 32 by 32 to 64 bits with one instruction or two:
- * RISC-V with M, and Xtensa but for the ESP8266, which has no windowed ABI. */
+/* 1 on CPUs that multiply 32 by 32 to 64 bits with one instruction or two: Arm
+ * but for the first Thumb, as on Cortex-M0 and M23, RISC-V with M, and Xtensa
+ * but for the ESP8266, which has no windowed ABI. */
 #if defined(PEL_LONG_MULTIPLY)
-#elif (defined(__ARM_ARCH) && __ARM_ARCH >= 7) || defined(__i386__) || \
-    defined(__riscv_mul) || defined(__XTENSA_WINDOWED_ABI__)
+#elif (defined(__ARM_ARCH) && (!defined(__thumb__) || defined(__thumb2__))) || \
+    defined(__i386__) || defined(__riscv_mul) ||                               \
+    defined(__XTENSA_WINDOWED_ABI__)
 #define PEL_LONG_MULTIPLY 1
 #else
 #define PEL_LONG_MULTIPLY PEL_64BIT

@@ -14,10 +14,11 @@
 #ifndef PEL_DRIVERS_BUS_H
 #define PEL_DRIVERS_BUS_H
 
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
-#include <pel/base/inline.h>
-#include <pel/base/status.h>
+#include <pel/pel.h>
 
 /* Rows of bytes, as of a window in a larger picture. */
 struct pel_bus_rows {
@@ -43,8 +44,9 @@ struct pel_bus {
     enum pel_status (*data)(const struct pel_bus *bus,
                             const struct pel_bus_rows *rows);
 
-    /* Holds the chip in reset, or lets it run, and returns after `ms`
-     * milliseconds at least. A bus without a reset line only takes the time. */
+    /* With `reset` gives the chip a pulse on its reset line, of 10 us or more;
+     * then returns after `ms` milliseconds at least. A bus without a reset line
+     * only takes the time. */
     enum pel_status (*pause)(const struct pel_bus *bus, bool reset,
                              uint32_t ms);
 

@@ -15,6 +15,7 @@ enum { CARDS = 8 }; /* DRM devices that are tried */
 struct choice {
     enum pel_linux_kind kind;
     char path[200];
+    const char *panel; /* what comes behind panel: */
     enum pel_fb_way way;
     const char *why;
 };
@@ -24,8 +25,8 @@ static int refuse(struct pel_display_linux *screen, const char *name,
 {
     pel_message_set(&screen->message,
                     "unknown device '%.200s', %s; use fb:/dev/fb0, "
-                    "fb:/dev/fb0,direct (or shadow, pages), or "
-                    "drm:/dev/dri/card0",
+                    "fb:/dev/fb0,direct (or shadow, pages), "
+                    "drm:/dev/dri/card0, or panel:st7789,...",
                     name, choice->why);
     return EINVAL;
 }
@@ -47,6 +48,11 @@ static int parse(struct pel_display_linux *screen, const char *name,
                  struct choice *choice)
 {
     const char *path = name;
+    if (strncmp(name, "panel:", 6) == 0) {
+        choice->kind = PEL_LINUX_PANEL;
+        choice->panel = name + 6;
+        return 0;
+    }
     choice->kind = strstr(name, "/dri/") ? PEL_LINUX_DRM : PEL_LINUX_FB;
     if (strncmp(name, "fb:", 3) == 0 || strncmp(name, "drm:", 4) == 0) {
         choice->kind = name[0] == 'd' ? PEL_LINUX_DRM : PEL_LINUX_FB;
@@ -93,18 +99,21 @@ static const char *way_name(enum pel_fb_way way)
 /* Of those that devices have. */
 static const char *format_name(const struct pel_format *format)
 {
-    static const char *const names[] = {[PEL_FORMAT_RGB565_LE] = "rgb565_le",
-                                        [PEL_FORMAT_BGR565_LE] = "bgr565_le",
-                                        [PEL_FORMAT_XRGB1555_LE] =
-                                            "xrgb1555_le",
-                                        [PEL_FORMAT_RGB888] = "rgb888",
-                                        [PEL_FORMAT_BGR888] = "bgr888",
-                                        [PEL_FORMAT_XRGB8888] = "xrgb8888",
-                                        [PEL_FORMAT_XBGR8888] = "xbgr8888",
-                                        [PEL_FORMAT_RGBX8888] = "rgbx8888",
-                                        [PEL_FORMAT_BGRX8888] = "bgrx8888",
-                                        [PEL_FORMAT_RGB332] = "rgb332",
-                                        [PEL_FORMAT_GRAY8] = "gray8"};
+    static const char *const names[] = {
+        [PEL_FORMAT_RGB565_LE] = "rgb565_le",
+        [PEL_FORMAT_RGB565_BE] = "rgb565_be",
+        [PEL_FORMAT_BGR565_LE] = "bgr565_le",
+        [PEL_FORMAT_XRGB1555_LE] = "xrgb1555_le",
+        [PEL_FORMAT_RGB888] = "rgb888",
+        [PEL_FORMAT_BGR888] = "bgr888",
+        [PEL_FORMAT_XRGB8888] = "xrgb8888",
+        [PEL_FORMAT_XBGR8888] = "xbgr8888",
+        [PEL_FORMAT_RGBX8888] = "rgbx8888",
+        [PEL_FORMAT_BGRX8888] = "bgrx8888",
+        [PEL_FORMAT_RGB332] = "rgb332",
+        [PEL_FORMAT_GRAY8] = "gray8",
+        [PEL_FORMAT_MONO1] = "mono1",
+        [PEL_FORMAT_MONO1_PAGES] = "mono1_pages"};
     return names[format->id];
 }
 
@@ -152,6 +161,24 @@ static int open_fb(struct pel_display_linux *screen,
         error = pel_display_fb_start(&screen->display, fb, choice->way);
     if (!error)
         set_note(screen, choice, fb->mode.fixed.id, way_name(fb->way));
+    return error;
+}
+
+/* Its console is that of the keyboard: what is typed is not shown there. */
+static int open_panel(struct pel_display_linux *screen, struct choice *choice)
+{
+    static const struct pel_console_hooks none;
+    struct pel_display_panel *panel = &screen->device.panel;
+    struct pel_panel_request request;
+    int error = pel_panel_parse(&request, choice->panel, &screen->message);
+    if (!error)
+        error = pel_display_panel_open(&screen->display, panel, &request,
+                                       &screen->message);
+    if (!error)
+        error = take_console(screen, -1, &none);
+    snprintf(choice->path, sizeof(choice->path), "%s", panel->bus.path);
+    if (!error)
+        set_note(screen, choice, request.chip, "sent");
     return error;
 }
 
@@ -230,12 +257,14 @@ enum pel_status pel_display_linux_open(struct pel_display_linux *screen,
 {
     struct choice choice = {.way = way};
     memset(screen, 0, sizeof(*screen));
-    screen->device.fb.fd = -1;
     if (choose(screen, name, &choice))
         return PEL_ERROR_DEVICE;
     screen->kind = choice.kind;
-    int error = choice.kind == PEL_LINUX_DRM ? open_drm(screen, &choice)
-                                             : open_fb(screen, &choice);
+    if (choice.kind == PEL_LINUX_FB)
+        screen->device.fb.fd = -1;
+    int error = choice.kind == PEL_LINUX_DRM     ? open_drm(screen, &choice)
+                : choice.kind == PEL_LINUX_PANEL ? open_panel(screen, &choice)
+                                                 : open_fb(screen, &choice);
     if (error) {
         pel_display_linux_close(screen);
         return PEL_ERROR_DEVICE;
@@ -260,6 +289,8 @@ void pel_display_linux_close(struct pel_display_linux *screen)
 {
     if (screen->kind == PEL_LINUX_DRM)
         close_drm(screen);
+    if (screen->kind == PEL_LINUX_PANEL)
+        pel_display_panel_close(&screen->device.panel);
     if (screen->has_console)
         pel_console_give_back();
     screen->has_console = false;

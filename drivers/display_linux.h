@@ -20,6 +20,7 @@
 
 #include "console_linux.h"
 #include "display_linux_fb.h"
+#include "display_linux_panel.h"
 #ifndef PEL_WITH_DRM
 #define PEL_WITH_DRM 0
 #endif
@@ -29,7 +30,7 @@
 
 PEL_BEGIN_DECLS
 
-enum pel_linux_kind { PEL_LINUX_FB, PEL_LINUX_DRM };
+enum pel_linux_kind { PEL_LINUX_FB, PEL_LINUX_DRM, PEL_LINUX_PANEL };
 
 struct pel_display_linux {
     struct pel_display display;
@@ -38,6 +39,7 @@ struct pel_display_linux {
     bool has_console;
     union {
         struct pel_display_fb fb;
+        struct pel_display_panel panel;
 #if PEL_WITH_DRM
         struct pel_display_drm drm;
 #endif
@@ -50,14 +52,14 @@ struct pel_display_linux {
 /* Opens `name`:
  *     fb:PATH[,direct|shadow|pages]    a framebuffer device
  *     drm:PATH                         a DRM device (built with PEL_WITH_DRM)
- *     PATH                             either, told from its name
- *     NULL                             what FRAMEBUFFER in the environment
- *                                      names; then /dev/fb0; then, when there
- *                                      is none, the first of /dev/dri/card0
- *                                      to card7 that has a screen
- * `way` is for framebuffers that `name` gives none for. The struct is not moved
- * while open. PEL_ERROR_DEVICE, with the message, and everything as before:
- * so too when this process has a display open already. */
+ *     panel:CHIP,OPTION=VALUE,...      a panel at SPI or I2C pins;
+ * docs/linux.md tells the options PATH                             a
+ * framebuffer or DRM device, told from its name NULL what FRAMEBUFFER in the
+ * environment names; then /dev/fb0; then, when there is none, the first of
+ * /dev/dri/card0 to card7 that has a screen `way` is for framebuffers that
+ * `name` gives none for. The struct is not moved while open. PEL_ERROR_DEVICE,
+ * with the message, and everything as before: so too when this process has a
+ * display open already. */
 enum pel_status pel_display_linux_open(struct pel_display_linux *screen,
                                        const char *name, enum pel_fb_way way);
 

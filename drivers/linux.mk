@@ -12,6 +12,7 @@ LINUX_SOURCES := $(filter-out %/evdev.c %/evdev_none.c %/gpio.c %/gpio_v1.c \
     port/linux/evdev$(if $(LINUX_EVDEV),,_none).c \
     port/linux/gpio_$(LINUX_GPIO_VERSION).c \
     $(if $(LINUX_GPIO),port/linux/gpio.c) \
+    $(wildcard drivers/panel*.c) \
     drivers/input.c drivers/input_button.c drivers/input_encoder.c \
     $(filter-out drivers/display_linux_drm%, \
                  $(wildcard drivers/display_linux*.c)) \
@@ -27,7 +28,8 @@ else
 LINUX_FLAGS += -DPEL_WITH_DRM=0
 endif
 ifneq ($(LINUX_EVDEV)$(LINUX_GPIO),)
-LINUX_FLAGS += $(patsubst -I%,-isystem %,\
+LINUX_FLAGS += $(LINUX_EVDEV:%=-DHAVE_LIBEVDEV) $(LINUX_GPIO:%=-DHAVE_LIBGPIOD) \
+    $(patsubst -I%,-isystem %,\
     $(shell $(PKG_CONFIG) --cflags $(LINUX_EVDEV) $(LINUX_GPIO)))
 LINUX_LIBS += $(shell $(PKG_CONFIG) --libs $(LINUX_EVDEV) $(LINUX_GPIO))
 endif
@@ -41,5 +43,12 @@ $(LINUX_OBJECTS): $(BUILD)/%.o: %.c $(BUILD)/linux-flags
 $(BUILD)/linux-flags: FORCE
 	@mkdir -p $(@D)
 	@echo '$(LINUX_FLAGS)' | cmp -s - $@ || echo '$(LINUX_FLAGS)' >$@
+
+# For programs of others, with what they link beside it.
+all: $(BUILD)/libpel_linux.a
+$(BUILD)/libpel_linux.a: $(LINUX_OBJECTS)
+	rm -f $@
+	$(AR) rcs $@ $^
+	@echo '$(LINUX_FLAGS) $(LINUX_LIBS)' >$(@:.a=.libs)
 
 -include $(LINUX_OBJECTS:.o=.d)

@@ -9,6 +9,8 @@
 #include <sys/ioctl.h>
 #include <time.h>
 
+#include <pel/base/inline.h>
+
 static inline int pel_linux_open(const char *path, int flags)
 {
     int fd;
@@ -43,8 +45,8 @@ static inline uint32_t pel_linux_milliseconds(void)
 {
     struct timespec now = {0, 0};
     clock_gettime(CLOCK_MONOTONIC, &now);
-    return (uint32_t)((uint64_t)now.tv_sec * 1000 +
-                      (uint64_t)now.tv_nsec / 1000000);
+    return PEL_CAST(uint32_t, PEL_CAST(uint64_t, now.tv_sec) * 1000 +
+                                  PEL_CAST(uint64_t, now.tv_nsec) / 1000000);
 }
 
 #endif

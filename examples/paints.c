@@ -1,12 +1,10 @@
 /* Gradients, a texture and text; the picture goes to standard output as PPM.
  *
- *     build/pel import sim/scenes/letters.bdf -o letters.c
- *     cc -Ibuild/include examples/paints.c letters.c build/libpel.a -o paints
+ *     build/pel import sim/scenes/fixed_6x13.bdf -o fixed_6x13.c
+ *     cc -Ibuild/include -I. examples/paints.c fixed_6x13.c build/libpel.a
  */
-#include <stdio.h>
-
-#include <pel/pel.h>
-#include "letters.h"
+#include "fixed_6x13.h"
+#include "ppm.h"
 
 enum { WIDTH = 300, HEIGHT = 120, COLORS = 256 };
 
@@ -82,15 +80,15 @@ static void write_name(const struct pel_surface *screen, int32_t x,
                        const char *name)
 {
     static const struct pel_flat ink = PEL_FLAT(PEL_RGB(40, 40, 40));
-    const struct pel_text_size size = pel_text_measure(&letters, name);
-    const struct pel_text_block text = {&letters, name, x - size.width / 2,
+    const struct pel_text_size size = pel_text_measure(&fixed_6x13, name);
+    const struct pel_text_block text = {&fixed_6x13, name, x - size.width / 2,
                                         100};
     pel_text(screen, &text, &ink.paint);
 }
 
 int main(void)
 {
-    static uint8_t pixels[WIDTH * HEIGHT * 3]; /* R, G, B, as in PPM */
+    static uint8_t pixels[WIDTH * HEIGHT * 3];
     struct pel_surface screen;
     if (pel_surface_init(&screen, &pel_bgr888, pixels, sizeof pixels,
                          &(struct pel_rect){0, 0, WIDTH, HEIGHT}) != PEL_OK)
@@ -103,6 +101,6 @@ int main(void)
     write_name(&screen, 150, "conic");
     write_name(&screen, 250, "texture");
     printf("P6 %d %d 255\n", WIDTH, HEIGHT);
-    fwrite(pixels, 1, sizeof pixels, stdout);
+    ppm_write(&screen);
     return 0;
 }

@@ -102,7 +102,7 @@ function collect(i,    line, n, k, inside, name)
         } else if (name ~ /^(struct|enum|union) [a-z_0-9]+ \{/) {
             split(name, word, " ")
             own[i, "struct " word[2]]
-        } else if (name ~ /^(typedef|\}) .*[ *][a-z_0-9]+;$/) {
+        } else if (name ~ /^(typedef .*|\})[ *]+[a-z_0-9]+;$/) {
             sub(/;$/, "", name)
             sub(/.*[ *]/, "", name)
             own[i, name]

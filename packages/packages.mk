@@ -9,8 +9,11 @@ PEL_VERSION := $(shell awk '/^\#define PEL_VERSION_/ { printf "%s%s", dot, $$3; 
 PEL_SONAME := libpel.so.$(basename $(PEL_VERSION))
 
 ONE := $(BUILD)/amalgamation
-# The folder is a library of the Arduino IDE, too.
+# The folder is a library of the Arduino IDE, too; drivers and examples find
+# <pel/pel.h> in it.
 amalgamation: $(ONE)/pel.c $(ONE)/pel.h ## core as pel.c and pel.h: build/amalgamation
+	@mkdir -p $(ONE)/pel
+	echo '#include "../pel.h"' >$(ONE)/pel/pel.h
 	cp LICENSE packages/library.properties $(ONE)
 $(ONE)/pel.c: packages/amalgamate.awk $(CORE) $(wildcard core/*/*.h core/*/*.inc)
 	@mkdir -p $(@D)

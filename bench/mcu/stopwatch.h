@@ -2,13 +2,13 @@
  * 64 ns (QEMU's -icount shift=6) of SysTick at 25 MHz on a Cortex-M, at 20 MHz
  * on the board with an M33; of the counter of 24 MHz on a Versatile board with
  * an ARM926, of 62.5 MHz on AArch64. RISC-V counts retired instructions
- * (shift=0). */
+ * (shift=0). It stands still on other CPUs. */
 #ifndef BENCH_MCU_STOPWATCH_H
 #define BENCH_MCU_STOPWATCH_H
 
 #include <stdint.h>
 
-#if defined(__thumb__)
+#if defined(__thumb__) && !defined(__linux__)
 
 #define SYSTICK                                                  \
     ((volatile uint32_t *)0xE000E010u) /* control, reload, value \
@@ -46,13 +46,15 @@ static inline void stopwatch_start(void)
 
 static inline uint32_t stopwatch_read(void)
 {
-#if defined(__riscv)
-    uint32_t count;
-    __asm__ volatile("csrr %0, minstret" : "=r"(count) : : "memory");
+    uint64_t count = 0;
+#if defined(__linux__)
+#elif defined(__riscv)
+    uint32_t low;
+    __asm__ volatile("csrr %0, minstret" : "=r"(low) : : "memory");
+    count = low;
 #elif defined(__arm__)
-    const uint32_t count = *(volatile uint32_t *)0x1000005Cu;
-#else
-    uint64_t count;
+    count = *(volatile uint32_t *)0x1000005Cu;
+#elif defined(__aarch64__)
     __asm__ volatile("isb\n\tmrs %0, cntvct_el0" : "=r"(count) : : "memory");
 #endif
     return (uint32_t)count;

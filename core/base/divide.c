@@ -44,23 +44,26 @@ uint32_t pel_divide(uint64_t n, uint32_t d)
     return PEL_LONG_MULTIPLY ? divide_by_digits(n, d) : divide_by_bits(n, d);
 }
 
-/* Bit by bit, 64 of n and 32 behind them, but for leading zeros. */
+/* Subtracts shifted divisors, the largest that fits first, and then doubles the
+ * remainder for 32 bits more. */
 uint64_t pel_divide_fraction(uint64_t n, uint64_t d, uint64_t *fine)
 {
-    uint64_t q = 0, rest = 0;
-    int bits = 96;
-    for (; bits > 32 && n >> 63 == 0; bits--)
-        n <<= 1;
-    for (; bits > 0; bits--) {
-        if (bits == 8)
-            *fine = q;
-        rest = rest * 2 + (n >> 63);
-        n <<= 1;
+    uint64_t q = 0;
+    int bits = 32;
+    for (; d <= n >> 1; d <<= 1)
+        bits++;
+    for (; bits >= 0; bits--) {
         q *= 2;
-        if (rest >= d) {
-            rest -= d;
+        if (n >= d) {
+            n -= d;
             q++;
         }
+        if (bits == 8)
+            *fine = q;
+        if (bits > 32)
+            d >>= 1;
+        else
+            n *= 2;
     }
     return q;
 }

@@ -46,21 +46,29 @@ enum pel_format_id {
     PEL_FORMAT_MONO1_PAGES,   /*  1: a byte is 8 rows of a column, top in bit 0;
                                   a surface's stride is that of a page of rows,
                                   its top row a multiple of 8 */
-    PEL_FORMAT_ARGB8888       /* 32: A 31..24, R, G, B 7..0: a source with alpha
+    PEL_FORMAT_ARGB8888,      /* 32: A 31..24, R, G, B 7..0: a source with alpha
                                   (format/argb8888.h), not a display's format */
+    PEL_FORMAT_PALETTE4,      /*  4, 8: indices of colors (format/palette.h), */
+    PEL_FORMAT_PALETTE8       /*  sources too; as gray4 in memory */
 };
 
 /* For dither in formats with fewer than 8 bits a channel. */
 struct pel_dithering {
-    /* n >= 1 opaque pixels from (x, y) on: pixel x takes pixels[x & 7]. NULL
+    /* n >= 1 pixels from (x, y) on, each like the one eight before it. NULL
      * where pixels are words of 16 bits: only programs that dither have that
      * code. */
     void (*pattern)(const struct pel_surface *surface, int32_t x, int32_t y,
-                    int32_t n, const uint32_t pixels[8]);
+                    int32_t n);
 
     /* Bits of red, green and blue, 1 to 7, apart from each other in the pixel;
      * {n, 0, 0} where it is n bits of grey. */
     uint8_t depth[3];
+};
+
+/* Blue, green and red in 8.24, modulo 2^32: of the first pixel of a row, and
+ * from each to the next. */
+struct pel_planes {
+    uint32_t at[3], dx[3];
 };
 
 struct pel_format {
@@ -94,6 +102,16 @@ struct pel_format {
                  int32_t n, pel_color *colors);
 
     const struct pel_dithering *dithering; /* NULL: dither is of no use */
+
+    /* n >= 1 opaque pixels whose channels are planes; or false, and nothing is
+     * done. May be NULL. */
+    bool (*planes)(const struct pel_surface *surface, int32_t x, int32_t y,
+                   int32_t n, const struct pel_planes *planes);
+
+    /* Of a format that only passes on what it is given: the surface that gets
+     * it. Pixel values of that one's format would arrive as they are. May be
+     * NULL. */
+    const struct pel_surface *(*target)(const struct pel_surface *surface);
 };
 
 #endif

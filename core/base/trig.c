@@ -11,7 +11,7 @@
  * result is the nearest is no consequence of this bound but was found by trying
  * all of them, and a test does so again. Products: z <= 2^26 times a
  * coefficient below 2^32 fits 58 bits. */
-static uint32_t polynomial(uint32_t z, const uint32_t c[4])
+static PEL_ALWAYS_INLINE uint32_t polynomial(uint32_t z, const uint32_t c[4])
 {
     uint32_t v = c[3];
     for (int i = 2; i >= 0; i--)

@@ -1,15 +1,11 @@
 #include "word.h"
 
-/* Where speed counts: the first eight pixels, and one more where the address
- * asks for it; then pairs, each like the one eight pixels before it. */
-void pel_pattern16(const struct pel_surface *s, int32_t x, int32_t y, int32_t n,
-                   const uint32_t pixels[8])
+/* In pairs where speed counts, once the address allows it. */
+void pel_pattern16(pel_word16 *p, int32_t n)
 {
-    pel_word16 *p = pel_address16(s, x, y);
     pel_word16 *const end = p + n;
-    const int32_t odd = ((uintptr_t)p & 2) != 0;
-    for (n = PEL_KNOW_SIDES ? pel_min(n, 8 + odd) : n; n > 0; n--)
-        *p++ = (pel_word16)pixels[x++ & 7];
+    for (; p < end && (!PEL_KNOW_SIDES || (uintptr_t)p % 4); p++)
+        *p = p[-8];
     if (!PEL_KNOW_SIDES)
         return;
     pel_word32 *q = (pel_word32 *)(void *)p;

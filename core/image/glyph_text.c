@@ -142,8 +142,9 @@ static void draw(const struct pel_surface *surface,
         pel_glyph(surface, &g, x, y, paint);
 }
 
-void pel_text(const struct pel_surface *surface,
-              const struct pel_text_block *text, const struct pel_paint *paint)
+void pel_text_until(const struct pel_surface *surface,
+                    const struct pel_text_block *text, const char *end,
+                    const struct pel_paint *paint)
 {
     const char *next = text->string;
     const bool legal = pel_offset_legal(text->x, text->y);
@@ -151,7 +152,7 @@ void pel_text(const struct pel_surface *surface,
     if (!legal)
         return;
     struct pel_point pen = {text->x, text->y + text->font->ascent};
-    while (*next) {
+    while (*next && next != end) {
         uint32_t code = pel_utf8_next(&next);
         if (code == '\n') {
             pen.x = text->x;
@@ -164,6 +165,12 @@ void pel_text(const struct pel_surface *surface,
             pen.x += glyph->advance;
         }
     }
+}
+
+void pel_text(const struct pel_surface *surface,
+              const struct pel_text_block *text, const struct pel_paint *paint)
+{
+    pel_text_until(surface, text, NULL, paint);
 }
 
 struct pel_text_size pel_text_measure(const struct pel_font_asset *font,

@@ -42,6 +42,11 @@ struct pel_text_size {
 void pel_text(const struct pel_surface *surface,
               const struct pel_text_block *text, const struct pel_paint *paint);
 
+/* The same of the text before `end`, the address of a character of it. */
+void pel_text_until(const struct pel_surface *surface,
+                    const struct pel_text_block *text, const char *end,
+                    const struct pel_paint *paint);
+
 /* The size of all boxes: the widest line, and all lines, of which a string has
  * one more than line feeds. For strings up to 2^22 bytes. */
 struct pel_text_size pel_text_measure(const struct pel_font_asset *font,

@@ -49,10 +49,6 @@ struct pel_stop {
 enum pel_status pel_ramp_fill(pel_color *colors, int32_t n,
                               const struct pel_stop *stops, int32_t count);
 
-/* PEL_ERROR_NULL, PEL_ERROR_SIZE, or PEL_OK. For the init functions of
- * paints. */
-enum pel_status pel_ramp_check(const struct pel_ramp *ramp);
-
 PEL_END_DECLS
 
 #endif

@@ -1,5 +1,7 @@
 #include "cells.h"
 
+enum { FAR = 1 << 20 }; /* px: to the right of every pixel */
+
 /* The middle of cell i of 256 from a to b, rounded: a + (b - a) (2 i + 1) /
  * 512, for two channels in the halves of a word, is the upper byte of
  * mix_sum(a, b, i), which changes by b - a from cell to cell. In each half it
@@ -26,11 +28,6 @@ static pel_color ramp_color(const struct pel_gradient *g, int32_t cell)
                  mix_sum(a & mask, b & mask, i));
 }
 
-static pel_color color_at(const struct pel_gradient *g, int32_t place)
-{
-    return g->color(g, place < g->cells ? place : g->period - 1 - place);
-}
-
 int32_t pel_gradient_place(const struct pel_gradient *g, int32_t copy,
                            int32_t part)
 {
@@ -39,31 +36,63 @@ int32_t pel_gradient_place(const struct pel_gradient *g, int32_t copy,
     return g->period > g->cells && (copy & 1) ? part + g->cells : part;
 }
 
+/* Takes the colour of the cell at c->place. */
+static void take_color(struct pel_cells *c)
+{
+    const struct pel_gradient *g = c->gradient;
+    const int32_t place = c->place;
+    const pel_color color =
+        g->color(g, place < g->cells ? place : g->period - 1 - place);
+    c->opaque = pel_alpha(color) == 255;
+    c->value = c->opaque ? c->cell.surface->format->pack(color) : color;
+}
+
+/* Known to the compiler where it is always one. */
+static inline int32_t rows_of(const struct pel_cells *c)
+{
+    return PEL_CELL_ROWS == 1 ? 1 : c->cell.n;
+}
+
 #if PEL_KNOW_SIDES
 
-/* Formats drop the low bits of channels; those of grey show a sum: 0. */
-static pel_color mask_of(const struct pel_format *format)
+/* Formats drop the low bits of channels, those of grey show a sum: how many
+ * cells of two mixed colours, at most `most`, lie beyond the one at c->place
+ * and look like it. */
+static int32_t pass_mixed(const struct pel_cells *c, int32_t most)
 {
-    pel_color mask = 0xFF;
-    if (!format->dithering)
-        return UINT32_MAX;
-    if (format->dithering->depth[1] == 0)
+    const struct pel_gradient *g = c->gradient;
+    const uint32_t a = g->ramp.colors[0], b = g->ramp.colors[1], m = 0xFF00FFu;
+    const bool back = c->place >= g->cells, down = back == (c->way > 0);
+    const int32_t i = back ? g->period - 1 - c->place : c->place;
+    const uint32_t mask = c->mask, sign = down ? UINT32_MAX : 1;
+    const uint32_t change0 = sign * ((b >> 8 & m) - (a >> 8 & m));
+    const uint32_t change1 = sign * ((b & m) - (a & m));
+    uint32_t high = mix_sum(a >> 8 & m, b >> 8 & m, (uint32_t)i);
+    uint32_t low = mix_sum(a & m, b & m, (uint32_t)i);
+    const uint32_t first = mixed(high, low) & mask;
+    most = pel_min(most, down ? i : 255 - i);
+    int32_t left = most;
+    for (; left > 0; left--) {
+        high += change0;
+        low += change1;
+        if ((mixed(high, low) & mask) != first)
+            break;
+    }
+    return most - left;
+}
+
+/* The bits of opaque colours that can be seen; 0: any. */
+static pel_color mask_of(const struct pel_gradient *g,
+                         const struct pel_format *format)
+{
+    const struct pel_dithering *bits = format->dithering;
+    pel_color mask = 0;
+    if (g->ramp.n != 2 || !bits || bits->depth[1] == 0 ||
+        pel_alpha(g->ramp.colors[0] & g->ramp.colors[1]) != 255)
         return 0;
     for (int k = 0; k < 3; k++)
-        mask = mask << 8 | (0xFF00u >> format->dithering->depth[k] & 0xFF);
+        mask = mask << 8 | (0xFF00u >> bits->depth[k] & 0xFF);
     return mask;
-}
-
-static void set_mask(struct pel_cells *c)
-{
-    c->mask = mask_of(c->cell.surface->format);
-}
-
-#else
-
-static void set_mask(struct pel_cells *c)
-{
-    (void)c;
 }
 
 #endif
@@ -75,134 +104,166 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
     c->cell =
         (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
     c->span = spans->span;
-    set_mask(c);
+    c->left = (uint8_t)spans->n;
+    c->run[0].x1 = FAR;
+#if PEL_KNOW_SIDES
+    c->mask = mask_of(gradient, spans->surface->format);
+#endif
 }
 
-/* The first pixel that is left of the batch; INT32_MAX: none is. */
-static int32_t first_left(const struct pel_cells *c)
+/* Are pixels left of the batch? Rows that have none end far away. */
+static bool find_left(struct pel_cells *c)
 {
-    int32_t x0 = INT32_MAX;
+    int32_t lo = FAR, hi = -FAR, rest = 0;
+    if (PEL_CELL_ROWS == 1) {
+        c->end.x = c->run[0].x1;
+        c->hi = c->span->x1;
+        return c->end.x < c->hi;
+    }
+    for (int32_t i = 0; i < rows_of(c); i++)
+        if (c->run[i].x1 < c->span[i].x1) {
+            lo = pel_min(lo, c->run[i].x1);
+            hi = pel_max(hi, c->span[i].x1);
+        } else {
+            c->run[i].x1 = FAR;
+        }
     for (int32_t i = 0; i < c->cell.n; i++)
-        if (c->run[i].x1 < c->span[i].x1)
-            x0 = pel_min(x0, c->run[i].x1);
-    return x0;
+        rest |= (c->run[i].x1 - lo) | (hi - c->span[i].x1);
+    c->end.x = lo;
+    c->hi = hi;
+    c->box = rest == 0;
+    return lo < hi;
 }
 
-int32_t pel_cells_next(struct pel_cells *c, const struct pel_spans *spans,
-                       int32_t most)
+bool pel_cells_next(struct pel_cells *c, int32_t most)
 {
-    int32_t x0;
-    c->stop = INT32_MAX;
     c->limit = INT32_MAX;
-    c->step = 1;
-    while ((x0 = first_left(c)) == INT32_MAX) {
+    c->way = 1;
+    while (!find_left(c)) {
         c->span += c->cell.n;
+        c->left = (uint8_t)(c->left - c->cell.n);
         c->cell.y += c->cell.n * c->cell.step;
-        c->cell.n = pel_min(spans->n - (int32_t)(c->span - spans->span), most);
+        c->cell.n = pel_min(c->left, most);
         if (c->cell.n == 0)
-            break;
-        for (int32_t i = 0; i < c->cell.n; i++)
+            return false;
+        for (int32_t i = 0; i < rows_of(c); i++)
             c->run[i].x1 = c->span[i].x0;
     }
-    return x0;
+    return true;
 }
 
-bool pel_cells_end_at(struct pel_cells *c, struct pel_edge *edge)
+/* Row i's next run goes to pixel x. Negative where the row goes farther, if the
+ * batch is a box. */
+static inline int32_t end_run(struct pel_cells *c, int32_t i, int32_t x)
 {
-    const int32_t n = c->cell.n, step = c->cell.step;
+    struct pel_span *run = &c->run[i];
+    run->x0 = run->x1;
+    run->x1 = x;
+    return x - c->hi;
+}
+
+/* Keeps the runs in the spans of their rows: true when pixels are left. */
+static bool cut(struct pel_cells *c)
+{
+    const int32_t hi = c->hi;
     int32_t rest = 0;
-    for (int32_t i = 0; i < n; i++) {
-        rest |= pel_cells_end_run(c, i, edge->x);
-        if (step)
-            pel_edge_next(edge);
+    for (int32_t i = 0; i < c->cell.n; i++) {
+        const int32_t end = pel_min(c->span[i].x1, hi);
+        const int32_t x = pel_max(c->run[i].x0, pel_min(c->run[i].x1, end));
+        c->run[i].x1 = x;
+        rest |= x - end;
     }
     return rest < 0;
 }
 
+/* To the first pixel of the first row that lies beyond the boundary. */
+static int32_t end_first(struct pel_cells *c, int32_t bend)
+{
+    struct pel_boundary *b = &c->end;
+    const int32_t hi = c->hi;
+    int32_t x = b->x, step = b->step;
+    int64_t error = b->error;
+    for (; error < 0 && x < hi; x++) {
+        error += step;
+        step += bend;
+    }
+    b->x = x;
+    b->step = step;
+    b->error = error;
+    return end_run(c, 0, x);
+}
+
+/* From row to row. The error is not taken for more than +-2^30: that is beyond
+ * 32 rows and every step. */
+static int32_t end_others(struct pel_cells *c, int32_t row, int32_t bend)
+{
+    const struct pel_boundary *b = &c->end;
+    const int32_t hi = c->hi, most = 1 << 30;
+    const int32_t row_bend = c->cell.step ? bend : 0;
+    int32_t x = b->x, step = b->step - bend, rest = 0;
+    int32_t error = b->error < -most  ? -most
+                    : b->error > most ? most
+                                      : (int32_t)b->error;
+    if (c->cell.step == 0)
+        row = 0;
+    for (int32_t i = 1; i < rows_of(c); i++) {
+        error += row;
+        row += row_bend;
+        if (error < 0 && x < hi)
+            do {
+                step += bend;
+                error += step;
+                x++;
+            } while (error < 0 && x < hi);
+        else
+            for (; error >= step && x > c->run[i].x1; x--) {
+                error -= step;
+                step -= bend;
+            }
+        rest |= end_run(c, i, x);
+    }
+    return rest;
+}
+
+bool pel_cells_end(struct pel_cells *c, int32_t row, int32_t bend)
+{
+    int32_t rest = end_first(c, bend);
+    if (PEL_CELL_ROWS == 1)
+        return rest < 0;
+    rest |= end_others(c, row, bend);
+    return c->box ? rest < 0 : cut(c);
+}
+
 bool pel_cells_end_all(struct pel_cells *c)
 {
-    for (int32_t i = 0; i < c->cell.n; i++)
-        pel_cells_end_run(c, i, INT32_MAX);
-    return false;
+    for (int32_t i = 0; i < rows_of(c); i++)
+        end_run(c, i, c->hi);
+    return PEL_CELL_ROWS > 1 && !c->box && cut(c);
 }
-
-/* Are both the same pixel value? */
-static bool alike(const struct pel_format *format, pel_color a, pel_color b)
-{
-    return a == b ||
-           (pel_alpha(a & b) == 255 && format->pack(a) == format->pack(b));
-}
-
-#if PEL_KNOW_SIDES
-
-/* Passes cells of two mixed colours that are alike under the mask, at most
- * `most` of them and none but by steps. How many. */
-static int32_t pass_mixed(const struct pel_cells *c, pel_color mask,
-                          int32_t most)
-{
-    const struct pel_gradient *g = c->gradient;
-    const bool back = c->place >= g->cells, down = back == (c->step > 0);
-    const uint32_t i = (uint32_t)(back ? g->period - 1 - c->place : c->place);
-    const uint32_t a = g->ramp.colors[0], b = g->ramp.colors[1], m = 0xFF00FFu;
-    const uint32_t sign = down ? UINT32_MAX : 1;
-    const uint32_t change0 = sign * ((b >> 8 & m) - (a >> 8 & m));
-    const uint32_t change1 = sign * ((b & m) - (a & m));
-    uint32_t high = mix_sum(a >> 8 & m, b >> 8 & m, i);
-    uint32_t low = mix_sum(a & m, b & m, i);
-    const uint32_t high0 = high, low0 = low;
-    const uint32_t high_mask = mask & ~m, low_mask = (mask & m) << 8;
-    most = pel_min(most, (int32_t)(down ? i : 255 - i));
-    int32_t left = most;
-    for (; left > 0; left--) {
-        high += change0;
-        low += change1;
-        if (((high ^ high0) & high_mask) | ((low ^ low0) & low_mask))
-            break;
-    }
-    return most - left;
-}
-
-/* Cells from the present one on that are passed at once, short of the first
- * other one. */
-static int32_t pass(const struct pel_cells *c, int32_t most)
-{
-    const struct pel_gradient *g = c->gradient;
-    if (g->ramp.n != 2 || c->mask == 0 || c->mask == UINT32_MAX)
-        return 0;
-    return pass_mixed(c, pel_alpha(c->color) == 255 ? c->mask : UINT32_MAX,
-                      most);
-}
-
-#else
-
-static int32_t pass(const struct pel_cells *c, int32_t most)
-{
-    (void)c;
-    (void)most;
-    return 0;
-}
-
-#endif
 
 int32_t pel_cells_pass(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
-    const pel_color first = c->color;
+    const uint32_t value = c->value;
+    const bool opaque = c->opaque;
     const int32_t most = g->period ? pel_min(c->limit, g->period) : c->limit;
     int32_t count = 0;
     do {
-        const int32_t passed = pass(c, most - count);
-        count += passed;
+#if PEL_KNOW_SIDES
+        if (c->mask && most > count) {
+            const int32_t passed = pass_mixed(c, most - count);
+            count += passed;
+            c->place += c->way * passed;
+        }
+#endif
         if (count == most)
             return 0;
         count++;
-        c->place += c->step * (passed + 1);
-        if (g->period && c->place == g->period)
-            c->place = 0;
-        else if (g->period && c->place < 0)
-            c->place = g->period - 1;
-        c->color = color_at(g, c->place);
-    } while (alike(c->cell.surface->format, first, c->color));
+        c->place += c->way;
+        if ((uint32_t)c->place >= (uint32_t)g->period)
+            c->place -= c->way * g->period; /* which padded ways have not */
+        take_color(c);
+    } while (c->value == value && c->opaque == opaque);
     c->limit -= count;
     return count;
 }
@@ -212,17 +273,18 @@ void pel_cells_first(struct pel_cells *c)
     const struct pel_gradient *g = c->gradient;
     if (g->period == 0)
         c->limit =
-            pel_min(c->limit, c->step > 0 ? g->cells - 1 - c->place : c->place);
-    c->color = color_at(g, c->place);
+            pel_min(c->limit, c->way > 0 ? g->cells - 1 - c->place : c->place);
+    take_color(c);
 }
 
 enum pel_status pel_gradient_init(struct pel_gradient *g,
                                   const struct pel_ramp *ramp)
 {
     pel_paint_clear(&g->paint);
-    const enum pel_status status = pel_ramp_check(ramp);
-    if (status != PEL_OK)
-        return status;
+    if (!ramp || !ramp->colors)
+        return PEL_ERROR_NULL;
+    if (ramp->n < 1 || ramp->n > 32767)
+        return PEL_ERROR_SIZE;
     g->color = ramp_color;
     g->ramp = *ramp;
     g->cells = ramp->n == 2 ? 256 : ramp->n;

@@ -1,32 +1,9 @@
 #include "../base/divide.h"
 #include "../base/trig.h"
-#include "../raster/edge.h"
-#include "paint_conic.h"
 #include "cells.h"
+#include "paint_conic.h"
 
 enum { HALF_TURN = 32768, FULL_TURN = 65536 };
-
-/* An angle between cells: floor(65536 k / period) from the start, and what the
- * floor drops. */
-struct angle {
-    uint32_t turn, rest;
-};
-
-/* Not before which angle, of 65,536, a pixel lies: bit by bit, since it is on
- * the ray of an angle of its half turn or clockwise of it where the cross
- * product is 0 or more. */
-static uint32_t turn_of(int32_t u, int32_t v)
-{
-    uint32_t turn = v < 0 || (v == 0 && u < 0) ? HALF_TURN : 0;
-    if (v == 0)
-        return turn;
-    for (uint32_t bit = HALF_TURN / 2; bit; bit >>= 1) {
-        const struct pel_point d = pel_direction((uint16_t)(turn + bit));
-        if (pel_product(d.x, v) - pel_product(d.y, u) >= 0)
-            turn += bit;
-    }
-    return turn;
-}
 
 /* The last cell k that begins at or before a turn from the start:
  * 65536 k / period < turn + 1. (turn + 1) period <= 2^16 65,534. */
@@ -36,158 +13,123 @@ static int32_t place_of(const struct pel_conic *p, uint32_t turn)
     return (int32_t)(((turn + 1) * (uint32_t)p->base.period - 1) >> 16);
 }
 
-static void angle_add(const struct pel_conic *p, struct angle *a)
-{
-    a->turn += p->width;
-    a->rest += p->rest;
-    if (a->rest >= (uint32_t)p->base.period) {
-        a->rest -= (uint32_t)p->base.period;
-        a->turn++;
-    }
-}
-
-static void angle_take(const struct pel_conic *p, struct angle *a)
-{
-    a->turn -= p->width;
-    if (a->rest < p->rest) {
-        a->rest += (uint32_t)p->base.period;
-        a->turn--;
-    }
-    a->rest -= p->rest;
-}
-
-/* Rows above or below the centre. */
-struct rays {
-    struct pel_cells cells;
-    struct angle end; /* of the present cell */
-};
-
 /* The height of the first row, from the centre down. */
-static int32_t height_of(const struct rays *r, const struct pel_conic *p)
+static int32_t height_of(const struct pel_cells *c)
 {
-    return pel_pixel_center(r->cells.cell.y) - p->center.y;
+    const struct pel_conic *p = (const void *)c->gradient;
+    return pel_pixel_center(c->cell.y) - p->center.y;
 }
 
-/* Where a ray d, which is not level, meets the rows. At the height h it is u =
- * h d.x / |d.y| to the right of the centre, at the pixel floor(f / |d.y|) from
- * the centre's with
- *
- *     256 f = h d.x + (part - 128) |d.y| + 256 |d.y|,
- *
- * less 1 above the centre: there a pixel on the ray is beyond it, below it is
- * before it. Another row's f is larger or smaller by d.x. |h d.x| < 2^39, so f
- * fits 33 bits. */
-static PEL_NOINLINE_32 void ray_at(struct pel_edge *e,
-                                   const struct pel_conic *p,
-                                   struct pel_point d, int32_t v)
+/* Adds the bit in c->limit to the angle in c->whole when the pixel in the first
+ * column, at the height in c->rest, lies on the ray d or clockwise of it. */
+static PEL_NOINLINE_32 void add_bit(struct pel_cells *c, struct pel_point d)
 {
-    const bool above = v < 0;
-    const int32_t h = above ? -v : v, dy = above ? -d.y : d.y;
-    const int32_t part = (p->center.x & 255) + 128;
-    const int64_t f = (pel_product(h, d.x) + part * dy - above) >> 8;
-    if (f == (int32_t)f) {
-        e->x = pel_floor_divide((int32_t)f, dy, &e->m);
-    } else {
-        const uint32_t whole =
-            pel_divide((uint64_t)(f < 0 ? ~f : f), (uint32_t)dy);
-        e->x = (int32_t)(f < 0 ? ~whole : whole);
-        e->m = (int32_t)((uint32_t)f - (uint32_t)e->x * (uint32_t)dy);
-    }
-    e->x += pel_pixel_of(p->center.x);
-    e->m -= dy;
-    e->q = pel_floor_divide(above ? -d.x : d.x, dy, &e->r);
-    e->dy = dy;
+    const struct pel_conic *p = (const void *)c->gradient;
+    const int32_t u = pel_pixel_center(c->end.x) - p->center.x;
+    if (pel_product(d.x, c->rest) - pel_product(d.y, u) >= 0)
+        c->whole += c->limit;
 }
 
-/* The next angle on the way. */
-static void move(struct rays *r, const struct pel_conic *p)
+/* Adds to c->whole up to the last angle that is not past the pixel. */
+static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
 {
-    if (r->cells.step > 0)
-        angle_add(p, &r->end);
-    else
-        angle_take(p, &r->end);
+    for (; c->limit; c->limit >>= 1)
+        add_bit(c, pel_direction((uint16_t)(c->whole + c->limit)));
+}
+
+/* Moves by `count` >= 1 cells, clockwise or counter-clockwise. The present one
+ * begins at the angle floor(65536 k / period) from the start, c->whole, and
+ * c->rest is what the floor drops. */
+static PEL_NOINLINE_32 void angle_move(struct pel_cells *c, int32_t way,
+                                       int32_t count)
+{
+    const struct pel_conic *p = (const void *)c->gradient;
+    do {
+        c->whole += way * p->width;
+        c->rest += way * p->rest;
+        if (c->rest < 0 || c->rest >= p->base.period) {
+            c->rest -= way * p->base.period;
+            c->whole += way;
+        }
+    } while (--count);
+}
+
+/* Ends at a ray d, which is not level. A pixel is on it or clockwise of it when
+ * the cross product is 0 or more: beyond it above the centre, before it below.
+ * The lowest 8 bits never change from pixel to pixel. */
+static PEL_NOINLINE_32 bool end_at(struct pel_cells *c, struct pel_point d)
+{
+    const struct pel_conic *p = (const void *)c->gradient;
+    struct pel_boundary *end = &c->end;
+    const int32_t u = pel_pixel_center(end->x) - p->center.x;
+    const int64_t cross =
+        (pel_product(d.x, height_of(c)) - pel_product(d.y, u)) >> 8;
+    const bool above = d.y < 0;
+    end->error = above ? cross : ~cross;
+    end->step = above ? -d.y : d.y;
+    return pel_cells_end(c, above ? d.x : -d.x, 0);
 }
 
 static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
-    const struct pel_conic *p = (const void *)cells->gradient;
-    struct rays *r = (void *)cells;
-    struct pel_edge edge;
-    while (--count)
-        move(r, p);
-    ray_at(&edge, p, pel_direction((uint16_t)r->end.turn), height_of(r, p));
-    move(r, p);
-    return pel_cells_end_at(cells, &edge);
+    angle_move(cells, cells->way, count);
+    return end_at(cells, pel_direction((uint16_t)cells->whole));
 }
 
-/* As many cells may end as begin in the half turn of the rows. The first pixel
- * by angle is in the first column: clockwise above the centre,
- * counter-clockwise below, in the row nearest to the centre where that is left
- * of it, else in the farthest one. */
-static void rays_start(struct rays *r, const struct pel_conic *p, int32_t x0,
-                       int32_t v)
+/* Cuts the batch, so that it has rows above the centre, or the row through it,
+ * which has two angles, or rows below. Finds the height of the first pixel by
+ * angle, and its half turn: it is in the first column, clockwise above the
+ * centre, counter-clockwise below, in the row nearest to the centre where that
+ * is left of it, else in the farthest one. */
+static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
 {
-    struct pel_cells *c = &r->cells;
-    const int32_t u = pel_pixel_center(x0) - p->center.x;
-    const bool above = v < 0, last = above == (u < 0);
-    if (last)
-        v += (c->cell.n - 1) * c->cell.step * 256;
-    c->place = place_of(p, turn_of(u, v));
+    const struct pel_conic *p = (const void *)c->gradient;
+    const int32_t v = height_of(c);
+    const int32_t split = pel_first_pixel(p->center.x);
+    const bool above = v < 0, left = c->end.x < split;
+    if (c->cell.step && v <= 0)
+        c->cell.n = pel_min(
+            c->cell.n, above ? pel_first_pixel(p->center.y) - c->cell.y : 1);
+    if (v == 0 && left)
+        c->hi = pel_min(c->hi, split);
+    c->way = above ? 1 : -1;
+    c->whole = above || (v == 0 && left) ? HALF_TURN : 0;
+    c->limit = v ? HALF_TURN / 2 : 0;
+    c->rest = v;
+    if (v && above == left)
+        c->rest += (c->cell.n - 1) * c->cell.step * 256;
+}
+
+/* The cell of the angle. As many may end as begin in the half turn of the rows,
+ * and none in the row through the centre. */
+static PEL_NOINLINE_32 void set_cell(struct pel_cells *c)
+{
+    const struct pel_conic *p = (const void *)c->gradient;
+    const bool above = c->way > 0;
+    c->place = place_of(p, (uint32_t)c->whole);
     const uint32_t k = (uint32_t)c->place << 16;
-    r->end.turn = pel_divide(k, (uint32_t)p->base.period);
-    r->end.rest = k - r->end.turn * (uint32_t)p->base.period;
-    r->end.turn += p->start;
-    if (above)
-        angle_add(p, &r->end);
-    c->step = above ? 1 : -1;
+    const uint32_t turn = pel_divide(k, (uint32_t)p->base.period);
+    c->rest = (int32_t)(k - turn * (uint32_t)p->base.period);
+    c->whole = (int32_t)(turn + p->start);
+    if (!above)
+        angle_move(c, 1, 1);
     c->limit = above ? place_of(p, FULL_TURN - 1) - c->place
                      : c->place - place_of(p, 0);
     if (c->limit < 0)
         c->limit += p->base.period;
-}
-
-/* The row through the centre has two angles: left of it a half turn, then 0. */
-static void level_start(struct pel_cells *c, const struct pel_conic *p,
-                        int32_t x0)
-{
-    const int32_t split = pel_first_pixel(p->center.x);
-    const bool left = x0 < split;
-    if (left)
-        c->stop = split;
-    c->limit = 0;
-    c->place = place_of(p, left ? HALF_TURN : 0);
-}
-
-/* The batch has rows above the centre, or the row through it, or rows below. */
-static PEL_NOINLINE_32 void start(struct rays *r, const struct pel_conic *p,
-                                  int32_t x0)
-{
-    struct pel_spans *rows = &r->cells.cell;
-    const int32_t v = height_of(r, p);
-    if (rows->step && v < 0)
-        rows->n = pel_min(rows->n, pel_first_pixel(p->center.y) - rows->y);
-    else if (rows->step && v == 0)
-        rows->n = 1;
-    if (v == 0)
-        level_start(&r->cells, p, x0);
-    else
-        rays_start(r, p, x0, v);
-}
-
-/* A function of its own, to spare the stack of what comes before it. */
-static PEL_NOINLINE_32 void walk(struct rays *r)
-{
-    pel_cells_draw(&r->cells, end_cells);
+    if (height_of(c) == 0)
+        c->limit = 0;
 }
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
-    struct rays r;
-    pel_cells_open(&r.cells, (const void *)paint, spans);
-    for (int32_t x0;
-         (x0 = pel_cells_next(&r.cells, spans, PEL_CELL_ROWS)) < INT32_MAX;) {
-        start(&r, (const void *)paint, x0);
-        walk(&r);
+    struct pel_cells c;
+    pel_cells_open(&c, (const void *)paint, spans);
+    while (pel_cells_next(&c, PEL_CELL_ROWS)) {
+        first_row(&c);
+        find_angle(&c);
+        set_cell(&c);
+        pel_cells_draw(&c, end_cells);
     }
 }
 
@@ -199,9 +141,9 @@ enum pel_status pel_conic_begin(struct pel_conic *paint,
     struct pel_gradient *g = &paint->base;
     if (g->period == 0)
         g->period = g->cells;
-    int32_t rest;
-    paint->width = (uint16_t)pel_floor_divide(65536, g->period, &rest);
-    paint->rest = (uint16_t)rest;
+    const uint32_t n = (uint32_t)g->period, width = pel_divide(FULL_TURN, n);
+    paint->width = (uint16_t)width;
+    paint->rest = (uint16_t)(FULL_TURN - width * n);
     paint->center = center;
     paint->start = start;
     g->paint = (struct pel_paint){fill, NULL};

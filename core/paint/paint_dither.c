@@ -1,187 +1,232 @@
 #include "paint_dither.h"
+#include "paint_dither_565.h"
 
-#include "../format/word.h"
-#include "../raster/edge.h"
+#define OPAQUE UINT32_C(0xFF000000)
 
-/* The Bayer matrix: 0..63, each once. */
-static const uint8_t matrix[8][8] = {
-    {0, 32, 8, 40, 2, 34, 10, 42},  {48, 16, 56, 24, 50, 18, 58, 26},
-    {12, 44, 4, 36, 14, 46, 6, 38}, {60, 28, 52, 20, 62, 30, 54, 22},
-    {3, 35, 11, 43, 1, 33, 9, 41},  {51, 19, 59, 27, 49, 17, 57, 25},
-    {15, 47, 7, 39, 13, 45, 5, 37}, {63, 31, 55, 23, 61, 29, 53, 21},
+/* A channel of n bits has 2^n - 1 steps from level to level: of 255 / (2^n - 1)
+ * or, 255 mod (2^n - 1) of them, one more. At a place whose number in the Bayer
+ * matrix is m, 0..63, a channel shows the next level when it is k beyond its
+ * own and 128 k > (2 m + 1) step: when k > floor((2 m + 1) step / 128). With
+ * the threshold 255 less these floors of all steps, every channel c shows level
+ *
+ *     floor(((2^n - 1) c + threshold) / 256).
+ */
+#define STEPS(n) ((1 << (n)) - 1)
+#define FLOORS(m, step) ((2 * (m) + 1) * (step) / 128)
+#define THRESHOLD(n, m)                                              \
+    (255 - (STEPS(n) - 255 % STEPS(n)) * FLOORS(m, 255 / STEPS(n)) - \
+     255 % STEPS(n) * FLOORS(m, 255 / STEPS(n) + 1))
+#define PLACES(n, m)                                                           \
+    THRESHOLD(n, (m) ^ 0), THRESHOLD(n, (m) ^ 32), THRESHOLD(n, (m) ^ 8),      \
+        THRESHOLD(n, (m) ^ 40), THRESHOLD(n, (m) ^ 2), THRESHOLD(n, (m) ^ 34), \
+        THRESHOLD(n, (m) ^ 10), THRESHOLD(n, (m) ^ 42)
+#define ROW(m)                                                                \
+    {                                                                         \
+        PLACES(1, m), PLACES(2, m), PLACES(3, m), PLACES(4, m), PLACES(5, m), \
+            PLACES(6, m), PLACES(7, m)                                        \
+    }
+
+/* Of the rows of the matrix: 8 places for 1 bit, 8 for 2, up to 7. */
+static const uint8_t thresholds[PEL_PLACES][7 * PEL_PLACES] = {
+    ROW(0), ROW(48), ROW(12), ROW(60), ROW(3), ROW(51), ROW(15), ROW(63),
 };
+
+/* Those of n bits in row y. */
+static inline const uint8_t *places_of(uint32_t n, int32_t y)
+{
+    return &thresholds[y & 7][(n - 1) * PEL_PLACES];
+}
+
+/* At a time; one where stack is short. */
+enum { OUT_PIXELS = PEL_KNOW_SIDES ? 8 : 1 };
 
 /* The source draws into this surface, whose format passes on what it is given
  * to the target's, dithered. */
 struct proxy {
     struct pel_surface surface;
     const struct pel_surface *target;
+    struct pel_spans spans;    /* on it */
+    pel_color out[OUT_PIXELS]; /* of pixels: here they take no more stack */
 };
 
-static const struct pel_surface *target_of(const struct pel_surface *proxy)
+static struct proxy *proxy_of(const struct pel_surface *surface)
 {
-    return ((const struct proxy *)(const void *)proxy)->target;
+    return (struct proxy *)(void *)surface;
 }
 
-/* A channel between two levels: the low one, how far to the high one, and how
- * much of that it has gone, times 128. */
-struct channel {
-    uint32_t low, step, gone;
-};
-
-/* 8 bits from fewer, which are the upper ones, repeated: what the format shows.
- */
-static inline uint32_t widened(uint32_t top, uint32_t bits)
+static const struct pel_surface *target_of(const struct pel_surface *surface)
 {
-    uint32_t c = top | top >> bits;
-    if (bits < 4) {
-        c |= c >> 2 * bits;
-        c |= c >> 4 * bits;
-    }
-    return c;
+    return proxy_of(surface)->target;
 }
 
-/* The level below the lowest of all is not asked for: 0 is a level. */
-static PEL_ALWAYS_INLINE struct channel channel_of(uint32_t c, uint32_t bits)
+/* A channel of n bits. Of opaque colours the upper bits count. */
+static inline uint32_t dithered(uint32_t c, uint32_t n, uint32_t threshold,
+                                bool opaque)
 {
-    const uint32_t unit = 256u >> bits;
-    uint32_t top = c & (0u - unit), low = widened(top, bits);
-    if (low > c) {
-        top -= unit;
-        low = widened(top, bits);
-    }
-    if (low == c)
-        return (struct channel){c, 0, 0};
-    return (struct channel){low, widened(top + unit, bits) - low,
-                            (c - low) * 128};
+    const uint32_t level = ((c << n) - c + threshold) >> 8;
+    return opaque ? level << (8 - n) : pel_widen(level, (int)n);
 }
 
-/* Its value at a place of the matrix: the high level where it has gone more
- * than 2 m + 1 of 128. */
-static PEL_INLINE_LOOP uint32_t dithered_channel(uint32_t c, uint32_t bits,
-                                                 uint32_t m)
+static inline pel_color dithered_gray(pel_color color, uint32_t n,
+                                      uint32_t threshold)
 {
-    const struct channel v = channel_of(c, bits);
-    return v.gone > (2 * m + 1) * v.step ? v.low + v.step : v.low;
+    const bool opaque = color >= OPAQUE;
+    return (color & OPAQUE) |
+           dithered(pel_gray(color), n, threshold, opaque) * 0x010101u;
 }
 
-static PEL_INLINE_LOOP pel_color dithered(const uint8_t depth[3],
-                                          pel_color color, uint32_t m)
+static inline pel_color dithered_color(pel_color color, const uint8_t depth[3],
+                                       int32_t x, int32_t y)
 {
-    const pel_color alpha = color & UINT32_C(0xFF000000);
-    if (depth[1] == 0)
-        return alpha |
-               dithered_channel(pel_gray(color), depth[0], m) * 0x010101u;
-    return alpha | dithered_channel(pel_red(color), depth[0], m) << 16 |
-           dithered_channel(pel_green(color), depth[1], m) << 8 |
-           dithered_channel(pel_blue(color), depth[2], m);
-}
-
-/* One opaque colour: its pixel value where every channel is low, the bits that
- * change where one is high, and how many places of the matrix that are. */
-struct levels {
-    uint32_t pixel, change[3];
-    uint8_t places[3];
-};
-
-/* gone > (2 m + 1) step holds for (gone - 1) / step / 2, rounded up, m. */
-static uint32_t places_of(const struct channel *v)
-{
-    int32_t rest;
-    if (v->gone == 0)
-        return 0;
-    return (uint32_t)(pel_floor_divide((int32_t)v->gone - 1, (int32_t)v->step,
-                                       &rest) +
-                      1) /
-           2;
-}
-
-static PEL_NOINLINE void levels_of(const struct pel_format *format,
-                                   pel_color color, struct levels *l)
-{
-    const uint8_t *depth = format->dithering->depth;
-    const bool gray = depth[1] == 0;
-    const pel_color c = gray ? pel_gray(color) * 0x010101u : color;
-    pel_color low = 0, high[3];
+    const bool opaque = color >= OPAQUE;
+    pel_color out = color >> 24;
     for (int k = 0; k < 3; k++) {
-        const struct channel v =
-            channel_of(c >> (16 - 8 * k) & 255, depth[gray ? 0 : k]);
-        low |= v.low << (16 - 8 * k);
-        high[k] = v.step * (gray ? 0x010101u : 0x010000u >> 8 * k);
-        l->places[k] = (uint8_t)(gray && k ? 0 : places_of(&v));
+        color <<= 8;
+        out = out << 8 | dithered(color >> 24, depth[k],
+                                  places_of(depth[k], y)[x & 7], opaque);
     }
-    l->pixel = format->pack(low);
-    for (int k = 0; k < 3; k++)
-        l->change[k] = l->pixel ^ format->pack(low + high[k]);
+    return out;
 }
 
-/* The pixel values of a row's columns [x, end), which go on repeating; on
- * 64-bit CPUs all eight. */
-static PEL_INLINE_LOOP void row_pattern(const struct levels *l, int32_t x,
-                                        int32_t end, const uint8_t row[8],
-                                        uint32_t pattern[8])
+/* Dithers the first n colours of `out`, in place. */
+static PEL_NOINLINE_32 void dither_out(struct proxy *proxy, int32_t x,
+                                       int32_t y, int32_t n)
 {
-    const uint32_t change0 = l->change[0], places0 = l->places[0];
-    const uint32_t change1 = l->change[1], places1 = l->places[1];
-    const uint32_t change2 = l->change[2], places2 = l->places[2];
-    const int32_t n = PEL_64BIT ? 8 : pel_min(end - x, 8);
-    for (int32_t i = 0; i < n; i++) {
-        const int32_t at = PEL_64BIT ? i : (x + i) & 7;
-        const uint32_t m = row[at];
-        pattern[at] = l->pixel ^ (m < places0 ? change0 : 0) ^
-                      (m < places1 ? change1 : 0) ^ (m < places2 ? change2 : 0);
-    }
+    const uint8_t *const depth = proxy->target->format->dithering->depth;
+    const uint8_t *const places = places_of(depth[0], y);
+    const uint32_t bits = depth[0];
+    const bool gray = depth[1] == 0;
+    for (pel_color *out = proxy->out; out < proxy->out + n; out++, x++)
+        *out = gray ? dithered_gray(*out, bits, places[x & 7])
+                    : dithered_color(*out, depth, x, y);
 }
 
-static void fill_color(const struct pel_spans *spans, uint32_t color)
+/* Takes n colours, or as many as `out` holds: how many. `next` is from each to
+ * the next. */
+static PEL_ALWAYS_INLINE int32_t take_colors(struct proxy *proxy, int32_t n,
+                                             const pel_color *colors,
+                                             int32_t next)
 {
-    const struct pel_surface *target = target_of(spans->surface);
-    struct levels levels;
-    uint32_t pattern[8];
+    n = pel_min(n, OUT_PIXELS);
+    for (int32_t i = 0; i < n; i++)
+        proxy->out[i] = colors[i * next];
+    return n;
+}
+
+/* Puts n colours that were taken, of any alpha. */
+static PEL_ALWAYS_INLINE void put_out(struct proxy *proxy, int32_t x, int32_t y,
+                                      int32_t n)
+{
+    dither_out(proxy, x, y, n);
+    proxy->target->format->put(proxy->target, x, y, n, proxy->out);
+}
+
+/* n >= 1 pixels like those before. */
+static void repeat_pixels(const struct pel_surface *target, int32_t x,
+                          int32_t y, int32_t n)
+{
+    if (target->format->dithering->pattern)
+        target->format->dithering->pattern(target, x, y, n);
+    else
+        pel_pattern16(pel_address16(target, x, y), n);
+}
+
+/* In 5-6-5 bits there are loops for that. */
+static inline bool is_565(const struct pel_format *format)
+{
+    return PEL_KNOW_SIDES && (format->id == PEL_FORMAT_RGB565_LE ||
+                              format->id == PEL_FORMAT_RGB565_BE);
+}
+
+static bool is_swapped(const struct pel_format *format)
+{
+    return (format->id == PEL_FORMAT_RGB565_BE) == (PEL_LE16(1) == 1);
+}
+
+static struct pel_row565 row565_of(const struct pel_surface *target, int32_t x,
+                                   int32_t y, int32_t n)
+{
+    pel_word16 *const p = pel_address16(target, x, y);
+    const uint8_t *const places = places_of(5, y);
+    const struct pel_row565 row = {p, p + n, places + (x & 7),
+                                   places + PEL_PLACES};
+    return row;
+}
+
+/* False: the format has no loop. */
+static bool fill_opaque(const struct pel_spans *spans, pel_color color)
+{
+    const struct pel_surface *const target = target_of(spans->surface);
+    const struct pel_steps565 steps = pel_steps565_of(color);
+    const struct pel_span *span = spans->span;
+    const bool swapped = is_swapped(target->format);
     int32_t y = spans->y;
-    void (*const own)(const struct pel_surface *, int32_t, int32_t, int32_t,
-                      const uint32_t *) = target->format->dithering->pattern;
-    levels_of(target->format, color, &levels);
-    for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
-        const struct pel_span *span = &spans->span[i];
-        if (span->x0 >= span->x1)
-            continue;
-        row_pattern(&levels, span->x0, span->x1, matrix[y & 7], pattern);
-        (own ? own : pel_pattern16)(target, span->x0, y, span->x1 - span->x0,
-                                    pattern);
+    if (!is_565(target->format))
+        return false;
+    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
+        const int32_t x = span->x0, n = span->x1 - x;
+        if (n > 0 && swapped)
+            pel_row565_fill(row565_of(target, x, y, n), steps, true);
+        else if (n > 0)
+            pel_row565_fill(row565_of(target, x, y, n), steps, false);
     }
+    return true;
 }
 
-/* At a time; one where stack is short. */
-enum { PUT_PIXELS = PEL_KNOW_SIDES ? 8 : 1 };
+static bool fill_planes(const struct pel_surface *surface, int32_t x, int32_t y,
+                        int32_t n, const struct pel_planes *planes)
+{
+    const struct pel_surface *const target = target_of(surface);
+    if (!is_565(target->format))
+        return false;
+    const struct pel_row565 row = row565_of(target, x, y, n);
+    if (is_swapped(target->format))
+        pel_row565_planes(row, planes, true);
+    else
+        pel_row565_planes(row, planes, false);
+    return true;
+}
+
+/* The opaque ones that come first. */
+static int32_t put_opaque(const struct pel_surface *target, int32_t x,
+                          int32_t y, int32_t n, const pel_color *colors)
+{
+    if (!is_565(target->format))
+        return 0;
+    const struct pel_row565 row = row565_of(target, x, y, n);
+    return is_swapped(target->format) ? pel_row565_put(row, colors, true)
+                                      : pel_row565_put(row, colors, false);
+}
 
 static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
                        int32_t n, const pel_color *colors)
 {
-    const struct pel_surface *target = target_of(surface);
-    const uint8_t *const depth = target->format->dithering->depth;
-    const uint8_t *const row = matrix[y & 7];
-    pel_color out[PUT_PIXELS];
-    while (n > 0) {
-        const int32_t count = pel_min(n, PUT_PIXELS);
-        for (int32_t i = 0; i < count; i++)
-            out[i] = dithered(depth, colors[i], row[(x + i) & 7]);
-        target->format->put(target, x, y, count, out);
-        x += count;
-        n -= count;
-        colors += count;
+    for (int32_t done; n > 0; x += done, n -= done, colors += done) {
+        done = put_opaque(target_of(surface), x, y, n, colors);
+        if (done == 0) {
+            done = take_colors(proxy_of(surface), n, colors, 1);
+            put_out(proxy_of(surface), x, y, done);
+        }
     }
 }
 
-static void blend_color(const struct pel_spans *spans, pel_color color)
+/* One colour of any alpha. Little is kept over the calls, to spare stack. */
+static void fill_color(const struct pel_spans *spans, pel_color color)
 {
-    const struct pel_surface *target = target_of(spans->surface);
+    const struct pel_span *span = spans->span;
     int32_t y = spans->y;
-    for (int32_t i = 0; i < spans->n; i++, y += spans->step)
-        for (int32_t x = spans->span[i].x0; x < spans->span[i].x1; x++) {
-            const pel_color out = dithered(target->format->dithering->depth,
-                                           color, matrix[y & 7][x & 7]);
-            target->format->put(target, x, y, 1, &out);
+    if (color >= OPAQUE && fill_opaque(spans, color))
+        return;
+    for (; span < spans->span + spans->n; span++, y += spans->step)
+        for (int32_t x = span->x0; x < span->x1;) {
+            if (x - span->x0 == PEL_PLACES && color >= OPAQUE) {
+                repeat_pixels(target_of(spans->surface), x, y, span->x1 - x);
+                break;
+            }
+            struct proxy *const proxy = proxy_of(spans->surface);
+            const int32_t n = take_colors(proxy, span->x1 - x, &color, 0);
+            put_out(proxy, x, y, n);
+            x += n;
         }
 }
 
@@ -194,31 +239,43 @@ static void load_colors(const struct pel_surface *surface, int32_t x, int32_t y,
 
 static uint32_t keep(uint32_t color)
 {
-    return color;
+    return color | OPAQUE;
 }
 
 static const struct pel_format proxy_format = {
-    255,        32,          4,          keep,        keep,
-    fill_color, blend_color, put_colors, load_colors, NULL,
+    255,        32,         4,           keep, keep,        fill_color,
+    fill_color, put_colors, load_colors, NULL, fill_planes, target_of,
 };
+
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans);
+
+/* What the source is to colour; NULL: it is a dither itself. A function of its
+ * own, to spare the stack of the source. */
+static PEL_NOINLINE_32 const struct pel_spans *spans_of(
+    struct proxy *proxy, const struct pel_dither *paint,
+    const struct pel_spans *spans)
+{
+    const struct pel_paint *const source = paint->source;
+    PEL_ASSERT(source->fill != fill);
+    if (source->fill == fill)
+        return NULL;
+    if (!spans->surface->format->dithering)
+        return spans;
+    proxy->surface = *spans->surface;
+    proxy->surface.format = &proxy_format;
+    proxy->target = spans->surface;
+    proxy->spans = *spans;
+    proxy->spans.surface = &proxy->surface;
+    return &proxy->spans;
+}
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
-    const struct pel_paint *source = ((const struct pel_dither *)paint)->source;
-    PEL_ASSERT(source->fill != fill);
-    if (source->fill == fill)
-        return;
-    if (!spans->surface->format->dithering) {
-        source->fill(source, spans);
-        return;
-    }
+    const struct pel_dither *const dither = (const void *)paint;
     struct proxy proxy;
-    struct pel_spans all = *spans;
-    proxy.surface = *spans->surface;
-    proxy.surface.format = &proxy_format;
-    proxy.target = spans->surface;
-    all.surface = &proxy.surface;
-    source->fill(source, &all);
+    spans = spans_of(&proxy, dither, spans);
+    if (spans)
+        dither->source->fill(dither->source, spans);
 }
 
 enum pel_status pel_dither_init(struct pel_dither *paint,

@@ -7,82 +7,50 @@ static PEL_NOINLINE_32 int64_t cross(const struct pel_point *a,
     return pel_product(a->x, b->y) - pel_product(a->y, b->x);
 }
 
-static uint64_t clamped(uint64_t value)
-{
-    int32_t whole = (int32_t)(value >> 32);
-    return (uint64_t)(whole < 0 ? 0 : whole > 255 ? 255 : whole);
-}
-
 /* n pixels of a span, from (x, y) on. */
 struct part {
     int32_t x, y, n;
+    pel_color start; /* before its channels: the alpha of opaque fans */
 };
 
-#if PEL_64BIT
-
-/* The colours of a part inside one triangle. */
-static void triangle_colors(const struct part *r,
-                            const struct pel_fan_triangle *t, pel_color *out)
-{
-    uint64_t v[4];
-    for (int k = 0; k < 4; k++)
-        v[k] = pel_plane_at(&t->channel[k], r->x, r->y);
-    for (int32_t n = r->n; n > 0; n--) {
-        pel_color color = 0;
-        for (int k = 3; k >= 0; k--) {
-            color = color << 8 | (pel_color)clamped(v[k]);
-            v[k] += t->channel[k].dx;
-        }
-        *out++ = color;
-    }
-}
-
-/* How many of n pixels, the first at d from the hub, lie in the triangle. One
- * pixel to the right the cross products change by -256 times the ray's y. */
-static int32_t pixels_inside(const struct pel_fan_triangle *t,
-                             const struct pel_point *d, int32_t n)
-{
-    int64_t from = cross(&t->from, d), to = cross(&t->to, d);
-    const int64_t from_step = -256 * (int64_t)t->from.y;
-    const int64_t to_step = -256 * (int64_t)t->to.y;
-    int32_t count = 0;
-    while (count < n && from >= 0 && to < t->closed) {
-        from += from_step;
-        to += to_step;
-        count++;
-    }
-    return count;
-}
-
-#else
-
-/* The same with little stack, a channel and a ray at a time. */
-static PEL_NOINLINE_32 void put_channel(const struct part *r,
+/* Adds channel k to the colours of a part inside one triangle; channel 0 comes
+ * first and overwrites them. */
+static PEL_NOINLINE_32 void add_channel(const struct part *r,
                                         const struct pel_fan_triangle *t, int k,
                                         pel_color *out)
 {
+    const uint64_t step = t->channel[k].dx;
     uint64_t v = pel_plane_at(&t->channel[k], r->x, r->y);
-    for (int32_t i = 0; i < r->n; i++, v += t->channel[k].dx)
-        out[i] = (pel_color)clamped(v) << 8 * k | (k ? out[i] : 0);
+    for (int32_t i = 0; k == 0 && i < r->n; i++)
+        out[i] = r->start;
+    for (pel_color *const end = out + r->n; out < end; out++, v += step) {
+        uint32_t whole = (uint32_t)(v >> 32);
+        if (whole > 255)
+            whole = (int32_t)whole < 0 ? 0 : 255;
+        *out |= whole << 8 * k;
+    }
 }
 
 static void triangle_colors(const struct part *r,
                             const struct pel_fan_triangle *t, pel_color *out)
 {
-    for (int k = 0; k < 4; k++)
-        put_channel(r, t, k, out);
+    for (int k = 0; k < (r->start ? 3 : 4); k++)
+        add_channel(r, t, k, out);
 }
 
 /* For how many of n pixels, the first at d from the hub, the cross product with
- * a ray is at least `least`. */
+ * a ray is at least `least`: one pixel to the right it changes by -256 times
+ * the ray's y. */
 static PEL_NOINLINE_32 int32_t pixels_beside(const struct pel_point *ray,
                                              const struct pel_point *d,
                                              int32_t least, int32_t n)
 {
-    int64_t side = pel_product(ray->x, d->y) - pel_product(ray->y, d->x);
+    int64_t side =
+        pel_product(ray->x, d->y) - pel_product(ray->y, d->x) - least;
+    const int64_t step = (int64_t)ray->y * 256;
     int32_t count = 0;
-    for (; count < n && side >= least; count++)
-        side -= (int64_t)ray->y * 256;
+    for (; count < n && side >= 0; count++)
+        side -= step;
     return count;
 }
 
@@ -93,8 +61,6 @@ static int32_t pixels_inside(const struct pel_fan_triangle *t,
     n = pixels_beside(&t->from, d, 0, n);
     return pixels_beside(&to, d, 1 - t->closed, n);
 }
-
-#endif
 
 /* Sets *i to the triangle of the first pixel, searched from *i on; returns how
  * many pixels stay in it, 0 when there is none. */
@@ -117,7 +83,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 {
     const struct pel_fan *p = (const void *)paint;
     const int32_t end = x + n;
-    struct part r = {x, y, n};
+    struct part r = {x, y, n, p->base.opaque ? UINT32_C(0xFF000000) : 0};
     int32_t triangle = 0;
     for (; (r.n = end - r.x) > 0; r.x += r.n) {
         r.n = find_triangle(p, &r, &triangle);

@@ -3,229 +3,167 @@
 #include "../base/divide.h"
 #include "cells.h"
 
-enum { FAR = 1 << 18 }; /* px: beyond every pixel, seen from any other */
-
 /* (P - from).d at pixel (x, y). Below 2^50. */
-static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y)
+static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
+                                          int32_t y)
 {
     return pel_product(pel_pixel_center(x) - p->from.x, p->d.x) +
            pel_product(pel_pixel_center(y) - p->from.y, p->d.y);
 }
 
-/* The boundaries of a linear gradient are parallel lines. A pixel lies beyond
- * number k when its product is at least k square / n, rounded up (and from `to`
- * when it is more). In the first row that is the pixel floor(f / (256 d.x)),
- * with an f that grows by square / n from one boundary to the next. */
-struct lines {
-    struct pel_cells cells;
-    union {
-        struct {
-            int32_t x;  /* where the present cell ends: of f the quotient, */
-            uint32_t m; /* and what is left, below 256 d.x */
-        } end;
-        uint64_t gone; /* at the start: the product of the first pixel, from its
-                          copy of the way on */
-    } at;
-    uint32_t part; /* of the rounding what is left, in 1/n */
-};
-
-/* A cell of copy number `copy` of the way. */
-static int32_t place_of(const struct pel_linear *p, int32_t copy, int32_t part)
+/* The error of the boundary where cell k begins is n product - k square: whole
+ * units of 256 n, by which it grows from pixel to pixel, and what they leave
+ * (c->rest, from -1 to 256 n - 1). Where products fall to the right, so do
+ * cells, and it is (k + 1) square - 1 - n product. */
+static int32_t unit_of(const struct pel_linear *p)
 {
-    const int32_t place = pel_gradient_place(&p->base, copy, part);
-    if (!p->reversed)
-        return place;
-    const int32_t mirrored = p->base.cells - 1 - place;
-    return mirrored < 0 ? mirrored + p->base.period : mirrored;
+    return p->base.cells * 256;
 }
 
-/* The cell of a pixel; 0 <= gone < square, and n gone < 2^15 2^49. Seen from
- * `to`, who is on a boundary is still before it: it belongs to the cell that
- * begins there for who comes from `from`. Of a product < 0, all bits turned
- * round are divided and turned back. Before a padded way the first cell ends
- * where the second begins. */
-static PEL_NOINLINE_32 void set_cell(struct lines *l,
-                                     const struct pel_linear *p,
-                                     int64_t product)
+static int32_t magnitude(int32_t v)
 {
-    const uint64_t square = (uint64_t)p->square;
-    uint64_t rest;
-    int32_t copy = (int32_t)pel_divide_64(
-        (uint64_t)(product < 0 ? ~product : product), square, &l->at.gone);
-    if (product < 0) {
-        copy = ~copy;
-        l->at.gone = square - 1 - l->at.gone;
-    }
-    int32_t part = (int32_t)pel_divide_64(pel_times(l->at.gone, p->base.cells),
-                                          square, &rest);
-    if (p->reversed && rest == 0 && part-- == 0) {
-        part += p->base.cells;
-        l->at.gone += square;
-        copy--;
-    }
-    l->cells.place = place_of(p, copy, part);
-    if (p->base.period == 0 && copy < 0) {
-        part = 0;
-        l->at.gone = (uint64_t)product;
-    }
-    l->part = (uint32_t)part;
+    return v < 0 ? -v : v;
 }
 
-/* m grows by `by` <= width = 256 d.x < 2^32. */
-static inline void line_add(int32_t *x, uint32_t *m, uint32_t width,
-                            uint32_t by)
+/* How the error changes to the pixel below. */
+static int32_t row_of(const struct pel_linear *p)
 {
-    if (*m >= width - by) {
-        *m -= width;
-        ++*x;
-    }
-    *m += by;
+    return p->d.x < 0 ? -p->d.y : p->d.y;
 }
 
-/* To the end of `count` cells more. */
-static PEL_CELL_STEP void next_lines(struct lines *l,
-                                     const struct pel_linear *p, int32_t count)
+static PEL_CELL_STEP bool end_cells(struct pel_cells *c, int32_t count)
 {
-    const uint32_t width = (uint32_t)p->d.x << 8, n = (uint32_t)p->base.cells;
-    const uint32_t cell_rest = p->cell_rest, part_rest = p->part_rest;
-    const int32_t cell = p->cell;
-    uint32_t m = l->at.end.m, part = l->part;
-    int32_t x = l->at.end.x;
-    for (; count > 0 && x < 2 * FAR; count--) {
-        x += cell;
-        line_add(&x, &m, width, cell_rest);
-        part += part_rest;
-        if (part >= n) {
-            part -= n;
-            line_add(&x, &m, width, 1);
+    const struct pel_linear *p = (const void *)c->gradient;
+    int64_t error = c->end.error;
+    int32_t part = c->rest;
+    for (; count > 0; count--) {
+        error -= p->cell;
+        if (part < p->cell_rest) {
+            part += unit_of(p);
+            error--;
         }
+        part -= p->cell_rest;
     }
-    l->at.end.x = x;
-    l->at.end.m = m;
-    l->part = part;
+    c->end.error = error;
+    c->rest = part;
+    return pel_cells_end(c, row_of(p), 0);
 }
 
-/* An edge does without the lowest 8 bits, which never change from row to row.
- */
-static PEL_CELL_STEP bool end_at_lines(struct lines *l,
-                                       const struct pel_linear *p)
+/* The copy of the way that has a product, from which it is left in the error.
+ * Of a product < 0, all bits turned round are divided and turned back. */
+static PEL_NOINLINE_32 int32_t find_copy(struct pel_cells *c,
+                                         const struct pel_linear *p,
+                                         int64_t product)
 {
-    struct pel_edge edge = {l->at.end.x, (int32_t)(l->at.end.m >> 8) - p->d.x,
-                            p->down, p->down_rest, p->d.x};
-    return pel_cells_end_at(&l->cells, &edge);
+    const bool below = product < 0;
+    uint64_t rest;
+    const int32_t copy = (int32_t)pel_divide_64(
+        (uint64_t)(below ? ~product : product), (uint64_t)p->square, &rest);
+    c->end.error = below ? p->square - 1 - (int64_t)rest : (int64_t)rest;
+    if (p->base.period == 0 && (p->d.x < 0 ? copy > 0 : below))
+        c->end.error = product;
+    return below ? ~copy : copy;
 }
 
-static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
+/* The cell of the first pixel: in the first row, or the row where it is lowest,
+ * from where the error is taken to the first. Before a padded way it is in the
+ * first cell all the same. n error < 2^15 2^49. */
+static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
+                                     const struct pel_linear *p, int32_t copy)
 {
-    const struct pel_linear *p = (const void *)cells->gradient;
-    struct lines *l = (void *)cells;
-    next_lines(l, p, count - 1);
-    const bool rest = end_at_lines(l, p);
-    next_lines(l, p, 1);
-    return rest;
-}
-
-/* The boundary after the first pixel's cell, number `part`, where it crosses
- * the row of that pixel, x. */
-static PEL_NOINLINE_32 void set_end(struct lines *l, const struct pel_linear *p,
-                                    int32_t x0)
-{
-    const uint32_t n = (uint32_t)p->base.cells, width = (uint32_t)p->d.x << 8;
-    uint64_t way = pel_times((uint64_t)p->square, (int32_t)l->part + 1) + n -
-                   1 + p->reversed;
-    const uint32_t high = pel_divide(way >> 32, n);
-    way -= (uint64_t)(high * n) << 32;
-    const uint32_t low = pel_divide(way, n);
-    l->part = (uint32_t)way - low * n;
-    way = ((uint64_t)high << 32 | low) - l->at.gone + width - 1;
-    const uint32_t x = way >> 18 < width ? pel_divide(way, width) : FAR;
-    l->at.end.x = x0 + (int32_t)x;
-    l->at.end.m = x < FAR ? (uint32_t)way - x * width : 0;
-}
-
-/* To the product of the first pixel, which is in the last row where boundaries
- * lean to the right. */
-static PEL_NOINLINE_32 int64_t first_product(const struct lines *l,
-                                             const struct pel_linear *p,
-                                             int32_t x0)
-{
-    const struct pel_spans *rows = &l->cells.cell;
-    const int32_t span = p->d.y < 0 ? (rows->n - 1) * rows->step : 0;
-    return product_at(p, x0, rows->y + span);
-}
-
-/* From the last row to the first. */
-static PEL_NOINLINE_32 void back(struct lines *l, const struct pel_linear *p)
-{
-    const struct pel_spans *rows = &l->cells.cell;
-    for (int32_t i = (rows->n - 1) * rows->step; i > 0; i--) {
-        l->at.end.x -= p->down + 1;
-        line_add(&l->at.end.x, &l->at.end.m, (uint32_t)p->d.x << 8,
-                 (uint32_t)(p->d.x - p->down_rest) << 8);
-    }
-}
-
-/* In the cell of the first pixel on the way, or before it. */
-static PEL_ALWAYS_INLINE void start(struct lines *l, const struct pel_linear *p,
-                                    int32_t x0)
-{
-    set_cell(l, p, first_product(l, p, x0));
-    l->cells.step = p->reversed ? -1 : 1;
-    if (p->d.x == 0) {
-        l->cells.limit = 0;
+    const bool falling = p->d.x < 0;
+    const int32_t n = p->base.cells;
+    int64_t *const error = &c->end.error;
+    uint64_t rest;
+    if (p->base.period == 0 && (falling ? copy > 0 : copy < 0)) {
+        c->place = falling ? n - 1 : 0;
+        *error = falling ? p->square - *error : *error;
+        c->rest = n * (int32_t)(*error & 255) - falling;
+        *error >>= 8;
         return;
     }
-    set_end(l, p, x0);
-    if (p->d.y < 0)
-        back(l, p);
+    c->place = pel_gradient_place(
+        &p->base, copy,
+        (int32_t)pel_divide_64(pel_times((uint64_t)*error, n),
+                               (uint64_t)p->square, &rest));
+    if (!PEL_KNOW_SIDES && p->d.x == 0)
+        return;
+    if (falling)
+        rest = (uint64_t)p->square - 1 - rest;
+    *error = (int64_t)pel_divide_64(rest, (uint64_t)unit_of(p), &rest);
+    c->rest = (int32_t)rest;
 }
 
-/* A function of its own, to spare the stack of what comes before it. */
-static PEL_NOINLINE_32 void walk(struct lines *l)
+static PEL_ALWAYS_INLINE void start(struct pel_cells *c,
+                                    const struct pel_linear *p)
 {
-    pel_cells_draw(&l->cells, end_cells);
+    const int32_t row = row_of(p);
+    const int32_t last =
+        PEL_CELL_ROWS > 1 && row < 0 ? (c->cell.n - 1) * c->cell.step : 0;
+    set_cell(c, p, find_copy(c, p, product_at(p, c->end.x, c->cell.y + last)));
+    if (PEL_CELL_ROWS > 1)
+        c->end.error -= pel_product(row, last);
+    c->end.step = magnitude(p->d.x);
+    if (p->d.x < 0)
+        c->way = -1;
+    if (p->d.x == 0)
+        c->limit = 0;
 }
 
-/* The first pixel of the next batch. Where boundaries lie far apart from row to
- * row, above 129 pixels, the rows are drawn one by one. */
-static PEL_CELL_STEP int32_t next(struct lines *l, const struct pel_linear *p,
-                                  const struct pel_spans *spans)
+/* From a row of a gradient that is level and grows downwards to the next one: a
+ * few cells on, without a division. */
+static void move_down(struct pel_cells *c, const struct pel_linear *p)
 {
-    const bool alone =
-        p->by_pixel || p->d.x == 0 || p->down > 128 || p->down < -128;
-    const int32_t x0 =
-        pel_cells_next(&l->cells, spans, alone ? 1 : PEL_CELL_ROWS);
-    if (p->by_pixel && x0 < INT32_MAX)
-        l->cells.stop = x0 + 1;
-    return x0;
+    const struct pel_gradient *g = &p->base;
+    c->end.error += p->d.y;
+    while (c->end.error > p->cell ||
+           (c->end.error == p->cell && c->rest >= p->cell_rest)) {
+        const bool carry = c->rest < p->cell_rest;
+        c->end.error -= p->cell + carry;
+        c->rest += (carry ? unit_of(p) : 0) - p->cell_rest;
+        if (++c->place == g->period)
+            c->place = 0;
+        else if (g->period == 0)
+            c->place = pel_min(c->place, g->cells - 1);
+    }
 }
 
+/* Of a level gradient every row is one run of one cell. */
+static void fill_level(struct pel_cells *c, const struct pel_linear *p,
+                       const struct pel_spans *spans)
+{
+    const bool near_cells = p->d.y > 0 && p->d.y >> 3 <= p->cell;
+    c->cell.n = 1;
+    for (int32_t i = 0; i < spans->n; i++, c->cell.y += c->cell.step) {
+        if (i == 0 || !near_cells)
+            set_cell(c, p, find_copy(c, p, product_at(p, 0, c->cell.y)));
+        else if (c->cell.step)
+            move_down(c, p);
+        pel_cells_first(c);
+        c->run[0] = spans->span[i];
+        pel_fill_value(&c->cell, c->value, c->opaque);
+    }
+}
+
+/* Where boundaries lie far apart from row to row, the rows are drawn one by
+ * one, and where cells are narrower than 1/16 px, so are pixels. */
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    struct lines l;
-    pel_cells_open(&l.cells, &p->base, spans);
-    for (int32_t x0; (x0 = next(&l, p, spans)) < INT32_MAX;) {
-        start(&l, p, x0);
-        walk(&l);
-    }
-}
-
-static void set_steps(struct pel_linear *p)
-{
-    const int32_t n = p->base.cells, dy = p->d.y < 0 ? -p->d.y : p->d.y;
-    uint64_t rest;
-    p->square = pel_square(p->d.x) + pel_square(p->d.y);
-    p->by_pixel =
-        p->base.period && pel_long_product(p->d.x + dy, n * 16) > p->square;
-    if (p->d.x == 0)
+    const bool far = magnitude(p->d.y) > 8 * magnitude(p->d.x);
+    const int32_t most = p->by_pixel || far ? 1 : PEL_CELL_ROWS;
+    struct pel_cells c;
+    pel_cells_open(&c, &p->base, spans);
+    if (PEL_KNOW_SIDES && p->d.x == 0) {
+        fill_level(&c, p, spans);
         return;
-    uint64_t q = pel_divide_64((uint64_t)p->square, (uint64_t)n, &rest);
-    p->part_rest = (uint32_t)rest;
-    q = pel_divide_64(q, (uint64_t)p->d.x * 256, &rest);
-    p->cell = q > FAR ? FAR : (int32_t)q;
-    p->cell_rest = (uint32_t)rest;
-    p->down = pel_floor_divide(-p->d.y, p->d.x, &p->down_rest);
+    }
+    while (pel_cells_next(&c, most)) {
+        if (p->by_pixel)
+            c.hi = c.end.x + 1;
+        start(&c, p);
+        pel_cells_draw(&c, end_cells);
+    }
 }
 
 enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
@@ -242,10 +180,14 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     if (from.x == to.x && from.y == to.y)
         return PEL_ERROR_SIZE;
     paint->base.paint = (struct pel_paint){fill, NULL};
-    paint->reversed = to.x < from.x;
-    paint->from = paint->reversed ? to : from;
-    const struct pel_point end = paint->reversed ? from : to;
-    paint->d = (struct pel_point){end.x - paint->from.x, end.y - paint->from.y};
-    set_steps(paint);
+    paint->from = from;
+    paint->d = (struct pel_point){to.x - from.x, to.y - from.y};
+    paint->square = pel_square(paint->d.x) + pel_square(paint->d.y);
+    uint64_t rest;
+    paint->cell = (int64_t)pel_divide_64((uint64_t)paint->square,
+                                         (uint64_t)unit_of(paint), &rest);
+    paint->cell_rest = (int32_t)rest;
+    paint->by_pixel =
+        paint->base.period && magnitude(paint->d.x) >> 4 > paint->cell;
     return PEL_OK;
 }

@@ -24,18 +24,11 @@ PEL_BEGIN_DECLS
  */
 struct pel_linear {
     struct pel_gradient base;
-    struct pel_point from; /* where d.x >= 0, `to` else */
-    struct pel_point d;
-    bool reversed;  /* the way leads from `to` to `from` */
-    bool by_pixel;  /* cells are narrower than 1/16 px */
-    int64_t square; /* |d|^2 */
-
-    /* From row to row a boundary moves by down + down_rest / d.x pixels, from
-     * cell to cell by cell + (cell_rest + part_rest / n) / (256 d.x). Not set
-     * where d.x is 0. */
-    int32_t down, down_rest;
-    int32_t cell;
-    uint32_t cell_rest, part_rest;
+    struct pel_point from, d;
+    int64_t square; /* |d|^2 = 256 n cell + cell_rest */
+    int64_t cell;
+    int32_t cell_rest;
+    bool by_pixel; /* cells are narrower than 1/16 px */
 };
 
 /* PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n, or from and to are one point),

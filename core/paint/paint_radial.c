@@ -1,223 +1,175 @@
 #include "paint_radial.h"
 
 #include "../base/divide.h"
-#include "../base/sqrt.h"
-#include "../raster/edge.h"
-#include "../round/disc_side.h"
 #include "cells.h"
 
-/* A circle between rings: k of them lie inside, in copy number `copy` of the
- * way. Its radius is floor(k radius / n) exactly, rest / n what the floor
- * drops. */
-struct circle {
-    int32_t copy, part;
-    int32_t radius, rest;
-};
-
-static void circle_set(const struct pel_radial *p, int32_t copy, int32_t part,
-                       struct circle *c)
-{
-    const uint32_t n = (uint32_t)p->base.cells;
-    const uint64_t ring =
-        pel_multiply((uint32_t)part, (uint32_t)p->rings.radius);
-    const uint32_t inner = pel_divide(ring, n);
-    c->copy = copy;
-    c->part = part;
-    c->radius = copy * p->rings.radius + (int32_t)inner;
-    c->rest = (int32_t)((uint32_t)ring - inner * n);
-}
-
-static int32_t place_of(const struct pel_radial *p, const struct circle *c)
-{
-    int32_t copy = c->copy, part = c->part + p->first;
-    if (part >= p->base.cells) {
-        part -= p->base.cells;
-        copy++;
-    }
-    return pel_gradient_place(&p->base, copy, part);
-}
-
-/* One side of the rings, left or right of the centre. A circle's columns are
- * counted from there, or from where rows begin; `steps` is the square of the
- * distance of the next one outwards in 512ths, as disc.h has it. */
+/* One side of the rings, left or right of the centre. Squares of distances are
+ * counted in 512ths: from pixel to pixel and from row to row they grow by whole
+ * ones, so that what is left of them, p->low, never changes. A pixel lies
+ * beyond a circle on the right side when the square of its distance is larger
+ * than that of the radius, on the left side when it is not.
+ *
+ * The present cell begins at a circle of the radius floor(k radius / n), cells'
+ * `whole`, rest / n what the floor drops: k rings lie inside, `part` of them in
+ * copy number `copy` of the way. */
 struct side {
     struct pel_cells cells;
-    struct circle circle; /* where the present cell ends */
-    int64_t steps;        /* these three at the first row and the last circle;
-                             first the square of a pixel's distance */
-    int32_t u, columns;
-    int32_t first; /* the column that is 0 */
-    int32_t limit; /* so many columns are visible */
+    union {
+        struct {
+            int32_t copy, part;
+        } ring;         /* until the circle is set, */
+        int64_t square; /* the circle's in 512ths, on the left side negative */
+    } u;
 };
 
-/* The height of the first row, from the centre down. */
-static int32_t height_of(const struct side *s, const struct pel_radial *p)
+/* To the next circle outwards, or inwards. */
+static void circle_move(struct pel_cells *c, const struct pel_radial *p,
+                        int32_t way)
 {
-    return pel_pixel_center(s->cells.cell.y) - p->rings.center.y;
-}
-
-static void circle_outwards(const struct pel_radial *p, struct circle *c)
-{
-    c->radius += p->width;
-    c->rest += p->rest;
-    if (c->rest >= p->base.cells) {
-        c->rest -= p->base.cells;
-        c->radius++;
+    c->whole += way * p->width;
+    c->rest += way * p->rest;
+    if (c->rest < 0 || c->rest >= p->base.cells) {
+        c->rest -= way * p->base.cells;
+        c->whole += way;
     }
 }
 
-static void circle_inwards(const struct pel_radial *p, struct circle *c)
+/* From the square of the circle before to that of this one. */
+static PEL_NOINLINE_32 void set_square(struct side *s,
+                                       const struct pel_radial *p)
 {
-    c->radius -= p->width;
-    c->rest -= p->rest;
-    if (c->rest < 0) {
-        c->rest += p->base.cells;
-        c->radius--;
-    }
+    const int64_t mirror = s->cells.way >> 1; /* 0, or -1 */
+    s->cells.end.error += s->u.square;
+    s->u.square =
+        (((pel_square(s->cells.whole) - p->low) >> 9) ^ mirror) - mirror;
+    s->cells.end.error -= s->u.square;
 }
 
-static void circle_move(struct side *s, int32_t count)
-{
-    const struct pel_radial *p = (const void *)s->cells.gradient;
-    for (; count > 0; count--)
-        if (s->cells.step < 0)
-            circle_inwards(p, &s->circle);
-        else
-            circle_outwards(p, &s->circle);
-}
-
-/* Columns grow to the left on the left side, where the walk is inwards. */
 static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_radial *p = (const void *)cells->gradient;
-    struct side *s = (void *)cells;
-    circle_move(s, count - 1);
-    int64_t d = -s->steps;
-    s->steps = (pel_square(s->circle.radius) - p->low) >> 9;
-    d += s->steps;
-    int32_t u = s->u, columns = s->columns, rest = 0;
-    int32_t v = height_of(s, p) + 128;
-    for (int32_t i = 0; i < cells->cell.n; i++) {
-        pel_disc_side_adjust(&d, &u, &columns, s->limit);
-        if (i == 0) {
-            s->steps -= d;
-            s->u = u;
-            s->columns = columns;
-        }
-        rest |= pel_cells_end_run(cells, i, s->first + columns * cells->step);
-        if (cells->cell.step) {
-            d -= v;
-            v += 256;
+    do
+        circle_move(cells, p, cells->way);
+    while (--count);
+    set_square((void *)cells, p);
+    const int32_t way = cells->way;
+    const int32_t v = pel_pixel_center(cells->cell.y) - p->rings.center.y;
+    return pel_cells_end(cells, way * (v + 128), way * 256);
+}
+
+static PEL_NOINLINE_32 int64_t square_at(const struct pel_radial *p, int32_t x,
+                                         int32_t y)
+{
+    return pel_square(pel_pixel_center(x) - p->rings.center.x) +
+           pel_square(pel_pixel_center(y) - p->rings.center.y);
+}
+
+/* The row of the pixel where the walk begins: the farthest from the centre on
+ * the left side, the nearest on the right. */
+static int32_t first_row(const struct pel_cells *c, const struct pel_radial *p)
+{
+    const int32_t y = c->cell.y, last = y + (c->cell.n - 1) * c->cell.step;
+    if (PEL_CELL_ROWS == 1)
+        return y;
+    if (c->way > 0)
+        return pel_min(pel_max(pel_pixel_of(p->rings.center.y), y), last);
+    return 2 * p->rings.center.y - pel_pixel_center(y) > pel_pixel_center(last)
+               ? y
+               : last;
+}
+
+/* Of the square of a distance, below 2^51, in the error: its root, rounded up,
+ * less 1, bit by bit. 0 of 0. */
+static PEL_NOINLINE_32 void find_root(struct pel_cells *c)
+{
+    uint64_t root = 0, v = (uint64_t)c->end.error - (c->end.error > 0);
+    for (uint64_t bit = UINT64_C(1) << 50; bit; bit >>= 2) {
+        const uint64_t more = root + bit;
+        root >>= 1;
+        if (v >= more) {
+            v -= more;
+            root += bit;
         }
     }
-    circle_move(s, 1);
-    return rest < 0;
+    c->whole = (int32_t)root;
 }
 
-/* Behind the last pixel of all rows before `stop`. */
-static int32_t end_of(const struct pel_cells *c)
-{
-    int32_t x1 = c->span[0].x1;
-    for (int32_t i = 1; i < c->cell.n; i++)
-        x1 = pel_max(x1, c->span[i].x1);
-    return pel_min(x1, c->stop);
-}
-
-/* The columns before the first of the right side, or the rest. */
-static PEL_NOINLINE_32 void set_columns(struct side *s,
-                                        const struct pel_radial *p, int32_t x0)
-{
-    struct pel_cells *c = &s->cells;
-    const int32_t split = pel_first_pixel(p->rings.center.x);
-    s->columns = 0;
-    s->first = x0;
-    if (x0 < split) {
-        c->step = -1;
-        c->stop = pel_min(c->stop, split);
-        s->first = end_of(c);
-        s->limit = s->first - x0;
-        s->u = p->rings.center.x - pel_pixel_center(s->first - 1);
-    } else {
-        s->limit = end_of(c) - x0;
-        s->u = pel_pixel_center(x0) - p->rings.center.x;
-    }
-}
-
-/* The square of the distance of the pixel where the walk begins: the farthest
- * one on the left side, the nearest one on the right. */
-static PEL_NOINLINE_32 void set_square(struct side *s,
-                                       const struct pel_radial *p, int32_t x0)
-{
-    const struct pel_spans *rows = &s->cells.cell;
-    const int32_t last = rows->y + (rows->n - 1) * rows->step;
-    const int32_t middle = pel_pixel_of(p->rings.center.y);
-    const int32_t twice = 2 * p->rings.center.y;
-    int32_t y = pel_min(pel_max(middle, rows->y), last);
-    if (s->cells.step < 0)
-        y = twice - pel_pixel_center(rows->y) > pel_pixel_center(last) ? rows->y
-                                                                       : last;
-    const int32_t u = pel_pixel_center(x0) - p->rings.center.x;
-    const int32_t v = pel_pixel_center(y) - p->rings.center.y;
-    s->steps = pel_square(u) + pel_square(v);
-}
-
-/* The inner circle of the ring that holds the pixel where the walk begins, the
- * square of its distance being below 2^49. With u its root, rounded up, ring k
- * holds it when k radius / n < u, which is k <= (u n - 1) / radius. */
+/* The ring that holds the pixel: ring k does when k radius / n < u, the root
+ * rounded up, which is k <= (u n - 1) / radius. */
 static PEL_NOINLINE_32 void find_ring(struct side *s,
                                       const struct pel_radial *p)
 {
-    const uint64_t square = (uint64_t)s->steps;
     const uint32_t radius = (uint32_t)p->rings.radius;
-    const uint32_t n = (uint32_t)p->base.cells;
-    struct pel_root root;
-    pel_square_root(square, &root);
-    if (pel_multiply(root.root, root.root) == square && root.root)
-        root.root--; /* u - 1 */
-    const uint32_t copy = pel_divide(root.root, radius);
-    const uint32_t part =
-        pel_divide(pel_multiply(root.root - copy * radius + (square > 0), n) -
-                       (square > 0),
-                   radius);
-    circle_set(p, (int32_t)copy, (int32_t)part, &s->circle);
+    const uint32_t below = (uint32_t)s->cells.whole;
+    const uint32_t some = s->cells.end.error > 0;
+    const uint32_t copy = pel_divide(below, radius);
+    const uint64_t part =
+        pel_multiply(below - copy * radius + some, (uint32_t)p->base.cells);
+    s->u.ring.copy = (int32_t)copy;
+    s->u.ring.part = (int32_t)pel_divide(part - some, radius);
 }
 
-/* From the circle that was found: the ring's inner one, which is the end of the
- * first cell on the left side. */
+/* The place of the ring that was found, and the circle where it begins: on the
+ * left side the outer one, unless the last cell of a padded way begins farther
+ * inside. */
 static PEL_NOINLINE_32 void set_ring(struct side *s, const struct pel_radial *p)
 {
     struct pel_cells *c = &s->cells;
-    struct circle *circle = &s->circle;
     const int32_t n = p->base.cells, most = n - 1 - p->first;
-    if (c->step < 0) {
-        if (p->base.period == 0 && (circle->copy || circle->part > most))
-            circle_set(p, 0, most, circle);
-        c->limit =
-            circle->copy < 65535 ? circle->copy * n + circle->part : INT32_MAX;
+    int32_t copy = s->u.ring.copy, part = s->u.ring.part;
+    if (c->way < 0 && p->base.period == 0 && (copy || part > most)) {
+        copy = 0;
+        part = most;
     }
-    c->place = place_of(p, circle);
-    if (c->step > 0)
-        circle_outwards(p, circle);
-    s->steps = (pel_square(s->u) + pel_square(height_of(s, p))) >> 9;
+    if (c->way < 0)
+        c->limit = copy < 65535 ? copy * n + part : INT32_MAX;
+    const int32_t beyond = part > most;
+    c->place = pel_gradient_place(&p->base, copy + beyond,
+                                  part + p->first - beyond * n);
+    const uint64_t ring =
+        pel_multiply((uint32_t)part, (uint32_t)p->rings.radius);
+    const uint32_t inner = pel_divide(ring, (uint32_t)n);
+    c->whole = copy * p->rings.radius + (int32_t)inner;
+    c->rest = (int32_t)((uint32_t)ring - inner * (uint32_t)n);
+    if (c->way < 0)
+        circle_move(c, p, 1);
 }
 
-/* A function of its own, to spare the stack of what comes before it. */
-static PEL_NOINLINE_32 void walk(struct side *s)
+/* From the square of the distance of the first pixel to its error. */
+static PEL_NOINLINE_32 void set_end(struct side *s, const struct pel_radial *p)
 {
-    pel_cells_draw(&s->cells, end_cells);
+    struct pel_boundary *end = &s->cells.end;
+    const int32_t way = s->cells.way;
+    end->step = way * (pel_pixel_center(end->x) - p->rings.center.x + 128);
+    end->error = ((end->error >> 9) - 1) ^ (way >> 1);
+    s->u.square = 0;
+    set_square(s, p);
 }
 
-/* The first pixel of the next batch. Rings narrower than 1/64 px are drawn a
+static PEL_ALWAYS_INLINE void start(struct side *s, const struct pel_radial *p)
+{
+    struct pel_cells *c = &s->cells;
+    c->end.error = square_at(p, c->end.x, first_row(c, p));
+    find_root(c);
+    find_ring(s, p);
+    set_ring(s, p);
+    if (PEL_CELL_ROWS > 1)
+        c->end.error = square_at(p, c->end.x, c->cell.y);
+    set_end(s, p);
+}
+
+/* The part of the batch on one side. Rings narrower than 1/64 px are drawn a
  * pixel at a time. */
-static PEL_CELL_STEP int32_t next(struct side *s, const struct pel_radial *p,
-                                  const struct pel_spans *spans)
+static PEL_CELL_STEP void set_side(struct pel_cells *c,
+                                   const struct pel_radial *p)
 {
-    const bool by_pixel = p->base.period && p->rings.radius < 4 * p->base.cells;
-    const int32_t x0 =
-        pel_cells_next(&s->cells, spans, by_pixel ? 1 : PEL_CELL_ROWS);
-    if (by_pixel && x0 < INT32_MAX)
-        s->cells.stop = x0 + 1;
-    return x0;
+    const int32_t split = pel_first_pixel(p->rings.center.x);
+    if (p->base.period && p->rings.radius < 4 * p->base.cells)
+        c->hi = c->end.x + 1;
+    if (c->end.x < split) {
+        c->way = -1;
+        c->hi = pel_min(c->hi, split);
+    }
 }
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
@@ -225,12 +177,10 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     const struct pel_radial *p = (const void *)paint;
     struct side s;
     pel_cells_open(&s.cells, &p->base, spans);
-    for (int32_t x0; (x0 = next(&s, p, spans)) < INT32_MAX;) {
-        set_columns(&s, p, x0);
-        set_square(&s, p, x0);
-        find_ring(&s, p);
-        set_ring(&s, p);
-        walk(&s);
+    while (pel_cells_next(&s.cells, PEL_CELL_ROWS)) {
+        set_side(&s.cells, p);
+        start(&s, p);
+        pel_cells_draw(&s.cells, end_cells);
     }
 }
 
@@ -255,7 +205,8 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
     paint->base.paint = (struct pel_paint){fill, NULL};
     paint->rings = *rings;
     paint->first = (int32_t)((uint32_t)rings->phase * (uint32_t)n >> 16);
-    paint->width = pel_floor_divide(rings->radius, n, &paint->rest);
+    paint->width = (int32_t)pel_divide((uint32_t)rings->radius, (uint32_t)n);
+    paint->rest = rings->radius - paint->width * n;
     paint->low = (x * x + y * y) & 511;
     return PEL_OK;
 }

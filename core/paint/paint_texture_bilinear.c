@@ -65,21 +65,6 @@ static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
     }
 }
 
-/* Each kind has a loop of its own. */
-static inline void fast_run(const struct pel_texture *p,
-                            const struct pel_texture_axes *a, int32_t n,
-                            pel_color *out)
-{
-    if (p->kind == PEL_TEXTURE_COLORS)
-        inner_run(p, PEL_TEXTURE_COLORS, a, n, out);
-    else if (p->kind == PEL_TEXTURE_XRGB8888)
-        inner_run(p, PEL_TEXTURE_XRGB8888, a, n, out);
-    else if (p->kind == PEL_TEXTURE_RGB565_LE)
-        inner_run(p, PEL_TEXTURE_RGB565_LE, a, n, out);
-    else
-        inner_run(p, p->kind, a, n, out);
-}
-
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
@@ -90,7 +75,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
         outer_run(p, &a, n, out);
     else if (!PEL_FAST_FILLS || !PEL_VECTORS ||
              !pel_texture_bilinear_run(p, &a, n, out))
-        fast_run(p, &a, n, out);
+        pel_texture_run(p, &a, n, out, inner_run);
 }
 
 enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,

@@ -8,7 +8,7 @@ static enum pel_texture_kind kind_of(const struct pel_format *format)
         return PEL_TEXTURE_XRGB8888;
     if (format->id == PEL_FORMAT_RGB565_LE)
         return PEL_TEXTURE_RGB565_LE;
-    if (PEL_KNOW_SIDES && format->bits == 8 && format->id < 128)
+    if (PEL_KNOW_SIDES && format->bits == 8 && format->id < PEL_FORMAT_MONO1)
         return PEL_TEXTURE_BYTE;
     return PEL_TEXTURE_ANY;
 }
@@ -23,7 +23,8 @@ static enum pel_status set_surface(struct pel_texture *p,
     p->memory = s->pixels;
     p->stride = s->stride;
     p->kind = (uint8_t)kind_of(s->format);
-    p->base.opaque = s->format->id != PEL_FORMAT_ARGB8888;
+    p->base.opaque = s->format->id < PEL_FORMAT_ARGB8888 ||
+                     s->format->id > PEL_FORMAT_PALETTE8;
     return PEL_OK;
 }
 

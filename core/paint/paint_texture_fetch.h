@@ -147,6 +147,23 @@ static inline bool pel_texture_axes_inside(const struct pel_texture_axes *a,
            pel_texture_axis_inside(&a->v, p->map.v.dx, n, more);
 }
 
+/* A run by a function that is inlined: each kind has a loop of its own. */
+static PEL_ALWAYS_INLINE void pel_texture_run(
+    const struct pel_texture *p, const struct pel_texture_axes *a, int32_t n,
+    pel_color *out,
+    void (*run)(const struct pel_texture *p, int kind,
+                const struct pel_texture_axes *a, int32_t n, pel_color *out))
+{
+    if (p->kind == PEL_TEXTURE_COLORS)
+        run(p, PEL_TEXTURE_COLORS, a, n, out);
+    else if (p->kind == PEL_TEXTURE_XRGB8888)
+        run(p, PEL_TEXTURE_XRGB8888, a, n, out);
+    else if (p->kind == PEL_TEXTURE_RGB565_LE)
+        run(p, PEL_TEXTURE_RGB565_LE, a, n, out);
+    else
+        run(p, p->kind, a, n, out);
+}
+
 /* Between surfaces of one 565 format, pixels of 16 bits that are all colour,
  * texels are copied. */
 static inline bool pel_texture_is_copied(const struct pel_texture *p,

@@ -28,21 +28,6 @@ static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
         *out++ = pel_texel(p, kind, (int32_t)(u >> 32), (int32_t)(v >> 32));
 }
 
-/* Each kind has a loop of its own. */
-static inline void fast_run(const struct pel_texture *p,
-                            const struct pel_texture_axes *a, int32_t n,
-                            pel_color *out)
-{
-    if (p->kind == PEL_TEXTURE_COLORS)
-        inner_run(p, PEL_TEXTURE_COLORS, a, n, out);
-    else if (p->kind == PEL_TEXTURE_XRGB8888)
-        inner_run(p, PEL_TEXTURE_XRGB8888, a, n, out);
-    else if (p->kind == PEL_TEXTURE_RGB565_LE)
-        inner_run(p, PEL_TEXTURE_RGB565_LE, a, n, out);
-    else
-        inner_run(p, p->kind, a, n, out);
-}
-
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
@@ -50,7 +35,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y, 0);
     if (PEL_KNOW_SIDES && pel_texture_axes_inside(&a, p, n, 0))
-        fast_run(p, &a, n, out);
+        pel_texture_run(p, &a, n, out, inner_run);
     else
         outer_run(p, &a, n, out);
 }
@@ -192,6 +177,7 @@ static void copy_run(const struct copy *c, int32_t x, int32_t y)
 }
 
 static PEL_NOINLINE void copy_rows(const struct pel_texture *p,
+                                   const struct pel_surface *surface,
                                    const struct pel_spans *spans)
 {
     const struct pel_span *span = spans->span;
@@ -200,7 +186,7 @@ static PEL_NOINLINE void copy_rows(const struct pel_texture *p,
          i++, span++, y += spans->step) {
         if (span->x0 >= span->x1)
             continue;
-        c.out = pel_address16(spans->surface, span->x0, y);
+        c.out = pel_address16(surface, span->x0, y);
         c.end = c.out + (span->x1 - span->x0);
         copy_run(&c, span->x0, y);
     }
@@ -209,8 +195,11 @@ static PEL_NOINLINE void copy_rows(const struct pel_texture *p,
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_texture *p = (const void *)paint;
-    if (pel_texture_is_copied(p, spans->surface->format))
-        copy_rows(p, spans);
+    const struct pel_surface *s = spans->surface;
+    if (PEL_KNOW_SIDES && s->format->target)
+        s = s->format->target(s);
+    if (pel_texture_is_copied(p, s->format))
+        copy_rows(p, s, spans);
     else
         pel_color_paint_fill(paint, spans);
 }

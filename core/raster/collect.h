@@ -6,9 +6,12 @@
 #include "../format/word.h"
 #include "paint.h"
 
-/* Spans of a batch; half on small CPUs, where collecting shapes use much
- * stack. */
-enum { PEL_COLLECT_ROWS = PEL_64BIT ? PEL_BATCH_ROWS : PEL_BATCH_ROWS / 2 };
+/* Spans of a batch; half on small CPUs where code is to be small and so is
+ * stack, of which collecting shapes use much. */
+enum {
+    PEL_COLLECT_ROWS =
+        PEL_64BIT || PEL_KNOW_SIDES ? PEL_BATCH_ROWS : PEL_BATCH_ROWS / 2
+};
 
 struct pel_collector {
     const struct pel_paint *paint;

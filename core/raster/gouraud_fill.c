@@ -37,6 +37,18 @@ static PEL_NOINLINE void fill_rgb565(const struct pel_gouraud *g,
                             v, &steps);
 }
 
+/* False: the format has no writer of planes. */
+static PEL_NOINLINE bool fill_planes(const struct pel_gouraud *g,
+                                     const struct pel_surface *s, int32_t y,
+                                     const struct pel_span *span)
+{
+    struct pel_planes planes = {{0}, {g->dx[0], g->dx[1], g->dx[2]}};
+    if (!s->format->planes || !pel_gouraud_opaque(g) || span->x0 >= span->x1)
+        return false;
+    pel_gouraud_at(g, span->x0, y, planes.at);
+    return s->format->planes(s, span->x0, y, span->x1 - span->x0, &planes);
+}
+
 /* Spans that no writer can paint go through a short buffer. */
 void pel_gouraud_fill(const struct pel_paint *paint,
                       const struct pel_spans *spans)
@@ -51,6 +63,8 @@ void pel_gouraud_fill(const struct pel_paint *paint,
             fill_rgb565(g, spans->surface, y, &part);
         else if (PEL_KNOW_SIDES && bytes == 4)
             fill_xrgb(g, spans->surface, y, &part);
+        else if (PEL_KNOW_SIDES && fill_planes(g, spans->surface, y, &part))
+            continue;
         for (int32_t n; bytes == 0 && part.x0 < part.x1; part.x0 += n) {
             n = pel_min(part.x1 - part.x0, PEL_BUFFER_PIXELS);
             colors_of_span(g, part.x0, y, n, colors);

@@ -76,21 +76,25 @@ struct pel_flat {
         PEL_PAINT(pel_flat_fill, pel_flat_fast), (color) \
     }
 
-/* Stores or blends one color. Fill-only formats cannot blend: a broken
- * contract. */
-static inline void pel_fill_color(const struct pel_spans *spans,
-                                  pel_color color)
+/* Stores or blends one color, an opaque one as its pixel value. Fill-only
+ * formats cannot blend: a broken contract. */
+static inline void pel_fill_value(const struct pel_spans *spans, uint32_t value,
+                                  bool opaque)
 {
     const struct pel_format *format = spans->surface->format;
-    void (*draw)(const struct pel_spans *, uint32_t) = format->blend;
-    uint32_t value = color;
-    if (pel_alpha(color) == 255) {
-        draw = format->fill;
-        value = format->pack(color);
-    }
+    void (*draw)(const struct pel_spans *, uint32_t) =
+        opaque ? format->fill : format->blend;
     PEL_ASSERT(draw);
     if (draw)
         draw(spans, value);
+}
+
+static inline void pel_fill_color(const struct pel_spans *spans,
+                                  pel_color color)
+{
+    const bool opaque = pel_alpha(color) == 255;
+    pel_fill_value(spans, opaque ? spans->surface->format->pack(color) : color,
+                   opaque);
 }
 
 void pel_flat_fill(const struct pel_paint *paint,

@@ -90,13 +90,26 @@ static inline void pel_disc_walk_next(struct pel_disc_walk *w)
     w->y++;
 }
 
+/* True when the whole clip lies in the hole: when its corner that is farthest
+ * from the centre does. */
+static inline bool pel_ring_around(const struct pel_point *center,
+                                   int32_t inner, const struct pel_rect *clip)
+{
+    const int32_t x =
+        pel_max(center->x - clip->x0 * 256, clip->x1 * 256 - center->x);
+    const int32_t y =
+        pel_max(center->y - clip->y0 * 256, clip->y1 * 256 - center->y);
+    return pel_square(x) + pel_square(y) <= pel_square(inner);
+}
+
 static inline bool pel_ring_start(struct pel_ring_walk *w,
                                   const struct pel_point *center, int32_t inner,
                                   int32_t outer, const struct pel_rect *clip)
 {
     PEL_ASSERT(pel_radius_legal(inner));
     if (!pel_radius_legal(inner) ||
-        !pel_disc_walk_start(&w->outer, center, outer, clip))
+        !pel_disc_walk_start(&w->outer, center, outer, clip) ||
+        pel_ring_around(center, inner, clip))
         return false;
     pel_disc_center(&w->hole, center->x, center->x);
     pel_disc_start(&w->hole, clip, pel_square(inner) - pel_square(w->outer.v));

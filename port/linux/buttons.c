@@ -1,6 +1,9 @@
 #include "buttons.h"
 
-#include "drivers/linux_io.h"
+#include <errno.h>
+#include <string.h>
+
+#include "../../drivers/linux_io.h"
 
 enum { MOST_EDGES = PEL_GPIO_MOST * 32 };
 
@@ -41,9 +44,17 @@ static void update(struct pel_buttons *b, int line, uint32_t time,
 int pel_buttons_open(struct pel_buttons *b, struct pel_message *message)
 {
     int error = pel_gpio_open(&b->gpio, &b->request, message);
+    if (error == ENOENT && b->request.chip && b->label[0]) {
+        struct pel_gpio_request again = b->request;
+        again.chip = b->label;
+        error = pel_gpio_open(&b->gpio, &again, message);
+    }
     if (error)
         return error;
-    error = pel_gpio_levels(&b->gpio, &b->active);
+    memcpy(b->label, b->gpio.label, sizeof(b->label));
+    do
+        error = pel_gpio_levels(&b->gpio, &b->active);
+    while (error == EINTR);
     if (error) {
         pel_message_errno(message, b->gpio.path, error);
         pel_gpio_close(&b->gpio);
@@ -131,7 +142,7 @@ int pel_buttons_read(struct pel_buttons *b, struct pel_input_queue *queue)
     const int error = n < 0 ? -n : pel_gpio_levels(&b->gpio, &active);
     const uint32_t now = pel_linux_milliseconds();
     if (error)
-        return vanish(b, now, queue);
+        return error == EINTR ? 0 : vanish(b, now, queue);
     if (lost)
         tell_lost(b, now, queue);
     else

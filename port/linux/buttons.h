@@ -3,9 +3,10 @@
  *
  *     gpiochip0:5=left,6=right,13=enter,17/27=wheel
  *
- * the chip, then lines and what they do: by number, or by name, which finds its
- * chip itself (GPIO5=left). A line is a key, two lines A/B are an encoder that
- * turns the wheel, or `wheel-x`. Words among them hold for all lines:
+ * the chip or its label, then lines and what they do: by number, or by name,
+ * which finds its chip itself (GPIO5=left). A line is a key, two lines A/B are
+ * an encoder that turns the wheel, or `wheel-x`. Words among them hold for all
+ * lines:
  *
  *     pull-up       each closes to ground (without a word)
  *     pull-down     each closes to 3.3 V
@@ -16,8 +17,8 @@
 #ifndef PEL_PORT_LINUX_BUTTONS_H
 #define PEL_PORT_LINUX_BUTTONS_H
 
-#include "drivers/input_button.h"
-#include "drivers/input_encoder.h"
+#include "../../drivers/input_button.h"
+#include "../../drivers/input_encoder.h"
 #include "gpio.h"
 
 PEL_BEGIN_DECLS
@@ -35,6 +36,7 @@ struct pel_buttons {
     char text[PEL_BUTTONS_TEXT]; /* cut into the words that request points to */
     struct pel_gpio_request request;
     struct pel_gpio gpio;
+    char label[64]; /* of the chip, which may come back by another name */
     struct pel_buttons_part parts[PEL_GPIO_MOST];
     uint32_t active;   /* bit i: line i, as seen last */
     uint32_t encoders; /* bit i: line i is one's */

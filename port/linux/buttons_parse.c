@@ -38,23 +38,22 @@ static int parse_encoder(struct pel_buttons *b, char *a, char *slash,
     return error ? error : add_line(b, slash + 1, part, message);
 }
 
-/* A number that is set for all lines. */
+/* A number that is set for all lines, or -1. */
 static int parse_number(const char *word, const char *text, int low, int high,
-                        uint16_t *value, struct pel_message *message)
+                        struct pel_message *message)
 {
     char *end;
     const long number = strtol(text, &end, 10);
-    if (end == text || *end || number < low || number > high) {
-        pel_message_set(message, "buttons: %s=%s: expected %d to %d", word,
-                        text, low, high);
-        return EINVAL;
-    }
-    *value = (uint16_t)number;
-    return 0;
+    if (end != text && !*end && number >= low && number <= high)
+        return (int)number;
+    pel_message_set(message, "buttons: %s=%s: expected %d to %d", word, text,
+                    low, high);
+    return -1;
 }
 
+/* Below 0: refused. */
 struct settings {
-    uint16_t debounce, states;
+    int debounce, states;
 };
 
 static int parse_use(struct pel_buttons *b, const char *word,
@@ -80,10 +79,14 @@ static int parse_word(struct pel_buttons *b, char *word,
     if (!value)
         return parse_use(b, word, message);
     *value++ = '\0';
-    if (strcmp(word, "debounce") == 0)
-        return parse_number(word, value, 0, 1000, &settings->debounce, message);
-    if (strcmp(word, "states") == 0)
-        return parse_number(word, value, 2, 4, &settings->states, message);
+    if (strcmp(word, "debounce") == 0) {
+        settings->debounce = parse_number(word, value, 0, 1000, message);
+        return settings->debounce < 0 ? EINVAL : 0;
+    }
+    if (strcmp(word, "states") == 0) {
+        settings->states = parse_number(word, value, 2, 4, message) & ~1;
+        return settings->states < 0 ? EINVAL : 0;
+    }
     slash = strchr(word, '/');
     if (slash)
         return parse_encoder(b, word, slash, value, message);
@@ -116,11 +119,11 @@ int pel_buttons_parse(struct pel_buttons *b, const char *text,
     if (!error && b->request.count == 0)
         return refuse(message, text, "gpiochip0:5=left,6=right or the like");
     for (int i = 0; i < b->request.count; i++) {
-        b->parts[i].button.hold = settings.debounce;
-        b->parts[i].encoder.states = (uint8_t)(settings.states & 6);
+        b->parts[i].button.hold = (uint16_t)settings.debounce;
+        b->parts[i].encoder.states = (uint8_t)settings.states;
     }
     /* Encoders bounce in their own way. */
-    b->request.debounce = settings.debounce * 1000u;
+    b->request.debounce = (uint32_t)settings.debounce * 1000;
     for (int i = 0; i < b->request.count; i++)
         if (b->parts[i].is_encoder)
             b->request.debounce = 0;

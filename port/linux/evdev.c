@@ -6,7 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "drivers/linux_io.h"
+#include "../../drivers/linux_io.h"
 #include "evdev_keys.h"
 
 static uint32_t time_of(const struct input_event *e)

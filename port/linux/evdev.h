@@ -4,8 +4,8 @@
 #ifndef PEL_PORT_LINUX_EVDEV_H
 #define PEL_PORT_LINUX_EVDEV_H
 
-#include "drivers/input.h"
-#include "drivers/linux_message.h"
+#include "../../drivers/input.h"
+#include "../../drivers/linux_message.h"
 
 PEL_BEGIN_DECLS
 

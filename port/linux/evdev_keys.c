@@ -3,8 +3,6 @@
 #include <linux/input-event-codes.h>
 #include <stddef.h>
 
-#include "drivers/input.h"
-
 /* Keys whose character, or control character, is their code: KEY_ESC (1) to
  * KEY_KPDOT (83). 1 stands for none. */
 static const char characters[] = "\1\0331234567890-=\b\t"

@@ -8,41 +8,54 @@
 
 enum { MOST_CHIPS = 64 };
 
-static int no_chip(struct pel_gpio *gpio, struct pel_message *message)
+static int open_path(struct pel_gpio *gpio)
 {
-    const int error = errno;
-    pel_message_open(message, gpio->path, error,
-                     "is it there? ls /dev/gpiochip*");
-    return error;
+    gpio->chip = pel_gpio_chip_open(gpio->path);
+    if (!gpio->chip)
+        return errno;
+    pel_gpio_chip_label(gpio->chip, gpio->label, sizeof(gpio->label));
+    return 0;
 }
 
-/* The first chip that has a line of this name. */
-static int find_chip(struct pel_gpio *gpio, const char *line,
+/* The first chip with this label, or NULL: with a line of this name. ENOENT
+ * without a message when there is none. */
+static int find_chip(struct pel_gpio *gpio, const char *label, const char *line,
                      struct pel_message *message)
 {
-    int denied = 0;
+    int result = ENOENT;
+    for (int i = 0; i < MOST_CHIPS; i++) {
+        snprintf(gpio->path, sizeof(gpio->path), "/dev/gpiochip%d", i);
+        const int error = open_path(gpio);
+        errno = error;
+        if (!error && (label ? strcmp(gpio->label, label) == 0
+                             : pel_gpio_chip_find(gpio->chip, line) >= 0))
+            return 0;
+        const bool again = errno == EINTR;
+        if (error == EACCES && result != EACCES) {
+            pel_message_open(message, gpio->path, error, "");
+            result = error;
+        }
+        pel_gpio_close(gpio);
+        if (again)
+            return EINTR;
+    }
+    return result;
+}
+
+static int open_by_line(struct pel_gpio *gpio, const char *line,
+                        struct pel_message *message)
+{
     if (isdigit((unsigned char)line[0])) {
         pel_message_set(message,
                         "line %s is of which chip? expected gpiochip0:%s", line,
                         line);
         return EINVAL;
     }
-    for (int i = 0; i < MOST_CHIPS; i++) {
-        snprintf(gpio->path, sizeof(gpio->path), "/dev/gpiochip%d", i);
-        gpio->chip = pel_gpio_chip_open(gpio->path);
-        if (gpio->chip && pel_gpio_chip_find(gpio->chip, line) >= 0)
-            return 0;
-        if (!gpio->chip && errno == EACCES && !denied) {
-            denied = EACCES;
-            pel_message_open(message, gpio->path, EACCES, "");
-        }
-        pel_gpio_close(gpio);
-    }
-    if (denied)
-        return denied;
-    pel_message_set(message,
-                    "no GPIO chip has a line '%s': gpioinfo lists them", line);
-    return ENOENT;
+    const int error = find_chip(gpio, NULL, line, message);
+    if (error == ENOENT)
+        pel_message_set(
+            message, "no GPIO chip has a line '%s': gpioinfo lists them", line);
+    return error;
 }
 
 static int open_chip(struct pel_gpio *gpio, const char *chip,
@@ -50,23 +63,31 @@ static int open_chip(struct pel_gpio *gpio, const char *chip,
 {
     snprintf(gpio->path, sizeof(gpio->path), "%s%s",
              strchr(chip, '/') ? "" : "/dev/", chip);
-    gpio->chip = pel_gpio_chip_open(gpio->path);
-    return gpio->chip ? 0 : no_chip(gpio, message);
+    int error = open_path(gpio);
+    if (!error)
+        return 0;
+    pel_message_open(message, gpio->path, error,
+                     "and no chip has that label: gpiodetect lists them");
+    return error == ENOENT ? find_chip(gpio, chip, NULL, message) : error;
 }
 
+/* A name first: a line may be called by another's number. */
 static int find_line(struct pel_gpio *gpio, const char *name, unsigned *offset,
                      struct pel_message *message)
 {
     char *end;
     const unsigned long number = strtoul(name, &end, 10);
+    errno = 0;
     const int found = pel_gpio_chip_find(gpio->chip, name);
     *offset = found >= 0 ? (unsigned)found : (unsigned)number;
-    if (found >= 0 || (isdigit((unsigned char)name[0]) && !*end &&
-                       number < pel_gpio_chip_lines(gpio->chip)))
+    if (found >= 0)
+        return 0;
+    if (errno != EINTR && isdigit((unsigned char)name[0]) && !*end &&
+        number < pel_gpio_chip_lines(gpio->chip))
         return 0;
     pel_message_set(message, "%s has no line '%s': gpioinfo lists them",
                     gpio->path, name);
-    return ENOENT;
+    return errno == EINTR ? EINTR : ENOENT;
 }
 
 /* Whose line it is that was refused. */
@@ -87,13 +108,14 @@ static void not_free(struct pel_gpio *gpio,
         }
 }
 
-int pel_gpio_open(struct pel_gpio *gpio, const struct pel_gpio_request *request,
-                  struct pel_message *message)
+static int try_open(struct pel_gpio *gpio,
+                    const struct pel_gpio_request *request,
+                    struct pel_message *message)
 {
     memset(gpio, 0, sizeof(*gpio));
     gpio->count = request->count;
     int error = request->chip ? open_chip(gpio, request->chip, message)
-                              : find_chip(gpio, request->lines[0], message);
+                              : open_by_line(gpio, request->lines[0], message);
     for (int i = 0; i < request->count && !error; i++)
         error = find_line(gpio, request->lines[i], &gpio->offsets[i], message);
     if (!error) {
@@ -103,6 +125,16 @@ int pel_gpio_open(struct pel_gpio *gpio, const struct pel_gpio_request *request,
     }
     if (error)
         pel_gpio_close(gpio);
+    return error;
+}
+
+int pel_gpio_open(struct pel_gpio *gpio, const struct pel_gpio_request *request,
+                  struct pel_message *message)
+{
+    int error;
+    do
+        error = try_open(gpio, request, message);
+    while (error == EINTR);
     return error;
 }
 

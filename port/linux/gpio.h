@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include "drivers/linux_message.h"
+#include "../../drivers/linux_message.h"
 
 PEL_BEGIN_DECLS
 
@@ -22,8 +22,8 @@ enum pel_gpio_use {
 };
 
 struct pel_gpio_request {
-    const char *chip; /* "gpiochip0" or its path; NULL: the first that has a
-                         line of the first name */
+    const char *chip; /* "gpiochip0", its path or its label; NULL: the first
+                         that has a line of the first name */
     const char *lines[PEL_GPIO_MOST]; /* names, or numbers on the chip */
     int count;
     enum pel_gpio_use use;
@@ -31,7 +31,7 @@ struct pel_gpio_request {
 };
 
 struct pel_gpio {
-    char path[64]; /* of the chip */
+    char path[64], label[64]; /* of the chip */
     unsigned offsets[PEL_GPIO_MOST];
     int count;
     bool debounces;       /* the kernel does */

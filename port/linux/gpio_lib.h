@@ -5,12 +5,15 @@
 
 #include "gpio.h"
 
+PEL_BEGIN_DECLS
+
 enum { PEL_GPIO_EDGES_AT_ONCE = 16 }; /* that the kernel keeps of a line */
 
 /* A chip; or NULL and errno. */
 void *pel_gpio_chip_open(const char *path);
 void pel_gpio_chip_close(void *chip);
 unsigned pel_gpio_chip_lines(void *chip);
+void pel_gpio_chip_label(void *chip, char *label, size_t size);
 
 /* The line's number, or -1. */
 int pel_gpio_chip_find(void *chip, const char *name);
@@ -23,5 +26,7 @@ bool pel_gpio_chip_holder(void *chip, unsigned offset, char *name, size_t size);
 int pel_gpio_request_lines(struct pel_gpio *gpio,
                            const struct pel_gpio_request *request);
 void pel_gpio_release_lines(struct pel_gpio *gpio);
+
+PEL_END_DECLS
 
 #endif

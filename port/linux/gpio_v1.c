@@ -22,6 +22,11 @@ unsigned pel_gpio_chip_lines(void *chip)
     return gpiod_chip_num_lines(chip);
 }
 
+void pel_gpio_chip_label(void *chip, char *label, size_t size)
+{
+    snprintf(label, size, "%s", gpiod_chip_label(chip));
+}
+
 int pel_gpio_chip_find(void *chip, const char *name)
 {
     struct gpiod_line *line = gpiod_chip_find_line(chip, name);

@@ -9,7 +9,7 @@
 #include <sys/timerfd.h>
 #include <unistd.h>
 
-#include "drivers/linux_io.h"
+#include "../../drivers/linux_io.h"
 
 /* Whom epoll wakes for, after the devices. */
 enum { NOTIFY = PEL_INPUT_LINUX_DEVICES, BUTTONS, TIMER };
@@ -39,9 +39,12 @@ static void open_device(struct pel_input_linux *in, int number)
     }
     free->width = in->options.width;
     free->height = in->options.height;
-    const int error = pel_evdev_open(free, number, !in->options.no_keys,
-                                     &in->queue, &in->message);
-    if (error == EACCES || error == ENOSYS)
+    int error;
+    do
+        error = pel_evdev_open(free, number, !in->options.no_keys, &in->queue,
+                               &in->message);
+    while (error == EINTR);
+    if (error && error != ENOENT && error != ENODEV && error != ENOTSUP)
         in->note = in->message;
     else if (!error)
         watch(in, pel_evdev_descriptor(free), (int)(free - in->devices));

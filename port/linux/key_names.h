@@ -3,7 +3,7 @@
 #ifndef PEL_PORT_LINUX_KEY_NAMES_H
 #define PEL_PORT_LINUX_KEY_NAMES_H
 
-#include "drivers/input.h"
+#include "../../drivers/input.h"
 
 PEL_BEGIN_DECLS
 

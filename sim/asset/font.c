@@ -54,7 +54,15 @@ bool import_codes_legal(const char *codes)
                          codes);
 }
 
-/* Code points of --codes that the font lacks. */
+bool import_chars_legal(const char *text)
+{
+    unsigned long code = 0;
+    while (*text && code != 0xFFFD)
+        code = pel_utf8_next(&text);
+    return code != 0 && code != 0xFFFD;
+}
+
+/* Code points of --codes and --chars that the font lacks. */
 struct lacking {
     unsigned long count;
     bool single; /* one of it was named by itself */
@@ -102,35 +110,39 @@ static bool check_lacking(const struct lacking *l, const char *path)
 {
     if (l->count > 0)
         message_error_at(
-            path, 0, "lacks %lu of --codes:%s%s%s", l->count, l->list,
-            l->more ? " ..." : "",
-            l->single ? ": expected a font that has them, or --codes without"
+            path, 0, "lacks %lu of --codes and --chars:%s%s%s", l->count,
+            l->list, l->more ? " ..." : "",
+            l->single ? ": expected a font that has them, or to do without"
                       : "");
     return !l->single;
 }
 
-/* Drops the glyphs that --codes leaves out; they stay in order. */
-static bool keep_codes(struct font *font, const char *path, const char *codes)
+/* Drops the glyphs that --codes and --chars leave out; they stay in order. */
+static bool keep_codes(struct font *font, const struct import_options *o)
 {
     struct lacking lacking = {0};
     unsigned long range[2];
     size_t kept = 0;
     bool *keep = calloc(font->count, sizeof(*keep));
     if (!keep)
-        return message_error_at(path, 0, "out of memory");
-    for (const char *p = codes; next_range(&p, range); p += *p == ',')
+        return message_error_at(o->source, 0, "out of memory");
+    for (const char *p = o->codes; p && next_range(&p, range); p += *p == ',')
         keep_range(font, range, keep, &lacking);
+    for (const char *p = o->chars; p && *p;) {
+        range[0] = range[1] = pel_utf8_next(&p);
+        keep_range(font, range, keep, &lacking);
+    }
     for (size_t i = 0; i < font->count; i++)
         if (keep[i])
             font->chars[kept++] = font->chars[i];
     free(keep);
     font->count = kept;
     return (kept > 0 ||
-            message_error_at(
-                path, 0,
-                "has no glyph of --codes %s: expected code points that it has",
-                codes)) &&
-           check_lacking(&lacking, path);
+            message_error_at(o->source, 0,
+                             "has no character of %s: expected some that it "
+                             "has",
+                             o->codes ? o->codes : o->chars)) &&
+           check_lacking(&lacking, o->source);
 }
 
 static void write_glyphs(struct import_text *text,
@@ -199,9 +211,9 @@ bool import_font(const struct import_options *options)
     struct pel_font_asset asset;
     if (!font_load(&font, options->source))
         return false;
-    bool done = (!options->codes ||
-                 keep_codes(&font, options->source, options->codes)) &&
-                font_asset_make(&asset, &font, options->source);
+    bool done =
+        ((!options->codes && !options->chars) || keep_codes(&font, options)) &&
+        font_add_box(&font) && font_asset_make(&asset, &font, options->source);
     if (done) {
         done = write_file(options, &asset);
         font_asset_free(&asset);

@@ -52,11 +52,13 @@ static bool parse_format(const char *option, const char *text, void *input)
 {
     struct import_command *c = input;
     c->format = strcmp(text, IMPORT_ALPHA_FORMAT) == 0 ? &pel_argb8888
-                                                       : format_find(text);
+                : strcmp(text, "palette4") == 0 ? &import_palettes[0].format
+                : strcmp(text, "palette8") == 0 ? &import_palettes[1].format
+                                                : format_find(text);
     return c->format ||
-           message_error(
-               "--%s is '%s': expected one of %s, " IMPORT_ALPHA_FORMAT, option,
-               text, format_list());
+           message_error("--%s is '%s': expected one of %s, "
+                         "palette4, palette8, " IMPORT_ALPHA_FORMAT,
+                         option, text, format_list());
 }
 
 static bool parse_normals(const char *option, const char *text, void *input)
@@ -73,6 +75,12 @@ static bool parse_codes(const char *option, const char *text, void *input)
     return import_codes_legal(text);
 }
 
+static bool parse_chars(const char *option, const char *text, void *input)
+{
+    ((struct import_command *)input)->options.chars = text;
+    return import_chars_legal(text) || option_refuse(option, text, "UTF-8");
+}
+
 static const struct option_row output_options[] = {
     {"output", "FILE",
      "the asset: .c, with a .h beside it that declares it, or .pel2d for a "
@@ -87,8 +95,9 @@ static const struct option_row options[] = {
      OPTION_TEXT, .offset = offsetof(struct import_command, options.name)},
     {"format", "NAME",
      "pixel format of a picture (default: rgb565_le); " IMPORT_ALPHA_FORMAT
-     " keeps its alpha for pel_copy_alpha, others blend it onto --background "
-     "(default: #000000)",
+     " keeps its alpha for pel_copy_alpha, as palette4 and palette8 do with at "
+     "most 16 and 256 colours; others blend it onto --background (default: "
+     "#000000)",
      OPTION_CALL, .parse = parse_format},
     {"normals", "BITS", "8 (default) or 16", OPTION_CALL,
      .parse = parse_normals},
@@ -96,6 +105,11 @@ static const struct option_row options[] = {
      "of a font, these alone, numbers or characters: 32-126,0x20AC,\xC3\xA4; "
      "what a font lacks of them is named, and an error outside of ranges",
      OPTION_CALL, .parse = parse_codes},
+    {"chars", "TEXT",
+     "of a font, the characters of a text alone: \"\xC3\xA4 "
+     "\xC3\xA9 \xE2\x82\xAC\"; those that it lacks are an "
+     "error. With --codes, both",
+     OPTION_CALL, .parse = parse_chars},
     {.help = NULL},
 };
 
@@ -111,7 +125,7 @@ static const char about[] =
     "The colours of a mesh's asset are texels at its vertices: firmware "
     "draws what `pel render --texture nearest --mapping vertices` draws, "
     "with the same --normals 16 where there is light.\n"
-    "MESH is a file that assimp reads, or " MESH_BUILTIN
+    "MESH is a file that assimp reads, or one of " MESH_BUILTINS
     "; PICTURE is a .png, .jpg, .tga, .bmp, .ppm or .pgm file; FONT is a "
     ".bdf or .psf file. The same input gives the same bytes.";
 
@@ -126,6 +140,7 @@ static const struct use {
     {"format", IMPORT_PICTURE, "pictures"},
     {"normals", IMPORT_MESH, "C assets of meshes"},
     {"codes", IMPORT_FONT, "fonts"},
+    {"chars", IMPORT_FONT, "fonts"},
     {"texture-file", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
     {"normals-from", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
     {"shade", 0, "pel render"},
@@ -262,10 +277,10 @@ static bool import_as_picture(struct import_command *c)
 {
     struct picture picture;
     const pel_color background = c->scene.settings.camera.background;
-    if (c->format == &pel_argb8888 && background != 0)
+    if (c->format && c->format->id >= PEL_FORMAT_ARGB8888 && background != 0)
         return message_error(
             "--background is for formats without alpha; " IMPORT_ALPHA_FORMAT
-            " keeps it");
+            " and palettes keep it");
     if (!texture_load(&picture, c->scene.source.path))
         return false;
     c->options.background = background | PEL_RGB(0, 0, 0);

@@ -2,18 +2,22 @@
 #ifndef SIM_ASSET_IMPORT_H
 #define SIM_ASSET_IMPORT_H
 
-#include "core/base/format.h"
+#include "core/format/palette.h"
 #include "sim/mesh/model.h"
 
 /* The name of the format that keeps the alpha of pictures; no display has it,
  * so format_find does not find it. */
 #define IMPORT_ALPHA_FORMAT "argb8888"
 
+/* Those of palette4 and palette8; the colours are the picture's. */
+extern const struct pel_palette import_palettes[2];
+
 struct import_options {
     const char *source;   /* file, for the comment: its base name is shown */
     const char *output;   /* file or "-" */
     const char *name;     /* of the C object */
-    const char *codes;    /* of a font: code points to keep, or NULL for all */
+    const char *codes;    /* of a font: code points to keep, or NULL ... */
+    const char *chars;    /* ... and characters; without either all */
     pel_color background; /* of a picture's transparent parts, opaque */
 };
 
@@ -25,11 +29,15 @@ bool import_mesh(const struct import_options *options,
 bool import_font(const struct import_options *options);
 
 /* The picture is made opaque, with a note on standard error when it was not,
- * unless the format is pel_argb8888. */
+ * unless the format is pel_argb8888 or a palette; of a palette it may have 16
+ * or 256 colours. */
 bool import_picture(const struct import_options *options,
                     struct picture *picture, const struct pel_format *format);
 
 /* True for a legal list of --codes; false with a message. */
 bool import_codes_legal(const char *codes);
+
+/* True for one character or more of UTF-8. */
+bool import_chars_legal(const char *text);
 
 #endif

@@ -4,10 +4,28 @@
 #include "core/asset/image_asset.h"
 #include "sim/image/format_names.h"
 #include "core/format/argb8888.h"
+#include "core/format/formats.h"
 #include "sim/asset/text.h"
+#include "sim/cli/message.h"
+
+const struct pel_palette import_palettes[2] = {PEL_PALETTE(4, NULL),
+                                               PEL_PALETTE(8, NULL)};
+
+/* The colours of a picture with a palette. */
+struct table {
+    pel_color color[256];
+    size_t count;
+};
+
+static bool has_palette(const struct pel_format *format)
+{
+    return format->id > PEL_FORMAT_ARGB8888;
+}
 
 static const char *name_of(const struct pel_format *format)
 {
+    if (has_palette(format))
+        return format->bits == 4 ? "palette4" : "palette8";
     const struct format_name *entry = format_names;
     while (entry->name && entry->format != format)
         entry++;
@@ -22,6 +40,23 @@ static void write_bytes(struct import_text *text, const uint8_t *byte,
         const long value = byte[i];
         import_array_item(text, &value, 1);
     }
+}
+
+static void write_palette(struct import_text *text, const struct table *table,
+                          int bits)
+{
+    FILE *out = text->output.stream;
+    const char *name = text->options->name;
+    const struct import_array array = {"pel_color", "colors", 1u << bits, 1,
+                                       table->color};
+    text->palette = true;
+    fprintf(out, "#include <pel/format/palette.h>\n");
+    import_array(text, &array);
+    fprintf(out,
+            "\nextern const struct pel_palette %s_palette;\n"
+            "const struct pel_palette %s_palette = PEL_PALETTE(%d, "
+            "%s_colors);\n",
+            name, name, bits, name);
 }
 
 /* The union gives the bytes the alignment of a word. */
@@ -74,6 +109,31 @@ static bool blend(pel_color *color, int width, pel_color background)
     return is_opaque;
 }
 
+static bool store_indices(const struct pel_surface *surface,
+                          const struct picture *picture, const char *path,
+                          struct table *table)
+{
+    const int bits = surface->format->bits;
+    for (int y = 0; y < picture->height; y++)
+        for (int x = 0; x < picture->width; x++) {
+            const pel_color color = picture_row(picture, y)[x];
+            size_t i = 0;
+            while (i < table->count && table->color[i] != color)
+                i++;
+            if (i >> bits)
+                return message_error_at(path, 0,
+                                        "has more than %d colours: expected a "
+                                        "picture with fewer, or another "
+                                        "--format than palette%d",
+                                        1 << bits, bits);
+            if (i == table->count)
+                table->color[table->count++] = color;
+            pel_surface_line(surface, y)[x * bits / 8] |=
+                (uint8_t)(bits == 4 && x % 2 == 0 ? i << 4 : i);
+        }
+    return true;
+}
+
 static void store(const struct pel_surface *surface,
                   const struct picture *picture,
                   const struct import_options *options)
@@ -102,11 +162,23 @@ bool import_picture(const struct import_options *options,
 {
     struct canvas canvas;
     struct import_text text;
-    if (!canvas_init(&canvas, format, picture->width, picture->height))
+    struct table table = {.count = 0};
+    bool done = true;
+    if (!canvas_init(&canvas,
+                     !has_palette(format) ? format
+                     : format->bits == 4  ? &pel_gray4
+                                          : &pel_gray8,
+                     picture->width, picture->height))
         return false;
-    store(&canvas.surface, picture, options);
-    bool done = import_text_open(&text, options, "image");
+    canvas.surface.format = format; /* in memory an index is as a grey */
+    if (has_palette(format))
+        done = store_indices(&canvas.surface, picture, options->source, &table);
+    else
+        store(&canvas.surface, picture, options);
+    done = done && import_text_open(&text, options, "image");
     if (done) {
+        if (has_palette(format))
+            write_palette(&text, &table, format->bits);
         write_asset(&text, options, &canvas.surface);
         done = import_text_commit(&text);
     }

@@ -29,8 +29,10 @@ static void print_origin(FILE *out, const struct import_options *options)
 
 static void print_declaration(FILE *out, const struct import_text *text)
 {
-    fprintf(out, "extern const struct pel_%s_asset %s;\n", text->kind,
-            text->options->name);
+    const char *name = text->options->name;
+    fprintf(out, "extern const struct pel_%s_asset %s;\n", text->kind, name);
+    if (text->palette)
+        fprintf(out, "extern const struct pel_palette %s_palette;\n", name);
 }
 
 const char *import_name(const char *output, char name[IMPORT_NAME])
@@ -71,6 +73,7 @@ bool import_text_open(struct import_text *text,
 {
     text->options = options;
     text->kind = kind;
+    text->palette = false;
     if (!output_open(&text->output, options->output))
         return false;
     print_origin(text->output.stream, options);

@@ -12,6 +12,7 @@ struct import_text {
     struct output output;
     const struct import_options *options;
     const char *kind; /* "image": struct pel_image_asset */
+    bool palette;     /* of an image: struct pel_palette, NAME_palette */
     int column;       /* of the line that is being written */
 };
 

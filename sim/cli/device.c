@@ -10,8 +10,10 @@
 const struct option_row device_option_table[] = {
     {"device", "NAME",
      "show the picture until a key is pressed: fb:/dev/fb0 (with ,direct "
-     ",shadow or ,pages after it), drm:/dev/dri/card0, or auto: what "
-     "FRAMEBUFFER names, else /dev/fb0, else DRM",
+     ",shadow or ,pages after it), drm:/dev/dri/card0, "
+     "panel:st7789,spi=/dev/spidev0.0,dc=GPIO25,reset=GPIO27 and so on "
+     "(docs/linux.md), or auto: what FRAMEBUFFER names, else /dev/fb0, else "
+     "DRM",
      OPTION_TEXT, .offset = offsetof(struct device_options, name)},
     {"jobs", "N",
      "threads that draw bands side by side (0: one for each processor)",
@@ -91,20 +93,25 @@ static bool save(const struct device_options *o,
 }
 
 /* The part of the picture that the screen holds, as a canvas with the picture's
- * coordinates: its pixel (0, 0) lies at (left, top) of the screen. Formats of
- * devices have whole bytes. */
+ * coordinates: its pixel (0, 0) lies at (left, top) of the screen, where a byte
+ * of its memory begins. */
 static struct canvas place(const struct pel_surface *screen,
                            const struct device_picture *picture)
 {
     struct canvas canvas = {.surface = *screen};
+    const struct pel_format *format = screen->format;
+    const int32_t pixels = format->bits < 8 ? 8 / format->bits : 1;
+    const bool pages = format->id == PEL_FORMAT_MONO1_PAGES;
     struct pel_rect whole = {0, 0, picture->width, picture->height};
-    const int32_t left = (screen->bounds.x1 - picture->width) / 2;
-    const int32_t top = (screen->bounds.y1 - picture->height) / 2;
+    const int32_t left = (screen->bounds.x1 - picture->width) / 2 & -pixels;
+    const int32_t top = (screen->bounds.y1 - picture->height) / 2 & -pixels;
     const struct pel_rect visible = {-left, -top, screen->bounds.x1 - left,
                                      screen->bounds.y1 - top};
     const struct pel_rect shown = pel_rect_intersect(&whole, &visible);
-    canvas.surface.pixels = pel_surface_line(screen, shown.y0 + top) +
-                            (shown.x0 + left) * screen->format->bits / 8;
+    const int32_t x = shown.x0 + left, y = shown.y0 + top;
+    canvas.surface.pixels = (uint8_t *)screen->pixels +
+                            (pages ? y / 8 * screen->stride + x
+                                   : y * screen->stride + x * format->bits / 8);
     canvas.surface.bounds = canvas.surface.clip = shown;
     return canvas;
 }

@@ -32,6 +32,18 @@
 #define WITH_LIBDRM false
 #endif
 
+#ifdef HAVE_LIBEVDEV
+#define WITH_LIBEVDEV true
+#else
+#define WITH_LIBEVDEV false
+#endif
+
+#ifdef HAVE_LIBGPIOD
+#define WITH_LIBGPIOD true
+#else
+#define WITH_LIBGPIOD false
+#endif
+
 #ifdef HAVE_PKG_CONFIG
 #define WITH_PKG_CONFIG true
 #else
@@ -47,5 +59,8 @@ const struct library libraries[] = {
      WITH_SDL2_IMAGE},
     {"libpng", "libpng-dev", "writes PNG in place of BMP", WITH_LIBPNG},
     {"libdrm", "libdrm-dev", "shows scenes on DRM devices", WITH_LIBDRM},
+    {"libevdev", "libevdev-dev", "reads keyboards, mice, touch screens",
+     WITH_LIBEVDEV},
+    {"libgpiod", "libgpiod-dev", "reads buttons at GPIO lines", WITH_LIBGPIOD},
     {NULL, NULL, NULL, false},
 };

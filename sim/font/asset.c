@@ -26,7 +26,7 @@ static int by_bits(const void *a, const void *b)
     return order ? order : (x->glyph > y->glyph) - (x->glyph < y->glyph);
 }
 
-/* Rows one behind the other, equal ones once; how many bytes they are. */
+/* Stores rows one behind the other, equal ones once; returns their bytes. */
 static size_t place_rows(const struct arrays *to, const struct rows *rows,
                          size_t count)
 {
@@ -83,6 +83,31 @@ static uint16_t missing_of(const struct font *font)
             if ((long)font->chars[i].code == code[k])
                 return (uint16_t)i;
     return PEL_FONT_NONE;
+}
+
+/* As high as the font above its baseline, and as wide as its widest glyph, less
+ * a gap; the last code point of all, so that the order stays. */
+bool font_add_box(struct font *font)
+{
+    static uint8_t rows[FONT_SIZE_MAX][(FONT_SIZE_MAX + 7) / 8];
+    struct font_char box = {.code = FONT_CODE_MAX, .width = 3};
+    if (missing_of(font) != PEL_FONT_NONE)
+        return true;
+    for (size_t i = 0; i < font->count; i++)
+        if (font->chars[i].advance - 1 > box.width)
+            box.width = font->chars[i].advance - 1;
+    box.advance = box.width + 1;
+    box.top = box.height = font->ascent > 3 ? font->ascent : 3;
+    for (int y = 0; y < box.height; y++)
+        for (int x = 0; x < box.width; x++) {
+            const int bit = 0x80 >> x % 8;
+            const bool edge =
+                x == 0 || x == box.width - 1 || y == 0 || y == box.height - 1;
+            rows[y][x / 8] =
+                (uint8_t)(edge ? rows[y][x / 8] | bit : rows[y][x / 8] & ~bit);
+        }
+    font->missing = FONT_CODE_MAX;
+    return font_add(font, &box, rows[0], sizeof(rows[0]));
 }
 
 bool font_asset_make(struct pel_font_asset *asset, const struct font *font,

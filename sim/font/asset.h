@@ -12,6 +12,14 @@
 bool font_asset_make(struct pel_font_asset *asset, const struct font *font,
                      const char *path);
 
+/* Gives a font without a glyph for what it lacks (missing, U+FFFD or `?`) a box
+ * for that. False when memory is short. */
+bool font_add_box(struct font *font);
+
+/* The font of pel's own texts, 6x13, Latin-1. False, with a message, when
+ * memory is short. */
+bool font_asset_builtin(struct pel_font_asset *asset);
+
 void font_asset_free(struct pel_font_asset *asset);
 
 #endif

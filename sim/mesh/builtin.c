@@ -1,14 +1,20 @@
-/* The built-in mesh: a vase, a profile turned around the y axis. Its colours
- * are its glaze: bands of blue and white over terracotta. */
+/* The built-in meshes: a vase, a profile turned around the y axis, fine and
+ * coarse. Its colours are its glaze: bands of blue and white over terracotta.
+ */
 #include "sim/mesh/mesh.h"
 
 #include <math.h>
+#include <string.h>
+
+#include "sim/cli/message.h"
 
 #define TURN 6.283185307179586
 
-/* Around; the vertices of a ring, the first one again at the other end of the
- * texture; per piece of the profile. */
-enum { SIDES = 48, COLUMNS = SIDES + 1, STEPS = 8 };
+/* How fine a vase is: quads around, and per piece of the profile. */
+static const struct vase {
+    const char *name;
+    int sides, steps;
+} vases[] = {{"vase", 48, 8}, {"vase-small", 10, 1}};
 
 /* Radius and height where the pieces of the profile meet: outside from the
  * middle of the foot to the rim, then inside down to the neck. */
@@ -18,10 +24,7 @@ static const double profile[][2] = {
     {0.40, 1.84}, {0.34, 1.83}, {0.12, 1.60}, {0, 1.52},
 };
 
-enum {
-    PIECES = sizeof(profile) / sizeof(profile[0]) - 1,
-    RINGS = PIECES * STEPS + 1
-};
+enum { PIECES = sizeof(profile) / sizeof(profile[0]) - 1 };
 
 /* Catmull-Rom through the points, so that the pieces join smoothly. */
 static double spline(int piece, double t, int axis)
@@ -36,9 +39,9 @@ static double spline(int piece, double t, int axis)
                 t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
 }
 
-static pel_color glaze(int ring, double height)
+static pel_color glaze(int piece, double height)
 {
-    if (ring > RINGS * 9 / PIECES)
+    if (piece >= 9)
         return PEL_RGB(150, 84, 52);
     if ((height > 0.55 && height < 0.66) || (height > 0.92 && height < 1.03))
         return PEL_RGB(240, 236, 224);
@@ -46,45 +49,60 @@ static pel_color glaze(int ring, double height)
                                         : PEL_RGB(196, 110, 68);
 }
 
-static void set_ring(struct mesh *mesh, int ring)
+/* A ring has its first vertex again at the other end of the texture. */
+static void set_ring(struct mesh *mesh, const struct vase *vase, int ring)
 {
-    int piece = ring / STEPS < PIECES ? ring / STEPS : PIECES - 1;
-    double t = (double)(ring - piece * STEPS) / STEPS;
-    double radius = fmax(spline(piece, t, 0), 0);
-    double height = fmax(spline(piece, t, 1), 0);
-    for (int side = 0; side < COLUMNS; side++) {
-        struct mesh_vertex *v = &mesh->vertex[ring * COLUMNS + side];
-        double angle = TURN * (side % SIDES) / SIDES;
+    const int steps = vase->steps, columns = vase->sides + 1;
+    const int piece = ring / steps < PIECES ? ring / steps : PIECES - 1;
+    const double t = (double)(ring - piece * steps) / steps;
+    const double radius = fmax(spline(piece, t, 0), 0);
+    const double height = fmax(spline(piece, t, 1), 0);
+    for (int side = 0; side < columns; side++) {
+        struct mesh_vertex *v = &mesh->vertex[ring * columns + side];
+        const double angle = TURN * (side % vase->sides) / vase->sides;
         v->position[0] = radius * sin(angle);
         v->position[1] = height;
         v->position[2] = radius * cos(angle);
-        v->uv[0] = (double)side / SIDES;
-        v->uv[1] = 1 - (double)ring / (RINGS - 1);
-        v->color = glaze(ring, height);
+        v->uv[0] = (double)side / vase->sides;
+        v->uv[1] = 1 - (double)ring / (PIECES * steps);
+        v->color = glaze((ring - 1) / steps, height);
     }
 }
 
 /* Two triangles, counter-clockwise from outside. */
-static void set_quad(struct mesh *mesh, int ring, int side)
+static void set_quad(struct mesh *mesh, int sides, int ring, int side)
 {
-    uint32_t(*to)[3] = &mesh->triangle[2 * (ring * SIDES + side)];
-    uint32_t a = (uint32_t)(ring * COLUMNS + side);
-    uint32_t b = a + 1, c = a + COLUMNS, d = b + COLUMNS;
+    uint32_t(*to)[3] = &mesh->triangle[2 * (ring * sides + side)];
+    uint32_t a = (uint32_t)(ring * (sides + 1) + side);
+    uint32_t b = a + 1, c = b + (uint32_t)sides, d = c + 1;
     to[0][0] = to[1][0] = a;
     to[0][1] = b;
     to[0][2] = to[1][1] = d;
     to[1][2] = c;
 }
 
-bool mesh_load_builtin(struct mesh *mesh)
+static bool make(struct mesh *mesh, const struct vase *vase)
 {
-    if (!mesh_init(mesh, RINGS * COLUMNS, 2 * (RINGS - 1) * SIDES))
+    const int quads = PIECES * vase->steps;
+    if (!mesh_init(mesh, (uint32_t)((quads + 1) * (vase->sides + 1)),
+                   (uint32_t)(2 * quads * vase->sides)))
         return false;
-    for (int ring = 0; ring < RINGS; ring++)
-        set_ring(mesh, ring);
-    for (int ring = 0; ring < RINGS - 1; ring++)
-        for (int side = 0; side < SIDES; side++)
-            set_quad(mesh, ring, side);
+    for (int ring = 0; ring <= quads; ring++)
+        set_ring(mesh, vase, ring);
+    for (int ring = 0; ring < quads; ring++)
+        for (int side = 0; side < vase->sides; side++)
+            set_quad(mesh, vase->sides, ring, side);
     mesh->has_uv = true;
     return true;
+}
+
+bool mesh_load_builtin(struct mesh *mesh, const char *path)
+{
+    const char *name = path + sizeof(MESH_BUILTIN_PREFIX) - 1;
+    for (size_t i = 0; i < sizeof(vases) / sizeof(*vases); i++)
+        if (strcmp(name, vases[i].name) == 0)
+            return make(mesh, &vases[i]);
+    return message_error_at(path, 0,
+                            "no mesh that is built in: expected " MESH_BUILTINS
+                            ", or a file");
 }

@@ -123,19 +123,13 @@ static bool get_mesh(struct mesh *mesh, FILE *in)
 
 static bool load(struct mesh *mesh, const char *path)
 {
-    if (!mesh_is_builtin(path)) {
-        FILE *in = child_run(path, put_mesh, path);
-        const bool done = in && get_mesh(mesh, in);
-        if (in)
-            fclose(in);
-        return done;
-    }
-    return strcmp(path, MESH_BUILTIN) == 0
-               ? mesh_load_builtin(mesh)
-               : message_error_at(
-                     path, 0,
-                     "no mesh that is built in: expected " MESH_BUILTIN
-                     ", or a file");
+    if (mesh_is_builtin(path))
+        return mesh_load_builtin(mesh, path);
+    FILE *in = child_run(path, put_mesh, path);
+    const bool done = in && get_mesh(mesh, in);
+    if (in)
+        fclose(in);
+    return done;
 }
 
 bool mesh_load(struct mesh *mesh, const char *path)

@@ -241,7 +241,7 @@ int command_render(int argc, char **argv)
         .most = 1,
         .about = "Draws a mesh.\v"
                  "MESH is a file that assimp reads, a pel2d file (- is one on "
-                 "standard input), or " MESH_BUILTIN
+                 "standard input), or one of " MESH_BUILTINS
                  ". The picture goes to standard output without -o.",
         .tables = {{output_option_table, &o.output, NULL},
                    {options, &o, NULL},

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/format/formats.h"
+#include "core/image/glyph_text.h"
 #include "core/outline/outline.h"
 #include "core/raster/line.h"
 #include "core/raster/rectangle.h"
@@ -92,6 +93,22 @@ void inspect_bands(const struct pel_surface *surface,
                                       pel_min(y + height, picture->y1)};
         pel_box(surface, &band, &tint.paint);
     }
+}
+
+void inspect_text(const struct pel_surface *surface,
+                  const struct pel_font_asset *font, const char *text,
+                  bool below)
+{
+    enum { MARGIN = 4 };
+    static const struct pel_flat ink = PEL_FLAT(PEL_RGB(255, 255, 255));
+    static const struct pel_flat dark = PEL_FLAT(PEL_RGBA(0, 0, 0, 176));
+    const struct pel_text_size size = pel_text_measure(font, text);
+    const int32_t x = surface->clip.x0, height = size.height + 2 * MARGIN;
+    const int32_t y = below ? surface->clip.y1 - height : surface->clip.y0;
+    const struct pel_rect box = {x, y, x + size.width + 2 * MARGIN, y + height};
+    const struct pel_text_block block = {font, text, x + MARGIN, y + MARGIN};
+    pel_box(surface, &box, &dark.paint);
+    pel_text(surface, &block, &ink.paint);
 }
 
 enum { ZOOM = 16, PIXELS = 17 }; /* of a pixel; each way */

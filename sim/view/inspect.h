@@ -2,6 +2,7 @@
 #ifndef SIM_VIEW_INSPECT_H
 #define SIM_VIEW_INSPECT_H
 
+#include "core/asset/font_asset.h"
 #include "sim/script/script.h"
 
 struct inspect {
@@ -29,6 +30,12 @@ void inspect_bands(const struct pel_surface *surface,
 /* A box around pixels of the picture. */
 void inspect_box(const struct pel_surface *surface, const struct pel_rect *box,
                  pel_color color);
+
+/* Lines of text on a dark box, in a corner of the surface's clip: the upper
+ * left one, or the lower. */
+void inspect_text(const struct pel_surface *surface,
+                  const struct pel_font_asset *font, const char *text,
+                  bool below);
 
 /* Pixels around (x, y) of the picture, each 16 pixels wide, with the shapes of
  * the script as their corners are, and the centres of pixels; in the corner of

@@ -10,6 +10,7 @@
 #include "core/raster/rectangle.h"
 #include "sim/cli/list.h"
 #include "sim/cli/message.h"
+#include "sim/font/asset.h"
 #include "sim/cli/milliseconds.h"
 #include "sim/script/commands.h"
 
@@ -201,6 +202,25 @@ static void show_picture(const struct sheet *s,
     pel_box(surface, &at, &paint.base.paint);
 }
 
+static void show_numbers(const struct sheet *s,
+                         const struct pel_surface *surface)
+{
+    char text[200];
+    int32_t pixels = 0;
+    for (int i = 0; i < s->areas.count; i++) {
+        const struct pel_rect *a = &s->areas.area[i];
+        pixels += (a->x1 - a->x0) * (a->y1 - a->y0);
+    }
+    snprintf(text, sizeof text,
+             "%.1f ms, %d pixels and %d bytes in %d areas, %s\n"
+             "%.1f ms with the window, %d late",
+             s->milliseconds, (int)pixels,
+             (int)(pixels * s->script.format->bits / 8), (int)s->areas.count,
+             inspect_formats[s->inspect.format].name, s->show.draw_time,
+             s->show.late);
+    inspect_text(surface, &s->font, text, true);
+}
+
 static void show_overlays(const struct sheet *s,
                           const struct pel_surface *surface)
 {
@@ -216,6 +236,10 @@ static void show_overlays(const struct sheet *s,
     }
     if (show->bands)
         inspect_bands(surface, &at, BAND_ROWS, s->zoom);
+    if (show->numbers)
+        show_numbers(s, surface);
+    if (show->help)
+        inspect_text(surface, &s->font, SHEET_KEYS_HELP, false);
     if (show->magnifier && sheet_pixel(s, &x, &y))
         inspect_magnifier(surface, &s->canvas.surface, &s->script, x, y);
 }
@@ -302,6 +326,8 @@ bool sheet_init(struct sheet *s, const char *path)
     } else {
         s->shapes = FIGURES;
     }
+    if (!font_asset_builtin(&s->font))
+        return false;
     s->style = malloc(((size_t)s->shapes + 1) * sizeof *s->style);
     s->drawn_style = malloc(((size_t)s->shapes + 1) * sizeof *s->style);
     if (!s->style || !s->drawn_style)
@@ -321,6 +347,7 @@ void sheet_free(struct sheet *s)
     free(s->line);
     free(s->style);
     free(s->drawn_style);
+    font_asset_free(&s->font);
     script_free(&s->base);
     script_free(&s->script);
     canvas_free(&s->canvas);

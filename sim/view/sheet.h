@@ -26,8 +26,9 @@ struct sheet {
     struct script script;   /* as it is shown */
     struct canvas canvas;   /* the picture */
     struct inspect inspect;
-    bool stale;                /* the picture is not as it should be */
-    struct style *drawn_style; /* and where they were when it was drawn */
+    struct pel_font_asset font; /* of help and numbers */
+    bool stale;                 /* the picture is not as it should be */
+    struct style *drawn_style;  /* and where they were when it was drawn */
     struct figures drawn;
     bool whole; /* the next picture is drawn whole: not areas alone */
     struct pel_dirty_areas

@@ -62,7 +62,7 @@ static const struct option_row options[] = {
 static const char about[] =
     "Shows a mesh, a scene script or figures, and takes keys, mouse, touch and "
     "buttons.\v"
-    "MESH is a file that assimp reads, or " MESH_BUILTIN
+    "MESH is a file that assimp reads, or one of " MESH_BUILTINS
     " (when left out); SCRIPT.pel is a scene script, whose shapes can be "
     "picked and painted; figures are built in. The size is that of the screen "
     "on a device, 800x800 in a window, unless --size names one; --jobs is 0 "

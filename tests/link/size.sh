@@ -5,7 +5,8 @@
 # program of tests/link, linked. A program's text and data are without start-up
 # code, its bss holds its own pixels; its stack is that of the deepest call from
 # main, by the call graph, and beside it what was used when the program ran on a
-# board. Of CPUs other than Cortex-M what was used stands for both.
+# board. Of CPUs other than Cortex-M what was used stands for both. The text of
+# panel_CHIP is what the program has of drivers/.
 set -eu
 build=$1
 here=$(dirname "$0")
@@ -56,7 +57,22 @@ stack_deepest() {
         -v pointers="$here/pointers.txt"
 }
 
+# What a linked program has of drivers/, by the linker's map.
+driver_text() {
+    sum=0
+    for bytes in $(awk '/^Linker script and memory map/ { linked = 1 }
+        /^ \.[^ ]+/ { section = $1 }
+        linked && section ~ /^\.(text|rodata)/ && /libdrivers\.a\(/ {
+            print $(NF - 1)
+        }' "$1.map"); do
+        sum=$((sum + bytes))
+    done
+    echo $sum
+}
+
 program_row() {
+    text=
+    case $2 in */panel_*) text=$(driver_text "$2") ;; esac
     used=$(stack_used "$1" "$2")
     [ -n "$used" ] || fail "$2 failed on $(board "$1")"
     deepest="$used 0"
@@ -67,9 +83,9 @@ program_row() {
         fail "$2 used $used bytes of stack, its call graph has only $deepest"
     "$tools-size" -A "$2" | awk -v cpu="$1" \
         -v name="$(basename "$2" .elf)" -v stack=$((deepest - own)) \
-        -v used=$((used - own)) 'BEGIN { OFS = "\t" }
+        -v used=$((used - own)) -v text="$text" 'BEGIN { OFS = "\t" }
         { size[$1] = $2 }
-        END { print cpu, name, size[".text"] + 0, size[".data"] + 0,
+        END { print cpu, name, text == "" ? size[".text"] + 0 : text, size[".data"] + 0,
                     size[".bss"] + 0, stack, used }'
 }
 

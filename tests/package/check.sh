@@ -44,7 +44,7 @@ nm -D --defined-only "$library" | grep -v ' pel_' && fail "names not of pel"
 "$prefix/bin/pel" --help | grep -q '^Usage: pel' || fail "bin/pel"
 for page in man1/pel.1 man3/pel.3; do
     page=$prefix/share/man/$page
-    { grep '^\.SH NAME' "$page" && groff -man -ww -z "$page" 2>&1; } |
+    { grep '^\.SH NAME' "$page" && groff -K utf8 -T utf8 -man -ww -z "$page" 2>&1; } |
         sed 1d | grep . && fail "$page: see above"
     grep -q "pel $version" "$page" || fail "$page: no version"
 done
@@ -85,6 +85,13 @@ $CC -I"$one" -DPEL_WITH_PAINT=0 -fsyntax-only "$one/pel.c" 2>/dev/null &&
 g++ -std=c++11 -Wall -Wextra -Wpedantic -Wold-style-cast -Werror -I"$one" \
     "$here/sketch.cpp" "$work/pel.o" -no-pie -o "$work/sketch" && "$work/sketch" ||
     fail "a sketch in C++"
+
+# drivers and examples beside the one source
+for file in drivers/*.c examples/board.c; do
+    case $file in *linux*) ;; *)
+        $CC -std=c99 $WARNINGS -I"$one" -fsyntax-only "$file" || fail "$file" ;;
+    esac
+done
 
 # PlatformIO: the folder of sources is that of the headers
 cmake -D VERSION="$version" -P "$here/library_json.cmake" || fail "library.json"

@@ -2,6 +2,7 @@
  */
 #include "core/paint/paint_dither.h"
 #include "core/paint/paint_linear.h"
+#include "core/paint/paint_texture.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/shapes.h"
@@ -198,9 +199,17 @@ static void test_any_source(void)
     const struct pel_point v[3] = {PEL_AT(-200, -100), PEL_AT(300, -100),
                                    PEL_AT(30, 400)};
     const pel_color c[3] = {0xFFFF0000, 0xFF00FF80, 0xFF0020FF};
+    static const struct pel_texture_map map = PEL_TEXTURE_AT(3, -2);
+    static const struct pel_rect b = {0, 0, 32, 20};
+    static struct canvas picture;
+    const struct pel_texels texels = {.surface = &picture.surface};
+    struct pel_texture texture;
     struct pel_gouraud gouraud;
     pel_gouraud_init(&gouraud, v, c);
     for (int i = 0; i < LAYOUT_COUNT; i++) {
+        canvas_open(&picture, layouts[i].format, &b, 0);
+        pel_texture_init_nearest(&texture, &texels, &map);
+        check_source(&layouts[i], &texture.base.paint);
         check_source(&layouts[i], &half);
         check_source(&layouts[i], &gouraud.paint);
     }
@@ -247,6 +256,62 @@ static void test_sources_surface(void)
                             dithered_color(canvas.layout, 0xFF4080C0, x, y)));
 }
 
+/* A format of one's own: grey of any depth in 16 bits. */
+static struct pel_dithering own_dithering;
+
+static uint32_t own_pack(pel_color c)
+{
+    return pel_gray(c) >> (8 - own_dithering.depth[0]);
+}
+
+static void own_put(const struct pel_surface *s, int32_t x, int32_t y,
+                    int32_t n, const pel_color *colors)
+{
+    uint16_t *row = (uint16_t *)(void *)pel_surface_line(s, y);
+    for (int32_t i = 0; i < n; i++)
+        row[x + i] = (uint16_t)own_pack(colors[i]);
+}
+
+/* What a level shows: its bits again and again. */
+static uint32_t own_value(uint32_t level, uint32_t bits)
+{
+    uint64_t all = 0;
+    for (uint32_t have = 0; have < 16; have += bits)
+        all = all << bits | level;
+    return (uint32_t)(all >> ((16 + bits - 1) / bits * bits - 8)) & 255;
+}
+
+/* Every channel at every place, where levels are from 255 to 2 apart. */
+static void test_every_depth(void)
+{
+    static const struct pel_rect b = {0, 0, 20, 8};
+    struct pel_format own = pel_rgb565_le;
+    uint16_t pixels[8][20];
+    struct pel_surface s;
+    own.id = 200;
+    own.pack = own_pack;
+    own.put = own_put;
+    own.dithering = &own_dithering;
+    assert_int_equal(pel_surface_init(&s, &own, pixels, sizeof pixels, &b),
+                     PEL_OK);
+    for (uint32_t bits = 1; bits <= 7; bits++)
+        for (uint32_t c = 0, level = 0; c < 256; c++) {
+            const struct pel_flat flat = PEL_FLAT(PEL_RGB(c, c, c));
+            struct pel_dither d;
+            own_dithering.depth[0] = (uint8_t)bits;
+            pel_dither_init(&d, &flat.paint);
+            pel_rectangle(&s, origin, far_end, &d.paint);
+            level += c == own_value(level + 1, bits);
+            const uint32_t low = own_value(level, bits);
+            const uint32_t step = own_value(level + 1, bits) - low;
+            for (int32_t y = 0; y < 8; y++)
+                for (int32_t x = 0; x < 20; x++)
+                    assert_int_equal(pixels[y][x],
+                                     level + ((c - low) * 128 >
+                                              (2 * bayer(x, y) + 1) * step));
+        }
+}
+
 /* Refused, and where a source became a dither later nothing is drawn. */
 static void test_dither_of_dither(void)
 {
@@ -269,6 +334,6 @@ static void test_dither_of_dither(void)
 int main(void)
 {
     return RUN_TESTS(test_flat, test_mean, test_gradient_in_bands,
-                     test_any_source, test_sources_surface,
+                     test_any_source, test_sources_surface, test_every_depth,
                      test_dither_of_dither);
 }

@@ -7,6 +7,7 @@
 #include "core/pel.h"
 
 extern const struct pel_image_asset asset;
+extern const struct pel_palette asset_palette; /* of some */
 
 static int refuses(const struct pel_image_asset *image,
                    const struct pel_format *format, enum pel_status expected)

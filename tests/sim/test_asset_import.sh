@@ -144,7 +144,20 @@ same_as mono1_pages mono1
 "$PEL" compare --tolerance 16 "$dir/gray4.ppm" "$dir/gray8.ppm" >/dev/null ||
     fail "gray4 is more than a step away from gray8"
 
-# Alpha: kept by argb8888, blended by the others, which say so. The pixels are
+# Palettes, of whose colours there are not too many.
+for picture in palette8:picture palette4:gray4; do
+    format=${picture%:*}
+    same $format "$dir/${picture#*:}.ppm" --format $format
+    $CC -std=c99 $WARNINGS -DFORMAT=asset_palette.format -I. $INCLUDE \
+        tests/sim/import_show.c "$dir/$format.o" "$LIBPEL" -o "$dir/show"
+    "$dir/show" >"$dir/$format.ppm" || fail "$format: the asset is refused"
+    same_as $format ${picture#*:}
+done
+"$PEL" import sim/scenes/face.ppm --format palette4 -o "$dir/face.c"
+grep -qx 'extern const struct pel_palette face_palette;' "$dir/face.h" ||
+    fail "no palette in $(cat "$dir/face.h")"
+
+# Alpha: kept by argb8888 and palettes, blended by the others, which say so. The pixels are
 # opaque green, half red, and blue that is not there; a .tga has no checksum.
 printf '\0\0\2\0\0\0\0\0\0\0\0\0\3\0\1\0\40\50' >"$dir/alpha.tga"
 printf '\0\377\0\377\0\0\377\200\377\0\0\0' >>"$dir/alpha.tga"
@@ -163,6 +176,7 @@ if "$PEL" import "$dir/alpha.tga" -o "$dir/alpha.c" 2>"$dir/message"; then
         fail "blended without a word"
     alpha "0, 255, 0, 32, 16, 136, 64, 32, 16" --format rgb888 \
         --background '#102040'
+    alpha "4278255360, 2164195328, 255" --format palette8
     same argb8888 "$dir/alpha.tga" --format argb8888
     $CC -std=c99 $WARNINGS -DFORMAT=pel_argb8888 -I. $INCLUDE tests/sim/import_show.c \
         "$dir/argb8888.o" "$LIBPEL" -o "$dir/show"
@@ -176,7 +190,7 @@ fi
 # included; one that somebody else wrote stays.
 "$PEL" import "$dir/square.ply" -o "$dir/square.c"
 "$PEL" import "$dir/picture.ppm" -o "$dir/picture.c"
-"$PEL" import sim/scenes/letters.bdf --name my_letters -o "$dir/letters.c"
+"$PEL" import sim/scenes/fixed_6x13.bdf --name my_letters -o "$dir/letters.c"
 cat >"$dir/use.c" <<'EOF'
 #include "letters.h"
 #include "picture.h"
@@ -202,7 +216,7 @@ if command -v c++ >/dev/null; then
     "$dir/use" || fail "an asset of a header is refused in C++"
 fi
 echo "/* mine */" >"$dir/letters.h"
-"$PEL" import sim/scenes/letters.bdf -o "$dir/letters.c" 2>"$dir/message"
+"$PEL" import sim/scenes/fixed_6x13.bdf -o "$dir/letters.c" 2>"$dir/message"
 grep -qF 'letters.h: was not made by pel import and stays as it is; it should say: extern const struct pel_font_asset letters;' \
     "$dir/message" || fail "somebody's header: $(cat "$dir/message")"
 [ "$(cat "$dir/letters.h")" = "/* mine */" ] || fail "a header is lost"
@@ -242,6 +256,8 @@ refuse "expected 8 or 16" builtin:vase --normals 12 -o "$dir/x.c"
 
 # An option that means nothing for what is made is refused by name.
 refuse "--format is for pictures" builtin:vase --format rgb888 -o "$dir/x.c"
+refuse "picture.ppm: has more than 16 colours: expected a picture with fewer" \
+    "$dir/picture.ppm" --format palette4 -o "$dir/x.c"
 refuse "--background is for pictures" builtin:vase --background '#123456' -o "$dir/x.c"
 refuse "--background is for formats without alpha" "$dir/picture.ppm" \
     --background '#123456' --format argb8888 -o "$dir/x.c"
@@ -250,16 +266,16 @@ for option in "--eye 1,2,3" "--light 1,2,3:1,1,1" "--size 5x5" "--color #123456"
     refuse "${option%% *} is for an output .pel2d" "$dir/picture.ppm" $option -o "$dir/x.c"
 done
 for option in "--shade phong" "--cull back" "--mapping affine"; do
-    for kind in builtin:vase "$dir/picture.ppm" sim/scenes/letters.bdf; do
+    for kind in builtin:vase "$dir/picture.ppm" sim/scenes/fixed_6x13.bdf; do
         refuse "${option%% *} is for pel render" $kind $option -o "$dir/x.c"
     done
     refuse "${option%% *} is for pel render" builtin:vase $option -o "$dir/x.pel2d"
 done
 refuse "--normals is for C assets of meshes" "$dir/picture.ppm" --normals 16 -o "$dir/x.c"
 refuse "--codes is for fonts" builtin:vase --codes 32 -o "$dir/x.c"
-refuse "--texture-file is for meshes" sim/scenes/letters.bdf --texture-file a.ppm -o "$dir/x.c"
+refuse "--texture-file is for meshes" sim/scenes/fixed_6x13.bdf --texture-file a.ppm -o "$dir/x.c"
 refuse "--name is for C assets" builtin:vase --name x -o "$dir/x.pel2d"
-refuse "expected builtin:vase, or a file" builtin:cube -o "$dir/x.c"
+refuse "expected builtin:vase, builtin:vase-small, or a file" builtin:cube -o "$dir/x.c"
 refuse "no mesh that can be read" "$dir/message" -o "$dir/x.c"
 sed 's/^3 0 1 2/3 0 1 4/' "$dir/square.ply" >"$dir/bad.ply"
 refuse "face 0 of part 0 names vertex 4; the part has 4" "$dir/bad.ply" -o "$dir/x.c"

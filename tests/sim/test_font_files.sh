@@ -112,13 +112,41 @@ P2
 EOF
 "$PEL" import "$dir/hand.bdf" --codes a,?-? --name asset -o "$dir/chars.c"
 cmp "$dir/few.c" "$dir/chars.c" || fail "characters in --codes"
-refused 'no glyph of --codes 200-300' "$dir/hand.bdf" --codes 200-300
+"$PEL" import "$dir/hand.bdf" --chars 'a?a' --name asset -o "$dir/chars.c"
+cmp "$dir/few.c" "$dir/chars.c" || fail "--chars"
+refused 'lacks 1 of --codes and --chars: U+20AC: expected' "$dir/hand.bdf" --chars 'a€'
+for chars in '' "$(printf 'a\303')"; do
+    refused "--chars is '$chars': expected UTF-8" "$dir/hand.bdf" --chars "$chars"
+done
+
+# A box stands for what is missing where the font has no glyph for that.
+font box sim/scenes/fixed_6x13.bdf --chars 'i'
+shows box 'xi' <<'EOF'
+P2
+12 13
+1
+111110000000
+100010000000
+100010000000
+100010001000
+100010000000
+100010011000
+100010001000
+100010001000
+100010001000
+100010001000
+111110011100
+000000000000
+000000000000
+EOF
+refused 'no character of 200-300' "$dir/hand.bdf" --codes 200-300
+refused 'no character of é' "$dir/hand.bdf" --chars é
 
 # What the font lacks is named: an error, or a note where a range has gaps.
-refused 'lacks 2 of --codes: U+00E4 U+0062:' "$dir/hand.bdf" --codes ä,a,b
+refused 'lacks 2 of --codes and --chars: U+00E4 U+0062:' "$dir/hand.bdf" --codes ä,a,b
 "$PEL" import "$dir/hand.bdf" --codes a-k --name asset -o "$dir/gaps.c" \
     2>"$dir/message" || fail "a range with gaps"
-grep -q 'hand.bdf: lacks 9 of --codes: U+0062-0069 U+006B$' "$dir/message" ||
+grep -q 'hand.bdf: lacks 9 of --codes and --chars: U+0062-0069 U+006B$' "$dir/message" ||
     fail "gaps: $(cat "$dir/message")"
 for codes in '' ab a- 1- 1-2, 2-1 b-a ,1 -1 1,,2 0x110000 "$(printf '\303')"; do
     refused "--codes is '$codes'" "$dir/hand.bdf" --codes "$codes"

@@ -137,7 +137,7 @@ refused() {
 refused 2 "mesh: $work/none.obj cannot be read (No such file" <<'END'
 mesh none.obj
 END
-refused 2 "builtin:cube: no mesh that is built in: expected builtin:vase, or" <<'END'
+refused 2 "builtin:cube: no mesh that is built in: expected builtin:vase, builtin:vase-small, or" <<'END'
 mesh builtin:cube
 END
 refused 2 "texture: $work/none.png cannot be read" <<'END'

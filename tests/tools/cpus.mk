@@ -2,7 +2,7 @@
 # same bytes everywhere. A build is named COMPILER-CPU-LEVEL or, of a variant of
 # core, COMPILER-CPU-LEVEL-VARIANT.
 
-.PHONY: check-cpus check-mcu deep-cpus need-cpus board
+.PHONY: check-cpus check-examples check-mcu deep-cpus need-cpus board
 
 # CPUs, each with the prefix of its compiler and its emulator; `host` is this
 # machine. s390x and powerpc are big-endian, with 64 and with 32 bits. The
@@ -87,14 +87,47 @@ need-cpus: | need-boards
 # $1 builds: lines of a build and the emulator that runs it
 cpu_lines = $(foreach b,$1,'$b $(CPU_RUN_$(call cpu_word,2,$b))')
 
-# An example on a board without an operating system: its text comes out here.
-EXAMPLE ?= bands
-board: $(BUILD)/board/$(EXAMPLE) ## EXAMPLE=bands on a Cortex-M4 board, in QEMU
-	@$(CPU_RUN_m4) $<
-$(BUILD)/board/%: examples/%.c $(CORE) | need-arm need-qemu-arm
-	@mkdir -p $(@D)
-	@arm-none-eabi-gcc $(CPU_FLAGS_m4) -std=c99 -Os -I$(BUILD)/include -ffunction-sections \
-	    -Wl,--gc-sections $< $(CORE) $(CPU_LINK_m4) -o $@
+# An example on a board without an operating system, which counts instructions.
+EXAMPLE ?= board
+BOARD ?= m4
+# RAM that an example is to run in, 2 KB of stack with it.
+BOARD_RAM_board := 4K
+BOARD_RAM_oled := 4K
+BOARD_RAM_mesh := 8K
+EXAMPLES_CHECKED := board gauge mesh oled selftest
+BOARD_EXAMPLES := board gauge mesh oled selftest paints user_paint
+
+# $1 board, $2 CPU whose code it runs, $3 example, $4 its RAM
+define board_example
+$(BUILD)/board/$1/$3: $(filter-out drivers/%,$(call example_sources,$3)) \
+    $(wildcard examples/*.h) \
+    $(patsubst %.c,$(BUILD)/cpus/gcc-$2-O2/%.o,$(CORE) $(DRIVERS))
+	@mkdir -p $$(@D)
+	@$(CPU_PREFIX_$2)-gcc $(CPU_FLAGS_$2) -std=c99 -O2 -I$(BUILD)/include \
+	    -I$(BUILD)/examples -Wl,--gc-sections $$(filter-out %.h,$$^) $(CPU_LINK_$1) \
+	    $(4:%=-Wl,--defsym=__ram_size=%) -o $$@
+endef
+$(foreach b,$(BOARDS),$(foreach e,$(BOARD_EXAMPLES),$(eval $(call \
+    board_example,$b,$b,$e,$(if $(filter a53,$b),,$(BOARD_RAM_$e))))))
+$(foreach b,$(SMALL_BOARDS),$(foreach e,$(SMALL_EXAMPLES_$b),$(eval $(call \
+    board_example,$b,$(SMALL_CPU_$b),$e))))
+
+BOARD_CPU = $(or $(SMALL_CPU_$(BOARD)),$(BOARD))
+board: $(BUILD)/board/$(BOARD)/$(EXAMPLE) ## EXAMPLE=board on BOARD=m4 or another of port/boards.mk, in QEMU
+	@tests/tools/example.sh $< $(CPU_RUN_$(BOARD)) $< \
+	    -icount $(word 2,$(MCU_BENCH_$(BOARD_CPU))),sleep=off
+
+# Instructions of the gauge on an M0+.
+GAUGE_WHOLE := 2500000
+GAUGE_STEP := 150000
+
+# The examples draw on every board, in the RAM above, what they draw on the host.
+BOARD_RUNS := $(foreach b,$(BOARDS),$(EXAMPLES_CHECKED:%=$b/%)) \
+    $(foreach b,$(SMALL_BOARDS),$(SMALL_EXAMPLES_$b:%=$b/%))
+check-examples: examples $(BOARD_RUNS:%=$(BUILD)/board/%) ## the examples on every board of QEMU
+	@printf '%s\n' $(foreach r,$(BOARD_RUNS),'$r $(CPU_RUN_$(patsubst \
+	    %/,%,$(dir $r)))') | tests/tools/board_examples.sh $(BUILD) \
+	    $(GAUGE_WHOLE) $(GAUGE_STEP)
 
 check-cpus: $(CPU_CHECK:%=$(BUILD)/cpus/%/scenes) ## the golden scenes on other CPUs and compilers
 	printf '%s\n' $(call cpu_lines,$(CPU_CHECK)) | tests/tools/cpus.sh $(BUILD)

@@ -1,7 +1,7 @@
 # Checks of the sources and the objects, and builds for other CPUs: each a target
 # of its own, and each one test of `make check`.
 
-CHECK_EXTRA += layers metrics size bench-mcu check-cpus check-mcu board
+CHECK_EXTRA += layers metrics size bench-mcu check-cpus check-mcu check-examples
 
 .PHONY: layers metrics need-clang need-format
 
@@ -46,4 +46,4 @@ metrics: | need-format ## lengths of functions and files, parameters, layout
 # need is built before.
 tests: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(LINK_ELFS) $(MCU_BENCH_ELFS) \
     $(patsubst %,$(BUILD)/cpus/%/scenes,$(CPU_CHECK) $(MCU_CHECK)) \
-    $(LCD_BOARDS:%=$(LCD)/%.elf)
+    $(LCD_BOARDS:%=$(LCD)/%.elf) $(BOARD_RUNS:%=$(BUILD)/board/%)

@@ -164,6 +164,12 @@ static void test_places(void)
             pel_text(&hits.surface, &text, &hits.paint);
             expect_broken("text", at[k / 4]);
         }
+        if (k < 12) {
+            const struct pel_text_column column = {
+                text, k < 8 ? 0 : place[k % 4], 0, PEL_TEXT_LEFT};
+            pel_text_column_draw(&hits.surface, &column, &hits.paint);
+            expect_broken("column of text", at[k / 4]);
+        }
     }
     for (int i = 0; i < ILLEGAL; i++) {
         pel_fan_perimeter(rim, 3, (struct pel_point){illegal[i], 0}, 99, 5);

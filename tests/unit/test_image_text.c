@@ -1,7 +1,7 @@
 /* Text: UTF-8, glyphs of code points, places and sizes, drawn pictures. */
 #include <string.h>
 
-#include "core/image/glyph_text.h"
+#include "core/image/text_column.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
 
@@ -186,6 +186,63 @@ static void test_pictures(void)
     check_picture("a aX\nb", lines);
 }
 
+/* The lines of a column, each drawn where it is to stand. */
+static void test_column(void)
+{
+    static const struct {
+        const char *text, *lines;
+        int32_t width, height;
+    } row[] = {
+        {"", "", 0, 6},
+        {"a b", "a b", 0, 6},
+        {"a b a", "a b a", 15, 6}, /* 4 2 3 2 4 */
+        {"a b a", "a b\na", 14, 6},
+        {"a b  a", "a b\na", 9, 6},
+        {"a b a", "a\nb\na", 4, 6},
+        {"a b\na\n", "a b\na\n", 20, 6},
+        {"aab", "a\na\nb", 1, 7},
+        {"a aaab", "a\naa\nab", 8, 9},
+        {" a", "\na", 5, 6},
+        {"a ", "a ", 4, 6},
+        {"\xE2\x82\xAC\xE2\x82\xAC", "\xE2\x82\xAC\n\xE2\x82\xAC", 5, -6},
+    };
+    static struct hits expected;
+    const struct pel_rect window = {-30, -30, 60, 60};
+    for (size_t i = 0; i < 3 * (sizeof row / sizeof *row); i++) {
+        const int32_t align = (int32_t)(i % 3);
+        const struct pel_text_column column = {
+            {&font, row[i / 3].text, 3, 5},
+            row[i / 3].width,
+            row[i / 3].height == 6 && align ? 0 : row[i / 3].height,
+            (enum pel_text_align)align};
+        struct pel_text_size size = {0, 0};
+        char lines[32];
+        strcpy(lines, row[i / 3].lines);
+        hits_open(&hits, &window);
+        hits_open(&expected, &window);
+        for (char *line = lines, *end; line; line = end) {
+            end = strchr(line, '\n');
+            if (end)
+                *end++ = '\0';
+            const int32_t width = pel_text_measure(&font, line).width;
+            const struct pel_text_block text = {
+                &font, line, 3 + (column.width - width) * align / 2,
+                5 + size.height};
+            pel_text(&expected.surface, &text, &expected.paint);
+            size.width = pel_max(size.width, width);
+            size.height += row[i / 3].height;
+        }
+        const struct pel_text_size got =
+            pel_text_column_draw(&hits.surface, &column, &hits.paint);
+        if (got.width != size.width || got.height != size.height)
+            fail_msg("row %d: %d x %d", (int)i, got.width, got.height);
+        for (int32_t y = window.y0; y < window.y1; y++)
+            for (int32_t x = window.x0; x < window.x1; x++)
+                if (hits_at(&hits, x, y) != hits_at(&expected, x, y))
+                    fail_msg("row %d: %d, %d", (int)i, x, y);
+    }
+}
+
 /* Any clip and any place: the same pixels, as long as the pen is in range. */
 static void test_far_away(void)
 {
@@ -202,6 +259,6 @@ static void test_far_away(void)
 int main(void)
 {
     return RUN_TESTS(test_check, test_find, test_every_code_point,
-                     test_malformed, test_measure, test_pictures,
+                     test_malformed, test_measure, test_pictures, test_column,
                      test_far_away);
 }

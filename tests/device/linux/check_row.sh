@@ -29,10 +29,11 @@ do
     cp "$asset" "$share/scenes/"
 done
 for program in pel pel_no_restore pel_no_draw fb_mode console_state faults \
-    frames session; do
+    frames session touch_device pel_gpiod2 faults_gpiod2; do
     ln "$build/guest/$program" "$share/$program" 2> /dev/null ||
         cp "$build/guest/$program" "$share/$program"
 done
+cp "$cache/panel_mock.ko" "$share/"
 echo "$row" > "$share/row"
 # tty1 is the controlling terminal, standard input and output the serial line.
 cat > "$share/run.sh" << 'END'
@@ -108,6 +109,16 @@ while read -r name scene format width height dac; do
         > "$share/difference" 2>&1 ||
         echo "FAIL $name ($format): $(cat "$share/difference")" >> "$result"
 done < "$share/manifest"
+[ ! -f "$share/panels" ] || while read -r name chip turn width height format; do
+    pictures=$((pictures + 1))
+    sed "s/^canvas .*/canvas $width $height $format/" \
+        "$share/scenes/cover.pel" > "$share/scene.pel"
+    { "$build/../pel" run "$share/scene.pel" -o "$share/expected.ppm" &&
+        "$build/panel_check" "$chip" "$turn" "$share/expected.ppm" \
+            "$share/$name.log"; } > "$share/difference" 2>&1 &&
+        equal=$((equal + 1)) ||
+        echo "FAIL $name ($format): $(cat "$share/difference")" >> "$result"
+done < "$share/panels"
 passed=$(grep -c '^PASS' "$share/log")
 [ $((pictures + passed)) -gt 0 ] ||
     echo "FAIL $row: nothing was tested" >> "$result"

@@ -8,8 +8,9 @@
 #include <unistd.h>
 
 const char *const fault_names[FAULT_CALLS] = {
-    "open", "ioctl", "mmap",       "read",     "write",
-    "poll", "fork",  "socketpair", "signalfd", "calloc"};
+    "open",          "ioctl",         "mmap",          "read",     "write",
+    "poll",          "fork",          "socketpair",    "signalfd", "calloc",
+    "epoll_create1", "inotify_init1", "timerfd_create"};
 
 static enum fault_call chosen = FAULT_CALLS;
 static int left, error_to_give, happened;
@@ -60,6 +61,12 @@ int __real_signalfd(int fd, const sigset_t *set, int flags);
 int __wrap_signalfd(int fd, const sigset_t *set, int flags);
 void *__real_calloc(size_t n, size_t size);
 void *__wrap_calloc(size_t n, size_t size);
+int __real_epoll_create1(int flags);
+int __wrap_epoll_create1(int flags);
+int __real_inotify_init1(int flags);
+int __wrap_inotify_init1(int flags);
+int __real_timerfd_create(int clock, int flags);
+int __wrap_timerfd_create(int clock, int flags);
 
 int __wrap_open(const char *path, int flags, ...)
 {
@@ -118,4 +125,19 @@ int __wrap_signalfd(int fd, const sigset_t *set, int flags)
 void *__wrap_calloc(size_t n, size_t size)
 {
     return fails(FAULT_CALLOC) ? NULL : __real_calloc(n, size);
+}
+
+int __wrap_epoll_create1(int flags)
+{
+    return fails(FAULT_EPOLL) ? -1 : __real_epoll_create1(flags);
+}
+
+int __wrap_inotify_init1(int flags)
+{
+    return fails(FAULT_INOTIFY) ? -1 : __real_inotify_init1(flags);
+}
+
+int __wrap_timerfd_create(int clock, int flags)
+{
+    return fails(FAULT_TIMER) ? -1 : __real_timerfd_create(clock, flags);
 }

@@ -13,6 +13,9 @@ enum fault_call {
     FAULT_SOCKETPAIR,
     FAULT_SIGNALFD,
     FAULT_CALLOC,
+    FAULT_EPOLL,
+    FAULT_INOTIFY,
+    FAULT_TIMER,
     FAULT_CALLS
 };
 

@@ -3,7 +3,7 @@
  * calls. Every run must end by itself, succeed or tell why not, leave the
  * console as it was, and no descriptor, child or mapping behind. Runs on a
  * virtual terminal (standard input). DEVICE /dev/ttyN: resets that console
- * instead. */
+ * instead; `input` reads all input devices, buttons:TEXT these buttons. */
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/fb.h>
@@ -20,6 +20,7 @@
 #include "core/pel.h"
 #include "drivers/display_linux.h"
 #include "fault_calls.h"
+#include "port/linux/input.h"
 
 enum { MOST_ERRORS = 7, TIMEOUT = 20 /* s */ };
 
@@ -54,7 +55,10 @@ static const int errors[FAULT_CALLS][MOST_ERRORS] = {
     [FAULT_FORK] = {EAGAIN, ENOMEM},
     [FAULT_SOCKETPAIR] = {EMFILE, ENFILE, ENOMEM},
     [FAULT_SIGNALFD] = {EMFILE, ENOMEM, ENODEV},
-    [FAULT_CALLOC] = {ENOMEM}};
+    [FAULT_CALLOC] = {ENOMEM},
+    [FAULT_EPOLL] = {EMFILE, ENOMEM},
+    [FAULT_INOTIFY] = {EMFILE, ENOMEM},
+    [FAULT_TIMER] = {EMFILE, ENODEV}};
 
 struct console {
     int mode, keyboard, switching, active, input_flags;
@@ -124,6 +128,22 @@ static enum pel_status draw_frames(struct pel_display_linux *screen)
     return status;
 }
 
+/* `buttons` NULL: the devices. */
+static enum pel_status read_input(const char *buttons,
+                                  struct pel_message *message)
+{
+    static struct pel_input_linux input;
+    const struct pel_input_linux_options options = {
+        .buttons = buttons, .no_devices = buttons, .width = 9, .height = 9};
+    struct pel_input event;
+    const int error = pel_input_linux_open(&input, &options);
+    *message = input.message;
+    while (!error && pel_input_linux_wait(&input, 20, &event))
+        continue;
+    pel_input_linux_close(&input);
+    return error ? PEL_ERROR_DEVICE : PEL_OK;
+}
+
 /* What is tested: PEL_OK, or an error with its message. */
 static enum pel_status draw_or_reset(struct pel_display_linux *screen,
                                      const char *device)
@@ -131,6 +151,10 @@ static enum pel_status draw_or_reset(struct pel_display_linux *screen,
     if (strncmp(device, "/dev/tty", 8) == 0)
         return pel_console_reset(device, &screen->message) ? PEL_ERROR_DEVICE
                                                            : PEL_OK;
+    if (strcmp(device, "input") == 0)
+        return read_input(NULL, &screen->message);
+    if (strncmp(device, "buttons:", 8) == 0)
+        return read_input(device + 8, &screen->message);
     enum pel_status status = pel_display_linux_open(screen, device, PEL_FB_ANY);
     if (status == PEL_OK) {
         status = draw_frames(screen);

@@ -1,5 +1,7 @@
 # What each virtual machine does, by its name in rows.txt.
 
+. /mnt/guest_panel.sh
+
 row_cirrusfb() {
     mode 8 rgb332 6 fb:/dev/fb0 8 640 480
     mode 16 rgb565_le 8 fb:/dev/fb0 16 640 480
@@ -96,6 +98,8 @@ row_virtio() {
     mode 32 xrgb8888 8 fb:/dev/fb0
     mesh fb:/dev/fb0
     view fb:/dev/fb0
+    . /mnt/guest_input.sh
+    view_by_hand fb:/dev/fb0
     pictures drm xrgb8888 8 drm:/dev/dri/card0
 }
 
@@ -103,6 +107,22 @@ row_qxl() {
     mode 32 xrgb8888 8 fb:/dev/fb0
     scenes=/mnt/reference.pel
     pictures drm xrgb8888 8 drm:/dev/dri/card0
+}
+
+row_input() {
+    . /mnt/guest_input.sh
+    devices
+    buttons /mnt/pel
+    buttons /mnt/pel_gpiod2
+}
+
+row_faults_input() {
+    . /mnt/guest_input.sh
+    make_chip
+    faults input
+    faults "buttons:$chip:5=left,17/27=wheel"
+    faults "buttons:$chip:5=left,17/27=wheel" /mnt/faults_gpiod2
+    faults buttons:the-button=left
 }
 
 # No screen: what is visible in its memory is the picture.

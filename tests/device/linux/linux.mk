@@ -15,15 +15,17 @@ LINUX_CACHE := $(PEL_CACHE)/linux-vm
 LINUX_ROWS := $(shell sed -n 's/^\([a-z0-9_]*\)|.*/\1/p' $(LINUX_HERE)/rows.txt)
 LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 
-LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display vm screen_check \
-               reference)
+LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display panel_bus \
+               panel_check vm screen_check reference)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
-               pel_no_draw fb_mode console_state faults frames session)
+               pel_no_draw fb_mode console_state faults frames session \
+               touch_device pel_gpiod2 faults_gpiod2)
 LINUX_STATIC := $(LINUX_CHECK)/static
 LINUX_CFLAGS = -std=gnu99 $(WARNINGS) $(WERROR) -O2 -I. -I$(BUILD)/include
 # getgrgid in a static program is what the linker warns of: the guest has files.
 LINUX_STATIC_FLAGS := -static -Wl,--no-warnings
-LINUX_FAULTS := open ioctl mmap read write poll fork socketpair signalfd calloc
+LINUX_FAULTS := open ioctl mmap read write poll fork socketpair signalfd calloc \
+    epoll_create1 inotify_init1 timerfd_create
 comma := ,
 
 # The guest's programs bring their libraries along; readers of pictures and
@@ -43,7 +45,20 @@ $(LINUX_CHECK)/display: $(LINUX_HERE)/display.c drivers/display_memory.c \
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(filter-out %.h,$^) -o $@
 
-$(filter-out %/layout %/display,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
+LINUX_PANEL_WRAPS := open ioctl nanosleep pel_gpio_open pel_gpio_close pel_gpio_set
+$(LINUX_CHECK)/panel_bus: $(LINUX_HERE)/panel_bus.c $(LINUX_OBJECTS) \
+    tests/support/panel_glass.c tests/support/check.c $(BUILD)/libpel.a
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) \
+	    $(LINUX_PANEL_WRAPS:%=-Wl$(comma)--wrap=%) $^ $(LINUX_LIBS) -lcmocka \
+	    -o $@
+
+$(LINUX_CHECK)/panel_check: $(LINUX_HERE)/panel_check.c \
+    tests/support/panel_glass.c tests/support/check.c
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $^ -lcmocka -o $@
+
+$(filter-out %/layout %/display %/panel_bus %/panel_check,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $< -o $@
 
@@ -51,6 +66,11 @@ $(LINUX_CHECK)/guest/fb_mode $(LINUX_CHECK)/guest/console_state: \
     $(LINUX_CHECK)/guest/%: $(LINUX_HERE)/%.c
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_STATIC_FLAGS) $< -o $@
+
+$(LINUX_CHECK)/guest/touch_device: $(LINUX_HERE)/touch_device.c
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) $< \
+	    $(LINUX_LIBS) -o $@
 
 $(LINUX_CHECK)/guest/pel: linux-static
 	@mkdir -p $(@D)
@@ -69,6 +89,24 @@ $(LINUX_CHECK)/guest/pel_%: $(LINUX_HERE)/%.c linux-static
 	    $(LINUX_WRAP_$*:%=-Wl$(comma)--wrap=%) $< $(LINUX_STATIC_SIM) \
 	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
 
+# The same with the other version of libgpiod, or what stands for it.
+LINUX_GPIOD2 := port/linux/gpio_v2.c $(LINUX_HERE)/gpiod2/gpiod.c
+LINUX_WRAP_FAULTS = $(LINUX_FAULTS:%=-Wl$(comma)--wrap=%)
+$(LINUX_CHECK)/guest/pel_gpiod2: $(LINUX_GPIOD2) linux-static
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_STATIC_FLAGS) -I$(LINUX_HERE)/gpiod2 \
+	    $(LINUX_GPIOD2) $(LINUX_STATIC_SIM) \
+	    $(filter-out %/gpio_v1.o,$(LINUX_STATIC_OBJECTS)) \
+	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
+
+$(LINUX_CHECK)/guest/faults_gpiod2: $(LINUX_GPIOD2) $(LINUX_HERE)/faults.c \
+    $(LINUX_HERE)/fault_calls.c linux-static
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) \
+	    -I$(LINUX_HERE)/gpiod2 $(LINUX_WRAP_FAULTS) $(filter %.c,$^) \
+	    $(filter-out %/gpio_v1.o,$(LINUX_STATIC_OBJECTS)) \
+	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
+
 $(LINUX_CHECK)/guest/frames $(LINUX_CHECK)/guest/session: \
     $(LINUX_CHECK)/guest/%: $(LINUX_HERE)/%.c linux-static
 	@mkdir -p $(@D)
@@ -80,18 +118,20 @@ $(LINUX_CHECK)/guest/faults: $(LINUX_HERE)/faults.c \
     $(LINUX_HERE)/fault_calls.c linux-static
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) \
-	    $(LINUX_FAULTS:%=-Wl$(comma)--wrap=%) $(LINUX_HERE)/faults.c \
+	    $(LINUX_WRAP_FAULTS) $(LINUX_HERE)/faults.c \
 	    $(LINUX_HERE)/fault_calls.c $(LINUX_STATIC_OBJECTS) \
 	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
 
 linux-image:
 	@$(LINUX_HERE)/vm_image.sh $(LINUX_CACHE)
+	@$(LINUX_HERE)/vm_panel_mock.sh $(LINUX_CACHE)
 
 check-linux: $(BUILD)/pel $(LINUX_TOOLS) $(LINUX_GUEST)
-check-linux: linux-image ## fbdev, DRM and consoles on a real kernel in QEMU
+check-linux: linux-image ## fbdev, DRM, consoles and panels on a real kernel in QEMU
 	@mkdir -p $(LINUX_CHECK)/rows
 	@$(LINUX_CHECK)/layout
 	@$(LINUX_CHECK)/display
+	@$(LINUX_CHECK)/panel_bus
 	@$(LINUX_HERE)/jobs.sh $(BUILD)/pel $(LINUX_CHECK)/jobs
 	@$(LINUX_HERE)/messages.sh $(abspath $(BUILD)) \
 	    $(abspath $(LINUX_CHECK))/messages

@@ -38,6 +38,10 @@ shown "unknown device 'fb0', asked for; use fb:/dev/fb0" fb0
 shown "unknown device 'fb:/dev/null,quick', asked for" fb:/dev/null,quick
 shown "unknown device 'drm:/dev/null,pages', asked for" drm:/dev/null,pages
 shown "unknown device '', asked for" ""
+shown "cannot open /dev/none: No such file or directory; is SPI on? \
+dtparam=spi=on in config.txt of a Pi" panel:st7789,spi=/dev/none,dc=1
+shown "panel: '45': expected a rotation, 0, 90, 180 or 270" \
+    panel:st7789,spi=/dev/none,dc=1,rotation=45
 FRAMEBUFFER=nonsense
 export FRAMEBUFFER
 shown "unknown device 'nonsense', named by FRAMEBUFFER; use" auto
@@ -56,23 +60,24 @@ refused "pel: /dev/null is not a virtual terminal; give one with --tty" \
 refused "pel: cannot open /dev/none: No such file or directory; has this \
 machine virtual terminals?" "$pel" console --reset --tty /dev/none
 
+# The programs of the guide, each in the file that its command compiles.
 # FRAMEBUFFER is /dev/null here too.
 guide=$root/docs/linux.md
-sed -n '/^    #include <stdio.h>/,/^    }$/p; /^    int main/,/^    }$/p' "$guide" |
-    sed 's/^    //' > "$folder/hello.c"
-sed -n 's/^    \(cc .*\)/\1/p' "$guide" |
-    sed "s|build/|$build/|; s|hello|$folder/hello|g" > "$folder/commands"
-[ "$(wc -l < "$folder/commands")" = 2 ] || {
-    echo "FAIL messages: docs/linux.md has not two commands that compile"
-    failures=$((failures + 1))
-}
-while read -r command; do
-    rm -f "$folder/hello"
+program() { # TEXT THAT IT SAYS, NAME
+    rm -f "$folder/$2"
+    awk -v name="$2" 'index($0, "`" name ".c`") { on = 1; next }
+        on && /^    cc / { exit }
+        on && (/^    / || /^$/) { sub(/^    /, ""); print }' "$guide" \
+        > "$folder/$2.c"
+    command=$(sed -n "s/^    \\(cc .* $2.c .*\\)/\\1/p" "$guide" |
+        sed "s|build/|$build/|g; s| $2| $folder/$2|g")
     (cd "$root" && sh -c "$command") || {
         echo "FAIL messages: docs/linux.md: $command"
         failures=$((failures + 1))
     }
-    refused "/dev/null is no framebuffer device" "$folder/hello"
-done < "$folder/commands"
+    refused "$1" "$folder/$2"
+}
+program "/dev/null is no framebuffer device" hello
+program "cannot open /dev/spidev0.0" panel
 
 [ $failures = 0 ] && echo "messages: all said as they should be"

@@ -1,15 +1,17 @@
 #!/bin/sh
 # vm_image.sh FOLDER: makes FOLDER/vmlinuz and FOLDER/initramfs from the kernel
 # package that linux-image-amd64 depends on, whatever its version. Done once:
-# nothing is fetched when both are there and this script and init are older.
+# nothing is fetched when both are there and this script, vm_gpio_sim.sh and init
+# are older.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 folder=$1
-modules="9p 9pnet_virtio virtio_pci cirrusfb cirrus bochs virtio-gpu qxl vfb
+modules="9p 9pnet_virtio virtio_pci i2c-dev cirrusfb cirrus bochs virtio-gpu qxl vfb
     evdev uinput virtio_input psmouse atkbd usbhid hid-generic uhci-hcd
-    ehci-pci gpio-mockup spidev configfs"
+    ehci-pci spidev configfs"
 
 [ "$folder/initramfs" -nt "$0" ] && [ "$folder/initramfs" -nt "$here/init" ] &&
+    [ "$folder/initramfs" -nt "$here/vm_gpio_sim.sh" ] &&
     [ -s "$folder/vmlinuz" ] && exit 0
 
 need() { # PROGRAM PACKAGE
@@ -54,6 +56,8 @@ while read -r file; do
     mkdir -p "root$(dirname "$file")"
     cp "kernel$file" "root$file"
 done < list
+"$here/vm_gpio_sim.sh" "$version" "$work"
+cp gpio-sim.ko "root/lib/modules/$version/"
 for file in modules.builtin modules.builtin.modinfo modules.order; do
     cp "kernel/lib/modules/$version/$file" "root/lib/modules/$version/"
 done

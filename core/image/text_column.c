@@ -1,0 +1,60 @@
+#include "text_column.h"
+
+/* Where a line ends, and where the next one begins; at the text's end both are
+ * there. */
+struct line {
+    const char *end, *next;
+    int32_t width; /* px */
+};
+
+static struct line line_at(const struct pel_text_column *column,
+                           const char *string)
+{
+    struct line fits = {NULL, NULL, 0}; /* up to the spaces seen last */
+    int32_t x = 0, before;
+    for (const char *at = string, *next = at;; at = next) {
+        if (!*at || *at == '\n')
+            return (struct line){at, *at ? at + 1 : at, x};
+        const struct pel_font_glyph *glyph =
+            pel_glyph_find(column->text.font, pel_utf8_next(&next));
+        before = x;
+        x += glyph ? glyph->advance : 0;
+        if (*at == ' ')
+            fits = fits.next == at ? (struct line){fits.end, next, fits.width}
+                                   : (struct line){at, next, before};
+        else if (column->width > 0 && x > column->width && at > string)
+            return fits.end ? fits : (struct line){at, at, before};
+    }
+}
+
+static bool within(int32_t v)
+{
+    return v >= -65536 && v <= 65536;
+}
+
+struct pel_text_size pel_text_column_draw(const struct pel_surface *surface,
+                                          const struct pel_text_column *column,
+                                          const struct pel_paint *paint)
+{
+    struct pel_text_block text = column->text;
+    struct pel_text_size size = {0, 0};
+    const bool legal = within(text.x) && within(text.y) &&
+                       within(column->width) && column->width >= 0;
+    const int32_t height = column->line_height
+                               ? column->line_height
+                               : text.font->ascent + text.font->descent;
+    struct line line = {text.string, text.string, 0};
+    PEL_ASSERT(legal);
+    for (bool more = legal; more; more = *line.end) {
+        text.string = line.next;
+        line = line_at(column, text.string);
+        text.x = column->text.x +
+                 (column->width - line.width) * (int32_t)column->align / 2;
+        if (surface && within(text.x) && within(text.y))
+            pel_text_until(surface, &text, line.end, paint);
+        text.y += height;
+        size.width = pel_max(size.width, line.width);
+        size.height += height;
+    }
+    return size;
+}

@@ -1,0 +1,143 @@
+#include "display_linux_panel.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <pel/format/formats.h>
+
+/* Chips by name; the glass of modules by size. */
+static const struct model {
+    const char *name;
+    int width, height, left, top;
+    const struct pel_panel_chip *chip[2]; /* by rotation / 90 & 1 */
+} models[] = {
+    {"st7789", 240, 320, 0, 0, {&pel_panel_st7789, &pel_panel_st7789}},
+    {"st7789", 240, 240, 0, 0, {&pel_panel_st7789, &pel_panel_st7789}},
+    {"st7789", 135, 240, 52, 40, {&pel_panel_st7789, &pel_panel_st7789}},
+    {"st7789", 170, 320, 35, 0, {&pel_panel_st7789, &pel_panel_st7789}},
+    {"st7789", 240, 280, 0, 20, {&pel_panel_st7789, &pel_panel_st7789}},
+    {"ili9341", 240, 320, 0, 0, {&pel_panel_ili9341, &pel_panel_ili9341}},
+    {"gc9a01", 240, 240, 0, 0, {&pel_panel_gc9a01, &pel_panel_gc9a01}},
+    {"ssd1351", 128, 128, 0, 0, {&pel_panel_ssd1351, &pel_panel_ssd1351}},
+    {"ssd1306", 128, 64, 0, 0, {&pel_panel_ssd1306, &pel_panel_ssd1306_turned}},
+    {"ssd1306",
+     128,
+     32,
+     0,
+     0,
+     {&pel_panel_ssd1306_32, &pel_panel_ssd1306_32_turned}},
+    {"sh1106", 128, 64, 0, 0, {&pel_panel_sh1106, &pel_panel_sh1106_turned}},
+};
+enum { MODELS = sizeof models / sizeof *models };
+
+/* The one of the size asked for, else the chip's first. */
+static const struct model *find(const struct pel_panel_request *r)
+{
+    const struct model *found = NULL;
+    for (int i = 0; i < MODELS; i++)
+        if (strcmp(models[i].name, r->chip) == 0 &&
+            (!found ||
+             (models[i].width == r->width && models[i].height == r->height)))
+            found = &models[i];
+    return found;
+}
+
+static int set_panel(struct pel_panel *panel, const struct pel_panel_request *r,
+                     struct pel_message *message)
+{
+    const struct model *model = find(r);
+    const int quarters = r->rotation / 90;
+    if (!model) {
+        pel_message_set(message,
+                        "unknown panel '%.60s': expected st7789, ili9341, "
+                        "gc9a01, ssd1351, ssd1306 or sh1106",
+                        r->chip);
+        return EINVAL;
+    }
+    const bool is_mono = model->chip[0] != model->chip[1];
+    panel->chip = model->chip[quarters & 1];
+    panel->format = !is_mono       ? &pel_rgb565_be
+                    : quarters & 1 ? &pel_mono1
+                                   : &pel_mono1_pages;
+    panel->width = (uint16_t)(r->width < 0 ? model->width : r->width);
+    panel->height = (uint16_t)(r->width < 0 ? model->height : r->height);
+    panel->left = (uint16_t)(r->left < 0 ? model->left : r->left);
+    panel->top = (uint16_t)(r->left < 0 ? model->top : r->top);
+    panel->rotation = (uint8_t)quarters;
+    panel->inverted = r->inverted;
+    panel->swapped = r->swapped;
+    return 0;
+}
+
+static enum pel_status panel_begin(const struct pel_display *display,
+                                   const struct pel_rect *area,
+                                   struct pel_surface *surface)
+{
+    const struct pel_display_panel *panel = display->context;
+    *surface = panel->frame;
+    pel_surface_clip(surface, area);
+    return PEL_OK;
+}
+
+static int make_frame(struct pel_display_panel *panel,
+                      const struct pel_display *display,
+                      struct pel_message *message)
+{
+    const struct pel_rect whole = {0, 0, display->width, display->height};
+    const size_t size = (size_t)display->width * (size_t)display->height * 2;
+    void *pixels = calloc(1, size);
+    if (!pixels || pel_surface_init(&panel->frame, display->format, pixels,
+                                    size, &whole)) {
+        free(pixels);
+        pel_message_errno(message, "a frame of the panel", ENOMEM);
+        return ENOMEM;
+    }
+    return 0;
+}
+
+static int start(struct pel_display *display, struct pel_display_panel *panel,
+                 const struct pel_panel_request *r, struct pel_message *message)
+{
+    panel->panel.bus = &panel->bus.bus;
+    enum pel_status status = pel_panel_init(display, &panel->panel);
+    if (status == PEL_ERROR_SIZE) {
+        pel_message_set(message,
+                        "panel: size and offset reach beyond the memory of %s",
+                        r->chip);
+        return EINVAL;
+    }
+    if (status == PEL_OK && r->brightness >= 0)
+        status = pel_panel_brightness(&panel->panel, (uint8_t)r->brightness);
+    if (status != PEL_OK)
+        return EIO;
+    display->begin = panel_begin;
+    return make_frame(panel, display, message);
+}
+
+int pel_display_panel_open(struct pel_display *display,
+                           struct pel_display_panel *panel,
+                           const struct pel_panel_request *request,
+                           struct pel_message *message)
+{
+    memset(panel, 0, sizeof *panel);
+    int error = set_panel(&panel->panel, request, message);
+    if (!error)
+        error = pel_bus_linux_open(&panel->bus, &request->bus, message);
+    if (error)
+        return error;
+    error = start(display, panel, request, message);
+    if (error)
+        pel_display_panel_close(panel);
+    return error;
+}
+
+/* Errors have been told before, or come too late. */
+void pel_display_panel_close(struct pel_display_panel *panel)
+{
+    if (panel->frame.pixels)
+        pel_panel_sleep(&panel->panel, true);
+    free(panel->frame.pixels);
+    panel->frame.pixels = NULL;
+    pel_bus_linux_close(&panel->bus);
+}

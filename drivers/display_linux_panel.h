@@ -1,0 +1,40 @@
+/* A panel at the SPI or I2C pins of a Linux board, as a display with memory of
+ * its own: a frame, from which flush sends what is in the clip. */
+#ifndef PEL_DRIVERS_DISPLAY_LINUX_PANEL_H
+#define PEL_DRIVERS_DISPLAY_LINUX_PANEL_H
+
+#include "panel.h"
+#include "../port/linux/bus.h"
+
+PEL_BEGIN_DECLS
+
+/* What a name asks for; the texts point into `text`. */
+struct pel_panel_request {
+    char text[256];
+    const char *chip;                                   /* "st7789" */
+    int width, height, left, top, rotation, brightness; /* -1: not said */
+    bool inverted, swapped;
+    struct pel_bus_request bus;
+};
+
+/* Reads "CHIP,OPTION=VALUE,...", with the options that docs/linux.md tells. 0
+ * or EINVAL, with the message. */
+int pel_panel_parse(struct pel_panel_request *request, const char *name,
+                    struct pel_message *message);
+
+struct pel_display_panel {
+    struct pel_panel panel; /* the display's context */
+    struct pel_surface frame;
+    struct pel_bus_linux bus;
+};
+
+/* 0 or an errno, with the message, which outlives the display. */
+int pel_display_panel_open(struct pel_display *display,
+                           struct pel_display_panel *panel,
+                           const struct pel_panel_request *request,
+                           struct pel_message *message);
+
+/* The panel is dark and asleep afterwards. Nothing when it is not open. */
+void pel_display_panel_close(struct pel_display_panel *panel);
+PEL_END_DECLS
+#endif

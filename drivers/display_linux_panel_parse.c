@@ -1,0 +1,162 @@
+#include "display_linux_panel.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int refuse(struct pel_message *message, const char *what,
+                  const char *expected)
+{
+    pel_message_set(message, "panel: '%.60s': expected %s", what, expected);
+    return EINVAL;
+}
+
+/* N, or NxM into both; each 0..32,767 (hexadecimal with 0x). */
+static bool numbers(const char *text, int *first, int *second)
+{
+    char *end;
+    const long a = strtol(text, &end, 0);
+    long b = 0;
+    if (second && *end == 'x' && end > text) {
+        text = end + 1;
+        b = strtol(text, &end, 0);
+    } else if (second) {
+        return false;
+    }
+    if (end == text || *end || a < 0 || a > 32767 || b < 0 || b > 32767)
+        return false;
+    *first = (int)a;
+    if (second)
+        *second = (int)b;
+    return true;
+}
+
+/* Hz; with M behind it MHz. */
+static bool speed(const char *text, uint32_t *hz)
+{
+    char *end;
+    const unsigned long n = strtoul(text, &end, 10);
+    const unsigned long unit = *end == 'M' ? 1000000 : 1;
+    end += *end == 'M';
+    if (end == text || *end || n == 0 || n > 1000000000 / unit)
+        return false;
+    *hz = (uint32_t)(n * unit);
+    return true;
+}
+
+static bool take_text(struct pel_panel_request *r, const char *key,
+                      const char *value)
+{
+    const struct {
+        const char *key;
+        const char **value;
+    } texts[] = {{"spi", &r->bus.spi},
+                 {"i2c", &r->bus.i2c},
+                 {"dc", &r->bus.dc},
+                 {"reset", &r->bus.reset},
+                 {"light", &r->bus.light}};
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        if (strcmp(key, texts[i].key) == 0) {
+            *texts[i].value = value;
+            return true;
+        }
+    return false;
+}
+
+/* -1: the key is of no number. */
+static int take_number(struct pel_panel_request *r, const char *key,
+                       const char *value, struct pel_message *message)
+{
+    int mode = r->bus.mode, address = r->bus.address;
+    const struct {
+        const char *key;
+        int most, step;
+        int *value;
+        const char *expected;
+    } rows[] = {
+        {"rotation", 270, 90, &r->rotation, "a rotation, 0, 90, 180 or 270"},
+        {"brightness", 255, 1, &r->brightness, "a brightness, 0 to 255"},
+        {"mode", 3, 1, &mode, "a mode of SPI, 0 to 3"},
+        {"address", 127, 1, &address, "an address, 0x3c"}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (strcmp(key, rows[i].key) == 0) {
+            const bool good = numbers(value, rows[i].value, NULL) &&
+                              *rows[i].value <= rows[i].most &&
+                              *rows[i].value % rows[i].step == 0;
+            r->bus.mode = (uint8_t)mode;
+            r->bus.address = (uint8_t)address;
+            return good ? 0 : refuse(message, value, rows[i].expected);
+        }
+    return -1;
+}
+
+static int take_value(struct pel_panel_request *r, const char *key,
+                      const char *value, struct pel_message *message)
+{
+    const int taken = take_number(r, key, value, message);
+    if (taken >= 0)
+        return taken;
+    if (strcmp(key, "speed") == 0)
+        return speed(value, &r->bus.speed)
+                   ? 0
+                   : refuse(message, value, "a speed, 32M");
+    if (strcmp(key, "size") == 0)
+        return numbers(value, &r->width, &r->height)
+                   ? 0
+                   : refuse(message, value, "a size, 240x240");
+    if (strcmp(key, "offset") == 0)
+        return numbers(value, &r->left, &r->top)
+                   ? 0
+                   : refuse(message, value, "an offset, 52x40");
+    return take_text(r, key, value)
+               ? 0
+               : refuse(message, key,
+                        "spi, mode, speed, i2c, address, dc, reset, light, "
+                        "size, offset, rotation, brightness, inverted or "
+                        "swapped");
+}
+
+static int take(struct pel_panel_request *r, char *option,
+                struct pel_message *message)
+{
+    char *equals = strchr(option, '=');
+    if (strcmp(option, "inverted") == 0) {
+        r->inverted = true;
+    } else if (strcmp(option, "swapped") == 0) {
+        r->swapped = true;
+    } else if (!equals || !equals[1]) {
+        return refuse(message, option, "OPTION=VALUE");
+    } else {
+        *equals = 0;
+        return take_value(r, option, equals + 1, message);
+    }
+    return 0;
+}
+
+int pel_panel_parse(struct pel_panel_request *request, const char *name,
+                    struct pel_message *message)
+{
+    memset(request, 0, sizeof *request);
+    request->width = request->left = request->brightness = -1;
+    request->bus.address = 0x3C;
+    if (strlen(name) >= sizeof request->text)
+        return refuse(message, name, "a shorter name");
+    strcpy(request->text, name);
+    char *rest = strchr(request->text, ',');
+    request->chip = request->text;
+    while (rest) {
+        char *option = rest + 1;
+        *rest = 0;
+        rest = strchr(option, ',');
+        if (rest)
+            *rest = 0;
+        const int error = take(request, option, message);
+        if (error)
+            return error;
+    }
+    if (!request->bus.spi == !request->bus.i2c)
+        return refuse(message, name, "spi=/dev/spidev0.0 or i2c=/dev/i2c-1");
+    if (request->bus.spi && !request->bus.dc)
+        return refuse(message, name, "dc=LINE: SPI panels have a line D/C");
+    return 0;
+}

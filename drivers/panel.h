@@ -1,0 +1,80 @@
+/* Panels behind a bus (bus.h): one const object for each controller chip, one
+ * struct that says what a module makes of it, and a display for both.
+ *
+ *     static struct pel_panel panel = {.chip = &pel_panel_st7789,
+ *                                      .bus = &bus,
+ *                                      .format = &pel_rgb565_be,
+ *                                      PEL_PANEL_135X240,
+ *                                      .rotation = 1};
+ *     struct pel_display display;
+ *     if (pel_panel_init(&display, &panel) != PEL_OK)
+ *         ...the bus has said what went wrong...
+ *
+ * flush sends surface->clip as it lies in memory: no copy, no swap of bytes.
+ * Where `data` of the bus returns early, so does flush, and `wait` of the
+ * display is that of the bus. A clip that leaves the screen is
+ * PEL_ERROR_SIZE.
+ *
+ * Colour panels take pel_rgb565_be (or its _fill variant) and any window.
+ *
+ * Monochrome ones hold 8 rows in a byte. Upright they take pel_mono1_pages and
+ * windows whose rows are multiples of 8, turned pel_mono1 and windows whose
+ * columns are. `align` makes them so; any other is PEL_ERROR_SIZE. */
+#ifndef PEL_DRIVERS_PANEL_H
+#define PEL_DRIVERS_PANEL_H
+
+#include "bus.h"
+#include "display.h"
+
+PEL_BEGIN_DECLS
+
+struct pel_panel {
+    /* The program's. What is left 0 is what most modules have. */
+    const struct pel_panel_chip *chip;
+    const struct pel_bus *bus;
+    const struct pel_format *format;
+    uint16_t width, height; /* px of the glass in rotation 0; 0: the chip's */
+    uint16_t left, top;     /* where it begins on the chip's largest glass */
+    uint8_t rotation;       /* of the picture: quarter turns clockwise, mod 4 */
+    bool inverted;          /* light and dark, other than most modules */
+    bool swapped;           /* red and blue, other than most modules */
+
+    int32_t from[2]; /* set by init: first column and row of memory in use */
+};
+
+/* Glass that is smaller than the chip's memory, for designated initialisers. */
+#define PEL_PANEL_240X240 .width = 240, .height = 240
+#define PEL_PANEL_135X240 .width = 135, .height = 240, .left = 52, .top = 40
+#define PEL_PANEL_170X320 .width = 170, .height = 320, .left = 35
+#define PEL_PANEL_240X280 .width = 240, .height = 280, .top = 20
+
+extern const struct pel_panel_chip pel_panel_st7789;  /* 240x320 */
+extern const struct pel_panel_chip pel_panel_ili9341; /* 240x320 */
+extern const struct pel_panel_chip pel_panel_gc9a01;  /* 240x240, round */
+extern const struct pel_panel_chip pel_panel_ssd1351; /* 128x128, OLED */
+
+/* Monochrome OLEDs, for rotations 0 and 2, and for 1 and 3. */
+extern const struct pel_panel_chip pel_panel_ssd1306; /* 128x64 */
+extern const struct pel_panel_chip pel_panel_ssd1306_turned;
+extern const struct pel_panel_chip pel_panel_ssd1306_32; /* 128x32 */
+extern const struct pel_panel_chip pel_panel_ssd1306_32_turned;
+extern const struct pel_panel_chip pel_panel_sh1106; /* 128x64 */
+extern const struct pel_panel_chip pel_panel_sh1106_turned;
+
+/* Resets and sets up the chip, 0.4 s at most; then the panel is on, and shows
+ * what its memory held. `panel` becomes the context of `display`, and both stay
+ * the caller's. PEL_ERROR_NULL; PEL_ERROR_SIZE when the glass is not inside the
+ * chip's memory; PEL_ERROR_FORMAT, also for a chip of the other rotations; or
+ * what the bus said. */
+enum pel_status pel_panel_init(struct pel_display *display,
+                               struct pel_panel *panel);
+
+/* 0 (dark, or nearly) to 255; init leaves what most modules want. Nothing is
+ * seen of it where a module's backlight is not wired to the chip. */
+enum pel_status pel_panel_brightness(const struct pel_panel *panel,
+                                     uint8_t level);
+
+/* Off and on again, with 120 ms for each; memory keeps its pixels. */
+enum pel_status pel_panel_sleep(const struct pel_panel *panel, bool asleep);
+PEL_END_DECLS
+#endif

@@ -1,0 +1,78 @@
+/* A gauge on a panel of 240 x 240 pixels behind SPI (ST7789, GC9A01): two bands
+ * of eight lines in turn, and after the first frame only what has changed. On a
+ * board the driver of the panel takes the place of panel.h. */
+#include "../drivers/dirty.h"
+#include "fixed_10x20.h"
+#include "panel.h"
+
+enum { FIRST = 24576, ROUND = 49152 }; /* of the scale: turns / 65,536 */
+
+static uint16_t band[2][240 * 8];
+static struct pel_linear sky;
+static struct pel_dither back;
+static struct pel_point way; /* of the needle */
+static char value[8];
+
+static void draw_needle(const struct pel_surface *screen,
+                        const struct pel_paint *paint)
+{
+    const int32_t center = PEL_PX(120);
+    const struct pel_point v[3] = {
+        {center + way.x * 5 / 8, center + way.y * 5 / 8}, /* 80 px */
+        {center - way.y / 24, center + way.x / 24},       /* 5 px */
+        {center + way.y / 24, center - way.x / 24}};
+    pel_triangle(screen, v, paint);
+}
+
+static void draw(void *context, const struct pel_surface *screen)
+{
+    static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    static const struct pel_flat amber = PEL_FLAT(PEL_RGB(255, 170, 40));
+    static const struct pel_arc_shape scale = {
+        PEL_AT(120, 120), PEL_PX(92), PEL_PX(108), FIRST, FIRST + ROUND};
+    static const struct pel_text_block text = {&fixed_10x20, value, 100, 180};
+    (void)context;
+    pel_box(screen, &screen->bounds, &back.paint);
+    pel_arc(screen, &scale, &amber.paint);
+    pel_text(screen, &text, &white.paint);
+    draw_needle(screen, &white.paint);
+    pel_circle(screen, scale.center, PEL_PX(9), &amber.paint);
+}
+
+/* Where needle and text were is dirty, and where they are. */
+static void set_value(struct pel_dirty_areas *dirty, int degrees)
+{
+    static const struct pel_rect text = {100, 180, 140, 200};
+    struct pel_dirty needle;
+    pel_dirty_areas_add(dirty, &text);
+    for (int i = 0; i < 2; i++) {
+        pel_dirty_begin(&needle, NULL);
+        draw_needle(&panel_glass, &needle.paint);
+        pel_dirty_areas_add(dirty, &needle.box);
+        way = pel_direction((uint16_t)(FIRST + degrees * ROUND / 270));
+    }
+    snprintf(value, sizeof value, "%3d\xC2\xB0", degrees % 1000);
+}
+
+int main(void)
+{
+    static const pel_color blues[2] = {PEL_RGB(10, 20, 60),
+                                       PEL_RGB(40, 120, 190)};
+    static const struct pel_ramp ramp = {blues, 2, PEL_PAD};
+    static const struct pel_dirty_work work = {
+        {band[0], band[1]}, sizeof band[0], draw, NULL};
+    const struct pel_point top = PEL_AT(0, 0), bottom = PEL_AT(0, 240);
+    struct pel_dirty_areas dirty = {.window = 200};
+    enum pel_status status = pel_linear_init(&sky, top, bottom, &ramp);
+    if (status == PEL_OK)
+        status = pel_dither_init(&back, &sky.base.paint);
+    pel_dirty_areas_add(&dirty, &panel_glass.bounds);
+    for (int degrees = 0; degrees <= 270 && status == PEL_OK; degrees++) {
+        panel_frame_begin();
+        set_value(&dirty, degrees);
+        status = pel_dirty_areas_show(&dirty, &panel, &work);
+        panel_frame_end();
+    }
+    panel_print();
+    return status != PEL_OK;
+}

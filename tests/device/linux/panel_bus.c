@@ -1,0 +1,374 @@
+/* A panel on a Linux board whose system calls are played here: what spidev,
+ * i2c-dev and the lines get makes the glass show the frame, straight from the
+ * frame's memory, in messages that spidev takes; and every call fails once with
+ * every errno. */
+#include "tests/support/check.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <linux/i2c-dev.h>
+#include <linux/i2c.h>
+#include <linux/spi/spidev.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "core/format/formats.h"
+#include "drivers/display_linux_panel.h"
+#include "tests/support/panel_glass.h"
+
+enum { BUFSIZ_OF_SPIDEV = 4096, CACHE_LINE = 128 };
+
+static struct bus_log wire; /* what went over it */
+static struct pel_display_panel panel;
+static struct pel_display display;
+static int mode_set;
+static int levels[3], lines_open; /* D/C, reset, light */
+static int calls, fail_at, error_given;
+static int messages, settings; /* system calls: transfers, lines */
+static size_t bytes_sent, bytes_copied;
+
+static int fails(void)
+{
+    if (++calls != fail_at)
+        return 0;
+    errno = error_given;
+    return 1;
+}
+
+static void note(int kind, const uint8_t *bytes, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        wire.log[wire.count++] = (uint16_t)(kind | bytes[i]);
+    bytes_sent += n;
+}
+
+static bool in_frame(const uint8_t *bytes)
+{
+    const uint8_t *pixels = panel.frame.pixels;
+    return pixels && bytes >= pixels &&
+           bytes < pixels + (size_t)display.width * (size_t)display.height * 2;
+}
+
+static void take_spi(const struct spi_ioc_transfer *t, size_t n)
+{
+    size_t in_buffer = 0;
+    for (size_t i = 0; i < n; i++) {
+        const uint8_t *bytes = (const uint8_t *)(uintptr_t)t[i].tx_buf;
+        in_buffer += (t[i].len + CACHE_LINE - 1) / CACHE_LINE * CACHE_LINE;
+        bytes_copied += t[i].len > 16 && !in_frame(bytes) ? t[i].len : 0;
+        note(levels[0] ? BUS_LOG_DATA : 0, bytes, t[i].len);
+        assert_int_equal(t[i].speed_hz, 40000000);
+    }
+    assert_true(in_buffer <= BUFSIZ_OF_SPIDEV);
+    messages++;
+}
+
+static void take_i2c(const struct i2c_rdwr_ioctl_data *data)
+{
+    assert_int_equal(data->nmsgs, 1);
+    assert_int_equal(data->msgs->addr, 0x3D);
+    note(data->msgs->buf[0] == 0x40 ? BUS_LOG_DATA : 0, data->msgs->buf + 1,
+         (size_t)data->msgs->len - 1);
+    assert_int_equal(data->msgs->buf[0] & ~0x40, 0);
+    messages++;
+}
+
+int __wrap_nanosleep(const struct timespec *time, struct timespec *left);
+int __wrap_ioctl(int fd, unsigned long request, ...);
+int __wrap_open(const char *path, int flags, ...);
+int __real_open(const char *path, int flags, ...);
+int __wrap_pel_gpio_open(struct pel_gpio *gpio,
+                         const struct pel_gpio_request *request,
+                         struct pel_message *message);
+void __wrap_pel_gpio_close(struct pel_gpio *gpio);
+int __wrap_pel_gpio_set(struct pel_gpio *gpio, int line, bool active);
+
+int __wrap_nanosleep(const struct timespec *time, struct timespec *left)
+{
+    (void)time;
+    (void)left;
+    return 0;
+}
+
+int __wrap_ioctl(int fd, unsigned long request, ...)
+{
+    va_list arguments;
+    va_start(arguments, request);
+    void *argument = va_arg(arguments, void *);
+    va_end(arguments);
+    (void)fd;
+    if (fails())
+        return -1;
+    if (request == I2C_RDWR)
+        take_i2c(argument);
+    else if (request == SPI_IOC_WR_MODE)
+        mode_set = *(uint8_t *)argument;
+    else if (_IOC_TYPE(request) == SPI_IOC_MAGIC && _IOC_NR(request) == 0)
+        take_spi(argument,
+                 _IOC_SIZE(request) / sizeof(struct spi_ioc_transfer));
+    return 0;
+}
+
+int __wrap_open(const char *path, int flags, ...)
+{
+    const bool device = strncmp(path, "/dev/", 5) == 0;
+    if (device && fails())
+        return -1;
+    return __real_open(device ? "/dev/null" : path, flags);
+}
+
+int __wrap_pel_gpio_open(struct pel_gpio *gpio,
+                         const struct pel_gpio_request *request,
+                         struct pel_message *message)
+{
+    static const char *const names[] = {"GPIO25", "27", "GPIO18"};
+    memset(gpio, 0, sizeof *gpio);
+    if (fails()) {
+        pel_message_errno(message, request->lines[0], errno);
+        return errno;
+    }
+    for (int i = 0; i < 3; i++)
+        if (strcmp(names[i], request->lines[0]) == 0)
+            gpio->request = &levels[i];
+    assert_non_null(gpio->request);
+    assert_true((gpio->request == &levels[1]) == (request->chip != NULL));
+    lines_open++;
+    return 0;
+}
+
+void __wrap_pel_gpio_close(struct pel_gpio *gpio)
+{
+    lines_open -= gpio->request != NULL;
+    gpio->request = NULL;
+}
+
+int __wrap_pel_gpio_set(struct pel_gpio *gpio, int line, bool active)
+{
+    int *level = gpio->request;
+    assert_int_equal(line, 0);
+    if (fails())
+        return errno;
+    if (level == &levels[1] && !active)
+        wire.log[wire.count++] = BUS_LOG_RESET;
+    *level = active;
+    settings++;
+    return 0;
+}
+
+/* Each with what its glass is, of which the first is 240x240. */
+static const struct {
+    const char *name;
+    struct panel_glass glass;
+    int width, height; /* of the display */
+} devices[] = {
+    {"st7789,spi=/dev/spidev0.0,speed=40M,size=240x240,dc=GPIO25,"
+     "reset=gpiochip0:27,light=GPIO18",
+     {.family = PANEL_DCS, .columns = 240, .rows = 320},
+     240,
+     240},
+    {"st7789,spi=/dev/spidev0.0,speed=40000000,size=135x240,rotation=90,"
+     "mode=3,dc=GPIO25,brightness=200",
+     {.family = PANEL_DCS, .columns = 240, .rows = 320, .left = 52, .top = 40},
+     240,
+     135},
+    {"ssd1306,i2c=/dev/i2c-1,address=0x3d",
+     {.family = PANEL_PAGES,
+      .columns = 128,
+      .rows = 64,
+      .columns_backward = true,
+      .rows_backward = true},
+     128,
+     64},
+    {"ssd1306,i2c=/dev/i2c-1,address=61,size=128x32,rotation=270,inverted",
+     {.family = PANEL_PAGES,
+      .columns = 128,
+      .rows = 64,
+      .columns_backward = true,
+      .rows_backward = true},
+     32,
+     128},
+};
+enum { DEVICES = sizeof devices / sizeof *devices };
+
+static struct pel_message message;
+
+static int open_device(int i)
+{
+    struct pel_panel_request request;
+    wire.count = 0;
+    calls = messages = settings = lines_open = 0;
+    bytes_sent = bytes_copied = 0;
+    message.text[0] = 0;
+    assert_int_equal(pel_panel_parse(&request, devices[i].name, &message), 0);
+    return pel_display_panel_open(&display, &panel, &request, &message);
+}
+
+/* A frame of noise, or a part of it. */
+static enum pel_status flush(const struct pel_rect *area)
+{
+    struct pel_surface s;
+    assert_int_equal(pel_display_begin(&display, area, &s), PEL_OK);
+    uint8_t *bytes = s.pixels;
+    const size_t n = (size_t)display.height * (size_t)s.stride;
+    for (size_t i = 0; i < n && display.format->bits > 1; i++)
+        bytes[i] = (uint8_t)rand();
+    for (size_t i = 0; i < n / 2 && display.format->bits == 1; i++)
+        bytes[i % ((size_t)display.width * (size_t)display.height / 8)] =
+            (uint8_t)rand();
+    return pel_display_flush(&display, &s);
+}
+
+static int pixel(const struct pel_surface *s, int x, int y)
+{
+    const uint8_t *bytes = s->pixels;
+    if (s->format == &pel_mono1_pages)
+        return bytes[y / 8 * s->stride + x] >> (y & 7) & 1;
+    if (s->format == &pel_mono1)
+        return bytes[y * s->stride + x / 8] >> (7 - (x & 7)) & 1;
+    return bytes[y * s->stride + 2 * x] << 8 | bytes[y * s->stride + 2 * x + 1];
+}
+
+static void check_glass(int i)
+{
+    static struct panel_glass glass;
+    glass = devices[i].glass;
+    panel_glass_reset(&glass);
+    panel_glass_take(&glass, &wire, 0);
+    assert_true(glass.on && glass.awake);
+    for (int y = 0; y < display.height; y++)
+        for (int x = 0; x < display.width; x++) {
+            const int right = display.width - 1 - x;
+            const int below = display.height - 1 - y;
+            const int seen = panel.panel.rotation == 0
+                                 ? panel_glass_pixel(&glass, x, y)
+                             : panel.panel.rotation == 1
+                                 ? panel_glass_pixel(&glass, below, x)
+                                 : panel_glass_pixel(&glass, y, right);
+            assert_int_equal(seen, pixel(&panel.frame, x, y));
+        }
+}
+
+static void test_frames(void)
+{
+    for (int i = 0; i < DEVICES; i++) {
+        const struct pel_rect whole = {0, 0, devices[i].width,
+                                       devices[i].height};
+        assert_int_equal(open_device(i), 0);
+        assert_int_equal(display.width, devices[i].width);
+        assert_int_equal(display.height, devices[i].height);
+        assert_int_equal(levels[2], i == 0);
+        assert_int_equal(mode_set, i == 0 ? 0 : 3);
+        assert_int_equal(flush(&whole), PEL_OK);
+        check_glass(i);
+        pel_display_panel_close(&panel);
+        assert_int_equal(lines_open, 0);
+        assert_int_equal(levels[2], 0);
+    }
+}
+
+/* What a 240x240 frame, and a window of 10x100, cost, told for docs. */
+static void test_system_calls(void)
+{
+    const struct pel_rect whole = {0, 0, 240, 240}, part = {7, 50, 17, 150};
+    assert_int_equal(open_device(0), 0);
+    messages = settings = 0;
+    bytes_sent = 0;
+    assert_int_equal(flush(&whole), PEL_OK);
+    printf("240x240: %d transfers, %d lines set, %zu bytes, %zu copied\n",
+           messages, settings, bytes_sent, bytes_copied);
+    assert_int_equal(bytes_sent, 240 * 240 * 2 + 11);
+    assert_int_equal(messages, 5 + (240 * 240 * 2 + 4095) / 4096);
+    assert_int_equal(settings, 5);
+    assert_int_equal(bytes_copied, 0);
+    messages = 0;
+    assert_int_equal(flush(&part), PEL_OK);
+    assert_int_equal(messages, 5 + (100 + 31) / 32);
+    assert_int_equal(bytes_copied, 0);
+    pel_display_panel_close(&panel);
+}
+
+static int open_files(void)
+{
+    int n = 0;
+    DIR *folder = opendir("/proc/self/fd");
+    while (folder && readdir(folder))
+        n++;
+    closedir(folder);
+    return n;
+}
+
+static void test_every_call_that_fails(void)
+{
+    static const int errors[] = {
+        EIO,       EINVAL, ENODEV,   EBUSY,     EACCES,    ENOENT, ENXIO,
+        EREMOTEIO, ENOMEM, EMSGSIZE, ETIMEDOUT, ESHUTDOWN, ENOTTY, EINTR};
+    const int files = open_files();
+    for (size_t k = 0; k < DEVICES * sizeof errors / sizeof *errors; k++) {
+        const int i = (int)k % DEVICES;
+        const struct pel_rect whole = {0, 0, devices[i].width,
+                                       devices[i].height};
+        error_given = errors[k / DEVICES];
+        calls = fail_at = 0;
+        do {
+            fail_at++;
+            int error = open_device(i);
+            if (!error)
+                error = flush(&whole);
+            const bool failed = calls >= fail_at;
+            const bool told = message.text[0];
+            pel_display_panel_close(&panel);
+            if (error_given != EINTR)
+                assert_int_equal(failed, error != 0);
+            assert_int_equal(error != 0, told);
+            assert_int_equal(lines_open, 0);
+            assert_int_equal(open_files(), files);
+        } while (calls >= fail_at);
+    }
+    fail_at = 0;
+}
+
+static void test_names_that_are_refused(void)
+{
+    static const char *const names[][2] = {
+        {"", "spi=/dev"},
+        {"st7789,spi=a", "dc=LINE"},
+        {"st7789,spi=a,i2c=b", "spi=/dev"},
+        {"st7789,spi=a,dc=b,rotation=45", "0, 90, 180 or 270"},
+        {"st7789,spi=a,dc=b,rotation=360", "0, 90, 180 or 270"},
+        {"st7789,spi=a,dc=b,size=240", "240x240"},
+        {"st7789,spi=a,dc=b,size=-1x9", "240x240"},
+        {"st7789,spi=a,dc=b,offset=1x2x3", "52x40"},
+        {"st7789,spi=a,dc=b,speed=0", "32M"},
+        {"st7789,spi=a,dc=b,speed=5000M", "32M"},
+        {"st7789,spi=a,dc=b,brightness=256", "0 to 255"},
+        {"ssd1306,i2c=a,address=128", "0x3c"},
+        {"st7789,spi=a,dc=b,mode=4", "0 to 3"},
+        {"st7789,spi=a,dc=", "OPTION=VALUE"},
+        {"st7789,colour=blue", "spi, mode"}};
+    struct pel_panel_request request;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        assert_int_equal(pel_panel_parse(&request, names[i][0], &message),
+                         EINVAL);
+        assert_non_null(strstr(message.text, names[i][1]));
+    }
+    static const char *const opened[][2] = {
+        {"uc1701,spi=/dev/a,dc=GPIO25", "unknown panel 'uc1701'"},
+        {"st7789,spi=/dev/a,dc=GPIO25,size=241x10", "beyond the memory"}};
+    for (size_t i = 0; i < sizeof opened / sizeof *opened; i++) {
+        assert_int_equal(pel_panel_parse(&request, opened[i][0], &message), 0);
+        assert_int_equal(
+            pel_display_panel_open(&display, &panel, &request, &message),
+            EINVAL);
+        assert_non_null(strstr(message.text, opened[i][1]));
+    }
+}
+
+int main(void)
+{
+    return RUN_TESTS(test_frames, test_system_calls, test_every_call_that_fails,
+                     test_names_that_are_refused);
+}

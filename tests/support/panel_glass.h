@@ -1,0 +1,40 @@
+/* What the glass of a panel shows after a log of its bus: the panel chips as
+ * their data sheets have them, written independently of drivers/. */
+#ifndef TESTS_SUPPORT_PANEL_GLASS_H
+#define TESTS_SUPPORT_PANEL_GLASS_H
+
+#include "bus_log.h"
+
+enum panel_family { PANEL_DCS, PANEL_SSD1351, PANEL_PAGES };
+
+struct panel_glass {
+    /* The chip and how a module is wired to it, set by the test. */
+    enum panel_family family;
+    int columns, rows;                    /* of memory */
+    bool columns_backward, rows_backward; /* glass, against memory as it is
+                                             after reset */
+    int left, top; /* of the glass, in memory as the glass sees it */
+
+    /* State. */
+    bool inverted, on, awake;
+    int direction; /* the byte of MADCTL, or A0h */
+    int depth;     /* of COLMOD */
+    int brightness;
+    int command, parameter;
+    int x[2], y[2], at[2]; /* window and place, as the chip counts */
+    int high;              /* first byte of a pixel, or -1 */
+    bool segments, scan;   /* A1h, C8h */
+    int multiplex;
+    uint16_t memory[320][240];
+};
+
+void panel_glass_reset(struct panel_glass *glass);
+
+/* Takes what came since index `from` of the log; the new end. */
+int panel_glass_take(struct panel_glass *glass, const struct bus_log *log,
+                     int from);
+
+/* A pixel of the upright glass: 16 bits, or 0 and 1. */
+int panel_glass_pixel(const struct panel_glass *glass, int x, int y);
+
+#endif

@@ -1,0 +1,14 @@
+#!/bin/sh
+# example.sh OUT COMMAND... : runs an example. A picture goes to OUT.ppm, and what
+# its comments say is shown; text is shown as it is.
+set -eu
+out=$1
+shift
+"$@" </dev/null >"$out.ppm"
+if [ "$(head -c 2 "$out.ppm")" = P6 ]; then
+    LC_ALL=C sed -n -e '/^# /s///p' -e '/^[0-9]* [0-9]* 255$/q' "$out.ppm"
+    echo "$out.ppm"
+else
+    cat "$out.ppm"
+    rm "$out.ppm"
+fi

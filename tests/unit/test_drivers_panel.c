@@ -1,0 +1,392 @@
+/* Panels: what is sent over the bus makes the glass show the picture, for every
+ * chip, module, rotation and window. */
+#include "tests/support/check.h"
+#include "tests/support/layouts.h"
+
+#include <string.h>
+
+#include "drivers/panel.h"
+#include "tests/support/cases.h"
+#include "tests/support/panel_glass.h"
+
+struct module {
+    const char *name;
+    const struct pel_panel_chip *chip[2]; /* by rotation & 1 */
+    struct pel_panel panel;
+    struct panel_glass glass;
+    int width, height;
+    bool inverted; /* as the usual module wants it */
+    int bgr;       /* the bit of the direction byte, as it wants it */
+};
+
+#define BOTH(chip)                           \
+    {                                        \
+        &pel_panel_##chip, &pel_panel_##chip \
+    }
+#define TURNED(chip)                                  \
+    {                                                 \
+        &pel_panel_##chip, &pel_panel_##chip##_turned \
+    }
+/* Colour memory: family, columns, rows, columns backward, rows backward. */
+#define DCS .glass = {.family = PANEL_DCS, .columns = 240, .rows = 320
+#define PAGES                           \
+    .glass = {.family = PANEL_PAGES,    \
+              .rows = 64,               \
+              .columns_backward = true, \
+              .rows_backward = true
+
+static const struct module modules[] =
+    {{"st7789 240x320", BOTH(st7789), {.rotation = 0}, DCS}, 240, 320, true, 0},
+                           {"st7789 240x240",
+                            BOTH(st7789),
+                            {PEL_PANEL_240X240},
+                            DCS},
+                           240, 240, true, 0
+}
+, {"st7789 135x240", BOTH(st7789), {PEL_PANEL_135X240}, DCS,
+   .left = 52,       .top = 40},
+    135, 240, true, 0
+}
+, {"st7789 170x320", BOTH(st7789), {PEL_PANEL_170X320}, DCS, .left = 35}, 170,
+    320, true, 0
+}
+, {"st7789 240x280", BOTH(st7789), {PEL_PANEL_240X280}, DCS, .top = 20}, 240,
+    280, true, 0
+}
+,
+    {"st7789, other glass",
+     BOTH(st7789),
+     {.width = 80,
+      .height = 160,
+      .left = 7,
+      .top = 100,
+      .inverted = true,
+      .swapped = true},
+     DCS,
+     .left = 7,
+     .top = 100},
+    80, 160, false, 8
+}
+, {"ili9341", BOTH(ili9341), {.rotation = 0}, DCS, .columns_backward = true},
+    240, 320, false, 8
+}
+,
+    {"gc9a01",
+     BOTH(gc9a01),
+     {.rotation = 0},
+     .glass = {.family = PANEL_DCS, .columns = 240, .rows = 240},
+     240,
+     240,
+     true,
+     8},
+    {"ssd1351",
+     BOTH(ssd1351),
+     {.rotation = 0},
+     .glass = {.family = PANEL_SSD1351,
+               .columns = 128,
+               .rows = 128,
+               .rows_backward = true},
+     128,
+     128,
+     false,
+     4},
+    {"ssd1351 128x96",
+     BOTH(ssd1351),
+     {.width = 128, .height = 96, .top = 32, .swapped = true},
+     .glass = {.family = PANEL_SSD1351,
+               .columns = 128,
+               .rows = 128,
+               .top = 32,
+               .rows_backward = true},
+     128,
+     96,
+     false,
+     0},
+    {"ssd1306", TURNED(ssd1306), {.rotation = 0}, PAGES, .columns = 128}, 128,
+    64, false, 0
+}
+,
+    {"ssd1306 128x32",
+     TURNED(ssd1306_32),
+     {.inverted = true},
+     PAGES,
+     .columns = 128},
+    128, 32, true, 0
+}
+, {"ssd1306 64x48", TURNED(ssd1306), {.width = 64, .height = 64, .left = 32},
+   PAGES,           .columns = 128,  .left = 32},
+    64, 64, false, 0
+}
+, {"sh1106", TURNED(sh1106), {.rotation = 0}, PAGES, .columns = 132, .left = 2},
+    128, 64, false, 0
+}
+,
+}
+;
+enum { MODULES = sizeof modules / sizeof *modules, BYTES = 320 * 320 * 2 };
+
+static struct bus_log bus;
+static uint8_t memory[BYTES], shown[BYTES];
+
+/* A module under test, and `shown`, what its screen is to show. */
+struct fixture {
+    const struct module *module;
+    struct pel_panel panel;
+    struct panel_glass glass;
+    struct pel_display display;
+    struct pel_surface shown;
+    int read; /* of the log */
+};
+
+static const struct pel_format *format_of(const struct module *m, int rotation)
+{
+    return m->glass.family != PANEL_PAGES ? &pel_rgb565_be
+           : rotation & 1                 ? &pel_mono1
+                                          : &pel_mono1_pages;
+}
+
+static enum pel_status set_up(struct fixture *f, const struct module *m,
+                              int rotation)
+{
+    f->module = m;
+    f->panel = m->panel;
+    f->glass = m->glass;
+    f->panel.chip = m->chip[rotation & 1];
+    f->panel.bus = &bus.bus;
+    f->panel.format = format_of(m, rotation);
+    f->panel.rotation = (uint8_t)rotation;
+    f->read = 0;
+    bus.pixels = memory;
+    bus.size = sizeof memory;
+    bus_log_init(&bus);
+    panel_glass_reset(&f->glass);
+    const enum pel_status status = pel_panel_init(&f->display, &f->panel);
+    memset(shown, 0, sizeof shown);
+    if (status == PEL_OK)
+        f->shown = surface_of(f->panel.format, shown, sizeof shown,
+                              f->display.width, f->display.height);
+    return status;
+}
+
+/* The pixel at (x, y) of a surface: 16 bits as sent, or 0 and 1. */
+static int pixel_of(const struct pel_surface *s, int x, int y)
+{
+    const uint8_t *bytes = s->pixels;
+    if (s->format->id == PEL_FORMAT_MONO1_PAGES)
+        return bytes[y / 8 * s->stride + x] >> (y & 7) & 1;
+    bytes += y * s->stride;
+    if (s->format->id == PEL_FORMAT_MONO1)
+        return bytes[x / 8] >> (7 - (x & 7)) & 1;
+    return bytes[2 * x] << 8 | bytes[2 * x + 1];
+}
+
+/* The glass, looked at by someone for whom it is turned: the picture's pixel
+ * that its upright pixel (x, y) is. */
+static int expected(const struct fixture *f, int x, int y)
+{
+    const int right = f->module->width - 1 - x,
+              below = f->module->height - 1 - y;
+    switch (f->panel.rotation) {
+    case 0:
+        return pixel_of(&f->shown, x, y);
+    case 1:
+        return pixel_of(&f->shown, y, right);
+    case 2:
+        return pixel_of(&f->shown, right, below);
+    default:
+        return pixel_of(&f->shown, below, x);
+    }
+}
+
+static void check_glass(struct fixture *f)
+{
+    f->read = panel_glass_take(&f->glass, &bus, f->read);
+    for (int y = 0; y < f->module->height; y++)
+        for (int x = 0; x < f->module->width; x++)
+            if (panel_glass_pixel(&f->glass, x, y) != expected(f, x, y))
+                fail_msg("%s, rotation %d: (%d, %d) of the glass is %04x, not "
+                         "%04x; %s",
+                         f->module->name, f->panel.rotation, x, y,
+                         panel_glass_pixel(&f->glass, x, y), expected(f, x, y),
+                         cases_replay());
+}
+
+static void check_state(const struct fixture *f)
+{
+    const struct panel_glass *g = &f->glass;
+    assert_true(g->on && g->awake);
+    assert_true(g->inverted == f->module->inverted);
+    if (g->family == PANEL_DCS) {
+        assert_int_equal(g->depth & 7, 5);
+        assert_int_equal(g->brightness, 255);
+    }
+    if (g->family == PANEL_PAGES)
+        assert_int_equal(g->multiplex,
+                         f->panel.chip == &pel_panel_ssd1306_32 ||
+                                 f->panel.chip == &pel_panel_ssd1306_32_turned
+                             ? 32
+                             : 64);
+    else
+        assert_int_equal(g->direction & (g->family == PANEL_DCS ? 8 : 4),
+                         f->module->bgr);
+}
+
+static struct pel_rect any_area(struct random *r, const struct pel_display *d)
+{
+    const struct pel_rect whole = {0, 0, d->width, d->height};
+    const int32_t x = random_between(r, 0, d->width - 1);
+    const int32_t y = random_between(r, 0, d->height - 1);
+    struct pel_rect area = {x, y, random_between(r, x + 1, d->width),
+                            random_between(r, y + 1, d->height)};
+    if (random_word(r) % 4 == 0)
+        area = whole;
+    pel_display_align(d, &area);
+    return area;
+}
+
+/* Random pixels: a band or tile of its own, or a part of a larger one. */
+static struct pel_surface any_surface(struct random *r,
+                                      const struct pel_display *d,
+                                      const struct pel_rect *area)
+{
+    const struct pel_rect whole = {0, 0, d->width, d->height};
+    struct pel_surface s;
+    const bool part = random_word(r) & 1;
+    assert_int_equal(pel_surface_init(&s, d->format, memory, sizeof memory,
+                                      part ? &whole : area),
+                     PEL_OK);
+    for (size_t i = 0; i < sizeof memory; i++)
+        memory[i] = (uint8_t)random_word(r);
+    assert_int_equal(pel_display_begin(d, area, &s), PEL_OK);
+    return s;
+}
+
+static void flush_any(struct fixture *f, struct random *r)
+{
+    const struct pel_rect area = any_area(r, &f->display);
+    struct pel_surface s = any_surface(r, &f->display, &area);
+    pel_surface_clip(&f->shown, &area);
+    for (int32_t y = area.y0; y < area.y1; y++)
+        for (int32_t x = area.x0; x < area.x1; x += 16) {
+            pel_color colors[16];
+            const int32_t n = pel_min(16, area.x1 - x);
+            s.format->load(&s, x, y, n, colors);
+            f->shown.format->put(&f->shown, x, y, n, colors);
+        }
+    assert_int_equal(pel_display_flush(&f->display, &s), PEL_OK);
+    assert_int_equal(pel_display_wait(&f->display), PEL_OK);
+}
+
+static void test_glass_shows_the_picture(void)
+{
+    static struct fixture f;
+    for (struct cases c = cases_of(MODULES * 4 * 2); cases_next(&c);) {
+        const uint64_t i = c.next - 1;
+        bus.dma = i % 2;
+        assert_int_equal(
+            set_up(&f, &modules[i / 8 % MODULES], (int)(i / 2 % 4)), PEL_OK);
+        assert_true(bus.ms >= (f.glass.family == PANEL_DCS ? 360 : 100));
+        for (int n = 0; n < 4; n++) {
+            if (n)
+                bus.count = f.read = 0;
+            flush_any(&f, &c.random);
+            check_glass(&f);
+        }
+        check_state(&f);
+    }
+}
+
+static void test_brightness_and_sleep(void)
+{
+    static struct fixture f;
+    for (int i = 0; i < MODULES * 2; i++) {
+        bus.dma = i & 1;
+        assert_int_equal(set_up(&f, &modules[i / 2], 0), PEL_OK);
+        pel_panel_brightness(&f.panel, 0x9C);
+        pel_panel_sleep(&f.panel, true);
+        f.read = panel_glass_take(&f.glass, &bus, f.read);
+        assert_int_equal(f.glass.brightness,
+                         f.glass.family == PANEL_SSD1351 ? 9 : 0x9C);
+        assert_false(f.glass.on || f.glass.awake);
+        pel_panel_sleep(&f.panel, false);
+        panel_glass_take(&f.glass, &bus, f.read);
+        assert_true(f.glass.on && f.glass.awake);
+    }
+}
+
+/* Init and a flush, in which the n-th call of the bus fails: its error comes
+ * out, and nothing is sent after it. */
+static void test_every_call_that_fails(void)
+{
+    static struct fixture f;
+    for (int i = 0; i < MODULES * 8; i++) {
+        enum pel_status status = PEL_ERROR_DEVICE;
+        bus.dma = i & 1;
+        for (bus.fail_at = 1; status != PEL_OK; bus.fail_at++) {
+            status = set_up(&f, &modules[i / 8], i / 2 % 4);
+            if (status == PEL_OK) {
+                struct pel_surface s =
+                    surface_of(f.panel.format, memory, sizeof memory,
+                               f.display.width, f.display.height);
+                status = pel_display_flush(&f.display, &s);
+            }
+            if (status == PEL_OK)
+                status = pel_display_wait(&f.display);
+            assert_int_equal(
+                status, bus.calls < bus.fail_at ? PEL_OK : PEL_ERROR_DEVICE);
+            assert_true(bus.calls <= bus.fail_at);
+        }
+    }
+    bus.fail_at = 0;
+}
+
+static void test_what_is_refused(void)
+{
+    static struct fixture f;
+    struct pel_panel wide = {.chip = &pel_panel_st7789,
+                             .bus = &bus.bus,
+                             .format = &pel_rgb565_be,
+                             PEL_PANEL_135X240};
+    struct pel_display display;
+    struct pel_surface s;
+    assert_int_equal(pel_panel_init(NULL, &wide), PEL_ERROR_NULL);
+    assert_int_equal(pel_panel_init(&display, NULL), PEL_ERROR_NULL);
+    wide.left = 106;
+    assert_int_equal(pel_panel_init(&display, &wide), PEL_ERROR_SIZE);
+    wide.left = 105;
+    wide.top = 81;
+    assert_int_equal(pel_panel_init(&display, &wide), PEL_ERROR_SIZE);
+    wide.format = &pel_rgb565_le;
+    assert_int_equal(pel_panel_init(&display, &wide), PEL_ERROR_FORMAT);
+    wide.format = NULL;
+    assert_int_equal(pel_panel_init(&display, &wide), PEL_ERROR_NULL);
+    for (int i = 0; i < MODULES * 4; i++) {
+        const struct module *m = &modules[i / 4];
+        assert_int_equal(set_up(&f, m, i % 4), PEL_OK);
+        s = surface_of(f.panel.format, memory, sizeof memory,
+                       f.display.width + 8, f.display.height + 8);
+        const int calls = bus.calls;
+        assert_int_equal(pel_display_flush(&f.display, &s), PEL_ERROR_SIZE);
+        s.clip = (struct pel_rect){3, 3, 11, 11};
+        if (m->glass.family == PANEL_PAGES)
+            assert_int_equal(pel_display_flush(&f.display, &s), PEL_ERROR_SIZE);
+        s.clip.x1 = 3;
+        assert_int_equal(pel_display_flush(&f.display, &s), PEL_OK);
+        s = surface_of(&pel_gray8, memory, sizeof memory, f.display.width,
+                       f.display.height);
+        assert_int_equal(pel_display_flush(&f.display, &s), PEL_ERROR_FORMAT);
+        assert_int_equal(bus.calls, calls);
+    }
+    f.panel = modules[10].panel;
+    f.panel.chip = &pel_panel_ssd1306;
+    f.panel.bus = &bus.bus;
+    f.panel.format = &pel_mono1;
+    f.panel.rotation = 1;
+    assert_int_equal(pel_panel_init(&display, &f.panel), PEL_ERROR_FORMAT);
+}
+
+int main(void)
+{
+    return RUN_TESTS(test_glass_shows_the_picture, test_brightness_and_sleep,
+                     test_every_call_that_fails, test_what_is_refused);
+}
