@@ -169,18 +169,23 @@ pel_gouraud_rgb565x8(struct pel_gouraud_four c, const uint32_t dx[3])
            (c.v[0] >> 11 & 0x001F0000u);
 }
 
-/* Stores n < 4 pixels, as pel_gouraud_short_xrgb. */
-static inline void pel_gouraud_few_rgb565(pel_word16 *p, int32_t n,
-                                          pel_u32x4 pixels)
+/* Stores the first n < 8 of eight pixels, by two stores that may overlap. */
+static inline void pel_gouraud_short_rgb565(pel_word16 *p, int32_t n,
+                                            pel_u32x4 pixels)
 {
-    uint32_t four[4];
+    uint16_t eight[8];
+    pel_put_u32x4(eight, pixels);
+    if (n >= 4) {
+        memcpy(p, eight, 8);
+        memcpy(p + n - 4, eight + n - 4, 8);
+        return;
+    }
     pel_word16 elsewhere;
     pel_word16 *q = n > 0 ? p : &elsewhere;
     int32_t last = n > 0 ? n - 1 : 0, half = (last + 1) >> 1;
-    pel_put_u32x4(four, pixels);
-    q[0] = (pel_word16)four[0];
-    q[half] = (pel_word16)four[half];
-    q[last] = (pel_word16)four[last];
+    q[0] = eight[0];
+    q[half] = eight[half];
+    q[last] = eight[last];
 }
 
 static PEL_ALWAYS_INLINE void pel_gouraud_span_rgb565(
@@ -188,17 +193,15 @@ static PEL_ALWAYS_INLINE void pel_gouraud_span_rgb565(
 {
     struct pel_gouraud_four four = pel_gouraud_times(v, 1);
     if (n < 4) {
-        four = pel_gouraud_add(s->few, four);
-        pel_gouraud_few_rgb565(p, n, pel_gouraud_rgb565x4(four));
+        const pel_u32x4 few =
+            pel_gouraud_rgb565x4(pel_gouraud_add(s->few, four));
+        pel_gouraud_short_rgb565(p, n, (pel_u32x4)pel_narrow_u16x8(few, few));
         return;
     }
     four = pel_gouraud_add(s->lanes, four);
     const pel_u32x4 first = pel_gouraud_rgb565x8(four, s->dx);
     if (n < 8) {
-        uint16_t eight[8];
-        pel_put_u32x4(eight, first);
-        memcpy(p, eight, 8);
-        memcpy(p + n - 4, eight + n - 4, 8);
+        pel_gouraud_short_rgb565(p, n, first);
         return;
     }
     const uint32_t last = (uint32_t)n - 8;
