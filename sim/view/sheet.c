@@ -221,6 +221,17 @@ static void show_numbers(const struct sheet *s,
     inspect_text(surface, &s->font, text, true);
 }
 
+/* Where a part of the picture is on the surface. */
+static struct pel_rect part_on(const struct sheet *s,
+                               const struct pel_surface *surface,
+                               const struct pel_rect *part)
+{
+    const struct pel_rect at = place_on(s, surface);
+    return (struct pel_rect){
+        at.x0 + part->x0 * s->zoom, at.y0 + part->y0 * s->zoom,
+        at.x0 + part->x1 * s->zoom, at.y0 + part->y1 * s->zoom};
+}
+
 static void show_overlays(const struct sheet *s,
                           const struct pel_surface *surface)
 {
@@ -228,10 +239,7 @@ static void show_overlays(const struct sheet *s,
     const struct pel_rect at = place_on(s, surface);
     int x, y;
     for (int i = 0; show->areas && i < s->areas.count; i++) {
-        const struct pel_rect *a = &s->areas.area[i];
-        const struct pel_rect box = {
-            at.x0 + a->x0 * s->zoom, at.y0 + a->y0 * s->zoom,
-            at.x0 + a->x1 * s->zoom, at.y0 + a->y1 * s->zoom};
+        const struct pel_rect box = part_on(s, surface, &s->areas.area[i]);
         inspect_box(surface, &box, PEL_RGB(255, 0, 0));
     }
     if (show->bands)
@@ -244,14 +252,32 @@ static void show_overlays(const struct sheet *s,
         inspect_magnifier(surface, &s->canvas.surface, &s->script, x, y);
 }
 
+/* Only the picture has changed. */
+static void tell_changed(struct sheet *s, const struct pel_surface *surface)
+{
+    s->show.changed.count = 0;
+    for (int i = 0; i < s->areas.count; i++) {
+        const struct pel_rect box = part_on(s, surface, &s->areas.area[i]);
+        const struct pel_rect seen = pel_rect_intersect(&box, &surface->clip);
+        pel_dirty_areas_add(&s->show.changed, &seen);
+    }
+}
+
 static bool draw(struct show *show, const struct pel_surface *surface)
 {
     struct sheet *s = (struct sheet *)show;
+    const struct inspect *i = &s->inspect;
+    const bool covered =
+        i->bands || i->areas || i->magnifier || i->numbers || i->help;
+    const bool all = s->whole || s->covered || covered;
+    s->covered = covered;
     if (!draw_picture(s))
         return false;
     pel_clear(surface, PEL_RGB(0, 0, 0));
     show_picture(s, surface);
     show_overlays(s, surface);
+    if (!all)
+        tell_changed(s, surface);
     return true;
 }
 

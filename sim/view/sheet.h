@@ -30,7 +30,8 @@ struct sheet {
     bool stale;                 /* the picture is not as it should be */
     struct style *drawn_style;  /* and where they were when it was drawn */
     struct figures drawn;
-    bool whole; /* the next picture is drawn whole: not areas alone */
+    bool whole;   /* the next picture is drawn whole: not areas alone */
+    bool covered; /* something was drawn over the last one */
     struct pel_dirty_areas
         areas;           /* px of it that changed with the last frame */
     double milliseconds; /* of the last drawing */
