@@ -43,6 +43,7 @@ void sheet_free(struct sheet *sheet);
 
 /* For sim/view/sheet*.c alone. */
 
+bool sheet_draw(struct show *show, const struct pel_surface *surface);
 enum view_action sheet_take(struct sheet *sheet, const struct pel_input *input);
 /* The script as it is to be shown, read from memory where it is stale. False,
  * with a message. */

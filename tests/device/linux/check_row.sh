@@ -99,8 +99,9 @@ compare() { # NAME SCENE FORMAT WIDTH HEIGHT DAC_BITS
 # is the frame at which key w (119) was pressed.
 replay() { # NAME
     last=$(tail -n 1 "$share/$1/record" | cut -d' ' -f1)
-    "$build/../pel" view figures --still --size 160x120 --headless -o "$share/replay" \
-        --frames $((last + 1)) --replay "$share/$1/record" || return
+    "$build/../pel" view figures --still --size 160x120 --headless \
+        -o "$share/replay" --frames $((last + 1)) \
+        --replay "$share/$1/record" || return
     shots=0
     for frame in $(awk '$2 == "key" && $3 == 119 && $4 == "down" { print $1 }' \
         "$share/$1/record"); do
