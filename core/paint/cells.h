@@ -20,8 +20,8 @@
 #define PEL_CELL_STEP PEL_NOINLINE
 #endif
 
-/* Rows of a batch: one where code is to be small, and no more than errors of 32
- * bits have room for. */
+/* Rows of a batch: one where code is to be small, and at most 32: then errors
+ * of 32 bits do for all rows but the first. */
 enum {
     PEL_CELL_ROWS = !PEL_KNOW_SIDES       ? 1
                     : PEL_BATCH_ROWS < 32 ? PEL_BATCH_ROWS
@@ -54,7 +54,8 @@ struct pel_cells {
     int32_t place; /* of the next cell */
     int32_t limit; /* cells that may end yet; at 0 the rest is one cell */
 
-    /* Of the kind's walk: a whole number, and what it leaves. */
+    /* The kind's own: where the present cell begins, a radius or an angle, and
+     * what the floor drops of it. */
     int32_t whole, rest;
 
 #if PEL_KNOW_SIDES

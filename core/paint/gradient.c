@@ -37,7 +37,7 @@ int32_t pel_gradient_place(const struct pel_gradient *g, int32_t copy,
 }
 
 /* Takes the colour of the cell at c->place. */
-static void dip(struct pel_cells *c)
+static void take_color(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
     const int32_t place = c->place;
@@ -47,7 +47,7 @@ static void dip(struct pel_cells *c)
     c->value = c->opaque ? c->cell.surface->format->pack(color) : color;
 }
 
-/* One where batches have no more. */
+/* Known to the compiler where it is always one. */
 static inline int32_t rows_of(const struct pel_cells *c)
 {
     return PEL_CELL_ROWS == 1 ? 1 : c->cell.n;
@@ -152,8 +152,8 @@ bool pel_cells_next(struct pel_cells *c, int32_t most)
     return true;
 }
 
-/* Row i's next run goes to pixel x; in boxes no farther than the row does. What
- * is negative there when pixels are left. */
+/* Row i's next run goes to pixel x. Negative where the row goes farther, if the
+ * batch is a box. */
 static inline int32_t end_run(struct pel_cells *c, int32_t i, int32_t x)
 {
     struct pel_span *run = &c->run[i];
@@ -262,7 +262,7 @@ int32_t pel_cells_pass(struct pel_cells *c)
         c->place += c->way;
         if ((uint32_t)c->place >= (uint32_t)g->period)
             c->place -= c->way * g->period; /* which padded ways have not */
-        dip(c);
+        take_color(c);
     } while (c->value == value && c->opaque == opaque);
     c->limit -= count;
     return count;
@@ -274,7 +274,7 @@ void pel_cells_first(struct pel_cells *c)
     if (g->period == 0)
         c->limit =
             pel_min(c->limit, c->way > 0 ? g->cells - 1 - c->place : c->place);
-    dip(c);
+    take_color(c);
 }
 
 enum pel_status pel_gradient_init(struct pel_gradient *g,

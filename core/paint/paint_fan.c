@@ -23,8 +23,8 @@ static PEL_NOINLINE_32 void set_channel_at(struct part *r,
     r->at = t->at[k] + pel_times(t->dx[k], r->x) + pel_times(t->dy[k], r->y);
 }
 
-/* Channel k of the colours of a part inside one triangle, where those before it
- * are. */
+/* Adds channel k to the colours of a part inside one triangle; channel 0 comes
+ * first and overwrites them. */
 static PEL_NOINLINE_32 void add_channel(const struct part *r,
                                         const struct pel_fan_triangle *t, int k,
                                         pel_color *out)

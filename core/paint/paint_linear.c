@@ -11,10 +11,10 @@ static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
            pel_product(pel_pixel_center(y) - p->from.y, p->d.y);
 }
 
-/* The error of the boundary where cell k begins is n product - k square, in
- * units of 256 n, and what they leave (c->rest, from -1 to 256 n - 1). Where
- * products fall to the right, so do cells, and it is (k + 1) square - 1 - n
- * product. */
+/* The error of the boundary where cell k begins is n product - k square: whole
+ * units of 256 n, by which it grows from pixel to pixel, and what they leave
+ * (c->rest, from -1 to 256 n - 1). Where products fall to the right, so do
+ * cells, and it is (k + 1) square - 1 - n product. */
 static int32_t unit_of(const struct pel_linear *p)
 {
     return p->base.cells * 256;
@@ -86,7 +86,7 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
         &p->base, copy,
         (int32_t)pel_divide_64(pel_times((uint64_t)*error, n),
                                (uint64_t)p->square, &rest));
-    if (p->d.x == 0)
+    if (!PEL_KNOW_SIDES && p->d.x == 0)
         return;
     if (falling)
         rest = (uint64_t)p->square - 1 - rest;
@@ -110,6 +110,41 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c,
         c->limit = 0;
 }
 
+/* From a row of a gradient that is level and grows downwards to the next one: a
+ * few cells on, without a division. */
+static void move_down(struct pel_cells *c, const struct pel_linear *p)
+{
+    const struct pel_gradient *g = &p->base;
+    c->end.error += p->d.y;
+    while (c->end.error > p->cell ||
+           (c->end.error == p->cell && c->rest >= p->cell_rest)) {
+        const bool carry = c->rest < p->cell_rest;
+        c->end.error -= p->cell + carry;
+        c->rest += (carry ? unit_of(p) : 0) - p->cell_rest;
+        if (++c->place == g->period)
+            c->place = 0;
+        else if (g->period == 0)
+            c->place = pel_min(c->place, g->cells - 1);
+    }
+}
+
+/* Of a level gradient every row is one run of one cell. */
+static void fill_level(struct pel_cells *c, const struct pel_linear *p,
+                       const struct pel_spans *spans)
+{
+    const bool near_cells = p->d.y > 0 && p->d.y >> 3 <= p->cell;
+    c->cell.n = 1;
+    for (int32_t i = 0; i < spans->n; i++, c->cell.y += c->cell.step) {
+        if (i == 0 || !near_cells)
+            set_cell(c, p, find_copy(c, p, product_at(p, 0, c->cell.y)));
+        else if (c->cell.step)
+            move_down(c, p);
+        pel_cells_first(c);
+        c->run[0] = spans->span[i];
+        pel_fill_value(&c->cell, c->value, c->opaque);
+    }
+}
+
 /* Where boundaries lie far apart from row to row, the rows are drawn one by
  * one, and where cells are narrower than 1/16 px, so are pixels. */
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
@@ -119,6 +154,10 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     const int32_t most = p->by_pixel || far ? 1 : PEL_CELL_ROWS;
     struct pel_cells c;
     pel_cells_open(&c, &p->base, spans);
+    if (PEL_KNOW_SIDES && p->d.x == 0) {
+        fill_level(&c, p, spans);
+        return;
+    }
     while (pel_cells_next(&c, most)) {
         if (p->by_pixel)
             c.hi = c.end.x + 1;

@@ -5,6 +5,7 @@
  *     pel_masked_init(&soft, &cloud, 20, 10, &sky.base.paint);
  *     pel_box(&screen, &soft.box, &soft.base.paint);
  *
+ * `pel import icon.png --format gray4` makes one of a white, transparent icon.
  * Any shape may be painted so; a dither goes around it, not inside. */
 #ifndef PEL_PAINT_PAINT_MASK_H
 #define PEL_PAINT_PAINT_MASK_H
@@ -24,7 +25,8 @@ struct pel_masked {
  * its top left pixel at (x, y), -32,768..32,767 px; beside it nothing is
  * painted. Each color's alpha becomes round(alpha grey / 255). Mask and paint
  * must live as long as this paint. Draws the inner paint into a surface of a
- * format of its own, of id 254, so through the format's functions alone.
+ * format of its own, of id 254, so through the format's functions alone. On a
+ * Cortex-M it takes 260 bytes of stack beside the inner paint's.
  * PEL_ERROR_NULL, PEL_ERROR_FORMAT (the mask cannot be read), PEL_ERROR_RANGE.
  */
 enum pel_status pel_masked_init(struct pel_masked *paint,

@@ -17,9 +17,8 @@ struct side {
     union {
         struct {
             int32_t copy, part;
-        } ring; /* until the circle is set, */
-        int64_t
-            square; /* and its square in 512ths, on the left side negative */
+        } ring;         /* until the circle is set, */
+        int64_t square; /* the circle's in 512ths, on the left side negative */
     } u;
 };
 

@@ -26,14 +26,18 @@ static int find_chip(struct pel_gpio *gpio, const char *label, const char *line,
     for (int i = 0; i < MOST_CHIPS; i++) {
         snprintf(gpio->path, sizeof(gpio->path), "/dev/gpiochip%d", i);
         const int error = open_path(gpio);
+        errno = error;
         if (!error && (label ? strcmp(gpio->label, label) == 0
                              : pel_gpio_chip_find(gpio->chip, line) >= 0))
             return 0;
+        const bool again = errno == EINTR;
         if (error == EACCES && result != EACCES) {
             pel_message_open(message, gpio->path, error, "");
             result = error;
         }
         pel_gpio_close(gpio);
+        if (again)
+            return EINTR;
     }
     return result;
 }
@@ -67,19 +71,23 @@ static int open_chip(struct pel_gpio *gpio, const char *chip,
     return error == ENOENT ? find_chip(gpio, chip, NULL, message) : error;
 }
 
+/* A name first: a line may be called by another's number. */
 static int find_line(struct pel_gpio *gpio, const char *name, unsigned *offset,
                      struct pel_message *message)
 {
     char *end;
     const unsigned long number = strtoul(name, &end, 10);
+    errno = 0;
     const int found = pel_gpio_chip_find(gpio->chip, name);
     *offset = found >= 0 ? (unsigned)found : (unsigned)number;
-    if (found >= 0 || (isdigit((unsigned char)name[0]) && !*end &&
-                       number < pel_gpio_chip_lines(gpio->chip)))
+    if (found >= 0)
+        return 0;
+    if (errno != EINTR && isdigit((unsigned char)name[0]) && !*end &&
+        number < pel_gpio_chip_lines(gpio->chip))
         return 0;
     pel_message_set(message, "%s has no line '%s': gpioinfo lists them",
                     gpio->path, name);
-    return ENOENT;
+    return errno == EINTR ? EINTR : ENOENT;
 }
 
 /* Whose line it is that was refused. */

@@ -90,7 +90,7 @@ bool viewer_save_last(const struct viewer *viewer,
 bool viewer_save_new(const struct pel_surface *surface);
 
 /* What is seen, and how fast: "60.0 fps, 3.1 ms, ...". */
-enum { VIEWER_TITLE_SIZE = SHOW_TITLE_SIZE + 64 };
+enum { VIEWER_TITLE_SIZE = SHOW_TITLE_SIZE + 96 };
 void viewer_title(const struct viewer *viewer, char title[VIEWER_TITLE_SIZE]);
 
 /* Frames, their rate and the time of drawing in all, on standard error. */

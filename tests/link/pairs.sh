@@ -1,8 +1,7 @@
 #!/bin/sh
-# pairs.sh CPU ELF BUDGET GRADIENTS : the stack of every shape with every paint as
-# pairs.c measures it on its board, as TSV, a row for each shape: what pel_SHAPE
-# and all below it use. Fails when a pair is above the budget, which is GRADIENTS
-# for linear, radial, conic and hue.
+# pairs.sh CPU ELF BUDGET : the stack of every shape with every paint as pairs.c
+# measures it on its board, as TSV, a row for each shape: what pel_SHAPE and all
+# below it use. Fails when a pair is above the budget.
 set -eu
 here=$(dirname "$0")
 . "$here/board.sh"
@@ -11,8 +10,7 @@ here=$(dirname "$0")
     arm-none-eabi-objdump -d --no-show-raw-insn "$2" |
         awk -v frames=draw_ -f "$here/stack.awk"
     run_on_board "$1" "$2"
-} | awk -v OFS='\t' -v cpu="$1" -v all="$3" \
-    -v gradients="$4" '
+} | awk -v OFS='\t' -v cpu="$1" -v budget="$3" '
     NF == 2 { frame[$1] = $2; next }
     NF == 3 {
         used = $3 - frame["draw_" $1]
@@ -23,7 +21,6 @@ here=$(dirname "$0")
         if (!($2 in named))
             names = names OFS $2
         named[$2]
-        budget = $2 ~ /^(linear|radial|conic|hue)$/ ? gradients : all
         if (used > budget) {
             print "size: " cpu ": " $1 " with " $2 " uses " used \
                   " bytes of stack, budget " budget > "/dev/stderr"

@@ -30,7 +30,8 @@ static void arrive(struct bus_log *log)
         uint8_t *own = own_row(log, i);
         for (size_t k = 0; own && k < n; k++)
             assert_int_equal(own[k], POISON);
-        note(log, BUS_LOG_DATA, log->held + (size_t)i * n, n);
+        note(log, BUS_LOG_DATA,
+             own ? log->held + (size_t)i * n : r->bytes + i * r->stride, n);
         if (own)
             memcpy(own, log->held + (size_t)i * n, n);
     }
@@ -42,9 +43,11 @@ static void depart(struct bus_log *log, const struct pel_bus_rows *rows)
     const size_t n = (size_t)rows->length;
     log->flight = *rows;
     for (int32_t i = 0; i < rows->count; i++) {
-        memcpy(log->held + (size_t)i * n, rows->bytes + i * rows->stride, n);
-        if (own_row(log, i))
-            memset(own_row(log, i), POISON, n);
+        uint8_t *own = own_row(log, i);
+        if (own) {
+            memcpy(log->held + (size_t)i * n, own, n);
+            memset(own, POISON, n);
+        }
     }
 }
 

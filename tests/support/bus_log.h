@@ -1,6 +1,7 @@
 /* A bus that notes what is sent, as a logic analyser would. With `dma` the rows
  * of `data` leave later: in `wait`, or when the next call has to wait; until
- * then what they lie in, when that is `pixels`, is poison. */
+ * then what they lie in is poison, when that is `pixels`, and is read as late
+ * as that where it is not. */
 #ifndef TESTS_SUPPORT_BUS_LOG_H
 #define TESTS_SUPPORT_BUS_LOG_H
 

@@ -299,9 +299,9 @@ static void test_glass_shows_the_picture(void)
 static void test_brightness_and_sleep(void)
 {
     static struct fixture f;
-    bus.dma = false;
-    for (int i = 0; i < MODULES; i++) {
-        assert_int_equal(set_up(&f, &modules[i], 0), PEL_OK);
+    for (int i = 0; i < MODULES * 2; i++) {
+        bus.dma = i & 1;
+        assert_int_equal(set_up(&f, &modules[i / 2], 0), PEL_OK);
         pel_panel_brightness(&f.panel, 0x9C);
         pel_panel_sleep(&f.panel, true);
         f.read = panel_glass_take(&f.glass, &bus, f.read);

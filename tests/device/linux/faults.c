@@ -3,7 +3,7 @@
  * calls. Every run must end by itself, succeed or tell why not, leave the
  * console as it was, and no descriptor, child or mapping behind. Runs on a
  * virtual terminal (standard input). DEVICE /dev/ttyN: resets that console
- * instead; input:BUTTONS reads these and all input devices. */
+ * instead; `input` reads all input devices, buttons:TEXT these buttons. */
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/fb.h>
@@ -128,12 +128,13 @@ static enum pel_status draw_frames(struct pel_display_linux *screen)
     return status;
 }
 
+/* `buttons` NULL: the devices. */
 static enum pel_status read_input(const char *buttons,
                                   struct pel_message *message)
 {
     static struct pel_input_linux input;
     const struct pel_input_linux_options options = {
-        .buttons = buttons, .width = 100, .height = 100};
+        .buttons = buttons, .no_devices = buttons, .width = 9, .height = 9};
     struct pel_input event;
     const int error = pel_input_linux_open(&input, &options);
     *message = input.message;
@@ -150,8 +151,10 @@ static enum pel_status draw_or_reset(struct pel_display_linux *screen,
     if (strncmp(device, "/dev/tty", 8) == 0)
         return pel_console_reset(device, &screen->message) ? PEL_ERROR_DEVICE
                                                            : PEL_OK;
-    if (strncmp(device, "input:", 6) == 0)
-        return read_input(device + 6, &screen->message);
+    if (strcmp(device, "input") == 0)
+        return read_input(NULL, &screen->message);
+    if (strncmp(device, "buttons:", 8) == 0)
+        return read_input(device + 8, &screen->message);
     enum pel_status status = pel_display_linux_open(screen, device, PEL_FB_ANY);
     if (status == PEL_OK) {
         status = draw_frames(screen);

@@ -299,9 +299,9 @@ member_case() { # WHERE STATE MESSAGE
     fi
 }
 
-faults() { # DEVICE
+faults() { # DEVICE [PROGRAM]
     before=$(state)
-    /mnt/faults "$1" <&3 > /tmp/faults 2>&1 || fail "faults on $1"
+    "${2-/mnt/faults}" "$1" <&3 > /tmp/faults 2>&1 || fail "faults on $1"
     sed "s/^PASS/PASS $row:/" /tmp/faults
     state_becomes "$before" || fail "faults: $before, $(state)"
 }

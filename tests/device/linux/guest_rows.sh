@@ -132,7 +132,10 @@ row_input() {
 row_faults_input() {
     . /mnt/guest_input.sh
     make_chip
-    faults "input:$chip:5=left,17/27=wheel"
+    faults input
+    faults "buttons:$chip:5=left,17/27=wheel"
+    faults "buttons:$chip:5=left,17/27=wheel" /mnt/faults_gpiod2
+    faults buttons:the-button=left
 }
 
 # No screen: what is visible in its memory is the picture.

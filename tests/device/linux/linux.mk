@@ -18,7 +18,8 @@ LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display panel_bus \
                panel_check vm screen_check reference)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
-               pel_no_draw fb_mode console_state faults frames session touch_device pel_gpiod2)
+               pel_no_draw fb_mode console_state faults frames session \
+               touch_device pel_gpiod2 faults_gpiod2)
 LINUX_STATIC := $(LINUX_CHECK)/static
 LINUX_CFLAGS = -std=gnu99 $(WARNINGS) $(WERROR) -O2 -I. -I$(BUILD)/include
 # getgrgid in a static program is what the linker warns of: the guest has files.
@@ -88,14 +89,23 @@ $(LINUX_CHECK)/guest/pel_%: $(LINUX_HERE)/%.c linux-static
 	    $(LINUX_WRAP_$*:%=-Wl$(comma)--wrap=%) $< $(LINUX_STATIC_SIM) \
 	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
 
-# pel with the other version of libgpiod, or what stands for it.
-$(LINUX_CHECK)/guest/pel_gpiod2: port/linux/gpio_v2.c \
-    $(LINUX_HERE)/gpiod2/gpiod.c linux-static
+# The same with the other version of libgpiod, or what stands for it.
+LINUX_GPIOD2 := port/linux/gpio_v2.c $(LINUX_HERE)/gpiod2/gpiod.c
+LINUX_WRAP_FAULTS = $(LINUX_FAULTS:%=-Wl$(comma)--wrap=%)
+$(LINUX_CHECK)/guest/pel_gpiod2: $(LINUX_GPIOD2) linux-static
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_STATIC_FLAGS) -I$(LINUX_HERE)/gpiod2 \
-	    $(filter %.c,$^) $(LINUX_STATIC_SIM) \
+	    $(LINUX_GPIOD2) $(LINUX_STATIC_SIM) \
 	    $(filter-out %/gpio_v1.o,$(LINUX_STATIC_OBJECTS)) \
 	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
+
+$(LINUX_CHECK)/guest/faults_gpiod2: $(LINUX_GPIOD2) $(LINUX_HERE)/faults.c \
+    $(LINUX_HERE)/fault_calls.c linux-static
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) \
+	    -I$(LINUX_HERE)/gpiod2 $(LINUX_WRAP_FAULTS) $(filter %.c,$^) \
+	    $(filter-out %/gpio_v1.o,$(LINUX_STATIC_OBJECTS)) \
+	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
 
 $(LINUX_CHECK)/guest/frames $(LINUX_CHECK)/guest/session: \
     $(LINUX_CHECK)/guest/%: $(LINUX_HERE)/%.c linux-static
@@ -108,7 +118,7 @@ $(LINUX_CHECK)/guest/faults: $(LINUX_HERE)/faults.c \
     $(LINUX_HERE)/fault_calls.c linux-static
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) \
-	    $(LINUX_FAULTS:%=-Wl$(comma)--wrap=%) $(LINUX_HERE)/faults.c \
+	    $(LINUX_WRAP_FAULTS) $(LINUX_HERE)/faults.c \
 	    $(LINUX_HERE)/fault_calls.c $(LINUX_STATIC_OBJECTS) \
 	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
 
