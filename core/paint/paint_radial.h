@@ -32,6 +32,11 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
                                 const struct pel_rings *rings,
                                 const struct pel_ramp *ramp);
 
+/* The fill of spans with rings that are a few pixels wide, where PEL_FAST_FILLS
+ * is 1 (core/fast); or false, and nothing is done. */
+bool pel_radial_fast(const struct pel_radial *paint,
+                     const struct pel_spans *spans);
+
 PEL_END_DECLS
 
 #endif
