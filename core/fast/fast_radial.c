@@ -5,7 +5,7 @@
 #include "../format/word.h"
 #include "../paint/paint_radial.h"
 
-#if PEL_FAST_FILLS
+#if PEL_FAST_FILLS && PEL_64BIT
 
 /* Rings of WIDE px and more, on average, are walked faster than looked up. */
 enum { MOST = 2048, WIDE = 3 };
@@ -94,13 +94,6 @@ static int32_t set_extent(struct rings *r)
     return pixels;
 }
 
-/* Are the rings between the first and the last, together `width` wide, narrow?
- */
-static bool narrow(int32_t rings, int32_t width)
-{
-    return width < 256 * WIDE * (rings - 2);
-}
-
 /* Rings `first` to `last`: false where the walk by cells is right or faster. */
 static bool set_rings(struct rings *r, int32_t first, int32_t last)
 {
@@ -116,7 +109,8 @@ static bool set_rings(struct rings *r, int32_t first, int32_t last)
         if (r->n == 0 || value != r->ring[r->n - 1].value) {
             second = r->n == 1 ? inner : second;
             r->pad = inner;
-            if (r->n == MOST || (r->n > 9 && !narrow(r->n, inner - second)))
+            if (r->n == MOST ||
+                (r->n > 9 && inner - second >= 256 * WIDE * (r->n - 2)))
                 return false;
             r->ring[r->n++].value = value;
         }
@@ -125,7 +119,7 @@ static bool set_rings(struct rings *r, int32_t first, int32_t last)
             (uint32_t)(((pel_square(inner) - p->low) >> 9) - r->least);
     }
     r->ring[r->n - 1].outer = UINT32_MAX;
-    return narrow(r->n, r->pad - second);
+    return r->pad - second < 256 * WIDE * (r->n - 2);
 }
 
 static void set_index(struct rings *r, int32_t pixels)
@@ -142,11 +136,15 @@ static void set_index(struct rings *r, int32_t pixels)
     }
 }
 
-static PEL_ALWAYS_INLINE void draw_row(const struct rings *r, uintptr_t row,
-                                       int32_t n, uint32_t square,
-                                       uint32_t step, int bytes)
+static PEL_ALWAYS_INLINE void draw_row(const struct rings *r, int32_t y,
+                                       struct pel_span span, int bytes)
 {
-    const int shift = r->shift;
+    const int32_t n = span.x1 - span.x0, shift = r->shift;
+    const uintptr_t row = pel_address(r->spans->surface, span.x0, y, bytes);
+    uint32_t square =
+        (uint32_t)((square_at(r->paint, span.x0, y) >> 9) - r->least);
+    uint32_t step =
+        (uint32_t)(pel_pixel_center(span.x0) - r->paint->rings.center.x + 128);
     for (int32_t i = 0; i < n; i++) {
         size_t k = r->at[square >> shift];
         k += r->ring[k].outer < square; /* without a branch: often, or not */
@@ -180,8 +178,6 @@ static struct pel_span unpadded(const struct rings *r, int32_t y,
 static PEL_ALWAYS_INLINE void draw_rows(const struct rings *r, bool padded,
                                         int bytes)
 {
-    const struct pel_radial *p = r->paint;
-    const struct pel_surface *s = r->spans->surface;
     struct pel_span pad[2][PEL_BATCH_ROWS];
     struct pel_spans rest = *r->spans;
     int32_t y = rest.y;
@@ -192,14 +188,11 @@ static PEL_ALWAYS_INLINE void draw_rows(const struct rings *r, bool padded,
             pad[0][i] = (struct pel_span){rest.span[i].x0, in.x0};
             pad[1][i] = (struct pel_span){in.x1, rest.span[i].x1};
         }
-        draw_row(r, pel_address(s, in.x0, y, bytes), in.x1 - in.x0,
-                 (uint32_t)((square_at(p, in.x0, y) >> 9) - r->least),
-                 (uint32_t)(pel_pixel_center(in.x0) - p->rings.center.x + 128),
-                 bytes);
+        draw_row(r, y, in, bytes);
     }
     for (int i = 0; padded && i < 2; i++) {
         rest.span = pad[i];
-        s->format->fill(&rest, r->ring[r->n - 1].value);
+        rest.surface->format->fill(&rest, r->ring[r->n - 1].value);
     }
 }
 
@@ -220,7 +213,7 @@ bool pel_radial_fast(const struct pel_radial *p, const struct pel_spans *spans)
     const int32_t first = pel_min(ring_at(p, r.least), end);
     const int32_t last = pel_min(ring_at(p, r.range), end);
     r.least >>= 9;
-    if (!set_rings(&r, first, last))
+    if (last - first > 8 * pixels || !set_rings(&r, first, last))
         return false;
     const bool padded = last == end && pel_square(r.pad) < r.range;
     if (padded)
