@@ -30,7 +30,7 @@ static PEL_NOINLINE_32 void add_bit(struct pel_cells *c, struct pel_point d)
         c->whole += c->limit;
 }
 
-/* Not before which angle, of 65,536, a pixel lies: bit by bit from c->limit. */
+/* Adds to c->whole up to the last angle that is not past the pixel. */
 static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
 {
     for (; c->limit; c->limit >>= 1)
