@@ -145,15 +145,16 @@ static PEL_ALWAYS_INLINE void draw_row(const struct rings *r, int32_t y,
         (uint32_t)((square_at(r->paint, span.x0, y) >> 9) - r->least);
     uint32_t step =
         (uint32_t)(pel_pixel_center(span.x0) - r->paint->rings.center.x + 128);
+    const struct ring *const ring = r->ring;
     for (int32_t i = 0; i < n; i++) {
         size_t k = r->at[square >> shift];
-        k += r->ring[k].outer < square; /* without a branch: often, or not */
-        while (r->ring[k].outer < square)
+        k += ring[k].outer < square; /* without a branch: often, or not */
+        while (ring[k].outer < square)
             k++;
         if (bytes == 4)
-            ((pel_word32 *)row)[i] = r->ring[k].value;
+            ((pel_word32 *)row)[i] = ring[k].value;
         else
-            ((pel_word16 *)row)[i] = (pel_word16)r->ring[k].value;
+            ((pel_word16 *)row)[i] = (pel_word16)ring[k].value;
         square += step;
         step += 256;
     }
