@@ -181,6 +181,8 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_radial *p = (const void *)paint;
     struct side s;
+    if (PEL_FAST_FILLS && PEL_64BIT && pel_radial_fast(p, spans))
+        return;
     pel_cells_open(&s.cells, &p->base, spans);
     while (pel_cells_next(&s.cells, is_narrow(p) ? 1 : PEL_CELL_ROWS)) {
         set_side(&s.cells, p);

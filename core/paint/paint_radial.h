@@ -32,6 +32,12 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
                                 const struct pel_rings *rings,
                                 const struct pel_ramp *ramp);
 
+/* The fill of spans with narrow rings, by 22 KB of tables on the stack; or
+ * false, and nothing is done. Only where PEL_FAST_FILLS and PEL_64BIT are 1
+ * (core/fast). */
+bool pel_radial_fast(const struct pel_radial *paint,
+                     const struct pel_spans *spans);
+
 PEL_END_DECLS
 
 #endif
