@@ -80,8 +80,8 @@ bool pel_cells_next(struct pel_cells *cells, int32_t most);
  * 0: all that may come. Moves on to the first other one. */
 int32_t pel_cells_pass(struct pel_cells *c);
 
-/* Before the first cell: its colour, and a limit where the ramp is padded. */
-void pel_cells_first(struct pel_cells *c);
+/* Takes the colour of the cell at c->place. */
+void pel_cells_color(struct pel_cells *c);
 
 /* Ends all runs at the boundary. Its error grows by `row` to the pixel below;
  * `row` from row to row, and the step from pixel to pixel, by `bend`. true when
@@ -99,7 +99,7 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
     struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
 {
     bool rest = false;
-    pel_cells_first(c);
+    pel_cells_color(c);
     do {
         const uint32_t value = c->value;
         const bool opaque = c->opaque;

@@ -25,7 +25,8 @@ struct pel_gradient {
                        and the last go on */
 };
 
-/* The place of the cell `part` of copy number `copy` of the way. */
+/* The place of the cell `part` of copy number `copy` of the way; of a padded way
+ * copy >= 0. */
 int32_t pel_gradient_place(const struct pel_gradient *gradient, int32_t copy,
                            int32_t part);
 

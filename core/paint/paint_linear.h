@@ -24,10 +24,11 @@ PEL_BEGIN_DECLS
  */
 struct pel_linear {
     struct pel_gradient base;
-    struct pel_point from, d;
-    int64_t square; /* |d|^2 = 256 n cell + cell_rest */
+    struct pel_point from, d; /* turned round where d.x would be below 0 */
+    int64_t square;           /* |d|^2 = 256 n cell + cell_rest */
     int64_t cell;
     int32_t cell_rest;
+    bool turned;
     bool by_pixel; /* cells are narrower than 1/16 px */
 };
 

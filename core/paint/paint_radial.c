@@ -82,16 +82,10 @@ static int32_t first_row(const struct pel_cells *c, const struct pel_radial *p)
  * less 1, bit by bit. 0 of 0. */
 static PEL_NOINLINE_32 void find_root(struct pel_cells *c)
 {
-    uint64_t root = 0, v = (uint64_t)c->end.error - (c->end.error > 0);
-    for (uint64_t bit = UINT64_C(1) << 50; bit; bit >>= 2) {
-        const uint64_t more = root + bit;
-        root >>= 1;
-        if (v >= more) {
-            v -= more;
-            root += bit;
-        }
-    }
-    c->whole = (int32_t)root;
+    c->whole = 0;
+    for (int32_t bit = 1 << 25; bit; bit >>= 1)
+        if (pel_square(c->whole + bit) < c->end.error)
+            c->whole += bit;
 }
 
 /* The ring that holds the pixel: ring k does when k radius / n < u, the root
