@@ -47,7 +47,7 @@ static PEL_NOINLINE_32 void angle_move(struct pel_cells *c, int32_t way,
     do {
         c->whole += way * p->width;
         c->rest += way * p->rest;
-        if (c->rest < 0 || c->rest >= p->base.period) {
+        if ((uint32_t)c->rest >= (uint32_t)p->base.period) {
             c->rest -= way * p->base.period;
             c->whole += way;
         }
@@ -87,7 +87,7 @@ static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
     const int32_t v = height_of(c);
     const int32_t split = pel_first_pixel(p->center.x);
     const bool above = v < 0, left = c->end.x < split;
-    if (c->cell.step && v <= 0)
+    if (PEL_CELL_ROWS > 1 && c->cell.step && v <= 0)
         c->cell.n = pel_min(
             c->cell.n, above ? pel_first_pixel(p->center.y) - c->cell.y : 1);
     if (v == 0 && left)
@@ -96,7 +96,7 @@ static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
     c->whole = above || (v == 0 && left) ? HALF_TURN : 0;
     c->limit = v ? HALF_TURN / 2 : 0;
     c->rest = v;
-    if (v && above == left)
+    if (PEL_CELL_ROWS > 1 && v && above == left)
         c->rest += (c->cell.n - 1) * c->cell.step * 256;
 }
 

@@ -10,16 +10,10 @@
  * than that of the radius, on the left side when it is not.
  *
  * The present cell begins at a circle of the radius floor(k radius / n), cells'
- * `whole`, rest / n what the floor drops: k rings lie inside, `part` of them in
- * copy number `copy` of the way. */
+ * `whole`, rest / n what the floor drops: k rings lie inside. */
 struct side {
     struct pel_cells cells;
-    union {
-        struct {
-            int32_t copy, part;
-        } ring;         /* until the circle is set, */
-        int64_t square; /* the circle's in 512ths, on the left side negative */
-    } u;
+    int64_t square; /* the circle's in 512ths, on the left side negative */
 };
 
 /* To the next circle outwards, or inwards. */
@@ -28,21 +22,36 @@ static void circle_move(struct pel_cells *c, const struct pel_radial *p,
 {
     c->whole += way * p->width;
     c->rest += way * p->rest;
-    if (c->rest < 0 || c->rest >= p->base.cells) {
+    if ((uint32_t)c->rest >= (uint32_t)p->base.cells) {
         c->rest -= way * p->base.cells;
         c->whole += way;
     }
 }
 
-/* From the square of the circle before to that of this one. */
+static PEL_NOINLINE_32 int64_t square_at(const struct pel_radial *p, int32_t x,
+                                         int32_t y)
+{
+    return pel_square(pel_pixel_center(x) - p->rings.center.x) +
+           pel_square(pel_pixel_center(y) - p->rings.center.y);
+}
+
+/* From the square of the circle before to that of this one, or, in less code,
+ * anew. There are none inside the centre. */
 static PEL_NOINLINE_32 void set_square(struct side *s,
                                        const struct pel_radial *p)
 {
+    struct pel_boundary *end = &s->cells.end;
     const int64_t mirror = s->cells.way >> 1; /* 0, or -1 */
-    s->cells.end.error += s->u.square;
-    s->u.square =
-        (((pel_square(s->cells.whole) - p->low) >> 9) ^ mirror) - mirror;
-    s->cells.end.error -= s->u.square;
+    const int64_t square = pel_square(pel_max(s->cells.whole, 0));
+    if (!PEL_KNOW_SIDES) {
+        end->error =
+            ((square_at(p, end->x, s->cells.cell.y) - square - 1) >> 9) ^
+            mirror;
+        return;
+    }
+    end->error += s->square;
+    s->square = (((square - p->low) >> 9) ^ mirror) - mirror;
+    end->error -= s->square;
 }
 
 static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
@@ -55,13 +64,6 @@ static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
     const int32_t way = cells->way;
     const int32_t v = pel_pixel_center(cells->cell.y) - p->rings.center.y;
     return pel_cells_end(cells, way * (v + 128), way * 256);
-}
-
-static PEL_NOINLINE_32 int64_t square_at(const struct pel_radial *p, int32_t x,
-                                         int32_t y)
-{
-    return pel_square(pel_pixel_center(x) - p->rings.center.x) +
-           pel_square(pel_pixel_center(y) - p->rings.center.y);
 }
 
 /* The row of the pixel where the walk begins: the farthest from the centre on
@@ -88,55 +90,46 @@ static PEL_NOINLINE_32 void find_root(struct pel_cells *c)
             c->whole += bit;
 }
 
-/* The ring that holds the pixel: ring k does when k radius / n < u, the root
- * rounded up, which is k <= (u n - 1) / radius. */
-static PEL_NOINLINE_32 void find_ring(struct side *s,
+/* The ring that holds the pixel, its place, and the circle where it begins. Ring
+ * k does when k radius / n < u, the root rounded up, which is k <= (u n - 1) /
+ * radius. On the left side rings begin at the outer circle, unless the last cell
+ * of a padded way begins farther inside. */
+static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
                                       const struct pel_radial *p)
 {
     const uint32_t radius = (uint32_t)p->rings.radius;
-    const uint32_t below = (uint32_t)s->cells.whole;
-    const uint32_t some = s->cells.end.error > 0;
-    const uint32_t copy = pel_divide(below, radius);
-    const uint64_t part =
-        pel_multiply(below - copy * radius + some, (uint32_t)p->base.cells);
-    s->u.ring.copy = (int32_t)copy;
-    s->u.ring.part = (int32_t)pel_divide(part - some, radius);
-}
-
-/* The place of the ring that was found, and the circle where it begins: on the
- * left side the outer one, unless the last cell of a padded way begins farther
- * inside. */
-static PEL_NOINLINE_32 void set_ring(struct side *s, const struct pel_radial *p)
-{
-    struct pel_cells *c = &s->cells;
-    const int32_t n = p->base.cells, most = n - 1 - p->first;
-    int32_t copy = s->u.ring.copy, part = s->u.ring.part;
+    const uint32_t n = (uint32_t)p->base.cells;
+    const uint32_t below = (uint32_t)c->whole, some = c->end.error != 0;
+    uint32_t copy = pel_divide(below, radius);
+    uint32_t part = pel_divide(
+        pel_multiply(below - copy * radius + some, n) - some, radius);
+    const uint32_t most = n - 1 - (uint32_t)p->first;
     if (c->way < 0 && p->base.period == 0 && (copy || part > most)) {
         copy = 0;
         part = most;
     }
-    if (c->way < 0)
-        c->limit = copy < 65535 ? copy * n + part : INT32_MAX;
-    const int32_t beyond = part > most;
-    c->place = pel_gradient_place(&p->base, copy + beyond,
-                                  part + p->first - beyond * n);
-    const uint64_t ring =
-        pel_multiply((uint32_t)part, (uint32_t)p->rings.radius);
-    const uint32_t inner = pel_divide(ring, (uint32_t)n);
-    c->whole = copy * p->rings.radius + (int32_t)inner;
-    c->rest = (int32_t)((uint32_t)ring - inner * (uint32_t)n);
+    const uint32_t beyond = part > most;
+    c->place = pel_gradient_place(
+        &p->base, (int32_t)(copy + beyond),
+        (int32_t)(part + (uint32_t)p->first - beyond * n));
+    const uint64_t ring = pel_multiply(part, radius);
+    const uint32_t inner = pel_divide(ring, n);
+    c->whole = (int32_t)(copy * radius + inner);
+    c->rest = (int32_t)((uint32_t)ring - inner * n);
     if (c->way < 0)
         circle_move(c, p, 1);
 }
 
 /* From the square of the distance of the first pixel to its error. */
-static PEL_NOINLINE_32 void set_end(struct side *s, const struct pel_radial *p)
+static void set_end(struct side *s, const struct pel_radial *p)
 {
     struct pel_boundary *end = &s->cells.end;
     const int32_t way = s->cells.way;
     end->step = way * (pel_pixel_center(end->x) - p->rings.center.x + 128);
+    if (!PEL_KNOW_SIDES)
+        return;
     end->error = ((end->error >> 9) - 1) ^ (way >> 1);
-    s->u.square = 0;
+    s->square = 0;
     set_square(s, p);
 }
 
@@ -145,8 +138,7 @@ static PEL_ALWAYS_INLINE void start(struct side *s, const struct pel_radial *p)
     struct pel_cells *c = &s->cells;
     c->end.error = square_at(p, c->end.x, first_row(c, p));
     find_root(c);
-    find_ring(s, p);
-    set_ring(s, p);
+    find_ring(c, p);
     if (PEL_CELL_ROWS > 1)
         c->end.error = square_at(p, c->end.x, c->cell.y);
     set_end(s, p);
