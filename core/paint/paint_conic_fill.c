@@ -20,21 +20,24 @@ static int32_t height_of(const struct pel_cells *c)
     return pel_pixel_center(c->cell.y) - p->center.y;
 }
 
-/* Adds the bit in c->limit to the angle in c->whole when the pixel in the first
- * column, at the height in c->rest, lies on the ray d or clockwise of it. */
-static PEL_NOINLINE_32 void add_bit(struct pel_cells *c, struct pel_point d)
+/* The cross product of a ray d and the pixel at end.x, at a height: 0 or more
+ * when the pixel lies on the ray or clockwise of it. */
+static PEL_NOINLINE_32 int64_t cross_of(const struct pel_cells *c,
+                                        struct pel_point d, int32_t height)
 {
     const struct pel_conic *p = (const void *)c->gradient;
     const int32_t u = pel_pixel_center(c->end.x) - p->center.x;
-    if (pel_product(d.x, c->rest) - pel_product(d.y, u) >= 0)
-        c->whole += c->limit;
+    return pel_product(d.x, height) - pel_product(d.y, u);
 }
 
-/* Not before which angle, of 65,536, a pixel lies: bit by bit from c->limit. */
+/* Not before which angle, of 65,536, the pixel in the first column lies, at the
+ * height in c->rest: bit by bit from c->limit. */
 static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
 {
     for (; c->limit; c->limit >>= 1)
-        add_bit(c, pel_direction((uint16_t)(c->whole + c->limit)));
+        if (cross_of(c, pel_direction((uint16_t)(c->whole + c->limit)),
+                     c->rest) >= 0)
+            c->whole += c->limit;
 }
 
 /* Moves by `count` >= 1 cells, clockwise or counter-clockwise. The present one
@@ -54,16 +57,13 @@ static PEL_NOINLINE_32 void angle_move(struct pel_cells *c, int32_t way,
     } while (--count);
 }
 
-/* Ends at a ray d, which is not level. A pixel is on it or clockwise of it when
- * the cross product is 0 or more: beyond it above the centre, before it below.
- * The lowest 8 bits never change from pixel to pixel. */
+/* Ends at a ray d, which is not level. On it or clockwise of it is beyond it
+ * above the centre, before it below. The lowest 8 bits of the cross product
+ * never change from pixel to pixel. */
 static PEL_NOINLINE_32 bool end_at(struct pel_cells *c, struct pel_point d)
 {
-    const struct pel_conic *p = (const void *)c->gradient;
     struct pel_boundary *end = &c->end;
-    const int32_t u = pel_pixel_center(end->x) - p->center.x;
-    const int64_t cross =
-        (pel_product(d.x, height_of(c)) - pel_product(d.y, u)) >> 8;
+    const int64_t cross = cross_of(c, d, height_of(c)) >> 8;
     const bool above = d.y < 0;
     end->error = above ? cross : ~cross;
     end->step = above ? -d.y : d.y;
