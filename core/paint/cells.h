@@ -43,7 +43,7 @@ struct pel_cells {
     uint8_t left;   /* spans from `span` on */
     bool box;       /* hi ends all rows */
     bool opaque;    /* the next cell's colour is, */
-    int8_t way;     /* from one cell's place to the next: 1 or -1 */
+    int32_t way;    /* from one cell's place to the next: 1 or -1 */
     int32_t hi;     /* runs end here at the farthest */
     uint32_t value; /* the opaque colour's pixel value, or the other colour */
 
@@ -65,6 +65,16 @@ struct pel_cells {
     /* The run of the present cell, in every row. */
     struct pel_span run[PEL_CELL_ROWS];
 };
+
+/* The place of the cell `part` of copy number `copy` of the way; of a padded way
+ * copy >= 0. */
+static inline int32_t pel_cells_place(const struct pel_gradient *g,
+                                      int32_t copy, int32_t part)
+{
+    if (g->period == 0)
+        return copy > 0 ? g->cells - 1 : part;
+    return g->period > g->cells && (copy & 1) ? part + g->cells : part;
+}
 
 /* Before the first batch. */
 void pel_cells_open(struct pel_cells *cells,

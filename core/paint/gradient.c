@@ -28,14 +28,6 @@ static pel_color ramp_color(const struct pel_gradient *g, int32_t cell)
                  mix_sum(a & mask, b & mask, i));
 }
 
-int32_t pel_gradient_place(const struct pel_gradient *g, int32_t copy,
-                           int32_t part)
-{
-    if (g->period == 0)
-        return copy > 0 ? g->cells - 1 : part;
-    return g->period > g->cells && (copy & 1) ? part + g->cells : part;
-}
-
 void pel_cells_color(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;

@@ -40,13 +40,13 @@ static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
             c->whole += c->limit;
 }
 
-/* Moves by `count` >= 1 cells, clockwise or counter-clockwise. The present one
+/* Moves by `count` >= 1 cells. The present one
  * begins at the angle floor(65536 k / period) from the start, c->whole, and
  * c->rest is what the floor drops. */
-static PEL_NOINLINE_32 void angle_move(struct pel_cells *c, int32_t way,
-                                       int32_t count)
+static PEL_NOINLINE_32 void angle_move(struct pel_cells *c, int32_t count)
 {
     const struct pel_conic *p = (const void *)c->gradient;
+    const int32_t way = c->way;
     do {
         c->whole += way * p->width;
         c->rest += way * p->rest;
@@ -72,7 +72,7 @@ static PEL_NOINLINE_32 bool end_at(struct pel_cells *c, struct pel_point d)
 
 static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
-    angle_move(cells, cells->way, count);
+    angle_move(cells, count);
     return end_at(cells, pel_direction((uint16_t)cells->whole));
 }
 
@@ -107,12 +107,10 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c)
     const struct pel_conic *p = (const void *)c->gradient;
     const bool above = c->way > 0;
     c->place = place_of(p, (uint32_t)c->whole);
-    const uint32_t k = (uint32_t)c->place << 16;
+    const uint32_t k = (uint32_t)(c->place + !above) << 16;
     const uint32_t turn = pel_divide(k, (uint32_t)p->base.period);
     c->rest = (int32_t)(k - turn * (uint32_t)p->base.period);
     c->whole = (int32_t)(turn + p->start);
-    if (!above)
-        angle_move(c, 1, 1);
     c->limit = above ? place_of(p, FULL_TURN - 1) - c->place
                      : c->place - place_of(p, 0);
     if (c->limit < 0)

@@ -63,7 +63,7 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
         part = (int32_t)pel_divide_64(error, square, &rest);
         error = rest;
     }
-    c->place = pel_gradient_place(g, copy, part);
+    c->place = pel_cells_place(g, copy, part);
     if (p->turned) {
         c->place = n - 1 - c->place;
         if (c->place < 0)

@@ -17,14 +17,13 @@ struct side {
 };
 
 /* To the next circle outwards, or inwards. */
-static void circle_move(struct pel_cells *c, const struct pel_radial *p,
-                        int32_t way)
+static void circle_move(struct pel_cells *c, const struct pel_radial *p)
 {
-    c->whole += way * p->width;
-    c->rest += way * p->rest;
+    c->whole += c->way * p->width;
+    c->rest += c->way * p->rest;
     if ((uint32_t)c->rest >= (uint32_t)p->base.cells) {
-        c->rest -= way * p->base.cells;
-        c->whole += way;
+        c->rest -= c->way * p->base.cells;
+        c->whole += c->way;
     }
 }
 
@@ -58,7 +57,7 @@ static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
     const struct pel_radial *p = (const void *)cells->gradient;
     do
-        circle_move(cells, p, cells->way);
+        circle_move(cells, p);
     while (--count);
     set_square((void *)cells, p);
     const int32_t way = cells->way;
@@ -109,15 +108,13 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
         part = most;
     }
     const uint32_t beyond = part > most;
-    c->place = pel_gradient_place(
+    c->place = pel_cells_place(
         &p->base, (int32_t)(copy + beyond),
         (int32_t)(part + (uint32_t)p->first - beyond * n));
-    const uint64_t ring = pel_multiply(part, radius);
-    const uint32_t inner = pel_divide(ring, n);
-    c->whole = (int32_t)(copy * radius + inner);
-    c->rest = (int32_t)((uint32_t)ring - inner * n);
-    if (c->way < 0)
-        circle_move(c, p, 1);
+    const uint64_t ring = pel_multiply(part + (c->way < 0), radius);
+    const uint32_t begin = pel_divide(ring, n);
+    c->whole = (int32_t)(copy * radius + begin);
+    c->rest = (int32_t)((uint32_t)ring - begin * n);
 }
 
 /* From the square of the distance of the first pixel to its error. */
@@ -185,14 +182,13 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
     if (!pel_point_legal(rings->center) || rings->radius < 256 ||
         rings->radius > PEL_PX(32767))
         return PEL_ERROR_RANGE;
-    const uint32_t x = 128 - (uint32_t)rings->center.x;
-    const uint32_t y = 128 - (uint32_t)rings->center.y;
     const int32_t n = paint->base.cells;
     paint->base.paint = (struct pel_paint){fill, NULL};
     paint->rings = *rings;
     paint->first = (int32_t)((uint32_t)rings->phase * (uint32_t)n >> 16);
     paint->width = (int32_t)pel_divide((uint32_t)rings->radius, (uint32_t)n);
     paint->rest = rings->radius - paint->width * n;
-    paint->low = (x * x + y * y) & 511;
+    if (PEL_KNOW_SIDES)
+        paint->low = (uint32_t)square_at(paint, 0, 0) & 511;
     return PEL_OK;
 }
