@@ -43,7 +43,7 @@ struct pel_cells {
     uint8_t left;   /* spans from `span` on */
     bool box;       /* hi ends all rows */
     bool opaque;    /* the next cell's colour is, */
-    int32_t way;    /* from one cell's place to the next: 1 or -1 */
+    int8_t way;     /* from one cell's place to the next: 1 or -1 */
     int32_t hi;     /* runs end here at the farthest */
     uint32_t value; /* the opaque colour's pixel value, or the other colour */
 

@@ -20,24 +20,26 @@ static int32_t height_of(const struct pel_cells *c)
     return pel_pixel_center(c->cell.y) - p->center.y;
 }
 
-/* The cross product of a ray d and the pixel at end.x, at a height: 0 or more
+/* The cross product of a ray and the pixel at end.x, at a height: 0 or more
  * when the pixel lies on the ray or clockwise of it. */
 static PEL_NOINLINE_32 int64_t cross_of(const struct pel_cells *c,
-                                        struct pel_point d, int32_t height)
+                                        int32_t dx, int32_t dy, int32_t height)
 {
     const struct pel_conic *p = (const void *)c->gradient;
     const int32_t u = pel_pixel_center(c->end.x) - p->center.x;
-    return pel_product(d.x, height) - pel_product(d.y, u);
+    return pel_product(dx, height) - pel_product(dy, u);
 }
 
 /* Not before which angle, of 65,536, the pixel in the first column lies, at the
  * height in c->rest: bit by bit from c->limit. */
 static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
 {
-    for (; c->limit; c->limit >>= 1)
-        if (cross_of(c, pel_direction((uint16_t)(c->whole + c->limit)),
-                     c->rest) >= 0)
+    for (; c->limit; c->limit >>= 1) {
+        const struct pel_point d =
+            pel_direction((uint16_t)(c->whole + c->limit));
+        if (cross_of(c, d.x, d.y, c->rest) >= 0)
             c->whole += c->limit;
+    }
 }
 
 /* Moves by `count` >= 1 cells. The present one
@@ -63,7 +65,7 @@ static PEL_NOINLINE_32 void angle_move(struct pel_cells *c, int32_t count)
 static PEL_NOINLINE_32 bool end_at(struct pel_cells *c, struct pel_point d)
 {
     struct pel_boundary *end = &c->end;
-    const int64_t cross = cross_of(c, d, height_of(c)) >> 8;
+    const int64_t cross = cross_of(c, d.x, d.y, height_of(c)) >> 8;
     const bool above = d.y < 0;
     end->error = above ? cross : ~cross;
     end->step = above ? -d.y : d.y;
@@ -105,17 +107,16 @@ static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c)
 {
     const struct pel_conic *p = (const void *)c->gradient;
-    const bool above = c->way > 0;
+    const bool above = c->way > 0, level = c->rest == 0;
     c->place = place_of(p, (uint32_t)c->whole);
     const uint32_t k = (uint32_t)(c->place + !above) << 16;
     const uint32_t turn = pel_divide(k, (uint32_t)p->base.period);
     c->rest = (int32_t)(k - turn * (uint32_t)p->base.period);
     c->whole = (int32_t)(turn + p->start);
-    c->limit = above ? place_of(p, FULL_TURN - 1) - c->place
-                     : c->place - place_of(p, 0);
+    c->limit = c->way * (place_of(p, above ? UINT32_MAX : 0) - c->place);
     if (c->limit < 0)
         c->limit += p->base.period;
-    if (height_of(c) == 0)
+    if (level)
         c->limit = 0;
 }
 

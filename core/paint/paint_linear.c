@@ -49,29 +49,31 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
     const struct pel_gradient *g = &p->base;
     const int32_t n = g->cells;
     const bool before = product < 0 && g->period == 0;
-    uint64_t square = (uint64_t)p->square, rest = product < 0 ? square - 1 : 0;
+    uint64_t *const rest = (uint64_t *)&c->end.error;
     int32_t copy = 0, part = 0;
     if (!before) {
-        copy = (int32_t)pel_divide_64((uint64_t)product, square, &rest);
-        product = (int64_t)rest;
+        *rest = product < 0 ? (uint64_t)p->square - 1 : 0;
+        copy = (int32_t)pel_divide_64((uint64_t)product, (uint64_t)p->square,
+                                      rest);
+        product = (int64_t)*rest;
     }
-    uint64_t error = pel_times((uint64_t)product, n);
-    if (p->turned)
-        error += (uint32_t)n - 1;
+    uint64_t error =
+        pel_times((uint64_t)product, n) + (uint32_t)((n - 1) * p->turned);
+    *rest = before ? unit_of(p) - 1 : 0;
     if (!before) {
-        rest = 0;
-        part = (int32_t)pel_divide_64(error, square, &rest);
-        error = rest;
+        part = (int32_t)pel_divide_64(error, (uint64_t)p->square, rest);
+        error = *rest;
+        *rest = 0;
     }
     c->place = pel_cells_place(g, copy, part);
     if (p->turned) {
-        c->place = n - 1 - c->place;
+        c->place = g->cells - 1 - c->place;
         if (c->place < 0)
             c->place += g->period;
     }
-    rest = before ? unit_of(p) - 1 : 0;
-    c->end.error = (int64_t)pel_divide_64(error, unit_of(p), &rest);
-    c->rest = (int32_t)rest;
+    error = pel_divide_64(error, unit_of(p), rest);
+    c->rest = (int32_t)*rest;
+    c->end.error = (int64_t)error;
 }
 
 /* From the row where the first pixel's product is lowest to the first. */

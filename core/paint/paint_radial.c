@@ -13,7 +13,9 @@
  * `whole`, rest / n what the floor drops: k rings lie inside. */
 struct side {
     struct pel_cells cells;
+#if PEL_KNOW_SIDES
     int64_t square; /* the circle's in 512ths, on the left side negative */
+#endif
 };
 
 /* To the next circle outwards, or inwards. */
@@ -34,24 +36,33 @@ static PEL_NOINLINE_32 int64_t square_at(const struct pel_radial *p, int32_t x,
            pel_square(pel_pixel_center(y) - p->rings.center.y);
 }
 
-/* From the square of the circle before to that of this one, or, in less code,
- * anew. There are none inside the centre. */
+#if PEL_KNOW_SIDES
+
+/* From the square of the circle before to that of this one. There are none
+ * inside the centre. */
 static PEL_NOINLINE_32 void set_square(struct side *s,
                                        const struct pel_radial *p)
 {
-    struct pel_boundary *end = &s->cells.end;
     const int64_t mirror = s->cells.way >> 1; /* 0, or -1 */
-    const int64_t square = pel_square(pel_max(s->cells.whole, 0));
-    if (!PEL_KNOW_SIDES) {
-        end->error =
-            ((square_at(p, end->x, s->cells.cell.y) - square - 1) >> 9) ^
-            mirror;
-        return;
-    }
-    end->error += s->square;
-    s->square = (((square - p->low) >> 9) ^ mirror) - mirror;
-    end->error -= s->square;
+    s->cells.end.error += s->square;
+    s->square =
+        (((pel_square(pel_max(s->cells.whole, 0)) - p->low) >> 9) ^ mirror) -
+        mirror;
+    s->cells.end.error -= s->square;
 }
+
+#else
+
+/* The error at the pixel, anew, which is less code. */
+static inline void set_square(struct side *s, const struct pel_radial *p)
+{
+    struct pel_cells *c = &s->cells;
+    const int64_t circle = pel_square(pel_max(c->whole, 0)) + 1;
+    const int64_t error = square_at(p, c->end.x, c->cell.y) - circle;
+    c->end.error = (error >> 9) ^ (c->way >> 1);
+}
+
+#endif
 
 static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
@@ -89,6 +100,11 @@ static PEL_NOINLINE_32 void find_root(struct pel_cells *c)
             c->whole += bit;
 }
 
+static int32_t quotient(int64_t n, int32_t d)
+{
+    return (int32_t)pel_divide((uint64_t)n, (uint32_t)d);
+}
+
 /* The ring that holds the pixel, its place, and the circle where it begins. Ring
  * k does when k radius / n < u, the root rounded up, which is k <= (u n - 1) /
  * radius. On the left side rings begin at the outer circle, unless the last cell
@@ -96,38 +112,35 @@ static PEL_NOINLINE_32 void find_root(struct pel_cells *c)
 static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
                                       const struct pel_radial *p)
 {
-    const uint32_t radius = (uint32_t)p->rings.radius;
-    const uint32_t n = (uint32_t)p->base.cells;
-    const uint32_t below = (uint32_t)c->whole, some = c->end.error != 0;
-    uint32_t copy = pel_divide(below, radius);
-    uint32_t part = pel_divide(
-        pel_multiply(below - copy * radius + some, n) - some, radius);
-    const uint32_t most = n - 1 - (uint32_t)p->first;
+    const int32_t radius = p->rings.radius, n = p->base.cells;
+    const int32_t most = n - 1 - p->first, some = c->end.error != 0;
+    int32_t copy = quotient(c->whole, radius);
+    int32_t part = quotient(
+        pel_product(c->whole - copy * radius + some, n) - some, radius);
     if (c->way < 0 && p->base.period == 0 && (copy || part > most)) {
         copy = 0;
         part = most;
     }
-    const uint32_t beyond = part > most;
-    c->place = pel_cells_place(
-        &p->base, (int32_t)(copy + beyond),
-        (int32_t)(part + (uint32_t)p->first - beyond * n));
-    const uint64_t ring = pel_multiply(part + (c->way < 0), radius);
-    const uint32_t begin = pel_divide(ring, n);
-    c->whole = (int32_t)(copy * radius + begin);
-    c->rest = (int32_t)((uint32_t)ring - begin * n);
+    const bool beyond = part > most;
+    c->place = pel_cells_place(&p->base, copy + beyond,
+                               part + p->first - (beyond ? n : 0));
+    const int64_t ring = pel_product(part + (c->way < 0), radius);
+    const int32_t begin = quotient(ring, n);
+    c->whole = copy * radius + begin;
+    c->rest = (int32_t)((uint32_t)ring - (uint32_t)begin * (uint32_t)n);
 }
 
 /* From the square of the distance of the first pixel to its error. */
-static void set_end(struct side *s, const struct pel_radial *p)
+static inline void set_end(struct side *s, const struct pel_radial *p)
 {
     struct pel_boundary *end = &s->cells.end;
     const int32_t way = s->cells.way;
     end->step = way * (pel_pixel_center(end->x) - p->rings.center.x + 128);
-    if (!PEL_KNOW_SIDES)
-        return;
+#if PEL_KNOW_SIDES
     end->error = ((end->error >> 9) - 1) ^ (way >> 1);
     s->square = 0;
     set_square(s, p);
+#endif
 }
 
 static PEL_ALWAYS_INLINE void start(struct side *s, const struct pel_radial *p)
@@ -186,7 +199,7 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
     paint->base.paint = (struct pel_paint){fill, NULL};
     paint->rings = *rings;
     paint->first = (int32_t)((uint32_t)rings->phase * (uint32_t)n >> 16);
-    paint->width = (int32_t)pel_divide((uint32_t)rings->radius, (uint32_t)n);
+    paint->width = quotient(rings->radius, n);
     paint->rest = rings->radius - paint->width * n;
     if (PEL_KNOW_SIDES)
         paint->low = (uint32_t)square_at(paint, 0, 0) & 511;
