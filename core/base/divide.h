@@ -7,8 +7,8 @@
 
 /* pel_divide: floor(n / d); d > 0, n < d 2^32. pel_divide_64: the same of any
  * n, d < 2^63, and the remainder, which was 0 before; d - 1 where n is below 0,
- * in two's complement as is the quotient. pel_divide_fraction: floor(n 2^32 / d), and `fine`,
- * floor(n 2^24 / d), modulo 2^64; 0 < d < 2^63. */
+ * in two's complement as is the quotient. pel_divide_fraction: floor(n 2^32 /
+ * d), and `fine`, floor(n 2^24 / d), modulo 2^64; 0 < d < 2^63. */
 #if PEL_64BIT
 
 static inline uint32_t pel_divide(uint64_t n, uint32_t d)

@@ -66,8 +66,8 @@ struct pel_cells {
     struct pel_span run[PEL_CELL_ROWS];
 };
 
-/* The place of the cell `part` of copy number `copy` of the way; of a padded way
- * copy >= 0. */
+/* The place of the cell `part` of copy number `copy` of the way; of a padded
+ * way copy >= 0. */
 static inline int32_t pel_cells_place(const struct pel_gradient *g,
                                       int32_t copy, int32_t part)
 {

@@ -22,8 +22,8 @@ static int32_t height_of(const struct pel_cells *c)
 
 /* The cross product of a ray and the pixel at end.x, at a height: 0 or more
  * when the pixel lies on the ray or clockwise of it. */
-static PEL_NOINLINE_32 int64_t cross_of(const struct pel_cells *c,
-                                        int32_t dx, int32_t dy, int32_t height)
+static PEL_NOINLINE_32 int64_t cross_of(const struct pel_cells *c, int32_t dx,
+                                        int32_t dy, int32_t height)
 {
     const struct pel_conic *p = (const void *)c->gradient;
     const int32_t u = pel_pixel_center(c->end.x) - p->center.x;

@@ -15,8 +15,8 @@ static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
 }
 
 /* The error of the boundary where cell k begins is n product - k square, where
- * the 1 is not taken n times: whole units of 256 n, by which it grows from pixel
- * to pixel, and what they leave, c->rest. */
+ * the 1 is not taken n times: whole units of 256 n, by which it grows from
+ * pixel to pixel, and what they leave, c->rest. */
 static uint64_t unit_of(const struct pel_linear *p)
 {
     return (uint32_t)p->base.cells * 256;
@@ -80,9 +80,8 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
 static PEL_ALWAYS_INLINE void start(struct pel_cells *c,
                                     const struct pel_linear *p)
 {
-    const int32_t last = PEL_CELL_ROWS > 1 && p->d.y < 0
-                             ? (c->cell.n - 1) * c->cell.step
-                             : 0;
+    const int32_t last =
+        PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
     set_cell(c, p, product_at(p, c->end.x, c->cell.y + last));
     if (PEL_CELL_ROWS > 1)
         c->end.error -= pel_product(p->d.y, last);
