@@ -18,8 +18,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <pel/base/inline.h>
-#include <pel/base/status.h>
+#include <pel/pel.h>
 
 /* Rows of bytes, as of a window in a larger picture. */
 struct pel_bus_rows {

@@ -37,7 +37,7 @@
 #ifndef PEL_DRIVERS_DISPLAY_H
 #define PEL_DRIVERS_DISPLAY_H
 
-#include <pel/base/surface.h>
+#include <pel/pel.h>
 
 struct pel_display {
     void *context; /* the driver's own state */

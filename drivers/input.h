@@ -15,7 +15,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include <pel/base/inline.h>
+#include <pel/pel.h>
 
 PEL_BEGIN_DECLS
 

@@ -1,8 +1,9 @@
 #include "panel_chip.h"
 
-/* Monochrome chips, turned by a quarter: a byte of pel_mono1 is 8 rows of a
- * column of memory, its left pixel, which is its highest bit, at the bottom. So
- * pages count from right to left, and each gets a column of bytes. */
+/* Monochrome chips, turned by a quarter: the 8 pixels of a byte of pel_mono1,
+ * from left to right, are 8 pixels of a column of the chip's memory, from the
+ * bottom up. So the chip's pages lie from right to left on the screen, and each
+ * is a column of bytes. */
 
 void pel_panel_turned_align(const struct pel_display *display,
                             struct pel_rect *area)

@@ -10,7 +10,7 @@
 #ifndef PEL_DRIVERS_SELFTEST_H
 #define PEL_DRIVERS_SELFTEST_H
 
-#include <pel/base/surface.h>
+#include <pel/pel.h>
 
 PEL_BEGIN_DECLS
 

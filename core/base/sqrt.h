@@ -12,9 +12,9 @@ struct pel_root {
     int shift;        /* 0..30 */
 };
 
-/* v < 2^62. For v = 0 the inverse is of no use. In two steps, for the sake of
- * the stack: the inverse and a root that is off by less than 2^10, and from
- * these the root. */
+/* The root of v < 2^62 and its inverse, which is of no use for v = 0. In two
+ * steps, for the sake of the stack: guess finds the inverse and a root that is
+ * off by less than 2^10, and correct makes that root exact. */
 void pel_root_guess(uint64_t v, struct pel_root *root);
 void pel_root_correct(uint64_t v, struct pel_root *root);
 

@@ -45,9 +45,9 @@ static inline pel_u16x8 pel_blend32_mix(pel_u16x8 d,
         pel_divide255_u16x8(high * b->rests + b->sources));
 }
 
-/* Fewer than 4 pixels: the first, the middle and the last one, of which some
- * may be the same. With n <= 0 a variable takes their place, as in
- * pel_span32_short. */
+/* Fewer than 4 pixels: blends the first, the middle and the last one, of which
+ * some may be the same. With n <= 0 it blends a variable that nobody reads, as
+ * pel_span32_short does. */
 static inline void pel_blend32_short(pel_word32 *p, int32_t n,
                                      const struct pel_blend32 *b)
 {

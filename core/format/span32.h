@@ -22,11 +22,11 @@ static inline void pel_span32_short(pel_word32 *p, int32_t n, uint32_t v)
     q[(last + 1) >> 1] = v;
 }
 
-/* The inner part of more than 16 pixels, of which two vectors at either end are
- * the caller's: two more at the right end, where the four begin at `tail`, and
- * before them two more at the left end, or blocks of four from the first
- * aligned address after p (4 px away at most) on. The last block starts before
- * `tail`, so it ends before the run does. */
+/* The middle of a span of more than 16 pixels: the caller writes its first and
+ * last 8. Two vectors go to `tail`, 16 px before the end; before them two go to
+ * p + 8 or, in a span of more than 32 pixels, aligned blocks of four, the first
+ * at most 4 px after p. A block begins before `tail`, so it ends inside the
+ * span. */
 static PEL_ALWAYS_INLINE void pel_span32_long(pel_word32 *p, int32_t n,
                                               pel_value32 v)
 {

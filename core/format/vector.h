@@ -13,8 +13,8 @@ void pel_blend32_rows(const struct pel_spans *spans, pel_color color);
 /* The same of the three formats of 5-6-5 bits. */
 void pel_blend565_rows(const struct pel_spans *spans, pel_color color);
 
-/* Stores eights of opaque colours and stops before the first that has another,
- * or before the last few of n: how many were stored. */
+/* Stores opaque colours, eight at a time, and returns how many: stops before
+ * eight that are not all opaque, and where fewer than eight of n are left. */
 int32_t pel_put565_opaque(const struct pel_format *format, pel_word16 *p,
                           int32_t n, const pel_color *colors);
 

@@ -52,8 +52,8 @@ bool pel_hit_thick_line(const struct pel_thick_line_shape *line, int32_t x,
  *     } */
 struct pel_target {
     bool (*hit)(const struct pel_target *target, int32_t x, int32_t y);
-    struct pel_rect box; /* px: `hit` is called for pixels inside only; with an
-                            empty box for all */
+    struct pel_rect box; /* px: `hit` is called only for pixels inside; when the
+                            box is empty, for every pixel */
 };
 
 /* The index of the last of n targets that covers the pixel: the topmost one,

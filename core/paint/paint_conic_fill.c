@@ -30,8 +30,8 @@ static PEL_NOINLINE_32 int64_t cross_of(const struct pel_cells *c, int32_t dx,
     return pel_product(dx, height) - pel_product(dy, u);
 }
 
-/* Not before which angle, of 65,536, the pixel in the first column lies, at the
- * height in c->rest: bit by bit from c->limit. */
+/* Adds to c->whole up to the last angle that is not past the pixel in the first
+ * column, at the height in c->rest: bit by bit from c->limit. */
 static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
 {
     for (; c->limit; c->limit >>= 1) {
@@ -42,9 +42,8 @@ static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
     }
 }
 
-/* Moves by `count` >= 1 cells. The present one
- * begins at the angle floor(65536 k / period) from the start, c->whole, and
- * c->rest is what the floor drops. */
+/* Moves by `count` >= 1 cells. The present one begins at the angle floor(65536
+ * k / period) from the start, c->whole, and c->rest is what the floor drops. */
 static PEL_NOINLINE_32 void angle_move(struct pel_cells *c, int32_t count)
 {
     const struct pel_conic *p = (const void *)c->gradient;

@@ -175,6 +175,6 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     paint->cell =
         (int64_t)pel_divide_64((uint64_t)paint->square, unit_of(paint), &rest);
     paint->cell_rest = (int32_t)rest;
-    paint->by_pixel = paint->base.period && paint->d.x >> 4 > paint->cell;
+    paint->by_pixel = paint->base.period && paint->d.x > 16 * paint->cell;
     return PEL_OK;
 }

@@ -5,6 +5,7 @@
  *     pel_masked_init(&soft, &cloud, 20, 10, &sky.base.paint);
  *     pel_box(&screen, &soft.box, &soft.base.paint);
  *
+ * `pel import icon.png --format gray4` makes one of a white, transparent icon.
  * Any shape may be painted so; a dither goes around it, not inside. */
 #ifndef PEL_PAINT_PAINT_MASK_H
 #define PEL_PAINT_PAINT_MASK_H

@@ -90,8 +90,8 @@ static inline void pel_disc_walk_next(struct pel_disc_walk *w)
     w->y++;
 }
 
-/* Does the hole hold all of the clip, as a disc with its farthest corner does?
- */
+/* True when the whole clip lies in the hole: when its corner that is farthest
+ * from the centre does. */
 static inline bool pel_ring_around(const struct pel_point *center,
                                    int32_t inner, const struct pel_rect *clip)
 {

@@ -105,7 +105,7 @@ struct pel_shading {
     /* Called once a frame, before the vertices. May be NULL. */
     enum pel_status (*start)(struct pel_frame *frame);
 
-    /* The color that a vertex keeps, from its own. NULL: its own. */
+    /* Makes the color that a vertex keeps from its own. NULL: keeps its own. */
     pel_color (*vertex)(const struct pel_frame *frame, uint32_t vertex,
                         pel_color surface);
 

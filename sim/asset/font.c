@@ -139,8 +139,8 @@ static bool keep_codes(struct font *font, const struct import_options *o)
     font->count = kept;
     return (kept > 0 ||
             message_error_at(o->source, 0,
-                             "has no glyph of --codes %s: expected code points "
-                             "that it has",
+                             "has no character of %s: expected some that it "
+                             "has",
                              o->codes ? o->codes : o->chars)) &&
            check_lacking(&lacking, o->source);
 }

@@ -38,7 +38,7 @@ static bool refuse(const struct output *output)
                          is_path ? ":" : "", strerror(errno));
 }
 
-/* To a file that is open, and is closed then; -1 is one that did not open. */
+/* Writes to an open file and closes it; -1: the file could not be opened. */
 static bool write_to(const struct output *output, int file)
 {
     ssize_t n = file;

@@ -26,7 +26,7 @@ static int by_bits(const void *a, const void *b)
     return order ? order : (x->glyph > y->glyph) - (x->glyph < y->glyph);
 }
 
-/* Rows one behind the other, equal ones once; how many bytes they are. */
+/* Stores rows one behind the other, equal ones once; returns their bytes. */
 static size_t place_rows(const struct arrays *to, const struct rows *rows,
                          size_t count)
 {

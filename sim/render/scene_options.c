@@ -201,7 +201,7 @@ const struct option_row scene_option_table[] = {
      NUMBERS(settings.camera.near_plane, 1, 0, 1e-15, MESH_LIMIT,
              "a distance above 0, such as 0.1"),
      .flag = AT(settings.camera.has_near)},
-    {"size", "WxH", "size of the picture in pixels (default: 1200x1200)",
+    {"size", "WxH", "of the picture, in pixels (default: 1200x1200)",
      CALL(parse_size)},
     {"background", "COLOUR", "#rrggbb (default: #ffffff)", OPTION_COLOR,
      .offset = AT(settings.camera.background)},

@@ -50,8 +50,8 @@ static const char about[] =
     "Exit status: 0 equal, 1 different, 2 error. Prints the sizes when they "
     "differ, else the number of differing pixels, the worst difference, and "
     "the first such pixel.\n\nThe smallest script whose bands are not as the "
-    "whole:\n  pel compare --shrink BAD.pel --command 'pel run $1 -o a.ppm; "
-    "pel run $1 --bands 8 -o b.ppm; pel compare a.ppm b.ppm'";
+    "whole:\n  pel compare --shrink BAD.pel --command 'pel run $1 -o a.ppm\n"
+    "  pel run $1 --bands 8 -o b.ppm; pel compare a.ppm b.ppm'";
 
 /* Of the channel that differs most. */
 static int pixel_difference(pel_color a, pel_color b)

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/raster/thick_line.h"
 #include "core/raster/triangle.h"
 #include "sim/cli/arguments.h"
 #include "sim/cli/commands.h"
@@ -58,16 +59,36 @@ static void explain_triangle(const struct explanation *e, const int32_t *v)
     }
 }
 
-static void explain_circle(const struct explanation *e, const int32_t *v)
+/* Circles, rings, sectors and arcs: the distance from their centre, squared
+ * exactly, and the angle. `turns` is where from and to are, or 0. */
+static void explain_round(const struct explanation *e, const int32_t *v,
+                          size_t radii, size_t turns)
 {
     const int64_t dx = pel_pixel_center(e->x) - v[0];
     const int64_t dy = pel_pixel_center(e->y) - v[1];
     const int64_t square = dx * dx + dy * dy;
-    printf("    the centre lies %.6f px from the circle's, squared %lld, the "
-           "radius %lld / 65536 px2: %s\n",
+    const double angle = atan2((double)dy, (double)dx) / 6.283185307179586;
+    printf("    the centre lies %.6f px from the shape's, squared %lld; the "
+           "radius squared %lld",
            sqrt((double)square) / 256, (long long)square,
-           (long long)v[2] * v[2],
-           square <= (int64_t)v[2] * v[2] ? "inside or on it" : "outside");
+           (long long)v[2] * v[2]);
+    if (radii == 2)
+        printf(" and %lld", (long long)v[3] * v[3]);
+    printf(" / 65536 px2");
+    if (turns)
+        printf("; at %.6f turns, of %.6f up to, not including, %.6f",
+               angle - floor(angle), v[turns] / 65536.0,
+               v[turns + 1] / 65536.0);
+    putchar('\n');
+}
+
+static void explain_ellipse(const struct explanation *e, const int32_t *v)
+{
+    const double x = (pel_pixel_center(e->x) - v[0]) / (double)v[2];
+    const double y = (pel_pixel_center(e->y) - v[1]) / (double)v[3];
+    printf("    the squares of the distance in parts of the radii: %.6f + "
+           "%.6f = %.6f, inside up to 1\n",
+           x * x, y * y, x * x + y * y);
 }
 
 static void explain_rect(const struct explanation *e, const int32_t *v)
@@ -98,17 +119,51 @@ static void explain_polygon(const struct explanation *e, const int32_t *v,
            down, up, down - up, (down + up) % 2 ? "odd" : "even");
 }
 
+static void explain_thick(const struct explanation *e, const int32_t *v)
+{
+    const struct pel_thick_line_shape line = {{v[0], v[1]}, {v[2], v[3]}, v[4]};
+    struct pel_point corner[4];
+    if (pel_thick_line_corners(&line, corner))
+        explain_polygon(e, (const int32_t *)(const void *)corner, 4);
+}
+
+static void explain_line(const struct explanation *e, const int32_t *v)
+{
+    (void)e;
+    printf("    from pixel %d %d to %d %d, the nearest to the line in each "
+           "step, a tie down or right\n",
+           (int)(v[0] >> 8), (int)(v[1] >> 8), (int)(v[2] >> 8),
+           (int)(v[3] >> 8));
+}
+
 static void explain_shape(const struct explanation *e,
                           const struct script_item *item)
 {
     const char *name = item->command->name;
     const int32_t *v = e->script->values + item->first;
+    if (item->command->outline || strncmp(name, "outline ", 8) == 0) {
+        printf("    of the shape, the pixels with one outside of it beside, "
+               "above or below:\n");
+        name += 8;
+    }
     if (strcmp(name, "triangle") == 0)
         explain_triangle(e, v);
     else if (strcmp(name, "circle") == 0)
-        explain_circle(e, v);
-    else if (strcmp(name, "rect") == 0)
+        explain_round(e, v, 1, 0);
+    else if (strcmp(name, "ring") == 0)
+        explain_round(e, v, 2, 0);
+    else if (strcmp(name, "sector") == 0)
+        explain_round(e, v, 1, 3);
+    else if (strcmp(name, "arc") == 0)
+        explain_round(e, v, item->count == 6 ? 2 : 1, item->count - 2);
+    else if (strcmp(name, "ellipse") == 0)
+        explain_ellipse(e, v);
+    else if (strcmp(name, "rect") == 0 || strcmp(name, "roundrect") == 0)
         explain_rect(e, v);
+    else if (strcmp(name, "thickline") == 0)
+        explain_thick(e, v);
+    else if (strcmp(name, "line") == 0)
+        explain_line(e, v);
     else if (strncmp(name, "polygon", 7) == 0)
         explain_polygon(e, v, item->count / 2);
 }
@@ -243,8 +298,8 @@ int command_explain(int argc, char **argv)
         .about = "Tells which commands of a script touch a pixel.\v"
                  "In order, with the paint, the colour that it brings, what "
                  "was there, what comes of it and the value in the canvas's "
-                 "format; and, for triangles, circles, rectangles and "
-                 "polygons, why the pixel is covered or not.",
+                 "format; and, for shapes, the numbers by which the pixel "
+                 "is covered or not.",
         .tables = {{options, &o, NULL}}};
     char **arguments = arguments_parse(&line, argc, argv);
     if (!script_load(&script, arguments[0], o.format))

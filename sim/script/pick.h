@@ -7,8 +7,9 @@
 /* Does the command draw pixels, rather than change how others do? */
 bool script_draws(const struct script_command *command);
 
-/* Does a command that draws cover a pixel, x and y, whatever the clip? Then
- * with *color. `pen` is as it is before the command. */
+/* True when the item, a command that draws, covers the pixel (x, y) whatever
+ * the clip; *color is then the colour that it leaves there. `pen` holds the
+ * settings before the command. */
 bool script_covers(const struct script_pen *pen, const struct script *script,
                    const struct script_item *item, const int pixel[2],
                    pel_color *color);

@@ -191,8 +191,8 @@ static int texture_size_most(SDL_Renderer *renderer)
     return most > 0 ? pel_min(most, TEXTURE_SIZE_MAX) : TEXTURE_SIZE_MAX;
 }
 
-/* Frames that are counted do not wait for the screen, nor do those of a timer.
- */
+/* Frames wait for the screen's refresh, unless --frames wants them as fast as
+ * it goes or the show has a period of its own. */
 static bool open_window(struct window *w)
 {
     const struct show *show = w->viewer->show;

@@ -86,6 +86,13 @@ g++ -std=c++11 -Wall -Wextra -Wpedantic -Wold-style-cast -Werror -I"$one" \
     "$here/sketch.cpp" "$work/pel.o" -no-pie -o "$work/sketch" && "$work/sketch" ||
     fail "a sketch in C++"
 
+# drivers and examples beside the one source
+for file in drivers/*.c examples/board.c; do
+    case $file in *linux*) ;; *)
+        $CC -std=c99 $WARNINGS -I"$one" -fsyntax-only "$file" || fail "$file" ;;
+    esac
+done
+
 # PlatformIO: the folder of sources is that of the headers
 cmake -D VERSION="$version" -P "$here/library_json.cmake" || fail "library.json"
 g++ -fsyntax-only -Icore "$here/sketch.cpp" || fail "a sketch with core/pel.h"

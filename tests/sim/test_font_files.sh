@@ -139,7 +139,8 @@ P2
 000000000000
 000000000000
 EOF
-refused 'no glyph of --codes 200-300' "$dir/hand.bdf" --codes 200-300
+refused 'no character of 200-300' "$dir/hand.bdf" --codes 200-300
+refused 'no character of é' "$dir/hand.bdf" --chars é
 
 # What the font lacks is named: an error, or a note where a range has gaps.
 refused 'lacks 2 of --codes and --chars: U+00E4 U+0062:' "$dir/hand.bdf" --codes ä,a,b

@@ -25,17 +25,35 @@ circle 8.5 8.5 3
 rect 1 1 2 2
 paint linear 0 0 #000000 16 0 #ffffff
 polygon evenodd 10 10 14 10 14 14 10 14
+clip 0 0 16 16
+ring 8.5 8.5 2 4
+sector 8.5 8.5 4 0 0.25
+arc 8.5 8.5 2 4 0.5 0.75
+ellipse 8 8 4 2
+thickline 0 4 16 4 2
+line 0 0 15 15
+outline ellipse 8 8 4 2
+outline arc 8.5 8.5 4 0.25 0.5
 END
 explains 2 2 'line 4: triangle: paint flat (line 3), #ff0000 alpha 128 over' \
     'edge 0-1: the centre lies on it, a top one: inside' \
     'edge 2-0: the centre lies on it, a left one: inside' \
     'line 8: rect: paint flat (line 6), #00ff00 over' 'pixel value 0x07e0'
 explains 7 7 'edge 1-2: the centre lies on it, a right one: outside' \
-    'line 7: circle: paint flat (line 6)' 'inside or on it'
+    'line 7: circle: paint flat (line 6)' 'the radius squared 589824'
 explains 9 8 'line 7: circle: outside of the clip of line 5'
-explains 5 8 'squared 589824, the radius 589824'
+explains 5 8 'squared 589824; the radius squared 589824'
 explains 12 12 'line 10: polygon evenodd: outside of the clip' \
     'through it: 0 down, 1 up: winding -1, odd'
+explains 10 10 'line 12: ring: paint linear' \
+    'squared 524288; the radius squared 262144 and 1048576' \
+    'line 13: sector: paint' 'at 0.125000 turns, of 0.000000 up to, not including, 0.250000' \
+    'line 14: arc: not covered' 'of 0.500000 up to, not including, 0.750000' \
+    'line 15: ellipse: not covered' '0.390625 + 1.562500 = 1.953125, inside up to 1' \
+    'line 17: line: paint' 'from pixel 0 0 to 15 15' \
+    'line 18: outline ellipse: not covered' 'pixels with one outside' \
+    'line 19: outline arc: not covered' 'of 0.250000 up to, not including, 0.500000'
+explains 8 4 'line 16: thickline: paint' 'winding 1, odd'
 explains 15 0 'line 2: clear: #102030 over #000000 gives #102031'
 
 # After every script of the gallery: the same pixel as in the picture.

@@ -44,3 +44,9 @@ refuse 'did not end: Killed' --shrink "$dir/s.pel" --command 'kill -9 $$'
 refuse 'cannot be read' --shrink "$dir/none" --command false
 refuse 'expected A B, or --shrink SCRIPT' --shrink "$dir/s.pel"
 refuse 'expected A B, or --shrink SCRIPT' a.ppm
+
+# The example of --help is a command as it is printed: bands are as the whole.
+cp "$dir/s.pel" "$work/BAD.pel"
+"$PEL" compare --help | sed -n '/^  pel compare/,$p' |
+    (PATH=$(cd "${PEL%/*}" && pwd):$PATH && cd "$work" && sh 2>&1) |
+    grep -q 'BAD.pel: the command does not fail' || fail "the example of --help"

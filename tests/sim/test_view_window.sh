@@ -42,7 +42,7 @@ written=0
 picture() { # what follows a key w
     xdotool key --window "$window" w
     written=$((written + 1))
-    until_true grep -q "written: view-00$written" "$work/err"
+    until_true grep -q "written: view-0*$written\\." "$work/err"
 }
 
 start figures --size 320x240 --record record
@@ -63,14 +63,20 @@ xdotool key --window "$window" F3 o
 picture
 xdotool key --window "$window" o x x m d
 picture
+xdotool key --window "$window" m d x x F2 Return b
+picture
+xdotool key --window "$window" b h
+picture
+xdotool key --window "$window" h 0 Left
+xdotool click 4 click 4 click 5 click 5 click 5
+picture
 xdotool key --window "$window" q 2>/dev/null
 wait $program || fail "status $? after q"
 last=$(tail -n 1 "$work/record" | cut -d ' ' -f 1)
 "$PEL" view figures --size 320x240 --headless --frames $((last + 1)) \
     -o "$work/frames" --replay "$work/record" || fail "no replay"
 for i in $(seq $written); do
-    picture=$work/view-00$i.png
-    [ -e "$picture" ] || picture=$work/view-00$i.bmp
+    picture=$(ls "$work/view-$(printf %03d "$i")".*)
     equal=0
     for frame in "$work"/frames/*.ppm; do
         "$PEL" compare "$frame" "$picture" >/dev/null && equal=1 && break
@@ -79,6 +85,23 @@ for i in $(seq $written); do
     cksum <"$picture" >>"$work/sums"
 done
 [ "$(sort -u "$work/sums" | wc -l)" = $written ] || fail "two pictures are one"
+
+# A mesh: a drag turns it, and so do keys.
+start builtin:vase --size 320x240 --still
+rm -f "$work"/view-* "$work/sums"
+written=0
+picture
+xdotool mousemove --window "$window" 100 100 mousedown 1
+xdotool mousemove_relative --sync 40 10 mouseup 1
+picture
+xdotool key --window "$window" Right Up plus
+picture
+xdotool key --window "$window" q 2>/dev/null
+wait $program || fail "status $? after q"
+for picture in "$work"/view-*; do
+    cksum <"$picture" >>"$work/sums"
+done
+[ "$(sort -u "$work/sums" | wc -l)" = 3 ] || fail "a mesh does not turn"
 
 # A script, whose shapes can be picked too; and the window is closed.
 start "$(realpath sim/scenes/shapes.pel)" --size 480x320

@@ -9,13 +9,16 @@ PEL_VERSION := $(shell awk '/^\#define PEL_VERSION_/ { printf "%s%s", dot, $$3; 
 PEL_SONAME := libpel.so.$(basename $(PEL_VERSION))
 
 ONE := $(BUILD)/amalgamation
-# The folder is a library of the Arduino IDE, too.
+# The folder is a library of the Arduino IDE, too; drivers and examples find
+# <pel/pel.h> in it.
 amalgamation: $(ONE)/pel.c $(ONE)/pel.h ## core as pel.c and pel.h: build/amalgamation
-	cp LICENSE packages/library.properties $(ONE)
-$(ONE)/pel.c: packages/amalgamate.awk $(CORE) $(wildcard core/*/*.h core/*/*.inc)
+	@mkdir -p $(ONE)/pel
+	echo '#include "../pel.h"' >$(ONE)/pel/pel.h
+	cp LICENSE packaging/library.properties $(ONE)
+$(ONE)/pel.c: packaging/amalgamate.awk $(CORE) $(wildcard core/*/*.h core/*/*.inc)
 	@mkdir -p $(@D)
 	@awk -f $< $(CORE) >$@
-$(ONE)/pel.h: packages/amalgamate.awk $(wildcard core/*.h core/*/*.h)
+$(ONE)/pel.h: packaging/amalgamate.awk $(wildcard core/*.h core/*/*.h)
 	@mkdir -p $(@D)
 	@awk -f $< -v header=1 >$@
 
@@ -23,10 +26,10 @@ $(BUILD)/libpel.so.$(PEL_VERSION): $(ONE)/pel.c $(ONE)/pel.h
 	$(CC) $(PEL_CFLAGS) $(CFLAGS) -fPIC -shared $(LDFLAGS) \
 	    -Wl,-soname,$(PEL_SONAME) $< -o $@
 
-$(BUILD)/man/pel.1: packages/man.sh $(BUILD)/pel
+$(BUILD)/man/pel.1: packaging/man.sh $(BUILD)/pel
 	@mkdir -p $(@D)
-	packages/man.sh $(BUILD)/pel $(PEL_VERSION) >$@
-$(BUILD)/man/pel.3: packages/pel.3 core/pel.h
+	packaging/man.sh $(BUILD)/pel $(PEL_VERSION) >$@
+$(BUILD)/man/pel.3: packaging/pel.3 core/pel.h
 	@mkdir -p $(@D)
 	sed 's/@VERSION@/$(PEL_VERSION)/' $< >$@
 
