@@ -69,7 +69,7 @@ uint64_t pel_divide_fraction(uint64_t n, uint64_t d, uint64_t *fine)
 }
 
 /* Subtracts shifted divisors, the largest that fits first. */
-uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest)
+static inline uint64_t divide_by_shifts(uint64_t n, uint64_t d, uint64_t *rest)
 {
     uint64_t quotient = 0;
     int shift = 0;
@@ -84,6 +84,34 @@ uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest)
     }
     *rest = n;
     return quotient;
+}
+
+/* A bit at a time, which is the least code: the remainder may begin anywhere
+ * below d. */
+static inline uint64_t divide_64_by_bits(uint64_t n, uint64_t d, uint64_t *rest)
+{
+    uint64_t high = *rest;
+    for (int bit = 0; bit < 64; bit++) {
+        high = high << 1 | n >> 63;
+        n <<= 1;
+        if (high >= d) {
+            high -= d;
+            n |= 1;
+        }
+    }
+    *rest = high;
+    return n;
+}
+
+uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest)
+{
+    const uint64_t top = d - 1, sign = *rest ? UINT64_MAX : 0;
+    if (!PEL_KNOW_SIDES)
+        return divide_64_by_bits(n, d, rest);
+    const uint64_t quotient = divide_by_shifts(n ^ sign, d, rest);
+    if (sign)
+        *rest = top - *rest;
+    return quotient ^ sign;
 }
 
 #endif

@@ -6,8 +6,9 @@
 #include "inline.h"
 
 /* pel_divide: floor(n / d); d > 0, n < d 2^32. pel_divide_64: the same of any
- * n, and the remainder. pel_divide_fraction: floor(n 2^32 / d), and `fine`,
- * floor(n 2^24 / d), modulo 2^64; 0 < d < 2^63. */
+ * n, d < 2^63, and the remainder, which was 0 before; d - 1 where n is below 0,
+ * in two's complement as is the quotient. pel_divide_fraction: floor(n 2^32 /
+ * d), and `fine`, floor(n 2^24 / d), modulo 2^64; 0 < d < 2^63. */
 #if PEL_64BIT
 
 static inline uint32_t pel_divide(uint64_t n, uint32_t d)
@@ -17,8 +18,10 @@ static inline uint32_t pel_divide(uint64_t n, uint32_t d)
 
 static inline uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest)
 {
-    *rest = n % d;
-    return n / d;
+    const uint64_t sign = *rest ? UINT64_MAX : 0;
+    n ^= sign;
+    *rest = sign ? d - 1 - n % d : n % d;
+    return n / d ^ sign;
 }
 
 /* Of most triangles n fits 32 bits: one division. Otherwise as many bits at a

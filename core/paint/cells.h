@@ -66,6 +66,16 @@ struct pel_cells {
     struct pel_span run[PEL_CELL_ROWS];
 };
 
+/* The place of the cell `part` of copy number `copy` of the way; of a padded
+ * way copy >= 0. */
+static inline int32_t pel_cells_place(const struct pel_gradient *g,
+                                      int32_t copy, int32_t part)
+{
+    if (g->period == 0)
+        return copy > 0 ? g->cells - 1 : part;
+    return g->period > g->cells && (copy & 1) ? part + g->cells : part;
+}
+
 /* Before the first batch. */
 void pel_cells_open(struct pel_cells *cells,
                     const struct pel_gradient *gradient,
@@ -80,8 +90,8 @@ bool pel_cells_next(struct pel_cells *cells, int32_t most);
  * 0: all that may come. Moves on to the first other one. */
 int32_t pel_cells_pass(struct pel_cells *c);
 
-/* Before the first cell: its colour, and a limit where the ramp is padded. */
-void pel_cells_first(struct pel_cells *c);
+/* Takes the colour of the cell at c->place. */
+void pel_cells_color(struct pel_cells *c);
 
 /* Ends all runs at the boundary. Its error grows by `row` to the pixel below;
  * `row` from row to row, and the step from pixel to pixel, by `bend`. true when
@@ -99,7 +109,7 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
     struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
 {
     bool rest = false;
-    pel_cells_first(c);
+    pel_cells_color(c);
     do {
         const uint32_t value = c->value;
         const bool opaque = c->opaque;

@@ -28,16 +28,7 @@ static pel_color ramp_color(const struct pel_gradient *g, int32_t cell)
                  mix_sum(a & mask, b & mask, i));
 }
 
-int32_t pel_gradient_place(const struct pel_gradient *g, int32_t copy,
-                           int32_t part)
-{
-    if (g->period == 0)
-        return copy < 0 ? 0 : copy > 0 ? g->cells - 1 : part;
-    return g->period > g->cells && (copy & 1) ? part + g->cells : part;
-}
-
-/* Takes the colour of the cell at c->place. */
-static void take_color(struct pel_cells *c)
+void pel_cells_color(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
     const int32_t place = c->place;
@@ -246,7 +237,8 @@ int32_t pel_cells_pass(struct pel_cells *c)
     const struct pel_gradient *g = c->gradient;
     const uint32_t value = c->value;
     const bool opaque = c->opaque;
-    const int32_t most = g->period ? pel_min(c->limit, g->period) : c->limit;
+    const int32_t bound = g->period ? g->period : g->cells;
+    const int32_t most = pel_min(c->limit, bound);
     int32_t count = 0;
     do {
 #if PEL_KNOW_SIDES
@@ -260,21 +252,15 @@ int32_t pel_cells_pass(struct pel_cells *c)
             return 0;
         count++;
         c->place += c->way;
-        if ((uint32_t)c->place >= (uint32_t)g->period)
-            c->place -= c->way * g->period; /* which padded ways have not */
-        take_color(c);
+        if ((uint32_t)c->place >= (uint32_t)bound) {
+            if (g->period == 0)
+                return 0;
+            c->place -= c->way * bound;
+        }
+        pel_cells_color(c);
     } while (c->value == value && c->opaque == opaque);
     c->limit -= count;
     return count;
-}
-
-void pel_cells_first(struct pel_cells *c)
-{
-    const struct pel_gradient *g = c->gradient;
-    if (g->period == 0)
-        c->limit =
-            pel_min(c->limit, c->way > 0 ? g->cells - 1 - c->place : c->place);
-    take_color(c);
 }
 
 enum pel_status pel_gradient_init(struct pel_gradient *g,
@@ -288,8 +274,8 @@ enum pel_status pel_gradient_init(struct pel_gradient *g,
     g->color = ramp_color;
     g->ramp = *ramp;
     g->cells = ramp->n == 2 ? 256 : ramp->n;
-    g->period = ramp->spread == PEL_PAD      ? 0
-                : ramp->spread == PEL_REPEAT ? g->cells
-                                             : 2 * g->cells;
+    g->period = ramp->spread == PEL_PAD ? 0 : g->cells;
+    if (ramp->spread == PEL_REFLECT)
+        g->period *= 2;
     return PEL_OK;
 }

@@ -25,10 +25,6 @@ struct pel_gradient {
                        and the last go on */
 };
 
-/* The place of the cell `part` of copy number `copy` of the way. */
-int32_t pel_gradient_place(const struct pel_gradient *gradient, int32_t copy,
-                           int32_t part);
-
 /* Sets all but the paint. PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n). */
 enum pel_status pel_gradient_init(struct pel_gradient *gradient,
                                   const struct pel_ramp *ramp);

@@ -20,50 +20,51 @@ static int32_t height_of(const struct pel_cells *c)
     return pel_pixel_center(c->cell.y) - p->center.y;
 }
 
-/* Adds the bit in c->limit to the angle in c->whole when the pixel in the first
- * column, at the height in c->rest, lies on the ray d or clockwise of it. */
-static PEL_NOINLINE_32 void add_bit(struct pel_cells *c, struct pel_point d)
+/* The cross product of a ray and the pixel at end.x, at a height: 0 or more
+ * when the pixel lies on the ray or clockwise of it. */
+static PEL_NOINLINE_32 int64_t cross_of(const struct pel_cells *c, int32_t dx,
+                                        int32_t dy, int32_t height)
 {
     const struct pel_conic *p = (const void *)c->gradient;
     const int32_t u = pel_pixel_center(c->end.x) - p->center.x;
-    if (pel_product(d.x, c->rest) - pel_product(d.y, u) >= 0)
-        c->whole += c->limit;
+    return pel_product(dx, height) - pel_product(dy, u);
 }
 
-/* Adds to c->whole up to the last angle that is not past the pixel. */
+/* Adds to c->whole up to the last angle that is not past the pixel in the first
+ * column, at the height in c->rest: bit by bit from c->limit. */
 static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
 {
-    for (; c->limit; c->limit >>= 1)
-        add_bit(c, pel_direction((uint16_t)(c->whole + c->limit)));
+    for (; c->limit; c->limit >>= 1) {
+        const struct pel_point d =
+            pel_direction((uint16_t)(c->whole + c->limit));
+        if (cross_of(c, d.x, d.y, c->rest) >= 0)
+            c->whole += c->limit;
+    }
 }
 
-/* Moves by `count` >= 1 cells, clockwise or counter-clockwise. The present one
- * begins at the angle floor(65536 k / period) from the start, c->whole, and
- * c->rest is what the floor drops. */
-static PEL_NOINLINE_32 void angle_move(struct pel_cells *c, int32_t way,
-                                       int32_t count)
+/* Moves by `count` >= 1 cells. The present one begins at the angle floor(65536
+ * k / period) from the start, c->whole, and c->rest is what the floor drops. */
+static PEL_NOINLINE_32 void angle_move(struct pel_cells *c, int32_t count)
 {
     const struct pel_conic *p = (const void *)c->gradient;
+    const int32_t way = c->way;
     do {
         c->whole += way * p->width;
         c->rest += way * p->rest;
-        if (c->rest < 0 || c->rest >= p->base.period) {
+        if ((uint32_t)c->rest >= (uint32_t)p->base.period) {
             c->rest -= way * p->base.period;
             c->whole += way;
         }
     } while (--count);
 }
 
-/* Ends at a ray d, which is not level. A pixel is on it or clockwise of it when
- * the cross product is 0 or more: beyond it above the centre, before it below.
- * The lowest 8 bits never change from pixel to pixel. */
+/* Ends at a ray d, which is not level. On it or clockwise of it is beyond it
+ * above the centre, before it below. The lowest 8 bits of the cross product
+ * never change from pixel to pixel. */
 static PEL_NOINLINE_32 bool end_at(struct pel_cells *c, struct pel_point d)
 {
-    const struct pel_conic *p = (const void *)c->gradient;
     struct pel_boundary *end = &c->end;
-    const int32_t u = pel_pixel_center(end->x) - p->center.x;
-    const int64_t cross =
-        (pel_product(d.x, height_of(c)) - pel_product(d.y, u)) >> 8;
+    const int64_t cross = cross_of(c, d.x, d.y, height_of(c)) >> 8;
     const bool above = d.y < 0;
     end->error = above ? cross : ~cross;
     end->step = above ? -d.y : d.y;
@@ -72,7 +73,7 @@ static PEL_NOINLINE_32 bool end_at(struct pel_cells *c, struct pel_point d)
 
 static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
 {
-    angle_move(cells, cells->way, count);
+    angle_move(cells, count);
     return end_at(cells, pel_direction((uint16_t)cells->whole));
 }
 
@@ -87,7 +88,7 @@ static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
     const int32_t v = height_of(c);
     const int32_t split = pel_first_pixel(p->center.x);
     const bool above = v < 0, left = c->end.x < split;
-    if (c->cell.step && v <= 0)
+    if (PEL_CELL_ROWS > 1 && c->cell.step && v <= 0)
         c->cell.n = pel_min(
             c->cell.n, above ? pel_first_pixel(p->center.y) - c->cell.y : 1);
     if (v == 0 && left)
@@ -96,7 +97,7 @@ static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
     c->whole = above || (v == 0 && left) ? HALF_TURN : 0;
     c->limit = v ? HALF_TURN / 2 : 0;
     c->rest = v;
-    if (v && above == left)
+    if (PEL_CELL_ROWS > 1 && v && above == left)
         c->rest += (c->cell.n - 1) * c->cell.step * 256;
 }
 
@@ -105,19 +106,16 @@ static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c)
 {
     const struct pel_conic *p = (const void *)c->gradient;
-    const bool above = c->way > 0;
+    const bool above = c->way > 0, level = c->rest == 0;
     c->place = place_of(p, (uint32_t)c->whole);
-    const uint32_t k = (uint32_t)c->place << 16;
+    const uint32_t k = (uint32_t)(c->place + !above) << 16;
     const uint32_t turn = pel_divide(k, (uint32_t)p->base.period);
     c->rest = (int32_t)(k - turn * (uint32_t)p->base.period);
     c->whole = (int32_t)(turn + p->start);
-    if (!above)
-        angle_move(c, 1, 1);
-    c->limit = above ? place_of(p, FULL_TURN - 1) - c->place
-                     : c->place - place_of(p, 0);
+    c->limit = c->way * (place_of(p, above ? UINT32_MAX : 0) - c->place);
     if (c->limit < 0)
         c->limit += p->base.period;
-    if (height_of(c) == 0)
+    if (level)
         c->limit = 0;
 }
 

@@ -3,32 +3,23 @@
 #include "../base/divide.h"
 #include "cells.h"
 
-/* (P - from).d at pixel (x, y). Below 2^50. */
+/* The way is drawn from the end on the left, so that products do not fall to
+ * the right; where that is the end of the last cell, the boundaries belong to
+ * the cells before them, and products are 1 less: (P - from).d at pixel (x, y).
+ * Below 2^50, and above -2^47 before the way. */
 static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
                                           int32_t y)
 {
     return pel_product(pel_pixel_center(x) - p->from.x, p->d.x) +
-           pel_product(pel_pixel_center(y) - p->from.y, p->d.y);
+           pel_product(pel_pixel_center(y) - p->from.y, p->d.y) - p->turned;
 }
 
-/* The error of the boundary where cell k begins is n product - k square: whole
- * units of 256 n, by which it grows from pixel to pixel, and what they leave
- * (c->rest, from -1 to 256 n - 1). Where products fall to the right, so do
- * cells, and it is (k + 1) square - 1 - n product. */
-static int32_t unit_of(const struct pel_linear *p)
+/* The error of the boundary where cell k begins is n product - k square, where
+ * the 1 is not taken n times: whole units of 256 n, by which it grows from
+ * pixel to pixel, and what they leave, c->rest. */
+static uint64_t unit_of(const struct pel_linear *p)
 {
-    return p->base.cells * 256;
-}
-
-static int32_t magnitude(int32_t v)
-{
-    return v < 0 ? -v : v;
-}
-
-/* How the error changes to the pixel below. */
-static int32_t row_of(const struct pel_linear *p)
-{
-    return p->d.x < 0 ? -p->d.y : p->d.y;
+    return (uint32_t)p->base.cells * 256;
 }
 
 static PEL_CELL_STEP bool end_cells(struct pel_cells *c, int32_t count)
@@ -36,75 +27,66 @@ static PEL_CELL_STEP bool end_cells(struct pel_cells *c, int32_t count)
     const struct pel_linear *p = (const void *)c->gradient;
     int64_t error = c->end.error;
     int32_t part = c->rest;
-    for (; count > 0; count--) {
+    do {
         error -= p->cell;
-        if (part < p->cell_rest) {
-            part += unit_of(p);
+        part -= p->cell_rest;
+        if (part < 0) {
+            part += (int32_t)unit_of(p);
             error--;
         }
-        part -= p->cell_rest;
-    }
+    } while (--count);
     c->end.error = error;
     c->rest = part;
-    return pel_cells_end(c, row_of(p), 0);
+    return pel_cells_end(c, p->d.y, 0);
 }
 
-/* The copy of the way that has a product, from which it is left in the error.
- * Of a product < 0, all bits turned round are divided and turned back. */
-static PEL_NOINLINE_32 int32_t find_copy(struct pel_cells *c,
-                                         const struct pel_linear *p,
-                                         int64_t product)
-{
-    const bool below = product < 0;
-    uint64_t rest;
-    const int32_t copy = (int32_t)pel_divide_64(
-        (uint64_t)(below ? ~product : product), (uint64_t)p->square, &rest);
-    c->end.error = below ? p->square - 1 - (int64_t)rest : (int64_t)rest;
-    if (p->base.period == 0 && (p->d.x < 0 ? copy > 0 : below))
-        c->end.error = product;
-    return below ? ~copy : copy;
-}
-
-/* The cell of the first pixel: in the first row, or the row where it is lowest,
- * from where the error is taken to the first. Before a padded way it is in the
- * first cell all the same. n error < 2^15 2^49. */
+/* The cell that has a product, and the error where it begins. Before a padded
+ * way it is the first cell all the same. */
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
-                                     const struct pel_linear *p, int32_t copy)
+                                     const struct pel_linear *p,
+                                     int64_t product)
 {
-    const bool falling = p->d.x < 0;
-    const int32_t n = p->base.cells;
-    int64_t *const error = &c->end.error;
-    uint64_t rest;
-    if (p->base.period == 0 && (falling ? copy > 0 : copy < 0)) {
-        c->place = falling ? n - 1 : 0;
-        *error = falling ? p->square - *error : *error;
-        c->rest = n * (int32_t)(*error & 255) - falling;
-        *error >>= 8;
-        return;
+    const struct pel_gradient *g = &p->base;
+    const int32_t n = g->cells;
+    const bool before = product < 0 && g->period == 0;
+    uint64_t *const rest = (uint64_t *)&c->end.error;
+    int32_t copy = 0, part = 0;
+    if (!before) {
+        *rest = product < 0 ? (uint64_t)p->square - 1 : 0;
+        copy = (int32_t)pel_divide_64((uint64_t)product, (uint64_t)p->square,
+                                      rest);
+        product = (int64_t)*rest;
     }
-    c->place = pel_gradient_place(
-        &p->base, copy,
-        (int32_t)pel_divide_64(pel_times((uint64_t)*error, n),
-                               (uint64_t)p->square, &rest));
-    if (!PEL_KNOW_SIDES && p->d.x == 0)
-        return;
-    if (falling)
-        rest = (uint64_t)p->square - 1 - rest;
-    *error = (int64_t)pel_divide_64(rest, (uint64_t)unit_of(p), &rest);
-    c->rest = (int32_t)rest;
+    uint64_t error =
+        pel_times((uint64_t)product, n) + (uint32_t)((n - 1) * p->turned);
+    *rest = before ? unit_of(p) - 1 : 0;
+    if (!before) {
+        part = (int32_t)pel_divide_64(error, (uint64_t)p->square, rest);
+        error = *rest;
+        *rest = 0;
+    }
+    c->place = pel_cells_place(g, copy, part);
+    if (p->turned) {
+        c->place = g->cells - 1 - c->place;
+        if (c->place < 0)
+            c->place += g->period;
+    }
+    error = pel_divide_64(error, unit_of(p), rest);
+    c->rest = (int32_t)*rest;
+    c->end.error = (int64_t)error;
 }
 
+/* From the row where the first pixel's product is lowest to the first. */
 static PEL_ALWAYS_INLINE void start(struct pel_cells *c,
                                     const struct pel_linear *p)
 {
-    const int32_t row = row_of(p);
     const int32_t last =
-        PEL_CELL_ROWS > 1 && row < 0 ? (c->cell.n - 1) * c->cell.step : 0;
-    set_cell(c, p, find_copy(c, p, product_at(p, c->end.x, c->cell.y + last)));
+        PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
+    set_cell(c, p, product_at(p, c->end.x, c->cell.y + last));
     if (PEL_CELL_ROWS > 1)
-        c->end.error -= pel_product(row, last);
-    c->end.step = magnitude(p->d.x);
-    if (p->d.x < 0)
+        c->end.error -= pel_product(p->d.y, last);
+    c->end.step = p->d.x;
+    if (p->turned)
         c->way = -1;
     if (p->d.x == 0)
         c->limit = 0;
@@ -120,7 +102,7 @@ static void move_down(struct pel_cells *c, const struct pel_linear *p)
            (c->end.error == p->cell && c->rest >= p->cell_rest)) {
         const bool carry = c->rest < p->cell_rest;
         c->end.error -= p->cell + carry;
-        c->rest += (carry ? unit_of(p) : 0) - p->cell_rest;
+        c->rest += (carry ? (int32_t)unit_of(p) : 0) - p->cell_rest;
         if (++c->place == g->period)
             c->place = 0;
         else if (g->period == 0)
@@ -136,10 +118,10 @@ static void fill_level(struct pel_cells *c, const struct pel_linear *p,
     c->cell.n = 1;
     for (int32_t i = 0; i < spans->n; i++, c->cell.y += c->cell.step) {
         if (i == 0 || !near_cells)
-            set_cell(c, p, find_copy(c, p, product_at(p, 0, c->cell.y)));
+            set_cell(c, p, product_at(p, 0, c->cell.y));
         else if (c->cell.step)
             move_down(c, p);
-        pel_cells_first(c);
+        pel_cells_color(c);
         c->run[0] = spans->span[i];
         pel_fill_value(&c->cell, c->value, c->opaque);
     }
@@ -150,7 +132,7 @@ static void fill_level(struct pel_cells *c, const struct pel_linear *p,
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    const bool far = magnitude(p->d.y) > 8 * magnitude(p->d.x);
+    const bool far = pel_size_of(p->d.y) > 8 * p->d.x;
     const int32_t most = p->by_pixel || far ? 1 : PEL_CELL_ROWS;
     struct pel_cells c;
     pel_cells_open(&c, &p->base, spans);
@@ -180,14 +162,19 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     if (from.x == to.x && from.y == to.y)
         return PEL_ERROR_SIZE;
     paint->base.paint = (struct pel_paint){fill, NULL};
+    paint->turned = to.x < from.x;
+    if (paint->turned) {
+        const struct pel_point left = to;
+        to = from;
+        from = left;
+    }
     paint->from = from;
     paint->d = (struct pel_point){to.x - from.x, to.y - from.y};
     paint->square = pel_square(paint->d.x) + pel_square(paint->d.y);
-    uint64_t rest;
-    paint->cell = (int64_t)pel_divide_64((uint64_t)paint->square,
-                                         (uint64_t)unit_of(paint), &rest);
+    uint64_t rest = 0;
+    paint->cell =
+        (int64_t)pel_divide_64((uint64_t)paint->square, unit_of(paint), &rest);
     paint->cell_rest = (int32_t)rest;
-    paint->by_pixel =
-        paint->base.period && magnitude(paint->d.x) > 16 * paint->cell;
+    paint->by_pixel = paint->base.period && paint->d.x > 16 * paint->cell;
     return PEL_OK;
 }

@@ -24,11 +24,12 @@ PEL_BEGIN_DECLS
  */
 struct pel_linear {
     struct pel_gradient base;
-    struct pel_point from, d;
-    int64_t square; /* |d|^2 = 256 n cell + cell_rest */
+    struct pel_point from, d; /* turned round where d.x would be below 0 */
+    int64_t square;           /* |d|^2 = 256 n cell + cell_rest */
     int64_t cell;
     int32_t cell_rest;
-    bool by_pixel; /* cells are narrower than 1/16 px */
+    int32_t turned;   /* 1, or 0 */
+    int32_t by_pixel; /* not 0: cells are narrower than 1/16 px */
 };
 
 /* PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n, or from and to are one point),

@@ -10,51 +10,23 @@
  * than that of the radius, on the left side when it is not.
  *
  * The present cell begins at a circle of the radius floor(k radius / n), cells'
- * `whole`, rest / n what the floor drops: k rings lie inside, `part` of them in
- * copy number `copy` of the way. */
+ * `whole`, rest / n what the floor drops: k rings lie inside. */
 struct side {
     struct pel_cells cells;
-    union {
-        struct {
-            int32_t copy, part;
-        } ring;         /* until the circle is set, */
-        int64_t square; /* the circle's in 512ths, on the left side negative */
-    } u;
+#if PEL_KNOW_SIDES
+    int64_t square; /* the circle's in 512ths, on the left side negative */
+#endif
 };
 
 /* To the next circle outwards, or inwards. */
-static void circle_move(struct pel_cells *c, const struct pel_radial *p,
-                        int32_t way)
+static void circle_move(struct pel_cells *c, const struct pel_radial *p)
 {
-    c->whole += way * p->width;
-    c->rest += way * p->rest;
-    if (c->rest < 0 || c->rest >= p->base.cells) {
-        c->rest -= way * p->base.cells;
-        c->whole += way;
+    c->whole += c->way * p->width;
+    c->rest += c->way * p->rest;
+    if ((uint32_t)c->rest >= (uint32_t)p->base.cells) {
+        c->rest -= c->way * p->base.cells;
+        c->whole += c->way;
     }
-}
-
-/* From the square of the circle before to that of this one. */
-static PEL_NOINLINE_32 void set_square(struct side *s,
-                                       const struct pel_radial *p)
-{
-    const int64_t mirror = s->cells.way >> 1; /* 0, or -1 */
-    s->cells.end.error += s->u.square;
-    s->u.square =
-        (((pel_square(s->cells.whole) - p->low) >> 9) ^ mirror) - mirror;
-    s->cells.end.error -= s->u.square;
-}
-
-static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
-{
-    const struct pel_radial *p = (const void *)cells->gradient;
-    do
-        circle_move(cells, p, cells->way);
-    while (--count);
-    set_square((void *)cells, p);
-    const int32_t way = cells->way;
-    const int32_t v = pel_pixel_center(cells->cell.y) - p->rings.center.y;
-    return pel_cells_end(cells, way * (v + 128), way * 256);
 }
 
 static PEL_NOINLINE_32 int64_t square_at(const struct pel_radial *p, int32_t x,
@@ -62,6 +34,46 @@ static PEL_NOINLINE_32 int64_t square_at(const struct pel_radial *p, int32_t x,
 {
     return pel_square(pel_pixel_center(x) - p->rings.center.x) +
            pel_square(pel_pixel_center(y) - p->rings.center.y);
+}
+
+#if PEL_KNOW_SIDES
+
+/* From the square of the circle before to that of this one. There are none
+ * inside the centre. */
+static PEL_NOINLINE_32 void set_square(struct side *s,
+                                       const struct pel_radial *p)
+{
+    const int64_t mirror = s->cells.way >> 1; /* 0, or -1 */
+    s->cells.end.error += s->square;
+    s->square =
+        (((pel_square(pel_max(s->cells.whole, 0)) - p->low) >> 9) ^ mirror) -
+        mirror;
+    s->cells.end.error -= s->square;
+}
+
+#else
+
+/* The error at the pixel, anew, which is less code. */
+static inline void set_square(struct side *s, const struct pel_radial *p)
+{
+    struct pel_cells *c = &s->cells;
+    const int64_t circle = pel_square(pel_max(c->whole, 0)) + 1;
+    const int64_t error = square_at(p, c->end.x, c->cell.y) - circle;
+    c->end.error = (error >> 9) ^ (c->way >> 1);
+}
+
+#endif
+
+static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
+{
+    const struct pel_radial *p = (const void *)cells->gradient;
+    do
+        circle_move(cells, p);
+    while (--count);
+    set_square((void *)cells, p);
+    const int32_t way = cells->way;
+    const int32_t v = pel_pixel_center(cells->cell.y) - p->rings.center.y;
+    return pel_cells_end(cells, way * (v + 128), way * 256);
 }
 
 /* The row of the pixel where the walk begins: the farthest from the centre on
@@ -82,68 +94,53 @@ static int32_t first_row(const struct pel_cells *c, const struct pel_radial *p)
  * less 1, bit by bit. 0 of 0. */
 static PEL_NOINLINE_32 void find_root(struct pel_cells *c)
 {
-    uint64_t root = 0, v = (uint64_t)c->end.error - (c->end.error > 0);
-    for (uint64_t bit = UINT64_C(1) << 50; bit; bit >>= 2) {
-        const uint64_t more = root + bit;
-        root >>= 1;
-        if (v >= more) {
-            v -= more;
-            root += bit;
-        }
-    }
-    c->whole = (int32_t)root;
+    c->whole = 0;
+    for (int32_t bit = 1 << 25; bit; bit >>= 1)
+        if (pel_square(c->whole + bit) < c->end.error)
+            c->whole += bit;
 }
 
-/* The ring that holds the pixel: ring k does when k radius / n < u, the root
- * rounded up, which is k <= (u n - 1) / radius. */
-static PEL_NOINLINE_32 void find_ring(struct side *s,
+static int32_t quotient(int64_t n, int32_t d)
+{
+    return (int32_t)pel_divide((uint64_t)n, (uint32_t)d);
+}
+
+/* The ring that holds the pixel, its place, and the circle where it begins.
+ * Ring k does when k radius / n < u, the root rounded up, which is k <= (u n -
+ * 1) / radius. On the left side rings begin at the outer circle, unless the
+ * last cell of a padded way begins farther inside. */
+static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
                                       const struct pel_radial *p)
 {
-    const uint32_t radius = (uint32_t)p->rings.radius;
-    const uint32_t below = (uint32_t)s->cells.whole;
-    const uint32_t some = s->cells.end.error > 0;
-    const uint32_t copy = pel_divide(below, radius);
-    const uint64_t part =
-        pel_multiply(below - copy * radius + some, (uint32_t)p->base.cells);
-    s->u.ring.copy = (int32_t)copy;
-    s->u.ring.part = (int32_t)pel_divide(part - some, radius);
-}
-
-/* The place of the ring that was found, and the circle where it begins: on the
- * left side the outer one, unless the last cell of a padded way begins farther
- * inside. */
-static PEL_NOINLINE_32 void set_ring(struct side *s, const struct pel_radial *p)
-{
-    struct pel_cells *c = &s->cells;
-    const int32_t n = p->base.cells, most = n - 1 - p->first;
-    int32_t copy = s->u.ring.copy, part = s->u.ring.part;
+    const int32_t radius = p->rings.radius, n = p->base.cells;
+    const int32_t most = n - 1 - p->first, some = c->end.error != 0;
+    int32_t copy = quotient(c->whole, radius);
+    int32_t part = quotient(
+        pel_product(c->whole - copy * radius + some, n) - some, radius);
     if (c->way < 0 && p->base.period == 0 && (copy || part > most)) {
         copy = 0;
         part = most;
     }
-    if (c->way < 0)
-        c->limit = copy < 65535 ? copy * n + part : INT32_MAX;
-    const int32_t beyond = part > most;
-    c->place = pel_gradient_place(&p->base, copy + beyond,
-                                  part + p->first - beyond * n);
-    const uint64_t ring =
-        pel_multiply((uint32_t)part, (uint32_t)p->rings.radius);
-    const uint32_t inner = pel_divide(ring, (uint32_t)n);
-    c->whole = copy * p->rings.radius + (int32_t)inner;
-    c->rest = (int32_t)((uint32_t)ring - inner * (uint32_t)n);
-    if (c->way < 0)
-        circle_move(c, p, 1);
+    const bool beyond = part > most;
+    c->place = pel_cells_place(&p->base, copy + beyond,
+                               part + p->first - (beyond ? n : 0));
+    const int64_t ring = pel_product(part + (c->way < 0), radius);
+    const int32_t begin = quotient(ring, n);
+    c->whole = copy * radius + begin;
+    c->rest = (int32_t)((uint32_t)ring - (uint32_t)begin * (uint32_t)n);
 }
 
 /* From the square of the distance of the first pixel to its error. */
-static PEL_NOINLINE_32 void set_end(struct side *s, const struct pel_radial *p)
+static inline void set_end(struct side *s, const struct pel_radial *p)
 {
     struct pel_boundary *end = &s->cells.end;
     const int32_t way = s->cells.way;
     end->step = way * (pel_pixel_center(end->x) - p->rings.center.x + 128);
+#if PEL_KNOW_SIDES
     end->error = ((end->error >> 9) - 1) ^ (way >> 1);
-    s->u.square = 0;
+    s->square = 0;
     set_square(s, p);
+#endif
 }
 
 static PEL_ALWAYS_INLINE void start(struct side *s, const struct pel_radial *p)
@@ -151,8 +148,7 @@ static PEL_ALWAYS_INLINE void start(struct side *s, const struct pel_radial *p)
     struct pel_cells *c = &s->cells;
     c->end.error = square_at(p, c->end.x, first_row(c, p));
     find_root(c);
-    find_ring(s, p);
-    set_ring(s, p);
+    find_ring(c, p);
     if (PEL_CELL_ROWS > 1)
         c->end.error = square_at(p, c->end.x, c->cell.y);
     set_end(s, p);
@@ -206,14 +202,13 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
     if (!pel_point_legal(rings->center) || rings->radius < 256 ||
         rings->radius > PEL_PX(32767))
         return PEL_ERROR_RANGE;
-    const uint32_t x = 128 - (uint32_t)rings->center.x;
-    const uint32_t y = 128 - (uint32_t)rings->center.y;
     const int32_t n = paint->base.cells;
     paint->base.paint = (struct pel_paint){fill, NULL};
     paint->rings = *rings;
     paint->first = (int32_t)((uint32_t)rings->phase * (uint32_t)n >> 16);
-    paint->width = (int32_t)pel_divide((uint32_t)rings->radius, (uint32_t)n);
+    paint->width = quotient(rings->radius, n);
     paint->rest = rings->radius - paint->width * n;
-    paint->low = (x * x + y * y) & 511;
+    if (PEL_KNOW_SIDES)
+        paint->low = (uint32_t)square_at(paint, 0, 0) & 511;
     return PEL_OK;
 }

@@ -52,8 +52,10 @@ static void test_quotients(void)
         struct random *r = &c.random;
         const uint64_t d = random_long(r, random_between(r, 1, 63)) | 1;
         const uint64_t n = random_long(r, random_between(r, 1, 64));
-        uint64_t rest;
-        if (pel_divide_64(n, d, &rest) != n / d || rest != n % d)
+        uint64_t rest = 0, below = d - 1;
+        if (pel_divide_64(n, d, &rest) != n / d || rest != n % d ||
+            (d > 1 && (pel_divide_64(~n, d, &below) != ~(n / d) ||
+                       below != d - 1 - n % d)))
             fail_msg("%llu / %llu", (unsigned long long)n,
                      (unsigned long long)d);
         if (d >> 32 == 0 && n >> 32 < d &&
