@@ -9,6 +9,7 @@ status=0
 "$build/linux/reference" 640 480 5 6 5 >"$build/lcd/16.ppm"
 "$build/linux/reference" 640 480 8 8 8 >"$build/lcd/32.ppm"
 "$build/linux/reference" 96 16 1 1 1 224 48 4 >"$build/lcd/lm3s811evb.ppm"
+"$build/linux/reference" 128 64 4 4 4 224 48 4 >"$build/lcd/lm3s6965evb.ppm"
 for board; do
     screens=$build/lcd/$board
     rm -rf "$screens" && mkdir "$screens"

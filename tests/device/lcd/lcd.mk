@@ -20,8 +20,9 @@ endef
 $(foreach b,$(LCD_BOARDS),$(eval $(call lcd_board,$b)))
 
 # Panels on a bus, by boards with a Cortex-M3, which runs the code of an M0+.
-OLED_BOARDS := lm3s811evb
+OLED_BOARDS := lm3s811evb lm3s6965evb
 OLED_LINK_lm3s811evb := $(call board_link,0,64K,0x20000000,8K)
+OLED_LINK_lm3s6965evb := $(CPU_LINK_lm3s6965evb)
 
 # $1 board
 define oled_board

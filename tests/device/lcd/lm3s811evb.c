@@ -47,14 +47,8 @@ static enum pel_status data(const struct pel_bus *bus,
     return done ? PEL_OK : PEL_ERROR_DEVICE;
 }
 
-static enum pel_status pause(const struct pel_bus *bus, bool reset, uint32_t ms)
-{
-    (void)bus, (void)reset, (void)ms;
-    return PEL_OK;
-}
-
 static const struct pel_bus bus = {
-    .command = command, .data = data, .pause = pause};
+    .command = command, .data = data, .pause = oled_pause};
 
 /* The glass is wired to columns 36 to 131; that of an SH1106 begins at 2. */
 struct pel_panel oled_panel = {.chip = &pel_panel_sh1106,

@@ -7,6 +7,12 @@
 /* Of windows, and the pixel of the picture that is the first of the glass. */
 enum { WIDTH = 32, HEIGHT = 8, LEFT = 224, TOP = 48 };
 
+enum pel_status oled_pause(const struct pel_bus *bus, bool reset, uint32_t ms)
+{
+    (void)bus, (void)reset, (void)ms;
+    return PEL_OK;
+}
+
 static bool show_window(const struct pel_display *display, int32_t x, int32_t y)
 {
     static uint8_t pixels[WIDTH * HEIGHT / 2];

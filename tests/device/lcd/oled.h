@@ -8,4 +8,7 @@
 extern struct pel_panel oled_panel;
 void oled_start(void);
 
+/* Of its bus; the emulator has no reset line, and needs no time. */
+enum pel_status oled_pause(const struct pel_bus *bus, bool reset, uint32_t ms);
+
 #endif
