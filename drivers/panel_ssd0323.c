@@ -1,19 +1,16 @@
 #include "panel_chip.h"
 
-/* OLEDs of 16 greys. A byte is two pixels, and a column of memory. Parameters
- * are sent like commands. */
+/* OLEDs of 16 greys. A byte is a column of memory and two pixels, the left one
+ * in its high half. Parameters are sent like commands. */
 static const uint8_t setup[] = {
-    /* clang-format off */
-    19, 0xAE, 0xB3, 0x91, /* bytes that may come at once; off; clock */
+    19,   0xAE, 0xB3, 0x91, /* bytes that may come at once; off; clock */
     0xA8, 0x3F, 0xA1, 0x00, 0xA2, 0x40, /* 64 rows, from row 0 of memory's 80 */
     0xAD, 0x02, 0x86, /* supply of the module's; full current */
     0xB1, 0x55, 0xBC, 0x10, 0xBE, 0x1C, /* times of a row; voltages */
-    0xAF, 0 /* on */
-    /* clang-format on */
+    0xAF, 0                             /* on */
 };
 
-/* Its other turns and its inversion need more than the bytes of struct
- * pel_panel_chip. */
+/* Other turns and inversion need more registers than panel.c sets. */
 static enum pel_status command(const struct pel_panel *panel,
                                const uint8_t *list)
 {
@@ -36,17 +33,17 @@ static enum pel_status send(const struct pel_panel *panel,
     const struct pel_bus_rows rows = {
         pel_surface_line(surface, a->y0) + (a->x0 - surface->bounds.x0) / 2,
         (a->x1 - a->x0) / 2, a->y1 - a->y0, surface->stride};
-    const int32_t x = panel->from[0] + a->x0, y = panel->from[1] + a->y0;
-    const uint8_t left = (uint8_t)(x / 2), top = (uint8_t)y;
+    const uint8_t left = (uint8_t)((panel->from[0] + a->x0) / 2);
+    const uint8_t top = (uint8_t)(panel->from[1] + a->y0);
     const uint8_t right = (uint8_t)(left + rows.length - 1);
     const uint8_t below = (uint8_t)(top + rows.count - 1);
     const uint8_t list[] = {6, 0x15, left, right, 0x75, top, below, 0};
-    enum pel_status status =
-        (x | a->x0 | a->x1) & 1 ? PEL_ERROR_SIZE : command(panel, list);
+    enum pel_status status = (panel->from[0] | a->x0 | a->x1) & 1
+                                 ? PEL_ERROR_SIZE
+                                 : command(panel, list);
     return status == PEL_OK ? panel->bus->data(panel->bus, &rows) : status;
 }
 
-/* A0h: the left pixel is the high half of a byte. */
 const struct pel_panel_chip pel_panel_ssd0323 = {
     .setup = setup,
     .wake = pel_panel_ssd_wake,
