@@ -46,7 +46,7 @@ all: $(BUILD)/libpel.a ## build/libpel.a and the host program build/pel
 
 -include sim/sim.mk
 -include bench/bench.mk
-include packages/packages.mk
+include packaging/packaging.mk
 -include tests/tests.mk
 
 $(BUILD)/libpel.a: $(CORE_OBJECTS)

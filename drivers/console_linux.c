@@ -144,6 +144,19 @@ static int set_up(struct pel_message *message)
     return error;
 }
 
+/* Who began second would end second, and bring back the other's settings. */
+static int refuse_second(const struct pel_console_state *state,
+                         struct pel_message *message)
+{
+    if (state->tty < 0 || state->kd_mode != KD_GRAPHICS ||
+        state->vt_mode.mode != VT_PROCESS)
+        return 0;
+    pel_message_set(message, "another program has this terminal for its "
+                             "graphics: end it, or, where it died, run "
+                             "`pel console --reset`");
+    return EBUSY;
+}
+
 int pel_console_take(int framebuffer, const struct pel_console_hooks *hooks,
                      struct pel_message *message)
 {
@@ -158,6 +171,8 @@ int pel_console_take(int framebuffer, const struct pel_console_hooks *hooks,
     console.state.framebuffer = framebuffer;
     find_terminal(&console.state);
     int error = pel_console_state_save(&console.state, message);
+    if (!error)
+        error = refuse_second(&console.state, message);
     if (error) {
         close_terminal(&console.state);
         return error;

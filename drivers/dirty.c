@@ -46,18 +46,18 @@ void pel_dirty_areas_add(struct pel_dirty_areas *dirty,
     }
 }
 
-/* Rows of a band, a multiple of 8, 4 or 2 where that fits: windows may have to
- * be, and pages are. */
-static int32_t rows_of(const struct pel_display *display, int32_t stride,
-                       size_t size)
+/* Rows of an area's bands: as many times those of the narrowest window as fit.
+ * Of pages, those of a page. */
+static int32_t rows_of(const struct pel_display *display,
+                       const struct pel_rect *area, int32_t stride, size_t size)
 {
     const bool pages = display->format->id == PEL_FORMAT_MONO1_PAGES;
     const size_t fit = size / (size_t)stride * (pages ? 8 : 1);
     const int32_t rows = fit < 32760 ? (int32_t)fit : 32760;
-    int32_t multiple = 8;
-    while (multiple > rows)
-        multiple /= 2;
-    return rows & -multiple;
+    struct pel_rect window = *area;
+    window.y1 = window.y0 + 1;
+    pel_display_align(display, &window);
+    return rows - rows % (window.y1 - window.y0);
 }
 
 static enum pel_status show_band(const struct pel_display *display,
@@ -97,7 +97,7 @@ static enum pel_status show_area(const struct pel_display *display,
                                ? display->stride
                                : pel_stride(display->format, area.x1 - area.x0);
     const int32_t rows =
-        display->begin ? 32767 : rows_of(display, stride, work->size);
+        display->begin ? 32767 : rows_of(display, &area, stride, work->size);
     if (rows == 0)
         return PEL_ERROR_SCRATCH;
     for (; area.y0 < area.y1 && status == PEL_OK; area.y0 += rows) {

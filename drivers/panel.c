@@ -54,10 +54,10 @@ static enum pel_status place(struct pel_panel *panel)
         return PEL_ERROR_NULL;
     if (panel->format->id != chip->formats[panel->rotation & 1])
         return PEL_ERROR_FORMAT;
-    if (!panel->width) {
+    if (!panel->width)
         panel->width = chip->width;
+    if (!panel->height)
         panel->height = chip->height;
-    }
     const int32_t left = chip->left + panel->left;
     const int32_t right = chip->columns - left - panel->width;
     const int32_t below = chip->height - panel->top - panel->height;

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/pel.h"
 #include "sim/cli/commands.h"
 #include "sim/cli/message.h"
 
@@ -87,6 +88,11 @@ int main(int argc, char **argv)
     }
     if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
         print_usage(stdout);
+        return STATUS_OK;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        printf("pel %d.%d.%d\n", PEL_VERSION_MAJOR, PEL_VERSION_MINOR,
+               PEL_VERSION_PATCH);
         return STATUS_OK;
     }
     for (size_t i = 0; i < COMMAND_COUNT; i++)

@@ -45,7 +45,7 @@ $(BUILD)/sim/%.o: sim/%.c $(BUILD)/sim/flags
 	@mkdir -p $(@D)
 	$(CC) $(PEL_CFLAGS) $(SIM_FLAGS) $(LINUX_FLAGS) $(CFLAGS) -c $< -o $@
 
-$(BUILD)/sim/font/builtin.o: sim/scenes/fixed_6x13.bdf
+$(BUILD)/sim/font/asset.o: sim/scenes/fixed_6x13.bdf
 
 .PHONY: demo FORCE
 demo: $(BUILD)/pel ## the gallery, with the time of each picture, in build/demo

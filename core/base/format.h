@@ -52,13 +52,23 @@ enum pel_format_id {
     PEL_FORMAT_PALETTE8       /*  sources too; as gray4 in memory */
 };
 
+/* A row of the dither's matrix: 8 places for channels of 1 bit, 8 for 2 bits,
+ * up to 7. */
+typedef uint8_t pel_thresholds[7 * 8];
+
 /* For dither in formats with fewer than 8 bits a channel. */
 struct pel_dithering {
-    /* n >= 1 pixels from (x, y) on, each like the one eight before it. NULL
-     * where pixels are words of 16 bits: only programs that dither have that
-     * code. */
-    void (*pattern)(const struct pel_surface *surface, int32_t x, int32_t y,
-                    int32_t n);
+    /* For grey whose pixels share bytes; NULL elsewhere. Grey c of n bits shows
+     * level ((2^n - 1) c + rows[y & 7][8 (n - 1) + (x & 7)]) / 256 at (x, y) of
+     * the surface, whatever that of the spans is. fill: one opaque colour. put:
+     * a colour for each pixel of the one span, up to the first that is not
+     * opaque; how many. */
+    void (*fill)(const struct pel_surface *surface,
+                 const struct pel_spans *spans, pel_color color,
+                 const pel_thresholds *rows);
+    int32_t (*put)(const struct pel_surface *surface,
+                   const struct pel_spans *spans, const pel_color *colors,
+                   const pel_thresholds *rows);
 
     /* Bits of red, green and blue, 1 to 7, apart from each other in the pixel;
      * {n, 0, 0} where it is n bits of grey. */

@@ -116,15 +116,16 @@ static PEL_ALWAYS_INLINE void pel_texture_four_index(
 
 struct pel_texture_lanes {
     uint64_t du, dv;
-    uint32_t u_mask, v_mask;
 };
 
 static inline struct pel_texture_lanes pel_texture_lanes_make(
     const struct pel_texture_map *map, uint32_t u_mask, uint32_t v_mask,
     int32_t line)
 {
+    (void)u_mask;
+    (void)v_mask;
     (void)line;
-    return (struct pel_texture_lanes){map->u.dx, map->v.dx, u_mask, v_mask};
+    return (struct pel_texture_lanes){map->u.dx, map->v.dx};
 }
 
 #endif
@@ -133,8 +134,9 @@ static inline struct pel_texture_lanes pel_texture_lanes_make(
 struct pel_texture_steps {
     struct pel_texture_lanes lanes;
     const uint8_t *memory;
-    uint64_t u_end, v_end; /* coordinates below these are inside */
-    uint32_t set;          /* bits that 32-bit texels lack as pixels */
+    uint64_t u_end, v_end;   /* coordinates below these are inside */
+    uint32_t u_mask, v_mask; /* of the whole texels */
+    uint32_t set;            /* bits that 32-bit texels lack as pixels */
     ptrdiff_t stride;
 };
 
@@ -158,7 +160,7 @@ static inline struct pel_texture_steps pel_texture_steps_make(
     const uint32_t vm = all_v ? (uint32_t)p->height - 1 : 0xFFFF;
     struct pel_texture_steps s = {
         pel_texture_lanes_make(&p->map, um, vm, p->stride / bytes),
-        .memory = p->memory, .stride = p->stride};
+        .memory = p->memory, .stride = p->stride, .u_mask = um, .v_mask = vm};
     s.set = p->kind == PEL_TEXTURE_XRGB8888 ? PEL_LE32(0xFF000000u) : 0;
     s.u_end = all_u ? UINT64_MAX : (uint64_t)(uint32_t)(p->width - more) << 32;
     s.v_end = all_v ? UINT64_MAX : (uint64_t)(uint32_t)(p->height - more) << 32;

@@ -19,6 +19,19 @@ static PEL_ALWAYS_INLINE void put(uintptr_t out, int bytes, uint32_t pixel)
         *(pel_word32 *)out = pixel;
 }
 
+/* The pixel of a texel; `masked`: see pel_texture_four_index. */
+static PEL_ALWAYS_INLINE uint32_t pixel_at(const struct pel_texture_steps *s,
+                                           int bytes, bool masked, uint64_t u,
+                                           uint64_t v)
+{
+    uint32_t i = (uint32_t)(u >> 32), j = (uint32_t)(v >> 32);
+    if (masked) {
+        i &= s->u_mask;
+        j &= s->v_mask;
+    }
+    return texel_at(s->memory + (ptrdiff_t)j * s->stride, bytes, i) | s->set;
+}
+
 #if PEL_VECTORS
 
 /* `masked`: see pel_texture_four_index. */
@@ -44,20 +57,18 @@ static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int bytes,
     put(out + 6, 2, texel_at(s->memory, 2, i[3]));
 }
 
-/* Fewer than 4 pixels. */
+/* Fewer than 4 pixels: the first, the middle and the last one. */
 static PEL_ALWAYS_INLINE void put_few(const struct pel_texture_steps *s,
                                       int bytes, bool masked,
                                       const struct pel_texture_run *r)
 {
-    const struct pel_texture_four f = pel_texture_four_few(&s->lanes, r);
-    const uintptr_t half = (uintptr_t)r->n >> 1, last = (uintptr_t)r->n - 1;
-    int32_t i[4];
-    pel_texture_four_index(&f, &s->lanes, masked, i);
-    put(r->out, bytes, texel_at(s->memory, bytes, i[0]) | s->set);
+    const uint64_t du = s->lanes.du, dv = s->lanes.dv;
+    const uint64_t half = (uint64_t)r->n >> 1, last = (uint64_t)r->n - 1;
+    put(r->out, bytes, pixel_at(s, bytes, masked, r->u, r->v));
     put(r->out + half * (uintptr_t)bytes, bytes,
-        texel_at(s->memory, bytes, i[1]) | s->set);
+        pixel_at(s, bytes, masked, r->u + half * du, r->v + half * dv));
     put(r->out + last * (uintptr_t)bytes, bytes,
-        texel_at(s->memory, bytes, i[2]) | s->set);
+        pixel_at(s, bytes, masked, r->u + last * du, r->v + last * dv));
 }
 
 /* The last four pixels come first and overlap those before them. */
@@ -88,15 +99,10 @@ static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *s,
                                       int bytes, bool masked,
                                       const struct pel_texture_run *r)
 {
-    (void)masked;
     uint64_t u = r->u, v = r->v;
     uintptr_t out = r->out;
     for (int32_t n = r->n; n > 0; n--, u += s->lanes.du, v += s->lanes.dv) {
-        const uint8_t *line =
-            s->memory + (ptrdiff_t)(v >> 32 & s->lanes.v_mask) * s->stride;
-        put(out, bytes,
-            texel_at(line, bytes, (ptrdiff_t)(u >> 32 & s->lanes.u_mask)) |
-                s->set);
+        put(out, bytes, pixel_at(s, bytes, masked, u, v));
         out += (uintptr_t)bytes;
     }
 }

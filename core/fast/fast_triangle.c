@@ -1,7 +1,5 @@
 #include "fast_triangle.h"
 
-#include "../raster/triangle_sort.h"
-
 #if PEL_FAST_FILLS
 
 static int64_t floor_divide(int64_t n, int64_t d)
@@ -22,8 +20,8 @@ static int64_t floor_divide(int64_t n, int64_t d)
  * of a surface, so the slope fits 2^55, and t <= 255 times it 2^63. An edge
  * that crosses no row centre, level ones included, gets a number that is never
  * used: cheaper than a branch that cannot be predicted. */
-static struct pel_slope start_short(const struct pel_point *a,
-                                    const struct pel_point *b)
+static PEL_ALWAYS_INLINE struct pel_slope start_short(const struct pel_point *a,
+                                                      const struct pel_point *b)
 {
     struct pel_slope e;
     int64_t dx = b->x - a->x, dy = b->y - a->y;
@@ -64,10 +62,15 @@ static bool inside(const struct pel_rect *clip, const struct pel_rect *box)
            box->y1 <= pel_min(PEL_PX(clip->y1), PEL_COORDINATE_MAX);
 }
 
+/* y above x: the order of y is enough, and most CPUs load both at once. */
+static int64_t key_of(const struct pel_point *p)
+{
+    return (int64_t)((uint64_t)(uint32_t)p->y << 32 | (uint32_t)p->x);
+}
+
 static struct pel_point point_of(int64_t key)
 {
-    uint32_t x = (uint32_t)key ^ 0x80000000u;
-    return (struct pel_point){(int32_t)x, (int32_t)(key >> 32)};
+    return (struct pel_point){(int32_t)key, (int32_t)(key >> 32)};
 }
 
 static int64_t min64(int64_t a, int64_t b)
@@ -82,8 +85,7 @@ static int64_t max64(int64_t a, int64_t b)
 
 static void sort(const struct pel_point v[3], struct pel_point sorted[3])
 {
-    int64_t a = pel_point_key(&v[0]), b = pel_point_key(&v[1]),
-            c = pel_point_key(&v[2]);
+    int64_t a = key_of(&v[0]), b = key_of(&v[1]), c = key_of(&v[2]);
     int64_t low = min64(a, b), high = max64(a, b);
     sorted[0] = point_of(min64(low, c));
     sorted[1] = point_of(max64(low, min64(high, c)));

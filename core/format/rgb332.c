@@ -7,7 +7,7 @@
 #define WORD pel_word8
 #include "body_word.inc"
 
-static const struct pel_dithering dithering = {pattern, {3, 3, 2}};
+static const struct pel_dithering dithering = {NULL, NULL, {3, 3, 2}};
 
 const struct pel_format pel_rgb332 = {
     .id = PEL_FORMAT_RGB332,

@@ -116,10 +116,6 @@ void pel_fill16(const struct pel_spans *spans, uint32_t pixel);
 void pel_fill24(const struct pel_spans *spans, uint32_t pixel);
 void pel_fill32(const struct pel_spans *spans, uint32_t pixel);
 
-/* Of struct pel_dithering: n words of 16 bits, each like the one eight before.
- */
-void pel_pattern16(pel_word16 *p, int32_t n);
-
 /* Spans of gray4 and mono1; `byte` is the pixel repeated over 8 bits. */
 void pel_fill_bits(const struct pel_spans *spans, uint32_t byte);
 

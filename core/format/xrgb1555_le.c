@@ -7,7 +7,7 @@
 #define WORD pel_word16
 #include "body_word.inc"
 
-static const struct pel_dithering dithering = {NULL, {5, 5, 5}};
+static const struct pel_dithering dithering = {NULL, NULL, {5, 5, 5}};
 
 const struct pel_format pel_xrgb1555_le = {
     .id = PEL_FORMAT_XRGB1555_LE,

@@ -1,7 +1,6 @@
 #include "text_column.h"
 
-/* Where a line ends, and where the next one begins; at the text's end both are
- * there. */
+/* Where a line ends, and where the next one begins: NULL if it is the last. */
 struct line {
     const char *end, *next;
     int32_t width; /* px */
@@ -13,8 +12,13 @@ static struct line line_at(const struct pel_text_column *column,
     struct line fits = {NULL, NULL, 0}; /* up to the spaces seen last */
     int32_t x = 0, before;
     for (const char *at = string, *next = at;; at = next) {
-        if (!*at || *at == '\n')
-            return (struct line){at, *at ? at + 1 : at, x};
+        if (!*at || *at == '\n') {
+            const bool wide = column->width > 0 && x > column->width;
+            if (!wide || fits.next != at)
+                fits = (struct line){at, NULL, x};
+            fits.next = *at ? at + 1 : NULL;
+            return fits;
+        }
         const struct pel_font_glyph *glyph =
             pel_glyph_find(column->text.font, pel_utf8_next(&next));
         before = x;
@@ -43,15 +47,14 @@ struct pel_text_size pel_text_column_draw(const struct pel_surface *surface,
     const int32_t height = column->line_height
                                ? column->line_height
                                : text.font->ascent + text.font->descent;
-    struct line line = {text.string, text.string, 0};
     PEL_ASSERT(legal);
-    for (bool more = legal; more; more = *line.end) {
-        text.string = line.next;
-        line = line_at(column, text.string);
+    while (legal && text.string) {
+        const struct line line = line_at(column, text.string);
         text.x = column->text.x +
                  (column->width - line.width) * (int32_t)column->align / 2;
         if (surface && within(text.x) && within(text.y))
             pel_text_until(surface, &text, line.end, paint);
+        text.string = line.next;
         text.y += height;
         size.width = pel_max(size.width, line.width);
         size.height += height;

@@ -19,9 +19,10 @@ struct pel_text_column {
 
 /* Paints the text as pel_text does, and returns the size of its lines. A line
  * takes as many words as fit the column; the spaces between it and the next are
- * left out, and a word wider than the column is cut. surface NULL: only the
- * size. x, y or width out of range is a broken contract: PEL_ASSERT, and
- * nothing is drawn; the size is then 0. For strings up to 2^22 bytes. */
+ * left out, as are those before a line feed or the end if they do not fit; a
+ * word wider than the column is cut. surface NULL: only the size. x, y or width
+ * out of range is a broken contract: PEL_ASSERT, and nothing is drawn; the size
+ * is then 0. For strings up to 2^22 bytes. */
 struct pel_text_size pel_text_column_draw(const struct pel_surface *surface,
                                           const struct pel_text_column *column,
                                           const struct pel_paint *paint);

@@ -16,20 +16,31 @@
 #define THRESHOLD(n, m)                                              \
     (255 - (STEPS(n) - 255 % STEPS(n)) * FLOORS(m, 255 / STEPS(n)) - \
      255 % STEPS(n) * FLOORS(m, 255 / STEPS(n) + 1))
-#define PLACES(n, m)                                                           \
-    THRESHOLD(n, (m) ^ 0), THRESHOLD(n, (m) ^ 32), THRESHOLD(n, (m) ^ 8),      \
-        THRESHOLD(n, (m) ^ 40), THRESHOLD(n, (m) ^ 2), THRESHOLD(n, (m) ^ 34), \
-        THRESHOLD(n, (m) ^ 10), THRESHOLD(n, (m) ^ 42)
-#define ROW(m)                                                                \
-    {                                                                         \
-        PLACES(1, m), PLACES(2, m), PLACES(3, m), PLACES(4, m), PLACES(5, m), \
-            PLACES(6, m), PLACES(7, m)                                        \
+#define PLACES(of, n, m)                                              \
+    of(n, (m) ^ 0), of(n, (m) ^ 32), of(n, (m) ^ 8), of(n, (m) ^ 40), \
+        of(n, (m) ^ 2), of(n, (m) ^ 34), of(n, (m) ^ 10), of(n, (m) ^ 42)
+#define DEPTHS(m)                                             \
+    {                                                         \
+        PLACES(THRESHOLD, 1, m), PLACES(THRESHOLD, 2, m),     \
+            PLACES(THRESHOLD, 3, m), PLACES(THRESHOLD, 4, m), \
+            PLACES(THRESHOLD, 5, m), PLACES(THRESHOLD, 6, m), \
+            PLACES(THRESHOLD, 7, m)                           \
     }
+#define STEPS565(n, m)                             \
+    {                                              \
+        THRESHOLD(5, m) * 0x10001, THRESHOLD(n, m) \
+    }
+#define TWICE(m)                                       \
+    {                                                  \
+        PLACES(STEPS565, 6, m), PLACES(STEPS565, 6, m) \
+    }
+#define ROWS(of) of(0), of(48), of(12), of(60), of(3), of(51), of(15), of(63)
 
-/* Of the rows of the matrix: 8 places for 1 bit, 8 for 2, up to 7. */
-static const uint8_t thresholds[PEL_PLACES][7 * PEL_PLACES] = {
-    ROW(0), ROW(48), ROW(12), ROW(60), ROW(3), ROW(51), ROW(15), ROW(63),
-};
+static const pel_thresholds thresholds[PEL_PLACES] = {ROWS(DEPTHS)};
+
+/* For struct pel_row565: eight places from any of the first eight on. */
+static const struct pel_steps565 thresholds565[PEL_PLACES][2 * PEL_PLACES] = {
+    ROWS(TWICE)};
 
 /* Those of n bits in row y. */
 static inline const uint8_t *places_of(uint32_t n, int32_t y)
@@ -67,25 +78,17 @@ static inline uint32_t dithered(uint32_t c, uint32_t n, uint32_t threshold,
     return opaque ? level << (8 - n) : pel_widen(level, (int)n);
 }
 
-static inline pel_color dithered_gray(pel_color color, uint32_t n,
-                                      uint32_t threshold)
-{
-    const bool opaque = color >= OPAQUE;
-    return (color & OPAQUE) |
-           dithered(pel_gray(color), n, threshold, opaque) * 0x010101u;
-}
-
 static inline pel_color dithered_color(pel_color color, const uint8_t depth[3],
                                        int32_t x, int32_t y)
 {
-    const bool opaque = color >= OPAQUE;
-    pel_color out = color >> 24;
-    for (int k = 0; k < 3; k++) {
-        color <<= 8;
-        out = out << 8 | dithered(color >> 24, depth[k],
+    const bool opaque = color >= OPAQUE, gray = depth[1] == 0;
+    uint32_t left = gray ? pel_gray(color) << 16 : color, out = 0;
+    for (int k = 0; k < (gray ? 1 : 3); k++) {
+        left <<= 8;
+        out = out << 8 | dithered(left >> 24, depth[k],
                                   places_of(depth[k], y)[x & 7], opaque);
     }
-    return out;
+    return (color & OPAQUE) | (gray ? out * 0x010101u : out);
 }
 
 /* Dithers the first n colours of `out`, in place. */
@@ -93,12 +96,8 @@ static PEL_NOINLINE_32 void dither_out(struct proxy *proxy, int32_t x,
                                        int32_t y, int32_t n)
 {
     const uint8_t *const depth = proxy->target->format->dithering->depth;
-    const uint8_t *const places = places_of(depth[0], y);
-    const uint32_t bits = depth[0];
-    const bool gray = depth[1] == 0;
     for (pel_color *out = proxy->out; out < proxy->out + n; out++, x++)
-        *out = gray ? dithered_gray(*out, bits, places[x & 7])
-                    : dithered_color(*out, depth, x, y);
+        *out = dithered_color(*out, depth, x, y);
 }
 
 /* Takes n colours, or as many as `out` holds: how many. `next` is from each to
@@ -121,17 +120,20 @@ static PEL_ALWAYS_INLINE void put_out(struct proxy *proxy, int32_t x, int32_t y,
     proxy->target->format->put(proxy->target, x, y, n, proxy->out);
 }
 
-/* n >= 1 pixels like those before. */
+/* n >= 1 pixels, each like the one eight before, which is `bits` bytes away. */
 static void repeat_pixels(const struct pel_surface *target, int32_t x,
                           int32_t y, int32_t n)
 {
-    if (target->format->dithering->pattern)
-        target->format->dithering->pattern(target, x, y, n);
+    const int32_t bits = target->format->bits;
+    uint8_t *p = (uint8_t *)pel_address(target, x, y, bits / 8);
+    if (PEL_KNOW_SIDES && bits == 16)
+        pel_pattern16((pel_word16 *)(void *)p, n);
     else
-        pel_pattern16(pel_address16(target, x, y), n);
+        for (n *= bits / 8; n > 0; n--, p++)
+            *p = p[-bits];
 }
 
-/* In 5-6-5 bits there are loops for that. */
+/* 5-6-5 bits have loops of their own. */
 static inline bool is_565(const struct pel_format *format)
 {
     return PEL_KNOW_SIDES && (format->id == PEL_FORMAT_RGB565_LE ||
@@ -143,33 +145,42 @@ static bool is_swapped(const struct pel_format *format)
     return (format->id == PEL_FORMAT_RGB565_BE) == (PEL_LE16(1) == 1);
 }
 
-static struct pel_row565 row565_of(const struct pel_surface *target, int32_t x,
-                                   int32_t y, int32_t n)
+static inline struct pel_row565 row565_of(const struct pel_surface *target,
+                                          int32_t x, int32_t y, int32_t n)
 {
     pel_word16 *const p = pel_address16(target, x, y);
-    const uint8_t *const places = places_of(5, y);
-    const struct pel_row565 row = {p, p + n, places + (x & 7),
-                                   places + PEL_PLACES};
+    const struct pel_row565 row = {p, p + n, thresholds565[y & 7],
+                                   places_of(5, y), (uint32_t)x & 7};
     return row;
 }
 
-/* False: the format has no loop. */
+static PEL_ALWAYS_INLINE void fill_rows(const struct pel_spans *spans,
+                                        pel_color color, bool swapped)
+{
+    const struct pel_surface *const s = spans->surface;
+    const struct pel_steps565 steps = pel_steps565_of(color);
+    const struct pel_span *span = spans->span;
+    int32_t y = spans->y;
+    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step)
+        if (span->x0 < span->x1)
+            pel_row565_fill(row565_of(s, span->x0, y, span->x1 - span->x0),
+                            steps, swapped);
+}
+
+/* False: there is no loop for the format. */
 static bool fill_opaque(const struct pel_spans *spans, pel_color color)
 {
     const struct pel_surface *const target = target_of(spans->surface);
-    const struct pel_steps565 steps = pel_steps565_of(color);
-    const struct pel_span *span = spans->span;
-    const bool swapped = is_swapped(target->format);
-    int32_t y = spans->y;
-    if (!is_565(target->format))
+    const struct pel_format *const format = target->format;
+    const bool quick = is_565(format);
+    if (quick && is_swapped(format))
+        fill_rows(spans, color, true);
+    else if (quick)
+        fill_rows(spans, color, false);
+    else if (format->dithering->fill)
+        format->dithering->fill(target, spans, color, thresholds);
+    else
         return false;
-    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
-        const int32_t x = span->x0, n = span->x1 - x;
-        if (n > 0 && swapped)
-            pel_row565_fill(row565_of(target, x, y, n), steps, true);
-        else if (n > 0)
-            pel_row565_fill(row565_of(target, x, y, n), steps, false);
-    }
     return true;
 }
 
@@ -191,6 +202,10 @@ static bool fill_planes(const struct pel_surface *surface, int32_t x, int32_t y,
 static int32_t put_opaque(const struct pel_surface *target, int32_t x,
                           int32_t y, int32_t n, const pel_color *colors)
 {
+    const struct pel_span span = {x, x + n};
+    const struct pel_spans one = {target, &span, y, 1, 0};
+    if (PEL_KNOW_SIDES && target->format->dithering->put)
+        return target->format->dithering->put(target, &one, colors, thresholds);
     if (!is_565(target->format))
         return 0;
     const struct pel_row565 row = row565_of(target, x, y, n);

@@ -5,20 +5,20 @@
 
 #include "../raster/gouraud_spans.h"
 
-/* A row of the matrix has eight thresholds of 5 bits, and of 6 bits right
- * behind them. */
-enum { PEL_PLACES = 8 };
+enum { PEL_PLACES = 8 }; /* of a row of the matrix */
 
-/* A row of pixels, and where the threshold of its first one is; after that of
- * the eighth place follows that of the first. */
-struct pel_row565 {
-    pel_word16 *p, *end;
-    const uint8_t *place, *wrap;
-};
-
-/* Channels times 2^n - 1, red and blue in the halves of a word. */
+/* Channels times 2^n - 1, or thresholds: red and blue in the halves of a word.
+ */
 struct pel_steps565 {
     uint32_t red_blue, green;
+};
+
+/* A row of pixels from column x on. */
+struct pel_row565 {
+    pel_word16 *p, *end;
+    const struct pel_steps565 *thresholds; /* of 16 columns from 0 */
+    const uint8_t *places; /* of 8 columns: thresholds of 5 bits, of 6 bits */
+    uint32_t x;            /* 0..7 */
 };
 
 static PEL_ALWAYS_INLINE struct pel_steps565 pel_steps565(uint32_t red_blue,
@@ -34,26 +34,40 @@ static PEL_ALWAYS_INLINE struct pel_steps565 pel_steps565_of(pel_color c)
     return pel_steps565(c & 0xFF00FFu, c >> 8 & 0xFFu);
 }
 
-static PEL_ALWAYS_INLINE void pel_row565_store(struct pel_row565 *r,
-                                               struct pel_steps565 s,
-                                               bool swapped)
+static PEL_ALWAYS_INLINE void pel_store565(pel_word16 *p,
+                                           const struct pel_steps565 *threshold,
+                                           struct pel_steps565 s, bool swapped)
 {
-    const uint32_t five = r->place[0], six = r->place[PEL_PLACES];
-    const uint32_t rb = s.red_blue + (five | five << 16), g = s.green + six;
+    const uint32_t rb = s.red_blue + threshold->red_blue;
     const uint32_t levels = rb & UINT32_C(0x1F001F00);
-    const uint32_t pixel = levels >> 13 | g >> 8 << 5 | levels >> 8;
-    *r->p++ = (pel_word16)(swapped ? pel_swap16(pixel) : pixel);
-    if (++r->place == r->wrap)
-        r->place -= PEL_PLACES;
+    const uint32_t pixel =
+        levels >> 13 | (s.green + threshold->green) >> 8 << 5 | levels >> 8;
+    *p = (pel_word16)(swapped ? pel_swap16(pixel) : pixel);
 }
 
-/* One colour. */
+/* n words, each like the one eight before; in pairs once the address allows it.
+ */
+static PEL_NOINLINE void pel_pattern16(pel_word16 *p, int32_t n)
+{
+    pel_word16 *const end = p + n;
+    for (; p < end && (uintptr_t)p % 4; p++)
+        *p = p[-8];
+    pel_word32 *q = (pel_word32 *)(void *)p;
+    for (; end - p >= 8; p += 8, q += 4) {
+        q[0] = q[-4];
+        q[1] = q[-3];
+        q[2] = q[-2];
+        q[3] = q[-1];
+    }
+    for (; p < end; p++)
+        *p = p[-8];
+}
+
 #if PEL_VECTORS
 
-static inline pel_u16x8 pel_row565_places(const struct pel_row565 *r,
-                                          const uint8_t *places)
+static inline pel_u16x8 pel_row565_places(const uint8_t *places, uint32_t x)
 {
-    const int turn = 8 * (int)(r->place - (r->wrap - PEL_PLACES));
+    const uint32_t turn = 8 * x;
     uint64_t t;
     memcpy(&t, places, PEL_PLACES);
     const pel_u64x2 turned = {t >> turn | t << (-turn & 63), 0};
@@ -61,12 +75,13 @@ static inline pel_u16x8 pel_row565_places(const struct pel_row565 *r,
     return (pel_u16x8)pel_zip_low_u8x16((pel_u8x16)turned, zero);
 }
 
+/* One colour. */
 static PEL_ALWAYS_INLINE void pel_row565_fill(struct pel_row565 r,
                                               struct pel_steps565 s,
                                               bool swapped)
 {
-    const pel_u16x8 five = pel_row565_places(&r, r.wrap - PEL_PLACES);
-    const pel_u16x8 six = pel_row565_places(&r, r.wrap);
+    const pel_u16x8 five = pel_row565_places(r.places, r.x);
+    const pel_u16x8 six = pel_row565_places(r.places + PEL_PLACES, r.x);
     pel_u16x8 v = ((five + (uint16_t)(s.red_blue >> 16)) << 3 & 0xF800) |
                   ((six + (uint16_t)s.green) >> 3 & 0x07E0) |
                   (five + (uint16_t)s.red_blue) >> 8;
@@ -83,10 +98,12 @@ static PEL_ALWAYS_INLINE void pel_row565_fill(struct pel_row565 r,
                                               struct pel_steps565 s,
                                               bool swapped)
 {
-    const bool repeats = r.end - r.p >= 2 * PEL_PLACES;
+    const struct pel_steps565 *threshold = r.thresholds + r.x;
+    const bool repeats = r.end - r.p > PEL_PLACES;
     pel_word16 *const stop = repeats ? r.p + PEL_PLACES : r.end;
-    while (r.p < stop)
-        pel_row565_store(&r, s, swapped);
+    do
+        pel_store565(r.p, threshold++, s, swapped);
+    while (++r.p < stop);
     if (repeats)
         pel_pattern16(r.p, (int32_t)(r.end - r.p));
 }
@@ -99,8 +116,8 @@ static PEL_ALWAYS_INLINE int32_t pel_row565_put(struct pel_row565 r,
                                                 bool swapped)
 {
     const pel_color *c = colors;
-    for (; r.p < r.end && pel_alpha(*c) == 255; c++)
-        pel_row565_store(&r, pel_steps565_of(*c), swapped);
+    for (; r.p < r.end && pel_alpha(*c) == 255; r.x = (r.x + 1) & 7)
+        pel_store565(r.p++, &r.thresholds[r.x], pel_steps565_of(*c++), swapped);
     return (int32_t)(c - colors);
 }
 
@@ -110,10 +127,12 @@ static PEL_ALWAYS_INLINE void pel_row565_planes(struct pel_row565 r,
 {
     uint32_t blue = planes->at[0], green = planes->at[1], red = planes->at[2];
     const uint32_t db = planes->dx[0], dg = planes->dx[1], dr = planes->dx[2];
-    for (; r.p < r.end; blue += db, green += dg, red += dr)
-        pel_row565_store(
-            &r, pel_steps565(red >> 24 << 16 | blue >> 24, green >> 24),
-            swapped);
+    for (; r.p < r.end; blue += db, green += dg, red += dr) {
+        pel_store565(r.p++, &r.thresholds[r.x],
+                     pel_steps565(red >> 24 << 16 | blue >> 24, green >> 24),
+                     swapped);
+        r.x = (r.x + 1) & 7;
+    }
 }
 
 #endif

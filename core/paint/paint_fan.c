@@ -1,7 +1,5 @@
 #include "paint_fan.h"
 
-#include "../raster/plane.h"
-
 /* Positive when b lies clockwise of a; below 2^51. */
 static PEL_NOINLINE_32 int64_t cross(const struct pel_point *a,
                                      const struct pel_point *b)
@@ -9,19 +7,11 @@ static PEL_NOINLINE_32 int64_t cross(const struct pel_point *a,
     return pel_product(a->x, b->y) - pel_product(a->y, b->x);
 }
 
-/* n pixels of a span, from (x, y) on; `at` is a channel there. */
+/* n pixels of a span, from (x, y) on. */
 struct part {
-    uint64_t at;
     int32_t x, y, n;
     pel_color start; /* before its channels: the alpha of opaque fans */
 };
-
-static PEL_NOINLINE_32 void set_channel_at(struct part *r,
-                                           const struct pel_fan_triangle *t,
-                                           int k)
-{
-    r->at = t->at[k] + pel_times(t->dx[k], r->x) + pel_times(t->dy[k], r->y);
-}
 
 /* Adds channel k to the colours of a part inside one triangle; channel 0 comes
  * first and overwrites them. */
@@ -29,8 +19,8 @@ static PEL_NOINLINE_32 void add_channel(const struct part *r,
                                         const struct pel_fan_triangle *t, int k,
                                         pel_color *out)
 {
-    const uint64_t step = t->dx[k];
-    uint64_t v = r->at;
+    const uint64_t step = t->channel[k].dx;
+    uint64_t v = pel_plane_at(&t->channel[k], r->x, r->y);
     for (int32_t i = 0; k == 0 && i < r->n; i++)
         out[i] = r->start;
     for (pel_color *const end = out + r->n; out < end; out++, v += step) {
@@ -41,13 +31,11 @@ static PEL_NOINLINE_32 void add_channel(const struct part *r,
     }
 }
 
-static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
-                            pel_color *out)
+static void triangle_colors(const struct part *r,
+                            const struct pel_fan_triangle *t, pel_color *out)
 {
-    for (int k = 0; k < (r->start ? 3 : 4); k++) {
-        set_channel_at(r, t, k);
+    for (int k = 0; k < (r->start ? 3 : 4); k++)
         add_channel(r, t, k, out);
-    }
 }
 
 /* For how many of n pixels, the first at d from the hub, the cross product with
@@ -95,7 +83,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 {
     const struct pel_fan *p = (const void *)paint;
     const int32_t end = x + n;
-    struct part r = {0, x, y, n, p->base.opaque ? UINT32_C(0xFF000000) : 0};
+    struct part r = {x, y, n, p->base.opaque ? UINT32_C(0xFF000000) : 0};
     int32_t triangle = 0;
     for (; (r.n = end - r.x) > 0; r.x += r.n) {
         r.n = find_triangle(p, &r, &triangle);
@@ -109,12 +97,12 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     }
 }
 
-/* From the hub to the i-th point, clockwise, 0 <= i <= n; the n-th is the 0-th
+/* From the hub to the i-th point, clockwise, 0 <= i < 2 n; the n-th is the 0-th
  * again. Sets *color to its colour. */
 static struct pel_point ray_of(const struct pel_fan_points *points, int turn,
                                int32_t i, pel_color *color)
 {
-    i = i == points->n ? 0 : i;
+    i = i < points->n ? i : i - points->n;
     i = turn > 0 ? i : points->n - 1 - i;
     *color = points->colors[i];
     return (struct pel_point){points->perimeter[i].x - points->hub.x,
@@ -144,7 +132,7 @@ static int turn_of_perimeter(const struct pel_fan_points *points)
     struct pel_point a = {0, 0};
     bool skipped = false;
     for (int32_t i = 0, end = points->n; i <= end; i++) {
-        const struct pel_point b = ray_of(points, 1, i % points->n, &color);
+        const struct pel_point b = ray_of(points, 1, i, &color);
         if (is_zero(&b)) {
             skipped = true;
             continue;
@@ -173,8 +161,7 @@ static bool is_last_ray(const struct pel_fan_points *points, int turn,
     pel_color color;
     const struct pel_point ray = ray_of(points, turn, i, &color);
     for (int32_t k = 1; k < points->n; k++) {
-        const struct pel_point next =
-            ray_of(points, turn, (i + k) % points->n, &color);
+        const struct pel_point next = ray_of(points, turn, i + k, &color);
         int64_t dot = (int64_t)ray.x * next.x + (int64_t)ray.y * next.y;
         if (cross(&ray, &next) != 0 || dot <= 0)
             return cross(&ray, &next) == 0;
@@ -189,24 +176,19 @@ static void set_triangle(struct pel_fan_triangle *t, const struct pel_fan *p,
     pel_color a, b;
     t->from = ray_of(points, turn, i, &a);
     t->to = ray_of(points, turn, i + 1, &b);
-    t->closed = is_last_ray(points, turn, (i + 1) % points->n);
-    const struct pel_point v[3] = {p->hub,
-                                   {p->hub.x + t->from.x, p->hub.y + t->from.y},
-                                   {p->hub.x + t->to.x, p->hub.y + t->to.y}};
+    t->closed = is_last_ray(points, turn, i + 1 < points->n ? i + 1 : 0);
+    const struct pel_point v[3] = {{0, 0}, t->from, t->to};
     struct pel_plane_setup setup;
     if (!pel_plane_start(&setup, v))
-        *t = (struct pel_fan_triangle){.closed = 0};
+        t->to.x = t->to.y = t->closed = 0;
     setup.a = p->hub;
     setup.first = 0;
     for (int k = 0; k < 4; k++) {
         const int32_t value[3] = {(int32_t)(p->hub_color >> 8 * k & 255) * 256,
                                   (int32_t)(a >> 8 * k & 255) * 256,
                                   (int32_t)(b >> 8 * k & 255) * 256};
-        struct pel_plane plane;
-        pel_plane_set(&plane, &setup, value);
-        t->at[k] = plane.at + 0x80000000u;
-        t->dx[k] = plane.dx;
-        t->dy[k] = plane.dy;
+        pel_plane_set(&t->channel[k], &setup, value);
+        t->channel[k].at += 0x80000000u;
     }
 }
 

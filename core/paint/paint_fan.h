@@ -2,6 +2,7 @@
 #ifndef PEL_PAINT_PAINT_FAN_H
 #define PEL_PAINT_PAINT_FAN_H
 
+#include "../raster/plane.h"
 #include "paint_colors.h"
 
 PEL_BEGIN_DECLS
@@ -37,12 +38,11 @@ void pel_fan_perimeter(struct pel_point *v, int32_t n, struct pel_point center,
                        int32_t radius, uint16_t start);
 
 /* The triangle between a point of the perimeter and the next; its first ray is
- * part of it. Channels, from blue to alpha, are at + x dx + y dy at pixel (x,
- * y), in 2^-32 steps modulo 2^64. */
+ * part of it. Channels, from blue to alpha, are in 2^-32 steps. */
 struct pel_fan_triangle {
-    struct pel_point from, to; /* from the hub to the two; 0 without area */
+    struct pel_point from, to; /* from the hub; to: 0 without area */
     int32_t closed;            /* 1: the last ray too, as none follows */
-    uint64_t at[4], dx[4], dy[4];
+    struct pel_plane channel[4];
 };
 
 struct pel_fan {

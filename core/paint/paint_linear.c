@@ -188,6 +188,6 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
                                          (uint64_t)unit_of(paint), &rest);
     paint->cell_rest = (int32_t)rest;
     paint->by_pixel =
-        paint->base.period && magnitude(paint->d.x) >> 4 > paint->cell;
+        paint->base.period && magnitude(paint->d.x) > 16 * paint->cell;
     return PEL_OK;
 }

@@ -158,13 +158,18 @@ static PEL_ALWAYS_INLINE void start(struct side *s, const struct pel_radial *p)
     set_end(s, p);
 }
 
-/* The part of the batch on one side. Rings narrower than 1/64 px are drawn a
- * pixel at a time. */
+/* Rings narrower than 1/64 px are drawn a pixel at a time. */
+static bool is_narrow(const struct pel_radial *p)
+{
+    return p->base.period && p->rings.radius < 4 * p->base.cells;
+}
+
+/* The part of the batch on one side. */
 static PEL_CELL_STEP void set_side(struct pel_cells *c,
                                    const struct pel_radial *p)
 {
     const int32_t split = pel_first_pixel(p->rings.center.x);
-    if (p->base.period && p->rings.radius < 4 * p->base.cells)
+    if (is_narrow(p))
         c->hi = c->end.x + 1;
     if (c->end.x < split) {
         c->way = -1;
@@ -177,7 +182,7 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     const struct pel_radial *p = (const void *)paint;
     struct side s;
     pel_cells_open(&s.cells, &p->base, spans);
-    while (pel_cells_next(&s.cells, PEL_CELL_ROWS)) {
+    while (pel_cells_next(&s.cells, is_narrow(p) ? 1 : PEL_CELL_ROWS)) {
         set_side(&s.cells, p);
         start(&s, p);
         pel_cells_draw(&s.cells, end_cells);

@@ -18,7 +18,7 @@ enum pel_status pel_texture_map_triangle(struct pel_texture_map *map,
     struct pel_plane_setup setup;
     if (!map || !v || !t)
         return PEL_ERROR_NULL;
-    if (!pel_points_legal(v, 3))
+    if (!pel_corners_legal(v))
         return PEL_ERROR_RANGE;
     const int32_t right[3] = {t[0].u, t[1].u, t[2].u};
     const int32_t down[3] = {t[0].v, t[1].v, t[2].v};

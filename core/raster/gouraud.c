@@ -31,7 +31,10 @@ static bool reciprocal_is_enough(const struct pel_plane_setup *s)
 /* False: no area. */
 static bool start(struct setup *s, const struct pel_point v[3])
 {
-    pel_plane_corners(&s->plane, v);
+    if (PEL_64BIT)
+        pel_corners_set(&s->plane, v);
+    else
+        pel_plane_corners(&s->plane, v);
     s->reciprocal = 0;
     s->plane.bits = (uint8_t)pel_bits_of(s->plane.area);
     if (s->plane.area == 0)
@@ -46,29 +49,33 @@ static bool start(struct setup *s, const struct pel_point v[3])
     return true;
 }
 
-/* n 2^32 / area modulo 2^64: rounded down, or by long division towards zero. */
-static uint64_t gradient_of(const struct setup *s, int64_t n)
+static uint64_t divide(int64_t n, uint64_t area)
 {
-    if (s->reciprocal)
-        return (uint64_t)(n * s->reciprocal >> (s->plane.bits - 1));
     uint64_t fine;
     const uint64_t q =
-        pel_divide_fraction((uint64_t)pel_size_of(n), s->plane.area, &fine);
+        pel_divide_fraction((uint64_t)pel_size_of(n), area, &fine);
     return n < 0 ? 0 - q : q;
 }
 
-static int32_t channel_of(pel_color color, int k)
+/* n 2^32 / area modulo 2^64: rounded down, or by long division towards zero. */
+static PEL_INLINE_64 uint64_t gradient_of(const struct setup *s, int64_t n)
+{
+    if (s->reciprocal)
+        return (uint64_t)(n * s->reciprocal >> (s->plane.bits - 1));
+    return divide(n, s->plane.area);
+}
+
+static inline int32_t channel_of(pel_color color, int k)
 {
     return (int32_t)(color >> 8 * k & 255);
 }
 
-/* Sets channel k from the colors at the vertices. At the centre of a's pixel
- * the value is that at a plus the gradients times the offset, -127..128
- * sub-pixels in x and y; from there the plane is traced back to pixel (0, 0).
- * Bits 8..39 of `sum` are the 32 bits of 8.24, and are right modulo 2^64. */
-static PEL_NOINLINE_32 void set_channel(struct pel_gouraud *p,
-                                        const struct setup *s, int k,
-                                        const pel_color color[3])
+/* Sets channel k from the colors at the vertices: the value at a plus the
+ * gradients times the way from a to the centre of pixel (0, 0). Bits 8..39 of
+ * `sum` are the 32 bits of 8.24, and are right modulo 2^64. */
+static PEL_INLINE_64 void set_channel(struct pel_gouraud *p,
+                                      const struct setup *s, int k,
+                                      const pel_color color[3])
 {
     const struct pel_plane_setup *t = &s->plane;
     const int32_t b = channel_of(color[1], k) - channel_of(color[0], k);
@@ -77,13 +84,11 @@ static PEL_NOINLINE_32 void set_channel(struct pel_gouraud *p,
                                            pel_product(c, t->right[2]));
     const uint64_t gy =
         gradient_of(s, pel_product(b, t->down[1]) + pel_product(c, t->down[2]));
-    const int32_t x = pel_pixel_of(t->a.x), y = pel_pixel_of(t->a.y);
-    const uint64_t sum = pel_times(gx, pel_pixel_center(x) - t->a.x) +
-                         pel_times(gy, pel_pixel_center(y) - t->a.y);
+    const uint64_t sum =
+        pel_times(gx, 128 - t->a.x) + pel_times(gy, 128 - t->a.y);
     p->dx[k] = (uint32_t)gx;
     p->dy[k] = (uint32_t)gy;
-    p->at[k] +=
-        (uint32_t)(sum >> 8) - (uint32_t)x * p->dx[k] - (uint32_t)y * p->dy[k];
+    p->at[k] += (uint32_t)(sum >> 8);
 }
 
 enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
@@ -94,7 +99,7 @@ enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
         pel_paint_clear(&paint->paint);
     if (!paint || !v || !c)
         return PEL_ERROR_NULL;
-    if (!pel_points_legal(v, 3))
+    if (!pel_corners_legal(v))
         return PEL_ERROR_RANGE;
     struct setup s;
     const bool opaque = pel_alpha(c[0] & c[1] & c[2]) == 255;
@@ -105,9 +110,14 @@ enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
         paint->at[k] = (c[s.plane.first] >> 8 * k << 24) + 0x800000u;
         paint->dx[k] = 0;
         paint->dy[k] = 0;
-        if (has_area && !(k == 3 && opaque))
-            set_channel(paint, &s, k, c);
     }
+    if (!has_area)
+        return PEL_OK;
+    set_channel(paint, &s, 0, c);
+    set_channel(paint, &s, 1, c);
+    set_channel(paint, &s, 2, c);
+    if (!opaque)
+        set_channel(paint, &s, 3, c);
     return PEL_OK;
 }
 

@@ -57,6 +57,7 @@ struct pel_gouraud_four {
 struct pel_gouraud_steps {
     uint32_t dx[3];
     struct pel_gouraud_four lanes; /* from the first lane's pixel to each */
+    struct pel_gouraud_four few;   /* the same of pixels side by side */
     struct pel_gouraud_four next;  /* from a vector of pixels to the next */
 };
 
@@ -84,7 +85,9 @@ static inline struct pel_gouraud_steps pel_gouraud_steps_make(
     struct pel_gouraud_steps s;
     for (int k = 0; k < 3; k++) {
         const pel_u32x4 zero = {0, 0, 0, 0}, d = zero + apart * g->dx[k];
+        const pel_u32x4 one = zero + g->dx[k];
         s.dx[k] = g->dx[k];
+        s.few.v[k] = (one & odd) + ((one << 1) & upper);
         s.lanes.v[k] = (d & odd) + ((d << 1) & upper);
         s.next.v[k] = d << 2;
     }
@@ -150,12 +153,17 @@ static PEL_ALWAYS_INLINE void pel_gouraud_span_xrgb(
                                 four, pel_gouraud_times(s->dx, last))));
 }
 
+static PEL_ALWAYS_INLINE pel_u32x4
+pel_gouraud_rgb565x4(struct pel_gouraud_four c)
+{
+    return (c.v[2] >> 16 & 0xF800u) | (c.v[1] >> 21 & 0x07E0u) | c.v[0] >> 27;
+}
+
 /* Eight pixels: the lanes hold pixels 0, 2, 4, 6; one step on 1, 3, 5, 7. */
 static PEL_ALWAYS_INLINE pel_u32x4
 pel_gouraud_rgb565x8(struct pel_gouraud_four c, const uint32_t dx[3])
 {
-    const pel_u32x4 low =
-        (c.v[2] >> 16 & 0xF800u) | (c.v[1] >> 21 & 0x07E0u) | c.v[0] >> 27;
+    const pel_u32x4 low = pel_gouraud_rgb565x4(c);
     c = pel_gouraud_add(c, pel_gouraud_times(dx, 1));
     return low | (c.v[2] & 0xF8000000u) | (c.v[1] >> 5 & 0x07E00000u) |
            (c.v[0] >> 11 & 0x001F0000u);
@@ -183,8 +191,14 @@ static inline void pel_gouraud_short_rgb565(pel_word16 *p, int32_t n,
 static PEL_ALWAYS_INLINE void pel_gouraud_span_rgb565(
     pel_word16 *p, int32_t n, uint32_t v[3], const struct pel_gouraud_steps *s)
 {
-    struct pel_gouraud_four four =
-        pel_gouraud_add(s->lanes, pel_gouraud_times(v, 1));
+    struct pel_gouraud_four four = pel_gouraud_times(v, 1);
+    if (n < 4) {
+        const pel_u32x4 few =
+            pel_gouraud_rgb565x4(pel_gouraud_add(s->few, four));
+        pel_gouraud_short_rgb565(p, n, (pel_u32x4)pel_narrow_u16x8(few, few));
+        return;
+    }
+    four = pel_gouraud_add(s->lanes, four);
     const pel_u32x4 first = pel_gouraud_rgb565x8(four, s->dx);
     if (n < 8) {
         pel_gouraud_short_rgb565(p, n, first);

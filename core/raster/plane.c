@@ -1,7 +1,6 @@
 #include "plane.h"
 
 #include "../base/divide.h"
-#include "triangle_sort.h"
 
 #if !PEL_64BIT
 uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y)
@@ -85,9 +84,9 @@ static uint64_t divide(const struct pel_plane_setup *s, uint64_t n,
 /* The gradient of a pixel, cut towards zero; that of a sub-pixel times
  * `distance` is added to *at. Without a branch on the sign, which CPUs cannot
  * predict. */
-static PEL_NOINLINE_32 uint64_t gradient(const struct pel_plane_setup *s,
-                                         int64_t n, int32_t distance,
-                                         uint64_t *at)
+static PEL_INLINE_64 uint64_t gradient(const struct pel_plane_setup *s,
+                                       int64_t n, int32_t distance,
+                                       uint64_t *at)
 {
     const uint64_t sign = (uint64_t)(n >> 63);
     uint64_t fine;
@@ -98,41 +97,10 @@ static PEL_NOINLINE_32 uint64_t gradient(const struct pel_plane_setup *s,
     return ((uint64_t)n ^ sign) - sign;
 }
 
-/* Of equally high vertices the left one. 64-bit CPUs compare both coordinates
- * as one number, without branches that cannot be predicted. */
-static int topmost(const struct pel_point v[3])
-{
-    if (PEL_64BIT) {
-        const int64_t a = pel_point_key(&v[0]), b = pel_point_key(&v[1]),
-                      c = pel_point_key(&v[2]);
-        const int second = b < a, third = c < (b < a ? b : a);
-        return (second & ~third) + 2 * third;
-    }
-    const int i = pel_above(&v[1], &v[0]);
-    return pel_above(&v[2], &v[i]) ? 2 : i;
-}
-
 void pel_plane_corners(struct pel_plane_setup *setup,
                        const struct pel_point v[3])
 {
-    struct pel_plane_setup *s = setup;
-    int32_t bx = v[1].x - v[0].x, by = v[1].y - v[0].y;
-    int32_t cx = v[2].x - v[0].x, cy = v[2].y - v[0].y;
-    const int64_t area = pel_product(bx, cy) - pel_product(cx, by);
-    const int32_t sign = area < 0 ? -1 : 1;
-    bx *= sign;
-    by *= sign;
-    cx *= sign;
-    cy *= sign;
-    s->right[0] = by - cy;
-    s->right[1] = cy;
-    s->right[2] = -by;
-    s->down[0] = cx - bx;
-    s->down[1] = -cx;
-    s->down[2] = bx;
-    s->area = (uint64_t)pel_size_of(area);
-    s->first = (uint8_t)topmost(v);
-    s->a = v[s->first];
+    pel_corners_set(setup, v);
 }
 
 bool pel_plane_start(struct pel_plane_setup *setup, const struct pel_point v[3])
@@ -150,13 +118,11 @@ void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
                    const int32_t value[3])
 {
     const struct pel_plane_setup *s = setup;
-    const int32_t x = pel_pixel_of(s->a.x), y = pel_pixel_of(s->a.y);
-    *plane = pel_plane_level(value[s->first]);
-    if (s->area == 0)
-        return;
-    plane->dx = gradient(s, pel_dot(value, s->right),
-                         pel_pixel_center(x) - s->a.x, &plane->at);
-    plane->dy = gradient(s, pel_dot(value, s->down),
-                         pel_pixel_center(y) - s->a.y, &plane->at);
-    plane->at = pel_plane_at(plane, -x, -y);
+    plane->at = pel_plane_level(value[s->first]).at;
+    plane->dx =
+        gradient(s, pel_dot(value, s->right), 128 - (s->a.x & 255), &plane->at);
+    plane->dy =
+        gradient(s, pel_dot(value, s->down), 128 - (s->a.y & 255), &plane->at);
+    plane->at =
+        pel_plane_at(plane, -pel_pixel_of(s->a.x), -pel_pixel_of(s->a.y));
 }

@@ -27,13 +27,6 @@ static inline void pel_sort_rows(const struct pel_point *p[3])
     p[2] = c;
 }
 
-/* A point as a number with the order of pel_above: minimum and maximum of two
- * need no branch. */
-static inline int64_t pel_point_key(const struct pel_point *p)
-{
-    return p->y * INT64_C(4294967296) + (int64_t)((uint32_t)p->x ^ 0x80000000u);
-}
-
 /* By y, and by x at one y. */
 static inline bool pel_above(const struct pel_point *a,
                              const struct pel_point *b)

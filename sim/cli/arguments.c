@@ -20,7 +20,8 @@ static const struct option_row limit_options[] = {
     {"limit", "SECONDS,MEGABYTES",
      "that reading a file through a library may take: a mesh, or a picture "
      "other than .ppm (default: 60,2048)",
-     OPTION_CALL, .parse = child_limits_parse},
+     OPTION_INTEGER, .n = 2, .separator = ',', .low = 1, .high = 1e6,
+     .expected = "SECONDS,MEGABYTES such as 60,2048"},
     {.help = NULL},
 };
 
@@ -67,6 +68,21 @@ int choice_find(const char *names, const char *name)
     return -1;
 }
 
+static bool parse_integers(const struct option_row *o, const char *text,
+                           int *value)
+{
+    enum { MOST = 2 };
+    double number[MOST];
+    const char digits[] = {'-', '0', '1', '2', '3',          '4', '5',
+                           '6', '7', '8', '9', o->separator, '\0'};
+    assert(o->n <= MOST);
+    if (text[strspn(text, digits)] || !option_numbers(text, o, number))
+        return option_refuse(o->name, text, o->expected);
+    for (int i = 0; i < o->n; i++)
+        value[i] = (int)number[i];
+    return true;
+}
+
 static bool parse_integer(const struct option_row *o, const char *text,
                           int *value)
 {
@@ -106,7 +122,7 @@ static bool parse_color(const struct option_row *o, const char *text,
 static bool parse_value(const struct option_row *o, const char *text,
                         void *input)
 {
-    void *value = input ? (char *)input + o->offset : NULL;
+    void *value = (char *)input + o->offset;
     switch (o->kind) {
     case OPTION_FLAG:
         *(bool *)value = true;
@@ -115,7 +131,8 @@ static bool parse_value(const struct option_row *o, const char *text,
         *(const char **)value = text;
         return true;
     case OPTION_INTEGER:
-        return parse_integer(o, text, value);
+        return o->n ? parse_integers(o, text, value)
+                    : parse_integer(o, text, value);
     case OPTION_NUMBERS:
         return option_numbers(text, o, value) ||
                option_refuse(o->name, text, o->expected);
@@ -176,13 +193,14 @@ static void add_rows(struct rows *rows, const struct option_row *o, void *input,
         rows->option[i] = o;
         rows->input[i] = input;
         rows->given[i] = given;
-        rows->argp[i] = (struct argp_option){.name = o->name,
-                                             .key = !o->name    ? 0
-                                                    : o->letter ? o->letter
-                                                                : FIRST_KEY + i,
-                                             .arg = o->argument,
-                                             .doc = o->help,
-                                             .group = input ? rows->group : -1};
+        rows->argp[i] = (struct argp_option){
+            .name = o->name,
+            .key = !o->name    ? 0
+                   : o->letter ? o->letter
+                               : FIRST_KEY + i,
+            .arg = o->argument,
+            .doc = o->help,
+            .group = o == limit_options ? -1 : rows->group};
     }
 }
 
@@ -200,7 +218,7 @@ char **arguments_parse(const struct command_line *line, int argc, char **argv)
     for (int i = 0; line->tables[i].options; i++)
         add_rows(&rows, line->tables[i].options, line->tables[i].input,
                  line->tables[i].given);
-    add_rows(&rows, limit_options, NULL, NULL);
+    add_rows(&rows, limit_options, &child_limits, NULL);
     program_invocation_short_name = argv[0];
     argv[0] = program;
     argp_err_exit_status = STATUS_ERROR;

@@ -12,7 +12,7 @@ enum option_kind {
     OPTION_HEADING, /* `help` stands above the options that follow */
     OPTION_FLAG,    /* bool: true */
     OPTION_TEXT,    /* const char *: the argument itself */
-    OPTION_INTEGER, /* int, low..high */
+    OPTION_INTEGER, /* int, low..high, or int[n] like OPTION_NUMBERS */
     OPTION_NUMBERS, /* double[n], each low..high, `separator` between them */
     OPTION_CHOICE,  /* enum, or bool with `n` = 1: an index among `expected` */
     OPTION_COLOR,   /* pel_color: #rrggbb, opaque */

@@ -14,22 +14,8 @@
 
 #include "sim/cli/message.h"
 #include "sim/cli/milliseconds.h"
-#include "sim/cli/arguments.h"
 
 struct child_limits child_limits = {60, 2048};
-
-bool child_limits_parse(const char *option, const char *text, void *input)
-{
-    static const struct option_row numbers = {
-        .n = 2, .separator = ',', .low = 1, .high = 1e6};
-    double value[2];
-    (void)input;
-    if (!option_numbers(text, &numbers, value))
-        return option_refuse(option, text, "SECONDS,MEGABYTES such as 60,2048");
-    child_limits.seconds = (int)value[0];
-    child_limits.megabytes = (int)value[1];
-    return true;
-}
 
 struct child {
     const char *path;

@@ -13,9 +13,6 @@ struct child_limits {
 };
 extern struct child_limits child_limits;
 
-/* Takes the value of --limit; `input` is not used. False, with a message. */
-bool child_limits_parse(const char *option, const char *text, void *input);
-
 /* Writes its result to `out`. False, with a message. */
 typedef bool child_work(const void *what, FILE *out);
 

@@ -142,14 +142,19 @@ bool device_frame(struct pel_display_linux *screen, device_frame_function *draw,
                   void *context)
 {
     struct pel_surface surface;
+    struct pel_dirty_areas changed = {.window = 256};
     enum pel_status status =
         pel_display_begin(&screen->display, &screen->area, &surface);
     if (status != PEL_OK)
         return fails(screen);
     pel_clear(&surface, PEL_RGB(0, 0, 0));
-    if (!draw(&surface, context))
+    if (!draw(&surface, &changed, context))
         return false;
-    status = pel_display_flush(&screen->display, &surface);
+    for (int i = 0; status == PEL_OK && i < changed.count; i++) {
+        pel_display_align(&screen->display, &changed.area[i]);
+        surface.clip = changed.area[i];
+        status = pel_display_flush(&screen->display, &surface);
+    }
     if (status == PEL_OK)
         status = pel_display_flip(&screen->display);
     return status == PEL_OK || fails(screen);
@@ -161,9 +166,11 @@ struct showing {
     struct pel_pool pool;
 };
 
-static bool draw_placed(struct pel_surface *surface, void *context)
+static bool draw_placed(struct pel_surface *surface,
+                        struct pel_dirty_areas *changed, void *context)
 {
     struct showing *s = context;
+    pel_dirty_areas_add(changed, &surface->clip);
     struct canvas canvas = place(surface, s->picture);
     return device_draw_bands(&s->pool, &canvas, s->picture->draw,
                              s->picture->context);

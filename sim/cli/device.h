@@ -5,6 +5,7 @@
 
 #include "sim/cli/arguments.h"
 #include "sim/image/canvas.h"
+#include "drivers/dirty.h"
 #include "drivers/display_linux.h"
 #include "port/linux/pool.h"
 
@@ -40,8 +41,11 @@ bool device_draw_bands(struct pel_pool *pool, struct canvas *canvas,
 bool device_open(struct pel_display_linux *screen,
                  const struct device_options *options, enum pel_fb_way way);
 
-/* Draws a frame onto a surface, which is black. False, with a message. */
-typedef bool device_frame_function(struct pel_surface *surface, void *context);
+/* Draws a frame onto a surface, which is black, and adds what is not as in the
+ * frame before. False, with a message. */
+typedef bool device_frame_function(struct pel_surface *surface,
+                                   struct pel_dirty_areas *changed,
+                                   void *context);
 
 /* Draws one frame and shows it. False, with a message, when the device or the
  * drawing fails. */

@@ -3,6 +3,7 @@
 #define SIM_CLI_LIST_H
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "sim/cli/message.h"
 
@@ -17,6 +18,21 @@ static inline void *list_grow(void *list, size_t count, size_t size)
     if (!grown)
         message_error("out of memory");
     return grown;
+}
+
+/* Adds a copy of an entry of `size` bytes to the list at *list. */
+static inline bool list_add(void *list, size_t *count, const void *entry,
+                            size_t size)
+{
+    char *entries;
+    memcpy(&entries, list, sizeof entries);
+    entries = list_grow(entries, *count, size);
+    if (!entries)
+        return false;
+    memcpy(entries + *count * size, entry, size);
+    memcpy(list, &entries, sizeof entries);
+    ++*count;
+    return true;
 }
 
 #endif

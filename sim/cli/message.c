@@ -2,6 +2,7 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* The line of a script that errors name first. */
@@ -23,6 +24,19 @@ static void print_place(const char *file, long line)
     fputc(' ', stderr);
 }
 
+/* Control characters of files and arguments do not reach the terminal. */
+__attribute__((format(printf, 1, 0))) static void print_text(const char *format,
+                                                             va_list arguments)
+{
+    char *text;
+    if (vasprintf(&text, format, arguments) < 0)
+        return;
+    for (const char *c = text; *c; c++)
+        fputc((*c < ' ' && *c >= 0 && *c != '\n') || *c == 127 ? '?' : *c,
+              stderr);
+    free(text);
+}
+
 __attribute__((format(printf, 3, 0))) static void print_error(
     const char *file, long line, const char *format, va_list arguments)
 {
@@ -31,7 +45,7 @@ __attribute__((format(printf, 3, 0))) static void print_error(
         print_place(place_file, place_line);
     if (file)
         print_place(file, line);
-    vfprintf(stderr, format, arguments);
+    print_text(format, arguments);
     fputc('\n', stderr);
 }
 

@@ -1,5 +1,23 @@
 #include "sim/cli/text_line.h"
 
+#include <errno.h>
+
+#include "sim/cli/message.h"
+
+FILE *file_open(const char *path)
+{
+    FILE *file = strcmp(path, "-") == 0 ? stdin : fopen(path, "rb");
+    if (!file)
+        message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+    return file;
+}
+
+void file_close(FILE *file)
+{
+    if (file != stdin)
+        fclose(file);
+}
+
 enum text_line text_line_read(FILE *file, char *text, size_t size)
 {
     size_t n = 0;

@@ -1,9 +1,13 @@
-/* Lines of files that may be no text. */
+/* Files that are read, and lines of those that may be no text. */
 #ifndef SIM_CLI_TEXT_LINE_H
 #define SIM_CLI_TEXT_LINE_H
 
 #include <stdio.h>
 #include <string.h>
+
+/* Opens a file to read; "-" is standard input. NULL, with a message. */
+FILE *file_open(const char *path);
+void file_close(FILE *file);
 
 enum text_line {
     TEXT_LINE,      /* one was read, perhaps an empty one */

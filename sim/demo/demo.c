@@ -7,10 +7,8 @@
 #include <sys/stat.h>
 
 #include "sim/cli/arguments.h"
-#include "sim/image/canvas.h"
 #include "sim/cli/commands.h"
 #include "sim/demo/demo.h"
-#include "sim/cli/libraries.h"
 #include "sim/cli/message.h"
 #include "sim/cli/milliseconds.h"
 #include "sim/cli/output.h"
@@ -75,12 +73,43 @@ static void print_figure(FILE *page, const struct demo *demo,
             p->width, p->height, result->milliseconds, demo->name);
 }
 
-/* Tells which libraries are missing, on the page and on standard output. */
+/* The libraries that this build lacks. */
+static const struct library {
+    const char *name;
+    const char *package; /* of Debian, that brings it */
+    const char *adds;    /* what it is for */
+} missing[] = {
+#ifndef HAVE_PKG_CONFIG
+    {"pkg-config", "pkg-config", "finds the libraries below at build time"},
+#endif
+#ifndef HAVE_ASSIMP
+    {"assimp", "libassimp-dev", "reads meshes of any format"},
+#endif
+#ifndef HAVE_SDL2
+    {"SDL2", "libsdl2-dev", "turns meshes in a window (pel view)"},
+#endif
+#ifndef HAVE_SDL2_IMAGE
+    {"SDL2_image", "libsdl2-image-dev", "reads PNG, JPEG, TGA textures"},
+#endif
+#ifndef HAVE_LIBPNG
+    {"libpng", "libpng-dev", "writes PNG in place of BMP"},
+#endif
+#if !defined(PEL_WITH_DRM) || !PEL_WITH_DRM
+    {"libdrm", "libdrm-dev", "shows scenes on DRM devices"},
+#endif
+#ifndef HAVE_LIBEVDEV
+    {"libevdev", "libevdev-dev", "reads keyboards, mice, touch screens"},
+#endif
+#ifndef HAVE_LIBGPIOD
+    {"libgpiod", "libgpiod-dev", "reads buttons at GPIO lines"},
+#endif
+    {NULL, NULL, NULL},
+};
+
+/* Tells it on the page and on standard output. */
 static void tell_missing(FILE *page)
 {
-    for (const struct library *l = libraries; l->name; l++) {
-        if (l->present)
-            continue;
+    for (const struct library *l = missing; l->name; l++) {
         printf("built without %s (package %s): %s\n", l->name, l->package,
                l->adds);
         fprintf(page, "<p>Built without %s (package %s): %s.</p>\n", l->name,
@@ -125,18 +154,32 @@ static bool draw_demo(const void *what, struct demo_result *result)
     return demo->draw(result, demo->which);
 }
 
-static bool draw_script(const void *what, struct demo_result *result)
+bool demo_draw(struct demo_result *result, const struct demo_size *size,
+               bool (*draw)(struct canvas *canvas, const void *context),
+               const void *context)
 {
-    const struct script *script = what;
     struct canvas canvas;
-    if (!canvas_init(&canvas, script->format, script->width, script->height))
+    if (!canvas_init(&canvas, size->format, size->width, size->height))
         return false;
     const double start = milliseconds();
-    bool done = script_draw(script, &canvas, -1);
+    bool done = draw(&canvas, context);
     result->milliseconds = milliseconds() - start;
     done = done && canvas_picture(&canvas, &result->picture);
     canvas_free(&canvas);
     return done;
+}
+
+static bool draw_items(struct canvas *canvas, const void *script)
+{
+    return script_draw(script, canvas, -1);
+}
+
+static bool draw_script(const void *what, struct demo_result *result)
+{
+    const struct script *script = what;
+    const struct demo_size size = {script->format, script->width,
+                                   script->height};
+    return demo_draw(result, &size, draw_items, script);
 }
 
 /* The first run of a short drawing pays for cold caches and fresh pages: three

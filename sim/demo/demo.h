@@ -2,7 +2,7 @@
 #ifndef SIM_DEMO_DEMO_H
 #define SIM_DEMO_DEMO_H
 
-#include "sim/image/picture.h"
+#include "sim/image/canvas.h"
 
 struct demo_result {
     struct picture picture; /* made by draw, freed by its caller */
@@ -17,6 +17,15 @@ struct demo {
     bool (*draw)(struct demo_result *result, int which);
     int which; /* of the pictures that `draw` makes */
 };
+
+/* Draws onto a canvas of `size` and takes its picture and time. */
+struct demo_size {
+    const struct pel_format *format;
+    int width, height; /* px */
+};
+bool demo_draw(struct demo_result *result, const struct demo_size *size,
+               bool (*draw)(struct canvas *canvas, const void *context),
+               const void *context);
 
 /* Arrays that end with a NULL name. Scripts join the gallery through the
  * command line of `pel demo`. */

@@ -2,29 +2,22 @@
 #include "sim/view/figures.h"
 
 #include "core/format/formats.h"
-#include "sim/cli/milliseconds.h"
 #include "sim/demo/demo.h"
 #include "sim/view/sheet.h"
 
 enum { SIZE = 480 };
 
-static bool draw_sheet(struct sheet *sheet, struct demo_result *result)
+static bool draw_sheet(struct canvas *canvas, const void *context)
 {
-    struct canvas canvas;
-    if (!canvas_init(&canvas, &pel_xrgb8888, SIZE, SIZE))
-        return false;
-    const double start = milliseconds();
-    bool done = sheet->show.draw(&sheet->show, &canvas.surface);
-    result->milliseconds = milliseconds() - start;
-    done = done && canvas_picture(&canvas, &result->picture);
-    canvas_free(&canvas);
-    return done;
+    struct sheet *const *sheet = context;
+    return (*sheet)->show.draw(&(*sheet)->show, &canvas->surface);
 }
 
 /* FILL_OWN: each figure as it begins. */
 static bool draw_figures(struct demo_result *result, int fill)
 {
-    struct sheet sheet;
+    static const struct demo_size size = {&pel_xrgb8888, SIZE, SIZE};
+    struct sheet sheet, *context = &sheet;
     bool done = sheet_init(&sheet, NULL);
     if (done)
         sheet.show.resize(&sheet.show, SIZE, SIZE);
@@ -32,7 +25,7 @@ static bool draw_figures(struct demo_result *result, int fill)
         sheet.style[i].fill = (enum fill)fill;
     for (int i = 0; done && i < 20; i++)
         sheet.show.advance(&sheet.show, 0);
-    done = done && draw_sheet(&sheet, result);
+    done = done && demo_draw(result, &size, draw_sheet, &context);
     sheet_free(&sheet);
     return done;
 }

@@ -2,11 +2,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "sim/image/canvas.h"
 #include "core/pel.h"
 #include "sim/demo/demo.h"
 #include "sim/image/format_names.h"
-#include "sim/cli/milliseconds.h"
 
 enum { TILE_WIDTH = 176, TILE_HEIGHT = 120, GAP = 8, COLUMNS = 5, ROWS = 3 };
 
@@ -48,20 +46,13 @@ static void draw_greys(const struct pel_surface *s)
     pel_triangle_gouraud(s, w, d);
 }
 
-static bool draw_tile(const struct pel_format *format, struct picture *tile,
-                      double *time)
+static bool draw_tile(struct canvas *canvas, const void *context)
 {
-    struct canvas canvas;
-    if (!canvas_init(&canvas, format, TILE_WIDTH, TILE_HEIGHT))
-        return false;
-    const double start = milliseconds();
-    draw_ramp(&canvas.surface);
-    draw_discs(&canvas.surface);
-    draw_greys(&canvas.surface);
-    *time += milliseconds() - start;
-    const bool done = canvas_picture(&canvas, tile);
-    canvas_free(&canvas);
-    return done;
+    (void)context;
+    draw_ramp(&canvas->surface);
+    draw_discs(&canvas->surface);
+    draw_greys(&canvas->surface);
+    return true;
 }
 
 static void put_tile(const struct picture *sheet, const struct picture *tile,
@@ -77,7 +68,6 @@ static void put_tile(const struct picture *sheet, const struct picture *tile,
 static bool draw_formats(struct demo_result *result, int which)
 {
     (void)which;
-    result->milliseconds = 0;
     snprintf(result->note, sizeof result->note, "In reading order: %s.",
              format_list());
     if (!picture_init(&result->picture, COLUMNS * (TILE_WIDTH + GAP) + GAP,
@@ -85,11 +75,14 @@ static bool draw_formats(struct demo_result *result, int which)
                       PEL_RGB(0x20, 0x20, 0x20)))
         return false;
     for (int i = 0; format_names[i].name; i++) {
-        struct picture tile;
-        if (!draw_tile(format_names[i].format, &tile, &result->milliseconds))
+        const struct demo_size size = {format_names[i].format, TILE_WIDTH,
+                                       TILE_HEIGHT};
+        struct demo_result tile = {.milliseconds = 0};
+        if (!demo_draw(&tile, &size, draw_tile, NULL))
             return false;
-        put_tile(&result->picture, &tile, i);
-        picture_free(&tile);
+        put_tile(&result->picture, &tile.picture, i);
+        result->milliseconds += tile.milliseconds;
+        picture_free(&tile.picture);
     }
     return true;
 }

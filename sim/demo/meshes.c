@@ -9,9 +9,7 @@
 #include "core/format/formats.h"
 #include "core/raster/rectangle.h"
 #include "sim/cli/message.h"
-#include "sim/cli/milliseconds.h"
 #include "sim/demo/demo.h"
-#include "sim/image/canvas.h"
 #include "sim/render/scene.h"
 
 /* The models of Debian's package assimp-testmodels; the variable
@@ -92,32 +90,31 @@ static bool load_model(struct model *model, bool board,
     return done;
 }
 
-static bool draw_scene(struct scene *scene, struct canvas *canvas,
-                       const struct scene_settings *settings,
-                       struct demo_result *result)
+struct drawing {
+    struct scene *scene;
+    const struct scene_settings *settings;
+};
+
+static bool draw_scene(struct canvas *canvas, const void *context)
 {
-    const double start = milliseconds();
-    pel_clear(&canvas->surface, settings->camera.background);
-    const bool done =
-        scene_prepare(scene, settings) && scene_draw(scene, &canvas->surface);
-    result->milliseconds = milliseconds() - start;
-    return done && canvas_picture(canvas, &result->picture);
+    const struct drawing *d = context;
+    pel_clear(&canvas->surface, d->settings->camera.background);
+    return scene_prepare(d->scene, d->settings) &&
+           scene_draw(d->scene, &canvas->surface);
 }
 
-/* Clears, prepares and draws, and takes the time of all. */
+/* The time is that of clearing, preparing and drawing. */
 static bool draw_model(const struct model *model,
                        const struct scene_settings *settings,
                        struct demo_result *result)
 {
-    const struct camera *camera = &settings->camera;
-    struct canvas canvas;
     struct scene scene;
-    if (!canvas_init(&canvas, &pel_xrgb8888, camera->width, camera->height))
-        return false;
+    const struct drawing drawing = {&scene, settings};
+    const struct demo_size size = {&pel_xrgb8888, settings->camera.width,
+                                   settings->camera.height};
     const bool done = scene_init(&scene, model) &&
-                      draw_scene(&scene, &canvas, settings, result);
+                      demo_draw(result, &size, draw_scene, &drawing);
     scene_free(&scene);
-    canvas_free(&canvas);
     return done;
 }
 
@@ -290,32 +287,25 @@ static bool draw_lighting(struct demo_result *result, int which)
 #define GOURAUD "Light and texture at the vertices, the colours interpolated"
 #define PHONG "Light and texture at every pixel, the normal interpolated"
 
+#define PICTURE(name, caption, which)                   \
+    {                                                   \
+        "lighting-" name, caption, draw_lighting, which \
+    }
+#define LIGHTING(name, how, first)                                        \
+    PICTURE(name, how ": three lights, all terms.", first),               \
+        PICTURE(name "-ambient", how ": the ambient term.", first + 1),   \
+        PICTURE(name "-diffuse", how ": the diffuse term.", first + 2),   \
+        PICTURE(name "-specular", how ": the specular term.", first + 3), \
+        PICTURE(name "-light1", how ": light 1 alone.", first + 4),       \
+        PICTURE(name "-light2", how ": light 2 alone.", first + 5),       \
+        PICTURE(name "-light3", how ": light 3 alone.", first + 6)
+
 const struct demo demo_lighting[] = {
-    {"lighting-gouraud", GOURAUD ": three lights, all terms.", draw_lighting,
-     0},
-    {"lighting-gouraud-ambient", GOURAUD ": the ambient term.", draw_lighting,
-     1},
-    {"lighting-gouraud-diffuse", GOURAUD ": the diffuse term.", draw_lighting,
-     2},
-    {"lighting-gouraud-specular", GOURAUD ": the specular term.", draw_lighting,
-     3},
-    {"lighting-gouraud-light1", GOURAUD ": light 1 alone.", draw_lighting, 4},
-    {"lighting-gouraud-light2", GOURAUD ": light 2 alone.", draw_lighting, 5},
-    {"lighting-gouraud-light3", GOURAUD ": light 3 alone.", draw_lighting, 6},
-    {"lighting-phong", PHONG ": three lights, all terms.", draw_lighting, 7},
-    {"lighting-phong-ambient", PHONG ": the ambient term.", draw_lighting, 8},
-    {"lighting-phong-diffuse", PHONG ": the diffuse term.", draw_lighting, 9},
-    {"lighting-phong-specular", PHONG ": the specular term.", draw_lighting,
-     10},
-    {"lighting-phong-light1", PHONG ": light 1 alone.", draw_lighting, 11},
-    {"lighting-phong-light2", PHONG ": light 2 alone.", draw_lighting, 12},
-    {"lighting-phong-light3", PHONG ": light 3 alone.", draw_lighting, 13},
-    {"lighting-texture-vertices", "The texture alone, at the vertices.",
-     draw_lighting, 14},
-    {"lighting-texture-pixels", "The texture alone, at every pixel.",
-     draw_lighting, 15},
-    {"lighting-gouraud-plain", "Gouraud without the texture.", draw_lighting,
-     16},
-    {"lighting-phong-plain", "Phong without the texture.", draw_lighting, 17},
+    LIGHTING("gouraud", GOURAUD, 0),
+    LIGHTING("phong", PHONG, 7),
+    PICTURE("texture-vertices", "The texture alone, at the vertices.", 14),
+    PICTURE("texture-pixels", "The texture alone, at every pixel.", 15),
+    PICTURE("gouraud-plain", "Gouraud without the texture.", 16),
+    PICTURE("phong-plain", "Phong without the texture.", 17),
     {NULL, NULL, NULL, 0},
 };

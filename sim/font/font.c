@@ -32,14 +32,11 @@ static bool read_stream(struct font_file *file, FILE *stream)
 
 static bool read_file(struct font_file *file)
 {
-    if (strcmp(file->path, "-") == 0)
-        return read_stream(file, stdin);
-    FILE *stream = fopen(file->path, "rb");
+    FILE *stream = file_open(file->path);
     if (!stream)
-        return message_error_at(file->path, 0, "cannot be read: %s",
-                                strerror(errno));
+        return false;
     bool done = read_stream(file, stream);
-    fclose(stream);
+    file_close(stream);
     return done;
 }
 
@@ -158,22 +155,11 @@ static struct font_char trimmed(const struct font_char *c, const uint8_t *rows,
     return t;
 }
 
-static bool add_char(struct font *font, const struct font_char *c)
-{
-    struct font_char *chars =
-        list_grow(font->chars, font->count, sizeof(*chars));
-    if (!chars)
-        return false;
-    font->chars = chars;
-    chars[font->count++] = *c;
-    return true;
-}
-
 bool font_add_alias(struct font *font, uint32_t code)
 {
     struct font_char c = font->chars[font->count - 1];
     c.code = code;
-    return add_char(font, &c);
+    return list_add(&font->chars, &font->count, &c, sizeof c);
 }
 
 static bool grow_bits(struct font *font, size_t bytes)
@@ -194,7 +180,8 @@ bool font_add(struct font *font, const struct font_char *glyph,
     const size_t row = ((size_t)c.width + 7) / 8;
     const size_t bytes = row * (size_t)c.height;
     c.offset = font->size;
-    if (!grow_bits(font, bytes) || !add_char(font, &c))
+    if (!grow_bits(font, bytes) ||
+        !list_add(&font->chars, &font->count, &c, sizeof c))
         return false;
     for (int y = 0; y < c.height; y++)
         for (int x = 0; x < c.width; x++)

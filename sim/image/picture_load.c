@@ -1,10 +1,10 @@
 /* PPM and PGM: P6 and P5 binary, P3 and P2 text. */
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "sim/cli/message.h"
+#include "sim/cli/text_line.h"
 #include "sim/image/picture.h"
 
 struct reader {
@@ -210,12 +210,10 @@ bool picture_read_ppm(struct picture *picture, FILE *file, const char *name)
 bool picture_load(struct picture *picture, const char *path)
 {
     *picture = (struct picture){0, 0, NULL};
-    if (strcmp(path, "-") == 0)
-        return picture_read_ppm(picture, stdin, path);
-    FILE *file = fopen(path, "rb");
+    FILE *file = file_open(path);
     if (!file)
-        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+        return false;
     const bool done = picture_read_ppm(picture, file, path);
-    fclose(file);
+    file_close(file);
     return done;
 }

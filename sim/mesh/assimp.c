@@ -1,7 +1,6 @@
 #include "sim/mesh/mesh.h"
 
 #include "sim/cli/message.h"
-#include "sim/cli/text_line.h"
 
 #ifdef HAVE_ASSIMP
 #include <assimp/cimport.h>
@@ -199,12 +198,19 @@ static bool copy_texture(const struct aiScene *scene, const char *path,
     return true;
 }
 
+/* assimp's own steps fail on a scene without faces. */
+static bool check_faces(const struct counts *n, const char *path)
+{
+    return n->triangles > 0 ||
+           message_error_at(path, 0, "a mesh file without triangles");
+}
+
 static bool copy_scene(const struct aiScene *scene, const char *path,
                        struct mesh *mesh)
 {
     const struct counts n = count(scene);
-    if (n.triangles == 0)
-        return message_error_at(path, 0, "a mesh file without triangles");
+    if (!check_faces(&n, path))
+        return false;
     if (n.vertices > 1u << 28 || n.triangles > 1u << 28)
         return message_error_at(path, 0,
                                 "more than 2^28 vertices or triangles");
@@ -239,15 +245,6 @@ static bool check_indices(const struct aiScene *scene, const char *path)
     return true;
 }
 
-/* Those steps fail on a scene without faces. */
-static bool check_faces(const struct aiScene *scene, const char *path)
-{
-    for (unsigned m = 0; m < scene->mNumMeshes; m++)
-        if (triangles_of(scene->mMeshes[m]) > 0)
-            return true;
-    return message_error_at(path, 0, "a mesh file without triangles");
-}
-
 /* The file as it is; NULL, with a message, when it is not right. */
 static const struct aiScene *read_scene(const char *path)
 {
@@ -263,7 +260,8 @@ static const struct aiScene *read_scene(const char *path)
     }
     if (bad_index)
         message_error_at(path, 0, "a face names a vertex that is out of range");
-    if (!bad_index && check_indices(scene, path) && check_faces(scene, path))
+    const struct counts n = count(scene);
+    if (!bad_index && check_indices(scene, path) && check_faces(&n, path))
         return scene;
     aiReleaseImport(scene);
     return NULL;
@@ -275,49 +273,12 @@ bool mesh_ending_known(const char *path)
     return !dot || strchr(dot, '/') || aiIsExtensionSupported(dot);
 }
 
-/* Of a strip assimp's reader of .ply keeps the last triangle alone. */
-static bool check_strips(const char *path)
-{
-    char line[256] = "";
-    unsigned long strips = 0;
-    FILE *file = fopen(path, "rb");
-    if (!file)
-        return true;
-    if (fgets(line, sizeof(line), file) && strncmp(line, "ply", 3) == 0)
-        while (fgets(line, sizeof(line), file) && strips == 0 &&
-               strncmp(line, "end_header", 10) != 0)
-            sscanf(line, "element tristrips %lu", &strips);
-    fclose(file);
-    return strips == 0 ||
-           message_error_at(
-               path, 0,
-               "has %lu triangle strips, of which assimp would lose all but a "
-               "triangle each: expected a file with faces",
-               strips);
-}
-
-/* Of assimp's readers only those of XML and .x skip the mark; that of .obj
- * leaves out the first line without a message. */
-static bool check_mark(const char *path)
-{
-    char start[8];
-    const size_t n = text_start(path, start, sizeof(start));
-    const char *text = start + byte_order_mark(start);
-    return n == 0 || text == start || *text == '<' ||
-           strncmp(text, "xof ", 4) == 0 ||
-           message_error_at(path, 0,
-                            "begins with a UTF-8 byte order mark, which its "
-                            "format does not have: expected the same without "
-                            "it (`sed -i '1s/^\\xEF\\xBB\\xBF//' %s`)",
-                            path);
-}
-
 bool mesh_load_file(struct mesh *mesh, const char *path)
 {
     if (access(path, R_OK) != 0)
         return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
     const struct aiScene *scene =
-        check_mark(path) && check_strips(path) ? read_scene(path) : NULL;
+        mesh_check_start(path) ? read_scene(path) : NULL;
     if (!scene)
         return false;
     /* As often as nodes show them; it frees the scene on failure. */

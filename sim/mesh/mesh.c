@@ -1,11 +1,13 @@
 #include "sim/mesh/mesh.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "sim/cli/child.h"
 #include "sim/cli/message.h"
+#include "sim/cli/text_line.h"
 
 bool mesh_init(struct mesh *mesh, uint32_t vertices, uint32_t triangles)
 {
@@ -89,6 +91,48 @@ bool mesh_is_builtin(const char *path)
 {
     const char prefix[] = MESH_BUILTIN_PREFIX;
     return strncmp(path, prefix, sizeof(prefix) - 1) == 0;
+}
+
+/* Of a strip assimp's reader of .ply keeps the last triangle alone. */
+static bool check_strips(const char *path)
+{
+    char line[256] = "";
+    unsigned long strips = 0;
+    FILE *file = fopen(path, "rb");
+    if (!file)
+        return true;
+    if (fgets(line, sizeof(line), file) && strncmp(line, "ply", 3) == 0)
+        while (fgets(line, sizeof(line), file) && strips == 0 &&
+               strncmp(line, "end_header", 10) != 0)
+            sscanf(line, "element tristrips %lu", &strips);
+    fclose(file);
+    return strips == 0 ||
+           message_error_at(
+               path, 0,
+               "has %lu triangle strips, of which assimp would lose all but a "
+               "triangle each: expected a file with faces",
+               strips);
+}
+
+/* Of assimp's readers only those of XML and .x skip the mark; that of .obj
+ * leaves out the first line without a message. */
+static bool check_mark(const char *path)
+{
+    char start[8];
+    const size_t n = text_start(path, start, sizeof(start));
+    const char *text = start + byte_order_mark(start);
+    return n == 0 || text == start || *text == '<' ||
+           strncmp(text, "xof ", 4) == 0 ||
+           message_error_at(path, 0,
+                            "begins with a UTF-8 byte order mark, which its "
+                            "format does not have: expected the same without "
+                            "it (`sed -i '1s/^\\xEF\\xBB\\xBF//' %s`)",
+                            path);
+}
+
+bool mesh_check_start(const char *path)
+{
+    return check_mark(path) && check_strips(path);
 }
 
 static bool put_mesh(const void *path, FILE *out)

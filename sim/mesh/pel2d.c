@@ -12,33 +12,26 @@
 
 enum { COUNT_MAX = 1 << 28 };
 
-static void *grown(void *list, uint32_t count, size_t size)
+static bool add(void *list, uint32_t *count, const void *entry, size_t size)
 {
-    if (count < COUNT_MAX)
-        return list_grow(list, count, size);
-    message_error("a mesh has at most %d vertices or triangles", COUNT_MAX);
-    return NULL;
+    size_t n = *count;
+    const bool done = n < COUNT_MAX ? list_add(list, &n, entry, size)
+                                    : message_error("a mesh has at most %d "
+                                                    "vertices or triangles",
+                                                    COUNT_MAX);
+    *count = (uint32_t)n;
+    return done;
 }
 
 bool pel2d_add_vertex(struct pel2d *flat, const struct pel2d_vertex *vertex)
 {
-    void *memory = grown(flat->vertex, flat->vertices, sizeof(*flat->vertex));
-    if (!memory)
-        return false;
-    flat->vertex = memory;
-    flat->vertex[flat->vertices++] = *vertex;
-    return true;
+    return add(&flat->vertex, &flat->vertices, vertex, sizeof *vertex);
 }
 
 bool pel2d_add_triangle(struct pel2d *flat, const uint32_t index[3])
 {
-    void *memory =
-        grown(flat->triangle, flat->triangles, sizeof(*flat->triangle));
-    if (!memory)
-        return false;
-    flat->triangle = memory;
-    memcpy(flat->triangle[flat->triangles++], index, sizeof(*flat->triangle));
-    return true;
+    return add(&flat->triangle, &flat->triangles, index,
+               sizeof *flat->triangle);
 }
 
 void pel2d_free(struct pel2d *flat)

@@ -214,15 +214,12 @@ static bool read_all(struct reader *r, struct pel2d *flat)
 
 bool pel2d_load(struct pel2d *flat, const char *path)
 {
-    bool is_input = strcmp(path, "-") == 0;
-    struct reader r = {.file = is_input ? stdin : fopen(path, "r"),
-                       .path = path};
+    struct reader r = {.file = file_open(path), .path = path};
     memset(flat, 0, sizeof(*flat));
     if (!r.file)
-        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+        return false;
     bool done = read_all(&r, flat);
-    if (!is_input)
-        fclose(r.file);
+    file_close(r.file);
     if (!done)
         pel2d_free(flat);
     return done;

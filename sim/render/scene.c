@@ -23,7 +23,7 @@ const struct scene_settings scene_default = {
     .texture = SCENE_TEXTURE_BILINEAR,
     .mapping = SCENE_MAP_PERSPECTIVE,
     .wrap = PEL_WRAP_REPEAT,
-    .span = 16,
+    .span = 3,
 };
 
 bool scene_init(struct scene *scene, const struct model *model)
@@ -63,7 +63,7 @@ static void set_texture(struct scene *scene, const struct scene_settings *s)
                       ? pel_texture_init_nearest
                       : pel_texture_init_bilinear;
     to->wrap_u = to->wrap_v = s->wrap;
-    to->span = s->mapping == SCENE_MAP_SUBDIVIDED ? s->span : 1;
+    to->span = s->mapping == SCENE_MAP_SUBDIVIDED ? 2 << s->span : 1;
     const bool has_texture =
         picture->width > 0 && s->texture != SCENE_TEXTURE_NONE;
     scene->core.texture = has_texture ? to : NULL;
@@ -87,7 +87,7 @@ static void set_appearance(struct scene *scene, const struct scene_settings *s)
     set_texture(scene, s);
     core->shading = shadings[s->shade][is_lit(scene, s)];
     core->cull = s->cull;
-    core->transparency = s->transparency;
+    core->transparency = (uint8_t)s->transparency;
     core->color = s->color;
     if (s->has_color)
         scene->mesh.colors = NULL;

@@ -92,13 +92,13 @@ struct scene_settings {
     enum scene_texture texture;
     enum scene_mapping mapping;
     enum pel_wrap wrap;
-    int span; /* subdivided: 2, 4, 8, ... 64 */
+    int span; /* subdivided: the index of one of SCENE_SPANS */
 
     enum scene_order order;
     enum pel_cull cull;
     bool has_color; /* instead of the colours of the vertices: */
     pel_color color;
-    uint8_t transparency; /* 0: opaque; 255: nothing is drawn */
+    int transparency; /* 0: opaque; 255: nothing is drawn */
 };
 
 /* Defaults: up is +y, perspective, 50 mm on a sensor 36 mm wide,

@@ -4,23 +4,6 @@
 #include <string.h>
 
 #include "sim/cli/message.h"
-#include "sim/cli/number.h"
-
-/* WIDTHxHEIGHT in pixels. */
-static bool parse_size(const char *option, const char *text, void *input)
-{
-    struct camera *camera = &((struct scene_options *)input)->settings.camera;
-    static const struct option_row numbers = {
-        .n = 2, .separator = 'x', .low = 1, .high = 32767};
-    double size[2];
-    if (strspn(text, "0123456789x") != strlen(text) ||
-        !option_numbers(text, &numbers, size))
-        return option_refuse(option, text,
-                             "WxH from 1x1 to 32767x32767, such as 640x480");
-    camera->width = (int)size[0];
-    camera->height = (int)size[1];
-    return true;
-}
 
 /* X,Y,Z:R,G,B */
 static bool read_light(const char *text, struct scene_light *light)
@@ -91,15 +74,6 @@ static bool parse_unlit(const char *option, const char *text, void *input)
     return true;
 }
 
-static bool parse_span(const char *option, const char *text, void *input)
-{
-    const int choice = choice_find(SCENE_SPANS, text);
-    if (choice < 0)
-        return option_refuse(option, text, SCENE_SPANS);
-    ((struct scene_options *)input)->settings.span = 2 << choice;
-    return true;
-}
-
 static bool parse_turn(const char *option, const char *text, void *input)
 {
     struct scene_settings *s = &((struct scene_options *)input)->settings;
@@ -112,16 +86,6 @@ static bool parse_turn(const char *option, const char *text, void *input)
     for (int k = 0; k < 3; k++)
         s->turn[k] = (uint16_t)lround(turn[k] * 65536);
     return true;
-}
-
-static bool parse_transparency(const char *option, const char *text,
-                               void *input)
-{
-    struct scene_settings *s = &((struct scene_options *)input)->settings;
-    int64_t v = 0;
-    const bool good = number_integer(text, 0, 255, &v) == NUMBER_OK;
-    s->transparency = (uint8_t)v;
-    return good || option_refuse(option, text, "a whole number from 0 to 255");
 }
 
 static bool parse_texture(const char *option, const char *text, void *input)
@@ -161,7 +125,8 @@ const struct option_row scene_option_table[] = {
      OPTION_COLOR, .offset = AT(settings.color),
      .flag = AT(settings.has_color)},
     {"transparency", "0..255", "0 (default) is opaque, 255 draws nothing",
-     CALL(parse_transparency)},
+     OPTION_INTEGER, .offset = AT(settings.transparency), .low = 0,
+     .high = 255},
     {"normals-from", "SOURCE",
      "file (default: where it has them), or smooth: at each vertex the mean of "
      "the faces around it; facets are --shade flat",
@@ -202,7 +167,9 @@ const struct option_row scene_option_table[] = {
              "a distance above 0, such as 0.1"),
      .flag = AT(settings.camera.has_near)},
     {"size", "WxH", "of the picture, in pixels (default: 1200x1200)",
-     CALL(parse_size)},
+     OPTION_INTEGER, .offset = AT(settings.camera.width), .n = 2,
+     .separator = 'x', .low = 1, .high = 32767,
+     .expected = "WxH from 1x1 to 32767x32767, such as 640x480"},
     {"background", "COLOUR", "#rrggbb (default: #ffffff)", OPTION_COLOR,
      .offset = AT(settings.camera.background)},
     HEADING("Light (none unless one of these is given, for Phong, and where "
@@ -248,7 +215,7 @@ const struct option_row scene_option_table[] = {
      CHOICE(settings.mapping, SCENE_MAPPINGS)},
     {"span", "PIXELS",
      "between divisions when subdivided: 2, 4, 8, 16 (default), 32 or 64",
-     CALL(parse_span)},
+     CHOICE(settings.span, SCENE_SPANS)},
     {"wrap", "NAME",
      "outside of the texture: clamp, repeat (default) or mirror",
      CHOICE(settings.wrap, SCENE_WRAPS)},

@@ -24,6 +24,7 @@ struct script_pen {
     enum pel_spread spread;
     enum pel_wrap wrap;
     uint16_t phase; /* of radial gradients */
+    uint8_t fewer;  /* cells of a gradient with stops: halved so often */
     bool bilinear, dither;
     bool collinear_line;          /* a triangle without area is a line */
     struct script_paints *paints; /* memory for a paint */

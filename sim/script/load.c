@@ -99,14 +99,12 @@ bool script_read(struct script *script, FILE *file, const char *path,
 bool script_load(struct script *script, const char *path,
                  const struct pel_format *format)
 {
-    const bool is_input = strcmp(path, "-") == 0;
-    FILE *file = is_input ? stdin : fopen(path, "r");
+    FILE *file = file_open(path);
     *script = (struct script){.path = path};
     if (!file)
-        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+        return false;
     const bool done = script_read(script, file, path, format);
-    if (!is_input)
-        fclose(file);
+    file_close(file);
     return done;
 }
 

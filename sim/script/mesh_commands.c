@@ -90,11 +90,6 @@ static void set_terms(struct script_pen *pen, const int32_t *v)
     pen->scene->settings.terms = v[0] ? 1u << (v[0] - 1) : SCENE_ALL_TERMS;
 }
 
-static void set_span(struct script_pen *pen, const int32_t *v)
-{
-    pen->scene->settings.span = 2 << v[0];
-}
-
 static void set_own_texture(struct script_pen *pen, const int32_t *v)
 {
     (void)v;
@@ -106,7 +101,7 @@ static void set_color(struct script_pen *pen, const int32_t *v)
     struct scene_settings *s = &pen->scene->settings;
     s->has_color = true;
     s->color = (pel_color)v[0];
-    s->transparency = (uint8_t)(255 - pel_alpha(s->color));
+    s->transparency = (int)(255 - pel_alpha(s->color));
 }
 
 static void set_own_colors(struct script_pen *pen, const int32_t *v)
@@ -170,7 +165,7 @@ const struct script_command script_mesh_commands[] = {
             settings.no_back_highlights),
     SETTING("option mesh texture", "o", SCENE_TEXTURES, settings.texture),
     SETTING("option mesh mapping", "o", SCENE_MAPPINGS, settings.mapping),
-    ACTION("option mesh span", "o", SCENE_SPANS, set_span),
+    SETTING("option mesh span", "o", SCENE_SPANS, settings.span),
     SETTING("option mesh wrap", "o", SCENE_WRAPS, settings.wrap),
     SETTING("option mesh normals", "o", SCENE_NORMALS, smooth_normals),
     SETTING("option mesh order", "o", SCENE_ORDERS, settings.order),

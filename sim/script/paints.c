@@ -15,9 +15,9 @@ static struct pel_ramp ramp_of(const struct script_pen *pen, const int32_t *v,
     struct pel_stop stops[SCRIPT_STOPS_MAX];
     for (size_t i = 0; i < n / 2; i++)
         stops[i] = (struct pel_stop){v[2 * i], (pel_color)v[2 * i + 1]};
-    pel_ramp_fill(pen->paints->ramp, SCRIPT_RAMP_COLORS, stops, (int32_t)n / 2);
-    return (struct pel_ramp){pen->paints->ramp, SCRIPT_RAMP_COLORS,
-                             pen->spread};
+    const int32_t cells = SCRIPT_RAMP_COLORS >> pen->fewer;
+    pel_ramp_fill(pen->paints->ramp, cells, stops, (int32_t)n / 2);
+    return (struct pel_ramp){pen->paints->ramp, cells, pen->spread};
 }
 
 /* None of these can fail: the values were checked when the script was read. */
@@ -249,6 +249,7 @@ const struct script_command script_paint_commands[] = {
     PAINT("paint texture", "Pii", "FILE X Y", make_texture, NULL),
     OPTION("option spread", "o", "pad|repeat|reflect", spread),
     OPTION("option phase", "t", "TURN", phase),
+    OPTION("option cells", "o", "2048|1024|512|256|128|64", fewer),
     OPTION("option filter", "o", "nearest|bilinear", bilinear),
     OPTION("option wrap", "o", "clamp|repeat|mirror", wrap),
     OPTION("option dither", "o", "off|on", dither),

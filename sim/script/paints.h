@@ -11,7 +11,7 @@
 #include "sim/script/commands.h"
 
 enum {
-    SCRIPT_RAMP_COLORS = 2048, /* of a gradient with stops */
+    SCRIPT_RAMP_COLORS = 2048, /* at most, of a gradient with stops */
     SCRIPT_STOPS_MAX = 64,
     SCRIPT_FAN_POINTS_MAX = 64
 };

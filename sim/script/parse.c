@@ -8,38 +8,6 @@
 #include "sim/script/assets.h"
 #include "sim/script/parser.h"
 
-static bool add_word(struct script_parser *p, char *word)
-{
-    char **list = list_grow(p->words, p->word_count, sizeof *list);
-    if (!list)
-        return false;
-    p->words = list;
-    list[p->word_count++] = word;
-    return true;
-}
-
-static bool add_value(struct script_parser *p, int32_t value)
-{
-    struct script *s = p->script;
-    int32_t *list = list_grow(s->values, s->value_count, sizeof *list);
-    if (!list)
-        return false;
-    s->values = list;
-    list[s->value_count++] = value;
-    return true;
-}
-
-static bool add_item(struct script_parser *p, const struct script_item *item)
-{
-    struct script *s = p->script;
-    struct script_item *list = list_grow(s->items, s->item_count, sizeof *list);
-    if (!list)
-        return false;
-    s->items = list;
-    list[s->item_count++] = *item;
-    return true;
-}
-
 /* The end of a text in quotes, which begins behind the first; \" \\ and \n
  * become what they stand for. NULL when the closing quote is missing, or
  * another character stands behind a backslash. */
@@ -80,7 +48,7 @@ static bool split_words(struct script_parser *p, char *text)
                                     "expected a text that ends with a quote "
                                     "and a blank after it, with \\\", \\\\ and "
                                     "\\n in it");
-        if (!add_word(p, text))
+        if (!list_add(&p->words, &p->word_count, &text, sizeof text))
             return false;
         text = end + (*end != '\0');
         *end = '\0';
@@ -148,7 +116,8 @@ static bool parse_arguments(struct script_parser *p,
         if (!kind)
             return refuse_count(at, p->word_count - first);
         if (!script_argument(at, kind, p->words[i], &value) ||
-            !add_value(p, value))
+            !list_add(&p->script->values, &p->script->value_count, &value,
+                      sizeof value))
             return false;
     }
     if (n < needed || (group && (n - needed) % group != 0))
@@ -257,7 +226,7 @@ static bool parse_command(struct script_parser *p,
         script->polygon_max = item.count / 2;
     return (is_canvas ? take_canvas(p, at, v)
                       : check_command(p, at, v, item.count)) &&
-           add_item(p, &item);
+           list_add(&script->items, &script->item_count, &item, sizeof item);
 }
 
 bool script_parse_line(struct script_parser *parser, char *text)

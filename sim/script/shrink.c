@@ -13,6 +13,7 @@
 #include "sim/cli/list.h"
 #include "sim/cli/message.h"
 #include "sim/cli/output.h"
+#include "sim/cli/text_line.h"
 
 struct lines {
     char **text; /* each with its end of line */
@@ -30,20 +31,15 @@ static bool read_lines(struct lines *lines, const char *path)
 {
     char *text = NULL;
     size_t size = 0;
-    FILE *file = fopen(path, "r");
+    FILE *file = file_open(path);
     if (!file)
-        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
-    while (getline(&text, &size, file) > 0) {
-        char **list = list_grow(lines->text, lines->count, sizeof(*list));
-        if (!list)
-            break;
-        lines->text = list;
-        list[lines->count++] = text;
+        return false;
+    while (getline(&text, &size, file) > 0 &&
+           list_add(&lines->text, &lines->count, &text, sizeof text))
         text = NULL;
-    }
     free(text);
     const bool whole = feof(file) && !ferror(file);
-    fclose(file);
+    file_close(file);
     return whole || message_error_at(path, 0, "cannot be read");
 }
 

@@ -1,6 +1,7 @@
 /* pel view on a framebuffer or DRM device. */
 #include <stdio.h>
 
+#include "core/raster/rectangle.h"
 #include "sim/view/keys.h"
 #include "sim/view/viewer.h"
 
@@ -8,16 +9,48 @@ struct screen {
     struct pel_display_linux linux;
     struct pel_rect area; /* where the picture is */
     struct viewer viewer;
+    struct pel_rect cross; /* around the pointer; empty: none is shown */
+    bool whole;            /* the next frame is sent whole */
 };
 
-static bool draw_view(struct pel_surface *surface, void *context)
+/* A cross at the pointer, white with a black edge. */
+static void draw_pointer(struct screen *s, const struct pel_surface *surface)
+{
+    enum { ARM = 7 };
+    static const struct pel_flat inks[2] = {PEL_FLAT(PEL_RGB(255, 255, 255)),
+                                            PEL_FLAT(PEL_RGB(0, 0, 0))};
+    const int32_t x = s->area.x0 + s->viewer.pointer[0];
+    const int32_t y = s->area.y0 + s->viewer.pointer[1];
+    for (int32_t edge = 1; edge >= 0; edge--) {
+        const int32_t arm = ARM + edge;
+        const struct pel_rect bars[2] = {
+            {x - arm, y - edge, x + arm + 1, y + edge + 1},
+            {x - edge, y - arm, x + edge + 1, y + arm + 1}};
+        for (int k = 0; k < 2; k++)
+            pel_box(surface, &bars[k], &inks[edge].paint);
+    }
+    s->cross =
+        (struct pel_rect){x - ARM - 1, y - ARM - 1, x + ARM + 2, y + ARM + 2};
+    s->cross = pel_rect_intersect(&s->cross, &surface->clip);
+}
+
+static bool draw_view(struct pel_surface *surface,
+                      struct pel_dirty_areas *changed, void *context)
 {
     struct screen *s = context;
-    const struct pel_rect whole = surface->clip;
+    struct viewer *viewer = &s->viewer;
+    if (s->whole)
+        pel_dirty_areas_add(changed, &surface->clip);
     pel_surface_clip(surface, &s->area);
-    const bool done = viewer_draw(&s->viewer, surface);
-    surface->clip = whole;
-    viewer_shown(&s->viewer);
+    const bool done = viewer_draw(viewer, surface);
+    pel_dirty_areas_add(changed, &s->cross);
+    if (viewer->has_pointer)
+        draw_pointer(s, surface);
+    pel_dirty_areas_add(changed, &s->cross);
+    for (int i = 0; i < viewer->show->changed.count; i++)
+        pel_dirty_areas_add(changed, &viewer->show->changed.area[i]);
+    s->whole = viewer->pointed = false;
+    viewer_shown(viewer);
     return done;
 }
 
@@ -34,6 +67,7 @@ static bool save(struct screen *s, bool last)
                       (last ? viewer_save_last(&s->viewer, &canvas.surface)
                             : viewer_save_new(&canvas.surface));
     canvas_free(&canvas);
+    s->whole = true; /* what has changed since the last frame is not known */
     return done;
 }
 
@@ -59,7 +93,7 @@ static bool handle_keys(struct screen *s)
     switch (pel_console_read(viewer_idle(viewer), viewer->input.poll, bytes,
                              sizeof(bytes), &count)) {
     case PEL_CONSOLE_REDRAW:
-        viewer->stale = true;
+        viewer->stale = s->whole = true;
         return true;
     case PEL_CONSOLE_KEY:
         viewer->over = count == 0 && viewer->options->frames == 0;
@@ -77,6 +111,7 @@ static bool run(struct screen *s)
         if (s->viewer.over)
             break;
         viewer_advance(&s->viewer);
+        s->viewer.stale = s->viewer.stale || s->viewer.pointed;
         if (s->viewer.stale && !device_frame(&s->linux, draw_view, s))
             return false;
     }
@@ -119,7 +154,7 @@ static bool start(struct screen *s, struct show *show,
 /* Prints after the console is back, where it can be read. */
 bool view_device(struct show *show, const struct viewer_options *options)
 {
-    struct screen s = {.area = {0, 0, 0, 0}};
+    struct screen s = {.whole = true};
     char title[VIEWER_TITLE_SIZE];
     if (!device_open(&s.linux, options->device, PEL_FB_ANY))
         return false;

@@ -180,8 +180,9 @@ void inspect_magnifier(const struct pel_surface *surface,
     const struct lens l = {&own, x - PIXELS / 2, y - PIXELS / 2,
                            right ? all->x1 - PIXELS * ZOOM : all->x0,
                            below ? all->y1 - PIXELS * ZOOM : all->y0};
-    const struct pel_rect box = {l.left, l.top, l.left + PIXELS * ZOOM,
-                                 l.top + PIXELS * ZOOM};
+    struct pel_rect box = {l.left, l.top, l.left + PIXELS * ZOOM,
+                           l.top + PIXELS * ZOOM};
+    box = pel_rect_intersect(&box, all);
     static const struct pel_flat gray = PEL_FLAT(PEL_RGB(96, 96, 96));
     pel_surface_clip(&own, &box);
     pel_box(&own, &box, &gray.paint);

@@ -25,8 +25,8 @@
 enum view_action view_key(struct view *view, int key);
 
 /* The first key (enum pel_key) of what a terminal has sent, *used of `count` >=
- * 1 bytes: arrows as CSI or SS3 sequences, Escape as a byte that no sequence
- * follows. */
+ * 1 bytes: arrows and F keys as CSI or SS3 sequences, Escape as a byte that no
+ * sequence follows. */
 int view_terminal_key(const char *bytes, size_t count, size_t *used);
 
 #endif

@@ -30,7 +30,8 @@ struct sheet {
     bool stale;                 /* the picture is not as it should be */
     struct style *drawn_style;  /* and where they were when it was drawn */
     struct figures drawn;
-    bool whole; /* the next picture is drawn whole: not areas alone */
+    bool whole;   /* the next picture is drawn whole: not areas alone */
+    bool covered; /* something was drawn over the last one */
     struct pel_dirty_areas
         areas;           /* px of it that changed with the last frame */
     double milliseconds; /* of the last drawing */
@@ -42,6 +43,7 @@ void sheet_free(struct sheet *sheet);
 
 /* For sim/view/sheet*.c alone. */
 
+bool sheet_draw(struct show *show, const struct pel_surface *surface);
 enum view_action sheet_take(struct sheet *sheet, const struct pel_input *input);
 /* The script as it is to be shown, read from memory where it is stale. False,
  * with a message. */

@@ -52,20 +52,25 @@ static void write_styled(FILE *out, const struct sheet *s, size_t line,
                          const struct style *style,
                          const struct script_item *item)
 {
-    const char *paint = "paint flat #ffffff\n", *spread = "option spread pad\n",
-               *phase = "option phase 0\n";
-    for (size_t i = 0; i < line; i++) {
-        paint = begins(s->line[i], "paint") ? s->line[i] : paint;
-        spread = begins(s->line[i], "option spread") ? s->line[i] : spread;
-        phase = begins(s->line[i], "option phase") ? s->line[i] : phase;
-    }
+    static const char *const names[] = {"paint", "option spread",
+                                        "option phase", "option cells"};
+    enum { NAMES = sizeof names / sizeof names[0] };
+    const char *last[NAMES] = {"paint flat #ffffff\n", "option spread pad\n",
+                               "option phase 0\n", "option cells 2048\n"};
+    for (size_t i = 0; i < line; i++)
+        for (int k = 0; k < NAMES; k++)
+            if (begins(s->line[i], names[k]))
+                last[k] = s->line[i];
+    const char *paint = last[0];
     const bool has_color = strchr(paint, '#') != NULL;
     const struct outline o = outline_of(s, item);
     if (style->fill == FILL_OWN && (has_color || !style->marked))
         style_recolor(out, style, paint);
     else
         style_write(out, style, &o);
-    fprintf(out, "%s\n%s\n%s\n%s\n", s->line[line], paint, spread, phase);
+    fprintf(out, "%s\n", s->line[line]);
+    for (int k = 0; k < NAMES; k++)
+        fprintf(out, "%s\n", last[k]);
 }
 
 void sheet_write_file(FILE *out, const struct sheet *s)

@@ -2,6 +2,7 @@
 #ifndef SIM_VIEW_SHOW_H
 #define SIM_VIEW_SHOW_H
 
+#include "drivers/dirty.h"
 #include "drivers/input.h"
 #include "sim/image/canvas.h"
 
@@ -28,6 +29,10 @@ struct show {
     /* Draws a frame onto the clip of a surface, which has the size of the last
      * resize. False, with a message. */
     bool (*draw)(struct show *show, const struct pel_surface *surface);
+
+    /* px of the surface: what is not as in the frame before. All of the clip,
+     * unless draw says less. */
+    struct pel_dirty_areas changed;
 
     /* What is seen, in a line. */
     void (*title)(const struct show *show, char title[SHOW_TITLE_SIZE]);

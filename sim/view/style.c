@@ -49,8 +49,8 @@ static void put_rings(FILE *out, const struct style *style,
 {
     const double r = o->r / 3 > 1 ? o->r / 3 : 1;
     fprintf(out,
-            "option spread repeat\noption phase %.5f\npaint radial %.4f %.4f "
-            "%.4f",
+            "option cells 256\noption spread repeat\noption phase %.5f\n"
+            "paint radial %.4f %.4f %.4f",
             o->phase, o->x, o->y, r);
     put_stop(out, style, 0, PEL_RGB(255, 255, 255));
     put_stop(out, style, 0.5, style->color | PEL_RGB(0, 0, 0));
@@ -60,8 +60,9 @@ static void put_rings(FILE *out, const struct style *style,
 static void put_sectors(FILE *out, const struct style *style,
                         const struct outline *o)
 {
-    fprintf(out, "option spread pad\npaint conic %.4f %.4f %.5f", o->x, o->y,
-            o->turn);
+    fprintf(out,
+            "option cells 512\noption spread pad\npaint conic %.4f %.4f %.5f",
+            o->x, o->y, o->turn);
     for (int i = 0; i < 7; i++)
         put_stop(out, style, i / 6.0, hues[i]);
 }

@@ -39,6 +39,8 @@ bool viewer_resize(struct viewer *viewer, int width, int height)
     if (viewer->record)
         record_write(viewer->record, viewer->steps, &size);
     viewer->stale = true;
+    viewer->size[0] = width;
+    viewer->size[1] = height;
     return viewer->show->resize(viewer->show, width, height);
 }
 
@@ -114,6 +116,8 @@ int viewer_idle(const struct viewer *viewer)
 bool viewer_draw(struct viewer *viewer, const struct pel_surface *surface)
 {
     const double start = milliseconds();
+    viewer->show->changed = (struct pel_dirty_areas){
+        .window = 256, .count = 1, .area = {surface->clip}};
     const bool done = viewer->show->draw(viewer->show, surface);
     viewer->show->draw_time = milliseconds() - start;
     viewer->drawing += viewer->show->draw_time;

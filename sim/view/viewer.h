@@ -30,11 +30,15 @@ struct viewer {
     const struct viewer_options *options; /* the caller's */
     struct pel_input_linux input;         /* or not open */
     FILE *record;                         /* or NULL */
-    bool stale;                           /* there is something new to draw */
-    bool over;                            /* the user ended it */
-    bool moves;                           /* did the last advance change it? */
-    int drawn;                            /* frames */
-    int steps;                            /* of time */
+    int size[2];             /* px of what is drawn: its width and height */
+    int pointer[2];          /* px of it */
+    bool has_pointer;        /* a mouse or a tablet has told where it is */
+    bool pointed;            /* and has moved since this was made false */
+    bool stale;              /* there is something new to draw */
+    bool over;               /* the user ended it */
+    bool moves;              /* did the last advance change it? */
+    int drawn;               /* frames */
+    int steps;               /* of time */
     double begun, last, due; /* ms: the first frame, the last step, the next */
     double drawing;          /* ms spent on drawing, all frames */
     struct {

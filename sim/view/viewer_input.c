@@ -16,9 +16,23 @@ bool viewer_open_input(struct viewer *viewer,
     return true;
 }
 
+static void follow(struct viewer *viewer, const struct pel_input *event)
+{
+    const bool moves = event->kind == PEL_INPUT_MOVE;
+    const int to[2] = {event->x, event->y};
+    if (!moves && event->kind != PEL_INPUT_POINT)
+        return;
+    for (int k = 0; k < 2; k++) {
+        const int at = to[k] + (moves ? viewer->pointer[k] : 0);
+        viewer->pointer[k] = pel_max(0, pel_min(at, viewer->size[k] - 1));
+    }
+    viewer->has_pointer = viewer->pointed = true;
+}
+
 bool viewer_input(struct viewer *viewer, const struct pel_input *event)
 {
     const enum view_action action = viewer->show->input(viewer->show, event);
+    follow(viewer, event);
     if (viewer->record)
         record_write(viewer->record, viewer->steps, event);
     viewer->stale = viewer->stale || action == VIEW_CHANGED;

@@ -131,6 +131,13 @@ static bool input_of(const SDL_Event *event, struct pel_input *e)
     }
 }
 
+/* With all that was done before. */
+static bool save_new(struct window *w)
+{
+    return (!w->viewer->stale || draw(w)) &&
+           viewer_save_new(&w->canvas.surface);
+}
+
 static bool handle(struct window *w, const SDL_Event *event)
 {
     struct pel_input input;
@@ -141,8 +148,7 @@ static bool handle(struct window *w, const SDL_Event *event)
     if (!input_of(event, &input))
         return true;
     w->renamed = w->renamed || input.kind == PEL_INPUT_KEY;
-    return !viewer_input(w->viewer, &input) ||
-           viewer_save_new(&w->canvas.surface);
+    return !viewer_input(w->viewer, &input) || save_new(w);
 }
 
 /* Handles the events that have come; waits a moment for one when there is
@@ -154,7 +160,7 @@ static bool handle_all(struct window *w)
     for (; more; more = SDL_PollEvent(&event))
         if (!handle(w, &event))
             return false;
-    return !viewer_inputs(w->viewer) || viewer_save_new(&w->canvas.surface);
+    return !viewer_inputs(w->viewer) || save_new(w);
 }
 
 static void rename_window(struct window *w)

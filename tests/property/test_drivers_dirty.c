@@ -37,7 +37,7 @@ static void set_up(struct fixture *f, struct random *r)
         surface_of(format, whole_memory, sizeof whole_memory, WIDTH, HEIGHT);
     f->dma.random.state = random_word(r);
     f->dma.most_steps = random_between(r, 1, 30);
-    f->dma.window = 1 << random_between(r, 0, 2);
+    f->dma.window = 1 << random_between(r, 0, 3);
     display_dma_init(&f->display, &f->dma);
 }
 
@@ -102,7 +102,7 @@ static void show(struct fixture *f, struct random *r,
     const uint32_t before = f->dma.bytes, expected = bytes_of(f, dirty);
     struct pel_dirty_work work = {
         {memory[0], memory[1]}, sizeof memory[0], draw, f};
-    work.size = (size_t)random_between(r, 4 * 4 * WIDTH, sizeof memory[0]);
+    work.size = (size_t)random_between(r, 4 * 8 * WIDTH, sizeof memory[0]);
     if (random_word(r) % 4 == 0)
         work.memory[1] = NULL;
     assert_true(dirty->count <= PEL_DIRTY_AREAS);
@@ -176,6 +176,10 @@ static void test_errors(void)
     struct pel_dirty_work work = {{memory[0], memory[1]}, 3, draw, &f};
     set_up(&f, &r);
     pel_dirty_areas_add(&dirty, &f.whole.bounds);
+    assert_int_equal(pel_dirty_areas_show(&dirty, &f.display, &work),
+                     PEL_ERROR_SCRATCH);
+    f.dma.window = 8;
+    work.size = 7 * (size_t)f.whole.stride;
     assert_int_equal(pel_dirty_areas_show(&dirty, &f.display, &work),
                      PEL_ERROR_SCRATCH);
     work.size = sizeof memory[0] / 4;

@@ -69,6 +69,17 @@ static pel_color dithered_color(const struct layout *l, pel_color c, int32_t x,
     return d;
 }
 
+static void check_over(const struct layout *l, pel_color color, int32_t x,
+                       int32_t y)
+{
+    const pel_color source = dithered_color(l, color, x, y);
+    const uint32_t want =
+        layout_over(l, canvas_pixel_before(&canvas, x, y), source);
+    if (canvas_pixel(&canvas, x, y) != want)
+        fail_msg("%s, %08x at %d,%d: expected %x, got %x; %s", l->name, color,
+                 x, y, want, canvas_pixel(&canvas, x, y), cases_replay());
+}
+
 /* One colour, any alpha, on any surface. */
 static void test_flat(void)
 {
@@ -86,15 +97,8 @@ static void test_flat(void)
         assert_int_equal(pel_dither_init(&d, &flat.paint), PEL_OK);
         pel_rectangle(&canvas.surface, origin, far_end, &d.paint);
         for (int32_t y = b.y0; y < b.y1; y++)
-            for (int32_t x = b.x0; x < b.x1; x++) {
-                pel_color source = dithered_color(l, flat.color, x, y);
-                uint32_t want =
-                    layout_over(l, canvas_pixel_before(&canvas, x, y), source);
-                if (canvas_pixel(&canvas, x, y) != want)
-                    fail_msg("%s, %08x at %d,%d: expected %x, got %x; %s",
-                             l->name, flat.color, x, y, want,
-                             canvas_pixel(&canvas, x, y), cases_replay());
-            }
+            for (int32_t x = b.x0; x < b.x1; x++)
+                check_over(l, flat.color, x, y);
         canvas_check(&canvas);
     }
 }
@@ -212,6 +216,44 @@ static void test_any_source(void)
         check_source(&layouts[i], &texture.base.paint);
         check_source(&layouts[i], &half);
         check_source(&layouts[i], &gouraud.paint);
+    }
+}
+
+/* A paint that puts opaque colours and others in one call. */
+static pel_color mixed_color(int32_t x, int32_t y)
+{
+    const uint32_t alpha = x % 11 < 7 ? 255 : (uint32_t)x * 53 & 255;
+    return alpha << 24 | (PEL_RGB(x * 6, 99 + y * 4, 255 - x) & 0xFFFFFF);
+}
+
+static void put_mixed(const struct pel_paint *paint,
+                      const struct pel_spans *rows)
+{
+    (void)paint;
+    pel_color c[40];
+    for (int32_t i = 0; i < rows->n; i++) {
+        const struct pel_span row = rows->span[i];
+        for (int32_t x = row.x0; x < row.x1; x++)
+            c[x - row.x0] = mixed_color(x, rows->y + i);
+        rows->surface->format->put(rows->surface, row.x0, rows->y + i,
+                                   row.x1 - row.x0, c);
+    }
+}
+
+static void test_mixed_alpha(void)
+{
+    static const struct pel_paint source = {put_mixed, NULL};
+    static const struct pel_rect b = {0, 0, 40, 24};
+    struct pel_dither d;
+    assert_int_equal(pel_dither_init(&d, &source), PEL_OK);
+    for (int i = 0; i < LAYOUT_COUNT; i++) {
+        canvas_open(&canvas, layouts[i].format, &b, 0);
+        pel_rectangle(&canvas.surface, (struct pel_point)PEL_AT(3, 0), far_end,
+                      &d.paint);
+        for (int32_t y = 0; y < 24; y++)
+            for (int32_t x = 3; x < 40; x++)
+                check_over(&layouts[i], mixed_color(x, y), x, y);
+        canvas_check(&canvas);
     }
 }
 
@@ -335,5 +377,5 @@ int main(void)
 {
     return RUN_TESTS(test_flat, test_mean, test_gradient_in_bands,
                      test_any_source, test_sources_surface, test_every_depth,
-                     test_dither_of_dither);
+                     test_dither_of_dither, test_mixed_alpha);
 }

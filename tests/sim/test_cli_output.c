@@ -15,13 +15,7 @@
 #include <cmocka.h>
 
 #include "sim/cli/output.h"
-
-static char directory[] = "/tmp/pel-output-XXXXXX";
-
-static void path_of(const char *name, char *path, size_t size)
-{
-    snprintf(path, size, "%s/%s", directory, name);
-}
+#include "tests/sim/work_folder.h"
 
 static void check_file(const char *path, const char *want)
 {
@@ -127,7 +121,6 @@ static void test_both(void **state)
 {
     struct output first, second;
     char path[64], none[64], text[512] = "";
-    FILE *kept = stderr;
     (void)state;
     path_of("file", path, sizeof path);
     path_of("none/file", none, sizeof none);
@@ -135,10 +128,9 @@ static void test_both(void **state)
     assert_true(output_open(&first, path));
     assert_true(output_open(&second, none));
     fputs("new", first.stream);
-    stderr = fmemopen(text, sizeof text, "w");
+    catch_errors(text, sizeof text);
     const bool done = output_commit_both(&first, &second);
-    fclose(stderr);
-    stderr = kept;
+    catch_end();
     assert_false(done);
     check_file(path, "old");
 }
@@ -196,11 +188,9 @@ static void test_device(void **state)
 static void check_refused(const char *path, const char *message)
 {
     char text[512] = "";
-    FILE *kept = stderr;
-    stderr = fmemopen(text, sizeof text, "w");
+    catch_errors(text, sizeof text);
     const bool done = write_output(path, "text", true);
-    fclose(stderr);
-    stderr = kept;
+    catch_end();
     assert_false(done);
     assert_non_null(strstr(text, message));
 }
@@ -226,23 +216,11 @@ static void test_full(void **state)
     assert_int_equal(after, before);
 }
 
-static int set_up(void **state)
-{
-    (void)state;
-    return mkdtemp(directory) ? 0 : -1;
-}
-
 static int tear_down(void **state)
 {
-    static const char *const names[] = {"file", "mode", "link", "target"};
+    static const char *const names[] = {"file", "mode", "link", "target", NULL};
     (void)state;
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        char path[64];
-        path_of(names[i], path, sizeof path);
-        unlink(path);
-    }
-    /* Fails when a temporary file was left. */
-    return rmdir(directory);
+    return remove_folder(names);
 }
 
 int main(void)

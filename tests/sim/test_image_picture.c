@@ -16,13 +16,7 @@
 #endif
 
 #include "sim/image/picture.h"
-
-static char directory[] = "/tmp/pel-picture-XXXXXX";
-
-static void path_of(const char *name, char *path, size_t size)
-{
-    snprintf(path, size, "%s/%s", directory, name);
-}
+#include "tests/sim/work_folder.h"
 
 static void write_file(const char *path, const void *data, size_t size)
 {
@@ -46,11 +40,9 @@ static size_t read_file(const char *path, void *data, size_t size)
 static bool load(struct picture *picture, const char *path, char *text,
                  size_t size)
 {
-    FILE *kept = stderr;
-    stderr = fmemopen(text, size, "w");
+    catch_errors(text, size);
     const bool done = picture_load(picture, path);
-    fclose(stderr);
-    stderr = kept;
+    catch_end();
     return done;
 }
 
@@ -303,13 +295,11 @@ static void test_png(void **state)
 static void test_png(void **state)
 {
     char text[512] = "";
-    FILE *kept = stderr;
     (void)state;
     assert_string_equal(picture_best_ending(), ".bmp");
-    stderr = fmemopen(text, sizeof text, "w");
+    catch_errors(text, sizeof text);
     const bool right = picture_path_check("a.png");
-    fclose(stderr);
-    stderr = kept;
+    catch_end();
     assert_false(right);
     assert_non_null(strstr(text, "libpng-dev"));
 }
@@ -317,14 +307,13 @@ static void test_png(void **state)
 
 static void test_endings(void **state)
 {
-    FILE *kept = stderr;
     (void)state;
-    stderr = fopen("/dev/null", "w");
+    char text[512];
+    catch_errors(text, sizeof text);
     const bool wrong = picture_path_check("a.jpg") || picture_path_check("a") ||
                        picture_path_check(".ppm") ||
                        picture_path_check("a.ppm/b");
-    fclose(stderr);
-    stderr = kept;
+    catch_end();
     assert_false(wrong);
     assert_true(picture_path_check("a.ppm"));
     assert_true(picture_path_check("b.c/a.bmp"));
@@ -335,38 +324,24 @@ static void test_endings(void **state)
 static void test_no_directory(void **state)
 {
     char path[64], text[512] = "";
-    FILE *kept = stderr;
     struct picture p;
     (void)state;
     path_of("none/out.ppm", path, sizeof path);
     fill_picture(&p, 2, 2);
-    stderr = fmemopen(text, sizeof text, "w");
+    catch_errors(text, sizeof text);
     const bool done = picture_save(&p, path);
-    fclose(stderr);
-    stderr = kept;
+    catch_end();
     picture_free(&p);
     assert_false(done);
     assert_non_null(strstr(text, "none/out.ppm: cannot be written: No such"));
 }
 
-static int set_up(void **state)
-{
-    (void)state;
-    return mkdtemp(directory) ? 0 : -1;
-}
-
 static int tear_down(void **state)
 {
-    static const char *const names[] = {"in.ppm", "cut.ppm", "out.ppm",
-                                        "out.BMP", "out.png"};
+    static const char *const names[] = {"in.ppm",  "cut.ppm", "out.ppm",
+                                        "out.BMP", "out.png", NULL};
     (void)state;
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        char path[64];
-        path_of(names[i], path, sizeof path);
-        unlink(path);
-    }
-    /* Fails when a temporary file was left. */
-    return rmdir(directory);
+    return remove_folder(names);
 }
 
 int main(void)

@@ -52,6 +52,8 @@ differ "paint radial 16 16 5 0 #ffffff 1 #000000\n$all" \
     "option spread repeat\npaint radial 16 16 5 0 #ffffff 1 #000000\n$all"
 differ "option phase 0.5\npaint radial 16 16 5 0 #ffffff 1 #000000\n$all" \
     "paint radial 16 16 5 0 #ffffff 1 #000000\n$all"
+differ "option cells 64\npaint radial 16 16 64 0 #000000 1 #ffffff\n$all" \
+    "paint radial 16 16 64 0 #000000 1 #ffffff\n$all"
 same "option dither on\npaint linear 0 0 #000000 32 0 #ffffff\n$all" \
     "paint linear 0 0 #000000 32 0 #ffffff\n$all"
 
@@ -87,6 +89,7 @@ echo 'P6 2' >"$work/bad.ppm"
 echo 'paint texture bad.ppm 0 0' |
     refused_script 2 "$work/bad.ppm:2: ends before the height"
 echo 'option spread more' | refused_script 2 'option spread: more: expected pad|repeat|reflect'
+echo 'option cells 100' | refused_script 2 'option cells: 100: expected 2048|1024|512|256|128|64'
 echo 'option dither maybe' | refused_script 2 'option dither: maybe: expected off|on'
 echo 'paint flat' | refused_script 2 'paint flat: 0 values: expected 1'
 

@@ -129,6 +129,10 @@ END
 refused 1 'canvas: 2 values: expected 3: canvas WIDTH HEIGHT FORMAT' <<'END'
 canvas 8 8
 END
+printf 'canvas 8 8 xrgb8888\n\033[31m\n' >"$work/esc.pel"
+"$PEL" run "$work/esc.pel" -o "$work/o.ppm" 2>"$work/err"
+grep -q 'unknown command ?\[31m: expected' "$work/err" ||
+    fail "an escape: $(cat "$work/err")"
 refused 3 'unknown command trinagle: expected canvas' <<'END'
 canvas 8 8 rgb888
 

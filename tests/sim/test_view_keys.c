@@ -281,10 +281,12 @@ static void test_extremes(void **state)
 
 static void test_terminal(void **state)
 {
-    static const char bytes[] = "q\033[A\033OB\033[1;5C\033[C\033[D\033[3~\033";
-    static const int keys[] = {'q',           PEL_KEY_UP,    PEL_KEY_DOWN,
-                               PEL_KEY_OTHER, PEL_KEY_RIGHT, PEL_KEY_LEFT,
-                               PEL_KEY_OTHER, PEL_KEY_ESCAPE};
+    static const char bytes[] = "q\033[A\033OB\033[1;5C\033[C\033[D\033[3~"
+                                "\033[[B\033OR\033OZ\033[[Z\033";
+    static const int keys[] = {'q',           PEL_KEY_UP,     PEL_KEY_DOWN,
+                               PEL_KEY_OTHER, PEL_KEY_RIGHT,  PEL_KEY_LEFT,
+                               PEL_KEY_OTHER, PEL_KEY_F1 + 1, PEL_KEY_F1 + 2,
+                               PEL_KEY_OTHER, PEL_KEY_OTHER,  PEL_KEY_ESCAPE};
     size_t at = 0, used = 0;
     (void)state;
     for (size_t i = 0; i < sizeof(keys) / sizeof(keys[0]); i++) {

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/format/formats.h"
+#include "core/image/copy.h"
 #include "sim/script/pick.h"
 #include "sim/view/sheet.h"
 #include "tests/support/check.h"
@@ -121,20 +123,35 @@ static struct pel_input any_input(void)
     return in;
 }
 
-/* Frame by frame beside a sheet that draws every picture whole. */
-static void test_changed_areas_are_enough(void **state)
+/* Sends what has changed from one canvas to another of its size. */
+static void send(const struct pel_dirty_areas *changed, const struct canvas *to,
+                 const struct canvas *from)
 {
-    enum { FRAMES = 10000 };
+    struct pel_surface screen = to->surface;
+    const struct pel_copy_part all = {&from->surface, screen.bounds, 0, 0};
+    for (int k = 0; k < changed->count; k++) {
+        screen.clip = changed->area[k];
+        pel_copy(&screen, &all);
+    }
+}
+
+/* Frame by frame beside a sheet that draws every picture whole; and what is
+ * sent of the frames is enough for a screen. */
+static void draw_frames(const struct pel_format *format, int frames)
+{
     struct sheet part, whole;
-    struct canvas canvas[2];
+    struct canvas canvas[2], screen;
     long sent = 0, all = 0;
-    (void)state;
     assert_true(sheet_init(&part, NULL) && sheet_init(&whole, NULL));
     part.show.resize(&part.show, 97, 65);
     whole.show.resize(&whole.show, 97, 65);
-    for (int i = 0; i < 2; i++)
-        assert_true(canvas_init(&canvas[i], inspect_formats[0].format, 97, 65));
-    for (int frame = 0; frame < FRAMES; frame++) {
+    assert_true(canvas_init(&screen, format, 113, 67));
+    const size_t size = (size_t)screen.surface.stride * 67;
+    for (int i = 0; i < 2; i++) {
+        assert_true(canvas_init(&canvas[i], format, 113, 67));
+        canvas[i].surface.clip = (struct pel_rect){8, 1, 105, 66};
+    }
+    for (int frame = 0; frame < frames; frame++) {
         const struct pel_input in = any_input();
         part.show.input(&part.show, &in);
         whole.show.input(&whole.show, &in);
@@ -143,6 +160,8 @@ static void test_changed_areas_are_enough(void **state)
             whole.show.advance(&whole.show, 0);
         }
         whole.stale = whole.whole = true;
+        part.show.changed = (struct pel_dirty_areas){
+            .count = 1, .area = {canvas[0].surface.clip}};
         assert_true(part.show.draw(&part.show, &canvas[0].surface));
         assert_true(whole.show.draw(&whole.show, &canvas[1].surface));
         const int bytes = part.script.format->bits;
@@ -151,16 +170,30 @@ static void test_changed_areas_are_enough(void **state)
             sent += (a->x1 - a->x0) * (a->y1 - a->y0) * (long)bytes / 8;
         }
         all += (long)part.script.width * part.script.height * bytes / 8;
+        send(&part.show.changed, &screen, &canvas[0]);
+        if (memcmp(canvas[0].memory, screen.memory, size) != 0)
+            fail_msg("frame %d is not all sent", frame);
         if (!part.inspect.areas && !part.inspect.numbers &&
-            memcmp(canvas[0].memory, canvas[1].memory, 97 * 65 * 4) != 0)
+            memcmp(canvas[0].memory, canvas[1].memory, size) != 0)
             fail_msg("frame %d is another one", frame);
     }
-    print_message("%d frames: %ld of %ld bytes drawn\n", FRAMES, sent, all);
+    print_message("%d frames: %ld of %ld bytes drawn\n", frames, sent, all);
     assert_true(sent < all);
     for (int i = 0; i < 2; i++)
         canvas_free(&canvas[i]);
+    canvas_free(&screen);
     sheet_free(&part);
     sheet_free(&whole);
+}
+
+static void test_changed_areas_are_enough(void **state)
+{
+    (void)state;
+    draw_frames(&pel_xrgb8888, 10000);
+    draw_frames(&pel_rgb565_le, 300);
+    draw_frames(&pel_rgb332, 300);
+    draw_frames(&pel_gray8, 300);
+    draw_frames(&pel_mono1, 300);
 }
 
 int main(void)

@@ -113,6 +113,9 @@ $(foreach b,$(SMALL_BOARDS),$(foreach e,$(SMALL_EXAMPLES_$b),$(eval $(call \
     board_example,$b,$(SMALL_CPU_$b),$e))))
 
 BOARD_CPU = $(or $(SMALL_CPU_$(BOARD)),$(BOARD))
+$(if $(filter board,$(MAKECMDGOALS)),$(if $(filter \
+    $(BOARD_EXAMPLES),$(EXAMPLE)),,$(error EXAMPLE=$(EXAMPLE): expected one of \
+    $(BOARD_EXAMPLES))))
 board: $(BUILD)/board/$(BOARD)/$(EXAMPLE) ## EXAMPLE=board on BOARD=m4 or another of port/boards.mk, in QEMU
 	@tests/tools/example.sh $< $(CPU_RUN_$(BOARD)) $< \
 	    -icount $(word 2,$(MCU_BENCH_$(BOARD_CPU))),sleep=off

@@ -335,9 +335,36 @@ static void test_outline_of_many_runs(void)
     assert_int_equal(hits.runs, (uint64_t)RUNS * (uint64_t)(2 * rows - 2));
 }
 
+/* The cells of a small gradient, seen from afar: thousands in a pixel. */
+static void test_narrow_cells(void)
+{
+    enum { CELLS = 32767 };
+    static pel_color colors[CELLS];
+    static uint32_t pixels[SIDE * SIDE];
+    const struct pel_ramp ramp = {colors, CELLS, PEL_REFLECT};
+    const struct pel_rings rings = {{low, 0}, 256, 0};
+    const struct pel_point from = {low, 0}, to = {low + 3, -1};
+    const struct pel_rect b = {-SIDE, 0, 0, SIDE};
+    struct pel_surface s;
+    struct pel_linear linear;
+    struct pel_radial radial;
+    for (int32_t i = 0; i < CELLS; i++)
+        colors[i] = PEL_RGB(i, i >> 8, 0);
+    pel_surface_init(&s, &pel_xrgb8888, pixels, sizeof pixels, &b);
+    assert_int_equal(pel_linear_init(&linear, from, to, &ramp), PEL_OK);
+    assert_int_equal(pel_radial_init(&radial, &rings, &ramp), PEL_OK);
+    alarm(TOO_LONG);
+    for (uint64_t i = 0; i < cases_scaled(TIMES / 10); i++) {
+        pel_box(&s, &b, &linear.base.paint);
+        pel_box(&s, &b, &radial.base.paint);
+    }
+    alarm(0);
+}
+
 int main(void)
 {
     return RUN_TESTS(test_huge_shapes, test_batches, test_batches_of_one_line,
                      test_rows_of_circle, test_pieces, test_needle,
-                     test_zigzags, test_outline_of_many_runs);
+                     test_zigzags, test_outline_of_many_runs,
+                     test_narrow_cells);
 }

@@ -356,6 +356,10 @@ static void test_what_is_refused(void)
     wide.left = 105;
     wide.top = 81;
     assert_int_equal(pel_panel_init(&display, &wide), PEL_ERROR_SIZE);
+    wide.width = 0; /* the chip's, with a height of its own */
+    wide.left = 0;
+    wide.top = 80;
+    assert_int_equal(pel_panel_init(&display, &wide), PEL_OK);
     wide.format = &pel_rgb565_le;
     assert_int_equal(pel_panel_init(&display, &wide), PEL_ERROR_FORMAT);
     wide.format = NULL;

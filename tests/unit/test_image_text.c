@@ -203,7 +203,10 @@ static void test_column(void)
         {"aab", "a\na\nb", 1, 7},
         {"a aaab", "a\naa\nab", 8, 9},
         {" a", "\na", 5, 6},
-        {"a ", "a ", 4, 6},
+        {"a ", "a ", 6, 6},
+        {"a ", "a", 5, 6},
+        {"a  \nb", "a\nb", 7, 6},
+        {"a \n", "a\n", 4, 6},
         {"\xE2\x82\xAC\xE2\x82\xAC", "\xE2\x82\xAC\n\xE2\x82\xAC", 5, -6},
     };
     static struct hits expected;

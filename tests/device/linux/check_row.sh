@@ -95,6 +95,46 @@ compare() { # NAME SCENE FORMAT WIDTH HEIGHT DAC_BITS
     rm "$share/$1.ppm"
 }
 
+# A view's pictures and screens are those of its record, drawn again: a picture
+# is the frame at which key w (119) was pressed.
+replay() { # NAME
+    last=$(tail -n 1 "$share/$1/record" | cut -d' ' -f1)
+    "$build/../pel" view figures --still --size 160x120 --headless \
+        -o "$share/replay" --frames $((last + 1)) \
+        --replay "$share/$1/record" || return
+    shots=0
+    for frame in $(awk '$2 == "key" && $3 == 119 && $4 == "down" { print $1 }' \
+        "$share/$1/record"); do
+        shots=$((shots + 1))
+        mv "$share/replay/frame-$(printf %04d "$frame").ppm" \
+            "$share/$1/shot-$shots.ppm"
+        "$build/../pel" compare "$share/$1/shot-$shots.ppm" \
+            "$share/$1/view-00$shots".* || return
+    done
+    rm -r "$share/replay"
+    [ "$shots" = "$(cksum "$share/$1"/view-00* | sort -u -k 1,1 | wc -l)" ]
+}
+
+# The screen of a view, with the cross of its pointer.
+screen() { # NAME SCREEN SHOT [X Y]
+    {
+        echo "canvas 640 480 xrgb8888"
+        echo "clear #000000"
+        echo "paint texture $share/$1/shot-$3.ppm 240 180"
+        echo "rect 240 180 160 120"
+        [ $# -eq 3 ] || echo "$1" | awk -v x="$4" -v y="$5" '{
+            x += 240; y += 180
+            print "clip 240 180 400 300\npaint flat #000000"
+            print "rect", x - 8, y - 1, 17, 3
+            print "rect", x - 1, y - 8, 3, 17
+            print "paint flat #ffffff"
+            print "rect", x - 7, y, 15, 1
+            print "rect", x, y - 7, 1, 15 }'
+    } > "$share/scene.pel"
+    "$build/../pel" run "$share/scene.pel" -o "$share/expected.ppm" &&
+        "$build/screen_check" "$share/expected.ppm" "$share/$1-$2.ppm"
+}
+
 : > "$result"
 begun=$(date +%s)
 machine > "$share/log" 2>&1 ||
@@ -119,6 +159,18 @@ done < "$share/manifest"
         equal=$((equal + 1)) ||
         echo "FAIL $name ($format): $(cat "$share/difference")" >> "$result"
 done < "$share/panels"
+[ ! -f "$share/views" ] || for name in $(cut -d' ' -f1 "$share/views" | uniq)
+do
+    replay "$name" > "$share/difference" 2>&1 ||
+        echo "FAIL $name: $(cat "$share/difference")" >> "$result"
+done
+[ ! -f "$share/views" ] || while read -r name screen shot x y; do
+    pictures=$((pictures + 1))
+    # shellcheck disable=SC2086
+    screen "$name" "$screen" "$shot" $x $y > "$share/difference" 2>&1 &&
+        equal=$((equal + 1)) ||
+        echo "FAIL $name-$screen: $(cat "$share/difference")" >> "$result"
+done < "$share/views"
 passed=$(grep -c '^PASS' "$share/log")
 [ $((pictures + passed)) -gt 0 ] ||
     echo "FAIL $row: nothing was tested" >> "$result"

@@ -1,6 +1,7 @@
 # How programs end, and what they leave; sourced by guest_run.sh.
 
 device=fb:/dev/fb0
+shown="run /mnt/scenes/cover.pel"
 
 pass() { # TEXT
     echo "PASS $row: $*"
@@ -89,7 +90,7 @@ status_of() { # HOW
 # One way to end: the state during differs, the state after does not.
 end_case() { # HOW
     before=$(state)
-    start $pel run /mnt/scenes/cover.pel --device $device
+    start $pel $shown --device $device
     wait_drawn || fail "$1: not drawn: $(cat $log)"
     /mnt/console_state -scramble <&3 || fail "$1: cannot scramble"
     during=$(state)
@@ -322,10 +323,12 @@ mode_case() { # fb_mode's arguments...
     fi
 }
 
-# The driver is taken away while frames are drawn.
-vanish_case() { # DEVICE
+# The driver is taken away while a command draws frames.
+vanish_case() { # DEVICE PATTERN COMMAND...
+    vanished=$1 pattern=$2
+    shift 2
     before=$(state_of_terminal)
-    start /mnt/frames "$1"
+    start "$@"
     sleep 1
     echo "$pci" > /sys/bus/pci/drivers/bochs-drm/unbind
     n=0
@@ -337,11 +340,11 @@ vanish_case() { # DEVICE
     wait $pid
     status=$?
     after=$(state_of_terminal)
-    if [ $status = 2 ] && grep -q '^frames: [1-9][0-9]* frames, then: .' $log &&
+    if [ $status = 2 ] && grep -q "$pattern" $log &&
         [ "$before" = "$after" ]; then
-        pass "$1 vanished: $(tail -n 1 $log)"
+        pass "$vanished vanished: $(tail -n 1 $log)"
     else
-        fail "$1 vanished: status $status: $(cat $log): $before: $after"
+        fail "$vanished vanished: status $status: $(cat $log): $before: $after"
     fi
     echo "$pci" > /sys/bus/pci/drivers/bochs-drm/bind
     sleep 1
@@ -349,6 +352,10 @@ vanish_case() { # DEVICE
 
 vanish() {
     pci=$(basename /sys/bus/pci/drivers/bochs-drm/0000*)
-    vanish_case fb:/dev/fb0
-    vanish_case drm:/dev/dri/card0
+    for vanishing in fb:/dev/fb0 drm:/dev/dri/card0; do
+        vanish_case $vanishing '^frames: [1-9][0-9]* frames, then: .' \
+            /mnt/frames $vanishing
+        vanish_case $vanishing '^pel: ' \
+            $pel view figures --device $vanishing
+    done
 }

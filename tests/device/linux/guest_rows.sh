@@ -109,6 +109,19 @@ row_qxl() {
     pictures drm xrgb8888 8 drm:/dev/dri/card0
 }
 
+row_figures() {
+    . /mnt/guest_view.sh
+    make_chip
+    modprobe evdev
+    for device in fb:/dev/fb0 drm:/dev/dri/card0; do
+        figures
+        second
+        shown="view figures --size 160x120"
+        ways="INT TERM KILL"
+        kill_matrix
+    done
+}
+
 row_input() {
     . /mnt/guest_input.sh
     devices

@@ -14,11 +14,11 @@ ONE := $(BUILD)/amalgamation
 amalgamation: $(ONE)/pel.c $(ONE)/pel.h ## core as pel.c and pel.h: build/amalgamation
 	@mkdir -p $(ONE)/pel
 	echo '#include "../pel.h"' >$(ONE)/pel/pel.h
-	cp LICENSE packages/library.properties $(ONE)
-$(ONE)/pel.c: packages/amalgamate.awk $(CORE) $(wildcard core/*/*.h core/*/*.inc)
+	cp LICENSE packaging/library.properties $(ONE)
+$(ONE)/pel.c: packaging/amalgamate.awk $(CORE) $(wildcard core/*/*.h core/*/*.inc)
 	@mkdir -p $(@D)
 	@awk -f $< $(CORE) >$@
-$(ONE)/pel.h: packages/amalgamate.awk $(wildcard core/*.h core/*/*.h)
+$(ONE)/pel.h: packaging/amalgamate.awk $(wildcard core/*.h core/*/*.h)
 	@mkdir -p $(@D)
 	@awk -f $< -v header=1 >$@
 
@@ -26,10 +26,10 @@ $(BUILD)/libpel.so.$(PEL_VERSION): $(ONE)/pel.c $(ONE)/pel.h
 	$(CC) $(PEL_CFLAGS) $(CFLAGS) -fPIC -shared $(LDFLAGS) \
 	    -Wl,-soname,$(PEL_SONAME) $< -o $@
 
-$(BUILD)/man/pel.1: packages/man.sh $(BUILD)/pel
+$(BUILD)/man/pel.1: packaging/man.sh $(BUILD)/pel
 	@mkdir -p $(@D)
-	packages/man.sh $(BUILD)/pel $(PEL_VERSION) >$@
-$(BUILD)/man/pel.3: packages/pel.3 core/pel.h
+	packaging/man.sh $(BUILD)/pel $(PEL_VERSION) >$@
+$(BUILD)/man/pel.3: packaging/pel.3 core/pel.h
 	@mkdir -p $(@D)
 	sed 's/@VERSION@/$(PEL_VERSION)/' $< >$@
 
