@@ -19,7 +19,8 @@
  *
  * Monochrome ones hold 8 rows in a byte. Upright they take pel_mono1_pages and
  * windows whose rows are multiples of 8, turned pel_mono1 and windows whose
- * columns are. `align` makes them so; any other is PEL_ERROR_SIZE. */
+ * columns are. Those of 16 greys take pel_gray4 and windows whose columns are
+ * even. `align` makes them so; any other is PEL_ERROR_SIZE. */
 #ifndef PEL_DRIVERS_PANEL_H
 #define PEL_DRIVERS_PANEL_H
 
@@ -60,6 +61,9 @@ extern const struct pel_panel_chip pel_panel_ssd1306_32; /* 128x32 */
 extern const struct pel_panel_chip pel_panel_ssd1306_32_turned;
 extern const struct pel_panel_chip pel_panel_sh1106; /* 128x64 */
 extern const struct pel_panel_chip pel_panel_sh1106_turned;
+
+/* OLEDs of 16 greys, upright and not inverted, others are PEL_ERROR_FORMAT. */
+extern const struct pel_panel_chip pel_panel_ssd0323; /* 128x64 */
 
 /* Resets and sets up the chip, 0.4 s at most; then the panel is on, and shows
  * what its memory held. `panel` becomes the context of `display`, and both stay

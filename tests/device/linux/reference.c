@@ -1,6 +1,8 @@
-/* reference WIDTH HEIGHT RED GREEN BLUE: the picture of reference.pel as a
- * screen with so many bits a channel shows it, as PPM on standard output.
- * Pel's code has no part in it: every pixel asks every shape. */
+/* reference WIDTH HEIGHT RED GREEN BLUE [X Y ZOOM]: the picture of
+ * reference.pel as a screen with so many bits a channel shows it, as PPM on
+ * standard output. With X, Y and ZOOM: the part from there on, in grey, every
+ * pixel a square of ZOOM. Pel's code has no part in it: every pixel asks every
+ * shape. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -71,17 +73,28 @@ static int shown(unsigned c, int n)
     return (int)(out & 255);
 }
 
+/* By the weights of ITU-R BT.601. */
+static unsigned gray(unsigned c)
+{
+    return (299 * (c >> 16) + 587 * (c >> 8 & 255) + 114 * (c & 255) + 500) /
+           1000 * 0x010101;
+}
+
 int main(int argc, char **argv)
 {
-    if (argc != 6) {
-        fprintf(stderr, "reference WIDTH HEIGHT RED GREEN BLUE\n");
+    if (argc != 6 && argc != 9) {
+        fprintf(stderr, "reference WIDTH HEIGHT RED GREEN BLUE [X Y ZOOM]\n");
         return 2;
     }
-    int width = atoi(argv[1]), height = atoi(argv[2]);
+    const int part = argc == 9;
+    int left = part ? atoi(argv[6]) : 0, top = part ? atoi(argv[7]) : 0;
+    int zoom = part ? atoi(argv[8]) : 1;
+    int width = atoi(argv[1]) * zoom, height = atoi(argv[2]) * zoom;
     printf("P6\n%d %d\n255\n", width, height);
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++) {
-            unsigned c = color_at(x, y);
+            unsigned c = color_at(left + x / zoom, top + y / zoom);
+            c = part ? gray(c) : c;
             putchar(shown(c >> 16 & 255, atoi(argv[3])));
             putchar(shown(c >> 8 & 255, atoi(argv[4])));
             putchar(shown(c & 255, atoi(argv[5])));
