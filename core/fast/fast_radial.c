@@ -3,6 +3,7 @@
  * paint_radial.c, and those in the tables less the batch's least. */
 #include "../base/sqrt.h"
 #include "../format/word.h"
+#include "../paint/cells.h"
 #include "../paint/paint_radial.h"
 
 #if PEL_FAST_FILLS && PEL_64BIT
@@ -54,8 +55,7 @@ static pel_color color_of(const struct pel_radial *p, int32_t ring)
 {
     const struct pel_gradient *g = &p->base;
     const int32_t cell = ring + p->first;
-    const int32_t place =
-        pel_gradient_place(g, cell / g->cells, cell % g->cells);
+    const int32_t place = pel_cells_place(g, cell / g->cells, cell % g->cells);
     return g->color(g, place < g->cells ? place : g->period - 1 - place);
 }
 
