@@ -56,8 +56,14 @@ enum pel_format_id {
  * up to 7. */
 typedef uint8_t pel_thresholds[7 * 8];
 
-/* For dither in formats with fewer than 8 bits a channel. */
-struct pel_dithering {
+/* Blue, green and red in 8.24, modulo 2^32: of the first pixel of a row, and
+ * from each to the next. */
+struct pel_planes {
+    uint32_t at[3], dx[3];
+};
+
+/* What a format does beside the rest: for dither, Gouraud and textures. */
+struct pel_channels {
     /* For grey whose pixels share bytes; NULL elsewhere. Grey c of n bits shows
      * level ((2^n - 1) c + rows[y & 7][8 (n - 1) + (x & 7)]) / 256 at (x, y) of
      * the surface, whatever that of the spans is. fill: one opaque colour. put:
@@ -71,14 +77,18 @@ struct pel_dithering {
                    const pel_thresholds *rows);
 
     /* Bits of red, green and blue, 1 to 7, apart from each other in the pixel;
-     * {n, 0, 0} where it is n bits of grey. */
+     * {n, 0, 0} where it is n bits of grey; all 0: dither is of no use. */
     uint8_t depth[3];
-};
 
-/* Blue, green and red in 8.24, modulo 2^32: of the first pixel of a row, and
- * from each to the next. */
-struct pel_planes {
-    uint32_t at[3], dx[3];
+    /* n >= 1 opaque pixels whose channels are planes; or false, and nothing is
+     * done. May be NULL. */
+    bool (*planes)(const struct pel_surface *surface, int32_t x, int32_t y,
+                   int32_t n, const struct pel_planes *planes);
+
+    /* Of a format that only passes on what it is given: the surface that gets
+     * it. Pixel values of that one's format would arrive as they are. May be
+     * NULL. */
+    const struct pel_surface *(*target)(const struct pel_surface *surface);
 };
 
 struct pel_format {
@@ -111,17 +121,7 @@ struct pel_format {
     void (*load)(const struct pel_surface *surface, int32_t x, int32_t y,
                  int32_t n, pel_color *colors);
 
-    const struct pel_dithering *dithering; /* NULL: dither is of no use */
-
-    /* n >= 1 opaque pixels whose channels are planes; or false, and nothing is
-     * done. May be NULL. */
-    bool (*planes)(const struct pel_surface *surface, int32_t x, int32_t y,
-                   int32_t n, const struct pel_planes *planes);
-
-    /* Of a format that only passes on what it is given: the surface that gets
-     * it. Pixel values of that one's format would arrive as they are. May be
-     * NULL. */
-    const struct pel_surface *(*target)(const struct pel_surface *surface);
+    const struct pel_channels *channels; /* NULL: none of this */
 };
 
 #endif

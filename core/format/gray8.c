@@ -10,5 +10,6 @@ const struct pel_format pel_gray8 = {
     .id = PEL_FORMAT_GRAY8,
     .fill = pel_fill8,
     .blend = blend,
+    WHOLE_CHANNELS,
     FORMAT_WORD,
 };

@@ -29,8 +29,6 @@ struct pel_palette {
          NULL,                                                    \
          NULL,                                                    \
          pel_palette_load,                                        \
-         NULL,                                                    \
-         NULL,                                                    \
          NULL},                                                   \
             (colors)                                              \
     }

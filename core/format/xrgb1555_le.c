@@ -7,12 +7,13 @@
 #define WORD pel_word16
 #include "body_word.inc"
 
-static const struct pel_dithering dithering = {NULL, NULL, {5, 5, 5}};
+static const struct pel_channels channels = {.depth = {5, 5, 5},
+                                             .planes = PLANES};
 
 const struct pel_format pel_xrgb1555_le = {
     .id = PEL_FORMAT_XRGB1555_LE,
     .fill = pel_fill16,
     .blend = blend,
-    .dithering = &dithering,
+    .channels = &channels,
     FORMAT_WORD,
 };

@@ -76,7 +76,7 @@ static int32_t pass_mixed(const struct pel_cells *c, int32_t most)
 static pel_color mask_of(const struct pel_gradient *g,
                          const struct pel_format *format)
 {
-    const struct pel_dithering *bits = format->dithering;
+    const struct pel_channels *bits = format->channels;
     pel_color mask = 0;
     if (g->ramp.n != 2 || !bits || bits->depth[1] == 0 ||
         pel_alpha(g->ramp.colors[0] & g->ramp.colors[1]) != 255)

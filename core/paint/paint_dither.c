@@ -95,7 +95,7 @@ static inline pel_color dithered_color(pel_color color, const uint8_t depth[3],
 static PEL_NOINLINE_32 void dither_out(struct proxy *proxy, int32_t x,
                                        int32_t y, int32_t n)
 {
-    const uint8_t *const depth = proxy->target->format->dithering->depth;
+    const uint8_t *const depth = proxy->target->format->channels->depth;
     for (pel_color *out = proxy->out; out < proxy->out + n; out++, x++)
         *out = dithered_color(*out, depth, x, y);
 }
@@ -177,8 +177,8 @@ static bool fill_opaque(const struct pel_spans *spans, pel_color color)
         fill_rows(spans, color, true);
     else if (quick)
         fill_rows(spans, color, false);
-    else if (format->dithering->fill)
-        format->dithering->fill(target, spans, color, thresholds);
+    else if (format->channels->fill)
+        format->channels->fill(target, spans, color, thresholds);
     else
         return false;
     return true;
@@ -204,8 +204,8 @@ static int32_t put_opaque(const struct pel_surface *target, int32_t x,
 {
     const struct pel_span span = {x, x + n};
     const struct pel_spans one = {target, &span, y, 1, 0};
-    if (PEL_KNOW_SIDES && target->format->dithering->put)
-        return target->format->dithering->put(target, &one, colors, thresholds);
+    if (PEL_KNOW_SIDES && target->format->channels->put)
+        return target->format->channels->put(target, &one, colors, thresholds);
     if (!is_565(target->format))
         return 0;
     const struct pel_row565 row = row565_of(target, x, y, n);
@@ -257,9 +257,15 @@ static uint32_t keep(uint32_t color)
     return color | OPAQUE;
 }
 
+static const struct pel_channels proxy_channels = {.planes = fill_planes,
+                                                   .target = target_of};
+
 static const struct pel_format proxy_format = {
-    255,        32,         4,           keep, keep,        fill_color,
-    fill_color, put_colors, load_colors, NULL, fill_planes, target_of,
+    255,         32,
+    4,           keep,
+    keep,        fill_color,
+    fill_color,  put_colors,
+    load_colors, PEL_KNOW_SIDES ? &proxy_channels : NULL,
 };
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans);
@@ -274,7 +280,9 @@ static PEL_NOINLINE_32 const struct pel_spans *spans_of(
     PEL_ASSERT(source->fill != fill);
     if (source->fill == fill)
         return NULL;
-    if (!spans->surface->format->dithering)
+    const struct pel_channels *const channels =
+        spans->surface->format->channels;
+    if (!channels || channels->depth[0] == 0)
         return spans;
     proxy->surface = *spans->surface;
     proxy->surface.format = &proxy_format;

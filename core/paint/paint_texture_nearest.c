@@ -196,8 +196,8 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_texture *p = (const void *)paint;
     const struct pel_surface *s = spans->surface;
-    if (PEL_KNOW_SIDES && s->format->target)
-        s = s->format->target(s);
+    if (PEL_KNOW_SIDES && s->format->channels && s->format->channels->target)
+        s = s->format->channels->target(s);
     if (pel_texture_is_copied(p, s->format))
         copy_rows(p, s, spans);
     else

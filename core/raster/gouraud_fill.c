@@ -42,11 +42,12 @@ static PEL_NOINLINE bool fill_planes(const struct pel_gouraud *g,
                                      const struct pel_surface *s, int32_t y,
                                      const struct pel_span *span)
 {
+    const struct pel_channels *const c = s->format->channels;
     struct pel_planes planes = {{0}, {g->dx[0], g->dx[1], g->dx[2]}};
-    if (!s->format->planes || !pel_gouraud_opaque(g) || span->x0 >= span->x1)
+    if (!c || !c->planes || !pel_gouraud_opaque(g) || span->x0 >= span->x1)
         return false;
     pel_gouraud_at(g, span->x0, y, planes.at);
-    return s->format->planes(s, span->x0, y, span->x1 - span->x0, &planes);
+    return c->planes(s, span->x0, y, span->x1 - span->x0, &planes);
 }
 
 /* Spans that no writer can paint go through a short buffer. */
