@@ -7,8 +7,9 @@ static PEL_NOINLINE_32 int64_t cross(const struct pel_point *a,
     return pel_product(a->x, b->y) - pel_product(a->y, b->x);
 }
 
-/* n pixels of a span, from (x, y) on. */
+/* n pixels of a span, from (x, y) on; `at` is a channel there. */
 struct part {
+    uint64_t at;
     int32_t x, y, n;
     pel_color start; /* before its channels: the alpha of opaque fans */
 };
@@ -20,7 +21,7 @@ static PEL_NOINLINE_32 void add_channel(const struct part *r,
                                         pel_color *out)
 {
     const uint64_t step = t->channel[k].dx;
-    uint64_t v = pel_plane_at(&t->channel[k], r->x, r->y);
+    uint64_t v = r->at;
     for (int32_t i = 0; k == 0 && i < r->n; i++)
         out[i] = r->start;
     for (pel_color *const end = out + r->n; out < end; out++, v += step) {
@@ -31,11 +32,21 @@ static PEL_NOINLINE_32 void add_channel(const struct part *r,
     }
 }
 
-static void triangle_colors(const struct part *r,
-                            const struct pel_fan_triangle *t, pel_color *out)
+/* pel_plane_at, before add_channel and not in it, to spare stack. */
+static PEL_NOINLINE_32 void set_channel(struct part *r,
+                                        const struct pel_plane *channel)
 {
-    for (int k = 0; k < (r->start ? 3 : 4); k++)
+    r->at = channel->at + pel_times(channel->dx, r->x) +
+            pel_times(channel->dy, r->y);
+}
+
+static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
+                            pel_color *out)
+{
+    for (int k = 0; k < (r->start ? 3 : 4); k++) {
+        set_channel(r, &t->channel[k]);
         add_channel(r, t, k, out);
+    }
 }
 
 /* For how many of n pixels, the first at d from the hub, the cross product with
@@ -57,9 +68,8 @@ static PEL_NOINLINE_32 int32_t pixels_beside(const struct pel_point *ray,
 static int32_t pixels_inside(const struct pel_fan_triangle *t,
                              const struct pel_point *d, int32_t n)
 {
-    const struct pel_point to = {-t->to.x, -t->to.y};
     n = pixels_beside(&t->from, d, 0, n);
-    return pixels_beside(&to, d, 1 - t->closed, n);
+    return pixels_beside(&t->past, d, 1 - t->closed, n);
 }
 
 /* Sets *i to the triangle of the first pixel, searched from *i on; returns how
@@ -83,7 +93,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 {
     const struct pel_fan *p = (const void *)paint;
     const int32_t end = x + n;
-    struct part r = {x, y, n, p->base.opaque ? UINT32_C(0xFF000000) : 0};
+    struct part r = {0, x, y, n, p->base.opaque ? UINT32_C(0xFF000000) : 0};
     int32_t triangle = 0;
     for (; (r.n = end - r.x) > 0; r.x += r.n) {
         r.n = find_triangle(p, &r, &triangle);
@@ -175,12 +185,13 @@ static void set_triangle(struct pel_fan_triangle *t, const struct pel_fan *p,
 {
     pel_color a, b;
     t->from = ray_of(points, turn, i, &a);
-    t->to = ray_of(points, turn, i + 1, &b);
+    const struct pel_point to = ray_of(points, turn, i + 1, &b);
+    t->past = (struct pel_point){-to.x, -to.y};
     t->closed = is_last_ray(points, turn, i + 1 < points->n ? i + 1 : 0);
-    const struct pel_point v[3] = {{0, 0}, t->from, t->to};
+    const struct pel_point v[3] = {{0, 0}, t->from, to};
     struct pel_plane_setup setup;
     if (!pel_plane_start(&setup, v))
-        t->to.x = t->to.y = t->closed = 0;
+        t->past.x = t->past.y = t->closed = 0;
     setup.a = p->hub;
     setup.first = 0;
     for (int k = 0; k < 4; k++) {

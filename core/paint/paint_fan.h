@@ -40,8 +40,9 @@ void pel_fan_perimeter(struct pel_point *v, int32_t n, struct pel_point center,
 /* The triangle between a point of the perimeter and the next; its first ray is
  * part of it. Channels, from blue to alpha, are in 2^-32 steps. */
 struct pel_fan_triangle {
-    struct pel_point from, to; /* from the hub; to: 0 without area */
-    int32_t closed;            /* 1: the last ray too, as none follows */
+    struct pel_point from, past; /* the first ray, from the hub, and the last
+                                    one turned back; 0 without area */
+    int32_t closed;              /* 1: the last ray too, as none follows */
     struct pel_plane channel[4];
 };
 
