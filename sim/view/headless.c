@@ -10,11 +10,14 @@
 #include "sim/view/record.h"
 #include "sim/view/viewer.h"
 
-static bool save(const struct canvas *canvas, const char *directory, int frame)
+/* frame-0000.ppm and so on; or view-001.ppm, what the user wrote. */
+static bool save(const struct canvas *canvas, const char *directory,
+                 const char *name, int number)
 {
     char *path;
     struct picture picture;
-    if (asprintf(&path, "%s/frame-%04d.ppm", directory, frame) < 0)
+    if (asprintf(&path, "%s/%s%0*d.ppm", directory, name, *name == 'f' ? 4 : 3,
+                 number) < 0)
         return message_error("out of memory");
     const bool done =
         canvas_picture(canvas, &picture) && picture_save(&picture, path);
@@ -32,47 +35,63 @@ static bool resize(struct show *show, struct canvas *canvas, int width,
            show->resize(show, width, height);
 }
 
-/* What the user did before a frame. *over: ended it. False, with a message. */
-static bool take(struct show *show, struct record *record, int frame,
-                 struct canvas *canvas, bool *over)
+/* A run of frames. */
+struct run {
+    struct show *show;
+    struct canvas canvas;
+    struct record record;
+    const char *directory;
+    int saved; /* pictures that the user wrote */
+    bool over; /* the user ended it */
+};
+
+static bool draw(struct run *r, const char *name, int number)
 {
-    const struct pel_input *input;
-    while (!*over && (input = record_next(record, frame))) {
-        if (input->kind != RECORD_SIZE)
-            *over = show->input(show, input) == VIEW_END;
-        else if (!resize(show, canvas, input->x, input->y))
-            return false;
-    }
-    return true;
+    return r->show->draw(r->show, &r->canvas.surface) &&
+           save(&r->canvas, r->directory, name, number);
 }
 
-static bool run(struct show *show, const struct viewer_options *o,
-                struct record *record)
+/* What the user did before a frame. False, with a message. */
+static bool take(struct run *r, int frame)
 {
-    struct canvas canvas = {.memory = NULL};
-    bool over = false;
-    bool done = resize(show, &canvas, o->width ? o->width : show->width,
-                       o->height ? o->height : show->height);
-    for (int frame = 0; done && !over && frame < o->frames; frame++) {
-        if (frame > 0)
-            show->advance(show,
-                          show->period > 0 ? show->period : RECORD_PERIOD);
-        done = take(show, record, frame, &canvas, &over) &&
-               (over || (show->draw(show, &canvas.surface) &&
-                         save(&canvas, o->output, frame)));
+    const struct pel_input *input;
+    bool done = true;
+    while (done && !r->over && (input = record_next(&r->record, frame))) {
+        if (input->kind == RECORD_SIZE) {
+            done = resize(r->show, &r->canvas, input->x, input->y);
+            continue;
+        }
+        const enum view_action action = r->show->input(r->show, input);
+        r->over = action == VIEW_END;
+        if (action == VIEW_SAVE)
+            done = draw(r, "view-", ++r->saved);
     }
-    canvas_free(&canvas);
+    return done;
+}
+
+static bool run(struct run *r, const struct viewer_options *o)
+{
+    struct show *show = r->show;
+    const double period = show->period > 0 ? show->period : RECORD_PERIOD;
+    bool done = resize(show, &r->canvas, o->width ? o->width : show->width,
+                       o->height ? o->height : show->height);
+    for (int frame = 0; done && !r->over && frame < o->frames; frame++) {
+        if (frame > 0)
+            show->advance(show, period);
+        done = take(r, frame) && (r->over || draw(r, "frame-", frame));
+    }
+    canvas_free(&r->canvas);
     return done;
 }
 
 bool view_headless(struct show *show, const struct viewer_options *o)
 {
-    struct record record = {NULL, 0, 0};
+    struct run r = {.show = show, .directory = o->output};
     if (mkdir(o->output, 0777) != 0 && errno != EEXIST)
         return message_error_at(o->output, 0, "cannot be made: %s",
                                 strerror(errno));
-    const bool done = (!o->replay || record_load(&record, o->replay)) &&
-                      run(show, o, &record);
-    record_free(&record);
+    const bool done =
+        (!o->replay || record_load(&r.record, o->replay)) && run(&r, o);
+    record_free(&r.record);
     return done;
 }

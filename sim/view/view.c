@@ -47,8 +47,10 @@ static const struct option_row options[] = {
      OPTION_FLAG, .offset = AT(viewer.headless)},
     {"record", "FILE", "write what the user does to a file", OPTION_TEXT,
      .offset = AT(viewer.record)},
-    {"replay", "FILE", "for --headless: do what was recorded", OPTION_TEXT,
-     .offset = AT(viewer.replay)},
+    {"replay", "FILE",
+     "for --headless: do what was recorded; key w writes view-001.ppm and so "
+     "on to the folder",
+     OPTION_TEXT, .offset = AT(viewer.replay)},
     {"step", "DEGREES",
      "turn a mesh by so much from frame to frame, whatever the time",
      OPTION_CALL, .parse = parse_step},
