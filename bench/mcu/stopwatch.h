@@ -47,15 +47,15 @@ static inline void stopwatch_start(void)
 static inline uint32_t stopwatch_read(void)
 {
     uint64_t count = 0;
-#if defined(__linux__)
+#if defined(__aarch64__) /* its compiler is one for Linux */
+    __asm__ volatile("isb\n\tmrs %0, cntvct_el0" : "=r"(count) : : "memory");
+#elif defined(__linux__)
 #elif defined(__riscv)
     uint32_t low;
     __asm__ volatile("csrr %0, minstret" : "=r"(low) : : "memory");
     count = low;
 #elif defined(__arm__)
     count = *(volatile uint32_t *)0x1000005Cu;
-#elif defined(__aarch64__)
-    __asm__ volatile("isb\n\tmrs %0, cntvct_el0" : "=r"(count) : : "memory");
 #endif
     return (uint32_t)count;
 }

@@ -47,7 +47,7 @@ static PEL_ALWAYS_INLINE void pel_store565(pel_word16 *p,
 
 /* n words, each like the one eight before; in pairs once the address allows it.
  */
-static PEL_NOINLINE void pel_pattern16(pel_word16 *p, int32_t n)
+static inline void pel_pattern16(pel_word16 *p, int32_t n)
 {
     pel_word16 *const end = p + n;
     for (; p < end && (uintptr_t)p % 4; p++)
