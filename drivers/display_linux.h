@@ -52,14 +52,15 @@ struct pel_display_linux {
 /* Opens `name`:
  *     fb:PATH[,direct|shadow|pages]    a framebuffer device
  *     drm:PATH                         a DRM device (built with PEL_WITH_DRM)
- *     panel:CHIP,OPTION=VALUE,...      a panel at SPI or I2C pins;
- * docs/linux.md tells the options PATH                             a
- * framebuffer or DRM device, told from its name NULL what FRAMEBUFFER in the
+ *     panel:CHIP,OPTION=VALUE,...      a panel at SPI or I2C pins
+ *     PATH                             what of these the name tells
+ *
+ * docs/linux.md has the options of panels. NULL is what FRAMEBUFFER in the
  * environment names; then /dev/fb0; then, when there is none, the first of
- * /dev/dri/card0 to card7 that has a screen `way` is for framebuffers that
- * `name` gives none for. The struct is not moved while open. PEL_ERROR_DEVICE,
- * with the message, and everything as before: so too when this process has a
- * display open already. */
+ * /dev/dri/card0 to card7 that has a screen. `way` is for framebuffers for
+ * which `name` gives none. The struct is not moved while open.
+ * PEL_ERROR_DEVICE, with the message, and everything as before: so too when
+ * this process has a display open already. */
 enum pel_status pel_display_linux_open(struct pel_display_linux *screen,
                                        const char *name, enum pel_fb_way way);
 

@@ -11,15 +11,16 @@ static int refuse(struct pel_message *message, const char *what,
     return EINVAL;
 }
 
-/* N, or NxM into both; each 0..32,767 (hexadecimal with 0x). */
+/* N (hexadecimal with 0x), or NxM into both; each 0..32,767. */
 static bool numbers(const char *text, int *first, int *second)
 {
     char *end;
-    const long a = strtol(text, &end, 0);
+    const int base = second ? 10 : 0; /* 0x20 is a pair */
+    const long a = strtol(text, &end, base);
     long b = 0;
     if (second && *end == 'x' && end > text) {
         text = end + 1;
-        b = strtol(text, &end, 0);
+        b = strtol(text, &end, base);
     } else if (second) {
         return false;
     }

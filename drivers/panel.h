@@ -78,7 +78,7 @@ enum pel_status pel_panel_init(struct pel_display *display,
 enum pel_status pel_panel_brightness(const struct pel_panel *panel,
                                      uint8_t level);
 
-/* Off and on again, with 120 ms for each; memory keeps its pixels. */
+/* Off and on again, 120 ms each for colour LCDs; memory keeps its pixels. */
 enum pel_status pel_panel_sleep(const struct pel_panel *panel, bool asleep);
 PEL_END_DECLS
 #endif

@@ -64,11 +64,11 @@ struct pel_planes {
 
 /* What a format does beside the rest: for dither, Gouraud and textures. */
 struct pel_channels {
-    /* For grey whose pixels share bytes; NULL elsewhere. Grey c of n bits shows
-     * level ((2^n - 1) c + rows[y & 7][8 (n - 1) + (x & 7)]) / 256 at (x, y) of
-     * the surface, whatever that of the spans is. fill: one opaque colour. put:
-     * a colour for each pixel of the one span, up to the first that is not
-     * opaque; how many. */
+    /* Required for grey whose pixels share bytes; NULL elsewhere. Grey c of n
+     * bits shows level ((2^n - 1) c + rows[y & 7][8 (n - 1) + (x & 7)]) / 256
+     * at (x, y) of the surface, whatever that of the spans is. fill: one opaque
+     * colour. put: a colour for each pixel of the one span, up to the first
+     * that is not opaque; how many. */
     void (*fill)(const struct pel_surface *surface,
                  const struct pel_spans *spans, pel_color color,
                  const pel_thresholds *rows);

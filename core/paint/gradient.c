@@ -46,9 +46,9 @@ static inline int32_t rows_of(const struct pel_cells *c)
 
 #if PEL_KNOW_SIDES
 
-/* Formats drop the low bits of channels, those of grey show a sum: how many
- * cells of two mixed colours, at most `most`, lie beyond the one at c->place
- * and look like it. */
+/* How many cells of two mixed colours, at most `most`, lie beyond the one at
+ * c->place and look like it: formats drop the low bits of channels. Not for
+ * grey, which shows a sum. */
 static int32_t pass_mixed(const struct pel_cells *c, int32_t most)
 {
     const struct pel_gradient *g = c->gradient;

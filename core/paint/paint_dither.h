@@ -14,7 +14,7 @@ PEL_BEGIN_DECLS
  * step between two levels. Colours that are levels stay.
  *
  * Red, green and blue apart, or the grey of a colour, as the format's
- * `dithering` says; nothing in formats of 8 bits a channel. Acts on the
+ * `channels` says; nothing in formats of 8 bits a channel. Acts on the
  * source's colour, before it is blended with its alpha. */
 struct pel_dither {
     struct pel_paint paint;

@@ -66,6 +66,8 @@ enum pel_status pel_masked_init(struct pel_masked *paint,
     pel_paint_clear(&paint->base.paint);
     if (!mask || !inner)
         return PEL_ERROR_NULL;
+    if (inner == &paint->base.paint)
+        return PEL_ERROR_RANGE;
     if (!mask->format || !mask->format->load)
         return PEL_ERROR_FORMAT;
     if (x < -32768 || x > 32767 || y < -32768 || y > 32767)

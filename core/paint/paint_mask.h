@@ -27,8 +27,8 @@ struct pel_masked {
  * must live as long as this paint. Draws the inner paint into a surface of a
  * format of its own, of id 254, so through the format's functions alone. On a
  * Cortex-M it takes 260 bytes of stack beside the inner paint's.
- * PEL_ERROR_NULL, PEL_ERROR_FORMAT (the mask cannot be read), PEL_ERROR_RANGE.
- */
+ * PEL_ERROR_NULL, PEL_ERROR_FORMAT (the mask cannot be read), PEL_ERROR_RANGE
+ * (x, y; or the inner paint is this one). */
 enum pel_status pel_masked_init(struct pel_masked *paint,
                                 const struct pel_surface *mask, int32_t x,
                                 int32_t y, const struct pel_paint *inner);

@@ -77,10 +77,13 @@ void inspect_box(const struct pel_surface *surface, const struct pel_rect *box,
                  pel_color color)
 {
     const struct pel_flat paint = PEL_FLAT(color);
-    if (!pel_rect_empty(box))
+    const struct pel_rect *c = &surface->clip; /* and a pixel around it */
+    const struct pel_rect seen = {c->x0 - 1, c->y0 - 1, c->x1 + 1, c->y1 + 1};
+    const struct pel_rect b = pel_rect_intersect(box, &seen);
+    if (!pel_rect_empty(&b))
         pel_rectangle_outline(
-            surface, (struct pel_point){PEL_PX(box->x0), PEL_PX(box->y0)},
-            (struct pel_point){PEL_PX(box->x1), PEL_PX(box->y1)}, &paint.paint);
+            surface, (struct pel_point){PEL_PX(b.x0), PEL_PX(b.y0)},
+            (struct pel_point){PEL_PX(b.x1), PEL_PX(b.y1)}, &paint.paint);
 }
 
 void inspect_bands(const struct pel_surface *surface,

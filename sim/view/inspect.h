@@ -23,7 +23,7 @@ extern const struct inspect_format inspect_formats[INSPECT_FORMATS];
  * colours: black, blue, cyan, green, yellow, red, white for 6 and more. */
 extern const struct pel_format inspect_heat;
 
-/* Lines between bands of `rows` pixels, `zoom` pixels high each. */
+/* Tints every other band of `rows` pixels; a pixel is `zoom` px high. */
 void inspect_bands(const struct pel_surface *surface,
                    const struct pel_rect *picture, int rows, int zoom);
 

@@ -79,6 +79,8 @@ bool record_load(struct record *r, const char *path)
         return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
     for (long n = 1; done && fgets(line, sizeof line, file); n++)
         done = *line == '#' || add(r, path, n, line);
+    if (done && ferror(file))
+        done = message_error_at(path, 0, "cannot be read: %s", strerror(errno));
     fclose(file);
     if (!done)
         record_free(r);

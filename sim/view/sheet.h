@@ -67,7 +67,7 @@ bool sheet_pixel(const struct sheet *sheet, int *x, int *y);
     "  o b d               overdraw, bands, changed areas\n"             \
     "  x                   the next format: 565, dithered, grey, mono\n" \
     "  m                   magnifier at the pointer\n"                   \
-    "  i h                 figures of the last frame; this help\n"       \
+    "  i h                 numbers of the last frame; this help\n"       \
     "  w                   write the picture to a file\n"                \
     "  q, Escape           end\n"
 

@@ -154,7 +154,7 @@ enum view_action sheet_take(struct sheet *s, const struct pel_input *input)
         point(s, input->x, input->y);
         return down ? pick(s) : VIEW_NOTHING;
     case PEL_INPUT_WHEEL:
-        return change(s, fade, input->y > 0 ? 1 : -1);
+        return input->y ? change(s, fade, input->y) : VIEW_NOTHING;
     default:
         return VIEW_NOTHING;
     }

@@ -28,8 +28,9 @@ bool viewer_init(struct viewer *viewer, struct show *show,
 void viewer_free(struct viewer *viewer)
 {
     pel_input_linux_close(&viewer->input);
-    if (viewer->record)
-        fclose(viewer->record);
+    if (viewer->record && (ferror(viewer->record) | fclose(viewer->record)))
+        message_error_at(viewer->options->record, 0, "is not complete: %s",
+                         strerror(errno));
 }
 
 bool viewer_resize(struct viewer *viewer, int width, int height)

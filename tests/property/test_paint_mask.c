@@ -128,6 +128,8 @@ static void test_errors(void)
     assert_int_equal(pel_masked_init(&m, NULL, 0, 0, p), PEL_ERROR_NULL);
     assert_int_equal(pel_masked_init(&m, &mask, 0, 0, NULL), PEL_ERROR_NULL);
     assert_int_equal(pel_masked_init(&m, &mask, 32768, 0, p), PEL_ERROR_RANGE);
+    assert_int_equal(pel_masked_init(&m, &mask, 0, 0, &m.base.paint),
+                     PEL_ERROR_RANGE);
     assert_int_equal(pel_masked_init(&m, &mask, 0, -32769, p), PEL_ERROR_RANGE);
     mask.format = &pel_rgb565_le_fill;
     assert_int_equal(pel_masked_init(&m, &mask, 0, 0, p), PEL_ERROR_FORMAT);

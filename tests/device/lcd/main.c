@@ -58,7 +58,7 @@ static bool refuses(void)
         {&pel_rgb565_le, {0, 8, 320, 240}, PEL_ERROR_SIZE},
         {&pel_xrgb8888, {0, 0, 1024, 1024}, PEL_ERROR_NULL}, /* no memory */
     };
-    struct pel_display_pl11x lcd;
+    struct pel_display_pl11x lcd = {0};
     struct pel_display display;
     bool all = true;
     for (unsigned i = 0; i < sizeof cases / sizeof *cases; i++)

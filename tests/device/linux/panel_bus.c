@@ -355,6 +355,11 @@ static void test_names_that_are_refused(void)
                          EINVAL);
         assert_non_null(strstr(message.text, names[i][1]));
     }
+    assert_int_equal(
+        pel_panel_parse(&request, "st7789,spi=a,dc=b,offset=0x20", &message),
+        0);
+    assert_int_equal(request.left, 0);
+    assert_int_equal(request.top, 20);
     static const char *const opened[][2] = {
         {"uc1701,spi=/dev/a,dc=GPIO25", "unknown panel 'uc1701'"},
         {"st7789,spi=/dev/a,dc=GPIO25,size=241x10", "beyond the memory"}};
