@@ -2,6 +2,7 @@
 #ifndef SIM_CLI_TEXT_LINE_H
 #define SIM_CLI_TEXT_LINE_H
 
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -18,6 +19,16 @@ enum text_line {
 
 /* The next line, without its \n, into text[size]. */
 enum text_line text_line_read(FILE *file, char *text, size_t size);
+
+/* All lines of a file. */
+struct text_lines {
+    char **text; /* each with its end of line */
+    size_t count;
+};
+
+/* "-" is standard input. False, with a message; text_lines_free in any case. */
+bool text_lines_read(struct text_lines *lines, const char *path);
+void text_lines_free(struct text_lines *lines);
 
 /* The first bytes of a file, at most size - 1 and with a 0 behind them; how
  * many, 0 when it cannot be read. */

@@ -220,8 +220,8 @@ static void explain_item(struct explanation *e, const struct script_item *item)
             printf("moved here");
         else
             print_paint(e, item, color);
-        printf(" over #%06x gives #%06x, %s value 0x%0*x\n",
-               (unsigned)before & 0xFFFFFF, (unsigned)after & 0xFFFFFF, "pixel",
+        printf(" over #%06x gives #%06x, pixel value 0x%0*x\n",
+               (unsigned)before & 0xFFFFFF, (unsigned)after & 0xFFFFFF,
                (format->bits + 3) / 4, (unsigned)format->pack(after));
     }
     explain_shape(e, item);

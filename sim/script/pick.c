@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "core/format/word.h"
+
 /* A format that keeps the colours that shapes bring, with their alpha, instead
  * of drawing them: a word each. */
 enum { SPY_FORMAT = 200 };
@@ -11,28 +13,24 @@ static uint32_t spy_word(uint32_t word)
     return word;
 }
 
-static uint32_t *spy_at(const struct pel_surface *s, int32_t x, int32_t y)
-{
-    return (uint32_t *)(void *)pel_surface_line(s, y) + (x - s->bounds.x0);
-}
-
 static void spy_fill(const struct pel_spans *spans, uint32_t color)
 {
     for (int32_t i = 0; i < spans->n; i++)
         for (int32_t x = spans->span[i].x0; x < spans->span[i].x1; x++)
-            *spy_at(spans->surface, x, spans->y + i * spans->step) = color;
+            *pel_address32(spans->surface, x, spans->y + i * spans->step) =
+                color;
 }
 
 static void spy_put(const struct pel_surface *s, int32_t x, int32_t y,
                     int32_t n, const pel_color *colors)
 {
-    memcpy(spy_at(s, x, y), colors, (size_t)n * sizeof(*colors));
+    memcpy(pel_address32(s, x, y), colors, (size_t)n * sizeof(*colors));
 }
 
 static void spy_load(const struct pel_surface *s, int32_t x, int32_t y,
                      int32_t n, pel_color *colors)
 {
-    memcpy(colors, spy_at(s, x, y), (size_t)n * sizeof(*colors));
+    memcpy(colors, pel_address32(s, x, y), (size_t)n * sizeof(*colors));
 }
 
 static const struct pel_format spy = {.id = SPY_FORMAT,

@@ -10,15 +10,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "sim/cli/list.h"
 #include "sim/cli/message.h"
 #include "sim/cli/output.h"
 #include "sim/cli/text_line.h"
-
-struct lines {
-    char **text; /* each with its end of line */
-    size_t count;
-};
 
 struct shrinking {
     char *command;   /* its output is not shown */
@@ -27,31 +21,8 @@ struct shrinking {
     int runs;
 };
 
-static bool read_lines(struct lines *lines, const char *path)
-{
-    char *text = NULL;
-    size_t size = 0;
-    FILE *file = file_open(path);
-    if (!file)
-        return false;
-    while (getline(&text, &size, file) > 0 &&
-           list_add(&lines->text, &lines->count, &text, sizeof text))
-        text = NULL;
-    free(text);
-    const bool whole = feof(file) && !ferror(file);
-    file_close(file);
-    return whole || message_error_at(path, 0, "cannot be read");
-}
-
-static void free_lines(struct lines *lines)
-{
-    for (size_t i = 0; i < lines->count; i++)
-        free(lines->text[i]);
-    free(lines->text);
-}
-
 /* All lines but those from `from` up to, not including, `to`. */
-static bool write_lines(const struct lines *lines, size_t from, size_t to,
+static bool write_lines(const struct text_lines *lines, size_t from, size_t to,
                         const char *path)
 {
     struct output output;
@@ -65,7 +36,7 @@ static bool write_lines(const struct lines *lines, size_t from, size_t to,
 
 /* The status of the command for these lines; -1, with a message, when it did
  * not run or was interrupted. */
-static int status_of(struct shrinking *s, const struct lines *lines,
+static int status_of(struct shrinking *s, const struct text_lines *lines,
                      size_t from, size_t to)
 {
     if (!write_lines(lines, from, to, s->candidate))
@@ -80,7 +51,7 @@ static int status_of(struct shrinking *s, const struct lines *lines,
     return -1;
 }
 
-static void leave_out(struct lines *lines, size_t from, size_t to)
+static void leave_out(struct text_lines *lines, size_t from, size_t to)
 {
     for (size_t i = from; i < to; i++)
         free(lines->text[i]);
@@ -90,8 +61,8 @@ static void leave_out(struct lines *lines, size_t from, size_t to)
 }
 
 /* Goes once through all parts of `size` lines. *less: some could go. */
-static bool try_parts(struct shrinking *s, struct lines *lines, size_t size,
-                      bool *less)
+static bool try_parts(struct shrinking *s, struct text_lines *lines,
+                      size_t size, bool *less)
 {
     *less = false;
     for (size_t end = lines->count; end > 0;) {
@@ -108,7 +79,8 @@ static bool try_parts(struct shrinking *s, struct lines *lines, size_t size,
     return true;
 }
 
-static bool shrink(struct shrinking *s, struct lines *lines, const char *path)
+static bool shrink(struct shrinking *s, struct text_lines *lines,
+                   const char *path)
 {
     bool less = false;
     s->status = status_of(s, lines, 0, 0);
@@ -134,7 +106,7 @@ static bool shrink(struct shrinking *s, struct lines *lines, const char *path)
 bool script_shrink(const char *path, const char *command, const char *output)
 {
     struct shrinking s = {NULL};
-    struct lines lines = {NULL, 0};
+    struct text_lines lines = {NULL, 0};
     const char *slash = strrchr(path, '/');
     if (asprintf(&s.candidate, "%.*s.pel-shrink-%ld.pel",
                  slash ? (int)(slash - path) + 1 : 0, path,
@@ -144,7 +116,7 @@ bool script_shrink(const char *path, const char *command, const char *output)
                  "set -- \"$PEL_CANDIDATE\"; exec >/dev/null 2>&1\n%s",
                  command) < 0)
         return message_error("out of memory");
-    bool done = read_lines(&lines, path);
+    bool done = text_lines_read(&lines, path);
     const size_t before = lines.count;
     done =
         done && shrink(&s, &lines, path) && write_lines(&lines, 0, 0, output);
@@ -154,6 +126,6 @@ bool script_shrink(const char *path, const char *command, const char *output)
     unlink(s.candidate);
     free(s.candidate);
     free(s.command);
-    free_lines(&lines);
+    text_lines_free(&lines);
     return done;
 }

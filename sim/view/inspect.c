@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "core/format/formats.h"
+#include "core/format/word.h"
 #include "core/image/glyph_text.h"
 #include "core/outline/outline.h"
 #include "core/raster/line.h"
@@ -20,11 +21,6 @@ const struct inspect_format inspect_formats[INSPECT_FORMATS] = {
 };
 
 /* The format of counts. */
-
-static uint32_t *count_at(const struct pel_surface *s, int32_t x, int32_t y)
-{
-    return (uint32_t *)(void *)pel_surface_line(s, y) + (x - s->bounds.x0);
-}
 
 /* Colours stay apart, so that gradients fill cell by cell. */
 static uint32_t color_word(pel_color color)
@@ -46,21 +42,21 @@ static void count_spans(const struct pel_spans *spans, uint32_t color)
     (void)color;
     for (int32_t i = 0; i < spans->n; i++)
         for (int32_t x = spans->span[i].x0; x < spans->span[i].x1; x++)
-            ++*count_at(spans->surface, x, spans->y + i * spans->step);
+            ++*pel_address32(spans->surface, x, spans->y + i * spans->step);
 }
 
 static void count_put(const struct pel_surface *s, int32_t x, int32_t y,
                       int32_t n, const pel_color *colors)
 {
     for (int32_t i = 0; i < n; i++)
-        *count_at(s, x + i, y) += pel_alpha(colors[i]) > 0;
+        *pel_address32(s, x + i, y) += pel_alpha(colors[i]) > 0;
 }
 
 static void heat_load(const struct pel_surface *s, int32_t x, int32_t y,
                       int32_t n, pel_color *colors)
 {
     for (int32_t i = 0; i < n; i++)
-        colors[i] = heat_color(*count_at(s, x + i, y));
+        colors[i] = heat_color(*pel_address32(s, x + i, y));
 }
 
 const struct pel_format inspect_heat = {.id = 201,

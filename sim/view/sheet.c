@@ -1,11 +1,9 @@
 #include "sim/view/sheet.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/cli/list.h"
 #include "sim/cli/message.h"
 #include "sim/font/asset.h"
 #include "sim/script/commands.h"
@@ -23,28 +21,6 @@ int sheet_count_shapes(const struct script *script, size_t items)
     for (size_t i = 0; i < items; i++)
         n += sheet_is_shape(&script->items[i]);
     return n;
-}
-
-static bool read_lines(struct sheet *s)
-{
-    char *text = NULL;
-    size_t size = 0;
-    FILE *file = fopen(s->path, "r");
-    if (!file)
-        return message_error_at(s->path, 0, "cannot be read: %s",
-                                strerror(errno));
-    while (getline(&text, &size, file) > 0) {
-        char **list = list_grow(s->line, s->lines, sizeof *list);
-        if (!list)
-            break;
-        s->line = list;
-        list[s->lines++] = text;
-        text = NULL;
-    }
-    free(text);
-    const bool whole = feof(file) && !ferror(file);
-    fclose(file);
-    return whole || message_error_at(s->path, 0, "cannot be read");
 }
 
 bool sheet_compose(struct sheet *s)
@@ -144,7 +120,8 @@ bool sheet_init(struct sheet *s, const char *path)
         .areas = {.window = 256},
     };
     if (path) {
-        if (!read_lines(s) || !script_load(&s->base, path, NULL))
+        if (!text_lines_read(&s->lines, path) ||
+            !script_load(&s->base, path, NULL))
             return false;
         s->shapes = sheet_count_shapes(&s->base, s->base.item_count);
     } else {
@@ -166,9 +143,7 @@ bool sheet_init(struct sheet *s, const char *path)
 
 void sheet_free(struct sheet *s)
 {
-    for (size_t i = 0; i < s->lines; i++)
-        free(s->line[i]);
-    free(s->line);
+    text_lines_free(&s->lines);
     free(s->style);
     free(s->drawn_style);
     font_asset_free(&s->font);

@@ -4,17 +4,17 @@
 #define SIM_VIEW_SHEET_H
 
 #include "drivers/dirty.h"
+#include "sim/cli/text_line.h"
 #include "sim/script/script.h"
 #include "sim/view/figures.h"
 #include "sim/view/inspect.h"
 #include "sim/view/show.h"
 
 struct sheet {
-    struct show show; /* first */
-    const char *path; /* NULL: the figures */
-    char **line;      /* of the file */
-    size_t lines;
-    struct style *style; /* of each shape, in the script's order */
+    struct show show;        /* first */
+    const char *path;        /* NULL: the figures */
+    struct text_lines lines; /* of the file */
+    struct style *style;     /* of each shape, in the script's order */
     int shapes;
     int picked;             /* a shape, or -1 */
     int width, height;      /* px of the window */

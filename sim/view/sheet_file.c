@@ -59,8 +59,8 @@ static void write_styled(FILE *out, const struct sheet *s, size_t line,
                                "option phase 0\n", "option cells 2048\n"};
     for (size_t i = 0; i < line; i++)
         for (int k = 0; k < NAMES; k++)
-            if (begins(s->line[i], names[k]))
-                last[k] = s->line[i];
+            if (begins(s->lines.text[i], names[k]))
+                last[k] = s->lines.text[i];
     const char *paint = last[0];
     const bool has_color = strchr(paint, '#') != NULL;
     const struct outline o = outline_of(s, item);
@@ -68,7 +68,7 @@ static void write_styled(FILE *out, const struct sheet *s, size_t line,
         style_recolor(out, style, paint);
     else
         style_write(out, style, &o);
-    fprintf(out, "%s\n", s->line[line]);
+    fprintf(out, "%s\n", s->lines.text[line]);
     for (int k = 0; k < NAMES; k++)
         fprintf(out, "%s\n", last[k]);
 }
@@ -77,7 +77,7 @@ void sheet_write_file(FILE *out, const struct sheet *s)
 {
     int shape = 0;
     size_t item = 0;
-    for (size_t i = 0; i < s->lines; i++) {
+    for (size_t i = 0; i < s->lines.count; i++) {
         const struct script *script = &s->base;
         while (item < script->item_count &&
                script->items[item].line < (long)i + 1)
@@ -92,7 +92,7 @@ void sheet_write_file(FILE *out, const struct sheet *s)
             (style->fill != FILL_OWN || style->alpha != 255 || style->marked))
             write_styled(out, s, i, style, at);
         else
-            fprintf(out, "%s\n", s->line[i]);
+            fprintf(out, "%s\n", s->lines.text[i]);
         if (at && at->command->role == SCRIPT_CANVAS &&
             inspect_formats[s->inspect.format].dithered)
             fputs("option dither on\n", out);

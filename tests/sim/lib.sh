@@ -32,3 +32,15 @@ refused_script() {
     [ "$(grep -cv '^    ' "$work/err")" = 1 ] || fail "more than one: $2"
     [ ! -e "$work/o.ppm" ] || fail "output in spite of: $2"
 }
+
+# refused_command TEXT COMMAND ARGUMENT...: status 2, the text among the errors,
+# nothing on standard output.
+refused_command() {
+    text=$1
+    shift
+    "$PEL" "$@" >"$work/out" 2>"$work/err"
+    got=$?
+    [ $got = 2 ] || fail "status $got for: $*"
+    grep -qF -- "$text" "$work/err" || fail "no '$text' in: $(cat "$work/err")"
+    [ ! -s "$work/out" ] || fail "output: $*"
+}

@@ -72,15 +72,7 @@ for scene in sim/scenes/*.pel; do
     done
 done
 
-refuse() { # TEXT ARGUMENT...
-    text=$1
-    shift
-    "$PEL" explain "$@" >"$work/out" 2>"$work/err"
-    got=$?
-    [ $got = 2 ] || fail "status $got for: $*"
-    grep -qF "$text" "$work/err" || fail "no '$text' in: $(cat "$work/err")"
-}
-refuse "X is '16': expected a pixel in 0..15" "$work/s.pel" 16 0
-refuse "Y is '-1': expected a pixel in 0..15" "$work/s.pel" -- 0 -1
-refuse '2 arguments: expected SCRIPT X Y' "$work/s.pel" 1
-refuse 'cannot be read' "$work/none.pel" 1 1
+refused_command "X is '16': expected a pixel in 0..15" explain "$work/s.pel" 16 0
+refused_command "Y is '-1': expected a pixel in 0..15" explain "$work/s.pel" -- 0 -1
+refused_command '2 arguments: expected SCRIPT X Y' explain "$work/s.pel" 1
+refused_command 'cannot be read' explain "$work/none.pel" 1 1

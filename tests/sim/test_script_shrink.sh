@@ -30,20 +30,11 @@ grep -q 'pel: .*s.pel: 4 of 56 lines are left, after [0-9]* runs' "$work/err" ||
     fail "not sector and arc: $(cat "$work/small.pel")"
 [ -z "$(find "$dir" -name '.pel*')" ] || fail "a file is left behind"
 
-refuse() { # TEXT ARGUMENT...
-    text=$1
-    shift
-    "$PEL" compare "$@" >"$work/out" 2>"$work/err"
-    got=$?
-    [ $got = 2 ] || fail "status $got for: $*"
-    grep -qF "$text" "$work/err" || fail "no '$text' in: $(cat "$work/err")"
-    [ ! -s "$work/out" ] || fail "output: $*"
-}
-refuse 'the command does not fail' --shrink "$dir/s.pel" --command true
-refuse 'did not end: Killed' --shrink "$dir/s.pel" --command 'kill -9 $$'
-refuse 'cannot be read' --shrink "$dir/none" --command false
-refuse 'expected A B, or --shrink SCRIPT' --shrink "$dir/s.pel"
-refuse 'expected A B, or --shrink SCRIPT' a.ppm
+refused_command 'the command does not fail' compare --shrink "$dir/s.pel" --command true
+refused_command 'did not end: Killed' compare --shrink "$dir/s.pel" --command 'kill -9 $$'
+refused_command 'cannot be read' compare --shrink "$dir/none" --command false
+refused_command 'expected A B, or --shrink SCRIPT' compare --shrink "$dir/s.pel"
+refused_command 'expected A B, or --shrink SCRIPT' compare a.ppm
 
 # The example of --help is a command as it is printed: bands are as the whole.
 cp "$dir/s.pel" "$work/BAD.pel"
