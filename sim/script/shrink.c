@@ -105,7 +105,7 @@ static bool shrink(struct shrinking *s, struct text_lines *lines,
 
 bool script_shrink(const char *path, const char *command, const char *output)
 {
-    struct shrinking s = {NULL};
+    struct shrinking s = {.runs = 0};
     struct text_lines lines = {NULL, 0};
     const char *slash = strrchr(path, '/');
     if (asprintf(&s.candidate, "%.*s.pel-shrink-%ld.pel",
