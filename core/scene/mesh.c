@@ -42,7 +42,7 @@ static bool sizes_legal(const struct pel_mesh *m)
 static enum pel_status check_indices(const struct pel_mesh *m,
                                      struct pel_mesh_fault *fault)
 {
-    struct pel_mesh_fault at = {0, 0};
+    struct pel_mesh_fault at = {0, 0, 0};
     uint32_t corner[3];
     for (; at.triangle < m->triangles; at.triangle++) {
         pel_mesh_corners(m, at.triangle, corner);
@@ -58,14 +58,40 @@ static enum pel_status check_indices(const struct pel_mesh *m,
     return PEL_OK;
 }
 
+/* The first part that ends before it begins, or as the last not where the mesh
+ * does; or their number. */
+static uint32_t wrong_part(const struct pel_mesh *m)
+{
+    uint32_t i = 0, vertices = 0, triangles = 0;
+    for (; i < m->parts; i++) {
+        const struct pel_mesh_part *p = &m->part[i];
+        const bool last = i + 1 == m->parts;
+        if (p->vertices < vertices || p->triangles < triangles ||
+            (last &&
+             (p->vertices != m->vertices || p->triangles != m->triangles)))
+            break;
+        vertices = p->vertices;
+        triangles = p->triangles;
+    }
+    return i;
+}
+
 enum pel_status pel_mesh_check(const struct pel_mesh *mesh,
                                struct pel_mesh_fault *fault)
 {
+    uint32_t part;
     if (!mesh || !mesh->positions ||
-        !mesh->indices8 + !mesh->indices16 + !mesh->indices32 != 2)
+        !mesh->indices8 + !mesh->indices16 + !mesh->indices32 != 2 ||
+        (mesh->parts && !mesh->part))
         return PEL_ERROR_NULL;
     if (!sizes_legal(mesh))
         return PEL_ERROR_SIZE;
+    part = wrong_part(mesh);
+    if (part < mesh->parts) {
+        if (fault)
+            *fault = (struct pel_mesh_fault){0, 0, part};
+        return PEL_ERROR_SIZE;
+    }
     return check_indices(mesh, fault);
 }
 

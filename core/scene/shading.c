@@ -68,7 +68,7 @@ static const struct pel_paint *flat_paint(struct pel_frame *frame,
     pel_frame_colors(frame, color);
     color[0] = color[1] = color[2] = mean_of(color);
     if (surface)
-        return frame->scene->texture->mapping->modulate(frame, surface, color);
+        return frame->mesh_texture->mapping->modulate(frame, surface, color);
     flat->paint = (struct pel_paint)PEL_PAINT(pel_flat_fill, pel_flat_fast);
     flat->color = color[0];
     return &flat->paint;
@@ -81,7 +81,7 @@ static const struct pel_paint *gouraud_paint(
     pel_color color[3];
     pel_frame_colors(frame, color);
     if (surface)
-        return frame->scene->texture->mapping->modulate(frame, surface, color);
+        return frame->mesh_texture->mapping->modulate(frame, surface, color);
     pel_frame_gouraud(frame, color, gouraud);
     return &gouraud->paint;
 }
