@@ -138,8 +138,10 @@ struct pel_shading {
 extern const struct pel_shading pel_shade_flat;
 extern const struct pel_shading pel_shade_gouraud;
 
-/* The same with light at the vertices (light.h). A texture that is mapped to
- * every pixel is multiplied by the light on white, highlights too. */
+/* The same with light (light.h): Gouraud's at the vertices; flat, at the middle
+ * of the triangle with its own normal, so that the mesh needs none. A texture
+ * that is mapped to every pixel is multiplied by the light on white, highlights
+ * too. */
 extern const struct pel_shading pel_shade_lit_flat;
 extern const struct pel_shading pel_shade_lit_gouraud;
 
