@@ -68,7 +68,7 @@ static enum pel_status project_parts(struct pel_frame *frame)
         frame->fault.part = part;
         if (status != PEL_OK)
             return status;
-        frame->translucent |= !frame->opaque;
+        frame->translucent |= !frame->solid;
         project_vertices(frame, begin, end);
         begin = end;
     } while (++part < mesh->parts);
@@ -229,7 +229,7 @@ static void draw_entry(struct pel_frame *frame, uint32_t triangle)
     pel_frame_find_part(frame, triangle);
     if (frame->alpha == 0 ||
         (frame->pass == PEL_PASS_FIRST && frame->alpha < 255) ||
-        (frame->pass == PEL_PASS_TRANSLUCENT && frame->opaque))
+        (frame->pass == PEL_PASS_TRANSLUCENT && frame->solid))
         return;
     const struct pel_point *at = frame->work->triangle.at;
     struct pel_clip_corner *const *corner = frame->work->clip.polygon[0];
