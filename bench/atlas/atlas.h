@@ -5,7 +5,18 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include <pel/base/point.h>
+#include <pel/base/rect.h>
+
 #include "../method.h"
+
+/* The smallest triangle that a method draws wrong. */
+struct wrong {
+    struct pel_point v[3];
+    int32_t size;           /* 1/256 px; 0: there is none */
+    int32_t x, y;           /* its first wrong pixel */
+    struct pel_rect bounds; /* where it was drawn */
+};
 
 /* A run of one case. */
 struct atlas {
@@ -14,7 +25,8 @@ struct atlas {
     bool quick;           /* fewer samples */
     const char *smallest; /* the method whose smallest wrong triangle is
                              printed instead of figures; NULL: figures */
-    int broken;           /* promises of Pel that did not hold */
+    struct wrong wrong;
+    int broken; /* promises of Pel that did not hold */
 };
 
 struct figure {

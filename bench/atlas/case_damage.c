@@ -13,13 +13,12 @@ enum { ORIGIN = 1000, MARGIN = 4 };
 
 enum { PASS = 64, REPEATS = 15 };
 
-static void open_around(struct sheet *s, const struct place *p)
+static void open_around(struct sheet *s, struct atlas *a, const struct place *p)
 {
     const struct pel_rect bounds = {p->x - MARGIN, p->y - MARGIN,
                                     p->x + p->edge + MARGIN,
                                     p->y + p->edge + MARGIN};
-    memset(s, 0, sizeof *s);
-    sheet_open(s, bounds);
+    sheet_open(s, a, bounds);
 }
 
 static int samples(const struct atlas *a, const struct place *p)
@@ -36,21 +35,19 @@ static void put_damage(struct atlas *a, const struct fill_method *m,
     struct tally any = {0}, tied = {0};
     struct random r = atlas_random(a, (uint32_t)p->edge);
     struct pel_point v[3];
-    open_around(&s, p);
+    open_around(&s, a, p);
     for (int n = samples(a, p); n > 0; n--) {
         any_triangle(&r, p, v);
         sheet_judge(&s, m, v, &any);
     }
-    sheet_report(a, &s, m, &any,
-                 (struct figure){.x = p->edge, .metric = "wrong_ppm"});
+    tally_put(a, m, &any, (struct figure){.x = p->edge, .metric = "wrong_ppm"});
     atlas_put(a, figure_of(m->name, p->edge, "damaged_percent",
                            100 * any.damaged / any.triangles, "%"));
     for (int n = samples(a, p) / 2; n > 0; n--) {
         tied_triangle(&r, p, v);
         sheet_judge(&s, m, v, &tied);
     }
-    sheet_report(a, &s, m, &tied,
-                 (struct figure){.x = p->edge, .metric = "ties_ppm"});
+    tally_put(a, m, &tied, (struct figure){.x = p->edge, .metric = "ties_ppm"});
     sheet_close(&s);
 }
 
@@ -95,7 +92,7 @@ static void put_mesh(struct atlas *a, const struct fill_method *m, int32_t cell)
     const int32_t n = cell <= 32 ? 64 / cell + 4 : 2;
     struct grid g = {{ORIGIN, ORIGIN, n * cell}, n, NULL};
     struct pel_point v[3];
-    open_around(&s, &g.place);
+    open_around(&s, a, &g.place);
     g.vertex = method_allocate((n + 1) * (n + 1), sizeof *g.vertex);
     const int32_t width = g.place.edge + 2 * MARGIN;
     uint8_t *hits = method_allocate(width, (size_t)width);
@@ -127,7 +124,7 @@ static void put_time(struct atlas *a, const struct fill_method *m,
     struct random r = atlas_random(a, (uint32_t)p->edge);
     struct pel_point v[PASS][3];
     double ns[REPEATS];
-    open_around(&s, p);
+    open_around(&s, a, p);
     for (int i = 0; i < PASS; i++)
         any_triangle(&r, p, v[i]);
     time_pass(m, &s.surface, v);

@@ -68,6 +68,17 @@ void thin_triangle(struct random *r, const struct place *p,
     }
 }
 
+struct pel_point far_triangle(struct random *r, int32_t edge,
+                              struct pel_point v[3])
+{
+    const struct place p = {-(edge + 1) / 2, -(edge + 1) / 2, edge};
+    any_triangle(r, &p, v);
+    const double t = random_between(r, 0, 1000) / 1000.0;
+    const double x = v[0].x + t * (v[1].x - v[0].x);
+    const double y = v[0].y + t * (v[1].y - v[0].y);
+    return (struct pel_point){(int32_t)floor(x / 256), (int32_t)floor(y / 256)};
+}
+
 void grid_make(struct random *r, struct grid *g)
 {
     const int32_t cell = g->place.edge / g->n;

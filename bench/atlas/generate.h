@@ -20,13 +20,18 @@ void any_triangle(struct random *r, const struct place *p,
 void tied_triangle(struct random *r, const struct place *p,
                    struct pel_point v[3]);
 
-/* A long edge of `length` px and a third vertex at most `thickness` sub-pixels
+/* A long edge of `length` px and a third vertex `thickness` sub-pixels
  * off it. */
 struct thin {
     int32_t length, thickness;
 };
 void thin_triangle(struct random *r, const struct place *p,
                    const struct thin *thin, struct pel_point v[3]);
+
+/* Edges that go anywhere in a square of `edge` px around the middle of the
+ * range, the largest 65,535 px; a point of one of them, px. */
+struct pel_point far_triangle(struct random *r, int32_t edge,
+                              struct pel_point v[3]);
 
 /* A mesh over the whole square, of n x n cells: vertices on half pixels. A cell
  * is two triangles; the mesh holds each pixel once. */

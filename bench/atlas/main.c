@@ -58,6 +58,27 @@ static int list(void)
     return 0;
 }
 
+/* A scene script, moved by whole pixels to a canvas of its own. */
+static void print_wrong(const struct atlas *a)
+{
+    const struct pel_point *v = a->wrong.v;
+    const int32_t left = a->wrong.bounds.x0, top = a->wrong.bounds.y0;
+    if (a->wrong.size == 0) {
+        fprintf(stderr, "pel-atlas: %s draws no triangle of %s wrong\n",
+                a->smallest, a->name);
+        return;
+    }
+    printf("# The smallest triangle of %s that is drawn wrong by %s,\n"
+           "# %d %d px from here; its first wrong pixel is %d %d.\n",
+           a->name, a->smallest, (int)left, (int)top, (int)(a->wrong.x - left),
+           (int)(a->wrong.y - top));
+    printf("canvas %d %d xrgb8888\nclear #000000\npaint flat #ffffff\ntriangle",
+           (int)(a->wrong.bounds.x1 - left), (int)(a->wrong.bounds.y1 - top));
+    for (int i = 0; i < 3; i++)
+        printf(" %.8f %.8f", v[i].x / 256.0 - left, v[i].y / 256.0 - top);
+    printf("\n");
+}
+
 static int run(struct atlas *a)
 {
     for (const struct atlas_case *c = atlas_cases; c->name; c++) {
@@ -66,6 +87,8 @@ static int run(struct atlas *a)
         if (!a->smallest)
             puts("case,method,x,y,metric,value,low,high,unit,command");
         c->run(a);
+        if (a->smallest)
+            print_wrong(a);
         if (fflush(stdout))
             method_fail("standard output", "write to a disk with free space");
         return a->broken != 0;

@@ -13,11 +13,11 @@ static int64_t ceiling(int64_t n, int64_t d)
 }
 
 /* The centre of row y lies between the ends of an edge a, b with the weight t
- * of b, 0 <= t < 1: the first pixel on or right of it has 256 x + 128 >= a.x +
- * t (b.x - a.x). |a.x| dy + |dx| dy < 2^50. */
-struct pel_span exact_row(const struct pel_point v[3], int32_t y)
+ * of b, 0 <= t < 1: the first pixel on or right of it has x + 1/2 >= a.x + t
+ * (b.x - a.x). |a.x| dy + |dx| dy < 2^53 in 2^-16 px up to 1,024 px, too. */
+struct pel_span exact_row(const struct pel_point v[3], int32_t y, int bits)
 {
-    const int64_t center = 256 * (int64_t)y + 128;
+    const int64_t one = (int64_t)1 << bits, center = one * y + one / 2;
     struct pel_span row = {INT32_MAX, INT32_MIN};
     for (int i = 0; i < 3; i++) {
         const struct pel_point *a = &v[i], *b = &v[(i + 1) % 3];
@@ -30,21 +30,31 @@ struct pel_span exact_row(const struct pel_point v[3], int32_t y)
             continue;
         const int64_t dy = b->y - a->y;
         const int64_t n =
-            ((int64_t)a->x - 128) * dy + (center - a->y) * (b->x - a->x);
-        const int32_t x = (int32_t)ceiling(n, 256 * dy);
+            (a->x - one / 2) * dy + (center - a->y) * (b->x - a->x);
+        const int32_t x = (int32_t)ceiling(n, one * dy);
         row.x0 = x < row.x0 ? x : row.x0;
         row.x1 = x > row.x1 ? x : row.x1;
     }
     return row;
 }
 
-void sheet_open(struct sheet *s, struct pel_rect b)
+void sheet_open(struct sheet *s, struct atlas *a, struct pel_rect b)
 {
     const size_t size = (size_t)((b.x1 - b.x0) * (b.y1 - b.y0)) * 4;
+    s->atlas = a;
     s->pixels = method_allocate(1, size);
-    s->smallest_size = INT32_MAX;
     if (pel_surface_init(&s->surface, &pel_xrgb8888, s->pixels, size, &b))
         method_fail("a sheet is not a surface", "take legal bounds");
+}
+
+void sheet_move(struct sheet *s, int32_t x, int32_t y)
+{
+    struct pel_rect *b = &s->surface.bounds;
+    b->x1 += x - b->x0;
+    b->y1 += y - b->y0;
+    b->x0 = x;
+    b->y0 = y;
+    s->surface.clip = *b;
 }
 
 void sheet_close(struct sheet *s)
@@ -61,16 +71,23 @@ static int32_t size_of(const struct pel_point v[3])
 }
 
 /* Keeps the triangle if it is the smallest. */
-static void note_wrong(struct sheet *s, const struct pel_point v[3], int32_t x,
-                       int32_t y)
+static void note_wrong(const struct sheet *s, const struct pel_point v[3],
+                       int32_t x, int32_t y)
 {
+    enum { AROUND = 2 };
+    struct wrong *w = &s->atlas->wrong;
     const int32_t size = size_of(v);
-    if (size >= s->smallest_size)
+    if (w->size > 0 && size >= w->size)
         return;
-    s->smallest_size = size;
-    memcpy(s->smallest, v, sizeof s->smallest);
-    s->wrong_x = x;
-    s->wrong_y = y;
+    w->size = size;
+    memcpy(w->v, v, sizeof w->v);
+    w->x = x;
+    w->y = y;
+    w->bounds = fill_box(&s->surface, v);
+    w->bounds.x0 -= AROUND;
+    w->bounds.y0 -= AROUND;
+    w->bounds.x1 += AROUND;
+    w->bounds.y1 += AROUND;
 }
 
 /* Wrong pixels of a row, which is cleared; the first one to *first. */
@@ -102,12 +119,13 @@ void sheet_judge(struct sheet *s, const struct fill_method *m,
     }
     m->draw(&s->surface, kept, DRAWN);
     for (int32_t y = b->y0; y < b->y1; y++) {
-        const struct pel_span exact = exact_row(kept, y);
+        const struct pel_span exact = exact_row(kept, y, 8);
         const int32_t x0 = pel_max(exact.x0, b->x0);
         const int32_t x1 = pel_min(exact.x1, b->x1);
         int32_t first = 0;
         const int32_t more = row_wrong(&s->surface, y, exact, &first);
-        if (more)
+        if (more && s->atlas->smallest &&
+            strcmp(m->name, s->atlas->smallest) == 0)
             note_wrong(s, kept, first, y);
         wrong += more;
         t->covered += x1 > x0 ? x1 - x0 : 0;
@@ -117,28 +135,8 @@ void sheet_judge(struct sheet *s, const struct fill_method *m,
     t->triangles++;
 }
 
-/* On a canvas of its own, which shows what the sheet does. */
-static void print_smallest(const struct sheet *s, const struct fill_method *m)
-{
-    const struct pel_point *v = s->smallest;
-    const struct pel_rect box = fill_box(&s->surface, v);
-    const int32_t left = box.x0 - 2, top = box.y0 - 2;
-    printf(
-        "# The smallest triangle of the case that is drawn wrong by: %s.\n"
-        "# It fails at an offset of %d %d px; its first wrong pixel is %d %d "
-        "here.\n",
-        m->name, (int)left, (int)top, (int)(s->wrong_x - left),
-        (int)(s->wrong_y - top));
-    printf("canvas %d %d xrgb8888\nclear #000000\npaint flat #ffffff\ntriangle",
-           (int)(box.x1 - left + 2), (int)(box.y1 - top + 2));
-    for (int i = 0; i < 3; i++)
-        printf(" %.8f %.8f", v[i].x / 256.0 - left, v[i].y / 256.0 - top);
-    printf("\n");
-}
-
-void sheet_report(struct atlas *a, const struct sheet *s,
-                  const struct fill_method *m, const struct tally *t,
-                  struct figure f)
+void tally_put(struct atlas *a, const struct fill_method *m,
+               const struct tally *t, struct figure f)
 {
     f.method = m->name;
     f.value = t->covered > 0 ? 1e6 * t->wrong / t->covered : 0;
@@ -146,7 +144,4 @@ void sheet_report(struct atlas *a, const struct sheet *s,
     atlas_put(a, f);
     if (fill_is_pel(m))
         atlas_promise(a, t->wrong == 0, &f);
-    if (a->smallest && strcmp(a->smallest, m->name) == 0 &&
-        s->smallest_size < INT32_MAX)
-        print_smallest(s, m);
 }

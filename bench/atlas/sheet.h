@@ -5,19 +5,21 @@
 #include "../methods/fill.h"
 #include "atlas.h"
 
-/* The pixels of row y that the triangle covers, by exact 64-bit arithmetic. */
-struct pel_span exact_row(const struct pel_point v[3], int32_t y);
+/* The pixels of row y that the triangle covers, by exact 64-bit arithmetic;
+ * vertices in 2^-bits px. */
+struct pel_span exact_row(const struct pel_point v[3], int32_t y, int bits);
 
 struct sheet {
     struct pel_surface surface; /* xrgb8888, all 0 between triangles */
     uint32_t *pixels;
-    struct pel_point smallest[3]; /* of the wrong triangles */
-    int32_t smallest_size;        /* sub-pixels; INT32_MAX: there is none */
-    int32_t wrong_x, wrong_y;     /* its first wrong pixel */
+    struct atlas *atlas;
 };
 
-void sheet_open(struct sheet *s, struct pel_rect bounds);
+void sheet_open(struct sheet *s, struct atlas *a, struct pel_rect bounds);
 void sheet_close(struct sheet *s);
+
+/* Shows other pixels, as many. */
+void sheet_move(struct sheet *s, int32_t x, int32_t y);
 
 /* What a method did to many triangles. */
 struct tally {
@@ -30,11 +32,9 @@ struct tally {
 void sheet_judge(struct sheet *s, const struct fill_method *m,
                  const struct pel_point v[3], struct tally *t);
 
-/* Puts metric `wrong_ppm`, or another name for it, promises 0 of Pel, and
- * prints the smallest wrong triangle when the run asks for that of the method.
- */
-void sheet_report(struct atlas *a, const struct sheet *s,
-                  const struct fill_method *m, const struct tally *t,
-                  struct figure f);
+/* Puts the wrong pixels of all, in ppm, with x, y and metric of `f`; promises 0
+ * of Pel. */
+void tally_put(struct atlas *a, const struct fill_method *m,
+               const struct tally *t, struct figure f);
 
 #endif
