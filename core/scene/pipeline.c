@@ -29,60 +29,24 @@ size_t pel_scene_scratch_size(const struct pel_scene *scene)
     return scene && scene->mesh ? parts_of(scene).end : 0;
 }
 
-/* True when all numbers of uv mean points within 2^22 texels: they are below
- * 2^31, and less than 2^21 texels a whole number of pictures away. */
-static bool uv_legal(const struct pel_quantization *q, int32_t texels)
-{
-    const int32_t u = q->offset[0], v = q->offset[1];
-    const uint32_t most =
-        (uint32_t)((u ^ u >> 31) | (v ^ v >> 31)) + 65535 * (uint32_t)q->step;
-    if (q->shift < 0)
-        return false;
-    const uint32_t pictures = most >> pel_min(q->shift, 31);
-    return pictures < 65536 && pictures * (uint32_t)texels < UINT32_C(1) << 21;
-}
-
-static enum pel_status start_texture(struct pel_frame *frame)
-{
-    const struct pel_mesh_texture *t = frame->scene->texture;
-    static const struct pel_texture_map none = {{0, 0, 0}, {0, 0, 0}};
-    if (!t)
-        return PEL_OK;
-    if (!t->mapping || !t->sampler || !frame->scene->mesh->uv)
-        return PEL_ERROR_NULL;
-    if ((uint32_t)t->span > PEL_SPAN_MAX || (t->span & (t->span - 1)))
-        return PEL_ERROR_RANGE;
-    const enum pel_status status =
-        t->sampler(&frame->texture, &t->texels, &none);
-    frame->texture.wrap_u = (uint8_t)t->wrap_u;
-    frame->texture.wrap_v = (uint8_t)t->wrap_v;
-    if (status != PEL_OK)
-        return status;
-    if (!uv_legal(&frame->scene->mesh->texture,
-                  frame->texture.width | frame->texture.height))
-        return PEL_ERROR_RANGE;
-    if (t->mapping->surface)
-        frame->opaque &= frame->texture.base.opaque;
-    return PEL_OK;
-}
-
 static pel_color surface_color(const struct pel_frame *frame, uint32_t vertex)
 {
-    const struct pel_scene *s = frame->scene;
-    if (s->texture)
-        return s->texture->mapping->vertex
-                   ? s->texture->mapping->vertex(frame, vertex)
-                   : UINT32_C(0xFFFFFFFF);
-    if (!s->mesh->colors)
-        return s->color;
-    const uint8_t *c = s->mesh->colors[vertex];
+    const struct pel_mesh_texture *t = frame->mesh_texture;
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    if (t)
+        return t->mapping->vertex ? t->mapping->vertex(frame, vertex)
+                                  : UINT32_C(0xFFFFFFFF);
+    if (!mesh->colors)
+        return frame->color;
+    const uint8_t *c = mesh->colors[vertex];
     return PEL_RGB(c[0], c[1], c[2]);
 }
 
-static void project_vertices(struct pel_frame *frame)
+static void project_vertices(struct pel_frame *frame, uint32_t begin,
+                             uint32_t end)
 {
     const struct pel_scene *s = frame->scene;
-    for (uint32_t i = 0; i < s->mesh->vertices; i++) {
+    for (uint32_t i = begin; i < end; i++) {
         struct pel_frame_vertex *v = &frame->vertex[i];
         pel_project(&frame->projector, s->mesh->positions[i], &v->at);
         v->color = surface_color(frame, i);
@@ -90,6 +54,25 @@ static void project_vertices(struct pel_frame *frame)
             v->color = s->shading->vertex(frame, i, v->color);
         v->color = (v->color & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
     }
+}
+
+/* Checks every part, and projects its vertices. */
+static enum pel_status project_parts(struct pel_frame *frame)
+{
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    uint32_t begin = 0, part = 0;
+    do {
+        const uint32_t end =
+            mesh->parts ? mesh->part[part].vertices : mesh->vertices;
+        const enum pel_status status = pel_frame_set_part(frame, part);
+        frame->fault.part = part;
+        if (status != PEL_OK)
+            return status;
+        frame->translucent |= !frame->opaque;
+        project_vertices(frame, begin, end);
+        begin = end;
+    } while (++part < mesh->parts);
+    return PEL_OK;
 }
 
 enum taken { BEHIND, WHOLE, CUT };
@@ -164,11 +147,9 @@ static enum pel_status start(struct pel_frame *frame)
         status = pel_projector_init(&frame->projector, s->mesh,
                                     s->pose ? s->pose : &pel_pose_none,
                                     &s->camera, &s->viewport);
-    if (status == PEL_OK)
-        status = start_texture(frame);
     if (status == PEL_OK && s->shading->start)
         status = s->shading->start(frame);
-    return status;
+    return status == PEL_OK ? project_parts(frame) : status;
 }
 
 enum pel_status pel_scene_prepare(struct pel_frame *frame,
@@ -184,8 +165,8 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
         return PEL_ERROR_SCRATCH;
     frame->scene = scene;
     frame->filter = NULL;
-    frame->alpha = (uint8_t)(255 - scene->transparency);
-    frame->opaque = frame->alpha == 255;
+    frame->pass = PEL_PASS_ALL;
+    frame->translucent = false;
     frame->work = scratch;
     frame->lights.light = (void *)((uint8_t *)scratch + WORK_SIZE);
     frame->vertex = (void *)((uint8_t *)scratch + part.vertices);
@@ -193,7 +174,6 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
     const enum pel_status status = start(frame);
     if (status != PEL_OK)
         return status;
-    project_vertices(frame);
     list_triangles(frame);
     if (scene->sort)
         scene->sort(frame->order, frame->triangles);
@@ -204,7 +184,7 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
 static void draw_triangle(struct pel_frame *frame)
 {
     struct pel_frame_work *work = frame->work;
-    const struct pel_mesh_texture *texture = frame->scene->texture;
+    const struct pel_mesh_texture *texture = frame->mesh_texture;
     const struct pel_color_paint *surface = NULL;
     work->triangle.is_set_up = false;
     if (texture && texture->mapping->surface)
@@ -246,6 +226,11 @@ static int32_t clip(struct pel_frame *frame)
 /* Draws what is left of a triangle as a fan around its first corner. */
 static void draw_entry(struct pel_frame *frame, uint32_t triangle)
 {
+    pel_frame_find_part(frame, triangle);
+    if (frame->alpha == 0 ||
+        (frame->pass == PEL_PASS_FIRST && frame->alpha < 255) ||
+        (frame->pass == PEL_PASS_TRANSLUCENT && frame->opaque))
+        return;
     const struct pel_point *at = frame->work->triangle.at;
     struct pel_clip_corner *const *corner = frame->work->clip.polygon[0];
     int32_t depth, n = 3;
@@ -262,7 +247,7 @@ static void draw_entry(struct pel_frame *frame, uint32_t triangle)
 
 void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface)
 {
-    if (frame->triangles == 0 || frame->alpha == 0)
+    if (frame->triangles == 0)
         return;
     struct pel_surface *target = &frame->work->surface;
     pel_clip_start(&frame->work->clip);
