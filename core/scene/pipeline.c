@@ -79,16 +79,14 @@ static pel_color surface_color(const struct pel_frame *frame, uint32_t vertex)
     return PEL_RGB(c[0], c[1], c[2]);
 }
 
+/* Colors are those of color_vertices: 0 until then. */
 static void project_vertices(struct pel_frame *frame)
 {
-    const struct pel_scene *s = frame->scene;
-    for (uint32_t i = 0; i < s->mesh->vertices; i++) {
-        struct pel_frame_vertex *v = &frame->vertex[i];
-        pel_project(&frame->projector, s->mesh->positions[i], &v->at);
-        v->color = surface_color(frame, i);
-        if (s->shading->vertex)
-            v->color = s->shading->vertex(frame, i, v->color);
-        v->color = (v->color & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    for (uint32_t i = 0; i < mesh->vertices; i++) {
+        pel_project(&frame->projector, mesh->positions[i],
+                    &frame->vertex[i].at);
+        frame->vertex[i].color = 0;
     }
 }
 
@@ -141,6 +139,22 @@ static bool is_shown(const struct pel_frame *frame,
            pel_side_drawn(frame->scene->cull, pel_triangle_area(at));
 }
 
+/* Colors the vertices of a triangle that have none yet; nothing is drawn with
+ * alpha 0. */
+static void color_vertices(struct pel_frame *frame, const uint32_t vertex[3])
+{
+    const struct pel_shading *shading = frame->scene->shading;
+    for (int k = 0; k < 3; k++) {
+        pel_color *const color = &frame->vertex[vertex[k]].color;
+        if (*color)
+            continue;
+        *color = surface_color(frame, vertex[k]);
+        if (shading->vertex)
+            *color = shading->vertex(frame, vertex[k], *color);
+        *color = (*color & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
+    }
+}
+
 static void list_triangles(struct pel_frame *frame)
 {
     struct pel_depth_entry *entry = frame->order;
@@ -148,10 +162,12 @@ static void list_triangles(struct pel_frame *frame)
     for (uint32_t i = 0; i < n; i++) {
         const enum taken taken = take(frame, i, &entry->depth);
         entry->index = i;
-        if (taken == CUT ||
-            (taken == WHOLE && is_shown(frame, frame->work->triangle.at,
-                                        &frame->scene->viewport)))
-            entry++;
+        if (taken == BEHIND ||
+            (taken == WHOLE && !is_shown(frame, frame->work->triangle.at,
+                                         &frame->scene->viewport)))
+            continue;
+        color_vertices(frame, frame->work->triangle.vertex);
+        entry++;
     }
     frame->triangles = (uint32_t)(entry - frame->order);
 }
