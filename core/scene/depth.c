@@ -173,6 +173,9 @@ static int32_t nearness(const struct pel_projector *p, int32_t z)
     return q < PEL_DEPTH_NEAR ? (int32_t)q : PEL_DEPTH_NEAR;
 }
 
+/* Planes are off by less than 2^-17 of 2^30. */
+enum { SURELY_ABOVE_0 = 1 << 14 };
+
 static const struct pel_paint *filter(struct pel_frame *frame,
                                       const struct pel_paint *paint)
 {
@@ -184,6 +187,8 @@ static const struct pel_paint *filter(struct pel_frame *frame,
                            frame->work->triangle.corner[i]->position[2]);
     pel_plane_set(&plane, pel_frame_setup(frame), near);
     pel_depth_paint_init(p, paint, p->depth, &plane, frame->opaque);
+    if (pel_min(pel_min(near[0], near[1]), near[2]) >= SURELY_ABOVE_0)
+        p->base.paint = (struct pel_paint)PEL_PAINT(fill, pel_depth_fast);
     return &p->base.paint;
 }
 

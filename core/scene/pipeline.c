@@ -79,7 +79,6 @@ static pel_color surface_color(const struct pel_frame *frame, uint32_t vertex)
     return PEL_RGB(c[0], c[1], c[2]);
 }
 
-/* Colors are those of color_vertices: 0 until then. */
 static void project_vertices(struct pel_frame *frame)
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
@@ -90,9 +89,22 @@ static void project_vertices(struct pel_frame *frame)
     }
 }
 
+pel_color pel_frame_color(const struct pel_frame *frame, uint32_t vertex)
+{
+    const struct pel_shading *shading = frame->scene->shading;
+    pel_color color = frame->vertex[vertex].color;
+    if (color)
+        return color;
+    color = surface_color(frame, vertex);
+    if (shading->vertex)
+        color = shading->vertex(frame, vertex, color);
+    color = (color & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
+    return frame->vertex[vertex].color = color;
+}
+
 enum taken { BEHIND, WHOLE, CUT };
 
-/* Sets the work's triangle to one of the mesh: `at` is right when WHOLE is
+/* Sets the work's triangle to one of the mesh: it is right when WHOLE is
  * returned; clip->corner and polygon 0 get its corners with z alone, and
  * `depth` the sum of the three z. */
 static enum taken take(const struct pel_frame *frame, uint32_t triangle,
@@ -110,9 +122,11 @@ static enum taken take(const struct pel_frame *frame, uint32_t triangle,
         before |= v->z >= frame->projector.near_coarse;
         t->at[i] = (struct pel_point){v->x, v->y};
         clip->polygon[0][i] = c;
+        t->corner[i] = c;
         c->position[2] = v->z;
         *depth += v->z;
     }
+    t->is_whole = !cut;
     return !before ? BEHIND : cut ? CUT : WHOLE;
 }
 
@@ -139,22 +153,6 @@ static bool is_shown(const struct pel_frame *frame,
            pel_side_drawn(frame->scene->cull, pel_triangle_area(at));
 }
 
-/* Colors the vertices of a triangle that have none yet; nothing is drawn with
- * alpha 0. */
-static void color_vertices(struct pel_frame *frame, const uint32_t vertex[3])
-{
-    const struct pel_shading *shading = frame->scene->shading;
-    for (int k = 0; k < 3; k++) {
-        pel_color *const color = &frame->vertex[vertex[k]].color;
-        if (*color)
-            continue;
-        *color = surface_color(frame, vertex[k]);
-        if (shading->vertex)
-            *color = shading->vertex(frame, vertex[k], *color);
-        *color = (*color & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
-    }
-}
-
 static void list_triangles(struct pel_frame *frame)
 {
     struct pel_depth_entry *entry = frame->order;
@@ -166,7 +164,8 @@ static void list_triangles(struct pel_frame *frame)
             (taken == WHOLE && !is_shown(frame, frame->work->triangle.at,
                                          &frame->scene->viewport)))
             continue;
-        color_vertices(frame, frame->work->triangle.vertex);
+        for (int k = 0; k < 3; k++)
+            pel_frame_color(frame, frame->work->triangle.vertex[k]);
         entry++;
     }
     frame->triangles = (uint32_t)(entry - frame->order);
@@ -260,18 +259,16 @@ static int32_t clip(struct pel_frame *frame)
 }
 
 /* Draws what is left of a triangle as a fan around its first corner. */
-static void draw_entry(struct pel_frame *frame, uint32_t triangle)
+static void draw_cut(struct pel_frame *frame)
 {
-    const struct pel_point *at = frame->work->triangle.at;
     struct pel_clip_corner *const *corner = frame->work->clip.polygon[0];
-    int32_t depth, n = 3;
-    if (take(frame, triangle, &depth) == CUT)
-        n = clip(frame);
+    const int32_t n = clip(frame);
     for (int32_t i = 2; i < n; i++) {
         pel_frame_set_corner(frame, 0, corner[0]);
         pel_frame_set_corner(frame, 1, corner[i - 1]);
         pel_frame_set_corner(frame, 2, corner[i]);
-        if (is_shown(frame, at, &frame->work->surface.clip))
+        if (is_shown(frame, frame->work->triangle.at,
+                     &frame->work->surface.clip))
             draw_triangle(frame);
     }
 }
@@ -286,6 +283,12 @@ void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface)
     target->clip = pel_rect_intersect(&surface->clip, &frame->scene->viewport);
     if (pel_rect_empty(&target->clip))
         return;
-    for (uint32_t i = 0; i < frame->triangles; i++)
-        draw_entry(frame, frame->order[i].index);
+    const bool all = pel_rect_inside(&frame->scene->viewport, &surface->clip);
+    for (uint32_t i = 0; i < frame->triangles; i++) {
+        int32_t depth;
+        if (take(frame, frame->order[i].index, &depth) == CUT)
+            draw_cut(frame);
+        else if (all || is_shown(frame, frame->work->triangle.at, &target->clip))
+            draw_triangle(frame);
+    }
 }
