@@ -173,6 +173,9 @@ static int32_t nearness(const struct pel_projector *p, int32_t z)
     return q < PEL_DEPTH_NEAR ? (int32_t)q : PEL_DEPTH_NEAR;
 }
 
+/* Planes are off by less than 2^-17 of 2^30. */
+enum { SURELY_ABOVE_0 = 1 << 14 };
+
 static const struct pel_paint *filter(struct pel_frame *frame,
                                       const struct pel_paint *paint)
 {
@@ -188,6 +191,8 @@ static const struct pel_paint *filter(struct pel_frame *frame,
     /* Of a paint whose colors have any alpha, the opaque ones. */
     if (p->keeps && !frame->opaque)
         pel_color_paint_init(&p->base, colors, false);
+    else if (pel_min(pel_min(near[0], near[1]), near[2]) >= SURELY_ABOVE_0)
+        p->base.paint = (struct pel_paint)PEL_PAINT(fill, pel_depth_fast);
     return &p->base.paint;
 }
 

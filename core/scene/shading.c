@@ -4,7 +4,9 @@ void pel_corners_mix(const struct pel_frame_triangle *triangle,
                      const int32_t vertex[3], int32_t corner[3])
 {
     for (int i = 0; i < 3; i++)
-        corner[i] = pel_weighted(triangle->corner[i]->weight, vertex);
+        corner[i] = triangle->is_whole
+                        ? vertex[i]
+                        : pel_weighted(triangle->corner[i]->weight, vertex);
 }
 
 const struct pel_plane_setup *pel_frame_setup(struct pel_frame *frame)
@@ -23,18 +25,20 @@ void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
     pel_plane_set(plane, pel_frame_setup(frame), corner);
 }
 
-/* The lower 32 bits of a plane are what struct pel_gouraud has. */
+/* The lower 32 bits of a plane are what struct pel_gouraud has. Alpha is the
+ * same at all vertices of a frame. */
 void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint)
 {
     paint->paint =
         (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
     for (int k = 0; k < 4; k++) {
-        struct pel_plane plane;
+        struct pel_plane plane = pel_plane_level((int32_t)(color[0] >> 24));
         int32_t value[3];
         for (int i = 0; i < 3; i++)
             value[i] = (int32_t)(color[i] >> 8 * k & 255);
-        pel_frame_plane(frame, value, &plane);
+        if (k < 3)
+            pel_frame_plane(frame, value, &plane);
         paint->at[k] = (uint32_t)plane.at + 0x800000u;
         paint->dx[k] = (uint32_t)plane.dx;
         paint->dy[k] = (uint32_t)plane.dy;

@@ -33,7 +33,7 @@ struct pel_modulated {
 
 struct pel_frame_vertex {
     struct pel_projected at;
-    pel_color color; /* lit by shadings that light vertices */
+    pel_color color; /* of triangles that may be seen; 0: see pel_frame_color */
 };
 
 /* A triangle to draw: one of the mesh, or a part of it that clipping left. */
@@ -41,6 +41,7 @@ struct pel_frame_triangle {
     uint32_t vertex[3];
     struct pel_point at[3];
     const struct pel_clip_corner *corner[3];
+    bool is_whole; /* its corners are the vertices */
     bool is_set_up;
     struct pel_plane_setup setup; /* read it by pel_frame_setup */
 };
@@ -110,7 +111,11 @@ void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
 void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint);
 
-/* The colors of its vertices. */
+/* The color of a vertex, lit by shadings that light vertices; computed by the
+ * first call. */
+pel_color pel_frame_color(const struct pel_frame *frame, uint32_t vertex);
+
+/* The colors of the triangle's vertices. */
 void pel_frame_colors(const struct pel_frame *frame, pel_color color[3]);
 
 /* Sets corner i of that triangle to one that clipping left. A vertex that is on
