@@ -45,7 +45,7 @@ $(LINUX_CHECK)/display: $(LINUX_HERE)/display.c drivers/display_memory.c \
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(filter-out %.h,$^) -o $@
 
-LINUX_PANEL_WRAPS := open ioctl nanosleep pel_gpio_open pel_gpio_close pel_gpio_set
+LINUX_PANEL_WRAPS := open ioctl fcntl nanosleep pel_gpio_open pel_gpio_close pel_gpio_set
 $(LINUX_CHECK)/panel_bus: $(LINUX_HERE)/panel_bus.c $(LINUX_OBJECTS) \
     tests/support/panel_glass.c tests/support/check.c $(BUILD)/libpel.a
 	@mkdir -p $(@D)
