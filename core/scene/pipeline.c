@@ -249,8 +249,9 @@ static void draw_entry(struct pel_frame *frame, uint32_t triangle)
     const struct pel_point *at = frame->work->triangle.at;
     struct pel_clip_corner *const *corner = frame->work->clip.polygon[0];
     int32_t depth, n = 3;
-    if (take(frame, triangle, &depth) == CUT)
-        n = clip(frame);
+    const enum taken taken = take(frame, triangle, &depth);
+    if (taken != WHOLE)
+        n = taken == CUT ? clip(frame) : 0;
     for (int32_t i = 2; i < n; i++) {
         pel_frame_set_corner(frame, 0, corner[0]);
         pel_frame_set_corner(frame, 1, corner[i - 1]);
@@ -271,5 +272,5 @@ void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface)
     if (pel_rect_empty(&target->clip))
         return;
     for (uint32_t i = 0; i < frame->triangles; i++)
-        draw_entry(frame, frame->order[i].index);
+        draw_entry(frame, frame->order ? frame->order[i].index : i);
 }
