@@ -70,7 +70,8 @@ struct overlap {
     struct pel_doubt doubt;
 };
 
-static void keep(const struct pel_paint *paint, const struct pel_spans *spans)
+static void keep_fill(const struct pel_paint *paint,
+                      const struct pel_spans *spans)
 {
     struct overlap *o = (void *)(uintptr_t)paint;
     for (int32_t i = 0; i < spans->n; i++)
@@ -87,8 +88,8 @@ static bool is_nearer(const struct overlap *o, int32_t x, int32_t y)
 
 /* Depths are linear, and so is their difference: between two ends with a proof
  * every pixel has it. */
-static void compare_spans(const struct pel_paint *paint,
-                          const struct pel_spans *spans)
+static void compare_fill(const struct pel_paint *paint,
+                         const struct pel_spans *spans)
 {
     struct overlap *o = (void *)(uintptr_t)paint;
     for (int32_t i = 0; i < spans->n; i++) {
@@ -126,9 +127,9 @@ static void walk(const struct pel_certificate_corners c[2], struct overlap *o,
         o->y = rows.y0;
         memset(o->row, 0, sizeof o->row);
         pel_paint_clear(&o->paint);
-        o->paint.fill = keep;
+        o->paint.fill = keep_fill;
         pel_triangle(&strip, c[0].at, &o->paint);
-        o->paint.fill = compare_spans;
+        o->paint.fill = compare_fill;
         pel_triangle(&strip, c[1].at, &o->paint);
     }
 }

@@ -10,7 +10,7 @@ enum { WORK_SIZE = PEL_SCENE_SCRATCH_SIZE(0, 0, 0) };
 
 /* Offsets of the lists, bytes. */
 struct parts {
-    size_t vertices, order, end;
+    size_t vertices, order, spare, end;
 };
 
 static struct parts parts_of(const struct pel_scene *scene)
@@ -18,10 +18,11 @@ static struct parts parts_of(const struct pel_scene *scene)
     const struct pel_mesh *mesh = scene->mesh;
     const int32_t n = scene->lighting ? scene->lighting->lights : 0;
     const int32_t lights = pel_max(n, 0);
-    return (struct parts){
-        PEL_SCENE_SCRATCH_SIZE(0, 0, lights),
-        PEL_SCENE_SCRATCH_SIZE(mesh->vertices, 0, lights),
-        PEL_SCENE_SCRATCH_SIZE(mesh->vertices, mesh->triangles, lights)};
+    const size_t order = PEL_SCENE_SCRATCH_SIZE(mesh->vertices, 0, lights);
+    const size_t list = mesh->triangles * sizeof(struct pel_depth_entry);
+    const bool twice = scene->sort && scene->sort->needs_spare;
+    return (struct parts){PEL_SCENE_SCRATCH_SIZE(0, 0, lights), order,
+                          order + list, order + list + (twice ? list : 0)};
 }
 
 size_t pel_scene_scratch_size(const struct pel_scene *scene)
@@ -196,7 +197,8 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
     project_vertices(frame);
     list_triangles(frame);
     if (scene->sort)
-        scene->sort(frame->order, frame->triangles);
+        scene->sort->sort(frame->order, frame->triangles,
+                          (void *)((uint8_t *)scratch + part.spare));
     return PEL_OK;
 }
 
