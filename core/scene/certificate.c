@@ -2,22 +2,23 @@
 
 #include <string.h>
 
-/* Triangles are in lists, one per cell of a grid, by the upper left corner of
- * their boxes. There is a grid for each size of a box, and a table of lists for
- * all: those whose hashes are equal share one. */
+/* Triangles are in cells of a grid, by the upper left corner of their boxes;
+ * there is a grid for each size of a box. The items of a cell stand side by
+ * side; cells of equal hash are mixed. */
 struct search {
     const struct pel_frame *frame;
-    struct pel_certificate_item *item; /* in the order of the frame */
-    uint32_t *head;                    /* of lists: an item plus 1, or 0 */
-    int bits;                          /* 2^bits lists */
-    uint32_t levels;                   /* a bit for each level in use */
-    uint32_t n, work;
+    struct pel_certificate_item *item;
+    uint32_t *start;  /* of each hash's items, and the end of the last one's */
+    int bits;         /* 2^bits hashes */
+    uint32_t levels;  /* a bit for each level in use */
+    uint32_t n, work; /* items, steps left */
     struct pel_doubt *doubt;
 };
 
-static uint32_t index_of(const struct search *s, uint32_t rank)
+static uint32_t index_of(const struct search *s,
+                         const struct pel_certificate_item *m)
 {
-    return s->frame->order[rank].index;
+    return s->frame->order[m->rank].index;
 }
 
 static int32_t lowest(const int32_t v[3])
@@ -74,16 +75,16 @@ static void set_depths(struct pel_certificate_item *m,
         m->high = (uint32_t)(pel_nearness(p, lowest(c->z)) + slack);
 }
 
-/* Sets an item; false when no pixel is its. */
-static bool measure(struct search *s, uint32_t rank)
+/* Adds a triangle of the order, if it may cover a pixel. */
+static void measure(struct search *s, uint32_t rank)
 {
-    struct pel_certificate_item *m = &s->item[rank];
+    struct pel_certificate_item *m = &s->item[s->n];
     struct pel_certificate_corners c;
-    pel_certificate_corners(s->frame, index_of(s, rank), &c);
+    *m = (struct pel_certificate_item){.rank = rank};
+    pel_certificate_corners(s->frame, index_of(s, m), &c);
     const struct pel_rect box = pixels_of(s, &c);
-    *m = (struct pel_certificate_item){.next = 0};
     if (pel_rect_empty(&box))
-        return false;
+        return;
     m->x0 = (int16_t)box.x0;
     m->y0 = (int16_t)box.y0;
     m->x1 = (int16_t)box.x1;
@@ -92,7 +93,8 @@ static bool measure(struct search *s, uint32_t rank)
     set_depths(m, &s->frame->projector, &c);
     const int32_t side = pel_max(box.x1 - box.x0, box.y1 - box.y0);
     m->level = (uint8_t)pel_bits_of((uint32_t)side - 1);
-    return true;
+    s->levels |= UINT32_C(1) << m->level;
+    s->n++;
 }
 
 /* The cell of a coordinate, in the grid of that level. */
@@ -101,27 +103,41 @@ static uint32_t cell_of(int32_t v, int level)
     return (uint32_t)(v + 65536) >> level;
 }
 
-static uint32_t *list_of(const struct search *s, uint32_t x, uint32_t y,
-                         int level)
+static uint32_t hash_of(const struct search *s, uint32_t x, uint32_t y,
+                        int level)
 {
     const uint32_t hash = x * UINT32_C(0x9E3779B1) + y * UINT32_C(0x85EBCA6B) +
                           (uint32_t)level * UINT32_C(0xC2B2AE35);
-    return &s->head[hash >> 1 >> (31 - s->bits)];
+    return hash >> 1 >> (31 - s->bits);
 }
 
-static void file(struct search *s, uint32_t rank)
+static uint32_t item_hash(const struct search *s,
+                          const struct pel_certificate_item *m)
 {
-    struct pel_certificate_item *m = &s->item[rank];
-    uint32_t *head = list_of(s, cell_of(m->x0, m->level),
-                             cell_of(m->y0, m->level), m->level);
-    m->next = *head;
-    *head = rank + 1;
-    s->levels |= UINT32_C(1) << m->level;
+    return hash_of(s, cell_of(m->x0, m->level), cell_of(m->y0, m->level),
+                   m->level);
 }
 
-static struct pel_rect item_box(const struct pel_certificate_item *m)
+/* Orders the items by their hashes; `next` has room for a number of each. */
+static void sort_items(struct search *s, uint32_t *next)
 {
-    return (struct pel_rect){m->x0, m->y0, m->x1, m->y1};
+    struct pel_certificate_item *const item = s->item;
+    const uint32_t hashes = UINT32_C(1) << s->bits;
+    memset(s->start, 0, (hashes + 1) * sizeof *s->start);
+    for (uint32_t i = 0; i < s->n; i++)
+        s->start[item_hash(s, &item[i]) + 1]++;
+    for (uint32_t h = 0; h < hashes; h++) {
+        s->start[h + 1] += s->start[h];
+        next[h] = s->start[h];
+    }
+    for (uint32_t h = 0; h < hashes; h++)
+        while (next[h] < s->start[h + 1]) {
+            struct pel_certificate_item *const at = &item[next[h]];
+            const struct pel_certificate_item moved = *at;
+            const uint32_t to = next[item_hash(s, &moved)]++;
+            *at = item[to];
+            item[to] = moved;
+        }
 }
 
 static bool spend(struct search *s, uint32_t work)
@@ -131,17 +147,26 @@ static bool spend(struct search *s, uint32_t work)
     return enough;
 }
 
-/* Compares two items of the order. False: no work is left for it. */
-static bool compare(struct search *s, uint32_t first, uint32_t second)
+/* Without branches that CPUs would have to guess. */
+static bool overlap(const struct pel_certificate_item *a,
+                    const struct pel_certificate_item *b)
 {
-    struct pel_certificate_item *a = &s->item[first], *b = &s->item[second];
-    const struct pel_rect box[2] = {item_box(a), item_box(b)};
-    const struct pel_rect common = pel_rect_intersect(&box[0], &box[1]);
-    if (pel_rect_empty(&common) || b->low > a->high)
+    return ((a->x0 - b->x1) & (b->x0 - a->x1) & (a->y0 - b->y1) &
+            (b->y0 - a->y1)) < 0;
+}
+
+/* Compares two items that overlap. False: no work is left for it. */
+static bool compare(struct search *s, struct pel_certificate_item *a,
+                    struct pel_certificate_item *b)
+{
+    const struct pel_rect common = {
+        pel_max(a->x0, b->x0), pel_max(a->y0, b->y0), pel_min(a->x1, b->x1),
+        pel_min(a->y1, b->y1)};
+    const uint32_t triangle[2] = {index_of(s, a), index_of(s, b)};
+    if (b->low > a->high)
         return true;
     if (!spend(s, 40 + (uint32_t)(common.y1 - common.y0)))
         return false;
-    const uint32_t triangle[2] = {index_of(s, first), index_of(s, second)};
     const struct pel_doubt doubt =
         pel_certificate_pair(s->frame, triangle, a->thin || b->thin, &common);
     if (doubt.pixels) {
@@ -152,73 +177,63 @@ static bool compare(struct search *s, uint32_t first, uint32_t second)
 }
 
 /* Compares an item with those in a cell of its own level or a larger one; of
- * its own with those that are later in the order. */
-static bool search_cell(struct search *s, uint32_t rank, uint32_t x, uint32_t y,
-                        int level)
+ * its own with those that come later. */
+static bool search_cell(struct search *s, struct pel_certificate_item *own,
+                        uint32_t x, uint32_t y, int level)
 {
-    const int own = s->item[rank].level;
-    for (uint32_t next = *list_of(s, x, y, level); next;
-         next = s->item[next - 1].next) {
-        const uint32_t other = next - 1;
-        const struct pel_certificate_item *m = &s->item[other];
-        if (!spend(s, 1))
+    const uint32_t *start = &s->start[hash_of(s, x, y, level)];
+    struct pel_certificate_item *m = s->item + start[0];
+    struct pel_certificate_item *const end = s->item + start[1];
+    if (!spend(s, 1 + start[1] - start[0]))
+        return false;
+    for (; m < end; m++)
+        if (overlap(own, m) && m->level == level &&
+            cell_of(m->x0, level) == x && cell_of(m->y0, level) == y &&
+            (level > own->level || m > own) &&
+            !compare(s, m->rank < own->rank ? m : own,
+                     m->rank < own->rank ? own : m))
             return false;
-        if (m->level != level || cell_of(m->x0, level) != x ||
-            cell_of(m->y0, level) != y || (level == own && other <= rank))
-            continue;
-        if (!compare(s, other < rank ? other : rank,
-                     other < rank ? rank : other))
-            return false;
-    }
     return true;
 }
 
 /* Boxes of a level are not wider than its cells: those that can overlap begin
  * in a cell that the item is in, or in one before. */
-static bool search_level(struct search *s, uint32_t rank, int level)
+static bool search_level(struct search *s, struct pel_certificate_item *own,
+                         int level)
 {
-    const struct pel_certificate_item *m = &s->item[rank];
     const int32_t before = (INT32_C(1) << level) - 1;
-    const uint32_t left = cell_of(m->x0 - before, level);
-    const uint32_t right = cell_of(m->x1 - 1, level);
-    const uint32_t bottom = cell_of(m->y1 - 1, level);
-    uint32_t y = cell_of(m->y0 - before, level);
+    const uint32_t left = cell_of(own->x0 - before, level);
+    const uint32_t right = cell_of(own->x1 - 1, level);
+    const uint32_t bottom = cell_of(own->y1 - 1, level);
+    uint32_t y = cell_of(own->y0 - before, level);
     for (; y <= bottom; y++)
         for (uint32_t x = left; x <= right; x++)
-            if (!search_cell(s, rank, x, y, level))
+            if (!search_cell(s, own, x, y, level))
                 return false;
     return true;
 }
 
-/* False when there is no work left for all of an item. One without a pixel has
- * an empty box at (0, 0). */
-static bool search_item(struct search *s, uint32_t rank)
+/* False when there is no work left for all of an item. */
+static bool search_item(struct search *s, struct pel_certificate_item *own)
 {
-    int level = s->item[rank].level;
-    if (s->item[rank].x0 == s->item[rank].x1)
-        return true;
-    for (; s->levels >> level; level++)
-        if (s->levels >> level & 1 && !search_level(s, rank, level))
+    for (int level = own->level; s->levels >> level; level++)
+        if (s->levels >> level & 1 && !search_level(s, own, level))
             return false;
     return true;
 }
 
 static void search_all(struct search *s)
 {
-    uint32_t rank = 0;
-    for (; rank < s->n; rank++)
-        if (measure(s, rank))
-            file(s, rank);
-    for (rank = 0; rank < s->n && search_item(s, rank); rank++)
-        ;
-    for (; rank < s->n; rank++) {
-        const struct pel_rect box = item_box(&s->item[rank]);
-        s->item[rank].in_doubt = !pel_rect_empty(&box);
-        if (s->item[rank].in_doubt)
-            pel_doubt_add(s->doubt, &box, pel_doubt_area(&box));
+    struct pel_certificate_item *m = s->item, *const end = m + s->n;
+    while (m < end && search_item(s, m))
+        m++;
+    for (; m < end; m++) {
+        const struct pel_rect box = {m->x0, m->y0, m->x1, m->y1};
+        pel_doubt_add(s->doubt, &box, pel_doubt_area(&box));
+        m->in_doubt = true;
     }
-    for (rank = 0; rank < s->n; rank++)
-        s->doubt->triangles += s->item[rank].in_doubt;
+    for (m = s->item; m < end; m++)
+        s->doubt->triangles += m->in_doubt;
     const uint32_t area = pel_doubt_area(&s->doubt->bounds);
     if (s->doubt->pixels > area)
         s->doubt->pixels = area;
@@ -239,12 +254,13 @@ enum pel_status pel_scene_certify(const struct pel_frame *frame, void *scratch,
         return PEL_OK;
     struct search s = {.frame = frame,
                        .item = scratch,
-                       .n = n,
                        .bits = pel_bits_of(n) - 1,
                        .work = work,
                        .doubt = doubt};
-    s.head = (void *)(s.item + n);
-    memset(s.head, 0, n * sizeof *s.head);
+    s.start = (void *)(s.item + n);
+    for (uint32_t rank = 0; rank < n; rank++)
+        measure(&s, rank);
+    sort_items(&s, s.start + n + 1);
     search_all(&s);
     return PEL_OK;
 }

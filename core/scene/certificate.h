@@ -20,15 +20,15 @@ struct pel_doubt {
 struct pel_certificate_item {
     int16_t x0, y0, x1, y1; /* its pixels are inside, half-open */
     uint32_t low, high;     /* bounds of near / z (depth.h) */
-    uint32_t next;          /* in the list of its cell, plus 1 */
+    uint32_t rank;          /* in the order of the frame */
     uint8_t level;          /* the side of its cell is 2^level px */
     bool thin, in_doubt;
 };
 
-/* Bytes of scratch memory for a frame of so many triangles, 28 each. */
-#define PEL_CERTIFICATE_SCRATCH_SIZE(triangles) \
-    (PEL_CAST(size_t, triangles) *              \
-     (sizeof(struct pel_certificate_item) + sizeof(uint32_t)))
+/* Bytes of scratch memory for a frame of so many triangles: 32 each, and 4. */
+#define PEL_CERTIFICATE_SCRATCH_SIZE(triangles)                                \
+    (PEL_CAST(size_t, triangles) * (sizeof(struct pel_certificate_item) + 8) + \
+     4)
 
 /* Examines the order of a frame. Two triangles are in the right order when they
  * share no pixel, as their boxes or an edge of one shows; or the whole second
