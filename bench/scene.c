@@ -20,6 +20,7 @@ static const struct scene_mode modes[] = {
     {"bilinear perspective", &pel_shade_flat, &pel_map_perspective, true, 1, 0},
     {"lit bilinear affine", &pel_shade_lit_gouraud, &pel_map_affine, true, 0,
      0},
+    {"flat z32", &pel_shade_lit_flat, NULL, false, 0, 32},
     {"gouraud z16", &pel_shade_lit_gouraud, NULL, false, 0, 16},
     {"gouraud z32", &pel_shade_lit_gouraud, NULL, false, 0, 32},
 };
@@ -32,7 +33,15 @@ static const struct bench_mesh_file files[] = {
     {"duck", "duck.dae", MODELS "Collada/duck.dae",
      "Debian package assimp-testmodels"},
     {"spot", "spot/spot_triangulated.obj", NULL, NULL},
+    {"fox", "fox/Fox.glb", NULL, NULL},
+    {"suzanne", "suzanne/suzanne.ply", NULL, NULL},
     {"bunny", "bunny.obj", "/usr/share/glmark2/models/bunny.obj",
+     "Debian package glmark2-data"},
+    {"horse", "horse.3ds", "/usr/share/glmark2/models/horse.3ds",
+     "Debian package glmark2-data"},
+    {"cat", "cat.3ds", "/usr/share/glmark2/models/cat.3ds",
+     "Debian package glmark2-data"},
+    {"asteroid", "asteroid-high.3ds", "/usr/share/glmark2/models/asteroid-high.3ds",
      "Debian package glmark2-data"},
     {"2CylinderEngine", "2CylinderEngine.glb",
      MODELS "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb",
@@ -45,12 +54,15 @@ static void row(FILE *csv, const char *part, const struct bench_mesh *m,
     struct scene_result r;
     const double n = m->mesh.triangles;
     bench_scene_time(&r, m, mode, side);
-    printf("%-16s %8.0f %-24s %5d %10.3f ms %8.2f Mtri/s %8.1f ns/px\n",
+    printf("%-16s %8.0f %-24s %5d %10.3f ms %8.2f Mtri/s %8.1f ns/px",
            m->name, n, mode->name, side, r.ns / 1e6, n / r.ns * 1e3,
            r.pixels > 0 ? r.ns / r.pixels : 0);
+    if (r.peer_ns)
+        printf("  OSMesa %.3f ms, %.2f times", r.peer_ns / 1e6, r.peer_ns / r.ns);
+    putchar('\n');
     fflush(stdout);
-    fprintf(csv, "%s,%s,%.0f,%s,%d,%.0f,%.0f\n", part, m->name, n, mode->name,
-            side, r.pixels, r.ns);
+    fprintf(csv, "%s,%s,%.0f,%s,%d,%.0f,%.0f,%.0f\n", part, m->name, n, mode->name,
+            side, r.pixels, r.ns, r.peer_ns);
 }
 
 static void time_files(FILE *csv)
@@ -89,7 +101,7 @@ int main(int argc, char **argv)
     FILE *csv = fopen(argv[1], "w");
     if (!csv)
         method_fail(argv[1], "name a file that can be written");
-    fputs("part,mesh,triangles,mode,side,pixels,ns\n", csv);
+    fputs("part,mesh,triangles,mode,side,pixels,ns,osmesa_ns\n", csv);
     timing_pin();
     time_files(csv);
     time_growth(csv);

@@ -5,6 +5,7 @@
 #include "bench/lighting.h"
 #include "core/format/formats.h"
 #include "method.h"
+#include "scene_osmesa.h"
 #include "timing.h"
 
 enum { TEXELS = 256, TIMES_MAX = 41 };
@@ -145,21 +146,51 @@ static double pixels_of(struct stage *s)
     return (double)counted;
 }
 
-void bench_scene_time(struct scene_result *out, const struct bench_mesh *m,
-                      const struct scene_mode *mode, int32_t side)
+static void draw_stage(void *stage)
+{
+    draw(stage);
+}
+
+/* ns, the median; after one that is not timed. */
+static double time_of(void (*draw_one)(void *), void *data)
 {
     double times[TIMES_MAX], sum = 0;
-    struct stage s = {0};
     int n = 0;
-    open_stage(&s, m, mode, side);
-    out->pixels = pixels_of(&s);
-    draw(&s);
+    draw_one(data);
     while (n < 3 || (n < TIMES_MAX && sum < enough_ns)) {
         const double from = timing_now();
-        draw(&s);
+        draw_one(data);
         sum += times[n] = timing_now() - from;
         n++;
     }
-    out->ns = timing_quartiles(times, n).median;
+    return timing_quartiles(times, n).median;
+}
+
+#ifdef BENCH_OSMESA
+static double peer_time(const struct pel_scene *scene)
+{
+    void *peer = scene_osmesa_open(scene);
+    const double ns = time_of(scene_osmesa_draw, peer);
+    scene_osmesa_close(peer);
+    return ns;
+}
+#else
+static double peer_time(const struct pel_scene *scene)
+{
+    (void)scene;
+    return 0;
+}
+#endif
+
+void bench_scene_time(struct scene_result *out, const struct bench_mesh *m,
+                      const struct scene_mode *mode, int32_t side)
+{
+    struct stage s = {0};
+    open_stage(&s, m, mode, side);
+    out->pixels = pixels_of(&s);
+    out->ns = time_of(draw_stage, &s);
+    out->peer_ns = 0;
+    if (mode->depth_bits == 32)
+        out->peer_ns = peer_time(&s.scene);
     close_stage(&s);
 }

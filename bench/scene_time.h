@@ -12,12 +12,13 @@ struct scene_mode {
     const struct pel_mapping *mapping; /* NULL: no texture */
     bool bilinear;
     int32_t span;
-    int depth_bits; /* 0: painter's order */
+    int depth_bits; /* 0: painter's order; 32: beside OSMesa */
 };
 
 struct scene_result {
     double ns;     /* of a whole picture, prepared and drawn: the median */
     double pixels; /* drawn in it, hidden ones too */
+    double peer_ns; /* of OSMesa; 0: not timed */
 };
 
 /* In xrgb8888, side by side pixels, the camera before the mesh. */

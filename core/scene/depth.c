@@ -173,6 +173,9 @@ int32_t pel_nearness(const struct pel_projector *p, int32_t z)
     return q < PEL_DEPTH_NEAR ? (int32_t)q : PEL_DEPTH_NEAR;
 }
 
+/* Planes are off by less than 2^-17 of 2^30. */
+enum { SURELY_ABOVE_0 = 1 << 14 };
+
 static const struct pel_paint *filter(struct pel_frame *frame,
                                       const struct pel_paint *paint)
 {
@@ -183,19 +186,13 @@ static const struct pel_paint *filter(struct pel_frame *frame,
         near[i] = pel_nearness(&frame->projector,
                                frame->work->triangle.corner[i]->position[2]);
     pel_plane_set(&plane, pel_frame_setup(frame), near);
-    pel_depth_paint_init(p, paint, p->depth, &plane, frame->opaque);
-    return &p->base.paint;
-}
-
-/* Of a paint whose colors have any alpha, lets the opaque ones through and
- * stores their depth. */
-static const struct pel_paint *filter_texels(struct pel_frame *frame,
-                                             const struct pel_paint *paint)
-{
-    struct pel_depth_paint *p = &frame->work->depth;
-    filter(frame, paint);
-    pel_color_paint_init(&p->base, colors, false);
-    p->keeps = true;
+    pel_depth_paint_init(p, paint, p->depth, &plane,
+                         frame->pass == PEL_PASS_FIRST);
+    /* Of a paint whose colors have any alpha, the opaque ones. */
+    if (p->keeps && !frame->opaque)
+        pel_color_paint_init(&p->base, colors, false);
+    else if (pel_min(pel_min(near[0], near[1]), near[2]) >= SURELY_ABOVE_0)
+        p->base.paint = (struct pel_paint)PEL_PAINT(fill, pel_depth_fast);
     return &p->base.paint;
 }
 
@@ -210,11 +207,12 @@ void pel_scene_draw_depth(struct pel_frame *frame,
     if (frame->triangles == 0)
         return;
     frame->work->depth.depth = depth;
-    if (!frame->opaque && frame->alpha == 255) {
-        frame->filter = filter_texels;
-        pel_scene_draw(frame, surface);
-    }
     frame->filter = filter;
+    frame->pass = PEL_PASS_FIRST;
     pel_scene_draw(frame, surface);
+    frame->pass = PEL_PASS_TRANSLUCENT;
+    if (frame->translucent)
+        pel_scene_draw(frame, surface);
+    frame->pass = PEL_PASS_ALL;
     frame->filter = NULL;
 }

@@ -54,6 +54,11 @@ struct pel_depth_paint {
     bool keeps;             /* stores the depth of what it lets through */
 };
 
+/* Flat and Gouraud ones that keep depths above 0 (core/fast/fast_depth.c). */
+bool pel_depth_fast(const struct pel_paint *paint,
+                    const struct pel_surface *surface,
+                    const struct pel_fast_triangle *triangle);
+
 void pel_depth_paint_init(struct pel_depth_paint *paint,
                           const struct pel_paint *inner,
                           const struct pel_depth *depth,

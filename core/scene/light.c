@@ -188,6 +188,10 @@ void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
     if (!pel_normalize_fast(normal, towards[0]))
         return;
     direction(position, lights->eye, towards[1]);
+    if (lights->lighting->both_sides &&
+        pel_weighted(towards[0], towards[1]) < 0)
+        for (int k = 0; k < 3; k++)
+            towards[0][k] = -towards[0][k];
     for (int32_t i = 0; i < lights->lighting->lights; i++) {
         const struct pel_mesh_light *light = &lights->light[i];
         for (int k = 0; k < 3; k++)

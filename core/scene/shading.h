@@ -33,7 +33,7 @@ struct pel_modulated {
 
 struct pel_frame_vertex {
     struct pel_projected at;
-    pel_color color; /* lit by shadings that light vertices */
+    pel_color color; /* of triangles that may be seen; 0: see pel_frame_color */
 };
 
 /* A triangle to draw: one of the mesh, or a part of it that clipping left. */
@@ -41,6 +41,7 @@ struct pel_frame_triangle {
     uint32_t vertex[3];
     struct pel_point at[3];
     const struct pel_clip_corner *corner[3];
+    bool is_whole; /* its corners are the vertices */
     bool is_set_up;
     struct pel_plane_setup setup; /* read it by pel_frame_setup */
 };
@@ -60,6 +61,9 @@ struct pel_frame_work {
     struct pel_clip clip;
 };
 
+/* What is drawn: all, or what can store depths, or the rest of it. */
+enum pel_pass { PEL_PASS_ALL, PEL_PASS_FIRST, PEL_PASS_TRANSLUCENT };
+
 struct pel_frame {
     const struct pel_scene *scene;
     struct pel_frame_work *work;
@@ -69,13 +73,27 @@ struct pel_frame {
     const struct pel_paint *(*filter)(struct pel_frame *frame,
                                       const struct pel_paint *paint);
     uint32_t triangles; /* in `order`: those that may be seen */
+    bool translucent;   /* some part is not opaque */
+    enum pel_pass pass;
+    struct pel_mesh_fault fault; /* when an index or a part is wrong */
+    struct pel_mesh_lights lights;
+    struct pel_projector projector;
+
+    /* The part of the mesh at hand, or all of it. */
+    uint32_t part, begin, end; /* triangles */
+    pel_color color;           /* of vertices without colours */
     uint8_t alpha;
     bool opaque;
-    struct pel_mesh_fault fault; /* when an index is wrong */
-    struct pel_mesh_lights lights;
-    struct pel_texture texture; /* the sampler; its map is set by mappings */
-    struct pel_projector projector;
+    const struct pel_mesh_texture *mesh_texture; /* NULL: no texture */
+    struct pel_texture texture; /* its sampler; its map is set by mappings */
 };
+
+/* Sets the part at hand: number i, 0 for a mesh without parts. Errors of
+ * pel_scene_prepare about textures. */
+enum pel_status pel_frame_set_part(struct pel_frame *frame, uint32_t i);
+
+/* Sets it to that of a triangle of the mesh. */
+void pel_frame_find_part(struct pel_frame *frame, uint32_t triangle);
 
 /* The values at the corners from those at the vertices, |value| <= 2^30. */
 void pel_corners_mix(const struct pel_frame_triangle *triangle,
@@ -93,7 +111,11 @@ void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
 void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint);
 
-/* The colors of its vertices. */
+/* The color of a vertex, lit by shadings that light vertices; computed by the
+ * first call. */
+pel_color pel_frame_color(const struct pel_frame *frame, uint32_t vertex);
+
+/* The colors of the triangle's vertices. */
 void pel_frame_colors(const struct pel_frame *frame, pel_color color[3]);
 
 /* Sets corner i of that triangle to one that clipping left. A vertex that is on
@@ -121,8 +143,10 @@ struct pel_shading {
 extern const struct pel_shading pel_shade_flat;
 extern const struct pel_shading pel_shade_gouraud;
 
-/* The same with light at the vertices (light.h). A texture that is mapped to
- * every pixel is multiplied by the light on white, highlights too. */
+/* The same with light (light.h): Gouraud's at the vertices; flat, at the middle
+ * of the triangle with its own normal, so that the mesh needs none. A texture
+ * that is mapped to every pixel is multiplied by the light on white, highlights
+ * too. */
 extern const struct pel_shading pel_shade_lit_flat;
 extern const struct pel_shading pel_shade_lit_gouraud;
 
