@@ -10,7 +10,7 @@ enum { WORK_SIZE = PEL_SCENE_SCRATCH_SIZE(0, 0, 0) };
 
 /* Offsets of the lists, bytes. */
 struct parts {
-    size_t vertices, order, end;
+    size_t vertices, order, spare, end;
 };
 
 static struct parts parts_of(const struct pel_scene *scene)
@@ -18,10 +18,11 @@ static struct parts parts_of(const struct pel_scene *scene)
     const struct pel_mesh *mesh = scene->mesh;
     const int32_t n = scene->lighting ? scene->lighting->lights : 0;
     const int32_t lights = pel_max(n, 0);
-    return (struct parts){
-        PEL_SCENE_SCRATCH_SIZE(0, 0, lights),
-        PEL_SCENE_SCRATCH_SIZE(mesh->vertices, 0, lights),
-        PEL_SCENE_SCRATCH_SIZE(mesh->vertices, mesh->triangles, lights)};
+    const size_t order = PEL_SCENE_SCRATCH_SIZE(mesh->vertices, 0, lights);
+    const size_t list = mesh->triangles * sizeof(struct pel_depth_entry);
+    const bool twice = scene->sort && scene->sort->needs_spare;
+    return (struct parts){PEL_SCENE_SCRATCH_SIZE(0, 0, lights), order,
+                          order + list, order + list + (twice ? list : 0)};
 }
 
 size_t pel_scene_scratch_size(const struct pel_scene *scene)
@@ -187,7 +188,8 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
     project_vertices(frame);
     list_triangles(frame);
     if (scene->sort)
-        scene->sort(frame->order, frame->triangles);
+        scene->sort->sort(frame->order, frame->triangles,
+                          (void *)((uint8_t *)scratch + part.spare));
     return PEL_OK;
 }
 
@@ -263,10 +265,11 @@ static void draw_entry(struct pel_frame *frame, uint32_t triangle, bool all)
     pel_frame_find_part(frame, triangle);
     if (!part_drawn(frame))
         return;
-    if (take(frame, triangle, &depth) == CUT)
+    const enum taken taken = take(frame, triangle, &depth);
+    if (taken == CUT)
         draw_cut(frame);
-    else if (all || is_shown(frame, frame->work->triangle.at,
-                             &frame->work->surface.clip))
+    else if (taken == WHOLE && (all || is_shown(frame, frame->work->triangle.at,
+                                                &frame->work->surface.clip)))
         draw_triangle(frame);
 }
 
@@ -280,7 +283,8 @@ void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface)
     target->clip = pel_rect_intersect(&surface->clip, &frame->scene->viewport);
     if (pel_rect_empty(&target->clip))
         return;
-    const bool all = pel_rect_inside(&frame->scene->viewport, &surface->clip);
+    const bool all = frame->order &&
+                     pel_rect_inside(&frame->scene->viewport, &surface->clip);
     for (uint32_t i = 0; i < frame->triangles; i++)
-        draw_entry(frame, frame->order[i].index, all);
+        draw_entry(frame, frame->order ? frame->order[i].index : i, all);
 }

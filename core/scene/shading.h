@@ -68,7 +68,7 @@ struct pel_frame {
     const struct pel_scene *scene;
     struct pel_frame_work *work;
     struct pel_frame_vertex *vertex;
-    struct pel_depth_entry *order;
+    struct pel_depth_entry *order; /* NULL: that of the mesh */
     /* Puts a paint between a triangle and its paint. NULL: none. */
     const struct pel_paint *(*filter)(struct pel_frame *frame,
                                       const struct pel_paint *paint);

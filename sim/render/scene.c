@@ -97,7 +97,7 @@ static void set_appearance(struct scene *scene, const struct scene_settings *s)
     /* Transparent triangles are blended from far to near. */
     const bool clear =
         s->transparency > 0 || (core->texture && !scene->model->texture_opaque);
-    core->sort = scene->depth_bits == 0 || clear ? pel_depth_sort : NULL;
+    core->sort = scene->depth_bits == 0 || clear ? &pel_depth_sort : NULL;
 }
 
 static bool check(const struct scene_settings *s)
