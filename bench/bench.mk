@@ -153,3 +153,5 @@ bench-scene: $(BENCH)/pel-bench-scene ## time the 3-D pipeline
 	bench/scene_chart.sh $(BENCH)/scene.csv $(BENCH)/scene.png
 
 -include $(BENCH_SCENE_SOURCES:%.c=$(BENCH)/host/%.d)
+
+-include bench/atlas/atlas.mk bench/atlas/run.mk
