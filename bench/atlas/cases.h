@@ -11,4 +11,8 @@ void atlas_snapping(struct atlas *a);
 void atlas_overflow(struct atlas *a);
 void atlas_map_sliver(struct atlas *a);
 
+void atlas_color(struct atlas *a); /* case_color.c */
+void atlas_color_sliver(struct atlas *a);
+void atlas_gradient(struct atlas *a);
+
 #endif
