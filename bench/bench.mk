@@ -154,4 +154,5 @@ bench-scene: $(BENCH)/pel-bench-scene ## time the 3-D pipeline
 
 -include $(BENCH_SCENE_SOURCES:%.c=$(BENCH)/host/%.d)
 
--include bench/atlas/atlas.mk bench/atlas/run.mk
+include bench/atlas/atlas.mk
+-include bench/atlas/run.mk

@@ -1,0 +1,18 @@
+/* The cases. */
+#ifndef BENCH_ATLAS_CASES_H
+#define BENCH_ATLAS_CASES_H
+
+#include "atlas.h"
+
+void atlas_damage(struct atlas *a); /* case_damage.c */
+
+void atlas_thinness(struct atlas *a); /* case_regimes.c */
+void atlas_snapping(struct atlas *a);
+void atlas_overflow(struct atlas *a);
+void atlas_map_sliver(struct atlas *a);
+
+void atlas_color(struct atlas *a); /* case_color.c */
+void atlas_color_sliver(struct atlas *a);
+void atlas_gradient(struct atlas *a);
+
+#endif
