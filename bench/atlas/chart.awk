@@ -1,6 +1,9 @@
 # chart.awk CHART CSV... : a chart as a script of gnuplot. CHART has lines of a
 # key and its value (charts.txt), CSVs are those of the atlas.
-BEGIN { plain = "font \",9\" noenhanced" }
+BEGIN {
+    plain = "font \",9\" noenhanced"
+    number_form = "^[-+]?[.0-9]+(e[-+]?[0-9]+)?$"
+}
 
 FNR == NR {
     key = $1
@@ -58,7 +61,7 @@ function sort_list(list,    i, j, t)
 {
     for (i = 1; i <= count[list]; i++) {
         t = named[list, i]
-        if (t !~ /^[-+.0-9e]+$/)
+        if (t !~ number_form)
             return
         for (j = i; j > 1 && named[list, j - 1] + 0 > t + 0; j--)
             named[list, j] = named[list, j - 1]
@@ -86,32 +89,42 @@ function find_zero(axis, v,    i, least)
 }
 function on_axis(axis, v) { return v + 0 > zero[axis] ? v + 0 : zero[axis] }
 
-function tics(axis, list,    i, step, names)
+function tics(axis, list,    i, step, names, name)
 {
     step = int((count[list] - 1) / chart["most_" axis]) + 1
-    for (i = 1; i <= count[list]; i += step)
-        names = names (i > 1 ? ", " : "") "\"" named[list, i] "\" " i
+    for (i = 1; i <= count[list]; i += step) {
+        name = named[list, i]
+        if (name ~ number_form)
+            name = sprintf("%.4g", name)
+        names = names (i > 1 ? ", " : "") "\"" name "\" " i
+    }
     print "set " axis "tics (" names ") " plain
 }
 
-# A curve's points: x, y, their spread, what is shown above them.
-function point(series, px, py, from, to, label)
+# A curve's points: x, y, their spread, what is shown above them. Where x goes
+# back another line begins.
+function point(series, px, py, from, to, label,    i)
 {
-    data[place("series", series)] = data[place("series", series)] \
-        px "\t" py "\t" from "\t" to "\t" label "\n"
+    i = place("series", series)
+    if (chart["kind"] == "lines" && px < last[i])
+        data[i] = data[i] "\n"
+    last[i] = px
+    data[i] = data[i] px "\t" py "\t" from "\t" to "\t" label "\n"
 }
 
-function draw_series(style, spread,    i, plot)
+# What the pointer asks for lies above all that is seen.
+function draw_series(style, spread,    i, plot, above)
 {
     for (i = 1; i <= count["series"]; i++) {
         print "$s" i " << EOD\n" data[i] "EOD"
-        plot = plot (i > 1 ? ", " : "plot ") "$s" i " using 1:2 with " style \
-            " linetype " i " title \"" named["series", i] "\", $s" i \
-            " using 1:2:3:4 with " spread " linetype " i " pointtype 0" \
-            " dashtype 1 notitle, $s" i " using 1:2:5 with labels hypertext" \
-            " point pointtype 7 pointsize 1.3 linecolor rgb \"#ff000000\" notitle"
+        plot = plot "$s" i " using " spread " with vectors nohead linetype " i \
+            " dashtype 1 notitle, $s" i " using 1:2 with " style " linetype " i \
+            " title \"" named["series", i] "\", "
+        above = above (i > 1 ? ", " : "") "$s" i " using 1:2:5 with labels" \
+            " hypertext point pointtype 7 pointsize 1.3" \
+            " linecolor rgb \"#ff000000\" notitle"
     }
-    print plot
+    print "plot " plot above
 }
 
 function series_of(i)
@@ -127,30 +140,29 @@ function draw_lines(    i)
     for (i = 1; i <= n; i++)
         point(series_of(i), on_axis("x", x[i]), on_axis("y", value[i]),
             on_axis("y", low[i]), on_axis("y", high[i]), tip[i])
-    draw_series("linespoints", "yerrorbars")
+    draw_series("linespoints", "1:3:(0):($4-$3)")
 }
 
-# Two metrics of a method at the same x against each other.
+# The second metric of each method above the first, which is told in times of
+# Pel's at the same x.
 function draw_pair(    i, across, other)
 {
     for (i = 1; i <= n; i++)
-        if (which[i] == 1) {
+        if (which[i] == 1)
             across[method[i], x[i], y[i]] = i
-            right[++rights] = value[i]
-        }
-    for (i = 1; i <= n; i++)
-        if (which[i] == 2)
+        else
             up[++ups] = value[i]
+    for (i = 1; i <= n; i++)
+        if (which[i] == 1)
+            right[i] = value[i] / value[across["pel", x[i], y[i]]]
     find_zero("y", up)
-    find_zero("x", right)
     for (i = 1; i <= n; i++)
         if (which[i] == 2 && ((method[i], x[i], y[i]) in across)) {
             other = across[method[i], x[i], y[i]]
-            point(method[i], on_axis("x", value[other]), on_axis("y", value[i]),
-                on_axis("y", low[i]), on_axis("y", high[i]),
-                value[other] " " metrics[1] "; " tip[i])
+            point(method[i], right[other], on_axis("y", value[i]),
+                on_axis("y", low[i]), on_axis("y", high[i]), value[other] " " metrics[1] "; " tip[i])
         }
-    draw_series("linespoints", "yerrorbars")
+    draw_series("points", "1:3:(0):($4-$3)")
 }
 
 # A row for each x (or y, or method): its value to the right.
@@ -166,7 +178,7 @@ function draw_rows(    i, name)
     }
     tics("y", "rows")
     print "set yrange [" count["rows"] + .7 ":.3]"
-    draw_series("points", "xerrorbars")
+    draw_series("points", "3:2:($4-$3):(0)")
 }
 
 # Between 0 and 1: how dark the cell is.
@@ -246,9 +258,9 @@ function draw_panel(k, panel,    i, plot, v)
         find_border(panel)
         if (border != "") {
             print "$b" k " << EOD\n" border "EOD"
-            plot = plot ", $b" k " using 1:2 with lines linewidth 3.5 linecolor" \
+            plot = plot ", $b" k " using 1:2 with lines dashtype 1 linewidth 3.5 linecolor" \
                 " rgb \"white\" notitle, $b" k " using 1:2 with lines" \
-                " linewidth 1.8 linecolor rgb \"#d00000\" notitle"
+                " dashtype 1 linewidth 1.8 linecolor rgb \"#d00000\" notitle"
         }
     }
     print plot
@@ -289,7 +301,7 @@ function draw_cells(    i, key)
 # px of the picture
 function set_size(    i, width, height)
 {
-    width = 720
+    width = 860
     height = 440
     if (chart["kind"] == "rows") {
         for (i = 1; i <= n; i++)
@@ -313,6 +325,9 @@ END {
         print "atlas: no row for chart " chart["name"] > "/dev/stderr"
         exit 1
     }
+    for (i = 1; i <= n; i++)
+        if (method[i] ~ /^[Pp]el/ && chart["row"] != "method")
+            place("series", chart["kind"] == "pair" ? method[i] : series_of(i))
     if (!("most_x" in chart)) chart["most_x"] = 12
     if (!("most_y" in chart)) chart["most_y"] = 100
     set_size()

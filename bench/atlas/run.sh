@@ -43,7 +43,7 @@ speed() {
     case $1 in *alpha*) features= ;; esac
     QT_NO_CPU_FEATURE=$features "$bench/pel-bench" --repeats $repeats \
         --csv "$out/raw" "$1" >&2
-    rows speed "pel-bench $1" "$out/raw"
+    rows speed "$bench/pel-bench $1" "$out/raw"
 }
 
 # The CSV of the case $name.
@@ -52,9 +52,9 @@ measure() {
     speed-*) speed "${name#speed-}" 2>"$out/log" ;;
     scene-*)
         "$bench/pel-bench-scene" "$out/raw" "${name#scene-}" >"$out/log"
-        rows scene "pel-bench-scene CSV ${name#scene-}" "$out/raw"
+        rows scene "$bench/pel-bench-scene CSV ${name#scene-}" "$out/raw"
         ;;
-    matrix) "$bench/pel-matrix" | rows matrix pel-matrix ;;
+    matrix) "$bench/pel-matrix" | rows matrix "$bench/pel-matrix" ;;
     instructions)
         bench/instructions.sh "$bench/pel-count" "$out/raw" >"$out/log"
         rows instructions 'make bench-instructions' "$out/raw"
