@@ -63,15 +63,28 @@ static void judge(struct errors *e, const struct sample *s, value_at *at,
     }
 }
 
+static void sample_set(struct gradient *g, const struct sample *s,
+                       const struct gradient_method *m)
+{
+    const int32_t value[3] = {(int32_t)(s->color[0] & 255),
+                              (int32_t)(s->color[1] & 255),
+                              (int32_t)(s->color[2] & 255)};
+    gradient_set(g, m, s->v, value);
+}
+
 static void judge_method(struct errors *e, const struct sample *s,
                          const struct gradient_method *m)
 {
     struct planar p = {.method = m};
-    const int32_t value[3] = {(int32_t)(s->color[0] & 255),
-                              (int32_t)(s->color[1] & 255),
-                              (int32_t)(s->color[2] & 255)};
-    gradient_set(&p.gradient, m, s->v, value);
+    sample_set(&p.gradient, s, m);
     judge(e, s, planar_at, &p);
+}
+
+static bool overflows(const struct sample *s)
+{
+    struct gradient g;
+    sample_set(&g, s, &gradient_methods[1]);
+    return g.dx != (int32_t)g.dx || g.dy != (int32_t)g.dy;
 }
 
 static void judge_pel(struct errors *e, const struct sample *s,
@@ -134,6 +147,7 @@ enum { KINDS = 4 };
 struct result {
     struct errors pel, kind[KINDS];
     double triangles, broken[KINDS + 1]; /* more than a step off; Pel last */
+    double overflow; /* gradients that leave 32 bits in 16.16 */
 };
 
 static void measure(struct result *out, struct random *r, make_sample *make,
@@ -147,6 +161,7 @@ static void measure(struct result *out, struct random *r, make_sample *make,
         if (pel_triangle_area(s.v) == 0)
             continue;
         out->triangles++;
+        out->overflow += overflows(&s);
         for (int k = 0; k <= KINDS; k++) {
             struct errors one = {0};
             struct errors *all = k < KINDS ? &out->kind[k] : &out->pel;
@@ -193,6 +208,8 @@ void atlas_color_sliver(struct atlas *a)
         sheet_open(&sheet, a, (struct pel_rect){0, 0, 128, 128});
         measure(&out, &r, thin_sample, thickness, atlas_samples(a, 40000, 1500),
                 &sheet);
+        atlas_put(a, figure_of("16.16", thickness / 256.0, "overflow_percent",
+                               100 * out.overflow / out.triangles, "%"));
         for (int k = 0; k <= KINDS; k++) {
             const char *name = k < KINDS ? gradient_methods[k].name : "pel";
             const struct figure f =

@@ -9,5 +9,9 @@ const struct atlas_case atlas_cases[] = {
     {"color", atlas_color},
     {"color-sliver", atlas_color_sliver},
     {"gradient", atlas_gradient},
+    {"span", atlas_span},
+    {"map-perspective", atlas_map_perspective},
+    {"phong", atlas_phong},
+    {"map-phong", atlas_map_phong},
     {NULL, NULL},
 };
