@@ -9,8 +9,11 @@ FNR == NR {
     key = $1
     sub(/^[^ ]+ +/, "")
     chart[key] = $0
-    if (key == "metric")
+    if (key == "metric") {
         wanted = split($0, metrics, " ")
+        if (metrics[wanted] == "bound")
+            chart["has_bound"]
+    }
     next
 }
 FNR == 1 { FS = ","; next }
@@ -115,11 +118,19 @@ function point(series, px, py, from, to, label,    i)
 # What the pointer asks for lies above all that is seen.
 function draw_series(style, spread,    i, plot, above)
 {
+    if ("has_bound" in chart)
+        plot = "NaN with lines linecolor rgb \"#555555\" dashtype 3 title" \
+            " \"bounds\", "
     for (i = 1; i <= count["series"]; i++) {
         print "$s" i " << EOD\n" data[i] "EOD"
         plot = plot "$s" i " using " spread " with vectors nohead linetype " i \
             " dashtype 1 notitle, $s" i " using 1:2 with " style " linetype " i \
             " title \"" named["series", i] "\", "
+        if (i in bounds) {
+            print "$b" i " << EOD\n" bounds[i] "EOD"
+            plot = plot "$b" i " using 1:2 with lines linetype " i \
+                " linewidth 1.2 dashtype 3 notitle, "
+        }
         above = above (i > 1 ? ", " : "") "$s" i " using 1:2:5 with labels" \
             " hypertext point pointtype 7 pointsize 1.3" \
             " linecolor rgb \"#ff000000\" notitle"
@@ -130,16 +141,21 @@ function draw_series(style, spread,    i, plot, above)
 function series_of(i)
 {
     return method[i] ("series" in chart ? " " y[i] : "") \
-        (wanted > 1 ? " " metrics[which[i]] : "")
+        (wanted > 1 && !("has_bound" in chart) ? " " metrics[which[i]] : "")
 }
 
-function draw_lines(    i)
+function draw_lines(    i, k)
 {
     find_zero("y", value)
     find_zero("x", x)
     for (i = 1; i <= n; i++)
-        point(series_of(i), on_axis("x", x[i]), on_axis("y", value[i]),
-            on_axis("y", low[i]), on_axis("y", high[i]), tip[i])
+        if (metrics[which[i]] == "bound") {
+            k = place("series", series_of(i))
+            bounds[k] = bounds[k] on_axis("x", x[i]) "\t" \
+                on_axis("y", value[i]) "\n"
+        } else
+            point(series_of(i), on_axis("x", x[i]), on_axis("y", value[i]),
+                on_axis("y", low[i]), on_axis("y", high[i]), tip[i])
     draw_series("linespoints", "1:3:(0):($4-$3)")
 }
 
@@ -209,7 +225,7 @@ function find_range(panel,    i, v)
 function is_out(panel, column, row,    key)
 {
     key = panel SUBSEP named["columns", column] SUBSEP named["rows", row]
-    return (key in cell) && cell[key] > (key in bound ? bound[key] : chart["bound"])
+    return (key in cell) && cell[key] > (key in bound ? bound[key] : chart["bound"] + 0)
 }
 
 function side(x0, y0, x1, y1) { border = border x0 "\t" y0 "\n" x1 "\t" y1 "\n\n" }

@@ -17,3 +17,12 @@ need-atlas:
 atlas: $(ATLAS_PROGRAMS) | need-atlas ## charts of speed and accuracy: build/atlas/index.html; QUICK=1, SHARD=I/N
 	QUICK=$(QUICK) SHARD=$(SHARD) bench/atlas/run.sh $(BUILD) $(ATLAS_OUT)
 	$(if $(SHARD),,bench/atlas/page.sh $(ATLAS_OUT))
+
+# The page of a quick run, measured anew, in a browser.
+CHECK_EXTRA += check-atlas
+tests: $(ATLAS_PROGRAMS)
+check-atlas: ## click through the atlas in Chromium
+	@tests/tools/need.sh chromium:chromium
+	rm -rf $(BUILD)/atlas-quick
+	$(MAKE) --no-print-directory atlas QUICK=1
+	tests/tools/atlas_page.sh $(BUILD)/atlas-quick/index.html

@@ -3,8 +3,8 @@
 # darker with the value, in grey too.
 set datafile separator "\t"
 set encoding utf8
-set border 3
-set tics nomirror
+set border 3 back
+set tics nomirror back
 set grid x y linetype 1 linewidth 0.4 linecolor rgb "#d8d8d8"
 set key outside right top noenhanced font ",9" samplen 3
 set xlabel noenhanced
