@@ -13,5 +13,7 @@ const struct atlas_case atlas_cases[] = {
     {"map-perspective", atlas_map_perspective},
     {"phong", atlas_phong},
     {"map-phong", atlas_map_phong},
+    {"order", atlas_order},
+    {"fighting", atlas_fighting},
     {NULL, NULL},
 };

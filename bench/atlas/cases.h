@@ -21,4 +21,7 @@ void atlas_map_perspective(struct atlas *a);
 void atlas_phong(struct atlas *a); /* case_light.c */
 void atlas_map_phong(struct atlas *a);
 
+void atlas_order(struct atlas *a); /* case_depth.c */
+void atlas_fighting(struct atlas *a);
+
 #endif
