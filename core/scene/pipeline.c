@@ -29,19 +29,6 @@ size_t pel_scene_scratch_size(const struct pel_scene *scene)
     return scene && scene->mesh ? parts_of(scene).end : 0;
 }
 
-static pel_color surface_color(const struct pel_frame *frame, uint32_t vertex)
-{
-    const struct pel_mesh_texture *t = frame->mesh_texture;
-    const struct pel_mesh *mesh = frame->scene->mesh;
-    if (t)
-        return t->mapping->vertex ? t->mapping->vertex(frame, vertex)
-                                  : UINT32_C(0xFFFFFFFF);
-    if (!mesh->colors)
-        return frame->color;
-    const uint8_t *c = mesh->colors[vertex];
-    return PEL_RGB(c[0], c[1], c[2]);
-}
-
 static void project_vertices(struct pel_frame *frame, uint32_t begin,
                              uint32_t end)
 {
@@ -49,10 +36,9 @@ static void project_vertices(struct pel_frame *frame, uint32_t begin,
     for (uint32_t i = begin; i < end; i++) {
         struct pel_frame_vertex *v = &frame->vertex[i];
         pel_project(&frame->projector, s->mesh->positions[i], &v->at);
-        v->color = surface_color(frame, i);
+        v->color = pel_frame_surface(frame, i);
         if (s->shading->vertex)
             v->color = s->shading->vertex(frame, i, v->color);
-        v->color = (v->color & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
     }
 }
 
