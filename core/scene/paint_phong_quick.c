@@ -31,60 +31,94 @@ static inline int32_t power(int32_t v, int32_t n)
     }
 }
 
-/* The sum of all lights at a pixel, as pel_mesh_lights_sum has it. */
-static inline void sum_at(const struct pel_phong_quick *p, int32_t a, int32_t b,
-                          struct pel_light_sum *sum)
+/* Where k3 to k5 are 0. */
+static inline int32_t linear_at(const struct pel_polynomial *p, int32_t a,
+                                int32_t b)
 {
-    const struct pel_mesh_lights *lights = p->lights;
-    const struct pel_lighting *lighting = lights->lighting;
-    const int32_t d = value_at(&p->d, a, b);
-    const int32_t once = times(d, ONE / 2 + (d >> 2) + (d >> 3));
-    const int32_t twice = 2 * (ONE + d + times(d, d));
-    const int32_t eye = times(value_at(&p->eye, a, b), twice);
-    for (int k = 0; k < 3; k++) {
-        sum->surface[k] = lights->ambient[k];
-        sum->plain[k] = 0;
-    }
-    for (int32_t i = 0; i < lighting->lights; i++) {
-        const struct pel_mesh_light *light = &lights->light[i];
-        const int32_t nl = value_at(&p->light[i].normal, a, b);
-        const int32_t w = times(nl, eye) - value_at(&p->light[i].eye, a, b);
-        pel_factor *highlight =
-            lighting->plain_highlights ? sum->plain : sum->surface;
-        if (nl > 0)
-            for (int k = 0; k < 3; k++)
-                sum->surface[k] +=
-                    times(light->diffuse[k], nl + times(nl, once));
-        else if (lighting->no_back_highlights)
-            continue;
-        if (w <= 0)
-            continue;
-        const int32_t bright = power(pel_min(w, ONE), lighting->shininess);
-        for (int k = 0; k < 3; k++)
-            highlight[k] += times(light->specular[k], bright);
-    }
+    return p->k[0] + times(a, p->k[1]) + times(b, p->k[2]);
 }
 
-static PEL_NOINLINE void light(const struct pel_phong_quick *p, int32_t x,
-                               int32_t y, int32_t n, pel_color *out)
+/* What all lights of a pixel share: 1 / |n| - 1, and 2 (n.V) / n.n. */
+struct pixel {
+    int32_t a, b, longer, eye;
+};
+
+static inline void set_pixel(const struct pel_phong_quick *p,
+                             struct pixel *pixel)
 {
-    uint64_t at[2] = {pel_plane_at(&p->weight[0], x, y),
-                      pel_plane_at(&p->weight[1], x, y)};
+    const int32_t d = value_at(&p->d, pixel->a, pixel->b);
+    const int32_t twice = 2 * (ONE + d + times(d, d));
+    pixel->longer = times(d, ONE / 2 + (d >> 2) + (d >> 3));
+    pixel->eye = times(value_at(&p->eye, pixel->a, pixel->b), twice);
+}
+
+/* Adds a light to the first channels of the sum. */
+static PEL_INLINE_KINDS void add(const struct pel_phong_quick *p, int32_t i,
+                                 const struct pixel *at, int channels,
+                                 struct pel_light_sum *sum)
+{
+    const struct pel_lighting *lighting = p->lights->lighting;
+    const struct pel_mesh_light *light = &p->lights->light[i];
+    const struct pel_polynomial *of = p->light[i].of;
+    const bool flat = light->directional;
+    const int32_t nl =
+        flat ? linear_at(&of[0], at->a, at->b) : value_at(&of[0], at->a, at->b);
+    const int32_t along =
+        flat ? linear_at(&of[1], at->a, at->b) : value_at(&of[1], at->a, at->b);
+    const int32_t w = pel_min(times(nl, at->eye) - along, ONE);
+    if (nl > 0)
+        for (int k = 0; k < channels; k++)
+            sum->surface[k] +=
+                times(light->diffuse[k], nl + times(nl, at->longer));
+    if (w <= 0 || (nl <= 0 && lighting->no_back_highlights))
+        return;
+    const int32_t bright = power(w, lighting->shininess);
+    pel_factor *highlight =
+        lighting->plain_highlights ? sum->plain : sum->surface;
+    for (int k = 0; k < channels; k++)
+        highlight[k] += times(light->specular[k], bright);
+}
+
+/* Channel k of the surface, 1/256 step. */
+static inline uint32_t surface_of(const struct pel_phong_quick *p, int k,
+                                  const struct pixel *at, pel_color under)
+{
+    if (p->surface)
+        return (under >> 8 * k & 255) << 8;
+    int32_t own = p->color[0][k];
+    if (!p->one_color)
+        own += times(at->a, p->color[1][k]) + times(at->b, p->color[2][k]);
+    return (uint32_t)own;
+}
+
+static PEL_INLINE_KINDS void light(const struct pel_phong_quick *p, int32_t x,
+                                   int32_t y, int32_t n, pel_color *out,
+                                   int channels)
+{
+    const struct pel_mesh_lights *lights = p->lights;
+    uint64_t a = pel_plane_at(&p->weight[0], x, y);
+    uint64_t b = pel_plane_at(&p->weight[1], x, y);
     for (; n > 0; n--, out++) {
-        const int32_t a = pel_plane_whole(at[0]), b = pel_plane_whole(at[1]);
-        struct pel_light_sum sum;
-        pel_color lit = pel_round_div255(pel_alpha(*out) * p->alpha) << 24;
-        sum_at(p, a, b, &sum);
+        struct pixel at = {pel_plane_whole(a), pel_plane_whole(b), 0, 0};
+        struct pel_light_sum sum = {{0, 0, 0}, {0, 0, 0}};
+        pel_color lit = p->surface ? pel_alpha(*out) : 255;
+        lit = pel_round_div255(lit * p->alpha) << 24;
+        for (int k = 0; k < channels; k++)
+            sum.surface[k] = lights->ambient[k];
+        set_pixel(p, &at);
+        for (int32_t i = 0; i < lights->lighting->lights; i++)
+            add(p, i, &at, channels, &sum);
         for (int k = 0; k < 3; k++) {
-            const int32_t own =
-                p->surface ? (int32_t)((*out >> 8 * k & 255) << 8)
-                           : p->color[0][k] + times(a, p->color[1][k]) +
-                                 times(b, p->color[2][k]);
-            lit |= pel_lit_channel(&sum, 2 - k, (uint32_t)own) << 8 * k;
+            const int c = channels == 1 ? 0 : 2 - k;
+            const uint64_t own = surface_of(p, k, &at, *out);
+            const uint64_t v = (own * (uint32_t)sum.surface[c] +
+                                UINT64_C(65280) * (uint32_t)sum.plain[c]) >>
+                               16;
+            lit |= (v < 65280 ? (uint32_t)(v + 128) >> 8 : 255) << 8 * k;
         }
         *out = lit;
-        at[0] += p->weight[0].dx;
-        at[1] += p->weight[1].dx;
+        a += p->weight[0].dx;
+        b += p->weight[1].dx;
     }
 }
 
@@ -94,10 +128,10 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     const struct pel_phong_quick *p = (const void *)paint;
     if (p->surface)
         p->surface->colors(p->surface, x, y, n, out);
+    if (p->gray)
+        light(p, x, y, n, out, 1);
     else
-        for (int32_t i = 0; i < n; i++)
-            out[i] = UINT32_C(0xFF000000);
-    light(p, x, y, n, out);
+        light(p, x, y, n, out, 3);
 }
 
 /* A direction, or any vector, that is linear: at vertex 0, and what is added at
@@ -127,11 +161,11 @@ static void to_field(field v)
             v[i][k] -= v[0][k];
 }
 
-/* Scaled so that the shortest normal has length 1. */
+/* Scaled so that `length` is 1. */
 static void set_normals(const struct pel_lit_corners *corners, field normal)
 {
     int shift;
-    const uint32_t inverse = pel_inverse_root(corners->shortest, &shift);
+    const uint32_t inverse = pel_inverse_root(corners->length, &shift);
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
             normal[i][k] =
@@ -165,8 +199,22 @@ static void set_light(struct pel_phong_quick *p, int32_t i,
             way[0][k] = from->at[k] >> (30 - ONE_BITS);
     else
         set_directions(corners, from->at, way);
-    multiply(normal, way, &p->light[i].normal);
-    multiply(eye, way, &p->light[i].eye);
+    multiply(normal, way, &p->light[i].of[0]);
+    multiply(eye, way, &p->light[i].of[1]);
+}
+
+static bool equal(const pel_factor v[3])
+{
+    return v[0] == v[1] && v[1] == v[2];
+}
+
+static bool is_gray(const struct pel_mesh_lights *lights)
+{
+    bool gray = equal(lights->ambient);
+    for (int32_t i = 0; i < lights->lighting->lights; i++)
+        gray = gray && equal(lights->light[i].diffuse) &&
+               equal(lights->light[i].specular);
+    return gray;
 }
 
 void pel_phong_quick_init(struct pel_phong_quick *paint,
@@ -179,6 +227,7 @@ void pel_phong_quick_init(struct pel_phong_quick *paint,
     paint->base.colors = colors;
     paint->lights = lights;
     paint->surface = surface;
+    paint->gray = is_gray(lights);
     set_normals(corners, normal);
     set_directions(corners, lights->eye, eye);
     multiply(normal, normal, &paint->d);
@@ -192,5 +241,6 @@ void pel_phong_quick_init(struct pel_phong_quick *paint,
         for (int i = 0; i < 3; i++)
             paint->color[i][k] = (int32_t)((color[i] >> 8 * k & 255) << 8);
     }
+    paint->one_color = ((color[0] ^ color[1]) | (color[0] ^ color[2])) == 0;
     to_field(paint->color);
 }

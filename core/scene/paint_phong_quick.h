@@ -31,7 +31,7 @@ struct pel_polynomial {
 struct pel_lit_corners {
     int32_t normal[3][3];   /* of any length up to 2^29 */
     int32_t position[3][3]; /* lighting units */
-    uint64_t shortest;      /* square of the shortest normal, not 0 */
+    uint64_t length;        /* square of a length amid theirs, not 0 */
 };
 
 /* The paint. Its colors are those of `surface`, or where that is NULL linear
@@ -43,11 +43,13 @@ struct pel_phong_quick {
     struct pel_plane weight[2];   /* of vertices 1 and 2 */
     struct pel_polynomial d, eye; /* d, n.V */
     struct {
-        struct pel_polynomial normal, eye; /* n.L, L.V */
+        struct pel_polynomial of[2]; /* n.L, L.V */
     } light[PEL_QUICK_LIGHTS];
     int32_t color[3][3]; /* blue, green, red: at vertex 0, 1/256 step, and the
                             ways to the others */
     uint8_t alpha;
+    bool one_color;
+    bool gray; /* all lights are: one factor serves all channels */
 };
 
 /* Sets all but `weight`. Up to PEL_QUICK_LIGHTS lights. */

@@ -101,13 +101,14 @@ static bool turn_of_normals(struct pel_lit_corners *corners,
         most = square > most ? square : most;
     }
     const uint64_t edge = longest(corners->normal);
-    corners->shortest = least;
     if (edge >= least || most - least >= least)
         return false;
-    turns->normal = ratio(edge, least - edge / 3);
-    const uint64_t off = edge / 3 > most - least ? edge / 3 : most - least;
-    const int bits = pel_bits_of(least); /* 2^(bits - 1) <= least */
-    turns->length = (uint32_t)(off >> 16 << (63 - bits) >> 30) + 1;
+    least -= edge / 3;
+    corners->length = least + (most - least) / 2;
+    turns->normal = ratio(edge, least);
+    const int bits = pel_bits_of(corners->length); /* >= 2^(bits - 1) */
+    turns->length =
+        (uint32_t)((most - least) / 2 << (64 - bits) >> 47) + 1;
     return true;
 }
 
@@ -229,8 +230,7 @@ struct bounds {
 
 /* What the polynomials leave out. Turns of directions count by their squares,
  * below 2^36; d^3 is 2^-16. */
-static uint64_t quick_of(const struct pel_frame *frame, const struct turns *t,
-                         uint64_t d, uint64_t s)
+static uint64_t quick_of(const struct turns *t, uint64_t d, uint64_t slope)
 {
     const uint64_t cube =
         t->length < 8192
@@ -238,9 +238,14 @@ static uint64_t quick_of(const struct pel_frame *frame, const struct turns *t,
             : 65536;
     const uint64_t light = ((uint64_t)t->light * t->light * 7 / 36 >> 16) + 1;
     const uint64_t eye = ((uint64_t)t->eye * t->eye * 7 / 36 >> 16) + 1;
-    const int32_t p = frame->lights.lighting->shininess;
-    return (d * (cube / 2 + light) +
-            s * (uint32_t)p * (2 * cube + light + eye)) >> 16;
+    return (d * (cube / 2 + light) + slope * (2 * cube + light + eye)) >> 16;
+}
+
+/* s p w^(p - 1), 2^-16. */
+static uint64_t slope_of(uint64_t s, int32_t p, pel_cosine w)
+{
+    const uint64_t power = ((uint32_t)pel_cosine_power(w, p - 1) >> 14) + 1;
+    return (s * (uint32_t)p * power >> 16) + 1;
 }
 
 /* Turns are at most 2^18 and factors 2^29, so a product of three is below 2^63
@@ -256,16 +261,18 @@ static struct bounds bounds_of(const struct pel_frame *frame,
     const int h = pel_max(pel_max(note[0] >> 5, note[1] >> 5), note[2] >> 5);
     const bool crosses = h == 0 || nl > UINT32_C(1) << (8 + h);
     struct bounds b = {(d * (nl * nl >> 16) >> 16) * 7 / 36 + 1, 0,
-                       (d * nl >> 16) + 1, quick_of(frame, t, d, s)};
+                       (d * nl >> 16) + 1, 0};
     if (crosses)
         b.diffuse += d * nl >> 18;
-    if (s == 0)
+    if (s == 0) {
+        b.quick = quick_of(t, d, 0);
         return b;
+    }
     const pel_cosine w = nearest(frame, note, (uint32_t)q);
     const uint64_t noise = (s * (uint32_t)p >> 18) + 1; /* roots and powers */
     b.specular = (s * curvature(p, w) >> 16) * (q * q >> 16) / 6 >> 16;
     b.specular += noise;
-    b.quick += 2 * noise;
+    b.quick = quick_of(t, d, slope_of(s, p, w)) + 2 * noise;
     b.change += s * q * root_of((uint32_t)p) >> 16;
     if (p == 1)
         b.specular += s * q >> 18;
