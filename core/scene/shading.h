@@ -8,6 +8,7 @@
 #include "depth.h"
 #include "light.h"
 #include "paint_perspective.h"
+#include "paint_phong_quick.h"
 #include "scene.h"
 
 PEL_BEGIN_DECLS
@@ -33,7 +34,7 @@ struct pel_modulated {
 
 struct pel_frame_vertex {
     struct pel_projected at;
-    pel_color color; /* lit by shadings that light vertices */
+    pel_color color; /* of triangles that may be seen; 0: see pel_frame_color */
 };
 
 /* A triangle to draw: one of the mesh, or a part of it that clipping left. */
@@ -41,6 +42,7 @@ struct pel_frame_triangle {
     uint32_t vertex[3];
     struct pel_point at[3];
     const struct pel_clip_corner *corner[3];
+    bool is_whole; /* its corners are the vertices */
     bool is_set_up;
     struct pel_plane_setup setup; /* read it by pel_frame_setup */
 };
@@ -54,6 +56,7 @@ struct pel_frame_work {
         struct pel_gouraud gouraud;
         struct pel_modulated modulated;
         struct pel_phong phong;
+        struct pel_phong_quick quick;
     } paint;
     struct pel_perspective perspective;
     struct pel_depth_paint depth;
@@ -67,7 +70,7 @@ struct pel_frame {
     const struct pel_scene *scene;
     struct pel_frame_work *work;
     struct pel_frame_vertex *vertex;
-    struct pel_depth_entry *order;
+    struct pel_depth_entry *order; /* NULL: that of the mesh */
     /* Puts a paint between a triangle and its paint. NULL: none. */
     const struct pel_paint *(*filter)(struct pel_frame *frame,
                                       const struct pel_paint *paint);
@@ -111,7 +114,15 @@ void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
 void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint);
 
-/* The colors of its vertices. */
+/* The color of a vertex before it is lit: that of the texture, the mesh or the
+ * part at hand, with the part's alpha. */
+pel_color pel_frame_surface(const struct pel_frame *frame, uint32_t vertex);
+
+/* The color of a vertex, lit by shadings that light vertices; computed by the
+ * first call. */
+pel_color pel_frame_color(const struct pel_frame *frame, uint32_t vertex);
+
+/* The colors of the triangle's vertices. */
 void pel_frame_colors(const struct pel_frame *frame, pel_color color[3]);
 
 /* Sets corner i of that triangle to one that clipping left. A vertex that is on
@@ -123,7 +134,8 @@ struct pel_shading {
     /* Called once a frame, before the vertices. May be NULL. */
     enum pel_status (*start)(struct pel_frame *frame);
 
-    /* Makes the color that a vertex keeps from its own. NULL: keeps its own. */
+    /* Makes the color that a vertex keeps from its own (pel_frame_surface).
+     * NULL: keeps its own. */
     pel_color (*vertex)(const struct pel_frame *frame, uint32_t vertex,
                         pel_color surface);
 
@@ -146,10 +158,18 @@ extern const struct pel_shading pel_shade_gouraud;
 extern const struct pel_shading pel_shade_lit_flat;
 extern const struct pel_shading pel_shade_lit_gouraud;
 
+/* For shadings with light: `start`, and what `vertex` does. */
+enum pel_status pel_frame_start_light(struct pel_frame *frame);
+
 /* Light at every pixel: normal, position and surface color are linear on
  * screen, the normal scaled to length 1 without a division. Where opposite
  * normals cancel out there is ambient light alone. */
 extern const struct pel_shading pel_shade_phong;
+
+/* Its paint, of a triangle whose vertices have these surface colors. */
+const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
+                                        const struct pel_color_paint *surface,
+                                        const pel_color color[3]);
 
 struct pel_mapping {
     /* The surface color of a vertex, opaque. NULL: white. */

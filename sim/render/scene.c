@@ -130,7 +130,7 @@ static void set_appearance(struct scene *scene, const struct scene_settings *s)
                         : s->order == SCENE_ZBUFFER16 ? 16
                                                       : 32;
     /* Transparent triangles are blended from far to near. */
-    core->sort = scene->depth_bits == 0 || clear ? pel_depth_sort : NULL;
+    core->sort = scene->depth_bits == 0 || clear ? &pel_depth_sort : NULL;
 }
 
 static bool check(const struct scene_settings *s)

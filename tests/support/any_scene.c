@@ -100,8 +100,10 @@ static void any_camera(struct random *r, struct any_scene *s, int32_t pixels)
 void any_scene(struct random *r, struct any_scene *s, int32_t pixels)
 {
     s->scene = (struct pel_scene){
-        .mesh = &s->mesh, .shading = &pel_shade_flat, .sort = pel_depth_sort};
+        .mesh = &s->mesh, .shading = &pel_shade_flat, .sort = &pel_depth_sort};
     any_mesh(r, s);
+    if (s->mesh.triangles % 2)
+        s->scene.sort = &pel_depth_sort_radix;
     any_quantum(r, s);
     any_pose(r, s);
     any_camera(r, s, pixels);
