@@ -87,7 +87,8 @@ static const struct pel_paint *chosen_paint(
         lit[i] = (lit[i] & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
         own[i] = pel_frame_surface(frame, frame->work->triangle.vertex[i]);
     }
-    if (tolerance == 0 || !pel_light_bound(frame, note, own, &corners, &bounds))
+    if (tolerance == 0 || frame->lights.lighting->both_sides ||
+        !pel_light_bound(frame, note, own, &corners, &bounds))
         return pel_phong_paint(frame, surface, own);
     const uint32_t error = GOURAUD_ERROR + (surface ? FACTOR_ERROR : 0);
     if (error <= tolerance && bounds.plane <= tolerance - error &&
