@@ -29,7 +29,8 @@ for shade in flat gouraud; do
     "$PEL" render - --size 300x200 --shade $shade <"$dir/vase.pel2d" \
         >"$dir/b.ppm"
     cmp "$dir/a.ppm" "$dir/b.ppm" || fail "$shade: standard input"
-    "$PEL" render builtin:vase --size 300x200 --shade $shade -o "$dir/b.ppm"
+    "$PEL" render builtin:vase --size 300x200 --shade $shade \
+        --order painter -o "$dir/b.ppm"
     "$PEL" compare --tolerance $([ $shade = flat ] && echo 0 || echo 1) \
         "$dir/a.ppm" "$dir/b.ppm" || fail "$shade: pel2d is not its mesh"
 done
