@@ -62,7 +62,7 @@ static enum pel_status check_parts(struct pel_frame *frame)
         frame->fault.part = part;
         if (status != PEL_OK)
             return status;
-        frame->translucent |= !frame->opaque;
+        frame->translucent |= !frame->solid;
     } while (++part < parts);
     return PEL_OK;
 }
@@ -256,7 +256,7 @@ static bool part_drawn(const struct pel_frame *frame)
 {
     return frame->alpha != 0 &&
            !(frame->pass == PEL_PASS_FIRST && frame->alpha < 255) &&
-           !(frame->pass == PEL_PASS_TRANSLUCENT && frame->opaque);
+           !(frame->pass == PEL_PASS_TRANSLUCENT && frame->solid);
 }
 
 static void draw_entry(struct pel_frame *frame, uint32_t triangle, bool all)

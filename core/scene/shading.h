@@ -73,7 +73,7 @@ struct pel_frame {
     const struct pel_paint *(*filter)(struct pel_frame *frame,
                                       const struct pel_paint *paint);
     uint32_t triangles; /* in `order`: those that may be seen */
-    bool translucent;   /* some part is not opaque */
+    bool translucent;   /* some part is not solid */
     enum pel_pass pass;
     struct pel_mesh_fault fault; /* when an index or a part is wrong */
     struct pel_mesh_lights lights;
@@ -83,7 +83,8 @@ struct pel_frame {
     uint32_t part, begin, end; /* triangles */
     pel_color color;           /* of vertices without colours */
     uint8_t alpha;
-    bool opaque;
+    bool opaque; /* no pixel is translucent, nor left out */
+    bool solid;  /* no pixel is translucent */
     const struct pel_mesh_texture *mesh_texture; /* NULL: no texture */
     struct pel_texture texture; /* its sampler; its map is set by mappings */
 };
@@ -189,6 +190,8 @@ struct pel_mesh_texture {
     enum pel_status (*sampler)(struct pel_texture *paint,
                                const struct pel_texels *texels,
                                const struct pel_texture_map *map);
+    void (*alpha)(struct pel_texture *paint); /* NULL: blended; or
+                                                 pel_texture_cut_out */
     enum pel_wrap wrap_u, wrap_v;
     int32_t span; /* of pel_map_perspective; 0 is 1, exact */
 };

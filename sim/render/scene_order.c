@@ -18,24 +18,21 @@ static int64_t pixels_of(const struct pel_rect *r)
 static bool proof_pays(const struct scene *scene,
                        const struct scene_settings *s)
 {
-    const struct pel_mesh_texture *texture = scene->core.texture;
-    return s->order == SCENE_AUTO && s->shade != SCENE_PHONG &&
-           !(texture && texture->mapping->surface) &&
+    return s->order == SCENE_AUTO && !scene->core.sort &&
+           s->shade != SCENE_PHONG &&
+           (!scene->core.texture || s->mapping == SCENE_MAP_VERTICES) &&
            scene->mesh.triangles <=
                pixels_of(&scene->core.viewport) / PIXELS_PER_TRIANGLE;
 }
 
 void scene_set_order(struct scene *scene, const struct scene_settings *s)
 {
-    /* Transparent triangles are blended from far to near. */
-    const bool clear = s->transparency > 0 ||
-                       (scene->core.texture && !scene->model->texture_opaque);
-    const bool painter = s->order == SCENE_PAINTER || proof_pays(scene, s);
     scene->depth_bits = s->order == SCENE_PAINTER     ? 0
                         : s->order == SCENE_ZBUFFER16 ? 16
                                                       : 32;
-    scene->core.sort = painter || clear ? &pel_depth_sort_radix : NULL;
-    scene->is_proven = false;
+    scene->is_proven = proof_pays(scene, s);
+    if (s->order == SCENE_PAINTER || scene->is_proven)
+        scene->core.sort = &pel_depth_sort_radix;
 }
 
 /* Examines the painter's order of the frame; false when memory is short. */
@@ -50,12 +47,13 @@ static bool certify(const struct scene *scene, uint32_t work,
     return done;
 }
 
-void scene_prove_order(struct scene *scene, const struct scene_settings *s)
+void scene_prove_order(struct scene *scene)
 {
     const int64_t pixels = pixels_of(&scene->core.viewport);
-    if (!proof_pays(scene, s) || scene->frame.translucent)
+    if (!scene->is_proven)
         return;
     scene->is_proven =
+        !scene->frame.translucent &&
         certify(scene, (uint32_t)(pixels / PIXELS_PER_STEP), &scene->doubt) &&
         pixels_of(&scene->doubt.bounds) <= pixels / 2;
     if (!scene->is_proven) { /* as if it had not been sorted */

@@ -6,15 +6,16 @@
 
 #include "sim/render/scene.h"
 
-/* Sets depth_bits and the sort, before a frame of the scene is prepared.
- * SCENE_AUTO sorts where a proof of the painter's order is likely to take less
- * time than a depth buffer; it takes one otherwise. */
+/* Sets depth_bits, and the sort where it is needed for the order; before a
+ * frame of the scene is prepared. SCENE_AUTO sorts where a proof of the
+ * painter's order is likely to take less time than a depth buffer; it takes one
+ * otherwise. */
 void scene_set_order(struct scene *scene, const struct scene_settings *s);
 
 /* Tries the proof, in as much time as the depths would take at most. Where it
  * fails for a part of the picture, depths are kept for that part, or for all
  * of it. */
-void scene_prove_order(struct scene *scene, const struct scene_settings *s);
+void scene_prove_order(struct scene *scene);
 
 /* Draws a part of the picture as was decided; false, with a message, when
  * there is no memory. The frame is a copy of the scene's, with its own work. */
