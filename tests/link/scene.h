@@ -60,7 +60,7 @@ static const struct pel_lighting scene_lighting = {
         .color = PEL_RGB(200, 200, 200), .sort = &pel_depth_sort      \
     }
 
-static int scene_show(const struct pel_scene *scene)
+static inline int scene_show(const struct pel_scene *scene)
 {
     static const struct pel_surface screen = SCREEN(pel_rgb565_le);
     static uint64_t scratch[250];
