@@ -77,3 +77,22 @@ void pel_frame_find_part(struct pel_frame *frame, uint32_t triangle)
     }
     pel_frame_set_part(frame, low);
 }
+
+static pel_color opaque_surface(const struct pel_frame *frame, uint32_t vertex)
+{
+    const struct pel_mesh_texture *t = frame->mesh_texture;
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    if (t)
+        return t->mapping->vertex ? t->mapping->vertex(frame, vertex)
+                                  : UINT32_C(0xFFFFFFFF);
+    if (!mesh->colors)
+        return frame->color;
+    const uint8_t *c = mesh->colors[vertex];
+    return PEL_RGB(c[0], c[1], c[2]);
+}
+
+pel_color pel_frame_surface(const struct pel_frame *frame, uint32_t vertex)
+{
+    return (opaque_surface(frame, vertex) & 0xFFFFFFu) | (uint32_t)frame->alpha
+                                                             << 24;
+}

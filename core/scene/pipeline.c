@@ -30,19 +30,6 @@ size_t pel_scene_scratch_size(const struct pel_scene *scene)
     return scene && scene->mesh ? parts_of(scene).end : 0;
 }
 
-static pel_color surface_color(const struct pel_frame *frame, uint32_t vertex)
-{
-    const struct pel_mesh_texture *t = frame->mesh_texture;
-    const struct pel_mesh *mesh = frame->scene->mesh;
-    if (t)
-        return t->mapping->vertex ? t->mapping->vertex(frame, vertex)
-                                  : UINT32_C(0xFFFFFFFF);
-    if (!mesh->colors)
-        return frame->color;
-    const uint8_t *c = mesh->colors[vertex];
-    return PEL_RGB(c[0], c[1], c[2]);
-}
-
 static void project_vertices(struct pel_frame *frame)
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
@@ -73,10 +60,9 @@ pel_color pel_frame_color(const struct pel_frame *frame, uint32_t vertex)
     pel_color color = frame->vertex[vertex].color;
     if (color)
         return color;
-    color = surface_color(frame, vertex);
+    color = pel_frame_surface(frame, vertex);
     if (shading->vertex)
         color = shading->vertex(frame, vertex, color);
-    color = (color & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
     return frame->vertex[vertex].color = color;
 }
 

@@ -62,6 +62,11 @@ struct pel_scene {
 
     enum pel_cull cull;
 
+    /* For methods that are chosen (select.h), which are exact where it is 0: a
+     * channel of a pixel differs by at most so many 1/256 steps, rounded up to
+     * whole ones, from what the exact method gives, before it is packed. */
+    int32_t tolerance;
+
     /* &pel_depth_sort or another one for painter's order, from the farthest to
      * the nearest, by the exact sum of the depths of three vertices. NULL: the
      * order of the mesh, for depth buffers. */

@@ -142,7 +142,7 @@ static const struct pel_paint *facet_paint(
 
 const struct pel_shading pel_shade_lit_flat = {start_light, NULL, facet_paint};
 
-static enum pel_status start_normals(struct pel_frame *frame)
+enum pel_status pel_frame_start_light(struct pel_frame *frame)
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
     return mesh->normals8 || mesh->normals16 ? start_light(frame)
@@ -161,8 +161,8 @@ static pel_color light_vertex(const struct pel_frame *frame, uint32_t vertex,
     return pel_lit_color(&sum, surface);
 }
 
-const struct pel_shading pel_shade_lit_gouraud = {start_normals, light_vertex,
-                                                  gouraud_paint};
+const struct pel_shading pel_shade_lit_gouraud = {pel_frame_start_light,
+                                                  light_vertex, gouraud_paint};
 
 /* A channel of struct pel_gouraud in 1/256 steps: it has a half more, so that
  * its upper 8 bits are rounded. */
@@ -226,14 +226,14 @@ static void set_planes(struct pel_frame *frame, int32_t value[3][3],
     }
 }
 
-static const struct pel_paint *phong_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
+                                        const struct pel_color_paint *surface,
+                                        const pel_color color[3])
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
     struct pel_frame_triangle *t = &frame->work->triangle;
     struct pel_phong *p = &frame->work->paint.phong;
     int32_t value[3][3];
-    pel_color color[3];
     pel_color_paint_init(&p->base, phong_colors, frame->opaque);
     p->lights = &frame->lights;
     p->surface = surface;
@@ -245,11 +245,18 @@ static const struct pel_paint *phong_paint(
         pel_mesh_lights_position(&frame->lights, mesh->positions[t->vertex[i]],
                                  value[i]);
     set_planes(frame, value, p->plane + 3);
-    if (!surface) {
-        pel_frame_colors(frame, color);
+    if (!surface)
         pel_frame_gouraud(frame, color, &p->colors);
-    }
     return &p->base.paint;
 }
 
-const struct pel_shading pel_shade_phong = {start_normals, NULL, phong_paint};
+static const struct pel_paint *phong_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
+{
+    pel_color color[3];
+    pel_frame_colors(frame, color);
+    return pel_phong_paint(frame, surface, color);
+}
+
+const struct pel_shading pel_shade_phong = {pel_frame_start_light, NULL,
+                                            phong_paint};

@@ -8,6 +8,7 @@
 #include "depth.h"
 #include "light.h"
 #include "paint_perspective.h"
+#include "paint_phong_quick.h"
 #include "scene.h"
 
 PEL_BEGIN_DECLS
@@ -55,6 +56,7 @@ struct pel_frame_work {
         struct pel_gouraud gouraud;
         struct pel_modulated modulated;
         struct pel_phong phong;
+        struct pel_phong_quick quick;
     } paint;
     struct pel_perspective perspective;
     struct pel_depth_paint depth;
@@ -112,6 +114,10 @@ void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
 void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint);
 
+/* The color of a vertex before it is lit: that of the texture, the mesh or the
+ * part at hand, with the part's alpha. */
+pel_color pel_frame_surface(const struct pel_frame *frame, uint32_t vertex);
+
 /* The color of a vertex, lit by shadings that light vertices; computed by the
  * first call. */
 pel_color pel_frame_color(const struct pel_frame *frame, uint32_t vertex);
@@ -128,7 +134,8 @@ struct pel_shading {
     /* Called once a frame, before the vertices. May be NULL. */
     enum pel_status (*start)(struct pel_frame *frame);
 
-    /* Makes the color that a vertex keeps from its own. NULL: keeps its own. */
+    /* Makes the color that a vertex keeps from its own (pel_frame_surface).
+     * NULL: keeps its own. */
     pel_color (*vertex)(const struct pel_frame *frame, uint32_t vertex,
                         pel_color surface);
 
@@ -151,10 +158,18 @@ extern const struct pel_shading pel_shade_gouraud;
 extern const struct pel_shading pel_shade_lit_flat;
 extern const struct pel_shading pel_shade_lit_gouraud;
 
+/* For shadings with light: `start`, and what `vertex` does. */
+enum pel_status pel_frame_start_light(struct pel_frame *frame);
+
 /* Light at every pixel: normal, position and surface color are linear on
  * screen, the normal scaled to length 1 without a division. Where opposite
  * normals cancel out there is ambient light alone. */
 extern const struct pel_shading pel_shade_phong;
+
+/* Its paint, of a triangle whose vertices have these surface colors. */
+const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
+                                        const struct pel_color_paint *surface,
+                                        const pel_color color[3]);
 
 struct pel_mapping {
     /* The surface color of a vertex, opaque. NULL: white. */
