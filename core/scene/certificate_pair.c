@@ -86,8 +86,25 @@ static bool is_nearer(const struct overlap *o, int32_t x, int32_t y)
     return second >= first + o->least;
 }
 
-/* Depths are linear, and so is their difference: between two ends with a proof
- * every pixel has it. */
+/* The part of a row, not empty, without a proof. Depths are linear, and so is
+ * their difference: it begins or ends the row. */
+static struct pel_rect unproven(const struct overlap *o, struct pel_rect row)
+{
+    const bool proven = is_nearer(o, row.x0, row.y0);
+    int32_t low = row.x0, high = row.x1;
+    if (is_nearer(o, high - 1, row.y0) == proven)
+        return proven ? (struct pel_rect){0} : row;
+    while (high - low > 1) {
+        const int32_t middle = (low + high) / 2;
+        if (is_nearer(o, middle, row.y0) == proven)
+            low = middle;
+        else
+            high = middle;
+    }
+    *(proven ? &row.x0 : &row.x1) = high;
+    return row;
+}
+
 static void compare_fill(const struct pel_paint *paint,
                          const struct pel_spans *spans)
 {
@@ -95,11 +112,12 @@ static void compare_fill(const struct pel_paint *paint,
     for (int32_t i = 0; i < spans->n; i++) {
         const int32_t y = spans->y + i;
         const struct pel_span *a = &o->row[y - o->y], *b = &spans->span[i];
-        const struct pel_rect common = {pel_max(a->x0, b->x0), y,
-                                        pel_min(a->x1, b->x1), y + 1};
-        if (common.x0 < common.x1 &&
-            !(is_nearer(o, common.x0, y) && is_nearer(o, common.x1 - 1, y)))
-            pel_doubt_add(&o->doubt, &common, pel_doubt_area(&common));
+        struct pel_rect part = {pel_max(a->x0, b->x0), y, pel_min(a->x1, b->x1),
+                                y + 1};
+        if (part.x0 < part.x1)
+            part = unproven(o, part);
+        if (part.x0 < part.x1)
+            pel_doubt_add(&o->doubt, &part, pel_doubt_area(&part));
     }
 }
 
