@@ -67,7 +67,7 @@ taken() { # TEXT OPTION...
 side="--size 200x100 --eye 5,0,9 --projection orthographic --sensor 20x10"
 taken "painter's order, proven but for 0x0 px with depths" \
     "$work/squares.obj" $side
-taken "painter's order, proven but for 79x30 px with depths" \
+taken "painter's order, proven but for 39x30 px with depths" \
     "$work/cross.obj" $side
 taken "depths of 32 bits" "$work/cross.obj" $side --shade phong
 taken "depths of 32 bits" "$work/squares.obj" $side --size 80x40
