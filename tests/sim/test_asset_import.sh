@@ -326,7 +326,7 @@ grep -q '^/\* 4 vertices' "$dir/zero.c" || fail "-0 is not joined with 0"
 "$PEL" import builtin:vase -o "$dir/vase.pel2d"
 refuse "is projected already" "$dir/vase.pel2d" -o "$dir/x.c"
 
-# A pel2d file draws what its mesh draws (test_render_command.sh).
-"$PEL" render builtin:vase -o "$dir/a.ppm"
+# A pel2d file draws what its mesh draws by the painter (test_render_command.sh).
+"$PEL" render builtin:vase --order painter -o "$dir/a.ppm"
 "$PEL" render "$dir/vase.pel2d" -o "$dir/b.ppm"
 "$PEL" compare --tolerance 1 "$dir/a.ppm" "$dir/b.ppm" || fail "the pel2d file draws something else"
