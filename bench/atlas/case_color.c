@@ -122,7 +122,13 @@ static double bound_of_pel(double way)
     return fmin((way + 1) / 131072, 1 / 16.) + .5;
 }
 
-typedef void make_sample(struct random *r, int32_t size, struct sample *s);
+/* Makes triangles for a sheet: of an edge, or of a thickness. */
+struct regime {
+    void (*make)(struct random *r, int32_t size, struct sample *s);
+    int32_t size;
+    int triangles;
+    struct sheet sheet;
+};
 
 static void any_sample(struct random *r, int32_t edge, struct sample *s)
 {
@@ -150,12 +156,12 @@ struct result {
     double overflow; /* gradients that leave 32 bits in 16.16 */
 };
 
-static void measure(struct result *out, struct random *r, make_sample *make,
-                    int32_t size, int n, struct sheet *sheet)
+static void measure(struct result *out, struct random *r,
+                    const struct regime *regime)
 {
-    for (; n > 0; n--) {
+    for (int n = regime->triangles; n > 0; n--) {
         struct sample s;
-        make(r, size, &s);
+        regime->make(r, regime->size, &s);
         for (int i = 0; i < 3; i++)
             s.color[i] = PEL_RGB(0, 0, random_next(r));
         if (pel_triangle_area(s.v) == 0)
@@ -168,7 +174,7 @@ static void measure(struct result *out, struct random *r, make_sample *make,
             if (k < KINDS)
                 judge_method(&one, &s, &gradient_methods[k]);
             else
-                judge_pel(&one, &s, &sheet->surface);
+                judge_pel(&one, &s, &regime->sheet.surface);
             out->broken[k] += one.worst > 1;
             all->worst = fmax(all->worst, one.worst);
             all->sum += one.sum;
@@ -182,10 +188,11 @@ void atlas_color(struct atlas *a)
     for (int32_t edge = 4; edge <= 1024; edge *= 2) {
         struct random r = atlas_random(a, (uint32_t)edge);
         struct result out = {0};
-        struct sheet sheet;
         const int n = atlas_samples(a, 10000000, 200000) / (edge * edge);
-        sheet_open(&sheet, a, (struct pel_rect){0, 0, edge, edge});
-        measure(&out, &r, any_sample, edge, n < 5 ? 5 : n, &sheet);
+        struct regime regime = {.make = any_sample, .size = edge};
+        regime.triangles = n < 5 ? 5 : n;
+        sheet_open(&regime.sheet, a, (struct pel_rect){0, 0, edge, edge});
+        measure(&out, &r, &regime);
         put_errors(a, &out.pel, (struct figure){.method = "pel", .x = edge},
                    bound_of_pel(2 * edge));
         for (int k = 0; k < KINDS; k++)
@@ -193,7 +200,7 @@ void atlas_color(struct atlas *a)
                 a, &out.kind[k],
                 (struct figure){.method = gradient_methods[k].name, .x = edge},
                 bound_of(&gradient_methods[k], 2 * edge));
-        sheet_close(&sheet);
+        sheet_close(&regime.sheet);
     }
 }
 
@@ -204,10 +211,10 @@ void atlas_color_sliver(struct atlas *a)
     for (int32_t thickness = 1; thickness <= 256; thickness *= 2) {
         struct random r = atlas_random(a, (uint32_t)thickness);
         struct result out = {0};
-        struct sheet sheet;
-        sheet_open(&sheet, a, (struct pel_rect){0, 0, 128, 128});
-        measure(&out, &r, thin_sample, thickness, atlas_samples(a, 40000, 1500),
-                &sheet);
+        struct regime regime = {.make = thin_sample, .size = thickness};
+        regime.triangles = atlas_samples(a, 40000, 1500);
+        sheet_open(&regime.sheet, a, (struct pel_rect){0, 0, 128, 128});
+        measure(&out, &r, &regime);
         atlas_put(a, figure_of("16.16", thickness / 256.0, "overflow_percent",
                                100 * out.overflow / out.triangles, "%"));
         for (int k = 0; k <= KINDS; k++) {
@@ -219,7 +226,7 @@ void atlas_color_sliver(struct atlas *a)
             if (k == KINDS)
                 atlas_promise(a, f.value == 0, &f);
         }
-        sheet_close(&sheet);
+        sheet_close(&regime.sheet);
     }
 }
 

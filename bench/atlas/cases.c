@@ -15,5 +15,12 @@ const struct atlas_case atlas_cases[] = {
     {"map-phong", atlas_map_phong},
     {"order", atlas_order},
     {"fighting", atlas_fighting},
+    {"alpha", atlas_alpha},
+    {"hsv", atlas_hsv},
+    {"dither", atlas_dither},
+    {"arctangent", atlas_arctangent},
+    {"circle", atlas_circle},
+    {"map-circle", atlas_map_circle},
+    {"references", atlas_references},
     {NULL, NULL},
 };

@@ -24,4 +24,14 @@ void atlas_map_phong(struct atlas *a);
 void atlas_order(struct atlas *a); /* case_depth.c */
 void atlas_fighting(struct atlas *a);
 
+void atlas_alpha(struct atlas *a); /* case_scalar.c */
+void atlas_hsv(struct atlas *a);
+void atlas_dither(struct atlas *a);
+void atlas_arctangent(struct atlas *a);
+
+void atlas_circle(struct atlas *a); /* case_circle.c */
+void atlas_map_circle(struct atlas *a);
+
+void atlas_references(struct atlas *a); /* case_references.c */
+
 #endif
