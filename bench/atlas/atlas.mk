@@ -15,3 +15,9 @@ $(ATLAS): $(ATLAS_OBJECTS)
 	$(CC) $(LDFLAGS) $^ -lm -o $@
 
 -include $(ATLAS_SOURCES:%.c=$(BENCH)/host/%.d)
+
+CHECK_EXTRA += check-atlas
+tests: $(ATLAS)
+.PHONY: check-atlas
+check-atlas: $(ATLAS) $(BUILD)/pel ## check the atlas's references and Pel's promises
+	tests/tools/atlas.sh $(ATLAS) $(BUILD)/pel

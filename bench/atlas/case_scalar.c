@@ -155,3 +155,31 @@ void atlas_arctangent(struct atlas *a)
             atlas_put(a, f);
     }
 }
+
+static double linear_of(double channel)
+{
+    const double c = channel / 255;
+    return c <= .04045 ? c / 12.92 : pow((c + .055) / 1.055, 2.4);
+}
+
+static double channel_of(double linear)
+{
+    return 255 * (linear <= .0031308 ? 12.92 * linear
+                                     : 1.055 * pow(linear, 1 / 2.4) - .055);
+}
+
+/* How far Pel's mixes of half and half, of values as they are, are from those
+ * of light, by the difference of the two channels. */
+void atlas_gamma(struct atlas *a)
+{
+    for (int difference = 0; difference < 256; difference += 15) {
+        double worst = 0;
+        for (int c = 0; c + difference < 256; c++) {
+            const double light = linear_of(c) + linear_of(c + difference);
+            worst = fmax(worst,
+                         fabs(channel_of(light / 2) - (c + difference / 2.)));
+        }
+        atlas_put(
+            a, figure_of("pel", difference, "difference_max", worst, "step"));
+    }
+}
