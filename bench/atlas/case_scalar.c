@@ -62,30 +62,42 @@ static int exact_channel(int hue, int s, int v, int channel)
     return v * (15300 - s * part);
 }
 
+struct hues {
+    double wrong, worst, cases;
+};
+
+/* A wrong color has a channel that is not the nearest, a tie upwards. */
+static void judge_hue(struct hues *out, const struct hsv_method *m, int hue,
+                      const int sv[2])
+{
+    int rgb[3];
+    bool wrong = false;
+    m->rgb(hue, sv[0], sv[1], rgb);
+    for (int i = 0; i < 3; i++) {
+        const int exact = exact_channel(hue, sv[0], sv[1], i);
+        wrong |= rgb[i] != (exact + 7650) / 15300;
+        out->worst = fmax(out->worst, abs(15300 * rgb[i] - exact));
+    }
+    out->wrong += wrong;
+    out->cases++;
+}
+
 void atlas_hsv(struct atlas *a)
 {
     const int step = atlas_samples(a, 1, 5);
     for (const struct hsv_method *m = hsv_methods; m->name; m++) {
-        double wrong = 0, worst = 0, cases = 0;
+        struct hues out = {0, 0, 0};
         for (int hue = 0; hue < 360; hue++)
             for (int s = 0; s < 256; s += step)
-                for (int v = 0; v < 256; v += step) {
-                    int rgb[3], off = 0;
-                    m->rgb(hue, s, v, rgb);
-                    for (int i = 0; i < 3; i++)
-                        off = (int)fmax(off, abs(15300 * rgb[i] -
-                                                 exact_channel(hue, s, v, i)));
-                    wrong += off > 7650;
-                    worst = fmax(worst, off);
-                    cases++;
-                }
-        const struct figure f = figure_of(m->name, cases, "wrong_percent",
-                                          100 * wrong / cases, "%");
+                for (int v = 0; v < 256; v += step)
+                    judge_hue(&out, m, hue, (const int[2]){s, v});
+        const struct figure f = figure_of(m->name, out.cases, "wrong_percent",
+                                          100 * out.wrong / out.cases, "%");
         atlas_put(a, f);
-        atlas_put(
-            a, figure_of(m->name, cases, "error_max", worst / 15300, "step"));
+        atlas_put(a, figure_of(m->name, out.cases, "error_max",
+                               out.worst / 15300, "step"));
         if (m == hsv_methods)
-            atlas_promise(a, wrong == 0, &f);
+            atlas_promise(a, out.wrong == 0, &f);
     }
 }
 
