@@ -16,8 +16,8 @@ $(ATLAS): $(ATLAS_OBJECTS)
 
 -include $(ATLAS_SOURCES:%.c=$(BENCH)/host/%.d)
 
-CHECK_EXTRA += check-atlas
+CHECK_EXTRA += check-methods
 tests: $(ATLAS)
-.PHONY: check-atlas
-check-atlas: $(ATLAS) $(BUILD)/pel ## check the atlas's references and Pel's promises
-	tests/tools/atlas.sh $(ATLAS) $(BUILD)/pel
+.PHONY: check-methods
+check-methods: $(ATLAS) $(BUILD)/pel ## check the atlas's references and Pel's promises
+	tests/tools/methods.sh $(ATLAS) $(BUILD)/pel

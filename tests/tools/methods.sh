@@ -1,5 +1,5 @@
 #!/bin/sh
-# atlas.sh PEL-ATLAS PEL: the references agree, Pel keeps its promises in every
+# methods.sh PEL-ATLAS PEL: the references agree, Pel keeps its promises in every
 # regime that takes little time, and what is printed is what is promised.
 set -eu
 atlas=$1 pel=$2
@@ -9,7 +9,7 @@ failed=0
 
 say()
 {
-    echo "atlas: $*" >&2
+    echo "methods: $*" >&2
     failed=1
 }
 
