@@ -131,6 +131,11 @@ bench-instructions: $(BENCH)/pel-count ## count Pel's instructions per shape
 # the host program's reader.
 BENCH_SCENE_SOURCES := $(addprefix bench/, scene.c scene_mesh.c scene_time.c \
     timing.c)
+ifneq ($(filter method_osmesa,$(BENCH_METHODS)),)
+BENCH_SCENE_SOURCES += bench/scene_osmesa.c
+BENCH_SCENE_LIBS := $(shell pkg-config --libs osmesa)
+$(BENCH)/host/bench/scene_time.o: PEL_CFLAGS += -DBENCH_OSMESA
+endif
 BENCH_SCENE_OBJECTS := $(BENCH_SCENE_SOURCES:%.c=$(BENCH)/host/%.o) \
     $(BENCH)/scene/methods.o $(filter-out $(BUILD)/sim/main.o,$(SIM_OBJECTS)) \
     $(LINUX_OBJECTS)
@@ -140,7 +145,8 @@ $(BENCH)/scene/methods.o: bench/methods.c
 	$(CC) $(PEL_CFLAGS) -DBENCH_METHODS= -DBENCH_ABSENT='""' -c $< -o $@
 
 $(BENCH)/pel-bench-scene: $(BENCH_SCENE_OBJECTS) $(BUILD)/libpel.a
-	$(CC) $(LDFLAGS) $^ $(SIM_LIBS) $(LINUX_LIBS) -o $@
+	$(CC) $(LDFLAGS) $^ $(SIM_LIBS) $(LINUX_LIBS) $(BENCH_SCENE_LIBS) \
+	    -o $@
 
 # Meshes that no package has are looked for in the folder PEL_MESHES.
 .PHONY: bench-scene

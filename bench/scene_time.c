@@ -8,6 +8,7 @@
 #include "bench/lighting.h"
 #include "core/format/formats.h"
 #include "method.h"
+#include "scene_osmesa.h"
 
 enum { TEXELS = 256, TIMES_MAX = 41, THREADS_MAX = 64 };
 
@@ -79,7 +80,7 @@ static void set_scene(struct stage *s, const struct bench_mesh *m,
         .viewport = {0, 0, side, side},
         .shading = mode->shading,
         .lighting = &lighting,
-        .sort = mode->depth_bits ? NULL : pel_depth_sort,
+        .sort = mode->depth_bits ? NULL : &pel_depth_sort,
         .cull = PEL_CULL_BACK};
     s->texture = (struct pel_mesh_texture){
         .texels = {NULL, s->texels, TEXELS, TEXELS, true},
@@ -215,29 +216,66 @@ static double pixels_of(struct stage *s)
     return (double)counted;
 }
 
-static double time_picture(struct stage *s, const struct scene_cut *cut)
+/* A picture, and how it is cut. */
+struct picture_job {
+    struct stage *stage;
+    const struct scene_cut *cut;
+};
+
+static double time_job(void *data)
 {
+    const struct picture_job *job = data;
     const double from = timing_now();
-    if (cut->threads > 1)
-        return draw_threads(s, cut);
-    draw(s, cut);
+    if (job->cut->threads > 1)
+        return draw_threads(job->stage, job->cut);
+    draw(job->stage, job->cut);
     return timing_now() - from;
 }
+
+/* After one that does not count. */
+static struct quartiles time_of(double (*time_one)(void *), void *data)
+{
+    double times[TIMES_MAX], sum = 0;
+    int n = 0;
+    time_one(data);
+    while (n < 3 || (n < TIMES_MAX && sum < enough_ns)) {
+        sum += times[n] = time_one(data);
+        n++;
+    }
+    return timing_quartiles(times, n);
+}
+
+#ifdef BENCH_OSMESA
+static double time_peer(void *peer)
+{
+    const double from = timing_now();
+    scene_osmesa_draw(peer);
+    return timing_now() - from;
+}
+
+static double peer_time(const struct pel_scene *scene)
+{
+    void *peer = scene_osmesa_open(scene);
+    const double ns = time_of(time_peer, peer).median;
+    scene_osmesa_close(peer);
+    return ns;
+}
+#else
+static double peer_time(const struct pel_scene *scene)
+{
+    (void)scene;
+    return 0;
+}
+#endif
 
 void bench_scene_time(struct scene_result *out, const struct bench_mesh *m,
                       const struct scene_mode *mode,
                       const struct scene_cut *cut)
 {
-    double times[TIMES_MAX], sum = 0;
     struct stage s = {0};
-    int n = 0;
     open_stage(&s, m, mode, cut->side);
     out->pixels = pixels_of(&s);
-    time_picture(&s, cut);
-    while (n < 3 || (n < TIMES_MAX && sum < enough_ns)) {
-        sum += times[n] = time_picture(&s, cut);
-        n++;
-    }
-    out->ns = timing_quartiles(times, n);
+    out->ns = time_of(time_job, &(struct picture_job){&s, cut});
+    out->peer_ns = mode->depth_bits == 32 ? peer_time(&s.scene) : 0;
     close_stage(&s);
 }

@@ -13,7 +13,7 @@ struct scene_mode {
     const struct pel_mapping *mapping; /* NULL: no texture */
     bool bilinear;
     int32_t span;
-    int depth_bits; /* 0: painter's order */
+    int depth_bits; /* 0: painter's order; 32: beside OSMesa */
 };
 
 /* What is drawn of a mesh: side by side pixels, in so many bands, by as many
@@ -26,6 +26,7 @@ struct scene_result {
     struct quartiles ns; /* of a whole picture, prepared and drawn: CPU time,
                             of several threads that of the longest */
     double pixels;       /* drawn in it, hidden ones too */
+    double peer_ns;      /* of OSMesa, the median; 0: not timed */
 };
 
 /* In xrgb8888, the camera before the mesh. Several bands or threads draw in

@@ -66,7 +66,7 @@ static void draw_sorted(const struct pel_surface *s, const struct scene *scene,
         entry[i].depth = (int32_t)lround(m->key(scene->triangle[i].z) * 1e6);
         entry[i].index = (uint32_t)i;
     }
-    pel_depth_sort(entry, (uint32_t)scene->n);
+    pel_depth_sort.sort(entry, (uint32_t)scene->n, NULL);
     for (int32_t i = 0; i < scene->n; i++)
         draw_plain(s, scene, (int32_t)entry[i].index);
 }

@@ -61,6 +61,9 @@ kind == "scene" && FNR > 1 {
     x["bands"] = $6
     row("Pel " $4, x[$1], "", "ms_per_picture", $9 / 1e6, $10 / 1e6, $11 / 1e6,
         "ms")
+    if ($12 > 0)
+        row("osmesa for " $4, x[$1], "", "ms_per_picture", $12 / 1e6, "", "",
+            "ms")
 }
 
 # bench/instructions.sh
