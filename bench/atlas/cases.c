@@ -25,5 +25,6 @@ const struct atlas_case atlas_cases[] = {
     {"limits", atlas_limits},
     {"sampling", atlas_sampling},
     {"gamma", atlas_gamma},
+    {"tolerance", atlas_tolerance},
     {NULL, NULL},
 };

@@ -36,5 +36,6 @@ void atlas_map_circle(struct atlas *a);
 void atlas_references(struct atlas *a); /* case_references.c */
 void atlas_limits(struct atlas *a);     /* case_limits.c */
 void atlas_sampling(struct atlas *a);   /* case_sampling.c */
+void atlas_tolerance(struct atlas *a);  /* case_tolerance.c */
 
 #endif
