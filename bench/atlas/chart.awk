@@ -74,7 +74,7 @@ function sort_list(list,    i, j, t)
         number[list, named[list, i]] = i
 }
 
-# On a logarithmic axis nothing stands a decade below the least value.
+# On a logarithmic axis nothing stands at the power of ten below the least value.
 function find_zero(axis, v,    i, least)
 {
     zero[axis] = 0
@@ -83,7 +83,7 @@ function find_zero(axis, v,    i, least)
     for (i = 1; i <= n; i++)
         if (v[i] > 0 && (least == "" || v[i] + 0 < least))
             least = v[i] + 0
-    zero[axis] = least == "" ? 1 : 10 ^ (floor(log10(least)) - 1)
+    zero[axis] = least == "" ? 1 : 10 ^ floor(log10(least * .9))
     for (i = 1; i <= n; i++)
         if (v[i] + 0 <= 0) {
             print "set " axis "tics add (\"0\" " zero[axis] ")"
@@ -328,7 +328,7 @@ function set_size(    i, width, height)
     if (chart["kind"] == "rows") {
         for (i = 1; i <= n; i++)
             place("lines", row_of(i))
-        height = 110 + 17 * count["lines"]
+        height = 140 + 17 * count["lines"]
     } else if (chart["kind"] == "cells") {
         for (i = 1; i <= n; i++)
             if (metrics[which[i]] != "bound")

@@ -25,8 +25,8 @@ cases() {
     "$bench/pel-atlas" --list
     "$bench/pel-bench" --list | sed 's/^/speed-/' |
         if [ "$quick" ]; then grep -v -e -565-; else cat; fi
-    printf 'scene-%s\n' cores triangles pixels bands
-    [ "$quick" ] || printf '%s\n' scene-mesh instructions
+    printf 'scene-%s\n' cores mesh triangles pixels bands
+    [ "$quick" ] || echo instructions
     printf '%s\n' matrix mcu size
 }
 
