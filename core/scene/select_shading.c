@@ -39,25 +39,56 @@ static uint32_t middle_of(const pel_color c[3], pel_color *middle)
 }
 
 /* Polynomials end in roundings of 1/64 step and less. */
-enum { QUICK_ERROR = 8 };
+enum { QUICK_ERROR = 8, SPAN_MOST = 3 };
+
+/* How much of an edge a pixel to the right is, 2^-28, rounded up. */
+static uint64_t edge_part(const struct pel_plane weight[2])
+{
+    const int64_t a = (int64_t)weight[0].dx, b = (int64_t)weight[1].dx;
+    const uint64_t c = (uint64_t)pel_size_of((int64_t)(weight[0].dx + weight[1].dx));
+    const uint64_t most = (uint64_t)(pel_size_of(a) > pel_size_of(b)
+                                         ? pel_size_of(a)
+                                         : pel_size_of(b));
+    return ((most > c ? most : c) >> 24) + 1;
+}
+
+/* The bits of the longest span, up to 1/4 edge, that is good enough. */
+static int span_of(const struct pel_light_bounds *b, uint64_t part,
+                   uint64_t room)
+{
+    int bits = b->tears ? 0 : SPAN_MOST;
+    for (; bits > 0; bits--) {
+        const uint64_t s = part << bits >> 12;
+        if (s < 16384 && pel_light_span_bound(b, (uint32_t)s + 1) <= room)
+            break;
+    }
+    return bits;
+}
 
 static const struct pel_paint *quick_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface,
-    const struct pel_lit_corners *corners, const pel_color color[3])
+    const struct pel_lit_corners *corners,
+    const struct pel_light_bounds *bounds, const pel_color color[3])
 {
     static const int32_t one[2][3] = {{0, 1 << 28, 0}, {0, 0, 1 << 28}};
     struct pel_phong_quick *quick = &frame->work->paint.quick;
+    uint64_t room = (uint32_t)frame->scene->tolerance - QUICK_ERROR;
     pel_phong_quick_init(quick, &frame->lights, corners, surface, color);
     quick->alpha = frame->alpha;
     pel_color_paint_init(&quick->base, quick->base.colors, frame->opaque);
     for (int i = 0; i < 2; i++)
         pel_frame_plane(frame, one[i], &quick->weight[i]);
+    quick->dull = bounds->quick + bounds->dull <= room / 2;
+    if (quick->dull)
+        room -= bounds->dull;
+    quick->span =
+        (uint8_t)span_of(bounds, edge_part(quick->weight), room);
     return &quick->base.paint;
 }
 
 static const struct pel_paint *vertex_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface,
-    pel_color lit[3], uint32_t room)
+    pel_color lit[3], uint64_t room)
 {
     pel_color middle;
     if (middle_of(lit, &middle) * 256 <= room)
@@ -98,7 +129,7 @@ static const struct pel_paint *chosen_paint(
                             tolerance - error - bounds.plane);
     if (tolerance >= QUICK_ERROR && bounds.quick <= tolerance - QUICK_ERROR &&
         frame->lights.lighting->lights <= PEL_QUICK_LIGHTS)
-        return quick_paint(frame, surface, &corners, own);
+        return quick_paint(frame, surface, &corners, &bounds, own);
     return pel_phong_paint(frame, surface, own);
 }
 
