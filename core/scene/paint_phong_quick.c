@@ -83,8 +83,8 @@ static inline void add(const struct pel_phong_quick *p, int32_t i,
     const number nl = dot_at(p, i, 0, at);
     if (nl > 0)
         for (int k = 0; k < channels; k++)
-            sum->surface[k] += (pel_factor)times(
-                light->diffuse[k], nl + times(nl, at->longer));
+            sum->surface[k] += (pel_factor)times(light->diffuse[k],
+                                                 nl + times(nl, at->longer));
     if (p->dull || (nl <= 0 && lighting->no_back_highlights))
         return;
     const number w = times(nl, at->eye) - dot_at(p, i, 1, at);
@@ -105,54 +105,86 @@ static PEL_INLINE_KINDS void sum_at(const struct pel_phong_quick *p, int32_t x,
     struct place at;
     set_place(p, pel_plane_at(&p->weight[0], x, y),
               pel_plane_at(&p->weight[1], x, y), &at);
-    for (int k = 0; k < channels; k++) {
+    *sum = (struct pel_light_sum){{0, 0, 0}, {0, 0, 0}};
+    for (int k = 0; k < channels; k++)
         sum->surface[k] = p->lights->ambient[k];
-        sum->plain[k] = 0;
-    }
     for (int32_t i = 0; i < p->lights->lighting->lights; i++)
         add(p, i, &at, channels, sum);
 }
 
-/* Channel k of the surface at a pixel, 1/256 step. */
-static inline uint32_t surface_at(const struct pel_phong_quick *p, int k,
-                                  int32_t x, int32_t y, pel_color under)
+/* Channel k, blue first, of light on a surface of 1/256 steps: 2^-24 of a step
+ * over 1/2, below 2^52. */
+static inline uint64_t lit_channel(const struct pel_phong_quick *p, int k,
+                                   const struct pel_light_sum *sum,
+                                   uint64_t surface, int channels)
 {
+    const int c = channels == 1 ? 0 : 2 - k;
+    const uint64_t lit = surface * (uint32_t)sum->surface[c];
+    if (!p->lights->lighting->plain_highlights)
+        return lit;
+    return lit + UINT64_C(65280) * (uint32_t)sum->plain[c];
+}
+
+static inline pel_color rounded(uint64_t v)
+{
+    v = (v + (UINT64_C(128) << 16)) >> 24;
+    return v < 255 ? (pel_color)v : 255;
+}
+
+/* The color of a pixel. */
+static inline pel_color lit_color(const struct pel_phong_quick *p, int32_t x,
+                                  int32_t y, pel_color under, int channels,
+                                  const struct pel_light_sum *sum)
+{
+    pel_color lit = (uint32_t)p->alpha << 24;
     if (p->surface)
-        return (under >> 8 * k & 255) << 8;
-    number own = p->color[0][k];
-    if (!p->one_color)
-        for (int i = 0; i < 2; i++)
-            own += times(pel_plane_whole(pel_plane_at(&p->weight[i], x, y)),
-                         p->color[i + 1][k]);
-    return (uint32_t)own;
+        lit = pel_round_div255(pel_alpha(under) * p->alpha) << 24;
+    for (int k = 0; k < 3; k++) {
+        number own = p->color[0][k];
+        if (p->surface)
+            own = (number)(under >> 8 * k & 255) << 8;
+        else if (!p->one_color)
+            for (int i = 0; i < 2; i++)
+                own += times(pel_plane_whole(pel_plane_at(&p->weight[i], x, y)),
+                             p->color[i + 1][k]);
+        lit |= rounded(lit_channel(p, k, sum, (uint64_t)own, channels))
+               << 8 * k;
+    }
+    return lit;
 }
 
 /* Puts n colors of row y from x on, whose light changes by `step` a pixel. */
-static PEL_INLINE_KINDS void put(const struct pel_phong_quick *p, int32_t x,
-                                 int32_t y, int32_t n, int channels,
-                                 const struct pel_light_sum *first,
-                                 const struct pel_light_sum *step,
-                                 pel_color *out)
+static inline void put(const struct pel_phong_quick *p, int32_t x, int32_t y,
+                       int32_t n, int channels, struct pel_light_sum *sum,
+                       const struct pel_light_sum *step, pel_color *out)
 {
-    struct pel_light_sum sum = *first;
-    for (const pel_color *end = out + n; out < end; out++, x++) {
-        pel_color lit = (uint32_t)p->alpha << 24;
-        if (p->surface)
-            lit = pel_round_div255(pel_alpha(*out) * p->alpha) << 24;
-        for (int k = 0; k < 3; k++) {
-            const int c = channels == 1 ? 0 : 2 - k;
-            uint64_t v = surface_at(p, k, x, y, *out) *
-                         (uint64_t)(uint32_t)sum.surface[c];
-            if (p->lights->lighting->plain_highlights)
-                v += UINT64_C(65280) * (uint32_t)sum.plain[c];
-            v = (v + (UINT64_C(128) << 16)) >> 24;
-            lit |= (v < 255 ? (uint32_t)v : 255) << 8 * k;
-        }
-        *out = lit;
+    for (; n > 0; n--, x++, out++) {
+        *out = lit_color(p, x, y, *out, channels, sum);
         for (int k = 0; k < channels; k++) {
-            sum.surface[k] += step->surface[k];
-            sum.plain[k] += step->plain[k];
+            sum->surface[k] += step->surface[k];
+            sum->plain[k] += step->plain[k];
         }
+    }
+}
+
+/* The same on one color: its channels change by so much themselves. */
+static inline void put_one(const struct pel_phong_quick *p, int32_t n,
+                           int channels, const struct pel_light_sum *sum,
+                           const struct pel_light_sum *step, pel_color *out)
+{
+    uint64_t at[3], by[3];
+    for (int k = 0; k < 3; k++) {
+        const uint64_t own = (uint32_t)p->color[0][k];
+        const int c = channels == 1 ? 0 : 2 - k;
+        at[k] = lit_channel(p, k, sum, own, channels);
+        by[k] = own * (uint64_t)(int64_t)step->surface[c] +
+                65280 * (uint64_t)(int64_t)step->plain[c];
+    }
+    for (; n > 0; n--, out++) {
+        *out = rounded(at[0]) | rounded(at[1]) << 8 | rounded(at[2]) << 16 |
+               (uint32_t)p->alpha << 24;
+        for (int k = 0; k < 3; k++)
+            at[k] += by[k];
     }
 }
 
@@ -171,9 +203,9 @@ static inline void set_line(struct pel_light_sum *from,
 }
 
 /* Light at the pixels that are multiples of a span, and linear between. */
-static PEL_INLINE_KINDS void light(const struct pel_phong_quick *p, int32_t x,
-                                   int32_t y, int32_t n, pel_color *out,
-                                   int channels)
+static PEL_INLINE_KINDS void light_spans(const struct pel_phong_quick *p,
+                                         int32_t x, int32_t y, int32_t n,
+                                         pel_color *out, int channels)
 {
     const int32_t span = (int32_t)(UINT32_C(1) << p->span);
     struct pel_light_sum from, to, step;
@@ -182,15 +214,31 @@ static PEL_INLINE_KINDS void light(const struct pel_phong_quick *p, int32_t x,
     while (n > 0) {
         const int32_t part = pel_min(begin + span - x, n);
         from = to;
-        n -= part;
-        if (span > 1 || n > 0)
-            sum_at(p, begin + span, y, channels, &to);
+        sum_at(p, begin + span, y, channels, &to);
         set_line(&from, &to, p->span, x - begin, channels, &step);
-        put(p, x, y, part, channels, &from, &step, out);
+        if (p->one_color && !p->surface)
+            put_one(p, part, channels, &from, &step, out);
+        else
+            put(p, x, y, part, channels, &from, &step, out);
+        n -= part;
         out += part;
         begin += span;
         x = begin;
     }
+}
+
+static PEL_INLINE_KINDS void light(const struct pel_phong_quick *p, int32_t x,
+                                   int32_t y, int32_t n, pel_color *out,
+                                   int channels)
+{
+    struct pel_light_sum sum;
+    if (p->span > 0)
+        light_spans(p, x, y, n, out, channels);
+    else
+        for (; n > 0; n--, x++, out++) {
+            sum_at(p, x, y, channels, &sum);
+            *out = lit_color(p, x, y, *out, channels, &sum);
+        }
 }
 
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,

@@ -54,7 +54,8 @@ struct pel_phong_quick {
     bool gray; /* all lights are: one factor serves all channels */
 };
 
-/* Sets all but `weight`, `alpha`, `span` and `dull`. Up to PEL_QUICK_LIGHTS lights. */
+/* Sets all but `weight`, `alpha`, `span` and `dull`. Up to PEL_QUICK_LIGHTS
+ * lights. */
 void pel_phong_quick_init(struct pel_phong_quick *paint,
                           const struct pel_mesh_lights *lights,
                           const struct pel_lit_corners *corners,

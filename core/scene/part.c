@@ -88,6 +88,6 @@ static pel_color opaque_surface(const struct pel_frame *frame, uint32_t vertex)
 
 pel_color pel_frame_surface(const struct pel_frame *frame, uint32_t vertex)
 {
-    return (opaque_surface(frame, vertex) & 0xFFFFFFu) |
-           (uint32_t)frame->alpha << 24;
+    return (opaque_surface(frame, vertex) & 0xFFFFFFu) | (uint32_t)frame->alpha
+                                                             << 24;
 }

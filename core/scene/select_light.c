@@ -87,9 +87,8 @@ static void set_corners(const struct pel_frame *frame,
 static uint32_t part_of(uint64_t a, uint64_t b)
 {
     const int bits = pel_bits_of(b); /* b >= 2^(bits - 1) */
-    return a >> (bits - 1) >= 4
-               ? 4 * 65536
-               : (uint32_t)(a << (62 - bits) >> 45) + 1;
+    return a >> (bits - 1) >= 4 ? 4 * 65536
+                                : (uint32_t)(a << (62 - bits) >> 45) + 1;
 }
 
 /* False where normals turn too far. */
@@ -116,7 +115,8 @@ static bool turn_of_normals(struct pel_lit_corners *corners,
 
 /* The turn of the direction to a place from the vertices, whose longest edge is
  * given; the nearest point of the triangle and 1/4 around is 5/4 edge nearer
- * than the first vertex, and 1 / (1 - 5/4 t) <= 1 + 4 t. False where it is near. */
+ * than the first vertex, and 1 / (1 - 5/4 t) <= 1 + 4 t. False where it is
+ * near. */
 static bool turn_to(const int32_t place[3], const int32_t vertex[3],
                     uint64_t edge, uint32_t *turn)
 {
@@ -127,13 +127,13 @@ static bool turn_to(const int32_t place[3], const int32_t vertex[3],
     if (square < UINT64_C(1) << 24 || square / 4 < edge)
         return false;
     const uint32_t t = ratio(edge, square);
-    *turn =
-        (uint32_t)pel_max((int32_t)*turn, (int32_t)(t + (t * t >> 14) + 1));
+    *turn = (uint32_t)pel_max((int32_t)*turn, (int32_t)(t + (t * t >> 14) + 1));
     return true;
 }
 
 static bool turns_of(const struct pel_mesh_lights *lights,
-                     struct pel_lit_corners *corners, struct pel_light_turns *turns)
+                     struct pel_lit_corners *corners,
+                     struct pel_light_turns *turns)
 {
     *turns = (struct pel_light_turns){0, 0, 0, 0, 0};
     const uint64_t edge = longest(corners->position);
@@ -153,8 +153,8 @@ static uint32_t strength(const struct pel_mesh_lights *lights, bool specular)
 {
     uint32_t sum = 0;
     for (int32_t i = 0; i < lights->lighting->lights; i++) {
-        const pel_factor *f = specular ? lights->light[i].specular
-                                       : lights->light[i].diffuse;
+        const pel_factor *f =
+            specular ? lights->light[i].specular : lights->light[i].diffuse;
         sum += (uint32_t)pel_max(pel_max(f[0], f[1]), f[2]);
     }
     return sum;
@@ -172,11 +172,11 @@ static pel_cosine nearest(const struct pel_frame *frame, const uint8_t note[3],
     }
     /* All of a triangle is within an edge of each vertex, and within an edge
      * times 1 / sqrt(3) < 19/32 of some vertex; spans reach 1/4 edge out. */
-    const int32_t chord = pel_max(
-        (int32_t)((uint32_t)high << bits) - (int32_t)(q + q / 4),
-        (int32_t)((uint32_t)low << bits) - (int32_t)(q * 27 / 32 + 1));
-    const uint64_t square = pel_multiply((uint32_t)pel_max(chord, 0),
-                                         (uint32_t)pel_max(chord, 0));
+    const int32_t chord =
+        pel_max((int32_t)((uint32_t)high << bits) - (int32_t)(q + q / 4),
+                (int32_t)((uint32_t)low << bits) - (int32_t)(q * 27 / 32 + 1));
+    const uint64_t square =
+        pel_multiply((uint32_t)pel_max(chord, 0), (uint32_t)pel_max(chord, 0));
     return pel_max(PEL_COSINE_ONE - (int32_t)(square >> 3), 0);
 }
 
@@ -204,8 +204,8 @@ static uint32_t channels_most(const pel_color color[3])
 {
     uint32_t most = 0;
     for (int i = 0; i < 9; i++)
-        most = (uint32_t)pel_max(
-            (int32_t)most, (int32_t)(color[i / 3] >> 8 * (i % 3) & 255));
+        most = (uint32_t)pel_max((int32_t)most,
+                                 (int32_t)(color[i / 3] >> 8 * (i % 3) & 255));
     return most;
 }
 
@@ -216,9 +216,8 @@ static uint32_t channels_change(const pel_color color[3])
     for (int k = 0; k < 24; k += 8)
         for (int i = 0; i < 3; i++) {
             const int j = i == 2 ? 0 : i + 1;
-            most = pel_max(most,
-                           pel_magnitude((int32_t)(color[i] >> k & 255) -
-                                         (int32_t)(color[j] >> k & 255)));
+            most = pel_max(most, pel_magnitude((int32_t)(color[i] >> k & 255) -
+                                               (int32_t)(color[j] >> k & 255)));
         }
     return (uint32_t)most;
 }
@@ -242,8 +241,9 @@ static uint64_t quick_of(const struct pel_light_bounds *b, uint32_t length,
     const uint64_t light = (uint64_t)b->turns.light * b->turns.light >> 16;
     const uint64_t eye = (uint64_t)b->turns.eye * b->turns.eye >> 16;
     return (b->diffuse * (fourth + (light * times * 7 / 36 >> 16) + 1) +
-            b->slope * (2 * fourth + ((light + eye) * times * 7 / 36 >> 16) +
-                        2)) >> 16;
+            b->slope *
+                (2 * fourth + ((light + eye) * times * 7 / 36 >> 16) + 2)) >>
+           16;
 }
 
 /* Adds highlights of strength s and returns what they change at most by. */

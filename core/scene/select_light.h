@@ -20,10 +20,10 @@
  *     w^p     second at most q^2 K(w), K(w) =
  *             p w^(p-2) ((p - 1) (1 - w^2) + 7/6 w) <= 1.345 p
  *
- * Between two places of a row that turn by q s at most, s below 1/4, f is off by
- * M (E s)^2 / 8 from linear. There n may be shorter by 1 / (1 - n / 4) < 11/9,
- * n < 3/4, than in the triangle: 9/8 s^2 times the bound of the plane. A kink
- * counts by s.
+ * Between two places of a row that turn by q s at most, s below 1/4, f is off
+ * by M (E s)^2 / 8 from linear. There n may be shorter by 1 / (1 - n / 4) <
+ * 11/9, n < 3/4, than in the triangle: 9/8 s^2 times the bound of the plane. A
+ * kink counts by s.
  *
  * K grows with w while p w^2 - 7/6 w <= p - 2, so the smallest angle between R
  * and V bounds it: |R - V| changes by at most q. max(N.L, 0) adds the error of

@@ -6,15 +6,15 @@
 enum { GOURAUD_ERROR = 128 + 4, FACTOR_ERROR = 128 };
 
 /* Does light above 255 hide the plane in a channel? It does where some vertices
- * have 255 and some less. */
-static bool is_cut(const pel_color color[3])
+ * have 255 and some less, and where it is to be multiplied. */
+static bool is_cut(const pel_color color[3], bool multiplied)
 {
     for (int k = 0; k < 24; k += 8) {
         const uint32_t white = UINT32_C(255) << k;
         const int n = ((color[0] & white) == white) +
                       ((color[1] & white) == white) +
                       ((color[2] & white) == white);
-        if (n == 1 || n == 2)
+        if (n == 1 || n == 2 || (n && multiplied))
             return true;
     }
     return false;
@@ -45,10 +45,11 @@ enum { QUICK_ERROR = 8, SPAN_MOST = 3 };
 static uint64_t edge_part(const struct pel_plane weight[2])
 {
     const int64_t a = (int64_t)weight[0].dx, b = (int64_t)weight[1].dx;
-    const uint64_t c = (uint64_t)pel_size_of((int64_t)(weight[0].dx + weight[1].dx));
-    const uint64_t most = (uint64_t)(pel_size_of(a) > pel_size_of(b)
-                                         ? pel_size_of(a)
-                                         : pel_size_of(b));
+    const uint64_t c =
+        (uint64_t)pel_size_of((int64_t)(weight[0].dx + weight[1].dx));
+    const uint64_t most =
+        (uint64_t)(pel_size_of(a) > pel_size_of(b) ? pel_size_of(a)
+                                                   : pel_size_of(b));
     return ((most > c ? most : c) >> 24) + 1;
 }
 
@@ -81,8 +82,7 @@ static const struct pel_paint *quick_paint(
     quick->dull = bounds->quick + bounds->dull <= room / 2;
     if (quick->dull)
         room -= bounds->dull;
-    quick->span =
-        (uint8_t)span_of(bounds, edge_part(quick->weight), room);
+    quick->span = (uint8_t)span_of(bounds, edge_part(quick->weight), room);
     return &quick->base.paint;
 }
 
@@ -118,12 +118,11 @@ static const struct pel_paint *chosen_paint(
         lit[i] = (lit[i] & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
         own[i] = pel_frame_surface(frame, frame->work->triangle.vertex[i]);
     }
-    if (tolerance == 0 ||
-        !pel_light_bound(frame, note, own, &corners, &bounds))
+    if (tolerance == 0 || !pel_light_bound(frame, note, own, &corners, &bounds))
         return pel_phong_paint(frame, surface, own);
     const uint32_t error = GOURAUD_ERROR + (surface ? FACTOR_ERROR : 0);
     if (error <= tolerance && bounds.plane <= tolerance - error &&
-        !is_cut(lit) &&
+        !is_cut(lit, surface) &&
         !(surface && frame->lights.lighting->plain_highlights))
         return vertex_paint(frame, surface, lit,
                             tolerance - error - bounds.plane);
