@@ -186,6 +186,10 @@ bool pel_light_start(const struct pel_mesh_lights *lights,
     if (!pel_normalize_fast(normal, towards[0]))
         return false;
     direction(position, lights->eye, towards[1]);
+    if (lights->lighting->both_sides &&
+        pel_weighted(towards[0], towards[1]) < 0)
+        for (int k = 0; k < 3; k++)
+            towards[0][k] = -towards[0][k];
     return true;
 }
 

@@ -31,6 +31,7 @@ struct pel_lighting {
     int32_t shininess;       /* 1..256 */
     bool plain_highlights;   /* the surface does not color the specular term */
     bool no_back_highlights; /* none where N.L <= 0 */
+    bool both_sides;         /* -N instead of N where N.V < 0 */
 };
 
 /* A light in the axes of the mesh, multiplied by the material. */

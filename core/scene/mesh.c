@@ -100,23 +100,28 @@ size_t pel_mesh_normals_scratch_size(const struct pel_mesh *mesh)
     return PEL_MESH_NORMALS_SCRATCH_SIZE(mesh->vertices);
 }
 
-/* Twice the area times the normal, below 2^35; a vertex has less than 2^28
- * faces with three corners each. */
-static void add_face(const struct pel_mesh *m, uint32_t triangle,
-                     int64_t (*sum)[3])
+void pel_mesh_facet(const struct pel_mesh *m, const uint32_t corner[3],
+                    int64_t normal[3])
 {
-    uint32_t corner[3];
-    pel_mesh_corners(m, triangle, corner);
     const int16_t *a = m->positions[corner[0]];
     const int16_t *b = m->positions[corner[1]];
     const int16_t *c = m->positions[corner[2]];
     int32_t ab[3], ac[3];
-    int64_t normal[3];
     for (int k = 0; k < 3; k++) {
         ab[k] = b[k] - a[k];
         ac[k] = c[k] - a[k];
     }
     pel_cross(ab, ac, normal);
+}
+
+/* A vertex has less than 2^28 faces with three corners each. */
+static void add_face(const struct pel_mesh *m, uint32_t triangle,
+                     int64_t (*sum)[3])
+{
+    uint32_t corner[3];
+    int64_t normal[3];
+    pel_mesh_corners(m, triangle, corner);
+    pel_mesh_facet(m, corner, normal);
     for (int i = 0; i < 9; i++)
         sum[corner[i / 3]][i % 3] += normal[i % 3];
 }

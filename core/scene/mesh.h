@@ -69,6 +69,11 @@ inline void pel_mesh_normal(const struct pel_mesh *mesh, uint32_t vertex,
                         : mesh->normals8[vertex][k] * INT32_C(4194304);
 }
 
+/* The normal of a triangle, as long as twice its area: below 2^35 in each
+ * part. */
+void pel_mesh_facet(const struct pel_mesh *mesh, const uint32_t corner[3],
+                    int64_t normal[3]);
+
 /* Bytes of scratch memory that pel_mesh_normals needs, for constant expressions
  * and as a function. */
 #define PEL_MESH_NORMALS_SCRATCH_SIZE(vertices) \

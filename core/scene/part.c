@@ -30,8 +30,13 @@ static enum pel_status set_texture(struct pel_frame *frame)
     if (!uv_legal(&frame->scene->mesh->texture,
                   frame->texture.width | frame->texture.height))
         return PEL_ERROR_RANGE;
-    if (t->mapping->surface)
-        frame->opaque &= frame->texture.base.opaque;
+    if (!t->mapping->surface || frame->texture.base.opaque)
+        return PEL_OK;
+    if (t->alpha)
+        t->alpha(&frame->texture);
+    else
+        frame->solid = false;
+    frame->opaque = false;
     return PEL_OK;
 }
 
@@ -48,7 +53,7 @@ enum pel_status pel_frame_set_part(struct pel_frame *frame, uint32_t i)
     frame->color = p->color;
     frame->alpha = (uint8_t)pel_round_div255(pel_alpha(p->color) *
                                              (255u - s->transparency));
-    frame->opaque = frame->alpha == 255;
+    frame->opaque = frame->solid = frame->alpha == 255;
     frame->mesh_texture = NULL;
     if (!p->texture || !s->texture)
         return PEL_OK;

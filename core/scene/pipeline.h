@@ -18,7 +18,7 @@
  *                    .focal = 50, .sensor = {32, 24}},
  *         .viewport = {0, 0, 320, 240},
  *         .shading = &pel_shade_lit_gouraud, .lighting = &lighting,
- *         .sort = pel_depth_sort, .cull = PEL_CULL_BACK};
+ *         .sort = &pel_depth_sort, .cull = PEL_CULL_BACK};
  *     struct pel_frame frame;
  *     if (pel_scene_prepare(&frame, &scene, scratch, sizeof scratch) == PEL_OK)
  *         pel_scene_draw(&frame, &surface);
@@ -34,8 +34,8 @@
 PEL_BEGIN_DECLS
 
 /* Bytes of scratch memory for a frame of the scene: 16 a vertex, 8 a triangle,
- * 40 a light, and 1,100 to 1,350; for constant expressions and as a function: 0
- * without a mesh. */
+ * 40 a light, and 1,100 to 1,350; for constant expressions, without a sort that
+ * needs more, and as a function: 0 without a mesh. */
 #define PEL_SCENE_SCRATCH_SIZE(vertices, triangles, lights)         \
     (((sizeof(struct pel_frame_work) + 7) & ~PEL_CAST(size_t, 7)) + \
      PEL_CAST(size_t, lights) * sizeof(struct pel_mesh_light) +     \

@@ -4,7 +4,9 @@ void pel_corners_mix(const struct pel_frame_triangle *triangle,
                      const int32_t vertex[3], int32_t corner[3])
 {
     for (int i = 0; i < 3; i++)
-        corner[i] = pel_weighted(triangle->corner[i]->weight, vertex);
+        corner[i] = triangle->is_whole
+                        ? vertex[i]
+                        : pel_weighted(triangle->corner[i]->weight, vertex);
 }
 
 const struct pel_plane_setup *pel_frame_setup(struct pel_frame *frame)
@@ -23,18 +25,20 @@ void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
     pel_plane_set(plane, pel_frame_setup(frame), corner);
 }
 
-/* The lower 32 bits of a plane are what struct pel_gouraud has. */
+/* The lower 32 bits of a plane are what struct pel_gouraud has. Alpha is the
+ * same at all vertices of a frame. */
 void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint)
 {
     paint->paint =
         (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
     for (int k = 0; k < 4; k++) {
-        struct pel_plane plane;
+        struct pel_plane plane = pel_plane_level((int32_t)(color[0] >> 24));
         int32_t value[3];
         for (int i = 0; i < 3; i++)
             value[i] = (int32_t)(color[i] >> 8 * k & 255);
-        pel_frame_plane(frame, value, &plane);
+        if (k < 3)
+            pel_frame_plane(frame, value, &plane);
         paint->at[k] = (uint32_t)plane.at + 0x800000u;
         paint->dx[k] = (uint32_t)plane.dx;
         paint->dy[k] = (uint32_t)plane.dy;
@@ -60,18 +64,30 @@ static pel_color mean_of(const pel_color c[3])
     return mean;
 }
 
-static const struct pel_paint *flat_paint(struct pel_frame *frame,
-                                          const struct pel_color_paint *surface)
+static pel_color flat_color(const struct pel_frame *frame)
 {
-    struct pel_flat *flat = &frame->work->paint.flat;
     pel_color color[3];
     pel_frame_colors(frame, color);
-    color[0] = color[1] = color[2] = mean_of(color);
+    return mean_of(color);
+}
+
+static const struct pel_paint *paint_of_color(
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    pel_color of_all)
+{
+    struct pel_flat *flat = &frame->work->paint.flat;
+    const pel_color color[3] = {of_all, of_all, of_all};
     if (surface)
         return frame->mesh_texture->mapping->modulate(frame, surface, color);
     flat->paint = (struct pel_paint)PEL_PAINT(pel_flat_fill, pel_flat_fast);
-    flat->color = color[0];
+    flat->color = of_all;
     return &flat->paint;
+}
+
+static const struct pel_paint *flat_paint(struct pel_frame *frame,
+                                          const struct pel_color_paint *surface)
+{
+    return paint_of_color(frame, surface, flat_color(frame));
 }
 
 static const struct pel_paint *gouraud_paint(
@@ -89,14 +105,48 @@ static const struct pel_paint *gouraud_paint(
 const struct pel_shading pel_shade_flat = {NULL, NULL, flat_paint};
 const struct pel_shading pel_shade_gouraud = {NULL, NULL, gouraud_paint};
 
-enum pel_status pel_frame_start_light(struct pel_frame *frame)
+static enum pel_status start_light(struct pel_frame *frame)
 {
     const struct pel_scene *s = frame->scene;
-    if (!s->lighting || (!s->mesh->normals8 && !s->mesh->normals16))
+    if (!s->lighting)
         return PEL_ERROR_NULL;
     return pel_mesh_lights_init(&frame->lights, s->lighting, s->mesh,
                                 s->pose ? s->pose : &pel_pose_none,
                                 s->camera.eye);
+}
+
+/* The three positions are below 2^29, so that their sum fits. */
+static const struct pel_paint *facet_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
+{
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    const uint32_t *vertex = frame->work->triangle.vertex;
+    struct pel_light_sum sum;
+    int32_t position[3] = {0, 0, 0}, corner[3];
+    pel_cosine normal[3];
+    int64_t facet[3];
+    for (int i = 0; i < 3; i++) {
+        pel_mesh_lights_position(&frame->lights, mesh->positions[vertex[i]],
+                                 corner);
+        for (int k = 0; k < 3; k++)
+            position[k] += corner[k];
+    }
+    for (int k = 0; k < 3; k++)
+        position[k] /= 3;
+    pel_mesh_facet(mesh, vertex, facet);
+    pel_normalize(facet, normal);
+    pel_mesh_lights_sum(&frame->lights, position, normal, &sum);
+    return paint_of_color(frame, surface,
+                          pel_lit_color(&sum, flat_color(frame)));
+}
+
+const struct pel_shading pel_shade_lit_flat = {start_light, NULL, facet_paint};
+
+enum pel_status pel_frame_start_light(struct pel_frame *frame)
+{
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    return mesh->normals8 || mesh->normals16 ? start_light(frame)
+                                             : PEL_ERROR_NULL;
 }
 
 static pel_color light_vertex(const struct pel_frame *frame, uint32_t vertex,
@@ -111,10 +161,8 @@ static pel_color light_vertex(const struct pel_frame *frame, uint32_t vertex,
     return pel_lit_color(&sum, surface);
 }
 
-const struct pel_shading pel_shade_lit_flat = {pel_frame_start_light, light_vertex,
-                                               flat_paint};
-const struct pel_shading pel_shade_lit_gouraud = {pel_frame_start_light, light_vertex,
-                                                  gouraud_paint};
+const struct pel_shading pel_shade_lit_gouraud = {pel_frame_start_light,
+                                                  light_vertex, gouraud_paint};
 
 /* A channel of struct pel_gouraud in 1/256 steps: it has a half more, so that
  * its upper 8 bits are rounded. */
@@ -210,4 +258,5 @@ static const struct pel_paint *phong_paint(
     return pel_phong_paint(frame, surface, color);
 }
 
-const struct pel_shading pel_shade_phong = {pel_frame_start_light, NULL, phong_paint};
+const struct pel_shading pel_shade_phong = {pel_frame_start_light, NULL,
+                                            phong_paint};

@@ -34,7 +34,7 @@ struct pel_modulated {
 
 struct pel_frame_vertex {
     struct pel_projected at;
-    pel_color color; /* lit by shadings that light vertices */
+    pel_color color; /* of triangles that may be seen; 0: see pel_frame_color */
 };
 
 /* A triangle to draw: one of the mesh, or a part of it that clipping left. */
@@ -42,6 +42,7 @@ struct pel_frame_triangle {
     uint32_t vertex[3];
     struct pel_point at[3];
     const struct pel_clip_corner *corner[3];
+    bool is_whole; /* its corners are the vertices */
     bool is_set_up;
     struct pel_plane_setup setup; /* read it by pel_frame_setup */
 };
@@ -69,12 +70,12 @@ struct pel_frame {
     const struct pel_scene *scene;
     struct pel_frame_work *work;
     struct pel_frame_vertex *vertex;
-    struct pel_depth_entry *order;
+    struct pel_depth_entry *order; /* NULL: that of the mesh */
     /* Puts a paint between a triangle and its paint. NULL: none. */
     const struct pel_paint *(*filter)(struct pel_frame *frame,
                                       const struct pel_paint *paint);
     uint32_t triangles; /* in `order`: those that may be seen */
-    bool translucent;   /* some part is not opaque */
+    bool translucent;   /* some part is not solid */
     enum pel_pass pass;
     struct pel_mesh_fault fault; /* when an index or a part is wrong */
     struct pel_mesh_lights lights;
@@ -84,7 +85,8 @@ struct pel_frame {
     uint32_t part, begin, end; /* triangles */
     pel_color color;           /* of vertices without colours */
     uint8_t alpha;
-    bool opaque;
+    bool opaque; /* no pixel is translucent, nor left out */
+    bool solid;  /* no pixel is translucent */
     const struct pel_mesh_texture *mesh_texture; /* NULL: no texture */
     struct pel_texture texture; /* its sampler; its map is set by mappings */
 };
@@ -116,7 +118,11 @@ void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
  * part at hand, with the part's alpha. */
 pel_color pel_frame_surface(const struct pel_frame *frame, uint32_t vertex);
 
-/* The colors of its vertices. */
+/* The color of a vertex, lit by shadings that light vertices; computed by the
+ * first call. */
+pel_color pel_frame_color(const struct pel_frame *frame, uint32_t vertex);
+
+/* The colors of the triangle's vertices. */
 void pel_frame_colors(const struct pel_frame *frame, pel_color color[3]);
 
 /* Sets corner i of that triangle to one that clipping left. A vertex that is on
@@ -145,8 +151,10 @@ struct pel_shading {
 extern const struct pel_shading pel_shade_flat;
 extern const struct pel_shading pel_shade_gouraud;
 
-/* The same with light at the vertices (light.h). A texture that is mapped to
- * every pixel is multiplied by the light on white, highlights too. */
+/* The same with light (light.h): Gouraud's at the vertices; flat, at the middle
+ * of the triangle with its own normal, so that the mesh needs none. A texture
+ * that is mapped to every pixel is multiplied by the light on white, highlights
+ * too. */
 extern const struct pel_shading pel_shade_lit_flat;
 extern const struct pel_shading pel_shade_lit_gouraud;
 
@@ -197,6 +205,8 @@ struct pel_mesh_texture {
     enum pel_status (*sampler)(struct pel_texture *paint,
                                const struct pel_texels *texels,
                                const struct pel_texture_map *map);
+    void (*alpha)(struct pel_texture *paint); /* NULL: blended; or
+                                                 pel_texture_cut_out */
     enum pel_wrap wrap_u, wrap_v;
     int32_t span; /* of pel_map_perspective; 0 is 1, exact */
 };

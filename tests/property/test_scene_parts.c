@@ -6,12 +6,33 @@
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 
-enum { SIDE = 64, PARTS = 5, TEXTURES = 2 };
+enum { SIDE = 64, PARTS = 5, TEXTURES = 2, TEXELS = 8 };
 
 static struct any_scene s;
 static struct pel_mesh_part part[PARTS];
-static struct pel_mesh_texture texture[TEXTURES];
+static struct pel_mesh_texture texture[TEXTURES], plain[TEXTURES];
+static pel_color texels[TEXELS * TEXELS], cut[TEXELS * TEXELS];
 static uint32_t depths[SIDE * SIDE];
+
+/* The second one is cut out, as texels show that are drawn or not. */
+static void any_textures(struct random *r)
+{
+    for (int i = 0; i < TEXELS * TEXELS; i++) {
+        texels[i] = random_word(r);
+        cut[i] = pel_alpha(texels[i]) < 128 ? 0 : texels[i] | 0xFF000000u;
+    }
+    for (int i = 0; i < TEXTURES; i++) {
+        texture[i] = s.texture;
+        if (random_word(r) % 2)
+            texture[i].mapping = i ? &pel_map_affine : &pel_map_vertices;
+    }
+    texture[1].sampler = pel_texture_init_nearest;
+    texture[1].texels =
+        (struct pel_texels){NULL, texels, TEXELS, TEXELS, false};
+    memcpy(plain, texture, sizeof plain);
+    plain[1].texels.colors = cut;
+    texture[1].alpha = pel_texture_cut_out;
+}
 
 static void any_parts(struct random *r)
 {
@@ -20,12 +41,7 @@ static void any_parts(struct random *r)
     s.mesh.parts = PARTS;
     s.scene.texture = texture;
     s.scene.textures = TEXTURES;
-    for (int i = 0; i < TEXTURES; i++) {
-        texture[i] = s.texture;
-        texture[i].mapping =
-            random_word(r) % 2 ? &pel_map_affine : &pel_map_vertices;
-        texture[i].texels.width >>= i;
-    }
+    any_textures(r);
     for (int i = 0; i < PARTS; i++) {
         end = i < PARTS - 1
                   ? end + random_word(r) % (s.mesh.triangles - end + 1)
@@ -77,7 +93,7 @@ static void draw_one(const struct pel_frame *whole, uint32_t i,
     one.transparency =
         (uint8_t)(255 - pel_round_div255(pel_alpha(p->color) *
                                          (255u - one.transparency)));
-    one.texture = p->texture ? &texture[p->texture - 1] : NULL;
+    one.texture = p->texture ? &plain[p->texture - 1] : NULL;
     assert_int_equal(pel_scene_prepare(&frame, &one, scratch, sizeof scratch),
                      PEL_OK);
     if (depth)
