@@ -148,6 +148,26 @@ static bool turns_of(const struct pel_mesh_lights *lights,
     return true;
 }
 
+/* With light on both sides, turns normals towards the eye. False where some may
+ * point at it and some away, in the triangle or 1/4 around. */
+static bool turn_to_eye(const struct pel_mesh_lights *lights,
+                        const struct pel_light_turns *turns,
+                        struct pel_lit_corners *corners)
+{
+    int32_t normal[3], eye[3];
+    for (int k = 0; k < 3; k++)
+        eye[k] = lights->eye[k] - corners->position[0][k];
+    pel_normalize_fast(eye, eye);
+    pel_normalize_fast(corners->normal[0], normal);
+    const int32_t along = pel_weighted(normal, eye);
+    if (pel_magnitude(along) >> 14 <=
+        (int32_t)(turns->normal + turns->eye) * 5 / 4 + 1)
+        return false;
+    for (int i = 0; i < 9 && along < 0; i++)
+        corners->normal[i / 3][i % 3] = -corners->normal[i / 3][i % 3];
+    return true;
+}
+
 /* The largest factor of a channel, summed over lights: at most 2^29. */
 static uint32_t strength(const struct pel_mesh_lights *lights, bool specular)
 {
@@ -273,7 +293,9 @@ bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
     struct pel_light_bounds *b = bounds;
     set_corners(frame, corners);
     *b = (struct pel_light_bounds){.diffuse = strength(&frame->lights, false)};
-    if (!turns_of(&frame->lights, corners, &b->turns))
+    if (!turns_of(&frame->lights, corners, &b->turns) ||
+        (frame->lights.lighting->both_sides &&
+         !turn_to_eye(&frame->lights, &b->turns, corners)))
         return false;
     const uint64_t s = strength(&frame->lights, true);
     const uint64_t nl = b->turns.normal + b->turns.light;
