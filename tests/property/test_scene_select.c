@@ -2,6 +2,7 @@
  * off by more than the tolerance, and bounds are not far above what happens. */
 #include "core/scene/select.h"
 #include "core/scene/select_light.h"
+#include "core/scene/stats.h"
 #include "tests/support/any_scene.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
@@ -96,6 +97,53 @@ static void test_soups(void)
         assert_true(worst[i] * 2 >= tolerances[i]);
 }
 
+static uint64_t covered_by_soup;
+
+static void count_spans(const struct pel_paint *paint,
+                        const struct pel_spans *spans)
+{
+    (void)paint;
+    for (int32_t i = 0; i < spans->n; i++)
+        if (spans->span[i].x0 < spans->span[i].x1)
+            covered_by_soup +=
+                (uint64_t)(spans->span[i].x1 - spans->span[i].x0);
+}
+
+static const struct pel_paint *count_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
+{
+    static const struct pel_paint counting = {count_spans, NULL};
+    (void)frame;
+    (void)surface;
+    return &counting;
+}
+
+/* Counting changes no pixel, and counts each. */
+static void test_stats(void)
+{
+    static const struct pel_shading counting = {NULL, NULL, count_paint};
+    static struct any_scene s;
+    static struct canvas chosen, counted;
+    struct pel_frame frame;
+    for (struct cases c = cases_of(100); cases_next(&c);) {
+        struct pel_stats stats = {.bound = 0};
+        uint64_t pixels = 0;
+        any_scene(&c.random, &s, SIDE);
+        any_dress(&c.random, &s);
+        s.scene.tolerance = 4 * 256;
+        s.scene.stats = &stats;
+        draw(&s, &pel_shade_chosen, &frame, &chosen);
+        draw(&s, &pel_shade_counted, &frame, &counted);
+        assert_int_equal(difference(&s, &chosen, &counted), 0);
+        covered_by_soup = 0;
+        draw(&s, &counting, &frame, &counted);
+        for (int i = 0; i < PEL_METHODS; i++)
+            pixels += stats.method[i].pixels;
+        assert_int_equal(pixels, covered_by_soup);
+        assert_true(stats.bound <= 4 * 256);
+    }
+}
+
 /* A triangle that fills the picture, lit by one light from the eye's side;
  * normals of length 1 around a middle one. */
 static void patch(struct random *r, struct any_scene *s)
@@ -180,5 +228,5 @@ static void test_bounds_are_tight(void)
 
 int main(void)
 {
-    return RUN_TESTS(test_soups, test_bounds_are_tight);
+    return RUN_TESTS(test_soups, test_stats, test_bounds_are_tight);
 }
