@@ -185,6 +185,16 @@ struct pel_mapping {
                                         const pel_color color[3]);
 };
 
+/* What mappings are made of. Sets the corners of frame->work->triangle; the
+ * affine surface of it; `modulate`. */
+void pel_frame_texels(const struct pel_frame *frame,
+                      struct pel_texture_corner corner[3]);
+const struct pel_color_paint *pel_frame_affine(
+    struct pel_frame *frame, const struct pel_texture_corner corner[3]);
+const struct pel_paint *pel_frame_modulate(
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3]);
+
 /* A texel for every vertex. */
 extern const struct pel_mapping pel_map_vertices;
 

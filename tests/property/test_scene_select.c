@@ -144,6 +144,40 @@ static void test_stats(void)
     }
 }
 
+/* Places in a texture, which its colors tell: a step a texel. */
+static void test_places_in_textures(void)
+{
+    static struct any_scene s;
+    static struct canvas exact, chosen;
+    static pel_color ramp[256 * 256];
+    struct pel_frame frame;
+    int32_t worst[5] = {0}, spans = 0;
+    for (uint32_t i = 0; i < 256 * 256; i++)
+        ramp[i] = UINT32_C(0xFF000000) | i;
+    for (struct cases c = cases_of(400); cases_next(&c);) {
+        any_scene(&c.random, &s, SIDE);
+        any_scene_noise(&c.random, &s, 8);
+        s.texture.texels.colors = ramp;
+        s.texture.wrap_u = s.texture.wrap_v = PEL_WRAP_CLAMP;
+        s.texture.mapping = &pel_map_perspective;
+        draw(&s, &pel_shade_gouraud, &frame, &exact);
+        s.texture.mapping = &pel_map_chosen;
+        for (int i = 1; i < 5; i++) {
+            s.scene.texel_tolerance = tolerances[i] * 256;
+            draw(&s, &pel_shade_gouraud, &frame, &chosen);
+            const int32_t off = difference(&s, &exact, &chosen);
+            worst[i] = pel_max(worst[i], off);
+            spans += frame.work->perspective.span > 0;
+            if (off > tolerances[i] + 1)
+                fail_msg("%d texels off with tolerance %d; %s", off,
+                         tolerances[i], cases_replay());
+        }
+    }
+    print_message("worst with tolerance 1, 2, 4, 8: %d %d %d %d\n", worst[1],
+                  worst[2], worst[3], worst[4]);
+    assert_true(worst[4] >= 4 && spans > 0);
+}
+
 /* A triangle that fills the picture, lit by one light from the eye's side;
  * normals of length 1 around a middle one. */
 static void patch(struct random *r, struct any_scene *s)
@@ -228,5 +262,6 @@ static void test_bounds_are_tight(void)
 
 int main(void)
 {
-    return RUN_TESTS(test_soups, test_stats, test_bounds_are_tight);
+    return RUN_TESTS(test_soups, test_stats, test_places_in_textures,
+                     test_bounds_are_tight);
 }
