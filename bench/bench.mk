@@ -94,16 +94,13 @@ $(BENCH)/host/%.o: %.cpp
 $(BENCH_PROGRAM): $(BENCH_OBJECTS)
 	$(CC) $^ $(BENCH_LIBRARIES) -lstdc++ -lm -o $@
 
-# Qt 5.15 mixes AVX2 fills with SSE code, which costs a transition per row (four
-# times slower on recent CPUs); its alpha is better with AVX2. Each in the way
-# that suits it.
+# Qt with AVX2 or without: bench/atlas/run.sh says why.
 .PHONY: bench
 bench: $(BENCH_PROGRAM) ## time Pel, memset and the installed peers
 	QT_NO_CPU_FEATURE=avx2 $(BENCH_PROGRAM) --repeats $(BENCH_REPEATS) \
 	    --skip alpha --csv $(BENCH)/speed.csv
 	$(BENCH_PROGRAM) --repeats $(BENCH_REPEATS) \
 	    --only alpha --csv $(BENCH)/speed.csv --append
-	bench/speed_chart.sh $(BENCH)/speed.csv $(BENCH)/speed.png
 
 BENCH_COUNT_SOURCES := $(addprefix bench/, canvas.c count.c workload.c \
     workload_circle.c workload_polygon.c workload_triangle.c)
@@ -134,6 +131,11 @@ bench-instructions: $(BENCH)/pel-count ## count Pel's instructions per shape
 # the host program's reader.
 BENCH_SCENE_SOURCES := $(addprefix bench/, scene.c scene_mesh.c scene_time.c \
     timing.c)
+ifneq ($(filter method_osmesa,$(BENCH_METHODS)),)
+BENCH_SCENE_SOURCES += bench/scene_osmesa.c
+BENCH_SCENE_LIBS := $(shell pkg-config --libs osmesa)
+$(BENCH)/host/bench/scene_time.o: PEL_CFLAGS += -DBENCH_OSMESA
+endif
 BENCH_SCENE_OBJECTS := $(BENCH_SCENE_SOURCES:%.c=$(BENCH)/host/%.o) \
     $(BENCH)/scene/methods.o $(filter-out $(BUILD)/sim/main.o,$(SIM_OBJECTS)) \
     $(LINUX_OBJECTS)
@@ -143,13 +145,16 @@ $(BENCH)/scene/methods.o: bench/methods.c
 	$(CC) $(PEL_CFLAGS) -DBENCH_METHODS= -DBENCH_ABSENT='""' -c $< -o $@
 
 $(BENCH)/pel-bench-scene: $(BENCH_SCENE_OBJECTS) $(BUILD)/libpel.a
-	$(CC) $(LDFLAGS) $^ $(SIM_LIBS) $(LINUX_LIBS) -o $@
+	$(CC) $(LDFLAGS) $^ $(SIM_LIBS) $(LINUX_LIBS) $(BENCH_SCENE_LIBS) \
+	    -o $@
 
 # Meshes that no package has are looked for in the folder PEL_MESHES.
 .PHONY: bench-scene
 bench: bench-scene
 bench-scene: $(BENCH)/pel-bench-scene ## time the 3-D pipeline
 	$(BENCH)/pel-bench-scene $(BENCH)/scene.csv
-	bench/scene_chart.sh $(BENCH)/scene.csv $(BENCH)/scene.png
 
 -include $(BENCH_SCENE_SOURCES:%.c=$(BENCH)/host/%.d)
+
+include bench/atlas/atlas.mk
+-include bench/atlas/run.mk

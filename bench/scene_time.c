@@ -1,16 +1,19 @@
+#define _POSIX_C_SOURCE 200809L
 #include "scene_time.h"
 
+#include <pthread.h>
 #include <stdlib.h>
+#include <time.h>
 
 #include "bench/lighting.h"
 #include "core/format/formats.h"
 #include "method.h"
-#include "timing.h"
+#include "scene_osmesa.h"
 
-enum { TEXELS = 256, TIMES_MAX = 41 };
+enum { TEXELS = 256, TIMES_MAX = 41, THREADS_MAX = 64 };
 
 /* A picture takes this long at most before it is timed less often. */
-static const double enough_ns = 3e8;
+static const double enough_ns = 1e8;
 
 static uint64_t counted;
 
@@ -77,7 +80,7 @@ static void set_scene(struct stage *s, const struct bench_mesh *m,
         .viewport = {0, 0, side, side},
         .shading = mode->shading,
         .lighting = &lighting,
-        .sort = mode->depth_bits ? NULL : pel_depth_sort,
+        .sort = mode->depth_bits ? NULL : &pel_depth_sort,
         .cull = PEL_CULL_BACK};
     s->texture = (struct pel_mesh_texture){
         .texels = {NULL, s->texels, TEXELS, TEXELS, true},
@@ -119,17 +122,74 @@ static void close_stage(struct stage *s)
     free(s->scratch);
 }
 
-static void draw(struct stage *s)
+static void prepare(struct pel_frame *frame, const struct stage *s,
+                    void *scratch)
+{
+    if (pel_scene_prepare(frame, &s->scene, scratch, s->scratch_size))
+        method_fail("a mesh was refused", "look at pel_mesh_check");
+}
+
+static void draw_band(struct pel_frame *frame, const struct stage *s, int i,
+                      int n)
+{
+    struct pel_surface band = s->surface;
+    const int32_t side = s->scene.viewport.x1;
+    pel_surface_clip(
+        &band, &(struct pel_rect){0, side * i / n, side, side * (i + 1) / n});
+    pel_scene_draw(frame, &band);
+}
+
+/* One thread of several, which draws every n-th band. */
+struct worker {
+    pthread_t thread;
+    const struct stage *stage;
+    void *scratch;
+    int first, threads, bands;
+};
+
+static void *work(void *data)
+{
+    const struct worker *w = data;
+    struct pel_frame frame;
+    prepare(&frame, w->stage, w->scratch);
+    for (int i = w->first; i < w->bands; i += w->threads)
+        draw_band(&frame, w->stage, i, w->bands);
+    return NULL;
+}
+
+static void draw_threads(struct stage *s, const struct scene_cut *cut)
+{
+    static struct worker worker[THREADS_MAX];
+    for (int k = 0; k < cut->threads; k++) {
+        worker[k] = (struct worker){.stage = s,
+                                    .scratch = memory(s->scratch_size),
+                                    .first = k,
+                                    .threads = cut->threads,
+                                    .bands = cut->bands};
+        if (pthread_create(&worker[k].thread, NULL, work, &worker[k]))
+            method_fail("no more threads", "ask for fewer");
+    }
+    for (int k = 0; k < cut->threads; k++) {
+        pthread_join(worker[k].thread, NULL);
+        free(worker[k].scratch);
+    }
+}
+
+static void draw(struct stage *s, const struct scene_cut *cut)
 {
     struct pel_frame frame;
-    if (pel_scene_prepare(&frame, &s->scene, s->scratch, s->scratch_size))
-        method_fail("a mesh was refused", "look at pel_mesh_check");
-    if (!s->depth_bits) {
-        pel_scene_draw(&frame, &s->surface);
+    if (cut->threads > 1) {
+        draw_threads(s, cut);
         return;
     }
-    pel_depth_clear(&s->depth);
-    pel_scene_draw_depth(&frame, &s->surface, &s->depth);
+    prepare(&frame, s, s->scratch);
+    if (s->depth_bits) {
+        pel_depth_clear(&s->depth);
+        pel_scene_draw_depth(&frame, &s->surface, &s->depth);
+        return;
+    }
+    for (int i = 0; i < cut->bands; i++)
+        draw_band(&frame, s, i, cut->bands);
 }
 
 static double pixels_of(struct stage *s)
@@ -139,27 +199,73 @@ static double pixels_of(struct stage *s)
     counted = 0;
     s->scene.shading = &counting;
     s->depth_bits = 0;
-    draw(s);
+    draw(s, &(struct scene_cut){0, 1, 1});
     s->scene.shading = shading;
     s->depth_bits = depth_bits;
     return (double)counted;
 }
 
-void bench_scene_time(struct scene_result *out, const struct bench_mesh *m,
-                      const struct scene_mode *mode, int32_t side)
+/* A picture, and how it is cut. */
+struct picture_job {
+    struct stage *stage;
+    const struct scene_cut *cut;
+};
+
+static void draw_job(void *data)
+{
+    const struct picture_job *job = data;
+    draw(job->stage, job->cut);
+}
+
+static double now(int32_t threads)
+{
+    struct timespec t;
+    if (threads == 1)
+        return timing_now();
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
+}
+
+/* After one that is not timed. */
+static struct quartiles time_of(void (*draw_one)(void *), void *data,
+                                int32_t threads)
 {
     double times[TIMES_MAX], sum = 0;
-    struct stage s = {0};
     int n = 0;
-    open_stage(&s, m, mode, side);
-    out->pixels = pixels_of(&s);
-    draw(&s);
+    draw_one(data);
     while (n < 3 || (n < TIMES_MAX && sum < enough_ns)) {
-        const double from = timing_now();
-        draw(&s);
-        sum += times[n] = timing_now() - from;
+        const double from = now(threads);
+        draw_one(data);
+        sum += times[n] = now(threads) - from;
         n++;
     }
-    out->ns = timing_quartiles(times, n).median;
+    return timing_quartiles(times, n);
+}
+
+#ifdef BENCH_OSMESA
+static double peer_time(const struct pel_scene *scene)
+{
+    void *peer = scene_osmesa_open(scene);
+    const double ns = time_of(scene_osmesa_draw, peer, 1).median;
+    scene_osmesa_close(peer);
+    return ns;
+}
+#else
+static double peer_time(const struct pel_scene *scene)
+{
+    (void)scene;
+    return 0;
+}
+#endif
+
+void bench_scene_time(struct scene_result *out, const struct bench_mesh *m,
+                      const struct scene_mode *mode,
+                      const struct scene_cut *cut)
+{
+    struct stage s = {0};
+    open_stage(&s, m, mode, cut->side);
+    out->pixels = pixels_of(&s);
+    out->ns = time_of(draw_job, &(struct picture_job){&s, cut}, cut->threads);
+    out->peer_ns = mode->depth_bits == 32 ? peer_time(&s.scene) : 0;
     close_stage(&s);
 }

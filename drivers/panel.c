@@ -44,6 +44,15 @@ static enum pel_status panel_flush(const struct pel_display *display,
     return status == PEL_OK ? panel->chip->send(panel, surface) : status;
 }
 
+/* A byte of memory holds 8 rows, or of 16 greys 2 columns: the glass ends where
+ * one does. */
+static bool cuts_bytes(const struct pel_panel *panel)
+{
+    const uint8_t bits = panel->format->bits;
+    return (bits == 1 && (panel->top | panel->height) & 7) ||
+           (bits == 4 && (panel->left | panel->width) & 1);
+}
+
 /* A quarter turn and a half one run backwards through the columns of memory, a
  * half one and three quarters through its rows; so what is beside the glass
  * lies before its first pixel then. */
@@ -63,7 +72,7 @@ static enum pel_status place(struct pel_panel *panel)
     const int32_t below = chip->height - panel->top - panel->height;
     panel->from[0] = (panel->rotation + 1) & 2 ? right : left;
     panel->from[1] = panel->rotation & 2 ? below : panel->top;
-    return (right | below) < 0 ? PEL_ERROR_SIZE : PEL_OK;
+    return (right | below) < 0 || cuts_bytes(panel) ? PEL_ERROR_SIZE : PEL_OK;
 }
 
 static enum pel_status start(const struct pel_panel *panel)

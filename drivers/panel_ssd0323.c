@@ -38,9 +38,8 @@ static enum pel_status send(const struct pel_panel *panel,
     const uint8_t right = (uint8_t)(left + rows.length - 1);
     const uint8_t below = (uint8_t)(top + rows.count - 1);
     const uint8_t list[] = {6, 0x15, left, right, 0x75, top, below, 0};
-    enum pel_status status = (panel->from[0] | a->x0 | a->x1) & 1
-                                 ? PEL_ERROR_SIZE
-                                 : command(panel, list);
+    enum pel_status status =
+        (a->x0 | a->x1) & 1 ? PEL_ERROR_SIZE : command(panel, list);
     return status == PEL_OK ? panel->bus->data(panel->bus, &rows) : status;
 }
 

@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "../base/color.h"
 #include "../base/status.h"
 
 /* "PELM", and the version of the struct. */
@@ -32,6 +33,15 @@ static inline bool pel_quantization_legal(const struct pel_quantization *p)
     return p->step >= 1 && p->step <= 16384 && p->shift >= -64 &&
            p->shift <= 64;
 }
+
+/* A run of vertices and triangles that have one material. Parts follow one
+ * another and make up the mesh. */
+struct pel_mesh_part {
+    uint32_t vertices, triangles; /* where it ends: one more than its last */
+    pel_color color; /* of vertices without colours; its alpha is that of all */
+    uint32_t texture; /* 0: none; else that of its scene with this number,
+                         counted from 1 */
+};
 
 struct pel_mesh_asset {
     uint32_t magic;     /* PEL_MESH_MAGIC */

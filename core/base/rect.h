@@ -25,4 +25,11 @@ static inline struct pel_rect pel_rect_intersect(const struct pel_rect *a,
     return r;
 }
 
+static inline bool pel_rect_inside(const struct pel_rect *r,
+                                   const struct pel_rect *outer)
+{
+    return r->x0 >= outer->x0 && r->y0 >= outer->y0 && r->x1 <= outer->x1 &&
+           r->y1 <= outer->y1;
+}
+
 #endif

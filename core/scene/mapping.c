@@ -104,7 +104,7 @@ const struct pel_mapping pel_map_affine = {NULL, affine, modulate};
 static const struct pel_color_paint *perspective(struct pel_frame *frame)
 {
     struct pel_perspective *p = &frame->work->perspective;
-    const int32_t span = frame->scene->texture->span;
+    const int32_t span = frame->mesh_texture->span;
     struct pel_texture_corner corner[3];
     set_corners(frame, corner);
     for (int i = 0; i < 3; i++)

@@ -42,7 +42,7 @@ static bool sizes_legal(const struct pel_mesh *m)
 static enum pel_status check_indices(const struct pel_mesh *m,
                                      struct pel_mesh_fault *fault)
 {
-    struct pel_mesh_fault at = {0, 0};
+    struct pel_mesh_fault at = {0, 0, 0};
     uint32_t corner[3];
     for (; at.triangle < m->triangles; at.triangle++) {
         pel_mesh_corners(m, at.triangle, corner);
@@ -58,14 +58,40 @@ static enum pel_status check_indices(const struct pel_mesh *m,
     return PEL_OK;
 }
 
+/* The first part that ends before it begins, or as the last not where the mesh
+ * does; or their number. */
+static uint32_t wrong_part(const struct pel_mesh *m)
+{
+    uint32_t i = 0, vertices = 0, triangles = 0;
+    for (; i < m->parts; i++) {
+        const struct pel_mesh_part *p = &m->part[i];
+        const bool last = i + 1 == m->parts;
+        if (p->vertices < vertices || p->triangles < triangles ||
+            (last &&
+             (p->vertices != m->vertices || p->triangles != m->triangles)))
+            break;
+        vertices = p->vertices;
+        triangles = p->triangles;
+    }
+    return i;
+}
+
 enum pel_status pel_mesh_check(const struct pel_mesh *mesh,
                                struct pel_mesh_fault *fault)
 {
+    uint32_t part;
     if (!mesh || !mesh->positions ||
-        !mesh->indices8 + !mesh->indices16 + !mesh->indices32 != 2)
+        !mesh->indices8 + !mesh->indices16 + !mesh->indices32 != 2 ||
+        (mesh->parts && !mesh->part))
         return PEL_ERROR_NULL;
     if (!sizes_legal(mesh))
         return PEL_ERROR_SIZE;
+    part = wrong_part(mesh);
+    if (part < mesh->parts) {
+        if (fault)
+            *fault = (struct pel_mesh_fault){0, 0, part};
+        return PEL_ERROR_SIZE;
+    }
     return check_indices(mesh, fault);
 }
 
@@ -74,23 +100,28 @@ size_t pel_mesh_normals_scratch_size(const struct pel_mesh *mesh)
     return PEL_MESH_NORMALS_SCRATCH_SIZE(mesh->vertices);
 }
 
-/* Twice the area times the normal, below 2^35; a vertex has less than 2^28
- * faces with three corners each. */
-static void add_face(const struct pel_mesh *m, uint32_t triangle,
-                     int64_t (*sum)[3])
+void pel_mesh_facet(const struct pel_mesh *m, const uint32_t corner[3],
+                    int64_t normal[3])
 {
-    uint32_t corner[3];
-    pel_mesh_corners(m, triangle, corner);
     const int16_t *a = m->positions[corner[0]];
     const int16_t *b = m->positions[corner[1]];
     const int16_t *c = m->positions[corner[2]];
     int32_t ab[3], ac[3];
-    int64_t normal[3];
     for (int k = 0; k < 3; k++) {
         ab[k] = b[k] - a[k];
         ac[k] = c[k] - a[k];
     }
     pel_cross(ab, ac, normal);
+}
+
+/* A vertex has less than 2^28 faces with three corners each. */
+static void add_face(const struct pel_mesh *m, uint32_t triangle,
+                     int64_t (*sum)[3])
+{
+    uint32_t corner[3];
+    int64_t normal[3];
+    pel_mesh_corners(m, triangle, corner);
+    pel_mesh_facet(m, corner, normal);
     for (int i = 0; i < 9; i++)
         sum[corner[i / 3]][i % 3] += normal[i % 3];
 }

@@ -296,14 +296,12 @@ static bool import_as_mesh(struct import_command *c)
     struct mesh mesh;
     struct model model = {0};
     struct model_source *source = &c->scene.source;
-    const char *path = source->path;
-    if (!mesh_load(&mesh, path))
+    if (!model_read(&mesh, source))
         return false;
     source->without_texture = mesh.has_colors && !source->texture;
-    bool done = (!source->smooth_normals || mesh_normals(&mesh)) &&
-                model_make_asset(&model, &mesh, c->normal_bits) &&
-                model_add_texture(&model, &mesh, source);
-    if (done && model.texture.width > 0)
+    bool done = model_make_asset(&model, &mesh, c->normal_bits) &&
+                model_add_textures(&model, &mesh, source);
+    if (done)
         model_paint(&model);
     done = done && import_mesh(&c->options, &model);
     model_free(&model);

@@ -1,6 +1,7 @@
 #include "sim/mesh/mesh.h"
 
 #include "sim/cli/message.h"
+#include "sim/mesh/material.h"
 
 #ifdef HAVE_ASSIMP
 #include <assimp/cimport.h>
@@ -67,26 +68,6 @@ static void note_losses(const char *path, const struct counts *file,
                          file->triangles - drawn->triangles, file->triangles);
 }
 
-static unsigned byte_of(float value)
-{
-    return value > 0 ? value < 1 ? (unsigned)(value * 255 + 0.5f) : 255 : 0;
-}
-
-static pel_color color_of(const struct aiColor4D *c)
-{
-    return PEL_RGB(byte_of(c->r), byte_of(c->g), byte_of(c->b));
-}
-
-static pel_color material_color(const struct aiScene *scene,
-                                const struct aiMesh *from)
-{
-    struct aiColor4D color = {0.8f, 0.8f, 0.8f, 1};
-    if (from->mMaterialIndex < scene->mNumMaterials)
-        aiGetMaterialColor(scene->mMaterials[from->mMaterialIndex],
-                           AI_MATKEY_COLOR_DIFFUSE, &color);
-    return color_of(&color);
-}
-
 /* Files have -0 and 0 for the same number: with 0 added it has no sign. */
 static void set3(double to[3], const struct aiVector3D *from)
 {
@@ -95,10 +76,9 @@ static void set3(double to[3], const struct aiVector3D *from)
     to[2] = (double)from->z + 0.0;
 }
 
-static void copy_vertices(const struct aiScene *scene,
-                          const struct aiMesh *from, struct mesh_vertex *to)
+static void copy_vertices(const struct aiMesh *from, struct mesh_vertex *to,
+                          pel_color color, bool linear)
 {
-    pel_color color = material_color(scene, from);
     for (unsigned i = 0; i < from->mNumVertices; i++, to++) {
         set3(to->position, &from->mVertices[i]);
         if (from->mNormals)
@@ -107,7 +87,9 @@ static void copy_vertices(const struct aiScene *scene,
             to->uv[0] = (double)from->mTextureCoords[0][i].x + 0.0;
             to->uv[1] = (double)from->mTextureCoords[0][i].y + 0.0;
         }
-        to->color = from->mColors[0] ? color_of(&from->mColors[0][i]) : color;
+        to->color = from->mColors[0]
+                        ? material_byte_color(&from->mColors[0][i], linear)
+                        : color | PEL_RGB(0, 0, 0);
     }
 }
 
@@ -130,71 +112,41 @@ static uint32_t copy_triangles(const struct aiMesh *from, uint32_t vertex,
     return n;
 }
 
-static void copy_parts(const struct aiScene *scene, struct mesh *mesh)
+static bool copy_part(const struct aiScene *scene, const struct aiMesh *from,
+                      const char *path, struct mesh *mesh)
 {
-    uint32_t vertex = 0, triangle = 0;
-    mesh->has_normals = true;
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
-        const struct aiMesh *from = scene->mMeshes[i];
-        if (triangles_of(from) == 0)
-            continue;
-        copy_vertices(scene, from, mesh->vertex + vertex);
-        triangle += copy_triangles(from, vertex, mesh->triangle + triangle);
-        vertex += from->mNumVertices;
-        mesh->has_normals = mesh->has_normals && from->mNormals;
-        mesh->has_uv = mesh->has_uv || from->mTextureCoords[0];
-        mesh->has_colors = mesh->has_colors || from->mColors[0];
-    }
-}
-
-/* The path of the first texture as the file has it; false when there is none.
- */
-static bool find_texture(const struct aiScene *scene, struct aiString *name)
-{
-    for (unsigned i = 0; i < scene->mNumMaterials; i++)
-        if (aiGetMaterialTexture(scene->mMaterials[i], aiTextureType_DIFFUSE, 0,
-                                 name, NULL, NULL, NULL, NULL, NULL,
-                                 NULL) == aiReturn_SUCCESS)
-            return true;
-    return false;
-}
-
-/* A texture file inside the mesh file: the name is * and its number. */
-static bool copy_inner_texture(const struct aiScene *scene, const char *name,
-                               struct mesh *mesh)
-{
-    unsigned long i = strtoul(name + 1, NULL, 10);
-    if (i >= scene->mNumTextures || scene->mTextures[i]->mHeight != 0)
-        return true; /* not there, or bare texels, which no format has */
-    const struct aiTexture *from = scene->mTextures[i];
-    mesh->texture_bytes = malloc(from->mWidth);
-    if (!mesh->texture_bytes)
-        return message_error("no memory for a texture of %u bytes",
-                             from->mWidth);
-    memcpy(mesh->texture_bytes, from->pcData, from->mWidth);
-    mesh->texture_size = from->mWidth;
+    struct mesh_part *part = &mesh->part[mesh->parts++];
+    const uint32_t vertex = mesh->parts > 1 ? part[-1].vertices : 0;
+    const uint32_t triangle = mesh->parts > 1 ? part[-1].triangles : 0;
+    struct aiMaterial none = {NULL, 0, 0};
+    const struct aiMaterial *material =
+        from->mMaterialIndex < scene->mNumMaterials
+            ? scene->mMaterials[from->mMaterialIndex]
+            : &none;
+    if (!material_read(&part->material, mesh, scene, material, path))
+        return false;
+    copy_vertices(from, mesh->vertex + vertex, part->material.color,
+                  material_is_linear(material));
+    part->vertices = vertex + from->mNumVertices;
+    part->triangles =
+        triangle + copy_triangles(from, vertex, mesh->triangle + triangle);
+    part->has_uv = from->mTextureCoords[0];
+    mesh->has_normals = mesh->has_normals && from->mNormals;
+    mesh->has_uv = mesh->has_uv || from->mTextureCoords[0];
+    mesh->has_colors = mesh->has_colors || from->mColors[0];
     return true;
 }
 
-/* Relative to the directory of the mesh. */
-static bool copy_texture(const struct aiScene *scene, const char *path,
-                         struct mesh *mesh)
+static bool copy_parts(const struct aiScene *scene, const char *path,
+                       struct mesh *mesh)
 {
-    struct aiString name;
-    if (!find_texture(scene, &name))
-        return true;
-    if (name.data[0] == '*')
-        return copy_inner_texture(scene, name.data, mesh);
-    const char *slash = strrchr(path, '/');
-    int directory = slash && name.data[0] != '/' ? (int)(slash - path) + 1 : 0;
-    size_t size = (size_t)directory + strlen(name.data) + 1;
-    mesh->texture = malloc(size);
-    if (!mesh->texture)
-        return message_error("no memory for the name of a texture");
-    snprintf(mesh->texture, size, "%.*s%s", directory, path, name.data);
-    for (char *c = mesh->texture + directory; *c; c++)
-        if (*c == '\\') /* as files made on other systems have it */
-            *c = '/';
+    mesh->has_normals = true;
+    mesh->parts = 0;
+    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
+        const struct aiMesh *from = scene->mMeshes[i];
+        if (triangles_of(from) > 0 && !copy_part(scene, from, path, mesh))
+            return false;
+    }
     return true;
 }
 
@@ -214,10 +166,9 @@ static bool copy_scene(const struct aiScene *scene, const char *path,
     if (n.vertices > 1u << 28 || n.triangles > 1u << 28)
         return message_error_at(path, 0,
                                 "more than 2^28 vertices or triangles");
-    if (!mesh_init(mesh, (uint32_t)n.vertices, (uint32_t)n.triangles))
-        return false;
-    copy_parts(scene, mesh);
-    return copy_texture(scene, path, mesh);
+    return mesh_init(mesh, (uint32_t)n.vertices, (uint32_t)n.triangles,
+                     scene->mNumMeshes) &&
+           copy_parts(scene, path, mesh);
 }
 
 /* Some of assimp's readers put another vertex in the place of an index that is

@@ -163,7 +163,9 @@ static bool load_texture(struct painter_texture *texture,
         return false;
     texture->opaque = texture_opaque(&texture->picture);
     texture->bilinear = o->settings.texture == SCENE_TEXTURE_BILINEAR;
-    texture->wrap = o->settings.wrap;
+    texture->wrap = o->settings.wrap == SCENE_WRAP_OWN
+                        ? PEL_WRAP_REPEAT
+                        : (enum pel_wrap)o->settings.wrap;
     return true;
 }
 

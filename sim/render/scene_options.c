@@ -131,6 +131,11 @@ const struct option_row scene_option_table[] = {
      "file (default: where it has them), or smooth: at each vertex the mean of "
      "the faces around it; facets are --shade flat",
      CHOICE(source.smooth_normals, SCENE_NORMALS)},
+    {"crease", "DEGREES",
+     "make normals whatever the file has, with an edge between faces that are "
+     "turned by more than this (default of normals that are made: 120)",
+     NUMBERS(source.crease, 1, 0, 0, 180, "an angle from 0 to 180, such as 40"),
+     .flag = AT(source.has_crease)},
     {"turn", "X,Y,Z",
      "turn the mesh around its middle, in parts of a turn around x, then y, "
      "then z",
@@ -201,6 +206,10 @@ const struct option_row scene_option_table[] = {
      "stands, or off",
      CHOICE(settings.no_back_highlights, "on|off"),
      .flag = AT(settings.has_light)},
+    {"light-sides", "WHICH",
+     "front (default), or both: a normal that points away from the eye is "
+     "turned",
+     CHOICE(settings.both_sides, SCENE_SIDES)},
     {"unlit", NULL, "no light, whatever the mesh", CALL(parse_unlit)},
     HEADING("Texture:"),
     {"texture", "MODE", "none, nearest or bilinear (default)",
@@ -217,7 +226,8 @@ const struct option_row scene_option_table[] = {
      "between divisions when subdivided: 2, 4, 8, 16 (default), 32 or 64",
      CHOICE(settings.span, SCENE_SPANS)},
     {"wrap", "NAME",
-     "outside of the texture: clamp, repeat (default) or mirror",
+     "outside of the texture: clamp, repeat, mirror, or own (default), as the "
+     "mesh file says and repeat where it does not",
      CHOICE(settings.wrap, SCENE_WRAPS)},
     {.help = NULL},
 };

@@ -131,7 +131,7 @@ static void take_scene(struct api *a, struct place *p, struct pel_scene *s,
                             .color = PEL_RGB(200, 100, 50),
                             .transparency = kind & 64 ? 100 : 0,
                             .cull = (enum pel_cull)(kind / 8 % 3),
-                            .sort = kind & 128 ? pel_depth_sort : NULL};
+                            .sort = kind & 128 ? &pel_depth_sort : NULL};
     take_mesh(a, p);
     take_lighting(a, p);
     take_camera(a, &s->camera);

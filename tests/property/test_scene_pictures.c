@@ -104,19 +104,35 @@ static void uv_at(const struct picture *p, const struct seen *v,
     mix(w, uvs, 2, uv);
 }
 
+static void facet_normal(const struct seen v[3], real normal[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        normal[k] =
+            (v[1].place[i] - v[0].place[i]) * (v[2].place[j] - v[0].place[j]) -
+            (v[1].place[j] - v[0].place[j]) * (v[2].place[i] - v[0].place[i]);
+    }
+}
+
 static void color_at(const struct picture *p, uint32_t triangle,
                      const real w[3], real out[3])
 {
     const struct pel_scene *scene = &p->s.scene;
     const struct seen *v = &p->vertex[3 * triangle];
-    const bool flat = scene->shading == &pel_shade_flat ||
-                      scene->shading == &pel_shade_lit_flat;
+    const bool facet = scene->shading == &pel_shade_lit_flat;
+    const bool flat = facet || scene->shading == &pel_shade_flat;
     const real third[3] = {1.0L / 3, 1.0L / 3, 1.0L / 3};
     real surface[3], uv[2], place[3], normal[3];
     const real *const colors[3] = {v[0].color, v[1].color, v[2].color};
     const real *const places[3] = {v[0].place, v[1].place, v[2].place};
     const real *const normals[3] = {v[0].normal, v[1].normal, v[2].normal};
     mix(flat ? third : w, colors, 3, out);
+    if (facet) {
+        const real own[3] = {out[0], out[1], out[2]};
+        mix(third, places, 3, place);
+        facet_normal(v, normal);
+        reference_light(scene, place, normal, own, out);
+    }
     if (scene->texture) {
         uv_at(p, v, w, uv);
         reference_texel(scene->texture, uv[0], uv[1], true, surface);
@@ -193,8 +209,7 @@ static void check_pictures(uint64_t count, dressing *dress, int32_t tolerance)
     for (struct cases c = cases_of(count); cases_next(&c);) {
         any_scene(&c.random, &p.s, SIDE);
         dress(&c.random, &p);
-        p.lit = p.s.scene.shading == &pel_shade_lit_flat ||
-                p.s.scene.shading == &pel_shade_lit_gouraud;
+        p.lit = p.s.scene.shading == &pel_shade_lit_gouraud;
         p.phong = p.s.scene.shading == &pel_shade_phong;
         draw(&p, &p.colors);
         const struct pel_shading *shading = p.s.scene.shading;
@@ -223,6 +238,7 @@ static void dress_vertices(struct random *r, struct picture *p)
 static void dress_phong(struct random *r, struct picture *p)
 {
     any_scene_light(r, &p->s);
+    p->s.lighting.both_sides = false; /* no sign is known where it changes */
     if (random_word(r) % 4 == 0)
         p->s.lighting.shininess = 256;
     p->s.scene.shading = &pel_shade_phong;
@@ -235,6 +251,7 @@ static void dress_texture(struct random *r, struct picture *p)
         &pel_shade_phong};
     any_scene_light(r, &p->s);
     any_scene_noise(r, &p->s, random_between(r, 2, 5));
+    p->s.lighting.both_sides = false;
     p->s.scene.shading = shading[random_word(r) % 4];
     if (random_word(r) % 3 == 0)
         p->s.texture.mapping = &pel_map_affine;

@@ -56,7 +56,7 @@ static void set_scene(struct pel_scene *scene, struct pel_mesh *mesh,
     scene->mesh = mesh;
     scene->lighting = &lighting;
     scene->color = PEL_RGB(0xa0, 0xb4, 0xc8);
-    scene->sort = pel_depth_sort;
+    scene->sort = &pel_depth_sort;
     scene->viewport = (struct pel_rect){0, 0, SIZE, SIZE};
 #ifdef CAMERA
     scene->camera = camera;

@@ -17,7 +17,7 @@ static void set(struct mesh *mesh, uint32_t i, double x, double y, double z)
 /* A square of two triangles in the plane z = 0, counter-clockwise. */
 static void make_square(struct mesh *mesh)
 {
-    assert_true(mesh_init(mesh, 4, 2));
+    assert_true(mesh_init(mesh, 4, 2, 1));
     set(mesh, 0, -1, -1, 0);
     set(mesh, 1, 1, -1, 0);
     set(mesh, 2, 1, 1, 0);
@@ -63,7 +63,7 @@ static void test_normals(void)
     struct mesh mesh;
     make_square(&mesh);
     mesh.triangle[1][1] = 0; /* without area */
-    assert_true(mesh_normals(&mesh));
+    assert_true(mesh_normals(&mesh, MESH_CREASE));
     for (int k = 0; k < 3; k++) {
         assert_int_equal((int)mesh.vertex[0].normal[k], k == 2);
         assert_int_equal((int)mesh.vertex[3].normal[k], 0);
@@ -235,7 +235,7 @@ static void test_any_camera(void)
         struct shown shown;
         struct scene_settings s = make_settings(0);
         double size = pow(10, (double)(next(&seed) % 25) - 9);
-        assert_true(mesh_init(&mesh, 60, 20));
+        assert_true(mesh_init(&mesh, 60, 20, 1));
         for (uint32_t i = 0; i < 60; i++) {
             set(&mesh, i, random_in(&seed, size), random_in(&seed, size),
                 random_in(&seed, size));

@@ -117,6 +117,16 @@ static const struct module modules[] =
    PAGES,           .columns = 128,  .left = 32},
     64, 64, false, 0
 }
+,
+    {"ssd1306 72x40",
+     TURNED(ssd1306),
+     {.width = 72, .height = 40, .left = 28, .top = 16},
+     PAGES,
+     .columns = 128,
+     .left = 28,
+     .top = 16},
+    72, 40, false, 0
+}
 , {"sh1106", TURNED(sh1106), {.rotation = 0}, PAGES, .columns = 132, .left = 2},
     128, 64, false, 0
 }
@@ -380,6 +390,15 @@ static void test_what_is_refused(void)
                        f.display.height);
         assert_int_equal(pel_display_flush(&f.display, &s), PEL_ERROR_FORMAT);
         assert_int_equal(bus.calls, calls);
+    }
+    static const struct pel_panel cut[] = {{.height = 60}, {.top = 4},
+                                           {.height = 4, .top = 60}};
+    for (size_t i = 0; i < 2 * sizeof cut / sizeof *cut; i++) {
+        struct module m = modules[10];
+        m.panel = cut[i / 2];
+        if (!m.panel.height)
+            m.panel.height = 56;
+        assert_int_equal(set_up(&f, &m, i & 1), PEL_ERROR_SIZE);
     }
     f.panel = modules[10].panel;
     f.panel.chip = &pel_panel_ssd1306;

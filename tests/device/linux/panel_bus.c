@@ -78,6 +78,7 @@ static void take_i2c(const struct i2c_rdwr_ioctl_data *data)
 }
 
 int __wrap_nanosleep(const struct timespec *time, struct timespec *left);
+int __wrap_fcntl(int fd, int what, ...);
 int __wrap_ioctl(int fd, unsigned long request, ...);
 int __wrap_open(const char *path, int flags, ...);
 int __real_open(const char *path, int flags, ...);
@@ -92,6 +93,18 @@ int __wrap_nanosleep(const struct timespec *time, struct timespec *left)
     (void)time;
     (void)left;
     return 0;
+}
+
+/* The lock of a chip of I2C. */
+int __wrap_fcntl(int fd, int what, ...)
+{
+    va_list arguments;
+    va_start(arguments, what);
+    const struct flock *lock = va_arg(arguments, struct flock *);
+    va_end(arguments);
+    (void)fd;
+    assert_int_equal(lock->l_start, 0x3D);
+    return fails() ? -1 : 0;
 }
 
 int __wrap_ioctl(int fd, unsigned long request, ...)
@@ -204,7 +217,9 @@ static int open_device(int i)
     bytes_sent = bytes_copied = 0;
     message.text[0] = 0;
     assert_int_equal(pel_panel_parse(&request, devices[i].name, &message), 0);
-    return pel_display_panel_open(&display, &panel, &request, &message);
+    const int error = pel_display_panel_open(&panel, &request, &message);
+    assert_int_equal(wire.count, 0);
+    return error ? error : pel_display_panel_start(&display, &panel, &request);
 }
 
 /* A frame of noise, or a part of it. */
@@ -301,11 +316,22 @@ static int open_files(void)
     return n;
 }
 
+/* Whatever the chip was told, it is dark. */
+static void check_dark(int i)
+{
+    static struct panel_glass glass;
+    glass = devices[i].glass;
+    panel_glass_reset(&glass);
+    panel_glass_take(&glass, &wire, 0);
+    assert_false(glass.on || glass.awake);
+}
+
 static void test_every_call_that_fails(void)
 {
-    static const int errors[] = {
-        EIO,       EINVAL, ENODEV,   EBUSY,     EACCES,    ENOENT, ENXIO,
-        EREMOTEIO, ENOMEM, EMSGSIZE, ETIMEDOUT, ESHUTDOWN, ENOTTY, EINTR};
+    static const int errors[] = {EIO,    EINVAL,   ENODEV,    EBUSY,
+                                 EACCES, ENOENT,   ENXIO,     EREMOTEIO,
+                                 ENOMEM, EMSGSIZE, ETIMEDOUT, ESHUTDOWN,
+                                 ENOTTY, EINTR,    EAGAIN};
     const int files = open_files();
     for (size_t k = 0; k < DEVICES * sizeof errors / sizeof *errors; k++) {
         const int i = (int)k % DEVICES;
@@ -316,11 +342,14 @@ static void test_every_call_that_fails(void)
         do {
             fail_at++;
             int error = open_device(i);
+            const bool refused = error;
             if (!error)
                 error = flush(&whole);
             const bool failed = calls >= fail_at;
             const bool told = message.text[0];
             pel_display_panel_close(&panel);
+            if (refused)
+                check_dark(i);
             if (error_given != EINTR)
                 assert_int_equal(failed, error != 0);
             assert_int_equal(error != 0, told);
@@ -329,6 +358,40 @@ static void test_every_call_that_fails(void)
         } while (calls >= fail_at);
     }
     fail_at = 0;
+}
+
+/* A second program is refused before it has changed anything. */
+static void test_chips_of_others(void)
+{
+    static const struct {
+        int device, call, error;
+        const char *told;
+    } rows[] = {{1, 1, EBUSY, "GPIO25: Device or resource busy"},
+                {2, 3, EAGAIN, "another program has the chip at address 0x3d"}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        mode_set = -1;
+        fail_at = rows[i].call;
+        error_given = rows[i].error;
+        assert_int_equal(open_device(rows[i].device), rows[i].error);
+        assert_non_null(strstr(message.text, rows[i].told));
+        assert_int_equal(calls, rows[i].call);
+        assert_int_equal(mode_set, -1);
+    }
+    fail_at = 0;
+}
+
+static void test_i2c_of_other_chips(void)
+{
+    static const uint8_t bytes[129];
+    const struct pel_bus_request request = {
+        .i2c = "/dev/i2c-1", .address = 0x3D, .plain = true};
+    struct pel_bus_linux bus;
+    assert_int_equal(pel_bus_linux_open(&bus, &request, &message), 0);
+    assert_null(bus.bus.data);
+    assert_int_equal(bus.bus.command(&bus.bus, bytes, 129, NULL, 0),
+                     PEL_ERROR_SIZE);
+    assert_non_null(strstr(message.text, "more than 128 bytes"));
+    pel_bus_linux_close(&bus);
 }
 
 static void test_names_that_are_refused(void)
@@ -362,18 +425,24 @@ static void test_names_that_are_refused(void)
     assert_int_equal(request.top, 20);
     static const char *const opened[][2] = {
         {"uc1701,spi=/dev/a,dc=GPIO25", "unknown panel 'uc1701'"},
-        {"st7789,spi=/dev/a,dc=GPIO25,size=241x10", "beyond the memory"}};
+        {"st7789,spi=/dev/a,dc=GPIO25,size=241x10", "beyond the memory"},
+        {"ssd1306,i2c=/dev/a,address=61,size=128x60", "multiples of 8 rows"}};
     for (size_t i = 0; i < sizeof opened / sizeof *opened; i++) {
         assert_int_equal(pel_panel_parse(&request, opened[i][0], &message), 0);
-        assert_int_equal(
-            pel_display_panel_open(&display, &panel, &request, &message),
-            EINVAL);
+        int error = pel_display_panel_open(&panel, &request, &message);
+        if (!error)
+            error = pel_display_panel_start(&display, &panel, &request);
+        assert_int_equal(error, EINVAL);
         assert_non_null(strstr(message.text, opened[i][1]));
+        wire.count = 0;
+        pel_display_panel_close(&panel);
+        assert_int_equal(wire.count, 0);
     }
 }
 
 int main(void)
 {
     return RUN_TESTS(test_frames, test_system_calls, test_every_call_that_fails,
+                     test_chips_of_others, test_i2c_of_other_chips,
                      test_names_that_are_refused);
 }

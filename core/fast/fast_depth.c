@@ -1,0 +1,206 @@
+/* Flat and Gouraud triangles on 32-bit pixels through a depth buffer, four
+ * pixels at a time: the same bytes as pixel by pixel. Vectors may overlap
+ * inside a span, since a pixel that has been stored is not nearer than itself.
+ */
+#include "../format/span32.h"
+#include "../raster/gouraud_spans.h"
+#include "../scene/depth.h"
+#include "fast_triangle.h"
+
+#if PEL_FAST_FILLS && PEL_VECTORS
+
+/* What stays the same from row to row. Depths are 32.32 numbers, of which the
+ * upper half is stored. */
+struct steps {
+    uint64_t dx, dy;
+    pel_u64x2 depth[2]; /* from the first pixel of four to each */
+    pel_u32x4 value;    /* of a flat triangle */
+    struct pel_gouraud_steps color;
+};
+
+static PEL_ALWAYS_INLINE pel_u32x4 get_depths(const void *held, bool wide)
+{
+    if (wide)
+        return pel_get_u32x4(held);
+    uint16_t d[4];
+    memcpy(d, held, 8);
+    return (pel_u32x4){d[0], d[1], d[2], d[3]};
+}
+
+static PEL_ALWAYS_INLINE void put_depths(void *held, pel_u32x4 v, bool wide)
+{
+    const pel_u16x8 narrow = pel_narrow_u16x8(v, v);
+    if (wide)
+        pel_put_u32x4(held, v);
+    else
+        memcpy(held, &narrow, 8);
+}
+
+/* Tests four pixels. */
+static PEL_ALWAYS_INLINE void draw_four(pel_word32 *p, void *held,
+                                        const pel_u64x2 depth[2],
+                                        pel_u32x4 value, bool wide)
+{
+    const pel_u32x4 number =
+        PEL_LANES((pel_u32x4)depth[0], (pel_u32x4)depth[1], 1, 3, 5, 7) >>
+        (wide ? 0 : 16);
+    const pel_u32x4 old = get_depths(held, wide);
+    const pel_u32x4 nearer = (pel_u32x4)(number > old);
+    put_depths(held, (number & nearer) | (old & ~nearer), wide);
+    pel_put_u32x4(p, (value & nearer) | (pel_get_u32x4(p) & ~nearer));
+}
+
+static PEL_ALWAYS_INLINE void draw_one(pel_word32 *p, void *held,
+                                       uint64_t depth, uint32_t value,
+                                       bool wide)
+{
+    const uint32_t number = (uint32_t)(depth >> (wide ? 32 : 48));
+    if (number <= (wide ? *(uint32_t *)held : *(uint16_t *)held))
+        return;
+    if (wide)
+        *(uint32_t *)held = number;
+    else
+        *(uint16_t *)held = (uint16_t)number;
+    *p = value;
+}
+
+/* Of n pixels from p on: `depth` and `color` are those of the first, `gouraud`
+ * and `wide` constants. Single pixels where there are fewer than four. */
+static PEL_ALWAYS_INLINE void draw_span(const struct steps *s, pel_word32 *p,
+                                        uint8_t *held, int32_t n,
+                                        uint64_t depth, const uint32_t color[3],
+                                        bool gouraud, bool wide)
+{
+    const int32_t size = wide ? 4 : 2;
+    struct pel_gouraud_four c;
+    pel_u32x4 value = s->value;
+    if (gouraud) {
+        c = pel_gouraud_add(s->color.lanes, pel_gouraud_times(color, 1));
+        value = pel_gouraud_xrgb4(c);
+    }
+    if (n < 4) {
+        for (int32_t i = 0; i < n; i++, depth += s->dx)
+            draw_one(p + i, held + i * size, depth, value[i & 3], wide);
+        return;
+    }
+    const pel_u64x2 first = {depth, depth};
+    pel_u64x2 at[2] = {first + s->depth[0], first + s->depth[1]};
+    const uint32_t last = (uint32_t)n - 4;
+    const uint64_t way = last * s->dx;
+    const pel_u64x2 end[2] = {at[0] + way, at[1] + way};
+    pel_u32x4 end_value = value;
+    if (gouraud)
+        end_value = pel_gouraud_xrgb4(
+            pel_gouraud_add(c, pel_gouraud_times(s->color.dx, last)));
+    for (uint32_t i = 0; i < last; i += 4) {
+        draw_four(p + i, held + (int32_t)i * size, at, value, wide);
+        at[0] += 4 * s->dx;
+        at[1] += 4 * s->dx;
+        if (gouraud) {
+            c = pel_gouraud_add(c, s->color.next);
+            value = pel_gouraud_xrgb4(c);
+        }
+    }
+    draw_four(p + last, held + (int32_t)last * size, end, end_value, wide);
+}
+
+static PEL_ALWAYS_INLINE void draw_rows(const struct pel_depth_paint *paint,
+                                        const struct pel_surface *surface,
+                                        const struct pel_fast_triangle *t,
+                                        const struct steps *s, bool gouraud,
+                                        bool wide)
+{
+    const struct pel_gouraud *g = (const struct pel_gouraud *)paint->inner;
+    const struct pel_depth *d = paint->depth;
+    struct pel_fast_walk w = pel_fast_walk_begin(surface, t, 4);
+    const uintptr_t size = wide ? 4 : 2;
+    const uintptr_t pitch =
+        size * (uintptr_t)(ptrdiff_t)(d->bounds.x1 - d->bounds.x0);
+    uintptr_t held = (uintptr_t)d->values - size * (uintptr_t)d->bounds.x0 +
+                     pitch * (uintptr_t)(ptrdiff_t)(t->y0 - d->bounds.y0);
+    uint64_t depth = pel_plane_at(&paint->plane, 0, t->y0) << 10;
+    uint32_t start[3] = {0, 0, 0}, v[3] = {0, 0, 0};
+    if (gouraud)
+        pel_gouraud_at(g, 0, t->y0, start);
+    for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
+        if (gouraud) {
+            v[0] = start[0] + (uint32_t)x * g->dx[0];
+            v[1] = start[1] + (uint32_t)x * g->dx[1];
+            v[2] = start[2] + (uint32_t)x * g->dx[2];
+            pel_gouraud_step(start, g->dy);
+        }
+        draw_span(s, (pel_word32 *)(w.row + 4 * (uintptr_t)x),
+                  (uint8_t *)(held + size * (uintptr_t)x), n,
+                  depth + (uint64_t)x * s->dx, v, gouraud, wide);
+        depth += s->dy;
+        held += pitch;
+    }
+}
+
+static PEL_NOINLINE void draw_gouraud(const struct pel_depth_paint *p,
+                                      const struct pel_surface *surface,
+                                      const struct pel_fast_triangle *t,
+                                      struct steps *s)
+{
+    s->color = pel_gouraud_steps_make((const void *)p->inner, 1);
+    if (p->depth->bits == 32)
+        draw_rows(p, surface, t, s, true, true);
+    else
+        draw_rows(p, surface, t, s, true, false);
+}
+
+static PEL_NOINLINE void draw_flat(const struct pel_depth_paint *p,
+                                   const struct pel_surface *surface,
+                                   const struct pel_fast_triangle *t,
+                                   struct steps *s)
+{
+    const struct pel_flat *flat = (const void *)p->inner;
+    s->value = pel_make_value32(surface->format->pack(flat->color));
+    if (p->depth->bits == 32)
+        draw_rows(p, surface, t, s, false, true);
+    else
+        draw_rows(p, surface, t, s, false, false);
+}
+
+/* As one vector writes them. */
+static bool is_flat32(const struct pel_paint *paint,
+                      const struct pel_format *format)
+{
+    return paint->fast == pel_flat_fast && format->id < 128 &&
+           format->bits == 32 &&
+           pel_alpha(((const struct pel_flat *)paint)->color) == 255;
+}
+
+bool pel_depth_fast(const struct pel_paint *paint,
+                    const struct pel_surface *surface,
+                    const struct pel_fast_triangle *triangle)
+{
+    const struct pel_depth_paint *p = (const void *)paint;
+    const uint64_t dx = p->plane.dx << 10;
+    struct steps s = {.dx = dx, .dy = p->plane.dy << 10,
+                      .depth = {{0, dx}, {2 * dx, 3 * dx}}};
+    if (!p->keeps || !pel_rect_inside(&surface->clip, &p->depth->bounds))
+        return false;
+    if (is_flat32(p->inner, surface->format))
+        draw_flat(p, surface, triangle, &s);
+    else if (p->inner->fast == pel_gouraud_fast &&
+             pel_gouraud_bytes((const void *)p->inner, surface->format) == 4)
+        draw_gouraud(p, surface, triangle, &s);
+    else
+        return false;
+    return true;
+}
+
+#elif PEL_FAST_FILLS
+
+bool pel_depth_fast(const struct pel_paint *paint,
+                    const struct pel_surface *surface,
+                    const struct pel_fast_triangle *triangle)
+{
+    (void)paint;
+    (void)surface;
+    (void)triangle;
+    return false;
+}
+
+#endif
