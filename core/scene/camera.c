@@ -158,8 +158,10 @@ static void fine_position(const struct pel_projector *p,
                           const int16_t position[3], int64_t out[3])
 {
     int32_t value[3];
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         value[k] = pel_quantization_value(&p->quantization, k, position[k]);
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         out[k] = pel_scale_down(pel_dot(p->rows.row[k], value), p->down) +
                  p->origin[k];

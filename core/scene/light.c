@@ -115,6 +115,7 @@ enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
 void pel_mesh_lights_position(const struct pel_mesh_lights *lights,
                               const int16_t position[3], int32_t out[3])
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         out[k] = (int32_t)pel_scale_down(
             pel_quantization_value(&lights->mesh->position, k, position[k]),
@@ -147,6 +148,7 @@ static pel_cosine reflected(const pel_cosine l[3], const pel_cosine n[3],
  * their terms. */
 static void add(pel_factor sum[3], const pel_factor factor[3], pel_cosine part)
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         sum[k] += pel_scaled(factor[k], part, 30);
 }
@@ -155,6 +157,7 @@ static void add(pel_factor sum[3], const pel_factor factor[3], pel_cosine part)
 static void direction(const int32_t from[3], const int32_t to[3],
                       pel_cosine unit[3])
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         unit[k] = to[k] - from[k];
     pel_normalize_fast(unit, unit);
@@ -181,6 +184,7 @@ void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
                          struct pel_light_sum *sum)
 {
     pel_cosine towards[3][3];
+    PEL_UNROLL
     for (int k = 0; k < 3; k++) {
         sum->surface[k] = lights->ambient[k];
         sum->plain[k] = 0;
@@ -190,6 +194,7 @@ void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
     direction(position, lights->eye, towards[1]);
     for (int32_t i = 0; i < lights->lighting->lights; i++) {
         const struct pel_mesh_light *light = &lights->light[i];
+        PEL_UNROLL
         for (int k = 0; k < 3; k++)
             towards[2][k] = light->at[k];
         if (!light->directional)
@@ -211,6 +216,7 @@ uint32_t pel_lit_channel(const struct pel_light_sum *sum, int channel,
 pel_color pel_lit_color(const struct pel_light_sum *sum, pel_color surface)
 {
     pel_color out = surface & UINT32_C(0xFF000000);
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         out |= pel_lit_channel(sum, k, (surface >> (16 - 8 * k) & 255) << 8)
                << (16 - 8 * k);

@@ -3,6 +3,7 @@
 void pel_corners_mix(const struct pel_frame_triangle *triangle,
                      const int32_t vertex[3], int32_t corner[3])
 {
+    PEL_UNROLL
     for (int i = 0; i < 3; i++)
         corner[i] = triangle->is_whole
                         ? vertex[i]
@@ -35,6 +36,7 @@ void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
     for (int k = 0; k < 4; k++) {
         struct pel_plane plane = pel_plane_level((int32_t)(color[0] >> 24));
         int32_t value[3];
+        PEL_UNROLL
         for (int i = 0; i < 3; i++)
             value[i] = (int32_t)(color[i] >> 8 * k & 255);
         if (k < 3)
@@ -47,6 +49,7 @@ void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
 
 void pel_frame_colors(const struct pel_frame *frame, pel_color color[3])
 {
+    PEL_UNROLL
     for (int i = 0; i < 3; i++)
         color[i] = frame->vertex[frame->work->triangle.vertex[i]].color;
 }
