@@ -150,7 +150,10 @@ static PEL_NOINLINE_32 bool range_meets(const struct pel_point at[3], bool y,
 static bool is_shown(const struct pel_frame *frame,
                      const struct pel_point at[3], const struct pel_rect *rect)
 {
-    return pel_side_drawn(frame->scene->cull, pel_triangle_area(at)) &&
+    const int64_t area =
+        pel_product(at[1].x - at[0].x, at[2].y - at[0].y) -
+        pel_product(at[2].x - at[0].x, at[1].y - at[0].y);
+    return pel_side_drawn(frame->scene->cull, area) &&
            range_meets(at, false, rect->x0, rect->x1) &&
            range_meets(at, true, rect->y0, rect->y1);
 }
