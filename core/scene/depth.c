@@ -160,17 +160,20 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     }
 }
 
-/* near / z, from both with all their bits: z is coarse, near fine and cut to
- * 31 bits, so the quotient has what a coarse z leaves right. */
-static int32_t nearness(const struct pel_projector *p, int32_t z)
+/* near / z of three corners, from both with all their bits: z is coarse, near
+ * fine and cut to 31 bits, so the quotient has what a coarse z leaves right. */
+static void set_nearness(const struct pel_projector *p,
+                         const struct pel_clip_corner *const corner[3],
+                         int32_t near[3])
 {
-    if (p->one)
-        return (int32_t)(PEL_DEPTH_NEAR - z);
     const int cut = pel_bits_of((uint64_t)p->near_fine) - 31;
-    const int64_t near = pel_scale_down(p->near_fine, cut);
-    const int64_t q =
-        pel_scale_down(near * PEL_DEPTH_NEAR / z, p->coarse - cut);
-    return q < PEL_DEPTH_NEAR ? (int32_t)q : PEL_DEPTH_NEAR;
+    const int64_t most = pel_scale_down(p->near_fine, cut) * PEL_DEPTH_NEAR;
+    for (int i = 0; i < 3; i++) {
+        const int32_t z = corner[i]->position[2];
+        const int64_t q = p->one ? PEL_DEPTH_NEAR - z
+                                 : pel_scale_down(most / z, p->coarse - cut);
+        near[i] = q < PEL_DEPTH_NEAR ? (int32_t)q : PEL_DEPTH_NEAR;
+    }
 }
 
 /* Planes are off by less than 2^-17 of 2^30. */
@@ -182,9 +185,7 @@ static const struct pel_paint *filter(struct pel_frame *frame,
     struct pel_depth_paint *p = &frame->work->depth;
     struct pel_plane plane;
     int32_t near[3];
-    for (int i = 0; i < 3; i++)
-        near[i] = nearness(&frame->projector,
-                           frame->work->triangle.corner[i]->position[2]);
+    set_nearness(&frame->projector, frame->work->triangle.corner, near);
     pel_plane_set(&plane, pel_frame_setup(frame), near);
     pel_depth_paint_init(p, paint, p->depth, &plane, frame->opaque);
     if (pel_min(pel_min(near[0], near[1]), near[2]) >= SURELY_ABOVE_0)
