@@ -1,5 +1,6 @@
 #include "sim/render/scene.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -66,6 +67,8 @@ static void set_texture(struct pel_mesh_texture *to,
                                      .height = from->picture.height,
                                      .opaque = from->opaque};
     to->mapping = mappings[s->mapping];
+    if (s->mapping == SCENE_MAP_PERSPECTIVE && s->texel_tolerance > 0)
+        to->mapping = &pel_map_chosen;
     to->sampler = s->texture == SCENE_TEXTURE_NEAREST
                       ? pel_texture_init_nearest
                       : pel_texture_init_bilinear;
@@ -113,6 +116,14 @@ static bool is_lit(const struct scene *scene, const struct scene_settings *s,
            (s->lit == SCENE_LIT_AUTO && (s->has_light || shapeless));
 }
 
+static const struct pel_shading *phong_of(const struct scene_settings *s)
+{
+    return s->show_methods    ? &scene_shade_methods
+           : s->stats         ? &pel_shade_counted
+           : s->tolerance > 0 ? &pel_shade_chosen
+                              : &pel_shade_phong;
+}
+
 static void set_appearance(struct scene *scene, const struct scene_settings *s)
 {
     static const struct pel_shading *const shadings[][2] = {
@@ -123,6 +134,12 @@ static void set_appearance(struct scene *scene, const struct scene_settings *s)
     bool bare = false, clear = s->transparency > 0;
     set_parts(scene, s, &bare, &clear);
     core->shading = shadings[s->shade][is_lit(scene, s, bare)];
+    if (s->shade == SCENE_PHONG)
+        core->shading = phong_of(s);
+    scene->stats = (struct pel_stats){.bound = 0};
+    core->stats = &scene->stats;
+    core->tolerance = (int32_t)lround(s->tolerance * 256);
+    core->texel_tolerance = (int32_t)lround(s->texel_tolerance * 256);
     core->cull = s->cull;
     core->transparency = (uint8_t)s->transparency;
     core->color = s->color;

@@ -14,6 +14,7 @@
 #include "sim/render/camera.h"
 #include "core/base/surface.h"
 #include "core/scene/certificate.h"
+#include "core/scene/stats.h"
 
 /* Names of these settings for commands and scripts, in the order of their
  * numbers. */
@@ -105,7 +106,17 @@ struct scene_settings {
     bool has_color; /* instead of the colours of the vertices: */
     pel_color color;
     int transparency; /* 0: opaque; 255: nothing is drawn */
+
+    double tolerance, texel_tolerance; /* steps of 255 and texels: methods are
+                                          chosen instead of Phong shading, and
+                                          of textures in perspective */
+    bool stats;                        /* count them, in one thread at a time */
+    bool show_methods; /* in their colours instead of the picture's */
 };
+
+/* Every triangle in the colour of its method: grey, blue, green, yellow, red.
+ */
+extern const struct pel_shading scene_shade_methods;
 
 /* Defaults: up is +y, perspective, 50 mm on a sensor 36 mm wide,
  * 1200x1200, white, and the rest of the camera left to camera_frame; Gouraud,
@@ -124,6 +135,7 @@ struct scene {
     struct pel_light light[SCENE_LIGHTS_MAX];
     struct pel_mesh_texture *texture; /* malloc'ed, like the next two */
     struct pel_mesh_part *part;       /* the model's, in the settings' colour */
+    struct pel_stats stats;
     struct pel_frame frame;
     void *scratch;
     size_t scratch_size;

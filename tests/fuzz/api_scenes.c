@@ -3,7 +3,7 @@
 
 #include "api.h"
 
-enum { VERTICES = 6, TRIANGLES = 4 };
+enum { VERTICES = 6, TRIANGLES = 4, PARTS = 3 };
 
 struct place {
     struct pel_mesh mesh;
@@ -11,6 +11,7 @@ struct place {
     struct pel_light light[2];
     struct pel_lighting lighting;
     struct pel_mesh_texture texture;
+    struct pel_mesh_part part[PARTS];
     int16_t positions[VERTICES][3], normals[VERTICES][3];
     uint16_t uv[VERTICES][2];
     uint8_t colors[VERTICES][3], indices[TRIANGLES][3];
@@ -64,6 +65,7 @@ static void take_lighting(struct api *a, struct place *p)
     }
     p->lighting = (struct pel_lighting){.light = p->light,
                                         .lights = 2,
+                                        .both_sides = p->light[0].directional,
                                         .ambient_color = {65536, 30000, 0},
                                         .ambient = input_byte(&a->in) * 300,
                                         .diffuse = input_number(&a->in),
@@ -113,8 +115,27 @@ static void take_texture(struct api *a, struct place *p, struct pel_scene *s)
             kind & 8 ? pel_texture_init_nearest : pel_texture_init_bilinear,
         .wrap_u = (enum pel_wrap)(kind / 16 % 3),
         .wrap_v = (enum pel_wrap)(kind / 64 % 3),
+        .alpha = kind & 128 ? pel_texture_cut_out : NULL,
         .span = (int32_t)(UINT32_C(1) << input_below(&a->in, 8))};
     s->texture = &p->texture;
+}
+
+/* Few are wrong. */
+static void take_parts(struct api *a, struct place *p)
+{
+    uint32_t vertices = 0, triangles = 0;
+    p->mesh.part = p->part;
+    p->mesh.parts = input_below(&a->in, PARTS + 1);
+    for (uint32_t i = 0; i < p->mesh.parts; i++) {
+        const bool ends = i + 1 == p->mesh.parts && input_byte(&a->in) % 8 != 7;
+        const uint32_t v = input_below(&a->in, VERTICES + 1 - vertices);
+        const uint32_t t = input_below(&a->in, TRIANGLES + 1 - triangles);
+        vertices = ends ? p->mesh.vertices : vertices + v;
+        triangles = ends ? p->mesh.triangles : triangles + t;
+        p->part[i] =
+            (struct pel_mesh_part){vertices, triangles, input_word(&a->in),
+                                   input_below(&a->in, 8) % 3};
+    }
 }
 
 static void take_scene(struct api *a, struct place *p, struct pel_scene *s,
@@ -146,6 +167,7 @@ static void take_scene(struct api *a, struct place *p, struct pel_scene *s,
             p->pose.at[k] = input_number(&a->in) % (PEL_LENGTH_MAX + 1);
         s->pose = &p->pose;
     }
+    take_parts(a, p);
 }
 
 static void draw_certified(struct pel_frame *frame,
