@@ -57,6 +57,13 @@ static inline int pel_leading_zeros(uint64_t v)
 #define PEL_NOINLINE_32 PEL_NOINLINE
 #endif
 
+/* A function of its own, for its stack, where code is to be small. */
+#if PEL_KNOW_SIDES
+#define PEL_INLINE_FAST inline
+#else
+#define PEL_INLINE_FAST PEL_NOINLINE
+#endif
+
 /* A loop that is a function of its own where registers are few (Thumb-1) or
  * Thumb code is to be small, and is inlined elsewhere. */
 #if defined(__thumb__) && (!defined(__thumb2__) || !PEL_KNOW_SIDES)

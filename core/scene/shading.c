@@ -20,9 +20,11 @@ const struct pel_plane_setup *pel_frame_setup(struct pel_frame *frame)
 void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
                      struct pel_plane *plane)
 {
+    const struct pel_frame_triangle *t = &frame->work->triangle;
     int32_t corner[3];
-    pel_corners_mix(&frame->work->triangle, value, corner);
-    pel_plane_set(plane, pel_frame_setup(frame), corner);
+    if (!t->is_whole)
+        pel_corners_mix(t, value, corner);
+    pel_plane_set(plane, pel_frame_setup(frame), t->is_whole ? value : corner);
 }
 
 /* The lower 32 bits of a plane are what struct pel_gouraud has. Alpha is the

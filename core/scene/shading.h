@@ -222,5 +222,13 @@ struct pel_mesh_texture {
     enum pel_wrap wrap_u, wrap_v;
     int32_t span; /* of pel_map_perspective; 0 is 1, exact */
 };
+
+/* Sets texels, wrap and alpha to those of an asset's texture, whose pixels are
+ * of that format; mapping, sampler and span stay. The surface is the caller's,
+ * and lives as long as the texture. Errors of pel_image_asset_surface. */
+enum pel_status pel_mesh_texture_of_image(struct pel_mesh_texture *texture,
+                                          struct pel_surface *surface,
+                                          const struct pel_mesh_image *image,
+                                          const struct pel_format *format);
 PEL_END_DECLS
 #endif

@@ -13,6 +13,7 @@
 #include "sim/cli/output.h"
 #include "sim/render/painter.h"
 #include "sim/render/scene_options.h"
+#include "sim/render/scene_order.h"
 #include "sim/render/scene_world.h"
 #include "sim/image/texture.h"
 
@@ -215,9 +216,11 @@ static bool prepare(struct scene *scene, const struct scene_settings *settings,
 {
     const double start = milliseconds();
     const bool done = scene_prepare(scene, settings);
-    if (done && timed)
+    if (done && timed) {
         fprintf(stderr, "placed, lit and sorted: %.3f ms\n",
                 milliseconds() - start);
+        scene_print_order(stderr, scene);
+    }
     return done;
 }
 

@@ -13,7 +13,7 @@
 
 #include "sim/render/camera.h"
 #include "core/base/surface.h"
-#include "core/scene/pipeline.h"
+#include "core/scene/certificate.h"
 #include "core/scene/stats.h"
 
 /* Names of these settings for commands and scripts, in the order of their
@@ -25,7 +25,7 @@
 #define SCENE_WRAPS "clamp|repeat|mirror|own"
 #define SCENE_NORMALS "file|smooth"
 #define SCENE_SIDES "front|both"
-#define SCENE_ORDERS "painter|zbuffer16|zbuffer32|zbuffer"
+#define SCENE_ORDERS "auto|painter|zbuffer16|zbuffer32|zbuffer"
 #define SCENE_CULLS "none|back|front"
 #define SCENE_TERMS "ambient|diffuse|specular"
 #define SCENE_HIGHLIGHTS "coloured|plain"
@@ -52,8 +52,10 @@ enum scene_mapping {
 /* OWN: that of the material. */
 enum scene_wrap { SCENE_WRAP_OWN = PEL_WRAP_MIRROR + 1 };
 
-/* SCENE_ZBUFFER is drawn as SCENE_ZBUFFER32. */
+/* SCENE_ZBUFFER is drawn as SCENE_ZBUFFER32, and so is SCENE_AUTO, which finds
+ * out where the painter's order does the same in less time. */
 enum scene_order {
+    SCENE_AUTO,
     SCENE_PAINTER,
     SCENE_ZBUFFER16,
     SCENE_ZBUFFER32,
@@ -119,7 +121,7 @@ extern const struct pel_shading scene_shade_methods;
 /* Defaults: up is +y, perspective, 50 mm on a sensor 36 mm wide,
  * 1200x1200, white, and the rest of the camera left to camera_frame; Gouraud,
  * the model's own textures bilinear and in perspective, wrapped as they say,
- * the painter's order, both sides, ka 0.3, kd 0.7, ks 0.3, shininess 20. */
+ * the right order, both sides, ka 0.3, kd 0.7, ks 0.3, shininess 20. */
 extern const struct scene_settings scene_default;
 
 /* The scene of core and its parts. It must not be moved: it points into
@@ -138,7 +140,9 @@ struct scene {
     void *scratch;
     size_t scratch_size;
     int depth_bits; /* 16, 32; 0: the painter's order */
-    double units;   /* of core in a unit of the model: a power of two */
+    bool is_proven; /* that order is right outside of doubt.bounds */
+    struct pel_doubt doubt;
+    double units; /* of core in a unit of the model: a power of two */
 };
 
 /* Takes the memory. False, with a message on standard error, when it is short;

@@ -146,9 +146,10 @@ const struct option_row scene_option_table[] = {
      "then z",
      CALL(parse_turn)},
     {"order", "NAME",
-     "painter (default: for devices without memory for depths; joints of large "
-     "triangles may tear), zbuffer16, or zbuffer32, zbuffer for short: exact "
-     "at every pixel",
+     "auto (default: exact at every pixel), painter (for devices without "
+     "memory "
+     "for depths: some pixels may be wrong), zbuffer16, or zbuffer32, zbuffer "
+     "for short: as auto",
      CHOICE(settings.order, SCENE_ORDERS)},
     {"cull", "SIDE", "leave out none (default), back or front",
      CHOICE(settings.cull, SCENE_CULLS)},
