@@ -1,19 +1,24 @@
 #include "paint_phong_quick.h"
 
+enum { ONE_BITS = PEL_QUICK_BITS, ONE = 1 << ONE_BITS };
+
 /* 2^-28, below 8 in size: 64 bits where those cost nothing, which saves
  * extensions of the sign. */
 #if PEL_64BIT
 typedef int64_t number;
-#else
-typedef int32_t number;
-#endif
-
-enum { ONE_BITS = PEL_QUICK_BITS, ONE = 1 << ONE_BITS };
 
 static inline number times(number a, number b)
 {
-    return (number)((int64_t)a * b >> ONE_BITS);
+    return a * b >> ONE_BITS;
 }
+#else
+typedef int32_t number;
+
+static number times(number a, number b)
+{
+    return (number)(pel_long_product(a, b) >> ONE_BITS);
+}
+#endif
 
 static inline number value_at(const struct pel_polynomial *p, number a,
                               number b)
@@ -57,6 +62,7 @@ static inline void set_place(const struct pel_phong_quick *p, uint64_t a,
     const number d = value_at(&p->d, at->a, at->b);
     at->longer =
         times(d, ONE / 2 + times(d, 3 * (ONE / 8) + (d >> 2) + (d >> 4)));
+    at->eye = 0;
     if (p->dull)
         return;
     const number all = ONE + times(d, ONE + times(d, ONE + d));
