@@ -43,7 +43,8 @@ TEST_ASSERT := tests/unit/test_all_assert
 TEST_TWINS := tests/property/test_raster_walks tests/property/test_raster_walks_large \
     tests/property/test_fast_flat tests/property/test_fast_textures
 # These name what only the default build has.
-TEST_HOST_ONLY := tests/property/test_fast_triangle $(TEST_TWINS)
+TEST_HOST_ONLY := tests/property/test_fast_depth tests/property/test_fast_triangle \
+    $(TEST_TWINS)
 # These see what the knobs of core change inside.
 TEST_KNOBS := tests/property/test_raster_triangles \
     tests/property/test_all_pictures tests/property/test_scene_numbers \
