@@ -51,17 +51,14 @@ static const int16_t positions[3][3] = {
     {-900, -700, 0}, {900, -700, 0}, {0, 900, 0}};
 static const int8_t normals[3][3] = {
     {-60, -60, 94}, {60, -60, 94}, {0, 85, 94}};
-static const int8_t gentle[3][3] = {
-    {-15, -15, 125}, {15, -15, 125}, {0, 21, 125}};
 static const uint8_t indices[1][3] = {{0, 1, 2}};
-#define MESH(normals)                                                    \
-    {                                                                    \
-        .vertices = 3, .triangles = 1, .position = {{0, 0, 0}, 1, 8},    \
-        .positions = positions, .normals8 = normals, .indices8 = indices \
-    }
-static const struct pel_mesh mesh = MESH(normals);
-static const struct pel_mesh gentle_mesh = MESH(gentle);
-static struct pel_scene scene = {.tolerance = 2 * 256,
+static const struct pel_mesh mesh = {.vertices = 3,
+                                     .triangles = 1,
+                                     .position = {{0, 0, 0}, 1, 8},
+                                     .positions = positions,
+                                     .normals8 = normals,
+                                     .indices8 = indices};
+static struct pel_scene scene = {.mesh = &mesh,
                                  .camera = {.eye = {0, 0, PEL_UNITS(3)},
                                             .up = {0, 1, 0},
                                             .near_plane = PEL_UNITS(1) / 16,
@@ -76,7 +73,6 @@ static enum pel_status make_mesh(const struct pel_shading *shading)
 {
     static uint64_t scratch[250];
     scene.shading = shading;
-    scene.mesh = shading == &pel_shade_chosen ? &gentle_mesh : &mesh;
     return pel_scene_prepare(&frame, &scene, scratch, sizeof scratch);
 }
 
@@ -101,8 +97,7 @@ enum make {
     BILINEAR,
     MESH_FLAT,
     MESH_GOURAUD,
-    MESH_PHONG,
-    MESH_CHOSEN
+    MESH_PHONG
 };
 
 static enum pel_status make_source(enum make what)
@@ -146,8 +141,6 @@ static enum pel_status make_source(enum make what)
         return make_mesh(&pel_shade_lit_gouraud);
     case MESH_PHONG:
         return make_mesh(&pel_shade_phong);
-    case MESH_CHOSEN:
-        return make_mesh(&pel_shade_chosen);
     }
     return PEL_ERROR_RANGE;
 }
@@ -227,7 +220,6 @@ static const struct {
     {"mesh-flat", MESH_FLAT, draw_mesh, false},
     {"mesh-gouraud", MESH_GOURAUD, draw_mesh, false},
     {"mesh-phong", MESH_PHONG, draw_mesh, false},
-    {"mesh-chosen", MESH_CHOSEN, draw_mesh, false},
 };
 
 static int32_t draw_time(int i, int32_t width, int32_t rows)
