@@ -79,6 +79,7 @@ static void set_scene(struct stage *s, const struct bench_mesh *m,
                    .sensor = {40, 40}},
         .viewport = {0, 0, side, side},
         .shading = mode->shading,
+        .tolerance = mode->steps * 256,
         .lighting = &lighting,
         .sort = mode->depth_bits ? NULL : &pel_depth_sort_radix,
         .cull = PEL_CULL_BACK};
