@@ -41,7 +41,8 @@ static const struct bench_mesh_file files[] = {
      "Debian package glmark2-data"},
     {"cat", "cat.3ds", "/usr/share/glmark2/models/cat.3ds",
      "Debian package glmark2-data"},
-    {"asteroid", "asteroid-high.3ds", "/usr/share/glmark2/models/asteroid-high.3ds",
+    {"asteroid", "asteroid-high.3ds",
+     "/usr/share/glmark2/models/asteroid-high.3ds",
      "Debian package glmark2-data"},
     {"2CylinderEngine", "2CylinderEngine.glb",
      MODELS "glTF2/2CylinderEngine-glTF-Binary/2CylinderEngine.glb",
@@ -54,15 +55,16 @@ static void row(FILE *csv, const char *part, const struct bench_mesh *m,
     struct scene_result r;
     const double n = m->mesh.triangles;
     bench_scene_time(&r, m, mode, side);
-    printf("%-16s %8.0f %-24s %5d %10.3f ms %8.2f Mtri/s %8.1f ns/px",
-           m->name, n, mode->name, side, r.ns / 1e6, n / r.ns * 1e3,
+    printf("%-16s %8.0f %-24s %5d %10.3f ms %8.2f Mtri/s %8.1f ns/px", m->name,
+           n, mode->name, side, r.ns / 1e6, n / r.ns * 1e3,
            r.pixels > 0 ? r.ns / r.pixels : 0);
     if (r.peer_ns)
-        printf("  OSMesa %.3f ms, %.2f times", r.peer_ns / 1e6, r.peer_ns / r.ns);
+        printf("  OSMesa %.3f ms, %.2f times", r.peer_ns / 1e6,
+               r.peer_ns / r.ns);
     putchar('\n');
     fflush(stdout);
-    fprintf(csv, "%s,%s,%.0f,%s,%d,%.0f,%.0f,%.0f\n", part, m->name, n, mode->name,
-            side, r.pixels, r.ns, r.peer_ns);
+    fprintf(csv, "%s,%s,%.0f,%s,%d,%.0f,%.0f,%.0f\n", part, m->name, n,
+            mode->name, side, r.pixels, r.ns, r.peer_ns);
 }
 
 static void time_files(FILE *csv)

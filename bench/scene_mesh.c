@@ -119,8 +119,8 @@ static void place(struct mesh_vertex *v, double a, double b)
     v->position[0] = r * cos(a);
     v->position[1] = .4 * sin(b);
     v->position[2] = r * sin(a);
-    v->color = PEL_RGB((int)(128 + 100 * cos(a)), (int)(128 + 100 * cos(b)),
-                       160);
+    v->color =
+        PEL_RGB((int)(128 + 100 * cos(a)), (int)(128 + 100 * cos(b)), 160);
 }
 
 void bench_mesh_make(struct bench_mesh *m, uint32_t triangles)

@@ -16,8 +16,8 @@ struct scene_mode {
 };
 
 struct scene_result {
-    double ns;     /* of a whole picture, prepared and drawn: the median */
-    double pixels; /* drawn in it, hidden ones too */
+    double ns;      /* of a whole picture, prepared and drawn: the median */
+    double pixels;  /* drawn in it, hidden ones too */
     double peer_ns; /* of OSMesa; 0: not timed */
 };
 

@@ -82,9 +82,9 @@ static void make_texture(enum pel_cost_paint kind)
     static const struct pel_texture_map map = {
         {UINT64_C(20) << 32, 640000000, 0 - UINT64_C(128000000)},
         {UINT64_C(2) << 32, 128000000, 640000000}};
-    (kind == PEL_COST_NEAREST ? pel_texture_init_nearest
-                              : pel_texture_init_bilinear)(&texture,
-                                                           &of_picture, &map);
+    (kind == PEL_COST_NEAREST
+         ? pel_texture_init_nearest
+         : pel_texture_init_bilinear)(&texture, &of_picture, &map);
 }
 
 /* The stopwatch tells 10 million. */

@@ -10,7 +10,7 @@ const struct pel_cost_rates pel_cost_m0plus[PEL_COST_PAINTS] = {
 };
 
 const struct pel_cost_rates pel_cost_m4[PEL_COST_PAINTS] = {
-    {380, 0, 6, 35, 56, 21, 7},        {350, 0, 6, 42, 56, 6, 337},
+    {380, 0, 6, 35, 56, 21, 7},         {350, 0, 6, 42, 56, 6, 337},
     {1040, 4800, 6, 107, 129, 33, 157}, {365, 0, 6, 41, 62, 158, 129},
     {510, 0, 3, 36, 60, 128, 2490},
 };
@@ -36,9 +36,8 @@ static uint32_t pixels_of(const struct range *r, int32_t first, int32_t end)
 /* Twice the area, 2^-16 px. */
 static uint64_t area_of(const struct pel_point v[3])
 {
-    return (uint64_t)pel_size_of(
-        pel_product(v[1].x - v[0].x, v[2].y - v[0].y) -
-        pel_product(v[2].x - v[0].x, v[1].y - v[0].y));
+    return (uint64_t)pel_size_of(pel_product(v[1].x - v[0].x, v[2].y - v[0].y) -
+                                 pel_product(v[2].x - v[0].x, v[1].y - v[0].y));
 }
 
 /* Bits of the quotients of the three edges, and of the rows above the clip that

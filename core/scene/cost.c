@@ -24,10 +24,10 @@ static void add_cut(struct pel_cost *cost, const struct pel_rect *clip,
     cost->triangles += FAN;
     cost->rows += FAN * rows;
     cost->pixels += pixels;
-    cost->instructions +=
-        rates->cut + FAN * (r->triangle + r->thin + TURNS * r->turn) +
-        (uint64_t)FAN * rows * (r->cut_row + r->run) +
-        ((pel_multiply(pixels, r->pixel) + 15) >> 4);
+    cost->instructions += rates->cut +
+                          FAN * (r->triangle + r->thin + TURNS * r->turn) +
+                          (uint64_t)FAN * rows * (r->cut_row + r->run) +
+                          ((pel_multiply(pixels, r->pixel) + 15) >> 4);
 }
 
 /* False when a vertex is not on screen. */

@@ -133,13 +133,15 @@ static enum taken take(const struct pel_frame *frame, uint32_t triangle,
 
 bool pel_box_meets(const struct pel_point at[3], const struct pel_rect *rect)
 {
-    int sides = 0;
+    bool right = false, left = false, below = false, above = false;
     PEL_UNROLL
-    for (int i = 0; i < 3; i++)
-        sides |= (at[i].x > PEL_PX(rect->x0)) | (at[i].x < PEL_PX(rect->x1)) << 1 |
-                 (at[i].y > PEL_PX(rect->y0)) << 2 |
-                 (at[i].y < PEL_PX(rect->y1)) << 3;
-    return sides == 15;
+    for (int i = 0; i < 3; i++) {
+        right |= at[i].x > PEL_PX(rect->x0);
+        left |= at[i].x < PEL_PX(rect->x1);
+        below |= at[i].y > PEL_PX(rect->y0);
+        above |= at[i].y < PEL_PX(rect->y1);
+    }
+    return right && left && below && above;
 }
 
 /* True when the triangle's box overlaps the rectangle and the side that is seen
@@ -147,9 +149,8 @@ bool pel_box_meets(const struct pel_point at[3], const struct pel_rect *rect)
 static bool is_shown(const struct pel_frame *frame,
                      const struct pel_point at[3], const struct pel_rect *rect)
 {
-    const int64_t area =
-        pel_product(at[1].x - at[0].x, at[2].y - at[0].y) -
-        pel_product(at[2].x - at[0].x, at[1].y - at[0].y);
+    const int64_t area = pel_product(at[1].x - at[0].x, at[2].y - at[0].y) -
+                         pel_product(at[2].x - at[0].x, at[1].y - at[0].y);
     return pel_side_drawn(frame->scene->cull, area) && pel_box_meets(at, rect);
 }
 
@@ -288,7 +289,8 @@ void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface)
         int32_t depth;
         if (take(frame, frame->order[i].index, &depth) == CUT)
             draw_cut(frame);
-        else if (all || is_shown(frame, frame->work->triangle.at, &target->clip))
+        else if (all ||
+                 is_shown(frame, frame->work->triangle.at, &target->clip))
             draw_triangle(frame);
     }
 }
