@@ -94,6 +94,8 @@ help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(filter-out %.d,$(MAKEFILE_LIST)) | sort | \
 	    sed -E 's/^([a-z-]+):.*## /\1\t/' | awk -F '\t' '{printf "%-20s %s\n", $$1, $$2}'
 
+# Compilers write what an object depends on; no rule makes it.
+$(BUILD)/%.d: ;
 -include $(CORE_OBJECTS:.o=.d)
 
 endif

@@ -11,8 +11,8 @@ enum { WORKLOADS_MAX = 80 };
 
 struct options {
     struct measure_options measure;
-    const char *csv, *only, *skip;
-    bool append, brief;
+    const char *csv, *only, *skip, *name;
+    bool append, brief, list;
 };
 
 static const struct argp_option option_table[] = {
@@ -23,6 +23,7 @@ static const struct argp_option option_table[] = {
     {"append", 'a', 0, 0, "add the figures to the end of FILE", 0},
     {"no-coverage", 'n', 0, 0, "do not compare pixels with Pel's", 0},
     {"brief", 's', 0, 0, "print the comparison with peers only", 0},
+    {"list", 'l', 0, 0, "print the names of the workloads", 0},
     {0},
 };
 
@@ -53,6 +54,14 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     case 's':
         o->brief = true;
         return 0;
+    case 'l':
+        o->list = true;
+        return 0;
+    case ARGP_KEY_ARG:
+        if (o->name)
+            argp_usage(state);
+        o->name = arg;
+        return 0;
     default:
         return ARGP_ERR_UNKNOWN;
     }
@@ -60,7 +69,8 @@ static error_t parse(int key, char *arg, struct argp_state *state)
 
 static bool is_wanted(const struct options *o, const char *name)
 {
-    return (!o->only || strstr(name, o->only)) &&
+    return (!o->name || strcmp(name, o->name) == 0) &&
+           (!o->only || strstr(name, o->only)) &&
            !(o->skip && strstr(name, o->skip));
 }
 
@@ -98,25 +108,39 @@ static void write_csv(const struct options *o, const struct measurement *m,
         method_fail(o->csv, "name a file on a disk with free space");
 }
 
+static void print_names(void)
+{
+    for (const struct workload *w = workloads; w->name; w++)
+        puts(w->name);
+}
+
 int main(int argc, char **argv)
 {
     static struct workload workload[WORKLOADS_MAX];
     static struct measurement measurement[WORKLOADS_MAX];
     struct options o = {.measure = {21, false}};
-    const struct argp argp = {option_table,
-                              parse,
-                              0,
-                              "Times Pel, memset and the installed peers.",
-                              0,
-                              0,
-                              0};
+    const struct argp argp = {
+        option_table,
+        parse,
+        "[NAME]",
+        "Times Pel, memset and the installed peers on all "
+        "workloads, or on the one of that name.",
+        0,
+        0,
+        0};
     argp_err_exit_status = 2;
     argp_parse(&argp, argc, argv, 0, 0, &o);
+    if (o.list) {
+        print_names();
+        return 0;
+    }
     if (!method_is_pel(methods[0]))
         method_fail("there is no build of Pel", "install gcc or clang");
     timing_pin();
     fputs(methods_absent, stdout);
     int n = measure_all(&o, workload, measurement);
+    if (n == 0)
+        method_fail("no such workload", "see --list");
     report_verdict(stdout, measurement, n);
     if (o.csv)
         write_csv(&o, measurement, n);

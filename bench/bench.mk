@@ -94,16 +94,13 @@ $(BENCH)/host/%.o: %.cpp
 $(BENCH_PROGRAM): $(BENCH_OBJECTS)
 	$(CC) $^ $(BENCH_LIBRARIES) -lstdc++ -lm -o $@
 
-# Qt 5.15 mixes AVX2 fills with SSE code, which costs a transition per row (four
-# times slower on recent CPUs); its alpha is better with AVX2. Each in the way
-# that suits it.
+# Qt with AVX2 or without: bench/atlas/run.sh says why.
 .PHONY: bench
 bench: $(BENCH_PROGRAM) ## time Pel, memset and the installed peers
 	QT_NO_CPU_FEATURE=avx2 $(BENCH_PROGRAM) --repeats $(BENCH_REPEATS) \
 	    --skip alpha --csv $(BENCH)/speed.csv
 	$(BENCH_PROGRAM) --repeats $(BENCH_REPEATS) \
 	    --only alpha --csv $(BENCH)/speed.csv --append
-	bench/speed_chart.sh $(BENCH)/speed.csv $(BENCH)/speed.png
 
 BENCH_COUNT_SOURCES := $(addprefix bench/, canvas.c count.c workload.c \
     workload_circle.c workload_polygon.c workload_triangle.c)
@@ -156,6 +153,8 @@ $(BENCH)/pel-bench-scene: $(BENCH_SCENE_OBJECTS) $(BUILD)/libpel.a
 bench: bench-scene
 bench-scene: $(BENCH)/pel-bench-scene ## time the 3-D pipeline
 	$(BENCH)/pel-bench-scene $(BENCH)/scene.csv
-	bench/scene_chart.sh $(BENCH)/scene.csv $(BENCH)/scene.png
 
 -include $(BENCH_SCENE_SOURCES:%.c=$(BENCH)/host/%.d)
+
+include bench/atlas/atlas.mk
+-include bench/atlas/run.mk

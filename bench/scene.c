@@ -1,11 +1,14 @@
+#define _POSIX_C_SOURCE 200809L
 /* Times the 3-D pipeline: meshes in every mode, and how time grows with
- * triangles and with pixels. Prints a table, and writes it as CSV. */
+ * triangles, pixels, bands, and shrinks with CPUs. Prints a table, and writes
+ * it as CSV. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 #include "method.h"
 #include "scene_time.h"
-#include "timing.h"
 
 static const struct scene_mode modes[] = {
     {"flat", &pel_shade_lit_flat, NULL, false, 0, 0},
@@ -49,64 +52,121 @@ static const struct bench_mesh_file files[] = {
      "Debian package assimp-testmodels"},
 };
 
-static void row(FILE *csv, const char *part, const struct bench_mesh *m,
-                const struct scene_mode *mode, int32_t side)
+static const struct scene_cut whole = {SIDE, 1, 1};
+
+static FILE *csv;
+
+static void row(const char *part, const struct bench_mesh *m,
+                const struct scene_mode *mode, const struct scene_cut *cut)
 {
     struct scene_result r;
     const double n = m->mesh.triangles;
-    bench_scene_time(&r, m, mode, side);
-    printf("%-16s %8.0f %-24s %5d %10.3f ms %8.2f Mtri/s %8.1f ns/px", m->name,
-           n, mode->name, side, r.ns / 1e6, n / r.ns * 1e3,
-           r.pixels > 0 ? r.ns / r.pixels : 0);
-    if (r.peer_ns)
+    bench_scene_time(&r, m, mode, cut);
+    printf("%-16s %8.0f %-24s %5d px %3d bands %2d threads %10.3f ms"
+           " %8.2f Mtri/s %8.1f ns/px",
+           m->name, n, mode->name, cut->side, cut->bands, cut->threads,
+           r.ns.median / 1e6, n / r.ns.median * 1e3,
+           r.pixels > 0 ? r.ns.median / r.pixels : 0);
+    if (r.peer_ns > 0)
         printf("  OSMesa %.3f ms, %.2f times", r.peer_ns / 1e6,
-               r.peer_ns / r.ns);
+               r.peer_ns / r.ns.median);
     putchar('\n');
     fflush(stdout);
-    fprintf(csv, "%s,%s,%.0f,%s,%d,%.0f,%.0f,%.0f\n", part, m->name, n,
-            mode->name, side, r.pixels, r.ns, r.peer_ns);
+    fprintf(csv, "%s,%s,%.0f,%s,%d,%d,%d,%.0f,%.0f,%.0f,%.0f,%.0f\n", part,
+            m->name, n, mode->name, cut->side, cut->bands, cut->threads,
+            r.pixels, r.ns.median, r.ns.q1, r.ns.q3, r.peer_ns);
 }
 
-static void time_files(FILE *csv)
+/* In flat, Gouraud, Phong. */
+static void rows(const char *part, const struct bench_mesh *m,
+                 const struct scene_cut *cut)
+{
+    for (int k = 0; k < 3; k++)
+        row(part, m, &modes[k], cut);
+}
+
+static void time_files(const char *part)
 {
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         struct bench_mesh m;
         if (!bench_mesh_load(&m, &files[i]))
             continue;
         for (int k = 0; k < MODES; k++)
-            row(csv, "mesh", &m, &modes[k], SIDE);
+            row(part, &m, &modes[k], &whole);
         bench_mesh_free(&m);
     }
 }
 
-/* In flat, Gouraud, Phong. */
-static void time_growth(FILE *csv)
+static void time_triangles(const char *part)
 {
     struct bench_mesh m;
     for (uint32_t n = 1000; n <= 1000000; n *= 10) {
         bench_mesh_make(&m, n);
-        for (int k = 0; k < 3; k++)
-            row(csv, "triangles", &m, &modes[k], SIDE);
+        rows(part, &m, &whole);
         bench_mesh_free(&m);
     }
+}
+
+static void time_pixels(const char *part)
+{
+    struct bench_mesh m;
     bench_mesh_make(&m, 20000);
     for (int32_t side = 64; side <= 4096; side *= 2)
-        for (int k = 0; k < 3; k++)
-            row(csv, "pixels", &m, &modes[k], side);
+        rows(part, &m, &(struct scene_cut){side, 1, 1});
     bench_mesh_free(&m);
 }
 
+static void time_bands(const char *part)
+{
+    struct bench_mesh m;
+    bench_mesh_make(&m, 20000);
+    for (int32_t bands = 1; bands <= 128; bands *= 2)
+        rows(part, &m, &(struct scene_cut){SIDE, bands, 1});
+    bench_mesh_free(&m);
+}
+
+/* As many bands for any number of threads; on all CPUs that there are. */
+static void time_cores(const char *part)
+{
+    const long cores = sysconf(_SC_NPROCESSORS_ONLN);
+    struct bench_mesh m;
+    bench_mesh_make(&m, 20000);
+    for (int32_t n = 1; n <= 16 && n <= cores; n *= 2)
+        rows(part, &m, &(struct scene_cut){SIDE, 16, n});
+    bench_mesh_free(&m);
+}
+
+static const struct {
+    const char *name;
+    void (*time)(const char *part);
+    bool one_cpu;
+} parts[] = {
+    {"cores", time_cores, false},        {"mesh", time_files, true},
+    {"triangles", time_triangles, true}, {"pixels", time_pixels, true},
+    {"bands", time_bands, true},
+};
+
 int main(int argc, char **argv)
 {
-    if (argc != 2)
-        method_fail("usage: pel-bench-scene CSV", "name one file");
-    FILE *csv = fopen(argv[1], "w");
+    int n = 0;
+    if (argc < 2 || argc > 3)
+        method_fail("usage: pel-bench-scene CSV [PART]",
+                    "PART is cores, mesh, triangles, pixels, bands");
+    csv = fopen(argv[1], "w");
     if (!csv)
         method_fail(argv[1], "name a file that can be written");
-    fputs("part,mesh,triangles,mode,side,pixels,ns,osmesa_ns\n", csv);
-    timing_pin();
-    time_files(csv);
-    time_growth(csv);
+    fputs("part,mesh,triangles,mode,side,bands,threads,pixels,ns,q1,q3,"
+          "osmesa_ns\n",
+          csv);
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
+        if (argc == 2 || strcmp(argv[2], parts[i].name) == 0) {
+            if (parts[i].one_cpu)
+                timing_pin();
+            parts[i].time(parts[i].name);
+            n++;
+        }
+    if (n == 0)
+        method_fail(argv[2], "name a part that there is");
     if (ferror(csv) | fclose(csv))
         method_fail(argv[1], "name a file on a disk with free space");
     return 0;

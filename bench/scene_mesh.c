@@ -120,7 +120,7 @@ static void place(struct mesh_vertex *v, double a, double b)
     v->position[1] = .4 * sin(b);
     v->position[2] = r * sin(a);
     v->color =
-        PEL_RGB((int)(128 + 100 * cos(a)), (int)(128 + 100 * cos(b)), 160);
+        PEL_RGB(lround(128 + 100 * cos(a)), lround(128 + 100 * cos(b)), 160);
 }
 
 void bench_mesh_make(struct bench_mesh *m, uint32_t triangles)
@@ -129,7 +129,7 @@ void bench_mesh_make(struct bench_mesh *m, uint32_t triangles)
     const uint32_t around = across * ACROSS_SHARE;
     const double turn = 8 * atan(1);
     struct mesh mesh = {0};
-    if (!mesh_init(&mesh, across * around, 2 * across * around))
+    if (!mesh_init(&mesh, across * around, 2 * across * around, 1))
         exit(2);
     for (uint32_t i = 0; i < across * around; i++) {
         const uint32_t a = i / across, b = i % across;
@@ -140,7 +140,7 @@ void bench_mesh_make(struct bench_mesh *m, uint32_t triangles)
         for (int k = 0; k < 6; k++)
             mesh.triangle[2 * i + (uint32_t)k / 3][k % 3] = two[k / 3][k % 3];
     }
-    mesh_normals(&mesh);
+    mesh_normals(&mesh, MESH_CREASE);
     m->name = "ring";
     convert(m, &mesh);
     mesh_free(&mesh);

@@ -1,17 +1,19 @@
+#define _POSIX_C_SOURCE 200809L
 #include "scene_time.h"
 
+#include <pthread.h>
 #include <stdlib.h>
+#include <time.h>
 
 #include "bench/lighting.h"
 #include "core/format/formats.h"
 #include "method.h"
 #include "scene_osmesa.h"
-#include "timing.h"
 
-enum { TEXELS = 256, TIMES_MAX = 41 };
+enum { TEXELS = 256, TIMES_MAX = 41, THREADS_MAX = 64 };
 
 /* A picture takes this long at most before it is timed less often. */
-static const double enough_ns = 3e8;
+static const double enough_ns = 1e8;
 
 static uint64_t counted;
 
@@ -78,7 +80,7 @@ static void set_scene(struct stage *s, const struct bench_mesh *m,
         .viewport = {0, 0, side, side},
         .shading = mode->shading,
         .lighting = &lighting,
-        .sort = mode->depth_bits ? NULL : pel_depth_sort,
+        .sort = mode->depth_bits ? NULL : &pel_depth_sort,
         .cull = PEL_CULL_BACK};
     s->texture = (struct pel_mesh_texture){
         .texels = {NULL, s->texels, TEXELS, TEXELS, true},
@@ -120,17 +122,85 @@ static void close_stage(struct stage *s)
     free(s->scratch);
 }
 
-static void draw(struct stage *s)
+static void prepare(struct pel_frame *frame, const struct stage *s,
+                    void *scratch)
+{
+    if (pel_scene_prepare(frame, &s->scene, scratch, s->scratch_size))
+        method_fail("a mesh was refused", "look at pel_mesh_check");
+}
+
+static void draw_band(struct pel_frame *frame, const struct stage *s, int i,
+                      int n)
+{
+    struct pel_surface band = s->surface;
+    const int32_t side = s->scene.viewport.x1;
+    pel_surface_clip(
+        &band, &(struct pel_rect){0, side * i / n, side, side * (i + 1) / n});
+    pel_scene_draw(frame, &band);
+}
+
+/* One thread of several, which draws every n-th band. */
+struct worker {
+    pthread_t thread;
+    const struct stage *stage;
+    void *scratch;
+    int first, threads, bands;
+    double ns; /* its CPU time */
+};
+
+static double thread_now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
+}
+
+static void *work(void *data)
+{
+    struct worker *w = data;
+    const double from = thread_now();
+    struct pel_frame frame;
+    prepare(&frame, w->stage, w->scratch);
+    for (int i = w->first; i < w->bands; i += w->threads)
+        draw_band(&frame, w->stage, i, w->bands);
+    w->ns = thread_now() - from;
+    return NULL;
+}
+
+/* The time of the longest thread. */
+static double draw_threads(struct stage *s, const struct scene_cut *cut)
+{
+    static struct worker worker[THREADS_MAX];
+    double longest = 0;
+    for (int k = 0; k < cut->threads; k++) {
+        worker[k] = (struct worker){.stage = s,
+                                    .scratch = memory(s->scratch_size),
+                                    .first = k,
+                                    .threads = cut->threads,
+                                    .bands = cut->bands};
+        if (pthread_create(&worker[k].thread, NULL, work, &worker[k]))
+            method_fail("no more threads", "ask for fewer");
+    }
+    for (int k = 0; k < cut->threads; k++) {
+        pthread_join(worker[k].thread, NULL);
+        free(worker[k].scratch);
+        if (worker[k].ns > longest)
+            longest = worker[k].ns;
+    }
+    return longest;
+}
+
+static void draw(struct stage *s, const struct scene_cut *cut)
 {
     struct pel_frame frame;
-    if (pel_scene_prepare(&frame, &s->scene, s->scratch, s->scratch_size))
-        method_fail("a mesh was refused", "look at pel_mesh_check");
-    if (!s->depth_bits) {
-        pel_scene_draw(&frame, &s->surface);
+    prepare(&frame, s, s->scratch);
+    if (s->depth_bits) {
+        pel_depth_clear(&s->depth);
+        pel_scene_draw_depth(&frame, &s->surface, &s->depth);
         return;
     }
-    pel_depth_clear(&s->depth);
-    pel_scene_draw_depth(&frame, &s->surface, &s->depth);
+    for (int i = 0; i < cut->bands; i++)
+        draw_band(&frame, s, i, cut->bands);
 }
 
 static double pixels_of(struct stage *s)
@@ -140,37 +210,53 @@ static double pixels_of(struct stage *s)
     counted = 0;
     s->scene.shading = &counting;
     s->depth_bits = 0;
-    draw(s);
+    draw(s, &(struct scene_cut){0, 1, 1});
     s->scene.shading = shading;
     s->depth_bits = depth_bits;
     return (double)counted;
 }
 
-static void draw_stage(void *stage)
+/* A picture, and how it is cut. */
+struct picture_job {
+    struct stage *stage;
+    const struct scene_cut *cut;
+};
+
+static double time_job(void *data)
 {
-    draw(stage);
+    const struct picture_job *job = data;
+    const double from = timing_now();
+    if (job->cut->threads > 1)
+        return draw_threads(job->stage, job->cut);
+    draw(job->stage, job->cut);
+    return timing_now() - from;
 }
 
-/* ns, the median; after one that is not timed. */
-static double time_of(void (*draw_one)(void *), void *data)
+/* After one that does not count. */
+static struct quartiles time_of(double (*time_one)(void *), void *data)
 {
     double times[TIMES_MAX], sum = 0;
     int n = 0;
-    draw_one(data);
+    time_one(data);
     while (n < 3 || (n < TIMES_MAX && sum < enough_ns)) {
-        const double from = timing_now();
-        draw_one(data);
-        sum += times[n] = timing_now() - from;
+        sum += times[n] = time_one(data);
         n++;
     }
-    return timing_quartiles(times, n).median;
+    return timing_quartiles(times, n);
 }
 
 #ifdef BENCH_OSMESA
+static double time_peer(void *peer)
+{
+    const double from = timing_now();
+    scene_osmesa_draw(peer);
+    return timing_now() - from;
+}
+
 static double peer_time(const struct pel_scene *scene)
 {
     void *peer = scene_osmesa_open(scene);
-    const double ns = time_of(scene_osmesa_draw, peer);
+    const double ns = time_of(time_peer, peer).median;
     scene_osmesa_close(peer);
     return ns;
 }
@@ -183,14 +269,13 @@ static double peer_time(const struct pel_scene *scene)
 #endif
 
 void bench_scene_time(struct scene_result *out, const struct bench_mesh *m,
-                      const struct scene_mode *mode, int32_t side)
+                      const struct scene_mode *mode,
+                      const struct scene_cut *cut)
 {
     struct stage s = {0};
-    open_stage(&s, m, mode, side);
+    open_stage(&s, m, mode, cut->side);
     out->pixels = pixels_of(&s);
-    out->ns = time_of(draw_stage, &s);
-    out->peer_ns = 0;
-    if (mode->depth_bits == 32)
-        out->peer_ns = peer_time(&s.scene);
+    out->ns = time_of(time_job, &(struct picture_job){&s, cut});
+    out->peer_ns = mode->depth_bits == 32 ? peer_time(&s.scene) : 0;
     close_stage(&s);
 }

@@ -4,6 +4,7 @@
 
 #include "core/scene/pipeline.h"
 #include "scene_mesh.h"
+#include "timing.h"
 
 /* A way to draw. */
 struct scene_mode {
@@ -15,14 +16,23 @@ struct scene_mode {
     int depth_bits; /* 0: painter's order; 32: beside OSMesa */
 };
 
-struct scene_result {
-    double ns;      /* of a whole picture, prepared and drawn: the median */
-    double pixels;  /* drawn in it, hidden ones too */
-    double peer_ns; /* of OSMesa; 0: not timed */
+/* What is drawn of a mesh: side by side pixels, in so many bands, by as many
+ * threads at a time, which have a frame each. */
+struct scene_cut {
+    int32_t side, bands, threads;
 };
 
-/* In xrgb8888, side by side pixels, the camera before the mesh. */
+struct scene_result {
+    struct quartiles ns; /* of a whole picture, prepared and drawn: CPU time,
+                            of several threads that of the longest */
+    double pixels;       /* drawn in it, hidden ones too */
+    double peer_ns;      /* of OSMesa, the median; 0: not timed */
+};
+
+/* In xrgb8888, the camera before the mesh. Several bands or threads draw in
+ * painter's order. */
 void bench_scene_time(struct scene_result *out, const struct bench_mesh *m,
-                      const struct scene_mode *mode, int32_t side);
+                      const struct scene_mode *mode,
+                      const struct scene_cut *cut);
 
 #endif

@@ -4,21 +4,24 @@
 
 #define BIG 1200, 1200, 32
 #define PANEL 320, 240, 16
+#define CACHED 128, 128, 32 /* 64 KB, which stay in a second-level cache */
 
 #define LARGE BIG, 1198, 80000, 120000, 40, 0
 #define MEDIUM BIG, 80, 800, 1200, 2000, 0
 #define SMALL BIG, 8, 6, 14, 20000, 0
+#define CACHED_MEDIUM CACHED, 80, 800, 1200, 2000, 0
 #define PANEL_LARGE PANEL, 238, 8000, 12000, 400, 0
 #define PANEL_MEDIUM PANEL, 80, 800, 1200, 2000, 0
 #define PANEL_SMALL PANEL, 8, 6, 14, 20000, 0
 
-/* Triangles of three sizes on either canvas. */
+/* Triangles of three sizes on either canvas, medium ones in the cache. */
 #define TRIANGLES(name, paint)                                       \
     {name "-large", FORM_TRIANGLE, paint, LARGE},                    \
         {name "-medium", FORM_TRIANGLE, paint, MEDIUM},              \
         {name "-small", FORM_TRIANGLE, paint, SMALL},                \
         {"565-" name "-large", FORM_TRIANGLE, paint, PANEL_LARGE},   \
         {"565-" name "-medium", FORM_TRIANGLE, paint, PANEL_MEDIUM}, \
+        {"l2-" name "-medium", FORM_TRIANGLE, paint, CACHED_MEDIUM}, \
     {                                                                \
         "565-" name "-small", FORM_TRIANGLE, paint, PANEL_SMALL      \
     }

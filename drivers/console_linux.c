@@ -6,6 +6,7 @@
 #include <linux/kd.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/file.h>
 #include <sys/signalfd.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -144,13 +145,27 @@ static int set_up(struct pel_message *message)
     return error;
 }
 
+/* Virtual terminals draw in turns; who has none draws at any time, and must be
+ * alone. The guardian's copy of the descriptor holds the lock too. */
+static int lock_framebuffer(const struct pel_console_state *state,
+                            struct pel_message *message)
+{
+    const int how = state->tty >= 0 ? LOCK_SH : LOCK_EX;
+    if (state->framebuffer < 0 ||
+        flock(state->framebuffer, how | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+        return 0;
+    pel_message_set(message, "another program draws on this framebuffer, from "
+                             "another terminal: end it first");
+    return EBUSY;
+}
+
 /* Who began second would end second, and bring back the other's settings. */
 static int refuse_second(const struct pel_console_state *state,
                          struct pel_message *message)
 {
     if (state->tty < 0 || state->kd_mode != KD_GRAPHICS ||
         state->vt_mode.mode != VT_PROCESS)
-        return 0;
+        return lock_framebuffer(state, message);
     pel_message_set(message, "another program has this terminal for its "
                              "graphics: end it, or, where it died, run "
                              "`pel console --reset`");

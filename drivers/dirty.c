@@ -1,5 +1,6 @@
 #include "dirty.h"
 
+/* Below 2^30, of areas in the range that pel_dirty_areas_add keeps. */
 static int32_t pixels(const struct pel_rect *r)
 {
     return (r->x1 - r->x0) * (r->y1 - r->y0);
@@ -39,9 +40,11 @@ static bool join(struct pel_dirty_areas *d)
 void pel_dirty_areas_add(struct pel_dirty_areas *dirty,
                          const struct pel_rect *area)
 {
-    if (pel_rect_empty(area))
+    const struct pel_rect most = {0, 0, 32767, 32767};
+    const struct pel_rect part = pel_rect_intersect(area, &most);
+    if (pel_rect_empty(&part))
         return;
-    dirty->area[dirty->count++] = *area;
+    dirty->area[dirty->count++] = part;
     while (join(dirty)) {
     }
 }
@@ -114,7 +117,8 @@ enum pel_status pel_dirty_areas_show(struct pel_dirty_areas *dirty,
                                      const struct pel_display *display,
                                      const struct pel_dirty_work *work)
 {
-    enum pel_status status = PEL_OK;
+    /* A round that ended with an error may have left a band in flight. */
+    enum pel_status status = pel_display_wait(display);
     int32_t turn = 0;
     for (int32_t i = 0; i < dirty->count && status == PEL_OK; i++)
         status = show_area(display, work, dirty->area[i], &turn);

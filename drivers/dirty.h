@@ -28,7 +28,7 @@ struct pel_dirty_areas {
     struct pel_rect area[PEL_DIRTY_AREAS + 1]; /* px; the last one is spare */
 };
 
-/* Adds an area, inside 0..32,767; an empty one is nothing. */
+/* Adds what of an area is inside 0..32,767; an empty one is nothing. */
 void pel_dirty_areas_add(struct pel_dirty_areas *dirty,
                          const struct pel_rect *area);
 

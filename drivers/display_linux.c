@@ -172,10 +172,11 @@ static int open_panel(struct pel_display_linux *screen, struct choice *choice)
     struct pel_panel_request request;
     int error = pel_panel_parse(&request, choice->panel, &screen->message);
     if (!error)
-        error = pel_display_panel_open(&screen->display, panel, &request,
-                                       &screen->message);
+        error = pel_display_panel_open(panel, &request, &screen->message);
     if (!error)
         error = take_console(screen, -1, &none);
+    if (!error)
+        error = pel_display_panel_start(&screen->display, panel, &request);
     snprintf(choice->path, sizeof(choice->path), "%s", panel->bus.path);
     if (!error)
         set_note(screen, choice, request.chip, "sent");

@@ -96,15 +96,30 @@ static int make_frame(struct pel_display_panel *panel,
     return 0;
 }
 
-static int start(struct pel_display *display, struct pel_display_panel *panel,
-                 const struct pel_panel_request *r, struct pel_message *message)
+int pel_display_panel_open(struct pel_display_panel *panel,
+                           const struct pel_panel_request *request,
+                           struct pel_message *message)
 {
+    memset(panel, 0, sizeof *panel);
+    const int error = set_panel(&panel->panel, request, message);
+    return error ? error
+                 : pel_bus_linux_open(&panel->bus, &request->bus, message);
+}
+
+int pel_display_panel_start(struct pel_display *display,
+                            struct pel_display_panel *panel,
+                            const struct pel_panel_request *r)
+{
+    struct pel_message *message = panel->bus.message;
     panel->panel.bus = &panel->bus.bus;
     enum pel_status status = pel_panel_init(display, &panel->panel);
+    panel->told = status != PEL_ERROR_SIZE;
     if (status == PEL_ERROR_SIZE) {
-        pel_message_set(message,
-                        "panel: size and offset reach beyond the memory of %s",
-                        r->chip);
+        pel_message_set(
+            message, "panel: size and offset reach beyond the memory of %s%s",
+            r->chip,
+            panel->panel.format->bits == 1 ? ", or are no multiples of 8 rows"
+                                           : "");
         return EINVAL;
     }
     if (status == PEL_OK && r->brightness >= 0)
@@ -115,28 +130,15 @@ static int start(struct pel_display *display, struct pel_display_panel *panel,
     return make_frame(panel, display, message);
 }
 
-int pel_display_panel_open(struct pel_display *display,
-                           struct pel_display_panel *panel,
-                           const struct pel_panel_request *request,
-                           struct pel_message *message)
-{
-    memset(panel, 0, sizeof *panel);
-    int error = set_panel(&panel->panel, request, message);
-    if (!error)
-        error = pel_bus_linux_open(&panel->bus, &request->bus, message);
-    if (error)
-        return error;
-    error = start(display, panel, request, message);
-    if (error)
-        pel_display_panel_close(panel);
-    return error;
-}
-
-/* Errors have been told before, or come too late. */
+/* What this says is not the first error, or comes too late. */
 void pel_display_panel_close(struct pel_display_panel *panel)
 {
-    if (panel->frame.pixels)
+    struct pel_message ignored;
+    if (panel->told) {
+        panel->bus.message = &ignored;
         pel_panel_sleep(&panel->panel, true);
+    }
+    panel->told = false;
     free(panel->frame.pixels);
     panel->frame.pixels = NULL;
     pel_bus_linux_close(&panel->bus);

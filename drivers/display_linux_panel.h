@@ -26,15 +26,22 @@ struct pel_display_panel {
     struct pel_panel panel; /* the display's context */
     struct pel_surface frame;
     struct pel_bus_linux bus;
+    bool told; /* commands, which may have lit the chip */
 };
 
-/* 0 or an errno, with the message, which outlives the display. */
-int pel_display_panel_open(struct pel_display *display,
-                           struct pel_display_panel *panel,
+/* Takes the bus and its lines; the chip is not told anything yet. 0 or an
+ * errno, with the message, which outlives the display. */
+int pel_display_panel_open(struct pel_display_panel *panel,
                            const struct pel_panel_request *request,
                            struct pel_message *message);
 
-/* The panel is dark and asleep afterwards. Nothing when it is not open. */
+/* Sets the chip up, lit, and fills `display`. The same. */
+int pel_display_panel_start(struct pel_display *display,
+                            struct pel_display_panel *panel,
+                            const struct pel_panel_request *request);
+
+/* A panel that was set up, or nearly, is dark and asleep afterwards. Nothing
+ * when it is not open. */
 void pel_display_panel_close(struct pel_display_panel *panel);
 PEL_END_DECLS
 #endif

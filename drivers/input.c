@@ -24,14 +24,24 @@ bool pel_input_push(struct pel_input_queue *queue,
 {
     const uint16_t end = queue->end, next = after(queue, end);
     const uint16_t first = queue->first;
+    const bool fits = next != first && after(queue, next) != first;
+    if (!fits || event->kind == PEL_INPUT_LOST)
+        queue->losses = (uint16_t)(queue->losses + 1);
     if (next == first)
         return false;
-    const bool fits = after(queue, next) != first;
     copy(&queue->events[end], event);
     if (!fits)
         queue->events[end].kind = PEL_INPUT_LOST;
     queue->end = next;
     return fits;
+}
+
+bool pel_input_lost(const struct pel_input_queue *queue, uint16_t *seen)
+{
+    const uint16_t now = queue->losses;
+    const bool lost = *seen != now;
+    *seen = now;
+    return lost;
 }
 
 bool pel_input_pop(struct pel_input_queue *queue, struct pel_input *event)

@@ -80,17 +80,23 @@ struct pel_input_queue {
     volatile struct pel_input *events;
     uint16_t size; /* >= 3; holds size - 2 events and a PEL_INPUT_LOST */
     volatile uint16_t first, end; /* end: the first free one */
+    volatile uint16_t losses;     /* counted by pel_input_push */
 };
 
 /* The initial value of a queue over an array. */
-#define PEL_INPUT_QUEUE(array)                                        \
-    {                                                                 \
-        (array), (uint16_t)(sizeof(array) / sizeof((array)[0])), 0, 0 \
+#define PEL_INPUT_QUEUE(array)                                           \
+    {                                                                    \
+        (array), (uint16_t)(sizeof(array) / sizeof((array)[0])), 0, 0, 0 \
     }
 
-/* False when the event was lost, which the queue will tell. */
+/* False when the event was lost, which the queue will tell. A driver may push a
+ * PEL_INPUT_LOST itself. */
 bool pel_input_push(struct pel_input_queue *queue,
                     const struct pel_input *event);
+
+/* For drivers: has anything been lost since the last call with this `seen`,
+ * which begins as 0? Then what is held has to be told again. */
+bool pel_input_lost(const struct pel_input_queue *queue, uint16_t *seen);
 
 /* The oldest event, which leaves the queue. False when there is none. */
 bool pel_input_pop(struct pel_input_queue *queue, struct pel_input *event);

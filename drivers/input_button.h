@@ -2,8 +2,11 @@
  * whenever it is pressed or released; what counts is the level that has held.
  *
  *     static struct pel_button enter = {.code = PEL_KEY_ENTER, .hold = 5};
+ *     static uint16_t seen;
  *
  *     every millisecond or so, or at an edge and again `hold` later:
+ *         if (pel_input_lost(&queue, &seen))
+ *             enter.pressed = false;
  *         if (pel_button_update(&enter, pin_is_low(), time, &event))
  *             pel_input_push(&queue, &event);
  */
@@ -17,7 +20,7 @@ PEL_BEGIN_DECLS
 struct pel_button {
     uint16_t code;  /* of its key */
     uint16_t hold;  /* ms that a level must hold to count; 0: at once */
-    bool pressed;   /* as told last */
+    bool pressed;   /* as told last; false after a loss tells it again */
     bool level;     /* as seen last */
     uint32_t since; /* when that level was first seen */
 };

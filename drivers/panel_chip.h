@@ -2,7 +2,7 @@
  *
  * Lists of commands: for each its number of bytes, the command itself among
  * them, and the bytes; 0 ends the list. PEL_PANEL_PAUSE added to the number:
- * 120 ms pass after it. */
+ * 120 ms pass after it; pel_panel_color_command alone takes it. */
 #ifndef PEL_DRIVERS_PANEL_CHIP_H
 #define PEL_DRIVERS_PANEL_CHIP_H
 
@@ -45,12 +45,17 @@ enum pel_status pel_panel_color_command(const struct pel_panel *panel,
 enum pel_status pel_panel_color_send(const struct pel_panel *panel,
                                      const struct pel_surface *surface);
 
+/* of those whose parameters are sent like commands, */
+enum pel_status pel_panel_ssd_command(const struct pel_panel *panel,
+                                      const uint8_t *list);
+
 /* of monochrome ones in rotations 0 and 2, and in 1 and 3. */
 enum pel_status pel_panel_pages_command(const struct pel_panel *panel,
                                         const uint8_t *list);
 enum pel_status pel_panel_pages_send(const struct pel_panel *panel,
                                      const struct pel_surface *surface);
-/* Sends rows of bytes from a column on, of 8 rows of memory from `row` on. */
+/* Sends rows of bytes from a column of the glass on, to 8 rows of the chip's
+ * memory from `row` on. */
 enum pel_status pel_panel_page(const struct pel_panel *panel, int32_t row,
                                int32_t column, const struct pel_bus_rows *rows);
 void pel_panel_pages_align(const struct pel_display *display,

@@ -10,13 +10,16 @@ static const uint8_t setup[] = {
     0xAF, 0                             /* on */
 };
 
-/* Other turns and inversion need more registers than panel.c sets. */
+/* Other turns and inversion need more registers than panel.c sets. Glass that
+ * ends within a byte is refused, too. */
 static enum pel_status command(const struct pel_panel *panel,
                                const uint8_t *list)
 {
-    return panel->rotation & 3 || panel->inverted
-               ? PEL_ERROR_FORMAT
-               : pel_panel_pages_command(panel, list);
+    if (panel->rotation & 3 || panel->inverted)
+        return PEL_ERROR_FORMAT;
+    return (panel->from[0] | panel->width) & 1
+               ? PEL_ERROR_SIZE
+               : pel_panel_ssd_command(panel, list);
 }
 
 static void align(const struct pel_display *display, struct pel_rect *area)
@@ -38,9 +41,8 @@ static enum pel_status send(const struct pel_panel *panel,
     const uint8_t right = (uint8_t)(left + rows.length - 1);
     const uint8_t below = (uint8_t)(top + rows.count - 1);
     const uint8_t list[] = {6, 0x15, left, right, 0x75, top, below, 0};
-    enum pel_status status = (panel->from[0] | a->x0 | a->x1) & 1
-                                 ? PEL_ERROR_SIZE
-                                 : command(panel, list);
+    enum pel_status status =
+        (a->x0 | a->x1) & 1 ? PEL_ERROR_SIZE : command(panel, list);
     return status == PEL_OK ? panel->bus->data(panel->bus, &rows) : status;
 }
 

@@ -98,6 +98,8 @@ enum pel_status pel_touch_poll(struct pel_touch *touch, uint32_t time,
     const enum pel_status status = touch->read(touch->bus, points, &down);
     if (status != PEL_OK)
         down = 0;
+    if (pel_input_lost(queue, &touch->losses))
+        touch->down = 0;
     for (int i = 0; i < PEL_TOUCH_FINGERS; i++) {
         const bool is = down >> i & 1, was = touch->down >> i & 1;
         struct pel_touch_point *last = &touch->last[i], at = *last;

@@ -68,11 +68,12 @@ struct pel_touch {
     pel_touch_read *read;
     struct pel_touch_map map;
     struct pel_touch_point last[PEL_TOUCH_FINGERS]; /* px */
-    unsigned down; /* bit i: finger i, as told last */
+    unsigned down;   /* bit i: finger i, as told last */
+    uint16_t losses; /* of the queue, as seen last */
 };
 
-/* Reads the controller and pushes what has changed. When it fails all fingers
- * are lifted. */
+/* Reads the controller and pushes what has changed, after a loss all fingers
+ * that are held. When it fails all fingers are lifted. */
 enum pel_status pel_touch_poll(struct pel_touch *touch, uint32_t time,
                                struct pel_input_queue *queue);
 

@@ -45,7 +45,7 @@ int main(void)
         .shading = &pel_shade_lit_gouraud,
         .lighting = &lighting,
         .texture = &texture,
-        .sort = pel_depth_sort,
+        .sort = &pel_depth_sort,
         .cull = PEL_CULL_NONE};
     struct pel_frame frame;
     pel_mesh_of_asset(&mesh, &vase_small);

@@ -57,6 +57,13 @@ static inline int pel_leading_zeros(uint64_t v)
 #define PEL_NOINLINE_32 PEL_NOINLINE
 #endif
 
+/* A function of its own, for its stack, where code is to be small. */
+#if PEL_KNOW_SIDES
+#define PEL_INLINE_FAST inline
+#else
+#define PEL_INLINE_FAST PEL_NOINLINE
+#endif
+
 /* Before a loop over three coordinates or corners: written out on 64-bit CPUs,
  * where gcc -O2 does not (clang does). */
 #if PEL_64BIT && defined(__GNUC__) && !defined(__clang__)

@@ -12,14 +12,6 @@
 #include "../format/word.h"
 #include "gradient.h"
 
-/* PEL_CELL_STEP: a function of its own, for its stack, where code is to be
- * small. */
-#if PEL_KNOW_SIDES
-#define PEL_CELL_STEP inline
-#else
-#define PEL_CELL_STEP PEL_NOINLINE
-#endif
-
 /* Rows of a batch: one where code is to be small, and at most 32: then errors
  * of 32 bits do for all rows but the first. */
 enum {
@@ -40,19 +32,21 @@ struct pel_boundary {
 struct pel_cells {
     struct pel_boundary end; /* before the first: at a batch's first pixel */
 
-    uint8_t left;   /* spans from `span` on */
-    bool box;       /* hi ends all rows */
-    bool opaque;    /* the next cell's colour is, */
-    int8_t way;     /* from one cell's place to the next: 1 or -1 */
-    int32_t hi;     /* runs end here at the farthest */
-    uint32_t value; /* the opaque colour's pixel value, or the other colour */
+    uint8_t left; /* spans from `span` on */
+    bool box;     /* hi ends all rows */
+    int32_t way;  /* to the next cell's place: 1, -1, or 0 where none comes */
+    int32_t hi;   /* runs end here at the farthest */
+
+    /* The next cell: its pixel value and the format's fill, or its colour,
+     * which is not opaque, and the blend. */
+    uint32_t value;
+    void (*draw)(const struct pel_spans *spans, uint32_t value);
 
     const struct pel_gradient *gradient;
     const struct pel_span *span; /* the shape's, of these rows */
     struct pel_spans cell;       /* the present cell's runs */
 
     int32_t place; /* of the next cell */
-    int32_t limit; /* cells that may end yet; at 0 the rest is one cell */
 
     /* The kind's own: where the present cell begins, a radius or an angle, and
      * what the floor drops of it. */
@@ -60,6 +54,7 @@ struct pel_cells {
 
 #if PEL_KNOW_SIDES
     pel_color mask; /* of mixed colours what can be seen; 0: ask the format */
+    int64_t square; /* of `whole`, in 512ths; on the left side negative */
 #endif
 
     /* The run of the present cell, in every row. */
@@ -82,29 +77,85 @@ void pel_cells_open(struct pel_cells *cells,
                     const struct pel_spans *spans);
 
 /* Goes on to the next batch, of at most `most` <= PEL_CELL_ROWS rows, unless
- * pixels are left of the present one: from end.x to hi. No limit, way 1. false
- * when none are. */
+ * pixels are left of the present one: from end.x to hi. Way 1. false when none
+ * are. */
 bool pel_cells_next(struct pel_cells *cells, int32_t most);
+
+/* Takes the colour of the cell at c->place. */
+void pel_cells_color(struct pel_cells *c);
+
+/* Goes on to the place of the next cell, and takes its colour; false where none
+ * comes: then a batch of one row ends. */
+bool pel_cells_more(struct pel_cells *c);
 
 /* How many cells from the one at c->place on are the same pixel value as that;
  * 0: all that may come. Moves on to the first other one. */
 int32_t pel_cells_pass(struct pel_cells *c);
 
-/* Takes the colour of the cell at c->place. */
-void pel_cells_color(struct pel_cells *c);
-
-/* Ends all runs at the boundary. Its error grows by `row` to the pixel below;
- * `row` from row to row, and the step from pixel to pixel, by `bend`. true when
- * pixels are left. */
-bool pel_cells_end(struct pel_cells *c, int32_t row, int32_t bend);
+/* pel_cells_end of rows; the step is set. */
+bool pel_cells_end_rows(struct pel_cells *c, int32_t row, int32_t bend);
 
 /* Ends all runs where their rows do: false, no pixels are left. */
-bool pel_cells_end_all(struct pel_cells *c);
+bool pel_cells_end_all_rows(struct pel_cells *c);
+
+static PEL_ALWAYS_INLINE bool pel_cells_end_all(struct pel_cells *c)
+{
+    if (PEL_CELL_ROWS > 1)
+        return pel_cells_end_all_rows(c);
+    c->end.x = c->hi;
+    return false;
+}
+
+/* To the first pixel of the first row that lies beyond the boundary. */
+static PEL_ALWAYS_INLINE bool pel_cells_walk(struct pel_cells *c, int32_t step,
+                                             int32_t bend)
+{
+    struct pel_boundary *b = &c->end;
+    const int32_t hi = c->hi;
+    int32_t x = b->x;
+    int64_t error = b->error;
+    for (; error < 0 && x < hi; x++) {
+        error += step;
+        step += bend;
+    }
+    b->x = x;
+    b->error = error;
+    if (PEL_CELL_ROWS > 1)
+        b->step = step;
+    return x < hi;
+}
+
+/* Ends all runs at the boundary, whose error is set. It grows by `step` to the
+ * next pixel, and by `row` to the one below; `row` from row to row, and the
+ * step from pixel to pixel, by `bend`. true when pixels are left. */
+static PEL_ALWAYS_INLINE bool pel_cells_end(struct pel_cells *c, int32_t step,
+                                            int32_t row, int32_t bend)
+{
+    if (PEL_CELL_ROWS == 1)
+        return pel_cells_walk(c, step, bend);
+    c->end.step = step;
+    return pel_cells_end_rows(c, row, bend);
+}
+
+/* Moves by `count` >= 1 cells, each `width` and part / n wide. */
+static PEL_ALWAYS_INLINE void pel_cells_move(struct pel_cells *c, int32_t count,
+                                             int32_t width, int32_t part,
+                                             int32_t n)
+{
+    const int32_t way = c->way;
+    do {
+        c->whole += way * width;
+        c->rest += way * part;
+        if ((uint32_t)c->rest >= (uint32_t)n) {
+            c->rest -= way * n;
+            c->whole += way;
+        }
+    } while (--count);
+}
 
 /* Draws what is left of every row up to hi, from the cell at c->place on. `end`
  * lets the present cell end where `count` >= 1 cells end, the present one
- * included, by pel_cells_end. true: pixels are left. Written out where it is
- * called, to spare the stack. */
+ * included, by pel_cells_end. true: pixels are left. */
 static PEL_ALWAYS_INLINE void pel_cells_draw(
     struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
 {
@@ -112,14 +163,65 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
     pel_cells_color(c);
     do {
         const uint32_t value = c->value;
-        const bool opaque = c->opaque;
+        void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
         const int32_t count = pel_cells_pass(c);
         if (count)
             rest = end(c, count);
         else
             rest = pel_cells_end_all(c);
-        pel_fill_value(&c->cell, value, opaque);
+        pel_fill_value(&c->cell, value, draw);
     } while (rest);
+}
+
+/* The same for one row. Whether pixels are left, end.x tells. */
+static PEL_ALWAYS_INLINE void pel_cells_draw_row(
+    struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
+{
+    pel_cells_color(c);
+    do {
+        const uint32_t value = c->value;
+        void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
+        c->run[0].x0 = c->end.x;
+        while (pel_cells_more(c)) {
+            end(c, 1);
+            if (c->end.x >= c->hi || c->value != value || c->draw != draw)
+                break;
+        }
+        c->run[0].x1 = c->end.x;
+        pel_fill_value(&c->cell, value, draw);
+    } while (c->end.x < c->hi);
+}
+
+/* Fills spans, `most` rows at a time. `start` finds the cell of the first pixel
+ * and may bring hi nearer. Written out where it is called, to spare the stack.
+ */
+static PEL_ALWAYS_INLINE void pel_cells_fill(
+    const struct pel_paint *paint, const struct pel_spans *spans, int32_t most,
+    void (*start)(struct pel_cells *cells),
+    bool (*end)(struct pel_cells *cells, int32_t count))
+{
+    struct pel_cells c;
+    if (PEL_CELL_ROWS > 1) {
+        pel_cells_open(&c, (const void *)paint, spans);
+        while (pel_cells_next(&c, most)) {
+            start(&c);
+            pel_cells_draw(&c, end);
+        }
+        return;
+    }
+    c.gradient = (const void *)paint;
+    c.cell = *spans;
+    c.cell.n = 1;
+    c.cell.span = c.run;
+    for (int32_t i = 0; i < spans->n; i++) {
+        c.end.x = spans->span[i].x0;
+        while (c.end.x < spans->span[i].x1) {
+            c.hi = spans->span[i].x1;
+            start(&c);
+            pel_cells_draw_row(&c, end);
+        }
+        c.cell.y += c.cell.step;
+    }
 }
 
 #endif

@@ -68,6 +68,7 @@ struct pel_texture {
     int32_t stride, width, height;     /* bytes, texels, texels */
     uint8_t wrap_u, wrap_v;            /* enum pel_wrap */
     uint8_t kind;                      /* paint_texture_fetch.h */
+    pel_colors_function *blended;      /* of pel_texture_cut_out */
 };
 
 /* A texture with PEL_WRAP_CLAMP; wrap_u and wrap_v may be set afterwards.
@@ -89,5 +90,9 @@ enum pel_status pel_texture_init_nearest(struct pel_texture *paint,
 enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,
                                           const struct pel_texels *texels,
                                           const struct pel_texture_map *map);
+
+/* Of a texture made by one of the two: where its alpha is below 128 nothing is
+ * drawn, elsewhere it is opaque. */
+void pel_texture_cut_out(struct pel_texture *paint);
 PEL_END_DECLS
 #endif

@@ -56,7 +56,7 @@ void pel_scene_cost(struct pel_cost *cost, const struct pel_frame *frame,
         return;
     for (uint32_t i = 0; i < frame->triangles; i++) {
         struct pel_point at[3];
-        if (!corners_of(frame, frame->order[i].index, at))
+        if (!corners_of(frame, frame->order ? frame->order[i].index : i, at))
             add_cut(cost, &clip, rates);
         else if (pel_box_meets(at, &clip))
             pel_triangle_cost(cost, at, &clip, &rates->drawn);

@@ -160,20 +160,17 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     }
 }
 
-/* near / z of three corners, from both with all their bits: z is coarse, near
- * fine and cut to 31 bits, so the quotient has what a coarse z leaves right. */
-static void set_nearness(const struct pel_projector *p,
-                         const struct pel_clip_corner *const corner[3],
-                         int32_t near[3])
+/* From near and z with all their bits: z is coarse, near fine and cut to 31
+ * bits, so the quotient has what a coarse z leaves right. */
+int32_t pel_nearness(const struct pel_projector *p, int32_t z)
 {
+    if (p->one)
+        return (int32_t)(PEL_DEPTH_NEAR - z);
     const int cut = pel_bits_of((uint64_t)p->near_fine) - 31;
-    const int64_t most = pel_scale_down(p->near_fine, cut) * PEL_DEPTH_NEAR;
-    for (int i = 0; i < 3; i++) {
-        const int32_t z = corner[i]->position[2];
-        const int64_t q = p->one ? PEL_DEPTH_NEAR - z
-                                 : pel_scale_down(most / z, p->coarse - cut);
-        near[i] = q < PEL_DEPTH_NEAR ? (int32_t)q : PEL_DEPTH_NEAR;
-    }
+    const int64_t near = pel_scale_down(p->near_fine, cut);
+    const int64_t q =
+        pel_scale_down(near * PEL_DEPTH_NEAR / z, p->coarse - cut);
+    return q < PEL_DEPTH_NEAR ? (int32_t)q : PEL_DEPTH_NEAR;
 }
 
 /* Planes are off by less than 2^-17 of 2^30. */
@@ -185,23 +182,17 @@ static const struct pel_paint *filter(struct pel_frame *frame,
     struct pel_depth_paint *p = &frame->work->depth;
     struct pel_plane plane;
     int32_t near[3];
-    set_nearness(&frame->projector, frame->work->triangle.corner, near);
+    for (int i = 0; i < 3; i++)
+        near[i] = pel_nearness(&frame->projector,
+                               frame->work->triangle.corner[i]->position[2]);
     pel_plane_set(&plane, pel_frame_setup(frame), near);
-    pel_depth_paint_init(p, paint, p->depth, &plane, frame->opaque);
-    if (pel_min(pel_min(near[0], near[1]), near[2]) >= SURELY_ABOVE_0)
+    pel_depth_paint_init(p, paint, p->depth, &plane,
+                         frame->pass == PEL_PASS_FIRST);
+    /* Of a paint whose colors have any alpha, the opaque ones. */
+    if (p->keeps && !frame->opaque)
+        pel_color_paint_init(&p->base, colors, false);
+    else if (pel_min(pel_min(near[0], near[1]), near[2]) >= SURELY_ABOVE_0)
         p->base.paint = (struct pel_paint)PEL_PAINT(fill, pel_depth_fast);
-    return &p->base.paint;
-}
-
-/* Of a paint whose colors have any alpha, lets the opaque ones through and
- * stores their depth. */
-static const struct pel_paint *filter_texels(struct pel_frame *frame,
-                                             const struct pel_paint *paint)
-{
-    struct pel_depth_paint *p = &frame->work->depth;
-    filter(frame, paint);
-    pel_color_paint_init(&p->base, colors, false);
-    p->keeps = true;
     return &p->base.paint;
 }
 
@@ -216,11 +207,12 @@ void pel_scene_draw_depth(struct pel_frame *frame,
     if (frame->triangles == 0)
         return;
     frame->work->depth.depth = depth;
-    if (!frame->opaque && frame->alpha == 255) {
-        frame->filter = filter_texels;
-        pel_scene_draw(frame, surface);
-    }
     frame->filter = filter;
+    frame->pass = PEL_PASS_FIRST;
     pel_scene_draw(frame, surface);
+    frame->pass = PEL_PASS_TRANSLUCENT;
+    if (frame->translucent)
+        pel_scene_draw(frame, surface);
+    frame->pass = PEL_PASS_ALL;
     frame->filter = NULL;
 }

@@ -7,6 +7,7 @@
 #include "../base/status.h"
 #include "../paint/paint_colors.h"
 #include "../raster/plane.h"
+#include "camera.h"
 
 PEL_BEGIN_DECLS
 
@@ -39,6 +40,9 @@ void pel_depth_clear(const struct pel_depth *depth);
 
 /* The largest depth of a corner; the smallest is 0. */
 #define PEL_DEPTH_NEAR ((INT32_C(1) << 30) - (INT32_C(1) << 14))
+
+/* near / z of a coarse z in front of the near plane, times PEL_DEPTH_NEAR. */
+int32_t pel_nearness(const struct pel_projector *projector, int32_t z);
 
 /* A paint between a shape and its own paint: lets through the pixels where
  * `plane` is nearer than the buffer. Of equal ones the first drawn stays. */

@@ -23,8 +23,10 @@ static void sift(struct pel_depth_entry *entry, uint32_t at, uint32_t n)
     entry[at] = moved;
 }
 
-void pel_depth_sort(struct pel_depth_entry *entry, uint32_t n)
+static void heap_sort(struct pel_depth_entry *entry, uint32_t n,
+                      struct pel_depth_entry *spare)
 {
+    (void)spare;
     for (uint32_t i = n / 2; i-- > 0;)
         sift(entry, i, n);
     while (n > 1) {
@@ -34,3 +36,5 @@ void pel_depth_sort(struct pel_depth_entry *entry, uint32_t n)
         sift(entry, 0, n);
     }
 }
+
+const struct pel_depth_sort pel_depth_sort = {heap_sort, false};

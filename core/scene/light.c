@@ -122,9 +122,9 @@ void pel_mesh_lights_position(const struct pel_mesh_lights *lights,
             lights->down);
 }
 
-/* v^n in 2^-30, 0 <= v <= 2^30. A product is cut by less than 2^-30, and the
- * n - 1 products that n makes of it leave less than n 2^-30. */
-static pel_cosine power(pel_cosine v, int32_t n)
+/* A product is cut by less than 2^-30, and the n - 1 products that n makes of
+ * it leave less than n 2^-30. */
+pel_cosine pel_cosine_power(pel_cosine v, int32_t n)
 {
     uint32_t base = (uint32_t)v, result = (uint32_t)PEL_COSINE_ONE;
     for (; n > 0 && result; n >>= 1) {
@@ -135,12 +135,12 @@ static pel_cosine power(pel_cosine v, int32_t n)
     return (pel_cosine)result;
 }
 
-/* R.V = 2 (N.L) (N.V) - L.V, above 0 and at most 1; in halves, which fit. */
-static pel_cosine reflected(const pel_cosine l[3], const pel_cosine n[3],
-                            const pel_cosine v[3], pel_cosine nl)
+/* R.V = 2 (N.L) (N.V) - L.V, in halves, which fit. */
+pel_cosine pel_light_reflected(pel_cosine towards[3][3], pel_cosine nl)
 {
     const int32_t half =
-        pel_scaled(nl, pel_weighted(n, v), 30) - (pel_weighted(l, v) >> 1);
+        pel_scaled(nl, pel_weighted(towards[0], towards[1]), 30) -
+        (pel_weighted(towards[2], towards[1]) >> 1);
     return 2 * pel_max(pel_min(half, PEL_COSINE_ONE / 2), 0);
 }
 
@@ -165,10 +165,9 @@ static void direction(const int32_t from[3], const int32_t to[3],
     pel_normalize_fast(unit, unit);
 }
 
-/* towards: the normal, to the eye, to the light. */
-static void add_light(const struct pel_mesh_lights *lights,
-                      const struct pel_mesh_light *light,
-                      pel_cosine towards[3][3], struct pel_light_sum *sum)
+void pel_light_add(const struct pel_mesh_lights *lights,
+                   const struct pel_mesh_light *light, pel_cosine towards[3][3],
+                   struct pel_light_sum *sum)
 {
     const pel_cosine nl = pel_weighted(towards[0], towards[2]);
     if (nl > 0)
@@ -177,8 +176,37 @@ static void add_light(const struct pel_mesh_lights *lights,
         return;
     add(lights->lighting->plain_highlights ? sum->plain : sum->surface,
         light->specular,
-        power(reflected(towards[2], towards[0], towards[1], nl),
-              lights->lighting->shininess));
+        pel_cosine_power(pel_light_reflected(towards, nl),
+                         lights->lighting->shininess));
+}
+
+bool pel_light_start(const struct pel_mesh_lights *lights,
+                     const int32_t position[3], const int32_t normal[3],
+                     pel_cosine towards[3][3], struct pel_light_sum *sum)
+{
+    PEL_UNROLL
+    for (int k = 0; k < 3; k++) {
+        sum->surface[k] = lights->ambient[k];
+        sum->plain[k] = 0;
+    }
+    if (!pel_normalize_fast(normal, towards[0]))
+        return false;
+    direction(position, lights->eye, towards[1]);
+    if (lights->lighting->both_sides &&
+        pel_weighted(towards[0], towards[1]) < 0)
+        for (int k = 0; k < 3; k++)
+            towards[0][k] = -towards[0][k];
+    return true;
+}
+
+void pel_light_towards(const struct pel_mesh_light *light,
+                       const int32_t position[3], pel_cosine towards[3][3])
+{
+    PEL_UNROLL
+    for (int k = 0; k < 3; k++)
+        towards[2][k] = light->at[k];
+    if (!light->directional)
+        direction(position, light->at, towards[2]);
 }
 
 void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
@@ -186,22 +214,11 @@ void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
                          struct pel_light_sum *sum)
 {
     pel_cosine towards[3][3];
-    PEL_UNROLL
-    for (int k = 0; k < 3; k++) {
-        sum->surface[k] = lights->ambient[k];
-        sum->plain[k] = 0;
-    }
-    if (!pel_normalize_fast(normal, towards[0]))
+    if (!pel_light_start(lights, position, normal, towards, sum))
         return;
-    direction(position, lights->eye, towards[1]);
     for (int32_t i = 0; i < lights->lighting->lights; i++) {
-        const struct pel_mesh_light *light = &lights->light[i];
-        PEL_UNROLL
-        for (int k = 0; k < 3; k++)
-            towards[2][k] = light->at[k];
-        if (!light->directional)
-            direction(position, light->at, towards[2]);
-        add_light(lights, light, towards, sum);
+        pel_light_towards(&lights->light[i], position, towards);
+        pel_light_add(lights, &lights->light[i], towards, sum);
     }
 }
 

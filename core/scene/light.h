@@ -31,6 +31,7 @@ struct pel_lighting {
     int32_t shininess;       /* 1..256 */
     bool plain_highlights;   /* the surface does not color the specular term */
     bool no_back_highlights; /* none where N.L <= 0 */
+    bool both_sides;         /* -N instead of N where N.V < 0 */
 };
 
 /* A light in the axes of the mesh, multiplied by the material. */
@@ -76,6 +77,23 @@ struct pel_light_sum {
 void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
                          const int32_t position[3], const int32_t normal[3],
                          struct pel_light_sum *sum);
+
+/* Its steps, for those who need the directions too: to the normal, to the eye,
+ * to the light. start sets the first two and the ambient light, and is false
+ * where the normal is 0; towards sets the third; add adds the light.
+ * pel_light_reflected: R.V, above 0, from all three and N.L. */
+bool pel_light_start(const struct pel_mesh_lights *lights,
+                     const int32_t position[3], const int32_t normal[3],
+                     pel_cosine towards[3][3], struct pel_light_sum *sum);
+void pel_light_towards(const struct pel_mesh_light *light,
+                       const int32_t position[3], pel_cosine towards[3][3]);
+void pel_light_add(const struct pel_mesh_lights *lights,
+                   const struct pel_mesh_light *light, pel_cosine towards[3][3],
+                   struct pel_light_sum *sum);
+pel_cosine pel_light_reflected(pel_cosine towards[3][3], pel_cosine nl);
+
+/* v^n, n from 0 on, 0 <= v <= 1: too low by less than n 2^-30. */
+pel_cosine pel_cosine_power(pel_cosine v, int32_t n);
 
 /* A channel of the lit color, 0 red to 2 blue, 0..255, rounded to the nearest;
  * surface in 1/256 steps, 0..65,280. */

@@ -21,7 +21,9 @@ void pel_mesh_of_asset(struct pel_mesh *mesh,
                               .uv = asset->uv,
                               .colors = asset->colors,
                               .indices16 = asset->indices16,
-                              .indices32 = asset->indices32};
+                              .indices32 = asset->indices32,
+                              .part = asset->part,
+                              .parts = asset->parts};
 }
 
 static bool quantum_legal(const struct pel_quantization *q)
@@ -42,7 +44,7 @@ static bool sizes_legal(const struct pel_mesh *m)
 static enum pel_status check_indices(const struct pel_mesh *m,
                                      struct pel_mesh_fault *fault)
 {
-    struct pel_mesh_fault at = {0, 0};
+    struct pel_mesh_fault at = {0, 0, 0};
     uint32_t corner[3];
     for (; at.triangle < m->triangles; at.triangle++) {
         pel_mesh_corners(m, at.triangle, corner);
@@ -61,11 +63,20 @@ static enum pel_status check_indices(const struct pel_mesh *m,
 enum pel_status pel_mesh_check(const struct pel_mesh *mesh,
                                struct pel_mesh_fault *fault)
 {
+    uint32_t part;
     if (!mesh || !mesh->positions ||
-        !mesh->indices8 + !mesh->indices16 + !mesh->indices32 != 2)
+        !mesh->indices8 + !mesh->indices16 + !mesh->indices32 != 2 ||
+        (mesh->parts && !mesh->part))
         return PEL_ERROR_NULL;
     if (!sizes_legal(mesh))
         return PEL_ERROR_SIZE;
+    part = pel_mesh_wrong_part(mesh->part, mesh->parts, mesh->vertices,
+                               mesh->triangles);
+    if (part < mesh->parts) {
+        if (fault)
+            *fault = (struct pel_mesh_fault){0, 0, part};
+        return PEL_ERROR_SIZE;
+    }
     return check_indices(mesh, fault);
 }
 
@@ -74,23 +85,28 @@ size_t pel_mesh_normals_scratch_size(const struct pel_mesh *mesh)
     return PEL_MESH_NORMALS_SCRATCH_SIZE(mesh->vertices);
 }
 
-/* Twice the area times the normal, below 2^35; a vertex has less than 2^28
- * faces with three corners each. */
-static void add_face(const struct pel_mesh *m, uint32_t triangle,
-                     int64_t (*sum)[3])
+void pel_mesh_facet(const struct pel_mesh *m, const uint32_t corner[3],
+                    int64_t normal[3])
 {
-    uint32_t corner[3];
-    pel_mesh_corners(m, triangle, corner);
     const int16_t *a = m->positions[corner[0]];
     const int16_t *b = m->positions[corner[1]];
     const int16_t *c = m->positions[corner[2]];
     int32_t ab[3], ac[3];
-    int64_t normal[3];
     for (int k = 0; k < 3; k++) {
         ab[k] = b[k] - a[k];
         ac[k] = c[k] - a[k];
     }
     pel_cross(ab, ac, normal);
+}
+
+/* A vertex has less than 2^28 faces with three corners each. */
+static void add_face(const struct pel_mesh *m, uint32_t triangle,
+                     int64_t (*sum)[3])
+{
+    uint32_t corner[3];
+    int64_t normal[3];
+    pel_mesh_corners(m, triangle, corner);
+    pel_mesh_facet(m, corner, normal);
     for (int i = 0; i < 9; i++)
         sum[corner[i / 3]][i % 3] += normal[i % 3];
 }

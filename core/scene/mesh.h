@@ -26,22 +26,26 @@ struct pel_mesh {
     const uint8_t (*indices8)[3];
     const uint16_t (*indices16)[3];
     const uint32_t (*indices32)[3];
+
+    const struct pel_mesh_part *part;
+    uint32_t parts; /* 0: one material for all */
 };
 
 /* The view of an asset that pel_mesh_asset_check has found legal. */
 void pel_mesh_of_asset(struct pel_mesh *mesh,
                        const struct pel_mesh_asset *asset);
 
-/* A triangle whose index is not below the number of vertices. */
+/* A triangle whose index is not below the number of vertices, or a part. */
 struct pel_mesh_fault {
-    uint32_t triangle, index;
+    uint32_t triangle, index, part;
 };
 
 /* Checks that the mesh can be drawn, every index too. PEL_ERROR_NULL: no
- * positions, or not exactly one array of indices; PEL_ERROR_SIZE: no vertex,
- * more than 2^26 vertices or triangles, two arrays of normals, or a
- * quantization out of range; PEL_ERROR_RANGE: an index; `fault`, which may be
- * NULL, is set to it. */
+ * positions or parts, or not exactly one array of indices; PEL_ERROR_SIZE: no
+ * vertex, more than 2^26 vertices or triangles, two arrays of normals, a
+ * quantization out of range, or a part that ends before it begins or, as the
+ * last, not where the mesh does; PEL_ERROR_RANGE: an index. `fault`, which may
+ * be NULL, is set to it, or to the part. */
 enum pel_status pel_mesh_check(const struct pel_mesh *mesh,
                                struct pel_mesh_fault *fault);
 
@@ -65,6 +69,11 @@ inline void pel_mesh_normal(const struct pel_mesh *mesh, uint32_t vertex,
                         ? mesh->normals16[vertex][k] * INT32_C(16384)
                         : mesh->normals8[vertex][k] * INT32_C(4194304);
 }
+
+/* The normal of a triangle, as long as twice its area: below 2^35 in each
+ * part. */
+void pel_mesh_facet(const struct pel_mesh *mesh, const uint32_t corner[3],
+                    int64_t normal[3]);
 
 /* Bytes of scratch memory that pel_mesh_normals needs, for constant expressions
  * and as a function. */

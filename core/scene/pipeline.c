@@ -10,7 +10,7 @@ enum { WORK_SIZE = PEL_SCENE_SCRATCH_SIZE(0, 0, 0) };
 
 /* Offsets of the lists, bytes. */
 struct parts {
-    size_t vertices, order, end;
+    size_t vertices, order, spare, end;
 };
 
 static struct parts parts_of(const struct pel_scene *scene)
@@ -18,65 +18,16 @@ static struct parts parts_of(const struct pel_scene *scene)
     const struct pel_mesh *mesh = scene->mesh;
     const int32_t n = scene->lighting ? scene->lighting->lights : 0;
     const int32_t lights = pel_max(n, 0);
-    return (struct parts){
-        PEL_SCENE_SCRATCH_SIZE(0, 0, lights),
-        PEL_SCENE_SCRATCH_SIZE(mesh->vertices, 0, lights),
-        PEL_SCENE_SCRATCH_SIZE(mesh->vertices, mesh->triangles, lights)};
+    const size_t order = PEL_SCENE_SCRATCH_SIZE(mesh->vertices, 0, lights);
+    const size_t list = mesh->triangles * sizeof(struct pel_depth_entry);
+    const bool twice = scene->sort && scene->sort->needs_spare;
+    return (struct parts){PEL_SCENE_SCRATCH_SIZE(0, 0, lights), order,
+                          order + list, order + list + (twice ? list : 0)};
 }
 
 size_t pel_scene_scratch_size(const struct pel_scene *scene)
 {
     return scene && scene->mesh ? parts_of(scene).end : 0;
-}
-
-/* True when all numbers of uv mean points within 2^22 texels: they are below
- * 2^31, and less than 2^21 texels a whole number of pictures away. */
-static bool uv_legal(const struct pel_quantization *q, int32_t texels)
-{
-    const int32_t u = q->offset[0], v = q->offset[1];
-    const uint32_t most =
-        (uint32_t)((u ^ u >> 31) | (v ^ v >> 31)) + 65535 * (uint32_t)q->step;
-    if (q->shift < 0)
-        return false;
-    const uint32_t pictures = most >> pel_min(q->shift, 31);
-    return pictures < 65536 && pictures * (uint32_t)texels < UINT32_C(1) << 21;
-}
-
-static enum pel_status start_texture(struct pel_frame *frame)
-{
-    const struct pel_mesh_texture *t = frame->scene->texture;
-    static const struct pel_texture_map none = {{0, 0, 0}, {0, 0, 0}};
-    if (!t)
-        return PEL_OK;
-    if (!t->mapping || !t->sampler || !frame->scene->mesh->uv)
-        return PEL_ERROR_NULL;
-    if ((uint32_t)t->span > PEL_SPAN_MAX || (t->span & (t->span - 1)))
-        return PEL_ERROR_RANGE;
-    const enum pel_status status =
-        t->sampler(&frame->texture, &t->texels, &none);
-    frame->texture.wrap_u = (uint8_t)t->wrap_u;
-    frame->texture.wrap_v = (uint8_t)t->wrap_v;
-    if (status != PEL_OK)
-        return status;
-    if (!uv_legal(&frame->scene->mesh->texture,
-                  frame->texture.width | frame->texture.height))
-        return PEL_ERROR_RANGE;
-    if (t->mapping->surface)
-        frame->opaque &= frame->texture.base.opaque;
-    return PEL_OK;
-}
-
-static pel_color surface_color(const struct pel_frame *frame, uint32_t vertex)
-{
-    const struct pel_scene *s = frame->scene;
-    if (s->texture)
-        return s->texture->mapping->vertex
-                   ? s->texture->mapping->vertex(frame, vertex)
-                   : UINT32_C(0xFFFFFFFF);
-    if (!s->mesh->colors)
-        return s->color;
-    const uint8_t *c = s->mesh->colors[vertex];
-    return PEL_RGB(c[0], c[1], c[2]);
 }
 
 static void project_vertices(struct pel_frame *frame)
@@ -89,16 +40,29 @@ static void project_vertices(struct pel_frame *frame)
     }
 }
 
+static enum pel_status check_parts(struct pel_frame *frame)
+{
+    const uint32_t parts = frame->scene->mesh->parts;
+    uint32_t part = 0;
+    do {
+        const enum pel_status status = pel_frame_set_part(frame, part);
+        frame->fault.part = part;
+        if (status != PEL_OK)
+            return status;
+        frame->translucent |= !frame->solid;
+    } while (++part < parts);
+    return PEL_OK;
+}
+
 pel_color pel_frame_color(const struct pel_frame *frame, uint32_t vertex)
 {
     const struct pel_shading *shading = frame->scene->shading;
     pel_color color = frame->vertex[vertex].color;
     if (color)
         return color;
-    color = surface_color(frame, vertex);
+    color = pel_frame_surface(frame, vertex);
     if (shading->vertex)
         color = shading->vertex(frame, vertex, color);
-    color = (color & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
     return frame->vertex[vertex].color = color;
 }
 
@@ -165,6 +129,7 @@ static void list_triangles(struct pel_frame *frame)
             (taken == WHOLE && !is_shown(frame, frame->work->triangle.at,
                                          &frame->scene->viewport)))
             continue;
+        pel_frame_find_part(frame, i);
         for (int k = 0; k < 3; k++)
             pel_frame_color(frame, frame->work->triangle.vertex[k]);
         entry++;
@@ -180,11 +145,9 @@ static enum pel_status start(struct pel_frame *frame)
         status = pel_projector_init(&frame->projector, s->mesh,
                                     s->pose ? s->pose : &pel_pose_none,
                                     &s->camera, &s->viewport);
-    if (status == PEL_OK)
-        status = start_texture(frame);
     if (status == PEL_OK && s->shading->start)
         status = s->shading->start(frame);
-    return status;
+    return status == PEL_OK ? check_parts(frame) : status;
 }
 
 enum pel_status pel_scene_prepare(struct pel_frame *frame,
@@ -200,8 +163,8 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
         return PEL_ERROR_SCRATCH;
     frame->scene = scene;
     frame->filter = NULL;
-    frame->alpha = (uint8_t)(255 - scene->transparency);
-    frame->opaque = frame->alpha == 255;
+    frame->pass = PEL_PASS_ALL;
+    frame->translucent = false;
     frame->work = scratch;
     frame->lights.light = (void *)((uint8_t *)scratch + WORK_SIZE);
     frame->vertex = (void *)((uint8_t *)scratch + part.vertices);
@@ -212,7 +175,8 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
     project_vertices(frame);
     list_triangles(frame);
     if (scene->sort)
-        scene->sort(frame->order, frame->triangles);
+        scene->sort->sort(frame->order, frame->triangles,
+                          (void *)((uint8_t *)scratch + part.spare));
     return PEL_OK;
 }
 
@@ -220,7 +184,7 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
 static void draw_triangle(struct pel_frame *frame)
 {
     struct pel_frame_work *work = frame->work;
-    const struct pel_mesh_texture *texture = frame->scene->texture;
+    const struct pel_mesh_texture *texture = frame->mesh_texture;
     const struct pel_color_paint *surface = NULL;
     work->triangle.is_set_up = false;
     if (texture && texture->mapping->surface)
@@ -274,9 +238,31 @@ static void draw_cut(struct pel_frame *frame)
     }
 }
 
+/* Is a triangle of this part drawn in this pass? */
+static bool part_drawn(const struct pel_frame *frame)
+{
+    return frame->alpha != 0 &&
+           !(frame->pass == PEL_PASS_FIRST && frame->alpha < 255) &&
+           !(frame->pass == PEL_PASS_TRANSLUCENT && frame->solid);
+}
+
+static void draw_entry(struct pel_frame *frame, uint32_t triangle, bool all)
+{
+    int32_t depth;
+    pel_frame_find_part(frame, triangle);
+    if (!part_drawn(frame))
+        return;
+    const enum taken taken = take(frame, triangle, &depth);
+    if (taken == CUT)
+        draw_cut(frame);
+    else if (taken == WHOLE && (all || is_shown(frame, frame->work->triangle.at,
+                                                &frame->work->surface.clip)))
+        draw_triangle(frame);
+}
+
 void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface)
 {
-    if (frame->triangles == 0 || frame->alpha == 0)
+    if (frame->triangles == 0)
         return;
     struct pel_surface *target = &frame->work->surface;
     pel_clip_start(&frame->work->clip);
@@ -284,13 +270,8 @@ void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface)
     target->clip = pel_rect_intersect(&surface->clip, &frame->scene->viewport);
     if (pel_rect_empty(&target->clip))
         return;
-    const bool all = pel_rect_inside(&frame->scene->viewport, &surface->clip);
-    for (uint32_t i = 0; i < frame->triangles; i++) {
-        int32_t depth;
-        if (take(frame, frame->order[i].index, &depth) == CUT)
-            draw_cut(frame);
-        else if (all ||
-                 is_shown(frame, frame->work->triangle.at, &target->clip))
-            draw_triangle(frame);
-    }
+    const bool all = frame->order &&
+                     pel_rect_inside(&frame->scene->viewport, &surface->clip);
+    for (uint32_t i = 0; i < frame->triangles; i++)
+        draw_entry(frame, frame->order ? frame->order[i].index : i, all);
 }

@@ -18,7 +18,7 @@
  *                    .focal = 50, .sensor = {32, 24}},
  *         .viewport = {0, 0, 320, 240},
  *         .shading = &pel_shade_lit_gouraud, .lighting = &lighting,
- *         .sort = pel_depth_sort, .cull = PEL_CULL_BACK};
+ *         .sort = &pel_depth_sort, .cull = PEL_CULL_BACK};
  *     struct pel_frame frame;
  *     if (pel_scene_prepare(&frame, &scene, scratch, sizeof scratch) == PEL_OK)
  *         pel_scene_draw(&frame, &surface);
@@ -34,8 +34,8 @@
 PEL_BEGIN_DECLS
 
 /* Bytes of scratch memory for a frame of the scene: 16 a vertex, 8 a triangle,
- * 40 a light, and 1,100 to 1,350; for constant expressions and as a function: 0
- * without a mesh. */
+ * 40 a light, and 1,100 to 1,350; for constant expressions, without a sort that
+ * needs more, and as a function: 0 without a mesh. */
 #define PEL_SCENE_SCRATCH_SIZE(vertices, triangles, lights)         \
     (((sizeof(struct pel_frame_work) + 7) & ~PEL_CAST(size_t, 7)) + \
      PEL_CAST(size_t, lights) * sizeof(struct pel_mesh_light) +     \
@@ -47,10 +47,10 @@ size_t pel_scene_scratch_size(const struct pel_scene *scene);
  * frame points to the scene and to the scratch memory, which is aligned to 8
  * bytes. PEL_ERROR_NULL: no scene, mesh, shading, scratch; or no lighting,
  * normals, uv, mapping or sampler where they are needed; PEL_ERROR_SCRATCH;
- * PEL_ERROR_RANGE: uv or span of a texture (shading.h); errors of
- * pel_mesh_check, with frame->fault, pel_projector_init, pel_mesh_lights_init
- * and the sampler. After an error a
- * frame draws nothing. */
+ * PEL_ERROR_RANGE: uv or span of a texture (shading.h), or its number in a
+ * part; errors of pel_mesh_check, pel_projector_init, pel_mesh_lights_init and
+ * the sampler. frame->fault tells the triangle and index, or the part. After an
+ * error a frame draws nothing. */
 enum pel_status pel_scene_prepare(struct pel_frame *frame,
                                   const struct pel_scene *scene, void *scratch,
                                   size_t scratch_size);
@@ -60,7 +60,7 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
  * so two threads take two frames. */
 void pel_scene_draw(struct pel_frame *frame, const struct pel_surface *surface);
 
-/* The same with a depth buffer. Opaque pixels, of a scene or of a texture, are
+/* The same with a depth buffer. Opaque pixels, of a part or of a texture, are
  * drawn in any order and store their depth. Translucent ones follow and are
  * only tested: they are blended in the scene's order, so set `sort`, and draw
  * such a mesh after all opaque ones. Meshes may share a buffer while camera and

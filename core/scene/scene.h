@@ -11,6 +11,7 @@ PEL_BEGIN_DECLS
 struct pel_lighting;
 struct pel_mesh_texture;
 struct pel_shading;
+struct pel_stats;
 
 /* Sides of triangles that are not drawn; the front shows the vertices
  * counter-clockwise. */
@@ -29,10 +30,20 @@ struct pel_depth_entry {
     uint32_t index;
 };
 
-/* Sorts by falling depth, equal depths by rising index, so the result is the
- * same on every CPU. In place, without recursion, at most about 2 n log2(n)
- * comparisons for any input. */
-void pel_depth_sort(struct pel_depth_entry *entry, uint32_t n);
+/* Sorts entries, whose indices rise, by falling depth, equal depths by rising
+ * index, so the result is the same on every CPU; without recursion. */
+struct pel_depth_sort {
+    void (*sort)(struct pel_depth_entry *entry, uint32_t n,
+                 struct pel_depth_entry *spare);
+    bool needs_spare; /* of n entries, from the scratch memory of a frame */
+};
+
+/* In place, at most about 2 n log2(n) comparisons for any input. */
+extern const struct pel_depth_sort pel_depth_sort;
+
+/* Four passes for any input: several times as fast for thousands of triangles,
+ * with 8 bytes of scratch memory more for each. */
+extern const struct pel_depth_sort pel_depth_sort_radix;
 
 /* All of it is the caller's, and stays while frames of it are drawn. */
 struct pel_scene {
@@ -45,15 +56,25 @@ struct pel_scene {
     const struct pel_shading *shading;   /* shading.h */
     const struct pel_lighting *lighting; /* light.h; for shadings with light */
     const struct pel_mesh_texture *texture; /* shading.h; NULL: no texture */
-    pel_color color;      /* of a mesh without colours; alpha is not used */
+    uint32_t textures;    /* from there on, for the mesh's parts; 0 is 1 */
+    pel_color color;      /* of a mesh without colours and parts, as if its
+                             alpha were 255 */
     uint8_t transparency; /* 0: opaque; 255: nothing is drawn */
 
     enum pel_cull cull;
 
-    /* pel_depth_sort for painter's order, from the farthest to the nearest, by
-     * the exact sum of the depths of three vertices. NULL: the order of the
-     * mesh, for depth buffers. */
-    void (*sort)(struct pel_depth_entry *entry, uint32_t n);
+    /* For methods that are chosen (select.h), which are exact where it is 0: a
+     * channel of a pixel differs by at most so many 1/256 steps, rounded up to
+     * whole ones, from what the exact method gives, before it is packed. */
+    int32_t tolerance;
+    int32_t texel_tolerance; /* of places in textures: 1/256 texel; then what a
+                                channel differs from is the color there */
+    struct pel_stats *stats; /* stats.h; for pel_shade_counted */
+
+    /* &pel_depth_sort or another one for painter's order, from the farthest to
+     * the nearest, by the exact sum of the depths of three vertices. NULL: the
+     * order of the mesh, for depth buffers. */
+    const struct pel_depth_sort *sort;
 };
 
 PEL_END_DECLS

@@ -67,18 +67,30 @@ static pel_color mean_of(const pel_color c[3])
     return mean;
 }
 
+static pel_color flat_color(const struct pel_frame *frame)
+{
+    pel_color color[3];
+    pel_frame_colors(frame, color);
+    return mean_of(color);
+}
+
+static const struct pel_paint *paint_of_color(
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    pel_color of_all)
+{
+    struct pel_flat *flat = &frame->work->paint.flat;
+    const pel_color color[3] = {of_all, of_all, of_all};
+    if (surface)
+        return frame->mesh_texture->mapping->modulate(frame, surface, color);
+    flat->paint = (struct pel_paint)PEL_PAINT(pel_flat_fill, pel_flat_fast);
+    flat->color = of_all;
+    return &flat->paint;
+}
+
 static const struct pel_paint *flat_paint(struct pel_frame *frame,
                                           const struct pel_color_paint *surface)
 {
-    struct pel_flat *flat = &frame->work->paint.flat;
-    pel_color color[3];
-    pel_frame_colors(frame, color);
-    color[0] = color[1] = color[2] = mean_of(color);
-    if (surface)
-        return frame->scene->texture->mapping->modulate(frame, surface, color);
-    flat->paint = (struct pel_paint)PEL_PAINT(pel_flat_fill, pel_flat_fast);
-    flat->color = color[0];
-    return &flat->paint;
+    return paint_of_color(frame, surface, flat_color(frame));
 }
 
 static const struct pel_paint *gouraud_paint(
@@ -88,7 +100,7 @@ static const struct pel_paint *gouraud_paint(
     pel_color color[3];
     pel_frame_colors(frame, color);
     if (surface)
-        return frame->scene->texture->mapping->modulate(frame, surface, color);
+        return frame->mesh_texture->mapping->modulate(frame, surface, color);
     pel_frame_gouraud(frame, color, gouraud);
     return &gouraud->paint;
 }
@@ -99,11 +111,45 @@ const struct pel_shading pel_shade_gouraud = {NULL, NULL, gouraud_paint};
 static enum pel_status start_light(struct pel_frame *frame)
 {
     const struct pel_scene *s = frame->scene;
-    if (!s->lighting || (!s->mesh->normals8 && !s->mesh->normals16))
+    if (!s->lighting)
         return PEL_ERROR_NULL;
     return pel_mesh_lights_init(&frame->lights, s->lighting, s->mesh,
                                 s->pose ? s->pose : &pel_pose_none,
                                 s->camera.eye);
+}
+
+/* The three positions are below 2^29, so that their sum fits. */
+static const struct pel_paint *facet_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
+{
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    const uint32_t *vertex = frame->work->triangle.vertex;
+    struct pel_light_sum sum;
+    int32_t position[3] = {0, 0, 0}, corner[3];
+    pel_cosine normal[3];
+    int64_t facet[3];
+    for (int i = 0; i < 3; i++) {
+        pel_mesh_lights_position(&frame->lights, mesh->positions[vertex[i]],
+                                 corner);
+        for (int k = 0; k < 3; k++)
+            position[k] += corner[k];
+    }
+    for (int k = 0; k < 3; k++)
+        position[k] /= 3;
+    pel_mesh_facet(mesh, vertex, facet);
+    pel_normalize(facet, normal);
+    pel_mesh_lights_sum(&frame->lights, position, normal, &sum);
+    return paint_of_color(frame, surface,
+                          pel_lit_color(&sum, flat_color(frame)));
+}
+
+const struct pel_shading pel_shade_lit_flat = {start_light, NULL, facet_paint};
+
+enum pel_status pel_frame_start_light(struct pel_frame *frame)
+{
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    return mesh->normals8 || mesh->normals16 ? start_light(frame)
+                                             : PEL_ERROR_NULL;
 }
 
 static pel_color light_vertex(const struct pel_frame *frame, uint32_t vertex,
@@ -118,10 +164,8 @@ static pel_color light_vertex(const struct pel_frame *frame, uint32_t vertex,
     return pel_lit_color(&sum, surface);
 }
 
-const struct pel_shading pel_shade_lit_flat = {start_light, light_vertex,
-                                               flat_paint};
-const struct pel_shading pel_shade_lit_gouraud = {start_light, light_vertex,
-                                                  gouraud_paint};
+const struct pel_shading pel_shade_lit_gouraud = {pel_frame_start_light,
+                                                  light_vertex, gouraud_paint};
 
 /* A channel of struct pel_gouraud in 1/256 steps: it has a half more, so that
  * its upper 8 bits are rounded. */
@@ -185,14 +229,14 @@ static void set_planes(struct pel_frame *frame, int32_t value[3][3],
     }
 }
 
-static const struct pel_paint *phong_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
+const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
+                                        const struct pel_color_paint *surface,
+                                        const pel_color color[3])
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
     struct pel_frame_triangle *t = &frame->work->triangle;
     struct pel_phong *p = &frame->work->paint.phong;
     int32_t value[3][3];
-    pel_color color[3];
     pel_color_paint_init(&p->base, phong_colors, frame->opaque);
     p->lights = &frame->lights;
     p->surface = surface;
@@ -204,11 +248,18 @@ static const struct pel_paint *phong_paint(
         pel_mesh_lights_position(&frame->lights, mesh->positions[t->vertex[i]],
                                  value[i]);
     set_planes(frame, value, p->plane + 3);
-    if (!surface) {
-        pel_frame_colors(frame, color);
+    if (!surface)
         pel_frame_gouraud(frame, color, &p->colors);
-    }
     return &p->base.paint;
 }
 
-const struct pel_shading pel_shade_phong = {start_light, NULL, phong_paint};
+static const struct pel_paint *phong_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
+{
+    pel_color color[3];
+    pel_frame_colors(frame, color);
+    return pel_phong_paint(frame, surface, color);
+}
+
+const struct pel_shading pel_shade_phong = {pel_frame_start_light, NULL,
+                                            phong_paint};

@@ -8,6 +8,7 @@
 #include "depth.h"
 #include "light.h"
 #include "paint_perspective.h"
+#include "paint_phong_quick.h"
 #include "scene.h"
 
 PEL_BEGIN_DECLS
@@ -55,28 +56,49 @@ struct pel_frame_work {
         struct pel_gouraud gouraud;
         struct pel_modulated modulated;
         struct pel_phong phong;
+        struct pel_phong_quick quick;
     } paint;
     struct pel_perspective perspective;
     struct pel_depth_paint depth;
     struct pel_clip clip;
+    uint8_t method; /* of the triangle (select.h), where one is chosen, */
+    uint32_t bound; /* and of its error, 1/256 step */
 };
+
+/* What is drawn: all, or what can store depths, or the rest of it. */
+enum pel_pass { PEL_PASS_ALL, PEL_PASS_FIRST, PEL_PASS_TRANSLUCENT };
 
 struct pel_frame {
     const struct pel_scene *scene;
     struct pel_frame_work *work;
     struct pel_frame_vertex *vertex;
-    struct pel_depth_entry *order;
+    struct pel_depth_entry *order; /* NULL: that of the mesh */
     /* Puts a paint between a triangle and its paint. NULL: none. */
     const struct pel_paint *(*filter)(struct pel_frame *frame,
                                       const struct pel_paint *paint);
     uint32_t triangles; /* in `order`: those that may be seen */
-    uint8_t alpha;
-    bool opaque;
-    struct pel_mesh_fault fault; /* when an index is wrong */
+    bool translucent;   /* some part is not solid */
+    enum pel_pass pass;
+    struct pel_mesh_fault fault; /* when an index or a part is wrong */
     struct pel_mesh_lights lights;
-    struct pel_texture texture; /* the sampler; its map is set by mappings */
     struct pel_projector projector;
+
+    /* The part of the mesh at hand, or all of it. */
+    uint32_t part, begin, end; /* triangles */
+    pel_color color;           /* of vertices without colours */
+    uint8_t alpha;
+    bool opaque; /* no pixel is translucent, nor left out */
+    bool solid;  /* no pixel is translucent */
+    const struct pel_mesh_texture *mesh_texture; /* NULL: no texture */
+    struct pel_texture texture; /* its sampler; its map is set by mappings */
 };
+
+/* Sets the part at hand: number i, 0 for a mesh without parts. Errors of
+ * pel_scene_prepare about textures. */
+enum pel_status pel_frame_set_part(struct pel_frame *frame, uint32_t i);
+
+/* Sets it to that of a triangle of the mesh. */
+void pel_frame_find_part(struct pel_frame *frame, uint32_t triangle);
 
 /* The values at the corners from those at the vertices, |value| <= 2^30. */
 void pel_corners_mix(const struct pel_frame_triangle *triangle,
@@ -93,6 +115,10 @@ void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
  * its vertices, right to 2^-6 step. */
 void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint);
+
+/* The color of a vertex before it is lit: that of the texture, the mesh or the
+ * part at hand, with the part's alpha. */
+pel_color pel_frame_surface(const struct pel_frame *frame, uint32_t vertex);
 
 /* The color of a vertex, lit by shadings that light vertices; computed by the
  * first call. */
@@ -113,7 +139,8 @@ struct pel_shading {
     /* Called once a frame, before the vertices. May be NULL. */
     enum pel_status (*start)(struct pel_frame *frame);
 
-    /* Makes the color that a vertex keeps from its own. NULL: keeps its own. */
+    /* Makes the color that a vertex keeps from its own (pel_frame_surface).
+     * NULL: keeps its own. */
     pel_color (*vertex)(const struct pel_frame *frame, uint32_t vertex,
                         pel_color surface);
 
@@ -129,15 +156,25 @@ struct pel_shading {
 extern const struct pel_shading pel_shade_flat;
 extern const struct pel_shading pel_shade_gouraud;
 
-/* The same with light at the vertices (light.h). A texture that is mapped to
- * every pixel is multiplied by the light on white, highlights too. */
+/* The same with light (light.h): Gouraud's at the vertices; flat, at the middle
+ * of the triangle with its own normal, so that the mesh needs none. A texture
+ * that is mapped to every pixel is multiplied by the light on white, highlights
+ * too. */
 extern const struct pel_shading pel_shade_lit_flat;
 extern const struct pel_shading pel_shade_lit_gouraud;
+
+/* For shadings with light: `start`, and what `vertex` does. */
+enum pel_status pel_frame_start_light(struct pel_frame *frame);
 
 /* Light at every pixel: normal, position and surface color are linear on
  * screen, the normal scaled to length 1 without a division. Where opposite
  * normals cancel out there is ambient light alone. */
 extern const struct pel_shading pel_shade_phong;
+
+/* Its paint, of a triangle whose vertices have these surface colors. */
+const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
+                                        const struct pel_color_paint *surface,
+                                        const pel_color color[3]);
 
 struct pel_mapping {
     /* The surface color of a vertex, opaque. NULL: white. */
@@ -150,6 +187,16 @@ struct pel_mapping {
                                         const struct pel_color_paint *surface,
                                         const pel_color color[3]);
 };
+
+/* What mappings are made of. Sets the corners of frame->work->triangle; the
+ * affine surface of it; `modulate`. */
+void pel_frame_texels(const struct pel_frame *frame,
+                      struct pel_texture_corner corner[3]);
+const struct pel_color_paint *pel_frame_affine(
+    struct pel_frame *frame, const struct pel_texture_corner corner[3]);
+const struct pel_paint *pel_frame_modulate(
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3]);
 
 /* A texel for every vertex. */
 extern const struct pel_mapping pel_map_vertices;
@@ -173,8 +220,18 @@ struct pel_mesh_texture {
     enum pel_status (*sampler)(struct pel_texture *paint,
                                const struct pel_texels *texels,
                                const struct pel_texture_map *map);
+    void (*alpha)(struct pel_texture *paint); /* NULL: blended; or
+                                                 pel_texture_cut_out */
     enum pel_wrap wrap_u, wrap_v;
     int32_t span; /* of pel_map_perspective; 0 is 1, exact */
 };
+
+/* Sets texels, wrap and alpha to those of an asset's texture, whose pixels are
+ * of that format; mapping, sampler and span stay. The surface is the caller's,
+ * and lives as long as the texture. Errors of pel_image_asset_surface. */
+enum pel_status pel_mesh_texture_of_image(struct pel_mesh_texture *texture,
+                                          struct pel_surface *surface,
+                                          const struct pel_mesh_image *image,
+                                          const struct pel_format *format);
 PEL_END_DECLS
 #endif

@@ -68,9 +68,7 @@ static int open_lines(struct pel_bus_linux *bus,
     int error = open_line(&bus->dc, request->dc, bus->message);
     if (!error)
         error = open_line(&bus->reset, request->reset, bus->message);
-    if (!error)
-        error = open_line(&bus->light, request->light, bus->message);
-    return error ? error : set_line(bus, &bus->light, true);
+    return error ? error : open_line(&bus->light, request->light, bus->message);
 }
 
 static int open_device(struct pel_bus_linux *bus,
@@ -100,9 +98,13 @@ int pel_bus_linux_open(struct pel_bus_linux *bus,
     bus->bus.pause = bus_pause;
     bus->message = message;
     bus->data = -1;
-    int error = open_device(bus, request);
+    bus->fd = -1;
+    /* Lines first: a chip whose lines another program has is left alone. */
+    int error = open_lines(bus, request);
     if (!error)
-        error = open_lines(bus, request);
+        error = open_device(bus, request);
+    if (!error)
+        error = set_line(bus, &bus->light, true);
     if (error)
         pel_bus_linux_close(bus);
     return error;

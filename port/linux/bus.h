@@ -39,7 +39,8 @@ struct pel_bus_linux {
     struct pel_message *message;
 };
 
-/* 0 or an errno, with the message; a later error of the bus is told in
+/* Nothing is sent yet. 0 or an errno, with the message; EAGAIN: another program
+ * has the chip of I2C; EBUSY: a line; a later error of the bus is told in
  * `message` too, which outlives the bus. */
 int pel_bus_linux_open(struct pel_bus_linux *bus,
                        const struct pel_bus_request *request,

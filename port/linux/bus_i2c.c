@@ -39,8 +39,10 @@ static enum pel_status i2c_command(const struct pel_bus *pel_bus,
     struct pel_bus_linux *bus = pel_bus->context;
     uint8_t buffer[1 + PIECE] = {COMMAND};
     const size_t skip = bus->plain ? 0 : 1;
-    if (n > PIECE)
+    if (n > PIECE) {
+        pel_bus_fails(bus, "a command of more than 128 bytes", EMSGSIZE);
         return PEL_ERROR_SIZE;
+    }
     memcpy(buffer + skip, bytes, n);
     return transfer(bus, buffer, n + skip, answer, answers) ? PEL_ERROR_DEVICE
                                                             : PEL_OK;
@@ -64,15 +66,34 @@ static enum pel_status i2c_data(const struct pel_bus *pel_bus,
     return transfer(bus, buffer, used, NULL, 0) ? PEL_ERROR_DEVICE : PEL_OK;
 }
 
+/* One program for each address, until its descriptors are closed: the kernel
+ * lets all send. */
+static int lock_address(struct pel_bus_linux *bus)
+{
+    struct flock lock = {
+        .l_type = F_WRLCK, .l_start = bus->address, .l_len = 1};
+    if (fcntl(bus->fd, F_OFD_SETLK, &lock) == 0)
+        return 0;
+    const int error = errno;
+    if (error == EAGAIN || error == EACCES)
+        pel_message_set(bus->message,
+                        "another program has the chip at address 0x%02x of %s: "
+                        "end it first",
+                        bus->address, bus->path);
+    else
+        pel_bus_fails(bus, "lock", error);
+    return error;
+}
+
 int pel_bus_i2c_start(struct pel_bus_linux *bus,
                       const struct pel_bus_request *request)
 {
     bus->bus.command = i2c_command;
-    bus->bus.data = i2c_data;
+    bus->bus.data = request->plain ? NULL : i2c_data;
     bus->address = request->address;
     bus->plain = request->plain;
     if (pel_linux_ioctl_number(bus->fd, I2C_SLAVE, bus->address) == 0)
-        return 0;
+        return lock_address(bus);
     const int error = errno;
     if (error == EBUSY)
         pel_message_set(bus->message,

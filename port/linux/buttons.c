@@ -7,16 +7,6 @@
 
 enum { MOST_EDGES = PEL_GPIO_MOST * 32 };
 
-static void push_key(const struct pel_button *button, int state, uint32_t now,
-                     struct pel_input_queue *queue)
-{
-    const struct pel_input event = {.time = now,
-                                    .kind = PEL_INPUT_KEY,
-                                    .state = (uint8_t)state,
-                                    .code = button->code};
-    pel_input_push(queue, &event);
-}
-
 /* Tells a part the levels of its lines, of which one is `line`. */
 static void update(struct pel_buttons *b, int line, uint32_t time,
                    struct pel_input_queue *queue)
@@ -89,22 +79,13 @@ static int vanish(struct pel_buttons *b, uint32_t now,
     b->active = 0;
     for (int i = 0; i < b->request.count; i++) {
         struct pel_button *button = &b->parts[i].button;
+        const struct pel_input up = {
+            .time = now, .kind = PEL_INPUT_KEY, .code = button->code};
         if (button->pressed)
-            push_key(button, PEL_INPUT_UP, now, queue);
+            pel_input_push(queue, &up);
         button->pressed = button->level = false;
     }
     return -1;
-}
-
-/* Edges were lost: those who are pressed say so again. */
-static void tell_lost(struct pel_buttons *b, uint32_t now,
-                      struct pel_input_queue *queue)
-{
-    const struct pel_input lost = {.time = now, .kind = PEL_INPUT_LOST};
-    pel_input_push(queue, &lost);
-    for (int i = 0; i < b->request.count; i++)
-        if (b->parts[i].button.pressed)
-            push_key(&b->parts[i].button, PEL_INPUT_DOWN, now, queue);
 }
 
 /* ms until the first of the levels that do not count yet may count. */
@@ -144,11 +125,15 @@ int pel_buttons_read(struct pel_buttons *b, struct pel_input_queue *queue)
     if (error)
         return error == EINTR ? 0 : vanish(b, now, queue);
     if (lost)
-        tell_lost(b, now, queue);
+        pel_input_push(
+            queue, &(struct pel_input){.time = now, .kind = PEL_INPUT_LOST});
     else
         active = (active & ~b->encoders) | (b->active & b->encoders);
     b->active = active;
-    for (int i = 0; i < b->request.count; i++)
+    lost = pel_input_lost(queue, &b->losses);
+    for (int i = 0; i < b->request.count; i++) {
+        b->parts[i].button.pressed &= !lost;
         update(b, i, now, queue);
+    }
     return next_time(b, now);
 }

@@ -41,6 +41,7 @@ struct pel_buttons {
     uint32_t active;   /* bit i: line i, as seen last */
     uint32_t encoders; /* bit i: line i is one's */
     bool open;         /* false too while the chip is away */
+    uint16_t losses;   /* of the queue, as seen last */
 };
 
 /* Reads the text, and no more. EINVAL with a message when it is wrong. */
@@ -51,9 +52,10 @@ int pel_buttons_parse(struct pel_buttons *buttons, const char *text,
 int pel_buttons_open(struct pel_buttons *buttons, struct pel_message *message);
 void pel_buttons_close(struct pel_buttons *buttons);
 
-/* Pushes what happened; times are ms of CLOCK_MONOTONIC. Returns the ms after
- * which it is to be called again though no edge came, or -1. When the chip is
- * gone the lines are closed and all is released. */
+/* Pushes what happened, and after a loss what is held; times are ms of
+ * CLOCK_MONOTONIC. Returns the ms after which it is to be called again though
+ * no edge came, or -1. When the chip is gone the lines are closed and all is
+ * released. */
 int pel_buttons_read(struct pel_buttons *buttons,
                      struct pel_input_queue *queue);
 

@@ -84,8 +84,10 @@ static int parse_word(struct pel_buttons *b, char *word,
         return settings->debounce < 0 ? EINVAL : 0;
     }
     if (strcmp(word, "states") == 0) {
-        settings->states = parse_number(word, value, 2, 4, message) & ~1;
-        return settings->states < 0 ? EINVAL : 0;
+        settings->states = *value - '0';
+        return strcmp(value, "2") == 0 || strcmp(value, "4") == 0
+                   ? 0
+                   : refuse(message, value, "states=2 or states=4");
     }
     slash = strchr(word, '/');
     if (slash)

@@ -9,6 +9,9 @@
 #include "../../drivers/linux_io.h"
 #include "evdev_keys.h"
 
+/* What the places of a device mean. */
+enum { NOTHING, POINTER, PEN, FINGERS };
+
 static uint32_t time_of(const struct input_event *e)
 {
     return (uint32_t)((uint64_t)e->input_event_sec * 1000 +
@@ -51,17 +54,24 @@ static void push_place(struct pel_evdev *evdev, int i, uint32_t time,
                        struct pel_input_queue *queue)
 {
     const bool down = evdev->finger[i].down, told = evdev->finger[i].told;
-    const struct pel_input e = {.time = time,
-                                .kind = evdev->touches ? PEL_INPUT_TOUCH
-                                                       : PEL_INPUT_POINT,
-                                .state = !evdev->touches || !down ? PEL_INPUT_UP
-                                         : told ? PEL_INPUT_AGAIN
-                                                : PEL_INPUT_DOWN,
-                                .code = (uint16_t)i,
-                                .x = evdev->finger[i].x,
-                                .y = evdev->finger[i].y};
-    if (!evdev->touches || down || told)
+    struct pel_input e = {.time = time,
+                          .kind = PEL_INPUT_POINT,
+                          .code = (uint16_t)i,
+                          .x = evdev->finger[i].x,
+                          .y = evdev->finger[i].y};
+    if (evdev->places == FINGERS) {
+        e.kind = PEL_INPUT_TOUCH;
+        e.state = !down  ? PEL_INPUT_UP
+                  : told ? PEL_INPUT_AGAIN
+                         : PEL_INPUT_DOWN;
+    }
+    if (evdev->places != FINGERS || down || told)
         pel_input_push(queue, &e);
+    if (evdev->places == PEN && down != told)
+        pel_input_push(queue, &(struct pel_input){.time = time,
+                                                  .kind = PEL_INPUT_BUTTON,
+                                                  .state = down,
+                                                  .code = 1});
     evdev->finger[i].told = down;
     evdev->finger[i].changed = false;
 }
@@ -119,14 +129,20 @@ static int16_t scale(const struct pel_evdev *evdev, unsigned axis, int value,
     return (int16_t)(px < 0 ? 0 : px < size ? px : size - 1);
 }
 
+/* Of several fingers, each in a slot. */
+static bool has_slots(const struct pel_evdev *evdev)
+{
+    return evdev->places == FINGERS &&
+           libevdev_get_num_slots(evdev->device) > 0;
+}
+
 static void note_place(struct pel_evdev *evdev, unsigned code, int value)
 {
-    const bool many =
-        libevdev_has_event_code(evdev->device, EV_ABS, ABS_MT_POSITION_X);
+    const bool many = has_slots(evdev);
     if (code == ABS_MT_SLOT)
         evdev->slot = value;
     const int i = many ? evdev->slot : 0;
-    if (i < 0 || i >= PEL_EVDEV_FINGERS)
+    if (i < 0 || i >= PEL_EVDEV_FINGERS || evdev->places == NOTHING)
         return;
     if (code == (many ? ABS_MT_POSITION_X : ABS_X))
         evdev->finger[i].x = scale(evdev, code, value, evdev->width);
@@ -149,12 +165,36 @@ static void handle(struct pel_evdev *evdev, const struct input_event *e,
     } else if (e->type == EV_SYN && e->code == SYN_REPORT) {
         push_report(evdev, time_of(e), queue);
     } else if (e->type == EV_KEY && e->code == BTN_TOUCH &&
-               libevdev_get_num_slots(evdev->device) < 0) {
+               evdev->places >= PEN && !has_slots(evdev)) {
         evdev->finger[0].down = e->value > 0;
-        evdev->finger[0].changed = evdev->touches;
+        evdev->finger[0].changed = true;
     } else if (e->type == EV_KEY) {
         push_key(evdev, e->code, e->value, time_of(e), queue);
     }
+}
+
+/* Takes in the places as they are; they count as told. */
+static void read_places(struct pel_evdev *evdev)
+{
+    const struct libevdev *d = evdev->device;
+    const int slots = has_slots(evdev) ? libevdev_get_num_slots(d) : 0;
+    memset(evdev->finger, 0, sizeof(evdev->finger));
+    for (int i = 0; i < slots && i < PEL_EVDEV_FINGERS; i++) {
+        evdev->slot = i;
+        for (unsigned code = ABS_MT_POSITION_X; code <= ABS_MT_TRACKING_ID;
+             code++)
+            note_place(evdev, code,
+                       libevdev_get_slot_value(d, (unsigned)i, code));
+        evdev->finger[i].changed = false;
+    }
+    evdev->slot = slots ? libevdev_get_current_slot(d) : 0;
+    if (slots)
+        return;
+    note_place(evdev, ABS_X, libevdev_get_event_value(d, EV_ABS, ABS_X));
+    note_place(evdev, ABS_Y, libevdev_get_event_value(d, EV_ABS, ABS_Y));
+    evdev->finger[0].down =
+        evdev->places >= PEN && libevdev_get_event_value(d, EV_KEY, BTN_TOUCH);
+    evdev->finger[0].changed = false;
 }
 
 /* Presses or releases all that is held. */
@@ -164,11 +204,13 @@ static void push_held(struct pel_evdev *evdev, int state, uint32_t time,
     for (unsigned code = 0; code < KEY_MAX; code++)
         if (libevdev_get_event_value(evdev->device, EV_KEY, code))
             push_key(evdev, (int)code, state, time, queue);
-    for (int i = 0; i < PEL_EVDEV_FINGERS && evdev->touches; i++) {
-        evdev->finger[i].told = state == PEL_INPUT_UP && evdev->finger[i].down;
-        evdev->finger[i].down =
-            state == PEL_INPUT_DOWN && evdev->finger[i].down;
-        push_place(evdev, i, time, queue);
+    for (int i = 0; i < PEL_EVDEV_FINGERS; i++) {
+        if (state == PEL_INPUT_DOWN)
+            evdev->finger[i].told = false;
+        else
+            evdev->finger[i].down = false;
+        if (evdev->finger[i].down != evdev->finger[i].told)
+            push_place(evdev, i, time, queue);
     }
 }
 
@@ -176,22 +218,17 @@ static void push_held(struct pel_evdev *evdev, int state, uint32_t time,
  * which is taken in without a word. */
 static int resync(struct pel_evdev *evdev, struct pel_input_queue *queue)
 {
-    struct pel_input_queue nowhere = {0};
-    struct pel_input places[3];
-    struct input_event e;
     const struct pel_input lost = {.time = pel_linux_milliseconds(),
                                    .kind = PEL_INPUT_LOST};
+    struct input_event e;
     int status;
-    nowhere.events = places;
-    nowhere.size = 3;
-    do {
+    do
         status =
             libevdev_next_event(evdev->device, LIBEVDEV_READ_FLAG_SYNC, &e);
-        if (status == LIBEVDEV_READ_STATUS_SYNC)
-            handle(evdev, &e, &nowhere);
-    } while (status == LIBEVDEV_READ_STATUS_SYNC);
+    while (status == LIBEVDEV_READ_STATUS_SYNC);
+    read_places(evdev);
+    evdev->move_x = evdev->move_y = evdev->wheel_x = evdev->wheel_y = 0;
     pel_input_push(queue, &lost);
-    push_held(evdev, PEL_INPUT_DOWN, lost.time, queue);
     return status == -EAGAIN ? 0 : status;
 }
 
@@ -216,6 +253,8 @@ bool pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue)
         evdev->more = pel_input_room(queue) < ROOM;
         if (evdev->more)
             return true;
+        if (pel_input_lost(queue, &evdev->losses))
+            push_held(evdev, PEL_INPUT_DOWN, pel_linux_milliseconds(), queue);
         status =
             libevdev_next_event(evdev->device, LIBEVDEV_READ_FLAG_NORMAL, &e);
         if (status == LIBEVDEV_READ_STATUS_SUCCESS)
@@ -231,11 +270,32 @@ bool pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue)
     return false;
 }
 
+/* As udev tells them apart: a touch pad has fingers that are not on a screen, a
+ * pointer with a place has the buttons of a mouse. */
+static int places_of(const struct libevdev *d)
+{
+    const bool many = libevdev_get_num_slots(d) > 0;
+    const bool direct = libevdev_has_property(d, INPUT_PROP_DIRECT);
+    const bool touched =
+        many || libevdev_has_event_code(d, EV_KEY, BTN_TOUCH) || direct;
+    if (libevdev_has_property(d, INPUT_PROP_ACCELEROMETER) ||
+        !(many || libevdev_has_event_code(d, EV_ABS, ABS_X)))
+        return NOTHING;
+    if (!many && libevdev_has_event_code(d, EV_KEY, BTN_TOOL_PEN))
+        return PEN;
+    if (!direct && (libevdev_has_event_code(d, EV_KEY, BTN_TOOL_FINGER) ||
+                    (touched && libevdev_has_property(d, INPUT_PROP_POINTER))))
+        return NOTHING;
+    if (!many && libevdev_has_event_code(d, EV_KEY, BTN_LEFT))
+        return POINTER;
+    return touched ? FINGERS : NOTHING;
+}
+
 static bool tells_something(const struct pel_evdev *evdev)
 {
     const struct libevdev *d = evdev->device;
-    return libevdev_has_event_type(d, EV_REL) ||
-           libevdev_has_event_code(d, EV_ABS, ABS_X) ||
+    return evdev->places != NOTHING || libevdev_has_event_type(d, EV_REL) ||
+           libevdev_has_event_code(d, EV_KEY, BTN_LEFT) ||
            (evdev->keys && libevdev_has_event_type(d, EV_KEY));
 }
 
@@ -246,12 +306,11 @@ int pel_evdev_open(struct pel_evdev *evdev, int number, bool keys,
     snprintf(path, sizeof(path), "/dev/input/event%d", number);
     const int fd = pel_linux_open(path, O_RDONLY | O_NONBLOCK);
     int error = errno;
-    evdev->device = NULL;
-    evdev->number = number;
-    evdev->keys = keys;
-    evdev->slot = 0;
-    evdev->more = false;
-    memset(evdev->finger, 0, sizeof(evdev->finger));
+    *evdev = (struct pel_evdev){.number = number,
+                                .width = evdev->width,
+                                .height = evdev->height,
+                                .keys = keys,
+                                .losses = queue->losses};
     if (fd < 0) {
         pel_message_open(message, path, error, "it is gone");
         return error;
@@ -264,14 +323,13 @@ int pel_evdev_open(struct pel_evdev *evdev, int number, bool keys,
         return error;
     }
     libevdev_set_clock_id(evdev->device, CLOCK_MONOTONIC);
+    evdev->places = (uint8_t)places_of(evdev->device);
     if (!tells_something(evdev)) {
         pel_evdev_close(evdev);
         pel_message_set(message, "%s has no keys, and points nowhere", path);
         return ENOTSUP;
     }
-    evdev->touches =
-        libevdev_has_event_code(evdev->device, EV_KEY, BTN_TOUCH) ||
-        libevdev_get_num_slots(evdev->device) > 0;
+    read_places(evdev);
     push_device(evdev, PEL_INPUT_DOWN, queue);
     push_held(evdev, PEL_INPUT_DOWN, pel_linux_milliseconds(), queue);
     return 0;

@@ -1,6 +1,7 @@
 /* Input devices of the Linux kernel, /dev/input/event*, through libevdev:
  * keyboards, mice, tablets and touch screens as events, while they come and go.
- * Keys have the characters of the US layout. */
+ * Keys have the characters of the US layout. A pen's tip is the left button.
+ * Of touch pads there are the buttons alone. */
 #ifndef PEL_PORT_LINUX_EVDEV_H
 #define PEL_PORT_LINUX_EVDEV_H
 
@@ -19,13 +20,14 @@ struct pel_evdev {
     int number;              /* N of eventN */
     int width, height;       /* px: places are within 0..width - 1 */
     bool keys;               /* tells keys, too: see pel_evdev_open */
-    bool touches;            /* a touch screen, not a tablet or mouse */
+    uint8_t places;          /* what its places mean: see evdev.c */
     bool more;               /* there was no room for all of what came */
+    uint16_t losses;         /* of the queue, as seen last */
     int slot;                /* of the finger that is spoken of */
     struct {
         int16_t x, y;
         bool down, changed, told;
-    } finger[PEL_EVDEV_FINGERS]; /* the first is a tablet's pointer, too */
+    } finger[PEL_EVDEV_FINGERS]; /* the first is a pointer or a pen, too */
     int16_t move_x, move_y, wheel_x, wheel_y; /* of the report that comes in */
 };
 
@@ -37,8 +39,8 @@ int pel_evdev_open(struct pel_evdev *evdev, int number, bool keys,
                    struct pel_input_queue *queue, struct pel_message *message);
 
 /* Pushes what came, while there is room; after a loss in the kernel
- * PEL_INPUT_LOST and what is held. False when the device is gone, after all of
- * it was released. */
+ * PEL_INPUT_LOST; after any loss what is held. False when the device is gone,
+ * after all of it was released. */
 bool pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue);
 
 /* What to poll. */

@@ -17,7 +17,20 @@ enum { NOTIFY = PEL_INPUT_LINUX_DEVICES, BUTTONS, TIMER };
 static int watch(struct pel_input_linux *in, int fd, int who)
 {
     struct epoll_event e = {.events = EPOLLIN, .data = {.u32 = (uint32_t)who}};
-    return fd < 0 || epoll_ctl(in->poll, EPOLL_CTL_ADD, fd, &e) ? errno : 0;
+    if (fd >= 0 && epoll_ctl(in->poll, EPOLL_CTL_ADD, fd, &e) == 0)
+        return 0;
+    const int error = errno;
+    pel_message_errno(&in->message, "cannot wait for input", error);
+    return error;
+}
+
+static void push_device(struct pel_input_linux *in, int code, int state)
+{
+    const struct pel_input e = {.time = pel_linux_milliseconds(),
+                                .kind = PEL_INPUT_DEVICE,
+                                .state = (uint8_t)state,
+                                .code = (uint16_t)code};
+    pel_input_push(&in->queue, &e);
 }
 
 /* Opens /dev/input/eventN, if that is not open. Rights may come later than the
@@ -44,10 +57,16 @@ static void open_device(struct pel_input_linux *in, int number)
         error = pel_evdev_open(free, number, !in->options.no_keys, &in->queue,
                                &in->message);
     while (error == EINTR);
+    if (!error) {
+        error =
+            watch(in, pel_evdev_descriptor(free), (int)(free - in->devices));
+        if (error) {
+            pel_evdev_close(free);
+            push_device(in, number, PEL_INPUT_UP);
+        }
+    }
     if (error && error != ENOENT && error != ENODEV && error != ENOTSUP)
         in->note = in->message;
-    else if (!error)
-        watch(in, pel_evdev_descriptor(free), (int)(free - in->devices));
 }
 
 static void open_devices(struct pel_input_linux *in)
@@ -73,33 +92,28 @@ static void arm(struct pel_input_linux *in, int milliseconds)
     timerfd_settime(in->timer, 0, &time, NULL);
 }
 
-static void push_chip(struct pel_input_linux *in, int state)
-{
-    const struct pel_input e = {.time = pel_linux_milliseconds(),
-                                .kind = PEL_INPUT_DEVICE,
-                                .state = (uint8_t)state,
-                                .code = PEL_INPUT_LINUX_CHIP};
-    pel_input_push(&in->queue, &e);
-}
-
 static void read_buttons(struct pel_input_linux *in)
 {
     const bool open = in->buttons.open;
     arm(in, pel_buttons_read(&in->buttons, &in->queue));
     if (open && !in->buttons.open)
-        push_chip(in, PEL_INPUT_UP);
+        push_device(in, PEL_INPUT_LINUX_CHIP, PEL_INPUT_UP);
 }
 
 static int open_buttons(struct pel_input_linux *in)
 {
     int descriptors[PEL_GPIO_MOST];
-    const int error = pel_buttons_open(&in->buttons, &in->message);
+    int error = pel_buttons_open(&in->buttons, &in->message);
     if (error)
         return error;
     const int n = pel_gpio_descriptors(&in->buttons.gpio, descriptors);
-    for (int i = 0; i < n; i++)
-        watch(in, descriptors[i], BUTTONS);
-    push_chip(in, PEL_INPUT_DOWN);
+    for (int i = 0; i < n && !error; i++)
+        error = watch(in, descriptors[i], BUTTONS);
+    if (error) {
+        pel_buttons_close(&in->buttons);
+        return error;
+    }
+    push_device(in, PEL_INPUT_LINUX_CHIP, PEL_INPUT_DOWN);
     read_buttons(in);
     return 0;
 }
@@ -136,7 +150,7 @@ static void read_all(struct pel_input_linux *in)
     uint64_t times;
     const int n =
         epoll_wait(in->poll, ready, PEL_INPUT_LINUX_DEVICES + PEL_GPIO_MOST, 0);
-    bool buttons = false;
+    bool buttons = in->queue.losses != in->buttons.losses;
     for (int i = 0; i < n; i++) {
         const int who = (int)ready[i].data.u32;
         if (who == NOTIFY)
@@ -149,9 +163,10 @@ static void read_all(struct pel_input_linux *in)
             buttons = true;
     }
     for (int i = 0; i < PEL_INPUT_LINUX_DEVICES; i++)
-        if (in->devices[i].device && in->devices[i].more)
+        if (in->devices[i].device &&
+            (in->devices[i].more || in->queue.losses != in->devices[i].losses))
             pel_evdev_read(&in->devices[i], &in->queue);
-    if (buttons)
+    if (buttons && in->buttons.open)
         read_buttons(in);
 }
 

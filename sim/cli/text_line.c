@@ -43,8 +43,10 @@ bool text_lines_read(struct text_lines *lines, const char *path)
     if (!file)
         return false;
     while (getline(&text, &size, file) > 0 &&
-           list_add(&lines->text, &lines->count, &text, sizeof text))
+           list_add(&lines->text, &lines->count, &text, sizeof text)) {
+        text[strcspn(text, "\n")] = '\0';
         text = NULL;
+    }
     free(text);
     const bool whole = feof(file) && !ferror(file);
     file_close(file);

@@ -22,7 +22,7 @@ enum text_line text_line_read(FILE *file, char *text, size_t size);
 
 /* All lines of a file. */
 struct text_lines {
-    char **text; /* each with its end of line */
+    char **text; /* each without its \n */
     size_t count;
 };
 

@@ -60,14 +60,16 @@ static void draw_board(const struct picture *picture)
 static bool add_board(struct model *model, struct demo_result *result)
 {
     const size_t length = strlen(result->note);
-    if (model->texture.width > 0)
+    struct picture board;
+    if (model->textures > 0)
         return true;
     if (!model->mesh.uv)
         return message_error("the mesh has no texture coordinates");
-    if (!picture_init(&model->texture, 256, 256, 0))
+    if (!picture_init(&board, 256, 256, 0))
         return false;
-    draw_board(&model->texture);
-    model->texture_opaque = true;
+    draw_board(&board);
+    if (!model_set_picture(model, &board))
+        return false;
     snprintf(result->note + length, sizeof(result->note) - length,
              " Its texture is a generated board.");
     return true;
@@ -82,7 +84,7 @@ static bool load_model(struct model *model, bool board,
     if (!load_mesh(&mesh, &source, result))
         return false;
     const bool done = model_make(model, &mesh) &&
-                      model_add_texture(model, &mesh, &source) &&
+                      model_add_textures(model, &mesh, &source) &&
                       (!board || add_board(model, result));
     mesh_free(&mesh);
     if (!done)
@@ -163,15 +165,19 @@ static bool make_scaled(struct model *model, struct mesh *mesh,
                         struct demo_result *result)
 {
     struct model scaled;
-    if (!model_make(model, mesh) || !model_add_texture(model, mesh, source) ||
+    if (!model_make(model, mesh) || !model_add_textures(model, mesh, source) ||
         !add_board(model, result))
         return false;
-    scale_uv(mesh, &model->texture);
+    scale_uv(mesh, &model->texture[0].picture);
     if (!model_make(&scaled, mesh))
         return false;
+    const struct pel_mesh_part *part = scaled.mesh.part;
+    scaled.mesh.part = model->mesh.part;
     scaled.texture = model->texture;
-    scaled.texture_opaque = model->texture_opaque;
-    model->texture = (struct picture){0};
+    scaled.textures = model->textures;
+    model->mesh.part = part;
+    model->textures = 0;
+    model->texture = NULL;
     model_free(model);
     *model = scaled;
     return true;

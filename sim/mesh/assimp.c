@@ -1,6 +1,7 @@
 #include "sim/mesh/mesh.h"
 
 #include "sim/cli/message.h"
+#include "sim/mesh/material.h"
 
 #ifdef HAVE_ASSIMP
 #include <assimp/cimport.h>
@@ -36,19 +37,49 @@ static uint64_t triangles_of(const struct aiMesh *from)
     return n;
 }
 
+typedef void visit_mesh(const struct aiMesh *from,
+                        const struct aiMatrix4x4 *to_world, void *context);
+
+/* Visits meshes as often as nodes show them, a node before those below it. */
+static void walk(const struct aiScene *scene, const struct aiNode *node,
+                 const struct aiMatrix4x4 *above, visit_mesh *visit,
+                 void *context)
+{
+    struct aiMatrix4x4 to_world = *above;
+    aiMultiplyMatrix4(&to_world, &node->mTransformation);
+    for (unsigned i = 0; i < node->mNumMeshes; i++)
+        visit(scene->mMeshes[node->mMeshes[i]], &to_world, context);
+    for (unsigned i = 0; i < node->mNumChildren; i++)
+        walk(scene, node->mChildren[i], &to_world, visit, context);
+}
+
+static void walk_all(const struct aiScene *scene, visit_mesh *visit,
+                     void *context)
+{
+    struct aiMatrix4x4 world;
+    aiIdentityMatrix4(&world);
+    if (scene->mRootNode)
+        walk(scene, scene->mRootNode, &world, visit, context);
+}
+
+static void count_mesh(const struct aiMesh *from,
+                       const struct aiMatrix4x4 *to_world, void *context)
+{
+    struct counts *c = context;
+    const uint64_t triangles = triangles_of(from);
+    (void)to_world;
+    c->triangles += triangles;
+    c->vertices += triangles ? from->mNumVertices : 0;
+    for (unsigned i = 0; i < from->mNumFaces; i++) {
+        c->lines += from->mFaces[i].mNumIndices == 2;
+        c->points += from->mFaces[i].mNumIndices == 1;
+    }
+}
+
 static struct counts count(const struct aiScene *scene)
 {
     struct counts c = {0, 0, 0, 0};
-    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
-        const struct aiMesh *part = scene->mMeshes[m];
-        const uint64_t triangles = triangles_of(part);
-        c.triangles += triangles;
-        c.vertices += triangles ? part->mNumVertices : 0;
-        for (unsigned i = 0; i < part->mNumFaces; i++) {
-            c.lines += part->mFaces[i].mNumIndices == 2;
-            c.points += part->mFaces[i].mNumIndices == 1;
-        }
-    }
+    walk_all(scene, count_mesh, &c);
     return c;
 }
 
@@ -67,26 +98,6 @@ static void note_losses(const char *path, const struct counts *file,
                          file->triangles - drawn->triangles, file->triangles);
 }
 
-static unsigned byte_of(float value)
-{
-    return value > 0 ? value < 1 ? (unsigned)(value * 255 + 0.5f) : 255 : 0;
-}
-
-static pel_color color_of(const struct aiColor4D *c)
-{
-    return PEL_RGB(byte_of(c->r), byte_of(c->g), byte_of(c->b));
-}
-
-static pel_color material_color(const struct aiScene *scene,
-                                const struct aiMesh *from)
-{
-    struct aiColor4D color = {0.8f, 0.8f, 0.8f, 1};
-    if (from->mMaterialIndex < scene->mNumMaterials)
-        aiGetMaterialColor(scene->mMaterials[from->mMaterialIndex],
-                           AI_MATKEY_COLOR_DIFFUSE, &color);
-    return color_of(&color);
-}
-
 /* Files have -0 and 0 for the same number: with 0 added it has no sign. */
 static void set3(double to[3], const struct aiVector3D *from)
 {
@@ -95,107 +106,116 @@ static void set3(double to[3], const struct aiVector3D *from)
     to[2] = (double)from->z + 0.0;
 }
 
-static void copy_vertices(const struct aiScene *scene,
-                          const struct aiMesh *from, struct mesh_vertex *to)
+/* The part that is being made: of the meshes of a material with or without
+ * uv. */
+struct making {
+    const struct aiScene *scene;
+    const char *path;
+    struct mesh *mesh;
+    struct mesh_part *part;
+    unsigned material;
+    bool uv, linear, failed;
+};
+
+static void copy_vertices(const struct making *m, const struct aiMesh *from,
+                          const struct aiMatrix4x4 *to_world)
 {
-    pel_color color = material_color(scene, from);
+    struct mesh_vertex *to = m->mesh->vertex + m->part->vertices;
+    const bool moved = !aiMatrix4IsIdentity(to_world);
+    struct aiMatrix3x3 turn;
+    aiMatrix3FromMatrix4(&turn, to_world);
+    aiMatrix3Inverse(&turn);
+    aiTransposeMatrix3(&turn);
     for (unsigned i = 0; i < from->mNumVertices; i++, to++) {
-        set3(to->position, &from->mVertices[i]);
-        if (from->mNormals)
-            set3(to->normal, &from->mNormals[i]);
-        if (from->mTextureCoords[0]) {
+        struct aiVector3D at = from->mVertices[i];
+        if (moved)
+            aiTransformVecByMatrix4(&at, to_world);
+        set3(to->position, &at);
+        if (from->mNormals) {
+            at = from->mNormals[i];
+            if (moved) {
+                aiTransformVecByMatrix3(&at, &turn);
+                aiVector3NormalizeSafe(&at);
+            }
+            set3(to->normal, &at);
+        }
+        if (m->uv) {
             to->uv[0] = (double)from->mTextureCoords[0][i].x + 0.0;
             to->uv[1] = (double)from->mTextureCoords[0][i].y + 0.0;
         }
-        to->color = from->mColors[0] ? color_of(&from->mColors[0][i]) : color;
+        to->color = from->mColors[0]
+                        ? material_byte_color(&from->mColors[0][i], m->linear)
+                        : m->part->material.color | PEL_RGB(0, 0, 0);
     }
 }
 
-/* A part's vertices go to `vertex` on, so an index that is wrong in the part
- * stays wrong: mesh_check refuses it. */
-static uint32_t copy_triangles(const struct aiMesh *from, uint32_t vertex,
-                               uint32_t (*to)[3])
+/* Mirrored triangles are turned round. An index that is wrong in the mesh stays
+ * wrong: mesh_check refuses it. */
+static void copy_triangles(const struct making *m, const struct aiMesh *from,
+                           bool mirrored)
 {
-    uint32_t n = 0;
     for (unsigned i = 0; i < from->mNumFaces; i++) {
         const struct aiFace *face = &from->mFaces[i];
         if (face->mNumIndices != 3)
             continue;
+        uint32_t *to = m->mesh->triangle[m->part->triangles++];
         for (int k = 0; k < 3; k++)
-            to[n][k] = face->mIndices[k] < from->mNumVertices
-                           ? face->mIndices[k] + vertex
-                           : UINT32_MAX;
-        n++;
+            to[mirrored ? 2 - k : k] =
+                face->mIndices[k] < from->mNumVertices
+                    ? face->mIndices[k] + m->part->vertices
+                    : UINT32_MAX;
     }
-    return n;
 }
 
-static void copy_parts(const struct aiScene *scene, struct mesh *mesh)
+static bool start_part(struct making *m)
 {
-    uint32_t vertex = 0, triangle = 0;
+    const struct aiMaterial none = {NULL, 0, 0};
+    const struct aiMaterial *from = m->material < m->scene->mNumMaterials
+                                        ? m->scene->mMaterials[m->material]
+                                        : &none;
+    struct mesh_part *part = &m->mesh->part[m->mesh->parts++];
+    part->vertices = m->mesh->parts > 1 ? part[-1].vertices : 0;
+    part->triangles = m->mesh->parts > 1 ? part[-1].triangles : 0;
+    part->has_uv = m->uv;
+    m->part = part;
+    m->linear = material_is_linear(from);
+    return material_read(&part->material, m->mesh, m->scene, from, m->path);
+}
+
+static void copy_mesh(const struct aiMesh *from,
+                      const struct aiMatrix4x4 *to_world, void *context)
+{
+    struct making *m = context;
+    struct mesh *mesh = m->mesh;
+    const bool has_uv = from->mTextureCoords[0];
+    const unsigned materials = m->scene->mNumMaterials;
+    const unsigned material =
+        from->mMaterialIndex < materials ? from->mMaterialIndex : materials;
+    if (material != m->material || has_uv != m->uv || !triangles_of(from))
+        return;
+    if (!m->part)
+        m->failed = !start_part(m);
+    copy_vertices(m, from, to_world);
+    copy_triangles(m, from, aiMatrix4Determinant(to_world) < 0);
+    m->part->vertices += from->mNumVertices;
+    mesh->has_normals = mesh->has_normals && from->mNormals;
+    mesh->has_uv = mesh->has_uv || has_uv;
+    mesh->has_colors = mesh->has_colors || from->mColors[0];
+}
+
+static bool copy_parts(const struct aiScene *scene, const char *path,
+                       struct mesh *mesh)
+{
+    struct making m = {.scene = scene, .path = path, .mesh = mesh};
     mesh->has_normals = true;
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
-        const struct aiMesh *from = scene->mMeshes[i];
-        if (triangles_of(from) == 0)
-            continue;
-        copy_vertices(scene, from, mesh->vertex + vertex);
-        triangle += copy_triangles(from, vertex, mesh->triangle + triangle);
-        vertex += from->mNumVertices;
-        mesh->has_normals = mesh->has_normals && from->mNormals;
-        mesh->has_uv = mesh->has_uv || from->mTextureCoords[0];
-        mesh->has_colors = mesh->has_colors || from->mColors[0];
+    mesh->parts = 0;
+    for (unsigned i = 0; i < 2 * (scene->mNumMaterials + 1); i++) {
+        m.material = i / 2;
+        m.uv = i % 2;
+        m.part = NULL;
+        walk_all(scene, copy_mesh, &m);
     }
-}
-
-/* The path of the first texture as the file has it; false when there is none.
- */
-static bool find_texture(const struct aiScene *scene, struct aiString *name)
-{
-    for (unsigned i = 0; i < scene->mNumMaterials; i++)
-        if (aiGetMaterialTexture(scene->mMaterials[i], aiTextureType_DIFFUSE, 0,
-                                 name, NULL, NULL, NULL, NULL, NULL,
-                                 NULL) == aiReturn_SUCCESS)
-            return true;
-    return false;
-}
-
-/* A texture file inside the mesh file: the name is * and its number. */
-static bool copy_inner_texture(const struct aiScene *scene, const char *name,
-                               struct mesh *mesh)
-{
-    unsigned long i = strtoul(name + 1, NULL, 10);
-    if (i >= scene->mNumTextures || scene->mTextures[i]->mHeight != 0)
-        return true; /* not there, or bare texels, which no format has */
-    const struct aiTexture *from = scene->mTextures[i];
-    mesh->texture_bytes = malloc(from->mWidth);
-    if (!mesh->texture_bytes)
-        return message_error("no memory for a texture of %u bytes",
-                             from->mWidth);
-    memcpy(mesh->texture_bytes, from->pcData, from->mWidth);
-    mesh->texture_size = from->mWidth;
-    return true;
-}
-
-/* Relative to the directory of the mesh. */
-static bool copy_texture(const struct aiScene *scene, const char *path,
-                         struct mesh *mesh)
-{
-    struct aiString name;
-    if (!find_texture(scene, &name))
-        return true;
-    if (name.data[0] == '*')
-        return copy_inner_texture(scene, name.data, mesh);
-    const char *slash = strrchr(path, '/');
-    int directory = slash && name.data[0] != '/' ? (int)(slash - path) + 1 : 0;
-    size_t size = (size_t)directory + strlen(name.data) + 1;
-    mesh->texture = malloc(size);
-    if (!mesh->texture)
-        return message_error("no memory for the name of a texture");
-    snprintf(mesh->texture, size, "%.*s%s", directory, path, name.data);
-    for (char *c = mesh->texture + directory; *c; c++)
-        if (*c == '\\') /* as files made on other systems have it */
-            *c = '/';
-    return true;
+    return !m.failed;
 }
 
 /* assimp's own steps fail on a scene without faces. */
@@ -214,10 +234,9 @@ static bool copy_scene(const struct aiScene *scene, const char *path,
     if (n.vertices > 1u << 28 || n.triangles > 1u << 28)
         return message_error_at(path, 0,
                                 "more than 2^28 vertices or triangles");
-    if (!mesh_init(mesh, (uint32_t)n.vertices, (uint32_t)n.triangles))
-        return false;
-    copy_parts(scene, mesh);
-    return copy_texture(scene, path, mesh);
+    return mesh_init(mesh, (uint32_t)n.vertices, (uint32_t)n.triangles,
+                     2 * (scene->mNumMaterials + 1)) &&
+           copy_parts(scene, path, mesh);
 }
 
 /* Some of assimp's readers put another vertex in the place of an index that is
@@ -281,11 +300,8 @@ bool mesh_load_file(struct mesh *mesh, const char *path)
         mesh_check_start(path) ? read_scene(path) : NULL;
     if (!scene)
         return false;
-    /* As often as nodes show them; it frees the scene on failure. */
-    scene = aiApplyPostProcessing(scene, aiProcess_PreTransformVertices);
-    const struct counts file = scene ? count(scene) : (struct counts){0};
-    if (scene)
-        scene = aiApplyPostProcessing(scene, IMPORT_FLAGS);
+    const struct counts file = count(scene);
+    scene = aiApplyPostProcessing(scene, IMPORT_FLAGS); /* frees a wrong one */
     if (!scene)
         return message_error_at(path, 0, "no mesh that can be drawn (%s)",
                                 aiGetErrorString());

@@ -85,7 +85,7 @@ static bool make(struct mesh *mesh, const struct vase *vase)
 {
     const int quads = PIECES * vase->steps;
     if (!mesh_init(mesh, (uint32_t)((quads + 1) * (vase->sides + 1)),
-                   (uint32_t)(2 * quads * vase->sides)))
+                   (uint32_t)(2 * quads * vase->sides), 1))
         return false;
     for (int ring = 0; ring <= quads; ring++)
         set_ring(mesh, vase, ring);

@@ -9,12 +9,18 @@
 #include "sim/cli/message.h"
 #include "sim/cli/text_line.h"
 
-bool mesh_init(struct mesh *mesh, uint32_t vertices, uint32_t triangles)
+bool mesh_init(struct mesh *mesh, uint32_t vertices, uint32_t triangles,
+               uint32_t parts)
 {
+    static const struct mesh_material plain = {.color = PEL_RGB(255, 255, 255),
+                                               .tint = PEL_RGB(255, 255, 255),
+                                               .wrap_u = PEL_WRAP_REPEAT,
+                                               .wrap_v = PEL_WRAP_REPEAT};
     memset(mesh, 0, sizeof(*mesh));
     mesh->vertex = calloc(vertices, sizeof(*mesh->vertex));
     mesh->triangle = calloc(triangles, sizeof(*mesh->triangle));
-    if (!mesh->vertex || !mesh->triangle) {
+    mesh->part = calloc(parts, sizeof(*mesh->part));
+    if (!mesh->vertex || !mesh->triangle || !mesh->part) {
         mesh_free(mesh);
         return message_error("no memory for a mesh of %u vertices and %u "
                              "triangles",
@@ -22,6 +28,9 @@ bool mesh_init(struct mesh *mesh, uint32_t vertices, uint32_t triangles)
     }
     mesh->vertices = vertices;
     mesh->triangles = triangles;
+    mesh->parts = parts;
+    for (uint32_t i = 0; i < parts; i++)
+        mesh->part[i] = (struct mesh_part){vertices, triangles, true, plain};
     return true;
 }
 
@@ -29,8 +38,12 @@ void mesh_free(struct mesh *mesh)
 {
     free(mesh->vertex);
     free(mesh->triangle);
+    free(mesh->part);
+    for (size_t i = 0; i < mesh->textures; i++) {
+        free(mesh->texture[i].path);
+        free(mesh->texture[i].bytes);
+    }
     free(mesh->texture);
-    free(mesh->texture_bytes);
     memset(mesh, 0, sizeof(*mesh));
 }
 
@@ -143,8 +156,13 @@ static bool put_mesh(const void *path, FILE *out)
     child_put(out, &mesh, sizeof(mesh));
     child_put(out, mesh.vertex, mesh.vertices * sizeof(*mesh.vertex));
     child_put(out, mesh.triangle, mesh.triangles * sizeof(*mesh.triangle));
-    child_put(out, mesh.texture, mesh.texture ? strlen(mesh.texture) + 1 : 0);
-    child_put(out, mesh.texture_bytes, mesh.texture_size);
+    child_put(out, mesh.part, mesh.parts * sizeof(*mesh.part));
+    child_put(out, mesh.texture, mesh.textures * sizeof(*mesh.texture));
+    for (size_t i = 0; i < mesh.textures; i++) {
+        const struct mesh_texture *t = &mesh.texture[i];
+        child_put(out, t->path, strlen(t->path) + 1);
+        child_put(out, t->bytes, t->size);
+    }
     mesh_free(&mesh);
     return true;
 }
@@ -160,8 +178,15 @@ static bool get_mesh(struct mesh *mesh, FILE *in)
     free(counts);
     mesh->vertex = child_get(in, &size, &good);
     mesh->triangle = child_get(in, &size, &good);
+    mesh->part = child_get(in, &size, &good);
     mesh->texture = child_get(in, &size, &good);
-    mesh->texture_bytes = child_get(in, &size, &good);
+    for (size_t i = 0; good && i < mesh->textures; i++) {
+        struct mesh_texture *t = &mesh->texture[i];
+        t->path = child_get(in, &size, &good);
+        t->bytes = child_get(in, &t->size, &good);
+    }
+    if (!good) /* what they point to was the child's */
+        mesh->textures = 0;
     return good;
 }
 
@@ -181,7 +206,7 @@ bool mesh_load(struct mesh *mesh, const char *path)
     memset(mesh, 0, sizeof(*mesh));
     const bool done = load(mesh, path) && mesh_check(mesh, path) &&
                       mesh_weld(mesh) &&
-                      (mesh->has_normals || mesh_normals(mesh));
+                      (mesh->has_normals || mesh_normals(mesh, MESH_CREASE));
     if (done)
         mesh_normalise(mesh);
     else

@@ -5,7 +5,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "core/base/color.h"
+#include "core/paint/paint_texture.h"
 
 struct mesh_vertex {
     double position[3]; /* world units, at most MESH_LIMIT in size */
@@ -14,16 +14,44 @@ struct mesh_vertex {
     pel_color color;    /* opaque */
 };
 
+/* What the alpha of a texture means. */
+enum mesh_alpha { MESH_OPAQUE, MESH_CUT_OUT, MESH_BLENDED };
+
+struct mesh_material {
+    char name[64];
+    pel_color color;  /* where no texture lies; its alpha is that of all */
+    pel_color tint;   /* multiplies the texture, alpha too */
+    uint32_t texture; /* 0: none; else its number in the mesh, from 1 on */
+    enum mesh_alpha alpha;
+    uint8_t cutoff; /* MESH_CUT_OUT: the least alpha that is drawn */
+    enum pel_wrap wrap_u, wrap_v;
+};
+
+struct mesh_part {
+    uint32_t vertices, triangles; /* where it ends: struct pel_mesh_part */
+    bool has_uv;
+    struct mesh_material material;
+};
+
+/* The path of a picture file; or, where there are bytes, a file inside the mesh
+ * file and a name for it. */
+struct mesh_texture {
+    char *path;
+    void *bytes;
+    size_t size;
+};
+
 /* Owns everything it points to; {0} is an empty mesh. */
 struct mesh {
     struct mesh_vertex *vertex;
     uint32_t (*triangle)[3]; /* indices of vertices, from 0 */
-    uint32_t vertices, triangles;
-    bool has_normals, has_uv;
-    bool has_colors;     /* per vertex in the file, not those of a material */
-    char *texture;       /* path of the first texture; NULL: none, or inside */
-    void *texture_bytes; /* a texture file inside the mesh file, or NULL */
-    size_t texture_size; /* bytes of it */
+    struct mesh_part *part;
+    struct mesh_texture *texture;
+    uint32_t vertices, triangles, parts;
+    uint32_t joined; /* vertices of the file that were the same as others */
+    size_t textures;
+    bool has_normals, made_normals, has_uv;
+    bool has_colors; /* per vertex in the file, not those of a material */
 };
 
 /* Coordinates beyond this are refused: nothing can be projected there. */
@@ -37,9 +65,11 @@ struct mesh {
 
 bool mesh_is_builtin(const char *path);
 
-/* A mesh of that many zeroed vertices and triangles, 1..2^28 each. False, with
- * a message on standard error, when memory is short. */
-bool mesh_init(struct mesh *mesh, uint32_t vertices, uint32_t triangles);
+/* A mesh of that many zeroed vertices and triangles, 1..2^28 each, and parts of
+ * an opaque, white material that end where it does. False, with a message on
+ * standard error, when memory is short. */
+bool mesh_init(struct mesh *mesh, uint32_t vertices, uint32_t triangles,
+               uint32_t parts);
 void mesh_free(struct mesh *mesh);
 
 /* Reads any format that assimp reads, or a built-in one: node transforms
@@ -66,16 +96,25 @@ bool mesh_check(const struct mesh *mesh, const char *path);
 /* The box around its vertices. */
 void mesh_box(const struct mesh *mesh, double low[3], double high[3]);
 
-/* Vertex normals: the mean of the faces, weighted by area. 0 where it has no
- * direction. Vertices at one place share theirs: a seam of the texture is no
- * edge of the mesh. False, with a message, when memory is short. */
-bool mesh_normals(struct mesh *mesh);
+/* Makes normals: at each corner of a triangle the mean of the faces at that
+ * place, weighted by area, but for those that are turned from the triangle's
+ * own by more than `crease` degrees; 0 where it has no direction. So a seam of
+ * the texture is no edge of the mesh, and the two sides of a sheet do not
+ * cancel out. Of places with more than 4,096 corners it is the mean of all.
+ * Vertices whose corners differ become several. False, with a message, when
+ * memory is short. */
+#define MESH_CREASE 120.0 /* where nobody says another */
+bool mesh_normals(struct mesh *mesh, double crease);
+
+/* The normal of a triangle, as long as twice its area. */
+void mesh_facet(const struct mesh *mesh, const uint32_t index[3],
+                double normal[3]);
 
 /* Brings normals to unit length; 0 where one is infinite or no number. */
 void mesh_normalise(struct mesh *mesh);
 
-/* Joins vertices that are the same in all they have; the first of each stays.
- * False, with a message, when memory is short. */
+/* Joins vertices of a part that are the same in all they have; the first of
+ * each stays. False, with a message, when memory is short. */
 bool mesh_weld(struct mesh *mesh);
 
 /* Parts of mesh_load, in files of their own. */

@@ -6,7 +6,6 @@
 
 #include "sim/mesh/quantize.h"
 #include "sim/cli/message.h"
-#include "sim/image/texture.h"
 
 /* Memory for the arrays, which the mesh then views. */
 struct arrays {
@@ -18,7 +17,7 @@ struct arrays {
     uint32_t (*indices32)[3];
 };
 
-static void set_color(uint8_t to[3], pel_color color)
+void model_set_color(uint8_t to[3], pel_color color)
 {
     to[0] = (uint8_t)pel_red(color);
     to[1] = (uint8_t)pel_green(color);
@@ -38,7 +37,7 @@ static void set_vertex(const struct pel_mesh *to, const struct arrays *a,
     }
     for (int k = 0; k < 2 && a->uv; k++)
         a->uv[i][k] = (uint16_t)quantize(&to->texture, k, v->uv[k]);
-    set_color(a->colors[i], v->color);
+    model_set_color(a->colors[i], v->color);
 }
 
 static void set_triangle(const struct arrays *a, const uint32_t index[3],
@@ -90,7 +89,9 @@ static bool make(struct model *model, const struct mesh *mesh, int shift_max,
     struct arrays arrays;
     struct pel_mesh *to = &model->mesh;
     memset(model, 0, sizeof(*model));
-    if (!make_arrays(to, &arrays, mesh, normal_bits)) {
+    struct pel_mesh_part *parts = malloc(mesh->parts * sizeof(*parts));
+    to->part = parts;
+    if (!make_arrays(to, &arrays, mesh, normal_bits) || !parts) {
         model_free(model);
         return message_error("no memory for %u vertices and %u triangles",
                              mesh->vertices, mesh->triangles);
@@ -98,6 +99,11 @@ static bool make(struct model *model, const struct mesh *mesh, int shift_max,
     to->vertices = mesh->vertices;
     to->triangles = mesh->triangles;
     model->plain = !mesh->has_colors;
+    to->parts = mesh->parts;
+    for (uint32_t i = 0; i < mesh->parts; i++)
+        parts[i] = (struct pel_mesh_part){mesh->part[i].vertices,
+                                          mesh->part[i].triangles,
+                                          mesh->part[i].material.color, 0};
     mesh_box(mesh, model->low, model->high);
     to->position = quantize_positions(mesh, shift_max);
     to->texture = quantize_uv(mesh);
@@ -119,56 +125,25 @@ bool model_make_asset(struct model *model, const struct mesh *mesh,
     return make(model, mesh, PEL_MESH_SHIFT_MAX, normal_bits);
 }
 
-void model_paint(struct model *model)
+bool model_read(struct mesh *mesh, const struct model_source *source)
 {
-    const struct pel_mesh *m = &model->mesh;
-    const struct pel_quantization *q = &m->texture;
-    uint8_t(*to)[3] = (uint8_t(*)[3])(uintptr_t)m->colors;
-    for (uint32_t i = 0; i < m->vertices; i++) {
-        double at[2];
-        for (int k = 0; k < 2; k++)
-            at[k] = ldexp(pel_quantization_value(q, k, m->uv[i][k]), -q->shift);
-        set_color(to[i], texture_at(&model->texture, at[0], at[1]));
-    }
-}
-
-/* A texture inside the mesh file, or beside it; true when there is none. */
-static bool load_own(struct picture *picture, const struct mesh *mesh,
-                     const char *path)
-{
-    if (mesh->texture_bytes)
-        return texture_load_bytes(picture, path, mesh->texture_bytes,
-                                  mesh->texture_size);
-    return !mesh->texture || texture_load(picture, mesh->texture);
-}
-
-bool model_add_texture(struct model *model, const struct mesh *mesh,
-                       const struct model_source *source)
-{
-    struct picture *to = &model->texture;
-    if (source->without_texture)
-        return true;
-    if (source->texture && !mesh->has_uv)
-        return message_error_at(source->path, 0,
-                                "the mesh has no texture coordinates, so a "
-                                "texture cannot apply");
-    if (source->texture && !texture_load(to, source->texture))
+    if (!mesh_load(mesh, source->path))
         return false;
-    if (!source->texture && mesh->has_uv && !load_own(to, mesh, source->path))
-        message_error_at(source->path, 0, "its texture is left out");
-    model->texture_opaque = texture_opaque(to);
-    return true;
+    if ((!source->smooth_normals && !source->has_crease) ||
+        mesh_normals(mesh, source->has_crease ? source->crease : MESH_CREASE))
+        return true;
+    mesh_free(mesh);
+    return false;
 }
 
 bool model_load(struct model *model, const struct model_source *source)
 {
     struct mesh mesh;
     memset(model, 0, sizeof(*model));
-    if (!mesh_load(&mesh, source->path))
+    if (!model_read(&mesh, source))
         return false;
-    bool done = (!source->smooth_normals || mesh_normals(&mesh)) &&
-                model_make(model, &mesh) &&
-                model_add_texture(model, &mesh, source);
+    const bool done =
+        model_make(model, &mesh) && model_add_textures(model, &mesh, source);
     if (!done)
         model_free(model);
     mesh_free(&mesh);
@@ -185,6 +160,9 @@ void model_free(struct model *model)
     free((void *)m->colors);
     free((void *)m->indices16);
     free((void *)m->indices32);
-    picture_free(&model->texture);
+    free((void *)m->part);
+    for (size_t i = 0; i < model->textures; i++)
+        picture_free(&model->texture[i].picture);
+    free(model->texture);
     memset(model, 0, sizeof(*model));
 }

@@ -7,34 +7,47 @@
 #include "sim/mesh/mesh.h"
 #include "sim/image/picture.h"
 
+/* A picture as a material has it: texels of MESH_CUT_OUT are drawn where their
+ * alpha is 128 or more. */
+struct model_texture {
+    struct mesh_material material;
+    struct picture picture; /* straight alpha */
+    bool opaque;
+};
+
 /* Owns what it points to; {0} is an empty one. */
 struct model {
     struct pel_mesh mesh;   /* world units; normals of 16 bits and colours are
                                always there, uv where the file has them */
     double low[3], high[3]; /* the box around it, world units */
     bool plain; /* its colours are those of materials: they show no shape */
-    struct picture texture; /* straight alpha; width 0: there is none */
-    bool texture_opaque;
+    struct model_texture *texture; /* the numbers of mesh.part */
+    size_t textures;
 };
 
 struct model_source {
     const char *path;     /* a mesh file or MESH_BUILTIN */
     const char *texture;  /* a picture file; NULL: the mesh's own */
     bool without_texture; /* none is read */
-    bool smooth_normals;  /* the mean of the faces around a vertex,
-                           whatever the file has */
+    bool smooth_normals;  /* made from the faces, whatever the file has */
+    bool has_crease;      /* the same, with: */
+    double crease;        /* of mesh_normals */
 };
 
-/* Reads a mesh and its texture. A texture of the mesh's own that cannot be read
- * is left out, with a message. False, with a message on standard error, when
- * the mesh or source->texture cannot be read, or the mesh has no uv for it;
- * `model` is then empty. */
+/* Reads a mesh and its textures; source->texture goes to all parts with uv. A
+ * texture of the mesh's own that cannot be read is left out, with a message.
+ * False, with a message on standard error, when the mesh or source->texture
+ * cannot be read, or the mesh has no uv for it; `model` is then empty. */
 bool model_load(struct model *model, const struct model_source *source);
 
-/* The two halves of it, for meshes that are changed in between. */
+/* The parts of it, for meshes that are changed in between. */
+bool model_read(struct mesh *mesh, const struct model_source *source);
 bool model_make(struct model *model, const struct mesh *mesh);
-bool model_add_texture(struct model *model, const struct mesh *mesh,
-                       const struct model_source *source);
+bool model_add_textures(struct model *model, const struct mesh *mesh,
+                        const struct model_source *source);
+
+/* Lays a picture, which it takes, on the whole model. */
+bool model_set_picture(struct model *model, const struct picture *picture);
 
 /* As model_make, but for an asset in flash: a shift of PEL_MESH_SHIFT_MAX at
  * most, and normals of 8 or 16 bits. */
@@ -44,6 +57,9 @@ bool model_make_asset(struct model *model, const struct mesh *mesh,
 /* Gives the vertices the texels at their uv: those that a program finds which
  * samples there. */
 void model_paint(struct model *model);
+
+/* A vertex's colour as the mesh has it. */
+void model_set_color(uint8_t to[3], pel_color color);
 
 void model_free(struct model *model);
 

@@ -6,24 +6,6 @@
 
 #include "sim/cli/message.h"
 
-/* Adds a face's normal, of the length of twice its area, to its corners. */
-static void add_face(struct mesh *mesh, const uint32_t index[3])
-{
-    struct mesh_vertex *v[3];
-    double a[3], b[3];
-    for (int k = 0; k < 3; k++)
-        v[k] = &mesh->vertex[index[k]];
-    for (int k = 0; k < 3; k++) {
-        a[k] = v[1]->position[k] - v[0]->position[k];
-        b[k] = v[2]->position[k] - v[0]->position[k];
-    }
-    const double n[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-                         a[0] * b[1] - a[1] * b[0]};
-    for (int corner = 0; corner < 3; corner++)
-        for (int k = 0; k < 3; k++)
-            v[corner]->normal[k] += n[k];
-}
-
 static void normalise(double n[3])
 {
     const double length = hypot(hypot(n[0], n[1]), n[2]);
@@ -37,49 +19,112 @@ void mesh_normalise(struct mesh *mesh)
         normalise(mesh->vertex[i].normal);
 }
 
+/* A corner of a triangle: its new vertex, which has the normal of the face, of
+ * the length of twice its area, and gets `mean`. */
+struct corner {
+    struct mesh_vertex *vertex;
+    double mean[3];
+};
+
+void mesh_facet(const struct mesh *mesh, const uint32_t index[3],
+                double normal[3])
+{
+    const double *p[3];
+    double a[3], b[3];
+    for (int k = 0; k < 3; k++)
+        p[k] = mesh->vertex[index[k]].position;
+    for (int k = 0; k < 3; k++) {
+        a[k] = p[1][k] - p[0][k];
+        b[k] = p[2][k] - p[0][k];
+    }
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        normal[k] = a[i] * b[j] - a[j] * b[i];
+    }
+}
+
 static int compare_places(const void *left, const void *right)
 {
-    const struct mesh_vertex *const *a = left, *const *b = right;
-    for (int k = 0; k < 3; k++) {
-        const double p = (*a)->position[k], q = (*b)->position[k];
-        if (p < q || p > q)
-            return p < q ? -1 : 1;
-    }
+    const struct mesh_vertex *a = ((const struct corner *)left)->vertex;
+    const struct mesh_vertex *b = ((const struct corner *)right)->vertex;
+    for (int k = 0; k < 3; k++)
+        if (a->position[k] < b->position[k] || a->position[k] > b->position[k])
+            return a->position[k] < b->position[k] ? -1 : 1;
     return 0;
 }
 
-/* Gives n vertices at one place the sum of their normals. */
-static void share(struct mesh_vertex **vertex, uint32_t n)
+/* True when faces are turned by the angle of that cosine at most. */
+static bool is_joint(const double a[3], const double b[3], double cosine)
 {
-    double sum[3] = {0, 0, 0};
-    for (uint32_t i = 0; i < n; i++)
-        for (int k = 0; k < 3; k++)
-            sum[k] += vertex[i]->normal[k];
-    normalise(sum);
-    for (uint32_t i = 0; i < n; i++)
-        memcpy(vertex[i]->normal, sum, sizeof(sum));
+    const double dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const double aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
+    const double bb = b[0] * b[0] + b[1] * b[1] + b[2] * b[2];
+    return dot >= cosine * sqrt(aa) * sqrt(bb);
 }
 
-bool mesh_normals(struct mesh *mesh)
+/* The means of n corners at one place. */
+static void set_means(struct corner *corner, uint32_t n, double cosine)
 {
-    struct mesh_vertex **order = malloc(mesh->vertices * sizeof(*order));
-    if (!order)
-        return message_error("no memory for the normals of %u vertices",
-                             mesh->vertices);
-    for (uint32_t i = 0; i < mesh->vertices; i++) {
-        order[i] = &mesh->vertex[i];
-        memset(order[i]->normal, 0, sizeof(order[i]->normal));
+    for (uint32_t i = 0; i < n; i++) {
+        double *mean = corner[i].mean;
+        const double *own = corner[i].vertex->normal;
+        for (uint32_t j = 0; j < n; j++) {
+            const double *other = corner[j].vertex->normal;
+            if (is_joint(own, other, cosine))
+                for (int k = 0; k < 3; k++)
+                    mean[k] += other[k];
+        }
+        normalise(mean);
     }
-    for (uint32_t i = 0; i < mesh->triangles; i++)
-        add_face(mesh, mesh->triangle[i]);
-    qsort(order, mesh->vertices, sizeof(*order), compare_places);
-    for (uint32_t i = 0, n; i < mesh->vertices; i += n) {
-        for (n = 1; i + n < mesh->vertices; n++)
-            if (compare_places(&order[i], &order[i + n]) != 0)
-                break;
-        share(&order[i], n);
+}
+
+/* Gives every corner a vertex of its own. */
+static bool split(struct mesh *mesh)
+{
+    const uint32_t n = 3 * mesh->triangles;
+    struct mesh_vertex *vertex = malloc(n * sizeof(*vertex));
+    if (!vertex)
+        return false;
+    for (uint32_t i = 0; i < n; i++) {
+        uint32_t *index = &mesh->triangle[i / 3][i % 3];
+        vertex[i] = mesh->vertex[*index];
+        *index = i;
     }
-    free(order);
-    mesh->has_normals = true;
+    free(mesh->vertex);
+    mesh->vertex = vertex;
+    mesh->vertices = n;
+    for (uint32_t i = 0; i < mesh->parts; i++)
+        mesh->part[i].vertices = 3 * mesh->part[i].triangles;
     return true;
+}
+
+bool mesh_normals(struct mesh *mesh, double crease)
+{
+    const uint32_t n = 3 * mesh->triangles, joined = mesh->joined;
+    const double cosine = cos(fmin(crease, 180) * atan(1) / 45) - 1e-9;
+    struct corner *corner = calloc(n, sizeof(*corner));
+    if (!corner || !split(mesh)) {
+        free(corner);
+        return message_error("no memory for the normals of %u triangles",
+                             mesh->triangles);
+    }
+    for (uint32_t i = 0; i < n; i++) {
+        corner[i].vertex = &mesh->vertex[i];
+        mesh_facet(mesh, mesh->triangle[i / 3], mesh->vertex[i].normal);
+    }
+    qsort(corner, n, sizeof(*corner), compare_places);
+    for (uint32_t i = 0, some; i < n; i += some) {
+        for (some = 1; i + some < n; some++)
+            if (compare_places(&corner[i], &corner[i + some]) != 0)
+                break;
+        set_means(&corner[i], some, some > 4096 ? -2 : cosine);
+    }
+    for (uint32_t i = 0; i < n; i++)
+        memcpy(corner[i].vertex->normal, corner[i].mean,
+               sizeof(corner[i].mean));
+    free(corner);
+    mesh->has_normals = mesh->made_normals = true;
+    const bool done = mesh_weld(mesh);
+    mesh->joined = joined;
+    return done;
 }

@@ -1,9 +1,11 @@
 #include "sim/render/scene.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "sim/cli/message.h"
+#include "sim/render/scene_order.h"
 #include "sim/render/scene_world.h"
 
 const struct scene_settings scene_default = {
@@ -22,7 +24,7 @@ const struct scene_settings scene_default = {
     .shade = SCENE_GOURAUD,
     .texture = SCENE_TEXTURE_BILINEAR,
     .mapping = SCENE_MAP_PERSPECTIVE,
-    .wrap = PEL_WRAP_REPEAT,
+    .wrap = SCENE_WRAP_OWN,
     .span = 3,
 };
 
@@ -34,9 +36,12 @@ bool scene_init(struct scene *scene, const struct model *model)
     scene->lighting.lights = SCENE_LIGHTS_MAX;
     scene->core.mesh = &scene->mesh;
     scene->core.lighting = &scene->lighting;
+    scene->core.sort = &pel_depth_sort_radix;
     scene->scratch_size = pel_scene_scratch_size(&scene->core);
     scene->scratch = malloc(scene->scratch_size);
-    return scene->scratch ||
+    scene->texture = calloc(model->textures + 1, sizeof(*scene->texture));
+    scene->part = calloc(model->mesh.parts + 1, sizeof(*scene->part));
+    return (scene->scratch && scene->texture && scene->part) ||
            message_error("no memory to draw %u vertices and %u triangles",
                          model->mesh.vertices, model->mesh.triangles);
 }
@@ -44,37 +49,79 @@ bool scene_init(struct scene *scene, const struct model *model)
 void scene_free(struct scene *scene)
 {
     free(scene->scratch);
-    scene->scratch = NULL;
+    free(scene->texture);
+    free(scene->part);
+    scene->scratch = scene->texture = NULL;
+    scene->part = NULL;
 }
 
-static void set_texture(struct scene *scene, const struct scene_settings *s)
+static void set_texture(struct pel_mesh_texture *to,
+                        const struct model_texture *from,
+                        const struct scene_settings *s)
 {
     static const struct pel_mapping *const mappings[] = {
         &pel_map_vertices, &pel_map_affine, &pel_map_perspective,
         &pel_map_perspective};
-    struct pel_mesh_texture *to = &scene->texture;
-    const struct picture *picture = &scene->model->texture;
-    to->texels = (struct pel_texels){.colors = picture->pixels,
-                                     .width = picture->width,
-                                     .height = picture->height,
-                                     .opaque = scene->model->texture_opaque};
+    to->texels = (struct pel_texels){.colors = from->picture.pixels,
+                                     .width = from->picture.width,
+                                     .height = from->picture.height,
+                                     .opaque = from->opaque};
     to->mapping = mappings[s->mapping];
+    if (s->mapping == SCENE_MAP_PERSPECTIVE && s->texel_tolerance > 0)
+        to->mapping = &pel_map_chosen;
     to->sampler = s->texture == SCENE_TEXTURE_NEAREST
                       ? pel_texture_init_nearest
                       : pel_texture_init_bilinear;
-    to->wrap_u = to->wrap_v = s->wrap;
+    to->alpha =
+        from->material.alpha == MESH_CUT_OUT ? pel_texture_cut_out : NULL;
+    to->wrap_u = to->wrap_v = (enum pel_wrap)s->wrap;
+    if (s->wrap == SCENE_WRAP_OWN) {
+        to->wrap_u = from->material.wrap_u;
+        to->wrap_v = from->material.wrap_v;
+    }
     to->span = s->mapping == SCENE_MAP_SUBDIVIDED ? 2 << s->span : 1;
-    const bool has_texture =
-        picture->width > 0 && s->texture != SCENE_TEXTURE_NONE;
-    scene->core.texture = has_texture ? to : NULL;
 }
 
-static bool is_lit(const struct scene *scene, const struct scene_settings *s)
+/* Textures, and parts in the colour of the settings. Is some part without a
+ * texture, and some translucent? */
+static void set_parts(struct scene *scene, const struct scene_settings *s,
+                      bool *bare, bool *clear)
 {
-    const bool shapeless =
-        (scene->model->plain || s->has_color) && !scene->core.texture;
+    const struct model *model = scene->model;
+    for (size_t i = 0; i < model->textures; i++)
+        set_texture(&scene->texture[i], &model->texture[i], s);
+    scene->core.textures = (uint32_t)model->textures;
+    scene->core.texture =
+        model->textures > 0 && s->texture != SCENE_TEXTURE_NONE ? scene->texture
+                                                                : NULL;
+    for (uint32_t i = 0; i < model->mesh.parts; i++) {
+        struct pel_mesh_part *part = &scene->part[i];
+        *part = model->mesh.part[i];
+        if (!scene->core.texture)
+            part->texture = 0;
+        if (s->has_color)
+            part->color = (s->color & 0xFFFFFFu) | (part->color & 0xFF000000u);
+        *bare = *bare || !part->texture;
+        *clear = *clear || pel_alpha(part->color) < 255 ||
+                 (part->texture && !model->texture[part->texture - 1].opaque);
+    }
+    scene->mesh.part = scene->part;
+}
+
+static bool is_lit(const struct scene *scene, const struct scene_settings *s,
+                   bool bare)
+{
+    const bool shapeless = (scene->model->plain || s->has_color) && bare;
     return s->shade == SCENE_PHONG || s->lit == SCENE_LIT ||
            (s->lit == SCENE_LIT_AUTO && (s->has_light || shapeless));
+}
+
+static const struct pel_shading *phong_of(const struct scene_settings *s)
+{
+    return s->show_methods    ? &scene_shade_methods
+           : s->stats         ? &pel_shade_counted
+           : s->tolerance > 0 ? &pel_shade_chosen
+                              : &pel_shade_phong;
 }
 
 static void set_appearance(struct scene *scene, const struct scene_settings *s)
@@ -84,20 +131,22 @@ static void set_appearance(struct scene *scene, const struct scene_settings *s)
         {&pel_shade_gouraud, &pel_shade_lit_gouraud},
         {&pel_shade_phong, &pel_shade_phong}};
     struct pel_scene *core = &scene->core;
-    set_texture(scene, s);
-    core->shading = shadings[s->shade][is_lit(scene, s)];
+    bool bare = false, clear = s->transparency > 0;
+    set_parts(scene, s, &bare, &clear);
+    core->shading = shadings[s->shade][is_lit(scene, s, bare)];
+    if (s->shade == SCENE_PHONG)
+        core->shading = phong_of(s);
+    scene->stats = (struct pel_stats){.bound = 0};
+    core->stats = &scene->stats;
+    core->tolerance = (int32_t)lround(s->tolerance * 256);
+    core->texel_tolerance = (int32_t)lround(s->texel_tolerance * 256);
     core->cull = s->cull;
     core->transparency = (uint8_t)s->transparency;
     core->color = s->color;
     if (s->has_color)
         scene->mesh.colors = NULL;
-    scene->depth_bits = s->order == SCENE_PAINTER     ? 0
-                        : s->order == SCENE_ZBUFFER16 ? 16
-                                                      : 32;
     /* Transparent triangles are blended from far to near. */
-    const bool clear =
-        s->transparency > 0 || (core->texture && !scene->model->texture_opaque);
-    core->sort = scene->depth_bits == 0 || clear ? pel_depth_sort : NULL;
+    core->sort = clear ? &pel_depth_sort_radix : NULL;
 }
 
 static bool check(const struct scene_settings *s)
@@ -125,7 +174,7 @@ static bool texture_refused(struct scene *scene, enum pel_status status)
 static bool refuse(struct scene *scene, const struct scene_settings *s,
                    enum pel_status status)
 {
-    const struct pel_texels *texels = &scene->texture.texels;
+    const struct pel_texels *texels = &scene->texture[0].texels;
     if (texture_refused(scene, status))
         return message_error("texture coordinates lie beyond 262144 texels of "
                              "%dx%d: expected smaller ones",
@@ -156,29 +205,12 @@ bool scene_prepare(struct scene *scene, const struct scene_settings *settings)
     scene_place(scene, &s);
     scene_place_lights(scene, &s);
     set_appearance(scene, &s);
+    scene_set_order(scene, &s);
     const enum pel_status status = prepare(scene);
-    return status == PEL_OK || refuse(scene, &s, status);
-}
-
-static bool draw_depth(const struct scene *scene, struct pel_frame *frame,
-                       const struct pel_surface *surface)
-{
-    struct pel_depth depth;
-    const struct pel_rect bounds =
-        pel_rect_intersect(&surface->clip, &scene->core.viewport);
-    const size_t size = pel_depth_size(&bounds, scene->depth_bits);
-    if (size == 0) /* nothing is seen */
-        return true;
-    void *memory = malloc(size);
-    if (!memory)
-        return message_error("no memory for a depth buffer of %zu bytes", size);
-    const enum pel_status status =
-        pel_depth_init(&depth, &bounds, scene->depth_bits, memory, size);
-    if (status == PEL_OK)
-        pel_scene_draw_depth(frame, surface, &depth);
-    free(memory);
-    return status == PEL_OK ||
-           message_error("no depth buffer (status %d)", status);
+    if (status != PEL_OK)
+        return refuse(scene, &s, status);
+    scene_prove_order(scene);
+    return true;
 }
 
 /* Vertices and order are only read; the rest is this call's own. */
@@ -187,8 +219,5 @@ bool scene_draw(const struct scene *scene, const struct pel_surface *surface)
     struct pel_frame frame = scene->frame;
     struct pel_frame_work work;
     frame.work = &work;
-    if (scene->depth_bits > 0)
-        return draw_depth(scene, &frame, surface);
-    pel_scene_draw(&frame, surface);
-    return true;
+    return scene_draw_ordered(scene, &frame, surface);
 }

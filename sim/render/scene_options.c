@@ -121,6 +121,11 @@ const struct option_row scene_option_table[] = {
     HEADING("Shading:"),
     {"shade", "MODE", "flat, gouraud (default) or phong",
      CHOICE(settings.shade, SCENE_SHADES)},
+    {"tolerance", "STEPS",
+     "for Phong: the cheapest method of each triangle that is proven to be "
+     "within so many steps of 255 (default: 0, exact)",
+     NUMBERS(settings.tolerance, 1, 0, 0, 255,
+             "a number from 0 to 255, such as 2")},
     {"color", "COLOUR", "#rrggbb for the whole mesh, instead of its colours",
      OPTION_COLOR, .offset = AT(settings.color),
      .flag = AT(settings.has_color)},
@@ -131,14 +136,20 @@ const struct option_row scene_option_table[] = {
      "file (default: where it has them), or smooth: at each vertex the mean of "
      "the faces around it; facets are --shade flat",
      CHOICE(source.smooth_normals, SCENE_NORMALS)},
+    {"crease", "DEGREES",
+     "make normals whatever the file has, with an edge between faces that are "
+     "turned by more than this (default of normals that are made: 120)",
+     NUMBERS(source.crease, 1, 0, 0, 180, "an angle from 0 to 180, such as 40"),
+     .flag = AT(source.has_crease)},
     {"turn", "X,Y,Z",
      "turn the mesh around its middle, in parts of a turn around x, then y, "
      "then z",
      CALL(parse_turn)},
     {"order", "NAME",
-     "painter (default: for devices without memory for depths; joints of large "
-     "triangles may tear), zbuffer16, or zbuffer32, zbuffer for short: exact "
-     "at every pixel",
+     "auto (default: exact at every pixel), painter (for devices without "
+     "memory "
+     "for depths: some pixels may be wrong), zbuffer16, or zbuffer32, zbuffer "
+     "for short: as auto",
      CHOICE(settings.order, SCENE_ORDERS)},
     {"cull", "SIDE", "leave out none (default), back or front",
      CHOICE(settings.cull, SCENE_CULLS)},
@@ -201,6 +212,10 @@ const struct option_row scene_option_table[] = {
      "stands, or off",
      CHOICE(settings.no_back_highlights, "on|off"),
      .flag = AT(settings.has_light)},
+    {"light-sides", "WHICH",
+     "front (default), or both: a normal that points away from the eye is "
+     "turned",
+     CHOICE(settings.both_sides, SCENE_SIDES)},
     {"unlit", NULL, "no light, whatever the mesh", CALL(parse_unlit)},
     HEADING("Texture:"),
     {"texture", "MODE", "none, nearest or bilinear (default)",
@@ -213,11 +228,17 @@ const struct option_row scene_option_table[] = {
      "vertices (a texel for each), affine, subdivided, or perspective "
      "(default)",
      CHOICE(settings.mapping, SCENE_MAPPINGS)},
+    {"texel-tolerance", "TEXELS",
+     "in perspective: the cheapest mapping of each triangle that is proven to "
+     "be within so many texels (default: 0, exact)",
+     NUMBERS(settings.texel_tolerance, 1, 0, 0, 256,
+             "a number from 0 to 256, such as 0.5")},
     {"span", "PIXELS",
      "between divisions when subdivided: 2, 4, 8, 16 (default), 32 or 64",
      CHOICE(settings.span, SCENE_SPANS)},
     {"wrap", "NAME",
-     "outside of the texture: clamp, repeat (default) or mirror",
+     "outside of the texture: clamp, repeat, mirror, or own (default), as the "
+     "mesh file says and repeat where it does not",
      CHOICE(settings.wrap, SCENE_WRAPS)},
     {.help = NULL},
 };

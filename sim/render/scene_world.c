@@ -187,6 +187,7 @@ static void place_material(struct pel_lighting *to,
     to->shininess = s->shininess;
     to->plain_highlights = s->plain_highlights;
     to->no_back_highlights = s->no_back_highlights;
+    to->both_sides = s->both_sides;
 }
 
 void scene_place_lights(struct scene *scene, const struct scene_settings *s)

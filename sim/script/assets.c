@@ -135,7 +135,9 @@ static bool load_mesh(const struct script_place *place, const char *path)
         .path = path,
         .texture = set->texture < 0 ? NULL : a->texts[set->texture],
         .without_texture = set->settings.texture == SCENE_TEXTURE_NONE,
-        .smooth_normals = set->smooth_normals};
+        .smooth_normals = set->smooth_normals,
+        .has_crease = set->has_crease,
+        .crease = set->crease};
     struct script_mesh **list =
         list_grow(a->meshes, a->mesh_count, sizeof(struct script_mesh *));
     if (!list)

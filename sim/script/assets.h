@@ -11,7 +11,8 @@
 struct script_scene {
     struct scene_settings settings;
     int32_t texture; /* of script_assets.texts: its file; -1: the mesh's own */
-    bool smooth_normals;
+    bool smooth_normals, has_crease;
+    double crease;
 };
 
 /* Never moved: a scene points into itself. */

@@ -166,20 +166,21 @@ static int compare(const struct compare_options *o)
 
 int command_compare(int argc, char **argv)
 {
-    struct compare_options o = {.output = "-"};
+    struct compare_options o = {.tolerance = 0};
     const struct command_line line = {.arguments = "A B",
                                       .most = 2,
                                       .about = about,
                                       .tables = {{options, &o, NULL}}};
     o.path = arguments_parse(&line, argc, argv);
     const int count = !o.path[0] ? 0 : !o.path[1] ? 1 : 2;
-    if (count == 2 && !o.shrink && !o.command)
+    if (count == 2 && !o.shrink && !o.command && !o.output)
         return compare(&o);
-    if (count == 0 && o.shrink && o.command)
-        return script_shrink(o.shrink, o.command, o.output) ? STATUS_OK
-                                                            : STATUS_ERROR;
-    message_error("%d argument%s: expected A B, or --shrink SCRIPT --command "
-                  "COMMAND",
+    if (count == 0 && o.shrink && o.command && !o.diff && !o.tolerance)
+        return script_shrink(o.shrink, o.command, o.output ? o.output : "-")
+                   ? STATUS_OK
+                   : STATUS_ERROR;
+    message_error("%d argument%s: expected A B [--tolerance N --diff FILE], or "
+                  "--shrink SCRIPT --command COMMAND [--output FILE]",
                   count, count == 1 ? "" : "s");
     return STATUS_ERROR;
 }

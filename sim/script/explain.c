@@ -93,8 +93,8 @@ static void explain_ellipse(const struct explanation *e, const int32_t *v)
 
 static void explain_rect(const struct explanation *e, const int32_t *v)
 {
-    printf("    the centre %.3f %.3f, sides from %.3f %.3f up to, not "
-           "including, %.3f %.3f\n",
+    printf("    the centre %.8g %.8g, sides from %.8g %.8g up to, not "
+           "including, %.8g %.8g\n",
            e->x + 0.5, e->y + 0.5, v[0] / 256.0, v[1] / 256.0,
            (v[0] + v[2]) / 256.0, (v[1] + v[3]) / 256.0);
 }

@@ -99,7 +99,8 @@ long script_pick(const struct script *script, int x, int y)
             script_perform(&pen, c, script->values + item->first, item->count);
         else if (script_draws(c) && c->role != SCRIPT_WHOLE &&
                  strcmp(c->name, "clear") != 0 && shown &&
-                 script_covers(&pen, script, item, at, &color))
+                 script_covers(&pen, script, item, at, &color) &&
+                 pel_alpha(color) > 0)
             found = (long)i;
     }
     script_pen_free(&pen);

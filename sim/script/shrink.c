@@ -30,7 +30,7 @@ static bool write_lines(const struct text_lines *lines, size_t from, size_t to,
         return false;
     for (size_t i = 0; i < lines->count; i++)
         if (i < from || i >= to)
-            fputs(lines->text[i], output.stream);
+            fprintf(output.stream, "%s\n", lines->text[i]);
     return output_commit(&output);
 }
 
@@ -118,9 +118,11 @@ bool script_shrink(const char *path, const char *command, const char *output)
         return message_error("out of memory");
     bool done = text_lines_read(&lines, path);
     const size_t before = lines.count;
-    done =
-        done && shrink(&s, &lines, path) && write_lines(&lines, 0, 0, output);
-    if (done)
+    done = done && shrink(&s, &lines, path);
+    /* What an interrupted run has reached is worth keeping. */
+    if (done || lines.count < before)
+        done = write_lines(&lines, 0, 0, output) && done;
+    if (lines.count < before || done)
         fprintf(stderr, "pel: %s: %zu of %zu lines are left, after %d runs\n",
                 path, lines.count, before, s.runs);
     unlink(s.candidate);

@@ -39,8 +39,7 @@ static pel_color heat_color(uint32_t count)
 
 static void count_spans(const struct pel_spans *spans, uint32_t color)
 {
-    (void)color;
-    for (int32_t i = 0; i < spans->n; i++)
+    for (int32_t i = 0; i < spans->n && pel_alpha(color) > 0; i++)
         for (int32_t x = spans->span[i].x0; x < spans->span[i].x1; x++)
             ++*pel_address32(spans->surface, x, spans->y + i * spans->step);
 }

@@ -1,11 +1,11 @@
 #include "sim/view/record.h"
 
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "sim/cli/list.h"
 #include "sim/cli/message.h"
+#include "sim/cli/text_line.h"
 
 static const struct {
     const char *name;
@@ -51,7 +51,7 @@ static bool parse(const char *line, struct record_entry *entry)
                              .x = (int16_t)x,
                              .y = (int16_t)y};
     return k < KINDS - 1 && s >= 0 && entry->frame >= 0 && code >= 0 &&
-           code <= 65535 && abs(x) < 32768 && abs(y) < 32768;
+           code <= 65535 && x == (int16_t)x && y == (int16_t)y;
 }
 
 static bool add(struct record *r, const char *path, long line, const char *text)
@@ -71,17 +71,13 @@ static bool add(struct record *r, const char *path, long line, const char *text)
 
 bool record_load(struct record *r, const char *path)
 {
-    char line[128];
-    bool done = true;
+    struct text_lines lines;
     *r = (struct record){NULL, 0, 0};
-    FILE *file = fopen(path, "r");
-    if (!file)
-        return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
-    for (long n = 1; done && fgets(line, sizeof line, file); n++)
-        done = *line == '#' || add(r, path, n, line);
-    if (done && ferror(file))
-        done = message_error_at(path, 0, "cannot be read: %s", strerror(errno));
-    fclose(file);
+    bool done = text_lines_read(&lines, path);
+    for (size_t i = 0; done && i < lines.count; i++)
+        done =
+            *lines.text[i] == '#' || add(r, path, (long)i + 1, lines.text[i]);
+    text_lines_free(&lines);
     if (!done)
         record_free(r);
     return done;

@@ -48,7 +48,9 @@ static bool same_style(const struct style *a, const struct style *b)
 static void add_areas(struct sheet *s)
 {
     const struct pel_rect *bounds = &s->canvas.surface.bounds;
-    const bool moved = memcmp(&s->drawn, &s->figures, sizeof s->drawn) != 0;
+    const struct figures *was = &s->drawn, *is = &s->figures;
+    const bool moved = was->turn != is->turn || was->phase != is->phase ||
+                       was->dithered != is->dithered;
     for (int k = 0; k < s->shapes; k++) {
         if (!moved && same_style(&s->drawn_style[k], &s->style[k]))
             continue;

@@ -55,8 +55,8 @@ static void write_styled(FILE *out, const struct sheet *s, size_t line,
     static const char *const names[] = {"paint", "option spread",
                                         "option phase", "option cells"};
     enum { NAMES = sizeof names / sizeof names[0] };
-    const char *last[NAMES] = {"paint flat #ffffff\n", "option spread pad\n",
-                               "option phase 0\n", "option cells 2048\n"};
+    const char *last[NAMES] = {"paint flat #ffffff", "option spread pad",
+                               "option phase 0", "option cells 2048"};
     for (size_t i = 0; i < line; i++)
         for (int k = 0; k < NAMES; k++)
             if (begins(s->lines.text[i], names[k]))

@@ -114,4 +114,5 @@ void style_recolor(FILE *out, const struct style *style, const char *line)
             fputc(*line++, out);
         }
     }
+    fputc('\n', out);
 }

@@ -73,8 +73,9 @@ static bool step(struct viewer *viewer, double now)
 {
     struct show *show = viewer->show;
     const bool counted = viewer->options->frames > 0;
-    const double time =
-        counted || show->period <= 0 ? now - viewer->last : show->period;
+    const double time = (counted && !viewer->record) || show->period <= 0
+                            ? now - viewer->last
+                            : show->period;
     if (!counted && now < viewer->due)
         return false;
     if (!counted && show->period > 0 && now >= viewer->due + show->period) {

@@ -148,7 +148,7 @@ static void draw_phong(const struct pel_surface *s)
     set_view(&scene, &mesh, &pose);
     scene.shading = &pel_shade_phong;
     scene.texture = &texture;
-    scene.sort = pel_depth_sort;
+    scene.sort = &pel_depth_sort;
     scene.transparency = 70;
     draw_scene(&scene, s, NULL);
 }

@@ -146,14 +146,40 @@ static void check_areas(const struct pel_rect *add, int n, int32_t window,
     assert_memory_equal(dirty.area, expected, (size_t)count * sizeof *expected);
 }
 
+/* A round that ends with an error leaves a band in flight. */
+static void test_round_after_an_error(void)
+{
+    static struct fixture f;
+    struct random r = {3};
+    struct pel_dirty_areas dirty = {.window = 0};
+    struct pel_dirty_work work = {{memory[0], memory[1]}, 64, draw, &f};
+    set_up(&f, &r);
+    f.dma.window = 0;
+    f.dma.most_steps = 1000;
+    pel_dirty_areas_add(&dirty, &(struct pel_rect){0, 0, 8, 1});
+    pel_dirty_areas_add(&dirty, &(struct pel_rect){0, 20, WIDTH, 21});
+    work.size = (size_t)f.whole.stride - 1;
+    assert_int_equal(pel_dirty_areas_show(&dirty, &f.display, &work),
+                     PEL_ERROR_SCRATCH);
+    assert_true(f.dma.steps_left > FIGURES);
+    work.size = sizeof memory[0];
+    assert_int_equal(pel_dirty_areas_show(&dirty, &f.display, &work), PEL_OK);
+    assert_int_equal(f.dma.touched, 0);
+}
+
 static void test_areas_are_joined_where_that_costs_least(void)
 {
     struct pel_rect row[PEL_DIRTY_AREAS + 1];
     const struct pel_rect apart[3] = {
         {0, 0, 4, 4}, {6, 0, 10, 4}, {0, 30, 4, 34}};
     const struct pel_rect one = {0, 0, 10, 4}, none = {5, 5, 5, 9};
+    const struct pel_rect plane[2] = {
+        {-32768, -32768, 32767, 32767},
+        {INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX}};
+    const struct pel_rect most = {0, 0, 32767, 32767};
     const struct pel_rect inner[2] = {{0, 0, 10, 10}, {2, 2, 5, 5}};
     check_areas(&none, 1, 50, NULL, 0);
+    check_areas(plane, 2, 0, &most, 1);
     check_areas(inner, 2, 0, inner, 1);
     check_areas(apart, 3, 0, apart, 3);
     check_areas(apart, 3, 8, apart, 3); /* the gap is 2 x 4 */
@@ -192,5 +218,6 @@ static void test_errors(void)
 int main(void)
 {
     return RUN_TESTS(test_dirty_frames_equal_whole_ones,
+                     test_round_after_an_error,
                      test_areas_are_joined_where_that_costs_least, test_errors);
 }

@@ -1,4 +1,6 @@
 /* Who is in front: the painter's sort, and depth buffers. */
+#include <string.h>
+
 #include "tests/support/any_scene.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
@@ -9,7 +11,7 @@ enum { SIDE = 64, ENTRIES = 300 };
 
 static void test_farthest_first_then_lowest_index(void)
 {
-    static struct pel_depth_entry e[ENTRIES];
+    static struct pel_depth_entry e[ENTRIES], same[ENTRIES], spare[ENTRIES];
     for (struct cases c = cases_of(3000); cases_next(&c);) {
         const uint32_t n = random_word(&c.random) % ENTRIES;
         const int32_t range = random_between(&c.random, 0, 3)
@@ -21,7 +23,10 @@ static void test_farthest_first_then_lowest_index(void)
             e[i].index = i * 7;
             sum += (uint32_t)e[i].depth * (uint64_t)(i * 7 + 1);
         }
-        pel_depth_sort(e, n);
+        memcpy(same, e, sizeof same);
+        pel_depth_sort.sort(e, n, NULL);
+        pel_depth_sort_radix.sort(same, n, spare);
+        assert_memory_equal(e, same, n * sizeof *e);
         for (uint32_t i = 0; i < n; i++)
             sum_after += (uint32_t)e[i].depth * (uint64_t)(e[i].index + 1);
         assert_true(sum == sum_after);

@@ -1,5 +1,6 @@
 /* Whole pictures against a renderer in extended precision: who is seen in every
  * pixel, and in which colour. */
+#include "core/scene/select.h"
 #include "tests/support/any_scene.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
@@ -104,19 +105,35 @@ static void uv_at(const struct picture *p, const struct seen *v,
     mix(w, uvs, 2, uv);
 }
 
+static void facet_normal(const struct seen v[3], real normal[3])
+{
+    for (int k = 0; k < 3; k++) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        normal[k] =
+            (v[1].place[i] - v[0].place[i]) * (v[2].place[j] - v[0].place[j]) -
+            (v[1].place[j] - v[0].place[j]) * (v[2].place[i] - v[0].place[i]);
+    }
+}
+
 static void color_at(const struct picture *p, uint32_t triangle,
                      const real w[3], real out[3])
 {
     const struct pel_scene *scene = &p->s.scene;
     const struct seen *v = &p->vertex[3 * triangle];
-    const bool flat = scene->shading == &pel_shade_flat ||
-                      scene->shading == &pel_shade_lit_flat;
+    const bool facet = scene->shading == &pel_shade_lit_flat;
+    const bool flat = facet || scene->shading == &pel_shade_flat;
     const real third[3] = {1.0L / 3, 1.0L / 3, 1.0L / 3};
     real surface[3], uv[2], place[3], normal[3];
     const real *const colors[3] = {v[0].color, v[1].color, v[2].color};
     const real *const places[3] = {v[0].place, v[1].place, v[2].place};
     const real *const normals[3] = {v[0].normal, v[1].normal, v[2].normal};
     mix(flat ? third : w, colors, 3, out);
+    if (facet) {
+        const real own[3] = {out[0], out[1], out[2]};
+        mix(third, places, 3, place);
+        facet_normal(v, normal);
+        reference_light(scene, place, normal, own, out);
+    }
     if (scene->texture) {
         uv_at(p, v, w, uv);
         reference_texel(scene->texture, uv[0], uv[1], true, surface);
@@ -193,9 +210,9 @@ static void check_pictures(uint64_t count, dressing *dress, int32_t tolerance)
     for (struct cases c = cases_of(count); cases_next(&c);) {
         any_scene(&c.random, &p.s, SIDE);
         dress(&c.random, &p);
-        p.lit = p.s.scene.shading == &pel_shade_lit_flat ||
-                p.s.scene.shading == &pel_shade_lit_gouraud;
-        p.phong = p.s.scene.shading == &pel_shade_phong;
+        p.lit = p.s.scene.shading == &pel_shade_lit_gouraud;
+        p.phong = p.s.scene.shading == &pel_shade_phong ||
+                  p.s.scene.shading == &pel_shade_chosen;
         draw(&p, &p.colors);
         const struct pel_shading *shading = p.s.scene.shading;
         p.s.scene.shading = &any_scene_numbers;
@@ -223,9 +240,17 @@ static void dress_vertices(struct random *r, struct picture *p)
 static void dress_phong(struct random *r, struct picture *p)
 {
     any_scene_light(r, &p->s);
+    p->s.lighting.both_sides = false; /* no sign is known where it changes */
     if (random_word(r) % 4 == 0)
         p->s.lighting.shininess = 256;
     p->s.scene.shading = &pel_shade_phong;
+}
+
+static void dress_chosen(struct random *r, struct picture *p)
+{
+    dress_phong(r, p);
+    p->s.scene.shading = &pel_shade_chosen;
+    p->s.scene.tolerance = 4 * 256;
 }
 
 static void dress_texture(struct random *r, struct picture *p)
@@ -235,6 +260,7 @@ static void dress_texture(struct random *r, struct picture *p)
         &pel_shade_phong};
     any_scene_light(r, &p->s);
     any_scene_noise(r, &p->s, random_between(r, 2, 5));
+    p->s.lighting.both_sides = false;
     p->s.scene.shading = shading[random_word(r) % 4];
     if (random_word(r) % 3 == 0)
         p->s.texture.mapping = &pel_map_affine;
@@ -250,6 +276,11 @@ static void test_phong(void)
     check_pictures(700, dress_phong, 2);
 }
 
+static void test_chosen(void)
+{
+    check_pictures(700, dress_chosen, 2 + 4);
+}
+
 static void test_textures(void)
 {
     check_pictures(1000, dress_texture, 2);
@@ -257,5 +288,6 @@ static void test_textures(void)
 
 int main(void)
 {
-    return RUN_TESTS(test_colors_of_vertices, test_phong, test_textures);
+    return RUN_TESTS(test_colors_of_vertices, test_phong, test_chosen,
+                     test_textures);
 }

@@ -24,7 +24,10 @@ refuse "buttons: 'turn': expected wheel or wheel-x" gpiochip0:17/27=turn
 refuse "buttons: '': expected a line's number or name before =" gpiochip0:=a
 refuse "buttons: '': expected a line's number or name before =" gpiochip0:5/=wheel
 refuse "buttons: debounce=: expected 0 to 1000" gpiochip0:debounce=
-refuse "buttons: states=5: expected 2 to 4" gpiochip0:5=a,states=5
+for states in '' 3 5 24; do
+    refuse "buttons: '$states': expected states=2 or states=4" \
+        "gpiochip0:5=a,states=$states"
+done
 refuse "buttons: 'pull-down': expected gpiochip0:5=left" pull-down
 refuse "buttons: '32': expected at most 32 lines" \
     "gpiochip0:$(seq 0 32 | sed 's/$/=a/' | paste -sd,)"

@@ -8,7 +8,7 @@ dir=$work
 # Bands, and the formats of 24 bits, change nothing; standard input and output.
 # A pel2d file draws what its mesh draws; planes of colours are off by less than
 # half a step each, so a colour may be one off.
-"$PEL" import builtin:vase --size 300x200 -o "$dir/vase.pel2d"
+"$PEL" import builtin:vase --unlit --size 300x200 -o "$dir/vase.pel2d"
 for shade in flat gouraud; do
     for mesh in builtin:vase "$dir/vase.pel2d"; do
         "$PEL" render $mesh --size 300x200 --shade $shade -o "$dir/a.ppm"
@@ -29,7 +29,8 @@ for shade in flat gouraud; do
     "$PEL" render - --size 300x200 --shade $shade <"$dir/vase.pel2d" \
         >"$dir/b.ppm"
     cmp "$dir/a.ppm" "$dir/b.ppm" || fail "$shade: standard input"
-    "$PEL" render builtin:vase --size 300x200 --shade $shade -o "$dir/b.ppm"
+    "$PEL" render builtin:vase --unlit --order painter --size 300x200 --shade $shade \
+        -o "$dir/b.ppm"
     "$PEL" compare --tolerance $([ $shade = flat ] && echo 0 || echo 1) \
         "$dir/a.ppm" "$dir/b.ppm" || fail "$shade: pel2d is not its mesh"
 done

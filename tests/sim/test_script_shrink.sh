@@ -33,8 +33,17 @@ grep -q 'pel: .*s.pel: 4 of 56 lines are left, after [0-9]* runs' "$work/err" ||
 refused_command 'the command does not fail' compare --shrink "$dir/s.pel" --command true
 refused_command 'did not end: Killed' compare --shrink "$dir/s.pel" --command 'kill -9 $$'
 refused_command 'cannot be read' compare --shrink "$dir/none" --command false
-refused_command 'expected A B, or --shrink SCRIPT' compare --shrink "$dir/s.pel"
-refused_command 'expected A B, or --shrink SCRIPT' compare a.ppm
+refused_command 'expected A B ' compare --shrink "$dir/s.pel"
+refused_command 'expected A B ' compare a.ppm
+refused_command 'expected A B ' compare a.ppm a.ppm -o "$work/diff.ppm"
+refused_command 'or --shrink SCRIPT' compare --shrink "$dir/s.pel" --command false --tolerance 1
+
+# An interrupted run leaves what it has reached.
+"$PEL" compare --shrink "$dir/s.pel" -o "$work/part.pel" --command \
+    '[ "$(wc -l <"$1")" -gt 20 ] && exit 1; kill -9 $$' 2>"$work/err" &&
+    fail "a killed command counts"
+[ "$(wc -l <"$work/part.pel")" -lt 56 ] ||
+    fail "what was reached is lost: $(cat "$work/err")"
 
 # The example of --help is a command as it is printed: bands are as the whole.
 cp "$dir/s.pel" "$work/BAD.pel"

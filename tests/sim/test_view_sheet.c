@@ -68,6 +68,8 @@ static void read_scene(struct script *script)
         fprintf(file, "paint flat #%06x\n", (unsigned)i + 1);
         put_shape(file);
     }
+    fputs("paint flat #ffffff00\n", file); /* nothing of it is seen */
+    put_shape(file);
     fclose(file);
     file = fmemopen(text, size, "r");
     assert_true(script_read(script, file, "random scene", NULL));

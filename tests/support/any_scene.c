@@ -100,8 +100,10 @@ static void any_camera(struct random *r, struct any_scene *s, int32_t pixels)
 void any_scene(struct random *r, struct any_scene *s, int32_t pixels)
 {
     s->scene = (struct pel_scene){
-        .mesh = &s->mesh, .shading = &pel_shade_flat, .sort = pel_depth_sort};
+        .mesh = &s->mesh, .shading = &pel_shade_flat, .sort = &pel_depth_sort};
     any_mesh(r, s);
+    if (s->mesh.triangles % 2)
+        s->scene.sort = &pel_depth_sort_radix;
     any_quantum(r, s);
     any_pose(r, s);
     any_camera(r, s, pixels);
@@ -134,7 +136,8 @@ void any_scene_light(struct random *r, struct any_scene *s)
                               .specular = random_between(r, 0, 65536),
                               .shininess = random_between(r, 1, 64),
                               .plain_highlights = random_between(r, 0, 1),
-                              .no_back_highlights = random_between(r, 0, 1)};
+                              .no_back_highlights = random_between(r, 0, 1),
+                              .both_sides = random_between(r, 0, 1)};
     for (uint32_t i = 0; i < s->mesh.vertices; i++)
         for (int k = 0; k < 3; k++) {
             const int32_t turned = i % 3 ? s->normals[i - i % 3][k] : 0;

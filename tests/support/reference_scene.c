@@ -154,6 +154,9 @@ static struct terms terms_of(const struct pel_scene *s,
     }
     normalize(l);
     normalize(v);
+    if (s->lighting->both_sides && dot(n, v) < 0)
+        for (int k = 0; k < 6; k++)
+            (k < 3 ? l : v)[k % 3] *= -1;
     const real nl = dot(n, l);
     for (int k = 0; k < 3; k++)
         r[k] = 2 * nl * n[k] - l[k];

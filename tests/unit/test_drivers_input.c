@@ -100,19 +100,26 @@ static void test_queue(void)
     static const char told[] = "-ab-abc!!ijk--";
     struct pel_input places[5] = {{.time = 0}}, e = {.kind = PEL_INPUT_KEY};
     struct pel_input_queue queue = PEL_INPUT_QUEUE(places);
+    uint16_t seen = 0;
     char text[sizeof(told)] = "";
     for (size_t i = 0, n = 0; does[i]; i++) {
         e.code = (uint16_t)does[i];
-        if (does[i] != '<')
-            assert_int_equal(pel_input_push(&queue, &e),
-                             !strchr("defgh", does[i]));
-        else if (!pel_input_pop(&queue, &e))
+        if (does[i] != '<') {
+            const bool fits = !strchr("defgh", does[i]);
+            assert_int_equal(pel_input_push(&queue, &e), fits);
+            assert_int_equal(pel_input_lost(&queue, &seen), !fits);
+        } else if (!pel_input_pop(&queue, &e)) {
             text[n++] = '-';
-        else
+        } else {
             text[n++] = (char)(e.kind == PEL_INPUT_LOST ? '!' : e.code);
+        }
         e.kind = PEL_INPUT_KEY;
     }
     assert_string_equal(text, told);
+    e.kind = PEL_INPUT_LOST; /* by a driver */
+    assert_true(pel_input_push(&queue, &e));
+    assert_true(pel_input_lost(&queue, &seen));
+    assert_false(pel_input_lost(&queue, &seen));
 }
 
 int main(void)

@@ -19,12 +19,18 @@ static void test_sixteen_greys(void)
     const struct pel_panel upright = {
         .chip = &pel_panel_ssd0323, .bus = &bus.bus, .format = &pel_gray4};
     struct pel_panel turned = upright, inverted = upright, panel = upright;
+    struct pel_panel wide = upright, right = upright;
     struct pel_display display;
     bus_log_init(&bus);
     turned.rotation = 2;
     inverted.inverted = true;
+    wide.width = 127;
+    right.width = 126;
+    right.left = 1;
     assert_int_equal(pel_panel_init(&display, &turned), PEL_ERROR_FORMAT);
     assert_int_equal(pel_panel_init(&display, &inverted), PEL_ERROR_FORMAT);
+    assert_int_equal(pel_panel_init(&display, &wide), PEL_ERROR_SIZE);
+    assert_int_equal(pel_panel_init(&display, &right), PEL_ERROR_SIZE);
     assert_int_equal(pel_panel_init(&display, &panel), PEL_OK);
     bus.count = 0;
     struct pel_surface s =

@@ -208,8 +208,40 @@ static void test_chips_that_do_not_answer(void)
     }
 }
 
+/* The queue is full, then read: fingers that are held are told again, also
+ * those of which no event was lost. */
+static void test_what_is_held_after_a_loss(void)
+{
+    static const uint8_t one[13] = {0x01, 0, 10, 0, 10};
+    const struct pel_input key = {.kind = PEL_INPUT_KEY};
+    for (int before = 0; before < 2; before++) { /* held before the loss */
+        struct fixture f;
+        struct pel_input e = {.kind = PEL_INPUT_KEY};
+        set_up(&f, pel_touch_ft6206_read);
+        f.chip.points = one;
+        for (int i = 0; i < before; i++) {
+            pel_touch_poll(&f.touch, 1, &f.queue);
+            pel_input_pop(&f.queue, &e);
+        }
+        while (pel_input_room(&f.queue))
+            pel_input_push(&f.queue, &key);
+        if (before)
+            assert_false(pel_input_push(&f.queue, &key));
+        for (uint32_t time = 2; time < 4; time++)
+            assert_int_equal(pel_touch_poll(&f.touch, time, &f.queue), PEL_OK);
+        do
+            assert_true(pel_input_pop(&f.queue, &e));
+        while (e.kind != PEL_INPUT_LOST);
+        assert_int_equal(pel_touch_poll(&f.touch, 4, &f.queue), PEL_OK);
+        expect(&f, 0, PEL_INPUT_DOWN, f.touch.last[0].x, f.touch.last[0].y);
+        assert_int_equal(pel_touch_poll(&f.touch, 5, &f.queue), PEL_OK);
+        expect(&f, -1, 0, 0, 0);
+    }
+}
+
 int main(void)
 {
     return RUN_TESTS(test_calibration, test_xpt2046, test_ft6206,
-                     test_chips_that_do_not_answer);
+                     test_chips_that_do_not_answer,
+                     test_what_is_held_after_a_loss);
 }

@@ -53,7 +53,7 @@ static void ground_init(int16_t half, int16_t height)
                                  .viewport = view,
                                  .shading = &pel_shade_flat,
                                  .color = PEL_RGB(255, 255, 255),
-                                 .sort = pel_depth_sort,
+                                 .sort = &pel_depth_sort,
                                  .cull = PEL_CULL_BACK};
 }
 

@@ -196,7 +196,7 @@ make_chip() {
 }
 
 # With each version of libgpiod.
-buttons() { # PEL
+buttons() { # PEL WHO_DEBOUNCES
     pel=$1
     make_chip
     listen --only-buttons \
@@ -217,6 +217,26 @@ buttons() { # PEL
     held
     vanish_chip
     freed
+    debounced "$2"
+}
+
+# Without an encoder the kernel debounces, where libgpiod can ask it to: what
+# its lines tell is what pel would tell.
+debounced() {
+    listen --only-buttons --buttons "$chip:5=left,debounce=30"
+    seen=1
+    pull 5 0 5 1 5 0 5 1 5 0
+    usleep 80000
+    pull 5 1 5 0 5 1
+    expect "bounces, debounced by $1" "key left down" "key left up"
+    pull 5 0 5 1
+    usleep 80000
+    expect "too short, debounced by $1" ""
+    pull 5 0
+    expect "pressed, debounced by $1" "key left down"
+    pull 5 1
+    expect "released, debounced by $1" "key left up"
+    end_input TERM
 }
 
 encoder() {

@@ -60,6 +60,14 @@ panel_messages() {
     insmod /mnt/panel_mock.ko
     panel_refused "no GPIO chip has a line 'GPIO25'" $pel run /mnt/reference.pel \
         --device panel:st7789,spi=/dev/spidev0.0,dc=GPIO25
+    start $pel run /mnt/reference.pel --device panel:ssd1306,i2c=$i2c
+    wait_drawn || fail "I2C: $(cat $log)"
+    cp $mock/log /tmp/before
+    panel_refused "another program has the chip at address 0x3c of $i2c" \
+        setsid $pel run /mnt/reference.pel --device panel:ssd1306,i2c=$i2c
+    cmp /tmp/before $mock/log || fail "I2C: a second program was heard"
+    kill $pid
+    wait $pid
     panel_refused "no chip answers at address 0x3d of /dev/i2c-" \
         $pel run /mnt/reference.pel --device panel:ssd1306,i2c=$i2c,address=0x3d
     rmmod panel_mock

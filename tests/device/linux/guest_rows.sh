@@ -125,8 +125,8 @@ row_figures() {
 row_input() {
     . /mnt/guest_input.sh
     devices
-    buttons /mnt/pel
-    buttons /mnt/pel_gpiod2
+    buttons /mnt/pel pel
+    buttons /mnt/pel_gpiod2 "the kernel"
 }
 
 row_faults_input() {
@@ -150,6 +150,7 @@ row_vfb() {
     mode 16-pages bgr565_le 8 fb:/dev/fb0,pages 16 640 480 640 960
     mode 16-padded bgr565_le 8 fb:/dev/fb0 16 640 480 700
     refused
+    alone
 }
 
 # A layout that is none of Pel's: its values are told, and nothing is changed.
@@ -162,6 +163,23 @@ refused() {
         echo "PASS $row: $(cat $log)"
     else
         fail "bgr555: status $status: $(cat $log)"
+    fi
+}
+
+# Who has no virtual terminal draws beside nobody.
+alone() {
+    /mnt/fb_mode 32 640 480 > /tmp/mode
+    start $pel run /mnt/reference.pel --device fb:/dev/fb0
+    wait_drawn || fail "alone: $(cat $log)"
+    setsid $pel run /mnt/reference.pel --device fb:/dev/fb0 > /tmp/second 2>&1 \
+        < /dev/null
+    status=$?
+    kill $pid
+    wait $pid
+    if [ $status = 2 ] && grep -q 'another program draws on' /tmp/second; then
+        echo "PASS $row: $(cat /tmp/second)"
+    else
+        fail "alone: status $status: $(cat /tmp/second)"
     fi
 }
 

@@ -15,7 +15,7 @@ LINUX_CACHE := $(PEL_CACHE)/linux-vm
 LINUX_ROWS := $(shell sed -n 's/^\([a-z0-9_]*\)|.*/\1/p' $(LINUX_HERE)/rows.txt)
 LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 
-LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display panel_bus \
+LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display panel_bus input_devices \
                panel_check vm screen_check reference)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
                pel_no_draw fb_mode console_state faults frames session \
@@ -45,7 +45,7 @@ $(LINUX_CHECK)/display: $(LINUX_HERE)/display.c drivers/display_memory.c \
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(filter-out %.h,$^) -o $@
 
-LINUX_PANEL_WRAPS := open ioctl nanosleep pel_gpio_open pel_gpio_close pel_gpio_set
+LINUX_PANEL_WRAPS := open ioctl fcntl nanosleep pel_gpio_open pel_gpio_close pel_gpio_set
 $(LINUX_CHECK)/panel_bus: $(LINUX_HERE)/panel_bus.c $(LINUX_OBJECTS) \
     tests/support/panel_glass.c tests/support/check.c $(BUILD)/libpel.a
 	@mkdir -p $(@D)
@@ -53,12 +53,22 @@ $(LINUX_CHECK)/panel_bus: $(LINUX_HERE)/panel_bus.c $(LINUX_OBJECTS) \
 	    $(LINUX_PANEL_WRAPS:%=-Wl$(comma)--wrap=%) $^ $(LINUX_LIBS) -lcmocka \
 	    -o $@
 
+LINUX_INPUT_WRAPS := access open epoll_ctl libevdev_new_from_fd libevdev_get_fd \
+    libevdev_set_clock_id libevdev_next_event pel_gpio_open pel_gpio_close \
+    pel_gpio_levels pel_gpio_edges pel_gpio_descriptors
+$(LINUX_CHECK)/input_devices: $(LINUX_HERE)/input_devices.c $(LINUX_OBJECTS) \
+    tests/support/check.c $(BUILD)/libpel.a
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) \
+	    $(LINUX_INPUT_WRAPS:%=-Wl$(comma)--wrap=%) $^ $(LINUX_LIBS) -lcmocka \
+	    -o $@
+
 $(LINUX_CHECK)/panel_check: $(LINUX_HERE)/panel_check.c \
     tests/support/panel_glass.c tests/support/check.c
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $^ -lcmocka -o $@
 
-$(filter-out %/layout %/display %/panel_bus %/panel_check,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
+$(filter-out %/layout %/display %/panel_bus %/input_devices %/panel_check,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $< -o $@
 
@@ -132,6 +142,7 @@ check-linux: linux-image ## fbdev, DRM, consoles and panels on a real kernel in 
 	@$(LINUX_CHECK)/layout
 	@$(LINUX_CHECK)/display
 	@$(LINUX_CHECK)/panel_bus
+	@$(LINUX_CHECK)/input_devices
 	@$(LINUX_HERE)/jobs.sh $(BUILD)/pel $(LINUX_CHECK)/jobs
 	@$(LINUX_HERE)/messages.sh $(abspath $(BUILD)) \
 	    $(abspath $(LINUX_CHECK))/messages

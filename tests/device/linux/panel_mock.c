@@ -114,43 +114,64 @@ static int start_spi(void)
     controller->bits_per_word_mask = SPI_BPW_MASK(8);
     controller->transfer_one = transfer;
     error = spi_register_controller(controller);
-    if (error)
+    if (error) {
         spi_controller_put(controller);
-    else if (!spi_new_device(controller, &board))
+    } else if (!spi_new_device(controller, &board)) {
+        spi_unregister_controller(controller);
         error = -ENODEV;
+    }
     return error;
+}
+
+/* The first `made` of what init makes, the last first. */
+static void undo(int made)
+{
+    if (made > 2)
+        spi_unregister_controller(controller);
+    if (made > 1)
+        i2c_del_adapter(&adapter);
+    if (made > 0)
+        gpiochip_remove(&lines);
+    platform_device_unregister(device);
+    vfree(log.data);
 }
 
 static int __init panel_mock_init(void)
 {
-    int error;
+    int error, made = 0;
     log.data = vmalloc(2 * MOST);
     if (!log.data)
         return -ENOMEM;
     device = platform_device_register_simple("panel-mock", -1, NULL, 0);
-    if (IS_ERR(device))
+    if (IS_ERR(device)) {
+        vfree(log.data);
         return PTR_ERR(device);
+    }
     lines.parent = &device->dev;
     adapter.dev.parent = &device->dev;
     error = gpiochip_add_data(&lines, NULL);
-    if (!error)
+    if (!error) {
+        made = 1;
         error = i2c_add_adapter(&adapter);
-    if (!error)
+    }
+    if (!error) {
+        made = 2;
         error = start_spi();
+    }
+    if (error) {
+        undo(made);
+        return error;
+    }
     folder = debugfs_create_dir("panel-mock", NULL);
     debugfs_create_blob("log", 0444, folder, &log);
     debugfs_create_x32("levels", 0444, folder, &levels);
-    return error;
+    return 0;
 }
 
 static void __exit panel_mock_exit(void)
 {
     debugfs_remove(folder);
-    spi_unregister_controller(controller);
-    i2c_del_adapter(&adapter);
-    gpiochip_remove(&lines);
-    platform_device_unregister(device);
-    vfree(log.data);
+    undo(3);
 }
 
 module_init(panel_mock_init);

@@ -1,0 +1,146 @@
+#include "scenes.h"
+
+#include <math.h>
+
+/* Right, down, away; the eye is 0. */
+struct place {
+    double x, y, z;
+};
+
+static struct pel_point seen(struct place p)
+{
+    const double focal = SCENE_SIDE * 256.0, middle = SCENE_SIDE * 128.0;
+    const struct pel_point v = {(int32_t)lround(middle + focal * p.x / p.z),
+                                (int32_t)lround(middle + focal * p.y / p.z)};
+    return v;
+}
+
+static void add(struct scene *s, struct place a, struct place b, struct place c)
+{
+    const struct scene_triangle t = {{seen(a), seen(b), seen(c)},
+                                     {a.z, b.z, c.z}};
+    if (pel_triangle_area(t.v) != 0)
+        s->triangle[s->n++] = t;
+}
+
+static void add_quad(struct scene *s, const struct place p[4])
+{
+    add(s, p[0], p[1], p[2]);
+    add(s, p[0], p[2], p[3]);
+}
+
+/* The radius of a turned body where `t` of its height, 0..1, is above. */
+typedef double profile(double t);
+
+struct body {
+    struct place center;
+    double height;
+    profile *radius;
+};
+
+/* The ring of a body's points, a little tilted towards the eye. */
+static struct place on_body(const struct body *b, double t, double turn)
+{
+    const double r = b->radius(t), x = r * cos(turn), z = r * sin(turn);
+    const double y = b->height * (t - .5), c = cos(.4), sine = sin(.4);
+    const struct place p = {b->center.x + x, b->center.y + c * y + sine * z,
+                            b->center.z + c * z - sine * y};
+    return p;
+}
+
+static void add_body(struct scene *s, const struct body *b)
+{
+    enum { AROUND = 32, DOWN = 16 };
+    const double step = 6.283185307179586 / AROUND;
+    for (int i = 0; i < DOWN; i++)
+        for (int k = 0; k < AROUND; k++) {
+            const double t0 = i / (double)DOWN, t1 = (i + 1) / (double)DOWN;
+            const struct place quad[4] = {
+                on_body(b, t0, k * step), on_body(b, t0, (k + 1) * step),
+                on_body(b, t1, (k + 1) * step), on_body(b, t1, k * step)};
+            add_quad(s, quad);
+        }
+}
+
+static double ball(double t)
+{
+    return sqrt(fmax(0, .25 - (t - .5) * (t - .5)));
+}
+
+static double waist(double t)
+{
+    return .3 + .15 * sin(9 * t + 1);
+}
+
+static void spheres(struct scene *s, struct random *r)
+{
+    const struct body a = {{-.2, 0, 2}, 1, ball}, b = {{.2, .1, 2.1}, 1, ball};
+    (void)r;
+    add_body(s, &a);
+    add_body(s, &b);
+}
+
+static void floor_and_objects(struct scene *s, struct random *r)
+{
+    const struct place ground[4] = {
+        {-2, .5, 1.2}, {2, .5, 1.2}, {2, .5, 5}, {-2, .5, 5}};
+    const struct body a = {{-.6, .1, 2.5}, .9, ball};
+    const struct body b = {{.4, .2, 2}, .6, waist};
+    (void)r;
+    add_quad(s, ground);
+    add_body(s, &a);
+    add_body(s, &b);
+}
+
+/* Each of three bars lies over the next. */
+static void cycle(struct scene *s, struct random *r)
+{
+    (void)r;
+    for (int i = 0; i < 3; i++) {
+        const double turn = i * 2.0943951023931953;
+        const double c = cos(turn), n = sin(turn);
+        struct place bar[4];
+        for (int k = 0; k < 4; k++) {
+            const double x = k == 0 || k == 3 ? -.8 : .8;
+            const double y = k < 2 ? .2 : .35;
+            bar[k].x = c * x - n * y;
+            bar[k].y = n * x + c * y;
+            bar[k].z = 2 + .2 * x;
+        }
+        add_quad(s, bar);
+    }
+}
+
+static double any(struct random *r, double low, double high)
+{
+    return low + (high - low) * random_between(r, 0, 1 << 20) / (1 << 20);
+}
+
+static void soup(struct scene *s, struct random *r)
+{
+    for (int i = 0; i < 60; i++) {
+        struct place p[3];
+        for (int k = 0; k < 3; k++) {
+            p[k].z = any(r, 1, 4);
+            p[k].x = any(r, -.6, .6) * p[k].z;
+            p[k].y = any(r, -.6, .6) * p[k].z;
+        }
+        add(s, p[0], p[1], p[2]);
+    }
+}
+
+static void vase(struct scene *s, struct random *r)
+{
+    const struct body b = {{0, 0, 2}, 1.4, waist};
+    (void)r;
+    add_body(s, &b);
+}
+
+const struct scene_maker scene_makers[] = {
+    {"crossing spheres", spheres},
+    {"floor and objects", floor_and_objects},
+    {"3-cycle", cycle},
+    {"soup", soup},
+    {"vase", vase},
+    {NULL, NULL},
+};

@@ -1,0 +1,285 @@
+#include "certificate_pair.h"
+
+#include <string.h>
+
+/* Triangles are in cells of a grid, by the upper left corner of their boxes;
+ * there is a grid for each size of a box. The items of a cell stand side by
+ * side; cells of equal hash are mixed. */
+struct search {
+    const struct pel_frame *frame;
+    struct pel_certificate_item *item;
+    uint32_t *start;  /* of each hash's items, and the end of the last one's */
+    int bits;         /* 2^bits hashes */
+    uint32_t levels;  /* a bit for each level in use */
+    uint32_t n, work; /* items, steps left */
+    struct pel_doubt *doubt;
+};
+
+static uint32_t index_of(const struct search *s,
+                         const struct pel_certificate_item *m)
+{
+    return s->frame->order[m->rank].index;
+}
+
+static int32_t lowest(const int32_t v[3])
+{
+    return pel_min(pel_min(v[0], v[1]), v[2]);
+}
+
+static int32_t highest(const int32_t v[3])
+{
+    return pel_max(pel_max(v[0], v[1]), v[2]);
+}
+
+/* The box in sub-pixels of a triangle that is not cut. */
+static struct pel_rect box_of(const struct pel_certificate_corners *c)
+{
+    const int32_t x[3] = {c->at[0].x, c->at[1].x, c->at[2].x};
+    const int32_t y[3] = {c->at[0].y, c->at[1].y, c->at[2].y};
+    return (struct pel_rect){lowest(x), lowest(y), highest(x), highest(y)};
+}
+
+/* A triangle thinner than a sub-pixel has depths that are not right to a number
+ * (raster/plane.h). Its height is the area by its longest side, which is not
+ * longer than width plus height of its box. */
+static bool is_thin(const struct pel_certificate_corners *c)
+{
+    const struct pel_rect box = box_of(c);
+    const uint64_t area = (uint64_t)pel_size_of(pel_triangle_area(c->at));
+    return area < (uint32_t)(box.x1 - box.x0 + box.y1 - box.y0);
+}
+
+/* The pixels that a triangle may cover. */
+static struct pel_rect pixels_of(const struct search *s,
+                                 const struct pel_certificate_corners *c)
+{
+    const struct pel_rect *view = &s->frame->scene->viewport;
+    const struct pel_rect at = box_of(c);
+    const struct pel_rect box = {pel_first_pixel(at.x0), pel_first_pixel(at.y0),
+                                 pel_first_pixel(at.x1),
+                                 pel_first_pixel(at.y1)};
+    return c->cut ? *view : pel_rect_intersect(&box, view);
+}
+
+/* The least and the largest depth of a triangle. Those of thin ones, which are
+ * cut out of others too, are off by less than 2^-17 of 2^30. */
+static void set_depths(struct pel_certificate_item *m,
+                       const struct pel_projector *p,
+                       const struct pel_certificate_corners *c)
+{
+    const int32_t slack = m->thin || c->cut ? 1 << 14 : 0;
+    const int32_t low = pel_nearness(p, highest(c->z)) - slack;
+    m->low = (uint32_t)pel_max(low, 0);
+    m->high = UINT32_MAX;
+    if (c->in_front)
+        m->high = (uint32_t)(pel_nearness(p, lowest(c->z)) + slack);
+}
+
+/* Adds a triangle of the order, if it may cover a pixel. */
+static void measure(struct search *s, uint32_t rank)
+{
+    struct pel_certificate_item *m = &s->item[s->n];
+    struct pel_certificate_corners c;
+    *m = (struct pel_certificate_item){.rank = rank};
+    pel_certificate_corners(s->frame, index_of(s, m), &c);
+    const struct pel_rect box = pixels_of(s, &c);
+    if (pel_rect_empty(&box))
+        return;
+    m->x0 = (int16_t)box.x0;
+    m->y0 = (int16_t)box.y0;
+    m->x1 = (int16_t)box.x1;
+    m->y1 = (int16_t)box.y1;
+    m->thin = !c.cut && is_thin(&c);
+    set_depths(m, &s->frame->projector, &c);
+    const int32_t side = pel_max(box.x1 - box.x0, box.y1 - box.y0);
+    m->level = (uint8_t)pel_bits_of((uint32_t)side - 1);
+    s->levels |= UINT32_C(1) << m->level;
+    s->n++;
+}
+
+/* The cell of a coordinate, in the grid of that level. */
+static uint32_t cell_of(int32_t v, int level)
+{
+    return (uint32_t)(v + 65536) >> level;
+}
+
+static uint32_t hash_of(const struct search *s, uint32_t x, uint32_t y,
+                        int level)
+{
+    const uint32_t hash = x * UINT32_C(0x9E3779B1) + y * UINT32_C(0x85EBCA6B) +
+                          (uint32_t)level * UINT32_C(0xC2B2AE35);
+    return hash >> 1 >> (31 - s->bits);
+}
+
+static uint32_t item_hash(const struct search *s,
+                          const struct pel_certificate_item *m)
+{
+    return hash_of(s, cell_of(m->x0, m->level), cell_of(m->y0, m->level),
+                   m->level);
+}
+
+/* Orders the items by their hashes; `next` has room for a number of each. */
+static void sort_items(struct search *s, uint32_t *next)
+{
+    struct pel_certificate_item *const item = s->item;
+    const uint32_t hashes = UINT32_C(1) << s->bits;
+    memset(s->start, 0, (hashes + 1) * sizeof *s->start);
+    for (uint32_t i = 0; i < s->n; i++)
+        s->start[item_hash(s, &item[i]) + 1]++;
+    for (uint32_t h = 0; h < hashes; h++) {
+        s->start[h + 1] += s->start[h];
+        next[h] = s->start[h];
+    }
+    for (uint32_t h = 0; h < hashes; h++)
+        while (next[h] < s->start[h + 1]) {
+            struct pel_certificate_item *const at = &item[next[h]];
+            const struct pel_certificate_item moved = *at;
+            const uint32_t to = next[item_hash(s, &moved)]++;
+            *at = item[to];
+            item[to] = moved;
+        }
+}
+
+static bool spend(struct search *s, uint32_t work)
+{
+    const bool enough = s->work >= work;
+    s->work -= enough ? work : s->work;
+    return enough;
+}
+
+/* Without branches that CPUs would have to guess. */
+static bool overlap(const struct pel_certificate_item *a,
+                    const struct pel_certificate_item *b)
+{
+    return ((a->x0 - b->x1) & (b->x0 - a->x1) & (a->y0 - b->y1) &
+            (b->y0 - a->y1)) < 0;
+}
+
+/* Compares two items that overlap. False: no work is left for it. */
+static bool compare(struct search *s, struct pel_certificate_item *a,
+                    struct pel_certificate_item *b)
+{
+    const struct pel_rect common = {
+        pel_max(a->x0, b->x0), pel_max(a->y0, b->y0), pel_min(a->x1, b->x1),
+        pel_min(a->y1, b->y1)};
+    const uint32_t triangle[2] = {index_of(s, a), index_of(s, b)};
+    if (b->low > a->high)
+        return true;
+    if (!spend(s, 40 + (uint32_t)(common.y1 - common.y0)))
+        return false;
+    const struct pel_doubt doubt =
+        pel_certificate_pair(s->frame, triangle, a->thin || b->thin, &common);
+    if (doubt.pixels) {
+        pel_doubt_add(s->doubt, &doubt.bounds, doubt.pixels);
+        a->in_doubt = b->in_doubt = true;
+    }
+    return true;
+}
+
+/* Compares an item with those in a cell of its own level or a larger one; of
+ * its own with those that come later. */
+static bool search_cell(struct search *s, struct pel_certificate_item *own,
+                        uint32_t x, uint32_t y, int level)
+{
+    const uint32_t *start = &s->start[hash_of(s, x, y, level)];
+    struct pel_certificate_item *m = s->item + start[0];
+    struct pel_certificate_item *const end = s->item + start[1];
+    if (!spend(s, 1 + start[1] - start[0]))
+        return false;
+    for (; m < end; m++)
+        if (overlap(own, m) && m->level == level &&
+            cell_of(m->x0, level) == x && cell_of(m->y0, level) == y &&
+            (level > own->level || m > own) &&
+            !compare(s, m->rank < own->rank ? m : own,
+                     m->rank < own->rank ? own : m))
+            return false;
+    return true;
+}
+
+/* Boxes of a level are not wider than its cells: those that can overlap begin
+ * in a cell that the item is in, or in one before. */
+static bool search_level(struct search *s, struct pel_certificate_item *own,
+                         int level)
+{
+    const int32_t before = (INT32_C(1) << level) - 1;
+    const uint32_t left = cell_of(own->x0 - before, level);
+    const uint32_t right = cell_of(own->x1 - 1, level);
+    const uint32_t bottom = cell_of(own->y1 - 1, level);
+    uint32_t y = cell_of(own->y0 - before, level);
+    for (; y <= bottom; y++)
+        for (uint32_t x = left; x <= right; x++)
+            if (!search_cell(s, own, x, y, level))
+                return false;
+    return true;
+}
+
+/* False when there is no work left for all of an item. */
+static bool search_item(struct search *s, struct pel_certificate_item *own)
+{
+    for (int level = own->level; s->levels >> level; level++)
+        if (s->levels >> level & 1 && !search_level(s, own, level))
+            return false;
+    return true;
+}
+
+static void search_all(struct search *s)
+{
+    struct pel_certificate_item *m = s->item, *const end = m + s->n;
+    while (m < end && search_item(s, m))
+        m++;
+    for (; m < end; m++) {
+        const struct pel_rect box = {m->x0, m->y0, m->x1, m->y1};
+        pel_doubt_add(s->doubt, &box, pel_doubt_area(&box));
+        m->in_doubt = true;
+    }
+    for (m = s->item; m < end; m++)
+        s->doubt->triangles += m->in_doubt;
+    const uint32_t area = pel_doubt_area(&s->doubt->bounds);
+    if (s->doubt->pixels > area)
+        s->doubt->pixels = area;
+}
+
+enum pel_status pel_scene_certify(const struct pel_frame *frame, void *scratch,
+                                  size_t scratch_size, uint32_t work,
+                                  struct pel_doubt *doubt)
+{
+    if (!frame || !scratch || !doubt)
+        return PEL_ERROR_NULL;
+    const uint32_t n = frame->triangles;
+    if (scratch_size < PEL_CERTIFICATE_SCRATCH_SIZE(n) ||
+        (uintptr_t)scratch % 4)
+        return PEL_ERROR_SCRATCH;
+    *doubt = (struct pel_doubt){0};
+    if (n == 0)
+        return PEL_OK;
+    struct search s = {.frame = frame,
+                       .item = scratch,
+                       .bits = pel_bits_of(n) - 1,
+                       .work = work,
+                       .doubt = doubt};
+    s.start = (void *)(s.item + n);
+    for (uint32_t rank = 0; rank < n; rank++)
+        measure(&s, rank);
+    sort_items(&s, s.start + n + 1);
+    search_all(&s);
+    return PEL_OK;
+}
+
+void pel_scene_draw_certified(struct pel_frame *frame,
+                              const struct pel_surface *surface,
+                              const struct pel_rect *doubt,
+                              const struct pel_depth *depth)
+{
+    struct pel_depth_entry *const order = frame->order;
+    const uint32_t triangles = frame->triangles;
+    struct pel_surface part = *surface;
+    pel_scene_draw(frame, surface);
+    part.clip = pel_rect_intersect(&part.clip, doubt);
+    if (pel_rect_empty(&part.clip))
+        return;
+    frame->order = NULL;
+    frame->triangles = frame->scene->mesh->triangles;
+    pel_scene_draw_depth(frame, &part, depth);
+    frame->order = order;
+    frame->triangles = triangles;
+}

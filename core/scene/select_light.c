@@ -1,0 +1,331 @@
+#include "select_light.h"
+
+#include "../base/sqrt.h"
+
+/* 2^-n is the unit of |R - V|: 31 of them reach where w^p is below 2^-40 or so,
+ * for a shininess p of 16 on, or 2. */
+static int unit_bits(const struct pel_lighting *lighting)
+{
+    return 2 + (pel_bits_of((uint64_t)lighting->shininess) - 1) / 2;
+}
+
+enum { UNITS = 31 };
+
+/* sqrt(a / b) in 2^-16, rounded up by up to three of them; at most 4. b > 0,
+ * both below 2^62. */
+enum { RATIO_MAX = 4 * 65536 };
+
+static uint32_t ratio(uint64_t a, uint64_t b)
+{
+    struct pel_root root;
+    int shift;
+    pel_square_root(a, &root);
+    const uint64_t q =
+        pel_multiply(root.root + 1, pel_inverse_root(b, &shift)) >>
+        (46 - shift);
+    return q < RATIO_MAX - 2 ? (uint32_t)q + 2 : RATIO_MAX;
+}
+
+pel_color pel_light_note(const struct pel_frame *frame, uint32_t vertex,
+                         pel_color surface)
+{
+    const struct pel_mesh_lights *lights = &frame->lights;
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    struct pel_light_sum sum;
+    int32_t position[3], normal[3];
+    pel_cosine towards[3][3], along = PEL_COSINE_ONE, near = 0;
+    pel_mesh_lights_position(lights, mesh->positions[vertex], position);
+    pel_mesh_normal(mesh, vertex, normal);
+    if (pel_light_start(lights, position, normal, towards, &sum)) {
+        for (int32_t i = 0; i < lights->lighting->lights; i++) {
+            const struct pel_mesh_light *light = &lights->light[i];
+            pel_light_towards(light, position, towards);
+            pel_light_add(lights, light, towards, &sum);
+            const pel_cosine nl = pel_weighted(towards[0], towards[2]);
+            along = pel_min(along, pel_magnitude(nl));
+            near = pel_max(near, pel_light_reflected(towards, nl));
+        }
+    }
+    /* |R - V|^2 = 2 - 2 w; near = 0 is any w below. */
+    struct pel_root chord;
+    pel_square_root((uint64_t)(PEL_COSINE_ONE - near) << 3, &chord);
+    const uint32_t units = chord.root >> (16 - unit_bits(lights->lighting));
+    const int h = pel_max(pel_bits_of((uint64_t)along) - 23, 0);
+    return (pel_lit_color(&sum, surface) & 0xFFFFFFu) |
+           (uint32_t)pel_min((int32_t)units, UNITS) << 24 |
+           (uint32_t)pel_min(h, 7) << 29;
+}
+
+static uint64_t longest(int32_t v[3][3])
+{
+    uint64_t longest = 0;
+    for (int i = 0; i < 3; i++) {
+        const int j = i == 2 ? 0 : i + 1;
+        int32_t edge[3];
+        for (int k = 0; k < 3; k++)
+            edge[k] = v[j][k] - v[i][k];
+        const uint64_t square = (uint64_t)pel_dot(edge, edge);
+        if (square > longest)
+            longest = square;
+    }
+    return longest;
+}
+
+static void set_corners(const struct pel_frame *frame,
+                        struct pel_lit_corners *corners)
+{
+    const struct pel_mesh_lights *lights = &frame->lights;
+    for (int i = 0; i < 3; i++) {
+        const uint32_t vertex = frame->work->triangle.vertex[i];
+        pel_mesh_normal(lights->mesh, vertex, corners->normal[i]);
+        pel_mesh_lights_position(lights, lights->mesh->positions[vertex],
+                                 corners->position[i]);
+    }
+}
+
+/* a / b, 2^-16, rounded up by a factor of up to two; at most 2^18. */
+static uint32_t part_of(uint64_t a, uint64_t b)
+{
+    const int bits = pel_bits_of(b); /* b >= 2^(bits - 1) */
+    return a >> (bits - 1) >= 4 ? 4 * 65536
+                                : (uint32_t)(a << (62 - bits) >> 45) + 1;
+}
+
+/* False where normals turn too far. */
+static bool turn_of_normals(struct pel_lit_corners *corners,
+                            struct pel_light_turns *turns)
+{
+    uint64_t least = UINT64_MAX, most = 0;
+    for (int i = 0; i < 3; i++) {
+        const uint64_t square =
+            (uint64_t)pel_dot(corners->normal[i], corners->normal[i]);
+        least = square < least ? square : least;
+        most = square > most ? square : most;
+    }
+    const uint64_t edge = longest(corners->normal);
+    if (edge >= least || most - least >= least)
+        return false;
+    turns->edge = part_of(edge + most - least, least);
+    least -= edge / 3;
+    corners->length = least + (most - least) / 2;
+    turns->normal = ratio(edge, least);
+    turns->length = part_of((most - least) / 2, corners->length);
+    return true;
+}
+
+/* The turn of the direction to a place from the vertices, whose longest edge is
+ * given; the nearest point of the triangle and 1/4 around is 5/4 edge nearer
+ * than the first vertex, and 1 / (1 - 5/4 t) <= 1 + 4 t. False where it is
+ * near. */
+static bool turn_to(const int32_t place[3], const int32_t vertex[3],
+                    uint64_t edge, uint32_t *turn)
+{
+    int32_t way[3];
+    for (int k = 0; k < 3; k++)
+        way[k] = place[k] - vertex[k];
+    const uint64_t square = (uint64_t)pel_dot(way, way);
+    if (square < UINT64_C(1) << 24 || square / 4 < edge)
+        return false;
+    const uint32_t t = ratio(edge, square);
+    *turn = (uint32_t)pel_max((int32_t)*turn, (int32_t)(t + (t * t >> 14) + 1));
+    return true;
+}
+
+static bool turns_of(const struct pel_mesh_lights *lights,
+                     struct pel_lit_corners *corners,
+                     struct pel_light_turns *turns)
+{
+    *turns = (struct pel_light_turns){0, 0, 0, 0, 0};
+    const uint64_t edge = longest(corners->position);
+    if (!turn_of_normals(corners, turns) ||
+        !turn_to(lights->eye, corners->position[0], edge, &turns->eye))
+        return false;
+    for (int32_t i = 0; i < lights->lighting->lights; i++)
+        if (!lights->light[i].directional &&
+            !turn_to(lights->light[i].at, corners->position[0], edge,
+                     &turns->light))
+            return false;
+    return true;
+}
+
+/* With light on both sides, turns normals towards the eye. False where some may
+ * point at it and some away, in the triangle or 1/4 around. */
+static bool turn_to_eye(const struct pel_mesh_lights *lights,
+                        const struct pel_light_turns *turns,
+                        struct pel_lit_corners *corners)
+{
+    int32_t normal[3], eye[3];
+    for (int k = 0; k < 3; k++)
+        eye[k] = lights->eye[k] - corners->position[0][k];
+    pel_normalize_fast(eye, eye);
+    pel_normalize_fast(corners->normal[0], normal);
+    const int32_t along = pel_weighted(normal, eye);
+    if (pel_magnitude(along) >> 14 <=
+        (int32_t)(turns->normal + turns->eye) * 5 / 4 + 1)
+        return false;
+    for (int i = 0; i < 9 && along < 0; i++)
+        corners->normal[i / 3][i % 3] = -corners->normal[i / 3][i % 3];
+    return true;
+}
+
+/* The largest factor of a channel, summed over lights: at most 2^29. */
+static uint32_t strength(const struct pel_mesh_lights *lights, bool specular)
+{
+    uint32_t sum = 0;
+    for (int32_t i = 0; i < lights->lighting->lights; i++) {
+        const pel_factor *f =
+            specular ? lights->light[i].specular : lights->light[i].diffuse;
+        sum += (uint32_t)pel_max(pel_max(f[0], f[1]), f[2]);
+    }
+    return sum;
+}
+
+/* The largest R.V inside, q being its turn. */
+static pel_cosine nearest(const struct pel_frame *frame, const uint8_t note[3],
+                          uint32_t q)
+{
+    const int bits = 16 - unit_bits(frame->lights.lighting);
+    int32_t low = UNITS, high = 0;
+    for (int i = 0; i < 3; i++) {
+        low = pel_min(low, note[i] & UNITS);
+        high = pel_max(high, note[i] & UNITS);
+    }
+    /* All of a triangle is within an edge of each vertex, and within an edge
+     * times 1 / sqrt(3) < 19/32 of some vertex; spans reach 1/4 edge out. */
+    const int32_t chord =
+        pel_max((int32_t)((uint32_t)high << bits) - (int32_t)(q + q / 4),
+                (int32_t)((uint32_t)low << bits) - (int32_t)(q * 27 / 32 + 1));
+    const uint64_t square =
+        pel_multiply((uint32_t)pel_max(chord, 0), (uint32_t)pel_max(chord, 0));
+    return pel_max(PEL_COSINE_ONE - (int32_t)(square >> 3), 0);
+}
+
+/* K(w), 2^-16: above, below 2^25. */
+static uint32_t curvature(int32_t p, pel_cosine w)
+{
+    const int64_t square = pel_product(w, w) >> 30;
+    const int64_t sixth = w / 6;
+    if (p * square - w - sixth > (int64_t)(p - 2) * PEL_COSINE_ONE || p < 2)
+        return (uint32_t)p * 88146;
+    const uint64_t slope =
+        (uint64_t)((p - 1) * (PEL_COSINE_ONE - square) + w + sixth) >> 14;
+    const uint64_t power = ((uint32_t)pel_cosine_power(w, p - 2) >> 14) + 1;
+    return (uint32_t)(((slope + 1) * power >> 16) + 1) * (uint32_t)p;
+}
+
+static uint32_t root_of(uint32_t v)
+{
+    struct pel_root root;
+    pel_square_root(v, &root);
+    return root.root + 1;
+}
+
+static uint32_t channels_most(const pel_color color[3])
+{
+    uint32_t most = 0;
+    for (int i = 0; i < 9; i++)
+        most = (uint32_t)pel_max((int32_t)most,
+                                 (int32_t)(color[i / 3] >> 8 * (i % 3) & 255));
+    return most;
+}
+
+/* The largest difference between two vertices in a channel. */
+static uint32_t channels_change(const pel_color color[3])
+{
+    int32_t most = 0;
+    for (int k = 0; k < 24; k += 8)
+        for (int i = 0; i < 3; i++) {
+            const int j = i == 2 ? 0 : i + 1;
+            most = pel_max(most, pel_magnitude((int32_t)(color[i] >> k & 255) -
+                                               (int32_t)(color[j] >> k & 255)));
+        }
+    return (uint32_t)most;
+}
+
+/* s p w^(p - 1), 2^-16. */
+static uint64_t slope_of(uint64_t s, int32_t p, pel_cosine w)
+{
+    const uint64_t power = ((uint32_t)pel_cosine_power(w, p - 1) >> 14) + 1;
+    return (s * (uint32_t)p * power >> 16) + 1;
+}
+
+/* What the polynomials leave out where n.n is off by up to `length` and planes
+ * of directions are by `times` / 65,536 7/36 of the squares of their turns.
+ * Squares are below 2^36. */
+static uint64_t quick_of(const struct pel_light_bounds *b, uint32_t length,
+                         uint32_t times)
+{
+    const uint64_t square = (uint64_t)length * length >> 16;
+    const uint64_t fourth =
+        length <= 16384 ? (square * square >> 16) + 1 : UINT64_C(1) << 24;
+    const uint64_t light = (uint64_t)b->turns.light * b->turns.light >> 16;
+    const uint64_t eye = (uint64_t)b->turns.eye * b->turns.eye >> 16;
+    return (b->diffuse * (fourth + (light * times * 7 / 36 >> 16) + 1) +
+            b->slope *
+                (2 * fourth + ((light + eye) * times * 7 / 36 >> 16) + 2)) >>
+           16;
+}
+
+/* Adds highlights of strength s and returns what they change at most by. */
+static uint64_t add_highlights(const struct pel_frame *frame,
+                               const uint8_t note[3], uint64_t s,
+                               struct pel_light_bounds *b)
+{
+    const struct pel_light_turns *t = &b->turns;
+    const int32_t p = frame->lights.lighting->shininess;
+    const uint64_t q = 2 * t->normal + t->light + t->eye;
+    const pel_cosine w = nearest(frame, note, (uint32_t)q);
+    b->slope = slope_of(s, p, w);
+    b->dull = (b->slope / (uint32_t)p * (((uint32_t)w >> 14) + 1) >> 16) + 1;
+    b->curve += (s * curvature(p, w) >> 16) * (q * q >> 16) / 6 >> 16;
+    b->curve += (s * (uint32_t)p >> 17) + 1; /* roots and powers */
+    if (p == 1)
+        b->kink += s * q >> 18;
+    return s * q * root_of((uint32_t)p) >> 16;
+}
+
+/* Turns are at most 2^18 and factors 2^29, so a product of three is below 2^63
+ * after a shift by 16 of the second. */
+bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
+                     const pel_color color[3], struct pel_lit_corners *corners,
+                     struct pel_light_bounds *bounds)
+{
+    struct pel_light_bounds *b = bounds;
+    set_corners(frame, corners);
+    *b = (struct pel_light_bounds){.diffuse = strength(&frame->lights, false)};
+    if (!turns_of(&frame->lights, corners, &b->turns) ||
+        (frame->lights.lighting->both_sides &&
+         !turn_to_eye(&frame->lights, &b->turns, corners)))
+        return false;
+    const uint64_t s = strength(&frame->lights, true);
+    const uint64_t nl = b->turns.normal + b->turns.light;
+    const int h = pel_max(pel_max(note[0] >> 5, note[1] >> 5), note[2] >> 5);
+    const bool crosses = h == 0 || nl > UINT32_C(1) << (8 + h);
+    uint64_t change = b->diffuse * nl >> 16;
+    b->curve = (b->diffuse * (nl * nl >> 16) >> 16) * 7 / 36 + 1;
+    b->kink = crosses ? b->diffuse * nl >> 18 : 0;
+    if (s)
+        change += add_highlights(frame, note, s, b);
+    b->tears = crosses && frame->lights.lighting->no_back_highlights;
+    const uint64_t tear = b->tears ? b->dull : 0;
+    b->quick = quick_of(b, b->turns.length, 65536) + tear;
+    b->plane = b->curve + b->kink + tear;
+    if (!frame->lights.lighting->plain_highlights)
+        b->plane = b->plane * (channels_most(color) + 1) >> 8;
+    b->plane += (change + 1) * channels_change(color) / 765 + 2;
+    return true;
+}
+
+/* Weights from -s to 1 + 2 s add up to 2 s (1 + 2 s) of the squares of edges to
+ * that of a normal; the error of a plane is 4/3 + 16 s of that inside. */
+uint64_t pel_light_span_bound(const struct pel_light_bounds *bounds,
+                              uint32_t part)
+{
+    const struct pel_light_bounds *b = bounds;
+    const uint64_t s = part, beyond = s * (65536 + 2 * s) >> 15;
+    const uint32_t length =
+        b->turns.length + (uint32_t)(beyond * b->turns.edge >> 16) + 1;
+    const uint64_t lines =
+        (b->curve * (s * s >> 16) >> 16) + (b->kink * s >> 16);
+    return quick_of(b, length, 87382 + 16 * part) + lines * 9 / 8 + 1;
+}

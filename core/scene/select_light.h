@@ -1,0 +1,78 @@
+/* How far light over a triangle is from a plane: the bound behind
+ * pel_shade_chosen (select.h).
+ *
+ * A value f that is linear at the corners and takes f(x) inside differs from
+ * its plane by at most M E^2 / 6: E is the longest edge and M E^2 bounds the
+ * second derivative of f along any segment no longer than that. (By Taylor
+ * around x the difference is at most M / 2 times the sum of w_i |a_i - x|^2,
+ * which is the sum over pairs of w_i w_j |a_i - a_j|^2 and so at most E^2 / 3.)
+ *
+ * A direction N = n / |n|, n linear, moves by at most r over an edge, r =
+ * |difference of n| / smallest |n|, and its second derivative is at most
+ * 2 / sqrt(3) r^2 < 7/6 r^2 (r^2 c sqrt(4 s^2 + c^2), s and c sine and cosine
+ * of the way from the nearest point of the segment). |n|^2 inside is at least
+ * that at the corners less E^2 / 3. With n, v, l the r of the normal, of the
+ * direction to the eye and of that to a light:
+ *
+ *     N.L     second derivative at most 7/6 (n + l)^2
+ *     w = R.V first derivative at most q sqrt(1 - w^2), q = 2 n + v + l,
+ *             second at most 7/6 q^2, as |R''| <= (2 n)^2 where L stands still
+ *     w^p     second at most q^2 K(w), K(w) =
+ *             p w^(p-2) ((p - 1) (1 - w^2) + 7/6 w) <= 1.345 p
+ *
+ * Between two places of a row that turn by q s at most, s below 1/4, f is off
+ * by M (E s)^2 / 8 from linear. There n may be shorter by 1 / (1 - n / 4) <
+ * 11/9, n < 3/4, than in the triangle: 9/8 s^2 times the bound of the plane. A
+ * kink counts by s.
+ *
+ * K grows with w while p w^2 - 7/6 w <= p - 2, so the smallest angle between R
+ * and V bounds it: |R - V| changes by at most q. max(N.L, 0) adds the error of
+ * a kink between a > 0 and -b < 0: a b / (a + b) <= (n + l) / 4. */
+#ifndef PEL_SCENE_SELECT_LIGHT_H
+#define PEL_SCENE_SELECT_LIGHT_H
+
+#include "paint_phong_quick.h"
+#include "shading.h"
+
+PEL_BEGIN_DECLS
+
+/* The color of a lit vertex, and in place of its alpha what the bound needs to
+ * know: bits 0..4 the smallest |R - V| of a light, rounded down to a multiple
+ * of a unit (of two units more where that is out of range); bits 5..7 h where
+ * |N.L| >= 2^(h-8) for all lights, 0 where it is less. */
+pel_color pel_light_note(const struct pel_frame *frame, uint32_t vertex,
+                         pel_color surface);
+
+/* How far directions turn over a triangle's longest edge, 2^-16; how far the
+ * squares of the normals' lengths are from that of corners->length, as a part
+ * of it, and the square of their longest edge and those differences. */
+struct pel_light_turns {
+    uint32_t normal, eye, light, length, edge;
+};
+
+/* What is known of the light over a triangle, 1/256 steps. */
+struct pel_light_bounds {
+    uint64_t plane; /* of its difference from the plane through the vertices,
+                       on surfaces of the vertices' colors */
+    uint64_t quick; /* from paint_phong_quick.h, on white */
+    uint64_t dull;  /* highlights themselves */
+    bool tears;     /* highlights may end at N.L = 0 */
+
+    /* For pel_light_span_bound: the parts of `plane` by curvature and by signs
+     * of N.L, and the strengths of both terms, on white. */
+    uint64_t curve, kink, diffuse, slope;
+    struct pel_light_turns turns;
+};
+
+/* Sets `corners` and the bounds of frame->work->triangle, on surfaces of no
+ * more than color[i] at vertex i. False where none is known. */
+bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
+                     const pel_color color[3], struct pel_lit_corners *corners,
+                     struct pel_light_bounds *bounds);
+
+/* The bound of light by polynomials at the ends of spans, with lines between:
+ * spans are part / 65,536 of an edge, up to 1/4. */
+uint64_t pel_light_span_bound(const struct pel_light_bounds *bounds,
+                              uint32_t part);
+PEL_END_DECLS
+#endif

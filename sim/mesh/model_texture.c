@@ -1,0 +1,146 @@
+#include <math.h>
+
+#include "sim/mesh/model.h"
+#include "sim/cli/list.h"
+#include "sim/image/texture.h"
+
+static bool load_picture(struct picture *picture, const struct mesh_texture *t,
+                         const char *path)
+{
+    return t->bytes ? texture_load_bytes(picture, path, t->bytes, t->size)
+                    : texture_load(picture, t->path);
+}
+
+/* Alpha as the material has it: the least that is drawn becomes 128. */
+static uint32_t alpha_of(const struct mesh_material *m, pel_color color)
+{
+    const int alpha = (int)pel_alpha(color);
+    if (m->alpha == MESH_CUT_OUT)
+        return (uint32_t)pel_max(pel_min(alpha + 128 - m->cutoff, 255), 0);
+    return m->alpha == MESH_OPAQUE ? 255 : (uint32_t)alpha;
+}
+
+static void apply_material(struct model_texture *t)
+{
+    const struct mesh_material *m = &t->material;
+    const size_t n = (size_t)t->picture.width * (size_t)t->picture.height;
+    for (size_t i = 0; i < n; i++) {
+        pel_color *texel = &t->picture.pixels[i], color = 0;
+        for (int k = 0; k < 32; k += 8)
+            color |=
+                pel_round_div255((*texel >> k & 255) * (m->tint >> k & 255))
+                << k;
+        *texel = (color & 0xFFFFFFu) | alpha_of(m, color) << 24;
+    }
+    t->opaque = texture_opaque(&t->picture);
+}
+
+static bool same_look(const struct mesh_material *a,
+                      const struct mesh_material *b)
+{
+    return a->texture == b->texture && a->tint == b->tint &&
+           a->alpha == b->alpha && a->cutoff == b->cutoff &&
+           a->wrap_u == b->wrap_u && a->wrap_v == b->wrap_v;
+}
+
+/* The number of a material's texture; 0 when memory is short. Of one that
+ * cannot be read, with a message, the picture is empty. */
+static uint32_t texture_of(struct model *model, const struct mesh_texture *from,
+                           const struct mesh_material *material,
+                           const char *path)
+{
+    struct model_texture new = {.material = *material};
+    for (uint32_t i = 0; i < model->textures; i++)
+        if (same_look(&model->texture[i].material, material))
+            return i + 1;
+    if (load_picture(&new.picture, from, path))
+        apply_material(&new);
+    else
+        message_error_at(path, 0, "its texture %s is left out", from->path);
+    if (list_add(&model->texture, &model->textures, &new, sizeof(new)))
+        return (uint32_t)model->textures;
+    picture_free(&new.picture);
+    return 0;
+}
+
+static struct pel_mesh_part *part_of(const struct model *model, uint32_t i)
+{
+    return (struct pel_mesh_part *)(uintptr_t)&model->mesh.part[i];
+}
+
+bool model_set_picture(struct model *model, const struct picture *picture)
+{
+    const struct model_texture new = {
+        .material = {.tint = PEL_RGB(255, 255, 255),
+                     .alpha = MESH_BLENDED,
+                     .wrap_u = PEL_WRAP_REPEAT,
+                     .wrap_v = PEL_WRAP_REPEAT},
+        .picture = *picture,
+        .opaque = texture_opaque(picture)};
+    if (!list_add(&model->texture, &model->textures, &new, sizeof(new)))
+        return false;
+    for (uint32_t i = 0; i < model->mesh.parts; i++)
+        part_of(model, i)->texture = (uint32_t)model->textures;
+    return true;
+}
+
+/* The textures that the materials name; of each that is read the number. */
+static bool add_own(struct model *model, const struct mesh *mesh,
+                    const char *path)
+{
+    for (uint32_t i = 0; i < mesh->parts; i++) {
+        const struct mesh_material *m = &mesh->part[i].material;
+        if (!m->texture || !mesh->part[i].has_uv)
+            continue;
+        const uint32_t number =
+            texture_of(model, &mesh->texture[m->texture - 1], m, path);
+        if (!number)
+            return false;
+        if (model->texture[number - 1].picture.width > 0)
+            part_of(model, i)->texture = number;
+    }
+    return true;
+}
+
+bool model_add_textures(struct model *model, const struct mesh *mesh,
+                        const struct model_source *source)
+{
+    struct picture picture;
+    if (source->without_texture)
+        return true;
+    if (!source->texture)
+        return add_own(model, mesh, source->path);
+    if (!mesh->has_uv)
+        return message_error_at(source->path, 0,
+                                "the mesh has no texture coordinates, so a "
+                                "texture cannot apply");
+    if (!texture_load(&picture, source->texture))
+        return false;
+    if (!model_set_picture(model, &picture)) {
+        picture_free(&picture);
+        return false;
+    }
+    for (uint32_t i = 0; i < mesh->parts; i++)
+        if (!mesh->part[i].has_uv)
+            part_of(model, i)->texture = 0;
+    return true;
+}
+
+void model_paint(struct model *model)
+{
+    const struct pel_mesh *m = &model->mesh;
+    const struct pel_quantization *q = &m->texture;
+    const struct pel_mesh_part *part = m->part;
+    uint8_t(*to)[3] = (uint8_t(*)[3])(uintptr_t)m->colors;
+    for (uint32_t i = 0; i < m->vertices; i++) {
+        double at[2];
+        while (i == part->vertices)
+            part++;
+        for (int k = 0; k < 2 && part->texture; k++)
+            at[k] = ldexp(pel_quantization_value(q, k, m->uv[i][k]), -q->shift);
+        if (part->texture)
+            model_set_color(
+                to[i], texture_at(&model->texture[part->texture - 1].picture,
+                                  at[0], at[1]));
+    }
+}

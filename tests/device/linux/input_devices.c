@@ -1,0 +1,358 @@
+/* Input of a Linux machine whose devices are played here: which places count,
+ * what is held when a device opens and after a loss, and what cannot be
+ * watched. Linked with --wrap of what is defined below. */
+#include "tests/support/check.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <libevdev/libevdev.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/epoll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include "port/linux/input.h"
+
+enum { MOST = 999, SYNC = 0xFFFF }; /* SYNC: the kernel's queue ran over */
+
+struct step {
+    int type, code, value;
+};
+
+/* A device /dev/input/event0, what it is like when it opens, and what comes. */
+struct device {
+    const char *name;
+    unsigned properties; /* bits */
+    int codes[8];        /* of EV_KEY, and of EV_ABS + ABS */
+    struct step held[6], comes[12];
+    const char *told;
+};
+enum { ABS = 0x1000, SLOT = 0x2000 }; /* SLOT + i: a value of slot i */
+#define TOUCHED                                                          \
+    ABS + ABS_MT_SLOT, ABS + ABS_MT_POSITION_X, ABS + ABS_MT_POSITION_Y, \
+        ABS + ABS_MT_TRACKING_ID
+#define REPORT                \
+    {                         \
+        EV_SYN, SYN_REPORT, 1 \
+    }
+#define PLACES ABS + ABS_X, ABS + ABS_Y
+#define CORNER             \
+    {EV_ABS, ABS_X, 500},  \
+    {                      \
+        EV_ABS, ABS_Y, 100 \
+    }
+
+static const struct device devices[] = {
+    {"a screen of fingers without ABS_X, one held",
+     1 << INPUT_PROP_DIRECT,
+     {TOUCHED},
+     {{SLOT + 0, ABS_MT_TRACKING_ID, -1},
+      {SLOT + 1, ABS_MT_TRACKING_ID, 4},
+      {SLOT + 1, ABS_MT_POSITION_X, 300},
+      {SLOT + 1, ABS_MT_POSITION_Y, 200},
+      {EV_ABS, ABS_MT_SLOT, 1}},
+     {{EV_ABS, ABS_MT_POSITION_X, 310}, REPORT},
+     "here T1(300,200)1 T1(310,200)2 "},
+    {"a screen of one finger, held, that loses reports",
+     1 << INPUT_PROP_DIRECT,
+     {BTN_TOUCH, PLACES},
+     {CORNER, {EV_KEY, BTN_TOUCH, 1}},
+     {{SYNC, 0, 0},
+      {EV_ABS, ABS_X, 510},
+      REPORT,
+      {EV_KEY, BTN_TOUCH, 0},
+      REPORT},
+     "here T0(500,100)1 lost T0(500,100)1 T0(510,100)2 T0(510,100)0 "},
+    {"a pointer with a place",
+     1 << INPUT_PROP_POINTER,
+     {BTN_LEFT, PLACES},
+     {{EV_KEY, BTN_LEFT, 1}},
+     {CORNER, REPORT, {EV_KEY, BTN_LEFT, 0}, REPORT},
+     "here B1,1 P(500,100) B1,0 "},
+    {"a pen on a tablet",
+     1 << INPUT_PROP_POINTER,
+     {BTN_TOOL_PEN, BTN_TOUCH, BTN_STYLUS, PLACES},
+     {{EV_KEY, BTN_TOOL_PEN, 1}},
+     {{EV_KEY, BTN_TOUCH, 1},
+      CORNER,
+      REPORT,
+      {EV_ABS, ABS_X, 510},
+      REPORT,
+      {EV_KEY, BTN_TOUCH, 0},
+      REPORT},
+     "here P(500,100) B1,1 P(510,100) P(510,100) B1,0 "},
+    {"a touch pad",
+     1 << INPUT_PROP_POINTER,
+     {BTN_LEFT, BTN_TOUCH, BTN_TOOL_FINGER, TOUCHED},
+     {{SLOT + 0, ABS_MT_TRACKING_ID, 4}, {EV_KEY, BTN_TOUCH, 1}},
+     {{EV_ABS, ABS_MT_POSITION_X, 9}, {EV_KEY, BTN_LEFT, 1}, REPORT},
+     "here B1,1 "},
+    {"an accelerometer",
+     1 << INPUT_PROP_ACCELEROMETER,
+     {PLACES},
+     {{0}},
+     {{0}},
+     ""},
+    {"a joystick",
+     0,
+     {BTN_TRIGGER, PLACES},
+     {{0}},
+     {CORNER, REPORT, {EV_KEY, BTN_TRIGGER, 1}, REPORT},
+     "here K16672,1 "},
+};
+enum { DEVICES = sizeof devices / sizeof *devices };
+
+static const struct device *device; /* NULL: there is none */
+static const struct step *next;
+static int fail_watch; /* the epoll_ctl that fails, from 1 */
+static uint32_t levels;
+static int line = -1; /* of the buttons */
+static bool edges_lost;
+
+int __wrap_access(const char *path, int mode);
+int __wrap_open(const char *path, int flags, ...);
+int __wrap_epoll_ctl(int poll, int what, int fd, struct epoll_event *event);
+int __real_epoll_ctl(int poll, int what, int fd, struct epoll_event *event);
+int __wrap_libevdev_new_from_fd(int fd, struct libevdev **result);
+int __wrap_libevdev_get_fd(const struct libevdev *d);
+int __wrap_libevdev_set_clock_id(struct libevdev *d, int clock);
+int __wrap_libevdev_next_event(struct libevdev *d, unsigned flags,
+                               struct input_event *e);
+int __wrap_pel_gpio_open(struct pel_gpio *gpio,
+                         const struct pel_gpio_request *request,
+                         struct pel_message *message);
+void __wrap_pel_gpio_close(struct pel_gpio *gpio);
+int __wrap_pel_gpio_levels(struct pel_gpio *gpio, uint32_t *active);
+int __wrap_pel_gpio_edges(struct pel_gpio *gpio, struct pel_gpio_edge *edges,
+                          int most, bool *lost);
+int __wrap_pel_gpio_descriptors(const struct pel_gpio *gpio,
+                                int descriptors[PEL_GPIO_MOST]);
+
+int __wrap_access(const char *path, int mode)
+{
+    (void)mode;
+    return device && strcmp(path, "/dev/input/event0") == 0 ? 0 : -1;
+}
+
+/* Always readable. */
+static int descriptor = -1;
+int __wrap_open(const char *path, int flags, ...)
+{
+    (void)path;
+    (void)flags;
+    return descriptor = eventfd(1, EFD_CLOEXEC);
+}
+
+int __wrap_epoll_ctl(int poll, int what, int fd, struct epoll_event *event)
+{
+    errno = ENOSPC;
+    return --fail_watch == 0 ? -1 : __real_epoll_ctl(poll, what, fd, event);
+}
+
+static void set_value(struct libevdev *d, const struct step *s)
+{
+    if (s->type >= SLOT)
+        libevdev_set_slot_value(d, (unsigned)(s->type - SLOT),
+                                (unsigned)s->code, s->value);
+    else
+        libevdev_set_event_value(d, (unsigned)s->type, (unsigned)s->code,
+                                 s->value);
+}
+
+int __wrap_libevdev_new_from_fd(int fd, struct libevdev **result)
+{
+    const struct input_absinfo info = {.maximum = MOST};
+    struct libevdev *d = libevdev_new();
+    (void)fd;
+    for (unsigned i = 0; i <= INPUT_PROP_MAX; i++)
+        if (device->properties >> i & 1)
+            libevdev_enable_property(d, i);
+    for (int i = 0; i < 8 && device->codes[i]; i++)
+        if (device->codes[i] & ABS)
+            libevdev_enable_event_code(
+                d, EV_ABS, (unsigned)(device->codes[i] - ABS), &info);
+        else
+            libevdev_enable_event_code(d, EV_KEY, (unsigned)device->codes[i],
+                                       NULL);
+    for (const struct step *s = device->held; s->type; s++)
+        set_value(d, s);
+    next = device->comes;
+    *result = d;
+    return 0;
+}
+
+int __wrap_libevdev_get_fd(const struct libevdev *d)
+{
+    (void)d;
+    return descriptor;
+}
+
+int __wrap_libevdev_set_clock_id(struct libevdev *d, int clock)
+{
+    (void)d;
+    (void)clock;
+    return 0;
+}
+
+int __wrap_libevdev_next_event(struct libevdev *d, unsigned flags,
+                               struct input_event *e)
+{
+    if (flags == LIBEVDEV_READ_FLAG_SYNC || (!next->type && !next->value))
+        return -EAGAIN;
+    *e = (struct input_event){.type = (uint16_t)next->type,
+                              .code = (uint16_t)next->code,
+                              .value = next->value};
+    next++;
+    if (e->type == SYNC)
+        return LIBEVDEV_READ_STATUS_SYNC;
+    if (e->type)
+        set_value(d, next - 1);
+    return LIBEVDEV_READ_STATUS_SUCCESS;
+}
+
+int __wrap_pel_gpio_open(struct pel_gpio *gpio,
+                         const struct pel_gpio_request *request,
+                         struct pel_message *message)
+{
+    (void)message;
+    memset(gpio, 0, sizeof *gpio);
+    gpio->count = request->count;
+    line = eventfd(1, EFD_CLOEXEC);
+    return 0;
+}
+
+void __wrap_pel_gpio_close(struct pel_gpio *gpio)
+{
+    (void)gpio;
+    close(line);
+    line = -1;
+}
+
+int __wrap_pel_gpio_levels(struct pel_gpio *gpio, uint32_t *active)
+{
+    (void)gpio;
+    *active = levels;
+    return 0;
+}
+
+int __wrap_pel_gpio_edges(struct pel_gpio *gpio, struct pel_gpio_edge *edges,
+                          int most, bool *lost)
+{
+    (void)gpio;
+    (void)edges;
+    (void)most;
+    *lost = edges_lost;
+    edges_lost = false;
+    return 0;
+}
+
+int __wrap_pel_gpio_descriptors(const struct pel_gpio *gpio,
+                                int descriptors[PEL_GPIO_MOST])
+{
+    (void)gpio;
+    descriptors[0] = line;
+    return 1;
+}
+
+static struct pel_input_linux input;
+static char told[2000];
+
+static void open_input(const struct device *d, const char *buttons, int fails)
+{
+    const struct pel_input_linux_options options = {
+        .buttons = buttons, .width = MOST + 1, .height = MOST + 1};
+    device = d;
+    fail_watch = fails;
+    const int error = pel_input_linux_open(&input, &options);
+    assert_int_equal(error, buttons && fails ? ENOSPC : 0);
+}
+
+/* All that is told, in letters. */
+static const char *hear(void)
+{
+    static const char *const devices_are[] = {"gone ", "here "};
+    struct pel_input e;
+    size_t n = 0;
+    for (told[0] = 0; pel_input_linux_next(&input, &e); n = strlen(told)) {
+        char *text = told + n;
+        const size_t size = sizeof told - n;
+        if (e.kind == PEL_INPUT_LOST)
+            snprintf(text, size, "lost ");
+        else if (e.kind == PEL_INPUT_DEVICE)
+            snprintf(text, size, "%s", devices_are[e.state]);
+        else if (e.kind == PEL_INPUT_KEY || e.kind == PEL_INPUT_BUTTON)
+            snprintf(text, size, "%c%d,%d ",
+                     e.kind == PEL_INPUT_KEY ? 'K' : 'B', e.code, e.state);
+        else if (e.kind == PEL_INPUT_POINT)
+            snprintf(text, size, "P(%d,%d) ", e.x, e.y);
+        else
+            snprintf(text, size, "T%d(%d,%d)%d ", e.code, e.x, e.y, e.state);
+    }
+    return told;
+}
+
+static void test_devices(void)
+{
+    for (int i = 0; i < DEVICES; i++) {
+        open_input(&devices[i], NULL, 0);
+        if (strcmp(hear(), devices[i].told) != 0)
+            fail_msg("%s: told %s, expected %s", devices[i].name, told,
+                     devices[i].told);
+        pel_input_linux_close(&input);
+    }
+}
+
+/* A report that was not complete is not the next device's. */
+static void test_steps_of_a_device_that_went(void)
+{
+    static const struct device mouse = {
+        .codes = {BTN_LEFT},
+        .comes = {{EV_REL, REL_X, 5}, {EV_REL, REL_WHEEL, 1}}};
+    static const struct device again = {.codes = {BTN_LEFT}, .comes = {REPORT}};
+    open_input(&mouse, NULL, 0);
+    assert_string_equal(hear(), "here ");
+    pel_evdev_close(&input.devices[0]);
+    device = &again;
+    pel_evdev_open(&input.devices[0], 0, true, &input.queue, &input.message);
+    input.devices[0].more = true;
+    assert_string_equal(hear(), "here ");
+    pel_input_linux_close(&input);
+}
+
+/* Whatever was lost, a finger and a button that are held are told again. */
+static void test_what_is_held_after_a_loss(void)
+{
+    const struct pel_input point = {.kind = PEL_INPUT_POINT};
+    levels = 1;
+    open_input(&devices[0], "gpiochip0:5=a,6=b,debounce=0", 0);
+    assert_string_equal(hear(), "here K97,1 here T1(300,200)1 T1(310,200)2 ");
+    edges_lost = true;
+    assert_string_equal(hear(), "lost K97,1 T1(310,200)1 ");
+    while (pel_input_push(&input.queue, &point))
+        continue;
+    assert_non_null(strstr(hear(), "lost T1(310,200)1 K97,1 "));
+    levels = 2;
+    assert_string_equal(hear(), "K97,0 K98,1 ");
+    pel_input_linux_close(&input);
+    levels = 0;
+}
+
+static void test_what_cannot_be_watched(void)
+{
+    open_input(&devices[0], NULL, 3);
+    assert_string_equal(hear(), "here T1(300,200)1 gone ");
+    assert_non_null(strstr(input.note.text, "cannot wait for input: No space"));
+    pel_input_linux_close(&input);
+    open_input(NULL, "gpiochip0:5=a", 3);
+    assert_non_null(strstr(input.message.text, "cannot wait for input: No"));
+    assert_int_equal(line, -1);
+}
+
+int main(void)
+{
+    return RUN_TESTS(test_devices, test_steps_of_a_device_that_went,
+                     test_what_is_held_after_a_loss,
+                     test_what_cannot_be_watched);
+}
