@@ -41,9 +41,9 @@ static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
 /* The error of the boundary where cell k begins is n product - turned - k
  * square. Where it is walked in 32 bits, it is counted in units of 256 n, by
  * which n product grows from pixel to pixel, and what they leave, c->rest. */
-static uint64_t unit_of(const struct pel_linear *p)
+static int32_t unit_of(const struct pel_linear *p)
 {
-    return (uint32_t)p->base.cells * 256;
+    return p->base.cells * 256;
 }
 
 #if PEL_KNOW_SIDES
@@ -57,7 +57,7 @@ static bool end_cells(struct pel_cells *c, int32_t count)
         error -= p->cell;
         part -= p->cell_rest;
         if (part < 0) {
-            part += (int32_t)unit_of(p);
+            part += unit_of(p);
             error--;
         }
     } while (--count);
@@ -112,8 +112,8 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
     c->place = place < 0 ? place + period : place;
     error += p->square;
     if (PEL_CELL_ROWS > 1) {
-        uint64_t rest = error < 0 ? unit_of(p) - 1 : 0;
-        error = (int64_t)pel_divide_64((uint64_t)error, unit_of(p), &rest);
+        int64_t rest;
+        error = pel_divide_64(error, unit_of(p), &rest);
         c->rest = (int32_t)rest;
     }
     c->error = error;
@@ -143,7 +143,7 @@ static void move_down(struct pel_cells *c, const struct pel_linear *p)
            (c->error == p->cell && c->rest >= p->cell_rest)) {
         const bool carry = c->rest < p->cell_rest;
         c->error -= p->cell + carry;
-        c->rest += (carry ? (int32_t)unit_of(p) : 0) - p->cell_rest;
+        c->rest += (carry ? unit_of(p) : 0) - p->cell_rest;
         if (++c->place == g->period)
             c->place = 0;
         else if (g->period == 0)
@@ -206,9 +206,8 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     paint->square = pel_square(d.x) + pel_square(d.y);
     paint->step = pel_product(paint->base.cells * 256, d.x);
     if (PEL_CELL_ROWS > 1) {
-        uint64_t rest = 0;
-        paint->cell = (int64_t)pel_divide_64((uint64_t)paint->square,
-                                             unit_of(paint), &rest);
+        int64_t rest;
+        paint->cell = pel_divide_64(paint->square, unit_of(paint), &rest);
         paint->cell_rest = (int32_t)rest;
     }
     paint->by_pixel = paint->base.period && (uint32_t)(paint->step >> 21) >=
