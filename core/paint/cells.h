@@ -119,25 +119,6 @@ static PEL_ALWAYS_INLINE void pel_cells_move(struct pel_cells *c, int32_t count,
     } while (--count);
 }
 
-/* Ends all cells of the present value: true when pixels are left. */
-static PEL_ALWAYS_INLINE bool pel_cells_end_value(
-    struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
-{
-    const uint32_t value = c->value;
-    void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
-    if (PEL_CELL_ROWS > 1) {
-        const int32_t count = pel_cells_pass(c);
-        return count ? end(c, count) : pel_cells_end_all(c);
-    }
-    c->run[0].x0 = c->x;
-    do
-        if (pel_cells_more(c))
-            end(c, 1);
-    while (c->x < c->hi && c->value == value && c->draw == draw);
-    c->run[0].x1 = c->x;
-    return c->x < c->hi;
-}
-
 /* Draws what is left of every row up to hi, from the cell at c->place on. */
 static PEL_ALWAYS_INLINE void pel_cells_draw(
     struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
@@ -147,16 +128,25 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
     do {
         const uint32_t value = c->value;
         void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
-        rest = pel_cells_end_value(c, end);
+        if (PEL_CELL_ROWS > 1) {
+            const int32_t count = pel_cells_pass(c);
+            rest = count ? end(c, count) : pel_cells_end_all(c);
+        } else {
+            c->run[0].x0 = c->x;
+            do
+                if (pel_cells_more(c))
+                    end(c, 1);
+            while (c->x < c->hi && c->value == value && c->draw == draw);
+            c->run[0].x1 = c->x;
+        }
         pel_fill_value(&c->cell, value, draw);
     } while (PEL_CELL_ROWS > 1 ? rest : c->x < c->hi);
 }
 
 /* Fills spans, `most` rows at a time. `start` finds the cell of the first
  * pixel, its place and the way, and may bring hi nearer; `end` lets the present
- * cell end where `count` >= 1 cells end, it included, by pel_cells_end. Written
- * out where it is called, to spare the stack.
- */
+ * cell end where `count` >= 1 cells end, it included, by pel_cells_end: true
+ * when pixels are left. Written out where it is called, to spare the stack. */
 static PEL_ALWAYS_INLINE void pel_cells_fill(
     const struct pel_paint *paint, const struct pel_spans *spans, int32_t most,
     void (*start)(struct pel_cells *cells),

@@ -12,8 +12,7 @@
  * The present cell begins at a circle of the radius floor(k radius / n), cells'
  * `whole`, rest / n what the floor drops: k rings lie inside. */
 
-static PEL_NOINLINE_32 int64_t square_at(const struct pel_radial *p, int32_t x,
-                                         int32_t y)
+int64_t pel_radial_square(const struct pel_radial *p, int32_t x, int32_t y)
 {
     return pel_square(pel_pixel_center(x) - p->rings.center.x) +
            pel_square(pel_pixel_center(y) - p->rings.center.y);
@@ -39,7 +38,7 @@ static PEL_NOINLINE_32 void set_square(struct pel_cells *c,
 static inline void set_square(struct pel_cells *c, const struct pel_radial *p)
 {
     const int64_t circle = pel_square(pel_max(c->whole, 0)) + 1;
-    const int64_t error = square_at(p, c->x, c->cell.y) - circle;
+    const int64_t error = pel_radial_square(p, c->x, c->cell.y) - circle;
     c->error = (error >> 9) ^ (c->way >> 1);
 }
 
@@ -136,11 +135,12 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
 {
     const struct pel_radial *p = (const void *)c->gradient;
     set_side(c, p);
-    c->error = square_at(p, c->x, first_row(c, p));
+    c->error = pel_radial_square(p, c->x, first_row(c, p));
     find_root(c);
     find_ring(c, p);
 #if PEL_KNOW_SIDES
-    c->error = ((square_at(p, c->x, c->cell.y) >> 9) - 1) ^ (c->way >> 1);
+    c->error =
+        ((pel_radial_square(p, c->x, c->cell.y) >> 9) - 1) ^ (c->way >> 1);
     c->square = 0;
     set_square(c, p);
 #endif
@@ -172,6 +172,6 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
     paint->width = quotient(rings->radius, n);
     paint->rest = rings->radius - paint->width * n;
     if (PEL_KNOW_SIDES)
-        paint->low = (uint32_t)square_at(paint, 0, 0) & 511;
+        paint->low = (uint32_t)pel_radial_square(paint, 0, 0) & 511;
     return PEL_OK;
 }
