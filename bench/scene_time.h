@@ -24,7 +24,7 @@ struct scene_cut {
 
 struct scene_result {
     struct quartiles ns; /* of a whole picture, prepared and drawn: CPU time,
-                            of several threads the time that passes */
+                            of several threads that of the longest */
     double pixels;       /* drawn in it, hidden ones too */
     double peer_ns;      /* of OSMesa, the median; 0: not timed */
 };

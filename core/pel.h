@@ -71,6 +71,7 @@
 #include "asset/image_asset.h"
 #include "asset/mesh_asset.h"
 
+#include "scene/certificate.h"
 #include "scene/pipeline.h"
 
 #endif

@@ -115,6 +115,7 @@ enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
 void pel_mesh_lights_position(const struct pel_mesh_lights *lights,
                               const int16_t position[3], int32_t out[3])
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         out[k] = (int32_t)pel_scale_down(
             pel_quantization_value(&lights->mesh->position, k, position[k]),
@@ -147,6 +148,7 @@ pel_cosine pel_light_reflected(pel_cosine towards[3][3], pel_cosine nl)
  * their terms. */
 static void add(pel_factor sum[3], const pel_factor factor[3], pel_cosine part)
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         sum[k] += pel_scaled(factor[k], part, 30);
 }
@@ -155,6 +157,7 @@ static void add(pel_factor sum[3], const pel_factor factor[3], pel_cosine part)
 static void direction(const int32_t from[3], const int32_t to[3],
                       pel_cosine unit[3])
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         unit[k] = to[k] - from[k];
     pel_normalize_fast(unit, unit);
@@ -179,6 +182,7 @@ bool pel_light_start(const struct pel_mesh_lights *lights,
                      const int32_t position[3], const int32_t normal[3],
                      pel_cosine towards[3][3], struct pel_light_sum *sum)
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++) {
         sum->surface[k] = lights->ambient[k];
         sum->plain[k] = 0;
@@ -196,6 +200,7 @@ bool pel_light_start(const struct pel_mesh_lights *lights,
 void pel_light_towards(const struct pel_mesh_light *light,
                        const int32_t position[3], pel_cosine towards[3][3])
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         towards[2][k] = light->at[k];
     if (!light->directional)
@@ -228,6 +233,7 @@ uint32_t pel_lit_channel(const struct pel_light_sum *sum, int channel,
 pel_color pel_lit_color(const struct pel_light_sum *sum, pel_color surface)
 {
     pel_color out = surface & UINT32_C(0xFF000000);
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         out |= pel_lit_channel(sum, k, (surface >> (16 - 8 * k) & 255) << 8)
                << (16 - 8 * k);

@@ -2,26 +2,40 @@
 
 #include "../base/sqrt.h"
 
-/* Numbers are 2^-28, below 8 in size. */
+/* 2^-28, below 8 in size: 64 bits where those cost nothing, which saves
+ * extensions of the sign. */
+#if PEL_64BIT
+typedef int64_t number;
+#else
+typedef int32_t number;
+#endif
+
 enum { ONE_BITS = 28, ONE = 1 << ONE_BITS };
 
-static inline int32_t times(int32_t a, int32_t b)
+static inline number times(number a, number b)
 {
-    return (int32_t)(pel_long_product(a, b) >> ONE_BITS);
+    return (number)((int64_t)a * b >> ONE_BITS);
 }
 
-static inline int32_t value_at(const struct pel_polynomial *p, int32_t a,
-                               int32_t b)
+static inline number value_at(const struct pel_polynomial *p, number a,
+                              number b)
 {
     const int32_t *k = p->k;
     return k[0] + times(a, k[1] + times(a, k[3]) + times(b, k[4])) +
            times(b, k[2] + times(b, k[5]));
 }
 
-/* v^n, v from 0 to about 1. */
-static inline int32_t power(int32_t v, int32_t n)
+/* Where k3 to k5 are 0. */
+static inline number linear_at(const struct pel_polynomial *p, number a,
+                               number b)
 {
-    int32_t result = ONE;
+    return p->k[0] + times(a, p->k[1]) + times(b, p->k[2]);
+}
+
+/* v^n, v from 0 to 1. */
+static inline number power(number v, int32_t n)
+{
+    number result = ONE;
     for (;; v = times(v, v)) {
         if (n & 1)
             result = times(result, v);
@@ -31,95 +45,200 @@ static inline int32_t power(int32_t v, int32_t n)
     }
 }
 
-/* Where k3 to k5 are 0. */
-static inline int32_t linear_at(const struct pel_polynomial *p, int32_t a,
-                                int32_t b)
-{
-    return p->k[0] + times(a, p->k[1]) + times(b, p->k[2]);
-}
-
-/* What all lights of a pixel share: 1 / |n| - 1, and 2 (n.V) / n.n. */
-struct pixel {
-    int32_t a, b, longer, eye;
+/* A point in the triangle: the weights, and what all lights share: 1 / |n| - 1
+ * and 2 (n.V) / n.n. */
+struct place {
+    number a, b, longer, eye;
 };
 
-static inline void set_pixel(const struct pel_phong_quick *p,
-                             struct pixel *pixel)
+static inline void set_place(const struct pel_phong_quick *p, uint64_t a,
+                             uint64_t b, struct place *at)
 {
-    const int32_t d = value_at(&p->d, pixel->a, pixel->b);
-    const int32_t twice = 2 * (ONE + d + times(d, d));
-    pixel->longer = times(d, ONE / 2 + (d >> 2) + (d >> 3));
-    pixel->eye = times(value_at(&p->eye, pixel->a, pixel->b), twice);
+    at->a = pel_plane_whole(a);
+    at->b = pel_plane_whole(b);
+    const number d = value_at(&p->d, at->a, at->b);
+    at->longer =
+        times(d, ONE / 2 + times(d, 3 * (ONE / 8) + (d >> 2) + (d >> 4)));
+    if (p->dull)
+        return;
+    const number all = ONE + times(d, ONE + times(d, ONE + d));
+    at->eye = times(value_at(&p->eye, at->a, at->b), 2 * all);
+}
+
+static inline number dot_at(const struct pel_phong_quick *p, int32_t i, int k,
+                            const struct place *at)
+{
+    const struct pel_polynomial *of = &p->light[i].of[k];
+    return p->lights->light[i].directional ? linear_at(of, at->a, at->b)
+                                           : value_at(of, at->a, at->b);
 }
 
 /* Adds a light to the first channels of the sum. */
-static PEL_INLINE_KINDS void add(const struct pel_phong_quick *p, int32_t i,
-                                 const struct pixel *at, int channels,
-                                 struct pel_light_sum *sum)
+static inline void add(const struct pel_phong_quick *p, int32_t i,
+                       const struct place *at, int channels,
+                       struct pel_light_sum *sum)
 {
     const struct pel_lighting *lighting = p->lights->lighting;
     const struct pel_mesh_light *light = &p->lights->light[i];
-    const struct pel_polynomial *of = p->light[i].of;
-    const bool flat = light->directional;
-    const int32_t nl =
-        flat ? linear_at(&of[0], at->a, at->b) : value_at(&of[0], at->a, at->b);
-    const int32_t along =
-        flat ? linear_at(&of[1], at->a, at->b) : value_at(&of[1], at->a, at->b);
-    const int32_t w = pel_min(times(nl, at->eye) - along, ONE);
+    const number nl = dot_at(p, i, 0, at);
     if (nl > 0)
         for (int k = 0; k < channels; k++)
-            sum->surface[k] +=
-                times(light->diffuse[k], nl + times(nl, at->longer));
-    if (w <= 0 || (nl <= 0 && lighting->no_back_highlights))
+            sum->surface[k] += (pel_factor)times(light->diffuse[k],
+                                                 nl + times(nl, at->longer));
+    if (p->dull || (nl <= 0 && lighting->no_back_highlights))
         return;
-    const int32_t bright = power(w, lighting->shininess);
+    const number w = times(nl, at->eye) - dot_at(p, i, 1, at);
+    if (w <= 0)
+        return;
+    const number bright = power(w < ONE ? w : ONE, lighting->shininess);
     pel_factor *highlight =
         lighting->plain_highlights ? sum->plain : sum->surface;
     for (int k = 0; k < channels; k++)
-        highlight[k] += times(light->specular[k], bright);
+        highlight[k] += (pel_factor)times(light->specular[k], bright);
 }
 
-/* Channel k of the surface, 1/256 step. */
-static inline uint32_t surface_of(const struct pel_phong_quick *p, int k,
-                                  const struct pixel *at, pel_color under)
+/* The light of a pixel, in as many channels as differ. */
+static PEL_INLINE_KINDS void sum_at(const struct pel_phong_quick *p, int32_t x,
+                                    int32_t y, int channels,
+                                    struct pel_light_sum *sum)
 {
+    struct place at;
+    set_place(p, pel_plane_at(&p->weight[0], x, y),
+              pel_plane_at(&p->weight[1], x, y), &at);
+    *sum = (struct pel_light_sum){{0, 0, 0}, {0, 0, 0}};
+    for (int k = 0; k < channels; k++)
+        sum->surface[k] = p->lights->ambient[k];
+    for (int32_t i = 0; i < p->lights->lighting->lights; i++)
+        add(p, i, &at, channels, sum);
+}
+
+/* Channel k, blue first, of light on a surface of 1/256 steps: 2^-24 of a step
+ * over 1/2, below 2^52. */
+static inline uint64_t lit_channel(const struct pel_phong_quick *p, int k,
+                                   const struct pel_light_sum *sum,
+                                   uint64_t surface, int channels)
+{
+    const int c = channels == 1 ? 0 : 2 - k;
+    const uint64_t lit = surface * (uint32_t)sum->surface[c];
+    if (!p->lights->lighting->plain_highlights)
+        return lit;
+    return lit + UINT64_C(65280) * (uint32_t)sum->plain[c];
+}
+
+static inline pel_color rounded(uint64_t v)
+{
+    v = (v + (UINT64_C(128) << 16)) >> 24;
+    return v < 255 ? (pel_color)v : 255;
+}
+
+/* The color of a pixel. */
+static inline pel_color lit_color(const struct pel_phong_quick *p, int32_t x,
+                                  int32_t y, pel_color under, int channels,
+                                  const struct pel_light_sum *sum)
+{
+    pel_color lit = (uint32_t)p->alpha << 24;
     if (p->surface)
-        return (under >> 8 * k & 255) << 8;
-    int32_t own = p->color[0][k];
-    if (!p->one_color)
-        own += times(at->a, p->color[1][k]) + times(at->b, p->color[2][k]);
-    return (uint32_t)own;
+        lit = pel_round_div255(pel_alpha(under) * p->alpha) << 24;
+    for (int k = 0; k < 3; k++) {
+        number own = p->color[0][k];
+        if (p->surface)
+            own = (number)(under >> 8 * k & 255) << 8;
+        else if (!p->one_color)
+            for (int i = 0; i < 2; i++)
+                own += times(pel_plane_whole(pel_plane_at(&p->weight[i], x, y)),
+                             p->color[i + 1][k]);
+        lit |= rounded(lit_channel(p, k, sum, (uint64_t)own, channels))
+               << 8 * k;
+    }
+    return lit;
+}
+
+/* Puts n colors of row y from x on, whose light changes by `step` a pixel. */
+static inline void put(const struct pel_phong_quick *p, int32_t x, int32_t y,
+                       int32_t n, int channels, struct pel_light_sum *sum,
+                       const struct pel_light_sum *step, pel_color *out)
+{
+    for (; n > 0; n--, x++, out++) {
+        *out = lit_color(p, x, y, *out, channels, sum);
+        for (int k = 0; k < channels; k++) {
+            sum->surface[k] += step->surface[k];
+            sum->plain[k] += step->plain[k];
+        }
+    }
+}
+
+/* The same on one color: its channels change by so much themselves. */
+static inline void put_one(const struct pel_phong_quick *p, int32_t n,
+                           int channels, const struct pel_light_sum *sum,
+                           const struct pel_light_sum *step, pel_color *out)
+{
+    uint64_t at[3], by[3];
+    for (int k = 0; k < 3; k++) {
+        const uint64_t own = (uint32_t)p->color[0][k];
+        const int c = channels == 1 ? 0 : 2 - k;
+        at[k] = lit_channel(p, k, sum, own, channels);
+        by[k] = own * (uint64_t)(int64_t)step->surface[c] +
+                65280 * (uint64_t)(int64_t)step->plain[c];
+    }
+    for (; n > 0; n--, out++) {
+        *out = rounded(at[0]) | rounded(at[1]) << 8 | rounded(at[2]) << 16 |
+               (uint32_t)p->alpha << 24;
+        for (int k = 0; k < 3; k++)
+            at[k] += by[k];
+    }
+}
+
+/* The change a pixel on the way of 2^bits pixels, and what `from` has become
+ * after n of them. */
+static inline void set_line(struct pel_light_sum *from,
+                            const struct pel_light_sum *to, int bits, int32_t n,
+                            int channels, struct pel_light_sum *step)
+{
+    for (int k = 0; k < channels; k++) {
+        step->surface[k] = (to->surface[k] - from->surface[k]) >> bits;
+        step->plain[k] = (to->plain[k] - from->plain[k]) >> bits;
+        from->surface[k] += n * step->surface[k];
+        from->plain[k] += n * step->plain[k];
+    }
+}
+
+/* Light at the pixels that are multiples of a span, and linear between. */
+static PEL_INLINE_KINDS void light_spans(const struct pel_phong_quick *p,
+                                         int32_t x, int32_t y, int32_t n,
+                                         pel_color *out, int channels)
+{
+    const int32_t span = (int32_t)(UINT32_C(1) << p->span);
+    struct pel_light_sum from, to, step;
+    int32_t begin = x & -span;
+    sum_at(p, begin, y, channels, &to);
+    while (n > 0) {
+        const int32_t part = pel_min(begin + span - x, n);
+        from = to;
+        sum_at(p, begin + span, y, channels, &to);
+        set_line(&from, &to, p->span, x - begin, channels, &step);
+        if (p->one_color && !p->surface)
+            put_one(p, part, channels, &from, &step, out);
+        else
+            put(p, x, y, part, channels, &from, &step, out);
+        n -= part;
+        out += part;
+        begin += span;
+        x = begin;
+    }
 }
 
 static PEL_INLINE_KINDS void light(const struct pel_phong_quick *p, int32_t x,
                                    int32_t y, int32_t n, pel_color *out,
                                    int channels)
 {
-    const struct pel_mesh_lights *lights = p->lights;
-    uint64_t a = pel_plane_at(&p->weight[0], x, y);
-    uint64_t b = pel_plane_at(&p->weight[1], x, y);
-    for (; n > 0; n--, out++) {
-        struct pixel at = {pel_plane_whole(a), pel_plane_whole(b), 0, 0};
-        struct pel_light_sum sum = {{0, 0, 0}, {0, 0, 0}};
-        pel_color lit = p->surface ? pel_alpha(*out) : 255;
-        lit = pel_round_div255(lit * p->alpha) << 24;
-        for (int k = 0; k < channels; k++)
-            sum.surface[k] = lights->ambient[k];
-        set_pixel(p, &at);
-        for (int32_t i = 0; i < lights->lighting->lights; i++)
-            add(p, i, &at, channels, &sum);
-        for (int k = 0; k < 3; k++) {
-            const int c = channels == 1 ? 0 : 2 - k;
-            const uint64_t own = surface_of(p, k, &at, *out);
-            const uint64_t v = (own * (uint32_t)sum.surface[c] +
-                                UINT64_C(65280) * (uint32_t)sum.plain[c]) >>
-                               16;
-            lit |= (v < 65280 ? (uint32_t)(v + 128) >> 8 : 255) << 8 * k;
+    struct pel_light_sum sum;
+    if (p->span > 0)
+        light_spans(p, x, y, n, out, channels);
+    else
+        for (; n > 0; n--, x++, out++) {
+            sum_at(p, x, y, channels, &sum);
+            *out = lit_color(p, x, y, *out, channels, &sum);
         }
-        *out = lit;
-        a += p->weight[0].dx;
-        b += p->weight[1].dx;
-    }
 }
 
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,

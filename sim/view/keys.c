@@ -51,7 +51,7 @@ static enum view_action change_appearance(struct view *view, int key)
     case 'z':
         s->order = s->order != SCENE_PAINTER            ? SCENE_PAINTER
                    : view->first.order != SCENE_PAINTER ? view->first.order
-                                                        : SCENE_ZBUFFER32;
+                                                        : SCENE_AUTO;
         break;
     case 'r':
         view_reset(view);

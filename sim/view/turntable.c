@@ -70,8 +70,8 @@ static void title(const struct show *show, char *text)
     const struct turntable *t = (const struct turntable *)show;
     static const char *const shades[] = {"flat", "Gouraud", "Phong"};
     static const char *const textures[] = {"no texture", "nearest", "bilinear"};
-    static const char *const orders[] = {"painter", "z-buffer 16",
-                                         "z-buffer 32", "z-buffer 32"};
+    static const char *const orders[] = {
+        "right order", "painter", "z-buffer 16", "z-buffer 32", "z-buffer 32"};
     const struct scene_settings *s = &t->view.settings;
     const bool has_texture = t->model->textures > 0;
     snprintf(text, SHOW_TITLE_SIZE, "%u triangles, %s, %s, %s, %s",

@@ -205,7 +205,25 @@ static void test_no_wrong_frame_is_accepted(void)
         (unsigned long long)tally[WRONG], (unsigned long long)tally[DOUBTED]);
 }
 
+static void test_arguments(void)
+{
+    uint32_t memory[PEL_CERTIFICATE_SCRATCH_SIZE(1) / 4];
+    const struct pel_frame none = {.triangles = 0}, one = {.triangles = 1};
+    struct pel_doubt d = {.triangles = 1};
+    assert_int_equal(pel_scene_certify(NULL, memory, 4, 9, &d), PEL_ERROR_NULL);
+    assert_int_equal(pel_scene_certify(&one, NULL, 4, 9, &d), PEL_ERROR_NULL);
+    assert_int_equal(pel_scene_certify(&one, memory, 4, 9, NULL),
+                     PEL_ERROR_NULL);
+    assert_int_equal(pel_scene_certify(&one, memory, sizeof memory - 1, 9, &d),
+                     PEL_ERROR_SCRATCH);
+    assert_int_equal(
+        pel_scene_certify(&one, (char *)memory + 1, sizeof memory, 9, &d),
+        PEL_ERROR_SCRATCH);
+    assert_int_equal(pel_scene_certify(&none, memory, 4, 9, &d), PEL_OK);
+    assert_true(d.triangles == 0 && d.pixels == 0 && pel_rect_empty(&d.bounds));
+}
+
 int main(void)
 {
-    return RUN_TESTS(test_no_wrong_frame_is_accepted);
+    return RUN_TESTS(test_arguments, test_no_wrong_frame_is_accepted);
 }

@@ -55,9 +55,9 @@ static void test_texture_and_order(void **state)
         assert_int_equal(view->settings.texture, textures[i]);
     }
     press(view, "z");
-    assert_int_equal(view->settings.order, SCENE_ZBUFFER32);
-    press(view, "z");
     assert_int_equal(view->settings.order, SCENE_PAINTER);
+    press(view, "z");
+    assert_int_equal(view->settings.order, SCENE_AUTO);
     view->first.order = view->settings.order = SCENE_ZBUFFER16;
     press(view, "zz");
     assert_int_equal(view->settings.order, SCENE_ZBUFFER16);
@@ -234,7 +234,7 @@ static void test_first(void **state)
     assert_int_equal(s.turn[1], 0);
     assert_int_equal(s.shade, SCENE_GOURAUD);
     assert_int_equal(s.texture, SCENE_TEXTURE_BILINEAR);
-    assert_int_equal(s.order, SCENE_PAINTER);
+    assert_int_equal(s.order, SCENE_AUTO);
     assert_true(view->turning);
 }
 
