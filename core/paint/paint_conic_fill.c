@@ -12,8 +12,8 @@ static int32_t height_of(const struct pel_cells *c)
     return pel_pixel_center(c->cell.y) - p->center.y;
 }
 
-/* The cross product of a ray and the pixel at x, at a height: 0 or more
- * when the pixel lies on the ray or clockwise of it. */
+/* The cross product of a ray and the pixel at x, at a height: 0 or more when
+ * the pixel lies on the ray or clockwise of it. */
 static PEL_NOINLINE_32 int64_t cross_of(const struct pel_cells *c, int32_t dx,
                                         int32_t dy, int32_t height)
 {
@@ -45,7 +45,8 @@ static PEL_NOINLINE_32 bool end_at(struct pel_cells *c, struct pel_point d)
 }
 
 /* The present cell begins at the angle floor(65536 k / period) from the start,
- * c->whole, and c->rest is what the floor drops. */
+ * c->whole, and c->rest is what the floor drops. Rows above the centre end
+ * before the full turn, rows below at 0. */
 static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_conic *p = (const void *)c->gradient;

@@ -3,18 +3,18 @@
 #include "../base/divide.h"
 #include "cells.h"
 
-/* 1 where the way is drawn from `to` on. */
+/* The way is drawn from the end on the left, so that products do not fall to
+ * the right. 1 where that is the end of the last cell: there the boundaries
+ * belong to the cells before them. */
 static inline int32_t turned(const struct pel_linear *p)
 {
     return (int32_t)((uint32_t)p->way >> 31);
 }
 
-/* The way is drawn from the end on the left, so that products do not fall to
- * the right; where that is the end of the last cell, the boundaries belong to
- * the cells before them. The product (P - from).d at pixel (x, y), below 2^49,
- * and above -2^47 before the way; or one at the same place of the way: one that
- * begins anew does so after two lengths, as it goes there and back. `turned` at
- * the least. */
+/* The product (P - from).d at pixel (x, y), below 2^49, and above -2^47 before
+ * the way; or another that shows the same. Of a padded way none is beyond the
+ * end; of others it is less as many times two lengths, there and back, as leave
+ * `turned` or more. */
 static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
                                           int32_t y)
 {
@@ -86,7 +86,7 @@ static PEL_NOINLINE bool end_cells(struct pel_cells *c, int32_t count)
 
 /* The cell that has a product, k = floor((n product - turned) / square), bit by
  * bit of n, and the error where it begins. Before a padded way it is the first
- * cell all the same; beyond it, products are as good as at its end. */
+ * cell all the same. */
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
                                      const struct pel_linear *p,
                                      int64_t product)
