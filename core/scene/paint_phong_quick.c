@@ -188,6 +188,14 @@ static inline void put_one(const struct pel_phong_quick *p, int32_t n,
     }
 }
 
+/* A part of 2^bits, rounded towards 0, so that light that fades does not fall
+ * below 0. */
+static inline pel_factor part_of(pel_factor way, int bits)
+{
+    return (way + (way < 0 ? (pel_factor)(UINT32_C(1) << bits) - 1 : 0)) >>
+           bits;
+}
+
 /* The change a pixel on the way of 2^bits pixels, and what `from` has become
  * after n of them. */
 static inline void set_line(struct pel_light_sum *from,
@@ -195,8 +203,8 @@ static inline void set_line(struct pel_light_sum *from,
                             int channels, struct pel_light_sum *step)
 {
     for (int k = 0; k < channels; k++) {
-        step->surface[k] = (to->surface[k] - from->surface[k]) >> bits;
-        step->plain[k] = (to->plain[k] - from->plain[k]) >> bits;
+        step->surface[k] = part_of(to->surface[k] - from->surface[k], bits);
+        step->plain[k] = part_of(to->plain[k] - from->plain[k], bits);
         from->surface[k] += n * step->surface[k];
         from->plain[k] += n * step->plain[k];
     }
