@@ -204,6 +204,14 @@ static inline void put_one(const struct run *r, const struct pel_light_sum *sum,
     }
 }
 
+/* A part of 2^bits, rounded towards 0, so that light that fades does not fall
+ * below 0. */
+static inline pel_factor part_of(pel_factor way, int bits)
+{
+    return (way + (way < 0 ? (pel_factor)(UINT32_C(1) << bits) - 1 : 0)) >>
+           bits;
+}
+
 /* The change a pixel between the ends of a span, and what `from` has become
  * after n pixels. */
 static inline void set_line(const struct run *r, int32_t n,
@@ -213,8 +221,8 @@ static inline void set_line(const struct run *r, int32_t n,
 {
     for (int k = 0; k < r->channels; k++) {
         const int bits = r->paint->span;
-        step->surface[k] = (to->surface[k] - from->surface[k]) >> bits;
-        step->plain[k] = (to->plain[k] - from->plain[k]) >> bits;
+        step->surface[k] = part_of(to->surface[k] - from->surface[k], bits);
+        step->plain[k] = part_of(to->plain[k] - from->plain[k], bits);
         from->surface[k] += n * step->surface[k];
         from->plain[k] += n * step->plain[k];
     }
