@@ -15,3 +15,9 @@ $(ATLAS): $(ATLAS_OBJECTS)
 	$(CC) $(LDFLAGS) $^ -lm -o $@
 
 -include $(ATLAS_SOURCES:%.c=$(BENCH)/host/%.d)
+
+CHECK_EXTRA += check-methods
+tests: $(ATLAS)
+.PHONY: check-methods
+check-methods: $(ATLAS) $(BUILD)/pel ## check the atlas's references and Pel's promises
+	tests/tools/methods.sh $(ATLAS) $(BUILD)/pel

@@ -43,8 +43,12 @@ static void put_damage(struct atlas *a, const struct fill_method *m,
     tally_put(a, m, &any, (struct figure){.x = p->edge, .metric = "wrong_ppm"});
     atlas_put(a, figure_of(m->name, p->edge, "damaged_percent",
                            100 * any.damaged / any.triangles, "%"));
+    /* Some of these are clipped. */
+    const int32_t beyond = p->edge < 16 ? 0 : MARGIN + 1;
+    const struct place around = {p->x - beyond, p->y - beyond,
+                                 p->edge + 2 * beyond};
     for (int n = samples(a, p) / 2; n > 0; n--) {
-        tied_triangle(&r, p, v);
+        tied_triangle(&r, &around, v);
         sheet_judge(&s, m, v, &tied);
     }
     tally_put(a, m, &tied, (struct figure){.x = p->edge, .metric = "ties_ppm"});

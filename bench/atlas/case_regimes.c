@@ -30,7 +30,7 @@ void atlas_thinness(struct atlas *a)
         for (int32_t thickness = 1; thickness <= PEL_PX(16); thickness *= 2) {
             const struct thin thin = {512, thickness};
             const struct tally t =
-                judge_thin(a, *m, &thin, atlas_samples(a, 1500, 60));
+                judge_thin(a, *m, &thin, atlas_samples(a, 1500, 20));
             tally_put(
                 a, *m, &t,
                 (struct figure){.x = thickness / 256.0, .metric = "wrong_ppm"});

@@ -62,30 +62,42 @@ static int exact_channel(int hue, int s, int v, int channel)
     return v * (15300 - s * part);
 }
 
+struct hues {
+    double wrong, worst, cases;
+};
+
+/* A wrong color has a channel that is not the nearest, a tie upwards. */
+static void judge_hue(struct hues *out, const struct hsv_method *m, int hue,
+                      const int sv[2])
+{
+    int rgb[3];
+    bool wrong = false;
+    m->rgb(hue, sv[0], sv[1], rgb);
+    for (int i = 0; i < 3; i++) {
+        const int exact = exact_channel(hue, sv[0], sv[1], i);
+        wrong |= rgb[i] != (exact + 7650) / 15300;
+        out->worst = fmax(out->worst, abs(15300 * rgb[i] - exact));
+    }
+    out->wrong += wrong;
+    out->cases++;
+}
+
 void atlas_hsv(struct atlas *a)
 {
     const int step = atlas_samples(a, 1, 5);
     for (const struct hsv_method *m = hsv_methods; m->name; m++) {
-        double wrong = 0, worst = 0, cases = 0;
+        struct hues out = {0, 0, 0};
         for (int hue = 0; hue < 360; hue++)
             for (int s = 0; s < 256; s += step)
-                for (int v = 0; v < 256; v += step) {
-                    int rgb[3], off = 0;
-                    m->rgb(hue, s, v, rgb);
-                    for (int i = 0; i < 3; i++)
-                        off = (int)fmax(off, abs(15300 * rgb[i] -
-                                                 exact_channel(hue, s, v, i)));
-                    wrong += off > 7650;
-                    worst = fmax(worst, off);
-                    cases++;
-                }
-        const struct figure f = figure_of(m->name, cases, "wrong_percent",
-                                          100 * wrong / cases, "%");
+                for (int v = 0; v < 256; v += step)
+                    judge_hue(&out, m, hue, (const int[2]){s, v});
+        const struct figure f = figure_of(m->name, out.cases, "wrong_percent",
+                                          100 * out.wrong / out.cases, "%");
         atlas_put(a, f);
-        atlas_put(
-            a, figure_of(m->name, cases, "error_max", worst / 15300, "step"));
+        atlas_put(a, figure_of(m->name, out.cases, "error_max",
+                               out.worst / 15300, "step"));
         if (m == hsv_methods)
-            atlas_promise(a, wrong == 0, &f);
+            atlas_promise(a, out.wrong == 0, &f);
     }
 }
 
@@ -153,5 +165,33 @@ void atlas_arctangent(struct atlas *a)
             atlas_put_bound(a, f, ldexp(1, -30)); /* trig.h */
         else
             atlas_put(a, f);
+    }
+}
+
+static double linear_of(double channel)
+{
+    const double c = channel / 255;
+    return c <= .04045 ? c / 12.92 : pow((c + .055) / 1.055, 2.4);
+}
+
+static double channel_of(double linear)
+{
+    return 255 * (linear <= .0031308 ? 12.92 * linear
+                                     : 1.055 * pow(linear, 1 / 2.4) - .055);
+}
+
+/* How far Pel's mixes of half and half, of values as they are, are from those
+ * of light, by the difference of the two channels. */
+void atlas_gamma(struct atlas *a)
+{
+    for (int difference = 0; difference < 256; difference += 15) {
+        double worst = 0;
+        for (int c = 0; c + difference < 256; c++) {
+            const double light = linear_of(c) + linear_of(c + difference);
+            worst = fmax(worst,
+                         fabs(channel_of(light / 2) - (c + difference / 2.)));
+        }
+        atlas_put(
+            a, figure_of("pel", difference, "difference_max", worst, "step"));
     }
 }

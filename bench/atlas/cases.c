@@ -22,5 +22,9 @@ const struct atlas_case atlas_cases[] = {
     {"circle", atlas_circle},
     {"map-circle", atlas_map_circle},
     {"references", atlas_references},
+    {"limits", atlas_limits},
+    {"sampling", atlas_sampling},
+    {"gamma", atlas_gamma},
+    {"tolerance", atlas_tolerance},
     {NULL, NULL},
 };

@@ -28,10 +28,14 @@ void atlas_alpha(struct atlas *a); /* case_scalar.c */
 void atlas_hsv(struct atlas *a);
 void atlas_dither(struct atlas *a);
 void atlas_arctangent(struct atlas *a);
+void atlas_gamma(struct atlas *a);
 
 void atlas_circle(struct atlas *a); /* case_circle.c */
 void atlas_map_circle(struct atlas *a);
 
 void atlas_references(struct atlas *a); /* case_references.c */
+void atlas_limits(struct atlas *a);     /* case_limits.c */
+void atlas_sampling(struct atlas *a);   /* case_sampling.c */
+void atlas_tolerance(struct atlas *a);  /* case_tolerance.c */
 
 #endif

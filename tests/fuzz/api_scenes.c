@@ -152,7 +152,7 @@ static void take_scene(struct api *a, struct place *p, struct pel_scene *s,
                             .color = PEL_RGB(200, 100, 50),
                             .transparency = kind & 64 ? 100 : 0,
                             .cull = (enum pel_cull)(kind / 8 % 3),
-                            .sort = kind & 128 ? &pel_depth_sort : NULL};
+                            .sort = kind & 128 ? &pel_depth_sort_radix : NULL};
     take_mesh(a, p);
     take_lighting(a, p);
     take_camera(a, &s->camera);
@@ -170,8 +170,21 @@ static void take_scene(struct api *a, struct place *p, struct pel_scene *s,
     take_parts(a, p);
 }
 
+static void draw_certified(struct pel_frame *frame,
+                           const struct pel_surface *surface,
+                           const struct pel_depth *depth)
+{
+    const size_t size = PEL_CERTIFICATE_SCRATCH_SIZE(frame->triangles);
+    void *scratch = malloc(size);
+    struct pel_doubt doubt;
+    if (pel_scene_certify(frame, scratch, size, 5000, &doubt))
+        abort();
+    pel_scene_draw_certified(frame, surface, &doubt.bounds, depth);
+    free(scratch);
+}
+
 static void draw_depth(struct pel_frame *frame,
-                       const struct pel_surface *surface)
+                       const struct pel_surface *surface, bool certified)
 {
     struct pel_depth depth;
     const int bits = surface->bounds.x0 & 8 ? 32 : 16;
@@ -179,7 +192,10 @@ static void draw_depth(struct pel_frame *frame,
     void *values = malloc(size);
     if (pel_depth_init(&depth, &surface->bounds, bits, values, size))
         abort();
-    pel_scene_draw_depth(frame, surface, &depth);
+    if (certified)
+        draw_certified(frame, surface, &depth);
+    else
+        pel_scene_draw_depth(frame, surface, &depth);
     free(values);
 }
 
@@ -194,8 +210,9 @@ void api_scene(struct api *a, const struct pel_surface *surface)
     void *scratch = malloc(size);
     pel_mesh_normals(&p.mesh, normals, scratch, size);
     if (pel_scene_prepare(&frame, &scene, scratch, size) == PEL_OK) {
-        if (input_byte(&a->in) & 1)
-            draw_depth(&frame, surface);
+        const uint32_t how = input_byte(&a->in) % 4;
+        if (how)
+            draw_depth(&frame, surface, how == 2);
         else
             pel_scene_draw(&frame, surface);
     }

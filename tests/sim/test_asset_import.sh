@@ -40,7 +40,7 @@ mesh() {
         *) look="--unlit --texture nearest --mapping ${mapping:-vertices}" ;;
         esac
         "$PEL" render "$file" --shade $shade --format rgb565_le --size 600x600 \
-            --sensor 36x36 --near 0.125 --eye "$eye" --target "$target" $look \
+            --order painter --sensor 36x36 --near 0.125 --eye "$eye" --target "$target" $look \
             -o "$dir/$name.ppm"
         "$dir/$name" "$dir/$name.ppm" $shade || fail "$name: $shade differs"
     done
@@ -52,7 +52,7 @@ framed() {
     name=$1 file=$2
     shift 2
     look='--unlit --texture nearest --mapping vertices --shade gouraud'
-    "$PEL" render "$file" --size 600x600 --format rgb565_le "$@" $look \
+    "$PEL" render "$file" --order painter --size 600x600 --format rgb565_le "$@" $look \
         --print-camera -o "$dir/framed.ppm" >"$dir/camera.inc"
     "$PEL" render "$file" --size 600x600 "$@" --print-camera |
         cmp - "$dir/camera.inc" || fail "$name: another camera without -o"
@@ -326,7 +326,7 @@ grep -q '^/\* 4 vertices' "$dir/zero.c" || fail "-0 is not joined with 0"
 "$PEL" import builtin:vase -o "$dir/vase.pel2d"
 refuse "is projected already" "$dir/vase.pel2d" -o "$dir/x.c"
 
-# A pel2d file draws what its mesh draws (test_render_command.sh).
-"$PEL" render builtin:vase -o "$dir/a.ppm"
+# A pel2d file draws what its mesh draws by the painter (test_render_command.sh).
+"$PEL" render builtin:vase --order painter -o "$dir/a.ppm"
 "$PEL" render "$dir/vase.pel2d" -o "$dir/b.ppm"
 "$PEL" compare --tolerance 1 "$dir/a.ppm" "$dir/b.ppm" || fail "the pel2d file draws something else"

@@ -1,0 +1,45 @@
+#!/bin/sh
+# methods.sh PEL-ATLAS PEL: the references agree, Pel keeps its promises in every
+# regime that takes little time, and what is printed is what is promised.
+set -eu
+atlas=$1 pel=$2
+dir=$(mktemp -d)
+trap 'rm -rf "$dir"' EXIT
+failed=0
+
+say()
+{
+    echo "methods: $*" >&2
+    failed=1
+}
+
+"$atlas" --list >"$dir/list"
+for case in references thinness overflow limits color span sampling fighting \
+    circle map-circle arctangent dither; do
+    grep -qx "$case" "$dir/list" || say "--list has no $case"
+    "$atlas" --quick "$case" >"$dir/csv" || say "$case fails"
+    awk -F , -v name="$case" '
+        NR == 1 { good = $0 == \
+            "case,method,x,y,metric,value,low,high,unit,command"; next }
+        NF != 10 || $1 != name || $6 !~ /^-?[0-9.e+-]+$/ { good = 0; print }
+        END { exit !(good && NR > 1) }' "$dir/csv" >&2 ||
+        say "$case is no CSV of the atlas"
+done
+
+# A row's command repeats it.
+$(tail -n 1 "$dir/csv" | sed "s|.*,build/bench/pel-atlas|$atlas|") |
+    cmp - "$dir/csv" || say "the command of a row does not repeat it"
+
+# The smallest triangle that 16.16 draws wrong: a scene that pel draws, and whose
+# wrong pixel it explains.
+"$atlas" --quick --smallest '16.16 rounded' thinness >"$dir/wrong.pel"
+pixel=$(sed -n 's/.*first wrong pixel is \([0-9]* [0-9]*\)\.$/\1/p' \
+    "$dir/wrong.pel")
+"$pel" run "$dir/wrong.pel" -o "$dir/wrong.ppm" || say "pel does not draw it"
+"$pel" explain "$dir/wrong.pel" $pixel | grep -q "^pixel" ||
+    say "pel does not explain it"
+"$atlas" --quick --smallest pel thinness 2>&1 | grep -q "no triangle" ||
+    say "Pel has a smallest wrong triangle"
+
+"$atlas" nothing >/dev/null 2>&1 && say "a case that is not there is no error"
+exit $failed
