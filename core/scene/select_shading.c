@@ -157,7 +157,7 @@ static const struct pel_paint *chosen_paint(
         lit[i] = (lit[i] & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
         own[i] = pel_frame_surface(frame, frame->work->triangle.vertex[i]);
     }
-    if (tolerance < QUICK_ERROR || frame->lights.lighting->both_sides ||
+    if (tolerance < QUICK_ERROR ||
         !pel_light_bound(frame, notes, own, &corners, &bounds))
         return exact_paint(frame, surface, own);
     const struct pel_paint *paint = try_vertices(frame, surface, lit, &bounds);
