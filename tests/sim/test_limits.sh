@@ -28,8 +28,9 @@ crashed='the library that reads it crashed: '
 for model in RAW/WithColor.raw RAW/WithTexture.raw; do
     refused "${crashed}Segmentation fault" "$models/$model" import
 done
+# Its step that places nodes would abort on these; pel places them itself.
 for model in OpenGEX/camera.ogex OpenGEX/collada.ogex; do
-    refused "${crashed}Aborted: ai_assert failure" "$models/$model" import
+    "$PEL" info "$models/$model" >"$work/out" || fail "$model is refused"
 done
 printf 'ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n' \
     >"$work/cut.ply"
