@@ -79,8 +79,9 @@ static void set_scene(struct stage *s, const struct bench_mesh *m,
                    .sensor = {40, 40}},
         .viewport = {0, 0, side, side},
         .shading = mode->shading,
+        .tolerance = mode->steps * 256,
         .lighting = &lighting,
-        .sort = mode->depth_bits ? NULL : &pel_depth_sort,
+        .sort = mode->depth_bits ? NULL : &pel_depth_sort_radix,
         .cull = PEL_CULL_BACK};
     s->texture = (struct pel_mesh_texture){
         .texels = {NULL, s->texels, TEXELS, TEXELS, true},
@@ -145,21 +146,33 @@ struct worker {
     const struct stage *stage;
     void *scratch;
     int first, threads, bands;
+    double ns; /* its CPU time */
 };
+
+static double thread_now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
+}
 
 static void *work(void *data)
 {
-    const struct worker *w = data;
+    struct worker *w = data;
+    const double from = thread_now();
     struct pel_frame frame;
     prepare(&frame, w->stage, w->scratch);
     for (int i = w->first; i < w->bands; i += w->threads)
         draw_band(&frame, w->stage, i, w->bands);
+    w->ns = thread_now() - from;
     return NULL;
 }
 
-static void draw_threads(struct stage *s, const struct scene_cut *cut)
+/* The time of the longest thread. */
+static double draw_threads(struct stage *s, const struct scene_cut *cut)
 {
     static struct worker worker[THREADS_MAX];
+    double longest = 0;
     for (int k = 0; k < cut->threads; k++) {
         worker[k] = (struct worker){.stage = s,
                                     .scratch = memory(s->scratch_size),
@@ -172,16 +185,15 @@ static void draw_threads(struct stage *s, const struct scene_cut *cut)
     for (int k = 0; k < cut->threads; k++) {
         pthread_join(worker[k].thread, NULL);
         free(worker[k].scratch);
+        if (worker[k].ns > longest)
+            longest = worker[k].ns;
     }
+    return longest;
 }
 
 static void draw(struct stage *s, const struct scene_cut *cut)
 {
     struct pel_frame frame;
-    if (cut->threads > 1) {
-        draw_threads(s, cut);
-        return;
-    }
     prepare(&frame, s, s->scratch);
     if (s->depth_bits) {
         pel_depth_clear(&s->depth);
@@ -211,42 +223,41 @@ struct picture_job {
     const struct scene_cut *cut;
 };
 
-static void draw_job(void *data)
+static double time_job(void *data)
 {
     const struct picture_job *job = data;
+    const double from = timing_now();
+    if (job->cut->threads > 1)
+        return draw_threads(job->stage, job->cut);
     draw(job->stage, job->cut);
+    return timing_now() - from;
 }
 
-static double now(int32_t threads)
-{
-    struct timespec t;
-    if (threads == 1)
-        return timing_now();
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec * 1e9 + (double)t.tv_nsec;
-}
-
-/* After one that is not timed. */
-static struct quartiles time_of(void (*draw_one)(void *), void *data,
-                                int32_t threads)
+/* After one that does not count. */
+static struct quartiles time_of(double (*time_one)(void *), void *data)
 {
     double times[TIMES_MAX], sum = 0;
     int n = 0;
-    draw_one(data);
+    time_one(data);
     while (n < 3 || (n < TIMES_MAX && sum < enough_ns)) {
-        const double from = now(threads);
-        draw_one(data);
-        sum += times[n] = now(threads) - from;
+        sum += times[n] = time_one(data);
         n++;
     }
     return timing_quartiles(times, n);
 }
 
 #ifdef BENCH_OSMESA
+static double time_peer(void *peer)
+{
+    const double from = timing_now();
+    scene_osmesa_draw(peer);
+    return timing_now() - from;
+}
+
 static double peer_time(const struct pel_scene *scene)
 {
     void *peer = scene_osmesa_open(scene);
-    const double ns = time_of(scene_osmesa_draw, peer, 1).median;
+    const double ns = time_of(time_peer, peer).median;
     scene_osmesa_close(peer);
     return ns;
 }
@@ -265,7 +276,7 @@ void bench_scene_time(struct scene_result *out, const struct bench_mesh *m,
     struct stage s = {0};
     open_stage(&s, m, mode, cut->side);
     out->pixels = pixels_of(&s);
-    out->ns = time_of(draw_job, &(struct picture_job){&s, cut}, cut->threads);
+    out->ns = time_of(time_job, &(struct picture_job){&s, cut});
     out->peer_ns = mode->depth_bits == 32 ? peer_time(&s.scene) : 0;
     close_stage(&s);
 }

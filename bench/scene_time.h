@@ -14,6 +14,7 @@ struct scene_mode {
     bool bilinear;
     int32_t span;
     int depth_bits; /* 0: painter's order; 32: beside OSMesa */
+    int32_t steps;  /* the tolerance */
 };
 
 /* What is drawn of a mesh: side by side pixels, in so many bands, by as many
@@ -24,7 +25,7 @@ struct scene_cut {
 
 struct scene_result {
     struct quartiles ns; /* of a whole picture, prepared and drawn: CPU time,
-                            of several threads the time that passes */
+                            of several threads that of the longest */
     double pixels;       /* drawn in it, hidden ones too */
     double peer_ns;      /* of OSMesa, the median; 0: not timed */
 };

@@ -71,6 +71,9 @@
 #include "asset/image_asset.h"
 #include "asset/mesh_asset.h"
 
+#include "scene/certificate.h"
 #include "scene/pipeline.h"
+#include "scene/select.h"
+#include "scene/stats.h"
 
 #endif

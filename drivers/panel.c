@@ -19,7 +19,8 @@ enum pel_status pel_panel_sleep(const struct pel_panel *panel, bool asleep)
 static enum pel_status panel_wait(const struct pel_display *display)
 {
     const struct pel_panel *panel = display->context;
-    return panel->bus->wait(panel->bus);
+    const struct pel_bus *bus = panel->bus;
+    return bus->wait ? bus->wait(bus) : PEL_OK;
 }
 
 static enum pel_status check(const struct pel_display *display,
@@ -44,15 +45,6 @@ static enum pel_status panel_flush(const struct pel_display *display,
     return status == PEL_OK ? panel->chip->send(panel, surface) : status;
 }
 
-/* A byte of memory holds 8 rows, or of 16 greys 2 columns: the glass ends where
- * one does. */
-static bool cuts_bytes(const struct pel_panel *panel)
-{
-    const uint8_t bits = panel->format->bits;
-    return (bits == 1 && (panel->top | panel->height) & 7) ||
-           (bits == 4 && (panel->left | panel->width) & 1);
-}
-
 /* A quarter turn and a half one run backwards through the columns of memory, a
  * half one and three quarters through its rows; so what is beside the glass
  * lies before its first pixel then. */
@@ -69,10 +61,10 @@ static enum pel_status place(struct pel_panel *panel)
         panel->height = chip->height;
     const int32_t left = chip->left + panel->left;
     const int32_t right = chip->columns - left - panel->width;
-    const int32_t below = chip->height - panel->top - panel->height;
     panel->from[0] = (panel->rotation + 1) & 2 ? right : left;
+    const int32_t below = chip->height - panel->top - panel->height;
     panel->from[1] = panel->rotation & 2 ? below : panel->top;
-    return (right | below) < 0 || cuts_bytes(panel) ? PEL_ERROR_SIZE : PEL_OK;
+    return (right | below) < 0 ? PEL_ERROR_SIZE : PEL_OK;
 }
 
 static enum pel_status start(const struct pel_panel *panel)
@@ -87,8 +79,8 @@ static enum pel_status start(const struct pel_panel *panel)
                             0};
     enum pel_status status = panel->bus->pause(panel->bus, true, 120);
     if (status == PEL_OK)
-        status = panel->chip->command(panel, chip->setup);
-    return status == PEL_OK ? panel->chip->command(panel, list) : status;
+        status = chip->command(panel, chip->setup);
+    return status == PEL_OK ? chip->command(panel, list) : status;
 }
 
 enum pel_status pel_panel_init(struct pel_display *display,
@@ -106,7 +98,7 @@ enum pel_status pel_panel_init(struct pel_display *display,
     display->height = turned ? panel->width : panel->height;
     display->format = panel->format;
     display->flush = panel_flush;
-    display->wait = panel->bus->wait ? panel_wait : NULL;
+    display->wait = panel_wait;
     display->align = panel->chip->align;
     return start(panel);
 }

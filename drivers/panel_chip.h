@@ -45,6 +45,10 @@ enum pel_status pel_panel_color_command(const struct pel_panel *panel,
 enum pel_status pel_panel_color_send(const struct pel_panel *panel,
                                      const struct pel_surface *surface);
 
+/* of those whose parameters are sent like commands, */
+enum pel_status pel_panel_ssd_command(const struct pel_panel *panel,
+                                      const uint8_t *list);
+
 /* of monochrome ones in rotations 0 and 2, and in 1 and 3. */
 enum pel_status pel_panel_pages_command(const struct pel_panel *panel,
                                         const uint8_t *list);

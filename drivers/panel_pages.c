@@ -1,16 +1,15 @@
 #include "panel_chip.h"
 
 /* Monochrome chips. Memory is in pages of 8 rows, a byte for each column, the
- * top row in its lowest bit. Parameters are sent like commands. */
+ * top row in its lowest bit. */
 
+/* Glass that ends within a page is refused before the first command. */
 enum pel_status pel_panel_pages_command(const struct pel_panel *panel,
                                         const uint8_t *list)
 {
-    const struct pel_bus *bus = panel->bus;
-    enum pel_status status = PEL_OK;
-    for (; *list && status == PEL_OK; list += *list + 1)
-        status = bus->command(bus, list + 1, *list, NULL, 0);
-    return status;
+    return (panel->from[1] | panel->height) & 7
+               ? PEL_ERROR_SIZE
+               : pel_panel_ssd_command(panel, list);
 }
 
 enum pel_status pel_panel_page(const struct pel_panel *panel, int32_t row,
@@ -18,8 +17,8 @@ enum pel_status pel_panel_page(const struct pel_panel *panel, int32_t row,
 {
     const uint32_t at = (uint32_t)(panel->from[0] + column);
     const struct pel_bus *bus = panel->bus;
-    const uint8_t place[] = {(uint8_t)(0xB0 | (uint32_t)row / 8),
-                             (uint8_t)(0x10 | at / 16), at & 15};
+    const uint8_t place[] = {(uint8_t)(0xB0 + (uint32_t)row / 8),
+                             (uint8_t)(0x10 + at / 16), at & 15};
     enum pel_status status = bus->command(bus, place, sizeof place, NULL, 0);
     return status == PEL_OK ? bus->data(bus, rows) : status;
 }

@@ -10,13 +10,16 @@ static const uint8_t setup[] = {
     0xAF, 0                             /* on */
 };
 
-/* Other turns and inversion need more registers than panel.c sets. */
+/* Other turns and inversion need more registers than panel.c sets. Glass that
+ * ends within a byte is refused, too. */
 static enum pel_status command(const struct pel_panel *panel,
                                const uint8_t *list)
 {
-    return panel->rotation & 3 || panel->inverted
-               ? PEL_ERROR_FORMAT
-               : pel_panel_pages_command(panel, list);
+    if (panel->rotation & 3 || panel->inverted)
+        return PEL_ERROR_FORMAT;
+    return (panel->from[0] | panel->width) & 1
+               ? PEL_ERROR_SIZE
+               : pel_panel_ssd_command(panel, list);
 }
 
 static void align(const struct pel_display *display, struct pel_rect *area)

@@ -24,6 +24,7 @@ static const struct command commands[] = {
     {"compare", "A B", "find the differences of two pictures", command_compare},
     {"import", "MESH|PICTURE|FONT -o ASSET.c", "make an asset for firmware",
      command_import},
+    {"info", "MESH", "tell what a mesh file holds", command_info},
     {"explain", "SCRIPT X Y", "tell what a script does to a pixel, and why",
      command_explain},
     {"demo", "DIRECTORY [SCRIPT...]", "draw the gallery", command_demo},

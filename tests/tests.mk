@@ -43,7 +43,8 @@ TEST_ASSERT := tests/unit/test_all_assert
 TEST_TWINS := tests/property/test_raster_walks tests/property/test_raster_walks_large \
     tests/property/test_fast_flat tests/property/test_fast_textures
 # These name what only the default build has.
-TEST_HOST_ONLY := tests/property/test_fast_triangle $(TEST_TWINS)
+TEST_HOST_ONLY := tests/property/test_fast_depth tests/property/test_fast_triangle \
+    $(TEST_TWINS)
 # These see what the knobs of core change inside.
 TEST_KNOBS := tests/property/test_raster_triangles \
     tests/property/test_all_pictures tests/property/test_scene_numbers \
@@ -144,7 +145,7 @@ check: tests ## every test; the last line is `N passed, N failed`
 # another one each time; it is printed, and PEL_SEED=N repeats a run.
 DEEP_SCALE ?= 1000
 DEEP_PARTS := 0 1 2 3 4
-DEEP_EXTRA := deep-cpus
+DEEP_EXTRA := deep-cpus deep-order
 DEEP_PROGRAMS := $(TEST_PROPERTY:%=$(T)/host/%) \
     $(T)/portable/tests/property/test_raster_triangles
 deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hour
@@ -162,6 +163,10 @@ deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hou
 	done >>$(T)/deep.list; \
 	PEL_SEED=$$seed PEL_TIMEOUT=36000 tests/support/run.sh $(T)/deep \
 	    <$(T)/deep.list
+
+.PHONY: deep-order
+deep-order: all # every mesh of PEL_MODELS, with the painter's order proven or not
+	PEL=$(BUILD)/pel PEL_ORDER_ALL=1 sh tests/sim/test_render_order.sh
 
 # What the property tests measure against exact references, random and
 # adversarial input: NAME.csv with columns error (upper end of its bin; the unit

@@ -74,7 +74,7 @@ function sort_list(list,    i, j, t)
         number[list, named[list, i]] = i
 }
 
-# On a logarithmic axis nothing stands a decade below the least value.
+# On a logarithmic axis nothing stands at the power of ten below the least value.
 function find_zero(axis, v,    i, least)
 {
     zero[axis] = 0
@@ -83,7 +83,7 @@ function find_zero(axis, v,    i, least)
     for (i = 1; i <= n; i++)
         if (v[i] > 0 && (least == "" || v[i] + 0 < least))
             least = v[i] + 0
-    zero[axis] = least == "" ? 1 : 10 ^ (floor(log10(least)) - 1)
+    zero[axis] = least == "" ? 1 : 10 ^ floor(log10(least * .9))
     for (i = 1; i <= n; i++)
         if (v[i] + 0 <= 0) {
             print "set " axis "tics add (\"0\" " zero[axis] ")"
@@ -181,17 +181,23 @@ function draw_pair(    i, across, other)
     draw_series("points", "1:3:(0):($4-$3)")
 }
 
-# A row for each x (or y, or method): its value to the right.
-function draw_rows(    i, name)
+# Where a row belongs: x, or y, which may have names, or the method.
+function row_of(i,    name)
+{
+    if (chart["row"] == "method")
+        return method[i]
+    if (chart["row"] != "y")
+        return x[i]
+    return split(chart["names"], name, ",") > y[i] ? name[y[i] + 1] : y[i]
+}
+
+function draw_rows(    i)
 {
     find_zero("x", value)
-    for (i = 1; i <= n; i++) {
-        name = chart["row"] == "y" ? y[i] : chart["row"] == "method" ? \
-            method[i] : x[i]
+    for (i = 1; i <= n; i++)
         point(chart["row"] == "method" ? metrics[which[i]] : series_of(i),
-            on_axis("x", value[i]), place("rows", name), on_axis("x", low[i]),
-            on_axis("x", high[i]), tip[i])
-    }
+            on_axis("x", value[i]), place("rows", row_of(i)),
+            on_axis("x", low[i]), on_axis("x", high[i]), tip[i])
     tics("y", "rows")
     print "set yrange [" count["rows"] + .7 ":.3]"
     draw_series("points", "3:2:($4-$3):(0)")
@@ -321,9 +327,8 @@ function set_size(    i, width, height)
     height = 440
     if (chart["kind"] == "rows") {
         for (i = 1; i <= n; i++)
-            place("lines", chart["row"] == "y" ? y[i] : \
-                chart["row"] == "method" ? method[i] : x[i])
-        height = 110 + 17 * count["lines"]
+            place("lines", row_of(i))
+        height = 140 + 17 * count["lines"]
     } else if (chart["kind"] == "cells") {
         for (i = 1; i <= n; i++)
             if (metrics[which[i]] != "bound")

@@ -29,7 +29,7 @@ draw() {
         return
     fi
     awk -v style="$here/style.gp" -f "$here/chart.awk" "$work/$1" $files \
-        >"$work/script"
+        >"$work/script" || return 0
     gnuplot "$work/script" >"$work/svg"
     mv "$work/svg" "$folder/$1.svg"
 }
@@ -44,7 +44,7 @@ figure() {
         sed -e '1,/^>$/{/^<svg/,/^>$/!d;}' -e '/<title>.*<\/title>/s///' \
             -e 's/onload="[^"]*"//' "$folder/$1.svg"
     else
-        echo "<p class=\"missing\">Left out: there is no" \
+        echo "<p class=\"missing\">Left out: there is no row of it in" \
             "$(field "$1" case).csv.</p>"
     fi
     echo "<figcaption>$(field "$1" says | escape)</figcaption>"

@@ -8,9 +8,10 @@ build=$1
 out=$2/csv
 here=$(dirname "$0")
 bench=$build/bench
-repeats=21
+runs='1 2 3'
+repeats=9
 quick=
-[ -z "${QUICK-}" ] || repeats=3 quick=--quick
+[ -z "${QUICK-}" ] || runs=1 repeats=3 quick=--quick
 shard=${SHARD:-1/1}
 case $shard in
 [1-9]*/[1-9]*) ;;
@@ -24,8 +25,8 @@ cases() {
     "$bench/pel-atlas" --list
     "$bench/pel-bench" --list | sed 's/^/speed-/' |
         if [ "$quick" ]; then grep -v -e -565-; else cat; fi
-    printf 'scene-%s\n' cores triangles pixels bands
-    [ "$quick" ] || printf '%s\n' scene-mesh instructions
+    printf 'scene-%s\n' cores mesh triangles pixels bands
+    [ "$quick" ] || echo instructions
     printf '%s\n' matrix mcu size
 }
 
@@ -41,8 +42,13 @@ rows() {
 speed() {
     features=avx2
     case $1 in *alpha*) features= ;; esac
-    QT_NO_CPU_FEATURE=$features "$bench/pel-bench" --repeats $repeats \
-        --csv "$out/raw" "$1" >&2
+    rm -f "$out/raw"
+    compare=
+    for run in $runs; do
+        QT_NO_CPU_FEATURE=$features "$bench/pel-bench" --repeats $repeats \
+            --append --csv "$out/raw" $compare "$1" >&2
+        compare=--no-coverage
+    done
     rows speed "$bench/pel-bench $1" "$out/raw"
 }
 

@@ -12,7 +12,7 @@
 
 /* "PELM", and the version of the struct. */
 #define PEL_MESH_MAGIC UINT32_C(0x4D4C4550)
-enum { PEL_MESH_VERSION = 1 };
+enum { PEL_MESH_VERSION = 2 };
 
 /* A quantized number q of axis k means
  *     (offset[k] + q * step) / 2^shift
@@ -43,6 +43,32 @@ struct pel_mesh_part {
                          counted from 1 */
 };
 
+/* The first part that ends before it begins, or as the last not where the mesh
+ * does; or their number. */
+static inline uint32_t pel_mesh_wrong_part(const struct pel_mesh_part *part,
+                                           uint32_t parts, uint32_t vertices,
+                                           uint32_t triangles)
+{
+    struct pel_mesh_part before = {0, 0, 0, 0};
+    uint32_t i = 0;
+    for (; i < parts; before = part[i++])
+        if (part[i].vertices < before.vertices ||
+            part[i].triangles < before.triangles ||
+            (i + 1 == parts &&
+             (part[i].vertices != vertices || part[i].triangles != triangles)))
+            break;
+    return i;
+}
+
+struct pel_image_asset;
+
+/* A texture of its parts. */
+struct pel_mesh_image {
+    const struct pel_image_asset *image;
+    uint8_t wrap_u, wrap_v; /* enum pel_wrap */
+    bool cut_out;           /* pel_texture_cut_out */
+};
+
 struct pel_mesh_asset {
     uint32_t magic;     /* PEL_MESH_MAGIC */
     uint32_t version;   /* PEL_MESH_VERSION */
@@ -62,17 +88,24 @@ struct pel_mesh_asset {
     /* Per triangle, counter-clockwise from outside: one of the two. */
     const uint16_t (*indices16)[3];
     const uint32_t (*indices32)[3];
+
+    const struct pel_mesh_part *part;
+    const struct pel_mesh_image *image; /* textures, by their number */
+    uint32_t parts; /* 0: one material, and image[0] if there is one, for all */
+    uint32_t images; /* 0: they are for the program to find */
 };
 
 /* Checks that the program can read this asset. PEL_ERROR_NULL: no asset, no
- * positions, or not exactly one array of indices; PEL_ERROR_RANGE: no mesh
- * asset, or one of another version; PEL_ERROR_SIZE: counts out of range, two
- * arrays of normals, or a quantization out of range. Indices are not checked.
- */
+ * positions, not exactly one array of indices, no parts or images where there
+ * is a number of them; PEL_ERROR_RANGE: no mesh asset, or one of another
+ * version; PEL_ERROR_SIZE: counts out of range, two arrays of normals, a
+ * quantization out of range, wrong ends of parts or numbers of textures.
+ * Indices and the images themselves are not checked. */
 static inline enum pel_status pel_mesh_asset_check(
     const struct pel_mesh_asset *mesh)
 {
-    if (!mesh || !mesh->positions || !mesh->indices16 == !mesh->indices32)
+    if (!mesh || !mesh->positions || !mesh->indices16 == !mesh->indices32 ||
+        (mesh->parts && !mesh->part) || (mesh->images && !mesh->image))
         return PEL_ERROR_NULL;
     if (mesh->magic != PEL_MESH_MAGIC || mesh->version != PEL_MESH_VERSION)
         return PEL_ERROR_RANGE;
@@ -80,8 +113,16 @@ static inline enum pel_status pel_mesh_asset_check(
         (mesh->indices16 && mesh->vertices > 65536) ||
         (mesh->normals8 && mesh->normals16) ||
         !pel_quantization_legal(&mesh->position) ||
-        (mesh->uv && !pel_quantization_legal(&mesh->texture)))
+        (mesh->uv && !pel_quantization_legal(&mesh->texture)) ||
+        pel_mesh_wrong_part(mesh->part, mesh->parts, mesh->vertices,
+                            mesh->triangles) < mesh->parts)
         return PEL_ERROR_SIZE;
+    for (uint32_t i = 0; i < mesh->images; i++)
+        if (!mesh->image[i].image)
+            return PEL_ERROR_NULL;
+    for (uint32_t i = 0; mesh->images && i < mesh->parts; i++)
+        if (mesh->part[i].texture > mesh->images)
+            return PEL_ERROR_SIZE;
     return PEL_OK;
 }
 

@@ -57,6 +57,21 @@ static inline int pel_leading_zeros(uint64_t v)
 #define PEL_NOINLINE_32 PEL_NOINLINE
 #endif
 
+/* A function of its own, for its stack, where code is to be small. */
+#if PEL_KNOW_SIDES
+#define PEL_INLINE_FAST inline
+#else
+#define PEL_INLINE_FAST PEL_NOINLINE
+#endif
+
+/* Before a loop over three coordinates or corners: written out on 64-bit CPUs,
+ * where gcc -O2 does not (clang does). */
+#if PEL_64BIT && defined(__GNUC__) && !defined(__clang__)
+#define PEL_UNROLL _Pragma("GCC unroll 3")
+#else
+#define PEL_UNROLL
+#endif
+
 /* A loop that is a function of its own where registers are few (Thumb-1) or
  * Thumb code is to be small, and is inlined elsewhere. */
 #if defined(__thumb__) && (!defined(__thumb2__) || !PEL_KNOW_SIDES)

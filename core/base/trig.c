@@ -31,8 +31,9 @@ static int32_t sine(uint32_t f)
 static int32_t cosine(uint32_t f)
 {
     static const uint32_t c[4] = {1324675878, 68093864, 1399993, 15213};
-    const uint64_t drop = pel_multiply(f * f, polynomial(f * f, c)) >> 26;
-    return (int32_t)(((UINT64_C(1) << 32) - drop + (UINT32_C(1) << 16)) >> 17);
+    const uint32_t drop =
+        (uint32_t)(pel_multiply(f * f, polynomial(f * f, c)) >> 26);
+    return 32768 - (int32_t)((drop + 65535) >> 17);
 }
 
 struct pel_point pel_direction(uint16_t turn)

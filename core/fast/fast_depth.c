@@ -12,7 +12,7 @@
 /* What stays the same from row to row. Depths are 32.32 numbers, of which the
  * upper half is stored. */
 struct steps {
-    uint64_t dx, dy;
+    uint64_t dx;
     pel_u64x2 depth[2]; /* from the first pixel of four to each */
     pel_u32x4 value;    /* of a flat triangle */
     struct pel_gouraud_steps color;
@@ -107,9 +107,9 @@ static PEL_ALWAYS_INLINE void draw_span(const struct steps *s, pel_word32 *p,
 static PEL_ALWAYS_INLINE void draw_rows(const struct pel_depth_paint *paint,
                                         const struct pel_surface *surface,
                                         const struct pel_fast_triangle *t,
-                                        const struct steps *s, bool gouraud,
-                                        bool wide)
+                                        bool gouraud, bool wide)
 {
+    const struct pel_flat *flat = (const struct pel_flat *)paint->inner;
     const struct pel_gouraud *g = (const struct pel_gouraud *)paint->inner;
     const struct pel_depth *d = paint->depth;
     struct pel_fast_walk w = pel_fast_walk_begin(surface, t, 4);
@@ -119,9 +119,15 @@ static PEL_ALWAYS_INLINE void draw_rows(const struct pel_depth_paint *paint,
     uintptr_t held = (uintptr_t)d->values - size * (uintptr_t)d->bounds.x0 +
                      pitch * (uintptr_t)(ptrdiff_t)(t->y0 - d->bounds.y0);
     uint64_t depth = pel_plane_at(&paint->plane, 0, t->y0) << 10;
+    const uint64_t dx = paint->plane.dx << 10, dy = paint->plane.dy << 10;
+    struct steps s = {.dx = dx, .depth = {{0, dx}, {2 * dx, 3 * dx}}};
     uint32_t start[3] = {0, 0, 0}, v[3] = {0, 0, 0};
-    if (gouraud)
+    if (gouraud) {
+        s.color = pel_gouraud_steps_make(g, 1);
         pel_gouraud_at(g, 0, t->y0, start);
+    } else {
+        s.value = pel_make_value32(surface->format->pack(flat->color));
+    }
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
         if (gouraud) {
             v[0] = start[0] + (uint32_t)x * g->dx[0];
@@ -129,37 +135,32 @@ static PEL_ALWAYS_INLINE void draw_rows(const struct pel_depth_paint *paint,
             v[2] = start[2] + (uint32_t)x * g->dx[2];
             pel_gouraud_step(start, g->dy);
         }
-        draw_span(s, (pel_word32 *)(w.row + 4 * (uintptr_t)x),
+        draw_span(&s, (pel_word32 *)(w.row + 4 * (uintptr_t)x),
                   (uint8_t *)(held + size * (uintptr_t)x), n,
-                  depth + (uint64_t)x * s->dx, v, gouraud, wide);
-        depth += s->dy;
+                  depth + (uint64_t)x * dx, v, gouraud, wide);
+        depth += dy;
         held += pitch;
     }
 }
 
 static PEL_NOINLINE void draw_gouraud(const struct pel_depth_paint *p,
                                       const struct pel_surface *surface,
-                                      const struct pel_fast_triangle *t,
-                                      struct steps *s)
+                                      const struct pel_fast_triangle *t)
 {
-    s->color = pel_gouraud_steps_make((const void *)p->inner, 1);
     if (p->depth->bits == 32)
-        draw_rows(p, surface, t, s, true, true);
+        draw_rows(p, surface, t, true, true);
     else
-        draw_rows(p, surface, t, s, true, false);
+        draw_rows(p, surface, t, true, false);
 }
 
 static PEL_NOINLINE void draw_flat(const struct pel_depth_paint *p,
                                    const struct pel_surface *surface,
-                                   const struct pel_fast_triangle *t,
-                                   struct steps *s)
+                                   const struct pel_fast_triangle *t)
 {
-    const struct pel_flat *flat = (const void *)p->inner;
-    s->value = pel_make_value32(surface->format->pack(flat->color));
     if (p->depth->bits == 32)
-        draw_rows(p, surface, t, s, false, true);
+        draw_rows(p, surface, t, false, true);
     else
-        draw_rows(p, surface, t, s, false, false);
+        draw_rows(p, surface, t, false, false);
 }
 
 /* As one vector writes them. */
@@ -176,16 +177,13 @@ bool pel_depth_fast(const struct pel_paint *paint,
                     const struct pel_fast_triangle *triangle)
 {
     const struct pel_depth_paint *p = (const void *)paint;
-    const uint64_t dx = p->plane.dx << 10;
-    struct steps s = {.dx = dx, .dy = p->plane.dy << 10,
-                      .depth = {{0, dx}, {2 * dx, 3 * dx}}};
     if (!p->keeps || !pel_rect_inside(&surface->clip, &p->depth->bounds))
         return false;
     if (is_flat32(p->inner, surface->format))
-        draw_flat(p, surface, triangle, &s);
+        draw_flat(p, surface, triangle);
     else if (p->inner->fast == pel_gouraud_fast &&
              pel_gouraud_bytes((const void *)p->inner, surface->format) == 4)
-        draw_gouraud(p, surface, triangle, &s);
+        draw_gouraud(p, surface, triangle);
     else
         return false;
     return true;

@@ -12,14 +12,6 @@
 #include "../format/word.h"
 #include "gradient.h"
 
-/* PEL_CELL_STEP: a function of its own, for its stack, where code is to be
- * small. */
-#if PEL_KNOW_SIDES
-#define PEL_CELL_STEP inline
-#else
-#define PEL_CELL_STEP PEL_NOINLINE
-#endif
-
 /* Rows of a batch: one where code is to be small, and at most 32: then errors
  * of 32 bits do for all rows but the first. */
 enum {
@@ -28,38 +20,34 @@ enum {
                                           : 32
 };
 
-/* The boundary where the present cell ends, at a pixel of the first row. Its
- * error grows by `step` to the next pixel. */
-struct pel_boundary {
-    int64_t error;
-    int32_t x, step;
-};
-
 /* A batch of rows on its way through the cells. A cell's place is its number
  * from 0 on, and below the period where there is one. */
 struct pel_cells {
-    struct pel_boundary end; /* before the first: at a batch's first pixel */
+    int64_t error; /* of the boundary where the present cell ends, */
+    int32_t x;     /* at this pixel of the first row */
+    int32_t way;   /* to the next cell's place: 1, -1, or 0 where none comes */
+    int32_t hi;    /* runs end here at the farthest */
 
-    uint8_t left;   /* spans from `span` on */
-    bool box;       /* hi ends all rows */
-    bool opaque;    /* the next cell's colour is, */
-    int8_t way;     /* from one cell's place to the next: 1 or -1 */
-    int32_t hi;     /* runs end here at the farthest */
-    uint32_t value; /* the opaque colour's pixel value, or the other colour */
+    /* The next cell: its pixel value and the format's fill, or its colour,
+     * which is not opaque, and the blend. */
+    uint32_t value;
+    void (*draw)(const struct pel_spans *spans, uint32_t value);
 
     const struct pel_gradient *gradient;
-    const struct pel_span *span; /* the shape's, of these rows */
-    struct pel_spans cell;       /* the present cell's runs */
+    struct pel_spans cell; /* the present cell's runs */
 
     int32_t place; /* of the next cell */
-    int32_t limit; /* cells that may end yet; at 0 the rest is one cell */
 
     /* The kind's own: where the present cell begins, a radius or an angle, and
      * what the floor drops of it. */
     int32_t whole, rest;
 
 #if PEL_KNOW_SIDES
+    const struct pel_span *span; /* the shape's, of these rows */
+    uint8_t left;                /* spans from `span` on */
+    bool box;                    /* hi ends all rows */
     pel_color mask; /* of mixed colours what can be seen; 0: ask the format */
+    int64_t square; /* of `whole`, in 512ths; on the left side negative */
 #endif
 
     /* The run of the present cell, in every row. */
@@ -82,29 +70,56 @@ void pel_cells_open(struct pel_cells *cells,
                     const struct pel_spans *spans);
 
 /* Goes on to the next batch, of at most `most` <= PEL_CELL_ROWS rows, unless
- * pixels are left of the present one: from end.x to hi. No limit, way 1. false
- * when none are. */
+ * pixels are left of the present one: from x to hi. false when none are. */
 bool pel_cells_next(struct pel_cells *cells, int32_t most);
+
+/* Takes the colour of the cell at c->place. */
+void pel_cells_color(struct pel_cells *c);
+
+/* Goes on to the place of the next cell, and takes its colour; false where none
+ * comes: then a batch of one row ends. */
+bool pel_cells_more(struct pel_cells *c);
 
 /* How many cells from the one at c->place on are the same pixel value as that;
  * 0: all that may come. Moves on to the first other one. */
 int32_t pel_cells_pass(struct pel_cells *c);
 
-/* Takes the colour of the cell at c->place. */
-void pel_cells_color(struct pel_cells *c);
-
-/* Ends all runs at the boundary. Its error grows by `row` to the pixel below;
- * `row` from row to row, and the step from pixel to pixel, by `bend`. true when
- * pixels are left. */
-bool pel_cells_end(struct pel_cells *c, int32_t row, int32_t bend);
-
 /* Ends all runs where their rows do: false, no pixels are left. */
-bool pel_cells_end_all(struct pel_cells *c);
+bool pel_cells_end_all_rows(struct pel_cells *c);
 
-/* Draws what is left of every row up to hi, from the cell at c->place on. `end`
- * lets the present cell end where `count` >= 1 cells end, the present one
- * included, by pel_cells_end. true: pixels are left. Written out where it is
- * called, to spare the stack. */
+static PEL_ALWAYS_INLINE bool pel_cells_end_all(struct pel_cells *c)
+{
+    if (PEL_CELL_ROWS > 1)
+        return pel_cells_end_all_rows(c);
+    c->x = c->hi;
+    return false;
+}
+
+/* Ends all runs at the boundary, whose error is set. It grows by `step` to the
+ * next pixel, and by `row` to the one below; `row` from row to row, and the
+ * step from pixel to pixel, by `bend`. Below 0 when pixels are left. A single
+ * row has no step to the next: PEL_ROW_STEP. */
+#define PEL_ROW_STEP(row) (PEL_CELL_ROWS > 1 ? (row) : 0)
+int32_t pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
+                      int32_t bend);
+
+/* Moves by `count` >= 1 cells, each `width` and part / n wide. */
+static PEL_ALWAYS_INLINE void pel_cells_move(struct pel_cells *c, int32_t count,
+                                             int32_t width, int32_t part,
+                                             int32_t n)
+{
+    const int32_t way = c->way;
+    do {
+        c->whole += way * width;
+        c->rest += way * part;
+        if ((uint32_t)c->rest >= (uint32_t)n) {
+            c->rest -= way * n;
+            c->whole += way;
+        }
+    } while (--count);
+}
+
+/* Draws what is left of every row up to hi, from the cell at c->place on. */
 static PEL_ALWAYS_INLINE void pel_cells_draw(
     struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
 {
@@ -112,14 +127,54 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
     pel_cells_color(c);
     do {
         const uint32_t value = c->value;
-        const bool opaque = c->opaque;
-        const int32_t count = pel_cells_pass(c);
-        if (count)
-            rest = end(c, count);
-        else
-            rest = pel_cells_end_all(c);
-        pel_fill_value(&c->cell, value, opaque);
-    } while (rest);
+        void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
+        if (PEL_CELL_ROWS > 1) {
+            const int32_t count = pel_cells_pass(c);
+            rest = count ? end(c, count) : pel_cells_end_all(c);
+        } else {
+            c->run[0].x0 = c->x;
+            do
+                if (pel_cells_more(c))
+                    end(c, 1);
+            while (c->x < c->hi && c->value == value && c->draw == draw);
+            c->run[0].x1 = c->x;
+        }
+        pel_fill_value(&c->cell, value, draw);
+    } while (PEL_CELL_ROWS > 1 ? rest : c->x < c->hi);
+}
+
+/* Fills spans, `most` rows at a time. `start` finds the cell of the first
+ * pixel, its place and the way, and may bring hi nearer; `end` lets the present
+ * cell end where `count` >= 1 cells end, it included, by pel_cells_end: true
+ * when pixels are left. Written out where it is called, to spare the stack. */
+static PEL_ALWAYS_INLINE void pel_cells_fill(
+    const struct pel_paint *paint, const struct pel_spans *spans, int32_t most,
+    void (*start)(struct pel_cells *cells),
+    bool (*end)(struct pel_cells *cells, int32_t count))
+{
+    struct pel_cells c;
+    if (PEL_CELL_ROWS > 1) {
+        pel_cells_open(&c, (const void *)paint, spans);
+        while (pel_cells_next(&c, most)) {
+            start(&c);
+            pel_cells_draw(&c, end);
+        }
+        return;
+    }
+    c.gradient = (const void *)paint;
+    c.cell = *spans;
+    c.cell.n = 1;
+    c.cell.span = c.run;
+    const struct pel_span *span = spans->span;
+    for (int32_t i = spans->n; i > 0; i--, span++) {
+        c.x = span->x0;
+        while (c.x < span->x1) {
+            c.hi = span->x1;
+            start(&c);
+            pel_cells_draw(&c, end);
+        }
+        c.cell.y += c.cell.step;
+    }
 }
 
 #endif

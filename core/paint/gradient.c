@@ -18,12 +18,26 @@ static pel_color mixed(uint32_t high, uint32_t low)
     return (high & UINT32_C(0xFF00FF00)) | (low >> 8 & 0xFF00FFu);
 }
 
+/* The same in less code: a + (b - a) part / 512, rounded. */
+static inline pel_color mixed_by_channels(pel_color a, pel_color b,
+                                          uint32_t part)
+{
+    pel_color color = 0;
+    for (int k = 0; k < 4; k++, a <<= 8, b <<= 8) {
+        const uint32_t sum = (a >> 24) * 512 + ((b >> 24) - (a >> 24)) * part;
+        color = color << 8 | (sum + 256) >> 9;
+    }
+    return color;
+}
+
 static pel_color ramp_color(const struct pel_gradient *g, int32_t cell)
 {
     const pel_color a = g->ramp.colors[0], b = g->ramp.colors[1];
     const uint32_t i = (uint32_t)cell, mask = 0xFF00FFu;
     if (g->ramp.n != 2)
         return g->ramp.colors[cell];
+    if (!PEL_KNOW_SIDES)
+        return mixed_by_channels(a, b, 2 * i + 1);
     return mixed(mix_sum(a >> 8 & mask, b >> 8 & mask, i),
                  mix_sum(a & mask, b & mask, i));
 }
@@ -34,14 +48,31 @@ void pel_cells_color(struct pel_cells *c)
     const int32_t place = c->place;
     const pel_color color =
         g->color(g, place < g->cells ? place : g->period - 1 - place);
-    c->opaque = pel_alpha(color) == 255;
-    c->value = c->opaque ? c->cell.surface->format->pack(color) : color;
+    const struct pel_format *format = c->cell.surface->format;
+    const bool opaque = pel_alpha(color) == 255;
+    c->draw = opaque ? format->fill : format->blend;
+    c->value = opaque ? format->pack(color) : color;
 }
 
-/* Known to the compiler where it is always one. */
-static inline int32_t rows_of(const struct pel_cells *c)
+static PEL_ALWAYS_INLINE bool more(struct pel_cells *c)
 {
-    return PEL_CELL_ROWS == 1 ? 1 : c->cell.n;
+    const struct pel_gradient *g = c->gradient;
+    const int32_t bound = g->period ? g->period : g->cells;
+    const int32_t place = c->place + c->way;
+    const bool ends = (uint32_t)place >= (uint32_t)bound;
+    if (c->way == 0 || (ends && g->period == 0)) {
+        if (PEL_CELL_ROWS == 1)
+            pel_cells_end_all(c);
+        return false;
+    }
+    c->place = ends ? place - c->way * bound : place;
+    pel_cells_color(c);
+    return true;
+}
+
+bool pel_cells_more(struct pel_cells *c)
+{
+    return more(c);
 }
 
 #if PEL_KNOW_SIDES
@@ -86,8 +117,6 @@ static pel_color mask_of(const struct pel_gradient *g,
     return mask;
 }
 
-#endif
-
 void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
                     const struct pel_spans *spans)
 {
@@ -97,21 +126,14 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
     c->span = spans->span;
     c->left = (uint8_t)spans->n;
     c->run[0].x1 = FAR;
-#if PEL_KNOW_SIDES
     c->mask = mask_of(gradient, spans->surface->format);
-#endif
 }
 
 /* Are pixels left of the batch? Rows that have none end far away. */
 static bool find_left(struct pel_cells *c)
 {
     int32_t lo = FAR, hi = -FAR, rest = 0;
-    if (PEL_CELL_ROWS == 1) {
-        c->end.x = c->run[0].x1;
-        c->hi = c->span->x1;
-        return c->end.x < c->hi;
-    }
-    for (int32_t i = 0; i < rows_of(c); i++)
+    for (int32_t i = 0; i < c->cell.n; i++)
         if (c->run[i].x1 < c->span[i].x1) {
             lo = pel_min(lo, c->run[i].x1);
             hi = pel_max(hi, c->span[i].x1);
@@ -120,7 +142,7 @@ static bool find_left(struct pel_cells *c)
         }
     for (int32_t i = 0; i < c->cell.n; i++)
         rest |= (c->run[i].x1 - lo) | (hi - c->span[i].x1);
-    c->end.x = lo;
+    c->x = lo;
     c->hi = hi;
     c->box = rest == 0;
     return lo < hi;
@@ -128,8 +150,6 @@ static bool find_left(struct pel_cells *c)
 
 bool pel_cells_next(struct pel_cells *c, int32_t most)
 {
-    c->limit = INT32_MAX;
-    c->way = 1;
     while (!find_left(c)) {
         c->span += c->cell.n;
         c->left = (uint8_t)(c->left - c->cell.n);
@@ -137,7 +157,7 @@ bool pel_cells_next(struct pel_cells *c, int32_t most)
         c->cell.n = pel_min(c->left, most);
         if (c->cell.n == 0)
             return false;
-        for (int32_t i = 0; i < rows_of(c); i++)
+        for (int32_t i = 0; i < c->cell.n; i++)
             c->run[i].x1 = c->span[i].x0;
     }
     return true;
@@ -153,8 +173,8 @@ static inline int32_t end_run(struct pel_cells *c, int32_t i, int32_t x)
     return x - c->hi;
 }
 
-/* Keeps the runs in the spans of their rows: true when pixels are left. */
-static bool cut(struct pel_cells *c)
+/* Keeps the runs in the spans of their rows: below 0 when pixels are left. */
+static int32_t cut(struct pel_cells *c)
 {
     const int32_t hi = c->hi;
     int32_t rest = 0;
@@ -164,40 +184,25 @@ static bool cut(struct pel_cells *c)
         c->run[i].x1 = x;
         rest |= x - end;
     }
-    return rest < 0;
-}
-
-/* To the first pixel of the first row that lies beyond the boundary. */
-static int32_t end_first(struct pel_cells *c, int32_t bend)
-{
-    struct pel_boundary *b = &c->end;
-    const int32_t hi = c->hi;
-    int32_t x = b->x, step = b->step;
-    int64_t error = b->error;
-    for (; error < 0 && x < hi; x++) {
-        error += step;
-        step += bend;
-    }
-    b->x = x;
-    b->step = step;
-    b->error = error;
-    return end_run(c, 0, x);
+    return rest;
 }
 
 /* From row to row. The error is not taken for more than +-2^30: that is beyond
  * 32 rows and every step. */
-static int32_t end_others(struct pel_cells *c, int32_t row, int32_t bend)
+static int32_t end_others(struct pel_cells *c, int32_t step, int32_t row,
+                          int32_t bend)
 {
-    const struct pel_boundary *b = &c->end;
     const int32_t hi = c->hi, most = 1 << 30;
     const int32_t row_bend = c->cell.step ? bend : 0;
-    int32_t x = b->x, step = b->step - bend, rest = 0;
-    int32_t error = b->error < -most  ? -most
-                    : b->error > most ? most
-                                      : (int32_t)b->error;
+    int32_t x = c->x;
+    int32_t rest = end_run(c, 0, x);
+    int32_t error = c->error < -most  ? -most
+                    : c->error > most ? most
+                                      : (int32_t)c->error;
+    step -= bend;
     if (c->cell.step == 0)
         row = 0;
-    for (int32_t i = 1; i < rows_of(c); i++) {
+    for (int32_t i = 1; i < c->cell.n; i++) {
         error += row;
         row += row_bend;
         if (error < 0 && x < hi)
@@ -216,66 +221,70 @@ static int32_t end_others(struct pel_cells *c, int32_t row, int32_t bend)
     return rest;
 }
 
-bool pel_cells_end(struct pel_cells *c, int32_t row, int32_t bend)
+bool pel_cells_end_all_rows(struct pel_cells *c)
 {
-    int32_t rest = end_first(c, bend);
-    if (PEL_CELL_ROWS == 1)
-        return rest < 0;
-    rest |= end_others(c, row, bend);
-    return c->box ? rest < 0 : cut(c);
-}
-
-bool pel_cells_end_all(struct pel_cells *c)
-{
-    for (int32_t i = 0; i < rows_of(c); i++)
+    for (int32_t i = 0; i < c->cell.n; i++)
         end_run(c, i, c->hi);
-    return PEL_CELL_ROWS > 1 && !c->box && cut(c);
+    return !c->box && cut(c) < 0;
 }
 
 int32_t pel_cells_pass(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
     const uint32_t value = c->value;
-    const bool opaque = c->opaque;
-    const int32_t bound = g->period ? g->period : g->cells;
-    const int32_t most = pel_min(c->limit, bound);
+    void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
+    const int32_t most = g->period ? g->period : g->cells;
     int32_t count = 0;
     do {
-#if PEL_KNOW_SIDES
         if (c->mask && most > count) {
             const int32_t passed = pass_mixed(c, most - count);
             count += passed;
             c->place += c->way * passed;
         }
-#endif
-        if (count == most)
+        if (count == most || !more(c))
             return 0;
         count++;
-        c->place += c->way;
-        if ((uint32_t)c->place >= (uint32_t)bound) {
-            if (g->period == 0)
-                return 0;
-            c->place -= c->way * bound;
-        }
-        pel_cells_color(c);
-    } while (c->value == value && c->opaque == opaque);
-    c->limit -= count;
+    } while (c->value == value && c->draw == draw);
     return count;
+}
+
+#endif
+
+/* The first row by steps of 64 bits. */
+int32_t pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
+                      int32_t bend)
+{
+    const int32_t hi = c->hi;
+    int32_t x = c->x;
+    int64_t error = c->error;
+    for (; error < 0 && x < hi; x++) {
+        error += step;
+        step += bend;
+    }
+    c->x = x;
+    c->error = error;
+#if PEL_KNOW_SIDES
+    const int32_t rest = end_others(c, step, row, bend);
+    return c->box ? rest : cut(c);
+#else
+    (void)row;
+    return x - hi;
+#endif
 }
 
 enum pel_status pel_gradient_init(struct pel_gradient *g,
                                   const struct pel_ramp *ramp)
 {
+    if (!g)
+        return PEL_ERROR_NULL;
     pel_paint_clear(&g->paint);
     if (!ramp || !ramp->colors)
         return PEL_ERROR_NULL;
-    if (ramp->n < 1 || ramp->n > 32767)
+    if (ramp->n == 0 || (uint32_t)ramp->n >> 15)
         return PEL_ERROR_SIZE;
     g->color = ramp_color;
     g->ramp = *ramp;
     g->cells = ramp->n == 2 ? 256 : ramp->n;
-    g->period = ramp->spread == PEL_PAD ? 0 : g->cells;
-    if (ramp->spread == PEL_REFLECT)
-        g->period *= 2;
+    g->period = g->cells * (int32_t)ramp->spread; /* times 0, 1 or 2 */
     return PEL_OK;
 }

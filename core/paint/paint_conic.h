@@ -20,8 +20,8 @@ struct pel_conic {
     struct pel_gradient base;
     struct pel_point center;
     uint16_t start; /* turns / 65,536 */
-    uint16_t width; /* of a cell, rounded down, in turns / 65,536 */
-    uint16_t rest;  /* of the turn: 65,536 - width * period */
+    int32_t width;  /* of a cell, rounded down, in turns / 65,536 */
+    int32_t rest;   /* of the turn: 65,536 - width * period */
 };
 
 /* PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n), PEL_ERROR_RANGE (the centre

@@ -11,26 +11,8 @@
  *
  * The present cell begins at a circle of the radius floor(k radius / n), cells'
  * `whole`, rest / n what the floor drops: k rings lie inside. */
-struct side {
-    struct pel_cells cells;
-#if PEL_KNOW_SIDES
-    int64_t square; /* the circle's in 512ths, on the left side negative */
-#endif
-};
 
-/* To the next circle outwards, or inwards. */
-static void circle_move(struct pel_cells *c, const struct pel_radial *p)
-{
-    c->whole += c->way * p->width;
-    c->rest += c->way * p->rest;
-    if ((uint32_t)c->rest >= (uint32_t)p->base.cells) {
-        c->rest -= c->way * p->base.cells;
-        c->whole += c->way;
-    }
-}
-
-static PEL_NOINLINE_32 int64_t square_at(const struct pel_radial *p, int32_t x,
-                                         int32_t y)
+int64_t pel_radial_square(const struct pel_radial *p, int32_t x, int32_t y)
 {
     return pel_square(pel_pixel_center(x) - p->rings.center.x) +
            pel_square(pel_pixel_center(y) - p->rings.center.y);
@@ -40,40 +22,39 @@ static PEL_NOINLINE_32 int64_t square_at(const struct pel_radial *p, int32_t x,
 
 /* From the square of the circle before to that of this one. There are none
  * inside the centre. */
-static PEL_NOINLINE_32 void set_square(struct side *s,
+static PEL_NOINLINE_32 void set_square(struct pel_cells *c,
                                        const struct pel_radial *p)
 {
-    const int64_t mirror = s->cells.way >> 1; /* 0, or -1 */
-    s->cells.end.error += s->square;
-    s->square =
-        (((pel_square(pel_max(s->cells.whole, 0)) - p->low) >> 9) ^ mirror) -
-        mirror;
-    s->cells.end.error -= s->square;
+    const int64_t mirror = c->way >> 1; /* 0, or -1 */
+    c->error += c->square;
+    c->square =
+        (((pel_square(pel_max(c->whole, 0)) - p->low) >> 9) ^ mirror) - mirror;
+    c->error -= c->square;
 }
 
 #else
 
 /* The error at the pixel, anew, which is less code. */
-static inline void set_square(struct side *s, const struct pel_radial *p)
+static inline void set_square(struct pel_cells *c, const struct pel_radial *p)
 {
-    struct pel_cells *c = &s->cells;
     const int64_t circle = pel_square(pel_max(c->whole, 0)) + 1;
-    const int64_t error = square_at(p, c->end.x, c->cell.y) - circle;
-    c->end.error = (error >> 9) ^ (c->way >> 1);
+    const int64_t error = pel_radial_square(p, c->x, c->cell.y) - circle;
+    c->error = (error >> 9) ^ (c->way >> 1);
 }
 
 #endif
 
-static PEL_CELL_STEP bool end_cells(struct pel_cells *cells, int32_t count)
+static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
 {
-    const struct pel_radial *p = (const void *)cells->gradient;
-    do
-        circle_move(cells, p);
-    while (--count);
-    set_square((void *)cells, p);
-    const int32_t way = cells->way;
-    const int32_t v = pel_pixel_center(cells->cell.y) - p->rings.center.y;
-    return pel_cells_end(cells, way * (v + 128), way * 256);
+    const struct pel_radial *p = (const void *)c->gradient;
+    const struct pel_point center = p->rings.center;
+    const int32_t way = c->way;
+    pel_cells_move(c, count, p->width, p->rest, p->base.cells);
+    set_square(c, p);
+    return pel_cells_end(c, way * (pel_pixel_center(c->x) - center.x + 128),
+                         PEL_ROW_STEP(way * (pel_pixel_center(c->cell.y) -
+                                             center.y + 128)),
+                         way * 256) < 0;
 }
 
 /* The row of the pixel where the walk begins: the farthest from the centre on
@@ -96,7 +77,7 @@ static PEL_NOINLINE_32 void find_root(struct pel_cells *c)
 {
     c->whole = 0;
     for (int32_t bit = 1 << 25; bit; bit >>= 1)
-        if (pel_square(c->whole + bit) < c->end.error)
+        if (pel_square(c->whole + bit) < c->error)
             c->whole += bit;
 }
 
@@ -113,7 +94,7 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
                                       const struct pel_radial *p)
 {
     const int32_t radius = p->rings.radius, n = p->base.cells;
-    const int32_t most = n - 1 - p->first, some = c->end.error != 0;
+    const int32_t most = n - 1 - p->first, some = c->error != 0;
     int32_t copy = quotient(c->whole, radius);
     int32_t part = quotient(
         pel_product(c->whole - copy * radius + some, n) - some, radius);
@@ -130,30 +111,6 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
     c->rest = (int32_t)((uint32_t)ring - (uint32_t)begin * (uint32_t)n);
 }
 
-/* From the square of the distance of the first pixel to its error. */
-static inline void set_end(struct side *s, const struct pel_radial *p)
-{
-    struct pel_boundary *end = &s->cells.end;
-    const int32_t way = s->cells.way;
-    end->step = way * (pel_pixel_center(end->x) - p->rings.center.x + 128);
-#if PEL_KNOW_SIDES
-    end->error = ((end->error >> 9) - 1) ^ (way >> 1);
-    s->square = 0;
-    set_square(s, p);
-#endif
-}
-
-static PEL_ALWAYS_INLINE void start(struct side *s, const struct pel_radial *p)
-{
-    struct pel_cells *c = &s->cells;
-    c->end.error = square_at(p, c->end.x, first_row(c, p));
-    find_root(c);
-    find_ring(c, p);
-    if (PEL_CELL_ROWS > 1)
-        c->end.error = square_at(p, c->end.x, c->cell.y);
-    set_end(s, p);
-}
-
 /* Rings narrower than 1/64 px are drawn a pixel at a time. */
 static bool is_narrow(const struct pel_radial *p)
 {
@@ -161,54 +118,60 @@ static bool is_narrow(const struct pel_radial *p)
 }
 
 /* The part of the batch on one side. */
-static PEL_CELL_STEP void set_side(struct pel_cells *c,
-                                   const struct pel_radial *p)
+static PEL_INLINE_FAST void set_side(struct pel_cells *c,
+                                     const struct pel_radial *p)
 {
     const int32_t split = pel_first_pixel(p->rings.center.x);
+    c->way = 1;
     if (is_narrow(p))
-        c->hi = c->end.x + 1;
-    if (c->end.x < split) {
+        c->hi = c->x + 1;
+    if (c->x < split) {
         c->way = -1;
         c->hi = pel_min(c->hi, split);
     }
 }
 
+static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
+{
+    const struct pel_radial *p = (const void *)c->gradient;
+    set_side(c, p);
+    c->error = pel_radial_square(p, c->x, first_row(c, p));
+    find_root(c);
+    find_ring(c, p);
+#if PEL_KNOW_SIDES
+    c->error =
+        ((pel_radial_square(p, c->x, c->cell.y) >> 9) - 1) ^ (c->way >> 1);
+    c->square = 0;
+    set_square(c, p);
+#endif
+}
+
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_radial *p = (const void *)paint;
-    struct side s;
-    if (PEL_FAST_FILLS && PEL_64BIT && pel_radial_fast(p, spans))
-        return;
-    pel_cells_open(&s.cells, &p->base, spans);
-    while (pel_cells_next(&s.cells, is_narrow(p) ? 1 : PEL_CELL_ROWS)) {
-        set_side(&s.cells, p);
-        start(&s, p);
-        pel_cells_draw(&s.cells, end_cells);
-    }
+    if (!(PEL_FAST_FILLS && PEL_64BIT && pel_radial_fast(p, spans)))
+        pel_cells_fill(paint, spans, is_narrow(p) ? 1 : PEL_CELL_ROWS, start,
+                       end_cells);
 }
 
 enum pel_status pel_radial_init(struct pel_radial *paint,
                                 const struct pel_rings *rings,
                                 const struct pel_ramp *ramp)
 {
-    if (!paint)
-        return PEL_ERROR_NULL;
-    pel_paint_clear(&paint->base.paint);
-    if (!rings)
-        return PEL_ERROR_NULL;
-    const enum pel_status status = pel_gradient_init(&paint->base, ramp);
+    const enum pel_status status =
+        pel_gradient_init((void *)paint, rings ? ramp : NULL);
     if (status != PEL_OK)
         return status;
     if (!pel_point_legal(rings->center) || rings->radius < 256 ||
         rings->radius > PEL_PX(32767))
         return PEL_ERROR_RANGE;
     const int32_t n = paint->base.cells;
-    paint->base.paint = (struct pel_paint){fill, NULL};
+    paint->base.paint.fill = fill;
     paint->rings = *rings;
     paint->first = (int32_t)((uint32_t)rings->phase * (uint32_t)n >> 16);
     paint->width = quotient(rings->radius, n);
     paint->rest = rings->radius - paint->width * n;
     if (PEL_KNOW_SIDES)
-        paint->low = (uint32_t)square_at(paint, 0, 0) & 511;
+        paint->low = (uint32_t)pel_radial_square(paint, 0, 0) & 511;
     return PEL_OK;
 }

@@ -76,14 +76,12 @@ struct pel_flat {
         PEL_PAINT(pel_flat_fill, pel_flat_fast), (color) \
     }
 
-/* Stores or blends one color, an opaque one as its pixel value. Fill-only
- * formats cannot blend: a broken contract. */
+/* One color by the format's fill, as its pixel value, or by its blend, which
+ * fill-only formats do not have: a broken contract. */
 static inline void pel_fill_value(const struct pel_spans *spans, uint32_t value,
-                                  bool opaque)
+                                  void (*draw)(const struct pel_spans *,
+                                               uint32_t))
 {
-    const struct pel_format *format = spans->surface->format;
-    void (*draw)(const struct pel_spans *, uint32_t) =
-        opaque ? format->fill : format->blend;
     PEL_ASSERT(draw);
     if (draw)
         draw(spans, value);
@@ -92,9 +90,11 @@ static inline void pel_fill_value(const struct pel_spans *spans, uint32_t value,
 static inline void pel_fill_color(const struct pel_spans *spans,
                                   pel_color color)
 {
-    const bool opaque = pel_alpha(color) == 255;
-    pel_fill_value(spans, opaque ? spans->surface->format->pack(color) : color,
-                   opaque);
+    const struct pel_format *format = spans->surface->format;
+    if (pel_alpha(color) == 255)
+        format->fill(spans, format->pack(color));
+    else
+        pel_fill_value(spans, color, format->blend);
 }
 
 void pel_flat_fill(const struct pel_paint *paint,

@@ -10,7 +10,7 @@ static PEL_ALWAYS_INLINE void fill_rows(const struct pel_surface *surface,
     struct pel_span span[PEL_COLLECT_ROWS];
     struct pel_spans spans = {surface, span, r->y0, 0, 1};
     const int32_t end = r->y1;
-    if (pel_rect_empty(r))
+    if (r->x0 >= r->x1)
         return;
     for (int i = 0; i < PEL_COLLECT_ROWS; i++)
         span[i] = (struct pel_span){r->x0, r->x1};

@@ -158,25 +158,23 @@ static void fine_position(const struct pel_projector *p,
                           const int16_t position[3], int64_t out[3])
 {
     int32_t value[3];
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         value[k] = pel_quantization_value(&p->quantization, k, position[k]);
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         out[k] = pel_scale_down(pel_dot(p->rows.row[k], value), p->down) +
                  p->origin[k];
 }
 
-/* The nearest whole number to n 2^bits / z, where less than 2^24 in size; z >
- * 0. z is brought to 31 bits, the numerator is then below 2^55, and one of 2^24
- * more keeps it above 0. */
-static void quotient(int64_t n, int64_t z, int bits, int32_t *out)
+/* The nearest whole number to n 2^bits / z; z > 0, and `divisor` is z 2^-down,
+ * of 31 bits. The numerator is then below 2^55, and one of 2^24 more keeps it
+ * above 0. */
+static int32_t quotient(int64_t n, int bits, int down, uint32_t divisor)
 {
-    const int down = pel_bits_of((uint64_t)z) - 31;
-    if (pel_size_of(n) >> (24 - bits) >= z)
-        return;
-    const uint32_t divisor = (uint32_t)pel_scale_down(z, down);
     uint64_t sum = (uint64_t)pel_scale_down(n, down - bits);
     sum += ((uint64_t)divisor << 24) + divisor / 2;
-    *out = (int32_t)pel_divide(sum, divisor) - (INT32_C(1) << 24);
+    return (int32_t)pel_divide(sum, divisor) - (INT32_C(1) << 24);
 }
 
 /* The sub-pixel of a position, clamped to the legal range; true when that
@@ -184,10 +182,13 @@ static void quotient(int64_t n, int64_t z, int bits, int32_t *out)
 static bool on_screen(const struct pel_projector *p, const int64_t c[2],
                       int64_t z, int32_t out[2])
 {
+    const int down = pel_bits_of((uint64_t)z) - 31;
+    const uint32_t divisor = (uint32_t)pel_scale_down(z, down);
     bool on = true;
     for (int k = 0; k < 2; k++) {
         int32_t at = c[k] < 0 ? PEL_GUARD_MIN * 2 : PEL_GUARD_MAX * 2;
-        quotient(c[k], z, p->spread[k], &at);
+        if (pel_size_of(c[k]) >> (24 - p->spread[k]) < z)
+            at = quotient(c[k], p->spread[k], down, divisor);
         at += p->center[k];
         out[k] = pel_max(PEL_GUARD_MIN, pel_min(at, PEL_GUARD_MAX));
         on &= out[k] == at;

@@ -270,12 +270,16 @@ void pel_scene_draw_certified(struct pel_frame *frame,
                               const struct pel_rect *doubt,
                               const struct pel_depth *depth)
 {
-    struct pel_frame again = *frame;
+    struct pel_depth_entry *const order = frame->order;
+    const uint32_t triangles = frame->triangles;
     struct pel_surface part = *surface;
     pel_scene_draw(frame, surface);
     part.clip = pel_rect_intersect(&part.clip, doubt);
-    again.order = NULL;
-    again.triangles = frame->scene->mesh->triangles;
-    if (!pel_rect_empty(&part.clip))
-        pel_scene_draw_depth(&again, &part, depth);
+    if (pel_rect_empty(&part.clip))
+        return;
+    frame->order = NULL;
+    frame->triangles = frame->scene->mesh->triangles;
+    pel_scene_draw_depth(frame, &part, depth);
+    frame->order = order;
+    frame->triangles = triangles;
 }

@@ -1,4 +1,15 @@
-/* A certificate for the painter's order: which pixels it may show wrong. */
+/* A certificate for the painter's order: which pixels it may show wrong.
+ *
+ *     pel_scene_certify(&frame, proof, sizeof proof, 20000, &doubt);
+ *     pel_scene_draw(&frame, &band); // at most doubt.pixels are wrong
+ *
+ * With memory for depths of `ROWS` rows, and bands no higher, none is:
+ *
+ *     part = pel_rect_intersect(&band.clip, &doubt.bounds);
+ *     if (!pel_rect_empty(&part))
+ *         pel_depth_init(&depth, &part, 32, depths, sizeof depths);
+ *     pel_scene_draw_certified(&frame, &band, &doubt.bounds, &depth);
+ */
 #ifndef PEL_SCENE_CERTIFICATE_H
 #define PEL_SCENE_CERTIFICATE_H
 
@@ -32,10 +43,10 @@ struct pel_certificate_item {
 
 /* Examines the order of a frame. Two triangles are in the right order when they
  * share no pixel, as their boxes or an edge of one shows; or the whole second
- * one is nearer than the first; or, in each row that they share, it is nearer
- * at both ends by the very numbers that a depth buffer would hold. Triangles
- * that the near plane or the range of sub-pixels cuts are compared by their
- * distances alone.
+ * one is nearer than the first; or its plane is nearer in all that their boxes
+ * share; or, in each row that they share, it is nearer at both ends, by the
+ * very numbers that a depth buffer would hold. Triangles that the near plane or
+ * the range of sub-pixels cuts are compared by their distances alone.
  *
  * Takes at most about `work` steps, of which one compares two boxes, and 40 and
  * one per row two triangles; what is left then is in doubt. Time grows with the

@@ -115,6 +115,7 @@ enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
 void pel_mesh_lights_position(const struct pel_mesh_lights *lights,
                               const int16_t position[3], int32_t out[3])
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         out[k] = (int32_t)pel_scale_down(
             pel_quantization_value(&lights->mesh->position, k, position[k]),
@@ -144,9 +145,12 @@ pel_cosine pel_light_reflected(pel_cosine towards[3][3], pel_cosine nl)
 }
 
 /* sum += factor part. Factors are below 2^24, so 32 lights fit with both of
- * their terms. */
+ * their terms. Most pixels are out of the highlight. */
 static void add(pel_factor sum[3], const pel_factor factor[3], pel_cosine part)
 {
+    if (part == 0)
+        return;
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         sum[k] += pel_scaled(factor[k], part, 30);
 }
@@ -155,6 +159,7 @@ static void add(pel_factor sum[3], const pel_factor factor[3], pel_cosine part)
 static void direction(const int32_t from[3], const int32_t to[3],
                       pel_cosine unit[3])
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         unit[k] = to[k] - from[k];
     pel_normalize_fast(unit, unit);
@@ -179,6 +184,7 @@ bool pel_light_start(const struct pel_mesh_lights *lights,
                      const int32_t position[3], const int32_t normal[3],
                      pel_cosine towards[3][3], struct pel_light_sum *sum)
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++) {
         sum->surface[k] = lights->ambient[k];
         sum->plain[k] = 0;
@@ -196,6 +202,7 @@ bool pel_light_start(const struct pel_mesh_lights *lights,
 void pel_light_towards(const struct pel_mesh_light *light,
                        const int32_t position[3], pel_cosine towards[3][3])
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         towards[2][k] = light->at[k];
     if (!light->directional)
@@ -219,15 +226,17 @@ void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
 uint32_t pel_lit_channel(const struct pel_light_sum *sum, int channel,
                          uint32_t surface)
 {
-    const uint32_t v =
-        (uint32_t)pel_scaled((int32_t)surface, sum->surface[channel], 16) +
-        (uint32_t)pel_scaled(65280, sum->plain[channel], 16) + 128;
+    uint32_t v =
+        (uint32_t)pel_scaled((int32_t)surface, sum->surface[channel], 16) + 128;
+    if (sum->plain[channel])
+        v += (uint32_t)pel_scaled(65280, sum->plain[channel], 16);
     return v >> 8 < 255 ? v >> 8 : 255;
 }
 
 pel_color pel_lit_color(const struct pel_light_sum *sum, pel_color surface)
 {
     pel_color out = surface & UINT32_C(0xFF000000);
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         out |= pel_lit_channel(sum, k, (surface >> (16 - 8 * k) & 255) << 8)
                << (16 - 8 * k);

@@ -11,11 +11,10 @@ static int64_t texel_of(const struct pel_frame *frame, uint32_t vertex, int k)
     return pel_scale_down(v, mesh->texture.shift - 16);
 }
 
-/* u and v of the corners of the triangle; z is not set. Differences are below
- * 2^38; what does not fit 32 bits is mixed without its
+/* Differences are below 2^38; what does not fit 32 bits is mixed without its
  * last 8. */
-static void set_corners(const struct pel_frame *frame,
-                        struct pel_texture_corner corner[3])
+void pel_frame_texels(const struct pel_frame *frame,
+                      struct pel_texture_corner corner[3])
 {
     const struct pel_frame_triangle *t = &frame->work->triangle;
     for (int k = 0; k < 2; k++) {
@@ -34,6 +33,8 @@ static void set_corners(const struct pel_frame *frame,
         for (int i = 0; i < 3; i++)
             corner[i].uv[k] = first + pel_scale_down(at[i], -cut);
     }
+    for (int i = 0; i < 3; i++)
+        corner[i].z = frame->projector.one ? 1 : t->corner[i]->position[2];
 }
 
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
@@ -56,9 +57,9 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     }
 }
 
-static const struct pel_paint *modulate(struct pel_frame *frame,
-                                        const struct pel_color_paint *surface,
-                                        const pel_color color[3])
+const struct pel_paint *pel_frame_modulate(
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
 {
     struct pel_modulated *p = &frame->work->paint.modulated;
     if ((color[0] & color[1] & color[2]) == UINT32_C(0xFFFFFFFF))
@@ -84,12 +85,11 @@ static pel_color vertex_color(const struct pel_frame *frame, uint32_t vertex)
 
 const struct pel_mapping pel_map_vertices = {vertex_color, NULL, NULL};
 
-static const struct pel_color_paint *affine(struct pel_frame *frame)
+const struct pel_color_paint *pel_frame_affine(
+    struct pel_frame *frame, const struct pel_texture_corner corner[3])
 {
     struct pel_texture *p = &frame->texture;
-    struct pel_texture_corner corner[3];
     int32_t value[3];
-    set_corners(frame, corner);
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < 3; i++)
             value[i] = (int32_t)pel_scale_down(corner[i].uv[k], 8);
@@ -99,21 +99,24 @@ static const struct pel_color_paint *affine(struct pel_frame *frame)
     return &p->base;
 }
 
-const struct pel_mapping pel_map_affine = {NULL, affine, modulate};
+static const struct pel_color_paint *affine(struct pel_frame *frame)
+{
+    struct pel_texture_corner corner[3];
+    pel_frame_texels(frame, corner);
+    return pel_frame_affine(frame, corner);
+}
+
+const struct pel_mapping pel_map_affine = {NULL, affine, pel_frame_modulate};
 
 static const struct pel_color_paint *perspective(struct pel_frame *frame)
 {
     struct pel_perspective *p = &frame->work->perspective;
-    const int32_t span = frame->mesh_texture->span;
     struct pel_texture_corner corner[3];
-    set_corners(frame, corner);
-    for (int i = 0; i < 3; i++)
-        corner[i].z = frame->projector.one
-                          ? 1
-                          : frame->work->triangle.corner[i]->position[2];
+    pel_frame_texels(frame, corner);
     pel_perspective_init(p, &frame->texture, pel_frame_setup(frame), corner,
-                         span);
+                         frame->mesh_texture->span);
     return &p->base;
 }
 
-const struct pel_mapping pel_map_perspective = {NULL, perspective, modulate};
+const struct pel_mapping pel_map_perspective = {NULL, perspective,
+                                                pel_frame_modulate};

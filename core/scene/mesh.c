@@ -21,7 +21,9 @@ void pel_mesh_of_asset(struct pel_mesh *mesh,
                               .uv = asset->uv,
                               .colors = asset->colors,
                               .indices16 = asset->indices16,
-                              .indices32 = asset->indices32};
+                              .indices32 = asset->indices32,
+                              .part = asset->part,
+                              .parts = asset->parts};
 }
 
 static bool quantum_legal(const struct pel_quantization *q)
@@ -58,24 +60,6 @@ static enum pel_status check_indices(const struct pel_mesh *m,
     return PEL_OK;
 }
 
-/* The first part that ends before it begins, or as the last not where the mesh
- * does; or their number. */
-static uint32_t wrong_part(const struct pel_mesh *m)
-{
-    uint32_t i = 0, vertices = 0, triangles = 0;
-    for (; i < m->parts; i++) {
-        const struct pel_mesh_part *p = &m->part[i];
-        const bool last = i + 1 == m->parts;
-        if (p->vertices < vertices || p->triangles < triangles ||
-            (last &&
-             (p->vertices != m->vertices || p->triangles != m->triangles)))
-            break;
-        vertices = p->vertices;
-        triangles = p->triangles;
-    }
-    return i;
-}
-
 enum pel_status pel_mesh_check(const struct pel_mesh *mesh,
                                struct pel_mesh_fault *fault)
 {
@@ -86,7 +70,8 @@ enum pel_status pel_mesh_check(const struct pel_mesh *mesh,
         return PEL_ERROR_NULL;
     if (!sizes_legal(mesh))
         return PEL_ERROR_SIZE;
-    part = wrong_part(mesh);
+    part = pel_mesh_wrong_part(mesh->part, mesh->parts, mesh->vertices,
+                               mesh->triangles);
     if (part < mesh->parts) {
         if (fault)
             *fault = (struct pel_mesh_fault){0, 0, part};

@@ -52,6 +52,7 @@ enum pel_status pel_mesh_check(const struct pel_mesh *mesh,
 inline void pel_mesh_corners(const struct pel_mesh *mesh, uint32_t triangle,
                              uint32_t corner[3])
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         corner[k] = mesh->indices16  ? mesh->indices16[triangle][k]
                     : mesh->indices8 ? mesh->indices8[triangle][k]

@@ -4,10 +4,10 @@
  * the directions to the eye and to a light, linear between the vertices where
  * they have length 1,
  *
- *     N.L = n.L (1 + d / 2 + 3/8 d^2)
- *     R.V = 2 (n.L) (n.V) (1 + d + d^2) - L.V
+ *     N.L = n.L (1 + d / 2 + 3/8 d^2 + 5/16 d^3)
+ *     R.V = 2 (n.L) (n.V) (1 + d + d^2 + d^3) - L.V
  *
- * are off by less than d^3 / 2 and 2 d^3 for |d| <= 1/8: the next terms of the
+ * are off by less than d^4 and 2 d^4 for |d| <= 1/4: the next terms of the
  * series of (1 - d)^(-1/2) and of (1 - d)^-1. All dot products are polynomials
  * of degree 2 of two weights, which are linear on screen. */
 #ifndef PEL_SCENE_PAINT_PHONG_QUICK_H
@@ -19,7 +19,10 @@
 
 PEL_BEGIN_DECLS
 
-enum { PEL_QUICK_LIGHTS = 3 }; /* no more */
+enum {
+    PEL_QUICK_LIGHTS = 3, /* no more */
+    PEL_QUICK_BITS = 28   /* numbers are 2^-28 */
+};
 
 /* Of weights a and b of two vertices, 2^-28: k0 + a k1 + b k2 + a^2 k3 + a b k4
  * + b^2 k5. */
@@ -48,11 +51,16 @@ struct pel_phong_quick {
     int32_t color[3][3]; /* blue, green, red: at vertex 0, 1/256 step, and the
                             ways to the others */
     uint8_t alpha;
+    uint8_t span; /* bits of the pixels between which light is linear */
+    bool dull;    /* no highlights */
     bool one_color;
     bool gray; /* all lights are: one factor serves all channels */
 };
 
-/* Sets all but `weight`. Up to PEL_QUICK_LIGHTS lights. */
+pel_colors_function pel_phong_quick_colors; /* of that paint */
+
+/* Sets all but `weight`, `alpha`, `span` and `dull`. Up to PEL_QUICK_LIGHTS
+ * lights. */
 void pel_phong_quick_init(struct pel_phong_quick *paint,
                           const struct pel_mesh_lights *lights,
                           const struct pel_lit_corners *corners,

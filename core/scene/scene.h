@@ -11,6 +11,7 @@ PEL_BEGIN_DECLS
 struct pel_lighting;
 struct pel_mesh_texture;
 struct pel_shading;
+struct pel_stats;
 
 /* Sides of triangles that are not drawn; the front shows the vertices
  * counter-clockwise. */
@@ -66,6 +67,9 @@ struct pel_scene {
      * channel of a pixel differs by at most so many 1/256 steps, rounded up to
      * whole ones, from what the exact method gives, before it is packed. */
     int32_t tolerance;
+    int32_t texel_tolerance; /* of places in textures: 1/256 texel; then what a
+                                channel differs from is the color there */
+    struct pel_stats *stats; /* stats.h; for pel_shade_counted */
 
     /* &pel_depth_sort or another one for painter's order, from the farthest to
      * the nearest, by the exact sum of the depths of three vertices. NULL: the

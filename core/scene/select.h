@@ -8,15 +8,31 @@
 
 PEL_BEGIN_DECLS
 
-/* What stands for pel_shade_phong in a triangle, the cheapest first. */
+/* What stands for pel_shade_phong in a triangle. */
 enum pel_method {
     PEL_METHOD_FLAT,    /* one color */
     PEL_METHOD_GOURAUD, /* lit at the vertices */
+    PEL_METHOD_SPANS,   /* lit by polynomials every 2 to 8 pixels of a row */
+    PEL_METHOD_QUICK,   /* lit by polynomials at every pixel */
     PEL_METHOD_PHONG,   /* lit at every pixel */
     PEL_METHODS
 };
 
 /* pel_shade_phong to scene->tolerance: exact where that is 0. */
 extern const struct pel_shading pel_shade_chosen;
+
+/* pel_map_perspective to scene->texel_tolerance: affine, or divided every 64,
+ * 32 ... 2 pixels, or at every one. With r the ratio of the largest distance to
+ * the smallest and u the texels,
+ *
+ *     affine   u (r - 1) / 4 or less, of a triangle;
+ *     span     the same, of a span.
+ *
+ * (By the affine map a point is the mean of the corners' texels by weights, in
+ * perspective by weights times 1 / z. If some corners have 0 and the others u
+ * texels, and these have the part s of the weights, the difference is largest
+ * where all of them are at one end of the distances and the others at the other
+ * one: u (s r / (s r + 1 - s) - s) <= u (sqrt r - 1) / (sqrt r + 1).) */
+extern const struct pel_mapping pel_map_chosen;
 PEL_END_DECLS
 #endif

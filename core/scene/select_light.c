@@ -20,9 +20,8 @@ static uint32_t ratio(uint64_t a, uint64_t b)
     struct pel_root root;
     int shift;
     pel_square_root(a, &root);
-    const uint64_t q =
-        pel_multiply(root.root + 1, pel_inverse_root(b, &shift)) >>
-        (46 - shift);
+    const uint32_t inverse = pel_inverse_root(b, &shift);
+    const uint64_t q = pel_multiply(root.root + 1, inverse) >> (46 - shift);
     return q < RATIO_MAX - 2 ? (uint32_t)q + 2 : RATIO_MAX;
 }
 
@@ -56,13 +55,19 @@ pel_color pel_light_note(const struct pel_frame *frame, uint32_t vertex,
            (uint32_t)pel_min(h, 7) << 29;
 }
 
-/* How far directions turn over the triangle's longest edge, 2^-16, and how far
- * the square of the normals' length is from 1, as a part of it. */
-struct turns {
-    uint32_t normal, eye, light, length;
-};
+/* At least v / 6, v below 2^62, and 7/36 v, v below 2^56: without a division.
+ */
+static uint64_t sixth_of(uint64_t v)
+{
+    return (v >> 10) * 171 + 171;
+}
 
-static uint64_t longest(const int32_t v[3][3])
+static uint64_t curve_of(uint64_t v)
+{
+    return (v * 50 >> 8) + 1;
+}
+
+static uint64_t longest(int32_t v[3][3])
 {
     uint64_t longest = 0;
     for (int i = 0; i < 3; i++) {
@@ -89,9 +94,17 @@ static void set_corners(const struct pel_frame *frame,
     }
 }
 
+/* a / b, 2^-16, rounded up by a factor of up to two; at most 2^18. */
+static uint32_t part_of(uint64_t a, uint64_t b)
+{
+    const int bits = pel_bits_of(b); /* b >= 2^(bits - 1) */
+    return a >> (bits - 1) >= 4 ? 4 * 65536
+                                : (uint32_t)(a << (62 - bits) >> 45) + 1;
+}
+
 /* False where normals turn too far. */
 static bool turn_of_normals(struct pel_lit_corners *corners,
-                            struct turns *turns)
+                            struct pel_light_turns *turns)
 {
     uint64_t least = UINT64_MAX, most = 0;
     for (int i = 0; i < 3; i++) {
@@ -103,17 +116,18 @@ static bool turn_of_normals(struct pel_lit_corners *corners,
     const uint64_t edge = longest(corners->normal);
     if (edge >= least || most - least >= least)
         return false;
-    least -= edge / 3;
+    turns->edge = part_of(edge + most - least, least);
+    least -= 2 * sixth_of(edge);
     corners->length = least + (most - least) / 2;
     turns->normal = ratio(edge, least);
-    const int bits = pel_bits_of(corners->length); /* >= 2^(bits - 1) */
-    turns->length = (uint32_t)((most - least) / 2 << (64 - bits) >> 47) + 1;
+    turns->length = part_of((most - least) / 2, corners->length);
     return true;
 }
 
 /* The turn of the direction to a place from the vertices, whose longest edge is
- * given; the nearest point of the triangle is an edge nearer than the first
- * vertex. False where it is near. */
+ * given; the nearest point of the triangle and 1/4 around is 5/4 edge nearer
+ * than the first vertex, and 1 / (1 - 5/4 t) <= 1 + 4 t. False where it is
+ * near. */
 static bool turn_to(const int32_t place[3], const int32_t vertex[3],
                     uint64_t edge, uint32_t *turn)
 {
@@ -124,14 +138,15 @@ static bool turn_to(const int32_t place[3], const int32_t vertex[3],
     if (square < UINT64_C(1) << 24 || square / 4 < edge)
         return false;
     const uint32_t t = ratio(edge, square);
-    *turn = (uint32_t)pel_max((int32_t)*turn, (int32_t)(t + (t * t >> 15) + 1));
+    *turn = (uint32_t)pel_max((int32_t)*turn, (int32_t)(t + (t * t >> 14) + 1));
     return true;
 }
 
 static bool turns_of(const struct pel_mesh_lights *lights,
-                     struct pel_lit_corners *corners, struct turns *turns)
+                     struct pel_lit_corners *corners,
+                     struct pel_light_turns *turns)
 {
-    *turns = (struct turns){0, 0, 0, 0};
+    *turns = (struct pel_light_turns){0, 0, 0, 0, 0};
     const uint64_t edge = longest(corners->position);
     if (!turn_of_normals(corners, turns) ||
         !turn_to(lights->eye, corners->position[0], edge, &turns->eye))
@@ -141,6 +156,26 @@ static bool turns_of(const struct pel_mesh_lights *lights,
             !turn_to(lights->light[i].at, corners->position[0], edge,
                      &turns->light))
             return false;
+    return true;
+}
+
+/* With light on both sides, turns normals towards the eye. False where some may
+ * point at it and some away, in the triangle or 1/4 around. */
+static bool turn_to_eye(const struct pel_mesh_lights *lights,
+                        const struct pel_light_turns *turns,
+                        struct pel_lit_corners *corners)
+{
+    int32_t normal[3], eye[3];
+    for (int k = 0; k < 3; k++)
+        eye[k] = lights->eye[k] - corners->position[0][k];
+    pel_normalize_fast(eye, eye);
+    pel_normalize_fast(corners->normal[0], normal);
+    const int32_t along = pel_weighted(normal, eye);
+    if (pel_magnitude(along) >> 14 <=
+        (int32_t)(turns->normal + turns->eye) * 5 / 4 + 1)
+        return false;
+    for (int i = 0; i < 9 && along < 0; i++)
+        corners->normal[i / 3][i % 3] = -corners->normal[i / 3][i % 3];
     return true;
 }
 
@@ -167,10 +202,10 @@ static pel_cosine nearest(const struct pel_frame *frame, const uint8_t note[3],
         high = pel_max(high, note[i] & UNITS);
     }
     /* All of a triangle is within an edge of each vertex, and within an edge
-     * times 1 / sqrt(3) < 19/32 of some vertex. */
+     * times 1 / sqrt(3) < 19/32 of some vertex; spans reach 1/4 edge out. */
     const int32_t chord =
-        pel_max((int32_t)((uint32_t)high << bits) - (int32_t)q,
-                (int32_t)((uint32_t)low << bits) - (int32_t)(q * 19 / 32 + 1));
+        pel_max((int32_t)((uint32_t)high << bits) - (int32_t)(q + q / 4),
+                (int32_t)((uint32_t)low << bits) - (int32_t)(q * 27 / 32 + 1));
     const uint64_t square =
         pel_multiply((uint32_t)pel_max(chord, 0), (uint32_t)pel_max(chord, 0));
     return pel_max(PEL_COSINE_ONE - (int32_t)(square >> 3), 0);
@@ -218,85 +253,84 @@ static uint32_t channels_change(const pel_color color[3])
     return (uint32_t)most;
 }
 
-/* On white: 1/256 step, which is 1/65,536 of its range. */
-struct bounds {
-    uint64_t diffuse, specular; /* the difference from a plane */
-    uint64_t change;            /* between two points */
-    uint64_t quick;
-};
-
-/* What the polynomials leave out. Turns of directions count by their squares,
- * below 2^36; d^3 is 2^-16. */
-static uint64_t quick_of(const struct turns *t, uint64_t d, uint64_t slope)
+/* What the polynomials leave out where n.n is off by up to `length` and planes
+ * of directions are by `times` / 65,536 7/36 of the squares of their turns.
+ * Squares are below 2^36. */
+static uint64_t quick_of(const struct pel_light_bounds *b, uint32_t length,
+                         uint32_t times)
 {
-    const uint64_t cube =
-        t->length < 8192
-            ? ((uint64_t)t->length * t->length * t->length >> 32) + 1
-            : 65536;
-    const uint64_t light = ((uint64_t)t->light * t->light * 7 / 36 >> 16) + 1;
-    const uint64_t eye = ((uint64_t)t->eye * t->eye * 7 / 36 >> 16) + 1;
-    return (d * (cube / 2 + light) + slope * (2 * cube + light + eye)) >> 16;
+    const uint64_t square = (uint64_t)length * length >> 16;
+    const uint64_t fourth =
+        length <= 16384 ? (square * square >> 16) + 1 : UINT64_C(1) << 24;
+    const uint64_t light = (uint64_t)b->turns.light * b->turns.light >> 16;
+    const uint64_t eye = (uint64_t)b->turns.eye * b->turns.eye >> 16;
+    return (b->diffuse * (fourth + (curve_of(light * times) >> 16) + 1) +
+            b->slope *
+                (2 * fourth + (curve_of((light + eye) * times) >> 16) + 2)) >>
+           16;
 }
 
-/* s p w^(p - 1), 2^-16. */
-static uint64_t slope_of(uint64_t s, int32_t p, pel_cosine w)
+/* Adds highlights of strength s and returns what they change at most by. */
+static uint64_t add_highlights(const struct pel_frame *frame,
+                               const uint8_t note[3], uint64_t s,
+                               struct pel_light_bounds *b)
 {
+    const struct pel_light_turns *t = &b->turns;
+    const int32_t p = frame->lights.lighting->shininess;
+    const uint64_t q = 2 * t->normal + t->light + t->eye;
+    const pel_cosine w = nearest(frame, note, (uint32_t)q);
     const uint64_t power = ((uint32_t)pel_cosine_power(w, p - 1) >> 14) + 1;
-    return (s * (uint32_t)p * power >> 16) + 1;
+    b->slope = (s * (uint32_t)p * power >> 16) + 1;
+    b->dull = ((s * power >> 16) * (((uint32_t)w >> 14) + 1) >> 16) + 2;
+    b->curve += sixth_of((s * curvature(p, w) >> 16) * (q * q >> 16)) >> 16;
+    b->curve += (s * (uint32_t)p >> 17) + 1; /* roots and powers */
+    if (p == 1)
+        b->kink += s * q >> 18;
+    return s * q * root_of((uint32_t)p) >> 16;
 }
 
 /* Turns are at most 2^18 and factors 2^29, so a product of three is below 2^63
  * after a shift by 16 of the second. */
-static struct bounds bounds_of(const struct pel_frame *frame,
-                               const uint8_t note[3], const struct turns *t)
-{
-    const struct pel_lighting *lighting = frame->lights.lighting;
-    const uint64_t d = strength(&frame->lights, false);
-    const uint64_t s = strength(&frame->lights, true);
-    const int32_t p = lighting->shininess;
-    const uint64_t nl = t->normal + t->light, q = nl + t->normal + t->eye;
-    const int h = pel_max(pel_max(note[0] >> 5, note[1] >> 5), note[2] >> 5);
-    const bool crosses = h == 0 || nl > UINT32_C(1) << (8 + h);
-    struct bounds b = {(d * (nl * nl >> 16) >> 16) * 7 / 36 + 1, 0,
-                       (d * nl >> 16) + 1, 0};
-    if (crosses)
-        b.diffuse += d * nl >> 18;
-    if (s == 0) {
-        b.quick = quick_of(t, d, 0);
-        return b;
-    }
-    const pel_cosine w = nearest(frame, note, (uint32_t)q);
-    const uint64_t noise = (s * (uint32_t)p >> 18) + 1; /* roots and powers */
-    b.specular = (s * curvature(p, w) >> 16) * (q * q >> 16) / 6 >> 16;
-    b.specular += noise;
-    b.quick = quick_of(t, d, slope_of(s, p, w)) + 2 * noise;
-    b.change += s * q * root_of((uint32_t)p) >> 16;
-    if (p == 1)
-        b.specular += s * q >> 18;
-    if (crosses && lighting->no_back_highlights) {
-        const uint64_t jump =
-            s * ((uint32_t)pel_cosine_power(w, p) + 256) >> 30;
-        b.specular += jump;
-        b.quick += jump;
-    }
-    return b;
-}
-
 bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
                      const pel_color color[3], struct pel_lit_corners *corners,
                      struct pel_light_bounds *bounds)
 {
-    struct turns turns;
+    struct pel_light_bounds *b = bounds;
     set_corners(frame, corners);
-    if (!turns_of(&frame->lights, corners, &turns))
+    *b = (struct pel_light_bounds){.diffuse = strength(&frame->lights, false)};
+    if (!turns_of(&frame->lights, corners, &b->turns) ||
+        (frame->lights.lighting->both_sides &&
+         !turn_to_eye(&frame->lights, &b->turns, corners)))
         return false;
-    const struct bounds b = bounds_of(frame, note, &turns);
-    const uint64_t most = channels_most(color) + 1;
-    uint64_t plane = frame->lights.lighting->plain_highlights
-                         ? b.specular + (b.diffuse * most >> 8)
-                         : (b.diffuse + b.specular) * most >> 8;
-    plane += b.change * channels_change(color) / 765 + 2;
-    bounds->plane = plane < UINT32_MAX ? (uint32_t)plane : UINT32_MAX;
-    bounds->quick = b.quick < UINT32_MAX ? (uint32_t)b.quick : UINT32_MAX;
+    const uint64_t s = strength(&frame->lights, true);
+    const uint64_t nl = b->turns.normal + b->turns.light;
+    const int h = pel_max(pel_max(note[0] >> 5, note[1] >> 5), note[2] >> 5);
+    const bool crosses = h == 0 || nl > UINT32_C(1) << (8 + h);
+    uint64_t change = b->diffuse * nl >> 16;
+    b->curve = curve_of(b->diffuse * (nl * nl >> 16) >> 16);
+    b->kink = crosses ? b->diffuse * nl >> 18 : 0;
+    if (s)
+        change += add_highlights(frame, note, s, b);
+    b->tears = crosses && frame->lights.lighting->no_back_highlights;
+    const uint64_t tear = b->tears ? b->dull : 0;
+    b->quick = quick_of(b, b->turns.length, 65536) + tear;
+    b->plane = b->curve + b->kink + tear;
+    if (!frame->lights.lighting->plain_highlights)
+        b->plane = b->plane * (channels_most(color) + 1) >> 8;
+    b->plane += ((change + 1) * channels_change(color) * 86 >> 16) + 2;
     return true;
+}
+
+/* Weights from -s to 1 + 2 s add up to 2 s (1 + 2 s) of the squares of edges to
+ * that of a normal; the error of a plane is 4/3 + 16 s of that inside. */
+uint64_t pel_light_span_bound(const struct pel_light_bounds *bounds,
+                              uint32_t part)
+{
+    const struct pel_light_bounds *b = bounds;
+    const uint64_t s = part, beyond = s * (65536 + 2 * s) >> 15;
+    const uint32_t length =
+        b->turns.length + (uint32_t)(beyond * b->turns.edge >> 16) + 1;
+    const uint64_t lines =
+        (b->curve * (s * s >> 16) >> 16) + (b->kink * s >> 16);
+    return quick_of(b, length, 87382 + 16 * part) + lines * 9 / 8 + 1;
 }

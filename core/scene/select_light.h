@@ -20,6 +20,11 @@
  *     w^p     second at most q^2 K(w), K(w) =
  *             p w^(p-2) ((p - 1) (1 - w^2) + 7/6 w) <= 1.345 p
  *
+ * Between two places of a row that turn by q s at most, s below 1/4, f is off
+ * by M (E s)^2 / 8 from linear. There n may be shorter by 1 / (1 - n / 4) <
+ * 11/9, n < 3/4, than in the triangle: 9/8 s^2 times the bound of the plane. A
+ * kink counts by s.
+ *
  * K grows with w while p w^2 - 7/6 w <= p - 2, so the smallest angle between R
  * and V bounds it: |R - V| changes by at most q. max(N.L, 0) adds the error of
  * a kink between a > 0 and -b < 0: a b / (a + b) <= (n + l) / 4. */
@@ -38,11 +43,25 @@ PEL_BEGIN_DECLS
 pel_color pel_light_note(const struct pel_frame *frame, uint32_t vertex,
                          pel_color surface);
 
-/* What is known of the light over a triangle, 1/256 steps on white. */
+/* How far directions turn over a triangle's longest edge, 2^-16; how far the
+ * squares of the normals' lengths are from that of corners->length, as a part
+ * of it, and the square of their longest edge and those differences. */
+struct pel_light_turns {
+    uint32_t normal, eye, light, length, edge;
+};
+
+/* What is known of the light over a triangle, 1/256 steps. */
 struct pel_light_bounds {
-    uint32_t plane; /* of its difference from the plane through the vertices,
+    uint64_t plane; /* of its difference from the plane through the vertices,
                        on surfaces of the vertices' colors */
-    uint32_t quick; /* from paint_phong_quick.h */
+    uint64_t quick; /* from paint_phong_quick.h, on white */
+    uint64_t dull;  /* highlights themselves */
+    bool tears;     /* highlights may end at N.L = 0 */
+
+    /* For pel_light_span_bound: the parts of `plane` by curvature and by signs
+     * of N.L, and the strengths of both terms, on white. */
+    uint64_t curve, kink, diffuse, slope;
+    struct pel_light_turns turns;
 };
 
 /* Sets `corners` and the bounds of frame->work->triangle, on surfaces of no
@@ -50,5 +69,10 @@ struct pel_light_bounds {
 bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
                      const pel_color color[3], struct pel_lit_corners *corners,
                      struct pel_light_bounds *bounds);
+
+/* The bound of light by polynomials at the ends of spans, with lines between:
+ * spans are part / 65,536 of an edge, up to 1/4. */
+uint64_t pel_light_span_bound(const struct pel_light_bounds *bounds,
+                              uint32_t part);
 PEL_END_DECLS
 #endif

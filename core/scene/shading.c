@@ -4,9 +4,7 @@ void pel_corners_mix(const struct pel_frame_triangle *triangle,
                      const int32_t vertex[3], int32_t corner[3])
 {
     for (int i = 0; i < 3; i++)
-        corner[i] = triangle->is_whole
-                        ? vertex[i]
-                        : pel_weighted(triangle->corner[i]->weight, vertex);
+        corner[i] = pel_weighted(triangle->corner[i]->weight, vertex);
 }
 
 const struct pel_plane_setup *pel_frame_setup(struct pel_frame *frame)
@@ -20,9 +18,11 @@ const struct pel_plane_setup *pel_frame_setup(struct pel_frame *frame)
 void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
                      struct pel_plane *plane)
 {
+    const struct pel_frame_triangle *t = &frame->work->triangle;
     int32_t corner[3];
-    pel_corners_mix(&frame->work->triangle, value, corner);
-    pel_plane_set(plane, pel_frame_setup(frame), corner);
+    if (!t->is_whole)
+        pel_corners_mix(t, value, corner);
+    pel_plane_set(plane, pel_frame_setup(frame), t->is_whole ? value : corner);
 }
 
 /* The lower 32 bits of a plane are what struct pel_gouraud has. Alpha is the
@@ -32,13 +32,15 @@ void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
 {
     paint->paint =
         (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
-    for (int k = 0; k < 4; k++) {
-        struct pel_plane plane = pel_plane_level((int32_t)(color[0] >> 24));
-        int32_t value[3];
-        for (int i = 0; i < 3; i++)
-            value[i] = (int32_t)(color[i] >> 8 * k & 255);
-        if (k < 3)
-            pel_frame_plane(frame, value, &plane);
+    paint->at[3] = (color[0] >> 24 << 24) + 0x800000u;
+    paint->dx[3] = paint->dy[3] = 0;
+    PEL_UNROLL
+    for (int k = 0; k < 3; k++) {
+        struct pel_plane plane;
+        const int32_t value[3] = {(int32_t)(color[0] >> 8 * k & 255),
+                                  (int32_t)(color[1] >> 8 * k & 255),
+                                  (int32_t)(color[2] >> 8 * k & 255)};
+        pel_frame_plane(frame, value, &plane);
         paint->at[k] = (uint32_t)plane.at + 0x800000u;
         paint->dx[k] = (uint32_t)plane.dx;
         paint->dy[k] = (uint32_t)plane.dy;
@@ -47,6 +49,7 @@ void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
 
 void pel_frame_colors(const struct pel_frame *frame, pel_color color[3])
 {
+    PEL_UNROLL
     for (int i = 0; i < 3; i++)
         color[i] = frame->vertex[frame->work->triangle.vertex[i]].color;
 }

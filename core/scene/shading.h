@@ -61,6 +61,8 @@ struct pel_frame_work {
     struct pel_perspective perspective;
     struct pel_depth_paint depth;
     struct pel_clip clip;
+    uint8_t method; /* of the triangle (select.h), where one is chosen, */
+    uint32_t bound; /* and of its error, 1/256 step */
 };
 
 /* What is drawn: all, or what can store depths, or the rest of it. */
@@ -125,6 +127,9 @@ pel_color pel_frame_color(const struct pel_frame *frame, uint32_t vertex);
 /* The colors of the triangle's vertices. */
 void pel_frame_colors(const struct pel_frame *frame, pel_color color[3]);
 
+/* True when the box around three corners overlaps the rectangle. */
+bool pel_box_meets(const struct pel_point at[3], const struct pel_rect *rect);
+
 /* Sets corner i of that triangle to one that clipping left. A vertex that is on
  * screen keeps its sub-pixel, so that triangles around it meet there. */
 void pel_frame_set_corner(struct pel_frame *frame, int i,
@@ -183,6 +188,16 @@ struct pel_mapping {
                                         const pel_color color[3]);
 };
 
+/* What mappings are made of. Sets the corners of frame->work->triangle; the
+ * affine surface of it; `modulate`. */
+void pel_frame_texels(const struct pel_frame *frame,
+                      struct pel_texture_corner corner[3]);
+const struct pel_color_paint *pel_frame_affine(
+    struct pel_frame *frame, const struct pel_texture_corner corner[3]);
+const struct pel_paint *pel_frame_modulate(
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3]);
+
 /* A texel for every vertex. */
 extern const struct pel_mapping pel_map_vertices;
 
@@ -210,5 +225,13 @@ struct pel_mesh_texture {
     enum pel_wrap wrap_u, wrap_v;
     int32_t span; /* of pel_map_perspective; 0 is 1, exact */
 };
+
+/* Sets texels, wrap and alpha to those of an asset's texture, whose pixels are
+ * of that format; mapping, sampler and span stay. The surface is the caller's,
+ * and lives as long as the texture. Errors of pel_image_asset_surface. */
+enum pel_status pel_mesh_texture_of_image(struct pel_mesh_texture *texture,
+                                          struct pel_surface *surface,
+                                          const struct pel_mesh_image *image,
+                                          const struct pel_format *format);
 PEL_END_DECLS
 #endif

@@ -29,6 +29,7 @@ bool pel_normalize_fast(const int32_t v[3], pel_cosine unit[3])
     const uint64_t square = (uint64_t)pel_dot(v, v);
     if (square)
         inverse = pel_inverse_root(square, &shift);
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         unit[k] = pel_scaled(v[k], (int32_t)(inverse >> 1), 31 - shift);
     return square != 0;

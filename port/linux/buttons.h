@@ -52,9 +52,10 @@ int pel_buttons_parse(struct pel_buttons *buttons, const char *text,
 int pel_buttons_open(struct pel_buttons *buttons, struct pel_message *message);
 void pel_buttons_close(struct pel_buttons *buttons);
 
-/* Pushes what happened, and after a loss what is held; times are ms of CLOCK_MONOTONIC. Returns the ms after
- * which it is to be called again though no edge came, or -1. When the chip is
- * gone the lines are closed and all is released. */
+/* Pushes what happened, and after a loss what is held; times are ms of
+ * CLOCK_MONOTONIC. Returns the ms after which it is to be called again though
+ * no edge came, or -1. When the chip is gone the lines are closed and all is
+ * released. */
 int pel_buttons_read(struct pel_buttons *buttons,
                      struct pel_input_queue *queue);
 

@@ -39,8 +39,8 @@ int pel_evdev_open(struct pel_evdev *evdev, int number, bool keys,
                    struct pel_input_queue *queue, struct pel_message *message);
 
 /* Pushes what came, while there is room; after a loss in the kernel
- * PEL_INPUT_LOST; after any loss what is held. False when the device is gone, after all of
- * it was released. */
+ * PEL_INPUT_LOST; after any loss what is held. False when the device is gone,
+ * after all of it was released. */
 bool pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue);
 
 /* What to poll. */

@@ -94,7 +94,8 @@ static const struct option_row options[] = {
     {"name", "NAME", "of the C object (default: the output's base name)",
      OPTION_TEXT, .offset = offsetof(struct import_command, options.name)},
     {"format", "NAME",
-     "pixel format of a picture (default: rgb565_le); " IMPORT_ALPHA_FORMAT
+     "pixel format of a picture (default: rgb565_le), or of a mesh's textures, "
+     "which are written where it is given; " IMPORT_ALPHA_FORMAT
      " keeps its alpha for pel_copy_alpha, as palette4 and palette8 do with at "
      "most 16 and 256 colours; others blend it onto --background (default: "
      "#000000)",
@@ -119,7 +120,8 @@ static const char about[] =
     "picture (pel/asset/image_asset.h) or a font "
     "(pel/asset/font_asset.h); or an output .pel2d, a mesh projected "
     "already.\nOf the options under the headings below, a C asset of a "
-    "mesh takes --texture-file and --normals-from alone; a .pel2d takes "
+    "mesh takes --texture-file, --normals-from and --crease alone; a .pel2d "
+    "takes "
     "also --color, --turn, --texture, --wrap, --size and those that place "
     "camera and light. What has no meaning is refused.\v"
     "The colours of a mesh's asset are texels at its vertices: firmware "
@@ -137,12 +139,13 @@ static const struct use {
     const char *what;
 } uses[] = {
     {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT, "C assets"},
-    {"format", IMPORT_PICTURE, "pictures"},
+    {"format", IMPORT_PICTURE | IMPORT_MESH, "pictures and textures"},
     {"normals", IMPORT_MESH, "C assets of meshes"},
     {"codes", IMPORT_FONT, "fonts"},
     {"chars", IMPORT_FONT, "fonts"},
     {"texture-file", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
     {"normals-from", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
+    {"crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
     {"shade", 0, "pel render"},
     {"transparency", 0, "pel render"},
     {"order", 0, "pel render"},
@@ -230,6 +233,10 @@ static bool check(struct import_command *c)
         return false;
     if (!c->options.name)
         c->options.name = import_name(output, c->name);
+    if (c->kind == IMPORT_MESH && c->format &&
+        c->format->id > PEL_FORMAT_ARGB8888)
+        return message_error("--format of textures is a palette: expected "
+                             "another");
     if (!check_options(&c->scene.given, c->kind) ||
         (c->kind != IMPORT_PEL2D && !import_name_check(c->options.name)))
         return false;
@@ -298,12 +305,13 @@ static bool import_as_mesh(struct import_command *c)
     struct model_source *source = &c->scene.source;
     if (!model_read(&mesh, source))
         return false;
-    source->without_texture = mesh.has_colors && !source->texture;
+    const bool own_colors = mesh.has_colors && !source->texture;
+    source->without_texture = own_colors && !c->format;
     bool done = model_make_asset(&model, &mesh, c->normal_bits) &&
                 model_add_textures(&model, &mesh, source);
-    if (done)
+    if (done && !own_colors)
         model_paint(&model);
-    done = done && import_mesh(&c->options, &model);
+    done = done && import_mesh(&c->options, &model, c->format);
     model_free(&model);
     mesh_free(&mesh);
     return done;

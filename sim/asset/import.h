@@ -22,16 +22,23 @@ struct import_options {
 };
 
 /* Write a C file with one const struct and its arrays, and its header beside
- * it, the same for the same input: no date, no path. False, with a message on
- * standard error, when that failed. */
+ * it, the same for the same input: no date, no path. The textures of a mesh are
+ * written in that format, or in pel_argb8888 where they have alpha; not at all
+ * where it is NULL. False, with a message on standard error, when that failed.
+ */
 bool import_mesh(const struct import_options *options,
-                 const struct model *model);
+                 const struct model *model, const struct pel_format *format);
 bool import_font(const struct import_options *options);
 
 /* The picture is made opaque, with a note on standard error when it was not,
  * unless the format is pel_argb8888 or a palette; of a palette it may have 16
  * or 256 colours. */
 bool import_picture(const struct import_options *options,
+                    struct picture *picture, const struct pel_format *format);
+
+/* Writes NAME_texture_NUMBER, an image asset, into the text of a mesh. */
+struct import_text;
+bool import_texture(struct import_text *text, unsigned number,
                     struct picture *picture, const struct pel_format *format);
 
 /* True for a legal list of --codes; false with a message. */

@@ -1,7 +1,9 @@
 #include "sim/asset/import.h"
 
+#include "core/format/argb8888.h"
 #include "core/scene/pipeline.h"
 #include "sim/asset/text.h"
+#include "sim/cli/message.h"
 
 static void write_quantum(FILE *out, const struct pel_quantization *q)
 {
@@ -10,8 +12,65 @@ static void write_quantum(FILE *out, const struct pel_quantization *q)
             (long)q->shift);
 }
 
+/* A part that is opaque and has the first texture or none says no more than a
+ * mesh without parts. */
+static uint32_t parts_of(const struct pel_mesh *m)
+{
+    return m->parts > 1 || pel_alpha(m->part->color) < 255 ? m->parts : 0;
+}
+
+static void write_parts(FILE *out, const char *name, const struct pel_mesh *m)
+{
+    fprintf(out, "\nstatic const struct pel_mesh_part %s_parts[%u] = {\n", name,
+            m->parts);
+    for (uint32_t i = 0; i < m->parts; i++)
+        fprintf(out, "    {%u, %u, 0x%08lX, %u},\n", m->part[i].vertices,
+                m->part[i].triangles, (unsigned long)m->part[i].color,
+                m->part[i].texture);
+    fprintf(out, "};\n");
+}
+
+/* The image assets, and the list that names them. */
+static bool write_textures(struct import_text *text, const struct model *model,
+                           const struct pel_format *format)
+{
+    FILE *out = text->output.stream;
+    const char *name = text->options->name;
+    fprintf(out, "#include <pel/asset/image_asset.h>\n");
+    for (unsigned i = 0; i < model->textures; i++) {
+        struct model_texture *t = &model->texture[i];
+        if (t->picture.width == 0)
+            return message_error_at(text->options->source, 0,
+                                    "lacks a texture that --format writes: "
+                                    "expected it beside the mesh");
+        if (!import_texture(text, i + 1, &t->picture,
+                            t->opaque ? format : &pel_argb8888))
+            return false;
+    }
+    fprintf(out, "\nstatic const struct pel_mesh_image %s_images[%zu] = {\n",
+            name, model->textures);
+    for (unsigned i = 0; i < model->textures; i++) {
+        const struct mesh_material *m = &model->texture[i].material;
+        fprintf(out, "    {&%s_texture_%u, %u, %u, %s},\n", name, i + 1,
+                m->wrap_u, m->wrap_v,
+                m->alpha == MESH_CUT_OUT ? "true" : "false");
+    }
+    fprintf(out, "};\n");
+    return true;
+}
+
+/* The name of an array, or NULL. */
+static void write_name(FILE *out, const char *name, const char *what)
+{
+    if (what)
+        fprintf(out, "    %s_%s,\n", name, what);
+    else
+        fprintf(out, "    NULL,\n");
+}
+
 /* Initialisers in the order of the struct, so that C++ takes them too. */
-static void write_asset(struct import_text *text, const struct pel_mesh *m)
+static void write_asset(struct import_text *text, const struct pel_mesh *m,
+                        size_t images)
 {
     FILE *out = text->output.stream;
     const char *name = text->options->name;
@@ -27,17 +86,18 @@ static void write_asset(struct import_text *text, const struct pel_mesh *m)
     };
     for (int i = 0; i < 7; i++)
         import_array(text, &arrays[i]);
+    if (parts_of(m))
+        write_parts(out, name, m);
     import_struct_begin(text);
     fprintf(out, "    PEL_MESH_MAGIC,\n    PEL_MESH_VERSION,\n");
     fprintf(out, "    %u,\n    %u,\n", n, t);
     write_quantum(out, &m->position);
     write_quantum(out, &m->texture);
     for (int i = 0; i < 7; i++)
-        if (arrays[i].data)
-            fprintf(out, "    %s_%s,\n", name, arrays[i].what);
-        else
-            fprintf(out, "    NULL,\n");
-    fprintf(out, "};\n");
+        write_name(out, name, arrays[i].data ? arrays[i].what : NULL);
+    write_name(out, name, parts_of(m) ? "parts" : NULL);
+    write_name(out, name, images ? "images" : NULL);
+    fprintf(out, "    %u,\n    %zu,\n};\n", parts_of(m), images);
 }
 
 /* A comment with the box of the mesh, for placing the camera, and the memory
@@ -59,12 +119,20 @@ static void write_figures(FILE *out, const struct model *model)
 }
 
 bool import_mesh(const struct import_options *options,
-                 const struct model *model)
+                 const struct model *model, const struct pel_format *format)
 {
     struct import_text text;
+    const size_t images = format ? model->textures : 0;
+    if (format && images == 0)
+        return message_error_at(options->source, 0,
+                                "has no texture: expected no --format");
     if (!import_text_open(&text, options, "mesh"))
         return false;
+    if (images && !write_textures(&text, model, format)) {
+        output_abandon(&text.output);
+        return false;
+    }
     write_figures(text.output.stream, model);
-    write_asset(&text, &model->mesh);
+    write_asset(&text, &model->mesh, images);
     return import_text_commit(&text);
 }

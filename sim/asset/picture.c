@@ -157,6 +157,27 @@ static void store(const struct pel_surface *surface,
                 options->source, (unsigned)(options->background & 0xFFFFFF));
 }
 
+bool import_texture(struct import_text *text, unsigned number,
+                    struct picture *picture, const struct pel_format *format)
+{
+    const struct import_text mesh = *text;
+    struct import_options own = *text->options;
+    char name[IMPORT_NAME + 24];
+    struct canvas canvas;
+    if (!canvas_init(&canvas, format, picture->width, picture->height))
+        return false;
+    snprintf(name, sizeof(name), "%s_texture_%u", own.name, number);
+    own.name = name;
+    text->options = &own;
+    text->kind = "image";
+    store(&canvas.surface, picture, &own);
+    write_asset(text, &own, &canvas.surface);
+    text->options = mesh.options;
+    text->kind = mesh.kind;
+    canvas_free(&canvas);
+    return true;
+}
+
 bool import_picture(const struct import_options *options,
                     struct picture *picture, const struct pel_format *format)
 {

@@ -83,22 +83,33 @@ static void take_text(struct child *c, const char *text, size_t size)
     }
 }
 
+/* Tells whoever watches that the work goes on, from the first second on. */
+static void show_progress(const struct child *c, int seconds, const char *end)
+{
+    if (seconds > 0 && isatty(STDERR_FILENO))
+        fprintf(stderr, "\rpel: %s: %d s%s", c->path, seconds, end);
+}
+
 /* Reads until the child has ended, which closes the pipe, or its time is over.
  */
 static void listen_to(struct child *c)
 {
-    const double end = milliseconds() + 1000.0 * child_limits.seconds;
+    const double start = milliseconds();
+    int seconds = 0;
     struct pollfd wanted = {c->pipe[0], POLLIN, 0};
     char text[4096];
     ssize_t size = 1;
     while (size != 0 && !c->late) {
-        const double left = end - milliseconds();
+        const double left = start + 1000.0 * (seconds + 1) - milliseconds();
         const int ready = left > 0 ? poll(&wanted, 1, (int)left + 1) : 0;
-        c->late = ready == 0;
+        if (ready == 0)
+            show_progress(c, ++seconds, "");
+        c->late = seconds >= child_limits.seconds;
         size = ready > 0 ? read(c->pipe[0], text, sizeof(text)) : -1;
         if (size > 0)
             take_text(c, text, (size_t)size);
     }
+    show_progress(c, seconds, "\n");
     if (c->late)
         kill(c->id, SIGKILL);
     c->line[c->length] = '\0';

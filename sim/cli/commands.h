@@ -14,6 +14,7 @@ int command_render(int argc, char **argv);
 int command_view(int argc, char **argv);
 int command_compare(int argc, char **argv);
 int command_import(int argc, char **argv);
+int command_info(int argc, char **argv);
 int command_explain(int argc, char **argv);
 int command_demo(int argc, char **argv);
 int command_console(int argc, char **argv);

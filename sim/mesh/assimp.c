@@ -37,19 +37,49 @@ static uint64_t triangles_of(const struct aiMesh *from)
     return n;
 }
 
+typedef void visit_mesh(const struct aiMesh *from,
+                        const struct aiMatrix4x4 *to_world, void *context);
+
+/* Visits meshes as often as nodes show them, a node before those below it. */
+static void walk(const struct aiScene *scene, const struct aiNode *node,
+                 const struct aiMatrix4x4 *above, visit_mesh *visit,
+                 void *context)
+{
+    struct aiMatrix4x4 to_world = *above;
+    aiMultiplyMatrix4(&to_world, &node->mTransformation);
+    for (unsigned i = 0; i < node->mNumMeshes; i++)
+        visit(scene->mMeshes[node->mMeshes[i]], &to_world, context);
+    for (unsigned i = 0; i < node->mNumChildren; i++)
+        walk(scene, node->mChildren[i], &to_world, visit, context);
+}
+
+static void walk_all(const struct aiScene *scene, visit_mesh *visit,
+                     void *context)
+{
+    struct aiMatrix4x4 world;
+    aiIdentityMatrix4(&world);
+    if (scene->mRootNode)
+        walk(scene, scene->mRootNode, &world, visit, context);
+}
+
+static void count_mesh(const struct aiMesh *from,
+                       const struct aiMatrix4x4 *to_world, void *context)
+{
+    struct counts *c = context;
+    const uint64_t triangles = triangles_of(from);
+    (void)to_world;
+    c->triangles += triangles;
+    c->vertices += triangles ? from->mNumVertices : 0;
+    for (unsigned i = 0; i < from->mNumFaces; i++) {
+        c->lines += from->mFaces[i].mNumIndices == 2;
+        c->points += from->mFaces[i].mNumIndices == 1;
+    }
+}
+
 static struct counts count(const struct aiScene *scene)
 {
     struct counts c = {0, 0, 0, 0};
-    for (unsigned m = 0; m < scene->mNumMeshes; m++) {
-        const struct aiMesh *part = scene->mMeshes[m];
-        const uint64_t triangles = triangles_of(part);
-        c.triangles += triangles;
-        c.vertices += triangles ? part->mNumVertices : 0;
-        for (unsigned i = 0; i < part->mNumFaces; i++) {
-            c.lines += part->mFaces[i].mNumIndices == 2;
-            c.points += part->mFaces[i].mNumIndices == 1;
-        }
-    }
+    walk_all(scene, count_mesh, &c);
     return c;
 }
 
@@ -76,78 +106,116 @@ static void set3(double to[3], const struct aiVector3D *from)
     to[2] = (double)from->z + 0.0;
 }
 
-static void copy_vertices(const struct aiMesh *from, struct mesh_vertex *to,
-                          pel_color color, bool linear)
+/* The part that is being made: of the meshes of a material with or without
+ * uv. */
+struct making {
+    const struct aiScene *scene;
+    const char *path;
+    struct mesh *mesh;
+    struct mesh_part *part;
+    unsigned material;
+    bool uv, linear, failed;
+};
+
+static void copy_vertices(const struct making *m, const struct aiMesh *from,
+                          const struct aiMatrix4x4 *to_world)
 {
+    struct mesh_vertex *to = m->mesh->vertex + m->part->vertices;
+    const bool moved = !aiMatrix4IsIdentity(to_world);
+    struct aiMatrix3x3 turn;
+    aiMatrix3FromMatrix4(&turn, to_world);
+    aiMatrix3Inverse(&turn);
+    aiTransposeMatrix3(&turn);
     for (unsigned i = 0; i < from->mNumVertices; i++, to++) {
-        set3(to->position, &from->mVertices[i]);
-        if (from->mNormals)
-            set3(to->normal, &from->mNormals[i]);
-        if (from->mTextureCoords[0]) {
+        struct aiVector3D at = from->mVertices[i];
+        if (moved)
+            aiTransformVecByMatrix4(&at, to_world);
+        set3(to->position, &at);
+        if (from->mNormals) {
+            at = from->mNormals[i];
+            if (moved) {
+                aiTransformVecByMatrix3(&at, &turn);
+                aiVector3NormalizeSafe(&at);
+            }
+            set3(to->normal, &at);
+        }
+        if (m->uv) {
             to->uv[0] = (double)from->mTextureCoords[0][i].x + 0.0;
             to->uv[1] = (double)from->mTextureCoords[0][i].y + 0.0;
         }
         to->color = from->mColors[0]
-                        ? material_byte_color(&from->mColors[0][i], linear)
-                        : color | PEL_RGB(0, 0, 0);
+                        ? material_byte_color(&from->mColors[0][i], m->linear)
+                        : m->part->material.color | PEL_RGB(0, 0, 0);
     }
 }
 
-/* A part's vertices go to `vertex` on, so an index that is wrong in the part
- * stays wrong: mesh_check refuses it. */
-static uint32_t copy_triangles(const struct aiMesh *from, uint32_t vertex,
-                               uint32_t (*to)[3])
+/* Mirrored triangles are turned round. An index that is wrong in the mesh stays
+ * wrong: mesh_check refuses it. */
+static void copy_triangles(const struct making *m, const struct aiMesh *from,
+                           bool mirrored)
 {
-    uint32_t n = 0;
     for (unsigned i = 0; i < from->mNumFaces; i++) {
         const struct aiFace *face = &from->mFaces[i];
         if (face->mNumIndices != 3)
             continue;
+        uint32_t *to = m->mesh->triangle[m->part->triangles++];
         for (int k = 0; k < 3; k++)
-            to[n][k] = face->mIndices[k] < from->mNumVertices
-                           ? face->mIndices[k] + vertex
-                           : UINT32_MAX;
-        n++;
+            to[mirrored ? 2 - k : k] =
+                face->mIndices[k] < from->mNumVertices
+                    ? face->mIndices[k] + m->part->vertices
+                    : UINT32_MAX;
     }
-    return n;
 }
 
-static bool copy_part(const struct aiScene *scene, const struct aiMesh *from,
-                      const char *path, struct mesh *mesh)
+static bool start_part(struct making *m)
 {
-    struct mesh_part *part = &mesh->part[mesh->parts++];
-    const uint32_t vertex = mesh->parts > 1 ? part[-1].vertices : 0;
-    const uint32_t triangle = mesh->parts > 1 ? part[-1].triangles : 0;
-    struct aiMaterial none = {NULL, 0, 0};
-    const struct aiMaterial *material =
-        from->mMaterialIndex < scene->mNumMaterials
-            ? scene->mMaterials[from->mMaterialIndex]
-            : &none;
-    if (!material_read(&part->material, mesh, scene, material, path))
-        return false;
-    copy_vertices(from, mesh->vertex + vertex, part->material.color,
-                  material_is_linear(material));
-    part->vertices = vertex + from->mNumVertices;
-    part->triangles =
-        triangle + copy_triangles(from, vertex, mesh->triangle + triangle);
-    part->has_uv = from->mTextureCoords[0];
+    const struct aiMaterial none = {NULL, 0, 0};
+    const struct aiMaterial *from = m->material < m->scene->mNumMaterials
+                                        ? m->scene->mMaterials[m->material]
+                                        : &none;
+    struct mesh_part *part = &m->mesh->part[m->mesh->parts++];
+    part->vertices = m->mesh->parts > 1 ? part[-1].vertices : 0;
+    part->triangles = m->mesh->parts > 1 ? part[-1].triangles : 0;
+    part->has_uv = m->uv;
+    m->part = part;
+    m->linear = material_is_linear(from);
+    return material_read(&part->material, m->mesh, m->scene, from, m->path);
+}
+
+static void copy_mesh(const struct aiMesh *from,
+                      const struct aiMatrix4x4 *to_world, void *context)
+{
+    struct making *m = context;
+    struct mesh *mesh = m->mesh;
+    const bool has_uv = from->mTextureCoords[0];
+    const unsigned materials = m->scene->mNumMaterials;
+    const unsigned material =
+        from->mMaterialIndex < materials ? from->mMaterialIndex : materials;
+    if (material != m->material || has_uv != m->uv || !triangles_of(from))
+        return;
+    if (!m->part)
+        m->failed = !start_part(m);
+    copy_vertices(m, from, to_world);
+    copy_triangles(m, from, aiMatrix4Determinant(to_world) < 0);
+    m->part->vertices += from->mNumVertices;
     mesh->has_normals = mesh->has_normals && from->mNormals;
-    mesh->has_uv = mesh->has_uv || from->mTextureCoords[0];
+    mesh->has_uv = mesh->has_uv || has_uv;
     mesh->has_colors = mesh->has_colors || from->mColors[0];
-    return true;
 }
 
 static bool copy_parts(const struct aiScene *scene, const char *path,
                        struct mesh *mesh)
 {
+    struct making m = {.scene = scene, .path = path, .mesh = mesh};
     mesh->has_normals = true;
     mesh->parts = 0;
-    for (unsigned i = 0; i < scene->mNumMeshes; i++) {
-        const struct aiMesh *from = scene->mMeshes[i];
-        if (triangles_of(from) > 0 && !copy_part(scene, from, path, mesh))
-            return false;
+    for (unsigned i = 0; i < 2 * (scene->mNumMaterials + 1); i++) {
+        m.material = i / 2;
+        m.uv = i % 2;
+        m.part = NULL;
+        walk_all(scene, copy_mesh, &m);
     }
-    return true;
+    return !m.failed;
 }
 
 /* assimp's own steps fail on a scene without faces. */
@@ -167,7 +235,7 @@ static bool copy_scene(const struct aiScene *scene, const char *path,
         return message_error_at(path, 0,
                                 "more than 2^28 vertices or triangles");
     return mesh_init(mesh, (uint32_t)n.vertices, (uint32_t)n.triangles,
-                     scene->mNumMeshes) &&
+                     2 * (scene->mNumMaterials + 1)) &&
            copy_parts(scene, path, mesh);
 }
 
@@ -232,11 +300,8 @@ bool mesh_load_file(struct mesh *mesh, const char *path)
         mesh_check_start(path) ? read_scene(path) : NULL;
     if (!scene)
         return false;
-    /* As often as nodes show them; it frees the scene on failure. */
-    scene = aiApplyPostProcessing(scene, aiProcess_PreTransformVertices);
-    const struct counts file = scene ? count(scene) : (struct counts){0};
-    if (scene)
-        scene = aiApplyPostProcessing(scene, IMPORT_FLAGS);
+    const struct counts file = count(scene);
+    scene = aiApplyPostProcessing(scene, IMPORT_FLAGS); /* frees a wrong one */
     if (!scene)
         return message_error_at(path, 0, "no mesh that can be drawn (%s)",
                                 aiGetErrorString());

@@ -50,7 +50,7 @@ struct mesh {
     uint32_t vertices, triangles, parts;
     uint32_t joined; /* vertices of the file that were the same as others */
     size_t textures;
-    bool has_normals, has_uv;
+    bool has_normals, made_normals, has_uv;
     bool has_colors; /* per vertex in the file, not those of a material */
 };
 
@@ -105,6 +105,10 @@ void mesh_box(const struct mesh *mesh, double low[3], double high[3]);
  * memory is short. */
 #define MESH_CREASE 120.0 /* where nobody says another */
 bool mesh_normals(struct mesh *mesh, double crease);
+
+/* The normal of a triangle, as long as twice its area. */
+void mesh_facet(const struct mesh *mesh, const uint32_t index[3],
+                double normal[3]);
 
 /* Brings normals to unit length; 0 where one is infinite or no number. */
 void mesh_normalise(struct mesh *mesh);

@@ -26,18 +26,20 @@ struct corner {
     double mean[3];
 };
 
-/* Gives the corners of a triangle, which are at v[0..2], its normal. */
-static void set_face(struct mesh_vertex *v)
+void mesh_facet(const struct mesh *mesh, const uint32_t index[3],
+                double normal[3])
 {
+    const double *p[3];
     double a[3], b[3];
+    for (int k = 0; k < 3; k++)
+        p[k] = mesh->vertex[index[k]].position;
     for (int k = 0; k < 3; k++) {
-        a[k] = v[1].position[k] - v[0].position[k];
-        b[k] = v[2].position[k] - v[0].position[k];
+        a[k] = p[1][k] - p[0][k];
+        b[k] = p[2][k] - p[0][k];
     }
     for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        v[0].normal[k] = v[1].normal[k] = v[2].normal[k] =
-            a[i] * b[j] - a[j] * b[i];
+        normal[k] = a[i] * b[j] - a[j] * b[i];
     }
 }
 
@@ -106,10 +108,10 @@ bool mesh_normals(struct mesh *mesh, double crease)
         return message_error("no memory for the normals of %u triangles",
                              mesh->triangles);
     }
-    for (uint32_t i = 0; i < n; i += 3)
-        set_face(&mesh->vertex[i]);
-    for (uint32_t i = 0; i < n; i++)
+    for (uint32_t i = 0; i < n; i++) {
         corner[i].vertex = &mesh->vertex[i];
+        mesh_facet(mesh, mesh->triangle[i / 3], mesh->vertex[i].normal);
+    }
     qsort(corner, n, sizeof(*corner), compare_places);
     for (uint32_t i = 0, some; i < n; i += some) {
         for (some = 1; i + some < n; some++)
@@ -121,7 +123,7 @@ bool mesh_normals(struct mesh *mesh, double crease)
         memcpy(corner[i].vertex->normal, corner[i].mean,
                sizeof(corner[i].mean));
     free(corner);
-    mesh->has_normals = true;
+    mesh->has_normals = mesh->made_normals = true;
     const bool done = mesh_weld(mesh);
     mesh->joined = joined;
     return done;

@@ -13,6 +13,7 @@
 #include "sim/cli/output.h"
 #include "sim/render/painter.h"
 #include "sim/render/scene_options.h"
+#include "sim/render/scene_order.h"
 #include "sim/render/scene_world.h"
 #include "sim/image/texture.h"
 
@@ -39,6 +40,15 @@ static const struct option_row options[] = {
     {"time", NULL,
      "print the milliseconds that the drawing took on standard error",
      OPTION_FLAG, .offset = AT(timed)},
+    {"stats", NULL,
+     "for Phong: print the triangles and pixels that each method drew (flat, "
+     "gouraud, spans, quick, phong; see --tolerance) on standard error; draws "
+     "in one thread",
+     OPTION_FLAG, .offset = AT(scene.settings.stats)},
+    {"show-methods", NULL,
+     "for Phong: instead of the picture the method of each triangle: flat "
+     "grey, gouraud blue, spans green, quick yellow, phong red",
+     OPTION_FLAG, .offset = AT(scene.settings.show_methods)},
     {"print-camera", NULL,
      "print an initialiser of struct pel_camera, for firmware that shows the "
      "same view; there is a picture only with -o or --device",
@@ -51,6 +61,17 @@ static const char *output_of(const struct render_options *o)
     return o->output ? o->output : "-";
 }
 
+static bool check_methods(const struct render_options *o)
+{
+    const struct scene_settings *s = &o->scene.settings;
+    if (s->shade != SCENE_PHONG && (s->stats || s->show_methods))
+        return message_error("--%s is about --shade phong",
+                             s->stats ? "stats" : "show-methods");
+    return !s->stats || !s->show_methods ||
+           message_error("--stats counts what --show-methods does not draw: "
+                         "expected one of them");
+}
+
 static bool check(const struct render_options *o)
 {
     if (o->print_camera && o->output && strcmp(o->output, "-") == 0)
@@ -60,7 +81,7 @@ static bool check(const struct render_options *o)
         return message_error("--bands is %d: expected a multiple of 8 for "
                              "mono1_pages",
                              o->bands);
-    return picture_path_check(output_of(o)) &&
+    return check_methods(o) && picture_path_check(output_of(o)) &&
            device_check_output(&o->device, output_of(o));
 }
 
@@ -195,10 +216,23 @@ static bool prepare(struct scene *scene, const struct scene_settings *settings,
 {
     const double start = milliseconds();
     const bool done = scene_prepare(scene, settings);
-    if (done && timed)
+    if (done && timed) {
         fprintf(stderr, "placed, lit and sorted: %.3f ms\n",
                 milliseconds() - start);
+        scene_print_order(stderr, scene);
+    }
     return done;
+}
+
+static void print_stats(const struct pel_stats *stats)
+{
+    static const char *const names[PEL_METHODS] = {"flat", "gouraud", "spans",
+                                                   "quick", "phong"};
+    for (int i = 0; i < PEL_METHODS; i++)
+        fprintf(stderr, "%-8s %9u triangles %10llu pixels\n", names[i],
+                (unsigned)stats->method[i].triangles,
+                (unsigned long long)stats->method[i].pixels);
+    fprintf(stderr, "the largest bound: %.2f steps\n", stats->bound / 256.);
 }
 
 static bool print(const struct scene *scene)
@@ -225,6 +259,8 @@ static bool render_mesh(const struct render_options *o)
     const bool printed = ready && (!o->print_camera || print(&scene));
     const bool only = o->print_camera && !o->output && !o->device.name;
     const bool done = printed && (only || finish(&drawing));
+    if (done && o->scene.settings.stats)
+        print_stats(&scene.stats);
     scene_free(&scene);
     model_free(&model);
     return done;
@@ -250,6 +286,8 @@ int command_render(int argc, char **argv)
                    {device_option_table, &o.device, NULL},
                    {scene_option_table, &o.scene, &o.scene.given}}};
     o.scene.source.path = *arguments_parse(&line, argc, argv);
+    if (o.scene.settings.stats)
+        o.device.jobs = 1;
     const bool done =
         check(&o) && (pel2d_is_file(o.scene.source.path) ? render_pel2d(&o)
                                                          : render_mesh(&o));

@@ -1,9 +1,11 @@
 #include "sim/render/scene.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "sim/cli/message.h"
+#include "sim/render/scene_order.h"
 #include "sim/render/scene_world.h"
 
 const struct scene_settings scene_default = {
@@ -34,6 +36,7 @@ bool scene_init(struct scene *scene, const struct model *model)
     scene->lighting.lights = SCENE_LIGHTS_MAX;
     scene->core.mesh = &scene->mesh;
     scene->core.lighting = &scene->lighting;
+    scene->core.sort = &pel_depth_sort_radix;
     scene->scratch_size = pel_scene_scratch_size(&scene->core);
     scene->scratch = malloc(scene->scratch_size);
     scene->texture = calloc(model->textures + 1, sizeof(*scene->texture));
@@ -64,6 +67,8 @@ static void set_texture(struct pel_mesh_texture *to,
                                      .height = from->picture.height,
                                      .opaque = from->opaque};
     to->mapping = mappings[s->mapping];
+    if (s->mapping == SCENE_MAP_PERSPECTIVE && s->texel_tolerance > 0)
+        to->mapping = &pel_map_chosen;
     to->sampler = s->texture == SCENE_TEXTURE_NEAREST
                       ? pel_texture_init_nearest
                       : pel_texture_init_bilinear;
@@ -111,6 +116,14 @@ static bool is_lit(const struct scene *scene, const struct scene_settings *s,
            (s->lit == SCENE_LIT_AUTO && (s->has_light || shapeless));
 }
 
+static const struct pel_shading *phong_of(const struct scene_settings *s)
+{
+    return s->show_methods    ? &scene_shade_methods
+           : s->stats         ? &pel_shade_counted
+           : s->tolerance > 0 ? &pel_shade_chosen
+                              : &pel_shade_phong;
+}
+
 static void set_appearance(struct scene *scene, const struct scene_settings *s)
 {
     static const struct pel_shading *const shadings[][2] = {
@@ -121,16 +134,19 @@ static void set_appearance(struct scene *scene, const struct scene_settings *s)
     bool bare = false, clear = s->transparency > 0;
     set_parts(scene, s, &bare, &clear);
     core->shading = shadings[s->shade][is_lit(scene, s, bare)];
+    if (s->shade == SCENE_PHONG)
+        core->shading = phong_of(s);
+    scene->stats = (struct pel_stats){.bound = 0};
+    core->stats = &scene->stats;
+    core->tolerance = (int32_t)lround(s->tolerance * 256);
+    core->texel_tolerance = (int32_t)lround(s->texel_tolerance * 256);
     core->cull = s->cull;
     core->transparency = (uint8_t)s->transparency;
     core->color = s->color;
     if (s->has_color)
         scene->mesh.colors = NULL;
-    scene->depth_bits = s->order == SCENE_PAINTER     ? 0
-                        : s->order == SCENE_ZBUFFER16 ? 16
-                                                      : 32;
     /* Transparent triangles are blended from far to near. */
-    core->sort = scene->depth_bits == 0 || clear ? &pel_depth_sort : NULL;
+    core->sort = clear ? &pel_depth_sort_radix : NULL;
 }
 
 static bool check(const struct scene_settings *s)
@@ -189,29 +205,12 @@ bool scene_prepare(struct scene *scene, const struct scene_settings *settings)
     scene_place(scene, &s);
     scene_place_lights(scene, &s);
     set_appearance(scene, &s);
+    scene_set_order(scene, &s);
     const enum pel_status status = prepare(scene);
-    return status == PEL_OK || refuse(scene, &s, status);
-}
-
-static bool draw_depth(const struct scene *scene, struct pel_frame *frame,
-                       const struct pel_surface *surface)
-{
-    struct pel_depth depth;
-    const struct pel_rect bounds =
-        pel_rect_intersect(&surface->clip, &scene->core.viewport);
-    const size_t size = pel_depth_size(&bounds, scene->depth_bits);
-    if (size == 0) /* nothing is seen */
-        return true;
-    void *memory = malloc(size);
-    if (!memory)
-        return message_error("no memory for a depth buffer of %zu bytes", size);
-    const enum pel_status status =
-        pel_depth_init(&depth, &bounds, scene->depth_bits, memory, size);
-    if (status == PEL_OK)
-        pel_scene_draw_depth(frame, surface, &depth);
-    free(memory);
-    return status == PEL_OK ||
-           message_error("no depth buffer (status %d)", status);
+    if (status != PEL_OK)
+        return refuse(scene, &s, status);
+    scene_prove_order(scene);
+    return true;
 }
 
 /* Vertices and order are only read; the rest is this call's own. */
@@ -220,8 +219,5 @@ bool scene_draw(const struct scene *scene, const struct pel_surface *surface)
     struct pel_frame frame = scene->frame;
     struct pel_frame_work work;
     frame.work = &work;
-    if (scene->depth_bits > 0)
-        return draw_depth(scene, &frame, surface);
-    pel_scene_draw(&frame, surface);
-    return true;
+    return scene_draw_ordered(scene, &frame, surface);
 }

@@ -13,7 +13,8 @@
 
 #include "sim/render/camera.h"
 #include "core/base/surface.h"
-#include "core/scene/pipeline.h"
+#include "core/scene/certificate.h"
+#include "core/scene/stats.h"
 
 /* Names of these settings for commands and scripts, in the order of their
  * numbers. */
@@ -24,7 +25,7 @@
 #define SCENE_WRAPS "clamp|repeat|mirror|own"
 #define SCENE_NORMALS "file|smooth"
 #define SCENE_SIDES "front|both"
-#define SCENE_ORDERS "painter|zbuffer16|zbuffer32|zbuffer"
+#define SCENE_ORDERS "auto|painter|zbuffer16|zbuffer32|zbuffer"
 #define SCENE_CULLS "none|back|front"
 #define SCENE_TERMS "ambient|diffuse|specular"
 #define SCENE_HIGHLIGHTS "coloured|plain"
@@ -51,8 +52,10 @@ enum scene_mapping {
 /* OWN: that of the material. */
 enum scene_wrap { SCENE_WRAP_OWN = PEL_WRAP_MIRROR + 1 };
 
-/* SCENE_ZBUFFER is drawn as SCENE_ZBUFFER32. */
+/* SCENE_ZBUFFER is drawn as SCENE_ZBUFFER32, and so is SCENE_AUTO, which finds
+ * out where the painter's order does the same in less time. */
 enum scene_order {
+    SCENE_AUTO,
     SCENE_PAINTER,
     SCENE_ZBUFFER16,
     SCENE_ZBUFFER32,
@@ -103,12 +106,22 @@ struct scene_settings {
     bool has_color; /* instead of the colours of the vertices: */
     pel_color color;
     int transparency; /* 0: opaque; 255: nothing is drawn */
+
+    double tolerance, texel_tolerance; /* steps of 255 and texels: methods are
+                                          chosen instead of Phong shading, and
+                                          of textures in perspective */
+    bool stats;                        /* count them, in one thread at a time */
+    bool show_methods; /* in their colours instead of the picture's */
 };
+
+/* Every triangle in the colour of its method: grey, blue, green, yellow, red.
+ */
+extern const struct pel_shading scene_shade_methods;
 
 /* Defaults: up is +y, perspective, 50 mm on a sensor 36 mm wide,
  * 1200x1200, white, and the rest of the camera left to camera_frame; Gouraud,
  * the model's own textures bilinear and in perspective, wrapped as they say,
- * the painter's order, both sides, ka 0.3, kd 0.7, ks 0.3, shininess 20. */
+ * the right order, both sides, ka 0.3, kd 0.7, ks 0.3, shininess 20. */
 extern const struct scene_settings scene_default;
 
 /* The scene of core and its parts. It must not be moved: it points into
@@ -122,11 +135,14 @@ struct scene {
     struct pel_light light[SCENE_LIGHTS_MAX];
     struct pel_mesh_texture *texture; /* malloc'ed, like the next two */
     struct pel_mesh_part *part;       /* the model's, in the settings' colour */
+    struct pel_stats stats;
     struct pel_frame frame;
     void *scratch;
     size_t scratch_size;
     int depth_bits; /* 16, 32; 0: the painter's order */
-    double units;   /* of core in a unit of the model: a power of two */
+    bool is_proven; /* that order is right outside of doubt.bounds */
+    struct pel_doubt doubt;
+    double units; /* of core in a unit of the model: a power of two */
 };
 
 /* Takes the memory. False, with a message on standard error, when it is short;

@@ -121,6 +121,11 @@ const struct option_row scene_option_table[] = {
     HEADING("Shading:"),
     {"shade", "MODE", "flat, gouraud (default) or phong",
      CHOICE(settings.shade, SCENE_SHADES)},
+    {"tolerance", "STEPS",
+     "for Phong: the cheapest method of each triangle that is proven to be "
+     "within so many steps of 255 (default: 0, exact)",
+     NUMBERS(settings.tolerance, 1, 0, 0, 255,
+             "a number from 0 to 255, such as 2")},
     {"color", "COLOUR", "#rrggbb for the whole mesh, instead of its colours",
      OPTION_COLOR, .offset = AT(settings.color),
      .flag = AT(settings.has_color)},
@@ -141,9 +146,10 @@ const struct option_row scene_option_table[] = {
      "then z",
      CALL(parse_turn)},
     {"order", "NAME",
-     "painter (default: for devices without memory for depths; joints of large "
-     "triangles may tear), zbuffer16, or zbuffer32, zbuffer for short: exact "
-     "at every pixel",
+     "auto (default: exact at every pixel), painter (for devices without "
+     "memory "
+     "for depths: some pixels may be wrong), zbuffer16, or zbuffer32, zbuffer "
+     "for short: as auto",
      CHOICE(settings.order, SCENE_ORDERS)},
     {"cull", "SIDE", "leave out none (default), back or front",
      CHOICE(settings.cull, SCENE_CULLS)},
@@ -222,6 +228,11 @@ const struct option_row scene_option_table[] = {
      "vertices (a texel for each), affine, subdivided, or perspective "
      "(default)",
      CHOICE(settings.mapping, SCENE_MAPPINGS)},
+    {"texel-tolerance", "TEXELS",
+     "in perspective: the cheapest mapping of each triangle that is proven to "
+     "be within so many texels (default: 0, exact)",
+     NUMBERS(settings.texel_tolerance, 1, 0, 0, 256,
+             "a number from 0 to 256, such as 0.5")},
     {"span", "PIXELS",
      "between divisions when subdivided: 2, 4, 8, 16 (default), 32 or 64",
      CHOICE(settings.span, SCENE_SPANS)},

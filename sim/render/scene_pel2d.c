@@ -37,7 +37,8 @@ static bool add_vertex(struct projection *p, uint32_t i)
     const struct pel_frame_vertex *from = &p->scene->frame.vertex[i];
     const struct pel_mesh *mesh = &p->scene->mesh;
     const struct pel2d_vertex v = {.at = {from->at.x, from->at.y},
-                                   .color = pel_frame_color(&p->scene->frame, i),
+                                   .color =
+                                       pel_frame_color(&p->scene->frame, i),
                                    .u = uv_of(mesh, i, 0),
                                    .v = uv_of(mesh, i, 1)};
     p->index[i] = p->flat->vertices;
@@ -64,7 +65,8 @@ static pel_color mix_colors(const struct pel_frame *frame,
     for (int shift = 0; shift < 32; shift += 8) {
         int32_t value[3];
         for (int k = 0; k < 3; k++)
-            value[k] = (int32_t)(pel_frame_color(frame, vertex[k]) >> shift & 255);
+            value[k] =
+                (int32_t)(pel_frame_color(frame, vertex[k]) >> shift & 255);
         mixed |= (pel_color)pel_scale_down(pel_dot(weight, value), 30) << shift;
     }
     return mixed;

@@ -3,7 +3,7 @@
 
 #include "api.h"
 
-enum { VERTICES = 6, TRIANGLES = 4 };
+enum { VERTICES = 6, TRIANGLES = 4, PARTS = 3 };
 
 struct place {
     struct pel_mesh mesh;
@@ -11,6 +11,7 @@ struct place {
     struct pel_light light[2];
     struct pel_lighting lighting;
     struct pel_mesh_texture texture;
+    struct pel_mesh_part part[PARTS];
     int16_t positions[VERTICES][3], normals[VERTICES][3];
     uint16_t uv[VERTICES][2];
     uint8_t colors[VERTICES][3], indices[TRIANGLES][3];
@@ -64,6 +65,7 @@ static void take_lighting(struct api *a, struct place *p)
     }
     p->lighting = (struct pel_lighting){.light = p->light,
                                         .lights = 2,
+                                        .both_sides = p->light[0].directional,
                                         .ambient_color = {65536, 30000, 0},
                                         .ambient = input_byte(&a->in) * 300,
                                         .diffuse = input_number(&a->in),
@@ -113,8 +115,27 @@ static void take_texture(struct api *a, struct place *p, struct pel_scene *s)
             kind & 8 ? pel_texture_init_nearest : pel_texture_init_bilinear,
         .wrap_u = (enum pel_wrap)(kind / 16 % 3),
         .wrap_v = (enum pel_wrap)(kind / 64 % 3),
+        .alpha = kind & 128 ? pel_texture_cut_out : NULL,
         .span = (int32_t)(UINT32_C(1) << input_below(&a->in, 8))};
     s->texture = &p->texture;
+}
+
+/* Few are wrong. */
+static void take_parts(struct api *a, struct place *p)
+{
+    uint32_t vertices = 0, triangles = 0;
+    p->mesh.part = p->part;
+    p->mesh.parts = input_below(&a->in, PARTS + 1);
+    for (uint32_t i = 0; i < p->mesh.parts; i++) {
+        const bool ends = i + 1 == p->mesh.parts && input_byte(&a->in) % 8 != 7;
+        const uint32_t v = input_below(&a->in, VERTICES + 1 - vertices);
+        const uint32_t t = input_below(&a->in, TRIANGLES + 1 - triangles);
+        vertices = ends ? p->mesh.vertices : vertices + v;
+        triangles = ends ? p->mesh.triangles : triangles + t;
+        p->part[i] =
+            (struct pel_mesh_part){vertices, triangles, input_word(&a->in),
+                                   input_below(&a->in, 8) % 3};
+    }
 }
 
 static void take_scene(struct api *a, struct place *p, struct pel_scene *s,
@@ -131,7 +152,7 @@ static void take_scene(struct api *a, struct place *p, struct pel_scene *s,
                             .color = PEL_RGB(200, 100, 50),
                             .transparency = kind & 64 ? 100 : 0,
                             .cull = (enum pel_cull)(kind / 8 % 3),
-                            .sort = kind & 128 ? &pel_depth_sort : NULL};
+                            .sort = kind & 128 ? &pel_depth_sort_radix : NULL};
     take_mesh(a, p);
     take_lighting(a, p);
     take_camera(a, &s->camera);
@@ -146,10 +167,24 @@ static void take_scene(struct api *a, struct place *p, struct pel_scene *s,
             p->pose.at[k] = input_number(&a->in) % (PEL_LENGTH_MAX + 1);
         s->pose = &p->pose;
     }
+    take_parts(a, p);
+}
+
+static void draw_certified(struct pel_frame *frame,
+                           const struct pel_surface *surface,
+                           const struct pel_depth *depth)
+{
+    const size_t size = PEL_CERTIFICATE_SCRATCH_SIZE(frame->triangles);
+    void *scratch = malloc(size);
+    struct pel_doubt doubt;
+    if (pel_scene_certify(frame, scratch, size, 5000, &doubt))
+        abort();
+    pel_scene_draw_certified(frame, surface, &doubt.bounds, depth);
+    free(scratch);
 }
 
 static void draw_depth(struct pel_frame *frame,
-                       const struct pel_surface *surface)
+                       const struct pel_surface *surface, bool certified)
 {
     struct pel_depth depth;
     const int bits = surface->bounds.x0 & 8 ? 32 : 16;
@@ -157,7 +192,10 @@ static void draw_depth(struct pel_frame *frame,
     void *values = malloc(size);
     if (pel_depth_init(&depth, &surface->bounds, bits, values, size))
         abort();
-    pel_scene_draw_depth(frame, surface, &depth);
+    if (certified)
+        draw_certified(frame, surface, &depth);
+    else
+        pel_scene_draw_depth(frame, surface, &depth);
     free(values);
 }
 
@@ -172,8 +210,9 @@ void api_scene(struct api *a, const struct pel_surface *surface)
     void *scratch = malloc(size);
     pel_mesh_normals(&p.mesh, normals, scratch, size);
     if (pel_scene_prepare(&frame, &scene, scratch, size) == PEL_OK) {
-        if (input_byte(&a->in) & 1)
-            draw_depth(&frame, surface);
+        const uint32_t how = input_byte(&a->in) % 4;
+        if (how)
+            draw_depth(&frame, surface, how == 2);
         else
             pel_scene_draw(&frame, surface);
     }

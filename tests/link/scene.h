@@ -57,10 +57,10 @@ static const struct pel_lighting scene_lighting = {
                    .sensor = {36, 36}},                              \
         .viewport = {0, 0, SCREEN_SIDE, SCREEN_SIDE},                \
         .shading = &(shading_of_scene), .lighting = &scene_lighting, \
-        .color = PEL_RGB(200, 200, 200), .sort = &pel_depth_sort      \
+        .color = PEL_RGB(200, 200, 200), .sort = &pel_depth_sort     \
     }
 
-static int scene_show(const struct pel_scene *scene)
+static inline int scene_show(const struct pel_scene *scene)
 {
     static const struct pel_surface screen = SCREEN(pel_rgb565_le);
     static uint64_t scratch[250];

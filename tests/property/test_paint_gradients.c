@@ -310,6 +310,19 @@ static void check_shape(const struct gradient *g, int32_t x, int32_t y)
         }
 }
 
+/* Every pixel of a shape, all of the surface or what `draw` makes of v. */
+static void check_drawn(const struct gradient *g, const struct pel_rect *b,
+                        const struct pel_point v[3], uint32_t shape)
+{
+    hits_open(&hits, b);
+    draw(&canvas.surface, v, shape, &g->u.paint);
+    draw(&hits.surface, v, shape, &hits.paint);
+    for (int32_t y = b->y0; y < b->y1; y++)
+        for (int32_t x = b->x0; x < b->x1; x++)
+            check_pixel(g, x, y);
+    canvas_check(&canvas);
+}
+
 static void test_every_cell(void)
 {
     static struct gradient g;
@@ -322,20 +335,31 @@ static void test_every_cell(void)
         shape_in_box(r, v, 3, &b);
         canvas_open(&canvas, layouts[random_word(r) % LAYOUT_COUNT].format, &b,
                     random_word(r) % CANVAS_STYLES);
-        hits_open(&hits, &b);
-        draw(&canvas.surface, v, shape, &g.u.paint);
-        draw(&hits.surface, v, shape, &hits.paint);
-        for (int32_t y = b.y0; y < b.y1; y++)
-            for (int32_t x = b.x0; x < b.x1; x++)
-                check_pixel(&g, x, y);
-        canvas_check(&canvas);
+        check_drawn(&g, &b, v, shape);
         if (g.kind != LINEAR)
             check_shape(&g, random_between(r, b.x0, b.x1 - 1),
                         random_between(r, b.y0, b.y1 - 1));
     }
 }
 
+/* Narrow rings around a wide disc, so far out that the squares of their radii
+ * do not fit the 32 bits of core/fast. */
+static void test_far_rings(void)
+{
+    static struct gradient g = {.kind = RADIAL,
+                                .radius = 2400 * 673,
+                                .ramp = {colors, 2400, PEL_REPEAT}};
+    static const struct pel_point v[3] = {{0, 0}};
+    const struct pel_rings rings = {.radius = g.radius};
+    const struct pel_rect row = {0, 0, 6300, 1};
+    for (uint32_t i = 0; i < 2400; i++)
+        colors[i] = 0xFF000000 | (i < 380 ? 0 : i);
+    assert_int_equal(pel_radial_init(&g.u.radial, &rings, &g.ramp), PEL_OK);
+    canvas_open(&canvas, &pel_xrgb8888, &row, 0);
+    check_drawn(&g, &row, v, 3);
+}
+
 int main(void)
 {
-    return RUN_TESTS(test_every_cell);
+    return RUN_TESTS(test_every_cell, test_far_rings);
 }

@@ -1,5 +1,6 @@
 /* Whole pictures against a renderer in extended precision: who is seen in every
  * pixel, and in which colour. */
+#include "core/scene/select.h"
 #include "tests/support/any_scene.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
@@ -210,7 +211,8 @@ static void check_pictures(uint64_t count, dressing *dress, int32_t tolerance)
         any_scene(&c.random, &p.s, SIDE);
         dress(&c.random, &p);
         p.lit = p.s.scene.shading == &pel_shade_lit_gouraud;
-        p.phong = p.s.scene.shading == &pel_shade_phong;
+        p.phong = p.s.scene.shading == &pel_shade_phong ||
+                  p.s.scene.shading == &pel_shade_chosen;
         draw(&p, &p.colors);
         const struct pel_shading *shading = p.s.scene.shading;
         p.s.scene.shading = &any_scene_numbers;
@@ -244,6 +246,13 @@ static void dress_phong(struct random *r, struct picture *p)
     p->s.scene.shading = &pel_shade_phong;
 }
 
+static void dress_chosen(struct random *r, struct picture *p)
+{
+    dress_phong(r, p);
+    p->s.scene.shading = &pel_shade_chosen;
+    p->s.scene.tolerance = 4 * 256;
+}
+
 static void dress_texture(struct random *r, struct picture *p)
 {
     static const struct pel_shading *const shading[] = {
@@ -267,6 +276,11 @@ static void test_phong(void)
     check_pictures(700, dress_phong, 2);
 }
 
+static void test_chosen(void)
+{
+    check_pictures(700, dress_chosen, 2 + 4);
+}
+
 static void test_textures(void)
 {
     check_pictures(1000, dress_texture, 2);
@@ -274,5 +288,6 @@ static void test_textures(void)
 
 int main(void)
 {
-    return RUN_TESTS(test_colors_of_vertices, test_phong, test_textures);
+    return RUN_TESTS(test_colors_of_vertices, test_phong, test_chosen,
+                     test_textures);
 }

@@ -49,9 +49,30 @@ static const struct pel_lighting lighting = {
 
 static uint16_t memory[SIZE * SIZE];
 
+/* The textures of the asset, in RGB565. */
+static bool set_textures(struct pel_scene *scene)
+{
+    enum { MOST = 8 };
+    static struct pel_mesh_texture texture[MOST];
+    static struct pel_surface surface[MOST];
+    scene->texture = asset.images ? texture : NULL;
+    scene->textures = asset.images;
+    for (uint32_t i = 0; i < asset.images; i++) {
+        texture[i].mapping = &pel_map_affine;
+        texture[i].sampler = pel_texture_init_nearest;
+        if (i == MOST ||
+            pel_mesh_texture_of_image(&texture[i], &surface[i], &asset.image[i],
+                                      &pel_rgb565_le) != PEL_OK)
+            return false;
+    }
+    return true;
+}
+
 static void set_scene(struct pel_scene *scene, struct pel_mesh *mesh,
                       const char *shade)
 {
+    if (!set_textures(scene))
+        fprintf(stderr, "a texture is refused\n");
     pel_mesh_of_asset(mesh, &asset);
     scene->mesh = mesh;
     scene->lighting = &lighting;
@@ -66,8 +87,11 @@ static void set_scene(struct pel_scene *scene, struct pel_mesh *mesh,
     scene->shading = shade[0] == 'f'   ? &pel_shade_flat
                      : shade[0] == 'g' ? &pel_shade_gouraud
                                        : &pel_shade_phong;
-    if (shade[0] == 'p')
+    if (shade[0] == 'p') {
         mesh->colors = NULL;
+        mesh->parts = 0;
+        scene->texture = NULL;
+    }
 }
 
 static enum pel_status draw(const struct pel_surface *surface,

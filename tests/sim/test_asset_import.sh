@@ -37,10 +37,10 @@ mesh() {
     for shade in flat gouraud ${1:+phong}; do
         case $shade in
         phong) look='--texture none --color #a0b4c8 --sun 1,2,3:1,1,1' ;;
-        *) look='--unlit --texture nearest --mapping vertices' ;;
+        *) look="--unlit --texture nearest --mapping ${mapping:-vertices}" ;;
         esac
         "$PEL" render "$file" --shade $shade --format rgb565_le --size 600x600 \
-            --sensor 36x36 --near 0.125 --eye "$eye" --target "$target" $look \
+            --order painter --sensor 36x36 --near 0.125 --eye "$eye" --target "$target" $look \
             -o "$dir/$name.ppm"
         "$dir/$name" "$dir/$name.ppm" $shade || fail "$name: $shade differs"
     done
@@ -52,7 +52,7 @@ framed() {
     name=$1 file=$2
     shift 2
     look='--unlit --texture nearest --mapping vertices --shade gouraud'
-    "$PEL" render "$file" --size 600x600 --format rgb565_le "$@" $look \
+    "$PEL" render "$file" --order painter --size 600x600 --format rgb565_le "$@" $look \
         --print-camera -o "$dir/framed.ppm" >"$dir/camera.inc"
     "$PEL" render "$file" --size 600x600 "$@" --print-camera |
         cmp - "$dir/camera.inc" || fail "$name: another camera without -o"
@@ -95,6 +95,16 @@ else
         fail "no figures"
     mesh duck16 "$duck" 0.125,0.875,3.5 0.125,0.875,0 --normals 16
     grep -q 'int16_t asset_normals' "$dir/duck16.c" || fail "no 16-bit normals"
+fi
+spider=${PEL_MODELS:-/usr/share/assimp/models}/OBJ/spider.obj
+if [ ! -r "$spider" ]; then
+    fail "$spider is missing: the package assimp-testmodels brings it"
+else
+    mesh spider "$spider" 64,64,256 0,0,0 --normals 16
+    mapping=affine
+    mesh textures "$spider" 64,64,256 0,0,0 --normals 16 --format rgb565_le
+    mapping=
+    grep -q 'asset_texture_4' "$dir/textures.c" || fail "no 4 textures"
 fi
 mesh square "$dir/square.ply" 1000.5,2000.5,2 1000.5,2000.5,0 --normals 16
 
@@ -255,7 +265,10 @@ refuse "--format is 'rgb': expected one of rgb565_le," "$dir/picture.ppm" \
 refuse "expected 8 or 16" builtin:vase --normals 12 -o "$dir/x.c"
 
 # An option that means nothing for what is made is refused by name.
-refuse "--format is for pictures" builtin:vase --format rgb888 -o "$dir/x.c"
+refuse "has no texture: expected no --format" builtin:vase --format rgb888 \
+    -o "$dir/x.c"
+refuse "--format of textures is a palette" builtin:vase --format palette8 \
+    -o "$dir/x.c"
 refuse "picture.ppm: has more than 16 colours: expected a picture with fewer" \
     "$dir/picture.ppm" --format palette4 -o "$dir/x.c"
 refuse "--background is for pictures" builtin:vase --background '#123456' -o "$dir/x.c"
@@ -313,7 +326,7 @@ grep -q '^/\* 4 vertices' "$dir/zero.c" || fail "-0 is not joined with 0"
 "$PEL" import builtin:vase -o "$dir/vase.pel2d"
 refuse "is projected already" "$dir/vase.pel2d" -o "$dir/x.c"
 
-# A pel2d file draws what its mesh draws (test_render_command.sh).
-"$PEL" render builtin:vase -o "$dir/a.ppm"
+# A pel2d file draws what its mesh draws by the painter (test_render_command.sh).
+"$PEL" render builtin:vase --order painter -o "$dir/a.ppm"
 "$PEL" render "$dir/vase.pel2d" -o "$dir/b.ppm"
 "$PEL" compare --tolerance 1 "$dir/a.ppm" "$dir/b.ppm" || fail "the pel2d file draws something else"

@@ -29,7 +29,7 @@ for shade in flat gouraud; do
     "$PEL" render - --size 300x200 --shade $shade <"$dir/vase.pel2d" \
         >"$dir/b.ppm"
     cmp "$dir/a.ppm" "$dir/b.ppm" || fail "$shade: standard input"
-    "$PEL" render builtin:vase --unlit --size 300x200 --shade $shade \
+    "$PEL" render builtin:vase --unlit --order painter --size 300x200 --shade $shade \
         -o "$dir/b.ppm"
     "$PEL" compare --tolerance $([ $shade = flat ] && echo 0 || echo 1) \
         "$dir/a.ppm" "$dir/b.ppm" || fail "$shade: pel2d is not its mesh"

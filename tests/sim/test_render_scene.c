@@ -71,6 +71,30 @@ static void test_normals(void)
     mesh_free(&mesh);
 }
 
+/* The sides of a sheet, which has each triangle twice, do not cancel out; an
+ * edge of 90 degrees is one for a smaller crease. */
+static void test_creases(void)
+{
+    struct mesh mesh;
+    make_square(&mesh);
+    for (int k = 0; k < 3; k++)
+        mesh.triangle[1][k] = mesh.triangle[0][2 - k];
+    assert_true(mesh_normals(&mesh, MESH_CREASE));
+    assert_int_equal(mesh.vertices, 6);
+    for (uint32_t i = 0; i < 6; i++)
+        assert_int_equal((int)mesh.vertex[i].normal[2], i < 3 ? 1 : -1);
+    mesh_free(&mesh);
+    for (int split = 0; split < 2; split++) {
+        make_square(&mesh);
+        mesh.vertex[3].position[0] = 0.5;
+        mesh.vertex[3].position[1] = 0.5;
+        mesh.vertex[3].position[2] = 1;
+        assert_true(mesh_normals(&mesh, split ? 89 : 90));
+        assert_int_equal(mesh.vertices, split ? 6 : 4);
+        mesh_free(&mesh);
+    }
+}
+
 /* 100x50 pixels of a 40x20 mm sensor at 10 mm: 25 px at a slope of 1. */
 static struct scene_settings make_settings(double distance)
 {
@@ -321,7 +345,7 @@ static void test_refused(void)
 
 int main(void)
 {
-    return RUN_TESTS(test_check, test_normals, test_formula, test_orthographic,
-                     test_turn, test_behind, test_any_camera, test_framing,
-                     test_refused);
+    return RUN_TESTS(test_check, test_normals, test_creases, test_formula,
+                     test_orthographic, test_turn, test_behind, test_any_camera,
+                     test_framing, test_refused);
 }

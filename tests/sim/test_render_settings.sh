@@ -333,7 +333,7 @@ refuse "--texture is 'soft': expected none|nearest|bilinear" --texture soft
 refuse "--mapping is 'x': expected vertices|affine|subdivided|perspective" \
     --mapping x
 refuse "--wrap is 'x': expected clamp|repeat|mirror" --wrap x
-refuse "--order is 'x': expected painter|zbuffer16|zbuffer32|zbuffer" --order x
+refuse "--order is 'x': expected auto|painter|zbuffer16|zbuffer32|zbuffer" --order x
 refuse "--cull is 'x': expected none|back|front" --cull x
 refuse "--normals-from is 'x': expected file|smooth" --normals-from x
 refuse "--projection is 'x': expected perspective|orthographic" --projection x

@@ -1,0 +1,47 @@
+#include "stats.h"
+
+#include <stddef.h>
+
+#include "select_light.h"
+
+/* The struct that a paint is in. */
+static struct pel_stats *stats_of(const void *paint)
+{
+    return (struct pel_stats *)((uintptr_t)paint -
+                                offsetof(struct pel_stats, paint));
+}
+
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
+{
+    struct pel_stats *s = stats_of(paint);
+    for (int32_t i = 0; i < spans->n; i++)
+        s->method[s->at].pixels +=
+            (uint64_t)pel_max(spans->span[i].x1 - spans->span[i].x0, 0);
+    s->inner->fill(s->inner, spans);
+}
+
+/* For a depth buffer that asks a translucent paint for colors. */
+static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
+                   int32_t n, pel_color *out)
+{
+    struct pel_stats *s = stats_of(paint);
+    const struct pel_color_paint *inner = (const void *)s->inner;
+    s->method[s->at].pixels += (uint64_t)n;
+    inner->colors(inner, x, y, n, out);
+}
+
+static const struct pel_paint *counted_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
+{
+    struct pel_stats *s = frame->scene->stats;
+    s->inner = pel_shade_chosen.paint(frame, surface);
+    s->at = frame->work->method;
+    s->method[s->at].triangles++;
+    if (frame->work->bound > s->bound)
+        s->bound = frame->work->bound;
+    s->paint = (struct pel_color_paint){{fill, NULL}, colors, frame->opaque};
+    return &s->paint.paint;
+}
+
+const struct pel_shading pel_shade_counted = {pel_frame_start_light,
+                                              pel_light_note, counted_paint};

@@ -1,0 +1,115 @@
+#include "sim/render/scene_order.h"
+
+#include <stdlib.h>
+
+#include "sim/cli/message.h"
+
+/* Measured (docs/MEASUREMENTS.md): with fewer pixels to a triangle the proof
+ * takes longer than depths; a step of it takes as long as 16 pixels. */
+enum { PIXELS_PER_TRIANGLE = 2048, PIXELS_PER_STEP = 16 };
+
+static int64_t pixels_of(const struct pel_rect *r)
+{
+    return pel_rect_empty(r) ? 0 : (int64_t)(r->x1 - r->x0) * (r->y1 - r->y0);
+}
+
+/* The painter draws what is hidden later too: that is cheap for flat and
+ * Gouraud alone. */
+static bool proof_pays(const struct scene *scene,
+                       const struct scene_settings *s)
+{
+    return s->order == SCENE_AUTO && !scene->core.sort &&
+           s->shade != SCENE_PHONG &&
+           (!scene->core.texture || s->mapping == SCENE_MAP_VERTICES) &&
+           scene->mesh.triangles <=
+               pixels_of(&scene->core.viewport) / PIXELS_PER_TRIANGLE;
+}
+
+void scene_set_order(struct scene *scene, const struct scene_settings *s)
+{
+    scene->depth_bits = s->order == SCENE_PAINTER     ? 0
+                        : s->order == SCENE_ZBUFFER16 ? 16
+                                                      : 32;
+    scene->is_proven = proof_pays(scene, s);
+    if (s->order == SCENE_PAINTER || scene->is_proven)
+        scene->core.sort = &pel_depth_sort_radix;
+}
+
+/* Examines the painter's order of the frame; false when memory is short. */
+static bool certify(const struct scene *scene, uint32_t work,
+                    struct pel_doubt *doubt)
+{
+    const size_t size = PEL_CERTIFICATE_SCRATCH_SIZE(scene->frame.triangles);
+    void *scratch = malloc(size);
+    const bool done = scratch && pel_scene_certify(&scene->frame, scratch, size,
+                                                   work, doubt) == PEL_OK;
+    free(scratch);
+    return done;
+}
+
+void scene_prove_order(struct scene *scene)
+{
+    const int64_t pixels = pixels_of(&scene->core.viewport);
+    if (!scene->is_proven)
+        return;
+    scene->is_proven =
+        !scene->frame.translucent &&
+        certify(scene, (uint32_t)(pixels / PIXELS_PER_STEP), &scene->doubt) &&
+        pixels_of(&scene->doubt.bounds) <= pixels / 2;
+    if (!scene->is_proven) { /* as if it had not been sorted */
+        scene->frame.order = NULL;
+        scene->frame.triangles = scene->mesh.triangles;
+    }
+}
+
+/* Depths of a part of the picture, cleared; `size` is 0 where there is none. */
+static bool open_depths(struct pel_depth *depth, const struct pel_rect *bounds,
+                        int bits, size_t *size)
+{
+    *size = pel_depth_size(bounds, bits);
+    if (*size == 0)
+        return true;
+    void *memory = malloc(*size);
+    if (memory && pel_depth_init(depth, bounds, bits, memory, *size) == PEL_OK)
+        return true;
+    free(memory);
+    return message_error("no memory for a depth buffer of %zu bytes", *size);
+}
+
+bool scene_draw_ordered(const struct scene *scene, struct pel_frame *frame,
+                        const struct pel_surface *surface)
+{
+    const struct pel_rect *part =
+        scene->is_proven ? &scene->doubt.bounds : &scene->core.viewport;
+    const struct pel_rect bounds = pel_rect_intersect(&surface->clip, part);
+    struct pel_depth depth = {0};
+    size_t size = 0;
+    if (scene->depth_bits > 0 &&
+        !open_depths(&depth, &bounds, scene->depth_bits, &size))
+        return false;
+    if (scene->depth_bits == 0)
+        pel_scene_draw(frame, surface);
+    else if (scene->is_proven)
+        pel_scene_draw_certified(frame, surface, part, &depth);
+    else if (size > 0)
+        pel_scene_draw_depth(frame, surface, &depth);
+    if (size > 0)
+        free(depth.values);
+    return true;
+}
+
+void scene_print_order(FILE *out, const struct scene *scene)
+{
+    const struct pel_rect *part = &scene->doubt.bounds;
+    struct pel_doubt doubt;
+    if (scene->is_proven)
+        fprintf(out, "painter's order, proven but for %dx%d px with depths\n",
+                (int)(part->x1 - part->x0), (int)(part->y1 - part->y0));
+    else if (scene->depth_bits > 0)
+        fprintf(out, "depths of %d bits\n", scene->depth_bits);
+    else if (certify(scene, UINT32_MAX, &doubt))
+        fprintf(out,
+                "painter's order: at most %lu pixels are wrong, of %lu "
+                "triangles\n",
+                (unsigned long)doubt.pixels, (unsigned long)doubt.triangles);
+}
