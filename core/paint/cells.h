@@ -47,7 +47,6 @@ struct pel_cells {
     uint8_t left;                /* spans from `span` on */
     bool box;                    /* hi ends all rows */
     pel_color mask; /* of mixed colours what can be seen; 0: ask the format */
-    int64_t square; /* of `whole`, in 512ths; on the left side negative */
 #endif
 
     /* The run of the present cell, in every row. */
