@@ -264,6 +264,6 @@ enum pel_status pel_gradient_init(struct pel_gradient *g,
     g->color = ramp_color;
     g->ramp = *ramp;
     g->cells = ramp->n == 2 ? 256 : ramp->n;
-    g->period = g->cells * (int32_t)ramp->spread; /* times 0, 1 or 2 */
+    g->period = g->cells * pel_min((int32_t)ramp->spread, 2); /* 0, 1 or 2 */
     return PEL_OK;
 }
