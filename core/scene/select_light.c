@@ -19,10 +19,9 @@ static uint32_t ratio(uint64_t a, uint64_t b)
 {
     struct pel_root root;
     int shift;
+    const uint32_t inverse = pel_inverse_root(b, &shift);
     pel_square_root(a, &root);
-    const uint64_t q =
-        pel_multiply(root.root + 1, pel_inverse_root(b, &shift)) >>
-        (46 - shift);
+    const uint64_t q = pel_multiply(root.root + 1, inverse) >> (46 - shift);
     return q < RATIO_MAX - 2 ? (uint32_t)q + 2 : RATIO_MAX;
 }
 
