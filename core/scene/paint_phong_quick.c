@@ -204,6 +204,12 @@ static inline void put_one(const struct run *r, const struct pel_light_sum *sum,
     }
 }
 
+/* v 2^-bits, cut towards 0: so light between two ends is not below both. */
+static inline int32_t part_of(int32_t v, int bits)
+{
+    return v < 0 ? -(-v >> bits) : v >> bits;
+}
+
 /* The change a pixel between the ends of a span, and what `from` has become
  * after n pixels. */
 static inline void set_line(const struct run *r, int32_t n,
@@ -213,8 +219,8 @@ static inline void set_line(const struct run *r, int32_t n,
 {
     for (int k = 0; k < r->channels; k++) {
         const int bits = r->paint->span;
-        step->surface[k] = (to->surface[k] - from->surface[k]) >> bits;
-        step->plain[k] = (to->plain[k] - from->plain[k]) >> bits;
+        step->surface[k] = part_of(to->surface[k] - from->surface[k], bits);
+        step->plain[k] = part_of(to->plain[k] - from->plain[k], bits);
         from->surface[k] += n * step->surface[k];
         from->plain[k] += n * step->plain[k];
     }
