@@ -73,5 +73,7 @@
 
 #include "scene/certificate.h"
 #include "scene/pipeline.h"
+#include "scene/select.h"
+#include "scene/stats.h"
 
 #endif

@@ -61,7 +61,16 @@ static void any_dress(struct random *r, struct any_scene *s)
             for (int k = 0; k < 3; k++)
                 s->light[i].color[k] = 65536;
     if (random_word(r) % 3 == 0)
-        s->lighting.shininess = random_between(r, 1, 3);
+        s->lighting.shininess =
+            random_word(r) % 2 ? random_between(r, 1, 3) : 256;
+    if (random_word(r) % 4 == 0)
+        s->lighting.diffuse = s->lighting.specular =
+            random_between(r, 0, PEL_FACTOR_END - 1);
+    if (random_word(r) % 4 == 0) { /* close to the triangles */
+        for (int k = 0; k < 3; k++)
+            s->scene.camera.eye[k] +=
+                (s->scene.camera.target[k] - s->scene.camera.eye[k]) / 4 * 3;
+    }
     if (random_word(r) % 2)
         s->mesh.colors = NULL;
     s->scene.color = random_word(r);
