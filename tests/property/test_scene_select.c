@@ -171,6 +171,9 @@ static void test_places_in_textures(void)
         s.texture.mapping = &pel_map_perspective;
         draw(&s, &pel_shade_gouraud, &frame, &exact);
         s.texture.mapping = &pel_map_chosen;
+        s.scene.texel_tolerance = INT32_MIN;
+        draw(&s, &pel_shade_gouraud, &frame, &chosen);
+        assert_int_equal(difference(&s, &exact, &chosen), 0);
         for (int i = 1; i < 5; i++) {
             s.scene.texel_tolerance = tolerances[i] * 256;
             draw(&s, &pel_shade_gouraud, &frame, &chosen);
@@ -298,6 +301,6 @@ static void test_light_fades_to_black(void)
 
 int main(void)
 {
-    return RUN_TESTS(test_light_fades_to_black, test_soups, test_stats, test_places_in_textures,
-                     test_bounds_are_tight);
+    return RUN_TESTS(test_light_fades_to_black, test_soups, test_stats,
+                     test_places_in_textures, test_bounds_are_tight);
 }
