@@ -7,25 +7,34 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "core/scene/select.h"
 #include "method.h"
 #include "scene_time.h"
 
 static const struct scene_mode modes[] = {
-    {"flat", &pel_shade_lit_flat, NULL, false, 0, 0},
-    {"gouraud", &pel_shade_lit_gouraud, NULL, false, 0, 0},
-    {"phong", &pel_shade_phong, NULL, false, 0, 0},
-    {"nearest affine", &pel_shade_flat, &pel_map_affine, false, 0, 0},
+    {.name = "flat", .shading = &pel_shade_lit_flat},
+    {.name = "gouraud", .shading = &pel_shade_lit_gouraud},
+    {.name = "phong", .shading = &pel_shade_phong},
+    {.name = "phong to 1 step", .shading = &pel_shade_chosen, .steps = 1},
+    {.name = "phong to 2 steps", .shading = &pel_shade_chosen, .steps = 2},
+    {.name = "phong to 4 steps", .shading = &pel_shade_chosen, .steps = 4},
+    {"nearest affine", &pel_shade_flat, &pel_map_affine, false, 0, 0, 0},
     {"nearest perspective/16", &pel_shade_flat, &pel_map_perspective, false, 16,
-     0},
-    {"bilinear affine", &pel_shade_flat, &pel_map_affine, true, 0, 0},
+     0, 0},
+    {"bilinear affine", &pel_shade_flat, &pel_map_affine, true, 0, 0, 0},
     {"bilinear perspective/16", &pel_shade_flat, &pel_map_perspective, true, 16,
+     0, 0},
+    {"bilinear perspective", &pel_shade_flat, &pel_map_perspective, true, 1, 0,
      0},
-    {"bilinear perspective", &pel_shade_flat, &pel_map_perspective, true, 1, 0},
-    {"lit bilinear affine", &pel_shade_lit_gouraud, &pel_map_affine, true, 0,
+    {"lit bilinear affine", &pel_shade_lit_gouraud, &pel_map_affine, true, 0, 0,
      0},
-    {"flat z32", &pel_shade_lit_flat, NULL, false, 0, 32},
-    {"gouraud z16", &pel_shade_lit_gouraud, NULL, false, 0, 16},
-    {"gouraud z32", &pel_shade_lit_gouraud, NULL, false, 0, 32},
+    {.name = "flat z32", .shading = &pel_shade_lit_flat, .depth_bits = 32},
+    {.name = "gouraud z16",
+     .shading = &pel_shade_lit_gouraud,
+     .depth_bits = 16},
+    {.name = "gouraud z32",
+     .shading = &pel_shade_lit_gouraud,
+     .depth_bits = 32},
 };
 
 enum { MODES = sizeof modes / sizeof *modes, SIDE = 1024 };

@@ -79,8 +79,9 @@ static void set_scene(struct stage *s, const struct bench_mesh *m,
                    .sensor = {40, 40}},
         .viewport = {0, 0, side, side},
         .shading = mode->shading,
+        .tolerance = mode->steps * 256,
         .lighting = &lighting,
-        .sort = mode->depth_bits ? NULL : &pel_depth_sort,
+        .sort = mode->depth_bits ? NULL : &pel_depth_sort_radix,
         .cull = PEL_CULL_BACK};
     s->texture = (struct pel_mesh_texture){
         .texels = {NULL, s->texels, TEXELS, TEXELS, true},

@@ -14,6 +14,7 @@ struct scene_mode {
     bool bilinear;
     int32_t span;
     int depth_bits; /* 0: painter's order; 32: beside OSMesa */
+    int32_t steps;  /* the tolerance */
 };
 
 /* What is drawn of a mesh: side by side pixels, in so many bands, by as many

@@ -75,5 +75,7 @@
 #include "scene/certificate.h"
 #include "scene/cost.h"
 #include "scene/pipeline.h"
+#include "scene/select.h"
+#include "scene/stats.h"
 
 #endif

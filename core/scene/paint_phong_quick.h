@@ -19,7 +19,10 @@
 
 PEL_BEGIN_DECLS
 
-enum { PEL_QUICK_LIGHTS = 3 }; /* no more */
+enum {
+    PEL_QUICK_LIGHTS = 3, /* no more */
+    PEL_QUICK_BITS = 28   /* numbers are 2^-28 */
+};
 
 /* Of weights a and b of two vertices, 2^-28: k0 + a k1 + b k2 + a^2 k3 + a b k4
  * + b^2 k5. */
@@ -53,6 +56,8 @@ struct pel_phong_quick {
     bool one_color;
     bool gray; /* all lights are: one factor serves all channels */
 };
+
+pel_colors_function pel_phong_quick_colors; /* of that paint */
 
 /* Sets all but `weight`, `alpha`, `span` and `dull`. Up to PEL_QUICK_LIGHTS
  * lights. */

@@ -20,9 +20,8 @@ static uint32_t ratio(uint64_t a, uint64_t b)
     struct pel_root root;
     int shift;
     pel_square_root(a, &root);
-    const uint64_t q =
-        pel_multiply(root.root + 1, pel_inverse_root(b, &shift)) >>
-        (46 - shift);
+    const uint32_t inverse = pel_inverse_root(b, &shift);
+    const uint64_t q = pel_multiply(root.root + 1, inverse) >> (46 - shift);
     return q < RATIO_MAX - 2 ? (uint32_t)q + 2 : RATIO_MAX;
 }
 
@@ -54,6 +53,18 @@ pel_color pel_light_note(const struct pel_frame *frame, uint32_t vertex,
     return (pel_lit_color(&sum, surface) & 0xFFFFFFu) |
            (uint32_t)pel_min((int32_t)units, UNITS) << 24 |
            (uint32_t)pel_min(h, 7) << 29;
+}
+
+/* At least v / 6, v below 2^62, and 7/36 v, v below 2^56: without a division.
+ */
+static uint64_t sixth_of(uint64_t v)
+{
+    return (v >> 10) * 171 + 171;
+}
+
+static uint64_t curve_of(uint64_t v)
+{
+    return (v * 50 >> 8) + 1;
 }
 
 static uint64_t longest(int32_t v[3][3])
@@ -106,7 +117,7 @@ static bool turn_of_normals(struct pel_lit_corners *corners,
     if (edge >= least || most - least >= least)
         return false;
     turns->edge = part_of(edge + most - least, least);
-    least -= edge / 3;
+    least -= 2 * sixth_of(edge);
     corners->length = least + (most - least) / 2;
     turns->normal = ratio(edge, least);
     turns->length = part_of((most - least) / 2, corners->length);
@@ -242,13 +253,6 @@ static uint32_t channels_change(const pel_color color[3])
     return (uint32_t)most;
 }
 
-/* s p w^(p - 1), 2^-16. */
-static uint64_t slope_of(uint64_t s, int32_t p, pel_cosine w)
-{
-    const uint64_t power = ((uint32_t)pel_cosine_power(w, p - 1) >> 14) + 1;
-    return (s * (uint32_t)p * power >> 16) + 1;
-}
-
 /* What the polynomials leave out where n.n is off by up to `length` and planes
  * of directions are by `times` / 65,536 7/36 of the squares of their turns.
  * Squares are below 2^36. */
@@ -260,9 +264,9 @@ static uint64_t quick_of(const struct pel_light_bounds *b, uint32_t length,
         length <= 16384 ? (square * square >> 16) + 1 : UINT64_C(1) << 24;
     const uint64_t light = (uint64_t)b->turns.light * b->turns.light >> 16;
     const uint64_t eye = (uint64_t)b->turns.eye * b->turns.eye >> 16;
-    return (b->diffuse * (fourth + (light * times * 7 / 36 >> 16) + 1) +
+    return (b->diffuse * (fourth + (curve_of(light * times) >> 16) + 1) +
             b->slope *
-                (2 * fourth + ((light + eye) * times * 7 / 36 >> 16) + 2)) >>
+                (2 * fourth + (curve_of((light + eye) * times) >> 16) + 2)) >>
            16;
 }
 
@@ -275,9 +279,10 @@ static uint64_t add_highlights(const struct pel_frame *frame,
     const int32_t p = frame->lights.lighting->shininess;
     const uint64_t q = 2 * t->normal + t->light + t->eye;
     const pel_cosine w = nearest(frame, note, (uint32_t)q);
-    b->slope = slope_of(s, p, w);
-    b->dull = (b->slope / (uint32_t)p * (((uint32_t)w >> 14) + 1) >> 16) + 1;
-    b->curve += (s * curvature(p, w) >> 16) * (q * q >> 16) / 6 >> 16;
+    const uint64_t power = ((uint32_t)pel_cosine_power(w, p - 1) >> 14) + 1;
+    b->slope = (s * (uint32_t)p * power >> 16) + 1;
+    b->dull = ((s * power >> 16) * (((uint32_t)w >> 14) + 1) >> 16) + 2;
+    b->curve += sixth_of((s * curvature(p, w) >> 16) * (q * q >> 16)) >> 16;
     b->curve += (s * (uint32_t)p >> 17) + 1; /* roots and powers */
     if (p == 1)
         b->kink += s * q >> 18;
@@ -302,7 +307,7 @@ bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
     const int h = pel_max(pel_max(note[0] >> 5, note[1] >> 5), note[2] >> 5);
     const bool crosses = h == 0 || nl > UINT32_C(1) << (8 + h);
     uint64_t change = b->diffuse * nl >> 16;
-    b->curve = (b->diffuse * (nl * nl >> 16) >> 16) * 7 / 36 + 1;
+    b->curve = curve_of(b->diffuse * (nl * nl >> 16) >> 16);
     b->kink = crosses ? b->diffuse * nl >> 18 : 0;
     if (s)
         change += add_highlights(frame, note, s, b);
@@ -312,7 +317,7 @@ bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
     b->plane = b->curve + b->kink + tear;
     if (!frame->lights.lighting->plain_highlights)
         b->plane = b->plane * (channels_most(color) + 1) >> 8;
-    b->plane += (change + 1) * channels_change(color) / 765 + 2;
+    b->plane += ((change + 1) * channels_change(color) * 86 >> 16) + 2;
     return true;
 }
 

@@ -104,6 +104,11 @@ static void set_color(struct script_pen *pen, const int32_t *v)
     s->transparency = (int)(255 - pel_alpha(s->color));
 }
 
+static void set_tolerance(struct script_pen *pen, const int32_t *v)
+{
+    pen->scene->settings.tolerance = v[0];
+}
+
 static void set_own_colors(struct script_pen *pen, const int32_t *v)
 {
     (void)v;
@@ -157,6 +162,7 @@ const struct script_command script_mesh_commands[] = {
             settings.has_light),
     ACTION("material", "kkke", "KA KD KS SHININESS", set_material),
     SETTING("shade", "o", SCENE_SHADES, settings.shade),
+    ACTION("option mesh tolerance", "b", "0..255", set_tolerance),
     SETTING("option mesh light", "o", "auto|on|off", settings.lit),
     ACTION("option mesh terms", "o", "all|ambient|diffuse|specular", set_terms),
     SETTING("option mesh highlights", "o", SCENE_HIGHLIGHTS,

@@ -53,6 +53,14 @@ static enum view_action change_appearance(struct view *view, int key)
                    : view->first.order != SCENE_PAINTER ? view->first.order
                                                         : SCENE_AUTO;
         break;
+    case 'e':
+        s->tolerance = s->tolerance > 4   ? 0
+                       : s->tolerance < 1 ? 1
+                                          : s->tolerance * 2;
+        break;
+    case 'm':
+        s->show_methods = !s->show_methods;
+        break;
     case 'r':
         view_reset(view);
         break;

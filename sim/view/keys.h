@@ -6,18 +6,20 @@
 #include "sim/view/view.h"
 
 /* The keys and what they do, a line each. */
-#define VIEW_KEYS_HELP                                                   \
-    "  arrows, drag        turn\n"                                       \
-    "  + -, wheel          closer, farther\n"                            \
-    "  space, enter        stop or start the turning\n"                  \
-    "  f g p               shading: flat, Gouraud, Phong\n"              \
-    "  t                   texture: none, nearest, bilinear\n"           \
-    "  l                   light on or off (Phong has it always)\n"      \
-    "  1 to 9              that light on or off\n"                       \
-    "  a d s               ambient, diffuse, specular light on or off\n" \
-    "  z                   painter's order or z-buffer\n"                \
-    "  r                   back to the start\n"                          \
-    "  w                   write the picture to a file\n"                \
+#define VIEW_KEYS_HELP                                                       \
+    "  arrows, drag        turn\n"                                           \
+    "  + -, wheel          closer, farther\n"                                \
+    "  space, enter        stop or start the turning\n"                      \
+    "  f g p               shading: flat, Gouraud, Phong\n"                  \
+    "  t                   texture: none, nearest, bilinear\n"               \
+    "  l                   light on or off (Phong has it always)\n"          \
+    "  1 to 9              that light on or off\n"                           \
+    "  a d s               ambient, diffuse, specular light on or off\n"     \
+    "  e                   Phong's tolerance: 0, 1, 2, 4 or 8 steps\n"       \
+    "  m                   Phong's methods in colours (pel render --help)\n" \
+    "  z                   painter's order or z-buffer\n"                    \
+    "  r                   back to the start\n"                              \
+    "  w                   write the picture to a file\n"                    \
     "  q, Escape           end\n"
 
 /* Changes the view as the key says, of enum pel_key. A key of light on a view

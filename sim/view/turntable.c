@@ -74,8 +74,11 @@ static void title(const struct show *show, char *text)
         "right order", "painter", "z-buffer 16", "z-buffer 32", "z-buffer 32"};
     const struct scene_settings *s = &t->view.settings;
     const bool has_texture = t->model->textures > 0;
-    snprintf(text, SHOW_TITLE_SIZE, "%u triangles, %s, %s, %s, %s",
-             (unsigned)t->model->mesh.triangles, shades[s->shade],
+    char steps[32] = "";
+    if (s->shade == SCENE_PHONG && s->tolerance > 0)
+        snprintf(steps, sizeof steps, " to %g steps", s->tolerance);
+    snprintf(text, SHOW_TITLE_SIZE, "%u triangles, %s%s, %s, %s, %s",
+             (unsigned)t->model->mesh.triangles, shades[s->shade], steps,
              t->view.lit ? "lit" : "no light",
              textures[has_texture ? s->texture : SCENE_TEXTURE_NONE],
              orders[s->order]);

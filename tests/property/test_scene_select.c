@@ -61,7 +61,16 @@ static void any_dress(struct random *r, struct any_scene *s)
             for (int k = 0; k < 3; k++)
                 s->light[i].color[k] = 65536;
     if (random_word(r) % 3 == 0)
-        s->lighting.shininess = random_between(r, 1, 3);
+        s->lighting.shininess =
+            random_word(r) % 2 ? random_between(r, 1, 3) : 256;
+    if (random_word(r) % 4 == 0)
+        s->lighting.diffuse = s->lighting.specular =
+            random_between(r, 0, PEL_FACTOR_END - 1);
+    if (random_word(r) % 4 == 0) { /* close to the triangles */
+        for (int k = 0; k < 3; k++)
+            s->scene.camera.eye[k] +=
+                (s->scene.camera.target[k] - s->scene.camera.eye[k]) / 4 * 3;
+    }
     if (random_word(r) % 2)
         s->mesh.colors = NULL;
     s->scene.color = random_word(r);
@@ -260,8 +269,35 @@ static void test_bounds_are_tight(void)
     assert_true(tight[0] > 0.5 && tight[1] > 0.5);
 }
 
+/* Light of a few 1/65,536 that ends within the triangle: black remains. */
+static void test_light_fades_to_black(void)
+{
+    static struct any_scene s;
+    static struct canvas exact, chosen;
+    struct pel_frame frame;
+    uint64_t spans = 0;
+    for (struct cases c = cases_of(100); cases_next(&c);) {
+        struct pel_stats stats = {.bound = 0};
+        patch(&c.random, &s);
+        s.light[0].at[0] = random_between(&c.random, -16, 16);
+        s.light[0].at[2] = 0;
+        s.light[0].at[1] = 1;
+        s.lighting.diffuse = random_between(&c.random, 1, 99);
+        s.lighting.specular = random_between(&c.random, 0, 99);
+        s.lighting.plain_highlights = random_word(&c.random) % 2;
+        s.scene.color = random_word(&c.random) % 2 ? UINT32_MAX : 0;
+        s.scene.stats = &stats;
+        s.scene.tolerance = 128;
+        draw(&s, &pel_shade_phong, &frame, &exact);
+        draw(&s, &pel_shade_counted, &frame, &chosen);
+        spans += stats.method[PEL_METHOD_SPANS].pixels;
+        assert_in_range(difference(&s, &exact, &chosen), 0, 1);
+    }
+    assert_true(spans > 0);
+}
+
 int main(void)
 {
-    return RUN_TESTS(test_soups, test_stats, test_places_in_textures,
+    return RUN_TESTS(test_light_fades_to_black, test_soups, test_stats, test_places_in_textures,
                      test_bounds_are_tight);
 }

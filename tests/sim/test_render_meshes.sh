@@ -44,6 +44,11 @@ ambient 1 0.75 0.5
 material 0.25 0.5 0.75 40
 mesh builtin:vase
 END
+as --shade phong --tolerance 4 <<'END'
+shade phong
+option mesh tolerance 4
+mesh builtin:vase
+END
 for term in ambient diffuse specular; do
     as --shade gouraud --terms $term --highlights plain --back-highlights off \
         --sun 1,0,-1:1,1,1 --order zbuffer16 --cull back <<END

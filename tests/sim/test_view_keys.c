@@ -45,6 +45,20 @@ static void test_shade(void **state)
     assert_int_equal(view->settings.shade, SCENE_GOURAUD);
 }
 
+static void test_tolerance(void **state)
+{
+    struct view *view = *state;
+    const double steps[] = {1, 2, 4, 8, 0};
+    for (int i = 0; i < 5; i++) {
+        press(view, "e");
+        assert_true(view->settings.tolerance == steps[i]);
+    }
+    press(view, "m");
+    assert_true(view->settings.show_methods);
+    press(view, "m");
+    assert_false(view->settings.show_methods);
+}
+
 static void test_texture_and_order(void **state)
 {
     struct view *view = *state;
@@ -248,7 +262,7 @@ static void test_others(void **state)
     assert_int_equal(view_key(view, PEL_KEY_ESCAPE), VIEW_END);
     for (int key = -1; key < 400; key++)
         if (key < 0 || key > 127 ||
-            !strchr("fgptzr+=- \r123456789adslwq\033", key))
+            !strchr("fgptzemr+=- \r123456789adslwq\033", key))
             if (key < PEL_KEY_LEFT || key > PEL_KEY_DOWN)
                 assert_int_equal(view_key(view, key), VIEW_NOTHING);
     assert_memory_equal(&before, view, sizeof(before));
@@ -306,6 +320,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup(test_shade, setup),
+        cmocka_unit_test_setup(test_tolerance, setup),
         cmocka_unit_test_setup(test_texture_and_order, setup),
         cmocka_unit_test_setup(test_terms, setup),
         cmocka_unit_test_setup(test_unlit, setup),

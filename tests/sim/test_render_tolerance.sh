@@ -1,0 +1,52 @@
+#!/bin/sh
+# pel render --tolerance: no channel of any pixel is further from the exact
+# picture, for every mesh at hand; what was chosen is counted and shown.
+# PEL_MESHES names a folder of more meshes.
+set -u
+. "$(dirname "$0")/lib.sh"
+render="$PEL render --shade phong --size 300x300"
+
+# within MESH OPTION...: at tolerances of 0 to 8 steps.
+within() {
+    $render "$@" -o "$work/exact.ppm" || fail "render $*"
+    for steps in 0 1 2 4 8; do
+        $render "$@" --tolerance $steps -o "$work/near.ppm" ||
+            fail "render $* --tolerance $steps"
+        "$PEL" compare "$work/exact.ppm" "$work/near.ppm" --tolerance $steps \
+            >"$work/out" || fail "$* --tolerance $steps: $(cat "$work/out")"
+    done
+}
+within builtin:vase
+within builtin:vase --order zbuffer --sun 1,2,3:1,0.5,0.25 --ks 1 \
+    --shininess 200 --highlights plain --back-highlights off
+within builtin:vase --light 1,2,2:1,1,1 --light 0,3,0:0,1,1 --transparency 99
+
+# The floor under the camera, crossing spheres, and others as they are found.
+assimp=/usr/share/assimp/models
+for mesh in "$assimp/Collada/duck.dae" /usr/share/glmark2/models/bunny.obj \
+    "$assimp/OBJ/spider.obj" "$assimp/Collada/sphere.dae" \
+    ${PEL_MESHES:+"$PEL_MESHES"/spot/spot_triangulated.obj} \
+    ${PEL_MESHES:+"$PEL_MESHES"/suzanne/suzanne.ply} \
+    ${PEL_MESHES:+"$PEL_MESHES"/fox/Fox.glb}; do
+    [ ! -r "$mesh" ] || within "$mesh" --order zbuffer --turn 0.03,0.1,0
+done
+printf 'v -50 0 -50\nv 50 0 -50\nv 50 0 50\nv -50 0 50\nf 1 4 3\nf 1 3 2\n' \
+    >"$work/floor.obj"
+within "$work/floor.obj" --eye 0,1,0 --target 0,0.5,-3 --near 0.1 \
+    --light 1,2,-4:1,1,1
+
+# One triangle or pixel is counted once.
+$render builtin:vase --tolerance 2 --stats -o "$work/a.ppm" 2>"$work/stats"
+grep -qE '^spans +[1-9][0-9]* triangles +[1-9][0-9]* pixels$' "$work/stats" ||
+    fail "stats: $(cat "$work/stats")"
+grep -qE 'largest bound: [0-2]\.[0-9]+ steps' "$work/stats" || fail "bound"
+$render builtin:vase --tolerance 2 -o "$work/b.ppm"
+cmp -s "$work/a.ppm" "$work/b.ppm" || fail "stats change the picture"
+$render builtin:vase --show-methods -o "$work/a.ppm"
+"$PEL" render builtin:vase --size 300x300 --shade flat --unlit \
+    --texture none --color '#e02020' -o "$work/b.ppm"
+cmp -s "$work/a.ppm" "$work/b.ppm" || fail "exact is not shown red"
+refused_command "--stats is about --shade phong" render builtin:vase --stats
+refused_command "expected one of them" render builtin:vase --shade phong \
+    --stats --show-methods
+refused_command "such as 2" render builtin:vase --tolerance 256
