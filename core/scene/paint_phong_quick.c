@@ -204,12 +204,10 @@ static inline void put_one(const struct run *r, const struct pel_light_sum *sum,
     }
 }
 
-/* A part of 2^bits, rounded towards 0, so that light that fades does not fall
- * below 0. */
-static inline pel_factor part_of(pel_factor way, int bits)
+/* v 2^-bits, cut towards 0: so light between two ends is not below both. */
+static inline int32_t part_of(int32_t v, int bits)
 {
-    return (way + (way < 0 ? (pel_factor)(UINT32_C(1) << bits) - 1 : 0)) >>
-           bits;
+    return v < 0 ? -(-v >> bits) : v >> bits;
 }
 
 /* The change a pixel between the ends of a span, and what `from` has become

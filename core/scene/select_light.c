@@ -19,8 +19,8 @@ static uint32_t ratio(uint64_t a, uint64_t b)
 {
     struct pel_root root;
     int shift;
-    pel_square_root(a, &root);
     const uint32_t inverse = pel_inverse_root(b, &shift);
+    pel_square_root(a, &root);
     const uint64_t q = pel_multiply(root.root + 1, inverse) >> (46 - shift);
     return q < RATIO_MAX - 2 ? (uint32_t)q + 2 : RATIO_MAX;
 }
@@ -125,20 +125,26 @@ static bool turn_of_normals(struct pel_lit_corners *corners,
 }
 
 /* The turn of the direction to a place from the vertices, whose longest edge is
- * given; the nearest point of the triangle and 1/4 around is 5/4 edge nearer
- * than the first vertex, and 1 / (1 - 5/4 t) <= 1 + 4 t. False where it is
- * near. */
-static bool turn_to(const int32_t place[3], const int32_t vertex[3],
-                    uint64_t edge, uint32_t *turn)
+ * given. The square of the distance is less than that of the nearest vertex by
+ * edge / 3 at most, and 1/4 edge around by half the difference of the vertices'
+ * more. False where it is near. */
+static bool turn_to(const int32_t place[3], int32_t vertex[3][3], uint64_t edge,
+                    uint32_t *turn)
 {
-    int32_t way[3];
-    for (int k = 0; k < 3; k++)
-        way[k] = place[k] - vertex[k];
-    const uint64_t square = (uint64_t)pel_dot(way, way);
-    if (square < UINT64_C(1) << 24 || square / 4 < edge)
+    uint64_t least = UINT64_MAX, most = 0;
+    for (int i = 0; i < 3; i++) {
+        int32_t way[3];
+        for (int k = 0; k < 3; k++)
+            way[k] = place[k] - vertex[i][k];
+        const uint64_t square = (uint64_t)pel_dot(way, way);
+        least = square < least ? square : least;
+        most = square > most ? square : most;
+    }
+    const uint64_t less = (most - least) / 2 + 2 * sixth_of(edge);
+    if (least < UINT64_C(1) << 24 || less > least / 4 * 3)
         return false;
-    const uint32_t t = ratio(edge, square);
-    *turn = (uint32_t)pel_max((int32_t)*turn, (int32_t)(t + (t * t >> 14) + 1));
+    *turn =
+        (uint32_t)pel_max((int32_t)*turn, (int32_t)ratio(edge, least - less));
     return true;
 }
 
@@ -149,11 +155,11 @@ static bool turns_of(const struct pel_mesh_lights *lights,
     *turns = (struct pel_light_turns){0, 0, 0, 0, 0};
     const uint64_t edge = longest(corners->position);
     if (!turn_of_normals(corners, turns) ||
-        !turn_to(lights->eye, corners->position[0], edge, &turns->eye))
+        !turn_to(lights->eye, corners->position, edge, &turns->eye))
         return false;
     for (int32_t i = 0; i < lights->lighting->lights; i++)
         if (!lights->light[i].directional &&
-            !turn_to(lights->light[i].at, corners->position[0], edge,
+            !turn_to(lights->light[i].at, corners->position, edge,
                      &turns->light))
             return false;
     return true;

@@ -142,12 +142,14 @@ static void take_scene(struct api *a, struct place *p, struct pel_scene *s,
                        const struct pel_rect *bounds)
 {
     static const struct pel_shading *const shadings[] = {
-        &pel_shade_flat, &pel_shade_gouraud, &pel_shade_lit_flat,
-        &pel_shade_lit_gouraud, &pel_shade_phong};
+        &pel_shade_flat,        &pel_shade_gouraud, &pel_shade_lit_flat,
+        &pel_shade_lit_gouraud, &pel_shade_phong,   &pel_shade_chosen};
     const uint32_t kind = input_byte(&a->in);
     *s = (struct pel_scene){.mesh = &p->mesh,
                             .viewport = *bounds,
-                            .shading = shadings[kind % 5],
+                            .shading = shadings[kind % 6],
+                            .tolerance = (int32_t)kind * 64,
+                            .texel_tolerance = (int32_t)kind * 16,
                             .lighting = &p->lighting,
                             .color = PEL_RGB(200, 100, 50),
                             .transparency = kind & 64 ? 100 : 0,

@@ -3,6 +3,7 @@
  */
 #include <string.h>
 
+#include "core/scene/select.h"
 #include "tests/support/any_scene.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
@@ -18,21 +19,23 @@ struct drawing {
 static void any_drawing(struct random *r, struct drawing *d)
 {
     static const struct pel_shading *const shading[] = {
-        &pel_shade_flat, &pel_shade_gouraud, &pel_shade_lit_flat,
-        &pel_shade_lit_gouraud, &pel_shade_phong};
+        &pel_shade_flat,        &pel_shade_gouraud, &pel_shade_lit_flat,
+        &pel_shade_lit_gouraud, &pel_shade_phong,   &pel_shade_chosen};
     static const struct pel_mapping *const mapping[] = {
-        &pel_map_affine, &pel_map_perspective, &pel_map_vertices};
+        &pel_map_affine, &pel_map_perspective, &pel_map_vertices,
+        &pel_map_chosen};
     struct pel_scene *scene = &d->s.scene;
     any_scene(r, &d->s, SIDE);
     any_scene_light(r, &d->s);
     if (random_word(r) % 2) {
         any_scene_noise(r, &d->s, 4);
-        d->s.texture.mapping = mapping[random_word(r) % 3];
+        d->s.texture.mapping = mapping[random_word(r) % 4];
         d->s.texture.span = (int32_t)(UINT32_C(1) << random_word(r) % 7);
         if (random_word(r) % 2)
             d->s.texture.sampler = pel_texture_init_nearest;
     }
-    scene->shading = shading[random_word(r) % 5];
+    scene->shading = shading[random_word(r) % 6];
+    scene->tolerance = scene->texel_tolerance = random_between(r, 0, 2048);
     scene->cull = (enum pel_cull)(random_word(r) % 3);
     scene->transparency = random_word(r) % 2 ? 0 : (uint8_t)random_word(r);
     d->depth_bits = (int)(random_word(r) % 3) * 16;
