@@ -26,9 +26,9 @@ static struct vertex vertex_of(const struct pel_mesh *m, uint32_t i)
 {
     struct vertex v = {.color = {255, 255, 255, 255}};
     for (int k = 0; k < 3; k++) {
-        v.position[k] = (float)ldexp((double)pel_quantization_value(
-                                         &m->position, k, m->positions[i][k]),
-                                     -m->position.shift);
+        v.position[k] = (float)ldexp(
+            (double)pel_quantization_value(&m->position, k, m->positions[i][k]),
+            -m->position.shift);
         v.normal[k] = (float)m->normals8[i][k] / 127;
         v.color[k] = m->colors[i][k];
     }
@@ -74,7 +74,8 @@ static void set_camera(const struct pel_camera *c, double far)
     length = sqrt(length);
     flat = hypot(eye[0], eye[2]);
     glMatrixMode(GL_PROJECTION);
-    glFrustum(-x, x, y, -y, near, length + far); /* Pel's first row is the top */
+    glFrustum(-x, x, y, -y, near,
+              length + far); /* Pel's first row is the top */
     glMatrixMode(GL_MODELVIEW);
     glTranslated(0, 0, -length);
     glRotated(atan2(eye[1], flat) * 45 / atan(1), 1, 0, 0);

@@ -81,7 +81,7 @@ static void set_scene(struct stage *s, const struct bench_mesh *m,
         .shading = mode->shading,
         .tolerance = mode->steps * 256,
         .lighting = &lighting,
-        .sort = mode->depth_bits ? NULL : &pel_depth_sort,
+        .sort = mode->depth_bits ? NULL : &pel_depth_sort_radix,
         .cull = PEL_CULL_BACK};
     s->texture = (struct pel_mesh_texture){
         .texels = {NULL, s->texels, TEXELS, TEXELS, true},

@@ -89,5 +89,5 @@ int main(void)
     textures_report();
     hits_report();
     matrix_report();
-    return 0;
+    return !costs_report();
 }

@@ -2,6 +2,7 @@
 #ifndef BENCH_MCU_REPORT_H
 #define BENCH_MCU_REPORT_H
 
+#include <stdbool.h>
 #include <stdint.h>
 
 /* Prints `name parameter time per`: the time of all calls (stopwatch.h), and
@@ -11,5 +12,8 @@ void report(const char *name, int32_t parameter, int32_t time, uint32_t per);
 void hits_report(void);
 void matrix_report(void);
 void textures_report(void);
+
+/* False: a bound does not hold. */
+bool costs_report(void);
 
 #endif

@@ -68,7 +68,7 @@ static inline struct pel_premultiplied pel_premultiply(pel_color c)
     const uint32_t alpha = 257 * pel_alpha(c);
     const struct pel_premultiplied s = {
         (c << 8 >> 24) * alpha + 0x8080, (c << 16 >> 24) * alpha + 0x8080,
-        (c << 24 >> 24) * alpha + 0x8080, PEL_CAST(uint16_t, ~alpha)};
+        (c << 24 >> 24) * alpha + 0x8080, 0xFFFF - alpha};
     return s;
 }
 

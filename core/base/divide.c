@@ -68,49 +68,22 @@ uint64_t pel_divide_fraction(uint64_t n, uint64_t d, uint64_t *fine)
     return q;
 }
 
-/* Subtracts shifted divisors, the largest that fits first. */
-static inline uint64_t divide_by_shifts(uint64_t n, uint64_t d, uint64_t *rest)
+/* The same of n, or where it is below 0 of -1 - n. */
+int64_t pel_divide_64(int64_t n, int64_t d, int64_t *rest)
 {
-    uint64_t quotient = 0;
+    const int64_t sign = n >> 63;
+    int64_t quotient = 0, step = d;
     int shift = 0;
-    for (; d <= n >> 1; d <<= 1)
+    for (n ^= sign; step <= n >> 1; step *= 2)
         shift++;
-    for (; shift >= 0; shift--, d >>= 1) {
-        quotient <<= 1;
-        if (n >= d) {
-            n -= d;
+    for (; shift >= 0; shift--, step >>= 1) {
+        quotient *= 2;
+        if (n >= step) {
+            n -= step;
             quotient++;
         }
     }
-    *rest = n;
-    return quotient;
-}
-
-/* A bit at a time, which is the least code: the remainder may begin anywhere
- * below d. */
-static inline uint64_t divide_64_by_bits(uint64_t n, uint64_t d, uint64_t *rest)
-{
-    uint64_t high = *rest;
-    for (int bit = 0; bit < 64; bit++) {
-        high = high << 1 | n >> 63;
-        n <<= 1;
-        if (high >= d) {
-            high -= d;
-            n |= 1;
-        }
-    }
-    *rest = high;
-    return n;
-}
-
-uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest)
-{
-    const uint64_t top = d - 1, sign = *rest ? UINT64_MAX : 0;
-    if (!PEL_KNOW_SIDES)
-        return divide_64_by_bits(n, d, rest);
-    const uint64_t quotient = divide_by_shifts(n ^ sign, d, rest);
-    if (sign)
-        *rest = top - *rest;
+    *rest = sign ? d - 1 - n : n;
     return quotient ^ sign;
 }
 

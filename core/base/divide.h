@@ -3,12 +3,13 @@
 #ifndef PEL_BASE_DIVIDE_H
 #define PEL_BASE_DIVIDE_H
 
+#include <stdbool.h>
+
 #include "inline.h"
 
-/* pel_divide: floor(n / d); d > 0, n < d 2^32. pel_divide_64: the same of any
- * n, d < 2^63, and the remainder, which was 0 before; d - 1 where n is below 0,
- * in two's complement as is the quotient. pel_divide_fraction: floor(n 2^32 /
- * d), and `fine`, floor(n 2^24 / d), modulo 2^64; 0 < d < 2^63. */
+/* pel_divide: floor(n / d); d > 0, n < d 2^32. pel_divide_64: floor(n / d) and
+ * the rest, 0 or more; d > 0. pel_divide_fraction: floor(n 2^32 / d), and
+ * `fine`, floor(n 2^24 / d), modulo 2^64; 0 < d < 2^63. */
 #if PEL_64BIT
 
 static inline uint32_t pel_divide(uint64_t n, uint32_t d)
@@ -16,12 +17,11 @@ static inline uint32_t pel_divide(uint64_t n, uint32_t d)
     return (uint32_t)(n / d);
 }
 
-static inline uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest)
+static inline int64_t pel_divide_64(int64_t n, int64_t d, int64_t *rest)
 {
-    const uint64_t sign = *rest ? UINT64_MAX : 0;
-    n ^= sign;
-    *rest = sign ? d - 1 - n % d : n % d;
-    return n / d ^ sign;
+    const bool below = n % d < 0;
+    *rest = below ? n % d + d : n % d;
+    return n / d - below;
 }
 
 /* Of most triangles n fits 32 bits: one division. Otherwise as many bits at a
@@ -50,7 +50,7 @@ static inline uint64_t pel_divide_fraction(uint64_t n, uint64_t d,
 #else
 
 uint32_t pel_divide(uint64_t n, uint32_t d);
-uint64_t pel_divide_64(uint64_t n, uint64_t d, uint64_t *rest);
+int64_t pel_divide_64(int64_t n, int64_t d, int64_t *rest);
 uint64_t pel_divide_fraction(uint64_t n, uint64_t d, uint64_t *fine);
 
 #endif

@@ -29,12 +29,6 @@ struct rings {
     uint16_t at[MOST]; /* the ring of the square i << shift */
 };
 
-static int64_t square_at(const struct pel_radial *p, int32_t x, int32_t y)
-{
-    return pel_square(pel_pixel_center(x) - p->rings.center.x) +
-           pel_square(pel_pixel_center(y) - p->rings.center.y);
-}
-
 static int32_t root_of(int64_t square)
 {
     struct pel_root root;
@@ -88,9 +82,10 @@ static int32_t set_extent(struct rings *r)
     }
     if (pixels == 0)
         return 0;
-    r->least = square_at(r->paint, nearest(x0, x1, c.x), nearest(y0, y1, c.y));
-    r->range =
-        square_at(r->paint, farthest(x0, x1, c.x), farthest(y0, y1, c.y));
+    r->least =
+        pel_radial_square(r->paint, nearest(x0, x1, c.x), nearest(y0, y1, c.y));
+    r->range = pel_radial_square(r->paint, farthest(x0, x1, c.x),
+                                 farthest(y0, y1, c.y));
     return pixels;
 }
 
@@ -142,7 +137,7 @@ static PEL_ALWAYS_INLINE void draw_row(const struct rings *r, int32_t y,
     const int32_t n = span.x1 - span.x0, shift = r->shift;
     const uintptr_t row = pel_address(r->spans->surface, span.x0, y, bytes);
     uint32_t square =
-        (uint32_t)((square_at(r->paint, span.x0, y) >> 9) - r->least);
+        (uint32_t)((pel_radial_square(r->paint, span.x0, y) >> 9) - r->least);
     uint32_t step =
         (uint32_t)(pel_pixel_center(span.x0) - r->paint->rings.center.x + 128);
     const struct ring *const ring = r->ring;

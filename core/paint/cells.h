@@ -20,22 +20,13 @@ enum {
                                           : 32
 };
 
-/* The boundary where the present cell ends, at a pixel of the first row. Its
- * error grows by `step` to the next pixel. */
-struct pel_boundary {
-    int64_t error;
-    int32_t x, step;
-};
-
 /* A batch of rows on its way through the cells. A cell's place is its number
  * from 0 on, and below the period where there is one. */
 struct pel_cells {
-    struct pel_boundary end; /* before the first: at a batch's first pixel */
-
-    uint8_t left; /* spans from `span` on */
-    bool box;     /* hi ends all rows */
-    int32_t way;  /* to the next cell's place: 1, -1, or 0 where none comes */
-    int32_t hi;   /* runs end here at the farthest */
+    int64_t error; /* of the boundary where the present cell ends, */
+    int32_t x;     /* at this pixel of the first row */
+    int32_t way;   /* to the next cell's place: 1, -1, or 0 where none comes */
+    int32_t hi;    /* runs end here at the farthest */
 
     /* The next cell: its pixel value and the format's fill, or its colour,
      * which is not opaque, and the blend. */
@@ -43,8 +34,7 @@ struct pel_cells {
     void (*draw)(const struct pel_spans *spans, uint32_t value);
 
     const struct pel_gradient *gradient;
-    const struct pel_span *span; /* the shape's, of these rows */
-    struct pel_spans cell;       /* the present cell's runs */
+    struct pel_spans cell; /* the present cell's runs */
 
     int32_t place; /* of the next cell */
 
@@ -53,6 +43,9 @@ struct pel_cells {
     int32_t whole, rest;
 
 #if PEL_KNOW_SIDES
+    const struct pel_span *span; /* the shape's, of these rows */
+    uint8_t left;                /* spans from `span` on */
+    bool box;                    /* hi ends all rows */
     pel_color mask; /* of mixed colours what can be seen; 0: ask the format */
     int64_t square; /* of `whole`, in 512ths; on the left side negative */
 #endif
@@ -77,8 +70,7 @@ void pel_cells_open(struct pel_cells *cells,
                     const struct pel_spans *spans);
 
 /* Goes on to the next batch, of at most `most` <= PEL_CELL_ROWS rows, unless
- * pixels are left of the present one: from end.x to hi. Way 1. false when none
- * are. */
+ * pixels are left of the present one: from x to hi. false when none are. */
 bool pel_cells_next(struct pel_cells *cells, int32_t most);
 
 /* Takes the colour of the cell at c->place. */
@@ -92,9 +84,6 @@ bool pel_cells_more(struct pel_cells *c);
  * 0: all that may come. Moves on to the first other one. */
 int32_t pel_cells_pass(struct pel_cells *c);
 
-/* pel_cells_end of rows; the step is set. */
-bool pel_cells_end_rows(struct pel_cells *c, int32_t row, int32_t bend);
-
 /* Ends all runs where their rows do: false, no pixels are left. */
 bool pel_cells_end_all_rows(struct pel_cells *c);
 
@@ -102,40 +91,17 @@ static PEL_ALWAYS_INLINE bool pel_cells_end_all(struct pel_cells *c)
 {
     if (PEL_CELL_ROWS > 1)
         return pel_cells_end_all_rows(c);
-    c->end.x = c->hi;
+    c->x = c->hi;
     return false;
-}
-
-/* To the first pixel of the first row that lies beyond the boundary. */
-static PEL_ALWAYS_INLINE bool pel_cells_walk(struct pel_cells *c, int32_t step,
-                                             int32_t bend)
-{
-    struct pel_boundary *b = &c->end;
-    const int32_t hi = c->hi;
-    int32_t x = b->x;
-    int64_t error = b->error;
-    for (; error < 0 && x < hi; x++) {
-        error += step;
-        step += bend;
-    }
-    b->x = x;
-    b->error = error;
-    if (PEL_CELL_ROWS > 1)
-        b->step = step;
-    return x < hi;
 }
 
 /* Ends all runs at the boundary, whose error is set. It grows by `step` to the
  * next pixel, and by `row` to the one below; `row` from row to row, and the
- * step from pixel to pixel, by `bend`. true when pixels are left. */
-static PEL_ALWAYS_INLINE bool pel_cells_end(struct pel_cells *c, int32_t step,
-                                            int32_t row, int32_t bend)
-{
-    if (PEL_CELL_ROWS == 1)
-        return pel_cells_walk(c, step, bend);
-    c->end.step = step;
-    return pel_cells_end_rows(c, row, bend);
-}
+ * step from pixel to pixel, by `bend`. Below 0 when pixels are left. A single
+ * row has no step to the next: PEL_ROW_STEP. */
+#define PEL_ROW_STEP(row) (PEL_CELL_ROWS > 1 ? (row) : 0)
+int32_t pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
+                      int32_t bend);
 
 /* Moves by `count` >= 1 cells, each `width` and part / n wide. */
 static PEL_ALWAYS_INLINE void pel_cells_move(struct pel_cells *c, int32_t count,
@@ -153,9 +119,7 @@ static PEL_ALWAYS_INLINE void pel_cells_move(struct pel_cells *c, int32_t count,
     } while (--count);
 }
 
-/* Draws what is left of every row up to hi, from the cell at c->place on. `end`
- * lets the present cell end where `count` >= 1 cells end, the present one
- * included, by pel_cells_end. true: pixels are left. */
+/* Draws what is left of every row up to hi, from the cell at c->place on. */
 static PEL_ALWAYS_INLINE void pel_cells_draw(
     struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
 {
@@ -164,37 +128,25 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
     do {
         const uint32_t value = c->value;
         void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
-        const int32_t count = pel_cells_pass(c);
-        if (count)
-            rest = end(c, count);
-        else
-            rest = pel_cells_end_all(c);
-        pel_fill_value(&c->cell, value, draw);
-    } while (rest);
-}
-
-/* The same for one row. Whether pixels are left, end.x tells. */
-static PEL_ALWAYS_INLINE void pel_cells_draw_row(
-    struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
-{
-    pel_cells_color(c);
-    do {
-        const uint32_t value = c->value;
-        void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
-        c->run[0].x0 = c->end.x;
-        while (pel_cells_more(c)) {
-            end(c, 1);
-            if (c->end.x >= c->hi || c->value != value || c->draw != draw)
-                break;
+        if (PEL_CELL_ROWS > 1) {
+            const int32_t count = pel_cells_pass(c);
+            rest = count ? end(c, count) : pel_cells_end_all(c);
+        } else {
+            c->run[0].x0 = c->x;
+            do
+                if (pel_cells_more(c))
+                    end(c, 1);
+            while (c->x < c->hi && c->value == value && c->draw == draw);
+            c->run[0].x1 = c->x;
         }
-        c->run[0].x1 = c->end.x;
         pel_fill_value(&c->cell, value, draw);
-    } while (c->end.x < c->hi);
+    } while (PEL_CELL_ROWS > 1 ? rest : c->x < c->hi);
 }
 
-/* Fills spans, `most` rows at a time. `start` finds the cell of the first pixel
- * and may bring hi nearer. Written out where it is called, to spare the stack.
- */
+/* Fills spans, `most` rows at a time. `start` finds the cell of the first
+ * pixel, its place and the way, and may bring hi nearer; `end` lets the present
+ * cell end where `count` >= 1 cells end, it included, by pel_cells_end: true
+ * when pixels are left. Written out where it is called, to spare the stack. */
 static PEL_ALWAYS_INLINE void pel_cells_fill(
     const struct pel_paint *paint, const struct pel_spans *spans, int32_t most,
     void (*start)(struct pel_cells *cells),
@@ -213,12 +165,13 @@ static PEL_ALWAYS_INLINE void pel_cells_fill(
     c.cell = *spans;
     c.cell.n = 1;
     c.cell.span = c.run;
-    for (int32_t i = 0; i < spans->n; i++) {
-        c.end.x = spans->span[i].x0;
-        while (c.end.x < spans->span[i].x1) {
-            c.hi = spans->span[i].x1;
+    const struct pel_span *span = spans->span;
+    for (int32_t i = spans->n; i > 0; i--, span++) {
+        c.x = span->x0;
+        while (c.x < span->x1) {
+            c.hi = span->x1;
             start(&c);
-            pel_cells_draw_row(&c, end);
+            pel_cells_draw(&c, end);
         }
         c.cell.y += c.cell.step;
     }

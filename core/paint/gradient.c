@@ -142,7 +142,7 @@ static bool find_left(struct pel_cells *c)
         }
     for (int32_t i = 0; i < c->cell.n; i++)
         rest |= (c->run[i].x1 - lo) | (hi - c->span[i].x1);
-    c->end.x = lo;
+    c->x = lo;
     c->hi = hi;
     c->box = rest == 0;
     return lo < hi;
@@ -173,8 +173,8 @@ static inline int32_t end_run(struct pel_cells *c, int32_t i, int32_t x)
     return x - c->hi;
 }
 
-/* Keeps the runs in the spans of their rows: true when pixels are left. */
-static bool cut(struct pel_cells *c)
+/* Keeps the runs in the spans of their rows: below 0 when pixels are left. */
+static int32_t cut(struct pel_cells *c)
 {
     const int32_t hi = c->hi;
     int32_t rest = 0;
@@ -184,21 +184,22 @@ static bool cut(struct pel_cells *c)
         c->run[i].x1 = x;
         rest |= x - end;
     }
-    return rest < 0;
+    return rest;
 }
 
 /* From row to row. The error is not taken for more than +-2^30: that is beyond
  * 32 rows and every step. */
-static int32_t end_others(struct pel_cells *c, int32_t row, int32_t bend)
+static int32_t end_others(struct pel_cells *c, int32_t step, int32_t row,
+                          int32_t bend)
 {
-    const struct pel_boundary *b = &c->end;
     const int32_t hi = c->hi, most = 1 << 30;
     const int32_t row_bend = c->cell.step ? bend : 0;
-    int32_t x = b->x, step = b->step - bend;
+    int32_t x = c->x;
     int32_t rest = end_run(c, 0, x);
-    int32_t error = b->error < -most  ? -most
-                    : b->error > most ? most
-                                      : (int32_t)b->error;
+    int32_t error = c->error < -most  ? -most
+                    : c->error > most ? most
+                                      : (int32_t)c->error;
+    step -= bend;
     if (c->cell.step == 0)
         row = 0;
     for (int32_t i = 1; i < c->cell.n; i++) {
@@ -220,18 +221,11 @@ static int32_t end_others(struct pel_cells *c, int32_t row, int32_t bend)
     return rest;
 }
 
-bool pel_cells_end_rows(struct pel_cells *c, int32_t row, int32_t bend)
-{
-    pel_cells_walk(c, c->end.step, bend);
-    const int32_t rest = end_others(c, row, bend);
-    return c->box ? rest < 0 : cut(c);
-}
-
 bool pel_cells_end_all_rows(struct pel_cells *c)
 {
     for (int32_t i = 0; i < c->cell.n; i++)
         end_run(c, i, c->hi);
-    return !c->box && cut(c);
+    return !c->box && cut(c) < 0;
 }
 
 int32_t pel_cells_pass(struct pel_cells *c)
@@ -256,6 +250,28 @@ int32_t pel_cells_pass(struct pel_cells *c)
 
 #endif
 
+/* The first row by steps of 64 bits. */
+int32_t pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
+                      int32_t bend)
+{
+    const int32_t hi = c->hi;
+    int32_t x = c->x;
+    int64_t error = c->error;
+    for (; error < 0 && x < hi; x++) {
+        error += step;
+        step += bend;
+    }
+    c->x = x;
+    c->error = error;
+#if PEL_KNOW_SIDES
+    const int32_t rest = end_others(c, step, row, bend);
+    return c->box ? rest : cut(c);
+#else
+    (void)row;
+    return x - hi;
+#endif
+}
+
 enum pel_status pel_gradient_init(struct pel_gradient *g,
                                   const struct pel_ramp *ramp)
 {
@@ -269,8 +285,6 @@ enum pel_status pel_gradient_init(struct pel_gradient *g,
     g->color = ramp_color;
     g->ramp = *ramp;
     g->cells = ramp->n == 2 ? 256 : ramp->n;
-    g->period = ramp->spread == PEL_PAD ? 0 : g->cells;
-    if (ramp->spread == PEL_REFLECT)
-        g->period *= 2;
+    g->period = g->cells * (int32_t)ramp->spread; /* times 0, 1 or 2 */
     return PEL_OK;
 }

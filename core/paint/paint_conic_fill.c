@@ -12,45 +12,48 @@ static int32_t height_of(const struct pel_cells *c)
     return pel_pixel_center(c->cell.y) - p->center.y;
 }
 
-/* Sets *ray to the direction of an angle. The cross product of it and the pixel
- * at end.x, at a height: 0 or more when the pixel lies on the ray or clockwise
- * of it. */
-static PEL_NOINLINE_32 int64_t cross_of(const struct pel_cells *c,
-                                        int32_t angle, int32_t height,
-                                        struct pel_point *ray)
+/* The cross product of a ray and the pixel at x, at a height: 0 or more when
+ * the pixel lies on the ray or clockwise of it. */
+static PEL_NOINLINE_32 int64_t cross_of(const struct pel_cells *c, int32_t dx,
+                                        int32_t dy, int32_t height)
 {
     const struct pel_conic *p = (const void *)c->gradient;
-    const int32_t u = pel_pixel_center(c->end.x) - p->center.x;
-    *ray = pel_direction((uint16_t)angle);
-    return pel_product(ray->x, height) - pel_product(ray->y, u);
+    const int32_t u = pel_pixel_center(c->x) - p->center.x;
+    return pel_product(dx, height) - pel_product(dy, u);
 }
 
 /* Adds to c->whole up to the last angle that is not past the pixel in the first
  * column, at the height in c->rest: bit by bit. */
 static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
 {
-    struct pel_point ray;
-    for (int32_t bit = HALF_TURN / 2; c->way && bit; bit >>= 1)
-        if (cross_of(c, c->whole + bit, c->rest, &ray) >= 0)
+    for (int32_t bit = HALF_TURN / 2; bit && c->way; bit >>= 1) {
+        const struct pel_point d = pel_direction((uint16_t)(c->whole + bit));
+        if (cross_of(c, d.x, d.y, c->rest) >= 0)
             c->whole += bit;
+    }
 }
 
-/* Ends at the ray where as many cells end; the present one begins at the angle
- * floor(65536 k / period) from the start, c->whole, and c->rest is what the
- * floor drops. On the ray or clockwise of it is beyond it above the centre,
+/* Ends at a ray d. On it or clockwise of it is beyond it above the centre,
  * before it below. The lowest 8 bits of the cross product never change from
  * pixel to pixel. */
+static PEL_NOINLINE_32 bool end_at(struct pel_cells *c, struct pel_point d)
+{
+    const int32_t way = c->way;
+    const int64_t cross = cross_of(c, d.x, d.y, height_of(c)) >> 8;
+    c->error = way < 0 ? ~cross : cross;
+    return pel_cells_end(c, pel_magnitude(d.y), PEL_ROW_STEP(way * d.x), 0) < 0;
+}
+
+/* The present cell begins at the angle floor(65536 k / period) from the start,
+ * c->whole, and c->rest is what the floor drops. Rows above the centre end
+ * before the full turn, rows below at 0. */
 static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_conic *p = (const void *)c->gradient;
-    const int32_t way = c->way;
     pel_cells_move(c, count, p->width, p->rest, p->base.period);
     if ((uint32_t)(c->whole - 1) >> 16)
         return pel_cells_end_all(c);
-    struct pel_point ray;
-    const int64_t cross = cross_of(c, c->whole, height_of(c), &ray) >> 8;
-    c->end.error = way < 0 ? ~cross : cross;
-    return pel_cells_end(c, pel_magnitude(ray.y), way * ray.x, 0);
+    return end_at(c, pel_direction((uint16_t)c->whole));
 }
 
 /* Cuts the batch, so that it has rows above the centre, or the row through it,
@@ -63,16 +66,20 @@ static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
     const struct pel_conic *p = (const void *)c->gradient;
     const int32_t v = height_of(c);
     const int32_t split = pel_first_pixel(p->center.x);
-    const bool above = v < 0, left = c->end.x < split;
+    const bool above = v < 0, left = c->x < split;
     if (PEL_CELL_ROWS > 1 && c->cell.step && v <= 0)
         c->cell.n = pel_min(
             c->cell.n, above ? pel_first_pixel(p->center.y) - c->cell.y : 1);
-    c->way = (v < 0) - (v > 0);
-    c->whole = above ? HALF_TURN : 0;
-    if (v == 0 && left) {
-        c->whole = HALF_TURN;
+    c->way = 1;
+    c->whole = HALF_TURN;
+    if (v > 0 || (v == 0 && !left)) {
+        c->way = -1;
+        c->whole = 0;
+    } else if (v == 0) {
         c->hi = pel_min(c->hi, split);
     }
+    if (v == 0)
+        c->way = 0;
     c->rest = v;
     if (PEL_CELL_ROWS > 1 && v && above == left)
         c->rest += (c->cell.n - 1) * c->cell.step * 256;

@@ -4,40 +4,46 @@
 #include "cells.h"
 
 /* The way is drawn from the end on the left, so that products do not fall to
- * the right; where that is the end of the last cell, the boundaries belong to
- * the cells before them. The product (P - from).d at pixel (x, y), below 2^49,
- * and above -2^47 before the way; or one at the same place of the way: one that
- * begins anew does so after two lengths, as it goes there and back. `turned` at
- * the least. */
+ * the right. 1 where that is the end of the last cell: there the boundaries
+ * belong to the cells before them. */
+static inline int32_t turned(const struct pel_linear *p)
+{
+    return (int32_t)((uint32_t)p->way >> 31);
+}
+
+/* The product (P - from).d at pixel (x, y), below 2^49, and above -2^47 before
+ * the way; or another that shows the same. Of a padded way none is beyond the
+ * end; of others it is less as many times two lengths, there and back, as leave
+ * `turned` or more. */
 static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
                                           int32_t y)
 {
     int64_t product = pel_product(pel_pixel_center(x) - p->from.x, p->d.x) +
                       pel_product(pel_pixel_center(y) - p->from.y, p->d.y) -
-                      p->turned;
+                      turned(p);
     int64_t step = p->square;
     int32_t count = 0;
     if (p->base.period == 0)
-        return (product < step ? product : step) + p->turned;
+        return (product < step ? product : step) + turned(p);
     do {
         step *= 2;
         count++;
     } while ((uint32_t)(step >> 32) >> 17 == 0);
     product += step;
     do {
-        if (product - step >= 0)
+        if (product >= step)
             product -= step;
         step >>= 1;
     } while (--count);
-    return product + p->turned;
+    return product + turned(p);
 }
 
 /* The error of the boundary where cell k begins is n product - turned - k
  * square. Where it is walked in 32 bits, it is counted in units of 256 n, by
  * which n product grows from pixel to pixel, and what they leave, c->rest. */
-static uint64_t unit_of(const struct pel_linear *p)
+static int32_t unit_of(const struct pel_linear *p)
 {
-    return (uint32_t)p->base.cells * 256;
+    return p->base.cells * 256;
 }
 
 #if PEL_KNOW_SIDES
@@ -45,19 +51,19 @@ static uint64_t unit_of(const struct pel_linear *p)
 static bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_linear *p = (const void *)c->gradient;
-    int64_t error = c->end.error;
+    int64_t error = c->error;
     int32_t part = c->rest;
     do {
         error -= p->cell;
         part -= p->cell_rest;
         if (part < 0) {
-            part += (int32_t)unit_of(p);
+            part += unit_of(p);
             error--;
         }
     } while (--count);
-    c->end.error = error;
+    c->error = error;
     c->rest = part;
-    return pel_cells_end(c, p->d.x, p->d.y, 0);
+    return pel_cells_end(c, p->d.x, p->d.y, 0) < 0;
 }
 
 #else
@@ -66,54 +72,51 @@ static bool end_cells(struct pel_cells *c, int32_t count)
 static PEL_NOINLINE bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_linear *p = (const void *)c->gradient;
-    int64_t error = c->end.error - p->square;
-    int32_t x = c->end.x;
+    int64_t error = c->error - p->square;
+    int32_t x = c->x;
     (void)count;
     for (; error < 0 && x < c->hi; x++)
         error += p->step;
-    c->end.error = error;
-    c->end.x = x;
+    c->error = error;
+    c->x = x;
     return x < c->hi;
 }
 
 #endif
 
 /* The cell that has a product, k = floor((n product - turned) / square), bit by
- * bit of n, and the error where it ends. Before a padded way it is the first
- * cell all the same; beyond it, products are as good as at its end. */
+ * bit of n, and the error where it begins. Before a padded way it is the first
+ * cell all the same. */
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
-                                     const struct pel_linear *p, int32_t x,
-                                     int32_t y)
+                                     const struct pel_linear *p,
+                                     int64_t product)
 {
-    const int64_t product = product_at(p, x, y);
     const int32_t n = p->base.cells, period = p->base.period;
-    int64_t *const error = &c->end.error;
-    const int64_t most = p->square + p->turned;
+    const int32_t mirror = p->way >> 31; /* -1 when turned, or 0 */
+    const int64_t most = p->square - mirror;
+    int64_t error = -most;
     int32_t place = 0;
-    *error = -most;
     /* n from bit 31 on, and a last bit to stop at. */
     for (uint32_t bits = (uint32_t)n << 17 | 1u << 16; bits << 1; bits <<= 1) {
-        *error += *error + most;
+        error += error + most;
         if ((int32_t)bits < 0)
-            *error += product;
-        for (place *= 2; *error >= 0; place++)
-            *error -= p->square;
+            error += product;
+        for (place *= 2; error >= 0; place++)
+            error -= p->square;
     }
     if (period == 0)
         place = pel_min(place, n - 1);
-    if (p->turned)
-        place = n - 1 - place;
-    if (place < 0)
-        place += period;
-    else if (period && place >= period)
+    else if (place >= period)
         place -= period;
-    c->place = place;
-    *error += p->square;
+    place = (place ^ mirror) + (mirror & n);
+    c->place = place < 0 ? place + period : place;
+    error += p->square;
     if (PEL_CELL_ROWS > 1) {
-        uint64_t rest = *error < 0 ? unit_of(p) - 1 : 0;
-        *error = (int64_t)pel_divide_64((uint64_t)*error, unit_of(p), &rest);
+        int64_t rest;
+        error = pel_divide_64(error, unit_of(p), &rest);
         c->rest = (int32_t)rest;
     }
+    c->error = error;
 }
 
 /* From the row where the first pixel's product is lowest to the first. */
@@ -122,12 +125,12 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     const struct pel_linear *p = (const void *)c->gradient;
     const int32_t last =
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
-    set_cell(c, p, c->end.x, c->cell.y + last);
+    set_cell(c, p, product_at(p, c->x, c->cell.y + last));
     if (PEL_CELL_ROWS > 1)
-        c->end.error -= pel_product(p->d.y, last);
-    c->way = p->turned ? -1 : p->d.x != 0;
+        c->error -= pel_product(p->d.y, last);
+    c->way = p->way;
     if (p->by_pixel)
-        c->hi = c->end.x + 1;
+        c->hi = c->x + 1;
 }
 
 /* From a row of a gradient that is level and grows downwards to the next one: a
@@ -135,12 +138,12 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
 static void move_down(struct pel_cells *c, const struct pel_linear *p)
 {
     const struct pel_gradient *g = &p->base;
-    c->end.error += p->d.y;
-    while (c->end.error > p->cell ||
-           (c->end.error == p->cell && c->rest >= p->cell_rest)) {
+    c->error += p->d.y;
+    while (c->error > p->cell ||
+           (c->error == p->cell && c->rest >= p->cell_rest)) {
         const bool carry = c->rest < p->cell_rest;
-        c->end.error -= p->cell + carry;
-        c->rest += (carry ? (int32_t)unit_of(p) : 0) - p->cell_rest;
+        c->error -= p->cell + carry;
+        c->rest += (carry ? unit_of(p) : 0) - p->cell_rest;
         if (++c->place == g->period)
             c->place = 0;
         else if (g->period == 0)
@@ -158,7 +161,7 @@ static void fill_level(const struct pel_linear *p,
     c.cell.n = 1;
     for (int32_t i = 0; i < spans->n; i++, c.cell.y += c.cell.step) {
         if (i == 0 || !near_cells)
-            set_cell(&c, p, 0, c.cell.y);
+            set_cell(&c, p, product_at(p, 0, c.cell.y));
         else if (c.cell.step)
             move_down(&c, p);
         pel_cells_color(&c);
@@ -190,10 +193,10 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     if (!pel_point_legal(from) || !pel_point_legal(to))
         return PEL_ERROR_RANGE;
     struct pel_point d = {to.x - from.x, to.y - from.y};
-    if (d.x == 0 && d.y == 0)
+    if ((d.x | d.y) == 0)
         return PEL_ERROR_SIZE;
     paint->base.paint.fill = fill;
-    paint->turned = d.x < 0;
+    paint->way = (d.x > 0) - (d.x < 0);
     if (d.x < 0) {
         from = to;
         d = (struct pel_point){-d.x, -d.y};
@@ -203,9 +206,8 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     paint->square = pel_square(d.x) + pel_square(d.y);
     paint->step = pel_product(paint->base.cells * 256, d.x);
     if (PEL_CELL_ROWS > 1) {
-        uint64_t rest = 0;
-        paint->cell = (int64_t)pel_divide_64((uint64_t)paint->square,
-                                             unit_of(paint), &rest);
+        int64_t rest;
+        paint->cell = pel_divide_64(paint->square, unit_of(paint), &rest);
         paint->cell_rest = (int32_t)rest;
     }
     paint->by_pixel = paint->base.period && (uint32_t)(paint->step >> 21) >=

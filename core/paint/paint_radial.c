@@ -12,8 +12,7 @@
  * The present cell begins at a circle of the radius floor(k radius / n), cells'
  * `whole`, rest / n what the floor drops: k rings lie inside. */
 
-static PEL_NOINLINE_32 int64_t square_at(const struct pel_radial *p, int32_t x,
-                                         int32_t y)
+int64_t pel_radial_square(const struct pel_radial *p, int32_t x, int32_t y)
 {
     return pel_square(pel_pixel_center(x) - p->rings.center.x) +
            pel_square(pel_pixel_center(y) - p->rings.center.y);
@@ -27,10 +26,10 @@ static PEL_NOINLINE_32 void set_square(struct pel_cells *c,
                                        const struct pel_radial *p)
 {
     const int64_t mirror = c->way >> 1; /* 0, or -1 */
-    c->end.error += c->square;
+    c->error += c->square;
     c->square =
         (((pel_square(pel_max(c->whole, 0)) - p->low) >> 9) ^ mirror) - mirror;
-    c->end.error -= c->square;
+    c->error -= c->square;
 }
 
 #else
@@ -39,29 +38,23 @@ static PEL_NOINLINE_32 void set_square(struct pel_cells *c,
 static inline void set_square(struct pel_cells *c, const struct pel_radial *p)
 {
     const int64_t circle = pel_square(pel_max(c->whole, 0)) + 1;
-    const int64_t error = square_at(p, c->end.x, c->cell.y) - circle;
-    c->end.error = (error >> 9) ^ (c->way >> 1);
+    const int64_t error = pel_radial_square(p, c->x, c->cell.y) - circle;
+    c->error = (error >> 9) ^ (c->way >> 1);
 }
 
 #endif
 
-/* From the pixel that the walk is at to the next. */
-static inline int32_t step_of(const struct pel_cells *c,
-                              const struct pel_radial *p)
-{
-    return c->way * (pel_pixel_center(c->end.x) - p->rings.center.x + 128);
-}
-
 static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_radial *p = (const void *)c->gradient;
+    const struct pel_point center = p->rings.center;
     const int32_t way = c->way;
     pel_cells_move(c, count, p->width, p->rest, p->base.cells);
     set_square(c, p);
-    return pel_cells_end(
-        c, step_of(c, p),
-        way * (pel_pixel_center(c->cell.y) - p->rings.center.y + 128),
-        way * 256);
+    return pel_cells_end(c, way * (pel_pixel_center(c->x) - center.x + 128),
+                         PEL_ROW_STEP(way * (pel_pixel_center(c->cell.y) -
+                                             center.y + 128)),
+                         way * 256) < 0;
 }
 
 /* The row of the pixel where the walk begins: the farthest from the centre on
@@ -84,7 +77,7 @@ static PEL_NOINLINE_32 void find_root(struct pel_cells *c)
 {
     c->whole = 0;
     for (int32_t bit = 1 << 25; bit; bit >>= 1)
-        if (pel_square(c->whole + bit) < c->end.error)
+        if (pel_square(c->whole + bit) < c->error)
             c->whole += bit;
 }
 
@@ -101,7 +94,7 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
                                       const struct pel_radial *p)
 {
     const int32_t radius = p->rings.radius, n = p->base.cells;
-    const int32_t most = n - 1 - p->first, some = c->end.error != 0;
+    const int32_t most = n - 1 - p->first, some = c->error != 0;
     int32_t copy = quotient(c->whole, radius);
     int32_t part = quotient(
         pel_product(c->whole - copy * radius + some, n) - some, radius);
@@ -131,8 +124,8 @@ static PEL_INLINE_FAST void set_side(struct pel_cells *c,
     const int32_t split = pel_first_pixel(p->rings.center.x);
     c->way = 1;
     if (is_narrow(p))
-        c->hi = c->end.x + 1;
-    if (c->end.x < split) {
+        c->hi = c->x + 1;
+    if (c->x < split) {
         c->way = -1;
         c->hi = pel_min(c->hi, split);
     }
@@ -142,12 +135,12 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
 {
     const struct pel_radial *p = (const void *)c->gradient;
     set_side(c, p);
-    c->end.error = square_at(p, c->end.x, first_row(c, p));
+    c->error = pel_radial_square(p, c->x, first_row(c, p));
     find_root(c);
     find_ring(c, p);
 #if PEL_KNOW_SIDES
-    c->end.error =
-        ((square_at(p, c->end.x, c->cell.y) >> 9) - 1) ^ (c->way >> 1);
+    c->error =
+        ((pel_radial_square(p, c->x, c->cell.y) >> 9) - 1) ^ (c->way >> 1);
     c->square = 0;
     set_square(c, p);
 #endif
@@ -179,6 +172,6 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
     paint->width = quotient(rings->radius, n);
     paint->rest = rings->radius - paint->width * n;
     if (PEL_KNOW_SIDES)
-        paint->low = (uint32_t)square_at(paint, 0, 0) & 511;
+        paint->low = (uint32_t)pel_radial_square(paint, 0, 0) & 511;
     return PEL_OK;
 }

@@ -145,9 +145,11 @@ pel_cosine pel_light_reflected(pel_cosine towards[3][3], pel_cosine nl)
 }
 
 /* sum += factor part. Factors are below 2^24, so 32 lights fit with both of
- * their terms. */
+ * their terms. Most pixels are out of the highlight. */
 static void add(pel_factor sum[3], const pel_factor factor[3], pel_cosine part)
 {
+    if (part == 0)
+        return;
     PEL_UNROLL
     for (int k = 0; k < 3; k++)
         sum[k] += pel_scaled(factor[k], part, 30);
@@ -224,9 +226,10 @@ void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
 uint32_t pel_lit_channel(const struct pel_light_sum *sum, int channel,
                          uint32_t surface)
 {
-    const uint32_t v =
-        (uint32_t)pel_scaled((int32_t)surface, sum->surface[channel], 16) +
-        (uint32_t)pel_scaled(65280, sum->plain[channel], 16) + 128;
+    uint32_t v =
+        (uint32_t)pel_scaled((int32_t)surface, sum->surface[channel], 16) + 128;
+    if (sum->plain[channel])
+        v += (uint32_t)pel_scaled(65280, sum->plain[channel], 16);
     return v >> 8 < 255 ? v >> 8 : 255;
 }
 

@@ -95,18 +95,17 @@ static enum taken take(const struct pel_frame *frame, uint32_t triangle,
     return !before ? BEHIND : cut ? CUT : WHOLE;
 }
 
-/* True when the xs, or the ys, overlap pixels [first, end). */
-static PEL_NOINLINE_32 bool range_meets(const struct pel_point at[3], bool y,
-                                        int32_t first, int32_t end)
+bool pel_box_meets(const struct pel_point at[3], const struct pel_rect *rect)
 {
-    int32_t low = INT32_MAX, high = INT32_MIN;
+    bool right = false, left = false, below = false, above = false;
     PEL_UNROLL
     for (int i = 0; i < 3; i++) {
-        const int32_t v = y ? at[i].y : at[i].x;
-        low = pel_min(low, v);
-        high = pel_max(high, v);
+        right |= at[i].x > PEL_PX(rect->x0);
+        left |= at[i].x < PEL_PX(rect->x1);
+        below |= at[i].y > PEL_PX(rect->y0);
+        above |= at[i].y < PEL_PX(rect->y1);
     }
-    return high > first * 256 && low < end * 256;
+    return right && left && below && above;
 }
 
 /* True when the triangle's box overlaps the rectangle and the side that is seen
@@ -114,12 +113,9 @@ static PEL_NOINLINE_32 bool range_meets(const struct pel_point at[3], bool y,
 static bool is_shown(const struct pel_frame *frame,
                      const struct pel_point at[3], const struct pel_rect *rect)
 {
-    const int64_t area =
-        pel_product(at[1].x - at[0].x, at[2].y - at[0].y) -
-        pel_product(at[2].x - at[0].x, at[1].y - at[0].y);
-    return pel_side_drawn(frame->scene->cull, area) &&
-           range_meets(at, false, rect->x0, rect->x1) &&
-           range_meets(at, true, rect->y0, rect->y1);
+    const int64_t area = pel_product(at[1].x - at[0].x, at[2].y - at[0].y) -
+                         pel_product(at[2].x - at[0].x, at[1].y - at[0].y);
+    return pel_side_drawn(frame->scene->cull, area) && pel_box_meets(at, rect);
 }
 
 static void list_triangles(struct pel_frame *frame)

@@ -50,12 +50,13 @@ static void test_quotients(void)
 {
     for (struct cases c = cases_of(300000); cases_next(&c);) {
         struct random *r = &c.random;
-        const uint64_t d = random_long(r, random_between(r, 1, 63)) | 1;
-        const uint64_t n = random_long(r, random_between(r, 1, 64));
-        uint64_t rest = 0, below = d - 1;
-        if (pel_divide_64(n, d, &rest) != n / d || rest != n % d ||
-            (d > 1 && (pel_divide_64(~n, d, &below) != ~(n / d) ||
-                       below != d - 1 - n % d)))
+        const uint64_t d = random_long(r, random_between(r, 1, 62)) | 1;
+        const uint64_t n = random_long(r, random_between(r, 1, 63));
+        const int64_t q = (int64_t)(n / d), m = (int64_t)(n % d);
+        const int64_t by = (int64_t)d;
+        int64_t rest, below;
+        if (pel_divide_64((int64_t)n, by, &rest) != q || rest != m ||
+            pel_divide_64(~(int64_t)n, by, &below) != ~q || below != by - 1 - m)
             fail_msg("%llu / %llu", (unsigned long long)n,
                      (unsigned long long)d);
         if (d >> 32 == 0 && n >> 32 < d &&

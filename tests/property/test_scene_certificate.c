@@ -176,6 +176,56 @@ static void check_painter(const uint32_t *right, const struct pel_doubt *doubt)
     tally[DOUBTED] += doubt->pixels;
 }
 
+/* Is no triangle cut, or thinner than a sub-pixel? */
+static bool is_simple(void)
+{
+    for (uint32_t t = 0; t < s.mesh.triangles; t++) {
+        const struct pel_frame_vertex *v = &frame.vertex[3 * t];
+        struct pel_point at[3];
+        int32_t around = 0;
+        for (int i = 0; i < 3; i++) {
+            const struct pel_projected *p = &v[i].at, *q = &v[(i + 1) % 3].at;
+            if (p->x == PEL_NOT_ON_SCREEN || q->x == PEL_NOT_ON_SCREEN)
+                return false;
+            at[i] = (struct pel_point){p->x, p->y};
+            around += pel_magnitude(p->x - q->x) + pel_magnitude(p->y - q->y);
+        }
+        if (pel_size_of(pel_triangle_area(at)) < around)
+            return false;
+    }
+    return true;
+}
+
+/* How often a triangle is not nearer than one below it in the order by half a
+ * number at least. */
+static uint32_t unclear_at(int32_t x, int32_t y)
+{
+    struct fraction near[ANY_TRIANGLES];
+    uint32_t n = 0, unclear = 0;
+    for (uint32_t rank = 0; rank < frame.triangles; rank++) {
+        if (!nearness(frame.order[rank].index, x, y, &near[n]))
+            continue;
+        for (uint32_t i = 0; i < n; i++)
+            unclear += 2 * (near[n].n * near[i].d - near[i].n * near[n].d) <
+                       near[n].d * near[i].d;
+        n++;
+    }
+    return unclear;
+}
+
+/* There is no more doubt than that. */
+static void check_doubt(const struct pel_doubt *doubt)
+{
+    const struct pel_rect *v = &s.scene.viewport;
+    uint32_t unclear = 0;
+    for (int32_t y = v->y0; y < v->y1; y++)
+        for (int32_t x = v->x0; x < v->x1; x++)
+            unclear += unclear_at(x, y);
+    if (doubt->pixels > unclear || (doubt->triangles > 0) > unclear)
+        fail_msg("%u pixels are in doubt, and %u not clear; %s", doubt->pixels,
+                 unclear, cases_replay());
+}
+
 static void test_no_wrong_frame_is_accepted(void)
 {
     static uint32_t memory[PEL_CERTIFICATE_SCRATCH_SIZE(ANY_TRIANGLES) / 4];
@@ -190,6 +240,9 @@ static void test_no_wrong_frame_is_accepted(void)
         assert_int_equal(
             pel_scene_certify(&frame, memory, sizeof memory, work, &doubt),
             PEL_OK);
+        if (work == UINT32_MAX && random_word(&c.random) % 64 == 0 &&
+            is_simple())
+            check_doubt(&doubt);
         draw_nearest(right);
         check_painter(right, &doubt);
         draw_certified(got, &doubt);

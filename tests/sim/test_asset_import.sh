@@ -40,7 +40,7 @@ mesh() {
         *) look="--unlit --texture nearest --mapping ${mapping:-vertices}" ;;
         esac
         "$PEL" render "$file" --shade $shade --format rgb565_le --size 600x600 \
-            --sensor 36x36 --near 0.125 --eye "$eye" --target "$target" $look \
+            --order painter --sensor 36x36 --near 0.125 --eye "$eye" --target "$target" $look \
             -o "$dir/$name.ppm"
         "$dir/$name" "$dir/$name.ppm" $shade || fail "$name: $shade differs"
     done
@@ -52,7 +52,7 @@ framed() {
     name=$1 file=$2
     shift 2
     look='--unlit --texture nearest --mapping vertices --shade gouraud'
-    "$PEL" render "$file" --size 600x600 --format rgb565_le "$@" $look \
+    "$PEL" render "$file" --order painter --size 600x600 --format rgb565_le "$@" $look \
         --print-camera -o "$dir/framed.ppm" >"$dir/camera.inc"
     "$PEL" render "$file" --size 600x600 "$@" --print-camera |
         cmp - "$dir/camera.inc" || fail "$name: another camera without -o"

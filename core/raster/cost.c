@@ -1,0 +1,97 @@
+#include "cost.h"
+
+#include "../base/divide.h"
+#include "../base/multiply.h"
+
+const struct pel_cost_rates pel_cost_m0plus[PEL_COST_PAINTS] = {
+    {570, 0, 16, 44, 63, 20, 10},       {575, 0, 8, 48, 70, 24, 514},
+    {4100, 6000, 0, 126, 163, 64, 246}, {590, 0, 11, 48, 69, 345, 323},
+    {1060, 0, 2, 64, 74, 310, 5920},
+};
+
+const struct pel_cost_rates pel_cost_m4[PEL_COST_PAINTS] = {
+    {380, 0, 6, 35, 56, 21, 7},         {350, 0, 6, 42, 56, 6, 337},
+    {1040, 4800, 6, 107, 129, 33, 157}, {365, 0, 6, 41, 62, 158, 129},
+    {510, 0, 3, 36, 60, 128, 2490},
+};
+
+/* Half-open, of vertices along x or y, sub-pixels. */
+struct range {
+    int32_t low, high;
+};
+
+static struct range range_of(int32_t a, int32_t b, int32_t c)
+{
+    return (struct range){pel_min(pel_min(a, b), c), pel_max(pel_max(a, b), c)};
+}
+
+/* Pixels of a range inside [first, end). */
+static uint32_t pixels_of(const struct range *r, int32_t first, int32_t end)
+{
+    first = pel_max(first, pel_first_pixel(r->low));
+    end = pel_min(end, pel_first_pixel(r->high));
+    return first < end ? (uint32_t)(end - first) : 0;
+}
+
+/* Twice the area, 2^-16 px. */
+static uint64_t area_of(const struct pel_point v[3])
+{
+    return (uint64_t)pel_size_of(pel_product(v[1].x - v[0].x, v[2].y - v[0].y) -
+                                 pel_product(v[2].x - v[0].x, v[1].y - v[0].y));
+}
+
+/* Bits of the quotients of the three edges, and of the rows above the clip that
+ * each may skip. */
+static uint32_t turns_of(const struct pel_point v[3], int32_t top,
+                         int32_t clip_top)
+{
+    const int32_t above = pel_max(clip_top - pel_first_pixel(top), 0);
+    int turns = 3 * pel_bits_of((uint32_t)above);
+    for (int i = 0, k = 2; i < 3; k = i++) {
+        const int64_t dx = v[i].x - v[k].x, dy = v[i].y - v[k].y;
+        const int bits = pel_bits_of((uint64_t)pel_size_of(dx)) + 1 -
+                         pel_bits_of((uint64_t)pel_size_of(dy));
+        turns += dy ? pel_max(bits, 0) : 0;
+    }
+    return (uint32_t)turns;
+}
+
+/* The formula of cost.h, in 2^-17 px; area is twice the triangle's, not
+ * 0. */
+static uint32_t area_pixels(uint64_t area, int32_t height)
+{
+    const uint64_t widest = pel_divide(area, (uint32_t)height) + 1;
+    const uint64_t excess = height < 256 ? widest * 512 : widest * 320 + 1;
+    return (uint32_t)((area + excess) >> 17);
+}
+
+void pel_triangle_cost(struct pel_cost *cost, const struct pel_point v[3],
+                       const struct pel_rect *clip,
+                       const struct pel_cost_rates *rates)
+{
+    const struct range x = range_of(v[0].x, v[1].x, v[2].x);
+    const struct range y = range_of(v[0].y, v[1].y, v[2].y);
+    const int32_t width = x.high - x.low, height = y.high - y.low;
+    const int32_t longer = pel_max(width, height);
+    const uint32_t columns = pixels_of(&x, clip->x0, clip->x1);
+    const uint32_t rows = pixels_of(&y, clip->y0, clip->y1);
+    const uint64_t area = area_of(v);
+    const bool cut = (width | height) >> 15 ||
+                     pel_first_pixel(x.low) < clip->x0 ||
+                     pel_first_pixel(x.high) > clip->x1;
+    const bool thin = longer > 1048576 || area < (uint64_t)longer * 16;
+    uint32_t pixels = 0;
+    if (rows && area)
+        pixels = area_pixels(area, height) + rows;
+    if (rows && pixels / rows >= columns)
+        pixels = rows * columns;
+    cost->triangles++;
+    cost->rows += rows;
+    cost->pixels += pixels;
+    cost->instructions += rates->triangle + (thin ? rates->thin : 0);
+    if (rows)
+        cost->instructions += turns_of(v, y.low, clip->y0) * rates->turn;
+    cost->instructions += rows * (cut ? rates->cut_row : rates->row);
+    cost->instructions += (rows < pixels ? rows : pixels) * rates->run;
+    cost->instructions += (pel_multiply(pixels, rates->pixel) + 15) >> 4;
+}
