@@ -27,7 +27,8 @@
 /* 1: the fillers of core/fast are compiled in, which loop over the rows of
  * unclipped triangles themselves. They divide in 64 bits, and cost about 3 KB
  * of code, and 4 KB where a nearest texture is linked, 7 KB where a bilinear
- * one is; and radial gradients of narrow rings cost 22 KB of stack. */
+ * one is, 6 KB where a depth buffer is; and radial gradients of narrow rings
+ * cost 22 KB of stack. */
 #ifndef PEL_FAST_FILLS
 #define PEL_FAST_FILLS PEL_64BIT
 #endif

@@ -2,7 +2,8 @@
 # charts. It goes on where it was stopped; SHARD=2/8 runs the second of eight
 # parts, whose CSVs are then copied together, and `make atlas` there draws all.
 ATLAS_OUT := $(BUILD)/atlas$(if $(QUICK),-quick)
-ATLAS_PROGRAMS := $(addprefix $(BENCH)/pel-,atlas bench bench-scene matrix count)
+ATLAS_PROGRAMS := $(addprefix $(BENCH)/pel-,atlas bench bench-scene matrix count) \
+    $(BENCH)/atlas/damage-mcu.csv
 
 # The paints of bench/mcu, with a clock instead of an emulator.
 ATLAS_MATRIX := bench/matrix.c bench/mcu/matrix.c bench/mcu/report.c

@@ -27,7 +27,7 @@ cases() {
         if [ "$quick" ]; then grep -v -e -565-; else cat; fi
     printf 'scene-%s\n' cores mesh triangles pixels bands
     [ "$quick" ] || echo instructions
-    printf '%s\n' matrix mcu size
+    printf '%s\n' matrix mcu size damage-mcu
 }
 
 # rows KIND COMMAND [FILE] : standard input, or the file, as rows of the atlas
@@ -65,6 +65,7 @@ measure() {
         bench/instructions.sh "$bench/pel-count" "$out/raw" >"$out/log"
         rows instructions 'make bench-instructions' "$out/raw"
         ;;
+    damage-mcu) cat "$bench/atlas/damage-mcu.csv" ;;
     mcu) rows mcu 'make bench-mcu' bench/mcu/budgets.tsv ;;
     size) rows size 'make size' tests/link/budgets.tsv ;;
     *) "$bench/pel-atlas" $quick "$name" ;;

@@ -2,16 +2,30 @@
  * row. */
 #include "scanline.h"
 
+/* floor(n / d), d > 0. */
+static int64_t floor_64(int64_t n, int64_t d)
+{
+    return n / d - (n % d < 0);
+}
+
+/* dx / dy in 16.16. Products of short edges fit 32 bits, where small CPUs
+ * divide faster. */
+static PEL_ALWAYS_INLINE int64_t slope(int32_t dx, int32_t dy, bool rounded)
+{
+    if (!rounded)
+        return dx == (int16_t)dx ? dx * 65536 / dy : (int64_t)dx * 65536 / dy;
+    if (dx > -8192 && dx < 8192 && dy < 8192) {
+        const int32_t n = 2 * 65536 * dx + dy;
+        return n / (2 * dy) - (n % (2 * dy) < 0);
+    }
+    return floor_64((int64_t)dx * 131072 + dy, 2 * (int64_t)dy);
+}
+
 static PEL_ALWAYS_INLINE void start(struct walk *w, const struct pel_point *a,
                                     const struct pel_point *b, bool rounded)
 {
-    const int64_t dx = (int64_t)(b->x - a->x) * 65536, dy = b->y - a->y;
     const int32_t t = pel_pixel_center(pel_first_pixel(a->y)) - a->y;
-    w->fixed_step = dx / dy;
-    if (rounded) {
-        const int64_t twice = 2 * dx + dy;
-        w->fixed_step = twice / (2 * dy) - (twice % (2 * dy) < 0);
-    }
+    w->fixed_step = slope(b->x - a->x, b->y - a->y, rounded);
     w->fixed = (int64_t)a->x * 256 + ((w->fixed_step * t) >> 8);
 }
 

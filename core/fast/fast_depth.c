@@ -64,18 +64,30 @@ static PEL_ALWAYS_INLINE void draw_one(pel_word32 *p, void *held,
     *p = value;
 }
 
-/* Of n pixels from p on: `depth` and `color` are those of the first, `gouraud`
- * and `wide` constants. Single pixels where there are fewer than four. */
-static PEL_ALWAYS_INLINE void draw_span(const struct steps *s, pel_word32 *p,
-                                        uint8_t *held, int32_t n,
-                                        uint64_t depth, const uint32_t color[3],
-                                        bool gouraud, bool wide)
+/* n pixels of a row; depth and colour are those of the first. */
+struct run {
+    pel_word32 *p;
+    uint8_t *held;
+    int32_t n;
+    uint64_t depth;
+    uint32_t color[3];
+};
+
+/* With constant `gouraud` and `wide`. Single pixels where there are fewer than
+ * four. */
+static PEL_ALWAYS_INLINE void draw_run(const struct steps *s,
+                                       const struct run *r, bool gouraud,
+                                       bool wide)
 {
+    pel_word32 *const p = r->p;
+    uint8_t *const held = r->held;
+    const int32_t n = r->n;
+    uint64_t depth = r->depth;
     const int32_t size = wide ? 4 : 2;
     struct pel_gouraud_four c;
     pel_u32x4 value = s->value;
     if (gouraud) {
-        c = pel_gouraud_add(s->color.lanes, pel_gouraud_times(color, 1));
+        c = pel_gouraud_add(s->color.lanes, pel_gouraud_times(r->color, 1));
         value = pel_gouraud_xrgb4(c);
     }
     if (n < 4) {
@@ -121,7 +133,7 @@ static PEL_ALWAYS_INLINE void draw_rows(const struct pel_depth_paint *paint,
     uint64_t depth = pel_plane_at(&paint->plane, 0, t->y0) << 10;
     const uint64_t dx = paint->plane.dx << 10, dy = paint->plane.dy << 10;
     struct steps s = {.dx = dx, .depth = {{0, dx}, {2 * dx, 3 * dx}}};
-    uint32_t start[3] = {0, 0, 0}, v[3] = {0, 0, 0};
+    uint32_t start[3] = {0, 0, 0};
     if (gouraud) {
         s.color = pel_gouraud_steps_make(g, 1);
         pel_gouraud_at(g, 0, t->y0, start);
@@ -129,15 +141,17 @@ static PEL_ALWAYS_INLINE void draw_rows(const struct pel_depth_paint *paint,
         s.value = pel_make_value32(surface->format->pack(flat->color));
     }
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
+        struct run r = {.p = (pel_word32 *)(w.row + 4 * (uintptr_t)x),
+                        .held = (uint8_t *)(held + size * (uintptr_t)x),
+                        .n = n,
+                        .depth = depth + (uint64_t)x * dx};
         if (gouraud) {
-            v[0] = start[0] + (uint32_t)x * g->dx[0];
-            v[1] = start[1] + (uint32_t)x * g->dx[1];
-            v[2] = start[2] + (uint32_t)x * g->dx[2];
+            r.color[0] = start[0] + (uint32_t)x * g->dx[0];
+            r.color[1] = start[1] + (uint32_t)x * g->dx[1];
+            r.color[2] = start[2] + (uint32_t)x * g->dx[2];
             pel_gouraud_step(start, g->dy);
         }
-        draw_span(&s, (pel_word32 *)(w.row + 4 * (uintptr_t)x),
-                  (uint8_t *)(held + size * (uintptr_t)x), n,
-                  depth + (uint64_t)x * dx, v, gouraud, wide);
+        draw_run(&s, &r, gouraud, wide);
         depth += dy;
         held += pitch;
     }

@@ -47,7 +47,6 @@ struct pel_cells {
     uint8_t left;                /* spans from `span` on */
     bool box;                    /* hi ends all rows */
     pel_color mask; /* of mixed colours what can be seen; 0: ask the format */
-    int64_t square; /* of `whole`, in 512ths; on the left side negative */
 #endif
 
     /* The run of the present cell, in every row. */
@@ -76,10 +75,6 @@ bool pel_cells_next(struct pel_cells *cells, int32_t most);
 /* Takes the colour of the cell at c->place. */
 void pel_cells_color(struct pel_cells *c);
 
-/* Goes on to the place of the next cell, and takes its colour; false where none
- * comes: then a batch of one row ends. */
-bool pel_cells_more(struct pel_cells *c);
-
 /* How many cells from the one at c->place on are the same pixel value as that;
  * 0: all that may come. Moves on to the first other one. */
 int32_t pel_cells_pass(struct pel_cells *c);
@@ -93,6 +88,24 @@ static PEL_ALWAYS_INLINE bool pel_cells_end_all(struct pel_cells *c)
         return pel_cells_end_all_rows(c);
     c->x = c->hi;
     return false;
+}
+
+/* Goes on to the place of the next cell, and takes its colour; false where none
+ * comes: then a batch of one row ends. */
+static PEL_ALWAYS_INLINE bool pel_cells_more(struct pel_cells *c)
+{
+    const struct pel_gradient *g = c->gradient;
+    const int32_t bound = g->period ? g->period : g->cells;
+    const int32_t place = c->place + c->way;
+    const bool ends = (uint32_t)place >= (uint32_t)bound;
+    if (c->way == 0 || (ends && g->period == 0)) {
+        if (PEL_CELL_ROWS == 1)
+            pel_cells_end_all(c);
+        return false;
+    }
+    c->place = ends ? place - c->way * bound : place;
+    pel_cells_color(c);
+    return true;
 }
 
 /* Ends all runs at the boundary, whose error is set. It grows by `step` to the

@@ -54,27 +54,6 @@ void pel_cells_color(struct pel_cells *c)
     c->value = opaque ? format->pack(color) : color;
 }
 
-static PEL_ALWAYS_INLINE bool more(struct pel_cells *c)
-{
-    const struct pel_gradient *g = c->gradient;
-    const int32_t bound = g->period ? g->period : g->cells;
-    const int32_t place = c->place + c->way;
-    const bool ends = (uint32_t)place >= (uint32_t)bound;
-    if (c->way == 0 || (ends && g->period == 0)) {
-        if (PEL_CELL_ROWS == 1)
-            pel_cells_end_all(c);
-        return false;
-    }
-    c->place = ends ? place - c->way * bound : place;
-    pel_cells_color(c);
-    return true;
-}
-
-bool pel_cells_more(struct pel_cells *c)
-{
-    return more(c);
-}
-
 #if PEL_KNOW_SIDES
 
 /* How many cells of two mixed colours, at most `most`, lie beyond the one at
@@ -241,7 +220,7 @@ int32_t pel_cells_pass(struct pel_cells *c)
             count += passed;
             c->place += c->way * passed;
         }
-        if (count == most || !more(c))
+        if (count == most || !pel_cells_more(c))
             return 0;
         count++;
     } while (c->value == value && c->draw == draw);
@@ -285,6 +264,6 @@ enum pel_status pel_gradient_init(struct pel_gradient *g,
     g->color = ramp_color;
     g->ramp = *ramp;
     g->cells = ramp->n == 2 ? 256 : ramp->n;
-    g->period = g->cells * (int32_t)ramp->spread; /* times 0, 1 or 2 */
+    g->period = g->cells * pel_min((int32_t)ramp->spread, 2); /* 0, 1 or 2 */
     return PEL_OK;
 }

@@ -18,39 +18,23 @@ int64_t pel_radial_square(const struct pel_radial *p, int32_t x, int32_t y)
            pel_square(pel_pixel_center(y) - p->rings.center.y);
 }
 
-#if PEL_KNOW_SIDES
-
-/* From the square of the circle before to that of this one. There are none
- * inside the centre. */
-static PEL_NOINLINE_32 void set_square(struct pel_cells *c,
-                                       const struct pel_radial *p)
+/* Adds the square of the present circle's radius, in 512ths, to the error, or
+ * takes it away. No circles lie inside the centre. */
+static PEL_NOINLINE_32 void add_circle(struct pel_cells *c,
+                                       const struct pel_radial *p, int32_t way)
 {
-    const int64_t mirror = c->way >> 1; /* 0, or -1 */
-    c->error += c->square;
-    c->square =
-        (((pel_square(pel_max(c->whole, 0)) - p->low) >> 9) ^ mirror) - mirror;
-    c->error -= c->square;
+    const int64_t square = (pel_square(pel_max(c->whole, 0)) - p->low) >> 9;
+    c->error += way < 0 ? -square : square;
 }
-
-#else
-
-/* The error at the pixel, anew, which is less code. */
-static inline void set_square(struct pel_cells *c, const struct pel_radial *p)
-{
-    const int64_t circle = pel_square(pel_max(c->whole, 0)) + 1;
-    const int64_t error = pel_radial_square(p, c->x, c->cell.y) - circle;
-    c->error = (error >> 9) ^ (c->way >> 1);
-}
-
-#endif
 
 static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_radial *p = (const void *)c->gradient;
     const struct pel_point center = p->rings.center;
     const int32_t way = c->way;
+    add_circle(c, p, way);
     pel_cells_move(c, count, p->width, p->rest, p->base.cells);
-    set_square(c, p);
+    add_circle(c, p, -way);
     return pel_cells_end(c, way * (pel_pixel_center(c->x) - center.x + 128),
                          PEL_ROW_STEP(way * (pel_pixel_center(c->cell.y) -
                                              center.y + 128)),
@@ -138,12 +122,10 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     c->error = pel_radial_square(p, c->x, first_row(c, p));
     find_root(c);
     find_ring(c, p);
-#if PEL_KNOW_SIDES
-    c->error =
-        ((pel_radial_square(p, c->x, c->cell.y) >> 9) - 1) ^ (c->way >> 1);
-    c->square = 0;
-    set_square(c, p);
-#endif
+    c->error = (pel_radial_square(p, c->x, c->cell.y) >> 9) - 1;
+    if (c->way < 0)
+        c->error = ~c->error;
+    add_circle(c, p, -c->way);
 }
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
@@ -171,7 +153,6 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
     paint->first = (int32_t)((uint32_t)rings->phase * (uint32_t)n >> 16);
     paint->width = quotient(rings->radius, n);
     paint->rest = rings->radius - paint->width * n;
-    if (PEL_KNOW_SIDES)
-        paint->low = (uint32_t)pel_radial_square(paint, 0, 0) & 511;
+    paint->low = (uint32_t)pel_radial_square(paint, 0, 0) & 511;
     return PEL_OK;
 }

@@ -41,15 +41,17 @@ static uint32_t middle_of(const pel_color c[3], pel_color *middle)
 /* Polynomials end in roundings of 1/64 step and less. */
 enum { QUICK_ERROR = 8, SPAN_MOST = 3 };
 
+static uint64_t size_of(uint64_t gradient)
+{
+    return (uint64_t)pel_size_of((int64_t)gradient);
+}
+
 /* How much of an edge a pixel to the right is, 2^-28, rounded up. */
 static uint64_t edge_part(const struct pel_plane weight[2])
 {
-    const int64_t a = (int64_t)weight[0].dx, b = (int64_t)weight[1].dx;
-    const uint64_t c =
-        (uint64_t)pel_size_of((int64_t)(weight[0].dx + weight[1].dx));
-    const uint64_t most =
-        (uint64_t)(pel_size_of(a) > pel_size_of(b) ? pel_size_of(a)
-                                                   : pel_size_of(b));
+    const uint64_t a = size_of(weight[0].dx), b = size_of(weight[1].dx);
+    const uint64_t c = size_of(weight[0].dx + weight[1].dx);
+    const uint64_t most = a > b ? a : b;
     return ((most > c ? most : c) >> 24) + 1;
 }
 

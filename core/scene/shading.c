@@ -59,6 +59,8 @@ void pel_frame_colors(const struct pel_frame *frame, pel_color color[3])
 static pel_color mean_of(const pel_color c[3])
 {
     pel_color mean = 0;
+    if (c[0] == c[1] && c[1] == c[2])
+        return c[0];
     for (int k = 0; k < 32; k += 8) {
         const uint32_t sum =
             (c[0] >> k & 255) + (c[1] >> k & 255) + (c[2] >> k & 255);

@@ -6,6 +6,7 @@
  */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/pel.h"
 #include "core/scene/pipeline.h"
@@ -135,10 +136,33 @@ static long count_wrong(const struct pel_surface *surface, const char *path)
     return wrong;
 }
 
+/* What the asset's check must refuse, where it has parts and textures. */
+static bool check_passes(void)
+{
+    struct pel_mesh_asset other = asset;
+    struct pel_mesh_part part[8];
+    if (asset.parts == 0 || asset.parts > 8)
+        return true;
+    memcpy(part, asset.part, asset.parts * sizeof *part);
+    other.part = part;
+    part[asset.parts - 1].triangles++;
+    bool right = pel_mesh_asset_check(&other) == PEL_ERROR_SIZE;
+    part[asset.parts - 1].triangles--;
+    part[0].texture = asset.images + 1;
+    right = right &&
+            (!asset.images || pel_mesh_asset_check(&other) == PEL_ERROR_SIZE);
+    other.part = NULL;
+    right = right && pel_mesh_asset_check(&other) == PEL_ERROR_NULL;
+    other = asset;
+    other.version--;
+    return right && pel_mesh_asset_check(&other) == PEL_ERROR_RANGE;
+}
+
 int main(int argc, char **argv)
 {
     struct pel_surface surface;
     if (argc != 3 || pel_mesh_asset_check(&asset) != PEL_OK ||
+        !check_passes() ||
         pel_surface_init(&surface, &pel_rgb565_le, memory, sizeof memory,
                          &(struct pel_rect){0, 0, SIZE, SIZE}) != PEL_OK ||
         draw(&surface, argv[2]) != PEL_OK) {

@@ -124,5 +124,6 @@ for crease in 1 80 100; do
     done
 done
 cmp "$dir/flat1.ppm" "$dir/flat100.ppm" || fail "flat light is of the vertices"
-"$PEL" compare "$dir/phong1.ppm" "$dir/phong80.ppm" >/dev/null &&
+if "$PEL" compare "$dir/phong1.ppm" "$dir/phong80.ppm" >/dev/null; then
     fail "--crease 1 is no crease"
+fi

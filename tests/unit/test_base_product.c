@@ -65,7 +65,15 @@ static void test_whole_products(void)
         }
 }
 
+/* Gradients of slivers wrap, to -2^63 too. */
+static void test_sizes(void)
+{
+    assert_int_equal(pel_size_of(-5), 5);
+    assert_int_equal((uint64_t)pel_size_of(INT64_MIN), UINT64_C(1) << 63);
+}
+
 int main(void)
 {
-    return RUN_TESTS(test_products, test_many_products, test_whole_products);
+    return RUN_TESTS(test_products, test_many_products, test_whole_products,
+                     test_sizes);
 }
