@@ -7,6 +7,8 @@ enum pel_status pel_mesh_texture_of_image(struct pel_mesh_texture *texture,
                                           const struct pel_format *format)
 {
     const struct pel_texels texels = {surface, NULL, 0, 0, false};
+    if (!texture || !image)
+        return PEL_ERROR_NULL;
     texture->texels = texels;
     texture->wrap_u = (enum pel_wrap)image->wrap_u;
     texture->wrap_v = (enum pel_wrap)image->wrap_v;

@@ -55,7 +55,8 @@ static const struct pel_color_paint *surface(struct pel_frame *frame)
 {
     struct pel_perspective *p = &frame->work->perspective;
     const int32_t room =
-        pel_min(frame->scene->texel_tolerance, 65536) - MAPPING_ERROR;
+        pel_max(pel_min(frame->scene->texel_tolerance, 65536), 0) -
+        MAPPING_ERROR;
     struct pel_texture_corner corner[3];
     pel_frame_texels(frame, corner);
     if (room > 0 && is_affine(corner, room))

@@ -228,7 +228,8 @@ struct pel_mesh_texture {
 
 /* Sets texels, wrap and alpha to those of an asset's texture, whose pixels are
  * of that format; mapping, sampler and span stay. The surface is the caller's,
- * and lives as long as the texture. Errors of pel_image_asset_surface. */
+ * and lives as long as the texture. PEL_ERROR_NULL, errors of
+ * pel_image_asset_surface. */
 enum pel_status pel_mesh_texture_of_image(struct pel_mesh_texture *texture,
                                           struct pel_surface *surface,
                                           const struct pel_mesh_image *image,

@@ -175,8 +175,23 @@ static void test_wrong_parts_are_named(void)
     assert_int_equal(pel_mesh_check(&s.mesh, NULL), PEL_ERROR_NULL);
 }
 
+static void test_no_texture_of_nothing(void)
+{
+    const struct pel_mesh_image image = {NULL, 0, 0, false};
+    struct pel_surface surface;
+    assert_int_equal(
+        pel_mesh_texture_of_image(NULL, &surface, &image, &pel_rgb565_le),
+        PEL_ERROR_NULL);
+    assert_int_equal(
+        pel_mesh_texture_of_image(&s.texture, &surface, NULL, &pel_rgb565_le),
+        PEL_ERROR_NULL);
+    assert_int_equal(
+        pel_mesh_texture_of_image(&s.texture, &surface, &image, &pel_rgb565_le),
+        PEL_ERROR_NULL);
+}
+
 int main(void)
 {
     return RUN_TESTS(test_parts_equal_meshes_of_their_own,
-                     test_wrong_parts_are_named);
+                     test_wrong_parts_are_named, test_no_texture_of_nothing);
 }
