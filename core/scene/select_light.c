@@ -178,7 +178,7 @@ static bool turn_to_eye(const struct pel_mesh_lights *lights,
     pel_normalize_fast(corners->normal[0], normal);
     const int32_t along = pel_weighted(normal, eye);
     if (pel_magnitude(along) >> 14 <=
-        (int32_t)(turns->normal + turns->eye) * 5 / 4 + 1)
+        (int32_t)(turns->normal + turns->eye) * 21 / 16 + 1)
         return false;
     for (int i = 0; i < 9 && along < 0; i++)
         corners->normal[i / 3][i % 3] = -corners->normal[i / 3][i % 3];
@@ -208,10 +208,11 @@ static pel_cosine nearest(const struct pel_frame *frame, const uint8_t note[3],
         high = pel_max(high, note[i] & UNITS);
     }
     /* All of a triangle is within an edge of each vertex, and within an edge
-     * times 1 / sqrt(3) < 19/32 of some vertex; spans reach 1/4 edge out. */
+     * times 1 / sqrt(3) < 19/32 of some vertex; spans reach 1/4 edge out,
+     * where it turns by 5/16. */
     const int32_t chord =
-        pel_max((int32_t)((uint32_t)high << bits) - (int32_t)(q + q / 4),
-                (int32_t)((uint32_t)low << bits) - (int32_t)(q * 27 / 32 + 1));
+        pel_max((int32_t)((uint32_t)high << bits) - (int32_t)(q + q * 5 / 16),
+                (int32_t)((uint32_t)low << bits) - (int32_t)(q * 29 / 32 + 1));
     const uint64_t square =
         pel_multiply((uint32_t)pel_max(chord, 0), (uint32_t)pel_max(chord, 0));
     return pel_max(PEL_COSINE_ONE - (int32_t)(square >> 3), 0);
@@ -311,7 +312,7 @@ bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
     const uint64_t s = strength(&frame->lights, true);
     const uint64_t nl = b->turns.normal + b->turns.light;
     const int h = pel_max(pel_max(note[0] >> 5, note[1] >> 5), note[2] >> 5);
-    const bool crosses = h == 0 || nl > UINT32_C(1) << (8 + h);
+    const bool crosses = h == 0 || nl * 21 / 16 > UINT32_C(1) << (8 + h);
     uint64_t change = b->diffuse * nl >> 16;
     b->curve = curve_of(b->diffuse * (nl * nl >> 16) >> 16);
     b->kink = crosses ? b->diffuse * nl >> 18 : 0;
@@ -338,5 +339,5 @@ uint64_t pel_light_span_bound(const struct pel_light_bounds *bounds,
         b->turns.length + (uint32_t)(beyond * b->turns.edge >> 16) + 1;
     const uint64_t lines =
         (b->curve * (s * s >> 16) >> 16) + (b->kink * s >> 16);
-    return quick_of(b, length, 87382 + 16 * part) + lines * 9 / 8 + 1;
+    return quick_of(b, length, 87382 + 16 * part) + lines + lines / 4 + 1;
 }

@@ -20,10 +20,11 @@
  *     w^p     second at most q^2 K(w), K(w) =
  *             p w^(p-2) ((p - 1) (1 - w^2) + 7/6 w) <= 1.345 p
  *
- * Between two places of a row that turn by q s at most, s below 1/4, f is off
- * by M (E s)^2 / 8 from linear. There n may be shorter by 1 / (1 - n / 4) <
- * 11/9, n < 3/4, than in the triangle: 9/8 s^2 times the bound of the plane. A
- * kink counts by s.
+ * Between two places of a row that are s < 1/4 of an edge apart, f is off by
+ * M (E s)^2 / 8 from linear. Around the triangle n may be shorter than inside,
+ * by a factor of 1 - n / 4 > 13/16 where n < 3/4, so that counts as 5/4 s^2
+ * times the bound of the plane, and a kink as 5/4 s; directions turn by 1/4
+ * times 5/4 more there, so |R - V| and N.L are looked at over 21/16 edges.
  *
  * K grows with w while p w^2 - 7/6 w <= p - 2, so the smallest angle between R
  * and V bounds it: |R - V| changes by at most q. max(N.L, 0) adds the error of
@@ -37,9 +38,9 @@
 PEL_BEGIN_DECLS
 
 /* The color of a lit vertex, and in place of its alpha what the bound needs to
- * know: bits 0..4 the smallest |R - V| of a light, rounded down to a multiple
- * of a unit (of two units more where that is out of range); bits 5..7 h where
- * |N.L| >= 2^(h-8) for all lights, 0 where it is less. */
+ * know: bits 0..4 the smallest |R - V| of a light in units, rounded down, 31
+ * where it is more; bits 5..7 the largest h up to 7 with |N.L| >= 2^(h-8) for
+ * all lights, or 0. */
 pel_color pel_light_note(const struct pel_frame *frame, uint32_t vertex,
                          pel_color surface);
 

@@ -55,11 +55,12 @@ static uint64_t edge_part(const struct pel_plane weight[2])
     return ((most > c ? most : c) >> 24) + 1;
 }
 
-/* The bits of the longest span, up to 1/4 edge, that is good enough. */
+/* The bits of the longest span, up to 1/4 edge, that is good enough; none where
+ * normals turn by 3/4 or more. */
 static int span_of(const struct pel_light_bounds *b, uint64_t part,
                    uint64_t room)
 {
-    int bits = b->tears ? 0 : SPAN_MOST;
+    int bits = b->tears || b->turns.normal >= 49152 ? 0 : SPAN_MOST;
     for (; bits > 0; bits--) {
         const uint64_t s = part << bits >> 12;
         if (s < 16384 && pel_light_span_bound(b, (uint32_t)s + 1) <= room)

@@ -114,35 +114,6 @@ static void test_soups(void)
         assert_true(worst[i] * 2 >= tolerances[i]);
 }
 
-/* Light that falls to 0 in a span is not below 0 on the way. */
-static void test_light_falls_to_nothing(void)
-{
-    struct pel_mesh_light light = {.directional = true,
-                                   .diffuse = {65536, 65536, 65536}};
-    const struct pel_lighting lighting = {.lights = 1, .shininess = 1};
-    const struct pel_mesh_lights lights = {.light = &light,
-                                           .lighting = &lighting};
-    struct pel_phong_quick paint = {
-        .lights = &lights,
-        .weight = {{0, UINT64_C(1) << (PEL_QUICK_BITS - 3 + 24), 0}},
-        .color = {{65280, 65280, 65280}},
-        .alpha = 255,
-        .span = 3,
-        .dull = true,
-        .one_color = true};
-    for (int32_t from = 1; from < 16; from++)
-        for (int kind = 0; kind < 4; kind++) {
-            pel_color out[8];
-            paint.gray = kind % 2;
-            paint.one_color = kind / 2;
-            paint.light[0].of[0].k[0] = from * 4096; /* from / 65,536 */
-            paint.light[0].of[0].k[1] = -from * 4096;
-            pel_phong_quick_colors(&paint.base, 0, 0, 8, out);
-            for (int i = 0; i < 8; i++)
-                assert_int_equal(out[i], UINT32_C(0xFF000000));
-        }
-}
-
 static uint64_t covered_by_soup;
 
 static void count_spans(const struct pel_paint *paint,
@@ -306,8 +277,35 @@ static void test_bounds_are_tight(void)
     assert_true(!is_whole_set() || (tight[0] > 0.5 && tight[1] > 0.5));
 }
 
+/* Light of a few 1/65,536 that ends within the triangle: black remains. */
+static void test_light_fades_to_black(void)
+{
+    static struct any_scene s;
+    static struct canvas exact, chosen;
+    struct pel_frame frame;
+    uint64_t spans = 0;
+    for (struct cases c = cases_of(100); cases_next(&c);) {
+        struct pel_stats stats = {.bound = 0};
+        patch(&c.random, &s);
+        s.light[0].at[0] = random_between(&c.random, -16, 16);
+        s.light[0].at[2] = 0;
+        s.light[0].at[1] = 1;
+        s.lighting.diffuse = random_between(&c.random, 1, 99);
+        s.lighting.specular = random_between(&c.random, 0, 99);
+        s.lighting.plain_highlights = random_word(&c.random) % 2;
+        s.scene.color = random_word(&c.random) % 2 ? UINT32_MAX : 0;
+        s.scene.stats = &stats;
+        s.scene.tolerance = 128;
+        draw(&s, &pel_shade_phong, &frame, &exact);
+        draw(&s, &pel_shade_counted, &frame, &chosen);
+        spans += stats.method[PEL_METHOD_SPANS].pixels;
+        assert_in_range(difference(&s, &exact, &chosen), 0, 1);
+    }
+    assert_true(spans > 0);
+}
+
 int main(void)
 {
-    return RUN_TESTS(test_soups, test_light_falls_to_nothing, test_stats,
+    return RUN_TESTS(test_light_fades_to_black, test_soups, test_stats,
                      test_places_in_textures, test_bounds_are_tight);
 }
