@@ -2,13 +2,14 @@
 
 #include "scene.h"
 
-enum { DIGITS = 256 };
+/* Six digits of six bits: their counts take 256 bytes of stack. */
+enum { BITS = 6, DIGITS = 1 << BITS, KEY_DIGITS = 6 };
 
-/* Digit 0..3 of a key that rises with falling depth. */
+/* Digit 0..5 of a key that rises with falling depth. */
 static uint32_t digit_of(const struct pel_depth_entry *e, int digit)
 {
     const uint32_t key = ~(uint32_t)e->depth ^ UINT32_C(0x80000000);
-    return key >> 8 * digit & (DIGITS - 1);
+    return key >> BITS * digit & (DIGITS - 1);
 }
 
 /* Sets at[d] to the place of the first entry with digit d. False: all have the
@@ -36,7 +37,7 @@ static void radix_sort(struct pel_depth_entry *entry, uint32_t n,
 {
     struct pel_depth_entry *from = entry, *to = spare;
     uint32_t at[DIGITS];
-    for (int digit = 0; digit < 4 && n > 0; digit++) {
+    for (int digit = 0; digit < KEY_DIGITS && n > 0; digit++) {
         if (!find_places(from, n, digit, at))
             continue;
         for (uint32_t i = 0; i < n; i++)
