@@ -8,7 +8,10 @@ for file in "$1"/*.csv; do
     [ ! -e "$2/${file##*/}" ] || cat "$file" "$2/${file##*/}"
 done | awk -F, '
     $1 == "case" { next }
-    { key = $1 "," $2 "," $3 "," $4 "," $5 }
+    {
+        key = $1 "," $2 "," $3 "," $4 "," $5
+        seen[key]++
+    }
     !(key in value) {
         value[key] = $6
         low[key] = $7
@@ -33,6 +36,11 @@ done | awk -F, '
         }
     }
     END {
+        for (key in seen)
+            if (seen[key] == 1) {
+                changed++
+                print "in one run alone: " key
+            }
         printf "%d exact figures, %d changed; %d times, %d apart\n", exact,
             changed, times, apart
         exit changed > 0 || apart * 20 > times

@@ -42,28 +42,31 @@ rows() {
 speed() {
     features=avx2
     case $1 in *alpha*) features= ;; esac
-    rm -f "$out/raw"
     compare=
     for run in $runs; do
         QT_NO_CPU_FEATURE=$features "$bench/pel-bench" --repeats $repeats \
-            --append --csv "$out/raw" $compare "$1" >&2
+            --append --csv "$out/raw" $compare "$1" >&2 || return 1
         compare=--no-coverage
     done
     rows speed "$bench/pel-bench $1" "$out/raw"
 }
 
-# The CSV of the case $name.
+# The CSV of the case $name. `set -e` does not hold in a condition.
 measure() {
+    rm -f "$out/raw"
     case $name in
     speed-*) speed "${name#speed-}" 2>"$out/log" ;;
     scene-*)
-        "$bench/pel-bench-scene" "$out/raw" "${name#scene-}" >"$out/log"
-        rows scene "$bench/pel-bench-scene CSV ${name#scene-}" "$out/raw"
+        "$bench/pel-bench-scene" "$out/raw" "${name#scene-}" >"$out/log" &&
+            rows scene "$bench/pel-bench-scene CSV ${name#scene-}" "$out/raw"
         ;;
-    matrix) "$bench/pel-matrix" | rows matrix "$bench/pel-matrix" ;;
+    matrix)
+        "$bench/pel-matrix" >"$out/raw" &&
+            rows matrix "$bench/pel-matrix" "$out/raw"
+        ;;
     instructions)
-        bench/instructions.sh "$bench/pel-count" "$out/raw" >"$out/log"
-        rows instructions 'make bench-instructions' "$out/raw"
+        bench/instructions.sh "$bench/pel-count" "$out/raw" >"$out/log" &&
+            rows instructions 'make bench-instructions' "$out/raw"
         ;;
     damage-mcu) cat "$bench/atlas/damage-mcu.csv" ;;
     mcu) rows mcu 'make bench-mcu' bench/mcu/budgets.tsv ;;

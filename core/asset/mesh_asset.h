@@ -35,7 +35,8 @@ static inline bool pel_quantization_legal(const struct pel_quantization *p)
 }
 
 /* A run of vertices and triangles that have one material. Parts follow one
- * another and make up the mesh. */
+ * another and make up the mesh. Its triangles use its own vertices: that is not
+ * checked, and one with a vertex of another part may take its colors. */
 struct pel_mesh_part {
     uint32_t vertices, triangles; /* where it ends: one more than its last */
     pel_color color; /* of vertices without colours; its alpha is that of all */

@@ -23,6 +23,7 @@
 
 PEL_BEGIN_DECLS
 
+/* The sums wrap: of rows and pixels beyond 2^32. */
 struct pel_cost {
     uint32_t triangles, rows, pixels;
     uint64_t instructions;

@@ -275,7 +275,7 @@ void pel_scene_draw_certified(struct pel_frame *frame,
     struct pel_surface part = *surface;
     pel_scene_draw(frame, surface);
     part.clip = pel_rect_intersect(&part.clip, doubt);
-    if (pel_rect_empty(&part.clip))
+    if (triangles == 0 || pel_rect_empty(&part.clip))
         return;
     frame->order = NULL;
     frame->triangles = frame->scene->mesh->triangles;

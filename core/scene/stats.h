@@ -8,7 +8,8 @@ PEL_BEGIN_DECLS
 
 /* Set to 0 by the caller; it only grows. Pixels are those that are drawn, so
  * with a depth buffer not those that it hides; each is counted as often as it
- * is drawn. */
+ * is drawn. Triangles count once for each band, and for each of the two passes
+ * through a depth buffer that translucent ones need. */
 struct pel_stats {
     struct {
         uint32_t triangles; /* cut ones count as often as they have parts */

@@ -193,8 +193,10 @@ static void copy_mesh(const struct aiMesh *from,
         from->mMaterialIndex < materials ? from->mMaterialIndex : materials;
     if (material != m->material || has_uv != m->uv || !triangles_of(from))
         return;
-    if (!m->part)
-        m->failed = !start_part(m);
+    if (!m->part && !start_part(m))
+        m->failed = true;
+    if (m->failed)
+        return;
     copy_vertices(m, from, to_world);
     copy_triangles(m, from, aiMatrix4Determinant(to_world) < 0);
     m->part->vertices += from->mNumVertices;

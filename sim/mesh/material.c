@@ -58,7 +58,9 @@ static void read_alpha(struct mesh_material *to, const struct aiMaterial *from,
                                                      : MESH_OPAQUE;
         value = 0.5f;
         aiGetMaterialFloatArray(from, AI_MATKEY_GLTF_ALPHACUTOFF, &value, NULL);
-        to->cutoff = (uint8_t)ceil(fmin(fmax((double)value, 0), 1) * 255);
+        /* A float may be a little more than the number that was meant. */
+        to->cutoff =
+            (uint8_t)ceil(fmin(fmax((double)value, 0), 1) * 255 - 1e-4);
     } else {
         alpha = (double)value > 0 && (double)value < 1 ? (double)value : 1;
         if (alpha < 1 || (flags & aiTextureFlags_UseAlpha) ||
@@ -99,15 +101,13 @@ static char *path_of(const char *mesh, char *name)
     last = strrchr(name, '/');
     if (asprintf(&path, "%.*s%s", folder, mesh, name) < 0)
         return NULL;
-    if (last && access(path, R_OK) != 0 &&
+    if (!last || access(path, R_OK) == 0 ||
         asprintf(&beside, "%.*s%s", slash ? (int)(slash - mesh) + 1 : 0, mesh,
-                 last + 1) > 0 &&
-        access(beside, R_OK) == 0) {
-        free(path);
-        return beside;
-    }
-    free(beside);
-    return path;
+                 last + 1) < 0)
+        return path;
+    const bool found = access(beside, R_OK) == 0;
+    free(found ? path : beside);
+    return found ? beside : path;
 }
 
 static bool add_texture(struct mesh *mesh, const struct aiScene *scene,
@@ -123,8 +123,12 @@ static bool add_texture(struct mesh *mesh, const struct aiScene *scene,
             free(new.path);
             return true;
         }
-    return (!is_inner || copy_inner(&new, scene, name)) &&
-           list_add(&mesh->texture, &mesh->textures, &new, sizeof(new));
+    if ((!is_inner || copy_inner(&new, scene, name)) &&
+        list_add(&mesh->texture, &mesh->textures, &new, sizeof(new)))
+        return true;
+    free(new.path);
+    free(new.bytes);
+    return false;
 }
 
 static enum pel_wrap wrap_of(enum aiTextureMapMode mode)

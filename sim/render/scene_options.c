@@ -147,9 +147,8 @@ const struct option_row scene_option_table[] = {
      CALL(parse_turn)},
     {"order", "NAME",
      "auto (default: exact at every pixel), painter (for devices without "
-     "memory "
-     "for depths: some pixels may be wrong), zbuffer16, or zbuffer32, zbuffer "
-     "for short: as auto",
+     "memory for depths: some pixels may be wrong), zbuffer16 (may mix close "
+     "surfaces), or zbuffer32, zbuffer for short: as auto",
      CHOICE(settings.order, SCENE_ORDERS)},
     {"cull", "SIDE", "leave out none (default), back or front",
      CHOICE(settings.cull, SCENE_CULLS)},

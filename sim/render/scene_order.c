@@ -107,7 +107,7 @@ void scene_print_order(FILE *out, const struct scene *scene)
                 (int)(part->x1 - part->x0), (int)(part->y1 - part->y0));
     else if (scene->depth_bits > 0)
         fprintf(out, "depths of %d bits\n", scene->depth_bits);
-    else if (certify(scene, UINT32_MAX, &doubt))
+    else if (!scene->frame.translucent && certify(scene, UINT32_MAX, &doubt))
         fprintf(out,
                 "painter's order: at most %lu pixels are wrong, of %lu "
                 "triangles\n",

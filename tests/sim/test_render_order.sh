@@ -7,8 +7,10 @@ models=${PEL_MODELS:-/usr/share/assimp/models}
 
 # differs MESH OPTION...: draws both; true when they differ. $how tells the way.
 differs() {
-    "$PEL" render "$@" --order zbuffer32 -o "$work/z.ppm" 2>/dev/null ||
-        return 1
+    if ! "$PEL" render "$@" --order zbuffer32 -o "$work/z.ppm" 2>/dev/null; then
+        [ -n "${PEL_ORDER_ALL:-}" ] && return 1
+        fail "$*: not drawn"
+    fi
     loaded=$((loaded + 1))
     "$PEL" render "$@" --order auto --time -o "$work/a.ppm" 2>"$work/how" ||
         return 0
@@ -40,8 +42,6 @@ for mesh in 3DS/fels.3ds 3MF/box.3mf AC/Wuson.ac OBJ/spider.obj \
     check "$mesh" --size 800x800 --projection orthographic --sensor 9x9
     check "$mesh" --size 800x800 --transparency 99
 done
-[ $loaded -ge 20 ] || fail "only $loaded pictures could be drawn"
-
 # What was taken: the painter's order for two squares side by side, with depths
 # where two cross, and depths alone where a texture or Phong costs more.
 cat >"$work/squares.obj" <<'END'
