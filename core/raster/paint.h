@@ -91,10 +91,9 @@ static inline void pel_fill_color(const struct pel_spans *spans,
                                   pel_color color)
 {
     const struct pel_format *format = spans->surface->format;
-    if (pel_alpha(color) == 255)
-        format->fill(spans, format->pack(color));
-    else
-        pel_fill_value(spans, color, format->blend);
+    const bool opaque = pel_alpha(color) == 255;
+    pel_fill_value(spans, opaque ? format->pack(color) : color,
+                   opaque ? format->fill : format->blend);
 }
 
 void pel_flat_fill(const struct pel_paint *paint,
