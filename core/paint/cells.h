@@ -175,9 +175,8 @@ static PEL_ALWAYS_INLINE void pel_cells_fill(
         return;
     }
     c.gradient = (const void *)paint;
-    c.cell = *spans;
-    c.cell.n = 1;
-    c.cell.span = c.run;
+    c.cell =
+        (struct pel_spans){spans->surface, c.run, spans->y, 1, spans->step};
     const struct pel_span *span = spans->span;
     for (int32_t i = spans->n; i > 0; i--, span++) {
         c.x = span->x0;

@@ -11,20 +11,27 @@ static inline int32_t turned(const struct pel_linear *p)
     return (int32_t)((uint32_t)p->way >> 31);
 }
 
-/* The product (P - from).d at pixel (x, y), below 2^49, and above -2^47 before
- * the way; or another that shows the same. Of a padded way none is beyond the
- * end; of others it is less as many times two lengths, there and back, as leave
- * `turned` or more. */
+/* (x, y).d */
+static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
+                                     int32_t y)
+{
+    return pel_product(x, p->d.x) + pel_product(y, p->d.y);
+}
+
+/* The product (P - from).d - turned at pixel (x, y), below 2^49, and above
+ * -2^47 before the way; or another that shows the same. Of a padded way none is
+ * beyond the end; of others it is less as many times two lengths, there and
+ * back, as leave 0 or more. */
 static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
                                           int32_t y)
 {
-    int64_t product = pel_product(pel_pixel_center(x) - p->from.x, p->d.x) +
-                      pel_product(pel_pixel_center(y) - p->from.y, p->d.y) -
+    int64_t product = along(p, pel_pixel_center(x) - p->from.x,
+                            pel_pixel_center(y) - p->from.y) -
                       turned(p);
     int64_t step = p->square;
     int32_t count = 0;
     if (p->base.period == 0)
-        return (product < step ? product : step) + turned(p);
+        return product < step ? product : step;
     do {
         step *= 2;
         count++;
@@ -35,7 +42,7 @@ static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
             product -= step;
         step >>= 1;
     } while (--count);
-    return product + turned(p);
+    return product;
 }
 
 /* The error of the boundary where cell k begins is n product - turned - k
@@ -125,7 +132,7 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     const struct pel_linear *p = (const void *)c->gradient;
     const int32_t last =
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
-    set_cell(c, p, product_at(p, c->x, c->cell.y + last));
+    set_cell(c, p, product_at(p, c->x, c->cell.y + last) + turned(p));
     if (PEL_CELL_ROWS > 1)
         c->error -= pel_product(p->d.y, last);
     c->way = p->way;
@@ -161,7 +168,7 @@ static void fill_level(const struct pel_linear *p,
     c.cell.n = 1;
     for (int32_t i = 0; i < spans->n; i++, c.cell.y += c.cell.step) {
         if (i == 0 || !near_cells)
-            set_cell(&c, p, product_at(p, 0, c.cell.y));
+            set_cell(&c, p, product_at(p, 0, c.cell.y) + turned(p));
         else if (c.cell.step)
             move_down(&c, p);
         pel_cells_color(&c);
@@ -203,7 +210,7 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     }
     paint->from = from;
     paint->d = d;
-    paint->square = pel_square(d.x) + pel_square(d.y);
+    paint->square = along(paint, d.x, d.y);
     paint->step = pel_product(paint->base.cells * 256, d.x);
     if (PEL_CELL_ROWS > 1) {
         int64_t rest;
