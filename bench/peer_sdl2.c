@@ -1,14 +1,12 @@
 /* SDL2: SDL_RenderGeometry and lines on a software renderer, one call for all
  * shapes; copies from surface to surface. */
-#include "method.h"
+#include "sdl2_canvas.h"
 
 #include <stdlib.h>
 
-#include <SDL.h>
-
 struct job {
-    SDL_Surface *surface, *sprite;
-    SDL_Renderer *renderer;
+    struct sdl2_canvas canvas;
+    SDL_Surface *sprite;
     const struct workload *workload;
     SDL_Vertex *vertex;
 };
@@ -26,18 +24,6 @@ static SDL_Vertex vertex_of(const struct workload *w, const struct shape *s,
     return v;
 }
 
-static void open_renderer(struct job *job, const struct canvas *c)
-{
-    const Uint32 format =
-        c->bits == 32 ? SDL_PIXELFORMAT_RGB888 : SDL_PIXELFORMAT_RGB565;
-    job->surface = SDL_CreateRGBSurfaceWithFormatFrom(
-        c->pixels, c->width, c->height, c->bits, c->stride, format);
-    if (job->surface)
-        job->renderer = SDL_CreateSoftwareRenderer(job->surface);
-    if (!job->renderer)
-        method_fail(SDL_GetError(), "check the installation of SDL2");
-}
-
 /* In the format of the canvas, or with alpha. */
 static void open_sprite(struct job *job, enum paint paint)
 {
@@ -46,7 +32,7 @@ static void open_sprite(struct job *job, enum paint paint)
         SPRITE_SIDE * 4, SDL_PIXELFORMAT_ARGB8888);
     const Uint32 format = paint == PAINT_COPY_ALPHA
                               ? (Uint32)SDL_PIXELFORMAT_ARGB8888
-                              : job->surface->format->format;
+                              : job->canvas.surface->format->format;
     if (all)
         job->sprite = SDL_ConvertSurfaceFormat(all, format, 0);
     if (!job->sprite)
@@ -68,11 +54,11 @@ static void *open_job(const struct workload *w, const struct canvas *c)
         (w->form != FORM_COPY && w->paint > PAINT_GOURAUD))
         return NULL;
     struct job *job = method_allocate(1, sizeof *job);
-    open_renderer(job, c);
+    job->canvas = sdl2_canvas_open(c);
     open_sprite(job, w->paint);
-    SDL_SetRenderDrawBlendMode(job->renderer, w->paint == PAINT_ALPHA
-                                                  ? SDL_BLENDMODE_BLEND
-                                                  : SDL_BLENDMODE_NONE);
+    SDL_SetRenderDrawBlendMode(job->canvas.renderer, w->paint == PAINT_ALPHA
+                                                         ? SDL_BLENDMODE_BLEND
+                                                         : SDL_BLENDMODE_NONE);
     job->workload = w;
     job->vertex = method_allocate(w->count * 3, sizeof *job->vertex);
     for (int i = 0; i < w->count * 3; i++)
@@ -84,10 +70,11 @@ static void draw_lines(const struct job *job, int first, int n)
 {
     const struct shape *s = job->workload->shape + first;
     for (; n > 0; n--, s++) {
-        SDL_SetRenderDrawColor(job->renderer, (uint8_t)(s->color[0] >> 16),
-                               (uint8_t)(s->color[0] >> 8),
-                               (uint8_t)s->color[0], 255);
-        SDL_RenderDrawLine(job->renderer, s->x[0], s->y[0], s->x[1], s->y[1]);
+        SDL_SetRenderDrawColor(
+            job->canvas.renderer, (uint8_t)(s->color[0] >> 16),
+            (uint8_t)(s->color[0] >> 8), (uint8_t)s->color[0], 255);
+        SDL_RenderDrawLine(job->canvas.renderer, s->x[0], s->y[0], s->x[1],
+                           s->y[1]);
     }
 }
 
@@ -96,7 +83,7 @@ static void draw_copies(const struct job *job, int first, int n)
     const struct shape *s = job->workload->shape + first;
     for (; n > 0; n--, s++) {
         SDL_Rect to = {s->x[0], s->y[0], 0, 0};
-        SDL_BlitSurface(job->sprite, NULL, job->surface, &to);
+        SDL_BlitSurface(job->sprite, NULL, job->canvas.surface, &to);
     }
 }
 
@@ -107,18 +94,17 @@ static void draw(void *data, int first, int n)
         draw_copies(job, first, n);
     else if (job->workload->form == FORM_LINE)
         draw_lines(job, first, n);
-    else if (SDL_RenderGeometry(job->renderer, NULL, job->vertex + first * 3,
-                                n * 3, NULL, 0))
+    else if (SDL_RenderGeometry(job->canvas.renderer, NULL,
+                                job->vertex + first * 3, n * 3, NULL, 0))
         method_fail(SDL_GetError(), "SDL2 2.0.18 or later is needed");
-    SDL_RenderFlush(job->renderer);
+    SDL_RenderFlush(job->canvas.renderer);
 }
 
 static void close_job(void *data)
 {
     struct job *job = data;
-    SDL_DestroyRenderer(job->renderer);
     SDL_FreeSurface(job->sprite);
-    SDL_FreeSurface(job->surface);
+    sdl2_canvas_close(&job->canvas);
     free(job->vertex);
     free(job);
 }
