@@ -25,6 +25,7 @@ struct atlas {
     bool quick;           /* fewer samples */
     const char *smallest; /* the method whose smallest wrong triangle is
                              printed instead of figures; NULL: figures */
+    bool judged;          /* that method draws triangles of the case */
     struct wrong wrong;
     int broken; /* promises of Pel that did not hold */
 };

@@ -87,6 +87,13 @@ static int run(struct atlas *a)
         if (!a->smallest)
             puts("case,method,x,y,metric,value,low,high,unit,command");
         c->run(a);
+        if (a->smallest && !a->judged) {
+            fprintf(stderr,
+                    "pel-atlas: %s draws no triangle in %s; the second column "
+                    "of damage and thinness names the methods that do\n",
+                    a->smallest, a->name);
+            return 2;
+        }
         if (a->smallest)
             print_wrong(a);
         if (fflush(stdout))

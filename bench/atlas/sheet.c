@@ -112,7 +112,10 @@ void sheet_judge(struct sheet *s, const struct fill_method *m,
 {
     const struct pel_rect *b = &s->surface.bounds;
     struct pel_point kept[3];
+    struct atlas *a = s->atlas;
+    const bool asked = a->smallest && strcmp(m->name, a->smallest) == 0;
     double wrong = 0;
+    a->judged |= asked;
     for (int i = 0; i < 3; i++) {
         kept[i].x = (v[i].x >> (8 - m->bits)) * (1 << (8 - m->bits));
         kept[i].y = (v[i].y >> (8 - m->bits)) * (1 << (8 - m->bits));
@@ -124,8 +127,7 @@ void sheet_judge(struct sheet *s, const struct fill_method *m,
         const int32_t x1 = pel_min(exact.x1, b->x1);
         int32_t first = 0;
         const int32_t more = row_wrong(&s->surface, y, exact, &first);
-        if (more && s->atlas->smallest &&
-            strcmp(m->name, s->atlas->smallest) == 0)
+        if (more && asked)
             note_wrong(s, kept, first, y);
         wrong += more;
         t->covered += x1 > x0 ? x1 - x0 : 0;

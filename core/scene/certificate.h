@@ -49,7 +49,8 @@ struct pel_certificate_item {
  * the range of sub-pixels cuts are compared by their distances alone.
  *
  * Takes at most about `work` steps, of which one compares two boxes, and 40 and
- * one per row two triangles; what is left then is in doubt. Time grows with the
+ * one per row two triangles; what is left then is in doubt. UINT32_MAX leaves
+ * nothing; 1,300 triangles of an animal took 200,000. Time grows with the
  * triangles and the pairs that overlap. `scratch` is aligned to 4 bytes.
  * PEL_ERROR_NULL, PEL_ERROR_SCRATCH. */
 enum pel_status pel_scene_certify(const struct pel_frame *frame, void *scratch,

@@ -56,7 +56,8 @@ struct pel_scene {
     const struct pel_shading *shading;   /* shading.h */
     const struct pel_lighting *lighting; /* light.h; for shadings with light */
     const struct pel_mesh_texture *texture; /* shading.h; NULL: no texture */
-    uint32_t textures;    /* from there on, for the mesh's parts; 0 is 1 */
+    uint32_t textures;    /* in that array; parts name them by number, from 1
+                             on; 0 is 1 */
     pel_color color;      /* of a mesh without colours and parts, as if its
                              alpha were 255 */
     uint8_t transparency; /* 0: opaque; 255: nothing is drawn */

@@ -64,9 +64,12 @@ static const char *output_of(const struct render_options *o)
 static bool check_methods(const struct render_options *o)
 {
     const struct scene_settings *s = &o->scene.settings;
-    if (s->shade != SCENE_PHONG && (s->stats || s->show_methods))
-        return message_error("--%s is about --shade phong",
-                             s->stats ? "stats" : "show-methods");
+    const char *name = s->stats           ? "stats"
+                       : s->show_methods  ? "show-methods"
+                       : s->tolerance > 0 ? "tolerance"
+                                          : NULL;
+    if (name && s->shade != SCENE_PHONG)
+        return message_error("--%s is about --shade phong", name);
     return !s->stats || !s->show_methods ||
            message_error("--stats counts what --show-methods does not draw: "
                          "expected one of them");

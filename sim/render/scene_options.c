@@ -146,9 +146,11 @@ const struct option_row scene_option_table[] = {
      "then z",
      CALL(parse_turn)},
     {"order", "NAME",
-     "auto (default: exact at every pixel), painter (for devices without "
-     "memory for depths: some pixels may be wrong), zbuffer16 (may mix close "
-     "surfaces), or zbuffer32, zbuffer for short: as auto",
+     "auto (default): exact at every pixel, by the painter's order where it is "
+     "proven and by depths of 32 bits elsewhere, without memory for them an "
+     "error; painter, for devices without depths: some pixels may be wrong; "
+     "zbuffer16: may mix close surfaces; or zbuffer32, zbuffer for short: "
+     "depths alone",
      CHOICE(settings.order, SCENE_ORDERS)},
     {"cull", "SIDE", "leave out none (default), back or front",
      CHOICE(settings.cull, SCENE_CULLS)},

@@ -46,7 +46,10 @@ $render builtin:vase --show-methods -o "$work/a.ppm"
 "$PEL" render builtin:vase --size 300x300 --shade flat --unlit \
     --texture none --color '#e02020' -o "$work/b.ppm"
 cmp -s "$work/a.ppm" "$work/b.ppm" || fail "exact is not shown red"
-refused_command "--stats is about --shade phong" render builtin:vase --stats
+for option in --stats --show-methods '--tolerance 2'; do
+    refused_command "${option% 2} is about --shade phong" render builtin:vase \
+        $option
+done
 refused_command "expected one of them" render builtin:vase --shade phong \
     --stats --show-methods
 refused_command "such as 2" render builtin:vase --tolerance 256

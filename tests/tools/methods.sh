@@ -40,6 +40,8 @@ pixel=$(sed -n 's/.*first wrong pixel is \([0-9]* [0-9]*\)\.$/\1/p' \
     say "pel does not explain it"
 "$atlas" --quick --smallest pel thinness 2>&1 | grep -q "no triangle" ||
     say "Pel has a smallest wrong triangle"
+"$atlas" --quick --smallest 16.16 thinness 2>/dev/null &&
+    say "a method that is not there is no error"
 
 "$atlas" nothing >/dev/null 2>&1 && say "a case that is not there is no error"
 exit $failed
