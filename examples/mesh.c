@@ -3,7 +3,7 @@
 #include "ppm.h"
 #include "vase_small.h"
 
-enum { WIDTH = 240, HEIGHT = 320, LINES = 2, VERTICES = 132, TRIANGLES = 220 };
+enum { WIDTH = 240, HEIGHT = 320, LINES = 2, VERTICES = 143, TRIANGLES = 220 };
 
 static uint16_t band[WIDTH * LINES];
 static uint64_t scratch[PEL_SCENE_SCRATCH_SIZE(VERTICES, TRIANGLES, 1) / 8];

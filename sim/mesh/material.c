@@ -167,7 +167,8 @@ bool material_read(struct mesh_material *to, struct mesh *mesh,
     const bool linear = material_is_linear(from);
     aiGetMaterialColor(from, AI_MATKEY_COLOR_DIFFUSE, &color);
     aiGetMaterialString(from, AI_MATKEY_NAME, &name);
-    snprintf(to->name, sizeof(to->name), "%s", name.data);
+    snprintf(to->name, sizeof(to->name), "%.*s", (int)sizeof(to->name) - 1,
+             name.data);
     to->color = material_byte_color(&color, linear);
     if (linear) /* elsewhere a texture takes the place of the color */
         to->tint = to->color;

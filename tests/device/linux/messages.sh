@@ -38,8 +38,11 @@ shown "unknown device 'fb0', asked for; use fb:/dev/fb0" fb0
 shown "unknown device 'fb:/dev/null,quick', asked for" fb:/dev/null,quick
 shown "unknown device 'drm:/dev/null,pages', asked for" drm:/dev/null,pages
 shown "unknown device '', asked for" ""
-shown "cannot open /dev/none: No such file or directory; is SPI on? \
-dtparam=spi=on in config.txt of a Pi" panel:st7789,spi=/dev/none,dc=1
+shown "cannot open /dev/none: No such file or directory; is I2C on? \
+dtparam=i2c_arm=on in config.txt of a Pi, and modprobe i2c-dev" \
+    panel:ssd1306,i2c=/dev/none
+shown "line 1 is of which chip? expected gpiochip0:1" \
+    panel:st7789,spi=/dev/none,dc=1
 shown "panel: '45': expected a rotation, 0, 90, 180 or 270" \
     panel:st7789,spi=/dev/none,dc=1,rotation=45
 FRAMEBUFFER=nonsense
@@ -78,6 +81,6 @@ program() { # TEXT THAT IT SAYS, NAME
     refused "$1" "$folder/$2"
 }
 program "/dev/null is no framebuffer device" hello
-program "cannot open /dev/spidev0.0" panel
+program "no GPIO chip has a line 'GPIO25'" panel
 
 [ $failures = 0 ] && echo "messages: all said as they should be"
