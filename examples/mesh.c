@@ -1,9 +1,9 @@
 /* A vase of 220 triangles, lit and textured, on a panel of 240 x 320 pixels, in
- * 8 KB of RAM with the stack: two lines at a time. */
+ * 8 KB of RAM with the stack: a line at a time. */
 #include "ppm.h"
 #include "vase_small.h"
 
-enum { WIDTH = 240, HEIGHT = 320, LINES = 2, VERTICES = 143, TRIANGLES = 220 };
+enum { WIDTH = 240, HEIGHT = 320, LINES = 1, VERTICES = 143, TRIANGLES = 220 };
 
 static uint16_t band[WIDTH * LINES];
 static uint64_t scratch[PEL_SCENE_SCRATCH_SIZE(VERTICES, TRIANGLES, 1) / 8];

@@ -137,7 +137,7 @@ static const struct pel_paint *facet_paint(
             position[k] += corner[k];
     }
     for (int k = 0; k < 3; k++)
-        position[k] /= 3;
+        position[k] = pel_scaled(position[k], 715827883, 31); /* a third */
     pel_mesh_facet(mesh, vertex, facet);
     pel_normalize(facet, normal);
     pel_mesh_lights_sum(&frame->lights, position, normal, &sum);
