@@ -285,7 +285,6 @@ static void test_sources_surface(void)
     static const struct pel_rect b = {0, 0, 40, 3};
     struct pel_format own = pel_rgb332;
     struct pel_dither d;
-    own = pel_rgb565_le;
     own.id = 200;
     assert_int_equal(pel_dither_init(&d, &source), PEL_OK);
     canvas_open(&canvas, &pel_rgb332, &b, 0);
@@ -330,11 +329,8 @@ static void test_every_depth(void)
     static const struct pel_rect b = {0, 0, 20, 8};
     uint16_t pixels[8][20];
     struct pel_surface s;
-    own = pel_rgb565_le;
-    own.id = 200;
-    own.pack = own_pack;
-    own.put = own_put;
-    own.channels = NULL;
+    own = (struct pel_format){
+        .id = 200, .bits = 16, .word = 2, .pack = own_pack, .put = own_put};
     assert_int_equal(pel_surface_init(&s, &own, pixels, sizeof pixels, &b),
                      PEL_OK);
     for (uint32_t bits = 1; bits <= 7; bits++)
