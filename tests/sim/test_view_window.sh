@@ -11,7 +11,9 @@ for tool in Xvfb xdotool; do
     }
 done
 PEL=$(realpath "$PEL")
-Xvfb -displayfd 3 -screen 0 1024x768x24 3>"$work/display" 2>"$work/xvfb" &
+# Without -noreset the server starts anew whenever a program ends, and the next one
+# may find none.
+Xvfb -noreset -displayfd 3 -screen 0 1024x768x24 3>"$work/display" 2>"$work/xvfb" &
 server=$!
 trap 'status=$?; kill $server 2>/dev/null; wait $server 2>/dev/null
     [ ! -e "$work/failed" ] || status=1; rm -rf "$work"; exit $status' EXIT
@@ -45,6 +47,12 @@ picture() { # what follows a key w
     until_true grep -q "written: view-0*$written\\." "$work/err"
 }
 
+# The program is gone before the key is up, which the server would remember.
+quit() {
+    xdotool key --window "$window" q 2>/dev/null
+    xdotool keyup q
+}
+
 start figures --size 320x240 --record record
 xdotool mousemove --window "$window" 160 120
 sleep 0.3
@@ -70,7 +78,7 @@ picture
 xdotool key --window "$window" h 0 Left
 xdotool click 4 click 4 click 5 click 5 click 5
 picture
-xdotool key --window "$window" q 2>/dev/null
+quit
 wait $program || fail "status $? after q"
 last=$(tail -n 1 "$work/record" | cut -d ' ' -f 1)
 "$PEL" view figures --size 320x240 --headless --frames $((last + 1)) \
@@ -93,7 +101,7 @@ xdotool mousemove_relative --sync 40 10 mouseup 1
 picture
 xdotool key --window "$window" Right Up plus
 picture
-xdotool key --window "$window" q 2>/dev/null
+quit
 wait $program || fail "status $? after q"
 for picture in "$work"/view-*; do
     cksum <"$picture" >>"$work/sums"
@@ -102,20 +110,21 @@ done
 
 # A script, whose shapes can be picked too; and the window is closed.
 start "$(realpath sim/scenes/shapes.pel)" --size 480x320
-xdotool mousemove --window "$window" 70 30 click 1
-sleep 0.3
+xdotool mousemove --window "$window" 70 30
 written=0
 rm -f "$work"/view-00*
 picture
+xdotool click 1
+sleep 0.2
+picture
 "$PEL" run sim/scenes/shapes.pel -o "$work/plain.ppm"
-"$PEL" compare "$work/plain.ppm" "$(ls "$work"/view-001.*)" >/dev/null &&
+"$PEL" compare "$work/plain.ppm" "$(ls "$work"/view-002.*)" >/dev/null &&
     fail "nothing was picked"
 kill -TERM $program
 wait $program
 for kind in figures builtin:vase; do
     start $kind
-    xdotool windowquit "$window" 2>/dev/null ||
-        xdotool key --window "$window" q 2>/dev/null
+    xdotool windowquit "$window" 2>/dev/null || quit
     for i in $(seq 100); do
         kill -0 $program 2>/dev/null || break
         sleep 0.1
