@@ -32,7 +32,7 @@ export DISPLAY
 unset SDL_VIDEODRIVER
 
 found() {
-    window=$(xdotool search --pid $program --name 'pel view' | head -n 1)
+    window=$(xdotool search --onlyvisible --pid $program --name 'pel view')
     [ -n "$window" ]
 }
 start() { # ARGUMENT...
