@@ -127,17 +127,16 @@ static const struct pel_paint *facet_paint(
     const struct pel_mesh *mesh = frame->scene->mesh;
     const uint32_t *vertex = frame->work->triangle.vertex;
     struct pel_light_sum sum;
-    int32_t position[3] = {0, 0, 0}, corner[3];
+    int32_t position[3], corner[3][3];
     pel_cosine normal[3];
     int64_t facet[3];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         pel_mesh_lights_position(&frame->lights, mesh->positions[vertex[i]],
-                                 corner);
-        for (int k = 0; k < 3; k++)
-            position[k] += corner[k];
-    }
-    for (int k = 0; k < 3; k++)
-        position[k] = pel_scaled(position[k], 715827883, 31); /* a third */
+                                 corner[i]);
+    PEL_UNROLL
+    for (int k = 0; k < 3; k++) /* a third of the sum */
+        position[k] = pel_scaled(corner[0][k] + corner[1][k] + corner[2][k],
+                                 715827883, 31);
     pel_mesh_facet(mesh, vertex, facet);
     pel_normalize(facet, normal);
     pel_mesh_lights_sum(&frame->lights, position, normal, &sum);
