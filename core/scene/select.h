@@ -18,10 +18,18 @@ enum pel_method {
     PEL_METHODS
 };
 
-/* pel_shade_phong to scene->tolerance: exact where that is 0. */
+/* pel_shade_phong to scene->tolerance: exact where that is 0. Lights that can
+ * add no more to any surface than a quarter of the tolerance, all together, are
+ * left out of the frame. */
 extern const struct pel_shading pel_shade_chosen;
 
-/* pel_map_perspective to scene->texel_tolerance: affine, or divided every 64,
+/* Its `start`. */
+enum pel_status pel_frame_start_chosen(struct pel_frame *frame);
+
+/* Nearest texels instead of bilinear ones where texture->contrast
+ * (texture_contrast.h), times the light, is within scene->tolerance, or half of
+ * it with light; pel_shade_chosen keeps to the rest. And
+ * pel_map_perspective to scene->texel_tolerance: affine, or divided every 64,
  * 32 ... 2 pixels, or at every one. With r the ratio of the largest distance to
  * the smallest and u the texels,
  *
