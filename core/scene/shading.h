@@ -234,9 +234,9 @@ struct pel_mesh_texture {
     uint8_t contrast; /* for pel_map_chosen: pel_texels_contrast; 0: unknown */
 };
 
-/* Sets texels, wrap, alpha and contrast to those of an asset's texture, whose pixels are
- * of that format; mapping, sampler and span stay. The surface is the caller's,
- * and lives as long as the texture. PEL_ERROR_NULL, errors of
+/* Sets texels, wrap, alpha and contrast to those of an asset's texture, whose
+ * pixels are of that format; mapping, sampler and span stay. The surface is the
+ * caller's, and lives as long as the texture. PEL_ERROR_NULL, errors of
  * pel_image_asset_surface. */
 enum pel_status pel_mesh_texture_of_image(struct pel_mesh_texture *texture,
                                           struct pel_surface *surface,
