@@ -20,8 +20,9 @@ static uint32_t ratio(uint64_t a, uint64_t b)
     struct pel_root root;
     int shift;
     const uint32_t inverse = pel_inverse_root(b, &shift);
-    pel_square_root(a, &root);
-    const uint64_t q = pel_multiply(root.root + 1, inverse) >> (46 - shift);
+    pel_root_guess(a, &root); /* off by 2^-22 of it, rounded down */
+    const uint32_t above = root.root + (root.root >> 21) + 2;
+    const uint64_t q = pel_multiply(above, inverse) >> (46 - shift);
     return q < RATIO_MAX - 2 ? (uint32_t)q + 2 : RATIO_MAX;
 }
 
