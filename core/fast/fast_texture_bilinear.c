@@ -136,7 +136,7 @@ bool pel_texture_bilinear_run(const struct pel_texture *p,
                               const struct pel_texture_axes *a, int32_t n,
                               pel_color *out)
 {
-    if (!is_fit(p) || !pel_texture_axes_inside(a, p, n, 1))
+    if (!is_fit(p))
         return false;
     const struct pel_texture_steps s =
         pel_texture_steps_make(p, bytes_of(p), 1, false);
