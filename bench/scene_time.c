@@ -13,7 +13,7 @@
 enum { TEXELS = 256, TIMES_MAX = 41, THREADS_MAX = 64 };
 
 /* A picture takes this long at most before it is timed less often. */
-static const double enough_ns = 1e8;
+static const double enough_ns = 5e7;
 
 static uint64_t counted;
 
@@ -254,18 +254,18 @@ static double time_peer(void *peer)
     return timing_now() - from;
 }
 
-static double peer_time(const struct pel_scene *scene)
+static struct quartiles peer_time(const struct pel_scene *scene)
 {
     void *peer = scene_osmesa_open(scene);
-    const double ns = time_of(time_peer, peer).median;
+    const struct quartiles ns = time_of(time_peer, peer);
     scene_osmesa_close(peer);
     return ns;
 }
 #else
-static double peer_time(const struct pel_scene *scene)
+static struct quartiles peer_time(const struct pel_scene *scene)
 {
     (void)scene;
-    return 0;
+    return (struct quartiles){0, 0, 0};
 }
 #endif
 
@@ -277,6 +277,8 @@ void bench_scene_time(struct scene_result *out, const struct bench_mesh *m,
     open_stage(&s, m, mode, cut->side);
     out->pixels = pixels_of(&s);
     out->ns = time_of(time_job, &(struct picture_job){&s, cut});
-    out->peer_ns = mode->depth_bits == 32 ? peer_time(&s.scene) : 0;
+    out->peer_ns = (struct quartiles){0, 0, 0};
+    if (mode->depth_bits == 32)
+        out->peer_ns = peer_time(&s.scene);
     close_stage(&s);
 }

@@ -120,7 +120,7 @@ static void put_shares(struct atlas *a, struct stage *s, double tolerance)
  * turns with it. */
 static void put_cost(struct atlas *a, struct stage *s, double tolerance)
 {
-    enum { REPEATS = 15 };
+    enum { REPEATS = 5 };
     double share[REPEATS];
     for (int i = 0; i < REPEATS; i++) {
         s->scene.shading = &pel_shade_phong;
@@ -136,22 +136,32 @@ static void put_cost(struct atlas *a, struct stage *s, double tolerance)
     atlas_put(a, f);
 }
 
+static const double tolerances[] = {0, .5, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
+enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
+
+void atlas_tolerance_time(struct atlas *a)
+{
+    static struct stage s;
+    set_scene(&s);
+    for (int i = 0; i < TOLERANCES; i++) {
+        s.scene.tolerance = (int32_t)(256 * tolerances[i]);
+        put_cost(a, &s, tolerances[i]);
+    }
+}
+
 void atlas_tolerance(struct atlas *a)
 {
-    static const double tolerances[] = {0, .5, 1,  2,  3,  4,
-                                        6, 8,  12, 16, 24, 32};
     static struct stage s;
     set_scene(&s);
     s.scene.shading = &pel_shade_phong;
     draw(&s);
     memcpy(s.exact, s.pixels, sizeof s.exact);
-    for (size_t i = 0; i < sizeof tolerances / sizeof *tolerances; i++) {
+    for (int i = 0; i < TOLERANCES; i++) {
         s.scene.tolerance = (int32_t)(256 * tolerances[i]);
         put_shares(a, &s, tolerances[i]);
         atlas_put_bound(a,
                         figure_of("chosen", tolerances[i], "error_max",
                                   error_of(&s), "step"),
                         ceil(tolerances[i]));
-        put_cost(a, &s, tolerances[i]);
     }
 }
