@@ -128,7 +128,7 @@ static double slack_of_pel(int span)
 static struct worst measure(struct random *r, double ratio, int span, int n,
                             bool is_pel)
 {
-    struct worst w = {0, 0, false};
+    struct worst w = {-1, 0, false};
     for (; n > 0; n--) {
         const struct lane l = any_lane(r, ratio);
         const double error =
