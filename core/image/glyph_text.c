@@ -92,8 +92,8 @@ void pel_glyph(const struct pel_surface *surface,
     struct part p;
     p.rows = (struct pel_spans){surface, p.span, r.y0, 0, 1};
     for (; p.rows.y < r.y1; p.rows.y += p.rows.n) {
-        const uint8_t *row = glyph->bits + (ptrdiff_t)(p.rows.y - y) *
-                                               (ptrdiff_t)glyph->stride;
+        const uint8_t *row =
+            glyph->bits + (ptrdiff_t)(p.rows.y - y) * (ptrdiff_t)glyph->stride;
         struct pel_span columns = {r.x0, r.x0};
         p.rows.n = pel_min(r.y1 - p.rows.y, ROWS);
         for (; columns.x0 < r.x1; columns.x0 = columns.x1) {

@@ -11,8 +11,8 @@ static int unit_bits(const struct pel_lighting *lighting)
 
 enum { UNITS = 31 };
 
-/* At least the root of v, by less than 2^-20 of it and two more: a guess that is
- * less than 2^10 2^-shift off. */
+/* At least the root of v, by less than 2^-20 of it and two more: a guess that
+ * is less than 2^10 2^-shift off. */
 static uint32_t root_above(uint64_t v)
 {
     struct pel_root root;
