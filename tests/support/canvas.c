@@ -200,3 +200,18 @@ void canvas_check_drawn(const struct canvas *c, const struct hits *shape,
         }
     canvas_check(c);
 }
+
+int32_t canvas_difference(const struct canvas *a, const struct canvas *b)
+{
+    const struct pel_rect *r = &a->surface.bounds;
+    int32_t most = 0;
+    for (int32_t y = r->y0; y < r->y1; y++)
+        for (int32_t x = r->x0; x < r->x1; x++)
+            for (int k = 0; k < 24; k += 8) {
+                const int32_t off =
+                    (int32_t)(canvas_pixel(a, x, y) >> k & 255) -
+                    (int32_t)(canvas_pixel(b, x, y) >> k & 255);
+                most = pel_max(most, pel_magnitude(off));
+            }
+    return most;
+}
