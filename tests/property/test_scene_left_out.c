@@ -63,6 +63,8 @@ static void test_nearest_texels(void)
         any_scene_light(&c.random, &s);
         any_scene_noise(&c.random, &s, random_between(&c.random, 2, 5));
         any_scene_smooth(&c.random, &s);
+        s.lighting.diffuse = random_between(&c.random, 0, 4 * 65536);
+        s.lighting.ambient = random_between(&c.random, 0, 4 * 65536);
         s.scene.tolerance = random_between(&c.random, 0, 32 * 256);
         check(shadings[i], shadings[i], &pel_map_chosen, &tight);
     }

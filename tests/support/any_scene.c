@@ -181,7 +181,8 @@ void any_scene_noise(struct random *r, struct any_scene *s, int bits)
 void any_scene_smooth(struct random *r, struct any_scene *s)
 {
     static pel_color smooth[32 * 32];
-    const pel_color own = random_word(r) & UINT32_C(0xFFF0F0F0);
+    const pel_color own =
+        random_word(r) & random_word(r) & UINT32_C(0xFFF0F0F0);
     const pel_color noise =
         UINT32_C(0x0F0F0F) >> random_between(r, 0, 3) & UINT32_C(0x0F0F0F);
     for (int i = 0; i < 32 * 32; i++)
