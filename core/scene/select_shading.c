@@ -147,6 +147,10 @@ static const struct pel_paint *try_vertices(
     return vertex_paint(frame, surface, lit, bound, tolerance - bound);
 }
 
+/* Twice the area, 1/65,536 px, of two pixels: these take less than their bound
+ * does. */
+enum { FEW_PIXELS = 2 * 2 * 65536 };
+
 static const struct pel_paint *chosen_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface)
 {
@@ -161,7 +165,7 @@ static const struct pel_paint *chosen_paint(
         lit[i] = (lit[i] & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
         own[i] = pel_frame_surface(frame, frame->work->triangle.vertex[i]);
     }
-    if (tolerance < QUICK_ERROR ||
+    if (tolerance < QUICK_ERROR || pel_frame_setup(frame)->area < FEW_PIXELS ||
         !pel_light_bound(frame, notes, own, &corners, &bounds))
         return exact_paint(frame, surface, own);
     const struct pel_paint *paint = try_vertices(frame, surface, lit, &bounds);

@@ -129,7 +129,8 @@ pel_color pel_frame_color(const struct pel_frame *frame, uint32_t vertex);
 /* The colors of the triangle's vertices. */
 void pel_frame_colors(const struct pel_frame *frame, pel_color color[3]);
 
-/* True when the box around three corners overlaps the rectangle. */
+/* True when the box around three corners holds the centre of a pixel of the
+ * rectangle: no other triangle covers any. */
 bool pel_box_meets(const struct pel_point at[3], const struct pel_rect *rect);
 
 /* Sets corner i of that triangle to one that clipping left. A vertex that is on
