@@ -110,14 +110,13 @@ static void set_light(const struct pel_lighting *l)
 }
 
 /* Light at every pixel, as in core/scene/light.h. */
-static const char vertex_shader[] =
-    "varying vec3 at, n;\n"
-    "void main() {\n"
-    "    at = gl_Vertex.xyz;\n"
-    "    n = gl_Normal;\n"
-    "    gl_FrontColor = gl_Color;\n"
-    "    gl_Position = ftransform();\n"
-    "}\n";
+static const char vertex_shader[] = "varying vec3 at, n;\n"
+                                    "void main() {\n"
+                                    "    at = gl_Vertex.xyz;\n"
+                                    "    n = gl_Normal;\n"
+                                    "    gl_FrontColor = gl_Color;\n"
+                                    "    gl_Position = ftransform();\n"
+                                    "}\n";
 static const char pixel_shader[] =
     "varying vec3 at, n;\n"
     "uniform vec3 eye, light;\n"

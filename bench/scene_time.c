@@ -13,7 +13,7 @@
 enum { TEXELS = 256, TIMES_MAX = 41, THREADS_MAX = 64 };
 
 /* A picture takes this long at most before it is timed less often. */
-static const double enough_ns = 1e8;
+static const double enough_ns = 5e7;
 
 static uint64_t counted;
 
@@ -290,10 +290,9 @@ static void time_both(struct scene_result *out, struct timed all[2],
     all[1] = (struct timed){.one = time_peer, .data = peer};
     const int n = time_in_turns(all, 2);
     out->ns = timing_quartiles(all[0].times, n);
-    out->peer_ns = timing_quartiles(all[1].times, n).median;
-    out->difference =
-        difference(s->pixels, scene_osmesa_pixels(peer),
-                   s->scene.viewport.x1 * s->scene.viewport.y1);
+    out->peer_ns = timing_quartiles(all[1].times, n);
+    out->difference = difference(s->pixels, scene_osmesa_pixels(peer),
+                                 s->scene.viewport.x1 * s->scene.viewport.y1);
     scene_osmesa_close(peer);
 }
 #endif
@@ -311,7 +310,7 @@ void bench_scene_time(struct scene_result *out, const struct bench_mesh *m,
     if (mode->depth_bits == 32)
         time_both(out, all, &s);
 #endif
-    if (out->peer_ns == 0)
+    if (out->peer_ns.median == 0)
         out->ns = timing_quartiles(all[0].times, time_in_turns(all, 1));
     close_stage(&s);
 }

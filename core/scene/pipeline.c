@@ -168,6 +168,8 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
     frame->filter = NULL;
     frame->pass = PEL_PASS_ALL;
     frame->translucent = false;
+    frame->tolerance = scene->tolerance;
+    frame->lights.lighting = NULL;
     frame->work = scratch;
     frame->lights.light = (void *)((uint8_t *)scratch + WORK_SIZE);
     frame->vertex = (void *)((uint8_t *)scratch + part.vertices);

@@ -11,8 +11,8 @@ static int unit_bits(const struct pel_lighting *lighting)
 
 enum { UNITS = 31 };
 
-/* At least the root of v, by less than 2^-20 of it and two more: a guess that is
- * less than 2^10 2^-shift off. */
+/* At least the root of v, by less than 2^-20 of it and two more: a guess that
+ * is less than 2^10 2^-shift off. */
 static uint32_t root_above(uint64_t v)
 {
     struct pel_root root;
@@ -43,7 +43,7 @@ pel_color pel_light_note(const struct pel_frame *frame, uint32_t vertex,
     pel_mesh_lights_position(lights, mesh->positions[vertex], position);
     pel_mesh_normal(mesh, vertex, normal);
     if (pel_light_start(lights, position, normal, towards, &sum)) {
-        for (int32_t i = 0; i < lights->lighting->lights; i++) {
+        for (int32_t i = 0; i < lights->count; i++) {
             const struct pel_mesh_light *light = &lights->light[i];
             pel_light_towards(light, position, towards);
             pel_light_add(lights, light, towards, &sum);
@@ -164,7 +164,7 @@ static bool turns_of(const struct pel_mesh_lights *lights,
     if (!turn_of_normals(corners, turns) ||
         !turn_to(lights->eye, corners->position, edge, &turns->eye))
         return false;
-    for (int32_t i = 0; i < lights->lighting->lights; i++)
+    for (int32_t i = 0; i < lights->count; i++)
         if (!lights->light[i].directional &&
             !turn_to(lights->light[i].at, corners->position, edge,
                      &turns->light))
@@ -196,7 +196,7 @@ static bool turn_to_eye(const struct pel_mesh_lights *lights,
 static uint32_t strength(const struct pel_mesh_lights *lights, bool specular)
 {
     uint32_t sum = 0;
-    for (int32_t i = 0; i < lights->lighting->lights; i++) {
+    for (int32_t i = 0; i < lights->count; i++) {
         const pel_factor *f =
             specular ? lights->light[i].specular : lights->light[i].diffuse;
         sum += (uint32_t)pel_max(pel_max(f[0], f[1]), f[2]);

@@ -48,8 +48,8 @@ PEL_WIDE int64_t pel_scale_down(int64_t v, int n)
     return ((v >> (n - 1)) + 1) >> 1;
 }
 
-/* Of a product, |v| <= 2^62: half a step more, and no branch, where 64 bits cost
- * nothing. */
+/* Of a product, |v| <= 2^62: half a step more, and no branch, where 64 bits
+ * cost nothing. */
 static inline int32_t pel_scaled_product(int64_t v, int n)
 {
     return PEL_CAST(int32_t, PEL_64BIT ? (v + (INT64_C(1) << n >> 1)) >> n
