@@ -2,6 +2,7 @@
 
 const struct atlas_case atlas_cases[] = {
     {"damage", atlas_damage},
+    {"damage-time", atlas_damage_time},
     {"thinness", atlas_thinness},
     {"snapping", atlas_snapping},
     {"overflow", atlas_overflow},
@@ -26,5 +27,6 @@ const struct atlas_case atlas_cases[] = {
     {"sampling", atlas_sampling},
     {"gamma", atlas_gamma},
     {"tolerance", atlas_tolerance},
+    {"tolerance-time", atlas_tolerance_time},
     {NULL, NULL},
 };

@@ -5,6 +5,7 @@
 #include "atlas.h"
 
 void atlas_damage(struct atlas *a); /* case_damage.c */
+void atlas_damage_time(struct atlas *a);
 
 void atlas_thinness(struct atlas *a); /* case_regimes.c */
 void atlas_snapping(struct atlas *a);
@@ -36,6 +37,8 @@ void atlas_map_circle(struct atlas *a);
 void atlas_references(struct atlas *a); /* case_references.c */
 void atlas_limits(struct atlas *a);     /* case_limits.c */
 void atlas_sampling(struct atlas *a);   /* case_sampling.c */
-void atlas_tolerance(struct atlas *a);  /* case_tolerance.c */
+
+void atlas_tolerance(struct atlas *a); /* case_tolerance.c */
+void atlas_tolerance_time(struct atlas *a);
 
 #endif

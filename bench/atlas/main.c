@@ -69,7 +69,8 @@ static void print_wrong(const struct atlas *a)
         return;
     }
     printf("# The smallest triangle of %s that is drawn wrong by %s,\n"
-           "# %d %d px from here; its first wrong pixel is %d %d.\n",
+           "# %d %d px from here; its first wrong pixel is %d %d.\n"
+           "# pel explain --all tells why Pel paints that one or does not.\n",
            a->name, a->smallest, (int)left, (int)top, (int)(a->wrong.x - left),
            (int)(a->wrong.y - top));
     printf("canvas %d %d xrgb8888\nclear #000000\npaint flat #ffffff\ntriangle",
@@ -89,8 +90,9 @@ static int run(struct atlas *a)
         c->run(a);
         if (a->smallest && !a->judged) {
             fprintf(stderr,
-                    "pel-atlas: %s draws no triangle in %s; the second column "
-                    "of damage and thinness names the methods that do\n",
+                    "pel-atlas: %s draws no triangle in %s; damage, thinness, "
+                    "overflow and map-sliver have triangles, and name the "
+                    "methods in the second column\n",
                     a->smallest, a->name);
             return 2;
         }
