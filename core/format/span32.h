@@ -28,7 +28,7 @@ static inline void pel_span32_short(pel_word32 *p, int32_t n, uint32_t v)
  * at most 4 px after p. A block begins before `tail`, so it ends inside the
  * span. */
 static PEL_ALWAYS_INLINE void pel_span32_long(pel_word32 *p, int32_t n,
-                                              pel_value32 v)
+                                              pel_value32 v, uintptr_t ahead)
 {
     pel_word32 *tail = p + n - 16;
     pel_put_u32x4(tail, v);
@@ -40,6 +40,7 @@ static PEL_ALWAYS_INLINE void pel_span32_long(pel_word32 *p, int32_t n,
     }
     p = (pel_word32 *)(((uintptr_t)p + 16) & ~(uintptr_t)15);
     do {
+        pel_prefetch((uintptr_t)p + ahead);
         pel_put_u32x4(p, v);
         pel_put_u32x4(p + 4, v);
         pel_put_u32x4(p + 8, v);
@@ -48,8 +49,11 @@ static PEL_ALWAYS_INLINE void pel_span32_long(pel_word32 *p, int32_t n,
     } while (p < tail);
 }
 
+/* `ahead`: bytes to the span of a row below, of which cache lines are asked
+ * for: stores retire in order, so each miss would wait for the one before it.
+ */
 static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
-                                         pel_value32 v)
+                                         pel_value32 v, uintptr_t ahead)
 {
     if (n < 4) {
         pel_span32_short(p, n, v[0]);
@@ -60,7 +64,7 @@ static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
     if (n > 8) {
         pel_put_u32x4(p + 4, v);
         if (n > 16)
-            pel_span32_long(p, n, v);
+            pel_span32_long(p, n, v, ahead);
         pel_put_u32x4(end - 4, v);
     }
     pel_put_u32x4(end, v);
@@ -103,8 +107,10 @@ static inline pel_word32 *pel_put_blocks(pel_word32 *q, int32_t blocks,
 }
 #endif
 
-static inline void pel_span32(pel_word32 *p, int32_t n, pel_value32 v)
+static inline void pel_span32(pel_word32 *p, int32_t n, pel_value32 v,
+                              uintptr_t ahead)
 {
+    (void)ahead;
     if (n <= 0)
         return;
     if (n >= 4)

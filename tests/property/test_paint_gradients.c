@@ -216,8 +216,11 @@ static void any_gradient(struct random *r, struct gradient *g,
     g->kind = (enum kind)(random_word(r) % KINDS);
     g->at = any_point(r, b);
     g->to = any_point(r, b);
-    if (random_word(r) % 4 == 0)
+    const uint32_t slope = random_word(r) % 4;
+    if (slope == 0)
         g->to.x = g->at.x; /* level */
+    else if (slope == 1)
+        g->to.y = g->at.y; /* upright */
     g->phase = (uint16_t)(random_word(r) << random_between(r, 0, 15));
     g->radius = pel_min(any_size(r), PEL_PX(32767));
     any_ramp(r, &g->ramp);
