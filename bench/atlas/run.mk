@@ -1,6 +1,7 @@
 # `make atlas`: the figures of speed, accuracy and size as CSV, and a page of
 # charts. It goes on where it was stopped; SHARD=2/8 runs the second of eight
 # parts, whose CSVs are then copied together, and `make atlas` there draws all.
+# ACCEPT=1 writes the places that it found into docs/ATLAS.md.
 ATLAS_OUT := $(BUILD)/atlas$(if $(QUICK),-quick)
 ATLAS_PROGRAMS := $(addprefix $(BENCH)/pel-,atlas bench bench-scene matrix count) \
     $(BENCH)/atlas/damage-mcu.csv
@@ -15,9 +16,9 @@ $(BENCH)/pel-matrix: $(ATLAS_MATRIX:%.c=$(BENCH)/host/%.o) $(BUILD)/libpel.a
 .PHONY: atlas check-atlas need-atlas
 need-atlas:
 	@tests/tools/need.sh gnuplot:gnuplot-nox valgrind:valgrind
-atlas: $(ATLAS_PROGRAMS) | need-atlas ## charts of speed and accuracy: build/atlas/index.html; QUICK=1, SHARD=I/N
+atlas: $(ATLAS_PROGRAMS) | need-atlas ## charts of speed and accuracy: build/atlas/index.html; QUICK=1, SHARD=I/N, ACCEPT=1
 	QUICK=$(QUICK) SHARD=$(SHARD) bench/atlas/run.sh $(BUILD) $(ATLAS_OUT)
-	$(if $(SHARD),,bench/atlas/page.sh $(ATLAS_OUT))
+	$(if $(SHARD),,bench/atlas/page.sh $(ATLAS_OUT) $(if $(QUICK),,$(ACCEPT)))
 
 # The page of a quick run, measured anew, in a browser.
 CHECK_EXTRA += check-atlas
