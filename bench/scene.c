@@ -35,6 +35,11 @@ static const struct scene_mode modes[] = {
     {.name = "gouraud z32",
      .shading = &pel_shade_lit_gouraud,
      .depth_bits = 32},
+    {.name = "phong z32", .shading = &pel_shade_phong, .depth_bits = 32},
+    {.name = "phong to 2 steps z32",
+     .shading = &pel_shade_chosen,
+     .depth_bits = 32,
+     .steps = 2},
 };
 
 enum { MODES = sizeof modes / sizeof *modes, SIDE = 1024 };
@@ -77,8 +82,10 @@ static void row(const char *part, const struct bench_mesh *m,
            r.ns.median / 1e6, n / r.ns.median * 1e3,
            r.pixels > 0 ? r.ns.median / r.pixels : 0);
     if (r.peer_ns.median > 0)
-        printf("  OSMesa %.3f ms, %.2f times", r.peer_ns.median / 1e6,
-               r.peer_ns.median / r.ns.median);
+        printf("  OSMesa %.3f ms, %.2f times; differs by %.2f of 255, %d at"
+               " most, and %d px",
+               r.peer_ns.median / 1e6, r.peer_ns.median / r.ns.median,
+               r.difference.mean, r.difference.most, r.difference.pixels);
     putchar('\n');
     fflush(stdout);
     fprintf(csv, "%s,%s,%.0f,%s,%d,%d,%d,%.0f,%.0f,%.0f,%.0f,%.0f,%.0f,%.0f\n",

@@ -102,7 +102,7 @@ static void open_stage(struct stage *s, const struct bench_mesh *m,
     const size_t depths = pel_depth_size(&all, mode->depth_bits);
     s->texels = noise();
     set_scene(s, m, mode, side);
-    s->pixels = memory(4 * (size_t)side * (size_t)side);
+    s->pixels = method_allocate(side * side, 4);
     s->depths = memory(depths + 1);
     s->depth_bits = mode->depth_bits;
     s->scratch_size = pel_scene_scratch_size(&s->scene);
@@ -254,18 +254,38 @@ static double time_peer(void *peer)
     return timing_now() - from;
 }
 
-static struct quartiles peer_time(const struct pel_scene *scene)
+static struct scene_difference difference(const uint32_t *a, const uint32_t *b,
+                                          int32_t n)
 {
-    void *peer = scene_osmesa_open(scene);
-    const struct quartiles ns = time_of(time_peer, peer);
+    struct scene_difference d = {0, 0, 0};
+    int32_t channels = 0;
+    for (int32_t i = 0; i < n; i++) {
+        d.pixels += a[i] >> 24 != b[i] >> 24;
+        for (int k = 0; k < 24 && a[i] >> 24 && b[i] >> 24; k += 8) {
+            const int32_t by =
+                abs((int)(a[i] >> k & 255) - (int)(b[i] >> k & 255));
+            d.most = pel_max(d.most, by);
+            d.mean += by;
+            channels++;
+        }
+    }
+    d.mean /= pel_max(channels, 1);
+    return d;
+}
+
+static void time_osmesa(struct scene_result *out, const struct stage *s)
+{
+    void *peer = scene_osmesa_open(&s->scene);
+    out->peer_ns = time_of(time_peer, peer);
+    out->difference = difference(s->pixels, scene_osmesa_pixels(peer),
+                                 s->scene.viewport.x1 * s->scene.viewport.y1);
     scene_osmesa_close(peer);
-    return ns;
 }
 #else
-static struct quartiles peer_time(const struct pel_scene *scene)
+static void time_osmesa(struct scene_result *out, const struct stage *s)
 {
-    (void)scene;
-    return (struct quartiles){0, 0, 0};
+    (void)out;
+    (void)s;
 }
 #endif
 
@@ -279,6 +299,6 @@ void bench_scene_time(struct scene_result *out, const struct bench_mesh *m,
     out->ns = time_of(time_job, &(struct picture_job){&s, cut});
     out->peer_ns = (struct quartiles){0, 0, 0};
     if (mode->depth_bits == 32)
-        out->peer_ns = peer_time(&s.scene);
+        time_osmesa(out, &s);
     close_stage(&s);
 }

@@ -1,33 +1,74 @@
 #include "glyph_text.h"
 
-#include "../raster/collect.h"
+#include "../base/inline.h"
 
-/* The first of the bits i..end - 1 that differs from those of `same`, 0 or
- * 0xFF; end when none does. */
-static int32_t find(const uint8_t *row, int32_t i, int32_t end, uint32_t same)
+/* Rows that are handed to a paint at a time, and their columns, which fit a
+ * word with the up to 7 bits of a byte before them. */
+enum { ROWS = PEL_BATCH_ROWS < 16 ? PEL_BATCH_ROWS : 16, COLUMNS = 24 };
+
+/* A part of a glyph: of each row the bits right of its span, the first in the
+ * high bit. */
+struct part {
+    struct pel_spans rows;
+    struct pel_span span[ROWS];
+    uint32_t bits[ROWS];
+};
+
+/* Zero bits above the highest one, 31 at most. */
+static inline int32_t zeros(uint32_t v)
 {
-    for (; i < end; i = (i | 7) + 1) {
-        uint32_t bits = (row[i >> 3] ^ same) << (24 + (i & 7));
-        if (bits == 0)
-            continue;
-        for (; (int32_t)bits >= 0; bits <<= 1)
-            i++;
-        break;
-    }
-    return pel_min(i, end);
+    if (PEL_64BIT)
+        return pel_leading_zeros(v | 1) - 32;
+    if (v == 0)
+        return 31;
+    int32_t n = 0;
+    for (; (int32_t)v >= 0; v <<= 1)
+        n++;
+    return n;
 }
 
-/* The columns [left, right) of a row whose column 0 is pixel x. */
-static void collect_row(struct pel_collector *c, const uint8_t *row, int32_t x,
-                        int32_t y, const struct pel_span *visible)
+/* The bits of columns [x0, x1), up to COLUMNS of them. */
+static uint32_t bits_at(const uint8_t *row, int32_t x0, int32_t x1)
 {
-    int32_t end = visible->x1 - x;
-    int32_t i = find(row, visible->x0 - x, end, 0);
-    while (i < end) {
-        int32_t start = i;
-        i = find(row, i, end, 0xFF);
-        pel_collect(c, y, x + start, x + i);
-        i = find(row, i, end, 0);
+    uint32_t bits = 0;
+    int shift = 24;
+    for (int32_t i = x0 >> 3; 8 * i < x1; i++, shift -= 8)
+        bits |= (uint32_t)row[i] << shift;
+    return bits << (x0 & 7) & ~(UINT32_MAX >> (x1 - x0));
+}
+
+/* Sets the span of each row to its next run of set bits, or empty at `end`, and
+ * returns whether any are left. */
+static bool next_runs(struct part *p, int32_t end)
+{
+    uint32_t left = 0;
+    for (int32_t i = 0; i < p->rows.n; i++) {
+        struct pel_span *span = &p->span[i];
+        int32_t n = zeros(p->bits[i]);
+        const uint32_t bits = p->bits[i] << n;
+        span->x0 = pel_min(span->x1 + n, end);
+        n = zeros(~bits);
+        span->x1 = span->x0 + n;
+        p->bits[i] = bits << n;
+        left |= p->bits[i];
+    }
+    return left != 0;
+}
+
+/* Paints the columns of rows whose first bits, at pixel x, are in `row`. */
+static void fill_part(struct part *p, const uint8_t *row, int32_t stride,
+                      int32_t x, const struct pel_span *columns,
+                      const struct pel_paint *paint)
+{
+    uint32_t left = 0;
+    for (int32_t i = 0; i < p->rows.n; i++, row += stride) {
+        p->span[i].x1 = columns->x0;
+        p->bits[i] = bits_at(row, columns->x0 - x, columns->x1 - x);
+        left |= p->bits[i];
+    }
+    for (bool more = left != 0; more;) {
+        more = next_runs(p, columns->x1);
+        paint->fill(paint, &p->rows);
     }
 }
 
@@ -48,14 +89,18 @@ void pel_glyph(const struct pel_surface *surface,
     r = pel_rect_intersect(&r, &surface->clip);
     if (pel_rect_empty(&r))
         return;
-    const struct pel_span visible = {r.x0, r.x1};
-    const uint8_t *row =
-        glyph->bits + (ptrdiff_t)(r.y0 - y) * (ptrdiff_t)glyph->stride;
-    struct pel_collector c;
-    pel_collect_begin(&c, surface, paint);
-    for (; r.y0 < r.y1; r.y0++, row += glyph->stride)
-        collect_row(&c, row, x, r.y0, &visible);
-    pel_collect_end(&c);
+    struct part p;
+    p.rows = (struct pel_spans){surface, p.span, r.y0, 0, 1};
+    for (; p.rows.y < r.y1; p.rows.y += p.rows.n) {
+        const uint8_t *row =
+            glyph->bits + (ptrdiff_t)(p.rows.y - y) * (ptrdiff_t)glyph->stride;
+        struct pel_span columns = {r.x0, r.x0};
+        p.rows.n = pel_min(r.y1 - p.rows.y, ROWS);
+        for (; columns.x0 < r.x1; columns.x0 = columns.x1) {
+            columns.x1 = pel_min(columns.x0 + COLUMNS, r.x1);
+            fill_part(&p, row, glyph->stride, x, &columns, paint);
+        }
+    }
 }
 
 enum { REPLACEMENT = 0xFFFD };

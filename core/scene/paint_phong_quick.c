@@ -112,7 +112,7 @@ static PEL_INLINE_KINDS void sum_at(const struct pel_phong_quick *p, int32_t x,
     *sum = (struct pel_light_sum){{0, 0, 0}, {0, 0, 0}};
     for (int k = 0; k < channels; k++)
         sum->surface[k] = p->lights->ambient[k];
-    for (int32_t i = 0; i < p->lights->lighting->lights; i++)
+    for (int32_t i = 0; i < p->lights->count; i++)
         add(p, i, &at, channels, sum);
 }
 

@@ -135,37 +135,28 @@ static void check_all(struct picture *p, int32_t clip)
             }
 }
 
-static void test_quarter_pixels(void **state)
+static void test_quarter_pixels(void)
 {
     struct picture p = {{.fill = take_rows}, 0, false};
-    (void)state;
     lattice_open(16, 64);
     check_all(&p, WINDOW / 2);
+#if PEL_FAST_FILLS
+    p.paint.fast = take_fast;
+    check_all(&p, WINDOW / 2);
+#endif
 }
 
-static void test_half_pixels(void **state)
+static void test_half_pixels(void)
 {
     struct picture p = {{.fill = take_rows}, 0, false};
-    (void)state;
     lattice_open(12, 128);
     check_all(&p, WINDOW / 2);
     check_all(&p, 1);
 }
 
-#if PEL_FAST_FILLS
-static void test_quarter_pixels_fast(void **state)
-{
-    struct picture p = {{take_rows, take_fast}, 0, false};
-    (void)state;
-    lattice_open(16, 64);
-    check_all(&p, WINDOW / 2);
-}
-#endif
-
 /* The bits of a lattice's triangles are those of the reference. */
-static void test_half_planes(void **state)
+static void test_half_planes(void)
 {
-    (void)state;
     lattice_open(12, 128);
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         int32_t i[3];
@@ -184,13 +175,5 @@ static void test_half_planes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_half_planes),
-        cmocka_unit_test(test_quarter_pixels),
-        cmocka_unit_test(test_half_pixels),
-#if PEL_FAST_FILLS
-        cmocka_unit_test(test_quarter_pixels_fast),
-#endif
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_half_planes, test_quarter_pixels, test_half_pixels);
 }

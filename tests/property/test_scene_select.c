@@ -1,5 +1,6 @@
 /* Methods that are chosen against the exact ones: no channel of any pixel is
  * off by more than the tolerance, and bounds are not far above what happens. */
+#include "core/paint/texture_contrast.h"
 #include "core/scene/select.h"
 #include "core/scene/select_light.h"
 #include "core/scene/stats.h"
@@ -17,33 +18,6 @@ static bool is_whole_set(void)
     return cases_scaled(100) >= 100;
 }
 
-static void draw(struct any_scene *s, const struct pel_shading *shading,
-                 struct pel_frame *frame, struct canvas *canvas)
-{
-    s->scene.shading = shading;
-    canvas_open(canvas, &pel_xrgb8888, &s->scene.viewport, 0);
-    any_scene_prepare(s, frame);
-    pel_scene_draw(frame, &canvas->surface);
-    canvas_check(canvas);
-}
-
-/* The largest difference in a channel. */
-static int32_t difference(const struct any_scene *s, const struct canvas *a,
-                          const struct canvas *b)
-{
-    const struct pel_rect *r = &s->scene.viewport;
-    int32_t most = 0;
-    for (int32_t y = r->y0; y < r->y1; y++)
-        for (int32_t x = r->x0; x < r->x1; x++)
-            for (int k = 0; k < 24; k += 8) {
-                const int32_t off =
-                    (int32_t)(canvas_pixel(a, x, y) >> k & 255) -
-                    (int32_t)(canvas_pixel(b, x, y) >> k & 255);
-                most = pel_max(most, pel_magnitude(off));
-            }
-    return most;
-}
-
 /* Normals of a triangle differ by about 1 / `of` of their length. */
 static void bend_normals(struct random *r, struct any_scene *s, int32_t of)
 {
@@ -53,6 +27,20 @@ static void bend_normals(struct random *r, struct any_scene *s, int32_t of)
                 (int16_t)(i % 3 ? s->normals[i - i % 3][k] +
                                       random_between(r, -14000, 14000) / of
                                 : random_between(r, -14000, 14000));
+}
+
+/* Texels that differ by a few steps. */
+static void any_smooth(struct random *r, struct any_scene *s)
+{
+    static pel_color smooth[32 * 32];
+    const pel_color own = random_word(r) & UINT32_C(0xFFF0F0F0);
+    const pel_color noise =
+        UINT32_C(0x0F0F0F) >> random_between(r, 0, 3) & UINT32_C(0x0F0F0F);
+    for (int i = 0; i < 32 * 32; i++)
+        smooth[i] = own | (random_word(r) & noise);
+    s->texture.texels.colors = smooth;
+    s->texture.texels.opaque = false;
+    s->texture.contrast = pel_texels_contrast(&s->texture.texels);
 }
 
 /* Lights above white, and what only some scenes have. */
@@ -66,6 +54,10 @@ static void any_dress(struct random *r, struct any_scene *s)
         for (int i = 0; i < ANY_LIGHTS; i++)
             for (int k = 0; k < 3; k++)
                 s->light[i].color[k] = 65536;
+    if (random_word(r) % 3 == 0) /* some that may be left out */
+        for (int i = 0; i < ANY_LIGHTS; i++)
+            for (int k = 0; k < 3; k++)
+                s->light[i].color[k] >>= random_between(r, 0, 16);
     if (random_word(r) % 3 == 0)
         s->lighting.shininess =
             random_word(r) % 2 ? random_between(r, 1, 3) : 256;
@@ -82,8 +74,11 @@ static void any_dress(struct random *r, struct any_scene *s)
     if (random_word(r) % 2)
         s->mesh.colors = NULL;
     s->scene.color = random_word(r);
-    if (random_word(r) % 3 == 0)
+    if (random_word(r) % 3 == 0) {
         any_scene_noise(r, s, random_between(r, 2, 5));
+        if (random_word(r) % 2)
+            any_smooth(r, s);
+    }
     if (s->scene.texture && random_word(r) % 3 == 0)
         s->texture.mapping = &pel_map_vertices;
 }
@@ -93,15 +88,19 @@ static void test_soups(void)
     static struct any_scene s;
     static struct canvas exact, chosen;
     struct pel_frame frame;
-    int32_t worst[5] = {0};
+    int32_t worst[5] = {0}, lights = 0, nearest = 0;
     for (struct cases c = cases_of(400); cases_next(&c);) {
         any_scene(&c.random, &s, SIDE);
         any_dress(&c.random, &s);
-        draw(&s, &pel_shade_phong, &frame, &exact);
+        any_scene_draw(&s, &pel_shade_phong, &frame, &exact);
+        if (s.texture.mapping == &pel_map_perspective)
+            s.texture.mapping = &pel_map_chosen;
         for (int i = 0; i < 5; i++) {
             s.scene.tolerance = tolerances[i] * 256;
-            draw(&s, &pel_shade_chosen, &frame, &chosen);
-            const int32_t off = difference(&s, &exact, &chosen);
+            any_scene_draw(&s, &pel_shade_chosen, &frame, &chosen);
+            lights += s.lighting.lights - frame.lights.count;
+            nearest += frame.room < frame.tolerance;
+            const int32_t off = canvas_difference(&exact, &chosen);
             worst[i] = pel_max(worst[i], off);
             if (off > tolerances[i])
                 fail_msg("off by %d with tolerance %d; %s", off, tolerances[i],
@@ -112,6 +111,7 @@ static void test_soups(void)
                   worst[0], worst[1], worst[2], worst[3], worst[4]);
     for (int i = 0; i < 5 && is_whole_set(); i++)
         assert_true(worst[i] * 2 >= tolerances[i]);
+    assert_true(!is_whole_set() || (lights > 0 && nearest > 0));
 }
 
 static uint64_t covered_by_soup;
@@ -149,15 +149,17 @@ static void test_stats(void)
         any_dress(&c.random, &s);
         s.scene.tolerance = 4 * 256;
         s.scene.stats = &stats;
-        draw(&s, &pel_shade_chosen, &frame, &chosen);
-        draw(&s, &pel_shade_counted, &frame, &counted);
-        assert_int_equal(difference(&s, &chosen, &counted), 0);
+        any_scene_draw(&s, &pel_shade_chosen, &frame, &chosen);
+        const int32_t left_in = frame.lights.count;
+        any_scene_draw(&s, &pel_shade_counted, &frame, &counted);
+        assert_int_equal(canvas_difference(&chosen, &counted), 0);
         covered_by_soup = 0;
-        draw(&s, &counting, &frame, &counted);
+        any_scene_draw(&s, &counting, &frame, &counted);
         for (int i = 0; i < PEL_METHODS; i++)
             pixels += stats.method[i].pixels;
         assert_int_equal(pixels, covered_by_soup);
         assert_true(stats.bound <= 4 * 256);
+        assert_int_equal(stats.lights_left_out, s.lighting.lights - left_in);
     }
 }
 
@@ -177,12 +179,12 @@ static void test_places_in_textures(void)
         s.texture.texels.colors = ramp;
         s.texture.wrap_u = s.texture.wrap_v = PEL_WRAP_CLAMP;
         s.texture.mapping = &pel_map_perspective;
-        draw(&s, &pel_shade_gouraud, &frame, &exact);
+        any_scene_draw(&s, &pel_shade_gouraud, &frame, &exact);
         s.texture.mapping = &pel_map_chosen;
         for (int i = 1; i < 5; i++) {
             s.scene.texel_tolerance = tolerances[i] * 256;
-            draw(&s, &pel_shade_gouraud, &frame, &chosen);
-            const int32_t off = difference(&s, &exact, &chosen);
+            any_scene_draw(&s, &pel_shade_gouraud, &frame, &chosen);
+            const int32_t off = canvas_difference(&exact, &chosen);
             worst[i] = pel_max(worst[i], off);
             spans += frame.work->perspective.span > 0;
             if (off > tolerances[i] + 1)
@@ -261,20 +263,52 @@ static void test_bounds_are_tight(void)
         s.lighting.specular = kind ? 0 : 60000;
         s.lighting.shininess = kind ? 1 : 20;
         s.scene.tolerance = 255 * 256;
-        draw(&s, &pel_shade_chosen, &frame, &chosen);
+        any_scene_draw(&s, &pel_shade_chosen, &frame, &chosen);
         const struct pel_light_bounds b = bounds_of(&s, &frame);
         if (b.plane < 4 * 256 || b.plane > 100 * 256)
             continue;
         s.scene.tolerance = (int32_t)b.plane + 132; /* and not flat */
-        draw(&s, &pel_shade_phong, &frame, &exact);
-        draw(&s, &pel_shade_chosen, &frame, &chosen);
+        any_scene_draw(&s, &pel_shade_phong, &frame, &exact);
+        any_scene_draw(&s, &pel_shade_chosen, &frame, &chosen);
         const double part =
-            256. * difference(&s, &exact, &chosen) / (double)b.plane;
+            256. * canvas_difference(&exact, &chosen) / (double)b.plane;
         tight[kind] = part > tight[kind] ? part : tight[kind];
     }
     print_message("worst error by bound: highlights %.2f, diffuse %.2f\n",
                   tight[0], tight[1]);
     assert_true(!is_whole_set() || (tight[0] > 0.5 && tight[1] > 0.5));
+}
+
+/* Lights that are left out change no more than was taken from the tolerance,
+ * and the dimmest ones are. */
+static void test_lights_left_out(void)
+{
+    const struct pel_shading fewer = {pel_frame_start_chosen, NULL,
+                                      pel_shade_phong.paint};
+    static struct any_scene s;
+    static struct canvas exact, chosen;
+    struct pel_frame frame;
+    double tight = 0;
+    for (struct cases c = cases_of(200); cases_next(&c);) {
+        patch(&c.random, &s);
+        s.lighting.lights = 3;
+        s.light[1] = s.light[2] = s.light[0];
+        s.lighting.diffuse = random_between(&c.random, 0, 30000);
+        s.lighting.specular = random_between(&c.random, 0, 30000);
+        for (int i = 0; i < 9; i++)
+            s.light[i / 3].color[i % 3] = random_between(&c.random, 0, 16384);
+        s.scene.tolerance = random_between(&c.random, 0, 255 * 256);
+        any_scene_draw(&s, &pel_shade_phong, &frame, &exact);
+        any_scene_draw(&s, &fewer, &frame, &chosen);
+        const int32_t used = s.scene.tolerance - frame.tolerance;
+        const int32_t off = canvas_difference(&exact, &chosen);
+        assert_in_range(used, 0, s.scene.tolerance / 4);
+        assert_true(off * 256 < used + 256);
+        if (used > 4 * 256)
+            tight = off * 256. / used > tight ? off * 256. / used : tight;
+    }
+    print_message("worst error by what was left out: %.2f\n", tight);
+    assert_true(!is_whole_set() || tight > 0.5);
 }
 
 /* Light of a few 1/65,536 that ends within the triangle: black remains. */
@@ -296,16 +330,17 @@ static void test_light_fades_to_black(void)
         s.scene.color = random_word(&c.random) % 2 ? UINT32_MAX : 0;
         s.scene.stats = &stats;
         s.scene.tolerance = 128;
-        draw(&s, &pel_shade_phong, &frame, &exact);
-        draw(&s, &pel_shade_counted, &frame, &chosen);
+        any_scene_draw(&s, &pel_shade_phong, &frame, &exact);
+        any_scene_draw(&s, &pel_shade_counted, &frame, &chosen);
         spans += stats.method[PEL_METHOD_SPANS].pixels;
-        assert_in_range(difference(&s, &exact, &chosen), 0, 1);
+        assert_in_range(canvas_difference(&exact, &chosen), 0, 1);
     }
     assert_true(spans > 0);
 }
 
 int main(void)
 {
-    return RUN_TESTS(test_light_fades_to_black, test_soups, test_stats,
-                     test_places_in_textures, test_bounds_are_tight);
+    return RUN_TESTS(test_light_fades_to_black, test_lights_left_out,
+                     test_soups, test_stats, test_places_in_textures,
+                     test_bounds_are_tight);
 }

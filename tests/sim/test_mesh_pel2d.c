@@ -2,7 +2,7 @@
  * with its line. */
 #include "tests/support/check.h"
 
-#include "mesh_messages.h"
+#include "files.h"
 #include "sim/mesh/pel2d.h"
 
 #define HEAD "pel2d 3 1\n"

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-#include "mesh_messages.h"
+#include "files.h"
 #include "sim/render/scene_pel2d.h"
 
 static void set(struct mesh *mesh, uint32_t i, double x, double y, double z)

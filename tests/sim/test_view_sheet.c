@@ -77,9 +77,8 @@ static void read_scene(struct script *script)
     free(text);
 }
 
-static void test_the_shape_that_is_seen_is_picked(void **state)
+static void test_the_shape_that_is_seen_is_picked(void)
 {
-    (void)state;
     for (int scene = 0; scene < 100; scene++) {
         struct script script;
         struct canvas canvas;
@@ -188,9 +187,8 @@ static void draw_frames(const struct pel_format *format, int frames)
     sheet_free(&whole);
 }
 
-static void test_changed_areas_are_enough(void **state)
+static void test_changed_areas_are_enough(void)
 {
-    (void)state;
     draw_frames(&pel_xrgb8888, 10000);
     draw_frames(&pel_rgb565_le, 300);
     draw_frames(&pel_rgb332, 300);
@@ -200,9 +198,6 @@ static void test_changed_areas_are_enough(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_shape_that_is_seen_is_picked),
-        cmocka_unit_test(test_changed_areas_are_enough),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_the_shape_that_is_seen_is_picked,
+                     test_changed_areas_are_enough);
 }

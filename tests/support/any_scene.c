@@ -184,6 +184,16 @@ void any_scene_prepare(struct any_scene *s, struct pel_frame *frame)
         fail_msg("pel_scene_prepare: %d; %s", status, cases_replay());
 }
 
+void any_scene_draw(struct any_scene *s, const struct pel_shading *shading,
+                    struct pel_frame *frame, struct canvas *canvas)
+{
+    s->scene.shading = shading;
+    canvas_open(canvas, &pel_xrgb8888, &s->scene.viewport, 0);
+    any_scene_prepare(s, frame);
+    pel_scene_draw(frame, &canvas->surface);
+    canvas_check(canvas);
+}
+
 static const struct pel_paint *number_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface)
 {

@@ -180,3 +180,18 @@ void canvas_check(const struct canvas *c)
         fail_msg("%s: a write outside the clip; %s", c->layout->name,
                  cases_replay());
 }
+
+int32_t canvas_difference(const struct canvas *a, const struct canvas *b)
+{
+    const struct pel_rect *r = &a->surface.bounds;
+    int32_t most = 0;
+    for (int32_t y = r->y0; y < r->y1; y++)
+        for (int32_t x = r->x0; x < r->x1; x++)
+            for (int k = 0; k < 24; k += 8) {
+                const int32_t off =
+                    (int32_t)(canvas_pixel(a, x, y) >> k & 255) -
+                    (int32_t)(canvas_pixel(b, x, y) >> k & 255);
+                most = pel_max(most, pel_magnitude(off));
+            }
+    return most;
+}

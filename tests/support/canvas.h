@@ -39,6 +39,10 @@ void canvas_copy(struct canvas *c, const struct canvas *from);
  * same; the test fails with the first difference. */
 void canvas_check_same(const struct canvas *a, const struct canvas *b);
 
+/* The largest difference between two of one size, of pixels of 8 bits a
+ * channel. */
+int32_t canvas_difference(const struct canvas *a, const struct canvas *b);
+
 /* Inside the clip of `part` both have the same pixels at the same places, and
  * canvas_check(part). */
 void canvas_check_part(const struct canvas *whole, const struct canvas *part);
