@@ -76,10 +76,6 @@ struct pel_channels {
                    const struct pel_spans *spans, const pel_color *colors,
                    const pel_thresholds *rows);
 
-    /* Bits of red, green and blue, 1 to 7, apart from each other in the pixel;
-     * {n, 0, 0} where it is n bits of grey; all 0: dither is of no use. */
-    uint8_t depth[3];
-
     /* n >= 1 opaque pixels whose channels are planes; or false, and nothing is
      * done. May be NULL. */
     bool (*planes)(const struct pel_surface *surface, int32_t x, int32_t y,
@@ -95,6 +91,10 @@ struct pel_format {
     uint8_t id;   /* enum pel_format_id; 128..255 for formats of your own */
     uint8_t bits; /* of a pixel: 1, 4, 8, 16, 24 or 32 */
     uint8_t word; /* bytes that pixels and stride are a multiple of */
+
+    /* Bits of red, green and blue, 1 to 7, apart from each other in the pixel;
+     * {n, 0, 0} where it is n bits of grey; all 0: dither is of no use. */
+    uint8_t depth[3];
 
     /* Colour (alpha ignored) to pixel and back (opaque, but for argb8888). 8 to
      * n bits truncates, n to 8 replicates: pack(unpack(p)) == p for every p

@@ -7,13 +7,11 @@
 #define WORD pel_word8
 #include "body_word.inc"
 
-static const struct pel_channels channels = {.depth = {3, 3, 2},
-                                             .planes = PLANES};
-
 const struct pel_format pel_rgb332 = {
     .id = PEL_FORMAT_RGB332,
     .fill = pel_fill8,
     .blend = blend,
-    .channels = &channels,
+    .depth = {3, 3, 2},
+    WHOLE_CHANNELS,
     FORMAT_WORD,
 };

@@ -7,13 +7,11 @@
 #define WORD pel_word16
 #include "body_word.inc"
 
-static const struct pel_channels channels = {.depth = {5, 5, 5},
-                                             .planes = PLANES};
-
 const struct pel_format pel_xrgb1555_le = {
     .id = PEL_FORMAT_XRGB1555_LE,
     .fill = pel_fill16,
     .blend = blend,
-    .channels = &channels,
+    .depth = {5, 5, 5},
+    WHOLE_CHANNELS,
     FORMAT_WORD,
 };

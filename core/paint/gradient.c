@@ -86,13 +86,13 @@ static int32_t pass_mixed(const struct pel_cells *c, int32_t most)
 static pel_color mask_of(const struct pel_gradient *g,
                          const struct pel_format *format)
 {
-    const struct pel_channels *bits = format->channels;
+    const uint8_t *const depth = format->depth;
     pel_color mask = 0;
-    if (g->ramp.n != 2 || !bits || bits->depth[1] == 0 ||
+    if (g->ramp.n != 2 || depth[1] == 0 ||
         pel_alpha(g->ramp.colors[0] & g->ramp.colors[1]) != 255)
         return 0;
     for (int k = 0; k < 3; k++)
-        mask = mask << 8 | (0xFF00u >> bits->depth[k] & 0xFF);
+        mask = mask << 8 | (0xFF00u >> depth[k] & 0xFF);
     return mask;
 }
 

@@ -95,7 +95,7 @@ static inline pel_color dithered_color(pel_color color, const uint8_t depth[3],
 static PEL_NOINLINE_32 void dither_out(struct proxy *proxy, int32_t x,
                                        int32_t y, int32_t n)
 {
-    const uint8_t *const depth = proxy->target->format->channels->depth;
+    const uint8_t *const depth = proxy->target->format->depth;
     for (pel_color *out = proxy->out; out < proxy->out + n; out++, x++)
         *out = dithered_color(*out, depth, x, y);
 }
@@ -177,7 +177,7 @@ static bool fill_opaque(const struct pel_spans *spans, pel_color color)
         fill_rows(spans, color, true);
     else if (quick)
         fill_rows(spans, color, false);
-    else if (format->channels->fill)
+    else if (format->channels && format->channels->fill)
         format->channels->fill(target, spans, color, thresholds);
     else
         return false;
@@ -204,8 +204,9 @@ static int32_t put_opaque(const struct pel_surface *target, int32_t x,
 {
     const struct pel_span span = {x, x + n};
     const struct pel_spans one = {target, &span, y, 1, 0};
-    if (PEL_KNOW_SIDES && target->format->channels->put)
-        return target->format->channels->put(target, &one, colors, thresholds);
+    const struct pel_channels *const channels = target->format->channels;
+    if (PEL_KNOW_SIDES && channels && channels->put)
+        return channels->put(target, &one, colors, thresholds);
     if (!is_565(target->format))
         return 0;
     const struct pel_row565 row = row565_of(target, x, y, n);
@@ -261,11 +262,16 @@ static const struct pel_channels proxy_channels = {.planes = fill_planes,
                                                    .target = target_of};
 
 static const struct pel_format proxy_format = {
-    255,         32,
-    4,           keep,
-    keep,        fill_color,
-    fill_color,  put_colors,
-    load_colors, PEL_KNOW_SIDES ? &proxy_channels : NULL,
+    .id = 255,
+    .bits = 32,
+    .word = 4,
+    .pack = keep,
+    .unpack = keep,
+    .fill = fill_color,
+    .blend = fill_color,
+    .put = put_colors,
+    .load = load_colors,
+    .channels = PEL_KNOW_SIDES ? &proxy_channels : NULL,
 };
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans);
@@ -280,9 +286,7 @@ static PEL_NOINLINE_32 const struct pel_spans *spans_of(
     PEL_ASSERT(source->fill != fill);
     if (source->fill == fill)
         return NULL;
-    const struct pel_channels *const channels =
-        spans->surface->format->channels;
-    if (!channels || channels->depth[0] == 0)
+    if (spans->surface->format->depth[0] == 0)
         return spans;
     proxy->surface = *spans->surface;
     proxy->surface.format = &proxy_format;

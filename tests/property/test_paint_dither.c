@@ -299,11 +299,11 @@ static void test_sources_surface(void)
 }
 
 /* A format of one's own: grey of any depth in 16 bits. */
-static struct pel_channels own_channels;
+static struct pel_format own;
 
 static uint32_t own_pack(pel_color c)
 {
-    return pel_gray(c) >> (8 - own_channels.depth[0]);
+    return pel_gray(c) >> (8 - own.depth[0]);
 }
 
 static void own_put(const struct pel_surface *s, int32_t x, int32_t y,
@@ -327,20 +327,17 @@ static uint32_t own_value(uint32_t level, uint32_t bits)
 static void test_every_depth(void)
 {
     static const struct pel_rect b = {0, 0, 20, 8};
-    struct pel_format own = pel_rgb565_le;
     uint16_t pixels[8][20];
     struct pel_surface s;
-    own.id = 200;
-    own.pack = own_pack;
-    own.put = own_put;
-    own.channels = &own_channels;
+    own = (struct pel_format){
+        .id = 200, .bits = 16, .word = 2, .pack = own_pack, .put = own_put};
     assert_int_equal(pel_surface_init(&s, &own, pixels, sizeof pixels, &b),
                      PEL_OK);
     for (uint32_t bits = 1; bits <= 7; bits++)
         for (uint32_t c = 0, level = 0; c < 256; c++) {
             const struct pel_flat flat = PEL_FLAT(PEL_RGB(c, c, c));
             struct pel_dither d;
-            own_channels.depth[0] = (uint8_t)bits;
+            own.depth[0] = (uint8_t)bits;
             pel_dither_init(&d, &flat.paint);
             pel_rectangle(&s, origin, far_end, &d.paint);
             level += c == own_value(level + 1, bits);
