@@ -5,6 +5,10 @@
 #include "../base/divide.h"
 #include "cells.h"
 
+/* Where code is to be small, cells that are walked before the next one is
+ * looked up: narrow ones are passed so. */
+enum { CELLS_WALKED = 64 };
+
 /* The way is drawn from the end on the left, so that products do not fall to
  * the right. 1 where that is the end of the last cell: there the boundaries
  * belong to the cells before them. */
@@ -13,11 +17,12 @@ static inline int32_t turned(const struct pel_linear *p)
     return (int32_t)((uint32_t)p->way >> 31);
 }
 
-/* (x, y).d */
+/* (P - from).d of a point. */
 static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
                                      int32_t y)
 {
-    return pel_product(x, p->d.x) + pel_product(y, p->d.y);
+    return pel_product(x - p->from.x, p->d.x) +
+           pel_product(y - p->from.y, p->d.y);
 }
 
 /* The product (P - from).d - turned at pixel (x, y), below 2^49, and above
@@ -27,9 +32,8 @@ static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
 static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
                                           int32_t y)
 {
-    int64_t product = along(p, pel_pixel_center(x) - p->from.x,
-                            pel_pixel_center(y) - p->from.y) -
-                      turned(p);
+    int64_t product =
+        along(p, pel_pixel_center(x), pel_pixel_center(y)) - turned(p);
     int64_t step = p->square;
     int32_t count = 0;
     if (p->base.period == 0)
@@ -77,51 +81,54 @@ static bool end_cells(struct pel_cells *c, int32_t count)
 
 #else
 
-/* Of one row, in units of 1. */
+/* Of one row, in units of 1, from an error that is set for the boundary. */
 static PEL_NOINLINE bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_linear *p = (const void *)c->gradient;
-    int64_t error = c->error - p->square;
+    int64_t error = c->error;
     int32_t x = c->x;
     (void)count;
     for (; error < 0 && x < c->hi; x++)
         error += p->step;
-    c->error = error;
+    c->error = error - p->square;
     c->x = x;
+    if (--c->whole == 0)
+        c->hi = x;
     return x < c->hi;
 }
 
 #endif
 
-/* The cell that has a product, k = floor((n product - turned) / square), bit by
- * bit of n, and the error where it begins. Before a padded way it is the first
- * cell all the same. */
+/* The cell of the pixel that has a product, less `turned`: k = floor((n product
+ * - turned) / square), bit by bit of n, and the error where it begins, in units
+ * of 1 where it ends. Before a padded way it is the first cell all the same. */
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
                                      const struct pel_linear *p,
                                      int64_t product)
 {
-    const int32_t n = p->base.cells, period = p->base.period;
     const int32_t mirror = p->way >> 31; /* -1 when turned, or 0 */
-    const int64_t most = p->square - mirror;
-    int64_t error = -most;
-    int32_t place = 0;
-    /* n from bit 31 on, and a last bit to stop at. */
-    for (uint32_t bits = (uint32_t)n << 17 | 1u << 16; bits << 1; bits <<= 1) {
-        error += error + most;
+    product -= mirror;
+    int64_t error = mirror - p->square;
+    /* n in the 15 upper bits makes room for k in the lower ones. */
+    uint32_t bits = (uint32_t)p->base.cells << 17;
+    for (int i = 15; i; i--) {
+        error = 2 * error - mirror + p->square;
         if ((int32_t)bits < 0)
             error += product;
-        for (place *= 2; error >= 0; place++)
+        for (bits *= 2; error >= 0; bits++)
             error -= p->square;
     }
+    int32_t place = (int32_t)bits;
+    const int32_t n = p->base.cells, period = p->base.period;
     if (period == 0)
         place = pel_min(place, n - 1);
     else if (place >= period)
         place -= period;
     place = (place ^ mirror) + (mirror & n);
     c->place = place < 0 ? place + period : place;
-    error += p->square;
     if (PEL_CELL_ROWS > 1) {
         int64_t rest;
+        error += p->square;
         error = pel_divide_64(error, unit_of(p), &rest);
         c->rest = (int32_t)rest;
     }
@@ -134,12 +141,14 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     const struct pel_linear *p = (const void *)c->gradient;
     const int32_t last =
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
-    set_cell(c, p, product_at(p, c->x, c->cell.y + last) + turned(p));
-    if (PEL_CELL_ROWS > 1)
-        c->error -= pel_product(p->d.y, last);
+    set_cell(c, p, product_at(p, c->x, c->cell.y + last));
     c->way = p->way;
-    if (p->by_pixel)
-        c->hi = c->x + 1;
+    c->whole = CELLS_WALKED;
+    if (PEL_CELL_ROWS > 1) {
+        c->error -= pel_product(p->d.y, last);
+        if (p->by_pixel)
+            c->hi = c->x + 1;
+    }
 }
 
 /* From a row of a gradient that is level and grows downwards to the next one: a
@@ -174,7 +183,7 @@ static void fill_level(const struct pel_linear *p,
     rows.n = 0;
     for (int32_t i = 0; i < spans->n; i++, c.cell.y += c.cell.step) {
         if (i == 0 || !near_cells)
-            set_cell(&c, p, product_at(p, 0, c.cell.y) + turned(p));
+            set_cell(&c, p, product_at(p, 0, c.cell.y));
         else if (c.cell.step)
             move_down(&c, p);
         pel_cells_color(&c);
@@ -275,14 +284,15 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     }
     paint->from = from;
     paint->d = d;
-    paint->square = along(paint, d.x, d.y);
+    paint->square = along(paint, from.x + d.x, from.y + d.y);
     paint->step = pel_product(paint->base.cells * 256, d.x);
     if (PEL_CELL_ROWS > 1) {
         int64_t rest;
         paint->cell = pel_divide_64(paint->square, unit_of(paint), &rest);
         paint->cell_rest = (int32_t)rest;
+        paint->by_pixel =
+            paint->base.period &&
+            (uint32_t)(paint->step >> 21) >= (uint32_t)(paint->square >> 17);
     }
-    paint->by_pixel = paint->base.period && (uint32_t)(paint->step >> 21) >=
-                                                (uint32_t)(paint->square >> 17);
     return PEL_OK;
 }

@@ -335,11 +335,8 @@ static void test_every_depth(void)
     static const struct pel_rect b = {0, 0, 20, 8};
     uint16_t pixels[8][20];
     struct pel_surface s;
-    own = pel_rgb565_le;
-    own.id = 200;
-    own.pack = own_pack;
-    own.put = own_put;
-    own.channels = NULL;
+    own = (struct pel_format){
+        .id = 200, .bits = 16, .word = 2, .pack = own_pack, .put = own_put};
     assert_int_equal(pel_surface_init(&s, &own, pixels, sizeof pixels, &b),
                      PEL_OK);
     for (uint32_t bits = 1; bits <= 7; bits++)
