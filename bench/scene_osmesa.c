@@ -1,5 +1,6 @@
 /* OSMesa, OpenGL on the CPU: llvmpipe without threads of its own. A mesh in
- * buffers of the context, its light by the fixed pipeline. */
+ * buffers of the context, its light by the fixed pipeline, or for Phong by a
+ * shader. */
 #define _POSIX_C_SOURCE 200809L
 #define GL_GLEXT_PROTOTYPES
 #include "scene_osmesa.h"
@@ -9,6 +10,7 @@
 
 #include <GL/osmesa.h>
 
+#include "core/scene/select.h"
 #include "method.h"
 
 struct vertex {
@@ -18,7 +20,7 @@ struct vertex {
 
 struct scene_osmesa {
     OSMesaContext context;
-    void *pixels;
+    uint32_t *pixels;
     GLsizei indices;
 };
 
@@ -107,6 +109,60 @@ static void set_light(const struct pel_lighting *l)
     glMateriali(GL_FRONT_AND_BACK, GL_SHININESS, l->shininess);
 }
 
+/* Light at every pixel, as in core/scene/light.h. */
+static const char vertex_shader[] = "varying vec3 at, n;\n"
+                                    "void main() {\n"
+                                    "    at = gl_Vertex.xyz;\n"
+                                    "    n = gl_Normal;\n"
+                                    "    gl_FrontColor = gl_Color;\n"
+                                    "    gl_Position = ftransform();\n"
+                                    "}\n";
+static const char pixel_shader[] =
+    "varying vec3 at, n;\n"
+    "uniform vec3 eye, light;\n"
+    "uniform vec4 terms;\n" /* ambient, diffuse, specular, shininess */
+    "void main() {\n"
+    "    vec3 N = normalize(n), V = normalize(eye - at);\n"
+    "    vec3 L = normalize(light - at);\n"
+    "    float nl = dot(N, L), rv = dot(2.0 * nl * N - L, V);\n"
+    "    float sum = terms.x + terms.y * max(nl, 0.0) +\n"
+    "                terms.z * pow(max(rv, 0.0), terms.w);\n"
+    "    gl_FragColor = vec4(gl_Color.rgb * sum, 1.0);\n"
+    "}\n";
+
+static void add_shader(GLuint program, GLenum kind, const char *text)
+{
+    const GLuint shader = glCreateShader(kind);
+    GLint ok;
+    glShaderSource(shader, 1, &text, NULL);
+    glCompileShader(shader);
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
+    if (!ok)
+        method_fail("OSMesa refuses a shader", "check its installation");
+    glAttachShader(program, shader);
+}
+
+static void set_place(GLuint program, const char *name, const pel_length at[3])
+{
+    glUniform3f(glGetUniformLocation(program, name), (GLfloat)at[0] / 65536,
+                (GLfloat)at[1] / 65536, (GLfloat)at[2] / 65536);
+}
+
+static void set_phong(const struct pel_scene *scene)
+{
+    const struct pel_lighting *l = scene->lighting;
+    const GLuint program = glCreateProgram();
+    add_shader(program, GL_VERTEX_SHADER, vertex_shader);
+    add_shader(program, GL_FRAGMENT_SHADER, pixel_shader);
+    glLinkProgram(program);
+    glUseProgram(program);
+    set_place(program, "eye", scene->camera.eye);
+    set_place(program, "light", l->light[0].at);
+    glUniform4f(glGetUniformLocation(program, "terms"),
+                (GLfloat)l->ambient / 65536, (GLfloat)l->diffuse / 65536,
+                (GLfloat)l->specular / 65536, (GLfloat)l->shininess);
+}
+
 void *scene_osmesa_open(const struct pel_scene *scene)
 {
     struct scene_osmesa *o = method_allocate(1, sizeof *o);
@@ -126,6 +182,9 @@ void *scene_osmesa_open(const struct pel_scene *scene)
     glShadeModel(scene->shading == &pel_shade_lit_flat ? GL_FLAT : GL_SMOOTH);
     set_camera(&scene->camera, 2);
     set_light(scene->lighting);
+    if (scene->shading == &pel_shade_phong ||
+        scene->shading == &pel_shade_chosen)
+        set_phong(scene);
     load_mesh(o, scene->mesh);
     return o;
 }
@@ -136,6 +195,11 @@ void scene_osmesa_draw(void *peer)
     glClear(GL_DEPTH_BUFFER_BIT);
     glDrawElements(GL_TRIANGLES, o->indices, GL_UNSIGNED_INT, NULL);
     glFinish();
+}
+
+const uint32_t *scene_osmesa_pixels(const void *peer)
+{
+    return ((const struct scene_osmesa *)peer)->pixels;
 }
 
 void scene_osmesa_close(void *peer)

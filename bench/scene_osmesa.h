@@ -10,6 +10,9 @@ void *scene_osmesa_open(const struct pel_scene *scene);
 /* A whole picture, complete on return. */
 void scene_osmesa_draw(void *peer);
 
+/* The picture, in xrgb8888 with 255 where something was drawn. */
+const uint32_t *scene_osmesa_pixels(const void *peer);
+
 void scene_osmesa_close(void *peer);
 
 #endif

@@ -27,7 +27,12 @@ struct scene_result {
     struct quartiles ns; /* of a whole picture, prepared and drawn: CPU time,
                             of several threads that of the longest */
     double pixels;       /* drawn in it, hidden ones too */
-    double peer_ns;      /* of OSMesa, the median; 0: not timed */
+    struct quartiles peer_ns; /* of OSMesa; 0: not timed */
+    struct scene_difference {
+        double mean; /* of channels where both have drawn, of 255 */
+        int32_t most;
+        int32_t pixels; /* drawn by one of the two alone */
+    } difference;       /* from OSMesa's picture */
 };
 
 /* In xrgb8888, the camera before the mesh. Several bands or threads draw in

@@ -62,6 +62,7 @@
 #include "paint/paint_mask.h"
 #include "paint/paint_radial.h"
 #include "paint/paint_texture.h"
+#include "paint/texture_contrast.h"
 
 #include "image/copy.h"
 #include "image/glyph_text.h"

@@ -3,11 +3,13 @@
 ATLAS := $(BENCH)/pel-atlas
 ATLAS_SOURCES := $(wildcard bench/atlas/*.c bench/methods/*.c) bench/timing.c \
     tests/support/reference.c
+ATLAS_FAST := $(wildcard bench/methods/*.c) bench/atlas/sheet.c
 ATLAS_OBJECTS := $(ATLAS_SOURCES:%.c=$(BENCH)/host/%.o) \
     $(BENCH)/scene/methods.o $(BUILD)/libpel.a
 
-# Filled runs as fast as Pel's: a compiler may vectorise them.
-$(BENCH)/host/bench/methods/%.o: bench/methods/%.c
+# Filled runs as fast as Pel's: a compiler may vectorise them, and the counts of
+# a sheet.
+$(ATLAS_FAST:%.c=$(BENCH)/host/%.o): $(BENCH)/host/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(PEL_CFLAGS) -O3 -c $< -o $@
 

@@ -212,7 +212,7 @@ void atlas_color_sliver(struct atlas *a)
         struct random r = atlas_random(a, (uint32_t)thickness);
         struct result out = {0};
         struct regime regime = {.make = thin_sample, .size = thickness};
-        regime.triangles = atlas_samples(a, 40000, 1500);
+        regime.triangles = atlas_samples(a, 15000, 1500);
         sheet_open(&regime.sheet, a, (struct pel_rect){0, 0, 128, 128});
         measure(&out, &r, &regime);
         atlas_put(a, figure_of("16.16", thickness / 256.0, "overflow_percent",

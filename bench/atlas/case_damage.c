@@ -11,7 +11,7 @@
 /* Floats are measured where a picture has them: away from the origin. */
 enum { ORIGIN = 1000, MARGIN = 4 };
 
-enum { PASS = 64, REPEATS = 15 };
+enum { PASS = 64, REPEATS = 5 };
 
 static void open_around(struct sheet *s, struct atlas *a, const struct place *p)
 {
@@ -148,16 +148,20 @@ static void put_time(struct atlas *a, const struct fill_method *m,
     sheet_close(&s);
 }
 
+void atlas_damage_time(struct atlas *a)
+{
+    for (const struct fill_method *const *m = fill_methods; *m; m++)
+        for (int32_t edge = 4; edge <= 1024; edge *= 2)
+            put_time(a, *m, &(struct place){ORIGIN, ORIGIN, edge});
+}
+
 void atlas_damage(struct atlas *a)
 {
     for (const struct fill_method *const *m = fill_methods; *m; m++) {
         for (int32_t edge = 4; edge <= 1024; edge *= 2) {
-            const struct place p = {ORIGIN, ORIGIN, edge};
-            put_damage(a, *m, &p);
-            if (a->smallest)
-                continue;
-            put_mesh(a, *m, edge);
-            put_time(a, *m, &p);
+            put_damage(a, *m, &(struct place){ORIGIN, ORIGIN, edge});
+            if (!a->smallest)
+                put_mesh(a, *m, edge);
         }
         if (!a->smallest)
             put_mesh(a, *m, 3);

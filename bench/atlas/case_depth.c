@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <pel/scene/certificate.h>
+
 #include "../methods/order.h"
 #include "cases.h"
 #include "scenes.h"
@@ -99,6 +101,64 @@ static void draw_all_deep(const struct pel_surface *s,
         draw_deep(s, scene, &depth, i);
 }
 
+static const struct pel_paint *paint_number(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
+{
+    struct pel_flat *flat = &frame->work->paint.flat;
+    const uint32_t number = frame->work->triangle.vertex[0] / 3 + 1;
+    (void)surface;
+    *flat = (struct pel_flat)PEL_FLAT(PEL_RGB(0, 0, 0) | number);
+    return &flat->paint;
+}
+
+/* Vertex i of the mesh is vertex i % 3 of triangle i / 3. */
+static void prepare(struct pel_frame *frame, const struct scene *scene)
+{
+    static const struct pel_shading numbers = {NULL, NULL, paint_number};
+    static uint16_t corner[SCENE_TRIANGLES][3];
+    static uint64_t scratch[PEL_SCENE_SCRATCH_SIZE(3 * SCENE_TRIANGLES,
+                                                   SCENE_TRIANGLES, 0) /
+                            8];
+    static struct pel_mesh mesh;
+    static struct pel_scene view;
+    for (int i = 0; i < 3 * SCENE_TRIANGLES; i++)
+        corner[i / 3][i % 3] = (uint16_t)i;
+    mesh = (struct pel_mesh){.vertices = 3 * (uint32_t)scene->n,
+                             .triangles = (uint32_t)scene->n,
+                             .position = scene_unit,
+                             .positions = scene->position[0],
+                             .indices16 = (const uint16_t(*)[3])corner};
+    view = (struct pel_scene){.mesh = &mesh,
+                              .camera = scene_camera,
+                              .viewport = scene_screen,
+                              .shading = &numbers,
+                              .sort = &pel_depth_sort};
+    if (pel_scene_prepare(frame, &view, scratch, sizeof scratch))
+        method_fail("a scene is refused", "take a legal one");
+}
+
+/* Painter's order, and depths where it is not proven: the share of the screen
+ * that needs them. */
+static double draw_certified(const struct pel_surface *s,
+                             const struct scene *scene)
+{
+    static uint32_t
+        proof[PEL_CERTIFICATE_SCRATCH_SIZE(SCENE_TRIANGLES) / 4 + 1];
+    static uint32_t memory[PIXELS];
+    struct pel_frame frame;
+    struct pel_depth depth;
+    struct pel_doubt doubt;
+    prepare(&frame, scene);
+    if (pel_scene_certify(&frame, proof, sizeof proof, UINT32_MAX, &doubt))
+        method_fail("no certificate", "give it memory");
+    const struct pel_rect *b = &doubt.bounds;
+    if (!pel_rect_empty(b) &&
+        pel_depth_init(&depth, b, 32, memory, sizeof memory))
+        method_fail("a depth buffer is refused", "give it memory");
+    pel_scene_draw_certified(&frame, s, b, &depth);
+    return (double)(b->x1 - b->x0) * (b->y1 - b->y0) / PIXELS;
+}
+
 struct verdict {
     double covered, wrong;
     double gap; /* the largest near / z between what is nearest and what is
@@ -139,44 +199,51 @@ static void put_order(struct atlas *a, const char *method, int scene,
     atlas_put(a, f);
 }
 
-/* depth.h: what is told apart, near / z. */
-static void put_depth(struct atlas *a, int bits, int scene,
+/* A method that is right but where depths are nearer to each other than it
+ * tells apart, near / z (depth.h). */
+static void put_depth(struct atlas *a, const char *method, int bits, int scene,
                       const struct verdict *v)
 {
-    const char *name = bits == 16 ? "zbuffer16" : "zbuffer32";
     const double unit = bits == 16 ? 65536 : 65536.0 * 8192;
     struct figure f =
-        figure_of(name, scene, "gap_max", v->gap * unit, "smallest gap");
-    put_order(a, name, scene, v);
+        figure_of(method, scene, "gap_max", v->gap * unit, "smallest gap");
+    put_order(a, method, scene, v);
     f.y = scene;
     f.has_y = true;
     atlas_put_bound(a, f, 1);
 }
 
-enum { ORDERS = 3, DEPTHS = 2 };
+enum { ORDERS = 3, DEEP_16 = ORDERS, DEEP_32, CERTIFIED, WAYS };
 
 static void put_scene(struct atlas *a, int number, struct sheet *sheet)
 {
     static struct picture picture;
     static struct scene scene;
-    struct verdict v[ORDERS + DEPTHS] = {{0, 0, 0}};
-    for (int n = 0; n < atlas_samples(a, 40, 2); n++) {
+    struct verdict v[WAYS] = {{0, 0, 0}};
+    double share = 0;
+    const int kinds = scene_makers[number].kinds;
+    const int samples = atlas_samples(a, kinds, pel_min(kinds, 2));
+    for (int n = 0; n < samples; n++) {
         struct random r = atlas_random(a, (uint32_t)(number * 1000 + n));
-        scene.n = 0;
-        scene_makers[number].make(&scene, &r);
+        scene_make(&scene, &scene_makers[number], &r);
         look(&picture, &scene);
-        for (int i = 0; i < ORDERS + DEPTHS; i++) {
+        for (int i = 0; i < WAYS; i++) {
             if (i < ORDERS)
                 draw_sorted(&sheet->surface, &scene, &order_methods[i]);
+            else if (i < CERTIFIED)
+                draw_all_deep(&sheet->surface, &scene, i == DEEP_16 ? 16 : 32);
             else
-                draw_all_deep(&sheet->surface, &scene, i == ORDERS ? 16 : 32);
+                share += draw_certified(&sheet->surface, &scene) / samples;
             compare(&v[i], &picture, &scene, sheet);
         }
     }
     for (int i = 0; i < ORDERS; i++)
         put_order(a, order_methods[i].name, number, &v[i]);
-    put_depth(a, 16, number, &v[ORDERS]);
-    put_depth(a, 32, number, &v[ORDERS + 1]);
+    put_depth(a, "zbuffer16", 16, number, &v[DEEP_16]);
+    put_depth(a, "zbuffer32", 32, number, &v[DEEP_32]);
+    put_depth(a, "certificate and depths", 32, number, &v[CERTIFIED]);
+    atlas_put(a, figure_of("certificate and depths", number, "depths_percent",
+                           100 * share, "%"));
 }
 
 static void open_screen(struct sheet *s, struct atlas *a)

@@ -139,7 +139,7 @@ static void put_error(struct atlas *a, double degrees, enum model model, int n,
     struct random r = atlas_random(a, (uint32_t)(degrees * 1024) + (uint32_t)n);
     const double theta = degrees * 3.14159265358979 / 180;
     double worst = 0, bound = 0, excess = 0;
-    for (int k = atlas_samples(a, 20000, 1000); k > 0; k--) {
+    for (int k = atlas_samples(a, 8000, 1000); k > 0; k--) {
         struct setting s = {
             model, n, direction(any(&r, -1.4, 1.4), 0), {0, 0, 0}};
         struct vector normal[3];

@@ -133,7 +133,7 @@ static void put_snapped(struct atlas *a, int32_t edge, int bits)
     struct random r = atlas_random(a, (uint32_t)edge);
     const int32_t unit = 1 << (16 - bits);
     double wrong = 0, covered = 0;
-    for (int n = atlas_samples(a, 40000000, 300000) / edge; n > 0; n--) {
+    for (int n = atlas_samples(a, 10000000, 300000) / edge; n > 0; n--) {
         struct pel_point v[3], snapped[3];
         for (int i = 0; i < 3; i++) {
             v[i].x = random_between(&r, 0, edge * 65536 - 1);

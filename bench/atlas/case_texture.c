@@ -23,8 +23,11 @@ static struct lane any_lane(struct random *r, double ratio)
     return l;
 }
 
+/* Of the lanes out of their bound, or else of all, the one with the largest
+ * error. */
 struct worst {
     double error, bound;
+    bool is_out;
 };
 
 /* Span 0 is affine, 1 a division at every pixel. */
@@ -125,13 +128,16 @@ static double slack_of_pel(int span)
 static struct worst measure(struct random *r, double ratio, int span, int n,
                             bool is_pel)
 {
-    struct worst w = {0};
+    struct worst w = {-1, 0, false};
     for (; n > 0; n--) {
         const struct lane l = any_lane(r, ratio);
-        w.error =
-            fmax(w.error, is_pel ? error_of_pel(&l, span) : error_of(&l, span));
-        w.bound = fmax(w.bound, bound_of(&l, span, is_pel) +
-                                    (is_pel ? slack_of_pel(span) : 0));
+        const double error =
+            is_pel ? error_of_pel(&l, span) : error_of(&l, span);
+        const double bound =
+            bound_of(&l, span, is_pel) + (is_pel ? slack_of_pel(span) : 0);
+        const bool is_out = error > bound;
+        if (is_out > w.is_out || (is_out == w.is_out && error > w.error))
+            w = (struct worst){error, bound, is_out};
     }
     return w;
 }

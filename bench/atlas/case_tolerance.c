@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include <pel/pel.h>
-#include <pel/scene/select.h>
+#include <pel/scene/stats.h>
 
 #include "../timing.h"
 #include "../lighting.h"
@@ -68,7 +68,6 @@ static void set_scene(struct stage *s)
                    .focal = 50,
                    .sensor = {45, 45}},
         .viewport = all,
-        .shading = &pel_shade_chosen,
         .lighting = &lighting,
         .color = PEL_RGB(220, 180, 140),
         .sort = &pel_depth_sort,
@@ -90,49 +89,6 @@ static double draw(struct stage *s)
     return timing_now() - start;
 }
 
-enum kind { FLAT, GOURAUD, QUICK, PHONG, KINDS };
-static const char *const names[KINDS] = {"flat", "gouraud", "quick phong",
-                                         "phong"};
-
-/* Counts the paints of triangles. */
-static struct {
-    double triangles[KINDS], all;
-    pel_colors_function *phong;
-} counted;
-
-static const struct pel_paint *count_exact(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
-{
-    const struct pel_paint *p = pel_shade_phong.paint(frame, surface);
-    counted.phong = ((const struct pel_color_paint *)(const void *)p)->colors;
-    return p;
-}
-
-static const struct pel_paint *count_chosen(
-    struct pel_frame *frame, const struct pel_color_paint *surface)
-{
-    const struct pel_paint *p = pel_shade_chosen.paint(frame, surface);
-    const struct pel_color_paint *c = (const void *)p;
-    counted.triangles[p->fill == pel_flat_fill      ? FLAT
-                      : p->fill == pel_gouraud_fill ? GOURAUD
-                      : c->colors == counted.phong  ? PHONG
-                                                    : QUICK]++;
-    counted.all++;
-    return p;
-}
-
-static void draw_counted(
-    struct stage *s, const struct pel_shading *shading,
-    const struct pel_paint *(*paint)(struct pel_frame *,
-                                     const struct pel_color_paint *))
-{
-    struct pel_shading counting = *shading;
-    counting.paint = paint;
-    s->scene.shading = &counting;
-    draw(s);
-    s->scene.shading = shading;
-}
-
 static double error_of(const struct stage *s)
 {
     double worst = 0;
@@ -144,18 +100,27 @@ static double error_of(const struct stage *s)
     return worst;
 }
 
-static void put_shares(struct atlas *a, double tolerance)
+static void put_shares(struct atlas *a, struct stage *s, double tolerance)
 {
-    for (int i = 0; i < KINDS; i++)
+    static const char *const names[PEL_METHODS] = {
+        "flat", "gouraud", "phong by spans", "quick phong", "phong"};
+    struct pel_stats stats = {0};
+    double all = 0;
+    s->scene.shading = &pel_shade_counted;
+    s->scene.stats = &stats;
+    draw(s);
+    for (int i = 0; i < PEL_METHODS; i++)
+        all += stats.method[i].triangles;
+    for (int i = 0; i < PEL_METHODS; i++)
         atlas_put(a, figure_of(names[i], tolerance, "share",
-                               100 * counted.triangles[i] / counted.all, "%"));
+                               100 * stats.method[i].triangles / all, "%"));
 }
 
 /* The time of a picture, in percent of the exact one's, which is measured in
  * turns with it. */
 static void put_cost(struct atlas *a, struct stage *s, double tolerance)
 {
-    enum { REPEATS = 15 };
+    enum { REPEATS = 5 };
     double share[REPEATS];
     for (int i = 0; i < REPEATS; i++) {
         s->scene.shading = &pel_shade_phong;
@@ -171,24 +136,32 @@ static void put_cost(struct atlas *a, struct stage *s, double tolerance)
     atlas_put(a, f);
 }
 
-void atlas_tolerance(struct atlas *a)
+static const double tolerances[] = {0, .5, 1, 2, 3, 4, 6, 8, 12, 16, 24, 32};
+enum { TOLERANCES = sizeof tolerances / sizeof *tolerances };
+
+void atlas_tolerance_time(struct atlas *a)
 {
-    static const double tolerances[] = {0, .5, 1,  2,  3,  4,
-                                        6, 8,  12, 16, 24, 32};
     static struct stage s;
     set_scene(&s);
-    draw_counted(&s, &pel_shade_phong, count_exact);
-    memcpy(s.exact, s.pixels, sizeof s.exact);
-    for (size_t i = 0; i < sizeof tolerances / sizeof *tolerances; i++) {
-        memset(counted.triangles, 0, sizeof counted.triangles);
-        counted.all = 0;
+    for (int i = 0; i < TOLERANCES; i++) {
         s.scene.tolerance = (int32_t)(256 * tolerances[i]);
-        draw_counted(&s, &pel_shade_chosen, count_chosen);
-        put_shares(a, tolerances[i]);
+        put_cost(a, &s, tolerances[i]);
+    }
+}
+
+void atlas_tolerance(struct atlas *a)
+{
+    static struct stage s;
+    set_scene(&s);
+    s.scene.shading = &pel_shade_phong;
+    draw(&s);
+    memcpy(s.exact, s.pixels, sizeof s.exact);
+    for (int i = 0; i < TOLERANCES; i++) {
+        s.scene.tolerance = (int32_t)(256 * tolerances[i]);
+        put_shares(a, &s, tolerances[i]);
         atlas_put_bound(a,
                         figure_of("chosen", tolerances[i], "error_max",
                                   error_of(&s), "step"),
                         ceil(tolerances[i]));
-        put_cost(a, &s, tolerances[i]);
     }
 }

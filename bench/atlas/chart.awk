@@ -33,6 +33,7 @@ FNR == 1 { FS = ","; next }
     y[n] = f[4]
     which[n] = k
     value[n] = f[6]
+    unit = f[9]
     low[n] = f[7] == "" ? f[6] : f[7]
     high[n] = f[8] == "" ? f[6] : f[8]
     command = $0
@@ -48,6 +49,18 @@ FNR == 1 { FS = ","; next }
 function log10(v) { return log(v) / log(10) }
 function floor(v,    i) { i = int(v); return i > v ? i - 1 : i }
 function is_log(axis) { return index(chart["log"], axis) > 0 }
+
+# 2 where most places on the x axis are small powers of two, else 10.
+function base_of_x(    i, v, powers)
+{
+    for (i = 1; i <= n; i++) {
+        v = x[i]
+        while (v > 1 && v <= 65536)
+            v /= 2
+        powers += v == 1
+    }
+    return powers * 2 > n ? 2 : 10
+}
 
 # The number of a name in its list.
 function place(list, name)
@@ -86,7 +99,8 @@ function find_zero(axis, v,    i, least)
     zero[axis] = least == "" ? 1 : 10 ^ floor(log10(least * .9))
     for (i = 1; i <= n; i++)
         if (v[i] + 0 <= 0) {
-            print "set " axis "tics add (\"0\" " zero[axis] ")"
+            # gnuplot leaves out a tick on the very end of an axis.
+            printf "set %stics add (\"0\" %.9g)\n", axis, zero[axis] * 1.0000001
             break
         }
 }
@@ -191,13 +205,16 @@ function row_of(i,    name)
     return split(chart["names"], name, ",") > y[i] ? name[y[i] + 1] : y[i]
 }
 
-function draw_rows(    i)
+# Marks of equal value lie side by side in their row.
+function draw_rows(    i, series, aside)
 {
     find_zero("x", value)
-    for (i = 1; i <= n; i++)
-        point(chart["row"] == "method" ? metrics[which[i]] : series_of(i),
-            on_axis("x", value[i]), place("rows", row_of(i)),
+    for (i = 1; i <= n; i++) {
+        series = chart["row"] == "method" ? metrics[which[i]] : series_of(i)
+        aside = ((place("series", series) - 1) % 5 - 2) * .13
+        point(series, on_axis("x", value[i]), place("rows", row_of(i)) + aside,
             on_axis("x", low[i]), on_axis("x", high[i]), tip[i])
+    }
     tics("y", "rows")
     print "set yrange [" count["rows"] + .7 ":.3]"
     draw_series("points", "3:2:($4-$3):(0)")
@@ -256,6 +273,21 @@ function number_of(v)
     return sprintf(v >= 100 ? "%.0f" : v >= 10 ? "%.1f" : "%.2f", v)
 }
 
+# With the values of the brightest and the darkest cell.
+function title_of(panel,    i, from, to)
+{
+    for (i = 1; i <= n; i++) {
+        if (metrics[which[i]] == "bound" || method[i] != panel)
+            continue
+        if (from == "" || value[i] + 0 < from)
+            from = value[i] + 0
+        if (to == "" || value[i] + 0 > to)
+            to = value[i] + 0
+    }
+    return panel sprintf(from == to ? ": %.3g %s" : ": %.3g to %.3g %s", from, \
+        from == to ? unit : to, unit)
+}
+
 function draw_panel(k, panel,    i, plot, v)
 {
     if ("each" in chart)
@@ -270,7 +302,8 @@ function draw_panel(k, panel,    i, plot, v)
             (v > .55 ? 16777215 : 0) "\t" tip[i]
     }
     print "EOD"
-    print "set title \"" panel "\" " plain
+    print "set title \"" ("text" in chart ? panel : title_of(panel)) "\" " \
+        plain
     plot = "plot $c" k " using 1:2:(.5):(.5):3 with boxxyerror fillcolor" \
         " palette fillstyle solid noborder notitle, $c" k " using 1:2:4:5" \
         " with labels font \",7\" textcolor rgb variable notitle, $c" k \
@@ -354,7 +387,11 @@ END {
     set_size()
     print "load \"" style "\""
     print "set xlabel \"" chart["x"] "\"; set ylabel \"" chart["y"] "\""
-    if (is_log("x")) print "set logscale x; set format x \"%g\""
+    if (chart["kind"] == "lines")
+        print "set autoscale xfix"
+    if (is_log("x"))
+        print "set logscale x " (chart["kind"] == "lines" ? base_of_x() : 10) \
+            "; set format x \"%g\""
     if (is_log("y")) print "set logscale y; set format y \"%g\""
     if (chart["kind"] == "lines") draw_lines()
     if (chart["kind"] == "pair") draw_pair()

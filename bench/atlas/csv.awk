@@ -13,44 +13,50 @@ function row(method, x, y, metric, value, low, high, unit)
 
 /^#/ || NF == 0 { next }
 
-# bench/report_csv.c, of several processes: memory lies elsewhere in each, so the
-# spread goes from the least first quartile to the greatest third one.
-kind == "speed" && $4 + 0 > 0 {
-    m = $3 == "pel" ? "Pel " $1 : $3
-    if (!(m in runs))
-        method[++methods] = m
-    workload = $2
-    add(m, $4 / $9, $5 / $9, $6 / $9)
-    if ($11 != "")
-        wrong[m] = $11 * 1e4
+# A figure of one batch, with its quartiles. A row has the median of the batches,
+# and its spread goes from the least first quartile to the greatest third one.
+function add(method, x, y, metric, unit, value, q1, q3,    key, i)
+{
+    key = method "," x "," y "," metric
+    if (!(key in batches)) {
+        keys[++n] = key
+        unit_of[key] = unit
+        low[key] = q1
+        high[key] = q3
+    }
+    for (i = ++batches[key]; i > 1 && sorted[key, i - 1] > value; i--)
+        sorted[key, i] = sorted[key, i - 1]
+    sorted[key, i] = value
+    if (q1 < low[key])
+        low[key] = q1
+    if (q3 > high[key])
+        high[key] = q3
 }
 
-function add(m, ns, q1, q3,    i)
+function put_times(    i, key, f)
 {
-    for (i = ++runs[m]; i > 1 && middle[m, i - 1] > ns; i--)
-        middle[m, i] = middle[m, i - 1]
-    middle[m, i] = ns
-    if (!(m in low) || q1 < low[m])
-        low[m] = q1
-    if (!(m in high) || q3 > high[m])
-        high[m] = q3
-}
-
-function median_of(m) { return middle[m, int((runs[m] + 1) / 2)] }
-
-function put_speeds(    i, m, ns, limit)
-{
-    limit = median_of("memset")
-    for (i = 1; i <= methods; i++) {
-        m = method[i]
-        ns = median_of(m)
-        row(m, workload, "", "ns_per_pixel", ns, low[m], high[m], "ns")
-        row(m, workload, "", "ratio_to_memset", ns / limit,
-            low[m] / high["memset"], high[m] / low["memset"], "times")
-        if (m in wrong)
-            row(m, workload, "", "wrong_ppm", wrong[m], "", "", "ppm")
+    for (i = 1; i <= n; i++) {
+        key = keys[i]
+        split(key, f, ",")
+        row(f[1], f[2], f[3], f[4], sorted[key, int((batches[key] + 1) / 2)],
+            low[key], high[key], unit_of[key])
     }
 }
+
+# bench/report_csv.c; ratios are to memset and to the best peer of the same batch.
+kind == "speed" && FNR > 1 {
+    m = $3 == "pel" ? "Pel " $1 : $3
+    add(m, $2, "", "ns_per_pixel", "ns", $4 / $9, $5 / $9, $6 / $9)
+    add(m, $2, "", "ratio_to_memset", "times", $7, $7 * $5 / $4, $7 * $6 / $4)
+    if ($3 == "pel" && $8 != "")
+        add(m, $2, "", "ratio_to_best_peer", "times", $8, $8 * $5 / $4,
+            $8 * $6 / $4)
+    if ($11 != "")
+        add(m, $2, "", "wrong_ppm", "ppm", $11 * 1e4, "", "")
+}
+
+# pel-atlas
+kind == "atlas" && FNR > 1 { add($2, $3, $4, $5, $9, $6, $7, $8) }
 
 # bench/scene.c
 kind == "scene" && FNR > 1 {
@@ -59,11 +65,11 @@ kind == "scene" && FNR > 1 {
     x["triangles"] = $3
     x["pixels"] = $5 * $5
     x["bands"] = $6
-    row("Pel " $4, x[$1], "", "ms_per_picture", $9 / 1e6, $10 / 1e6, $11 / 1e6,
-        "ms")
+    add("Pel " $4, x[$1], "", "ms_per_picture", "ms", $9 / 1e6, $10 / 1e6,
+        $11 / 1e6)
     if ($12 > 0)
-        row("osmesa for " $4, x[$1], "", "ms_per_picture", $12 / 1e6, "", "",
-            "ms")
+        add("osmesa for " $4, x[$1], "", "ms_per_picture", "ms", $12 / 1e6,
+            $13 / 1e6, $14 / 1e6)
 }
 
 # bench/instructions.sh
@@ -90,10 +96,11 @@ kind == "size" {
 }
 
 # Many rounds of bench/mcu/matrix.c on the host: name, parameter, time, pixels.
+kind == "matrix" && FNR == 1 { add_rounds() }
 kind == "matrix" && $2 > 8 {
-    if (!(($1, 1) in time))
-        order[++cases] = $1
-    for (i = ++times[$1]; i > 1 && time[$1, i - 1] > $3 / 8 / $4; i--)
+    if (!(rounds[$1]))
+        cases[++paints] = $1
+    for (i = ++rounds[$1]; i > 1 && time[$1, i - 1] > $3 / 8 / $4; i--)
         time[$1, i] = time[$1, i - 1]
     time[$1, i] = $3 / 8 / $4
 }
@@ -101,16 +108,24 @@ kind == "matrix" && $2 > 8 {
 # The share `q` of the sorted times of case c; none is less than nothing.
 function quantile(c, q,    t)
 {
-    t = time[c, 1 + int(q * (times[c] - 1) + .5)]
+    t = time[c, 1 + int(q * (rounds[c] - 1) + .5)]
     return t < 0 ? 0 : t
 }
 
-END {
-    put_speeds()
-    for (i = 1; i <= cases; i++) {
-        c = order[i]
+# The rounds of a batch.
+function add_rounds(    i, c, paint)
+{
+    for (i = 1; i <= paints; i++) {
+        c = cases[i]
         split(c, paint, "/")
-        row("x86-64", paint[1], paint[2], "ns_per_pixel", quantile(c, .5),
-            quantile(c, .25), quantile(c, .75), "ns")
+        add("x86-64", paint[1], paint[2], "ns_per_pixel", "ns",
+            quantile(c, .5), quantile(c, .25), quantile(c, .75))
+        rounds[c] = 0
     }
+    paints = 0
+}
+
+END {
+    add_rounds()
+    put_times()
 }

@@ -2,25 +2,37 @@
 
 #include <math.h>
 
+#include "../method.h"
+
 /* Right, down, away; the eye is 0. */
 struct place {
     double x, y, z;
 };
 
-static struct pel_point seen(struct place p)
-{
-    const double focal = SCENE_SIDE * 256.0, middle = SCENE_SIDE * 128.0;
-    const struct pel_point v = {(int32_t)lround(middle + focal * p.x / p.z),
-                                (int32_t)lround(middle + focal * p.y / p.z)};
-    return v;
-}
+const struct pel_quantization scene_unit = {.step = 1, .shift = 12};
+const struct pel_rect scene_screen = {0, 0, SCENE_SIDE, SCENE_SIDE};
+const struct pel_camera scene_camera = {.target = {0, 0, -PEL_UNITS(1)},
+                                        .up = {0, 1, 0},
+                                        .focal = 1,
+                                        .sensor = {1, 1},
+                                        .near_plane = PEL_UNITS(SCENE_NEAR)};
 
 static void add(struct scene *s, struct place a, struct place b, struct place c)
 {
-    const struct scene_triangle t = {{seen(a), seen(b), seen(c)},
-                                     {a.z, b.z, c.z}};
-    if (pel_triangle_area(t.v) != 0)
-        s->triangle[s->n++] = t;
+    const struct place at[3] = {a, b, c};
+    const double unit = 1 << scene_unit.shift;
+    struct scene_triangle *t = &s->triangle[s->n];
+    for (int i = 0; i < 3; i++) {
+        int16_t *p = s->position[s->n][i];
+        struct pel_projected seen;
+        p[0] = (int16_t)lround(unit * at[i].x);
+        p[1] = (int16_t)lround(-unit * at[i].y);
+        p[2] = (int16_t)lround(-unit * at[i].z);
+        pel_project(&s->projector, p, &seen);
+        t->v[i] = (struct pel_point){seen.x, seen.y};
+        t->z[i] = -p[2] / unit;
+    }
+    s->n += pel_triangle_area(t->v) != 0;
 }
 
 static void add_quad(struct scene *s, const struct place p[4])
@@ -137,10 +149,21 @@ static void vase(struct scene *s, struct random *r)
 }
 
 const struct scene_maker scene_makers[] = {
-    {"crossing spheres", spheres},
-    {"floor and objects", floor_and_objects},
-    {"3-cycle", cycle},
-    {"soup", soup},
-    {"vase", vase},
-    {NULL, NULL},
+    {"crossing spheres", spheres, 1},
+    {"floor and objects", floor_and_objects, 1},
+    {"3-cycle", cycle, 1},
+    {"soup", soup, 40},
+    {"vase", vase, 1},
+    {NULL, NULL, 0},
 };
+
+void scene_make(struct scene *s, const struct scene_maker *maker,
+                struct random *r)
+{
+    const struct pel_mesh mesh = {.position = scene_unit};
+    if (pel_projector_init(&s->projector, &mesh, &pel_pose_none, &scene_camera,
+                           &scene_screen))
+        method_fail("a camera is refused", "point it at something");
+    s->n = 0;
+    maker->make(s, r);
+}

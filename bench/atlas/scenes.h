@@ -18,15 +18,28 @@ struct scene_triangle {
 
 struct scene {
     struct scene_triangle triangle[SCENE_TRIANGLES];
+    int16_t position[SCENE_TRIANGLES][3][3]; /* of the vertices in the world */
+    struct pel_projector projector;
     int32_t n;
 };
+
+/* Positions, and who looks at them. */
+extern const struct pel_quantization scene_unit;
+extern const struct pel_camera scene_camera;
+extern const struct pel_rect scene_screen;
 
 struct scene_maker {
     const char *name;
     void (*make)(struct scene *s, struct random *r);
+    int kinds; /* how many different scenes there are of it, at least */
 };
 
 /* Ends with a NULL name. */
 extern const struct scene_maker scene_makers[];
+
+/* Projects as core does, so that a frame of the positions has the same
+ * vertices. */
+void scene_make(struct scene *s, const struct scene_maker *maker,
+                struct random *r);
 
 #endif

@@ -90,20 +90,40 @@ static void note_wrong(const struct sheet *s, const struct pel_point v[3],
     w->bounds.y1 += AROUND;
 }
 
-/* Wrong pixels of a row, which is cleared; the first one to *first. */
+static int32_t count_drawn(const uint32_t *line, int32_t n)
+{
+    int32_t drawn = 0;
+    for (int32_t i = 0; i < n; i++)
+        drawn += line[i] != 0;
+    return drawn;
+}
+
+/* The first pixel from x on that is drawn and should not be, or the other way
+ * round; there is one. */
+static int32_t first_wrong(const uint32_t *line, struct pel_span exact)
+{
+    int32_t x = 0;
+    while ((line[x] != 0) == (x >= exact.x0 && x < exact.x1))
+        x++;
+    return x;
+}
+
+/* Wrong pixels of a row, which is cleared; the first one to *first. `exact` is
+ * inside the bounds. */
 static int32_t row_wrong(const struct pel_surface *s, int32_t y,
                          struct pel_span exact, int32_t *first)
 {
     uint32_t *line = (uint32_t *)(void *)pel_surface_line(s, y);
-    int32_t wrong = 0;
-    for (int32_t x = s->bounds.x0; x < s->bounds.x1; x++) {
-        const bool drawn = line[x - s->bounds.x0] != 0;
-        const bool is_wrong = drawn != (x >= exact.x0 && x < exact.x1);
-        if (is_wrong && wrong == 0)
-            *first = x;
-        wrong += is_wrong;
-    }
-    memset(line, 0, (size_t)(s->bounds.x1 - s->bounds.x0) * 4);
+    const int32_t left = s->bounds.x0, width = s->bounds.x1 - left;
+    const struct pel_span span = {exact.x0 - left, exact.x1 - left};
+    const int32_t length = span.x1 - span.x0;
+    const int32_t drawn = count_drawn(line, width);
+    const int32_t right = count_drawn(line + span.x0, length);
+    const int32_t wrong = drawn - right + length - right;
+    if (wrong)
+        *first = left + first_wrong(line, span);
+    if (drawn)
+        memset(line, 0, (size_t)width * 4);
     return wrong;
 }
 
@@ -122,15 +142,15 @@ void sheet_judge(struct sheet *s, const struct fill_method *m,
     }
     m->draw(&s->surface, kept, DRAWN);
     for (int32_t y = b->y0; y < b->y1; y++) {
-        const struct pel_span exact = exact_row(kept, y, 8);
-        const int32_t x0 = pel_max(exact.x0, b->x0);
-        const int32_t x1 = pel_min(exact.x1, b->x1);
+        struct pel_span exact = exact_row(kept, y, 8);
+        exact.x0 = pel_min(pel_max(exact.x0, b->x0), b->x1);
+        exact.x1 = pel_max(exact.x0, pel_min(exact.x1, b->x1));
         int32_t first = 0;
         const int32_t more = row_wrong(&s->surface, y, exact, &first);
         if (more && asked)
             note_wrong(s, kept, first, y);
         wrong += more;
-        t->covered += x1 > x0 ? x1 - x0 : 0;
+        t->covered += exact.x1 - exact.x0;
     }
     t->wrong += wrong;
     t->damaged += wrong > 0;

@@ -84,9 +84,11 @@ static PEL_ALWAYS_INLINE pel_u32x4 mixed(const struct pel_texture_steps *s,
 }
 
 /* The last four pixels come first and overlap those before them. */
-static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *s,
+static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *steps,
                                       int kind, const struct pel_texture_run *r)
 {
+    /* Pixels may alias what is not local: this stays in registers. */
+    const struct pel_texture_steps copy = *steps, *const s = &copy;
     pel_word32 *out = (pel_word32 *)r->out;
     const uint64_t last = (uint64_t)r->n - 4;
     struct pel_texture_two t = pel_texture_two_at(
@@ -136,7 +138,7 @@ bool pel_texture_bilinear_run(const struct pel_texture *p,
                               const struct pel_texture_axes *a, int32_t n,
                               pel_color *out)
 {
-    if (!is_fit(p) || !pel_texture_axes_inside(a, p, n, 1))
+    if (!is_fit(p))
         return false;
     const struct pel_texture_steps s =
         pel_texture_steps_make(p, bytes_of(p), 1, false);

@@ -23,6 +23,7 @@ struct pel_palette {
         {(bits) == 4 ? PEL_FORMAT_PALETTE4 : PEL_FORMAT_PALETTE8, \
          (bits),                                                  \
          1,                                                       \
+         {0, 0, 0},                                               \
          pel_palette_color,                                       \
          pel_palette_color,                                       \
          NULL,                                                    \

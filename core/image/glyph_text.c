@@ -1,33 +1,75 @@
 #include "glyph_text.h"
 
-#include "../raster/collect.h"
+#include "../base/inline.h"
 
-/* The first of the bits i..end - 1 that differs from those of `same`, 0 or
- * 0xFF; end when none does. */
-static int32_t find(const uint8_t *row, int32_t i, int32_t end, uint32_t same)
+/* Rows that are handed to a paint at a time, and their columns, which fit a
+ * word with the up to 7 bits of a byte before them. */
+enum { ROWS = PEL_BATCH_ROWS < 16 ? PEL_BATCH_ROWS : 16, COLUMNS = 24 };
+
+/* A part of a glyph at pixel x: of each row the bits left of its span, the last
+ * one in the low bit. */
+struct part {
+    int32_t x;
+    struct pel_spans rows;
+    struct pel_span span[ROWS];
+    uint32_t bits[ROWS];
+};
+
+/* Zero bits below the lowest one, 31 at most. */
+static inline int32_t zeros(uint32_t v)
 {
-    for (; i < end; i = (i | 7) + 1) {
-        uint32_t bits = (row[i >> 3] ^ same) << (24 + (i & 7));
-        if (bits == 0)
-            continue;
-        for (; (int32_t)bits >= 0; bits <<= 1)
-            i++;
-        break;
-    }
-    return pel_min(i, end);
+    if (PEL_64BIT)
+        return pel_trailing_zeros(v | 0x80000000u);
+    if (v == 0)
+        return 31;
+    int32_t n = 0;
+    for (; !(v & 1); v >>= 1)
+        n++;
+    return n;
 }
 
-/* The columns [left, right) of a row whose column 0 is pixel x. */
-static void collect_row(struct pel_collector *c, const uint8_t *row, int32_t x,
-                        int32_t y, const struct pel_span *visible)
+/* The bits of columns [x0, x1), up to COLUMNS of them. */
+static uint32_t bits_at(const uint8_t *row, int32_t x0, int32_t x1)
 {
-    int32_t end = visible->x1 - x;
-    int32_t i = find(row, visible->x0 - x, end, 0);
-    while (i < end) {
-        int32_t start = i;
-        i = find(row, i, end, 0xFF);
-        pel_collect(c, y, x + start, x + i);
-        i = find(row, i, end, 0);
+    uint32_t bits = 0;
+    for (int32_t i = x0 >> 3; 8 * i < x1; i++)
+        bits = bits << 8 | row[i];
+    return bits >> (-x1 & 7) & ((1u << (x1 - x0)) - 1);
+}
+
+/* Sets the span of each row to the next run of set bits on its left, or empty
+ * at pixel `left`, and returns whether there are more. (Compilers for any
+ * x86-64 count zeros from the low bit in one fast instruction.) */
+static bool next_runs(struct part *p, int32_t left)
+{
+    uint32_t more = 0;
+    for (int32_t i = 0; i < p->rows.n; i++) {
+        struct pel_span *span = &p->span[i];
+        int32_t n = zeros(p->bits[i]);
+        const uint32_t bits = p->bits[i] >> n;
+        span->x1 = pel_max(span->x0 - n, left);
+        n = zeros(~bits);
+        span->x0 = span->x1 - n;
+        p->bits[i] = bits >> n;
+        more |= p->bits[i];
+    }
+    return more != 0;
+}
+
+/* Paints the columns of rows from `row` on. */
+static void fill_part(struct part *p, const uint8_t *row, int32_t stride,
+                      const struct pel_span *columns,
+                      const struct pel_paint *paint)
+{
+    uint32_t all = 0;
+    for (int32_t i = 0; i < p->rows.n; i++, row += stride) {
+        p->span[i].x0 = columns->x1;
+        p->bits[i] = bits_at(row, columns->x0 - p->x, columns->x1 - p->x);
+        all |= p->bits[i];
+    }
+    for (bool more = all != 0; more;) {
+        more = next_runs(p, columns->x0);
+        paint->fill(paint, &p->rows);
     }
 }
 
@@ -48,14 +90,19 @@ void pel_glyph(const struct pel_surface *surface,
     r = pel_rect_intersect(&r, &surface->clip);
     if (pel_rect_empty(&r))
         return;
-    const struct pel_span visible = {r.x0, r.x1};
-    const uint8_t *row =
-        glyph->bits + (ptrdiff_t)(r.y0 - y) * (ptrdiff_t)glyph->stride;
-    struct pel_collector c;
-    pel_collect_begin(&c, surface, paint);
-    for (; r.y0 < r.y1; r.y0++, row += glyph->stride)
-        collect_row(&c, row, x, r.y0, &visible);
-    pel_collect_end(&c);
+    struct part p;
+    p.x = x;
+    p.rows = (struct pel_spans){surface, p.span, r.y0, 0, 1};
+    for (; p.rows.y < r.y1; p.rows.y += p.rows.n) {
+        const uint8_t *row =
+            glyph->bits + (ptrdiff_t)(p.rows.y - y) * (ptrdiff_t)glyph->stride;
+        struct pel_span columns = {r.x0, r.x0};
+        p.rows.n = pel_min(r.y1 - p.rows.y, ROWS);
+        for (; columns.x0 < r.x1; columns.x0 = columns.x1) {
+            columns.x1 = pel_min(columns.x0 + COLUMNS, r.x1);
+            fill_part(&p, row, glyph->stride, &columns, paint);
+        }
+    }
 }
 
 enum { REPLACEMENT = 0xFFFD };

@@ -1,5 +1,7 @@
 #include "paint_linear.h"
 
+#include <string.h>
+
 #include "../base/divide.h"
 #include "cells.h"
 
@@ -167,22 +169,76 @@ static void move_down(struct pel_cells *c, const struct pel_linear *p)
     }
 }
 
-/* Of a level gradient every row is one run of one cell. */
+/* Of a level gradient a row is of one colour; those that look alike are drawn
+ * together. */
 static void fill_level(const struct pel_linear *p,
                        const struct pel_spans *spans)
 {
     struct pel_cells c;
+    struct pel_spans rows = *spans;
+    uint32_t value = 0;
+    void (*draw)(const struct pel_spans *, uint32_t) = NULL;
     const bool near_cells = p->d.y > 0 && p->d.y >> 3 <= p->cell;
     pel_cells_open(&c, &p->base, spans);
-    c.cell.n = 1;
+    rows.n = 0;
     for (int32_t i = 0; i < spans->n; i++, c.cell.y += c.cell.step) {
         if (i == 0 || !near_cells)
             set_cell(&c, p, product_at(p, 0, c.cell.y));
         else if (c.cell.step)
             move_down(&c, p);
         pel_cells_color(&c);
-        c.run[0] = spans->span[i];
-        pel_fill_value(&c.cell, c.value, c.draw);
+        if (rows.n && (c.value != value || c.draw != draw)) {
+            pel_fill_value(&rows, value, draw);
+            rows = (struct pel_spans){rows.surface, rows.span + rows.n,
+                                      c.cell.y, 0, rows.step};
+        }
+        value = c.value;
+        draw = c.draw;
+        rows.n++;
+    }
+    pel_fill_value(&rows, value, draw);
+}
+
+static bool is_opaque(const struct pel_ramp *ramp)
+{
+    pel_color all = ramp->colors[0];
+    for (int32_t i = 1; i < ramp->n; i++)
+        all &= ramp->colors[i];
+    return pel_alpha(all) == 255;
+}
+
+/* The row whose span holds all others, where its bytes are those of all: of an
+ * upright gradient, opaque, in a format whose pixels are bytes of their own.
+ * -1: none. */
+static int32_t find_model(const struct pel_linear *p,
+                          const struct pel_spans *spans)
+{
+    const struct pel_format *format = spans->surface->format;
+    const struct pel_span *span = spans->span;
+    int32_t model = 0, x0 = span->x0, x1 = span->x1;
+    if (p->d.y != 0 || spans->n * spans->step < 2 || format->id >= 128 ||
+        format->bits < 8)
+        return -1;
+    for (int32_t i = 1; i < spans->n; i++) {
+        x0 = pel_min(x0, span[i].x0);
+        x1 = pel_max(x1, span[i].x1);
+        if (span[i].x0 == x0 && span[i].x1 == x1)
+            model = i;
+    }
+    const bool holds = span[model].x0 == x0 && span[model].x1 == x1;
+    return holds && is_opaque(&p->base.ramp) ? model : -1;
+}
+
+static void copy_model(const struct pel_spans *spans, int32_t model)
+{
+    const struct pel_surface *s = spans->surface;
+    const int32_t bytes = s->format->bits / 8;
+    for (int32_t i = 0; i < spans->n; i++) {
+        const struct pel_span *span = &spans->span[i];
+        if (i != model && span->x0 < span->x1)
+            memcpy((void *)pel_address(s, span->x0, spans->y + i, bytes),
+                   (void *)pel_address(s, span->x0, spans->y + model, bytes),
+                   (size_t)((span->x1 - span->x0) * bytes));
     }
 }
 
@@ -193,10 +249,19 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     const struct pel_linear *p = (const void *)paint;
     const bool far = pel_size_of(p->d.y) > 8 * p->d.x;
     const int32_t most = p->by_pixel || far ? 1 : PEL_CELL_ROWS;
+    const int32_t model = PEL_CELL_ROWS > 1 ? find_model(p, spans) : -1;
+    struct pel_spans drawn = *spans;
+    if (model >= 0) {
+        drawn.span += model;
+        drawn.y += model;
+        drawn.n = 1;
+    }
     if (PEL_CELL_ROWS > 1 && p->d.x == 0)
         fill_level(p, spans);
     else
-        pel_cells_fill(paint, spans, most, start, end_cells);
+        pel_cells_fill(paint, &drawn, most, start, end_cells);
+    if (model >= 0)
+        copy_model(spans, model);
 }
 
 enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,

@@ -32,12 +32,22 @@ static inline uint32_t weight(uint64_t at)
     return (uint32_t)(at >> 24) & 255;
 }
 
-static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
-                      int32_t n, pel_color *out)
+/* Are the texel of this index and the next one as they lie in memory? */
+static inline bool is_inner(const struct pel_texture_axis *a, int32_t i)
 {
-    for (; n > 0; n--, pel_texture_axes_step(a, p)) {
+    return (uint32_t)i < (uint32_t)a->size - 1;
+}
+
+/* How many of n pixels: 64-bit CPUs stop before one that is inside. */
+static int32_t outer_run(const struct pel_texture *p,
+                         struct pel_texture_axes *a, int32_t n, pel_color *out)
+{
+    int32_t k = 0;
+    for (; k < n; k++, pel_texture_axes_step(a, p)) {
         int32_t i = pel_texture_axis_index(&a->u);
         int32_t j = pel_texture_axis_index(&a->v);
+        if (PEL_64BIT && is_inner(&a->u, i) && is_inner(&a->v, j))
+            break;
         int32_t i0 = pel_texture_axis_texel(&a->u, i);
         int32_t i1 = pel_texture_axis_texel(&a->u, i + (i < INT32_MAX));
         int32_t j0 = pel_texture_axis_texel(&a->v, j);
@@ -45,8 +55,21 @@ static void outer_run(const struct pel_texture *p, struct pel_texture_axes *a,
         const pel_color t[4] = {
             pel_texel(p, p->kind, i0, j0), pel_texel(p, p->kind, i1, j0),
             pel_texel(p, p->kind, i0, j1), pel_texel(p, p->kind, i1, j1)};
-        *out++ = mixed(t, weight(a->u.at), weight(a->v.at));
+        out[k] = mixed(t, weight(a->u.at), weight(a->v.at));
     }
+    return k;
+}
+
+/* How many of n pixels come before the first that is not inside. */
+static int32_t inner_pixels(const struct pel_texture_axis *a, uint64_t step,
+                            int32_t n)
+{
+    const uint64_t end = (uint64_t)(uint32_t)(a->size - 1) << 32;
+    if (a->at >= end || step == 0)
+        return a->at < end ? n : 0;
+    const uint64_t steps =
+        step >> 63 ? a->at / (0 - step) : (end - 1 - a->at) / step;
+    return steps < (uint32_t)n ? (int32_t)steps + 1 : n;
 }
 
 /* A run that does not leave the picture. */
@@ -65,17 +88,45 @@ static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
     }
 }
 
+static void inner(const struct pel_texture *p, const struct pel_texture_axes *a,
+                  int32_t n, pel_color *out)
+{
+    if (!PEL_FAST_FILLS || !PEL_VECTORS ||
+        !pel_texture_bilinear_run(p, a, n, out))
+        pel_texture_run(p, a, n, out, inner_run);
+}
+
+/* By parts that lie inside the picture, or one of its repetitions, and seams
+ * between them. */
+static PEL_NOINLINE void parts(const struct pel_texture *p,
+                               struct pel_texture_axes *a, int32_t n,
+                               pel_color *out)
+{
+    for (int32_t part; n > 0; n -= part, out += part) {
+        part = inner_pixels(&a->u, p->map.u.dx, n);
+        part = inner_pixels(&a->v, p->map.v.dx, part);
+        if (part == 0) {
+            part = outer_run(p, a, n, out);
+            continue;
+        }
+        inner(p, a, part, out);
+        a->u.at += pel_times(p->map.u.dx, part);
+        a->v.at += pel_times(p->map.v.dx, part);
+    }
+}
+
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
     const struct pel_texture *p = (const void *)paint;
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y, PEL_TEXTURE_HALF_BACK);
-    if (!PEL_KNOW_SIDES || !pel_texture_axes_inside(&a, p, n, 1))
+    if (PEL_KNOW_SIDES && pel_texture_axes_inside(&a, p, n, 1))
+        inner(p, &a, n, out);
+    else if (PEL_64BIT)
+        parts(p, &a, n, out);
+    else
         outer_run(p, &a, n, out);
-    else if (!PEL_FAST_FILLS || !PEL_VECTORS ||
-             !pel_texture_bilinear_run(p, &a, n, out))
-        pel_texture_run(p, &a, n, out, inner_run);
 }
 
 enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,

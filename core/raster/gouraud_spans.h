@@ -22,6 +22,7 @@ static PEL_ALWAYS_INLINE void pel_gouraud_at(const struct pel_gouraud *g,
                                              int32_t x, int32_t y,
                                              uint32_t v[3])
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         v[k] = g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k];
 }
@@ -83,6 +84,7 @@ static inline struct pel_gouraud_steps pel_gouraud_steps_make(
     const pel_u32x4 odd = {0, ~0u, 0, ~0u};
     const pel_u32x4 upper = {0, 0, ~0u, ~0u};
     struct pel_gouraud_steps s;
+    PEL_UNROLL
     for (int k = 0; k < 3; k++) {
         const pel_u32x4 zero = {0, 0, 0, 0}, d = zero + apart * g->dx[k];
         const pel_u32x4 one = zero + g->dx[k];

@@ -97,6 +97,7 @@ enum pel_status pel_mesh_lights_init(struct pel_mesh_lights *lights,
     if (up < -34)
         return PEL_ERROR_RANGE;
     lights->lighting = lighting;
+    lights->count = lighting->lights;
     lights->mesh = mesh;
     lights->down = mesh->position.shift - 30 - up;
     set_position(pose, eye, false, up, lights->eye);
@@ -216,7 +217,7 @@ void pel_mesh_lights_sum(const struct pel_mesh_lights *lights,
     pel_cosine towards[3][3];
     if (!pel_light_start(lights, position, normal, towards, sum))
         return;
-    for (int32_t i = 0; i < lights->lighting->lights; i++) {
+    for (int32_t i = 0; i < lights->count; i++) {
         pel_light_towards(&lights->light[i], position, towards);
         pel_light_add(lights, &lights->light[i], towards, sum);
     }

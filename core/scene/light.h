@@ -44,7 +44,9 @@ struct pel_mesh_light {
 /* Positions are in lighting units, a power of two of world units, along the
  * axes of the mesh: below 2^29 for the mesh, the lights and the eye. */
 struct pel_mesh_lights {
-    struct pel_mesh_light *light; /* lighting->lights of them */
+    struct pel_mesh_light *light;
+    int32_t count; /* of them: lighting->lights, or those that are not left out
+                      (select.h) */
     const struct pel_lighting *lighting;
     const struct pel_mesh *mesh;
     int32_t eye[3];

@@ -64,6 +64,7 @@ inline void pel_mesh_corners(const struct pel_mesh *mesh, uint32_t triangle,
 inline void pel_mesh_normal(const struct pel_mesh *mesh, uint32_t vertex,
                             int32_t normal[3])
 {
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         normal[k] = mesh->normals16
                         ? mesh->normals16[vertex][k] * INT32_C(16384)

@@ -80,7 +80,7 @@ static bool equal(const pel_factor v[3])
 static bool is_gray(const struct pel_mesh_lights *lights)
 {
     bool gray = equal(lights->ambient);
-    for (int32_t i = 0; i < lights->lighting->lights; i++)
+    for (int32_t i = 0; i < lights->count; i++)
         gray = gray && equal(lights->light[i].diffuse) &&
                equal(lights->light[i].specular);
     return gray;
@@ -104,7 +104,7 @@ void pel_phong_quick_init(struct pel_phong_quick *paint,
     for (int k = 0; k < 6; k++)
         paint->d.k[k] = -paint->d.k[k];
     multiply(normal, eye, &paint->eye);
-    for (int32_t i = 0; i < lights->lighting->lights; i++)
+    for (int32_t i = 0; i < lights->count; i++)
         set_light(paint, i, corners, normal, eye);
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 3; i++)

@@ -95,21 +95,24 @@ static enum taken take(const struct pel_frame *frame, uint32_t triangle,
     return !before ? BEHIND : cut ? CUT : WHOLE;
 }
 
-bool pel_box_meets(const struct pel_point at[3], const struct pel_rect *rect)
+/* Do the pixel centres between two sub-pixels overlap [from, to)? */
+static inline bool meets(int32_t low, int32_t high, int32_t from, int32_t to)
 {
-    bool right = false, left = false, below = false, above = false;
-    PEL_UNROLL
-    for (int i = 0; i < 3; i++) {
-        right |= at[i].x > PEL_PX(rect->x0);
-        left |= at[i].x < PEL_PX(rect->x1);
-        below |= at[i].y > PEL_PX(rect->y0);
-        above |= at[i].y < PEL_PX(rect->y1);
-    }
-    return right && left && below && above;
+    return pel_max(pel_first_pixel(low), from) <
+           pel_min(pel_first_pixel(high), to);
 }
 
-/* True when the triangle's box overlaps the rectangle and the side that is seen
- * is to be drawn. */
+bool pel_box_meets(const struct pel_point at[3], const struct pel_rect *rect)
+{
+    const struct pel_point a = at[0], b = at[1], c = at[2];
+    return meets(pel_min(pel_min(a.x, b.x), c.x),
+                 pel_max(pel_max(a.x, b.x), c.x), rect->x0, rect->x1) &&
+           meets(pel_min(pel_min(a.y, b.y), c.y),
+                 pel_max(pel_max(a.y, b.y), c.y), rect->y0, rect->y1);
+}
+
+/* True when the triangle's box has pixels of the rectangle and the side that is
+ * seen is to be drawn. */
 static bool is_shown(const struct pel_frame *frame,
                      const struct pel_point at[3], const struct pel_rect *rect)
 {
@@ -165,6 +168,8 @@ enum pel_status pel_scene_prepare(struct pel_frame *frame,
     frame->filter = NULL;
     frame->pass = PEL_PASS_ALL;
     frame->translucent = false;
+    frame->tolerance = scene->tolerance;
+    frame->lights.lighting = NULL;
     frame->work = scratch;
     frame->lights.light = (void *)((uint8_t *)scratch + WORK_SIZE);
     frame->vertex = (void *)((uint8_t *)scratch + part.vertices);

@@ -18,10 +18,20 @@ enum pel_method {
     PEL_METHODS
 };
 
-/* pel_shade_phong to scene->tolerance: exact where that is 0. */
+/* pel_shade_phong to scene->tolerance: exact where that is 0. Lights are left
+ * out of the frame while all that these could add to a white surface is within
+ * a quarter of the tolerance. */
 extern const struct pel_shading pel_shade_chosen;
 
-/* pel_map_perspective to scene->texel_tolerance: affine, or divided every 64,
+/* Its `start`. */
+enum pel_status pel_frame_start_chosen(struct pel_frame *frame);
+
+/* The texture's sampler to scene->tolerance: nearest texels instead of bilinear
+ * ones where the texture's contrast (texture_contrast.h), times the brightest
+ * light, is within it, or within half of it in a scene with light.
+ * pel_shade_chosen keeps to what is left.
+ *
+ * pel_map_perspective to scene->texel_tolerance: affine, or divided every 64,
  * 32 ... 2 pixels, or at every one. With r the ratio of the largest distance to
  * the smallest and u the texels,
  *
@@ -34,5 +44,21 @@ extern const struct pel_shading pel_shade_chosen;
  * where all of them are at one end of the distances and the others at the other
  * one: u (s r / (s r + 1 - s) - s) <= u (sqrt r - 1) / (sqrt r + 1).) */
 extern const struct pel_mapping pel_map_chosen;
+
+/* 16 where depths of 16 bits are proven to show what those of 32 bits show of a
+ * prepared frame; 32 elsewhere. The caller knows of the scene that of two
+ * triangles in a pixel one lies `gap` or more behind the other. There is none
+ * where triangles touch or cross, nor between front and back at the outline of
+ * a mesh: cull one side. There is no proof when some vertex is cut off.
+ *
+ * Let the vertices lie from `first` to `far`, in coarse units: z is cut by less
+ * than one. Then near / z of both triangles differ by at least
+ *
+ *     near (gap / far^2 - 1 / first^2).
+ *
+ * That suffices where it is 2^-15 and a little: a step of 16 bits, and half a
+ * step for each plane, which is what those of triangles thinner than 1/256 px
+ * are off by at most. */
+int pel_scene_depth_bits(const struct pel_frame *frame, pel_length gap);
 PEL_END_DECLS
 #endif

@@ -11,17 +11,24 @@ static int unit_bits(const struct pel_lighting *lighting)
 
 enum { UNITS = 31 };
 
+/* At least the root of v, by less than 2^-20 of it and two more: a guess that
+ * is less than 2^10 2^-shift off. */
+static uint32_t root_above(uint64_t v)
+{
+    struct pel_root root;
+    pel_root_guess(v, &root);
+    return root.root + (UINT32_C(1024) >> root.shift) + 2;
+}
+
 /* sqrt(a / b) in 2^-16, rounded up by up to three of them; at most 4. b > 0,
  * both below 2^62. */
 enum { RATIO_MAX = 4 * 65536 };
 
 static uint32_t ratio(uint64_t a, uint64_t b)
 {
-    struct pel_root root;
     int shift;
     const uint32_t inverse = pel_inverse_root(b, &shift);
-    pel_square_root(a, &root);
-    const uint64_t q = pel_multiply(root.root + 1, inverse) >> (46 - shift);
+    const uint64_t q = pel_multiply(root_above(a), inverse) >> (46 - shift);
     return q < RATIO_MAX - 2 ? (uint32_t)q + 2 : RATIO_MAX;
 }
 
@@ -36,7 +43,7 @@ pel_color pel_light_note(const struct pel_frame *frame, uint32_t vertex,
     pel_mesh_lights_position(lights, mesh->positions[vertex], position);
     pel_mesh_normal(mesh, vertex, normal);
     if (pel_light_start(lights, position, normal, towards, &sum)) {
-        for (int32_t i = 0; i < lights->lighting->lights; i++) {
+        for (int32_t i = 0; i < lights->count; i++) {
             const struct pel_mesh_light *light = &lights->light[i];
             pel_light_towards(light, position, towards);
             pel_light_add(lights, light, towards, &sum);
@@ -157,7 +164,7 @@ static bool turns_of(const struct pel_mesh_lights *lights,
     if (!turn_of_normals(corners, turns) ||
         !turn_to(lights->eye, corners->position, edge, &turns->eye))
         return false;
-    for (int32_t i = 0; i < lights->lighting->lights; i++)
+    for (int32_t i = 0; i < lights->count; i++)
         if (!lights->light[i].directional &&
             !turn_to(lights->light[i].at, corners->position, edge,
                      &turns->light))
@@ -189,7 +196,7 @@ static bool turn_to_eye(const struct pel_mesh_lights *lights,
 static uint32_t strength(const struct pel_mesh_lights *lights, bool specular)
 {
     uint32_t sum = 0;
-    for (int32_t i = 0; i < lights->lighting->lights; i++) {
+    for (int32_t i = 0; i < lights->count; i++) {
         const pel_factor *f =
             specular ? lights->light[i].specular : lights->light[i].diffuse;
         sum += (uint32_t)pel_max(pel_max(f[0], f[1]), f[2]);
@@ -231,32 +238,20 @@ static uint32_t curvature(int32_t p, pel_cosine w)
     return (uint32_t)(((slope + 1) * power >> 16) + 1) * (uint32_t)p;
 }
 
-static uint32_t root_of(uint32_t v)
+/* The largest channel, and the largest difference of two vertices in one. */
+static uint32_t channels_of(const pel_color color[3], uint32_t *change)
 {
-    struct pel_root root;
-    pel_square_root(v, &root);
-    return root.root + 1;
-}
-
-static uint32_t channels_most(const pel_color color[3])
-{
-    uint32_t most = 0;
-    for (int i = 0; i < 9; i++)
-        most = (uint32_t)pel_max((int32_t)most,
-                                 (int32_t)(color[i / 3] >> 8 * (i % 3) & 255));
-    return most;
-}
-
-/* The largest difference between two vertices in a channel. */
-static uint32_t channels_change(const pel_color color[3])
-{
-    int32_t most = 0;
-    for (int k = 0; k < 24; k += 8)
-        for (int i = 0; i < 3; i++) {
-            const int j = i == 2 ? 0 : i + 1;
-            most = pel_max(most, pel_magnitude((int32_t)(color[i] >> k & 255) -
-                                               (int32_t)(color[j] >> k & 255)));
-        }
+    int32_t most = 0, widest = 0;
+    PEL_UNROLL
+    for (int k = 0; k < 24; k += 8) {
+        const int32_t a = (int32_t)(color[0] >> k & 255);
+        const int32_t b = (int32_t)(color[1] >> k & 255);
+        const int32_t c = (int32_t)(color[2] >> k & 255);
+        const int32_t high = pel_max(pel_max(a, b), c);
+        most = pel_max(most, high);
+        widest = pel_max(widest, high - pel_min(pel_min(a, b), c));
+    }
+    *change = (uint32_t)widest;
     return (uint32_t)most;
 }
 
@@ -267,13 +262,17 @@ static uint64_t quick_of(const struct pel_light_bounds *b, uint32_t length,
                          uint32_t times)
 {
     const uint64_t square = (uint64_t)length * length >> 16;
-    const uint64_t fourth =
-        length <= 16384 ? (square * square >> 16) + 1 : UINT64_C(1) << 24;
+    uint64_t fourth = UINT64_C(1) << 24, fifth = fourth;
+    if (length <= 16384) {
+        fourth = (square * square >> 16) + 1;
+        fifth = (fourth * length >> 16) + 1;
+    }
     const uint64_t light = (uint64_t)b->turns.light * b->turns.light >> 16;
     const uint64_t eye = (uint64_t)b->turns.eye * b->turns.eye >> 16;
-    return (b->diffuse * (fourth + (curve_of(light * times) >> 16) + 1) +
+    return (b->diffuse *
+                (fourth * 3 / 8 + (curve_of(light * times) >> 16) + 2) +
             b->slope *
-                (2 * fourth + (curve_of((light + eye) * times) >> 16) + 2)) >>
+                (2 * fifth + (curve_of((light + eye) * times) >> 16) + 2)) >>
            16;
 }
 
@@ -293,7 +292,7 @@ static uint64_t add_highlights(const struct pel_frame *frame,
     b->curve += (s * (uint32_t)p >> 17) + 1; /* roots and powers */
     if (p == 1)
         b->kink += s * q >> 18;
-    return s * q * root_of((uint32_t)p) >> 16;
+    return s * q * root_above((uint32_t)p) >> 16;
 }
 
 /* Turns are at most 2^18 and factors 2^29, so a product of three is below 2^63
@@ -322,9 +321,11 @@ bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
     const uint64_t tear = b->tears ? b->dull : 0;
     b->quick = quick_of(b, b->turns.length, 65536) + tear;
     b->plane = b->curve + b->kink + tear;
+    uint32_t differ;
+    const uint32_t most = channels_of(color, &differ);
     if (!frame->lights.lighting->plain_highlights)
-        b->plane = b->plane * (channels_most(color) + 1) >> 8;
-    b->plane += ((change + 1) * channels_change(color) * 86 >> 16) + 2;
+        b->plane = b->plane * (most + 1) >> 8;
+    b->plane += ((change + 1) * differ * 86 >> 16) + 2;
     return true;
 }
 

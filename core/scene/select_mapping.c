@@ -76,4 +76,34 @@ static const struct pel_color_paint *surface(struct pel_frame *frame)
     return &p->base;
 }
 
-const struct pel_mapping pel_map_chosen = {NULL, surface, pel_frame_modulate};
+/* The most that a texel is multiplied by, 1/65,536: 1 or what Phong's light
+ * may reach. */
+static uint32_t brightest(const struct pel_mesh_lights *lights)
+{
+    uint32_t most = 65536;
+    for (int k = 0; k < 3; k++) {
+        uint32_t sum = (uint32_t)lights->ambient[k];
+        for (int32_t i = 0; i < lights->count; i++)
+            sum += (uint32_t)(lights->light[i].diffuse[k] +
+                              lights->light[i].specular[k]);
+        most = sum > most ? sum : most;
+    }
+    return most;
+}
+
+/* With light, that is left half of the tolerance. */
+static pel_sampler *sampler(struct pel_frame *frame)
+{
+    const struct pel_mesh_texture *t = frame->mesh_texture;
+    const bool lit = frame->lights.lighting;
+    const uint64_t most = lit ? brightest(&frame->lights) : 65536;
+    const uint64_t error = ((t->contrast - UINT64_C(1)) * most + 255) >> 8;
+    if (t->contrast == 0 || t->sampler == pel_texture_init_nearest ||
+        frame->room < 0 || error > (uint32_t)frame->room >> lit)
+        return t->sampler;
+    frame->room -= (int32_t)error;
+    return pel_texture_init_nearest;
+}
+
+const struct pel_mapping pel_map_chosen = {NULL, surface, pel_frame_modulate,
+                                           sampler};

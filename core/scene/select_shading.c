@@ -73,7 +73,8 @@ static void note(struct pel_frame *frame, enum pel_method method,
                  uint64_t bound)
 {
     frame->work->method = (uint8_t)method;
-    frame->work->bound = (uint32_t)bound;
+    frame->work->bound =
+        (uint32_t)(bound + (uint32_t)(frame->scene->tolerance - frame->room));
 }
 
 static const struct pel_paint *exact_paint(
@@ -91,7 +92,7 @@ static const struct pel_paint *quick_paint(
 {
     static const int32_t one[2][3] = {{0, 1 << 28, 0}, {0, 0, 1 << 28}};
     struct pel_phong_quick *quick = &frame->work->paint.quick;
-    const uint64_t room = (uint32_t)frame->scene->tolerance - QUICK_ERROR;
+    const uint64_t room = (uint32_t)frame->room - QUICK_ERROR;
     pel_phong_quick_init(quick, &frame->lights, corners, surface, color);
     quick->alpha = frame->alpha;
     pel_color_paint_init(&quick->base, quick->base.colors, frame->opaque);
@@ -137,7 +138,7 @@ static const struct pel_paint *try_vertices(
     struct pel_frame *frame, const struct pel_color_paint *surface,
     pel_color lit[3], const struct pel_light_bounds *bounds)
 {
-    const uint64_t tolerance = (uint32_t)frame->scene->tolerance;
+    const uint64_t tolerance = (uint32_t)frame->room;
     const uint64_t bound =
         bounds->plane + GOURAUD_ERROR + (surface ? FACTOR_ERROR : 0);
     if (bound > tolerance || is_cut(lit, surface) ||
@@ -146,10 +147,14 @@ static const struct pel_paint *try_vertices(
     return vertex_paint(frame, surface, lit, bound, tolerance - bound);
 }
 
+/* Twice the area, 1/65,536 px, of two pixels: these take less than their bound
+ * does. */
+enum { FEW_PIXELS = 2 * 2 * 65536 };
+
 static const struct pel_paint *chosen_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface)
 {
-    const int64_t tolerance = frame->scene->tolerance;
+    const int64_t tolerance = frame->room;
     pel_color lit[3], own[3];
     uint8_t notes[3];
     struct pel_lit_corners corners;
@@ -160,17 +165,45 @@ static const struct pel_paint *chosen_paint(
         lit[i] = (lit[i] & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
         own[i] = pel_frame_surface(frame, frame->work->triangle.vertex[i]);
     }
-    if (tolerance < QUICK_ERROR ||
+    if (tolerance < QUICK_ERROR || pel_frame_setup(frame)->area < FEW_PIXELS ||
         !pel_light_bound(frame, notes, own, &corners, &bounds))
         return exact_paint(frame, surface, own);
     const struct pel_paint *paint = try_vertices(frame, surface, lit, &bounds);
     if (paint)
         return paint;
     if (bounds.quick <= (uint64_t)(tolerance - QUICK_ERROR) &&
-        frame->lights.lighting->lights <= PEL_QUICK_LIGHTS)
+        frame->lights.count <= PEL_QUICK_LIGHTS)
         return quick_paint(frame, surface, &corners, &bounds, own);
     return exact_paint(frame, surface, own);
 }
 
-const struct pel_shading pel_shade_chosen = {pel_frame_start_light,
+/* What a light may add to a channel, 1/256 step: 255/256 of the sum of its
+ * factors, and roundings of 2^-17 each and of the channel. */
+static uint32_t most_of(const struct pel_mesh_light *light)
+{
+    int32_t most = 0;
+    for (int k = 0; k < 3; k++)
+        most = pel_max(most, light->diffuse[k] + light->specular[k]);
+    return most ? (uint32_t)most + 2 : 0;
+}
+
+enum pel_status pel_frame_start_chosen(struct pel_frame *frame)
+{
+    struct pel_mesh_lights *lights = &frame->lights;
+    const enum pel_status status = pel_frame_start_light(frame);
+    uint32_t left = (uint32_t)pel_max(frame->tolerance, 0) / 4;
+    int32_t kept = 0;
+    for (int32_t i = 0; status == PEL_OK && i < lights->count; i++) {
+        const uint32_t most = most_of(&lights->light[i]);
+        if (most <= left) {
+            left -= most;
+            frame->tolerance -= (int32_t)most;
+        } else
+            lights->light[kept++] = lights->light[i];
+    }
+    lights->count = kept;
+    return status;
+}
+
+const struct pel_shading pel_shade_chosen = {pel_frame_start_chosen,
                                              pel_light_note, chosen_paint};

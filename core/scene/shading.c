@@ -127,17 +127,16 @@ static const struct pel_paint *facet_paint(
     const struct pel_mesh *mesh = frame->scene->mesh;
     const uint32_t *vertex = frame->work->triangle.vertex;
     struct pel_light_sum sum;
-    int32_t position[3] = {0, 0, 0}, corner[3];
+    int32_t position[3], corner[3][3];
     pel_cosine normal[3];
     int64_t facet[3];
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 3; i++)
         pel_mesh_lights_position(&frame->lights, mesh->positions[vertex[i]],
-                                 corner);
-        for (int k = 0; k < 3; k++)
-            position[k] += corner[k];
-    }
-    for (int k = 0; k < 3; k++)
-        position[k] = pel_scaled(position[k], 715827883, 31); /* a third */
+                                 corner[i]);
+    PEL_UNROLL
+    for (int k = 0; k < 3; k++) /* a third of the sum */
+        position[k] = pel_scaled(corner[0][k] + corner[1][k] + corner[2][k],
+                                 715827883, 31);
     pel_mesh_facet(mesh, vertex, facet);
     pel_normalize(facet, normal);
     pel_mesh_lights_sum(&frame->lights, position, normal, &sum);
@@ -176,36 +175,59 @@ static uint32_t channel(uint32_t v)
     return v < 0x800000u ? 0 : (v - 0x7F8000u) >> 16;
 }
 
-/* Channel k of the surface in 1/256 steps. */
-static uint32_t surface_of(const struct pel_phong *p, int k, int32_t x,
-                           int32_t y, pel_color under)
+/* What is linear along a row: the normal and the position, and the surface's
+ * colors where they are not another's. */
+struct along {
+    uint64_t at[6];
+    uint32_t own[3];
+};
+
+/* The values of three planes, and of the next pixel's. */
+static inline void next_of(const struct pel_plane *plane, uint64_t at[3],
+                           int32_t whole[3])
 {
-    const struct pel_gouraud *g = &p->colors;
-    if (p->surface)
-        return (under >> 8 * k & 255) << 8;
-    return channel(g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k]);
+    PEL_UNROLL
+    for (int k = 0; k < 3; k++) {
+        whole[k] = pel_plane_whole(at[k]);
+        at[k] += plane[k].dx;
+    }
+}
+
+/* The surface's color `under` a pixel, or its own, in the light. */
+static inline pel_color lit_color(const struct pel_phong *p, struct along *a,
+                                  const struct pel_light_sum *sum,
+                                  pel_color under)
+{
+    pel_color lit = pel_round_div255(pel_alpha(under) * p->alpha) << 24;
+    PEL_UNROLL
+    for (int k = 0; k < 3; k++) {
+        uint32_t own = (under >> 8 * k & 255) << 8;
+        if (!p->surface) {
+            own = channel(a->own[k]);
+            a->own[k] += p->colors.dx[k];
+        }
+        lit |= pel_lit_channel(sum, 2 - k, own) << 8 * k;
+    }
+    return lit;
 }
 
 /* Not inlined: its stack is free while the surface computes its colors. */
 static PEL_NOINLINE void light(const struct pel_phong *p, int32_t x, int32_t y,
                                int32_t n, pel_color *out)
 {
-    uint64_t at[6];
+    struct along a;
     for (int k = 0; k < 6; k++)
-        at[k] = pel_plane_at(&p->plane[k], x, y);
-    for (; n > 0; n--, x++, out++) {
+        a.at[k] = pel_plane_at(&p->plane[k], x, y);
+    for (int k = 0; k < 3 && !p->surface; k++)
+        a.own[k] = p->colors.at[k] + (uint32_t)x * p->colors.dx[k] +
+                   (uint32_t)y * p->colors.dy[k];
+    for (; n > 0; n--, out++) {
         struct pel_light_sum sum;
-        int32_t whole[6]; /* normal, position */
-        pel_color lit = pel_round_div255(pel_alpha(*out) * p->alpha) << 24;
-        for (int k = 0; k < 6; k++) {
-            whole[k] = pel_plane_whole(at[k]);
-            at[k] += p->plane[k].dx;
-        }
-        pel_mesh_lights_sum(p->lights, whole + 3, whole, &sum);
-        for (int k = 0; k < 3; k++)
-            lit |= pel_lit_channel(&sum, 2 - k, surface_of(p, k, x, y, *out))
-                   << 8 * k;
-        *out = lit;
+        int32_t normal[3], position[3];
+        next_of(p->plane, a.at, normal);
+        next_of(p->plane + 3, a.at + 3, position);
+        pel_mesh_lights_sum(p->lights, position, normal, &sum);
+        *out = lit_color(p, &a, &sum, *out);
     }
 }
 

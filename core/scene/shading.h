@@ -79,16 +79,18 @@ struct pel_frame {
     uint32_t triangles; /* in `order`: those that may be seen */
     bool translucent;   /* some part is not solid */
     enum pel_pass pass;
-    struct pel_mesh_fault fault; /* when an index or a part is wrong */
-    struct pel_mesh_lights lights;
+    struct pel_mesh_fault fault;   /* when an index or a part is wrong */
+    struct pel_mesh_lights lights; /* lighting is NULL without light */
+    int32_t tolerance; /* the scene's less what lights that are left out take */
     struct pel_projector projector;
 
     /* The part of the mesh at hand, or all of it. */
     uint32_t part, begin, end; /* triangles */
     pel_color color;           /* of vertices without colours */
     uint8_t alpha;
-    bool opaque; /* no pixel is translucent, nor left out */
-    bool solid;  /* no pixel is translucent */
+    bool opaque;  /* no pixel is translucent, nor left out */
+    bool solid;   /* no pixel is translucent */
+    int32_t room; /* `tolerance` less what the part's texture takes */
     const struct pel_mesh_texture *mesh_texture; /* NULL: no texture */
     struct pel_texture texture; /* its sampler; its map is set by mappings */
 };
@@ -127,7 +129,8 @@ pel_color pel_frame_color(const struct pel_frame *frame, uint32_t vertex);
 /* The colors of the triangle's vertices. */
 void pel_frame_colors(const struct pel_frame *frame, pel_color color[3]);
 
-/* True when the box around three corners overlaps the rectangle. */
+/* True when the box around three corners holds the centre of a pixel of the
+ * rectangle: no other triangle covers any. */
 bool pel_box_meets(const struct pel_point at[3], const struct pel_rect *rect);
 
 /* Sets corner i of that triangle to one that clipping left. A vertex that is on
@@ -176,6 +179,11 @@ const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
                                         const struct pel_color_paint *surface,
                                         const pel_color color[3]);
 
+/* pel_texture_init_nearest or pel_texture_init_bilinear. */
+typedef enum pel_status pel_sampler(struct pel_texture *paint,
+                                    const struct pel_texels *texels,
+                                    const struct pel_texture_map *map);
+
 struct pel_mapping {
     /* The surface color of a vertex, opaque. NULL: white. */
     pel_color (*vertex)(const struct pel_frame *frame, uint32_t vertex);
@@ -186,6 +194,9 @@ struct pel_mapping {
     const struct pel_paint *(*modulate)(struct pel_frame *frame,
                                         const struct pel_color_paint *surface,
                                         const pel_color color[3]);
+
+    /* That of frame->mesh_texture, for the part at hand. NULL: its own. */
+    pel_sampler *(*sampler)(struct pel_frame *frame);
 };
 
 /* What mappings are made of. Sets the corners of frame->work->triangle; the
@@ -216,19 +227,17 @@ struct pel_mesh_texture {
     struct pel_texels texels;
     const struct pel_mapping *mapping;
 
-    /* pel_texture_init_nearest or pel_texture_init_bilinear. */
-    enum pel_status (*sampler)(struct pel_texture *paint,
-                               const struct pel_texels *texels,
-                               const struct pel_texture_map *map);
+    pel_sampler *sampler;
     void (*alpha)(struct pel_texture *paint); /* NULL: blended; or
                                                  pel_texture_cut_out */
     enum pel_wrap wrap_u, wrap_v;
-    int32_t span; /* of pel_map_perspective; 0 is 1, exact */
+    int32_t span;     /* of pel_map_perspective; 0 is 1, exact */
+    uint8_t contrast; /* for pel_map_chosen: pel_texels_contrast; 0: unknown */
 };
 
-/* Sets texels, wrap and alpha to those of an asset's texture, whose pixels are
- * of that format; mapping, sampler and span stay. The surface is the caller's,
- * and lives as long as the texture. PEL_ERROR_NULL, errors of
+/* Sets texels, wrap, alpha and contrast to those of an asset's texture, whose
+ * pixels are of that format; mapping, sampler and span stay. The surface is the
+ * caller's, and lives as long as the texture. PEL_ERROR_NULL, errors of
  * pel_image_asset_surface. */
 enum pel_status pel_mesh_texture_of_image(struct pel_mesh_texture *texture,
                                           struct pel_surface *surface,

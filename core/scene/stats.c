@@ -43,5 +43,14 @@ static const struct pel_paint *counted_paint(
     return &s->paint.paint;
 }
 
-const struct pel_shading pel_shade_counted = {pel_frame_start_light,
-                                              pel_light_note, counted_paint};
+static enum pel_status start(struct pel_frame *frame)
+{
+    const enum pel_status status = pel_frame_start_chosen(frame);
+    const struct pel_mesh_lights *l = &frame->lights;
+    if (status == PEL_OK)
+        frame->scene->stats->lights_left_out = l->lighting->lights - l->count;
+    return status;
+}
+
+const struct pel_shading pel_shade_counted = {start, pel_light_note,
+                                              counted_paint};

@@ -15,7 +15,8 @@ struct pel_stats {
         uint32_t triangles; /* cut ones count as often as they have parts */
         uint64_t pixels;
     } method[PEL_METHODS];
-    uint32_t bound; /* the largest of a method that is not exact, 1/256 step */
+    uint32_t bound;          /* the largest, 1/256 step */
+    int32_t lights_left_out; /* of the last frame */
 
     struct pel_color_paint paint; /* stands before the triangle's own */
     const struct pel_paint *inner;

@@ -2,6 +2,7 @@
 
 #include "sim/image/canvas.h"
 #include "core/asset/image_asset.h"
+#include "core/paint/texture_contrast.h"
 #include "sim/image/format_names.h"
 #include "core/format/argb8888.h"
 #include "core/format/formats.h"
@@ -59,10 +60,23 @@ static void write_palette(struct import_text *text, const struct table *table,
             name, name, bits, name);
 }
 
+/* A palette's colours are those of the picture. */
+static unsigned contrast_of(const struct pel_surface *surface,
+                            const struct picture *picture)
+{
+    struct pel_texels texels = {.colors = picture->pixels,
+                                .width = picture->width,
+                                .height = picture->height};
+    if (!has_palette(surface->format))
+        texels.surface = surface;
+    return pel_texels_contrast(&texels);
+}
+
 /* The union gives the bytes the alignment of a word. */
 static void write_asset(struct import_text *text,
                         const struct import_options *options,
-                        const struct pel_surface *surface)
+                        const struct pel_surface *surface,
+                        const struct picture *picture)
 {
     FILE *out = text->output.stream;
     const char *name = options->name;
@@ -81,9 +95,10 @@ static void write_asset(struct import_text *text,
     import_struct_begin(text);
     fprintf(out, "    PEL_IMAGE_MAGIC,\n    PEL_IMAGE_VERSION,\n");
     fprintf(out, "    %u, /* %s */\n", image.format, name_of(surface->format));
-    fprintf(out, "    %u,\n    %u,\n    %ld,\n    %lu,\n    %s_pixels.bytes,\n",
-            image.width, image.height, (long)image.stride,
-            (unsigned long)image.size, name);
+    fprintf(out, "    %u,\n    %u,\n    %u,\n", image.width, image.height,
+            contrast_of(surface, picture));
+    fprintf(out, "    %ld,\n    %lu,\n    %s_pixels.bytes,\n",
+            (long)image.stride, (unsigned long)image.size, name);
     fprintf(out, "};\n");
 }
 
@@ -171,7 +186,7 @@ bool import_texture(struct import_text *text, unsigned number,
     text->options = &own;
     text->kind = "image";
     store(&canvas.surface, picture, &own);
-    write_asset(text, &own, &canvas.surface);
+    write_asset(text, &own, &canvas.surface, picture);
     text->options = mesh.options;
     text->kind = mesh.kind;
     canvas_free(&canvas);
@@ -200,7 +215,7 @@ bool import_picture(const struct import_options *options,
     if (done) {
         if (has_palette(format))
             write_palette(&text, &table, format->bits);
-        write_asset(&text, options, &canvas.surface);
+        write_asset(&text, options, &canvas.surface, picture);
         done = import_text_commit(&text);
     }
     canvas_free(&canvas);

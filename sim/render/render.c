@@ -75,6 +75,19 @@ static bool check_methods(const struct render_options *o)
                          "expected one of them");
 }
 
+/* Other mappings would ignore these. */
+static bool check_mapping(const struct scene_options *o)
+{
+    const enum scene_mapping mapping = o->settings.mapping;
+    if (options_has(&o->given, "span") && mapping != SCENE_MAP_SUBDIVIDED)
+        return message_error("--span divides a subdivided mapping: expected "
+                             "--mapping subdivided");
+    return o->settings.texel_tolerance == 0 ||
+           mapping == SCENE_MAP_PERSPECTIVE ||
+           message_error("--texel-tolerance chooses mappings instead of the "
+                         "one in perspective: expected --mapping perspective");
+}
+
 static bool check(const struct render_options *o)
 {
     if (o->print_camera && o->output && strcmp(o->output, "-") == 0)
@@ -84,7 +97,8 @@ static bool check(const struct render_options *o)
         return message_error("--bands is %d: expected a multiple of 8 for "
                              "mono1_pages",
                              o->bands);
-    return check_methods(o) && picture_path_check(output_of(o)) &&
+    return check_methods(o) && check_mapping(&o->scene) &&
+           picture_path_check(output_of(o)) &&
            device_check_output(&o->device, output_of(o));
 }
 
@@ -236,6 +250,7 @@ static void print_stats(const struct pel_stats *stats)
                 (unsigned)stats->method[i].triangles,
                 (unsigned long long)stats->method[i].pixels);
     fprintf(stderr, "the largest bound: %.2f steps\n", stats->bound / 256.);
+    fprintf(stderr, "lights left out: %d\n", (int)stats->lights_left_out);
 }
 
 static bool print(const struct scene *scene)

@@ -30,5 +30,5 @@ static const struct pel_paint *paint(struct pel_frame *frame,
     return &paints[frame->work->method].base.paint;
 }
 
-const struct pel_shading scene_shade_methods = {pel_frame_start_light,
+const struct pel_shading scene_shade_methods = {pel_frame_start_chosen,
                                                 pel_light_note, paint};

@@ -207,7 +207,7 @@ static bool open_window(struct window *w)
     w->window = SDL_CreateWindow(
         "pel view", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
         o->width ? o->width : show->width, o->height ? o->height : show->height,
-        SDL_WINDOW_RESIZABLE);
+        SDL_WINDOW_RESIZABLE | SDL_WINDOW_HIDDEN);
     if (!w->window)
         return fails("no window");
     w->renderer = SDL_CreateRenderer(w->window, -1,
@@ -215,6 +215,7 @@ static bool open_window(struct window *w)
     if (!w->renderer)
         return fails("nothing can be drawn into the window");
     w->most = texture_size_most(w->renderer);
+    SDL_ShowWindow(w->window); /* a renderer may put another in its place */
     return true;
 }
 

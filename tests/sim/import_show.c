@@ -1,6 +1,7 @@
 /* Shows a picture asset through its surface, as PPM on standard output; built
- * with each asset, for FORMAT, by test_import.sh. Before that, what the asset's
- * check must refuse is tried, and that no draw call writes to the pixels. */
+ * with each asset, for FORMAT, by test_asset_import.sh. Before that, what the
+ * asset's check must refuse is tried, that no draw call writes to the pixels,
+ * and that the contrast is that of the surface. */
 #include <stdio.h>
 
 #include "core/asset/image_asset.h"
@@ -68,5 +69,6 @@ int main(void)
         return 1;
     pel_clear(&surface, PEL_RGB(1, 2, 3)); /* would crash in flash */
     show(&surface);
-    return 0;
+    return pel_texels_contrast(&(struct pel_texels){.surface = &surface}) !=
+           asset.contrast;
 }

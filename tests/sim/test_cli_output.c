@@ -1,10 +1,6 @@
 /* Output files appear whole or not at all. */
 #include <dirent.h>
-#include <setjmp.h>
 #include <signal.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,10 +8,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <cmocka.h>
-
 #include "sim/cli/output.h"
-#include "tests/sim/work_folder.h"
+#include "files.h"
 
 static void check_file(const char *path, const char *want)
 {
@@ -40,10 +34,9 @@ static bool write_output(const char *path, const char *text, bool commit)
 }
 
 /* What is abandoned leaves what was there; what is committed replaces it. */
-static void test_file(void **state)
+static void test_file(void)
 {
     char path[64];
-    (void)state;
     path_of("file", path, sizeof path);
     assert_true(write_output(path, "abandoned", false));
     assert_int_equal(access(path, F_OK), -1);
@@ -58,12 +51,11 @@ static void test_file(void **state)
 }
 
 /* New files get the mode that the umask leaves; old ones keep theirs. */
-static void test_mode(void **state)
+static void test_mode(void)
 {
     char path[64];
     struct stat status;
     const mode_t kept = umask(027);
-    (void)state;
     path_of("mode", path, sizeof path);
     assert_true(write_output(path, "new", true));
     umask(kept);
@@ -75,11 +67,10 @@ static void test_mode(void **state)
     assert_int_equal(status.st_mode & 07777, 0604);
 }
 
-static void test_link(void **state)
+static void test_link(void)
 {
     char path[64], target[64];
     struct stat status;
-    (void)state;
     path_of("link", path, sizeof path);
     path_of("target", target, sizeof target);
     assert_true(write_output(target, "old", true));
@@ -91,10 +82,9 @@ static void test_link(void **state)
 }
 
 /* A link to nothing stays a link; what it names appears. */
-static void test_dangling_link(void **state)
+static void test_dangling_link(void)
 {
     char path[64], target[64];
-    (void)state;
     path_of("link", path, sizeof path);
     path_of("target", target, sizeof target);
     unlink(target);
@@ -103,10 +93,9 @@ static void test_dangling_link(void **state)
 }
 
 /* The longest name that there is. */
-static void test_long_name(void **state)
+static void test_long_name(void)
 {
     char name[256], path[320];
-    (void)state;
     memset(name, 'n', 255);
     name[255] = '\0';
     path_of(name, path, sizeof path);
@@ -117,20 +106,20 @@ static void test_long_name(void **state)
 }
 
 /* When the second of two cannot be written, the first stays as it was. */
-static void test_both(void **state)
+static void test_both(void)
 {
     struct output first, second;
-    char path[64], none[64], text[512] = "";
-    (void)state;
+    char path[64], none[64];
+    struct messages m;
     path_of("file", path, sizeof path);
     path_of("none/file", none, sizeof none);
     assert_true(write_output(path, "old", true));
     assert_true(output_open(&first, path));
     assert_true(output_open(&second, none));
     fputs("new", first.stream);
-    catch_errors(text, sizeof text);
+    messages_begin(&m);
     const bool done = output_commit_both(&first, &second);
-    catch_end();
+    messages_end(&m);
     assert_false(done);
     check_file(path, "old");
 }
@@ -148,12 +137,11 @@ static int files_of_directory(void)
 
 /* A signal that comes while a temporary file is there ends the program after
  * it is gone. */
-static void test_signals(void **state)
+static void test_signals(void)
 {
     static const int signals[] = {SIGHUP, SIGINT, SIGTERM};
     static char text[64 << 20];
     char path[64];
-    (void)state;
     memset(text, 'x', sizeof text - 1);
     path_of("file", path, sizeof path);
     for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
@@ -176,10 +164,9 @@ static void test_signals(void **state)
 }
 
 /* A device is written to, and stays a device. */
-static void test_device(void **state)
+static void test_device(void)
 {
     struct stat status;
-    (void)state;
     assert_true(write_output("/dev/null", "text", true));
     assert_int_equal(stat("/dev/null", &status), 0);
     assert_true(S_ISCHR(status.st_mode));
@@ -187,28 +174,26 @@ static void test_device(void **state)
 
 static void check_refused(const char *path, const char *message)
 {
-    char text[512] = "";
-    catch_errors(text, sizeof text);
+    struct messages m;
+    messages_begin(&m);
     const bool done = write_output(path, "text", true);
-    catch_end();
+    messages_end(&m);
     assert_false(done);
-    assert_non_null(strstr(text, message));
+    assert_non_null(strstr(m.text, message));
 }
 
 /* A message, and no file anywhere. */
-static void test_refused(void **state)
+static void test_refused(void)
 {
     char path[64];
-    (void)state;
     path_of("none/file", path, sizeof path);
     check_refused(path, "none/file: cannot be written: No such");
 }
 
 /* What cannot be written is closed all the same: its number is free again. */
-static void test_full(void **state)
+static void test_full(void)
 {
     const int before = dup(STDOUT_FILENO);
-    (void)state;
     close(before);
     check_refused("/dev/full", "/dev/full: cannot be written: No space");
     const int after = dup(STDOUT_FILENO);
@@ -216,21 +201,13 @@ static void test_full(void **state)
     assert_int_equal(after, before);
 }
 
-static int tear_down(void **state)
-{
-    static const char *const names[] = {"file", "mode", "link", "target", NULL};
-    (void)state;
-    return remove_folder(names);
-}
-
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_file),      cmocka_unit_test(test_mode),
-        cmocka_unit_test(test_link),      cmocka_unit_test(test_dangling_link),
-        cmocka_unit_test(test_long_name), cmocka_unit_test(test_both),
-        cmocka_unit_test(test_signals),   cmocka_unit_test(test_device),
-        cmocka_unit_test(test_refused),   cmocka_unit_test(test_full),
-    };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    static const char *const names[] = {"file", "mode", "link", "target", NULL};
+    if (!mkdtemp(directory))
+        return 1;
+    const int failed = RUN_TESTS(
+        test_file, test_mode, test_link, test_dangling_link, test_long_name,
+        test_both, test_signals, test_device, test_refused, test_full);
+    return remove_folder(names) || failed;
 }

@@ -2,7 +2,7 @@
 #include "sim/font/font.h"
 #include "tests/support/check.h"
 
-#include "mesh_messages.h"
+#include "files.h"
 
 /* A font of two glyphs: an L that fills 3 x 4 of its 5 x 6 box, and a space. */
 #define HEAD                     \

@@ -1,22 +1,16 @@
 /* Picture files: PPM and PGM that are right, and all the ways in which they can
  * be wrong; PPM, BMP and PNG as written. */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-#include <cmocka.h>
 
 #ifdef HAVE_LIBPNG
 #include <png.h>
 #endif
 
 #include "sim/image/picture.h"
-#include "tests/sim/work_folder.h"
+#include "files.h"
 
 static void write_file(const char *path, const void *data, size_t size)
 {
@@ -36,13 +30,12 @@ static size_t read_file(const char *path, void *data, size_t size)
     return n;
 }
 
-/* picture_load with standard error caught in `text`. */
-static bool load(struct picture *picture, const char *path, char *text,
-                 size_t size)
+/* picture_load, and what it says. */
+static bool load(struct picture *picture, const char *path, struct messages *m)
 {
-    catch_errors(text, size);
+    messages_begin(m);
     const bool done = picture_load(picture, path);
-    catch_end();
+    messages_end(m);
     return done;
 }
 
@@ -126,36 +119,35 @@ static void check_pixels(size_t i, const struct picture *p, bool gray)
                  (unsigned)p->pixels[0]);
 }
 
-static void test_read(void **state)
+static void test_read(void)
 {
     char path[64];
-    (void)state;
     path_of("in.ppm", path, sizeof path);
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        char text[512] = "";
+        struct messages m;
         struct picture p;
         write_file(path, rows[i].data, rows[i].size);
-        const bool done = load(&p, path, text, sizeof text);
+        const bool done = load(&p, path, &m);
         if (done != !rows[i].message)
-            fail_msg("row %zu: %s", i, done ? "was read" : text);
+            fail_msg("row %zu: %s", i, done ? "was read" : m.text);
         if (done)
             check_pixels(i, &p,
                          rows[i].data[1] == '5' || rows[i].data[1] == '2');
-        else if (!strstr(text, rows[i].message) ||
-                 strncmp(text, "pel: /", 6) != 0 || p.pixels)
-            fail_msg("row %zu: said %s, not %s", i, text, rows[i].message);
+        else if (!strstr(m.text, rows[i].message) ||
+                 strncmp(m.text, "pel: /", 6) != 0 || p.pixels)
+            fail_msg("row %zu: said %s, not %s", i, m.text, rows[i].message);
         picture_free(&p);
     }
 }
 
 /* Every way to cut a file short is found, in the header and in the pixels. */
-static void test_truncated(void **state)
+static void test_truncated(void)
 {
     static const char *const whole[] = {"P6 3 2 255\nABCDEFGHIJKLMNOPQR",
                                         "P5\n3 2 # c\n255\nABCDEF",
                                         "P3 1 2 255\n1 2 3 4 5 66"};
-    char path[64], text[512];
-    (void)state;
+    char path[64];
+    struct messages m;
     path_of("cut.ppm", path, sizeof path);
     for (size_t i = 0; i < sizeof whole / sizeof whole[0]; i++) {
         const size_t size = strlen(whole[i]);
@@ -164,22 +156,22 @@ static void test_truncated(void **state)
             /* One digit less of the last sample is a picture too. */
             const bool right = n == size || (i == 2 && n == size - 1);
             write_file(path, whole[i], n);
-            if (load(&p, path, text, sizeof text) != right)
+            if (load(&p, path, &m) != right)
                 fail_msg("%zu bytes of file %zu", n, i);
             picture_free(&p);
         }
     }
 }
 
-static void test_missing(void **state)
+static void test_missing(void)
 {
-    char path[64], text[512] = "";
+    char path[64];
+    struct messages m;
     struct picture p;
-    (void)state;
     path_of("none.ppm", path, sizeof path);
-    assert_false(load(&p, path, text, sizeof text));
-    assert_non_null(strstr(text, "none.ppm: cannot be read: No such file"));
-    assert_false(load(&p, directory, text, sizeof text));
+    assert_false(load(&p, path, &m));
+    assert_non_null(strstr(m.text, "none.ppm: cannot be read: No such file"));
+    assert_false(load(&p, directory, &m));
     assert_null(p.pixels);
 }
 
@@ -202,10 +194,9 @@ static bool same_picture(const struct picture *a, const struct picture *b)
 
 static const int sizes[][2] = {{1, 1}, {2, 3}, {3, 2}, {4, 5}, {257, 63}};
 
-static void test_ppm(void **state)
+static void test_ppm(void)
 {
     char path[64];
-    (void)state;
     path_of("out.ppm", path, sizeof path);
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         struct picture a, b;
@@ -244,11 +235,10 @@ static void check_bmp(const struct picture *p, const unsigned char *data,
     }
 }
 
-static void test_bmp(void **state)
+static void test_bmp(void)
 {
     static unsigned char data[1 << 17];
     char path[64];
-    (void)state;
     path_of("out.BMP", path, sizeof path);
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
         struct picture p;
@@ -276,10 +266,9 @@ static void check_png(const struct picture *p, const char *path)
     free(data);
 }
 
-static void test_png(void **state)
+static void test_png(void)
 {
     char path[64];
-    (void)state;
     path_of("out.png", path, sizeof path);
     assert_string_equal(picture_best_ending(), ".png");
     for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
@@ -292,28 +281,26 @@ static void test_png(void **state)
 }
 #else
 /* Without libpng, PNG is refused with the name of the package. */
-static void test_png(void **state)
+static void test_png(void)
 {
-    char text[512] = "";
-    (void)state;
+    struct messages m;
     assert_string_equal(picture_best_ending(), ".bmp");
-    catch_errors(text, sizeof text);
+    messages_begin(&m);
     const bool right = picture_path_check("a.png");
-    catch_end();
+    messages_end(&m);
     assert_false(right);
-    assert_non_null(strstr(text, "libpng-dev"));
+    assert_non_null(strstr(m.text, "libpng-dev"));
 }
 #endif
 
-static void test_endings(void **state)
+static void test_endings(void)
 {
-    (void)state;
-    char text[512];
-    catch_errors(text, sizeof text);
+    struct messages m;
+    messages_begin(&m);
     const bool wrong = picture_path_check("a.jpg") || picture_path_check("a") ||
                        picture_path_check(".ppm") ||
                        picture_path_check("a.ppm/b");
-    catch_end();
+    messages_end(&m);
     assert_false(wrong);
     assert_true(picture_path_check("a.ppm"));
     assert_true(picture_path_check("b.c/a.bmp"));
@@ -321,36 +308,29 @@ static void test_endings(void **state)
 }
 
 /* A directory that is not there: a message, and no file anywhere. */
-static void test_no_directory(void **state)
+static void test_no_directory(void)
 {
-    char path[64], text[512] = "";
+    char path[64];
+    struct messages m;
     struct picture p;
-    (void)state;
     path_of("none/out.ppm", path, sizeof path);
     fill_picture(&p, 2, 2);
-    catch_errors(text, sizeof text);
+    messages_begin(&m);
     const bool done = picture_save(&p, path);
-    catch_end();
+    messages_end(&m);
     picture_free(&p);
     assert_false(done);
-    assert_non_null(strstr(text, "none/out.ppm: cannot be written: No such"));
-}
-
-static int tear_down(void **state)
-{
-    static const char *const names[] = {"in.ppm",  "cut.ppm", "out.ppm",
-                                        "out.BMP", "out.png", NULL};
-    (void)state;
-    return remove_folder(names);
+    assert_non_null(strstr(m.text, "none/out.ppm: cannot be written: No such"));
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_read),    cmocka_unit_test(test_truncated),
-        cmocka_unit_test(test_missing), cmocka_unit_test(test_ppm),
-        cmocka_unit_test(test_bmp),     cmocka_unit_test(test_png),
-        cmocka_unit_test(test_endings), cmocka_unit_test(test_no_directory),
-    };
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    static const char *const names[] = {"in.ppm",  "cut.ppm", "out.ppm",
+                                        "out.BMP", "out.png", NULL};
+    if (!mkdtemp(directory))
+        return 1;
+    const int failed =
+        RUN_TESTS(test_read, test_truncated, test_missing, test_ppm, test_bmp,
+                  test_png, test_endings, test_no_directory);
+    return remove_folder(names) || failed;
 }

@@ -49,6 +49,11 @@ shade phong
 option mesh tolerance 4
 mesh builtin:vase
 END
+as --texture-file "$work/four.ppm" --texel-tolerance 1.5 <<'END'
+texture four.ppm
+option mesh texel_tolerance 1.5
+mesh builtin:vase
+END
 for term in ambient diffuse specular; do
     as --shade gouraud --terms $term --highlights plain --back-highlights off \
         --sun 1,0,-1:1,1,1 --order zbuffer16 --cull back <<END

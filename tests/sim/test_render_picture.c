@@ -3,7 +3,7 @@
  * arithmetic. Flat pictures are equal; Gouraud's differ by 1 at most. */
 #include "tests/support/check.h"
 
-#include "mesh_messages.h"
+#include "files.h"
 #include "sim/image/canvas.h"
 #include "sim/render/painter.h"
 #include "sim/render/scene_pel2d.h"

@@ -53,3 +53,19 @@ done
 refused_command "expected one of them" render builtin:vase --shade phong \
     --stats --show-methods
 refused_command "such as 2" render builtin:vase --tolerance 256
+
+# Options that another mapping would ignore.
+refused_command "expected --mapping perspective" render builtin:vase \
+    --texel-tolerance 1 --mapping affine
+refused_command "expected --mapping subdivided" render builtin:vase --span 16
+
+# A dim light is left out, and a texture of slow gradients shows its nearest
+# texels, far from the others by a step at most.
+printf 'P3\n8 8\n255\n' >"$work/slow.ppm"
+awk 'BEGIN { for (i = 0; i < 192; i++) print 100 + i % 3 }' >>"$work/slow.ppm"
+within builtin:vase --texture-file "$work/slow.ppm" --light 1,2,3:1,1,1 \
+    --light 3,2,1:0.002,0.002,0.002
+$render builtin:vase --texture-file "$work/slow.ppm" --light 1,2,3:1,1,1 \
+    --light 3,2,1:0.002,0.002,0.002 --tolerance 4 --stats \
+    -o "$work/a.ppm" 2>"$work/stats"
+grep -qx 'lights left out: 1' "$work/stats" || fail "lights: $(cat "$work/stats")"

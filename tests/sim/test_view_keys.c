@@ -18,14 +18,14 @@ static void make(struct view *view, struct model *model)
     assert_true(view_init(view, &settings, model));
 }
 
-static int setup(void **state)
+/* The same for a test that needs no model. */
+static struct view *new_view(void)
 {
     static struct view view;
     struct model model;
     make(&view, &model);
     model_free(&model);
-    *state = &view;
-    return 0;
+    return &view;
 }
 
 static void press(struct view *view, const char *keys)
@@ -34,9 +34,9 @@ static void press(struct view *view, const char *keys)
         assert_int_equal(view_key(view, *keys), VIEW_CHANGED);
 }
 
-static void test_shade(void **state)
+static void test_shade(void)
 {
-    struct view *view = *state;
+    struct view *view = new_view();
     press(view, "f");
     assert_int_equal(view->settings.shade, SCENE_FLAT);
     press(view, "p");
@@ -45,9 +45,9 @@ static void test_shade(void **state)
     assert_int_equal(view->settings.shade, SCENE_GOURAUD);
 }
 
-static void test_tolerance(void **state)
+static void test_tolerance(void)
 {
-    struct view *view = *state;
+    struct view *view = new_view();
     const double steps[] = {1, 2, 4, 8, 0};
     for (int i = 0; i < 5; i++) {
         press(view, "e");
@@ -59,9 +59,9 @@ static void test_tolerance(void **state)
     assert_false(view->settings.show_methods);
 }
 
-static void test_texture_and_order(void **state)
+static void test_texture_and_order(void)
 {
-    struct view *view = *state;
+    struct view *view = new_view();
     const int textures[] = {SCENE_TEXTURE_NONE, SCENE_TEXTURE_NEAREST,
                             SCENE_TEXTURE_BILINEAR};
     for (int i = 0; i < 3; i++) {
@@ -77,9 +77,9 @@ static void test_texture_and_order(void **state)
     assert_int_equal(view->settings.order, SCENE_ZBUFFER16);
 }
 
-static void test_terms(void **state)
+static void test_terms(void)
 {
-    struct view *view = *state;
+    struct view *view = new_view();
     view->lit = true;
     press(view, "a");
     assert_int_equal(view->settings.terms, SCENE_DIFFUSE | SCENE_SPECULAR);
@@ -90,10 +90,10 @@ static void test_terms(void **state)
 }
 
 /* The first key of light brings the light and takes nothing from it. */
-static void test_unlit(void **state)
+static void test_unlit(void)
 {
     const char keys[] = "1adsl";
-    struct view *view = *state;
+    struct view *view = new_view();
     for (int i = 0; keys[i]; i++) {
         view->lit = false;
         view->settings.lit = SCENE_LIT_AUTO;
@@ -111,9 +111,9 @@ static void test_unlit(void **state)
     assert_int_equal(view_key(view, 'l'), VIEW_NOTHING);
 }
 
-static void test_lights(void **state)
+static void test_lights(void)
 {
-    struct view *view = *state;
+    struct view *view = new_view();
     struct scene_settings s;
     view->lit = true;
     view->first.lights = 3;
@@ -135,9 +135,9 @@ static void test_lights(void **state)
 }
 
 /* The light of those who name none can be switched off, too. */
-static void test_own_light(void **state)
+static void test_own_light(void)
 {
-    struct view *view = *state;
+    struct view *view = new_view();
     struct scene_settings s;
     view->lit = true;
     view_settings(view, 200, 100, &s);
@@ -149,9 +149,9 @@ static void test_own_light(void **state)
     assert_int_equal(view_key(view, '2'), VIEW_NOTHING);
 }
 
-static void test_turn(void **state)
+static void test_turn(void)
 {
-    struct view *view = *state;
+    struct view *view = new_view();
     struct scene_settings s;
     assert_int_equal(view_key(view, PEL_KEY_RIGHT), VIEW_CHANGED);
     assert_true(view->spin > 0 && view->spin < 0.1);
@@ -181,9 +181,9 @@ static double height_of_eye(const struct view *view, double *distance)
 
 /* Up and down keep the distance and stop before the zenith and the nadir; what
  * was stopped comes back with the first key. */
-static void test_tilt(void **state)
+static void test_tilt(void)
 {
-    struct view *view = *state;
+    struct view *view = new_view();
     double distance, now;
     const double start = height_of_eye(view, &distance);
     for (int i = 0; i < 40; i++)
@@ -198,9 +198,9 @@ static void test_tilt(void **state)
     assert_true(height_of_eye(view, &now) < -0.99 * distance);
 }
 
-static void test_zoom(void **state)
+static void test_zoom(void)
 {
-    struct view *view = *state;
+    struct view *view = new_view();
     double distance, now;
     height_of_eye(view, &distance);
     press(view, "+");
@@ -216,9 +216,9 @@ static void test_zoom(void **state)
 }
 
 /* Another shape of window shows what the first did, and more. */
-static void test_sizes(void **state)
+static void test_sizes(void)
 {
-    struct view *view = *state;
+    struct view *view = new_view();
     const struct camera *first = &view->first.camera;
     struct scene_settings s;
     view_settings(view, 400, 100, &s);
@@ -231,9 +231,9 @@ static void test_sizes(void **state)
 }
 
 /* What nobody touched is what `pel render` draws. */
-static void test_first(void **state)
+static void test_first(void)
 {
-    struct view *view = *state;
+    struct view *view = new_view();
     struct scene_settings s;
     press(view, "+- tzf");
     view_key(view, PEL_KEY_UP);
@@ -252,9 +252,9 @@ static void test_first(void **state)
     assert_true(view->turning);
 }
 
-static void test_others(void **state)
+static void test_others(void)
 {
-    struct view *view = *state;
+    struct view *view = new_view();
     struct view before;
     memcpy(&before, view, sizeof(before));
     assert_int_equal(view_key(view, 'w'), VIEW_SAVE);
@@ -269,10 +269,10 @@ static void test_others(void **state)
 }
 
 /* The farthest that keys lead to can be drawn. */
-static void test_extremes(void **state)
+static void test_extremes(void)
 {
     static const int tilts[] = {PEL_KEY_UP, PEL_KEY_DOWN};
-    struct view *view = *state;
+    struct view *view = new_view();
     struct scene_settings s;
     struct model model;
     struct scene scene;
@@ -293,7 +293,7 @@ static void test_extremes(void **state)
     model_free(&model);
 }
 
-static void test_terminal(void **state)
+static void test_terminal(void)
 {
     static const char bytes[] = "q\033[A\033OB\033[1;5C\033[C\033[D\033[3~"
                                 "\033[[B\033OR\033OZ\033[[Z\033";
@@ -302,7 +302,6 @@ static void test_terminal(void **state)
                                PEL_KEY_OTHER, PEL_KEY_F1 + 1, PEL_KEY_F1 + 2,
                                PEL_KEY_OTHER, PEL_KEY_OTHER,  PEL_KEY_ESCAPE};
     size_t at = 0, used = 0;
-    (void)state;
     for (size_t i = 0; i < sizeof(keys) / sizeof(keys[0]); i++) {
         assert_true(at < sizeof(bytes) - 1);
         assert_int_equal(
@@ -318,22 +317,8 @@ static void test_terminal(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(test_shade, setup),
-        cmocka_unit_test_setup(test_tolerance, setup),
-        cmocka_unit_test_setup(test_texture_and_order, setup),
-        cmocka_unit_test_setup(test_terms, setup),
-        cmocka_unit_test_setup(test_unlit, setup),
-        cmocka_unit_test_setup(test_lights, setup),
-        cmocka_unit_test_setup(test_own_light, setup),
-        cmocka_unit_test_setup(test_turn, setup),
-        cmocka_unit_test_setup(test_tilt, setup),
-        cmocka_unit_test_setup(test_zoom, setup),
-        cmocka_unit_test_setup(test_sizes, setup),
-        cmocka_unit_test_setup(test_first, setup),
-        cmocka_unit_test_setup(test_others, setup),
-        cmocka_unit_test_setup(test_extremes, setup),
-        cmocka_unit_test(test_terminal),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_shade, test_tolerance, test_texture_and_order,
+                     test_terms, test_unlit, test_lights, test_own_light,
+                     test_turn, test_tilt, test_zoom, test_sizes, test_first,
+                     test_others, test_extremes, test_terminal);
 }

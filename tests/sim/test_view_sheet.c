@@ -7,14 +7,13 @@
 #include "core/image/copy.h"
 #include "sim/script/pick.h"
 #include "sim/view/sheet.h"
+#include "tests/support/cases.h"
 #include "tests/support/check.h"
-
-static uint32_t seed = 1;
 
 static int random_below(int n)
 {
-    seed = seed * 1664525u + 1013904223u;
-    return (int)((uint64_t)(seed >> 8) * (uint64_t)n >> 24);
+    static struct random r = {1};
+    return random_between(&r, 0, n - 1);
 }
 
 enum { SIZE = 40, SHAPES = 12 };
@@ -77,9 +76,8 @@ static void read_scene(struct script *script)
     free(text);
 }
 
-static void test_the_shape_that_is_seen_is_picked(void **state)
+static void test_the_shape_that_is_seen_is_picked(void)
 {
-    (void)state;
     for (int scene = 0; scene < 100; scene++) {
         struct script script;
         struct canvas canvas;
@@ -188,9 +186,8 @@ static void draw_frames(const struct pel_format *format, int frames)
     sheet_free(&whole);
 }
 
-static void test_changed_areas_are_enough(void **state)
+static void test_changed_areas_are_enough(void)
 {
-    (void)state;
     draw_frames(&pel_xrgb8888, 10000);
     draw_frames(&pel_rgb565_le, 300);
     draw_frames(&pel_rgb332, 300);
@@ -200,9 +197,6 @@ static void test_changed_areas_are_enough(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_shape_that_is_seen_is_picked),
-        cmocka_unit_test(test_changed_areas_are_enough),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return RUN_TESTS(test_the_shape_that_is_seen_is_picked,
+                     test_changed_areas_are_enough);
 }

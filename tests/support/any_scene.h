@@ -2,6 +2,7 @@
 #ifndef TESTS_SUPPORT_ANY_SCENE_H
 #define TESTS_SUPPORT_ANY_SCENE_H
 
+#include "canvas.h"
 #include "cases.h"
 #include "core/scene/pipeline.h"
 
@@ -39,6 +40,10 @@ void any_scene_light(struct random *r, struct any_scene *s);
  * bilinear, in perspective. */
 void any_scene_noise(struct random *r, struct any_scene *s, int bits);
 
+/* Makes that a texture whose texels differ by a few steps, of any alpha, with
+ * their contrast. */
+void any_scene_smooth(struct random *r, struct any_scene *s);
+
 /* Where its mesh stands. */
 static inline const struct pel_pose *any_scene_pose(const struct any_scene *s)
 {
@@ -47,6 +52,10 @@ static inline const struct pel_pose *any_scene_pose(const struct any_scene *s)
 
 /* Frames the scene; fails the test when it cannot. */
 void any_scene_prepare(struct any_scene *s, struct pel_frame *frame);
+
+/* Draws it so, on a canvas of its viewport; the frame is left prepared. */
+void any_scene_draw(struct any_scene *s, const struct pel_shading *shading,
+                    struct pel_frame *frame, struct canvas *canvas);
 
 /* A shading whose colours are the number of the triangle plus 1. */
 extern const struct pel_shading any_scene_numbers;

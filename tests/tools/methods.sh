@@ -30,14 +30,23 @@ done
 $(tail -n 1 "$dir/csv" | sed "s|.*,build/bench/pel-atlas|$atlas|") |
     cmp - "$dir/csv" || say "the command of a row does not repeat it"
 
-# The smallest triangle that 16.16 draws wrong: a scene that pel draws, and whose
-# wrong pixel it explains.
-"$atlas" --quick --smallest '16.16 rounded' thinness >"$dir/wrong.pel"
-pixel=$(sed -n 's/.*first wrong pixel is \([0-9]* [0-9]*\)\.$/\1/p' \
-    "$dir/wrong.pel")
-"$pel" run "$dir/wrong.pel" -o "$dir/wrong.ppm" || say "pel does not draw it"
-"$pel" explain "$dir/wrong.pel" $pixel | grep -q "^pixel" ||
-    say "pel does not explain it"
+# The smallest triangle that a method draws wrong: a scene that pel draws, and
+# whose wrong pixel, on the canvas, it explains.
+while read -r case method; do
+    "$atlas" --quick --smallest "$method" "$case" >"$dir/wrong.pel" ||
+        say "no smallest triangle of $case by $method"
+    pixel=$(sed -n 's/.*first wrong pixel is \([0-9]* [0-9]*\)\.$/\1/p' \
+        "$dir/wrong.pel")
+    "$pel" run "$dir/wrong.pel" -o "$dir/wrong.ppm" ||
+        say "pel does not draw $case by $method"
+    "$pel" explain --all "$dir/wrong.pel" $pixel | grep -q ' edge 0-1: ' ||
+        say "pel does not explain $case by $method"
+done <<EOF
+damage int32 half-space S=8
+thinness 16.16 rounded
+overflow float32 barycentric with ties
+map-sliver float32 scanline
+EOF
 "$atlas" --quick --smallest pel thinness 2>&1 | grep -q "no triangle" ||
     say "Pel has a smallest wrong triangle"
 "$atlas" --quick --smallest 16.16 thinness 2>/dev/null &&

@@ -4,30 +4,21 @@
 
 static uint32_t memory[4096];
 
+/* Each of the arguments in turn. */
 static void test_null_is_refused(void)
 {
     struct pel_surface s;
     const struct pel_rect b = {0, 0, 8, 8};
-    assert_int_equal(pel_surface_init(NULL, &pel_gray8, memory, sizeof memory,
-                                      &(struct pel_rect){0, 0, 8, 8}),
-                     PEL_ERROR_NULL);
-    assert_int_equal(pel_surface_init(&s, NULL, memory, sizeof memory,
-                                      &(struct pel_rect){0, 0, 8, 8}),
-                     PEL_ERROR_NULL);
-    assert_int_equal(pel_surface_init(&s, &pel_gray8, NULL, 64,
-                                      &(struct pel_rect){0, 0, 8, 8}),
-                     PEL_ERROR_NULL);
-    assert_int_equal(
-        pel_surface_init(&s, &pel_gray8, memory, sizeof memory, NULL),
-        PEL_ERROR_NULL);
-    assert_int_equal(pel_surface_init_rect(NULL, &pel_gray8, memory, 8, &b),
-                     PEL_ERROR_NULL);
-    assert_int_equal(pel_surface_init_rect(&s, NULL, memory, 8, &b),
-                     PEL_ERROR_NULL);
-    assert_int_equal(pel_surface_init_rect(&s, &pel_gray8, NULL, 8, &b),
-                     PEL_ERROR_NULL);
-    assert_int_equal(pel_surface_init_rect(&s, &pel_gray8, memory, 8, NULL),
-                     PEL_ERROR_NULL);
+    for (int i = 0; i < 4; i++) {
+        struct pel_surface *to = i == 0 ? NULL : &s;
+        const struct pel_format *format = i == 1 ? NULL : &pel_gray8;
+        void *pixels = i == 2 ? NULL : memory;
+        const struct pel_rect *bounds = i == 3 ? NULL : &b;
+        assert_int_equal(pel_surface_init(to, format, pixels, 64, bounds),
+                         PEL_ERROR_NULL);
+        assert_int_equal(pel_surface_init_rect(to, format, pixels, 8, bounds),
+                         PEL_ERROR_NULL);
+    }
 }
 
 static void test_sizes(void)
@@ -120,30 +111,28 @@ static void test_strides(void)
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         const struct pel_format *format = layouts[f].format;
         const int32_t word = format->word, need = pel_stride(format, 17);
-        bool pages = format->id == PEL_FORMAT_MONO1_PAGES;
-        struct pel_surface s;
+        const bool pages = format->id == PEL_FORMAT_MONO1_PAGES;
+        const enum pel_status upwards = pages ? PEL_ERROR_STRIDE : PEL_OK;
+        const struct {
+            int32_t stride;
+            enum pel_status status;
+        } row[] = {
+            {need, PEL_OK},
+            {need + word, PEL_OK},
+            {need - word, PEL_ERROR_STRIDE},
+            {0, PEL_ERROR_STRIDE},
+            {-need, upwards},
+            {word - need, PEL_ERROR_STRIDE},
+            {INT32_MIN + 8, upwards},
+            {INT32_MIN, PEL_ERROR_STRIDE},
+        };
         assert_int_equal(need, pages ? 17 : (17 * layouts[f].bits + 7) / 8);
-        assert_int_equal(pel_surface_init_rect(&s, format, memory, need, &b),
-                         PEL_OK);
-        assert_int_equal(
-            pel_surface_init_rect(&s, format, memory, need + word, &b), PEL_OK);
-        assert_int_equal(
-            pel_surface_init_rect(&s, format, memory, need - word, &b),
-            PEL_ERROR_STRIDE);
-        assert_int_equal(pel_surface_init_rect(&s, format, memory, 0, &b),
-                         PEL_ERROR_STRIDE);
-        assert_int_equal(
-            pel_surface_init_rect(&s, format, memory + 1024, -need, &b),
-            pages ? PEL_ERROR_STRIDE : PEL_OK);
-        assert_int_equal(
-            pel_surface_init_rect(&s, format, memory + 1024, word - need, &b),
-            PEL_ERROR_STRIDE);
-        assert_int_equal(
-            pel_surface_init_rect(&s, format, memory, INT32_MIN + 8, &b),
-            pages ? PEL_ERROR_STRIDE : PEL_OK);
-        assert_int_equal(
-            pel_surface_init_rect(&s, format, memory, INT32_MIN, &b),
-            PEL_ERROR_STRIDE);
+        for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+            struct pel_surface s;
+            assert_int_equal(pel_surface_init_rect(&s, format, memory + 1024,
+                                                   row[i].stride, &b),
+                             row[i].status);
+        }
     }
 }
 

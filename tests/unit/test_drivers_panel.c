@@ -12,123 +12,74 @@
 struct module {
     const char *name;
     const struct pel_panel_chip *chip[2]; /* by rotation & 1 */
-    struct pel_panel panel;
     struct panel_glass glass;
     int width, height;
     bool inverted; /* as the usual module wants it */
     int bgr;       /* the bit of the direction byte, as it wants it */
+    struct pel_panel panel;
 };
 
-#define BOTH(chip)                           \
-    {                                        \
-        &pel_panel_##chip, &pel_panel_##chip \
+/* The glass of each family: the size of its memory, and where it lies there. */
+#define DCS(rows_, backward, left_, top_)                        \
+    {                                                            \
+        .family = PANEL_DCS, .columns = 240, .rows = rows_,      \
+        .columns_backward = backward, .left = left_, .top = top_ \
     }
-#define TURNED(chip)                                  \
-    {                                                 \
-        &pel_panel_##chip, &pel_panel_##chip##_turned \
+#define SSD1351(top_)                                         \
+    {                                                         \
+        .family = PANEL_SSD1351, .columns = 128, .rows = 128, \
+        .rows_backward = true, .top = top_                    \
     }
-/* Colour memory: family, columns, rows, columns backward, rows backward. */
-#define DCS .glass = {.family = PANEL_DCS, .columns = 240, .rows = 320
-#define PAGES                           \
-    .glass = {.family = PANEL_PAGES,    \
-              .rows = 64,               \
-              .columns_backward = true, \
-              .rows_backward = true
+#define PAGES(columns_, left_, top_)                                    \
+    {                                                                   \
+        .family = PANEL_PAGES, .columns = columns_, .rows = 64,         \
+        .columns_backward = true, .rows_backward = true, .left = left_, \
+        .top = top_                                                     \
+    }
+#define PART(width_, height_, left_, top_) \
+    .width = width_, .height = height_, .left = left_, .top = top_
+#define WHOLE .rotation = 0
+/* Behind `bgr` comes what the panel is told. */
+#define MODULE(name, upright, turned, glass, width, height, inverted, bgr, \
+               ...)                                                        \
+    {                                                                      \
+        name, {&pel_panel_##upright, &pel_panel_##turned}, glass, width,   \
+            height, inverted, bgr,                                         \
+        {                                                                  \
+            __VA_ARGS__                                                    \
+        }                                                                  \
+    }
 
-static const struct module modules[] =
-    {{"st7789 240x320", BOTH(st7789), {.rotation = 0}, DCS}, 240, 320, true, 0},
-                           {"st7789 240x240",
-                            BOTH(st7789),
-                            {PEL_PANEL_240X240},
-                            DCS},
-                           240, 240, true, 0
-}
-, {"st7789 135x240", BOTH(st7789), {PEL_PANEL_135X240}, DCS,
-   .left = 52,       .top = 40},
-    135, 240, true, 0
-}
-, {"st7789 170x320", BOTH(st7789), {PEL_PANEL_170X320}, DCS, .left = 35}, 170,
-    320, true, 0
-}
-, {"st7789 240x280", BOTH(st7789), {PEL_PANEL_240X280}, DCS, .top = 20}, 240,
-    280, true, 0
-}
-,
-    {"st7789, other glass",
-     BOTH(st7789),
-     {.width = 80,
-      .height = 160,
-      .left = 7,
-      .top = 100,
-      .inverted = true,
-      .swapped = true},
-     DCS,
-     .left = 7,
-     .top = 100},
-    80, 160, false, 8
-}
-, {"ili9341", BOTH(ili9341), {.rotation = 0}, DCS, .columns_backward = true},
-    240, 320, false, 8
-}
-,
-    {"gc9a01",
-     BOTH(gc9a01),
-     {.rotation = 0},
-     .glass = {.family = PANEL_DCS, .columns = 240, .rows = 240},
-     240,
-     240,
-     true,
-     8},
-    {"ssd1351",
-     BOTH(ssd1351),
-     {.rotation = 0},
-     .glass = {.family = PANEL_SSD1351,
-               .columns = 128,
-               .rows = 128,
-               .rows_backward = true},
-     128,
-     128,
-     false,
-     4},
-    {"ssd1351 128x96",
-     BOTH(ssd1351),
-     {.width = 128, .height = 96, .top = 32, .swapped = true},
-     .glass = {.family = PANEL_SSD1351,
-               .columns = 128,
-               .rows = 128,
-               .top = 32,
-               .rows_backward = true},
-     128,
-     96,
-     false,
-     0},
-    {"ssd1306", TURNED(ssd1306), {.rotation = 0}, PAGES, .columns = 128}, 128,
-    64, false, 0
-}
-,
-    {"ssd1306 128x32",
-     TURNED(ssd1306_32),
-     {.inverted = true},
-     PAGES,
-     .columns = 128},
-    128, 32, true, 0
-}
-,
-    {"ssd1306 72x40",
-     TURNED(ssd1306),
-     {.width = 72, .height = 40, .left = 28, .top = 16},
-     PAGES,
-     .columns = 128,
-     .left = 28,
-     .top = 16},
-    72, 40, false, 0
-}
-, {"sh1106", TURNED(sh1106), {.rotation = 0}, PAGES, .columns = 132, .left = 2},
-    128, 64, false, 0
-}
-,
-}
-;
+static const struct module modules[] = {
+    MODULE("st7789 240x320", st7789, st7789, DCS(320, false, 0, 0), 240, 320,
+           true, 0, WHOLE),
+    MODULE("st7789 240x240", st7789, st7789, DCS(320, false, 0, 0), 240, 240,
+           true, 0, PEL_PANEL_240X240),
+    MODULE("st7789 135x240", st7789, st7789, DCS(320, false, 52, 40), 135, 240,
+           true, 0, PEL_PANEL_135X240),
+    MODULE("st7789 170x320", st7789, st7789, DCS(320, false, 35, 0), 170, 320,
+           true, 0, PEL_PANEL_170X320),
+    MODULE("st7789 240x280", st7789, st7789, DCS(320, false, 0, 20), 240, 280,
+           true, 0, PEL_PANEL_240X280),
+    MODULE("st7789, other glass", st7789, st7789, DCS(320, false, 7, 100), 80,
+           160, false, 8, PART(80, 160, 7, 100), .inverted = true,
+           .swapped = true),
+    MODULE("ili9341", ili9341, ili9341, DCS(320, true, 0, 0), 240, 320, false,
+           8, WHOLE),
+    MODULE("gc9a01", gc9a01, gc9a01, DCS(240, false, 0, 0), 240, 240, true, 8,
+           WHOLE),
+    MODULE("ssd1351", ssd1351, ssd1351, SSD1351(0), 128, 128, false, 4, WHOLE),
+    MODULE("ssd1351 128x96", ssd1351, ssd1351, SSD1351(32), 128, 96, false, 0,
+           PART(128, 96, 0, 32), .swapped = true),
+    MODULE("ssd1306", ssd1306, ssd1306_turned, PAGES(128, 0, 0), 128, 64, false,
+           0, WHOLE),
+    MODULE("ssd1306 128x32", ssd1306_32, ssd1306_32_turned, PAGES(128, 0, 0),
+           128, 32, true, 0, .inverted = true),
+    MODULE("ssd1306 72x40", ssd1306, ssd1306_turned, PAGES(128, 28, 16), 72, 40,
+           false, 0, PART(72, 40, 28, 16)),
+    MODULE("sh1106", sh1106, sh1106_turned, PAGES(132, 2, 0), 128, 64, false, 0,
+           WHOLE),
+};
 enum { MODULES = sizeof modules / sizeof *modules, BYTES = 320 * 320 * 2 };
 
 static struct bus_log bus;

@@ -69,21 +69,6 @@ static void test_boxes(void)
     }
 }
 
-static void test_pixels_out_of_range(void)
-{
-    static const int32_t far[] = {INT32_MIN, -32769, 32768, INT32_MAX};
-    const struct pel_point origin = {0, 0}, end = PEL_AT(1, 1);
-    for (int i = 0; i < 4; i++) {
-        assert_false(pel_hit_circle(origin, PEL_PX(32767), far[i], 0));
-        assert_false(pel_hit_circle(origin, PEL_PX(32767), 0, far[i]));
-        assert_false(pel_hit_line(origin, end, far[i], 0));
-        assert_false(pel_hit_rectangle(origin, end, 0, far[i]));
-    }
-    assert_true(pel_hit_rectangle((struct pel_point){-8388608, -8388608},
-                                  (struct pel_point){8388607, 8388607}, -32768,
-                                  32766));
-}
-
 /* A shape with a point at `base` that covers the pixel there; the others lie
  * from it by `way` sub-pixels in x and y. */
 static struct any_shape shape_at(enum any_kind kind, int32_t base, int32_t way)
@@ -272,7 +257,7 @@ static void test_thick_lines_at_the_end(void)
 
 int main(void)
 {
-    return RUN_TESTS(test_topmost, test_boxes, test_pixels_out_of_range,
-                     test_ranges, test_tiny_thick_lines,
-                     test_edges_of_thick_lines, test_thick_lines_at_the_end);
+    return RUN_TESTS(test_topmost, test_boxes, test_ranges,
+                     test_tiny_thick_lines, test_edges_of_thick_lines,
+                     test_thick_lines_at_the_end);
 }

@@ -113,21 +113,6 @@ static void test_huge_counts_are_refused(void)
     }
 }
 
-static void test_vertices_out_of_range_are_refused(void)
-{
-    static const int32_t illegal[] = {
-        PEL_COORDINATE_MIN - 1, PEL_COORDINATE_MAX + 1, INT32_MIN, INT32_MAX};
-    setup();
-    for (int i = 0; i < 4; i++)
-        for (int k = 0; k < 8; k++) {
-            struct pel_point v[4];
-            const struct pel_polygon_shape p = {v, 4, PEL_EVEN_ODD};
-            memcpy(v, square, sizeof v);
-            *(k % 2 ? &v[k / 2].x : &v[k / 2].y) = illegal[i];
-            expect(PEL_ERROR_RANGE, &p, scratch, sizeof scratch);
-        }
-}
-
 /* Whatever the clip, as the fill is. */
 static void test_outlines_out_of_range_are_refused(void)
 {
@@ -164,6 +149,5 @@ int main(void)
         test_scratch_size, test_exact_size_is_enough,
         test_small_scratch_is_refused, test_misaligned_scratch_is_refused,
         test_null_is_refused, test_few_vertices, test_huge_counts_are_refused,
-        test_vertices_out_of_range_are_refused,
         test_outlines_out_of_range_are_refused, test_nothing_to_see);
 }

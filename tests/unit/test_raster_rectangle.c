@@ -102,28 +102,8 @@ static void test_boxes(void)
     }
 }
 
-/* An illegal corner draws nothing, though the rest would be visible. */
-static void test_illegal_corners(void)
-{
-    const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
-    static const struct {
-        struct pel_point from, to;
-    } row[] = {
-        {{PEL_COORDINATE_MIN - 1, 0}, {1000, 1000}},
-        {{0, PEL_COORDINATE_MIN - 1}, {1000, 1000}},
-        {{0, 0}, {PEL_COORDINATE_MAX + 1, 1000}},
-        {{0, 0}, {1000, PEL_COORDINATE_MAX + 1}},
-    };
-    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
-        canvas_open(&canvas, &pel_gray8, &bounds, 0);
-        pel_rectangle(&canvas.surface, row[i].from, row[i].to, &white.paint);
-        assert_memory_equal(canvas.memory, canvas.before, canvas.size);
-    }
-}
-
 int main(void)
 {
     return RUN_TESTS(test_clear_sets_the_color, test_clear_of_an_empty_clip,
-                     test_rectangle_takes_centres, test_boxes,
-                     test_illegal_corners);
+                     test_rectangle_takes_centres, test_boxes);
 }

@@ -1,0 +1,101 @@
+/* Depths of 16 bits where pel_scene_depth_bits allows them: two triangles that
+ * face the eye, the nearer one wins in any order; with a quarter of the gap it
+ * often does not. */
+#include "core/scene/select.h"
+#include "tests/support/any_scene.h"
+#include "tests/support/check.h"
+
+enum { SIDE = 16, UNIT = 64 };
+
+static int16_t positions[6][3];
+static const uint8_t indices[2][3] = {{0, 1, 2}, {3, 4, 5}};
+static uint64_t scratch[400];
+static const struct pel_mesh mesh = {.vertices = 6,
+                                     .triangles = 2,
+                                     .position = {{0, 0, 0}, 1, 6},
+                                     .positions = (void *)positions,
+                                     .indices8 = indices};
+
+static struct pel_scene any_view(struct random *r)
+{
+    struct pel_scene scene = {.mesh = &mesh,
+                              .camera = {.target = {0, 0, -PEL_UNITS(1)},
+                                         .up = {0, 1, 0},
+                                         .focal = 1000,
+                                         .sensor = {900, 900}},
+                              .viewport = {0, 0, SIDE, SIDE},
+                              .shading = &any_scene_numbers};
+    scene.camera.near_plane = random_between(r, 1024, PEL_UNITS(1));
+    if (random_word(r) % 4 == 0) {
+        scene.camera.projection = PEL_ORTHOGRAPHIC;
+        scene.camera.sensor[0] = scene.camera.sensor[1] = PEL_UNITS(4);
+    }
+    return scene;
+}
+
+/* Two planes with the gap between, in any order. */
+static void place(int32_t z, int32_t gap, bool swapped)
+{
+    static const int16_t corner[3][2] = {{-1, -1}, {1, -1}, {0, 1}};
+    for (int i = 0; i < 6; i++) {
+        for (int k = 0; k < 2; k++)
+            positions[i][k] = (int16_t)(corner[i % 3][k] * z / 3);
+        positions[i][2] = (int16_t)((i < 3) == swapped ? -z : -z - gap);
+    }
+}
+
+/* Is the nearer one seen where it is? The middle of the picture is. */
+static bool is_right(const struct pel_frame *prepared, int bits, bool swapped)
+{
+    static uint32_t depths[SIDE * SIDE];
+    static struct canvas canvas;
+    struct pel_frame frame = *prepared;
+    const struct pel_rect *v = &frame.scene->viewport;
+    struct pel_depth depth;
+    pel_depth_init(&depth, v, bits, depths, sizeof depths);
+    canvas_open(&canvas, &pel_xrgb8888, v, 0);
+    pel_scene_draw_depth(&frame, &canvas.surface, &depth);
+    return (canvas_pixel(&canvas, SIDE / 2, SIDE / 2) & 255) ==
+           (swapped ? 1 : 2);
+}
+
+static int prepare(const struct pel_scene *scene, struct pel_frame *frame,
+                   int32_t gap)
+{
+    assert_int_equal(pel_scene_prepare(frame, scene, scratch, sizeof scratch),
+                     PEL_OK);
+    assert_int_equal(frame->triangles, 2);
+    return pel_scene_depth_bits(frame, gap * (PEL_UNITS(1) / UNIT));
+}
+
+static void test_the_nearer_one_wins(void)
+{
+    uint32_t allowed = 0, wrong = 0;
+    for (struct cases c = cases_of(5000); cases_next(&c);) {
+        const struct pel_scene scene = any_view(&c.random);
+        const int32_t z = random_between(&c.random, 2 * UNIT, 200 * UNIT);
+        const bool swapped = random_word(&c.random) % 2;
+        struct pel_frame frame;
+        int bits = 32;
+        for (int32_t gap = 1; bits == 32 && gap < 300 * UNIT; gap *= 2) {
+            place(z, gap, swapped);
+            bits = prepare(&scene, &frame, gap);
+            if (!is_right(&frame, bits, swapped))
+                fail_msg("%d bits, %d behind %d; %s", bits, gap, z,
+                         cases_replay());
+            if (bits == 32 || gap < 4)
+                continue;
+            allowed++;
+            place(z, gap / 4, swapped);
+            prepare(&scene, &frame, gap);
+            wrong += !is_right(&frame, 16, swapped);
+        }
+    }
+    print_message("%u allowed, %u wrong at 1/4 of the gap\n", allowed, wrong);
+    assert_true(allowed > 0 && wrong > 0);
+}
+
+int main(void)
+{
+    return RUN_TESTS(test_the_nearer_one_wins);
+}
