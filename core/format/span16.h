@@ -62,46 +62,47 @@ static inline pel_value16 pel_make_value16(uint32_t pixel)
 
 /* n >= 1 pixels: pairs of them as words, once the address allows it. On Arm one
  * shift tells two bits of a number, as carry and sign, which compilers do not
- * find. */
+ * find; what is left is 8 too few at the end. A frame pointer leaves six
+ * registers. */
 #if defined(__arm__) && defined(__GNUC__)
 static PEL_INLINE_FAST void pel_put_pixels16(pel_word16 *p, int32_t n,
                                              uint32_t v)
 {
+    register pel_word16 *q __asm__("r0") = p;
+    register int32_t left __asm__("r1") = n;
     register uint32_t a __asm__("r2") = v;
     register uint32_t b __asm__("r3");
     register uint32_t c __asm__("r4");
     register uint32_t d __asm__("r5");
-    uint32_t left;
     __asm__ volatile(".syntax unified\n\t"
-                     "lsls %2, %0, #31\n\t"
+                     "lsls %4, %0, #31\n\t"
                      "bcc 1f\n\t"
-                     "strh %6, [%0]\n\t"
+                     "strh %5, [%0]\n\t"
                      "adds %0, #2\n\t"
                      "subs %1, #1\n"
                      "1:\t"
-                     "movs %3, %6\n\t"
-                     "lsrs %2, %1, #3\n\t"
-                     "beq 3f\n\t"
-                     "movs %4, %6\n\t"
-                     "movs %5, %6\n"
+                     "movs %2, %5\n\t"
+                     "subs %1, #8\n\t"
+                     "bcc 3f\n\t"
+                     "movs %3, %5\n\t"
+                     "movs %4, %5\n"
                      "2:\t"
-                     "stmia %0!, {%6, %3, %4, %5}\n\t"
-                     "subs %2, #1\n\t"
-                     "bne 2b\n"
+                     "stmia %0!, {%5, %2, %3, %4}\n\t"
+                     "subs %1, #8\n\t"
+                     "bcs 2b\n"
                      "3:\t"
-                     "lsls %2, %1, #30\n\t"
+                     "lsls %4, %1, #30\n\t"
                      "bcc 4f\n\t"
-                     "stmia %0!, {%6, %3}\n"
+                     "stmia %0!, {%5, %2}\n"
                      "4:\t"
                      "bpl 5f\n\t"
-                     "stmia %0!, {%6}\n"
+                     "stmia %0!, {%5}\n"
                      "5:\t"
-                     "lsls %1, %1, #31\n\t"
+                     "lsls %4, %1, #31\n\t"
                      "bpl 6f\n\t"
-                     "strh %6, [%0]\n"
+                     "strh %5, [%0]\n"
                      "6:"
-                     : "+&l"(p), "+&l"(n), "=&l"(left), "=&l"(b), "=&l"(c),
-                       "=&l"(d)
+                     : "+l"(q), "+l"(left), "=l"(b), "=l"(c), "=l"(d)
                      : "l"(a)
                      : "cc", "memory");
 }
