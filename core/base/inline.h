@@ -29,6 +29,12 @@ static inline int pel_leading_zeros(uint64_t v)
 {
     return __builtin_clzll(v);
 }
+
+/* Zero bits below the lowest one of v, which is not 0. */
+static inline int pel_trailing_zeros(uint32_t v)
+{
+    return __builtin_ctz(v);
+}
 #else
 #define PEL_ALWAYS_INLINE inline
 #define PEL_NOINLINE
@@ -38,6 +44,14 @@ static inline int pel_leading_zeros(uint64_t v)
 {
     int zeros = 0;
     for (; !(v >> 63); v <<= 1)
+        zeros++;
+    return zeros;
+}
+
+static inline int pel_trailing_zeros(uint32_t v)
+{
+    int zeros = 0;
+    for (; !(v & 1); v >>= 1)
         zeros++;
     return zeros;
 }

@@ -6,23 +6,24 @@
  * word with the up to 7 bits of a byte before them. */
 enum { ROWS = PEL_BATCH_ROWS < 16 ? PEL_BATCH_ROWS : 16, COLUMNS = 24 };
 
-/* A part of a glyph: of each row the bits right of its span, the first in the
- * high bit. */
+/* A part of a glyph at pixel x: of each row the bits left of its span, the last
+ * one in the low bit. */
 struct part {
+    int32_t x;
     struct pel_spans rows;
     struct pel_span span[ROWS];
     uint32_t bits[ROWS];
 };
 
-/* Zero bits above the highest one, 31 at most. */
+/* Zero bits below the lowest one, 31 at most. */
 static inline int32_t zeros(uint32_t v)
 {
     if (PEL_64BIT)
-        return pel_leading_zeros(v | 1) - 32;
+        return pel_trailing_zeros(v | 0x80000000u);
     if (v == 0)
         return 31;
     int32_t n = 0;
-    for (; (int32_t)v >= 0; v <<= 1)
+    for (; !(v & 1); v >>= 1)
         n++;
     return n;
 }
@@ -31,43 +32,43 @@ static inline int32_t zeros(uint32_t v)
 static uint32_t bits_at(const uint8_t *row, int32_t x0, int32_t x1)
 {
     uint32_t bits = 0;
-    int shift = 24;
-    for (int32_t i = x0 >> 3; 8 * i < x1; i++, shift -= 8)
-        bits |= (uint32_t)row[i] << shift;
-    return bits << (x0 & 7) & ~(UINT32_MAX >> (x1 - x0));
+    for (int32_t i = x0 >> 3; 8 * i < x1; i++)
+        bits = bits << 8 | row[i];
+    return bits >> (-x1 & 7) & ((1u << (x1 - x0)) - 1);
 }
 
-/* Sets the span of each row to its next run of set bits, or empty at `end`, and
- * returns whether any are left. */
-static bool next_runs(struct part *p, int32_t end)
+/* Sets the span of each row to the next run of set bits on its left, or empty
+ * at pixel `left`, and returns whether there are more. (Compilers for any
+ * x86-64 count zeros from the low bit in one fast instruction.) */
+static bool next_runs(struct part *p, int32_t left)
 {
-    uint32_t left = 0;
+    uint32_t more = 0;
     for (int32_t i = 0; i < p->rows.n; i++) {
         struct pel_span *span = &p->span[i];
         int32_t n = zeros(p->bits[i]);
-        const uint32_t bits = p->bits[i] << n;
-        span->x0 = pel_min(span->x1 + n, end);
+        const uint32_t bits = p->bits[i] >> n;
+        span->x1 = pel_max(span->x0 - n, left);
         n = zeros(~bits);
-        span->x1 = span->x0 + n;
-        p->bits[i] = bits << n;
-        left |= p->bits[i];
+        span->x0 = span->x1 - n;
+        p->bits[i] = bits >> n;
+        more |= p->bits[i];
     }
-    return left != 0;
+    return more != 0;
 }
 
-/* Paints the columns of rows whose first bits, at pixel x, are in `row`. */
+/* Paints the columns of rows from `row` on. */
 static void fill_part(struct part *p, const uint8_t *row, int32_t stride,
-                      int32_t x, const struct pel_span *columns,
+                      const struct pel_span *columns,
                       const struct pel_paint *paint)
 {
-    uint32_t left = 0;
+    uint32_t all = 0;
     for (int32_t i = 0; i < p->rows.n; i++, row += stride) {
-        p->span[i].x1 = columns->x0;
-        p->bits[i] = bits_at(row, columns->x0 - x, columns->x1 - x);
-        left |= p->bits[i];
+        p->span[i].x0 = columns->x1;
+        p->bits[i] = bits_at(row, columns->x0 - p->x, columns->x1 - p->x);
+        all |= p->bits[i];
     }
-    for (bool more = left != 0; more;) {
-        more = next_runs(p, columns->x1);
+    for (bool more = all != 0; more;) {
+        more = next_runs(p, columns->x0);
         paint->fill(paint, &p->rows);
     }
 }
@@ -90,6 +91,7 @@ void pel_glyph(const struct pel_surface *surface,
     if (pel_rect_empty(&r))
         return;
     struct part p;
+    p.x = x;
     p.rows = (struct pel_spans){surface, p.span, r.y0, 0, 1};
     for (; p.rows.y < r.y1; p.rows.y += p.rows.n) {
         const uint8_t *row =
@@ -98,7 +100,7 @@ void pel_glyph(const struct pel_surface *surface,
         p.rows.n = pel_min(r.y1 - p.rows.y, ROWS);
         for (; columns.x0 < r.x1; columns.x0 = columns.x1) {
             columns.x1 = pel_min(columns.x0 + COLUMNS, r.x1);
-            fill_part(&p, row, glyph->stride, x, &columns, paint);
+            fill_part(&p, row, glyph->stride, &columns, paint);
         }
     }
 }

@@ -88,37 +88,45 @@ static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
     }
 }
 
-static int32_t inner_part(const struct pel_texture *p,
-                          const struct pel_texture_axes *a, int32_t n)
+static void inner(const struct pel_texture *p, const struct pel_texture_axes *a,
+                  int32_t n, pel_color *out)
 {
-    if (!PEL_KNOW_SIDES)
-        return 0;
-    if (!PEL_64BIT)
-        return pel_texture_axes_inside(a, p, n, 1) ? n : 0;
-    return inner_pixels(&a->v, p->map.v.dx,
-                        inner_pixels(&a->u, p->map.u.dx, n));
+    if (!PEL_FAST_FILLS || !PEL_VECTORS ||
+        !pel_texture_bilinear_run(p, a, n, out))
+        pel_texture_run(p, a, n, out, inner_run);
 }
 
 /* By parts that lie inside the picture, or one of its repetitions, and seams
  * between them. */
+static PEL_NOINLINE void parts(const struct pel_texture *p,
+                               struct pel_texture_axes *a, int32_t n,
+                               pel_color *out)
+{
+    for (int32_t part; n > 0; n -= part, out += part) {
+        part = inner_pixels(&a->u, p->map.u.dx, n);
+        part = inner_pixels(&a->v, p->map.v.dx, part);
+        if (part == 0) {
+            part = outer_run(p, a, n, out);
+            continue;
+        }
+        inner(p, a, part, out);
+        a->u.at += pel_times(p->map.u.dx, part);
+        a->v.at += pel_times(p->map.v.dx, part);
+    }
+}
+
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
     const struct pel_texture *p = (const void *)paint;
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y, PEL_TEXTURE_HALF_BACK);
-    for (int32_t part; n > 0; n -= part, out += part) {
-        part = inner_part(p, &a, n);
-        if (part == 0) {
-            part = outer_run(p, &a, n, out);
-            continue;
-        }
-        if (!PEL_FAST_FILLS || !PEL_VECTORS ||
-            !pel_texture_bilinear_run(p, &a, part, out))
-            pel_texture_run(p, &a, part, out, inner_run);
-        a.u.at += pel_times(p->map.u.dx, part);
-        a.v.at += pel_times(p->map.v.dx, part);
-    }
+    if (PEL_KNOW_SIDES && pel_texture_axes_inside(&a, p, n, 1))
+        inner(p, &a, n, out);
+    else if (PEL_64BIT)
+        parts(p, &a, n, out);
+    else
+        outer_run(p, &a, n, out);
 }
 
 enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,
