@@ -12,7 +12,7 @@ enum { WORKLOADS_MAX = 80 };
 struct options {
     struct measure_options measure;
     const char *csv, *only, *skip, *name;
-    bool append, brief, list;
+    bool append, list;
 };
 
 static const struct argp_option option_table[] = {
@@ -22,7 +22,6 @@ static const struct argp_option option_table[] = {
     {"skip", 'k', "TEXT", 0, "no workloads whose name contains TEXT", 0},
     {"append", 'a', 0, 0, "add the figures to the end of FILE", 0},
     {"no-coverage", 'n', 0, 0, "do not compare pixels with Pel's", 0},
-    {"brief", 's', 0, 0, "print the comparison with peers only", 0},
     {"list", 'l', 0, 0, "print the names of the workloads", 0},
     {0},
 };
@@ -50,9 +49,6 @@ static error_t parse(int key, char *arg, struct argp_state *state)
         return 0;
     case 'n':
         o->measure.no_coverage = true;
-        return 0;
-    case 's':
-        o->brief = true;
         return 0;
     case 'l':
         o->list = true;
@@ -85,8 +81,7 @@ static int measure_all(const struct options *o, struct workload *w,
         if (n == WORKLOADS_MAX || !workload_open(&w[n]))
             method_fail("out of memory", "free some and start again");
         measure(&m[n], &w[n], &o->measure);
-        if (!o->brief)
-            report_table(stdout, &m[n]);
+        report_table(stdout, &m[n]);
         fflush(stdout);
         workload_close(&w[n]);
         n++;

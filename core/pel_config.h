@@ -68,7 +68,7 @@
 /* Rows that a shape hands to a paint at a time, 4 to 255: 8 bytes of stack
  * each. */
 #ifndef PEL_BATCH_ROWS
-#define PEL_BATCH_ROWS (PEL_64BIT ? 64 : PEL_KNOW_SIDES ? 8 : 4)
+#define PEL_BATCH_ROWS (PEL_64BIT ? 255 : PEL_KNOW_SIDES ? 8 : 4)
 #endif
 
 /* Pixels of the colour buffer between a paint and a format, 4 to 255: 4 bytes

@@ -1,7 +1,7 @@
 #!/bin/sh
 # agree.sh FOLDER FOLDER : two runs of the atlas (their csv folders) against each
-# other. Figures without a spread, but times, are exact and must be the same; the
-# spreads of times must meet. Prints how many do, and the times that do not; fails when an
+# other. Figures without a spread are exact and must be the same; the spreads of
+# times must meet. Prints how many do, and the times that do not; fails when an
 # exact figure differs, or when more than one time in twenty stands apart.
 set -eu
 for file in "$1"/*.csv; do
@@ -18,7 +18,6 @@ done | awk -F, '
         high[key] = $8
         next
     }
-    $7 == "" && ($9 == "ms" || $9 == "ns") { next }
     $7 == "" {
         exact++
         if (value[key] != $6) {

@@ -70,12 +70,4 @@ static inline int atlas_samples(const struct atlas *a, int full, int quick)
 /* The generator of sample series `number` of the case. */
 struct random atlas_random(const struct atlas *a, uint32_t number);
 
-struct atlas_case {
-    const char *name;
-    void (*run)(struct atlas *a);
-};
-
-/* Ends with a NULL name. */
-extern const struct atlas_case atlas_cases[];
-
 #endif

@@ -1,44 +1,19 @@
-/* The cases. */
+/* The cases: each has its function, atlas_NAME, and is called so with '-' for
+ * '_'. One that ends in -time has figures of time alone (run.sh). */
 #ifndef BENCH_ATLAS_CASES_H
 #define BENCH_ATLAS_CASES_H
 
 #include "atlas.h"
 
-void atlas_damage(struct atlas *a); /* case_damage.c */
-void atlas_damage_time(struct atlas *a);
+#define ATLAS_CASES(X)                                                        \
+    X(damage), X(damage_time), X(thinness), X(snapping), X(overflow),         \
+        X(map_sliver), X(color), X(color_sliver), X(gradient), X(span),       \
+        X(map_perspective), X(phong), X(map_phong), X(order), X(fighting),    \
+        X(alpha), X(hsv), X(dither), X(arctangent), X(circle), X(map_circle), \
+        X(references), X(limits), X(sampling), X(gamma), X(tolerance),        \
+        X(tolerance_time)
 
-void atlas_thinness(struct atlas *a); /* case_regimes.c */
-void atlas_snapping(struct atlas *a);
-void atlas_overflow(struct atlas *a);
-void atlas_map_sliver(struct atlas *a);
-
-void atlas_color(struct atlas *a); /* case_color.c */
-void atlas_color_sliver(struct atlas *a);
-void atlas_gradient(struct atlas *a);
-
-void atlas_span(struct atlas *a); /* case_texture.c */
-void atlas_map_perspective(struct atlas *a);
-
-void atlas_phong(struct atlas *a); /* case_light.c */
-void atlas_map_phong(struct atlas *a);
-
-void atlas_order(struct atlas *a); /* case_depth.c */
-void atlas_fighting(struct atlas *a);
-
-void atlas_alpha(struct atlas *a); /* case_scalar.c */
-void atlas_hsv(struct atlas *a);
-void atlas_dither(struct atlas *a);
-void atlas_arctangent(struct atlas *a);
-void atlas_gamma(struct atlas *a);
-
-void atlas_circle(struct atlas *a); /* case_circle.c */
-void atlas_map_circle(struct atlas *a);
-
-void atlas_references(struct atlas *a); /* case_references.c */
-void atlas_limits(struct atlas *a);     /* case_limits.c */
-void atlas_sampling(struct atlas *a);   /* case_sampling.c */
-
-void atlas_tolerance(struct atlas *a); /* case_tolerance.c */
-void atlas_tolerance_time(struct atlas *a);
+#define ATLAS_FUNCTION(name) atlas_##name(struct atlas *a)
+void ATLAS_CASES(ATLAS_FUNCTION);
 
 #endif

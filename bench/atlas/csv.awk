@@ -43,11 +43,14 @@ function put_times(    i, key, f)
     }
 }
 
-# bench/report_csv.c; its ratio is to memset in the same batch.
+# bench/report_csv.c; ratios are to memset and to the best peer of the same batch.
 kind == "speed" && FNR > 1 {
     m = $3 == "pel" ? "Pel " $1 : $3
     add(m, $2, "", "ns_per_pixel", "ns", $4 / $9, $5 / $9, $6 / $9)
     add(m, $2, "", "ratio_to_memset", "times", $7, $7 * $5 / $4, $7 * $6 / $4)
+    if ($3 == "pel" && $8 != "")
+        add(m, $2, "", "ratio_to_best_peer", "times", $8, $8 * $5 / $4,
+            $8 * $6 / $4)
     if ($11 != "")
         add(m, $2, "", "wrong_ppm", "ppm", $11 * 1e4, "", "")
 }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "atlas.h"
+#include "cases.h"
 
 struct options {
     struct atlas atlas;
@@ -51,10 +51,26 @@ static error_t parse(int key, char *arg, struct argp_state *state)
     }
 }
 
+#define NAME(name) #name
+#define FUNCTION(name) atlas_##name
+static const char *const names[] = {ATLAS_CASES(NAME)};
+static void (*const functions[])(struct atlas *a) = {ATLAS_CASES(FUNCTION)};
+enum { CASES = sizeof names / sizeof *names };
+
+static const char *name_of(int i)
+{
+    static char name[40];
+    snprintf(name, sizeof name, "%s", names[i]);
+    for (char *c = name; *c; c++)
+        if (*c == '_')
+            *c = '-';
+    return name;
+}
+
 static int list(void)
 {
-    for (const struct atlas_case *c = atlas_cases; c->name; c++)
-        puts(c->name);
+    for (int i = 0; i < CASES; i++)
+        puts(name_of(i));
     return 0;
 }
 
@@ -82,12 +98,12 @@ static void print_wrong(const struct atlas *a)
 
 static int run(struct atlas *a)
 {
-    for (const struct atlas_case *c = atlas_cases; c->name; c++) {
-        if (!a->name || strcmp(c->name, a->name) != 0)
+    for (int i = 0; i < CASES; i++) {
+        if (!a->name || strcmp(name_of(i), a->name) != 0)
             continue;
         if (!a->smallest)
             puts("case,method,x,y,metric,value,low,high,unit,command");
-        c->run(a);
+        functions[i](a);
         if (a->smallest && !a->judged) {
             fprintf(stderr,
                     "pel-atlas: %s draws no triangle in %s; damage, thinness, "

@@ -1,7 +1,8 @@
 #!/bin/sh
-# page.sh FOLDER : draws the charts of charts.txt from FOLDER/csv, as FOLDER/*.svg,
-# and writes FOLDER/index.html, one page that needs nothing else: charts, and
-# tables of all rows. A chart whose CSV is not there is left out, and named.
+# page.sh FOLDER [1] : draws the charts of charts.txt from FOLDER/csv, as
+# FOLDER/*.svg, and writes FOLDER/index.html, one page that needs nothing else:
+# charts, and tables of all rows. A chart whose CSV is not there is left out, and
+# named. With 1 the table of places in docs/ATLAS.md becomes this one.
 set -eu
 folder=$1
 csv=$folder/csv
@@ -51,12 +52,14 @@ figure() {
     echo "</figure>"
 }
 
-# table CSV ATTRIBUTE
+# table FILE [ATTRIBUTE] : of values between commas, or of .tsv between tabs
 table() {
-    name=$(basename "$1" .csv)
-    echo "<details id=\"table-$name\"$2><summary>$name," \
+    name=$(basename "${1%.?sv}")
+    between=,
+    [ "$1" = "${1%.tsv}" ] || between='\t'
+    echo "<details id=\"table-$name\"${2-}><summary>$name," \
         "$(($(wc -l <"$1") - 1)) rows</summary><table>"
-    escape <"$1" | awk -F, '
+    escape <"$1" | awk -F "$between" '
         NR == 1 {
             columns = NF
             printf "<thead><tr>"
@@ -69,17 +72,40 @@ table() {
             printf "<tr>"
             for (i = 1; i < columns; i++)
                 printf "<td>%s</td>", $i
-            for (i = 1; i < columns; i++)
-                sub(/^[^,]*,/, "")
-            print "<td>" $0 "</td></tr>"
+            for (i = columns + 1; i <= NF; i++)
+                $columns = $columns "," $i
+            print "<td>" $columns "</td></tr>"
         }'
     echo "</tbody></table></details>"
 }
 
+# The table in docs/ATLAS.md, between its two marks.
+accept_places() {
+    sed '/^<!-- places -->$/q' docs/ATLAS.md
+    cat "$csv"/*.run | sed -n 's/^machine: \(.*\)/Of one run on \1; ratios of times./p'
+    awk -F '\t' '
+        NR == 1 {
+            print "\n| workload | place | best peer | Pel to best |" \
+                " Pel to memset | what was tried |\n|---|---|---|---|---|---|"
+            next
+        }
+        {
+            print "| " $1 " | " $2 " of " $3 " | " $4 " | " \
+                ($4 ? $5 " (" $6 " to " $7 ")" : "") " | " $8 " | " $10 " |"
+        }
+        END { print "" }' "$folder/places.tsv"
+    sed -n '/^<!-- end of places -->$/,$p' docs/ATLAS.md
+} >"$work/document"
+
 while read -r name; do
     draw "$name"
 done <"$work/names"
-cat "$csv"/speed-*.csv 2>/dev/null | awk -f "$here/places.awk" >"$folder/places.csv"
+awk -F '\t' -f "$here/places.awk" "$here/tried.tsv" "$csv"/speed-*.csv \
+    >"$folder/places.tsv"
+if [ "${2-}" ]; then
+    accept_places
+    mv "$work/document" docs/ATLAS.md
+fi
 
 {
     cat "$here/head.html"
@@ -92,9 +118,9 @@ cat "$csv"/speed-*.csv 2>/dev/null | awk -f "$here/places.awk" >"$folder/places.
         figure "$name"
     done <"$work/names"
     echo '</section><section id="tables"><h2>Tables</h2>'
-    table "$folder/places.csv" ' open'
+    table "$folder/places.tsv" ' open'
     for file in "$csv"/*.csv; do
-        table "$file" ''
+        table "$file"
     done
     echo '</section>'
     echo '<script>'

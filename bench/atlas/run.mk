@@ -1,6 +1,8 @@
 # `make atlas`: the figures of speed, accuracy and size as CSV, and a page of
 # charts. It goes on where it was stopped; SHARD=2/8 runs the second of eight
 # parts, whose CSVs are then copied together, and `make atlas` there draws all.
+# `make atlas-page` draws the page again from the figures that are there; with
+# ACCEPT=1 it writes the places among peers into docs/ATLAS.md.
 ATLAS_OUT := $(BUILD)/atlas$(if $(QUICK),-quick)
 ATLAS_PROGRAMS := $(addprefix $(BENCH)/pel-,atlas bench bench-scene matrix count) \
     $(BENCH)/atlas/damage-mcu.csv
@@ -12,12 +14,14 @@ $(BENCH)/pel-matrix: $(ATLAS_MATRIX:%.c=$(BENCH)/host/%.o) $(BUILD)/libpel.a
 	$(CC) $(LDFLAGS) $^ -o $@
 -include $(ATLAS_MATRIX:%.c=$(BENCH)/host/%.d)
 
-.PHONY: atlas check-atlas need-atlas
+.PHONY: atlas atlas-page check-atlas need-atlas
 need-atlas:
 	@tests/tools/need.sh gnuplot:gnuplot-nox valgrind:valgrind
 atlas: $(ATLAS_PROGRAMS) | need-atlas ## charts of speed and accuracy: build/atlas/index.html; QUICK=1, SHARD=I/N
 	QUICK=$(QUICK) SHARD=$(SHARD) bench/atlas/run.sh $(BUILD) $(ATLAS_OUT)
 	$(if $(SHARD),,bench/atlas/page.sh $(ATLAS_OUT))
+atlas-page: | need-atlas ## its page again; ACCEPT=1 keeps the places in docs/ATLAS.md
+	bench/atlas/page.sh $(ATLAS_OUT) $(ACCEPT)
 
 # The page of a quick run, measured anew, in a browser.
 CHECK_EXTRA += check-atlas

@@ -13,7 +13,7 @@ bench=$build/bench
 batches=5
 repeats=5
 quick=
-[ -z "${QUICK-}" ] || batches=3 repeats=3 quick=--quick
+[ -z "${QUICK-}" ] || batches=2 repeats=3 quick=--quick
 shard=${SHARD:-1/1}
 case $shard in
 [1-9]*/[1-9]*) ;;
@@ -32,17 +32,19 @@ cases() {
     printf '%s\n' matrix mcu size damage-mcu
 }
 
-# A line `batch case` for each batch of a case of times, in the order of
-# the batches; the other cases stand between them, with a dash.
+# A line `batch batches case` for each batch of a case of times, in the order of
+# the batches; the other cases stand between them, with dashes.
 jobs() {
-    cases | awk -v batches=$batches -v part="${shard%/*}" -v parts="${shard#*/}" '
+    cases | awk -v batches=$batches -v quick=$quick -v part="${shard%/*}" \
+        -v parts="${shard#*/}" '
         (NR - 1) % parts + 1 != part { next }
+        quick && /^scene-/ { print 1, NR, 1, 1, $0; next }
         /^(speed-|scene-|matrix|.*-time$)/ {
             for (batch = 1; batch <= batches; batch++)
-                print batch, NR, batch, $0
+                print batch, NR, batch, batches, $0
             next
         }
-        { print NR % batches + 1, NR, "-", $0 }' | sort -n -k 1,1 -k 2,2 |
+        { print NR % batches + 1, NR, "- -", $0 }' | sort -n -k 1,1 -k 2,2 |
         cut -d ' ' -f 3-
 }
 
@@ -63,13 +65,13 @@ speed() {
     case $1 in *alpha*) features= ;; esac
     [ "$batch" = 1 ] || compare=--no-coverage
     QT_NO_CPU_FEATURE=$features "$bench/pel-bench" --repeats $repeats \
-        --csv "$out/raw" $compare "$1" 2>&1 >"$out/log"
+        --csv "$out/raw" $compare "$1" >"$out/log"
 }
 
 # The times of batch $batch of the case $name, in the program's own form.
 measure_times() {
     case $name in
-    speed-*) speed "${name#speed-}" >&2 && cat "$out/raw" ;;
+    speed-*) speed "${name#speed-}" && cat "$out/raw" ;;
     scene-*) "$bench/pel-bench-scene" "$out/raw" "${name#scene-}" >"$out/log" &&
         cat "$out/raw" ;;
     matrix) "$bench/pel-matrix" ;;
@@ -138,7 +140,7 @@ jobs >"$out/jobs"
 total=$(wc -l <"$out/jobs")
 i=0
 status=0
-while read -r batch name; do
+while read -r batch of name; do
     i=$((i + 1))
     [ ! -e "$out/$name.csv" ] || continue
     if [ "$batch" = - ]; then
@@ -147,7 +149,7 @@ while read -r batch name; do
     fi
     [ -e "$out/$name.batch$batch" ] || do_job "$out/$name.batch$batch" measure_times
     set -- "$out/$name".batch*
-    [ $# = $batches ] || continue
+    [ $# = "$of" ] && [ -e "$1" ] || continue
     join_times "$@" >"$out/new"
     mv "$out/new" "$out/$name.csv"
     rm "$@"

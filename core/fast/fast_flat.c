@@ -6,25 +6,16 @@
 
 #if PEL_FAST_FILLS
 
-/* In lower triangles prefetches cost more than they gain. */
-enum { ROWS_WORTH_PREFETCHING = 128, ROWS_AHEAD = 4 };
+enum { ROWS_AHEAD = 4 };
 
 static void fill32(const struct pel_surface *s,
                    const struct pel_fast_triangle *t, pel_color color)
 {
     const pel_value32 value = pel_make_value32(s->format->pack(color));
     struct pel_fast_walk w = pel_fast_walk_begin(s, t, 4);
-    if (t->y2 - t->y0 < ROWS_WORTH_PREFETCHING) {
-        for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);)
-            pel_span32((pel_word32 *)(w.row + 4 * (uintptr_t)x), n, value);
-        return;
-    }
     const uintptr_t ahead = pel_fast_walk_ahead(&w, ROWS_AHEAD, 4);
-    for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
-        uintptr_t p = w.row + 4 * (uintptr_t)x;
-        pel_prefetch_span(p + ahead, 4 * n);
-        pel_span32((pel_word32 *)p, n, value);
-    }
+    for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);)
+        pel_span32((pel_word32 *)(w.row + 4 * (uintptr_t)x), n, value, ahead);
 }
 
 static void fill16(const struct pel_surface *s,

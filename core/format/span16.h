@@ -60,29 +60,10 @@ static inline pel_value16 pel_make_value16(uint32_t pixel)
     return pixel | pixel << 16;
 }
 
-/* Pairs of pixels as words, once the address allows it. */
 static inline void pel_span16(pel_word16 *p, int32_t n, pel_value16 v)
 {
-    if (n <= 0)
-        return;
-    if ((uintptr_t)p & 2) {
-        *p++ = (pel_word16)v;
-        n--;
-    }
-    pel_word32 *q = (pel_word32 *)(void *)p;
-    if (n >= 8)
-        q = pel_put_blocks(q, n >> 3, v);
-    /* The rest's bits as signs: a shift and a branch each. */
-    const uint32_t rest = (uint32_t)n << 29;
-    if ((int32_t)rest < 0) {
-        q[0] = v;
-        q[1] = v;
-        q += 2;
-    }
-    if ((int32_t)(rest << 1) < 0)
-        *q++ = v;
-    if (rest << 2)
-        *(pel_word16 *)(void *)q = (pel_word16)v;
+    if (n > 0)
+        pel_put_halves(p, n, v);
 }
 
 #endif

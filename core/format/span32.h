@@ -28,7 +28,7 @@ static inline void pel_span32_short(pel_word32 *p, int32_t n, uint32_t v)
  * at most 4 px after p. A block begins before `tail`, so it ends inside the
  * span. */
 static PEL_ALWAYS_INLINE void pel_span32_long(pel_word32 *p, int32_t n,
-                                              pel_value32 v)
+                                              pel_value32 v, uintptr_t ahead)
 {
     pel_word32 *tail = p + n - 16;
     pel_put_u32x4(tail, v);
@@ -40,6 +40,7 @@ static PEL_ALWAYS_INLINE void pel_span32_long(pel_word32 *p, int32_t n,
     }
     p = (pel_word32 *)(((uintptr_t)p + 16) & ~(uintptr_t)15);
     do {
+        pel_prefetch((uintptr_t)p + ahead);
         pel_put_u32x4(p, v);
         pel_put_u32x4(p + 4, v);
         pel_put_u32x4(p + 8, v);
@@ -48,8 +49,11 @@ static PEL_ALWAYS_INLINE void pel_span32_long(pel_word32 *p, int32_t n,
     } while (p < tail);
 }
 
+/* `ahead`: bytes to the span of a row below, of which cache lines are asked
+ * for: stores retire in order, so each miss would wait for the one before it.
+ */
 static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
-                                         pel_value32 v)
+                                         pel_value32 v, uintptr_t ahead)
 {
     if (n < 4) {
         pel_span32_short(p, n, v[0]);
@@ -60,7 +64,7 @@ static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
     if (n > 8) {
         pel_put_u32x4(p + 4, v);
         if (n > 16)
-            pel_span32_long(p, n, v);
+            pel_span32_long(p, n, v, ahead);
         pel_put_u32x4(end - 4, v);
     }
     pel_put_u32x4(end, v);
@@ -70,47 +74,77 @@ static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
 
 typedef uint32_t pel_value32;
 
-/* `blocks` >= 1 times 16 bytes of v, and where the next ones go. Arm stores
- * four registers with one instruction, which compilers do not find. */
+/* n >= 1 half words of v: its halves are equal, or p is a word's address and n
+ * even. On Arm one instruction stores four registers, and one shift tells two
+ * bits of a number, as carry and sign: compilers find neither. */
 #if defined(__arm__) && defined(__GNUC__)
-static inline pel_word32 *pel_put_blocks(pel_word32 *q, int32_t blocks,
-                                         uint32_t v)
+static PEL_INLINE_FAST void pel_put_halves(pel_word16 *p, int32_t n, uint32_t v)
 {
-    register uint32_t a __asm__("r3") = v;
-    register uint32_t b __asm__("r4") = v;
-    register uint32_t c __asm__("r5") = v;
-    register uint32_t d __asm__("r6") = v;
-    do
-        __asm__ volatile("stmia %0!, {%1, %2, %3, %4}"
-                         : "+l"(q)
-                         : "l"(a), "l"(b), "l"(c), "l"(d)
-                         : "memory");
-    while (--blocks);
-    return q;
+    register uint32_t a __asm__("r2") = v;
+    register uint32_t b __asm__("r3");
+    register uint32_t c __asm__("r4");
+    register uint32_t d __asm__("r5");
+    uint32_t left;
+    __asm__ volatile(".syntax unified\n\t"
+                     "lsls %2, %0, #31\n\t"
+                     "bcc 1f\n\t"
+                     "strh %6, [%0]\n\t"
+                     "adds %0, #2\n\t"
+                     "subs %1, #1\n"
+                     "1:\t"
+                     "movs %3, %6\n\t"
+                     "lsrs %2, %1, #3\n\t"
+                     "beq 3f\n\t"
+                     "movs %4, %6\n\t"
+                     "movs %5, %6\n"
+                     "2:\t"
+                     "stmia %0!, {%6, %3, %4, %5}\n\t"
+                     "subs %2, #1\n\t"
+                     "bne 2b\n"
+                     "3:\t"
+                     "lsls %2, %1, #30\n\t"
+                     "bcc 4f\n\t"
+                     "stmia %0!, {%6, %3}\n"
+                     "4:\t"
+                     "bpl 5f\n\t"
+                     "stmia %0!, {%6}\n"
+                     "5:\t"
+                     "lsls %1, %1, #31\n\t"
+                     "bpl 6f\n\t"
+                     "strh %6, [%0]\n"
+                     "6:"
+                     : "+&l"(p), "+&l"(n), "=&l"(left), "=&l"(b), "=&l"(c),
+                       "=&l"(d)
+                     : "l"(a)
+                     : "cc", "memory");
 }
 #else
-static inline pel_word32 *pel_put_blocks(pel_word32 *q, int32_t blocks,
-                                         uint32_t v)
+static PEL_INLINE_FAST void pel_put_halves(pel_word16 *p, int32_t n, uint32_t v)
 {
-    do {
+    if ((uintptr_t)p & 2) {
+        *p++ = (pel_word16)v;
+        n--;
+    }
+    pel_word32 *q = (pel_word32 *)(void *)p;
+    for (; n >= 8; n -= 8, q += 4) {
         q[0] = v;
         q[1] = v;
         q[2] = v;
         q[3] = v;
-        q += 4;
-    } while (--blocks);
-    return q;
+    }
+    for (; n >= 2; n -= 2)
+        *q++ = v;
+    if (n > 0)
+        *(pel_word16 *)(void *)q = (pel_word16)v;
 }
 #endif
 
-static inline void pel_span32(pel_word32 *p, int32_t n, pel_value32 v)
+static inline void pel_span32(pel_word32 *p, int32_t n, pel_value32 v,
+                              uintptr_t ahead)
 {
-    if (n <= 0)
-        return;
-    if (n >= 4)
-        p = pel_put_blocks(p, n >> 2, v);
-    for (n &= 3; n > 0; n--)
-        *p++ = v;
+    (void)ahead;
+    if (n > 0)
+        pel_put_halves((pel_word16 *)(void *)p, 2 * n, v);
 }
 
 #endif

@@ -30,6 +30,20 @@ static bool visible_part(const struct pel_surface *surface,
     return !pel_rect_empty(visible);
 }
 
+/* Where pixels are read before they are written, their cache lines are asked
+ * for some rows ahead. */
+static PEL_ALWAYS_INLINE void ask_ahead(const struct pel_surface *s,
+                                        const struct pel_rect *r, int32_t y)
+{
+    enum { ROWS_AHEAD = 4 };
+    const int32_t bits = s->format->bits;
+    const ptrdiff_t row =
+        (ptrdiff_t)(y + ROWS_AHEAD - s->bounds.y0) * s->stride;
+    const int32_t column = (r->x0 - s->bounds.x0) * bits / 8;
+    pel_prefetch_span((uintptr_t)s->pixels + (uintptr_t)(row + column),
+                      (r->x1 - r->x0) * bits / 8);
+}
+
 /* A line. Pixels get the unused bits `set`; those that then are `skip` stay as
  * they are, where `keyed`. */
 struct run {
@@ -85,6 +99,8 @@ static void copy_run(const struct run *r, int32_t bits)
         copy8(r);
     else if (bits == 16)
         copy16(r);
+    else if (PEL_VECTORS && !r->keyed)
+        pel_copy32((void *)r->to, (const void *)r->from, r->n, r->set);
     else
         copy32(r);
 }
@@ -125,6 +141,8 @@ static bool copy_same(const struct pel_surface *surface,
     for (int32_t y = r.y0; y < r.y1; y++) {
         run.to = (uint8_t *)pel_surface_line(surface, y) + to / 8;
         run.from = (uint8_t *)pel_surface_line(source, y - dy) + from / 8;
+        if (key)
+            ask_ahead(surface, &r, y);
         if (whole)
             memcpy(run.to, run.from, size);
         else
@@ -152,7 +170,8 @@ static void copy_colors(const struct pel_surface *surface,
     const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
     const bool in_place = !weigh && source->format->id == PEL_FORMAT_ARGB8888 &&
                           PEL_LE32(UINT32_C(1)) == 1;
-    for (int32_t y = r.y0; y < r.y1; y++)
+    for (int32_t y = r.y0; y < r.y1; y++) {
+        ask_ahead(surface, &r, y);
         for (int32_t x = r.x0, n; x < r.x1; x += n) {
             n = in_place ? r.x1 - x : pel_min(r.x1 - x, PEL_BUFFER_PIXELS);
             const pel_color *from = colors;
@@ -164,6 +183,7 @@ static void copy_colors(const struct pel_surface *surface,
                 weigh(colors, n, option);
             surface->format->put(surface, x, y, n, from);
         }
+    }
 }
 
 static void make_opaque(pel_color *colors, int32_t n, uint32_t option)

@@ -39,7 +39,8 @@ struct pel_cells {
     int32_t place; /* of the next cell */
 
     /* The kind's own: where the present cell begins, a radius or an angle, and
-     * what the floor drops of it. */
+     * what the floor drops of it; of a linear one's small code how many are
+     * still walked. */
     int32_t whole, rest;
 
 #if PEL_KNOW_SIDES
@@ -178,7 +179,8 @@ static PEL_ALWAYS_INLINE void pel_cells_fill(
     c.cell =
         (struct pel_spans){spans->surface, c.run, spans->y, 1, spans->step};
     const struct pel_span *span = spans->span;
-    for (int32_t i = spans->n; i > 0; i--, span++) {
+    int32_t left = spans->n;
+    do {
         c.x = span->x0;
         while (c.x < span->x1) {
             c.hi = span->x1;
@@ -186,7 +188,8 @@ static PEL_ALWAYS_INLINE void pel_cells_fill(
             pel_cells_draw(&c, end);
         }
         c.cell.y += c.cell.step;
-    }
+        span++;
+    } while (--left);
 }
 
 #endif

@@ -1,7 +1,13 @@
 #include "paint_linear.h"
 
+#include <string.h>
+
 #include "../base/divide.h"
 #include "cells.h"
+
+/* Where code is to be small, cells that are walked before the next one is
+ * looked up: narrow ones are passed so. */
+enum { CELLS_WALKED = 64 };
 
 /* The way is drawn from the end on the left, so that products do not fall to
  * the right. 1 where that is the end of the last cell: there the boundaries
@@ -11,11 +17,12 @@ static inline int32_t turned(const struct pel_linear *p)
     return (int32_t)((uint32_t)p->way >> 31);
 }
 
-/* (x, y).d */
+/* (P - from).d of a point. */
 static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
                                      int32_t y)
 {
-    return pel_product(x, p->d.x) + pel_product(y, p->d.y);
+    return pel_product(x - p->from.x, p->d.x) +
+           pel_product(y - p->from.y, p->d.y);
 }
 
 /* The product (P - from).d - turned at pixel (x, y), below 2^49, and above
@@ -25,9 +32,8 @@ static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
 static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
                                           int32_t y)
 {
-    int64_t product = along(p, pel_pixel_center(x) - p->from.x,
-                            pel_pixel_center(y) - p->from.y) -
-                      turned(p);
+    int64_t product =
+        along(p, pel_pixel_center(x), pel_pixel_center(y)) - turned(p);
     int64_t step = p->square;
     int32_t count = 0;
     if (p->base.period == 0)
@@ -75,51 +81,54 @@ static bool end_cells(struct pel_cells *c, int32_t count)
 
 #else
 
-/* Of one row, in units of 1. */
+/* Of one row, in units of 1, from an error that is set for the boundary. */
 static PEL_NOINLINE bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_linear *p = (const void *)c->gradient;
-    int64_t error = c->error - p->square;
+    int64_t error = c->error;
     int32_t x = c->x;
     (void)count;
     for (; error < 0 && x < c->hi; x++)
         error += p->step;
-    c->error = error;
+    c->error = error - p->square;
     c->x = x;
+    if (--c->whole == 0)
+        c->hi = x;
     return x < c->hi;
 }
 
 #endif
 
-/* The cell that has a product, k = floor((n product - turned) / square), bit by
- * bit of n, and the error where it begins. Before a padded way it is the first
- * cell all the same. */
+/* The cell of the pixel that has a product, less `turned`: k = floor((n product
+ * - turned) / square), bit by bit of n, and the error where it begins, in units
+ * of 1 where it ends. Before a padded way it is the first cell all the same. */
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
                                      const struct pel_linear *p,
                                      int64_t product)
 {
-    const int32_t n = p->base.cells, period = p->base.period;
     const int32_t mirror = p->way >> 31; /* -1 when turned, or 0 */
-    const int64_t most = p->square - mirror;
-    int64_t error = -most;
-    int32_t place = 0;
-    /* n from bit 31 on, and a last bit to stop at. */
-    for (uint32_t bits = (uint32_t)n << 17 | 1u << 16; bits << 1; bits <<= 1) {
-        error += error + most;
+    product -= mirror;
+    int64_t error = mirror - p->square;
+    /* n in the 15 upper bits makes room for k in the lower ones. */
+    uint32_t bits = (uint32_t)p->base.cells << 17;
+    for (int i = 15; i; i--) {
+        error = 2 * error - mirror + p->square;
         if ((int32_t)bits < 0)
             error += product;
-        for (place *= 2; error >= 0; place++)
+        for (bits *= 2; error >= 0; bits++)
             error -= p->square;
     }
+    int32_t place = (int32_t)bits;
+    const int32_t n = p->base.cells, period = p->base.period;
     if (period == 0)
         place = pel_min(place, n - 1);
     else if (place >= period)
         place -= period;
     place = (place ^ mirror) + (mirror & n);
     c->place = place < 0 ? place + period : place;
-    error += p->square;
     if (PEL_CELL_ROWS > 1) {
         int64_t rest;
+        error += p->square;
         error = pel_divide_64(error, unit_of(p), &rest);
         c->rest = (int32_t)rest;
     }
@@ -132,12 +141,14 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     const struct pel_linear *p = (const void *)c->gradient;
     const int32_t last =
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
-    set_cell(c, p, product_at(p, c->x, c->cell.y + last) + turned(p));
-    if (PEL_CELL_ROWS > 1)
-        c->error -= pel_product(p->d.y, last);
+    set_cell(c, p, product_at(p, c->x, c->cell.y + last));
     c->way = p->way;
-    if (p->by_pixel)
-        c->hi = c->x + 1;
+    c->whole = CELLS_WALKED;
+    if (PEL_CELL_ROWS > 1) {
+        c->error -= pel_product(p->d.y, last);
+        if (p->by_pixel)
+            c->hi = c->x + 1;
+    }
 }
 
 /* From a row of a gradient that is level and grows downwards to the next one: a
@@ -158,22 +169,76 @@ static void move_down(struct pel_cells *c, const struct pel_linear *p)
     }
 }
 
-/* Of a level gradient every row is one run of one cell. */
+/* Of a level gradient a row is of one colour; those that look alike are drawn
+ * together. */
 static void fill_level(const struct pel_linear *p,
                        const struct pel_spans *spans)
 {
     struct pel_cells c;
+    struct pel_spans rows = *spans;
+    uint32_t value = 0;
+    void (*draw)(const struct pel_spans *, uint32_t) = NULL;
     const bool near_cells = p->d.y > 0 && p->d.y >> 3 <= p->cell;
     pel_cells_open(&c, &p->base, spans);
-    c.cell.n = 1;
+    rows.n = 0;
     for (int32_t i = 0; i < spans->n; i++, c.cell.y += c.cell.step) {
         if (i == 0 || !near_cells)
-            set_cell(&c, p, product_at(p, 0, c.cell.y) + turned(p));
+            set_cell(&c, p, product_at(p, 0, c.cell.y));
         else if (c.cell.step)
             move_down(&c, p);
         pel_cells_color(&c);
-        c.run[0] = spans->span[i];
-        pel_fill_value(&c.cell, c.value, c.draw);
+        if (rows.n && (c.value != value || c.draw != draw)) {
+            pel_fill_value(&rows, value, draw);
+            rows = (struct pel_spans){rows.surface, rows.span + rows.n,
+                                      c.cell.y, 0, rows.step};
+        }
+        value = c.value;
+        draw = c.draw;
+        rows.n++;
+    }
+    pel_fill_value(&rows, value, draw);
+}
+
+static bool is_opaque(const struct pel_ramp *ramp)
+{
+    pel_color all = ramp->colors[0];
+    for (int32_t i = 1; i < ramp->n; i++)
+        all &= ramp->colors[i];
+    return pel_alpha(all) == 255;
+}
+
+/* The row whose span holds all others, where its bytes are those of all: of an
+ * upright gradient, opaque, in a format whose pixels are bytes of their own.
+ * -1: none. */
+static int32_t find_model(const struct pel_linear *p,
+                          const struct pel_spans *spans)
+{
+    const struct pel_format *format = spans->surface->format;
+    const struct pel_span *span = spans->span;
+    int32_t model = 0, x0 = span->x0, x1 = span->x1;
+    if (p->d.y != 0 || spans->n * spans->step < 2 || format->id >= 128 ||
+        format->bits < 8)
+        return -1;
+    for (int32_t i = 1; i < spans->n; i++) {
+        x0 = pel_min(x0, span[i].x0);
+        x1 = pel_max(x1, span[i].x1);
+        if (span[i].x0 == x0 && span[i].x1 == x1)
+            model = i;
+    }
+    const bool holds = span[model].x0 == x0 && span[model].x1 == x1;
+    return holds && is_opaque(&p->base.ramp) ? model : -1;
+}
+
+static void copy_model(const struct pel_spans *spans, int32_t model)
+{
+    const struct pel_surface *s = spans->surface;
+    const int32_t bytes = s->format->bits / 8;
+    for (int32_t i = 0; i < spans->n; i++) {
+        const struct pel_span *span = &spans->span[i];
+        if (i != model && span->x0 < span->x1)
+            memcpy((void *)pel_address(s, span->x0, spans->y + i, bytes),
+                   (void *)pel_address(s, span->x0, spans->y + model, bytes),
+                   (size_t)((span->x1 - span->x0) * bytes));
     }
 }
 
@@ -184,10 +249,19 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     const struct pel_linear *p = (const void *)paint;
     const bool far = pel_size_of(p->d.y) > 8 * p->d.x;
     const int32_t most = p->by_pixel || far ? 1 : PEL_CELL_ROWS;
+    const int32_t model = PEL_CELL_ROWS > 1 ? find_model(p, spans) : -1;
+    struct pel_spans drawn = *spans;
+    if (model >= 0) {
+        drawn.span += model;
+        drawn.y += model;
+        drawn.n = 1;
+    }
     if (PEL_CELL_ROWS > 1 && p->d.x == 0)
         fill_level(p, spans);
     else
-        pel_cells_fill(paint, spans, most, start, end_cells);
+        pel_cells_fill(paint, &drawn, most, start, end_cells);
+    if (model >= 0)
+        copy_model(spans, model);
 }
 
 enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
@@ -210,14 +284,15 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     }
     paint->from = from;
     paint->d = d;
-    paint->square = along(paint, d.x, d.y);
+    paint->square = along(paint, from.x + d.x, from.y + d.y);
     paint->step = pel_product(paint->base.cells * 256, d.x);
     if (PEL_CELL_ROWS > 1) {
         int64_t rest;
         paint->cell = pel_divide_64(paint->square, unit_of(paint), &rest);
         paint->cell_rest = (int32_t)rest;
+        paint->by_pixel =
+            paint->base.period &&
+            (uint32_t)(paint->step >> 21) >= (uint32_t)(paint->square >> 17);
     }
-    paint->by_pixel = paint->base.period && (uint32_t)(paint->step >> 21) >=
-                                                (uint32_t)(paint->square >> 17);
     return PEL_OK;
 }

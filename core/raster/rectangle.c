@@ -12,10 +12,13 @@ static PEL_ALWAYS_INLINE void fill_rows(const struct pel_surface *surface,
     const int32_t end = r->y1;
     if (r->x0 >= r->x1)
         return;
-    for (int i = 0; i < PEL_COLLECT_ROWS; i++)
+    const int32_t used =
+        PEL_64BIT ? pel_min(end - r->y0, PEL_COLLECT_ROWS) : PEL_COLLECT_ROWS;
+    for (int32_t i = 0; i < used; i++)
         span[i] = (struct pel_span){r->x0, r->x1};
-    for (; spans.y < end; spans.y += spans.n) {
-        spans.n = pel_min(end - spans.y, PEL_COLLECT_ROWS);
+    for (int32_t y = r->y0; y < end; y += PEL_COLLECT_ROWS) {
+        spans.y = y;
+        spans.n = pel_min(end - y, PEL_COLLECT_ROWS);
         paint->fill(paint, &spans);
     }
 }

@@ -82,8 +82,9 @@ static PEL_INLINE_KINDS int32_t skip_wide(const struct pel_depth_paint *p,
     return x;
 }
 
-static int32_t skip(const struct pel_depth_paint *p,
-                    const struct pel_span *part, int32_t y, bool nearer)
+static PEL_INLINE_64 int32_t skip(const struct pel_depth_paint *p,
+                                  const struct pel_span *part, int32_t y,
+                                  bool nearer)
 {
     const bool wide = p->depth->bits == 32;
     if (PEL_64BIT && wide)

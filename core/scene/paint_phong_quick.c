@@ -65,7 +65,7 @@ static inline void set_place(const struct pel_phong_quick *p, uint64_t a,
     at->eye = 0;
     if (p->dull)
         return;
-    const number all = ONE + times(d, ONE + times(d, ONE + d));
+    const number all = ONE + times(d, ONE + times(d, ONE + times(d, ONE + d)));
     at->eye = times(value_at(&p->eye, at->a, at->b), 2 * all);
 }
 
@@ -131,9 +131,8 @@ static inline uint64_t lit_channel(const struct run *r, int k,
 {
     const int c = r->channels == 1 ? 0 : 2 - k;
     const uint64_t lit = surface * (uint32_t)sum->surface[c];
-    if (!r->paint->lights->lighting->plain_highlights)
-        return lit;
-    return lit + UINT64_C(65280) * (uint32_t)sum->plain[c];
+    return sum->plain[c] ? lit + UINT64_C(65280) * (uint32_t)sum->plain[c]
+                         : lit;
 }
 
 static inline pel_color rounded(uint64_t v)
@@ -164,6 +163,7 @@ static inline pel_color lit_color(const struct run *r, pel_color under,
     pel_color lit = (uint32_t)r->paint->alpha << 24;
     if (r->paint->surface)
         lit = pel_round_div255(pel_alpha(under) * r->paint->alpha) << 24;
+    PEL_UNROLL
     for (int k = 0; k < 3; k++)
         lit |= rounded(lit_channel(r, k, sum, surface_at(r, k, under)))
                << 8 * k;
@@ -189,6 +189,7 @@ static inline void put_one(const struct run *r, const struct pel_light_sum *sum,
                            const struct pel_light_sum *step, pel_color *out)
 {
     uint64_t at[3], by[3];
+    PEL_UNROLL
     for (int k = 0; k < 3; k++) {
         const uint64_t own = (uint32_t)r->paint->color[0][k];
         const int c = r->channels == 1 ? 0 : 2 - k;
@@ -199,6 +200,7 @@ static inline void put_one(const struct run *r, const struct pel_light_sum *sum,
     for (const pel_color *end = out + r->n; out < end; out++) {
         *out = rounded(at[0]) | rounded(at[1]) << 8 | rounded(at[2]) << 16 |
                (uint32_t)r->paint->alpha << 24;
+        PEL_UNROLL
         for (int k = 0; k < 3; k++)
             at[k] += by[k];
     }

@@ -64,7 +64,7 @@ struct pel_scene {
 
     enum pel_cull cull;
 
-    /* For methods that are chosen (select.h), which are exact where it is 0: a
+    /* For all that is chosen (select.h), which is exact where it is 0: a
      * channel of a pixel differs by at most so many 1/256 steps, rounded up to
      * whole ones, from what the exact method gives, before it is packed. */
     int32_t tolerance;

@@ -18,17 +18,19 @@ enum pel_method {
     PEL_METHODS
 };
 
-/* pel_shade_phong to scene->tolerance: exact where that is 0. Lights that can
- * add no more to any surface than a quarter of the tolerance, all together, are
- * left out of the frame. */
+/* pel_shade_phong to scene->tolerance: exact where that is 0. Lights are left
+ * out of the frame while all that these could add to a white surface is within
+ * a quarter of the tolerance. */
 extern const struct pel_shading pel_shade_chosen;
 
 /* Its `start`. */
 enum pel_status pel_frame_start_chosen(struct pel_frame *frame);
 
-/* Nearest texels instead of bilinear ones where texture->contrast
- * (texture_contrast.h), times the light, is within scene->tolerance, or half of
- * it with light; pel_shade_chosen keeps to the rest. And
+/* The texture's sampler to scene->tolerance: nearest texels instead of bilinear
+ * ones where the texture's contrast (texture_contrast.h), times the brightest
+ * light, is within it, or within half of it in a scene with light.
+ * pel_shade_chosen keeps to what is left.
+ *
  * pel_map_perspective to scene->texel_tolerance: affine, or divided every 64,
  * 32 ... 2 pixels, or at every one. With r the ratio of the largest distance to
  * the smallest and u the texels,
@@ -43,20 +45,20 @@ enum pel_status pel_frame_start_chosen(struct pel_frame *frame);
  * one: u (s r / (s r + 1 - s) - s) <= u (sqrt r - 1) / (sqrt r + 1).) */
 extern const struct pel_mapping pel_map_chosen;
 
-/* 16 where depths of 16 bits are proven to show what those of 32 bits do in a
- * prepared frame, or 32: of two triangles in a pixel one lies `gap` or more
- * behind the other, which the caller knows of the scene, and whole vertices are
- * seen. Triangles that touch or cross have no gap, and so have the front and
- * the back of a mesh at its outline; of a closed mesh, cull one side.
+/* 16 where depths of 16 bits are proven to show what those of 32 bits show of a
+ * prepared frame; 32 elsewhere. The caller knows of the scene that of two
+ * triangles in a pixel one lies `gap` or more behind the other. There is none
+ * where triangles touch or cross, nor between front and back at the outline of
+ * a mesh: cull one side. There is no proof when some vertex is cut off.
  *
- * With z and z + gap up to `far`, `first` the nearest, all of them coarse (cut
- * by less than 1), near / z of both differ by at least
+ * Let the vertices lie from `first` to `far`, in coarse units: z is cut by less
+ * than one. Then near / z of both triangles differ by at least
  *
  *     near (gap / far^2 - 1 / first^2).
  *
  * That suffices where it is 2^-15 and a little: a step of 16 bits, and half a
- * step for each of two planes, the most by which those of triangles thinner
- * than 1/256 px are off. */
+ * step for each plane, which is what those of triangles thinner than 1/256 px
+ * are off by at most. */
 int pel_scene_depth_bits(const struct pel_frame *frame, pel_length gap);
 PEL_END_DECLS
 #endif

@@ -262,13 +262,17 @@ static uint64_t quick_of(const struct pel_light_bounds *b, uint32_t length,
                          uint32_t times)
 {
     const uint64_t square = (uint64_t)length * length >> 16;
-    const uint64_t fourth =
-        length <= 16384 ? (square * square >> 16) + 1 : UINT64_C(1) << 24;
+    uint64_t fourth = UINT64_C(1) << 24, fifth = fourth;
+    if (length <= 16384) {
+        fourth = (square * square >> 16) + 1;
+        fifth = (fourth * length >> 16) + 1;
+    }
     const uint64_t light = (uint64_t)b->turns.light * b->turns.light >> 16;
     const uint64_t eye = (uint64_t)b->turns.eye * b->turns.eye >> 16;
-    return (b->diffuse * (fourth + (curve_of(light * times) >> 16) + 1) +
+    return (b->diffuse *
+                (fourth * 3 / 8 + (curve_of(light * times) >> 16) + 2) +
             b->slope *
-                (2 * fourth + (curve_of((light + eye) * times) >> 16) + 2)) >>
+                (2 * fifth + (curve_of((light + eye) * times) >> 16) + 2)) >>
            16;
 }
 

@@ -111,12 +111,10 @@ static bool parse_choice(const struct option_row *o, const char *text,
 static bool parse_color(const struct option_row *o, const char *text,
                         pel_color *color)
 {
-    const char *digits = text + (*text == '#');
-    if (strlen(digits) != 6 ||
-        digits[strspn(digits, "0123456789abcdefABCDEF")] != '\0')
-        return option_refuse(o->name, text, "#rrggbb, such as #ffffff");
-    *color = 0xFF000000u | (pel_color)strtoul(digits, NULL, 16);
-    return true;
+    char full[10] = "#"; /* which may be missing */
+    strncat(full, text + (*text == '#'), 8);
+    return (number_color(full, color) == 7 && !full[7]) ||
+           option_refuse(o->name, text, "#rrggbb, such as #ffffff");
 }
 
 static bool parse_value(const struct option_row *o, const char *text,

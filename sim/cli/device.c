@@ -79,16 +79,13 @@ static bool draw_canvas(const struct device_options *o, struct canvas *canvas,
 static bool save(const struct device_options *o,
                  const struct device_picture *picture, const char *path)
 {
-    struct picture drawn = {0};
     struct canvas canvas;
     if (!canvas_init(&canvas, *picture->format, picture->width,
                      picture->height))
         return false;
-    const bool done = draw_canvas(o, &canvas, picture) &&
-                      canvas_picture(&canvas, &drawn) &&
-                      picture_save(&drawn, path);
+    const bool done =
+        draw_canvas(o, &canvas, picture) && canvas_save(&canvas, path);
     canvas_free(&canvas);
-    picture_free(&drawn);
     return done;
 }
 

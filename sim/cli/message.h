@@ -17,6 +17,9 @@ __attribute__((format(printf, 3, 4))) bool message_error_at(const char *file,
                                                             const char *format,
                                                             ...);
 
+/* The same where `at` points to what has the members path and line. */
+#define ERROR_AT(at, ...) message_error_at((at)->path, (at)->line, __VA_ARGS__)
+
 /* Until it is called with NULL, all errors name that place first, pel:
  * FILE:LINE: ...: for work that a script starts in functions without a line
  * number. */

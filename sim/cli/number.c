@@ -1,6 +1,8 @@
 #include "sim/cli/number.h"
 
 #include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "core/base/point.h"
 
@@ -105,4 +107,15 @@ enum number_status number_integer(const char *text, int64_t min, int64_t max,
     if (!read_decimal(text, &d) || d.scale != 1 || d.rest)
         return NUMBER_MALFORMED;
     return number_decimal(text, 1, min, max, value);
+}
+
+size_t number_color(const char *text, pel_color *color)
+{
+    const size_t digits =
+        *text == '#' ? strspn(text + 1, "0123456789abcdefABCDEF") : 0;
+    if (digits != 6 && digits != 8)
+        return 0;
+    const uint32_t v = (uint32_t)strtoul(text + 1, NULL, 16);
+    *color = digits == 6 ? 0xFF000000u | v : v << 24 | v >> 8;
+    return digits + 1;
 }

@@ -2,7 +2,10 @@
 #ifndef SIM_CLI_NUMBER_H
 #define SIM_CLI_NUMBER_H
 
+#include <stddef.h>
 #include <stdint.h>
+
+#include "core/base/color.h"
 
 enum number_status {
     NUMBER_OK,
@@ -23,5 +26,9 @@ enum number_status number_decimal(const char *text, int64_t unit, int64_t min,
 /* A whole number in min..max; |min|, |max| < 2^47. */
 enum number_status number_integer(const char *text, int64_t min, int64_t max,
                                   int64_t *value);
+
+/* A colour at the beginning of a text, #rrggbb (opaque) or #rrggbbaa: its
+ * length, or 0. */
+size_t number_color(const char *text, pel_color *color);
 
 #endif

@@ -21,9 +21,6 @@ struct bdf {
     long chars, read;    /* -1: not given */
 };
 
-/* pel: FILE:LINE: TEXT */
-#define ERROR(b, ...) message_error_at((b)->path, (b)->line, __VA_ARGS__)
-
 static bool is(const struct bdf *b, const char *word)
 {
     return strcmp(b->word, word) == 0;
@@ -45,7 +42,7 @@ static bool next_line(struct bdf *b, const char *wanted)
 {
     do {
         if (b->next >= b->end)
-            return ERROR(b, "the file ends here: expected %s", wanted);
+            return ERROR_AT(b, "the file ends here: expected %s", wanted);
         char *stop = memchr(b->next, '\n', (size_t)(b->end - b->next));
         stop = stop ? stop : b->end;
         b->word = b->next;
@@ -75,15 +72,15 @@ static bool numbers(struct bdf *b, int n, int *value)
         value[i] = (int)v;
     }
     return (right && end[strspn(end, " \t")] == '\0') ||
-           ERROR(b, "'%s %s': expected %s with %d whole number%s", b->word,
-                 b->rest, b->word, n, n > 1 ? "s" : "");
+           ERROR_AT(b, "'%s %s': expected %s with %d whole number%s", b->word,
+                    b->rest, b->word, n, n > 1 ? "s" : "");
 }
 
 static bool number_in(struct bdf *b, int lo, int hi, int *value)
 {
-    return numbers(b, 1, value) &&
-           ((*value >= lo && *value <= hi) ||
-            ERROR(b, "%s is %d: expected %d to %d", b->word, *value, lo, hi));
+    return numbers(b, 1, value) && ((*value >= lo && *value <= hi) ||
+                                    ERROR_AT(b, "%s is %d: expected %d to %d",
+                                             b->word, *value, lo, hi));
 }
 
 /* "name" or name. */
@@ -119,7 +116,7 @@ static bool read_properties(struct bdf *b)
         else if (is(b, "CHARSET_ENCODING"))
             b->encoding = unquoted(b->rest);
         else if (is(b, "STARTCHAR") || is(b, "CHARS"))
-            right = ERROR(
+            right = ERROR_AT(
                 b, "%s among the properties: expected ENDPROPERTIES before it",
                 b->word);
         if (!right)
@@ -134,10 +131,10 @@ static bool check_charset(struct bdf *b)
                   strcmp(b->encoding, "1") == 0;
     return !*b->registry || latin1 ||
            strcasecmp(b->registry, "ISO10646") == 0 ||
-           ERROR(b,
-                 "the font is encoded in %s-%s: expected ISO10646-1 (Unicode) "
-                 "or ISO8859-1",
-                 b->registry, b->encoding);
+           ERROR_AT(b,
+                    "the font is encoded in %s-%s: expected ISO10646-1 "
+                    "(Unicode) or ISO8859-1",
+                    b->registry, b->encoding);
 }
 
 struct glyph {
@@ -153,8 +150,8 @@ static bool read_advance(struct bdf *b, int *advance)
     if (!numbers(b, 2, v))
         return false;
     if (v[0] < 0 || v[0] > FONT_SIZE_MAX || v[1] != 0)
-        return ERROR(b, "DWIDTH is %d %d: expected 0 to %d, and 0", v[0], v[1],
-                     FONT_SIZE_MAX);
+        return ERROR_AT(b, "DWIDTH is %d %d: expected 0 to %d, and 0", v[0],
+                        v[1], FONT_SIZE_MAX);
     *advance = v[0];
     return true;
 }
@@ -166,10 +163,10 @@ static bool read_box(struct bdf *b, int box[4])
     return (box[0] >= 0 && box[0] <= FONT_SIZE_MAX && box[1] >= 0 &&
             box[1] <= FONT_SIZE_MAX && box[2] >= -128 && box[2] <= 127 &&
             box[1] + box[3] >= -128 && box[1] + box[3] <= 127) ||
-           ERROR(b,
-                 "%s is %s: expected a width and height of 0 to %d, and a "
-                 "place within -128 to 127 of the origin",
-                 b->word, b->rest, FONT_SIZE_MAX);
+           ERROR_AT(b,
+                    "%s is %s: expected a width and height of 0 to %d, and a "
+                    "place within -128 to 127 of the origin",
+                    b->word, b->rest, FONT_SIZE_MAX);
 }
 
 /* ENCODING CODE, or ENCODING -1 with a code of the font's own. */
@@ -195,8 +192,9 @@ static bool read_head(struct bdf *b, struct glyph *g)
                                 : g->advance == -1 ? "DWIDTH"
                                                    : NULL;
             return !lacks ||
-                   ERROR(b, "the glyph has no %s: expected one before BITMAP",
-                         lacks);
+                   ERROR_AT(b,
+                            "the glyph has no %s: expected one before BITMAP",
+                            lacks);
         }
         if (is(b, "ENCODING"))
             has_code = right = read_encoding(b, g);
@@ -205,10 +203,9 @@ static bool read_head(struct bdf *b, struct glyph *g)
         else if (is(b, "BBX"))
             g->has_box = right = read_box(b, g->box);
         else if (!is_one_of(b, "SWIDTH SWIDTH1 DWIDTH1 VVECTOR ATTRIBUTES"))
-            right = ERROR(b,
-                          "'%s' in a glyph: expected ENCODING, DWIDTH, BBX or "
-                          "BITMAP",
-                          b->word);
+            right = ERROR_AT(
+                b, "'%s' in a glyph: expected ENCODING, DWIDTH, BBX or BITMAP",
+                b->word);
         if (!right)
             return false;
     }
@@ -230,13 +227,14 @@ static bool read_rows(struct bdf *b, const struct glyph *g, uint8_t *rows)
             rows[i] = (uint8_t)strtoul(byte, NULL, 16);
         }
         if (!right)
-            return ERROR(b,
-                         "'%s' as row %d of %d: expected %d hexadecimal digits",
-                         b->word, y + 1, g->box[1], 2 * stride);
+            return ERROR_AT(
+                b, "'%s' as row %d of %d: expected %d hexadecimal digits",
+                b->word, y + 1, g->box[1], 2 * stride);
     }
     return next_line(b, "ENDCHAR") &&
-           (is(b, "ENDCHAR") || ERROR(b, "'%s' after %d rows: expected ENDCHAR",
-                                      b->word, g->box[1]));
+           (is(b, "ENDCHAR") ||
+            ERROR_AT(b, "'%s' after %d rows: expected ENDCHAR", b->word,
+                     g->box[1]));
 }
 
 static bool read_glyph(struct bdf *b)
@@ -278,8 +276,8 @@ static bool read_entry(struct bdf *b)
     }
     return is_one_of(b, "CONTENTVERSION FONT SIZE METRICSSET SWIDTH SWIDTH1 "
                         "DWIDTH1 VVECTOR") ||
-           ERROR(b, "'%s' between glyphs: expected STARTCHAR or ENDFONT",
-                 b->word);
+           ERROR_AT(b, "'%s' between glyphs: expected STARTCHAR or ENDFONT",
+                    b->word);
 }
 
 /* The lines of a font without properties are as high as its box. */
@@ -287,8 +285,8 @@ static bool finish(struct bdf *b)
 {
     int above = b->box[1] + b->box[3], below = -b->box[3];
     if (b->chars != b->read)
-        return ERROR(b, "%ld glyphs: expected the %ld that CHARS says", b->read,
-                     b->chars);
+        return ERROR_AT(b, "%ld glyphs: expected the %ld that CHARS says",
+                        b->read, b->chars);
     b->font->ascent = b->ascent >= 0 ? b->ascent : above > 0 ? above : 0;
     b->font->descent = b->descent >= 0 ? b->descent : below > 0 ? below : 0;
     return true;
@@ -311,7 +309,7 @@ bool font_parse_bdf(struct font *font, const struct font_file *file)
     if (!next_line(&b, "STARTFONT 2.1"))
         return false;
     if (!is(&b, "STARTFONT") || strncmp(b.rest, "2.", 2) != 0)
-        return ERROR(&b, "'%s %s': expected STARTFONT 2.1", b.word, b.rest);
+        return ERROR_AT(&b, "'%s %s': expected STARTFONT 2.1", b.word, b.rest);
     while (next_line(&b, "ENDFONT")) {
         if (is(&b, "ENDFONT"))
             return finish(&b);

@@ -77,6 +77,15 @@ bool canvas_picture(const struct canvas *canvas, struct picture *picture)
     return true;
 }
 
+bool canvas_save(const struct canvas *canvas, const char *path)
+{
+    struct picture picture;
+    const bool done =
+        canvas_picture(canvas, &picture) && picture_save(&picture, path);
+    picture_free(&picture);
+    return done;
+}
+
 bool canvas_bands_legal(const struct pel_format *format, int rows)
 {
     return rows >= 0 && (!is_paged(format) || rows % 8 == 0);

@@ -33,6 +33,9 @@ void canvas_free(struct canvas *canvas);
 /* The pixels of the surface as a new picture, read with format->load. */
 bool canvas_picture(const struct canvas *canvas, struct picture *picture);
 
+/* The same, written to a file. */
+bool canvas_save(const struct canvas *canvas, const char *path);
+
 /* Draws onto a surface whose clip is the whole surface. */
 typedef void canvas_draw_function(struct pel_surface *surface, void *context);
 

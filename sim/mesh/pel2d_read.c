@@ -30,14 +30,13 @@ static bool next_line(struct reader *r, const char *wanted)
     const enum text_line got =
         text_line_read(r->file, r->text, sizeof(r->text));
     if (ferror(r->file))
-        return message_error_at(r->path, r->line, "%s", strerror(errno));
+        return ERROR_AT(r, "%s", strerror(errno));
     return got == TEXT_LINE ||
-           message_error_at(r->path, r->line, "%s: expected %s",
-                            got == TEXT_LINE_ZERO   ? "a NUL byte"
-                            : got == TEXT_LINE_LONG ? "a line of over 1,023 "
-                                                      "bytes"
-                                                    : "the file ends here",
-                            wanted);
+           ERROR_AT(r, "%s: expected %s",
+                    got == TEXT_LINE_ZERO   ? "a NUL byte"
+                    : got == TEXT_LINE_LONG ? "a line of over 1,023 bytes"
+                                            : "the file ends here",
+                    wanted);
 }
 
 static void split(struct reader *r)
@@ -60,10 +59,9 @@ static bool next_fields(struct reader *r, int fields, const char *wanted)
     split(r);
     if (r->fields == fields)
         return true;
-    return message_error_at(r->path, r->line, "%s%d fields: expected %s",
-                            r->fields > FIELDS_MAX ? "more than " : "",
-                            r->fields > FIELDS_MAX ? FIELDS_MAX : r->fields,
-                            wanted);
+    return ERROR_AT(r, "%s%d fields: expected %s",
+                    r->fields > FIELDS_MAX ? "more than " : "",
+                    r->fields > FIELDS_MAX ? FIELDS_MAX : r->fields, wanted);
 }
 
 static bool parse_integer(struct reader *r, int i, const char *name,
@@ -74,9 +72,8 @@ static bool parse_integer(struct reader *r, int i, const char *name,
         *value = (uint32_t)n;
         return true;
     }
-    return message_error_at(r->path, r->line,
-                            "%s is '%s': expected a whole number from 0 to %u",
-                            name, r->field[i], most);
+    return ERROR_AT(r, "%s is '%s': expected a whole number from 0 to %u", name,
+                    r->field[i], most);
 }
 
 /* True when the decimal is a whole number of 1/256 = 0.00390625. */
@@ -98,28 +95,25 @@ static bool parse_coordinate(struct reader *r, int i, const char *name,
     const char *text = r->field[i];
     enum number_status status = number_subpixels(text, value);
     if (status == NUMBER_MALFORMED)
-        return message_error_at(
-            r->path, r->line,
-            "%s is '%s': expected decimal pixels such as -12.25", name, text);
+        return ERROR_AT(r, "%s is '%s': expected decimal pixels such as -12.25",
+                        name, text);
     if (status == NUMBER_RANGE)
-        return message_error_at(r->path, r->line,
-                                "%s is %s: expected -32768 to 32767.99609375",
-                                name, text);
+        return ERROR_AT(r, "%s is %s: expected -32768 to 32767.99609375", name,
+                        text);
     if (!is_multiple(text))
-        return message_error_at(
-            r->path, r->line,
-            "%s is %s: expected a whole number of 1/256 px such as %.8f", name,
-            text, *value / 256.0);
+        return ERROR_AT(
+            r, "%s is %s: expected a whole number of 1/256 px such as %.8f",
+            name, text, *value / 256.0);
     return true;
 }
 
 static bool parse_depth(struct reader *r, int i, struct mesh_depth *depth)
 {
     return mesh_depth_parse(r->field[i], depth) ||
-           message_error_at(r->path, r->line,
-                            "depth is '%s': expected a decimal below 1e18 in "
-                            "size with at most 36 digits after the point",
-                            r->field[i]);
+           ERROR_AT(r,
+                    "depth is '%s': expected a decimal below 1e18 in size with "
+                    "at most 36 digits after the point",
+                    r->field[i]);
 }
 
 static bool parse_uv(struct reader *r, int i, const char *name, double *value)
@@ -130,9 +124,8 @@ static bool parse_uv(struct reader *r, int i, const char *name, double *value)
     if (*end == '\0' && text[strspn(text, "+-.eE0123456789")] == '\0' &&
         fabs(*value) <= 1e6)
         return true;
-    return message_error_at(r->path, r->line,
-                            "%s is '%s': expected a decimal from -1e6 to 1e6",
-                            name, text);
+    return ERROR_AT(r, "%s is '%s': expected a decimal from -1e6 to 1e6", name,
+                    text);
 }
 
 static bool read_header(struct reader *r)
@@ -141,9 +134,8 @@ static bool read_header(struct reader *r)
     if (!next_fields(r, 3, wanted))
         return false;
     if (strcmp(r->field[0], "pel2d") != 0)
-        return message_error_at(r->path, r->line,
-                                "the file begins with '%s': expected %s",
-                                r->field[0], wanted);
+        return ERROR_AT(r, "the file begins with '%s': expected %s",
+                        r->field[0], wanted);
     return parse_integer(r, 1, "VERTICES", 1u << 28, &r->vertices) &&
            parse_integer(r, 2, "TRIANGLES", 1u << 28, &r->triangles);
 }
@@ -172,9 +164,8 @@ static bool read_triangle(struct reader *r, struct pel2d *flat)
     if (!next_fields(r, 3, "a triangle, 'i j k'"))
         return false;
     if (r->vertices == 0)
-        return message_error_at(
-            r->path, r->line,
-            "a triangle in a file without vertices: expected TRIANGLES 0");
+        return ERROR_AT(
+            r, "a triangle in a file without vertices: expected TRIANGLES 0");
     for (int k = 0; k < 3; k++)
         if (!parse_integer(r, k, name[k], r->vertices - 1, &index[k]))
             return false;
@@ -190,13 +181,12 @@ static bool read_end(struct reader *r)
         if (c == '\n')
             r->line++;
         else if (!strchr(" \t\r", c) || c == '\0')
-            return message_error_at(r->path, r->line,
-                                    "text after the last triangle; the first "
-                                    "line says that there are %u",
-                                    r->triangles);
+            return ERROR_AT(r,
+                            "text after the last triangle; the first line says "
+                            "that there are %u",
+                            r->triangles);
     }
-    return !ferror(r->file) ||
-           message_error_at(r->path, r->line, "%s", strerror(errno));
+    return !ferror(r->file) || ERROR_AT(r, "%s", strerror(errno));
 }
 
 static bool read_all(struct reader *r, struct pel2d *flat)

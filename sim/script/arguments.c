@@ -10,18 +10,17 @@
 static bool refuse(const struct script_place *place, const char *word,
                    const char *expected)
 {
-    return message_error_at(place->path, place->line, "%s: %s: expected %s",
-                            place->command->name, word, expected);
+    return ERROR_AT(place, "%s: %s: expected %s", place->command->name, word,
+                    expected);
 }
 
 static bool parse_color(const struct script_place *place, const char *word,
                         int32_t *value)
 {
-    const size_t digits = strspn(word + 1, "0123456789abcdefABCDEF");
-    if (word[0] != '#' || word[digits + 1] || (digits != 6 && digits != 8))
+    pel_color color;
+    const size_t length = number_color(word, &color);
+    if (!length || word[length])
         return refuse(place, word, "a colour, #rrggbb or #rrggbbaa");
-    const uint32_t v = (uint32_t)strtoul(word + 1, NULL, 16);
-    const pel_color color = digits == 6 ? 0xFF000000u | v : v << 24 | v >> 8;
     memcpy(value, &color, sizeof color);
     return true;
 }

@@ -14,7 +14,7 @@
 
 static bool out_of_memory(const struct script_place *place)
 {
-    return message_error_at(place->path, place->line, "out of memory");
+    return ERROR_AT(place, "out of memory");
 }
 
 /* Quoted words begin with their quote. */
@@ -37,10 +37,10 @@ static char *path_of(const struct script_place *place, const char *word)
     }
     if (access(path, R_OK) == 0)
         return path;
-    message_error_at(place->path, place->line,
-                     "%s: %s cannot be read (%s): expected a file, named from "
-                     "the script's folder",
-                     place->command->name, path, strerror(errno));
+    ERROR_AT(place,
+             "%s: %s cannot be read (%s): expected a file, named from the "
+             "script's folder",
+             place->command->name, path, strerror(errno));
     free(path);
     return NULL;
 }
@@ -188,9 +188,8 @@ bool script_add_text(const struct script_place *place, const char *word,
                      int32_t *index)
 {
     if (*word != '"')
-        return message_error_at(place->path, place->line,
-                                "%s: %s: expected a text in quotes, \"...\"",
-                                place->command->name, word);
+        return ERROR_AT(place, "%s: %s: expected a text in quotes, \"...\"",
+                        place->command->name, word);
     return add(place, strdup(word + 1), load_text, &place->assets->text_count,
                index);
 }

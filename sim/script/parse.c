@@ -95,10 +95,9 @@ static bool refuse_count(const struct script_place *at, size_t given)
                                        " or more, in threes"};
     size_t group;
     const size_t needed = needed_of(at->command->kinds, &group);
-    return message_error_at(at->path, at->line,
-                            "%s: %zu values: expected %zu%s: %s %s",
-                            at->command->name, given, needed, more[group],
-                            at->command->name, at->command->usage);
+    return ERROR_AT(at, "%s: %zu values: expected %zu%s: %s %s",
+                    at->command->name, given, needed, more[group],
+                    at->command->name, at->command->usage);
 }
 
 /* Arguments from word `first` on. A word with # is a comment, unless a colour
@@ -130,17 +129,15 @@ static bool take_canvas(struct script_parser *p, const struct script_place *at,
 {
     struct script *script = p->script;
     if (script->width)
-        return message_error_at(at->path, at->line,
-                                "a second canvas: expected one");
+        return ERROR_AT(at, "a second canvas: expected one");
     script->width = v[0];
     script->height = v[1];
     if (!script->format)
         script->format = format_names[v[2]].format;
     if (!picture_size_legal(v[0], v[1]))
-        return message_error_at(at->path, at->line,
-                                "canvas: %d x %d pixels are too many: "
-                                "expected up to %d",
-                                v[0], v[1], PICTURE_PIXELS_MAX);
+        return ERROR_AT(
+            at, "canvas: %d x %d pixels are too many: expected up to %d", v[0],
+            v[1], PICTURE_PIXELS_MAX);
     p->scene = (struct script_scene){.settings = scene_default, .texture = -1};
     p->scene.settings.camera.width = v[0];
     p->scene.settings.camera.height = v[1];
@@ -154,19 +151,17 @@ static bool check_text(const struct script_parser *p,
     const struct script_assets *assets = at->assets;
     const char *c = assets->texts[text];
     if (!p->has_font)
-        return message_error_at(
-            at->path, at->line,
-            "text without a font: expected font FILE before "
-            "it");
+        return ERROR_AT(at,
+                        "text without a font: expected font FILE before it");
     while (*c) {
         const char *const from = c;
         const uint32_t code = pel_utf8_next(&c);
         if (code != '\n' &&
             !pel_glyph_find(&assets->fonts[assets->font_count - 1], code))
-            return message_error_at(at->path, at->line,
-                                    "text: the font has no %.*s (U+%04lX), and "
-                                    "no glyph for what it lacks",
-                                    (int)(c - from), from, (unsigned long)code);
+            return ERROR_AT(at,
+                            "text: the font has no %.*s (U+%04lX), and no "
+                            "glyph for what it lacks",
+                            (int)(c - from), from, (unsigned long)code);
     }
     return true;
 }
@@ -179,7 +174,7 @@ static bool check_command(struct script_parser *p,
     const struct script_command *c = at->command;
     const char *wrong = c->check ? c->check(v, n) : NULL;
     if (wrong)
-        return message_error_at(at->path, at->line, "%s: %s", c->name, wrong);
+        return ERROR_AT(at, "%s: %s", c->name, wrong);
     if (c->role == SCRIPT_PAINT || c->role == SCRIPT_PAINT_VERTEX)
         p->by_vertex = c->role == SCRIPT_PAINT_VERTEX;
     p->has_font = p->has_font || c->role == SCRIPT_FONT;
@@ -189,20 +184,17 @@ static bool check_command(struct script_parser *p,
         struct script_pen pen = {.scene = &p->scene, .assets = at->assets};
         script_perform(&pen, c, v, n);
         if (pen.failed)
-            return message_error_at(at->path, at->line,
-                                    "light %d: expected up to %d",
-                                    SCENE_LIGHTS_MAX + 1, SCENE_LIGHTS_MAX);
+            return ERROR_AT(at, "light %d: expected up to %d",
+                            SCENE_LIGHTS_MAX + 1, SCENE_LIGHTS_MAX);
     }
     if ((c->role == SCRIPT_SHAPE || c->role == SCRIPT_TEXT) && p->by_vertex)
-        return message_error_at(at->path, at->line,
-                                "%s: paint vertex colours triangles: expected "
-                                "another paint first",
-                                c->name);
+        return ERROR_AT(
+            at,
+            "%s: paint vertex colours triangles: expected another paint first",
+            c->name);
     if (c->role == SCRIPT_BANDS && !canvas_bands_legal(p->script->format, v[0]))
-        return message_error_at(at->path, at->line,
-                                "bands %d: expected a multiple of 8 for "
-                                "mono1_pages",
-                                v[0]);
+        return ERROR_AT(
+            at, "bands %d: expected a multiple of 8 for mono1_pages", v[0]);
     return true;
 }
 
@@ -213,10 +205,10 @@ static bool parse_command(struct script_parser *p,
     const size_t first = script->value_count;
     const bool is_canvas = at->command->role == SCRIPT_CANVAS;
     if (!is_canvas && !script->width)
-        return message_error_at(at->path, at->line,
-                                "%s before the canvas: expected canvas WIDTH "
-                                "HEIGHT FORMAT first",
-                                at->command->name);
+        return ERROR_AT(
+            at,
+            "%s before the canvas: expected canvas WIDTH HEIGHT FORMAT first",
+            at->command->name);
     if (!parse_arguments(p, at, name_words))
         return false;
     const struct script_item item = {at->command, at->line, first,

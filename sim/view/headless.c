@@ -15,13 +15,10 @@ static bool save(const struct canvas *canvas, const char *directory,
                  const char *name, int number)
 {
     char *path;
-    struct picture picture;
     if (asprintf(&path, "%s/%s%0*d.ppm", directory, name, *name == 'f' ? 4 : 3,
                  number) < 0)
         return message_error("out of memory");
-    const bool done =
-        canvas_picture(canvas, &picture) && picture_save(&picture, path);
-    picture_free(&picture);
+    const bool done = canvas_save(canvas, path);
     free(path);
     return done;
 }

@@ -1,9 +1,8 @@
 #include "sim/view/style.h"
 
-#include <stdlib.h>
 #include <string.h>
 
-#include "core/base/multiply.h"
+#include "sim/cli/number.h"
 
 #define MARK PEL_RGB(255, 255, 160)
 
@@ -87,27 +86,12 @@ void style_write(FILE *out, const struct style *style,
     fputc('\n', out);
 }
 
-/* A colour #rrggbb or #rrggbbaa at `word`; its length, or 0. */
-static size_t color_at(const char *word, pel_color *color)
-{
-    const size_t digits =
-        *word == '#' ? strspn(word + 1, "0123456789abcdefABCDEF") : 0;
-    char text[9] = "";
-    if ((digits != 6 && digits != 8) ||
-        (word[digits + 1] && !strchr(" \t\r\n", word[digits + 1])))
-        return 0;
-    memcpy(text, word + 1, digits);
-    const uint32_t v = (uint32_t)strtoul(text, NULL, 16);
-    *color = digits == 6 ? 0xFF000000u | v : v << 24 | v >> 8;
-    return digits + 1;
-}
-
 void style_recolor(FILE *out, const struct style *style, const char *line)
 {
     while (*line) {
         pel_color color = 0;
-        const size_t length = color_at(line, &color);
-        if (length) {
+        const size_t length = number_color(line, &color);
+        if (length && (!line[length] || strchr(" \t\r\n", line[length]))) {
             put_color(out, style, color);
             line += length;
         } else {

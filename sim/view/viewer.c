@@ -135,11 +135,7 @@ void viewer_shown(struct viewer *viewer)
 static bool save(const struct pel_surface *surface, const char *path)
 {
     const struct canvas canvas = {.surface = *surface};
-    struct picture picture;
-    const bool done =
-        canvas_picture(&canvas, &picture) && picture_save(&picture, path);
-    picture_free(&picture);
-    return done;
+    return canvas_save(&canvas, path);
 }
 
 bool viewer_save_last(const struct viewer *viewer,

@@ -1,43 +1,18 @@
 /* All quadrilaterals of a 4 x 4 lattice half a pixel apart, crossed ones and
  * those without area included, and polygons of 5 to 8 vertices of lattices half
  * and a quarter of a pixel apart, by both rules, against winding numbers; each
- * pixel at most once. A picture of 8 x 8 pixels is a number of 64 bits. */
+ * pixel at most once. */
+#include "tests/support/bit_picture.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
 #include "tests/support/reference.h"
-
-enum { WINDOW = 8 };
-
-struct picture {
-    struct pel_paint paint;
-    uint64_t bits;
-    bool twice;
-};
-
-/* Pixel (x, y) is bit 8 (y + 4) + x + 4. */
-static uint64_t bit_of(int32_t x, int32_t y)
-{
-    return UINT64_C(1) << (8 * (y + WINDOW / 2) + x + WINDOW / 2);
-}
-
-static void take_rows(const struct pel_paint *paint,
-                      const struct pel_spans *rows)
-{
-    struct picture *p = (struct picture *)(uintptr_t)paint;
-    for (int i = 0; i < rows->n; i++)
-        for (int32_t x = rows->span[i].x0; x < rows->span[i].x1; x++) {
-            uint64_t bit = bit_of(x, rows->y + i * rows->step);
-            p->twice |= (p->bits & bit) != 0;
-            p->bits |= bit;
-        }
-}
 
 /* By both rules: [PEL_EVEN_ODD] and [PEL_NON_ZERO]. */
 static void expected(const struct pel_polygon_shape *outline, uint64_t bits[2])
 {
     bits[0] = bits[1] = 0;
-    for (int32_t y = -WINDOW / 2; y < WINDOW / 2; y++)
-        for (int32_t x = -WINDOW / 2; x < WINDOW / 2; x++) {
+    for (int32_t y = -BIT_REACH; y < BIT_REACH; y++)
+        for (int32_t x = -BIT_REACH; x < BIT_REACH; x++) {
             int32_t winding = reference_winding_at(outline, x, y);
             if (winding % 2 != 0)
                 bits[PEL_EVEN_ODD] |= bit_of(x, y);
@@ -51,10 +26,10 @@ static struct pel_surface surface;
 static void setup(void)
 {
     static uint8_t nothing;
-    const struct pel_rect bounds = {-WINDOW / 2, -WINDOW / 2, WINDOW / 2,
-                                    WINDOW / 2};
+    const struct pel_rect bounds = {-BIT_REACH, -BIT_REACH, BIT_REACH,
+                                    BIT_REACH};
     assert_int_equal(
-        pel_surface_init_rect(&surface, &pel_gray8, &nothing, WINDOW, &bounds),
+        pel_surface_init_rect(&surface, &pel_gray8, &nothing, 8, &bounds),
         PEL_OK);
 }
 
@@ -65,7 +40,7 @@ static void check_polygon(const struct pel_point *v, int32_t n)
     uint64_t want[2];
     expected(&outline, want);
     for (int rule = 0; rule < 2; rule++) {
-        struct picture p = {{.fill = take_rows}, 0, false};
+        struct bit_picture p = {{.fill = bit_picture_fill}, 0, false};
         outline.rule = (enum pel_fill_rule)rule;
         assert_int_equal(pel_polygon(&surface, &outline, &p.paint, scratch,
                                      pel_polygon_scratch_size(n)),

@@ -1,15 +1,15 @@
 /* All triangles of a small lattice, every order of the vertices included,
  * against half planes evaluated at every pixel centre: 16 x 16 points a quarter
  * of a pixel apart, through both walkers, and 12 x 12 points half a pixel
- * apart; both straddle zero. A picture of at most 8 x 8 pixels is a number of
- * 64 bits. The half plane of two vertices is worked out once, by the
- * reference's rule; a triangle is the intersection of three. */
+ * apart; both straddle zero. The half plane of two vertices is worked out once,
+ * by the reference's rule; a triangle is the intersection of three. */
 #include "tests/support/check.h"
+#include "tests/support/bit_picture.h"
 #include "tests/support/cases.h"
 #include "tests/support/fast_rows.h"
 #include "tests/support/reference.h"
 
-enum { SIDE_MAX = 16, POINTS_MAX = SIDE_MAX * SIDE_MAX, WINDOW = 8 };
+enum { SIDE_MAX = 16, POINTS_MAX = SIDE_MAX * SIDE_MAX };
 
 struct lattice {
     int32_t side, step; /* points, sub-pixels */
@@ -19,12 +19,6 @@ struct lattice {
 
 static struct lattice lattice;
 
-/* Pixel (x, y) is bit 8 (y + 4) + x + 4. */
-static uint64_t bit_of(int32_t x, int32_t y)
-{
-    return UINT64_C(1) << (8 * (y + WINDOW / 2) + x + WINDOW / 2);
-}
-
 /* Centres right of a -> b, or on it when it is a top or left edge of what lies
  * there: the third vertex of a triangle that has those pixels is right of it.
  */
@@ -33,8 +27,8 @@ static uint64_t half_plane_of(const struct pel_point *a,
 {
     bool top_left = b->y < a->y || (b->y == a->y && b->x > a->x);
     uint64_t bits = 0;
-    for (int32_t y = -WINDOW / 2; y < WINDOW / 2; y++)
-        for (int32_t x = -WINDOW / 2; x < WINDOW / 2; x++) {
+    for (int32_t y = -BIT_REACH; y < BIT_REACH; y++)
+        for (int32_t x = -BIT_REACH; x < BIT_REACH; x++) {
             wide e = ((wide)b->x - a->x) * (y * 256 + 128 - a->y) -
                      ((wide)b->y - a->y) * (x * 256 + 128 - a->x);
             if (e > 0 || (e == 0 && top_left))
@@ -73,42 +67,19 @@ static uint64_t expected(int32_t i, int32_t j, int32_t k)
            lattice.half_plane[k][i];
 }
 
-struct picture {
-    struct pel_paint paint;
-    uint64_t bits;
-    bool twice;
-};
-
-static void take(void *picture, int32_t y, int32_t x0, int32_t x1)
-{
-    struct picture *p = picture;
-    for (int32_t x = x0; x < x1; x++) {
-        p->twice |= (p->bits & bit_of(x, y)) != 0;
-        p->bits |= bit_of(x, y);
-    }
-}
-
-static void take_rows(const struct pel_paint *paint,
-                      const struct pel_spans *rows)
-{
-    struct picture *p = (struct picture *)(uintptr_t)paint;
-    for (int i = 0; i < rows->n; i++)
-        take(p, rows->y + i * rows->step, rows->span[i].x0, rows->span[i].x1);
-}
-
 #if PEL_FAST_FILLS
 static bool take_fast(const struct pel_paint *paint,
                       const struct pel_surface *surface,
                       const struct pel_fast_triangle *t)
 {
     (void)surface;
-    fast_rows(t, take, (void *)(uintptr_t)paint);
+    fast_rows(t, bit_picture_row, (void *)(uintptr_t)paint);
     return true;
 }
 #endif
 
 /* Through a clip of `clip` pixels around zero. */
-static void check_all(struct picture *p, int32_t clip)
+static void check_all(struct bit_picture *p, int32_t clip)
 {
     static uint8_t nothing;
     const struct pel_rect bounds = {-clip, -clip, clip, clip};
@@ -137,20 +108,20 @@ static void check_all(struct picture *p, int32_t clip)
 
 static void test_quarter_pixels(void)
 {
-    struct picture p = {{.fill = take_rows}, 0, false};
+    struct bit_picture p = {{.fill = bit_picture_fill}, 0, false};
     lattice_open(16, 64);
-    check_all(&p, WINDOW / 2);
+    check_all(&p, BIT_REACH);
 #if PEL_FAST_FILLS
     p.paint.fast = take_fast;
-    check_all(&p, WINDOW / 2);
+    check_all(&p, BIT_REACH);
 #endif
 }
 
 static void test_half_pixels(void)
 {
-    struct picture p = {{.fill = take_rows}, 0, false};
+    struct bit_picture p = {{.fill = bit_picture_fill}, 0, false};
     lattice_open(12, 128);
-    check_all(&p, WINDOW / 2);
+    check_all(&p, BIT_REACH);
     check_all(&p, 1);
 }
 
@@ -165,8 +136,8 @@ static void test_half_planes(void)
             i[k] = random_between(&c.random, 0, 143);
         const struct pel_point v[3] = {lattice.point[i[0]], lattice.point[i[1]],
                                        lattice.point[i[2]]};
-        for (int32_t y = -WINDOW / 2; y < WINDOW / 2; y++)
-            for (int32_t x = -WINDOW / 2; x < WINDOW / 2; x++)
+        for (int32_t y = -BIT_REACH; y < BIT_REACH; y++)
+            for (int32_t x = -BIT_REACH; x < BIT_REACH; x++)
                 if (reference_triangle_at(v, x, y))
                     want |= bit_of(x, y);
         assert_true(want == expected(i[0], i[1], i[2]));

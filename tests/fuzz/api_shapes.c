@@ -1,22 +1,19 @@
 #include <stdlib.h>
 
 #include "api.h"
-
-enum { POINTS = 12 };
+#include "tests/support/any_shape.h"
 
 /* Numbers for any shape. */
 struct shape {
-    struct pel_point v[POINTS];
-    int32_t n, radius, inner;
-    int32_t from, to;
-    enum pel_fill_rule rule;
+    struct any_shape any;
     pel_color color[3];
 };
 
-static void shape_take(struct api *a, struct shape *s)
+static void shape_take(struct api *a, struct shape *shape)
 {
-    s->n = (int32_t)input_below(&a->in, POINTS + 1);
-    for (int i = 0; i < POINTS; i++)
+    struct any_shape *s = &shape->any;
+    s->n = (int32_t)input_below(&a->in, ANY_POINTS + 1);
+    for (int i = 0; i < ANY_POINTS; i++)
         s->v[i] = i < 3 || i < s->n ? api_point(a) : s->v[i - 1];
     s->radius = input_number(&a->in);
     s->inner = input_number(&a->in);
@@ -24,12 +21,17 @@ static void shape_take(struct api *a, struct shape *s)
     s->to = input_number(&a->in);
     s->rule = input_byte(&a->in) & 1 ? PEL_NON_ZERO : PEL_EVEN_ODD;
     for (int i = 0; i < 3; i++)
-        s->color[i] = input_word(&a->in);
+        shape->color[i] = input_word(&a->in);
+}
+
+static struct pel_rect box_of(const struct any_shape *s)
+{
+    return (struct pel_rect){s->v[0].x, s->v[0].y, s->v[1].x, s->v[1].y};
 }
 
 /* With exactly the scratch memory that is asked for. */
 static void draw_polygon(const struct pel_surface *surface,
-                         const struct shape *s, bool outline,
+                         const struct any_shape *s, bool outline,
                          const struct pel_paint *paint)
 {
     const struct pel_polygon_shape polygon = {s->v, s->n, s->rule};
@@ -41,113 +43,51 @@ static void draw_polygon(const struct pel_surface *surface,
     free(scratch);
 }
 
+static void draw_kind(const struct pel_surface *surface, struct any_shape s,
+                      enum any_kind kind, bool outline,
+                      const struct pel_paint *paint)
+{
+    s.kind = kind;
+    if (kind == ANY_POLYGON)
+        draw_polygon(surface, &s, outline, paint);
+    else
+        (outline ? any_draw_outline : any_draw)(surface, &s, paint);
+}
+
 static void draw_straight(const struct pel_surface *surface,
                           const struct shape *s, uint32_t kind,
                           const struct pel_paint *paint)
 {
-    const struct pel_point *const v = s->v;
-    const struct pel_rect box = {s->v[0].x, s->v[0].y, s->v[1].x, s->v[1].y};
-    const struct pel_thick_line_shape thick = {s->v[0], s->v[1], s->radius};
-    switch (kind % 8) {
-    case 0:
-        pel_triangle(surface, v, paint);
-        break;
-    case 1:
-        pel_triangle_or_line(surface, v, paint);
-        break;
-    case 2:
-        pel_triangle_gouraud(surface, v, s->color);
-        break;
-    case 3:
-        pel_line(surface, v[0], v[1], paint);
-        break;
-    case 4:
-        pel_thick_line(surface, &thick, paint);
-        break;
-    case 5:
-        pel_rectangle(surface, v[0], v[1], paint);
-        break;
-    case 6:
+    static const enum any_kind kinds[8] = {
+        ANY_TRIANGLE,   ANY_KINDS,     ANY_KINDS, ANY_LINE,
+        ANY_THICK_LINE, ANY_RECTANGLE, ANY_KINDS, ANY_POLYGON};
+    const struct pel_rect box = box_of(&s->any);
+    if (kind == 1)
+        pel_triangle_or_line(surface, s->any.v, paint);
+    else if (kind == 2)
+        pel_triangle_gouraud(surface, s->any.v, s->color);
+    else if (kind == 6)
         pel_box(surface, &box, paint);
-        break;
-    default:
-        draw_polygon(surface, s, false, paint);
-        break;
-    }
-}
-
-static void draw_round(const struct pel_surface *surface, const struct shape *s,
-                       uint32_t kind, const struct pel_paint *paint)
-{
-    const struct pel_ring_shape ring = {s->v[0], s->inner, s->radius};
-    const struct pel_sector_shape sector = {s->v[0], s->radius, s->from, s->to};
-    const struct pel_arc_shape arc = {s->v[0], s->inner, s->radius, s->from,
-                                      s->to};
-    const struct pel_ellipse_shape ellipse = {s->v[0], {s->radius, s->inner}};
-    const struct pel_rounded_shape rounded = {s->v[0], s->v[1], s->radius};
-    switch (kind % 6) {
-    case 0:
-        pel_circle(surface, s->v[0], s->radius, paint);
-        break;
-    case 1:
-        pel_ring(surface, &ring, paint);
-        break;
-    case 2:
-        pel_sector(surface, &sector, paint);
-        break;
-    case 3:
-        pel_arc(surface, &arc, paint);
-        break;
-    case 4:
-        pel_ellipse(surface, &ellipse, paint);
-        break;
-    default:
-        pel_rounded_rectangle(surface, &rounded, paint);
-        break;
-    }
-}
-
-static void draw_outline(const struct pel_surface *surface,
-                         const struct shape *s, uint32_t kind,
-                         const struct pel_paint *paint)
-{
-    const struct pel_sector_shape sector = {s->v[0], s->radius, s->from, s->to};
-    const struct pel_ellipse_shape ellipse = {s->v[0], {s->radius, s->inner}};
-    const struct pel_rounded_shape rounded = {s->v[0], s->v[1], s->radius};
-    switch (kind % 7) {
-    case 0:
-        pel_triangle_outline(surface, s->v, paint);
-        break;
-    case 1:
-        pel_rectangle_outline(surface, s->v[0], s->v[1], paint);
-        break;
-    case 2:
-        pel_rounded_rectangle_outline(surface, &rounded, paint);
-        break;
-    case 3:
-        pel_circle_outline(surface, s->v[0], s->radius, paint);
-        break;
-    case 4:
-        pel_ellipse_outline(surface, &ellipse, paint);
-        break;
-    case 5:
-        pel_arc_outline(surface, &sector, paint);
-        break;
-    default:
-        draw_polygon(surface, s, true, paint);
-        break;
-    }
+    else
+        draw_kind(surface, s->any, kinds[kind], false, paint);
 }
 
 static void draw(const struct pel_surface *surface, const struct shape *s,
                  uint32_t kind, const struct pel_paint *paint)
 {
+    static const enum any_kind round[6] = {ANY_CIRCLE,  ANY_RING,
+                                           ANY_SECTOR,  ANY_ARC,
+                                           ANY_ELLIPSE, ANY_ROUNDED_RECTANGLE};
+    static const enum any_kind outlines[7] = {
+        ANY_TRIANGLE, ANY_RECTANGLE, ANY_ROUNDED_RECTANGLE,
+        ANY_CIRCLE,   ANY_ELLIPSE,   ANY_SECTOR,
+        ANY_POLYGON};
     if (kind % 4 == 0)
-        draw_outline(surface, s, kind / 4, paint);
+        draw_kind(surface, s->any, outlines[kind / 4 % 7], true, paint);
     else if (kind % 4 == 1)
-        draw_round(surface, s, kind / 4, paint);
+        draw_kind(surface, s->any, round[kind / 4 % 6], false, paint);
     else
-        draw_straight(surface, s, kind / 4, paint);
+        draw_straight(surface, s, kind / 4 % 8, paint);
 }
 
 /* With the rim's own paint: not Gouraud's triangle, and no outline. Polygons
@@ -190,32 +130,18 @@ static bool target_hit(const struct pel_target *target, int32_t x, int32_t y)
 
 void api_hit(struct api *a)
 {
-    struct shape s;
+    struct shape shape;
+    struct any_shape *s = &shape.any;
     const int32_t x = input_number(&a->in), y = input_number(&a->in);
-    shape_take(a, &s);
-    const struct pel_polygon_shape polygon = {s.v, s.n, s.rule};
-    const struct pel_ring_shape ring = {s.v[0], s.inner, s.radius};
-    const struct pel_sector_shape sector = {s.v[0], s.radius, s.from, s.to};
-    const struct pel_arc_shape arc = {s.v[0], s.inner, s.radius, s.from, s.to};
-    const struct pel_ellipse_shape ellipse = {s.v[0], {s.radius, s.inner}};
-    const struct pel_rounded_shape rounded = {s.v[0], s.v[1], s.radius};
-    const struct pel_thick_line_shape thick = {s.v[0], s.v[1], s.radius};
-    const struct pel_target target = {target_hit,
-                                      {s.v[0].x, s.v[0].y, s.v[1].x, s.v[1].y}};
+    shape_take(a, &shape);
+    const struct pel_target target = {target_hit, box_of(s)};
     const struct pel_target *const list[] = {&target, &target};
-    pel_hit_triangle(s.v, x, y);
-    pel_hit_rectangle(s.v[0], s.v[1], x, y);
-    pel_hit_circle(s.v[0], s.radius, x, y);
-    pel_hit_line(s.v[0], s.v[1], x, y);
-    pel_hit_polygon(&polygon, x, y);
-    pel_hit_ring(&ring, x, y);
-    pel_hit_sector(&sector, x, y);
-    pel_hit_arc(&arc, x, y);
-    pel_hit_ellipse(&ellipse, x, y);
-    pel_hit_rounded_rectangle(&rounded, x, y);
-    pel_hit_thick_line(&thick, x, y);
-    pel_hit_topmost(list, s.inner > 2 ? 2 : s.inner, x, y);
-    pel_hsv(s.from, s.color[0] & 255, s.color[1] & 255);
-    pel_hsv_degrees(s.to, s.color[0] & 255, s.color[1] & 255);
-    pel_turn_of(s.from % (1 << 25), s.to % (1 << 25));
+    for (int kind = 0; kind < ANY_KINDS; kind++) {
+        s->kind = (enum any_kind)kind;
+        any_hit(s, x, y);
+    }
+    pel_hit_topmost(list, s->inner > 2 ? 2 : s->inner, x, y);
+    pel_hsv(s->from, shape.color[0] & 255, shape.color[1] & 255);
+    pel_hsv_degrees(s->to, shape.color[0] & 255, shape.color[1] & 255);
+    pel_turn_of(s->from % (1 << 25), s->to % (1 << 25));
 }

@@ -9,6 +9,8 @@ FUZZ_NAMES := $(patsubst tests/fuzz/fuzz_%.c,%,$(sort $(wildcard tests/fuzz/fuzz
 FUZZ_SIM := $(patsubst tests/fuzz/fuzz_%.c,%,$(shell \
     grep -l '^#include "sim/' tests/fuzz/fuzz_*.c))
 
+FUZZ_SUPPORT_api := tests/support/any_kinds.c
+
 # clang  with libFuzzer      gcc  with replay.c
 FUZZ_CC_clang := clang
 FUZZ_CC_gcc := $(CC)
@@ -36,7 +38,7 @@ endef
 # $1 compiler, $2 name
 define fuzz_program
 $(F)/$1/$2: $(patsubst %.c,$(F)/$1/%.o,tests/fuzz/fuzz_$2.c \
-    $(wildcard tests/fuzz/$2_*.c) $(if $(filter gcc,$1),tests/fuzz/replay.c)) \
+    $(wildcard tests/fuzz/$2_*.c) $(FUZZ_SUPPORT_$2) $(if $(filter gcc,$1),tests/fuzz/replay.c)) \
     $(if $(filter $2,$(FUZZ_SIM)),$(F)/$1/libsim.a) $(F)/$1/libpel.a
 	$$(FUZZ_CC_$1) $$(FUZZ_LINK_$1) $$^ \
 	    $(if $(filter $2,$(FUZZ_SIM)),$(SIM_LIBS) $(LINUX_LIBS)) -o $$@

@@ -145,4 +145,14 @@ static inline void draw_text(const struct pel_paint *paint)
     pel_text(&screen, &text, paint);
 }
 
+/* All of them, each as EACH(name). */
+#define EVERY_DRAW(EACH)                                                      \
+    EACH(triangle), EACH(triangle_or_line), EACH(polygon), EACH(rectangle),   \
+        EACH(line), EACH(thick_line), EACH(circle), EACH(ring), EACH(sector), \
+        EACH(arc), EACH(ellipse), EACH(rounded_rectangle),                    \
+        EACH(triangle_outline), EACH(rectangle_outline),                      \
+        EACH(rounded_rectangle_outline), EACH(circle_outline),                \
+        EACH(ellipse_outline), EACH(arc_outline), EACH(polygon_outline),      \
+        EACH(text)
+
 #endif

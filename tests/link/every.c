@@ -2,35 +2,11 @@
 #include "draws.h"
 #include "makes.h"
 
-static draw_function *const draws[] = {
-    draw_triangle,
-    draw_triangle_or_line,
-    draw_polygon,
-    draw_rectangle,
-    draw_line,
-    draw_thick_line,
-    draw_circle,
-    draw_ring,
-    draw_sector,
-    draw_arc,
-    draw_ellipse,
-    draw_rounded_rectangle,
-    draw_triangle_outline,
-    draw_rectangle_outline,
-    draw_rounded_rectangle_outline,
-    draw_circle_outline,
-    draw_ellipse_outline,
-    draw_arc_outline,
-    draw_polygon_outline,
-    draw_text,
-};
+#define DRAW(name) draw_##name
+#define MAKE(name) make_##name
 
-static make_function *const makes[] = {
-    make_flat,    make_flat_alpha,     make_gouraud,  make_linear,
-    make_radial,  make_conic,          make_hue,      make_fan,
-    make_nearest, make_nearest_colors, make_bilinear, make_dither,
-    make_user,
-};
+static draw_function *const draws[] = {EVERY_DRAW(DRAW)};
+static make_function *const makes[] = {EVERY_MAKE(MAKE)};
 
 int main(void)
 {

@@ -127,4 +127,10 @@ static inline const struct pel_paint *make_user(void)
     return &striped.paint;
 }
 
+/* All of them, each as EACH(name). */
+#define EVERY_MAKE(EACH)                                                     \
+    EACH(flat), EACH(flat_alpha), EACH(gouraud), EACH(linear), EACH(radial), \
+        EACH(conic), EACH(hue), EACH(fan), EACH(nearest),                    \
+        EACH(nearest_colors), EACH(bilinear), EACH(dither), EACH(user)
+
 #endif

@@ -5,49 +5,24 @@
 #include "port/cortex_m/semihost.h"
 #include "port/cortex_m/stack_probe.h"
 
-#define NAMED(kind, name)    \
-    {                        \
-#name, kind##_##name \
+#define NAMED_DRAW(name)   \
+    {                      \
+#name, draw_##name \
+    }
+#define NAMED_MAKE(name)   \
+    {                      \
+#name, make_##name \
     }
 
 static const struct {
     const char *name;
     draw_function *draw;
-} shapes[] = {
-    NAMED(draw, triangle),
-    NAMED(draw, triangle_or_line),
-    NAMED(draw, polygon),
-    NAMED(draw, rectangle),
-    NAMED(draw, line),
-    NAMED(draw, thick_line),
-    NAMED(draw, circle),
-    NAMED(draw, ring),
-    NAMED(draw, sector),
-    NAMED(draw, arc),
-    NAMED(draw, ellipse),
-    NAMED(draw, rounded_rectangle),
-    NAMED(draw, triangle_outline),
-    NAMED(draw, rectangle_outline),
-    NAMED(draw, rounded_rectangle_outline),
-    NAMED(draw, circle_outline),
-    NAMED(draw, ellipse_outline),
-    NAMED(draw, arc_outline),
-    NAMED(draw, polygon_outline),
-    NAMED(draw, text),
-};
+} shapes[] = {EVERY_DRAW(NAMED_DRAW)};
 
 static const struct {
     const char *name;
     make_function *make;
-} paints[] = {
-    NAMED(make, flat),     NAMED(make, flat_alpha),
-    NAMED(make, gouraud),  NAMED(make, linear),
-    NAMED(make, radial),   NAMED(make, conic),
-    NAMED(make, hue),      NAMED(make, fan),
-    NAMED(make, nearest),  NAMED(make, nearest_colors),
-    NAMED(make, bilinear), NAMED(make, dither),
-    NAMED(make, user),
-};
+} paints[] = {EVERY_MAKE(NAMED_MAKE)};
 
 struct pair {
     draw_function *draw;

@@ -17,18 +17,6 @@ static const struct pel_format *random_format(struct random *r)
     return layouts[random_word(r) % LAYOUT_COUNT].format;
 }
 
-/* Origin at a multiple of 8, near zero or anywhere in range. */
-static struct pel_rect random_bounds(struct random *r, int32_t size)
-{
-    const int32_t reach = random_word(r) % 2 ? 40 : 32700 - size;
-    struct pel_rect b;
-    b.x0 = random_between(r, -reach, reach) & ~7;
-    b.y0 = random_between(r, -reach, reach) & ~7;
-    b.x1 = b.x0 + random_between(r, 1, size);
-    b.y1 = b.y0 + random_between(r, 1, size);
-    return b;
-}
-
 /* One of the three. */
 struct drawing {
     struct item item;
@@ -40,7 +28,7 @@ static struct drawing open_case(struct cases *c, bool opaque)
 {
     struct random *r = &c->random;
     struct drawing d;
-    const struct pel_rect bounds = random_bounds(r, 40);
+    const struct pel_rect bounds = shape_bounds(r, 40, 40);
     canvas_open(&whole, random_format(r), &bounds, random_word(r) % 8);
     item_random(r, &d.item, &bounds, opaque);
     any_in_box(r, &d.shape, (enum any_kind)(random_word(r) % ANY_KINDS),
@@ -72,13 +60,6 @@ static void draw(const struct pel_surface *surface, const struct drawing *d)
 static bool is_gouraud(const struct drawing *d)
 {
     return d->what == ITEM && d->item.kind == ITEM_GOURAUD;
-}
-
-/* For messages. */
-static int kind_of(const struct drawing *d)
-{
-    return d->what == ITEM ? (int)d->item.kind
-                           : 100 * (int)d->what + (int)d->shape.kind;
 }
 
 static void check_tile(const struct drawing *d, const struct pel_rect *tile,
@@ -134,11 +115,17 @@ static void test_clip_is_crop(void)
     }
 }
 
-static pel_color source_of(const struct drawing *d, const struct pel_gouraud *g,
-                           int32_t x, int32_t y)
+struct source {
+    const struct drawing *drawing;
+    struct pel_gouraud gouraud;
+};
+
+static pel_color source_at(const void *context, int32_t x, int32_t y)
 {
-    if (!is_gouraud(d))
-        return d->item.color[0];
+    const struct source *s = context;
+    const struct pel_gouraud *g = &s->gouraud;
+    if (!is_gouraud(s->drawing))
+        return s->drawing->item.color[0];
     pel_color c = 0;
     for (int k = 0; k < 4; k++)
         c |= (g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k]) >>
@@ -149,25 +136,12 @@ static pel_color source_of(const struct drawing *d, const struct pel_gouraud *g,
 /* Alpha 255: the source packed; 0: what was there; else the blend. */
 static void check_bytes(const struct drawing *d)
 {
-    const struct pel_rect *b = &whole.surface.bounds;
-    struct pel_gouraud g = {.at = {0}};
+    struct source source = {.drawing = d};
     if (is_gouraud(d))
-        pel_gouraud_init(&g, d->item.v, d->item.color);
-    hits_open(&hits, b);
+        pel_gouraud_init(&source.gouraud, d->item.v, d->item.color);
+    hits_open(&hits, &whole.surface.bounds);
     cover(&hits.surface, d, &hits.paint);
-    for (int32_t y = b->y0; y < b->y1; y++)
-        for (int32_t x = b->x0; x < b->x1; x++) {
-            uint32_t want = canvas_pixel_before(&whole, x, y);
-            pel_color source = source_of(d, &g, x, y);
-            if (hits_at(&hits, x, y))
-                want = layout_over(whole.layout, want, source);
-            if (canvas_pixel(&whole, x, y) != want)
-                fail_msg("%s, shape %d, colour %08x: pixel %d, %d: before %x, "
-                         "expected %x, got %x; %s",
-                         whole.layout->name, kind_of(d), source, x, y,
-                         canvas_pixel_before(&whole, x, y), want,
-                         canvas_pixel(&whole, x, y), cases_replay());
-        }
+    canvas_check_drawn(&whole, &hits, source_at, &source);
 }
 
 static void test_bytes_follow_the_rule(void)
@@ -176,7 +150,6 @@ static void test_bytes_follow_the_rule(void)
         struct drawing d = open_case(&c, c.next % 2);
         draw(&whole.surface, &d);
         check_bytes(&d);
-        canvas_check(&whole);
     }
 }
 

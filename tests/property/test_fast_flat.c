@@ -5,7 +5,6 @@
  * prefetched. */
 #include <string.h>
 
-#include "core/format/vector.h"
 #include "tests/support/check.h"
 #include "tests/support/portable.h"
 
@@ -170,52 +169,9 @@ static void test_gouraud_writers_are_taken(void)
     }
 }
 
-static const struct pel_format *const formats565[] = {
-    &pel_rgb565_le, &pel_rgb565_be, &pel_bgr565_le};
-
-static int32_t put(size_t f, const pel_color *colors, int32_t n)
-{
-    memset(memory[0], 0, 64);
-    return pel_put565_opaque(formats565[f], (pel_word16 *)(void *)memory[0], n,
-                             colors);
-}
-
-/* Eights of opaque colours are stored, whatever the colours, and no more. */
-static void test_opaque_eights_are_put(void)
-{
-    static const pel_color one_bit[] = {0xFF000000, 0xFF000001, 0xFF000100,
-                                        0xFF010000, 0xFFFFFFFE, 0xFFFFFEFF,
-                                        0xFFFEFFFF, 0xFFFFFFFF};
-    for (size_t f = 0; f < 3; f++)
-        for (size_t c = 0; c < 8; c++) {
-            pel_color colors[25];
-            for (int i = 0; i < 25; i++)
-                colors[i] = one_bit[c];
-            for (int32_t n = 0; n <= 25; n++)
-                assert_int_equal(put(f, colors, n), n / 8 * 8);
-        }
-}
-
-/* One bit of one alpha is enough to leave an eight to others. */
-static void test_any_alpha_stops(void)
-{
-    for (size_t f = 0; f < 3; f++)
-        for (int i = 0; i < 16; i++)
-            for (int bit = 24; bit < 32; bit++) {
-                pel_color colors[16];
-                memset(colors, 0xFF, sizeof colors);
-                assert_int_equal(put(f, colors, 16), 16);
-                colors[i] &= ~((pel_color)1 << bit);
-                assert_int_equal(put(f, colors, 16), i / 8 * 8);
-                for (int k = i / 8 * 2; k < 4; k++)
-                    assert_true(memory[0][k] == 0);
-            }
-}
-
 int main(void)
 {
     return RUN_TESTS(test_one_row, test_around_16_rows, test_many_rows,
                      test_around_128_rows, test_writers_are_taken,
-                     test_gouraud_writers_are_taken, test_opaque_eights_are_put,
-                     test_any_alpha_stops);
+                     test_gouraud_writers_are_taken);
 }

@@ -209,13 +209,18 @@ static void test_any_source(void)
     const struct pel_texels texels = {.surface = &picture.surface};
     struct pel_texture texture;
     struct pel_gouraud gouraud;
+    const struct pel_ramp ramp = {c, 2, PEL_PAD};
+    const struct pel_point left = PEL_AT(2, 0), right = PEL_AT(38, 0);
+    struct pel_linear upright;
     pel_gouraud_init(&gouraud, v, c);
+    pel_linear_init(&upright, left, right, &ramp);
     for (int i = 0; i < LAYOUT_COUNT; i++) {
         canvas_open(&picture, layouts[i].format, &b, 0);
         pel_texture_init_nearest(&texture, &texels, &map);
         check_source(&layouts[i], &texture.base.paint);
         check_source(&layouts[i], &half);
         check_source(&layouts[i], &gouraud.paint);
+        check_source(&layouts[i], &upright.base.paint);
     }
 }
 
@@ -330,11 +335,8 @@ static void test_every_depth(void)
     static const struct pel_rect b = {0, 0, 20, 8};
     uint16_t pixels[8][20];
     struct pel_surface s;
-    own = pel_rgb565_le;
-    own.id = 200;
-    own.pack = own_pack;
-    own.put = own_put;
-    own.channels = NULL;
+    own = (struct pel_format){
+        .id = 200, .bits = 16, .word = 2, .pack = own_pack, .put = own_put};
     assert_int_equal(pel_surface_init(&s, &own, pixels, sizeof pixels, &b),
                      PEL_OK);
     for (uint32_t bits = 1; bits <= 7; bits++)

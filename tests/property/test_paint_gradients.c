@@ -216,8 +216,11 @@ static void any_gradient(struct random *r, struct gradient *g,
     g->kind = (enum kind)(random_word(r) % KINDS);
     g->at = any_point(r, b);
     g->to = any_point(r, b);
-    if (random_word(r) % 4 == 0)
+    const uint32_t slope = random_word(r) % 4;
+    if (slope == 0)
         g->to.x = g->at.x; /* level */
+    else if (slope == 1)
+        g->to.y = g->at.y; /* upright */
     g->phase = (uint16_t)(random_word(r) << random_between(r, 0, 15));
     g->radius = pel_min(any_size(r), PEL_PX(32767));
     any_ramp(r, &g->ramp);
@@ -237,17 +240,6 @@ static void any_gradient(struct random *r, struct gradient *g,
     assert_int_equal(status, PEL_OK);
 }
 
-static struct pel_rect any_bounds(struct random *r)
-{
-    const int32_t reach = random_word(r) % 4 ? 40 : 32600;
-    struct pel_rect b;
-    b.x0 = random_between(r, -reach, reach) & ~7;
-    b.y0 = random_between(r, -reach, reach) & ~7;
-    b.x1 = b.x0 + random_between(r, 1, 64);
-    b.y1 = b.y0 + random_between(r, 1, random_word(r) % 4 ? 9 : 70);
-    return b;
-}
-
 static void draw(const struct pel_surface *s, const struct pel_point v[3],
                  uint32_t shape, const struct pel_paint *p)
 {
@@ -263,21 +255,9 @@ static void draw(const struct pel_surface *s, const struct pel_point v[3],
         pel_rectangle(s, all[0], all[1], p);
 }
 
-static void check_pixel(const struct gradient *g, int32_t x, int32_t y)
+static pel_color color_at(const void *gradient, int32_t x, int32_t y)
 {
-    const wide k = number_at(g, x, y);
-    const pel_color color = color_of(g, k);
-    uint32_t want = canvas_pixel_before(&canvas, x, y);
-    if (hits_at(&hits, x, y))
-        want = layout_over(canvas.layout, want, color);
-    if (canvas_pixel(&canvas, x, y) != want)
-        fail_msg("kind %d, %d,%d to %d,%d radius %d phase %d, n %d, spread %d, "
-                 "%s pixel %d,%d: cell %ld, color %08x, expected %x, got %x; "
-                 "%s",
-                 (int)g->kind, g->at.x, g->at.y, g->to.x, g->to.y, g->radius,
-                 g->phase, g->ramp.n, (int)g->ramp.spread, canvas.layout->name,
-                 x, y, (long)k, color, want, canvas_pixel(&canvas, x, y),
-                 cases_replay());
+    return color_of(gradient, number_at(gradient, x, y));
 }
 
 /* The pixels of the same cell as (x, y), by the shape that it is. */
@@ -317,10 +297,7 @@ static void check_drawn(const struct gradient *g, const struct pel_rect *b,
     hits_open(&hits, b);
     draw(&canvas.surface, v, shape, &g->u.paint);
     draw(&hits.surface, v, shape, &hits.paint);
-    for (int32_t y = b->y0; y < b->y1; y++)
-        for (int32_t x = b->x0; x < b->x1; x++)
-            check_pixel(g, x, y);
-    canvas_check(&canvas);
+    canvas_check_drawn(&canvas, &hits, color_at, g);
 }
 
 static void test_every_cell(void)
@@ -328,7 +305,8 @@ static void test_every_cell(void)
     static struct gradient g;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct random *r = &c.random;
-        const struct pel_rect b = any_bounds(r);
+        const struct pel_rect b =
+            shape_bounds(r, 64, random_word(r) % 4 ? 9 : 70);
         const uint32_t shape = random_word(r) % 4;
         struct pel_point v[3];
         any_gradient(r, &g, &b);

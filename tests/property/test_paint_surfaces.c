@@ -93,38 +93,14 @@ static void draw(const struct pel_surface *s, const struct pel_point v[3],
         pel_rectangle(s, v[0], v[1], p);
 }
 
-static struct pel_rect random_bounds(struct random *r)
+static pel_color color_at(const void *colors, int32_t x, int32_t y)
 {
-    const int32_t reach = random_word(r) % 2 ? 40 : 32600;
-    struct pel_rect b;
-    b.x0 = random_between(r, -reach, reach) & ~7;
-    b.y0 = random_between(r, -reach, reach) & ~7;
-    b.x1 = b.x0 + random_between(r, 1, 90);
-    b.y1 = b.y0 + random_between(r, 1, 20);
-    return b;
-}
-
-static void check_pixels(const struct canvas *c, const struct hits *h,
-                         const struct pel_color_paint *p, uint32_t kind)
-{
-    const struct pel_rect *b = &c->surface.bounds;
-    for (int32_t y = b->y0; y < b->y1; y++)
-        for (int32_t x = b->x0; x < b->x1; x++) {
-            uint32_t want = canvas_pixel_before(c, x, y);
-            pel_color source;
-            p->colors(p, x, y, 1, &source);
-            if (hits_at(h, x, y))
-                want = layout_over(c->layout, want, source);
-            if (p->opaque && pel_alpha(source) != 255)
-                fail_msg("kind %u: %08x is not opaque; %s", kind, source,
-                         cases_replay());
-            if (canvas_pixel(c, x, y) != want)
-                fail_msg("%s, kind %u, pixel %d,%d: colour %08x, expected %x, "
-                         "got %x; %s",
-                         c->layout->name, kind, x, y, source, want,
-                         canvas_pixel(c, x, y), cases_replay());
-        }
-    canvas_check(c);
+    const struct pel_color_paint *p = colors;
+    pel_color source;
+    p->colors(p, x, y, 1, &source);
+    if (p->opaque && pel_alpha(source) != 255)
+        fail_msg("%08x is not opaque; %s", source, cases_replay());
+    return source;
 }
 
 static void test_pixels(void)
@@ -133,7 +109,7 @@ static void test_pixels(void)
     static struct hits hits;
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         struct random *r = &c.random;
-        const struct pel_rect b = random_bounds(r);
+        const struct pel_rect b = shape_bounds(r, 90, 20);
         const uint32_t kind = random_word(r) % KINDS;
         const uint32_t shape = random_word(r) % 3;
         struct pel_color_paint *p = make(r, kind, &b);
@@ -144,7 +120,7 @@ static void test_pixels(void)
         hits_open(&hits, &b);
         draw(&canvas.surface, v, shape, &p->paint);
         draw(&hits.surface, v, shape, &hits.paint);
-        check_pixels(&canvas, &hits, p, kind);
+        canvas_check_drawn(&canvas, &hits, color_at, p);
     }
 }
 
@@ -154,7 +130,7 @@ static uint32_t checksum_of(uint32_t kind)
     struct random r = {kind + 4};
     uint32_t sum = 2166136261u;
     for (int i = 0; i < 512; i++) {
-        const struct pel_rect b = random_bounds(&r);
+        const struct pel_rect b = shape_bounds(&r, 90, 20);
         struct pel_color_paint *p = make(&r, kind, &b);
         pel_color got[100];
         p->colors(p, b.x0, b.y0, 100, got);

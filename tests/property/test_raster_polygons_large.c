@@ -6,7 +6,7 @@
 #include "tests/support/reference.h"
 #include "tests/support/shapes.h"
 
-enum { VERTICES_MAX = 2000, WINDOW = 14 };
+enum { VERTICES_MAX = 2000, WINDOW = 14, LARGE_WINDOW = 64 };
 
 static struct hits hits;
 static struct pel_point vertex[VERTICES_MAX];
@@ -91,7 +91,8 @@ static void check_polygons(generator *generate, uint64_t count)
         const struct pel_polygon_shape outline = {
             vertex, n, random_word(r) & 1 ? PEL_EVEN_ODD : PEL_NON_ZERO};
         generate(r, vertex, n);
-        const struct pel_rect w = shape_window(r, vertex, n, WINDOW);
+        const int32_t size = random_word(r) % 8 ? WINDOW : LARGE_WINDOW;
+        const struct pel_rect w = shape_window(r, vertex, n, size);
         const struct pel_rect clip = shape_clip(r, &w);
         hits_open(&hits, &w);
         pel_surface_clip(&hits.surface, &clip);

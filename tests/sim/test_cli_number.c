@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "tests/support/cases.h"
 #include "tests/support/check.h"
 
 #include "sim/cli/number.h"
@@ -78,20 +79,14 @@ static int64_t reference(int64_t n, int digits, int64_t unit)
     return (int64_t)q;
 }
 
-static uint64_t next(uint64_t *seed)
-{
-    *seed = *seed * UINT64_C(6364136223846793005) + 1442695040888963407u;
-    return *seed >> 20;
-}
-
 static void test_random(void)
 {
-    uint64_t seed = 1;
+    struct random r = {1};
     for (int i = 0; i < 200000; i++) {
         char text[40];
-        const int digits = 1 + (int)(next(&seed) % 6);
-        const int64_t unit = next(&seed) % 2 ? 256 : 65536;
-        const int64_t n = (int64_t)(next(&seed) % 20000000) - 10000000;
+        const int digits = 1 + (int)(random_word(&r) % 6);
+        const int64_t unit = random_word(&r) % 2 ? 256 : 65536;
+        const int64_t n = (int64_t)(random_word(&r) % 20000000) - 10000000;
         int64_t scale = 1, value, want = reference(n, digits, unit);
         for (int k = 0; k < digits; k++)
             scale *= 10;

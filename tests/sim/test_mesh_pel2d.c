@@ -1,5 +1,6 @@
 /* pel2d files: what is written is read back the same; what is wrong is refused
  * with its line. */
+#include "tests/support/cases.h"
 #include "tests/support/check.h"
 
 #include "files.h"
@@ -127,25 +128,20 @@ static void test_right(void)
     check_right(text + 3);
 }
 
-static uint64_t next(uint64_t *seed)
-{
-    *seed = *seed * UINT64_C(6364136223846793005) + 1442695040888963407u;
-    return *seed >> 24;
-}
-
-static void add_random(struct pel2d *flat, uint64_t *seed)
+static void add_random(struct pel2d *flat, struct random *r)
 {
     struct pel2d_vertex v = {
-        {(int32_t)(next(seed) % 16777216) + PEL_COORDINATE_MIN,
-         (int32_t)(next(seed) % 16777216) + PEL_COORDINATE_MIN},
-        PEL_RGB(next(seed) % 256, next(seed) % 256, next(seed) % 256),
+        {(int32_t)(random_word(r) % 16777216) + PEL_COORDINATE_MIN,
+         (int32_t)(random_word(r) % 16777216) + PEL_COORDINATE_MIN},
+        PEL_RGB(random_word(r) % 256, random_word(r) % 256,
+                random_word(r) % 256),
         {{0}},
-        (double)next(seed) / 1e12,
-        -(double)next(seed) / 7e11};
-    int64_t sign = next(seed) % 2 ? 1 : -1;
+        random_word(r) / 4e9,
+        random_word(r) / -3e9};
+    int64_t sign = random_word(r) % 2 ? 1 : -1;
     for (int i = 0; i < 3; i++)
-        v.depth.limb[i] = sign * (int64_t)(next(seed) % 1000000000) *
-                          (int64_t)(next(seed) % 1000000000);
+        v.depth.limb[i] = sign * (int64_t)(random_word(r) % 1000000000) *
+                          (int64_t)(random_word(r) % 1000000000);
     assert_true(pel2d_add_vertex(flat, &v));
 }
 
@@ -169,15 +165,15 @@ static void assert_same(const struct pel2d *a, const struct pel2d *b)
 static void test_round_trip(void)
 {
     struct pel2d flat = {0}, back;
-    uint64_t seed = 1;
+    struct random r = {1};
     char *path = file_with("", 0);
     for (int i = 0; i < 3000; i++)
-        add_random(&flat, &seed);
+        add_random(&flat, &r);
     flat.vertex[0].at =
         (struct pel_point){PEL_COORDINATE_MIN, PEL_COORDINATE_MAX};
     for (int i = 0; i < 1000; i++) {
-        const uint32_t index[3] = {(uint32_t)(next(&seed) % 3000),
-                                   (uint32_t)(next(&seed) % 3000), 2999};
+        const uint32_t index[3] = {(uint32_t)(random_word(&r) % 3000),
+                                   (uint32_t)(random_word(&r) % 3000), 2999};
         assert_true(pel2d_add_triangle(&flat, index));
     }
     assert_true(pel2d_save(&flat, path));

@@ -1,5 +1,6 @@
 /* Meshes, cameras and scenes: what is refused, where points land, what is
  * clipped, in which scale the world goes to core. */
+#include "tests/support/cases.h"
 #include "tests/support/check.h"
 
 #include <math.h>
@@ -238,36 +239,30 @@ static void test_behind(void)
     mesh_free(&mesh);
 }
 
-static uint64_t next(uint64_t *seed)
+static double random_in(struct random *r, double limit)
 {
-    *seed = *seed * UINT64_C(6364136223846793005) + 1442695040888963407u;
-    return *seed >> 24;
-}
-
-static double random_in(uint64_t *seed, double limit)
-{
-    return ((double)(next(seed) % 2000001) / 1e6 - 1) * limit;
+    return ((double)(random_word(r) % 2000001) / 1e6 - 1) * limit;
 }
 
 /* Cameras in the midst of random triangles: nothing out of range comes out, and
  * indices stay inside. */
 static void test_any_camera(void)
 {
-    uint64_t seed = 7;
+    struct random r = {7};
     for (int round = 0; round < 300; round++) {
         struct mesh mesh;
         struct shown shown;
         struct scene_settings s = make_settings(0);
-        double size = pow(10, (double)(next(&seed) % 25) - 9);
+        double size = pow(10, (double)(random_word(&r) % 25) - 9);
         assert_true(mesh_init(&mesh, 60, 20, 1));
         for (uint32_t i = 0; i < 60; i++) {
-            set(&mesh, i, random_in(&seed, size), random_in(&seed, size),
-                random_in(&seed, size));
+            set(&mesh, i, random_in(&r, size), random_in(&r, size),
+                random_in(&r, size));
             mesh.triangle[i / 3][i % 3] = i;
         }
         for (int k = 0; k < 3; k++) {
-            s.camera.eye[k] = random_in(&seed, size);
-            s.camera.target[k] = random_in(&seed, size);
+            s.camera.eye[k] = random_in(&r, size);
+            s.camera.target[k] = random_in(&r, size);
         }
         assert_true(show(&mesh, &s, &shown));
         for (uint32_t i = 0; i < shown.flat.vertices; i++)

@@ -7,14 +7,13 @@
 #include "core/image/copy.h"
 #include "sim/script/pick.h"
 #include "sim/view/sheet.h"
+#include "tests/support/cases.h"
 #include "tests/support/check.h"
-
-static uint32_t seed = 1;
 
 static int random_below(int n)
 {
-    seed = seed * 1664525u + 1013904223u;
-    return (int)((uint64_t)(seed >> 8) * (uint64_t)n >> 24);
+    static struct random r = {1};
+    return random_between(&r, 0, n - 1);
 }
 
 enum { SIZE = 40, SHAPES = 12 };

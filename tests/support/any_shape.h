@@ -22,7 +22,7 @@ enum any_kind {
     ANY_KINDS
 };
 
-enum { ANY_POINTS = 9 };
+enum { ANY_POINTS = 12 };
 
 struct any_shape {
     struct pel_point v[ANY_POINTS]; /* of round shapes v[0] is the centre */
@@ -32,6 +32,17 @@ struct any_shape {
     int32_t radius, inner;   /* or width */
     int32_t from, to;
 };
+
+/* The shape as core's structs have it. */
+#define POLYGON(s) (&(struct pel_polygon_shape){s->v, s->n, s->rule})
+#define ELLIPSE(s) (&(struct pel_ellipse_shape){s->v[0], {s->radius, s->inner}})
+#define ROUNDED(s) (&(struct pel_rounded_shape){s->v[0], s->v[1], s->radius})
+#define RING(s) (&(struct pel_ring_shape){s->v[0], s->inner, s->radius})
+#define SECTOR(s) \
+    (&(struct pel_sector_shape){s->v[0], s->radius, s->from, s->to})
+#define ARC(s) \
+    (&(struct pel_arc_shape){s->v[0], s->inner, s->radius, s->from, s->to})
+#define THICK(s) (&(struct pel_thick_line_shape){s->v[0], s->v[1], s->radius})
 
 const char *any_name(const struct any_shape *s);
 

@@ -181,6 +181,26 @@ void canvas_check(const struct canvas *c)
                  cases_replay());
 }
 
+void canvas_check_drawn(const struct canvas *c, const struct hits *shape,
+                        canvas_color *color, const void *paint)
+{
+    const struct pel_rect *b = &c->surface.bounds;
+    for (int32_t y = b->y0; y < b->y1; y++)
+        for (int32_t x = b->x0; x < b->x1; x++) {
+            const uint32_t before = canvas_pixel_before(c, x, y);
+            const bool drawn = hits_at(shape, x, y);
+            const pel_color source = drawn ? color(paint, x, y) : 0;
+            const uint32_t want =
+                drawn ? layout_over(c->layout, before, source) : before;
+            if (canvas_pixel(c, x, y) != want)
+                fail_msg("%s: pixel %d, %d: before %x, %08x over it: expected "
+                         "%x, got %x; %s",
+                         c->layout->name, x, y, before, source, want,
+                         canvas_pixel(c, x, y), cases_replay());
+        }
+    canvas_check(c);
+}
+
 int32_t canvas_difference(const struct canvas *a, const struct canvas *b)
 {
     const struct pel_rect *r = &a->surface.bounds;

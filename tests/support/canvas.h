@@ -3,6 +3,7 @@
 #ifndef TESTS_SUPPORT_CANVAS_H
 #define TESTS_SUPPORT_CANVAS_H
 
+#include "hits.h"
 #include "layouts.h"
 
 enum canvas_style {
@@ -46,6 +47,13 @@ int32_t canvas_difference(const struct canvas *a, const struct canvas *b);
 /* Inside the clip of `part` both have the same pixels at the same places, and
  * canvas_check(part). */
 void canvas_check_part(const struct canvas *whole, const struct canvas *part);
+
+/* What is drawn in the colours of a function, where `shape` has been hit: they
+ * lie over what was there, by the formats' rule, and nothing else has changed.
+ */
+typedef pel_color canvas_color(const void *paint, int32_t x, int32_t y);
+void canvas_check_drawn(const struct canvas *c, const struct hits *shape,
+                        canvas_color *color, const void *paint);
 
 /* Nothing outside the present clip has changed. */
 void canvas_check(const struct canvas *c);

@@ -144,6 +144,17 @@ struct pel_rect shape_window(struct random *r, const struct pel_point *v,
     return w;
 }
 
+struct pel_rect shape_bounds(struct random *r, int32_t width, int32_t height)
+{
+    const int32_t reach = random_word(r) % 2 ? 40 : 32600;
+    struct pel_rect b;
+    b.x0 = random_between(r, -reach, reach) & ~7;
+    b.y0 = random_between(r, -reach, reach) & ~7;
+    b.x1 = b.x0 + random_between(r, 1, width);
+    b.y1 = b.y0 + random_between(r, 1, height);
+    return b;
+}
+
 struct pel_rect shape_clip(struct random *r, const struct pel_rect *window)
 {
     struct pel_rect c = *window;

@@ -18,6 +18,9 @@ void shape_adversarial(struct random *r, struct pel_point *v, int32_t n);
 struct pel_rect shape_window(struct random *r, const struct pel_point *v,
                              int32_t n, int32_t size);
 
+/* Bounds of any surface, up to that size, near zero or anywhere. */
+struct pel_rect shape_bounds(struct random *r, int32_t width, int32_t height);
+
 /* The window, or a part of it (which may be empty). */
 struct pel_rect shape_clip(struct random *r, const struct pel_rect *window);
 

@@ -39,34 +39,40 @@ static int fails(enum fault_call call)
     return 1;
 }
 
+/* A call, which fails with this result. */
+#define CALL(which, type, name, parameters, arguments, failed)    \
+    type __real_##name parameters;                                \
+    type __wrap_##name parameters;                                \
+    type __wrap_##name parameters                                 \
+    {                                                             \
+        return fails(which) ? (failed) : __real_##name arguments; \
+    }
+
+CALL(FAULT_MMAP, void *, mmap,
+     (void *at, size_t size, int protection, int flags, int fd, off_t offset),
+     (at, size, protection, flags, fd, offset), (void *)-1)
+CALL(FAULT_READ, ssize_t, read, (int fd, void *buffer, size_t size),
+     (fd, buffer, size), -1)
+CALL(FAULT_WRITE, ssize_t, write, (int fd, const void *buffer, size_t size),
+     (fd, buffer, size), -1)
+CALL(FAULT_POLL, int, poll, (struct pollfd * lines, nfds_t n, int timeout),
+     (lines, n, timeout), -1)
+CALL(FAULT_FORK, pid_t, fork, (void), (), -1)
+CALL(FAULT_SOCKETPAIR, int, socketpair,
+     (int domain, int type, int protocol, int pair[2]),
+     (domain, type, protocol, pair), -1)
+CALL(FAULT_SIGNALFD, int, signalfd, (int fd, const sigset_t *set, int flags),
+     (fd, set, flags), -1)
+CALL(FAULT_CALLOC, void *, calloc, (size_t n, size_t size), (n, size), NULL)
+CALL(FAULT_EPOLL, int, epoll_create1, (int flags), (flags), -1)
+CALL(FAULT_INOTIFY, int, inotify_init1, (int flags), (flags), -1)
+CALL(FAULT_TIMER, int, timerfd_create, (int clock, int flags), (clock, flags),
+     -1)
+
 int __real_open(const char *path, int flags, ...);
 int __wrap_open(const char *path, int flags, ...);
 int __real_ioctl(int fd, unsigned long request, ...);
 int __wrap_ioctl(int fd, unsigned long request, ...);
-void *__real_mmap(void *at, size_t size, int protection, int flags, int fd,
-                  off_t offset);
-void *__wrap_mmap(void *at, size_t size, int protection, int flags, int fd,
-                  off_t offset);
-ssize_t __real_read(int fd, void *buffer, size_t size);
-ssize_t __wrap_read(int fd, void *buffer, size_t size);
-ssize_t __real_write(int fd, const void *buffer, size_t size);
-ssize_t __wrap_write(int fd, const void *buffer, size_t size);
-int __real_poll(struct pollfd *lines, nfds_t n, int timeout);
-int __wrap_poll(struct pollfd *lines, nfds_t n, int timeout);
-pid_t __real_fork(void);
-pid_t __wrap_fork(void);
-int __real_socketpair(int domain, int type, int protocol, int pair[2]);
-int __wrap_socketpair(int domain, int type, int protocol, int pair[2]);
-int __real_signalfd(int fd, const sigset_t *set, int flags);
-int __wrap_signalfd(int fd, const sigset_t *set, int flags);
-void *__real_calloc(size_t n, size_t size);
-void *__wrap_calloc(size_t n, size_t size);
-int __real_epoll_create1(int flags);
-int __wrap_epoll_create1(int flags);
-int __real_inotify_init1(int flags);
-int __wrap_inotify_init1(int flags);
-int __real_timerfd_create(int clock, int flags);
-int __wrap_timerfd_create(int clock, int flags);
 
 int __wrap_open(const char *path, int flags, ...)
 {
@@ -80,64 +86,4 @@ int __wrap_ioctl(int fd, unsigned long request, ...)
     void *argument = va_arg(arguments, void *);
     va_end(arguments);
     return fails(FAULT_IOCTL) ? -1 : __real_ioctl(fd, request, argument);
-}
-
-void *__wrap_mmap(void *at, size_t size, int protection, int flags, int fd,
-                  off_t offset)
-{
-    return fails(FAULT_MMAP)
-               ? (void *)-1
-               : __real_mmap(at, size, protection, flags, fd, offset);
-}
-
-ssize_t __wrap_read(int fd, void *buffer, size_t size)
-{
-    return fails(FAULT_READ) ? -1 : __real_read(fd, buffer, size);
-}
-
-ssize_t __wrap_write(int fd, const void *buffer, size_t size)
-{
-    return fails(FAULT_WRITE) ? -1 : __real_write(fd, buffer, size);
-}
-
-int __wrap_poll(struct pollfd *lines, nfds_t n, int timeout)
-{
-    return fails(FAULT_POLL) ? -1 : __real_poll(lines, n, timeout);
-}
-
-pid_t __wrap_fork(void)
-{
-    return fails(FAULT_FORK) ? -1 : __real_fork();
-}
-
-int __wrap_socketpair(int domain, int type, int protocol, int pair[2])
-{
-    return fails(FAULT_SOCKETPAIR)
-               ? -1
-               : __real_socketpair(domain, type, protocol, pair);
-}
-
-int __wrap_signalfd(int fd, const sigset_t *set, int flags)
-{
-    return fails(FAULT_SIGNALFD) ? -1 : __real_signalfd(fd, set, flags);
-}
-
-void *__wrap_calloc(size_t n, size_t size)
-{
-    return fails(FAULT_CALLOC) ? NULL : __real_calloc(n, size);
-}
-
-int __wrap_epoll_create1(int flags)
-{
-    return fails(FAULT_EPOLL) ? -1 : __real_epoll_create1(flags);
-}
-
-int __wrap_inotify_init1(int flags)
-{
-    return fails(FAULT_INOTIFY) ? -1 : __real_inotify_init1(flags);
-}
-
-int __wrap_timerfd_create(int clock, int flags)
-{
-    return fails(FAULT_TIMER) ? -1 : __real_timerfd_create(clock, flags);
 }

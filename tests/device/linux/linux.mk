@@ -15,7 +15,7 @@ LINUX_CACHE := $(PEL_CACHE)/linux-vm
 LINUX_ROWS := $(shell sed -n 's/^\([a-z0-9_]*\)|.*/\1/p' $(LINUX_HERE)/rows.txt)
 LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 
-LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout display panel_bus input_devices \
+LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout panel_bus input_devices \
                panel_check vm screen_check reference)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
                pel_no_draw fb_mode console_state faults frames session \
@@ -40,11 +40,6 @@ $(LINUX_CHECK)/layout: $(LINUX_HERE)/layout.c $(LINUX_OBJECTS) \
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $^ $(LINUX_LIBS) -o $@
 
-$(LINUX_CHECK)/display: $(LINUX_HERE)/display.c drivers/display_memory.c \
-    drivers/display.h drivers/display_memory.h $(BUILD)/libpel.a
-	@mkdir -p $(@D)
-	@$(CC) $(LINUX_CFLAGS) $(filter-out %.h,$^) -o $@
-
 LINUX_PANEL_WRAPS := open ioctl fcntl nanosleep pel_gpio_open pel_gpio_close pel_gpio_set
 $(LINUX_CHECK)/panel_bus: $(LINUX_HERE)/panel_bus.c $(LINUX_OBJECTS) \
     tests/support/panel_glass.c tests/support/check.c $(BUILD)/libpel.a
@@ -68,7 +63,7 @@ $(LINUX_CHECK)/panel_check: $(LINUX_HERE)/panel_check.c \
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $^ -lcmocka -o $@
 
-$(filter-out %/layout %/display %/panel_bus %/input_devices %/panel_check,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
+$(filter-out %/layout %/panel_bus %/input_devices %/panel_check,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $< -o $@
 
@@ -140,7 +135,6 @@ check-linux: $(BUILD)/pel $(LINUX_TOOLS) $(LINUX_GUEST)
 check-linux: linux-image ## fbdev, DRM, consoles and panels on a real kernel in QEMU
 	@mkdir -p $(LINUX_CHECK)/rows
 	@$(LINUX_CHECK)/layout
-	@$(LINUX_CHECK)/display
 	@$(LINUX_CHECK)/panel_bus
 	@$(LINUX_CHECK)/input_devices
 	@$(LINUX_HERE)/jobs.sh $(BUILD)/pel $(LINUX_CHECK)/jobs
