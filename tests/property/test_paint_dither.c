@@ -290,7 +290,6 @@ static void test_sources_surface(void)
     static const struct pel_rect b = {0, 0, 40, 3};
     struct pel_format own = pel_rgb332;
     struct pel_dither d;
-    own = pel_rgb565_le;
     own.id = 200;
     assert_int_equal(pel_dither_init(&d, &source), PEL_OK);
     canvas_open(&canvas, &pel_rgb332, &b, 0);
