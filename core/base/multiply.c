@@ -8,10 +8,11 @@ int64_t pel_product(int32_t a, int32_t b)
 {
     const uint32_t a0 = (uint32_t)a & 0xFFFF, b0 = (uint32_t)b & 0xFFFF;
     const int32_t a1 = a >> 16, b1 = b >> 16;
-    const int32_t carried = (int32_t)(a0 * b0 >> 16);
-    const int32_t middle = a1 * (int32_t)b0 + (int32_t)a0 * b1 + carried;
+    const uint32_t ends = a0 * b0;
+    const int32_t middle =
+        a1 * (int32_t)b0 + (int32_t)a0 * b1 + (int32_t)(ends >> 16);
     const int32_t high = a1 * b1 + (middle >> 16);
-    const uint32_t low = (uint32_t)a * (uint32_t)b;
+    const uint32_t low = (uint32_t)middle << 16 | (ends & 0xFFFF);
     return (int64_t)((uint64_t)(uint32_t)high << 32 | low);
 }
 

@@ -60,10 +60,80 @@ static inline pel_value16 pel_make_value16(uint32_t pixel)
     return pixel | pixel << 16;
 }
 
+/* n >= 1 pixels: pairs of them as words, once the address allows it. On Arm one
+ * shift tells two bits of a number, as carry and sign, which compilers do not
+ * find; what is left is 8 too few at the end. A frame pointer leaves six
+ * registers. */
+#if defined(__arm__) && defined(__GNUC__)
+static PEL_INLINE_FAST void pel_put_pixels16(pel_word16 *p, int32_t n,
+                                             uint32_t v)
+{
+    register pel_word16 *q __asm__("r0") = p;
+    register int32_t left __asm__("r1") = n;
+    register uint32_t a __asm__("r2") = v;
+    register uint32_t b __asm__("r3");
+    register uint32_t c __asm__("r4");
+    register uint32_t d __asm__("r5");
+    __asm__ volatile(".syntax unified\n\t"
+                     "lsls %4, %0, #31\n\t"
+                     "bcc 1f\n\t"
+                     "strh %5, [%0]\n\t"
+                     "adds %0, #2\n\t"
+                     "subs %1, #1\n"
+                     "1:\t"
+                     "movs %2, %5\n\t"
+                     "subs %1, #8\n\t"
+                     "bcc 3f\n\t"
+                     "movs %3, %5\n\t"
+                     "movs %4, %5\n"
+                     "2:\t"
+                     "stmia %0!, {%5, %2, %3, %4}\n\t"
+                     "subs %1, #8\n\t"
+                     "bcs 2b\n"
+                     "3:\t"
+                     "lsls %4, %1, #30\n\t"
+                     "bcc 4f\n\t"
+                     "stmia %0!, {%5, %2}\n"
+                     "4:\t"
+                     "bpl 5f\n\t"
+                     "stmia %0!, {%5}\n"
+                     "5:\t"
+                     "lsls %4, %1, #31\n\t"
+                     "bpl 6f\n\t"
+                     "strh %5, [%0]\n"
+                     "6:"
+                     : "+l"(q), "+l"(left), "=l"(b), "=l"(c), "=l"(d)
+                     : "l"(a)
+                     : "cc", "memory");
+}
+#else
+static inline void pel_put_pixels16(pel_word16 *p, int32_t n, uint32_t v)
+{
+    if ((uintptr_t)p & 2) {
+        *p++ = (pel_word16)v;
+        n--;
+    }
+    pel_word32 *q = (pel_word32 *)(void *)p;
+    if (n >= 8)
+        q = pel_put_blocks(q, n >> 3, v);
+    /* The rest's bits as signs: a shift and a branch each. */
+    const uint32_t rest = (uint32_t)n << 29;
+    if ((int32_t)rest < 0) {
+        q[0] = v;
+        q[1] = v;
+        q += 2;
+    }
+    if ((int32_t)(rest << 1) < 0)
+        *q++ = v;
+    if (rest << 2)
+        *(pel_word16 *)(void *)q = (pel_word16)v;
+}
+#endif
+
 static inline void pel_span16(pel_word16 *p, int32_t n, pel_value16 v)
 {
     if (n > 0)
-        pel_put_halves(p, n, v);
+        pel_put_pixels16(p, n, v);
 }
 
 #endif

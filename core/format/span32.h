@@ -74,68 +74,37 @@ static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
 
 typedef uint32_t pel_value32;
 
-/* n >= 1 half words of v: its halves are equal, or p is a word's address and n
- * even. On Arm one instruction stores four registers, and one shift tells two
- * bits of a number, as carry and sign: compilers find neither. */
+/* `blocks` >= 1 times 16 bytes of v, and where the next ones go. Arm stores
+ * four registers with one instruction, which compilers do not find. */
 #if defined(__arm__) && defined(__GNUC__)
-static PEL_INLINE_FAST void pel_put_halves(pel_word16 *p, int32_t n, uint32_t v)
+static inline pel_word32 *pel_put_blocks(pel_word32 *q, int32_t blocks,
+                                         uint32_t v)
 {
-    register uint32_t a __asm__("r2") = v;
-    register uint32_t b __asm__("r3");
-    register uint32_t c __asm__("r4");
-    register uint32_t d __asm__("r5");
-    uint32_t left;
-    __asm__ volatile(".syntax unified\n\t"
-                     "lsls %2, %0, #31\n\t"
-                     "bcc 1f\n\t"
-                     "strh %6, [%0]\n\t"
-                     "adds %0, #2\n\t"
-                     "subs %1, #1\n"
-                     "1:\t"
-                     "movs %3, %6\n\t"
-                     "lsrs %2, %1, #3\n\t"
-                     "beq 3f\n\t"
-                     "movs %4, %6\n\t"
-                     "movs %5, %6\n"
-                     "2:\t"
-                     "stmia %0!, {%6, %3, %4, %5}\n\t"
-                     "subs %2, #1\n\t"
-                     "bne 2b\n"
-                     "3:\t"
-                     "lsls %2, %1, #30\n\t"
-                     "bcc 4f\n\t"
-                     "stmia %0!, {%6, %3}\n"
-                     "4:\t"
-                     "bpl 5f\n\t"
-                     "stmia %0!, {%6}\n"
-                     "5:\t"
-                     "lsls %1, %1, #31\n\t"
-                     "bpl 6f\n\t"
-                     "strh %6, [%0]\n"
-                     "6:"
-                     : "+&l"(p), "+&l"(n), "=&l"(left), "=&l"(b), "=&l"(c),
-                       "=&l"(d)
-                     : "l"(a)
+    register uint32_t a __asm__("r3") = v;
+    register uint32_t b __asm__("r4") = v;
+    register uint32_t c __asm__("r5") = v;
+    register uint32_t d __asm__("r6") = v;
+    __asm__ volatile(".syntax unified\n"
+                     "1:\tstmia %0!, {%2, %3, %4, %5}\n"
+                     "\tsubs %1, #1\n"
+                     "\tbne 1b"
+                     : "+l"(q), "+l"(blocks)
+                     : "l"(a), "l"(b), "l"(c), "l"(d)
                      : "cc", "memory");
+    return q;
 }
 #else
-static PEL_INLINE_FAST void pel_put_halves(pel_word16 *p, int32_t n, uint32_t v)
+static inline pel_word32 *pel_put_blocks(pel_word32 *q, int32_t blocks,
+                                         uint32_t v)
 {
-    if ((uintptr_t)p & 2) {
-        *p++ = (pel_word16)v;
-        n--;
-    }
-    pel_word32 *q = (pel_word32 *)(void *)p;
-    for (; n >= 8; n -= 8, q += 4) {
+    do {
         q[0] = v;
         q[1] = v;
         q[2] = v;
         q[3] = v;
-    }
-    for (; n >= 2; n -= 2)
-        *q++ = v;
-    if (n > 0)
-        *(pel_word16 *)(void *)q = (pel_word16)v;
+        q += 4;
+    } while (--blocks);
+    return q;
 }
 #endif
 
@@ -143,8 +112,12 @@ static inline void pel_span32(pel_word32 *p, int32_t n, pel_value32 v,
                               uintptr_t ahead)
 {
     (void)ahead;
-    if (n > 0)
-        pel_put_halves((pel_word16 *)(void *)p, 2 * n, v);
+    if (n <= 0)
+        return;
+    if (n >= 4)
+        p = pel_put_blocks(p, n >> 2, v);
+    for (n &= 3; n > 0; n--)
+        *p++ = v;
 }
 
 #endif
