@@ -100,7 +100,7 @@ int main(int argc, char **argv)
         if (strcmp(argv[1], commands[i].name) == 0)
             return run_command(&commands[i], argc - 1, argv + 1);
     message_error("unknown command %s: expected run, render, view, compare, "
-                  "import, explain, demo, console or input",
+                  "import, info, explain, demo, console or input",
                   argv[1]);
     return STATUS_ERROR;
 }

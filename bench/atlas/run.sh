@@ -85,7 +85,7 @@ join_times() {
     speed-*) rows speed "$bench/pel-bench ${name#speed-}" "$@" ;;
     scene-*) rows scene "$bench/pel-bench-scene CSV ${name#scene-}" "$@" ;;
     matrix) rows matrix "$bench/pel-matrix" "$@" ;;
-    *) rows atlas "$bench/pel-atlas $quick $name" "$@" ;;
+    *) rows atlas "$bench/pel-atlas${quick:+ $quick} $name" "$@" ;;
     esac
 }
 

@@ -2,28 +2,64 @@
 
 #if PEL_FAST_FILLS && PEL_VECTORS
 
-/* The colours of two texels of rgb565_le, the second in the upper half: as
- * pel_texel, both at a time. */
-static inline uint64_t pair_of_565(uint64_t a, uint64_t b)
-{
-    const uint64_t both = UINT64_C(0x100000001), w = a | b << 32;
-    const uint64_t c = (w & 0xF800 * both) << 8 | (w & 0x07E0 * both) << 5 |
-                       (w & 0x001F * both) << 3;
-    return c | (c >> 5 & 0x070007 * both) | (c >> 6 & 0x000300 * both) |
-           0xFF000000 * both;
-}
+/* The bytes of two texels side by side, and of those below them by turns: of
+ * four pixels. */
+struct neighbours {
+    pel_u8x16 of[4];
+};
 
-/* Two texels side by side. */
-static PEL_ALWAYS_INLINE uint64_t pair_at(const uint8_t *line, int kind,
-                                          ptrdiff_t index)
+static PEL_ALWAYS_INLINE pel_u8x16 pair_at(const uint8_t *line, ptrdiff_t index)
 {
     uint64_t pair;
-    if (kind == PEL_TEXTURE_RGB565_LE) {
-        const pel_word16 *w = (const pel_word16 *)(const void *)line + index;
-        return pair_of_565(w[0], w[1]);
-    }
     memcpy(&pair, line + 4 * index, 8);
+    return (pel_u8x16)(pel_u64x2){pair, 0};
+}
+
+static PEL_ALWAYS_INLINE struct neighbours neighbours_32(const uint8_t *top,
+                                                         const uint8_t *low,
+                                                         const int32_t i[4])
+{
+    return (struct neighbours){
+        {pel_zip_low_u8x16(pair_at(top, i[0]), pair_at(low, i[0])),
+         pel_zip_low_u8x16(pair_at(top, i[1]), pair_at(low, i[1])),
+         pel_zip_low_u8x16(pair_at(top, i[2]), pair_at(low, i[2])),
+         pel_zip_low_u8x16(pair_at(top, i[3]), pair_at(low, i[3]))}};
+}
+
+static PEL_ALWAYS_INLINE uint32_t pair_565(const uint8_t *line, ptrdiff_t index)
+{
+    uint32_t pair;
+    memcpy(&pair, line + 2 * index, 4);
     return pair;
+}
+
+/* The colours of eight texels of rgb565_le, as pel_texel: four and four. */
+static PEL_ALWAYS_INLINE void colors_565(const uint8_t *line,
+                                         const int32_t i[4],
+                                         pel_u8x16 colors[2])
+{
+    const pel_u16x8 w =
+        (pel_u16x8)(pel_u32x4){pair_565(line, i[0]), pair_565(line, i[1]),
+                               pair_565(line, i[2]), pair_565(line, i[3])};
+    const pel_u16x8 r = w >> 11, g = w & 0x07E0, b = w & 0x001F;
+    const pel_u16x8 ra = r << 3 | r >> 2 | 0xFF00;
+    const pel_u16x8 bg = g << 5 | (g >> 1 & 0x0300) | b << 3 | b >> 2;
+    colors[0] =
+        (pel_u8x16)PEL_SHUFFLE(pel_u16x8, bg, ra, 0, 8, 1, 9, 2, 10, 3, 11);
+    colors[1] =
+        (pel_u8x16)PEL_SHUFFLE(pel_u16x8, bg, ra, 4, 12, 5, 13, 6, 14, 7, 15);
+}
+
+static PEL_ALWAYS_INLINE struct neighbours neighbours_565(const uint8_t *top,
+                                                          const uint8_t *low,
+                                                          const int32_t i[4])
+{
+    pel_u8x16 ab[2], cd[2];
+    colors_565(top, i, ab);
+    colors_565(low, i, cd);
+    return (struct neighbours){
+        {pel_zip_low_u8x16(ab[0], cd[0]), pel_zip_high_u8x16(ab[0], cd[0]),
+         pel_zip_low_u8x16(ab[1], cd[1]), pel_zip_high_u8x16(ab[1], cd[1])}};
 }
 
 /* a (256 - f) + b f in every lane: a in the lower half of a lane, b in the
@@ -34,14 +70,13 @@ static PEL_ALWAYS_INLINE pel_u32x4 mix(pel_u32x4 ab, pel_u32x4 weights)
     return pel_dot_s16(ab ^ 0x80008000u, weights) + 32768 * 256;
 }
 
-/* A pixel's four channels from its texels a b over c d. Down first: the exact
- * sum is the same in any order, and it is rounded once. */
-static PEL_ALWAYS_INLINE pel_u32x4 channels(uint64_t ab, uint64_t cd,
-                                            pel_u32x4 wu, pel_u32x4 wv)
+/* A pixel's four channels from its texels a b over c d, by turns in `both`.
+ * Down first: the exact sum is the same in any order, and it is rounded once.
+ */
+static PEL_ALWAYS_INLINE pel_u32x4 channels(pel_u8x16 both, pel_u32x4 wu,
+                                            pel_u32x4 wv)
 {
     const pel_u8x16 none = {0};
-    const pel_u8x16 both = pel_zip_low_u8x16((pel_u8x16)(pel_u64x2){ab, 0},
-                                             (pel_u8x16)(pel_u64x2){cd, 0});
     /* Below 256, so that signed products do. */
     const pel_u32x4 ac =
         pel_dot_s16((pel_u32x4)pel_zip_low_u8x16(both, none), wv);
@@ -68,18 +103,17 @@ static PEL_ALWAYS_INLINE pel_u32x4 mixed(const struct pel_texture_steps *s,
     const uint8_t *const top = s->memory, *const low = top + s->stride;
     int32_t i[4];
     pel_texture_four_index(f, &s->lanes, false, i);
-    const pel_u32x4 a =
-        channels(pair_at(top, kind, i[0]), pair_at(low, kind, i[0]),
-                 PEL_LANES(wu, wu, 0, 0, 0, 0), PEL_LANES(wv, wv, 0, 0, 0, 0));
-    const pel_u32x4 b =
-        channels(pair_at(top, kind, i[1]), pair_at(low, kind, i[1]),
-                 PEL_LANES(wu, wu, 1, 1, 1, 1), PEL_LANES(wv, wv, 1, 1, 1, 1));
-    const pel_u32x4 c =
-        channels(pair_at(top, kind, i[2]), pair_at(low, kind, i[2]),
-                 PEL_LANES(wu, wu, 2, 2, 2, 2), PEL_LANES(wv, wv, 2, 2, 2, 2));
-    const pel_u32x4 d =
-        channels(pair_at(top, kind, i[3]), pair_at(low, kind, i[3]),
-                 PEL_LANES(wu, wu, 3, 3, 3, 3), PEL_LANES(wv, wv, 3, 3, 3, 3));
+    const struct neighbours n = kind == PEL_TEXTURE_RGB565_LE
+                                    ? neighbours_565(top, low, i)
+                                    : neighbours_32(top, low, i);
+    const pel_u32x4 a = channels(n.of[0], PEL_LANES(wu, wu, 0, 0, 0, 0),
+                                 PEL_LANES(wv, wv, 0, 0, 0, 0));
+    const pel_u32x4 b = channels(n.of[1], PEL_LANES(wu, wu, 1, 1, 1, 1),
+                                 PEL_LANES(wv, wv, 1, 1, 1, 1));
+    const pel_u32x4 c = channels(n.of[2], PEL_LANES(wu, wu, 2, 2, 2, 2),
+                                 PEL_LANES(wv, wv, 2, 2, 2, 2));
+    const pel_u32x4 d = channels(n.of[3], PEL_LANES(wu, wu, 3, 3, 3, 3),
+                                 PEL_LANES(wv, wv, 3, 3, 3, 3));
     return (pel_u32x4)pel_narrow_u8x16(a, b, c, d) | s->set;
 }
 

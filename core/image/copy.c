@@ -138,7 +138,13 @@ static bool copy_same(const struct pel_surface *surface,
     const size_t size = (size_t)(run.n * f->bits / 8);
     if (key)
         run.skip = f->pack(*key);
-    for (int32_t y = r.y0; y < r.y1; y++) {
+    int32_t y = r.y0;
+    if (PEL_64BIT && whole) /* a loop that is short of no register */
+        for (; y < r.y1; y++)
+            memcpy((uint8_t *)pel_surface_line(surface, y) + to / 8,
+                   (uint8_t *)pel_surface_line(source, y - dy) + from / 8,
+                   size);
+    for (; y < r.y1; y++) {
         run.to = (uint8_t *)pel_surface_line(surface, y) + to / 8;
         run.from = (uint8_t *)pel_surface_line(source, y - dy) + from / 8;
         if (key)

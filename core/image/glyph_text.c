@@ -4,7 +4,12 @@
 
 /* Rows that are handed to a paint at a time, and their columns, which fit a
  * word with the up to 7 bits of a byte before them. */
-enum { ROWS = PEL_BATCH_ROWS < 16 ? PEL_BATCH_ROWS : 16, COLUMNS = 24 };
+enum {
+    ROWS = PEL_64BIT && PEL_BATCH_ROWS > 16 ? 16
+           : PEL_KNOW_SIDES                 ? PEL_BATCH_ROWS
+                                            : PEL_BATCH_ROWS / 2,
+    COLUMNS = 24
+};
 
 /* A part of a glyph at pixel x: of each row the bits left of its span, the last
  * one in the low bit. */
@@ -40,7 +45,7 @@ static uint32_t bits_at(const uint8_t *row, int32_t x0, int32_t x1)
 /* Sets the span of each row to the next run of set bits on its left, or empty
  * at pixel `left`, and returns whether there are more. (Compilers for any
  * x86-64 count zeros from the low bit in one fast instruction.) */
-static bool next_runs(struct part *p, int32_t left)
+static PEL_INLINE_FAST bool next_runs(struct part *p, int32_t left)
 {
     uint32_t more = 0;
     for (int32_t i = 0; i < p->rows.n; i++) {
@@ -56,10 +61,9 @@ static bool next_runs(struct part *p, int32_t left)
     return more != 0;
 }
 
-/* Paints the columns of rows from `row` on. */
-static void fill_part(struct part *p, const uint8_t *row, int32_t stride,
-                      const struct pel_span *columns,
-                      const struct pel_paint *paint)
+/* Takes the columns of rows from `row` on; false when no bit is set. */
+static PEL_INLINE_FAST bool take(struct part *p, const uint8_t *row,
+                                 int32_t stride, const struct pel_span *columns)
 {
     uint32_t all = 0;
     for (int32_t i = 0; i < p->rows.n; i++, row += stride) {
@@ -67,10 +71,7 @@ static void fill_part(struct part *p, const uint8_t *row, int32_t stride,
         p->bits[i] = bits_at(row, columns->x0 - p->x, columns->x1 - p->x);
         all |= p->bits[i];
     }
-    for (bool more = all != 0; more;) {
-        more = next_runs(p, columns->x0);
-        paint->fill(paint, &p->rows);
-    }
+    return all != 0;
 }
 
 static bool legal(const struct pel_stencil *g, int32_t x, int32_t y)
@@ -100,7 +101,11 @@ void pel_glyph(const struct pel_surface *surface,
         p.rows.n = pel_min(r.y1 - p.rows.y, ROWS);
         for (; columns.x0 < r.x1; columns.x0 = columns.x1) {
             columns.x1 = pel_min(columns.x0 + COLUMNS, r.x1);
-            fill_part(&p, row, glyph->stride, &columns, paint);
+            bool more = take(&p, row, glyph->stride, &columns);
+            while (more) {
+                more = next_runs(&p, columns.x0);
+                paint->fill(paint, &p.rows);
+            }
         }
     }
 }

@@ -65,8 +65,7 @@ static inline void set_place(const struct pel_phong_quick *p, uint64_t a,
     at->eye = 0;
     if (p->dull)
         return;
-    const number all =
-        ONE + times(d, ONE + times(d, ONE + times(d, ONE + d)));
+    const number all = ONE + times(d, ONE + times(d, ONE + times(d, ONE + d)));
     at->eye = times(value_at(&p->eye, at->a, at->b), 2 * all);
 }
 

@@ -8,8 +8,9 @@
  *     R.V = 2 (n.L) (n.V) (1 + d + d^2 + d^3 + d^4) - L.V
  *
  * are off by less than 3/8 d^4 and 2 d^5 for |d| <= 1/4: what the series of
- * (1 - d)^(-1/2), whose next term is 35/128 d^4, and of (1 - d)^-1 leave. All dot products are polynomials
- * of degree 2 of two weights, which are linear on screen. */
+ * (1 - d)^(-1/2), whose next term is 35/128 d^4, and of (1 - d)^-1 leave. All
+ * dot products are polynomials of degree 2 of two weights, which are linear on
+ * screen. */
 #ifndef PEL_SCENE_PAINT_PHONG_QUICK_H
 #define PEL_SCENE_PAINT_PHONG_QUICK_H
 

@@ -317,8 +317,8 @@ static void test_what_cannot_be_seen_is_refused(void)
     assert_int_equal(prepare(&bad), PEL_ERROR_NULL);
 }
 
-/* A plane of a million triangles, seen from above: no gap, and of those in whose
- * box no pixel centre lies none is listed. */
+/* A plane of a million triangles, seen from above: no gap, and of those in
+ * whose box no pixel centre lies none is listed. */
 static void test_a_million_triangles(void)
 {
     enum { CELLS = 708 };
