@@ -74,8 +74,7 @@ static PEL_INLINE_FAST void pel_put_pixels16(pel_word16 *p, int32_t n,
     register uint32_t b __asm__("r3");
     register uint32_t c __asm__("r4");
     register uint32_t d __asm__("r5");
-    __asm__ volatile(".syntax unified\n\t"
-                     "lsls %4, %0, #31\n\t"
+    __asm__ volatile(".syntax unified; lsls %4, %0, #31\n\t"
                      "bcc 1f\n\t"
                      "strh %5, [%0]\n\t"
                      "adds %0, #2\n\t"
