@@ -151,8 +151,8 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     }
 }
 
-/* From a row of a gradient that is level and grows downwards to the next one: a
- * few cells on, without a division. */
+/* From a row of a vertical gradient that runs downwards to the next row: a few
+ * cells on, without a division. */
 static void move_down(struct pel_cells *c, const struct pel_linear *p)
 {
     const struct pel_gradient *g = &p->base;
@@ -169,10 +169,10 @@ static void move_down(struct pel_cells *c, const struct pel_linear *p)
     }
 }
 
-/* Of a level gradient a row is of one colour; those that look alike are drawn
- * together. */
-static void fill_level(const struct pel_linear *p,
-                       const struct pel_spans *spans)
+/* A row of a vertical gradient has one colour. Neighbouring rows of one pixel
+ * value are drawn together. */
+static void fill_vertical(const struct pel_linear *p,
+                          const struct pel_spans *spans)
 {
     struct pel_cells c;
     struct pel_spans rows = *spans;
@@ -207,9 +207,10 @@ static bool is_opaque(const struct pel_ramp *ramp)
     return pel_alpha(all) == 255;
 }
 
-/* The row whose span holds all others, where its bytes are those of all: of an
- * upright gradient, opaque, in a format whose pixels are bytes of their own.
- * -1: none. */
+/* All rows of a horizontal gradient are alike, so one is drawn and copied to
+ * the others: the row whose span holds all of theirs. -1: there is none, or
+ * copies would be wrong (colours are blended, pixels share bytes, or the format
+ * is a dither's or the program's own). */
 static int32_t find_model(const struct pel_linear *p,
                           const struct pel_spans *spans)
 {
@@ -257,7 +258,7 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
         drawn.n = 1;
     }
     if (PEL_CELL_ROWS > 1 && p->d.x == 0)
-        fill_level(p, spans);
+        fill_vertical(p, spans);
     else
         pel_cells_fill(paint, &drawn, most, start, end_cells);
     if (model >= 0)
