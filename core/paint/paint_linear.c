@@ -151,8 +151,8 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     }
 }
 
-/* From a row of a vertical gradient that runs downwards to the next row: a few
- * cells on, without a division. */
+/* From a row of a gradient that is level and grows downwards to the next one: a
+ * few cells on, without a division. */
 static void move_down(struct pel_cells *c, const struct pel_linear *p)
 {
     const struct pel_gradient *g = &p->base;
@@ -171,8 +171,8 @@ static void move_down(struct pel_cells *c, const struct pel_linear *p)
 
 /* A row of a vertical gradient has one colour. Neighbouring rows of one pixel
  * value are drawn together. */
-static void fill_vertical(const struct pel_linear *p,
-                          const struct pel_spans *spans)
+static void fill_level(const struct pel_linear *p,
+                       const struct pel_spans *spans)
 {
     struct pel_cells c;
     struct pel_spans rows = *spans;
@@ -258,7 +258,7 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
         drawn.n = 1;
     }
     if (PEL_CELL_ROWS > 1 && p->d.x == 0)
-        fill_vertical(p, spans);
+        fill_level(p, spans);
     else
         pel_cells_fill(paint, &drawn, most, start, end_cells);
     if (model >= 0)
