@@ -37,10 +37,10 @@ static PEL_ALWAYS_INLINE void ask_ahead(const struct pel_surface *s,
 {
     enum { ROWS_AHEAD = 4 };
     const int32_t bits = s->format->bits;
-    const ptrdiff_t row =
-        (ptrdiff_t)(y + ROWS_AHEAD - s->bounds.y0) * s->stride;
-    const int32_t column = (r->x0 - s->bounds.x0) * bits / 8;
-    pel_prefetch_span((uintptr_t)s->pixels + (uintptr_t)(row + column),
+    const uintptr_t row =
+        (uintptr_t)(y + ROWS_AHEAD - s->bounds.y0) * (uintptr_t)s->stride;
+    const uintptr_t column = (uintptr_t)((r->x0 - s->bounds.x0) * bits / 8);
+    pel_prefetch_span((uintptr_t)s->pixels + row + column,
                       (r->x1 - r->x0) * bits / 8);
 }
 

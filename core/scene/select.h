@@ -47,9 +47,11 @@ extern const struct pel_mapping pel_map_chosen;
 
 /* 16 where depths of 16 bits are proven to show what those of 32 bits show of a
  * prepared frame; 32 elsewhere. The caller knows of the scene that of two
- * triangles in a pixel one lies `gap` or more behind the other. There is none
- * where triangles touch or cross, nor between front and back at the outline of
- * a mesh: cull one side. There is no proof when some vertex is cut off.
+ * triangles in a pixel all that is there of one lies `gap` or more behind all
+ * of the other: corners move by up to a sub-pixel, and steep triangles get
+ * other depths. There is no gap where triangles touch or cross, nor between
+ * front and back at the outline of a mesh: cull one side. There is no proof
+ * when some vertex is cut off, or `gap` is not above 0.
  *
  * Let the vertices lie from `first` to `far`, in coarse units: z is cut by less
  * than one. Then near / z of both triangles differ by at least
