@@ -34,8 +34,8 @@
 #endif
 
 /* 1 on CPUs that multiply 32 by 32 to 64 bits with one instruction or two: Arm
- * but for the first Thumb, as on Cortex-M0 and M23, RISC-V with M, and Xtensa
- * but for the ESP8266, which has no windowed ABI. */
+ * but for Thumb-1 (Cortex-M0, M0+, M23), RISC-V with M, and Xtensa but for the
+ * ESP8266, which has no windowed ABI. */
 #if defined(PEL_LONG_MULTIPLY)
 #elif (defined(__ARM_ARCH) && (!defined(__thumb__) || defined(__thumb2__))) || \
     defined(__i386__) || defined(__riscv_mul) ||                               \

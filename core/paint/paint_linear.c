@@ -169,8 +169,8 @@ static void move_down(struct pel_cells *c, const struct pel_linear *p)
     }
 }
 
-/* Of a level gradient a row is of one colour; those that look alike are drawn
- * together. */
+/* A row of a vertical gradient has one colour. Neighbouring rows of one pixel
+ * value are drawn together. */
 static void fill_level(const struct pel_linear *p,
                        const struct pel_spans *spans)
 {
@@ -207,9 +207,10 @@ static bool is_opaque(const struct pel_ramp *ramp)
     return pel_alpha(all) == 255;
 }
 
-/* The row whose span holds all others, where its bytes are those of all: of an
- * upright gradient, opaque, in a format whose pixels are bytes of their own.
- * -1: none. */
+/* All rows of a horizontal gradient are alike, so one is drawn and copied to
+ * the others: the row whose span holds all of theirs. -1: there is none, or
+ * copies would be wrong (colours are blended, pixels share bytes, or the format
+ * is a dither's or the program's own). */
 static int32_t find_model(const struct pel_linear *p,
                           const struct pel_spans *spans)
 {
