@@ -38,10 +38,11 @@ struct pel_cells {
 
     int32_t place; /* of the next cell */
 
-    /* The kind's own: where the present cell begins, a radius or an angle, and
-     * what the floor drops of it; of a linear one's small code how many are
-     * still walked. */
-    int32_t whole, rest;
+    /* Of a radial gradient the radius where the present cell begins, of a conic
+     * one the angle, rounded down; of a linear one, where code is to be small,
+     * how many cells are walked before one is looked up. */
+    int32_t whole;
+    int32_t rest; /* of the radius or angle, or of a linear one's error */
 
 #if PEL_KNOW_SIDES
     const struct pel_span *span; /* the shape's, of these rows */

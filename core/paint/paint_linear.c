@@ -296,7 +296,8 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
     const bool far = pel_size_of(p->d.y) > 8 * p->d.x;
-    const int32_t most = p->by_pixel || far ? 1 : PEL_CELL_ROWS;
+    const int32_t most =
+        PEL_CELL_ROWS == 1 || p->by_pixel || far ? 1 : PEL_CELL_ROWS;
     const int32_t model = PEL_CELL_ROWS > 1 ? find_model(p, spans) : -1;
     struct pel_spans drawn = *spans;
     if (model >= 0) {

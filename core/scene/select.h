@@ -18,22 +18,22 @@ enum pel_method {
     PEL_METHODS
 };
 
-/* pel_shade_phong to scene->tolerance: exact where that is 0. Lights are left
- * out of the frame while all that these could add to a white surface is within
- * a quarter of the tolerance. */
+/* Shades as pel_shade_phong to scene->tolerance: exactly where that is 0. It
+ * leaves lights out of the frame while all that these could add to a white
+ * surface is within a quarter of the tolerance. */
 extern const struct pel_shading pel_shade_chosen;
 
 /* Its `start`. */
 enum pel_status pel_frame_start_chosen(struct pel_frame *frame);
 
-/* The texture's sampler to scene->tolerance: nearest texels instead of bilinear
- * ones where the texture's contrast (texture_contrast.h), times the brightest
- * light, is within it, or within half of it in a scene with light.
- * pel_shade_chosen keeps to what is left.
+/* Samples to scene->tolerance: a bilinear texture gives its nearest texels
+ * where its contrast (texture_contrast.h), times the brightest light, is within
+ * the tolerance, or within half of it in a scene with light. pel_shade_chosen
+ * keeps to what is left.
  *
- * pel_map_perspective to scene->texel_tolerance: affine, or divided every 64,
- * 32 ... 2 pixels, or at every one. With r the ratio of the largest distance to
- * the smallest and u the texels,
+ * Maps as pel_map_perspective to scene->texel_tolerance: affine, or divided
+ * every 64, 32 ... 2 pixels, or at every one. With r the ratio of the largest
+ * distance to the smallest and u the texels, the error is
  *
  *     affine   u (r - 1) / 4 or less, of a triangle;
  *     span     the same, of a span.
