@@ -9,17 +9,18 @@ PEL_BEGIN_DECLS
 
 /* "PELI", and the version of the struct. */
 #define PEL_IMAGE_MAGIC UINT32_C(0x494C4550)
-enum { PEL_IMAGE_VERSION = 2 };
+enum { PEL_IMAGE_VERSION = 1 };
 
 struct pel_image_asset {
     uint32_t magic;         /* PEL_IMAGE_MAGIC */
     uint8_t version;        /* PEL_IMAGE_VERSION */
     uint8_t format;         /* enum pel_format_id of the pixels */
     uint16_t width, height; /* px, 1..32,767 */
-    uint8_t contrast;       /* pel_texels_contrast, 0: not known */
     int32_t stride;         /* bytes to the next row (page) down */
     uint32_t size;          /* bytes of pixels */
     const void *pixels;     /* aligned to 4 bytes */
+    uint8_t contrast;       /* pel_texels_contrast; 0: not known, as in assets
+                               written before it was there */
 };
 
 /* Rows of memory: rows of pixels, or pages of eight of them. */

@@ -96,10 +96,12 @@ static pel_sampler *sampler(struct pel_frame *frame)
 {
     const struct pel_mesh_texture *t = frame->mesh_texture;
     const bool lit = frame->lights.lighting;
+    if (t->contrast == 0 || t->sampler == pel_texture_init_nearest ||
+        frame->room < 0)
+        return t->sampler;
     const uint64_t most = lit ? brightest(&frame->lights) : 65536;
     const uint64_t error = ((t->contrast - UINT64_C(1)) * most + 255) >> 8;
-    if (t->contrast == 0 || t->sampler == pel_texture_init_nearest ||
-        frame->room < 0 || error > (uint32_t)frame->room >> lit)
+    if (error > (uint32_t)frame->room >> lit)
         return t->sampler;
     frame->room -= (int32_t)error;
     return pel_texture_init_nearest;

@@ -6,16 +6,17 @@
 
 PEL_BEGIN_DECLS
 
-/* Set to 0 by the caller; it only grows. Pixels are those that are drawn, so
- * with a depth buffer not those that it hides; each is counted as often as it
- * is drawn. Triangles count once for each band, and for each of the two passes
- * through a depth buffer that translucent ones need. */
+/* Set to 0 by the caller; counts grow from frame to frame. Pixels are those
+ * that are drawn, so with a depth buffer not those that it hides; each is
+ * counted as often as it is drawn. Triangles count once for each band, and for
+ * each of the two passes through a depth buffer that translucent ones need. */
 struct pel_stats {
     struct {
         uint32_t triangles; /* cut ones count as often as they have parts */
         uint64_t pixels;
     } method[PEL_METHODS];
-    uint32_t bound;          /* the largest, 1/256 step */
+    uint32_t nearest; /* triangles, with nearest instead of bilinear texels */
+    uint32_t bound;   /* the largest of all frames, 1/256 step */
     int32_t lights_left_out; /* of the last frame */
 
     struct pel_color_paint paint; /* stands before the triangle's own */

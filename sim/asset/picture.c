@@ -94,11 +94,10 @@ static void write_asset(struct import_text *text,
     import_struct_begin(text);
     fprintf(out, "    PEL_IMAGE_MAGIC,\n    PEL_IMAGE_VERSION,\n");
     fprintf(out, "    %u, /* %s */\n", image.format, name_of(surface->format));
-    fprintf(out, "    %u,\n    %u,\n    %u,\n", image.width, image.height,
-            contrast_of(surface, picture));
+    fprintf(out, "    %u,\n    %u,\n", image.width, image.height);
     fprintf(out, "    %ld,\n    %lu,\n    %s_pixels.bytes,\n",
             (long)image.stride, (unsigned long)image.size, name);
-    fprintf(out, "};\n");
+    fprintf(out, "    %u,\n};\n", contrast_of(surface, picture));
 }
 
 /* As pel_argb8888 loads them; nothing that is drawn there keeps its alpha. */

@@ -38,7 +38,8 @@ static const struct option_row options[] = {
      OPTION_CHOICE, .offset = AT(lines), .n = sizeof(bool),
      .expected = "nothing|line"},
     {"time", NULL,
-     "print the milliseconds that the drawing took on standard error",
+     "print on standard error the milliseconds that the drawing took, what "
+     "decided who is in front, and where depths of 16 bits are enough",
      OPTION_FLAG, .offset = AT(timed)},
     {"stats", NULL,
      "for Phong: print the triangles and pixels that each method drew (flat, "
@@ -64,12 +65,15 @@ static const char *output_of(const struct render_options *o)
 static bool check_methods(const struct render_options *o)
 {
     const struct scene_settings *s = &o->scene.settings;
-    const char *name = s->stats           ? "stats"
-                       : s->show_methods  ? "show-methods"
-                       : s->tolerance > 0 ? "tolerance"
-                                          : NULL;
+    const char *name = s->stats          ? "stats"
+                       : s->show_methods ? "show-methods"
+                                         : NULL;
     if (name && s->shade != SCENE_PHONG)
         return message_error("--%s is about --shade phong", name);
+    if (s->tolerance > 0 && !scene_has_choice(s))
+        return message_error("--tolerance is for --shade phong and for "
+                             "bilinear textures in perspective: expected one "
+                             "of them");
     return !s->stats || !s->show_methods ||
            message_error("--stats counts what --show-methods does not draw: "
                          "expected one of them");
@@ -250,6 +254,7 @@ static void print_stats(const struct pel_stats *stats)
                 (unsigned)stats->method[i].triangles,
                 (unsigned long long)stats->method[i].pixels);
     fprintf(stderr, "the largest bound: %.2f steps\n", stats->bound / 256.);
+    fprintf(stderr, "nearest texels: %u triangles\n", (unsigned)stats->nearest);
     fprintf(stderr, "lights left out: %d\n", (int)stats->lights_left_out);
 }
 

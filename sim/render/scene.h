@@ -124,6 +124,14 @@ extern const struct pel_shading scene_shade_methods;
  * the right order, both sides, ka 0.3, kd 0.7, ks 0.3, shininess 20. */
 extern const struct scene_settings scene_default;
 
+/* Is there something for a tolerance to choose? Phong shading, or nearest
+ * texels instead of bilinear ones, where the model has a texture. */
+static inline bool scene_has_choice(const struct scene_settings *s)
+{
+    return s->shade == SCENE_PHONG || (s->texture == SCENE_TEXTURE_BILINEAR &&
+                                       s->mapping == SCENE_MAP_PERSPECTIVE);
+}
+
 /* The scene of core and its parts. It must not be moved: it points into
  * itself. */
 struct scene {

@@ -122,9 +122,9 @@ const struct option_row scene_option_table[] = {
     {"shade", "MODE", "flat, gouraud (default) or phong",
      CHOICE(settings.shade, SCENE_SHADES)},
     {"tolerance", "STEPS",
-     "for Phong: the cheapest method of each triangle, without lights and with "
-     "nearest texels where that is proven to be within so many steps of 255 "
-     "(default: 0, exact)",
+     "the cheapest that is proven to be within so many steps of 255: of Phong "
+     "the method of each triangle, without dim lights; nearest texels instead "
+     "of bilinear ones (default: 0, exact)",
      NUMBERS(settings.tolerance, 1, 0, 0, 255,
              "a number from 0 to 255, such as 2")},
     {"color", "COLOUR", "#rrggbb for the whole mesh, instead of its colours",

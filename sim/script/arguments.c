@@ -68,6 +68,7 @@ static bool parse_number(const struct script_place *place,
         {KIND_MEASURE, 65536, 1, WORLD, "a decimal above 0, up to 16384"},
         {KIND_FACTOR, 65536, 0, 16 * 65536 - 1,
          "a decimal from 0 to less than 16"},
+        {KIND_TEXELS, 65536, 0, 256 * 65536, "a decimal from 0 to 256"},
     };
     const struct range *r = ranges;
     int64_t v;

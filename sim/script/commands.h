@@ -68,6 +68,7 @@ enum script_kind {
     KIND_PLACE = 'x',   /* world units, in 65,536ths */
     KIND_FACTOR = 'k',  /* in 65,536ths */
     KIND_MEASURE = 'm', /* above 0, in 65,536ths */
+    KIND_TEXELS = 'u',  /* in 65,536ths */
     KIND_SHININESS = 'e',
     KIND_CHOICE = 'o',  /* a name of the usage A|B|C; its index there */
     KIND_FILE = 'Q',    /* its path's index among the texts */

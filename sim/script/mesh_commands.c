@@ -163,7 +163,7 @@ const struct script_command script_mesh_commands[] = {
     ACTION("material", "kkke", "KA KD KS SHININESS", set_material),
     SETTING("shade", "o", SCENE_SHADES, settings.shade),
     ACTION("option mesh tolerance", "b", "0..255", set_tolerance),
-    SETTING("option mesh texel_tolerance", "k", "TEXELS",
+    SETTING("option mesh texel_tolerance", "u", "TEXELS",
             settings.texel_tolerance),
     SETTING("option mesh light", "o", "auto|on|off", settings.lit),
     ACTION("option mesh terms", "o", "all|ambient|diffuse|specular", set_terms),

@@ -15,7 +15,7 @@
     "  l                   light on or off (Phong has it always)\n"          \
     "  1 to 9              that light on or off\n"                           \
     "  a d s               ambient, diffuse, specular light on or off\n"     \
-    "  e                   Phong's tolerance: 0, 1, 2, 4 or 8 steps\n"       \
+    "  e                   tolerance: 0, 1, 2, 4 or 8 steps of 255\n"        \
     "  m                   Phong's methods in colours (pel render --help)\n" \
     "  z                   painter's order or z-buffer\n"                    \
     "  r                   back to the start\n"                              \

@@ -1,6 +1,6 @@
-/* Depths of 16 bits where pel_scene_depth_bits allows them: two triangles that
- * face the eye, the nearer one wins in any order; with a quarter of the gap it
- * often does not. */
+/* Depths of 16 bits where pel_scene_depth_bits allows them: of two triangles
+ * that face the eye the nearer one wins in any order, with a quarter of the gap
+ * it often does not; two tilted ones look as with 32 bits. */
 #include "core/scene/select.h"
 #include "tests/support/any_scene.h"
 #include "tests/support/check.h"
@@ -44,17 +44,23 @@ static void place(int32_t z, int32_t gap, bool swapped)
     }
 }
 
-/* Is the nearer one seen where it is? The middle of the picture is. */
-static bool is_right(const struct pel_frame *prepared, int bits, bool swapped)
+static void draw(const struct pel_frame *prepared, int bits,
+                 struct canvas *canvas)
 {
     static uint32_t depths[SIDE * SIDE];
-    static struct canvas canvas;
     struct pel_frame frame = *prepared;
     const struct pel_rect *v = &frame.scene->viewport;
     struct pel_depth depth;
     pel_depth_init(&depth, v, bits, depths, sizeof depths);
-    canvas_open(&canvas, &pel_xrgb8888, v, 0);
-    pel_scene_draw_depth(&frame, &canvas.surface, &depth);
+    canvas_open(canvas, &pel_xrgb8888, v, 0);
+    pel_scene_draw_depth(&frame, &canvas->surface, &depth);
+}
+
+/* Is the nearer one seen where it is? The middle of the picture is. */
+static bool is_right(const struct pel_frame *frame, int bits, bool swapped)
+{
+    static struct canvas canvas;
+    draw(frame, bits, &canvas);
     return (canvas_pixel(&canvas, SIDE / 2, SIDE / 2) & 255) ==
            (swapped ? 1 : 2);
 }
@@ -64,7 +70,6 @@ static int prepare(const struct pel_scene *scene, struct pel_frame *frame,
 {
     assert_int_equal(pel_scene_prepare(frame, scene, scratch, sizeof scratch),
                      PEL_OK);
-    assert_int_equal(frame->triangles, 2);
     return pel_scene_depth_bits(frame, gap * (PEL_UNITS(1) / UNIT));
 }
 
@@ -111,7 +116,81 @@ static void test_no_gap(void)
     }
 }
 
+/* Corners of a tilted triangle at distances of least to 3/2 least; the last one
+ * of a sliver is in the middle of the others, or almost. */
+static void any_corners(struct random *r, int32_t corner[3][3], int32_t least,
+                        bool sliver)
+{
+    for (int i = 0; i < 3; i++) {
+        const int32_t z = random_between(r, least, 3 * least / 2);
+        corner[i][0] = random_between(r, -z, z) / 2;
+        corner[i][1] = random_between(r, -z, z) / 2;
+        corner[i][2] = -z;
+    }
+    for (int k = 0; k < 3 && sliver; k++)
+        corner[2][k] =
+            (corner[0][k] + corner[1][k]) / 2 + random_between(r, -1, 1);
+}
+
+/* The triangle so many times as far, and one in the plane that is `behind`
+ * times as far, which hides the same of the picture or more. */
+static void place_tilted(int32_t corner[3][3], int32_t times, int32_t behind,
+                         bool swapped, bool more)
+{
+    for (int i = 0; i < 6; i++)
+        for (int k = 0; k < 3; k++) {
+            const int32_t c = corner[i % 3][k];
+            const int32_t wide = more ? 2 * c - corner[(i + 1) % 3][k] : c;
+            const bool near = (i < 3) == swapped;
+            positions[i][k] = (int16_t)(near ? times * c : behind * wide);
+        }
+}
+
+static bool is_same(const struct pel_scene *scene)
+{
+    static struct canvas coarse, fine;
+    struct pel_frame frame;
+    prepare(scene, &frame, 0);
+    draw(&frame, 16, &coarse);
+    draw(&frame, 32, &fine);
+    return canvas_difference(&coarse, &fine) == 0;
+}
+
+/* Of near planes ever nearer the last one that 16 bits are enough for has the
+ * least to spare; at 1/8 of it they often are not. */
+static void test_tilted_planes_and_slivers(void)
+{
+    uint32_t allowed = 0, wrong[2] = {0};
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        struct pel_scene scene = any_view(&c.random);
+        struct pel_frame frame;
+        int32_t corner[3][3], *near = &scene.camera.near_plane;
+        const uint32_t kind = random_word(&c.random);
+        const int32_t times = random_between(&c.random, 2, 60);
+        const int32_t behind = times + random_between(&c.random, 1, 4);
+        const int32_t least = 16000 / 3 / behind;
+        any_corners(&c.random, corner, least, kind & 1);
+        place_tilted(corner, times, behind, kind & 2, kind & 4);
+        scene.camera.projection = PEL_PERSPECTIVE;
+        for (*near = least * times * (PEL_UNITS(1) / UNIT / 2);
+             prepare(&scene, &frame, least * (behind - times)) == 16;)
+            *near -= *near / 8;
+        *near += *near / 7 + 1;
+        if (prepare(&scene, &frame, least * (behind - times)) == 32)
+            continue;
+        allowed++;
+        if (!is_same(&scene))
+            fail_msg("16 bits differ; %s", cases_replay());
+        *near /= 8;
+        wrong[kind & 1] += !is_same(&scene);
+    }
+    print_message("%u allowed, %u and %u wrong from 1/8 of the near plane\n",
+                  allowed, wrong[0], wrong[1]);
+    assert_true(wrong[0] > 0 && wrong[1] > 0);
+}
+
 int main(void)
 {
     return RUN_TESTS(test_the_nearer_one_wins, test_no_gap);
+    return RUN_TESTS(test_the_nearer_one_wins, test_tilted_planes_and_slivers);
 }

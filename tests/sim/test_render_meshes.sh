@@ -49,9 +49,9 @@ shade phong
 option mesh tolerance 4
 mesh builtin:vase
 END
-as --texture-file "$work/four.ppm" --texel-tolerance 1.5 <<'END'
+as --texture-file "$work/four.ppm" --texel-tolerance 255.5 <<'END'
 texture four.ppm
-option mesh texel_tolerance 1.5
+option mesh texel_tolerance 255.5
 mesh builtin:vase
 END
 for term in ambient diffuse specular; do
