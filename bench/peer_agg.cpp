@@ -35,7 +35,7 @@ static color color_of(uint32_t c, unsigned alpha = 255)
     return color(c >> 16 & 255, c >> 8 & 255, c & 255, alpha);
 }
 
-/* The colours of a ramp, as span_gradient asks for them. */
+/* The colors of a ramp, as span_gradient asks for them. */
 struct ramp {
     const color *at;
     static unsigned size()

@@ -4,7 +4,7 @@
 
 #include "core/scene/mesh.h"
 
-/* Owns the arrays of `mesh`, which has normals, uv and colours. */
+/* Owns the arrays of `mesh`, which has normals, uv and colors. */
 struct bench_mesh {
     const char *name;
     struct pel_mesh mesh;

@@ -22,10 +22,10 @@ enum form {
 };
 
 /* Linear gradients run from corner (0, 0) of the canvas to the shape's vertex
- * 2, the others are about its centre, to half its width; two colours, and the
+ * 2, the others are about its centre, to half its width; two colors, and the
  * _STOPS have a third in the middle. PAINT_DITHERED is the sloped one. A fan
  * has its hub in the centre. Textures show TEXTURE_SIDE^2 texels at unit scale,
- * turned; large triangles repeat them. Copies have no colours but those of the
+ * turned; large triangles repeat them. Copies have no colors but those of the
  * sprite. */
 enum paint {
     PAINT_FLAT,
@@ -83,12 +83,12 @@ void workload_close(struct workload *w);
 
 enum { TEXTURE_SIDE = 256 };
 
-/* 0xFFRRGGBB, line by line, of random colours as shapes have them. */
+/* 0xFFRRGGBB, line by line, of random colors as shapes have them. */
 const uint32_t *workload_texture(void);
 
 enum { SPRITE_SIDE = 64, SPRITE_KEY = 0xFF00FF };
 
-/* 0xAARRGGBB, line by line, of random colours: a square; with PAINT_KEYED a
+/* 0xAARRGGBB, line by line, of random colors: a square; with PAINT_KEYED a
  * disc in a square of the key; with PAINT_COPY_ALPHA one with a soft rim in
  * nothing. It stays until the next call. */
 const uint32_t *workload_sprite(enum paint paint);

@@ -71,7 +71,7 @@
 #define PEL_BATCH_ROWS (PEL_64BIT ? 255 : PEL_KNOW_SIDES ? 8 : 4)
 #endif
 
-/* Pixels of the colour buffer between a paint and a format, 4 to 255: 4 bytes
+/* Pixels of the color buffer between a paint and a format, 4 to 255: 4 bytes
  * of stack each. */
 #ifndef PEL_BUFFER_PIXELS
 #define PEL_BUFFER_PIXELS (PEL_64BIT ? 32 : PEL_KNOW_SIDES ? 16 : 4)

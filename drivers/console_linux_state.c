@@ -39,7 +39,7 @@ static int save_terminal(struct pel_console_state *s,
     return 0;
 }
 
-/* Only palettes and direct colour get a colour map of ours. */
+/* Only palettes and direct color get a color map of ours. */
 static int save_framebuffer(struct pel_console_state *s,
                             struct pel_message *message)
 {

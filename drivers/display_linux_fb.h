@@ -4,7 +4,7 @@
  * lines from line_length, the visible part from xoffset and yoffset. Supported:
  * rgb565_le, bgr565_le, xrgb1555_le, rgb888, bgr888, xrgb8888, xbgr8888,
  * rgbx8888, bgrx8888, rgb332 (as such, or on 8-bit palettes, which get a 3-3-2
- * colour map), gray8. Any other layout is refused, its values printed.
+ * color map), gray8. Any other layout is refused, its values printed.
  *
  * begin gives a surface in the device's format, and there are three ways:
  *     pages   two pages of device memory; begin gives the hidden one, flip pans
@@ -57,9 +57,9 @@ struct pel_display_fb {
 
 enum { PEL_FB_COLORS = 256 };
 
-/* The colour map that a mode of this format needs: red, green and blue of each
+/* The color map that a mode of this format needs: red, green and blue of each
  * value. Palettes get 3 bits of red, 3 of green, 2 of blue, as in the index, or
- * grey; direct colour a ramp in each channel. The number of entries; 0: none
+ * grey; direct color a ramp in each channel. The number of entries; 0: none
  * needed. `format` is what pel_fb_format found for the mode. */
 uint32_t pel_fb_color_map(const struct pel_fb_mode *mode,
                           const struct pel_format *format,
@@ -75,12 +75,12 @@ int pel_display_fb_open(struct pel_display_fb *fb, const char *path,
                         struct pel_message *message);
 
 /* Reads the mode again, which a switch of terminals may have changed since,
- * sets colour map and pages, and fills `display`. An errno, or 0. The caller
+ * sets color map and pages, and fills `display`. An errno, or 0. The caller
  * saved the device's state before (console_linux_state.h) and restores it. */
 int pel_display_fb_start(struct pel_display *display, struct pel_display_fb *fb,
                          enum pel_fb_way way);
 
-/* Sets mode and colour map again, after another program had the screen. */
+/* Sets mode and color map again, after another program had the screen. */
 void pel_display_fb_enter(struct pel_display_fb *fb);
 
 /* Releases memory and descriptor; restores nothing. */

@@ -15,7 +15,7 @@ static void copy_lines(const struct pel_surface *to,
                length);
 }
 
-/* Any other surface goes through colours. */
+/* Any other surface goes through colors. */
 static void convert_lines(const struct pel_surface *to,
                           const struct pel_surface *from,
                           const struct pel_rect *a)

@@ -15,7 +15,7 @@
  * display is that of the bus. A clip that leaves the screen is
  * PEL_ERROR_SIZE.
  *
- * Colour panels take pel_rgb565_be (or its _fill variant) and any window.
+ * Color panels take pel_rgb565_be (or its _fill variant) and any window.
  *
  * Monochrome ones hold 8 rows in a byte. Upright they take pel_mono1_pages and
  * windows whose rows are multiples of 8, turned pel_mono1 and windows whose
@@ -79,7 +79,7 @@ enum pel_status pel_panel_init(struct pel_display *display,
 enum pel_status pel_panel_brightness(const struct pel_panel *panel,
                                      uint8_t level);
 
-/* Off and on again, 120 ms each for colour LCDs; memory keeps its pixels. */
+/* Off and on again, 120 ms each for color LCDs; memory keeps its pixels. */
 enum pel_status pel_panel_sleep(const struct pel_panel *panel, bool asleep);
 PEL_END_DECLS
 #endif

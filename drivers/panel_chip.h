@@ -33,13 +33,13 @@ struct pel_panel_chip {
     uint8_t brightness;     /* command of one parameter, */
     uint8_t shift;          /* of so many bits less than 8 */
 
-    /* Of colour chips. */
+    /* Of color chips. */
     uint8_t window[2][2]; /* commands for x and y, by rotation & 1 */
     uint8_t write;
     uint8_t wide; /* 1: coordinates have two bytes */
 };
 
-/* The functions of chips with colours, */
+/* The functions of chips with colors, */
 enum pel_status pel_panel_color_command(const struct pel_panel *panel,
                                         const uint8_t *list);
 enum pel_status pel_panel_color_send(const struct pel_panel *panel,

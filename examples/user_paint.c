@@ -1,4 +1,4 @@
-/* A paint of one's own: a checkerboard, with its two colours beside it. The
+/* A paint of one's own: a checkerboard, with its two colors beside it. The
  * picture goes to standard output as PPM.
  *
  *     cc -Ibuild/include examples/user_paint.c build/libpel.a -o user_paint */

@@ -1,4 +1,4 @@
-/* Colour errors of gradients over triangles, in steps of an 8-bit channel,
+/* Color errors of gradients over triangles, in steps of an 8-bit channel,
  * against exact fractions. */
 #include <math.h>
 
@@ -205,7 +205,7 @@ void atlas_color(struct atlas *a)
 }
 
 /* Triangles whose third vertex lies within some sub-pixels of a long edge: how
- * many show a colour that is off by more than a step. */
+ * many show a color that is off by more than a step. */
 void atlas_color_sliver(struct atlas *a)
 {
     for (int32_t thickness = 1; thickness <= 256; thickness *= 2) {

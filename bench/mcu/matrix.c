@@ -173,7 +173,7 @@ static void draw_copy_alpha(int32_t width, int32_t rows)
         255);
 }
 
-/* Letters of 8 x 8 px, in one colour. */
+/* Letters of 8 x 8 px, in one color. */
 static void draw_text(int32_t width, int32_t rows)
 {
     (void)rows;

@@ -1,4 +1,4 @@
-/* Colours: 0xAARRGGBB, 8 bits a channel, straight alpha (255 is opaque). The
+/* Colors: 0xAARRGGBB, 8 bits a channel, straight alpha (255 is opaque). The
  * values are sRGB and are mixed as they are; a mix in linear light would differ
  * by up to 60 steps. */
 #ifndef PEL_BASE_COLOR_H

@@ -1,4 +1,4 @@
-/* Pixel formats: how colours enter and leave memory.
+/* Pixel formats: how colors enter and leave memory.
  *
  * A format is a const object in a file of core/format. A surface points to
  * its format, so a program links what it names. The layouts are those of
@@ -62,7 +62,7 @@ struct pel_planes {
     uint32_t at[3], dx[3];
 };
 
-/* A way through the cells of a gradient. Their colours are mixed: the upper
+/* A way through the cells of a gradient. Their colors are mixed: the upper
  * bytes of four sums, of alpha and green, and of red and blue, in the halves of
  * words, which change from cell to cell. A cell begins where the error is 0 and
  * ends `cell` and cell_rest / unit later; a pixel is a `step`. A cell is less
@@ -78,7 +78,7 @@ struct pel_channels {
     /* Required for grey whose pixels share bytes; NULL elsewhere. Grey c of n
      * bits shows level ((2^n - 1) c + rows[y & 7][8 (n - 1) + (x & 7)]) / 256
      * at (x, y) of the surface, whatever that of the spans is. fill: one opaque
-     * colour. put: a colour for each pixel of the one span, up to the first
+     * color. put: a color for each pixel of the one span, up to the first
      * that is not opaque; how many. */
     void (*fill)(const struct pel_surface *surface,
                  const struct pel_spans *spans, pel_color color,
@@ -113,7 +113,7 @@ struct pel_format {
      * {n, 0, 0} where it is n bits of grey; all 0: dither is of no use. */
     uint8_t depth[3];
 
-    /* Colour (alpha ignored) to pixel and back (opaque, but for argb8888). 8 to
+    /* Color (alpha ignored) to pixel and back (opaque, but for argb8888). 8 to
      * n bits truncates, n to 8 replicates: pack(unpack(p)) == p for every p
      * that pack makes. Unused bits (X) are set, and ignored. A pixel is the
      * word as the CPU reads it from memory: on a little-endian one that of
@@ -130,7 +130,7 @@ struct pel_format {
      * need them draw nothing there. */
     void (*blend)(const struct pel_spans *spans, pel_color color);
 
-    /* n >= 1 colours over the pixels (x, y) to (x + n - 1, y) of the surface,
+    /* n >= 1 colors over the pixels (x, y) to (x + n - 1, y) of the surface,
      * each weighted by its alpha: 255 stores it, 0 leaves the pixel untouched,
      * the others are pel_mix'ed. load gives what unpack makes of each pixel. */
     void (*put)(const struct pel_surface *surface, int32_t x, int32_t y,

@@ -64,7 +64,7 @@ static PEL_ALWAYS_INLINE void draw_one(pel_word32 *p, void *held,
     *p = value;
 }
 
-/* n pixels of a row; depth and colour are those of the first. */
+/* n pixels of a row; depth and color are those of the first. */
 struct run {
     pel_word32 *p;
     uint8_t *held;

@@ -33,7 +33,7 @@ static PEL_ALWAYS_INLINE uint32_t pair_565(const uint8_t *line, ptrdiff_t index)
     return pair;
 }
 
-/* The colours of eight texels of rgb565_le, as pel_texel: four and four. */
+/* The colors of eight texels of rgb565_le, as pel_texel: four and four. */
 static PEL_ALWAYS_INLINE void colors_565(const uint8_t *line,
                                          const int32_t i[4],
                                          pel_u8x16 colors[2])

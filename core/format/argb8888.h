@@ -6,7 +6,7 @@
 
 PEL_BEGIN_DECLS
 
-/* 32: A 31..24, R, G, B 7..0. Loads and unpacks to colours with their alpha;
+/* 32: A 31..24, R, G, B 7..0. Loads and unpacks to colors with their alpha;
  * what is drawn into it becomes opaque, as in xrgb8888. */
 extern const struct pel_format pel_argb8888;
 PEL_END_DECLS

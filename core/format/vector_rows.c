@@ -39,7 +39,7 @@ static PEL_ALWAYS_INLINE pel_u32x4 pack4(pel_u32x4 c, enum order order)
     return (c >> 8 & 0xF800u) | (c >> 5 & 0x07E0u) | (c >> 3 & 0x001Fu);
 }
 
-/* Of eight colours. */
+/* Of eight colors. */
 enum cover { CLEAR, MIXED, OPAQUE };
 
 static PEL_ALWAYS_INLINE enum cover cover_of(pel_u32x4 a, pel_u32x4 b)
@@ -53,7 +53,7 @@ static PEL_ALWAYS_INLINE enum cover cover_of(pel_u32x4 a, pel_u32x4 b)
     return ((half[2] | half[3]) & alphas) == 0 ? CLEAR : MIXED;
 }
 
-/* Eight colours over pixels. */
+/* Eight colors over pixels. */
 static PEL_ALWAYS_INLINE pel_u16x8 over8(pel_u16x8 below, pel_u32x4 a,
                                          pel_u32x4 b, enum order order)
 {
@@ -112,7 +112,7 @@ static PEL_ALWAYS_INLINE pel_u16x8 over(pel_u8x16 d, pel_u8x16 c, pel_u32x4 a)
                                (pel_u16x8)c * weight + 128);
 }
 
-/* Four colours over pixels of xrgb8888, whose X is set but where alpha is 0. */
+/* Four colors over pixels of xrgb8888, whose X is set but where alpha is 0. */
 static PEL_ALWAYS_INLINE pel_u32x4 over4(pel_u32x4 below, pel_u32x4 colors)
 {
     const pel_u32x4 alpha = colors >> 24, a = alpha | alpha << 16;

@@ -154,10 +154,10 @@ static bool copy_same(const struct pel_surface *surface,
     }
 }
 
-/* Gives n colours of the source the alpha with which they are put. */
+/* Gives n colors of the source the alpha with which they are put. */
 typedef void weigh_colors(pel_color *colors, int32_t n, uint32_t option);
 
-/* Copies through colours, piece by piece. weigh NULL: they have their alpha. */
+/* Copies through colors, piece by piece. weigh NULL: they have their alpha. */
 static void copy_colors(const struct pel_surface *surface,
                         const struct pel_copy_part *copy, weigh_colors *weigh,
                         uint32_t option)

@@ -17,12 +17,12 @@ struct pel_copy_part {
     int32_t x, y;         /* px: where the pixel (area.x0, area.y0) goes */
 };
 
-/* Copies the area inside the destination's clip. Each pixel gets its colour
+/* Copies the area inside the destination's clip. Each pixel gets its color
  * packed into the destination's format; alpha is ignored. */
 void pel_copy(const struct pel_surface *surface,
               const struct pel_copy_part *copy);
 
-/* The same but for the pixels of one colour, which stay as they are. The key is
+/* The same but for the pixels of one color, which stay as they are. The key is
  * packed into the source's format and compared there, without alpha and unused
  * bits. */
 void pel_copy_keyed(const struct pel_surface *surface,

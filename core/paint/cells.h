@@ -4,7 +4,7 @@
  * beyond the boundary where a cell ends when its error is 0 or more; the error
  * is a polynomial of x and y, so it is walked by additions: from pixel to
  * pixel, and from row to row, where the boundary has moved by a few pixels.
- * What lies before it in every row is one call to the format, with one colour.
+ * What lies before it in every row is one call to the format, with one color.
  * Neighbours that are the same pixel value are one cell. */
 #ifndef PEL_PAINT_CELLS_H
 #define PEL_PAINT_CELLS_H
@@ -28,7 +28,7 @@ struct pel_cells {
     int32_t way;   /* to the next cell's place: 1, -1, or 0 where none comes */
     int32_t hi;    /* runs end here at the farthest */
 
-    /* The next cell: its pixel value and the format's fill, or its colour,
+    /* The next cell: its pixel value and the format's fill, or its color,
      * which is not opaque, and the blend. */
     uint32_t value;
     void (*draw)(const struct pel_spans *spans, uint32_t value);
@@ -48,7 +48,7 @@ struct pel_cells {
     const struct pel_span *span; /* the shape's, of these rows */
     uint8_t left;                /* spans from `span` on */
     bool box;                    /* hi ends all rows */
-    pel_color mask; /* of mixed colours what can be seen; 0: ask the format */
+    pel_color mask; /* of mixed colors what can be seen; 0: ask the format */
 #endif
 
     /* The run of the present cell, in every row. */
@@ -122,7 +122,7 @@ void pel_cells_open(struct pel_cells *cells,
  * pixels are left of the present one: from x to hi. false when none are. */
 bool pel_cells_next(struct pel_cells *cells, int32_t most);
 
-/* Takes the colour of the cell at c->place. */
+/* Takes the color of the cell at c->place. */
 void pel_cells_color(struct pel_cells *c);
 
 /* How many cells from the one at c->place on are the same pixel value as that;
@@ -140,7 +140,7 @@ static PEL_ALWAYS_INLINE bool pel_cells_end_all(struct pel_cells *c)
     return false;
 }
 
-/* Goes on to the place of the next cell, and takes its colour; false where none
+/* Goes on to the place of the next cell, and takes its color; false where none
  * comes: then a batch of one row ends. */
 static PEL_ALWAYS_INLINE bool pel_cells_more(struct pel_cells *c)
 {

@@ -1,17 +1,17 @@
-/* Ramps: the colours of a gradient, in an array of the caller's.
+/* Ramps: the colors of a gradient, in an array of the caller's.
  *
- * A ramp of n colours cuts the way from 0 to 1 into n equal cells; cell i,
+ * A ramp of n colors cuts the way from 0 to 1 into n equal cells; cell i,
  * [i/n, (i+1)/n), shows color[i]. pel_ramp_fill() sets each to the gradient's
- * exactly rounded colour in the middle of its cell. So
- *  - the colour is off by at most slope / (2 n) + 1/2 steps, where slope is the
+ * exactly rounded color in the middle of its cell. So
+ *  - the color is off by at most slope / (2 n) + 1/2 steps, where slope is the
  *    largest change of a channel per unit of the way: within 1 of the exactly
- *    rounded colour when n >= slope / 2 (two stops: 128 colours; the six of a
+ *    rounded color when n >= slope / 2 (two stops: 128 colors; the six of a
  *    rainbow: 768);
  *  - a hard stop at a multiple of 1/n is exact, others move by half a cell;
- *  - the ends are the first and the last stop's colour when n > slope.
+ *  - the ends are the first and the last stop's color when n > slope.
  *
- * A ramp of two colours needs no array of many: they are mixed on the way, in
- * 256 cells, each with the exactly rounded colour of its middle, (i + 1/2) /
+ * A ramp of two colors needs no array of many: they are mixed on the way, in
+ * 256 cells, each with the exactly rounded color of its middle, (i + 1/2) /
  * 256: as pel_ramp_fill() would. */
 #ifndef PEL_PAINT_COLOR_RAMP_H
 #define PEL_PAINT_COLOR_RAMP_H
@@ -25,7 +25,7 @@ PEL_BEGIN_DECLS
 
 /* What a gradient shows outside [0, 1). */
 enum pel_spread {
-    PEL_PAD,    /* its first and its last colour */
+    PEL_PAD,    /* its first and its last color */
     PEL_REPEAT, /* itself, again and again: t - floor(t) */
     PEL_REFLECT /* there and back */
 };
@@ -41,7 +41,7 @@ struct pel_stop {
     pel_color color;
 };
 
-/* Sets n colours from `count` stops, linear between neighbours, channel by
+/* Sets n colors from `count` stops, linear between neighbours, channel by
  * channel, alpha too. Before the first stop and after the last theirs stay. Two
  * stops at one place are a hard edge; there the later one is shown.
  * PEL_ERROR_NULL, PEL_ERROR_SIZE (n or count outside 1..32,767),

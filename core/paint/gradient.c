@@ -2,7 +2,7 @@
 
 enum { FAR = 1 << 20 }; /* px: to the right of every pixel */
 
-/* A mixed colour in less code: a + (b - a) part / 512, rounded. */
+/* A mixed color in less code: a + (b - a) part / 512, rounded. */
 static inline pel_color mixed_by_channels(pel_color a, pel_color b,
                                           uint32_t part)
 {
@@ -38,7 +38,7 @@ void pel_cells_color(struct pel_cells *c)
 
 #if PEL_KNOW_SIDES
 
-/* How many cells of two mixed colours, at most `most`, lie beyond the one at
+/* How many cells of two mixed colors, at most `most`, lie beyond the one at
  * c->place and look like it: formats drop the low bits of channels. Not for
  * grey, which shows a sum. */
 static int32_t pass_mixed(const struct pel_cells *c, int32_t most)
@@ -62,7 +62,7 @@ static int32_t pass_mixed(const struct pel_cells *c, int32_t most)
     return most - left;
 }
 
-/* The bits of opaque colours that can be seen; 0: any. */
+/* The bits of opaque colors that can be seen; 0: any. */
 static pel_color mask_of(const struct pel_gradient *g,
                          const struct pel_format *format)
 {

@@ -1,4 +1,4 @@
-/* Gradients: cells of equal colour, drawn as shapes of one colour.
+/* Gradients: cells of equal color, drawn as shapes of one color.
  *
  * The way from 0 to 1 has n cells (color_ramp.h); they go on at both ends as
  * the ramp's spread says. Each kind says exactly which pixels a cell holds
@@ -16,11 +16,11 @@ PEL_BEGIN_DECLS
 struct pel_gradient {
     struct pel_paint paint;
 
-    /* The colour of a cell, 0 <= cell < cells. */
+    /* The color of a cell, 0 <= cell < cells. */
     pel_color (*color)(const struct pel_gradient *gradient, int32_t cell);
 
     struct pel_ramp ramp;
-    int32_t cells;  /* n, and 256 of two colours */
+    int32_t cells;  /* n, and 256 of two colors */
     int32_t period; /* cells until they begin anew; 0: they do not, the first
                        and the last go on */
 };

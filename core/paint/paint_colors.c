@@ -2,7 +2,7 @@
 
 #include "../format/word.h"
 
-/* Colours between a paint and a format, a power of two: a paint starts anew for
+/* Colors between a paint and a format, a power of two: a paint starts anew for
  * every part, but there is little stack where code is to be small. */
 enum { RUN_PIXELS = PEL_64BIT ? 64 : PEL_KNOW_SIDES ? 16 : 4 };
 

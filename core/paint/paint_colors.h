@@ -1,8 +1,8 @@
-/* Paints that compute a colour for every pixel: textures, and what a program
+/* Paints that compute a color for every pixel: textures, and what a program
  * adds of its own.
  *
- * Such a paint gives one function, from absolute x and y to colours; this file
- * hands it runs of pixels and takes the colours to any format, opaque or
+ * Such a paint gives one function, from absolute x and y to colors; this file
+ * hands it runs of pixels and takes the colors to any format, opaque or
  * blended. A paint of one's own is
  *
  *     static void stripes(const struct pel_color_paint *paint, int32_t x,
@@ -23,16 +23,16 @@ PEL_BEGIN_DECLS
 
 struct pel_color_paint;
 
-/* The colours of pixels (x, y) to (x + n - 1, y), n >= 1, each at the pixel's
+/* The colors of pixels (x, y) to (x + n - 1, y), n >= 1, each at the pixel's
  * centre. Must be a function of the pixel alone: a run may come in any parts.
- * Where the surface's pixels are such colours, `colors` is the surface. */
+ * Where the surface's pixels are such colors, `colors` is the surface. */
 typedef void pel_colors_function(const struct pel_color_paint *paint, int32_t x,
                                  int32_t y, int32_t n, pel_color *colors);
 
 struct pel_color_paint {
     struct pel_paint paint;
     pel_colors_function *colors;
-    bool opaque; /* all colours have alpha 255: nothing is blended */
+    bool opaque; /* all colors have alpha 255: nothing is blended */
 };
 
 #define PEL_COLOR_PAINT(colors, opaque)                           \
@@ -40,7 +40,7 @@ struct pel_color_paint {
         PEL_PAINT(pel_color_paint_fill, NULL), (colors), (opaque) \
     }
 
-/* Are opaque colours the surface's pixels themselves? In xrgb8888 on a
+/* Are opaque colors the surface's pixels themselves? In xrgb8888 on a
  * little-endian CPU. Not where code is to be small: that format is rare
  * there. */
 static inline bool pel_colors_in_place(const struct pel_color_paint *paint,

@@ -1,4 +1,4 @@
-/* Conic gradients: colours by angle around a centre. */
+/* Conic gradients: colors by angle around a centre. */
 #ifndef PEL_PAINT_PAINT_CONIC_H
 #define PEL_PAINT_PAINT_CONIC_H
 
@@ -15,7 +15,7 @@ PEL_BEGIN_DECLS
  * (round/sector.h; the only cell of n = 1 holds all): on the ray of the first
  * or clockwise of it, and before the ray of the second. A pixel whose centre is
  * the gradient's counts as angle 0. PEL_PAD and PEL_REPEAT are the same; with
- * PEL_REFLECT the colours go there and back within the turn: in 2 n cells. */
+ * PEL_REFLECT the colors go there and back within the turn: in 2 n cells. */
 struct pel_conic {
     struct pel_gradient base;
     struct pel_point center;
@@ -29,7 +29,7 @@ struct pel_conic {
 enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
                                uint16_t start, const struct pel_ramp *ramp);
 
-/* The same for n cells, 1 <= n <= 32,767, that have colours of their own. Set
+/* The same for n cells, 1 <= n <= 32,767, that have colors of their own. Set
  * the gradient's `color`, `cells` and `period` (n, or 2 n there and back)
  * before; its ramp's n is 0. PEL_ERROR_RANGE. */
 enum pel_status pel_conic_begin(struct pel_conic *paint,

@@ -70,7 +70,7 @@ static const struct pel_surface *target_of(const struct pel_surface *surface)
     return proxy_of(surface)->target;
 }
 
-/* A channel of n bits. Of opaque colours the upper bits count. */
+/* A channel of n bits. Of opaque colors the upper bits count. */
 static inline uint32_t dithered(uint32_t c, uint32_t n, uint32_t threshold,
                                 bool opaque)
 {
@@ -91,7 +91,7 @@ static inline pel_color dithered_color(pel_color color, const uint8_t depth[3],
     return (color & OPAQUE) | (gray ? out * 0x010101u : out);
 }
 
-/* Dithers the first n colours of `out`, in place. */
+/* Dithers the first n colors of `out`, in place. */
 static PEL_NOINLINE_32 void dither_out(struct proxy *proxy, int32_t x,
                                        int32_t y, int32_t n)
 {
@@ -100,7 +100,7 @@ static PEL_NOINLINE_32 void dither_out(struct proxy *proxy, int32_t x,
         *out = dithered_color(*out, depth, x, y);
 }
 
-/* Takes n colours, or as many as `out` holds: how many. `next` is from each to
+/* Takes n colors, or as many as `out` holds: how many. `next` is from each to
  * the next. */
 static PEL_ALWAYS_INLINE int32_t take_colors(struct proxy *proxy, int32_t n,
                                              const pel_color *colors,
@@ -112,7 +112,7 @@ static PEL_ALWAYS_INLINE int32_t take_colors(struct proxy *proxy, int32_t n,
     return n;
 }
 
-/* Puts n colours that were taken, of any alpha. */
+/* Puts n colors that were taken, of any alpha. */
 static PEL_ALWAYS_INLINE void put_out(struct proxy *proxy, int32_t x, int32_t y,
                                       int32_t n)
 {
@@ -239,7 +239,7 @@ static void put_colors(const struct pel_surface *surface, int32_t x, int32_t y,
     }
 }
 
-/* One colour of any alpha. Little is kept over the calls, to spare stack. */
+/* One color of any alpha. Little is kept over the calls, to spare stack. */
 static void fill_color(const struct pel_spans *spans, pel_color color)
 {
     const struct pel_span *span = spans->span;
@@ -289,7 +289,7 @@ static const struct pel_format proxy_format = {
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans);
 
-/* What the source is to colour; NULL: it is a dither itself. A function of its
+/* What the source is to color; NULL: it is a dither itself. A function of its
  * own, to spare the stack of the source. */
 static PEL_NOINLINE_32 const struct pel_spans *spans_of(
     struct proxy *proxy, const struct pel_dither *paint,

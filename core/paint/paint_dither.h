@@ -7,15 +7,15 @@
 
 PEL_BEGIN_DECLS
 
-/* Colours of the source paint, moved to one of the two levels of the surface's
+/* Colors of the source paint, moved to one of the two levels of the surface's
  * format next to them, by the 8 x 8 Bayer matrix at absolute x and y: so bands
  * and tiles agree, and a pixel does not depend on its neighbours. Over 8 x 8
- * pixels of one colour the mean of what is shown is that colour to 1/128 of the
- * step between two levels. Colours that are levels stay.
+ * pixels of one color the mean of what is shown is that color to 1/128 of the
+ * step between two levels. Colors that are levels stay.
  *
- * Red, green and blue apart, or the grey of a colour, with the bits that the
+ * Red, green and blue apart, or the grey of a color, with the bits that the
  * format's `depth` says; nothing in formats of 8 bits a channel. Acts on the
- * source's colour, before it is blended with its alpha. */
+ * source's color, before it is blended with its alpha. */
 struct pel_dither {
     struct pel_paint paint;
     const struct pel_paint *source;

@@ -75,7 +75,7 @@ static inline pel_u16x8 pel_row565_places(const uint8_t *places, uint32_t x)
     return (pel_u16x8)pel_zip_low_u8x16((pel_u8x16)turned, zero);
 }
 
-/* One colour. */
+/* One color. */
 static PEL_ALWAYS_INLINE void pel_row565_fill(struct pel_row565 r,
                                               struct pel_steps565 s,
                                               bool swapped)
@@ -110,7 +110,7 @@ static PEL_ALWAYS_INLINE void pel_row565_fill(struct pel_row565 r,
 
 #endif
 
-/* How many colours before the first that is not opaque. */
+/* How many colors before the first that is not opaque. */
 static PEL_ALWAYS_INLINE int32_t pel_row565_put(struct pel_row565 r,
                                                 const pel_color *colors,
                                                 bool swapped)

@@ -14,7 +14,7 @@ struct part {
     pel_color start; /* before its channels: the alpha of opaque fans */
 };
 
-/* Adds channel k to the colours of a part inside one triangle; channel 0 comes
+/* Adds channel k to the colors of a part inside one triangle; channel 0 comes
  * first and overwrites them. */
 static PEL_NOINLINE_32 void add_channel(const struct part *r,
                                         const struct pel_fan_triangle *t, int k,
@@ -108,7 +108,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 }
 
 /* From the hub to the i-th point, clockwise, 0 <= i < 2 n; the n-th is the 0-th
- * again. Sets *color to its colour. */
+ * again. Sets *color to its color. */
 static struct pel_point ray_of(const struct pel_fan_points *points, int turn,
                                int32_t i, pel_color *color)
 {

@@ -1,4 +1,4 @@
-/* A triangle fan: a colour per vertex on polygons, circles and other shapes. */
+/* A triangle fan: a color per vertex on polygons, circles and other shapes. */
 #ifndef PEL_PAINT_PAINT_FAN_H
 #define PEL_PAINT_PAINT_FAN_H
 
@@ -7,16 +7,16 @@
 
 PEL_BEGIN_DECLS
 
-/* A hub and a perimeter of n points around it, each with a colour. Between the
- * rays from the hub through two neighbours of the perimeter the colours are
+/* A hub and a perimeter of n points around it, each with a color. Between the
+ * rays from the hub through two neighbours of the perimeter the colors are
  * those of the triangle of the three points, linear in x and y, beyond the
- * perimeter too, each channel clamped to 0..255 (any colour where it would be
+ * perimeter too, each channel clamped to 0..255 (any color where it would be
  * more than 2^31 steps beyond: slivers, seen from far off). So
  *  - a polygon whose corners are the perimeter is covered by n triangles with a
- *    colour at every vertex, without a seam;
+ *    color at every vertex, without a seam;
  *  - a disc with the perimeter on its circle (pel_fan_perimeter) likewise;
- *  - three points around a hub that has their mean place and colour make the
- *    triangle with a colour per vertex itself. */
+ *  - three points around a hub that has their mean place and color make the
+ *    triangle with a color per vertex itself. */
 struct pel_fan_points {
     struct pel_point hub;
     pel_color hub_color;
@@ -25,7 +25,7 @@ struct pel_fan_points {
     int32_t n;                         /* 3..32,767 */
 };
 
-/* Sets the hub to the mean of the points and colours, rounded: the middle of
+/* Sets the hub to the mean of the points and colors, rounded: the middle of
  * regular polygons, and inside of all that are convex. perimeter, colors and n
  * are set; n < 1 is a broken contract: PEL_ASSERT, and the hub stays. */
 void pel_fan_set_hub(struct pel_fan_points *points);
@@ -57,7 +57,7 @@ struct pel_fan {
 /* Channels are off by less than 2^-14 steps before they are rounded. `memory`,
  * for n triangles, belongs to the caller and must last as long as the paint;
  * the points need not. The hub may lie on an edge of the polygon or be one of
- * its corners: pixels between no two rays then have its colour. PEL_ERROR_NULL,
+ * its corners: pixels between no two rays then have its color. PEL_ERROR_NULL,
  * PEL_ERROR_SIZE (n), PEL_ERROR_RANGE (a point out of range, or the perimeter
  * turns back as seen from the hub, or goes around it more than once). */
 enum pel_status pel_fan_init(struct pel_fan *paint,

@@ -7,7 +7,7 @@
 PEL_BEGIN_DECLS
 
 /* A conic of 1,536 cells, 256 in each sixth of the turn, so that one channel
- * moves by at most one step from cell to cell. Cell k has the colour of the hue
+ * moves by at most one step from cell to cell. Cell k has the color of the hue
  * in its middle, (k + 1/2) / 1,536 turns, rounded as pel_hsv rounds: no ramp,
  * and no memory for one. */
 struct pel_hue_wheel {

@@ -173,7 +173,7 @@ static void move(struct pel_cells *c, const struct pel_linear *p,
     }
 }
 
-/* A row of a vertical gradient has one colour. Neighbouring rows of one pixel
+/* A row of a vertical gradient has one color. Neighbouring rows of one pixel
  * value are drawn together. */
 static void fill_level(const struct pel_linear *p,
                        const struct pel_spans *spans)
@@ -213,7 +213,7 @@ static bool is_opaque(const struct pel_ramp *ramp)
 
 /* All rows of a horizontal gradient are alike, so one is drawn and copied to
  * the others: the row whose span holds all of theirs. -1: there is none, or
- * copies would be wrong (colours are blended, pixels share bytes, or the format
+ * copies would be wrong (colors are blended, pixels share bytes, or the format
  * is a dither's or the program's own). */
 static int32_t find_model(const struct pel_linear *p,
                           const struct pel_spans *spans)

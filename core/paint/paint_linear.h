@@ -22,7 +22,7 @@ PEL_BEGIN_DECLS
  *     k |d|^2 <= n (P - from).d < (k + 1) |d|^2,    d = to - from,
  *
  * in sub-pixels, exactly: the way is 0 at `from`, 1 at `to`. Across d the
- * colour stays. */
+ * color stays. */
 struct pel_linear {
     struct pel_gradient base;
     struct pel_point from, d; /* turned round where d.x would be below 0 */

@@ -9,7 +9,7 @@ PEL_BEGIN_DECLS
 
 /* The picture: 1 to 32,767 texels a side, in memory of the caller's that must
  * live as long as the paint. Either a surface in any format (its whole bounds;
- * opaque, but for argb8888) or an array of colours with straight alpha, row by
+ * opaque, but for argb8888) or an array of colors with straight alpha, row by
  * row without padding. The first row in memory is v = 0. */
 struct pel_texels {
     const struct pel_surface *surface; /* or NULL, and then: */
@@ -74,7 +74,7 @@ struct pel_texture {
 /* A texture with PEL_WRAP_CLAMP; wrap_u and wrap_v may be set afterwards.
  * Cheap: one for every triangle of a mesh is fine.
  *
- * Nearest: texel floor(u), floor(v). Fast for colours, argb8888, xrgb8888 and
+ * Nearest: texel floor(u), floor(v). Fast for colors, argb8888, xrgb8888 and
  * rgb565_le; between surfaces of one 565 format texels are copied as they are.
  *
  * Bilinear: the four texels around u - 1/2, v - 1/2, with weights rounded to

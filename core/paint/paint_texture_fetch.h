@@ -164,7 +164,7 @@ static PEL_ALWAYS_INLINE void pel_texture_run(
         run(p, p->kind, a, n, out);
 }
 
-/* Between surfaces of one 565 format, pixels of 16 bits that are all colour,
+/* Between surfaces of one 565 format, pixels of 16 bits that are all color,
  * texels are copied. */
 static inline bool pel_texture_is_copied(const struct pel_texture *p,
                                          const struct pel_format *format)
@@ -190,7 +190,7 @@ bool pel_texture_bilinear_fast(const struct pel_paint *paint,
                                const struct pel_surface *surface,
                                const struct pel_fast_triangle *triangle);
 
-/* and the colours of a run that lies inside the picture with the texels right
+/* and the colors of a run that lies inside the picture with the texels right
  * of it and below; false for pictures that are not for vectors. */
 bool pel_texture_bilinear_run(const struct pel_texture *p,
                               const struct pel_texture_axes *a, int32_t n,

@@ -1,4 +1,4 @@
-/* Triangles with a colour per vertex, interpolated linearly. */
+/* Triangles with a color per vertex, interpolated linearly. */
 #ifndef PEL_RASTER_GOURAUD_H
 #define PEL_RASTER_GOURAUD_H
 
@@ -10,7 +10,7 @@ PEL_BEGIN_DECLS
  * 8.24 from pixel (0, 0): pixel (x, y) has (at + x * dx + y * dy) >> 24. Since
  * only the value at covered pixels must fit, a gradient may wrap: slivers need
  * no special case. Valid on pixels inside the triangle that it was made from;
- * elsewhere the colours wrap around. Channels: blue, green, red, alpha. */
+ * elsewhere the colors wrap around. Channels: blue, green, red, alpha. */
 struct pel_gouraud {
     struct pel_paint paint;
     uint32_t at[4], dx[4], dy[4];
@@ -21,12 +21,12 @@ static inline bool pel_gouraud_opaque(const struct pel_gouraud *g)
     return g->at[3] >> 24 == 255 && (g->dx[3] | g->dy[3]) == 0;
 }
 
-/* Makes the paint of a triangle with the colours c[i] at v[i]. The value at a
+/* Makes the paint of a triangle with the colors c[i] at v[i]. The value at a
  * pixel's centre is off by at most (|x - x0| + |y - y0| + 1) 2^-17 steps of
  * 255, (x0, y0) the pixel of the topmost vertex, and by at most 1/16 step
- * before it is rounded: at most 1 from the exactly rounded colour. It depends
+ * before it is rounded: at most 1 from the exactly rounded color. It depends
  * on the vertices alone, not on their order, the clip or the band. A triangle
- * without area covers nothing and may get any colour. PEL_ERROR_NULL,
+ * without area covers nothing and may get any color. PEL_ERROR_NULL,
  * PEL_ERROR_RANGE (a vertex out of range). */
 enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
                                  const struct pel_point v[3],

@@ -1,7 +1,7 @@
 #include "gouraud.h"
 #include "gouraud_spans.h"
 
-/* n colours from pixel (x, y) on, alpha included. */
+/* n colors from pixel (x, y) on, alpha included. */
 static PEL_NOINLINE void colors_of_span(const struct pel_gouraud *g, int32_t x,
                                         int32_t y, int32_t n, pel_color *colors)
 {

@@ -1,11 +1,11 @@
-/* Paints colour the pixels of shapes.
+/* Paints color the pixels of shapes.
  *
  * All shapes: a coordinate, radius or width out of range (base/point.h) is a
  * broken contract: PEL_ASSERT, and nothing is drawn. What lies outside the clip
  * takes no time, but for the set-up of a shape.
  *
  * A paint is a const struct whose first member is a struct pel_paint. Shapes
- * give it their spans, and it colours them as a function of absolute x and y
+ * give it their spans, and it colors them as a function of absolute x and y
  * alone. It has no state: one paint serves any number of shapes, threads and
  * bands, and may be in flash. A program adds a paint of its own by writing a
  * fill function (examples/user_paint.c). */
@@ -25,10 +25,10 @@ void pel_nothing_fill(const struct pel_paint *paint,
                       const struct pel_spans *spans);
 
 struct pel_paint {
-    /* Colours every span of `spans`. Required. */
+    /* Colors every span of `spans`. Required. */
     void (*fill)(const struct pel_paint *paint, const struct pel_spans *spans);
 
-    /* Colours a whole triangle that is not clipped, in its own loop over the
+    /* Colors a whole triangle that is not clipped, in its own loop over the
      * rows (fast/fast_triangle.h), or returns false and does nothing. May be
      * NULL; not called where PEL_FAST_FILLS is 0. */
     bool (*fast)(const struct pel_paint *paint,
@@ -63,7 +63,7 @@ static inline void pel_paint_clear(struct pel_paint *paint)
     paint->fast = NULL;
 }
 
-/* One colour. Alpha 255 stores it, 0 draws nothing, any other value blends it
+/* One color. Alpha 255 stores it, 0 draws nothing, any other value blends it
  * over what is there (pel_mix). A const struct in flash will do:
  *     static const struct pel_flat red = PEL_FLAT(PEL_RGB(255, 0, 0)); */
 struct pel_flat {
@@ -103,7 +103,7 @@ bool pel_flat_fast(const struct pel_paint *paint,
                    const struct pel_surface *surface,
                    const struct pel_fast_triangle *triangle);
 
-/* For fill functions: puts n >= 1 colours from (x, y) on, each weighted by its
+/* For fill functions: puts n >= 1 colors from (x, y) on, each weighted by its
  * own alpha. Without `put` (fill-only formats) a broken contract. */
 static inline void pel_put_colors(const struct pel_surface *surface, int32_t x,
                                   int32_t y, int32_t n, const pel_color *colors)

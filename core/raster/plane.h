@@ -1,4 +1,4 @@
-/* Planes: values that are linear over a triangle, such as colours, texels and
+/* Planes: values that are linear over a triangle, such as colors, texels and
  * depths. */
 #ifndef PEL_RASTER_PLANE_H
 #define PEL_RASTER_PLANE_H

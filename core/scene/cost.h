@@ -22,7 +22,7 @@ enum pel_scene_cost_kind {
 };
 
 /* Of pel_shade_lit_flat, pel_shade_lit_gouraud and pel_shade_phong with one
- * light and a shininess of 20, opaque, one colour, without parts, texture and
+ * light and a shininess of 20, opaque, one color, without parts, texture and
  * depth buffer, on rgb565_le: gcc 12.2 -O2 for Cortex-M0+ and M4. There are
  * none of pel_shade_chosen. */
 extern const struct pel_scene_rates pel_scene_cost_m0plus[PEL_SCENE_COSTS];

@@ -58,7 +58,7 @@ struct pel_scene {
     const struct pel_mesh_texture *texture; /* shading.h; NULL: no texture */
     uint32_t textures;    /* in that array; parts name them by number, from 1
                              on; 0 is 1 */
-    pel_color color;      /* of a mesh without colours and parts, as if its
+    pel_color color;      /* of a mesh without colors and parts, as if its
                              alpha were 255 */
     uint8_t transparency; /* 0: opaque; 255: nothing is drawn */
 

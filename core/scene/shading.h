@@ -86,7 +86,7 @@ struct pel_frame {
 
     /* The part of the mesh at hand, or all of it. */
     uint32_t part, begin, end; /* triangles */
-    pel_color color;           /* of vertices without colours */
+    pel_color color;           /* of vertices without colors */
     uint8_t alpha;
     bool opaque;  /* no pixel is translucent, nor left out */
     bool solid;   /* no pixel is translucent */

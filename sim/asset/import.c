@@ -132,7 +132,7 @@ static const char about[] =
     ".bdf or .psf file. The same input gives the same bytes.";
 
 /* The kinds that an option is for; those that the table leaves out place,
- * light and colour what a pel2d file holds. */
+ * light and color what a pel2d file holds. */
 static const struct use {
     const char *option;
     unsigned kinds; /* of enum import_kind */
@@ -245,7 +245,7 @@ static bool check(struct import_command *c)
            message_error_at(input, 0, "is projected already: expected a mesh");
 }
 
-/* Gouraud's colours at the vertices, whatever draws them. */
+/* Gouraud's colors at the vertices, whatever draws them. */
 static bool project(const struct scene_options *o, const struct model *model,
                     struct pel2d *flat)
 {

@@ -9,7 +9,7 @@
  * so format_find does not find it. */
 #define IMPORT_ALPHA_FORMAT "argb8888"
 
-/* Those of palette4 and palette8; the colours are the picture's. */
+/* Those of palette4 and palette8; the colors are the picture's. */
 extern const struct pel_palette import_palettes[2];
 
 struct import_options {
@@ -32,7 +32,7 @@ bool import_font(const struct import_options *options);
 
 /* The picture is made opaque, with a note on standard error when it was not,
  * unless the format is pel_argb8888 or a palette; of a palette it may have 16
- * or 256 colours. */
+ * or 256 colors. */
 bool import_picture(const struct import_options *options,
                     struct picture *picture, const struct pel_format *format);
 

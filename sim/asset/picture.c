@@ -12,7 +12,7 @@
 const struct pel_palette import_palettes[2] = {PEL_PALETTE(4, NULL),
                                                PEL_PALETTE(8, NULL)};
 
-/* The colours of a picture with a palette. */
+/* The colors of a picture with a palette. */
 struct table {
     pel_color color[256];
     size_t count;
@@ -59,7 +59,7 @@ static void write_palette(struct import_text *text, const struct table *table,
             name, name, bits, name);
 }
 
-/* A palette's colours are those of the picture. */
+/* A palette's colors are those of the picture. */
 static unsigned contrast_of(const struct pel_surface *surface,
                             const struct picture *picture)
 {

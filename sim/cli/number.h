@@ -27,7 +27,7 @@ enum number_status number_decimal(const char *text, int64_t unit, int64_t min,
 enum number_status number_integer(const char *text, int64_t min, int64_t max,
                                   int64_t *value);
 
-/* A colour at the beginning of a text, #rrggbb (opaque) or #rrggbbaa: its
+/* A color at the beginning of a text, #rrggbb (opaque) or #rrggbbaa: its
  * length, or 0. */
 size_t number_color(const char *text, pel_color *color);
 

@@ -120,7 +120,7 @@ static bool draw_model(const struct model *model,
     return done;
 }
 
-/* SCENE_FLAT or SCENE_GOURAUD, with the colours of the texture at vertices. */
+/* SCENE_FLAT or SCENE_GOURAUD, with the colors of the texture at vertices. */
 static bool draw_duck(struct demo_result *result, int shade)
 {
     struct model model;

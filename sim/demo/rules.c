@@ -74,7 +74,7 @@ const struct rules_case rules_cases[] = {
     {NULL, false, 0, {0}},
 };
 
-/* A paint of one colour that counts how often it paints each pixel. */
+/* A paint of one color that counts how often it paints each pixel. */
 struct counting {
     struct pel_paint paint;
     struct rules_pixels *pixels;
@@ -172,7 +172,7 @@ static void show_number(const struct cell *cell, int number)
                          PEL_RGB(0x30, 0x30, 0x30));
 }
 
-/* One pixel: its colour inside a grid line, red when painted more than once;
+/* One pixel: its color inside a grid line, red when painted more than once;
  * its centre, dark when covered. */
 static void show_pixel(const struct cell *cell, int x, int y,
                        const struct rules_pixels *pixels)

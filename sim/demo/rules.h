@@ -19,7 +19,7 @@ struct rules_case {
 /* All cases; the last has no caption. */
 extern const struct rules_case rules_cases[];
 
-/* A drawn case as it is seen, the top row first: the colours, and how often
+/* A drawn case as it is seen, the top row first: the colors, and how often
  * each pixel was painted. */
 struct rules_pixels {
     pel_color color[RULES_HEIGHT][RULES_WIDTH];

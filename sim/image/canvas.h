@@ -24,7 +24,7 @@ struct canvas_layout {
 bool canvas_init(struct canvas *canvas, const struct pel_format *format,
                  int width, int height);
 
-/* The general form; the memory is not set to a colour but to bytes 0xA5. */
+/* The general form; the memory is not set to a color but to bytes 0xA5. */
 bool canvas_init_layout(struct canvas *canvas, const struct pel_format *format,
                         const struct canvas_layout *layout);
 

@@ -25,7 +25,7 @@ bool picture_size_legal(int width, int height);
 /* The same; false with a message, that names `path` unless it is NULL. */
 bool picture_size_check(const char *path, int64_t width, int64_t height);
 
-/* A picture of one colour. False, with a message on standard error, when the
+/* A picture of one color. False, with a message on standard error, when the
  * size is out of range or memory is short; the picture is then empty, as
  * picture_free leaves it. */
 bool picture_init(struct picture *picture, int width, int height,

@@ -1,4 +1,4 @@
-/* Texture files, and the colour of a point of one. */
+/* Texture files, and the color of a point of one. */
 #ifndef SIM_IMAGE_TEXTURE_H
 #define SIM_IMAGE_TEXTURE_H
 

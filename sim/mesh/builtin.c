@@ -1,5 +1,5 @@
 /* The built-in meshes: a vase, a profile turned around the y axis, fine and
- * coarse. Its colours are its glaze: bands of blue and white over terracotta.
+ * coarse. Its colors are its glaze: bands of blue and white over terracotta.
  */
 #include "sim/mesh/mesh.h"
 

@@ -8,7 +8,7 @@ struct aiColor4D;
 struct aiMaterial;
 struct aiScene;
 
-/* Colours of glTF are linear, those of other files as they are shown. */
+/* Colors of glTF are linear, those of other files as they are shown. */
 pel_color material_byte_color(const struct aiColor4D *color, bool linear);
 bool material_is_linear(const struct aiMaterial *from);
 

@@ -17,10 +17,10 @@ struct model_texture {
 
 /* Owns what it points to; {0} is an empty one. */
 struct model {
-    struct pel_mesh mesh;   /* world units; normals of 16 bits and colours are
+    struct pel_mesh mesh;   /* world units; normals of 16 bits and colors are
                                always there, uv where the file has them */
     double low[3], high[3]; /* the box around it, world units */
-    bool plain; /* its colours are those of materials: they show no shape */
+    bool plain; /* its colors are those of materials: they show no shape */
     struct model_texture *texture; /* the numbers of mesh.part */
     size_t textures;
 };
@@ -58,7 +58,7 @@ bool model_make_asset(struct model *model, const struct mesh *mesh,
  * samples there. */
 void model_paint(struct model *model);
 
-/* A vertex's colour as the mesh has it. */
+/* A vertex's color as the mesh has it. */
 void model_set_color(uint8_t to[3], pel_color color);
 
 void model_free(struct model *model);

@@ -7,11 +7,11 @@
 #include "sim/image/picture.h"
 
 enum painter_shade {
-    PAINTER_FLAT,   /* the mean of the three colours, rounded */
+    PAINTER_FLAT,   /* the mean of the three colors, rounded */
     PAINTER_GOURAUD /* pel_triangle_gouraud */
 };
 
-/* A texture instead of the colours: texel floor(u (W - 1)), floor(v (H - 1)),
+/* A texture instead of the colors: texel floor(u (W - 1)), floor(v (H - 1)),
  * or the four around u (W - 1) - 1/2, v (H - 1) - 1/2. */
 struct painter_texture {
     struct picture picture;
@@ -24,7 +24,7 @@ struct painter {
     const struct painter_texture *texture; /* the caller's, or NULL */
     uint32_t *order; /* triangles, the farthest first; malloc'ed */
     enum painter_shade shade;
-    bool lines; /* a triangle without area is a line, in its mean colour */
+    bool lines; /* a triangle without area is a line, in its mean color */
 };
 
 /* Sorts the triangles by their mean depth, compared as the exact sum of three;

@@ -177,7 +177,7 @@ static const char *mesh_option(const struct render_options *o)
     return o->print_camera ? "print-camera" : NULL;
 }
 
-/* A pel2d file is projected and coloured already: the painter draws it. */
+/* A pel2d file is projected and colored already: the painter draws it. */
 static bool check_pel2d(const struct render_options *o)
 {
     const struct scene_options *s = &o->scene;

@@ -86,7 +86,7 @@ static void set_texture(struct pel_mesh_texture *to,
     to->span = s->mapping == SCENE_MAP_SUBDIVIDED ? 2 << s->span : 1;
 }
 
-/* Textures, and parts in the colour of the settings. Is some part without a
+/* Textures, and parts in the color of the settings. Is some part without a
  * texture, and some translucent? */
 static void set_parts(struct scene *scene, const struct scene_settings *s,
                       bool *bare, bool *clear)

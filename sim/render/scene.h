@@ -33,7 +33,7 @@
 enum scene_shade { SCENE_FLAT, SCENE_GOURAUD, SCENE_PHONG };
 
 /* AUTO: there is light when a light or a number of it was set, for Phong, and
- * for a model whose colours show no shape and that has no texture. */
+ * for a model whose colors show no shape and that has no texture. */
 enum scene_lit { SCENE_LIT_AUTO, SCENE_LIT, SCENE_UNLIT };
 
 enum scene_texture {
@@ -103,7 +103,7 @@ struct scene_settings {
 
     enum scene_order order;
     enum pel_cull cull;
-    bool has_color; /* instead of the colours of the vertices: */
+    bool has_color; /* instead of the colors of the vertices: */
     pel_color color;
     int transparency; /* 0: opaque; 255: nothing is drawn */
 
@@ -111,10 +111,10 @@ struct scene_settings {
                                           chosen instead of Phong shading, and
                                           of textures in perspective */
     bool stats;                        /* count them, in one thread at a time */
-    bool show_methods; /* in their colours instead of the picture's */
+    bool show_methods; /* in their colors instead of the picture's */
 };
 
-/* Every triangle in the colour of its method: grey, blue, green, yellow, red.
+/* Every triangle in the color of its method: grey, blue, green, yellow, red.
  */
 extern const struct pel_shading scene_shade_methods;
 
@@ -142,7 +142,7 @@ struct scene {
     struct pel_lighting lighting;
     struct pel_light light[SCENE_LIGHTS_MAX];
     struct pel_mesh_texture *texture; /* malloc'ed, like the next two */
-    struct pel_mesh_part *part;       /* the model's, in the settings' colour */
+    struct pel_mesh_part *part;       /* the model's, in the settings' color */
     struct pel_stats stats;
     struct pel_frame frame;
     void *scratch;

@@ -57,7 +57,7 @@ static bool add_whole(struct projection *p, const uint32_t corner[3])
     return pel2d_add_triangle(p->flat, to);
 }
 
-/* A colour between those of three vertices. */
+/* A color between those of three vertices. */
 static pel_color mix_colors(const struct pel_frame *frame,
                             const uint32_t vertex[3], const int32_t weight[3])
 {

@@ -5,7 +5,7 @@
 #include "sim/mesh/pel2d.h"
 #include "sim/render/scene.h"
 
-/* The vertices where core/scene puts them, with the colours that it gives them:
+/* The vertices where core/scene puts them, with the colors that it gives them:
  * those of a texel for every vertex, and of light there. The depth is core's
  * number for the distance along the view. Triangles behind the near plane are
  * left out; those that cross it, or out of the range of sub-pixels, are

@@ -77,7 +77,7 @@ static bool load_font(const struct script_place *place, const char *path)
     return done;
 }
 
-/* The picture's colours as bytes B, G, R, A. */
+/* The picture's colors as bytes B, G, R, A. */
 static bool make_surface(struct pel_surface *surface,
                          const struct picture *picture)
 {

@@ -15,7 +15,7 @@ struct script_scene;
 struct script_pen {
     struct pel_surface *surface;
     /* Makes the paint in force from `values`, in the pen's memory; NULL: they
-     * are the colours of paint vertex. */
+     * are the colors of paint vertex. */
     const struct pel_paint *(*make)(const struct script_pen *pen);
     const int32_t *values;
     size_t value_count;

@@ -100,7 +100,7 @@ static bool refuse_count(const struct script_place *at, size_t given)
                     at->command->name, at->command->usage);
 }
 
-/* Arguments from word `first` on. A word with # is a comment, unless a colour
+/* Arguments from word `first` on. A word with # is a comment, unless a color
  * belongs there. */
 static bool parse_arguments(struct script_parser *p,
                             const struct script_place *at, size_t first)

@@ -4,7 +4,7 @@
 
 #include "core/format/word.h"
 
-/* A format that keeps the colours that shapes bring, with their alpha, instead
+/* A format that keeps the colors that shapes bring, with their alpha, instead
  * of drawing them: a word each. */
 enum { SPY_FORMAT = 200 };
 

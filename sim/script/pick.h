@@ -8,7 +8,7 @@
 bool script_draws(const struct script_command *command);
 
 /* True when the item, a command that draws, covers the pixel (x, y) whatever
- * the clip; *color is then the colour that it leaves there. `pen` holds the
+ * the clip; *color is then the color that it leaves there. `pen` holds the
  * settings before the command. */
 bool script_covers(const struct script_pen *pen, const struct script *script,
                    const struct script_item *item, const int pixel[2],

@@ -25,7 +25,7 @@ struct script {
     int width, height;
     struct script_item *items;
     size_t item_count;
-    int32_t *values; /* arguments of all items; colours as their bits */
+    int32_t *values; /* arguments of all items; colors as their bits */
     size_t value_count;
     size_t polygon_max;           /* vertices of the largest polygon */
     struct script_assets *assets; /* fonts, pictures and texts that it names */

@@ -22,7 +22,7 @@ const struct inspect_format inspect_formats[INSPECT_FORMATS] = {
 
 /* The format of counts. */
 
-/* Colours stay apart, so that gradients fill cell by cell. */
+/* Colors stay apart, so that gradients fill cell by cell. */
 static uint32_t color_word(pel_color color)
 {
     return color;

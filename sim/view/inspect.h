@@ -20,7 +20,7 @@ enum { INSPECT_FORMATS = 5 };
 extern const struct inspect_format inspect_formats[INSPECT_FORMATS];
 
 /* A format of words that count how often each pixel is written, and are read as
- * colours: black, blue, cyan, green, yellow, red, white for 6 and more. */
+ * colors: black, blue, cyan, green, yellow, red, white for 6 and more. */
 extern const struct pel_format inspect_heat;
 
 /* Tints every other band of `rows` pixels; a pixel is `zoom` px high. */

@@ -10,8 +10,8 @@
 
 enum fill {
     FILL_OWN,     /* the paint that the script has there */
-    FILL_FLAT,    /* one colour */
-    FILL_CORNERS, /* barycentric: a colour at each corner */
+    FILL_FLAT,    /* one color */
+    FILL_CORNERS, /* barycentric: a color at each corner */
     FILL_RADIAL,  /* rings that repeat, with a phase */
     FILL_SECTOR   /* by angle: the hues */
 };
@@ -19,8 +19,8 @@ enum fill {
 struct style {
     enum fill fill;
     pel_color color; /* of FILL_FLAT and FILL_RADIAL; alpha ignored */
-    uint8_t alpha;   /* 255: opaque; on top of that of FILL_OWN's colours */
-    bool marked;     /* in another colour: the picked one */
+    uint8_t alpha;   /* 255: opaque; on top of that of FILL_OWN's colors */
+    bool marked;     /* in another color: the picked one */
 };
 
 /* The shape that a paint is for, in px. */
@@ -35,7 +35,7 @@ struct outline {
 void style_write(FILE *out, const struct style *style,
                  const struct outline *outline);
 
-/* Writes a line of a script with its colours as the style has them. */
+/* Writes a line of a script with its colors as the style has them. */
 void style_recolor(FILE *out, const struct style *style, const char *line);
 
 #endif

@@ -1,4 +1,4 @@
-/* Every value: the mix of two channels, every pixel and colour of every format,
+/* Every value: the mix of two channels, every pixel and color of every format,
  * through pack and unpack and through memory, and every blend of a channel. */
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* One run of one colour, opaque and blended: every length from 0 to 40 px (and
+/* One run of one color, opaque and blended: every length from 0 to 40 px (and
  * to 150 opaque), every place against 16 bytes, every alpha; over pixels whose
  * bits are random, unused ones included. Every byte is judged by the formats'
  * rule, those around the run too. */

@@ -1,4 +1,4 @@
-/* Triangles with a colour per vertex, opaque and with alpha. */
+/* Triangles with a color per vertex, opaque and with alpha. */
 #include "screen.h"
 
 static const struct pel_surface screen = SCREEN(pel_rgb565_le);

@@ -86,7 +86,7 @@ static inline const struct pel_paint *make_nearest(void)
     return &paint.base.paint;
 }
 
-/* Texels of another format than the screen's go by way of colours. */
+/* Texels of another format than the screen's go by way of colors. */
 static inline const struct pel_paint *make_nearest_colors(void)
 {
     static const struct pel_texels of_colors = {

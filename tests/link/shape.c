@@ -1,4 +1,4 @@
-/* Fills one shape, DRAW of draws.h, with one colour: opaque, and with alpha. */
+/* Fills one shape, DRAW of draws.h, with one color: opaque, and with alpha. */
 #include "draws.h"
 
 int main(void)

@@ -132,7 +132,7 @@ static void fill_fails(const struct pel_paint *paint,
 }
 
 /* The writers are there for speed: what they are made for must not go the other
- * way. Colours with alpha have one for all but xrgb1555_le. */
+ * way. Colors with alpha have one for all but xrgb1555_le. */
 static void test_writers_are_taken(void)
 {
     static const struct pel_format *const all[] = {
@@ -151,7 +151,7 @@ static void test_writers_are_taken(void)
         }
 }
 
-/* Opaque interpolated colours have two. */
+/* Opaque interpolated colors have two. */
 static void test_gouraud_writers_are_taken(void)
 {
     static const struct pel_format *const all[] = {&pel_xrgb8888,

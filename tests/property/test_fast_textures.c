@@ -35,7 +35,7 @@ static map_function *const maps[2] = {pel_texture_map_triangle,
 static const struct core *const cores[2] = {&core_default, &core_portable};
 
 /* By the index of layouts[]: rgb565_le, rgb565_be, bgr565_le, xrgb8888, gray8;
- * then argb8888, and arrays of colours with and without alpha. */
+ * then argb8888, and arrays of colors with and without alpha. */
 static const int layouts_of[] = {0, 1, 2, 6, 11};
 enum { LAYOUTS = 5, ARGB = LAYOUTS, COLORS, OPAQUE_COLORS, KINDS };
 

@@ -61,7 +61,7 @@ static bool source_of(const struct pel_copy_part *c, int32_t *x, int32_t *y)
            *y < b->y1;
 }
 
-/* The colour that arrives at a pixel; alpha 0 where none does. */
+/* The color that arrives at a pixel; alpha 0 where none does. */
 typedef pel_color rule(const struct pel_copy_part *c, int32_t x, int32_t y,
                        uint32_t option);
 
@@ -141,7 +141,7 @@ static void test_alpha(void)
     }
 }
 
-/* The canvas's words of 32 bits, read as colours with alpha. */
+/* The canvas's words of 32 bits, read as colors with alpha. */
 static pel_color argb_rule(const struct pel_copy_part *c, int32_t x, int32_t y,
                            uint32_t alpha)
 {

@@ -28,13 +28,13 @@ static bool has_few_levels(const struct layout *l)
     return l->bits <= 16 && l->format->id != PEL_FORMAT_GRAY8;
 }
 
-/* What the format shows of a colour that it has; grey for grey formats. */
+/* What the format shows of a color that it has; grey for grey formats. */
 static pel_color shown(const struct layout *l, pel_color c)
 {
     return layout_unpack(l, layout_pack(l, c));
 }
 
-/* Of one channel of a colour whose other channels are the same: the highest
+/* Of one channel of a color whose other channels are the same: the highest
  * value not above c that the format shows, and the lowest above. */
 static void levels_around(const struct layout *l, int shift, uint32_t c,
                           uint32_t *low, uint32_t *high)
@@ -81,7 +81,7 @@ static void check_over(const struct layout *l, pel_color color, int32_t x,
                  x, y, want, canvas_pixel(&canvas, x, y), cases_replay());
 }
 
-/* One colour, any alpha, on any surface. */
+/* One color, any alpha, on any surface. */
 static void test_flat(void)
 {
     for (struct cases c = cases_of(1500); cases_next(&c);) {
@@ -104,7 +104,7 @@ static void test_flat(void)
     }
 }
 
-/* Every grey: the mean of 8 x 8 pixels is the colour to 1/128 of a step, and a
+/* Every grey: the mean of 8 x 8 pixels is the color to 1/128 of a step, and a
  * level stays. */
 static void check_mean(const struct layout *l, uint32_t c, int shift)
 {
@@ -135,7 +135,7 @@ static void test_mean(void)
         }
 }
 
-/* A paint that computes colours, in bands and whole. */
+/* A paint that computes colors, in bands and whole. */
 static void test_gradient_in_bands(void)
 {
     static struct canvas band;
@@ -241,7 +241,7 @@ static void test_narrow_cells(void)
         }
 }
 
-/* A paint that puts opaque colours and others in one call. */
+/* A paint that puts opaque colors and others in one call. */
 static pel_color mixed_color(int32_t x, int32_t y)
 {
     const uint32_t alpha = x % 11 < 7 ? 255 : (uint32_t)x * 53 & 255;
@@ -280,7 +280,7 @@ static void test_mixed_alpha(void)
 }
 
 /* What a source is given: the shape's surface, but for its format, which keeps
- * colours. It colours its rows, then loads what is there. */
+ * colors. It colors its rows, then loads what is there. */
 static void fill_and_load(const struct pel_paint *paint,
                           const struct pel_spans *rows)
 {

@@ -165,7 +165,7 @@ static void test_any_triangle(void)
     }
 }
 
-/* Around the mean place, with a colour that is the mean: the whole triangle is
+/* Around the mean place, with a color that is the mean: the whole triangle is
  * one plane. */
 static void test_triangle_is_gouraud(void)
 {
@@ -209,7 +209,7 @@ static void test_hub_on_an_edge(void)
 }
 
 /* Half a turn around a hub on the edge, two points on one ray, rays through
- * pixel centres with colours between two steps there: where the list begins and
+ * pixel centres with colors between two steps there: where the list begins and
  * which way it goes changes nothing. In px from the hub. */
 static const struct pel_point half[] = {{6, 0}, {8, 0},  {6, 6}, {10, 10},
                                         {0, 5}, {-3, 9}, {-5, 0}};

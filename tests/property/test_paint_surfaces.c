@@ -93,7 +93,7 @@ static void draw(const struct pel_surface *s, const struct pel_point v[3],
         pel_rectangle(s, v[0], v[1], p);
 }
 
-/* Of pixels that the shape hits: for these alone the test asks whether colours
+/* Of pixels that the shape hits: for these alone the test asks whether colors
  * of an opaque paint have alpha 255. */
 static pel_color color_at(const void *colors, int32_t x, int32_t y)
 {
@@ -126,7 +126,7 @@ static void test_pixels(void)
     }
 }
 
-/* FNV-1a, of the colours of 512 runs. */
+/* FNV-1a, of the colors of 512 runs. */
 static uint32_t checksum_of(uint32_t kind)
 {
     struct random r = {kind + 4};

@@ -22,7 +22,7 @@ struct picture {
 
 static struct picture picture;
 
-/* One colour per texel. */
+/* One color per texel. */
 static void open_picture(int32_t width, int32_t height, bool noise)
 {
     struct random r = {(uint64_t)width};
@@ -312,7 +312,7 @@ static void test_formats(void)
                 check_formats(layouts[from].format, layouts[to].format, wrap);
 }
 
-/* A surface with alpha shows what the same colours in an array show. */
+/* A surface with alpha shows what the same colors in an array show. */
 static void test_alpha_surface(void)
 {
     static uint8_t memory[451 * 300 * 4];

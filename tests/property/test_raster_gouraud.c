@@ -1,4 +1,4 @@
-/* Interpolated colours against exact fractions: the bound of raster/gouraud.h,
+/* Interpolated colors against exact fractions: the bound of raster/gouraud.h,
  * before and after rounding. */
 
 #include "tests/support/canvas.h"

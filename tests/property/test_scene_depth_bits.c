@@ -191,6 +191,6 @@ static void test_tilted_planes_and_slivers(void)
 
 int main(void)
 {
-    return RUN_TESTS(test_the_nearer_one_wins, test_no_gap);
-    return RUN_TESTS(test_the_nearer_one_wins, test_tilted_planes_and_slivers);
+    return RUN_TESTS(test_the_nearer_one_wins, test_no_gap,
+                     test_tilted_planes_and_slivers);
 }

@@ -1,5 +1,5 @@
 /* Whole pictures against a renderer in extended precision: who is seen in every
- * pixel, and in which colour. */
+ * pixel, and in which color. */
 #include "core/scene/select.h"
 #include "tests/support/any_scene.h"
 #include "tests/support/canvas.h"

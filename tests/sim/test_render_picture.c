@@ -1,5 +1,5 @@
 /* Whole meshes against a renderer of the test's own: it reads the pel2d file
- * itself, sorts by exact sums, and judges and colours every pixel in 128-bit
+ * itself, sorts by exact sums, and judges and colors every pixel in 128-bit
  * arithmetic. Flat pictures are equal; Gouraud's differ by 1 at most. */
 #include "tests/support/check.h"
 

@@ -53,7 +53,7 @@ static void put_shape(FILE *out)
     fputc('\n', out);
 }
 
-/* Shape i has the colour i + 1. */
+/* Shape i has the color i + 1. */
 static void read_scene(struct script *script)
 {
     char *text;

@@ -57,7 +57,7 @@ void any_scene_prepare(struct any_scene *s, struct pel_frame *frame);
 void any_scene_draw(struct any_scene *s, const struct pel_shading *shading,
                     struct pel_frame *frame, struct canvas *canvas);
 
-/* A shading whose colours are the number of the triangle plus 1. */
+/* A shading whose colors are the number of the triangle plus 1. */
 extern const struct pel_shading any_scene_numbers;
 
 #endif

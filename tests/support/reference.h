@@ -33,7 +33,7 @@ bool reference_line_at(struct pel_point from, struct pel_point to, int32_t x,
 int32_t reference_edge_at(const struct pel_point *a, const struct pel_point *b,
                           int32_t y);
 
-/* The exact colour of a channel (0 blue, 1 green, 2 red, 3 alpha) at the centre
+/* The exact color of a channel (0 blue, 1 green, 2 red, 3 alpha) at the centre
  * of (x, y); the triangle has area. */
 struct fraction reference_channel_at(const struct pel_point v[3],
                                      const pel_color c[3], int channel,

@@ -1,6 +1,6 @@
 /* The 3-D pipeline in double precision, written independently of core, from the
  * formulas of the headers. Places are in world units, pixels as they are, light
- * and colours 0..255. */
+ * and colors 0..255. */
 #ifndef TESTS_SUPPORT_REFERENCE_SCENE_H
 #define TESTS_SUPPORT_REFERENCE_SCENE_H
 

@@ -77,8 +77,8 @@ static void test_every_format_follows_the_rule(void)
         }
 }
 
-/* Ways to draw n pixels of one colour at the left of the first line: the rows
- * of a shape, an unclipped triangle, and colours one by one. */
+/* Ways to draw n pixels of one color at the left of the first line: the rows
+ * of a shape, an unclipped triangle, and colors one by one. */
 enum way { BY_ROWS, BY_TRIANGLE, BY_COLORS, WAYS };
 
 static void draw_run(const struct pel_surface *s, int n, pel_color color,
@@ -150,7 +150,7 @@ static void test_x_bytes(void)
     }
 }
 
-/* Runs of colours with any alphas, opaque ones side by side. */
+/* Runs of colors with any alphas, opaque ones side by side. */
 static void random_colors(struct random *r, pel_color *colors, int n)
 {
     for (int i = 0, left = 0; i < n; i++, left--) {
@@ -163,7 +163,7 @@ static void random_colors(struct random *r, pel_color *colors, int n)
 enum { WIDTH = 48 };
 
 /* Eights that are all clear or all opaque, most of them but for one bit of one
- * alpha: vectors test the alphas of eight colours at once. */
+ * alpha: vectors test the alphas of eight colors at once. */
 static void random_eights(struct random *r, pel_color colors[WIDTH])
 {
     for (int i = 0; i < WIDTH; i += 8) {

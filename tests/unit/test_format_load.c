@@ -1,4 +1,4 @@
-/* Reading pixels: a run of colours from anywhere in a line, in every format,
+/* Reading pixels: a run of colors from anywhere in a line, in every format,
  * and nothing written around them. */
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"

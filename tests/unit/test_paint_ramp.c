@@ -1,11 +1,11 @@
-/* Ramps from stops: exact colours, hard edges, errors. */
+/* Ramps from stops: exact colors, hard edges, errors. */
 #include "core/paint/color_ramp.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
 
 __extension__ typedef __int128 wide;
 
-/* The colour at 65,536 (2 i + 1) / 2 n, by looking for the stops around it. */
+/* The color at 65,536 (2 i + 1) / 2 n, by looking for the stops around it. */
 static uint32_t channel_at(const struct pel_stop *s, int32_t count, int32_t i,
                            int32_t n, int shift)
 {
@@ -53,7 +53,7 @@ static void test_exact(void)
     }
 }
 
-/* Stops at one place: the later colour from there on. */
+/* Stops at one place: the later color from there on. */
 static void test_hard_edge(void)
 {
     static const struct pel_stop s[] = {

@@ -6,7 +6,7 @@
 #include "tests/support/check.h"
 #include "tests/support/items.h"
 
-/* A colour that names its pixel. */
+/* A color that names its pixel. */
 static pel_color color_at(int32_t x, int32_t y)
 {
     return PEL_RGBA(x * 37 & 255, y * 59 & 255, (x ^ y) * 5 & 255,

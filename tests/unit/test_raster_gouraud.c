@@ -1,4 +1,4 @@
-/* Single facts about interpolated colours. */
+/* Single facts about interpolated colors. */
 #define _DEFAULT_SOURCE /* alarm */
 #include <string.h>
 #include <unistd.h>
@@ -6,7 +6,7 @@
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 
-/* Wider than the buffers of colours. */
+/* Wider than the buffers of colors. */
 static const struct pel_rect bounds = {0, 0, 80, 8};
 
 /* Planes that reach the next step exactly at pixel `cross`: the last of their
@@ -64,7 +64,7 @@ static void test_one_point_three_times(void)
     alarm(0);
 }
 
-/* Alpha 0 leaves the pixel untouched, bits that no colour uses included. */
+/* Alpha 0 leaves the pixel untouched, bits that no color uses included. */
 static void test_alpha_0_touches_nothing(void)
 {
     static struct canvas canvas;
@@ -79,7 +79,7 @@ static void test_alpha_0_touches_nothing(void)
     }
 }
 
-/* Equal colours are that colour, exactly, wherever the vertices are. */
+/* Equal colors are that color, exactly, wherever the vertices are. */
 static void test_equal_colors_are_flat(void)
 {
     static struct canvas smooth, flat;
@@ -124,7 +124,7 @@ static void put_fails(const struct pel_surface *surface, int32_t x, int32_t y,
     fail_msg("runs went through the buffer");
 }
 
-/* Opaque colours of a clipped triangle go straight into the pixels. */
+/* Opaque colors of a clipped triangle go straight into the pixels. */
 static void test_runs_are_direct(void)
 {
     static const struct pel_point v[3] = {PEL_AT(-1, -1), PEL_AT(200, 0),

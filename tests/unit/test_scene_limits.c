@@ -162,7 +162,7 @@ static void test_behind_is_nothing(void)
 }
 
 /* Opposite normals meet in one that has no direction: ambient light there, and
- * no colour beyond those of either side. */
+ * no color beyond those of either side. */
 static void test_opposite_normals(void)
 {
     static const int8_t normals[4][3] = {
@@ -192,7 +192,7 @@ static void test_opposite_normals(void)
 }
 
 /* Needles, seen from a side that makes them a few sub-pixels thick or less:
- * colours stay between those of their vertices. */
+ * colors stay between those of their vertices. */
 static void test_slivers(void)
 {
     static const uint8_t colors[4][3] = {

@@ -143,7 +143,7 @@ static int check_places(void)
     return bad;
 }
 
-/* Entry i of the map of a mode is this colour, of 65535 each. */
+/* Entry i of the map of a mode is this color, of 65535 each. */
 static int check_color(const struct pel_fb_mode *mode, unsigned count,
                        unsigned i, const unsigned expected[3])
 {
