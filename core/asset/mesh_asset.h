@@ -39,7 +39,7 @@ static inline bool pel_quantization_legal(const struct pel_quantization *p)
  * checked, and one with a vertex of another part may take its colors. */
 struct pel_mesh_part {
     uint32_t vertices, triangles; /* where it ends: one more than its last */
-    pel_color color; /* of vertices without colors; its alpha is that of all */
+    pel_color color;  /* of vertices without colors; its alpha is that of all */
     uint32_t texture; /* 0: none; else that of its scene with this number,
                          counted from 1 */
 };
