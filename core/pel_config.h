@@ -28,14 +28,14 @@
  * unclipped triangles themselves. They divide in 64 bits, and cost about 3 KB
  * of code, and 4 KB where a nearest texture is linked, 7 KB where a bilinear
  * one is, 6 KB where a depth buffer is; and radial gradients of narrow rings
- * cost 22 KB of stack. */
+ * cost 21 KB of stack. */
 #ifndef PEL_FAST_FILLS
 #define PEL_FAST_FILLS PEL_64BIT
 #endif
 
 /* 1 on CPUs that multiply 32 by 32 to 64 bits with one instruction or two: Arm
- * but for the first Thumb, as on Cortex-M0 and M23, RISC-V with M, and Xtensa
- * but for the ESP8266, which has no windowed ABI. */
+ * but for Thumb-1 (Cortex-M0, M0+, M23), RISC-V with M, and Xtensa but for the
+ * ESP8266, which has no windowed ABI. */
 #if defined(PEL_LONG_MULTIPLY)
 #elif (defined(__ARM_ARCH) && (!defined(__thumb__) || defined(__thumb2__))) || \
     defined(__i386__) || defined(__riscv_mul) ||                               \

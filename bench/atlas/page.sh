@@ -82,7 +82,7 @@ table() {
 # The table in docs/ATLAS.md, between its two marks.
 accept_places() {
     sed '/^<!-- places -->$/q' docs/ATLAS.md
-    cat "$csv"/*.run | sed -n 's/^machine: \(.*\)/Of one run on \1; ratios of times./p'
+    cat "$csv"/*.run | sed -n 's/^machine: \(.*\)/Of one run on \1: ratios of times, less than 1 where Pel is faster./p'
     awk -F '\t' '
         NR == 1 {
             print "\n| workload | place | best peer | Pel to best |" \
@@ -100,8 +100,9 @@ accept_places() {
 while read -r name; do
     draw "$name"
 done <"$work/names"
-awk -F '\t' -f "$here/places.awk" "$here/tried.tsv" "$csv"/speed-*.csv \
-    >"$folder/places.tsv"
+# A part of a run may have no times.
+find "$csv" -name 'speed-*.csv' | sort |
+    xargs awk -F '\t' -f "$here/places.awk" "$here/tried.tsv" >"$folder/places.tsv"
 if [ "${2-}" ]; then
     accept_places
     mv "$work/document" docs/ATLAS.md

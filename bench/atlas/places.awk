@@ -12,6 +12,7 @@ FNR == NR {
 FNR == 1 { FS = ","; next }
 
 $2 == "Pel gcc -O2" && $5 == "ratio_to_best_peer" {
+    ratio[$3] = $6
     to_best[$3] = sprintf("%.2f\t%.2f\t%.2f", $6, $7, $8)
 }
 
@@ -34,6 +35,14 @@ $5 == "ns_per_pixel" {
     }
 }
 
+# The ratio of the batches, not of the medians, tells whether it is the first.
+function place_of(w, place, k)
+{
+    for (place = k = 1; k <= peers[w]; k++)
+        place += peer[w, k] + 0 < pel[w] + 0
+    return ratio[w] <= 1 ? 1 : place < 2 ? 2 : place
+}
+
 function say_tried(w)
 {
     if (!(w in tried))
@@ -48,9 +57,7 @@ END {
         "Pel to memset", "Pel, ns a pixel", "what was tried", "command"
     for (i = 1; i <= workloads; i++) {
         w = workload[i]
-        place = 1
-        for (k = 1; k <= peers[w]; k++)
-            place += peer[w, k] + 0 < pel[w] + 0
+        place = place_of(w)
         print w, place, peers[w] + 1, best[w], peers[w] ? to_best[w] : "\t\t",
             sprintf("%.1f", pel[w] / limit[w]), pel[w],
             (place > 1 ? say_tried(w) : ""), command[w]

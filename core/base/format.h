@@ -62,6 +62,17 @@ struct pel_planes {
     uint32_t at[3], dx[3];
 };
 
+/* A way through the cells of a gradient. Their colours are mixed: the upper
+ * bytes of four sums, of alpha and green, and of red and blue, in the halves of
+ * words, which change from cell to cell. A cell begins where the error is 0 and
+ * ends `cell` and cell_rest / unit later; a pixel is a `step`. A cell is less
+ * than 7 px wide, and error >= 0 at the first pixel. */
+struct pel_walk {
+    uint32_t high, low, high_change, low_change;
+    int32_t error, rest, cell, cell_rest, unit, step;
+    int32_t left; /* cells after the present one */
+};
+
 /* What a format does beside the rest: for dither, Gouraud and textures. */
 struct pel_channels {
     /* Required for grey whose pixels share bytes; NULL elsewhere. Grey c of n
@@ -81,6 +92,12 @@ struct pel_channels {
     bool (*planes)(const struct pel_surface *surface, int32_t x, int32_t y,
                    int32_t n, const struct pel_planes *planes);
 
+    /* n >= 1 opaque pixels on a way, or as many as its cells have: how many.
+     * Error and rest are left where the next cell begins. 0: nothing is done.
+     * May be NULL. */
+    int32_t (*walk)(const struct pel_surface *surface, int32_t x, int32_t y,
+                    int32_t n, struct pel_walk *walk);
+
     /* Of a format that only passes on what it is given: the surface that gets
      * it. Pixel values of that one's format would arrive as they are. May be
      * NULL. */
@@ -88,7 +105,7 @@ struct pel_channels {
 };
 
 struct pel_format {
-    uint8_t id;   /* enum pel_format_id; 128..255 for formats of your own */
+    uint8_t id;   /* enum pel_format_id; 128..254 for formats of your own */
     uint8_t bits; /* of a pixel: 1, 4, 8, 16, 24 or 32 */
     uint8_t word; /* bytes that pixels and stride are a multiple of */
 

@@ -29,12 +29,6 @@ static inline int pel_leading_zeros(uint64_t v)
 {
     return __builtin_clzll(v);
 }
-
-/* Zero bits below the lowest one of v, which is not 0. */
-static inline int pel_trailing_zeros(uint32_t v)
-{
-    return __builtin_ctz(v);
-}
 #else
 #define PEL_ALWAYS_INLINE inline
 #define PEL_NOINLINE
@@ -47,15 +41,21 @@ static inline int pel_leading_zeros(uint64_t v)
         zeros++;
     return zeros;
 }
+#endif
 
+/* Zero bits below the lowest one of v, which is not 0. Small CPUs have no
+ * instruction for it: there a loop is shorter than what compilers link. */
 static inline int pel_trailing_zeros(uint32_t v)
 {
+#if PEL_64BIT && defined(__GNUC__)
+    return __builtin_ctz(v);
+#else
     int zeros = 0;
     for (; !(v & 1); v >>= 1)
         zeros++;
     return zeros;
-}
 #endif
+}
 
 /* On 32-bit CPUs 64-bit numbers are long code and stack is short: there both
  * are functions of their own. On others the first is inlined, the second as the

@@ -56,7 +56,7 @@ static inline int64_t pel_square(int32_t u)
     return pel_product(u, u);
 }
 
-/* That of -2^63 is -2^63: cast it to unsigned where v may be that. */
+/* |v|; that of -2^63 is -2^63: cast it to unsigned where v may be that. */
 static inline int64_t pel_size_of(int64_t v)
 {
     return v < 0 ? PEL_CAST(int64_t, 0 - PEL_CAST(uint64_t, v)) : v;

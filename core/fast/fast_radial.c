@@ -171,24 +171,30 @@ static struct pel_span unpadded(const struct rings *r, int32_t y,
         x, pel_max(x, pel_min(pel_first_pixel(c.x + half + 1), span.x1))};
 }
 
+/* The padding goes to the format some rows at a time, to spare the stack. */
 static PEL_ALWAYS_INLINE void draw_rows(const struct rings *r, bool padded,
                                         int bytes)
 {
-    struct pel_span pad[2][PEL_BATCH_ROWS];
+    enum { ROWS = 32 };
+    struct pel_span pad[2][ROWS];
     struct pel_spans rest = *r->spans;
-    int32_t y = rest.y;
-    for (int32_t i = 0; i < rest.n; i++, y += rest.step) {
-        struct pel_span in = rest.span[i];
-        if (padded) {
-            in = unpadded(r, y, in);
-            pad[0][i] = (struct pel_span){rest.span[i].x0, in.x0};
-            pad[1][i] = (struct pel_span){in.x1, rest.span[i].x1};
+    const struct pel_span *span = rest.span;
+    for (int32_t left = rest.n, y = rest.y; left > 0; left -= rest.n) {
+        rest.n = pel_min(left, ROWS);
+        rest.y = y;
+        for (int32_t i = 0; i < rest.n; i++, span++, y += rest.step) {
+            struct pel_span in = *span;
+            if (padded) {
+                in = unpadded(r, y, in);
+                pad[0][i] = (struct pel_span){span->x0, in.x0};
+                pad[1][i] = (struct pel_span){in.x1, span->x1};
+            }
+            draw_row(r, y, in, bytes);
         }
-        draw_row(r, y, in, bytes);
-    }
-    for (int i = 0; padded && i < 2; i++) {
-        rest.span = pad[i];
-        rest.surface->format->fill(&rest, r->ring[r->n - 1].value);
+        for (int i = 0; padded && i < 2; i++) {
+            rest.span = pad[i];
+            rest.surface->format->fill(&rest, r->ring[r->n - 1].value);
+        }
     }
 }
 

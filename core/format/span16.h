@@ -60,10 +60,11 @@ static inline pel_value16 pel_make_value16(uint32_t pixel)
     return pixel | pixel << 16;
 }
 
-/* n >= 1 pixels: pairs of them as words, once the address allows it. On Arm one
- * shift tells two bits of a number, as carry and sign, which compilers do not
- * find; what is left is 8 too few at the end. A frame pointer leaves six
- * registers. */
+/* n >= 1 pixels: pairs of them as words, once the address allows it. On Arm a
+ * left shift puts one bit of a number into the carry and the next one into the
+ * sign, so that it decides two branches; compilers do not find that. After the
+ * loop `left` is 8 less than the pixels that remain: its low three bits are
+ * theirs. Six registers: with a frame pointer Thumb-1 has no seventh. */
 #if defined(__arm__) && defined(__GNUC__)
 static PEL_INLINE_FAST void pel_put_pixels16(pel_word16 *p, int32_t n,
                                              uint32_t v)

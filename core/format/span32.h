@@ -49,9 +49,9 @@ static PEL_ALWAYS_INLINE void pel_span32_long(pel_word32 *p, int32_t n,
     } while (p < tail);
 }
 
-/* `ahead`: bytes to the span of a row below, of which cache lines are asked
- * for: stores retire in order, so each miss would wait for the one before it.
- */
+/* Stores retire in order, so each that misses the cache waits for the one
+ * before it. So the cache lines `ahead` bytes on, those of a row below, are
+ * asked for meanwhile. */
 static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
                                          pel_value32 v, uintptr_t ahead)
 {

@@ -37,10 +37,10 @@ static PEL_ALWAYS_INLINE void ask_ahead(const struct pel_surface *s,
 {
     enum { ROWS_AHEAD = 4 };
     const int32_t bits = s->format->bits;
-    const ptrdiff_t row =
-        (ptrdiff_t)(y + ROWS_AHEAD - s->bounds.y0) * s->stride;
-    const int32_t column = (r->x0 - s->bounds.x0) * bits / 8;
-    pel_prefetch_span((uintptr_t)s->pixels + (uintptr_t)(row + column),
+    const uintptr_t row =
+        (uintptr_t)(y + ROWS_AHEAD - s->bounds.y0) * (uintptr_t)s->stride;
+    const uintptr_t column = (uintptr_t)((r->x0 - s->bounds.x0) * bits / 8);
+    pel_prefetch_span((uintptr_t)s->pixels + row + column,
                       (r->x1 - r->x0) * bits / 8);
 }
 
@@ -138,23 +138,20 @@ static bool copy_same(const struct pel_surface *surface,
     const size_t size = (size_t)(run.n * f->bits / 8);
     if (key)
         run.skip = f->pack(*key);
-    int32_t y = r.y0;
-    if (PEL_64BIT && whole) /* a loop that is short of no register */
-        for (; y < r.y1; y++)
-            memcpy((uint8_t *)pel_surface_line(surface, y) + to / 8,
-                   (uint8_t *)pel_surface_line(source, y - dy) + from / 8,
-                   size);
-    for (; y < r.y1; y++) {
-        run.to = (uint8_t *)pel_surface_line(surface, y) + to / 8;
-        run.from = (uint8_t *)pel_surface_line(source, y - dy) + from / 8;
+    run.to = pel_surface_line(surface, r.y0) + to / 8;
+    run.from = pel_surface_line(source, r.y0 - dy) + from / 8;
+    for (int32_t y = r.y0;;) {
         if (key)
             ask_ahead(surface, &r, y);
         if (whole)
             memcpy(run.to, run.from, size);
         else
             copy_run(&run, f->bits);
+        if (++y == r.y1)
+            return true;
+        run.to += surface->stride;
+        run.from += source->stride;
     }
-    return true;
 }
 
 /* Gives n colours of the source the alpha with which they are put. */

@@ -2,8 +2,8 @@
 
 #include "../base/inline.h"
 
-/* Rows that are handed to a paint at a time, and their columns, which fit a
- * word with the up to 7 bits of a byte before them. */
+/* A glyph is drawn in parts of ROWS x COLUMNS pixels. bits_at() reads whole
+ * bytes: with the up to 7 columns that come with them, 24 fit 32 bits. */
 enum {
     ROWS = PEL_64BIT && PEL_BATCH_ROWS > 16 ? 16
            : PEL_KNOW_SIDES                 ? PEL_BATCH_ROWS
@@ -11,26 +11,22 @@ enum {
     COLUMNS = 24
 };
 
-/* A part of a glyph at pixel x: of each row the bits left of its span, the last
- * one in the low bit. */
+/* Each row's runs of set bits are taken from right to left. */
 struct part {
-    int32_t x;
+    int32_t x; /* of the glyph */
     struct pel_spans rows;
-    struct pel_span span[ROWS];
-    uint32_t bits[ROWS];
+    struct pel_span span[ROWS]; /* the run of each row that is drawn next */
+    uint32_t bits[ROWS]; /* what lies left of it, its last column lowest */
 };
 
 /* Zero bits below the lowest one, 31 at most. */
 static inline int32_t zeros(uint32_t v)
 {
     if (PEL_64BIT)
-        return pel_trailing_zeros(v | 0x80000000u);
-    if (v == 0)
-        return 31;
-    int32_t n = 0;
-    for (; !(v & 1); v >>= 1)
-        n++;
-    return n;
+        v |= 0x80000000u;
+    else if (v == 0)
+        return 31; /* the loop need not run */
+    return pel_trailing_zeros(v);
 }
 
 /* The bits of columns [x0, x1), up to COLUMNS of them. */

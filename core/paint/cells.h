@@ -38,10 +38,11 @@ struct pel_cells {
 
     int32_t place; /* of the next cell */
 
-    /* The kind's own: where the present cell begins, a radius or an angle, and
-     * what the floor drops of it; of a linear one's small code how many are
-     * still walked. */
-    int32_t whole, rest;
+    /* Of a radial gradient the radius where the present cell begins, of a conic
+     * one the angle, rounded down; of a linear one, where code is to be small,
+     * how many cells are walked before one is looked up. */
+    int32_t whole;
+    int32_t rest; /* of the radius or angle, or of a linear one's error */
 
 #if PEL_KNOW_SIDES
     const struct pel_span *span; /* the shape's, of these rows */
@@ -62,6 +63,54 @@ static inline int32_t pel_cells_place(const struct pel_gradient *g,
     if (g->period == 0)
         return copy > 0 ? g->cells - 1 : part;
     return g->period > g->cells && (copy & 1) ? part + g->cells : part;
+}
+
+/* The middle of cell i of 256 from a to b, rounded: a + (b - a) (2 i + 1) /
+ * 512, for two channels in the halves of a word, is the upper byte of a sum
+ * that changes by b - a from cell to cell. In each half it is between 128 and
+ * 255 * 256 + 128, so nothing is left over between them, though b - a may be
+ * negative. `high` is of alpha and green, `low` of red and blue. */
+struct pel_mix {
+    uint32_t high, low, high_change, low_change; /* sums of cell 0 */
+};
+
+static inline uint32_t pel_mix_sum(uint32_t a, uint32_t change)
+{
+    const uint32_t half = (change + UINT32_C(0x01000100)) >> 1;
+    return a * 256 + (half & UINT32_C(0x00FF00FF));
+}
+
+static inline struct pel_mix pel_mix_of(pel_color a, pel_color b)
+{
+    const uint32_t m = 0xFF00FFu, high = (b >> 8 & m) - (a >> 8 & m);
+    const uint32_t low = (b & m) - (a & m);
+    const struct pel_mix mix = {pel_mix_sum(a >> 8 & m, high),
+                                pel_mix_sum(a & m, low), high, low};
+    return mix;
+}
+
+static inline pel_color pel_mixed(uint32_t high, uint32_t low)
+{
+    return (high & UINT32_C(0xFF00FF00)) | (low >> 8 & 0xFF00FFu);
+}
+
+static inline pel_color pel_mix_color(struct pel_mix mix, int32_t cell)
+{
+    const uint32_t i = (uint32_t)cell;
+    return pel_mixed(mix.high + mix.high_change * i,
+                     mix.low + mix.low_change * i);
+}
+
+/* The place of the cell after `place`, on the way; that itself: none comes, or
+ * none but it. */
+static PEL_ALWAYS_INLINE int32_t pel_cells_after(const struct pel_gradient *g,
+                                                 int32_t place, int32_t way)
+{
+    const int32_t bound = g->period ? g->period : g->cells;
+    const int32_t next = place + way;
+    if ((uint32_t)next < (uint32_t)bound)
+        return next;
+    return g->period ? next - way * bound : place;
 }
 
 /* Before the first batch. */

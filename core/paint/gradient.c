@@ -2,23 +2,7 @@
 
 enum { FAR = 1 << 20 }; /* px: to the right of every pixel */
 
-/* The middle of cell i of 256 from a to b, rounded: a + (b - a) (2 i + 1) /
- * 512, for two channels in the halves of a word, is the upper byte of
- * mix_sum(a, b, i), which changes by b - a from cell to cell. In each half it
- * is between 128 and 255 * 256 + 128, so nothing is left over between them,
- * though b - a may be negative. */
-static uint32_t mix_sum(uint32_t a, uint32_t b, uint32_t i)
-{
-    const uint32_t half = (b + UINT32_C(0x01000100) - a) >> 1;
-    return a * 256 + (half & UINT32_C(0x00FF00FF)) + (b - a) * i;
-}
-
-static pel_color mixed(uint32_t high, uint32_t low)
-{
-    return (high & UINT32_C(0xFF00FF00)) | (low >> 8 & 0xFF00FFu);
-}
-
-/* The same in less code: a + (b - a) part / 512, rounded. */
+/* A mixed colour in less code: a + (b - a) part / 512, rounded. */
 static inline pel_color mixed_by_channels(pel_color a, pel_color b,
                                           uint32_t part)
 {
@@ -33,13 +17,11 @@ static inline pel_color mixed_by_channels(pel_color a, pel_color b,
 static pel_color ramp_color(const struct pel_gradient *g, int32_t cell)
 {
     const pel_color a = g->ramp.colors[0], b = g->ramp.colors[1];
-    const uint32_t i = (uint32_t)cell, mask = 0xFF00FFu;
     if (g->ramp.n != 2)
         return g->ramp.colors[cell];
     if (!PEL_KNOW_SIDES)
-        return mixed_by_channels(a, b, 2 * i + 1);
-    return mixed(mix_sum(a >> 8 & mask, b >> 8 & mask, i),
-                 mix_sum(a & mask, b & mask, i));
+        return mixed_by_channels(a, b, 2 * (uint32_t)cell + 1);
+    return pel_mix_color(pel_mix_of(a, b), cell);
 }
 
 void pel_cells_color(struct pel_cells *c)
@@ -62,21 +44,19 @@ void pel_cells_color(struct pel_cells *c)
 static int32_t pass_mixed(const struct pel_cells *c, int32_t most)
 {
     const struct pel_gradient *g = c->gradient;
-    const uint32_t a = g->ramp.colors[0], b = g->ramp.colors[1], m = 0xFF00FFu;
+    const struct pel_mix mix = pel_mix_of(g->ramp.colors[0], g->ramp.colors[1]);
     const bool back = c->place >= g->cells, down = back == (c->way > 0);
     const int32_t i = back ? g->period - 1 - c->place : c->place;
     const uint32_t mask = c->mask, sign = down ? UINT32_MAX : 1;
-    const uint32_t change0 = sign * ((b >> 8 & m) - (a >> 8 & m));
-    const uint32_t change1 = sign * ((b & m) - (a & m));
-    uint32_t high = mix_sum(a >> 8 & m, b >> 8 & m, (uint32_t)i);
-    uint32_t low = mix_sum(a & m, b & m, (uint32_t)i);
-    const uint32_t first = mixed(high, low) & mask;
+    uint32_t high = mix.high + mix.high_change * (uint32_t)i;
+    uint32_t low = mix.low + mix.low_change * (uint32_t)i;
+    const uint32_t first = pel_mixed(high, low) & mask;
     most = pel_min(most, down ? i : 255 - i);
     int32_t left = most;
     for (; left > 0; left--) {
-        high += change0;
-        low += change1;
-        if ((mixed(high, low) & mask) != first)
+        high += sign * mix.high_change;
+        low += sign * mix.low_change;
+        if ((pel_mixed(high, low) & mask) != first)
             break;
     }
     return most - left;

@@ -198,6 +198,19 @@ static bool fill_planes(const struct pel_surface *surface, int32_t x, int32_t y,
     return true;
 }
 
+static int32_t fill_walk(const struct pel_surface *surface, int32_t x,
+                         int32_t y, int32_t n, struct pel_walk *walk)
+{
+    const struct pel_surface *const target = target_of(surface);
+    if (!is_565(target->format))
+        return 0;
+    const struct pel_row565 row = row565_of(target, x, y, n);
+    return (int32_t)((is_swapped(target->format)
+                          ? pel_row565_walk(row, walk, true)
+                          : pel_row565_walk(row, walk, false)) -
+                     row.p);
+}
+
 /* The opaque ones that come first. */
 static int32_t put_opaque(const struct pel_surface *target, int32_t x,
                           int32_t y, int32_t n, const pel_color *colors)
@@ -258,8 +271,8 @@ static uint32_t keep(uint32_t color)
     return color | OPAQUE;
 }
 
-static const struct pel_channels proxy_channels = {.planes = fill_planes,
-                                                   .target = target_of};
+static const struct pel_channels proxy_channels = {
+    .planes = fill_planes, .walk = fill_walk, .target = target_of};
 
 static const struct pel_format proxy_format = {
     .id = 255,

@@ -13,8 +13,8 @@ PEL_BEGIN_DECLS
  * pixels of one colour the mean of what is shown is that colour to 1/128 of the
  * step between two levels. Colours that are levels stay.
  *
- * Red, green and blue apart, or the grey of a colour, as the format's
- * `channels` says; nothing in formats of 8 bits a channel. Acts on the
+ * Red, green and blue apart, or the grey of a colour, with the bits that the
+ * format's `depth` says; nothing in formats of 8 bits a channel. Acts on the
  * source's colour, before it is blended with its alpha. */
 struct pel_dither {
     struct pel_paint paint;

@@ -135,4 +135,34 @@ static PEL_ALWAYS_INLINE void pel_row565_planes(struct pel_row565 r,
     }
 }
 
+/* The end of the pixels that were put. */
+static PEL_ALWAYS_INLINE pel_word16 *pel_row565_walk(struct pel_row565 r,
+                                                     struct pel_walk *walk,
+                                                     bool swapped)
+{
+    uint32_t high = walk->high, low = walk->low;
+    int32_t error = walk->error, rest = walk->rest;
+    const int32_t step = walk->step;
+    const struct pel_steps565 *threshold = r.thresholds + r.x;
+    do {
+        const struct pel_steps565 s =
+            pel_steps565(low >> 8 & 0xFF00FFu, high >> 8 & 0xFFu);
+        error -= walk->cell;
+        rest -= walk->cell_rest;
+        if (rest < 0) {
+            rest += walk->unit;
+            error--;
+        }
+        for (; error < 0 && r.p < r.end; error += step)
+            pel_store565(r.p++, threshold++, s, swapped);
+        if (threshold >= r.thresholds + PEL_PLACES)
+            threshold -= PEL_PLACES;
+        high += walk->high_change;
+        low += walk->low_change;
+    } while (walk->left-- > 0 && r.p < r.end);
+    walk->error = error;
+    walk->rest = rest;
+    return r.p;
+}
+
 #endif

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "../base/divide.h"
-#include "cells.h"
+#include "linear_walk.h"
 
 /* Where code is to be small, cells that are walked before the next one is
  * looked up: narrow ones are passed so. */
@@ -151,26 +151,30 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     }
 }
 
-/* From a row of a gradient that is level and grows downwards to the next one: a
- * few cells on, without a division. */
-static void move_down(struct pel_cells *c, const struct pel_linear *p)
+/* Goes to a pixel whose error is greater by `growth`, or less: a few cells on
+ * or back, without a division. Not back from a last cell that goes on. */
+static void move(struct pel_cells *c, const struct pel_linear *p,
+                 int64_t growth, int32_t way)
 {
-    const struct pel_gradient *g = &p->base;
-    c->error += p->d.y;
+    const struct pel_gradient *const g = &p->base;
+    c->error += growth;
     while (c->error > p->cell ||
            (c->error == p->cell && c->rest >= p->cell_rest)) {
         const bool carry = c->rest < p->cell_rest;
         c->error -= p->cell + carry;
         c->rest += (carry ? unit_of(p) : 0) - p->cell_rest;
-        if (++c->place == g->period)
-            c->place = 0;
-        else if (g->period == 0)
-            c->place = pel_min(c->place, g->cells - 1);
+        c->place = pel_cells_after(g, c->place, way);
+    }
+    while (c->error < 0 && pel_cells_after(g, c->place, -way) != c->place) {
+        const bool carry = c->rest + p->cell_rest >= unit_of(p);
+        c->error += p->cell + carry;
+        c->rest += p->cell_rest - (carry ? unit_of(p) : 0);
+        c->place = pel_cells_after(g, c->place, -way);
     }
 }
 
-/* Of a level gradient a row is of one colour; those that look alike are drawn
- * together. */
+/* A row of a vertical gradient has one colour. Neighbouring rows of one pixel
+ * value are drawn together. */
 static void fill_level(const struct pel_linear *p,
                        const struct pel_spans *spans)
 {
@@ -185,7 +189,7 @@ static void fill_level(const struct pel_linear *p,
         if (i == 0 || !near_cells)
             set_cell(&c, p, product_at(p, 0, c.cell.y));
         else if (c.cell.step)
-            move_down(&c, p);
+            move(&c, p, p->d.y, 1);
         pel_cells_color(&c);
         if (rows.n && (c.value != value || c.draw != draw)) {
             pel_fill_value(&rows, value, draw);
@@ -207,9 +211,10 @@ static bool is_opaque(const struct pel_ramp *ramp)
     return pel_alpha(all) == 255;
 }
 
-/* The row whose span holds all others, where its bytes are those of all: of an
- * upright gradient, opaque, in a format whose pixels are bytes of their own.
- * -1: none. */
+/* All rows of a horizontal gradient are alike, so one is drawn and copied to
+ * the others: the row whose span holds all of theirs. -1: there is none, or
+ * copies would be wrong (colours are blended, pixels share bytes, or the format
+ * is a dither's or the program's own). */
 static int32_t find_model(const struct pel_linear *p,
                           const struct pel_spans *spans)
 {
@@ -242,13 +247,57 @@ static void copy_model(const struct pel_spans *spans, int32_t model)
     }
 }
 
+/* To a run's first pixel; to the shape's first one, if c->place < 0. */
+static void move_to(struct pel_cells *c, const struct pel_linear *p, int32_t x,
+                    int32_t y)
+{
+    const int64_t growth =
+        pel_product(p->d.x, x - c->x) + pel_product(p->d.y, y - c->cell.y);
+    const int64_t most = CELLS_WALKED * p->cell;
+    const bool lost = c->place < 0 || growth > most || growth < -most;
+    c->x = x;
+    c->cell.y = y;
+    if (lost ||
+        (growth < 0 && pel_cells_after(&p->base, c->place, p->way) == c->place))
+        set_cell(c, p, product_at(p, x, y));
+    else
+        move(c, p, growth, p->way);
+}
+
+/* False: nothing is done, or no more than pixels before the way. Only where the
+ * format can walk, and cells are 1/2 to 7 px wide. */
+static bool fill_walked(const struct pel_linear *p,
+                        const struct pel_spans *spans)
+{
+    const struct pel_channels *const channels =
+        spans->surface->format->channels;
+    struct pel_cells c;
+    if (!channels || !channels->walk || p->base.ramp.n != 2 ||
+        !is_opaque(&p->base.ramp) || p->cell >= 7 * (int64_t)p->d.x ||
+        p->d.x >= 2 * p->cell)
+        return false;
+    pel_cells_open(&c, &p->base, spans);
+    c.x = 0;
+    c.place = -1;
+    for (int32_t i = 0; i < spans->n; i++) {
+        const struct pel_span run = spans->span[i];
+        if (run.x0 >= run.x1)
+            continue;
+        move_to(&c, p, run.x0, spans->y + i * spans->step);
+        if (!pel_walk_run(&c, p, run.x1))
+            return false;
+    }
+    return true;
+}
+
 /* Where boundaries lie far apart from row to row, the rows are drawn one by
  * one, and where cells are narrower than 1/16 px, so are pixels. */
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
     const bool far = pel_size_of(p->d.y) > 8 * p->d.x;
-    const int32_t most = p->by_pixel || far ? 1 : PEL_CELL_ROWS;
+    const int32_t most =
+        PEL_CELL_ROWS == 1 || p->by_pixel || far ? 1 : PEL_CELL_ROWS;
     const int32_t model = PEL_CELL_ROWS > 1 ? find_model(p, spans) : -1;
     struct pel_spans drawn = *spans;
     if (model >= 0) {
@@ -258,7 +307,7 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     }
     if (PEL_CELL_ROWS > 1 && p->d.x == 0)
         fill_level(p, spans);
-    else
+    else if (PEL_CELL_ROWS == 1 || !fill_walked(p, &drawn))
         pel_cells_fill(paint, &drawn, most, start, end_cells);
     if (model >= 0)
         copy_model(spans, model);

@@ -7,8 +7,9 @@
  *     if (pel_linear_init(&sky, top, bottom, &ramp) == PEL_OK)
  *         pel_circle(&surface, center, radius, &sky.base.paint);
  *
- * On formats of 16 bits and less wrap it in a dither (paint_dither.h), or its
- * steps are seen. */
+ * On formats of 16 bits and less its steps are seen. A dither (paint_dither.h)
+ * hides them: pel_dither_init(&smooth, &sky.base.paint), then draw with
+ * &smooth.paint. */
 #ifndef PEL_PAINT_PAINT_LINEAR_H
 #define PEL_PAINT_PAINT_LINEAR_H
 
@@ -20,8 +21,8 @@ PEL_BEGIN_DECLS
  *
  *     k |d|^2 <= n (P - from).d < (k + 1) |d|^2,    d = to - from,
  *
- * in sub-pixels, exactly: the way is 0 at `from`, 1 at `to`, and level across.
- */
+ * in sub-pixels, exactly: the way is 0 at `from`, 1 at `to`. Across d the
+ * colour stays. */
 struct pel_linear {
     struct pel_gradient base;
     struct pel_point from, d; /* turned round where d.x would be below 0 */
@@ -29,7 +30,7 @@ struct pel_linear {
     int64_t cell;
     int64_t step; /* 256 n d.x: by which n products grow from pixel to pixel */
     int32_t cell_rest;
-    int32_t way;      /* from left to right: 1, or -1 when turned; level: 0 */
+    int32_t way; /* from left to right: 1, or -1 when turned; vertical: 0 */
     int32_t by_pixel; /* not 0: cells are narrower than 1/16 px; not set where
                          code is to be small */
 };

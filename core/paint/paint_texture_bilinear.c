@@ -38,15 +38,16 @@ static inline bool is_inner(const struct pel_texture_axis *a, int32_t i)
     return (uint32_t)i < (uint32_t)a->size - 1;
 }
 
-/* How many of n pixels: 64-bit CPUs stop before one that is inside. */
+/* How many of n pixels: where `stop`, it stops before one that is inside. */
 static int32_t outer_run(const struct pel_texture *p,
-                         struct pel_texture_axes *a, int32_t n, pel_color *out)
+                         struct pel_texture_axes *a, int32_t n, bool stop,
+                         pel_color *out)
 {
     int32_t k = 0;
     for (; k < n; k++, pel_texture_axes_step(a, p)) {
         int32_t i = pel_texture_axis_index(&a->u);
         int32_t j = pel_texture_axis_index(&a->v);
-        if (PEL_64BIT && is_inner(&a->u, i) && is_inner(&a->v, j))
+        if (stop && is_inner(&a->u, i) && is_inner(&a->v, j))
             break;
         int32_t i0 = pel_texture_axis_texel(&a->u, i);
         int32_t i1 = pel_texture_axis_texel(&a->u, i + (i < INT32_MAX));
@@ -96,6 +97,14 @@ static void inner(const struct pel_texture *p, const struct pel_texture_axes *a,
         pel_texture_run(p, a, n, out, inner_run);
 }
 
+/* Does the coordinate take four pixels or more from end to end of the picture?
+ * Of shorter parts a pixel costs more than one outside. */
+static inline bool is_slow(const struct pel_texture_axis *a, uint64_t step)
+{
+    const uint64_t size = step >> 63 ? 0 - step : step;
+    return size <= (uint64_t)(uint32_t)a->size << 30;
+}
+
 /* By parts that lie inside the picture, or one of its repetitions, and seams
  * between them. */
 static PEL_NOINLINE void parts(const struct pel_texture *p,
@@ -106,7 +115,7 @@ static PEL_NOINLINE void parts(const struct pel_texture *p,
         part = inner_pixels(&a->u, p->map.u.dx, n);
         part = inner_pixels(&a->v, p->map.v.dx, part);
         if (part == 0) {
-            part = outer_run(p, a, n, out);
+            part = outer_run(p, a, n, true, out);
             continue;
         }
         inner(p, a, part, out);
@@ -123,10 +132,11 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     pel_texture_axes_start(&a, p, x, y, PEL_TEXTURE_HALF_BACK);
     if (PEL_KNOW_SIDES && pel_texture_axes_inside(&a, p, n, 1))
         inner(p, &a, n, out);
-    else if (PEL_64BIT)
+    else if (PEL_64BIT && is_slow(&a.u, p->map.u.dx) &&
+             is_slow(&a.v, p->map.v.dx))
         parts(p, &a, n, out);
     else
-        outer_run(p, &a, n, out);
+        outer_run(p, &a, n, false, out);
 }
 
 enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,

@@ -10,7 +10,7 @@ static PEL_ALWAYS_INLINE void fill_rows(const struct pel_surface *surface,
     struct pel_span span[PEL_COLLECT_ROWS];
     struct pel_spans spans = {surface, span, r->y0, 0, 1};
     const int32_t end = r->y1;
-    if (r->x0 >= r->x1)
+    if (r->x0 >= r->x1 || (PEL_64BIT && r->y0 >= end))
         return;
     const int32_t used =
         PEL_64BIT ? pel_min(end - r->y0, PEL_COLLECT_ROWS) : PEL_COLLECT_ROWS;

@@ -54,7 +54,8 @@ struct pel_depth_paint {
     bool keeps;             /* stores the depth of what it lets through */
 };
 
-/* Flat and Gouraud ones that keep depths above 0 (core/fast/fast_depth.c). */
+/* `fast` of such a paint (raster/paint.h), for flat and Gouraud ones inside it;
+ * core/fast/fast_depth.c says which. */
 bool pel_depth_fast(const struct pel_paint *paint,
                     const struct pel_surface *surface,
                     const struct pel_fast_triangle *triangle);

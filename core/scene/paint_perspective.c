@@ -13,9 +13,9 @@ static uint64_t coordinate(int64_t origin, int32_t part, int extent)
 }
 
 /* The point in the texture, 2^-32 texels. False, and any point, where w is not
- * above 0 or u or v would be out of range: outside of the triangle. w is cut to
- * 32 bits with its first one set, the others to match w / 4: a quotient of
- * 2^-30 parts is too low by less than 5 of them. */
+ * above 0 or u or v would be out of range: outside of the triangle. All are
+ * shifted so that w fills 32 bits and u and v stand two bits lower: a quotient
+ * is too low by less than 5 2^-30. */
 static bool divide(const struct pel_perspective *p, int32_t x, int32_t y,
                    uint64_t position[2])
 {

@@ -184,7 +184,8 @@ static inline void put(const struct run *run, struct pel_light_sum *sum,
     }
 }
 
-/* The same on one color: its channels change by so much themselves. */
+/* The same where the surface has one color: the lit channels change by the same
+ * step at each pixel. */
 static inline void put_one(const struct run *r, const struct pel_light_sum *sum,
                            const struct pel_light_sum *step, pel_color *out)
 {
@@ -206,7 +207,7 @@ static inline void put_one(const struct run *r, const struct pel_light_sum *sum,
     }
 }
 
-/* v 2^-bits, cut towards 0: so light between two ends is not below both. */
+/* v / 2^bits, cut towards 0: light stays between that of the two ends. */
 static inline int32_t part_of(int32_t v, int bits)
 {
     return v < 0 ? -(-v >> bits) : v >> bits;

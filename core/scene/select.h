@@ -18,22 +18,22 @@ enum pel_method {
     PEL_METHODS
 };
 
-/* pel_shade_phong to scene->tolerance: exact where that is 0. Lights are left
- * out of the frame while all that these could add to a white surface is within
- * a quarter of the tolerance. */
+/* Shades as pel_shade_phong to scene->tolerance: exactly where that is 0. It
+ * leaves lights out of the frame while all that these could add to a white
+ * surface is within a quarter of the tolerance. */
 extern const struct pel_shading pel_shade_chosen;
 
 /* Its `start`. */
 enum pel_status pel_frame_start_chosen(struct pel_frame *frame);
 
-/* The texture's sampler to scene->tolerance: nearest texels instead of bilinear
- * ones where the texture's contrast (texture_contrast.h), times the brightest
- * light, is within it, or within half of it in a scene with light.
- * pel_shade_chosen keeps to what is left.
+/* Samples to scene->tolerance: a bilinear texture gives its nearest texels
+ * where its contrast (texture_contrast.h), times the brightest light, is within
+ * the tolerance, or within half of it in a scene with light. pel_shade_chosen
+ * keeps to what is left.
  *
- * pel_map_perspective to scene->texel_tolerance: affine, or divided every 64,
- * 32 ... 2 pixels, or at every one. With r the ratio of the largest distance to
- * the smallest and u the texels,
+ * Maps as pel_map_perspective to scene->texel_tolerance: affine, or divided
+ * every 64, 32 ... 2 pixels, or at every one. With r the ratio of the largest
+ * distance to the smallest and u the texels, the error is
  *
  *     affine   u (r - 1) / 4 or less, of a triangle;
  *     span     the same, of a span.
@@ -47,9 +47,11 @@ extern const struct pel_mapping pel_map_chosen;
 
 /* 16 where depths of 16 bits are proven to show what those of 32 bits show of a
  * prepared frame; 32 elsewhere. The caller knows of the scene that of two
- * triangles in a pixel one lies `gap` or more behind the other. There is none
- * where triangles touch or cross, nor between front and back at the outline of
- * a mesh: cull one side. There is no proof when some vertex is cut off.
+ * triangles in a pixel all that is there of one lies `gap` or more behind all
+ * of the other: corners move by up to a sub-pixel, and steep triangles get
+ * other depths. There is no gap where triangles touch or cross, nor between
+ * front and back at the outline of a mesh: cull one side. There is no proof
+ * when some vertex is cut off, or `gap` is not above 0.
  *
  * Let the vertices lie from `first` to `far`, in coarse units: z is cut by less
  * than one. Then near / z of both triangles differ by at least

@@ -22,7 +22,7 @@ int pel_scene_depth_bits(const struct pel_frame *frame, pel_length gap)
     const struct pel_projector *p = &frame->projector;
     const int64_t near = p->near_coarse - 1;
     int32_t first, last;
-    if (!range_of(frame, &first, &last))
+    if (gap <= 0 || !range_of(frame, &first, &last))
         return 32;
     int64_t coarse = pel_scale_down(gap, 16 - p->fine_bits + p->coarse) - 1;
     if (p->one)

@@ -36,7 +36,6 @@ static bool write_textures(struct import_text *text, const struct model *model,
 {
     FILE *out = text->output.stream;
     const char *name = text->options->name;
-    fprintf(out, "#include <pel/asset/image_asset.h>\n");
     for (unsigned i = 0; i < model->textures; i++) {
         struct model_texture *t = &model->texture[i];
         if (t->picture.width == 0)

@@ -51,7 +51,6 @@ static void write_palette(struct import_text *text, const struct table *table,
     const struct import_array array = {"pel_color", "colors", 1u << bits, 1,
                                        table->color};
     text->palette = true;
-    fprintf(out, "#include <pel/format/palette.h>\n");
     import_array(text, &array);
     fprintf(out,
             "\nextern const struct pel_palette %s_palette;\n"

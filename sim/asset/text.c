@@ -77,7 +77,7 @@ bool import_text_open(struct import_text *text,
     if (!output_open(&text->output, options->output))
         return false;
     print_origin(text->output.stream, options);
-    fprintf(text->output.stream, "#include <pel/asset/%s_asset.h>\n", kind);
+    fprintf(text->output.stream, "#include <pel/pel.h>\n");
     return true;
 }
 

@@ -89,7 +89,7 @@ int command_info(int argc, char **argv)
         .least = 1,
         .most = 1,
         .about = "Tells what a mesh file holds: parts, box, materials, "
-                 "textures.\vErrors tell what of it is left out.",
+                 "textures.\vMessages tell what of it pel leaves out.",
         .tables = {{none, NULL, NULL}}};
     const struct model_source source = {
         .path = *arguments_parse(&line, argc, argv)};

@@ -30,7 +30,8 @@ static uint32_t *slot_of(const struct mesh *mesh, uint32_t *table,
     return &table[i];
 }
 
-/* Moves the first of each to the front; `to` gets the new indices. */
+/* Of equal vertices of a part moves the first to the front; `to` gets the new
+ * indices. */
 static uint32_t join(const struct mesh *mesh, uint32_t *table, uint32_t mask,
                      uint32_t *to)
 {

@@ -86,8 +86,13 @@ g++ -std=c++11 -Wall -Wextra -Wpedantic -Wold-style-cast -Werror -I"$one" \
     "$here/sketch.cpp" "$work/pel.o" -no-pie -o "$work/sketch" && "$work/sketch" ||
     fail "a sketch in C++"
 
-# drivers and examples beside the one source
-for file in drivers/*.c examples/board.c; do
+# drivers, examples and assets beside the one source
+mkdir "$work/asset"
+for source in builtin:vase-small sim/scenes/face.ppm sim/scenes/fixed_6x13.bdf; do
+    "$PEL" import "$source" --name asset -o "$work/asset/${source##*[:.]}.c" ||
+        fail "import $source"
+done
+for file in drivers/*.c examples/board.c "$work"/asset/*.c; do
     case $file in *linux*) ;; *)
         $CC -std=c99 $WARNINGS -I"$one" -fsyntax-only "$file" || fail "$file" ;;
     esac

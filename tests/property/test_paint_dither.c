@@ -3,6 +3,7 @@
 #include "core/paint/paint_dither.h"
 #include "core/paint/paint_linear.h"
 #include "core/paint/paint_texture.h"
+#include "core/round/circle.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/shapes.h"
@@ -175,14 +176,15 @@ static void left_half(const struct pel_paint *paint,
 
 static void check_source(const struct layout *l, const struct pel_paint *source)
 {
+    static const struct pel_point center = PEL_AT(19, 11);
     static struct canvas exact;
     const struct pel_rect b = {0, 0, 40, 24};
     struct pel_dither d;
     canvas_open(&exact, &pel_xrgb8888, &b, 0);
     canvas_open(&canvas, l->format, &b, 0);
     assert_int_equal(pel_dither_init(&d, source), PEL_OK);
-    pel_rectangle(&exact.surface, origin, far_end, source);
-    pel_rectangle(&canvas.surface, origin, far_end, &d.paint);
+    pel_circle(&exact.surface, center, PEL_PX(21), source);
+    pel_circle(&canvas.surface, center, PEL_PX(21), &d.paint);
     for (int32_t y = 0; y < 24; y++)
         for (int32_t x = 0; x < 40; x++) {
             uint32_t before = canvas_pixel_before(&exact, x, y);
@@ -222,6 +224,26 @@ static void test_any_source(void)
         check_source(&layouts[i], &gouraud.paint);
         check_source(&layouts[i], &upright.base.paint);
     }
+}
+
+/* Linear gradients whose cells are about 1/2 to 7 px wide: with both ends in
+ * sight, again and again, either way, and near the limits. */
+static void test_narrow_cells(void)
+{
+    static const struct pel_point ways[][2] = {
+        {PEL_AT(5, 3), PEL_AT(130, 70)},    {PEL_AT(130, 70), PEL_AT(5, 3)},
+        {PEL_AT(12, 60), PEL_AT(140, -90)}, {PEL_AT(30, 9), PEL_AT(-100, 0)},
+        {PEL_AT(-300, 10), PEL_AT(25, 14)}, {PEL_AT(20, 0), PEL_AT(1700, 200)},
+        {PEL_AT(0, 900), PEL_AT(400, 10)},  {PEL_AT(-1790, 0), PEL_AT(9, 0)}};
+    static const pel_color colors[2] = {0xFF1080F0, 0xFFF0A010};
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++)
+        for (int spread = PEL_PAD; spread <= PEL_REFLECT; spread++) {
+            const struct pel_ramp ramp = {colors, 2, (enum pel_spread)spread};
+            struct pel_linear linear;
+            pel_linear_init(&linear, ways[i][0], ways[i][1], &ramp);
+            for (int k = 0; k < LAYOUT_COUNT; k++)
+                check_source(&layouts[k], &linear.base.paint);
+        }
 }
 
 /* A paint that puts opaque colours and others in one call. */
@@ -378,6 +400,6 @@ static void test_dither_of_dither(void)
 int main(void)
 {
     return RUN_TESTS(test_flat, test_mean, test_gradient_in_bands,
-                     test_any_source, test_sources_surface, test_every_depth,
-                     test_dither_of_dither, test_mixed_alpha);
+                     test_any_source, test_narrow_cells, test_sources_surface,
+                     test_every_depth, test_dither_of_dither, test_mixed_alpha);
 }

@@ -93,6 +93,8 @@ static void draw(const struct pel_surface *s, const struct pel_point v[3],
         pel_rectangle(s, v[0], v[1], p);
 }
 
+/* Of pixels that the shape hits: for these alone the test asks whether colours
+ * of an opaque paint have alpha 255. */
 static pel_color color_at(const void *colors, int32_t x, int32_t y)
 {
     const struct pel_color_paint *p = colors;

@@ -116,6 +116,10 @@ BOARD_CPU = $(or $(SMALL_CPU_$(BOARD)),$(BOARD))
 $(if $(filter board,$(MAKECMDGOALS)),$(if $(filter \
     $(BOARD_EXAMPLES),$(EXAMPLE)),,$(error EXAMPLE=$(EXAMPLE): expected one of \
     $(BOARD_EXAMPLES))))
+BOARDS_WITH_IT := $(strip $(BOARDS) $(foreach b,$(SMALL_BOARDS),$(if $(filter \
+    $(EXAMPLE),$(SMALL_EXAMPLES_$b)),$b)))
+$(if $(filter board,$(MAKECMDGOALS)),$(if $(filter $(BOARDS_WITH_IT),$(BOARD)),, \
+    $(error BOARD=$(BOARD): expected one of $(BOARDS_WITH_IT))))
 board: $(BUILD)/board/$(BOARD)/$(EXAMPLE) ## EXAMPLE=board on BOARD=m4 or another of port/boards.mk, in QEMU
 	@tests/tools/example.sh $< $(CPU_RUN_$(BOARD)) $< \
 	    -icount $(word 2,$(MCU_BENCH_$(BOARD_CPU))),sleep=off

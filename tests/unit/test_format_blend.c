@@ -160,10 +160,23 @@ static void random_colors(struct random *r, pel_color *colors, int n)
     }
 }
 
+enum { WIDTH = 48 };
+
+/* Eights that are all clear or all opaque, most of them but for one bit of one
+ * alpha: vectors test the alphas of eight colours at once. */
+static void random_eights(struct random *r, pel_color colors[WIDTH])
+{
+    for (int i = 0; i < WIDTH; i += 8) {
+        const uint32_t alpha = random_word(r) % 2 ? 0xFF000000u : 0;
+        for (int k = i; k < i + 8; k++)
+            colors[k] = (random_word(r) & 0xFFFFFFu) | alpha;
+        colors[i + random_between(r, 0, 7)] ^= 1u << random_between(r, 22, 31);
+    }
+}
+
 /* put, of every format: what the rule makes of every pixel, and no other. */
 static void test_put(void)
 {
-    enum { WIDTH = 48 };
     uint8_t memory[WIDTH * 4];
     pel_color colors[WIDTH], was[WIDTH], got[WIDTH];
     struct pel_surface s;
@@ -174,7 +187,10 @@ static void test_put(void)
         for (int i = 0; i < WIDTH * 4; i++)
             memory[i] = (uint8_t)random_word(&c.random);
         memcpy(pixels, memory, sizeof memory);
-        random_colors(&c.random, colors, n);
+        if (random_word(&c.random) % 2)
+            random_colors(&c.random, colors, n);
+        else
+            random_eights(&c.random, colors);
         s = surface_of(l->format, pixels, sizeof pixels, WIDTH, 1);
         l->format->load(&s, 0, 0, WIDTH, was);
         l->format->put(&s, x, 0, n, colors);

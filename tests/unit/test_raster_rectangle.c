@@ -85,6 +85,7 @@ static void test_boxes(void)
         {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN},
         {3, 1, 1, 4},
         {1, 4, 3, 4},
+        {1, INT32_MAX, 3, INT32_MIN},
         {INT32_MAX - 1, 0, INT32_MAX, 5},
     };
     const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
