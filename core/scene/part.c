@@ -23,7 +23,6 @@ static enum pel_status set_texture(struct pel_frame *frame)
         return PEL_ERROR_RANGE;
     pel_sampler *const sampler =
         t->mapping->sampler ? t->mapping->sampler(frame) : t->sampler;
-    frame->nearest = sampler != t->sampler;
     const enum pel_status status = sampler(&frame->texture, &t->texels, &none);
     frame->texture.wrap_u = (uint8_t)t->wrap_u;
     frame->texture.wrap_v = (uint8_t)t->wrap_v;

@@ -90,7 +90,6 @@ struct pel_frame {
     uint8_t alpha;
     bool opaque;  /* no pixel is translucent, nor left out */
     bool solid;   /* no pixel is translucent */
-    bool nearest; /* pel_map_chosen has chosen so; undefined without texture */
     int32_t room; /* `tolerance` less what the part's texture takes */
     const struct pel_mesh_texture *mesh_texture; /* NULL: no texture */
     struct pel_texture texture; /* its sampler; its map is set by mappings */
