@@ -212,6 +212,13 @@ static void shift(struct pel_point *v, int32_t n, int32_t dx, int32_t dy)
     }
 }
 
+/* A thick line is not drawn where one of its corners is out of range. */
+static bool is_drawn(const struct any_shape *s)
+{
+    struct pel_point v[4];
+    return s->kind != ANY_THICK_LINE || pel_thick_line_corners(THICK(s), v);
+}
+
 static void test_translation_changes_nothing(void)
 {
     for (struct cases c = cases_of(100000); cases_next(&c);) {
@@ -227,11 +234,13 @@ static void test_translation_changes_nothing(void)
         canvas_open(&other, whole.layout->format, &b,
                     random_word(&c.random) % 8);
         canvas_copy(&other, &whole);
+        const bool drawn = is_drawn(&d.shape);
         draw(&whole.surface, &d);
         shift(d.item.v, d.item.n, dx, dy);
         shift(d.shape.v, ANY_POINTS, dx, dy);
         draw(&other.surface, &d);
-        canvas_check_same(&whole, &other);
+        if (drawn == is_drawn(&d.shape))
+            canvas_check_same(&whole, &other);
     }
 }
 
