@@ -39,8 +39,7 @@ struct pel_cells {
     int32_t place; /* of the next cell */
 
     /* Of a radial gradient the radius where the present cell begins, of a conic
-     * one the angle, rounded down; of a linear one, where code is to be small,
-     * how many cells are walked before one is looked up. */
+     * one the angle, rounded down. */
     int32_t whole;
     int32_t rest; /* of the radius or angle, or of a linear one's error */
 
@@ -144,16 +143,13 @@ static PEL_ALWAYS_INLINE bool pel_cells_end_all(struct pel_cells *c)
  * comes: then a batch of one row ends. */
 static PEL_ALWAYS_INLINE bool pel_cells_more(struct pel_cells *c)
 {
-    const struct pel_gradient *g = c->gradient;
-    const int32_t bound = g->period ? g->period : g->cells;
-    const int32_t place = c->place + c->way;
-    const bool ends = (uint32_t)place >= (uint32_t)bound;
-    if (c->way == 0 || (ends && g->period == 0)) {
+    const int32_t next = pel_cells_after(c->gradient, c->place, c->way);
+    if (next == c->place) {
         if (PEL_CELL_ROWS == 1)
             pel_cells_end_all(c);
         return false;
     }
-    c->place = ends ? place - c->way * bound : place;
+    c->place = next;
     pel_cells_color(c);
     return true;
 }
@@ -182,11 +178,14 @@ static PEL_ALWAYS_INLINE void pel_cells_move(struct pel_cells *c, int32_t count,
     } while (--count);
 }
 
-/* Draws what is left of every row up to hi, from the cell at c->place on. */
+/* Draws what is left of every row up to hi, from the cell at c->place on. A
+ * single row may end earlier: after some cells, in case they are narrow, the
+ * next one is looked up. */
 static PEL_ALWAYS_INLINE void pel_cells_draw(
     struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
 {
     bool rest = false;
+    int32_t left = 64;
     pel_cells_color(c);
     do {
         const uint32_t value = c->value;
@@ -196,10 +195,12 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
             rest = count ? end(c, count) : pel_cells_end_all(c);
         } else {
             c->run[0].x0 = c->x;
-            do
+            do {
                 if (pel_cells_more(c))
                     end(c, 1);
-            while (c->x < c->hi && c->value == value && c->draw == draw);
+                if (--left == 0)
+                    c->hi = c->x;
+            } while (c->x < c->hi && c->value == value && c->draw == draw);
             c->run[0].x1 = c->x;
         }
         pel_fill_value(&c->cell, value, draw);
@@ -218,7 +219,7 @@ static PEL_ALWAYS_INLINE void pel_cells_fill(
     struct pel_cells c;
     if (PEL_CELL_ROWS > 1) {
         pel_cells_open(&c, (const void *)paint, spans);
-        while (pel_cells_next(&c, most)) {
+        while (pel_cells_next(&c, c.gradient->by_pixel ? 1 : most)) {
             start(&c);
             pel_cells_draw(&c, end);
         }

@@ -119,6 +119,8 @@ bool pel_cells_next(struct pel_cells *c, int32_t most)
         for (int32_t i = 0; i < c->cell.n; i++)
             c->run[i].x1 = c->span[i].x0;
     }
+    if (c->gradient->by_pixel)
+        c->hi = c->x + 1;
     return true;
 }
 

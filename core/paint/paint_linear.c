@@ -5,10 +5,6 @@
 #include "../base/divide.h"
 #include "linear_walk.h"
 
-/* Where code is to be small, cells that are walked before the next one is
- * looked up: narrow ones are passed so. */
-enum { CELLS_WALKED = 64 };
-
 /* The way is drawn from the end on the left, so that products do not fall to
  * the right. 1 where that is the end of the last cell: there the boundaries
  * belong to the cells before them. */
@@ -37,7 +33,7 @@ static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
     int64_t step = p->square;
     int32_t count = 0;
     if (p->base.period == 0)
-        return product < step ? product : step;
+        return product < step ? product : step - 1;
     do {
         step *= 2;
         count++;
@@ -59,12 +55,17 @@ static int32_t unit_of(const struct pel_linear *p)
     return p->base.cells * 256;
 }
 
-#if PEL_KNOW_SIDES
-
-static bool end_cells(struct pel_cells *c, int32_t count)
+static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_linear *p = (const void *)c->gradient;
     int64_t error = c->error;
+    if (PEL_CELL_ROWS == 1) {
+        error -= p->square;
+        for (; error < 0 && c->x < c->hi; c->x++)
+            error += p->step;
+        c->error = error;
+        return c->x < c->hi;
+    }
     int32_t part = c->rest;
     do {
         error -= p->cell;
@@ -79,56 +80,33 @@ static bool end_cells(struct pel_cells *c, int32_t count)
     return pel_cells_end(c, p->d.x, p->d.y, 0) < 0;
 }
 
-#else
-
-/* Of one row, in units of 1, from an error that is set for the boundary. */
-static PEL_NOINLINE bool end_cells(struct pel_cells *c, int32_t count)
-{
-    const struct pel_linear *p = (const void *)c->gradient;
-    int64_t error = c->error;
-    int32_t x = c->x;
-    (void)count;
-    for (; error < 0 && x < c->hi; x++)
-        error += p->step;
-    c->error = error - p->square;
-    c->x = x;
-    if (--c->whole == 0)
-        c->hi = x;
-    return x < c->hi;
-}
-
-#endif
-
 /* The cell of the pixel that has a product, less `turned`: k = floor((n product
- * - turned) / square), bit by bit of n, and the error where it begins, in units
- * of 1 where it ends. Before a padded way it is the first cell all the same. */
+ * - turned) / square), bit by bit of n, and the error where it begins. Before a
+ * padded way it is the first cell all the same. */
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
                                      const struct pel_linear *p,
                                      int64_t product)
 {
     const int32_t mirror = p->way >> 31; /* -1 when turned, or 0 */
     product -= mirror;
-    int64_t error = mirror - p->square;
+    int64_t error = mirror;
     /* n in the 15 upper bits makes room for k in the lower ones. */
     uint32_t bits = (uint32_t)p->base.cells << 17;
     for (int i = 15; i; i--) {
-        error = 2 * error - mirror + p->square;
+        error = 2 * error - mirror;
         if ((int32_t)bits < 0)
             error += product;
-        for (bits *= 2; error >= 0; bits++)
+        for (bits *= 2; error >= p->square; bits++)
             error -= p->square;
     }
     int32_t place = (int32_t)bits;
     const int32_t n = p->base.cells, period = p->base.period;
-    if (period == 0)
-        place = pel_min(place, n - 1);
-    else if (place >= period)
+    if (period && place >= period)
         place -= period;
     place = (place ^ mirror) + (mirror & n);
     c->place = place < 0 ? place + period : place;
     if (PEL_CELL_ROWS > 1) {
         int64_t rest;
-        error += p->square;
         error = pel_divide_64(error, unit_of(p), &rest);
         c->rest = (int32_t)rest;
     }
@@ -143,12 +121,8 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
     set_cell(c, p, product_at(p, c->x, c->cell.y + last));
     c->way = p->way;
-    c->whole = CELLS_WALKED;
-    if (PEL_CELL_ROWS > 1) {
+    if (PEL_CELL_ROWS > 1)
         c->error -= pel_product(p->d.y, last);
-        if (p->by_pixel)
-            c->hi = c->x + 1;
-    }
 }
 
 /* Goes to a pixel whose error is greater by `growth`, or less: a few cells on
@@ -253,7 +227,7 @@ static void move_to(struct pel_cells *c, const struct pel_linear *p, int32_t x,
 {
     const int64_t growth =
         pel_product(p->d.x, x - c->x) + pel_product(p->d.y, y - c->cell.y);
-    const int64_t most = CELLS_WALKED * p->cell;
+    const int64_t most = 64 * p->cell;
     const bool lost = c->place < 0 || growth > most || growth < -most;
     c->x = x;
     c->cell.y = y;
@@ -296,8 +270,7 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
     const bool far = pel_size_of(p->d.y) > 8 * p->d.x;
-    const int32_t most =
-        PEL_CELL_ROWS == 1 || p->by_pixel || far ? 1 : PEL_CELL_ROWS;
+    const int32_t most = PEL_CELL_ROWS == 1 || far ? 1 : PEL_CELL_ROWS;
     const int32_t model = PEL_CELL_ROWS > 1 ? find_model(p, spans) : -1;
     struct pel_spans drawn = *spans;
     if (model >= 0) {
@@ -334,12 +307,12 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     paint->from = from;
     paint->d = d;
     paint->square = along(paint, from.x + d.x, from.y + d.y);
-    paint->step = pel_product(paint->base.cells * 256, d.x);
+    paint->step = pel_product(unit_of(paint), d.x);
     if (PEL_CELL_ROWS > 1) {
         int64_t rest;
         paint->cell = pel_divide_64(paint->square, unit_of(paint), &rest);
         paint->cell_rest = (int32_t)rest;
-        paint->by_pixel =
+        paint->base.by_pixel =
             paint->base.period &&
             (uint32_t)(paint->step >> 21) >= (uint32_t)(paint->square >> 17);
     }
