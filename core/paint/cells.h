@@ -68,36 +68,29 @@ static inline int32_t pel_cells_place(const struct pel_gradient *g,
  * 512, for two channels in the halves of a word, is the upper byte of a sum
  * that changes by b - a from cell to cell. In each half it is between 128 and
  * 255 * 256 + 128, so nothing is left over between them, though b - a may be
- * negative. `high` is of alpha and green, `low` of red and blue. */
-struct pel_mix {
-    uint32_t high, low, high_change, low_change; /* sums of cell 0 */
-};
-
-static inline uint32_t pel_mix_sum(uint32_t a, uint32_t change)
+ * negative. */
+static inline uint32_t pel_mix_sum(uint32_t a, uint32_t change, int32_t i)
 {
     const uint32_t half = (change + UINT32_C(0x01000100)) >> 1;
-    return a * 256 + (half & UINT32_C(0x00FF00FF));
+    return a * 256 + (half & UINT32_C(0x00FF00FF)) + change * (uint32_t)i;
 }
 
-static inline struct pel_mix pel_mix_of(pel_color a, pel_color b)
+/* From cell i on, up where way is 1, or down: -1. */
+static inline struct pel_mix pel_mix_from(const struct pel_gradient *g,
+                                          int32_t i, int32_t way)
 {
+    const pel_color a = g->ramp.colors[0], b = g->ramp.colors[1];
     const uint32_t m = 0xFF00FFu, high = (b >> 8 & m) - (a >> 8 & m);
-    const uint32_t low = (b & m) - (a & m);
-    const struct pel_mix mix = {pel_mix_sum(a >> 8 & m, high),
-                                pel_mix_sum(a & m, low), high, low};
+    const uint32_t low = (b & m) - (a & m), sign = (uint32_t)way;
+    const struct pel_mix mix = {pel_mix_sum(a >> 8 & m, high, i),
+                                pel_mix_sum(a & m, low, i), sign * high,
+                                sign * low};
     return mix;
 }
 
-static inline pel_color pel_mixed(uint32_t high, uint32_t low)
+static inline pel_color pel_mixed(struct pel_mix mix)
 {
-    return (high & UINT32_C(0xFF00FF00)) | (low >> 8 & 0xFF00FFu);
-}
-
-static inline pel_color pel_mix_color(struct pel_mix mix, int32_t cell)
-{
-    const uint32_t i = (uint32_t)cell;
-    return pel_mixed(mix.high + mix.high_change * i,
-                     mix.low + mix.low_change * i);
+    return (mix.high & UINT32_C(0xFF00FF00)) | (mix.low >> 8 & 0xFF00FFu);
 }
 
 /* The place of the cell after `place`, on the way; that itself: none comes, or
