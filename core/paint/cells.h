@@ -149,9 +149,7 @@ static PEL_ALWAYS_INLINE bool pel_cells_more(struct pel_cells *c)
 
 /* Ends all runs at the boundary, whose error is set. It grows by `step` to the
  * next pixel, and by `row` to the one below; `row` from row to row, and the
- * step from pixel to pixel, by `bend`. Below 0 when pixels are left. A single
- * row has no step to the next: PEL_ROW_STEP. */
-#define PEL_ROW_STEP(row) (PEL_CELL_ROWS > 1 ? (row) : 0)
+ * step from pixel to pixel, by `bend`. Below 0 when pixels are left. */
 int32_t pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
                       int32_t bend);
 

@@ -41,7 +41,7 @@ static PEL_NOINLINE_32 bool end_at(struct pel_cells *c, struct pel_point d)
     const int32_t way = c->way;
     const int64_t cross = cross_of(c, d.x, d.y, height_of(c)) >> 8;
     c->error = way < 0 ? ~cross : cross;
-    return pel_cells_end(c, pel_magnitude(d.y), PEL_ROW_STEP(way * d.x), 0) < 0;
+    return pel_cells_end(c, pel_magnitude(d.y), way * d.x, 0) < 0;
 }
 
 /* The present cell begins at the angle floor(65536 k / period) from the start,

@@ -55,28 +55,31 @@ static int32_t unit_of(const struct pel_linear *p)
     return p->base.cells * 256;
 }
 
+/* From the boundary of a cell to that of the next. */
+static inline void next_boundary(struct pel_cells *c,
+                                 const struct pel_linear *p)
+{
+    c->error -= p->cell;
+    c->rest -= p->cell_rest;
+    if (c->rest < 0) {
+        c->rest += unit_of(p);
+        c->error--;
+    }
+}
+
 static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_linear *p = (const void *)c->gradient;
-    int64_t error = c->error;
     if (PEL_CELL_ROWS == 1) {
-        error -= p->square;
+        int64_t error = c->error - p->square;
         for (; error < 0 && c->x < c->hi; c->x++)
             error += p->step;
         c->error = error;
         return c->x < c->hi;
     }
-    int32_t part = c->rest;
-    do {
-        error -= p->cell;
-        part -= p->cell_rest;
-        if (part < 0) {
-            part += unit_of(p);
-            error--;
-        }
-    } while (--count);
-    c->error = error;
-    c->rest = part;
+    do
+        next_boundary(c, p);
+    while (--count);
     return pel_cells_end(c, p->d.x, p->d.y, 0) < 0;
 }
 
@@ -125,33 +128,13 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
         c->error -= pel_product(p->d.y, last);
 }
 
-/* Goes to the pixel at c->x from one whose error was less by `growth`, or more:
- * a few cells on or back, without a division. Not back from a last cell that
- * goes on. c->place < 0: there was none. */
-static void move(struct pel_cells *c, int64_t growth)
+/* Where the present cell ends, the error grows by `growth` >= 0: on to the cell
+ * whose end lies beyond. */
+static void move_on(struct pel_cells *c, int64_t growth)
 {
     const struct pel_linear *const p = (const void *)c->gradient;
-    const struct pel_gradient *const g = &p->base;
-    const int64_t far = 64 * p->cell;
-    if (c->place < 0 || growth > far || growth < -far ||
-        (growth < 0 && pel_cells_after(g, c->place, p->way) == c->place)) {
-        set_cell(c, p, product_at(p, c->x, c->cell.y));
-        return;
-    }
-    c->error += growth;
-    while (c->error > p->cell ||
-           (c->error == p->cell && c->rest >= p->cell_rest)) {
-        const bool carry = c->rest < p->cell_rest;
-        c->error -= p->cell + carry;
-        c->rest += (carry ? unit_of(p) : 0) - p->cell_rest;
-        c->place = pel_cells_after(g, c->place, p->way);
-    }
-    while (c->error < 0 && pel_cells_after(g, c->place, -p->way) != c->place) {
-        const bool carry = c->rest + p->cell_rest >= unit_of(p);
-        c->error += p->cell + carry;
-        c->rest += p->cell_rest - (carry ? unit_of(p) : 0);
-        c->place = pel_cells_after(g, c->place, -p->way);
-    }
+    for (c->error += growth; c->error >= 0; next_boundary(c, p))
+        c->place = pel_cells_after(&p->base, c->place, p->way);
 }
 
 /* A row of a vertical gradient has one color. Neighbouring rows of one pixel
@@ -163,12 +146,16 @@ static void fill_level(const struct pel_linear *p,
     struct pel_spans rows = *spans;
     uint32_t value = 0;
     void (*draw)(const struct pel_spans *, uint32_t) = NULL;
+    const bool near_cells = p->d.y > 0 && p->d.y >> 3 <= p->cell;
     pel_cells_open(&c, &p->base, spans);
-    c.x = 0;
-    c.place = -1;
     rows.n = 0;
     for (int32_t i = 0; i < spans->n; i++, c.cell.y += rows.step) {
-        move(&c, rows.step ? p->d.y : 0);
+        if (i == 0 || !near_cells) {
+            set_cell(&c, p, product_at(p, 0, c.cell.y));
+            next_boundary(&c, p);
+        } else {
+            move_on(&c, rows.step ? p->d.y : 0);
+        }
         pel_cells_color(&c);
         if (rows.n && (c.value != value || c.draw != draw)) {
             pel_fill_value(&rows, value, draw);
@@ -191,12 +178,14 @@ static bool is_opaque(const struct pel_ramp *ramp)
     return pel_alpha(all) == 255;
 }
 
-/* Where boundaries lie far apart from row to row, rows are drawn one by one. */
+/* Where boundaries lie far apart from row to row, and rows cross many of them,
+ * they are drawn one by one. */
 static void fill_cells(const struct pel_paint *paint,
                        const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    const bool far = PEL_CELL_ROWS > 1 && pel_size_of(p->d.y) > 8 * p->d.x;
+    const int64_t down = pel_size_of(p->d.y);
+    const bool far = PEL_CELL_ROWS > 1 && down > 32 * p->d.x && down > p->cell;
     pel_cells_fill(paint, spans, far ? 1 : PEL_CELL_ROWS, start, end_cells);
 }
 
@@ -238,48 +227,48 @@ static bool fill_copies(const struct pel_linear *p,
     return true;
 }
 
-/* The rows of a dither, which shows every cell, where the format can walk: if
- * cells are 1/2 to 7 px wide, and the hull is all on the way. Vectors are
- * faster from 3 px on. False: nothing is done. */
+/* The rows of a dither, which shows every cell, from the one where products are
+ * least: where the format can walk, if cells are 1/2 to 7 px wide, and the hull
+ * is all on the way. Vectors are faster from 3 px on. False: nothing is done.
+ */
 static bool fill_walked(const struct pel_linear *p,
                         const struct pel_spans *spans, struct pel_span hull)
 {
-    const struct pel_surface *const s = spans->surface;
-    const struct pel_channels *const channels = s->format->channels;
+    const struct pel_channels *const channels =
+        spans->surface->format->channels;
     const int64_t widest = (PEL_VECTORS ? 3 : 7) * (int64_t)p->d.x;
+    const bool up = p->d.y < 0;
+    const int32_t last = spans->n - 1;
     struct pel_cells c;
     if (!channels || !channels->walk || p->base.ramp.n != 2 ||
         !is_opaque(&p->base.ramp) || p->cell >= widest || p->d.x >= 2 * p->cell)
         return false;
     for (int i = 0; i < 2; i++) {
-        const int32_t y = spans->y + i * (spans->n - 1) * spans->step;
-        if (along(p, pel_pixel_center(hull.x0), pel_pixel_center(y)) <= 0 ||
-            along(p, pel_pixel_center(hull.x1 - 1), pel_pixel_center(y)) >=
-                p->square)
+        const int32_t y = pel_pixel_center(spans->y + i * last * spans->step);
+        if (along(p, pel_pixel_center(hull.x0), y) <= 0 ||
+            along(p, pel_pixel_center(hull.x1 - 1), y) >= p->square)
             return false;
     }
-    pel_cells_open(&c, &p->base, spans);
-    c.x = 0;
-    c.place = -1;
+    c.gradient = &p->base;
+    c.x = hull.x0;
+    set_cell(&c, p, product_at(p, c.x, spans->y + up * last * spans->step));
+    next_boundary(&c, p);
     for (int32_t i = 0; i < spans->n; i++) {
-        const struct pel_span run = spans->span[i];
-        if (run.x0 >= run.x1)
-            continue;
-        const int32_t right = run.x0 - c.x, y = spans->y + i * spans->step;
-        const int64_t growth =
-            pel_product(p->d.x, right) + pel_product(p->d.y, y - c.cell.y);
-        c.x = run.x0;
-        c.cell.y = y;
-        move(&c, growth);
+        const int32_t k = up ? last - i : i;
+        const struct pel_span run = spans->span[k];
         const struct pel_walk walk = {pel_mix_from(&p->base, c.place, p->way),
-                                      (int32_t)c.error,
+                                      (int32_t)c.error +
+                                          p->d.x * (run.x0 - hull.x0),
                                       c.rest,
                                       (int32_t)p->cell,
                                       p->cell_rest,
                                       unit_of(p),
                                       p->d.x};
-        if (!channels->walk(s, run.x0, c.cell.y, run.x1 - run.x0, &walk))
+        if (run.x0 < run.x1 &&
+            !channels->walk(spans->surface, run.x0, spans->y + k * spans->step,
+                            run.x1 - run.x0, &walk))
             return false;
+        move_on(&c, spans->step ? pel_size_of(p->d.y) : 0);
     }
     return true;
 }

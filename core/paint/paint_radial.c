@@ -36,8 +36,7 @@ static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
     pel_cells_move(c, count, p->width, p->rest, p->base.cells);
     add_circle(c, p, -way);
     return pel_cells_end(c, way * (pel_pixel_center(c->x) - center.x + 128),
-                         PEL_ROW_STEP(way * (pel_pixel_center(c->cell.y) -
-                                             center.y + 128)),
+                         way * (pel_pixel_center(c->cell.y) - center.y + 128),
                          way * 256) < 0;
 }
 
