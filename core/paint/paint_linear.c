@@ -32,7 +32,7 @@ static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
         along(p, pel_pixel_center(x), pel_pixel_center(y)) - turned(p);
     int64_t step = p->square;
     int32_t count = 0;
-    if (p->base.period == 0)
+    if (p->base.ramp.spread == PEL_PAD)
         return product < step ? product : step - 1;
     do {
         step *= 2;
@@ -104,7 +104,7 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
     }
     int32_t place = (int32_t)bits;
     const int32_t n = p->base.cells, period = p->base.period;
-    if (period && place >= period)
+    if (place >= period)
         place -= period;
     place = (place ^ mirror) + (mirror & n);
     c->place = place < 0 ? place + period : place;
@@ -178,15 +178,22 @@ static bool is_opaque(const struct pel_ramp *ramp)
     return pel_alpha(all) == 255;
 }
 
-/* Where boundaries lie far apart from row to row, and rows cross many of them,
- * they are drawn one by one. */
+/* Cells that begin anew may be narrow: less than 1/16 px. Where boundaries lie
+ * far apart from row to row, and rows cross many of them, rows are drawn one by
+ * one. */
 static void fill_cells(const struct pel_paint *paint,
                        const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
     const int64_t down = pel_size_of(p->d.y);
-    const bool far = PEL_CELL_ROWS > 1 && down > 32 * p->d.x && down > p->cell;
-    pel_cells_fill(paint, spans, far ? 1 : PEL_CELL_ROWS, start, end_cells);
+    const bool narrow =
+        p->base.ramp.spread != PEL_PAD && p->step >> 4 >= p->square;
+    const bool far = down > 32 * p->d.x && down > p->cell;
+    pel_cells_fill(paint, spans,
+                   narrow ? 0
+                   : far  ? 1
+                          : PEL_CELL_ROWS,
+                   start, end_cells);
 }
 
 /* From the left end of all spans to the right end. */
@@ -313,9 +320,6 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
         int64_t rest;
         paint->cell = pel_divide_64(paint->square, unit_of(paint), &rest);
         paint->cell_rest = (int32_t)rest;
-        paint->base.by_pixel =
-            paint->base.period &&
-            (uint32_t)(paint->step >> 21) >= (uint32_t)(paint->square >> 17);
     }
     return PEL_OK;
 }
