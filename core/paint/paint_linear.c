@@ -5,14 +5,6 @@
 #include "../base/divide.h"
 #include "cells.h"
 
-/* The way is drawn from the end on the left, so that products do not fall to
- * the right. 1 where that is the end of the last cell: there the boundaries
- * belong to the cells before them. */
-static inline int32_t turned(const struct pel_linear *p)
-{
-    return (int32_t)((uint32_t)p->way >> 31);
-}
-
 /* (P - from).d of a point. */
 static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
                                      int32_t y)
@@ -21,15 +13,16 @@ static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
            pel_product(y - p->from.y, p->d.y);
 }
 
-/* The product (P - from).d - turned at pixel (x, y), below 2^49, and above
- * -2^47 before the way; or another that shows the same. Of a padded way none is
- * beyond the end; of others it is less as many times two lengths, there and
- * back, as leave 0 or more. */
+/* The product (P - from).d at pixel (x, y), below 2^49, and above -2^47 before
+ * the way; or another that shows the same. Of a padded way none is beyond the
+ * end; of others it is less as many times two lengths, there and back, as leave
+ * 0 or more. Less 1 where the way is turned: there the boundaries belong to the
+ * cells before them. */
 static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
                                           int32_t y)
 {
     int64_t product =
-        along(p, pel_pixel_center(x), pel_pixel_center(y)) - turned(p);
+        along(p, pel_pixel_center(x), pel_pixel_center(y)) + (p->way >> 31);
     int64_t step = p->square;
     int32_t count = 0;
     if (p->base.ramp.spread == PEL_PAD)
@@ -47,9 +40,10 @@ static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
     return product;
 }
 
-/* The error of the boundary where cell k begins is n product - turned - k
- * square. Where it is walked in 32 bits, it is counted in units of 256 n, by
- * which n product grows from pixel to pixel, and what they leave, c->rest. */
+/* The error of the boundary where cell k begins is n product - k square, less 1
+ * where the way is turned. Where it is walked in 32 bits, it is counted in
+ * units of 256 n, by which n product grows from pixel to pixel, and what they
+ * leave, c->rest. */
 static int32_t unit_of(const struct pel_linear *p)
 {
     return p->base.cells * 256;
@@ -83,9 +77,9 @@ static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
     return pel_cells_end(c, p->d.x, p->d.y, 0) < 0;
 }
 
-/* The cell of the pixel that has a product, less `turned`: k = floor((n product
- * - turned) / square), bit by bit of n, and the error where it begins. Before a
- * padded way it is the first cell all the same. */
+/* The cell k of a pixel by its product, bit by bit of n, so that the error
+ * where it begins is 0 or more and below square. Before a padded way it is the
+ * first cell all the same. */
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
                                      const struct pel_linear *p,
                                      int64_t product)
@@ -146,11 +140,10 @@ static void fill_level(const struct pel_linear *p,
     struct pel_spans rows = *spans;
     uint32_t value = 0;
     void (*draw)(const struct pel_spans *, uint32_t) = NULL;
-    const bool near_cells = p->d.y > 0 && p->d.y >> 3 <= p->cell;
     pel_cells_open(&c, &p->base, spans);
     rows.n = 0;
     for (int32_t i = 0; i < spans->n; i++, c.cell.y += rows.step) {
-        if (i == 0 || !near_cells) {
+        if (i == 0 || p->d.y >> 3 > p->cell) {
             set_cell(&c, p, product_at(p, 0, c.cell.y));
             next_boundary(&c, p);
         } else {
@@ -245,6 +238,7 @@ static bool fill_walked(const struct pel_linear *p,
         spans->surface->format->channels;
     const int64_t widest = (PEL_VECTORS ? 3 : 7) * (int64_t)p->d.x;
     const bool up = p->d.y < 0;
+    const int64_t growth = spans->step ? pel_size_of(p->d.y) : 0;
     const int32_t last = spans->n - 1;
     struct pel_cells c;
     if (!channels || !channels->walk || p->base.ramp.n != 2 ||
@@ -260,22 +254,22 @@ static bool fill_walked(const struct pel_linear *p,
     c.x = hull.x0;
     set_cell(&c, p, product_at(p, c.x, spans->y + up * last * spans->step));
     next_boundary(&c, p);
-    for (int32_t i = 0; i < spans->n; i++) {
+    for (int32_t i = 0; i <= last; i++, move_on(&c, growth)) {
         const int32_t k = up ? last - i : i;
         const struct pel_span run = spans->span[k];
+        if (run.x0 >= run.x1)
+            continue;
+        const int32_t error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0);
         const struct pel_walk walk = {pel_mix_from(&p->base, c.place, p->way),
-                                      (int32_t)c.error +
-                                          p->d.x * (run.x0 - hull.x0),
+                                      error,
                                       c.rest,
                                       (int32_t)p->cell,
                                       p->cell_rest,
                                       unit_of(p),
                                       p->d.x};
-        if (run.x0 < run.x1 &&
-            !channels->walk(spans->surface, run.x0, spans->y + k * spans->step,
+        if (!channels->walk(spans->surface, run.x0, spans->y + k * spans->step,
                             run.x1 - run.x0, &walk))
             return false;
-        move_on(&c, spans->step ? pel_size_of(p->d.y) : 0);
     }
     return true;
 }
@@ -307,8 +301,10 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     if ((d.x | d.y) == 0)
         return PEL_ERROR_SIZE;
     paint->base.paint.fill = fill;
-    paint->way = (d.x > 0) - (d.x < 0) + (PEL_CELL_ROWS > 1 && d.x == 0);
-    if (d.x < 0) {
+    const bool level = PEL_CELL_ROWS > 1 && d.x == 0;
+    const bool turn = d.x < 0 || (level && d.y < 0);
+    paint->way = turn ? -1 : level || d.x > 0;
+    if (turn) {
         from = to;
         d = (struct pel_point){-d.x, -d.y};
     }
