@@ -195,7 +195,7 @@ bool pel_depth_fast(const struct pel_paint *paint,
         return false;
     if (is_flat32(p->inner, surface->format))
         draw_flat(p, surface, triangle);
-    else if (p->inner->fast == pel_gouraud_fast &&
+    else if (p->inner->fill == pel_gouraud_fill &&
              pel_gouraud_bytes((const void *)p->inner, surface->format) == 4)
         draw_gouraud(p, surface, triangle);
     else

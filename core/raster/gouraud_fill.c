@@ -15,26 +15,25 @@ static PEL_NOINLINE void colors_of_span(const struct pel_gouraud *g, int32_t x,
     }
 }
 
-static PEL_NOINLINE void fill_xrgb(const struct pel_gouraud *g,
-                                   const struct pel_surface *s, int32_t y,
-                                   const struct pel_span *span)
+/* With constant `bytes` of a pixel, each of which has a loop of its own. */
+static PEL_ALWAYS_INLINE void fill_words(const struct pel_gouraud *g,
+                                         const struct pel_spans *spans,
+                                         int bytes)
 {
-    const struct pel_gouraud_steps steps = pel_gouraud_steps_make(g, 1);
-    uint32_t v[3];
-    pel_gouraud_at(g, span->x0, y, v);
-    pel_gouraud_span_xrgb(pel_address32(s, span->x0, y), span->x1 - span->x0, v,
-                          &steps);
-}
-
-static PEL_NOINLINE void fill_rgb565(const struct pel_gouraud *g,
-                                     const struct pel_surface *s, int32_t y,
-                                     const struct pel_span *span)
-{
-    const struct pel_gouraud_steps steps = pel_gouraud_steps_make(g, 2);
-    uint32_t v[3];
-    pel_gouraud_at(g, span->x0, y, v);
-    pel_gouraud_span_rgb565(pel_address16(s, span->x0, y), span->x1 - span->x0,
-                            v, &steps);
+    const struct pel_gouraud_steps steps =
+        pel_gouraud_steps_make(g, 4u / (unsigned)bytes);
+    int32_t y = spans->y;
+    for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
+        const int32_t x = spans->span[i].x0, n = spans->span[i].x1 - x;
+        uint32_t v[3];
+        pel_gouraud_at(g, x, y, v);
+        if (bytes == 4)
+            pel_gouraud_span_xrgb(pel_address32(spans->surface, x, y), n, v,
+                                  &steps);
+        else
+            pel_gouraud_span_rgb565(pel_address16(spans->surface, x, y), n, v,
+                                    &steps);
+    }
 }
 
 /* False: the format has no writer of planes. */
@@ -50,26 +49,33 @@ static PEL_NOINLINE bool fill_planes(const struct pel_gouraud *g,
     return c->planes(s, span->x0, y, span->x1 - span->x0, &planes);
 }
 
-/* Spans that no writer can paint go through a short buffer. */
-void pel_gouraud_fill(const struct pel_paint *paint,
-                      const struct pel_spans *spans)
+/* Through the format's writer of planes, or a short buffer. */
+static PEL_NOINLINE void fill_any(const struct pel_gouraud *g,
+                                  const struct pel_spans *spans)
 {
-    const struct pel_gouraud *g = (const struct pel_gouraud *)paint;
     pel_color colors[PEL_BUFFER_PIXELS];
     int32_t y = spans->y;
     for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
         struct pel_span part = spans->span[i];
-        const int bytes = pel_gouraud_bytes(g, spans->surface->format);
-        if (bytes == 2)
-            fill_rgb565(g, spans->surface, y, &part);
-        else if (PEL_KNOW_SIDES && bytes == 4)
-            fill_xrgb(g, spans->surface, y, &part);
-        else if (PEL_KNOW_SIDES && fill_planes(g, spans->surface, y, &part))
+        if (PEL_KNOW_SIDES && fill_planes(g, spans->surface, y, &part))
             continue;
-        for (int32_t n; bytes == 0 && part.x0 < part.x1; part.x0 += n) {
+        for (int32_t n; part.x0 < part.x1; part.x0 += n) {
             n = pel_min(part.x1 - part.x0, PEL_BUFFER_PIXELS);
             colors_of_span(g, part.x0, y, n, colors);
             pel_put_colors(spans->surface, part.x0, y, n, colors);
         }
     }
+}
+
+void pel_gouraud_fill(const struct pel_paint *paint,
+                      const struct pel_spans *spans)
+{
+    const struct pel_gouraud *g = (const struct pel_gouraud *)paint;
+    const int bytes = pel_gouraud_bytes(g, spans->surface->format);
+    if (bytes == 2)
+        fill_words(g, spans, 2);
+    else if (PEL_KNOW_SIDES && bytes == 4)
+        fill_words(g, spans, 4);
+    else
+        fill_any(g, spans);
 }

@@ -1,8 +1,7 @@
-/* The writers that own the row loop of a triangle (fast_flat.c,
- * fast_gouraud.c) and those of runs below them, against the portable build,
- * byte for byte: first rows of every width from 0 to 40 px, at every place of a
- * row against 16 bytes, heights on both sides of the one from which rows are
- * prefetched. */
+/* The writers of spans by vectors, and the one that owns the row loop of a
+ * triangle (fast_flat.c), against the portable build, byte for byte: first rows
+ * of every width from 0 to 40 px, at every place of a row against 16 bytes,
+ * heights on both sides of the one from which rows are prefetched. */
 #include <string.h>
 
 #include "tests/support/check.h"
@@ -124,54 +123,8 @@ static void test_around_128_rows(void)
     check_heights((const int32_t[]){127, 128, 129}, 3, 10);
 }
 
-static void fill_fails(const struct pel_paint *paint,
-                       const struct pel_spans *rows)
-{
-    (void)paint;
-    fail_msg("format %d: the writer was not taken", rows->surface->format->id);
-}
-
-/* The writers are there for speed: what they are made for must not go the other
- * way. Colors with alpha have one for all but xrgb1555_le. */
-static void test_writers_are_taken(void)
-{
-    static const struct pel_format *const all[] = {
-        &pel_xrgb8888,  &pel_xbgr8888,  &pel_rgbx8888,  &pel_bgrx8888,
-        &pel_rgb565_le, &pel_rgb565_be, &pel_bgr565_le, &pel_xrgb1555_le};
-    static const struct pel_point v[3] = {PEL_AT(1, 1), PEL_AT(20, 2),
-                                          PEL_AT(3, 20)};
-    static const pel_color colors[] = {0x00112233, 0xFF112233, 0x80112233};
-    for (size_t f = 0; f < sizeof all / sizeof *all; f++)
-        for (size_t i = 0; i < (f < 7 ? 3 : 2); i++) {
-            const struct pel_flat flat = {{fill_fails, pel_flat_fast},
-                                          colors[i]};
-            struct pel_surface s;
-            s = surface_of(all[f], memory[0], sizeof memory[0], 32, 32);
-            pel_triangle(&s, v, &flat.paint);
-        }
-}
-
-/* Opaque interpolated colors have two. */
-static void test_gouraud_writers_are_taken(void)
-{
-    static const struct pel_format *const all[] = {&pel_xrgb8888,
-                                                   &pel_rgb565_le};
-    static const struct pel_point v[3] = {PEL_AT(1, 1), PEL_AT(20, 2),
-                                          PEL_AT(3, 20)};
-    static const pel_color colors[3] = {0xFF000000, 0xFF112233, 0xFFFFFFFF};
-    for (size_t f = 0; f < sizeof all / sizeof *all; f++) {
-        struct pel_gouraud g;
-        struct pel_surface s;
-        s = surface_of(all[f], memory[0], sizeof memory[0], 32, 32);
-        assert_int_equal(pel_gouraud_init(&g, v, colors), PEL_OK);
-        g.paint.fill = fill_fails;
-        pel_triangle(&s, v, &g.paint);
-    }
-}
-
 int main(void)
 {
     return RUN_TESTS(test_one_row, test_around_16_rows, test_many_rows,
-                     test_around_128_rows, test_writers_are_taken,
-                     test_gouraud_writers_are_taken);
+                     test_around_128_rows);
 }

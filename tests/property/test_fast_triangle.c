@@ -1,6 +1,5 @@
-/* The 32.32 walk of 64-bit CPUs: rows taken through a paint's `fast` function
- * against 128-bit arithmetic, at the borders of its two bounds (128 rows for
- * one division, 4,094 px high for two). */
+/* The 32.32 walk of 64-bit CPUs against 128-bit arithmetic, at the borders of
+ * its two bounds (128 rows for one division, 4,094 px high for two). */
 #include "tests/support/check.h"
 #include "tests/support/cases.h"
 #include "tests/support/probe.h"
@@ -26,7 +25,7 @@ static void triangle_of_size(struct random *r, int32_t width, int32_t height,
 static void check_sizes(uint64_t count, const int32_t px[2], int32_t width)
 {
     struct probe p;
-    probe_open(&p, true);
+    probe_open(&p);
     for (struct cases c = cases_of(count); cases_next(&c);) {
         struct pel_point v[3];
         int32_t height =
@@ -37,8 +36,7 @@ static void check_sizes(uint64_t count, const int32_t px[2], int32_t width)
         triangle_of_size(&c.random, w, height, v);
         probe_triangle(&p, v);
     }
-    print_message("%llu fast, %llu batches, %llu rows\n",
-                  (unsigned long long)p.fast, (unsigned long long)p.slow,
+    print_message("%llu fast, %llu rows\n", (unsigned long long)p.fast,
                   (unsigned long long)p.rows);
     assert_true(p.fast > 0);
 }
@@ -73,7 +71,7 @@ static void test_any_size(void)
 static void test_tight_slopes(void)
 {
     struct probe p;
-    probe_open(&p, true);
+    probe_open(&p);
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         int32_t dy =
             random_between(&c.random, 0, 3)

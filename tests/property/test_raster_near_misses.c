@@ -82,8 +82,8 @@ static void draw(struct random *r, struct probe *p, const struct near_miss *m)
 static void check_edges(uint64_t count, const int32_t dy[2])
 {
     struct probe p[2];
-    probe_open(&p[0], true);
-    probe_open(&p[1], false);
+    probe_open(&p[0]);
+    probe_open(&p[1]);
     for (struct cases c = cases_of(count); cases_next(&c);) {
         struct random *r = &c.random;
         struct near_miss m;
