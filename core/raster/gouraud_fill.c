@@ -36,6 +36,18 @@ static PEL_ALWAYS_INLINE void fill_words(const struct pel_gouraud *g,
     }
 }
 
+static PEL_NOINLINE void fill_xrgb(const struct pel_gouraud *g,
+                                   const struct pel_spans *spans)
+{
+    fill_words(g, spans, 4);
+}
+
+static PEL_NOINLINE void fill_rgb565(const struct pel_gouraud *g,
+                                     const struct pel_spans *spans)
+{
+    fill_words(g, spans, 2);
+}
+
 /* False: the format has no writer of planes. */
 static PEL_NOINLINE bool fill_planes(const struct pel_gouraud *g,
                                      const struct pel_surface *s, int32_t y,
@@ -73,9 +85,9 @@ void pel_gouraud_fill(const struct pel_paint *paint,
     const struct pel_gouraud *g = (const struct pel_gouraud *)paint;
     const int bytes = pel_gouraud_bytes(g, spans->surface->format);
     if (bytes == 2)
-        fill_words(g, spans, 2);
+        fill_rgb565(g, spans);
     else if (PEL_KNOW_SIDES && bytes == 4)
-        fill_words(g, spans, 4);
+        fill_xrgb(g, spans);
     else
         fill_any(g, spans);
 }
