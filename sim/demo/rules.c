@@ -254,14 +254,14 @@ static void write_note(const struct tally *tally, char *note, size_t size)
              tally->once, tally->twice);
 }
 
-static bool draw_sheet(struct demo_result *result, int y_up)
+static bool draw_sheet(struct demo_result *result, const void *y_up)
 {
     struct canvas canvas;
     if (!canvas_init(&canvas, &pel_xrgb8888, COLUMNS * CELL_WIDTH + MARGIN,
                      ROWS * CELL_HEIGHT + MARGIN))
         return false;
     const double start = milliseconds();
-    const struct tally tally = draw_cases(&canvas.surface, y_up);
+    const struct tally tally = draw_cases(&canvas.surface, *(const bool *)y_up);
     result->milliseconds = milliseconds() - start;
     write_note(&tally, result->note, sizeof result->note);
     const bool done = canvas_picture(&canvas, &result->picture);
@@ -269,16 +269,18 @@ static bool draw_sheet(struct demo_result *result, int y_up)
     return done;
 }
 
+static const bool down = false, up = true;
+
 const struct demo demo_rules[] = {
     {"rules-top-left",
      "The fill rule, y downwards: a pixel belongs to a triangle when its "
      "centre (dot) is inside; a centre on an edge belongs to the triangle of "
      "which that edge is a <b>top</b> or a <b>left</b> one.",
-     draw_sheet, false},
+     draw_sheet, &down},
     {"rules-bottom-left",
      "The same triangles on a surface with a negative stride, so that y grows "
      "upwards: now centres on a <b>bottom</b> or a <b>left</b> edge belong to "
      "the triangle.",
-     draw_sheet, true},
-    {NULL, NULL, NULL, 0},
+     draw_sheet, &up},
+    {NULL, NULL, NULL, NULL},
 };
