@@ -2,7 +2,6 @@
 #include <stdio.h>
 
 #include "core/raster/rectangle.h"
-#include "sim/view/keys.h"
 #include "sim/view/viewer.h"
 
 struct screen {
@@ -69,6 +68,37 @@ static bool save(struct screen *s, bool last)
     canvas_free(&canvas);
     s->whole = true; /* what has changed since the last frame is not known */
     return done;
+}
+
+/* Of a sequence that has `used` bytes and ends so: arrows; F1 to F4 or F5,
+ * which begin with SS3, or with CSI [ on a virtual terminal. */
+static int sequence_key(size_t used, bool ss3, char end)
+{
+    static const int arrows[4] = {PEL_KEY_UP, PEL_KEY_DOWN, PEL_KEY_RIGHT,
+                                  PEL_KEY_LEFT};
+    if (used == 3 && end >= 'A' && end <= 'D')
+        return arrows[end - 'A'];
+    if (used == 3 && ss3 && end >= 'P' && end <= 'S')
+        return PEL_KEY_F1 + end - 'P';
+    return used == 4 && !ss3 && end >= 'A' && end <= 'E'
+               ? PEL_KEY_F1 + end - 'A'
+               : PEL_KEY_OTHER;
+}
+
+int view_terminal_key(const char *bytes, size_t count, size_t *used)
+{
+    *used = 1;
+    if (bytes[0] != PEL_KEY_ESCAPE || count < 2 ||
+        (bytes[1] != '[' && bytes[1] != 'O'))
+        return bytes[0] == '\n' ? PEL_KEY_ENTER : (unsigned char)bytes[0];
+    *used = 2;
+    /* Parameters and intermediate bytes, then a final one. */
+    while (*used < count && bytes[*used] >= 0x20 && bytes[*used] < 0x40)
+        ++*used;
+    char end = *used < count ? bytes[(*used)++] : '\0';
+    if (*used == 3 && end == '[' && *used < count)
+        end = bytes[(*used)++];
+    return sequence_key(*used, bytes[1] == 'O', end);
 }
 
 static bool press(struct screen *s, const char *bytes, size_t count)

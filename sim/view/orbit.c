@@ -1,6 +1,6 @@
 #include <math.h>
 
-#include "sim/view/view.h"
+#include "sim/view/turntable.h"
 
 #define TURN 6.283185307179586
 

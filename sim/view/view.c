@@ -8,7 +8,6 @@
 #include "sim/cli/message.h"
 #include "sim/mesh/pel2d.h"
 #include "sim/render/scene_options.h"
-#include "sim/view/keys.h"
 #include "sim/view/sheet.h"
 #include "sim/view/turntable.h"
 #include "sim/view/viewer.h"

@@ -105,6 +105,11 @@ bool view_window(struct show *show, const struct viewer_options *options);
  * the screen, black around it. */
 bool view_device(struct show *show, const struct viewer_options *options);
 
+/* The first key (enum pel_key) of what a terminal has sent, *used of `count` >=
+ * 1 bytes: arrows and F keys as CSI or SS3 sequences, Escape as a byte that no
+ * sequence follows. */
+int view_terminal_key(const char *bytes, size_t count, size_t *used);
+
 /* options->frames frames into files of the folder options->output, with what
  * the user did from options->replay. False, with a message. */
 bool view_headless(struct show *show, const struct viewer_options *options);
