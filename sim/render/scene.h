@@ -11,6 +11,8 @@
 #ifndef SIM_RENDER_SCENE_H
 #define SIM_RENDER_SCENE_H
 
+#include <stdio.h>
+
 #include "sim/render/camera.h"
 #include "core/base/surface.h"
 #include "core/scene/certificate.h"
@@ -111,12 +113,9 @@ struct scene_settings {
                                           chosen instead of Phong shading, and
                                           of textures in perspective */
     bool stats;                        /* count them, in one thread at a time */
-    bool show_methods; /* in their colors instead of the picture's */
+    bool show_methods; /* in their colors instead of the picture's: grey, blue,
+                          green, yellow, red */
 };
-
-/* Every triangle in the color of its method: grey, blue, green, yellow, red.
- */
-extern const struct pel_shading scene_shade_methods;
 
 /* Defaults: up is +y, perspective, 50 mm on a sensor 36 mm wide,
  * 1200x1200, white, and the rest of the camera left to camera_frame; Gouraud,
@@ -172,5 +171,39 @@ bool scene_prepare(struct scene *scene, const struct scene_settings *settings);
 bool scene_draw(const struct scene *scene, const struct pel_surface *surface);
 
 void scene_free(struct scene *scene);
+
+/* Prints how triangles are ordered, and for SCENE_PAINTER how many pixels may
+ * be wrong. */
+void scene_print_order(FILE *out, const struct scene *scene);
+
+/* Writes an initialiser of struct pel_camera, with a comment before it, of a
+ * prepared scene: with it core draws what the scene shows. */
+void scene_print_camera(FILE *out, const struct scene *scene);
+
+/* Parts of scene_prepare and scene_draw, in files of their own. */
+
+/* Places, in the scale that fits: scene->units, mesh, pose, scene.camera and
+ * scene.viewport. The camera is complete. */
+void scene_place(struct scene *scene, const struct scene_settings *settings);
+
+/* Lights and material, after scene_place: lighting and light. */
+void scene_place_lights(struct scene *scene,
+                        const struct scene_settings *settings);
+
+/* Sets depth_bits, and the sort where it is needed for the order; before a
+ * frame of the scene is prepared. SCENE_AUTO sorts where a proof of the
+ * painter's order is likely to take less time than a depth buffer; it takes one
+ * otherwise. */
+void scene_set_order(struct scene *scene, const struct scene_settings *s);
+
+/* Tries the proof, in as much time as the depths would take at most. Where it
+ * fails for a part of the picture, depths are kept for that part, or for all
+ * of it. */
+void scene_prove_order(struct scene *scene);
+
+/* Draws a part of the picture as was decided; false, with a message, when
+ * there is no memory. The frame is a copy of the scene's, with its own work. */
+bool scene_draw_ordered(const struct scene *scene, struct pel_frame *frame,
+                        const struct pel_surface *surface);
 
 #endif

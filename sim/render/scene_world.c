@@ -1,4 +1,4 @@
-#include "sim/render/scene_world.h"
+#include "sim/render/scene.h"
 
 #include <math.h>
 
