@@ -49,7 +49,6 @@ static bool draw_view(struct pel_surface *surface,
     for (int i = 0; i < viewer->show->changed.count; i++)
         pel_dirty_areas_add(changed, &viewer->show->changed.area[i]);
     s->whole = viewer->pointed = false;
-    viewer_shown(viewer);
     return done;
 }
 
@@ -62,7 +61,8 @@ static bool save(struct screen *s, bool last)
     if (!canvas_init(&canvas, s->linux.display.format, s->area.x1 - s->area.x0,
                      s->area.y1 - s->area.y0))
         return false;
-    const bool done = viewer_draw(&s->viewer, &canvas.surface) &&
+    struct show *show = s->viewer.show;
+    const bool done = show->draw(show, &canvas.surface) &&
                       (last ? viewer_save_last(&s->viewer, &canvas.surface)
                             : viewer_save_new(&canvas.surface));
     canvas_free(&canvas);

@@ -123,13 +123,9 @@ bool viewer_draw(struct viewer *viewer, const struct pel_surface *surface)
     const bool done = viewer->show->draw(viewer->show, surface);
     viewer->show->draw_time = milliseconds() - start;
     viewer->drawing += viewer->show->draw_time;
-    return done;
-}
-
-void viewer_shown(struct viewer *viewer)
-{
     viewer->drawn++;
     viewer->stale = false;
+    return done;
 }
 
 static bool save(const struct pel_surface *surface, const char *path)

@@ -3,8 +3,7 @@
  *
  *     viewer_input(viewer, event): tell what the user does
  *     viewer_advance(viewer)
- *     where viewer->stale: viewer_draw(viewer, surface), show it,
- *                          viewer_shown(viewer)
+ *     where viewer->stale: viewer_draw(viewer, surface), show it
  *     wait for input, for viewer_idle(viewer) ms at most
  */
 #ifndef SIM_VIEW_VIEWER_H
@@ -75,11 +74,8 @@ bool viewer_advance(struct viewer *viewer);
 /* Milliseconds in which nothing is to be done but for input. */
 int viewer_idle(const struct viewer *viewer);
 
-/* Draws a frame onto the clip of a surface. False, with a message. */
+/* Draws the next frame onto the clip of a surface. False, with a message. */
 bool viewer_draw(struct viewer *viewer, const struct pel_surface *surface);
-
-/* The frame that was drawn is seen. */
-void viewer_shown(struct viewer *viewer);
 
 bool viewer_is_over(const struct viewer *viewer);
 

@@ -69,7 +69,6 @@ static bool draw(struct window *w)
         SDL_RenderCopy(w->renderer, w->texture, NULL, NULL) != 0)
         return fails("the picture cannot be shown");
     SDL_RenderPresent(w->renderer);
-    viewer_shown(w->viewer);
     return true;
 }
 
