@@ -1,7 +1,6 @@
 #include "sim/mesh/mesh.h"
 
 #include "sim/cli/message.h"
-#include "sim/mesh/material.h"
 
 #ifdef HAVE_ASSIMP
 #include <assimp/cimport.h>

@@ -1,4 +1,4 @@
-#include "sim/mesh/depth.h"
+#include "sim/mesh/pel2d.h"
 
 #include <inttypes.h>
 #include <stdio.h>

@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/mesh/quantize.h"
 #include "sim/cli/message.h"
 
 /* Memory for the arrays, which the mesh then views. */

@@ -74,28 +74,17 @@ static bool draw(struct window *w)
 
 static int key_of(SDL_Keycode code)
 {
-    switch (code) {
-    case SDLK_LEFT:
-        return PEL_KEY_LEFT;
-    case SDLK_RIGHT:
-        return PEL_KEY_RIGHT;
-    case SDLK_UP:
-        return PEL_KEY_UP;
-    case SDLK_DOWN:
-        return PEL_KEY_DOWN;
-    case SDLK_KP_ENTER:
-        return PEL_KEY_ENTER;
-    case SDLK_F2:
-        return PEL_KEY_F1 + 1;
-    case SDLK_F3:
-        return PEL_KEY_F1 + 2;
-    case SDLK_KP_PLUS:
-        return '+';
-    case SDLK_KP_MINUS:
-        return '-';
-    default:
-        return code > 0 && code < 128 ? code : PEL_KEY_OTHER;
-    }
+    static const int keys[][2] = {
+        {SDLK_LEFT, PEL_KEY_LEFT},      {SDLK_RIGHT, PEL_KEY_RIGHT},
+        {SDLK_UP, PEL_KEY_UP},          {SDLK_DOWN, PEL_KEY_DOWN},
+        {SDLK_KP_ENTER, PEL_KEY_ENTER}, {SDLK_KP_PLUS, '+'},
+        {SDLK_KP_MINUS, '-'},           {SDLK_F2, PEL_KEY_F1 + 1},
+        {SDLK_F3, PEL_KEY_F1 + 2},
+    };
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (keys[i][0] == code)
+            return keys[i][1];
+    return code > 0 && code < 128 ? code : PEL_KEY_OTHER;
 }
 
 /* The event as one of drivers/input.h. False for one that has none. */
