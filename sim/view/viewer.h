@@ -67,9 +67,8 @@ bool viewer_input(struct viewer *viewer, const struct pel_input *event);
 /* The same for all that came from what viewer_open_input opened. */
 bool viewer_inputs(struct viewer *viewer);
 
-/* Lets the time pass; first prints the keys when there is a user. True when the
- * title has changed. */
-bool viewer_advance(struct viewer *viewer);
+/* Lets the time pass; first prints the keys when there is a user. */
+void viewer_advance(struct viewer *viewer);
 
 /* Milliseconds in which nothing is to be done but for input. */
 int viewer_idle(const struct viewer *viewer);

@@ -27,9 +27,9 @@ struct window {
     SDL_Texture *texture; /* of the canvas' size */
     struct canvas canvas;
     struct viewer *viewer;
-    bool renamed; /* the title is to be set */
-    int most;     /* px that a texture has each way; larger windows show one
-                     stretched */
+    char title[VIEWER_TITLE_SIZE];
+    int most; /* px that a texture has each way; larger windows show one
+                 stretched */
 };
 
 static bool fails(const char *what)
@@ -135,7 +135,6 @@ static bool handle(struct window *w, const SDL_Event *event)
         w->viewer->stale = true;
     if (!input_of(event, &input))
         return true;
-    w->renamed = w->renamed || input.kind == PEL_INPUT_KEY;
     return !viewer_input(w->viewer, &input) || save_new(w);
 }
 
@@ -151,29 +150,26 @@ static bool handle_all(struct window *w)
     return !viewer_inputs(w->viewer) || save_new(w);
 }
 
-static void rename_window(struct window *w)
+static void set_title(struct window *w)
 {
     char title[VIEWER_TITLE_SIZE];
     viewer_title(w->viewer, title);
-    SDL_SetWindowTitle(w->window, title);
-    w->renamed = false;
+    if (strcmp(title, w->title) != 0)
+        SDL_SetWindowTitle(w->window, strcpy(w->title, title));
 }
 
 /* The first picture is there before the first key. */
 static bool run(struct window *w)
 {
     struct viewer *viewer = w->viewer;
-    while (!viewer_is_over(viewer)) {
-        if (viewer_advance(viewer))
-            w->renamed = true;
-        if (viewer->stale && !draw(w))
-            return false;
-        if (w->renamed)
-            rename_window(w);
-        if (!handle_all(w))
-            return false;
+    bool good = true;
+    while (good && !viewer_is_over(viewer)) {
+        viewer_advance(viewer);
+        good = !viewer->stale || draw(w);
+        set_title(w);
+        good = good && handle_all(w);
     }
-    return viewer_save_last(viewer, &w->canvas.surface);
+    return good && viewer_save_last(viewer, &w->canvas.surface);
 }
 
 /* Pixels each way; 0 x 0 stands for no limit but TEXTURE_SIZE_MAX. */
@@ -248,7 +244,7 @@ static bool is_unseen(void)
 
 bool view_window(struct show *show, const struct viewer_options *options)
 {
-    struct window window = {.renamed = true};
+    struct window window = {.title = ""};
     if (SDL_Init(SDL_INIT_VIDEO) != 0)
         return fails("no screen for a window");
     if (is_unseen()) {
