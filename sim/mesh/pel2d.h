@@ -12,6 +12,7 @@
 #define SIM_MESH_PEL2D_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "core/base/color.h"
 #include "core/base/point.h"
@@ -50,17 +51,12 @@ struct pel2d_vertex {
     double u, v;
 };
 
-/* Owns its arrays; {0} is an empty one. */
+/* Owns its arrays, which list_add lengthens; {0} is an empty one. */
 struct pel2d {
     struct pel2d_vertex *vertex;
     uint32_t (*triangle)[3];
-    uint32_t vertices, triangles;
+    size_t vertices, triangles;
 };
-
-/* Append one. False, with a message on standard error, when memory is short or
- * there are 2^28 already. */
-bool pel2d_add_vertex(struct pel2d *flat, const struct pel2d_vertex *vertex);
-bool pel2d_add_triangle(struct pel2d *flat, const uint32_t index[3]);
 
 void pel2d_free(struct pel2d *flat);
 

@@ -26,11 +26,11 @@ static double texels_of(const struct painter *painter,
 static bool check_texture(const struct painter *painter)
 {
     const struct pel2d_vertex *v = painter->flat->vertex;
-    for (uint32_t i = 0; i < painter->flat->vertices; i++)
+    for (size_t i = 0; i < painter->flat->vertices; i++)
         for (int k = 0; k < 2; k++)
             if (!(fabs(texels_of(painter, &v[i], k)) < (1 << 23) - 1))
                 return message_error(
-                    "vertex %u lies at u v %g %g: expected less "
+                    "vertex %zu lies at u v %g %g: expected less "
                     "than 2^23 texels",
                     i, v[i].u, v[i].v);
     return true;
@@ -116,7 +116,7 @@ void painter_draw(struct pel_surface *surface, void *context)
 {
     const struct painter *painter = context;
     const struct pel2d *flat = painter->flat;
-    for (uint32_t i = 0; i < flat->triangles; i++) {
+    for (size_t i = 0; i < flat->triangles; i++) {
         const uint32_t *vertex = flat->triangle[painter->item[i].triangle];
         struct pel_point at[3];
         pel_color color[3];
