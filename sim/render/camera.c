@@ -1,4 +1,4 @@
-#include "sim/render/camera.h"
+#include "sim/render/scene.h"
 
 #include <math.h>
 #include <string.h>

@@ -167,13 +167,6 @@ static void set_appearance(struct scene *scene, const struct scene_settings *s)
     core->sort = clear ? &pel_depth_sort_radix : NULL;
 }
 
-static bool check(const struct scene_settings *s)
-{
-    return s->shade != SCENE_PHONG || s->lit != SCENE_UNLIT ||
-           message_error("Phong shading is light at every pixel: expected "
-                         "flat or gouraud without light");
-}
-
 static enum pel_status prepare(struct scene *scene)
 {
     return pel_scene_prepare(&scene->frame, &scene->core, scene->scratch,
@@ -218,7 +211,10 @@ static bool refuse(struct scene *scene, const struct scene_settings *s,
 bool scene_prepare(struct scene *scene, const struct scene_settings *settings)
 {
     struct scene_settings s = *settings;
-    if (!check(&s) || !camera_frame(&s.camera, scene->model))
+    if (s.shade == SCENE_PHONG && s.lit == SCENE_UNLIT)
+        return message_error("Phong shading is light at every pixel: expected "
+                             "flat or gouraud without light");
+    if (!camera_frame(&s.camera, scene->model))
         return false;
     scene_place(scene, &s);
     scene_place_lights(scene, &s);

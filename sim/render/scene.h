@@ -13,13 +13,15 @@
 
 #include <stdio.h>
 
-#include "sim/render/camera.h"
 #include "core/base/surface.h"
+#include "core/scene/camera.h"
 #include "core/scene/certificate.h"
 #include "core/scene/stats.h"
+#include "sim/mesh/model.h"
 
 /* Names of these settings for commands and scripts, in the order of their
  * numbers. */
+#define CAMERA_PROJECTIONS "perspective|orthographic"
 #define SCENE_SHADES "flat|gouraud|phong"
 #define SCENE_TEXTURES "none|nearest|bilinear"
 #define SCENE_MAPPINGS "vertices|affine|subdivided|perspective"
@@ -31,6 +33,20 @@
 #define SCENE_CULLS "none|back|front"
 #define SCENE_TERMS "ambient|diffuse|specular"
 #define SCENE_HIGHLIGHTS "coloured|plain"
+
+/* What the user asked for, as the flags say, and what is chosen for the rest.
+ */
+struct camera {
+    double eye[3], target[3], up[3]; /* world units */
+    enum pel_projection projection;
+    double focal;      /* mm, > 0; perspective */
+    double sensor[2];  /* width and height, > 0: mm, or of what is seen in world
+                          units when orthographic */
+    double near_plane; /* world units, > 0: nothing nearer is seen */
+    int width, height; /* px of the picture, 1..32,767 */
+    pel_color background;
+    bool has_eye, has_target, has_sensor, has_near;
+};
 
 enum scene_shade { SCENE_FLAT, SCENE_GOURAUD, SCENE_PHONG };
 
@@ -130,6 +146,15 @@ static inline bool scene_has_choice(const struct scene_settings *s)
     return s->shade == SCENE_PHONG || (s->texture == SCENE_TEXTURE_BILINEAR &&
                                        s->mapping == SCENE_MAP_PERSPECTIVE);
 }
+
+/* Fills in what was left open, from the model: the target is the middle of its
+ * box; the eye stands in front, a little to the right and above, as near as
+ * shows every vertex with a margin of 1/20; pixels are square; the near plane
+ * is close before the model however it is turned around its middle, but at
+ * 1/1000 of the distance from eye to target at least. False, with a message on
+ * standard error, when eye and target are the same or `up` points along the
+ * view. The flags stay: set them to keep what was found. */
+bool camera_frame(struct camera *camera, const struct model *model);
 
 /* The scene of core and its parts. It must not be moved: it points into
  * itself. */

@@ -173,14 +173,6 @@ static bool open_input(struct screen *s)
     return viewer_open_input(&s->viewer, &options);
 }
 
-static bool start(struct screen *s, struct show *show,
-                  const struct viewer_options *o)
-{
-    return viewer_init(&s->viewer, show, o) && open_input(s) &&
-           viewer_resize(&s->viewer, s->area.x1 - s->area.x0,
-                         s->area.y1 - s->area.y0);
-}
-
 /* Prints after the console is back, where it can be read. */
 bool view_device(struct show *show, const struct viewer_options *options)
 {
@@ -189,7 +181,10 @@ bool view_device(struct show *show, const struct viewer_options *options)
     if (!device_open(&s.linux, options->device, PEL_FB_ANY))
         return false;
     place(&s, options);
-    const bool done = start(&s, show, options) && run(&s);
+    const bool done = viewer_init(&s.viewer, show, options) && open_input(&s) &&
+                      viewer_resize(&s.viewer, s.area.x1 - s.area.x0,
+                                    s.area.y1 - s.area.y0) &&
+                      run(&s);
     viewer_free(&s.viewer);
     pel_display_linux_close(&s.linux);
     if (done) {

@@ -203,15 +203,6 @@ static bool open_window(struct window *w)
     return true;
 }
 
-static void close_window(struct window *w)
-{
-    canvas_free(&w->canvas);
-    SDL_DestroyTexture(w->texture);
-    SDL_DestroyRenderer(w->renderer);
-    SDL_DestroyWindow(w->window);
-    SDL_Quit();
-}
-
 /* All but the buttons comes with the window. */
 static bool open_buttons(struct viewer *viewer)
 {
@@ -220,41 +211,33 @@ static bool open_buttons(struct viewer *viewer)
     return !options.buttons || viewer_open_input(viewer, &options);
 }
 
-static bool run_viewer(struct window *w, struct show *show,
-                       const struct viewer_options *options)
-{
-    struct viewer viewer;
-    w->viewer = &viewer;
-    const bool done = viewer_init(&viewer, show, options) &&
-                      open_buttons(&viewer) && open_window(w) && run(w);
-    if (done && options->frames > 0)
-        viewer_report(&viewer);
-    viewer_free(&viewer);
-    return done;
-}
-
 /* Without a screen SDL takes a driver that shows nothing, which nobody wants
  * who has not asked for it. */
-static bool is_unseen(void)
+static bool is_seen(void)
 {
     const char *driver = SDL_GetCurrentVideoDriver();
-    return !getenv("SDL_VIDEODRIVER") && driver &&
-           (strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0);
+    return getenv("SDL_VIDEODRIVER") || !driver ||
+           (strcmp(driver, "offscreen") != 0 && strcmp(driver, "dummy") != 0) ||
+           message_error("no screen for a window: DISPLAY and WAYLAND_DISPLAY "
+                         "name none: expected --device auto, or pel render");
 }
 
 bool view_window(struct show *show, const struct viewer_options *options)
 {
-    struct window window = {.title = ""};
+    struct viewer viewer;
+    struct window w = {.viewer = &viewer};
     if (SDL_Init(SDL_INIT_VIDEO) != 0)
         return fails("no screen for a window");
-    if (is_unseen()) {
-        SDL_Quit();
-        return message_error("no screen for a window: DISPLAY and "
-                             "WAYLAND_DISPLAY name none: expected --device "
-                             "auto, or pel render");
-    }
-    const bool done = run_viewer(&window, show, options);
-    close_window(&window);
+    const bool done = viewer_init(&viewer, show, options) && is_seen() &&
+                      open_buttons(&viewer) && open_window(&w) && run(&w);
+    if (done && options->frames > 0)
+        viewer_report(&viewer);
+    viewer_free(&viewer);
+    canvas_free(&w.canvas);
+    SDL_DestroyTexture(w.texture);
+    SDL_DestroyRenderer(w.renderer);
+    SDL_DestroyWindow(w.window);
+    SDL_Quit();
     return done;
 }
 
