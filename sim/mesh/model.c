@@ -124,6 +124,17 @@ bool model_make_asset(struct model *model, const struct mesh *mesh,
     return make(model, mesh, PEL_MESH_SHIFT_MAX, normal_bits);
 }
 
+double model_middle(const struct model *model, double middle[3])
+{
+    double radius = 0;
+    for (int k = 0; k < 3; k++) {
+        const double half = (model->high[k] - model->low[k]) / 2;
+        middle[k] = model->low[k] + half;
+        radius += half * half;
+    }
+    return sqrt(radius);
+}
+
 bool model_read(struct mesh *mesh, const struct model_source *source)
 {
     if (!mesh_load(mesh, source->path))

@@ -55,6 +55,9 @@ bool model_set_picture(struct model *model, const struct picture *picture);
 bool model_make_asset(struct model *model, const struct mesh *mesh,
                       int normal_bits);
 
+/* The middle of its box, and how far the corners are from it. */
+double model_middle(const struct model *model, double middle[3]);
+
 /* Gives the vertices the texels at their uv: those that a program finds which
  * samples there. */
 void model_paint(struct model *model);

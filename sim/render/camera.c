@@ -46,17 +46,6 @@ static void frustum_point(const struct frustum *frustum, const double world[3],
         point[k] = vector_dot(frustum->axis[k], d);
 }
 
-static double middle_of_box(const struct model *model, double middle[3])
-{
-    double radius = 0;
-    for (int k = 0; k < 3; k++) {
-        const double half = (model->high[k] - model->low[k]) / 2;
-        middle[k] = model->low[k] + half;
-        radius += half * half;
-    }
-    return sqrt(radius);
-}
-
 /* The distance or size that each side of the picture needs. */
 struct needs {
     double side[2][2]; /* of each axis, each direction */
@@ -160,7 +149,7 @@ static void frame_near(struct camera *camera, const struct model *model,
                        const struct frustum *frustum)
 {
     double middle[3], at[3], view[3];
-    const double radius = middle_of_box(model, middle);
+    const double radius = model_middle(model, middle);
     frustum_point(frustum, middle, at);
     vector_subtract(camera->target, camera->eye, view);
     camera->near_plane =
@@ -174,7 +163,7 @@ bool camera_frame(struct camera *camera, const struct model *model)
     if (!camera->has_sensor)
         camera->sensor[1] = camera->sensor[0] * camera->height / camera->width;
     if (!camera->has_target)
-        middle_of_box(model, camera->target);
+        model_middle(model, camera->target);
     if (!camera->has_eye && !frame_eye(camera, model))
         return message_error("up points along the view: expected 0,1,0 for a "
                              "mesh that stands upright");

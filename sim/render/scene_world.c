@@ -23,14 +23,10 @@ static double extent_of(const double v[3])
 static double extent_of_all(const struct scene *scene,
                             const struct scene_settings *s)
 {
-    double middle[3], radius = 0;
+    double middle[3];
+    const double radius = model_middle(scene->model, middle);
     double extent = fmax(extent_of(s->camera.eye), extent_of(s->camera.target));
-    for (int k = 0; k < 3; k++) {
-        const double half = (scene->model->high[k] - scene->model->low[k]) / 2;
-        middle[k] = scene->model->low[k] + half;
-        radius += half * half;
-    }
-    extent = fmax(extent, extent_of(middle) + sqrt(radius));
+    extent = fmax(extent, extent_of(middle) + radius);
     if (s->camera.projection == PEL_ORTHOGRAPHIC)
         for (int k = 0; k < 2; k++)
             extent = fmax(extent, s->camera.sensor[k]);
