@@ -95,7 +95,7 @@ $(LINUX_CHECK)/guest/pel_%: $(LINUX_HERE)/%.c linux-static
 	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
 
 # The same with the other version of libgpiod, or what stands for it.
-LINUX_GPIOD2 := port/linux/gpio_v2.c $(LINUX_HERE)/gpiod2/gpiod.c
+LINUX_GPIOD2 := port/linux/gpio_v2.c
 LINUX_WRAP_FAULTS = $(LINUX_FAULTS:%=-Wl$(comma)--wrap=%)
 $(LINUX_CHECK)/guest/pel_gpiod2: $(LINUX_GPIOD2) linux-static
 	@mkdir -p $(@D)
