@@ -201,6 +201,22 @@ void canvas_check_drawn(const struct canvas *c, const struct hits *shape,
     canvas_check(c);
 }
 
+pel_color canvas_flat(const void *flat, int32_t x, int32_t y)
+{
+    (void)x, (void)y;
+    return ((const struct pel_flat *)flat)->color;
+}
+
+pel_color canvas_gouraud(const void *gouraud, int32_t x, int32_t y)
+{
+    const struct pel_gouraud *g = gouraud;
+    pel_color c = 0;
+    for (int k = 0; k < 4; k++)
+        c |= (g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k]) >>
+             24 << 8 * k;
+    return c;
+}
+
 int32_t canvas_difference(const struct canvas *a, const struct canvas *b)
 {
     const struct pel_rect *r = &a->surface.bounds;

@@ -55,6 +55,10 @@ typedef pel_color canvas_color(const void *paint, int32_t x, int32_t y);
 void canvas_check_drawn(const struct canvas *c, const struct hits *shape,
                         canvas_color *color, const void *paint);
 
+/* The colors of a pel_flat and of a pel_gouraud. */
+pel_color canvas_flat(const void *flat, int32_t x, int32_t y);
+pel_color canvas_gouraud(const void *gouraud, int32_t x, int32_t y);
+
 /* Nothing outside the present clip has changed. */
 void canvas_check(const struct canvas *c);
 
