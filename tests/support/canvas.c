@@ -188,7 +188,7 @@ void canvas_check_drawn(const struct canvas *c, const struct hits *shape,
     for (int32_t y = b->y0; y < b->y1; y++)
         for (int32_t x = b->x0; x < b->x1; x++) {
             const uint32_t before = canvas_pixel_before(c, x, y);
-            const bool drawn = hits_at(shape, x, y);
+            const bool drawn = !shape || hits_at(shape, x, y);
             const pel_color source = drawn ? color(paint, x, y) : 0;
             const uint32_t want =
                 drawn ? layout_over(c->layout, before, source) : before;
