@@ -2,7 +2,7 @@
 
 #include "core/outline/outline.h"
 #include "sim/cli/message.h"
-#include "sim/script/paints.h"
+#include "sim/script/commands.h"
 
 /* A part of the list, drawn by one pen for every band: each begins as `start`
  * and ends as `end`. */
@@ -12,10 +12,11 @@ struct replay {
     struct script_pen start, end;
 };
 
-const struct script_command *const script_tables[] = {
-    script_shapes,        script_images, script_paint_commands,
-    script_mesh_commands, NULL,
-};
+const struct script_command *script_next(const struct script_command *command)
+{
+    command++;
+    return command->name ? command : command->next;
+}
 
 /* `v` in units of the kind; the setting has `size` bytes a value. */
 static void set_values(char *to, size_t size, const int32_t *v, size_t n)
@@ -48,6 +49,7 @@ void script_perform(struct script_pen *pen,
     if (command->flag)
         *(bool *)(settings + command->flag) = true;
     pen->command = command;
+    pen->drawn = v;
     pen->count = n;
     if (command->draw)
         command->draw(pen, v);
@@ -143,10 +145,8 @@ bool script_pen_init(struct script_pen *pen, const struct script *script,
                                .clip = surface->bounds,
                                .assets = script->assets,
                                .scratch = malloc(size + 1),
-                               .scratch_size = size,
-                               .paints = malloc(sizeof *pen->paints)};
-    script_paint_init(pen);
-    if (pen->scratch && pen->paints)
+                               .scratch_size = size};
+    if (script_paint_init(pen) && pen->scratch)
         return true;
     script_pen_free(pen);
     return message_error("no memory for a polygon of %zu vertices",

@@ -9,7 +9,7 @@
 #include "sim/image/canvas.h"
 
 struct script_command;
-struct script_assets;
+struct script_asset;
 
 /* One line of the script that draws, or that changes how. */
 struct script_item {
@@ -27,8 +27,9 @@ struct script {
     size_t item_count;
     int32_t *values; /* arguments of all items; colors as their bits */
     size_t value_count;
-    size_t polygon_max;           /* vertices of the largest polygon */
-    struct script_assets *assets; /* fonts, pictures and texts that it names */
+    size_t polygon_max;          /* vertices of the largest polygon */
+    struct script_asset *assets; /* fonts, pictures, texts, meshes it names */
+    size_t asset_count;
     char *caption; /* the comment that the script begins with, or "" */
 };
 
