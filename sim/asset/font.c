@@ -8,6 +8,7 @@
 #include "core/image/glyph_text.h"
 #include "sim/font/asset.h"
 #include "sim/asset/text.h"
+#include "sim/cli/arguments.h"
 #include "sim/cli/message.h"
 
 /* At *text, and moves it behind: a number as in C, or any character but a
@@ -39,27 +40,33 @@ static bool next_range(const char **text, unsigned long range[2])
     return next_code(text, &range[1]) && range[0] <= range[1];
 }
 
-bool import_codes_legal(const char *codes)
+static bool codes_legal(const char *codes)
 {
     unsigned long range[2];
-    const char *p = codes;
-    bool legal = next_range(&p, range);
-    while (legal && *p == ',') {
-        p++;
-        legal = next_range(&p, range);
+    bool legal = next_range(&codes, range);
+    while (legal && *codes == ',') {
+        codes++;
+        legal = next_range(&codes, range);
     }
-    return (legal && *p == '\0') ||
-           message_error("--codes is '%s': expected code points and characters "
-                         "such as 32-126,0x20AC,\xC3\xA4",
-                         codes);
+    return legal && *codes == '\0';
 }
 
-bool import_chars_legal(const char *text)
+static bool chars_legal(const char *text)
 {
     unsigned long code = 0;
     while (*text && code != 0xFFFD)
         code = pel_utf8_next(&text);
     return code != 0 && code != 0xFFFD;
+}
+
+bool import_codes_check(const struct import_options *o)
+{
+    if (o->codes && !codes_legal(o->codes))
+        return option_refuse("codes", o->codes,
+                             "code points and characters such as "
+                             "32-126,0x20AC,\xC3\xA4");
+    return !o->chars || chars_legal(o->chars) ||
+           option_refuse("chars", o->chars, "UTF-8");
 }
 
 /* Code points of --codes and --chars that the font lacks. */
@@ -145,35 +152,6 @@ static bool keep_codes(struct font *font, const struct import_options *o)
            check_lacking(&lacking, o->source);
 }
 
-static void write_glyphs(struct import_text *text,
-                         const struct pel_font_asset *font)
-{
-    const struct import_array array = {"struct pel_font_glyph", "glyphs",
-                                       font->glyphs, 1, NULL};
-    import_array_begin(text, &array);
-    for (uint32_t i = 0; i < font->glyphs; i++) {
-        const struct pel_font_glyph *g = &font->glyph[i];
-        const long value[] = {(long)g->offset, g->width, g->height,
-                              g->left,         g->top,   g->advance};
-        import_array_item(text, value, 6);
-    }
-    import_array_end(text);
-}
-
-static void write_ranges(struct import_text *text,
-                         const struct pel_font_asset *font)
-{
-    const struct import_array array = {"struct pel_font_range", "ranges",
-                                       font->ranges, 1, NULL};
-    import_array_begin(text, &array);
-    for (uint32_t i = 0; i < font->ranges; i++) {
-        const struct pel_font_range *r = &font->range[i];
-        const long value[] = {(long)r->first, r->count, r->glyph};
-        import_array_item(text, value, 3);
-    }
-    import_array_end(text);
-}
-
 static void write_asset(struct import_text *text,
                         const struct pel_font_asset *font)
 {
@@ -182,8 +160,23 @@ static void write_asset(struct import_text *text,
     const struct import_array bits = {"uint8_t", "bits", font->size, 1,
                                       font->bits};
     import_array(text, &bits);
-    write_glyphs(text, font);
-    write_ranges(text, font);
+    import_array_begin(text, "struct pel_font_glyph", "glyphs", font->glyphs,
+                       1);
+    for (uint32_t i = 0; i < font->glyphs; i++) {
+        const struct pel_font_glyph *g = &font->glyph[i];
+        import_item(text, "{%lu, %d, %d, %d, %d, %d},",
+                    (unsigned long)g->offset, g->width, g->height, g->left,
+                    g->top, g->advance);
+    }
+    import_array_end(text);
+    import_array_begin(text, "struct pel_font_range", "ranges", font->ranges,
+                       1);
+    for (uint32_t i = 0; i < font->ranges; i++) {
+        const struct pel_font_range *r = &font->range[i];
+        import_item(text, "{%lu, %d, %d},", (unsigned long)r->first, r->count,
+                    r->glyph);
+    }
+    import_array_end(text);
     import_struct_begin(text);
     fprintf(out, "    PEL_FONT_MAGIC,\n    PEL_FONT_VERSION,\n");
     fprintf(out, "    %u, /* px above the baseline */\n", font->ascent);
@@ -208,16 +201,14 @@ static bool write_file(const struct import_options *options,
 bool import_font(const struct import_options *options)
 {
     struct font font;
-    struct pel_font_asset asset;
-    if (!font_load(&font, options->source))
-        return false;
-    bool done =
-        ((!options->codes && !options->chars) || keep_codes(&font, options)) &&
-        font_add_box(&font) && font_asset_make(&asset, &font, options->source);
-    if (done) {
-        done = write_file(options, &asset);
-        font_asset_free(&asset);
-    }
+    struct pel_font_asset asset = {.magic = 0};
+    const bool all = !options->codes && !options->chars;
+    const bool done = font_load(&font, options->source) &&
+                      (all || keep_codes(&font, options)) &&
+                      font_add_box(&font) &&
+                      font_asset_make(&asset, &font, options->source) &&
+                      write_file(options, &asset);
+    font_asset_free(&asset);
     font_free(&font);
     return done;
 }

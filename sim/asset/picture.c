@@ -33,16 +33,6 @@ static const char *name_of(const struct pel_format *format)
     return entry->name ? entry->name : IMPORT_ALPHA_FORMAT;
 }
 
-static void write_bytes(struct import_text *text, const uint8_t *byte,
-                        size_t size)
-{
-    text->column = 80;
-    for (size_t i = 0; i < size; i++) {
-        const long value = byte[i];
-        import_array_item(text, &value, 1);
-    }
-}
-
 static void write_palette(struct import_text *text, const struct table *table,
                           int bits)
 {
@@ -89,7 +79,9 @@ static void write_asset(struct import_text *text,
     fprintf(out, "\nstatic const union {\n    uint8_t bytes[%u];\n",
             image.size);
     fprintf(out, "    uint32_t word;\n} %s_pixels = {{", name);
-    write_bytes(text, surface->pixels, image.size);
+    text->column = 80;
+    for (uint32_t i = 0; i < image.size; i++)
+        import_item(text, "%d,", ((const uint8_t *)surface->pixels)[i]);
     fprintf(out, "\n}};\n");
     import_struct_begin(text);
     fprintf(out, "    PEL_IMAGE_MAGIC,\n    PEL_IMAGE_VERSION,\n");
