@@ -192,6 +192,7 @@ static bool check_command(struct script_parser *p, const int32_t *v, size_t n)
     case SCRIPT_SCENE:
         return set_scene(p, v, n);
     case SCRIPT_BANDS:
+        p->script->bands = v[0];
         return canvas_bands_legal(p->script->format, v[0]) ||
                ERROR_AT(p, "bands %d: expected a multiple of 8 for mono1_pages",
                         v[0]);
