@@ -46,7 +46,8 @@ int pel_buttons_open(struct pel_buttons *b, struct pel_message *message)
         error = pel_gpio_levels(&b->gpio, &b->active);
     while (error == EINTR);
     if (error) {
-        pel_message_errno(message, b->gpio.path, error);
+        errno = error;
+        pel_message_errno(message, b->gpio.path);
         pel_gpio_close(&b->gpio);
         return error;
     }

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include "../../drivers/linux_io.h"
-#include "evdev_keys.h"
 
 /* What the places of a device mean. */
 enum { NOTHING, POINTER, PEN, FINGERS };
@@ -311,23 +310,21 @@ int pel_evdev_open(struct pel_evdev *evdev, int number, bool keys,
                                 .height = evdev->height,
                                 .keys = keys,
                                 .losses = queue->losses};
-    if (fd < 0) {
-        pel_message_open(message, path, error, "it is gone");
-        return error;
-    }
-    error = -libevdev_new_from_fd(fd, &evdev->device);
-    if (error) {
+    if (fd < 0)
+        return pel_message_open(message, path, error, "it is gone");
+    errno = -libevdev_new_from_fd(fd, &evdev->device);
+    if (errno) {
+        error = pel_message_errno(message, path);
         close(fd);
         evdev->device = NULL;
-        pel_message_errno(message, path, error);
         return error;
     }
     libevdev_set_clock_id(evdev->device, CLOCK_MONOTONIC);
     evdev->places = (uint8_t)places_of(evdev->device);
     if (!tells_something(evdev)) {
         pel_evdev_close(evdev);
-        pel_message_set(message, "%s has no keys, and points nowhere", path);
-        return ENOTSUP;
+        return pel_message_set(message, ENOTSUP,
+                               "%s has no keys, and points nowhere", path);
     }
     read_places(evdev);
     push_device(evdev, PEL_INPUT_DOWN, queue);

@@ -49,5 +49,8 @@ int pel_evdev_descriptor(const struct pel_evdev *evdev);
 /* Nothing when it is not open. */
 void pel_evdev_close(struct pel_evdev *evdev);
 
+/* The kernel's keys, KEY_A and so on, as enum pel_key. */
+uint16_t pel_evdev_key(int code);
+
 PEL_END_DECLS
 #endif

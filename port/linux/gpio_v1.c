@@ -7,16 +7,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-void *pel_gpio_chip_open(const char *path)
-{
-    return gpiod_chip_open(path);
-}
-
-void pel_gpio_chip_close(void *chip)
-{
-    gpiod_chip_close(chip);
-}
-
 unsigned pel_gpio_chip_lines(void *chip)
 {
     return gpiod_chip_num_lines(chip);

@@ -19,9 +19,7 @@ static int watch(struct pel_input_linux *in, int fd, int who)
     struct epoll_event e = {.events = EPOLLIN, .data = {.u32 = (uint32_t)who}};
     if (fd >= 0 && epoll_ctl(in->poll, EPOLL_CTL_ADD, fd, &e) == 0)
         return 0;
-    const int error = errno;
-    pel_message_errno(&in->message, "cannot wait for input", error);
-    return error;
+    return pel_message_errno(&in->message, "cannot wait for input");
 }
 
 static void push_device(struct pel_input_linux *in, int code, int state)
@@ -44,7 +42,7 @@ static void open_device(struct pel_input_linux *in, int number)
         else if (in->devices[i].number == number)
             return;
     if (!free) {
-        pel_message_set(&in->note,
+        pel_message_set(&in->note, 0,
                         "more than %d input devices: eventN with "
                         "N = %d is left out",
                         PEL_INPUT_LINUX_DEVICES, number);
@@ -194,12 +192,12 @@ bool pel_input_linux_wait(struct pel_input_linux *in, int milliseconds,
     return true;
 }
 
-/* The descriptors; 0 or an errno. */
+/* The descriptors. 0 or an errno, with the message. */
 static int prepare(struct pel_input_linux *in)
 {
     in->poll = epoll_create1(EPOLL_CLOEXEC);
     if (in->poll < 0)
-        return errno;
+        return pel_message_errno(&in->message, "cannot wait for input");
     in->notify = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
     const int error = watch(in, in->notify, NOTIFY);
     if (error)
@@ -217,11 +215,7 @@ int pel_input_linux_open(struct pel_input_linux *in,
     in->options = *options;
     in->poll = in->notify = in->timer = -1;
     int error = prepare(in);
-    if (error)
-        pel_message_errno(&in->message, "cannot wait for input", error);
-    else
-        inotify_add_watch(in->notify, "/dev",
-                          IN_CREATE | IN_ATTRIB | IN_DELETE);
+    inotify_add_watch(in->notify, "/dev", IN_CREATE | IN_ATTRIB | IN_DELETE);
     if (!error && options->buttons)
         error = pel_buttons_parse(&in->buttons, options->buttons, &in->message);
     if (!error && options->buttons)
