@@ -65,22 +65,17 @@ static bool has_two_pages(const struct pel_fb_mode *mode)
                mode->fixed.smem_len;
 }
 
-static bool same_channel(const struct fb_bitfield *a,
-                         const struct fb_bitfield *b)
-{
-    return a->offset == b->offset && a->length == b->length;
-}
-
 static bool same_layout(const struct pel_fb_mode *a,
                         const struct pel_fb_mode *b)
 {
+    enum { CHANNEL = sizeof(struct fb_bitfield) };
     return a->variable.xres == b->variable.xres &&
            a->variable.yres == b->variable.yres &&
            a->variable.xoffset == b->variable.xoffset &&
            a->variable.bits_per_pixel == b->variable.bits_per_pixel &&
-           same_channel(&a->variable.red, &b->variable.red) &&
-           same_channel(&a->variable.green, &b->variable.green) &&
-           same_channel(&a->variable.blue, &b->variable.blue) &&
+           memcmp(&a->variable.red, &b->variable.red, CHANNEL) == 0 &&
+           memcmp(&a->variable.green, &b->variable.green, CHANNEL) == 0 &&
+           memcmp(&a->variable.blue, &b->variable.blue, CHANNEL) == 0 &&
            a->fixed.line_length == b->fixed.line_length &&
            a->fixed.visual == b->fixed.visual;
 }

@@ -22,15 +22,6 @@ static int watch(struct pel_input_linux *in, int fd, int who)
     return pel_message_errno(&in->message, "cannot wait for input");
 }
 
-static void push_device(struct pel_input_linux *in, int code, int state)
-{
-    const struct pel_input e = {.time = pel_linux_milliseconds(),
-                                .kind = PEL_INPUT_DEVICE,
-                                .state = (uint8_t)state,
-                                .code = (uint16_t)code};
-    pel_input_push(&in->queue, &e);
-}
-
 /* Opens /dev/input/eventN, if that is not open. Rights may come later than the
  * device, and then it is tried again. */
 static void open_device(struct pel_input_linux *in, int number)
@@ -60,7 +51,8 @@ static void open_device(struct pel_input_linux *in, int number)
             watch(in, pel_evdev_descriptor(free), (int)(free - in->devices));
         if (error) {
             pel_evdev_close(free);
-            push_device(in, number, PEL_INPUT_UP);
+            pel_input_push_now(&in->queue, PEL_INPUT_DEVICE, PEL_INPUT_UP,
+                               number);
         }
     }
     if (error && error != ENOENT && error != ENODEV && error != ENOTSUP)
@@ -95,7 +87,8 @@ static void read_buttons(struct pel_input_linux *in)
     const bool open = in->buttons.open;
     arm(in, pel_buttons_read(&in->buttons, &in->queue));
     if (open && !in->buttons.open)
-        push_device(in, PEL_INPUT_LINUX_CHIP, PEL_INPUT_UP);
+        pel_input_push_now(&in->queue, PEL_INPUT_DEVICE, PEL_INPUT_UP,
+                           PEL_INPUT_LINUX_CHIP);
 }
 
 static int open_buttons(struct pel_input_linux *in)
@@ -111,7 +104,8 @@ static int open_buttons(struct pel_input_linux *in)
         pel_buttons_close(&in->buttons);
         return error;
     }
-    push_device(in, PEL_INPUT_LINUX_CHIP, PEL_INPUT_DOWN);
+    pel_input_push_now(&in->queue, PEL_INPUT_DEVICE, PEL_INPUT_DOWN,
+                       PEL_INPUT_LINUX_CHIP);
     read_buttons(in);
     return 0;
 }
