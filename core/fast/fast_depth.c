@@ -109,7 +109,7 @@ static PEL_ALWAYS_INLINE void draw_run(const struct steps *s,
         at[0] += 4 * s->dx;
         at[1] += 4 * s->dx;
         if (gouraud) {
-            c = pel_gouraud_add(c, s->color.next);
+            c = pel_gouraud_add(c, s->color.four);
             value = pel_gouraud_xrgb4(c);
         }
     }
@@ -135,7 +135,7 @@ static PEL_ALWAYS_INLINE void draw_rows(const struct pel_depth_paint *paint,
     struct steps s = {.dx = dx, .depth = {{0, dx}, {2 * dx, 3 * dx}}};
     uint32_t start[3] = {0, 0, 0};
     if (gouraud) {
-        s.color = pel_gouraud_steps_make(g, 1);
+        s.color = pel_gouraud_steps_make(g, 4);
         pel_gouraud_at(g, 0, t->y0, start);
     } else {
         s.value = pel_make_value32(surface->format->pack(flat->color));
@@ -201,18 +201,6 @@ bool pel_depth_fast(const struct pel_paint *paint,
     else
         return false;
     return true;
-}
-
-#elif PEL_FAST_FILLS
-
-bool pel_depth_fast(const struct pel_paint *paint,
-                    const struct pel_surface *surface,
-                    const struct pel_fast_triangle *triangle)
-{
-    (void)paint;
-    (void)surface;
-    (void)triangle;
-    return false;
 }
 
 #endif
