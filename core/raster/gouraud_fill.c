@@ -9,44 +9,59 @@ static PEL_NOINLINE void colors_of_span(const struct pel_gouraud *g, int32_t x,
     pel_gouraud_at(g, x, y, v);
     uint32_t alpha = g->at[3] + (uint32_t)x * g->dx[3] + (uint32_t)y * g->dy[3];
     for (; n > 0; n--) {
-        *colors++ = (pel_gouraud_xrgb(v) & 0xFFFFFFu) | (alpha >> 24) << 24;
+        *colors++ = PEL_RGBA(v[2] >> 24, v[1] >> 24, v[0] >> 24, alpha >> 24);
         pel_gouraud_step(v, g->dx);
         alpha += g->dx[3];
     }
 }
 
-/* With constant `bytes` of a pixel, each of which has a loop of its own. */
+#if PEL_VECTORS
+
+/* With constant `bytes` of a pixel. */
 static PEL_ALWAYS_INLINE void fill_words(const struct pel_gouraud *g,
                                          const struct pel_spans *spans,
                                          int bytes)
 {
-    const struct pel_gouraud_steps steps =
-        pel_gouraud_steps_make(g, 4u / (unsigned)bytes);
+    const struct pel_gouraud_steps steps = pel_gouraud_steps_make(g, bytes);
     int32_t y = spans->y;
     for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
-        const int32_t x = spans->span[i].x0, n = spans->span[i].x1 - x;
+        const int32_t x = spans->span[i].x0;
         uint32_t v[3];
         pel_gouraud_at(g, x, y, v);
-        if (bytes == 4)
-            pel_gouraud_span_xrgb(pel_address32(spans->surface, x, y), n, v,
-                                  &steps);
-        else
-            pel_gouraud_span_rgb565(pel_address16(spans->surface, x, y), n, v,
-                                    &steps);
+        pel_gouraud_span(pel_address(spans->surface, x, y, bytes),
+                         spans->span[i].x1 - x, v, &steps, bytes);
     }
 }
 
-static PEL_NOINLINE void fill_xrgb(const struct pel_gouraud *g,
-                                   const struct pel_spans *spans)
+#else
+
+/* Of rgb565_le. Channels and steps have variables of their own, which stay in
+ * registers. */
+static PEL_NOINLINE void fill_words(const struct pel_gouraud *gouraud,
+                                    const struct pel_spans *spans, int bytes)
 {
-    fill_words(g, spans, 4);
+    const uint32_t db = gouraud->dx[0], dg = gouraud->dx[1],
+                   dr = gouraud->dx[2];
+    int32_t y = spans->y;
+    (void)bytes;
+    for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
+        const int32_t x = spans->span[i].x0;
+        pel_word16 *p = pel_address16(spans->surface, x, y);
+        uint32_t v[3];
+        pel_gouraud_at(gouraud, x, y, v);
+        uint32_t b = v[0], g = v[1], r = v[2];
+#pragma GCC unroll 8
+        for (int32_t n = spans->span[i].x1 - x; n > 0; n--) {
+            const uint32_t pixel = (r >> 27) << 11 | (g >> 26) << 5 | b >> 27;
+            *p++ = (pel_word16)PEL_LE16(pixel);
+            b += db;
+            g += dg;
+            r += dr;
+        }
+    }
 }
 
-static PEL_NOINLINE void fill_rgb565(const struct pel_gouraud *g,
-                                     const struct pel_spans *spans)
-{
-    fill_words(g, spans, 2);
-}
+#endif
 
 /* False: the format has no writer of planes. */
 static PEL_NOINLINE bool fill_planes(const struct pel_gouraud *g,
@@ -85,9 +100,9 @@ void pel_gouraud_fill(const struct pel_paint *paint,
     const struct pel_gouraud *g = (const struct pel_gouraud *)paint;
     const int bytes = pel_gouraud_bytes(g, spans->surface->format);
     if (bytes == 2)
-        fill_rgb565(g, spans);
-    else if (PEL_KNOW_SIDES && bytes == 4)
-        fill_xrgb(g, spans);
+        fill_words(g, spans, 2);
+    else if (PEL_VECTORS && bytes == 4)
+        fill_words(g, spans, 4);
     else
         fill_any(g, spans);
 }

@@ -1,7 +1,9 @@
 /* The 32.32 walk of 64-bit CPUs against 128-bit arithmetic, at the borders of
- * its two bounds (128 rows for one division, 4,094 px high for two). */
-#include "tests/support/check.h"
+ * its two bounds (128 rows for one division, 4,094 px high for two); and when a
+ * paint's `fast` is asked. */
 #include "tests/support/cases.h"
+#include "tests/support/check.h"
+#include "tests/support/layouts.h"
 #include "tests/support/probe.h"
 
 /* Three vertices in a box of that size, one at its top and one at its bottom,
@@ -88,8 +90,61 @@ static void test_tight_slopes(void)
     assert_true(p.fast > 0);
 }
 
+struct counting {
+    struct pel_paint paint;
+    bool takes;
+    int fast, rows;
+};
+
+static void count_rows(const struct pel_paint *paint,
+                       const struct pel_spans *rows)
+{
+    ((struct counting *)(uintptr_t)paint)->rows += rows->n;
+}
+
+static bool count_fast(const struct pel_paint *paint,
+                       const struct pel_surface *surface,
+                       const struct pel_fast_triangle *triangle)
+{
+    struct counting *c = (struct counting *)(uintptr_t)paint;
+    (void)surface;
+    (void)triangle;
+    c->fast++;
+    return c->takes;
+}
+
+/* `fast` is asked once, where nothing is clipped; what it leaves comes as rows.
+ */
+static void test_fast_is_asked_first(void)
+{
+    static const struct pel_point inside[3] = {PEL_AT(0, 0), PEL_AT(8, 0),
+                                               PEL_AT(0, 8)};
+    static const struct pel_point clipped[3] = {
+        PEL_AT(0, 0), {2049, 0}, PEL_AT(0, 8)};
+    static const struct pel_point empty[3] = {
+        {129, 129}, {300, 129}, {200, 380}};
+    static const struct {
+        const struct pel_point *v;
+        bool takes;
+        int fast, rows;
+    } row[] = {{inside, true, 1, 0},
+               {inside, false, 1, 8},
+               {clipped, true, 0, 8},
+               {empty, true, 0, 0}};
+    static uint8_t pixels[64];
+    struct pel_surface s;
+    s = surface_of(&pel_gray8, pixels, sizeof pixels, 8, 8);
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        struct counting c = {{count_rows, count_fast}, row[i].takes, 0, 0};
+        pel_triangle(&s, row[i].v, &c.paint);
+        if (c.fast != row[i].fast || c.rows != row[i].rows)
+            fail_msg("row %zu: %d times fast, %d rows", i, c.fast, c.rows);
+    }
+}
+
 int main(void)
 {
     return RUN_TESTS(test_around_128_rows, test_as_wide_as_a_surface,
-                     test_around_4094_px, test_any_size, test_tight_slopes);
+                     test_around_4094_px, test_any_size, test_tight_slopes,
+                     test_fast_is_asked_first);
 }

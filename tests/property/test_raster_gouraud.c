@@ -65,9 +65,8 @@ static void check_channel(struct tally *t, const struct pel_gouraud *g,
     const int k = at[2];
     const struct fraction exact = reference_channel_at(v, c, k, x, y);
     const int64_t size = check_plane(g, v, c, at);
-    int64_t best = (int64_t)((2 * exact.n + exact.d) / (2 * exact.d));
-    int64_t got =
-        (g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k]) >> 24;
+    const int64_t best = (int64_t)((2 * exact.n + exact.d) / (2 * exact.d));
+    const int64_t got = canvas_gouraud(g, x, y) >> 8 * k & 255;
     if (got < best - 1 || got > best + 1)
         fail_msg("channel %d at %d, %d: expected %d, got %d; %s", k, x, y,
                  (int)best, (int)got, cases_replay());
@@ -198,33 +197,21 @@ static void test_beyond_slivers(void)
 static void test_bytes_are_the_plane(void)
 {
     static struct canvas canvas;
+    static struct hits hits;
     for (struct cases c = cases_of(30000); cases_next(&c);) {
         struct pel_point v[3];
         pel_color color[3];
         struct pel_gouraud g;
         shape_adversarial(&c.random, v, 3);
         random_colors(&c.random, color);
-        for (int i = 0; i < 3; i++)
-            color[i] |= 0xFF000000u;
         const struct pel_rect w = shape_window(&c.random, v, 3, 24);
-        canvas_open(&canvas, &pel_xrgb8888, &w, random_word(&c.random) % 8);
+        canvas_open(&canvas, &pel_xrgb8888, &w,
+                    random_word(&c.random) % CANVAS_STYLES);
+        hits_open(&hits, &w);
         pel_triangle_gouraud(&canvas.surface, v, color);
+        pel_triangle(&hits.surface, v, &hits.paint);
         pel_gouraud_init(&g, v, color);
-        for (int32_t y = w.y0; y < w.y1; y++)
-            for (int32_t x = w.x0; x < w.x1; x++) {
-                uint32_t want = canvas_pixel_before(&canvas, x, y);
-                if (reference_triangle_at(v, x, y)) {
-                    want = 0;
-                    for (int k = 0; k < 4; k++)
-                        want |= (g.at[k] + (uint32_t)x * g.dx[k] +
-                                 (uint32_t)y * g.dy[k]) >>
-                                24 << 8 * k;
-                }
-                if (canvas_pixel(&canvas, x, y) != want)
-                    fail_msg("%d, %d: expected %08x, got %08x; %s", x, y, want,
-                             canvas_pixel(&canvas, x, y), cases_replay());
-            }
-        canvas_check(&canvas);
+        canvas_check_drawn(&canvas, &hits, canvas_gouraud, &g);
     }
 }
 

@@ -132,23 +132,6 @@ static void check_pixel(const struct any_shape *s, int32_t x, int32_t y,
         fail_msg("%s at %d: pixel %d, %d", any_name(s), pixel, x, y);
 }
 
-/* The shapes of points, and how many points they have. */
-static int points_of(enum any_kind kind)
-{
-    switch (kind) {
-    case ANY_TRIANGLE:
-    case ANY_POLYGON:
-        return 3;
-    case ANY_RECTANGLE:
-    case ANY_ROUNDED_RECTANGLE:
-    case ANY_LINE:
-    case ANY_THICK_LINE:
-        return 2;
-    default:
-        return 1;
-    }
-}
-
 static void check_ranges(struct any_shape *s, int32_t pixel)
 {
     static const int32_t far_pixel[] = {INT32_MIN, -32769, 32768, INT32_MAX};
@@ -156,13 +139,13 @@ static void check_ranges(struct any_shape *s, int32_t pixel)
                                   PEL_COORDINATE_MAX + 1, INT32_MAX};
     static const int32_t radius[] = {INT32_MIN, -1, PEL_PX(32767) + 1,
                                      INT32_MAX};
-    const bool is_round = points_of(s->kind) == 1;
+    const bool is_round = any_points(s) == 1;
     const bool is_thick =
         s->kind == ANY_THICK_LINE || s->kind == ANY_ROUNDED_RECTANGLE;
     for (int i = 0; i < 4; i++) {
         check_pixel(s, far_pixel[i], pixel, pixel);
         check_pixel(s, pixel, far_pixel[i], pixel);
-        for (int k = 0; k < points_of(s->kind); k++) {
+        for (int k = 0; k < any_points(s); k++) {
             check_number(s, &s->v[k].x, far[i], pixel);
             check_number(s, &s->v[k].y, far[i], pixel);
         }

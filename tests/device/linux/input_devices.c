@@ -111,24 +111,7 @@ static uint32_t levels;
 static int line = -1; /* of the buttons */
 static bool edges_lost;
 
-int __wrap_access(const char *path, int mode);
-int __wrap_open(const char *path, int flags, ...);
-int __wrap_epoll_ctl(int poll, int what, int fd, struct epoll_event *event);
 int __real_epoll_ctl(int poll, int what, int fd, struct epoll_event *event);
-int __wrap_libevdev_new_from_fd(int fd, struct libevdev **result);
-int __wrap_libevdev_get_fd(const struct libevdev *d);
-int __wrap_libevdev_set_clock_id(struct libevdev *d, int clock);
-int __wrap_libevdev_next_event(struct libevdev *d, unsigned flags,
-                               struct input_event *e);
-int __wrap_pel_gpio_open(struct pel_gpio *gpio,
-                         const struct pel_gpio_request *request,
-                         struct pel_message *message);
-void __wrap_pel_gpio_close(struct pel_gpio *gpio);
-int __wrap_pel_gpio_levels(struct pel_gpio *gpio, uint32_t *active);
-int __wrap_pel_gpio_edges(struct pel_gpio *gpio, struct pel_gpio_edge *edges,
-                          int most, bool *lost);
-int __wrap_pel_gpio_descriptors(const struct pel_gpio *gpio,
-                                int descriptors[PEL_GPIO_MOST]);
 
 int __wrap_access(const char *path, int mode)
 {
@@ -140,8 +123,7 @@ int __wrap_access(const char *path, int mode)
 static int descriptor = -1;
 int __wrap_open(const char *path, int flags, ...)
 {
-    (void)path;
-    (void)flags;
+    (void)path, (void)flags;
     return descriptor = eventfd(1, EFD_CLOEXEC);
 }
 
@@ -191,8 +173,7 @@ int __wrap_libevdev_get_fd(const struct libevdev *d)
 
 int __wrap_libevdev_set_clock_id(struct libevdev *d, int clock)
 {
-    (void)d;
-    (void)clock;
+    (void)d, (void)clock;
     return 0;
 }
 
@@ -240,9 +221,7 @@ int __wrap_pel_gpio_levels(struct pel_gpio *gpio, uint32_t *active)
 int __wrap_pel_gpio_edges(struct pel_gpio *gpio, struct pel_gpio_edge *edges,
                           int most, bool *lost)
 {
-    (void)gpio;
-    (void)edges;
-    (void)most;
+    (void)gpio, (void)edges, (void)most;
     *lost = edges_lost;
     edges_lost = false;
     return 0;

@@ -18,7 +18,7 @@ LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout panel_bus input_devices \
                panel_check vm screen_check reference)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
-               pel_no_draw fb_mode console_state faults frames session \
+               pel_no_draw fb_mode console_state faults frames \
                touch_device pel_gpiod2 faults_gpiod2)
 LINUX_STATIC := $(LINUX_CHECK)/static
 LINUX_CFLAGS = -std=gnu99 $(WARNINGS) $(WERROR) -O2 -I. -I$(BUILD)/include
@@ -85,7 +85,6 @@ LINUX_STATIC_OBJECTS = $(LINUX_OBJECTS:$(BUILD)/%=$(LINUX_STATIC)/%)
 LINUX_STATIC_SIM = $(SIM_OBJECTS:$(BUILD)/%=$(LINUX_STATIC)/%)
 
 # The function that a program brings a version of its own of.
-LINUX_WRAP_session := ioctl
 LINUX_WRAP_no_restore := pel_console_state_restore
 LINUX_WRAP_no_draw := script_draw
 $(LINUX_CHECK)/guest/pel_%: $(LINUX_HERE)/%.c linux-static
@@ -95,7 +94,7 @@ $(LINUX_CHECK)/guest/pel_%: $(LINUX_HERE)/%.c linux-static
 	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
 
 # The same with the other version of libgpiod, or what stands for it.
-LINUX_GPIOD2 := port/linux/gpio_v2.c $(LINUX_HERE)/gpiod2/gpiod.c
+LINUX_GPIOD2 := port/linux/gpio_v2.c
 LINUX_WRAP_FAULTS = $(LINUX_FAULTS:%=-Wl$(comma)--wrap=%)
 $(LINUX_CHECK)/guest/pel_gpiod2: $(LINUX_GPIOD2) linux-static
 	@mkdir -p $(@D)
@@ -112,12 +111,11 @@ $(LINUX_CHECK)/guest/faults_gpiod2: $(LINUX_GPIOD2) $(LINUX_HERE)/faults.c \
 	    $(filter-out %/gpio_v1.o,$(LINUX_STATIC_OBJECTS)) \
 	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
 
-$(LINUX_CHECK)/guest/frames $(LINUX_CHECK)/guest/session: \
-    $(LINUX_CHECK)/guest/%: $(LINUX_HERE)/%.c linux-static
+$(LINUX_CHECK)/guest/frames: $(LINUX_HERE)/frames.c linux-static
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) \
-	    $(LINUX_WRAP_$*:%=-Wl$(comma)--wrap=%) $< \
-	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
+	    -Wl,--wrap=ioctl $< $(LINUX_STATIC_OBJECTS) \
+	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
 
 $(LINUX_CHECK)/guest/faults: $(LINUX_HERE)/faults.c \
     $(LINUX_HERE)/fault_calls.c linux-static
