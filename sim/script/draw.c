@@ -133,10 +133,6 @@ bool script_draw(const struct script *script, struct canvas *canvas, int rows)
     const char *instead = rows < 0 ? "bands 0 before it" : "--bands 0";
     if (rows < 0)
         rows = script->bands;
-    if (!canvas_bands_legal(script->format, rows))
-        return message_error("bands of %d rows: expected a multiple of 8 for "
-                             "mono1_pages",
-                             rows);
     if (!check_whole(script, &canvas->surface.bounds, rows, instead) ||
         !script_pen_init(&replay.pen, script, &canvas->surface))
         return false;
