@@ -211,35 +211,28 @@ static bool check(struct import_command *c)
            import_codes_check(o);
 }
 
-/* Gouraud's colors at the vertices, whatever draws them. */
-static bool project(const struct scene_options *o, const struct model *model,
-                    struct pel2d *flat)
+/* With Gouraud's colors at the vertices, whatever draws them. */
+static bool import_as_pel2d(struct import_command *c)
 {
-    struct scene scene;
-    struct scene_settings settings = o->settings;
+    struct scene scene = {0};
+    struct scene_settings settings = c->scene.settings;
+    struct pel2d flat = {0};
+    struct model model;
     uint32_t clipped = 0;
     settings.shade = SCENE_GOURAUD;
     settings.mapping = SCENE_MAP_VERTICES;
-    const bool done = scene_init(&scene, model) &&
-                      scene_prepare(&scene, &settings) &&
-                      scene_project(&scene, flat, &clipped);
-    scene_free(&scene);
+    if (!model_load(&model, &c->scene.source))
+        return false;
+    const bool projected = scene_init(&scene, &model) &&
+                           scene_prepare(&scene, &settings) &&
+                           scene_project(&scene, &flat, &clipped);
     if (clipped > 0)
         fprintf(stderr,
                 "pel: %s: %u of %u triangles reach behind the camera or far "
                 "out of the picture and were clipped\n",
-                o->source.path, clipped, model->mesh.triangles);
-    return done;
-}
-
-static bool import_as_pel2d(struct import_command *c)
-{
-    struct pel2d flat = {0};
-    struct model model;
-    if (!model_load(&model, &c->scene.source))
-        return false;
-    const bool done = project(&c->scene, &model, &flat) &&
-                      pel2d_save(&flat, c->options.output);
+                c->scene.source.path, clipped, model.mesh.triangles);
+    const bool done = projected && pel2d_save(&flat, c->options.output);
+    scene_free(&scene);
     pel2d_free(&flat);
     model_free(&model);
     return done;

@@ -17,7 +17,7 @@ struct explanation {
     int at[2]; /* the pixel's x, y */
     bool all;  /* tells of commands that leave the pixel, too */
     struct script_pen pen;
-    const struct script_item *paint, *clip; /* in force, or NULL */
+    const struct script_item *clip; /* in force, or NULL */
     bool touched;
 };
 
@@ -158,7 +158,7 @@ static void explain_shape(const struct explanation *e,
     }
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++)
         if (choice_find(shapes[i].names, name) >= 0)
-            shapes[i].explain(c, e->script->values + item->first, item->count);
+            shapes[i].explain(c, script_values(&e->pen, item), item->count);
 }
 
 static pel_color pixel(const struct explanation *e)
@@ -172,23 +172,16 @@ static pel_color pixel(const struct explanation *e)
 static void print_paint(const struct explanation *e,
                         const struct script_item *item, pel_color color)
 {
-    const enum script_role role = item->command->role;
-    const bool painted =
-        role == SCRIPT_TRIANGLE || role == SCRIPT_SHAPE || role == SCRIPT_TEXT;
-    if (painted && e->paint)
-        printf("%s (line %ld)%s, ", e->paint->command->name, e->paint->line,
+    const struct script_item *paint = e->pen.paint;
+    const bool painted = item->command->role >= SCRIPT_TRIANGLE;
+    if (painted && paint)
+        printf("%s (line %ld)%s, ", paint->command->name, paint->line,
                e->pen.dither ? ", dithered" : "");
     else if (painted)
         printf("white, as at first, ");
     printf("#%06x", (unsigned)color & 0xFFFFFF);
     if (pel_alpha(color) != 255)
         printf(" alpha %u", (unsigned)pel_alpha(color));
-}
-
-static void perform(struct explanation *e, const struct script_item *item)
-{
-    script_perform(&e->pen, item->command, e->script->values + item->first,
-                   item->count);
 }
 
 /* A command that draws. */
@@ -198,10 +191,9 @@ static void explain_item(struct explanation *e, const struct script_item *item)
     const struct pel_format *format = e->script->format;
     const pel_color before = pixel(e);
     const bool moves = item->command->role == SCRIPT_WHOLE;
-    const bool covered =
-        !moves && script_covers(&e->pen, e->script, item, e->at, &color);
+    const bool covered = !moves && script_covers(&e->pen, item, e->at, &color);
     const bool clipped = !script_clip_holds(&e->pen, e->at);
-    perform(e, item);
+    script_perform(&e->pen, item);
     const pel_color after = pixel(e);
     const bool touched = (covered && !clipped) || (moves && before != after);
     e->touched = e->touched || touched;
@@ -228,15 +220,12 @@ static void explain_all(struct explanation *e)
 {
     for (size_t i = 0; i < e->script->item_count; i++) {
         const struct script_item *item = &e->script->items[i];
-        const enum script_role role = item->command->role;
-        if (role == SCRIPT_PAINT || role == SCRIPT_PAINT_VERTEX)
-            e->paint = item;
         if (strcmp(item->command->name, "clip") == 0)
             e->clip = item;
-        if (script_draws(item->command))
+        if (item->command->role >= SCRIPT_CLEAR)
             explain_item(e, item);
-        else if (role != SCRIPT_SCENE)
-            perform(e, item);
+        else
+            script_perform(&e->pen, item);
     }
     if (!e->touched)
         puts("no command touches this pixel");

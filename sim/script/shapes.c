@@ -69,49 +69,53 @@ static void draw_triangle(struct script_pen *pen, const int32_t *v)
 /* The functions below draw a shape or, as the row of the table says, its
  * outline. */
 
+static bool outlined(const struct script_pen *pen)
+{
+    return pen->item->command->outline;
+}
+
 /* Cannot fail: vertices and scratch memory were checked before. */
 static void draw_polygon(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_polygon_shape shape = {
-        points(v), (int32_t)(pen->count / 2), pen->command->rule};
-    (pen->command->outline ? pel_polygon_outline : pel_polygon)(
-        pen->surface, &shape, script_paint(pen), pen->scratch,
-        pen->scratch_size);
+        points(v), (int32_t)(pen->item->count / 2), pen->item->command->rule};
+    (outlined(pen) ? pel_polygon_outline
+                   : pel_polygon)(pen->surface, &shape, script_paint(pen),
+                                  pen->scratch, pen->scratch_size);
 }
 
 static void draw_circle(struct script_pen *pen, const int32_t *v)
 {
-    (pen->command->outline ? pel_circle_outline : pel_circle)(
-        pen->surface, *points(v), v[2], script_paint(pen));
+    (outlined(pen) ? pel_circle_outline : pel_circle)(pen->surface, *points(v),
+                                                      v[2], script_paint(pen));
 }
 
 static void draw_rect(struct script_pen *pen, const int32_t *v)
 {
-    (pen->command->outline ? pel_rectangle_outline : pel_rectangle)(
+    (outlined(pen) ? pel_rectangle_outline : pel_rectangle)(
         pen->surface, *points(v), far_corner(v), script_paint(pen));
 }
 
 static void draw_ellipse(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_ellipse_shape shape = {points(v)[0], points(v)[1]};
-    (pen->command->outline ? pel_ellipse_outline : pel_ellipse)(
-        pen->surface, &shape, script_paint(pen));
+    (outlined(pen) ? pel_ellipse_outline : pel_ellipse)(pen->surface, &shape,
+                                                        script_paint(pen));
 }
 
 static void draw_rounded(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_rounded_shape shape = {*points(v), far_corner(v), v[4]};
-    (pen->command->outline
-         ? pel_rounded_rectangle_outline
-         : pel_rounded_rectangle)(pen->surface, &shape, script_paint(pen));
+    (outlined(pen) ? pel_rounded_rectangle_outline : pel_rounded_rectangle)(
+        pen->surface, &shape, script_paint(pen));
 }
 
 /* The outline of a sector's round side is called an arc. */
 static void draw_sector(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_sector_shape shape = {*points(v), v[2], v[3], v[4]};
-    (pen->command->outline ? pel_arc_outline : pel_sector)(pen->surface, &shape,
-                                                           script_paint(pen));
+    (outlined(pen) ? pel_arc_outline : pel_sector)(pen->surface, &shape,
+                                                   script_paint(pen));
 }
 
 static void outline_triangle(struct script_pen *pen, const int32_t *v)
@@ -149,7 +153,7 @@ static void draw_thick(struct script_pen *pen, const int32_t *v)
 
 const struct script_command script_shapes[] = {
     {"canvas", "ssf", "WIDTH HEIGHT FORMAT", .role = SCRIPT_CANVAS},
-    {"clear", "c", "COLOUR", SCRIPT_STATE, .draw = draw_clear},
+    {"clear", "c", "COLOUR", SCRIPT_CLEAR, .draw = draw_clear},
     {"clip", "iinn", "X Y WIDTH HEIGHT", SCRIPT_STATE, .draw = set_clip},
     {"bands", "n", "ROWS", .role = SCRIPT_BANDS},
     {"option collinear", "o", "nothing|line", SCRIPT_STATE,
