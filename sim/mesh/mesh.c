@@ -190,22 +190,15 @@ static bool get_mesh(struct mesh *mesh, FILE *in)
     return good;
 }
 
-static bool load(struct mesh *mesh, const char *path)
-{
-    if (mesh_is_builtin(path))
-        return mesh_load_builtin(mesh, path);
-    FILE *in = child_run(path, put_mesh, path);
-    const bool done = in && get_mesh(mesh, in);
-    if (in)
-        fclose(in);
-    return done;
-}
-
 bool mesh_load(struct mesh *mesh, const char *path)
 {
     memset(mesh, 0, sizeof(*mesh));
-    const bool done = load(mesh, path) && mesh_check(mesh, path) &&
-                      mesh_weld(mesh) &&
+    FILE *in = mesh_is_builtin(path) ? NULL : child_run(path, put_mesh, path);
+    const bool read = mesh_is_builtin(path) ? mesh_load_builtin(mesh, path)
+                                            : in && get_mesh(mesh, in);
+    if (in)
+        fclose(in);
+    const bool done = read && mesh_check(mesh, path) && mesh_weld(mesh) &&
                       (mesh->has_normals || mesh_normals(mesh, MESH_CREASE));
     if (done)
         mesh_normalise(mesh);

@@ -39,16 +39,6 @@ static void set_vertex(const struct pel_mesh *to, const struct arrays *a,
     model_set_color(a->colors[i], v->color);
 }
 
-static void set_triangle(const struct arrays *a, const uint32_t index[3],
-                         uint32_t i)
-{
-    for (int k = 0; k < 3; k++)
-        if (a->indices16)
-            a->indices16[i][k] = (uint16_t)index[k];
-        else
-            a->indices32[i][k] = index[k];
-}
-
 static void view(struct pel_mesh *to, const struct arrays *a)
 {
     to->positions = (const int16_t(*)[3])a->positions;
@@ -108,8 +98,12 @@ static bool make(struct model *model, const struct mesh *mesh, int shift_max,
     to->texture = quantize_uv(mesh);
     for (uint32_t i = 0; i < mesh->vertices; i++)
         set_vertex(to, &arrays, &mesh->vertex[i], i);
-    for (uint32_t i = 0; i < mesh->triangles; i++)
-        set_triangle(&arrays, mesh->triangle[i], i);
+    for (uint32_t i = 0; i < 3 * mesh->triangles; i++)
+        if (arrays.indices16)
+            arrays.indices16[i / 3][i % 3] =
+                (uint16_t)mesh->triangle[i / 3][i % 3];
+        else
+            arrays.indices32[i / 3][i % 3] = mesh->triangle[i / 3][i % 3];
     return true;
 }
 

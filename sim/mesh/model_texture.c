@@ -4,13 +4,6 @@
 #include "sim/cli/list.h"
 #include "sim/image/texture.h"
 
-static bool load_picture(struct picture *picture, const struct mesh_texture *t,
-                         const char *path)
-{
-    return t->bytes ? texture_load_bytes(picture, path, t->bytes, t->size)
-                    : texture_load(picture, t->path);
-}
-
 /* Alpha as the material has it: the least that is drawn becomes 128. */
 static uint32_t alpha_of(const struct mesh_material *m, pel_color color)
 {
@@ -53,7 +46,9 @@ static uint32_t texture_of(struct model *model, const struct mesh_texture *from,
     for (uint32_t i = 0; i < model->textures; i++)
         if (same_look(&model->texture[i].material, material))
             return i + 1;
-    if (load_picture(&new.picture, from, path))
+    if (from->bytes
+            ? texture_load_bytes(&new.picture, path, from->bytes, from->size)
+            : texture_load(&new.picture, from->path))
         apply_material(&new);
     else
         message_error_at(path, 0, "its texture %s is left out", from->path);

@@ -173,20 +173,14 @@ static enum pel_status prepare(struct scene *scene)
                              scene->scratch_size);
 }
 
-/* True when core refuses the texture and nothing else. */
-static bool texture_refused(struct scene *scene, enum pel_status status)
-{
-    const bool textured = scene->core.texture;
-    scene->core.texture = NULL;
-    return textured && prepare(scene) != status;
-}
-
 /* Texture, camera and mesh are what is left that core may refuse. */
 static bool refuse(struct scene *scene, const struct scene_settings *s,
                    enum pel_status status)
 {
     const struct pel_texels *texels = &scene->texture[0].texels;
-    if (texture_refused(scene, status))
+    const bool textured = scene->core.texture;
+    scene->core.texture = NULL;
+    if (textured && prepare(scene) != status)
         return message_error("texture coordinates lie beyond 262144 texels of "
                              "%dx%d: expected smaller ones",
                              texels->width, texels->height);

@@ -34,12 +34,6 @@ bool sheet_pixel(const struct sheet *s, int *x, int *y)
            s->pointer[1] >= at.y0 && s->pointer[1] < at.y1;
 }
 
-static bool same_style(const struct style *a, const struct style *b)
-{
-    return a->fill == b->fill && a->color == b->color && a->alpha == b->alpha &&
-           a->marked == b->marked;
-}
-
 /* The pixels of figures that have changed, where they were and are. */
 static void add_areas(struct sheet *s)
 {
@@ -48,7 +42,9 @@ static void add_areas(struct sheet *s)
     const bool moved = was->turn != is->turn || was->phase != is->phase ||
                        was->dithered != is->dithered;
     for (int k = 0; k < s->shapes; k++) {
-        if (!moved && same_style(&s->drawn_style[k], &s->style[k]))
+        const struct style *a = &s->drawn_style[k], *b = &s->style[k];
+        if (!moved && a->fill == b->fill && a->color == b->color &&
+            a->alpha == b->alpha && a->marked == b->marked)
             continue;
         const struct pel_rect box[2] = {figures_box(&s->drawn, k),
                                         figures_box(&s->figures, k)};

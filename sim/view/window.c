@@ -203,14 +203,6 @@ static bool open_window(struct window *w)
     return true;
 }
 
-/* All but the buttons comes with the window. */
-static bool open_buttons(struct viewer *viewer)
-{
-    const struct pel_input_linux_options options = {
-        .buttons = viewer->options->buttons, .no_devices = true};
-    return !options.buttons || viewer_open_input(viewer, &options);
-}
-
 /* Without a screen SDL takes a driver that shows nothing, which nobody wants
  * who has not asked for it. */
 static bool is_seen(void)
@@ -226,10 +218,15 @@ bool view_window(struct show *show, const struct viewer_options *options)
 {
     struct viewer viewer;
     struct window w = {.viewer = &viewer};
+    /* all but the buttons comes with the window */
+    const struct pel_input_linux_options buttons = {.buttons = options->buttons,
+                                                    .no_devices = true};
     if (SDL_Init(SDL_INIT_VIDEO) != 0)
         return fails("no screen for a window");
-    const bool done = viewer_init(&viewer, show, options) && is_seen() &&
-                      open_buttons(&viewer) && open_window(&w) && run(&w);
+    const bool done =
+        viewer_init(&viewer, show, options) && is_seen() &&
+        (!buttons.buttons || viewer_open_input(&viewer, &buttons)) &&
+        open_window(&w) && run(&w);
     if (done && options->frames > 0)
         viewer_report(&viewer);
     viewer_free(&viewer);
