@@ -90,7 +90,7 @@ int command_info(int argc, char **argv)
         .path = *arguments_parse(&line, argc, argv)};
     if (!model_read(&mesh, &source))
         return STATUS_ERROR;
-    const bool done = model_make(&model, &mesh);
+    const bool done = model_make(&model, &mesh, 0);
     if (done && model_add_textures(&model, &mesh, &source))
         print(&mesh, &model);
     if (done)

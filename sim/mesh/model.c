@@ -72,15 +72,14 @@ static bool make_arrays(struct pel_mesh *to, struct arrays *a,
            (a->uv || !mesh->has_uv) && (a->indices16 || a->indices32);
 }
 
-static bool make(struct model *model, const struct mesh *mesh, int shift_max,
-                 int normal_bits)
+bool model_make(struct model *model, const struct mesh *mesh, int asset_bits)
 {
     struct arrays arrays;
     struct pel_mesh *to = &model->mesh;
     memset(model, 0, sizeof(*model));
     struct pel_mesh_part *parts = malloc(mesh->parts * sizeof(*parts));
     to->part = parts;
-    if (!make_arrays(to, &arrays, mesh, normal_bits) || !parts) {
+    if (!make_arrays(to, &arrays, mesh, asset_bits) || !parts) {
         model_free(model);
         return message_error("no memory for %u vertices and %u triangles",
                              mesh->vertices, mesh->triangles);
@@ -94,7 +93,8 @@ static bool make(struct model *model, const struct mesh *mesh, int shift_max,
                                           mesh->part[i].triangles,
                                           mesh->part[i].material.color, 0};
     mesh_box(mesh, model->low, model->high);
-    to->position = quantize_positions(mesh, shift_max);
+    to->position =
+        quantize_positions(mesh, asset_bits ? PEL_MESH_SHIFT_MAX : 64);
     to->texture = quantize_uv(mesh);
     for (uint32_t i = 0; i < mesh->vertices; i++)
         set_vertex(to, &arrays, &mesh->vertex[i], i);
@@ -105,17 +105,6 @@ static bool make(struct model *model, const struct mesh *mesh, int shift_max,
         else
             arrays.indices32[i / 3][i % 3] = mesh->triangle[i / 3][i % 3];
     return true;
-}
-
-bool model_make(struct model *model, const struct mesh *mesh)
-{
-    return make(model, mesh, 64, 16);
-}
-
-bool model_make_asset(struct model *model, const struct mesh *mesh,
-                      int normal_bits)
-{
-    return make(model, mesh, PEL_MESH_SHIFT_MAX, normal_bits);
 }
 
 double model_middle(const struct model *model, double middle[3])
@@ -147,7 +136,7 @@ bool model_load(struct model *model, const struct model_source *source)
     if (!model_read(&mesh, source))
         return false;
     const bool done =
-        model_make(model, &mesh) && model_add_textures(model, &mesh, source);
+        model_make(model, &mesh, 0) && model_add_textures(model, &mesh, source);
     if (!done)
         model_free(model);
     mesh_free(&mesh);

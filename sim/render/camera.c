@@ -78,19 +78,6 @@ static void find_needs(const struct model *model, const struct frustum *frustum,
     }
 }
 
-/* Moves the target so that opposite sides need nearly the same. */
-static void center(struct camera *camera, const struct frustum *frustum,
-                   const struct needs *needs)
-{
-    const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
-    for (int j = 0; j < 2 && !camera->has_target; j++) {
-        const double shift = (needs->side[j][0] - needs->side[j][1]) / 2 *
-                             (flat ? 1 : frustum->extent[j]);
-        for (int k = 0; k < 3; k++)
-            camera->target[k] += shift * frustum->axis[j][k];
-    }
-}
-
 /* The sensor of an orthographic camera: as large as the model needs. */
 static void fit_sensor(struct camera *camera, const struct needs *needs)
 {
@@ -104,7 +91,8 @@ static void fit_sensor(struct camera *camera, const struct needs *needs)
 }
 
 /* Places the eye in front, a little to the right and above; moves the target,
- * unless the user chose it, until the model is in the middle: a few steps do.
+ * unless the user chose it, until the opposite sides need the same: a few steps
+ * do.
  */
 static bool frame_eye(struct camera *camera, const struct model *model)
 {
@@ -119,8 +107,13 @@ static bool frame_eye(struct camera *camera, const struct model *model)
         if (!frustum_init(&frustum, camera))
             return false;
         find_needs(model, &frustum, flat, &needs);
-        if (step < 7)
-            center(camera, &frustum, &needs);
+        for (int j = 0; j < 2 && step < 7 && !camera->has_target; j++) {
+            const double *side = needs.side[j];
+            const double shift =
+                (side[0] - side[1]) / 2 * (flat ? 1 : frustum.extent[j]);
+            for (int k = 0; k < 3; k++)
+                camera->target[k] += shift * frustum.axis[j][k];
+        }
     }
     distance = needs.depth * (flat ? 2 : 1.01);
     for (int k = 0; k < 2 && !flat; k++)

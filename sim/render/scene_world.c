@@ -19,6 +19,15 @@ static double extent_of(const double v[3])
     return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
 }
 
+/* `from` has any length: the largest part gets 30 bits. */
+static void place_direction(const double from[3], int32_t to[3])
+{
+    const double extent = extent_of(from);
+    for (int k = 0; k < 3; k++)
+        to[k] = (int32_t)lround(from[k] / (extent > 0 ? extent : 1) *
+                                PEL_COSINE_ONE);
+}
+
 /* The largest coordinate of camera and model, however that is turned. */
 static double extent_of_all(const struct scene *scene,
                             const struct scene_settings *s)
@@ -78,15 +87,6 @@ static void place_pose(struct scene *scene, const uint16_t turn[3])
     scene->core.pose = turned ? &scene->pose : NULL;
 }
 
-/* `from` has any length: the largest part gets 30 bits. */
-static void place_up(const double from[3], int32_t up[3])
-{
-    const double extent = extent_of(from);
-    for (int k = 0; k < 3; k++)
-        up[k] = (int32_t)lround(from[k] / (extent > 0 ? extent : 1) *
-                                PEL_COSINE_ONE);
-}
-
 /* A lens in 1/1000 mm, in larger steps where that is too much; square pixels
  * that nobody measured are exactly square. */
 static void place_lens(struct pel_camera *to, const struct camera *from)
@@ -113,7 +113,7 @@ static void place_camera(struct scene *scene, const struct scene_settings *s)
         to->eye[k] = length_of(scene, from->eye[k]);
         to->target[k] = length_of(scene, from->target[k]);
     }
-    place_up(from->up, to->up);
+    place_direction(from->up, to->up);
     to->projection = from->projection;
     to->near_plane = (pel_length)fmax(length_of(scene, from->near_plane), 1);
     if (from->projection == PEL_PERSPECTIVE)
@@ -143,14 +143,13 @@ static pel_factor factor_of(double value)
 static void place_light(struct scene *scene, struct pel_light *to,
                         const struct scene_light *from, bool directional)
 {
-    const double extent = extent_of(from->at);
     to->directional = directional;
     for (int k = 0; k < 3; k++) {
         to->color[k] = factor_of(from->color[k]);
-        to->at[k] = directional
-                        ? (int32_t)lround(from->at[k] / extent * PEL_COSINE_ONE)
-                        : length_of(scene, from->at[k]);
+        to->at[k] = length_of(scene, from->at[k]);
     }
+    if (directional)
+        place_direction(from->at, to->at);
 }
 
 /* A light for those who name none: white, from above, left of the viewer. */

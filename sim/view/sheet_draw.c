@@ -163,17 +163,6 @@ static void show_overlays(const struct sheet *s,
         inspect_magnifier(surface, &s->canvas.surface, &s->script, x, y);
 }
 
-/* Only the picture has changed. */
-static void tell_changed(struct sheet *s, const struct pel_surface *surface)
-{
-    s->show.changed.count = 0;
-    for (int i = 0; i < s->areas.count; i++) {
-        const struct pel_rect box = place(s, &surface->clip, &s->areas.area[i]);
-        const struct pel_rect seen = pel_rect_intersect(&box, &surface->clip);
-        pel_dirty_areas_add(&s->show.changed, &seen);
-    }
-}
-
 bool sheet_draw(struct show *show, const struct pel_surface *surface)
 {
     struct sheet *s = (struct sheet *)show;
@@ -187,7 +176,13 @@ bool sheet_draw(struct show *show, const struct pel_surface *surface)
     pel_clear(surface, PEL_RGB(0, 0, 0));
     show_picture(s, surface);
     show_overlays(s, surface);
-    if (!all)
-        tell_changed(s, surface);
+    if (all)
+        return true;
+    show->changed.count = 0; /* only the picture has changed */
+    for (int k = 0; k < s->areas.count; k++) {
+        const struct pel_rect box = place(s, &surface->clip, &s->areas.area[k]);
+        const struct pel_rect seen = pel_rect_intersect(&box, &surface->clip);
+        pel_dirty_areas_add(&show->changed, &seen);
+    }
     return true;
 }
