@@ -110,9 +110,6 @@ bool mesh_normals(struct mesh *mesh, double crease);
 void mesh_facet(const struct mesh *mesh, const uint32_t index[3],
                 double normal[3]);
 
-/* Brings normals to unit length; 0 where one is infinite or no number. */
-void mesh_normalise(struct mesh *mesh);
-
 /* Joins vertices of a part that are the same in all they have; the first of
  * each stays. False, with a message, when memory is short. */
 bool mesh_weld(struct mesh *mesh);

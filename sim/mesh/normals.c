@@ -7,12 +7,6 @@
 #include "sim/cli/message.h"
 #include "sim/mesh/vector.h"
 
-void mesh_normalise(struct mesh *mesh)
-{
-    for (uint32_t i = 0; i < mesh->vertices; i++)
-        vector_normalise(mesh->vertex[i].normal);
-}
-
 /* A corner of a triangle: its new vertex, which has the normal of the face, of
  * the length of twice its area, and gets `mean`. */
 struct corner {

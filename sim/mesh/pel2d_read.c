@@ -107,15 +107,6 @@ static bool parse_coordinate(struct reader *r, int i, const char *name,
     return true;
 }
 
-static bool parse_depth(struct reader *r, int i, struct mesh_depth *depth)
-{
-    return mesh_depth_parse(r->field[i], depth) ||
-           ERROR_AT(r,
-                    "depth is '%s': expected a decimal below 1e18 in size with "
-                    "at most 36 digits after the point",
-                    r->field[i]);
-}
-
 static bool parse_uv(struct reader *r, int i, const char *name, double *value)
 {
     char *end;
@@ -150,8 +141,14 @@ static bool read_vertex(struct reader *r, struct pel2d *flat)
         !parse_coordinate(r, 1, "y", &v.at.y) ||
         !parse_integer(r, 2, "r", 255, &c[0]) ||
         !parse_integer(r, 3, "g", 255, &c[1]) ||
-        !parse_integer(r, 4, "b", 255, &c[2]) || !parse_depth(r, 5, &v.depth) ||
-        !parse_uv(r, 6, "u", &v.u) || !parse_uv(r, 7, "v", &v.v))
+        !parse_integer(r, 4, "b", 255, &c[2]))
+        return false;
+    if (!mesh_depth_parse(r->field[5], &v.depth))
+        return ERROR_AT(r,
+                        "depth is '%s': expected a decimal below 1e18 in size "
+                        "with at most 36 digits after the point",
+                        r->field[5]);
+    if (!parse_uv(r, 6, "u", &v.u) || !parse_uv(r, 7, "v", &v.v))
         return false;
     v.color = PEL_RGB(c[0], c[1], c[2]);
     return list_add(&flat->vertex, &flat->vertices, &v, sizeof v);

@@ -172,15 +172,6 @@ static bool run(struct window *w)
     return good && viewer_save_last(viewer, &w->canvas.surface);
 }
 
-/* Pixels each way; 0 x 0 stands for no limit but TEXTURE_SIZE_MAX. */
-static int texture_size_most(SDL_Renderer *renderer)
-{
-    SDL_RendererInfo info = {0};
-    SDL_GetRendererInfo(renderer, &info);
-    const int most = pel_min(info.max_texture_width, info.max_texture_height);
-    return most > 0 ? pel_min(most, TEXTURE_SIZE_MAX) : TEXTURE_SIZE_MAX;
-}
-
 /* Frames wait for the screen's refresh, unless --frames wants them as fast as
  * it goes or the show has a period of its own. */
 static bool open_window(struct window *w)
@@ -188,6 +179,7 @@ static bool open_window(struct window *w)
     const struct show *show = w->viewer->show;
     const struct viewer_options *o = w->viewer->options;
     const bool timed = o->frames > 0 || show->period > 0;
+    SDL_RendererInfo info = {0};
     w->window = SDL_CreateWindow(
         "pel view", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
         o->width ? o->width : show->width, o->height ? o->height : show->height,
@@ -198,7 +190,10 @@ static bool open_window(struct window *w)
                                      timed ? 0 : SDL_RENDERER_PRESENTVSYNC);
     if (!w->renderer)
         return fails("nothing can be drawn into the window");
-    w->most = texture_size_most(w->renderer);
+    SDL_GetRendererInfo(w->renderer, &info);
+    w->most = pel_min(info.max_texture_width, info.max_texture_height);
+    if (w->most <= 0 || w->most > TEXTURE_SIZE_MAX) /* 0: no limit of SDL's */
+        w->most = TEXTURE_SIZE_MAX;
     SDL_ShowWindow(w->window); /* a renderer may put another in its place */
     return true;
 }
