@@ -175,16 +175,6 @@ static bool add_demo(const struct gallery *g, const struct demo *demo,
     return done;
 }
 
-/* The name of a script without folder and ending. */
-static void name_of(const char *path, char *name, size_t size)
-{
-    const char *slash = strrchr(path, '/');
-    snprintf(name, size, "%s", slash ? slash + 1 : path);
-    char *dot = strrchr(name, '.');
-    if (dot && dot > name)
-        *dot = '\0';
-}
-
 static bool add_script(const struct gallery *g, const char *path)
 {
     char name[128];
@@ -192,7 +182,10 @@ static bool add_script(const struct gallery *g, const char *path)
     const struct demo demo = {name, "", demo_draw_script, &script};
     if (!script_load(&script, path, NULL))
         return false;
-    name_of(path, name, sizeof name);
+    snprintf(name, sizeof name, "%s", basename(path));
+    char *dot = strrchr(name, '.');
+    if (dot && dot > name)
+        *dot = '\0';
     const bool done = add_demo(g, &demo, script.caption);
     script_free(&script);
     return done;

@@ -210,12 +210,3 @@ bool scene_prepare(struct scene *scene, const struct scene_settings *settings)
     scene_prove_order(scene);
     return true;
 }
-
-/* Vertices and order are only read; the rest is this call's own. */
-bool scene_draw(const struct scene *scene, const struct pel_surface *surface)
-{
-    struct pel_frame frame = scene->frame;
-    struct pel_frame_work work;
-    frame.work = &work;
-    return scene_draw_ordered(scene, &frame, surface);
-}
