@@ -60,47 +60,41 @@ static const char *output_of(const struct render_options *o)
     return o->output ? o->output : "-";
 }
 
-static bool check_methods(const struct render_options *o)
-{
-    const struct scene_settings *s = &o->scene.settings;
-    const char *name = s->stats          ? "stats"
-                       : s->show_methods ? "show-methods"
-                                         : NULL;
-    if (name && s->shade != SCENE_PHONG)
-        return message_error("--%s is about --shade phong", name);
-    if (s->tolerance > 0 && !scene_has_choice(s))
-        return message_error("--tolerance is for --shade phong and for "
-                             "bilinear textures in perspective: expected one "
-                             "of them");
-    return !s->stats || !s->show_methods ||
-           message_error("--stats counts what --show-methods does not draw: "
-                         "expected one of them");
-}
-
-/* Other mappings would ignore these. */
-static bool check_mapping(const struct scene_options *o)
-{
-    const enum scene_mapping mapping = o->settings.mapping;
-    if (options_has(&o->given, "span") && mapping != SCENE_MAP_SUBDIVIDED)
-        return message_error("--span divides a subdivided mapping: expected "
-                             "--mapping subdivided");
-    return o->settings.texel_tolerance == 0 ||
-           mapping == SCENE_MAP_PERSPECTIVE ||
-           message_error("--texel-tolerance chooses mappings instead of the "
-                         "one in perspective: expected --mapping perspective");
-}
-
+/* Options that would do nothing, or cannot be met. */
 static bool check(const struct render_options *o)
 {
-    if (o->print_camera && o->output && strcmp(o->output, "-") == 0)
-        return message_error("--print-camera is for standard output, and the "
-                             "picture too: expected -o FILE");
+    const struct scene_settings *s = &o->scene.settings;
+    const struct {
+        bool is_wrong;
+        const char *message;
+    } checks[] = {
+        {o->print_camera && o->output && strcmp(o->output, "-") == 0,
+         "--print-camera is for standard output, and the picture too: expected "
+         "-o FILE"},
+        {s->stats && s->shade != SCENE_PHONG, "--stats is about --shade phong"},
+        {s->show_methods && s->shade != SCENE_PHONG,
+         "--show-methods is about --shade phong"},
+        {s->tolerance > 0 && !scene_has_choice(s),
+         "--tolerance is for --shade phong and for bilinear textures in "
+         "perspective: expected one of them"},
+        {s->stats && s->show_methods,
+         "--stats counts what --show-methods does not draw: expected one of "
+         "them"},
+        {options_has(&o->scene.given, "span") &&
+             s->mapping != SCENE_MAP_SUBDIVIDED,
+         "--span divides a subdivided mapping: expected --mapping subdivided"},
+        {s->texel_tolerance > 0 && s->mapping != SCENE_MAP_PERSPECTIVE,
+         "--texel-tolerance chooses mappings instead of the one in "
+         "perspective: expected --mapping perspective"},
+    };
+    for (size_t i = 0; i < sizeof checks / sizeof *checks; i++)
+        if (checks[i].is_wrong)
+            return message_error("%s", checks[i].message);
     if (!canvas_bands_legal(o->format, o->bands))
         return message_error("--bands is %d: expected a multiple of 8 for "
                              "mono1_pages",
                              o->bands);
-    return check_methods(o) && check_mapping(&o->scene) &&
-           picture_path_check(output_of(o)) &&
+    return picture_path_check(output_of(o)) &&
            device_check_output(&o->device, output_of(o));
 }
 

@@ -63,8 +63,7 @@ static bool save(struct screen *s, bool last)
         return false;
     struct show *show = s->viewer.show;
     const bool done = show->draw(show, &canvas.surface) &&
-                      (last ? viewer_save_last(&s->viewer, &canvas.surface)
-                            : viewer_save_new(&canvas.surface));
+                      viewer_save(&s->viewer, &canvas.surface, last);
     canvas_free(&canvas);
     s->whole = true; /* what has changed since the last frame is not known */
     return done;

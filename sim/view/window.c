@@ -123,7 +123,7 @@ static bool input_of(const SDL_Event *event, struct pel_input *e)
 static bool save_new(struct window *w)
 {
     return (!w->viewer->stale || draw(w)) &&
-           viewer_save_new(&w->canvas.surface);
+           viewer_save(w->viewer, &w->canvas.surface, false);
 }
 
 static bool handle(struct window *w, const SDL_Event *event)
@@ -169,7 +169,7 @@ static bool run(struct window *w)
         set_title(w);
         good = good && handle_all(w);
     }
-    return good && viewer_save_last(viewer, &w->canvas.surface);
+    return good && viewer_save(viewer, &w->canvas.surface, true);
 }
 
 /* Frames wait for the screen's refresh, unless --frames wants them as fast as
