@@ -151,16 +151,11 @@ static bool finish(const struct drawing *drawing)
 /* The first option that means nothing for a pel2d file, or NULL. */
 static const char *mesh_option(const struct render_options *o)
 {
-    static const char *const others[] = {"size",         "background", "shade",
-                                         "texture-file", "texture",    "wrap"};
     const struct options_given *given = &o->scene.given;
-    for (int i = 0; i < given->count; i++) {
-        size_t k = 0;
-        while (k < 6 && strcmp(given->names[i], others[k]) != 0)
-            k++;
-        if (k == 6)
+    for (int i = 0; i < given->count; i++)
+        if (choice_find("size|background|shade|texture-file|texture|wrap",
+                        given->names[i]) < 0)
             return given->names[i];
-    }
     return o->print_camera ? "print-camera" : NULL;
 }
 
