@@ -138,15 +138,11 @@ static bool check_mark(const char *path)
                             path);
 }
 
-bool mesh_check_start(const char *path)
-{
-    return check_mark(path) && check_strips(path);
-}
-
 static bool put_mesh(const void *path, FILE *out)
 {
     struct mesh mesh = {0};
-    if (!mesh_load_file(&mesh, path))
+    if (!check_mark(path) || !check_strips(path) ||
+        !mesh_load_file(&mesh, path))
         return false;
     child_put(out, &mesh, sizeof(mesh));
     child_put(out, mesh.vertex, mesh.vertices * sizeof(*mesh.vertex));

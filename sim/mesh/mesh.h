@@ -116,8 +116,6 @@ bool mesh_weld(struct mesh *mesh);
 
 /* Parts of mesh_load, in files of their own. */
 bool mesh_load_file(struct mesh *mesh, const char *path);
-/* False, with a message, for what begins as assimp would misread it. */
-bool mesh_check_start(const char *path);
 bool mesh_load_builtin(struct mesh *mesh, const char *path);
 
 /* The materials of mesh files, as assimp reads them. */

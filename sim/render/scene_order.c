@@ -14,24 +14,19 @@ static int64_t pixels_of(const struct pel_rect *r)
     return pel_rect_empty(r) ? 0 : (int64_t)(r->x1 - r->x0) * (r->y1 - r->y0);
 }
 
-/* The painter draws what is hidden later too: that is cheap for flat and
- * Gouraud alone. */
-static bool proof_pays(const struct scene *scene,
-                       const struct scene_settings *s)
-{
-    return s->order == SCENE_AUTO && !scene->core.sort &&
-           s->shade != SCENE_PHONG &&
-           (!scene->core.texture || s->mapping == SCENE_MAP_VERTICES) &&
-           scene->mesh.triangles <=
-               pixels_of(&scene->core.viewport) / PIXELS_PER_TRIANGLE;
-}
-
 void scene_set_order(struct scene *scene, const struct scene_settings *s)
 {
     scene->depth_bits = s->order == SCENE_PAINTER     ? 0
                         : s->order == SCENE_ZBUFFER16 ? 16
                                                       : 32;
-    scene->is_proven = proof_pays(scene, s);
+    /* The painter draws what is hidden later too: that is cheap for flat and
+     * Gouraud alone. */
+    scene->is_proven =
+        s->order == SCENE_AUTO && !scene->core.sort &&
+        s->shade != SCENE_PHONG &&
+        (!scene->core.texture || s->mapping == SCENE_MAP_VERTICES) &&
+        scene->mesh.triangles <=
+            pixels_of(&scene->core.viewport) / PIXELS_PER_TRIANGLE;
     if (s->order == SCENE_PAINTER || scene->is_proven)
         scene->core.sort = &pel_depth_sort_radix;
 }

@@ -167,35 +167,29 @@ static struct scene_light own_light(const struct camera *camera)
     return light;
 }
 
-static void place_material(struct pel_lighting *to,
-                           const struct scene_settings *s)
-{
-    const unsigned terms = s->terms;
-    for (int k = 0; k < 3; k++)
-        to->ambient_color[k] = factor_of(s->ambient_color[k]);
-    to->ambient = terms & SCENE_AMBIENT ? factor_of(s->ambient) : 0;
-    to->diffuse = terms & SCENE_DIFFUSE ? factor_of(s->diffuse) : 0;
-    to->specular = terms & SCENE_SPECULAR ? factor_of(s->specular) : 0;
-    to->shininess = s->shininess;
-    to->plain_highlights = s->plain_highlights;
-    to->no_back_highlights = s->no_back_highlights;
-    to->both_sides = s->both_sides;
-}
-
 void scene_place_lights(struct scene *scene, const struct scene_settings *s)
 {
     const double extent = extent_of_all(scene, s);
-    scene->lighting.light = scene->light;
-    scene->lighting.lights = s->lights;
+    struct pel_lighting *to = &scene->lighting;
+    to->light = scene->light;
+    to->lights = s->lights;
     for (int i = 0; i < s->lights; i++)
         place_light(scene, &scene->light[i], &s->light[i],
                     s->light[i].directional || is_far(&s->light[i], extent));
     if (s->lights == 0) {
         const struct scene_light own = own_light(&s->camera);
         place_light(scene, &scene->light[0], &own, true);
-        scene->lighting.lights = 1;
+        to->lights = 1;
     }
-    place_material(&scene->lighting, s);
+    for (int k = 0; k < 3; k++)
+        to->ambient_color[k] = factor_of(s->ambient_color[k]);
+    to->ambient = s->terms & SCENE_AMBIENT ? factor_of(s->ambient) : 0;
+    to->diffuse = s->terms & SCENE_DIFFUSE ? factor_of(s->diffuse) : 0;
+    to->specular = s->terms & SCENE_SPECULAR ? factor_of(s->specular) : 0;
+    to->shininess = s->shininess;
+    to->plain_highlights = s->plain_highlights;
+    to->no_back_highlights = s->no_back_highlights;
+    to->both_sides = s->both_sides;
 }
 
 static void print_three(FILE *out, const char *name, const int32_t value[3])
