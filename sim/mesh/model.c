@@ -39,17 +39,6 @@ static void set_vertex(const struct pel_mesh *to, const struct arrays *a,
     model_set_color(a->colors[i], v->color);
 }
 
-static void view(struct pel_mesh *to, const struct arrays *a)
-{
-    to->positions = (const int16_t(*)[3])a->positions;
-    to->normals16 = (const int16_t(*)[3])a->normals16;
-    to->normals8 = (const int8_t(*)[3])a->normals8;
-    to->uv = (const uint16_t(*)[2])a->uv;
-    to->colors = (const uint8_t(*)[3])a->colors;
-    to->indices16 = (const uint16_t(*)[3])a->indices16;
-    to->indices32 = (const uint32_t(*)[3])a->indices32;
-}
-
 static bool make_arrays(struct pel_mesh *to, struct arrays *a,
                         const struct mesh *mesh, int normal_bits)
 {
@@ -67,7 +56,13 @@ static bool make_arrays(struct pel_mesh *to, struct arrays *a,
         a->indices16 = malloc(m * sizeof(*a->indices16));
     else
         a->indices32 = malloc(m * sizeof(*a->indices32));
-    view(to, a);
+    to->positions = (const int16_t(*)[3])a->positions;
+    to->normals16 = (const int16_t(*)[3])a->normals16;
+    to->normals8 = (const int8_t(*)[3])a->normals8;
+    to->uv = (const uint16_t(*)[2])a->uv;
+    to->colors = (const uint8_t(*)[3])a->colors;
+    to->indices16 = (const uint16_t(*)[3])a->indices16;
+    to->indices32 = (const uint32_t(*)[3])a->indices32;
     return a->positions && (a->normals8 || a->normals16) && a->colors &&
            (a->uv || !mesh->has_uv) && (a->indices16 || a->indices32);
 }

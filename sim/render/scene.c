@@ -201,7 +201,6 @@ bool scene_prepare(struct scene *scene, const struct scene_settings *settings)
     if (!camera_frame(&s.camera, scene->model))
         return false;
     scene_place(scene, &s);
-    scene_place_lights(scene, &s);
     set_appearance(scene, &s);
     scene_set_order(scene, &s);
     const enum pel_status status = prepare(scene);

@@ -207,13 +207,9 @@ void scene_print_camera(FILE *out, const struct scene *scene);
 
 /* Parts of scene_prepare, in files of their own. */
 
-/* Places, in the scale that fits: scene->units, mesh, pose, scene.camera and
- * scene.viewport. The camera is complete. */
+/* Places, in the scale that fits, lights and material: units, mesh, pose,
+ * core.camera, core.viewport, lighting. The camera is complete. */
 void scene_place(struct scene *scene, const struct scene_settings *settings);
-
-/* Lights and material, after scene_place: lighting and light. */
-void scene_place_lights(struct scene *scene,
-                        const struct scene_settings *settings);
 
 /* Sets depth_bits, and the sort where it is needed for the order; before a
  * frame of the scene is prepared. SCENE_AUTO sorts where a proof of the

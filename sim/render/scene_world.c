@@ -124,17 +124,6 @@ static void place_camera(struct scene *scene, const struct scene_settings *s)
         s->left, s->top, s->left + from->width, s->top + from->height};
 }
 
-void scene_place(struct scene *scene, const struct scene_settings *settings)
-{
-    int exponent;
-    scene->units = units_of(scene, settings);
-    frexp(scene->units, &exponent); /* units = 2^(exponent - 1) */
-    scene->mesh = scene->model->mesh;
-    scene->mesh.position.shift -= exponent - 1;
-    place_pose(scene, settings->turn);
-    place_camera(scene, settings);
-}
-
 static pel_factor factor_of(double value)
 {
     return (pel_factor)lround(value * 65536);
@@ -167,7 +156,7 @@ static struct scene_light own_light(const struct camera *camera)
     return light;
 }
 
-void scene_place_lights(struct scene *scene, const struct scene_settings *s)
+static void place_lights(struct scene *scene, const struct scene_settings *s)
 {
     const double extent = extent_of_all(scene, s);
     struct pel_lighting *to = &scene->lighting;
@@ -190,6 +179,18 @@ void scene_place_lights(struct scene *scene, const struct scene_settings *s)
     to->plain_highlights = s->plain_highlights;
     to->no_back_highlights = s->no_back_highlights;
     to->both_sides = s->both_sides;
+}
+
+void scene_place(struct scene *scene, const struct scene_settings *settings)
+{
+    int exponent;
+    scene->units = units_of(scene, settings);
+    frexp(scene->units, &exponent); /* units = 2^(exponent - 1) */
+    scene->mesh = scene->model->mesh;
+    scene->mesh.position.shift -= exponent - 1;
+    place_pose(scene, settings->turn);
+    place_camera(scene, settings);
+    place_lights(scene, settings);
 }
 
 static void print_three(FILE *out, const char *name, const int32_t value[3])
