@@ -264,7 +264,7 @@ static bool import_as_mesh(struct import_command *c)
         return false;
     const bool own_colors = mesh.has_colors && !source->texture;
     source->without_texture = own_colors && !c->format;
-    bool done = model_make_asset(&model, &mesh, c->normals16 ? 16 : 8) &&
+    bool done = model_make(&model, &mesh, c->normals16 ? 16 : 8) &&
                 model_add_textures(&model, &mesh, source);
     if (done && !own_colors)
         model_paint(&model);

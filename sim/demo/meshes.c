@@ -60,7 +60,7 @@ static bool add_board(struct model *model)
 static bool make(struct model *model, const struct mesh *mesh,
                  const struct model_source *source, bool board)
 {
-    if (model_make(model, mesh) && model_add_textures(model, mesh, source) &&
+    if (model_make(model, mesh, 0) && model_add_textures(model, mesh, source) &&
         (!board || add_board(model)))
         return true;
     model_free(model);

@@ -32,17 +32,6 @@ bool pel2d_is_file(const char *path)
            (text[5] == ' ' || text[5] == '\t');
 }
 
-/* Sub-pixels as a decimal without trailing zeros: 1/256 has eight places. */
-static void print_coordinate(FILE *out, int32_t value)
-{
-    char text[24];
-    int n = snprintf(text, sizeof(text), "%.8f", value / 256.0);
-    while (text[n - 1] == '0')
-        n--;
-    text[text[n - 1] == '.' ? n - 1 : n] = '\0';
-    fprintf(out, "%s ", text);
-}
-
 /* As few digits as give the same double. */
 static void print_double(FILE *out, double value, char after)
 {
@@ -60,10 +49,9 @@ static void print_vertex(FILE *out, const struct pel2d_vertex *v)
 {
     char depth[MESH_DEPTH_TEXT];
     mesh_depth_format(&v->depth, depth);
-    print_coordinate(out, v->at.x);
-    print_coordinate(out, v->at.y);
-    fprintf(out, "%u %u %u %s ", pel_red(v->color), pel_green(v->color),
-            pel_blue(v->color), depth);
+    /* 1/256 has eight places behind the point. */
+    fprintf(out, "%.13g %.13g %u %u %u %s ", v->at.x / 256.0, v->at.y / 256.0,
+            pel_red(v->color), pel_green(v->color), pel_blue(v->color), depth);
     print_double(out, v->u, ' ');
     print_double(out, v->v, '\n');
 }

@@ -63,8 +63,7 @@ static bool save(struct screen *s, bool last)
         return false;
     struct show *show = s->viewer.show;
     const bool done = show->draw(show, &canvas.surface) &&
-                      (last ? viewer_save_last(&s->viewer, &canvas.surface)
-                            : viewer_save_new(&canvas.surface));
+                      viewer_save(&s->viewer, &canvas.surface, last);
     canvas_free(&canvas);
     s->whole = true; /* what has changed since the last frame is not known */
     return done;
@@ -161,18 +160,6 @@ static void place(struct screen *s, const struct viewer_options *o)
     s->area.y1 = pel_min(s->area.y0 + height, screen->y1);
 }
 
-/* A virtual terminal has the keys of all keyboards, in their layouts; from
- * elsewhere the keyboards are read. */
-static bool open_input(struct screen *s)
-{
-    const struct pel_input_linux_options options = {
-        .buttons = s->viewer.options->buttons,
-        .no_keys = s->linux.has_console && !s->linux.console.text[0],
-        .width = s->area.x1 - s->area.x0,
-        .height = s->area.y1 - s->area.y0};
-    return viewer_open_input(&s->viewer, &options);
-}
-
 /* Prints after the console is back, where it can be read. */
 bool view_device(struct show *show, const struct viewer_options *options)
 {
@@ -181,10 +168,17 @@ bool view_device(struct show *show, const struct viewer_options *options)
     if (!device_open(&s.linux, options->device, PEL_FB_ANY))
         return false;
     place(&s, options);
-    const bool done = viewer_init(&s.viewer, show, options) && open_input(&s) &&
-                      viewer_resize(&s.viewer, s.area.x1 - s.area.x0,
-                                    s.area.y1 - s.area.y0) &&
-                      run(&s);
+    const int width = s.area.x1 - s.area.x0, height = s.area.y1 - s.area.y0;
+    /* A virtual terminal has the keys of all keyboards, in their layouts; from
+     * elsewhere the keyboards are read. */
+    const struct pel_input_linux_options input = {
+        .buttons = options->buttons,
+        .no_keys = s.linux.has_console && !s.linux.console.text[0],
+        .width = width,
+        .height = height};
+    const bool done = viewer_init(&s.viewer, show, options) &&
+                      viewer_open_input(&s.viewer, &input) &&
+                      viewer_resize(&s.viewer, width, height) && run(&s);
     viewer_free(&s.viewer);
     pel_display_linux_close(&s.linux);
     if (done) {

@@ -43,12 +43,6 @@ static bool draw_band(struct canvas *band, const void *context)
     return scene_draw(&t->scene, &band->surface);
 }
 
-static bool has_light(const struct scene *scene)
-{
-    const struct pel_shading *shading = scene->core.shading;
-    return shading != &pel_shade_flat && shading != &pel_shade_gouraud;
-}
-
 static bool draw(struct show *show, const struct pel_surface *surface)
 {
     struct turntable *t = (struct turntable *)show;
@@ -60,7 +54,8 @@ static bool draw(struct show *show, const struct pel_surface *surface)
     settings.top = clip->y0;
     if (!scene_prepare(&t->scene, &settings))
         return false;
-    t->view.lit = has_light(&t->scene);
+    t->view.lit = t->scene.core.shading != &pel_shade_flat &&
+                  t->scene.core.shading != &pel_shade_gouraud;
     struct canvas canvas = {.surface = *surface};
     return device_draw_bands(&t->pool, &canvas, draw_band, t);
 }

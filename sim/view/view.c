@@ -60,12 +60,6 @@ static const char about[] =
     "Keys for meshes:\n" VIEW_KEYS_HELP
     "\nKeys for scripts and figures:\n" SHEET_KEYS_HELP;
 
-static bool is_script(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && strcmp(dot, ".pel") == 0;
-}
-
 static bool show(struct show *show, const struct view_options *o)
 {
     return o->viewer.headless ? view_headless(show, &o->viewer)
@@ -138,8 +132,9 @@ int command_view(int argc, char **argv)
     if (!check(&o.viewer))
         return STATUS_ERROR;
     const bool is_figures = path && strcmp(path, "figures") == 0;
-    const bool done = is_figures                ? run_sheet(&o, NULL)
-                      : path && is_script(path) ? run_sheet(&o, path)
-                                                : run_mesh(&o);
+    const bool done = is_figures ? run_sheet(&o, NULL)
+                      : path && path_has_ending(path, " .pel ")
+                          ? run_sheet(&o, path)
+                          : run_mesh(&o);
     return done ? STATUS_OK : STATUS_ERROR;
 }

@@ -124,7 +124,7 @@ static bool show(const struct mesh *mesh, const struct scene_settings *settings,
 {
     struct model model;
     struct scene scene;
-    assert_true(model_make(&model, mesh));
+    assert_true(model_make(&model, mesh, 0));
     assert_true(scene_init(&scene, &model));
     const bool done = scene_prepare(&scene, settings) &&
                       scene_project(&scene, &shown->flat, &shown->clipped);
