@@ -3,7 +3,7 @@
 #include "tests/support/check.h"
 #include "tests/support/reference_shape.h"
 
-static void test_nearest(void)
+TEST(nearest)
 {
     for (uint32_t turn = 0; turn < 65536; turn++) {
         const struct pel_point d = pel_direction((uint16_t)turn);
@@ -14,7 +14,7 @@ static void test_nearest(void)
     }
 }
 
-static void test_order(void)
+TEST(order)
 {
     struct pel_point last = pel_direction(65535);
     for (uint32_t turn = 0; turn < 65536; turn++) {
@@ -25,7 +25,7 @@ static void test_order(void)
     }
 }
 
-static void test_symmetry(void)
+TEST(symmetry)
 {
     for (uint32_t turn = 0; turn < 65536; turn++) {
         const struct pel_point d = pel_direction((uint16_t)turn);
@@ -36,9 +36,4 @@ static void test_symmetry(void)
         assert_true(down.x == d.x && down.y == -d.y);
         assert_true(across.x == d.y && across.y == d.x);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_nearest, test_order, test_symmetry);
 }

@@ -179,7 +179,7 @@ static void set_random_map(struct drawing *d, const struct picture *p,
     assert_int_equal(pel_texture_map_triangle(&d->map, d->v, t), PEL_OK);
 }
 
-static void test_random_triangles(void)
+TEST(random_triangles)
 {
     const struct pel_rect box = {-16, -8, WIDTH - 17, HEIGHT - 9};
     struct picture p = {0};
@@ -201,7 +201,7 @@ static void test_random_triangles(void)
 
 /* With and without the vectors of 64-bit CPUs. A change of what the cases are
  * changes the number. */
-static void test_every_build_draws_the_same(void)
+TEST(every_build_draws_the_same)
 {
     const struct pel_rect box = {-16, -8, WIDTH - 17, HEIGHT - 9};
     uint32_t crc = 0;
@@ -248,7 +248,7 @@ static void check_width(struct picture *p, struct drawing *d, int32_t width,
     }
 }
 
-static void test_every_length(void)
+TEST(every_length)
 {
     struct random r = {5};
     for (int kind = 0; kind < KINDS; kind++)
@@ -272,7 +272,7 @@ static void fill_fails(const struct pel_paint *paint,
 
 /* The writers are there for speed: what they are made for must not go the other
  * way. */
-static void test_writers_are_taken(void)
+TEST(writers_are_taken)
 {
     static const struct {
         int8_t kind, layout;
@@ -302,10 +302,4 @@ static void test_writers_are_taken(void)
         pel_triangle(&whole.surface, d.v, &t.base.paint);
         free(p.memory);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_random_triangles, test_every_length,
-                     test_every_build_draws_the_same, test_writers_are_taken);
 }

@@ -121,12 +121,12 @@ static void check_bound(const char *name, generator *generate, uint64_t count)
     assert_true(t.channels > 0);
 }
 
-static void test_random(void)
+TEST(random)
 {
     check_bound("gouraud_random", shape_random, 400000);
 }
 
-static void test_adversarial(void)
+TEST(adversarial)
 {
     check_bound("gouraud_adversarial", shape_adversarial, 400000);
 }
@@ -153,7 +153,7 @@ static void borders(struct random *r, struct pel_point *v, int32_t n)
             v[i] = (struct pel_point){v[i].y, v[i].x};
 }
 
-static void test_borders(void)
+TEST(borders)
 {
     check_bound("gouraud_borders", borders, 200000);
 }
@@ -174,7 +174,7 @@ static void slivers(struct random *r, struct pel_point v[3])
 }
 
 /* The plane goes on beyond the triangle, within the bound for each pixel. */
-static void test_beyond_slivers(void)
+TEST(beyond_slivers)
 {
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct pel_point v[3];
@@ -194,7 +194,7 @@ static void test_beyond_slivers(void)
 }
 
 /* What is drawn is the plane, cut to 8 bits, through clips and both walkers. */
-static void test_bytes_are_the_plane(void)
+TEST(bytes_are_the_plane)
 {
     static struct canvas canvas;
     static struct hits hits;
@@ -213,10 +213,4 @@ static void test_bytes_are_the_plane(void)
         pel_gouraud_init(&g, v, color);
         canvas_check_drawn(&canvas, &hits, canvas_gouraud, &g);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_random, test_adversarial, test_borders,
-                     test_beyond_slivers, test_bytes_are_the_plane);
 }

@@ -90,19 +90,19 @@ static void check_planes(uint64_t count, int32_t thickness, real allowed)
     assert_true(pixels > 0);
 }
 
-static void test_triangles(void)
+TEST(triangles)
 {
     check_planes(200, 0, 1.0L / 64);
 }
 
-static void test_slivers(void)
+TEST(slivers)
 {
     check_planes(500, 40, 1.0L / 64);
     check_planes(1500, 1, 1.0L * (1 << 13));
 }
 
 /* u over a triangle whose 1 / z is w. */
-static void test_affine_is_off_by_its_bound(void)
+TEST(affine_is_off_by_its_bound)
 {
     real tightest = 0;
     for (struct cases c = cases_of(400); cases_next(&c);) {
@@ -138,10 +138,4 @@ static void test_affine_is_off_by_its_bound(void)
     }
     print_message("at most %.4f of the bound\n", (double)tightest);
     assert_true(tightest > 0.95L);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_triangles, test_slivers,
-                     test_affine_is_off_by_its_bound);
 }

@@ -106,35 +106,29 @@ static void check_polygons(generator *generate, uint64_t count)
     assert_true(covered > 0);
 }
 
-static void test_random(void)
+TEST(random)
 {
     check_polygons(shape_random, 10000);
     check_polygons(shape_adversarial, 10000);
 }
 
-static void test_pixels(void)
+TEST(pixels)
 {
     check_polygons(pixels, 6000);
 }
 
-static void test_stars_and_spirals(void)
+TEST(stars_and_spirals)
 {
     check_polygons(star, 4500);
     check_polygons(spiral, 4500);
 }
 
-static void test_combs(void)
+TEST(combs)
 {
     check_polygons(comb, 6000);
 }
 
-static void test_repeated_sides(void)
+TEST(repeated_sides)
 {
     check_polygons(repeat, 4500);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_random, test_pixels, test_stars_and_spirals,
-                     test_combs, test_repeated_sides);
 }

@@ -42,12 +42,12 @@ static void check_triangles(generator *generate)
     print_message("%llu pixels covered\n", (unsigned long long)covered);
 }
 
-static void test_random_triangles(void)
+TEST(random_triangles)
 {
     check_triangles(shape_random);
 }
 
-static void test_adversarial_triangles(void)
+TEST(adversarial_triangles)
 {
     check_triangles(shape_adversarial);
 }
@@ -62,7 +62,7 @@ static void generate(struct random *r, struct pel_point v[3])
 }
 
 /* A triangle as a polygon is the triangle, by either rule. */
-static void test_triangle_polygons(void)
+TEST(triangle_polygons)
 {
     uint32_t scratch[PEL_POLYGON_SCRATCH_SIZE(3) / 4];
     for (struct cases c = cases_of(200000); cases_next(&c);) {
@@ -84,7 +84,7 @@ static bool lower(const struct pel_point *a, const struct pel_point *b)
 }
 
 /* Without area: the line between the two extreme vertices. */
-static void test_collinear_triangles(void)
+TEST(collinear_triangles)
 {
     for (struct cases c = cases_of(200000); cases_next(&c);) {
         struct pel_point v[3], line[2];
@@ -104,10 +104,4 @@ static void test_collinear_triangles(void)
         hits_check(&hits, flat ? in_line : in_triangle, flat ? line : v,
                    "triangle or line");
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_random_triangles, test_adversarial_triangles,
-                     test_triangle_polygons, test_collinear_triangles);
 }

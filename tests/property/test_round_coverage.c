@@ -62,7 +62,7 @@ static void add(struct pel_rect *box, int32_t x, int32_t y)
 
 /* The dirty box is that of the pixels that belong to the shape or its outline
  * inside the clip, painting or not, and changes nothing of what is painted. */
-static void test_dirty_boxes(void)
+TEST(dirty_boxes)
 {
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -97,7 +97,7 @@ static void test_dirty_boxes(void)
     }
 }
 
-static void test_fills(void)
+TEST(fills)
 {
     for (int kind = 0; kind < ANY_KINDS; kind++) {
         const struct any_shape s = {.kind = (enum any_kind)kind};
@@ -109,7 +109,7 @@ static void test_fills(void)
     }
 }
 
-static void test_outlines(void)
+TEST(outlines)
 {
     for (int kind = 0; kind < ANY_KINDS; kind++) {
         const struct any_shape s = {.kind = (enum any_kind)kind};
@@ -119,9 +119,4 @@ static void test_outlines(void)
         print_message("%s: %llu + %llu pixels\n", any_name(&s),
                       (unsigned long long)usual, (unsigned long long)hard);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_fills, test_outlines, test_dirty_boxes);
 }

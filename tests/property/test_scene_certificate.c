@@ -226,7 +226,7 @@ static void check_doubt(const struct pel_doubt *doubt)
                  unclear, cases_replay());
 }
 
-static void test_no_wrong_frame_is_accepted(void)
+TEST(no_wrong_frame_is_accepted)
 {
     static uint32_t memory[PEL_CERTIFICATE_SCRATCH_SIZE(ANY_TRIANGLES) / 4];
     static uint32_t right[SIDE * SIDE], got[SIDE * SIDE];
@@ -258,7 +258,7 @@ static void test_no_wrong_frame_is_accepted(void)
         (unsigned long long)tally[WRONG], (unsigned long long)tally[DOUBTED]);
 }
 
-static void test_arguments(void)
+TEST(arguments)
 {
     uint32_t memory[PEL_CERTIFICATE_SCRATCH_SIZE(1) / 4];
     const struct pel_frame none = {.triangles = 0}, one = {.triangles = 1};
@@ -274,9 +274,4 @@ static void test_arguments(void)
         PEL_ERROR_SCRATCH);
     assert_int_equal(pel_scene_certify(&none, memory, 4, 9, &d), PEL_OK);
     assert_true(d.triangles == 0 && d.pixels == 0 && pel_rect_empty(&d.bounds));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_arguments, test_no_wrong_frame_is_accepted);
 }

@@ -134,7 +134,7 @@ static uint64_t check_line(int32_t at, bool column)
     return sum;
 }
 
-static void test_clipped_triangles_leave_no_gap(void)
+TEST(clipped_triangles_leave_no_gap)
 {
     static struct plane p;
     uint64_t seen = 0, clipped = 0;
@@ -185,7 +185,7 @@ static bool wrong(int32_t x, int32_t y)
 
 /* Where a triangle that is cut meets one that is not, both see the vertices
  * that they share at one place; and all bands do. */
-static void test_vertices_stay_where_neighbours_see_them(void)
+TEST(vertices_stay_where_neighbours_see_them)
 {
     static struct plane p;
     static uint8_t whole[SIDE][SIDE];
@@ -206,10 +206,4 @@ static void test_vertices_stay_where_neighbours_see_them(void)
     print_message("%llu pictures with triangles that are cut beside others\n",
                   (unsigned long long)pictures);
     assert_true(pictures > 0);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_clipped_triangles_leave_no_gap,
-                     test_vertices_stay_where_neighbours_see_them);
 }

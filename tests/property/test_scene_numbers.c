@@ -15,7 +15,7 @@ static int64_t any_number(struct random *r, int bits)
     return random_word(r) % 2 ? v : -v;
 }
 
-static void test_division(void)
+TEST(division)
 {
     for (struct cases c = cases_of(300000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -39,7 +39,7 @@ static uint64_t cut(wide n, wide area)
 }
 
 /* From area 1 to the largest; values up to the largest of all. */
-static void test_gradients_are_exact(void)
+TEST(gradients_are_exact)
 {
     for (struct cases c = cases_of(200000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -96,7 +96,7 @@ static real worst_part(const int64_t v[3], const pel_cosine unit[3])
     return worst;
 }
 
-static void test_directions(void)
+TEST(directions)
 {
     real exact = 0, near = 0;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
@@ -127,9 +127,4 @@ static void test_directions(void)
     print_message("off by %.3f 2^-29 and %.3f 2^-21 at most\n",
                   (double)(exact * (1 << 29)), (double)(near * (1 << 21)));
     assert_true(exact < 1.0L / (1 << 28) && near < 1.0L / (1 << 21));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_division, test_gradients_are_exact, test_directions);
 }

@@ -9,7 +9,7 @@
 
 enum { SIDE = 64, ENTRIES = 300 };
 
-static void test_farthest_first_then_lowest_index(void)
+TEST(farthest_first_then_lowest_index)
 {
     static struct pel_depth_entry e[ENTRIES], same[ENTRIES], spare[ENTRIES];
     for (struct cases c = cases_of(3000); cases_next(&c);) {
@@ -119,7 +119,7 @@ static void check_pixel(const struct any_scene *s,
                  cases_replay());
 }
 
-static void test_the_nearest_is_seen(void)
+TEST(the_nearest_is_seen)
 {
     static uint32_t memory[SIDE * SIDE];
     static struct any_scene s;
@@ -182,7 +182,7 @@ static bool told_apart(int64_t near, int64_t z, int64_t gap)
 
 /* far / near = 1000: below a gap of z^2 / (near 65,536) 16 bits fail, and more
  * often the smaller it is; above it never. */
-static void test_16_bits_end_where_they_should(void)
+TEST(16_bits_end_where_they_should)
 {
     const int64_t near = 1000000;
     uint64_t failures = 0, tries = 0;
@@ -196,11 +196,4 @@ static void test_16_bits_end_where_they_should(void)
         tries++;
     }
     assert_in_range(failures * 100 / tries, 50, 90);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_farthest_first_then_lowest_index,
-                     test_the_nearest_is_seen,
-                     test_16_bits_end_where_they_should);
 }

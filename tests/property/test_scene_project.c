@@ -77,7 +77,7 @@ static void lean(struct random *r, struct pel_camera *c)
                    random_between(r, -30, 30);
 }
 
-static void test_vertices_are_where_they_belong(void)
+TEST(vertices_are_where_they_belong)
 {
     static struct any_scene s;
     for (struct cases c = cases_of(5000); cases_next(&c);) {
@@ -133,7 +133,7 @@ static bool on_view(const struct any_scene *s, const real screen[3])
 
 /* What the bound does not hold to a neighbor is nearer than a hundredth of the
  * farthest vertex (1/184 was the farthest in 9,000 cases). */
-static void test_far_a_thousand_times_near(void)
+TEST(far_a_thousand_times_near)
 {
     static struct any_scene s;
     real ratio = 0;
@@ -172,10 +172,4 @@ static void test_far_a_thousand_times_near(void)
                   "neighbour\n",
                   (double)ratio, (unsigned long long)vertices,
                   (unsigned long long)moved);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_vertices_are_where_they_belong,
-                     test_far_a_thousand_times_near);
 }

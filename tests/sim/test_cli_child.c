@@ -42,7 +42,7 @@ static bool work(const void *what, FILE *out)
     return message_error_at("memory.obj", 0, "%s", row->message);
 }
 
-static void test_messages(void)
+TEST(messages)
 {
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char text[1024] = "";
@@ -55,9 +55,4 @@ static void test_messages(void)
         if (!strstr(text, rows[i].said) || strstr(text, rows[i].not_said))
             fail_msg("row %zu: %s", i, text);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_messages);
 }

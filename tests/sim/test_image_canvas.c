@@ -59,7 +59,7 @@ static void check_same(const struct picture *want, const struct picture *got,
         fail_msg("%s in bands of %d rows differs", format, rows);
 }
 
-static void test_bands(void)
+TEST(bands)
 {
     const struct canvas_layout layout = {{0, 0, WIDTH, HEIGHT}, 0, false};
     for (const struct format_name *f = format_names; f->name; f++) {
@@ -77,7 +77,7 @@ static void test_bands(void)
     }
 }
 
-static void test_layouts(void)
+TEST(layouts)
 {
     const struct canvas_layout packed = {{0, 0, WIDTH, HEIGHT}, 0, false};
     const struct canvas_layout padded = {{0, 0, WIDTH, HEIGHT}, 5, false};
@@ -95,7 +95,7 @@ static void test_layouts(void)
     }
 }
 
-static void test_legal(void)
+TEST(legal)
 {
     assert_true(canvas_bands_legal(&pel_rgb888, 1));
     assert_true(canvas_bands_legal(&pel_mono1_pages, 16));
@@ -108,7 +108,7 @@ static void test_legal(void)
 }
 
 /* The list for messages is the table. */
-static void test_names(void)
+TEST(names)
 {
     const char *list = format_list();
     for (const struct format_name *f = format_names; f->name; f++) {
@@ -123,9 +123,4 @@ static void test_names(void)
     }
     assert_string_equal(list, "");
     assert_null(format_find("rgb565"));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_bands, test_layouts, test_legal, test_names);
 }

@@ -61,7 +61,7 @@ static void spoil(struct pel_point v[3], int k, int32_t value)
         v[k / 2].x = value;
 }
 
-static void test_triangles(void)
+TEST(triangles)
 {
     struct pel_point v[3];
     open_hits();
@@ -76,7 +76,7 @@ static void test_triangles(void)
 }
 
 /* The paint's set-up must not trip over what the triangle then refuses. */
-static void test_gouraud(void)
+TEST(gouraud)
 {
     static uint32_t pixels[256];
     const pel_color c[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0), 0};
@@ -101,7 +101,7 @@ static void test_gouraud(void)
     alarm(0);
 }
 
-static void test_two_points(void)
+TEST(two_points)
 {
     open_hits();
     for (int k = 0; k < 4; k++)
@@ -117,7 +117,7 @@ static void test_two_points(void)
         }
 }
 
-static void test_circles(void)
+TEST(circles)
 {
     static const int32_t radius[] = {-1, PEL_PX(32767) + 1, INT32_MIN,
                                      INT32_MAX};
@@ -137,7 +137,7 @@ static void test_circles(void)
 }
 
 /* Places of text, copies and the rim of a fan. */
-static void test_places(void)
+TEST(places)
 {
     static const struct pel_font_glyph glyph = {0, 8, 1, 0, 1, 255};
     static const uint8_t bits[1] = {255};
@@ -181,7 +181,7 @@ static void test_places(void)
 }
 
 /* Polygons are checked by their status, not by PEL_ASSERT. */
-static void test_polygons(void)
+TEST(polygons)
 {
     uint32_t scratch[64];
     struct pel_point v[3];
@@ -237,15 +237,9 @@ static void check_twin(const struct pel_format *twin)
     assert_int_equal(broken, 0);
 }
 
-static void test_fill_only_twins(void)
+TEST(fill_only_twins)
 {
     open_hits();
     check_twin(&pel_rgb565_le_fill);
     check_twin(&pel_rgb565_be_fill);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_triangles, test_two_points, test_circles, test_places,
-                     test_polygons, test_fill_only_twins, test_gouraud);
 }

@@ -30,7 +30,7 @@ static bool disc_hit(const struct pel_target *target, int32_t x, int32_t y)
         }              \
     }
 
-static void test_topmost(void)
+TEST(topmost)
 {
     const struct disc_target big = {ALWAYS, PEL_AT(50, 50), PEL_PX(40)};
     const struct disc_target left = {ALWAYS, PEL_AT(40, 50), PEL_PX(12)};
@@ -50,7 +50,7 @@ static void test_topmost(void)
 }
 
 /* A target with a box is asked inside of it, all others everywhere. */
-static void test_boxes(void)
+TEST(boxes)
 {
     static const struct pel_rect box[] = {
         {10, 20, 13, 22}, {10, 20, 10, 22}, {10, 20, 13, 20}, {13, 22, 10, 20}};
@@ -156,7 +156,7 @@ static void check_ranges(struct any_shape *s, int32_t pixel)
     }
 }
 
-static void test_ranges(void)
+TEST(ranges)
 {
     for (int kind = 0; kind < ANY_KINDS; kind++) {
         const enum any_kind k = (enum any_kind)kind;
@@ -170,7 +170,7 @@ static void test_ranges(void)
 }
 
 /* Around one pixel's centre, where every sub-pixel of a corner counts. */
-static void test_tiny_thick_lines(void)
+TEST(tiny_thick_lines)
 {
     uint32_t hit = 0;
     for (struct cases c = cases_of(50000); cases_next(&c);) {
@@ -196,7 +196,7 @@ static void test_tiny_thick_lines(void)
 
 /* Nearly level lines, whose corners are rounded towards them by up to half a
  * sub-pixel, and a pixel at about half the width from them. */
-static void test_edges_of_thick_lines(void)
+TEST(edges_of_thick_lines)
 {
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -224,7 +224,7 @@ static void test_edges_of_thick_lines(void)
 
 /* Near the end of the range, where one sub-pixel more puts a corner out of it,
  * and nothing is covered. */
-static void test_thick_lines_at_the_end(void)
+TEST(thick_lines_at_the_end)
 {
     for (int32_t width = 0; width < 3000; width += 1 + width / 16)
         for (int32_t y = PEL_COORDINATE_MAX - width / 2 - 3;
@@ -236,11 +236,4 @@ static void test_thick_lines_at_the_end(void)
                 assert_int_equal(any_hit(&s, 0, row),
                                  any_reference_at(&s, 0, row));
         }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_topmost, test_boxes, test_ranges,
-                     test_tiny_thick_lines, test_edges_of_thick_lines,
-                     test_thick_lines_at_the_end);
 }

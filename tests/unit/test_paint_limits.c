@@ -83,7 +83,7 @@ static enum pel_status dither_of_a_dither(union any_paint *p)
 }
 
 /* A paint whose init function failed draws nothing, whatever it was before. */
-static void test_failed_paints(void)
+TEST(failed_paints)
 {
     static enum pel_status (*const init[])(union any_paint *) = {
         gouraud,
@@ -119,7 +119,7 @@ static void test_failed_paints(void)
 }
 
 /* Coordinates at the ends of what fits show the picture's edge. */
-static void test_ends_of_the_range(void)
+TEST(ends_of_the_range)
 {
     static const pel_color texels[4] = {1, 2, 3, 4};
     const struct pel_texels t = {NULL, texels, 2, 2, false};
@@ -137,7 +137,7 @@ static void test_ends_of_the_range(void)
     }
 }
 
-static void test_errors_of_gradients(void)
+TEST(errors_of_gradients)
 {
     static const pel_color two[2];
     const struct pel_point at = {0, 0}, to = {1, 0};
@@ -184,7 +184,7 @@ static void test_errors_of_gradients(void)
     assert_int_equal(pel_hue_wheel_init(&wheel, out, 0, 1, 2), PEL_ERROR_RANGE);
 }
 
-static void test_errors_of_textures(void)
+TEST(errors_of_textures)
 {
     const struct pel_texture_map map = PEL_TEXTURE_AT(0, 0);
     const pel_color one = 0;
@@ -214,7 +214,7 @@ static void test_errors_of_textures(void)
     assert_int_equal(pel_texture_map_triangle(&m, v, q), PEL_ERROR_RANGE);
 }
 
-static void test_errors_of_fans(void)
+TEST(errors_of_fans)
 {
     static struct pel_fan_triangle memory[5];
     struct pel_fan fan;
@@ -255,17 +255,10 @@ static void test_errors_of_fans(void)
     assert_int_equal(p.hub.x, PEL_PX(10));
 }
 
-static void test_errors_of_dither(void)
+TEST(errors_of_dither)
 {
     const struct pel_flat flat = PEL_FLAT(0);
     struct pel_dither d;
     assert_int_equal(pel_dither_init(NULL, &flat.paint), PEL_ERROR_NULL);
     assert_int_equal(pel_dither_init(&d, NULL), PEL_ERROR_NULL);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_failed_paints, test_ends_of_the_range,
-                     test_errors_of_gradients, test_errors_of_textures,
-                     test_errors_of_fans, test_errors_of_dither);
 }

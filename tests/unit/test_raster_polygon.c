@@ -32,7 +32,7 @@ static void expect(enum pel_status want, const struct pel_polygon_shape *p,
         assert_int_equal(hits.pixels, before);
 }
 
-static void test_scratch_size(void)
+TEST(scratch_size)
 {
     assert_int_equal(pel_polygon_scratch_size(0), 0);
     assert_int_equal(pel_polygon_scratch_size(-1), 0);
@@ -48,7 +48,7 @@ static void test_scratch_size(void)
                     (size_t)INT32_MAX * 36);
 }
 
-static void test_exact_size_is_enough(void)
+TEST(exact_size_is_enough)
 {
     setup();
     expect(PEL_OK, &outline, scratch, 4 * 36);
@@ -57,14 +57,14 @@ static void test_exact_size_is_enough(void)
         assert_int_equal(scratch[i], 0x5A5A5A5A);
 }
 
-static void test_small_scratch_is_refused(void)
+TEST(small_scratch_is_refused)
 {
     setup();
     for (size_t size = 0; size < 4 * 36; size++)
         expect(PEL_ERROR_SCRATCH, &outline, scratch, size);
 }
 
-static void test_misaligned_scratch_is_refused(void)
+TEST(misaligned_scratch_is_refused)
 {
     setup();
     for (size_t offset = 1; offset < 4; offset++)
@@ -73,7 +73,7 @@ static void test_misaligned_scratch_is_refused(void)
     expect(PEL_OK, &outline, (uint8_t *)scratch + 4, 4 * 36);
 }
 
-static void test_null_is_refused(void)
+TEST(null_is_refused)
 {
     const struct pel_polygon_shape without_points = {NULL, 4, PEL_EVEN_ODD};
     setup();
@@ -89,7 +89,7 @@ static void test_null_is_refused(void)
 }
 
 /* Fewer than three vertices cover nothing and need no memory. */
-static void test_few_vertices(void)
+TEST(few_vertices)
 {
     static const int32_t few[] = {2, 1, 0, -1, INT32_MIN};
     setup();
@@ -102,7 +102,7 @@ static void test_few_vertices(void)
 }
 
 /* The memory is refused before a vertex is looked at. */
-static void test_huge_counts_are_refused(void)
+TEST(huge_counts_are_refused)
 {
     static const int32_t huge[] = {INT32_MAX, INT32_MAX / 36, 1 << 26};
     setup();
@@ -114,7 +114,7 @@ static void test_huge_counts_are_refused(void)
 }
 
 /* Whatever the clip, as the fill is. */
-static void test_outlines_out_of_range_are_refused(void)
+TEST(outlines_out_of_range_are_refused)
 {
     static uint32_t memory[PEL_POLYGON_OUTLINE_SCRATCH_SIZE(3) / 4];
     static const struct pel_point v[3] = {
@@ -131,7 +131,7 @@ static void test_outlines_out_of_range_are_refused(void)
 }
 
 /* An empty clip, and outlines of which no row is visible, are no errors. */
-static void test_nothing_to_see(void)
+TEST(nothing_to_see)
 {
     const struct pel_rect none = {3, 3, 3, 8};
     static const struct pel_point flat[3] = {{0, 10}, {500, 10}, {900, 10}};
@@ -141,13 +141,4 @@ static void test_nothing_to_see(void)
     pel_surface_clip(&hits.surface, &none);
     expect(PEL_OK, &outline, scratch, sizeof scratch);
     assert_int_equal(hits.pixels, 0);
-}
-
-int main(void)
-{
-    return RUN_TESTS(
-        test_scratch_size, test_exact_size_is_enough,
-        test_small_scratch_is_refused, test_misaligned_scratch_is_refused,
-        test_null_is_refused, test_few_vertices, test_huge_counts_are_refused,
-        test_outlines_out_of_range_are_refused, test_nothing_to_see);
 }

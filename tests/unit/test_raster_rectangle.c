@@ -19,7 +19,7 @@ static void check_clip(const struct pel_rect *clip, uint32_t want)
 }
 
 /* Alpha is ignored, and no other bit. */
-static void test_clear_sets_the_color(void)
+TEST(clear_sets_the_color)
 {
     static const pel_color colors[] = {0,          0xFF000000, 0x00FFFFFF,
                                        0x12345678, 0x80FEFCF8, 0xFF102040};
@@ -36,7 +36,7 @@ static void test_clear_sets_the_color(void)
             }
 }
 
-static void test_clear_of_an_empty_clip(void)
+TEST(clear_of_an_empty_clip)
 {
     static const struct pel_rect clips[] = {
         {4, 4, 4, 8}, {4, 4, 8, 4}, {9, 0, 3, 8}, {40, 40, 50, 50}};
@@ -49,7 +49,7 @@ static void test_clear_of_an_empty_clip(void)
 }
 
 /* Corners in sub-pixels around pixel (1, 2): its centre is at (384, 640). */
-static void test_rectangle_takes_centres(void)
+TEST(rectangle_takes_centres)
 {
     static const struct {
         struct pel_point from, to;
@@ -76,7 +76,7 @@ static void test_rectangle_takes_centres(void)
 }
 
 /* Boxes of whole pixels, of any numbers. */
-static void test_boxes(void)
+TEST(boxes)
 {
     static const struct pel_rect box[] = {
         {1, 2, 3, 4},
@@ -101,10 +101,4 @@ static void test_boxes(void)
                     (x >= b->x0 && x < b->x1 && y >= b->y0 && y < b->y1))
                     fail_msg("row %zu: %d, %d", i, x, y);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_clear_sets_the_color, test_clear_of_an_empty_clip,
-                     test_rectangle_takes_centres, test_boxes);
 }

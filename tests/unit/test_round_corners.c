@@ -18,7 +18,7 @@ static void check_near(int32_t got, long double want)
         fail_msg("corner: expected %Lf, got %d; %s", want, got, cases_replay());
 }
 
-static void test_corners_are_the_nearest(void)
+TEST(corners_are_the_nearest)
 {
     uint64_t checked = 0;
     for (struct cases c = cases_of(20000); cases_next(&c);) {
@@ -45,16 +45,11 @@ static void test_corners_are_the_nearest(void)
     assert_true(checked > 0);
 }
 
-static void test_corners_of_a_point(void)
+TEST(corners_of_a_point)
 {
     struct pel_point v[4];
     const struct pel_thick_line_shape line = {PEL_AT(3, 4), PEL_AT(3, 4), 512};
     assert_true(pel_thick_line_corners(&line, v));
     for (int i = 0; i < 4; i++)
         assert_true(v[i].x == PEL_PX(3) && v[i].y == PEL_PX(4));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_corners_are_the_nearest, test_corners_of_a_point);
 }
