@@ -1,7 +1,7 @@
 #include "../raster/gouraud_spans.h"
 #include "fast_triangle.h"
 
-#if PEL_FAST_FILLS
+#if PEL_FAST_FILLS && PEL_VECTORS
 
 /* Written out, as all work for a row here: compilers would keep a loop over
  * three channels, and the channels in memory. */
@@ -20,8 +20,7 @@ static PEL_ALWAYS_INLINE void write_rows(const struct pel_gouraud *paint,
                                          const struct pel_fast_triangle *t,
                                          int bytes)
 {
-    const struct pel_gouraud_steps steps =
-        pel_gouraud_steps_make(paint, 4u / (unsigned)bytes);
+    const struct pel_gouraud_steps steps = pel_gouraud_steps_make(paint, bytes);
     struct pel_fast_walk w = pel_fast_walk_begin(s, t, bytes);
     uint32_t start[3], v[3];
     pel_gouraud_at(paint, 0, t->y0, start);
@@ -30,10 +29,7 @@ static PEL_ALWAYS_INLINE void write_rows(const struct pel_gouraud *paint,
         if (bytes == 4)
             pel_prefetch_span(p + 2 * w.pitch, 4 * n);
         at_column(start, paint->dx, (uint32_t)x, v);
-        if (bytes == 4)
-            pel_gouraud_span_xrgb((pel_word32 *)p, n, v, &steps);
-        else
-            pel_gouraud_span_rgb565((pel_word16 *)p, n, v, &steps);
+        pel_gouraud_span(p, n, v, &steps, bytes);
         pel_gouraud_step(start, paint->dy);
     }
 }

@@ -103,8 +103,7 @@ enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
         return PEL_ERROR_RANGE;
     struct setup s;
     const bool opaque = pel_alpha(c[0] & c[1] & c[2]) == 255;
-    paint->paint =
-        (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
+    paint->paint = (struct pel_paint)PEL_GOURAUD_PAINT;
     const bool has_area = start(&s, v);
     for (int k = 0; k < 4; k++) {
         paint->at[k] = (c[s.plane.first] >> 8 * k << 24) + 0x800000u;

@@ -39,6 +39,9 @@ bool pel_gouraud_fast(const struct pel_paint *paint,
                       const struct pel_surface *surface,
                       const struct pel_fast_triangle *triangle);
 
+#define PEL_GOURAUD_PAINT \
+    PEL_PAINT(pel_gouraud_fill, PEL_VECTORS ? pel_gouraud_fast : NULL)
+
 /* pel_triangle with that paint. */
 void pel_triangle_gouraud(const struct pel_surface *surface,
                           const struct pel_point v[3], const pel_color c[3]);

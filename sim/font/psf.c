@@ -1,5 +1,8 @@
 /* PC Screen Font, the Linux console's, versions 1 and 2 (kbd's psf.h). */
 
+#include <string.h>
+
+#include "core/image/glyph_text.h"
 #include "sim/cli/bytes.h"
 #include "sim/font/font.h"
 #include "sim/cli/message.h"
@@ -97,38 +100,26 @@ static bool add(struct psf *p, uint32_t glyph, uint32_t code)
                     (p->width + 7) / 8);
 }
 
-/* One code point of a PSF 2 table: UTF-8. 0 bytes left: false. */
-static bool next_utf8(struct psf *p, uint32_t *code)
-{
-    int more = 0;
-    uint32_t c = p->data[p->at++];
-    if (c >= 0xC0)
-        more = c < 0xE0 ? 1 : c < 0xF0 ? 2 : 3;
-    *code = more ? c & (0x3Fu >> more) : c;
-    for (; more > 0; more--) {
-        if (p->at == p->size || (p->data[p->at] & 0xC0) != 0x80)
-            return false;
-        *code = *code << 6 | (p->data[p->at++] & 0x3Fu);
-    }
-    return c < 0x80 || (c >= 0xC2 && c <= 0xF4);
-}
-
 enum { CODE, SEQUENCE, END, BAD };
 
-/* The next entry in the table of a glyph. */
+/* The next entry in the table of a glyph: of 16 bits, or UTF-8. */
 static int next_entry(struct psf *p, uint32_t *code)
 {
+    const char *start = (const char *)p->data + p->at, *next = start;
     const size_t unit = p->version == 1 ? 2 : 1;
     if (p->size - p->at < unit)
         return BAD;
+    p->at += unit;
     if (p->version == 1) {
-        *code = bytes_little(p->data + p->at, 2);
-        p->at += 2;
+        *code = bytes_little((const uint8_t *)start, 2);
         return *code == 0xFFFF ? END : *code == 0xFFFE ? SEQUENCE : CODE;
     }
-    if (p->data[p->at] >= 0xFE)
-        return p->data[p->at++] == 0xFF ? END : SEQUENCE;
-    return next_utf8(p, code) ? CODE : BAD;
+    if (*start == '\xFF' || *start == '\xFE')
+        return *start == '\xFF' ? END : SEQUENCE;
+    *code = pel_utf8_next(&next);
+    p->at = (size_t)(next - (const char *)p->data);
+    return *code != 0xFFFD || strncmp(start, "\xEF\xBF\xBD", 3) == 0 ? CODE
+                                                                     : BAD;
 }
 
 /* Code points of each glyph; sequences of several, which follow, are left
@@ -138,20 +129,17 @@ static bool read_table(struct psf *p)
     p->at = p->glyphs + (size_t)p->count * p->glyph_size;
     for (uint32_t glyph = 0; glyph < p->count; glyph++) {
         bool in_sequence = false;
-        for (;;) {
-            uint32_t code = 0;
-            int entry = next_entry(p, &code);
-            if (entry == END)
-                break;
+        uint32_t code = 0;
+        int entry;
+        while ((entry = next_entry(p, &code)) != END) {
+            in_sequence = in_sequence || entry == SEQUENCE;
             if (entry == BAD)
                 return message_error_at(
                     p->path, 0,
                     "the Unicode table breaks off at byte %zu, glyph %u of %u: "
                     "expected a whole one",
                     p->at, (unsigned)glyph, (unsigned)p->count);
-            if (entry == SEQUENCE)
-                in_sequence = true;
-            else if (!in_sequence && !add(p, glyph, code))
+            if (!in_sequence && !add(p, glyph, code))
                 return false;
         }
     }

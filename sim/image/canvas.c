@@ -11,48 +11,29 @@ static bool is_paged(const struct pel_format *format)
     return format->id == PEL_FORMAT_MONO1_PAGES;
 }
 
-/* Lines of memory: those of pixels, or pages of 8 of them. */
-static int32_t lines_of(const struct pel_format *format,
-                        const struct pel_rect *bounds)
+/* A packed canvas with these absolute bounds; a tile of a format with less than
+ * 8 bits begins at a byte. The pixels are not set to a color. */
+static bool init(struct canvas *canvas, const struct pel_format *format,
+                 const struct pel_rect *bounds)
 {
     const int32_t height = bounds->y1 - bounds->y0;
-    return is_paged(format) ? (height + 7) / 8 : height;
-}
-
-bool canvas_init_layout(struct canvas *canvas, const struct pel_format *format,
-                        const struct canvas_layout *layout)
-{
-    const struct pel_rect *bounds = &layout->bounds;
-    canvas->memory = NULL;
-    const int32_t width = bounds->x1 - bounds->x0;
-    const int32_t height = bounds->y1 - bounds->y0;
-    if (!picture_size_check(NULL, width, height))
-        return false;
-    const int32_t lines = lines_of(format, bounds);
-    int32_t stride = pel_stride(format, width) + layout->padding * format->word;
-    const size_t size = (size_t)stride * (size_t)lines;
-    uint8_t *pixels = canvas->memory = malloc(size);
-    if (!pixels)
+    const size_t lines = (size_t)(is_paged(format) ? (height + 7) / 8 : height);
+    const size_t size =
+        (size_t)pel_stride(format, bounds->x1 - bounds->x0) * lines;
+    canvas->memory = calloc(size, 1);
+    if (!canvas->memory)
         return message_error("no memory for a canvas of %zu bytes", size);
-    memset(pixels, 0xA5, size);
-    if (layout->bottom_up && !is_paged(format)) {
-        pixels += (size_t)(lines - 1) * (size_t)stride;
-        stride = -stride;
-    }
-    const enum pel_status status =
-        pel_surface_init_rect(&canvas->surface, format, pixels, stride, bounds);
-    if (status == PEL_OK)
-        return true;
-    canvas_free(canvas);
-    return message_error("a canvas that is no legal surface (status %d)",
-                         (int)status);
+    pel_surface_init(&canvas->surface, format, canvas->memory, size, bounds);
+    return true;
 }
 
 bool canvas_init(struct canvas *canvas, const struct pel_format *format,
                  int width, int height)
 {
-    const struct canvas_layout layout = {{0, 0, width, height}, 0, false};
-    if (!canvas_init_layout(canvas, format, &layout))
+    const struct pel_rect bounds = {0, 0, width, height};
+    canvas->memory = NULL;
+    if (!picture_size_check(NULL, width, height) ||
+        !init(canvas, format, &bounds))
         return false;
     pel_clear(&canvas->surface, PEL_RGB(0, 0, 0));
     return true;
@@ -120,16 +101,15 @@ bool canvas_draw(struct canvas *canvas, int rows, canvas_draw_function *draw,
         whole->clip = whole->bounds;
         return true;
     }
-    struct canvas_layout layout = {whole->bounds, 0, false};
-    struct pel_rect *band = &layout.bounds;
-    for (; band->y0 < whole->bounds.y1; band->y0 = band->y1) {
+    struct pel_rect band = whole->bounds;
+    for (; band.y0 < whole->bounds.y1; band.y0 = band.y1) {
         struct canvas part;
-        band->y1 = pel_min(band->y0 + rows, whole->bounds.y1);
-        if (!canvas_init_layout(&part, whole->format, &layout))
+        band.y1 = pel_min(band.y0 + rows, whole->bounds.y1);
+        if (!init(&part, whole->format, &band))
             return false;
-        copy_lines(&part.surface, whole, band);
+        copy_lines(&part.surface, whole, &band);
         draw(&part.surface, context);
-        copy_lines(whole, &part.surface, band);
+        copy_lines(whole, &part.surface, &band);
         canvas_free(&part);
     }
     return true;

@@ -123,4 +123,20 @@ bool mesh_load_file(struct mesh *mesh, const char *path);
 bool mesh_check_start(const char *path);
 bool mesh_load_builtin(struct mesh *mesh, const char *path);
 
+/* The materials of mesh files, as assimp reads them. */
+struct aiColor4D;
+struct aiMaterial;
+struct aiScene;
+
+/* Colors of glTF are linear, those of other files as they are shown. */
+pel_color material_byte_color(const struct aiColor4D *color, bool linear);
+bool material_is_linear(const struct aiMaterial *from);
+
+/* Sets the material, and adds its texture to the mesh unless it is there:
+ * `path` is that of the mesh file. False, with a message, when memory is short.
+ */
+bool material_read(struct mesh_material *to, struct mesh *mesh,
+                   const struct aiScene *scene, const struct aiMaterial *from,
+                   const char *path);
+
 #endif

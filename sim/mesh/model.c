@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/mesh/quantize.h"
 #include "sim/cli/message.h"
 
 /* Memory for the arrays, which the mesh then views. */
@@ -123,6 +122,17 @@ bool model_make_asset(struct model *model, const struct mesh *mesh,
                       int normal_bits)
 {
     return make(model, mesh, PEL_MESH_SHIFT_MAX, normal_bits);
+}
+
+double model_middle(const struct model *model, double middle[3])
+{
+    double radius = 0;
+    for (int k = 0; k < 3; k++) {
+        const double half = (model->high[k] - model->low[k]) / 2;
+        middle[k] = model->low[k] + half;
+        radius += half * half;
+    }
+    return sqrt(radius);
 }
 
 bool model_read(struct mesh *mesh, const struct model_source *source)

@@ -3,6 +3,7 @@
 #ifndef SIM_MESH_MODEL_H
 #define SIM_MESH_MODEL_H
 
+#include "core/asset/mesh_asset.h"
 #include "core/scene/mesh.h"
 #include "sim/mesh/mesh.h"
 #include "sim/image/picture.h"
@@ -54,6 +55,9 @@ bool model_set_picture(struct model *model, const struct picture *picture);
 bool model_make_asset(struct model *model, const struct mesh *mesh,
                       int normal_bits);
 
+/* The middle of its box, and how far the corners are from it. */
+double model_middle(const struct model *model, double middle[3]);
+
 /* Gives the vertices the texels at their uv: those that a program finds which
  * samples there. */
 void model_paint(struct model *model);
@@ -62,5 +66,17 @@ void model_paint(struct model *model);
 void model_set_color(uint8_t to[3], pel_color color);
 
 void model_free(struct model *model);
+
+/* Coordinates as the 16-bit numbers of core/asset/mesh_asset.h. For the
+ * positions of a mesh: signed numbers, around the middle of its box.
+ * The shift is at most `shift_max`. */
+struct pel_quantization quantize_positions(const struct mesh *mesh,
+                                           int shift_max);
+
+/* For its uv: unsigned numbers, from the least coordinates on. */
+struct pel_quantization quantize_uv(const struct mesh *mesh);
+
+/* The nearest number of a coordinate. */
+long quantize(const struct pel_quantization *quantum, int axis, double value);
 
 #endif

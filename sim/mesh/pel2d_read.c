@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/cli/message.h"
+#include "sim/cli/list.h"
 #include "sim/cli/number.h"
 #include "sim/cli/text_line.h"
 
@@ -154,7 +154,7 @@ static bool read_vertex(struct reader *r, struct pel2d *flat)
         !parse_uv(r, 6, "u", &v.u) || !parse_uv(r, 7, "v", &v.v))
         return false;
     v.color = PEL_RGB(c[0], c[1], c[2]);
-    return pel2d_add_vertex(flat, &v);
+    return list_add(&flat->vertex, &flat->vertices, &v, sizeof v);
 }
 
 static bool read_triangle(struct reader *r, struct pel2d *flat)
@@ -169,7 +169,7 @@ static bool read_triangle(struct reader *r, struct pel2d *flat)
     for (int k = 0; k < 3; k++)
         if (!parse_integer(r, k, name[k], r->vertices - 1, &index[k]))
             return false;
-    return pel2d_add_triangle(flat, index);
+    return list_add(&flat->triangle, &flat->triangles, index, sizeof index);
 }
 
 /* Blank lines may follow the last triangle, nothing else. */

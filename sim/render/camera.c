@@ -1,9 +1,10 @@
-#include "sim/render/camera.h"
+#include "sim/render/scene.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "sim/cli/message.h"
+#include "sim/mesh/vector.h"
 
 /* The margin of a picture that is framed. */
 #define SEEN 0.9
@@ -15,27 +16,6 @@ struct frustum {
     double extent[2];  /* x/z and y/z at the sides of the picture, or x, y */
 };
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-/* The length before; 0 when the vector has no direction. */
-static double normalise(double v[3])
-{
-    double length = sqrt(dot(v, v));
-    for (int k = 0; k < 3 && length > 0; k++)
-        v[k] /= length;
-    return length;
-}
-
 /* False when eye and target are the same or `up` points along the view. */
 static bool frustum_init(struct frustum *frustum, const struct camera *camera)
 {
@@ -44,14 +24,13 @@ static bool frustum_init(struct frustum *frustum, const struct camera *camera)
     const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
     memcpy(frustum->eye, camera->eye, sizeof(frustum->eye));
     memcpy(up, camera->up, sizeof(up));
-    for (int k = 0; k < 3; k++)
-        z[k] = camera->target[k] - camera->eye[k];
-    double distance = normalise(z);
-    normalise(up);
-    cross(z, up, x);
-    if (!(distance > 0) || !(normalise(x) > 1e-9))
+    vector_subtract(camera->target, camera->eye, z);
+    const double distance = vector_normalise(z);
+    vector_normalise(up);
+    vector_cross(z, up, x);
+    if (!(distance > 0) || !(vector_normalise(x) > 1e-9))
         return false;
-    cross(x, z, y);
+    vector_cross(x, z, y);
     for (int k = 0; k < 2; k++)
         frustum->extent[k] =
             camera->sensor[k] / 2 / (flat ? 1 : camera->focal) * SEEN;
@@ -62,29 +41,9 @@ static void frustum_point(const struct frustum *frustum, const double world[3],
                           double point[3])
 {
     double d[3];
+    vector_subtract(world, frustum->eye, d);
     for (int k = 0; k < 3; k++)
-        d[k] = world[k] - frustum->eye[k];
-    for (int k = 0; k < 3; k++)
-        point[k] = dot(frustum->axis[k], d);
-}
-
-static void place_of(const struct pel_mesh *mesh, uint32_t i, double place[3])
-{
-    const struct pel_quantization *q = &mesh->position;
-    for (int k = 0; k < 3; k++)
-        place[k] = ldexp(pel_quantization_value(q, k, mesh->positions[i][k]),
-                         -q->shift);
-}
-
-static double middle_of_box(const struct model *model, double middle[3])
-{
-    double radius = 0;
-    for (int k = 0; k < 3; k++) {
-        const double half = (model->high[k] - model->low[k]) / 2;
-        middle[k] = model->low[k] + half;
-        radius += half * half;
-    }
-    return sqrt(radius);
+        point[k] = vector_dot(frustum->axis[k], d);
 }
 
 /* The distance or size that each side of the picture needs. */
@@ -99,10 +58,13 @@ struct needs {
 static void find_needs(const struct model *model, const struct frustum *frustum,
                        bool flat, struct needs *needs)
 {
+    const struct pel_quantization *q = &model->mesh.position;
     memset(needs, 0, sizeof(*needs));
     for (uint32_t i = 0; i < model->mesh.vertices; i++) {
+        const int16_t *at = model->mesh.positions[i];
         double p[3], world[3];
-        place_of(&model->mesh, i, world);
+        for (int k = 0; k < 3; k++)
+            world[k] = ldexp(pel_quantization_value(q, k, at[k]), -q->shift);
         frustum_point(frustum, world, p);
         const double z = p[2] - 1; /* the eye is 1 away from the target */
         needs->depth = fmax(needs->depth, fabs(z));
@@ -113,14 +75,6 @@ static void find_needs(const struct model *model, const struct frustum *frustum,
             *side = fmax(*side, need);
         }
     }
-}
-
-/* The eye looks from the front, a little from the right and above. */
-static void place_eye_in_front(struct camera *camera)
-{
-    static const double direction[3] = {0.36, 0.28, 0.89};
-    for (int k = 0; k < 3; k++)
-        camera->eye[k] = camera->target[k] + direction[k];
 }
 
 /* Moves the target so that opposite sides need nearly the same. */
@@ -148,16 +102,19 @@ static void fit_sensor(struct camera *camera, const struct needs *needs)
     camera->sensor[1] = pixel * camera->height;
 }
 
-/* Places the eye; moves the target, unless the user chose it, until the model
- * is in the middle: a few steps do. */
+/* Places the eye in front, a little to the right and above; moves the target,
+ * unless the user chose it, until the model is in the middle: a few steps do.
+ */
 static bool frame_eye(struct camera *camera, const struct model *model)
 {
     const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
+    static const double direction[3] = {0.36, 0.28, 0.89};
     struct needs needs;
     struct frustum frustum;
     double distance;
     for (int step = 0; step < 8; step++) {
-        place_eye_in_front(camera);
+        for (int k = 0; k < 3; k++)
+            camera->eye[k] = camera->target[k] + direction[k];
         if (!frustum_init(&frustum, camera))
             return false;
         find_needs(model, &frustum, flat, &needs);
@@ -182,8 +139,7 @@ static bool frame_sensor(struct camera *camera, const struct model *model)
     struct frustum frustum;
     if (!frustum_init(&frustum, camera))
         return false;
-    for (int k = 0; k < 3; k++)
-        frustum.eye[k] = camera->target[k] - frustum.axis[2][k];
+    vector_subtract(camera->target, frustum.axis[2], frustum.eye);
     find_needs(model, &frustum, true, &needs);
     fit_sensor(camera, &needs);
     return true;
@@ -193,12 +149,11 @@ static void frame_near(struct camera *camera, const struct model *model,
                        const struct frustum *frustum)
 {
     double middle[3], at[3], view[3];
-    const double radius = middle_of_box(model, middle);
+    const double radius = model_middle(model, middle);
     frustum_point(frustum, middle, at);
-    for (int k = 0; k < 3; k++)
-        view[k] = camera->target[k] - camera->eye[k];
+    vector_subtract(camera->target, camera->eye, view);
     camera->near_plane =
-        fmax(sqrt(dot(view, view)) / 1000, 0.98 * (at[2] - radius));
+        fmax(vector_length(view) / 1000, 0.98 * (at[2] - radius));
 }
 
 bool camera_frame(struct camera *camera, const struct model *model)
@@ -208,7 +163,7 @@ bool camera_frame(struct camera *camera, const struct model *model)
     if (!camera->has_sensor)
         camera->sensor[1] = camera->sensor[0] * camera->height / camera->width;
     if (!camera->has_target)
-        middle_of_box(model, camera->target);
+        model_middle(model, camera->target);
     if (!camera->has_eye && !frame_eye(camera, model))
         return message_error("up points along the view: expected 0,1,0 for a "
                              "mesh that stands upright");

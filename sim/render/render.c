@@ -13,8 +13,6 @@
 #include "sim/cli/output.h"
 #include "sim/render/painter.h"
 #include "sim/render/scene_options.h"
-#include "sim/render/scene_order.h"
-#include "sim/render/scene_world.h"
 #include "sim/image/texture.h"
 
 struct render_options {
@@ -126,24 +124,19 @@ static void draw_scene(struct pel_surface *surface, void *context)
     part->failed = part->failed || !scene_draw(part->scene, surface);
 }
 
+/* Several threads draw several parts, and each tells its time. */
 static bool draw(struct canvas *canvas, const void *context)
 {
     const struct drawing *drawing = context;
     const struct render_options *o = drawing->options;
+    const double start = milliseconds();
     struct part part = {drawing->scene, false};
     pel_clear(&canvas->surface, o->scene.settings.camera.background);
-    if (!drawing->scene)
-        return canvas_draw(canvas, o->bands, painter_draw, drawing->painter);
-    return canvas_draw(canvas, o->bands, draw_scene, &part) && !part.failed;
-}
-
-/* Several threads draw several parts, and each tells its time. */
-static bool draw_mesh(struct canvas *canvas, const void *context)
-{
-    const struct drawing *drawing = context;
-    const double start = milliseconds();
-    const bool done = draw(canvas, context);
-    if (drawing->options->timed)
+    const bool done =
+        drawing->scene
+            ? canvas_draw(canvas, o->bands, draw_scene, &part) && !part.failed
+            : canvas_draw(canvas, o->bands, painter_draw, drawing->painter);
+    if (o->timed)
         fprintf(stderr, "drawn: %.3f ms\n", milliseconds() - start);
     return done;
 }
@@ -156,7 +149,7 @@ static bool finish(const struct drawing *drawing)
     const struct device_picture picture = {.width = camera->width,
                                            .height = camera->height,
                                            .format = &format,
-                                           .draw = draw_mesh,
+                                           .draw = draw,
                                            .context = drawing};
     return device_show(&o->device, &picture, output_of(o));
 }

@@ -5,9 +5,8 @@
 #include <string.h>
 
 #include "core/paint/texture_contrast.h"
+#include "core/scene/select_light.h"
 #include "sim/cli/message.h"
-#include "sim/render/scene_order.h"
-#include "sim/render/scene_world.h"
 
 const struct scene_settings scene_default = {
     .camera = {.up = {0, 1, 0},
@@ -120,9 +119,24 @@ static bool is_lit(const struct scene *scene, const struct scene_settings *s,
            (s->lit == SCENE_LIT_AUTO && (s->has_light || shapeless));
 }
 
+/* Every triangle in the color of its method. */
+static const struct pel_paint *paint_method(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
+{
+    static const struct pel_flat paints[PEL_METHODS] = {
+        PEL_FLAT(PEL_RGB(96, 96, 96)), PEL_FLAT(PEL_RGB(64, 128, 255)),
+        PEL_FLAT(PEL_RGB(64, 192, 64)), PEL_FLAT(PEL_RGB(255, 192, 0)),
+        PEL_FLAT(PEL_RGB(224, 32, 32))};
+    pel_shade_chosen.paint(frame, surface);
+    return &paints[frame->work->method].paint;
+}
+
+static const struct pel_shading shade_methods = {pel_frame_start_chosen,
+                                                 pel_light_note, paint_method};
+
 static const struct pel_shading *phong_of(const struct scene_settings *s)
 {
-    return s->show_methods    ? &scene_shade_methods
+    return s->show_methods    ? &shade_methods
            : s->stats         ? &pel_shade_counted
            : s->tolerance > 0 ? &pel_shade_chosen
                               : &pel_shade_phong;
@@ -151,13 +165,6 @@ static void set_appearance(struct scene *scene, const struct scene_settings *s)
         scene->mesh.colors = NULL;
     /* Transparent triangles are blended from far to near. */
     core->sort = clear ? &pel_depth_sort_radix : NULL;
-}
-
-static bool check(const struct scene_settings *s)
-{
-    return s->shade != SCENE_PHONG || s->lit != SCENE_UNLIT ||
-           message_error("Phong shading is light at every pixel: expected "
-                         "flat or gouraud without light");
 }
 
 static enum pel_status prepare(struct scene *scene)
@@ -204,7 +211,10 @@ static bool refuse(struct scene *scene, const struct scene_settings *s,
 bool scene_prepare(struct scene *scene, const struct scene_settings *settings)
 {
     struct scene_settings s = *settings;
-    if (!check(&s) || !camera_frame(&s.camera, scene->model))
+    if (s.shade == SCENE_PHONG && s.lit == SCENE_UNLIT)
+        return message_error("Phong shading is light at every pixel: expected "
+                             "flat or gouraud without light");
+    if (!camera_frame(&s.camera, scene->model))
         return false;
     scene_place(scene, &s);
     scene_place_lights(scene, &s);

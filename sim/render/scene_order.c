@@ -1,4 +1,4 @@
-#include "sim/render/scene_order.h"
+#include "sim/render/scene.h"
 
 #include <stdlib.h>
 

@@ -1,6 +1,8 @@
-#include "sim/render/scene_world.h"
+#include "sim/render/scene.h"
 
 #include <math.h>
+
+#include "sim/mesh/vector.h"
 
 #define WORLD 16384.0      /* units each way, as core has them */
 #define NEAREST (1 / 16.0) /* of an eye, if nothing is to be scaled */
@@ -21,14 +23,10 @@ static double extent_of(const double v[3])
 static double extent_of_all(const struct scene *scene,
                             const struct scene_settings *s)
 {
-    double middle[3], radius = 0;
+    double middle[3];
+    const double radius = model_middle(scene->model, middle);
     double extent = fmax(extent_of(s->camera.eye), extent_of(s->camera.target));
-    for (int k = 0; k < 3; k++) {
-        const double half = (scene->model->high[k] - scene->model->low[k]) / 2;
-        middle[k] = scene->model->low[k] + half;
-        radius += half * half;
-    }
-    extent = fmax(extent, extent_of(middle) + sqrt(radius));
+    extent = fmax(extent, extent_of(middle) + radius);
     if (s->camera.projection == PEL_ORTHOGRAPHIC)
         for (int k = 0; k < 2; k++)
             extent = fmax(extent, s->camera.sensor[k]);
@@ -51,9 +49,8 @@ static double units_of(const struct scene *scene,
     for (int i = 0; i < s->lights; i++)
         if (!s->light[i].directional && !is_far(&s->light[i], places))
             extent = fmax(extent, extent_of(s->light[i].at));
-    for (int k = 0; k < 3; k++)
-        view[k] = s->camera.target[k] - s->camera.eye[k];
-    if (extent <= WORLD && hypot(hypot(view[0], view[1]), view[2]) >= NEAREST &&
+    vector_subtract(s->camera.target, s->camera.eye, view);
+    if (extent <= WORLD && vector_length(view) >= NEAREST &&
         scene->model->mesh.position.shift <= PEL_MESH_SHIFT_MAX)
         return 1;
     frexp(extent, &exponent); /* extent < 2^exponent */
@@ -160,18 +157,14 @@ static void place_light(struct scene *scene, struct pel_light *to,
 static struct scene_light own_light(const struct camera *camera)
 {
     struct scene_light light = {.color = {1, 1, 1}, .directional = true};
-    double view[3], up = 0, along = 0;
-    for (int k = 0; k < 3; k++) {
-        view[k] = camera->eye[k] - camera->target[k];
-        along += view[k] * view[k];
-        up += camera->up[k] * camera->up[k];
-    }
-    for (int k = 0; k < 3; k++) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        const double left = view[i] * camera->up[j] - view[j] * camera->up[i];
-        light.at[k] = view[k] / sqrt(along) + 0.9 * camera->up[k] / sqrt(up) +
-                      0.6 * left / sqrt(along * up);
-    }
+    const double *up = camera->up;
+    double view[3], left[3];
+    vector_subtract(camera->eye, camera->target, view);
+    vector_cross(view, up, left);
+    const double along = vector_dot(view, view), upward = vector_dot(up, up);
+    for (int k = 0; k < 3; k++)
+        light.at[k] = view[k] / sqrt(along) + 0.9 * up[k] / sqrt(upward) +
+                      0.6 * left[k] / sqrt(along * upward);
     return light;
 }
 

@@ -8,19 +8,20 @@
 #include "core/raster/polygon.h"
 #include "sim/script/script.h"
 
+struct script_asset;
 struct script_paints;
 struct script_scene;
 
 /* The state that commands change and shapes use, while a script is drawn. */
 struct script_pen {
     struct pel_surface *surface;
-    /* Makes the paint in force from `values`, in the pen's memory; NULL: they
-     * are the colors of paint vertex. */
-    const struct pel_paint *(*make)(const struct script_pen *pen);
+    /* Makes the paint in force from its values, in the pen's memory. */
+    void (*make)(const struct script_pen *pen, const int32_t *values);
     const int32_t *values;
     size_t value_count;
     const struct script_command *command; /* that is drawn, */
-    size_t count;                         /* and how many values it has */
+    const int32_t *drawn;                 /* its values */
+    size_t count;                         /* and how many these are */
     enum pel_spread spread;
     enum pel_wrap wrap;
     uint16_t phase; /* of radial gradients */
@@ -29,7 +30,7 @@ struct script_pen {
     bool collinear_line;          /* a triangle without area is a line */
     struct script_paints *paints; /* memory for a paint */
     struct pel_rect clip;
-    const struct script_assets *assets;
+    const struct script_asset *assets;
     const struct pel_font_asset *font; /* in force, or NULL */
     bool failed; /* a mesh had too little memory, or a light is one too many */
     struct script_scene *scene; /* of commands that SCRIPT_SCENE marks */
@@ -70,13 +71,14 @@ enum script_kind {
     KIND_MEASURE = 'm', /* above 0, in 65,536ths */
     KIND_TEXELS = 'u',  /* in 65,536ths */
     KIND_SHININESS = 'e',
-    KIND_CHOICE = 'o',  /* a name of the usage A|B|C; its index there */
-    KIND_FILE = 'Q',    /* its path's index among the texts */
-    KIND_MESH = 'M',    /* a file or MESH_BUILTIN; its index in assets */
-    KIND_FONT = 'F',    /* a file; its index in script_assets */
-    KIND_PICTURE = 'P', /* a file; its index there */
-    KIND_TEXT = 'T',    /* in quotes; its index there */
-    KIND_FORMAT = 'f'   /* a name; its index in format_names */
+    KIND_CHOICE = 'o', /* a name of the usage A|B|C; its index there */
+    KIND_FORMAT = 'f', /* a name; its index in format_names */
+    /* These are indices of the script's assets. */
+    KIND_FONT = 'F',    /* a file */
+    KIND_PICTURE = 'P', /* a file */
+    KIND_MESH = 'M',    /* a file or one of MESH_BUILTINS */
+    KIND_FILE = 'Q',    /* a file, whose path is kept as a text */
+    KIND_TEXT = 'T'     /* in quotes */
 };
 
 struct script_command {
@@ -88,7 +90,7 @@ struct script_command {
     /* Says what is wrong with these arguments, or returns NULL. May be NULL. */
     const char *(*check)(const int32_t *v, size_t n);
     /* script_pen.make of a paint command. */
-    const struct pel_paint *(*make)(const struct script_pen *pen);
+    void (*make)(const struct script_pen *pen, const int32_t *values);
     /* A setting, which the values are written to before `draw`: where it lies
      * in struct script_pen, or struct script_scene for SCRIPT_SCENE; bytes of
      * each value, 8 for doubles of 65,536ths, 0 for no setting; where the flag
@@ -96,6 +98,7 @@ struct script_command {
     size_t offset, size, flag;
     enum pel_fill_rule rule; /* of a polygon */
     bool outline;            /* draws the outline instead of the shape */
+    const struct script_command *next; /* table, in the last row */
 };
 
 /* The part of a row that names a member of `values` values. */
@@ -117,29 +120,15 @@ void script_perform(struct script_pen *pen,
 /* The paint in force, dithered when that is; good until the next call. */
 const struct pel_paint *script_paint(const struct script_pen *pen);
 
-/* Another paint, dithered when that is in force. */
-const struct pel_paint *script_dithered(const struct script_pen *pen,
-                                        const struct pel_paint *paint);
+/* The paint with which scripts begin, white, and memory for others. False
+ * when that is short. */
+bool script_paint_init(struct script_pen *pen);
 
-/* The paint with which scripts begin: white. `paints` is the pen's memory. */
-void script_paint_init(struct script_pen *pen);
-
-/* All commands, in tables that end with the name NULL; the last table is NULL.
+/* All commands, the first of script_shapes first. The name NULL ends a table,
+ * whose last row says which one is `next`. script_next(the last one) is NULL.
  */
 extern const struct script_command script_shapes[], script_images[],
     script_paint_commands[], script_mesh_commands[];
-extern const struct script_command *const script_tables[];
-
-/* One argument of a kind, from its word. False, with a message, when it is not
- * one. */
-struct script_place {
-    const char *path;
-    long line;
-    const struct script_command *command;
-    struct script_assets *assets;
-    const struct script_scene *scene;
-};
-bool script_argument(const struct script_place *place, enum script_kind kind,
-                     const char *word, int32_t *value);
+const struct script_command *script_next(const struct script_command *command);
 
 #endif

@@ -1,6 +1,6 @@
 /* Cameras, lights and meshes. All but `mesh` itself is done while the script is
  * read, so that a mesh can be refused there. */
-#include "sim/script/assets.h"
+#include "sim/script/parser.h"
 
 static void set_numbers(double *to, const int32_t *v, size_t n)
 {
@@ -118,7 +118,7 @@ static void set_own_colors(struct script_pen *pen, const int32_t *v)
 
 static void draw_mesh(struct script_pen *pen, const int32_t *v)
 {
-    if (!scene_draw(&pen->assets->meshes[v[0]]->scene, pen->surface))
+    if (!scene_draw(&pen->assets[v[0]].mesh->scene, pen->surface))
         pen->failed = true;
 }
 

@@ -58,6 +58,13 @@ bool script_draws(const struct script_command *command)
     }
 }
 
+bool script_clip_holds(const struct script_pen *pen, const int pixel[2])
+{
+    const struct pel_rect *r = &pen->clip;
+    return pixel[0] >= r->x0 && pixel[0] < r->x1 && pixel[1] >= r->y0 &&
+           pixel[1] < r->y1;
+}
+
 /* Drawn twice, onto different words: what it leaves, it leaves different. */
 bool script_covers(const struct script_pen *pen, const struct script *script,
                    const struct script_item *item, const int pixel[2],
@@ -93,14 +100,14 @@ long script_pick(const struct script *script, int x, int y)
     for (size_t i = 0; i < script->item_count; i++) {
         const struct script_item *item = &script->items[i];
         const struct script_command *c = item->command;
-        const bool shown = x >= pen.clip.x0 && x < pen.clip.x1 &&
-                           y >= pen.clip.y0 && y < pen.clip.y1;
-        if (!script_draws(c) && c->role != SCRIPT_SCENE)
-            script_perform(&pen, c, script->values + item->first, item->count);
-        else if (script_draws(c) && c->role != SCRIPT_WHOLE &&
-                 strcmp(c->name, "clear") != 0 && shown &&
-                 script_covers(&pen, script, item, at, &color) &&
-                 pel_alpha(color) > 0)
+        if (!script_draws(c)) {
+            if (c->role != SCRIPT_SCENE)
+                script_perform(&pen, c, script->values + item->first,
+                               item->count);
+        } else if (c->role != SCRIPT_WHOLE && strcmp(c->name, "clear") != 0 &&
+                   script_clip_holds(&pen, at) &&
+                   script_covers(&pen, script, item, at, &color) &&
+                   pel_alpha(color) > 0)
             found = (long)i;
     }
     script_pen_free(&pen);

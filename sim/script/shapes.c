@@ -29,24 +29,14 @@ static const char *check_rect(const int32_t *v, size_t n)
     return NULL;
 }
 
-/* Angles of 0 and 1 are the same, and the whole turn from 0 to 1. */
-static const char *check_turns(const int32_t *from_to)
+/* FROM and TO are the last. Angles of 0 and 1 are the same, and the whole turn
+ * from 0 to 1. */
+static const char *check_turns(const int32_t *v, size_t n)
 {
-    return from_to[1] <= from_to[0] && !((from_to[0] - from_to[1]) & 65535)
+    const int32_t from = v[n - 2], to = v[n - 1];
+    return to <= from && !((from - to) & 65535)
                ? "FROM and TO are the same angle: 0 1 is the whole turn"
                : NULL;
-}
-
-static const char *check_sector(const int32_t *v, size_t n)
-{
-    (void)n;
-    return check_turns(v + 3);
-}
-
-static const char *check_arc(const int32_t *v, size_t n)
-{
-    (void)n;
-    return check_turns(v + 4);
 }
 
 static const char *check_thick(const int32_t *v, size_t n)
@@ -72,21 +62,8 @@ static void set_clip(struct script_pen *pen, const int32_t *v)
 
 static void draw_triangle(struct script_pen *pen, const int32_t *v)
 {
-    struct pel_gouraud gouraud;
-    const struct pel_paint *paint;
-    if (pen->make) {
-        paint = script_paint(pen);
-    } else {
-        const pel_color color[3] = {(pel_color)pen->values[0],
-                                    (pel_color)pen->values[1],
-                                    (pel_color)pen->values[2]};
-        pel_gouraud_init(&gouraud, points(v), color);
-        paint = script_dithered(pen, &gouraud.paint);
-    }
-    if (pen->collinear_line)
-        pel_triangle_or_line(pen->surface, points(v), paint);
-    else
-        pel_triangle(pen->surface, points(v), paint);
+    (pen->collinear_line ? pel_triangle_or_line : pel_triangle)(
+        pen->surface, points(v), script_paint(pen));
 }
 
 /* The functions below draw a shape or, as the row of the table says, its
@@ -189,9 +166,9 @@ const struct script_command script_shapes[] = {
     SHAPE("line", "pppp", "X0 Y0 X1 Y1", .draw = draw_line),
     SHAPE("ring", "ppll", "CX CY INNER OUTER", .draw = draw_ring),
     SHAPE("sector", "ppltt", "CX CY R FROM TO", .draw = draw_sector,
-          .check = check_sector),
+          .check = check_turns),
     SHAPE("arc", "pplltt", "CX CY INNER OUTER FROM TO", .draw = draw_arc,
-          .check = check_arc),
+          .check = check_turns),
     SHAPE("ellipse", "ppll", "CX CY RX RY", .draw = draw_ellipse),
     SHAPE("roundrect", "pplll", "X Y WIDTH HEIGHT R", .draw = draw_rounded,
           .check = check_rect),
@@ -208,10 +185,10 @@ const struct script_command script_shapes[] = {
     SHAPE("outline ellipse", "ppll", "CX CY RX RY", .draw = draw_ellipse,
           .outline = true),
     SHAPE("outline arc", "ppltt", "CX CY R FROM TO", .draw = draw_sector,
-          .check = check_sector, .outline = true),
+          .check = check_turns, .outline = true),
     SHAPE("outline polygon evenodd", "pppppp*", "X Y X Y X Y ...",
           .draw = draw_polygon, .rule = PEL_EVEN_ODD, .outline = true),
     SHAPE("outline polygon nonzero", "pppppp*", "X Y X Y X Y ...",
           .draw = draw_polygon, .rule = PEL_NON_ZERO, .outline = true),
-    {.name = NULL},
+    {.next = script_images},
 };

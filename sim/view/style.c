@@ -1,4 +1,4 @@
-#include "sim/view/style.h"
+#include "sim/view/figures.h"
 
 #include <string.h>
 

@@ -8,7 +8,6 @@
 #include "sim/cli/message.h"
 #include "sim/mesh/pel2d.h"
 #include "sim/render/scene_options.h"
-#include "sim/view/keys.h"
 #include "sim/view/sheet.h"
 #include "sim/view/turntable.h"
 #include "sim/view/viewer.h"
@@ -18,22 +17,9 @@ struct view_options {
     struct scene_options scene;
     struct viewer_options viewer;
     bool has_step; /* not by the clock: */
-    double step;   /* turns of a mesh from frame to frame */
+    double step;   /* degrees that a mesh turns from frame to frame */
     bool still;    /* no movement at the start */
 };
-
-static bool parse_step(const char *option, const char *text, void *input)
-{
-    struct view_options *o = input;
-    static const struct option_row numbers = {.n = 1, .low = -360, .high = 360};
-    double degrees = 0;
-    o->has_step = true;
-    if (!option_numbers(text, &numbers, &degrees))
-        return option_refuse(option, text,
-                             "degrees from -360 to 360, such as 7.5");
-    o->step = degrees / 360;
-    return true;
-}
 
 #define AT(member) offsetof(struct view_options, member)
 
@@ -53,7 +39,9 @@ static const struct option_row options[] = {
      OPTION_TEXT, .offset = AT(viewer.replay)},
     {"step", "DEGREES",
      "turn a mesh by so much from frame to frame, whatever the time",
-     OPTION_CALL, .parse = parse_step},
+     OPTION_NUMBERS, .offset = AT(step), .flag = AT(has_step), .n = 1,
+     .low = -360, .high = 360,
+     .expected = "degrees from -360 to 360, such as 7.5"},
     {"still", NULL, "nothing moves until space is pressed", OPTION_FLAG,
      .offset = AT(still)},
     {"buttons", "CHIP:LINES", "buttons at GPIO lines: see pel input --help",
@@ -97,7 +85,7 @@ static bool run_mesh(const struct view_options *o)
         return false;
     bool done = turntable_init(&t, &model, &o->scene.settings, o->device.jobs);
     t.has_step = o->has_step;
-    t.step = o->step;
+    t.step = o->step / 360;
     t.view.turning = !o->still;
     done = done && show(&t.show, o);
     turntable_free(&t);

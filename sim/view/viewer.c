@@ -51,20 +51,19 @@ bool viewer_is_over(const struct viewer *viewer)
     return viewer->over || (frames > 0 && viewer->drawn >= frames);
 }
 
-/* Measures once a second. True when it did. */
-static bool measure(struct viewer *viewer, double now)
+/* Measures once a second. */
+static void measure(struct viewer *viewer, double now)
 {
     const double passed = now - viewer->rate.since;
     const int drawn = viewer->drawn - viewer->rate.drawn;
     if (passed < 1000)
-        return false;
+        return;
     viewer->rate.fps = drawn * 1000 / passed;
     viewer->rate.milliseconds =
         drawn ? (viewer->drawing - viewer->rate.drawing) / drawn : 0;
     viewer->rate.since = now;
     viewer->rate.drawn = viewer->drawn;
     viewer->rate.drawing = viewer->drawing;
-    return true;
 }
 
 /* A step of time, when it is due: the one after it comes a period later, or at
@@ -89,7 +88,7 @@ static bool step(struct viewer *viewer, double now)
     return viewer->moves;
 }
 
-bool viewer_advance(struct viewer *viewer)
+void viewer_advance(struct viewer *viewer)
 {
     const double now = milliseconds();
     if (viewer->begun == 0 && viewer->options->frames == 0)
@@ -97,11 +96,11 @@ bool viewer_advance(struct viewer *viewer)
     if (viewer->drawn == 0) {
         viewer->begun = viewer->last = viewer->rate.since = now;
         viewer->due = now + viewer->show->period;
-        return false;
+        return;
     }
     viewer->stale =
         step(viewer, now) || viewer->stale || viewer->options->frames > 0;
-    return measure(viewer, now);
+    measure(viewer, now);
 }
 
 int viewer_idle(const struct viewer *viewer)
@@ -123,13 +122,9 @@ bool viewer_draw(struct viewer *viewer, const struct pel_surface *surface)
     const bool done = viewer->show->draw(viewer->show, surface);
     viewer->show->draw_time = milliseconds() - start;
     viewer->drawing += viewer->show->draw_time;
-    return done;
-}
-
-void viewer_shown(struct viewer *viewer)
-{
     viewer->drawn++;
     viewer->stale = false;
+    return done;
 }
 
 static bool save(const struct pel_surface *surface, const char *path)

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "sim/mesh/depth.h"
+#include "sim/mesh/pel2d.h"
 
 struct row {
     const char *text;

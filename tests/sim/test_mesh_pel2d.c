@@ -4,6 +4,7 @@
 #include "tests/support/check.h"
 
 #include "files.h"
+#include "sim/cli/list.h"
 #include "sim/mesh/pel2d.h"
 
 #define HEAD "pel2d 3 1\n"
@@ -142,7 +143,7 @@ static void add_random(struct pel2d *flat, struct random *r)
     for (int i = 0; i < 3; i++)
         v.depth.limb[i] = sign * (int64_t)(random_word(r) % 1000000000) *
                           (int64_t)(random_word(r) % 1000000000);
-    assert_true(pel2d_add_vertex(flat, &v));
+    assert_true(list_add(&flat->vertex, &flat->vertices, &v, sizeof v));
 }
 
 static void assert_same(const struct pel2d *a, const struct pel2d *b)
@@ -174,7 +175,8 @@ TEST(round_trip)
     for (int i = 0; i < 1000; i++) {
         const uint32_t index[3] = {(uint32_t)(random_word(&r) % 3000),
                                    (uint32_t)(random_word(&r) % 3000), 2999};
-        assert_true(pel2d_add_triangle(&flat, index));
+        assert_true(
+            list_add(&flat.triangle, &flat.triangles, index, sizeof index));
     }
     assert_true(pel2d_save(&flat, path));
     assert_true(pel2d_load(&back, path));

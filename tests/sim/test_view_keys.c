@@ -5,7 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "sim/view/keys.h"
+#include "sim/view/turntable.h"
+#include "sim/view/viewer.h"
 
 /* A view of the built-in mesh. */
 static void make(struct view *view, struct model *model)

@@ -132,7 +132,7 @@ int __wrap_pel_gpio_open(struct pel_gpio *gpio,
     static const char *const names[] = {"GPIO25", "27", "GPIO18"};
     memset(gpio, 0, sizeof *gpio);
     if (fails()) {
-        pel_message_errno(message, request->lines[0], errno);
+        pel_message_errno(message, request->lines[0]);
         return errno;
     }
     for (int i = 0; i < 3; i++)
