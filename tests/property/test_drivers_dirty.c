@@ -131,8 +131,6 @@ TEST(dirty_frames_equal_whole_ones)
         }
         sent += f.dma.bytes;
     }
-    print_message("dirty areas: %lu of %lu bytes sent\n", (unsigned long)sent,
-                  (unsigned long)whole);
     assert_true(sent < whole / 2);
 }
 

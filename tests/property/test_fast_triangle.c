@@ -38,9 +38,6 @@ static void check_sizes(uint64_t count, const int32_t px[2], int32_t width)
         triangle_of_size(&c.random, w, height, v);
         probe_triangle(&p, v);
     }
-    print_message("%llu fast, %llu batches, %llu rows\n",
-                  (unsigned long long)p.fast, (unsigned long long)p.slow,
-                  (unsigned long long)p.rows);
     assert_true(p.fast > 0);
 }
 

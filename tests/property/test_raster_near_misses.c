@@ -94,8 +94,6 @@ static void check_edges(uint64_t count, const int32_t dy[2])
         draw(r, &p[0], &m);
         draw(r, &p[1], &m);
     }
-    print_message("%llu fast, %llu rows\n", (unsigned long long)p[0].fast,
-                  (unsigned long long)(p[0].rows + p[1].rows));
     assert_true(p[1].rows > 0);
 }
 

@@ -102,33 +102,18 @@ static void check_polygons(generator *generate, uint64_t count)
         hits_check(&hits, in_polygon, &outline, "polygon");
         covered += hits.pixels;
     }
-    print_message("%llu pixels covered\n", (unsigned long long)covered);
     assert_true(covered > 0);
 }
 
-TEST(random)
+TEST(polygons)
 {
-    check_polygons(shape_random, 10000);
-    check_polygons(shape_adversarial, 10000);
-}
-
-TEST(pixels)
-{
-    check_polygons(pixels, 6000);
-}
-
-TEST(stars_and_spirals)
-{
-    check_polygons(star, 4500);
-    check_polygons(spiral, 4500);
-}
-
-TEST(combs)
-{
-    check_polygons(comb, 6000);
-}
-
-TEST(repeated_sides)
-{
-    check_polygons(repeat, 4500);
+    static const struct {
+        generator *generate;
+        uint64_t count;
+    } rows[] = {{shape_random, 10000}, {shape_adversarial, 10000},
+                {pixels, 6000},        {star, 4500},
+                {spiral, 4500},        {comb, 6000},
+                {repeat, 4500}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        check_polygons(rows[i].generate, rows[i].count);
 }

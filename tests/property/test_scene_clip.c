@@ -149,8 +149,6 @@ TEST(clipped_triangles_leave_no_gap)
         seen += pixels;
         clipped += pixels && p.clipped;
     }
-    print_message("%llu pixels, %llu pictures with triangles that are cut\n",
-                  (unsigned long long)seen, (unsigned long long)clipped);
     assert_true(seen > 0 && clipped > 0);
 }
 
@@ -203,7 +201,5 @@ TEST(vertices_stay_where_neighbours_see_them)
         if (memcmp(whole, hits, sizeof whole) != 0)
             fail_msg("bands differ; %s", cases_replay());
     }
-    print_message("%llu pictures with triangles that are cut beside others\n",
-                  (unsigned long long)pictures);
     assert_true(pictures > 0);
 }

@@ -60,8 +60,8 @@ TEST(normals_are_means_of_faces)
             real sum[3] = {0, 0, 0};
             for (uint32_t t = 0; t < m.mesh.triangles; t++)
                 add_face(&m, t, v, sum);
-            const real length = reference_root(
-                sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+            const real length =
+                real_root(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
             zeros += length == 0;
             for (int k = 0; k < 3; k++) {
                 const real want = length > 0 ? sum[k] / length * 32767 : 0;

@@ -86,8 +86,8 @@ TEST(gradients_are_exact)
 
 static real worst_part(const int64_t v[3], const pel_cosine unit[3])
 {
-    const real length = reference_root((real)v[0] * v[0] + (real)v[1] * v[1] +
-                                       (real)v[2] * v[2]);
+    const real length =
+        real_root((real)v[0] * v[0] + (real)v[1] * v[1] + (real)v[2] * v[2]);
     real worst = 0;
     for (int k = 0; k < 3; k++) {
         const real off = unit[k] / (real)PEL_COSINE_ONE - v[k] / length;

@@ -92,8 +92,6 @@ static const struct pel_paint *clear_paint(
 
 static const struct pel_shading numbers_or_clear = {NULL, NULL, clear_paint};
 
-static uint64_t pixels, close_ones;
-
 /* The one that is seen is the nearest, but for what the buffer's bits cannot
  * tell apart. */
 static void check_pixel(const struct any_scene *s,
@@ -109,8 +107,6 @@ static void check_pixel(const struct any_scene *s,
     }
     if (!s->texture.texels.opaque && is_clear(at.x, at.y))
         nearest = 0;
-    pixels += got != 0;
-    close_ones += seen < nearest;
     const real step = bits == 16 ? 1.01L / 65536 : 1.0L / (1 << 26);
     if (nearest - seen > step || (nearest > 0) != (got > 0))
         fail_msg("%d bits, pixel %d, %d: triangle %u at near / z = %.9f, the "
@@ -150,9 +146,6 @@ TEST(the_nearest_is_seen)
             for (int32_t x = v->x0; x < v->x1; x += 3)
                 check_pixel(&s, &frame, &c, (struct pel_point){x, y}, bits);
     }
-    print_message("%llu pixels, %llu with a surface nearer by less than a "
-                  "step\n",
-                  (unsigned long long)pixels, (unsigned long long)close_ones);
 }
 
 /* Is a pixel at distance z seen in front of one at z + gap? */

@@ -177,7 +177,6 @@ static void draw_frames(const struct pel_format *format, int frames)
             memcmp(canvas[0].memory, canvas[1].memory, size) != 0)
             fail_msg("frame %d is another one", frame);
     }
-    print_message("%d frames: %ld of %ld bytes drawn\n", frames, sent, all);
     assert_true(sent < all);
     for (int i = 0; i < 2; i++)
         canvas_free(&canvas[i]);

@@ -1,4 +1,4 @@
-/* Ramps from stops: exact colors, hard edges, errors. */
+/* Ramps from stops: exact colors, errors. */
 #include "core/paint/color_ramp.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
@@ -37,6 +37,7 @@ static void check_ramp(const struct pel_stop *s, int32_t count, int32_t n)
         }
 }
 
+/* Stops at one place among them: the later color from there on. */
 TEST(exact)
 {
     for (struct cases c = cases_of(2000); cases_next(&c);) {
@@ -51,27 +52,6 @@ TEST(exact)
         }
         check_ramp(s, count, random_between(r, 1, c.next % 16 ? 300 : 4096));
     }
-}
-
-/* Stops at one place: the later color from there on. */
-TEST(hard_edge)
-{
-    static const struct pel_stop s[] = {
-        {0, 0xFF000000}, {16384, 0xFF000000}, {16384, 0xFFFFFFFF}};
-    pel_color ramp[8];
-    assert_int_equal(pel_ramp_fill(ramp, 8, s, 3), PEL_OK);
-    for (int i = 0; i < 8; i++)
-        assert_int_equal(ramp[i], i < 2 ? 0xFF000000 : 0xFFFFFFFF);
-}
-
-/* In the very middle of a cell too. */
-TEST(hard_edge_in_the_middle)
-{
-    static const struct pel_stop s[] = {
-        {0, 0xFF000000}, {32768, 0xFF000000}, {32768, 0xFFFFFFFF}};
-    pel_color ramp[1];
-    assert_int_equal(pel_ramp_fill(ramp, 1, s, 3), PEL_OK);
-    assert_int_equal(ramp[0], 0xFFFFFFFF);
 }
 
 TEST(largest)

@@ -1,5 +1,4 @@
-/* Rectangles and clears: which pixels, which bytes, and what draws nothing. */
-
+/* Boxes and clears: which pixels, which bytes, and what draws nothing. */
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 
@@ -45,33 +44,6 @@ TEST(clear_of_an_empty_clip)
         pel_surface_clip(&canvas.surface, &clips[k]);
         pel_clear(&canvas.surface, 0xFFFFFFFF);
         assert_memory_equal(canvas.memory, canvas.before, canvas.size);
-    }
-}
-
-/* Corners in sub-pixels around pixel (1, 2): its centre is at (384, 640). */
-TEST(rectangle_takes_centres)
-{
-    static const struct {
-        struct pel_point from, to;
-        bool in;
-    } row[] = {
-        {{384, 640}, {385, 641}, true},  {{385, 640}, {500, 641}, false},
-        {{384, 641}, {385, 700}, false}, {{300, 600}, {384, 641}, false},
-        {{300, 600}, {385, 640}, false}, {{300, 600}, {385, 641}, true},
-        {{385, 641}, {384, 640}, false}, {{384, 640}, {384, 641}, false},
-        {{384, 640}, {385, 640}, false}, {{500, 641}, {300, 640}, false},
-        {{256, 512}, {512, 768}, true},
-    };
-    const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
-    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
-        canvas_open(&canvas, &pel_gray8, &bounds, 0);
-        pel_clear(&canvas.surface, 0);
-        pel_rectangle(&canvas.surface, row[i].from, row[i].to, &white.paint);
-        for (int32_t y = 0; y < 5; y++)
-            for (int32_t x = 0; x < 4; x++)
-                if ((canvas_pixel(&canvas, x, y) == 255) !=
-                    (row[i].in && x == 1 && y == 2))
-                    fail_msg("row %zu: %d, %d", i, x, y);
     }
 }
 
