@@ -64,4 +64,6 @@ TEST(quotients)
             fail_msg("%llu / %llu, 32 bits", (unsigned long long)n,
                      (unsigned long long)d);
     }
+    assert_int_equal(pel_divide(UINT64_C(0xFFFFFFFEFFFFFFFF), UINT32_MAX),
+                     UINT32_MAX);
 }

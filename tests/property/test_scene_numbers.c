@@ -1,6 +1,5 @@
 /* Arithmetic of the 3-D pipeline, of which there are two where products of 64
  * bits are long: both give these numbers. */
-#include "core/base/divide.h"
 #include "core/raster/plane.h"
 #include "core/scene/vector.h"
 #include "tests/support/cases.h"
@@ -13,22 +12,6 @@ static int64_t any_number(struct random *r, int bits)
     const uint64_t word = (uint64_t)random_word(r) << 32 | random_word(r);
     const int64_t v = (int64_t)(word >> (64 - bits));
     return random_word(r) % 2 ? v : -v;
-}
-
-TEST(division)
-{
-    for (struct cases c = cases_of(300000); cases_next(&c);) {
-        struct random *r = &c.random;
-        uint32_t d = random_word(r) >> random_word(r) % 32;
-        d += d == 0;
-        const uint64_t q = random_word(r) >> random_word(r) % 32;
-        const uint64_t n = q * d + random_word(r) % d;
-        if (pel_divide(n, d) != q)
-            fail_msg("%llu / %u is not %u; %s", (unsigned long long)n, d,
-                     pel_divide(n, d), cases_replay());
-    }
-    assert_int_equal(pel_divide(UINT64_C(0xFFFFFFFEFFFFFFFF), UINT32_MAX),
-                     UINT32_MAX);
 }
 
 /* The quotient of gradients, cut towards zero. */

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "files.h"
 
 #include "sim/cli/child.h"
 #include "sim/cli/message.h"
@@ -45,12 +45,10 @@ static bool work(const void *what, FILE *out)
 TEST(messages)
 {
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        char text[1024] = "";
-        FILE *const kept = stderr;
-        stderr = fmemopen(text, sizeof text, "w");
+        struct messages m;
+        messages_begin(&m);
         const FILE *const result = child_run("memory.obj", work, &rows[i]);
-        fclose(stderr);
-        stderr = kept;
+        const char *text = messages_end(&m);
         assert_null(result);
         if (!strstr(text, rows[i].said) || strstr(text, rows[i].not_said))
             fail_msg("row %zu: %s", i, text);
