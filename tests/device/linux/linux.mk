@@ -42,7 +42,8 @@ $(LINUX_CHECK)/layout: $(LINUX_HERE)/layout.c $(LINUX_OBJECTS) \
 
 LINUX_PANEL_WRAPS := open ioctl fcntl nanosleep pel_gpio_open pel_gpio_close pel_gpio_set
 $(LINUX_CHECK)/panel_bus: $(LINUX_HERE)/panel_bus.c $(LINUX_OBJECTS) \
-    tests/support/panel_glass.c tests/support/check.c $(BUILD)/libpel.a
+    tests/support/panel_glass.c tests/support/check.c tests/support/main.c \
+    $(BUILD)/libpel.a
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) \
 	    $(LINUX_PANEL_WRAPS:%=-Wl$(comma)--wrap=%) $^ $(LINUX_LIBS) -lcmocka \
@@ -52,14 +53,14 @@ LINUX_INPUT_WRAPS := access open epoll_ctl libevdev_new_from_fd libevdev_get_fd 
     libevdev_set_clock_id libevdev_next_event pel_gpio_open pel_gpio_close \
     pel_gpio_levels pel_gpio_edges pel_gpio_descriptors
 $(LINUX_CHECK)/input_devices: $(LINUX_HERE)/input_devices.c $(LINUX_OBJECTS) \
-    tests/support/check.c $(BUILD)/libpel.a
+    tests/support/check.c tests/support/main.c $(BUILD)/libpel.a
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) \
 	    $(LINUX_INPUT_WRAPS:%=-Wl$(comma)--wrap=%) $^ $(LINUX_LIBS) -lcmocka \
 	    -o $@
 
 $(LINUX_CHECK)/panel_check: $(LINUX_HERE)/panel_check.c \
-    tests/support/panel_glass.c tests/support/check.c
+    tests/support/panel_glass.c
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $^ -lcmocka -o $@
 

@@ -239,7 +239,7 @@ static void check_glass(int i)
         fail_msg("%s: pixel %d, %d", devices[i].name, at[0], at[1]);
 }
 
-static void test_frames(void)
+TEST(frames)
 {
     for (int i = 0; i < DEVICES; i++) {
         assert_int_equal(open_device(i), 0);
@@ -256,7 +256,7 @@ static void test_frames(void)
 }
 
 /* What a 240x240 frame, and a window of 10x100, cost, told for docs. */
-static void test_system_calls(void)
+TEST(system_calls)
 {
     const struct pel_rect part = {7, 50, 17, 150};
     assert_int_equal(open_device(0), 0);
@@ -286,7 +286,7 @@ static int open_files(void)
     return n;
 }
 
-static void test_every_call_that_fails(void)
+TEST(every_call_that_fails)
 {
     static const int errors[] = {EIO,    EINVAL,   ENODEV,    EBUSY,
                                  EACCES, ENOENT,   ENXIO,     EREMOTEIO,
@@ -319,7 +319,7 @@ static void test_every_call_that_fails(void)
 }
 
 /* A second program is refused before it has changed anything. */
-static void test_chips_of_others(void)
+TEST(chips_of_others)
 {
     mode_set = -1;
     fail_at = 1; /* the line D/C */
@@ -335,7 +335,7 @@ static void test_chips_of_others(void)
     fail_at = 0;
 }
 
-static void test_i2c_of_other_chips(void)
+TEST(i2c_of_other_chips)
 {
     static const uint8_t bytes[129];
     const struct pel_bus_request request = {
@@ -349,7 +349,7 @@ static void test_i2c_of_other_chips(void)
     pel_bus_linux_close(&bus);
 }
 
-static void test_glass_that_is_refused(void)
+TEST(glass_that_is_refused)
 {
     struct pel_panel_request request;
     static const char *const names[][2] = {
@@ -365,11 +365,4 @@ static void test_glass_that_is_refused(void)
         pel_display_panel_close(&panel);
         assert_int_equal(wire.count, 0);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_frames, test_system_calls, test_every_call_that_fails,
-                     test_chips_of_others, test_i2c_of_other_chips,
-                     test_glass_that_is_refused);
 }
