@@ -181,7 +181,7 @@ bool pel_depth_fast(const struct pel_paint *paint,
             draw_rows(p, surface, triangle, false, false);
         return true;
     }
-    if (p->inner->fast != pel_gouraud_fast ||
+    if (p->inner->fill != pel_gouraud_fill ||
         pel_gouraud_bytes((const void *)p->inner, surface->format) != 4)
         return false;
     if (wide)

@@ -87,7 +87,7 @@ enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
         return PEL_ERROR_RANGE;
     struct pel_plane_setup s;
     const bool opaque = pel_alpha(c[0] & c[1] & c[2]) == 255;
-    paint->paint = (struct pel_paint)PEL_GOURAUD_PAINT;
+    paint->paint = (struct pel_paint){pel_gouraud_fill, NULL};
     const bool has_area = start(&s, v);
     for (int k = 0; k < 4; k++) {
         paint->at[k] = (c[s.first] >> 8 * k << 24) + 0x800000u;
