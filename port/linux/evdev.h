@@ -28,6 +28,11 @@ enum { PEL_EVDEV_FINGERS = 10 };
 
 struct libevdev;
 
+struct pel_evdev_finger {
+    int16_t x, y; /* px */
+    bool down;
+};
+
 /* One that is open. */
 struct pel_evdev {
     struct libevdev *device; /* NULL: none */
@@ -35,13 +40,12 @@ struct pel_evdev {
     int width, height;       /* px: places are within 0..width - 1 */
     bool keys;               /* tells keys, too: see pel_evdev_open */
     uint8_t places;          /* what its places mean: see evdev.c */
+    int slots, fingers;      /* slots: 0 where one finger has none */
     bool more;               /* there was no room for all of what came */
     uint16_t losses;         /* of the queue, as seen last */
-    int slot;                /* of the finger that is spoken of */
-    struct {
-        int16_t x, y;
-        bool down, changed, told;
-    } finger[PEL_EVDEV_FINGERS]; /* the first is a pointer or a pen, too */
+    struct pel_evdev_finger finger[PEL_EVDEV_FINGERS]; /* as told; the first is
+                                                          a pointer or a pen,
+                                                          too */
     int16_t move_x, move_y, wheel_x, wheel_y; /* of the report that comes in */
 };
 
