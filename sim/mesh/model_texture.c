@@ -4,13 +4,6 @@
 #include "sim/cli/list.h"
 #include "sim/image/texture.h"
 
-static bool load_picture(struct picture *picture, const struct mesh_texture *t,
-                         const char *path)
-{
-    return t->bytes ? texture_load_bytes(picture, path, t->bytes, t->size)
-                    : texture_load(picture, t->path);
-}
-
 /* Alpha as the material has it: the least that is drawn becomes 128. */
 static uint32_t alpha_of(const struct mesh_material *m, pel_color color)
 {
@@ -35,14 +28,6 @@ static void apply_material(struct model_texture *t)
     t->opaque = texture_opaque(&t->picture);
 }
 
-static bool same_look(const struct mesh_material *a,
-                      const struct mesh_material *b)
-{
-    return a->texture == b->texture && a->tint == b->tint &&
-           a->alpha == b->alpha && a->cutoff == b->cutoff &&
-           a->wrap_u == b->wrap_u && a->wrap_v == b->wrap_v;
-}
-
 /* The number of a material's texture; 0 when memory is short. Of one that
  * cannot be read, with a message, the picture is empty. */
 static uint32_t texture_of(struct model *model, const struct mesh_texture *from,
@@ -50,10 +35,17 @@ static uint32_t texture_of(struct model *model, const struct mesh_texture *from,
                            const char *path)
 {
     struct model_texture new = {.material = *material};
-    for (uint32_t i = 0; i < model->textures; i++)
-        if (same_look(&model->texture[i].material, material))
+    for (uint32_t i = 0; i < model->textures; i++) {
+        const struct mesh_material *a = &model->texture[i].material;
+        const struct mesh_material *b = material;
+        if (a->texture == b->texture && a->tint == b->tint &&
+            a->alpha == b->alpha && a->cutoff == b->cutoff &&
+            a->wrap_u == b->wrap_u && a->wrap_v == b->wrap_v)
             return i + 1;
-    if (load_picture(&new.picture, from, path))
+    }
+    if (from->bytes
+            ? texture_load_bytes(&new.picture, path, from->bytes, from->size)
+            : texture_load(&new.picture, from->path))
         apply_material(&new);
     else
         message_error_at(path, 0, "its texture %s is left out", from->path);

@@ -5,34 +5,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "sim/cli/list.h"
-#include "sim/cli/message.h"
 #include "sim/cli/output.h"
 #include "sim/cli/text_line.h"
-
-enum { COUNT_MAX = 1 << 28 };
-
-static bool add(void *list, uint32_t *count, const void *entry, size_t size)
-{
-    size_t n = *count;
-    const bool done = n < COUNT_MAX ? list_add(list, &n, entry, size)
-                                    : message_error("a mesh has at most %d "
-                                                    "vertices or triangles",
-                                                    COUNT_MAX);
-    *count = (uint32_t)n;
-    return done;
-}
-
-bool pel2d_add_vertex(struct pel2d *flat, const struct pel2d_vertex *vertex)
-{
-    return add(&flat->vertex, &flat->vertices, vertex, sizeof *vertex);
-}
-
-bool pel2d_add_triangle(struct pel2d *flat, const uint32_t index[3])
-{
-    return add(&flat->triangle, &flat->triangles, index,
-               sizeof *flat->triangle);
-}
 
 void pel2d_free(struct pel2d *flat)
 {
@@ -58,17 +32,6 @@ bool pel2d_is_file(const char *path)
            (text[5] == ' ' || text[5] == '\t');
 }
 
-/* Sub-pixels as a decimal without trailing zeros: 1/256 has eight places. */
-static void print_coordinate(FILE *out, int32_t value)
-{
-    char text[24];
-    int n = snprintf(text, sizeof(text), "%.8f", value / 256.0);
-    while (text[n - 1] == '0')
-        n--;
-    text[text[n - 1] == '.' ? n - 1 : n] = '\0';
-    fprintf(out, "%s ", text);
-}
-
 /* As few digits as give the same double. */
 static void print_double(FILE *out, double value, char after)
 {
@@ -86,10 +49,9 @@ static void print_vertex(FILE *out, const struct pel2d_vertex *v)
 {
     char depth[MESH_DEPTH_TEXT];
     mesh_depth_format(&v->depth, depth);
-    print_coordinate(out, v->at.x);
-    print_coordinate(out, v->at.y);
-    fprintf(out, "%u %u %u %s ", pel_red(v->color), pel_green(v->color),
-            pel_blue(v->color), depth);
+    /* 1/256 has eight places behind the point. */
+    fprintf(out, "%.13g %.13g %u %u %u %s ", v->at.x / 256.0, v->at.y / 256.0,
+            pel_red(v->color), pel_green(v->color), pel_blue(v->color), depth);
     print_double(out, v->u, ' ');
     print_double(out, v->v, '\n');
 }
@@ -100,10 +62,10 @@ bool pel2d_save(const struct pel2d *flat, const char *path)
     if (!output_open(&output, path))
         return false;
     FILE *out = output.stream;
-    fprintf(out, "pel2d %u %u\n", flat->vertices, flat->triangles);
-    for (uint32_t i = 0; i < flat->vertices; i++)
+    fprintf(out, "pel2d %zu %zu\n", flat->vertices, flat->triangles);
+    for (size_t i = 0; i < flat->vertices; i++)
         print_vertex(out, &flat->vertex[i]);
-    for (uint32_t i = 0; i < flat->triangles; i++)
+    for (size_t i = 0; i < flat->triangles; i++)
         fprintf(out, "%u %u %u\n", flat->triangle[i][0], flat->triangle[i][1],
                 flat->triangle[i][2]);
     return output_commit(&output);

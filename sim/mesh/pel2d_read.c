@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/cli/message.h"
+#include "sim/cli/list.h"
 #include "sim/cli/number.h"
 #include "sim/cli/text_line.h"
 
@@ -22,44 +22,30 @@ struct reader {
     uint32_t vertices, triangles; /* as the first line has them */
 };
 
-/* The next line without its end; false, with a message, when there is none or
- * it cannot be text. `wanted` is what is expected there. */
-static bool next_line(struct reader *r, const char *wanted)
+/* The next line, which is to be text of exactly `fields` fields: `wanted`. */
+static bool next_fields(struct reader *r, int fields, const char *wanted)
 {
+    char *rest = NULL, *text = r->text;
+    const enum text_line got = text_line_read(r->file, text, sizeof(r->text));
     r->line++;
-    const enum text_line got =
-        text_line_read(r->file, r->text, sizeof(r->text));
     if (ferror(r->file))
         return ERROR_AT(r, "%s", strerror(errno));
-    return got == TEXT_LINE ||
-           ERROR_AT(r, "%s: expected %s",
-                    got == TEXT_LINE_ZERO   ? "a NUL byte"
-                    : got == TEXT_LINE_LONG ? "a line of over 1,023 bytes"
-                                            : "the file ends here",
-                    wanted);
-}
-
-static void split(struct reader *r)
-{
-    const size_t mark = r->line == 1 ? byte_order_mark(r->text) : 0;
-    char *rest = NULL, *text = r->text + mark;
+    if (got != TEXT_LINE)
+        return ERROR_AT(r, "%s: expected %s",
+                        got == TEXT_LINE_ZERO   ? "a NUL byte"
+                        : got == TEXT_LINE_LONG ? "a line of over 1,023 bytes"
+                                                : "the file ends here",
+                        wanted);
+    if (r->line == 1)
+        text += byte_order_mark(text);
     r->fields = 0;
     while (r->fields <= FIELDS_MAX &&
            (r->field[r->fields] = strtok_r(text, " \t\r\n", &rest)) != NULL) {
         r->fields++;
         text = NULL;
     }
-}
-
-/* The next line, of exactly `fields` fields. */
-static bool next_fields(struct reader *r, int fields, const char *wanted)
-{
-    if (!next_line(r, wanted))
-        return false;
-    split(r);
-    if (r->fields == fields)
-        return true;
-    return ERROR_AT(r, "%s%d fields: expected %s",
+    return r->fields == fields ||
+           ERROR_AT(r, "%s%d fields: expected %s",
                     r->fields > FIELDS_MAX ? "more than " : "",
                     r->fields > FIELDS_MAX ? FIELDS_MAX : r->fields, wanted);
 }
@@ -107,15 +93,6 @@ static bool parse_coordinate(struct reader *r, int i, const char *name,
     return true;
 }
 
-static bool parse_depth(struct reader *r, int i, struct mesh_depth *depth)
-{
-    return mesh_depth_parse(r->field[i], depth) ||
-           ERROR_AT(r,
-                    "depth is '%s': expected a decimal below 1e18 in size with "
-                    "at most 36 digits after the point",
-                    r->field[i]);
-}
-
 static bool parse_uv(struct reader *r, int i, const char *name, double *value)
 {
     char *end;
@@ -150,11 +127,17 @@ static bool read_vertex(struct reader *r, struct pel2d *flat)
         !parse_coordinate(r, 1, "y", &v.at.y) ||
         !parse_integer(r, 2, "r", 255, &c[0]) ||
         !parse_integer(r, 3, "g", 255, &c[1]) ||
-        !parse_integer(r, 4, "b", 255, &c[2]) || !parse_depth(r, 5, &v.depth) ||
-        !parse_uv(r, 6, "u", &v.u) || !parse_uv(r, 7, "v", &v.v))
+        !parse_integer(r, 4, "b", 255, &c[2]))
+        return false;
+    if (!mesh_depth_parse(r->field[5], &v.depth))
+        return ERROR_AT(r,
+                        "depth is '%s': expected a decimal below 1e18 in size "
+                        "with at most 36 digits after the point",
+                        r->field[5]);
+    if (!parse_uv(r, 6, "u", &v.u) || !parse_uv(r, 7, "v", &v.v))
         return false;
     v.color = PEL_RGB(c[0], c[1], c[2]);
-    return pel2d_add_vertex(flat, &v);
+    return list_add(&flat->vertex, &flat->vertices, &v, sizeof v);
 }
 
 static bool read_triangle(struct reader *r, struct pel2d *flat)
@@ -169,7 +152,7 @@ static bool read_triangle(struct reader *r, struct pel2d *flat)
     for (int k = 0; k < 3; k++)
         if (!parse_integer(r, k, name[k], r->vertices - 1, &index[k]))
             return false;
-    return pel2d_add_triangle(flat, index);
+    return list_add(&flat->triangle, &flat->triangles, index, sizeof index);
 }
 
 /* Blank lines may follow the last triangle, nothing else. */
@@ -189,26 +172,18 @@ static bool read_end(struct reader *r)
     return !ferror(r->file) || ERROR_AT(r, "%s", strerror(errno));
 }
 
-static bool read_all(struct reader *r, struct pel2d *flat)
-{
-    if (!read_header(r))
-        return false;
-    for (uint32_t i = 0; i < r->vertices; i++)
-        if (!read_vertex(r, flat))
-            return false;
-    for (uint32_t i = 0; i < r->triangles; i++)
-        if (!read_triangle(r, flat))
-            return false;
-    return read_end(r);
-}
-
 bool pel2d_load(struct pel2d *flat, const char *path)
 {
     struct reader r = {.file = file_open(path), .path = path};
     memset(flat, 0, sizeof(*flat));
     if (!r.file)
         return false;
-    bool done = read_all(&r, flat);
+    bool done = read_header(&r);
+    for (uint32_t i = 0; done && i < r.vertices; i++)
+        done = read_vertex(&r, flat);
+    for (uint32_t i = 0; done && i < r.triangles; i++)
+        done = read_triangle(&r, flat);
+    done = done && read_end(&r);
     file_close(r.file);
     if (!done)
         pel2d_free(flat);

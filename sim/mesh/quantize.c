@@ -1,4 +1,4 @@
-#include "sim/mesh/quantize.h"
+#include "sim/mesh/model.h"
 
 #include <math.h>
 

@@ -61,19 +61,6 @@ struct pel_rect figures_box(const struct figures *all, int k)
         (int32_t)ceil(o.x + o.r) + 1, (int32_t)ceil(o.y + o.r) + 1};
 }
 
-static void write_shape(FILE *out, const struct figure *f,
-                        const struct outline *o)
-{
-    if (f->corners == 0) {
-        fprintf(out, "circle %.4f %.4f %.4f\n", o->x, o->y, o->r);
-        return;
-    }
-    fputs(f->corners == 3 ? "triangle" : "polygon evenodd", out);
-    for (int i = 0; i < o->corners; i++)
-        fprintf(out, " %.4f %.4f", o->corner[i][0], o->corner[i][1]);
-    fputc('\n', out);
-}
-
 void figures_write(FILE *out, const struct figures *all,
                    const struct style style[FIGURES])
 {
@@ -81,7 +68,16 @@ void figures_write(FILE *out, const struct figures *all,
             all->height, all->dithered ? "option dither on\n" : "");
     for (int k = 0; k < FIGURES; k++) {
         const struct outline o = place(all, &figures[k]);
+        const int corners = figures[k].corners;
         style_write(out, &style[k], &o);
-        write_shape(out, &figures[k], &o);
+        fputs(corners == 0   ? "circle"
+              : corners == 3 ? "triangle"
+                             : "polygon evenodd",
+              out);
+        if (corners == 0)
+            fprintf(out, " %.4f %.4f %.4f", o.x, o.y, o.r);
+        for (int i = 0; corners > 0 && i < o.corners; i++)
+            fprintf(out, " %.4f %.4f", o.corner[i][0], o.corner[i][1]);
+        fputc('\n', out);
     }
 }

@@ -1,4 +1,4 @@
-#include "sim/view/style.h"
+#include "sim/view/figures.h"
 
 #include <string.h>
 
@@ -12,16 +12,12 @@ static const pel_color hues[7] = {PEL_RGB(255, 0, 0), PEL_RGB(255, 255, 0),
                                   PEL_RGB(0, 0, 255), PEL_RGB(255, 0, 255),
                                   PEL_RGB(255, 0, 0)};
 
-/* Half way to another color, alpha and all from the first. */
-static pel_color mixed(pel_color a, pel_color b)
-{
-    return ((a >> 1 & 0x7F7F7F) + (b >> 1 & 0x7F7F7F)) | (a & 0xFF000000u);
-}
-
-/* #rrggbbaa, as the style shows a color. */
+/* #rrggbbaa, as the style shows a color: half way to MARK where it is marked.
+ */
 static void put_color(FILE *out, const struct style *style, pel_color color)
 {
-    const pel_color c = style->marked ? mixed(color, MARK) : color;
+    const pel_color half = (color >> 1 & 0x7F7F7F) + (MARK >> 1 & 0x7F7F7F);
+    const pel_color c = style->marked ? half : color;
     const unsigned alpha = (pel_alpha(color) * style->alpha + 127) / 255;
     fprintf(out, "#%06x%02x", (unsigned)c & 0xFFFFFF, alpha);
 }
