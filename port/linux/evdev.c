@@ -196,14 +196,13 @@ static int resync(struct pel_evdev *evdev, struct pel_input_queue *queue)
 /* Room for what one report may push. */
 enum { ROOM = PEL_EVDEV_FINGERS + 4 };
 
-bool pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue)
+void pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue)
 {
     struct input_event e;
     int status = 0;
     while (status >= 0) {
-        evdev->more = pel_input_room(queue) < ROOM;
-        if (evdev->more)
-            return true;
+        if (pel_input_room(queue) < ROOM)
+            return;
         if (pel_input_lost(queue, &evdev->losses))
             push_held(evdev, PEL_INPUT_DOWN, pel_linux_milliseconds(), queue);
         status =
@@ -214,11 +213,10 @@ bool pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue)
             status = resync(evdev, queue);
     }
     if (status == -EAGAIN || status == -EINTR)
-        return true;
+        return;
     push_held(evdev, PEL_INPUT_UP, pel_linux_milliseconds(), queue);
     pel_input_push_now(queue, PEL_INPUT_DEVICE, PEL_INPUT_UP, evdev->number);
     pel_evdev_close(evdev);
-    return false;
 }
 
 /* As udev tells them apart: a touch pad has fingers that are not on a screen, a

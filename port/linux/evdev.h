@@ -41,7 +41,6 @@ struct pel_evdev {
     bool keys;               /* tells keys, too: see pel_evdev_open */
     uint8_t places;          /* what its places mean: see evdev.c */
     int slots, fingers;      /* slots: 0 where one finger has none */
-    bool more;               /* there was no room for all of what came */
     uint16_t losses;         /* of the queue, as seen last */
     struct pel_evdev_finger finger[PEL_EVDEV_FINGERS]; /* as told; the first is
                                                           a pointer or a pen,
@@ -57,9 +56,9 @@ int pel_evdev_open(struct pel_evdev *evdev, int number, bool keys,
                    struct pel_input_queue *queue, struct pel_message *message);
 
 /* Pushes what came, while there is room; after a loss in the kernel
- * PEL_INPUT_LOST; after any loss what is held. False when the device is gone,
- * after all of it was released. */
-bool pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue);
+ * PEL_INPUT_LOST; after any loss what is held. When the device is gone all is
+ * released and it is closed. */
+void pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue);
 
 /* What to poll. */
 int pel_evdev_descriptor(const struct pel_evdev *evdev);
