@@ -10,7 +10,7 @@
 #include "sim/cli/commands.h"
 #include "sim/cli/message.h"
 #include "sim/cli/number.h"
-#include "sim/script/pick.h"
+#include "sim/script/commands.h"
 
 struct explanation {
     struct script script;
