@@ -270,6 +270,8 @@ static bool import_as_pel2d(struct import_command *c)
 {
     struct pel2d flat;
     struct model model;
+    c->scene.source.without_texture =
+        c->scene.settings.texture == SCENE_TEXTURE_NONE;
     if (!model_load(&model, &c->scene.source))
         return false;
     const bool projected = project(&c->scene, &model, &flat);
