@@ -92,14 +92,44 @@ static void sort(const struct pel_point v[3], struct pel_point sorted[3])
     sorted[2] = point_of(max64(high, c));
 }
 
+/* Hands the rows to the paint, in batches. */
+static void fill_rows(const struct pel_surface *surface,
+                      const struct pel_fast_triangle *t,
+                      const struct pel_paint *paint)
+{
+    struct pel_span span[PEL_BATCH_ROWS];
+    struct pel_spans spans = {surface, span, t->y0, 0, 1};
+    struct pel_slope whole = t->whole, half = t->upper;
+    int32_t y = t->y0, stop = t->y1;
+    for (; y < t->y2; spans.y = y) {
+        const int32_t end = pel_min(y + PEL_BATCH_ROWS, t->y2);
+        struct pel_span *out = span;
+        spans.n = end - y;
+        while (y < end) {
+            if (y == stop) {
+                stop = t->y2;
+                half = t->lower;
+            }
+            for (const int32_t part = pel_min(stop, end); y < part; y++) {
+                const int32_t p = (int32_t)(whole.x >> 32);
+                const int32_t q = (int32_t)(half.x >> 32);
+                whole.x += whole.step;
+                half.x += half.step;
+                out->x0 = p < q ? p : q;
+                out->x1 = p < q ? q : p;
+                out++;
+            }
+        }
+        paint->fill(paint, &spans);
+    }
+}
+
 bool pel_triangle_fast(const struct pel_surface *surface,
                        const struct pel_point v[3],
                        const struct pel_paint *paint)
 {
     struct pel_point s[3];
     struct pel_fast_triangle t;
-    if (!paint->fast)
-        return false;
     sort(v, s);
     const struct pel_rect box = {
         pel_min(pel_min(s[0].x, s[1].x), s[2].x), s[0].y,
@@ -120,7 +150,9 @@ bool pel_triangle_fast(const struct pel_surface *surface,
         t.upper = start_long(&s[0], &s[1]);
         t.lower = start_long(&s[1], &s[2]);
     }
-    return paint->fast(paint, surface, &t);
+    if (!paint->fast || !paint->fast(paint, surface, &t))
+        fill_rows(surface, &t, paint);
+    return true;
 }
 
 #endif

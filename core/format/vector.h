@@ -8,10 +8,10 @@
 #include "word.h"
 
 /* Blends a color into spans of 32-bit pixels: a format's blend. */
-void pel_blend32_rows(const struct pel_spans *spans, pel_color color);
+void pel_blend32(const struct pel_spans *spans, pel_color color);
 
 /* The same of the three formats of 5-6-5 bits. */
-void pel_blend565_rows(const struct pel_spans *spans, pel_color color);
+void pel_blend565(const struct pel_spans *spans, pel_color color);
 
 /* A format's put, of all but the last n % 8 colors: how many. Of 32-bit pixels
  * those that are colors, xrgb8888 and argb8888; 0 of others. */
@@ -172,5 +172,20 @@ static inline pel_u8x16 pel_narrow_u8x16(pel_u32x4 a, pel_u32x4 b, pel_u32x4 c,
 }
 
 #endif
+
+/* Of eight colors. */
+enum pel_cover { PEL_CLEAR, PEL_MIXED, PEL_OPAQUE };
+
+static PEL_ALWAYS_INLINE enum pel_cover pel_cover_of(pel_u32x4 a, pel_u32x4 b)
+{
+    const uint64_t alphas = UINT64_C(0xFF000000FF000000);
+    const pel_u32x4 all[2] = {a & b, a | b};
+    uint64_t half[4];
+    memcpy(half, all, 32);
+    if ((~(half[0] & half[1]) & alphas) == 0)
+        return PEL_OPAQUE;
+    return ((half[2] | half[3]) & alphas) == 0 ? PEL_CLEAR : PEL_MIXED;
+}
+
 #endif
 #endif

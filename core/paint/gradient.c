@@ -21,7 +21,7 @@ static pel_color ramp_color(const struct pel_gradient *g, int32_t cell)
         return g->ramp.colors[cell];
     if (!PEL_KNOW_SIDES)
         return mixed_by_channels(a, b, 2 * (uint32_t)cell + 1);
-    return pel_mix_color(pel_mix_of(a, b), cell);
+    return pel_mixed(pel_mix_from(g, cell, 1));
 }
 
 void pel_cells_color(struct pel_cells *c)
@@ -44,19 +44,16 @@ void pel_cells_color(struct pel_cells *c)
 static int32_t pass_mixed(const struct pel_cells *c, int32_t most)
 {
     const struct pel_gradient *g = c->gradient;
-    const struct pel_mix mix = pel_mix_of(g->ramp.colors[0], g->ramp.colors[1]);
     const bool back = c->place >= g->cells, down = back == (c->way > 0);
     const int32_t i = back ? g->period - 1 - c->place : c->place;
-    const uint32_t mask = c->mask, sign = down ? UINT32_MAX : 1;
-    uint32_t high = mix.high + mix.high_change * (uint32_t)i;
-    uint32_t low = mix.low + mix.low_change * (uint32_t)i;
-    const uint32_t first = pel_mixed(high, low) & mask;
+    struct pel_mix mix = pel_mix_from(g, i, down ? -1 : 1);
+    const pel_color first = pel_mixed(mix) & c->mask;
     most = pel_min(most, down ? i : 255 - i);
     int32_t left = most;
     for (; left > 0; left--) {
-        high += sign * mix.high_change;
-        low += sign * mix.low_change;
-        if ((pel_mixed(high, low) & mask) != first)
+        mix.high += mix.high_change;
+        mix.low += mix.low_change;
+        if ((pel_mixed(mix) & c->mask) != first)
             break;
     }
     return most - left;
@@ -119,6 +116,8 @@ bool pel_cells_next(struct pel_cells *c, int32_t most)
         for (int32_t i = 0; i < c->cell.n; i++)
             c->run[i].x1 = c->span[i].x0;
     }
+    if (c->gradient->by_pixel)
+        c->hi = c->x + 1;
     return true;
 }
 

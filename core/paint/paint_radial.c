@@ -95,20 +95,12 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
     c->rest = (int32_t)((uint32_t)ring - (uint32_t)begin * (uint32_t)n);
 }
 
-/* Rings narrower than 1/64 px are drawn a pixel at a time. */
-static bool is_narrow(const struct pel_radial *p)
-{
-    return p->base.period && p->rings.radius < 4 * p->base.cells;
-}
-
 /* The part of the batch on one side. */
 static PEL_INLINE_FAST void set_side(struct pel_cells *c,
                                      const struct pel_radial *p)
 {
     const int32_t split = pel_first_pixel(p->rings.center.x);
     c->way = 1;
-    if (is_narrow(p))
-        c->hi = c->x + 1;
     if (c->x < split) {
         c->way = -1;
         c->hi = pel_min(c->hi, split);
@@ -132,8 +124,7 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_radial *p = (const void *)paint;
     if (!(PEL_FAST_FILLS && PEL_64BIT && pel_radial_fast(p, spans)))
-        pel_cells_fill(paint, spans, is_narrow(p) ? 1 : PEL_CELL_ROWS, start,
-                       end_cells);
+        pel_cells_fill(paint, spans, PEL_CELL_ROWS, start, end_cells);
 }
 
 enum pel_status pel_radial_init(struct pel_radial *paint,
@@ -149,6 +140,8 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
         return PEL_ERROR_RANGE;
     const int32_t n = paint->base.cells;
     paint->base.paint.fill = fill;
+    if (PEL_CELL_ROWS > 1)
+        paint->base.by_pixel = paint->base.period && rings->radius < 4 * n;
     paint->rings = *rings;
     paint->first = (int32_t)((uint32_t)rings->phase * (uint32_t)n >> 16);
     paint->width = quotient(rings->radius, n);

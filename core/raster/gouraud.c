@@ -19,13 +19,11 @@ struct setup {
  * less than 2^7 steps of 2^-24: 2^-17 per pixel, the bound of the header. With
  * D <= 2^20 (4,096 px) that is 2^-4 at most, and a numerator, below 2^29, times
  * the reciprocal, at most 2^32, fits 2^61. */
-static bool reciprocal_is_enough(const struct pel_plane_setup *s)
+static bool reciprocal_is_enough(const struct pel_point v[3], uint64_t area)
 {
-    const int32_t *const x = s->down, *const y = s->right;
-    const int32_t longer = pel_max(
-        pel_max(pel_max(x[2], -x[1]), 0) - pel_min(pel_min(x[2], -x[1]), 0),
-        pel_max(pel_max(y[2], -y[1]), 0) - pel_min(pel_min(y[2], -y[1]), 0));
-    return longer <= 1048576 && s->area >= (uint64_t)longer * 16;
+    const struct pel_rect box = pel_corners_box(v);
+    const int32_t longer = pel_max(box.x1 - box.x0, box.y1 - box.y0);
+    return longer <= 1048576 && area >= (uint64_t)longer * 16;
 }
 
 /* False: no area. */
@@ -39,7 +37,7 @@ static bool start(struct setup *s, const struct pel_point v[3])
     s->plane.bits = (uint8_t)pel_bits_of(s->plane.area);
     if (s->plane.area == 0)
         return false;
-    if (!reciprocal_is_enough(&s->plane))
+    if (!reciprocal_is_enough(v, s->plane.area))
         return true;
     const uint32_t word =
         (uint32_t)(s->plane.area << (64 - s->plane.bits) >> 32);
@@ -103,8 +101,7 @@ enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
         return PEL_ERROR_RANGE;
     struct setup s;
     const bool opaque = pel_alpha(c[0] & c[1] & c[2]) == 255;
-    paint->paint =
-        (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
+    paint->paint = (struct pel_paint){pel_gouraud_fill, NULL};
     const bool has_area = start(&s, v);
     for (int k = 0; k < 4; k++) {
         paint->at[k] = (c[s.plane.first] >> 8 * k << 24) + 0x800000u;

@@ -6,9 +6,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../../drivers/linux_io.h"
-#include "evdev_keys.h"
-
 /* What the places of a device mean. */
 enum { NOTHING, POINTER, PEN, FINGERS };
 
@@ -218,8 +215,6 @@ static void push_held(struct pel_evdev *evdev, int state, uint32_t time,
  * which is taken in without a word. */
 static int resync(struct pel_evdev *evdev, struct pel_input_queue *queue)
 {
-    const struct pel_input lost = {.time = pel_linux_milliseconds(),
-                                   .kind = PEL_INPUT_LOST};
     struct input_event e;
     int status;
     do
@@ -228,18 +223,8 @@ static int resync(struct pel_evdev *evdev, struct pel_input_queue *queue)
     while (status == LIBEVDEV_READ_STATUS_SYNC);
     read_places(evdev);
     evdev->move_x = evdev->move_y = evdev->wheel_x = evdev->wheel_y = 0;
-    pel_input_push(queue, &lost);
+    pel_input_push_now(queue, PEL_INPUT_LOST, 0, 0);
     return status == -EAGAIN ? 0 : status;
-}
-
-static void push_device(const struct pel_evdev *evdev, int state,
-                        struct pel_input_queue *queue)
-{
-    const struct pel_input e = {.time = pel_linux_milliseconds(),
-                                .kind = PEL_INPUT_DEVICE,
-                                .state = (uint8_t)state,
-                                .code = (uint16_t)evdev->number};
-    pel_input_push(queue, &e);
 }
 
 /* Room for what one report may push. */
@@ -265,7 +250,7 @@ bool pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue)
     if (status == -EAGAIN || status == -EINTR)
         return true;
     push_held(evdev, PEL_INPUT_UP, pel_linux_milliseconds(), queue);
-    push_device(evdev, PEL_INPUT_UP, queue);
+    pel_input_push_now(queue, PEL_INPUT_DEVICE, PEL_INPUT_UP, evdev->number);
     pel_evdev_close(evdev);
     return false;
 }
@@ -311,26 +296,24 @@ int pel_evdev_open(struct pel_evdev *evdev, int number, bool keys,
                                 .height = evdev->height,
                                 .keys = keys,
                                 .losses = queue->losses};
-    if (fd < 0) {
-        pel_message_open(message, path, error, "it is gone");
-        return error;
-    }
-    error = -libevdev_new_from_fd(fd, &evdev->device);
-    if (error) {
+    if (fd < 0)
+        return pel_message_open(message, path, error, "it is gone");
+    errno = -libevdev_new_from_fd(fd, &evdev->device);
+    if (errno) {
+        error = pel_message_errno(message, path);
         close(fd);
         evdev->device = NULL;
-        pel_message_errno(message, path, error);
         return error;
     }
     libevdev_set_clock_id(evdev->device, CLOCK_MONOTONIC);
     evdev->places = (uint8_t)places_of(evdev->device);
     if (!tells_something(evdev)) {
         pel_evdev_close(evdev);
-        pel_message_set(message, "%s has no keys, and points nowhere", path);
-        return ENOTSUP;
+        return pel_message_set(message, ENOTSUP,
+                               "%s has no keys, and points nowhere", path);
     }
     read_places(evdev);
-    push_device(evdev, PEL_INPUT_DOWN, queue);
+    pel_input_push_now(queue, PEL_INPUT_DEVICE, PEL_INPUT_DOWN, number);
     push_held(evdev, PEL_INPUT_DOWN, pel_linux_milliseconds(), queue);
     return 0;
 }

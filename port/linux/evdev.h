@@ -6,9 +6,23 @@
 #define PEL_PORT_LINUX_EVDEV_H
 
 #include "../../drivers/input.h"
+#include "../../drivers/linux_io.h"
 #include "../../drivers/linux_message.h"
 
 PEL_BEGIN_DECLS
+
+/* Pushes an event of now without a place. */
+static inline void pel_input_push_now(struct pel_input_queue *queue, int kind,
+                                      int state, int code)
+{
+    const struct pel_input event = {pel_linux_milliseconds(),
+                                    PEL_CAST(uint8_t, kind),
+                                    PEL_CAST(uint8_t, state),
+                                    PEL_CAST(uint16_t, code),
+                                    0,
+                                    0};
+    pel_input_push(queue, &event);
+}
 
 enum { PEL_EVDEV_FINGERS = 10 };
 
@@ -48,6 +62,9 @@ int pel_evdev_descriptor(const struct pel_evdev *evdev);
 
 /* Nothing when it is not open. */
 void pel_evdev_close(struct pel_evdev *evdev);
+
+/* The kernel's keys, KEY_A and so on, as enum pel_key. */
+uint16_t pel_evdev_key(int code);
 
 PEL_END_DECLS
 #endif

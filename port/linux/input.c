@@ -19,18 +19,7 @@ static int watch(struct pel_input_linux *in, int fd, int who)
     struct epoll_event e = {.events = EPOLLIN, .data = {.u32 = (uint32_t)who}};
     if (fd >= 0 && epoll_ctl(in->poll, EPOLL_CTL_ADD, fd, &e) == 0)
         return 0;
-    const int error = errno;
-    pel_message_errno(&in->message, "cannot wait for input", error);
-    return error;
-}
-
-static void push_device(struct pel_input_linux *in, int code, int state)
-{
-    const struct pel_input e = {.time = pel_linux_milliseconds(),
-                                .kind = PEL_INPUT_DEVICE,
-                                .state = (uint8_t)state,
-                                .code = (uint16_t)code};
-    pel_input_push(&in->queue, &e);
+    return pel_message_errno(&in->message, "cannot wait for input");
 }
 
 /* Opens /dev/input/eventN, if that is not open. Rights may come later than the
@@ -44,7 +33,7 @@ static void open_device(struct pel_input_linux *in, int number)
         else if (in->devices[i].number == number)
             return;
     if (!free) {
-        pel_message_set(&in->note,
+        pel_message_set(&in->note, 0,
                         "more than %d input devices: eventN with "
                         "N = %d is left out",
                         PEL_INPUT_LINUX_DEVICES, number);
@@ -62,7 +51,8 @@ static void open_device(struct pel_input_linux *in, int number)
             watch(in, pel_evdev_descriptor(free), (int)(free - in->devices));
         if (error) {
             pel_evdev_close(free);
-            push_device(in, number, PEL_INPUT_UP);
+            pel_input_push_now(&in->queue, PEL_INPUT_DEVICE, PEL_INPUT_UP,
+                               number);
         }
     }
     if (error && error != ENOENT && error != ENODEV && error != ENOTSUP)
@@ -97,7 +87,8 @@ static void read_buttons(struct pel_input_linux *in)
     const bool open = in->buttons.open;
     arm(in, pel_buttons_read(&in->buttons, &in->queue));
     if (open && !in->buttons.open)
-        push_device(in, PEL_INPUT_LINUX_CHIP, PEL_INPUT_UP);
+        pel_input_push_now(&in->queue, PEL_INPUT_DEVICE, PEL_INPUT_UP,
+                           PEL_INPUT_LINUX_CHIP);
 }
 
 static int open_buttons(struct pel_input_linux *in)
@@ -113,7 +104,8 @@ static int open_buttons(struct pel_input_linux *in)
         pel_buttons_close(&in->buttons);
         return error;
     }
-    push_device(in, PEL_INPUT_LINUX_CHIP, PEL_INPUT_DOWN);
+    pel_input_push_now(&in->queue, PEL_INPUT_DEVICE, PEL_INPUT_DOWN,
+                       PEL_INPUT_LINUX_CHIP);
     read_buttons(in);
     return 0;
 }
@@ -194,12 +186,12 @@ bool pel_input_linux_wait(struct pel_input_linux *in, int milliseconds,
     return true;
 }
 
-/* The descriptors; 0 or an errno. */
+/* The descriptors. 0 or an errno, with the message. */
 static int prepare(struct pel_input_linux *in)
 {
     in->poll = epoll_create1(EPOLL_CLOEXEC);
     if (in->poll < 0)
-        return errno;
+        return pel_message_errno(&in->message, "cannot wait for input");
     in->notify = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
     const int error = watch(in, in->notify, NOTIFY);
     if (error)
@@ -217,11 +209,7 @@ int pel_input_linux_open(struct pel_input_linux *in,
     in->options = *options;
     in->poll = in->notify = in->timer = -1;
     int error = prepare(in);
-    if (error)
-        pel_message_errno(&in->message, "cannot wait for input", error);
-    else
-        inotify_add_watch(in->notify, "/dev",
-                          IN_CREATE | IN_ATTRIB | IN_DELETE);
+    inotify_add_watch(in->notify, "/dev", IN_CREATE | IN_ATTRIB | IN_DELETE);
     if (!error && options->buttons)
         error = pel_buttons_parse(&in->buttons, options->buttons, &in->message);
     if (!error && options->buttons)

@@ -1,6 +1,6 @@
 /* Cameras, lights and meshes. All but `mesh` itself is done while the script is
  * read, so that a mesh can be refused there. */
-#include "sim/script/assets.h"
+#include "sim/script/parser.h"
 
 static void set_numbers(double *to, const int32_t *v, size_t n)
 {
@@ -118,7 +118,7 @@ static void set_own_colors(struct script_pen *pen, const int32_t *v)
 
 static void draw_mesh(struct script_pen *pen, const int32_t *v)
 {
-    if (!scene_draw(&pen->assets->meshes[v[0]]->scene, pen->surface))
+    if (!scene_draw(&pen->script->assets[v[0]].mesh->scene, pen->surface))
         pen->failed = true;
 }
 
@@ -186,6 +186,6 @@ const struct script_command script_mesh_commands[] = {
     SETTING("option mesh turn", "ttt", "X Y Z", settings.turn),
     ACTION("texture own", "", "", set_own_texture),
     SETTING("texture", "Q", "FILE", texture),
-    {"mesh", "M", "FILE", SCRIPT_MESH, .draw = draw_mesh},
+    {"mesh", "M", "FILE", SCRIPT_PICTURE, .draw = draw_mesh},
     {.name = NULL},
 };

@@ -2,17 +2,16 @@
 #ifndef SIM_SCRIPT_PICK_H
 #define SIM_SCRIPT_PICK_H
 
-#include "sim/script/paints.h"
+#include "sim/script/commands.h"
 
-/* Does the command draw pixels, rather than change how others do? */
-bool script_draws(const struct script_command *command);
+/* Is the pixel (x, y) within the clip in force? */
+bool script_clip_holds(const struct script_pen *pen, const int pixel[2]);
 
 /* True when the item, a command that draws, covers the pixel (x, y) whatever
  * the clip; *color is then the color that it leaves there. `pen` holds the
  * settings before the command. */
-bool script_covers(const struct script_pen *pen, const struct script *script,
-                   const struct script_item *item, const int pixel[2],
-                   pel_color *color);
+bool script_covers(const struct script_pen *pen, const struct script_item *item,
+                   const int pixel[2], pel_color *color);
 
 /* The index of the last item, seen by the script's clip, that draws pixel
  * (x, y) of its canvas: a shape, a text, a picture, a mesh; -1: none but

@@ -36,7 +36,7 @@ static struct pel_rect around(int32_t side)
     return (struct pel_rect){low, low, low + side + 2, low + side + 2};
 }
 
-static void test_all_lines(void)
+TEST(all_lines)
 {
     enum { SIDE = 17 };
     const struct pel_rect bounds = around(SIDE);
@@ -61,7 +61,7 @@ static void check_clip(const struct pel_rect *clip)
             check_line(SIDE, i, j);
 }
 
-static void test_all_clips(void)
+TEST(all_clips)
 {
     struct pel_rect c;
     for (c.y0 = -3; c.y0 < 3; c.y0++)
@@ -72,7 +72,7 @@ static void test_all_clips(void)
 }
 
 /* Only the pixels that hold the points count. */
-static void test_all_places_in_a_pixel(void)
+TEST(all_places_in_a_pixel)
 {
     const struct pel_rect bounds = {-4, -4, 4, 4};
     for (int32_t k = 0; k < 256; k++) {
@@ -83,10 +83,4 @@ static void test_all_places_in_a_pixel(void)
         pel_line(&hits.surface, v[0], v[1], &hits.paint);
         hits_check(&hits, in_line, pixels, "line");
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_all_lines, test_all_clips,
-                     test_all_places_in_a_pixel);
 }

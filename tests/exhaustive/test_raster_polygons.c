@@ -61,7 +61,7 @@ static struct pel_point point_of(int32_t i, int32_t side, int32_t step)
                               (i / side - side / 2) * step};
 }
 
-static void test_all_quadrilaterals(void)
+TEST(all_quadrilaterals)
 {
     for (int32_t i = 0; i < 1 << 16; i++) {
         struct pel_point v[4];
@@ -72,7 +72,7 @@ static void test_all_quadrilaterals(void)
 }
 
 /* Few points, so that vertices meet and sides run over one another. */
-static void test_coarse_polygons(void)
+TEST(coarse_polygons)
 {
     for (struct cases c = cases_of(60000); cases_next(&c);) {
         struct pel_point v[8];
@@ -83,7 +83,7 @@ static void test_coarse_polygons(void)
     }
 }
 
-static void test_fine_polygons(void)
+TEST(fine_polygons)
 {
     for (struct cases c = cases_of(60000); cases_next(&c);) {
         struct pel_point v[8];
@@ -97,6 +97,5 @@ static void test_fine_polygons(void)
 int main(void)
 {
     setup();
-    return RUN_TESTS(test_all_quadrilaterals, test_coarse_polygons,
-                     test_fine_polygons);
+    return run_all_tests();
 }

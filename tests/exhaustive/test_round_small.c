@@ -26,7 +26,7 @@ enum {
     RADII = sizeof radii / sizeof *radii
 };
 
-static void test_ellipses(void)
+TEST(ellipses)
 {
     struct any_shape s = {.kind = ANY_ELLIPSE};
     for (int a = 0; a < RADII; a++)
@@ -42,7 +42,7 @@ static void test_ellipses(void)
 
 /* One pixel centre is enough for shapes smaller than a pixel: every square of
  * up to 40 sub-pixels that holds it, with every radius that matters. */
-static void test_tiny_round_corners(void)
+TEST(tiny_round_corners)
 {
     struct any_shape s = {.kind = ANY_ROUNDED_RECTANGLE};
     for (int32_t side = 1; side <= 40; side++)
@@ -60,7 +60,7 @@ static void test_tiny_round_corners(void)
                 }
 }
 
-static void test_round_corners(void)
+TEST(round_corners)
 {
     struct any_shape s = {.kind = ANY_ROUNDED_RECTANGLE};
     for (int w = 0; w < RADII; w++)
@@ -75,10 +75,4 @@ static void test_round_corners(void)
                     s.radius = radii[r];
                     check(&s);
                 }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_ellipses, test_tiny_round_corners,
-                     test_round_corners);
 }

@@ -300,7 +300,7 @@ static void check_drawn(const struct gradient *g, const struct pel_rect *b,
     canvas_check_drawn(&canvas, &hits, color_at, g);
 }
 
-static void test_every_cell(void)
+TEST(every_cell)
 {
     static struct gradient g;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
@@ -322,7 +322,7 @@ static void test_every_cell(void)
 
 /* Narrow rings around a wide disc, so far out that the squares of their radii
  * do not fit the 32 bits of core/fast. */
-static void test_far_rings(void)
+TEST(far_rings)
 {
     static struct gradient g = {.kind = RADIAL,
                                 .radius = 2400 * 673,
@@ -335,9 +335,4 @@ static void test_far_rings(void)
     assert_int_equal(pel_radial_init(&g.u.radial, &rings, &g.ramp), PEL_OK);
     canvas_open(&canvas, &pel_xrgb8888, &row, 0);
     check_drawn(&g, &row, v, 3);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_every_cell, test_far_rings);
 }

@@ -105,7 +105,7 @@ static pel_color color_at(const void *colors, int32_t x, int32_t y)
     return source;
 }
 
-static void test_pixels(void)
+TEST(pixels)
 {
     static struct canvas canvas;
     static struct hits hits;
@@ -143,16 +143,11 @@ static uint32_t checksum_of(uint32_t kind)
     return sum;
 }
 
-static void test_same_bytes_everywhere(void)
+TEST(same_bytes_everywhere)
 {
     static const uint32_t sums[KINDS] = {0xf2040aa4, 0x7de153e6, 0x4e4be96e};
     for (uint32_t kind = 0; kind < KINDS; kind++)
         if (checksum_of(kind) != sums[kind])
             fail_msg("kind %u: expected %08x, got %08x", kind, sums[kind],
                      checksum_of(kind));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_pixels, test_same_bytes_everywhere);
 }

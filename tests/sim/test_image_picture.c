@@ -119,7 +119,7 @@ static void check_pixels(size_t i, const struct picture *p, bool gray)
                  (unsigned)p->pixels[0]);
 }
 
-static void test_read(void)
+TEST(read)
 {
     char path[64];
     path_of("in.ppm", path, sizeof path);
@@ -141,7 +141,7 @@ static void test_read(void)
 }
 
 /* Every way to cut a file short is found, in the header and in the pixels. */
-static void test_truncated(void)
+TEST(truncated)
 {
     static const char *const whole[] = {"P6 3 2 255\nABCDEFGHIJKLMNOPQR",
                                         "P5\n3 2 # c\n255\nABCDEF",
@@ -163,7 +163,7 @@ static void test_truncated(void)
     }
 }
 
-static void test_missing(void)
+TEST(missing)
 {
     char path[64];
     struct messages m;
@@ -194,7 +194,7 @@ static bool same_picture(const struct picture *a, const struct picture *b)
 
 static const int sizes[][2] = {{1, 1}, {2, 3}, {3, 2}, {4, 5}, {257, 63}};
 
-static void test_ppm(void)
+TEST(ppm)
 {
     char path[64];
     path_of("out.ppm", path, sizeof path);
@@ -235,7 +235,7 @@ static void check_bmp(const struct picture *p, const unsigned char *data,
     }
 }
 
-static void test_bmp(void)
+TEST(bmp)
 {
     static unsigned char data[1 << 17];
     char path[64];
@@ -266,7 +266,7 @@ static void check_png(const struct picture *p, const char *path)
     free(data);
 }
 
-static void test_png(void)
+TEST(png)
 {
     char path[64];
     path_of("out.png", path, sizeof path);
@@ -281,7 +281,7 @@ static void test_png(void)
 }
 #else
 /* Without libpng, PNG is refused with the name of the package. */
-static void test_png(void)
+TEST(png)
 {
     struct messages m;
     assert_string_equal(picture_best_ending(), ".bmp");
@@ -293,7 +293,7 @@ static void test_png(void)
 }
 #endif
 
-static void test_endings(void)
+TEST(endings)
 {
     struct messages m;
     messages_begin(&m);
@@ -308,7 +308,7 @@ static void test_endings(void)
 }
 
 /* A directory that is not there: a message, and no file anywhere. */
-static void test_no_directory(void)
+TEST(no_directory)
 {
     char path[64];
     struct messages m;
@@ -329,8 +329,6 @@ int main(void)
                                         "out.BMP", "out.png", NULL};
     if (!mkdtemp(directory))
         return 1;
-    const int failed =
-        RUN_TESTS(test_read, test_truncated, test_missing, test_ppm, test_bmp,
-                  test_png, test_endings, test_no_directory);
+    const int failed = run_all_tests();
     return remove_folder(names) || failed;
 }

@@ -8,7 +8,7 @@
 #include "drivers/input_encoder.h"
 
 /* A level each millisecond; P it is pressed, R released. */
-static void test_button(void)
+TEST(button)
 {
     static const struct {
         int hold;
@@ -44,7 +44,7 @@ static void test_button(void)
 }
 
 /* The time of a press is that of its last bounce, not of its confirmation. */
-static void test_button_edges(void)
+TEST(button_edges)
 {
     struct pel_button button = {.code = 'x', .hold = 5};
     struct pel_input e;
@@ -57,7 +57,7 @@ static void test_button_edges(void)
 }
 
 /* Contacts, A * 2 + B; + and - are detents. */
-static void test_encoder(void)
+TEST(encoder)
 {
     static const struct {
         int states;
@@ -94,7 +94,7 @@ static void test_encoder(void)
 }
 
 /* Letters go in; < takes one out: it, ! for what was lost, - for nothing. */
-static void test_queue(void)
+TEST(queue)
 {
     static const char does[] = "<ab<<<abcdefg<h<<<<ij<<k<<<";
     static const char told[] = "-ab-abc!!ijk--";
@@ -120,9 +120,4 @@ static void test_queue(void)
     assert_true(pel_input_push(&queue, &e));
     assert_true(pel_input_lost(&queue, &seen));
     assert_false(pel_input_lost(&queue, &seen));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_button, test_button_edges, test_encoder, test_queue);
 }

@@ -37,7 +37,7 @@ static uint32_t blended(const struct pel_format *format, pel_color start,
  * 16 (255 - d) < 127.5, that is from d = 248 on; 247 is 8 away and gains 1. So
  * 2000 blends leave 248, where a shift by 8 for the division would stop at 225.
  */
-static void test_white_comes_to_rest_at_248(void)
+TEST(white_comes_to_rest_at_248)
 {
     static const struct pel_format *const formats[] = {
         &pel_xrgb8888, &pel_xbgr8888, &pel_rgbx8888, &pel_bgrx8888,
@@ -51,7 +51,7 @@ static void test_white_comes_to_rest_at_248(void)
 }
 
 /* Black over white is the mirror image: 7 remain. */
-static void test_black_comes_to_rest_at_7(void)
+TEST(black_comes_to_rest_at_7)
 {
     assert_int_equal(blended(&pel_xrgb8888, PEL_RGB(255, 255, 255),
                              PEL_RGBA(0, 0, 0, 16), 2000),
@@ -59,7 +59,7 @@ static void test_black_comes_to_rest_at_7(void)
 }
 
 /* Every format: the state that the rule, taken 2000 times, has. */
-static void test_every_format_follows_the_rule(void)
+TEST(every_format_follows_the_rule)
 {
     static const uint32_t alphas[] = {1, 16, 64, 127, 128, 200, 254};
     for (int f = 0; f < LAYOUT_COUNT; f++)
@@ -135,7 +135,7 @@ static void check_x_bytes(const struct pel_format *format,
 
 /* Alpha 0 leaves the X byte as it is, every other alpha sets it: in the formats
  * that have one, and in argb8888, where it is the alpha of the pixel. */
-static void test_x_bytes(void)
+TEST(x_bytes)
 {
     static const struct pel_format *const formats[] = {
         &pel_xrgb8888, &pel_xbgr8888, &pel_rgbx8888,
@@ -175,7 +175,7 @@ static void random_eights(struct random *r, pel_color colors[WIDTH])
 }
 
 /* put, of every format: what the rule makes of every pixel, and no other. */
-static void test_put(void)
+TEST(put)
 {
     uint8_t memory[WIDTH * 4];
     pel_color colors[WIDTH], was[WIDTH], got[WIDTH];
@@ -208,11 +208,4 @@ static void test_put(void)
                          layout_unpack(l, want), got[i], cases_replay());
         }
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(
-        test_white_comes_to_rest_at_248, test_black_comes_to_rest_at_7,
-        test_every_format_follows_the_rule, test_x_bytes, test_put);
 }

@@ -78,21 +78,11 @@ static void take_i2c(const struct i2c_rdwr_ioctl_data *data)
     messages++;
 }
 
-int __wrap_nanosleep(const struct timespec *time, struct timespec *left);
-int __wrap_fcntl(int fd, int what, ...);
-int __wrap_ioctl(int fd, unsigned long request, ...);
-int __wrap_open(const char *path, int flags, ...);
 int __real_open(const char *path, int flags, ...);
-int __wrap_pel_gpio_open(struct pel_gpio *gpio,
-                         const struct pel_gpio_request *request,
-                         struct pel_message *message);
-void __wrap_pel_gpio_close(struct pel_gpio *gpio);
-int __wrap_pel_gpio_set(struct pel_gpio *gpio, int line, bool active);
 
 int __wrap_nanosleep(const struct timespec *time, struct timespec *left)
 {
-    (void)time;
-    (void)left;
+    (void)time, (void)left;
     return 0;
 }
 
@@ -142,7 +132,7 @@ int __wrap_pel_gpio_open(struct pel_gpio *gpio,
     static const char *const names[] = {"GPIO25", "27", "GPIO18"};
     memset(gpio, 0, sizeof *gpio);
     if (fails()) {
-        pel_message_errno(message, request->lines[0], errno);
+        pel_message_errno(message, request->lines[0]);
         return errno;
     }
     for (int i = 0; i < 3; i++)
@@ -227,14 +217,10 @@ static enum pel_status flush(const struct pel_rect *area)
     return pel_display_flush(&display, &s);
 }
 
-static int pixel(const struct pel_surface *s, int x, int y)
+static enum pel_status flush_whole(void)
 {
-    const uint8_t *bytes = s->pixels;
-    if (s->format == &pel_mono1_pages)
-        return bytes[y / 8 * s->stride + x] >> (y & 7) & 1;
-    if (s->format == &pel_mono1)
-        return bytes[y * s->stride + x / 8] >> (7 - (x & 7)) & 1;
-    return bytes[y * s->stride + 2 * x] << 8 | bytes[y * s->stride + 2 * x + 1];
+    const struct pel_rect whole = {0, 0, display.width, display.height};
+    return flush(&whole);
 }
 
 static void look(int i)
@@ -246,31 +232,22 @@ static void look(int i)
 
 static void check_glass(int i)
 {
+    int at[2];
     look(i);
     assert_true(glass.on && glass.awake);
-    for (int y = 0; y < display.height; y++)
-        for (int x = 0; x < display.width; x++) {
-            const int right = display.width - 1 - x;
-            const int below = display.height - 1 - y;
-            const int at[4][2] = {
-                {x, y}, {below, x}, {right, below}, {y, right}};
-            const int *p = at[panel.panel.rotation];
-            assert_int_equal(panel_glass_pixel(&glass, p[0], p[1]),
-                             pixel(&panel.frame, x, y));
-        }
+    if (!panel_glass_shows(&glass, &panel.frame, panel.panel.rotation, at))
+        fail_msg("%s: pixel %d, %d", devices[i].name, at[0], at[1]);
 }
 
-static void test_frames(void)
+TEST(frames)
 {
     for (int i = 0; i < DEVICES; i++) {
-        const struct pel_rect whole = {0, 0, devices[i].width,
-                                       devices[i].height};
         assert_int_equal(open_device(i), 0);
         assert_int_equal(display.width, devices[i].width);
         assert_int_equal(display.height, devices[i].height);
         assert_int_equal(levels[2], i == 0);
         assert_int_equal(mode_set, i == 0 ? 0 : 3);
-        assert_int_equal(flush(&whole), PEL_OK);
+        assert_int_equal(flush_whole(), PEL_OK);
         check_glass(i);
         pel_display_panel_close(&panel);
         assert_int_equal(lines_open, 0);
@@ -279,13 +256,13 @@ static void test_frames(void)
 }
 
 /* What a 240x240 frame, and a window of 10x100, cost, told for docs. */
-static void test_system_calls(void)
+TEST(system_calls)
 {
-    const struct pel_rect whole = {0, 0, 240, 240}, part = {7, 50, 17, 150};
+    const struct pel_rect part = {7, 50, 17, 150};
     assert_int_equal(open_device(0), 0);
     messages = settings = 0;
     bytes_sent = 0;
-    assert_int_equal(flush(&whole), PEL_OK);
+    assert_int_equal(flush_whole(), PEL_OK);
     printf("240x240: %d transfers, %d lines set, %zu bytes, %zu copied\n",
            messages, settings, bytes_sent, bytes_copied);
     assert_int_equal(bytes_sent, 240 * 240 * 2 + 11);
@@ -309,7 +286,7 @@ static int open_files(void)
     return n;
 }
 
-static void test_every_call_that_fails(void)
+TEST(every_call_that_fails)
 {
     static const int errors[] = {EIO,    EINVAL,   ENODEV,    EBUSY,
                                  EACCES, ENOENT,   ENXIO,     EREMOTEIO,
@@ -318,8 +295,6 @@ static void test_every_call_that_fails(void)
     const int files = open_files();
     for (size_t k = 0; k < DEVICES * sizeof errors / sizeof *errors; k++) {
         const int i = (int)k % DEVICES;
-        const struct pel_rect whole = {0, 0, devices[i].width,
-                                       devices[i].height};
         error_given = errors[k / DEVICES];
         calls = fail_at = 0;
         do {
@@ -327,7 +302,7 @@ static void test_every_call_that_fails(void)
             int error = open_device(i);
             const bool refused = error;
             if (!error)
-                error = flush(&whole);
+                error = flush_whole();
             const bool failed = calls >= fail_at;
             const bool told = message.text[0];
             pel_display_panel_close(&panel);
@@ -344,7 +319,7 @@ static void test_every_call_that_fails(void)
 }
 
 /* A second program is refused before it has changed anything. */
-static void test_chips_of_others(void)
+TEST(chips_of_others)
 {
     mode_set = -1;
     fail_at = 1; /* the line D/C */
@@ -360,7 +335,7 @@ static void test_chips_of_others(void)
     fail_at = 0;
 }
 
-static void test_i2c_of_other_chips(void)
+TEST(i2c_of_other_chips)
 {
     static const uint8_t bytes[129];
     const struct pel_bus_request request = {
@@ -374,7 +349,7 @@ static void test_i2c_of_other_chips(void)
     pel_bus_linux_close(&bus);
 }
 
-static void test_glass_that_is_refused(void)
+TEST(glass_that_is_refused)
 {
     struct pel_panel_request request;
     static const char *const names[][2] = {
@@ -390,11 +365,4 @@ static void test_glass_that_is_refused(void)
         pel_display_panel_close(&panel);
         assert_int_equal(wire.count, 0);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_frames, test_system_calls, test_every_call_that_fails,
-                     test_chips_of_others, test_i2c_of_other_chips,
-                     test_glass_that_is_refused);
 }
