@@ -213,6 +213,7 @@ static bool import_as_pel2d(struct import_command *c)
     uint32_t clipped = 0;
     settings.shade = SCENE_GOURAUD;
     settings.mapping = SCENE_MAP_VERTICES;
+    c->scene.source.without_texture = settings.texture == SCENE_TEXTURE_NONE;
     if (!model_load(&model, &c->scene.source))
         return false;
     const bool projected = scene_init(&scene, &model) &&
