@@ -45,7 +45,7 @@ static void row_start(struct pel_ellipse_walk *w, struct pel_point radius,
         return;
     const struct pel_quotient minus = {-ratio.q - (ratio.r != 0),
                                        ratio.r ? b2 - ratio.r : 0};
-    const int64_t step = pel_square_step(v);
+    const int64_t step = (int64_t)v * 512 + 65536; /* (v + 256)^2 - v^2 */
     multiply(&w->delta, step > 0 ? &minus : &ratio, pel_size_of(step), b2);
     multiply(&w->delta2, &minus, 131072, b2);
 }
