@@ -53,25 +53,6 @@ TEST(white_comes_to_rest_at_248)
     }
 }
 
-/* Every format: the state that the rule, taken 2000 times, has. */
-TEST(every_format_follows_the_rule)
-{
-    static const uint32_t alphas[] = {1, 16, 64, 127, 128, 200, 254};
-    for (int f = 0; f < LAYOUT_COUNT; f++)
-        for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++) {
-            const struct layout *l = &layouts[f];
-            const pel_color color = alphas[i] << 24 | 0xFFC864u;
-            uint32_t want = layout_pack(l, PEL_RGB(10, 0, 200));
-            for (int k = 0; k < 2000; k++)
-                want = layout_over(l, want, color);
-            const uint32_t got =
-                blended(l->format, PEL_RGB(10, 0, 200), color, 2000);
-            if (got != layout_unpack(l, want))
-                fail_msg("%s, alpha %u: expected %08x, got %08x", l->name,
-                         alphas[i], layout_unpack(l, want), got);
-        }
-}
-
 /* Ways to draw n pixels of one color at the left of the first line: the rows
  * of a shape, an unclipped triangle, and colors one by one. */
 enum way { BY_ROWS, BY_TRIANGLE, BY_COLORS, WAYS };
