@@ -115,7 +115,9 @@ static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int kind,
     const pel_u32x4 d = channels(n.of[3], PEL_LANES(wu, wu, 3, 3, 3, 3),
                                  PEL_LANES(wv, wv, 3, 3, 3, 3));
     pel_put_u32x4((void *)out,
-                  (pel_u32x4)pel_narrow_u8x16(a, b, c, d) | s->set);
+                  (pel_u32x4)pel_join_u8x16(pel_narrow_u16x8(a, b),
+                                            pel_narrow_u16x8(c, d)) |
+                      s->set);
 }
 
 static void put_32(const struct pel_texture_steps *s,

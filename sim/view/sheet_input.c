@@ -1,5 +1,5 @@
 /* What keys, pointers and fingers do to a sheet. */
-#include "sim/script/pick.h"
+#include "sim/script/script.h"
 #include "sim/view/sheet.h"
 
 enum { ZOOM_MOST = 32 };
