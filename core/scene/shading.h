@@ -118,6 +118,15 @@ void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
 void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint);
 
+/* The paint of that triangle in one color, or linear between its vertices';
+ * where there is a surface, that multiplied by it. */
+const struct pel_paint *pel_frame_flat_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    pel_color color);
+const struct pel_paint *pel_frame_gouraud_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3]);
+
 /* The color of a vertex before it is lit: that of the texture, the mesh or the
  * part at hand, with the part's alpha. */
 pel_color pel_frame_surface(const struct pel_frame *frame, uint32_t vertex);
@@ -173,6 +182,10 @@ enum pel_status pel_frame_start_light(struct pel_frame *frame);
  * screen, the normal scaled to length 1 without a division. Where opposite
  * normals cancel out there is ambient light alone. */
 extern const struct pel_shading pel_shade_phong;
+
+/* The normals and positions of that triangle's vertices; `length` stays. */
+void pel_frame_lit_corners(const struct pel_frame *frame,
+                           struct pel_lit_corners *corners);
 
 /* Its paint, of a triangle whose vertices have these surface colors. */
 const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
