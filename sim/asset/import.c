@@ -112,27 +112,19 @@ static const char about[] =
     "; PICTURE is a .png, .jpg, .tga, .bmp, .ppm or .pgm file; FONT is a "
     ".bdf or .psf file. The same input gives the same bytes.";
 
-/* The kinds that an option is for; those that the table leaves out place,
- * light and color what a pel2d file holds. */
+/* The kinds that options are for; those that the table leaves out place, light
+ * and color what a pel2d file holds. */
 static const struct use {
-    const char *option;
+    const char *options;
     unsigned kinds; /* of enum import_kind */
     const char *what;
 } uses[] = {
     {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT, "C assets"},
     {"format", IMPORT_PICTURE | IMPORT_MESH, "pictures and textures"},
     {"normals", IMPORT_MESH, "C assets of meshes"},
-    {"codes", IMPORT_FONT, "fonts"},
-    {"chars", IMPORT_FONT, "fonts"},
-    {"texture-file", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
-    {"normals-from", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
-    {"crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
-    {"shade", 0, "pel render"},
-    {"transparency", 0, "pel render"},
-    {"order", 0, "pel render"},
-    {"cull", 0, "pel render"},
-    {"mapping", 0, "pel render"},
-    {"span", 0, "pel render"},
+    {"codes|chars", IMPORT_FONT, "fonts"},
+    {"texture-file|normals-from|crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
+    {"shade|transparency|order|cull|mapping|span", 0, "pel render"},
     {"background", IMPORT_PICTURE, "pictures"},
     {NULL, IMPORT_PEL2D, "an output .pel2d"},
 };
@@ -148,7 +140,7 @@ static bool check_options(const struct options_given *given,
             : "a pel2d file holds triangles with Gouraud's colours";
     for (int i = 0; i < given->count; i++) {
         const struct use *use = uses;
-        while (use->option && strcmp(use->option, given->names[i]) != 0)
+        while (use->options && choice_find(use->options, given->names[i]) < 0)
             use++;
         if (!(use->kinds & (unsigned)kind))
             return message_error("--%s is for %s; %s", given->names[i],
@@ -211,35 +203,29 @@ static bool check(struct import_command *c)
            import_codes_check(o);
 }
 
-/* Gouraud's colors at the vertices, whatever draws them. */
-static bool project(const struct scene_options *o, const struct model *model,
-                    struct pel2d *flat)
+/* With Gouraud's colors at the vertices, whatever draws them. */
+static bool import_as_pel2d(struct import_command *c)
 {
-    struct scene scene;
-    struct scene_settings settings = o->settings;
+    struct scene scene = {0};
+    struct scene_settings settings = c->scene.settings;
+    struct pel2d flat = {0};
+    struct model model;
     uint32_t clipped = 0;
     settings.shade = SCENE_GOURAUD;
     settings.mapping = SCENE_MAP_VERTICES;
-    const bool done = scene_init(&scene, model) &&
-                      scene_prepare(&scene, &settings) &&
-                      scene_project(&scene, flat, &clipped);
-    scene_free(&scene);
+    c->scene.source.without_texture = settings.texture == SCENE_TEXTURE_NONE;
+    if (!model_load(&model, &c->scene.source))
+        return false;
+    const bool projected = scene_init(&scene, &model) &&
+                           scene_prepare(&scene, &settings) &&
+                           scene_project(&scene, &flat, &clipped);
     if (clipped > 0)
         fprintf(stderr,
                 "pel: %s: %u of %u triangles reach behind the camera or far "
                 "out of the picture and were clipped\n",
-                o->source.path, clipped, model->mesh.triangles);
-    return done;
-}
-
-static bool import_as_pel2d(struct import_command *c)
-{
-    struct pel2d flat = {0};
-    struct model model;
-    if (!model_load(&model, &c->scene.source))
-        return false;
-    const bool done = project(&c->scene, &model, &flat) &&
-                      pel2d_save(&flat, c->options.output);
+                c->scene.source.path, clipped, model.mesh.triangles);
+    const bool done = projected && pel2d_save(&flat, c->options.output);
+    scene_free(&scene);
     pel2d_free(&flat);
     model_free(&model);
     return done;
@@ -271,7 +257,7 @@ static bool import_as_mesh(struct import_command *c)
         return false;
     const bool own_colors = mesh.has_colors && !source->texture;
     source->without_texture = own_colors && !c->format;
-    bool done = model_make_asset(&model, &mesh, c->normals16 ? 16 : 8) &&
+    bool done = model_make(&model, &mesh, c->normals16 ? 16 : 8) &&
                 model_add_textures(&model, &mesh, source);
     if (done && !own_colors)
         model_paint(&model);

@@ -59,7 +59,8 @@ static void print_figure(FILE *page, const struct demo *demo,
             p->width, p->height, result->milliseconds, demo->name);
 }
 
-/* The libraries that this build lacks. */
+/* The libraries that this build lacks, told on the page and on standard output.
+ */
 static const struct library {
     const char *name;
     const char *package; /* of Debian, that brings it */
@@ -92,44 +93,10 @@ static const struct library {
     {NULL, NULL, NULL},
 };
 
-/* Tells it on the page and on standard output. */
-static void tell_missing(FILE *page)
-{
-    for (const struct library *l = missing; l->name; l++) {
-        printf("built without %s (package %s): %s\n", l->name, l->package,
-               l->adds);
-        fprintf(page, "<p>Built without %s (package %s): %s.</p>\n", l->name,
-                l->package, l->adds);
-    }
-}
-
 struct gallery {
     const char *directory;
     FILE *page;
 };
-
-static bool save_as(const char *directory, const char *name, const char *ending,
-                    const struct picture *picture)
-{
-    char *path;
-    if (asprintf(&path, "%s/%s%s", directory, name, ending) < 0)
-        return message_error("out of memory");
-    const bool done = picture_save(picture, path);
-    free(path);
-    return done;
-}
-
-static bool add_picture(const struct gallery *g, const struct demo *demo,
-                        const struct demo_result *result)
-{
-    const struct picture *p = &result->picture;
-    printf("%-26s %5d x %-5d %10.3f ms\n", demo->name, p->width, p->height,
-           result->milliseconds);
-    fflush(stdout);
-    print_figure(g->page, demo, result);
-    return save_as(g->directory, demo->name, ".ppm", p) &&
-           save_as(g->directory, demo->name, picture_best_ending(), p);
-}
 
 bool demo_draw(struct demo_result *result, const struct demo_size *size,
                bool (*draw)(struct canvas *canvas, const void *context),
@@ -159,6 +126,17 @@ bool demo_draw_script(struct demo_result *result, const void *what)
     return demo_draw(result, &size, draw_items, script);
 }
 
+static bool save(const struct gallery *g, const char *name, const char *ending,
+                 const struct picture *picture)
+{
+    char *path;
+    if (asprintf(&path, "%s/%s%s", g->directory, name, ending) < 0)
+        return message_error("out of memory");
+    const bool done = picture_save(picture, path);
+    free(path);
+    return done;
+}
+
 /* The first run of a short drawing pays for cold caches and fresh pages: three
  * runs, and the time of the best. */
 static bool add_demo(const struct gallery *g, const struct demo *demo,
@@ -175,19 +153,16 @@ static bool add_demo(const struct gallery *g, const struct demo *demo,
     }
     if (note)
         snprintf(best.note, sizeof best.note, "%s", note);
-    done = done && add_picture(g, demo, &best);
+    if (done) {
+        printf("%-26s %5d x %-5d %10.3f ms\n", demo->name, best.picture.width,
+               best.picture.height, best.milliseconds);
+        fflush(stdout);
+        print_figure(g->page, demo, &best);
+        done = save(g, demo->name, ".ppm", &best.picture) &&
+               save(g, demo->name, picture_best_ending(), &best.picture);
+    }
     picture_free(&best.picture);
     return done;
-}
-
-/* The name of a script without folder and ending. */
-static void name_of(const char *path, char *name, size_t size)
-{
-    const char *slash = strrchr(path, '/');
-    snprintf(name, size, "%s", slash ? slash + 1 : path);
-    char *dot = strrchr(name, '.');
-    if (dot && dot > name)
-        *dot = '\0';
 }
 
 static bool add_script(const struct gallery *g, const char *path)
@@ -197,7 +172,10 @@ static bool add_script(const struct gallery *g, const char *path)
     const struct demo demo = {name, "", demo_draw_script, &script};
     if (!script_load(&script, path, NULL))
         return false;
-    name_of(path, name, sizeof name);
+    snprintf(name, sizeof name, "%s", basename(path));
+    char *dot = strrchr(name, '.');
+    if (dot && dot > name)
+        *dot = '\0';
     const bool done = add_demo(g, &demo, script.caption);
     script_free(&script);
     return done;
@@ -226,7 +204,12 @@ static bool write_page(struct output *output, const char *directory,
         return false;
     }
     fputs("</main>\n", output->stream);
-    tell_missing(output->stream);
+    for (const struct library *l = missing; l->name; l++) {
+        printf("built without %s (package %s): %s\n", l->name, l->package,
+               l->adds);
+        fprintf(output->stream, "<p>Built without %s (package %s): %s.</p>\n",
+                l->name, l->package, l->adds);
+    }
     fputs("</body>\n</html>\n", output->stream);
     return output_commit(output);
 }

@@ -3,10 +3,10 @@
 #include "sim/demo/rules.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "core/pel.h"
 #include "sim/demo/demo.h"
+#include "sim/view/inspect.h"
 
 enum {
     ZOOM = 16, /* magnified pixels of a side */
@@ -72,35 +72,8 @@ const struct rules_case rules_cases[] = {
     {NULL, {0}, 0, false},
 };
 
-/* A paint of one color that counts how often it paints each pixel. */
-struct counting {
-    struct pel_paint paint;
-    struct rules_pixels *pixels;
-    bool y_up;
-    struct pel_flat flat;
-};
-
-static int32_t row_of(int32_t y, bool y_up)
-{
-    return y_up ? RULES_HEIGHT - 1 - y : y;
-}
-
-static void counting_fill(const struct pel_paint *paint,
-                          const struct pel_spans *rows)
-{
-    const struct counting *c = (const struct counting *)(const void *)paint;
-    for (int i = 0; i < rows->n; i++) {
-        uint8_t *hits =
-            c->pixels->hits[row_of(rows->y + i * rows->step, c->y_up)];
-        for (int32_t x = rows->span[i].x0; x < rows->span[i].x1; x++)
-            hits[x]++;
-    }
-    pel_flat_fill(&c->flat.paint, rows);
-}
-
 static void draw_triangles(const struct pel_surface *surface,
-                           const struct rules_case *rules,
-                           struct counting *paint)
+                           const struct rules_case *rules)
 {
     static const pel_color colors[8] = {
         PEL_RGB(0x7F, 0xB3, 0xD5), PEL_RGB(0xF5, 0xB0, 0x6B),
@@ -113,29 +86,35 @@ static void draw_triangles(const struct pel_surface *surface,
         const struct pel_point v[3] = {{q[0] * 64, q[1] * 64},
                                        {q[2] * 64, q[3] * 64},
                                        {q[4] * 64, q[5] * 64}};
-        paint->flat.color = colors[i % 8];
+        const struct pel_flat flat = PEL_FLAT(colors[i % 8]);
         (rules->line ? pel_triangle_or_line : pel_triangle)(surface, v,
-                                                            &paint->paint);
+                                                            &flat.paint);
     }
 }
 
+/* Rows of memory go down the picture as it is seen. */
 void rules_draw(const struct rules_case *rules, bool y_up,
                 struct rules_pixels *pixels)
 {
-    uint32_t memory[RULES_HEIGHT][RULES_WIDTH];
+    uint32_t colors[RULES_HEIGHT][RULES_WIDTH];
+    uint32_t hits[RULES_HEIGHT][RULES_WIDTH] = {{0}};
     const struct pel_rect bounds = {0, 0, RULES_WIDTH, RULES_HEIGHT};
-    const int32_t stride = (int32_t)sizeof memory[0];
-    struct counting paint = {
-        {.fill = counting_fill}, pixels, y_up, PEL_FLAT(PEL_RGB(0, 0, 0))};
-    struct pel_surface surface;
-    memset(pixels->hits, 0, sizeof pixels->hits);
-    pel_surface_init_rect(&surface, &pel_xrgb8888, memory[row_of(0, y_up)],
-                          y_up ? -stride : stride, &bounds);
-    pel_clear(&surface, PEL_RGB(255, 255, 255));
-    draw_triangles(&surface, rules, &paint);
-    for (int32_t y = 0; y < RULES_HEIGHT; y++)
-        surface.format->load(&surface, 0, y, RULES_WIDTH,
-                             pixels->color[row_of(y, y_up)]);
+    const int32_t size = (int32_t)sizeof colors[0];
+    const int32_t stride = y_up ? -size : size;
+    const int first = y_up ? RULES_HEIGHT - 1 : 0;
+    struct pel_surface picture, heat;
+    pel_surface_init_rect(&picture, &pel_xrgb8888, colors[first], stride,
+                          &bounds);
+    pel_surface_init_rect(&heat, &inspect_heat, hits[first], stride, &bounds);
+    pel_clear(&picture, PEL_RGB(255, 255, 255));
+    draw_triangles(&picture, rules);
+    draw_triangles(&heat, rules);
+    for (int y = 0; y < RULES_HEIGHT; y++) {
+        const int row = y_up ? RULES_HEIGHT - 1 - y : y;
+        pel_xrgb8888.load(&picture, 0, y, RULES_WIDTH, pixels->color[row]);
+        for (int x = 0; x < RULES_WIDTH; x++)
+            pixels->hits[y][x] = (uint8_t)hits[y][x];
+    }
 }
 
 /* The place of a case on the sheet: px of its left top corner. */

@@ -26,34 +26,31 @@ static bool cut_short(const struct psf *p)
         p->path, 0, "ends after %zu bytes: expected a whole PSF file", p->size);
 }
 
-static bool read_head1(struct psf *p)
+static bool read_head(struct psf *p)
 {
     enum { MODE_512 = 1, MODE_TABLE = 2 | 4 };
-    if (p->size < 4)
+    const uint8_t *d = p->data;
+    if (p->size < (p->version == 1 ? 4 : 32))
         return cut_short(p);
-    p->count = p->data[2] & MODE_512 ? 512 : 256;
-    p->has_table = p->data[2] & MODE_TABLE;
-    p->glyph_size = p->height = p->data[3];
-    p->width = 8;
-    p->glyphs = 4;
-    return true;
-}
-
-static bool read_head2(struct psf *p)
-{
-    if (p->size < 32)
-        return cut_short(p);
-    p->glyphs = bytes_little(p->data + 8, 4);
-    p->has_table = bytes_little(p->data + 12, 4) & 1;
-    p->count = bytes_little(p->data + 16, 4);
-    p->glyph_size = bytes_little(p->data + 20, 4);
-    p->height = bytes_little(p->data + 24, 4);
-    p->width = bytes_little(p->data + 28, 4);
-    return (bytes_little(p->data + 4, 4) == 0 && p->glyphs >= 32) ||
+    if (p->version == 1) {
+        p->count = d[2] & MODE_512 ? 512 : 256;
+        p->has_table = d[2] & MODE_TABLE;
+        p->glyph_size = p->height = d[3];
+        p->width = 8;
+        p->glyphs = 4;
+        return true;
+    }
+    p->glyphs = bytes_little(d + 8, 4);
+    p->has_table = d[12] & 1;
+    p->count = bytes_little(d + 16, 4);
+    p->glyph_size = bytes_little(d + 20, 4);
+    p->height = bytes_little(d + 24, 4);
+    p->width = bytes_little(d + 28, 4);
+    return (bytes_little(d + 4, 4) == 0 && p->glyphs >= 32) ||
            message_error_at(p->path, 0,
                             "a PSF 2 header of version %u and %zu bytes: "
                             "expected version 0 and at least 32 bytes",
-                            (unsigned)bytes_little(p->data + 4, 4), p->glyphs);
+                            (unsigned)bytes_little(d + 4, 4), p->glyphs);
 }
 
 static bool check_size(const struct psf *p)
@@ -155,7 +152,7 @@ bool font_parse_psf(struct font *font, const struct font_file *file)
         .size = file->size,
     };
     p.version = p.data[0] == 0x36 ? 1 : 2;
-    if (!(p.version == 1 ? read_head1(&p) : read_head2(&p)) || !check_size(&p))
+    if (!read_head(&p) || !check_size(&p))
         return false;
     font->descent = (int)p.height / 4;
     font->ascent = (int)p.height - font->descent;

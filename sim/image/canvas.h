@@ -32,10 +32,8 @@ typedef void canvas_draw_function(struct pel_surface *surface, void *context);
 bool canvas_bands_legal(const struct pel_format *format, int rows);
 
 /* Calls draw once for the canvas (rows = 0), or once for each band of `rows`
- * lines from the top, as a device with memory for one band does: each band is a
- * small surface of its own, with its absolute bounds, that takes the pixels
- * from the canvas and brings them back. False, with a message, when memory is
- * short. */
+ * rows from the top: a surface of its own, with its absolute bounds. False,
+ * with a message, when such bands are not possible. */
 bool canvas_draw(struct canvas *canvas, int rows, canvas_draw_function *draw,
                  void *context);
 

@@ -82,21 +82,6 @@ static struct counts count(const struct aiScene *scene)
     return c;
 }
 
-static void note_losses(const char *path, const struct counts *file,
-                        const struct counts *drawn)
-{
-    if (file->points || file->lines)
-        message_error_at(path, 0,
-                         "%" PRIu64 " points and %" PRIu64
-                         " lines are left out: a mesh has triangles",
-                         file->points, file->lines);
-    if (drawn->triangles < file->triangles)
-        message_error_at(path, 0,
-                         "%" PRIu64 " of %" PRIu64
-                         " triangles are lost where polygons were cut",
-                         file->triangles - drawn->triangles, file->triangles);
-}
-
 /* Files have -0 and 0 for the same number: with 0 added it has no sign. */
 static void set3(double to[3], const struct aiVector3D *from)
 {
@@ -148,8 +133,7 @@ static void copy_vertices(const struct making *m, const struct aiMesh *from,
     }
 }
 
-/* Mirrored triangles are turned round. An index that is wrong in the mesh stays
- * wrong: mesh_check refuses it. */
+/* Mirrored triangles are turned round. */
 static void copy_triangles(const struct making *m, const struct aiMesh *from,
                            bool mirrored)
 {
@@ -159,10 +143,7 @@ static void copy_triangles(const struct making *m, const struct aiMesh *from,
             continue;
         uint32_t *to = m->mesh->triangle[m->part->triangles++];
         for (int k = 0; k < 3; k++)
-            to[mirrored ? 2 - k : k] =
-                face->mIndices[k] < from->mNumVertices
-                    ? face->mIndices[k] + m->part->vertices
-                    : UINT32_MAX;
+            to[mirrored ? 2 - k : k] = face->mIndices[k] + m->part->vertices;
     }
 }
 
@@ -287,8 +268,7 @@ bool mesh_load_file(struct mesh *mesh, const char *path)
     if (access(path, R_OK) != 0)
         return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
     struct counts file;
-    const struct aiScene *scene =
-        mesh_check_start(path) ? read_scene(path, &file) : NULL;
+    const struct aiScene *scene = read_scene(path, &file);
     if (!scene)
         return false;
     scene = aiApplyPostProcessing(scene, IMPORT_FLAGS); /* frees a wrong one */
@@ -296,7 +276,16 @@ bool mesh_load_file(struct mesh *mesh, const char *path)
         return message_error_at(path, 0, "no mesh that can be drawn (%s)",
                                 aiGetErrorString());
     const struct counts drawn = count(scene);
-    note_losses(path, &file, &drawn);
+    if (file.points || file.lines)
+        message_error_at(path, 0,
+                         "%" PRIu64 " points and %" PRIu64
+                         " lines are left out: a mesh has triangles",
+                         file.points, file.lines);
+    if (drawn.triangles < file.triangles)
+        message_error_at(path, 0,
+                         "%" PRIu64 " of %" PRIu64
+                         " triangles are lost where polygons were cut",
+                         file.triangles - drawn.triangles, file.triangles);
     const bool done =
         check_counts(&drawn, path) &&
         mesh_init(mesh, (uint32_t)drawn.vertices, (uint32_t)drawn.triangles,

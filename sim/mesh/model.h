@@ -21,6 +21,7 @@ struct model {
     struct pel_mesh mesh;   /* world units; normals of 16 bits and colors are
                                always there, uv where the file has them */
     double low[3], high[3]; /* the box around it, world units */
+    struct pel_mesh_part *part; /* mesh.part */
     bool plain; /* its colors are those of materials: they show no shape */
     struct model_texture *texture; /* the numbers of mesh.part */
     size_t textures;
@@ -41,19 +42,16 @@ struct model_source {
  * cannot be read, or the mesh has no uv for it; `model` is then empty. */
 bool model_load(struct model *model, const struct model_source *source);
 
-/* The parts of it, for meshes that are changed in between. */
+/* The parts of it, for meshes that are changed in between. asset_bits: 0; or,
+ * of an asset in flash, those of normals, 8 or 16, and a shift of
+ * PEL_MESH_SHIFT_MAX at most. */
 bool model_read(struct mesh *mesh, const struct model_source *source);
-bool model_make(struct model *model, const struct mesh *mesh);
+bool model_make(struct model *model, const struct mesh *mesh, int asset_bits);
 bool model_add_textures(struct model *model, const struct mesh *mesh,
                         const struct model_source *source);
 
 /* Lays a picture, which it takes, on the whole model. */
 bool model_set_picture(struct model *model, const struct picture *picture);
-
-/* As model_make, but for an asset in flash: a shift of PEL_MESH_SHIFT_MAX at
- * most, and normals of 8 or 16 bits. */
-bool model_make_asset(struct model *model, const struct mesh *mesh,
-                      int normal_bits);
 
 /* The middle of its box, and how far the corners are from it. */
 double model_middle(const struct model *model, double middle[3]);

@@ -7,12 +7,6 @@
 #include "sim/cli/message.h"
 #include "sim/mesh/vector.h"
 
-void mesh_normalise(struct mesh *mesh)
-{
-    for (uint32_t i = 0; i < mesh->vertices; i++)
-        vector_normalise(mesh->vertex[i].normal);
-}
-
 /* A corner of a triangle: its new vertex, which has the normal of the face, of
  * the length of twice its area, and gets `mean`. */
 struct corner {
@@ -40,13 +34,8 @@ static int compare_places(const void *left, const void *right)
     return 0;
 }
 
-/* True when faces are turned by the angle of that cosine at most. */
-static bool is_joint(const double a[3], const double b[3], double cosine)
-{
-    return vector_dot(a, b) >= cosine * vector_length(a) * vector_length(b);
-}
-
-/* The means of n corners at one place. */
+/* The means of n corners at one place, of the faces that are turned by the
+ * angle of that cosine at most. */
 static void set_means(struct corner *corner, uint32_t n, double cosine)
 {
     for (uint32_t i = 0; i < n; i++) {
@@ -54,7 +43,8 @@ static void set_means(struct corner *corner, uint32_t n, double cosine)
         const double *own = corner[i].vertex->normal;
         for (uint32_t j = 0; j < n; j++) {
             const double *other = corner[j].vertex->normal;
-            if (is_joint(own, other, cosine))
+            if (vector_dot(own, other) >=
+                cosine * vector_length(own) * vector_length(other))
                 for (int k = 0; k < 3; k++)
                     mean[k] += other[k];
         }

@@ -13,6 +13,7 @@
 struct frustum {
     double eye[3];
     double axis[3][3]; /* x, y, z of camera space, in world space */
+    double distance;   /* from eye to target */
     double extent[2];  /* x/z and y/z at the sides of the picture, or x, y */
 };
 
@@ -25,10 +26,10 @@ static bool frustum_init(struct frustum *frustum, const struct camera *camera)
     memcpy(frustum->eye, camera->eye, sizeof(frustum->eye));
     memcpy(up, camera->up, sizeof(up));
     vector_subtract(camera->target, camera->eye, z);
-    const double distance = vector_normalise(z);
+    frustum->distance = vector_normalise(z);
     vector_normalise(up);
     vector_cross(z, up, x);
-    if (!(distance > 0) || !(vector_normalise(x) > 1e-9))
+    if (!(frustum->distance > 0) || !(vector_normalise(x) > 1e-9))
         return false;
     vector_cross(x, z, y);
     for (int k = 0; k < 2; k++)
@@ -77,19 +78,6 @@ static void find_needs(const struct model *model, const struct frustum *frustum,
     }
 }
 
-/* Moves the target so that opposite sides need nearly the same. */
-static void center(struct camera *camera, const struct frustum *frustum,
-                   const struct needs *needs)
-{
-    const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
-    for (int j = 0; j < 2 && !camera->has_target; j++) {
-        const double shift = (needs->side[j][0] - needs->side[j][1]) / 2 *
-                             (flat ? 1 : frustum->extent[j]);
-        for (int k = 0; k < 3; k++)
-            camera->target[k] += shift * frustum->axis[j][k];
-    }
-}
-
 /* The sensor of an orthographic camera: as large as the model needs. */
 static void fit_sensor(struct camera *camera, const struct needs *needs)
 {
@@ -103,7 +91,8 @@ static void fit_sensor(struct camera *camera, const struct needs *needs)
 }
 
 /* Places the eye in front, a little to the right and above; moves the target,
- * unless the user chose it, until the model is in the middle: a few steps do.
+ * unless the user chose it, until the opposite sides need the same: a few steps
+ * do.
  */
 static bool frame_eye(struct camera *camera, const struct model *model)
 {
@@ -118,8 +107,13 @@ static bool frame_eye(struct camera *camera, const struct model *model)
         if (!frustum_init(&frustum, camera))
             return false;
         find_needs(model, &frustum, flat, &needs);
-        if (step < 7)
-            center(camera, &frustum, &needs);
+        for (int j = 0; j < 2 && step < 7 && !camera->has_target; j++) {
+            const double *side = needs.side[j];
+            const double shift =
+                (side[0] - side[1]) / 2 * (flat ? 1 : frustum.extent[j]);
+            for (int k = 0; k < 3; k++)
+                camera->target[k] += shift * frustum.axis[j][k];
+        }
     }
     distance = needs.depth * (flat ? 2 : 1.01);
     for (int k = 0; k < 2 && !flat; k++)
@@ -145,17 +139,6 @@ static bool frame_sensor(struct camera *camera, const struct model *model)
     return true;
 }
 
-static void frame_near(struct camera *camera, const struct model *model,
-                       const struct frustum *frustum)
-{
-    double middle[3], at[3], view[3];
-    const double radius = model_middle(model, middle);
-    frustum_point(frustum, middle, at);
-    vector_subtract(camera->target, camera->eye, view);
-    camera->near_plane =
-        fmax(vector_length(view) / 1000, 0.98 * (at[2] - radius));
-}
-
 bool camera_frame(struct camera *camera, const struct model *model)
 {
     struct frustum frustum;
@@ -173,7 +156,11 @@ bool camera_frame(struct camera *camera, const struct model *model)
         return message_error("eye and target are one place, or up points along "
                              "the view: expected an eye beside the target and "
                              "an up across the view");
+    double middle[3], at[3];
+    const double radius = model_middle(model, middle);
+    frustum_point(&frustum, middle, at);
     if (!camera->has_near)
-        frame_near(camera, model, &frustum);
+        camera->near_plane =
+            fmax(frustum.distance / 1000, 0.98 * (at[2] - radius));
     return true;
 }

@@ -68,19 +68,15 @@ static uint32_t mean_of(uint32_t a, uint32_t b, uint32_t c)
     return (a + b + c + 1) / 3;
 }
 
-static pel_color mean_color(const pel_color color[3])
-{
-    pel_color a = color[0], b = color[1], c = color[2];
-    return PEL_RGB(mean_of(pel_red(a), pel_red(b), pel_red(c)),
-                   mean_of(pel_green(a), pel_green(b), pel_green(c)),
-                   mean_of(pel_blue(a), pel_blue(b), pel_blue(c)));
-}
-
 static void draw_flat(const struct painter *painter,
                       const struct pel_surface *surface,
                       const struct pel_point at[3], const pel_color color[3])
 {
-    const struct pel_flat flat = PEL_FLAT(mean_color(color));
+    const pel_color a = color[0], b = color[1], c = color[2];
+    const struct pel_flat flat =
+        PEL_FLAT(PEL_RGB(mean_of(pel_red(a), pel_red(b), pel_red(c)),
+                         mean_of(pel_green(a), pel_green(b), pel_green(c)),
+                         mean_of(pel_blue(a), pel_blue(b), pel_blue(c))));
     if (painter->lines)
         pel_triangle_or_line(surface, at, &flat.paint);
     else

@@ -205,15 +205,11 @@ void scene_print_order(FILE *out, const struct scene *scene);
  * prepared scene: with it core draws what the scene shows. */
 void scene_print_camera(FILE *out, const struct scene *scene);
 
-/* Parts of scene_prepare and scene_draw, in files of their own. */
+/* Parts of scene_prepare, in files of their own. */
 
-/* Places, in the scale that fits: scene->units, mesh, pose, scene.camera and
- * scene.viewport. The camera is complete. */
+/* Places, in the scale that fits, lights and material: units, mesh, pose,
+ * core.camera, core.viewport, lighting. The camera is complete. */
 void scene_place(struct scene *scene, const struct scene_settings *settings);
-
-/* Lights and material, after scene_place: lighting and light. */
-void scene_place_lights(struct scene *scene,
-                        const struct scene_settings *settings);
 
 /* Sets depth_bits, and the sort where it is needed for the order; before a
  * frame of the scene is prepared. SCENE_AUTO sorts where a proof of the
@@ -225,10 +221,5 @@ void scene_set_order(struct scene *scene, const struct scene_settings *s);
  * fails for a part of the picture, depths are kept for that part, or for all
  * of it. */
 void scene_prove_order(struct scene *scene);
-
-/* Draws a part of the picture as was decided; false, with a message, when
- * there is no memory. The frame is a copy of the scene's, with its own work. */
-bool scene_draw_ordered(const struct scene *scene, struct pel_frame *frame,
-                        const struct pel_surface *surface);
 
 #endif

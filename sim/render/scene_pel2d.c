@@ -117,17 +117,6 @@ static bool add_clipped(struct projection *p, const uint32_t corner[3])
     return true;
 }
 
-static bool add_triangle(struct projection *p, uint32_t triangle)
-{
-    uint32_t corner[3];
-    bool on_screen = true;
-    pel_mesh_corners(&p->scene->mesh, triangle, corner);
-    for (int k = 0; k < 3; k++)
-        on_screen = on_screen &&
-                    p->scene->frame.vertex[corner[k]].at.x != PEL_NOT_ON_SCREEN;
-    return on_screen ? add_whole(p, corner) : add_clipped(p, corner);
-}
-
 bool scene_project(const struct scene *scene, struct pel2d *flat,
                    uint32_t *clipped)
 {
@@ -139,8 +128,15 @@ bool scene_project(const struct scene *scene, struct pel2d *flat,
                                          mesh->vertices);
     for (uint32_t i = 0; i < mesh->vertices && done; i++)
         p.index[i] = NOT_YET;
-    for (uint32_t i = 0; i < mesh->triangles && done; i++)
-        done = add_triangle(&p, i);
+    for (uint32_t i = 0; i < mesh->triangles && done; i++) {
+        uint32_t corner[3];
+        bool on_screen = true;
+        pel_mesh_corners(mesh, i, corner);
+        for (int k = 0; k < 3; k++)
+            on_screen &=
+                scene->frame.vertex[corner[k]].at.x != PEL_NOT_ON_SCREEN;
+        done = on_screen ? add_whole(&p, corner) : add_clipped(&p, corner);
+    }
     free(p.index);
     *clipped = p.clipped;
     if (!done)

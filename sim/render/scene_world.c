@@ -19,6 +19,15 @@ static double extent_of(const double v[3])
     return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
 }
 
+/* `from` has any length: the largest part gets 30 bits. */
+static void place_direction(const double from[3], int32_t to[3])
+{
+    const double extent = extent_of(from);
+    for (int k = 0; k < 3; k++)
+        to[k] = (int32_t)lround(from[k] / (extent > 0 ? extent : 1) *
+                                PEL_COSINE_ONE);
+}
+
 /* The largest coordinate of camera and model, however that is turned. */
 static double extent_of_all(const struct scene *scene,
                             const struct scene_settings *s)
@@ -78,15 +87,6 @@ static void place_pose(struct scene *scene, const uint16_t turn[3])
     scene->core.pose = turned ? &scene->pose : NULL;
 }
 
-/* `from` has any length: the largest part gets 30 bits. */
-static void place_up(const double from[3], int32_t up[3])
-{
-    const double extent = extent_of(from);
-    for (int k = 0; k < 3; k++)
-        up[k] = (int32_t)lround(from[k] / (extent > 0 ? extent : 1) *
-                                PEL_COSINE_ONE);
-}
-
 /* A lens in 1/1000 mm, in larger steps where that is too much; square pixels
  * that nobody measured are exactly square. */
 static void place_lens(struct pel_camera *to, const struct camera *from)
@@ -113,7 +113,7 @@ static void place_camera(struct scene *scene, const struct scene_settings *s)
         to->eye[k] = length_of(scene, from->eye[k]);
         to->target[k] = length_of(scene, from->target[k]);
     }
-    place_up(from->up, to->up);
+    place_direction(from->up, to->up);
     to->projection = from->projection;
     to->near_plane = (pel_length)fmax(length_of(scene, from->near_plane), 1);
     if (from->projection == PEL_PERSPECTIVE)
@@ -124,17 +124,6 @@ static void place_camera(struct scene *scene, const struct scene_settings *s)
         s->left, s->top, s->left + from->width, s->top + from->height};
 }
 
-void scene_place(struct scene *scene, const struct scene_settings *settings)
-{
-    int exponent;
-    scene->units = units_of(scene, settings);
-    frexp(scene->units, &exponent); /* units = 2^(exponent - 1) */
-    scene->mesh = scene->model->mesh;
-    scene->mesh.position.shift -= exponent - 1;
-    place_pose(scene, settings->turn);
-    place_camera(scene, settings);
-}
-
 static pel_factor factor_of(double value)
 {
     return (pel_factor)lround(value * 65536);
@@ -143,14 +132,13 @@ static pel_factor factor_of(double value)
 static void place_light(struct scene *scene, struct pel_light *to,
                         const struct scene_light *from, bool directional)
 {
-    const double extent = extent_of(from->at);
     to->directional = directional;
     for (int k = 0; k < 3; k++) {
         to->color[k] = factor_of(from->color[k]);
-        to->at[k] = directional
-                        ? (int32_t)lround(from->at[k] / extent * PEL_COSINE_ONE)
-                        : length_of(scene, from->at[k]);
+        to->at[k] = length_of(scene, from->at[k]);
     }
+    if (directional)
+        place_direction(from->at, to->at);
 }
 
 /* A light for those who name none: white, from above, left of the viewer. */
@@ -168,35 +156,41 @@ static struct scene_light own_light(const struct camera *camera)
     return light;
 }
 
-static void place_material(struct pel_lighting *to,
-                           const struct scene_settings *s)
-{
-    const unsigned terms = s->terms;
-    for (int k = 0; k < 3; k++)
-        to->ambient_color[k] = factor_of(s->ambient_color[k]);
-    to->ambient = terms & SCENE_AMBIENT ? factor_of(s->ambient) : 0;
-    to->diffuse = terms & SCENE_DIFFUSE ? factor_of(s->diffuse) : 0;
-    to->specular = terms & SCENE_SPECULAR ? factor_of(s->specular) : 0;
-    to->shininess = s->shininess;
-    to->plain_highlights = s->plain_highlights;
-    to->no_back_highlights = s->no_back_highlights;
-    to->both_sides = s->both_sides;
-}
-
-void scene_place_lights(struct scene *scene, const struct scene_settings *s)
+static void place_lights(struct scene *scene, const struct scene_settings *s)
 {
     const double extent = extent_of_all(scene, s);
-    scene->lighting.light = scene->light;
-    scene->lighting.lights = s->lights;
+    struct pel_lighting *to = &scene->lighting;
+    to->light = scene->light;
+    to->lights = s->lights;
     for (int i = 0; i < s->lights; i++)
         place_light(scene, &scene->light[i], &s->light[i],
                     s->light[i].directional || is_far(&s->light[i], extent));
     if (s->lights == 0) {
         const struct scene_light own = own_light(&s->camera);
         place_light(scene, &scene->light[0], &own, true);
-        scene->lighting.lights = 1;
+        to->lights = 1;
     }
-    place_material(&scene->lighting, s);
+    for (int k = 0; k < 3; k++)
+        to->ambient_color[k] = factor_of(s->ambient_color[k]);
+    to->ambient = s->terms & SCENE_AMBIENT ? factor_of(s->ambient) : 0;
+    to->diffuse = s->terms & SCENE_DIFFUSE ? factor_of(s->diffuse) : 0;
+    to->specular = s->terms & SCENE_SPECULAR ? factor_of(s->specular) : 0;
+    to->shininess = s->shininess;
+    to->plain_highlights = s->plain_highlights;
+    to->no_back_highlights = s->no_back_highlights;
+    to->both_sides = s->both_sides;
+}
+
+void scene_place(struct scene *scene, const struct scene_settings *settings)
+{
+    int exponent;
+    scene->units = units_of(scene, settings);
+    frexp(scene->units, &exponent); /* units = 2^(exponent - 1) */
+    scene->mesh = scene->model->mesh;
+    scene->mesh.position.shift -= exponent - 1;
+    place_pose(scene, settings->turn);
+    place_camera(scene, settings);
+    place_lights(scene, settings);
 }
 
 static void print_three(FILE *out, const char *name, const int32_t value[3])

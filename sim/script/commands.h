@@ -8,32 +8,27 @@
 #include "core/raster/polygon.h"
 #include "sim/script/script.h"
 
-struct script_asset;
 struct script_paints;
 struct script_scene;
 
 /* The state that commands change and shapes use, while a script is drawn. */
 struct script_pen {
     struct pel_surface *surface;
-    /* Makes the paint in force from its values, in the pen's memory. */
-    void (*make)(const struct script_pen *pen, const int32_t *values);
-    const int32_t *values;
-    size_t value_count;
-    const struct script_command *command; /* that is drawn, */
-    const int32_t *drawn;                 /* its values */
-    size_t count;                         /* and how many these are */
+    const struct script *script;
+    const struct script_item *item;  /* that is drawn */
+    const struct script_item *paint; /* in force; NULL: white */
+    struct script_paints *paints;    /* memory for it */
     enum pel_spread spread;
     enum pel_wrap wrap;
     uint16_t phase; /* of radial gradients */
     uint8_t fewer;  /* cells of a gradient with stops: halved so often */
     bool bilinear, dither;
-    bool collinear_line;          /* a triangle without area is a line */
-    struct script_paints *paints; /* memory for a paint */
+    bool collinear_line; /* a triangle without area is a line */
     struct pel_rect clip;
-    const struct script_asset *assets;
     const struct pel_font_asset *font; /* in force, or NULL */
     bool failed; /* a mesh had too little memory, or a light is one too many */
-    struct script_scene *scene; /* of commands that SCRIPT_SCENE marks */
+    struct script_scene *scene; /* of commands that SCRIPT_SCENE marks, which
+                                   do nothing when it is NULL */
     void *scratch;              /* for the largest polygon of the script */
     size_t scratch_size;
 };
@@ -42,14 +37,16 @@ enum script_role {
     SCRIPT_CANVAS,       /* first, and once */
     SCRIPT_BANDS,        /* splits the drawing */
     SCRIPT_STATE,        /* anything else that is no shape */
-    SCRIPT_WHOLE,        /* reads pixels anywhere: not in bands */
     SCRIPT_SCENE,        /* settings of meshes: made while the script is read */
-    SCRIPT_MESH,         /* a shape that takes no paint */
+    SCRIPT_FONT,         /* what text needs */
     SCRIPT_PAINT,        /* a paint that every shape takes */
     SCRIPT_PAINT_VERTEX, /* a paint that triangles alone take */
-    SCRIPT_TRIANGLE,
+    /* Those that follow draw. */
+    SCRIPT_CLEAR,
+    SCRIPT_WHOLE,    /* reads pixels anywhere: not in bands */
+    SCRIPT_PICTURE,  /* what takes no paint: images, meshes */
+    SCRIPT_TRIANGLE, /* what takes one: triangles even paint vertex */
     SCRIPT_SHAPE,
-    SCRIPT_FONT, /* what text needs */
     SCRIPT_TEXT
 };
 
@@ -89,7 +86,7 @@ struct script_command {
     void (*draw)(struct script_pen *pen, const int32_t *v); /* or NULL */
     /* Says what is wrong with these arguments, or returns NULL. May be NULL. */
     const char *(*check)(const int32_t *v, size_t n);
-    /* script_pen.make of a paint command. */
+    /* Makes a paint of a paint command in the pen's memory. */
     void (*make)(const struct script_pen *pen, const int32_t *values);
     /* A setting, which the values are written to before `draw`: where it lies
      * in struct script_pen, or struct script_scene for SCRIPT_SCENE; bytes of
@@ -113,16 +110,29 @@ bool script_pen_init(struct script_pen *pen, const struct script *script,
 void script_pen_free(struct script_pen *pen);
 
 /* Runs a command: makes its setting, chooses its paint, draws. */
-void script_perform(struct script_pen *pen,
-                    const struct script_command *command, const int32_t *v,
-                    size_t n);
+void script_perform(struct script_pen *pen, const struct script_item *item);
+
+/* The values of an item of the pen's script. */
+static inline const int32_t *script_values(const struct script_pen *pen,
+                                           const struct script_item *item)
+{
+    return pen->script->values + item->first;
+}
+
+/* Is the pixel (x, y) within the clip in force? */
+bool script_clip_holds(const struct script_pen *pen, const int pixel[2]);
+
+/* True when the item, a command that draws, covers the pixel (x, y) whatever
+ * the clip; *color is then the color that it leaves there. `pen` holds the
+ * settings before the command. */
+bool script_covers(const struct script_pen *pen, const struct script_item *item,
+                   const int pixel[2], pel_color *color);
 
 /* The paint in force, dithered when that is; good until the next call. */
 const struct pel_paint *script_paint(const struct script_pen *pen);
 
-/* The paint with which scripts begin, white, and memory for others. False
- * when that is short. */
-bool script_paint_init(struct script_pen *pen);
+/* Bytes of struct script_paints, memory for any paint. */
+size_t script_paint_size(void);
 
 /* All commands, the first of script_shapes first. The name NULL ends a table,
  * whose last row says which one is `next`. script_next(the last one) is NULL.

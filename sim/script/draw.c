@@ -25,24 +25,21 @@ static void set_values(char *to, size_t size, const int32_t *v, size_t n)
     }
 }
 
-void script_perform(struct script_pen *pen,
-                    const struct script_command *command, const int32_t *v,
-                    size_t n)
+void script_perform(struct script_pen *pen, const struct script_item *item)
 {
-    char *settings =
-        command->role == SCRIPT_SCENE ? (char *)pen->scene : (char *)pen;
-    if (command->role == SCRIPT_PAINT || command->role == SCRIPT_PAINT_VERTEX) {
-        pen->make = command->make;
-        pen->values = v;
-        pen->value_count = n;
-    }
+    const struct script_command *command = item->command;
+    const enum script_role role = command->role;
+    const int32_t *v = script_values(pen, item);
+    char *settings = role == SCRIPT_SCENE ? (char *)pen->scene : (char *)pen;
+    if (!settings)
+        return;
+    if (role == SCRIPT_PAINT || role == SCRIPT_PAINT_VERTEX)
+        pen->paint = item;
     if (command->size)
-        set_values(settings + command->offset, command->size, v, n);
+        set_values(settings + command->offset, command->size, v, item->count);
     if (command->flag)
         *(bool *)(settings + command->flag) = true;
-    pen->command = command;
-    pen->drawn = v;
-    pen->count = n;
+    pen->item = item;
     if (command->draw)
         command->draw(pen, v);
 }
@@ -89,10 +86,11 @@ bool script_pen_init(struct script_pen *pen, const struct script *script,
         pel_polygon_outline_scratch_size((int32_t)script->polygon_max);
     *pen = (struct script_pen){.surface = surface,
                                .clip = surface->bounds,
-                               .assets = script->assets,
+                               .script = script,
                                .scratch = malloc(size + 1),
-                               .scratch_size = size};
-    if (script_paint_init(pen) && pen->scratch)
+                               .scratch_size = size,
+                               .paints = malloc(script_paint_size())};
+    if (pen->scratch && pen->paints)
         return true;
     script_pen_free(pen);
     return message_error("no memory for a polygon of %zu vertices",
@@ -105,42 +103,27 @@ void script_pen_free(struct script_pen *pen)
     free(pen->paints);
 }
 
-/* A script, and the pen with which each band begins. */
-struct replay {
-    const struct script *script;
-    struct script_pen pen;
-    bool failed;
-};
-
-static void replay_draw(struct pel_surface *surface, void *context)
+/* `context` is the pen with which each band begins. */
+static void draw_all(struct pel_surface *surface, void *context)
 {
-    struct replay *replay = context;
-    const struct script *script = replay->script;
-    struct script_pen pen = replay->pen;
+    struct script_pen *start = context, pen = *start;
+    const struct script *script = pen.script;
     pen.surface = surface;
-    for (size_t i = 0; i < script->item_count; i++) {
-        const struct script_item *item = &script->items[i];
-        if (item->command->role != SCRIPT_SCENE)
-            script_perform(&pen, item->command, script->values + item->first,
-                           item->count);
-    }
-    replay->failed = replay->failed || pen.failed;
+    for (size_t i = 0; i < script->item_count; i++)
+        script_perform(&pen, &script->items[i]);
+    start->failed = start->failed || pen.failed;
 }
 
 bool script_draw(const struct script *script, struct canvas *canvas, int rows)
 {
-    struct replay replay = {.script = script};
+    struct script_pen pen;
     const char *instead = rows < 0 ? "bands 0 before it" : "--bands 0";
     if (rows < 0)
         rows = script->bands;
-    if (!canvas_bands_legal(script->format, rows))
-        return message_error("bands of %d rows: expected a multiple of 8 for "
-                             "mono1_pages",
-                             rows);
     if (!check_whole(script, &canvas->surface.bounds, rows, instead) ||
-        !script_pen_init(&replay.pen, script, &canvas->surface))
+        !script_pen_init(&pen, script, &canvas->surface))
         return false;
-    const bool done = canvas_draw(canvas, rows, replay_draw, &replay);
-    script_pen_free(&replay.pen);
-    return done && !replay.failed;
+    const bool done = canvas_draw(canvas, rows, draw_all, &pen);
+    script_pen_free(&pen);
+    return done && !pen.failed;
 }

@@ -10,14 +10,15 @@
 #include "sim/cli/commands.h"
 #include "sim/cli/message.h"
 #include "sim/cli/number.h"
-#include "sim/script/pick.h"
+#include "sim/script/commands.h"
 
 struct explanation {
-    const struct script *script;
-    int at[2]; /* the pixel's x, y */
-    bool all;  /* tells of commands that leave the pixel, too */
+    struct script script;
+    const struct pel_format *format; /* NULL: the script's */
+    int at[2];                       /* the pixel's x, y */
+    bool all; /* tells of commands that leave the pixel, too */
     struct script_pen pen;
-    const struct script_item *paint, *clip; /* in force, or NULL */
+    const struct script_item *clip; /* in force, or NULL */
     bool touched;
 };
 
@@ -158,7 +159,7 @@ static void explain_shape(const struct explanation *e,
     }
     for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++)
         if (choice_find(shapes[i].names, name) >= 0)
-            shapes[i].explain(c, e->script->values + item->first, item->count);
+            shapes[i].explain(c, script_values(&e->pen, item), item->count);
 }
 
 static pel_color pixel(const struct explanation *e)
@@ -172,11 +173,10 @@ static pel_color pixel(const struct explanation *e)
 static void print_paint(const struct explanation *e,
                         const struct script_item *item, pel_color color)
 {
-    const enum script_role role = item->command->role;
-    const bool painted =
-        role == SCRIPT_TRIANGLE || role == SCRIPT_SHAPE || role == SCRIPT_TEXT;
-    if (painted && e->paint)
-        printf("%s (line %ld)%s, ", e->paint->command->name, e->paint->line,
+    const struct script_item *paint = e->pen.paint;
+    const bool painted = item->command->role >= SCRIPT_TRIANGLE;
+    if (painted && paint)
+        printf("%s (line %ld)%s, ", paint->command->name, paint->line,
                e->pen.dither ? ", dithered" : "");
     else if (painted)
         printf("white, as at first, ");
@@ -185,23 +185,16 @@ static void print_paint(const struct explanation *e,
         printf(" alpha %u", (unsigned)pel_alpha(color));
 }
 
-static void perform(struct explanation *e, const struct script_item *item)
-{
-    script_perform(&e->pen, item->command, e->script->values + item->first,
-                   item->count);
-}
-
 /* A command that draws. */
 static void explain_item(struct explanation *e, const struct script_item *item)
 {
     pel_color color = 0;
-    const struct pel_format *format = e->script->format;
+    const struct pel_format *format = e->script.format;
     const pel_color before = pixel(e);
     const bool moves = item->command->role == SCRIPT_WHOLE;
-    const bool covered =
-        !moves && script_covers(&e->pen, e->script, item, e->at, &color);
+    const bool covered = !moves && script_covers(&e->pen, item, e->at, &color);
     const bool clipped = !script_clip_holds(&e->pen, e->at);
-    perform(e, item);
+    script_perform(&e->pen, item);
     const pel_color after = pixel(e);
     const bool touched = (covered && !clipped) || (moves && before != after);
     e->touched = e->touched || touched;
@@ -226,46 +219,29 @@ static void explain_item(struct explanation *e, const struct script_item *item)
 
 static void explain_all(struct explanation *e)
 {
-    for (size_t i = 0; i < e->script->item_count; i++) {
-        const struct script_item *item = &e->script->items[i];
-        const enum script_role role = item->command->role;
-        if (role == SCRIPT_PAINT || role == SCRIPT_PAINT_VERTEX)
-            e->paint = item;
+    for (size_t i = 0; i < e->script.item_count; i++) {
+        const struct script_item *item = &e->script.items[i];
         if (strcmp(item->command->name, "clip") == 0)
             e->clip = item;
-        if (script_draws(item->command))
+        if (item->command->role >= SCRIPT_CLEAR)
             explain_item(e, item);
-        else if (role != SCRIPT_SCENE)
-            perform(e, item);
+        else
+            script_perform(&e->pen, item);
     }
     if (!e->touched)
         puts("no command touches this pixel");
 }
 
-struct explain_options {
-    bool all;
-    const struct pel_format *format;
-};
-
-static const struct option_row options[] = {
-    {"all", NULL, "tell of commands that leave the pixel alone, too",
-     OPTION_FLAG, .offset = offsetof(struct explain_options, all)},
-    {"format", "NAME", "draw in this pixel format, whatever the script says",
-     OPTION_FORMAT, .offset = offsetof(struct explain_options, format)},
-    {.help = NULL},
-};
-
 static bool explain(struct explanation *e)
 {
     struct canvas canvas;
-    const struct script *script = e->script;
-    if (!canvas_init(&canvas, script->format, script->width, script->height))
+    const int width = e->script.width, height = e->script.height;
+    if (!canvas_init(&canvas, e->script.format, width, height))
         return false;
-    const bool done = script_pen_init(&e->pen, script, &canvas.surface);
+    const bool done = script_pen_init(&e->pen, &e->script, &canvas.surface);
     if (done) {
         printf("pixel (%d, %d): centre %.1f %.1f of %d x %d\n", e->at[0],
-               e->at[1], e->at[0] + 0.5, e->at[1] + 0.5, script->width,
-               script->height);
+               e->at[1], e->at[0] + 0.5, e->at[1] + 0.5, width, height);
         explain_all(e);
         script_pen_free(&e->pen);
     }
@@ -283,10 +259,17 @@ static bool parse_pixel(const char *text, const char *axis, int size, int *to)
     return true;
 }
 
+static const struct option_row options[] = {
+    {"all", NULL, "tell of commands that leave the pixel alone, too",
+     OPTION_FLAG, .offset = offsetof(struct explanation, all)},
+    {"format", "NAME", "draw in this pixel format, whatever the script says",
+     OPTION_FORMAT, .offset = offsetof(struct explanation, format)},
+    {.help = NULL},
+};
+
 int command_explain(int argc, char **argv)
 {
-    struct explain_options o = {.all = false};
-    struct script script;
+    struct explanation e = {.all = false};
     const struct command_line line = {
         .arguments = "SCRIPT X Y",
         .least = 3,
@@ -296,14 +279,13 @@ int command_explain(int argc, char **argv)
                  "was there, what comes of it and the value in the canvas's "
                  "format; and, for shapes, the numbers by which the pixel "
                  "is covered or not.",
-        .tables = {{options, &o, NULL}}};
+        .tables = {{options, &e, NULL}}};
     char **arguments = arguments_parse(&line, argc, argv);
-    if (!script_load(&script, arguments[0], o.format))
-        return STATUS_ERROR;
-    struct explanation e = {.script = &script, .all = o.all};
-    const bool done = parse_pixel(arguments[1], "X", script.width, &e.at[0]) &&
-                      parse_pixel(arguments[2], "Y", script.height, &e.at[1]) &&
-                      explain(&e);
-    script_free(&script);
+    const bool done =
+        script_load(&e.script, arguments[0], e.format) &&
+        parse_pixel(arguments[1], "X", e.script.width, &e.at[0]) &&
+        parse_pixel(arguments[2], "Y", e.script.height, &e.at[1]) &&
+        explain(&e);
+    script_free(&e.script);
     return done ? STATUS_OK : STATUS_ERROR;
 }

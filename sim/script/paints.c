@@ -42,8 +42,8 @@ static struct pel_point point(const int32_t *v)
 static struct pel_ramp ramp_of(const struct script_pen *pen, size_t first)
 {
     struct pel_stop stops[SCRIPT_STOPS_MAX];
-    const int32_t *v = pen->values + first;
-    const size_t n = (pen->value_count - first) / 2;
+    const int32_t *v = script_values(pen, pen->paint) + first;
+    const size_t n = (pen->paint->count - first) / 2;
     for (size_t i = 0; i < n; i++)
         stops[i] = (struct pel_stop){v[2 * i], (pel_color)v[2 * i + 1]};
     const int32_t cells = SCRIPT_RAMP_COLORS >> pen->fewer;
@@ -51,7 +51,7 @@ static struct pel_ramp ramp_of(const struct script_pen *pen, size_t first)
     return (struct pel_ramp){pen->paints->ramp, cells, pen->spread};
 }
 
-/* These make pen->paints->any; v are pen->values. None can fail: the values
+/* These make pen->paints->any; v are its values. None can fail: the values
  * were checked when the script was read. */
 
 static void make_flat(const struct script_pen *pen, const int32_t *v)
@@ -62,8 +62,8 @@ static void make_flat(const struct script_pen *pen, const int32_t *v)
 /* A color for each vertex of the triangle that is drawn. */
 static void make_vertex(const struct script_pen *pen, const int32_t *v)
 {
-    const struct pel_point p[3] = {point(pen->drawn), point(pen->drawn + 2),
-                                   point(pen->drawn + 4)};
+    const int32_t *at = script_values(pen, pen->item);
+    const struct pel_point p[3] = {point(at), point(at + 2), point(at + 4)};
     const pel_color color[3] = {(pel_color)v[0], (pel_color)v[1],
                                 (pel_color)v[2]};
     pel_gouraud_init(&pen->paints->any.gouraud, p, color);
@@ -119,15 +119,15 @@ static enum pel_status init_fan(struct script_paints *paints, const int32_t *v,
 
 static void make_fan(const struct script_pen *pen, const int32_t *v)
 {
-    init_fan(pen->paints, v, pen->value_count);
+    init_fan(pen->paints, v, pen->paint->count);
 }
 
-static void make_mapped(const struct script_pen *pen,
+static void make_mapped(const struct script_pen *pen, int32_t picture,
                         const struct pel_texture_map *map)
 {
     struct pel_texture *p = &pen->paints->any.texture;
-    const struct pel_texels texels = {.surface =
-                                          &pen->assets[pen->values[0]].picture};
+    const struct pel_texels texels = {
+        .surface = &pen->script->assets[picture].picture};
     (pen->bilinear ? pel_texture_init_bilinear
                    : pel_texture_init_nearest)(p, &texels, map);
     p->wrap_u = p->wrap_v = (uint8_t)pen->wrap;
@@ -136,7 +136,7 @@ static void make_mapped(const struct script_pen *pen,
 static void make_texture(const struct script_pen *pen, const int32_t *v)
 {
     const struct pel_texture_map map = PEL_TEXTURE_AT(v[1], v[2]);
-    make_mapped(pen, &map);
+    make_mapped(pen, v[0], &map);
 }
 
 static void make_texture_map(const struct script_pen *pen, const int32_t *v)
@@ -149,26 +149,26 @@ static void make_texture_map(const struct script_pen *pen, const int32_t *v)
         texel[i] = (struct pel_texel_point){v[3 + 4 * i], v[4 + 4 * i]};
     }
     pel_texture_map_triangle(&map, at, texel);
-    make_mapped(pen, &map);
+    make_mapped(pen, v[0], &map);
 }
 
 const struct pel_paint *script_paint(const struct script_pen *pen)
 {
+    static const int32_t white = -1;
     struct script_paints *paints = pen->paints;
-    pen->make(pen, pen->values);
+    if (pen->paint)
+        pen->paint->command->make(pen, script_values(pen, pen->paint));
+    else
+        make_flat(pen, &white);
     if (!pen->dither)
         return &paints->any.paint;
     pel_dither_init(&paints->dither, &paints->any.paint);
     return &paints->dither.paint;
 }
 
-bool script_paint_init(struct script_pen *pen)
+size_t script_paint_size(void)
 {
-    static const int32_t white = -1;
-    pen->make = make_flat;
-    pen->values = &white;
-    pen->paints = malloc(sizeof *pen->paints);
-    return pen->paints;
+    return sizeof(struct script_paints);
 }
 
 static const char *check_ends(const int32_t *from, const int32_t *to)
@@ -222,41 +222,33 @@ static const char *check_fan(const int32_t *v, size_t n)
                : "expected points that go around their middle once";
 }
 
-#define PAINT(name, kinds, usage, make_, check_)                         \
-    {                                                                    \
-        name, kinds, usage, SCRIPT_PAINT, .check = check_, .make = make_ \
-    }
-#define OPTION(name, kinds, usage, member)               \
-    {                                                    \
-        name, kinds, usage, SCRIPT_STATE,                \
-            SCRIPT_SETTING(struct script_pen, member, 1) \
-    }
+#define STATE(member) SCRIPT_STATE, SCRIPT_SETTING(struct script_pen, member, 1)
 
 const struct script_command script_paint_commands[] = {
-    PAINT("paint flat", "c", "COLOUR", make_flat, NULL),
+    {"paint flat", "c", "COLOUR", SCRIPT_PAINT, .make = make_flat},
     {"paint vertex", "ccc", "COLOUR0 COLOUR1 COLOUR2", SCRIPT_PAINT_VERTEX,
      .make = make_vertex},
-    PAINT("paint linear stops", "ppppwcwc*",
-          "X0 Y0 X1 Y1 AT COLOUR AT COLOUR ...", make_linear_stops,
-          check_linear_stops),
-    PAINT("paint linear", "ppcppc", "X0 Y0 COLOUR X1 Y1 COLOUR", make_linear,
-          check_linear),
-    PAINT("paint radial", "pplwcwc*", "CX CY R AT COLOUR AT COLOUR ...",
-          make_radial, check_radial),
-    PAINT("paint conic", "pptwcwc*", "CX CY TURN AT COLOUR AT COLOUR ...",
-          make_conic, check_conic),
-    PAINT("paint wheel", "pptbb", "CX CY TURN SATURATION VALUE", make_wheel,
-          NULL),
-    PAINT("paint fan", "ppcppcppc+", "X Y COLOUR X Y COLOUR X Y COLOUR ...",
-          make_fan, check_fan),
-    PAINT("paint texture map", "Ppppppppppppp",
-          "FILE X0 Y0 U0 V0 X1 Y1 U1 V1 X2 Y2 U2 V2", make_texture_map, NULL),
-    PAINT("paint texture", "Pii", "FILE X Y", make_texture, NULL),
-    OPTION("option spread", "o", "pad|repeat|reflect", spread),
-    OPTION("option phase", "t", "TURN", phase),
-    OPTION("option cells", "o", "2048|1024|512|256|128|64", fewer),
-    OPTION("option filter", "o", "nearest|bilinear", bilinear),
-    OPTION("option wrap", "o", "clamp|repeat|mirror", wrap),
-    OPTION("option dither", "o", "off|on", dither),
+    {"paint linear stops", "ppppwcwc*", "X0 Y0 X1 Y1 AT COLOUR AT COLOUR ...",
+     SCRIPT_PAINT, .make = make_linear_stops, .check = check_linear_stops},
+    {"paint linear", "ppcppc", "X0 Y0 COLOUR X1 Y1 COLOUR", SCRIPT_PAINT,
+     .make = make_linear, .check = check_linear},
+    {"paint radial", "pplwcwc*", "CX CY R AT COLOUR AT COLOUR ...",
+     SCRIPT_PAINT, .make = make_radial, .check = check_radial},
+    {"paint conic", "pptwcwc*", "CX CY TURN AT COLOUR AT COLOUR ...",
+     SCRIPT_PAINT, .make = make_conic, .check = check_conic},
+    {"paint wheel", "pptbb", "CX CY TURN SATURATION VALUE", SCRIPT_PAINT,
+     .make = make_wheel},
+    {"paint fan", "ppcppcppc+", "X Y COLOUR X Y COLOUR X Y COLOUR ...",
+     SCRIPT_PAINT, .make = make_fan, .check = check_fan},
+    {"paint texture map", "Ppppppppppppp",
+     "FILE X0 Y0 U0 V0 X1 Y1 U1 V1 X2 Y2 U2 V2", SCRIPT_PAINT,
+     .make = make_texture_map},
+    {"paint texture", "Pii", "FILE X Y", SCRIPT_PAINT, .make = make_texture},
+    {"option spread", "o", "pad|repeat|reflect", STATE(spread)},
+    {"option phase", "t", "TURN", STATE(phase)},
+    {"option cells", "o", "2048|1024|512|256|128|64", STATE(fewer)},
+    {"option filter", "o", "nearest|bilinear", STATE(bilinear)},
+    {"option wrap", "o", "clamp|repeat|mirror", STATE(wrap)},
+    {"option dither", "o", "off|on", STATE(dither)},
     {.next = script_mesh_commands},
 };

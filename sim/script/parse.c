@@ -157,19 +157,21 @@ static bool check_text(const struct script_parser *p, int32_t text)
     return true;
 }
 
-static bool set_scene(struct script_parser *p, const int32_t *v, size_t n)
+static bool set_scene(struct script_parser *p, const struct script_item *item)
 {
-    struct script_pen pen = {.scene = &p->scene};
-    script_perform(&pen, p->command, v, n);
+    struct script_pen pen = {.script = p->script, .scene = &p->scene};
+    script_perform(&pen, item);
     return !pen.failed || ERROR_AT(p, "light %d: expected up to %d",
                                    SCENE_LIGHTS_MAX + 1, SCENE_LIGHTS_MAX);
 }
 
-/* Checks the line against those before it; `v` are its values. */
-static bool check_command(struct script_parser *p, const int32_t *v, size_t n)
+/* Checks the line against those before it. */
+static bool check_command(struct script_parser *p,
+                          const struct script_item *item)
 {
-    const struct script_command *c = p->command;
-    const char *wrong = c->check ? c->check(v, n) : NULL;
+    const struct script_command *c = item->command;
+    const int32_t *v = p->script->values + item->first;
+    const char *wrong = c->check ? c->check(v, item->count) : NULL;
     if (wrong)
         return ERROR_AT(p, "%s: %s", c->name, wrong);
     if ((c->role == SCRIPT_SHAPE || c->role == SCRIPT_TEXT) && p->by_vertex)
@@ -190,7 +192,7 @@ static bool check_command(struct script_parser *p, const int32_t *v, size_t n)
     case SCRIPT_TEXT:
         return check_text(p, v[2]);
     case SCRIPT_SCENE:
-        return set_scene(p, v, n);
+        return set_scene(p, item);
     case SCRIPT_BANDS:
         p->script->bands = v[0];
         return canvas_bands_legal(p->script->format, v[0]) ||
@@ -224,7 +226,7 @@ static bool parse_line(struct script_parser *p, char *text)
                                      script->value_count - first};
     if (item.count / 2 > script->polygon_max)
         script->polygon_max = item.count / 2;
-    return check_command(p, script->values + first, item.count) &&
+    return check_command(p, &item) &&
            list_add(&script->items, &script->item_count, &item, sizeof item);
 }
 

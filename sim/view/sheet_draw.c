@@ -34,12 +34,6 @@ bool sheet_pixel(const struct sheet *s, int *x, int *y)
            s->pointer[1] >= at.y0 && s->pointer[1] < at.y1;
 }
 
-static bool same_style(const struct style *a, const struct style *b)
-{
-    return a->fill == b->fill && a->color == b->color && a->alpha == b->alpha &&
-           a->marked == b->marked;
-}
-
 /* The pixels of figures that have changed, where they were and are. */
 static void add_areas(struct sheet *s)
 {
@@ -48,7 +42,9 @@ static void add_areas(struct sheet *s)
     const bool moved = was->turn != is->turn || was->phase != is->phase ||
                        was->dithered != is->dithered;
     for (int k = 0; k < s->shapes; k++) {
-        if (!moved && same_style(&s->drawn_style[k], &s->style[k]))
+        const struct style *a = &s->drawn_style[k], *b = &s->style[k];
+        if (!moved && a->fill == b->fill && a->color == b->color &&
+            a->alpha == b->alpha && a->marked == b->marked)
             continue;
         const struct pel_rect box[2] = {figures_box(&s->drawn, k),
                                         figures_box(&s->figures, k)};
@@ -167,17 +163,6 @@ static void show_overlays(const struct sheet *s,
         inspect_magnifier(surface, &s->canvas.surface, &s->script, x, y);
 }
 
-/* Only the picture has changed. */
-static void tell_changed(struct sheet *s, const struct pel_surface *surface)
-{
-    s->show.changed.count = 0;
-    for (int i = 0; i < s->areas.count; i++) {
-        const struct pel_rect box = place(s, &surface->clip, &s->areas.area[i]);
-        const struct pel_rect seen = pel_rect_intersect(&box, &surface->clip);
-        pel_dirty_areas_add(&s->show.changed, &seen);
-    }
-}
-
 bool sheet_draw(struct show *show, const struct pel_surface *surface)
 {
     struct sheet *s = (struct sheet *)show;
@@ -191,7 +176,13 @@ bool sheet_draw(struct show *show, const struct pel_surface *surface)
     pel_clear(surface, PEL_RGB(0, 0, 0));
     show_picture(s, surface);
     show_overlays(s, surface);
-    if (!all)
-        tell_changed(s, surface);
+    if (all)
+        return true;
+    show->changed.count = 0; /* only the picture has changed */
+    for (int k = 0; k < s->areas.count; k++) {
+        const struct pel_rect box = place(s, &surface->clip, &s->areas.area[k]);
+        const struct pel_rect seen = pel_rect_intersect(&box, &surface->clip);
+        pel_dirty_areas_add(&show->changed, &seen);
+    }
     return true;
 }

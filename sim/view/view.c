@@ -60,12 +60,6 @@ static const char about[] =
     "Keys for meshes:\n" VIEW_KEYS_HELP
     "\nKeys for scripts and figures:\n" SHEET_KEYS_HELP;
 
-static bool is_script(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && strcmp(dot, ".pel") == 0;
-}
-
 static bool show(struct show *show, const struct view_options *o)
 {
     return o->viewer.headless ? view_headless(show, &o->viewer)
@@ -131,15 +125,15 @@ int command_view(int argc, char **argv)
                    {scene_option_table, &o.scene, NULL}}};
     const char *path = *arguments_parse(&line, argc, argv);
     o.scene.source.path = path ? path : MESH_BUILTIN;
-    o.scene.source.without_texture = false; /* there is a key for it */
     o.viewer.width = camera->width;
     o.viewer.height = camera->height;
     o.viewer.device = &o.device;
     if (!check(&o.viewer))
         return STATUS_ERROR;
     const bool is_figures = path && strcmp(path, "figures") == 0;
-    const bool done = is_figures                ? run_sheet(&o, NULL)
-                      : path && is_script(path) ? run_sheet(&o, path)
-                                                : run_mesh(&o);
+    const bool done = is_figures ? run_sheet(&o, NULL)
+                      : path && path_has_ending(path, " .pel ")
+                          ? run_sheet(&o, path)
+                          : run_mesh(&o);
     return done ? STATUS_OK : STATUS_ERROR;
 }

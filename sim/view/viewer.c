@@ -15,7 +15,7 @@ bool viewer_init(struct viewer *viewer, struct show *show,
                  const struct viewer_options *options)
 {
     *viewer = (struct viewer){.show = show, .options = options, .stale = true};
-    if (options->record && !show->period)
+    if (options->record && show->period <= 0)
         show->period = RECORD_PERIOD;
     if (!options->record)
         return true;
@@ -127,25 +127,18 @@ bool viewer_draw(struct viewer *viewer, const struct pel_surface *surface)
     return done;
 }
 
-static bool save(const struct pel_surface *surface, const char *path)
+bool viewer_save(const struct viewer *viewer, const struct pel_surface *surface,
+                 bool last)
 {
     const struct canvas canvas = {.surface = *surface};
-    return canvas_save(&canvas, path);
-}
-
-bool viewer_save_last(const struct viewer *viewer,
-                      const struct pel_surface *surface)
-{
-    return !viewer->options->output || save(surface, viewer->options->output);
-}
-
-bool viewer_save_new(const struct pel_surface *surface)
-{
+    const char *output = viewer->options->output;
     char path[32];
+    if (last)
+        return !output || canvas_save(&canvas, output);
     for (int i = 1; i < 1000; i++) {
         snprintf(path, sizeof(path), "view-%03d%s", i, picture_best_ending());
         if (access(path, F_OK) != 0)
-            return save(surface, path) &&
+            return canvas_save(&canvas, path) &&
                    fprintf(stderr, "written: %s\n", path) > 0;
     }
     return message_error("view-001 to view-999 are there already: expected a "

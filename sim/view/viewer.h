@@ -60,8 +60,8 @@ bool viewer_resize(struct viewer *viewer, int width, int height);
 bool viewer_open_input(struct viewer *viewer,
                        const struct pel_input_linux_options *options);
 
-/* Handles an event. True when the picture is to be written, with
- * viewer_save_new. */
+/* Handles an event. True when the picture is to be written, with viewer_save.
+ */
 bool viewer_input(struct viewer *viewer, const struct pel_input *event);
 
 /* The same for all that came from what viewer_open_input opened. */
@@ -78,11 +78,10 @@ bool viewer_draw(struct viewer *viewer, const struct pel_surface *surface);
 
 bool viewer_is_over(const struct viewer *viewer);
 
-/* Writes what was drawn to options->output, if that is there; after 'w' to a
- * new file, whose name is printed. False, with a message. */
-bool viewer_save_last(const struct viewer *viewer,
-                      const struct pel_surface *surface);
-bool viewer_save_new(const struct pel_surface *surface);
+/* Writes what was drawn last to options->output, if that is there; or, after
+ * 'w', to a new file, whose name is printed. False, with a message. */
+bool viewer_save(const struct viewer *viewer, const struct pel_surface *surface,
+                 bool last);
 
 /* What is seen, and how fast: "60.0 fps, 3.1 ms, ...". */
 enum { VIEWER_TITLE_SIZE = SHOW_TITLE_SIZE + 96 };

@@ -11,16 +11,9 @@
 #include "sim/image/canvas.h"
 #include "core/format/formats.h"
 
-/* The picture is drawn into a canvas and carried to the window as a texture: a
- * 32-bit word that is little-endian on every CPU. */
-#if SDL_BYTEORDER == SDL_LIL_ENDIAN
-#define PIXELS SDL_PIXELFORMAT_RGB888
-#else
-#define PIXELS SDL_PIXELFORMAT_BGRX8888
-#endif
-
 enum { TEXTURE_SIZE_MAX = 16384 };
 
+/* The picture is drawn into a canvas and carried to the window as a texture. */
 struct window {
     SDL_Window *window;
     SDL_Renderer *renderer;
@@ -51,10 +44,11 @@ static bool fit(struct window *w)
         return true;
     canvas_free(&w->canvas);
     SDL_DestroyTexture(w->texture);
-    w->texture = SDL_CreateTexture(w->renderer, PIXELS,
+    w->texture = SDL_CreateTexture(w->renderer, SDL_PIXELFORMAT_BGRA32,
                                    SDL_TEXTUREACCESS_STREAMING, width, height);
     if (!w->texture)
         return fails("no texture of the window's size");
+    SDL_SetTextureBlendMode(w->texture, SDL_BLENDMODE_NONE);
     return canvas_init(&w->canvas, &pel_xrgb8888, width, height) &&
            viewer_resize(w->viewer, width, height);
 }
@@ -123,7 +117,7 @@ static bool input_of(const SDL_Event *event, struct pel_input *e)
 static bool save_new(struct window *w)
 {
     return (!w->viewer->stale || draw(w)) &&
-           viewer_save_new(&w->canvas.surface);
+           viewer_save(w->viewer, &w->canvas.surface, false);
 }
 
 static bool handle(struct window *w, const SDL_Event *event)
@@ -169,16 +163,7 @@ static bool run(struct window *w)
         set_title(w);
         good = good && handle_all(w);
     }
-    return good && viewer_save_last(viewer, &w->canvas.surface);
-}
-
-/* Pixels each way; 0 x 0 stands for no limit but TEXTURE_SIZE_MAX. */
-static int texture_size_most(SDL_Renderer *renderer)
-{
-    SDL_RendererInfo info = {0};
-    SDL_GetRendererInfo(renderer, &info);
-    const int most = pel_min(info.max_texture_width, info.max_texture_height);
-    return most > 0 ? pel_min(most, TEXTURE_SIZE_MAX) : TEXTURE_SIZE_MAX;
+    return good && viewer_save(viewer, &w->canvas.surface, true);
 }
 
 /* Frames wait for the screen's refresh, unless --frames wants them as fast as
@@ -188,6 +173,7 @@ static bool open_window(struct window *w)
     const struct show *show = w->viewer->show;
     const struct viewer_options *o = w->viewer->options;
     const bool timed = o->frames > 0 || show->period > 0;
+    SDL_RendererInfo info = {0};
     w->window = SDL_CreateWindow(
         "pel view", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
         o->width ? o->width : show->width, o->height ? o->height : show->height,
@@ -198,17 +184,12 @@ static bool open_window(struct window *w)
                                      timed ? 0 : SDL_RENDERER_PRESENTVSYNC);
     if (!w->renderer)
         return fails("nothing can be drawn into the window");
-    w->most = texture_size_most(w->renderer);
+    SDL_GetRendererInfo(w->renderer, &info);
+    w->most = pel_min(info.max_texture_width, info.max_texture_height);
+    if (w->most <= 0 || w->most > TEXTURE_SIZE_MAX) /* 0: no limit of SDL's */
+        w->most = TEXTURE_SIZE_MAX;
     SDL_ShowWindow(w->window); /* a renderer may put another in its place */
     return true;
-}
-
-/* All but the buttons comes with the window. */
-static bool open_buttons(struct viewer *viewer)
-{
-    const struct pel_input_linux_options options = {
-        .buttons = viewer->options->buttons, .no_devices = true};
-    return !options.buttons || viewer_open_input(viewer, &options);
 }
 
 /* Without a screen SDL takes a driver that shows nothing, which nobody wants
@@ -226,10 +207,15 @@ bool view_window(struct show *show, const struct viewer_options *options)
 {
     struct viewer viewer;
     struct window w = {.viewer = &viewer};
+    /* all but the buttons comes with the window */
+    const struct pel_input_linux_options buttons = {.buttons = options->buttons,
+                                                    .no_devices = true};
     if (SDL_Init(SDL_INIT_VIDEO) != 0)
         return fails("no screen for a window");
-    const bool done = viewer_init(&viewer, show, options) && is_seen() &&
-                      open_buttons(&viewer) && open_window(&w) && run(&w);
+    const bool done =
+        viewer_init(&viewer, show, options) && is_seen() &&
+        (!buttons.buttons || viewer_open_input(&viewer, &buttons)) &&
+        open_window(&w) && run(&w);
     if (done && options->frames > 0)
         viewer_report(&viewer);
     viewer_free(&viewer);

@@ -95,7 +95,7 @@ static void check_all(struct bit_picture *p, int32_t clip)
             }
 }
 
-static void test_quarter_pixels(void)
+TEST(quarter_pixels)
 {
     struct bit_picture p = {{.fill = bit_picture_fill}, 0, false};
     lattice_open(16, 64);
@@ -103,7 +103,7 @@ static void test_quarter_pixels(void)
     check_all(&p, 1);
 }
 
-static void test_half_pixels(void)
+TEST(half_pixels)
 {
     struct bit_picture p = {{.fill = bit_picture_fill}, 0, false};
     lattice_open(12, 128);
@@ -112,7 +112,7 @@ static void test_half_pixels(void)
 }
 
 /* The bits of a lattice's triangles are those of the reference. */
-static void test_half_planes(void)
+TEST(half_planes)
 {
     lattice_open(12, 128);
     for (struct cases c = cases_of(20000); cases_next(&c);) {
@@ -128,9 +128,4 @@ static void test_half_planes(void)
                     want |= bit_of(x, y);
         assert_true(want == expected(i[0], i[1], i[2]));
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_half_planes, test_quarter_pixels, test_half_pixels);
 }

@@ -175,7 +175,7 @@ static void check_outline(struct pel_point center, int32_t radius)
     check_rows(&s, reach);
 }
 
-static void test_root(void)
+TEST(root)
 {
     for (int64_t s = 0; s < 1 << 19; s += s / 64 + 1) {
         assert_true(root_of(s * s) == s);
@@ -186,7 +186,7 @@ static void test_root(void)
 }
 
 /* Half a pixel more or less makes discs of whole diameters. */
-static void test_whole_radii(void)
+TEST(whole_radii)
 {
     static const struct pel_point centers[] = {
         {128, 128}, {0, 0},   {128, 0},  {0, 128},    {127, 128},
@@ -205,7 +205,7 @@ static void test_whole_radii(void)
         }
 }
 
-static void test_subpixel_radii(void)
+TEST(subpixel_radii)
 {
     for (int32_t radius = 0; radius <= PEL_PX(16); radius++)
         for (int32_t y = 0; y < 256; y += 32)
@@ -214,7 +214,7 @@ static void test_subpixel_radii(void)
 }
 
 /* Every centre in a pixel, every radius up to a pixel and a half. */
-static void test_all_small(void)
+TEST(all_small)
 {
     for (int32_t radius = 0; radius <= 384; radius += 1 + radius / 32)
         for (int32_t y = 0; y < 256; y++)
@@ -225,6 +225,5 @@ static void test_all_small(void)
 int main(void)
 {
     setup();
-    return RUN_TESTS(test_root, test_whole_radii, test_subpixel_radii,
-                     test_all_small);
+    return run_all_tests();
 }

@@ -77,7 +77,7 @@ static int32_t next_cut(struct random *r, int32_t from, int32_t end,
     return pel_min(cut, end);
 }
 
-static void test_tiles_equal_the_whole(void)
+TEST(tiles_equal_the_whole)
 {
     for (struct cases c = cases_of(80000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -97,7 +97,7 @@ static void test_tiles_equal_the_whole(void)
     }
 }
 
-static void test_clip_is_crop(void)
+TEST(clip_is_crop)
 {
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct drawing d = random_drawing(&c.random, false);
@@ -126,7 +126,7 @@ static void check_bytes(const struct drawing *d)
         canvas_check_drawn(&whole, &hits, canvas_flat, &flat);
 }
 
-static void test_bytes_follow_the_rule(void)
+TEST(bytes_follow_the_rule)
 {
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct drawing d = random_drawing(&c.random, c.next % 2);
@@ -149,7 +149,7 @@ static struct drawing reordered(const struct drawing *d, int32_t i)
     return p;
 }
 
-static void test_vertex_order_changes_nothing(void)
+TEST(vertex_order_changes_nothing)
 {
     for (struct cases c = cases_of(60000); cases_next(&c);) {
         const struct drawing d = random_drawing(&c.random, false);
@@ -203,7 +203,7 @@ static bool is_drawn(const struct any_shape *s)
     return s->kind != ANY_THICK_LINE || pel_thick_line_corners(THICK(s), v);
 }
 
-static void test_translation_changes_nothing(void)
+TEST(translation_changes_nothing)
 {
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct drawing d = random_drawing(&c.random, false);
@@ -227,7 +227,7 @@ static void test_translation_changes_nothing(void)
 }
 
 /* Clips with no pixel, far away or turned round: nothing is drawn. */
-static void test_empty_clips(void)
+TEST(empty_clips)
 {
     static const struct pel_rect clip[] = {
         {8388608, 0, 8388672, 64},
@@ -251,7 +251,7 @@ static void test_empty_clips(void)
 
 /* Core shows the same with and without the walk and the vectors of 64-bit CPUs,
  * whatever its knobs. A change of what the cases are changes the number. */
-static void test_every_build_draws_the_same(void)
+TEST(every_build_draws_the_same)
 {
     uint32_t crc = 0;
     for (uint64_t i = 0; i < 5000; i++) {
@@ -261,13 +261,4 @@ static void test_every_build_draws_the_same(void)
         crc = pel_crc(crc, whole.memory, whole.size);
     }
     assert_int_equal(crc, 0x67C779D3);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_tiles_equal_the_whole, test_clip_is_crop,
-                     test_bytes_follow_the_rule,
-                     test_vertex_order_changes_nothing,
-                     test_translation_changes_nothing, test_empty_clips,
-                     test_every_build_draws_the_same);
 }

@@ -28,7 +28,7 @@ static void set_triangle(struct pel_point v[3], int32_t x, int32_t width,
 /* Each 10th case may be as high as rows are fetched into the cache for;
  * xrgb8888 and xbgr8888, the three 5-6-5 formats and xrgb1555; one without any
  * writer of its own. */
-static void test_colors(void)
+TEST(colors)
 {
     static const int32_t heights[] = {1, 2, 15, 16, 17, 24, 127, 128, 129};
     static const uint32_t formats[] = {6, 7, 0, 1, 2, 3, 11};
@@ -68,7 +68,7 @@ static void fill_fails(const struct pel_paint *paint,
 
 /* The writers are there for speed: what they are made for must not go the other
  * way. */
-static void test_writers_are_taken(void)
+TEST(writers_are_taken)
 {
     static const struct pel_format *const all[] = {
         &pel_xrgb8888,  &pel_xbgr8888,  &pel_rgbx8888,  &pel_bgrx8888,
@@ -82,9 +82,4 @@ static void test_writers_are_taken(void)
         canvas_open(&canvas, all[f], &b, 0);
         pel_triangle(&canvas.surface, v, &flat.paint);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_colors, test_writers_are_taken);
 }

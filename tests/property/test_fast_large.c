@@ -78,7 +78,7 @@ static void check_triangle(struct random *r, const struct pel_rect *b)
                  b->y1 - b->y0, cases_replay());
 }
 
-static void test_sizes(void)
+TEST(sizes)
 {
     static const struct {
         uint64_t count;
@@ -99,9 +99,4 @@ static void test_sizes(void)
                                   far = {x, y, x + w, y + h};
             check_triangle(r, random_word(r) & 1 ? &near : &far);
         }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_sizes);
 }

@@ -181,7 +181,7 @@ static void set_random_map(struct drawing *d, const struct picture *p,
     assert_int_equal(pel_texture_map_triangle(&d->map, d->v, t), PEL_OK);
 }
 
-static void test_random_triangles(void)
+TEST(random_triangles)
 {
     const struct pel_rect box = {-16, -8, WIDTH - 17, HEIGHT - 9};
     struct picture p = {0};
@@ -203,7 +203,7 @@ static void test_random_triangles(void)
 
 /* With and without the vectors of 64-bit CPUs. A change of what the cases are
  * changes the number. */
-static void test_every_build_draws_the_same(void)
+TEST(every_build_draws_the_same)
 {
     const struct pel_rect box = {-16, -8, WIDTH - 17, HEIGHT - 9};
     uint32_t crc = 0;
@@ -250,7 +250,7 @@ static void check_width(struct picture *p, struct drawing *d, int32_t width,
     }
 }
 
-static void test_every_length(void)
+TEST(every_length)
 {
     struct random r = {5};
     for (int kind = 0; kind < KINDS; kind++)
@@ -276,7 +276,7 @@ static void colors_fail(const struct pel_color_paint *paint, int32_t x,
 
 /* The writers are there for speed: what they are made for on xrgb8888 must not
  * go the other way. */
-static void test_writers_are_taken(void)
+TEST(writers_are_taken)
 {
     static const struct {
         int8_t kind;
@@ -299,10 +299,4 @@ static void test_writers_are_taken(void)
         pel_triangle(&whole.surface, d.v, &t.base.paint);
         free(p.memory);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_random_triangles, test_every_length,
-                     test_every_build_draws_the_same, test_writers_are_taken);
 }

@@ -43,12 +43,12 @@ static void check_sizes(uint64_t count, const int32_t px[2], int32_t width)
     assert_true(p.fast > 0);
 }
 
-static void test_around_128_rows(void)
+TEST(around_128_rows)
 {
     check_sizes(40000, (const int32_t[]){127, 129}, PEL_PX(400));
 }
 
-static void test_as_wide_as_a_surface(void)
+TEST(as_wide_as_a_surface)
 {
     const int32_t width = PEL_PX(32767) - 1;
     check_sizes(40000, (const int32_t[]){0, 129}, width);
@@ -56,13 +56,13 @@ static void test_as_wide_as_a_surface(void)
     check_sizes(40000, (const int32_t[]){128, 128}, width);
 }
 
-static void test_around_4094_px(void)
+TEST(around_4094_px)
 {
     check_sizes(800, (const int32_t[]){4093, 4096}, PEL_PX(5000));
     check_sizes(800, (const int32_t[]){4094, 4094}, PEL_PX(32000));
 }
 
-static void test_any_size(void)
+TEST(any_size)
 {
     check_sizes(4000, (const int32_t[]){1, 4094}, PEL_PX(32000));
     check_sizes(100000, (const int32_t[]){1, 40}, PEL_PX(40));
@@ -70,7 +70,7 @@ static void test_any_size(void)
 
 /* Slivers whose edges cross each row within a sub-pixel of each other, and
  * slopes next to whole numbers, where a drift would show first. */
-static void test_tight_slopes(void)
+TEST(tight_slopes)
 {
     struct probe p;
     probe_open(&p);
@@ -115,7 +115,7 @@ static bool count_fast(const struct pel_paint *paint,
 
 /* `fast` is asked once, where nothing is clipped; what it leaves comes as rows.
  */
-static void test_fast_is_asked_first(void)
+TEST(fast_is_asked_first)
 {
     static const struct pel_point inside[3] = {PEL_AT(0, 0), PEL_AT(8, 0),
                                                PEL_AT(0, 8)};
@@ -140,11 +140,4 @@ static void test_fast_is_asked_first(void)
         if (c.fast != row[i].fast || c.rows != row[i].rows)
             fail_msg("row %zu: %d times fast, %d rows", i, c.fast, c.rows);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_around_128_rows, test_as_wide_as_a_surface,
-                     test_around_4094_px, test_any_size, test_tight_slopes,
-                     test_fast_is_asked_first);
 }

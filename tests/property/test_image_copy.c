@@ -98,7 +98,7 @@ static pel_color alpha_rule(int32_t x, int32_t y, uint32_t alpha)
     return (opaque_rule(x, y, 0) & UINT32_C(0xFFFFFF)) | alpha << 24;
 }
 
-static void test_every_way(void)
+TEST(every_way)
 {
     for (struct cases c = cases_of(67500); cases_next(&c);) {
         const struct pel_copy_part copy = open_case(&c, c.next / 3);
@@ -130,7 +130,7 @@ static pel_color argb_rule(int32_t x, int32_t y, uint32_t alpha)
     return (p & UINT32_C(0xFFFFFF)) | weight << 24;
 }
 
-static void test_alpha_of_pixels(void)
+TEST(alpha_of_pixels)
 {
     uint64_t xrgb = 0;
     while (layouts[xrgb].format != &pel_xrgb8888)
@@ -148,7 +148,7 @@ static void test_alpha_of_pixels(void)
 }
 
 /* The alpha of a pixel is no part of the key, and nothing else's. */
-static void test_key_ignores_alpha(void)
+TEST(key_ignores_alpha)
 {
     static uint32_t words[3];
     const pel_color color[] = {0x12FF00FF, 0xFFFF00FF, 0x00FF00FE};
@@ -167,7 +167,7 @@ static void test_key_ignores_alpha(void)
 }
 
 /* As a destination it is xrgb8888. */
-static void test_argb_is_drawn_into_as_xrgb(void)
+TEST(argb_is_drawn_into_as_xrgb)
 {
     const struct pel_rect b = {0, 0, 16, 4};
     const struct pel_flat mixed = PEL_FLAT(PEL_RGBA(200, 100, 50, 77));
@@ -186,7 +186,7 @@ static void test_argb_is_drawn_into_as_xrgb(void)
     canvas_check_same(&to, &from);
 }
 
-static void test_out_of_range(void)
+TEST(out_of_range)
 {
     const struct pel_rect b = {0, 0, 16, 16};
     canvas_open(&to, &pel_gray8, &b, 0);
@@ -203,7 +203,7 @@ static void test_out_of_range(void)
 }
 
 /* A surface whose init failed has no format. */
-static void test_failed_surfaces(void)
+TEST(failed_surfaces)
 {
     const struct pel_rect b = {0, 0, 8, 8};
     struct pel_surface failed;
@@ -245,7 +245,7 @@ static void put_321(const struct pel_surface *s, int32_t x, int32_t y,
 }
 
 /* Bits that a program's own format leaves unused are not copied. */
-static void test_unused_bits(void)
+TEST(unused_bits)
 {
     static const struct pel_format own = {.id = 200,
                                           .bits = 8,
@@ -261,11 +261,4 @@ static void test_unused_bits(void)
     assert_int_equal(pel_surface_init(&t, &own, &pixel, 1, &b), PEL_OK);
     pel_copy(&t, &(struct pel_copy_part){&f, b, 0, 0});
     assert_int_equal(pixel, pack_321(unpack_321(0xFF)));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_every_way, test_alpha_of_pixels,
-                     test_key_ignores_alpha, test_argb_is_drawn_into_as_xrgb,
-                     test_out_of_range, test_failed_surfaces, test_unused_bits);
 }

@@ -44,7 +44,7 @@ static void check(const struct pel_rect *all, int32_t dx, int32_t dy,
         }
 }
 
-static void test_scroll(void)
+TEST(scroll)
 {
     for (struct cases c = cases_of(15000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -63,16 +63,11 @@ static void test_scroll(void)
     }
 }
 
-static void test_out_of_range(void)
+TEST(out_of_range)
 {
     const struct pel_rect b = {0, 0, 16, 16};
     canvas_open(&canvas, &pel_gray8, &b, 0);
     assert_int_equal(pel_scroll(&canvas.surface, &b, 65537, 0).n, 0);
     assert_int_equal(pel_scroll(&canvas.surface, &b, 0, INT32_MIN).n, 0);
     assert_memory_equal(canvas.memory, canvas.before, canvas.size);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_scroll, test_out_of_range);
 }

@@ -86,7 +86,7 @@ static void check_flat(pel_color color)
 }
 
 /* One color, any alpha, on any surface. */
-static void test_flat(void)
+TEST(flat)
 {
     for (struct cases c = cases_of(1500); cases_next(&c);) {
         struct random *r = &c.random;
@@ -100,7 +100,7 @@ static void test_flat(void)
 
 /* Every grey: a level stays, and as each value of the matrix is there once, the
  * mean of 8 x 8 pixels is the color to 1/128 of a step. */
-static void test_every_grey(void)
+TEST(every_grey)
 {
     const struct pel_rect b = {0, 0, 8, 8};
     uint64_t values = 0;
@@ -152,7 +152,7 @@ static void check_source(const struct layout *l, const struct pel_paint *source)
     canvas_check_drawn(&canvas, NULL, source_at, &exact);
 }
 
-static void test_any_source(void)
+TEST(any_source)
 {
     static const struct pel_paint half = {left_half, NULL};
     const struct pel_point v[3] = {PEL_AT(-200, -100), PEL_AT(300, -100),
@@ -176,7 +176,7 @@ static void test_any_source(void)
 
 /* Linear gradients of cells about 1/2 to 7 px wide, and one of narrower ones:
  * ends in sight, again and again, either way. */
-static void test_narrow_cells(void)
+TEST(narrow_cells)
 {
     static const struct pel_point ways[][2] = {
         {PEL_AT(5, 3), PEL_AT(130, 70)},    {PEL_AT(130, 70), PEL_AT(5, 3)},
@@ -221,7 +221,7 @@ static pel_color mixed_at(const void *paint, int32_t x, int32_t y)
     return dithered_color(canvas.layout, mixed_color(x, y), x, y);
 }
 
-static void test_mixed_alpha(void)
+TEST(mixed_alpha)
 {
     static const struct pel_paint source = {put_mixed, NULL};
     static const struct pel_rect b = {0, 0, 40, 24};
@@ -254,7 +254,7 @@ static void fill_and_load(const struct pel_paint *paint,
 }
 
 /* A format of one's own, here of the depths of another, is dithered too. */
-static void test_sources_surface(void)
+TEST(sources_surface)
 {
     static const struct pel_paint source = {fill_and_load, NULL};
     static const struct pel_rect b = {0, 0, 40, 3};
@@ -293,7 +293,7 @@ static uint32_t own_value(uint32_t level, uint32_t bits)
 }
 
 /* Every channel at every place, where levels are from 255 to 2 apart. */
-static void test_every_depth(void)
+TEST(every_depth)
 {
     static const struct pel_rect b = {0, 0, 20, 8};
     uint16_t pixels[8][20];
@@ -321,7 +321,7 @@ static void test_every_depth(void)
 }
 
 /* Where a source became a dither later nothing is drawn. */
-static void test_dither_of_dither(void)
+TEST(dither_of_dither)
 {
     static const struct pel_rect b = {0, 0, 8, 8};
     const struct pel_flat flat = PEL_FLAT(0xFF4080C0);
@@ -333,11 +333,4 @@ static void test_dither_of_dither(void)
         pel_box(&canvas.surface, &canvas.surface.bounds, &d.paint);
         assert_memory_equal(canvas.memory, canvas.before, canvas.size);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_flat, test_every_grey, test_any_source,
-                     test_narrow_cells, test_sources_surface, test_every_depth,
-                     test_dither_of_dither, test_mixed_alpha);
 }

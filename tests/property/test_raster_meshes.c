@@ -132,7 +132,7 @@ static struct pel_rect bounds_of(const struct mesh *m)
     return b;
 }
 
-static void test_every_pixel_is_drawn_once(void)
+TEST(every_pixel_is_drawn_once)
 {
     static struct canvas canvas;
     static struct hits hits;
@@ -151,9 +151,4 @@ static void test_every_pixel_is_drawn_once(void)
         hits_check(&hits, in_mesh, &m, "mesh");
         canvas_check_drawn(&canvas, &hits, canvas_flat, &flat);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_every_pixel_is_drawn_once);
 }

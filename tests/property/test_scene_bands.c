@@ -72,7 +72,7 @@ static int32_t cut(struct random *r, int32_t a, int32_t b)
     return a + (b - a < 16 ? 8 : random_between(r, 8, b - a - 8) & ~7);
 }
 
-static void test_bands_equal_the_whole(void)
+TEST(bands_equal_the_whole)
 {
     static struct drawing d;
     static struct canvas whole;
@@ -103,7 +103,7 @@ static pel_color color_at(const void *exact, int32_t x, int32_t y)
     return color ? color | 0xFF000000 : 0;
 }
 
-static void test_formats_pack_one_picture(void)
+TEST(formats_pack_one_picture)
 {
     static struct drawing d;
     static struct canvas exact, packed;
@@ -121,9 +121,4 @@ static void test_formats_pack_one_picture(void)
         draw(&d, &packed);
         canvas_check_drawn(&packed, NULL, color_at, &exact);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_bands_equal_the_whole, test_formats_pack_one_picture);
 }

@@ -58,7 +58,7 @@ static void check_same(const struct picture *want, const struct picture *got,
         fail_msg("%s in bands of %d rows differs", format, rows);
 }
 
-static void test_bands(void)
+TEST(bands)
 {
     for (const struct format_name *f = format_names; f->name; f++) {
         struct picture whole;
@@ -75,7 +75,7 @@ static void test_bands(void)
     }
 }
 
-static void test_legal(void)
+TEST(legal)
 {
     assert_true(canvas_bands_legal(&pel_rgb888, 1));
     assert_true(canvas_bands_legal(&pel_mono1_pages, 16));
@@ -88,7 +88,7 @@ static void test_legal(void)
 }
 
 /* The list for messages is the table. */
-static void test_names(void)
+TEST(names)
 {
     const char *list = format_list();
     for (const struct format_name *f = format_names; f->name; f++) {
@@ -103,9 +103,4 @@ static void test_names(void)
     }
     assert_string_equal(list, "");
     assert_null(format_find("rgb565"));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_bands, test_legal, test_names);
 }

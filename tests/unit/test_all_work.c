@@ -48,7 +48,7 @@ static struct pel_rect any_small_window(uint64_t i)
 
 /* Shapes as large as the range. Of each row at most so many runs are handed on,
  * in no more batches. */
-static void test_huge_shapes(void)
+TEST(huge_shapes)
 {
     static const struct {
         uint64_t runs;
@@ -88,7 +88,7 @@ static void test_huge_shapes(void)
 }
 
 /* More runs in one line than a batch holds, and in the next one again. */
-static void test_batches_of_one_line(void)
+TEST(batches_of_one_line)
 {
     enum { TEETH_SHOWN = 300, N = 4 * TEETH_SHOWN };
     const struct pel_rect b = {0, 0, 2 * TEETH_SHOWN, 2};
@@ -108,7 +108,7 @@ static void test_batches_of_one_line(void)
 }
 
 /* Batches are filled before they are handed on. */
-static void test_batches(void)
+TEST(batches)
 {
     enum { ROWS = 150 };
     const struct pel_rect b = {0, 0, 3, ROWS}, small = {0, 0, SIDE, SIDE};
@@ -140,7 +140,7 @@ static void test_batches(void)
 }
 
 /* A circle that ends just above the centres of a row does not reach for it. */
-static void test_rows_of_circle(void)
+TEST(rows_of_circle)
 {
     const struct pel_rect b = {0, 0, 12, 12};
     struct any_shape s = {.kind = ANY_CIRCLE, .v = {PEL_AT(5.5, 5.5)}};
@@ -182,7 +182,7 @@ static void check_pieces(const char *name, uint64_t pieces)
                  (int)most);
 }
 
-static void test_pieces(void)
+TEST(pieces)
 {
     const struct pel_rect b = {0, 0, 60, 60};
     static const int32_t turns[][3] = {/* from, to, pieces */
@@ -200,7 +200,7 @@ static void test_pieces(void)
 }
 
 /* Runs without a pixel are not handed on. */
-static void test_needle(void)
+TEST(needle)
 {
     static const struct any_shape needle = {
         .kind = ANY_POLYGON,
@@ -238,16 +238,16 @@ static void check_zigzag(int32_t n, int32_t (*order)(int32_t i))
     free(scratch);
 }
 
-enum { TEETH = 64000 };
+static int32_t teeth; /* even */
 
 static int32_t to_the_left(int32_t i)
 {
-    return (TEETH / 2 - i) * 200;
+    return (teeth / 2 - i) * 200;
 }
 
 static int32_t to_the_right(int32_t i)
 {
-    return (i - TEETH / 2) * 200;
+    return (i - teeth / 2) * 200;
 }
 
 static int32_t anywhere(int32_t i)
@@ -258,15 +258,16 @@ static int32_t anywhere(int32_t i)
 
 static int32_t crossing(int32_t i)
 {
-    return i % 2 ? (i - TEETH / 2) * 200 : (TEETH / 2 - i) * 200;
+    return i % 2 ? (i - teeth / 2) * 200 : (teeth / 2 - i) * 200;
 }
 
-static void test_zigzags(void)
+TEST(zigzags)
 {
-    check_zigzag(TEETH, to_the_left);
-    check_zigzag(TEETH, to_the_right);
-    check_zigzag(TEETH, anywhere);
-    check_zigzag(TEETH, crossing);
+    teeth = 2 * (int32_t)cases_scaled(32000);
+    check_zigzag(teeth, to_the_left);
+    check_zigzag(teeth, to_the_right);
+    check_zigzag(teeth, anywhere);
+    check_zigzag(teeth, crossing);
 }
 
 static void count_runs(const struct pel_paint *paint,
@@ -278,7 +279,7 @@ static void count_runs(const struct pel_paint *paint,
 
 /* Rows of many runs, each three pixels with one between them: what is left of
  * a run is its ends, and all of it in the first row and the last. */
-static void test_outline_of_many_runs(void)
+TEST(outline_of_many_runs)
 {
     enum { RUNS = 8000, PART = 4 };
     static struct pel_span run[RUNS], memory[PEL_OUTLINE_FILTER_SPANS(RUNS)];
@@ -304,7 +305,7 @@ static void test_outline_of_many_runs(void)
 }
 
 /* The cells of a small gradient, seen from afar: thousands in a pixel. */
-static void test_narrow_cells(void)
+TEST(narrow_cells)
 {
     enum { CELLS = 32767 };
     static pel_color colors[CELLS];
@@ -327,12 +328,4 @@ static void test_narrow_cells(void)
         pel_box(&s, &b, &radial.base.paint);
     }
     alarm(0);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_huge_shapes, test_batches, test_batches_of_one_line,
-                     test_rows_of_circle, test_pieces, test_needle,
-                     test_zigzags, test_outline_of_many_runs,
-                     test_narrow_cells);
 }

@@ -201,7 +201,7 @@ static void flush_any(struct fixture *f, struct random *r)
     assert_int_equal(pel_display_wait(&f->display), PEL_OK);
 }
 
-static void test_glass_shows_the_picture(void)
+TEST(glass_shows_the_picture)
 {
     static struct fixture f;
     for (struct cases c = cases_of(MODULES * 4 * 2); cases_next(&c);) {
@@ -220,7 +220,7 @@ static void test_glass_shows_the_picture(void)
     }
 }
 
-static void test_brightness_and_sleep(void)
+TEST(brightness_and_sleep)
 {
     static struct fixture f;
     for (int i = 0; i < MODULES * 2; i++) {
@@ -240,7 +240,7 @@ static void test_brightness_and_sleep(void)
 
 /* Init and a flush, in which the n-th call of the bus fails: its error comes
  * out, and nothing is sent after it. */
-static void test_every_call_that_fails(void)
+TEST(every_call_that_fails)
 {
     static struct fixture f;
     for (int i = 0; i < MODULES * 8; i++) {
@@ -264,7 +264,7 @@ static void test_every_call_that_fails(void)
     bus.fail_at = 0;
 }
 
-static void test_what_is_refused(void)
+TEST(what_is_refused)
 {
     static struct fixture f;
     struct pel_panel wide = {.chip = &pel_panel_st7789,
@@ -313,10 +313,4 @@ static void test_what_is_refused(void)
     }
     cut.chip[1] = cut.chip[0];
     assert_int_equal(set_up(&f, &cut, 1), PEL_ERROR_FORMAT);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_glass_shows_the_picture, test_brightness_and_sleep,
-                     test_every_call_that_fails, test_what_is_refused);
 }

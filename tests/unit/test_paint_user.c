@@ -30,7 +30,7 @@ static void fill_named(const struct pel_paint *paint,
 
 static const struct pel_paint named = {.fill = fill_named};
 
-static void test_every_shape_in_every_format(void)
+TEST(every_shape_in_every_format)
 {
     static struct canvas canvas;
     static struct hits hits;
@@ -67,7 +67,7 @@ static uint32_t pack_nothing(pel_color color)
     return 0;
 }
 
-static void test_fills_of_own_formats_are_called(void)
+TEST(fills_of_own_formats_are_called)
 {
     static const struct pel_format counting = {.id = 128,
                                                .bits = 32,
@@ -84,10 +84,4 @@ static void test_fills_of_own_formats_are_called(void)
     pel_triangle(&s, v, &paint.paint);
     for (int32_t i = 0; i < 256; i++)
         assert_int_equal(counts[i], pel_hit_triangle(v, i % 16, i / 16));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_every_shape_in_every_format,
-                     test_fills_of_own_formats_are_called);
 }

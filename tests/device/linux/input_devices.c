@@ -272,7 +272,7 @@ static const char *hear(void)
     return told;
 }
 
-static void test_devices(void)
+TEST(devices)
 {
     for (int i = 0; i < DEVICES; i++) {
         open_input(&devices[i], NULL, 0);
@@ -284,7 +284,7 @@ static void test_devices(void)
 }
 
 /* A report that was not complete is not the next device's. */
-static void test_steps_of_a_device_that_went(void)
+TEST(steps_of_a_device_that_went)
 {
     static const struct device mouse = {
         .codes = {BTN_LEFT},
@@ -295,13 +295,12 @@ static void test_steps_of_a_device_that_went(void)
     pel_evdev_close(&input.devices[0]);
     device = &again;
     pel_evdev_open(&input.devices[0], 0, true, &input.queue, &input.message);
-    input.devices[0].more = true;
     assert_string_equal(hear(), "here ");
     pel_input_linux_close(&input);
 }
 
 /* Whatever was lost, a finger and a button that are held are told again. */
-static void test_what_is_held_after_a_loss(void)
+TEST(what_is_held_after_a_loss)
 {
     const struct pel_input point = {.kind = PEL_INPUT_POINT};
     levels = 1;
@@ -318,7 +317,7 @@ static void test_what_is_held_after_a_loss(void)
     levels = 0;
 }
 
-static void test_what_cannot_be_watched(void)
+TEST(what_cannot_be_watched)
 {
     open_input(&devices[0], NULL, 3);
     assert_string_equal(hear(), "here T1(300,200)1 gone ");
@@ -327,11 +326,4 @@ static void test_what_cannot_be_watched(void)
     open_input(NULL, "gpiochip0:5=a", 3);
     assert_non_null(strstr(input.message.text, "cannot wait for input: No"));
     assert_int_equal(line, -1);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_devices, test_steps_of_a_device_that_went,
-                     test_what_is_held_after_a_loss,
-                     test_what_cannot_be_watched);
 }
