@@ -43,11 +43,14 @@ static void row_start(struct pel_ellipse_walk *w, struct pel_point radius,
     multiply(&w->half_width2, &ratio, b2 - pel_square(v), b2);
     if (radius.y < 128)
         return;
-    const struct pel_quotient minus = {-ratio.q - (ratio.r != 0),
-                                       ratio.r ? b2 - ratio.r : 0};
     const int64_t step = (int64_t)v * 512 + 65536; /* (v + 256)^2 - v^2 */
-    multiply(&w->delta, step > 0 ? &minus : &ratio, pel_size_of(step), b2);
-    multiply(&w->delta2, &minus, 131072, b2);
+    if (step < 0)
+        multiply(&w->delta, &ratio, -step, b2);
+    ratio.q = -ratio.q - (ratio.r != 0);
+    ratio.r = ratio.r ? b2 - ratio.r : 0;
+    if (step > 0)
+        multiply(&w->delta, &ratio, step, b2);
+    multiply(&w->delta2, &ratio, 131072, b2);
 }
 
 bool pel_ellipse_start(struct pel_ellipse_walk *w,
