@@ -60,19 +60,6 @@ static bool split_words(struct script_parser *p, char *text)
     return true;
 }
 
-static bool find_command(struct script_parser *p, size_t *name_words)
-{
-    bool whole;
-    for (const struct script_command *c = script_shapes; c;
-         c = script_next(c)) {
-        p->command = c;
-        *name_words = script_common_words(p, c->name, &whole);
-        if (whole)
-            return true;
-    }
-    return script_refuse_unknown(p);
-}
-
 /* The number of arguments that a command needs; more may follow in groups of
  * *group, none when that is 0. */
 static size_t needed_of(const char *kinds, size_t *group)
@@ -213,7 +200,7 @@ static bool parse_line(struct script_parser *p, char *text)
         return false;
     if (p->word_count == 0 || p->words[0][0] == '#')
         return true;
-    if (!find_command(p, &name_words))
+    if (!script_find_command(p, &name_words))
         return false;
     if (p->command->role != SCRIPT_CANVAS && !script->width)
         return ERROR_AT(
