@@ -89,16 +89,16 @@ static bool parse_arguments(struct script_parser *p, size_t first)
     size_t n = 0, group;
     const size_t needed = needed_of(kinds, &group);
     for (size_t i = first; i < p->word_count; i++, n++) {
-        const bool full = n >= needed && !group;
-        const size_t at =
-            n < needed || full ? n : needed - group + (n - needed) % group;
+        /* 0 behind the last one, when none are repeated. */
+        const char kind = n < needed || !group
+                              ? kinds[n]
+                              : kinds[needed - group + (n - needed) % group];
         int32_t value;
-        if (p->words[i][0] == '#' && (full || kinds[at] != KIND_COLOR))
+        if (p->words[i][0] == '#' && kind != KIND_COLOR)
             break;
-        if (full)
+        if (!kind)
             return refuse_count(p, p->word_count - first);
-        if (!script_argument(p, (enum script_kind)kinds[at], p->words[i],
-                             &value) ||
+        if (!script_argument(p, (enum script_kind)kind, p->words[i], &value) ||
             !list_add(&script->values, &script->value_count, &value,
                       sizeof value))
             return false;
