@@ -144,7 +144,7 @@ void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
                    const int32_t value[3])
 {
     const struct pel_plane_setup *s = setup;
-    plane->at = pel_plane_level(value[s->first]).at;
+    plane->at = (uint64_t)value[s->first] << 24;
     plane->dx =
         gradient(s, pel_dot(value, s->right), 128 - (s->a.x & 255), &plane->at);
     plane->dy =

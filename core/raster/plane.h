@@ -41,13 +41,6 @@ void pel_plane_corners(struct pel_plane_setup *setup,
 void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
                    const int32_t value[3]);
 
-/* The same value everywhere. */
-static inline struct pel_plane pel_plane_level(int32_t value)
-{
-    struct pel_plane plane = {PEL_CAST(uint64_t, value) << 24, 0, 0};
-    return plane;
-}
-
 /* The value at (x, y). */
 #if PEL_64BIT
 static inline uint64_t pel_plane_at(const struct pel_plane *p, int32_t x,

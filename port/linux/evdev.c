@@ -105,13 +105,12 @@ static void push_place(struct pel_evdev *evdev, int i,
 }
 
 static void push_steps(struct pel_input_queue *queue, int kind, uint32_t time,
-                       int16_t *x, int16_t *y)
+                       int16_t x, int16_t y)
 {
     const struct pel_input e = {
-        .time = time, .kind = (uint8_t)kind, .x = *x, .y = *y};
-    if (*x || *y)
+        .time = time, .kind = (uint8_t)kind, .x = x, .y = y};
+    if (x || y)
         pel_input_push(queue, &e);
-    *x = *y = 0;
 }
 
 /* All that a report said of places and steps. */
@@ -124,8 +123,11 @@ static void push_report(struct pel_evdev *evdev, uint32_t time,
         if (now.x != told->x || now.y != told->y || now.down != told->down)
             push_place(evdev, i, now, time, queue);
     }
-    push_steps(queue, PEL_INPUT_MOVE, time, &evdev->move_x, &evdev->move_y);
-    push_steps(queue, PEL_INPUT_WHEEL, time, &evdev->wheel_x, &evdev->wheel_y);
+    push_steps(queue, PEL_INPUT_MOVE, time, evdev->steps[REL_X],
+               evdev->steps[REL_Y]);
+    push_steps(queue, PEL_INPUT_WHEEL, time, evdev->steps[REL_HWHEEL],
+               evdev->steps[REL_WHEEL]);
+    memset(evdev->steps, 0, sizeof(evdev->steps));
 }
 
 static int16_t add(int sum, int value)
@@ -136,23 +138,11 @@ static int16_t add(int sum, int value)
                                        : sum);
 }
 
-static void note_step(struct pel_evdev *evdev, int code, int value)
-{
-    if (code == REL_X)
-        evdev->move_x = add(evdev->move_x, value);
-    else if (code == REL_Y)
-        evdev->move_y = add(evdev->move_y, value);
-    else if (code == REL_HWHEEL)
-        evdev->wheel_x = add(evdev->wheel_x, value);
-    else if (code == REL_WHEEL)
-        evdev->wheel_y = add(evdev->wheel_y, value);
-}
-
 static void handle(struct pel_evdev *evdev, const struct input_event *e,
                    struct pel_input_queue *queue)
 {
-    if (e->type == EV_REL)
-        note_step(evdev, e->code, e->value);
+    if (e->type == EV_REL && e->code < PEL_EVDEV_STEPS)
+        evdev->steps[e->code] = add(evdev->steps[e->code], e->value);
     else if (e->type == EV_SYN && e->code == SYN_REPORT)
         push_report(evdev, time_of(e), queue);
     else if (e->type == EV_KEY)
@@ -188,7 +178,7 @@ static int resync(struct pel_evdev *evdev, struct pel_input_queue *queue)
         status =
             libevdev_next_event(evdev->device, LIBEVDEV_READ_FLAG_SYNC, &e);
     while (status == LIBEVDEV_READ_STATUS_SYNC);
-    evdev->move_x = evdev->move_y = evdev->wheel_x = evdev->wheel_y = 0;
+    memset(evdev->steps, 0, sizeof(evdev->steps));
     pel_input_push_now(queue, PEL_INPUT_LOST, 0, 0);
     return status == -EAGAIN ? 0 : status;
 }

@@ -24,7 +24,7 @@ static inline void pel_input_push_now(struct pel_input_queue *queue, int kind,
     pel_input_push(queue, &event);
 }
 
-enum { PEL_EVDEV_FINGERS = 10 };
+enum { PEL_EVDEV_FINGERS = 10, PEL_EVDEV_STEPS = 9 /* REL_X to REL_WHEEL */ };
 
 struct libevdev;
 
@@ -45,7 +45,7 @@ struct pel_evdev {
     struct pel_evdev_finger finger[PEL_EVDEV_FINGERS]; /* as told; the first is
                                                           a pointer or a pen,
                                                           too */
-    int16_t move_x, move_y, wheel_x, wheel_y; /* of the report that comes in */
+    int16_t steps[PEL_EVDEV_STEPS]; /* of the report that comes in, by code */
 };
 
 /* Opens /dev/input/eventN and tells that it is there, and what is held. Without

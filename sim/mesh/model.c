@@ -141,9 +141,8 @@ bool model_make(struct model *model, const struct mesh *mesh, int asset_bits)
     struct arrays arrays;
     struct pel_mesh *to = &model->mesh;
     memset(model, 0, sizeof(*model));
-    struct pel_mesh_part *parts = malloc(mesh->parts * sizeof(*parts));
-    to->part = parts;
-    if (!make_arrays(to, &arrays, mesh, asset_bits) || !parts) {
+    to->part = model->part = malloc(mesh->parts * sizeof(*model->part));
+    if (!make_arrays(to, &arrays, mesh, asset_bits) || !to->part) {
         model_free(model);
         return message_error("no memory for %u vertices and %u triangles",
                              mesh->vertices, mesh->triangles);
@@ -153,9 +152,9 @@ bool model_make(struct model *model, const struct mesh *mesh, int asset_bits)
     model->plain = !mesh->has_colors;
     to->parts = mesh->parts;
     for (uint32_t i = 0; i < mesh->parts; i++)
-        parts[i] = (struct pel_mesh_part){mesh->part[i].vertices,
-                                          mesh->part[i].triangles,
-                                          mesh->part[i].material.color, 0};
+        model->part[i] = (struct pel_mesh_part){
+            mesh->part[i].vertices, mesh->part[i].triangles,
+            mesh->part[i].material.color, 0};
     mesh_box(mesh, model->low, model->high);
     to->position =
         quantize_positions(mesh, asset_bits ? PEL_MESH_SHIFT_MAX : 64);
@@ -217,7 +216,7 @@ void model_free(struct model *model)
     free((void *)m->colors);
     free((void *)m->indices16);
     free((void *)m->indices32);
-    free((void *)m->part);
+    free(model->part);
     for (size_t i = 0; i < model->textures; i++)
         picture_free(&model->texture[i].picture);
     free(model->texture);
