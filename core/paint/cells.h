@@ -120,16 +120,8 @@ void pel_cells_color(struct pel_cells *c);
  * 0: all that may come. Moves on to the first other one. */
 int32_t pel_cells_pass(struct pel_cells *c);
 
-/* Ends all runs where their rows do: false, no pixels are left. */
-bool pel_cells_end_all_rows(struct pel_cells *c);
-
-static PEL_ALWAYS_INLINE bool pel_cells_end_all(struct pel_cells *c)
-{
-    if (PEL_CELL_ROWS > 1)
-        return pel_cells_end_all_rows(c);
-    c->x = c->hi;
-    return false;
-}
+/* Ends all runs at hi, or where their rows do: true when pixels are left. */
+bool pel_cells_end_all(struct pel_cells *c);
 
 /* Goes on to the place of the next cell, and takes its color; false where none
  * comes: then a batch of one row ends. */
@@ -138,7 +130,7 @@ static PEL_ALWAYS_INLINE bool pel_cells_more(struct pel_cells *c)
     const int32_t next = pel_cells_after(c->gradient, c->place, c->way);
     if (next == c->place) {
         if (PEL_CELL_ROWS == 1)
-            pel_cells_end_all(c);
+            c->x = c->hi;
         return false;
     }
     c->place = next;
@@ -198,10 +190,10 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
 }
 
 /* Fills spans, `most` rows at a time; 0: one, and every pixel looks for its
- * cell, as cells are narrow. `start` finds the cell of the first
- * pixel, its place and the way, and may bring hi nearer; `end` lets the present
- * cell end where `count` >= 1 cells end, it included, by pel_cells_end: true
- * when pixels are left. Written out where it is called, to spare the stack. */
+ * cell, as cells are narrow. `start` finds the cell of the first pixel, its
+ * place and the way, and may bring hi nearer; `end` lets the present cell end
+ * where `count` >= 1 cells end, it included, by pel_cells_end: true when pixels
+ * are left. Written out where it is called, to spare the stack. */
 static PEL_ALWAYS_INLINE void pel_cells_fill(
     const struct pel_paint *paint, const struct pel_spans *spans, int32_t most,
     void (*start)(struct pel_cells *cells),

@@ -95,21 +95,15 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
 }
 
 /* The part of the batch on one side. */
-static PEL_INLINE_FAST void set_side(struct pel_cells *c,
-                                     const struct pel_radial *p)
+static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
 {
+    const struct pel_radial *p = (const void *)c->gradient;
     const int32_t split = pel_first_pixel(p->rings.center.x);
     c->way = 1;
     if (c->x < split) {
         c->way = -1;
         c->hi = pel_min(c->hi, split);
     }
-}
-
-static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
-{
-    const struct pel_radial *p = (const void *)c->gradient;
-    set_side(c, p);
     c->error = pel_radial_square(p, c->x, first_row(c, p));
     find_root(c);
     find_ring(c, p);
