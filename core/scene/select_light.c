@@ -76,6 +76,18 @@ static uint64_t curve_of(uint64_t v)
     return (v * 50 >> 8) + 1;
 }
 
+static void set_corners(const struct pel_frame *frame,
+                        struct pel_lit_corners *corners)
+{
+    const struct pel_mesh_lights *lights = &frame->lights;
+    for (int i = 0; i < 3; i++) {
+        const uint32_t vertex = frame->work->triangle.vertex[i];
+        pel_mesh_normal(lights->mesh, vertex, corners->normal[i]);
+        pel_mesh_lights_position(lights, lights->mesh->positions[vertex],
+                                 corners->position[i]);
+    }
+}
+
 /* Of three vectors: the squares of the shortest and the longest, and of the
  * longest edge between two. */
 struct squares {
@@ -261,7 +273,7 @@ bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
     struct pel_light_bounds *b = bounds;
     *b = (struct pel_light_bounds){
         .diffuse = pel_light_strength(&frame->lights, false)};
-    pel_frame_lit_corners(frame, corners);
+    set_corners(frame, corners);
     if (!turns_of(&frame->lights, corners, b) ||
         (lighting->both_sides && !turn_to_eye(&frame->lights, b, corners)))
         return false;

@@ -260,31 +260,25 @@ static void set_planes(struct pel_frame *frame, int32_t value[3][3],
     }
 }
 
-void pel_frame_lit_corners(const struct pel_frame *frame,
-                           struct pel_lit_corners *corners)
-{
-    const struct pel_mesh_lights *lights = &frame->lights;
-    for (int i = 0; i < 3; i++) {
-        const uint32_t vertex = frame->work->triangle.vertex[i];
-        pel_mesh_normal(lights->mesh, vertex, corners->normal[i]);
-        pel_mesh_lights_position(lights, lights->mesh->positions[vertex],
-                                 corners->position[i]);
-    }
-}
-
 const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
                                         const struct pel_color_paint *surface,
                                         const pel_color color[3])
 {
+    const struct pel_mesh *mesh = frame->scene->mesh;
+    const uint32_t *vertex = frame->work->triangle.vertex;
     struct pel_phong *p = &frame->work->paint.phong;
-    struct pel_lit_corners corners;
+    int32_t value[3][3];
     pel_color_paint_init(&p->base, phong_colors, frame->opaque);
     p->lights = &frame->lights;
     p->surface = surface;
     p->alpha = frame->alpha;
-    pel_frame_lit_corners(frame, &corners);
-    set_planes(frame, corners.normal, p->plane);
-    set_planes(frame, corners.position, p->plane + 3);
+    for (int i = 0; i < 3; i++)
+        pel_mesh_normal(mesh, vertex[i], value[i]);
+    set_planes(frame, value, p->plane);
+    for (int i = 0; i < 3; i++)
+        pel_mesh_lights_position(&frame->lights, mesh->positions[vertex[i]],
+                                 value[i]);
+    set_planes(frame, value, p->plane + 3);
     if (!surface)
         pel_frame_gouraud(frame, color, &p->colors);
     return &p->base.paint;

@@ -183,10 +183,6 @@ enum pel_status pel_frame_start_light(struct pel_frame *frame);
  * normals cancel out there is ambient light alone. */
 extern const struct pel_shading pel_shade_phong;
 
-/* The normals and positions of that triangle's vertices; `length` stays. */
-void pel_frame_lit_corners(const struct pel_frame *frame,
-                           struct pel_lit_corners *corners);
-
 /* Its paint, of a triangle whose vertices have these surface colors. */
 const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
                                         const struct pel_color_paint *surface,
