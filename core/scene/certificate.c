@@ -159,8 +159,6 @@ enum pel_status pel_scene_certify(const struct pel_frame *frame, void *scratch,
         (uintptr_t)scratch % 4)
         return PEL_ERROR_SCRATCH;
     *doubt = (struct pel_doubt){0};
-    if (n == 0)
-        return PEL_OK;
     struct search s = {
         .frame = frame, .item = scratch, .work = work, .doubt = doubt};
     s.entry = (void *)(s.item + n);
