@@ -62,15 +62,18 @@ struct pel_planes {
     uint32_t at[3], dx[3];
 };
 
-/* A way through the cells of a gradient. Their colors are mixed: the upper
- * bytes of four sums, of alpha and green, and of red and blue, in the halves of
- * words, which change from cell to cell. A cell begins where the error is 0 and
- * ends `cell` and cell_rest / unit later; a pixel is a `step`. A cell is less
- * than 7 px wide, and error >= 0 at the first pixel. */
-struct pel_walk {
+/* A color of a gradient: the upper bytes of four sums, of alpha and green, and
+ * of red and blue, in the halves of words, which change from cell to cell. */
+struct pel_mix {
     uint32_t high, low, high_change, low_change;
+};
+
+/* A way through the cells of a gradient of mixed colors. A cell goes on while
+ * the error is below 0, and the next one ends `cell` and cell_rest / unit
+ * later; a pixel is a `step`. A cell is less than 7 px wide. */
+struct pel_walk {
+    struct pel_mix mix;
     int32_t error, rest, cell, cell_rest, unit, step;
-    int32_t left; /* cells after the present one */
 };
 
 /* What a format does beside the rest: for dither, Gouraud and textures. */
@@ -92,11 +95,9 @@ struct pel_channels {
     bool (*planes)(const struct pel_surface *surface, int32_t x, int32_t y,
                    int32_t n, const struct pel_planes *planes);
 
-    /* n >= 1 opaque pixels on a way, or as many as its cells have: how many.
-     * Error and rest are left where the next cell begins. 0: nothing is done.
-     * May be NULL. */
-    int32_t (*walk)(const struct pel_surface *surface, int32_t x, int32_t y,
-                    int32_t n, struct pel_walk *walk);
+    /* The same on a way. */
+    bool (*walk)(const struct pel_surface *surface, int32_t x, int32_t y,
+                 int32_t n, const struct pel_walk *walk);
 
     /* Of a format that only passes on what it is given: the surface that gets
      * it. Pixel values of that one's format would arrive as they are. May be

@@ -21,7 +21,7 @@ enum {
 };
 
 /* A batch of rows on its way through the cells. A cell's place is its number
- * from 0 on, and below the period where there is one. */
+ * from 0 on, and below the period. */
 struct pel_cells {
     int64_t error; /* of the boundary where the present cell ends, */
     int32_t x;     /* at this pixel of the first row */
@@ -39,8 +39,7 @@ struct pel_cells {
     int32_t place; /* of the next cell */
 
     /* Of a radial gradient the radius where the present cell begins, of a conic
-     * one the angle, rounded down; of a linear one, where code is to be small,
-     * how many cells are walked before one is looked up. */
+     * one the angle, rounded down. */
     int32_t whole;
     int32_t rest; /* of the radius or angle, or of a linear one's error */
 
@@ -60,7 +59,7 @@ struct pel_cells {
 static inline int32_t pel_cells_place(const struct pel_gradient *g,
                                       int32_t copy, int32_t part)
 {
-    if (g->period == 0)
+    if (g->ramp.spread == PEL_PAD)
         return copy > 0 ? g->cells - 1 : part;
     return g->period > g->cells && (copy & 1) ? part + g->cells : part;
 }
@@ -69,36 +68,29 @@ static inline int32_t pel_cells_place(const struct pel_gradient *g,
  * 512, for two channels in the halves of a word, is the upper byte of a sum
  * that changes by b - a from cell to cell. In each half it is between 128 and
  * 255 * 256 + 128, so nothing is left over between them, though b - a may be
- * negative. `high` is of alpha and green, `low` of red and blue. */
-struct pel_mix {
-    uint32_t high, low, high_change, low_change; /* sums of cell 0 */
-};
-
-static inline uint32_t pel_mix_sum(uint32_t a, uint32_t change)
+ * negative. */
+static inline uint32_t pel_mix_sum(uint32_t a, uint32_t change, int32_t i)
 {
     const uint32_t half = (change + UINT32_C(0x01000100)) >> 1;
-    return a * 256 + (half & UINT32_C(0x00FF00FF));
+    return a * 256 + (half & UINT32_C(0x00FF00FF)) + change * (uint32_t)i;
 }
 
-static inline struct pel_mix pel_mix_of(pel_color a, pel_color b)
+/* From cell i on, up where way is 1, or down: -1. */
+static inline struct pel_mix pel_mix_from(const struct pel_gradient *g,
+                                          int32_t i, int32_t way)
 {
+    const pel_color a = g->ramp.colors[0], b = g->ramp.colors[1];
     const uint32_t m = 0xFF00FFu, high = (b >> 8 & m) - (a >> 8 & m);
-    const uint32_t low = (b & m) - (a & m);
-    const struct pel_mix mix = {pel_mix_sum(a >> 8 & m, high),
-                                pel_mix_sum(a & m, low), high, low};
+    const uint32_t low = (b & m) - (a & m), sign = (uint32_t)way;
+    const struct pel_mix mix = {pel_mix_sum(a >> 8 & m, high, i),
+                                pel_mix_sum(a & m, low, i), sign * high,
+                                sign * low};
     return mix;
 }
 
-static inline pel_color pel_mixed(uint32_t high, uint32_t low)
+static inline pel_color pel_mixed(struct pel_mix mix)
 {
-    return (high & UINT32_C(0xFF00FF00)) | (low >> 8 & 0xFF00FFu);
-}
-
-static inline pel_color pel_mix_color(struct pel_mix mix, int32_t cell)
-{
-    const uint32_t i = (uint32_t)cell;
-    return pel_mixed(mix.high + mix.high_change * i,
-                     mix.low + mix.low_change * i);
+    return (mix.high & UINT32_C(0xFF00FF00)) | (mix.low >> 8 & 0xFF00FFu);
 }
 
 /* The place of the cell after `place`, on the way; that itself: none comes, or
@@ -106,11 +98,10 @@ static inline pel_color pel_mix_color(struct pel_mix mix, int32_t cell)
 static PEL_ALWAYS_INLINE int32_t pel_cells_after(const struct pel_gradient *g,
                                                  int32_t place, int32_t way)
 {
-    const int32_t bound = g->period ? g->period : g->cells;
     const int32_t next = place + way;
-    if ((uint32_t)next < (uint32_t)bound)
+    if ((uint32_t)next < (uint32_t)g->period)
         return next;
-    return g->period ? next - way * bound : place;
+    return g->ramp.spread == PEL_PAD ? place : next - way * g->period;
 }
 
 /* Before the first batch. */
@@ -144,25 +135,20 @@ static PEL_ALWAYS_INLINE bool pel_cells_end_all(struct pel_cells *c)
  * comes: then a batch of one row ends. */
 static PEL_ALWAYS_INLINE bool pel_cells_more(struct pel_cells *c)
 {
-    const struct pel_gradient *g = c->gradient;
-    const int32_t bound = g->period ? g->period : g->cells;
-    const int32_t place = c->place + c->way;
-    const bool ends = (uint32_t)place >= (uint32_t)bound;
-    if (c->way == 0 || (ends && g->period == 0)) {
+    const int32_t next = pel_cells_after(c->gradient, c->place, c->way);
+    if (next == c->place) {
         if (PEL_CELL_ROWS == 1)
             pel_cells_end_all(c);
         return false;
     }
-    c->place = ends ? place - c->way * bound : place;
+    c->place = next;
     pel_cells_color(c);
     return true;
 }
 
 /* Ends all runs at the boundary, whose error is set. It grows by `step` to the
  * next pixel, and by `row` to the one below; `row` from row to row, and the
- * step from pixel to pixel, by `bend`. Below 0 when pixels are left. A single
- * row has no step to the next: PEL_ROW_STEP. */
-#define PEL_ROW_STEP(row) (PEL_CELL_ROWS > 1 ? (row) : 0)
+ * step from pixel to pixel, by `bend`. Below 0 when pixels are left. */
 int32_t pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
                       int32_t bend);
 
@@ -182,11 +168,14 @@ static PEL_ALWAYS_INLINE void pel_cells_move(struct pel_cells *c, int32_t count,
     } while (--count);
 }
 
-/* Draws what is left of every row up to hi, from the cell at c->place on. */
+/* Draws what is left of every row up to hi, from the cell at c->place on. A
+ * single row may end earlier: after some cells, in case they are narrow, the
+ * next one is looked up. */
 static PEL_ALWAYS_INLINE void pel_cells_draw(
     struct pel_cells *c, bool (*end)(struct pel_cells *cells, int32_t count))
 {
     bool rest = false;
+    int32_t left = 64;
     pel_cells_color(c);
     do {
         const uint32_t value = c->value;
@@ -196,17 +185,20 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
             rest = count ? end(c, count) : pel_cells_end_all(c);
         } else {
             c->run[0].x0 = c->x;
-            do
+            do {
                 if (pel_cells_more(c))
                     end(c, 1);
-            while (c->x < c->hi && c->value == value && c->draw == draw);
+                if (--left == 0)
+                    c->hi = c->x;
+            } while (c->x < c->hi && c->value == value && c->draw == draw);
             c->run[0].x1 = c->x;
         }
         pel_fill_value(&c->cell, value, draw);
     } while (PEL_CELL_ROWS > 1 ? rest : c->x < c->hi);
 }
 
-/* Fills spans, `most` rows at a time. `start` finds the cell of the first
+/* Fills spans, `most` rows at a time; 0: one, and every pixel looks for its
+ * cell, as cells are narrow. `start` finds the cell of the first
  * pixel, its place and the way, and may bring hi nearer; `end` lets the present
  * cell end where `count` >= 1 cells end, it included, by pel_cells_end: true
  * when pixels are left. Written out where it is called, to spare the stack. */
@@ -218,7 +210,9 @@ static PEL_ALWAYS_INLINE void pel_cells_fill(
     struct pel_cells c;
     if (PEL_CELL_ROWS > 1) {
         pel_cells_open(&c, (const void *)paint, spans);
-        while (pel_cells_next(&c, most)) {
+        while (pel_cells_next(&c, pel_max(most, 1))) {
+            if (most == 0)
+                c.hi = c.x + 1;
             start(&c);
             pel_cells_draw(&c, end);
         }

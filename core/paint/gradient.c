@@ -21,7 +21,7 @@ static pel_color ramp_color(const struct pel_gradient *g, int32_t cell)
         return g->ramp.colors[cell];
     if (!PEL_KNOW_SIDES)
         return mixed_by_channels(a, b, 2 * (uint32_t)cell + 1);
-    return pel_mix_color(pel_mix_of(a, b), cell);
+    return pel_mixed(pel_mix_from(g, cell, 1));
 }
 
 void pel_cells_color(struct pel_cells *c)
@@ -44,19 +44,16 @@ void pel_cells_color(struct pel_cells *c)
 static int32_t pass_mixed(const struct pel_cells *c, int32_t most)
 {
     const struct pel_gradient *g = c->gradient;
-    const struct pel_mix mix = pel_mix_of(g->ramp.colors[0], g->ramp.colors[1]);
     const bool back = c->place >= g->cells, down = back == (c->way > 0);
     const int32_t i = back ? g->period - 1 - c->place : c->place;
-    const uint32_t mask = c->mask, sign = down ? UINT32_MAX : 1;
-    uint32_t high = mix.high + mix.high_change * (uint32_t)i;
-    uint32_t low = mix.low + mix.low_change * (uint32_t)i;
-    const uint32_t first = pel_mixed(high, low) & mask;
+    struct pel_mix mix = pel_mix_from(g, i, down ? -1 : 1);
+    const pel_color first = pel_mixed(mix) & c->mask;
     most = pel_min(most, down ? i : 255 - i);
     int32_t left = most;
     for (; left > 0; left--) {
-        high += sign * mix.high_change;
-        low += sign * mix.low_change;
-        if ((pel_mixed(high, low) & mask) != first)
+        mix.high += mix.high_change;
+        mix.low += mix.low_change;
+        if ((pel_mixed(mix) & c->mask) != first)
             break;
     }
     return most - left;
@@ -92,15 +89,15 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
 static bool find_left(struct pel_cells *c)
 {
     int32_t lo = FAR, hi = -FAR, rest = 0;
-    for (int32_t i = 0; i < c->cell.n; i++)
-        if (c->run[i].x1 < c->span[i].x1) {
-            lo = pel_min(lo, c->run[i].x1);
-            hi = pel_max(hi, c->span[i].x1);
-        } else {
+    for (int32_t i = 0; i < c->cell.n; i++) {
+        const int32_t x1 = c->span[i].x1;
+        if (c->run[i].x1 >= x1)
             c->run[i].x1 = FAR;
-        }
-    for (int32_t i = 0; i < c->cell.n; i++)
-        rest |= (c->run[i].x1 - lo) | (hi - c->span[i].x1);
+        else
+            hi = pel_max(hi, x1);
+        lo = pel_min(lo, c->run[i].x1);
+        rest |= (c->run[i].x1 ^ c->run[0].x1) | (x1 ^ c->span[0].x1);
+    }
     c->x = lo;
     c->hi = hi;
     c->box = rest == 0;
@@ -192,7 +189,7 @@ int32_t pel_cells_pass(struct pel_cells *c)
     const struct pel_gradient *g = c->gradient;
     const uint32_t value = c->value;
     void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
-    const int32_t most = g->period ? g->period : g->cells;
+    const int32_t most = g->period;
     int32_t count = 0;
     do {
         if (c->mask && most > count) {
@@ -244,6 +241,6 @@ enum pel_status pel_gradient_init(struct pel_gradient *g,
     g->color = ramp_color;
     g->ramp = *ramp;
     g->cells = ramp->n == 2 ? 256 : ramp->n;
-    g->period = g->cells * pel_min((int32_t)ramp->spread, 2); /* 0, 1 or 2 */
+    g->period = ramp->spread == PEL_REFLECT ? 2 * g->cells : g->cells;
     return PEL_OK;
 }

@@ -1,10 +1,136 @@
+#include "../base/divide.h"
+#include "../base/trig.h"
+#include "cells.h"
 #include "paint_conic.h"
+
+enum { HALF_TURN = 32768, FULL_TURN = 65536 };
+
+/* The height of the first row, from the centre down. */
+static int32_t height_of(const struct pel_cells *c)
+{
+    const struct pel_conic *p = (const void *)c->gradient;
+    return pel_pixel_center(c->cell.y) - p->center.y;
+}
+
+/* The cross product of a ray and the pixel at x, at a height: 0 or more when
+ * the pixel lies on the ray or clockwise of it. */
+static PEL_NOINLINE_32 int64_t cross_of(const struct pel_cells *c, int32_t dx,
+                                        int32_t dy, int32_t height)
+{
+    const struct pel_conic *p = (const void *)c->gradient;
+    const int32_t u = pel_pixel_center(c->x) - p->center.x;
+    return pel_product(dx, height) - pel_product(dy, u);
+}
+
+/* Adds to c->whole up to the last angle that is not past the pixel in the first
+ * column, at the height in c->rest: bit by bit. */
+static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
+{
+    for (int32_t bit = HALF_TURN / 2; bit && c->way; bit >>= 1) {
+        const struct pel_point d = pel_direction((uint16_t)(c->whole + bit));
+        if (cross_of(c, d.x, d.y, c->rest) >= 0)
+            c->whole += bit;
+    }
+}
+
+/* Ends at a ray d. On it or clockwise of it is beyond it above the centre,
+ * before it below. The lowest 8 bits of the cross product never change from
+ * pixel to pixel. */
+static PEL_NOINLINE_32 bool end_at(struct pel_cells *c, struct pel_point d)
+{
+    const int32_t way = c->way;
+    const int64_t cross = cross_of(c, d.x, d.y, height_of(c)) >> 8;
+    c->error = way < 0 ? ~cross : cross;
+    return pel_cells_end(c, pel_magnitude(d.y), way * d.x, 0) < 0;
+}
+
+/* The present cell begins at the angle floor(65536 k / period) from the start,
+ * c->whole, and c->rest is what the floor drops. Rows above the centre end
+ * before the full turn, rows below at 0. */
+static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
+{
+    const struct pel_conic *p = (const void *)c->gradient;
+    pel_cells_move(c, count, p->width, p->rest, p->base.period);
+    if ((uint32_t)(c->whole - 1) >> 16)
+        return pel_cells_end_all(c);
+    return end_at(c, pel_direction((uint16_t)c->whole));
+}
+
+/* Cuts the batch, so that it has rows above the centre, or the row through it,
+ * which has two angles, or rows below. Finds the height of the first pixel by
+ * angle, and its half turn: it is in the first column, clockwise above the
+ * centre, counter-clockwise below, in the row nearest to the centre where that
+ * is left of it, else in the farthest one. */
+static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
+{
+    const struct pel_conic *p = (const void *)c->gradient;
+    const int32_t v = height_of(c);
+    const int32_t split = pel_first_pixel(p->center.x);
+    const bool above = v < 0, left = c->x < split;
+    if (PEL_CELL_ROWS > 1 && c->cell.step && v <= 0)
+        c->cell.n = pel_min(
+            c->cell.n, above ? pel_first_pixel(p->center.y) - c->cell.y : 1);
+    c->way = 1;
+    c->whole = HALF_TURN;
+    if (v > 0 || (v == 0 && !left)) {
+        c->way = -1;
+        c->whole = 0;
+    } else if (v == 0) {
+        c->hi = pel_min(c->hi, split);
+    }
+    if (v == 0)
+        c->way = 0;
+    c->rest = v;
+    if (PEL_CELL_ROWS > 1 && v && above == left)
+        c->rest += (c->cell.n - 1) * c->cell.step * 256;
+}
+
+/* The cell of the angle: the last k that begins at or before `turn` from the
+ * start, 65536 k / period < turn + 1. (turn + 1) period <= 2^16 65,534. */
+static PEL_NOINLINE_32 void set_cell(struct pel_cells *c)
+{
+    const struct pel_conic *p = (const void *)c->gradient;
+    const uint32_t period = (uint32_t)p->base.period;
+    const uint32_t turn = ((uint32_t)c->whole - p->start) & 0xFFFFu;
+    uint32_t k = ((turn + 1) * period - 1) >> 16;
+    c->place = (int32_t)k;
+    k = (k + (c->way < 0)) << 16;
+    const uint32_t begin = pel_divide(k, period);
+    c->whole += (int32_t)(begin - turn);
+    c->rest = (int32_t)(k - begin * period);
+}
+
+static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
+{
+    first_row(c);
+    find_angle(c);
+    set_cell(c);
+}
+
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
+{
+    pel_cells_fill(paint, spans, PEL_CELL_ROWS, start, end_cells);
+}
+
+enum pel_status pel_conic_begin(struct pel_conic *paint,
+                                struct pel_point center, uint16_t start)
+{
+    if (!pel_point_legal(center))
+        return PEL_ERROR_RANGE;
+    struct pel_gradient *g = &paint->base;
+    const uint32_t n = (uint32_t)g->period, width = pel_divide(FULL_TURN, n);
+    paint->width = (int32_t)width;
+    paint->rest = (int32_t)(FULL_TURN - width * n);
+    paint->center = center;
+    paint->start = start;
+    g->ramp.spread = PEL_REPEAT;
+    g->paint.fill = fill;
+    return PEL_OK;
+}
 
 enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
                                uint16_t start, const struct pel_ramp *ramp)
 {
     const enum pel_status status = pel_gradient_init((void *)paint, ramp);
-    if (status != PEL_OK)
-        return status;
-    return pel_conic_begin(paint, center, start);
+    return status == PEL_OK ? pel_conic_begin(paint, center, start) : status;
 }

@@ -198,17 +198,18 @@ static bool fill_planes(const struct pel_surface *surface, int32_t x, int32_t y,
     return true;
 }
 
-static int32_t fill_walk(const struct pel_surface *surface, int32_t x,
-                         int32_t y, int32_t n, struct pel_walk *walk)
+static bool fill_walk(const struct pel_surface *surface, int32_t x, int32_t y,
+                      int32_t n, const struct pel_walk *walk)
 {
     const struct pel_surface *const target = target_of(surface);
     if (!is_565(target->format))
-        return 0;
+        return false;
     const struct pel_row565 row = row565_of(target, x, y, n);
-    return (int32_t)((is_swapped(target->format)
-                          ? pel_row565_walk(row, walk, true)
-                          : pel_row565_walk(row, walk, false)) -
-                     row.p);
+    if (is_swapped(target->format))
+        pel_row565_walk(row, walk, true);
+    else
+        pel_row565_walk(row, walk, false);
+    return true;
 }
 
 /* The opaque ones that come first. */

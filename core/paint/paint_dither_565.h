@@ -89,7 +89,7 @@ static PEL_ALWAYS_INLINE void pel_row565_fill(struct pel_row565 r,
         v = v << 8 | v >> 8;
     for (; r.end - r.p >= 8; r.p += 8)
         pel_put_u16x8(r.p, v);
-    pel_gouraud_short_rgb565(r.p, (int32_t)(r.end - r.p), (pel_u32x4)v);
+    pel_put_part16(r.p, (int32_t)(r.end - r.p), v);
 }
 
 #else
@@ -135,34 +135,30 @@ static PEL_ALWAYS_INLINE void pel_row565_planes(struct pel_row565 r,
     }
 }
 
-/* The end of the pixels that were put. */
-static PEL_ALWAYS_INLINE pel_word16 *pel_row565_walk(struct pel_row565 r,
-                                                     struct pel_walk *walk,
-                                                     bool swapped)
+static PEL_ALWAYS_INLINE void pel_row565_walk(struct pel_row565 r,
+                                              const struct pel_walk *walk,
+                                              bool swapped)
 {
-    uint32_t high = walk->high, low = walk->low;
+    uint32_t high = walk->mix.high, low = walk->mix.low;
     int32_t error = walk->error, rest = walk->rest;
     const int32_t step = walk->step;
     const struct pel_steps565 *threshold = r.thresholds + r.x;
     do {
         const struct pel_steps565 s =
             pel_steps565(low >> 8 & 0xFF00FFu, high >> 8 & 0xFFu);
+        for (; error < 0 && r.p < r.end; error += step)
+            pel_store565(r.p++, threshold++, s, swapped);
+        if (threshold >= r.thresholds + PEL_PLACES)
+            threshold -= PEL_PLACES;
         error -= walk->cell;
         rest -= walk->cell_rest;
         if (rest < 0) {
             rest += walk->unit;
             error--;
         }
-        for (; error < 0 && r.p < r.end; error += step)
-            pel_store565(r.p++, threshold++, s, swapped);
-        if (threshold >= r.thresholds + PEL_PLACES)
-            threshold -= PEL_PLACES;
-        high += walk->high_change;
-        low += walk->low_change;
-    } while (walk->left-- > 0 && r.p < r.end);
-    walk->error = error;
-    walk->rest = rest;
-    return r.p;
+        high += walk->mix.high_change;
+        low += walk->mix.low_change;
+    } while (r.p < r.end);
 }
 
 #endif

@@ -3,19 +3,7 @@
 #include <string.h>
 
 #include "../base/divide.h"
-#include "linear_walk.h"
-
-/* Where code is to be small, cells that are walked before the next one is
- * looked up: narrow ones are passed so. */
-enum { CELLS_WALKED = 64 };
-
-/* The way is drawn from the end on the left, so that products do not fall to
- * the right. 1 where that is the end of the last cell: there the boundaries
- * belong to the cells before them. */
-static inline int32_t turned(const struct pel_linear *p)
-{
-    return (int32_t)((uint32_t)p->way >> 31);
-}
+#include "cells.h"
 
 /* (P - from).d of a point. */
 static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
@@ -25,19 +13,20 @@ static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
            pel_product(y - p->from.y, p->d.y);
 }
 
-/* The product (P - from).d - turned at pixel (x, y), below 2^49, and above
- * -2^47 before the way; or another that shows the same. Of a padded way none is
- * beyond the end; of others it is less as many times two lengths, there and
- * back, as leave 0 or more. */
+/* The product (P - from).d at pixel (x, y), below 2^49, and above -2^47 before
+ * the way; or another that shows the same. Of a padded way none is beyond the
+ * end; of others it is less as many times two lengths, there and back, as leave
+ * 0 or more. Less 1 where the way is turned: there the boundaries belong to the
+ * cells before them. */
 static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
                                           int32_t y)
 {
     int64_t product =
-        along(p, pel_pixel_center(x), pel_pixel_center(y)) - turned(p);
+        along(p, pel_pixel_center(x), pel_pixel_center(y)) + (p->way >> 31);
     int64_t step = p->square;
     int32_t count = 0;
-    if (p->base.period == 0)
-        return product < step ? product : step;
+    if (p->base.ramp.spread == PEL_PAD)
+        return product < step ? product : step - 1;
     do {
         step *= 2;
         count++;
@@ -51,84 +40,70 @@ static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
     return product;
 }
 
-/* The error of the boundary where cell k begins is n product - turned - k
- * square. Where it is walked in 32 bits, it is counted in units of 256 n, by
- * which n product grows from pixel to pixel, and what they leave, c->rest. */
+/* The error of the boundary where cell k begins is n product - k square, less 1
+ * where the way is turned. Where it is walked in 32 bits, it is counted in
+ * units of 256 n, by which n product grows from pixel to pixel, and what they
+ * leave, c->rest. */
 static int32_t unit_of(const struct pel_linear *p)
 {
     return p->base.cells * 256;
 }
 
-#if PEL_KNOW_SIDES
+/* From the boundary of a cell to that of the next. */
+static inline void next_boundary(struct pel_cells *c,
+                                 const struct pel_linear *p)
+{
+    c->error -= p->cell;
+    c->rest -= p->cell_rest;
+    if (c->rest < 0) {
+        c->rest += unit_of(p);
+        c->error--;
+    }
+}
 
-static bool end_cells(struct pel_cells *c, int32_t count)
+static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_linear *p = (const void *)c->gradient;
-    int64_t error = c->error;
-    int32_t part = c->rest;
-    do {
-        error -= p->cell;
-        part -= p->cell_rest;
-        if (part < 0) {
-            part += unit_of(p);
-            error--;
-        }
-    } while (--count);
-    c->error = error;
-    c->rest = part;
+    if (PEL_CELL_ROWS == 1) {
+        int64_t error = c->error - p->square;
+        for (; error < 0 && c->x < c->hi; c->x++)
+            error += p->step;
+        c->error = error;
+        return c->x < c->hi;
+    }
+    do
+        next_boundary(c, p);
+    while (--count);
     return pel_cells_end(c, p->d.x, p->d.y, 0) < 0;
 }
 
-#else
-
-/* Of one row, in units of 1, from an error that is set for the boundary. */
-static PEL_NOINLINE bool end_cells(struct pel_cells *c, int32_t count)
-{
-    const struct pel_linear *p = (const void *)c->gradient;
-    int64_t error = c->error;
-    int32_t x = c->x;
-    (void)count;
-    for (; error < 0 && x < c->hi; x++)
-        error += p->step;
-    c->error = error - p->square;
-    c->x = x;
-    if (--c->whole == 0)
-        c->hi = x;
-    return x < c->hi;
-}
-
-#endif
-
-/* The cell of the pixel that has a product, less `turned`: k = floor((n product
- * - turned) / square), bit by bit of n, and the error where it begins, in units
- * of 1 where it ends. Before a padded way it is the first cell all the same. */
+/* The cell k of a pixel by its product, bit by bit of n, so that the error
+ * where it begins is 0 or more and below square. Before a padded way it is the
+ * first cell all the same. */
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
                                      const struct pel_linear *p,
                                      int64_t product)
 {
     const int32_t mirror = p->way >> 31; /* -1 when turned, or 0 */
     product -= mirror;
-    int64_t error = mirror - p->square;
+    int64_t error = mirror;
     /* n in the 15 upper bits makes room for k in the lower ones. */
     uint32_t bits = (uint32_t)p->base.cells << 17;
     for (int i = 15; i; i--) {
-        error = 2 * error - mirror + p->square;
+        error = 2 * error - mirror;
         if ((int32_t)bits < 0)
             error += product;
-        for (bits *= 2; error >= 0; bits++)
+        for (bits *= 2; error >= p->square; bits++)
             error -= p->square;
     }
     int32_t place = (int32_t)bits;
     const int32_t n = p->base.cells, period = p->base.period;
-    if (period == 0)
-        place = pel_min(place, n - 1);
-    else if (place >= period)
+    if (place >= period)
         place -= period;
     place = (place ^ mirror) + (mirror & n);
     c->place = place < 0 ? place + period : place;
     if (PEL_CELL_ROWS > 1) {
         int64_t rest;
-        error += p->square;
         error = pel_divide_64(error, unit_of(p), &rest);
         c->rest = (int32_t)rest;
     }
@@ -143,34 +118,17 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
     set_cell(c, p, product_at(p, c->x, c->cell.y + last));
     c->way = p->way;
-    c->whole = CELLS_WALKED;
-    if (PEL_CELL_ROWS > 1) {
+    if (PEL_CELL_ROWS > 1)
         c->error -= pel_product(p->d.y, last);
-        if (p->by_pixel)
-            c->hi = c->x + 1;
-    }
 }
 
-/* Goes to a pixel whose error is greater by `growth`, or less: a few cells on
- * or back, without a division. Not back from a last cell that goes on. */
-static void move(struct pel_cells *c, const struct pel_linear *p,
-                 int64_t growth, int32_t way)
+/* Where the present cell ends, the error grows by `growth` >= 0: on to the cell
+ * whose end lies beyond. */
+static void move_on(struct pel_cells *c, int64_t growth)
 {
-    const struct pel_gradient *const g = &p->base;
-    c->error += growth;
-    while (c->error > p->cell ||
-           (c->error == p->cell && c->rest >= p->cell_rest)) {
-        const bool carry = c->rest < p->cell_rest;
-        c->error -= p->cell + carry;
-        c->rest += (carry ? unit_of(p) : 0) - p->cell_rest;
-        c->place = pel_cells_after(g, c->place, way);
-    }
-    while (c->error < 0 && pel_cells_after(g, c->place, -way) != c->place) {
-        const bool carry = c->rest + p->cell_rest >= unit_of(p);
-        c->error += p->cell + carry;
-        c->rest += p->cell_rest - (carry ? unit_of(p) : 0);
-        c->place = pel_cells_after(g, c->place, -way);
-    }
+    const struct pel_linear *const p = (const void *)c->gradient;
+    for (c->error += growth; c->error >= 0; next_boundary(c, p))
+        c->place = pel_cells_after(&p->base, c->place, p->way);
 }
 
 /* A row of a vertical gradient has one color. Neighbouring rows of one pixel
@@ -182,19 +140,21 @@ static void fill_level(const struct pel_linear *p,
     struct pel_spans rows = *spans;
     uint32_t value = 0;
     void (*draw)(const struct pel_spans *, uint32_t) = NULL;
-    const bool near_cells = p->d.y > 0 && p->d.y >> 3 <= p->cell;
     pel_cells_open(&c, &p->base, spans);
     rows.n = 0;
-    for (int32_t i = 0; i < spans->n; i++, c.cell.y += c.cell.step) {
-        if (i == 0 || !near_cells)
+    for (int32_t i = 0; i < spans->n; i++, c.cell.y += rows.step) {
+        if (i == 0 || p->d.y >> 3 > p->cell) {
             set_cell(&c, p, product_at(p, 0, c.cell.y));
-        else if (c.cell.step)
-            move(&c, p, p->d.y, 1);
+            next_boundary(&c, p);
+        } else {
+            move_on(&c, rows.step ? p->d.y : 0);
+        }
         pel_cells_color(&c);
         if (rows.n && (c.value != value || c.draw != draw)) {
             pel_fill_value(&rows, value, draw);
-            rows = (struct pel_spans){rows.surface, rows.span + rows.n,
-                                      c.cell.y, 0, rows.step};
+            rows.span += rows.n;
+            rows.y = c.cell.y;
+            rows.n = 0;
         }
         value = c.value;
         draw = c.draw;
@@ -211,106 +171,121 @@ static bool is_opaque(const struct pel_ramp *ramp)
     return pel_alpha(all) == 255;
 }
 
-/* All rows of a horizontal gradient are alike, so one is drawn and copied to
- * the others: the row whose span holds all of theirs. -1: there is none, or
- * copies would be wrong (colors are blended, pixels share bytes, or the format
- * is a dither's or the program's own). */
-static int32_t find_model(const struct pel_linear *p,
-                          const struct pel_spans *spans)
+/* Cells that begin anew may be narrow: less than 1/16 px. Where boundaries lie
+ * far apart from row to row, and rows cross many of them, rows are drawn one by
+ * one. */
+static void fill_cells(const struct pel_paint *paint,
+                       const struct pel_spans *spans)
 {
-    const struct pel_format *format = spans->surface->format;
-    const struct pel_span *span = spans->span;
-    int32_t model = 0, x0 = span->x0, x1 = span->x1;
-    if (p->d.y != 0 || spans->n * spans->step < 2 || format->id >= 128 ||
-        format->bits < 8)
-        return -1;
-    for (int32_t i = 1; i < spans->n; i++) {
-        x0 = pel_min(x0, span[i].x0);
-        x1 = pel_max(x1, span[i].x1);
-        if (span[i].x0 == x0 && span[i].x1 == x1)
-            model = i;
-    }
-    const bool holds = span[model].x0 == x0 && span[model].x1 == x1;
-    return holds && is_opaque(&p->base.ramp) ? model : -1;
+    const struct pel_linear *p = (const void *)paint;
+    const int64_t down = pel_size_of(p->d.y);
+    const bool narrow =
+        p->base.ramp.spread != PEL_PAD && p->step >> 4 >= p->square;
+    const bool far = down > 32 * p->d.x && down > p->cell;
+    pel_cells_fill(paint, spans,
+                   narrow ? 0
+                   : far  ? 1
+                          : PEL_CELL_ROWS,
+                   start, end_cells);
 }
 
-static void copy_model(const struct pel_spans *spans, int32_t model)
+/* From the left end of all spans to the right end. */
+static struct pel_span hull_of(const struct pel_spans *spans)
 {
-    const struct pel_surface *s = spans->surface;
+    struct pel_span hull = spans->span[0];
+    for (int32_t i = 1; i < spans->n; i++) {
+        hull.x0 = pel_min(hull.x0, spans->span[i].x0);
+        hull.x1 = pel_max(hull.x1, spans->span[i].x1);
+    }
+    return hull;
+}
+
+/* All rows of a horizontal gradient are alike, so one that holds the hull is
+ * drawn and copied to the others. False: there is none, or copies would be
+ * wrong (colors are blended, pixels share bytes, or the format is a dither's or
+ * the program's own). */
+static bool fill_copies(const struct pel_linear *p,
+                        const struct pel_spans *spans, struct pel_span hull)
+{
+    const struct pel_surface *const s = spans->surface;
     const int32_t bytes = s->format->bits / 8;
-    for (int32_t i = 0; i < spans->n; i++) {
-        const struct pel_span *span = &spans->span[i];
+    const struct pel_span *span = spans->span;
+    int32_t model = 0;
+    if (p->d.y != 0 || spans->n * spans->step < 2 || s->format->id >= 128 ||
+        bytes == 0 || !is_opaque(&p->base.ramp))
+        return false;
+    while (span[model].x0 != hull.x0 || span[model].x1 != hull.x1)
+        if (++model == spans->n)
+            return false;
+    fill_cells(&p->base.paint,
+               &(struct pel_spans){s, span + model, spans->y + model, 1, 1});
+    for (int32_t i = 0; i < spans->n; i++, span++)
         if (i != model && span->x0 < span->x1)
             memcpy((void *)pel_address(s, span->x0, spans->y + i, bytes),
                    (void *)pel_address(s, span->x0, spans->y + model, bytes),
                    (size_t)((span->x1 - span->x0) * bytes));
-    }
+    return true;
 }
 
-/* To a run's first pixel; to the shape's first one, if c->place < 0. */
-static void move_to(struct pel_cells *c, const struct pel_linear *p, int32_t x,
-                    int32_t y)
-{
-    const int64_t growth =
-        pel_product(p->d.x, x - c->x) + pel_product(p->d.y, y - c->cell.y);
-    const int64_t most = CELLS_WALKED * p->cell;
-    const bool lost = c->place < 0 || growth > most || growth < -most;
-    c->x = x;
-    c->cell.y = y;
-    if (lost ||
-        (growth < 0 && pel_cells_after(&p->base, c->place, p->way) == c->place))
-        set_cell(c, p, product_at(p, x, y));
-    else
-        move(c, p, growth, p->way);
-}
-
-/* False: nothing is done, or no more than pixels before the way. Only where the
- * format can walk, and cells are 1/2 to 7 px wide. */
+/* The rows of a dither, which shows every cell, from the one where products are
+ * least: where the format can walk, if cells are 1/2 to 7 px wide, and the hull
+ * is all on the way. Vectors are faster from 3 px on. False: nothing is done.
+ */
 static bool fill_walked(const struct pel_linear *p,
-                        const struct pel_spans *spans)
+                        const struct pel_spans *spans, struct pel_span hull)
 {
     const struct pel_channels *const channels =
         spans->surface->format->channels;
+    const int64_t widest = (PEL_VECTORS ? 3 : 7) * (int64_t)p->d.x;
+    const bool up = p->d.y < 0;
+    const int64_t growth = spans->step ? pel_size_of(p->d.y) : 0;
+    const int32_t last = spans->n - 1;
     struct pel_cells c;
     if (!channels || !channels->walk || p->base.ramp.n != 2 ||
-        !is_opaque(&p->base.ramp) || p->cell >= 7 * (int64_t)p->d.x ||
-        p->d.x >= 2 * p->cell)
+        !is_opaque(&p->base.ramp) || p->cell >= widest || p->d.x >= 2 * p->cell)
         return false;
-    pel_cells_open(&c, &p->base, spans);
-    c.x = 0;
-    c.place = -1;
-    for (int32_t i = 0; i < spans->n; i++) {
-        const struct pel_span run = spans->span[i];
+    for (int i = 0; i < 2; i++) {
+        const int32_t y = pel_pixel_center(spans->y + i * last * spans->step);
+        if (along(p, pel_pixel_center(hull.x0), y) <= 0 ||
+            along(p, pel_pixel_center(hull.x1 - 1), y) >= p->square)
+            return false;
+    }
+    c.gradient = &p->base;
+    c.x = hull.x0;
+    set_cell(&c, p, product_at(p, c.x, spans->y + up * last * spans->step));
+    next_boundary(&c, p);
+    for (int32_t i = 0; i <= last; i++, move_on(&c, growth)) {
+        const int32_t k = up ? last - i : i;
+        const struct pel_span run = spans->span[k];
         if (run.x0 >= run.x1)
             continue;
-        move_to(&c, p, run.x0, spans->y + i * spans->step);
-        if (!pel_walk_run(&c, p, run.x1))
+        const int32_t error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0);
+        const struct pel_walk walk = {pel_mix_from(&p->base, c.place, p->way),
+                                      error,
+                                      c.rest,
+                                      (int32_t)p->cell,
+                                      p->cell_rest,
+                                      unit_of(p),
+                                      p->d.x};
+        if (!channels->walk(spans->surface, run.x0, spans->y + k * spans->step,
+                            run.x1 - run.x0, &walk))
             return false;
     }
     return true;
 }
 
-/* Where boundaries lie far apart from row to row, the rows are drawn one by
- * one, and where cells are narrower than 1/16 px, so are pixels. */
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    const bool far = pel_size_of(p->d.y) > 8 * p->d.x;
-    const int32_t most =
-        PEL_CELL_ROWS == 1 || p->by_pixel || far ? 1 : PEL_CELL_ROWS;
-    const int32_t model = PEL_CELL_ROWS > 1 ? find_model(p, spans) : -1;
-    struct pel_spans drawn = *spans;
-    if (model >= 0) {
-        drawn.span += model;
-        drawn.y += model;
-        drawn.n = 1;
-    }
-    if (PEL_CELL_ROWS > 1 && p->d.x == 0)
+    if (PEL_CELL_ROWS == 1) {
+        fill_cells(paint, spans);
+    } else if (p->d.x == 0) {
         fill_level(p, spans);
-    else if (PEL_CELL_ROWS == 1 || !fill_walked(p, &drawn))
-        pel_cells_fill(paint, &drawn, most, start, end_cells);
-    if (model >= 0)
-        copy_model(spans, model);
+    } else {
+        const struct pel_span hull = hull_of(spans);
+        if (!fill_copies(p, spans, hull) && !fill_walked(p, spans, hull))
+            fill_cells(paint, spans);
+    }
 }
 
 enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
@@ -326,22 +301,21 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     if ((d.x | d.y) == 0)
         return PEL_ERROR_SIZE;
     paint->base.paint.fill = fill;
-    paint->way = (d.x > 0) - (d.x < 0);
-    if (d.x < 0) {
+    const bool level = PEL_CELL_ROWS > 1 && d.x == 0;
+    const bool turn = d.x < 0 || (level && d.y < 0);
+    paint->way = turn ? -1 : level || d.x > 0;
+    if (turn) {
         from = to;
         d = (struct pel_point){-d.x, -d.y};
     }
     paint->from = from;
     paint->d = d;
     paint->square = along(paint, from.x + d.x, from.y + d.y);
-    paint->step = pel_product(paint->base.cells * 256, d.x);
+    paint->step = pel_product(unit_of(paint), d.x);
     if (PEL_CELL_ROWS > 1) {
         int64_t rest;
         paint->cell = pel_divide_64(paint->square, unit_of(paint), &rest);
         paint->cell_rest = (int32_t)rest;
-        paint->by_pixel =
-            paint->base.period &&
-            (uint32_t)(paint->step >> 21) >= (uint32_t)(paint->square >> 17);
     }
     return PEL_OK;
 }

@@ -1,7 +1,6 @@
 #include "cost.h"
 
 #include "../base/divide.h"
-#include "../base/multiply.h"
 #include "triangle.h"
 
 const struct pel_cost_rates pel_cost_m0plus[PEL_COST_PAINTS] = {
@@ -18,9 +17,10 @@ const struct pel_cost_rates pel_cost_m4[PEL_COST_PAINTS] = {
 
 /* Bits of the quotients of the three edges, and of the rows above the clip that
  * each may skip. */
-static uint32_t turns_of(const struct pel_point v[3], int32_t rows)
+static uint32_t turns_of(const struct pel_point v[3], int32_t top,
+                         int32_t clip_top)
 {
-    const int32_t above = pel_max(rows, 0);
+    const int32_t above = pel_max(clip_top - pel_first_pixel(top), 0);
     int turns = 3 * pel_bits_of((uint32_t)above);
     for (int i = 0, k = 2; i < 3; k = i++) {
         const int64_t dx = v[i].x - v[k].x, dy = v[i].y - v[k].y;
@@ -44,15 +44,16 @@ void pel_triangle_cost(struct pel_cost *cost, const struct pel_point v[3],
                        const struct pel_rect *clip,
                        const struct pel_cost_rates *rates)
 {
-    const struct pel_rect box = pel_triangle_box(v), all = pel_box_pixels(&box);
-    const struct pel_rect part = pel_rect_intersect(&all, clip);
+    const struct pel_rect box = pel_corners_box(v);
+    const struct pel_rect seen = pel_rect_pixels(&box, clip);
     const int32_t width = box.x1 - box.x0, height = box.y1 - box.y0;
     const int32_t longer = pel_max(width, height);
-    const uint32_t columns = (uint32_t)pel_max(part.x1 - part.x0, 0);
-    const uint32_t rows = (uint32_t)pel_max(part.y1 - part.y0, 0);
+    const uint32_t columns = (uint32_t)pel_max(seen.x1 - seen.x0, 0);
+    const uint32_t rows = (uint32_t)pel_max(seen.y1 - seen.y0, 0);
     const uint64_t area = (uint64_t)pel_size_of(pel_triangle_area(v));
-    const bool cut =
-        (width | height) >> 15 || all.x0 < clip->x0 || all.x1 > clip->x1;
+    const bool cut = (width | height) >> 15 ||
+                     pel_first_pixel(box.x0) < clip->x0 ||
+                     pel_first_pixel(box.x1) > clip->x1;
     const bool thin = longer > 1048576 || area < (uint64_t)longer * 16;
     uint32_t pixels = 0;
     if (rows && area)
@@ -64,7 +65,7 @@ void pel_triangle_cost(struct pel_cost *cost, const struct pel_point v[3],
     cost->pixels += pixels;
     cost->instructions += rates->triangle + (thin ? rates->thin : 0);
     if (rows)
-        cost->instructions += turns_of(v, clip->y0 - all.y0) * rates->turn;
+        cost->instructions += turns_of(v, box.y0, clip->y0) * rates->turn;
     cost->instructions += rows * (cut ? rates->cut_row : rates->row);
     cost->instructions += (rows < pixels ? rows : pixels) * rates->run;
     cost->instructions += (pel_multiply(pixels, rates->pixel) + 15) >> 4;

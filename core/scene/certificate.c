@@ -30,7 +30,7 @@ static int32_t highest(const int32_t v[3])
  * longer than width plus height of its box. */
 static bool is_thin(const struct pel_certificate_corners *c)
 {
-    const struct pel_rect box = pel_triangle_box(c->at);
+    const struct pel_rect box = pel_corners_box(c->at);
     const uint64_t area = (uint64_t)pel_size_of(pel_triangle_area(c->at));
     return area < (uint32_t)(box.x1 - box.x0 + box.y1 - box.y0);
 }
@@ -40,9 +40,8 @@ static struct pel_rect pixels_of(const struct search *s,
                                  const struct pel_certificate_corners *c)
 {
     const struct pel_rect *view = &s->frame->scene->viewport;
-    const struct pel_rect at = pel_triangle_box(c->at);
-    const struct pel_rect box = pel_box_pixels(&at);
-    return c->cut ? *view : pel_rect_intersect(&box, view);
+    const struct pel_rect box = pel_corners_box(c->at);
+    return c->cut ? *view : pel_rect_pixels(&box, view);
 }
 
 /* The least and the largest depth of a triangle. Those of thin ones, which are

@@ -30,8 +30,7 @@ void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
 void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint)
 {
-    paint->paint =
-        (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
+    paint->paint = (struct pel_paint){pel_gouraud_fill, NULL};
     paint->at[3] = (color[0] >> 24 << 24) + 0x800000u;
     paint->dx[3] = paint->dy[3] = 0;
     PEL_UNROLL
