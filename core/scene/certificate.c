@@ -40,8 +40,8 @@ static struct pel_rect pixels_of(const struct search *s,
                                  const struct pel_certificate_corners *c)
 {
     const struct pel_rect *view = &s->frame->scene->viewport;
-    const struct pel_rect at = pel_corners_box(c->at);
-    return c->cut ? *view : pel_rect_pixels(&at, view);
+    const struct pel_rect box = pel_corners_box(c->at);
+    return c->cut ? *view : pel_rect_pixels(&box, view);
 }
 
 /* The least and the largest depth of a triangle. Those of thin ones, which are
@@ -158,8 +158,6 @@ enum pel_status pel_scene_certify(const struct pel_frame *frame, void *scratch,
         (uintptr_t)scratch % 4)
         return PEL_ERROR_SCRATCH;
     *doubt = (struct pel_doubt){0};
-    if (n == 0)
-        return PEL_OK;
     struct search s = {
         .frame = frame, .item = scratch, .work = work, .doubt = doubt};
     s.entry = (void *)(s.item + n);

@@ -1,5 +1,6 @@
 #include "../base/divide.h"
 #include "select.h"
+#include "select_light.h"
 
 /* 1/256 texel: what corners in 1/256 texel and the exact mapping are off by. */
 enum { MAPPING_ERROR = 3 };
@@ -73,15 +74,11 @@ static const struct pel_color_paint *surface(struct pel_frame *frame)
  * may reach. */
 static uint32_t brightest(const struct pel_mesh_lights *lights)
 {
-    uint32_t most = 65536;
-    for (int k = 0; k < 3; k++) {
-        uint32_t sum = (uint32_t)lights->ambient[k];
-        for (int32_t i = 0; i < lights->count; i++)
-            sum += (uint32_t)(lights->light[i].diffuse[k] +
-                              lights->light[i].specular[k]);
-        most = sum > most ? sum : most;
-    }
-    return most;
+    const pel_factor *a = lights->ambient;
+    const uint32_t most = (uint32_t)pel_max(pel_max(a[0], a[1]), a[2]) +
+                          pel_light_strength(lights, false) +
+                          pel_light_strength(lights, true);
+    return most > 65536 ? most : 65536;
 }
 
 /* With light, that is left half of the tolerance. */
