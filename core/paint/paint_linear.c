@@ -227,6 +227,19 @@ static bool fill_copies(const struct pel_linear *p,
     return true;
 }
 
+static bool is_on_way(const struct pel_linear *p, const struct pel_spans *spans,
+                      struct pel_span hull)
+{
+    const int32_t last = (spans->n - 1) * spans->step;
+    bool on = true;
+    for (int32_t y = spans->y, i = 0; i < 2; i++, y += last)
+        on = on &&
+             along(p, pel_pixel_center(hull.x0), pel_pixel_center(y)) > 0 &&
+             along(p, pel_pixel_center(hull.x1 - 1), pel_pixel_center(y)) <
+                 p->square;
+    return on;
+}
+
 /* The rows of a dither, which shows every cell, from the one where products are
  * least: where the format can walk, if cells are 1/2 to 7 px wide, and the hull
  * is all on the way. Vectors are faster from 3 px on. False: nothing is done.
@@ -242,14 +255,9 @@ static bool fill_walked(const struct pel_linear *p,
     const int32_t last = spans->n - 1;
     struct pel_cells c;
     if (!channels || !channels->walk || p->base.ramp.n != 2 ||
-        !is_opaque(&p->base.ramp) || p->cell >= widest || p->d.x >= 2 * p->cell)
+        !is_opaque(&p->base.ramp) || p->cell >= widest ||
+        p->d.x >= 2 * p->cell || !is_on_way(p, spans, hull))
         return false;
-    for (int i = 0; i < 2; i++) {
-        const int32_t y = pel_pixel_center(spans->y + i * last * spans->step);
-        if (along(p, pel_pixel_center(hull.x0), y) <= 0 ||
-            along(p, pel_pixel_center(hull.x1 - 1), y) >= p->square)
-            return false;
-    }
     c.gradient = &p->base;
     c.x = hull.x0;
     set_cell(&c, p, product_at(p, c.x, spans->y + up * last * spans->step));
