@@ -53,7 +53,7 @@
 
 #include "hit/hit.h"
 
-#include "paint/color_ramp.h"
+#include "paint/gradient.h"
 #include "paint/paint_conic.h"
 #include "paint/paint_dither.h"
 #include "paint/paint_fan.h"

@@ -266,7 +266,7 @@ static void draw_linear(const struct pel_surface *s, const struct way *way,
     pel_rectangle(s, corner[0], corner[1], &paint.base.paint);
 }
 
-/* color_ramp.h: slope / (2 n) + 1/2, n cells. */
+/* paint/gradient.h: slope / (2 n) + 1/2, n cells. */
 static const struct {
     const char *name;
     int32_t cells;

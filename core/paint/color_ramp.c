@@ -1,6 +1,4 @@
-#include "color_ramp.h"
-
-#include <stddef.h>
+#include "gradient.h"
 
 /* round(a + (b - a) way / length) per channel, 0 <= way < length < 2^33. */
 static pel_color mix_exactly(pel_color a, pel_color b, int64_t way,

@@ -48,15 +48,14 @@ static int32_t pass_mixed(const struct pel_cells *c, int32_t most)
     const int32_t i = back ? g->period - 1 - c->place : c->place;
     struct pel_mix mix = pel_mix_from(g, i, down ? -1 : 1);
     const pel_color first = pel_mixed(mix) & c->mask;
-    most = pel_min(most, down ? i : 255 - i);
-    int32_t left = most;
-    for (; left > 0; left--) {
+    int32_t passed = 0;
+    for (most = pel_min(most, down ? i : 255 - i); passed < most; passed++) {
         mix.high += mix.high_change;
         mix.low += mix.low_change;
         if ((pel_mixed(mix) & c->mask) != first)
             break;
     }
-    return most - left;
+    return passed;
 }
 
 /* The bits of opaque colors that can be seen; 0: any. */
@@ -81,7 +80,6 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
         (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
     c->span = spans->span;
     c->left = (uint8_t)spans->n;
-    c->run[0].x1 = FAR;
     c->mask = mask_of(gradient, spans->surface->format);
 }
 
@@ -89,15 +87,15 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
 static bool find_left(struct pel_cells *c)
 {
     int32_t lo = FAR, hi = -FAR, rest = 0;
-    for (int32_t i = 0; i < c->cell.n; i++)
-        if (c->run[i].x1 < c->span[i].x1) {
-            lo = pel_min(lo, c->run[i].x1);
-            hi = pel_max(hi, c->span[i].x1);
-        } else {
+    for (int32_t i = 0; i < c->cell.n; i++) {
+        const int32_t x1 = c->span[i].x1;
+        if (c->run[i].x1 >= x1)
             c->run[i].x1 = FAR;
-        }
-    for (int32_t i = 0; i < c->cell.n; i++)
-        rest |= (c->run[i].x1 - lo) | (hi - c->span[i].x1);
+        else
+            hi = pel_max(hi, x1);
+        lo = pel_min(lo, c->run[i].x1);
+        rest |= (c->run[i].x1 ^ c->run[0].x1) | (x1 ^ c->span[0].x1);
+    }
     c->x = lo;
     c->hi = hi;
     c->box = rest == 0;
@@ -116,8 +114,6 @@ bool pel_cells_next(struct pel_cells *c, int32_t most)
         for (int32_t i = 0; i < c->cell.n; i++)
             c->run[i].x1 = c->span[i].x0;
     }
-    if (c->gradient->by_pixel)
-        c->hi = c->x + 1;
     return true;
 }
 
@@ -179,34 +175,37 @@ static int32_t end_others(struct pel_cells *c, int32_t step, int32_t row,
     return rest;
 }
 
-bool pel_cells_end_all_rows(struct pel_cells *c)
-{
-    for (int32_t i = 0; i < c->cell.n; i++)
-        end_run(c, i, c->hi);
-    return !c->box && cut(c) < 0;
-}
-
 int32_t pel_cells_pass(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
     const uint32_t value = c->value;
     void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
-    const int32_t most = g->period ? g->period : g->cells;
     int32_t count = 0;
     do {
-        if (c->mask && most > count) {
-            const int32_t passed = pass_mixed(c, most - count);
+        if (c->mask) {
+            const int32_t passed = pass_mixed(c, g->period - count);
             count += passed;
             c->place += c->way * passed;
         }
-        if (count == most || !pel_cells_more(c))
+        if (count++ == g->period || !pel_cells_more(c))
             return 0;
-        count++;
     } while (c->value == value && c->draw == draw);
     return count;
 }
 
 #endif
+
+bool pel_cells_end_all(struct pel_cells *c)
+{
+#if PEL_KNOW_SIDES
+    for (int32_t i = 0; i < c->cell.n; i++)
+        end_run(c, i, c->hi);
+    if (!c->box)
+        return cut(c) < 0;
+#endif
+    c->x = c->hi;
+    return false;
+}
 
 /* The first row by steps of 64 bits. */
 int32_t pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
@@ -243,6 +242,6 @@ enum pel_status pel_gradient_init(struct pel_gradient *g,
     g->color = ramp_color;
     g->ramp = *ramp;
     g->cells = ramp->n == 2 ? 256 : ramp->n;
-    g->period = g->cells * pel_min((int32_t)ramp->spread, 2); /* 0, 1 or 2 */
+    g->period = ramp->spread == PEL_REFLECT ? 2 * g->cells : g->cells;
     return PEL_OK;
 }

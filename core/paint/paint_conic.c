@@ -33,27 +33,21 @@ static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
     }
 }
 
-/* Ends at a ray d. On it or clockwise of it is beyond it above the centre,
- * before it below. The lowest 8 bits of the cross product never change from
- * pixel to pixel. */
-static PEL_NOINLINE_32 bool end_at(struct pel_cells *c, struct pel_point d)
-{
-    const int32_t way = c->way;
-    const int64_t cross = cross_of(c, d.x, d.y, height_of(c)) >> 8;
-    c->error = way < 0 ? ~cross : cross;
-    return pel_cells_end(c, pel_magnitude(d.y), PEL_ROW_STEP(way * d.x), 0) < 0;
-}
-
 /* The present cell begins at the angle floor(65536 k / period) from the start,
  * c->whole, and c->rest is what the floor drops. Rows above the centre end
- * before the full turn, rows below at 0. */
+ * before the full turn, rows below at 0. On a ray or clockwise of it is beyond
+ * it above the centre, before it below. The lowest 8 bits of the cross product
+ * never change from pixel to pixel. */
 static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_conic *p = (const void *)c->gradient;
     pel_cells_move(c, count, p->width, p->rest, p->base.period);
     if ((uint32_t)(c->whole - 1) >> 16)
         return pel_cells_end_all(c);
-    return end_at(c, pel_direction((uint16_t)c->whole));
+    const struct pel_point d = pel_direction((uint16_t)c->whole);
+    const int64_t cross = cross_of(c, d.x, d.y, height_of(c)) >> 8;
+    c->error = c->way < 0 ? ~cross : cross;
+    return pel_cells_end(c, pel_magnitude(d.y), c->way * d.x, 0) < 0;
 }
 
 /* Cuts the batch, so that it has rows above the centre, or the row through it,
@@ -118,15 +112,12 @@ enum pel_status pel_conic_begin(struct pel_conic *paint,
     if (!pel_point_legal(center))
         return PEL_ERROR_RANGE;
     struct pel_gradient *g = &paint->base;
-    if (g->period == 0)
-        g->period = g->cells;
     const uint32_t n = (uint32_t)g->period, width = pel_divide(FULL_TURN, n);
     paint->width = (int32_t)width;
     paint->rest = (int32_t)(FULL_TURN - width * n);
     paint->center = center;
     paint->start = start;
-    if (PEL_CELL_ROWS > 1)
-        g->by_pixel = false;
+    g->ramp.spread = PEL_REPEAT;
     g->paint.fill = fill;
     return PEL_OK;
 }

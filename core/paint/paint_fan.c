@@ -7,26 +7,45 @@ static PEL_NOINLINE_32 int64_t cross(const struct pel_point *a,
     return pel_product(a->x, b->y) - pel_product(a->y, b->x);
 }
 
-/* n pixels of a span, from (x, y) on. */
+/* n pixels of a span, from (x, y) on; `at` is a channel there. */
 struct part {
+    uint64_t at;
     int32_t x, y, n;
+    pel_color start; /* before its channels: the alpha of opaque fans */
 };
 
-/* Adds the channels of one triangle to the colors of a part; three to those of
- * opaque fans, which begin with their alpha. */
-static PEL_NOINLINE_32 void add_channels(const struct part *r,
-                                         const struct pel_fan_triangle *t,
-                                         int channels, pel_color *out)
+/* Adds channel k to the colors of a part inside one triangle; channel 0 comes
+ * first and overwrites them. */
+static PEL_NOINLINE_32 void add_channel(const struct part *r,
+                                        const struct pel_fan_triangle *t, int k,
+                                        pel_color *out)
 {
-    for (int k = 0; k < channels; k++) {
-        const uint64_t step = t->channel[k].dx;
-        uint64_t v = pel_plane_at(&t->channel[k], r->x, r->y);
-        for (int32_t i = 0, n = r->n; i < n; i++, v += step) {
-            uint32_t whole = (uint32_t)(v >> 32);
-            if (whole > 255)
-                whole = (int32_t)whole < 0 ? 0 : 255;
-            out[i] |= whole << 8 * k;
-        }
+    const uint64_t step = t->channel[k].dx;
+    uint64_t v = r->at;
+    for (int32_t i = 0; k == 0 && i < r->n; i++)
+        out[i] = r->start;
+    for (pel_color *const end = out + r->n; out < end; out++, v += step) {
+        uint32_t whole = (uint32_t)(v >> 32);
+        if (whole > 255)
+            whole = (int32_t)whole < 0 ? 0 : 255;
+        *out |= whole << 8 * k;
+    }
+}
+
+/* pel_plane_at, before add_channel and not in it, to spare stack. */
+static PEL_NOINLINE_32 void set_channel(struct part *r,
+                                        const struct pel_plane *channel)
+{
+    r->at = channel->at + pel_times(channel->dx, r->x) +
+            pel_times(channel->dy, r->y);
+}
+
+static void triangle_colors(struct part *r, const struct pel_fan_triangle *t,
+                            pel_color *out)
+{
+    for (int k = 0; k < (r->start ? 3 : 4); k++) {
+        set_channel(r, &t->channel[k]);
+        add_channel(r, t, k, out);
     }
 }
 
@@ -74,15 +93,12 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 {
     const struct pel_fan *p = (const void *)paint;
     const int32_t end = x + n;
-    struct part r = {x, y, n};
+    struct part r = {0, x, y, n, p->base.opaque ? UINT32_C(0xFF000000) : 0};
     int32_t triangle = 0;
-    for (int32_t i = 0; i < n; i++)
-        out[i] = p->base.opaque ? UINT32_C(0xFF000000) : 0;
     for (; (r.n = end - r.x) > 0; r.x += r.n) {
         r.n = find_triangle(p, &r, &triangle);
         if (r.n > 0) {
-            add_channels(&r, &p->triangles[triangle], p->base.opaque ? 3 : 4,
-                         out);
+            triangle_colors(&r, &p->triangles[triangle], out);
         } else {
             *out = p->hub_color;
             r.n = 1;

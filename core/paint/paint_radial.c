@@ -36,8 +36,7 @@ static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
     pel_cells_move(c, count, p->width, p->rest, p->base.cells);
     add_circle(c, p, -way);
     return pel_cells_end(c, way * (pel_pixel_center(c->x) - center.x + 128),
-                         PEL_ROW_STEP(way * (pel_pixel_center(c->cell.y) -
-                                             center.y + 128)),
+                         way * (pel_pixel_center(c->cell.y) - center.y + 128),
                          way * 256) < 0;
 }
 
@@ -82,7 +81,7 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
     int32_t copy = quotient(c->whole, radius);
     int32_t part = quotient(
         pel_product(c->whole - copy * radius + some, n) - some, radius);
-    if (c->way < 0 && p->base.period == 0 && (copy || part > most)) {
+    if (c->way < 0 && p->base.ramp.spread == PEL_PAD && (copy || part > most)) {
         copy = 0;
         part = most;
     }
@@ -96,21 +95,15 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
 }
 
 /* The part of the batch on one side. */
-static PEL_INLINE_FAST void set_side(struct pel_cells *c,
-                                     const struct pel_radial *p)
+static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
 {
+    const struct pel_radial *p = (const void *)c->gradient;
     const int32_t split = pel_first_pixel(p->rings.center.x);
     c->way = 1;
     if (c->x < split) {
         c->way = -1;
         c->hi = pel_min(c->hi, split);
     }
-}
-
-static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
-{
-    const struct pel_radial *p = (const void *)c->gradient;
-    set_side(c, p);
     c->error = pel_radial_square(p, c->x, first_row(c, p));
     find_root(c);
     find_ring(c, p);
@@ -123,8 +116,11 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_radial *p = (const void *)paint;
+    const bool narrow = p->base.ramp.spread != PEL_PAD &&
+                        p->rings.radius < 4 * p->base.cells; /* than 1/64 px */
     if (!(PEL_FAST_FILLS && PEL_64BIT && pel_radial_fast(p, spans)))
-        pel_cells_fill(paint, spans, PEL_CELL_ROWS, start, end_cells);
+        pel_cells_fill(paint, spans, narrow ? 0 : PEL_CELL_ROWS, start,
+                       end_cells);
 }
 
 enum pel_status pel_radial_init(struct pel_radial *paint,
@@ -140,8 +136,6 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
         return PEL_ERROR_RANGE;
     const int32_t n = paint->base.cells;
     paint->base.paint.fill = fill;
-    if (PEL_CELL_ROWS > 1)
-        paint->base.by_pixel = paint->base.period && rings->radius < 4 * n;
     paint->rings = *rings;
     paint->first = (int32_t)((uint32_t)rings->phase * (uint32_t)n >> 16);
     paint->width = quotient(rings->radius, n);

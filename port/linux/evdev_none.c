@@ -17,11 +17,10 @@ int pel_evdev_open(struct pel_evdev *evdev, int number, bool keys,
                            "again");
 }
 
-bool pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue)
+void pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue)
 {
     (void)evdev;
     (void)queue;
-    return false;
 }
 
 int pel_evdev_descriptor(const struct pel_evdev *evdev)

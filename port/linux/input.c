@@ -11,12 +11,9 @@
 
 #include "../../drivers/linux_io.h"
 
-/* Whom epoll wakes for, after the devices. */
-enum { NOTIFY = PEL_INPUT_LINUX_DEVICES, BUTTONS, TIMER };
-
-static int watch(struct pel_input_linux *in, int fd, int who)
+static int watch(struct pel_input_linux *in, int fd)
 {
-    struct epoll_event e = {.events = EPOLLIN, .data = {.u32 = (uint32_t)who}};
+    struct epoll_event e = {.events = EPOLLIN};
     if (fd >= 0 && epoll_ctl(in->poll, EPOLL_CTL_ADD, fd, &e) == 0)
         return 0;
     return pel_message_errno(&in->message, "cannot wait for input");
@@ -47,8 +44,7 @@ static void open_device(struct pel_input_linux *in, int number)
                                &in->message);
     while (error == EINTR);
     if (!error) {
-        error =
-            watch(in, pel_evdev_descriptor(free), (int)(free - in->devices));
+        error = watch(in, pel_evdev_descriptor(free));
         if (error) {
             pel_evdev_close(free);
             pel_input_push_now(&in->queue, PEL_INPUT_DEVICE, PEL_INPUT_UP,
@@ -99,7 +95,7 @@ static int open_buttons(struct pel_input_linux *in)
         return error;
     const int n = pel_gpio_descriptors(&in->buttons.gpio, descriptors);
     for (int i = 0; i < n && !error; i++)
-        error = watch(in, descriptors[i], BUTTONS);
+        error = watch(in, descriptors[i]);
     if (error) {
         pel_buttons_close(&in->buttons);
         return error;
@@ -118,8 +114,9 @@ static void note_file(struct pel_input_linux *in, const char *name)
         open_devices(in);
     else if (sscanf(name, "event%d", &number) == 1)
         open_device(in, number);
-    else if (in->options.buttons && strncmp(name, "gpiochip", 8) == 0)
-        in->buttons.open ? read_buttons(in) : (void)open_buttons(in);
+    else if (in->options.buttons && !in->buttons.open &&
+             strncmp(name, "gpiochip", 8) == 0)
+        open_buttons(in);
 }
 
 static void read_notes(struct pel_input_linux *in)
@@ -136,29 +133,15 @@ static void read_notes(struct pel_input_linux *in)
     }
 }
 
+/* Of what has nothing new this is a system call each: who polls wakes for what
+ * is readable, and reads it all. */
 static void read_all(struct pel_input_linux *in)
 {
-    struct epoll_event ready[PEL_INPUT_LINUX_DEVICES + PEL_GPIO_MOST];
-    uint64_t times;
-    const int n =
-        epoll_wait(in->poll, ready, PEL_INPUT_LINUX_DEVICES + PEL_GPIO_MOST, 0);
-    bool buttons = in->queue.losses != in->buttons.losses;
-    for (int i = 0; i < n; i++) {
-        const int who = (int)ready[i].data.u32;
-        if (who == NOTIFY)
-            read_notes(in);
-        else if (who < NOTIFY)
-            in->devices[who].more = true;
-        else if (who == TIMER)
-            buttons = read(in->timer, &times, sizeof(times)) > 0 || buttons;
-        else
-            buttons = true;
-    }
+    read_notes(in);
     for (int i = 0; i < PEL_INPUT_LINUX_DEVICES; i++)
-        if (in->devices[i].device &&
-            (in->devices[i].more || in->queue.losses != in->devices[i].losses))
+        if (in->devices[i].device)
             pel_evdev_read(&in->devices[i], &in->queue);
-    if (buttons && in->buttons.open)
+    if (in->buttons.open)
         read_buttons(in);
 }
 
@@ -193,11 +176,11 @@ static int prepare(struct pel_input_linux *in)
     if (in->poll < 0)
         return pel_message_errno(&in->message, "cannot wait for input");
     in->notify = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
-    const int error = watch(in, in->notify, NOTIFY);
+    const int error = watch(in, in->notify);
     if (error)
         return error;
     in->timer = timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK);
-    return watch(in, in->timer, TIMER);
+    return watch(in, in->timer);
 }
 
 int pel_input_linux_open(struct pel_input_linux *in,

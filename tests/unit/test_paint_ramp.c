@@ -1,5 +1,5 @@
 /* Ramps from stops: exact colors, errors. */
-#include "core/paint/color_ramp.h"
+#include "core/paint/gradient.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
 

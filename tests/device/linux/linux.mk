@@ -95,13 +95,13 @@ $(LINUX_CHECK)/guest/pel_%: $(LINUX_HERE)/%.c linux-static
 	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
 
 # The same with the other version of libgpiod, or what stands for it.
-LINUX_GPIOD2 := port/linux/gpio_v2.c
+LINUX_GPIOD2 := port/linux/gpio.c port/linux/gpio_v2.c
 LINUX_WRAP_FAULTS = $(LINUX_FAULTS:%=-Wl$(comma)--wrap=%)
 $(LINUX_CHECK)/guest/pel_gpiod2: $(LINUX_GPIOD2) linux-static
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_STATIC_FLAGS) -I$(LINUX_HERE)/gpiod2 \
 	    $(LINUX_GPIOD2) $(LINUX_STATIC_SIM) \
-	    $(filter-out %/gpio_v1.o,$(LINUX_STATIC_OBJECTS)) \
+	    $(filter-out %/gpio_v1.o %/gpio.o,$(LINUX_STATIC_OBJECTS)) \
 	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
 
 $(LINUX_CHECK)/guest/faults_gpiod2: $(LINUX_GPIOD2) $(LINUX_HERE)/faults.c \
@@ -109,7 +109,7 @@ $(LINUX_CHECK)/guest/faults_gpiod2: $(LINUX_GPIOD2) $(LINUX_HERE)/faults.c \
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) \
 	    -I$(LINUX_HERE)/gpiod2 $(LINUX_WRAP_FAULTS) $(filter %.c,$^) \
-	    $(filter-out %/gpio_v1.o,$(LINUX_STATIC_OBJECTS)) \
+	    $(filter-out %/gpio_v1.o %/gpio.o,$(LINUX_STATIC_OBJECTS)) \
 	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
 
 $(LINUX_CHECK)/guest/frames: $(LINUX_HERE)/frames.c linux-static

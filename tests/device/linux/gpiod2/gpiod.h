@@ -1,6 +1,6 @@
-/* What port/linux/gpio_v2.c needs of libgpiod 2, by its documentation (core
- * API, 2.1), on the kernel's second interface: a stand-in where only version 1
- * is packaged. */
+/* What port/linux/gpio.c and gpio_v2.c need of libgpiod 2, by its documentation
+ * (core API, 2.1), on the kernel's second interface: a stand-in where only
+ * version 1 is packaged. */
 #ifndef TESTS_GPIOD2_H
 #define TESTS_GPIOD2_H
 
