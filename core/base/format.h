@@ -68,9 +68,9 @@ struct pel_mix {
     uint32_t high, low, high_change, low_change;
 };
 
-/* A way through the cells of a gradient of mixed colors. A cell begins where
- * the error is 0 and ends `cell` and cell_rest / unit later; a pixel is a
- * `step`. A cell is less than 7 px wide, and error >= 0 at the first pixel. */
+/* A way through the cells of a gradient of mixed colors. A cell goes on while
+ * the error is below 0, and the next one ends `cell` and cell_rest / unit
+ * later; a pixel is a `step`. A cell is less than 7 px wide. */
 struct pel_walk {
     struct pel_mix mix;
     int32_t error, rest, cell, cell_rest, unit, step;

@@ -201,8 +201,9 @@ static PEL_ALWAYS_INLINE void draw_rows(const struct rings *r, bool padded,
 bool pel_radial_fast(const struct pel_radial *p, const struct pel_spans *spans)
 {
     const struct pel_format *format = spans->surface->format;
-    const int32_t end =
-        p->base.period ? INT32_MAX : p->base.cells - 1 - p->first;
+    const int32_t end = p->base.ramp.spread == PEL_PAD
+                            ? p->base.cells - 1 - p->first
+                            : INT32_MAX;
     struct rings r;
     r.paint = p;
     r.spans = spans;

@@ -9,8 +9,8 @@ struct pel_texture_steps pel_texture_steps_make(
 {
     const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
     const uint32_t width = (uint32_t)p->width, height = (uint32_t)p->height;
-    const bool all_u = w->masked && pel_texture_is_masked(p->width, p->wrap_u);
-    const bool all_v = w->masked && pel_texture_is_masked(p->height, p->wrap_v);
+    const bool all_u = !w->more && pel_texture_is_masked(p->width, p->wrap_u);
+    const bool all_v = !w->more && pel_texture_is_masked(p->height, p->wrap_v);
     const uint32_t more = (uint32_t)w->more,
                    line = (uint32_t)(p->stride / w->texel_bytes);
     const pel_u32x4 zero = {0, 0, 0, 0};

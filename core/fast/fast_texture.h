@@ -32,8 +32,8 @@ struct pel_texture_writer {
     void (*put)(const struct pel_texture_steps *steps,
                 const struct pel_texture_run *run);
     int32_t texel_bytes, pixel_bytes;
-    int32_t more; /* 1: it reads the texels further right and down, too */
-    bool masked;  /* it repeats the picture where a mask does */
+    int32_t more; /* 1: it reads the texels further right and down, too;
+                     0: it repeats the picture where a mask does */
 };
 
 struct pel_texture_steps pel_texture_steps_make(
@@ -81,20 +81,19 @@ static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_few(
         {(pel_u64x2){r->v, r->v + half * s->dv}, (pel_u64x2){v, v}}};
 }
 
-/* Texels from texel (0, 0) to those of four pixels. `masked`: of whole texels
- * the mask is taken. So u and v are below 32,767, and v's product with the
- * stride's 16 bits, the upper half being 0, fits 31. */
+/* Texels from texel (0, 0) to those of four pixels. Their masks keep u and v
+ * below 65,536 and the upper halves 0, and in a picture they are below 32,767:
+ * v's product with the stride's 16 bits fits 31. */
 static PEL_ALWAYS_INLINE void pel_texture_four_index(
     const struct pel_texture_four *f, const struct pel_texture_steps *s,
-    bool masked, int32_t index[4])
+    int32_t index[4])
 {
-    pel_u32x4 u = PEL_LANES((pel_u32x4)f->u[0], (pel_u32x4)f->u[1], 1, 3, 5, 7);
-    pel_u32x4 v = PEL_LANES((pel_u32x4)f->v[0], (pel_u32x4)f->v[1], 1, 3, 5, 7);
-    if (masked) {
-        u &= s->u_mask;
-        v &= s->v_mask;
-    }
-    const pel_u64x2 i = (pel_u64x2)(pel_dot_s16(v, s->line) + u);
+    const pel_u32x4 u =
+        PEL_LANES((pel_u32x4)f->u[0], (pel_u32x4)f->u[1], 1, 3, 5, 7);
+    const pel_u32x4 v =
+        PEL_LANES((pel_u32x4)f->v[0], (pel_u32x4)f->v[1], 1, 3, 5, 7);
+    const pel_u64x2 i =
+        (pel_u64x2)(pel_dot_s16(v & s->v_mask, s->line) + (u & s->u_mask));
     index[0] = (int32_t)i[0];
     index[1] = (int32_t)(i[0] >> 32);
     index[2] = (int32_t)i[1];

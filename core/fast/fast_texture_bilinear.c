@@ -102,7 +102,7 @@ static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int kind,
     const pel_u32x4 wu = weights_of(u >> 24), wv = weights_of(v >> 24);
     const uint8_t *const top = s->memory, *const low = top + s->stride;
     int32_t i[4];
-    pel_texture_four_index(f, s, false, i);
+    pel_texture_four_index(f, s, i);
     const struct neighbours n = kind == PEL_TEXTURE_RGB565_LE
                                     ? neighbours_565(top, low, i)
                                     : neighbours_32(top, low, i);
@@ -115,7 +115,9 @@ static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int kind,
     const pel_u32x4 d = channels(n.of[3], PEL_LANES(wu, wu, 3, 3, 3, 3),
                                  PEL_LANES(wv, wv, 3, 3, 3, 3));
     pel_put_u32x4((void *)out,
-                  (pel_u32x4)pel_narrow_u8x16(a, b, c, d) | s->set);
+                  (pel_u32x4)pel_join_u8x16(pel_narrow_u16x8(a, b),
+                                            pel_narrow_u16x8(c, d)) |
+                      s->set);
 }
 
 static void put_32(const struct pel_texture_steps *s,
@@ -133,8 +135,8 @@ static void put_565(const struct pel_texture_steps *s,
 /* NULL: no vectors are for this picture. */
 static const struct pel_texture_writer *writer_of(const struct pel_texture *p)
 {
-    static const struct pel_texture_writer writers[2] = {
-        {put_32, 4, 4, 1, false}, {put_565, 2, 4, 1, false}};
+    static const struct pel_texture_writer writers[2] = {{put_32, 4, 4, 1},
+                                                         {put_565, 2, 4, 1}};
     const struct pel_texture_writer *const w =
         &writers[p->kind == PEL_TEXTURE_RGB565_LE];
     const bool fits = p->kind < PEL_TEXTURE_BYTE &&

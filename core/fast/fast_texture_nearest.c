@@ -2,11 +2,8 @@
 
 #if PEL_FAST_FILLS && PEL_VECTORS
 
-/* Ways of a writer. */
-enum { TEXELS_16, TEXELS_32, MASKED = 2 };
-
 /* Texels as they are, but for bits that are set. */
-static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int kind,
+static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int bytes,
                                    const struct pel_texture_four *f,
                                    uintptr_t out)
 {
@@ -14,8 +11,8 @@ static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int kind,
     const pel_word32 *const word = (const void *)s->memory;
     pel_word16 *const p = (pel_word16 *)out;
     int32_t i[4];
-    pel_texture_four_index(f, s, (kind & MASKED) != 0, i);
-    if (kind & TEXELS_32) {
+    pel_texture_four_index(f, s, i);
+    if (bytes == 4) {
         const pel_u32x4 pixels = {word[i[0]], word[i[1]], word[i[2]],
                                   word[i[3]]};
         pel_put_u32x4(p, pixels | s->set);
@@ -30,25 +27,13 @@ static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int kind,
 static void put_16(const struct pel_texture_steps *s,
                    const struct pel_texture_run *r)
 {
-    pel_texture_put_run(s, r, 2, TEXELS_16, put4);
-}
-
-static void put_16_masked(const struct pel_texture_steps *s,
-                          const struct pel_texture_run *r)
-{
-    pel_texture_put_run(s, r, 2, TEXELS_16 | MASKED, put4);
+    pel_texture_put_run(s, r, 2, 2, put4);
 }
 
 static void put_32(const struct pel_texture_steps *s,
                    const struct pel_texture_run *r)
 {
-    pel_texture_put_run(s, r, 4, TEXELS_32, put4);
-}
-
-static void put_32_masked(const struct pel_texture_steps *s,
-                          const struct pel_texture_run *r)
-{
-    pel_texture_put_run(s, r, 4, TEXELS_32 | MASKED, put4);
+    pel_texture_put_run(s, r, 4, 4, put4);
 }
 
 /* Are texels, but for bits that are set, pixels of xrgb8888? */
@@ -58,23 +43,19 @@ static bool is_32(const struct pel_texture *p, const struct pel_format *format)
            (p->kind == PEL_TEXTURE_XRGB8888 || p->kind == PEL_TEXTURE_COLORS);
 }
 
-/* Without a mask a loop has two registers more, which gcc needs. */
 bool pel_texture_nearest_fast(const struct pel_texture *p,
                               const struct pel_spans *spans,
                               pel_texture_fill *other)
 {
-    static const struct pel_texture_writer writers[2][2] = {
-        {{put_16, 2, 2, 0, false}, {put_16_masked, 2, 2, 0, true}},
-        {{put_32, 4, 4, 0, false}, {put_32_masked, 4, 4, 0, true}}};
-    const bool masked = pel_texture_is_masked(p->width, p->wrap_u) ||
-                        pel_texture_is_masked(p->height, p->wrap_v);
+    static const struct pel_texture_writer narrow = {put_16, 2, 2, 0};
+    static const struct pel_texture_writer wide = {put_32, 4, 4, 0};
     const struct pel_surface *to = pel_texture_copied_to(p, spans->surface);
-    const bool wide = !to;
-    if (wide && is_32(p, spans->surface->format))
+    const struct pel_texture_writer *const w = to ? &narrow : &wide;
+    if (!to && is_32(p, spans->surface->format))
         to = spans->surface;
-    if (!to || !pel_texture_stride_fits(p, wide ? 4 : 2))
+    if (!to || !pel_texture_stride_fits(p, w->texel_bytes))
         return false;
-    pel_texture_fill_runs(p, to, spans, &writers[wide][masked], other);
+    pel_texture_fill_runs(p, to, spans, w, other);
     return true;
 }
 

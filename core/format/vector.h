@@ -85,8 +85,7 @@ static inline pel_u8x16 pel_zip_high_u8x16(pel_u8x16 a, pel_u8x16 b)
  * pel_divide255_u16x8: floor(u 257 / 65,536) = floor((u + floor(u / 256)) /
  * 256) in every lane, which pel_round_div255 does after adding 128.
  * pel_narrow_u16x8: eight lanes, all below 65,536, in 16 bits each.
- * pel_join_u8x16: sixteen lanes, all below 256, in 8 bits each.
- * pel_narrow_u8x16: the same of 32 bits. */
+ * pel_join_u8x16: sixteen lanes, all below 256, in 8 bits each. */
 #ifdef __SSE2__
 typedef int16_t pel_s16x8 __attribute__((__vector_size__(16)));
 
@@ -115,18 +114,9 @@ static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
                                                  (pel_s16x8)high);
 }
 
-static inline pel_u8x16 pel_narrow_u8x16(pel_u32x4 a, pel_u32x4 b, pel_u32x4 c,
-                                         pel_u32x4 d)
-{
-    return pel_join_u8x16(
-        (pel_u16x8)__builtin_ia32_packssdw128((pel_s32x4)a, (pel_s32x4)b),
-        (pel_u16x8)__builtin_ia32_packssdw128((pel_s32x4)c, (pel_s32x4)d));
-}
-
 #else
 typedef uint16_t pel_u16x4 __attribute__((__vector_size__(8)));
 typedef uint8_t pel_u8x8 __attribute__((__vector_size__(8)));
-typedef uint8_t pel_u8x4 __attribute__((__vector_size__(4)));
 
 static inline pel_u32x4 pel_dot_s16(pel_u32x4 a, pel_u32x4 b)
 {
@@ -156,18 +146,6 @@ static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
                               __builtin_convertvector(high, pel_u8x8)};
     pel_u8x16 v;
     memcpy(&v, both, 16);
-    return v;
-}
-
-static inline pel_u8x16 pel_narrow_u8x16(pel_u32x4 a, pel_u32x4 b, pel_u32x4 c,
-                                         pel_u32x4 d)
-{
-    const pel_u8x4 four[4] = {__builtin_convertvector(a, pel_u8x4),
-                              __builtin_convertvector(b, pel_u8x4),
-                              __builtin_convertvector(c, pel_u8x4),
-                              __builtin_convertvector(d, pel_u8x4)};
-    pel_u8x16 v;
-    memcpy(&v, four, 16);
     return v;
 }
 

@@ -21,7 +21,7 @@ enum {
 };
 
 /* A batch of rows on its way through the cells. A cell's place is its number
- * from 0 on, and below the period where there is one. */
+ * from 0 on, and below the period. */
 struct pel_cells {
     int64_t error; /* of the boundary where the present cell ends, */
     int32_t x;     /* at this pixel of the first row */
@@ -59,7 +59,7 @@ struct pel_cells {
 static inline int32_t pel_cells_place(const struct pel_gradient *g,
                                       int32_t copy, int32_t part)
 {
-    if (g->period == 0)
+    if (g->ramp.spread == PEL_PAD)
         return copy > 0 ? g->cells - 1 : part;
     return g->period > g->cells && (copy & 1) ? part + g->cells : part;
 }
@@ -98,11 +98,10 @@ static inline pel_color pel_mixed(struct pel_mix mix)
 static PEL_ALWAYS_INLINE int32_t pel_cells_after(const struct pel_gradient *g,
                                                  int32_t place, int32_t way)
 {
-    const int32_t bound = g->period ? g->period : g->cells;
     const int32_t next = place + way;
-    if ((uint32_t)next < (uint32_t)bound)
+    if ((uint32_t)next < (uint32_t)g->period)
         return next;
-    return g->period ? next - way * bound : place;
+    return g->ramp.spread == PEL_PAD ? place : next - way * g->period;
 }
 
 /* Before the first batch. */
@@ -149,9 +148,7 @@ static PEL_ALWAYS_INLINE bool pel_cells_more(struct pel_cells *c)
 
 /* Ends all runs at the boundary, whose error is set. It grows by `step` to the
  * next pixel, and by `row` to the one below; `row` from row to row, and the
- * step from pixel to pixel, by `bend`. Below 0 when pixels are left. A single
- * row has no step to the next: PEL_ROW_STEP. */
-#define PEL_ROW_STEP(row) (PEL_CELL_ROWS > 1 ? (row) : 0)
+ * step from pixel to pixel, by `bend`. Below 0 when pixels are left. */
 int32_t pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
                       int32_t bend);
 
@@ -200,7 +197,8 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
     } while (PEL_CELL_ROWS > 1 ? rest : c->x < c->hi);
 }
 
-/* Fills spans, `most` rows at a time. `start` finds the cell of the first
+/* Fills spans, `most` rows at a time; 0: one, and every pixel looks for its
+ * cell, as cells are narrow. `start` finds the cell of the first
  * pixel, its place and the way, and may bring hi nearer; `end` lets the present
  * cell end where `count` >= 1 cells end, it included, by pel_cells_end: true
  * when pixels are left. Written out where it is called, to spare the stack. */
@@ -212,7 +210,9 @@ static PEL_ALWAYS_INLINE void pel_cells_fill(
     struct pel_cells c;
     if (PEL_CELL_ROWS > 1) {
         pel_cells_open(&c, (const void *)paint, spans);
-        while (pel_cells_next(&c, c.gradient->by_pixel ? 1 : most)) {
+        while (pel_cells_next(&c, pel_max(most, 1))) {
+            if (most == 0)
+                c.hi = c.x + 1;
             start(&c);
             pel_cells_draw(&c, end);
         }

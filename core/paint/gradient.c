@@ -89,15 +89,15 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
 static bool find_left(struct pel_cells *c)
 {
     int32_t lo = FAR, hi = -FAR, rest = 0;
-    for (int32_t i = 0; i < c->cell.n; i++)
-        if (c->run[i].x1 < c->span[i].x1) {
-            lo = pel_min(lo, c->run[i].x1);
-            hi = pel_max(hi, c->span[i].x1);
-        } else {
+    for (int32_t i = 0; i < c->cell.n; i++) {
+        const int32_t x1 = c->span[i].x1;
+        if (c->run[i].x1 >= x1)
             c->run[i].x1 = FAR;
-        }
-    for (int32_t i = 0; i < c->cell.n; i++)
-        rest |= (c->run[i].x1 - lo) | (hi - c->span[i].x1);
+        else
+            hi = pel_max(hi, x1);
+        lo = pel_min(lo, c->run[i].x1);
+        rest |= (c->run[i].x1 ^ c->run[0].x1) | (x1 ^ c->span[0].x1);
+    }
     c->x = lo;
     c->hi = hi;
     c->box = rest == 0;
@@ -116,8 +116,6 @@ bool pel_cells_next(struct pel_cells *c, int32_t most)
         for (int32_t i = 0; i < c->cell.n; i++)
             c->run[i].x1 = c->span[i].x0;
     }
-    if (c->gradient->by_pixel)
-        c->hi = c->x + 1;
     return true;
 }
 
@@ -191,7 +189,7 @@ int32_t pel_cells_pass(struct pel_cells *c)
     const struct pel_gradient *g = c->gradient;
     const uint32_t value = c->value;
     void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
-    const int32_t most = g->period ? g->period : g->cells;
+    const int32_t most = g->period;
     int32_t count = 0;
     do {
         if (c->mask && most > count) {
@@ -243,6 +241,6 @@ enum pel_status pel_gradient_init(struct pel_gradient *g,
     g->color = ramp_color;
     g->ramp = *ramp;
     g->cells = ramp->n == 2 ? 256 : ramp->n;
-    g->period = g->cells * pel_min((int32_t)ramp->spread, 2); /* 0, 1 or 2 */
+    g->period = ramp->spread == PEL_REFLECT ? 2 * g->cells : g->cells;
     return PEL_OK;
 }

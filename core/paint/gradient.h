@@ -21,10 +21,7 @@ struct pel_gradient {
 
     struct pel_ramp ramp;
     int32_t cells;  /* n, and 256 of two colors */
-    int32_t period; /* cells until they begin anew; 0: they do not, the first
-                       and the last go on */
-    bool by_pixel;  /* cells are so narrow that every pixel looks for its own;
-                       not set where code is to be small */
+    int32_t period; /* cells until they begin anew; n where they do not */
 };
 
 /* Sets all but the paint. PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n). */

@@ -41,7 +41,7 @@ static PEL_NOINLINE_32 bool end_at(struct pel_cells *c, struct pel_point d)
     const int32_t way = c->way;
     const int64_t cross = cross_of(c, d.x, d.y, height_of(c)) >> 8;
     c->error = way < 0 ? ~cross : cross;
-    return pel_cells_end(c, pel_magnitude(d.y), PEL_ROW_STEP(way * d.x), 0) < 0;
+    return pel_cells_end(c, pel_magnitude(d.y), way * d.x, 0) < 0;
 }
 
 /* The present cell begins at the angle floor(65536 k / period) from the start,
@@ -118,15 +118,12 @@ enum pel_status pel_conic_begin(struct pel_conic *paint,
     if (!pel_point_legal(center))
         return PEL_ERROR_RANGE;
     struct pel_gradient *g = &paint->base;
-    if (g->period == 0)
-        g->period = g->cells;
     const uint32_t n = (uint32_t)g->period, width = pel_divide(FULL_TURN, n);
     paint->width = (int32_t)width;
     paint->rest = (int32_t)(FULL_TURN - width * n);
     paint->center = center;
     paint->start = start;
-    if (PEL_CELL_ROWS > 1)
-        g->by_pixel = false;
+    g->ramp.spread = PEL_REPEAT;
     g->paint.fill = fill;
     return PEL_OK;
 }

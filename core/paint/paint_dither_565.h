@@ -146,16 +146,16 @@ static PEL_ALWAYS_INLINE void pel_row565_walk(struct pel_row565 r,
     do {
         const struct pel_steps565 s =
             pel_steps565(low >> 8 & 0xFF00FFu, high >> 8 & 0xFFu);
+        for (; error < 0 && r.p < r.end; error += step)
+            pel_store565(r.p++, threshold++, s, swapped);
+        if (threshold >= r.thresholds + PEL_PLACES)
+            threshold -= PEL_PLACES;
         error -= walk->cell;
         rest -= walk->cell_rest;
         if (rest < 0) {
             rest += walk->unit;
             error--;
         }
-        for (; error < 0 && r.p < r.end; error += step)
-            pel_store565(r.p++, threshold++, s, swapped);
-        if (threshold >= r.thresholds + PEL_PLACES)
-            threshold -= PEL_PLACES;
         high += walk->mix.high_change;
         low += walk->mix.low_change;
     } while (r.p < r.end);

@@ -5,14 +5,6 @@
 #include "../base/divide.h"
 #include "cells.h"
 
-/* The way is drawn from the end on the left, so that products do not fall to
- * the right. 1 where that is the end of the last cell: there the boundaries
- * belong to the cells before them. */
-static inline int32_t turned(const struct pel_linear *p)
-{
-    return (int32_t)((uint32_t)p->way >> 31);
-}
-
 /* (P - from).d of a point. */
 static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
                                      int32_t y)
@@ -21,18 +13,19 @@ static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
            pel_product(y - p->from.y, p->d.y);
 }
 
-/* The product (P - from).d - turned at pixel (x, y), below 2^49, and above
- * -2^47 before the way; or another that shows the same. Of a padded way none is
- * beyond the end; of others it is less as many times two lengths, there and
- * back, as leave 0 or more. */
+/* The product (P - from).d at pixel (x, y), below 2^49, and above -2^47 before
+ * the way; or another that shows the same. Of a padded way none is beyond the
+ * end; of others it is less as many times two lengths, there and back, as leave
+ * 0 or more. Less 1 where the way is turned: there the boundaries belong to the
+ * cells before them. */
 static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
                                           int32_t y)
 {
     int64_t product =
-        along(p, pel_pixel_center(x), pel_pixel_center(y)) - turned(p);
+        along(p, pel_pixel_center(x), pel_pixel_center(y)) + (p->way >> 31);
     int64_t step = p->square;
     int32_t count = 0;
-    if (p->base.period == 0)
+    if (p->base.ramp.spread == PEL_PAD)
         return product < step ? product : step - 1;
     do {
         step *= 2;
@@ -47,42 +40,46 @@ static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
     return product;
 }
 
-/* The error of the boundary where cell k begins is n product - turned - k
- * square. Where it is walked in 32 bits, it is counted in units of 256 n, by
- * which n product grows from pixel to pixel, and what they leave, c->rest. */
+/* The error of the boundary where cell k begins is n product - k square, less 1
+ * where the way is turned. Where it is walked in 32 bits, it is counted in
+ * units of 256 n, by which n product grows from pixel to pixel, and what they
+ * leave, c->rest. */
 static int32_t unit_of(const struct pel_linear *p)
 {
     return p->base.cells * 256;
 }
 
+/* From the boundary of a cell to that of the next. */
+static inline void next_boundary(struct pel_cells *c,
+                                 const struct pel_linear *p)
+{
+    c->error -= p->cell;
+    c->rest -= p->cell_rest;
+    if (c->rest < 0) {
+        c->rest += unit_of(p);
+        c->error--;
+    }
+}
+
 static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_linear *p = (const void *)c->gradient;
-    int64_t error = c->error;
     if (PEL_CELL_ROWS == 1) {
-        error -= p->square;
+        int64_t error = c->error - p->square;
         for (; error < 0 && c->x < c->hi; c->x++)
             error += p->step;
         c->error = error;
         return c->x < c->hi;
     }
-    int32_t part = c->rest;
-    do {
-        error -= p->cell;
-        part -= p->cell_rest;
-        if (part < 0) {
-            part += unit_of(p);
-            error--;
-        }
-    } while (--count);
-    c->error = error;
-    c->rest = part;
+    do
+        next_boundary(c, p);
+    while (--count);
     return pel_cells_end(c, p->d.x, p->d.y, 0) < 0;
 }
 
-/* The cell of the pixel that has a product, less `turned`: k = floor((n product
- * - turned) / square), bit by bit of n, and the error where it begins. Before a
- * padded way it is the first cell all the same. */
+/* The cell k of a pixel by its product, bit by bit of n, so that the error
+ * where it begins is 0 or more and below square. Before a padded way it is the
+ * first cell all the same. */
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
                                      const struct pel_linear *p,
                                      int64_t product)
@@ -101,7 +98,7 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
     }
     int32_t place = (int32_t)bits;
     const int32_t n = p->base.cells, period = p->base.period;
-    if (period && place >= period)
+    if (place >= period)
         place -= period;
     place = (place ^ mirror) + (mirror & n);
     c->place = place < 0 ? place + period : place;
@@ -125,33 +122,13 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
         c->error -= pel_product(p->d.y, last);
 }
 
-/* Goes to the pixel at c->x from one whose error was less by `growth`, or more:
- * a few cells on or back, without a division. Not back from a last cell that
- * goes on. c->place < 0: there was none. */
-static void move(struct pel_cells *c, int64_t growth)
+/* Where the present cell ends, the error grows by `growth` >= 0: on to the cell
+ * whose end lies beyond. */
+static void move_on(struct pel_cells *c, int64_t growth)
 {
     const struct pel_linear *const p = (const void *)c->gradient;
-    const struct pel_gradient *const g = &p->base;
-    const int64_t far = 64 * p->cell;
-    if (c->place < 0 || growth > far || growth < -far ||
-        (growth < 0 && pel_cells_after(g, c->place, p->way) == c->place)) {
-        set_cell(c, p, product_at(p, c->x, c->cell.y));
-        return;
-    }
-    c->error += growth;
-    while (c->error > p->cell ||
-           (c->error == p->cell && c->rest >= p->cell_rest)) {
-        const bool carry = c->rest < p->cell_rest;
-        c->error -= p->cell + carry;
-        c->rest += (carry ? unit_of(p) : 0) - p->cell_rest;
-        c->place = pel_cells_after(g, c->place, p->way);
-    }
-    while (c->error < 0 && pel_cells_after(g, c->place, -p->way) != c->place) {
-        const bool carry = c->rest + p->cell_rest >= unit_of(p);
-        c->error += p->cell + carry;
-        c->rest += p->cell_rest - (carry ? unit_of(p) : 0);
-        c->place = pel_cells_after(g, c->place, -p->way);
-    }
+    for (c->error += growth; c->error >= 0; next_boundary(c, p))
+        c->place = pel_cells_after(&p->base, c->place, p->way);
 }
 
 /* A row of a vertical gradient has one color. Neighbouring rows of one pixel
@@ -164,11 +141,14 @@ static void fill_level(const struct pel_linear *p,
     uint32_t value = 0;
     void (*draw)(const struct pel_spans *, uint32_t) = NULL;
     pel_cells_open(&c, &p->base, spans);
-    c.x = 0;
-    c.place = -1;
     rows.n = 0;
     for (int32_t i = 0; i < spans->n; i++, c.cell.y += rows.step) {
-        move(&c, rows.step ? p->d.y : 0);
+        if (i == 0 || p->d.y >> 3 > p->cell) {
+            set_cell(&c, p, product_at(p, 0, c.cell.y));
+            next_boundary(&c, p);
+        } else {
+            move_on(&c, rows.step ? p->d.y : 0);
+        }
         pel_cells_color(&c);
         if (rows.n && (c.value != value || c.draw != draw)) {
             pel_fill_value(&rows, value, draw);
@@ -191,13 +171,22 @@ static bool is_opaque(const struct pel_ramp *ramp)
     return pel_alpha(all) == 255;
 }
 
-/* Where boundaries lie far apart from row to row, rows are drawn one by one. */
+/* Cells that begin anew may be narrow: less than 1/16 px. Where boundaries lie
+ * far apart from row to row, and rows cross many of them, rows are drawn one by
+ * one. */
 static void fill_cells(const struct pel_paint *paint,
                        const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    const bool far = PEL_CELL_ROWS > 1 && pel_size_of(p->d.y) > 8 * p->d.x;
-    pel_cells_fill(paint, spans, far ? 1 : PEL_CELL_ROWS, start, end_cells);
+    const int64_t down = pel_size_of(p->d.y);
+    const bool narrow =
+        p->base.ramp.spread != PEL_PAD && p->step >> 4 >= p->square;
+    const bool far = down > 32 * p->d.x && down > p->cell;
+    pel_cells_fill(paint, spans,
+                   narrow ? 0
+                   : far  ? 1
+                          : PEL_CELL_ROWS,
+                   start, end_cells);
 }
 
 /* From the left end of all spans to the right end. */
@@ -238,47 +227,48 @@ static bool fill_copies(const struct pel_linear *p,
     return true;
 }
 
-/* The rows of a dither, which shows every cell, where the format can walk: if
- * cells are 1/2 to 7 px wide, and the hull is all on the way. Vectors are
- * faster from 3 px on. False: nothing is done. */
+/* The rows of a dither, which shows every cell, from the one where products are
+ * least: where the format can walk, if cells are 1/2 to 7 px wide, and the hull
+ * is all on the way. Vectors are faster from 3 px on. False: nothing is done.
+ */
 static bool fill_walked(const struct pel_linear *p,
                         const struct pel_spans *spans, struct pel_span hull)
 {
-    const struct pel_surface *const s = spans->surface;
-    const struct pel_channels *const channels = s->format->channels;
+    const struct pel_channels *const channels =
+        spans->surface->format->channels;
     const int64_t widest = (PEL_VECTORS ? 3 : 7) * (int64_t)p->d.x;
+    const bool up = p->d.y < 0;
+    const int64_t growth = spans->step ? pel_size_of(p->d.y) : 0;
+    const int32_t last = spans->n - 1;
     struct pel_cells c;
     if (!channels || !channels->walk || p->base.ramp.n != 2 ||
         !is_opaque(&p->base.ramp) || p->cell >= widest || p->d.x >= 2 * p->cell)
         return false;
     for (int i = 0; i < 2; i++) {
-        const int32_t y = spans->y + i * (spans->n - 1) * spans->step;
-        if (along(p, pel_pixel_center(hull.x0), pel_pixel_center(y)) <= 0 ||
-            along(p, pel_pixel_center(hull.x1 - 1), pel_pixel_center(y)) >=
-                p->square)
+        const int32_t y = pel_pixel_center(spans->y + i * last * spans->step);
+        if (along(p, pel_pixel_center(hull.x0), y) <= 0 ||
+            along(p, pel_pixel_center(hull.x1 - 1), y) >= p->square)
             return false;
     }
-    pel_cells_open(&c, &p->base, spans);
-    c.x = 0;
-    c.place = -1;
-    for (int32_t i = 0; i < spans->n; i++) {
-        const struct pel_span run = spans->span[i];
+    c.gradient = &p->base;
+    c.x = hull.x0;
+    set_cell(&c, p, product_at(p, c.x, spans->y + up * last * spans->step));
+    next_boundary(&c, p);
+    for (int32_t i = 0; i <= last; i++, move_on(&c, growth)) {
+        const int32_t k = up ? last - i : i;
+        const struct pel_span run = spans->span[k];
         if (run.x0 >= run.x1)
             continue;
-        const int32_t right = run.x0 - c.x, y = spans->y + i * spans->step;
-        const int64_t growth =
-            pel_product(p->d.x, right) + pel_product(p->d.y, y - c.cell.y);
-        c.x = run.x0;
-        c.cell.y = y;
-        move(&c, growth);
+        const int32_t error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0);
         const struct pel_walk walk = {pel_mix_from(&p->base, c.place, p->way),
-                                      (int32_t)c.error,
+                                      error,
                                       c.rest,
                                       (int32_t)p->cell,
                                       p->cell_rest,
                                       unit_of(p),
                                       p->d.x};
-        if (!channels->walk(s, run.x0, c.cell.y, run.x1 - run.x0, &walk))
+        if (!channels->walk(spans->surface, run.x0, spans->y + k * spans->step,
+                            run.x1 - run.x0, &walk))
             return false;
     }
     return true;
@@ -311,8 +301,10 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     if ((d.x | d.y) == 0)
         return PEL_ERROR_SIZE;
     paint->base.paint.fill = fill;
-    paint->way = (d.x > 0) - (d.x < 0) + (PEL_CELL_ROWS > 1 && d.x == 0);
-    if (d.x < 0) {
+    const bool level = PEL_CELL_ROWS > 1 && d.x == 0;
+    const bool turn = d.x < 0 || (level && d.y < 0);
+    paint->way = turn ? -1 : level || d.x > 0;
+    if (turn) {
         from = to;
         d = (struct pel_point){-d.x, -d.y};
     }
@@ -324,9 +316,6 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
         int64_t rest;
         paint->cell = pel_divide_64(paint->square, unit_of(paint), &rest);
         paint->cell_rest = (int32_t)rest;
-        paint->base.by_pixel =
-            paint->base.period &&
-            (uint32_t)(paint->step >> 21) >= (uint32_t)(paint->square >> 17);
     }
     return PEL_OK;
 }

@@ -25,7 +25,8 @@ PEL_BEGIN_DECLS
  * color stays. */
 struct pel_linear {
     struct pel_gradient base;
-    struct pel_point from, d; /* turned round where d.x would be below 0 */
+    struct pel_point from, d; /* turned round where d.x would be below 0: then
+                                 products do not fall to the right */
     int64_t square;           /* |d|^2 = 256 n cell + cell_rest */
     int64_t cell;
     int64_t step; /* 256 n d.x: by which n products grow from pixel to pixel */

@@ -36,8 +36,7 @@ static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
     pel_cells_move(c, count, p->width, p->rest, p->base.cells);
     add_circle(c, p, -way);
     return pel_cells_end(c, way * (pel_pixel_center(c->x) - center.x + 128),
-                         PEL_ROW_STEP(way * (pel_pixel_center(c->cell.y) -
-                                             center.y + 128)),
+                         way * (pel_pixel_center(c->cell.y) - center.y + 128),
                          way * 256) < 0;
 }
 
@@ -82,7 +81,7 @@ static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
     int32_t copy = quotient(c->whole, radius);
     int32_t part = quotient(
         pel_product(c->whole - copy * radius + some, n) - some, radius);
-    if (c->way < 0 && p->base.period == 0 && (copy || part > most)) {
+    if (c->way < 0 && p->base.ramp.spread == PEL_PAD && (copy || part > most)) {
         copy = 0;
         part = most;
     }
@@ -123,8 +122,11 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_radial *p = (const void *)paint;
+    const bool narrow = p->base.ramp.spread != PEL_PAD &&
+                        p->rings.radius < 4 * p->base.cells; /* than 1/64 px */
     if (!(PEL_FAST_FILLS && PEL_64BIT && pel_radial_fast(p, spans)))
-        pel_cells_fill(paint, spans, PEL_CELL_ROWS, start, end_cells);
+        pel_cells_fill(paint, spans, narrow ? 0 : PEL_CELL_ROWS, start,
+                       end_cells);
 }
 
 enum pel_status pel_radial_init(struct pel_radial *paint,
@@ -140,8 +142,6 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
         return PEL_ERROR_RANGE;
     const int32_t n = paint->base.cells;
     paint->base.paint.fill = fill;
-    if (PEL_CELL_ROWS > 1)
-        paint->base.by_pixel = paint->base.period && rings->radius < 4 * n;
     paint->rings = *rings;
     paint->first = (int32_t)((uint32_t)rings->phase * (uint32_t)n >> 16);
     paint->width = quotient(rings->radius, n);

@@ -25,20 +25,12 @@ static int32_t highest(const int32_t v[3])
     return pel_max(pel_max(v[0], v[1]), v[2]);
 }
 
-/* The box in sub-pixels of a triangle that is not cut. */
-static struct pel_rect box_of(const struct pel_certificate_corners *c)
-{
-    const int32_t x[3] = {c->at[0].x, c->at[1].x, c->at[2].x};
-    const int32_t y[3] = {c->at[0].y, c->at[1].y, c->at[2].y};
-    return (struct pel_rect){lowest(x), lowest(y), highest(x), highest(y)};
-}
-
 /* A triangle thinner than a sub-pixel has depths that are not right to a number
  * (raster/plane.h). Its height is the area by its longest side, which is not
  * longer than width plus height of its box. */
 static bool is_thin(const struct pel_certificate_corners *c)
 {
-    const struct pel_rect box = box_of(c);
+    const struct pel_rect box = pel_corners_box(c->at);
     const uint64_t area = (uint64_t)pel_size_of(pel_triangle_area(c->at));
     return area < (uint32_t)(box.x1 - box.x0 + box.y1 - box.y0);
 }
@@ -48,11 +40,8 @@ static struct pel_rect pixels_of(const struct search *s,
                                  const struct pel_certificate_corners *c)
 {
     const struct pel_rect *view = &s->frame->scene->viewport;
-    const struct pel_rect at = box_of(c);
-    const struct pel_rect box = {pel_first_pixel(at.x0), pel_first_pixel(at.y0),
-                                 pel_first_pixel(at.x1),
-                                 pel_first_pixel(at.y1)};
-    return c->cut ? *view : pel_rect_intersect(&box, view);
+    const struct pel_rect at = pel_corners_box(c->at);
+    return c->cut ? *view : pel_rect_pixels(&at, view);
 }
 
 /* The least and the largest depth of a triangle. Those of thin ones, which are

@@ -112,27 +112,19 @@ static const char about[] =
     "; PICTURE is a .png, .jpg, .tga, .bmp, .ppm or .pgm file; FONT is a "
     ".bdf or .psf file. The same input gives the same bytes.";
 
-/* The kinds that an option is for; those that the table leaves out place,
- * light and color what a pel2d file holds. */
+/* The kinds that options are for; those that the table leaves out place, light
+ * and color what a pel2d file holds. */
 static const struct use {
-    const char *option;
+    const char *options;
     unsigned kinds; /* of enum import_kind */
     const char *what;
 } uses[] = {
     {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT, "C assets"},
     {"format", IMPORT_PICTURE | IMPORT_MESH, "pictures and textures"},
     {"normals", IMPORT_MESH, "C assets of meshes"},
-    {"codes", IMPORT_FONT, "fonts"},
-    {"chars", IMPORT_FONT, "fonts"},
-    {"texture-file", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
-    {"normals-from", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
-    {"crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
-    {"shade", 0, "pel render"},
-    {"transparency", 0, "pel render"},
-    {"order", 0, "pel render"},
-    {"cull", 0, "pel render"},
-    {"mapping", 0, "pel render"},
-    {"span", 0, "pel render"},
+    {"codes|chars", IMPORT_FONT, "fonts"},
+    {"texture-file|normals-from|crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
+    {"shade|transparency|order|cull|mapping|span", 0, "pel render"},
     {"background", IMPORT_PICTURE, "pictures"},
     {NULL, IMPORT_PEL2D, "an output .pel2d"},
 };
@@ -148,7 +140,7 @@ static bool check_options(const struct options_given *given,
             : "a pel2d file holds triangles with Gouraud's colours";
     for (int i = 0; i < given->count; i++) {
         const struct use *use = uses;
-        while (use->option && strcmp(use->option, given->names[i]) != 0)
+        while (use->options && choice_find(use->options, given->names[i]) < 0)
             use++;
         if (!(use->kinds & (unsigned)kind))
             return message_error("--%s is for %s; %s", given->names[i],
@@ -221,6 +213,7 @@ static bool import_as_pel2d(struct import_command *c)
     uint32_t clipped = 0;
     settings.shade = SCENE_GOURAUD;
     settings.mapping = SCENE_MAP_VERTICES;
+    c->scene.source.without_texture = settings.texture == SCENE_TEXTURE_NONE;
     if (!model_load(&model, &c->scene.source))
         return false;
     const bool projected = scene_init(&scene, &model) &&

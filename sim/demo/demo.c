@@ -59,7 +59,8 @@ static void print_figure(FILE *page, const struct demo *demo,
             p->width, p->height, result->milliseconds, demo->name);
 }
 
-/* The libraries that this build lacks. */
+/* The libraries that this build lacks, told on the page and on standard output.
+ */
 static const struct library {
     const char *name;
     const char *package; /* of Debian, that brings it */
@@ -91,17 +92,6 @@ static const struct library {
 #endif
     {NULL, NULL, NULL},
 };
-
-/* Tells it on the page and on standard output. */
-static void tell_missing(FILE *page)
-{
-    for (const struct library *l = missing; l->name; l++) {
-        printf("built without %s (package %s): %s\n", l->name, l->package,
-               l->adds);
-        fprintf(page, "<p>Built without %s (package %s): %s.</p>\n", l->name,
-                l->package, l->adds);
-    }
-}
 
 struct gallery {
     const char *directory;
@@ -214,7 +204,12 @@ static bool write_page(struct output *output, const char *directory,
         return false;
     }
     fputs("</main>\n", output->stream);
-    tell_missing(output->stream);
+    for (const struct library *l = missing; l->name; l++) {
+        printf("built without %s (package %s): %s\n", l->name, l->package,
+               l->adds);
+        fprintf(output->stream, "<p>Built without %s (package %s): %s.</p>\n",
+                l->name, l->package, l->adds);
+    }
     fputs("</body>\n</html>\n", output->stream);
     return output_commit(output);
 }

@@ -16,9 +16,11 @@
 #define MODELS "/usr/share/assimp/models"
 #define DUCK "Collada/duck.dae"
 
+enum system { PAINTED, TEXTURED, LIT };
+
 /* What is shown of the mesh, by which system. */
 struct look {
-    enum { PAINTED, TEXTURED, LIT } system;
+    enum system system;
     enum scene_shade shade;
     enum scene_texture texture;
     enum scene_mapping mapping;
@@ -84,7 +86,8 @@ static bool scale_uv(struct model *model, struct mesh *mesh,
 
 /* The mesh with its own texture, and with a board in place of none; the note
  * says which they are. */
-static bool load(struct model *model, int system, struct demo_result *result)
+static bool load(struct model *model, enum system system,
+                 struct demo_result *result)
 {
     char path[4096];
     struct mesh mesh;

@@ -8,6 +8,13 @@
 #include "sim/cli/message.h"
 #include "sim/font/font.h"
 
+struct glyph {
+    int code;    /* -1: none in the font's encoding */
+    int advance; /* -1: not given */
+    int box[4];
+    bool has_box;
+};
+
 struct bdf {
     struct font *font;
     const char *path;
@@ -16,8 +23,7 @@ struct bdf {
     char *word; /* the line's first */
     char *rest; /* and what follows, without blanks at both ends */
     const char *registry, *encoding;
-    int box[4], advance; /* of the font; the advance is -1 when it has none */
-    bool has_box;
+    struct glyph all; /* what glyphs are that do not say it themselves */
     int ascent, descent, missing, chars; /* -1: not given */
     int read;                            /* glyphs */
 };
@@ -122,36 +128,29 @@ static bool read_properties(struct bdf *b)
     return false;
 }
 
-struct glyph {
-    int code;    /* -1: none in the font's encoding */
-    int advance; /* -1: not given */
-    int box[4];
-    bool has_box;
-};
-
-static bool read_advance(struct bdf *b, int *advance)
+static bool read_advance(struct bdf *b, struct glyph *g)
 {
     int v[2];
     if (!numbers(b, 2, v))
         return false;
-    if (v[0] < 0 || v[0] > FONT_SIZE_MAX || v[1] != 0)
-        return ERROR_AT(b, "DWIDTH is %d %d: expected 0 to %d, and 0", v[0],
-                        v[1], FONT_SIZE_MAX);
-    *advance = v[0];
-    return true;
+    g->advance = v[0];
+    return (v[0] >= 0 && v[0] <= FONT_SIZE_MAX && v[1] == 0) ||
+           ERROR_AT(b, "DWIDTH is %d %d: expected 0 to %d, and 0", v[0], v[1],
+                    FONT_SIZE_MAX);
 }
 
-static bool read_box(struct bdf *b, int box[4])
+static bool read_box(struct bdf *b, struct glyph *g)
 {
-    if (!numbers(b, 4, box))
-        return false;
-    return (box[0] >= 0 && box[0] <= FONT_SIZE_MAX && box[1] >= 0 &&
-            box[1] <= FONT_SIZE_MAX && box[2] >= -128 && box[2] <= 127 &&
-            box[1] + box[3] >= -128 && box[1] + box[3] <= 127) ||
-           ERROR_AT(b,
-                    "%s is %s: expected a width and height of 0 to %d, and a "
-                    "place within -128 to 127 of the origin",
-                    b->word, b->rest, FONT_SIZE_MAX);
+    const int *box = g->box;
+    g->has_box = numbers(b, 4, g->box);
+    return g->has_box &&
+           ((box[0] >= 0 && box[0] <= FONT_SIZE_MAX && box[1] >= 0 &&
+             box[1] <= FONT_SIZE_MAX && box[2] >= -128 && box[2] <= 127 &&
+             box[1] + box[3] >= -128 && box[1] + box[3] <= 127) ||
+            ERROR_AT(b,
+                     "%s is %s: expected a width and height of 0 to %d, and a "
+                     "place within -128 to 127 of the origin",
+                     b->word, b->rest, FONT_SIZE_MAX));
 }
 
 /* ENCODING CODE, or ENCODING -1 with a code of the font's own. */
@@ -168,9 +167,8 @@ static bool read_encoding(struct bdf *b, struct glyph *g)
 /* The lines between STARTCHAR and BITMAP. */
 static bool read_head(struct bdf *b, struct glyph *g)
 {
-    bool has_code = false;
-    while (next_line(b, "BITMAP")) {
-        bool right = true;
+    bool has_code = false, right = true;
+    while (right && next_line(b, "BITMAP")) {
         if (is(b, "BITMAP")) {
             const char *lacks = !has_code          ? "ENCODING"
                                 : !g->has_box      ? "BBX"
@@ -184,16 +182,14 @@ static bool read_head(struct bdf *b, struct glyph *g)
         if (is(b, "ENCODING"))
             has_code = right = read_encoding(b, g);
         else if (is(b, "DWIDTH"))
-            right = read_advance(b, &g->advance);
+            right = read_advance(b, g);
         else if (is(b, "BBX"))
-            g->has_box = right = read_box(b, g->box);
+            right = read_box(b, g);
         else if (choice_find("SWIDTH|SWIDTH1|DWIDTH1|VVECTOR|ATTRIBUTES",
                              b->word) < 0)
             right = ERROR_AT(
                 b, "'%s' in a glyph: expected ENCODING, DWIDTH, BBX or BITMAP",
                 b->word);
-        if (!right)
-            return false;
     }
     return false;
 }
@@ -222,9 +218,8 @@ static bool read_rows(struct bdf *b, int stride, int height, uint8_t *rows)
 
 static bool read_glyph(struct bdf *b)
 {
-    struct glyph g = {-1, b->advance, {0, 0, 0, 0}, b->has_box};
+    struct glyph g = b->all;
     uint8_t rows[FONT_SIZE_MAX * ((FONT_SIZE_MAX + 7) / 8)] = {0};
-    memcpy(g.box, b->box, sizeof(g.box));
     if (!read_head(b, &g))
         return false;
     const int stride = (g.box[0] + 7) / 8;
@@ -250,9 +245,9 @@ static bool read_entry(struct bdf *b)
     if (is(b, "STARTPROPERTIES"))
         return read_properties(b);
     if (is(b, "FONTBOUNDINGBOX"))
-        return b->has_box = read_box(b, b->box);
+        return read_box(b, &b->all);
     if (is(b, "DWIDTH"))
-        return read_advance(b, &b->advance);
+        return read_advance(b, &b->all);
     if (is(b, "CHARS"))
         return number_in(b, 0, FONT_CODE_MAX, &b->chars);
     return choice_find("CONTENTVERSION|FONT|SIZE|METRICSSET|SWIDTH|SWIDTH1|"
@@ -265,7 +260,8 @@ static bool read_entry(struct bdf *b)
 /* The lines of a font without properties are as high as its box. */
 static bool finish(struct bdf *b)
 {
-    int above = b->box[1] + b->box[3], below = -b->box[3];
+    const int *box = b->all.box;
+    const int above = box[1] + box[3], below = -box[3];
     if (b->chars != b->read)
         return ERROR_AT(b, "%d glyphs: expected the %d that CHARS says",
                         b->read, b->chars);
@@ -284,7 +280,7 @@ bool font_parse_bdf(struct font *font, const struct font_file *file)
         .end = file->data + file->size,
         .registry = "",
         .encoding = "",
-        .advance = -1,
+        .all = {.code = -1, .advance = -1},
         .ascent = -1,
         .descent = -1,
         .missing = -1,

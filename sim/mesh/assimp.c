@@ -133,8 +133,7 @@ static void copy_vertices(const struct making *m, const struct aiMesh *from,
     }
 }
 
-/* Mirrored triangles are turned round. An index that is wrong in the mesh stays
- * wrong: mesh_check refuses it. */
+/* Mirrored triangles are turned round. */
 static void copy_triangles(const struct making *m, const struct aiMesh *from,
                            bool mirrored)
 {
@@ -144,10 +143,7 @@ static void copy_triangles(const struct making *m, const struct aiMesh *from,
             continue;
         uint32_t *to = m->mesh->triangle[m->part->triangles++];
         for (int k = 0; k < 3; k++)
-            to[mirrored ? 2 - k : k] =
-                face->mIndices[k] < from->mNumVertices
-                    ? face->mIndices[k] + m->part->vertices
-                    : UINT32_MAX;
+            to[mirrored ? 2 - k : k] = face->mIndices[k] + m->part->vertices;
     }
 }
 

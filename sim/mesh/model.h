@@ -21,6 +21,7 @@ struct model {
     struct pel_mesh mesh;   /* world units; normals of 16 bits and colors are
                                always there, uv where the file has them */
     double low[3], high[3]; /* the box around it, world units */
+    struct pel_mesh_part *part; /* mesh.part */
     bool plain; /* its colors are those of materials: they show no shape */
     struct model_texture *texture; /* the numbers of mesh.part */
     size_t textures;

@@ -55,11 +55,6 @@ static uint32_t texture_of(struct model *model, const struct mesh_texture *from,
     return 0;
 }
 
-static struct pel_mesh_part *part_of(const struct model *model, uint32_t i)
-{
-    return (struct pel_mesh_part *)(uintptr_t)&model->mesh.part[i];
-}
-
 bool model_set_picture(struct model *model, const struct picture *picture)
 {
     const struct model_texture new = {
@@ -72,7 +67,7 @@ bool model_set_picture(struct model *model, const struct picture *picture)
     if (!list_add(&model->texture, &model->textures, &new, sizeof(new)))
         return false;
     for (uint32_t i = 0; i < model->mesh.parts; i++)
-        part_of(model, i)->texture = (uint32_t)model->textures;
+        model->part[i].texture = (uint32_t)model->textures;
     return true;
 }
 
@@ -89,7 +84,7 @@ static bool add_own(struct model *model, const struct mesh *mesh,
         if (!number)
             return false;
         if (model->texture[number - 1].picture.width > 0)
-            part_of(model, i)->texture = number;
+            model->part[i].texture = number;
     }
     return true;
 }
@@ -114,7 +109,7 @@ bool model_add_textures(struct model *model, const struct mesh *mesh,
     }
     for (uint32_t i = 0; i < mesh->parts; i++)
         if (!mesh->part[i].has_uv)
-            part_of(model, i)->texture = 0;
+            model->part[i].texture = 0;
     return true;
 }
 

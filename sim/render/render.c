@@ -253,11 +253,13 @@ static bool render_mesh(const struct render_options *o)
 {
     struct model model;
     struct scene scene;
+    struct model_source source = o->scene.source;
     const struct drawing drawing = {o, &scene, NULL};
+    source.without_texture = o->scene.settings.texture == SCENE_TEXTURE_NONE;
     if (o->lines)
-        return message_error_at(o->scene.source.path, 0,
+        return message_error_at(source.path, 0,
                                 "--collinear is for pel2d files");
-    if (!model_load(&model, &o->scene.source))
+    if (!model_load(&model, &source))
         return false;
     const bool ready = scene_init(&scene, &model) &&
                        prepare(&scene, &o->scene.settings, o->timed);

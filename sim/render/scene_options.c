@@ -81,17 +81,6 @@ static bool parse_turn(const char *option, const char *text, void *input)
     return true;
 }
 
-static bool parse_texture(const char *option, const char *text, void *input)
-{
-    struct scene_options *o = input;
-    const int choice = choice_find(SCENE_TEXTURES, text);
-    if (choice < 0)
-        return option_refuse(option, text, SCENE_TEXTURES);
-    o->settings.texture = (enum scene_texture)choice;
-    o->source.without_texture = choice == SCENE_TEXTURE_NONE;
-    return true;
-}
-
 #define AT(member) offsetof(struct scene_options, member)
 #define SIZE(member) sizeof(((struct scene_options *)NULL)->member)
 #define HEADING(text) \
@@ -214,7 +203,7 @@ const struct option_row scene_option_table[] = {
     {"unlit", NULL, "no light, whatever the mesh", CALL(parse_unlit)},
     HEADING("Texture:"),
     {"texture", "MODE", "none, nearest or bilinear (default)",
-     CALL(parse_texture)},
+     CHOICE(settings.texture, SCENE_TEXTURES)},
     {"texture-file", "FILE",
      "this picture instead of the mesh's own; of a pel2d file, instead of its "
      "colours, with texels floor(u (W - 1)), floor(v (H - 1))",

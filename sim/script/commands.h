@@ -119,6 +119,15 @@ static inline const int32_t *script_values(const struct script_pen *pen,
     return pen->script->values + item->first;
 }
 
+/* Is the pixel (x, y) within the clip in force? */
+bool script_clip_holds(const struct script_pen *pen, const int pixel[2]);
+
+/* True when the item, a command that draws, covers the pixel (x, y) whatever
+ * the clip; *color is then the color that it leaves there. `pen` holds the
+ * settings before the command. */
+bool script_covers(const struct script_pen *pen, const struct script_item *item,
+                   const int pixel[2], pel_color *color);
+
 /* The paint in force, dithered when that is; good until the next call. */
 const struct pel_paint *script_paint(const struct script_pen *pen);
 

@@ -10,12 +10,13 @@
 #include "sim/cli/commands.h"
 #include "sim/cli/message.h"
 #include "sim/cli/number.h"
-#include "sim/script/pick.h"
+#include "sim/script/commands.h"
 
 struct explanation {
-    const struct script *script;
-    int at[2]; /* the pixel's x, y */
-    bool all;  /* tells of commands that leave the pixel, too */
+    struct script script;
+    const struct pel_format *format; /* NULL: the script's */
+    int at[2];                       /* the pixel's x, y */
+    bool all; /* tells of commands that leave the pixel, too */
     struct script_pen pen;
     const struct script_item *clip; /* in force, or NULL */
     bool touched;
@@ -188,7 +189,7 @@ static void print_paint(const struct explanation *e,
 static void explain_item(struct explanation *e, const struct script_item *item)
 {
     pel_color color = 0;
-    const struct pel_format *format = e->script->format;
+    const struct pel_format *format = e->script.format;
     const pel_color before = pixel(e);
     const bool moves = item->command->role == SCRIPT_WHOLE;
     const bool covered = !moves && script_covers(&e->pen, item, e->at, &color);
@@ -218,8 +219,8 @@ static void explain_item(struct explanation *e, const struct script_item *item)
 
 static void explain_all(struct explanation *e)
 {
-    for (size_t i = 0; i < e->script->item_count; i++) {
-        const struct script_item *item = &e->script->items[i];
+    for (size_t i = 0; i < e->script.item_count; i++) {
+        const struct script_item *item = &e->script.items[i];
         if (strcmp(item->command->name, "clip") == 0)
             e->clip = item;
         if (item->command->role >= SCRIPT_CLEAR)
@@ -231,30 +232,16 @@ static void explain_all(struct explanation *e)
         puts("no command touches this pixel");
 }
 
-struct explain_options {
-    bool all;
-    const struct pel_format *format;
-};
-
-static const struct option_row options[] = {
-    {"all", NULL, "tell of commands that leave the pixel alone, too",
-     OPTION_FLAG, .offset = offsetof(struct explain_options, all)},
-    {"format", "NAME", "draw in this pixel format, whatever the script says",
-     OPTION_FORMAT, .offset = offsetof(struct explain_options, format)},
-    {.help = NULL},
-};
-
 static bool explain(struct explanation *e)
 {
     struct canvas canvas;
-    const struct script *script = e->script;
-    if (!canvas_init(&canvas, script->format, script->width, script->height))
+    const int width = e->script.width, height = e->script.height;
+    if (!canvas_init(&canvas, e->script.format, width, height))
         return false;
-    const bool done = script_pen_init(&e->pen, script, &canvas.surface);
+    const bool done = script_pen_init(&e->pen, &e->script, &canvas.surface);
     if (done) {
         printf("pixel (%d, %d): centre %.1f %.1f of %d x %d\n", e->at[0],
-               e->at[1], e->at[0] + 0.5, e->at[1] + 0.5, script->width,
-               script->height);
+               e->at[1], e->at[0] + 0.5, e->at[1] + 0.5, width, height);
         explain_all(e);
         script_pen_free(&e->pen);
     }
@@ -272,10 +259,17 @@ static bool parse_pixel(const char *text, const char *axis, int size, int *to)
     return true;
 }
 
+static const struct option_row options[] = {
+    {"all", NULL, "tell of commands that leave the pixel alone, too",
+     OPTION_FLAG, .offset = offsetof(struct explanation, all)},
+    {"format", "NAME", "draw in this pixel format, whatever the script says",
+     OPTION_FORMAT, .offset = offsetof(struct explanation, format)},
+    {.help = NULL},
+};
+
 int command_explain(int argc, char **argv)
 {
-    struct explain_options o = {.all = false};
-    struct script script;
+    struct explanation e = {.all = false};
     const struct command_line line = {
         .arguments = "SCRIPT X Y",
         .least = 3,
@@ -285,14 +279,13 @@ int command_explain(int argc, char **argv)
                  "was there, what comes of it and the value in the canvas's "
                  "format; and, for shapes, the numbers by which the pixel "
                  "is covered or not.",
-        .tables = {{options, &o, NULL}}};
+        .tables = {{options, &e, NULL}}};
     char **arguments = arguments_parse(&line, argc, argv);
-    if (!script_load(&script, arguments[0], o.format))
-        return STATUS_ERROR;
-    struct explanation e = {.script = &script, .all = o.all};
-    const bool done = parse_pixel(arguments[1], "X", script.width, &e.at[0]) &&
-                      parse_pixel(arguments[2], "Y", script.height, &e.at[1]) &&
-                      explain(&e);
-    script_free(&script);
+    const bool done =
+        script_load(&e.script, arguments[0], e.format) &&
+        parse_pixel(arguments[1], "X", e.script.width, &e.at[0]) &&
+        parse_pixel(arguments[2], "Y", e.script.height, &e.at[1]) &&
+        explain(&e);
+    script_free(&e.script);
     return done ? STATUS_OK : STATUS_ERROR;
 }

@@ -222,41 +222,33 @@ static const char *check_fan(const int32_t *v, size_t n)
                : "expected points that go around their middle once";
 }
 
-#define PAINT(name, kinds, usage, make_, check_)                         \
-    {                                                                    \
-        name, kinds, usage, SCRIPT_PAINT, .check = check_, .make = make_ \
-    }
-#define OPTION(name, kinds, usage, member)               \
-    {                                                    \
-        name, kinds, usage, SCRIPT_STATE,                \
-            SCRIPT_SETTING(struct script_pen, member, 1) \
-    }
+#define STATE(member) SCRIPT_STATE, SCRIPT_SETTING(struct script_pen, member, 1)
 
 const struct script_command script_paint_commands[] = {
-    PAINT("paint flat", "c", "COLOUR", make_flat, NULL),
+    {"paint flat", "c", "COLOUR", SCRIPT_PAINT, .make = make_flat},
     {"paint vertex", "ccc", "COLOUR0 COLOUR1 COLOUR2", SCRIPT_PAINT_VERTEX,
      .make = make_vertex},
-    PAINT("paint linear stops", "ppppwcwc*",
-          "X0 Y0 X1 Y1 AT COLOUR AT COLOUR ...", make_linear_stops,
-          check_linear_stops),
-    PAINT("paint linear", "ppcppc", "X0 Y0 COLOUR X1 Y1 COLOUR", make_linear,
-          check_linear),
-    PAINT("paint radial", "pplwcwc*", "CX CY R AT COLOUR AT COLOUR ...",
-          make_radial, check_radial),
-    PAINT("paint conic", "pptwcwc*", "CX CY TURN AT COLOUR AT COLOUR ...",
-          make_conic, check_conic),
-    PAINT("paint wheel", "pptbb", "CX CY TURN SATURATION VALUE", make_wheel,
-          NULL),
-    PAINT("paint fan", "ppcppcppc+", "X Y COLOUR X Y COLOUR X Y COLOUR ...",
-          make_fan, check_fan),
-    PAINT("paint texture map", "Ppppppppppppp",
-          "FILE X0 Y0 U0 V0 X1 Y1 U1 V1 X2 Y2 U2 V2", make_texture_map, NULL),
-    PAINT("paint texture", "Pii", "FILE X Y", make_texture, NULL),
-    OPTION("option spread", "o", "pad|repeat|reflect", spread),
-    OPTION("option phase", "t", "TURN", phase),
-    OPTION("option cells", "o", "2048|1024|512|256|128|64", fewer),
-    OPTION("option filter", "o", "nearest|bilinear", bilinear),
-    OPTION("option wrap", "o", "clamp|repeat|mirror", wrap),
-    OPTION("option dither", "o", "off|on", dither),
+    {"paint linear stops", "ppppwcwc*", "X0 Y0 X1 Y1 AT COLOUR AT COLOUR ...",
+     SCRIPT_PAINT, .make = make_linear_stops, .check = check_linear_stops},
+    {"paint linear", "ppcppc", "X0 Y0 COLOUR X1 Y1 COLOUR", SCRIPT_PAINT,
+     .make = make_linear, .check = check_linear},
+    {"paint radial", "pplwcwc*", "CX CY R AT COLOUR AT COLOUR ...",
+     SCRIPT_PAINT, .make = make_radial, .check = check_radial},
+    {"paint conic", "pptwcwc*", "CX CY TURN AT COLOUR AT COLOUR ...",
+     SCRIPT_PAINT, .make = make_conic, .check = check_conic},
+    {"paint wheel", "pptbb", "CX CY TURN SATURATION VALUE", SCRIPT_PAINT,
+     .make = make_wheel},
+    {"paint fan", "ppcppcppc+", "X Y COLOUR X Y COLOUR X Y COLOUR ...",
+     SCRIPT_PAINT, .make = make_fan, .check = check_fan},
+    {"paint texture map", "Ppppppppppppp",
+     "FILE X0 Y0 U0 V0 X1 Y1 U1 V1 X2 Y2 U2 V2", SCRIPT_PAINT,
+     .make = make_texture_map},
+    {"paint texture", "Pii", "FILE X Y", SCRIPT_PAINT, .make = make_texture},
+    {"option spread", "o", "pad|repeat|reflect", STATE(spread)},
+    {"option phase", "t", "TURN", STATE(phase)},
+    {"option cells", "o", "2048|1024|512|256|128|64", STATE(fewer)},
+    {"option filter", "o", "nearest|bilinear", STATE(bilinear)},
+    {"option wrap", "o", "clamp|repeat|mirror", STATE(wrap)},
+    {"option dither", "o", "off|on", STATE(dither)},
     {.next = script_mesh_commands},
 };

@@ -60,19 +60,6 @@ static bool split_words(struct script_parser *p, char *text)
     return true;
 }
 
-static bool find_command(struct script_parser *p, size_t *name_words)
-{
-    bool whole;
-    for (const struct script_command *c = script_shapes; c;
-         c = script_next(c)) {
-        p->command = c;
-        *name_words = script_common_words(p, c->name, &whole);
-        if (whole)
-            return true;
-    }
-    return script_refuse_unknown(p);
-}
-
 /* The number of arguments that a command needs; more may follow in groups of
  * *group, none when that is 0. */
 static size_t needed_of(const char *kinds, size_t *group)
@@ -102,16 +89,16 @@ static bool parse_arguments(struct script_parser *p, size_t first)
     size_t n = 0, group;
     const size_t needed = needed_of(kinds, &group);
     for (size_t i = first; i < p->word_count; i++, n++) {
-        const bool full = n >= needed && !group;
-        const size_t at =
-            n < needed || full ? n : needed - group + (n - needed) % group;
+        /* 0 behind the last one, when none are repeated. */
+        const char kind = n < needed || !group
+                              ? kinds[n]
+                              : kinds[needed - group + (n - needed) % group];
         int32_t value;
-        if (p->words[i][0] == '#' && (full || kinds[at] != KIND_COLOR))
+        if (p->words[i][0] == '#' && kind != KIND_COLOR)
             break;
-        if (full)
+        if (!kind)
             return refuse_count(p, p->word_count - first);
-        if (!script_argument(p, (enum script_kind)kinds[at], p->words[i],
-                             &value) ||
+        if (!script_argument(p, (enum script_kind)kind, p->words[i], &value) ||
             !list_add(&script->values, &script->value_count, &value,
                       sizeof value))
             return false;
@@ -213,7 +200,7 @@ static bool parse_line(struct script_parser *p, char *text)
         return false;
     if (p->word_count == 0 || p->words[0][0] == '#')
         return true;
-    if (!find_command(p, &name_words))
+    if (!script_find_command(p, &name_words))
         return false;
     if (p->command->role != SCRIPT_CANVAS && !script->width)
         return ERROR_AT(

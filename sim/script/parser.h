@@ -53,12 +53,8 @@ bool script_add_asset(struct script_parser *parser, enum script_kind kind,
                       const char *word, int32_t *index);
 void script_free_assets(struct script *script);
 
-/* How many words of a command's name the line begins with; *whole: with all. */
-size_t script_common_words(const struct script_parser *parser, const char *name,
-                           bool *whole);
-
-/* Says that no command has the name of this line, and which ones there are.
- * False. */
-bool script_refuse_unknown(const struct script_parser *parser);
+/* Finds parser->command, the one that the line begins with, and how many words
+ * its name has. False, with a message that says which ones there are. */
+bool script_find_command(struct script_parser *parser, size_t *words);
 
 #endif

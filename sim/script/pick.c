@@ -1,4 +1,4 @@
-#include "sim/script/pick.h"
+#include "sim/script/commands.h"
 
 #include <string.h>
 

@@ -56,6 +56,11 @@ bool script_needs_whole(const struct script *script);
  * drawn, when bands are not possible; or when memory is short. */
 bool script_draw(const struct script *script, struct canvas *canvas, int rows);
 
+/* The index of the last item, seen by the script's clip, that draws pixel
+ * (x, y) of its canvas: a shape, a text, a picture, a mesh; -1: none but
+ * clear. -1, with a message, when memory is short. */
+long script_pick(const struct script *script, int x, int y);
+
 /* Finds a script with as few lines of `path` as it can that a command fails for
  * as it fails for the whole, and writes it to `output` ("-": standard output).
  * The command is one of sh; $1 is the script, in the folder of `path`, so that

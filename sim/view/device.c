@@ -100,36 +100,28 @@ int view_terminal_key(const char *bytes, size_t count, size_t *used)
     return sequence_key(*used, bytes[1] == 'O', end);
 }
 
-static bool press(struct screen *s, const char *bytes, size_t count)
-{
-    struct pel_input key = {.kind = PEL_INPUT_KEY, .state = PEL_INPUT_DOWN};
-    for (size_t used; count > 0; bytes += used, count -= used) {
-        key.code = (uint16_t)view_terminal_key(bytes, count, &used);
-        if (viewer_input(&s->viewer, &key) && !save(s, false))
-            return false;
-    }
-    return true;
-}
-
 /* Handles the keys of the terminal that have come; waits a moment for one, or
  * for other input, when there is nothing to draw. A terminal that has ended
  * ends the view, but not when frames are counted. */
 static bool handle_keys(struct screen *s)
 {
     struct viewer *viewer = &s->viewer;
+    struct pel_input key = {.kind = PEL_INPUT_KEY, .state = PEL_INPUT_DOWN};
     char bytes[64];
-    size_t count;
-    switch (pel_console_read(viewer_idle(viewer), viewer->input.poll, bytes,
-                             sizeof(bytes), &count)) {
-    case PEL_CONSOLE_REDRAW:
+    size_t count, used;
+    const enum pel_console_event event = pel_console_read(
+        viewer_idle(viewer), viewer->input.poll, bytes, sizeof(bytes), &count);
+    if (event == PEL_CONSOLE_REDRAW)
         viewer->stale = s->whole = true;
+    if (event != PEL_CONSOLE_KEY)
         return true;
-    case PEL_CONSOLE_KEY:
-        viewer->over = count == 0 && viewer->options->frames == 0;
-        return press(s, bytes, count);
-    default:
-        return true;
+    viewer->over = count == 0 && viewer->options->frames == 0;
+    for (size_t i = 0; i < count; i += used) {
+        key.code = (uint16_t)view_terminal_key(bytes + i, count - i, &used);
+        if (viewer_input(viewer, &key) && !save(s, false))
+            return false;
     }
+    return true;
 }
 
 static bool run(struct screen *s)

@@ -218,17 +218,12 @@ static void write_styled(FILE *out, const struct sheet *s, size_t line,
 
 void sheet_write_file(FILE *out, const struct sheet *s)
 {
+    const struct script_item *item = s->base.items;
+    const struct script_item *end = item + s->base.item_count;
     int shape = 0;
-    size_t item = 0;
     for (size_t i = 0; i < s->lines.count; i++) {
-        const struct script *script = &s->base;
-        while (item < script->item_count &&
-               script->items[item].line < (long)i + 1)
-            item++;
         const struct script_item *at =
-            item < script->item_count && script->items[item].line == (long)i + 1
-                ? &script->items[item]
-                : NULL;
+            item < end && item->line == (long)i + 1 ? item++ : NULL;
         const struct style *style =
             at && sheet_is_shape(at) ? &s->style[shape++] : NULL;
         if (style &&

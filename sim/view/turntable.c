@@ -109,36 +109,40 @@ static void touch(struct turntable *t, const struct pel_input *e)
 #define ARROW (1.0 / 48)
 #define CLOSER 1.125
 
-/* Keys that turn the model right and up, and come closer. `=' is the key of `+'
- * without shift. */
-static enum view_action move(struct view *view, int key)
+static enum view_action light(struct view *view, int key)
 {
-    static const struct {
-        int key;
-        double right, up, closer;
-    } moves[] = {
-        {PEL_KEY_LEFT, -ARROW, 0, 1}, {PEL_KEY_RIGHT, ARROW, 0, 1},
-        {PEL_KEY_UP, 0, -ARROW, 1},   {PEL_KEY_DOWN, 0, ARROW, 1},
-        {'+', 0, 0, CLOSER},          {'=', 0, 0, CLOSER},
-        {'-', 0, 0, 1 / CLOSER},
-    };
-    if (key == ' ' || key == PEL_KEY_ENTER) {
-        view->turning = !view->turning;
-        return VIEW_CHANGED;
-    }
-    for (size_t i = 0; i < sizeof(moves) / sizeof(moves[0]); i++)
-        if (moves[i].key == key) {
-            view_orbit(view, moves[i].right, moves[i].up);
-            view_zoom(view, moves[i].closer);
-            return VIEW_CHANGED;
-        }
-    return VIEW_NOTHING;
+    static const char terms[] = "ads";
+    struct scene_settings *s = &view->settings;
+    const char *term = key > 0 && key < 128 ? strchr(terms, key) : NULL;
+    const int lights = s->lights > 0 ? s->lights : 1;
+    const bool number = key >= '1' && key <= '9' && key - '0' <= lights;
+    if (key == 'l' && s->shade == SCENE_PHONG)
+        return VIEW_NOTHING;
+    if (key != 'l' && !term && !number)
+        return VIEW_NOTHING;
+    if (key == 'l' || !view->lit) {
+        s->lit = view->lit ? SCENE_UNLIT : SCENE_LIT;
+        view->lit = !view->lit;
+    } else if (term)
+        s->terms ^= 1u << (term - terms);
+    else
+        view->dark ^= 1u << (key - '1');
+    return VIEW_CHANGED;
 }
 
-static enum view_action change_appearance(struct view *view, int key)
+static enum view_action press(struct view *view, int key)
 {
     struct scene_settings *s = &view->settings;
     switch (key) {
+    case 'q':
+    case PEL_KEY_ESCAPE:
+        return VIEW_END;
+    case 'w':
+        return VIEW_SAVE;
+    case ' ':
+    case PEL_KEY_ENTER:
+        view->turning = !view->turning;
+        break;
     case 'f':
     case 'g':
     case 'p':
@@ -168,42 +172,29 @@ static enum view_action change_appearance(struct view *view, int key)
         view_reset(view);
         break;
     default:
-        return VIEW_NOTHING;
+        return light(view, key);
     }
-    return VIEW_CHANGED;
-}
-
-static enum view_action light(struct view *view, int key)
-{
-    static const char terms[] = "ads";
-    struct scene_settings *s = &view->settings;
-    const char *term = key > 0 && key < 128 ? strchr(terms, key) : NULL;
-    const int lights = s->lights > 0 ? s->lights : 1;
-    const bool number = key >= '1' && key <= '9' && key - '0' <= lights;
-    if (key == 'l' && s->shade == SCENE_PHONG)
-        return VIEW_NOTHING;
-    if (key != 'l' && !term && !number)
-        return VIEW_NOTHING;
-    if (key == 'l' || !view->lit) {
-        s->lit = view->lit ? SCENE_UNLIT : SCENE_LIT;
-        view->lit = !view->lit;
-    } else if (term)
-        s->terms ^= 1u << (term - terms);
-    else
-        view->dark ^= 1u << (key - '1');
     return VIEW_CHANGED;
 }
 
 enum view_action view_key(struct view *view, int key)
 {
-    if (key == 'q' || key == PEL_KEY_ESCAPE)
-        return VIEW_END;
-    if (key == 'w')
-        return VIEW_SAVE;
-    enum view_action action = move(view, key);
-    if (action == VIEW_NOTHING)
-        action = change_appearance(view, key);
-    return action == VIEW_NOTHING ? light(view, key) : action;
+    static const struct {
+        int key;
+        double right, up, closer;
+    } moves[] = {
+        {PEL_KEY_LEFT, -ARROW, 0, 1}, {PEL_KEY_RIGHT, ARROW, 0, 1},
+        {PEL_KEY_UP, 0, -ARROW, 1},   {PEL_KEY_DOWN, 0, ARROW, 1},
+        {'+', 0, 0, CLOSER},          {'=', 0, 0, CLOSER}, /* + without shift */
+        {'-', 0, 0, 1 / CLOSER},
+    };
+    for (size_t i = 0; i < sizeof(moves) / sizeof(moves[0]); i++)
+        if (moves[i].key == key) {
+            view_orbit(view, moves[i].right, moves[i].up);
+            view_zoom(view, moves[i].closer);
+            return VIEW_CHANGED;
+        }
+    return press(view, key);
 }
 
 static enum view_action input(struct show *show, const struct pel_input *e)

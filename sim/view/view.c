@@ -125,7 +125,6 @@ int command_view(int argc, char **argv)
                    {scene_option_table, &o.scene, NULL}}};
     const char *path = *arguments_parse(&line, argc, argv);
     o.scene.source.path = path ? path : MESH_BUILTIN;
-    o.scene.source.without_texture = false; /* there is a key for it */
     o.viewer.width = camera->width;
     o.viewer.height = camera->height;
     o.viewer.device = &o.device;

@@ -15,7 +15,7 @@ bool viewer_init(struct viewer *viewer, struct show *show,
                  const struct viewer_options *options)
 {
     *viewer = (struct viewer){.show = show, .options = options, .stale = true};
-    if (options->record && !show->period)
+    if (options->record && show->period <= 0)
         show->period = RECORD_PERIOD;
     if (!options->record)
         return true;

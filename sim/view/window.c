@@ -11,16 +11,9 @@
 #include "sim/image/canvas.h"
 #include "core/format/formats.h"
 
-/* The picture is drawn into a canvas and carried to the window as a texture: a
- * 32-bit word that is little-endian on every CPU. */
-#if SDL_BYTEORDER == SDL_LIL_ENDIAN
-#define PIXELS SDL_PIXELFORMAT_RGB888
-#else
-#define PIXELS SDL_PIXELFORMAT_BGRX8888
-#endif
-
 enum { TEXTURE_SIZE_MAX = 16384 };
 
+/* The picture is drawn into a canvas and carried to the window as a texture. */
 struct window {
     SDL_Window *window;
     SDL_Renderer *renderer;
@@ -51,10 +44,11 @@ static bool fit(struct window *w)
         return true;
     canvas_free(&w->canvas);
     SDL_DestroyTexture(w->texture);
-    w->texture = SDL_CreateTexture(w->renderer, PIXELS,
+    w->texture = SDL_CreateTexture(w->renderer, SDL_PIXELFORMAT_BGRA32,
                                    SDL_TEXTUREACCESS_STREAMING, width, height);
     if (!w->texture)
         return fails("no texture of the window's size");
+    SDL_SetTextureBlendMode(w->texture, SDL_BLENDMODE_NONE);
     return canvas_init(&w->canvas, &pel_xrgb8888, width, height) &&
            viewer_resize(w->viewer, width, height);
 }

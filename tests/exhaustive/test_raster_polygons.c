@@ -1,6 +1,5 @@
 /* All quadrilaterals of a 4 x 4 lattice half a pixel apart, crossed ones and
- * those without area included, and polygons of 5 to 8 vertices of lattices half
- * and a quarter of a pixel apart, by both rules, against winding numbers; each
+ * those without area included, by both rules, against winding numbers; each
  * pixel at most once. */
 #include "tests/support/bit_picture.h"
 #include "tests/support/cases.h"
@@ -68,29 +67,6 @@ TEST(all_quadrilaterals)
         for (int k = 0; k < 4; k++)
             v[k] = point_of(i >> 4 * k & 15, 4, 128);
         check_polygon(v, 4);
-    }
-}
-
-/* Few points, so that vertices meet and sides run over one another. */
-TEST(coarse_polygons)
-{
-    for (struct cases c = cases_of(60000); cases_next(&c);) {
-        struct pel_point v[8];
-        const int32_t n = random_between(&c.random, 5, 8);
-        for (int32_t k = 0; k < n; k++)
-            v[k] = point_of(random_between(&c.random, 0, 24), 5, 128);
-        check_polygon(v, n);
-    }
-}
-
-TEST(fine_polygons)
-{
-    for (struct cases c = cases_of(60000); cases_next(&c);) {
-        struct pel_point v[8];
-        const int32_t n = random_between(&c.random, 5, 8);
-        for (int32_t k = 0; k < n; k++)
-            v[k] = point_of(random_between(&c.random, 0, 31 * 31 - 1), 31, 64);
-        check_polygon(v, n);
     }
 }
 

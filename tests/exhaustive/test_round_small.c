@@ -1,5 +1,5 @@
-/* Small shapes at every place in a pixel: ellipses of radii around all the
- * limits of their walk, squares with round corners of any radius. Fill,
+/* Small shapes at places in a pixel: circles and ellipses of radii around all
+ * the limits of their walk, squares with round corners of any radius. Fill,
  * outline and hit test on every pixel around. */
 #include "tests/support/any_shape.h"
 #include "tests/support/check.h"
@@ -26,9 +26,9 @@ enum {
     RADII = sizeof radii / sizeof *radii
 };
 
-TEST(ellipses)
+TEST(circles_and_ellipses)
 {
-    struct any_shape s = {.kind = ANY_ELLIPSE};
+    struct any_shape s = {.n = 0};
     for (int a = 0; a < RADII; a++)
         for (int b = 0; b < RADII; b++)
             for (int x = 0; x < PLACES; x++)
@@ -36,7 +36,11 @@ TEST(ellipses)
                     s.radius = radii[a];
                     s.inner = radii[b];
                     s.v[0] = (struct pel_point){places[x], places[y]};
+                    s.kind = ANY_ELLIPSE;
                     check(&s);
+                    s.kind = ANY_CIRCLE;
+                    if (a == b)
+                        check(&s);
                 }
 }
 

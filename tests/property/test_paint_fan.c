@@ -165,35 +165,6 @@ TEST(any_triangle)
     }
 }
 
-/* Around the mean place, with a color that is the mean: the whole triangle is
- * one plane. */
-TEST(triangle_is_gouraud)
-{
-    const struct pel_point v[3] = {{PEL_PX(30), PEL_PX(3)},
-                                   {PEL_PX(3), PEL_PX(60)},
-                                   {PEL_PX(90), PEL_PX(81)}};
-    const pel_color c[3] = {0xFF0306FF, 0x00FF0903, 0x3C030903};
-    struct pel_gouraud g;
-    pel_color got;
-    fan.points = (struct pel_fan_points){{0, 0}, 0, v, c, 3};
-    pel_fan_set_hub(&fan.points);
-    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.memory), PEL_OK);
-    pel_gouraud_init(&g, v, c);
-    for (int32_t y = 0; y < 90; y++)
-        for (int32_t x = 0; x < 100; x++) {
-            if (!reference_triangle_at(v, x, y))
-                continue;
-            fan.fan.base.colors(&fan.fan.base, x, y, 1, &got);
-            for (int k = 0; k < 4; k++) {
-                int32_t want = (int32_t)((g.at[k] + (uint32_t)x * g.dx[k] +
-                                          (uint32_t)y * g.dy[k]) >>
-                                         24);
-                assert_in_range((got >> 8 * k & 255) + 1 - (uint32_t)want, 0,
-                                2);
-            }
-        }
-}
-
 TEST(hub_on_an_edge)
 {
     const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(20, 0), PEL_AT(10, 10)};

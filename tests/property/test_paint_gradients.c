@@ -3,6 +3,7 @@
  * same numbers. What a pixel shows is a function of the pixel alone, so bands,
  * tiles and clips change no byte. */
 #include "core/pel.h"
+#include "tests/support/any_paint.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
@@ -19,13 +20,7 @@ struct gradient {
     int32_t radius;
     uint16_t phase; /* or start */
     struct pel_ramp ramp;
-    union {
-        struct pel_paint paint;
-        struct pel_linear linear;
-        struct pel_radial radial;
-        struct pel_conic conic;
-        struct pel_hue_wheel wheel;
-    } u;
+    union any_paint u;
 };
 
 static pel_color colors[32767];

@@ -2,8 +2,7 @@
  * what the paint says of that pixel alone, stored or blended by the rule. So
  * bands, tiles and clips change no byte. And the same bytes on every CPU.
  * Gradients: test_paint_gradients.c. */
-#include "core/paint/paint_fan.h"
-#include "core/paint/paint_texture.h"
+#include "tests/support/any_paint.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
@@ -13,10 +12,7 @@ enum { KINDS = 3, COLORS = 200, TEXELS = 16 * 11 };
 
 static pel_color ramp_colors[COLORS], texels[TEXELS];
 static struct pel_fan_triangle triangles[5];
-static union {
-    struct pel_fan fan;
-    struct pel_texture texture;
-} paint;
+static union any_paint paint;
 
 static void noise(struct random *r, pel_color *colors, int32_t n, bool opaque)
 {

@@ -1,5 +1,5 @@
 /* Coverage of triangles, random and adversarial, through clip windows anywhere,
- * against 128-bit arithmetic; as polygons; and without area as lines. */
+ * against 128-bit arithmetic; and without area as lines. */
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
 #include "tests/support/reference.h"
@@ -43,23 +43,6 @@ TEST(triangles)
         open_window(&c.random, v);
         pel_triangle(&hits.surface, v, &hits.paint);
         hits_check(&hits, in_triangle, v, "triangle");
-    }
-}
-
-/* A triangle as a polygon is the triangle, by either rule. */
-TEST(triangle_polygons)
-{
-    uint32_t scratch[PEL_POLYGON_SCRATCH_SIZE(3) / 4];
-    for (struct cases c = cases_of(200000); cases_next(&c);) {
-        struct pel_point v[3];
-        const struct pel_polygon_shape p = {
-            v, 3, random_word(&c.random) & 1 ? PEL_EVEN_ODD : PEL_NON_ZERO};
-        generate(&c.random, v);
-        open_window(&c.random, v);
-        assert_int_equal(pel_polygon(&hits.surface, &p, &hits.paint, scratch,
-                                     sizeof scratch),
-                         PEL_OK);
-        hits_check(&hits, in_triangle, v, "triangle as polygon");
     }
 }
 

@@ -163,8 +163,8 @@ static bool told_apart(int64_t near, int64_t z, int64_t gap)
     s = surface_of(&pel_xrgb8888, &color, sizeof color, 1, 1);
     for (int i = 0; i < 2; i++) {
         const int64_t at = i ? z : z + gap;
-        const struct pel_plane plane =
-            pel_plane_level((int32_t)(PEL_DEPTH_NEAR * near / at));
+        const struct pel_plane plane = {
+            (uint64_t)(PEL_DEPTH_NEAR * near / at) << 24, 0, 0};
         struct pel_depth_paint paint;
         color = 0;
         pel_depth_paint_init(&paint, &flat.paint, &depth, &plane, true);

@@ -5,7 +5,7 @@
 
 #include "core/format/formats.h"
 #include "core/image/copy.h"
-#include "sim/script/pick.h"
+#include "sim/script/script.h"
 #include "sim/view/sheet.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"

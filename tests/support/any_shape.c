@@ -117,13 +117,6 @@ void any_in_box(struct random *r, struct any_shape *s, enum any_kind kind,
         s->radius /= 4;
 }
 
-static int32_t legal(int64_t v)
-{
-    if (v < PEL_COORDINATE_MIN)
-        return PEL_COORDINATE_MIN;
-    return v > PEL_COORDINATE_MAX ? PEL_COORDINATE_MAX : (int32_t)v;
-}
-
 struct pel_rect any_window(struct random *r, const struct any_shape *s,
                            int32_t size)
 {
@@ -135,7 +128,8 @@ struct pel_rect any_window(struct random *r, const struct any_shape *s,
     int64_t x = inner ? s->inner : s->radius;
     int64_t y = s->kind == ANY_ELLIPSE ? s->inner : x;
     int64_t part = random_word(r) & 1 ? 256 : random_between(r, 0, 256);
-    struct pel_point edge = {legal(s->v[0].x + x * d.x * part / (32768 * 256)),
-                             legal(s->v[0].y + y * d.y * part / (32768 * 256))};
+    struct pel_point edge = {
+        shape_legal(s->v[0].x + x * d.x * part / (32768 * 256)),
+        shape_legal(s->v[0].y + y * d.y * part / (32768 * 256))};
     return shape_window(r, &edge, 1, size);
 }

@@ -238,16 +238,16 @@ static void check_zigzag(int32_t n, int32_t (*order)(int32_t i))
     free(scratch);
 }
 
-enum { TEETH = 64000 };
+static int32_t teeth; /* even */
 
 static int32_t to_the_left(int32_t i)
 {
-    return (TEETH / 2 - i) * 200;
+    return (teeth / 2 - i) * 200;
 }
 
 static int32_t to_the_right(int32_t i)
 {
-    return (i - TEETH / 2) * 200;
+    return (i - teeth / 2) * 200;
 }
 
 static int32_t anywhere(int32_t i)
@@ -258,15 +258,16 @@ static int32_t anywhere(int32_t i)
 
 static int32_t crossing(int32_t i)
 {
-    return i % 2 ? (i - TEETH / 2) * 200 : (TEETH / 2 - i) * 200;
+    return i % 2 ? (i - teeth / 2) * 200 : (teeth / 2 - i) * 200;
 }
 
 TEST(zigzags)
 {
-    check_zigzag(TEETH, to_the_left);
-    check_zigzag(TEETH, to_the_right);
-    check_zigzag(TEETH, anywhere);
-    check_zigzag(TEETH, crossing);
+    teeth = 2 * (int32_t)cases_scaled(32000);
+    check_zigzag(teeth, to_the_left);
+    check_zigzag(teeth, to_the_right);
+    check_zigzag(teeth, anywhere);
+    check_zigzag(teeth, crossing);
 }
 
 static void count_runs(const struct pel_paint *paint,

@@ -43,19 +43,6 @@ TEST(button)
     }
 }
 
-/* The time of a press is that of its last bounce, not of its confirmation. */
-TEST(button_edges)
-{
-    struct pel_button button = {.code = 'x', .hold = 5};
-    struct pel_input e;
-    assert_false(pel_button_update(&button, true, 100, &e));
-    assert_false(pel_button_update(&button, false, 101, &e));
-    assert_false(pel_button_update(&button, true, 102, &e));
-    assert_false(pel_button_update(&button, true, 106, &e));
-    assert_true(pel_button_update(&button, true, 107, &e));
-    assert_int_equal(e.time, 102);
-}
-
 /* Contacts, A * 2 + B; + and - are detents. */
 TEST(encoder)
 {

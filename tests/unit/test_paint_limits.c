@@ -1,21 +1,9 @@
 /* Paints at the ends of what they take, and beyond: which errors they give. */
 #include <string.h>
 
+#include "tests/support/any_paint.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
-
-union any_paint {
-    struct pel_paint paint;
-    struct pel_flat flat;
-    struct pel_gouraud gouraud;
-    struct pel_linear linear;
-    struct pel_radial radial;
-    struct pel_conic conic;
-    struct pel_hue_wheel wheel;
-    struct pel_fan fan;
-    struct pel_texture texture;
-    struct pel_dither dither;
-};
 
 /* The i-th way in which the init function of a paint fails. */
 enum { FAILURES = 11 };

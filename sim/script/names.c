@@ -1,4 +1,4 @@
-/* The names of commands, and the message for those that do not exist. */
+/* Finding the command of a line, and the message when there is none. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +8,8 @@
 
 enum { COLUMNS = 80 };
 
-size_t script_common_words(const struct script_parser *p, const char *name,
+/* How many words of a name the line begins with; *whole: with all. */
+static size_t common_words(const struct script_parser *p, const char *name,
                            bool *whole)
 {
     size_t n = 0;
@@ -36,7 +37,7 @@ static void print_names(FILE *out, const struct script_parser *p, size_t common)
          c = script_next(c)) {
         const char *name = c->name;
         const size_t length = common ? strlen(name) : strcspn(name, " ");
-        if (script_common_words(p, name, &whole) < common ||
+        if (common_words(p, name, &whole) < common ||
             (length == last_length && memcmp(name, last, length) == 0))
             continue;
         const bool wrap = column + length + 3 > COLUMNS;
@@ -49,16 +50,10 @@ static void print_names(FILE *out, const struct script_parser *p, size_t common)
     }
 }
 
-bool script_refuse_unknown(const struct script_parser *p)
+static bool refuse(const struct script_parser *p, size_t common)
 {
     char *text = NULL;
-    size_t size, common = 0;
-    bool whole;
-    for (const struct script_command *c = script_shapes; c;
-         c = script_next(c)) {
-        const size_t n = script_common_words(p, c->name, &whole);
-        common = n > common ? n : common;
-    }
+    size_t size;
     FILE *out = open_memstream(&text, &size);
     if (!out)
         return message_error("out of memory");
@@ -70,4 +65,18 @@ bool script_refuse_unknown(const struct script_parser *p)
         ERROR_AT(p, "unknown command%s", text);
     free(text);
     return false;
+}
+
+bool script_find_command(struct script_parser *p, size_t *words)
+{
+    size_t most = 0;
+    bool whole;
+    for (p->command = script_shapes; p->command;
+         p->command = script_next(p->command)) {
+        *words = common_words(p, p->command->name, &whole);
+        if (whole)
+            return true;
+        most = *words > most ? *words : most;
+    }
+    return refuse(p, most);
 }
