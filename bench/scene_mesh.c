@@ -6,7 +6,7 @@
 #include <unistd.h>
 
 #include "method.h"
-#include "sim/mesh/quantize.h"
+#include "sim/mesh/model.h"
 
 static void *memory(size_t size)
 {

@@ -12,7 +12,6 @@
 #include <unistd.h>
 
 #include "console_linux_guardian.h"
-#include "console_linux_signals.h"
 #include "linux_io.h"
 
 /* The console that is taken. Signal handlers need it, so it is not the
@@ -33,25 +32,17 @@ static void restore(void)
         pel_guardian_dismiss(&console.guardian);
 }
 
-static int failed(struct pel_message *message, const char *what)
-{
-    int error = errno;
-    pel_message_errno(message, what, error);
-    return error;
-}
-
 /* The controlling terminal, or standard input, if that is a virtual one: a
  * descriptor of our own, so that its flags are nobody else's. */
 static int terminal_open(int *number)
 {
     static const char *const candidates[] = {"/dev/tty", "/proc/self/fd/0"};
     struct stat status;
-    int mode;
     for (int i = 0; i < 2; i++) {
         int fd = pel_linux_open(candidates[i], O_RDWR | O_NOCTTY);
         if (fd < 0)
             continue;
-        if (pel_linux_ioctl(fd, KDGETMODE, &mode) == 0) {
+        if (pel_console_is_virtual(fd)) {
             /* /dev/tty has a number of its own: ask the terminal for its
              * number. */
             *number = 0;
@@ -92,10 +83,10 @@ static int watch_switches(struct pel_message *message)
     sigprocmask(SIG_BLOCK, &set, NULL);
     console.switches = signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK);
     if (console.switches < 0)
-        return failed(message, "cannot watch for terminal switches");
+        return pel_message_errno(message, "cannot watch for terminal switches");
     if (pel_linux_ioctl(console.state.tty, VT_SETMODE, &mode))
-        return failed(message, "cannot take over terminal switches "
-                               "(VT_SETMODE)");
+        return pel_message_errno(message, "cannot take over terminal switches "
+                                          "(VT_SETMODE)");
     return 0;
 }
 
@@ -107,7 +98,8 @@ static int show_terminal(struct pel_message *message)
     if (s->number > 0 && s->active != s->number &&
         (pel_linux_ioctl_number(s->tty, VT_ACTIVATE, number) ||
          pel_linux_ioctl_number(s->tty, VT_WAITACTIVE, number)))
-        return failed(message, "cannot show this terminal (VT_ACTIVATE)");
+        return pel_message_errno(message,
+                                 "cannot show this terminal (VT_ACTIVATE)");
     return 0;
 }
 
@@ -119,17 +111,17 @@ static int raw_keys(struct pel_message *message)
     raw.c_cc[VTIME] = 0;
     raw.c_cc[VSUSP] = _POSIX_VDISABLE;
     if (tcsetattr(console.state.input, TCSAFLUSH, &raw))
-        return failed(message, "cannot read single keys from the terminal");
+        return pel_message_errno(message,
+                                 "cannot read single keys from the terminal");
     return 0;
 }
 
 static int set_up(struct pel_message *message)
 {
-    int error = pel_guardian_start(&console.guardian, &console.state);
-    if (error) {
-        pel_message_errno(message, "cannot start the guardian process", error);
-        return error;
-    }
+    int error = 0;
+    errno = pel_guardian_start(&console.guardian, &console.state);
+    if (errno)
+        return pel_message_errno(message, "cannot start the guardian process");
     pel_signals_catch(restore);
     if (console.state.tty >= 0) {
         error = show_terminal(message);
@@ -137,8 +129,9 @@ static int set_up(struct pel_message *message)
             error = watch_switches(message);
         if (!error &&
             pel_linux_ioctl_number(console.state.tty, KDSETMODE, KD_GRAPHICS))
-            error = failed(message, "cannot take the console (KDSETMODE); "
-                                    "run on that console, or as root");
+            error = pel_message_errno(message,
+                                      "cannot take the console (KDSETMODE); "
+                                      "run on that console, or as root");
     }
     if (!error && console.state.input >= 0)
         error = raw_keys(message);
@@ -154,9 +147,9 @@ static int lock_framebuffer(const struct pel_console_state *state,
     if (state->framebuffer < 0 ||
         flock(state->framebuffer, how | LOCK_NB) == 0 || errno != EWOULDBLOCK)
         return 0;
-    pel_message_set(message, "another program draws on this framebuffer, from "
-                             "another terminal: end it first");
-    return EBUSY;
+    return pel_message_set(message, EBUSY,
+                           "another program draws on this framebuffer, from "
+                           "another terminal: end it first");
 }
 
 /* Who began second would end second, and bring back the other's settings. */
@@ -166,22 +159,21 @@ static int refuse_second(const struct pel_console_state *state,
     if (state->tty < 0 || state->kd_mode != KD_GRAPHICS ||
         state->vt_mode.mode != VT_PROCESS)
         return lock_framebuffer(state, message);
-    pel_message_set(message, "another program has this terminal for its "
-                             "graphics: end it, or, where it died, run "
-                             "`pel console --reset`");
-    return EBUSY;
+    return pel_message_set(message, EBUSY,
+                           "another program has this terminal for its "
+                           "graphics: end it, or, where it died, run "
+                           "`pel console --reset`");
 }
 
 int pel_console_take(int framebuffer, const struct pel_console_hooks *hooks,
                      struct pel_message *message)
 {
     static const struct pel_console_hooks none;
-    pel_message_set(message, "%s", "");
-    if (console.taken) {
-        pel_message_set(message, "this program has the console already, for "
-                                 "another display: close that first");
-        return EBUSY;
-    }
+    pel_message_set(message, 0, "%s", "");
+    if (console.taken)
+        return pel_message_set(message, EBUSY,
+                               "this program has the console already, for "
+                               "another display: close that first");
     console.hooks = hooks ? *hooks : none;
     console.state.framebuffer = framebuffer;
     find_terminal(&console.state);
@@ -198,9 +190,10 @@ int pel_console_take(int framebuffer, const struct pel_console_hooks *hooks,
     if (error)
         pel_console_give_back();
     else if (console.state.tty < 0)
-        pel_message_set(message, "not on a virtual terminal: drawing, but text "
-                                 "and cursor of the console may show through, "
-                                 "and terminal switches are not seen");
+        pel_message_set(message, 0,
+                        "not on a virtual terminal: drawing, but text and "
+                        "cursor of the console may show through, and terminal "
+                        "switches are not seen");
     return error;
 }
 

@@ -1,5 +1,6 @@
-/* A process that restores the console when this one cannot: SIGKILL, the
- * out-of-memory killer. KD_GRAPHICS outlives the process that set it. */
+/* What restores the console when the program does not: signals that would end
+ * it, caught, and a process that watches for SIGKILL and the out-of-memory
+ * killer. KD_GRAPHICS outlives the process that set it. */
 #ifndef PEL_DRIVERS_CONSOLE_LINUX_GUARDIAN_H
 #define PEL_DRIVERS_CONSOLE_LINUX_GUARDIAN_H
 
@@ -28,5 +29,15 @@ void pel_guardian_dismiss(const struct pel_guardian *guardian);
 
 /* Waits for its end; not dismissed, it restores first. */
 void pel_guardian_end(struct pel_guardian *guardian);
+
+/* From now on a signal that would end or stop the process calls `restore` once
+ * (it must be async-signal-safe), then the action that was set before. Signals
+ * that were ignored stay so; SIGTSTP, SIGTTIN and SIGTTOU are ignored. A
+ * stack of its own makes this work when the stack has overflowed (of the
+ * calling thread). */
+void pel_signals_catch(void (*restore)(void));
+
+/* The actions of before. */
+void pel_signals_release(void);
 PEL_END_DECLS
 #endif

@@ -8,22 +8,18 @@
 
 #include "linux_io.h"
 
-static void sane_settings(int fd)
+static void set_sane(struct termios *t)
 {
-    struct termios t;
-    if (tcgetattr(fd, &t))
-        return;
-    t.c_iflag |= BRKINT | ICRNL | IXON;
-    t.c_iflag &= ~(tcflag_t)(IGNBRK | INLCR | IGNCR);
-    t.c_oflag |= OPOST | ONLCR;
-    t.c_cflag |= CREAD;
-    t.c_lflag |= ISIG | ICANON | IEXTEN | ECHO | ECHOE | ECHOK;
-    t.c_lflag &= ~(tcflag_t)(ECHONL | NOFLSH | TOSTOP);
-    t.c_cc[VINTR] = 3;
-    t.c_cc[VSUSP] = 26;
-    t.c_cc[VMIN] = 1;
-    t.c_cc[VTIME] = 0;
-    tcsetattr(fd, TCSAFLUSH, &t);
+    t->c_iflag |= BRKINT | ICRNL | IXON;
+    t->c_iflag &= ~(tcflag_t)(IGNBRK | INLCR | IGNCR);
+    t->c_oflag |= OPOST | ONLCR;
+    t->c_cflag |= CREAD;
+    t->c_lflag |= ISIG | ICANON | IEXTEN | ECHO | ECHOE | ECHOK;
+    t->c_lflag &= ~(tcflag_t)(ECHONL | NOFLSH | TOSTOP);
+    t->c_cc[VINTR] = 3;
+    t->c_cc[VSUSP] = 26;
+    t->c_cc[VMIN] = 1;
+    t->c_cc[VTIME] = 0;
 }
 
 static bool show_cursor(int fd)
@@ -36,43 +32,29 @@ static bool show_cursor(int fd)
     return n > 0;
 }
 
-/* The first failure is reported. */
-static void note(struct pel_message *message, const char *what, int *error)
-{
-    if (*error)
-        return;
-    *error = errno;
-    pel_message_errno(message, what, *error);
-}
-
-/* Goes on after a failure: the less is broken, the better. */
+/* Restores a state in which nothing is broken. */
 static int reset(int fd, struct pel_message *message)
 {
-    struct vt_mode automatic = {.mode = VT_AUTO};
-    int error = 0;
-    if (pel_linux_ioctl(fd, VT_SETMODE, &automatic))
-        note(message, "cannot set automatic switching (VT_SETMODE)", &error);
-    if (pel_linux_ioctl_number(fd, KDSKBMODE, K_UNICODE))
-        note(message, "cannot set the keyboard mode (KDSKBMODE)", &error);
-    if (pel_linux_ioctl_number(fd, KDSETMODE, KD_TEXT))
-        note(message, "cannot set text mode (KDSETMODE)", &error);
-    sane_settings(fd);
-    if (!show_cursor(fd))
-        note(message, "cannot write to the terminal", &error);
-    return error;
-}
-
-static bool is_virtual(int fd)
-{
-    int mode;
-    return pel_linux_ioctl(fd, KDGETMODE, &mode) == 0;
+    struct pel_console_state state = {.tty = fd,
+                                      .input = fd,
+                                      .framebuffer = -1,
+                                      .kd_mode = KD_TEXT,
+                                      .keyboard_mode = K_UNICODE,
+                                      .vt_mode = {.mode = VT_AUTO},
+                                      .input_flags = -1};
+    bool done = tcgetattr(fd, &state.termios) == 0;
+    set_sane(&state.termios);
+    done = done && pel_console_state_restore(&state);
+    return show_cursor(fd) && done
+               ? 0
+               : pel_message_errno(message, "cannot set up the terminal");
 }
 
 /* Whoever sits at a terminal may set it without being root. */
 static int open_own(void)
 {
     int fd = pel_linux_open("/dev/tty", O_RDWR | O_NOCTTY);
-    if (fd < 0 || is_virtual(fd))
+    if (fd < 0 || pel_console_is_virtual(fd))
         return fd;
     close(fd);
     return -1;
@@ -85,19 +67,16 @@ int pel_console_reset(const char *path, struct pel_message *message)
         path = "/dev/tty0";
     if (fd < 0)
         fd = pel_linux_open(path, O_RDWR | O_NOCTTY);
-    if (fd < 0) {
-        int error = errno;
-        pel_message_open(message, path, error,
-                         "has this machine virtual terminals? ls /dev/tty*");
-        return error;
-    }
+    if (fd < 0)
+        return pel_message_open(
+            message, path, errno,
+            "has this machine virtual terminals? ls /dev/tty*");
     int error = 0;
-    if (!is_virtual(fd)) {
-        error = errno;
-        pel_message_set(message,
-                        "%s is not a virtual terminal; give one with "
-                        "--tty /dev/ttyN",
-                        path);
+    if (!pel_console_is_virtual(fd)) {
+        error = pel_message_set(message, errno,
+                                "%s is not a virtual terminal; give one with "
+                                "--tty /dev/ttyN",
+                                path);
     } else {
         error = reset(fd, message);
     }

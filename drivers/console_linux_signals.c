@@ -1,24 +1,21 @@
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
 #endif
-#include "console_linux_signals.h"
+#include "console_linux_guardian.h"
 
 #include <errno.h>
 #include <signal.h>
 #include <string.h>
 #include <unistd.h>
 
-static const int ending[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGILL,  SIGTRAP,
-                             SIGABRT, SIGBUS,  SIGFPE,  SIGSEGV, SIGPIPE,
-                             SIGALRM, SIGTERM, SIGXCPU, SIGXFSZ, SIGSYS};
-static const int stopping[] = {SIGTSTP, SIGTTIN, SIGTTOU};
+/* Those that end the process, and behind them those that stop it. */
+static const int numbers[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGILL,  SIGTRAP,
+                              SIGABRT, SIGBUS,  SIGFPE,  SIGSEGV, SIGPIPE,
+                              SIGALRM, SIGTERM, SIGXCPU, SIGXFSZ, SIGSYS,
+                              SIGTSTP, SIGTTIN, SIGTTOU};
+enum { SIGNALS = sizeof(numbers) / sizeof(numbers[0]), ENDING = SIGNALS - 3 };
 
-enum {
-    ENDING = sizeof(ending) / sizeof(ending[0]),
-    STOPPING = sizeof(stopping) / sizeof(stopping[0])
-};
-
-static struct sigaction before[ENDING], before_stopping[STOPPING];
+static struct sigaction before[SIGNALS];
 static void (*restore_function)(void);
 static char stack_memory[32768];
 static stack_t stack_before;
@@ -35,7 +32,7 @@ static void on_signal(int number)
     if (number == SIGBUS && write(2, vanished, sizeof(vanished) - 1) < 0)
         errno = saved;
     for (int i = 0; i < ENDING; i++)
-        if (ending[i] == number)
+        if (numbers[i] == number)
             sigaction(number, &before[i], NULL);
     errno = saved;
     raise(number);
@@ -52,21 +49,18 @@ void pel_signals_catch(void (*restore)(void))
     restore_function = restore;
     restored = 0;
     sigaltstack(&stack, &stack_before);
-    for (int i = 0; i < ENDING; i++) {
-        sigaction(ending[i], NULL, &before[i]);
-        if (before[i].sa_handler != SIG_IGN)
-            sigaction(ending[i], &action, NULL);
+    for (int i = 0; i < SIGNALS; i++) {
+        if (i == ENDING)
+            action.sa_handler = SIG_IGN;
+        sigaction(numbers[i], NULL, &before[i]);
+        if (i >= ENDING || before[i].sa_handler != SIG_IGN)
+            sigaction(numbers[i], &action, NULL);
     }
-    action.sa_handler = SIG_IGN;
-    for (int i = 0; i < STOPPING; i++)
-        sigaction(stopping[i], &action, &before_stopping[i]);
 }
 
 void pel_signals_release(void)
 {
-    for (int i = 0; i < ENDING; i++)
-        sigaction(ending[i], &before[i], NULL);
-    for (int i = 0; i < STOPPING; i++)
-        sigaction(stopping[i], &before_stopping[i], NULL);
+    for (int i = 0; i < SIGNALS; i++)
+        sigaction(numbers[i], &before[i], NULL);
     sigaltstack(&stack_before, NULL);
 }

@@ -15,26 +15,15 @@ static struct fb_cmap palette_of(const struct pel_console_state *state)
     return map;
 }
 
-static int failed(struct pel_message *message, const char *what)
-{
-    int error = errno;
-    pel_message_errno(message, what, error);
-    return error;
-}
-
 static int save_terminal(struct pel_console_state *s,
                          struct pel_message *message)
 {
     struct vt_stat status;
-    if (pel_linux_ioctl(s->tty, KDGETMODE, &s->kd_mode))
-        return failed(message, "cannot read the console's mode (KDGETMODE)");
-    if (pel_linux_ioctl(s->tty, KDGKBMODE, &s->keyboard_mode))
-        return failed(message, "cannot read the keyboard mode (KDGKBMODE)");
-    if (pel_linux_ioctl(s->tty, VT_GETMODE, &s->vt_mode))
-        return failed(message, "cannot read the terminal mode (VT_GETMODE)");
-    if (pel_linux_ioctl(s->tty, VT_GETSTATE, &status))
-        return failed(message, "cannot read the active terminal "
-                               "(VT_GETSTATE)");
+    if (pel_linux_ioctl(s->tty, KDGETMODE, &s->kd_mode) ||
+        pel_linux_ioctl(s->tty, KDGKBMODE, &s->keyboard_mode) ||
+        pel_linux_ioctl(s->tty, VT_GETMODE, &s->vt_mode) ||
+        pel_linux_ioctl(s->tty, VT_GETSTATE, &status))
+        return pel_message_errno(message, "cannot read the console's state");
     s->active = status.v_active;
     return 0;
 }
@@ -47,14 +36,15 @@ static int save_framebuffer(struct pel_console_state *s,
     struct fb_fix_screeninfo fixed;
     if (pel_linux_ioctl(s->framebuffer, FBIOGET_VSCREENINFO, &s->variables) ||
         pel_linux_ioctl(s->framebuffer, FBIOGET_FSCREENINFO, &fixed))
-        return failed(message, "cannot read the framebuffer's mode");
+        return pel_message_errno(message, "cannot read the framebuffer's mode");
     s->has_palette = fixed.visual == FB_VISUAL_PSEUDOCOLOR ||
                      fixed.visual == FB_VISUAL_DIRECTCOLOR;
     if (fixed.visual == FB_VISUAL_DIRECTCOLOR && s->variables.green.length < 8)
         s->palette_length = 1u << s->variables.green.length;
     map = palette_of(s);
     if (s->has_palette && pel_linux_ioctl(s->framebuffer, FBIOGETCMAP, &map))
-        return failed(message, "cannot read the colour map (FBIOGETCMAP)");
+        return pel_message_errno(message,
+                                 "cannot read the colour map (FBIOGETCMAP)");
     return 0;
 }
 
@@ -68,7 +58,8 @@ int pel_console_state_save(struct pel_console_state *state,
     if (state->tty >= 0)
         error = save_terminal(state, message);
     if (!error && state->input >= 0 && tcgetattr(state->input, &state->termios))
-        error = failed(message, "cannot read the terminal's settings");
+        error =
+            pel_message_errno(message, "cannot read the terminal's settings");
     if (!error && state->framebuffer >= 0)
         error = save_framebuffer(state, message);
     return error;
@@ -88,6 +79,12 @@ bool pel_console_state_restore_framebuffer(
     if (state->has_palette)
         done &= pel_linux_ioctl(state->framebuffer, FBIOPUTCMAP, &map) == 0;
     return done;
+}
+
+bool pel_console_is_virtual(int fd)
+{
+    int mode;
+    return pel_linux_ioctl(fd, KDGETMODE, &mode) == 0;
 }
 
 bool pel_console_state_is_shown(const struct pel_console_state *state)

@@ -33,6 +33,9 @@ struct pel_console_state {
         blue[PEL_PALETTE_ENTRIES];
 };
 
+/* Is it a virtual terminal, not a serial line or a pipe? */
+bool pel_console_is_virtual(int fd);
+
 /* Reads everything from the three descriptors, which the caller has set. 0, or
  * an errno, with the message telling which step failed. */
 int pel_console_state_save(struct pel_console_state *state,

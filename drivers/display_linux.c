@@ -23,25 +23,28 @@ struct choice {
 static int refuse(struct pel_display_linux *screen, const char *name,
                   const struct choice *choice)
 {
-    pel_message_set(&screen->message,
-                    "unknown device '%.200s', %s; use fb:/dev/fb0, "
-                    "fb:/dev/fb0,direct (or shadow, pages), "
-                    "drm:/dev/dri/card0, or panel:st7789,...",
-                    name, choice->why);
-    return EINVAL;
+    return pel_message_set(&screen->message, EINVAL,
+                           "unknown device '%.200s', %s; use fb:/dev/fb0, "
+                           "fb:/dev/fb0,direct (or shadow, pages), "
+                           "drm:/dev/dri/card0, or panel:st7789,...",
+                           name, choice->why);
 }
+
+/* How frames reach the screen; what the note says of it. */
+static const struct {
+    const char *name, *note;
+} ways[] = {[PEL_FB_PAGES] = {"pages", "two pages, panned"},
+            [PEL_FB_SHADOW] = {"shadow", "a shadow, copied"},
+            [PEL_FB_DIRECT] = {"direct", "drawn directly"}};
 
 static bool parse_way(const char *text, enum pel_fb_way *way)
 {
-    if (strcmp(text, "direct") == 0)
-        *way = PEL_FB_DIRECT;
-    else if (strcmp(text, "shadow") == 0)
-        *way = PEL_FB_SHADOW;
-    else if (strcmp(text, "pages") == 0)
-        *way = PEL_FB_PAGES;
-    else
-        return false;
-    return true;
+    for (int i = PEL_FB_PAGES; i <= PEL_FB_DIRECT; i++)
+        if (strcmp(text, ways[i].name) == 0) {
+            *way = (enum pel_fb_way)i;
+            return true;
+        }
+    return false;
 }
 
 static int parse(struct pel_display_linux *screen, const char *name,
@@ -89,31 +92,13 @@ static int choose(struct pel_display_linux *screen, const char *name,
     return parse(screen, name, choice);
 }
 
-static const char *way_name(enum pel_fb_way way)
-{
-    return way == PEL_FB_PAGES    ? "two pages, panned"
-           : way == PEL_FB_SHADOW ? "a shadow, copied"
-                                  : "drawn directly";
-}
-
-/* Of those that devices have. */
 static const char *format_name(const struct pel_format *format)
 {
     static const char *const names[] = {
-        [PEL_FORMAT_RGB565_LE] = "rgb565_le",
-        [PEL_FORMAT_RGB565_BE] = "rgb565_be",
-        [PEL_FORMAT_BGR565_LE] = "bgr565_le",
-        [PEL_FORMAT_XRGB1555_LE] = "xrgb1555_le",
-        [PEL_FORMAT_RGB888] = "rgb888",
-        [PEL_FORMAT_BGR888] = "bgr888",
-        [PEL_FORMAT_XRGB8888] = "xrgb8888",
-        [PEL_FORMAT_XBGR8888] = "xbgr8888",
-        [PEL_FORMAT_RGBX8888] = "rgbx8888",
-        [PEL_FORMAT_BGRX8888] = "bgrx8888",
-        [PEL_FORMAT_RGB332] = "rgb332",
-        [PEL_FORMAT_GRAY8] = "gray8",
-        [PEL_FORMAT_MONO1] = "mono1",
-        [PEL_FORMAT_MONO1_PAGES] = "mono1_pages"};
+        "none",        "rgb565_le", "rgb565_be", "bgr565_le",
+        "xrgb1555_le", "rgb888",    "bgr888",    "xrgb8888",
+        "xbgr8888",    "rgbx8888",  "bgrx8888",  "rgb332",
+        "gray8",       "gray4",     "mono1",     "mono1_pages"};
     return names[format->id];
 }
 
@@ -121,15 +106,10 @@ static void set_note(struct pel_display_linux *screen,
                      const struct choice *choice, const char *id,
                      const char *how)
 {
-    pel_message_set(&screen->note, "%s (%.16s, %dx%d, %s, %s): %s",
+    pel_message_set(&screen->note, 0, "%s (%.16s, %dx%d, %s, %s): %s",
                     choice->path, id, (int)screen->display.width,
                     (int)screen->display.height,
                     format_name(screen->display.format), how, choice->why);
-}
-
-static void fb_enter(void *context)
-{
-    pel_display_fb_enter(context);
 }
 
 static void fb_leave(void *context)
@@ -152,7 +132,7 @@ static int open_fb(struct pel_display_linux *screen,
                    const struct choice *choice)
 {
     struct pel_display_fb *fb = &screen->device.fb;
-    const struct pel_console_hooks hooks = {fb, fb_leave, fb_enter};
+    const struct pel_console_hooks hooks = {fb, fb_leave, pel_display_fb_enter};
     int error = pel_display_fb_open(fb, choice->path, &screen->message);
     if (error)
         return error;
@@ -160,7 +140,7 @@ static int open_fb(struct pel_display_linux *screen,
     if (!error)
         error = pel_display_fb_start(&screen->display, fb, choice->way);
     if (!error)
-        set_note(screen, choice, fb->mode.fixed.id, way_name(fb->way));
+        set_note(screen, choice, fb->mode.fixed.id, ways[fb->way].note);
     return error;
 }
 
@@ -185,16 +165,6 @@ static int open_panel(struct pel_display_linux *screen, struct choice *choice)
 
 #if PEL_WITH_DRM
 
-static void drm_enter(void *context)
-{
-    pel_display_drm_enter(context);
-}
-
-static void drm_leave(void *context)
-{
-    pel_display_drm_leave(context);
-}
-
 /* Of several devices, some only compute: a Raspberry Pi has one of each. Who
  * may not open one is told so, and not what the others lack. */
 static int find_drm(struct pel_display_linux *screen, struct choice *choice)
@@ -204,9 +174,9 @@ static int find_drm(struct pel_display_linux *screen, struct choice *choice)
     if (choice->path[0])
         return pel_display_drm_open(drm, choice->path, &screen->message);
     drm->fd = -1;
-    pel_message_set(&screen->message, "no display: there is neither /dev/fb0 "
-                                      "nor /dev/dri/card0; is the driver "
-                                      "loaded?");
+    pel_message_set(&screen->message, error,
+                    "no display: there is neither /dev/fb0 nor /dev/dri/card0; "
+                    "is the driver loaded?");
     for (int i = 0; error && error != EACCES && i < CARDS; i++) {
         snprintf(choice->path, sizeof(choice->path), "/dev/dri/card%d", i);
         if (access(choice->path, F_OK) == 0)
@@ -218,7 +188,8 @@ static int find_drm(struct pel_display_linux *screen, struct choice *choice)
 static int open_drm(struct pel_display_linux *screen, struct choice *choice)
 {
     struct pel_display_drm *drm = &screen->device.drm;
-    const struct pel_console_hooks hooks = {drm, drm_leave, drm_enter};
+    const struct pel_console_hooks hooks = {drm, pel_display_drm_leave,
+                                            pel_display_drm_enter};
     int error = find_drm(screen, choice);
     if (error)
         return error;
@@ -239,11 +210,10 @@ static void close_drm(struct pel_display_linux *screen)
 
 static int open_drm(struct pel_display_linux *screen, struct choice *choice)
 {
-    pel_message_set(&screen->message,
-                    "%s: this program was built without DRM; install "
-                    "libdrm-dev and build again",
-                    choice->path[0] ? choice->path : "no /dev/fb0");
-    return ENOSYS;
+    return pel_message_set(&screen->message, ENOSYS,
+                           "%s: this program was built without DRM; install "
+                           "libdrm-dev and build again",
+                           choice->path[0] ? choice->path : "no /dev/fb0");
 }
 
 static void close_drm(struct pel_display_linux *screen)

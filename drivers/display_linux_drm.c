@@ -11,16 +11,14 @@
 #include <xf86drm.h>
 
 #include <pel/format/formats.h>
-#include "display_linux_drm_output.h"
 #include "linux_io.h"
 
 enum { FLIP_TIMEOUT = 1000 /* ms */ };
 
 static int failed(struct pel_display_drm *drm, const char *what)
 {
-    int error = errno ? errno : EINVAL;
-    pel_message_errno(drm->message, what, error);
-    return error;
+    errno = errno ? errno : EINVAL;
+    return pel_message_errno(drm->message, what);
 }
 
 static void buffer_free(int fd, struct pel_drm_buffer *b)
@@ -179,19 +177,82 @@ static enum pel_status drm_flip(const struct pel_display *display)
     return PEL_OK;
 }
 
+static uint32_t crtc_of_encoder(int fd, uint32_t id, const drmModeRes *all)
+{
+    uint32_t crtc = 0;
+    drmModeEncoder *encoder = drmModeGetEncoder(fd, id);
+    if (!encoder)
+        return 0;
+    crtc = encoder->crtc_id;
+    for (int i = 0; !crtc && i < all->count_crtcs; i++)
+        if (encoder->possible_crtcs >> i & 1)
+            crtc = all->crtcs[i];
+    drmModeFreeEncoder(encoder);
+    return crtc;
+}
+
+static uint32_t crtc_of(int fd, const drmModeConnector *c,
+                        const drmModeRes *all)
+{
+    uint32_t crtc = c->encoder_id ? crtc_of_encoder(fd, c->encoder_id, all) : 0;
+    for (int i = 0; !crtc && i < c->count_encoders; i++)
+        crtc = crtc_of_encoder(fd, c->encoders[i], all);
+    return crtc;
+}
+
+static const drmModeModeInfo *preferred_mode(const drmModeConnector *c)
+{
+    for (int i = 0; i < c->count_modes; i++)
+        if (c->modes[i].type & DRM_MODE_TYPE_PREFERRED)
+            return &c->modes[i];
+    return &c->modes[0];
+}
+
+static int take(struct pel_display_drm *drm, const drmModeConnector *c,
+                const drmModeRes *all)
+{
+    if (c->connection != DRM_MODE_CONNECTED || c->count_modes < 1)
+        return 0;
+    drm->crtc = crtc_of(drm->fd, c, all);
+    drm->connector = c->connector_id;
+    drm->mode = *preferred_mode(c);
+    return drm->crtc != 0;
+}
+
+/* Sets connector, crtc and mode: the first connected output, its preferred mode
+ * (the first one where none is), the CRTC that feeds it, or one that can. 0 or
+ * an errno, with the message. */
+static int find_output(struct pel_display_drm *drm, const char *path)
+{
+    int found = 0;
+    drmModeRes *all = drmModeGetResources(drm->fd);
+    if (!all)
+        return pel_message_set(drm->message, errno ? errno : EINVAL,
+                               "%s is no DRM device with a display: %s", path,
+                               strerror(errno ? errno : EINVAL));
+    for (int i = 0; !found && i < all->count_connectors; i++) {
+        drmModeConnector *c = drmModeGetConnector(drm->fd, all->connectors[i]);
+        found = c && take(drm, c, all);
+        drmModeFreeConnector(c);
+    }
+    drmModeFreeResources(all);
+    return found ? 0
+                 : pel_message_set(drm->message, ENODEV,
+                                   "no screen is connected to %s; plug one in, "
+                                   "or name another device",
+                                   path);
+}
+
 int pel_display_drm_open(struct pel_display_drm *drm, const char *path,
                          struct pel_message *message)
 {
     memset(drm, 0, sizeof(*drm));
     drm->message = message;
     drm->fd = pel_linux_open(path, O_RDWR);
-    if (drm->fd < 0) {
-        int error = errno;
-        pel_message_open(message, path, error,
-                         "is the driver loaded? ls /dev/dri/card*");
-        return error;
-    }
-    int error = pel_drm_find_output(drm, path);
+    if (drm->fd < 0)
+        return pel_message_open(message, path, errno,
+                                "is the driver loaded? ls /dev/dri/card*");
+    int error = find_output(drm, path);
     if (error)
         pel_display_drm_close(drm);
     return error;
@@ -225,14 +286,16 @@ int pel_display_drm_start(struct pel_display *display,
 
 /* The event of a flip that is still on its way would later pass for that of
  * another. */
-void pel_display_drm_leave(struct pel_display_drm *drm)
+void pel_display_drm_leave(void *display)
 {
+    struct pel_display_drm *drm = display;
     finish_flip(drm);
     drmDropMaster(drm->fd);
 }
 
-void pel_display_drm_enter(struct pel_display_drm *drm)
+void pel_display_drm_enter(void *display)
 {
+    struct pel_display_drm *drm = display;
     drmSetMaster(drm->fd);
     drm->shown = false;
     drm->flipping = false;

@@ -47,9 +47,10 @@ int pel_display_drm_open(struct pel_display_drm *drm, const char *path,
 int pel_display_drm_start(struct pel_display *display,
                           struct pel_display_drm *drm);
 
-/* Another terminal is shown: others may set modes. And back again. */
-void pel_display_drm_leave(struct pel_display_drm *drm);
-void pel_display_drm_enter(struct pel_display_drm *drm);
+/* Another terminal is shown: others may set modes. And back again. For struct
+ * pel_console_hooks, with a struct pel_display_drm. */
+void pel_display_drm_leave(void *display);
+void pel_display_drm_enter(void *display);
 
 void pel_display_drm_close(struct pel_display_drm *drm);
 PEL_END_DECLS

@@ -16,9 +16,7 @@
 
 static int failed(struct pel_display_fb *fb, const char *what)
 {
-    int error = errno;
-    pel_message_errno(fb->message, what, error);
-    return error;
+    return pel_message_errno(fb->message, what);
 }
 
 /* The mode as the kernel reports it: FBIOPUT_VSCREENINFO may return 0
@@ -67,22 +65,17 @@ static bool has_two_pages(const struct pel_fb_mode *mode)
                mode->fixed.smem_len;
 }
 
-static bool same_channel(const struct fb_bitfield *a,
-                         const struct fb_bitfield *b)
-{
-    return a->offset == b->offset && a->length == b->length;
-}
-
 static bool same_layout(const struct pel_fb_mode *a,
                         const struct pel_fb_mode *b)
 {
+    enum { CHANNEL = sizeof(struct fb_bitfield) };
     return a->variable.xres == b->variable.xres &&
            a->variable.yres == b->variable.yres &&
            a->variable.xoffset == b->variable.xoffset &&
            a->variable.bits_per_pixel == b->variable.bits_per_pixel &&
-           same_channel(&a->variable.red, &b->variable.red) &&
-           same_channel(&a->variable.green, &b->variable.green) &&
-           same_channel(&a->variable.blue, &b->variable.blue) &&
+           memcmp(&a->variable.red, &b->variable.red, CHANNEL) == 0 &&
+           memcmp(&a->variable.green, &b->variable.green, CHANNEL) == 0 &&
+           memcmp(&a->variable.blue, &b->variable.blue, CHANNEL) == 0 &&
            a->fixed.line_length == b->fixed.line_length &&
            a->fixed.visual == b->fixed.visual;
 }
@@ -220,7 +213,7 @@ static enum pel_status check_mode(struct pel_display_fb *fb)
     }
     if (same_layout(&now, &fb->mode))
         return PEL_OK;
-    pel_message_set(fb->message,
+    pel_message_set(fb->message, EINVAL,
                     "another program changed the framebuffer's mode, to %ux%u "
                     "with %u bits; begin again in the new one",
                     now.variable.xres, now.variable.yres,
@@ -274,15 +267,12 @@ int pel_display_fb_open(struct pel_display_fb *fb, const char *path,
     memset(fb, 0, sizeof(*fb));
     fb->message = message;
     fb->fd = pel_linux_open(path, O_RDWR);
-    if (fb->fd < 0) {
-        int error = errno;
-        pel_message_open(message, path, error,
-                         "is the driver loaded? ls /dev/fb*");
-        return error;
-    }
+    if (fb->fd < 0)
+        return pel_message_open(message, path, errno,
+                                "is the driver loaded? ls /dev/fb*");
     int error = read_format(fb);
     if (error == ENOTTY)
-        pel_message_set(message, "%s is no framebuffer device", path);
+        pel_message_set(message, error, "%s is no framebuffer device", path);
     if (error)
         pel_display_fb_close(fb);
     return error;
@@ -295,13 +285,11 @@ int pel_display_fb_start(struct pel_display *display, struct pel_display_fb *fb,
     if (error)
         return error;
     choose_way(fb, way);
-    if (way == PEL_FB_PAGES && fb->way != PEL_FB_PAGES) {
-        pel_message_set(fb->message,
-                        "%.16s does not pan: no two pages; use "
-                        "shadow or direct",
-                        fb->mode.fixed.id);
-        return EINVAL;
-    }
+    if (way == PEL_FB_PAGES && fb->way != PEL_FB_PAGES)
+        return pel_message_set(fb->message, EINVAL,
+                               "%.16s does not pan: no two pages; use "
+                               "shadow or direct",
+                               fb->mode.fixed.id);
     fb->back = fb->way == PEL_FB_PAGES && fb->mode.variable.yoffset == 0;
     if (set_color_map(fb))
         return failed(fb, "cannot set the colour map (FBIOPUTCMAP)");
@@ -319,8 +307,9 @@ int pel_display_fb_start(struct pel_display *display, struct pel_display_fb *fb,
     return error;
 }
 
-void pel_display_fb_enter(struct pel_display_fb *fb)
+void pel_display_fb_enter(void *display)
 {
+    struct pel_display_fb *fb = display;
     struct fb_var_screeninfo v = fb->mode.variable;
     v.activate = FB_ACTIVATE_NOW;
     pel_linux_ioctl(fb->fd, FBIOPUT_VSCREENINFO, &v);

@@ -80,8 +80,9 @@ int pel_display_fb_open(struct pel_display_fb *fb, const char *path,
 int pel_display_fb_start(struct pel_display *display, struct pel_display_fb *fb,
                          enum pel_fb_way way);
 
-/* Sets mode and color map again, after another program had the screen. */
-void pel_display_fb_enter(struct pel_display_fb *fb);
+/* Sets mode and color map again, after another program had the screen: for
+ * struct pel_console_hooks, with a struct pel_display_fb. */
+void pel_display_fb_enter(void *display);
 
 /* Releases memory and descriptor; restores nothing. */
 void pel_display_fb_close(struct pel_display_fb *fb);

@@ -138,7 +138,7 @@ const struct pel_format *pel_fb_format(const struct pel_fb_mode *mode,
         f->line_length % format->word == 0)
         return format;
     pel_message_set(
-        message,
+        message, 0,
         "%.16s: %s: %ux%u (virtual %ux%u, offset %u,%u), %u bits, "
         "line_length %u, smem_len %u, type %u, visual %u, grayscale %u, "
         "red %u/%u green %u/%u blue %u/%u (offset/length); set another mode, "

@@ -6,28 +6,24 @@
 
 #include <pel/format/formats.h>
 
-/* Chips by name; the glass of modules by size. */
+/* Chips by name; the glass of modules by size, where it does not begin at the
+ * chip's first pixel. */
 static const struct model {
     const char *name;
     int width, height, left, top;
-    const struct pel_panel_chip *chip[2]; /* by rotation / 90 & 1 */
+    const struct pel_panel_chip *chip, *turned; /* by 90 and 270 degrees */
 } models[] = {
-    {"st7789", 240, 320, 0, 0, {&pel_panel_st7789, &pel_panel_st7789}},
-    {"st7789", 240, 240, 0, 0, {&pel_panel_st7789, &pel_panel_st7789}},
-    {"st7789", 135, 240, 52, 40, {&pel_panel_st7789, &pel_panel_st7789}},
-    {"st7789", 170, 320, 35, 0, {&pel_panel_st7789, &pel_panel_st7789}},
-    {"st7789", 240, 280, 0, 20, {&pel_panel_st7789, &pel_panel_st7789}},
-    {"ili9341", 240, 320, 0, 0, {&pel_panel_ili9341, &pel_panel_ili9341}},
-    {"gc9a01", 240, 240, 0, 0, {&pel_panel_gc9a01, &pel_panel_gc9a01}},
-    {"ssd1351", 128, 128, 0, 0, {&pel_panel_ssd1351, &pel_panel_ssd1351}},
-    {"ssd1306", 128, 64, 0, 0, {&pel_panel_ssd1306, &pel_panel_ssd1306_turned}},
-    {"ssd1306",
-     128,
-     32,
-     0,
-     0,
-     {&pel_panel_ssd1306_32, &pel_panel_ssd1306_32_turned}},
-    {"sh1106", 128, 64, 0, 0, {&pel_panel_sh1106, &pel_panel_sh1106_turned}},
+    {"st7789", 240, 320, 0, 0, &pel_panel_st7789, NULL},
+    {"st7789", 135, 240, 52, 40, &pel_panel_st7789, NULL},
+    {"st7789", 170, 320, 35, 0, &pel_panel_st7789, NULL},
+    {"st7789", 240, 280, 0, 20, &pel_panel_st7789, NULL},
+    {"ili9341", 240, 320, 0, 0, &pel_panel_ili9341, NULL},
+    {"gc9a01", 240, 240, 0, 0, &pel_panel_gc9a01, NULL},
+    {"ssd1351", 128, 128, 0, 0, &pel_panel_ssd1351, NULL},
+    {"ssd1306", 128, 64, 0, 0, &pel_panel_ssd1306, &pel_panel_ssd1306_turned},
+    {"ssd1306", 128, 32, 0, 0, &pel_panel_ssd1306_32,
+     &pel_panel_ssd1306_32_turned},
+    {"sh1106", 128, 64, 0, 0, &pel_panel_sh1106, &pel_panel_sh1106_turned},
 };
 enum { MODELS = sizeof models / sizeof *models };
 
@@ -48,17 +44,15 @@ static int set_panel(struct pel_panel *panel, const struct pel_panel_request *r,
 {
     const struct model *model = find(r);
     const int quarters = r->rotation / 90;
-    if (!model) {
-        pel_message_set(message,
-                        "unknown panel '%.60s': expected st7789, ili9341, "
-                        "gc9a01, ssd1351, ssd1306 or sh1106",
-                        r->chip);
-        return EINVAL;
-    }
-    const bool is_mono = model->chip[0] != model->chip[1];
-    panel->chip = model->chip[quarters & 1];
-    panel->format = !is_mono       ? &pel_rgb565_be
-                    : quarters & 1 ? &pel_mono1
+    if (!model)
+        return pel_message_set(message, EINVAL,
+                               "unknown panel '%.60s': expected st7789, "
+                               "ili9341, gc9a01, ssd1351, ssd1306 or sh1106",
+                               r->chip);
+    const bool turned = model->turned && quarters & 1;
+    panel->chip = turned ? model->turned : model->chip;
+    panel->format = !model->turned ? &pel_rgb565_be
+                    : turned       ? &pel_mono1
                                    : &pel_mono1_pages;
     panel->width = (uint16_t)(r->width < 0 ? model->width : r->width);
     panel->height = (uint16_t)(r->width < 0 ? model->height : r->height);
@@ -90,8 +84,8 @@ static int make_frame(struct pel_display_panel *panel,
     if (!pixels || pel_surface_init(&panel->frame, display->format, pixels,
                                     size, &whole)) {
         free(pixels);
-        pel_message_errno(message, "a frame of the panel", ENOMEM);
-        return ENOMEM;
+        errno = ENOMEM;
+        return pel_message_errno(message, "a frame of the panel");
     }
     return 0;
 }
@@ -114,14 +108,12 @@ int pel_display_panel_start(struct pel_display *display,
     panel->panel.bus = &panel->bus.bus;
     enum pel_status status = pel_panel_init(display, &panel->panel);
     panel->told = status != PEL_ERROR_SIZE;
-    if (status == PEL_ERROR_SIZE) {
-        pel_message_set(
-            message, "panel: size and offset reach beyond the memory of %s%s",
-            r->chip,
+    if (status == PEL_ERROR_SIZE)
+        return pel_message_set(
+            message, EINVAL,
+            "panel: size and offset reach beyond the memory of %s%s", r->chip,
             panel->panel.format->bits == 1 ? ", or are no multiples of 8 rows"
                                            : "");
-        return EINVAL;
-    }
     if (status == PEL_OK && r->brightness >= 0)
         status = pel_panel_brightness(&panel->panel, (uint8_t)r->brightness);
     if (status != PEL_OK)

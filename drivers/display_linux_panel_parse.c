@@ -7,8 +7,8 @@
 static int refuse(struct pel_message *message, const char *what,
                   const char *expected)
 {
-    pel_message_set(message, "panel: '%.60s': expected %s", what, expected);
-    return EINVAL;
+    return pel_message_set(message, EINVAL, "panel: '%.60s': expected %s", what,
+                           expected);
 }
 
 /* N (hexadecimal with 0x), or NxM into both; each 0..32,767. */
@@ -45,76 +45,47 @@ static bool speed(const char *text, uint32_t *hz)
     return true;
 }
 
-static bool take_text(struct pel_panel_request *r, const char *key,
-                      const char *value)
-{
-    const struct {
-        const char *key;
-        const char **value;
-    } texts[] = {{"spi", &r->bus.spi},
-                 {"i2c", &r->bus.i2c},
-                 {"dc", &r->bus.dc},
-                 {"reset", &r->bus.reset},
-                 {"light", &r->bus.light}};
-    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
-        if (strcmp(key, texts[i].key) == 0) {
-            *texts[i].value = value;
-            return true;
-        }
-    return false;
-}
-
-/* -1: the key is of no number. */
-static int take_number(struct pel_panel_request *r, const char *key,
-                       const char *value, struct pel_message *message)
-{
-    int mode = r->bus.mode, address = r->bus.address;
-    const struct {
-        const char *key;
-        int most, step;
-        int *value;
-        const char *expected;
-    } rows[] = {
-        {"rotation", 270, 90, &r->rotation, "a rotation, 0, 90, 180 or 270"},
-        {"brightness", 255, 1, &r->brightness, "a brightness, 0 to 255"},
-        {"mode", 3, 1, &mode, "a mode of SPI, 0 to 3"},
-        {"address", 127, 1, &address, "an address, 0x3c"}};
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-        if (strcmp(key, rows[i].key) == 0) {
-            const bool good = numbers(value, rows[i].value, NULL) &&
-                              *rows[i].value <= rows[i].most &&
-                              *rows[i].value % rows[i].step == 0;
-            r->bus.mode = (uint8_t)mode;
-            r->bus.address = (uint8_t)address;
-            return good ? 0 : refuse(message, value, rows[i].expected);
-        }
-    return -1;
-}
-
 static int take_value(struct pel_panel_request *r, const char *key,
                       const char *value, struct pel_message *message)
 {
-    const int taken = take_number(r, key, value, message);
-    if (taken >= 0)
-        return taken;
+    int mode = r->bus.mode, address = r->bus.address;
+    const struct {
+        const char *key, **text, *expected;
+        int *first, *second, most, step;
+    } options[] = {
+        {"spi", &r->bus.spi, 0, 0, 0, 0, 0},
+        {"i2c", &r->bus.i2c, 0, 0, 0, 0, 0},
+        {"dc", &r->bus.dc, 0, 0, 0, 0, 0},
+        {"reset", &r->bus.reset, 0, 0, 0, 0, 0},
+        {"light", &r->bus.light, 0, 0, 0, 0, 0},
+        {"size", 0, "a size, 240x240", &r->width, &r->height, 32767, 1},
+        {"offset", 0, "an offset, 52x40", &r->left, &r->top, 32767, 1},
+        {"rotation", 0, "a rotation, 0, 90, 180 or 270", &r->rotation, 0, 270,
+         90},
+        {"brightness", 0, "a brightness, 0 to 255", &r->brightness, 0, 255, 1},
+        {"mode", 0, "a mode of SPI, 0 to 3", &mode, 0, 3, 1},
+        {"address", 0, "an address, 0x3c", &address, 0, 127, 1}};
+    for (size_t i = 0; i < sizeof options / sizeof *options; i++) {
+        if (strcmp(key, options[i].key) != 0)
+            continue;
+        if (options[i].text) {
+            *options[i].text = value;
+            return 0;
+        }
+        const bool good = numbers(value, options[i].first, options[i].second) &&
+                          *options[i].first <= options[i].most &&
+                          *options[i].first % options[i].step == 0;
+        r->bus.mode = (uint8_t)mode;
+        r->bus.address = (uint8_t)address;
+        return good ? 0 : refuse(message, value, options[i].expected);
+    }
     if (strcmp(key, "speed") == 0)
         return speed(value, &r->bus.speed)
                    ? 0
                    : refuse(message, value, "a speed, 32M");
-    if (strcmp(key, "size") == 0)
-        return numbers(value, &r->width, &r->height)
-                   ? 0
-                   : refuse(message, value, "a size, 240x240");
-    if (strcmp(key, "offset") == 0)
-        return numbers(value, &r->left, &r->top)
-                   ? 0
-                   : refuse(message, value, "an offset, 52x40");
-    return take_text(r, key, value)
-               ? 0
-               : refuse(message, key,
-                        "spi, mode, speed, i2c, address, dc, reset, light, "
-                        "size, offset, rotation, brightness, inverted or "
-                        "swapped");
+    return refuse(message, key,
+                  "spi, mode, speed, i2c, address, dc, reset, light, size, "
+                  "offset, rotation, brightness, inverted or swapped");
 }
 
 static int take(struct pel_panel_request *r, char *option,
@@ -143,14 +114,9 @@ int pel_panel_parse(struct pel_panel_request *request, const char *name,
     if (strlen(name) >= sizeof request->text)
         return refuse(message, name, "a shorter name");
     strcpy(request->text, name);
-    char *rest = strchr(request->text, ',');
-    request->chip = request->text;
-    while (rest) {
-        char *option = rest + 1;
-        *rest = 0;
-        rest = strchr(option, ',');
-        if (rest)
-            *rest = 0;
+    char *rest = request->text, *option;
+    request->chip = strsep(&rest, ",");
+    while ((option = strsep(&rest, ",")) != NULL) {
         const int error = take(request, option, message);
         if (error)
             return error;

@@ -5,17 +5,6 @@ static uint16_t after(const struct pel_input_queue *queue, uint16_t i)
     return (uint16_t)(i + 1) == queue->size ? 0 : (uint16_t)(i + 1);
 }
 
-static void copy(volatile struct pel_input *to,
-                 const volatile struct pel_input *from)
-{
-    to->time = from->time;
-    to->kind = from->kind;
-    to->state = from->state;
-    to->code = from->code;
-    to->x = from->x;
-    to->y = from->y;
-}
-
 /* One place stays free, so that a full queue differs from an empty one. The
  * last one is for PEL_INPUT_LOST, which stands for all that come while it is
  * taken. */
@@ -29,7 +18,7 @@ bool pel_input_push(struct pel_input_queue *queue,
         queue->losses = (uint16_t)(queue->losses + 1);
     if (next == first)
         return false;
-    copy(&queue->events[end], event);
+    queue->events[end] = *event;
     if (!fits)
         queue->events[end].kind = PEL_INPUT_LOST;
     queue->end = next;
@@ -49,7 +38,7 @@ bool pel_input_pop(struct pel_input_queue *queue, struct pel_input *event)
     const uint16_t first = queue->first;
     if (first == queue->end)
         return false;
-    copy(event, &queue->events[first]);
+    *event = queue->events[first];
     queue->first = after(queue, first);
     return true;
 }

@@ -31,13 +31,9 @@ static inline int pel_linux_ioctl(int fd, unsigned long request, void *argument)
 
 /* For requests whose argument is a number. */
 static inline int pel_linux_ioctl_number(int fd, unsigned long request,
-                                         unsigned long argument)
+                                         uintptr_t argument)
 {
-    int result;
-    do
-        result = ioctl(fd, request, argument);
-    while (result < 0 && errno == EINTR);
-    return result;
+    return pel_linux_ioctl(fd, request, PEL_CAST_ADDRESS(void *, argument));
 }
 
 /* Of CLOCK_MONOTONIC; wraps. */

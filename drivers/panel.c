@@ -23,26 +23,19 @@ static enum pel_status panel_wait(const struct pel_display *display)
     return bus->wait ? bus->wait(bus) : PEL_OK;
 }
 
-static enum pel_status check(const struct pel_display *display,
-                             const struct pel_surface *surface)
-{
-    const struct pel_rect *area = &surface->clip;
-    if (surface->format->id != display->format->id)
-        return PEL_ERROR_FORMAT;
-    return (area->x0 | area->y0) < 0 || area->x1 > display->width ||
-                   area->y1 > display->height
-               ? PEL_ERROR_SIZE
-               : PEL_OK;
-}
-
 static enum pel_status panel_flush(const struct pel_display *display,
                                    const struct pel_surface *surface)
 {
     const struct pel_panel *panel = display->context;
-    if (pel_rect_empty(&surface->clip))
+    const struct pel_rect *area = &surface->clip;
+    if (pel_rect_empty(area))
         return PEL_OK;
-    enum pel_status status = check(display, surface);
-    return status == PEL_OK ? panel->chip->send(panel, surface) : status;
+    if (surface->format->id != display->format->id)
+        return PEL_ERROR_FORMAT;
+    if ((area->x0 | area->y0) < 0 || area->x1 > display->width ||
+        area->y1 > display->height)
+        return PEL_ERROR_SIZE;
+    return panel->chip->send(panel, surface);
 }
 
 /* A quarter turn and a half one run backwards through the columns of memory, a

@@ -72,35 +72,28 @@ static void print_usage(FILE *file)
                   "input or output.\n");
 }
 
-static int run_command(const struct command *command, int argc, char **argv)
-{
-    char name[32];
-    snprintf(name, sizeof name, "pel %s", command->name);
-    argv[0] = name;
-    return command->run(argc, argv);
-}
-
 int main(int argc, char **argv)
 {
+    const char *name = argc > 1 ? argv[1] : "";
+    char program[32];
     watch_streams();
-    if (argc < 2) {
-        print_usage(stderr);
-        return STATUS_ERROR;
+    if (argc < 2 || strcmp(name, "--help") == 0 || strcmp(name, "-h") == 0) {
+        print_usage(argc < 2 ? stderr : stdout);
+        return argc < 2 ? STATUS_ERROR : STATUS_OK;
     }
-    if (strcmp(argv[1], "--help") == 0 || strcmp(argv[1], "-h") == 0) {
-        print_usage(stdout);
-        return STATUS_OK;
-    }
-    if (strcmp(argv[1], "--version") == 0) {
+    if (strcmp(name, "--version") == 0) {
         printf("pel %d.%d.%d\n", PEL_VERSION_MAJOR, PEL_VERSION_MINOR,
                PEL_VERSION_PATCH);
         return STATUS_OK;
     }
     for (size_t i = 0; i < COMMAND_COUNT; i++)
-        if (strcmp(argv[1], commands[i].name) == 0)
-            return run_command(&commands[i], argc - 1, argv + 1);
+        if (strcmp(name, commands[i].name) == 0) {
+            snprintf(program, sizeof program, "pel %s", name);
+            argv[1] = program;
+            return commands[i].run(argc - 1, argv + 1);
+        }
     message_error("unknown command %s: expected run, render, view, compare, "
                   "import, info, explain, demo, console or input",
-                  argv[1]);
+                  name);
     return STATUS_ERROR;
 }

@@ -39,15 +39,13 @@ TEST_EXHAUSTIVE := $(basename $(sort $(wildcard tests/exhaustive/test_*.c)))
 
 # Broken contracts are tested where asserts count, and where there are none.
 TEST_ASSERT := tests/unit/test_all_assert
-# These link the portable build beside their own.
-TEST_TWINS := tests/property/test_raster_walks tests/property/test_raster_walks_large \
-    tests/property/test_fast_flat tests/property/test_fast_textures
 # These name what only the default build has.
-TEST_HOST_ONLY := tests/property/test_fast_depth tests/property/test_fast_triangle \
-    $(TEST_TWINS)
+TEST_HOST_ONLY := tests/property/test_fast_depth \
+    tests/property/test_fast_triangle tests/property/test_fast_flat
 # These see what the knobs of core change inside.
 TEST_KNOBS := tests/property/test_raster_triangles \
     tests/property/test_all_pictures tests/property/test_scene_numbers \
+    tests/property/test_fast_textures \
     tests/property/test_scene_pictures tests/property/test_paint_gradients \
     tests/property/test_round_coverage \
     tests/unit/test_base_product
@@ -70,14 +68,6 @@ endef
 $(foreach b,$(TEST_BUILDS),$(eval $(call test_build,$b)))
 include tests/tools/mutants.mk
 .SECONDARY:
-
-# The portable build with other names, to be linked beside the default one.
-$(T)/portable_core.o: $(T)/portable/libpel.a
-	$(LD) -r --whole-archive $< -o $@
-	nm -u $@ | awk '{ print "portable_" $$2, $$2 }' >$@.libc
-	objcopy --prefix-symbols=portable_ $@
-	objcopy --redefine-syms=$@.libc $@
-$(TEST_TWINS:%=$(T)/host/%) $(TEST_TWINS:%=$(T)/san/%): $(T)/portable_core.o
 
 # Tests of the host program: its sources but for main.
 TEST_SIM := $(basename $(sort $(wildcard tests/sim/test_*.c)))

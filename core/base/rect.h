@@ -25,6 +25,29 @@ static inline struct pel_rect pel_rect_intersect(const struct pel_rect *a,
     return r;
 }
 
+/* The box of a triangle, in sub-pixels. */
+static inline struct pel_rect pel_corners_box(const struct pel_point v[3])
+{
+    struct pel_rect r;
+    r.x0 = pel_min(pel_min(v[0].x, v[1].x), v[2].x);
+    r.y0 = pel_min(pel_min(v[0].y, v[1].y), v[2].y);
+    r.x1 = pel_max(pel_max(v[0].x, v[1].x), v[2].x);
+    r.y1 = pel_max(pel_max(v[0].y, v[1].y), v[2].y);
+    return r;
+}
+
+/* The pixels inside `clip` whose centres lie in a box of sub-pixels. */
+static inline struct pel_rect pel_rect_pixels(const struct pel_rect *box,
+                                              const struct pel_rect *clip)
+{
+    struct pel_rect r;
+    r.x0 = pel_max(pel_first_pixel(box->x0), clip->x0);
+    r.y0 = pel_max(pel_first_pixel(box->y0), clip->y0);
+    r.x1 = pel_min(pel_first_pixel(box->x1), clip->x1);
+    r.y1 = pel_min(pel_first_pixel(box->y1), clip->y1);
+    return r;
+}
+
 static inline bool pel_rect_inside(const struct pel_rect *r,
                                    const struct pel_rect *outer)
 {

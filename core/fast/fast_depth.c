@@ -109,7 +109,7 @@ static PEL_ALWAYS_INLINE void draw_run(const struct steps *s,
         at[0] += 4 * s->dx;
         at[1] += 4 * s->dx;
         if (gouraud) {
-            c = pel_gouraud_add(c, s->color.next);
+            c = pel_gouraud_add(c, s->color.four);
             value = pel_gouraud_xrgb4(c);
         }
     }
@@ -135,7 +135,7 @@ static PEL_ALWAYS_INLINE void draw_rows(const struct pel_depth_paint *paint,
     struct steps s = {.dx = dx, .depth = {{0, dx}, {2 * dx, 3 * dx}}};
     uint32_t start[3] = {0, 0, 0};
     if (gouraud) {
-        s.color = pel_gouraud_steps_make(g, 1);
+        s.color = pel_gouraud_steps_make(g, 4);
         pel_gouraud_at(g, 0, t->y0, start);
     } else {
         s.value = pel_make_value32(surface->format->pack(flat->color));
@@ -157,26 +157,6 @@ static PEL_ALWAYS_INLINE void draw_rows(const struct pel_depth_paint *paint,
     }
 }
 
-static PEL_NOINLINE void draw_gouraud(const struct pel_depth_paint *p,
-                                      const struct pel_surface *surface,
-                                      const struct pel_fast_triangle *t)
-{
-    if (p->depth->bits == 32)
-        draw_rows(p, surface, t, true, true);
-    else
-        draw_rows(p, surface, t, true, false);
-}
-
-static PEL_NOINLINE void draw_flat(const struct pel_depth_paint *p,
-                                   const struct pel_surface *surface,
-                                   const struct pel_fast_triangle *t)
-{
-    if (p->depth->bits == 32)
-        draw_rows(p, surface, t, false, true);
-    else
-        draw_rows(p, surface, t, false, false);
-}
-
 /* As one vector writes them. */
 static bool is_flat32(const struct pel_paint *paint,
                       const struct pel_format *format)
@@ -193,26 +173,22 @@ bool pel_depth_fast(const struct pel_paint *paint,
     const struct pel_depth_paint *p = (const void *)paint;
     if (!p->keeps || !pel_rect_inside(&surface->clip, &p->depth->bounds))
         return false;
-    if (is_flat32(p->inner, surface->format))
-        draw_flat(p, surface, triangle);
-    else if (p->inner->fast == pel_gouraud_fast &&
-             pel_gouraud_bytes((const void *)p->inner, surface->format) == 4)
-        draw_gouraud(p, surface, triangle);
-    else
+    const bool wide = p->depth->bits == 32;
+    if (is_flat32(p->inner, surface->format)) {
+        if (wide)
+            draw_rows(p, surface, triangle, false, true);
+        else
+            draw_rows(p, surface, triangle, false, false);
+        return true;
+    }
+    if (p->inner->fill != pel_gouraud_fill ||
+        pel_gouraud_bytes((const void *)p->inner, surface->format) != 4)
         return false;
+    if (wide)
+        draw_rows(p, surface, triangle, true, true);
+    else
+        draw_rows(p, surface, triangle, true, false);
     return true;
-}
-
-#elif PEL_FAST_FILLS
-
-bool pel_depth_fast(const struct pel_paint *paint,
-                    const struct pel_surface *surface,
-                    const struct pel_fast_triangle *triangle)
-{
-    (void)paint;
-    (void)surface;
-    (void)triangle;
-    return false;
 }
 
 #endif

@@ -1,21 +1,11 @@
-/* The rows of a textured triangle that is not clipped, on 64-bit CPUs, and four
- * pixels of a row at a time. */
+/* Runs of textures by vectors, four pixels at a time. */
 #ifndef PEL_FAST_FAST_TEXTURE_H
 #define PEL_FAST_FAST_TEXTURE_H
 
 #include "../format/vector.h"
 #include "../paint/paint_texture_fetch.h"
-#include "fast_triangle.h"
 
-/* Fills a run that leaves the picture, the general way. */
-static inline void pel_texture_fill_run(const struct pel_texture *p,
-                                        const struct pel_surface *surface,
-                                        int32_t x, int32_t n, int32_t y)
-{
-    const struct pel_span span = {x, x + n};
-    const struct pel_spans spans = {surface, &span, y, 1, 1};
-    p->base.paint.fill(&p->base.paint, &spans);
-}
+#if PEL_FAST_FILLS && PEL_VECTORS
 
 /* A run of n > 0 pixels, and where the first is in the picture. */
 struct pel_texture_run {
@@ -24,121 +14,38 @@ struct pel_texture_run {
     int32_t n;
 };
 
-/* Steps from pixel to pixel, and masks of the whole texels. */
-#if PEL_VECTORS
-
-struct pel_texture_lanes {
-    uint64_t du, dv;
-    pel_u64x2 u, v;           /* from the first of two pixels to each */
-    pel_u64x2 u_on, v_on;     /* two pixels on */
-    pel_u32x4 u_mask, v_mask; /* of the whole texels */
-    pel_u32x4 line;           /* from line to line, in texels: 16 bits */
-};
-
-/* `line`: texels from line to line. */
-static inline struct pel_texture_lanes pel_texture_lanes_make(
-    const struct pel_texture_map *map, uint32_t u_mask, uint32_t v_mask,
-    int32_t line)
-{
-    const uint64_t du = map->u.dx, dv = map->v.dx;
-    const pel_u32x4 zero = {0, 0, 0, 0};
-    return (struct pel_texture_lanes){du,
-                                      dv,
-                                      {0, du},
-                                      {0, dv},
-                                      {2 * du, 2 * du},
-                                      {2 * dv, 2 * dv},
-                                      zero + u_mask,
-                                      zero + v_mask,
-                                      zero + ((uint32_t)line & 0xFFFF)};
-}
-
-/* Both coordinates of four pixels. */
-struct pel_texture_four {
-    pel_u64x2 u[2], v[2];
-};
-
-/* Of two, which live in registers along a run; the next two are one addition
- * further. */
-struct pel_texture_two {
-    pel_u64x2 u, v;
-};
-
-static PEL_ALWAYS_INLINE struct pel_texture_two pel_texture_two_at(
-    const struct pel_texture_lanes *s, uint64_t u, uint64_t v)
-{
-    return (struct pel_texture_two){u + s->u, v + s->v};
-}
-
-/* The four pixels from these two on; then the two are those after the four. */
-static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_next(
-    struct pel_texture_two *t, const struct pel_texture_lanes *s)
-{
-    const pel_u64x2 u = t->u + s->u_on, v = t->v + s->v_on;
-    const struct pel_texture_four f = {{t->u, u}, {t->v, v}};
-    t->u = u + s->u_on;
-    t->v = v + s->v_on;
-    return f;
-}
-
-/* Of a run of 1 to 3 pixels: the first, the middle, and the last twice. */
-static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_few(
-    const struct pel_texture_lanes *s, const struct pel_texture_run *r)
-{
-    const uint64_t half = (uint64_t)r->n >> 1, last = (uint64_t)r->n - 1;
-    const uint64_t u = r->u + last * s->du, v = r->v + last * s->dv;
-    return (struct pel_texture_four){
-        {(pel_u64x2){r->u, r->u + half * s->du}, (pel_u64x2){u, u}},
-        {(pel_u64x2){r->v, r->v + half * s->dv}, (pel_u64x2){v, v}}};
-}
-
-/* Texels from texel (0, 0) to those of four pixels. `masked`: of whole texels
- * the mask is taken. So u and v are below 32,767, and v's product with the
- * stride's 16 bits, the upper half being 0, fits 31. */
-static PEL_ALWAYS_INLINE void pel_texture_four_index(
-    const struct pel_texture_four *f, const struct pel_texture_lanes *s,
-    bool masked, int32_t index[4])
-{
-    pel_u32x4 u = PEL_LANES((pel_u32x4)f->u[0], (pel_u32x4)f->u[1], 1, 3, 5, 7);
-    pel_u32x4 v = PEL_LANES((pel_u32x4)f->v[0], (pel_u32x4)f->v[1], 1, 3, 5, 7);
-    if (masked) {
-        u &= s->u_mask;
-        v &= s->v_mask;
-    }
-    const pel_u64x2 i = (pel_u64x2)(pel_dot_s16(v, s->line) + u);
-    index[0] = (int32_t)i[0];
-    index[1] = (int32_t)(i[0] >> 32);
-    index[2] = (int32_t)i[1];
-    index[3] = (int32_t)(i[1] >> 32);
-}
-
-#else
-
-struct pel_texture_lanes {
-    uint64_t du, dv;
-};
-
-static inline struct pel_texture_lanes pel_texture_lanes_make(
-    const struct pel_texture_map *map, uint32_t u_mask, uint32_t v_mask,
-    int32_t line)
-{
-    (void)u_mask;
-    (void)v_mask;
-    (void)line;
-    return (struct pel_texture_lanes){map->u.dx, map->v.dx};
-}
-
-#endif
-
 /* The same for all runs of a picture. */
 struct pel_texture_steps {
-    struct pel_texture_lanes lanes;
-    const uint8_t *memory;
-    uint64_t u_end, v_end;   /* coordinates below these are inside */
-    uint32_t u_mask, v_mask; /* of the whole texels */
-    uint32_t set;            /* bits that 32-bit texels lack as pixels */
+    uint64_t du, dv;          /* from pixel to pixel */
+    pel_u64x2 u, v;           /* from the first of two pixels to each */
+    pel_u64x2 u_on, v_on;     /* two pixels on */
+    uint64_t u_end, v_end;    /* coordinates below these are inside */
+    pel_u32x4 u_mask, v_mask; /* of the whole texels */
+    pel_u32x4 line;           /* from line to line, in texels: 16 bits */
     ptrdiff_t stride;
+    const uint8_t *memory;
+    uint32_t set; /* bits that 32-bit texels lack as pixels */
 };
+
+/* A way to write runs. */
+struct pel_texture_writer {
+    void (*put)(const struct pel_texture_steps *steps,
+                const struct pel_texture_run *run);
+    int32_t texel_bytes, pixel_bytes;
+    int32_t more; /* 1: it reads the texels further right and down, too;
+                     0: it repeats the picture where a mask does */
+};
+
+struct pel_texture_steps pel_texture_steps_make(
+    const struct pel_texture *p, const struct pel_texture_writer *writer);
+
+/* Fills spans by `writer`, and those that leave the picture by `other`, in the
+ * pixels of `surface`. */
+void pel_texture_fill_runs(const struct pel_texture *p,
+                           const struct pel_surface *surface,
+                           const struct pel_spans *spans,
+                           const struct pel_texture_writer *writer,
+                           pel_texture_fill *other);
 
 /* Do lines lie as many texels apart as fit the 16 bits of vectors? So they do
  * but in a part of a very wide picture. */
@@ -149,63 +56,87 @@ static inline bool pel_texture_stride_fits(const struct pel_texture *p,
     return texels >= -32768 && texels <= 32767;
 }
 
-/* Runs are inside whose texels and those `more` further right and down are.
- * `masked`: with a mask any texel is. */
-static inline struct pel_texture_steps pel_texture_steps_make(
-    const struct pel_texture *p, int32_t bytes, int32_t more, bool masked)
-{
-    const bool all_u = masked && pel_texture_is_masked(p->width, p->wrap_u);
-    const bool all_v = masked && pel_texture_is_masked(p->height, p->wrap_v);
-    const uint32_t um = all_u ? (uint32_t)p->width - 1 : 0xFFFF;
-    const uint32_t vm = all_v ? (uint32_t)p->height - 1 : 0xFFFF;
-    struct pel_texture_steps s = {
-        pel_texture_lanes_make(&p->map, um, vm, p->stride / bytes),
-        .memory = p->memory, .stride = p->stride, .u_mask = um, .v_mask = vm};
-    s.set = p->kind == PEL_TEXTURE_XRGB8888 ? PEL_LE32(0xFF000000u) : 0;
-    s.u_end = all_u ? UINT64_MAX : (uint64_t)(uint32_t)(p->width - more) << 32;
-    s.v_end = all_v ? UINT64_MAX : (uint64_t)(uint32_t)(p->height - more) << 32;
-    return s;
-}
-
-/* A coordinate is affine, so a run is inside when both ends are. */
-static PEL_ALWAYS_INLINE bool pel_texture_run_inside(
-    const struct pel_texture_run *r, const struct pel_texture_steps *s)
-{
-    const uint64_t last = (uint64_t)r->n - 1;
-    const uint64_t u = r->u + last * s->lanes.du, v = r->v + last * s->lanes.dv;
-    return r->u < s->u_end && u < s->u_end && r->v < s->v_end && v < s->v_end;
-}
-
-/* A walk down the rows; it lives in registers. */
-struct pel_texture_walk {
-    struct pel_fast_walk rows;
-    uint64_t u, v; /* at column 0 of the next row */
+/* Both coordinates of four pixels. */
+struct pel_texture_four {
+    pel_u64x2 u[2], v[2];
 };
 
-static PEL_ALWAYS_INLINE struct pel_texture_walk pel_texture_walk_begin(
-    const struct pel_texture *p, const struct pel_surface *surface,
-    const struct pel_fast_triangle *t, int bytes)
+/* The four pixels from the k-th of a run on. */
+static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_at(
+    const struct pel_texture_steps *s, const struct pel_texture_run *r,
+    uint64_t k)
 {
-    struct pel_texture_walk w;
-    w.rows = pel_fast_walk_begin(surface, t, bytes);
-    w.u = pel_texture_at(&p->map.u, 0, t->y0);
-    w.v = pel_texture_at(&p->map.v, 0, t->y0);
-    return w;
+    const pel_u64x2 u = r->u + k * s->du + s->u, v = r->v + k * s->dv + s->v;
+    return (struct pel_texture_four){{u, u + s->u_on}, {v, v + s->v_on}};
 }
 
-/* The next row, which may be empty: n <= 0. */
-static PEL_ALWAYS_INLINE bool pel_texture_walk_next(
-    struct pel_texture_walk *w, const struct pel_texture_map *map, int bytes,
-    int32_t *x, struct pel_texture_run *run)
+/* Of a run of 1 to 3 pixels: the first, the middle, and the last twice. */
+static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_few(
+    const struct pel_texture_steps *s, const struct pel_texture_run *r)
 {
-    if (!pel_fast_walk_next(&w->rows, x, &run->n))
-        return false;
-    run->out = w->rows.row + (uintptr_t)bytes * (uintptr_t)*x;
-    run->u = w->u + (uint64_t)(int64_t)*x * map->u.dx;
-    run->v = w->v + (uint64_t)(int64_t)*x * map->v.dx;
-    w->u += map->u.dy;
-    w->v += map->v.dy;
-    return true;
+    const uint64_t half = (uint64_t)r->n >> 1, last = (uint64_t)r->n - 1;
+    const uint64_t u = r->u + last * s->du, v = r->v + last * s->dv;
+    return (struct pel_texture_four){
+        {(pel_u64x2){r->u, r->u + half * s->du}, (pel_u64x2){u, u}},
+        {(pel_u64x2){r->v, r->v + half * s->dv}, (pel_u64x2){v, v}}};
 }
 
+/* Texels from texel (0, 0) to those of four pixels. Their masks keep u and v
+ * below 65,536 and the upper halves 0, and in a picture they are below 32,767:
+ * v's product with the stride's 16 bits fits 31. */
+static PEL_ALWAYS_INLINE void pel_texture_four_index(
+    const struct pel_texture_four *f, const struct pel_texture_steps *s,
+    int32_t index[4])
+{
+    const pel_u32x4 u =
+        PEL_LANES((pel_u32x4)f->u[0], (pel_u32x4)f->u[1], 1, 3, 5, 7);
+    const pel_u32x4 v =
+        PEL_LANES((pel_u32x4)f->v[0], (pel_u32x4)f->v[1], 1, 3, 5, 7);
+    const pel_u64x2 i =
+        (pel_u64x2)(pel_dot_s16(v & s->v_mask, s->line) + (u & s->u_mask));
+    index[0] = (int32_t)i[0];
+    index[1] = (int32_t)(i[0] >> 32);
+    index[2] = (int32_t)i[1];
+    index[3] = (int32_t)(i[1] >> 32);
+}
+
+/* Stores the pixels of four texels; `kind` tells the ways of a writer apart. */
+typedef void pel_texture_put4(const struct pel_texture_steps *steps, int kind,
+                              const struct pel_texture_four *four,
+                              uintptr_t out);
+
+/* A writer's `put`, inlined with constant `bytes` of a pixel and `kind`. The
+ * last four pixels come first and overlap those before them. */
+static PEL_ALWAYS_INLINE void pel_texture_put_run(
+    const struct pel_texture_steps *steps, const struct pel_texture_run *r,
+    int bytes, int kind, pel_texture_put4 *put4)
+{
+    /* Pixels may alias what is not local: this stays in registers. */
+    const struct pel_texture_steps copy = *steps, *const s = &copy;
+    const uintptr_t size = (uintptr_t)bytes, last = (uintptr_t)r->n - 4;
+    struct pel_texture_four f;
+    if (r->n < 4) {
+        uint8_t four[16];
+        f = pel_texture_four_few(s, r);
+        put4(s, kind, &f, (uintptr_t)four);
+        memcpy((void *)r->out, four, size);
+        memcpy((void *)(r->out + (last + 4) / 2 * size), four + size, size);
+        memcpy((void *)(r->out + (last + 3) * size), four + 2 * size, size);
+        return;
+    }
+    uintptr_t out = r->out;
+    const uintptr_t end = out + last * size;
+    f = pel_texture_four_at(s, r, last);
+    put4(s, kind, &f, end);
+    f = pel_texture_four_at(s, r, 0);
+    for (; out < end; out += 4 * size) {
+        put4(s, kind, &f, out);
+        f.u[0] = f.u[1] + s->u_on;
+        f.v[0] = f.v[1] + s->v_on;
+        f.u[1] = f.u[0] + s->u_on;
+        f.v[1] = f.v[0] + s->v_on;
+    }
+}
+
+#endif
 #endif

@@ -91,9 +91,9 @@ static PEL_ALWAYS_INLINE pel_u32x4 weights_of(pel_u32x4 f)
     return (f << 16) - f + 256;
 }
 
-static PEL_ALWAYS_INLINE pel_u32x4 mixed(const struct pel_texture_steps *s,
-                                         int kind,
-                                         const struct pel_texture_four *f)
+static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int kind,
+                                   const struct pel_texture_four *f,
+                                   uintptr_t out)
 {
     const pel_u32x4 u =
         PEL_LANES((pel_u32x4)f->u[0], (pel_u32x4)f->u[1], 0, 2, 4, 6);
@@ -102,7 +102,7 @@ static PEL_ALWAYS_INLINE pel_u32x4 mixed(const struct pel_texture_steps *s,
     const pel_u32x4 wu = weights_of(u >> 24), wv = weights_of(v >> 24);
     const uint8_t *const top = s->memory, *const low = top + s->stride;
     int32_t i[4];
-    pel_texture_four_index(f, &s->lanes, false, i);
+    pel_texture_four_index(f, s, i);
     const struct neighbours n = kind == PEL_TEXTURE_RGB565_LE
                                     ? neighbours_565(top, low, i)
                                     : neighbours_32(top, low, i);
@@ -114,101 +114,56 @@ static PEL_ALWAYS_INLINE pel_u32x4 mixed(const struct pel_texture_steps *s,
                                  PEL_LANES(wv, wv, 2, 2, 2, 2));
     const pel_u32x4 d = channels(n.of[3], PEL_LANES(wu, wu, 3, 3, 3, 3),
                                  PEL_LANES(wv, wv, 3, 3, 3, 3));
-    return (pel_u32x4)pel_narrow_u8x16(a, b, c, d) | s->set;
+    pel_put_u32x4((void *)out,
+                  (pel_u32x4)pel_join_u8x16(pel_narrow_u16x8(a, b),
+                                            pel_narrow_u16x8(c, d)) |
+                      s->set);
 }
 
-/* The last four pixels come first and overlap those before them. */
-static PEL_ALWAYS_INLINE void put_run(const struct pel_texture_steps *steps,
-                                      int kind, const struct pel_texture_run *r)
+static void put_32(const struct pel_texture_steps *s,
+                   const struct pel_texture_run *r)
 {
-    /* Pixels may alias what is not local: this stays in registers. */
-    const struct pel_texture_steps copy = *steps, *const s = &copy;
-    pel_word32 *out = (pel_word32 *)r->out;
-    const uint64_t last = (uint64_t)r->n - 4;
-    struct pel_texture_two t = pel_texture_two_at(
-        &s->lanes, r->u + last * s->lanes.du, r->v + last * s->lanes.dv);
-    struct pel_texture_four f = r->n < 4 ? pel_texture_four_few(&s->lanes, r)
-                                         : pel_texture_four_next(&t, &s->lanes);
-    const pel_u32x4 pixels = mixed(s, kind, &f);
-    if (r->n < 4) {
-        out[0] = pixels[0];
-        out[r->n >> 1] = pixels[1];
-        out[r->n - 1] = pixels[2];
-        return;
-    }
-    pel_word32 *const end = out + last;
-    pel_put_u32x4(end, pixels);
-    t = pel_texture_two_at(&s->lanes, r->u, r->v);
-    for (; out < end; out += 4) {
-        f = pel_texture_four_next(&t, &s->lanes);
-        pel_put_u32x4(out, mixed(s, kind, &f));
-    }
+    pel_texture_put_run(s, r, 4, PEL_TEXTURE_COLORS, put4);
 }
 
-static PEL_NOINLINE void put_run_32(const struct pel_texture_steps *s,
-                                    const struct pel_texture_run *r)
+static void put_565(const struct pel_texture_steps *s,
+                    const struct pel_texture_run *r)
 {
-    put_run(s, PEL_TEXTURE_COLORS, r);
+    pel_texture_put_run(s, r, 4, PEL_TEXTURE_RGB565_LE, put4);
 }
 
-static PEL_NOINLINE void put_run_565(const struct pel_texture_steps *s,
-                                     const struct pel_texture_run *r)
+/* NULL: no vectors are for this picture. */
+static const struct pel_texture_writer *writer_of(const struct pel_texture *p)
 {
-    put_run(s, PEL_TEXTURE_RGB565_LE, r);
-}
-
-static int32_t bytes_of(const struct pel_texture *p)
-{
-    return p->kind == PEL_TEXTURE_RGB565_LE ? 2 : 4;
-}
-
-static bool is_fit(const struct pel_texture *p)
-{
-    return p->kind < PEL_TEXTURE_BYTE &&
-           pel_texture_stride_fits(p, bytes_of(p));
+    static const struct pel_texture_writer writers[2] = {{put_32, 4, 4, 1},
+                                                         {put_565, 2, 4, 1}};
+    const struct pel_texture_writer *const w =
+        &writers[p->kind == PEL_TEXTURE_RGB565_LE];
+    const bool fits = p->kind < PEL_TEXTURE_BYTE &&
+                      pel_texture_stride_fits(p, w->texel_bytes);
+    return fits ? w : NULL;
 }
 
 bool pel_texture_bilinear_run(const struct pel_texture *p,
                               const struct pel_texture_axes *a, int32_t n,
                               pel_color *out)
 {
-    if (!is_fit(p))
+    const struct pel_texture_writer *const w = writer_of(p);
+    if (!w)
         return false;
-    const struct pel_texture_steps s =
-        pel_texture_steps_make(p, bytes_of(p), 1, false);
+    const struct pel_texture_steps s = pel_texture_steps_make(p, w);
     const struct pel_texture_run r = {(uintptr_t)out, a->u.at, a->v.at, n};
-    if (bytes_of(p) == 2)
-        put_run_565(&s, &r);
-    else
-        put_run_32(&s, &r);
+    w->put(&s, &r);
     return true;
 }
 
-bool pel_texture_bilinear_fast(const struct pel_paint *paint,
-                               const struct pel_surface *surface,
-                               const struct pel_fast_triangle *triangle)
+bool pel_texture_bilinear_fast(const struct pel_texture *p,
+                               const struct pel_spans *spans)
 {
-    const struct pel_texture *p = (const void *)paint;
-    if (!p->base.opaque || surface->format->id != PEL_FORMAT_XRGB8888 ||
-        !is_fit(p))
+    const struct pel_texture_writer *const w = writer_of(p);
+    if (!w || !pel_colors_in_place(&p->base, spans->surface))
         return false;
-    const int32_t bytes = bytes_of(p);
-    const struct pel_texture_steps s =
-        pel_texture_steps_make(p, bytes, 1, false);
-    struct pel_texture_walk w = pel_texture_walk_begin(p, surface, triangle, 4);
-    struct pel_texture_run r;
-    w.u -= PEL_TEXTURE_HALF_BACK;
-    w.v -= PEL_TEXTURE_HALF_BACK;
-    for (int32_t x; pel_texture_walk_next(&w, &p->map, 4, &x, &r);) {
-        if (r.n <= 0)
-            continue;
-        if (!pel_texture_run_inside(&r, &s))
-            pel_texture_fill_run(p, surface, x, r.n, w.rows.y - 1);
-        else if (bytes == 2)
-            put_run_565(&s, &r);
-        else
-            put_run_32(&s, &r);
-    }
+    pel_texture_fill_runs(p, spans->surface, spans, w, pel_color_paint_fill);
     return true;
 }
 

@@ -1,5 +1,7 @@
 #include "fast_triangle.h"
 
+#include "../raster/triangle_sort.h"
+
 #if PEL_FAST_FILLS
 
 static int64_t floor_divide(int64_t n, int64_t d)
@@ -62,65 +64,67 @@ static bool inside(const struct pel_rect *clip, const struct pel_rect *box)
            box->y1 <= pel_min(PEL_PX(clip->y1), PEL_COORDINATE_MAX);
 }
 
-/* y above x: the order of y is enough, and most CPUs load both at once. */
-static int64_t key_of(const struct pel_point *p)
+/* Hands the rows to the paint, in batches. */
+static void fill_rows(const struct pel_surface *surface,
+                      const struct pel_fast_triangle *t,
+                      const struct pel_paint *paint)
 {
-    return (int64_t)((uint64_t)(uint32_t)p->y << 32 | (uint32_t)p->x);
-}
-
-static struct pel_point point_of(int64_t key)
-{
-    return (struct pel_point){(int32_t)key, (int32_t)(key >> 32)};
-}
-
-static int64_t min64(int64_t a, int64_t b)
-{
-    return a < b ? a : b;
-}
-
-static int64_t max64(int64_t a, int64_t b)
-{
-    return a > b ? a : b;
-}
-
-static void sort(const struct pel_point v[3], struct pel_point sorted[3])
-{
-    int64_t a = key_of(&v[0]), b = key_of(&v[1]), c = key_of(&v[2]);
-    int64_t low = min64(a, b), high = max64(a, b);
-    sorted[0] = point_of(min64(low, c));
-    sorted[1] = point_of(max64(low, min64(high, c)));
-    sorted[2] = point_of(max64(high, c));
+    struct pel_span span[PEL_BATCH_ROWS];
+    struct pel_spans spans = {surface, span, t->y0, 0, 1};
+    struct pel_slope whole = t->whole, half = t->upper;
+    int32_t y = t->y0, stop = t->y1;
+    for (; y < t->y2; spans.y = y) {
+        const int32_t end = pel_min(y + PEL_BATCH_ROWS, t->y2);
+        struct pel_span *out = span;
+        spans.n = end - y;
+        while (y < end) {
+            if (y == stop) {
+                stop = t->y2;
+                half = t->lower;
+            }
+            for (const int32_t part = pel_min(stop, end); y < part; y++) {
+                const int32_t p = (int32_t)(whole.x >> 32);
+                const int32_t q = (int32_t)(half.x >> 32);
+                whole.x += whole.step;
+                half.x += half.step;
+                out->x0 = p < q ? p : q;
+                out->x1 = p < q ? q : p;
+                out++;
+            }
+        }
+        paint->fill(paint, &spans);
+    }
 }
 
 bool pel_triangle_fast(const struct pel_surface *surface,
                        const struct pel_point v[3],
                        const struct pel_paint *paint)
 {
-    struct pel_point s[3];
+    const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
     struct pel_fast_triangle t;
-    if (!paint->fast)
-        return false;
-    sort(v, s);
+    pel_sort_rows(p);
     const struct pel_rect box = {
-        pel_min(pel_min(s[0].x, s[1].x), s[2].x), s[0].y,
-        pel_max(pel_max(s[0].x, s[1].x), s[2].x), s[2].y};
+        pel_min(pel_min(p[0]->x, p[1]->x), p[2]->x), p[0]->y,
+        pel_max(pel_max(p[0]->x, p[1]->x), p[2]->x), p[2]->y};
     if (!inside(&surface->clip, &box) || box.y1 - box.y0 > PEL_PX(4094))
         return false;
-    t.y0 = pel_first_pixel(s[0].y);
-    t.y1 = pel_first_pixel(s[1].y);
-    t.y2 = pel_first_pixel(s[2].y);
+    t.y0 = pel_first_pixel(p[0]->y);
+    t.y1 = pel_first_pixel(p[1]->y);
+    t.y2 = pel_first_pixel(p[2]->y);
     if (t.y0 >= t.y2)
         return true;
     if (box.y1 - box.y0 <= 32768) {
-        t.whole = start_short(&s[0], &s[2]);
-        t.upper = start_short(&s[0], &s[1]);
-        t.lower = start_short(&s[1], &s[2]);
+        t.whole = start_short(p[0], p[2]);
+        t.upper = start_short(p[0], p[1]);
+        t.lower = start_short(p[1], p[2]);
     } else {
-        t.whole = start_long(&s[0], &s[2]);
-        t.upper = start_long(&s[0], &s[1]);
-        t.lower = start_long(&s[1], &s[2]);
+        t.whole = start_long(p[0], p[2]);
+        t.upper = start_long(p[0], p[1]);
+        t.lower = start_long(p[1], p[2]);
     }
-    return paint->fast(paint, surface, &t);
+    if (!paint->fast || !paint->fast(paint, surface, &t))
+        fill_rows(surface, &t, paint);
+    return true;
 }
 
 #endif

@@ -1,6 +1,6 @@
 /* Triangles by 64-bit arithmetic: an edge is one 32.32 number and one addition
- * a row. A paint that can write the format of the surface loops over the rows,
- * so that there is one indirect call per triangle. Only triangles inside the
+ * a row. The rows go to the paint's `fill`, unless its `fast` can write the
+ * format of the surface and loops over them itself. Only triangles inside the
  * clip come here; coverage is exactly that of edge.h (proof: fast_triangle.c).
  */
 #ifndef PEL_FAST_FAST_TRIANGLE_H
@@ -56,15 +56,6 @@ static PEL_ALWAYS_INLINE bool pel_fast_walk_next(struct pel_fast_walk *w,
     w->row += w->pitch;
     w->y++;
     return true;
-}
-
-/* Bytes from a pixel to the one that the long edge reaches `rows` below. */
-static inline uintptr_t pel_fast_walk_ahead(const struct pel_fast_walk *w,
-                                            int rows, int pixel_bytes)
-{
-    int64_t columns = (w->whole.step * rows) >> 32;
-    return (uintptr_t)rows * w->pitch +
-           (uintptr_t)(columns * (int64_t)pixel_bytes);
 }
 
 #endif

@@ -30,25 +30,15 @@ static inline void pel_span16_short(pel_word16 *p, int32_t n, pel_value16 v)
 static PEL_ALWAYS_INLINE void pel_span16(pel_word16 *p, int32_t n,
                                          pel_value16 v)
 {
-    pel_word16 *end = p + n;
+    pel_word16 *const end = p + n - 8;
     if (n < 8) {
         pel_span16_short(p, n, v);
         return;
     }
     pel_put_u16x8(p, v);
-    pel_put_u16x8(end - 8, v);
-    if (n <= 16)
-        return;
-    pel_put_u16x8(p + 8, v);
-    pel_put_u16x8(end - 16, v);
-    if (n <= 32)
-        return;
-    p += 16;
-    do {
+    pel_put_u16x8(end, v);
+    for (p += 8; p < end; p += 8)
         pel_put_u16x8(p, v);
-        pel_put_u16x8(p + 8, v);
-        p += 16;
-    } while (p < end - 16);
 }
 
 #else

@@ -1,5 +1,4 @@
-/* One span of equal 32-bit pixels. Vectors may overlap inside the span, so that
- * branches depend on the class of its length alone. */
+/* One span of equal 32-bit pixels. Vectors may overlap inside the span. */
 #ifndef PEL_FORMAT_SPAN32_H
 #define PEL_FORMAT_SPAN32_H
 
@@ -22,33 +21,6 @@ static inline void pel_span32_short(pel_word32 *p, int32_t n, uint32_t v)
     q[(last + 1) >> 1] = v;
 }
 
-/* The middle of a span of more than 16 pixels: the caller writes its first and
- * last 8. Two vectors go to `tail`, 16 px before the end; before them two go to
- * p + 8 or, in a span of more than 32 pixels, aligned blocks of four, the first
- * at most 4 px after p. A block begins before `tail`, so it ends inside the
- * span. */
-static PEL_ALWAYS_INLINE void pel_span32_long(pel_word32 *p, int32_t n,
-                                              pel_value32 v, uintptr_t ahead)
-{
-    pel_word32 *tail = p + n - 16;
-    pel_put_u32x4(tail, v);
-    pel_put_u32x4(tail + 4, v);
-    if (n <= 32) {
-        pel_put_u32x4(p + 8, v);
-        pel_put_u32x4(p + 12, v);
-        return;
-    }
-    p = (pel_word32 *)(((uintptr_t)p + 16) & ~(uintptr_t)15);
-    do {
-        pel_prefetch((uintptr_t)p + ahead);
-        pel_put_u32x4(p, v);
-        pel_put_u32x4(p + 4, v);
-        pel_put_u32x4(p + 8, v);
-        pel_put_u32x4(p + 12, v);
-        p += 16;
-    } while (p < tail);
-}
-
 /* Stores retire in order, so each that misses the cache waits for the one
  * before it. So the cache lines `ahead` bytes on, those of a row below, are
  * asked for meanwhile. */
@@ -59,15 +31,18 @@ static PEL_ALWAYS_INLINE void pel_span32(pel_word32 *p, int32_t n,
         pel_span32_short(p, n, v[0]);
         return;
     }
-    pel_word32 *end = p + n - 4; /* where the last vector goes */
-    pel_put_u32x4(p, v);
-    if (n > 8) {
-        pel_put_u32x4(p + 4, v);
-        if (n > 16)
-            pel_span32_long(p, n, v, ahead);
-        pel_put_u32x4(end - 4, v);
-    }
+    pel_word32 *const end = p + n - 4;
     pel_put_u32x4(end, v);
+    pel_put_u32x4(p, v);
+    if (n <= 8)
+        return;
+    pel_put_u32x4(end - 4, v);
+    pel_put_u32x4(p + 4, v);
+    for (p += 8; p < end - 4; p += 8) {
+        pel_prefetch((uintptr_t)p + ahead);
+        pel_put_u32x4(p, v);
+        pel_put_u32x4(p + 4, v);
+    }
 }
 
 #else

@@ -8,10 +8,10 @@
 #include "word.h"
 
 /* Blends a color into spans of 32-bit pixels: a format's blend. */
-void pel_blend32_rows(const struct pel_spans *spans, pel_color color);
+void pel_blend32(const struct pel_spans *spans, pel_color color);
 
 /* The same of the three formats of 5-6-5 bits. */
-void pel_blend565_rows(const struct pel_spans *spans, pel_color color);
+void pel_blend565(const struct pel_spans *spans, pel_color color);
 
 /* A format's put, of all but the last n % 8 colors: how many. Of 32-bit pixels
  * those that are colors, xrgb8888 and argb8888; 0 of others. */
@@ -85,8 +85,7 @@ static inline pel_u8x16 pel_zip_high_u8x16(pel_u8x16 a, pel_u8x16 b)
  * pel_divide255_u16x8: floor(u 257 / 65,536) = floor((u + floor(u / 256)) /
  * 256) in every lane, which pel_round_div255 does after adding 128.
  * pel_narrow_u16x8: eight lanes, all below 65,536, in 16 bits each.
- * pel_join_u8x16: sixteen lanes, all below 256, in 8 bits each.
- * pel_narrow_u8x16: the same of 32 bits. */
+ * pel_join_u8x16: sixteen lanes, all below 256, in 8 bits each. */
 #ifdef __SSE2__
 typedef int16_t pel_s16x8 __attribute__((__vector_size__(16)));
 
@@ -115,18 +114,9 @@ static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
                                                  (pel_s16x8)high);
 }
 
-static inline pel_u8x16 pel_narrow_u8x16(pel_u32x4 a, pel_u32x4 b, pel_u32x4 c,
-                                         pel_u32x4 d)
-{
-    return pel_join_u8x16(
-        (pel_u16x8)__builtin_ia32_packssdw128((pel_s32x4)a, (pel_s32x4)b),
-        (pel_u16x8)__builtin_ia32_packssdw128((pel_s32x4)c, (pel_s32x4)d));
-}
-
 #else
 typedef uint16_t pel_u16x4 __attribute__((__vector_size__(8)));
 typedef uint8_t pel_u8x8 __attribute__((__vector_size__(8)));
-typedef uint8_t pel_u8x4 __attribute__((__vector_size__(4)));
 
 static inline pel_u32x4 pel_dot_s16(pel_u32x4 a, pel_u32x4 b)
 {
@@ -159,18 +149,21 @@ static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
     return v;
 }
 
-static inline pel_u8x16 pel_narrow_u8x16(pel_u32x4 a, pel_u32x4 b, pel_u32x4 c,
-                                         pel_u32x4 d)
+#endif
+
+/* Of eight colors. */
+enum pel_cover { PEL_CLEAR, PEL_MIXED, PEL_OPAQUE };
+
+static PEL_ALWAYS_INLINE enum pel_cover pel_cover_of(pel_u32x4 a, pel_u32x4 b)
 {
-    const pel_u8x4 four[4] = {__builtin_convertvector(a, pel_u8x4),
-                              __builtin_convertvector(b, pel_u8x4),
-                              __builtin_convertvector(c, pel_u8x4),
-                              __builtin_convertvector(d, pel_u8x4)};
-    pel_u8x16 v;
-    memcpy(&v, four, 16);
-    return v;
+    const uint64_t alphas = UINT64_C(0xFF000000FF000000);
+    const pel_u32x4 all[2] = {a & b, a | b};
+    uint64_t half[4];
+    memcpy(half, all, 32);
+    if ((~(half[0] & half[1]) & alphas) == 0)
+        return PEL_OPAQUE;
+    return ((half[2] | half[3]) & alphas) == 0 ? PEL_CLEAR : PEL_MIXED;
 }
 
-#endif
 #endif
 #endif

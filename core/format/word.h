@@ -71,17 +71,6 @@ static inline uintptr_t pel_column_zero(const struct pel_surface *s, int32_t y,
            PEL_CAST(uintptr_t, bytes * PEL_CAST(ptrdiff_t, s->bounds.x0));
 }
 
-/* Asks for the cache lines of a long span, some rows ahead: stores retire in
- * order, so each miss would wait for the one before it. Short ones wait for a
- * line or two, which takes less time than asking. */
-static PEL_ALWAYS_INLINE void pel_prefetch_span(uintptr_t address,
-                                                int32_t bytes)
-{
-    if (PEL_64BIT && bytes > 128)
-        for (int32_t i = 0; i < bytes; i += 64)
-            pel_prefetch(address + PEL_CAST(uintptr_t, i));
-}
-
 /* Bytes from the row of a span to that of the next. */
 static inline ptrdiff_t pel_spans_pitch(const struct pel_spans *spans)
 {

@@ -168,11 +168,6 @@ const struct pel_font_glyph *pel_glyph_find(const struct pel_font_asset *font,
     return font->missing == PEL_FONT_NONE ? NULL : &font->glyph[font->missing];
 }
 
-static int32_t line_height(const struct pel_font_asset *font)
-{
-    return font->ascent + font->descent;
-}
-
 /* The glyph with its pen at (x, y), which is far outside of every surface when
  * the string is long enough: then it is not drawn. */
 static void draw(const struct pel_surface *surface,
@@ -204,7 +199,7 @@ void pel_text_until(const struct pel_surface *surface,
         uint32_t code = pel_utf8_next(&next);
         if (code == '\n') {
             pen.x = text->x;
-            pen.y += line_height(text->font);
+            pen.y += text->font->ascent + text->font->descent;
             continue;
         }
         const struct pel_font_glyph *glyph = pel_glyph_find(text->font, code);
@@ -219,23 +214,4 @@ void pel_text(const struct pel_surface *surface,
               const struct pel_text_block *text, const struct pel_paint *paint)
 {
     pel_text_until(surface, text, NULL, paint);
-}
-
-struct pel_text_size pel_text_measure(const struct pel_font_asset *font,
-                                      const char *string)
-{
-    struct pel_text_size size = {0, line_height(font)};
-    int32_t width = 0;
-    while (*string) {
-        uint32_t code = pel_utf8_next(&string);
-        if (code == '\n') {
-            size.height += line_height(font);
-            width = 0;
-            continue;
-        }
-        const struct pel_font_glyph *glyph = pel_glyph_find(font, code);
-        width += glyph ? glyph->advance : 0;
-        size.width = pel_max(size.width, width);
-    }
-    return size;
 }

@@ -31,19 +31,14 @@ static struct line line_at(const struct pel_text_column *column,
     }
 }
 
-static bool within(int32_t v)
-{
-    return v >= -65536 && v <= 65536;
-}
-
 struct pel_text_size pel_text_column_draw(const struct pel_surface *surface,
                                           const struct pel_text_column *column,
                                           const struct pel_paint *paint)
 {
     struct pel_text_block text = column->text;
     struct pel_text_size size = {0, 0};
-    const bool legal = within(text.x) && within(text.y) &&
-                       within(column->width) && column->width >= 0;
+    const bool legal = pel_offset_legal(text.x, text.y) &&
+                       pel_offset_legal(column->width, 0) && column->width >= 0;
     const int32_t height = column->line_height
                                ? column->line_height
                                : text.font->ascent + text.font->descent;
@@ -52,7 +47,7 @@ struct pel_text_size pel_text_column_draw(const struct pel_surface *surface,
         const struct line line = line_at(column, text.string);
         text.x = column->text.x +
                  (column->width - line.width) * (int32_t)column->align / 2;
-        if (surface && within(text.x) && within(text.y))
+        if (surface && pel_offset_legal(text.x, text.y))
             pel_text_until(surface, &text, line.end, paint);
         text.string = line.next;
         text.y += height;
@@ -60,4 +55,11 @@ struct pel_text_size pel_text_column_draw(const struct pel_surface *surface,
         size.height += height;
     }
     return size;
+}
+
+struct pel_text_size pel_text_measure(const struct pel_font_asset *font,
+                                      const char *string)
+{
+    const struct pel_text_column column = {.text = {font, string, 0, 0}};
+    return pel_text_column_draw(NULL, &column, NULL);
 }

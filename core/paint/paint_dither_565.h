@@ -89,7 +89,7 @@ static PEL_ALWAYS_INLINE void pel_row565_fill(struct pel_row565 r,
         v = v << 8 | v >> 8;
     for (; r.end - r.p >= 8; r.p += 8)
         pel_put_u16x8(r.p, v);
-    pel_gouraud_short_rgb565(r.p, (int32_t)(r.end - r.p), (pel_u32x4)v);
+    pel_put_part16(r.p, (int32_t)(r.end - r.p), v);
 }
 
 #else

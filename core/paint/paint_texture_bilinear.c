@@ -139,6 +139,13 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
         outer_run(p, &a, n, false, out);
 }
 
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
+{
+    if (!PEL_FAST_FILLS || !PEL_VECTORS ||
+        !pel_texture_bilinear_fast((const void *)paint, spans))
+        pel_color_paint_fill(paint, spans);
+}
+
 enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,
                                           const struct pel_texels *texels,
                                           const struct pel_texture_map *map)
@@ -147,7 +154,6 @@ enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,
     if (status != PEL_OK)
         return status;
     pel_color_paint_init(&paint->base, colors, paint->base.opaque);
-    if (PEL_FAST_FILLS && PEL_VECTORS)
-        paint->base.paint.fast = pel_texture_bilinear_fast;
+    paint->base.paint.fill = fill;
     return PEL_OK;
 }

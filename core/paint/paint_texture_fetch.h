@@ -165,33 +165,41 @@ static PEL_ALWAYS_INLINE void pel_texture_run(
 }
 
 /* Between surfaces of one 565 format, pixels of 16 bits that are all color,
- * texels are copied. */
-static inline bool pel_texture_is_copied(const struct pel_texture *p,
-                                         const struct pel_format *format)
+ * texels are copied: the surface that gets them, or NULL. */
+static inline const struct pel_surface *pel_texture_copied_to(
+    const struct pel_texture *p, const struct pel_surface *s)
 {
-    return p->surface && p->surface->format == format &&
-           (format->id == PEL_FORMAT_RGB565_LE ||
-            format->id == PEL_FORMAT_RGB565_BE ||
-            format->id == PEL_FORMAT_BGR565_LE);
+    if (PEL_KNOW_SIDES && s->format->channels && s->format->channels->target)
+        s = s->format->channels->target(s);
+    return p->surface && p->surface->format == s->format &&
+                   (s->format->id == PEL_FORMAT_RGB565_LE ||
+                    s->format->id == PEL_FORMAT_RGB565_BE ||
+                    s->format->id == PEL_FORMAT_BGR565_LE)
+               ? s
+               : NULL;
 }
 
 /* Bilinear: half a texel back to the middle of the texel before, and half of
  * 1/256 on so that weights are rounded. */
 enum { PEL_TEXTURE_HALF_BACK = 0x80000000u - 0x800000u };
 
-/* In core/fast: the same bytes, four pixels at a time where there are vectors.
- * Nearest textures of texels that are copied as they are; */
-bool pel_texture_nearest_fast(const struct pel_paint *paint,
-                              const struct pel_surface *surface,
-                              const struct pel_fast_triangle *triangle);
+/* A paint's fill. */
+typedef void pel_texture_fill(const struct pel_paint *paint,
+                              const struct pel_spans *spans);
 
-/* bilinear ones, with vectors alone; */
-bool pel_texture_bilinear_fast(const struct pel_paint *paint,
-                               const struct pel_surface *surface,
-                               const struct pel_fast_triangle *triangle);
+/* In core/fast: the same bytes, four pixels at a time; false where the picture
+ * or the format is not for vectors. Nearest textures of texels that are copied
+ * as they are, and `other` fills spans that leave the picture; */
+bool pel_texture_nearest_fast(const struct pel_texture *p,
+                              const struct pel_spans *spans,
+                              pel_texture_fill *other);
+
+/* bilinear ones; */
+bool pel_texture_bilinear_fast(const struct pel_texture *p,
+                               const struct pel_spans *spans);
 
 /* and the colors of a run that lies inside the picture with the texels right
- * of it and below; false for pictures that are not for vectors. */
+ * of it and below. */
 bool pel_texture_bilinear_run(const struct pel_texture *p,
                               const struct pel_texture_axes *a, int32_t n,
                               pel_color *out);

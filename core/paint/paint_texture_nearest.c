@@ -192,16 +192,23 @@ static PEL_NOINLINE void copy_rows(const struct pel_texture *p,
     }
 }
 
-static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
+/* Without vectors. */
+static void fill_plain(const struct pel_paint *paint,
+                       const struct pel_spans *spans)
 {
     const struct pel_texture *p = (const void *)paint;
-    const struct pel_surface *s = spans->surface;
-    if (PEL_KNOW_SIDES && s->format->channels && s->format->channels->target)
-        s = s->format->channels->target(s);
-    if (pel_texture_is_copied(p, s->format))
+    const struct pel_surface *s = pel_texture_copied_to(p, spans->surface);
+    if (s)
         copy_rows(p, s, spans);
     else
         pel_color_paint_fill(paint, spans);
+}
+
+static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
+{
+    if (!PEL_FAST_FILLS || !PEL_VECTORS ||
+        !pel_texture_nearest_fast((const void *)paint, spans, fill_plain))
+        fill_plain(paint, spans);
 }
 
 enum pel_status pel_texture_init_nearest(struct pel_texture *paint,
@@ -212,7 +219,6 @@ enum pel_status pel_texture_init_nearest(struct pel_texture *paint,
     if (status != PEL_OK)
         return status;
     pel_color_paint_init(&paint->base, colors, paint->base.opaque);
-    paint->base.paint =
-        (struct pel_paint)PEL_PAINT(fill, pel_texture_nearest_fast);
+    paint->base.paint.fill = fill;
     return PEL_OK;
 }

@@ -17,26 +17,6 @@ static int32_t quarters_of(const pel_color t[4], int shift)
     return most;
 }
 
-/* False: alphas differ. */
-static bool add_row(const struct pel_texture *p, int32_t v, int32_t *most)
-{
-    const int32_t below = v + 1 < p->height ? v + 1 : 0;
-    pel_color t[4] = {0, pel_texel(p, p->kind, 0, v), 0,
-                      pel_texel(p, p->kind, 0, below)};
-    for (int32_t u = 1; u <= p->width; u++) {
-        const int32_t right = u < p->width ? u : 0;
-        t[0] = t[1];
-        t[2] = t[3];
-        t[1] = pel_texel(p, p->kind, right, v);
-        t[3] = pel_texel(p, p->kind, right, below);
-        if (((t[0] ^ t[1]) | (t[0] ^ t[2])) >> 24)
-            return false;
-        for (int k = 0; k < 24; k += 8)
-            *most = pel_max(*most, quarters_of(t, k));
-    }
-    return true;
-}
-
 uint8_t pel_texels_contrast(const struct pel_texels *texels)
 {
     static const struct pel_texture_map none = {{0, 0, 0}, {0, 0, 0}};
@@ -45,7 +25,17 @@ uint8_t pel_texels_contrast(const struct pel_texels *texels)
     if (pel_texture_set(&p, texels, &none) != PEL_OK)
         return 0;
     for (int32_t v = 0; v < p.height; v++)
-        if (!add_row(&p, v, &most))
-            return 0;
+        for (int32_t u = 0; u < p.width; u++) {
+            const int32_t right = u + 1 < p.width ? u + 1 : 0;
+            const int32_t below = v + 1 < p.height ? v + 1 : 0;
+            const pel_color t[4] = {pel_texel(&p, p.kind, u, v),
+                                    pel_texel(&p, p.kind, right, v),
+                                    pel_texel(&p, p.kind, u, below),
+                                    pel_texel(&p, p.kind, right, below)};
+            if (((t[0] ^ t[1]) | (t[0] ^ t[2])) >> 24)
+                return 0;
+            for (int k = 0; k < 24; k += 8)
+                most = pel_max(most, quarters_of(t, k));
+        }
     return (uint8_t)(((most + 2) >> 2) + 1);
 }

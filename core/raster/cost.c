@@ -1,7 +1,7 @@
 #include "cost.h"
 
 #include "../base/divide.h"
-#include "../base/multiply.h"
+#include "triangle.h"
 
 const struct pel_cost_rates pel_cost_m0plus[PEL_COST_PAINTS] = {
     {580, 0, 16, 44, 63, 20, 10},       {620, 0, 8, 48, 70, 24, 514},
@@ -14,31 +14,6 @@ const struct pel_cost_rates pel_cost_m4[PEL_COST_PAINTS] = {
     {1040, 4800, 6, 107, 129, 33, 157}, {385, 0, 6, 41, 62, 158, 129},
     {560, 0, 3, 38, 62, 140, 2495},
 };
-
-/* Half-open, of vertices along x or y, sub-pixels. */
-struct range {
-    int32_t low, high;
-};
-
-static struct range range_of(int32_t a, int32_t b, int32_t c)
-{
-    return (struct range){pel_min(pel_min(a, b), c), pel_max(pel_max(a, b), c)};
-}
-
-/* Pixels of a range inside [first, end). */
-static uint32_t pixels_of(const struct range *r, int32_t first, int32_t end)
-{
-    first = pel_max(first, pel_first_pixel(r->low));
-    end = pel_min(end, pel_first_pixel(r->high));
-    return first < end ? (uint32_t)(end - first) : 0;
-}
-
-/* Twice the area, 2^-16 px. */
-static uint64_t area_of(const struct pel_point v[3])
-{
-    return (uint64_t)pel_size_of(pel_product(v[1].x - v[0].x, v[2].y - v[0].y) -
-                                 pel_product(v[2].x - v[0].x, v[1].y - v[0].y));
-}
 
 /* Bits of the quotients of the three edges, and of the rows above the clip that
  * each may skip. */
@@ -69,16 +44,16 @@ void pel_triangle_cost(struct pel_cost *cost, const struct pel_point v[3],
                        const struct pel_rect *clip,
                        const struct pel_cost_rates *rates)
 {
-    const struct range x = range_of(v[0].x, v[1].x, v[2].x);
-    const struct range y = range_of(v[0].y, v[1].y, v[2].y);
-    const int32_t width = x.high - x.low, height = y.high - y.low;
+    const struct pel_rect box = pel_corners_box(v);
+    const struct pel_rect seen = pel_rect_pixels(&box, clip);
+    const int32_t width = box.x1 - box.x0, height = box.y1 - box.y0;
     const int32_t longer = pel_max(width, height);
-    const uint32_t columns = pixels_of(&x, clip->x0, clip->x1);
-    const uint32_t rows = pixels_of(&y, clip->y0, clip->y1);
-    const uint64_t area = area_of(v);
+    const uint32_t columns = (uint32_t)pel_max(seen.x1 - seen.x0, 0);
+    const uint32_t rows = (uint32_t)pel_max(seen.y1 - seen.y0, 0);
+    const uint64_t area = (uint64_t)pel_size_of(pel_triangle_area(v));
     const bool cut = (width | height) >> 15 ||
-                     pel_first_pixel(x.low) < clip->x0 ||
-                     pel_first_pixel(x.high) > clip->x1;
+                     pel_first_pixel(box.x0) < clip->x0 ||
+                     pel_first_pixel(box.x1) > clip->x1;
     const bool thin = longer > 1048576 || area < (uint64_t)longer * 16;
     uint32_t pixels = 0;
     if (rows && area)
@@ -90,7 +65,7 @@ void pel_triangle_cost(struct pel_cost *cost, const struct pel_point v[3],
     cost->pixels += pixels;
     cost->instructions += rates->triangle + (thin ? rates->thin : 0);
     if (rows)
-        cost->instructions += turns_of(v, y.low, clip->y0) * rates->turn;
+        cost->instructions += turns_of(v, box.y0, clip->y0) * rates->turn;
     cost->instructions += rows * (cut ? rates->cut_row : rates->row);
     cost->instructions += (rows < pixels ? rows : pixels) * rates->run;
     cost->instructions += (pel_multiply(pixels, rates->pixel) + 15) >> 4;

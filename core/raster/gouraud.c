@@ -3,13 +3,10 @@
 #include "../base/divide.h"
 #include "plane.h"
 
-/* A step of one pixel in 8.24 is a gradient times 2^32. One reciprocal serves
- * all channels where it is close enough; elsewhere, in large or very thin
- * triangles, a long division is exact. */
-struct setup {
-    struct pel_plane_setup plane;
-    int64_t reciprocal; /* 2^(31 + bits) / area; 0: long division */
-};
+/* A step of one pixel in 8.24 is a gradient times 2^32. One reciprocal,
+ * `inverse` = 2^(31 + bits) / area, serves all channels where it is close
+ * enough; elsewhere, in large or very thin triangles, it is 0, and a long
+ * division is exact. */
 
 /* The reciprocal is good to 2^-30 of its value: 2^-31 by its own last bit, as
  * much by the area's, if it had to be cut to 32 bits. A numerator is the
@@ -19,50 +16,38 @@ struct setup {
  * less than 2^7 steps of 2^-24: 2^-17 per pixel, the bound of the header. With
  * D <= 2^20 (4,096 px) that is 2^-4 at most, and a numerator, below 2^29, times
  * the reciprocal, at most 2^32, fits 2^61. */
-static bool reciprocal_is_enough(const struct pel_plane_setup *s)
+static bool reciprocal_is_enough(const struct pel_point v[3], uint64_t area)
 {
-    const int32_t *const x = s->down, *const y = s->right;
-    const int32_t longer = pel_max(
-        pel_max(pel_max(x[2], -x[1]), 0) - pel_min(pel_min(x[2], -x[1]), 0),
-        pel_max(pel_max(y[2], -y[1]), 0) - pel_min(pel_min(y[2], -y[1]), 0));
-    return longer <= 1048576 && s->area >= (uint64_t)longer * 16;
+    const struct pel_rect box = pel_corners_box(v);
+    const int32_t longer = pel_max(box.x1 - box.x0, box.y1 - box.y0);
+    return longer <= 1048576 && area >= (uint64_t)longer * 16;
 }
 
 /* False: no area. */
-static bool start(struct setup *s, const struct pel_point v[3])
+static bool start(struct pel_plane_setup *s, const struct pel_point v[3])
 {
-    if (PEL_64BIT)
-        pel_corners_set(&s->plane, v);
-    else
-        pel_plane_corners(&s->plane, v);
-    s->reciprocal = 0;
-    s->plane.bits = (uint8_t)pel_bits_of(s->plane.area);
-    if (s->plane.area == 0)
-        return false;
-    if (!reciprocal_is_enough(&s->plane))
-        return true;
-    const uint32_t word =
-        (uint32_t)(s->plane.area << (64 - s->plane.bits) >> 32);
-    s->reciprocal = INT64_C(1) << 32;
+    pel_plane_corners(s, v);
+    s->inverse = 0;
+    s->bits = (uint8_t)pel_bits_of(s->area);
+    if (s->area == 0 || !reciprocal_is_enough(v, s->area))
+        return s->area != 0;
+    const uint32_t word = (uint32_t)(s->area << (64 - s->bits) >> 32);
+    s->inverse = UINT64_C(1) << 32;
     if (word > UINT32_C(0x80000000))
-        s->reciprocal = pel_divide(UINT64_C(1) << 63, word);
+        s->inverse = pel_divide(UINT64_C(1) << 63, word);
     return true;
 }
 
-static uint64_t divide(int64_t n, uint64_t area)
+/* n 2^32 / area modulo 2^64: rounded down, or by long division towards zero. */
+static PEL_INLINE_64 uint64_t gradient_of(const struct pel_plane_setup *s,
+                                          int64_t n)
 {
     uint64_t fine;
+    if (s->inverse)
+        return (uint64_t)(n * (int64_t)s->inverse >> (s->bits - 1));
     const uint64_t q =
-        pel_divide_fraction((uint64_t)pel_size_of(n), area, &fine);
+        pel_divide_fraction((uint64_t)pel_size_of(n), s->area, &fine);
     return n < 0 ? 0 - q : q;
-}
-
-/* n 2^32 / area modulo 2^64: rounded down, or by long division towards zero. */
-static PEL_INLINE_64 uint64_t gradient_of(const struct setup *s, int64_t n)
-{
-    if (s->reciprocal)
-        return (uint64_t)(n * s->reciprocal >> (s->plane.bits - 1));
-    return divide(n, s->plane.area);
 }
 
 static inline int32_t channel_of(pel_color color, int k)
@@ -74,18 +59,17 @@ static inline int32_t channel_of(pel_color color, int k)
  * gradients times the way from a to the centre of pixel (0, 0). Bits 8..39 of
  * `sum` are the 32 bits of 8.24, and are right modulo 2^64. */
 static PEL_INLINE_64 void set_channel(struct pel_gouraud *p,
-                                      const struct setup *s, int k,
+                                      const struct pel_plane_setup *s, int k,
                                       const pel_color color[3])
 {
-    const struct pel_plane_setup *t = &s->plane;
     const int32_t b = channel_of(color[1], k) - channel_of(color[0], k);
     const int32_t c = channel_of(color[2], k) - channel_of(color[0], k);
-    const uint64_t gx = gradient_of(s, pel_product(b, t->right[1]) +
-                                           pel_product(c, t->right[2]));
+    const uint64_t gx = gradient_of(s, pel_product(b, s->right[1]) +
+                                           pel_product(c, s->right[2]));
     const uint64_t gy =
-        gradient_of(s, pel_product(b, t->down[1]) + pel_product(c, t->down[2]));
+        gradient_of(s, pel_product(b, s->down[1]) + pel_product(c, s->down[2]));
     const uint64_t sum =
-        pel_times(gx, 128 - t->a.x) + pel_times(gy, 128 - t->a.y);
+        pel_times(gx, 128 - s->a.x) + pel_times(gy, 128 - s->a.y);
     p->dx[k] = (uint32_t)gx;
     p->dy[k] = (uint32_t)gy;
     p->at[k] += (uint32_t)(sum >> 8);
@@ -101,13 +85,12 @@ enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
         return PEL_ERROR_NULL;
     if (!pel_corners_legal(v))
         return PEL_ERROR_RANGE;
-    struct setup s;
+    struct pel_plane_setup s;
     const bool opaque = pel_alpha(c[0] & c[1] & c[2]) == 255;
-    paint->paint =
-        (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
+    paint->paint = (struct pel_paint){pel_gouraud_fill, NULL};
     const bool has_area = start(&s, v);
     for (int k = 0; k < 4; k++) {
-        paint->at[k] = (c[s.plane.first] >> 8 * k << 24) + 0x800000u;
+        paint->at[k] = (c[s.first] >> 8 * k << 24) + 0x800000u;
         paint->dx[k] = 0;
         paint->dy[k] = 0;
     }

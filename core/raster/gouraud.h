@@ -35,10 +35,6 @@ enum pel_status pel_gouraud_init(struct pel_gouraud *paint,
 void pel_gouraud_fill(const struct pel_paint *paint,
                       const struct pel_spans *spans);
 
-bool pel_gouraud_fast(const struct pel_paint *paint,
-                      const struct pel_surface *surface,
-                      const struct pel_fast_triangle *triangle);
-
 /* pel_triangle with that paint. */
 void pel_triangle_gouraud(const struct pel_surface *surface,
                           const struct pel_point v[3], const pel_color c[3]);

@@ -9,33 +9,59 @@ static PEL_NOINLINE void colors_of_span(const struct pel_gouraud *g, int32_t x,
     pel_gouraud_at(g, x, y, v);
     uint32_t alpha = g->at[3] + (uint32_t)x * g->dx[3] + (uint32_t)y * g->dy[3];
     for (; n > 0; n--) {
-        *colors++ = (pel_gouraud_xrgb(v) & 0xFFFFFFu) | (alpha >> 24) << 24;
+        *colors++ = PEL_RGBA(v[2] >> 24, v[1] >> 24, v[0] >> 24, alpha >> 24);
         pel_gouraud_step(v, g->dx);
         alpha += g->dx[3];
     }
 }
 
-static PEL_NOINLINE void fill_xrgb(const struct pel_gouraud *g,
-                                   const struct pel_surface *s, int32_t y,
-                                   const struct pel_span *span)
+#if PEL_VECTORS
+
+/* With constant `bytes` of a pixel. */
+static PEL_ALWAYS_INLINE void fill_words(const struct pel_gouraud *g,
+                                         const struct pel_spans *spans,
+                                         int bytes)
 {
-    const struct pel_gouraud_steps steps = pel_gouraud_steps_make(g, 1);
-    uint32_t v[3];
-    pel_gouraud_at(g, span->x0, y, v);
-    pel_gouraud_span_xrgb(pel_address32(s, span->x0, y), span->x1 - span->x0, v,
-                          &steps);
+    const struct pel_gouraud_steps steps = pel_gouraud_steps_make(g, bytes);
+    int32_t y = spans->y;
+    for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
+        const int32_t x = spans->span[i].x0;
+        uint32_t v[3];
+        pel_gouraud_at(g, x, y, v);
+        pel_gouraud_span(pel_address(spans->surface, x, y, bytes),
+                         spans->span[i].x1 - x, v, &steps, bytes);
+    }
 }
 
-static PEL_NOINLINE void fill_rgb565(const struct pel_gouraud *g,
-                                     const struct pel_surface *s, int32_t y,
-                                     const struct pel_span *span)
+#else
+
+/* Of rgb565_le. Channels and steps have variables of their own, which stay in
+ * registers. */
+static PEL_NOINLINE void fill_words(const struct pel_gouraud *gouraud,
+                                    const struct pel_spans *spans, int bytes)
 {
-    const struct pel_gouraud_steps steps = pel_gouraud_steps_make(g, 2);
-    uint32_t v[3];
-    pel_gouraud_at(g, span->x0, y, v);
-    pel_gouraud_span_rgb565(pel_address16(s, span->x0, y), span->x1 - span->x0,
-                            v, &steps);
+    const uint32_t db = gouraud->dx[0], dg = gouraud->dx[1],
+                   dr = gouraud->dx[2];
+    int32_t y = spans->y;
+    (void)bytes;
+    for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
+        const int32_t x = spans->span[i].x0;
+        pel_word16 *p = pel_address16(spans->surface, x, y);
+        uint32_t v[3];
+        pel_gouraud_at(gouraud, x, y, v);
+        uint32_t b = v[0], g = v[1], r = v[2];
+#pragma GCC unroll 8
+        for (int32_t n = spans->span[i].x1 - x; n > 0; n--) {
+            const uint32_t pixel = (r >> 27) << 11 | (g >> 26) << 5 | b >> 27;
+            *p++ = (pel_word16)PEL_LE16(pixel);
+            b += db;
+            g += dg;
+            r += dr;
+        }
+    }
 }
+
+#endif
 
 /* False: the format has no writer of planes. */
 static PEL_NOINLINE bool fill_planes(const struct pel_gouraud *g,
@@ -50,26 +76,33 @@ static PEL_NOINLINE bool fill_planes(const struct pel_gouraud *g,
     return c->planes(s, span->x0, y, span->x1 - span->x0, &planes);
 }
 
-/* Spans that no writer can paint go through a short buffer. */
-void pel_gouraud_fill(const struct pel_paint *paint,
-                      const struct pel_spans *spans)
+/* Through the format's writer of planes, or a short buffer. */
+static PEL_NOINLINE void fill_any(const struct pel_gouraud *g,
+                                  const struct pel_spans *spans)
 {
-    const struct pel_gouraud *g = (const struct pel_gouraud *)paint;
     pel_color colors[PEL_BUFFER_PIXELS];
     int32_t y = spans->y;
     for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
         struct pel_span part = spans->span[i];
-        const int bytes = pel_gouraud_bytes(g, spans->surface->format);
-        if (bytes == 2)
-            fill_rgb565(g, spans->surface, y, &part);
-        else if (PEL_KNOW_SIDES && bytes == 4)
-            fill_xrgb(g, spans->surface, y, &part);
-        else if (PEL_KNOW_SIDES && fill_planes(g, spans->surface, y, &part))
+        if (PEL_KNOW_SIDES && fill_planes(g, spans->surface, y, &part))
             continue;
-        for (int32_t n; bytes == 0 && part.x0 < part.x1; part.x0 += n) {
+        for (int32_t n; part.x0 < part.x1; part.x0 += n) {
             n = pel_min(part.x1 - part.x0, PEL_BUFFER_PIXELS);
             colors_of_span(g, part.x0, y, n, colors);
             pel_put_colors(spans->surface, part.x0, y, n, colors);
         }
     }
+}
+
+void pel_gouraud_fill(const struct pel_paint *paint,
+                      const struct pel_spans *spans)
+{
+    const struct pel_gouraud *g = (const struct pel_gouraud *)paint;
+    const int bytes = pel_gouraud_bytes(g, spans->surface->format);
+    if (bytes == 2)
+        fill_words(g, spans, 2);
+    else if (PEL_VECTORS && bytes == 4)
+        fill_words(g, spans, 4);
+    else
+        fill_any(g, spans);
 }

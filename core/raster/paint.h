@@ -36,9 +36,8 @@ struct pel_paint {
                  const struct pel_fast_triangle *triangle);
 };
 
-/* Draws a legal triangle by paint->fast; false when it has none, or the
- * triangle is clipped or too large. Linked where PEL_FAST_FILLS is 1
- * (core/fast). */
+/* Draws a legal triangle; false when it is clipped or too large. Linked where
+ * PEL_FAST_FILLS is 1 (core/fast). */
 bool pel_triangle_fast(const struct pel_surface *surface,
                        const struct pel_point v[3],
                        const struct pel_paint *paint);

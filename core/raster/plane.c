@@ -1,6 +1,7 @@
 #include "plane.h"
 
 #include "../base/divide.h"
+#include "triangle_sort.h"
 
 #if !PEL_64BIT
 uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y)
@@ -97,10 +98,35 @@ static PEL_INLINE_64 uint64_t gradient(const struct pel_plane_setup *s,
     return ((uint64_t)n ^ sign) - sign;
 }
 
+/* Of equally high vertices the left one. Without branches on CPUs that would
+ * have to guess. */
+static inline int topmost(const struct pel_point v[3])
+{
+    const int second = pel_above(&v[1], &v[0]);
+    const int third = pel_above(&v[2], &v[second]);
+    return PEL_64BIT ? (second & ~third) + 2 * third : third ? 2 : second;
+}
+
 void pel_plane_corners(struct pel_plane_setup *setup,
                        const struct pel_point v[3])
 {
-    pel_corners_set(setup, v);
+    int32_t bx = v[1].x - v[0].x, by = v[1].y - v[0].y;
+    int32_t cx = v[2].x - v[0].x, cy = v[2].y - v[0].y;
+    const int64_t area = pel_product(bx, cy) - pel_product(cx, by);
+    const int32_t sign = PEL_CAST(int32_t, area >> 63) | (area != 0);
+    bx *= sign;
+    by *= sign;
+    cx *= sign;
+    cy *= sign;
+    setup->right[0] = by - cy;
+    setup->right[1] = cy;
+    setup->right[2] = -by;
+    setup->down[0] = cx - bx;
+    setup->down[1] = -cx;
+    setup->down[2] = bx;
+    setup->area = PEL_CAST(uint64_t, pel_size_of(area));
+    setup->first = PEL_CAST(uint8_t, topmost(v));
+    setup->a = v[setup->first];
 }
 
 bool pel_plane_start(struct pel_plane_setup *setup, const struct pel_point v[3])
@@ -118,7 +144,7 @@ void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
                    const int32_t value[3])
 {
     const struct pel_plane_setup *s = setup;
-    plane->at = pel_plane_level(value[s->first]).at;
+    plane->at = (uint64_t)value[s->first] << 24;
     plane->dx =
         gradient(s, pel_dot(value, s->right), 128 - (s->a.x & 255), &plane->at);
     plane->dy =

@@ -3,7 +3,7 @@
 #ifndef PEL_RASTER_PLANE_H
 #define PEL_RASTER_PLANE_H
 
-#include "triangle_sort.h"
+#include "../base/point.h"
 
 PEL_BEGIN_DECLS
 
@@ -26,38 +26,6 @@ struct pel_plane_setup {
     uint64_t inverse; /* of it, 2^-(bits + 62), where CPUs use it */
 };
 
-/* Of equally high vertices the left one. Without branches on CPUs that would
- * have to guess. */
-static inline int pel_topmost(const struct pel_point v[3])
-{
-    const int second = pel_above(&v[1], &v[0]);
-    const int third = pel_above(&v[2], &v[second]);
-    return PEL_64BIT ? (second & ~third) + 2 * third : third ? 2 : second;
-}
-
-/* pel_plane_corners, where a call is too much. */
-static inline void pel_corners_set(struct pel_plane_setup *s,
-                                   const struct pel_point v[3])
-{
-    int32_t bx = v[1].x - v[0].x, by = v[1].y - v[0].y;
-    int32_t cx = v[2].x - v[0].x, cy = v[2].y - v[0].y;
-    const int64_t area = pel_product(bx, cy) - pel_product(cx, by);
-    const int32_t sign = PEL_CAST(int32_t, area >> 63) | (area != 0);
-    bx *= sign;
-    by *= sign;
-    cx *= sign;
-    cy *= sign;
-    s->right[0] = by - cy;
-    s->right[1] = cy;
-    s->right[2] = -by;
-    s->down[0] = cx - bx;
-    s->down[1] = -cx;
-    s->down[2] = bx;
-    s->area = PEL_CAST(uint64_t, pel_size_of(area));
-    s->first = PEL_CAST(uint8_t, pel_topmost(v));
-    s->a = v[s->first];
-}
-
 /* Sets it for legal vertices. False: no area. */
 bool pel_plane_start(struct pel_plane_setup *setup,
                      const struct pel_point v[3]);
@@ -72,13 +40,6 @@ void pel_plane_corners(struct pel_plane_setup *setup,
  * matter. */
 void pel_plane_set(struct pel_plane *plane, const struct pel_plane_setup *setup,
                    const int32_t value[3]);
-
-/* The same value everywhere. */
-static inline struct pel_plane pel_plane_level(int32_t value)
-{
-    struct pel_plane plane = {PEL_CAST(uint64_t, value) << 24, 0, 0};
-    return plane;
-}
 
 /* The value at (x, y). */
 #if PEL_64BIT

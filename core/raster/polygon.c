@@ -53,76 +53,48 @@ static PEL_NOINLINE void add_side(struct sweep *w, const struct pel_point *a,
     w->count++;
 }
 
+enum key { BY_FIRST_ROW, BY_X };
+
+static int32_t key_of(const struct side *side, enum key key)
+{
+    return key == BY_X ? side->edge.x : side->first;
+}
+
+/* Shell sort of sides that are mixed, with gaps of 2^k - 1: O(n^1.5) moves.
+ * From row to row few change places, so that insertion sort will do: no two
+ * sides do it twice. */
+static PEL_INLINE_KINDS void sort(struct sweep *w, int32_t count, enum key key,
+                                  bool mixed)
+{
+    int32_t gap = 1;
+    while (mixed && gap < count / 4)
+        gap = 2 * gap + 1;
+    for (; gap; gap /= 2)
+        for (int32_t i = gap; i < count; i++) {
+            const int32_t side = w->order[i], k = key_of(&w->side[side], key);
+            int32_t j = i;
+            for (; j >= gap && key_of(&w->side[w->order[j - gap]], key) > k;
+                 j -= gap)
+                w->order[j] = w->order[j - gap];
+            w->order[j] = side;
+        }
+}
+
 static int32_t first_of(const struct sweep *w, int32_t i)
 {
     return w->side[w->order[i]].first;
 }
 
-static int32_t x_of(const struct sweep *w, int32_t i)
+/* Sides that begin in row y become active; false when there are none. */
+static PEL_NOINLINE_32 bool enter(struct sweep *w, int32_t y)
 {
-    return w->side[w->order[i]].edge.x;
-}
-
-static void swap(int32_t *a, int32_t *b)
-{
-    int32_t t = *a;
-    *a = *b;
-    *b = t;
-}
-
-enum key { BY_FIRST_ROW, BY_X };
-
-static int32_t key_of(const struct sweep *w, int32_t i, enum key key)
-{
-    return key == BY_X ? x_of(w, i) : first_of(w, i);
-}
-
-static void sift_down(struct sweep *w, int32_t root, int32_t count,
-                      enum key key)
-{
-    for (int32_t child; (child = 2 * root + 1) < count; root = child) {
-        if (child + 1 < count &&
-            key_of(w, child + 1, key) > key_of(w, child, key))
-            child++;
-        if (key_of(w, root, key) >= key_of(w, child, key))
-            return;
-        swap(&w->order[root], &w->order[child]);
+    const int32_t next = w->next;
+    for (; w->next < w->count && first_of(w, w->next) == y; w->next++) {
+        const int32_t side = w->order[w->next];
+        w->order[w->next] = w->order[w->active];
+        w->order[w->active++] = side;
     }
-}
-
-static PEL_NOINLINE void heap_sort(struct sweep *w, int32_t count, enum key key)
-{
-    for (int32_t i = count / 2 - 1; i >= 0; i--)
-        sift_down(w, i, count, key);
-    for (int32_t i = count - 1; i > 0; i--) {
-        swap(&w->order[0], &w->order[i]);
-        sift_down(w, 0, i, key);
-    }
-}
-
-/* Sides that begin in row y become active. */
-static PEL_NOINLINE_32 void enter(struct sweep *w, int32_t y)
-{
-    while (w->next < w->count && first_of(w, w->next) == y)
-        swap(&w->order[w->active++], &w->order[w->next++]);
-}
-
-/* Insertion sort, as few sides change places from row to row; heap sort when
- * many begin or cross. */
-static PEL_NOINLINE_32 void sort_by_x(struct sweep *w)
-{
-    int64_t moves_left = (int64_t)w->active * 8;
-    for (int32_t i = 1; i < w->active; i++) {
-        int32_t moving = w->order[i], x = w->side[moving].edge.x, j = i;
-        for (; j > 0 && x_of(w, j - 1) > x; j--)
-            w->order[j] = w->order[j - 1];
-        w->order[j] = moving;
-        moves_left -= i - j;
-        if (moves_left < 0) {
-            heap_sort(w, w->active, BY_X);
-            return;
-        }
-    }
+    return w->next > next;
 }
 
 /* Spans begin where a side enters the polygon and end where one leaves it. */
@@ -160,8 +132,8 @@ static void sweep_rows(struct sweep *w, struct pel_collector *c)
     while (w->active || w->next < w->count) {
         if (w->active == 0)
             y = first_of(w, w->next);
-        enter(w, y);
-        sort_by_x(w);
+        const bool mixed = enter(w, y);
+        sort(w, w->active, BY_X, mixed);
         emit_row(w, c, y);
         advance(w, ++y);
     }
@@ -199,7 +171,7 @@ enum pel_status pel_polygon(const struct pel_surface *surface,
         add_side(&w, previous, &polygon->v[i], &surface->clip);
         previous = &polygon->v[i];
     }
-    heap_sort(&w, w.count, BY_FIRST_ROW);
+    sort(&w, w.count, BY_FIRST_ROW, true);
     struct pel_collector c;
     pel_collect_begin(&c, surface, paint);
     sweep_rows(&w, &c);

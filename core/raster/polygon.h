@@ -27,10 +27,10 @@ size_t pel_polygon_scratch_size(int32_t n);
  * centres on an edge: polygons and triangles that share edges cover every pixel
  * once. The outline may cross itself; no pixel is painted twice. Scratch memory
  * is the caller's and may be used again after the call.
- * Time is O(n log n) plus, for every visible row, O(m log m) of the m sides
- * that cross it, O(m) when they keep their order. PEL_ERROR_NULL,
- * PEL_ERROR_SCRATCH (too small, or not aligned to 4), PEL_ERROR_RANGE (a vertex
- * out of range): nothing is drawn then. */
+ * Time is O(n^1.5) at most, plus O(m) for every visible row that m sides cross,
+ * O(m^1.5) where some begin, and a step for every two that cross each other.
+ * PEL_ERROR_NULL, PEL_ERROR_SCRATCH (too small, or not aligned to 4),
+ * PEL_ERROR_RANGE (a vertex out of range): nothing is drawn then. */
 enum pel_status pel_polygon(const struct pel_surface *surface,
                             const struct pel_polygon_shape *polygon,
                             const struct pel_paint *paint, void *scratch,

@@ -33,15 +33,12 @@ void pel_box(const struct pel_surface *surface, const struct pel_rect *box,
 void pel_rectangle(const struct pel_surface *surface, struct pel_point from,
                    struct pel_point to, const struct pel_paint *paint)
 {
-    const struct pel_rect *clip = &surface->clip;
+    const struct pel_rect box = {from.x, from.y, to.x, to.y};
     bool legal = pel_point_legal(from) && pel_point_legal(to);
     PEL_ASSERT(legal);
     if (!legal)
         return;
-    const struct pel_rect r = {pel_max(pel_first_pixel(from.x), clip->x0),
-                               pel_max(pel_first_pixel(from.y), clip->y0),
-                               pel_min(pel_first_pixel(to.x), clip->x1),
-                               pel_min(pel_first_pixel(to.y), clip->y1)};
+    const struct pel_rect r = pel_rect_pixels(&box, &surface->clip);
     fill_rows(surface, &r, paint);
 }
 

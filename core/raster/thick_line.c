@@ -1,8 +1,6 @@
 #include "thick_line.h"
 
-#include "collect.h"
-#include "edge.h"
-#include "triangle.h"
+#include "sides.h"
 
 /* floor(sqrt(n)) for n < 2^62, a bit a turn. pel_square_root() is faster, but
  * with its table 300 bytes larger on a microcontroller; a line takes one
@@ -67,62 +65,34 @@ bool pel_thick_line_corners(const struct pel_thick_line_shape *line,
     return pel_points_legal(v, 4);
 }
 
-/* One side of the parallelogram, from its top corner past another one down to
- * its bottom corner. */
-struct side {
-    struct pel_edge edge;
-    const struct pel_point *corner, *bottom;
-    int32_t bend; /* the first row below the corner */
-};
-
-static void side_start(struct side *s, const struct pel_point *top, int32_t y)
-{
-    s->bend = pel_first_pixel(s->corner->y);
-    if (y < s->bend)
-        pel_edge_start(&s->edge, top, s->corner, y);
-    else
-        pel_edge_start(&s->edge, s->corner, s->bottom, y);
-}
-
-/* On to row y, which is above the bottom. */
-static void side_next(struct side *s, int32_t y)
-{
-    if (y == s->bend)
-        pel_edge_start(&s->edge, s->corner, s->bottom, y);
-    else
-        pel_edge_next(&s->edge);
-}
-
-/* A function of its own, so that its stack is free again when rows are painted.
- * The rows y to the result; none when it is not above y. */
-static PEL_NOINLINE_32 int32_t start(struct side side[2],
-                                     const struct pel_point v[4],
-                                     const struct pel_rect *clip, int32_t *y)
+/* A function of its own: the corners have taken their stack before. */
+static PEL_NOINLINE_32 void fill(const struct pel_surface *surface,
+                                 const struct pel_point v[4],
+                                 const struct pel_paint *paint)
 {
     int top = 0;
     for (int i = 1; i < 4; i++)
         if (v[i].y < v[top].y)
             top = i;
-    const struct pel_point *bottom = &v[(top + 2) & 3];
+    const struct pel_point *const bottom = &v[(top + 2) & 3];
+    const struct pel_point *const corner[2][3] = {
+        {&v[top], &v[(top + 1) & 3], bottom},
+        {&v[top], &v[(top + 3) & 3], bottom}};
+    const struct pel_rect *clip = &surface->clip;
+    const int32_t y = pel_max(pel_first_pixel(v[top].y), clip->y0);
     const int32_t end = pel_min(pel_first_pixel(bottom->y), clip->y1);
-    *y = pel_max(pel_first_pixel(v[top].y), clip->y0);
-    for (int k = 0; k < 2 && *y < end; k++) {
-        side[k].corner = &v[(top + 1 + 2 * k) & 3];
-        side[k].bottom = bottom;
-        side_start(&side[k], &v[top], *y);
+    struct pel_side side[2];
+    union pel_batch batch;
+    struct pel_spans spans = {surface, batch.span, y, 0, 1};
+    for (int k = 0; k < 2 && y < end; k++)
+        pel_side_start(&side[k], corner[k], y);
+    for (; spans.y < end; spans.y += spans.n) {
+        spans.n = pel_min(end - spans.y, PEL_BATCH_ROWS);
+        pel_side_walk(&side[0], spans.y, batch.x, spans.n);
+        pel_side_walk(&side[1], spans.y, batch.x + 1, spans.n);
+        pel_spans_order(batch.span, spans.n, clip);
+        paint->fill(paint, &spans);
     }
-    return end;
-}
-
-/* Two triangles that share the diagonal: not from the top down, but quicker
- * where the paint has a function for triangles. */
-static void draw_halves(const struct pel_surface *surface,
-                        const struct pel_point v[4],
-                        const struct pel_paint *paint)
-{
-    const struct pel_point other[3] = {v[2], v[3], v[0]};
-    pel_triangle(surface, v, paint);
-    pel_triangle(surface, other, paint);
 }
 
 void pel_thick_line(const struct pel_surface *surface,
@@ -130,25 +100,8 @@ void pel_thick_line(const struct pel_surface *surface,
                     const struct pel_paint *paint)
 {
     struct pel_point v[4];
-    struct pel_collector c;
-    struct side side[2];
-    int32_t y;
     bool legal = pel_thick_line_corners(line, v);
     PEL_ASSERT(legal);
-    if (!legal)
-        return;
-    if (PEL_FAST_FILLS && paint->fast) {
-        draw_halves(surface, v, paint);
-        return;
-    }
-    pel_collect_begin(&c, surface, paint);
-    for (const int32_t end = start(side, v, &surface->clip, &y); y < end;) {
-        const int32_t a = side[0].edge.x, b = side[1].edge.x;
-        pel_collect_clipped(&c, y, pel_min(a, b), pel_max(a, b));
-        if (++y < end) {
-            side_next(&side[0], y);
-            side_next(&side[1], y);
-        }
-    }
-    pel_collect_end(&c);
+    if (legal)
+        fill(surface, v, paint);
 }

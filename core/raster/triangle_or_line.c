@@ -16,12 +16,15 @@ int64_t pel_triangle_area(const struct pel_point v[3])
 static PEL_NOINLINE_32 bool line_of(const struct pel_point v[3],
                                     struct pel_point ends[2])
 {
-    const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
     if (!pel_points_legal(v, 3) || pel_triangle_area(v) != 0)
         return false;
-    pel_sort3(p);
-    ends[0] = *p[0];
-    ends[1] = *p[2];
+    ends[0] = ends[1] = v[0];
+    for (int i = 1; i < 3; i++) {
+        if (pel_above(&v[i], &ends[0]))
+            ends[0] = v[i];
+        if (pel_above(&ends[1], &v[i]))
+            ends[1] = v[i];
+    }
     return true;
 }
 

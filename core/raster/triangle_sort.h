@@ -37,11 +37,4 @@ static inline bool pel_above(const struct pel_point *a,
     return a->y < b->y || (a->y == b->y && a->x < b->x);
 }
 
-static inline void pel_sort3(const struct pel_point *p[3])
-{
-    for (int i = 0; i < 3; i++)
-        if (pel_above(p[(i & 1) + 1], p[i & 1]))
-            pel_swap_points(&p[i & 1], &p[(i & 1) + 1]);
-}
-
 #endif

@@ -62,16 +62,18 @@ static int32_t end_of(struct pel_angles angles)
     return angles.to ? angles.to : FULL_TURN;
 }
 
+static bool holds(struct pel_angles angles, uint16_t turn)
+{
+    const uint16_t size = (uint16_t)(angles.to - angles.from);
+    return size == 0 || (uint16_t)(turn - angles.from) < size;
+}
+
 /* The pixels of the row through the centre have the angle 0 or half a turn. */
 static void level_row(struct pel_angles angles, int32_t split,
                       struct pel_span span[2])
 {
-    const int32_t from = angles.from, to = end_of(angles);
-    bool right = from == 0 || from > to;
-    bool left = from < to ? from <= HALF_TURN && HALF_TURN < to
-                          : from <= HALF_TURN || HALF_TURN < to;
-    span[0] = (struct pel_span){left ? -END : split, split};
-    span[1] = (struct pel_span){split, right ? END : split};
+    span[0] = (struct pel_span){holds(angles, HALF_TURN) ? -END : split, split};
+    span[1] = (struct pel_span){split, holds(angles, 0) ? END : split};
 }
 
 void pel_angle_range_spans(struct pel_angle_range *range,

@@ -34,12 +34,6 @@ struct pel_disc {
     struct pel_disc_side left, right;
 };
 
-/* (v + 256)^2 - v^2: the growth of v^2 by one row. */
-static inline int64_t pel_square_step(int32_t v)
-{
-    return (int64_t)v * 512 + 65536;
-}
-
 static inline void pel_disc_center(struct pel_disc *disc, int32_t left_x,
                                    int32_t right_x)
 {

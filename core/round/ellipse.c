@@ -20,23 +20,11 @@ static void add(struct pel_quotient *v, const struct pel_quotient *n,
 static void multiply(struct pel_quotient *product, const struct pel_quotient *v,
                      int64_t n, int64_t b2)
 {
-    int bit = 0;
     product->q = product->r = 0;
-    while (n >> bit > 1)
-        bit++;
-    for (; bit >= 0; bit--) {
+    for (int bit = pel_bits_of((uint64_t)n) - 1; bit >= 0; bit--) {
         add(product, product, b2);
         if (n >> bit & 1)
             add(product, v, b2);
-    }
-}
-
-static void negate(struct pel_quotient *v, int64_t b2)
-{
-    v->q = -v->q;
-    if (v->r) {
-        v->q--;
-        v->r = b2 - v->r;
     }
 }
 
@@ -55,12 +43,14 @@ static void row_start(struct pel_ellipse_walk *w, struct pel_point radius,
     multiply(&w->half_width2, &ratio, b2 - pel_square(v), b2);
     if (radius.y < 128)
         return;
-    const int64_t step = pel_square_step(v);
-    multiply(&w->delta, &ratio, step < 0 ? -step : step, b2);
+    const int64_t step = (int64_t)v * 512 + 65536; /* (v + 256)^2 - v^2 */
+    if (step < 0)
+        multiply(&w->delta, &ratio, -step, b2);
+    ratio.q = -ratio.q - (ratio.r != 0);
+    ratio.r = ratio.r ? b2 - ratio.r : 0;
     if (step > 0)
-        negate(&w->delta, b2);
+        multiply(&w->delta, &ratio, step, b2);
     multiply(&w->delta2, &ratio, 131072, b2);
-    negate(&w->delta2, b2);
 }
 
 bool pel_ellipse_start(struct pel_ellipse_walk *w,

@@ -134,20 +134,6 @@ static void set_plane(const struct pel_frame *frame,
     pel_plane_set(plane, &setup, near);
 }
 
-/* True when the second one is nearer in all of the rectangle, on both planes as
- * they go on outside of the triangles: at its corners. Values are below 2^54 at
- * a vertex, and change by less than 2^61 in 2^16 pixels each way, so that none
- * wraps. */
-static bool all_nearer(const struct overlap *o, const struct pel_rect *r)
-{
-    for (int i = 0; i < 2; i++)
-        if (pel_size_of((int64_t)o->plane[i].dx) >> 44 ||
-            pel_size_of((int64_t)o->plane[i].dy) >> 44)
-            return false;
-    return is_nearer(o, r->x0, r->y0) && is_nearer(o, r->x1 - 1, r->y0) &&
-           is_nearer(o, r->x0, r->y1 - 1) && is_nearer(o, r->x1 - 1, r->y1 - 1);
-}
-
 /* Compares the triangles in each row of the rectangle. */
 static void walk(const struct pel_certificate_corners c[2], struct overlap *o,
                  struct pel_rect rows)
@@ -195,7 +181,6 @@ struct pel_doubt pel_certificate_pair(const struct pel_frame *frame,
     o.least = least_of(triangle, thin);
     for (int i = 0; i < 2; i++)
         set_plane(frame, &c[i], &o.plane[i]);
-    if (!all_nearer(&o, common))
-        walk(c, &o, *common);
+    walk(c, &o, *common);
     return o.doubt;
 }

@@ -193,7 +193,8 @@ static const struct pel_paint *filter(struct pel_frame *frame,
     if (p->keeps && !frame->opaque)
         pel_color_paint_init(&p->base, colors, false);
     else if (pel_min(pel_min(near[0], near[1]), near[2]) >= SURELY_ABOVE_0)
-        p->base.paint = (struct pel_paint)PEL_PAINT(fill, pel_depth_fast);
+        p->base.paint = (struct pel_paint)PEL_PAINT(
+            fill, PEL_VECTORS ? pel_depth_fast : NULL);
     return &p->base.paint;
 }
 

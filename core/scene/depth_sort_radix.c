@@ -1,5 +1,3 @@
-#include <string.h>
-
 #include "scene.h"
 
 /* Six digits of six bits: their counts take 256 bytes of stack. */
@@ -12,42 +10,30 @@ static uint32_t digit_of(const struct pel_depth_entry *e, int digit)
     return key >> BITS * digit & (DIGITS - 1);
 }
 
-/* Sets at[d] to the place of the first entry with digit d. False: all have the
- * same one. */
-static bool find_places(const struct pel_depth_entry *entry, uint32_t n,
-                        int digit, uint32_t at[DIGITS])
+/* One pass, which keeps the order of entries with the same digit. */
+static void sort_by(int digit, const struct pel_depth_entry *from, uint32_t n,
+                    struct pel_depth_entry *to)
 {
-    uint32_t place = 0;
-    memset(at, 0, DIGITS * sizeof *at);
+    uint32_t at[DIGITS] = {0}, place = 0;
     for (uint32_t i = 0; i < n; i++)
-        at[digit_of(&entry[i], digit)]++;
-    if (at[digit_of(&entry[0], digit)] == n)
-        return false;
-    for (uint32_t *to = at; to < at + DIGITS; to++) {
-        const uint32_t count = *to;
-        *to = place;
+        at[digit_of(&from[i], digit)]++;
+    for (int d = 0; d < DIGITS; d++) {
+        const uint32_t count = at[d];
+        at[d] = place;
         place += count;
     }
-    return true;
+    for (uint32_t i = 0; i < n; i++)
+        to[at[digit_of(&from[i], digit)]++] = from[i];
 }
 
-/* From the lowest digit on, each pass keeping the order of equal ones. */
+/* From the lowest digit on. */
 static void radix_sort(struct pel_depth_entry *entry, uint32_t n,
                        struct pel_depth_entry *spare)
 {
-    struct pel_depth_entry *from = entry, *to = spare;
-    uint32_t at[DIGITS];
-    for (int digit = 0; digit < KEY_DIGITS && n > 0; digit++) {
-        if (!find_places(from, n, digit, at))
-            continue;
-        for (uint32_t i = 0; i < n; i++)
-            to[at[digit_of(&from[i], digit)]++] = from[i];
-        struct pel_depth_entry *const sorted = to;
-        to = from;
-        from = sorted;
+    for (int digit = 0; digit < KEY_DIGITS; digit += 2) {
+        sort_by(digit, entry, n, spare);
+        sort_by(digit + 1, spare, n, entry);
     }
-    if (from != entry)
-        memcpy(entry, from, n * sizeof *entry);
 }
 
 const struct pel_depth_sort pel_depth_sort_radix = {radix_sort, true};

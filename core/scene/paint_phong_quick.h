@@ -60,10 +60,12 @@ struct pel_phong_quick {
 
 pel_colors_function pel_phong_quick_colors; /* of that paint */
 
-/* Sets all but `weight`, `alpha`, `span` and `dull`. Up to PEL_QUICK_LIGHTS
- * lights. */
+struct pel_frame;
+
+/* Sets it for frame->work->triangle, all but `span` and `dull`. Up to
+ * PEL_QUICK_LIGHTS lights. */
 void pel_phong_quick_init(struct pel_phong_quick *paint,
-                          const struct pel_mesh_lights *lights,
+                          struct pel_frame *frame,
                           const struct pel_lit_corners *corners,
                           const struct pel_color_paint *surface,
                           const pel_color color[3]);

@@ -1,5 +1,5 @@
 #include "../base/sqrt.h"
-#include "paint_phong_quick.h"
+#include "shading.h"
 
 enum { ONE_BITS = PEL_QUICK_BITS };
 
@@ -87,16 +87,22 @@ static bool is_gray(const struct pel_mesh_lights *lights)
 }
 
 void pel_phong_quick_init(struct pel_phong_quick *paint,
-                          const struct pel_mesh_lights *lights,
+                          struct pel_frame *frame,
                           const struct pel_lit_corners *corners,
                           const struct pel_color_paint *surface,
                           const pel_color color[3])
 {
+    static const int32_t one[2][3] = {{0, 1 << ONE_BITS, 0},
+                                      {0, 0, 1 << ONE_BITS}};
+    const struct pel_mesh_lights *lights = &frame->lights;
     field normal, eye;
-    paint->base.colors = pel_phong_quick_colors;
+    pel_color_paint_init(&paint->base, pel_phong_quick_colors, frame->opaque);
     paint->lights = lights;
     paint->surface = surface;
+    paint->alpha = frame->alpha;
     paint->gray = is_gray(lights);
+    for (int i = 0; i < 2; i++)
+        pel_frame_plane(frame, one[i], &paint->weight[i]);
     set_normals(corners, normal);
     set_directions(corners, lights->eye, eye);
     multiply(normal, normal, &paint->d);

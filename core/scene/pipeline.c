@@ -95,20 +95,11 @@ static enum taken take(const struct pel_frame *frame, uint32_t triangle,
     return !before ? BEHIND : cut ? CUT : WHOLE;
 }
 
-/* Do the pixel centres between two sub-pixels overlap [from, to)? */
-static inline bool meets(int32_t low, int32_t high, int32_t from, int32_t to)
-{
-    return pel_max(pel_first_pixel(low), from) <
-           pel_min(pel_first_pixel(high), to);
-}
-
 bool pel_box_meets(const struct pel_point at[3], const struct pel_rect *rect)
 {
-    const struct pel_point a = at[0], b = at[1], c = at[2];
-    return meets(pel_min(pel_min(a.x, b.x), c.x),
-                 pel_max(pel_max(a.x, b.x), c.x), rect->x0, rect->x1) &&
-           meets(pel_min(pel_min(a.y, b.y), c.y),
-                 pel_max(pel_max(a.y, b.y), c.y), rect->y0, rect->y1);
+    const struct pel_rect box = pel_corners_box(at);
+    const struct pel_rect pixels = pel_rect_pixels(&box, rect);
+    return !pel_rect_empty(&pixels);
 }
 
 /* True when the triangle's box has pixels of the rectangle and the side that is

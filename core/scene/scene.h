@@ -41,7 +41,7 @@ struct pel_depth_sort {
 /* In place, at most about 2 n log2(n) comparisons for any input. */
 extern const struct pel_depth_sort pel_depth_sort;
 
-/* Four passes for any input: several times as fast for thousands of triangles,
+/* Six passes for any input: several times as fast for thousands of triangles,
  * with 8 bytes of scratch memory more for each. */
 extern const struct pel_depth_sort pel_depth_sort_radix;
 

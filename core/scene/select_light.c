@@ -20,16 +20,13 @@ static uint32_t root_above(uint64_t v)
     return root.root + (UINT32_C(1024) >> root.shift) + 2;
 }
 
-/* sqrt(a / b) in 2^-16, rounded up by up to three of them; at most 4. b > 0,
- * both below 2^62. */
-enum { RATIO_MAX = 4 * 65536 };
-
+/* sqrt(a / b) in 2^-16, rounded up by up to three of them. a < 4 b, b > 0, both
+ * below 2^62. */
 static uint32_t ratio(uint64_t a, uint64_t b)
 {
     int shift;
     const uint32_t inverse = pel_inverse_root(b, &shift);
-    const uint64_t q = pel_multiply(root_above(a), inverse) >> (46 - shift);
-    return q < RATIO_MAX - 2 ? (uint32_t)q + 2 : RATIO_MAX;
+    return (uint32_t)(pel_multiply(root_above(a), inverse) >> (46 - shift)) + 2;
 }
 
 pel_color pel_light_note(const struct pel_frame *frame, uint32_t vertex,
@@ -69,24 +66,14 @@ static uint64_t sixth_of(uint64_t v)
     return (v >> 10) * 171 + 171;
 }
 
+static uint32_t square_of(uint32_t part)
+{
+    return (uint32_t)((uint64_t)part * part >> 16) + 1;
+}
+
 static uint64_t curve_of(uint64_t v)
 {
     return (v * 50 >> 8) + 1;
-}
-
-static uint64_t longest(int32_t v[3][3])
-{
-    uint64_t longest = 0;
-    for (int i = 0; i < 3; i++) {
-        const int j = i == 2 ? 0 : i + 1;
-        int32_t edge[3];
-        for (int k = 0; k < 3; k++)
-            edge[k] = v[j][k] - v[i][k];
-        const uint64_t square = (uint64_t)pel_dot(edge, edge);
-        if (square > longest)
-            longest = square;
-    }
-    return longest;
 }
 
 static void set_corners(const struct pel_frame *frame,
@@ -101,73 +88,74 @@ static void set_corners(const struct pel_frame *frame,
     }
 }
 
-/* a / b, 2^-16, rounded up by a factor of up to two; at most 2^18. */
-static uint32_t part_of(uint64_t a, uint64_t b)
+/* Of three vectors: the squares of the shortest and the longest, and of the
+ * longest edge between two. */
+struct squares {
+    uint64_t least, most, edge;
+};
+
+static struct squares squares_of(int32_t v[3][3])
 {
-    const int bits = pel_bits_of(b); /* b >= 2^(bits - 1) */
-    return a >> (bits - 1) >= 4 ? 4 * 65536
-                                : (uint32_t)(a << (62 - bits) >> 45) + 1;
+    struct squares s = {UINT64_MAX, 0, 0};
+    for (int i = 0; i < 3; i++) {
+        const int j = i == 2 ? 0 : i + 1;
+        int32_t way[3];
+        for (int k = 0; k < 3; k++)
+            way[k] = v[j][k] - v[i][k];
+        const uint64_t square = (uint64_t)pel_dot(v[i], v[i]);
+        const uint64_t edge = (uint64_t)pel_dot(way, way);
+        s.least = square < s.least ? square : s.least;
+        s.most = square > s.most ? square : s.most;
+        s.edge = edge > s.edge ? edge : s.edge;
+    }
+    return s;
 }
 
 /* False where normals turn too far. */
 static bool turn_of_normals(struct pel_lit_corners *corners,
-                            struct pel_light_turns *turns)
+                            struct pel_light_bounds *bounds)
 {
-    uint64_t least = UINT64_MAX, most = 0;
-    for (int i = 0; i < 3; i++) {
-        const uint64_t square =
-            (uint64_t)pel_dot(corners->normal[i], corners->normal[i]);
-        least = square < least ? square : least;
-        most = square > most ? square : most;
-    }
-    const uint64_t edge = longest(corners->normal);
-    if (edge >= least || most - least >= least)
+    const struct squares s = squares_of(corners->normal);
+    if (s.edge >= s.least || s.most - s.least >= s.least)
         return false;
-    turns->edge = part_of(edge + most - least, least);
-    least -= 2 * sixth_of(edge);
-    corners->length = least + (most - least) / 2;
-    turns->normal = ratio(edge, least);
-    turns->length = part_of((most - least) / 2, corners->length);
+    const uint64_t least = s.least - 2 * sixth_of(s.edge);
+    const uint64_t half = (s.most - least) / 2;
+    corners->length = least + half;
+    bounds->normal = ratio(s.edge, least);
+    bounds->length = square_of(ratio(half, corners->length));
     return true;
 }
 
-/* The turn of the direction to a place from the vertices, whose longest edge is
- * given. The square of the distance is less than that of the nearest vertex by
- * edge / 3 at most, and 1/4 edge around by half the difference of the vertices'
- * more. False where it is near. */
-static bool turn_to(const int32_t place[3], int32_t vertex[3][3], uint64_t edge,
-                    uint32_t *turn)
+/* The turn of the direction to a place from the vertices. The square of the
+ * distance is less than that of the nearest vertex by edge / 3 at most, and 1/4
+ * edge around by half the difference of the vertices' more. False where the
+ * direction turns by 1/2 or more. */
+static bool turn_to(const int32_t place[3],
+                    const struct pel_lit_corners *corners, uint32_t *turn)
 {
-    uint64_t least = UINT64_MAX, most = 0;
-    for (int i = 0; i < 3; i++) {
-        int32_t way[3];
-        for (int k = 0; k < 3; k++)
-            way[k] = place[k] - vertex[i][k];
-        const uint64_t square = (uint64_t)pel_dot(way, way);
-        least = square < least ? square : least;
-        most = square > most ? square : most;
-    }
-    const uint64_t less = (most - least) / 2 + 2 * sixth_of(edge);
-    if (least < UINT64_C(1) << 24 || less > least / 4 * 3)
+    int32_t way[3][3];
+    for (int i = 0; i < 9; i++)
+        way[i / 3][i % 3] = place[i % 3] - corners->position[i / 3][i % 3];
+    const struct squares s = squares_of(way);
+    const uint64_t less = (s.most - s.least) / 2 + 2 * sixth_of(s.edge);
+    if (s.least < UINT64_C(1) << 24 || less >= s.least ||
+        s.edge >= (s.least - less) / 4)
         return false;
-    *turn =
-        (uint32_t)pel_max((int32_t)*turn, (int32_t)ratio(edge, least - less));
+    *turn = (uint32_t)pel_max((int32_t)*turn,
+                              (int32_t)ratio(s.edge, s.least - less));
     return true;
 }
 
 static bool turns_of(const struct pel_mesh_lights *lights,
                      struct pel_lit_corners *corners,
-                     struct pel_light_turns *turns)
+                     struct pel_light_bounds *bounds)
 {
-    *turns = (struct pel_light_turns){0, 0, 0, 0, 0};
-    const uint64_t edge = longest(corners->position);
-    if (!turn_of_normals(corners, turns) ||
-        !turn_to(lights->eye, corners->position, edge, &turns->eye))
+    if (!turn_of_normals(corners, bounds) ||
+        !turn_to(lights->eye, corners, &bounds->eye))
         return false;
     for (int32_t i = 0; i < lights->count; i++)
         if (!lights->light[i].directional &&
-            !turn_to(lights->light[i].at, corners->position, edge,
-                     &turns->light))
+            !turn_to(lights->light[i].at, corners, &bounds->light))
             return false;
     return true;
 }
@@ -175,7 +163,7 @@ static bool turns_of(const struct pel_mesh_lights *lights,
 /* With light on both sides, turns normals towards the eye. False where some may
  * point at it and some away, in the triangle or 1/4 around. */
 static bool turn_to_eye(const struct pel_mesh_lights *lights,
-                        const struct pel_light_turns *turns,
+                        const struct pel_light_bounds *bounds,
                         struct pel_lit_corners *corners)
 {
     int32_t normal[3], eye[3];
@@ -185,15 +173,14 @@ static bool turn_to_eye(const struct pel_mesh_lights *lights,
     pel_normalize_fast(corners->normal[0], normal);
     const int32_t along = pel_weighted(normal, eye);
     if (pel_magnitude(along) >> 14 <=
-        (int32_t)(turns->normal + turns->eye) * 21 / 16 + 1)
+        (int32_t)(bounds->normal + bounds->eye) * 21 / 16 + 1)
         return false;
     for (int i = 0; i < 9 && along < 0; i++)
         corners->normal[i / 3][i % 3] = -corners->normal[i / 3][i % 3];
     return true;
 }
 
-/* The largest factor of a channel, summed over lights: at most 2^29. */
-static uint32_t strength(const struct pel_mesh_lights *lights, bool specular)
+uint32_t pel_light_strength(const struct pel_mesh_lights *lights, bool specular)
 {
     uint32_t sum = 0;
     for (int32_t i = 0; i < lights->count; i++) {
@@ -238,60 +225,41 @@ static uint32_t curvature(int32_t p, pel_cosine w)
     return (uint32_t)(((slope + 1) * power >> 16) + 1) * (uint32_t)p;
 }
 
-/* The largest channel, and the largest difference of two vertices in one. */
-static uint32_t channels_of(const pel_color color[3], uint32_t *change)
+struct pel_color_ranges pel_color_ranges_of(const pel_color color[3])
 {
-    int32_t most = 0, widest = 0;
+    struct pel_color_ranges c = {color[0] & UINT32_C(0xFF000000), 0, 0, false};
     PEL_UNROLL
     for (int k = 0; k < 24; k += 8) {
-        const int32_t a = (int32_t)(color[0] >> k & 255);
-        const int32_t b = (int32_t)(color[1] >> k & 255);
-        const int32_t c = (int32_t)(color[2] >> k & 255);
-        const int32_t high = pel_max(pel_max(a, b), c);
-        most = pel_max(most, high);
-        widest = pel_max(widest, high - pel_min(pel_min(a, b), c));
+        const int32_t v[3] = {(int32_t)(color[0] >> k & 255),
+                              (int32_t)(color[1] >> k & 255),
+                              (int32_t)(color[2] >> k & 255)};
+        const int32_t low = pel_min(pel_min(v[0], v[1]), v[2]);
+        const int32_t high = pel_max(pel_max(v[0], v[1]), v[2]);
+        c.middle |= (uint32_t)(low + high + 1) / 2 << k;
+        c.range = pel_max(c.range, high - low);
+        c.most = pel_max(c.most, high);
+        c.cut |= high == 255 && low < 255;
     }
-    *change = (uint32_t)widest;
-    return (uint32_t)most;
-}
-
-/* What the polynomials leave out where n.n is off by up to `length` and planes
- * of directions are by `times` / 65,536 7/36 of the squares of their turns.
- * Squares are below 2^36. */
-static uint64_t quick_of(const struct pel_light_bounds *b, uint32_t length,
-                         uint32_t times)
-{
-    const uint64_t square = (uint64_t)length * length >> 16;
-    uint64_t fourth = UINT64_C(1) << 24, fifth = fourth;
-    if (length <= 16384) {
-        fourth = (square * square >> 16) + 1;
-        fifth = (fourth * length >> 16) + 1;
-    }
-    const uint64_t light = (uint64_t)b->turns.light * b->turns.light >> 16;
-    const uint64_t eye = (uint64_t)b->turns.eye * b->turns.eye >> 16;
-    return (b->diffuse *
-                (fourth * 3 / 8 + (curve_of(light * times) >> 16) + 2) +
-            b->slope *
-                (2 * fifth + (curve_of((light + eye) * times) >> 16) + 2)) >>
-           16;
+    return c;
 }
 
 /* Adds highlights of strength s and returns what they change at most by. */
 static uint64_t add_highlights(const struct pel_frame *frame,
-                               const uint8_t note[3], uint64_t s,
+                               const uint8_t note[3], uint64_t s, bool tears,
                                struct pel_light_bounds *b)
 {
-    const struct pel_light_turns *t = &b->turns;
     const int32_t p = frame->lights.lighting->shininess;
-    const uint64_t q = 2 * t->normal + t->light + t->eye;
+    const uint64_t q = 2 * b->normal + b->light + b->eye;
     const pel_cosine w = nearest(frame, note, (uint32_t)q);
     const uint64_t power = ((uint32_t)pel_cosine_power(w, p - 1) >> 14) + 1;
     b->slope = (s * (uint32_t)p * power >> 16) + 1;
-    b->dull = ((s * power >> 16) * (((uint32_t)w >> 14) + 1) >> 16) + 2;
     b->curve += sixth_of((s * curvature(p, w) >> 16) * (q * q >> 16)) >> 16;
     b->curve += (s * (uint32_t)p >> 17) + 1; /* roots and powers */
     if (p == 1)
         b->kink += s * q >> 18;
+    b->dull = ((s * power >> 16) * (((uint32_t)w >> 14) + 1) >> 16) + 2;
+    if (tears)
+        b->tear = b->dull;
     return s * q * root_above((uint32_t)p) >> 16;
 }
 
@@ -301,44 +269,51 @@ bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
                      const pel_color color[3], struct pel_lit_corners *corners,
                      struct pel_light_bounds *bounds)
 {
+    const struct pel_lighting *lighting = frame->lights.lighting;
     struct pel_light_bounds *b = bounds;
+    *b = (struct pel_light_bounds){
+        .diffuse = pel_light_strength(&frame->lights, false)};
     set_corners(frame, corners);
-    *b = (struct pel_light_bounds){.diffuse = strength(&frame->lights, false)};
-    if (!turns_of(&frame->lights, corners, &b->turns) ||
-        (frame->lights.lighting->both_sides &&
-         !turn_to_eye(&frame->lights, &b->turns, corners)))
+    if (!turns_of(&frame->lights, corners, b) ||
+        (lighting->both_sides && !turn_to_eye(&frame->lights, b, corners)))
         return false;
-    const uint64_t s = strength(&frame->lights, true);
-    const uint64_t nl = b->turns.normal + b->turns.light;
+    const uint64_t s = pel_light_strength(&frame->lights, true);
+    const uint64_t nl = b->normal + b->light;
     const int h = pel_max(pel_max(note[0] >> 5, note[1] >> 5), note[2] >> 5);
     const bool crosses = h == 0 || nl * 21 / 16 > UINT32_C(1) << (8 + h);
     uint64_t change = b->diffuse * nl >> 16;
     b->curve = curve_of(b->diffuse * (nl * nl >> 16) >> 16);
     b->kink = crosses ? b->diffuse * nl >> 18 : 0;
     if (s)
-        change += add_highlights(frame, note, s, b);
-    b->tears = crosses && frame->lights.lighting->no_back_highlights;
-    const uint64_t tear = b->tears ? b->dull : 0;
-    b->quick = quick_of(b, b->turns.length, 65536) + tear;
-    b->plane = b->curve + b->kink + tear;
-    uint32_t differ;
-    const uint32_t most = channels_of(color, &differ);
-    if (!frame->lights.lighting->plain_highlights)
-        b->plane = b->plane * (most + 1) >> 8;
-    b->plane += ((change + 1) * differ * 86 >> 16) + 2;
+        change += add_highlights(frame, note, s,
+                                 crosses && lighting->no_back_highlights, b);
+    const struct pel_color_ranges own = pel_color_ranges_of(color);
+    b->plane = b->curve + b->kink + b->tear;
+    if (!lighting->plain_highlights)
+        b->plane = b->plane * ((uint32_t)own.most + 1) >> 8;
+    b->plane += ((change + 1) * (uint32_t)own.range * 86 >> 16) + 2;
     return true;
 }
 
-/* Weights from -s to 1 + 2 s add up to 2 s (1 + 2 s) of the squares of edges to
- * that of a normal; the error of a plane is 4/3 + 16 s of that inside. */
-uint64_t pel_light_span_bound(const struct pel_light_bounds *bounds,
-                              uint32_t part)
+uint64_t pel_light_quick_bound(const struct pel_light_bounds *bounds,
+                               uint32_t part)
 {
     const struct pel_light_bounds *b = bounds;
-    const uint64_t s = part, beyond = s * (65536 + 2 * s) >> 15;
-    const uint32_t length =
-        b->turns.length + (uint32_t)(beyond * b->turns.edge >> 16) + 1;
+    const uint64_t s = part, times = 65536 + 20 * s;
+    const uint64_t beyond = s * (65536 + 2 * s) >> 15;
+    const uint64_t edge = square_of(b->normal) + 3 * (uint64_t)b->length;
+    const uint64_t d = b->length + (beyond * edge >> 16) + 1;
+    if (d > 16384)
+        return UINT64_MAX;
+    const uint64_t fourth = square_of(square_of((uint32_t)d));
+    const uint64_t fifth = fourth * d >> 16;
+    const uint64_t light = square_of(b->light), eye = square_of(b->eye);
+    const uint64_t diffuse =
+        fourth * 3 / 8 + (curve_of(light * times) >> 16) + 3;
+    const uint64_t slope =
+        2 * fifth + (curve_of((light + eye) * times) >> 16) + 4;
     const uint64_t lines =
         (b->curve * (s * s >> 16) >> 16) + (b->kink * s >> 16);
-    return quick_of(b, length, 87382 + 16 * part) + lines + lines / 4 + 1;
+    return ((b->diffuse * diffuse + b->slope * slope) >> 16) + lines +
+           lines / 4 + 1 + b->tear;
 }

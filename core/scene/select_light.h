@@ -24,7 +24,9 @@
  * M (E s)^2 / 8 from linear. Around the triangle n may be shorter than inside,
  * by a factor of 1 - n / 4 > 13/16 where n < 3/4, so that counts as 5/4 s^2
  * times the bound of the plane, and a kink as 5/4 s; directions turn by 1/4
- * times 5/4 more there, so |R - V| and N.L are looked at over 21/16 edges.
+ * times 5/4 more there, so |R - V| and N.L are looked at over 21/16 edges. The
+ * error of a plane is 1 + 20 s times that inside, or less; n.n, whose weights
+ * are from -s to 1 + 2 s, changes by 2 s (1 + 2 s) of the squares of edges.
  *
  * K grows with w while p w^2 - 7/6 w <= p - 2, so the smallest angle between R
  * and V bounds it: |R - V| changes by at most q. max(N.L, 0) adds the error of
@@ -44,25 +46,31 @@ PEL_BEGIN_DECLS
 pel_color pel_light_note(const struct pel_frame *frame, uint32_t vertex,
                          pel_color surface);
 
-/* How far directions turn over a triangle's longest edge, 2^-16; how far the
- * squares of the normals' lengths are from that of corners->length, as a part
- * of it, and the square of their longest edge and those differences. */
-struct pel_light_turns {
-    uint32_t normal, eye, light, length, edge;
+/* The channels of three vertices: the middles of their ranges, the widest one,
+ * the largest value, and whether 255 is at some vertices, but not at all. */
+struct pel_color_ranges {
+    pel_color middle;
+    int32_t range, most;
+    bool cut;
 };
 
-/* What is known of the light over a triangle, 1/256 steps. */
-struct pel_light_bounds {
-    uint64_t plane; /* of its difference from the plane through the vertices,
-                       on surfaces of the vertices' colors */
-    uint64_t quick; /* from paint_phong_quick.h, on white */
-    uint64_t dull;  /* highlights themselves */
-    bool tears;     /* highlights may end at N.L = 0 */
+struct pel_color_ranges pel_color_ranges_of(const pel_color color[3]);
 
-    /* For pel_light_span_bound: the parts of `plane` by curvature and by signs
-     * of N.L, and the strengths of both terms, on white. */
-    uint64_t curve, kink, diffuse, slope;
-    struct pel_light_turns turns;
+/* The largest factor of a channel, summed over lights: at most 2^29. */
+uint32_t pel_light_strength(const struct pel_mesh_lights *lights,
+                            bool specular);
+
+/* What is known of the light over a triangle. How far directions turn over its
+ * longest edge, 2^-16; how far the squares of the normals' lengths are from
+ * that of corners->length, as a part of it. */
+struct pel_light_bounds {
+    uint32_t normal, eye, light, length;
+
+    /* 1/256 steps: the difference of light from the plane through the vertices,
+     * on surfaces of the vertices' colors; its parts on white, by curvature, by
+     * signs of N.L and by highlights that end at N.L = 0; the strengths of both
+     * terms; highlights themselves. */
+    uint64_t plane, curve, kink, tear, diffuse, slope, dull;
 };
 
 /* Sets `corners` and the bounds of frame->work->triangle, on surfaces of no
@@ -71,9 +79,10 @@ bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
                      const pel_color color[3], struct pel_lit_corners *corners,
                      struct pel_light_bounds *bounds);
 
-/* The bound of light by polynomials at the ends of spans, with lines between:
- * spans are part / 65,536 of an edge, up to 1/4. */
-uint64_t pel_light_span_bound(const struct pel_light_bounds *bounds,
-                              uint32_t part);
+/* The bound of light from paint_phong_quick.h on white, at every pixel, or with
+ * lines between the ends of spans that are part / 65,536 of an edge, up to
+ * 1/4. */
+uint64_t pel_light_quick_bound(const struct pel_light_bounds *bounds,
+                               uint32_t part);
 PEL_END_DECLS
 #endif

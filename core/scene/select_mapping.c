@@ -1,23 +1,20 @@
 #include "../base/divide.h"
 #include "select.h"
+#include "select_light.h"
 
 /* 1/256 texel: what corners in 1/256 texel and the exact mapping are off by. */
 enum { MAPPING_ERROR = 3 };
 
 /* True when u (far - near) <= 4 room near, u the texels of the triangle: both
  * sides below 2^62. */
-static bool is_affine(const struct pel_texture_corner corner[3], int32_t room)
+static bool is_affine(const struct pel_texture_corner corner[3], int32_t near,
+                      int32_t far, int32_t room)
 {
-    int32_t near = INT32_MAX, far = 0;
     int64_t texels = 0;
-    for (int i = 0; i < 3; i++) {
-        const int j = i == 2 ? 0 : i + 1;
-        near = pel_min(near, corner[i].z);
-        far = pel_max(far, corner[i].z);
-        for (int k = 0; k < 2; k++) {
-            const int64_t u = pel_size_of(corner[j].uv[k] - corner[i].uv[k]);
-            texels = u > texels ? u : texels;
-        }
+    for (int i = 0; i < 6; i++) {
+        const int64_t u = pel_size_of(corner[i % 3].uv[i / 3] -
+                                      corner[(i + 1) % 3].uv[i / 3]);
+        texels = u > texels ? u : texels;
     }
     return (texels >> 8) + 1 <= INT32_MAX &&
            pel_long_product((int32_t)(texels >> 8) + 1, far - near) <=
@@ -57,18 +54,15 @@ static const struct pel_color_paint *surface(struct pel_frame *frame)
     const int32_t room =
         pel_max(pel_min(frame->scene->texel_tolerance, 65536), 0) -
         MAPPING_ERROR;
-    struct pel_texture_corner corner[3];
-    pel_frame_texels(frame, corner);
-    if (room > 0 && is_affine(corner, room))
-        return pel_frame_affine(frame, corner);
-    pel_perspective_init(p, &frame->texture, pel_frame_setup(frame), corner,
+    struct pel_texture_corner c[3];
+    pel_frame_texels(frame, c);
+    const int32_t near = pel_min(pel_min(c[0].z, c[1].z), c[2].z);
+    const int32_t far = pel_max(pel_max(c[0].z, c[1].z), c[2].z);
+    if (room > 0 && is_affine(c, near, far, room))
+        return pel_frame_affine(frame, c);
+    pel_perspective_init(p, &frame->texture, pel_frame_setup(frame), c,
                          room > 0 ? PEL_SPAN_MAX : PEL_SPAN_EXACT);
     /* The least w is near / far. */
-    int32_t near = INT32_MAX, far = 1;
-    for (int i = 0; i < 3; i++) {
-        near = pel_min(near, corner[i].z);
-        far = pel_max(far, corner[i].z);
-    }
     const uint64_t least =
         pel_divide((uint64_t)(uint32_t)near << 16, (uint32_t)far);
     while (p->span > 0 && !is_span(p, p->span, least, room))
@@ -80,15 +74,11 @@ static const struct pel_color_paint *surface(struct pel_frame *frame)
  * may reach. */
 static uint32_t brightest(const struct pel_mesh_lights *lights)
 {
-    uint32_t most = 65536;
-    for (int k = 0; k < 3; k++) {
-        uint32_t sum = (uint32_t)lights->ambient[k];
-        for (int32_t i = 0; i < lights->count; i++)
-            sum += (uint32_t)(lights->light[i].diffuse[k] +
-                              lights->light[i].specular[k]);
-        most = sum > most ? sum : most;
-    }
-    return most;
+    const pel_factor *a = lights->ambient;
+    const uint32_t most = (uint32_t)pel_max(pel_max(a[0], a[1]), a[2]) +
+                          pel_light_strength(lights, false) +
+                          pel_light_strength(lights, true);
+    return most > 65536 ? most : 65536;
 }
 
 /* With light, that is left half of the tolerance. */

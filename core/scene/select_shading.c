@@ -1,3 +1,4 @@
+#include "../base/divide.h"
 #include "select.h"
 #include "select_light.h"
 
@@ -5,69 +6,16 @@
  * right to 1/64; a texture's factors are rounded once more. */
 enum { GOURAUD_ERROR = 128 + 4, FACTOR_ERROR = 128 };
 
-/* Does light above 255 hide the plane in a channel? It does where some vertices
- * have 255 and some less, and where it is to be multiplied. */
-static bool is_cut(const pel_color color[3], bool multiplied)
-{
-    for (int k = 0; k < 24; k += 8) {
-        const uint32_t white = UINT32_C(255) << k;
-        const int n = ((color[0] & white) == white) +
-                      ((color[1] & white) == white) +
-                      ((color[2] & white) == white);
-        if (n == 1 || n == 2 || (n && multiplied))
-            return true;
-    }
-    return false;
-}
-
-/* The middle of each channel; returns the largest way to a vertex's. */
-static uint32_t middle_of(const pel_color c[3], pel_color *middle)
-{
-    uint32_t range = 0;
-    *middle = c[0] & UINT32_C(0xFF000000);
-    for (int k = 0; k < 24; k += 8) {
-        int32_t low = 255, high = 0;
-        for (int i = 0; i < 3; i++) {
-            const int32_t v = (int32_t)(c[i] >> k & 255);
-            low = pel_min(low, v);
-            high = pel_max(high, v);
-        }
-        *middle |= (uint32_t)(low + high + 1) / 2 << k;
-        range = (uint32_t)pel_max((int32_t)range, (high - low + 1) / 2);
-    }
-    return range;
-}
-
 /* Polynomials end in roundings of 1/64 step and less. */
 enum { QUICK_ERROR = 8, SPAN_MOST = 3 };
 
-static uint64_t size_of(uint64_t gradient)
-{
-    return (uint64_t)pel_size_of((int64_t)gradient);
-}
-
-/* How much of an edge a pixel to the right is, 2^-28, rounded up. */
-static uint64_t edge_part(const struct pel_plane weight[2])
-{
-    const uint64_t a = size_of(weight[0].dx), b = size_of(weight[1].dx);
-    const uint64_t c = size_of(weight[0].dx + weight[1].dx);
-    const uint64_t most = a > b ? a : b;
-    return ((most > c ? most : c) >> 24) + 1;
-}
-
-/* The bits of the longest span, up to 1/4 edge, that is good enough; none where
- * normals turn by 3/4 or more. */
-static int span_of(const struct pel_light_bounds *b, uint64_t part,
-                   uint64_t room)
-{
-    int bits = b->tears || b->turns.normal >= 49152 ? 0 : SPAN_MOST;
-    for (; bits > 0; bits--) {
-        const uint64_t s = part << bits >> 12;
-        if (s < 16384 && pel_light_span_bound(b, (uint32_t)s + 1) <= room)
-            break;
-    }
-    return bits;
-}
+/* What a triangle's paint is chosen by. */
+struct choice {
+    const struct pel_color_paint *surface;
+    pel_color lit[3], own[3]; /* the vertices' colors */
+    struct pel_lit_corners corners;
+    struct pel_light_bounds bounds;
+};
 
 static void note(struct pel_frame *frame, enum pel_method method,
                  uint64_t bound)
@@ -77,74 +25,69 @@ static void note(struct pel_frame *frame, enum pel_method method,
         (uint32_t)(bound + (uint32_t)(frame->scene->tolerance - frame->room));
 }
 
-static const struct pel_paint *exact_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface,
-    const pel_color color[3])
+/* One color or Gouraud's; NULL where they are not good enough. Where light
+ * above 255 is cut off, Gouraud is no plane, nor is a texture that is
+ * multiplied by it. */
+static const struct pel_paint *try_vertices(struct pel_frame *frame,
+                                            const struct choice *c)
 {
-    note(frame, PEL_METHOD_PHONG, 0);
-    return pel_phong_paint(frame, surface, color);
-}
-
-static const struct pel_paint *quick_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface,
-    const struct pel_lit_corners *corners,
-    const struct pel_light_bounds *bounds, const pel_color color[3])
-{
-    static const int32_t one[2][3] = {{0, 1 << 28, 0}, {0, 0, 1 << 28}};
-    struct pel_phong_quick *quick = &frame->work->paint.quick;
-    const uint64_t room = (uint32_t)frame->room - QUICK_ERROR;
-    pel_phong_quick_init(quick, &frame->lights, corners, surface, color);
-    quick->alpha = frame->alpha;
-    pel_color_paint_init(&quick->base, quick->base.colors, frame->opaque);
-    for (int i = 0; i < 2; i++)
-        pel_frame_plane(frame, one[i], &quick->weight[i]);
-    quick->dull = bounds->quick + bounds->dull <= room / 2;
-    const uint64_t dull = quick->dull ? bounds->dull : 0;
-    const uint64_t part = edge_part(quick->weight);
-    quick->span = (uint8_t)span_of(bounds, part, room - dull);
-    note(frame, quick->span ? PEL_METHOD_SPANS : PEL_METHOD_QUICK,
-         dull + QUICK_ERROR +
-             (quick->span ? pel_light_span_bound(
-                                bounds, (uint32_t)(part << quick->span >> 12))
-                          : bounds->quick));
-    return &quick->base.paint;
-}
-
-/* `bound` is that of Gouraud; a flat color may add up to `room`. */
-static const struct pel_paint *vertex_paint(
-    struct pel_frame *frame, const struct pel_color_paint *surface,
-    pel_color lit[3], uint64_t bound, uint64_t room)
-{
-    pel_color middle;
-    const uint64_t range = (uint64_t)middle_of(lit, &middle) * 256;
-    const bool flat = range <= room;
-    note(frame, flat ? PEL_METHOD_FLAT : PEL_METHOD_GOURAUD,
-         bound + (flat ? range : 0));
-    if (flat)
-        lit[0] = lit[1] = lit[2] = middle;
-    if (surface)
-        return frame->mesh_texture->mapping->modulate(frame, surface, lit);
-    if (flat) {
-        struct pel_flat *paint = &frame->work->paint.flat;
-        *paint = (struct pel_flat)PEL_FLAT(middle);
-        return &paint->paint;
-    }
-    pel_frame_gouraud(frame, lit, &frame->work->paint.gouraud);
-    return &frame->work->paint.gouraud.paint;
-}
-
-/* The paint of Gouraud or one color; NULL where they are not good enough. */
-static const struct pel_paint *try_vertices(
-    struct pel_frame *frame, const struct pel_color_paint *surface,
-    pel_color lit[3], const struct pel_light_bounds *bounds)
-{
-    const uint64_t tolerance = (uint32_t)frame->room;
+    const struct pel_color_ranges lit = pel_color_ranges_of(c->lit);
     const uint64_t bound =
-        bounds->plane + GOURAUD_ERROR + (surface ? FACTOR_ERROR : 0);
-    if (bound > tolerance || is_cut(lit, surface) ||
-        (surface && frame->lights.lighting->plain_highlights))
+        c->bounds.plane + GOURAUD_ERROR + (c->surface ? FACTOR_ERROR : 0);
+    const uint64_t range = (uint32_t)(lit.range + 1) / 2 * 256;
+    const uint64_t room = (uint32_t)frame->room;
+    if (bound > room || lit.cut ||
+        (c->surface &&
+         (lit.most == 255 || frame->lights.lighting->plain_highlights)))
         return NULL;
-    return vertex_paint(frame, surface, lit, bound, tolerance - bound);
+    if (range <= room - bound) {
+        note(frame, PEL_METHOD_FLAT, bound + range);
+        return pel_frame_flat_paint(frame, c->surface, lit.middle);
+    }
+    note(frame, PEL_METHOD_GOURAUD, bound);
+    return pel_frame_gouraud_paint(frame, c->surface, c->lit);
+}
+
+/* How much of an edge a pixel to the right is, 2^-16, rounded up but in
+ * triangles of few pixels, where it is too much for spans. */
+static uint32_t edge_part(const struct pel_plane_setup *s)
+{
+    const int32_t most =
+        pel_max(pel_max(pel_magnitude(s->right[0]), pel_magnitude(s->right[1])),
+                pel_magnitude(s->right[2]));
+    return pel_divide((uint64_t)(uint32_t)most << 8,
+                      (uint32_t)(s->area >> 16)) +
+           1;
+}
+
+/* Light by polynomials, at every pixel or at the ends of the longest spans, up
+ * to 1/4 edge, that are good enough; NULL where neither is. Highlights are left
+ * out where they take less than half of what there is. */
+static const struct pel_paint *try_quick(struct pel_frame *frame,
+                                         const struct choice *c)
+{
+    const struct pel_light_bounds *b = &c->bounds;
+    uint64_t room = (uint32_t)frame->room - QUICK_ERROR;
+    uint64_t bound = pel_light_quick_bound(b, 0);
+    if (bound > room || frame->lights.count > PEL_QUICK_LIGHTS)
+        return NULL;
+    struct pel_phong_quick *quick = &frame->work->paint.quick;
+    pel_phong_quick_init(quick, frame, &c->corners, c->surface, c->own);
+    quick->dull = bound + b->dull <= room / 2;
+    const uint64_t dull = quick->dull ? b->dull : 0;
+    const uint32_t part = edge_part(pel_frame_setup(frame));
+    quick->span = b->normal < 49152 ? SPAN_MOST : 0;
+    for (; quick->span; quick->span--) {
+        const uint32_t s = part << quick->span;
+        const uint64_t spans = pel_light_quick_bound(b, s);
+        if (s < 16384 && spans <= room - dull) {
+            bound = spans;
+            break;
+        }
+    }
+    note(frame, quick->span ? PEL_METHOD_SPANS : PEL_METHOD_QUICK,
+         bound + dull + QUICK_ERROR);
+    return &quick->base.paint;
 }
 
 /* Twice the area, 1/65,536 px, of two pixels: these take less than their bound
@@ -154,27 +97,26 @@ enum { FEW_PIXELS = 2 * 2 * 65536 };
 static const struct pel_paint *chosen_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface)
 {
-    const int64_t tolerance = frame->room;
-    pel_color lit[3], own[3];
+    struct choice c = {.surface = surface};
+    const struct pel_paint *paint = NULL;
     uint8_t notes[3];
-    struct pel_lit_corners corners;
-    struct pel_light_bounds bounds;
-    pel_frame_colors(frame, lit);
+    pel_frame_colors(frame, c.lit);
     for (int i = 0; i < 3; i++) {
-        notes[i] = (uint8_t)(lit[i] >> 24);
-        lit[i] = (lit[i] & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
-        own[i] = pel_frame_surface(frame, frame->work->triangle.vertex[i]);
+        notes[i] = (uint8_t)(c.lit[i] >> 24);
+        c.lit[i] = (c.lit[i] & 0xFFFFFFu) | (uint32_t)frame->alpha << 24;
+        c.own[i] = pel_frame_surface(frame, frame->work->triangle.vertex[i]);
     }
-    if (tolerance < QUICK_ERROR || pel_frame_setup(frame)->area < FEW_PIXELS ||
-        !pel_light_bound(frame, notes, own, &corners, &bounds))
-        return exact_paint(frame, surface, own);
-    const struct pel_paint *paint = try_vertices(frame, surface, lit, &bounds);
+    if (frame->room >= QUICK_ERROR &&
+        pel_frame_setup(frame)->area >= FEW_PIXELS &&
+        pel_light_bound(frame, notes, c.own, &c.corners, &c.bounds)) {
+        paint = try_vertices(frame, &c);
+        if (!paint)
+            paint = try_quick(frame, &c);
+    }
     if (paint)
         return paint;
-    if (bounds.quick <= (uint64_t)(tolerance - QUICK_ERROR) &&
-        frame->lights.count <= PEL_QUICK_LIGHTS)
-        return quick_paint(frame, surface, &corners, &bounds, own);
-    return exact_paint(frame, surface, own);
+    note(frame, PEL_METHOD_PHONG, 0);
+    return pel_phong_paint(frame, surface, c.own);
 }
 
 /* What a light may add to a channel, 1/256 step: 255/256 of the sum of its

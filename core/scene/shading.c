@@ -30,8 +30,7 @@ void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
 void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint)
 {
-    paint->paint =
-        (struct pel_paint)PEL_PAINT(pel_gouraud_fill, pel_gouraud_fast);
+    paint->paint = (struct pel_paint){pel_gouraud_fill, NULL};
     paint->at[3] = (color[0] >> 24 << 24) + 0x800000u;
     paint->dx[3] = paint->dy[3] = 0;
     PEL_UNROLL
@@ -76,7 +75,7 @@ static pel_color flat_color(const struct pel_frame *frame)
     return mean_of(color);
 }
 
-static const struct pel_paint *paint_of_color(
+const struct pel_paint *pel_frame_flat_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface,
     pel_color of_all)
 {
@@ -92,19 +91,26 @@ static const struct pel_paint *paint_of_color(
 static const struct pel_paint *flat_paint(struct pel_frame *frame,
                                           const struct pel_color_paint *surface)
 {
-    return paint_of_color(frame, surface, flat_color(frame));
+    return pel_frame_flat_paint(frame, surface, flat_color(frame));
+}
+
+const struct pel_paint *pel_frame_gouraud_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3])
+{
+    struct pel_gouraud *gouraud = &frame->work->paint.gouraud;
+    if (surface)
+        return frame->mesh_texture->mapping->modulate(frame, surface, color);
+    pel_frame_gouraud(frame, color, gouraud);
+    return &gouraud->paint;
 }
 
 static const struct pel_paint *gouraud_paint(
     struct pel_frame *frame, const struct pel_color_paint *surface)
 {
-    struct pel_gouraud *gouraud = &frame->work->paint.gouraud;
     pel_color color[3];
     pel_frame_colors(frame, color);
-    if (surface)
-        return frame->mesh_texture->mapping->modulate(frame, surface, color);
-    pel_frame_gouraud(frame, color, gouraud);
-    return &gouraud->paint;
+    return pel_frame_gouraud_paint(frame, surface, color);
 }
 
 const struct pel_shading pel_shade_flat = {NULL, NULL, flat_paint};
@@ -140,8 +146,8 @@ static const struct pel_paint *facet_paint(
     pel_mesh_facet(mesh, vertex, facet);
     pel_normalize(facet, normal);
     pel_mesh_lights_sum(&frame->lights, position, normal, &sum);
-    return paint_of_color(frame, surface,
-                          pel_lit_color(&sum, flat_color(frame)));
+    return pel_frame_flat_paint(frame, surface,
+                                pel_lit_color(&sum, flat_color(frame)));
 }
 
 const struct pel_shading pel_shade_lit_flat = {start_light, NULL, facet_paint};
@@ -258,7 +264,7 @@ const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
                                         const pel_color color[3])
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
-    struct pel_frame_triangle *t = &frame->work->triangle;
+    const uint32_t *vertex = frame->work->triangle.vertex;
     struct pel_phong *p = &frame->work->paint.phong;
     int32_t value[3][3];
     pel_color_paint_init(&p->base, phong_colors, frame->opaque);
@@ -266,10 +272,10 @@ const struct pel_paint *pel_phong_paint(struct pel_frame *frame,
     p->surface = surface;
     p->alpha = frame->alpha;
     for (int i = 0; i < 3; i++)
-        pel_mesh_normal(mesh, t->vertex[i], value[i]);
+        pel_mesh_normal(mesh, vertex[i], value[i]);
     set_planes(frame, value, p->plane);
     for (int i = 0; i < 3; i++)
-        pel_mesh_lights_position(&frame->lights, mesh->positions[t->vertex[i]],
+        pel_mesh_lights_position(&frame->lights, mesh->positions[vertex[i]],
                                  value[i]);
     set_planes(frame, value, p->plane + 3);
     if (!surface)

@@ -118,6 +118,15 @@ void pel_frame_plane(struct pel_frame *frame, const int32_t value[3],
 void pel_frame_gouraud(struct pel_frame *frame, const pel_color color[3],
                        struct pel_gouraud *paint);
 
+/* The paint of that triangle in one color, or linear between its vertices';
+ * where there is a surface, that multiplied by it. */
+const struct pel_paint *pel_frame_flat_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    pel_color color);
+const struct pel_paint *pel_frame_gouraud_paint(
+    struct pel_frame *frame, const struct pel_color_paint *surface,
+    const pel_color color[3]);
+
 /* The color of a vertex before it is lit: that of the texture, the mesh or the
  * part at hand, with the part's alpha. */
 pel_color pel_frame_surface(const struct pel_frame *frame, uint32_t vertex);

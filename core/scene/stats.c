@@ -1,19 +1,10 @@
 #include "stats.h"
 
-#include <stddef.h>
-
 #include "select_light.h"
-
-/* The struct that a paint is in. */
-static struct pel_stats *stats_of(const void *paint)
-{
-    return (struct pel_stats *)((uintptr_t)paint -
-                                offsetof(struct pel_stats, paint));
-}
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
-    struct pel_stats *s = stats_of(paint);
+    struct pel_stats *s = (void *)(uintptr_t)paint;
     for (int32_t i = 0; i < spans->n; i++)
         s->method[s->at].pixels +=
             (uint64_t)pel_max(spans->span[i].x1 - spans->span[i].x0, 0);
@@ -24,7 +15,7 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
                    int32_t n, pel_color *out)
 {
-    struct pel_stats *s = stats_of(paint);
+    struct pel_stats *s = (void *)(uintptr_t)paint;
     const struct pel_color_paint *inner = (const void *)s->inner;
     s->method[s->at].pixels += (uint64_t)n;
     inner->colors(inner, x, y, n, out);

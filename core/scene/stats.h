@@ -11,6 +11,10 @@ PEL_BEGIN_DECLS
  * counted as often as it is drawn. Triangles count once for each band, and for
  * each of the two passes through a depth buffer that translucent ones need. */
 struct pel_stats {
+    struct pel_color_paint paint; /* stands before the triangle's own */
+    const struct pel_paint *inner;
+    uint8_t at; /* the triangle's method */
+
     struct {
         uint32_t triangles; /* cut ones count as often as they have parts */
         uint64_t pixels;
@@ -18,10 +22,6 @@ struct pel_stats {
     uint32_t nearest; /* triangles, with nearest texels unlike bilinear ones */
     uint32_t bound;   /* the largest of all frames, 1/256 step */
     int32_t lights_left_out; /* of the last frame */
-
-    struct pel_color_paint paint; /* stands before the triangle's own */
-    const struct pel_paint *inner;
-    uint8_t at; /* the triangle's method */
 };
 
 /* pel_shade_chosen, counted in scene->stats, which is not NULL; slower. One

@@ -1,4 +1,4 @@
-#include "bus_kinds.h"
+#include "bus.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -10,18 +10,16 @@
 
 int pel_bus_fails(struct pel_bus_linux *bus, const char *what, int error)
 {
-    pel_message_set(bus->message, "%s: %s: %s", bus->path, what,
-                    strerror(error));
-    return error;
+    return pel_message_set(bus->message, error, "%s: %s: %s", bus->path, what,
+                           strerror(error));
 }
 
 static int set_line(struct pel_bus_linux *bus, struct pel_gpio *line, bool high)
 {
     const int error = line->request ? pel_gpio_set(line, 0, high) : 0;
-    if (error)
-        pel_message_set(bus->message, "a line of %s: %s", line->path,
-                        strerror(error));
-    return error;
+    return error ? pel_message_set(bus->message, error, "a line of %s: %s",
+                                   line->path, strerror(error))
+                 : 0;
 }
 
 static void sleep_ms(uint32_t ms)
@@ -81,12 +79,11 @@ static int open_device(struct pel_bus_linux *bus,
     if (bus->fd >= 0)
         return spi ? pel_bus_spi_start(bus, request)
                    : pel_bus_i2c_start(bus, request);
-    const int error = errno;
-    pel_message_open(bus->message, bus->path, error,
-                     spi ? "is SPI on? dtparam=spi=on in config.txt of a Pi"
-                         : "is I2C on? dtparam=i2c_arm=on in config.txt of a "
-                           "Pi, and modprobe i2c-dev");
-    return error;
+    return pel_message_open(
+        bus->message, bus->path, errno,
+        spi ? "is SPI on? dtparam=spi=on in config.txt of a Pi"
+            : "is I2C on? dtparam=i2c_arm=on in config.txt of a "
+              "Pi, and modprobe i2c-dev");
 }
 
 int pel_bus_linux_open(struct pel_bus_linux *bus,

@@ -48,5 +48,15 @@ int pel_bus_linux_open(struct pel_bus_linux *bus,
 
 /* Nothing when it is not open. */
 void pel_bus_linux_close(struct pel_bus_linux *bus);
+
+/* For bus.c, bus_spi.c and bus_i2c.c: set up the device that is open, and
+ * `command` and `data`. 0 or an errno, with the message. */
+int pel_bus_spi_start(struct pel_bus_linux *bus,
+                      const struct pel_bus_request *request);
+int pel_bus_i2c_start(struct pel_bus_linux *bus,
+                      const struct pel_bus_request *request);
+
+/* "/dev/spidev0.0: WHAT: Input/output error"; the errno given. */
+int pel_bus_fails(struct pel_bus_linux *bus, const char *what, int error);
 PEL_END_DECLS
 #endif

@@ -1,4 +1,4 @@
-#include "bus_kinds.h"
+#include "bus.h"
 
 #include <errno.h>
 #include <linux/i2c-dev.h>
@@ -23,13 +23,11 @@ static int transfer(struct pel_bus_linux *bus, uint8_t *bytes, size_t n,
     if (pel_linux_ioctl(bus->fd, I2C_RDWR, &data) >= 0)
         return 0;
     const int error = errno;
-    if (error == ENXIO || error == EREMOTEIO || error == ETIMEDOUT)
-        pel_message_set(bus->message,
-                        "no chip answers at address 0x%02x of %s: %s",
-                        bus->address, bus->path, strerror(error));
-    else
-        pel_bus_fails(bus, "transfer", error);
-    return error;
+    if (error != ENXIO && error != EREMOTEIO && error != ETIMEDOUT)
+        return pel_bus_fails(bus, "transfer", error);
+    return pel_message_set(bus->message, error,
+                           "no chip answers at address 0x%02x of %s: %s",
+                           bus->address, bus->path, strerror(error));
 }
 
 static enum pel_status i2c_command(const struct pel_bus *pel_bus,
@@ -75,14 +73,12 @@ static int lock_address(struct pel_bus_linux *bus)
     if (fcntl(bus->fd, F_OFD_SETLK, &lock) == 0)
         return 0;
     const int error = errno;
-    if (error == EAGAIN || error == EACCES)
-        pel_message_set(bus->message,
-                        "another program has the chip at address 0x%02x of %s: "
-                        "end it first",
-                        bus->address, bus->path);
-    else
-        pel_bus_fails(bus, "lock", error);
-    return error;
+    if (error != EAGAIN && error != EACCES)
+        return pel_bus_fails(bus, "lock", error);
+    return pel_message_set(bus->message, error,
+                           "another program has the chip at address 0x%02x of "
+                           "%s: end it first",
+                           bus->address, bus->path);
 }
 
 int pel_bus_i2c_start(struct pel_bus_linux *bus,
@@ -96,13 +92,11 @@ int pel_bus_i2c_start(struct pel_bus_linux *bus,
         return lock_address(bus);
     const int error = errno;
     if (error == EBUSY)
-        pel_message_set(bus->message,
-                        "a driver of the kernel has the chip at address "
-                        "0x%02x of %s",
-                        bus->address, bus->path);
-    else if (error == ENOTTY)
-        pel_message_set(bus->message, "%s is no I2C device", bus->path);
-    else
-        pel_bus_fails(bus, "address", error);
-    return error;
+        return pel_message_set(bus->message, error,
+                               "a driver of the kernel has the chip at address "
+                               "0x%02x of %s",
+                               bus->address, bus->path);
+    return error == ENOTTY ? pel_message_set(bus->message, error,
+                                             "%s is no I2C device", bus->path)
+                           : pel_bus_fails(bus, "address", error);
 }

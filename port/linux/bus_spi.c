@@ -1,4 +1,4 @@
-#include "bus_kinds.h"
+#include "bus.h"
 
 #include <errno.h>
 #include <linux/spi/spidev.h>
@@ -117,9 +117,8 @@ int pel_bus_spi_start(struct pel_bus_linux *bus,
     bus->most = read_bufsiz();
     if (pel_linux_ioctl(bus->fd, SPI_IOC_WR_MODE, &mode) == 0)
         return 0;
-    if (errno == ENOTTY || (errno == EINVAL && mode == 0)) {
-        pel_message_set(bus->message, "%s is no SPI device", bus->path);
-        return ENOTTY;
-    }
+    if (errno == ENOTTY || (errno == EINVAL && mode == 0))
+        return pel_message_set(bus->message, ENOTTY, "%s is no SPI device",
+                               bus->path);
     return pel_bus_fails(bus, "mode", errno);
 }

@@ -3,7 +3,7 @@
 #include <errno.h>
 #include <string.h>
 
-#include "../../drivers/linux_io.h"
+#include "evdev.h"
 
 enum { MOST_EDGES = PEL_GPIO_MOST * 32 };
 
@@ -46,7 +46,8 @@ int pel_buttons_open(struct pel_buttons *b, struct pel_message *message)
         error = pel_gpio_levels(&b->gpio, &b->active);
     while (error == EINTR);
     if (error) {
-        pel_message_errno(message, b->gpio.path, error);
+        errno = error;
+        pel_message_errno(message, b->gpio.path);
         pel_gpio_close(&b->gpio);
         return error;
     }
@@ -72,17 +73,15 @@ void pel_buttons_close(struct pel_buttons *b)
 }
 
 /* The chip is gone: nothing is held any more. */
-static int vanish(struct pel_buttons *b, uint32_t now,
-                  struct pel_input_queue *queue)
+static int vanish(struct pel_buttons *b, struct pel_input_queue *queue)
 {
     pel_buttons_close(b);
     b->active = 0;
     for (int i = 0; i < b->request.count; i++) {
         struct pel_button *button = &b->parts[i].button;
-        const struct pel_input up = {
-            .time = now, .kind = PEL_INPUT_KEY, .code = button->code};
         if (button->pressed)
-            pel_input_push(queue, &up);
+            pel_input_push_now(queue, PEL_INPUT_KEY, PEL_INPUT_UP,
+                               button->code);
         button->pressed = button->level = false;
     }
     return -1;
@@ -123,10 +122,9 @@ int pel_buttons_read(struct pel_buttons *b, struct pel_input_queue *queue)
     const int error = n < 0 ? -n : pel_gpio_levels(&b->gpio, &active);
     const uint32_t now = pel_linux_milliseconds();
     if (error)
-        return error == EINTR ? 0 : vanish(b, now, queue);
+        return error == EINTR ? 0 : vanish(b, queue);
     if (lost)
-        pel_input_push(
-            queue, &(struct pel_input){.time = now, .kind = PEL_INPUT_LOST});
+        pel_input_push_now(queue, PEL_INPUT_LOST, 0, 0);
     else
         active = (active & ~b->encoders) | (b->active & b->encoders);
     b->active = active;

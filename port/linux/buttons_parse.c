@@ -9,8 +9,8 @@
 static int refuse(struct pel_message *message, const char *what,
                   const char *expected)
 {
-    pel_message_set(message, "buttons: '%s': expected %s", what, expected);
-    return EINVAL;
+    return pel_message_set(message, EINVAL, "buttons: '%s': expected %s", what,
+                           expected);
 }
 
 static int add_line(struct pel_buttons *b, const char *line,
@@ -46,9 +46,8 @@ static int parse_number(const char *word, const char *text, int low, int high,
     const long number = strtol(text, &end, 10);
     if (end != text && !*end && number >= low && number <= high)
         return (int)number;
-    pel_message_set(message, "buttons: %s=%s: expected %d to %d", word, text,
-                    low, high);
-    return -1;
+    return pel_message_set(message, -1, "buttons: %s=%s: expected %d to %d",
+                           word, text, low, high);
 }
 
 /* Below 0: refused. */

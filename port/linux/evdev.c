@@ -6,9 +6,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../../drivers/linux_io.h"
-#include "evdev_keys.h"
-
 /* What the places of a device mean. */
 enum { NOTHING, POINTER, PEN, FINGERS };
 
@@ -50,51 +47,87 @@ static void push_key(const struct pel_evdev *evdev, int code, int state,
     pel_input_push(queue, &e);
 }
 
-static void push_place(struct pel_evdev *evdev, int i, uint32_t time,
+/* A coordinate of finger i in pixels, as libevdev has it now: axis `many` where
+ * fingers have slots, otherwise `one`. */
+static int16_t pixel_now(const struct pel_evdev *evdev, int i, unsigned many,
+                         unsigned one, int size)
+{
+    const struct libevdev *d = evdev->device;
+    const unsigned axis = evdev->slots ? many : one;
+    const struct input_absinfo *info = libevdev_get_abs_info(d, axis);
+    if (!info)
+        return 0;
+    const int value = evdev->slots
+                          ? libevdev_get_slot_value(d, (unsigned)i, axis)
+                          : libevdev_get_event_value(d, EV_ABS, axis);
+    const int64_t range = (int64_t)info->maximum - info->minimum;
+    const int64_t at = (int64_t)value - info->minimum;
+    const int64_t px = range > 0 ? at * size / (range + 1) : 0;
+    return (int16_t)(px < 0 ? 0 : px < size ? px : size - 1);
+}
+
+static struct pel_evdev_finger finger_now(const struct pel_evdev *evdev, int i)
+{
+    const struct libevdev *d = evdev->device;
+    return (struct pel_evdev_finger){
+        pixel_now(evdev, i, ABS_MT_POSITION_X, ABS_X, evdev->width),
+        pixel_now(evdev, i, ABS_MT_POSITION_Y, ABS_Y, evdev->height),
+        evdev->slots
+            ? libevdev_get_slot_value(d, (unsigned)i, ABS_MT_TRACKING_ID) >= 0
+            : evdev->places >= PEN &&
+                  libevdev_get_event_value(d, EV_KEY, BTN_TOUCH)};
+}
+
+static void push_place(struct pel_evdev *evdev, int i,
+                       struct pel_evdev_finger now, uint32_t time,
                        struct pel_input_queue *queue)
 {
-    const bool down = evdev->finger[i].down, told = evdev->finger[i].told;
+    const bool was = evdev->finger[i].down;
     struct pel_input e = {.time = time,
                           .kind = PEL_INPUT_POINT,
                           .code = (uint16_t)i,
-                          .x = evdev->finger[i].x,
-                          .y = evdev->finger[i].y};
+                          .x = now.x,
+                          .y = now.y};
     if (evdev->places == FINGERS) {
         e.kind = PEL_INPUT_TOUCH;
-        e.state = !down  ? PEL_INPUT_UP
-                  : told ? PEL_INPUT_AGAIN
-                         : PEL_INPUT_DOWN;
+        e.state = !now.down ? PEL_INPUT_UP
+                  : was     ? PEL_INPUT_AGAIN
+                            : PEL_INPUT_DOWN;
     }
-    if (evdev->places != FINGERS || down || told)
+    if (evdev->places != FINGERS || now.down || was)
         pel_input_push(queue, &e);
-    if (evdev->places == PEN && down != told)
+    if (evdev->places == PEN && now.down != was)
         pel_input_push(queue, &(struct pel_input){.time = time,
                                                   .kind = PEL_INPUT_BUTTON,
-                                                  .state = down,
+                                                  .state = now.down,
                                                   .code = 1});
-    evdev->finger[i].told = down;
-    evdev->finger[i].changed = false;
+    evdev->finger[i] = now;
 }
 
 static void push_steps(struct pel_input_queue *queue, int kind, uint32_t time,
-                       int16_t *x, int16_t *y)
+                       int16_t x, int16_t y)
 {
     const struct pel_input e = {
-        .time = time, .kind = (uint8_t)kind, .x = *x, .y = *y};
-    if (*x || *y)
+        .time = time, .kind = (uint8_t)kind, .x = x, .y = y};
+    if (x || y)
         pel_input_push(queue, &e);
-    *x = *y = 0;
 }
 
 /* All that a report said of places and steps. */
 static void push_report(struct pel_evdev *evdev, uint32_t time,
                         struct pel_input_queue *queue)
 {
-    for (int i = 0; i < PEL_EVDEV_FINGERS; i++)
-        if (evdev->finger[i].changed)
-            push_place(evdev, i, time, queue);
-    push_steps(queue, PEL_INPUT_MOVE, time, &evdev->move_x, &evdev->move_y);
-    push_steps(queue, PEL_INPUT_WHEEL, time, &evdev->wheel_x, &evdev->wheel_y);
+    for (int i = 0; i < evdev->fingers; i++) {
+        const struct pel_evdev_finger *told = &evdev->finger[i];
+        const struct pel_evdev_finger now = finger_now(evdev, i);
+        if (now.x != told->x || now.y != told->y || now.down != told->down)
+            push_place(evdev, i, now, time, queue);
+    }
+    push_steps(queue, PEL_INPUT_MOVE, time, evdev->steps[REL_X],
+               evdev->steps[REL_Y]);
+    push_steps(queue, PEL_INPUT_WHEEL, time, evdev->steps[REL_HWHEEL],
+               evdev->steps[REL_WHEEL]);
+    memset(evdev->steps, 0, sizeof(evdev->steps));
 }
 
 static int16_t add(int sum, int value)
@@ -105,96 +138,15 @@ static int16_t add(int sum, int value)
                                        : sum);
 }
 
-static void note_step(struct pel_evdev *evdev, int code, int value)
-{
-    if (code == REL_X)
-        evdev->move_x = add(evdev->move_x, value);
-    else if (code == REL_Y)
-        evdev->move_y = add(evdev->move_y, value);
-    else if (code == REL_HWHEEL)
-        evdev->wheel_x = add(evdev->wheel_x, value);
-    else if (code == REL_WHEEL)
-        evdev->wheel_y = add(evdev->wheel_y, value);
-}
-
-/* A value of the axis as a pixel. */
-static int16_t scale(const struct pel_evdev *evdev, unsigned axis, int value,
-                     int size)
-{
-    const struct input_absinfo *info =
-        libevdev_get_abs_info(evdev->device, axis);
-    const int64_t range = (int64_t)info->maximum - info->minimum;
-    const int64_t at = (int64_t)value - info->minimum;
-    const int64_t px = range > 0 ? at * size / (range + 1) : 0;
-    return (int16_t)(px < 0 ? 0 : px < size ? px : size - 1);
-}
-
-/* Of several fingers, each in a slot. */
-static bool has_slots(const struct pel_evdev *evdev)
-{
-    return evdev->places == FINGERS &&
-           libevdev_get_num_slots(evdev->device) > 0;
-}
-
-static void note_place(struct pel_evdev *evdev, unsigned code, int value)
-{
-    const bool many = has_slots(evdev);
-    if (code == ABS_MT_SLOT)
-        evdev->slot = value;
-    const int i = many ? evdev->slot : 0;
-    if (i < 0 || i >= PEL_EVDEV_FINGERS || evdev->places == NOTHING)
-        return;
-    if (code == (many ? ABS_MT_POSITION_X : ABS_X))
-        evdev->finger[i].x = scale(evdev, code, value, evdev->width);
-    else if (code == (many ? ABS_MT_POSITION_Y : ABS_Y))
-        evdev->finger[i].y = scale(evdev, code, value, evdev->height);
-    else if (many && code == ABS_MT_TRACKING_ID)
-        evdev->finger[i].down = value >= 0;
-    else
-        return;
-    evdev->finger[i].changed = true;
-}
-
 static void handle(struct pel_evdev *evdev, const struct input_event *e,
                    struct pel_input_queue *queue)
 {
-    if (e->type == EV_ABS) {
-        note_place(evdev, e->code, e->value);
-    } else if (e->type == EV_REL) {
-        note_step(evdev, e->code, e->value);
-    } else if (e->type == EV_SYN && e->code == SYN_REPORT) {
+    if (e->type == EV_REL && e->code < PEL_EVDEV_STEPS)
+        evdev->steps[e->code] = add(evdev->steps[e->code], e->value);
+    else if (e->type == EV_SYN && e->code == SYN_REPORT)
         push_report(evdev, time_of(e), queue);
-    } else if (e->type == EV_KEY && e->code == BTN_TOUCH &&
-               evdev->places >= PEN && !has_slots(evdev)) {
-        evdev->finger[0].down = e->value > 0;
-        evdev->finger[0].changed = true;
-    } else if (e->type == EV_KEY) {
+    else if (e->type == EV_KEY)
         push_key(evdev, e->code, e->value, time_of(e), queue);
-    }
-}
-
-/* Takes in the places as they are; they count as told. */
-static void read_places(struct pel_evdev *evdev)
-{
-    const struct libevdev *d = evdev->device;
-    const int slots = has_slots(evdev) ? libevdev_get_num_slots(d) : 0;
-    memset(evdev->finger, 0, sizeof(evdev->finger));
-    for (int i = 0; i < slots && i < PEL_EVDEV_FINGERS; i++) {
-        evdev->slot = i;
-        for (unsigned code = ABS_MT_POSITION_X; code <= ABS_MT_TRACKING_ID;
-             code++)
-            note_place(evdev, code,
-                       libevdev_get_slot_value(d, (unsigned)i, code));
-        evdev->finger[i].changed = false;
-    }
-    evdev->slot = slots ? libevdev_get_current_slot(d) : 0;
-    if (slots)
-        return;
-    note_place(evdev, ABS_X, libevdev_get_event_value(d, EV_ABS, ABS_X));
-    note_place(evdev, ABS_Y, libevdev_get_event_value(d, EV_ABS, ABS_Y));
-    evdev->finger[0].down =
-        evdev->places >= PEN && libevdev_get_event_value(d, EV_KEY, BTN_TOUCH);
-    evdev->finger[0].changed = false;
 }
 
 /* Presses or releases all that is held. */
@@ -204,13 +156,15 @@ static void push_held(struct pel_evdev *evdev, int state, uint32_t time,
     for (unsigned code = 0; code < KEY_MAX; code++)
         if (libevdev_get_event_value(evdev->device, EV_KEY, code))
             push_key(evdev, (int)code, state, time, queue);
-    for (int i = 0; i < PEL_EVDEV_FINGERS; i++) {
-        if (state == PEL_INPUT_DOWN)
-            evdev->finger[i].told = false;
-        else
-            evdev->finger[i].down = false;
-        if (evdev->finger[i].down != evdev->finger[i].told)
-            push_place(evdev, i, time, queue);
+    for (int i = 0; i < evdev->fingers; i++) {
+        struct pel_evdev_finger *told = &evdev->finger[i], now = *told;
+        now.down = false;
+        if (state == PEL_INPUT_DOWN) {
+            now = finger_now(evdev, i);
+            told->down = false;
+        }
+        if (now.down != told->down)
+            push_place(evdev, i, now, time, queue);
     }
 }
 
@@ -218,41 +172,27 @@ static void push_held(struct pel_evdev *evdev, int state, uint32_t time,
  * which is taken in without a word. */
 static int resync(struct pel_evdev *evdev, struct pel_input_queue *queue)
 {
-    const struct pel_input lost = {.time = pel_linux_milliseconds(),
-                                   .kind = PEL_INPUT_LOST};
     struct input_event e;
     int status;
     do
         status =
             libevdev_next_event(evdev->device, LIBEVDEV_READ_FLAG_SYNC, &e);
     while (status == LIBEVDEV_READ_STATUS_SYNC);
-    read_places(evdev);
-    evdev->move_x = evdev->move_y = evdev->wheel_x = evdev->wheel_y = 0;
-    pel_input_push(queue, &lost);
+    memset(evdev->steps, 0, sizeof(evdev->steps));
+    pel_input_push_now(queue, PEL_INPUT_LOST, 0, 0);
     return status == -EAGAIN ? 0 : status;
-}
-
-static void push_device(const struct pel_evdev *evdev, int state,
-                        struct pel_input_queue *queue)
-{
-    const struct pel_input e = {.time = pel_linux_milliseconds(),
-                                .kind = PEL_INPUT_DEVICE,
-                                .state = (uint8_t)state,
-                                .code = (uint16_t)evdev->number};
-    pel_input_push(queue, &e);
 }
 
 /* Room for what one report may push. */
 enum { ROOM = PEL_EVDEV_FINGERS + 4 };
 
-bool pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue)
+void pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue)
 {
     struct input_event e;
     int status = 0;
     while (status >= 0) {
-        evdev->more = pel_input_room(queue) < ROOM;
-        if (evdev->more)
-            return true;
+        if (pel_input_room(queue) < ROOM)
+            return;
         if (pel_input_lost(queue, &evdev->losses))
             push_held(evdev, PEL_INPUT_DOWN, pel_linux_milliseconds(), queue);
         status =
@@ -263,11 +203,10 @@ bool pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue)
             status = resync(evdev, queue);
     }
     if (status == -EAGAIN || status == -EINTR)
-        return true;
+        return;
     push_held(evdev, PEL_INPUT_UP, pel_linux_milliseconds(), queue);
-    push_device(evdev, PEL_INPUT_UP, queue);
+    pel_input_push_now(queue, PEL_INPUT_DEVICE, PEL_INPUT_UP, evdev->number);
     pel_evdev_close(evdev);
-    return false;
 }
 
 /* As udev tells them apart: a touch pad has fingers that are not on a screen, a
@@ -311,26 +250,30 @@ int pel_evdev_open(struct pel_evdev *evdev, int number, bool keys,
                                 .height = evdev->height,
                                 .keys = keys,
                                 .losses = queue->losses};
-    if (fd < 0) {
-        pel_message_open(message, path, error, "it is gone");
-        return error;
-    }
-    error = -libevdev_new_from_fd(fd, &evdev->device);
-    if (error) {
+    if (fd < 0)
+        return pel_message_open(message, path, error, "it is gone");
+    errno = -libevdev_new_from_fd(fd, &evdev->device);
+    if (errno) {
+        error = pel_message_errno(message, path);
         close(fd);
         evdev->device = NULL;
-        pel_message_errno(message, path, error);
         return error;
     }
     libevdev_set_clock_id(evdev->device, CLOCK_MONOTONIC);
     evdev->places = (uint8_t)places_of(evdev->device);
+    if (evdev->places == FINGERS)
+        evdev->slots = pel_max(libevdev_get_num_slots(evdev->device), 0);
+    evdev->fingers = evdev->places == NOTHING ? 0
+                     : evdev->slots ? pel_min(evdev->slots, PEL_EVDEV_FINGERS)
+                                    : 1;
     if (!tells_something(evdev)) {
         pel_evdev_close(evdev);
-        pel_message_set(message, "%s has no keys, and points nowhere", path);
-        return ENOTSUP;
+        return pel_message_set(message, ENOTSUP,
+                               "%s has no keys, and points nowhere", path);
     }
-    read_places(evdev);
-    push_device(evdev, PEL_INPUT_DOWN, queue);
+    for (int i = 0; i < evdev->fingers; i++)
+        evdev->finger[i] = finger_now(evdev, i);
+    pel_input_push_now(queue, PEL_INPUT_DEVICE, PEL_INPUT_DOWN, number);
     push_held(evdev, PEL_INPUT_DOWN, pel_linux_milliseconds(), queue);
     return 0;
 }

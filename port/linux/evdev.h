@@ -6,13 +6,32 @@
 #define PEL_PORT_LINUX_EVDEV_H
 
 #include "../../drivers/input.h"
+#include "../../drivers/linux_io.h"
 #include "../../drivers/linux_message.h"
 
 PEL_BEGIN_DECLS
 
-enum { PEL_EVDEV_FINGERS = 10 };
+/* Pushes an event of now without a place. */
+static inline void pel_input_push_now(struct pel_input_queue *queue, int kind,
+                                      int state, int code)
+{
+    const struct pel_input event = {pel_linux_milliseconds(),
+                                    PEL_CAST(uint8_t, kind),
+                                    PEL_CAST(uint8_t, state),
+                                    PEL_CAST(uint16_t, code),
+                                    0,
+                                    0};
+    pel_input_push(queue, &event);
+}
+
+enum { PEL_EVDEV_FINGERS = 10, PEL_EVDEV_STEPS = 9 /* REL_X to REL_WHEEL */ };
 
 struct libevdev;
+
+struct pel_evdev_finger {
+    int16_t x, y; /* px */
+    bool down;
+};
 
 /* One that is open. */
 struct pel_evdev {
@@ -21,14 +40,12 @@ struct pel_evdev {
     int width, height;       /* px: places are within 0..width - 1 */
     bool keys;               /* tells keys, too: see pel_evdev_open */
     uint8_t places;          /* what its places mean: see evdev.c */
-    bool more;               /* there was no room for all of what came */
+    int slots, fingers;      /* slots: 0 where one finger has none */
     uint16_t losses;         /* of the queue, as seen last */
-    int slot;                /* of the finger that is spoken of */
-    struct {
-        int16_t x, y;
-        bool down, changed, told;
-    } finger[PEL_EVDEV_FINGERS]; /* the first is a pointer or a pen, too */
-    int16_t move_x, move_y, wheel_x, wheel_y; /* of the report that comes in */
+    struct pel_evdev_finger finger[PEL_EVDEV_FINGERS]; /* as told; the first is
+                                                          a pointer or a pen,
+                                                          too */
+    int16_t steps[PEL_EVDEV_STEPS]; /* of the report that comes in, by code */
 };
 
 /* Opens /dev/input/eventN and tells that it is there, and what is held. Without
@@ -39,15 +56,18 @@ int pel_evdev_open(struct pel_evdev *evdev, int number, bool keys,
                    struct pel_input_queue *queue, struct pel_message *message);
 
 /* Pushes what came, while there is room; after a loss in the kernel
- * PEL_INPUT_LOST; after any loss what is held. False when the device is gone,
- * after all of it was released. */
-bool pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue);
+ * PEL_INPUT_LOST; after any loss what is held. When the device is gone all is
+ * released and it is closed. */
+void pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue);
 
 /* What to poll. */
 int pel_evdev_descriptor(const struct pel_evdev *evdev);
 
 /* Nothing when it is not open. */
 void pel_evdev_close(struct pel_evdev *evdev);
+
+/* The kernel's keys, KEY_A and so on, as enum pel_key. */
+uint16_t pel_evdev_key(int code);
 
 PEL_END_DECLS
 #endif

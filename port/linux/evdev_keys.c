@@ -1,4 +1,4 @@
-#include "evdev_keys.h"
+#include "evdev.h"
 
 #include <linux/input-event-codes.h>
 #include <stddef.h>

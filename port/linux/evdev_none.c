@@ -11,17 +11,16 @@ int pel_evdev_open(struct pel_evdev *evdev, int number, bool keys,
     (void)keys;
     (void)queue;
     evdev->device = 0;
-    pel_message_set(message, "built without libevdev, which reads keyboards "
-                             "and touch screens: install libevdev-dev and make "
-                             "again");
-    return ENOSYS;
+    return pel_message_set(message, ENOSYS,
+                           "built without libevdev, which reads keyboards and "
+                           "touch screens: install libevdev-dev and make "
+                           "again");
 }
 
-bool pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue)
+void pel_evdev_read(struct pel_evdev *evdev, struct pel_input_queue *queue)
 {
     (void)evdev;
     (void)queue;
-    return false;
 }
 
 int pel_evdev_descriptor(const struct pel_evdev *evdev)

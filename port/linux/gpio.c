@@ -2,6 +2,7 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <gpiod.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +11,7 @@ enum { MOST_CHIPS = 64 };
 
 static int open_path(struct pel_gpio *gpio)
 {
-    gpio->chip = pel_gpio_chip_open(gpio->path);
+    gpio->chip = gpiod_chip_open(gpio->path);
     if (!gpio->chip)
         return errno;
     pel_gpio_chip_label(gpio->chip, gpio->label, sizeof(gpio->label));
@@ -45,17 +46,18 @@ static int find_chip(struct pel_gpio *gpio, const char *label, const char *line,
 static int open_by_line(struct pel_gpio *gpio, const char *line,
                         struct pel_message *message)
 {
-    if (isdigit((unsigned char)line[0])) {
-        pel_message_set(message,
-                        "line %s is of which chip? expected gpiochip0:%s", line,
-                        line);
-        return EINVAL;
-    }
+    if (isdigit((unsigned char)line[0]))
+        return pel_message_set(message, EINVAL,
+                               "line %s is of which chip? expected "
+                               "gpiochip0:%s",
+                               line, line);
     const int error = find_chip(gpio, NULL, line, message);
-    if (error == ENOENT)
-        pel_message_set(
-            message, "no GPIO chip has a line '%s': gpioinfo lists them", line);
-    return error;
+    return error == ENOENT
+               ? pel_message_set(message, error,
+                                 "no GPIO chip has a line '%s': gpioinfo lists "
+                                 "them",
+                                 line)
+               : error;
 }
 
 static int open_chip(struct pel_gpio *gpio, const char *chip,
@@ -85,27 +87,26 @@ static int find_line(struct pel_gpio *gpio, const char *name, unsigned *offset,
     if (errno != EINTR && isdigit((unsigned char)name[0]) && !*end &&
         number < pel_gpio_chip_lines(gpio->chip))
         return 0;
-    pel_message_set(message, "%s has no line '%s': gpioinfo lists them",
-                    gpio->path, name);
-    return errno == EINTR ? EINTR : ENOENT;
+    return pel_message_set(message, errno == EINTR ? EINTR : ENOENT,
+                           "%s has no line '%s': gpioinfo lists them",
+                           gpio->path, name);
 }
 
 /* Whose line it is that was refused. */
-static void not_free(struct pel_gpio *gpio,
-                     const struct pel_gpio_request *request, int error,
-                     struct pel_message *message)
+static int not_free(struct pel_gpio *gpio,
+                    const struct pel_gpio_request *request, int error,
+                    struct pel_message *message)
 {
     char holder[64];
-    pel_message_set(message, "lines of %s: %s", gpio->path, strerror(error));
     for (int i = 0; i < gpio->count && error == EBUSY; i++)
         if (pel_gpio_chip_holder(gpio->chip, gpio->offsets[i], holder,
-                                 sizeof(holder))) {
-            pel_message_set(message,
-                            "line %s of %s is held by '%s': stop that, or take "
-                            "another line",
-                            request->lines[i], gpio->path, holder);
-            return;
-        }
+                                 sizeof(holder)))
+            return pel_message_set(message, error,
+                                   "line %s of %s is held by '%s': stop that, "
+                                   "or take another line",
+                                   request->lines[i], gpio->path, holder);
+    return pel_message_set(message, error, "lines of %s: %s", gpio->path,
+                           strerror(error));
 }
 
 static int try_open(struct pel_gpio *gpio,
@@ -118,11 +119,9 @@ static int try_open(struct pel_gpio *gpio,
                               : open_by_line(gpio, request->lines[0], message);
     for (int i = 0; i < request->count && !error; i++)
         error = find_line(gpio, request->lines[i], &gpio->offsets[i], message);
-    if (!error) {
-        error = pel_gpio_request_lines(gpio, request);
-        if (error)
-            not_free(gpio, request, error, message);
-    }
+    const int refused = error ? 0 : pel_gpio_request_lines(gpio, request);
+    if (refused)
+        error = not_free(gpio, request, refused, message);
     if (error)
         pel_gpio_close(gpio);
     return error;
@@ -143,6 +142,6 @@ void pel_gpio_close(struct pel_gpio *gpio)
     if (gpio->request)
         pel_gpio_release_lines(gpio);
     if (gpio->chip)
-        pel_gpio_chip_close(gpio->chip);
+        gpiod_chip_close(gpio->chip);
     gpio->chip = gpio->request = NULL;
 }

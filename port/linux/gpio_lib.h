@@ -1,5 +1,5 @@
-/* What gpio.c needs of libgpiod, whose versions 1 and 2 have nothing in common.
- */
+/* What gpio.c needs of libgpiod, whose versions 1 and 2 have in common how
+ * a chip is opened and closed. */
 #ifndef PEL_PORT_LINUX_GPIO_LIB_H
 #define PEL_PORT_LINUX_GPIO_LIB_H
 
@@ -9,9 +9,7 @@ PEL_BEGIN_DECLS
 
 enum { PEL_GPIO_EDGES_AT_ONCE = 16 }; /* that the kernel keeps of a line */
 
-/* A chip; or NULL and errno. */
-void *pel_gpio_chip_open(const char *path);
-void pel_gpio_chip_close(void *chip);
+/* Of an open chip. */
 unsigned pel_gpio_chip_lines(void *chip);
 void pel_gpio_chip_label(void *chip, char *label, size_t size);
 

@@ -9,9 +9,9 @@ int pel_gpio_open(struct pel_gpio *gpio, const struct pel_gpio_request *request,
 {
     (void)request;
     memset(gpio, 0, sizeof(*gpio));
-    pel_message_set(message, "built without libgpiod, which has the GPIO lines:"
-                             " install libgpiod-dev and make again");
-    return ENOSYS;
+    return pel_message_set(message, ENOSYS,
+                           "built without libgpiod, which has the GPIO lines: "
+                           "install libgpiod-dev and make again");
 }
 
 void pel_gpio_close(struct pel_gpio *gpio)

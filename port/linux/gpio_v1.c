@@ -2,20 +2,9 @@
 #include "gpio_lib.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <gpiod.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-void *pel_gpio_chip_open(const char *path)
-{
-    return gpiod_chip_open(path);
-}
-
-void pel_gpio_chip_close(void *chip)
-{
-    gpiod_chip_close(chip);
-}
 
 unsigned pel_gpio_chip_lines(void *chip)
 {
@@ -49,18 +38,6 @@ static struct gpiod_line *line_of(struct pel_gpio *gpio, int i)
     return gpiod_line_bulk_get_line(bulk, (unsigned)i);
 }
 
-/* Descriptors that do not block. */
-static int unblock(struct pel_gpio *gpio)
-{
-    for (int i = 0; i < gpio->count; i++) {
-        const int fd = gpiod_line_event_get_fd(line_of(gpio, i));
-        const int flags = fd < 0 ? -1 : fcntl(fd, F_GETFL);
-        if (flags < 0 || fcntl(fd, F_SETFL, flags | O_NONBLOCK) < 0)
-            return errno;
-    }
-    return 0;
-}
-
 int pel_gpio_request_lines(struct pel_gpio *gpio,
                            const struct pel_gpio_request *request)
 {
@@ -71,11 +48,11 @@ int pel_gpio_request_lines(struct pel_gpio *gpio,
         [PEL_GPIO_FLOATING] = GPIOD_LINE_REQUEST_FLAG_BIAS_DISABLE |
                               GPIOD_LINE_REQUEST_FLAG_ACTIVE_LOW,
         [PEL_GPIO_OUTPUT] = 0};
-    const bool output = request->use == PEL_GPIO_OUTPUT;
     const struct gpiod_line_request_config config = {
         .consumer = "pel",
-        .request_type = output ? GPIOD_LINE_REQUEST_DIRECTION_OUTPUT
-                               : GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES,
+        .request_type = request->use == PEL_GPIO_OUTPUT
+                            ? GPIOD_LINE_REQUEST_DIRECTION_OUTPUT
+                            : GPIOD_LINE_REQUEST_EVENT_BOTH_EDGES,
         .flags = flags[request->use]};
     static const int low[PEL_GPIO_MOST];
     struct gpiod_line_bulk *bulk = calloc(1, sizeof(*bulk));
@@ -89,7 +66,7 @@ int pel_gpio_request_lines(struct pel_gpio *gpio,
         return error;
     }
     gpio->request = bulk;
-    return output ? 0 : unblock(gpio);
+    return 0;
 }
 
 void pel_gpio_release_lines(struct pel_gpio *gpio)
@@ -129,10 +106,13 @@ static int read_line(struct pel_gpio *gpio, int i, struct pel_gpio_edge *edges,
                      int n, bool *lost)
 {
     struct gpiod_line_event events[PEL_GPIO_EDGES_AT_ONCE];
-    const int got = gpiod_line_event_read_multiple(line_of(gpio, i), events,
-                                                   PEL_GPIO_EDGES_AT_ONCE);
+    struct gpiod_line *line = line_of(gpio, i);
+    int got = gpiod_line_event_wait(line, &(struct timespec){0, 0});
+    if (got > 0)
+        got = gpiod_line_event_read_multiple(line, events,
+                                             PEL_GPIO_EDGES_AT_ONCE);
     if (got < 0)
-        return errno == EAGAIN || errno == EINTR ? n : -errno;
+        return errno == EINTR ? n : -errno;
     *lost = *lost || got == PEL_GPIO_EDGES_AT_ONCE;
     for (int k = 0; k < got; k++)
         insert(edges, n++,

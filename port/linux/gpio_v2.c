@@ -13,16 +13,6 @@ struct lines {
 
 enum { EDGES = PEL_GPIO_MOST * PEL_GPIO_EDGES_AT_ONCE };
 
-void *pel_gpio_chip_open(const char *path)
-{
-    return gpiod_chip_open(path);
-}
-
-void pel_gpio_chip_close(void *chip)
-{
-    gpiod_chip_close(chip);
-}
-
 unsigned pel_gpio_chip_lines(void *chip)
 {
     struct gpiod_chip_info *info = gpiod_chip_get_info(chip);

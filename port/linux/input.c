@@ -11,26 +11,12 @@
 
 #include "../../drivers/linux_io.h"
 
-/* Whom epoll wakes for, after the devices. */
-enum { NOTIFY = PEL_INPUT_LINUX_DEVICES, BUTTONS, TIMER };
-
-static int watch(struct pel_input_linux *in, int fd, int who)
+static int watch(struct pel_input_linux *in, int fd)
 {
-    struct epoll_event e = {.events = EPOLLIN, .data = {.u32 = (uint32_t)who}};
+    struct epoll_event e = {.events = EPOLLIN};
     if (fd >= 0 && epoll_ctl(in->poll, EPOLL_CTL_ADD, fd, &e) == 0)
         return 0;
-    const int error = errno;
-    pel_message_errno(&in->message, "cannot wait for input", error);
-    return error;
-}
-
-static void push_device(struct pel_input_linux *in, int code, int state)
-{
-    const struct pel_input e = {.time = pel_linux_milliseconds(),
-                                .kind = PEL_INPUT_DEVICE,
-                                .state = (uint8_t)state,
-                                .code = (uint16_t)code};
-    pel_input_push(&in->queue, &e);
+    return pel_message_errno(&in->message, "cannot wait for input");
 }
 
 /* Opens /dev/input/eventN, if that is not open. Rights may come later than the
@@ -44,7 +30,7 @@ static void open_device(struct pel_input_linux *in, int number)
         else if (in->devices[i].number == number)
             return;
     if (!free) {
-        pel_message_set(&in->note,
+        pel_message_set(&in->note, 0,
                         "more than %d input devices: eventN with "
                         "N = %d is left out",
                         PEL_INPUT_LINUX_DEVICES, number);
@@ -58,11 +44,11 @@ static void open_device(struct pel_input_linux *in, int number)
                                &in->message);
     while (error == EINTR);
     if (!error) {
-        error =
-            watch(in, pel_evdev_descriptor(free), (int)(free - in->devices));
+        error = watch(in, pel_evdev_descriptor(free));
         if (error) {
             pel_evdev_close(free);
-            push_device(in, number, PEL_INPUT_UP);
+            pel_input_push_now(&in->queue, PEL_INPUT_DEVICE, PEL_INPUT_UP,
+                               number);
         }
     }
     if (error && error != ENOENT && error != ENODEV && error != ENOTSUP)
@@ -97,7 +83,8 @@ static void read_buttons(struct pel_input_linux *in)
     const bool open = in->buttons.open;
     arm(in, pel_buttons_read(&in->buttons, &in->queue));
     if (open && !in->buttons.open)
-        push_device(in, PEL_INPUT_LINUX_CHIP, PEL_INPUT_UP);
+        pel_input_push_now(&in->queue, PEL_INPUT_DEVICE, PEL_INPUT_UP,
+                           PEL_INPUT_LINUX_CHIP);
 }
 
 static int open_buttons(struct pel_input_linux *in)
@@ -108,12 +95,13 @@ static int open_buttons(struct pel_input_linux *in)
         return error;
     const int n = pel_gpio_descriptors(&in->buttons.gpio, descriptors);
     for (int i = 0; i < n && !error; i++)
-        error = watch(in, descriptors[i], BUTTONS);
+        error = watch(in, descriptors[i]);
     if (error) {
         pel_buttons_close(&in->buttons);
         return error;
     }
-    push_device(in, PEL_INPUT_LINUX_CHIP, PEL_INPUT_DOWN);
+    pel_input_push_now(&in->queue, PEL_INPUT_DEVICE, PEL_INPUT_DOWN,
+                       PEL_INPUT_LINUX_CHIP);
     read_buttons(in);
     return 0;
 }
@@ -126,8 +114,9 @@ static void note_file(struct pel_input_linux *in, const char *name)
         open_devices(in);
     else if (sscanf(name, "event%d", &number) == 1)
         open_device(in, number);
-    else if (in->options.buttons && strncmp(name, "gpiochip", 8) == 0)
-        in->buttons.open ? read_buttons(in) : (void)open_buttons(in);
+    else if (in->options.buttons && !in->buttons.open &&
+             strncmp(name, "gpiochip", 8) == 0)
+        open_buttons(in);
 }
 
 static void read_notes(struct pel_input_linux *in)
@@ -144,29 +133,15 @@ static void read_notes(struct pel_input_linux *in)
     }
 }
 
+/* Of what has nothing new this is a system call each: who polls wakes for what
+ * is readable, and reads it all. */
 static void read_all(struct pel_input_linux *in)
 {
-    struct epoll_event ready[PEL_INPUT_LINUX_DEVICES + PEL_GPIO_MOST];
-    uint64_t times;
-    const int n =
-        epoll_wait(in->poll, ready, PEL_INPUT_LINUX_DEVICES + PEL_GPIO_MOST, 0);
-    bool buttons = in->queue.losses != in->buttons.losses;
-    for (int i = 0; i < n; i++) {
-        const int who = (int)ready[i].data.u32;
-        if (who == NOTIFY)
-            read_notes(in);
-        else if (who < NOTIFY)
-            in->devices[who].more = true;
-        else if (who == TIMER)
-            buttons = read(in->timer, &times, sizeof(times)) > 0 || buttons;
-        else
-            buttons = true;
-    }
+    read_notes(in);
     for (int i = 0; i < PEL_INPUT_LINUX_DEVICES; i++)
-        if (in->devices[i].device &&
-            (in->devices[i].more || in->queue.losses != in->devices[i].losses))
+        if (in->devices[i].device)
             pel_evdev_read(&in->devices[i], &in->queue);
-    if (buttons && in->buttons.open)
+    if (in->buttons.open)
         read_buttons(in);
 }
 
@@ -194,18 +169,18 @@ bool pel_input_linux_wait(struct pel_input_linux *in, int milliseconds,
     return true;
 }
 
-/* The descriptors; 0 or an errno. */
+/* The descriptors. 0 or an errno, with the message. */
 static int prepare(struct pel_input_linux *in)
 {
     in->poll = epoll_create1(EPOLL_CLOEXEC);
     if (in->poll < 0)
-        return errno;
+        return pel_message_errno(&in->message, "cannot wait for input");
     in->notify = inotify_init1(IN_CLOEXEC | IN_NONBLOCK);
-    const int error = watch(in, in->notify, NOTIFY);
+    const int error = watch(in, in->notify);
     if (error)
         return error;
     in->timer = timerfd_create(CLOCK_MONOTONIC, TFD_CLOEXEC | TFD_NONBLOCK);
-    return watch(in, in->timer, TIMER);
+    return watch(in, in->timer);
 }
 
 int pel_input_linux_open(struct pel_input_linux *in,
@@ -217,11 +192,7 @@ int pel_input_linux_open(struct pel_input_linux *in,
     in->options = *options;
     in->poll = in->notify = in->timer = -1;
     int error = prepare(in);
-    if (error)
-        pel_message_errno(&in->message, "cannot wait for input", error);
-    else
-        inotify_add_watch(in->notify, "/dev",
-                          IN_CREATE | IN_ATTRIB | IN_DELETE);
+    inotify_add_watch(in->notify, "/dev", IN_CREATE | IN_ATTRIB | IN_DELETE);
     if (!error && options->buttons)
         error = pel_buttons_parse(&in->buttons, options->buttons, &in->message);
     if (!error && options->buttons)

@@ -8,6 +8,7 @@
 #include "core/image/glyph_text.h"
 #include "sim/font/asset.h"
 #include "sim/asset/text.h"
+#include "sim/cli/arguments.h"
 #include "sim/cli/message.h"
 
 /* At *text, and moves it behind: a number as in C, or any character but a
@@ -39,139 +40,88 @@ static bool next_range(const char **text, unsigned long range[2])
     return next_code(text, &range[1]) && range[0] <= range[1];
 }
 
-bool import_codes_legal(const char *codes)
+/* How each code point is wanted by --codes and --chars. */
+enum { RANGED = 1, NAMED = 2 };
+static uint8_t wanted[FONT_CODE_MAX + 2];
+
+static bool want_codes(const char *codes)
 {
     unsigned long range[2];
-    const char *p = codes;
-    bool legal = next_range(&p, range);
-    while (legal && *p == ',') {
-        p++;
-        legal = next_range(&p, range);
-    }
-    return (legal && *p == '\0') ||
-           message_error("--codes is '%s': expected code points and characters "
-                         "such as 32-126,0x20AC,\xC3\xA4",
-                         codes);
+    do {
+        if (!next_range(&codes, range))
+            return false;
+        if (range[0] == range[1])
+            wanted[range[0]] = NAMED;
+        for (; range[0] <= range[1]; range[0]++)
+            wanted[range[0]] |= RANGED;
+    } while (*codes++ == ',');
+    return codes[-1] == '\0';
 }
 
-bool import_chars_legal(const char *text)
+static bool want_chars(const char *text)
 {
-    unsigned long code = 0;
-    while (*text && code != 0xFFFD)
+    uint32_t code = 0;
+    while (*text && code != 0xFFFD) {
         code = pel_utf8_next(&text);
+        wanted[code] = NAMED;
+    }
     return code != 0 && code != 0xFFFD;
 }
 
-/* Code points of --codes and --chars that the font lacks. */
-struct lacking {
-    unsigned long count;
-    bool single; /* one of it was named by itself */
-    bool more;   /* than the list has */
-    char list[128];
-};
-
-static void add_lacking(struct lacking *l, unsigned long first,
-                        unsigned long last)
+bool import_codes_check(const struct import_options *o)
 {
-    const size_t n = strlen(l->list), room = sizeof(l->list) - n;
-    if (first > last)
-        return;
-    l->count += last - first + 1;
-    if (room < 24)
-        l->more = true;
-    else if (first == last)
-        snprintf(l->list + n, room, " U+%04lX", first);
-    else
-        snprintf(l->list + n, room, " U+%04lX-%04lX", first, last);
+    if (o->codes && !want_codes(o->codes))
+        return option_refuse("codes", o->codes,
+                             "code points and characters such as "
+                             "32-126,0x20AC,\xC3\xA4");
+    return !o->chars || want_chars(o->chars) ||
+           option_refuse("chars", o->chars, "UTF-8");
 }
 
-/* Marks the glyphs of a range. */
-static void keep_range(const struct font *font, const unsigned long range[2],
-                       bool *keep, struct lacking *lacking)
+/* Names what is still wanted. A range may have gaps, which is a note; what was
+ * named by itself is there. */
+static bool check_lacking(const char *path)
 {
-    const unsigned long before = lacking->count;
-    unsigned long next = range[0];
-    for (size_t i = 0; i < font->count; i++) {
-        const unsigned long code = font->chars[i].code;
-        if (code < range[0] || code > range[1])
+    char list[128] = "";
+    unsigned long count = 0;
+    bool named = false, more = false;
+    for (unsigned long code = 0; code <= FONT_CODE_MAX; code++) {
+        const unsigned long first = code;
+        const size_t n = strlen(list), room = sizeof(list) - n;
+        for (; wanted[code]; code++)
+            named = named || wanted[code] & NAMED;
+        if (code == first)
             continue;
-        keep[i] = true;
-        add_lacking(lacking, next, code - 1);
-        next = code + 1;
+        count += code - first;
+        more = more || room < 24;
+        if (!more)
+            snprintf(list + n, room,
+                     code - first > 1 ? " U+%04lX-%04lX" : " U+%04lX", first,
+                     code - 1);
     }
-    add_lacking(lacking, next, range[1]);
-    if (range[0] == range[1] && lacking->count > before)
-        lacking->single = true;
-}
-
-/* A range may have gaps, which a note names; what is named by itself is there.
- */
-static bool check_lacking(const struct lacking *l, const char *path)
-{
-    if (l->count > 0)
+    if (count > 0)
         message_error_at(
-            path, 0, "lacks %lu of --codes and --chars:%s%s%s", l->count,
-            l->list, l->more ? " ..." : "",
-            l->single ? ": expected a font that has them, or to do without"
-                      : "");
-    return !l->single;
+            path, 0, "lacks %lu of --codes and --chars:%s%s%s", count, list,
+            more ? " ..." : "",
+            named ? ": expected a font that has them, or to do without" : "");
+    return !named;
 }
 
 /* Drops the glyphs that --codes and --chars leave out; they stay in order. */
 static bool keep_codes(struct font *font, const struct import_options *o)
 {
-    struct lacking lacking = {0};
-    unsigned long range[2];
     size_t kept = 0;
-    bool *keep = calloc(font->count, sizeof(*keep));
-    if (!keep)
-        return message_error_at(o->source, 0, "out of memory");
-    for (const char *p = o->codes; p && next_range(&p, range); p += *p == ',')
-        keep_range(font, range, keep, &lacking);
-    for (const char *p = o->chars; p && *p;) {
-        range[0] = range[1] = pel_utf8_next(&p);
-        keep_range(font, range, keep, &lacking);
-    }
     for (size_t i = 0; i < font->count; i++)
-        if (keep[i])
+        if (wanted[font->chars[i].code]) {
+            wanted[font->chars[i].code] = 0;
             font->chars[kept++] = font->chars[i];
-    free(keep);
+        }
     font->count = kept;
-    return (kept > 0 ||
-            message_error_at(o->source, 0,
-                             "has no character of %s: expected some that it "
-                             "has",
-                             o->codes ? o->codes : o->chars)) &&
-           check_lacking(&lacking, o->source);
-}
-
-static void write_glyphs(struct import_text *text,
-                         const struct pel_font_asset *font)
-{
-    const struct import_array array = {"struct pel_font_glyph", "glyphs",
-                                       font->glyphs, 1, NULL};
-    import_array_begin(text, &array);
-    for (uint32_t i = 0; i < font->glyphs; i++) {
-        const struct pel_font_glyph *g = &font->glyph[i];
-        const long value[] = {(long)g->offset, g->width, g->height,
-                              g->left,         g->top,   g->advance};
-        import_array_item(text, value, 6);
-    }
-    import_array_end(text);
-}
-
-static void write_ranges(struct import_text *text,
-                         const struct pel_font_asset *font)
-{
-    const struct import_array array = {"struct pel_font_range", "ranges",
-                                       font->ranges, 1, NULL};
-    import_array_begin(text, &array);
-    for (uint32_t i = 0; i < font->ranges; i++) {
-        const struct pel_font_range *r = &font->range[i];
-        const long value[] = {(long)r->first, r->count, r->glyph};
-        import_array_item(text, value, 3);
-    }
-    import_array_end(text);
+    return (kept > 0 || message_error_at(
+                            o->source, 0,
+                            "has no character of %s: expected some that it has",
+                            o->codes ? o->codes : o->chars)) &&
+           check_lacking(o->source);
 }
 
 static void write_asset(struct import_text *text,
@@ -182,8 +132,23 @@ static void write_asset(struct import_text *text,
     const struct import_array bits = {"uint8_t", "bits", font->size, 1,
                                       font->bits};
     import_array(text, &bits);
-    write_glyphs(text, font);
-    write_ranges(text, font);
+    import_array_begin(text, "struct pel_font_glyph", "glyphs", font->glyphs,
+                       1);
+    for (uint32_t i = 0; i < font->glyphs; i++) {
+        const struct pel_font_glyph *g = &font->glyph[i];
+        import_item(text, "{%lu, %d, %d, %d, %d, %d},",
+                    (unsigned long)g->offset, g->width, g->height, g->left,
+                    g->top, g->advance);
+    }
+    import_array_end(text);
+    import_array_begin(text, "struct pel_font_range", "ranges", font->ranges,
+                       1);
+    for (uint32_t i = 0; i < font->ranges; i++) {
+        const struct pel_font_range *r = &font->range[i];
+        import_item(text, "{%lu, %d, %d},", (unsigned long)r->first, r->count,
+                    r->glyph);
+    }
+    import_array_end(text);
     import_struct_begin(text);
     fprintf(out, "    PEL_FONT_MAGIC,\n    PEL_FONT_VERSION,\n");
     fprintf(out, "    %u, /* px above the baseline */\n", font->ascent);
@@ -208,16 +173,14 @@ static bool write_file(const struct import_options *options,
 bool import_font(const struct import_options *options)
 {
     struct font font;
-    struct pel_font_asset asset;
-    if (!font_load(&font, options->source))
-        return false;
-    bool done =
-        ((!options->codes && !options->chars) || keep_codes(&font, options)) &&
-        font_add_box(&font) && font_asset_make(&asset, &font, options->source);
-    if (done) {
-        done = write_file(options, &asset);
-        font_asset_free(&asset);
-    }
+    struct pel_font_asset asset = {.magic = 0};
+    const bool all = !options->codes && !options->chars;
+    const bool done = font_load(&font, options->source) &&
+                      (all || keep_codes(&font, options)) &&
+                      font_add_box(&font) &&
+                      font_asset_make(&asset, &font, options->source) &&
+                      write_file(options, &asset);
+    font_asset_free(&asset);
     font_free(&font);
     return done;
 }

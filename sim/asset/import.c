@@ -28,7 +28,7 @@ struct import_command {
     struct scene_options scene;
     struct import_options options;
     const struct pel_format *format; /* NULL: not given */
-    int normal_bits;                 /* 8 or 16 */
+    bool normals16;                  /* else 8 bits */
     enum import_kind kind;
     char name[128]; /* made from the output's */
 };
@@ -61,26 +61,6 @@ static bool parse_format(const char *option, const char *text, void *input)
                          option, text, format_list());
 }
 
-static bool parse_normals(const char *option, const char *text, void *input)
-{
-    const int choice = choice_find("8|16", text);
-    ((struct import_command *)input)->normal_bits = choice ? 16 : 8;
-    return choice >= 0 || option_refuse(option, text, "8 or 16");
-}
-
-static bool parse_codes(const char *option, const char *text, void *input)
-{
-    (void)option;
-    ((struct import_command *)input)->options.codes = text;
-    return import_codes_legal(text);
-}
-
-static bool parse_chars(const char *option, const char *text, void *input)
-{
-    ((struct import_command *)input)->options.chars = text;
-    return import_chars_legal(text) || option_refuse(option, text, "UTF-8");
-}
-
 static const struct option_row output_options[] = {
     {"output", "FILE",
      "the asset: .c, with a .h beside it that declares it, or .pel2d for a "
@@ -100,17 +80,18 @@ static const struct option_row options[] = {
      "most 16 and 256 colours; others blend it onto --background (default: "
      "#000000)",
      OPTION_CALL, .parse = parse_format},
-    {"normals", "BITS", "8 (default) or 16", OPTION_CALL,
-     .parse = parse_normals},
+    {"normals", "BITS", "8 (default) or 16", OPTION_CHOICE,
+     .offset = offsetof(struct import_command, normals16), .n = sizeof(bool),
+     .expected = "8|16"},
     {"codes", "RANGES",
      "of a font, these alone, numbers or characters: 32-126,0x20AC,\xC3\xA4; "
      "what a font lacks of them is named, and an error outside of ranges",
-     OPTION_CALL, .parse = parse_codes},
+     OPTION_TEXT, .offset = offsetof(struct import_command, options.codes)},
     {"chars", "TEXT",
      "of a font, the characters of a text alone: \"\xC3\xA4 "
      "\xC3\xA9 \xE2\x82\xAC\"; those that it lacks are an "
      "error. With --codes, both",
-     OPTION_CALL, .parse = parse_chars},
+     OPTION_TEXT, .offset = offsetof(struct import_command, options.chars)},
     {.help = NULL},
 };
 
@@ -131,55 +112,39 @@ static const char about[] =
     "; PICTURE is a .png, .jpg, .tga, .bmp, .ppm or .pgm file; FONT is a "
     ".bdf or .psf file. The same input gives the same bytes.";
 
-/* The kinds that an option is for; those that the table leaves out place,
- * light and color what a pel2d file holds. */
+/* The kinds that options are for; those that the table leaves out place, light
+ * and color what a pel2d file holds. */
 static const struct use {
-    const char *option;
+    const char *options;
     unsigned kinds; /* of enum import_kind */
     const char *what;
 } uses[] = {
     {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT, "C assets"},
     {"format", IMPORT_PICTURE | IMPORT_MESH, "pictures and textures"},
     {"normals", IMPORT_MESH, "C assets of meshes"},
-    {"codes", IMPORT_FONT, "fonts"},
-    {"chars", IMPORT_FONT, "fonts"},
-    {"texture-file", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
-    {"normals-from", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
-    {"crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
-    {"shade", 0, "pel render"},
-    {"transparency", 0, "pel render"},
-    {"order", 0, "pel render"},
-    {"cull", 0, "pel render"},
-    {"mapping", 0, "pel render"},
-    {"span", 0, "pel render"},
+    {"codes|chars", IMPORT_FONT, "fonts"},
+    {"texture-file|normals-from|crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
+    {"shade|transparency|order|cull|mapping|span", 0, "pel render"},
     {"background", IMPORT_PICTURE, "pictures"},
     {NULL, IMPORT_PEL2D, "an output .pel2d"},
 };
 
-static const char *name_of(enum import_kind kind)
-{
-    switch (kind) {
-    case IMPORT_MESH:
-        return "a C asset of a mesh holds the mesh itself";
-    case IMPORT_PICTURE:
-        return "this is a picture";
-    case IMPORT_FONT:
-        return "this is a font";
-    default:
-        return "a pel2d file holds triangles with Gouraud's colours";
-    }
-}
-
 static bool check_options(const struct options_given *given,
                           enum import_kind kind)
 {
+    const char *name =
+        kind == IMPORT_MESH      ? "a C asset of a mesh holds the mesh itself"
+        : kind == IMPORT_PICTURE ? "this is a picture"
+        : kind == IMPORT_FONT
+            ? "this is a font"
+            : "a pel2d file holds triangles with Gouraud's colours";
     for (int i = 0; i < given->count; i++) {
         const struct use *use = uses;
-        while (use->option && strcmp(use->option, given->names[i]) != 0)
+        while (use->options && choice_find(use->options, given->names[i]) < 0)
             use++;
         if (!(use->kinds & (unsigned)kind))
             return message_error("--%s is for %s; %s", given->names[i],
-                                 use->what, name_of(kind));
+                                 use->what, name);
     }
     return true;
 }
@@ -188,94 +153,80 @@ static bool check_options(const struct options_given *given,
  * speak of pictures and fonts. */
 static bool check_mesh(const char *path)
 {
-    if (access(path, R_OK) != 0 || mesh_ending_known(path) || is_pel2d(path))
-        return true;
-    if (path_has_ending(path, " .gz "))
+    if (pel2d_is_file(path))
         return message_error_at(path, 0,
-                                "is packed: expected `gunzip -k` first, and of "
-                                "a font .pcf then `pcf2bdf -o FONT.bdf`");
-    if (path_has_ending(path, " .pcf "))
-        return message_error_at(
-            path, 0,
-            "is a font of another kind: expected `pcf2bdf -o FONT.bdf` first");
-    return message_error_at(path, 0,
-                            "neither mesh, picture nor font by its ending: "
-                            "expected a font .bdf or .psf, a picture .png, "
-                            ".ppm, .jpg, or a mesh that assimp reads");
-}
-
-static enum import_kind kind_of(const struct import_options *o)
-{
-    return is_pel2d(o->output)     ? IMPORT_PEL2D
-           : is_picture(o->source) ? IMPORT_PICTURE
-           : is_font(o->source)    ? IMPORT_FONT
-                                   : IMPORT_MESH;
+                                "is projected already: expected a mesh");
+    if (access(path, R_OK) != 0 || mesh_ending_known(path))
+        return true;
+    return message_error_at(
+        path, 0, "%s",
+        path_has_ending(path, " .gz ")
+            ? "is packed: expected `gunzip -k` first, and of a font .pcf then "
+              "`pcf2bdf -o FONT.bdf`"
+        : path_has_ending(path, " .pcf ")
+            ? "is a font of another kind: expected `pcf2bdf -o FONT.bdf` first"
+            : "neither mesh, picture nor font by its ending: expected a font "
+              ".bdf or .psf, a picture .png, .ppm, .jpg, or a mesh that assimp "
+              "reads");
 }
 
 static bool check(struct import_command *c)
 {
-    const char *input = c->options.source, *output = c->options.output;
-    if (!input || !output)
-        return message_error(
-            "%s is missing: expected `pel import MESH|PICTURE|FONT -o ASSET.c`",
-            input ? "-o ASSET.c" : "an input");
+    struct import_options *o = &c->options;
+    const char *input = o->source, *output = o->output;
+    const bool picture = is_picture(input), font = is_font(input);
+    if (!output)
+        return message_error("-o ASSET.c is missing: expected `pel import "
+                             "MESH|PICTURE|FONT -o ASSET.c`");
     if (strcmp(input, "-") == 0)
         return message_error(
             "import does not read standard input: expected a file");
-    c->kind = kind_of(&c->options);
-    if (c->kind == IMPORT_PEL2D && (is_picture(input) || is_font(input)))
+    c->kind = is_pel2d(output) ? IMPORT_PEL2D
+              : picture        ? IMPORT_PICTURE
+              : font           ? IMPORT_FONT
+                               : IMPORT_MESH;
+    if (c->kind == IMPORT_PEL2D && (picture || font))
         return message_error_at(
             input, 0, "a pel2d file holds a mesh: expected an output .c");
-    if (!is_pel2d(output) && strcmp(output, "-") != 0 &&
+    if (c->kind != IMPORT_PEL2D && strcmp(output, "-") != 0 &&
         !path_has_ending(output, " .c "))
         return message_error_at(output, 0, "expected an output .c or .pel2d");
-    if (c->kind == IMPORT_MESH && !check_mesh(input))
-        return false;
-    if (!c->options.name)
-        c->options.name = import_name(output, c->name);
     if (c->kind == IMPORT_MESH && c->format &&
         c->format->id > PEL_FORMAT_ARGB8888)
         return message_error("--format of textures is a palette: expected "
                              "another");
-    if (!check_options(&c->scene.given, c->kind) ||
-        (c->kind != IMPORT_PEL2D && !import_name_check(c->options.name)))
-        return false;
-    return c->kind == IMPORT_PICTURE || c->kind == IMPORT_FONT ||
-           !pel2d_is_file(input) ||
-           message_error_at(input, 0, "is projected already: expected a mesh");
+    if (!o->name)
+        o->name = import_name(output, c->name);
+    return (picture || font || check_mesh(input)) &&
+           check_options(&c->scene.given, c->kind) &&
+           (c->kind == IMPORT_PEL2D || import_name_check(o->name)) &&
+           import_codes_check(o);
 }
 
-/* Gouraud's colors at the vertices, whatever draws them. */
-static bool project(const struct scene_options *o, const struct model *model,
-                    struct pel2d *flat)
+/* With Gouraud's colors at the vertices, whatever draws them. */
+static bool import_as_pel2d(struct import_command *c)
 {
-    struct scene scene;
-    struct scene_settings settings = o->settings;
+    struct scene scene = {0};
+    struct scene_settings settings = c->scene.settings;
+    struct pel2d flat = {0};
+    struct model model;
     uint32_t clipped = 0;
     settings.shade = SCENE_GOURAUD;
     settings.mapping = SCENE_MAP_VERTICES;
-    const bool done = scene_init(&scene, model) &&
-                      scene_prepare(&scene, &settings) &&
-                      scene_project(&scene, flat, &clipped);
-    scene_free(&scene);
+    c->scene.source.without_texture = settings.texture == SCENE_TEXTURE_NONE;
+    if (!model_load(&model, &c->scene.source))
+        return false;
+    const bool projected = scene_init(&scene, &model) &&
+                           scene_prepare(&scene, &settings) &&
+                           scene_project(&scene, &flat, &clipped);
     if (clipped > 0)
         fprintf(stderr,
                 "pel: %s: %u of %u triangles reach behind the camera or far "
                 "out of the picture and were clipped\n",
-                o->source.path, clipped, model->mesh.triangles);
-    return done;
-}
-
-static bool import_as_pel2d(struct import_command *c)
-{
-    struct pel2d flat;
-    struct model model;
-    if (!model_load(&model, &c->scene.source))
-        return false;
-    const bool projected = project(&c->scene, &model, &flat);
+                c->scene.source.path, clipped, model.mesh.triangles);
     const bool done = projected && pel2d_save(&flat, c->options.output);
-    if (projected)
-        pel2d_free(&flat);
+    scene_free(&scene);
+    pel2d_free(&flat);
     model_free(&model);
     return done;
 }
@@ -284,16 +235,15 @@ static bool import_as_picture(struct import_command *c)
 {
     struct picture picture;
     const pel_color background = c->scene.settings.camera.background;
-    if (c->format && c->format->id >= PEL_FORMAT_ARGB8888 && background != 0)
+    const struct pel_format *format =
+        c->format ? c->format : format_find("rgb565_le");
+    if (format->id >= PEL_FORMAT_ARGB8888 && background != 0)
         return message_error(
             "--background is for formats without alpha; " IMPORT_ALPHA_FORMAT
             " and palettes keep it");
-    if (!texture_load(&picture, c->scene.source.path))
-        return false;
     c->options.background = background | PEL_RGB(0, 0, 0);
-    bool done =
-        import_picture(&c->options, &picture,
-                       c->format ? c->format : format_find("rgb565_le"));
+    const bool done = texture_load(&picture, c->options.source) &&
+                      import_picture(&c->options, &picture, format);
     picture_free(&picture);
     return done;
 }
@@ -307,7 +257,7 @@ static bool import_as_mesh(struct import_command *c)
         return false;
     const bool own_colors = mesh.has_colors && !source->texture;
     source->without_texture = own_colors && !c->format;
-    bool done = model_make_asset(&model, &mesh, c->normal_bits) &&
+    bool done = model_make(&model, &mesh, c->normals16 ? 16 : 8) &&
                 model_add_textures(&model, &mesh, source);
     if (done && !own_colors)
         model_paint(&model);
@@ -319,10 +269,7 @@ static bool import_as_mesh(struct import_command *c)
 
 int command_import(int argc, char **argv)
 {
-    struct import_command c = {
-        .scene = {.settings = scene_default},
-        .normal_bits = 8,
-    };
+    struct import_command c = {.scene = {.settings = scene_default}};
     c.scene.settings.texture = SCENE_TEXTURE_NEAREST;
     c.scene.settings.camera.background = 0; /* no option gives that */
     const struct command_line line = {

@@ -41,10 +41,7 @@ struct import_text;
 bool import_texture(struct import_text *text, unsigned number,
                     struct picture *picture, const struct pel_format *format);
 
-/* True for a legal list of --codes; false with a message. */
-bool import_codes_legal(const char *codes);
-
-/* True for one character or more of UTF-8. */
-bool import_chars_legal(const char *text);
+/* True for legal codes and chars; false with a message. */
+bool import_codes_check(const struct import_options *options);
 
 #endif

@@ -33,16 +33,6 @@ static const char *name_of(const struct pel_format *format)
     return entry->name ? entry->name : IMPORT_ALPHA_FORMAT;
 }
 
-static void write_bytes(struct import_text *text, const uint8_t *byte,
-                        size_t size)
-{
-    text->column = 80;
-    for (size_t i = 0; i < size; i++) {
-        const long value = byte[i];
-        import_array_item(text, &value, 1);
-    }
-}
-
 static void write_palette(struct import_text *text, const struct table *table,
                           int bits)
 {
@@ -73,12 +63,11 @@ static unsigned contrast_of(const struct pel_surface *surface,
 
 /* The union gives the bytes the alignment of a word. */
 static void write_asset(struct import_text *text,
-                        const struct import_options *options,
                         const struct pel_surface *surface,
                         const struct picture *picture)
 {
     FILE *out = text->output.stream;
-    const char *name = options->name;
+    const char *name = text->options->name;
     struct pel_image_asset image = {
         .format = surface->format->id,
         .width = (uint16_t)surface->bounds.x1,
@@ -89,7 +78,9 @@ static void write_asset(struct import_text *text,
     fprintf(out, "\nstatic const union {\n    uint8_t bytes[%u];\n",
             image.size);
     fprintf(out, "    uint32_t word;\n} %s_pixels = {{", name);
-    write_bytes(text, surface->pixels, image.size);
+    text->column = 80;
+    for (uint32_t i = 0; i < image.size; i++)
+        import_item(text, "%d,", ((const uint8_t *)surface->pixels)[i]);
     fprintf(out, "\n}};\n");
     import_struct_begin(text);
     fprintf(out, "    PEL_IMAGE_MAGIC,\n    PEL_IMAGE_VERSION,\n");
@@ -104,7 +95,7 @@ static void write_asset(struct import_text *text,
 static void store_alpha(const struct pel_surface *surface, int y, int width,
                         const pel_color *color)
 {
-    uint8_t *to = (uint8_t *)surface->pixels + (long)y * surface->stride;
+    uint8_t *to = pel_surface_line(surface, y);
     for (int x = 0; x < width; x++)
         for (int k = 0; k < 4; k++)
             *to++ = (uint8_t)(color[x] >> 8 * k);
@@ -122,45 +113,45 @@ static bool blend(pel_color *color, int width, pel_color background)
     return is_opaque;
 }
 
-static bool store_indices(const struct pel_surface *surface,
-                          const struct picture *picture, const char *path,
-                          struct table *table)
+static bool store_indices(const struct pel_surface *surface, int y, int width,
+                          const pel_color *color, struct table *table)
 {
     const int bits = surface->format->bits;
-    for (int y = 0; y < picture->height; y++)
-        for (int x = 0; x < picture->width; x++) {
-            const pel_color color = picture_row(picture, y)[x];
-            size_t i = 0;
-            while (i < table->count && table->color[i] != color)
-                i++;
-            if (i >> bits)
-                return message_error_at(path, 0,
-                                        "has more than %d colours: expected a "
-                                        "picture with fewer, or another "
-                                        "--format than palette%d",
-                                        1 << bits, bits);
-            if (i == table->count)
-                table->color[table->count++] = color;
-            pel_surface_line(surface, y)[x * bits / 8] |=
-                (uint8_t)(bits == 4 && x % 2 == 0 ? i << 4 : i);
-        }
+    for (int x = 0; x < width; x++) {
+        size_t i = 0;
+        while (i < table->count && table->color[i] != color[x])
+            i++;
+        if (i >> bits)
+            return false;
+        if (i == table->count)
+            table->color[table->count++] = color[x];
+        pel_surface_line(surface, y)[x * bits / 8] |=
+            (uint8_t)(bits == 4 && x % 2 == 0 ? i << 4 : i);
+    }
     return true;
 }
 
-static void store(const struct pel_surface *surface,
+static bool store(const struct pel_surface *surface,
                   const struct picture *picture,
-                  const struct import_options *options)
+                  const struct import_options *options, struct table *table)
 {
     const struct pel_format *format = surface->format;
+    const int width = picture->width;
     bool is_opaque = true;
     for (int y = 0; y < picture->height; y++) {
         pel_color *row = picture_row(picture, y);
-        if (format->id == PEL_FORMAT_ARGB8888)
-            store_alpha(surface, y, picture->width, row);
+        if (has_palette(format)) {
+            if (!store_indices(surface, y, width, row, table))
+                return message_error_at(options->source, 0,
+                                        "has more than %d colours: expected a "
+                                        "picture with fewer, or another "
+                                        "--format than palette%d",
+                                        1 << format->bits, format->bits);
+        } else if (format->id == PEL_FORMAT_ARGB8888)
+            store_alpha(surface, y, width, row);
         else {
-            is_opaque =
-                blend(row, picture->width, options->background) && is_opaque;
-            format->put(surface, 0, y, picture->width, row);
+            is_opaque = blend(row, width, options->background) && is_opaque;
+            format->put(surface, 0, y, width, row);
         }
     }
     if (!is_opaque)
@@ -168,6 +159,29 @@ static void store(const struct pel_surface *surface,
                 "pel: %s: what is transparent is blended onto #%06x; "
                 "--format " IMPORT_ALPHA_FORMAT " would keep it\n",
                 options->source, (unsigned)(options->background & 0xFFFFFF));
+    return true;
+}
+
+/* Writes the asset with the name of text->options. */
+static bool write_picture(struct import_text *text, struct picture *picture,
+                          const struct pel_format *format)
+{
+    struct canvas canvas;
+    struct table table = {.count = 0};
+    /* In memory an index is as a grey. */
+    const struct pel_format *memory = !has_palette(format) ? format
+                                      : format->bits == 4  ? &pel_gray4
+                                                           : &pel_gray8;
+    if (!canvas_init(&canvas, memory, picture->width, picture->height))
+        return false;
+    canvas.surface.format = format;
+    const bool done = store(&canvas.surface, picture, text->options, &table);
+    if (done && has_palette(format))
+        write_palette(text, &table, format->bits);
+    if (done)
+        write_asset(text, &canvas.surface, picture);
+    canvas_free(&canvas);
+    return done;
 }
 
 bool import_texture(struct import_text *text, unsigned number,
@@ -176,46 +190,24 @@ bool import_texture(struct import_text *text, unsigned number,
     const struct import_text mesh = *text;
     struct import_options own = *text->options;
     char name[IMPORT_NAME + 24];
-    struct canvas canvas;
-    if (!canvas_init(&canvas, format, picture->width, picture->height))
-        return false;
     snprintf(name, sizeof(name), "%s_texture_%u", own.name, number);
     own.name = name;
     text->options = &own;
     text->kind = "image";
-    store(&canvas.surface, picture, &own);
-    write_asset(text, &own, &canvas.surface, picture);
+    const bool done = write_picture(text, picture, format);
     text->options = mesh.options;
     text->kind = mesh.kind;
-    canvas_free(&canvas);
-    return true;
+    return done;
 }
 
 bool import_picture(const struct import_options *options,
                     struct picture *picture, const struct pel_format *format)
 {
-    struct canvas canvas;
     struct import_text text;
-    struct table table = {.count = 0};
-    bool done = true;
-    if (!canvas_init(&canvas,
-                     !has_palette(format) ? format
-                     : format->bits == 4  ? &pel_gray4
-                                          : &pel_gray8,
-                     picture->width, picture->height))
+    if (!import_text_open(&text, options, "image"))
         return false;
-    canvas.surface.format = format; /* in memory an index is as a grey */
-    if (has_palette(format))
-        done = store_indices(&canvas.surface, picture, options->source, &table);
-    else
-        store(&canvas.surface, picture, options);
-    done = done && import_text_open(&text, options, "image");
-    if (done) {
-        if (has_palette(format))
-            write_palette(&text, &table, format->bits);
-        write_asset(&text, options, &canvas.surface, picture);
-        done = import_text_commit(&text);
-    }
-    canvas_free(&canvas);
-    return done;
+    if (write_picture(&text, picture, format))
+        return import_text_commit(&text);
+    output_abandon(&text.output);
+    return false;
 }

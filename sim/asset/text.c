@@ -1,6 +1,7 @@
 #include "sim/asset/text.h"
 
 #include <ctype.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -81,28 +82,26 @@ bool import_text_open(struct import_text *text,
     return true;
 }
 
-void import_array_begin(struct import_text *text,
-                        const struct import_array *array)
+void import_array_begin(struct import_text *text, const char *type,
+                        const char *what, uint32_t count, int axes)
 {
     FILE *out = text->output.stream;
-    fprintf(out, "\nstatic const %s %s_%s[%u]", array->type,
-            text->options->name, array->what, array->count);
-    if (array->axes > 1)
-        fprintf(out, "[%d]", array->axes);
+    fprintf(out, "\nstatic const %s %s_%s[%u]", type, text->options->name, what,
+            count);
+    if (axes > 1)
+        fprintf(out, "[%d]", axes);
     fprintf(out, " = {");
     text->column = 80;
 }
 
-void import_array_item(struct import_text *text, const long *value, int n)
+void import_item(struct import_text *text, const char *format, ...)
 {
     char item[80];
-    int size = snprintf(item, sizeof(item), n > 1 ? "{%ld" : "%ld", value[0]);
-    for (int i = 1; i < n; i++)
-        size += snprintf(item + size, sizeof(item) - (size_t)size, ", %ld",
-                         value[i]);
-    size +=
-        snprintf(item + size, sizeof(item) - (size_t)size, n > 1 ? "}," : ",");
-    bool wrap = text->column + 1 + size > 80;
+    va_list arguments;
+    va_start(arguments, format);
+    const int size = vsnprintf(item, sizeof(item), format, arguments);
+    va_end(arguments);
+    const bool wrap = text->column + 1 + size > 80;
     fprintf(text->output.stream, "%s%s", wrap ? "\n    " : " ", item);
     text->column = wrap ? 4 + size : text->column + 1 + size;
 }
@@ -128,15 +127,18 @@ static long number_at(const struct import_array *array, size_t i)
 
 void import_array(struct import_text *text, const struct import_array *array)
 {
+    static const char *const formats[] = {"%ld,", "{%ld, %ld},",
+                                          "{%ld, %ld, %ld},"};
+    const size_t axes = (size_t)array->axes;
     if (!array->data)
         return;
-    import_array_begin(text, array);
-    for (uint32_t i = 0; i < array->count; i++) {
+    import_array_begin(text, array->type, array->what, array->count,
+                       array->axes);
+    for (size_t i = 0; i < array->count * axes; i += axes) {
         long value[3] = {0};
-        for (int k = 0; k < array->axes; k++)
-            value[k] =
-                number_at(array, (size_t)i * (size_t)array->axes + (size_t)k);
-        import_array_item(text, value, array->axes);
+        for (size_t k = 0; k < axes; k++)
+            value[k] = number_at(array, i + k);
+        import_item(text, formats[axes - 1], value[0], value[1], value[2]);
     }
     import_array_end(text);
 }
@@ -150,14 +152,20 @@ void import_struct_begin(struct import_text *text)
             text->options->name);
 }
 
-/* True for a file that pel import has not made. */
-static bool is_foreign(const char *path)
+/* True, with a message, for a header that pel import has not made. */
+static bool is_foreign(const char *path, const struct import_text *text)
 {
     char start[sizeof(made)];
-    return access(path, F_OK) == 0 &&
-           (access(path, R_OK) != 0 ||
-            (text_start(path, start, sizeof(start)) > 0 &&
-             strcmp(start, made) != 0));
+    const bool readable = access(path, R_OK) == 0;
+    if (readable ? text_start(path, start, sizeof(start)) == 0 ||
+                       strcmp(start, made) == 0
+                 : access(path, F_OK) != 0)
+        return false;
+    message_error_at(path, 0,
+                     "was not made by pel import and stays as it is; it "
+                     "should say: extern const struct pel_%s_asset %s;",
+                     text->kind, text->options->name);
+    return true;
 }
 
 /* pel.h, which C++ may include too. */
@@ -172,37 +180,26 @@ static void print_header(FILE *out, const struct import_text *text)
     fprintf(out, "\n#endif\n");
 }
 
-static bool commit_with_header(struct import_text *text, const char *path)
-{
-    struct output header;
-    if (is_foreign(path)) {
-        const bool done = output_commit(&text->output);
-        message_error_at(path, 0,
-                         "was not made by pel import and stays as it is; it "
-                         "should say: extern const struct pel_%s_asset %s;",
-                         text->kind, text->options->name);
-        return done;
-    }
-    if (!output_open(&header, path)) {
-        output_abandon(&text->output);
-        return false;
-    }
-    print_header(header.stream, text);
-    return output_commit_both(&text->output, &header);
-}
-
 bool import_text_commit(struct import_text *text)
 {
+    struct output header;
+    char *path;
     const char *output = text->options->output;
+    const int base = (int)strlen(output) - 1; /* without the c of .c */
     if (strcmp(output, "-") == 0)
         return output_commit(&text->output);
-    char *header = strdup(output);
-    if (!header) {
+    if (asprintf(&path, "%.*sh", base, output) < 0) {
         output_abandon(&text->output);
         return message_error("out of memory");
     }
-    header[strlen(header) - 1] = 'h';
-    const bool done = commit_with_header(text, header);
-    free(header);
+    const bool alone = is_foreign(path, text);
+    bool done = alone || output_open(&header, path);
+    if (done && !alone)
+        print_header(header.stream, text);
+    if (done)
+        done = output_commit_both(&text->output, alone ? NULL : &header);
+    else
+        output_abandon(&text->output);
+    free(path);
     return done;
 }

@@ -35,23 +35,21 @@ bool import_text_open(struct import_text *text,
  * stays as it is, and a message says what it has to declare. */
 bool import_text_commit(struct import_text *text);
 
+/* `static const TYPE NAME_WHAT[COUNT][AXES] = {`, without AXES when it is 1;
+ * elements; and the end. */
+void import_array_begin(struct import_text *text, const char *type,
+                        const char *what, uint32_t count, int axes);
+__attribute__((format(printf, 2, 3))) void import_item(struct import_text *text,
+                                                       const char *format, ...);
+void import_array_end(struct import_text *text);
+
+/* An array of numbers: all of them, of `type`; NULL data is left out. */
 struct import_array {
     const char *type, *what;
     uint32_t count;
-    int axes;         /* numbers of an element */
-    const void *data; /* of import_array: all of them, of `type` */
+    int axes; /* numbers of an element, which is {a, b, ...} unless that is 1 */
+    const void *data;
 };
-
-/* `static const TYPE NAME_WHAT[COUNT][AXES] = {`, without AXES when it is 1. */
-void import_array_begin(struct import_text *text,
-                        const struct import_array *array);
-
-/* One element: a number when n is 1, else {a, b, ...}. */
-void import_array_item(struct import_text *text, const long *value, int n);
-
-void import_array_end(struct import_text *text);
-
-/* The three for an array of numbers; NULL data is left out. */
 void import_array(struct import_text *text, const struct import_array *array);
 
 /* `const struct pel_KIND_asset NAME = {`, and its declaration before it. */

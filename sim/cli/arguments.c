@@ -29,9 +29,10 @@ static const struct option_row limit_options[] = {
 struct rows {
     char **argv, **arguments;
     struct argp_option argp[OPTIONS_MAX];
-    const struct option_row *option[OPTIONS_MAX];
-    void *input[OPTIONS_MAX];
-    struct options_given *given[OPTIONS_MAX];
+    struct row {
+        const struct option_row *option;
+        const struct option_table *table;
+    } row[OPTIONS_MAX];
     int count, group;
 };
 
@@ -68,31 +69,26 @@ int choice_find(const char *names, const char *name)
     return -1;
 }
 
+/* One, or as many as o->n says. */
 static bool parse_integers(const struct option_row *o, const char *text,
                            int *value)
 {
-    enum { MOST = 2 };
-    double number[MOST];
-    const char digits[] = {'-', '0', '1', '2', '3',          '4', '5',
-                           '6', '7', '8', '9', o->separator, '\0'};
-    assert(o->n <= MOST);
-    if (text[strspn(text, digits)] || !option_numbers(text, o, number))
-        return option_refuse(o->name, text, o->expected);
-    for (int i = 0; i < o->n; i++)
-        value[i] = (int)number[i];
-    return true;
-}
-
-static bool parse_integer(const struct option_row *o, const char *text,
-                          int *value)
-{
-    int64_t v = 0;
-    const bool good = number_integer(text, (int64_t)o->low, (int64_t)o->high,
-                                     &v) == NUMBER_OK;
-    *value = (int)v;
-    return good || message_error("--%s is '%s': expected a whole number from "
-                                 "%.0f to %.0f",
-                                 o->name, text, o->low, o->high);
+    const char *next = text;
+    bool good = true;
+    for (int i = 0; good && (i == 0 || i < o->n); i++) {
+        char *end;
+        const long v = strtol(next, &end, 10);
+        good = *next >= '0' && *next <= '9' && v >= (long)o->low &&
+               v <= (long)o->high &&
+               *end == (i < o->n - 1 ? o->separator : '\0');
+        value[i] = (int)v;
+        next = end + 1;
+    }
+    if (good || o->expected)
+        return good || option_refuse(o->name, text, o->expected);
+    return message_error("--%s is '%s': expected a whole number from %.0f to "
+                         "%.0f",
+                         o->name, text, o->low, o->high);
 }
 
 static bool parse_choice(const struct option_row *o, const char *text,
@@ -129,8 +125,7 @@ static bool parse_value(const struct option_row *o, const char *text,
         *(const char **)value = text;
         return true;
     case OPTION_INTEGER:
-        return o->n ? parse_integers(o, text, value)
-                    : parse_integer(o, text, value);
+        return parse_integers(o, text, value);
     case OPTION_NUMBERS:
         return option_numbers(text, o, value) ||
                option_refuse(o->name, text, o->expected);
@@ -154,15 +149,15 @@ bool options_has(const struct options_given *given, const char *name)
     return false;
 }
 
-static error_t parse_option(struct rows *rows, int i, const char *text)
+static error_t parse_option(const struct row *row, const char *text)
 {
-    const struct option_row *o = rows->option[i];
-    struct options_given *given = rows->given[i];
+    const struct option_row *o = row->option;
+    struct options_given *given = row->table->given;
     if (given && !options_has(given, o->name))
         given->names[given->count++] = o->name;
     if (o->flag)
-        *((bool *)rows->input[i] + o->flag) = true;
-    return parse_value(o, text, rows->input[i]) ? 0 : EINVAL;
+        *((bool *)row->table->input + o->flag) = true;
+    return parse_value(o, text, row->table->input) ? 0 : EINVAL;
 }
 
 /* Takes the real arguments first; see arguments_parse. */
@@ -171,26 +166,23 @@ static error_t parse(int key, char *text, struct argp_state *state)
     struct rows *rows = state->input;
     if (key == ARGP_KEY_INIT)
         state->argv = rows->argv;
-    if (key == ARGP_KEY_ARG)
-        return ARGP_ERR_UNKNOWN; /* comes again as ARGP_KEY_ARGS */
     if (key == ARGP_KEY_ARGS)
         rows->arguments = state->argv + state->next;
+    if (key == ARGP_KEY_INIT || key == ARGP_KEY_ARGS)
+        return 0;
     for (int i = 0; i < rows->count; i++)
-        if (rows->option[i]->kind != OPTION_HEADING && rows->argp[i].key == key)
-            return parse_option(rows, i, text);
-    return key == ARGP_KEY_INIT || key == ARGP_KEY_ARGS ? 0 : ARGP_ERR_UNKNOWN;
+        if (rows->argp[i].name && rows->argp[i].key == key)
+            return parse_option(&rows->row[i], text);
+    return ARGP_ERR_UNKNOWN; /* also ARGP_KEY_ARG: comes as ARGP_KEY_ARGS */
 }
 
-static void add_rows(struct rows *rows, const struct option_row *o, void *input,
-                     struct options_given *given)
+static void add_rows(struct rows *rows, const struct option_table *table)
 {
-    for (; o->help; o++) {
+    for (const struct option_row *o = table->options; o->help; o++) {
         const int i = rows->count++;
         assert(i < OPTIONS_MAX - 1);
         rows->group += o->kind == OPTION_HEADING;
-        rows->option[i] = o;
-        rows->input[i] = input;
-        rows->given[i] = given;
+        rows->row[i] = (struct row){o, table};
         rows->argp[i] = (struct argp_option){
             .name = o->name,
             .key = !o->name    ? 0
@@ -208,15 +200,15 @@ char **arguments_parse(const struct command_line *line, int argc, char **argv)
 {
     static char program[] = "pel";
     struct rows rows = {.argv = argv, .arguments = argv + argc};
+    const struct option_table limits = {limit_options, &child_limits, NULL};
     const struct argp argp = {.options = rows.argp,
                               .parser = parse,
                               .args_doc = line->arguments,
                               .doc = line->about};
     char *unused[] = {program, NULL};
     for (int i = 0; line->tables[i].options; i++)
-        add_rows(&rows, line->tables[i].options, line->tables[i].input,
-                 line->tables[i].given);
-    add_rows(&rows, limit_options, &child_limits, NULL);
+        add_rows(&rows, &line->tables[i]);
+    add_rows(&rows, &limits);
     program_invocation_short_name = argv[0];
     argv[0] = program;
     argp_err_exit_status = STATUS_ERROR;

@@ -44,16 +44,17 @@ struct options_given {
 };
 bool options_has(const struct options_given *given, const char *name);
 
+struct option_table {
+    const struct option_row *options; /* ends with the help NULL */
+    void *input;
+    struct options_given *given; /* notes their names; or NULL */
+};
+
 struct command_line {
     const char *arguments; /* after the options, for people */
     int least, most;       /* how many of them */
-    const char *about;     /* before the options and, after \v,
-                              behind them */
-    struct {
-        const struct option_row *options; /* ends with the help NULL */
-        void *input;
-        struct options_given *given; /* notes their names; or NULL */
-    } tables[5];                     /* ends with the options NULL */
+    const char *about;     /* before the options and, after \v, behind them */
+    struct option_table tables[5]; /* ends with the options NULL */
 };
 
 /* Reads a command line; argv[0] is "pel NAME". Returns the arguments that are

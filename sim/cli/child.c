@@ -164,31 +164,27 @@ static bool report(struct child *c, int status)
         *c->line ? ": " : "", c->line);
 }
 
-static bool run(struct child *c, child_work *work, const void *what)
-{
-    fflush(stdout); /* or the child would have it too */
-    c->id = fork();
-    if (c->id == 0)
-        do_work(c, work, what);
-    close(c->pipe[1]);
-    if (c->id > 0)
-        listen_to(c);
-    close(c->pipe[0]);
-    if (c->id < 0)
-        return message_error_at(c->path, 0, "no process to read it: %s",
-                                strerror(errno));
-    return report(c, status_of(c));
-}
-
 FILE *child_run(const char *path, child_work *work, const void *what)
 {
-    struct child c = {
-        .path = path, .result = shared_memory(), .messages = shared_memory()};
+    struct child c = {.path = path,
+                      .result = shared_memory(),
+                      .messages = shared_memory(),
+                      .id = -1};
     bool done = false;
-    if (!c.result || !c.messages || pipe2(c.pipe, O_CLOEXEC) != 0)
-        message_error_at(path, 0, "no pipe to read it: %s", strerror(errno));
+    fflush(stdout); /* or the child would have it too */
+    if (c.result && c.messages && pipe2(c.pipe, O_CLOEXEC) == 0) {
+        c.id = fork();
+        if (c.id == 0)
+            do_work(&c, work, what);
+        close(c.pipe[1]);
+        if (c.id > 0)
+            listen_to(&c);
+        close(c.pipe[0]);
+    }
+    if (c.id > 0)
+        done = report(&c, status_of(&c));
     else
-        done = run(&c, work, what);
+        message_error_at(path, 0, "no process to read it: %s", strerror(errno));
     if (c.messages)
         fclose(c.messages);
     if (done)

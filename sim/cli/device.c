@@ -65,28 +65,21 @@ static void start_pool(struct pel_pool *pool, const struct device_options *o)
     pel_pool_start(pool, o->jobs ? o->jobs : pel_pool_processors());
 }
 
-static bool draw_canvas(const struct device_options *o, struct canvas *canvas,
-                        const struct device_picture *picture)
-{
-    struct pel_pool pool;
-    start_pool(&pool, o);
-    const bool done =
-        device_draw_bands(&pool, canvas, picture->draw, picture->context);
-    pel_pool_end(&pool);
-    return done;
-}
-
 static bool save(const struct device_options *o,
                  const struct device_picture *picture, const char *path)
 {
     struct canvas canvas;
+    struct pel_pool pool;
     if (!canvas_init(&canvas, *picture->format, picture->width,
                      picture->height))
         return false;
+    start_pool(&pool, o);
     const bool done =
-        draw_canvas(o, &canvas, picture) && canvas_save(&canvas, path);
+        device_draw_bands(&pool, &canvas, picture->draw, picture->context);
+    pel_pool_end(&pool);
+    const bool saved = done && canvas_save(&canvas, path);
     canvas_free(&canvas);
-    return done;
+    return saved;
 }
 
 /* The part of the picture that the screen holds, as a canvas with the picture's
@@ -118,20 +111,16 @@ static bool fails(const struct pel_display_linux *screen)
     return message_error("%s", screen->message.text);
 }
 
-static void tell(const struct pel_message *message)
-{
-    if (message->text[0])
-        fprintf(stderr, "pel: %s\n", message->text);
-}
-
 bool device_open(struct pel_display_linux *screen,
                  const struct device_options *o, enum pel_fb_way way)
 {
     const char *name = strcmp(o->name, "auto") == 0 ? NULL : o->name;
     if (pel_display_linux_open(screen, name, way) != PEL_OK)
         return fails(screen);
-    tell(&screen->note);
-    tell(&screen->console);
+    if (screen->note.text[0])
+        fprintf(stderr, "pel: %s\n", screen->note.text);
+    if (screen->console.text[0])
+        fprintf(stderr, "pel: %s\n", screen->console.text);
     return true;
 }
 

@@ -35,51 +35,40 @@ static const struct option_row options[] = {
     {.help = NULL},
 };
 
-static void print_what(const struct pel_input *e)
+static void print(const struct pel_input *e)
 {
+    static const char *const states[] = {"up", "down", "again"};
+    const char *state = states[e->state];
     char name[PEL_KEY_NAME_SIZE];
+    printf("%lu.%03lu ", (unsigned long)e->time / 1000,
+           (unsigned long)e->time % 1000);
     switch (e->kind) {
     case PEL_INPUT_KEY:
-        printf("key %s", pel_key_name(e->code, name));
+        printf("key %s %s\n", pel_key_name(e->code, name), state);
         break;
     case PEL_INPUT_BUTTON:
-        printf("button %d", e->code);
+        printf("button %d %s\n", e->code, state);
         break;
     case PEL_INPUT_MOVE:
-        printf("move %d %d", e->x, e->y);
+        printf("move %d %d\n", e->x, e->y);
         break;
     case PEL_INPUT_POINT:
-        printf("point %d %d", e->x, e->y);
+        printf("point %d %d\n", e->x, e->y);
         break;
     case PEL_INPUT_TOUCH:
-        printf("touch %d at %d %d", e->code, e->x, e->y);
+        printf("touch %d at %d %d %s\n", e->code, e->x, e->y, state);
         break;
     case PEL_INPUT_WHEEL:
-        printf("wheel %d %d", e->x, e->y);
+        printf("wheel %d %d\n", e->x, e->y);
         break;
     case PEL_INPUT_DEVICE:
         printf(e->code == PEL_INPUT_LINUX_CHIP ? "buttons" : "event%d",
                e->code);
+        printf(" %s\n", e->state ? "here" : "gone");
         break;
     default:
-        printf("lost");
+        puts("lost");
     }
-}
-
-static void print(const struct pel_input *e)
-{
-    static const char *const states[] = {"up", "down", "again"};
-    static const char *const devices[] = {"gone", "here", ""};
-    printf("%lu.%03lu ", (unsigned long)e->time / 1000,
-           (unsigned long)e->time % 1000);
-    print_what(e);
-    if (e->kind == PEL_INPUT_DEVICE)
-        printf(" %s\n", devices[e->state]);
-    else if (e->kind == PEL_INPUT_KEY || e->kind == PEL_INPUT_BUTTON ||
-             e->kind == PEL_INPUT_TOUCH)
-        printf(" %s\n", states[e->state]);
-    else
-        printf("\n");
 }
 
 static void print_all(struct pel_input_linux *input, double seconds)

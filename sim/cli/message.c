@@ -25,44 +25,23 @@ static void print_place(const char *file, long line)
 }
 
 /* Control characters of files and arguments do not reach the terminal. */
-__attribute__((format(printf, 1, 0))) static void print_text(const char *format,
-                                                             va_list arguments)
+bool message_error_at(const char *file, long line, const char *format, ...)
 {
     char *text;
-    if (vasprintf(&text, format, arguments) < 0)
-        return;
-    for (const char *c = text; *c; c++)
-        fputc((*c < ' ' && *c >= 0 && *c != '\n') || *c == 127 ? '?' : *c,
-              stderr);
-    free(text);
-}
-
-__attribute__((format(printf, 3, 0))) static void print_error(
-    const char *file, long line, const char *format, va_list arguments)
-{
+    va_list arguments;
+    va_start(arguments, format);
+    const int size = vasprintf(&text, format, arguments);
+    va_end(arguments);
     fprintf(stderr, "pel: ");
     if (place_file)
         print_place(place_file, place_line);
     if (file)
         print_place(file, line);
-    print_text(format, arguments);
+    for (const char *c = text; size >= 0 && *c; c++)
+        fputc((*c < ' ' && *c >= 0 && *c != '\n') || *c == 127 ? '?' : *c,
+              stderr);
     fputc('\n', stderr);
-}
-
-bool message_error(const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    print_error(NULL, 0, format, arguments);
-    va_end(arguments);
-    return false;
-}
-
-bool message_error_at(const char *file, long line, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    print_error(file, line, format, arguments);
-    va_end(arguments);
+    if (size >= 0)
+        free(text);
     return false;
 }

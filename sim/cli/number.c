@@ -6,84 +6,40 @@
 
 #include "core/base/point.h"
 
-/* A decimal as read: whole + fraction / scale, and the sign. Whole parts stop
- * at 2^48: that is out of every range. The fraction keeps 13 digits; `rest`
- * says whether any digit after them is not 0. */
-struct decimal {
-    bool negative, rest;
-    int64_t whole, fraction, scale;
-};
+#define DIGITS "0123456789"
 
-enum { FRACTION_DIGITS = 13 };
+enum { PLACES = 13 };
+static const int64_t scale = INT64_C(10000000000000); /* 10^PLACES */
 
-static bool is_digit(char c)
+/* floor(fraction unit + 1/2) of the digits behind a point, of which there are
+ * n; halves go down for `negative`. The first 13 digits count, and whether one
+ * after them is not 0: their product with unit <= 2^16 is below 2^60. */
+static int64_t round_fraction(const char *digits, size_t n, int64_t unit,
+                              bool negative)
 {
-    return c >= '0' && c <= '9';
-}
-
-static const char *read_whole(const char *s, int64_t *whole)
-{
-    const int64_t limit = INT64_C(1) << 48;
-    for (*whole = 0; is_digit(*s); s++) {
-        *whole = *whole * 10 + (*s - '0');
-        if (*whole > limit)
-            *whole = limit;
-    }
-    return s;
-}
-
-static const char *read_fraction(const char *s, struct decimal *d)
-{
-    for (int n = 0; is_digit(*s); s++, n++) {
-        if (n < FRACTION_DIGITS) {
-            d->fraction = d->fraction * 10 + (*s - '0');
-            d->scale *= 10;
-        } else if (*s != '0') {
-            d->rest = true;
-        }
-    }
-    return s;
-}
-
-static bool read_decimal(const char *s, struct decimal *d)
-{
-    const struct decimal zero = {false, false, 0, 0, 1};
-    *d = zero;
-    d->negative = *s == '-';
-    if (*s == '-' || *s == '+')
-        s++;
-    const char *start = s;
-    s = read_whole(s, &d->whole);
-    bool digits = s > start;
-    if (*s == '.') {
-        start = ++s;
-        s = read_fraction(s, d);
-        digits = digits || s > start;
-    }
-    return digits && *s == '\0';
-}
-
-/* floor(v unit + 1/2). fraction < 10^13 and unit <= 2^16, so their product is
- * below 2^60; whole <= 2^48, but whole unit must not exceed 2^62. */
-static int64_t scale_decimal(const struct decimal *d, int64_t unit)
-{
-    const int64_t product = d->fraction * unit;
-    const int64_t twice = 2 * (product % d->scale);
-    const bool half = twice == d->scale && !d->rest;
-    int64_t v = product / d->scale;
-    if (half ? !d->negative : twice >= d->scale)
-        v++;
-    v += (d->whole < INT64_C(1) << 46 ? d->whole : INT64_C(1) << 46) * unit;
-    return d->negative ? -v : v;
+    int64_t fraction = 0;
+    for (size_t i = 0; i < PLACES; i++)
+        fraction = fraction * 10 + (i < n ? digits[i] - '0' : 0);
+    const bool more = n > PLACES && strspn(digits + PLACES, "0") < n - PLACES;
+    const int64_t twice = 2 * (fraction * unit % scale);
+    const bool up = twice == scale ? more || !negative : twice > scale;
+    return fraction * unit / scale + up;
 }
 
 enum number_status number_decimal(const char *text, int64_t unit, int64_t min,
                                   int64_t max, int64_t *value)
 {
-    struct decimal d;
-    if (!read_decimal(text, &d))
+    const int64_t limit = INT64_C(1) << 46; /* out of every range */
+    const char *digits = text + (*text == '-' || *text == '+');
+    const size_t n = strspn(digits, DIGITS);
+    const char *point = digits + n;
+    const size_t places = *point == '.' ? strspn(point + 1, DIGITS) : 0;
+    if (n + places == 0 || point[places + (*point == '.')])
         return NUMBER_MALFORMED;
-    const int64_t v = scale_decimal(&d, unit);
+    const int64_t whole = strtoll(digits, NULL, 10); /* or the largest one */
+    int64_t v = (whole < limit ? whole : limit) * unit +
+                round_fraction(point + 1, places, unit, *text == '-');
+    v = *text == '-' ? -v : v;
     if (v < min || v > max)
         return NUMBER_RANGE;
     *value = v;
@@ -103,16 +59,14 @@ enum number_status number_subpixels(const char *text, int32_t *value)
 enum number_status number_integer(const char *text, int64_t min, int64_t max,
                                   int64_t *value)
 {
-    struct decimal d;
-    if (!read_decimal(text, &d) || d.scale != 1 || d.rest)
-        return NUMBER_MALFORMED;
-    return number_decimal(text, 1, min, max, value);
+    return strchr(text, '.') ? NUMBER_MALFORMED
+                             : number_decimal(text, 1, min, max, value);
 }
 
 size_t number_color(const char *text, pel_color *color)
 {
     const size_t digits =
-        *text == '#' ? strspn(text + 1, "0123456789abcdefABCDEF") : 0;
+        *text == '#' ? strspn(text + 1, DIGITS "abcdefABCDEF") : 0;
     if (digits != 6 && digits != 8)
         return 0;
     const uint32_t v = (uint32_t)strtoul(text + 1, NULL, 16);

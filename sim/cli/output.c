@@ -55,14 +55,6 @@ static bool write_to(const struct output *output, int file)
     return false;
 }
 
-static bool write_stdout(const struct output *output)
-{
-    return isatty(STDOUT_FILENO)
-               ? message_error("standard output is a terminal: name a file "
-                               "with -o, or use a pipe")
-               : write_to(output, dup(STDOUT_FILENO));
-}
-
 static mode_t mode_of_new_files(void)
 {
     const mode_t mask = umask(0);
@@ -126,8 +118,12 @@ static bool write_output(struct output *output)
     output->stream = NULL;
     if (!whole || !ended)
         return message_error_at(output->path, 0, "out of memory");
-    return strcmp(output->path, "-") == 0 ? write_stdout(output)
-                                          : write_path(output);
+    if (strcmp(output->path, "-") != 0)
+        return write_path(output);
+    return isatty(STDOUT_FILENO)
+               ? message_error("standard output is a terminal: name a file "
+                               "with -o, or use a pipe")
+               : write_to(output, dup(STDOUT_FILENO));
 }
 
 static bool take_name(struct output *output)

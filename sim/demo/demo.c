@@ -35,24 +35,10 @@ static const char head[] =
     "<p>A picture is a link to itself at full size. Times are those of the "
     "drawing, the best of three where it takes less than 50 ms.</p>\n<main>\n";
 
-static const char *escape_of(char c)
-{
-    return c == '&'   ? "&amp;"
-           : c == '<' ? "&lt;"
-           : c == '>' ? "&gt;"
-           : c == '"' ? "&quot;"
-                      : NULL;
-}
-
 static void print_escaped(FILE *page, const char *text)
 {
-    for (; *text; text++) {
-        const char *escape = escape_of(*text);
-        if (escape)
-            fputs(escape, page);
-        else
-            fputc(*text, page);
-    }
+    for (; *text; text++)
+        fprintf(page, strchr("&<>\"", *text) ? "&#%d;" : "%c", *text);
 }
 
 static void print_figure(FILE *page, const struct demo *demo,
@@ -73,7 +59,8 @@ static void print_figure(FILE *page, const struct demo *demo,
             p->width, p->height, result->milliseconds, demo->name);
 }
 
-/* The libraries that this build lacks. */
+/* The libraries that this build lacks, told on the page and on standard output.
+ */
 static const struct library {
     const char *name;
     const char *package; /* of Debian, that brings it */
@@ -106,53 +93,10 @@ static const struct library {
     {NULL, NULL, NULL},
 };
 
-/* Tells it on the page and on standard output. */
-static void tell_missing(FILE *page)
-{
-    for (const struct library *l = missing; l->name; l++) {
-        printf("built without %s (package %s): %s\n", l->name, l->package,
-               l->adds);
-        fprintf(page, "<p>Built without %s (package %s): %s.</p>\n", l->name,
-                l->package, l->adds);
-    }
-}
-
 struct gallery {
     const char *directory;
     FILE *page;
 };
-
-static bool save_as(const char *directory, const char *name, const char *ending,
-                    const struct picture *picture)
-{
-    char *path;
-    if (asprintf(&path, "%s/%s%s", directory, name, ending) < 0)
-        return message_error("out of memory");
-    const bool done = picture_save(picture, path);
-    free(path);
-    return done;
-}
-
-static bool add_picture(const struct gallery *g, const struct demo *demo,
-                        const struct demo_result *result)
-{
-    const struct picture *p = &result->picture;
-    printf("%-26s %5d x %-5d %10.3f ms\n", demo->name, p->width, p->height,
-           result->milliseconds);
-    fflush(stdout);
-    print_figure(g->page, demo, result);
-    return save_as(g->directory, demo->name, ".ppm", p) &&
-           save_as(g->directory, demo->name, picture_best_ending(), p);
-}
-
-/* One picture of a demo or a script, from nothing. */
-typedef bool draw_function(const void *what, struct demo_result *result);
-
-static bool draw_demo(const void *what, struct demo_result *result)
-{
-    const struct demo *demo = what;
-    return demo->draw(result, demo->which);
-}
 
 bool demo_draw(struct demo_result *result, const struct demo_size *size,
                bool (*draw)(struct canvas *canvas, const void *context),
@@ -174,7 +118,7 @@ static bool draw_items(struct canvas *canvas, const void *script)
     return script_draw(script, canvas, -1);
 }
 
-static bool draw_script(const void *what, struct demo_result *result)
+bool demo_draw_script(struct demo_result *result, const void *what)
 {
     const struct script *script = what;
     const struct demo_size size = {script->format, script->width,
@@ -182,69 +126,72 @@ static bool draw_script(const void *what, struct demo_result *result)
     return demo_draw(result, &size, draw_items, script);
 }
 
+static bool save(const struct gallery *g, const char *name, const char *ending,
+                 const struct picture *picture)
+{
+    char *path;
+    if (asprintf(&path, "%s/%s%s", g->directory, name, ending) < 0)
+        return message_error("out of memory");
+    const bool done = picture_save(picture, path);
+    free(path);
+    return done;
+}
+
 /* The first run of a short drawing pays for cold caches and fresh pages: three
  * runs, and the time of the best. */
-static bool draw_best(draw_function *draw, const void *what,
-                      struct demo_result *best)
+static bool add_demo(const struct gallery *g, const struct demo *demo,
+                     const char *note)
 {
-    bool done = draw(what, best);
-    for (int i = 1; done && i < 3 && best->milliseconds < 50; i++) {
-        struct demo_result again = {{0, 0, NULL}, 0, ""};
-        done = draw(what, &again);
-        if (again.milliseconds < best->milliseconds)
-            best->milliseconds = again.milliseconds;
+    struct demo_result best = {.note = ""};
+    bool done = demo->draw(&best, demo->what);
+    for (int i = 1; done && i < 3 && best.milliseconds < 50; i++) {
+        struct demo_result again = {.note = ""};
+        done = demo->draw(&again, demo->what);
+        if (again.milliseconds < best.milliseconds)
+            best.milliseconds = again.milliseconds;
         picture_free(&again.picture);
     }
-    return done;
-}
-
-static bool add_demos(const struct gallery *g, const struct demo *demo)
-{
-    bool done = true;
-    for (; done && demo->name; demo++) {
-        struct demo_result result = {{0, 0, NULL}, 0, ""};
-        done = draw_best(draw_demo, demo, &result) &&
-               add_picture(g, demo, &result);
-        picture_free(&result.picture);
+    if (note)
+        snprintf(best.note, sizeof best.note, "%s", note);
+    if (done) {
+        printf("%-26s %5d x %-5d %10.3f ms\n", demo->name, best.picture.width,
+               best.picture.height, best.milliseconds);
+        fflush(stdout);
+        print_figure(g->page, demo, &best);
+        done = save(g, demo->name, ".ppm", &best.picture) &&
+               save(g, demo->name, picture_best_ending(), &best.picture);
     }
+    picture_free(&best.picture);
     return done;
-}
-
-/* The name of a script without folder and ending. */
-static void name_of(const char *path, char *name, size_t size)
-{
-    const char *slash = strrchr(path, '/');
-    snprintf(name, size, "%s", slash ? slash + 1 : path);
-    char *dot = strrchr(name, '.');
-    if (dot && dot > name)
-        *dot = '\0';
 }
 
 static bool add_script(const struct gallery *g, const char *path)
 {
     char name[128];
-    struct demo_result result = {{0, 0, NULL}, 0, ""};
     struct script script;
+    const struct demo demo = {name, "", demo_draw_script, &script};
     if (!script_load(&script, path, NULL))
         return false;
-    name_of(path, name, sizeof name);
-    snprintf(result.note, sizeof result.note, "%s", script.caption);
-    const struct demo demo = {name, "", NULL, 0};
-    const bool done = draw_best(draw_script, &script, &result) &&
-                      add_picture(g, &demo, &result);
-    picture_free(&result.picture);
+    snprintf(name, sizeof name, "%s", basename(path));
+    char *dot = strrchr(name, '.');
+    if (dot && dot > name)
+        *dot = '\0';
+    const bool done = add_demo(g, &demo, script.caption);
     script_free(&script);
     return done;
 }
 
 static bool add_all(const struct gallery *g, char **scripts)
 {
+    static const struct demo *const demos[] = {demo_formats, demo_rules,
+                                               demo_figures, demo_meshes};
     bool done = true;
     for (; done && *scripts; scripts++)
         done = add_script(g, *scripts);
-    return done && add_demos(g, demo_formats) && add_demos(g, demo_rules) &&
-           add_demos(g, demo_figures) && add_demos(g, demo_duck) &&
-           add_demos(g, demo_texture) && add_demos(g, demo_lighting);
+    for (size_t i = 0; i < sizeof demos / sizeof *demos; i++)
+        for (const struct demo *demo = demos[i]; done && demo->name; demo++)
+            done = add_demo(g, demo, NULL);
+    return done;
 }
 
 static bool write_page(struct output *output, const char *directory,
@@ -257,7 +204,12 @@ static bool write_page(struct output *output, const char *directory,
         return false;
     }
     fputs("</main>\n", output->stream);
-    tell_missing(output->stream);
+    for (const struct library *l = missing; l->name; l++) {
+        printf("built without %s (package %s): %s\n", l->name, l->package,
+               l->adds);
+        fprintf(output->stream, "<p>Built without %s (package %s): %s.</p>\n",
+                l->name, l->package, l->adds);
+    }
     fputs("</body>\n</html>\n", output->stream);
     return output_commit(output);
 }

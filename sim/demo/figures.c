@@ -13,16 +13,17 @@ static bool draw_sheet(struct canvas *canvas, const void *context)
     return (*sheet)->show.draw(&(*sheet)->show, &canvas->surface);
 }
 
-/* FILL_OWN: each figure as it begins. */
-static bool draw_figures(struct demo_result *result, int fill)
+/* With each figure's own fill where that is FILL_OWN. */
+static bool draw_figures(struct demo_result *result, const void *what)
 {
+    const enum fill fill = *(const enum fill *)what;
     static const struct demo_size size = {&pel_xrgb8888, SIZE, SIZE};
     struct sheet sheet, *context = &sheet;
     bool done = sheet_init(&sheet, NULL);
     if (done)
         sheet.show.resize(&sheet.show, SIZE, SIZE);
     for (int i = 0; done && i < FIGURES && fill != FILL_OWN; i++)
-        sheet.style[i].fill = (enum fill)fill;
+        sheet.style[i].fill = fill;
     for (int i = 0; done && i < 20; i++)
         sheet.show.advance(&sheet.show, 0);
     done = done && demo_draw(result, &size, draw_sheet, &context);
@@ -30,17 +31,19 @@ static bool draw_figures(struct demo_result *result, int fill)
     return done;
 }
 
+static const enum fill own = FILL_OWN, flat = FILL_FLAT, rings = FILL_RADIAL,
+                       corners = FILL_CORNERS, sectors = FILL_SECTOR;
+
 const struct demo demo_figures[] = {
     {"figures",
      "The figures of `pel view figures`, largest first, so that none hides a "
      "smaller one. They turn, and the user picks and changes them.",
-     draw_figures, FILL_OWN},
-    {"figures-flat", "The figures, each in one colour.", draw_figures,
-     FILL_FLAT},
+     draw_figures, &own},
+    {"figures-flat", "The figures, each in one colour.", draw_figures, &flat},
     {"figures-corners", "Barycentric: a colour at each corner.", draw_figures,
-     FILL_CORNERS},
+     &corners},
     {"figures-rings", "Radial: rings that repeat, with a phase.", draw_figures,
-     FILL_RADIAL},
-    {"figures-sectors", "By angle: the hues.", draw_figures, FILL_SECTOR},
-    {NULL, NULL, NULL, 0},
+     &rings},
+    {"figures-sectors", "By angle: the hues.", draw_figures, &sectors},
+    {NULL, NULL, NULL, NULL},
 };

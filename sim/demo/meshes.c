@@ -3,7 +3,6 @@
  * that is missing. */
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 #include <unistd.h>
 
 #include "core/format/formats.h"
@@ -17,28 +16,18 @@
 #define MODELS "/usr/share/assimp/models"
 #define DUCK "Collada/duck.dae"
 
-/* The mesh before it is quantised; `source` names its file (the path is
- * good until the next call), and so does the result's note. */
-static bool load_mesh(struct mesh *mesh, struct model_source *source,
-                      struct demo_result *result)
-{
-    static char path[4096];
-    const char *models = getenv("PEL_MODELS");
-    snprintf(path, sizeof(path), "%s/%s", models ? models : MODELS, DUCK);
-    const bool is_there = access(path, R_OK) == 0;
-    *source = (struct model_source){.path = path};
-    if (is_there && mesh_files_supported()) {
-        snprintf(result->note, sizeof(result->note),
-                 "The mesh is %s of assimp-testmodels.", DUCK);
-    } else {
-        snprintf(path, sizeof(path), "%s", MESH_BUILTIN);
-        snprintf(result->note, sizeof(result->note),
-                 "The built-in vase stands in for the duck: %s is missing.",
-                 is_there ? "libassimp-dev (at build time)"
-                          : "the package assimp-testmodels");
-    }
-    return mesh_load(mesh, path);
-}
+enum system { PAINTED, TEXTURED, LIT };
+
+/* What is shown of the mesh, by which system. */
+struct look {
+    enum system system;
+    enum scene_shade shade;
+    enum scene_texture texture;
+    enum scene_mapping mapping;
+    enum scene_lit lit;
+    unsigned terms;
+    int light; /* of three, counted from 1; 0: all */
+};
 
 /* A board of 16 by 16 squares, brighter towards its middle row. */
 static void draw_board(const struct picture *picture)
@@ -56,10 +45,9 @@ static void draw_board(const struct picture *picture)
     }
 }
 
-/* A board for a model without a texture; the note says so. */
-static bool add_board(struct model *model, struct demo_result *result)
+/* A board for a model without a texture. */
+static bool add_board(struct model *model)
 {
-    const size_t length = strlen(result->note);
     struct picture board;
     if (model->textures > 0)
         return true;
@@ -68,27 +56,62 @@ static bool add_board(struct model *model, struct demo_result *result)
     if (!picture_init(&board, 256, 256, 0))
         return false;
     draw_board(&board);
-    if (!model_set_picture(model, &board))
-        return false;
-    snprintf(result->note + length, sizeof(result->note) - length,
-             " Its texture is a generated board.");
-    return true;
+    return model_set_picture(model, &board);
 }
 
-/* The mesh with its own texture, and with a board in place of none. */
-static bool load_model(struct model *model, bool board,
-                       struct demo_result *result)
+static bool make(struct model *model, const struct mesh *mesh,
+                 const struct model_source *source, bool board)
 {
-    struct model_source source;
+    if (model_make(model, mesh, 0) && model_add_textures(model, mesh, source) &&
+        (!board || add_board(model)))
+        return true;
+    model_free(model);
+    return false;
+}
+
+/* The rule of TEXTURED alone: nearest takes column floor(u (W - 1)) and row
+ * floor(v (H - 1)). The size of the texture is known when it has been read. */
+static bool scale_uv(struct model *model, struct mesh *mesh,
+                     const struct model_source *source)
+{
+    const double w = model->texture->picture.width;
+    const double h = model->texture->picture.height;
+    for (uint32_t i = 0; i < mesh->vertices; i++) {
+        mesh->vertex[i].uv[0] *= (w - 1) / w;
+        mesh->vertex[i].uv[1] *= (h - 1) / h;
+    }
+    model_free(model);
+    return make(model, mesh, source, true);
+}
+
+/* The mesh with its own texture, and with a board in place of none; the note
+ * says which they are. */
+static bool load(struct model *model, enum system system,
+                 struct demo_result *result)
+{
+    char path[4096];
     struct mesh mesh;
-    if (!load_mesh(&mesh, &source, result))
+    const struct model_source source = {.path = path};
+    const char *models = getenv("PEL_MODELS");
+    snprintf(path, sizeof(path), "%s/%s", models ? models : MODELS, DUCK);
+    const bool is_there = access(path, R_OK) == 0;
+    const bool is_duck = is_there && mesh_files_supported();
+    if (!is_duck)
+        snprintf(path, sizeof(path), "%s", MESH_BUILTIN);
+    if (!mesh_load(&mesh, path))
         return false;
-    const bool done = model_make(model, &mesh) &&
-                      model_add_textures(model, &mesh, &source) &&
-                      (!board || add_board(model, result));
+    const bool done = make(model, &mesh, &source, system != PAINTED) &&
+                      (system != TEXTURED || scale_uv(model, &mesh, &source));
+    const bool board = system != PAINTED && mesh.textures == 0;
     mesh_free(&mesh);
-    if (!done)
-        model_free(model);
+    snprintf(result->note, sizeof(result->note), "%s%s%s.%s",
+             is_duck ? "The mesh is "
+                     : "The built-in vase stands in for the duck: ",
+             is_duck    ? DUCK " of assimp-testmodels"
+             : is_there ? "libassimp-dev (at build time)"
+                        : "the package assimp-testmodels",
+             is_duck ? "" : " is missing",
+             board ? " Its texture is a generated board." : "");
     return done;
 }
 
@@ -97,6 +120,7 @@ struct drawing {
     const struct scene_settings *settings;
 };
 
+/* The time is that of clearing, preparing and drawing. */
 static bool draw_scene(struct canvas *canvas, const void *context)
 {
     const struct drawing *d = context;
@@ -104,124 +128,6 @@ static bool draw_scene(struct canvas *canvas, const void *context)
     return scene_prepare(d->scene, d->settings) &&
            scene_draw(d->scene, &canvas->surface);
 }
-
-/* The time is that of clearing, preparing and drawing. */
-static bool draw_model(const struct model *model,
-                       const struct scene_settings *settings,
-                       struct demo_result *result)
-{
-    struct scene scene;
-    const struct drawing drawing = {&scene, settings};
-    const struct demo_size size = {&pel_xrgb8888, settings->camera.width,
-                                   settings->camera.height};
-    const bool done = scene_init(&scene, model) &&
-                      demo_draw(result, &size, draw_scene, &drawing);
-    scene_free(&scene);
-    return done;
-}
-
-/* SCENE_FLAT or SCENE_GOURAUD, with the colors of the texture at vertices. */
-static bool draw_duck(struct demo_result *result, int shade)
-{
-    struct model model;
-    struct scene_settings settings = scene_default;
-    settings.camera.width = settings.camera.height = 1200;
-    settings.shade = (enum scene_shade)shade;
-    settings.texture = SCENE_TEXTURE_NEAREST;
-    settings.mapping = SCENE_MAP_VERTICES;
-    if (!load_model(&model, false, result))
-        return false;
-    const bool done = draw_model(&model, &settings, result);
-    model_free(&model);
-    return done;
-}
-
-const struct demo demo_duck[] = {
-    {"duck-flat",
-     "A mesh painted back to front, one colour per triangle: the mean of its "
-     "three vertices.",
-     draw_duck, SCENE_FLAT},
-    {"duck-gouraud",
-     "The same triangles with the colours of their vertices interpolated.",
-     draw_duck, SCENE_GOURAUD},
-    {NULL, NULL, NULL, 0},
-};
-
-/* The rule of this demo alone: nearest takes column floor(u (W - 1)) and row
- * floor(v (H - 1)). */
-static void scale_uv(struct mesh *mesh, const struct picture *texture)
-{
-    const double w = texture->width, h = texture->height;
-    for (uint32_t i = 0; i < mesh->vertices; i++) {
-        mesh->vertex[i].uv[0] *= (w - 1) / w;
-        mesh->vertex[i].uv[1] *= (h - 1) / h;
-    }
-}
-
-/* The size of the texture is known when it has been read; then the mesh is
- * quantised once more, with what that scales. */
-static bool make_scaled(struct model *model, struct mesh *mesh,
-                        const struct model_source *source,
-                        struct demo_result *result)
-{
-    struct model scaled;
-    if (!model_make(model, mesh) || !model_add_textures(model, mesh, source) ||
-        !add_board(model, result))
-        return false;
-    scale_uv(mesh, &model->texture[0].picture);
-    if (!model_make(&scaled, mesh))
-        return false;
-    const struct pel_mesh_part *part = scaled.mesh.part;
-    scaled.mesh.part = model->mesh.part;
-    scaled.texture = model->texture;
-    scaled.textures = model->textures;
-    model->mesh.part = part;
-    model->textures = 0;
-    model->texture = NULL;
-    model_free(model);
-    *model = scaled;
-    return true;
-}
-
-static struct scene_settings texture_settings(int texture)
-{
-    const bool is_flat = texture == SCENE_TEXTURE_NONE;
-    struct scene_settings s = scene_default;
-    s.camera.width = s.camera.height = 512;
-    s.lit = SCENE_UNLIT;
-    s.shade = is_flat ? SCENE_FLAT : SCENE_GOURAUD;
-    s.mapping = is_flat ? SCENE_MAP_VERTICES : SCENE_MAP_AFFINE;
-    s.texture = is_flat ? SCENE_TEXTURE_NEAREST : (enum scene_texture)texture;
-    return s;
-}
-
-static bool draw_texture(struct demo_result *result, int texture)
-{
-    struct model_source source;
-    struct model model = {.plain = true};
-    struct mesh mesh;
-    const struct scene_settings settings = texture_settings(texture);
-    if (!load_mesh(&mesh, &source, result))
-        return false;
-    const bool done = make_scaled(&model, &mesh, &source, result) &&
-                      draw_model(&model, &settings, result);
-    model_free(&model);
-    mesh_free(&mesh);
-    return done;
-}
-
-const struct demo demo_texture[] = {
-    {"texture-flat",
-     "Triangles in one colour each: the mean of the texels at their vertices.",
-     draw_texture, SCENE_TEXTURE_NONE},
-    {"texture-nearest",
-     "The texture on every triangle, the nearest texel for each pixel. What "
-     "that does to enlarged texels, the scenes textures and meshes show.",
-     draw_texture, SCENE_TEXTURE_NEAREST},
-    {"texture-bilinear", "The same with the four texels around it mixed.",
-     draw_texture, SCENE_TEXTURE_BILINEAR},
-    {NULL, NULL, NULL, 0},
-};
 
 /* Three lights around the mesh, its size away from its middle: warm from the
  * right and above, blue from the left, red from behind and above. */
@@ -237,7 +143,7 @@ static void set_lights(struct scene_settings *s, const struct model *model,
         if (model->high[k] - model->low[k] > size)
             size = model->high[k] - model->low[k];
     for (int i = 0; i < 3; i++) {
-        if (only >= 0 && only != i)
+        if (only && only != i + 1)
             continue;
         struct scene_light *light = &s->light[s->lights++];
         *light = around[i];
@@ -247,71 +153,93 @@ static void set_lights(struct scene_settings *s, const struct model *model,
     }
 }
 
-/* The pictures 0 to 6 are Gouraud's and 7 to 13 Phong's: all of it, term by
- * term, light by light (-1: all). Then, either way each, the texture alone and
- * the light alone. */
-static struct scene_settings lighting_settings(int which,
-                                               const struct model *model)
+static struct scene_settings settings_of(const struct look *look,
+                                         const struct model *model)
 {
-    static const struct {
-        unsigned terms;
-        int light;
-    } parts[7] = {
-        {SCENE_ALL_TERMS, -1}, {SCENE_AMBIENT, -1},  {SCENE_DIFFUSE, -1},
-        {SCENE_SPECULAR, -1},  {SCENE_ALL_TERMS, 0}, {SCENE_ALL_TERMS, 1},
-        {SCENE_ALL_TERMS, 2},
-    };
-    const int part = which < 14 ? which % 7 : 0;
-    const bool is_phong = which < 14 ? which >= 7 : which % 2 != 0;
-    const bool is_unlit = which == 14 || which == 15;
+    static const int sizes[] = {1200, 512, 480};
     struct scene_settings s = scene_default;
-    s.camera.width = s.camera.height = 480;
+    s.camera.width = s.camera.height = sizes[look->system];
+    s.shade = look->shade;
+    s.texture = look->texture;
+    s.mapping = look->mapping;
+    s.lit = look->lit;
+    if (look->system != LIT)
+        return s;
     s.camera.background = PEL_RGB(24, 26, 32);
-    s.shade = is_phong && !is_unlit ? SCENE_PHONG : SCENE_GOURAUD;
-    s.lit = is_unlit ? SCENE_UNLIT : SCENE_LIT;
     s.ambient = 0.2;
     s.specular = 0.5;
     s.shininess = 24;
-    s.terms = parts[part].terms;
-    s.texture = which < 16 ? SCENE_TEXTURE_BILINEAR : SCENE_TEXTURE_NONE;
-    s.mapping = is_phong ? SCENE_MAP_PERSPECTIVE : SCENE_MAP_VERTICES;
-    set_lights(&s, model, parts[part].light);
+    s.terms = look->terms;
+    set_lights(&s, model, look->light);
     return s;
 }
 
-static bool draw_lighting(struct demo_result *result, int which)
+static bool draw(struct demo_result *result, const void *what)
 {
+    const struct look *look = what;
     struct model model;
-    if (!load_model(&model, true, result))
+    struct scene scene;
+    if (!load(&model, look->system, result))
         return false;
-    const struct scene_settings settings = lighting_settings(which, &model);
-    const bool done = draw_model(&model, &settings, result);
+    const struct scene_settings settings = settings_of(look, &model);
+    const struct drawing drawing = {&scene, &settings};
+    const struct demo_size size = {&pel_xrgb8888, settings.camera.width,
+                                   settings.camera.height};
+    const bool done = scene_init(&scene, &model) &&
+                      demo_draw(result, &size, draw_scene, &drawing);
+    scene_free(&scene);
     model_free(&model);
     return done;
 }
 
-#define GOURAUD "Light and texture at the vertices, the colours interpolated"
-#define PHONG "Light and texture at every pixel, the normal interpolated"
-
-#define PICTURE(name, caption, which)                   \
-    {                                                   \
-        "lighting-" name, caption, draw_lighting, which \
+#define LOOK(system, shade, texture, mapping, lit, terms, light)             \
+    draw, &(const struct look)                                               \
+    {                                                                        \
+        system, SCENE_##shade, SCENE_TEXTURE_##texture, SCENE_MAP_##mapping, \
+            SCENE_##lit, terms, light                                        \
     }
-#define LIGHTING(name, how, first)                                        \
-    PICTURE(name, how ": three lights, all terms.", first),               \
-        PICTURE(name "-ambient", how ": the ambient term.", first + 1),   \
-        PICTURE(name "-diffuse", how ": the diffuse term.", first + 2),   \
-        PICTURE(name "-specular", how ": the specular term.", first + 3), \
-        PICTURE(name "-light1", how ": light 1 alone.", first + 4),       \
-        PICTURE(name "-light2", how ": light 2 alone.", first + 5),       \
-        PICTURE(name "-light3", how ": light 3 alone.", first + 6)
+#define BOTH(name, caption, terms, light)                                     \
+    {"lighting-gouraud" name,                                                 \
+     "Light and texture at the vertices, the colours interpolated: " caption, \
+     LOOK(LIT, GOURAUD, BILINEAR, VERTICES, LIT, terms, light)},              \
+    {                                                                         \
+        "lighting-phong" name,                                                \
+            "Light and texture at every pixel, the normal "                   \
+            "interpolated: " caption,                                         \
+            LOOK(LIT, PHONG, BILINEAR, PERSPECTIVE, LIT, terms, light)        \
+    }
 
-const struct demo demo_lighting[] = {
-    LIGHTING("gouraud", GOURAUD, 0),
-    LIGHTING("phong", PHONG, 7),
-    PICTURE("texture-vertices", "The texture alone, at the vertices.", 14),
-    PICTURE("texture-pixels", "The texture alone, at every pixel.", 15),
-    PICTURE("gouraud-plain", "Gouraud without the texture.", 16),
-    PICTURE("phong-plain", "Phong without the texture.", 17),
-    {NULL, NULL, NULL, 0},
+const struct demo demo_meshes[] = {
+    {"duck-flat",
+     "A mesh painted back to front, one colour per triangle: the mean of its "
+     "three vertices.",
+     LOOK(PAINTED, FLAT, NEAREST, VERTICES, LIT_AUTO, 0, 0)},
+    {"duck-gouraud",
+     "The same triangles with the colours of their vertices interpolated.",
+     LOOK(PAINTED, GOURAUD, NEAREST, VERTICES, LIT_AUTO, 0, 0)},
+    {"texture-flat",
+     "Triangles in one colour each: the mean of the texels at their vertices.",
+     LOOK(TEXTURED, FLAT, NEAREST, VERTICES, UNLIT, 0, 0)},
+    {"texture-nearest",
+     "The texture on every triangle, the nearest texel for each pixel. What "
+     "that does to enlarged texels, the scenes textures and meshes show.",
+     LOOK(TEXTURED, GOURAUD, NEAREST, AFFINE, UNLIT, 0, 0)},
+    {"texture-bilinear", "The same with the four texels around it mixed.",
+     LOOK(TEXTURED, GOURAUD, BILINEAR, AFFINE, UNLIT, 0, 0)},
+    BOTH("", "three lights, all terms.", SCENE_ALL_TERMS, 0),
+    BOTH("-ambient", "the ambient term.", SCENE_AMBIENT, 0),
+    BOTH("-diffuse", "the diffuse term.", SCENE_DIFFUSE, 0),
+    BOTH("-specular", "the specular term.", SCENE_SPECULAR, 0),
+    BOTH("-light1", "light 1 alone.", SCENE_ALL_TERMS, 1),
+    BOTH("-light2", "light 2 alone.", SCENE_ALL_TERMS, 2),
+    BOTH("-light3", "light 3 alone.", SCENE_ALL_TERMS, 3),
+    {"lighting-texture-vertices", "The texture alone, at the vertices.",
+     LOOK(LIT, GOURAUD, BILINEAR, VERTICES, UNLIT, 0, 0)},
+    {"lighting-texture-pixels", "The texture alone, at every pixel.",
+     LOOK(LIT, GOURAUD, BILINEAR, PERSPECTIVE, UNLIT, 0, 0)},
+    {"lighting-gouraud-plain", "Gouraud without the texture.",
+     LOOK(LIT, GOURAUD, NONE, VERTICES, LIT, SCENE_ALL_TERMS, 0)},
+    {"lighting-phong-plain", "Phong without the texture.",
+     LOOK(LIT, PHONG, NONE, PERSPECTIVE, LIT, SCENE_ALL_TERMS, 0)},
+    {NULL, NULL, NULL, NULL},
 };

@@ -3,12 +3,10 @@
 #include "sim/demo/rules.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #include "core/pel.h"
-#include "sim/cli/milliseconds.h"
 #include "sim/demo/demo.h"
-#include "sim/image/canvas.h"
+#include "sim/view/inspect.h"
 
 enum {
     ZOOM = 16, /* magnified pixels of a side */
@@ -20,89 +18,62 @@ enum {
 };
 
 const struct rules_case rules_cases[] = {
-    {"A left and a right edge, flat bottom", false, 1, {24, 4, 6, 34, 42, 34}},
-    {"A left and a right edge, flat top", false, 1, {6, 6, 42, 6, 26, 38}},
-    {"Two left edges", false, 1, {30, 2, 6, 18, 34, 38}},
-    {"Two right edges", false, 1, {18, 2, 42, 18, 14, 38}},
+    {"A left and a right edge, flat bottom", {24, 4, 6, 34, 42, 34}, 1, false},
+    {"A left and a right edge, flat top", {6, 6, 42, 6, 26, 38}, 1, false},
+    {"Two left edges", {30, 2, 6, 18, 34, 38}, 1, false},
+    {"Two right edges", {18, 2, 42, 18, 14, 38}, 1, false},
     {"A square of two triangles: corners, sides and diagonal on pixel centres",
-     false,
+     {10, 6, 38, 6, 38, 34, 10, 6, 38, 34, 10, 34},
      2,
-     {10, 6, 38, 6, 38, 34, 10, 6, 38, 34, 10, 34}},
+     false},
     {"A hexagon of six triangles around a pixel centre",
-     false,
-     6,
      {26, 22, 42, 22, 34, 6,  26, 22, 34, 6,  18, 6,  26, 22, 18, 6,  10, 22,
-      26, 22, 10, 22, 18, 38, 26, 22, 18, 38, 34, 38, 26, 22, 34, 38, 42, 22}},
+      26, 22, 10, 22, 18, 38, 26, 22, 18, 38, 34, 38, 26, 22, 34, 38, 42, 22},
+     6,
+     false},
     {"Eight triangles around one pixel centre: one of them owns it",
-     false,
-     8,
      {26, 22, 42, 22, 42, 38, 26, 22, 42, 38, 26, 38, 26, 22, 26, 38,
       10, 38, 26, 22, 10, 38, 10, 22, 26, 22, 10, 22, 10, 6,  26, 22,
-      10, 6,  26, 6,  26, 22, 26, 6,  42, 6,  26, 22, 42, 6,  42, 22}},
+      10, 6,  26, 6,  26, 22, 26, 6,  42, 6,  26, 22, 42, 6,  42, 22},
+     8,
+     false},
     {"A strip of twelve triangles that share edges",
-     false,
-     12,
      {2,  5,  4,  19, 13, 22, 2,  5,  14, 2,  13, 22, 14, 2,  13, 22, 25, 17,
       14, 2,  26, 9,  25, 17, 26, 9,  25, 17, 34, 22, 26, 9,  37, 3,  34, 22,
       37, 3,  34, 22, 45, 20, 37, 3,  46, 6,  45, 20, 4,  19, 2,  36, 13, 22,
-      13, 22, 2,  36, 24, 38, 13, 22, 24, 38, 25, 17, 25, 17, 24, 38, 34, 22}},
+      13, 22, 2,  36, 24, 38, 13, 22, 24, 38, 25, 17, 25, 17, 24, 38, 34, 22},
+     12,
+     false},
     {"Tiny triangles: some hold no pixel centre and cover nothing, some one "
      "pixel; the two halves of a square own its pixel once",
-     false,
-     12,
      {3,  3,  5,  3,  4,  5,  9,  5,  12, 5,  10, 8,  18, 6,  22, 6,  18, 10,
       30, 6,  30, 10, 26, 10, 34, 10, 38, 6,  38, 10, 42, 10, 42, 6,  46, 6,
       4,  16, 8,  16, 4,  20, 8,  16, 8,  20, 4,  20, 14, 18, 22, 18, 18, 22,
-      30, 18, 34, 22, 26, 22, 38, 26, 46, 26, 46, 34, 6,  30, 26, 29, 16, 31}},
-    {"A fan with slivers",
-     false,
+      30, 18, 34, 22, 26, 22, 38, 26, 46, 26, 46, 34, 6,  30, 26, 29, 16, 31},
      12,
+     false},
+    {"A fan with slivers",
      {2, 2, 46, 3,  46, 5,  2, 2, 46, 5,  46, 14, 2, 2, 46, 14, 46, 17,
       2, 2, 46, 17, 46, 26, 2, 2, 46, 26, 46, 27, 2, 2, 46, 27, 46, 38,
       2, 2, 46, 38, 32, 38, 2, 2, 32, 38, 30, 38, 2, 2, 30, 38, 16, 38,
-      2, 2, 16, 38, 15, 38, 2, 2, 15, 38, 6,  38, 2, 2, 6,  38, 4,  38}},
+      2, 2, 16, 38, 15, 38, 2, 2, 15, 38, 6,  38, 2, 2, 6,  38, 4,  38},
+     12,
+     false},
     {"Three vertices in a line cover nothing",
-     false,
-     5,
      {4,  6,  44, 6,  20, 6,  6,  12, 6,  36, 6,  20, 12, 36, 28,
-      12, 20, 24, 18, 36, 44, 30, 31, 33, 34, 14, 44, 24, 39, 19}},
+      12, 20, 24, 18, 36, 44, 30, 31, 33, 34, 14, 44, 24, 39, 19},
+     5,
+     false},
     {"The same with the option that draws them as lines",
-     true,
-     5,
      {4,  6,  44, 6,  20, 6,  6,  12, 6,  36, 6,  20, 12, 36, 28,
-      12, 20, 24, 18, 36, 44, 30, 31, 33, 34, 14, 44, 24, 39, 19}},
-    {NULL, false, 0, {0}},
+      12, 20, 24, 18, 36, 44, 30, 31, 33, 34, 14, 44, 24, 39, 19},
+     5,
+     true},
+    {NULL, {0}, 0, false},
 };
-
-/* A paint of one color that counts how often it paints each pixel. */
-struct counting {
-    struct pel_paint paint;
-    struct rules_pixels *pixels;
-    bool y_up;
-    struct pel_flat flat;
-};
-
-static int32_t row_of(int32_t y, bool y_up)
-{
-    return y_up ? RULES_HEIGHT - 1 - y : y;
-}
-
-static void counting_fill(const struct pel_paint *paint,
-                          const struct pel_spans *rows)
-{
-    const struct counting *c = (const struct counting *)(const void *)paint;
-    for (int i = 0; i < rows->n; i++) {
-        uint8_t *hits =
-            c->pixels->hits[row_of(rows->y + i * rows->step, c->y_up)];
-        for (int32_t x = rows->span[i].x0; x < rows->span[i].x1; x++)
-            hits[x]++;
-    }
-    pel_flat_fill(&c->flat.paint, rows);
-}
 
 static void draw_triangles(const struct pel_surface *surface,
-                           const struct rules_case *rules,
-                           struct counting *paint)
+                           const struct rules_case *rules)
 {
     static const pel_color colors[8] = {
         PEL_RGB(0x7F, 0xB3, 0xD5), PEL_RGB(0xF5, 0xB0, 0x6B),
@@ -115,29 +86,35 @@ static void draw_triangles(const struct pel_surface *surface,
         const struct pel_point v[3] = {{q[0] * 64, q[1] * 64},
                                        {q[2] * 64, q[3] * 64},
                                        {q[4] * 64, q[5] * 64}};
-        paint->flat.color = colors[i % 8];
+        const struct pel_flat flat = PEL_FLAT(colors[i % 8]);
         (rules->line ? pel_triangle_or_line : pel_triangle)(surface, v,
-                                                            &paint->paint);
+                                                            &flat.paint);
     }
 }
 
+/* Rows of memory go down the picture as it is seen. */
 void rules_draw(const struct rules_case *rules, bool y_up,
                 struct rules_pixels *pixels)
 {
-    uint32_t memory[RULES_HEIGHT][RULES_WIDTH];
+    uint32_t colors[RULES_HEIGHT][RULES_WIDTH];
+    uint32_t hits[RULES_HEIGHT][RULES_WIDTH] = {{0}};
     const struct pel_rect bounds = {0, 0, RULES_WIDTH, RULES_HEIGHT};
-    const int32_t stride = (int32_t)sizeof memory[0];
-    struct counting paint = {
-        {.fill = counting_fill}, pixels, y_up, PEL_FLAT(PEL_RGB(0, 0, 0))};
-    struct pel_surface surface;
-    memset(pixels->hits, 0, sizeof pixels->hits);
-    pel_surface_init_rect(&surface, &pel_xrgb8888, memory[row_of(0, y_up)],
-                          y_up ? -stride : stride, &bounds);
-    pel_clear(&surface, PEL_RGB(255, 255, 255));
-    draw_triangles(&surface, rules, &paint);
-    for (int32_t y = 0; y < RULES_HEIGHT; y++)
-        surface.format->load(&surface, 0, y, RULES_WIDTH,
-                             pixels->color[row_of(y, y_up)]);
+    const int32_t size = (int32_t)sizeof colors[0];
+    const int32_t stride = y_up ? -size : size;
+    const int first = y_up ? RULES_HEIGHT - 1 : 0;
+    struct pel_surface picture, heat;
+    pel_surface_init_rect(&picture, &pel_xrgb8888, colors[first], stride,
+                          &bounds);
+    pel_surface_init_rect(&heat, &inspect_heat, hits[first], stride, &bounds);
+    pel_clear(&picture, PEL_RGB(255, 255, 255));
+    draw_triangles(&picture, rules);
+    draw_triangles(&heat, rules);
+    for (int y = 0; y < RULES_HEIGHT; y++) {
+        const int row = y_up ? RULES_HEIGHT - 1 - y : y;
+        pel_xrgb8888.load(&picture, 0, y, RULES_WIDTH, pixels->color[row]);
+        for (int x = 0; x < RULES_WIDTH; x++)
+            pixels->hits[y][x] = (uint8_t)hits[y][x];
+    }
 }
 
 /* The place of a case on the sheet: px of its left top corner. */
@@ -193,9 +170,8 @@ static void show_pixel(const struct cell *cell, int x, int y,
 static struct pel_point zoom_point(const struct cell *cell, const uint8_t *q)
 {
     const int32_t y = cell->y_up ? RULES_HEIGHT * 4 - q[1] : q[1];
-    const struct pel_point p = {PEL_PX(cell->x) + q[0] * ZOOM * 64,
-                                PEL_PX(cell->y) + y * ZOOM * 64};
-    return p;
+    return (struct pel_point){PEL_PX(cell->x) + q[0] * ZOOM * 64,
+                              PEL_PX(cell->y) + y * ZOOM * 64};
 }
 
 static void show_edges(const struct cell *cell, const struct rules_case *rules)
@@ -210,75 +186,66 @@ static void show_edges(const struct cell *cell, const struct rules_case *rules)
 
 /* Pixels painted once, and more often. */
 struct tally {
-    int once, twice;
+    bool y_up;
+    int *once, *twice;
 };
 
-static void show_pixels(const struct cell *cell,
-                        const struct rules_pixels *pixels, struct tally *tally)
+static bool draw_cases(struct canvas *canvas, const void *context)
 {
-    for (int y = 0; y < RULES_HEIGHT; y++) {
-        for (int x = 0; x < RULES_WIDTH; x++) {
-            show_pixel(cell, x, y, pixels);
-            tally->once += pixels->hits[y][x] == 1;
-            tally->twice += pixels->hits[y][x] > 1;
-        }
-    }
-}
-
-static struct tally draw_cases(const struct pel_surface *sheet, bool y_up)
-{
-    struct tally tally = {0, 0};
-    pel_clear(sheet, PEL_RGB(0xF4, 0xF4, 0xF0));
+    const struct tally *tally = context;
+    const bool y_up = tally->y_up;
+    pel_clear(&canvas->surface, PEL_RGB(0xF4, 0xF4, 0xF0));
     for (int i = 0; rules_cases[i].caption; i++) {
-        const struct cell cell = {sheet, MARGIN + i % COLUMNS * CELL_WIDTH,
+        const struct cell cell = {&canvas->surface,
+                                  MARGIN + i % COLUMNS * CELL_WIDTH,
                                   MARGIN + i / COLUMNS * CELL_HEIGHT, y_up};
         struct rules_pixels pixels;
         rules_draw(&rules_cases[i], y_up, &pixels);
         show_number(&cell, i + 1);
-        show_pixels(&cell, &pixels, &tally);
+        for (int k = 0; k < RULES_WIDTH * RULES_HEIGHT; k++) {
+            const int x = k % RULES_WIDTH, y = k / RULES_WIDTH;
+            show_pixel(&cell, x, y, &pixels);
+            *tally->once += pixels.hits[y][x] == 1;
+            *tally->twice += pixels.hits[y][x] > 1;
+        }
         show_edges(&cell, &rules_cases[i]);
     }
-    return tally;
+    return true;
 }
 
-/* The captions of the cases by their numbers, and the tally. */
-static void write_note(const struct tally *tally, char *note, size_t size)
+/* The note has the captions of the cases by their numbers, and the tally. */
+static bool draw_sheet(struct demo_result *result, const void *y_up)
 {
+    static const struct demo_size size = {&pel_xrgb8888,
+                                          COLUMNS * CELL_WIDTH + MARGIN,
+                                          ROWS * CELL_HEIGHT + MARGIN};
+    const size_t most = sizeof result->note;
     size_t n = 0;
+    int once = 0, twice = 0;
+    const struct tally tally = {*(const bool *)y_up, &once, &twice};
+    const bool done = demo_draw(result, &size, draw_cases, &tally);
     for (int i = 0; rules_cases[i].caption; i++)
-        n += (size_t)snprintf(note + n, size - n, "%d: %s. ", i + 1,
+        n += (size_t)snprintf(result->note + n, most - n, "%d: %s. ", i + 1,
                               rules_cases[i].caption);
-    snprintf(note + n, size - n,
+    snprintf(result->note + n, most - n,
              "%d pixels were painted once, %d more than once (they would be "
              "red).",
-             tally->once, tally->twice);
-}
-
-static bool draw_sheet(struct demo_result *result, int y_up)
-{
-    struct canvas canvas;
-    if (!canvas_init(&canvas, &pel_xrgb8888, COLUMNS * CELL_WIDTH + MARGIN,
-                     ROWS * CELL_HEIGHT + MARGIN))
-        return false;
-    const double start = milliseconds();
-    const struct tally tally = draw_cases(&canvas.surface, y_up);
-    result->milliseconds = milliseconds() - start;
-    write_note(&tally, result->note, sizeof result->note);
-    const bool done = canvas_picture(&canvas, &result->picture);
-    canvas_free(&canvas);
+             once, twice);
     return done;
 }
+
+static const bool down = false, up = true;
 
 const struct demo demo_rules[] = {
     {"rules-top-left",
      "The fill rule, y downwards: a pixel belongs to a triangle when its "
      "centre (dot) is inside; a centre on an edge belongs to the triangle of "
      "which that edge is a <b>top</b> or a <b>left</b> one.",
-     draw_sheet, false},
+     draw_sheet, &down},
     {"rules-bottom-left",
      "The same triangles on a surface with a negative stride, so that y grows "
      "upwards: now centres on a <b>bottom</b> or a <b>left</b> edge belong to "
      "the triangle.",
-     draw_sheet, true},
-    {NULL, NULL, NULL, 0},
+     draw_sheet, &up},
+    {NULL, NULL, NULL, NULL},
 };

@@ -11,9 +11,9 @@ enum { RULES_WIDTH = 12, RULES_HEIGHT = 10 }; /* px of the canvas of a case */
 /* Vertices lie on quarters of pixels, so that many centres are on edges. */
 struct rules_case {
     const char *caption;
-    bool line;         /* draw triangles without area as lines */
-    int count;         /* triangles */
     uint8_t v[12 * 6]; /* x, y of three vertices each, in 1/4 px */
+    int count;         /* triangles */
+    bool line;         /* draw those without area as lines */
 };
 
 /* All cases; the last has no caption. */

@@ -5,16 +5,10 @@
 
 #include "sim/cli/message.h"
 
-/* The arrays while they are made. */
-struct arrays {
-    struct pel_font_range *range;
-    struct pel_font_glyph *glyph;
-    uint8_t *bits;
-};
-
 struct rows {
     const uint8_t *bits;
-    size_t size, glyph;
+    size_t size;
+    struct pel_font_glyph *glyph;
 };
 
 static int by_bits(const void *a, const void *b)
@@ -22,54 +16,44 @@ static int by_bits(const void *a, const void *b)
     const struct rows *x = a, *y = b;
     if (x->size != y->size)
         return x->size < y->size ? -1 : 1;
-    int order = x->size ? memcmp(x->bits, y->bits, x->size) : 0;
+    const int order = x->size ? memcmp(x->bits, y->bits, x->size) : 0;
     return order ? order : (x->glyph > y->glyph) - (x->glyph < y->glyph);
 }
 
 /* Stores rows one behind the other, equal ones once; returns their bytes. */
-static size_t place_rows(const struct arrays *to, const struct rows *rows,
-                         size_t count)
+static size_t place_rows(uint8_t *to, const struct rows *rows, size_t count)
 {
-    const struct rows *last = NULL;
     size_t size = 0;
-    for (size_t i = 0; i < count; i++, last = rows++) {
-        bool same = last && last->size == rows->size &&
-                    memcmp(last->bits, rows->bits, rows->size) == 0;
-        if (!same) {
-            memcpy(to->bits + size, rows->bits, rows->size);
+    for (size_t i = 0; i < count; i++, rows++) {
+        if (i == 0 || rows->size != rows[-1].size ||
+            memcmp(rows->bits, rows[-1].bits, rows->size) != 0) {
+            memcpy(to + size, rows->bits, rows->size);
             size += rows->size;
         }
-        to->glyph[rows->glyph].offset = (uint32_t)(size - rows->size);
+        rows->glyph->offset = (uint32_t)(size - rows->size);
     }
     return size;
 }
 
-static void fill_glyphs(const struct arrays *to, const struct font *font,
-                        struct rows *rows)
+static struct pel_font_glyph glyph_of(const struct font_char *c)
 {
-    for (size_t i = 0; i < font->count; i++) {
-        const struct font_char *c = &font->chars[i];
-        struct pel_font_glyph *g = &to->glyph[i];
-        g->width = (uint8_t)c->width;
-        g->height = (uint8_t)c->height;
-        g->left = (int8_t)c->left;
-        g->top = (int8_t)c->top;
-        g->advance = (uint8_t)c->advance;
-        rows[i] =
-            (struct rows){font->bits + c->offset, pel_font_glyph_size(g), i};
-    }
+    return (struct pel_font_glyph){.width = (uint8_t)c->width,
+                                   .height = (uint8_t)c->height,
+                                   .left = (int8_t)c->left,
+                                   .top = (int8_t)c->top,
+                                   .advance = (uint8_t)c->advance};
 }
 
-static uint16_t fill_ranges(const struct arrays *to, const struct font *font)
+static uint16_t fill_ranges(struct pel_font_range *range,
+                            const struct font *font)
 {
     uint16_t n = 0;
     for (size_t i = 0; i < font->count; i++) {
         const uint32_t code = font->chars[i].code;
-        struct pel_font_range *last = n ? &to->range[n - 1] : NULL;
-        if (last && code == last->first + last->count)
-            last->count++;
+        if (n && code == range[n - 1].first + range[n - 1].count)
+            range[n - 1].count++;
         else
-            to->range[n++] = (struct pel_font_range){code, 1, (uint16_t)i};
+            range[n++] = (struct pel_font_range){code, 1, (uint16_t)i};
     }
     return n;
 }
@@ -89,7 +73,7 @@ static uint16_t missing_of(const struct font *font)
  * a gap; the last code point of all, so that the order stays. */
 bool font_add_box(struct font *font)
 {
-    static uint8_t rows[FONT_SIZE_MAX][(FONT_SIZE_MAX + 7) / 8];
+    uint8_t rows[FONT_SIZE_MAX][(FONT_SIZE_MAX + 7) / 8] = {{0}};
     struct font_char box = {.code = FONT_CODE_MAX, .width = 3};
     if (missing_of(font) != PEL_FONT_NONE)
         return true;
@@ -99,13 +83,9 @@ bool font_add_box(struct font *font)
     box.advance = box.width + 1;
     box.top = box.height = font->ascent > 3 ? font->ascent : 3;
     for (int y = 0; y < box.height; y++)
-        for (int x = 0; x < box.width; x++) {
-            const int bit = 0x80 >> x % 8;
-            const bool edge =
-                x == 0 || x == box.width - 1 || y == 0 || y == box.height - 1;
-            rows[y][x / 8] =
-                (uint8_t)(edge ? rows[y][x / 8] | bit : rows[y][x / 8] & ~bit);
-        }
+        for (int x = 0; x < box.width; x++)
+            if (x == 0 || x == box.width - 1 || y == 0 || y == box.height - 1)
+                rows[y][x / 8] |= (uint8_t)(0x80 >> x % 8);
     font->missing = FONT_CODE_MAX;
     return font_add(font, &box, rows[0], sizeof(rows[0]));
 }
@@ -120,25 +100,29 @@ bool font_asset_make(struct pel_font_asset *asset, const struct font *font,
                                 "has %zu glyphs: expected fewer than 65,535 "
                                 "(pel import has --codes)",
                                 n);
-    const struct arrays to = {malloc((n + 1) * sizeof(*to.range)),
-                              calloc(n + 1, sizeof(*to.glyph)),
-                              calloc(font->size + 1, 1)};
-    struct rows *rows = malloc((n + 1) * sizeof(*rows));
-    asset->range = to.range;
-    asset->glyph = to.glyph;
-    asset->bits = to.bits;
-    bool done = to.range && to.glyph && to.bits && rows;
+    struct pel_font_range *range = malloc((n + 1) * sizeof *range);
+    struct pel_font_glyph *glyph = malloc((n + 1) * sizeof *glyph);
+    uint8_t *bits = calloc(font->size + 1, 1);
+    struct rows *rows = malloc((n + 1) * sizeof *rows);
+    *asset = (struct pel_font_asset){.magic = PEL_FONT_MAGIC,
+                                     .version = PEL_FONT_VERSION,
+                                     .ascent = (uint8_t)font->ascent,
+                                     .descent = (uint8_t)font->descent,
+                                     .glyphs = (uint16_t)n,
+                                     .missing = missing_of(font),
+                                     .range = range,
+                                     .glyph = glyph,
+                                     .bits = bits};
+    const bool done = range && glyph && bits && rows;
+    for (size_t i = 0; done && i < n; i++) {
+        glyph[i] = glyph_of(&font->chars[i]);
+        rows[i] = (struct rows){font->bits + font->chars[i].offset,
+                                pel_font_glyph_size(&glyph[i]), &glyph[i]};
+    }
     if (done) {
-        asset->magic = PEL_FONT_MAGIC;
-        asset->version = PEL_FONT_VERSION;
-        asset->ascent = (uint8_t)font->ascent;
-        asset->descent = (uint8_t)font->descent;
-        fill_glyphs(&to, font, rows);
-        qsort(rows, n, sizeof(*rows), by_bits);
-        asset->size = (uint32_t)place_rows(&to, rows, n) + 1;
-        asset->ranges = fill_ranges(&to, font);
-        asset->glyphs = (uint16_t)n;
-        asset->missing = missing_of(font);
+        qsort(rows, n, sizeof *rows, by_bits);
+        asset->size = (uint32_t)place_rows(bits, rows, n) + 1;
+        asset->ranges = fill_ranges(range, font);
     } else
         font_asset_free(asset);
     free(rows);

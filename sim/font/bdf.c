@@ -4,8 +4,16 @@
 #include <string.h>
 #include <strings.h>
 
-#include "sim/font/font.h"
+#include "sim/cli/arguments.h"
 #include "sim/cli/message.h"
+#include "sim/font/font.h"
+
+struct glyph {
+    int code;    /* -1: none in the font's encoding */
+    int advance; /* -1: not given */
+    int box[4];
+    bool has_box;
+};
 
 struct bdf {
     struct font *font;
@@ -15,25 +23,14 @@ struct bdf {
     char *word; /* the line's first */
     char *rest; /* and what follows, without blanks at both ends */
     const char *registry, *encoding;
-    int box[4], advance; /* of the font; the advance is -1 when it has none */
-    bool has_box;
-    int ascent, descent; /* -1: not given */
-    long chars, read;    /* -1: not given */
+    struct glyph all; /* what glyphs are that do not say it themselves */
+    int ascent, descent, missing, chars; /* -1: not given */
+    int read;                            /* glyphs */
 };
 
 static bool is(const struct bdf *b, const char *word)
 {
     return strcmp(b->word, word) == 0;
-}
-
-/* True when the line's word is among `words`, which blanks separate. */
-static bool is_one_of(const struct bdf *b, const char *words)
-{
-    const size_t n = strlen(b->word);
-    for (; *words; words += strcspn(words, " "), words += *words == ' ')
-        if (strcspn(words, " ") == n && strncmp(words, b->word, n) == 0)
-            return true;
-    return false;
 }
 
 /* The next line that is not blank and no comment. Zero bytes are put behind its
@@ -87,48 +84,17 @@ static bool number_in(struct bdf *b, int lo, int hi, int *value)
 static const char *unquoted(char *text)
 {
     const size_t n = strlen(text);
-    if (n < 2 || text[0] != '"' || text[n - 1] != '"')
-        return text;
-    text[n - 1] = '\0';
-    return text + 1;
-}
-
-static bool read_properties(struct bdf *b)
-{
-    int count, code;
-    if (!number_in(b, 0, 10000, &count))
-        return false;
-    for (;;) {
-        if (!next_line(b, "ENDPROPERTIES"))
-            return false;
-        if (is(b, "ENDPROPERTIES"))
-            return true;
-        bool right = true;
-        if (is(b, "FONT_ASCENT"))
-            right = number_in(b, 0, FONT_SIZE_MAX, &b->ascent);
-        else if (is(b, "FONT_DESCENT"))
-            right = number_in(b, 0, FONT_SIZE_MAX, &b->descent);
-        else if (is(b, "DEFAULT_CHAR")) {
-            right = number_in(b, 0, FONT_CODE_MAX, &code);
-            b->font->missing = code;
-        } else if (is(b, "CHARSET_REGISTRY"))
-            b->registry = unquoted(b->rest);
-        else if (is(b, "CHARSET_ENCODING"))
-            b->encoding = unquoted(b->rest);
-        else if (is(b, "STARTCHAR") || is(b, "CHARS"))
-            right = ERROR_AT(
-                b, "%s among the properties: expected ENDPROPERTIES before it",
-                b->word);
-        if (!right)
-            return false;
-    }
+    const bool quoted = n > 1 && text[0] == '"' && text[n - 1] == '"';
+    if (quoted)
+        text[n - 1] = '\0';
+    return text + quoted;
 }
 
 /* Code points are read as Unicode: is that what the font has? */
 static bool check_charset(struct bdf *b)
 {
-    bool latin1 = strcasecmp(b->registry, "ISO8859") == 0 &&
-                  strcmp(b->encoding, "1") == 0;
+    const bool latin1 = strcasecmp(b->registry, "ISO8859") == 0 &&
+                        strcmp(b->encoding, "1") == 0;
     return !*b->registry || latin1 ||
            strcasecmp(b->registry, "ISO10646") == 0 ||
            ERROR_AT(b,
@@ -137,36 +103,54 @@ static bool check_charset(struct bdf *b)
                     b->registry, b->encoding);
 }
 
-struct glyph {
-    int code;    /* -1: none in the font's encoding */
-    int advance; /* -1: not given */
-    int box[4];
-    bool has_box;
-};
+static bool read_properties(struct bdf *b)
+{
+    int count;
+    bool right = number_in(b, 0, 10000, &count);
+    while (right && next_line(b, "ENDPROPERTIES")) {
+        if (is(b, "ENDPROPERTIES"))
+            return check_charset(b);
+        if (is(b, "FONT_ASCENT"))
+            right = number_in(b, 0, FONT_SIZE_MAX, &b->ascent);
+        else if (is(b, "FONT_DESCENT"))
+            right = number_in(b, 0, FONT_SIZE_MAX, &b->descent);
+        else if (is(b, "DEFAULT_CHAR"))
+            right = number_in(b, 0, FONT_CODE_MAX, &b->missing);
+        else if (is(b, "CHARSET_REGISTRY"))
+            b->registry = unquoted(b->rest);
+        else if (is(b, "CHARSET_ENCODING"))
+            b->encoding = unquoted(b->rest);
+        else if (is(b, "STARTCHAR") || is(b, "CHARS"))
+            right = ERROR_AT(
+                b, "%s among the properties: expected ENDPROPERTIES before it",
+                b->word);
+    }
+    return false;
+}
 
-static bool read_advance(struct bdf *b, int *advance)
+static bool read_advance(struct bdf *b, struct glyph *g)
 {
     int v[2];
     if (!numbers(b, 2, v))
         return false;
-    if (v[0] < 0 || v[0] > FONT_SIZE_MAX || v[1] != 0)
-        return ERROR_AT(b, "DWIDTH is %d %d: expected 0 to %d, and 0", v[0],
-                        v[1], FONT_SIZE_MAX);
-    *advance = v[0];
-    return true;
+    g->advance = v[0];
+    return (v[0] >= 0 && v[0] <= FONT_SIZE_MAX && v[1] == 0) ||
+           ERROR_AT(b, "DWIDTH is %d %d: expected 0 to %d, and 0", v[0], v[1],
+                    FONT_SIZE_MAX);
 }
 
-static bool read_box(struct bdf *b, int box[4])
+static bool read_box(struct bdf *b, struct glyph *g)
 {
-    if (!numbers(b, 4, box))
-        return false;
-    return (box[0] >= 0 && box[0] <= FONT_SIZE_MAX && box[1] >= 0 &&
-            box[1] <= FONT_SIZE_MAX && box[2] >= -128 && box[2] <= 127 &&
-            box[1] + box[3] >= -128 && box[1] + box[3] <= 127) ||
-           ERROR_AT(b,
-                    "%s is %s: expected a width and height of 0 to %d, and a "
-                    "place within -128 to 127 of the origin",
-                    b->word, b->rest, FONT_SIZE_MAX);
+    const int *box = g->box;
+    g->has_box = numbers(b, 4, g->box);
+    return g->has_box &&
+           ((box[0] >= 0 && box[0] <= FONT_SIZE_MAX && box[1] >= 0 &&
+             box[1] <= FONT_SIZE_MAX && box[2] >= -128 && box[2] <= 127 &&
+             box[1] + box[3] >= -128 && box[1] + box[3] <= 127) ||
+            ERROR_AT(b,
+                     "%s is %s: expected a width and height of 0 to %d, and a "
+                     "place within -128 to 127 of the origin",
+                     b->word, b->rest, FONT_SIZE_MAX));
 }
 
 /* ENCODING CODE, or ENCODING -1 with a code of the font's own. */
@@ -183,9 +167,8 @@ static bool read_encoding(struct bdf *b, struct glyph *g)
 /* The lines between STARTCHAR and BITMAP. */
 static bool read_head(struct bdf *b, struct glyph *g)
 {
-    bool has_code = false;
-    while (next_line(b, "BITMAP")) {
-        bool right = true;
+    bool has_code = false, right = true;
+    while (right && next_line(b, "BITMAP")) {
         if (is(b, "BITMAP")) {
             const char *lacks = !has_code          ? "ENCODING"
                                 : !g->has_box      ? "BBX"
@@ -199,50 +182,48 @@ static bool read_head(struct bdf *b, struct glyph *g)
         if (is(b, "ENCODING"))
             has_code = right = read_encoding(b, g);
         else if (is(b, "DWIDTH"))
-            right = read_advance(b, &g->advance);
+            right = read_advance(b, g);
         else if (is(b, "BBX"))
-            g->has_box = right = read_box(b, g->box);
-        else if (!is_one_of(b, "SWIDTH SWIDTH1 DWIDTH1 VVECTOR ATTRIBUTES"))
+            right = read_box(b, g);
+        else if (choice_find("SWIDTH|SWIDTH1|DWIDTH1|VVECTOR|ATTRIBUTES",
+                             b->word) < 0)
             right = ERROR_AT(
                 b, "'%s' in a glyph: expected ENCODING, DWIDTH, BBX or BITMAP",
                 b->word);
-        if (!right)
-            return false;
     }
     return false;
 }
 
 /* Bits right of the width are padding, whatever they are. */
-static bool read_rows(struct bdf *b, const struct glyph *g, uint8_t *rows)
+static bool read_rows(struct bdf *b, int stride, int height, uint8_t *rows)
 {
-    const int stride = (g->box[0] + 7) / 8;
-    for (int y = 0; y < g->box[1] && stride > 0; y++, rows += stride) {
+    for (int y = 0; y < height && stride > 0; y++) {
         if (!next_line(b, "a row of the glyph"))
             return false;
         const size_t digits = strspn(b->word, "0123456789abcdefABCDEF");
-        const bool right =
-            digits == (size_t)(2 * stride) && !b->word[digits] && !*b->rest;
-        for (int i = 0; right && i < stride; i++) {
-            const char byte[3] = {b->word[2 * i], b->word[2 * i + 1]};
-            rows[i] = (uint8_t)strtoul(byte, NULL, 16);
-        }
-        if (!right)
+        if (digits != (size_t)(2 * stride) || b->word[digits] || *b->rest)
             return ERROR_AT(
                 b, "'%s' as row %d of %d: expected %d hexadecimal digits",
-                b->word, y + 1, g->box[1], 2 * stride);
+                b->word, y + 1, height, 2 * stride);
+        for (const char *c = b->word; *c; c += 2) {
+            const char byte[3] = {c[0], c[1]};
+            *rows++ = (uint8_t)strtoul(byte, NULL, 16);
+        }
     }
     return next_line(b, "ENDCHAR") &&
            (is(b, "ENDCHAR") ||
             ERROR_AT(b, "'%s' after %d rows: expected ENDCHAR", b->word,
-                     g->box[1]));
+                     height));
 }
 
 static bool read_glyph(struct bdf *b)
 {
-    struct glyph g = {-1, b->advance, {0, 0, 0, 0}, b->has_box};
+    struct glyph g = b->all;
     uint8_t rows[FONT_SIZE_MAX * ((FONT_SIZE_MAX + 7) / 8)] = {0};
-    memcpy(g.box, b->box, sizeof(g.box));
-    if (!read_head(b, &g) || !read_rows(b, &g, rows))
+    if (!read_head(b, &g))
+        return false;
+    const int stride = (g.box[0] + 7) / 8;
+    if (!read_rows(b, stride, g.box[1], rows))
         return false;
     b->read++;
     const struct font_char c = {
@@ -253,29 +234,25 @@ static bool read_glyph(struct bdf *b)
         .top = g.box[1] + g.box[3],
         .advance = g.advance,
     };
-    return g.code < 0 ||
-           font_add(b->font, &c, rows, ((size_t)g.box[0] + 7) / 8);
+    return g.code < 0 || font_add(b->font, &c, rows, (size_t)stride);
 }
 
 /* One line between the glyphs, and what belongs to it. */
 static bool read_entry(struct bdf *b)
 {
-    int count;
     if (is(b, "STARTCHAR"))
         return read_glyph(b);
     if (is(b, "STARTPROPERTIES"))
-        return read_properties(b) && check_charset(b);
+        return read_properties(b);
     if (is(b, "FONTBOUNDINGBOX"))
-        return b->has_box = read_box(b, b->box);
+        return read_box(b, &b->all);
     if (is(b, "DWIDTH"))
-        return read_advance(b, &b->advance);
-    if (is(b, "CHARS")) {
-        bool right = number_in(b, 0, FONT_CODE_MAX, &count);
-        b->chars = count;
-        return right;
-    }
-    return is_one_of(b, "CONTENTVERSION FONT SIZE METRICSSET SWIDTH SWIDTH1 "
-                        "DWIDTH1 VVECTOR") ||
+        return read_advance(b, &b->all);
+    if (is(b, "CHARS"))
+        return number_in(b, 0, FONT_CODE_MAX, &b->chars);
+    return choice_find("CONTENTVERSION|FONT|SIZE|METRICSSET|SWIDTH|SWIDTH1|"
+                       "DWIDTH1|VVECTOR",
+                       b->word) >= 0 ||
            ERROR_AT(b, "'%s' between glyphs: expected STARTCHAR or ENDFONT",
                     b->word);
 }
@@ -283,10 +260,12 @@ static bool read_entry(struct bdf *b)
 /* The lines of a font without properties are as high as its box. */
 static bool finish(struct bdf *b)
 {
-    int above = b->box[1] + b->box[3], below = -b->box[3];
+    const int *box = b->all.box;
+    const int above = box[1] + box[3], below = -box[3];
     if (b->chars != b->read)
-        return ERROR_AT(b, "%ld glyphs: expected the %ld that CHARS says",
+        return ERROR_AT(b, "%d glyphs: expected the %d that CHARS says",
                         b->read, b->chars);
+    b->font->missing = b->missing;
     b->font->ascent = b->ascent >= 0 ? b->ascent : above > 0 ? above : 0;
     b->font->descent = b->descent >= 0 ? b->descent : below > 0 ? below : 0;
     return true;
@@ -301,9 +280,10 @@ bool font_parse_bdf(struct font *font, const struct font_file *file)
         .end = file->data + file->size,
         .registry = "",
         .encoding = "",
-        .advance = -1,
+        .all = {.code = -1, .advance = -1},
         .ascent = -1,
         .descent = -1,
+        .missing = -1,
         .chars = -1,
     };
     if (!next_line(&b, "STARTFONT 2.1"))

@@ -1,5 +1,8 @@
 /* PC Screen Font, the Linux console's, versions 1 and 2 (kbd's psf.h). */
 
+#include <string.h>
+
+#include "core/image/glyph_text.h"
 #include "sim/cli/bytes.h"
 #include "sim/font/font.h"
 #include "sim/cli/message.h"
@@ -23,34 +26,31 @@ static bool cut_short(const struct psf *p)
         p->path, 0, "ends after %zu bytes: expected a whole PSF file", p->size);
 }
 
-static bool read_head1(struct psf *p)
+static bool read_head(struct psf *p)
 {
     enum { MODE_512 = 1, MODE_TABLE = 2 | 4 };
-    if (p->size < 4)
+    const uint8_t *d = p->data;
+    if (p->size < (p->version == 1 ? 4 : 32))
         return cut_short(p);
-    p->count = p->data[2] & MODE_512 ? 512 : 256;
-    p->has_table = p->data[2] & MODE_TABLE;
-    p->glyph_size = p->height = p->data[3];
-    p->width = 8;
-    p->glyphs = 4;
-    return true;
-}
-
-static bool read_head2(struct psf *p)
-{
-    if (p->size < 32)
-        return cut_short(p);
-    p->glyphs = bytes_little(p->data + 8, 4);
-    p->has_table = bytes_little(p->data + 12, 4) & 1;
-    p->count = bytes_little(p->data + 16, 4);
-    p->glyph_size = bytes_little(p->data + 20, 4);
-    p->height = bytes_little(p->data + 24, 4);
-    p->width = bytes_little(p->data + 28, 4);
-    return (bytes_little(p->data + 4, 4) == 0 && p->glyphs >= 32) ||
+    if (p->version == 1) {
+        p->count = d[2] & MODE_512 ? 512 : 256;
+        p->has_table = d[2] & MODE_TABLE;
+        p->glyph_size = p->height = d[3];
+        p->width = 8;
+        p->glyphs = 4;
+        return true;
+    }
+    p->glyphs = bytes_little(d + 8, 4);
+    p->has_table = d[12] & 1;
+    p->count = bytes_little(d + 16, 4);
+    p->glyph_size = bytes_little(d + 20, 4);
+    p->height = bytes_little(d + 24, 4);
+    p->width = bytes_little(d + 28, 4);
+    return (bytes_little(d + 4, 4) == 0 && p->glyphs >= 32) ||
            message_error_at(p->path, 0,
                             "a PSF 2 header of version %u and %zu bytes: "
                             "expected version 0 and at least 32 bytes",
-                            (unsigned)bytes_little(p->data + 4, 4), p->glyphs);
+                            (unsigned)bytes_little(d + 4, 4), p->glyphs);
 }
 
 static bool check_size(const struct psf *p)
@@ -97,38 +97,26 @@ static bool add(struct psf *p, uint32_t glyph, uint32_t code)
                     (p->width + 7) / 8);
 }
 
-/* One code point of a PSF 2 table: UTF-8. 0 bytes left: false. */
-static bool next_utf8(struct psf *p, uint32_t *code)
-{
-    int more = 0;
-    uint32_t c = p->data[p->at++];
-    if (c >= 0xC0)
-        more = c < 0xE0 ? 1 : c < 0xF0 ? 2 : 3;
-    *code = more ? c & (0x3Fu >> more) : c;
-    for (; more > 0; more--) {
-        if (p->at == p->size || (p->data[p->at] & 0xC0) != 0x80)
-            return false;
-        *code = *code << 6 | (p->data[p->at++] & 0x3Fu);
-    }
-    return c < 0x80 || (c >= 0xC2 && c <= 0xF4);
-}
-
 enum { CODE, SEQUENCE, END, BAD };
 
-/* The next entry in the table of a glyph. */
+/* The next entry in the table of a glyph: of 16 bits, or UTF-8. */
 static int next_entry(struct psf *p, uint32_t *code)
 {
+    const char *start = (const char *)p->data + p->at, *next = start;
     const size_t unit = p->version == 1 ? 2 : 1;
     if (p->size - p->at < unit)
         return BAD;
+    p->at += unit;
     if (p->version == 1) {
-        *code = bytes_little(p->data + p->at, 2);
-        p->at += 2;
+        *code = bytes_little((const uint8_t *)start, 2);
         return *code == 0xFFFF ? END : *code == 0xFFFE ? SEQUENCE : CODE;
     }
-    if (p->data[p->at] >= 0xFE)
-        return p->data[p->at++] == 0xFF ? END : SEQUENCE;
-    return next_utf8(p, code) ? CODE : BAD;
+    if (*start == '\xFF' || *start == '\xFE')
+        return *start == '\xFF' ? END : SEQUENCE;
+    *code = pel_utf8_next(&next);
+    p->at = (size_t)(next - (const char *)p->data);
+    return *code != 0xFFFD || strncmp(start, "\xEF\xBF\xBD", 3) == 0 ? CODE
+                                                                     : BAD;
 }
 
 /* Code points of each glyph; sequences of several, which follow, are left
@@ -138,20 +126,17 @@ static bool read_table(struct psf *p)
     p->at = p->glyphs + (size_t)p->count * p->glyph_size;
     for (uint32_t glyph = 0; glyph < p->count; glyph++) {
         bool in_sequence = false;
-        for (;;) {
-            uint32_t code = 0;
-            int entry = next_entry(p, &code);
-            if (entry == END)
-                break;
+        uint32_t code = 0;
+        int entry;
+        while ((entry = next_entry(p, &code)) != END) {
+            in_sequence = in_sequence || entry == SEQUENCE;
             if (entry == BAD)
                 return message_error_at(
                     p->path, 0,
                     "the Unicode table breaks off at byte %zu, glyph %u of %u: "
                     "expected a whole one",
                     p->at, (unsigned)glyph, (unsigned)p->count);
-            if (entry == SEQUENCE)
-                in_sequence = true;
-            else if (!in_sequence && !add(p, glyph, code))
+            if (!in_sequence && !add(p, glyph, code))
                 return false;
         }
     }
@@ -167,7 +152,7 @@ bool font_parse_psf(struct font *font, const struct font_file *file)
         .size = file->size,
     };
     p.version = p.data[0] == 0x36 ? 1 : 2;
-    if (!(p.version == 1 ? read_head1(&p) : read_head2(&p)) || !check_size(&p))
+    if (!read_head(&p) || !check_size(&p))
         return false;
     font->descent = (int)p.height / 4;
     font->ascent = (int)p.height - font->descent;

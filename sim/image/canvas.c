@@ -1,7 +1,6 @@
 #include "sim/image/canvas.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "core/raster/rectangle.h"
 #include "sim/cli/message.h"
@@ -11,49 +10,19 @@ static bool is_paged(const struct pel_format *format)
     return format->id == PEL_FORMAT_MONO1_PAGES;
 }
 
-/* Lines of memory: those of pixels, or pages of 8 of them. */
-static int32_t lines_of(const struct pel_format *format,
-                        const struct pel_rect *bounds)
-{
-    const int32_t height = bounds->y1 - bounds->y0;
-    return is_paged(format) ? (height + 7) / 8 : height;
-}
-
-bool canvas_init_layout(struct canvas *canvas, const struct pel_format *format,
-                        const struct canvas_layout *layout)
-{
-    const struct pel_rect *bounds = &layout->bounds;
-    canvas->memory = NULL;
-    const int32_t width = bounds->x1 - bounds->x0;
-    const int32_t height = bounds->y1 - bounds->y0;
-    if (!picture_size_check(NULL, width, height))
-        return false;
-    const int32_t lines = lines_of(format, bounds);
-    int32_t stride = pel_stride(format, width) + layout->padding * format->word;
-    const size_t size = (size_t)stride * (size_t)lines;
-    uint8_t *pixels = canvas->memory = malloc(size);
-    if (!pixels)
-        return message_error("no memory for a canvas of %zu bytes", size);
-    memset(pixels, 0xA5, size);
-    if (layout->bottom_up && !is_paged(format)) {
-        pixels += (size_t)(lines - 1) * (size_t)stride;
-        stride = -stride;
-    }
-    const enum pel_status status =
-        pel_surface_init_rect(&canvas->surface, format, pixels, stride, bounds);
-    if (status == PEL_OK)
-        return true;
-    canvas_free(canvas);
-    return message_error("a canvas that is no legal surface (status %d)",
-                         (int)status);
-}
-
 bool canvas_init(struct canvas *canvas, const struct pel_format *format,
                  int width, int height)
 {
-    const struct canvas_layout layout = {{0, 0, width, height}, 0, false};
-    if (!canvas_init_layout(canvas, format, &layout))
+    const struct pel_rect bounds = {0, 0, width, height};
+    const size_t lines = (size_t)(is_paged(format) ? (height + 7) / 8 : height);
+    canvas->memory = NULL;
+    if (!picture_size_check(NULL, width, height))
         return false;
+    const size_t size = (size_t)pel_stride(format, width) * lines;
+    canvas->memory = calloc(size, 1);
+    if (!canvas->memory)
+        return message_error("no memory for a canvas of %zu bytes", size);
+    pel_surface_init(&canvas->surface, format, canvas->memory, size, &bounds);
     pel_clear(&canvas->surface, PEL_RGB(0, 0, 0));
     return true;
 }
@@ -91,46 +60,26 @@ bool canvas_bands_legal(const struct pel_format *format, int rows)
     return rows >= 0 && (!is_paged(format) || rows % 8 == 0);
 }
 
-static uint8_t *line_at(const struct pel_surface *s, int32_t y, int32_t step)
-{
-    return (uint8_t *)s->pixels +
-           (ptrdiff_t)((y - s->bounds.y0) / step) * (ptrdiff_t)s->stride;
-}
-
-/* The lines that the band holds, from one surface to the other: both have its
- * width and format. */
-static void copy_lines(const struct pel_surface *to,
-                       const struct pel_surface *from,
-                       const struct pel_rect *band)
-{
-    const struct pel_format *format = to->format;
-    const int32_t step = is_paged(format) ? 8 : 1;
-    const size_t size = (size_t)pel_stride(format, band->x1 - band->x0);
-    for (int32_t y = band->y0; y < band->y1; y += step)
-        memcpy(line_at(to, y, step), line_at(from, y, step), size);
-}
-
 bool canvas_draw(struct canvas *canvas, int rows, canvas_draw_function *draw,
                  void *context)
 {
     struct pel_surface *whole = &canvas->surface;
+    const int32_t lines = is_paged(whole->format) ? 8 : 1;
+    struct pel_surface band = *whole;
+    if (!canvas_bands_legal(whole->format, rows))
+        return message_error("bands of %d rows: expected a multiple of 8 for "
+                             "mono1_pages",
+                             rows);
     whole->clip = whole->bounds;
-    if (rows == 0) {
+    if (rows == 0)
         draw(whole, context);
-        whole->clip = whole->bounds;
-        return true;
+    while (rows > 0 && band.bounds.y0 < whole->bounds.y1) {
+        band.bounds.y1 = pel_min(band.bounds.y0 + rows, whole->bounds.y1);
+        band.clip = band.bounds;
+        draw(&band, context);
+        band.pixels = (uint8_t *)band.pixels + rows / lines * band.stride;
+        band.bounds.y0 = band.bounds.y1;
     }
-    struct canvas_layout layout = {whole->bounds, 0, false};
-    struct pel_rect *band = &layout.bounds;
-    for (; band->y0 < whole->bounds.y1; band->y0 = band->y1) {
-        struct canvas part;
-        band->y1 = pel_min(band->y0 + rows, whole->bounds.y1);
-        if (!canvas_init_layout(&part, whole->format, &layout))
-            return false;
-        copy_lines(&part.surface, whole, band);
-        draw(&part.surface, context);
-        copy_lines(whole, &part.surface, band);
-        canvas_free(&part);
-    }
+    whole->clip = whole->bounds;
     return true;
 }

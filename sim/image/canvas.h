@@ -1,5 +1,5 @@
-/* Canvases: a surface with memory of its own, of any format and layout, drawn
- * whole or in bands. */
+/* Canvases: a surface with memory of its own, of any format, drawn whole or in
+ * bands. */
 #ifndef SIM_IMAGE_CANVAS_H
 #define SIM_IMAGE_CANVAS_H
 
@@ -11,22 +11,10 @@ struct canvas {
     void *memory; /* malloc'ed */
 };
 
-/* The memory layout of a canvas. A zeroed one is packed and top-down. */
-struct canvas_layout {
-    struct pel_rect bounds; /* absolute pixels; a tile of a format with less
-                               than 8 bits begins at a byte */
-    int padding;            /* pixel words added to each row */
-    bool bottom_up;         /* negative stride; not for mono1_pages */
-};
-
 /* Black pixels 0..width, 0..height, packed. False, with a message on standard
  * error, when the size is not that of a legal picture or memory is short. */
 bool canvas_init(struct canvas *canvas, const struct pel_format *format,
                  int width, int height);
-
-/* The general form; the memory is not set to a color but to bytes 0xA5. */
-bool canvas_init_layout(struct canvas *canvas, const struct pel_format *format,
-                        const struct canvas_layout *layout);
 
 void canvas_free(struct canvas *canvas);
 
@@ -44,10 +32,8 @@ typedef void canvas_draw_function(struct pel_surface *surface, void *context);
 bool canvas_bands_legal(const struct pel_format *format, int rows);
 
 /* Calls draw once for the canvas (rows = 0), or once for each band of `rows`
- * lines from the top, as a device with memory for one band does: each band is a
- * small surface of its own, with its absolute bounds, that takes the pixels
- * from the canvas and brings them back. False, with a message, when memory is
- * short. */
+ * rows from the top: a surface of its own, with its absolute bounds. False,
+ * with a message, when such bands are not possible. */
 bool canvas_draw(struct canvas *canvas, int rows, canvas_draw_function *draw,
                  void *context);
 

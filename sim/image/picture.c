@@ -67,38 +67,26 @@ bool path_has_ending(const char *path, const char *endings)
     return strcasestr(endings, word) != NULL;
 }
 
-/* The first three channels of row y as bytes, red first. */
-static void picture_bytes(const struct picture *picture, int y,
-                          unsigned char *to)
+/* The first three channels as bytes, red first, malloc'ed. */
+static unsigned char *bytes_of(const struct picture *picture)
 {
-    const pel_color *row = picture_row(picture, y);
-    for (int x = 0; x < picture->width; x++) {
-        *to++ = (unsigned char)pel_red(row[x]);
-        *to++ = (unsigned char)pel_green(row[x]);
-        *to++ = (unsigned char)pel_blue(row[x]);
+    const size_t n = (size_t)picture->width * (size_t)picture->height;
+    unsigned char *bytes = malloc(3 * n), *to = bytes;
+    for (size_t i = 0; bytes && i < n; i++) {
+        *to++ = (unsigned char)pel_red(picture->pixels[i]);
+        *to++ = (unsigned char)pel_green(picture->pixels[i]);
+        *to++ = (unsigned char)pel_blue(picture->pixels[i]);
     }
+    return bytes;
 }
 
-static bool write_ppm(const struct picture *picture, FILE *file)
+static bool write_ppm(const struct picture *p, FILE *file,
+                      const unsigned char *bytes)
 {
-    const size_t width = (size_t)picture->width;
-    unsigned char *bytes = malloc(3 * width);
-    if (!bytes)
-        return false;
-    fprintf(file, "P6\n%d %d\n255\n", picture->width, picture->height);
-    for (int y = 0; y < picture->height; y++) {
-        picture_bytes(picture, y, bytes);
-        fwrite(bytes, 3, width, file);
-    }
-    free(bytes);
+    fprintf(file, "P6\n%d %d\n255\n", p->width, p->height);
+    fwrite(bytes, 3 * (size_t)p->width, (size_t)p->height, file);
     return true;
 }
-
-enum {
-    FILE_HEADER = 14,
-    INFO_HEADER = 40,
-    HEADERS = FILE_HEADER + INFO_HEADER
-};
 
 static void put32(unsigned char *to, uint32_t v)
 {
@@ -107,86 +95,46 @@ static void put32(unsigned char *to, uint32_t v)
 }
 
 /* A picture at the limit has 32,767 x 98,304 bytes: below 2^32. */
-static void write_headers(const struct picture *p, uint32_t bytes, FILE *file)
+static bool write_bmp(const struct picture *p, FILE *file,
+                      const unsigned char *bytes)
 {
-    unsigned char h[HEADERS] = {'B', 'M'};
-    put32(h + 2, HEADERS + bytes * (uint32_t)p->height);
+    enum { FILE_HEADER = 14, INFO_HEADER = 40, HEADERS = 54 };
+    const size_t row = 3 * (size_t)p->width, padding = (size_t)p->width % 4;
+    const uint32_t size = (uint32_t)((row + padding) * (size_t)p->height);
+    unsigned char h[HEADERS] = {'B', 'M', [26] = 1, [28] = 24};
+    put32(h + 2, HEADERS + size);
     put32(h + 10, HEADERS);
-    put32(h + 14, INFO_HEADER);
+    put32(h + FILE_HEADER, INFO_HEADER);
     put32(h + 18, (uint32_t)p->width);
     put32(h + 22, (uint32_t)p->height);
-    h[26] = 1;
-    h[28] = 24;
-    put32(h + 34, bytes * (uint32_t)p->height);
+    put32(h + 34, size);
     fwrite(h, 1, sizeof h, file);
-}
-
-static bool write_bmp(const struct picture *picture, FILE *file)
-{
-    const uint32_t width = (uint32_t)picture->width;
-    const uint32_t size = (3 * width + 3) / 4 * 4;
-    unsigned char *bytes = calloc(size, 1);
-    if (!bytes)
-        return false;
-    write_headers(picture, size, file);
-    for (int y = picture->height - 1; y >= 0; y--) {
-        const pel_color *row = picture_row(picture, y);
-        for (uint32_t x = 0; x < width; x++)
-            for (uint32_t k = 0; k < 3; k++)
-                bytes[3 * x + k] = (unsigned char)(row[x] >> 8 * k & 255);
-        fwrite(bytes, 1, size, file);
+    for (size_t y = (size_t)p->height; y-- > 0;) {
+        for (size_t x = 0; x < row; x++)
+            putc_unlocked(bytes[y * row + x + 2 - x % 3 * 2], file);
+        fwrite("\0\0", 1, padding, file);
     }
-    free(bytes);
     return true;
 }
 
 #ifdef HAVE_LIBPNG
 
-static void write_rows(const struct picture *picture, png_structp png,
-                       png_bytep bytes)
+static bool write_png(const struct picture *p, FILE *file,
+                      const unsigned char *bytes)
 {
-    for (int y = 0; y < picture->height; y++) {
-        picture_bytes(picture, y, bytes);
-        png_write_row(png, bytes);
-    }
-}
-
-/* libpng reports errors by jumping back to the setjmp. Nothing that changes
- * after it is read then. */
-static bool write_all(const struct picture *picture, FILE *file,
-                      png_structp png, png_infop info, png_bytep bytes)
-{
-    if (setjmp(png_jmpbuf(png)))
-        return false;
-    png_init_io(png, file);
-    png_set_IHDR(png, info, (png_uint_32)picture->width,
-                 (png_uint_32)picture->height, 8, PNG_COLOR_TYPE_RGB,
-                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    png_write_info(png, info);
-    write_rows(picture, png, bytes);
-    png_write_end(png, info);
-    return true;
-}
-
-static bool write_png(const struct picture *picture, FILE *file)
-{
-    png_structp png =
-        png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
-    png_infop info = png ? png_create_info_struct(png) : NULL;
-    png_bytep bytes = malloc(3 * (size_t)picture->width);
-    const bool done =
-        info && bytes && write_all(picture, file, png, info, bytes);
-    png_destroy_write_struct(&png, &info);
-    free(bytes);
-    return done;
+    png_image image = {.version = PNG_IMAGE_VERSION,
+                       .width = (png_uint_32)p->width,
+                       .height = (png_uint_32)p->height,
+                       .format = PNG_FORMAT_RGB};
+    return png_image_write_to_stdio(&image, file, 0, bytes, 0, NULL);
 }
 
 #endif
 
 struct picture_format {
     const char *ending;
-    bool (*write)(const struct picture *picture, FILE *file);
+    bool (*write)(const struct picture *picture, FILE *file,
+                  const unsigned char *bytes);
 };
 
 static const struct picture_format formats[] = {
@@ -229,11 +177,14 @@ bool picture_save(const struct picture *picture, const char *path)
     struct output output;
     if (!picture_path_check(path) || !output_open(&output, path))
         return false;
-    if (!format_of(path)->write(picture, output.stream)) {
-        output_abandon(&output);
-        return message_error_at(path, 0, "the picture cannot be written");
-    }
-    return output_commit(&output);
+    unsigned char *bytes = bytes_of(picture);
+    const bool done =
+        bytes && format_of(path)->write(picture, output.stream, bytes);
+    free(bytes);
+    if (done)
+        return output_commit(&output);
+    output_abandon(&output);
+    return message_error_at(path, 0, "the picture cannot be written");
 }
 
 const char *picture_best_ending(void)

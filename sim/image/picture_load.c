@@ -19,7 +19,7 @@ struct reader {
 
 static int read_char(struct reader *r)
 {
-    const int c = getc(r->file);
+    const int c = getc_unlocked(r->file);
     if (c == EOF)
         return c;
     r->byte++;
@@ -115,47 +115,34 @@ static bool read_header(struct reader *r)
     return true;
 }
 
-static bool read_text_row(struct reader *r, unsigned char *bytes)
+static bool read_sample(struct reader *r, int *sample)
 {
-    for (int i = 0; i < r->width * r->channels; i++) {
-        int sample;
-        if (!read_number(r, "sample", 255, &sample))
-            return false;
-        bytes[i] = (unsigned char)sample;
+    if (!r->binary)
+        return read_number(r, "sample", 255, sample);
+    *sample = read_char(r);
+    return *sample != EOF;
+}
+
+static bool refuse_end(const struct reader *r, int y)
+{
+    return ferror(r->file)
+               ? message_error_at(r->name, 0, "cannot be read")
+               : message_error_at(
+                     r->name, 0,
+                     "byte %ld: ends in row %d of %d, %d bytes a row", r->byte,
+                     y + 1, r->height, r->width * r->channels);
+}
+
+static bool read_row(struct reader *r, int y, pel_color *row)
+{
+    for (int x = 0; x < r->width; x++) {
+        int v[3];
+        for (int i = 0; i < r->channels; i++)
+            if (!read_sample(r, &v[i]))
+                return r->binary && refuse_end(r, y);
+        row[x] = PEL_RGB(v[0], v[r->channels / 2], v[r->channels - 1]);
     }
     return true;
-}
-
-static bool read_binary_row(struct reader *r, unsigned char *bytes)
-{
-    const size_t size = (size_t)r->width * (size_t)r->channels;
-    const size_t got = fread(bytes, 1, size, r->file);
-    r->byte += (long)got;
-    return got == size;
-}
-
-static bool read_row(struct reader *r, int y, unsigned char *bytes)
-{
-    if (r->binary ? read_binary_row(r, bytes) : read_text_row(r, bytes))
-        return true;
-    if (ferror(r->file))
-        return message_error_at(r->name, 0, "cannot be read");
-    if (r->binary)
-        message_error_at(r->name, 0,
-                         "byte %ld: ends in row %d of %d, %d bytes a row",
-                         r->byte, y + 1, r->height, r->width * r->channels);
-    return false;
-}
-
-static void unpack_row(const struct reader *r, const unsigned char *bytes,
-                       pel_color *row)
-{
-    for (int x = 0; x < r->width; x++, bytes += r->channels) {
-        if (r->channels == 3)
-            row[x] = PEL_RGB(bytes[0], bytes[1], bytes[2]);
-        else
-            row[x] = PEL_RGB(bytes[0], bytes[0], bytes[0]);
-    }
 }
 
 /* Makes room for row y: as many rows again as there are, all in the end. */
@@ -176,18 +163,14 @@ static bool grow(struct picture *p, const struct reader *r, int y)
     return true;
 }
 
-static bool read_rows(struct reader *r, struct picture *picture,
-                      unsigned char *bytes)
+static bool read_rows(struct reader *r, struct picture *picture)
 {
-    for (int y = 0; y < r->height; y++) {
-        if (!read_row(r, y, bytes) || !grow(picture, r, y))
+    for (int y = 0; y < r->height; y++)
+        if (!grow(picture, r, y) || !read_row(r, y, picture_row(picture, y)))
             return false;
-        unpack_row(r, bytes, picture_row(picture, y));
-    }
     const int c = r->binary ? read_char(r) : skip_space(r);
-    if (c == EOF)
-        return true;
-    return message_error_at(r->name, r->binary ? 0 : r->line,
+    return c == EOF ||
+           message_error_at(r->name, r->binary ? 0 : r->line,
                             "byte %ld: the picture of %d x %d pixels should "
                             "end here, but there is more",
                             r->byte - 1, r->width, r->height);
@@ -195,13 +178,8 @@ static bool read_rows(struct reader *r, struct picture *picture,
 
 bool picture_read_ppm(struct picture *picture, FILE *file, const char *name)
 {
-    struct reader reader = {file, name, 1, 0, 0, 0, 0, false};
-    if (!read_header(&reader))
-        return false;
-    unsigned char *bytes = malloc((size_t)(reader.width * reader.channels));
-    const bool done = bytes ? read_rows(&reader, picture, bytes)
-                            : message_error_at(name, 0, "out of memory");
-    free(bytes);
+    struct reader reader = {.file = file, .name = name, .line = 1};
+    const bool done = read_header(&reader) && read_rows(&reader, picture);
     if (!done)
         picture_free(picture);
     return done;

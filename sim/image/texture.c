@@ -150,20 +150,16 @@ static bool put_picture(const void *source, FILE *out)
 
 #endif
 
-static bool get_picture(struct picture *picture, FILE *in)
-{
-    int size[2];
-    if (fread(size, sizeof size, 1, in) != 1 ||
-        !picture_init(picture, size[0], size[1], 0))
-        return false;
-    const size_t n = (size_t)size[0] * (size_t)size[1];
-    return fread(picture->pixels, sizeof(pel_color), n, in) == n;
-}
-
 static bool load(struct picture *picture, const struct source *source)
 {
+    int size[2];
     FILE *in = child_run(source->name, put_picture, source);
-    const bool done = in && get_picture(picture, in);
+    *picture = (struct picture){0, 0, NULL};
+    const bool done =
+        in && fread(size, sizeof size, 1, in) == 1 &&
+        picture_init(picture, size[0], size[1], 0) &&
+        fread(picture->pixels, sizeof(pel_color) * (size_t)size[0],
+              (size_t)size[1], in) == (size_t)size[1];
     if (in)
         fclose(in);
     return done;
@@ -172,20 +168,17 @@ static bool load(struct picture *picture, const struct source *source)
 bool texture_load_bytes(struct picture *picture, const char *name,
                         const void *bytes, size_t size)
 {
-    const struct source source = {name, bytes, size};
-    memset(picture, 0, sizeof(*picture));
-    return load(picture, &source);
+    return load(picture, &(struct source){name, bytes, size});
 }
 
 bool texture_load(struct picture *picture, const char *path)
 {
-    const struct source source = {path, NULL, 0};
-    memset(picture, 0, sizeof(*picture));
+    *picture = (struct picture){0, 0, NULL};
     if (strcmp(path, "-") == 0 || path_has_ending(path, " .ppm .pgm "))
         return picture_load(picture, path);
     if (access(path, R_OK) != 0)
         return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
-    return load(picture, &source);
+    return load(picture, &(struct source){path, NULL, 0});
 }
 
 bool texture_opaque(const struct picture *p)

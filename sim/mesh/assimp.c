@@ -1,7 +1,6 @@
 #include "sim/mesh/mesh.h"
 
 #include "sim/cli/message.h"
-#include "sim/mesh/material.h"
 
 #ifdef HAVE_ASSIMP
 #include <assimp/cimport.h>
@@ -83,21 +82,6 @@ static struct counts count(const struct aiScene *scene)
     return c;
 }
 
-static void note_losses(const char *path, const struct counts *file,
-                        const struct counts *drawn)
-{
-    if (file->points || file->lines)
-        message_error_at(path, 0,
-                         "%" PRIu64 " points and %" PRIu64
-                         " lines are left out: a mesh has triangles",
-                         file->points, file->lines);
-    if (drawn->triangles < file->triangles)
-        message_error_at(path, 0,
-                         "%" PRIu64 " of %" PRIu64
-                         " triangles are lost where polygons were cut",
-                         file->triangles - drawn->triangles, file->triangles);
-}
-
 /* Files have -0 and 0 for the same number: with 0 added it has no sign. */
 static void set3(double to[3], const struct aiVector3D *from)
 {
@@ -149,8 +133,7 @@ static void copy_vertices(const struct making *m, const struct aiMesh *from,
     }
 }
 
-/* Mirrored triangles are turned round. An index that is wrong in the mesh stays
- * wrong: mesh_check refuses it. */
+/* Mirrored triangles are turned round. */
 static void copy_triangles(const struct making *m, const struct aiMesh *from,
                            bool mirrored)
 {
@@ -160,10 +143,7 @@ static void copy_triangles(const struct making *m, const struct aiMesh *from,
             continue;
         uint32_t *to = m->mesh->triangle[m->part->triangles++];
         for (int k = 0; k < 3; k++)
-            to[mirrored ? 2 - k : k] =
-                face->mIndices[k] < from->mNumVertices
-                    ? face->mIndices[k] + m->part->vertices
-                    : UINT32_MAX;
+            to[mirrored ? 2 - k : k] = face->mIndices[k] + m->part->vertices;
     }
 }
 
@@ -221,24 +201,12 @@ static bool copy_parts(const struct aiScene *scene, const char *path,
 }
 
 /* assimp's own steps fail on a scene without faces. */
-static bool check_faces(const struct counts *n, const char *path)
+static bool check_counts(const struct counts *n, const char *path)
 {
-    return n->triangles > 0 ||
-           message_error_at(path, 0, "a mesh file without triangles");
-}
-
-static bool copy_scene(const struct aiScene *scene, const char *path,
-                       struct mesh *mesh)
-{
-    const struct counts n = count(scene);
-    if (!check_faces(&n, path))
-        return false;
-    if (n.vertices > 1u << 28 || n.triangles > 1u << 28)
-        return message_error_at(path, 0,
-                                "more than 2^28 vertices or triangles");
-    return mesh_init(mesh, (uint32_t)n.vertices, (uint32_t)n.triangles,
-                     2 * (scene->mNumMaterials + 1)) &&
-           copy_parts(scene, path, mesh);
+    if (n->triangles == 0)
+        return message_error_at(path, 0, "a mesh file without triangles");
+    return (n->vertices <= 1u << 28 && n->triangles <= 1u << 28) ||
+           message_error_at(path, 0, "more than 2^28 vertices or triangles");
 }
 
 /* Some of assimp's readers put another vertex in the place of an index that is
@@ -266,8 +234,9 @@ static bool check_indices(const struct aiScene *scene, const char *path)
     return true;
 }
 
-/* The file as it is; NULL, with a message, when it is not right. */
-static const struct aiScene *read_scene(const char *path)
+/* The file as it is, and its counts; NULL, with a message, when it is not
+ * right. */
+static const struct aiScene *read_scene(const char *path, struct counts *n)
 {
     char bad_index = 0;
     const struct aiLogStream log = {note_bad_index, &bad_index};
@@ -281,8 +250,8 @@ static const struct aiScene *read_scene(const char *path)
     }
     if (bad_index)
         message_error_at(path, 0, "a face names a vertex that is out of range");
-    const struct counts n = count(scene);
-    if (!bad_index && check_indices(scene, path) && check_faces(&n, path))
+    *n = count(scene);
+    if (!bad_index && check_indices(scene, path) && check_counts(n, path))
         return scene;
     aiReleaseImport(scene);
     return NULL;
@@ -298,18 +267,30 @@ bool mesh_load_file(struct mesh *mesh, const char *path)
 {
     if (access(path, R_OK) != 0)
         return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
-    const struct aiScene *scene =
-        mesh_check_start(path) ? read_scene(path) : NULL;
+    struct counts file;
+    const struct aiScene *scene = read_scene(path, &file);
     if (!scene)
         return false;
-    const struct counts file = count(scene);
     scene = aiApplyPostProcessing(scene, IMPORT_FLAGS); /* frees a wrong one */
     if (!scene)
         return message_error_at(path, 0, "no mesh that can be drawn (%s)",
                                 aiGetErrorString());
     const struct counts drawn = count(scene);
-    note_losses(path, &file, &drawn);
-    bool done = copy_scene(scene, path, mesh);
+    if (file.points || file.lines)
+        message_error_at(path, 0,
+                         "%" PRIu64 " points and %" PRIu64
+                         " lines are left out: a mesh has triangles",
+                         file.points, file.lines);
+    if (drawn.triangles < file.triangles)
+        message_error_at(path, 0,
+                         "%" PRIu64 " of %" PRIu64
+                         " triangles are lost where polygons were cut",
+                         file.triangles - drawn.triangles, file.triangles);
+    const bool done =
+        check_counts(&drawn, path) &&
+        mesh_init(mesh, (uint32_t)drawn.vertices, (uint32_t)drawn.triangles,
+                  2 * (scene->mNumMaterials + 1)) &&
+        copy_parts(scene, path, mesh);
     aiReleaseImport(scene);
     return done;
 }

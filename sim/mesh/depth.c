@@ -1,4 +1,4 @@
-#include "sim/mesh/depth.h"
+#include "sim/mesh/pel2d.h"
 
 #include <inttypes.h>
 #include <stdio.h>
@@ -6,21 +6,7 @@
 #include <string.h>
 
 #define LIMB INT64_C(1000000000000000000)
-
-/* Adds digit 10^place. */
-static bool place_digit(struct mesh_depth *depth, int digit, long place)
-{
-    int64_t weight = 1;
-    if (digit == 0)
-        return true;
-    if (place >= 18 || place < -36)
-        return false;
-    int i = place >= 0 ? 0 : place >= -18 ? 1 : 2;
-    for (long n = place + 18 * i; n > 0; n--)
-        weight *= 10;
-    depth->limb[i] += digit * weight;
-    return true;
-}
+#define ZEROS "000000000000000000"
 
 /* The exponent at `text`, the end of the number, or 0; false when what stands
  * there is no exponent of at most four digits. */
@@ -43,19 +29,22 @@ bool mesh_depth_parse(const char *text, struct mesh_depth *depth)
     size_t whole = strspn(first, "0123456789");
     const char *rest = first + whole;
     size_t fraction = *rest == '.' ? strspn(rest + 1, "0123456789") : 0;
+    char limbs[3][19] = {ZEROS, ZEROS, ZEROS}; /* as text */
     long exponent;
-    memset(depth, 0, sizeof(*depth));
     if (whole == 0 || (*rest == '.' && fraction == 0))
         return false;
     if (!parse_exponent(rest + (fraction ? fraction + 1 : 0), &exponent))
         return false;
-    long place = (long)whole - 1 + exponent;
-    for (const char *c = first; c < rest + (fraction ? fraction + 1 : 0); c++)
-        if (*c != '.' && !place_digit(depth, *c - '0', place--))
+    long place = 18 - (long)whole - exponent; /* behind the first digit */
+    for (const char *c = first; c < rest + (fraction ? fraction + 1 : 0); c++) {
+        if (*c >= '1' && *c <= '9' && (place < 0 || place >= 54))
             return false;
-    if (*text == '-')
-        for (int i = 0; i < 3; i++)
-            depth->limb[i] = -depth->limb[i];
+        if (*c >= '1' && *c <= '9')
+            limbs[place / 18][place % 18] = *c;
+        place += *c != '.';
+    }
+    for (int i = 0; i < 3; i++)
+        depth->limb[i] = atoll(limbs[i]) * (*text == '-' ? -1 : 1);
     return true;
 }
 

@@ -5,14 +5,6 @@
 #include "sim/cli/commands.h"
 #include "sim/mesh/model.h"
 
-static void print_box(const struct model *model)
-{
-    for (int k = 0; k < 3; k++)
-        printf("%s%c %.6g to %.6g", k ? ", " : "box: ", 'x' + k, model->low[k],
-               model->high[k]);
-    printf("\n");
-}
-
 static void print_part(const struct mesh *mesh, uint32_t i)
 {
     static const char *const wraps[] = {"clamp", "repeat", "mirror"};
@@ -67,7 +59,10 @@ static void print(const struct mesh *mesh, const struct model *model)
     printf("parts: %u, triangles: %u, vertices: %u, normals: %s\n", mesh->parts,
            mesh->triangles, mesh->vertices,
            mesh->made_normals ? "made" : "of the file");
-    print_box(model);
+    for (int k = 0; k < 3; k++)
+        printf("%s%c %.6g to %.6g", k ? ", " : "box: ", 'x' + k, model->low[k],
+               model->high[k]);
+    printf("\n");
     for (uint32_t i = 0; i < mesh->parts; i++)
         print_part(mesh, i);
     for (uint32_t i = 0; i < mesh->textures; i++)
@@ -95,7 +90,7 @@ int command_info(int argc, char **argv)
         .path = *arguments_parse(&line, argc, argv)};
     if (!model_read(&mesh, &source))
         return STATUS_ERROR;
-    const bool done = model_make(&model, &mesh);
+    const bool done = model_make(&model, &mesh, 0);
     if (done && model_add_textures(&model, &mesh, &source))
         print(&mesh, &model);
     if (done)

@@ -1,5 +1,5 @@
 #ifdef HAVE_ASSIMP
-#include "sim/mesh/material.h"
+#include "sim/mesh/mesh.h"
 
 #include <assimp/GltfMaterial.h>
 #include <assimp/scene.h>

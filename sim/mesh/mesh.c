@@ -8,6 +8,7 @@
 #include "sim/cli/child.h"
 #include "sim/cli/message.h"
 #include "sim/cli/text_line.h"
+#include "sim/mesh/vector.h"
 
 bool mesh_init(struct mesh *mesh, uint32_t vertices, uint32_t triangles,
                uint32_t parts)
@@ -56,25 +57,6 @@ static bool within(const double *value, int n, double limit)
     return true;
 }
 
-static bool check_vertices(const struct mesh *mesh, const char *path)
-{
-    for (uint32_t i = 0; i < mesh->vertices; i++) {
-        const struct mesh_vertex *v = &mesh->vertex[i];
-        if (!within(v->position, 3, MESH_LIMIT))
-            return message_error_at(path, 0,
-                                    "vertex %u lies at (%g, %g, %g); legal "
-                                    "are coordinates up to %g",
-                                    i, v->position[0], v->position[1],
-                                    v->position[2], MESH_LIMIT);
-        if (!within(v->uv, 2, 1e6))
-            return message_error_at(path, 0,
-                                    "vertex %u has uv (%g, %g); legal is -1e6 "
-                                    "to 1e6",
-                                    i, v->uv[0], v->uv[1]);
-    }
-    return true;
-}
-
 bool mesh_check(const struct mesh *mesh, const char *path)
 {
     for (uint32_t i = 0; i < mesh->triangles; i++)
@@ -85,7 +67,20 @@ bool mesh_check(const struct mesh *mesh, const char *path)
                                         "has %u, counted from 0",
                                         i, mesh->triangle[i][k],
                                         mesh->vertices);
-    return check_vertices(mesh, path);
+    for (uint32_t i = 0; i < mesh->vertices; i++) {
+        const double *at = mesh->vertex[i].position, *uv = mesh->vertex[i].uv;
+        if (!within(at, 3, MESH_LIMIT))
+            return message_error_at(path, 0,
+                                    "vertex %u lies at (%g, %g, %g); legal "
+                                    "are coordinates up to %g",
+                                    i, at[0], at[1], at[2], MESH_LIMIT);
+        if (!within(uv, 2, 1e6))
+            return message_error_at(path, 0,
+                                    "vertex %u has uv (%g, %g); legal is -1e6 "
+                                    "to 1e6",
+                                    i, uv[0], uv[1]);
+    }
+    return true;
 }
 
 void mesh_box(const struct mesh *mesh, double low[3], double high[3])
@@ -143,15 +138,11 @@ static bool check_mark(const char *path)
                             path);
 }
 
-bool mesh_check_start(const char *path)
-{
-    return check_mark(path) && check_strips(path);
-}
-
 static bool put_mesh(const void *path, FILE *out)
 {
     struct mesh mesh = {0};
-    if (!mesh_load_file(&mesh, path))
+    if (!check_mark(path) || !check_strips(path) ||
+        !mesh_load_file(&mesh, path))
         return false;
     child_put(out, &mesh, sizeof(mesh));
     child_put(out, mesh.vertex, mesh.vertices * sizeof(*mesh.vertex));
@@ -190,26 +181,19 @@ static bool get_mesh(struct mesh *mesh, FILE *in)
     return good;
 }
 
-static bool load(struct mesh *mesh, const char *path)
-{
-    if (mesh_is_builtin(path))
-        return mesh_load_builtin(mesh, path);
-    FILE *in = child_run(path, put_mesh, path);
-    const bool done = in && get_mesh(mesh, in);
-    if (in)
-        fclose(in);
-    return done;
-}
-
 bool mesh_load(struct mesh *mesh, const char *path)
 {
     memset(mesh, 0, sizeof(*mesh));
-    const bool done = load(mesh, path) && mesh_check(mesh, path) &&
-                      mesh_weld(mesh) &&
+    FILE *in = mesh_is_builtin(path) ? NULL : child_run(path, put_mesh, path);
+    const bool read = mesh_is_builtin(path) ? mesh_load_builtin(mesh, path)
+                                            : in && get_mesh(mesh, in);
+    if (in)
+        fclose(in);
+    const bool done = read && mesh_check(mesh, path) && mesh_weld(mesh) &&
                       (mesh->has_normals || mesh_normals(mesh, MESH_CREASE));
-    if (done)
-        mesh_normalise(mesh);
-    else
+    for (uint32_t i = 0; done && i < mesh->vertices; i++)
+        vector_normalise(mesh->vertex[i].normal);
+    if (!done)
         mesh_free(mesh);
     return done;
 }

@@ -110,17 +110,28 @@ bool mesh_normals(struct mesh *mesh, double crease);
 void mesh_facet(const struct mesh *mesh, const uint32_t index[3],
                 double normal[3]);
 
-/* Brings normals to unit length; 0 where one is infinite or no number. */
-void mesh_normalise(struct mesh *mesh);
-
 /* Joins vertices of a part that are the same in all they have; the first of
  * each stays. False, with a message, when memory is short. */
 bool mesh_weld(struct mesh *mesh);
 
 /* Parts of mesh_load, in files of their own. */
 bool mesh_load_file(struct mesh *mesh, const char *path);
-/* False, with a message, for what begins as assimp would misread it. */
-bool mesh_check_start(const char *path);
 bool mesh_load_builtin(struct mesh *mesh, const char *path);
+
+/* The materials of mesh files, as assimp reads them. */
+struct aiColor4D;
+struct aiMaterial;
+struct aiScene;
+
+/* Colors of glTF are linear, those of other files as they are shown. */
+pel_color material_byte_color(const struct aiColor4D *color, bool linear);
+bool material_is_linear(const struct aiMaterial *from);
+
+/* Sets the material, and adds its texture to the mesh unless it is there:
+ * `path` is that of the mesh file. False, with a message, when memory is short.
+ */
+bool material_read(struct mesh_material *to, struct mesh *mesh,
+                   const struct aiScene *scene, const struct aiMaterial *from,
+                   const char *path);
 
 #endif

@@ -3,6 +3,7 @@
 #ifndef SIM_MESH_MODEL_H
 #define SIM_MESH_MODEL_H
 
+#include "core/asset/mesh_asset.h"
 #include "core/scene/mesh.h"
 #include "sim/mesh/mesh.h"
 #include "sim/image/picture.h"
@@ -20,6 +21,7 @@ struct model {
     struct pel_mesh mesh;   /* world units; normals of 16 bits and colors are
                                always there, uv where the file has them */
     double low[3], high[3]; /* the box around it, world units */
+    struct pel_mesh_part *part; /* mesh.part */
     bool plain; /* its colors are those of materials: they show no shape */
     struct model_texture *texture; /* the numbers of mesh.part */
     size_t textures;
@@ -40,19 +42,19 @@ struct model_source {
  * cannot be read, or the mesh has no uv for it; `model` is then empty. */
 bool model_load(struct model *model, const struct model_source *source);
 
-/* The parts of it, for meshes that are changed in between. */
+/* The parts of it, for meshes that are changed in between. asset_bits: 0; or,
+ * of an asset in flash, those of normals, 8 or 16, and a shift of
+ * PEL_MESH_SHIFT_MAX at most. */
 bool model_read(struct mesh *mesh, const struct model_source *source);
-bool model_make(struct model *model, const struct mesh *mesh);
+bool model_make(struct model *model, const struct mesh *mesh, int asset_bits);
 bool model_add_textures(struct model *model, const struct mesh *mesh,
                         const struct model_source *source);
 
 /* Lays a picture, which it takes, on the whole model. */
 bool model_set_picture(struct model *model, const struct picture *picture);
 
-/* As model_make, but for an asset in flash: a shift of PEL_MESH_SHIFT_MAX at
- * most, and normals of 8 or 16 bits. */
-bool model_make_asset(struct model *model, const struct mesh *mesh,
-                      int normal_bits);
+/* The middle of its box, and how far the corners are from it. */
+double model_middle(const struct model *model, double middle[3]);
 
 /* Gives the vertices the texels at their uv: those that a program finds which
  * samples there. */
@@ -62,5 +64,17 @@ void model_paint(struct model *model);
 void model_set_color(uint8_t to[3], pel_color color);
 
 void model_free(struct model *model);
+
+/* Coordinates as the 16-bit numbers of core/asset/mesh_asset.h. For the
+ * positions of a mesh: signed numbers, around the middle of its box.
+ * The shift is at most `shift_max`. */
+struct pel_quantization quantize_positions(const struct mesh *mesh,
+                                           int shift_max);
+
+/* For its uv: unsigned numbers, from the least coordinates on. */
+struct pel_quantization quantize_uv(const struct mesh *mesh);
+
+/* The nearest number of a coordinate. */
+long quantize(const struct pel_quantization *quantum, int axis, double value);
 
 #endif

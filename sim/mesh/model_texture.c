@@ -4,13 +4,6 @@
 #include "sim/cli/list.h"
 #include "sim/image/texture.h"
 
-static bool load_picture(struct picture *picture, const struct mesh_texture *t,
-                         const char *path)
-{
-    return t->bytes ? texture_load_bytes(picture, path, t->bytes, t->size)
-                    : texture_load(picture, t->path);
-}
-
 /* Alpha as the material has it: the least that is drawn becomes 128. */
 static uint32_t alpha_of(const struct mesh_material *m, pel_color color)
 {
@@ -35,14 +28,6 @@ static void apply_material(struct model_texture *t)
     t->opaque = texture_opaque(&t->picture);
 }
 
-static bool same_look(const struct mesh_material *a,
-                      const struct mesh_material *b)
-{
-    return a->texture == b->texture && a->tint == b->tint &&
-           a->alpha == b->alpha && a->cutoff == b->cutoff &&
-           a->wrap_u == b->wrap_u && a->wrap_v == b->wrap_v;
-}
-
 /* The number of a material's texture; 0 when memory is short. Of one that
  * cannot be read, with a message, the picture is empty. */
 static uint32_t texture_of(struct model *model, const struct mesh_texture *from,
@@ -50,10 +35,17 @@ static uint32_t texture_of(struct model *model, const struct mesh_texture *from,
                            const char *path)
 {
     struct model_texture new = {.material = *material};
-    for (uint32_t i = 0; i < model->textures; i++)
-        if (same_look(&model->texture[i].material, material))
+    for (uint32_t i = 0; i < model->textures; i++) {
+        const struct mesh_material *a = &model->texture[i].material;
+        const struct mesh_material *b = material;
+        if (a->texture == b->texture && a->tint == b->tint &&
+            a->alpha == b->alpha && a->cutoff == b->cutoff &&
+            a->wrap_u == b->wrap_u && a->wrap_v == b->wrap_v)
             return i + 1;
-    if (load_picture(&new.picture, from, path))
+    }
+    if (from->bytes
+            ? texture_load_bytes(&new.picture, path, from->bytes, from->size)
+            : texture_load(&new.picture, from->path))
         apply_material(&new);
     else
         message_error_at(path, 0, "its texture %s is left out", from->path);
@@ -61,11 +53,6 @@ static uint32_t texture_of(struct model *model, const struct mesh_texture *from,
         return (uint32_t)model->textures;
     picture_free(&new.picture);
     return 0;
-}
-
-static struct pel_mesh_part *part_of(const struct model *model, uint32_t i)
-{
-    return (struct pel_mesh_part *)(uintptr_t)&model->mesh.part[i];
 }
 
 bool model_set_picture(struct model *model, const struct picture *picture)
@@ -80,7 +67,7 @@ bool model_set_picture(struct model *model, const struct picture *picture)
     if (!list_add(&model->texture, &model->textures, &new, sizeof(new)))
         return false;
     for (uint32_t i = 0; i < model->mesh.parts; i++)
-        part_of(model, i)->texture = (uint32_t)model->textures;
+        model->part[i].texture = (uint32_t)model->textures;
     return true;
 }
 
@@ -97,7 +84,7 @@ static bool add_own(struct model *model, const struct mesh *mesh,
         if (!number)
             return false;
         if (model->texture[number - 1].picture.width > 0)
-            part_of(model, i)->texture = number;
+            model->part[i].texture = number;
     }
     return true;
 }
@@ -122,7 +109,7 @@ bool model_add_textures(struct model *model, const struct mesh *mesh,
     }
     for (uint32_t i = 0; i < mesh->parts; i++)
         if (!mesh->part[i].has_uv)
-            part_of(model, i)->texture = 0;
+            model->part[i].texture = 0;
     return true;
 }
 

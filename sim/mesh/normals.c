@@ -5,19 +5,7 @@
 #include <string.h>
 
 #include "sim/cli/message.h"
-
-static void normalise(double n[3])
-{
-    const double length = hypot(hypot(n[0], n[1]), n[2]);
-    for (int k = 0; k < 3; k++)
-        n[k] = length > 0 && length < INFINITY ? n[k] / length : 0;
-}
-
-void mesh_normalise(struct mesh *mesh)
-{
-    for (uint32_t i = 0; i < mesh->vertices; i++)
-        normalise(mesh->vertex[i].normal);
-}
+#include "sim/mesh/vector.h"
 
 /* A corner of a triangle: its new vertex, which has the normal of the face, of
  * the length of twice its area, and gets `mean`. */
@@ -29,18 +17,11 @@ struct corner {
 void mesh_facet(const struct mesh *mesh, const uint32_t index[3],
                 double normal[3])
 {
-    const double *p[3];
+    const double *corner = mesh->vertex[index[0]].position;
     double a[3], b[3];
-    for (int k = 0; k < 3; k++)
-        p[k] = mesh->vertex[index[k]].position;
-    for (int k = 0; k < 3; k++) {
-        a[k] = p[1][k] - p[0][k];
-        b[k] = p[2][k] - p[0][k];
-    }
-    for (int k = 0; k < 3; k++) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        normal[k] = a[i] * b[j] - a[j] * b[i];
-    }
+    vector_subtract(mesh->vertex[index[1]].position, corner, a);
+    vector_subtract(mesh->vertex[index[2]].position, corner, b);
+    vector_cross(a, b, normal);
 }
 
 static int compare_places(const void *left, const void *right)
@@ -53,16 +34,8 @@ static int compare_places(const void *left, const void *right)
     return 0;
 }
 
-/* True when faces are turned by the angle of that cosine at most. */
-static bool is_joint(const double a[3], const double b[3], double cosine)
-{
-    const double dot = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-    const double aa = a[0] * a[0] + a[1] * a[1] + a[2] * a[2];
-    const double bb = b[0] * b[0] + b[1] * b[1] + b[2] * b[2];
-    return dot >= cosine * sqrt(aa) * sqrt(bb);
-}
-
-/* The means of n corners at one place. */
+/* The means of n corners at one place, of the faces that are turned by the
+ * angle of that cosine at most. */
 static void set_means(struct corner *corner, uint32_t n, double cosine)
 {
     for (uint32_t i = 0; i < n; i++) {
@@ -70,11 +43,12 @@ static void set_means(struct corner *corner, uint32_t n, double cosine)
         const double *own = corner[i].vertex->normal;
         for (uint32_t j = 0; j < n; j++) {
             const double *other = corner[j].vertex->normal;
-            if (is_joint(own, other, cosine))
+            if (vector_dot(own, other) >=
+                cosine * vector_length(own) * vector_length(other))
                 for (int k = 0; k < 3; k++)
                     mean[k] += other[k];
         }
-        normalise(mean);
+        vector_normalise(mean);
     }
 }
 

@@ -11,9 +11,38 @@
 #ifndef SIM_MESH_PEL2D_H
 #define SIM_MESH_PEL2D_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "core/base/color.h"
 #include "core/base/point.h"
-#include "sim/mesh/depth.h"
+
+/* Depths are exact decimals: a triangle's mean depth is compared as the exact
+ * sum of three. */
+
+/* The sum of the limbs, in 1, 10^-18 and 10^-36. In a single depth all have one
+ * sign and are below 10^18 in size, so that a sum of three fits. */
+struct mesh_depth {
+    int64_t limb[3];
+};
+
+/* A decimal, [+-]DIGITS[.DIGITS][e[+-]DIGITS], below 10^18 in size and without
+ * digits below 10^-36. False when it is anything else. */
+bool mesh_depth_parse(const char *text, struct mesh_depth *depth);
+
+enum { MESH_DEPTH_TEXT = 64 };
+
+/* Writes a single depth so that it is parsed as the same. */
+void mesh_depth_format(const struct mesh_depth *depth,
+                       char text[MESH_DEPTH_TEXT]);
+
+/* The sum of three single depths; only mesh_depth_compare may take it. */
+struct mesh_depth mesh_depth_sum(const struct mesh_depth *a,
+                                 const struct mesh_depth *b,
+                                 const struct mesh_depth *c);
+
+/* < 0, 0, > 0 as sum a is smaller than, equal to, larger than sum b. */
+int mesh_depth_compare(const struct mesh_depth *a, const struct mesh_depth *b);
 
 struct pel2d_vertex {
     struct pel_point at;
@@ -22,17 +51,12 @@ struct pel2d_vertex {
     double u, v;
 };
 
-/* Owns its arrays; {0} is an empty one. */
+/* Owns its arrays, which list_add lengthens; {0} is an empty one. */
 struct pel2d {
     struct pel2d_vertex *vertex;
     uint32_t (*triangle)[3];
-    uint32_t vertices, triangles;
+    size_t vertices, triangles;
 };
-
-/* Append one. False, with a message on standard error, when memory is short or
- * there are 2^28 already. */
-bool pel2d_add_vertex(struct pel2d *flat, const struct pel2d_vertex *vertex);
-bool pel2d_add_triangle(struct pel2d *flat, const uint32_t index[3]);
 
 void pel2d_free(struct pel2d *flat);
 

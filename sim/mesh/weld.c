@@ -30,14 +30,19 @@ static uint32_t *slot_of(const struct mesh *mesh, uint32_t *table,
     return &table[i];
 }
 
-/* Of equal vertices of a part moves the first to the front; `to` gets the new
+/* Of equal vertices of a part the first goes to the front; `to` has the new
  * indices. */
-static uint32_t join(const struct mesh *mesh, uint32_t *table, uint32_t mask,
-                     uint32_t *to)
+bool mesh_weld(struct mesh *mesh)
 {
-    uint32_t n = 0, first = 0;
+    const uint32_t before = mesh->vertices;
+    uint32_t n = 0, first = 0, mask = 1;
     struct mesh_part *part = mesh->part;
-    for (uint32_t i = 0; i < mesh->vertices; i++) {
+    while (mask < 2 * before)
+        mask = 2 * mask + 1;
+    uint32_t *table = calloc((size_t)mask + 1, sizeof(*table));
+    uint32_t *to = malloc(before * sizeof(*to));
+    const bool done = table && to;
+    for (uint32_t i = 0; done && i < before; i++) {
         for (; i == part->vertices; part++)
             part->vertices = first = n;
         uint32_t *slot = slot_of(mesh, table, mask, &mesh->vertex[i], first);
@@ -47,28 +52,13 @@ static uint32_t join(const struct mesh *mesh, uint32_t *table, uint32_t mask,
         }
         to[i] = *slot - 1;
     }
-    part->vertices = n;
-    return n;
-}
-
-bool mesh_weld(struct mesh *mesh)
-{
-    uint32_t slots = 2;
-    while (slots < 2 * mesh->vertices)
-        slots *= 2;
-    uint32_t *table = calloc(slots, sizeof(*table));
-    uint32_t *to = malloc(mesh->vertices * sizeof(*to));
-    const bool done = table && to;
+    for (uint32_t i = 0; done && i < 3 * mesh->triangles; i++)
+        mesh->triangle[i / 3][i % 3] = to[mesh->triangle[i / 3][i % 3]];
     if (done) {
-        const uint32_t before = mesh->vertices;
-        mesh->vertices = join(mesh, table, slots - 1, to);
-        mesh->joined += before - mesh->vertices;
-        for (uint32_t i = 0; i < mesh->triangles; i++)
-            for (int k = 0; k < 3; k++)
-                mesh->triangle[i][k] = to[mesh->triangle[i][k]];
+        part->vertices = mesh->vertices = n;
+        mesh->joined += before - n;
     }
     free(table);
     free(to);
-    return done ||
-           message_error("no memory to join %u vertices", mesh->vertices);
+    return done || message_error("no memory to join %u vertices", before);
 }

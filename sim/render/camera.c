@@ -1,9 +1,10 @@
-#include "sim/render/camera.h"
+#include "sim/render/scene.h"
 
 #include <math.h>
 #include <string.h>
 
 #include "sim/cli/message.h"
+#include "sim/mesh/vector.h"
 
 /* The margin of a picture that is framed. */
 #define SEEN 0.9
@@ -12,29 +13,9 @@
 struct frustum {
     double eye[3];
     double axis[3][3]; /* x, y, z of camera space, in world space */
+    double distance;   /* from eye to target */
     double extent[2];  /* x/z and y/z at the sides of the picture, or x, y */
 };
-
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-/* The length before; 0 when the vector has no direction. */
-static double normalise(double v[3])
-{
-    double length = sqrt(dot(v, v));
-    for (int k = 0; k < 3 && length > 0; k++)
-        v[k] /= length;
-    return length;
-}
 
 /* False when eye and target are the same or `up` points along the view. */
 static bool frustum_init(struct frustum *frustum, const struct camera *camera)
@@ -44,14 +25,13 @@ static bool frustum_init(struct frustum *frustum, const struct camera *camera)
     const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
     memcpy(frustum->eye, camera->eye, sizeof(frustum->eye));
     memcpy(up, camera->up, sizeof(up));
-    for (int k = 0; k < 3; k++)
-        z[k] = camera->target[k] - camera->eye[k];
-    double distance = normalise(z);
-    normalise(up);
-    cross(z, up, x);
-    if (!(distance > 0) || !(normalise(x) > 1e-9))
+    vector_subtract(camera->target, camera->eye, z);
+    frustum->distance = vector_normalise(z);
+    vector_normalise(up);
+    vector_cross(z, up, x);
+    if (!(frustum->distance > 0) || !(vector_normalise(x) > 1e-9))
         return false;
-    cross(x, z, y);
+    vector_cross(x, z, y);
     for (int k = 0; k < 2; k++)
         frustum->extent[k] =
             camera->sensor[k] / 2 / (flat ? 1 : camera->focal) * SEEN;
@@ -62,29 +42,9 @@ static void frustum_point(const struct frustum *frustum, const double world[3],
                           double point[3])
 {
     double d[3];
+    vector_subtract(world, frustum->eye, d);
     for (int k = 0; k < 3; k++)
-        d[k] = world[k] - frustum->eye[k];
-    for (int k = 0; k < 3; k++)
-        point[k] = dot(frustum->axis[k], d);
-}
-
-static void place_of(const struct pel_mesh *mesh, uint32_t i, double place[3])
-{
-    const struct pel_quantization *q = &mesh->position;
-    for (int k = 0; k < 3; k++)
-        place[k] = ldexp(pel_quantization_value(q, k, mesh->positions[i][k]),
-                         -q->shift);
-}
-
-static double middle_of_box(const struct model *model, double middle[3])
-{
-    double radius = 0;
-    for (int k = 0; k < 3; k++) {
-        const double half = (model->high[k] - model->low[k]) / 2;
-        middle[k] = model->low[k] + half;
-        radius += half * half;
-    }
-    return sqrt(radius);
+        point[k] = vector_dot(frustum->axis[k], d);
 }
 
 /* The distance or size that each side of the picture needs. */
@@ -99,10 +59,13 @@ struct needs {
 static void find_needs(const struct model *model, const struct frustum *frustum,
                        bool flat, struct needs *needs)
 {
+    const struct pel_quantization *q = &model->mesh.position;
     memset(needs, 0, sizeof(*needs));
     for (uint32_t i = 0; i < model->mesh.vertices; i++) {
+        const int16_t *at = model->mesh.positions[i];
         double p[3], world[3];
-        place_of(&model->mesh, i, world);
+        for (int k = 0; k < 3; k++)
+            world[k] = ldexp(pel_quantization_value(q, k, at[k]), -q->shift);
         frustum_point(frustum, world, p);
         const double z = p[2] - 1; /* the eye is 1 away from the target */
         needs->depth = fmax(needs->depth, fabs(z));
@@ -112,27 +75,6 @@ static void find_needs(const struct model *model, const struct frustum *frustum,
                 flat ? fabs(p[k]) : fabs(p[k]) / frustum->extent[k] - z;
             *side = fmax(*side, need);
         }
-    }
-}
-
-/* The eye looks from the front, a little from the right and above. */
-static void place_eye_in_front(struct camera *camera)
-{
-    static const double direction[3] = {0.36, 0.28, 0.89};
-    for (int k = 0; k < 3; k++)
-        camera->eye[k] = camera->target[k] + direction[k];
-}
-
-/* Moves the target so that opposite sides need nearly the same. */
-static void center(struct camera *camera, const struct frustum *frustum,
-                   const struct needs *needs)
-{
-    const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
-    for (int j = 0; j < 2 && !camera->has_target; j++) {
-        const double shift = (needs->side[j][0] - needs->side[j][1]) / 2 *
-                             (flat ? 1 : frustum->extent[j]);
-        for (int k = 0; k < 3; k++)
-            camera->target[k] += shift * frustum->axis[j][k];
     }
 }
 
@@ -148,21 +90,30 @@ static void fit_sensor(struct camera *camera, const struct needs *needs)
     camera->sensor[1] = pixel * camera->height;
 }
 
-/* Places the eye; moves the target, unless the user chose it, until the model
- * is in the middle: a few steps do. */
+/* Places the eye in front, a little to the right and above; moves the target,
+ * unless the user chose it, until the opposite sides need the same: a few steps
+ * do.
+ */
 static bool frame_eye(struct camera *camera, const struct model *model)
 {
     const bool flat = camera->projection == PEL_ORTHOGRAPHIC;
+    static const double direction[3] = {0.36, 0.28, 0.89};
     struct needs needs;
     struct frustum frustum;
     double distance;
     for (int step = 0; step < 8; step++) {
-        place_eye_in_front(camera);
+        for (int k = 0; k < 3; k++)
+            camera->eye[k] = camera->target[k] + direction[k];
         if (!frustum_init(&frustum, camera))
             return false;
         find_needs(model, &frustum, flat, &needs);
-        if (step < 7)
-            center(camera, &frustum, &needs);
+        for (int j = 0; j < 2 && step < 7 && !camera->has_target; j++) {
+            const double *side = needs.side[j];
+            const double shift =
+                (side[0] - side[1]) / 2 * (flat ? 1 : frustum.extent[j]);
+            for (int k = 0; k < 3; k++)
+                camera->target[k] += shift * frustum.axis[j][k];
+        }
     }
     distance = needs.depth * (flat ? 2 : 1.01);
     for (int k = 0; k < 2 && !flat; k++)
@@ -182,23 +133,10 @@ static bool frame_sensor(struct camera *camera, const struct model *model)
     struct frustum frustum;
     if (!frustum_init(&frustum, camera))
         return false;
-    for (int k = 0; k < 3; k++)
-        frustum.eye[k] = camera->target[k] - frustum.axis[2][k];
+    vector_subtract(camera->target, frustum.axis[2], frustum.eye);
     find_needs(model, &frustum, true, &needs);
     fit_sensor(camera, &needs);
     return true;
-}
-
-static void frame_near(struct camera *camera, const struct model *model,
-                       const struct frustum *frustum)
-{
-    double middle[3], at[3], view[3];
-    const double radius = middle_of_box(model, middle);
-    frustum_point(frustum, middle, at);
-    for (int k = 0; k < 3; k++)
-        view[k] = camera->target[k] - camera->eye[k];
-    camera->near_plane =
-        fmax(sqrt(dot(view, view)) / 1000, 0.98 * (at[2] - radius));
 }
 
 bool camera_frame(struct camera *camera, const struct model *model)
@@ -208,7 +146,7 @@ bool camera_frame(struct camera *camera, const struct model *model)
     if (!camera->has_sensor)
         camera->sensor[1] = camera->sensor[0] * camera->height / camera->width;
     if (!camera->has_target)
-        middle_of_box(model, camera->target);
+        model_middle(model, camera->target);
     if (!camera->has_eye && !frame_eye(camera, model))
         return message_error("up points along the view: expected 0,1,0 for a "
                              "mesh that stands upright");
@@ -218,7 +156,11 @@ bool camera_frame(struct camera *camera, const struct model *model)
         return message_error("eye and target are one place, or up points along "
                              "the view: expected an eye beside the target and "
                              "an up across the view");
+    double middle[3], at[3];
+    const double radius = model_middle(model, middle);
+    frustum_point(&frustum, middle, at);
     if (!camera->has_near)
-        frame_near(camera, model, &frustum);
+        camera->near_plane =
+            fmax(frustum.distance / 1000, 0.98 * (at[2] - radius));
     return true;
 }

@@ -6,32 +6,13 @@
 #include "core/raster/gouraud.h"
 #include "sim/cli/message.h"
 
-struct item {
-    struct mesh_depth depth; /* the sum of three */
-    uint32_t triangle;
-};
-
 static int compare_items(const void *left, const void *right)
 {
-    const struct item *a = left, *b = right;
+    const struct painter_item *a = left, *b = right;
     int order = mesh_depth_compare(&b->depth, &a->depth);
     if (order != 0)
         return order;
     return (a->triangle > b->triangle) - (a->triangle < b->triangle);
-}
-
-static void sort(const struct pel2d *flat, struct item *item, uint32_t *order)
-{
-    for (uint32_t i = 0; i < flat->triangles; i++) {
-        const struct pel2d_vertex *v = flat->vertex;
-        const uint32_t *index = flat->triangle[i];
-        item[i].depth = mesh_depth_sum(&v[index[0]].depth, &v[index[1]].depth,
-                                       &v[index[2]].depth);
-        item[i].triangle = i;
-    }
-    qsort(item, flat->triangles, sizeof(*item), compare_items);
-    for (uint32_t i = 0; i < flat->triangles; i++)
-        order[i] = item[i].triangle;
 }
 
 /* Texels by the rule in painter.h: coordinates times W - 1, not W. */
@@ -45,11 +26,11 @@ static double texels_of(const struct painter *painter,
 static bool check_texture(const struct painter *painter)
 {
     const struct pel2d_vertex *v = painter->flat->vertex;
-    for (uint32_t i = 0; i < painter->flat->vertices; i++)
+    for (size_t i = 0; i < painter->flat->vertices; i++)
         for (int k = 0; k < 2; k++)
             if (!(fabs(texels_of(painter, &v[i], k)) < (1 << 23) - 1))
                 return message_error(
-                    "vertex %u lies at u v %g %g: expected less "
+                    "vertex %zu lies at u v %g %g: expected less "
                     "than 2^23 texels",
                     i, v[i].u, v[i].v);
     return true;
@@ -57,25 +38,28 @@ static bool check_texture(const struct painter *painter)
 
 bool painter_init(struct painter *painter, const struct pel2d *flat)
 {
-    size_t n = flat->triangles > 0 ? flat->triangles : 1;
+    const size_t n = flat->triangles;
+    const struct pel2d_vertex *v = flat->vertex;
     painter->flat = flat;
     if (painter->texture && !check_texture(painter))
         return false;
-    struct item *item = malloc(n * sizeof(*item));
-    painter->order = malloc(n * sizeof(*painter->order));
-    bool done = item && painter->order;
-    if (done)
-        sort(flat, item, painter->order);
-    else
-        painter_free(painter);
-    free(item);
-    return done || message_error("no memory to sort %zu triangles", n);
+    painter->item = malloc((n + 1) * sizeof(*painter->item));
+    if (!painter->item)
+        return message_error("no memory to sort %zu triangles", n);
+    for (uint32_t i = 0; i < n; i++) {
+        const uint32_t *index = flat->triangle[i];
+        painter->item[i].depth = mesh_depth_sum(
+            &v[index[0]].depth, &v[index[1]].depth, &v[index[2]].depth);
+        painter->item[i].triangle = i;
+    }
+    qsort(painter->item, n, sizeof(*painter->item), compare_items);
+    return true;
 }
 
 void painter_free(struct painter *painter)
 {
-    free(painter->order);
-    painter->order = NULL;
+    free(painter->item);
+    painter->item = NULL;
 }
 
 /* (sum + 1) / 3 is the nearest: a sum of three is never half-way. */
@@ -84,19 +68,15 @@ static uint32_t mean_of(uint32_t a, uint32_t b, uint32_t c)
     return (a + b + c + 1) / 3;
 }
 
-static pel_color mean_color(const pel_color color[3])
-{
-    pel_color a = color[0], b = color[1], c = color[2];
-    return PEL_RGB(mean_of(pel_red(a), pel_red(b), pel_red(c)),
-                   mean_of(pel_green(a), pel_green(b), pel_green(c)),
-                   mean_of(pel_blue(a), pel_blue(b), pel_blue(c)));
-}
-
 static void draw_flat(const struct painter *painter,
                       const struct pel_surface *surface,
                       const struct pel_point at[3], const pel_color color[3])
 {
-    const struct pel_flat flat = PEL_FLAT(mean_color(color));
+    const pel_color a = color[0], b = color[1], c = color[2];
+    const struct pel_flat flat =
+        PEL_FLAT(PEL_RGB(mean_of(pel_red(a), pel_red(b), pel_red(c)),
+                         mean_of(pel_green(a), pel_green(b), pel_green(c)),
+                         mean_of(pel_blue(a), pel_blue(b), pel_blue(c))));
     if (painter->lines)
         pel_triangle_or_line(surface, at, &flat.paint);
     else
@@ -132,8 +112,8 @@ void painter_draw(struct pel_surface *surface, void *context)
 {
     const struct painter *painter = context;
     const struct pel2d *flat = painter->flat;
-    for (uint32_t i = 0; i < flat->triangles; i++) {
-        const uint32_t *vertex = flat->triangle[painter->order[i]];
+    for (size_t i = 0; i < flat->triangles; i++) {
+        const uint32_t *vertex = flat->triangle[painter->item[i].triangle];
         struct pel_point at[3];
         pel_color color[3];
         for (int k = 0; k < 3; k++) {

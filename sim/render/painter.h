@@ -19,10 +19,15 @@ struct painter_texture {
     enum pel_wrap wrap; /* of texels outside */
 };
 
+struct painter_item {
+    struct mesh_depth depth; /* the sum of three */
+    uint32_t triangle;
+};
+
 struct painter {
     const struct pel2d *flat;              /* the caller's */
     const struct painter_texture *texture; /* the caller's, or NULL */
-    uint32_t *order; /* triangles, the farthest first; malloc'ed */
+    struct painter_item *item;             /* the farthest first; malloc'ed */
     enum painter_shade shade;
     bool lines; /* a triangle without area is a line, in its mean color */
 };

@@ -13,8 +13,6 @@
 #include "sim/cli/output.h"
 #include "sim/render/painter.h"
 #include "sim/render/scene_options.h"
-#include "sim/render/scene_order.h"
-#include "sim/render/scene_world.h"
 #include "sim/image/texture.h"
 
 struct render_options {
@@ -62,47 +60,41 @@ static const char *output_of(const struct render_options *o)
     return o->output ? o->output : "-";
 }
 
-static bool check_methods(const struct render_options *o)
-{
-    const struct scene_settings *s = &o->scene.settings;
-    const char *name = s->stats          ? "stats"
-                       : s->show_methods ? "show-methods"
-                                         : NULL;
-    if (name && s->shade != SCENE_PHONG)
-        return message_error("--%s is about --shade phong", name);
-    if (s->tolerance > 0 && !scene_has_choice(s))
-        return message_error("--tolerance is for --shade phong and for "
-                             "bilinear textures in perspective: expected one "
-                             "of them");
-    return !s->stats || !s->show_methods ||
-           message_error("--stats counts what --show-methods does not draw: "
-                         "expected one of them");
-}
-
-/* Other mappings would ignore these. */
-static bool check_mapping(const struct scene_options *o)
-{
-    const enum scene_mapping mapping = o->settings.mapping;
-    if (options_has(&o->given, "span") && mapping != SCENE_MAP_SUBDIVIDED)
-        return message_error("--span divides a subdivided mapping: expected "
-                             "--mapping subdivided");
-    return o->settings.texel_tolerance == 0 ||
-           mapping == SCENE_MAP_PERSPECTIVE ||
-           message_error("--texel-tolerance chooses mappings instead of the "
-                         "one in perspective: expected --mapping perspective");
-}
-
+/* Options that would do nothing, or cannot be met. */
 static bool check(const struct render_options *o)
 {
-    if (o->print_camera && o->output && strcmp(o->output, "-") == 0)
-        return message_error("--print-camera is for standard output, and the "
-                             "picture too: expected -o FILE");
+    const struct scene_settings *s = &o->scene.settings;
+    const struct {
+        bool is_wrong;
+        const char *message;
+    } checks[] = {
+        {o->print_camera && o->output && strcmp(o->output, "-") == 0,
+         "--print-camera is for standard output, and the picture too: expected "
+         "-o FILE"},
+        {s->stats && s->shade != SCENE_PHONG, "--stats is about --shade phong"},
+        {s->show_methods && s->shade != SCENE_PHONG,
+         "--show-methods is about --shade phong"},
+        {s->tolerance > 0 && !scene_has_choice(s),
+         "--tolerance is for --shade phong and for bilinear textures in "
+         "perspective: expected one of them"},
+        {s->stats && s->show_methods,
+         "--stats counts what --show-methods does not draw: expected one of "
+         "them"},
+        {options_has(&o->scene.given, "span") &&
+             s->mapping != SCENE_MAP_SUBDIVIDED,
+         "--span divides a subdivided mapping: expected --mapping subdivided"},
+        {s->texel_tolerance > 0 && s->mapping != SCENE_MAP_PERSPECTIVE,
+         "--texel-tolerance chooses mappings instead of the one in "
+         "perspective: expected --mapping perspective"},
+    };
+    for (size_t i = 0; i < sizeof checks / sizeof *checks; i++)
+        if (checks[i].is_wrong)
+            return message_error("%s", checks[i].message);
     if (!canvas_bands_legal(o->format, o->bands))
         return message_error("--bands is %d: expected a multiple of 8 for "
                              "mono1_pages",
                              o->bands);
-    return check_methods(o) && check_mapping(&o->scene) &&
-           picture_path_check(output_of(o)) &&
+    return picture_path_check(output_of(o)) &&
            device_check_output(&o->device, output_of(o));
 }
 
@@ -126,24 +118,19 @@ static void draw_scene(struct pel_surface *surface, void *context)
     part->failed = part->failed || !scene_draw(part->scene, surface);
 }
 
+/* Several threads draw several parts, and each tells its time. */
 static bool draw(struct canvas *canvas, const void *context)
 {
     const struct drawing *drawing = context;
     const struct render_options *o = drawing->options;
+    const double start = milliseconds();
     struct part part = {drawing->scene, false};
     pel_clear(&canvas->surface, o->scene.settings.camera.background);
-    if (!drawing->scene)
-        return canvas_draw(canvas, o->bands, painter_draw, drawing->painter);
-    return canvas_draw(canvas, o->bands, draw_scene, &part) && !part.failed;
-}
-
-/* Several threads draw several parts, and each tells its time. */
-static bool draw_mesh(struct canvas *canvas, const void *context)
-{
-    const struct drawing *drawing = context;
-    const double start = milliseconds();
-    const bool done = draw(canvas, context);
-    if (drawing->options->timed)
+    const bool done =
+        drawing->scene
+            ? canvas_draw(canvas, o->bands, draw_scene, &part) && !part.failed
+            : canvas_draw(canvas, o->bands, painter_draw, drawing->painter);
+    if (o->timed)
         fprintf(stderr, "drawn: %.3f ms\n", milliseconds() - start);
     return done;
 }
@@ -156,7 +143,7 @@ static bool finish(const struct drawing *drawing)
     const struct device_picture picture = {.width = camera->width,
                                            .height = camera->height,
                                            .format = &format,
-                                           .draw = draw_mesh,
+                                           .draw = draw,
                                            .context = drawing};
     return device_show(&o->device, &picture, output_of(o));
 }
@@ -164,16 +151,11 @@ static bool finish(const struct drawing *drawing)
 /* The first option that means nothing for a pel2d file, or NULL. */
 static const char *mesh_option(const struct render_options *o)
 {
-    static const char *const others[] = {"size",         "background", "shade",
-                                         "texture-file", "texture",    "wrap"};
     const struct options_given *given = &o->scene.given;
-    for (int i = 0; i < given->count; i++) {
-        size_t k = 0;
-        while (k < 6 && strcmp(given->names[i], others[k]) != 0)
-            k++;
-        if (k == 6)
+    for (int i = 0; i < given->count; i++)
+        if (choice_find("size|background|shade|texture-file|texture|wrap",
+                        given->names[i]) < 0)
             return given->names[i];
-    }
     return o->print_camera ? "print-camera" : NULL;
 }
 
@@ -271,11 +253,13 @@ static bool render_mesh(const struct render_options *o)
 {
     struct model model;
     struct scene scene;
+    struct model_source source = o->scene.source;
     const struct drawing drawing = {o, &scene, NULL};
+    source.without_texture = o->scene.settings.texture == SCENE_TEXTURE_NONE;
     if (o->lines)
-        return message_error_at(o->scene.source.path, 0,
+        return message_error_at(source.path, 0,
                                 "--collinear is for pel2d files");
-    if (!model_load(&model, &o->scene.source))
+    if (!model_load(&model, &source))
         return false;
     const bool ready = scene_init(&scene, &model) &&
                        prepare(&scene, &o->scene.settings, o->timed);

@@ -5,9 +5,8 @@
 #include <string.h>
 
 #include "core/paint/texture_contrast.h"
+#include "core/scene/select_light.h"
 #include "sim/cli/message.h"
-#include "sim/render/scene_order.h"
-#include "sim/render/scene_world.h"
 
 const struct scene_settings scene_default = {
     .camera = {.up = {0, 1, 0},
@@ -112,21 +111,20 @@ static void set_parts(struct scene *scene, const struct scene_settings *s,
     scene->mesh.part = scene->part;
 }
 
-static bool is_lit(const struct scene *scene, const struct scene_settings *s,
-                   bool bare)
+/* Every triangle in the color of its method. */
+static const struct pel_paint *paint_method(
+    struct pel_frame *frame, const struct pel_color_paint *surface)
 {
-    const bool shapeless = (scene->model->plain || s->has_color) && bare;
-    return s->shade == SCENE_PHONG || s->lit == SCENE_LIT ||
-           (s->lit == SCENE_LIT_AUTO && (s->has_light || shapeless));
+    static const struct pel_flat paints[PEL_METHODS] = {
+        PEL_FLAT(PEL_RGB(96, 96, 96)), PEL_FLAT(PEL_RGB(64, 128, 255)),
+        PEL_FLAT(PEL_RGB(64, 192, 64)), PEL_FLAT(PEL_RGB(255, 192, 0)),
+        PEL_FLAT(PEL_RGB(224, 32, 32))};
+    pel_shade_chosen.paint(frame, surface);
+    return &paints[frame->work->method].paint;
 }
 
-static const struct pel_shading *phong_of(const struct scene_settings *s)
-{
-    return s->show_methods    ? &scene_shade_methods
-           : s->stats         ? &pel_shade_counted
-           : s->tolerance > 0 ? &pel_shade_chosen
-                              : &pel_shade_phong;
-}
+static const struct pel_shading shade_methods = {pel_frame_start_chosen,
+                                                 pel_light_note, paint_method};
 
 static void set_appearance(struct scene *scene, const struct scene_settings *s)
 {
@@ -137,9 +135,15 @@ static void set_appearance(struct scene *scene, const struct scene_settings *s)
     struct pel_scene *core = &scene->core;
     bool bare = false, clear = s->transparency > 0;
     set_parts(scene, s, &bare, &clear);
-    core->shading = shadings[s->shade][is_lit(scene, s, bare)];
-    if (s->shade == SCENE_PHONG)
-        core->shading = phong_of(s);
+    const bool shapeless = (scene->model->plain || s->has_color) && bare;
+    const bool lit = s->lit == SCENE_LIT ||
+                     (s->lit == SCENE_LIT_AUTO && (s->has_light || shapeless));
+    core->shading = shadings[s->shade][lit];
+    if (s->shade == SCENE_PHONG &&
+        (s->show_methods || s->stats || s->tolerance > 0))
+        core->shading = s->show_methods ? &shade_methods
+                        : s->stats      ? &pel_shade_counted
+                                        : &pel_shade_chosen;
     scene->stats = (struct pel_stats){.bound = 0};
     core->stats = &scene->stats;
     core->tolerance = (int32_t)lround(s->tolerance * 256);
@@ -153,25 +157,10 @@ static void set_appearance(struct scene *scene, const struct scene_settings *s)
     core->sort = clear ? &pel_depth_sort_radix : NULL;
 }
 
-static bool check(const struct scene_settings *s)
-{
-    return s->shade != SCENE_PHONG || s->lit != SCENE_UNLIT ||
-           message_error("Phong shading is light at every pixel: expected "
-                         "flat or gouraud without light");
-}
-
 static enum pel_status prepare(struct scene *scene)
 {
     return pel_scene_prepare(&scene->frame, &scene->core, scene->scratch,
                              scene->scratch_size);
-}
-
-/* True when core refuses the texture and nothing else. */
-static bool texture_refused(struct scene *scene, enum pel_status status)
-{
-    const bool textured = scene->core.texture;
-    scene->core.texture = NULL;
-    return textured && prepare(scene) != status;
 }
 
 /* Texture, camera and mesh are what is left that core may refuse. */
@@ -179,7 +168,9 @@ static bool refuse(struct scene *scene, const struct scene_settings *s,
                    enum pel_status status)
 {
     const struct pel_texels *texels = &scene->texture[0].texels;
-    if (texture_refused(scene, status))
+    const bool textured = scene->core.texture;
+    scene->core.texture = NULL;
+    if (textured && prepare(scene) != status)
         return message_error("texture coordinates lie beyond 262144 texels of "
                              "%dx%d: expected smaller ones",
                              texels->width, texels->height);
@@ -204,10 +195,12 @@ static bool refuse(struct scene *scene, const struct scene_settings *s,
 bool scene_prepare(struct scene *scene, const struct scene_settings *settings)
 {
     struct scene_settings s = *settings;
-    if (!check(&s) || !camera_frame(&s.camera, scene->model))
+    if (s.shade == SCENE_PHONG && s.lit == SCENE_UNLIT)
+        return message_error("Phong shading is light at every pixel: expected "
+                             "flat or gouraud without light");
+    if (!camera_frame(&s.camera, scene->model))
         return false;
     scene_place(scene, &s);
-    scene_place_lights(scene, &s);
     set_appearance(scene, &s);
     scene_set_order(scene, &s);
     const enum pel_status status = prepare(scene);
@@ -215,13 +208,4 @@ bool scene_prepare(struct scene *scene, const struct scene_settings *settings)
         return refuse(scene, &s, status);
     scene_prove_order(scene);
     return true;
-}
-
-/* Vertices and order are only read; the rest is this call's own. */
-bool scene_draw(const struct scene *scene, const struct pel_surface *surface)
-{
-    struct pel_frame frame = scene->frame;
-    struct pel_frame_work work;
-    frame.work = &work;
-    return scene_draw_ordered(scene, &frame, surface);
 }

@@ -11,13 +11,17 @@
 #ifndef SIM_RENDER_SCENE_H
 #define SIM_RENDER_SCENE_H
 
-#include "sim/render/camera.h"
+#include <stdio.h>
+
 #include "core/base/surface.h"
+#include "core/scene/camera.h"
 #include "core/scene/certificate.h"
 #include "core/scene/stats.h"
+#include "sim/mesh/model.h"
 
 /* Names of these settings for commands and scripts, in the order of their
  * numbers. */
+#define CAMERA_PROJECTIONS "perspective|orthographic"
 #define SCENE_SHADES "flat|gouraud|phong"
 #define SCENE_TEXTURES "none|nearest|bilinear"
 #define SCENE_MAPPINGS "vertices|affine|subdivided|perspective"
@@ -29,6 +33,20 @@
 #define SCENE_CULLS "none|back|front"
 #define SCENE_TERMS "ambient|diffuse|specular"
 #define SCENE_HIGHLIGHTS "coloured|plain"
+
+/* What the user asked for, as the flags say, and what is chosen for the rest.
+ */
+struct camera {
+    double eye[3], target[3], up[3]; /* world units */
+    enum pel_projection projection;
+    double focal;      /* mm, > 0; perspective */
+    double sensor[2];  /* width and height, > 0: mm, or of what is seen in world
+                          units when orthographic */
+    double near_plane; /* world units, > 0: nothing nearer is seen */
+    int width, height; /* px of the picture, 1..32,767 */
+    pel_color background;
+    bool has_eye, has_target, has_sensor, has_near;
+};
 
 enum scene_shade { SCENE_FLAT, SCENE_GOURAUD, SCENE_PHONG };
 
@@ -111,12 +129,9 @@ struct scene_settings {
                                           chosen instead of Phong shading, and
                                           of textures in perspective */
     bool stats;                        /* count them, in one thread at a time */
-    bool show_methods; /* in their colors instead of the picture's */
+    bool show_methods; /* in their colors instead of the picture's: grey, blue,
+                          green, yellow, red */
 };
-
-/* Every triangle in the color of its method: grey, blue, green, yellow, red.
- */
-extern const struct pel_shading scene_shade_methods;
 
 /* Defaults: up is +y, perspective, 50 mm on a sensor 36 mm wide,
  * 1200x1200, white, and the rest of the camera left to camera_frame; Gouraud,
@@ -131,6 +146,15 @@ static inline bool scene_has_choice(const struct scene_settings *s)
     return s->shade == SCENE_PHONG || (s->texture == SCENE_TEXTURE_BILINEAR &&
                                        s->mapping == SCENE_MAP_PERSPECTIVE);
 }
+
+/* Fills in what was left open, from the model: the target is the middle of its
+ * box; the eye stands in front, a little to the right and above, as near as
+ * shows every vertex with a margin of 1/20; pixels are square; the near plane
+ * is close before the model however it is turned around its middle, but at
+ * 1/1000 of the distance from eye to target at least. False, with a message on
+ * standard error, when eye and target are the same or `up` points along the
+ * view. The flags stay: set them to keep what was found. */
+bool camera_frame(struct camera *camera, const struct model *model);
 
 /* The scene of core and its parts. It must not be moved: it points into
  * itself. */
@@ -172,5 +196,30 @@ bool scene_prepare(struct scene *scene, const struct scene_settings *settings);
 bool scene_draw(const struct scene *scene, const struct pel_surface *surface);
 
 void scene_free(struct scene *scene);
+
+/* Prints how triangles are ordered, and for SCENE_PAINTER how many pixels may
+ * be wrong. */
+void scene_print_order(FILE *out, const struct scene *scene);
+
+/* Writes an initialiser of struct pel_camera, with a comment before it, of a
+ * prepared scene: with it core draws what the scene shows. */
+void scene_print_camera(FILE *out, const struct scene *scene);
+
+/* Parts of scene_prepare, in files of their own. */
+
+/* Places, in the scale that fits, lights and material: units, mesh, pose,
+ * core.camera, core.viewport, lighting. The camera is complete. */
+void scene_place(struct scene *scene, const struct scene_settings *settings);
+
+/* Sets depth_bits, and the sort where it is needed for the order; before a
+ * frame of the scene is prepared. SCENE_AUTO sorts where a proof of the
+ * painter's order is likely to take less time than a depth buffer; it takes one
+ * otherwise. */
+void scene_set_order(struct scene *scene, const struct scene_settings *s);
+
+/* Tries the proof, in as much time as the depths would take at most. Where it
+ * fails for a part of the picture, depths are kept for that part, or for all
+ * of it. */
+void scene_prove_order(struct scene *scene);
 
 #endif

@@ -1,9 +1,11 @@
 #include "sim/render/scene_options.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "sim/cli/message.h"
+#include "sim/mesh/vector.h"
 
 /* X,Y,Z:R,G,B */
 static bool read_light(const char *text, struct scene_light *light)
@@ -12,14 +14,12 @@ static bool read_light(const char *text, struct scene_light *light)
         .n = 3, .separator = ',', .low = -MESH_LIMIT, .high = MESH_LIMIT};
     static const struct option_row channels = {
         .n = 3, .separator = ',', .low = 0, .high = 15.99};
-    char copy[256];
-    const size_t length = strcspn(text, ":");
-    if (text[length] == '\0' || length >= sizeof(copy))
-        return false;
-    memcpy(copy, text, length);
-    copy[length] = '\0';
-    return option_numbers(copy, &place, light->at) &&
-           option_numbers(text + length + 1, &channels, light->color);
+    char copy[256], *color = copy;
+    snprintf(copy, sizeof(copy), "%s", text);
+    const char *at = strsep(&color, ":");
+    return color && strlen(text) < sizeof(copy) &&
+           option_numbers(at, &place, light->at) &&
+           option_numbers(color, &channels, light->color);
 }
 
 static bool parse_light(const char *option, const char *text, void *input)
@@ -34,8 +34,7 @@ static bool parse_light(const char *option, const char *text, void *input)
                              "X,Y,Z:R,G,B with colours from 0 to 15.99, such "
                              "as 2,5,3:1,1,1");
     light->directional = strcmp(option, "sun") == 0;
-    if (light->directional && light->at[0] == 0 && light->at[1] == 0 &&
-        light->at[2] == 0)
+    if (light->directional && vector_length(light->at) <= 0)
         return option_refuse(option, text,
                              "the direction towards it, such as 1,2,1:1,1,1");
     s->lights++;
@@ -46,24 +45,18 @@ static bool parse_light(const char *option, const char *text, void *input)
 static bool parse_terms(const char *option, const char *text, void *input)
 {
     struct scene_settings *s = &((struct scene_options *)input)->settings;
-    int term = 0;
-    char name[16];
+    char copy[64], *rest = copy;
     s->terms = 0;
-    for (const char *at = text; at && term >= 0;) {
-        const size_t length = strcspn(at, ",");
-        term = -1;
-        if (length < sizeof(name)) {
-            memcpy(name, at, length);
-            name[length] = '\0';
-            term = choice_find(SCENE_TERMS, name);
-        }
-        s->terms |= term < 0 ? 0 : 1u << term;
-        at = at[length] ? at + length + 1 : NULL;
+    snprintf(copy, sizeof(copy), "%s", text);
+    while (rest) {
+        const int term = choice_find(SCENE_TERMS, strsep(&rest, ","));
+        if (term < 0 || strlen(text) >= sizeof(copy))
+            return option_refuse(option, text,
+                                 "a list of ambient, diffuse and specular, "
+                                 "such as ambient,diffuse");
+        s->terms |= 1u << term;
     }
-    return term >= 0 ||
-           option_refuse(option, text,
-                         "a list of ambient, diffuse and specular, such as "
-                         "ambient,diffuse");
+    return true;
 }
 
 static bool parse_unlit(const char *option, const char *text, void *input)
@@ -85,17 +78,6 @@ static bool parse_turn(const char *option, const char *text, void *input)
                              "X,Y,Z in parts of a turn, such as 0,0.25,0");
     for (int k = 0; k < 3; k++)
         s->turn[k] = (uint16_t)lround(turn[k] * 65536);
-    return true;
-}
-
-static bool parse_texture(const char *option, const char *text, void *input)
-{
-    struct scene_options *o = input;
-    const int choice = choice_find(SCENE_TEXTURES, text);
-    if (choice < 0)
-        return option_refuse(option, text, SCENE_TEXTURES);
-    o->settings.texture = (enum scene_texture)choice;
-    o->source.without_texture = choice == SCENE_TEXTURE_NONE;
     return true;
 }
 
@@ -221,7 +203,7 @@ const struct option_row scene_option_table[] = {
     {"unlit", NULL, "no light, whatever the mesh", CALL(parse_unlit)},
     HEADING("Texture:"),
     {"texture", "MODE", "none, nearest or bilinear (default)",
-     CALL(parse_texture)},
+     CHOICE(settings.texture, SCENE_TEXTURES)},
     {"texture-file", "FILE",
      "this picture instead of the mesh's own; of a pel2d file, instead of its "
      "colours, with texels floor(u (W - 1)), floor(v (H - 1))",

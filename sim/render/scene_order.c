@@ -1,4 +1,4 @@
-#include "sim/render/scene_order.h"
+#include "sim/render/scene.h"
 
 #include <stdlib.h>
 
@@ -14,24 +14,19 @@ static int64_t pixels_of(const struct pel_rect *r)
     return pel_rect_empty(r) ? 0 : (int64_t)(r->x1 - r->x0) * (r->y1 - r->y0);
 }
 
-/* The painter draws what is hidden later too: that is cheap for flat and
- * Gouraud alone. */
-static bool proof_pays(const struct scene *scene,
-                       const struct scene_settings *s)
-{
-    return s->order == SCENE_AUTO && !scene->core.sort &&
-           s->shade != SCENE_PHONG &&
-           (!scene->core.texture || s->mapping == SCENE_MAP_VERTICES) &&
-           scene->mesh.triangles <=
-               pixels_of(&scene->core.viewport) / PIXELS_PER_TRIANGLE;
-}
-
 void scene_set_order(struct scene *scene, const struct scene_settings *s)
 {
     scene->depth_bits = s->order == SCENE_PAINTER     ? 0
                         : s->order == SCENE_ZBUFFER16 ? 16
                                                       : 32;
-    scene->is_proven = proof_pays(scene, s);
+    /* The painter draws what is hidden later too: that is cheap for flat and
+     * Gouraud alone. */
+    scene->is_proven =
+        s->order == SCENE_AUTO && !scene->core.sort &&
+        s->shade != SCENE_PHONG &&
+        (!scene->core.texture || s->mapping == SCENE_MAP_VERTICES) &&
+        scene->mesh.triangles <=
+            pixels_of(&scene->core.viewport) / PIXELS_PER_TRIANGLE;
     if (s->order == SCENE_PAINTER || scene->is_proven)
         scene->core.sort = &pel_depth_sort_radix;
 }
@@ -63,39 +58,31 @@ void scene_prove_order(struct scene *scene)
     }
 }
 
-/* Depths of a part of the picture, cleared; `size` is 0 where there is none. */
-static bool open_depths(struct pel_depth *depth, const struct pel_rect *bounds,
-                        int bits, size_t *size)
+/* Vertices and order are only read; the rest is this call's own. */
+bool scene_draw(const struct scene *scene, const struct pel_surface *surface)
 {
-    *size = pel_depth_size(bounds, bits);
-    if (*size == 0)
-        return true;
-    void *memory = malloc(*size);
-    if (memory && pel_depth_init(depth, bounds, bits, memory, *size) == PEL_OK)
-        return true;
-    free(memory);
-    return message_error("no memory for a depth buffer of %zu bytes", *size);
-}
-
-bool scene_draw_ordered(const struct scene *scene, struct pel_frame *frame,
-                        const struct pel_surface *surface)
-{
+    struct pel_frame frame = scene->frame;
+    struct pel_frame_work work;
     const struct pel_rect *part =
         scene->is_proven ? &scene->doubt.bounds : &scene->core.viewport;
     const struct pel_rect bounds = pel_rect_intersect(&surface->clip, part);
+    const int bits = scene->depth_bits;
+    const size_t size = bits > 0 ? pel_depth_size(&bounds, bits) : 0;
     struct pel_depth depth = {0};
-    size_t size = 0;
-    if (scene->depth_bits > 0 &&
-        !open_depths(&depth, &bounds, scene->depth_bits, &size))
-        return false;
-    if (scene->depth_bits == 0)
-        pel_scene_draw(frame, surface);
+    void *memory = size > 0 ? malloc(size) : NULL;
+    frame.work = &work;
+    if (size > 0 && (!memory || pel_depth_init(&depth, &bounds, bits, memory,
+                                               size) != PEL_OK)) {
+        free(memory);
+        return message_error("no memory for a depth buffer of %zu bytes", size);
+    }
+    if (bits == 0)
+        pel_scene_draw(&frame, surface);
     else if (scene->is_proven)
-        pel_scene_draw_certified(frame, surface, part, &depth);
+        pel_scene_draw_certified(&frame, surface, part, &depth);
     else if (size > 0)
-        pel_scene_draw_depth(frame, surface, &depth);
-    if (size > 0)
-        free(depth.values);
+        pel_scene_draw_depth(&frame, surface, &depth);
+    free(memory);
     return true;
 }
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/cli/message.h"
+#include "sim/cli/list.h"
 
 struct projection {
     const struct scene *scene;
@@ -24,37 +24,39 @@ static double uv_of(const struct pel_mesh *mesh, uint32_t vertex, int axis)
         -mesh->texture.shift);
 }
 
-static bool add(struct projection *p, const struct pel2d_vertex *v, int32_t z)
+static bool add(struct projection *p, struct pel2d_vertex *v, int32_t z)
 {
-    struct pel2d_vertex vertex = *v;
-    vertex.color |= PEL_RGB(0, 0, 0);
-    vertex.depth = (struct mesh_depth){{z, 0, 0}};
-    return pel2d_add_vertex(p->flat, &vertex);
+    v->color |= PEL_RGB(0, 0, 0);
+    v->depth = (struct mesh_depth){{z, 0, 0}};
+    return list_add(&p->flat->vertex, &p->flat->vertices, v, sizeof *v);
 }
 
-static bool add_vertex(struct projection *p, uint32_t i)
+static bool add_index(struct pel2d *flat, const uint32_t index[3])
 {
-    const struct pel_frame_vertex *from = &p->scene->frame.vertex[i];
-    const struct pel_mesh *mesh = &p->scene->mesh;
-    const struct pel2d_vertex v = {.at = {from->at.x, from->at.y},
-                                   .color =
-                                       pel_frame_color(&p->scene->frame, i),
-                                   .u = uv_of(mesh, i, 0),
-                                   .v = uv_of(mesh, i, 1)};
-    p->index[i] = p->flat->vertices;
-    return add(p, &v, from->at.z);
+    return list_add(&flat->triangle, &flat->triangles, index,
+                    sizeof *flat->triangle);
 }
 
 /* A triangle that nothing cuts shares its vertices with others. */
 static bool add_whole(struct projection *p, const uint32_t corner[3])
 {
+    const struct pel_mesh *mesh = &p->scene->mesh;
     uint32_t to[3];
     for (int k = 0; k < 3; k++) {
-        if (p->index[corner[k]] == NOT_YET && !add_vertex(p, corner[k]))
-            return false;
-        to[k] = p->index[corner[k]];
+        const uint32_t i = corner[k];
+        const struct pel_frame_vertex *from = &p->scene->frame.vertex[i];
+        struct pel2d_vertex v = {.at = {from->at.x, from->at.y},
+                                 .color = pel_frame_color(&p->scene->frame, i),
+                                 .u = uv_of(mesh, i, 0),
+                                 .v = uv_of(mesh, i, 1)};
+        if (p->index[i] == NOT_YET) {
+            p->index[i] = (uint32_t)p->flat->vertices;
+            if (!add(p, &v, from->at.z))
+                return false;
+        }
+        to[k] = p->index[i];
     }
-    return pel2d_add_triangle(p->flat, to);
+    return add_index(p->flat, to);
 }
 
 /* A color between those of three vertices. */
@@ -94,7 +96,7 @@ static bool add_corner(struct projection *p, const uint32_t vertex[3],
 static bool add_clipped(struct projection *p, const uint32_t corner[3])
 {
     const struct pel_projector *projector = &p->scene->frame.projector;
-    const uint32_t first = p->flat->vertices;
+    const uint32_t first = (uint32_t)p->flat->vertices;
     struct pel_clip clip;
     pel_clip_start(&clip);
     for (int k = 0; k < 3; k++) {
@@ -109,21 +111,10 @@ static bool add_clipped(struct projection *p, const uint32_t corner[3])
             return false;
     for (uint32_t i = 2; (int32_t)i < n; i++) {
         const uint32_t to[3] = {first, first + i - 1, first + i};
-        if (!pel2d_add_triangle(p->flat, to))
+        if (!add_index(p->flat, to))
             return false;
     }
     return true;
-}
-
-static bool add_triangle(struct projection *p, uint32_t triangle)
-{
-    uint32_t corner[3];
-    bool on_screen = true;
-    pel_mesh_corners(&p->scene->mesh, triangle, corner);
-    for (int k = 0; k < 3; k++)
-        on_screen = on_screen &&
-                    p->scene->frame.vertex[corner[k]].at.x != PEL_NOT_ON_SCREEN;
-    return on_screen ? add_whole(p, corner) : add_clipped(p, corner);
 }
 
 bool scene_project(const struct scene *scene, struct pel2d *flat,
@@ -137,8 +128,15 @@ bool scene_project(const struct scene *scene, struct pel2d *flat,
                                          mesh->vertices);
     for (uint32_t i = 0; i < mesh->vertices && done; i++)
         p.index[i] = NOT_YET;
-    for (uint32_t i = 0; i < mesh->triangles && done; i++)
-        done = add_triangle(&p, i);
+    for (uint32_t i = 0; i < mesh->triangles && done; i++) {
+        uint32_t corner[3];
+        bool on_screen = true;
+        pel_mesh_corners(mesh, i, corner);
+        for (int k = 0; k < 3; k++)
+            on_screen &=
+                scene->frame.vertex[corner[k]].at.x != PEL_NOT_ON_SCREEN;
+        done = on_screen ? add_whole(&p, corner) : add_clipped(&p, corner);
+    }
     free(p.index);
     *clipped = p.clipped;
     if (!done)

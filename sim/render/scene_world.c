@@ -1,6 +1,8 @@
-#include "sim/render/scene_world.h"
+#include "sim/render/scene.h"
 
 #include <math.h>
+
+#include "sim/mesh/vector.h"
 
 #define WORLD 16384.0      /* units each way, as core has them */
 #define NEAREST (1 / 16.0) /* of an eye, if nothing is to be scaled */
@@ -17,18 +19,23 @@ static double extent_of(const double v[3])
     return fmax(fabs(v[0]), fmax(fabs(v[1]), fabs(v[2])));
 }
 
+/* `from` has any length: the largest part gets 30 bits. */
+static void place_direction(const double from[3], int32_t to[3])
+{
+    const double extent = extent_of(from);
+    for (int k = 0; k < 3; k++)
+        to[k] = (int32_t)lround(from[k] / (extent > 0 ? extent : 1) *
+                                PEL_COSINE_ONE);
+}
+
 /* The largest coordinate of camera and model, however that is turned. */
 static double extent_of_all(const struct scene *scene,
                             const struct scene_settings *s)
 {
-    double middle[3], radius = 0;
+    double middle[3];
+    const double radius = model_middle(scene->model, middle);
     double extent = fmax(extent_of(s->camera.eye), extent_of(s->camera.target));
-    for (int k = 0; k < 3; k++) {
-        const double half = (scene->model->high[k] - scene->model->low[k]) / 2;
-        middle[k] = scene->model->low[k] + half;
-        radius += half * half;
-    }
-    extent = fmax(extent, extent_of(middle) + sqrt(radius));
+    extent = fmax(extent, extent_of(middle) + radius);
     if (s->camera.projection == PEL_ORTHOGRAPHIC)
         for (int k = 0; k < 2; k++)
             extent = fmax(extent, s->camera.sensor[k]);
@@ -51,9 +58,8 @@ static double units_of(const struct scene *scene,
     for (int i = 0; i < s->lights; i++)
         if (!s->light[i].directional && !is_far(&s->light[i], places))
             extent = fmax(extent, extent_of(s->light[i].at));
-    for (int k = 0; k < 3; k++)
-        view[k] = s->camera.target[k] - s->camera.eye[k];
-    if (extent <= WORLD && hypot(hypot(view[0], view[1]), view[2]) >= NEAREST &&
+    vector_subtract(s->camera.target, s->camera.eye, view);
+    if (extent <= WORLD && vector_length(view) >= NEAREST &&
         scene->model->mesh.position.shift <= PEL_MESH_SHIFT_MAX)
         return 1;
     frexp(extent, &exponent); /* extent < 2^exponent */
@@ -79,15 +85,6 @@ static void place_pose(struct scene *scene, const uint16_t turn[3])
         scene->pose.at[k] = (pel_length)(middle[k] - moved[k]);
     const bool turned = turn[0] || turn[1] || turn[2];
     scene->core.pose = turned ? &scene->pose : NULL;
-}
-
-/* `from` has any length: the largest part gets 30 bits. */
-static void place_up(const double from[3], int32_t up[3])
-{
-    const double extent = extent_of(from);
-    for (int k = 0; k < 3; k++)
-        up[k] = (int32_t)lround(from[k] / (extent > 0 ? extent : 1) *
-                                PEL_COSINE_ONE);
 }
 
 /* A lens in 1/1000 mm, in larger steps where that is too much; square pixels
@@ -116,7 +113,7 @@ static void place_camera(struct scene *scene, const struct scene_settings *s)
         to->eye[k] = length_of(scene, from->eye[k]);
         to->target[k] = length_of(scene, from->target[k]);
     }
-    place_up(from->up, to->up);
+    place_direction(from->up, to->up);
     to->projection = from->projection;
     to->near_plane = (pel_length)fmax(length_of(scene, from->near_plane), 1);
     if (from->projection == PEL_PERSPECTIVE)
@@ -125,6 +122,63 @@ static void place_camera(struct scene *scene, const struct scene_settings *s)
         to->sensor[k] = length_of(scene, from->sensor[k]);
     scene->core.viewport = (struct pel_rect){
         s->left, s->top, s->left + from->width, s->top + from->height};
+}
+
+static pel_factor factor_of(double value)
+{
+    return (pel_factor)lround(value * 65536);
+}
+
+static void place_light(struct scene *scene, struct pel_light *to,
+                        const struct scene_light *from, bool directional)
+{
+    to->directional = directional;
+    for (int k = 0; k < 3; k++) {
+        to->color[k] = factor_of(from->color[k]);
+        to->at[k] = length_of(scene, from->at[k]);
+    }
+    if (directional)
+        place_direction(from->at, to->at);
+}
+
+/* A light for those who name none: white, from above, left of the viewer. */
+static struct scene_light own_light(const struct camera *camera)
+{
+    struct scene_light light = {.color = {1, 1, 1}, .directional = true};
+    const double *up = camera->up;
+    double view[3], left[3];
+    vector_subtract(camera->eye, camera->target, view);
+    vector_cross(view, up, left);
+    const double along = vector_dot(view, view), upward = vector_dot(up, up);
+    for (int k = 0; k < 3; k++)
+        light.at[k] = view[k] / sqrt(along) + 0.9 * up[k] / sqrt(upward) +
+                      0.6 * left[k] / sqrt(along * upward);
+    return light;
+}
+
+static void place_lights(struct scene *scene, const struct scene_settings *s)
+{
+    const double extent = extent_of_all(scene, s);
+    struct pel_lighting *to = &scene->lighting;
+    to->light = scene->light;
+    to->lights = s->lights;
+    for (int i = 0; i < s->lights; i++)
+        place_light(scene, &scene->light[i], &s->light[i],
+                    s->light[i].directional || is_far(&s->light[i], extent));
+    if (s->lights == 0) {
+        const struct scene_light own = own_light(&s->camera);
+        place_light(scene, &scene->light[0], &own, true);
+        to->lights = 1;
+    }
+    for (int k = 0; k < 3; k++)
+        to->ambient_color[k] = factor_of(s->ambient_color[k]);
+    to->ambient = s->terms & SCENE_AMBIENT ? factor_of(s->ambient) : 0;
+    to->diffuse = s->terms & SCENE_DIFFUSE ? factor_of(s->diffuse) : 0;
+    to->specular = s->terms & SCENE_SPECULAR ? factor_of(s->specular) : 0;
+    to->shininess = s->shininess;
+    to->plain_highlights = s->plain_highlights;
+    to->no_back_highlights = s->no_back_highlights;
+    to->both_sides = s->both_sides;
 }
 
 void scene_place(struct scene *scene, const struct scene_settings *settings)
@@ -136,74 +190,7 @@ void scene_place(struct scene *scene, const struct scene_settings *settings)
     scene->mesh.position.shift -= exponent - 1;
     place_pose(scene, settings->turn);
     place_camera(scene, settings);
-}
-
-static pel_factor factor_of(double value)
-{
-    return (pel_factor)lround(value * 65536);
-}
-
-static void place_light(struct scene *scene, struct pel_light *to,
-                        const struct scene_light *from, bool directional)
-{
-    const double extent = extent_of(from->at);
-    to->directional = directional;
-    for (int k = 0; k < 3; k++) {
-        to->color[k] = factor_of(from->color[k]);
-        to->at[k] = directional
-                        ? (int32_t)lround(from->at[k] / extent * PEL_COSINE_ONE)
-                        : length_of(scene, from->at[k]);
-    }
-}
-
-/* A light for those who name none: white, from above, left of the viewer. */
-static struct scene_light own_light(const struct camera *camera)
-{
-    struct scene_light light = {.color = {1, 1, 1}, .directional = true};
-    double view[3], up = 0, along = 0;
-    for (int k = 0; k < 3; k++) {
-        view[k] = camera->eye[k] - camera->target[k];
-        along += view[k] * view[k];
-        up += camera->up[k] * camera->up[k];
-    }
-    for (int k = 0; k < 3; k++) {
-        const int i = (k + 1) % 3, j = (k + 2) % 3;
-        const double left = view[i] * camera->up[j] - view[j] * camera->up[i];
-        light.at[k] = view[k] / sqrt(along) + 0.9 * camera->up[k] / sqrt(up) +
-                      0.6 * left / sqrt(along * up);
-    }
-    return light;
-}
-
-static void place_material(struct pel_lighting *to,
-                           const struct scene_settings *s)
-{
-    const unsigned terms = s->terms;
-    for (int k = 0; k < 3; k++)
-        to->ambient_color[k] = factor_of(s->ambient_color[k]);
-    to->ambient = terms & SCENE_AMBIENT ? factor_of(s->ambient) : 0;
-    to->diffuse = terms & SCENE_DIFFUSE ? factor_of(s->diffuse) : 0;
-    to->specular = terms & SCENE_SPECULAR ? factor_of(s->specular) : 0;
-    to->shininess = s->shininess;
-    to->plain_highlights = s->plain_highlights;
-    to->no_back_highlights = s->no_back_highlights;
-    to->both_sides = s->both_sides;
-}
-
-void scene_place_lights(struct scene *scene, const struct scene_settings *s)
-{
-    const double extent = extent_of_all(scene, s);
-    scene->lighting.light = scene->light;
-    scene->lighting.lights = s->lights;
-    for (int i = 0; i < s->lights; i++)
-        place_light(scene, &scene->light[i], &s->light[i],
-                    s->light[i].directional || is_far(&s->light[i], extent));
-    if (s->lights == 0) {
-        const struct scene_light own = own_light(&s->camera);
-        place_light(scene, &scene->light[0], &own, true);
-        scene->lighting.lights = 1;
-    }
-    place_material(&scene->lighting, s);
+    place_lights(scene, settings);
 }
 
 static void print_three(FILE *out, const char *name, const int32_t value[3])

@@ -5,47 +5,45 @@
 #include "sim/cli/arguments.h"
 #include "sim/cli/message.h"
 #include "sim/cli/number.h"
-#include "sim/script/assets.h"
+#include "sim/script/parser.h"
 
-static bool refuse(const struct script_place *place, const char *word,
+static bool refuse(const struct script_parser *p, const char *word,
                    const char *expected)
 {
-    return ERROR_AT(place, "%s: %s: expected %s", place->command->name, word,
-                    expected);
+    return ERROR_AT(p, "%s: %s: expected %s", p->command->name, word, expected);
 }
 
-static bool parse_color(const struct script_place *place, const char *word,
+static bool parse_color(const struct script_parser *p, const char *word,
                         int32_t *value)
 {
     pel_color color;
     const size_t length = number_color(word, &color);
     if (!length || word[length])
-        return refuse(place, word, "a colour, #rrggbb or #rrggbbaa");
+        return refuse(p, word, "a colour, #rrggbb or #rrggbbaa");
     memcpy(value, &color, sizeof color);
     return true;
 }
 
-static bool parse_format(const struct script_place *place, const char *word,
+static bool parse_format(const struct script_parser *p, const char *word,
                          int32_t *value)
 {
     for (*value = 0; format_names[*value].name; ++*value)
         if (strcmp(format_names[*value].name, word) == 0)
             return true;
-    return refuse(place, word, format_list());
+    return refuse(p, word, format_list());
 }
 
 /* The names are those of the command's usage. */
-static bool parse_choice(const struct script_place *place, const char *word,
+static bool parse_choice(const struct script_parser *p, const char *word,
                          int32_t *value)
 {
-    *value = choice_find(place->command->usage, word);
-    return *value >= 0 || refuse(place, word, place->command->usage);
+    *value = choice_find(p->command->usage, word);
+    return *value >= 0 || refuse(p, word, p->command->usage);
 }
 
 /* Decimals in 1/unit; unit 0: whole numbers. */
-static bool parse_number(const struct script_place *place,
-                         enum script_kind kind, const char *word,
-                         int32_t *value)
+static bool parse_number(const struct script_parser *p, enum script_kind kind,
+                         const char *word, int32_t *value)
 {
     enum { WORLD = 16384 * 65536 };
     static const struct range {
@@ -76,32 +74,28 @@ static bool parse_number(const struct script_place *place,
         r++;
     if ((r->unit ? number_decimal(word, r->unit, r->low, r->high, &v)
                  : number_integer(word, r->low, r->high, &v)) != NUMBER_OK)
-        return refuse(place, word, r->expected);
+        return refuse(p, word, r->expected);
     *value = (int32_t)v;
     return true;
 }
 
-bool script_argument(const struct script_place *place, enum script_kind kind,
+bool script_argument(struct script_parser *p, enum script_kind kind,
                      const char *word, int32_t *value)
 {
     switch (kind) {
     case KIND_COLOR:
-        return parse_color(place, word, value);
+        return parse_color(p, word, value);
     case KIND_FORMAT:
-        return parse_format(place, word, value);
-    case KIND_FONT:
-        return script_add_font(place, word, value);
-    case KIND_PICTURE:
-        return script_add_picture(place, word, value);
+        return parse_format(p, word, value);
     case KIND_CHOICE:
-        return parse_choice(place, word, value);
+        return parse_choice(p, word, value);
+    case KIND_FONT:
+    case KIND_PICTURE:
     case KIND_FILE:
-        return script_add_file(place, word, value);
     case KIND_MESH:
-        return script_add_mesh(place, word, value);
     case KIND_TEXT:
-        return script_add_text(place, word, value);
+        return script_add_asset(p, kind, word, value);
     default:
-        return parse_number(place, kind, word, value);
+        return parse_number(p, kind, word, value);
     }
 }

@@ -14,25 +14,21 @@ struct script_scene;
 /* The state that commands change and shapes use, while a script is drawn. */
 struct script_pen {
     struct pel_surface *surface;
-    /* Makes the paint in force from `values`, in the pen's memory; NULL: they
-     * are the colors of paint vertex. */
-    const struct pel_paint *(*make)(const struct script_pen *pen);
-    const int32_t *values;
-    size_t value_count;
-    const struct script_command *command; /* that is drawn, */
-    size_t count;                         /* and how many values it has */
+    const struct script *script;
+    const struct script_item *item;  /* that is drawn */
+    const struct script_item *paint; /* in force; NULL: white */
+    struct script_paints *paints;    /* memory for it */
     enum pel_spread spread;
     enum pel_wrap wrap;
     uint16_t phase; /* of radial gradients */
     uint8_t fewer;  /* cells of a gradient with stops: halved so often */
     bool bilinear, dither;
-    bool collinear_line;          /* a triangle without area is a line */
-    struct script_paints *paints; /* memory for a paint */
+    bool collinear_line; /* a triangle without area is a line */
     struct pel_rect clip;
-    const struct script_assets *assets;
     const struct pel_font_asset *font; /* in force, or NULL */
     bool failed; /* a mesh had too little memory, or a light is one too many */
-    struct script_scene *scene; /* of commands that SCRIPT_SCENE marks */
+    struct script_scene *scene; /* of commands that SCRIPT_SCENE marks, which
+                                   do nothing when it is NULL */
     void *scratch;              /* for the largest polygon of the script */
     size_t scratch_size;
 };
@@ -41,14 +37,16 @@ enum script_role {
     SCRIPT_CANVAS,       /* first, and once */
     SCRIPT_BANDS,        /* splits the drawing */
     SCRIPT_STATE,        /* anything else that is no shape */
-    SCRIPT_WHOLE,        /* reads pixels anywhere: not in bands */
     SCRIPT_SCENE,        /* settings of meshes: made while the script is read */
-    SCRIPT_MESH,         /* a shape that takes no paint */
+    SCRIPT_FONT,         /* what text needs */
     SCRIPT_PAINT,        /* a paint that every shape takes */
     SCRIPT_PAINT_VERTEX, /* a paint that triangles alone take */
-    SCRIPT_TRIANGLE,
+    /* Those that follow draw. */
+    SCRIPT_CLEAR,
+    SCRIPT_WHOLE,    /* reads pixels anywhere: not in bands */
+    SCRIPT_PICTURE,  /* what takes no paint: images, meshes */
+    SCRIPT_TRIANGLE, /* what takes one: triangles even paint vertex */
     SCRIPT_SHAPE,
-    SCRIPT_FONT, /* what text needs */
     SCRIPT_TEXT
 };
 
@@ -70,13 +68,14 @@ enum script_kind {
     KIND_MEASURE = 'm', /* above 0, in 65,536ths */
     KIND_TEXELS = 'u',  /* in 65,536ths */
     KIND_SHININESS = 'e',
-    KIND_CHOICE = 'o',  /* a name of the usage A|B|C; its index there */
-    KIND_FILE = 'Q',    /* its path's index among the texts */
-    KIND_MESH = 'M',    /* a file or MESH_BUILTIN; its index in assets */
-    KIND_FONT = 'F',    /* a file; its index in script_assets */
-    KIND_PICTURE = 'P', /* a file; its index there */
-    KIND_TEXT = 'T',    /* in quotes; its index there */
-    KIND_FORMAT = 'f'   /* a name; its index in format_names */
+    KIND_CHOICE = 'o', /* a name of the usage A|B|C; its index there */
+    KIND_FORMAT = 'f', /* a name; its index in format_names */
+    /* These are indices of the script's assets. */
+    KIND_FONT = 'F',    /* a file */
+    KIND_PICTURE = 'P', /* a file */
+    KIND_MESH = 'M',    /* a file or one of MESH_BUILTINS */
+    KIND_FILE = 'Q',    /* a file, whose path is kept as a text */
+    KIND_TEXT = 'T'     /* in quotes */
 };
 
 struct script_command {
@@ -87,8 +86,8 @@ struct script_command {
     void (*draw)(struct script_pen *pen, const int32_t *v); /* or NULL */
     /* Says what is wrong with these arguments, or returns NULL. May be NULL. */
     const char *(*check)(const int32_t *v, size_t n);
-    /* script_pen.make of a paint command. */
-    const struct pel_paint *(*make)(const struct script_pen *pen);
+    /* Makes a paint of a paint command in the pen's memory. */
+    void (*make)(const struct script_pen *pen, const int32_t *values);
     /* A setting, which the values are written to before `draw`: where it lies
      * in struct script_pen, or struct script_scene for SCRIPT_SCENE; bytes of
      * each value, 8 for doubles of 65,536ths, 0 for no setting; where the flag
@@ -96,6 +95,7 @@ struct script_command {
     size_t offset, size, flag;
     enum pel_fill_rule rule; /* of a polygon */
     bool outline;            /* draws the outline instead of the shape */
+    const struct script_command *next; /* table, in the last row */
 };
 
 /* The part of a row that names a member of `values` values. */
@@ -110,36 +110,35 @@ bool script_pen_init(struct script_pen *pen, const struct script *script,
 void script_pen_free(struct script_pen *pen);
 
 /* Runs a command: makes its setting, chooses its paint, draws. */
-void script_perform(struct script_pen *pen,
-                    const struct script_command *command, const int32_t *v,
-                    size_t n);
+void script_perform(struct script_pen *pen, const struct script_item *item);
+
+/* The values of an item of the pen's script. */
+static inline const int32_t *script_values(const struct script_pen *pen,
+                                           const struct script_item *item)
+{
+    return pen->script->values + item->first;
+}
+
+/* Is the pixel (x, y) within the clip in force? */
+bool script_clip_holds(const struct script_pen *pen, const int pixel[2]);
+
+/* True when the item, a command that draws, covers the pixel (x, y) whatever
+ * the clip; *color is then the color that it leaves there. `pen` holds the
+ * settings before the command. */
+bool script_covers(const struct script_pen *pen, const struct script_item *item,
+                   const int pixel[2], pel_color *color);
 
 /* The paint in force, dithered when that is; good until the next call. */
 const struct pel_paint *script_paint(const struct script_pen *pen);
 
-/* Another paint, dithered when that is in force. */
-const struct pel_paint *script_dithered(const struct script_pen *pen,
-                                        const struct pel_paint *paint);
+/* Bytes of struct script_paints, memory for any paint. */
+size_t script_paint_size(void);
 
-/* The paint with which scripts begin: white. `paints` is the pen's memory. */
-void script_paint_init(struct script_pen *pen);
-
-/* All commands, in tables that end with the name NULL; the last table is NULL.
+/* All commands, the first of script_shapes first. The name NULL ends a table,
+ * whose last row says which one is `next`. script_next(the last one) is NULL.
  */
 extern const struct script_command script_shapes[], script_images[],
     script_paint_commands[], script_mesh_commands[];
-extern const struct script_command *const script_tables[];
-
-/* One argument of a kind, from its word. False, with a message, when it is not
- * one. */
-struct script_place {
-    const char *path;
-    long line;
-    const struct script_command *command;
-    struct script_assets *assets;
-    const struct script_scene *scene;
-};
-bool script_argument(const struct script_place *place, enum script_kind kind,
-                     const char *word, int32_t *value);
+const struct script_command *script_next(const struct script_command *command);
 
 #endif

@@ -8,7 +8,7 @@
 #include "sim/cli/message.h"
 #include "sim/image/picture.h"
 #include "sim/image/texture.h"
-#include "sim/script/shrink.h"
+#include "sim/script/script.h"
 
 struct compare_options {
     char **path;
@@ -19,7 +19,7 @@ struct compare_options {
 struct differences {
     long count; /* pixels beyond the tolerance */
     int worst;  /* of any channel */
-    int x, y;   /* the first such pixel, in reading order */
+    long first; /* the first such pixel, in reading order */
 };
 
 static const struct option_row options[] = {
@@ -67,20 +67,13 @@ static int pixel_difference(pel_color a, pel_color b)
 static struct differences count_differences(const struct picture p[2],
                                             int tolerance)
 {
-    struct differences d = {0, 0, 0, 0};
-    for (int y = 0; y < p[0].height; y++) {
-        for (int x = 0; x < p[0].width; x++) {
-            const int difference = pixel_difference(picture_row(&p[0], y)[x],
-                                                    picture_row(&p[1], y)[x]);
-            if (difference > d.worst)
-                d.worst = difference;
-            if (difference <= tolerance)
-                continue;
-            if (d.count++ == 0) {
-                d.x = x;
-                d.y = y;
-            }
-        }
+    struct differences d = {.count = 0};
+    const long n = (long)p[0].width * p[0].height;
+    for (long i = 0; i < n; i++) {
+        const int difference = pixel_difference(p[0].pixels[i], p[1].pixels[i]);
+        d.worst = difference > d.worst ? difference : d.worst;
+        if (difference > tolerance && d.count++ == 0)
+            d.first = i;
     }
     return d;
 }
@@ -98,9 +91,8 @@ static pel_color diff_color(const struct picture p[2], int x, int y,
     const pel_color a = picture_row(&p[0], y)[x];
     const int difference = pixel_difference(a, picture_row(&p[1], y)[x]);
     const uint32_t gray = pel_gray(a) / 3;
-    if (difference <= tolerance)
-        return PEL_RGB(gray, gray, gray);
-    return PEL_RGB(127 + (difference + 1) / 2, 0, 0);
+    return difference > tolerance ? PEL_RGB(127 + (difference + 1) / 2, 0, 0)
+                                  : PEL_RGB(gray, gray, gray);
 }
 
 static bool write_diff(const struct picture p[2],
@@ -123,20 +115,20 @@ static bool write_diff(const struct picture p[2],
 
 static int report(const struct picture p[2], const struct compare_options *o)
 {
-    if (p[0].width != p[1].width || p[0].height != p[1].height) {
+    const int width = p[0].width, height = p[0].height;
+    if (width != p[1].width || height != p[1].height) {
         printf("sizes differ: %s has %d x %d pixels, %s has %d x %d\n",
-               o->path[0], p[0].width, p[0].height, o->path[1], p[1].width,
-               p[1].height);
+               o->path[0], width, height, o->path[1], p[1].width, p[1].height);
         return STATUS_DIFFERENT;
     }
     const struct differences d = count_differences(p, o->tolerance);
     if (d.count == 0)
         return STATUS_OK;
-    const unsigned a = picture_row(&p[0], d.y)[d.x] & 0xFFFFFFu;
-    const unsigned b = picture_row(&p[1], d.y)[d.x] & 0xFFFFFFu;
     printf("%ld of %ld pixels differ, worst by %d of 255, first at (%d, %d): "
            "#%06x, #%06x\n",
-           d.count, (long)p[0].width * p[0].height, d.worst, d.x, d.y, a, b);
+           d.count, (long)width * height, d.worst, (int)(d.first % width),
+           (int)(d.first / width), p[0].pixels[d.first] & 0xFFFFFFu,
+           p[1].pixels[d.first] & 0xFFFFFFu);
     return STATUS_DIFFERENT;
 }
 
@@ -152,12 +144,11 @@ static int compare(const struct compare_options *o)
 {
     struct picture p[2] = {{0, 0, NULL}, {0, 0, NULL}};
     int status = STATUS_ERROR;
-    if (strcmp(o->path[0], "-") == 0 && strcmp(o->path[1], "-") == 0) {
+    if (strcmp(o->path[0], "-") == 0 && strcmp(o->path[1], "-") == 0)
         message_error("two pictures from standard input: expected one");
-        return STATUS_ERROR;
-    }
-    if ((!o->diff || picture_path_check(o->diff)) && load(&p[0], o->path[0]) &&
-        load(&p[1], o->path[1]) && write_diff(p, o))
+    else if ((!o->diff || picture_path_check(o->diff)) &&
+             load(&p[0], o->path[0]) && load(&p[1], o->path[1]) &&
+             write_diff(p, o))
         status = report(p, o);
     picture_free(&p[0]);
     picture_free(&p[1]);

@@ -2,20 +2,13 @@
 
 #include "core/outline/outline.h"
 #include "sim/cli/message.h"
-#include "sim/script/paints.h"
+#include "sim/script/commands.h"
 
-/* A part of the list, drawn by one pen for every band: each begins as `start`
- * and ends as `end`. */
-struct replay {
-    const struct script *script;
-    size_t from, to; /* items */
-    struct script_pen start, end;
-};
-
-const struct script_command *const script_tables[] = {
-    script_shapes,        script_images, script_paint_commands,
-    script_mesh_commands, NULL,
-};
+const struct script_command *script_next(const struct script_command *command)
+{
+    command++;
+    return command->name ? command : command->next;
+}
 
 /* `v` in units of the kind; the setting has `size` bytes a value. */
 static void set_values(char *to, size_t size, const int32_t *v, size_t n)
@@ -32,41 +25,23 @@ static void set_values(char *to, size_t size, const int32_t *v, size_t n)
     }
 }
 
-void script_perform(struct script_pen *pen,
-                    const struct script_command *command, const int32_t *v,
-                    size_t n)
+void script_perform(struct script_pen *pen, const struct script_item *item)
 {
-    char *settings =
-        command->role == SCRIPT_SCENE ? (char *)pen->scene : (char *)pen;
-    if (command->role == SCRIPT_PAINT || command->role == SCRIPT_PAINT_VERTEX) {
-        pen->make = command->make;
-        pen->values = v;
-        pen->value_count = n;
-    }
+    const struct script_command *command = item->command;
+    const enum script_role role = command->role;
+    const int32_t *v = script_values(pen, item);
+    char *settings = role == SCRIPT_SCENE ? (char *)pen->scene : (char *)pen;
+    if (!settings)
+        return;
+    if (role == SCRIPT_PAINT || role == SCRIPT_PAINT_VERTEX)
+        pen->paint = item;
     if (command->size)
-        set_values(settings + command->offset, command->size, v, n);
+        set_values(settings + command->offset, command->size, v, item->count);
     if (command->flag)
         *(bool *)(settings + command->flag) = true;
-    pen->command = command;
-    pen->count = n;
+    pen->item = item;
     if (command->draw)
         command->draw(pen, v);
-}
-
-static void replay_draw(struct pel_surface *surface, void *context)
-{
-    struct replay *replay = context;
-    const struct script *script = replay->script;
-    struct script_pen pen = replay->start;
-    pen.surface = surface;
-    pel_surface_clip(surface, &pen.clip);
-    for (size_t i = replay->from; i < replay->to; i++) {
-        const struct script_item *item = &script->items[i];
-        if (item->command->role != SCRIPT_SCENE)
-            script_perform(&pen, item->command, script->values + item->first,
-                           item->count);
-    }
-    replay->end = pen;
 }
 
 bool script_needs_whole(const struct script *script)
@@ -78,60 +53,30 @@ bool script_needs_whole(const struct script *script)
 }
 
 /* False, with a message, when commands move pixels of a picture that is not
- * whole. `rows` as in script_draw. */
+ * whole: drawn in bands of `rows`, or a part of the script's. */
 static bool check_whole(const struct script *script,
-                        const struct pel_rect *shown, int rows)
+                        const struct pel_rect *shown, int rows,
+                        const char *instead)
 {
-    const int32_t width = shown->x1 - shown->x0;
-    const int32_t height = shown->y1 - shown->y0;
-    int band = rows > 0 ? rows : 0;
-    for (size_t i = 0; i < script->item_count; i++) {
-        const struct script_item *item = &script->items[i];
-        const char *name = item->command->name;
-        if (item->command->role == SCRIPT_BANDS && rows < 0)
-            band = script->values[item->first];
-        if (item->command->role != SCRIPT_WHOLE)
-            continue;
-        if (band > 0)
-            return message_error_at(
-                script->path, item->line,
-                "%s: a band of %d rows has no pixels of "
-                "the others: expected %s",
-                name, band, rows < 0 ? "bands 0 before it" : "--bands 0");
-        if (width != script->width || height != script->height)
-            return message_error_at(script->path, item->line,
-                                    "%s: the screen has %d x %d pixels of %d "
-                                    "x %d, and all are needed",
-                                    name, (int)width, (int)height,
-                                    script->width, script->height);
-    }
-    return true;
-}
-
-static bool draw_part(struct replay *replay, size_t to, struct canvas *canvas,
-                      int rows)
-{
-    replay->to = to;
-    if (!canvas_draw(canvas, rows, replay_draw, replay))
-        return false;
-    replay->from = to;
-    replay->start = replay->end;
-    return !replay->end.failed;
-}
-
-static bool draw_parts(struct replay *replay, struct canvas *canvas)
-{
-    const struct script *script = replay->script;
-    int rows = 0;
-    for (size_t i = 0; i < script->item_count; i++) {
-        const struct script_item *item = &script->items[i];
-        if (item->command->role != SCRIPT_BANDS)
-            continue;
-        if (!draw_part(replay, i, canvas, rows))
-            return false;
-        rows = script->values[item->first];
-    }
-    return draw_part(replay, script->item_count, canvas, rows);
+    const int width = (int)(shown->x1 - shown->x0);
+    const int height = (int)(shown->y1 - shown->y0);
+    const struct script_item *item = script->items;
+    while (item < script->items + script->item_count &&
+           item->command->role != SCRIPT_WHOLE)
+        item++;
+    if (item == script->items + script->item_count)
+        return true;
+    if (rows > 0)
+        return message_error_at(script->path, item->line,
+                                "%s: a band of %d rows has no pixels of the "
+                                "others: expected %s",
+                                item->command->name, rows, instead);
+    return (width == script->width && height == script->height) ||
+           message_error_at(script->path, item->line,
+                            "%s: the screen has %d x %d pixels of %d x %d, and "
+                            "all are needed",
+                            item->command->name, width, height, script->width,
+                            script->height);
 }
 
 bool script_pen_init(struct script_pen *pen, const struct script *script,
@@ -141,11 +86,10 @@ bool script_pen_init(struct script_pen *pen, const struct script *script,
         pel_polygon_outline_scratch_size((int32_t)script->polygon_max);
     *pen = (struct script_pen){.surface = surface,
                                .clip = surface->bounds,
-                               .assets = script->assets,
+                               .script = script,
                                .scratch = malloc(size + 1),
                                .scratch_size = size,
-                               .paints = malloc(sizeof *pen->paints)};
-    script_paint_init(pen);
+                               .paints = malloc(script_paint_size())};
     if (pen->scratch && pen->paints)
         return true;
     script_pen_free(pen);
@@ -159,21 +103,27 @@ void script_pen_free(struct script_pen *pen)
     free(pen->paints);
 }
 
+/* `context` is the pen with which each band begins. */
+static void draw_all(struct pel_surface *surface, void *context)
+{
+    struct script_pen *start = context, pen = *start;
+    const struct script *script = pen.script;
+    pen.surface = surface;
+    for (size_t i = 0; i < script->item_count; i++)
+        script_perform(&pen, &script->items[i]);
+    start->failed = start->failed || pen.failed;
+}
+
 bool script_draw(const struct script *script, struct canvas *canvas, int rows)
 {
-    struct replay replay = {.script = script};
-    struct script_pen *pen = &replay.start;
-    if (rows > 0 && !canvas_bands_legal(script->format, rows))
-        return message_error("bands of %d rows: expected a multiple of 8 for "
-                             "mono1_pages",
-                             rows);
-    if (!check_whole(script, &canvas->surface.bounds, rows))
+    struct script_pen pen;
+    const char *instead = rows < 0 ? "bands 0 before it" : "--bands 0";
+    if (rows < 0)
+        rows = script->bands;
+    if (!check_whole(script, &canvas->surface.bounds, rows, instead) ||
+        !script_pen_init(&pen, script, &canvas->surface))
         return false;
-    if (!script_pen_init(pen, script, &canvas->surface))
-        return false;
-    const bool done = rows >= 0
-                          ? draw_part(&replay, script->item_count, canvas, rows)
-                          : draw_parts(&replay, canvas);
-    script_pen_free(pen);
-    return done;
+    const bool done = canvas_draw(canvas, rows, draw_all, &pen);
+    script_pen_free(&pen);
+    return done && !pen.failed;
 }

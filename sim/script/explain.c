@@ -10,47 +10,44 @@
 #include "sim/cli/commands.h"
 #include "sim/cli/message.h"
 #include "sim/cli/number.h"
-#include "sim/script/pick.h"
+#include "sim/script/commands.h"
 
 struct explanation {
-    const struct script *script;
-    int x, y;
+    struct script script;
+    const struct pel_format *format; /* NULL: the script's */
+    int at[2];                       /* the pixel's x, y */
     bool all; /* tells of commands that leave the pixel, too */
     struct script_pen pen;
-    const struct script_item *paint, *clip; /* in force, or NULL */
+    const struct script_item *clip; /* in force, or NULL */
     bool touched;
 };
 
-static bool is_in(const struct pel_rect *r, int x, int y)
+static const struct pel_point *points(const int32_t *v)
 {
-    return x >= r->x0 && x < r->x1 && y >= r->y0 && y < r->y1;
+    return (const struct pel_point *)(const void *)v;
 }
 
-/* How far the pixel's centre lies inside of a triangle's edges, and the rule
+/* How far the pixel's centre c lies inside of a triangle's edges, and the rule
  * where it lies on one. */
-static void explain_triangle(const struct explanation *e, const int32_t *v)
+static void explain_triangle(struct pel_point c, const int32_t *v, size_t n)
 {
-    const struct pel_point *p = (const struct pel_point *)(const void *)v;
-    const int64_t cx = pel_pixel_center(e->x), cy = pel_pixel_center(e->y);
+    (void)n;
+    const struct pel_point *p = points(v);
     const int64_t area = pel_triangle_area(p);
-    if (area == 0) {
-        printf("    without area: nothing, unless option collinear is line\n");
-        return;
-    }
-    for (int i = 0; i < 3; i++) {
+    if (area == 0)
+        puts("    without area: nothing, unless option collinear is line");
+    for (int i = 0; area != 0 && i < 3; i++) {
         const struct pel_point a = p[area > 0 ? i : (i + 1) % 3];
         const struct pel_point b = p[area > 0 ? (i + 1) % 3 : i];
         const int64_t dx = b.x - a.x, dy = b.y - a.y;
-        const int64_t edge = dx * (cy - a.y) - dy * (cx - a.x);
-        const bool takes = dy < 0 || (dy == 0 && dx > 0);
+        const int64_t edge = dx * (c.y - a.y) - dy * (c.x - a.x);
         printf("    edge %d-%d: ", i, (i + 1) % 3);
         if (edge == 0)
-            printf("the centre lies on it, a %s one: %s\n",
-                   dy < 0   ? "left"
-                   : dy > 0 ? "right"
-                   : dx > 0 ? "top"
-                            : "bottom",
-                   takes ? "inside" : "outside");
+            printf("the centre lies on it, a %s\n",
+                   dy < 0   ? "left one: inside"
+                   : dy > 0 ? "right one: outside"
+                   : dx > 0 ? "top one: inside"
+                            : "bottom one: outside");
         else
             printf("%s by %.6g px (%lld / 65536 px2)\n",
                    edge > 0 ? "inside" : "outside",
@@ -60,57 +57,55 @@ static void explain_triangle(const struct explanation *e, const int32_t *v)
 }
 
 /* Circles, rings, sectors and arcs: the distance from their centre, squared
- * exactly, and the angle. `turns` is where from and to are, or 0. */
-static void explain_round(const struct explanation *e, const int32_t *v,
-                          size_t radii, size_t turns)
+ * exactly, and the angle. From and to are the last of the n values. */
+static void explain_round(struct pel_point c, const int32_t *v, size_t n)
 {
-    const int64_t dx = pel_pixel_center(e->x) - v[0];
-    const int64_t dy = pel_pixel_center(e->y) - v[1];
+    const int64_t dx = c.x - v[0], dy = c.y - v[1];
     const int64_t square = dx * dx + dy * dy;
     const double angle = atan2((double)dy, (double)dx) / 6.283185307179586;
     printf("    the centre lies %.6f px from the shape's, squared %lld; the "
            "radius squared %lld",
            sqrt((double)square) / 256, (long long)square,
            (long long)v[2] * v[2]);
-    if (radii == 2)
+    if (n % 2 == 0)
         printf(" and %lld", (long long)v[3] * v[3]);
     printf(" / 65536 px2");
-    if (turns)
+    if (n > 4)
         printf("; at %.6f turns, of %.6f up to, not including, %.6f",
-               angle - floor(angle), v[turns] / 65536.0,
-               v[turns + 1] / 65536.0);
+               angle - floor(angle), v[n - 2] / 65536.0, v[n - 1] / 65536.0);
     putchar('\n');
 }
 
-static void explain_ellipse(const struct explanation *e, const int32_t *v)
+static void explain_ellipse(struct pel_point c, const int32_t *v, size_t n)
 {
-    const double x = (pel_pixel_center(e->x) - v[0]) / (double)v[2];
-    const double y = (pel_pixel_center(e->y) - v[1]) / (double)v[3];
+    (void)n;
+    const double x = (c.x - v[0]) / (double)v[2];
+    const double y = (c.y - v[1]) / (double)v[3];
     printf("    the squares of the distance in parts of the radii: %.6f + "
            "%.6f = %.6f, inside up to 1\n",
            x * x, y * y, x * x + y * y);
 }
 
-static void explain_rect(const struct explanation *e, const int32_t *v)
+static void explain_rect(struct pel_point c, const int32_t *v, size_t n)
 {
+    (void)n;
     printf("    the centre %.8g %.8g, sides from %.8g %.8g up to, not "
            "including, %.8g %.8g\n",
-           e->x + 0.5, e->y + 0.5, v[0] / 256.0, v[1] / 256.0,
+           c.x / 256.0, c.y / 256.0, v[0] / 256.0, v[1] / 256.0,
            (v[0] + v[2]) / 256.0, (v[1] + v[3]) / 256.0);
 }
 
 /* The sides of a polygon that the pixel's row crosses before its centre. */
-static void explain_polygon(const struct explanation *e, const int32_t *v,
-                            size_t n)
+static void explain_polygon(struct pel_point c, const int32_t *v, size_t n)
 {
-    const struct pel_point *p = (const struct pel_point *)(const void *)v;
-    const int64_t cx = pel_pixel_center(e->x), cy = pel_pixel_center(e->y);
+    const struct pel_point *p = points(v);
     int down = 0, up = 0;
-    for (size_t i = 0; i < n; i++) {
-        const struct pel_point a = p[i], b = p[(i + 1) % n];
-        const bool falls = a.y <= cy && b.y > cy, rises = b.y <= cy && a.y > cy;
-        const int64_t edge =
-            (b.x - a.x) * (cy - a.y) - (int64_t)(b.y - a.y) * (cx - a.x);
+    for (size_t i = 0; i < n; i += 2) {
+        const struct pel_point a = p[i / 2], b = p[(i + 2) % n / 2];
+        const bool falls = a.y <= c.y && b.y > c.y;
+        const bool rises = b.y <= c.y && a.y > c.y;
+        const int64_t edge = (int64_t)(b.x - a.x) * (c.y - a.y) -
+                             (int64_t)(b.y - a.y) * (c.x - a.x);
         down += falls && edge <= 0;
         up += rises && edge >= 0;
     }
@@ -119,71 +114,69 @@ static void explain_polygon(const struct explanation *e, const int32_t *v,
            down, up, down - up, (down + up) % 2 ? "odd" : "even");
 }
 
-static void explain_thick(const struct explanation *e, const int32_t *v)
+static void explain_thick(struct pel_point c, const int32_t *v, size_t n)
 {
-    const struct pel_thick_line_shape line = {{v[0], v[1]}, {v[2], v[3]}, v[4]};
+    (void)n;
+    const struct pel_thick_line_shape line = {points(v)[0], points(v)[1], v[4]};
     struct pel_point corner[4];
     if (pel_thick_line_corners(&line, corner))
-        explain_polygon(e, (const int32_t *)(const void *)corner, 4);
+        explain_polygon(c, &corner[0].x, 8);
 }
 
-static void explain_line(const struct explanation *e, const int32_t *v)
+static void explain_line(struct pel_point c, const int32_t *v, size_t n)
 {
-    (void)e;
+    (void)c;
+    (void)n;
     printf("    from pixel %d %d to %d %d, the nearest to the line in each "
            "step, a tie down or right\n",
            (int)(v[0] >> 8), (int)(v[1] >> 8), (int)(v[2] >> 8),
            (int)(v[3] >> 8));
 }
 
+static const struct {
+    const char *names;
+    void (*explain)(struct pel_point c, const int32_t *v, size_t n);
+} shapes[] = {
+    {"triangle", explain_triangle},
+    {"polygon evenodd|polygon nonzero", explain_polygon},
+    {"circle|ring|sector|arc", explain_round},
+    {"ellipse", explain_ellipse},
+    {"rect|roundrect", explain_rect},
+    {"thickline", explain_thick},
+    {"line", explain_line},
+};
+
 static void explain_shape(const struct explanation *e,
                           const struct script_item *item)
 {
+    const struct pel_point c = {pel_pixel_center(e->at[0]),
+                                pel_pixel_center(e->at[1])};
     const char *name = item->command->name;
-    const int32_t *v = e->script->values + item->first;
-    if (item->command->outline || strncmp(name, "outline ", 8) == 0) {
-        printf("    of the shape, the pixels with one outside of it beside, "
-               "above or below:\n");
+    if (strncmp(name, "outline ", 8) == 0) {
+        puts("    of the shape, the pixels with one outside of it beside, "
+             "above or below:");
         name += 8;
     }
-    if (strcmp(name, "triangle") == 0)
-        explain_triangle(e, v);
-    else if (strcmp(name, "circle") == 0)
-        explain_round(e, v, 1, 0);
-    else if (strcmp(name, "ring") == 0)
-        explain_round(e, v, 2, 0);
-    else if (strcmp(name, "sector") == 0)
-        explain_round(e, v, 1, 3);
-    else if (strcmp(name, "arc") == 0)
-        explain_round(e, v, item->count == 6 ? 2 : 1, item->count - 2);
-    else if (strcmp(name, "ellipse") == 0)
-        explain_ellipse(e, v);
-    else if (strcmp(name, "rect") == 0 || strcmp(name, "roundrect") == 0)
-        explain_rect(e, v);
-    else if (strcmp(name, "thickline") == 0)
-        explain_thick(e, v);
-    else if (strcmp(name, "line") == 0)
-        explain_line(e, v);
-    else if (strncmp(name, "polygon", 7) == 0)
-        explain_polygon(e, v, item->count / 2);
+    for (size_t i = 0; i < sizeof shapes / sizeof *shapes; i++)
+        if (choice_find(shapes[i].names, name) >= 0)
+            shapes[i].explain(c, script_values(&e->pen, item), item->count);
 }
 
 static pel_color pixel(const struct explanation *e)
 {
     pel_color color;
     const struct pel_surface *s = e->pen.surface;
-    s->format->load(s, e->x, e->y, 1, &color);
+    s->format->load(s, e->at[0], e->at[1], 1, &color);
     return color;
 }
 
 static void print_paint(const struct explanation *e,
                         const struct script_item *item, pel_color color)
 {
-    const enum script_role role = item->command->role;
-    const bool painted =
-        role == SCRIPT_TRIANGLE || role == SCRIPT_SHAPE || role == SCRIPT_TEXT;
-    if (painted && e->paint)
-        printf("%s (line %ld)%s, ", e->paint->command->name, e->paint->line,
+    const struct script_item *paint = e->pen.paint;
+    const bool painted = item->command->role >= SCRIPT_TRIANGLE;
+    if (painted && paint)
+        printf("%s (line %ld)%s, ", paint->command->name, paint->line,
                e->pen.dither ? ", dithered" : "");
     else if (painted)
         printf("white, as at first, ");
@@ -196,15 +189,12 @@ static void print_paint(const struct explanation *e,
 static void explain_item(struct explanation *e, const struct script_item *item)
 {
     pel_color color = 0;
-    const int at[2] = {e->x, e->y};
-    const struct pel_format *format = e->script->format;
-    const int32_t *v = e->script->values + item->first;
+    const struct pel_format *format = e->script.format;
     const pel_color before = pixel(e);
     const bool moves = item->command->role == SCRIPT_WHOLE;
-    const bool covered =
-        !moves && script_covers(&e->pen, e->script, item, at, &color);
-    const bool clipped = !is_in(&e->pen.clip, e->x, e->y);
-    script_perform(&e->pen, item->command, v, item->count);
+    const bool covered = !moves && script_covers(&e->pen, item, e->at, &color);
+    const bool clipped = !script_clip_holds(&e->pen, e->at);
+    script_perform(&e->pen, item);
     const pel_color after = pixel(e);
     const bool touched = (covered && !clipped) || (moves && before != after);
     e->touched = e->touched || touched;
@@ -229,47 +219,29 @@ static void explain_item(struct explanation *e, const struct script_item *item)
 
 static void explain_all(struct explanation *e)
 {
-    const struct script *script = e->script;
-    for (size_t i = 0; i < script->item_count; i++) {
-        const struct script_item *item = &script->items[i];
-        const enum script_role role = item->command->role;
-        if (role == SCRIPT_PAINT || role == SCRIPT_PAINT_VERTEX)
-            e->paint = item;
+    for (size_t i = 0; i < e->script.item_count; i++) {
+        const struct script_item *item = &e->script.items[i];
         if (strcmp(item->command->name, "clip") == 0)
             e->clip = item;
-        if (script_draws(item->command))
+        if (item->command->role >= SCRIPT_CLEAR)
             explain_item(e, item);
-        else if (role != SCRIPT_SCENE)
-            script_perform(&e->pen, item->command, script->values + item->first,
-                           item->count);
+        else
+            script_perform(&e->pen, item);
     }
     if (!e->touched)
         puts("no command touches this pixel");
 }
 
-struct explain_options {
-    bool all;
-    const struct pel_format *format;
-};
-
-static const struct option_row options[] = {
-    {"all", NULL, "tell of commands that leave the pixel alone, too",
-     OPTION_FLAG, .offset = offsetof(struct explain_options, all)},
-    {"format", "NAME", "draw in this pixel format, whatever the script says",
-     OPTION_FORMAT, .offset = offsetof(struct explain_options, format)},
-    {.help = NULL},
-};
-
 static bool explain(struct explanation *e)
 {
     struct canvas canvas;
-    const struct script *script = e->script;
-    if (!canvas_init(&canvas, script->format, script->width, script->height))
+    const int width = e->script.width, height = e->script.height;
+    if (!canvas_init(&canvas, e->script.format, width, height))
         return false;
-    const bool done = script_pen_init(&e->pen, script, &canvas.surface);
+    const bool done = script_pen_init(&e->pen, &e->script, &canvas.surface);
     if (done) {
-        printf("pixel (%d, %d): centre %.1f %.1f of %d x %d\n", e->x, e->y,
-               e->x + 0.5, e->y + 0.5, script->width, script->height);
+        printf("pixel (%d, %d): centre %.1f %.1f of %d x %d\n", e->at[0],
+               e->at[1], e->at[0] + 0.5, e->at[1] + 0.5, width, height);
         explain_all(e);
         script_pen_free(&e->pen);
     }
@@ -287,10 +259,17 @@ static bool parse_pixel(const char *text, const char *axis, int size, int *to)
     return true;
 }
 
+static const struct option_row options[] = {
+    {"all", NULL, "tell of commands that leave the pixel alone, too",
+     OPTION_FLAG, .offset = offsetof(struct explanation, all)},
+    {"format", "NAME", "draw in this pixel format, whatever the script says",
+     OPTION_FORMAT, .offset = offsetof(struct explanation, format)},
+    {.help = NULL},
+};
+
 int command_explain(int argc, char **argv)
 {
-    struct explain_options o = {false, NULL};
-    struct script script;
+    struct explanation e = {.all = false};
     const struct command_line line = {
         .arguments = "SCRIPT X Y",
         .least = 3,
@@ -300,14 +279,13 @@ int command_explain(int argc, char **argv)
                  "was there, what comes of it and the value in the canvas's "
                  "format; and, for shapes, the numbers by which the pixel "
                  "is covered or not.",
-        .tables = {{options, &o, NULL}}};
+        .tables = {{options, &e, NULL}}};
     char **arguments = arguments_parse(&line, argc, argv);
-    if (!script_load(&script, arguments[0], o.format))
-        return STATUS_ERROR;
-    struct explanation e = {.script = &script, .all = o.all};
-    const bool done = parse_pixel(arguments[1], "X", script.width, &e.x) &&
-                      parse_pixel(arguments[2], "Y", script.height, &e.y) &&
-                      explain(&e);
-    script_free(&script);
+    const bool done =
+        script_load(&e.script, arguments[0], e.format) &&
+        parse_pixel(arguments[1], "X", e.script.width, &e.at[0]) &&
+        parse_pixel(arguments[2], "Y", e.script.height, &e.at[1]) &&
+        explain(&e);
+    script_free(&e.script);
     return done ? STATUS_OK : STATUS_ERROR;
 }

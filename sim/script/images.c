@@ -1,25 +1,25 @@
 #include "core/image/copy.h"
 #include "core/image/glyph_text.h"
 #include "core/image/scroll.h"
-#include "sim/script/assets.h"
+#include "sim/script/parser.h"
 
 static void set_font(struct script_pen *pen, const int32_t *v)
 {
-    pen->font = &pen->assets->fonts[v[0]];
+    pen->font = &pen->script->assets[v[0]].font;
 }
 
 /* There is a font: reading the script made sure. */
 static void draw_text(struct script_pen *pen, const int32_t *v)
 {
-    const struct pel_text_block text = {pen->font, pen->assets->texts[v[2]],
-                                        v[0], v[1]};
+    const struct pel_text_block text = {
+        pen->font, pen->script->assets[v[2]].text, v[0], v[1]};
     pel_text(pen->surface, &text, script_paint(pen));
 }
 
 static struct pel_copy_part copy_of(const struct script_pen *pen,
                                     const int32_t *v, int32_t picture)
 {
-    const struct pel_surface *source = &pen->assets->pictures[picture];
+    const struct pel_surface *source = &pen->script->assets[picture].picture;
     return (struct pel_copy_part){source, source->bounds, v[0], v[1]};
 }
 
@@ -50,12 +50,12 @@ static void draw_scroll(struct script_pen *pen, const int32_t *v)
 const struct script_command script_images[] = {
     {"font", "F", "FILE", SCRIPT_FONT, .draw = set_font},
     {"text", "iiT", "X Y \"TEXT\"", SCRIPT_TEXT, .draw = draw_text},
-    {"image key", "iicP", "X Y COLOUR FILE", SCRIPT_STATE,
+    {"image key", "iicP", "X Y COLOUR FILE", SCRIPT_PICTURE,
      .draw = draw_image_key},
-    {"image alpha", "iibP", "X Y ALPHA FILE", SCRIPT_STATE,
+    {"image alpha", "iibP", "X Y ALPHA FILE", SCRIPT_PICTURE,
      .draw = draw_image_alpha},
-    {"image", "iiP", "X Y FILE", SCRIPT_STATE, .draw = draw_image},
+    {"image", "iiP", "X Y FILE", SCRIPT_PICTURE, .draw = draw_image},
     {"scroll", "iinnii", "X Y WIDTH HEIGHT DX DY", SCRIPT_WHOLE,
      .draw = draw_scroll},
-    {.name = NULL},
+    {.next = script_paint_commands},
 };

@@ -1,6 +1,6 @@
 /* Cameras, lights and meshes. All but `mesh` itself is done while the script is
  * read, so that a mesh can be refused there. */
-#include "sim/script/assets.h"
+#include "sim/script/parser.h"
 
 static void set_numbers(double *to, const int32_t *v, size_t n)
 {
@@ -38,12 +38,10 @@ static void add_light(struct script_pen *pen, const int32_t *v,
                       bool directional)
 {
     struct scene_settings *s = &pen->scene->settings;
-    struct scene_light *light = &s->light[s->lights];
     pen->failed = s->lights == SCENE_LIGHTS_MAX;
     if (pen->failed)
         return;
-    s->has_light = true;
-    s->lights++;
+    struct scene_light *light = &s->light[s->lights++];
     light->directional = directional;
     set_numbers(light->at, v, 3);
     set_numbers(light->color, v + 3, 3);
@@ -78,7 +76,6 @@ static void set_no_lights(struct script_pen *pen, const int32_t *v)
 static void set_material(struct script_pen *pen, const int32_t *v)
 {
     struct scene_settings *s = &pen->scene->settings;
-    s->has_light = true;
     set_numbers(&s->ambient, v, 1);
     set_numbers(&s->diffuse, v + 1, 1);
     set_numbers(&s->specular, v + 2, 1);
@@ -99,7 +96,6 @@ static void set_own_texture(struct script_pen *pen, const int32_t *v)
 static void set_color(struct script_pen *pen, const int32_t *v)
 {
     struct scene_settings *s = &pen->scene->settings;
-    s->has_color = true;
     s->color = (pel_color)v[0];
     s->transparency = (int)(255 - pel_alpha(s->color));
 }
@@ -118,74 +114,66 @@ static void set_own_colors(struct script_pen *pen, const int32_t *v)
 
 static void draw_mesh(struct script_pen *pen, const int32_t *v)
 {
-    if (!scene_draw(&pen->assets->meshes[v[0]]->scene, pen->surface))
+    if (!scene_draw(&pen->script->assets[v[0]].mesh->scene, pen->surface))
         pen->failed = true;
 }
 
-#define SETTING(name, kinds, usage, member)                                \
-    {                                                                      \
-        name, kinds, usage, SCRIPT_SCENE,                                  \
-            SCRIPT_SETTING(struct script_scene, member, sizeof(kinds) - 1) \
-    }
-#define FLAGGED(name, kinds, usage, member, flag_)                          \
-    {                                                                       \
-        name, kinds, usage, SCRIPT_SCENE,                                   \
-            SCRIPT_SETTING(struct script_scene, member, sizeof(kinds) - 1), \
-            .flag = offsetof(struct script_scene, flag_)                    \
-    }
-#define ACTION(name, kinds, usage, set)               \
-    {                                                 \
-        name, kinds, usage, SCRIPT_SCENE, .draw = set \
-    }
+#define SET(member, values) \
+    SCRIPT_SCENE, SCRIPT_SETTING(struct script_scene, member, values)
+#define FLAG(member) .flag = offsetof(struct script_scene, member)
+#define DO(set) SCRIPT_SCENE, .draw = set
 
 const struct script_command script_mesh_commands[] = {
-    FLAGGED("camera eye", "xxx", "X Y Z", settings.camera.eye,
-            settings.camera.has_eye),
-    FLAGGED("camera target", "xxx", "X Y Z", settings.camera.target,
-            settings.camera.has_target),
-    SETTING("camera up", "xxx", "X Y Z", settings.camera.up),
-    ACTION("camera frame", "", "", set_frame),
-    SETTING("camera projection", "o", CAMERA_PROJECTIONS,
-            settings.camera.projection),
-    SETTING("camera focal", "m", "MM", settings.camera.focal),
-    FLAGGED("camera sensor", "mm", "WIDTH HEIGHT", settings.camera.sensor,
-            settings.camera.has_sensor),
-    FLAGGED("camera near", "m", "DISTANCE", settings.camera.near_plane,
-            settings.camera.has_near),
-    {"camera viewport", "iiss", "X Y WIDTH HEIGHT", SCRIPT_SCENE,
-     .draw = set_viewport, .check = check_viewport},
-    ACTION("light point", "xxxkkk", "X Y Z R G B", add_point),
-    {"light sun", "xxxkkk", "X Y Z R G B", SCRIPT_SCENE, .draw = add_sun,
-     .check = check_sun},
-    ACTION("light none", "", "", set_no_lights),
-    FLAGGED("ambient", "kkk", "R G B", settings.ambient_color,
-            settings.has_light),
-    ACTION("material", "kkke", "KA KD KS SHININESS", set_material),
-    SETTING("shade", "o", SCENE_SHADES, settings.shade),
-    ACTION("option mesh tolerance", "b", "0..255", set_tolerance),
-    SETTING("option mesh texel_tolerance", "u", "TEXELS",
-            settings.texel_tolerance),
-    SETTING("option mesh light", "o", "auto|on|off", settings.lit),
-    ACTION("option mesh terms", "o", "all|ambient|diffuse|specular", set_terms),
-    SETTING("option mesh highlights", "o", SCENE_HIGHLIGHTS,
-            settings.plain_highlights),
-    SETTING("option mesh backhighlights", "o", "on|off",
-            settings.no_back_highlights),
-    SETTING("option mesh sides", "o", SCENE_SIDES, settings.both_sides),
-    SETTING("option mesh texture", "o", SCENE_TEXTURES, settings.texture),
-    SETTING("option mesh mapping", "o", SCENE_MAPPINGS, settings.mapping),
-    SETTING("option mesh span", "o", SCENE_SPANS, settings.span),
-    SETTING("option mesh wrap", "o", SCENE_WRAPS, settings.wrap),
-    SETTING("option mesh normals", "o", SCENE_NORMALS, smooth_normals),
-    FLAGGED("option mesh crease", "m", "DEGREES", crease, has_crease),
-    SETTING("option mesh order", "o", SCENE_ORDERS, settings.order),
-    SETTING("option mesh cull", "o", SCENE_CULLS, settings.cull),
-    ACTION("option mesh color own", "", "", set_own_colors),
-    ACTION("option mesh color", "c", "COLOUR", set_color),
-    SETTING("option mesh transparency", "b", "0..255", settings.transparency),
-    SETTING("option mesh turn", "ttt", "X Y Z", settings.turn),
-    ACTION("texture own", "", "", set_own_texture),
-    SETTING("texture", "Q", "FILE", texture),
-    {"mesh", "M", "FILE", SCRIPT_MESH, .draw = draw_mesh},
+    {"camera eye", "xxx", "X Y Z", SET(settings.camera.eye, 3),
+     FLAG(settings.camera.has_eye)},
+    {"camera target", "xxx", "X Y Z", SET(settings.camera.target, 3),
+     FLAG(settings.camera.has_target)},
+    {"camera up", "xxx", "X Y Z", SET(settings.camera.up, 3)},
+    {"camera frame", "", "", DO(set_frame)},
+    {"camera projection", "o", CAMERA_PROJECTIONS,
+     SET(settings.camera.projection, 1)},
+    {"camera focal", "m", "MM", SET(settings.camera.focal, 1)},
+    {"camera sensor", "mm", "WIDTH HEIGHT", SET(settings.camera.sensor, 2),
+     FLAG(settings.camera.has_sensor)},
+    {"camera near", "m", "DISTANCE", SET(settings.camera.near_plane, 1),
+     FLAG(settings.camera.has_near)},
+    {"camera viewport", "iiss", "X Y WIDTH HEIGHT", DO(set_viewport),
+     .check = check_viewport},
+    {"light point", "xxxkkk", "X Y Z R G B", DO(add_point),
+     FLAG(settings.has_light)},
+    {"light sun", "xxxkkk", "X Y Z R G B", DO(add_sun),
+     FLAG(settings.has_light), .check = check_sun},
+    {"light none", "", "", DO(set_no_lights)},
+    {"ambient", "kkk", "R G B", SET(settings.ambient_color, 3),
+     FLAG(settings.has_light)},
+    {"material", "kkke", "KA KD KS SHININESS", DO(set_material),
+     FLAG(settings.has_light)},
+    {"shade", "o", SCENE_SHADES, SET(settings.shade, 1)},
+    {"option mesh tolerance", "b", "0..255", DO(set_tolerance)},
+    {"option mesh texel_tolerance", "u", "TEXELS",
+     SET(settings.texel_tolerance, 1)},
+    {"option mesh light", "o", "auto|on|off", SET(settings.lit, 1)},
+    {"option mesh terms", "o", "all|ambient|diffuse|specular", DO(set_terms)},
+    {"option mesh highlights", "o", SCENE_HIGHLIGHTS,
+     SET(settings.plain_highlights, 1)},
+    {"option mesh backhighlights", "o", "on|off",
+     SET(settings.no_back_highlights, 1)},
+    {"option mesh sides", "o", SCENE_SIDES, SET(settings.both_sides, 1)},
+    {"option mesh texture", "o", SCENE_TEXTURES, SET(settings.texture, 1)},
+    {"option mesh mapping", "o", SCENE_MAPPINGS, SET(settings.mapping, 1)},
+    {"option mesh span", "o", SCENE_SPANS, SET(settings.span, 1)},
+    {"option mesh wrap", "o", SCENE_WRAPS, SET(settings.wrap, 1)},
+    {"option mesh normals", "o", SCENE_NORMALS, SET(smooth_normals, 1)},
+    {"option mesh crease", "m", "DEGREES", SET(crease, 1), FLAG(has_crease)},
+    {"option mesh order", "o", SCENE_ORDERS, SET(settings.order, 1)},
+    {"option mesh cull", "o", SCENE_CULLS, SET(settings.cull, 1)},
+    {"option mesh color own", "", "", DO(set_own_colors)},
+    {"option mesh color", "c", "COLOUR", DO(set_color),
+     FLAG(settings.has_color)},
+    {"option mesh transparency", "b", "0..255", SET(settings.transparency, 1)},
+    {"option mesh turn", "ttt", "X Y Z", SET(settings.turn, 3)},
+    {"texture own", "", "", DO(set_own_texture)},
+    {"texture", "Q", "FILE", SET(texture, 1)},
+    {"mesh", "M", "FILE", SCRIPT_PICTURE, .draw = draw_mesh},
     {.name = NULL},
 };

@@ -1,12 +1,20 @@
+/* Reading scripts. */
+#include <errno.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/image/glyph_text.h"
-#include "sim/image/format_names.h"
 #include "sim/cli/list.h"
 #include "sim/cli/message.h"
-#include "sim/script/assets.h"
+#include "sim/cli/text_line.h"
+#include "sim/image/format_names.h"
 #include "sim/script/parser.h"
+
+enum {
+    LINE_SIZE_MAX = 1 << 20, /* bytes */
+    WORD_SIZE_MAX = 4096     /* as many bytes as a path may have */
+};
 
 /* The end of a text in quotes, which begins behind the first; \" \\ and \n
  * become what they stand for. NULL when the closing quote is missing, or
@@ -15,21 +23,20 @@ static char *end_quote(char *text)
 {
     char *to = text;
     for (; *text && *text != '"'; text++) {
-        if (*text == '\\') {
-            text++;
-            if (!*text || !strchr("\"\\n", *text))
+        char c = *text;
+        if (c == '\\') {
+            c = *++text;
+            if (!c || !strchr("\"\\n", c))
                 return NULL;
-            *to++ = (char)(*text == 'n' ? '\n' : *text);
-        } else
-            *to++ = *text;
+            c = (char)(c == 'n' ? '\n' : c);
+        }
+        *to++ = c;
     }
     if (!*text)
         return NULL;
     *to = '\0';
     return text + 1;
 }
-
-enum { WORD_SIZE_MAX = 4096 }; /* as many bytes as a path may have */
 
 /* Words keep their opening quote, as a sign. */
 static bool split_words(struct script_parser *p, char *text)
@@ -40,34 +47,17 @@ static bool split_words(struct script_parser *p, char *text)
         char *end =
             *text == '"' ? end_quote(text + 1) : text + strcspn(text, space);
         if (end && end - text > WORD_SIZE_MAX)
-            return message_error_at(p->script->path, p->line,
-                                    "a word of %ld bytes: expected up to %d",
-                                    (long)(end - text), WORD_SIZE_MAX);
+            return ERROR_AT(p, "a word of %ld bytes: expected up to %d",
+                            (long)(end - text), WORD_SIZE_MAX);
         if (!end || (*end && !strchr(space, *end)))
-            return message_error_at(p->script->path, p->line,
-                                    "expected a text that ends with a quote "
-                                    "and a blank after it, with \\\", \\\\ and "
-                                    "\\n in it");
+            return ERROR_AT(p, "expected a text that ends with a quote and a "
+                               "blank after it, with \\\", \\\\ and \\n in it");
         if (!list_add(&p->words, &p->word_count, &text, sizeof text))
             return false;
         text = end + (*end != '\0');
         *end = '\0';
     }
     return true;
-}
-
-static const struct script_command *find_command(const struct script_parser *p,
-                                                 size_t *name_words)
-{
-    for (const struct script_command *const *t = script_tables; *t; t++) {
-        for (const struct script_command *c = *t; c->name; c++) {
-            *name_words = script_common_words(p, c->name);
-            if (*name_words == script_name_words(c->name))
-                return c;
-        }
-    }
-    script_refuse_unknown(p);
-    return NULL;
 }
 
 /* The number of arguments that a command needs; more may follow in groups of
@@ -79,86 +69,74 @@ static size_t needed_of(const char *kinds, size_t *group)
     return n;
 }
 
-/* The kind of argument i, or 0 when the command takes no more. */
-static enum script_kind kind_at(const char *kinds, size_t i)
-{
-    size_t group;
-    const size_t n = needed_of(kinds, &group);
-    if (i >= n && group)
-        i = n - group + (i - n) % group;
-    return i < n ? (enum script_kind)kinds[i] : 0;
-}
-
-static bool refuse_count(const struct script_place *at, size_t given)
+static bool refuse_count(const struct script_parser *p, size_t given)
 {
     static const char *const more[] = {"", "", " or more, in pairs",
                                        " or more, in threes"};
+    const struct script_command *c = p->command;
     size_t group;
-    const size_t needed = needed_of(at->command->kinds, &group);
-    return ERROR_AT(at, "%s: %zu values: expected %zu%s: %s %s",
-                    at->command->name, given, needed, more[group],
-                    at->command->name, at->command->usage);
+    const size_t needed = needed_of(c->kinds, &group);
+    return ERROR_AT(p, "%s: %zu values: expected %zu%s: %s %s", c->name, given,
+                    needed, more[group], c->name, c->usage);
 }
 
 /* Arguments from word `first` on. A word with # is a comment, unless a color
  * belongs there. */
-static bool parse_arguments(struct script_parser *p,
-                            const struct script_place *at, size_t first)
+static bool parse_arguments(struct script_parser *p, size_t first)
 {
+    struct script *script = p->script;
+    const char *kinds = p->command->kinds;
     size_t n = 0, group;
-    const size_t needed = needed_of(at->command->kinds, &group);
+    const size_t needed = needed_of(kinds, &group);
     for (size_t i = first; i < p->word_count; i++, n++) {
-        const enum script_kind kind = kind_at(at->command->kinds, n);
+        /* 0 behind the last one, when none are repeated. */
+        const char kind = n < needed || !group
+                              ? kinds[n]
+                              : kinds[needed - group + (n - needed) % group];
         int32_t value;
         if (p->words[i][0] == '#' && kind != KIND_COLOR)
             break;
         if (!kind)
-            return refuse_count(at, p->word_count - first);
-        if (!script_argument(at, kind, p->words[i], &value) ||
-            !list_add(&p->script->values, &p->script->value_count, &value,
+            return refuse_count(p, p->word_count - first);
+        if (!script_argument(p, (enum script_kind)kind, p->words[i], &value) ||
+            !list_add(&script->values, &script->value_count, &value,
                       sizeof value))
             return false;
     }
-    if (n < needed || (group && (n - needed) % group != 0))
-        return refuse_count(at, n);
-    return true;
+    return (n >= needed && (!group || (n - needed) % group == 0)) ||
+           refuse_count(p, n);
 }
 
-static bool take_canvas(struct script_parser *p, const struct script_place *at,
-                        const int32_t *v)
+static bool take_canvas(struct script_parser *p, const int32_t *v)
 {
     struct script *script = p->script;
     if (script->width)
-        return ERROR_AT(at, "a second canvas: expected one");
+        return ERROR_AT(p, "a second canvas: expected one");
     script->width = v[0];
     script->height = v[1];
     if (!script->format)
         script->format = format_names[v[2]].format;
-    if (!picture_size_legal(v[0], v[1]))
-        return ERROR_AT(
-            at, "canvas: %d x %d pixels are too many: expected up to %d", v[0],
-            v[1], PICTURE_PIXELS_MAX);
+    p->font = -1;
     p->scene = (struct script_scene){.settings = scene_default, .texture = -1};
     p->scene.settings.camera.width = v[0];
     p->scene.settings.camera.height = v[1];
-    return true;
+    return picture_size_legal(v[0], v[1]) ||
+           ERROR_AT(p, "canvas: %d x %d pixels are too many: expected up to %d",
+                    v[0], v[1], PICTURE_PIXELS_MAX);
 }
 
 /* A text that its font can show whole. */
-static bool check_text(const struct script_parser *p,
-                       const struct script_place *at, int32_t text)
+static bool check_text(const struct script_parser *p, int32_t text)
 {
-    const struct script_assets *assets = at->assets;
-    const char *c = assets->texts[text];
-    if (!p->has_font)
-        return ERROR_AT(at,
-                        "text without a font: expected font FILE before it");
+    const struct script_asset *assets = p->script->assets;
+    const char *c = assets[text].text;
+    if (p->font < 0)
+        return ERROR_AT(p, "text without a font: expected font FILE before it");
     while (*c) {
         const char *const from = c;
         const uint32_t code = pel_utf8_next(&c);
-        if (code != '\n' &&
-            !pel_glyph_find(&assets->fonts[assets->font_count - 1], code))
-            return ERROR_AT(at,
+        if (code != '\n' && !pel_glyph_find(&assets[p->font].font, code))
+            return ERROR_AT(p,
                             "text: the font has no %.*s (U+%04lX), and no "
                             "glyph for what it lacks",
                             (int)(c - from), from, (unsigned long)code);
@@ -166,70 +144,160 @@ static bool check_text(const struct script_parser *p,
     return true;
 }
 
-/* Checks the line against those before it; `v` are its values. */
-static bool check_command(struct script_parser *p,
-                          const struct script_place *at, const int32_t *v,
-                          size_t n)
+static bool set_scene(struct script_parser *p, const struct script_item *item)
 {
-    const struct script_command *c = at->command;
-    const char *wrong = c->check ? c->check(v, n) : NULL;
-    if (wrong)
-        return ERROR_AT(at, "%s: %s", c->name, wrong);
-    if (c->role == SCRIPT_PAINT || c->role == SCRIPT_PAINT_VERTEX)
-        p->by_vertex = c->role == SCRIPT_PAINT_VERTEX;
-    p->has_font = p->has_font || c->role == SCRIPT_FONT;
-    if (c->role == SCRIPT_TEXT && !check_text(p, at, v[2]))
-        return false;
-    if (c->role == SCRIPT_SCENE) {
-        struct script_pen pen = {.scene = &p->scene, .assets = at->assets};
-        script_perform(&pen, c, v, n);
-        if (pen.failed)
-            return ERROR_AT(at, "light %d: expected up to %d",
-                            SCENE_LIGHTS_MAX + 1, SCENE_LIGHTS_MAX);
-    }
-    if ((c->role == SCRIPT_SHAPE || c->role == SCRIPT_TEXT) && p->by_vertex)
-        return ERROR_AT(
-            at,
-            "%s: paint vertex colours triangles: expected another paint first",
-            c->name);
-    if (c->role == SCRIPT_BANDS && !canvas_bands_legal(p->script->format, v[0]))
-        return ERROR_AT(
-            at, "bands %d: expected a multiple of 8 for mono1_pages", v[0]);
-    return true;
+    struct script_pen pen = {.script = p->script, .scene = &p->scene};
+    script_perform(&pen, item);
+    return !pen.failed || ERROR_AT(p, "light %d: expected up to %d",
+                                   SCENE_LIGHTS_MAX + 1, SCENE_LIGHTS_MAX);
 }
 
-static bool parse_command(struct script_parser *p,
-                          const struct script_place *at, size_t name_words)
+/* Checks the line against those before it. */
+static bool check_command(struct script_parser *p,
+                          const struct script_item *item)
+{
+    const struct script_command *c = item->command;
+    const int32_t *v = p->script->values + item->first;
+    const char *wrong = c->check ? c->check(v, item->count) : NULL;
+    if (wrong)
+        return ERROR_AT(p, "%s: %s", c->name, wrong);
+    if ((c->role == SCRIPT_SHAPE || c->role == SCRIPT_TEXT) && p->by_vertex)
+        return ERROR_AT(p,
+                        "%s: paint vertex colours triangles: expected another "
+                        "paint first",
+                        c->name);
+    switch (c->role) {
+    case SCRIPT_CANVAS:
+        return take_canvas(p, v);
+    case SCRIPT_PAINT:
+    case SCRIPT_PAINT_VERTEX:
+        p->by_vertex = c->role == SCRIPT_PAINT_VERTEX;
+        return true;
+    case SCRIPT_FONT:
+        p->font = v[0];
+        return true;
+    case SCRIPT_TEXT:
+        return check_text(p, v[2]);
+    case SCRIPT_SCENE:
+        return set_scene(p, item);
+    case SCRIPT_BANDS:
+        p->script->bands = v[0];
+        return canvas_bands_legal(p->script->format, v[0]) ||
+               ERROR_AT(p, "bands %d: expected a multiple of 8 for mono1_pages",
+                        v[0]);
+    default:
+        return true;
+    }
+}
+
+/* Adds what the line says to the script; cuts it into words. */
+static bool parse_line(struct script_parser *p, char *text)
 {
     struct script *script = p->script;
     const size_t first = script->value_count;
-    const bool is_canvas = at->command->role == SCRIPT_CANVAS;
-    if (!is_canvas && !script->width)
-        return ERROR_AT(
-            at,
-            "%s before the canvas: expected canvas WIDTH HEIGHT FORMAT first",
-            at->command->name);
-    if (!parse_arguments(p, at, name_words))
+    size_t name_words;
+    if (!split_words(p, text))
         return false;
-    const struct script_item item = {at->command, at->line, first,
+    if (p->word_count == 0 || p->words[0][0] == '#')
+        return true;
+    if (!script_find_command(p, &name_words))
+        return false;
+    if (p->command->role != SCRIPT_CANVAS && !script->width)
+        return ERROR_AT(
+            p,
+            "%s before the canvas: expected canvas WIDTH HEIGHT FORMAT first",
+            p->command->name);
+    if (!parse_arguments(p, name_words))
+        return false;
+    const struct script_item item = {p->command, p->line, first,
                                      script->value_count - first};
-    const int32_t *v = script->values + first;
     if (item.count / 2 > script->polygon_max)
         script->polygon_max = item.count / 2;
-    return (is_canvas ? take_canvas(p, at, v)
-                      : check_command(p, at, v, item.count)) &&
+    return check_command(p, &item) &&
            list_add(&script->items, &script->item_count, &item, sizeof item);
 }
 
-bool script_parse_line(struct script_parser *parser, char *text)
+/* Takes a line into the caption: what the script begins with, while that is
+ * comments. */
+static void add_caption(FILE *caption, const char *text)
 {
-    struct script_place at = {parser->script->path, parser->line, NULL,
-                              parser->script->assets, &parser->scene};
-    size_t name_words;
-    if (!split_words(parser, text))
+    text += strspn(text, "# \t");
+    fprintf(caption, "%s%.*s", ftell(caption) ? " " : "",
+            (int)strcspn(text, "\r\n"), text);
+}
+
+/* A line that is no text, or the end of the file. */
+static bool check_end(const struct script_parser *p, FILE *file,
+                      enum text_line got)
+{
+    if (ferror(file))
+        return message_error_at(p->path, 0, "cannot be read: %s",
+                                strerror(errno));
+    if (got == TEXT_LINE_ZERO)
+        return ERROR_AT(p, "a zero byte: scripts are text");
+    if (got == TEXT_LINE_LONG)
+        return ERROR_AT(p, "a line of over %d bytes", LINE_SIZE_MAX);
+    return p->script->width ||
+           message_error_at(p->path, p->line - 1,
+                            "no canvas: a script begins with canvas WIDTH "
+                            "HEIGHT FORMAT");
+}
+
+static bool parse_lines(struct script_parser *p, FILE *file, FILE *caption)
+{
+    enum text_line got = TEXT_LINE;
+    bool good = true, in_caption = true;
+    char *text = malloc(LINE_SIZE_MAX + 1);
+    if (!text || !caption)
+        good = message_error("out of memory");
+    while (good) {
+        p->line++;
+        got = text_line_read(file, text, LINE_SIZE_MAX + 1);
+        if (got != TEXT_LINE)
+            break;
+        char *line = text + (p->line == 1 ? byte_order_mark(text) : 0);
+        in_caption = in_caption && line[strspn(line, " \t")] == '#';
+        if (in_caption)
+            add_caption(caption, line);
+        good = parse_line(p, line);
+    }
+    free(text);
+    return good && check_end(p, file, got);
+}
+
+bool script_read(struct script *script, FILE *file, const char *path,
+                 const struct pel_format *format)
+{
+    size_t size;
+    struct script_parser parser = {.script = script, .path = path};
+    *script = (struct script){.path = path, .format = format};
+    FILE *caption = open_memstream(&script->caption, &size);
+    const bool done = parse_lines(&parser, file, caption);
+    free(parser.words);
+    if (caption)
+        fclose(caption);
+    if (!done)
+        script_free(script);
+    return done;
+}
+
+bool script_load(struct script *script, const char *path,
+                 const struct pel_format *format)
+{
+    FILE *file = file_open(path);
+    *script = (struct script){.path = path};
+    if (!file)
         return false;
-    if (parser->word_count == 0 || parser->words[0][0] == '#')
-        return true;
-    at.command = find_command(parser, &name_words);
-    return at.command && parse_command(parser, &at, name_words);
+    const bool done = script_read(script, file, path, format);
+    file_close(file);
+    return done;
+}
+
+void script_free(struct script *script)
+{
+    script_free_assets(script);
+    free(script->items);
+    free(script->values);
+    free(script->caption);
+    *script = (struct script){0};
 }

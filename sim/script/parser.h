@@ -1,30 +1,60 @@
-/* Reading one line of a script after the other. Only for sim/script. */
+/* Reading a script line by line, and what its commands name: fonts, pictures,
+ * texts and meshes. Only for sim/script. */
 #ifndef SIM_SCRIPT_PARSER_H
 #define SIM_SCRIPT_PARSER_H
 
-#include "sim/script/assets.h"
+#include "core/asset/font_asset.h"
+#include "sim/render/scene.h"
+#include "sim/script/commands.h"
+
+/* Settings of the meshes that follow. */
+struct script_scene {
+    struct scene_settings settings;
+    int32_t texture; /* the asset with its file's name; -1: the mesh's own */
+    bool smooth_normals, has_crease;
+    double crease;
+};
+
+/* Never moved: a scene points into itself. */
+struct script_mesh {
+    struct model model;
+    struct scene scene;
+};
+
+/* One of these, loaded when the script is read; the others are zero. */
+struct script_asset {
+    struct pel_font_asset font;
+    struct pel_surface picture; /* of argb8888 pixels */
+    char *text;
+    struct script_mesh *mesh;
+};
 
 struct script_parser {
     struct script *script;
+    const char *path; /* the script's */
     long line;
     char **words; /* of the line, in its own memory */
     size_t word_count;
-    bool by_vertex; /* paint vertex is in force */
-    bool has_font;
-    struct script_scene scene; /* in force */
+    const struct script_command *command; /* of the line */
+    bool by_vertex;                       /* paint vertex is in force */
+    int32_t font;                         /* in force, or -1 */
+    struct script_scene scene;            /* in force */
 };
 
-/* Adds what the line says to the script. Cuts `text` into words. False, with a
- * message, when it is not right. */
-bool script_parse_line(struct script_parser *parser, char *text);
+/* One argument of a kind, from its word. False, with a message, when it is not
+ * one. */
+bool script_argument(struct script_parser *parser, enum script_kind kind,
+                     const char *word, int32_t *value);
 
-/* Words of a command's name, and how many of them the line begins with. */
-size_t script_name_words(const char *name);
-size_t script_common_words(const struct script_parser *parser,
-                           const char *name);
+/* Adds an asset to the script, a mesh prepared as parser->scene says, and gives
+ * its index. Files are sought beside the script, unless their name begins with
+ * a slash. False, with a message. */
+bool script_add_asset(struct script_parser *parser, enum script_kind kind,
+                      const char *word, int32_t *index);
+void script_free_assets(struct script *script);
 
-/* Says that no command has the name of this line, and which ones there are.
- * False. */
-bool script_refuse_unknown(const struct script_parser *parser);
+/* Finds parser->command, the one that the line begins with, and how many words
+ * its name has. False, with a message that says which ones there are. */
+bool script_find_command(struct script_parser *parser, size_t *words);
 
 #endif

@@ -1,4 +1,4 @@
-#include "sim/script/pick.h"
+#include "sim/script/commands.h"
 
 #include <string.h>
 
@@ -43,25 +43,16 @@ static const struct pel_format spy = {.id = SPY_FORMAT,
                                       .put = spy_put,
                                       .load = spy_load};
 
-bool script_draws(const struct script_command *command)
+bool script_clip_holds(const struct script_pen *pen, const int pixel[2])
 {
-    switch (command->role) {
-    case SCRIPT_WHOLE:
-    case SCRIPT_MESH:
-    case SCRIPT_TRIANGLE:
-    case SCRIPT_SHAPE:
-    case SCRIPT_TEXT:
-        return true;
-    default:
-        return strcmp(command->name, "clear") == 0 ||
-               strncmp(command->name, "image", 5) == 0;
-    }
+    const struct pel_rect *r = &pen->clip;
+    return pixel[0] >= r->x0 && pixel[0] < r->x1 && pixel[1] >= r->y0 &&
+           pixel[1] < r->y1;
 }
 
 /* Drawn twice, onto different words: what it leaves, it leaves different. */
-bool script_covers(const struct script_pen *pen, const struct script *script,
-                   const struct script_item *item, const int pixel[2],
-                   pel_color *color)
+bool script_covers(const struct script_pen *pen, const struct script_item *item,
+                   const int pixel[2], pel_color *color)
 {
     const struct pel_rect bounds = {pixel[0], pixel[1], pixel[0] + 1,
                                     pixel[1] + 1};
@@ -71,8 +62,7 @@ bool script_covers(const struct script_pen *pen, const struct script *script,
         struct script_pen own = *pen;
         own.surface = &surface;
         pel_surface_init(&surface, &spy, &word[i], sizeof word[i], &bounds);
-        script_perform(&own, item->command, script->values + item->first,
-                       item->count);
+        script_perform(&own, item);
     }
     *color = word[0];
     return word[0] == word[1];
@@ -92,15 +82,11 @@ long script_pick(const struct script *script, int x, int y)
         return -1;
     for (size_t i = 0; i < script->item_count; i++) {
         const struct script_item *item = &script->items[i];
-        const struct script_command *c = item->command;
-        const bool shown = x >= pen.clip.x0 && x < pen.clip.x1 &&
-                           y >= pen.clip.y0 && y < pen.clip.y1;
-        if (!script_draws(c) && c->role != SCRIPT_SCENE)
-            script_perform(&pen, c, script->values + item->first, item->count);
-        else if (script_draws(c) && c->role != SCRIPT_WHOLE &&
-                 strcmp(c->name, "clear") != 0 && shown &&
-                 script_covers(&pen, script, item, at, &color) &&
-                 pel_alpha(color) > 0)
+        const enum script_role role = item->command->role;
+        if (role < SCRIPT_CLEAR)
+            script_perform(&pen, item);
+        else if (role > SCRIPT_WHOLE && script_clip_holds(&pen, at) &&
+                 script_covers(&pen, item, at, &color) && pel_alpha(color) > 0)
             found = (long)i;
     }
     script_pen_free(&pen);

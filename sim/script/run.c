@@ -10,6 +10,7 @@ struct run_options {
     const char *output;
     const struct pel_format *format; /* NULL: the script's */
     int bands;                       /* -1: the script's */
+    struct script script;
 };
 
 static const struct option_row options[] = {
@@ -29,34 +30,15 @@ static const char about[] =
     "scroll, mesh and others: sim/scenes/README.md describes them. SCRIPT - is "
     "standard input; the picture goes to standard output without -o.";
 
-struct drawing {
-    struct script *script;
-    int bands;
-};
-
 static bool draw_script(struct canvas *canvas, const void *context)
 {
-    const struct drawing *drawing = context;
-    return script_draw(drawing->script, canvas, drawing->bands);
-}
-
-static bool show(const struct run_options *o, struct script *script)
-{
-    const struct drawing drawing = {script, o->bands};
-    const struct device_picture picture = {
-        .width = script->width,
-        .height = script->height,
-        .format = &script->format,
-        .draw = draw_script,
-        .context = &drawing,
-    };
-    return device_show(&o->device, &picture, o->output);
+    const struct run_options *o = context;
+    return script_draw(&o->script, canvas, o->bands);
 }
 
 int command_run(int argc, char **argv)
 {
     struct run_options o = {.device = {.jobs = 1}, .output = "-", .bands = -1};
-    struct script script;
     const struct command_line line = {
         .arguments = "SCRIPT",
         .least = 1,
@@ -68,11 +50,13 @@ int command_run(int argc, char **argv)
     char **script_path = arguments_parse(&line, argc, argv);
     if (!picture_path_check(o.output) ||
         !device_check_output(&o.device, o.output) ||
-        !script_load(&script, *script_path, o.format))
+        !script_load(&o.script, *script_path, o.format))
         return STATUS_ERROR;
-    if (script_needs_whole(&script))
+    if (script_needs_whole(&o.script))
         o.device.jobs = 1;
-    const bool done = show(&o, &script);
-    script_free(&script);
+    const struct device_picture picture = {o.script.width, o.script.height,
+                                           &o.script.format, draw_script, &o};
+    const bool done = device_show(&o.device, &picture, o.output);
+    script_free(&o.script);
     return done ? STATUS_OK : STATUS_ERROR;
 }

@@ -9,7 +9,7 @@
 #include "sim/image/canvas.h"
 
 struct script_command;
-struct script_assets;
+struct script_asset;
 
 /* One line of the script that draws, or that changes how. */
 struct script_item {
@@ -23,12 +23,14 @@ struct script {
     const char *path; /* of the script, the caller's; "-" is standard input */
     const struct pel_format *format;
     int width, height;
+    int bands; /* rows of each; 0: it is drawn whole */
     struct script_item *items;
     size_t item_count;
     int32_t *values; /* arguments of all items; colors as their bits */
     size_t value_count;
-    size_t polygon_max;           /* vertices of the largest polygon */
-    struct script_assets *assets; /* fonts, pictures and texts that it names */
+    size_t polygon_max;          /* vertices of the largest polygon */
+    struct script_asset *assets; /* fonts, pictures, texts, meshes it names */
+    size_t asset_count;
     char *caption; /* the comment that the script begins with, or "" */
 };
 
@@ -49,10 +51,21 @@ void script_free(struct script *script);
  * or by several threads. */
 bool script_needs_whole(const struct script *script);
 
-/* Draws the script onto a canvas of its size and format. rows >= 0 replaces
- * every `bands` line of the script (0 draws it whole), -1 follows them. False,
- * with a message and nothing drawn, when bands are not possible; or when memory
- * is short. */
+/* Draws the script onto a canvas of its size and format, in bands of `rows`
+ * rows (0: whole, -1: as script->bands). False, with a message and nothing
+ * drawn, when bands are not possible; or when memory is short. */
 bool script_draw(const struct script *script, struct canvas *canvas, int rows);
+
+/* The index of the last item, seen by the script's clip, that draws pixel
+ * (x, y) of its canvas: a shape, a text, a picture, a mesh; -1: none but
+ * clear. -1, with a message, when memory is short. */
+long script_pick(const struct script *script, int x, int y);
+
+/* Finds a script with as few lines of `path` as it can that a command fails for
+ * as it fails for the whole, and writes it to `output` ("-": standard output).
+ * The command is one of sh; $1 is the script, in the folder of `path`, so that
+ * it finds its files. It fails when its status is not 0: a script counts as
+ * failing when the status is that of the whole. False, with a message. */
+bool script_shrink(const char *path, const char *command, const char *output);
 
 #endif

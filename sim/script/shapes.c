@@ -29,24 +29,14 @@ static const char *check_rect(const int32_t *v, size_t n)
     return NULL;
 }
 
-/* Angles of 0 and 1 are the same, and the whole turn from 0 to 1. */
-static const char *check_turns(const int32_t *from_to)
+/* FROM and TO are the last. Angles of 0 and 1 are the same, and the whole turn
+ * from 0 to 1. */
+static const char *check_turns(const int32_t *v, size_t n)
 {
-    return from_to[1] <= from_to[0] && !((from_to[0] - from_to[1]) & 65535)
+    const int32_t from = v[n - 2], to = v[n - 1];
+    return to <= from && !((from - to) & 65535)
                ? "FROM and TO are the same angle: 0 1 is the whole turn"
                : NULL;
-}
-
-static const char *check_sector(const int32_t *v, size_t n)
-{
-    (void)n;
-    return check_turns(v + 3);
-}
-
-static const char *check_arc(const int32_t *v, size_t n)
-{
-    (void)n;
-    return check_turns(v + 4);
 }
 
 static const char *check_thick(const int32_t *v, size_t n)
@@ -72,69 +62,60 @@ static void set_clip(struct script_pen *pen, const int32_t *v)
 
 static void draw_triangle(struct script_pen *pen, const int32_t *v)
 {
-    struct pel_gouraud gouraud;
-    const struct pel_paint *paint;
-    if (pen->make) {
-        paint = script_paint(pen);
-    } else {
-        const pel_color color[3] = {(pel_color)pen->values[0],
-                                    (pel_color)pen->values[1],
-                                    (pel_color)pen->values[2]};
-        pel_gouraud_init(&gouraud, points(v), color);
-        paint = script_dithered(pen, &gouraud.paint);
-    }
-    if (pen->collinear_line)
-        pel_triangle_or_line(pen->surface, points(v), paint);
-    else
-        pel_triangle(pen->surface, points(v), paint);
+    (pen->collinear_line ? pel_triangle_or_line : pel_triangle)(
+        pen->surface, points(v), script_paint(pen));
 }
 
 /* The functions below draw a shape or, as the row of the table says, its
  * outline. */
 
+static bool outlined(const struct script_pen *pen)
+{
+    return pen->item->command->outline;
+}
+
 /* Cannot fail: vertices and scratch memory were checked before. */
 static void draw_polygon(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_polygon_shape shape = {
-        points(v), (int32_t)(pen->count / 2), pen->command->rule};
-    (pen->command->outline ? pel_polygon_outline : pel_polygon)(
-        pen->surface, &shape, script_paint(pen), pen->scratch,
-        pen->scratch_size);
+        points(v), (int32_t)(pen->item->count / 2), pen->item->command->rule};
+    (outlined(pen) ? pel_polygon_outline
+                   : pel_polygon)(pen->surface, &shape, script_paint(pen),
+                                  pen->scratch, pen->scratch_size);
 }
 
 static void draw_circle(struct script_pen *pen, const int32_t *v)
 {
-    (pen->command->outline ? pel_circle_outline : pel_circle)(
-        pen->surface, *points(v), v[2], script_paint(pen));
+    (outlined(pen) ? pel_circle_outline : pel_circle)(pen->surface, *points(v),
+                                                      v[2], script_paint(pen));
 }
 
 static void draw_rect(struct script_pen *pen, const int32_t *v)
 {
-    (pen->command->outline ? pel_rectangle_outline : pel_rectangle)(
+    (outlined(pen) ? pel_rectangle_outline : pel_rectangle)(
         pen->surface, *points(v), far_corner(v), script_paint(pen));
 }
 
 static void draw_ellipse(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_ellipse_shape shape = {points(v)[0], points(v)[1]};
-    (pen->command->outline ? pel_ellipse_outline : pel_ellipse)(
-        pen->surface, &shape, script_paint(pen));
+    (outlined(pen) ? pel_ellipse_outline : pel_ellipse)(pen->surface, &shape,
+                                                        script_paint(pen));
 }
 
 static void draw_rounded(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_rounded_shape shape = {*points(v), far_corner(v), v[4]};
-    (pen->command->outline
-         ? pel_rounded_rectangle_outline
-         : pel_rounded_rectangle)(pen->surface, &shape, script_paint(pen));
+    (outlined(pen) ? pel_rounded_rectangle_outline : pel_rounded_rectangle)(
+        pen->surface, &shape, script_paint(pen));
 }
 
 /* The outline of a sector's round side is called an arc. */
 static void draw_sector(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_sector_shape shape = {*points(v), v[2], v[3], v[4]};
-    (pen->command->outline ? pel_arc_outline : pel_sector)(pen->surface, &shape,
-                                                           script_paint(pen));
+    (outlined(pen) ? pel_arc_outline : pel_sector)(pen->surface, &shape,
+                                                   script_paint(pen));
 }
 
 static void outline_triangle(struct script_pen *pen, const int32_t *v)
@@ -165,53 +146,48 @@ static void draw_thick(struct script_pen *pen, const int32_t *v)
     pel_thick_line(pen->surface, &line, script_paint(pen));
 }
 
-#define SHAPE(name, kinds, usage, ...)                \
-    {                                                 \
-        name, kinds, usage, SCRIPT_SHAPE, __VA_ARGS__ \
-    }
-
 const struct script_command script_shapes[] = {
     {"canvas", "ssf", "WIDTH HEIGHT FORMAT", .role = SCRIPT_CANVAS},
-    {"clear", "c", "COLOUR", SCRIPT_STATE, .draw = draw_clear},
+    {"clear", "c", "COLOUR", SCRIPT_CLEAR, .draw = draw_clear},
     {"clip", "iinn", "X Y WIDTH HEIGHT", SCRIPT_STATE, .draw = set_clip},
     {"bands", "n", "ROWS", .role = SCRIPT_BANDS},
     {"option collinear", "o", "nothing|line", SCRIPT_STATE,
      SCRIPT_SETTING(struct script_pen, collinear_line, 1)},
     {"triangle", "pppppp", "X0 Y0 X1 Y1 X2 Y2", SCRIPT_TRIANGLE,
      .draw = draw_triangle},
-    SHAPE("polygon evenodd", "pppppp*", "X Y X Y X Y ...", .draw = draw_polygon,
-          .rule = PEL_EVEN_ODD),
-    SHAPE("polygon nonzero", "pppppp*", "X Y X Y X Y ...", .draw = draw_polygon,
-          .rule = PEL_NON_ZERO),
-    SHAPE("circle", "ppl", "CX CY R", .draw = draw_circle),
-    SHAPE("rect", "ppll", "X Y WIDTH HEIGHT", .draw = draw_rect,
-          .check = check_rect),
-    SHAPE("line", "pppp", "X0 Y0 X1 Y1", .draw = draw_line),
-    SHAPE("ring", "ppll", "CX CY INNER OUTER", .draw = draw_ring),
-    SHAPE("sector", "ppltt", "CX CY R FROM TO", .draw = draw_sector,
-          .check = check_sector),
-    SHAPE("arc", "pplltt", "CX CY INNER OUTER FROM TO", .draw = draw_arc,
-          .check = check_arc),
-    SHAPE("ellipse", "ppll", "CX CY RX RY", .draw = draw_ellipse),
-    SHAPE("roundrect", "pplll", "X Y WIDTH HEIGHT R", .draw = draw_rounded,
-          .check = check_rect),
-    SHAPE("thickline", "ppppl", "X0 Y0 X1 Y1 WIDTH", .draw = draw_thick,
-          .check = check_thick),
-    SHAPE("outline triangle", "pppppp", "X0 Y0 X1 Y1 X2 Y2",
-          .draw = outline_triangle),
-    SHAPE("outline rect", "ppll", "X Y WIDTH HEIGHT", .draw = draw_rect,
-          .check = check_rect, .outline = true),
-    SHAPE("outline roundrect", "pplll", "X Y WIDTH HEIGHT R",
-          .draw = draw_rounded, .check = check_rect, .outline = true),
-    SHAPE("outline circle", "ppl", "CX CY R", .draw = draw_circle,
-          .outline = true),
-    SHAPE("outline ellipse", "ppll", "CX CY RX RY", .draw = draw_ellipse,
-          .outline = true),
-    SHAPE("outline arc", "ppltt", "CX CY R FROM TO", .draw = draw_sector,
-          .check = check_sector, .outline = true),
-    SHAPE("outline polygon evenodd", "pppppp*", "X Y X Y X Y ...",
-          .draw = draw_polygon, .rule = PEL_EVEN_ODD, .outline = true),
-    SHAPE("outline polygon nonzero", "pppppp*", "X Y X Y X Y ...",
-          .draw = draw_polygon, .rule = PEL_NON_ZERO, .outline = true),
-    {.name = NULL},
+    {"polygon evenodd", "pppppp*", "X Y X Y X Y ...", SCRIPT_SHAPE,
+     .draw = draw_polygon, .rule = PEL_EVEN_ODD},
+    {"polygon nonzero", "pppppp*", "X Y X Y X Y ...", SCRIPT_SHAPE,
+     .draw = draw_polygon, .rule = PEL_NON_ZERO},
+    {"circle", "ppl", "CX CY R", SCRIPT_SHAPE, .draw = draw_circle},
+    {"rect", "ppll", "X Y WIDTH HEIGHT", SCRIPT_SHAPE, .draw = draw_rect,
+     .check = check_rect},
+    {"line", "pppp", "X0 Y0 X1 Y1", SCRIPT_SHAPE, .draw = draw_line},
+    {"ring", "ppll", "CX CY INNER OUTER", SCRIPT_SHAPE, .draw = draw_ring},
+    {"sector", "ppltt", "CX CY R FROM TO", SCRIPT_SHAPE, .draw = draw_sector,
+     .check = check_turns},
+    {"arc", "pplltt", "CX CY INNER OUTER FROM TO", SCRIPT_SHAPE,
+     .draw = draw_arc, .check = check_turns},
+    {"ellipse", "ppll", "CX CY RX RY", SCRIPT_SHAPE, .draw = draw_ellipse},
+    {"roundrect", "pplll", "X Y WIDTH HEIGHT R", SCRIPT_SHAPE,
+     .draw = draw_rounded, .check = check_rect},
+    {"thickline", "ppppl", "X0 Y0 X1 Y1 WIDTH", SCRIPT_SHAPE,
+     .draw = draw_thick, .check = check_thick},
+    {"outline triangle", "pppppp", "X0 Y0 X1 Y1 X2 Y2", SCRIPT_SHAPE,
+     .draw = outline_triangle},
+    {"outline rect", "ppll", "X Y WIDTH HEIGHT", SCRIPT_SHAPE,
+     .draw = draw_rect, .check = check_rect, .outline = true},
+    {"outline roundrect", "pplll", "X Y WIDTH HEIGHT R", SCRIPT_SHAPE,
+     .draw = draw_rounded, .check = check_rect, .outline = true},
+    {"outline circle", "ppl", "CX CY R", SCRIPT_SHAPE, .draw = draw_circle,
+     .outline = true},
+    {"outline ellipse", "ppll", "CX CY RX RY", SCRIPT_SHAPE,
+     .draw = draw_ellipse, .outline = true},
+    {"outline arc", "ppltt", "CX CY R FROM TO", SCRIPT_SHAPE,
+     .draw = draw_sector, .check = check_turns, .outline = true},
+    {"outline polygon evenodd", "pppppp*", "X Y X Y X Y ...", SCRIPT_SHAPE,
+     .draw = draw_polygon, .rule = PEL_EVEN_ODD, .outline = true},
+    {"outline polygon nonzero", "pppppp*", "X Y X Y X Y ...", SCRIPT_SHAPE,
+     .draw = draw_polygon, .rule = PEL_NON_ZERO, .outline = true},
+    {.next = script_images},
 };

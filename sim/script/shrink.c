@@ -1,8 +1,6 @@
 /* Delta debugging (Zeller and Hildebrandt, 2002): parts of the lines are left
  * out, halves first, then quarters, down to single lines, until no line can be
  * left out any more. */
-#include "sim/script/shrink.h"
-
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,6 +11,7 @@
 #include "sim/cli/message.h"
 #include "sim/cli/output.h"
 #include "sim/cli/text_line.h"
+#include "sim/script/script.h"
 
 struct shrinking {
     char *command;   /* its output is not shown */
@@ -84,21 +83,17 @@ static bool shrink(struct shrinking *s, struct text_lines *lines,
 {
     bool less = false;
     s->status = status_of(s, lines, 0, 0);
-    if (s->status < 0)
-        return false;
-    if (s->status == 0)
-        return message_error_at(path, 0,
+    if (s->status <= 0)
+        return s->status == 0 &&
+               message_error_at(path, 0,
                                 "the command does not fail: expected one that "
                                 "ends with a status other than 0 for this "
                                 "script, as $1");
-    for (size_t size = (lines->count + 1) / 2; size > 0;
-         size = less || size == 1 ? size : size / 2) {
+    for (size_t size = (lines->count + 1) / 2; size > 0;) {
         if (!try_parts(s, lines, size, &less))
             return false;
-        if (size == 1 && !less)
-            break;
-        if (less && size > (lines->count + 1) / 2)
-            size = (lines->count + 1) / 2;
+        const size_t half = (lines->count + 1) / 2;
+        size = !less ? size / 2 : size < half ? size : half;
     }
     return true;
 }

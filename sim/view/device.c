@@ -2,7 +2,6 @@
 #include <stdio.h>
 
 #include "core/raster/rectangle.h"
-#include "sim/view/keys.h"
 #include "sim/view/viewer.h"
 
 struct screen {
@@ -50,7 +49,6 @@ static bool draw_view(struct pel_surface *surface,
     for (int i = 0; i < viewer->show->changed.count; i++)
         pel_dirty_areas_add(changed, &viewer->show->changed.area[i]);
     s->whole = viewer->pointed = false;
-    viewer_shown(viewer);
     return done;
 }
 
@@ -63,23 +61,43 @@ static bool save(struct screen *s, bool last)
     if (!canvas_init(&canvas, s->linux.display.format, s->area.x1 - s->area.x0,
                      s->area.y1 - s->area.y0))
         return false;
-    const bool done = viewer_draw(&s->viewer, &canvas.surface) &&
-                      (last ? viewer_save_last(&s->viewer, &canvas.surface)
-                            : viewer_save_new(&canvas.surface));
+    struct show *show = s->viewer.show;
+    const bool done = show->draw(show, &canvas.surface) &&
+                      viewer_save(&s->viewer, &canvas.surface, last);
     canvas_free(&canvas);
     s->whole = true; /* what has changed since the last frame is not known */
     return done;
 }
 
-static bool press(struct screen *s, const char *bytes, size_t count)
+/* Of a sequence that has `used` bytes and ends so: arrows; F1 to F4 or F5,
+ * which begin with SS3, or with CSI [ on a virtual terminal. */
+static int sequence_key(size_t used, bool ss3, char end)
 {
-    struct pel_input key = {.kind = PEL_INPUT_KEY, .state = PEL_INPUT_DOWN};
-    for (size_t used; count > 0; bytes += used, count -= used) {
-        key.code = (uint16_t)view_terminal_key(bytes, count, &used);
-        if (viewer_input(&s->viewer, &key) && !save(s, false))
-            return false;
-    }
-    return true;
+    static const int arrows[4] = {PEL_KEY_UP, PEL_KEY_DOWN, PEL_KEY_RIGHT,
+                                  PEL_KEY_LEFT};
+    if (used == 3 && end >= 'A' && end <= 'D')
+        return arrows[end - 'A'];
+    if (used == 3 && ss3 && end >= 'P' && end <= 'S')
+        return PEL_KEY_F1 + end - 'P';
+    return used == 4 && !ss3 && end >= 'A' && end <= 'E'
+               ? PEL_KEY_F1 + end - 'A'
+               : PEL_KEY_OTHER;
+}
+
+int view_terminal_key(const char *bytes, size_t count, size_t *used)
+{
+    *used = 1;
+    if (bytes[0] != PEL_KEY_ESCAPE || count < 2 ||
+        (bytes[1] != '[' && bytes[1] != 'O'))
+        return bytes[0] == '\n' ? PEL_KEY_ENTER : (unsigned char)bytes[0];
+    *used = 2;
+    /* Parameters and intermediate bytes, then a final one. */
+    while (*used < count && bytes[*used] >= 0x20 && bytes[*used] < 0x40)
+        ++*used;
+    char end = *used < count ? bytes[(*used)++] : '\0';
+    if (*used == 3 && end == '[' && *used < count)
+        end = bytes[(*used)++];
+    return sequence_key(*used, bytes[1] == 'O', end);
 }
 
 /* Handles the keys of the terminal that have come; waits a moment for one, or
@@ -88,19 +106,22 @@ static bool press(struct screen *s, const char *bytes, size_t count)
 static bool handle_keys(struct screen *s)
 {
     struct viewer *viewer = &s->viewer;
+    struct pel_input key = {.kind = PEL_INPUT_KEY, .state = PEL_INPUT_DOWN};
     char bytes[64];
-    size_t count;
-    switch (pel_console_read(viewer_idle(viewer), viewer->input.poll, bytes,
-                             sizeof(bytes), &count)) {
-    case PEL_CONSOLE_REDRAW:
+    size_t count, used;
+    const enum pel_console_event event = pel_console_read(
+        viewer_idle(viewer), viewer->input.poll, bytes, sizeof(bytes), &count);
+    if (event == PEL_CONSOLE_REDRAW)
         viewer->stale = s->whole = true;
+    if (event != PEL_CONSOLE_KEY)
         return true;
-    case PEL_CONSOLE_KEY:
-        viewer->over = count == 0 && viewer->options->frames == 0;
-        return press(s, bytes, count);
-    default:
-        return true;
+    viewer->over = count == 0 && viewer->options->frames == 0;
+    for (size_t i = 0; i < count; i += used) {
+        key.code = (uint16_t)view_terminal_key(bytes + i, count - i, &used);
+        if (viewer_input(viewer, &key) && !save(s, false))
+            return false;
     }
+    return true;
 }
 
 static bool run(struct screen *s)
@@ -131,26 +152,6 @@ static void place(struct screen *s, const struct viewer_options *o)
     s->area.y1 = pel_min(s->area.y0 + height, screen->y1);
 }
 
-/* A virtual terminal has the keys of all keyboards, in their layouts; from
- * elsewhere the keyboards are read. */
-static bool open_input(struct screen *s)
-{
-    const struct pel_input_linux_options options = {
-        .buttons = s->viewer.options->buttons,
-        .no_keys = s->linux.has_console && !s->linux.console.text[0],
-        .width = s->area.x1 - s->area.x0,
-        .height = s->area.y1 - s->area.y0};
-    return viewer_open_input(&s->viewer, &options);
-}
-
-static bool start(struct screen *s, struct show *show,
-                  const struct viewer_options *o)
-{
-    return viewer_init(&s->viewer, show, o) && open_input(s) &&
-           viewer_resize(&s->viewer, s->area.x1 - s->area.x0,
-                         s->area.y1 - s->area.y0);
-}
-
 /* Prints after the console is back, where it can be read. */
 bool view_device(struct show *show, const struct viewer_options *options)
 {
@@ -159,7 +160,17 @@ bool view_device(struct show *show, const struct viewer_options *options)
     if (!device_open(&s.linux, options->device, PEL_FB_ANY))
         return false;
     place(&s, options);
-    const bool done = start(&s, show, options) && run(&s);
+    const int width = s.area.x1 - s.area.x0, height = s.area.y1 - s.area.y0;
+    /* A virtual terminal has the keys of all keyboards, in their layouts; from
+     * elsewhere the keyboards are read. */
+    const struct pel_input_linux_options input = {
+        .buttons = options->buttons,
+        .no_keys = s.linux.has_console && !s.linux.console.text[0],
+        .width = width,
+        .height = height};
+    const bool done = viewer_init(&s.viewer, show, options) &&
+                      viewer_open_input(&s.viewer, &input) &&
+                      viewer_resize(&s.viewer, width, height) && run(&s);
     viewer_free(&s.viewer);
     pel_display_linux_close(&s.linux);
     if (done) {

@@ -10,19 +10,6 @@
 #include "sim/view/record.h"
 #include "sim/view/viewer.h"
 
-/* frame-0000.ppm and so on; or view-001.ppm, what the user wrote. */
-static bool save(const struct canvas *canvas, const char *directory,
-                 const char *name, int number)
-{
-    char *path;
-    if (asprintf(&path, "%s/%s%0*d.ppm", directory, name, *name == 'f' ? 4 : 3,
-                 number) < 0)
-        return message_error("out of memory");
-    const bool done = canvas_save(canvas, path);
-    free(path);
-    return done;
-}
-
 /* A canvas of a new size. */
 static bool resize(struct show *show, struct canvas *canvas, int width,
                    int height)
@@ -42,10 +29,17 @@ struct run {
     bool over; /* the user ended it */
 };
 
-static bool draw(struct run *r, const char *name, int number)
+/* Draws frame-0000.ppm and so on; or view-001.ppm, what the user writes. */
+static bool draw(struct run *r, const char *name, int digits, int number)
 {
-    return r->show->draw(r->show, &r->canvas.surface) &&
-           save(&r->canvas, r->directory, name, number);
+    char *path;
+    if (asprintf(&path, "%s/%s%0*d.ppm", r->directory, name, digits, number) <
+        0)
+        return message_error("out of memory");
+    const bool done = r->show->draw(r->show, &r->canvas.surface) &&
+                      canvas_save(&r->canvas, path);
+    free(path);
+    return done;
 }
 
 /* What the user did before a frame. False, with a message. */
@@ -61,7 +55,7 @@ static bool take(struct run *r, int frame)
         const enum view_action action = r->show->input(r->show, input);
         r->over = action == VIEW_END;
         if (action == VIEW_SAVE)
-            done = draw(r, "view-", ++r->saved);
+            done = draw(r, "view-", 3, ++r->saved);
     }
     return done;
 }
@@ -75,7 +69,7 @@ static bool run(struct run *r, const struct viewer_options *o)
     for (int frame = 0; done && !r->over && frame < o->frames; frame++) {
         if (frame > 0)
             show->advance(show, period);
-        done = take(r, frame) && (r->over || draw(r, "frame-", frame));
+        done = take(r, frame) && (r->over || draw(r, "frame-", 4, frame));
     }
     canvas_free(&r->canvas);
     return done;

@@ -1,6 +1,8 @@
 #include <math.h>
+#include <string.h>
 
-#include "sim/view/view.h"
+#include "sim/mesh/vector.h"
+#include "sim/view/turntable.h"
 
 #define TURN 6.283185307179586
 
@@ -37,31 +39,18 @@ struct orbit {
     double ahead[3], up[3];
 };
 
-static double dot(const double a[3], const double b[3])
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void scale(double v[3], double factor)
-{
-    for (int k = 0; k < 3; k++)
-        v[k] *= factor;
-}
-
 static struct orbit orbit_of(const struct camera *camera)
 {
     struct orbit orbit;
-    for (int k = 0; k < 3; k++) {
-        orbit.up[k] = camera->up[k];
-        orbit.ahead[k] = camera->eye[k] - camera->target[k];
-    }
-    scale(orbit.up, 1 / sqrt(dot(orbit.up, orbit.up)));
-    const double height = dot(orbit.ahead, orbit.up);
-    orbit.length = sqrt(dot(orbit.ahead, orbit.ahead));
+    memcpy(orbit.up, camera->up, sizeof orbit.up);
+    vector_subtract(camera->eye, camera->target, orbit.ahead);
+    vector_normalise(orbit.up);
+    const double height = vector_dot(orbit.ahead, orbit.up);
+    orbit.length = vector_length(orbit.ahead);
     orbit.elevation = asin(fmin(fmax(height / orbit.length, -1), 1)) / TURN;
     for (int k = 0; k < 3; k++)
         orbit.ahead[k] -= height * orbit.up[k];
-    scale(orbit.ahead, 1 / sqrt(dot(orbit.ahead, orbit.ahead)));
+    vector_normalise(orbit.ahead);
     return orbit;
 }
 

@@ -20,38 +20,28 @@ enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
 static const char *const states[] = {"up", "down", "again"};
 
-static int index_of(const char *word, const char *const *names, int n)
-{
-    for (int i = 0; i < n; i++)
-        if (strcmp(word, names[i]) == 0)
-            return i;
-    return -1;
-}
-
 static bool parse(const char *line, struct record_entry *entry)
 {
-    char kind[8], state[8];
-    int code = 0, x = 0, y = 0, end = -1, k = 0;
-    struct pel_input *in = &entry->input;
-    if (sscanf(line, "%ld size %d %d %n", &entry->frame, &x, &y, &end) == 3 &&
-        end >= 0 && !line[end] && x > 0 && y > 0 && x < 32768 && y < 32768) {
-        *in = (struct pel_input){0, RECORD_SIZE, 0, 0, (int16_t)x, (int16_t)y};
-        return entry->frame >= 0;
-    }
-    if (sscanf(line, "%ld %7s %d %7s %d %d %n", &entry->frame, kind, &code,
-               state, &x, &y, &end) != 6 ||
-        end < 0 || line[end])
+    char kind[8], state[8] = "up";
+    int code = 0, x = 0, y = 0, at = 0, end = -1, k = 0, s = 0;
+    if (sscanf(line, "%ld %7s %n", &entry->frame, kind, &at) != 2)
         return false;
+    const bool size = strcmp(kind, "size") == 0;
+    const bool whole = size ? sscanf(line + at, "%d %d %n", &x, &y, &end) == 2
+                            : sscanf(line + at, "%d %7s %d %d %n", &code, state,
+                                     &x, &y, &end) == 4;
     while (k < KINDS - 1 && strcmp(kind, kinds[k].name) != 0)
         k++;
-    const int s = index_of(state, states, 3);
-    *in = (struct pel_input){.kind = (uint8_t)kinds[k].kind,
-                             .state = (uint8_t)s,
-                             .code = (uint16_t)code,
-                             .x = (int16_t)x,
-                             .y = (int16_t)y};
-    return k < KINDS - 1 && s >= 0 && entry->frame >= 0 && code >= 0 &&
-           code <= 65535 && x == (int16_t)x && y == (int16_t)y;
+    while (s < 3 && strcmp(state, states[s]) != 0)
+        s++;
+    entry->input = (struct pel_input){.kind = (uint8_t)kinds[k].kind,
+                                      .state = (uint8_t)s,
+                                      .code = (uint16_t)code,
+                                      .x = (int16_t)x,
+                                      .y = (int16_t)y};
+    return whole && end >= 0 && !line[at + end] && entry->frame >= 0 &&
+           size == (k == KINDS - 1) && s < 3 && code == (uint16_t)code &&
+           x == (int16_t)x && y == (int16_t)y && (!size || (x > 0 && y > 0));
 }
 
 static bool add(struct record *r, const char *path, long line, const char *text)

@@ -152,13 +152,6 @@ void sheet_free(struct sheet *s)
     canvas_free(&s->canvas);
 }
 
-/* A line of the file whose first words are these. */
-static bool begins(const char *line, const char *with)
-{
-    line += strspn(line, " \t");
-    return strncmp(line, with, strlen(with)) == 0;
-}
-
 /* Middle and reach of a shape: those of its box. */
 static struct outline outline_of(const struct sheet *s,
                                  const struct script_item *item)
@@ -204,10 +197,13 @@ static void write_styled(FILE *out, const struct sheet *s, size_t line,
     enum { NAMES = sizeof names / sizeof names[0] };
     const char *last[NAMES] = {"paint flat #ffffff", "option spread pad",
                                "option phase 0", "option cells 2048"};
-    for (size_t i = 0; i < line; i++)
+    for (size_t i = 0; i < line; i++) {
+        const char *text = s->lines.text[i];
+        text += strspn(text, " \t");
         for (int k = 0; k < NAMES; k++)
-            if (begins(s->lines.text[i], names[k]))
-                last[k] = s->lines.text[i];
+            if (strncmp(text, names[k], strlen(names[k])) == 0)
+                last[k] = text;
+    }
     const char *paint = last[0];
     const bool has_color = strchr(paint, '#') != NULL;
     const struct outline o = outline_of(s, item);
@@ -222,17 +218,12 @@ static void write_styled(FILE *out, const struct sheet *s, size_t line,
 
 void sheet_write_file(FILE *out, const struct sheet *s)
 {
+    const struct script_item *item = s->base.items;
+    const struct script_item *end = item + s->base.item_count;
     int shape = 0;
-    size_t item = 0;
     for (size_t i = 0; i < s->lines.count; i++) {
-        const struct script *script = &s->base;
-        while (item < script->item_count &&
-               script->items[item].line < (long)i + 1)
-            item++;
         const struct script_item *at =
-            item < script->item_count && script->items[item].line == (long)i + 1
-                ? &script->items[item]
-                : NULL;
+            item < end && item->line == (long)i + 1 ? item++ : NULL;
         const struct style *style =
             at && sheet_is_shape(at) ? &s->style[shape++] : NULL;
         if (style &&

@@ -11,37 +11,27 @@
 
 enum { BAND_ROWS = 16 };
 
-/* The picture in the middle of the window. */
-static struct pel_rect place(const struct sheet *s)
+/* Where a part of the picture is on a surface, in the middle of its clip: the
+ * window. */
+static struct pel_rect place(const struct sheet *s, const struct pel_rect *clip,
+                             const struct pel_rect *part)
 {
-    const int width = s->script.width * s->zoom;
-    const int height = s->script.height * s->zoom;
-    const int left = (s->width - width) / 2, top = (s->height - height) / 2;
-    return (struct pel_rect){left, top, left + width, top + height};
-}
-
-/* The same on a surface, whose clip is the window. */
-static struct pel_rect place_on(const struct sheet *s,
-                                const struct pel_surface *surface)
-{
-    const struct pel_rect at = place(s), *clip = &surface->clip;
-    return (struct pel_rect){clip->x0 + at.x0, clip->y0 + at.y0,
-                             clip->x0 + at.x1, clip->y0 + at.y1};
+    const int zoom = s->zoom;
+    const int left = clip->x0 + (s->width - s->script.width * zoom) / 2;
+    const int top = clip->y0 + (s->height - s->script.height * zoom) / 2;
+    return (struct pel_rect){left + part->x0 * zoom, top + part->y0 * zoom,
+                             left + part->x1 * zoom, top + part->y1 * zoom};
 }
 
 bool sheet_pixel(const struct sheet *s, int *x, int *y)
 {
-    const struct pel_rect at = place(s);
+    static const struct pel_rect window = {0};
+    const struct pel_rect all = {0, 0, s->script.width, s->script.height};
+    const struct pel_rect at = place(s, &window, &all);
     *x = (s->pointer[0] - at.x0) / s->zoom;
     *y = (s->pointer[1] - at.y0) / s->zoom;
     return s->pointer[0] >= at.x0 && s->pointer[0] < at.x1 &&
            s->pointer[1] >= at.y0 && s->pointer[1] < at.y1;
-}
-
-static bool same_style(const struct style *a, const struct style *b)
-{
-    return a->fill == b->fill && a->color == b->color && a->alpha == b->alpha &&
-           a->marked == b->marked;
 }
 
 /* The pixels of figures that have changed, where they were and are. */
@@ -52,7 +42,9 @@ static void add_areas(struct sheet *s)
     const bool moved = was->turn != is->turn || was->phase != is->phase ||
                        was->dithered != is->dithered;
     for (int k = 0; k < s->shapes; k++) {
-        if (!moved && same_style(&s->drawn_style[k], &s->style[k]))
+        const struct style *a = &s->drawn_style[k], *b = &s->style[k];
+        if (!moved && a->fill == b->fill && a->color == b->color &&
+            a->alpha == b->alpha && a->marked == b->marked)
             continue;
         const struct pel_rect box[2] = {figures_box(&s->drawn, k),
                                         figures_box(&s->figures, k)};
@@ -114,7 +106,8 @@ static void show_picture(const struct sheet *s,
                          const struct pel_surface *surface)
 {
     const struct pel_surface *from = &s->canvas.surface;
-    const struct pel_rect at = place_on(s, surface);
+    const struct pel_rect at =
+        place(s, &surface->clip, &s->canvas.surface.bounds);
     if (s->zoom == 1) {
         const struct pel_copy_part all = {from, from->bounds, at.x0, at.y0};
         pel_copy(surface, &all);
@@ -149,25 +142,15 @@ static void show_numbers(const struct sheet *s,
     inspect_text(surface, &s->font, text, true);
 }
 
-/* Where a part of the picture is on the surface. */
-static struct pel_rect part_on(const struct sheet *s,
-                               const struct pel_surface *surface,
-                               const struct pel_rect *part)
-{
-    const struct pel_rect at = place_on(s, surface);
-    return (struct pel_rect){
-        at.x0 + part->x0 * s->zoom, at.y0 + part->y0 * s->zoom,
-        at.x0 + part->x1 * s->zoom, at.y0 + part->y1 * s->zoom};
-}
-
 static void show_overlays(const struct sheet *s,
                           const struct pel_surface *surface)
 {
     const struct inspect *show = &s->inspect;
-    const struct pel_rect at = place_on(s, surface);
+    const struct pel_rect at =
+        place(s, &surface->clip, &s->canvas.surface.bounds);
     int x, y;
     for (int i = 0; show->areas && i < s->areas.count; i++) {
-        const struct pel_rect box = part_on(s, surface, &s->areas.area[i]);
+        const struct pel_rect box = place(s, &surface->clip, &s->areas.area[i]);
         inspect_box(surface, &box, PEL_RGB(255, 0, 0));
     }
     if (show->bands)
@@ -178,17 +161,6 @@ static void show_overlays(const struct sheet *s,
         inspect_text(surface, &s->font, SHEET_KEYS_HELP, false);
     if (show->magnifier && sheet_pixel(s, &x, &y))
         inspect_magnifier(surface, &s->canvas.surface, &s->script, x, y);
-}
-
-/* Only the picture has changed. */
-static void tell_changed(struct sheet *s, const struct pel_surface *surface)
-{
-    s->show.changed.count = 0;
-    for (int i = 0; i < s->areas.count; i++) {
-        const struct pel_rect box = part_on(s, surface, &s->areas.area[i]);
-        const struct pel_rect seen = pel_rect_intersect(&box, &surface->clip);
-        pel_dirty_areas_add(&s->show.changed, &seen);
-    }
 }
 
 bool sheet_draw(struct show *show, const struct pel_surface *surface)
@@ -204,7 +176,13 @@ bool sheet_draw(struct show *show, const struct pel_surface *surface)
     pel_clear(surface, PEL_RGB(0, 0, 0));
     show_picture(s, surface);
     show_overlays(s, surface);
-    if (!all)
-        tell_changed(s, surface);
+    if (all)
+        return true;
+    show->changed.count = 0; /* only the picture has changed */
+    for (int k = 0; k < s->areas.count; k++) {
+        const struct pel_rect box = place(s, &surface->clip, &s->areas.area[k]);
+        const struct pel_rect seen = pel_rect_intersect(&box, &surface->clip);
+        pel_dirty_areas_add(&show->changed, &seen);
+    }
     return true;
 }

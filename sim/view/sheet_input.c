@@ -1,5 +1,5 @@
 /* What keys, pointers and fingers do to a sheet. */
-#include "sim/script/pick.h"
+#include "sim/script/script.h"
 #include "sim/view/sheet.h"
 
 enum { ZOOM_MOST = 32 };
@@ -44,51 +44,6 @@ static enum view_action change(struct sheet *s, void (*by)(struct style *, int),
     return VIEW_CHANGED;
 }
 
-/* Fills and opacity of the picked shape. */
-static enum view_action press_style(struct sheet *s, int key)
-{
-    switch (key) {
-    case '1':
-    case '2':
-    case '3':
-    case '4':
-        return change(s, set_fill, FILL_FLAT + key - '1');
-    case '0':
-        if (s->path)
-            return change(s, set_fill, FILL_OWN);
-        mark(s, -1);
-        figures_styles(s->style);
-        return VIEW_CHANGED;
-    case '+':
-    case '=':
-    case PEL_KEY_UP:
-        return change(s, fade, 1);
-    case '-':
-    case PEL_KEY_DOWN:
-        return change(s, fade, -1);
-    default:
-        return VIEW_NOTHING;
-    }
-}
-
-static enum view_action press_pick(struct sheet *s, int key)
-{
-    switch (key) {
-    case PEL_KEY_TAB:
-    case PEL_KEY_RIGHT:
-        mark(s, s->picked + 1 < s->shapes ? s->picked + 1 : -1);
-        return VIEW_CHANGED;
-    case PEL_KEY_LEFT:
-        mark(s, s->picked >= 0 ? s->picked - 1 : s->shapes - 1);
-        return VIEW_CHANGED;
-    case PEL_KEY_ENTER:
-        mark(s, -1);
-        return VIEW_CHANGED;
-    default:
-        return VIEW_NOTHING;
-    }
-}
-
 /* What is shown of the picture. */
 static enum view_action press_show(struct sheet *s, int key)
 {
@@ -117,16 +72,53 @@ static enum view_action press_show(struct sheet *s, int key)
     return VIEW_CHANGED;
 }
 
+static enum view_action press_pick(struct sheet *s, int key)
+{
+    switch (key) {
+    case PEL_KEY_TAB:
+    case PEL_KEY_RIGHT:
+        mark(s, s->picked + 1 < s->shapes ? s->picked + 1 : -1);
+        return VIEW_CHANGED;
+    case PEL_KEY_LEFT:
+        mark(s, s->picked >= 0 ? s->picked - 1 : s->shapes - 1);
+        return VIEW_CHANGED;
+    case PEL_KEY_ENTER:
+        mark(s, -1);
+        return VIEW_CHANGED;
+    default:
+        return press_show(s, key);
+    }
+}
+
 static enum view_action press(struct sheet *s, int key)
 {
-    if (key == 'q' || key == PEL_KEY_ESCAPE)
+    switch (key) {
+    case 'q':
+    case PEL_KEY_ESCAPE:
         return VIEW_END;
-    if (key == 'w')
+    case 'w':
         return VIEW_SAVE;
-    enum view_action action = press_style(s, key);
-    if (action == VIEW_NOTHING)
-        action = press_pick(s, key);
-    return action == VIEW_NOTHING ? press_show(s, key) : action;
+    case '1':
+    case '2':
+    case '3':
+    case '4':
+        return change(s, set_fill, FILL_FLAT + key - '1');
+    case '0':
+        if (s->path)
+            return change(s, set_fill, FILL_OWN);
+        mark(s, -1);
+        figures_styles(s->style);
+        return VIEW_CHANGED;
+    case '+':
+    case '=':
+    case PEL_KEY_UP:
+        return change(s, fade, 1);
+    case '-':
+    case PEL_KEY_DOWN:
+        return change(s, fade, -1);
+    default:
+        return press_pick(s, key);
+    }
 }
 
 static void point(struct sheet *s, int x, int y)

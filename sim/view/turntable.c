@@ -1,7 +1,7 @@
 #include "sim/view/turntable.h"
 
+#include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "core/raster/rectangle.h"
@@ -9,7 +9,7 @@
 
 static const double turns_per_ms = 1.0 / 10000;
 
-enum { MOST_NOTCHES = 16, OWN_SIZE = 800 };
+enum { OWN_SIZE = 800 };
 
 /* The camera is framed for the first size; others show what that does. */
 static bool resize(struct show *show, int width, int height)
@@ -43,12 +43,6 @@ static bool draw_band(struct canvas *band, const void *context)
     return scene_draw(&t->scene, &band->surface);
 }
 
-static bool has_light(const struct scene *scene)
-{
-    const struct pel_shading *shading = scene->core.shading;
-    return shading != &pel_shade_flat && shading != &pel_shade_gouraud;
-}
-
 static bool draw(struct show *show, const struct pel_surface *surface)
 {
     struct turntable *t = (struct turntable *)show;
@@ -60,7 +54,8 @@ static bool draw(struct show *show, const struct pel_surface *surface)
     settings.top = clip->y0;
     if (!scene_prepare(&t->scene, &settings))
         return false;
-    t->view.lit = has_light(&t->scene);
+    t->view.lit = t->scene.core.shading != &pel_shade_flat &&
+                  t->scene.core.shading != &pel_shade_gouraud;
     struct canvas canvas = {.surface = *surface};
     return device_draw_bands(&t->pool, &canvas, draw_band, t);
 }
@@ -109,11 +104,97 @@ static void touch(struct turntable *t, const struct pel_input *e)
     t->dragging = e->state != PEL_INPUT_UP;
 }
 
-/* As many times as a wheel was turned by notches. */
-static void press_often(struct turntable *t, int notches, int up, int down)
+/* One press, one notch of the wheel turns by ARROW turns or comes closer by the
+ * factor CLOSER. */
+#define ARROW (1.0 / 48)
+#define CLOSER 1.125
+
+static enum view_action light(struct view *view, int key)
 {
-    for (int i = 0; i < abs(notches) && i < MOST_NOTCHES; i++)
-        view_key(&t->view, notches > 0 ? up : down);
+    static const char terms[] = "ads";
+    struct scene_settings *s = &view->settings;
+    const char *term = key > 0 && key < 128 ? strchr(terms, key) : NULL;
+    const int lights = s->lights > 0 ? s->lights : 1;
+    const bool number = key >= '1' && key <= '9' && key - '0' <= lights;
+    if (key == 'l' && s->shade == SCENE_PHONG)
+        return VIEW_NOTHING;
+    if (key != 'l' && !term && !number)
+        return VIEW_NOTHING;
+    if (key == 'l' || !view->lit) {
+        s->lit = view->lit ? SCENE_UNLIT : SCENE_LIT;
+        view->lit = !view->lit;
+    } else if (term)
+        s->terms ^= 1u << (term - terms);
+    else
+        view->dark ^= 1u << (key - '1');
+    return VIEW_CHANGED;
+}
+
+static enum view_action press(struct view *view, int key)
+{
+    struct scene_settings *s = &view->settings;
+    switch (key) {
+    case 'q':
+    case PEL_KEY_ESCAPE:
+        return VIEW_END;
+    case 'w':
+        return VIEW_SAVE;
+    case ' ':
+    case PEL_KEY_ENTER:
+        view->turning = !view->turning;
+        break;
+    case 'f':
+    case 'g':
+    case 'p':
+        s->shade = key == 'f'   ? SCENE_FLAT
+                   : key == 'g' ? SCENE_GOURAUD
+                                : SCENE_PHONG;
+        if (key == 'p' && s->lit == SCENE_UNLIT)
+            s->lit = SCENE_LIT_AUTO;
+        break;
+    case 't':
+        s->texture = (enum scene_texture)((s->texture + 1) % 3);
+        break;
+    case 'z':
+        s->order = s->order != SCENE_PAINTER            ? SCENE_PAINTER
+                   : view->first.order != SCENE_PAINTER ? view->first.order
+                                                        : SCENE_AUTO;
+        break;
+    case 'e':
+        s->tolerance = s->tolerance > 4   ? 0
+                       : s->tolerance < 1 ? 1
+                                          : s->tolerance * 2;
+        break;
+    case 'm':
+        s->show_methods = !s->show_methods;
+        break;
+    case 'r':
+        view_reset(view);
+        break;
+    default:
+        return light(view, key);
+    }
+    return VIEW_CHANGED;
+}
+
+enum view_action view_key(struct view *view, int key)
+{
+    static const struct {
+        int key;
+        double right, up, closer;
+    } moves[] = {
+        {PEL_KEY_LEFT, -ARROW, 0, 1}, {PEL_KEY_RIGHT, ARROW, 0, 1},
+        {PEL_KEY_UP, 0, -ARROW, 1},   {PEL_KEY_DOWN, 0, ARROW, 1},
+        {'+', 0, 0, CLOSER},          {'=', 0, 0, CLOSER}, /* + without shift */
+        {'-', 0, 0, 1 / CLOSER},
+    };
+    for (size_t i = 0; i < sizeof(moves) / sizeof(moves[0]); i++)
+        if (moves[i].key == key) {
+            view_orbit(view, moves[i].right, moves[i].up);
+            view_zoom(view, moves[i].closer);
+            return VIEW_CHANGED;
+        }
+    return press(view, key);
 }
 
 static enum view_action input(struct show *show, const struct pel_input *e)
@@ -140,8 +221,8 @@ static enum view_action input(struct show *show, const struct pel_input *e)
         touch(t, e);
         break;
     case PEL_INPUT_WHEEL:
-        press_often(t, e->y, '+', '-');
-        press_often(t, e->x, PEL_KEY_RIGHT, PEL_KEY_LEFT);
+        view_zoom(&t->view, pow(CLOSER, e->y));
+        view_orbit(&t->view, e->x * ARROW, 0);
         return VIEW_CHANGED;
     default:
         return VIEW_NOTHING;

@@ -8,7 +8,6 @@
 #include "sim/cli/message.h"
 #include "sim/mesh/pel2d.h"
 #include "sim/render/scene_options.h"
-#include "sim/view/keys.h"
 #include "sim/view/sheet.h"
 #include "sim/view/turntable.h"
 #include "sim/view/viewer.h"
@@ -18,22 +17,9 @@ struct view_options {
     struct scene_options scene;
     struct viewer_options viewer;
     bool has_step; /* not by the clock: */
-    double step;   /* turns of a mesh from frame to frame */
+    double step;   /* degrees that a mesh turns from frame to frame */
     bool still;    /* no movement at the start */
 };
-
-static bool parse_step(const char *option, const char *text, void *input)
-{
-    struct view_options *o = input;
-    static const struct option_row numbers = {.n = 1, .low = -360, .high = 360};
-    double degrees = 0;
-    o->has_step = true;
-    if (!option_numbers(text, &numbers, &degrees))
-        return option_refuse(option, text,
-                             "degrees from -360 to 360, such as 7.5");
-    o->step = degrees / 360;
-    return true;
-}
 
 #define AT(member) offsetof(struct view_options, member)
 
@@ -53,7 +39,9 @@ static const struct option_row options[] = {
      OPTION_TEXT, .offset = AT(viewer.replay)},
     {"step", "DEGREES",
      "turn a mesh by so much from frame to frame, whatever the time",
-     OPTION_CALL, .parse = parse_step},
+     OPTION_NUMBERS, .offset = AT(step), .flag = AT(has_step), .n = 1,
+     .low = -360, .high = 360,
+     .expected = "degrees from -360 to 360, such as 7.5"},
     {"still", NULL, "nothing moves until space is pressed", OPTION_FLAG,
      .offset = AT(still)},
     {"buttons", "CHIP:LINES", "buttons at GPIO lines: see pel input --help",
@@ -71,12 +59,6 @@ static const char about[] =
     "unless given; -o takes the last picture.\n\n"
     "Keys for meshes:\n" VIEW_KEYS_HELP
     "\nKeys for scripts and figures:\n" SHEET_KEYS_HELP;
-
-static bool is_script(const char *path)
-{
-    const char *dot = strrchr(path, '.');
-    return dot && strcmp(dot, ".pel") == 0;
-}
 
 static bool show(struct show *show, const struct view_options *o)
 {
@@ -97,7 +79,7 @@ static bool run_mesh(const struct view_options *o)
         return false;
     bool done = turntable_init(&t, &model, &o->scene.settings, o->device.jobs);
     t.has_step = o->has_step;
-    t.step = o->step;
+    t.step = o->step / 360;
     t.view.turning = !o->still;
     done = done && show(&t.show, o);
     turntable_free(&t);
@@ -143,15 +125,15 @@ int command_view(int argc, char **argv)
                    {scene_option_table, &o.scene, NULL}}};
     const char *path = *arguments_parse(&line, argc, argv);
     o.scene.source.path = path ? path : MESH_BUILTIN;
-    o.scene.source.without_texture = false; /* there is a key for it */
     o.viewer.width = camera->width;
     o.viewer.height = camera->height;
     o.viewer.device = &o.device;
     if (!check(&o.viewer))
         return STATUS_ERROR;
     const bool is_figures = path && strcmp(path, "figures") == 0;
-    const bool done = is_figures                ? run_sheet(&o, NULL)
-                      : path && is_script(path) ? run_sheet(&o, path)
-                                                : run_mesh(&o);
+    const bool done = is_figures ? run_sheet(&o, NULL)
+                      : path && path_has_ending(path, " .pel ")
+                          ? run_sheet(&o, path)
+                          : run_mesh(&o);
     return done ? STATUS_OK : STATUS_ERROR;
 }

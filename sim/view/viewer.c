@@ -15,7 +15,7 @@ bool viewer_init(struct viewer *viewer, struct show *show,
                  const struct viewer_options *options)
 {
     *viewer = (struct viewer){.show = show, .options = options, .stale = true};
-    if (options->record && !show->period)
+    if (options->record && show->period <= 0)
         show->period = RECORD_PERIOD;
     if (!options->record)
         return true;
@@ -51,20 +51,19 @@ bool viewer_is_over(const struct viewer *viewer)
     return viewer->over || (frames > 0 && viewer->drawn >= frames);
 }
 
-/* Measures once a second. True when it did. */
-static bool measure(struct viewer *viewer, double now)
+/* Measures once a second. */
+static void measure(struct viewer *viewer, double now)
 {
     const double passed = now - viewer->rate.since;
     const int drawn = viewer->drawn - viewer->rate.drawn;
     if (passed < 1000)
-        return false;
+        return;
     viewer->rate.fps = drawn * 1000 / passed;
     viewer->rate.milliseconds =
         drawn ? (viewer->drawing - viewer->rate.drawing) / drawn : 0;
     viewer->rate.since = now;
     viewer->rate.drawn = viewer->drawn;
     viewer->rate.drawing = viewer->drawing;
-    return true;
 }
 
 /* A step of time, when it is due: the one after it comes a period later, or at
@@ -89,7 +88,7 @@ static bool step(struct viewer *viewer, double now)
     return viewer->moves;
 }
 
-bool viewer_advance(struct viewer *viewer)
+void viewer_advance(struct viewer *viewer)
 {
     const double now = milliseconds();
     if (viewer->begun == 0 && viewer->options->frames == 0)
@@ -97,11 +96,11 @@ bool viewer_advance(struct viewer *viewer)
     if (viewer->drawn == 0) {
         viewer->begun = viewer->last = viewer->rate.since = now;
         viewer->due = now + viewer->show->period;
-        return false;
+        return;
     }
     viewer->stale =
         step(viewer, now) || viewer->stale || viewer->options->frames > 0;
-    return measure(viewer, now);
+    measure(viewer, now);
 }
 
 int viewer_idle(const struct viewer *viewer)
@@ -123,34 +122,23 @@ bool viewer_draw(struct viewer *viewer, const struct pel_surface *surface)
     const bool done = viewer->show->draw(viewer->show, surface);
     viewer->show->draw_time = milliseconds() - start;
     viewer->drawing += viewer->show->draw_time;
+    viewer->drawn++;
+    viewer->stale = false;
     return done;
 }
 
-void viewer_shown(struct viewer *viewer)
-{
-    viewer->drawn++;
-    viewer->stale = false;
-}
-
-static bool save(const struct pel_surface *surface, const char *path)
+bool viewer_save(const struct viewer *viewer, const struct pel_surface *surface,
+                 bool last)
 {
     const struct canvas canvas = {.surface = *surface};
-    return canvas_save(&canvas, path);
-}
-
-bool viewer_save_last(const struct viewer *viewer,
-                      const struct pel_surface *surface)
-{
-    return !viewer->options->output || save(surface, viewer->options->output);
-}
-
-bool viewer_save_new(const struct pel_surface *surface)
-{
+    const char *output = viewer->options->output;
     char path[32];
+    if (last)
+        return !output || canvas_save(&canvas, output);
     for (int i = 1; i < 1000; i++) {
         snprintf(path, sizeof(path), "view-%03d%s", i, picture_best_ending());
         if (access(path, F_OK) != 0)
-            return save(surface, path) &&
+            return canvas_save(&canvas, path) &&
                    fprintf(stderr, "written: %s\n", path) > 0;
     }
     return message_error("view-001 to view-999 are there already: expected a "

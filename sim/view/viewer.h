@@ -3,8 +3,7 @@
  *
  *     viewer_input(viewer, event): tell what the user does
  *     viewer_advance(viewer)
- *     where viewer->stale: viewer_draw(viewer, surface), show it,
- *                          viewer_shown(viewer)
+ *     where viewer->stale: viewer_draw(viewer, surface), show it
  *     wait for input, for viewer_idle(viewer) ms at most
  */
 #ifndef SIM_VIEW_VIEWER_H
@@ -61,33 +60,28 @@ bool viewer_resize(struct viewer *viewer, int width, int height);
 bool viewer_open_input(struct viewer *viewer,
                        const struct pel_input_linux_options *options);
 
-/* Handles an event. True when the picture is to be written, with
- * viewer_save_new. */
+/* Handles an event. True when the picture is to be written, with viewer_save.
+ */
 bool viewer_input(struct viewer *viewer, const struct pel_input *event);
 
 /* The same for all that came from what viewer_open_input opened. */
 bool viewer_inputs(struct viewer *viewer);
 
-/* Lets the time pass; first prints the keys when there is a user. True when the
- * title has changed. */
-bool viewer_advance(struct viewer *viewer);
+/* Lets the time pass; first prints the keys when there is a user. */
+void viewer_advance(struct viewer *viewer);
 
 /* Milliseconds in which nothing is to be done but for input. */
 int viewer_idle(const struct viewer *viewer);
 
-/* Draws a frame onto the clip of a surface. False, with a message. */
+/* Draws the next frame onto the clip of a surface. False, with a message. */
 bool viewer_draw(struct viewer *viewer, const struct pel_surface *surface);
-
-/* The frame that was drawn is seen. */
-void viewer_shown(struct viewer *viewer);
 
 bool viewer_is_over(const struct viewer *viewer);
 
-/* Writes what was drawn to options->output, if that is there; after 'w' to a
- * new file, whose name is printed. False, with a message. */
-bool viewer_save_last(const struct viewer *viewer,
-                      const struct pel_surface *surface);
-bool viewer_save_new(const struct pel_surface *surface);
+/* Writes what was drawn last to options->output, if that is there; or, after
+ * 'w', to a new file, whose name is printed. False, with a message. */
+bool viewer_save(const struct viewer *viewer, const struct pel_surface *surface,
+                 bool last);
 
 /* What is seen, and how fast: "60.0 fps, 3.1 ms, ...". */
 enum { VIEWER_TITLE_SIZE = SHOW_TITLE_SIZE + 96 };
@@ -104,6 +98,11 @@ bool view_window(struct show *show, const struct viewer_options *options);
 /* The same on options->device, with keys from the terminal: in the middle of
  * the screen, black around it. */
 bool view_device(struct show *show, const struct viewer_options *options);
+
+/* The first key (enum pel_key) of what a terminal has sent, *used of `count` >=
+ * 1 bytes: arrows and F keys as CSI or SS3 sequences, Escape as a byte that no
+ * sequence follows. */
+int view_terminal_key(const char *bytes, size_t count, size_t *used);
 
 /* options->frames frames into files of the folder options->output, with what
  * the user did from options->replay. False, with a message. */

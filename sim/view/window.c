@@ -11,25 +11,18 @@
 #include "sim/image/canvas.h"
 #include "core/format/formats.h"
 
-/* The picture is drawn into a canvas and carried to the window as a texture: a
- * 32-bit word that is little-endian on every CPU. */
-#if SDL_BYTEORDER == SDL_LIL_ENDIAN
-#define PIXELS SDL_PIXELFORMAT_RGB888
-#else
-#define PIXELS SDL_PIXELFORMAT_BGRX8888
-#endif
-
 enum { TEXTURE_SIZE_MAX = 16384 };
 
+/* The picture is drawn into a canvas and carried to the window as a texture. */
 struct window {
     SDL_Window *window;
     SDL_Renderer *renderer;
     SDL_Texture *texture; /* of the canvas' size */
     struct canvas canvas;
     struct viewer *viewer;
-    bool renamed; /* the title is to be set */
-    int most;     /* px that a texture has each way; larger windows show one
-                     stretched */
+    char title[VIEWER_TITLE_SIZE];
+    int most; /* px that a texture has each way; larger windows show one
+                 stretched */
 };
 
 static bool fails(const char *what)
@@ -51,10 +44,11 @@ static bool fit(struct window *w)
         return true;
     canvas_free(&w->canvas);
     SDL_DestroyTexture(w->texture);
-    w->texture = SDL_CreateTexture(w->renderer, PIXELS,
+    w->texture = SDL_CreateTexture(w->renderer, SDL_PIXELFORMAT_BGRA32,
                                    SDL_TEXTUREACCESS_STREAMING, width, height);
     if (!w->texture)
         return fails("no texture of the window's size");
+    SDL_SetTextureBlendMode(w->texture, SDL_BLENDMODE_NONE);
     return canvas_init(&w->canvas, &pel_xrgb8888, width, height) &&
            viewer_resize(w->viewer, width, height);
 }
@@ -69,34 +63,22 @@ static bool draw(struct window *w)
         SDL_RenderCopy(w->renderer, w->texture, NULL, NULL) != 0)
         return fails("the picture cannot be shown");
     SDL_RenderPresent(w->renderer);
-    viewer_shown(w->viewer);
     return true;
 }
 
 static int key_of(SDL_Keycode code)
 {
-    switch (code) {
-    case SDLK_LEFT:
-        return PEL_KEY_LEFT;
-    case SDLK_RIGHT:
-        return PEL_KEY_RIGHT;
-    case SDLK_UP:
-        return PEL_KEY_UP;
-    case SDLK_DOWN:
-        return PEL_KEY_DOWN;
-    case SDLK_KP_ENTER:
-        return PEL_KEY_ENTER;
-    case SDLK_F2:
-        return PEL_KEY_F1 + 1;
-    case SDLK_F3:
-        return PEL_KEY_F1 + 2;
-    case SDLK_KP_PLUS:
-        return '+';
-    case SDLK_KP_MINUS:
-        return '-';
-    default:
-        return code > 0 && code < 128 ? code : PEL_KEY_OTHER;
-    }
+    static const int keys[][2] = {
+        {SDLK_LEFT, PEL_KEY_LEFT},      {SDLK_RIGHT, PEL_KEY_RIGHT},
+        {SDLK_UP, PEL_KEY_UP},          {SDLK_DOWN, PEL_KEY_DOWN},
+        {SDLK_KP_ENTER, PEL_KEY_ENTER}, {SDLK_KP_PLUS, '+'},
+        {SDLK_KP_MINUS, '-'},           {SDLK_F2, PEL_KEY_F1 + 1},
+        {SDLK_F3, PEL_KEY_F1 + 2},
+    };
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        if (keys[i][0] == code)
+            return keys[i][1];
+    return code > 0 && code < 128 ? code : PEL_KEY_OTHER;
 }
 
 /* The event as one of drivers/input.h. False for one that has none. */
@@ -135,7 +117,7 @@ static bool input_of(const SDL_Event *event, struct pel_input *e)
 static bool save_new(struct window *w)
 {
     return (!w->viewer->stale || draw(w)) &&
-           viewer_save_new(&w->canvas.surface);
+           viewer_save(w->viewer, &w->canvas.surface, false);
 }
 
 static bool handle(struct window *w, const SDL_Event *event)
@@ -147,7 +129,6 @@ static bool handle(struct window *w, const SDL_Event *event)
         w->viewer->stale = true;
     if (!input_of(event, &input))
         return true;
-    w->renamed = w->renamed || input.kind == PEL_INPUT_KEY;
     return !viewer_input(w->viewer, &input) || save_new(w);
 }
 
@@ -163,38 +144,26 @@ static bool handle_all(struct window *w)
     return !viewer_inputs(w->viewer) || save_new(w);
 }
 
-static void rename_window(struct window *w)
+static void set_title(struct window *w)
 {
     char title[VIEWER_TITLE_SIZE];
     viewer_title(w->viewer, title);
-    SDL_SetWindowTitle(w->window, title);
-    w->renamed = false;
+    if (strcmp(title, w->title) != 0)
+        SDL_SetWindowTitle(w->window, strcpy(w->title, title));
 }
 
 /* The first picture is there before the first key. */
 static bool run(struct window *w)
 {
     struct viewer *viewer = w->viewer;
-    while (!viewer_is_over(viewer)) {
-        if (viewer_advance(viewer))
-            w->renamed = true;
-        if (viewer->stale && !draw(w))
-            return false;
-        if (w->renamed)
-            rename_window(w);
-        if (!handle_all(w))
-            return false;
+    bool good = true;
+    while (good && !viewer_is_over(viewer)) {
+        viewer_advance(viewer);
+        good = !viewer->stale || draw(w);
+        set_title(w);
+        good = good && handle_all(w);
     }
-    return viewer_save_last(viewer, &w->canvas.surface);
-}
-
-/* Pixels each way; 0 x 0 stands for no limit but TEXTURE_SIZE_MAX. */
-static int texture_size_most(SDL_Renderer *renderer)
-{
-    SDL_RendererInfo info = {0};
-    SDL_GetRendererInfo(renderer, &info);
-    const int most = pel_min(info.max_texture_width, info.max_texture_height);
-    return most > 0 ? pel_min(most, TEXTURE_SIZE_MAX) : TEXTURE_SIZE_MAX;
+    return good && viewer_save(viewer, &w->canvas.surface, true);
 }
 
 /* Frames wait for the screen's refresh, unless --frames wants them as fast as
@@ -204,6 +173,7 @@ static bool open_window(struct window *w)
     const struct show *show = w->viewer->show;
     const struct viewer_options *o = w->viewer->options;
     const bool timed = o->frames > 0 || show->period > 0;
+    SDL_RendererInfo info = {0};
     w->window = SDL_CreateWindow(
         "pel view", SDL_WINDOWPOS_UNDEFINED, SDL_WINDOWPOS_UNDEFINED,
         o->width ? o->width : show->width, o->height ? o->height : show->height,
@@ -214,63 +184,46 @@ static bool open_window(struct window *w)
                                      timed ? 0 : SDL_RENDERER_PRESENTVSYNC);
     if (!w->renderer)
         return fails("nothing can be drawn into the window");
-    w->most = texture_size_most(w->renderer);
+    SDL_GetRendererInfo(w->renderer, &info);
+    w->most = pel_min(info.max_texture_width, info.max_texture_height);
+    if (w->most <= 0 || w->most > TEXTURE_SIZE_MAX) /* 0: no limit of SDL's */
+        w->most = TEXTURE_SIZE_MAX;
     SDL_ShowWindow(w->window); /* a renderer may put another in its place */
     return true;
 }
 
-static void close_window(struct window *w)
-{
-    canvas_free(&w->canvas);
-    SDL_DestroyTexture(w->texture);
-    SDL_DestroyRenderer(w->renderer);
-    SDL_DestroyWindow(w->window);
-    SDL_Quit();
-}
-
-/* All but the buttons comes with the window. */
-static bool open_buttons(struct viewer *viewer)
-{
-    const struct pel_input_linux_options options = {
-        .buttons = viewer->options->buttons, .no_devices = true};
-    return !options.buttons || viewer_open_input(viewer, &options);
-}
-
-static bool run_viewer(struct window *w, struct show *show,
-                       const struct viewer_options *options)
-{
-    struct viewer viewer;
-    w->viewer = &viewer;
-    const bool done = viewer_init(&viewer, show, options) &&
-                      open_buttons(&viewer) && open_window(w) && run(w);
-    if (done && options->frames > 0)
-        viewer_report(&viewer);
-    viewer_free(&viewer);
-    return done;
-}
-
 /* Without a screen SDL takes a driver that shows nothing, which nobody wants
  * who has not asked for it. */
-static bool is_unseen(void)
+static bool is_seen(void)
 {
     const char *driver = SDL_GetCurrentVideoDriver();
-    return !getenv("SDL_VIDEODRIVER") && driver &&
-           (strcmp(driver, "offscreen") == 0 || strcmp(driver, "dummy") == 0);
+    return getenv("SDL_VIDEODRIVER") || !driver ||
+           (strcmp(driver, "offscreen") != 0 && strcmp(driver, "dummy") != 0) ||
+           message_error("no screen for a window: DISPLAY and WAYLAND_DISPLAY "
+                         "name none: expected --device auto, or pel render");
 }
 
 bool view_window(struct show *show, const struct viewer_options *options)
 {
-    struct window window = {.renamed = true};
+    struct viewer viewer;
+    struct window w = {.viewer = &viewer};
+    /* all but the buttons comes with the window */
+    const struct pel_input_linux_options buttons = {.buttons = options->buttons,
+                                                    .no_devices = true};
     if (SDL_Init(SDL_INIT_VIDEO) != 0)
         return fails("no screen for a window");
-    if (is_unseen()) {
-        SDL_Quit();
-        return message_error("no screen for a window: DISPLAY and "
-                             "WAYLAND_DISPLAY name none: expected --device "
-                             "auto, or pel render");
-    }
-    const bool done = run_viewer(&window, show, options);
-    close_window(&window);
+    const bool done =
+        viewer_init(&viewer, show, options) && is_seen() &&
+        (!buttons.buttons || viewer_open_input(&viewer, &buttons)) &&
+        open_window(&w) && run(&w);
+    if (done && options->frames > 0)
+        viewer_report(&viewer);
+    viewer_free(&viewer);
+    canvas_free(&w.canvas);
+    SDL_DestroyTexture(w.texture);
+    SDL_DestroyRenderer(w.renderer);
+    SDL_DestroyWindow(w.window);
+    SDL_Quit();
     return done;
 }
 

@@ -13,7 +13,7 @@ static uint32_t step(void)
     return (1u << 24) / (uint32_t)cases_scaled(1u << 24) | 1;
 }
 
-static void test_all_mixes(void)
+TEST(all_mixes)
 {
     for (uint32_t a = 0; a < 256; a++)
         for (uint32_t s = 0; s < 256; s++)
@@ -27,7 +27,7 @@ static void test_all_mixes(void)
 }
 
 /* A channel does not reach into its neighbours. */
-static void test_mixes_of_one_channel(void)
+TEST(mixes_of_one_channel)
 {
     for (uint32_t a = 0; a < 256; a++)
         for (uint32_t s = 0; s < 256; s++)
@@ -40,7 +40,7 @@ static void test_mixes_of_one_channel(void)
             }
 }
 
-static void test_round_div255(void)
+TEST(round_div255)
 {
     for (uint32_t t = 0; t <= 255 * 255; t++)
         assert_int_equal(pel_round_div255(t), (2 * t + 255) / 510);
@@ -78,21 +78,21 @@ static void check_pixels(const struct layout *l)
     }
 }
 
-static void test_channels_are_taken_modulo_256(void)
+TEST(channels_are_taken_modulo_256)
 {
     const uint8_t byte = 200;
     assert_int_equal(PEL_RGBA(256, -1, 511, 1000), 0xE800FFFF);
     assert_int_equal(PEL_RGB(byte + byte, INT32_MIN, UINT64_MAX), 0xFF9000FF);
 }
 
-static void test_all_pixels(void)
+TEST(all_pixels)
 {
     for (int f = 0; f < LAYOUT_COUNT; f++)
         check_pixels(&layouts[f]);
 }
 
 /* Alpha is ignored. */
-static void test_all_colors(void)
+TEST(all_colors)
 {
     const uint32_t apart = step();
     for (int f = 0; f < LAYOUT_COUNT; f++) {
@@ -152,7 +152,7 @@ static void check_blends(const struct layout *l, pel_color color)
 
 /* Every source and alpha, but for channels of 8 bits, which are mixed as in
  * test_all_mixes. */
-static void test_all_blends(void)
+TEST(all_blends)
 {
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         const int apart = layouts[f].green[1] == 8 ? 15 : 1;
@@ -160,11 +160,4 @@ static void test_all_blends(void)
             for (int v = 0; v < 256; v += apart)
                 check_blends(&layouts[f], PEL_RGBA(v, 255 - v, v, a));
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_all_mixes, test_mixes_of_one_channel,
-                     test_round_div255, test_channels_are_taken_modulo_256,
-                     test_all_pixels, test_all_colors, test_all_blends);
 }

@@ -29,7 +29,7 @@ static pel_color expected(int64_t hue, int64_t sixth, int64_t s, int64_t v)
                    channel(hue, 4, sixth, s, v));
 }
 
-static void test_every_degree(void)
+TEST(every_degree)
 {
     for (int32_t hue = 0; hue < 360; hue++)
         for (uint32_t s = 0; s < 256; s++)
@@ -43,7 +43,7 @@ static void test_every_degree(void)
 }
 
 /* A sixth is 65,536 here: six times the hue in 1/65,536 turns. */
-static void test_every_turn(void)
+TEST(every_turn)
 {
     for (int32_t hue = 0; hue < 65536; hue++)
         for (uint32_t s = (uint32_t)hue % 5 * 3; s < 256; s += 17)
@@ -59,7 +59,7 @@ static void test_every_turn(void)
                          expected(6 * (int64_t)hue, 65536, 255, 255));
 }
 
-static void test_any_hue(void)
+TEST(any_hue)
 {
     for (int32_t hue = -4000; hue < 4000; hue++) {
         int32_t degrees = ((hue % 360) + 360) % 360;
@@ -78,7 +78,7 @@ static void test_any_hue(void)
                      pel_hsv_degrees(INT32_MAX % 360, 255, 255));
 }
 
-static void test_corners(void)
+TEST(corners)
 {
     assert_int_equal(pel_hsv_degrees(0, 255, 255), PEL_RGB(255, 0, 0));
     assert_int_equal(pel_hsv_degrees(60, 255, 255), PEL_RGB(255, 255, 0));
@@ -88,10 +88,4 @@ static void test_corners(void)
     assert_int_equal(pel_hsv_degrees(300, 255, 255), PEL_RGB(255, 0, 255));
     assert_int_equal(pel_hsv_degrees(77, 0, 93), PEL_RGB(93, 93, 93));
     assert_int_equal(pel_hsv_degrees(77, 255, 0), PEL_RGB(0, 0, 0));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_corners, test_any_hue, test_every_degree,
-                     test_every_turn);
 }

@@ -56,7 +56,7 @@ static bool is_words(const struct layout *l)
     return l->bits >= 8;
 }
 
-static void test_opaque(void)
+TEST(opaque)
 {
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         const struct layout *l = &layouts[f];
@@ -66,7 +66,7 @@ static void test_opaque(void)
     }
 }
 
-static void test_blended(void)
+TEST(blended)
 {
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         const struct layout *l = &layouts[f];
@@ -77,7 +77,7 @@ static void test_blended(void)
 }
 
 /* Nothing is read behind the surface: address sanitizers look at its end. */
-static void test_last_pixels(void)
+TEST(last_pixels)
 {
     for (int f = 0; f < LAYOUT_COUNT; f++) {
         const struct layout *l = &layouts[f];
@@ -92,5 +92,5 @@ static void test_last_pixels(void)
 int main(void)
 {
     setup();
-    return RUN_TESTS(test_opaque, test_blended, test_last_pixels);
+    return run_all_tests();
 }

@@ -64,7 +64,7 @@ static struct pel_point place(int32_t i)
 }
 
 /* Triples that differ by more than the order of their points. */
-static void test_triangles(void)
+TEST(triangles)
 {
     struct any_shape s = {.kind = ANY_TRIANGLE};
     for (int32_t i = 0; i < PLACES * PLACES; i++)
@@ -79,7 +79,7 @@ static void test_triangles(void)
 
 /* Radii about which the disc reaches a border or the far side of the screen, or
  * takes in all of it. */
-static void test_circles(void)
+TEST(circles)
 {
     static const int32_t radii[] = {0,   1,   127, 128,  129,  255,  256,
                                     257, 384, 512, 1024, 1280, 2048, 300000};
@@ -97,7 +97,7 @@ static void test_circles(void)
     }
 }
 
-static void test_lines_and_rectangles(void)
+TEST(lines_and_rectangles)
 {
     struct any_shape s = {.n = 0};
     for (int32_t i = 0; i < PLACES * PLACES; i++)
@@ -111,7 +111,7 @@ static void test_lines_and_rectangles(void)
         }
 }
 
-static void test_quadrilaterals(void)
+TEST(quadrilaterals)
 {
     struct any_shape s = {.kind = ANY_POLYGON, .n = 4};
     for (int32_t i = 0; i < FEW * FEW * FEW * FEW * FEW * FEW * FEW * FEW;
@@ -129,6 +129,5 @@ static void test_quadrilaterals(void)
 int main(void)
 {
     setup();
-    return RUN_TESTS(test_triangles, test_circles, test_lines_and_rectangles,
-                     test_quadrilaterals);
+    return run_all_tests();
 }

@@ -1,6 +1,6 @@
 /* All lines of a small lattice of pixels that straddles zero, against exact
- * fractions at every pixel; the same through every clip of a smaller one, and
- * from every sub-pixel place in a pixel. */
+ * fractions at every pixel; the same through every clip of a smaller one.
+ */
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
 #include "tests/support/reference.h"
@@ -36,7 +36,7 @@ static struct pel_rect around(int32_t side)
     return (struct pel_rect){low, low, low + side + 2, low + side + 2};
 }
 
-static void test_all_lines(void)
+TEST(all_lines)
 {
     enum { SIDE = 17 };
     const struct pel_rect bounds = around(SIDE);
@@ -61,7 +61,7 @@ static void check_clip(const struct pel_rect *clip)
             check_line(SIDE, i, j);
 }
 
-static void test_all_clips(void)
+TEST(all_clips)
 {
     struct pel_rect c;
     for (c.y0 = -3; c.y0 < 3; c.y0++)
@@ -69,24 +69,4 @@ static void test_all_clips(void)
             for (c.x0 = -3; c.x0 < 3; c.x0++)
                 for (c.x1 = c.x0 + 1; c.x1 <= 3; c.x1++)
                     check_clip(&c);
-}
-
-/* Only the pixels that hold the points count. */
-static void test_all_places_in_a_pixel(void)
-{
-    const struct pel_rect bounds = {-4, -4, 4, 4};
-    for (int32_t k = 0; k < 256; k++) {
-        const struct pel_point v[2] = {{PEL_PX(-3) + k, PEL_PX(1) + 255 - k},
-                                       {PEL_PX(2) + 255 - k, PEL_PX(-2) + k}};
-        const struct pel_point pixels[2] = {PEL_AT(-3, 1), PEL_AT(2, -2)};
-        hits_open(&hits, &bounds);
-        pel_line(&hits.surface, v[0], v[1], &hits.paint);
-        hits_check(&hits, in_line, pixels, "line");
-    }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_all_lines, test_all_clips,
-                     test_all_places_in_a_pixel);
 }

@@ -1,6 +1,5 @@
 /* All quadrilaterals of a 4 x 4 lattice half a pixel apart, crossed ones and
- * those without area included, and polygons of 5 to 8 vertices of lattices half
- * and a quarter of a pixel apart, by both rules, against winding numbers; each
+ * those without area included, by both rules, against winding numbers; each
  * pixel at most once. */
 #include "tests/support/bit_picture.h"
 #include "tests/support/cases.h"
@@ -61,7 +60,7 @@ static struct pel_point point_of(int32_t i, int32_t side, int32_t step)
                               (i / side - side / 2) * step};
 }
 
-static void test_all_quadrilaterals(void)
+TEST(all_quadrilaterals)
 {
     for (int32_t i = 0; i < 1 << 16; i++) {
         struct pel_point v[4];
@@ -71,32 +70,8 @@ static void test_all_quadrilaterals(void)
     }
 }
 
-/* Few points, so that vertices meet and sides run over one another. */
-static void test_coarse_polygons(void)
-{
-    for (struct cases c = cases_of(60000); cases_next(&c);) {
-        struct pel_point v[8];
-        const int32_t n = random_between(&c.random, 5, 8);
-        for (int32_t k = 0; k < n; k++)
-            v[k] = point_of(random_between(&c.random, 0, 24), 5, 128);
-        check_polygon(v, n);
-    }
-}
-
-static void test_fine_polygons(void)
-{
-    for (struct cases c = cases_of(60000); cases_next(&c);) {
-        struct pel_point v[8];
-        const int32_t n = random_between(&c.random, 5, 8);
-        for (int32_t k = 0; k < n; k++)
-            v[k] = point_of(random_between(&c.random, 0, 31 * 31 - 1), 31, 64);
-        check_polygon(v, n);
-    }
-}
-
 int main(void)
 {
     setup();
-    return RUN_TESTS(test_all_quadrilaterals, test_coarse_polygons,
-                     test_fine_polygons);
+    return run_all_tests();
 }

@@ -1,12 +1,12 @@
 /* All triangles of a small lattice, every order of the vertices included,
  * against half planes evaluated at every pixel centre: 16 x 16 points a quarter
- * of a pixel apart, through both walkers, and 12 x 12 points half a pixel
- * apart; both straddle zero. The half plane of two vertices is worked out once,
- * by the reference's rule; a triangle is the intersection of three. */
+ * of a pixel apart, through both walks, since a clip takes the integer one, and
+ * 12 x 12 points half a pixel apart; both straddle zero. The half plane of two
+ * vertices is worked out once, by the reference's rule; a triangle is the
+ * intersection of three. */
 #include "tests/support/check.h"
 #include "tests/support/bit_picture.h"
 #include "tests/support/cases.h"
-#include "tests/support/fast_rows.h"
 #include "tests/support/reference.h"
 
 enum { SIDE_MAX = 16, POINTS_MAX = SIDE_MAX * SIDE_MAX };
@@ -67,17 +67,6 @@ static uint64_t expected(int32_t i, int32_t j, int32_t k)
            lattice.half_plane[k][i];
 }
 
-#if PEL_FAST_FILLS
-static bool take_fast(const struct pel_paint *paint,
-                      const struct pel_surface *surface,
-                      const struct pel_fast_triangle *t)
-{
-    (void)surface;
-    fast_rows(t, bit_picture_row, (void *)(uintptr_t)paint);
-    return true;
-}
-#endif
-
 /* Through a clip of `clip` pixels around zero. */
 static void check_all(struct bit_picture *p, int32_t clip)
 {
@@ -106,18 +95,15 @@ static void check_all(struct bit_picture *p, int32_t clip)
             }
 }
 
-static void test_quarter_pixels(void)
+TEST(quarter_pixels)
 {
     struct bit_picture p = {{.fill = bit_picture_fill}, 0, false};
     lattice_open(16, 64);
     check_all(&p, BIT_REACH);
-#if PEL_FAST_FILLS
-    p.paint.fast = take_fast;
-    check_all(&p, BIT_REACH);
-#endif
+    check_all(&p, 1);
 }
 
-static void test_half_pixels(void)
+TEST(half_pixels)
 {
     struct bit_picture p = {{.fill = bit_picture_fill}, 0, false};
     lattice_open(12, 128);
@@ -126,7 +112,7 @@ static void test_half_pixels(void)
 }
 
 /* The bits of a lattice's triangles are those of the reference. */
-static void test_half_planes(void)
+TEST(half_planes)
 {
     lattice_open(12, 128);
     for (struct cases c = cases_of(20000); cases_next(&c);) {
@@ -142,9 +128,4 @@ static void test_half_planes(void)
                     want |= bit_of(x, y);
         assert_true(want == expected(i[0], i[1], i[2]));
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_half_planes, test_quarter_pixels, test_half_pixels);
 }

@@ -1,5 +1,5 @@
-/* Small shapes at every place in a pixel: ellipses of radii around all the
- * limits of their walk, squares with round corners of any radius. Fill,
+/* Small shapes at places in a pixel: circles and ellipses of radii around all
+ * the limits of their walk, squares with round corners of any radius. Fill,
  * outline and hit test on every pixel around. */
 #include "tests/support/any_shape.h"
 #include "tests/support/check.h"
@@ -26,9 +26,9 @@ enum {
     RADII = sizeof radii / sizeof *radii
 };
 
-static void test_ellipses(void)
+TEST(circles_and_ellipses)
 {
-    struct any_shape s = {.kind = ANY_ELLIPSE};
+    struct any_shape s = {.n = 0};
     for (int a = 0; a < RADII; a++)
         for (int b = 0; b < RADII; b++)
             for (int x = 0; x < PLACES; x++)
@@ -36,13 +36,17 @@ static void test_ellipses(void)
                     s.radius = radii[a];
                     s.inner = radii[b];
                     s.v[0] = (struct pel_point){places[x], places[y]};
+                    s.kind = ANY_ELLIPSE;
                     check(&s);
+                    s.kind = ANY_CIRCLE;
+                    if (a == b)
+                        check(&s);
                 }
 }
 
 /* One pixel centre is enough for shapes smaller than a pixel: every square of
  * up to 40 sub-pixels that holds it, with every radius that matters. */
-static void test_tiny_round_corners(void)
+TEST(tiny_round_corners)
 {
     struct any_shape s = {.kind = ANY_ROUNDED_RECTANGLE};
     for (int32_t side = 1; side <= 40; side++)
@@ -60,7 +64,7 @@ static void test_tiny_round_corners(void)
                 }
 }
 
-static void test_round_corners(void)
+TEST(round_corners)
 {
     struct any_shape s = {.kind = ANY_ROUNDED_RECTANGLE};
     for (int w = 0; w < RADII; w++)
@@ -75,10 +79,4 @@ static void test_round_corners(void)
                     s.radius = radii[r];
                     check(&s);
                 }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_ellipses, test_tiny_round_corners,
-                     test_round_corners);
 }

@@ -6,19 +6,7 @@
 #include "core/outline/outline_filter.h"
 #include "core/pel.h"
 #include "input.h"
-
-union api_paint {
-    struct pel_paint paint;
-    struct pel_flat flat;
-    struct pel_linear linear;
-    struct pel_radial radial;
-    struct pel_conic conic;
-    struct pel_hue_wheel wheel;
-    struct pel_fan fan;
-    struct pel_texture texture;
-    struct pel_dither dither;
-    struct pel_color_paint colors;
-};
+#include "tests/support/any_paint.h"
 
 enum { API_SURFACES = 3, API_PAINTS = 6, API_TRIANGLES = 16 };
 
@@ -26,7 +14,7 @@ struct api {
     struct input in;
     /* The last one is only read: paints may keep it. */
     struct pel_surface surface[API_SURFACES + 1];
-    union api_paint paint[API_PAINTS];
+    union any_paint paint[API_PAINTS];
     struct pel_fan_triangle triangle[API_PAINTS][API_TRIANGLES];
     pel_color ramp[64];
 };

@@ -101,7 +101,7 @@ void api_paint(struct api *a)
         PEL_COLOR_PAINT(stripes, false);
     const uint32_t kind = input_byte(&a->in);
     const int slot = (int)(kind / 16 % API_PAINTS);
-    union api_paint *p = &a->paint[slot];
+    union any_paint *p = &a->paint[slot];
     const struct pel_flat flat = PEL_FLAT(input_word(&a->in));
     const struct pel_ramp ramp = ramp_of(a);
     const struct pel_point at = api_point(a);

@@ -26,95 +26,34 @@ static const struct pel_thick_line_shape thick = {PEL_AT(3, 5), PEL_AT(50, 60),
 
 typedef void draw_function(const struct pel_paint *paint);
 
-static inline void draw_triangle(const struct pel_paint *paint)
-{
-    pel_triangle(&screen, star, paint);
-}
-
-static inline void draw_triangle_or_line(const struct pel_paint *paint)
-{
-    pel_triangle_or_line(&screen, star, paint);
-}
+/* draw_NAME, which calls pel_NAME with the numbers of a shape. */
+#define SHAPE(name, ...)                                          \
+    static inline void draw_##name(const struct pel_paint *paint) \
+    {                                                             \
+        pel_##name(&screen, __VA_ARGS__, paint);                  \
+    }
+SHAPE(triangle, star)
+SHAPE(triangle_or_line, star)
+SHAPE(rectangle, star[2], star[1])
+SHAPE(line, star[0], star[3])
+SHAPE(thick_line, &thick)
+SHAPE(circle, center, PEL_PX(40))
+SHAPE(ring, &ring)
+SHAPE(sector, &sector)
+SHAPE(arc, &arc)
+SHAPE(ellipse, &ellipse)
+SHAPE(rounded_rectangle, &rounded)
+SHAPE(triangle_outline, star)
+SHAPE(rectangle_outline, star[2], star[1])
+SHAPE(rounded_rectangle_outline, &rounded)
+SHAPE(circle_outline, center, PEL_PX(30))
+SHAPE(ellipse_outline, &ellipse)
+SHAPE(arc_outline, &sector)
 
 static inline void draw_polygon(const struct pel_paint *paint)
 {
     static uint32_t scratch[64];
     pel_polygon(&screen, &polygon, paint, scratch, sizeof scratch);
-}
-
-static inline void draw_rectangle(const struct pel_paint *paint)
-{
-    pel_rectangle(&screen, star[2], star[1], paint);
-}
-
-static inline void draw_line(const struct pel_paint *paint)
-{
-    pel_line(&screen, star[0], star[3], paint);
-}
-
-static inline void draw_thick_line(const struct pel_paint *paint)
-{
-    pel_thick_line(&screen, &thick, paint);
-}
-
-static inline void draw_circle(const struct pel_paint *paint)
-{
-    pel_circle(&screen, center, PEL_PX(40), paint);
-}
-
-static inline void draw_ring(const struct pel_paint *paint)
-{
-    pel_ring(&screen, &ring, paint);
-}
-
-static inline void draw_sector(const struct pel_paint *paint)
-{
-    pel_sector(&screen, &sector, paint);
-}
-
-static inline void draw_arc(const struct pel_paint *paint)
-{
-    pel_arc(&screen, &arc, paint);
-}
-
-static inline void draw_ellipse(const struct pel_paint *paint)
-{
-    pel_ellipse(&screen, &ellipse, paint);
-}
-
-static inline void draw_rounded_rectangle(const struct pel_paint *paint)
-{
-    pel_rounded_rectangle(&screen, &rounded, paint);
-}
-
-static inline void draw_triangle_outline(const struct pel_paint *paint)
-{
-    pel_triangle_outline(&screen, star, paint);
-}
-
-static inline void draw_rectangle_outline(const struct pel_paint *paint)
-{
-    pel_rectangle_outline(&screen, star[2], star[1], paint);
-}
-
-static inline void draw_rounded_rectangle_outline(const struct pel_paint *paint)
-{
-    pel_rounded_rectangle_outline(&screen, &rounded, paint);
-}
-
-static inline void draw_circle_outline(const struct pel_paint *paint)
-{
-    pel_circle_outline(&screen, center, PEL_PX(30), paint);
-}
-
-static inline void draw_ellipse_outline(const struct pel_paint *paint)
-{
-    pel_ellipse_outline(&screen, &ellipse, paint);
-}
-
-static inline void draw_arc_outline(const struct pel_paint *paint)
-{
-    pel_arc_outline(&screen, &sector, paint);
 }
 
 static inline void draw_polygon_outline(const struct pel_paint *paint)

@@ -115,7 +115,7 @@ static void show(struct fixture *f, struct random *r,
                         (size_t)f->whole.stride * HEIGHT);
 }
 
-static void test_dirty_frames_equal_whole_ones(void)
+TEST(dirty_frames_equal_whole_ones)
 {
     static struct fixture f;
     uint64_t sent = 0, whole = 0;
@@ -131,8 +131,6 @@ static void test_dirty_frames_equal_whole_ones(void)
         }
         sent += f.dma.bytes;
     }
-    print_message("dirty areas: %lu of %lu bytes sent\n", (unsigned long)sent,
-                  (unsigned long)whole);
     assert_true(sent < whole / 2);
 }
 
@@ -147,7 +145,7 @@ static void check_areas(const struct pel_rect *add, int n, int32_t window,
 }
 
 /* A round that ends with an error leaves a band in flight. */
-static void test_round_after_an_error(void)
+TEST(round_after_an_error)
 {
     static struct fixture f;
     struct random r = {3};
@@ -167,7 +165,7 @@ static void test_round_after_an_error(void)
     assert_int_equal(f.dma.touched, 0);
 }
 
-static void test_areas_are_joined_where_that_costs_least(void)
+TEST(areas_are_joined_where_that_costs_least)
 {
     struct pel_rect row[PEL_DIRTY_AREAS + 1];
     const struct pel_rect apart[3] = {
@@ -194,7 +192,7 @@ static void test_areas_are_joined_where_that_costs_least(void)
 }
 
 /* An error ends the redraw, and the areas stay dirty. */
-static void test_errors(void)
+TEST(errors)
 {
     static struct fixture f;
     struct random r = {1};
@@ -213,11 +211,4 @@ static void test_errors(void)
     assert_int_equal(pel_dirty_areas_show(&dirty, &f.display, &work),
                      PEL_ERROR_DEVICE);
     assert_int_equal(dirty.count, 1);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_dirty_frames_equal_whole_ones,
-                     test_round_after_an_error,
-                     test_areas_are_joined_where_that_costs_least, test_errors);
 }

@@ -10,7 +10,7 @@
 enum { TIMES = 400 };
 
 /* Told is what has held for `hold` ms, at the least, at the time told. */
-static void test_buttons(void)
+TEST(buttons)
 {
     for (struct cases c = cases_of(2000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -51,7 +51,7 @@ static int contacts(int place)
 /* Bounces between two places as often as it likes. Then, with states that are
  * missed: whatever that did to the count, once the knob rests at a detent the
  * next one is told, and told once. */
-static void test_encoders(void)
+TEST(encoders)
 {
     for (struct cases c = cases_of(4000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -86,7 +86,7 @@ static void test_encoders(void)
 
 /* What comes out went in, in that order; where some is missing stands that it
  * was lost, and nowhere else. */
-static void test_queues(void)
+TEST(queues)
 {
     for (struct cases c = cases_of(2000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -147,7 +147,7 @@ static void check_coordinate(int got, double want, int size)
         fail_msg("got %d, expected %f: %s", got, want, cases_replay());
 }
 
-static void test_calibrations(void)
+TEST(calibrations)
 {
     int good = 0;
     for (struct cases c = cases_of(5000); cases_next(&c);) {
@@ -173,10 +173,4 @@ static void test_calibrations(void)
         }
     }
     assert_true(good > 0);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_buttons, test_encoders, test_queues,
-                     test_calibrations);
 }

@@ -82,7 +82,7 @@ static void draw(struct picture *p, const struct shape *s)
     pel_triangle(&p->surface, s->v, &paint.base.paint);
 }
 
-static void test_same_bytes(void)
+TEST(same_bytes)
 {
     static const struct pel_format *const formats[] = {
         &pel_xrgb8888, &pel_bgrx8888, &pel_rgb565_le};
@@ -105,9 +105,4 @@ static void test_same_bytes(void)
             fail_msg("format %u, %d bits: bytes differ", format, bits);
     }
     assert_true(taken > triangles / 2);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_same_bytes);
 }

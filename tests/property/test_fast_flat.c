@@ -1,127 +1,62 @@
-/* The writers that own the row loop of a triangle (fast_flat.c,
- * fast_gouraud.c) and those of runs below them, against the portable build,
- * byte for byte: first rows of every width from 0 to 40 px, at every place of a
- * row against 16 bytes, heights on both sides of the one from which rows are
- * prefetched. */
-#include <string.h>
-
+/* The writers of spans by vectors, and the one that owns the row loop of a
+ * triangle (fast_flat.c), against the formats' rule: first rows from 0 to 41 px
+ * wide, at every place of a row against 16 bytes, heights on both sides of the
+ * one from which rows are prefetched. */
+#include "tests/support/canvas.h"
+#include "tests/support/cases.h"
 #include "tests/support/check.h"
-#include "tests/support/portable.h"
 
-enum { WIDTH = 60, HEIGHT = 140, STRIDE_MAX = 4 * WIDTH + 20 };
-enum { BYTES = HEIGHT * STRIDE_MAX + 64 };
+enum { WIDTH = 60 };
 
-/* The same memory twice, aligned to 16. */
-static uint64_t memory[2][BYTES / 8];
-
-struct setting {
-    uint32_t format; /* index of layouts[] */
-    int32_t offset;  /* bytes from a multiple of 16 to the first line */
-    int32_t padding; /* bytes of a line beside its pixels */
-    struct item item;
-};
-
-static void check_setting(const struct setting *t)
-{
-    const struct pel_format *format[2] = {layouts[t->format].format,
-                                          portable_formats[t->format]};
-    const struct pel_rect b = {0, 0, WIDTH, HEIGHT};
-    const int32_t stride = pel_stride(format[0], WIDTH) + t->padding;
-    for (int k = 0; k < 2; k++) {
-        struct pel_surface s;
-        for (uint64_t i = 0; i < BYTES / 8; i++)
-            memory[k][i] = i * UINT64_C(0x9E3779B97F4A7C15);
-        uint8_t *first = (uint8_t *)memory[k] + t->offset;
-        assert_int_equal(
-            pel_surface_init_rect(&s, format[k], first, stride, &b), PEL_OK);
-        item_draw(k ? &core_portable : &core_default, &s, &t->item);
-    }
-    if (memcmp(memory[0], memory[1], sizeof memory[0]) != 0)
-        fail_msg("%s, offset %d, padding %d, shape %d, colour %08x, "
-                 "%d,%d %d,%d %d,%d: bytes differ",
-                 layouts[t->format].name, t->offset, t->padding, t->item.kind,
-                 t->item.color[0], t->item.v[0].x, t->item.v[0].y,
-                 t->item.v[1].x, t->item.v[1].y, t->item.v[2].x,
-                 t->item.v[2].y);
-}
+static struct canvas canvas;
+static struct hits hits;
 
 /* A first row of `width` pixels from `x` on, then narrower ones to the left,
  * the middle or the right; or the same upside down. */
-static void set_triangle(struct item *item, int32_t x, int32_t width,
+static void set_triangle(struct pel_point v[3], int32_t x, int32_t width,
                          int32_t height, int form)
 {
     const int32_t top = 128 + PEL_PX(2), left = PEL_PX(x) + 128;
     const int32_t third = left + PEL_PX(width) * (form % 3) / 2;
-    item->v[0] = (struct pel_point){left, top};
-    item->v[1] = (struct pel_point){left + PEL_PX(width), top};
-    item->v[2] = (struct pel_point){third, top + PEL_PX(height)};
-    if (form < 3)
-        return;
-    item->v[0].y = item->v[1].y = top + PEL_PX(height) - 1;
-    item->v[2].y = top - 1;
+    const bool up = form >= 3;
+    v[0].x = left;
+    v[1].x = left + PEL_PX(width);
+    v[0].y = v[1].y = up ? top + PEL_PX(height) - 1 : top;
+    v[2] = (struct pel_point){third, up ? top - 1 : top + PEL_PX(height)};
 }
 
-static void check_colors(struct setting *t)
+/* Each 10th case may be as high as rows are fetched into the cache for;
+ * xrgb8888 and xbgr8888, the three 5-6-5 formats and xrgb1555; one without any
+ * writer of its own. */
+TEST(colors)
 {
+    static const int32_t heights[] = {1, 2, 15, 16, 17, 24, 127, 128, 129};
+    static const uint32_t formats[] = {6, 7, 0, 1, 2, 3, 11};
     static const pel_color colors[] = {0xFF123456, 0x80FF40C0, 0x01FFFFFF,
                                        0xFE000102, 0x00FFFFFF};
-    t->item.kind = ITEM_TRIANGLE;
-    for (size_t i = 0; i < sizeof colors / sizeof colors[0]; i++) {
-        t->item.color[0] = colors[i];
-        check_setting(t);
+    static const pel_color corners[3] = {0xFFFF0040, 0xFF0080FF, 0xFF20FF00};
+    for (struct cases c = cases_of(80000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const struct layout *l = &layouts[formats[random_word(r) % 7]];
+        const int32_t height = heights[random_word(r) % (c.next % 10 ? 6 : 9)];
+        const uint32_t color = random_word(r) % 6;
+        const struct pel_flat flat = PEL_FLAT(colors[color % 5]);
+        const struct pel_rect b = {0, 0, WIDTH, height + 4};
+        struct pel_gouraud gouraud;
+        struct pel_point v[3];
+        set_triangle(v, random_between(r, 0, 15), random_between(r, 0, 41),
+                     height, random_between(r, 0, 5));
+        assert_int_equal(pel_gouraud_init(&gouraud, v, corners), PEL_OK);
+        canvas_open(&canvas, l->format, &b, random_word(r) % CANVAS_STYLES);
+        hits_open(&hits, &b);
+        pel_triangle(&hits.surface, v, &hits.paint);
+        pel_triangle(&canvas.surface, v,
+                     color < 5 ? &flat.paint : &gouraud.paint);
+        if (color < 5)
+            canvas_check_drawn(&canvas, &hits, canvas_flat, &flat);
+        else
+            canvas_check_drawn(&canvas, &hits, canvas_gouraud, &gouraud);
     }
-    t->item.kind = ITEM_GOURAUD;
-    t->item.color[0] = 0xFFFF0040;
-    t->item.color[1] = 0xFF0080FF;
-    t->item.color[2] = 0xFF20FF00;
-    check_setting(t);
-}
-
-/* xrgb8888 and xbgr8888, the three 5-6-5 formats and xrgb1555; one without any
- * writer of its own. */
-static const uint32_t formats[] = {6, 7, 0, 1, 2, 3, 11};
-enum { FORMATS = sizeof formats / sizeof formats[0] };
-
-static void check_places(struct setting *t)
-{
-    const int32_t word = layouts[t->format].format->word;
-    for (t->offset = 0; t->offset < 16; t->offset += word)
-        check_colors(t);
-}
-
-static void check_heights(const int32_t *heights, int32_t n, int32_t step)
-{
-    struct setting t = {.item = {.n = 3}};
-    for (uint32_t f = 0; f < FORMATS; f++)
-        for (int32_t width = 0; width <= 41; width += step)
-            for (int32_t h = 0; h < n; h++) {
-                t.format = formats[f];
-                t.padding = (width + h) % 4 * 4;
-                set_triangle(&t.item, 3 + h, width, heights[h],
-                             (width + (int)f) % 6);
-                check_places(&t);
-            }
-}
-
-static void test_one_row(void)
-{
-    check_heights((const int32_t[]){1, 2}, 2, 1);
-}
-
-static void test_around_16_rows(void)
-{
-    check_heights((const int32_t[]){15, 16, 17}, 3, 1);
-}
-
-static void test_many_rows(void)
-{
-    check_heights((const int32_t[]){40}, 1, 1);
-}
-
-/* Rows are fetched into the cache there. */
-static void test_around_128_rows(void)
-{
-    check_heights((const int32_t[]){127, 128, 129}, 3, 10);
 }
 
 static void fill_fails(const struct pel_paint *paint,
@@ -132,46 +67,19 @@ static void fill_fails(const struct pel_paint *paint,
 }
 
 /* The writers are there for speed: what they are made for must not go the other
- * way. Colors with alpha have one for all but xrgb1555_le. */
-static void test_writers_are_taken(void)
+ * way. */
+TEST(writers_are_taken)
 {
     static const struct pel_format *const all[] = {
         &pel_xrgb8888,  &pel_xbgr8888,  &pel_rgbx8888,  &pel_bgrx8888,
         &pel_rgb565_le, &pel_rgb565_be, &pel_bgr565_le, &pel_xrgb1555_le};
     static const struct pel_point v[3] = {PEL_AT(1, 1), PEL_AT(20, 2),
                                           PEL_AT(3, 20)};
-    static const pel_color colors[] = {0x00112233, 0xFF112233, 0x80112233};
-    for (size_t f = 0; f < sizeof all / sizeof *all; f++)
-        for (size_t i = 0; i < (f < 7 ? 3 : 2); i++) {
-            const struct pel_flat flat = {{fill_fails, pel_flat_fast},
-                                          colors[i]};
-            struct pel_surface s;
-            s = surface_of(all[f], memory[0], sizeof memory[0], 32, 32);
-            pel_triangle(&s, v, &flat.paint);
-        }
-}
-
-/* Opaque interpolated colors have two. */
-static void test_gouraud_writers_are_taken(void)
-{
-    static const struct pel_format *const all[] = {&pel_xrgb8888,
-                                                   &pel_rgb565_le};
-    static const struct pel_point v[3] = {PEL_AT(1, 1), PEL_AT(20, 2),
-                                          PEL_AT(3, 20)};
-    static const pel_color colors[3] = {0xFF000000, 0xFF112233, 0xFFFFFFFF};
-    for (size_t f = 0; f < sizeof all / sizeof *all; f++) {
-        struct pel_gouraud g;
-        struct pel_surface s;
-        s = surface_of(all[f], memory[0], sizeof memory[0], 32, 32);
-        assert_int_equal(pel_gouraud_init(&g, v, colors), PEL_OK);
-        g.paint.fill = fill_fails;
-        pel_triangle(&s, v, &g.paint);
+    static const struct pel_flat flat = {{fill_fails, pel_flat_fast},
+                                         PEL_RGB(17, 34, 51)};
+    const struct pel_rect b = {0, 0, 32, 32};
+    for (int f = 0; f < 8; f++) {
+        canvas_open(&canvas, all[f], &b, 0);
+        pel_triangle(&canvas.surface, v, &flat.paint);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_one_row, test_around_16_rows, test_many_rows,
-                     test_around_128_rows, test_writers_are_taken,
-                     test_gouraud_writers_are_taken);
 }

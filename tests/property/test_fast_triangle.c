@@ -1,8 +1,9 @@
-/* The 32.32 walk of 64-bit CPUs: rows taken through a paint's `fast` function
- * against 128-bit arithmetic, at the borders of its two bounds (128 rows for
- * one division, 4,094 px high for two). */
-#include "tests/support/check.h"
+/* The 32.32 walk of 64-bit CPUs against 128-bit arithmetic, at the borders of
+ * its two bounds (128 rows for one division, 4,094 px high for two); and when a
+ * paint's `fast` is asked. */
 #include "tests/support/cases.h"
+#include "tests/support/check.h"
+#include "tests/support/layouts.h"
 #include "tests/support/probe.h"
 
 /* Three vertices in a box of that size, one at its top and one at its bottom,
@@ -26,7 +27,7 @@ static void triangle_of_size(struct random *r, int32_t width, int32_t height,
 static void check_sizes(uint64_t count, const int32_t px[2], int32_t width)
 {
     struct probe p;
-    probe_open(&p, true);
+    probe_open(&p);
     for (struct cases c = cases_of(count); cases_next(&c);) {
         struct pel_point v[3];
         int32_t height =
@@ -37,18 +38,17 @@ static void check_sizes(uint64_t count, const int32_t px[2], int32_t width)
         triangle_of_size(&c.random, w, height, v);
         probe_triangle(&p, v);
     }
-    print_message("%llu fast, %llu batches, %llu rows\n",
-                  (unsigned long long)p.fast, (unsigned long long)p.slow,
+    print_message("%llu fast, %llu rows\n", (unsigned long long)p.fast,
                   (unsigned long long)p.rows);
     assert_true(p.fast > 0);
 }
 
-static void test_around_128_rows(void)
+TEST(around_128_rows)
 {
     check_sizes(40000, (const int32_t[]){127, 129}, PEL_PX(400));
 }
 
-static void test_as_wide_as_a_surface(void)
+TEST(as_wide_as_a_surface)
 {
     const int32_t width = PEL_PX(32767) - 1;
     check_sizes(40000, (const int32_t[]){0, 129}, width);
@@ -56,13 +56,13 @@ static void test_as_wide_as_a_surface(void)
     check_sizes(40000, (const int32_t[]){128, 128}, width);
 }
 
-static void test_around_4094_px(void)
+TEST(around_4094_px)
 {
     check_sizes(800, (const int32_t[]){4093, 4096}, PEL_PX(5000));
     check_sizes(800, (const int32_t[]){4094, 4094}, PEL_PX(32000));
 }
 
-static void test_any_size(void)
+TEST(any_size)
 {
     check_sizes(4000, (const int32_t[]){1, 4094}, PEL_PX(32000));
     check_sizes(100000, (const int32_t[]){1, 40}, PEL_PX(40));
@@ -70,10 +70,10 @@ static void test_any_size(void)
 
 /* Slivers whose edges cross each row within a sub-pixel of each other, and
  * slopes next to whole numbers, where a drift would show first. */
-static void test_tight_slopes(void)
+TEST(tight_slopes)
 {
     struct probe p;
-    probe_open(&p, true);
+    probe_open(&p);
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         int32_t dy =
             random_between(&c.random, 0, 3)
@@ -90,8 +90,54 @@ static void test_tight_slopes(void)
     assert_true(p.fast > 0);
 }
 
-int main(void)
+struct counting {
+    struct pel_paint paint;
+    bool takes;
+    int fast, rows;
+};
+
+static void count_rows(const struct pel_paint *paint,
+                       const struct pel_spans *rows)
 {
-    return RUN_TESTS(test_around_128_rows, test_as_wide_as_a_surface,
-                     test_around_4094_px, test_any_size, test_tight_slopes);
+    ((struct counting *)(uintptr_t)paint)->rows += rows->n;
+}
+
+static bool count_fast(const struct pel_paint *paint,
+                       const struct pel_surface *surface,
+                       const struct pel_fast_triangle *triangle)
+{
+    struct counting *c = (struct counting *)(uintptr_t)paint;
+    (void)surface;
+    (void)triangle;
+    c->fast++;
+    return c->takes;
+}
+
+/* `fast` is asked once, where nothing is clipped; what it leaves comes as rows.
+ */
+TEST(fast_is_asked_first)
+{
+    static const struct pel_point inside[3] = {PEL_AT(0, 0), PEL_AT(8, 0),
+                                               PEL_AT(0, 8)};
+    static const struct pel_point clipped[3] = {
+        PEL_AT(0, 0), {2049, 0}, PEL_AT(0, 8)};
+    static const struct pel_point empty[3] = {
+        {129, 129}, {300, 129}, {200, 380}};
+    static const struct {
+        const struct pel_point *v;
+        bool takes;
+        int fast, rows;
+    } row[] = {{inside, true, 1, 0},
+               {inside, false, 1, 8},
+               {clipped, true, 0, 8},
+               {empty, true, 0, 0}};
+    static uint8_t pixels[64];
+    struct pel_surface s;
+    s = surface_of(&pel_gray8, pixels, sizeof pixels, 8, 8);
+    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+        struct counting c = {{count_rows, count_fast}, row[i].takes, 0, 0};
+        pel_triangle(&s, row[i].v, &c.paint);
+        if (c.fast != row[i].fast || c.rows != row[i].rows)
+            fail_msg("row %zu: %d times fast, %d rows", i, c.fast, c.rows);
+    }
 }

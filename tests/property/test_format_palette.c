@@ -56,7 +56,7 @@ static void draw(const struct pel_surface *s, const struct pel_surface *picture,
     }
 }
 
-static void test_a_palette_is_its_colors(void)
+TEST(a_palette_is_its_colors)
 {
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -89,9 +89,4 @@ static void test_a_palette_is_its_colors(void)
             fail_msg("%d bits in format %d: %s", bits, format->id,
                      cases_replay());
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_a_palette_is_its_colors);
 }

@@ -12,16 +12,6 @@ enum { SIZE = 40 };
 
 static struct canvas to, from;
 
-static struct pel_rect random_bounds(struct random *r)
-{
-    const int32_t reach = random_word(r) % 4 ? 40 : 32700;
-    struct pel_rect b = {random_between(r, -reach, reach) & ~7,
-                         random_between(r, -reach, reach) & ~7, 0, 0};
-    b.x1 = b.x0 + random_between(r, 1, SIZE);
-    b.y1 = b.y0 + random_between(r, 1, SIZE);
-    return b;
-}
-
 /* Mostly overlaps the source and lands near the destination. */
 static struct pel_copy_part random_copy(struct random *r)
 {
@@ -39,7 +29,8 @@ static struct pel_copy_part random_copy(struct random *r)
 static struct pel_copy_part open_case(struct cases *c, uint64_t pair)
 {
     struct random *r = &c->random;
-    const struct pel_rect a = random_bounds(r), b = random_bounds(r);
+    const struct pel_rect a = shape_bounds(r, SIZE, SIZE);
+    const struct pel_rect b = shape_bounds(r, SIZE, SIZE);
     canvas_open(&to, layouts[pair % LAYOUT_COUNT].format, &a,
                 random_word(r) % CANVAS_STYLES);
     canvas_open(&from, layouts[pair / LAYOUT_COUNT % LAYOUT_COUNT].format, &b,
@@ -61,97 +52,85 @@ static bool source_of(const struct pel_copy_part *c, int32_t *x, int32_t *y)
            *y < b->y1;
 }
 
-/* The color that arrives at a pixel; alpha 0 where none does. */
-typedef pel_color rule(const struct pel_copy_part *c, int32_t x, int32_t y,
-                       uint32_t option);
+/* The color that arrives from a pixel; alpha 0 where none does. */
+typedef pel_color rule(int32_t x, int32_t y, uint32_t option);
+
+struct copied {
+    const struct pel_copy_part *copy;
+    rule *rule;
+    uint32_t option;
+};
+
+static pel_color color_at(const void *copied, int32_t x, int32_t y)
+{
+    const struct copied *c = copied;
+    const struct pel_rect *clip = &to.surface.clip;
+    if (x < clip->x0 || x >= clip->x1 || y < clip->y0 || y >= clip->y1 ||
+        !source_of(c->copy, &x, &y))
+        return 0;
+    return c->rule(x, y, c->option);
+}
 
 static void check(const struct pel_copy_part *copy, rule *expected,
                   uint32_t option)
 {
-    const struct pel_rect *clip = &to.surface.clip;
-    canvas_check(&to);
-    for (int32_t y = clip->y0; y < clip->y1; y++)
-        for (int32_t x = clip->x0; x < clip->x1; x++) {
-            int32_t sx = x, sy = y;
-            uint32_t want = canvas_pixel_before(&to, x, y);
-            if (source_of(copy, &sx, &sy))
-                want = layout_over(to.layout, want,
-                                   expected(copy, sx, sy, option));
-            if (canvas_pixel(&to, x, y) != want)
-                fail_msg("%s to %s: pixel %d, %d: expected %x, got %x; %s",
-                         from.layout->name, to.layout->name, x, y, want,
-                         canvas_pixel(&to, x, y), cases_replay());
-        }
+    const struct copied copied = {copy, expected, option};
+    canvas_check_drawn(&to, NULL, color_at, &copied);
 }
 
-static pel_color opaque_rule(const struct pel_copy_part *c, int32_t x,
-                             int32_t y, uint32_t option)
+static pel_color opaque_rule(int32_t x, int32_t y, uint32_t option)
 {
-    (void)c, (void)option;
+    (void)option;
     return layout_unpack(from.layout, canvas_pixel(&from, x, y)) |
            PEL_RGB(0, 0, 0);
 }
 
-static pel_color keyed_rule(const struct pel_copy_part *c, int32_t x, int32_t y,
-                            uint32_t key)
+static pel_color keyed_rule(int32_t x, int32_t y, uint32_t key)
 {
     uint32_t unused = from.layout->unused;
     bool is_key =
         (canvas_pixel(&from, x, y) | unused) == layout_pack(from.layout, key);
-    return is_key ? 0 : opaque_rule(c, x, y, 0);
+    return is_key ? 0 : opaque_rule(x, y, 0);
 }
 
-static pel_color alpha_rule(const struct pel_copy_part *c, int32_t x, int32_t y,
-                            uint32_t alpha)
+static pel_color alpha_rule(int32_t x, int32_t y, uint32_t alpha)
 {
-    return (opaque_rule(c, x, y, 0) & UINT32_C(0xFFFFFF)) | alpha << 24;
+    return (opaque_rule(x, y, 0) & UINT32_C(0xFFFFFF)) | alpha << 24;
 }
 
-static void test_opaque(void)
+TEST(every_way)
 {
-    for (struct cases c = cases_of(22500); cases_next(&c);) {
-        const struct pel_copy_part copy = open_case(&c, c.next);
-        pel_copy(&to.surface, &copy);
-        check(&copy, opaque_rule, 0);
-    }
-}
-
-static void test_keyed(void)
-{
-    for (struct cases c = cases_of(22500); cases_next(&c);) {
-        const struct pel_copy_part copy = open_case(&c, c.next);
+    for (struct cases c = cases_of(67500); cases_next(&c);) {
+        const struct pel_copy_part copy = open_case(&c, c.next / 3);
         const struct pel_rect *b = &from.surface.bounds;
         /* A pixel of the picture, in bits that its format may drop. */
-        uint32_t pixel = canvas_pixel(&from, b->x0, b->y0);
-        pel_color key = layout_unpack(from.layout, pixel);
-        pel_copy_keyed(&to.surface, &copy, key);
-        check(&copy, keyed_rule, key);
-    }
-}
-
-static void test_alpha(void)
-{
-    for (struct cases c = cases_of(22500); cases_next(&c);) {
-        const struct pel_copy_part copy = open_case(&c, c.next);
+        const pel_color key =
+            layout_unpack(from.layout, canvas_pixel(&from, b->x0, b->y0));
         uint32_t alpha = random_word(&c.random) & 255;
-        if (c.next % 4 == 0)
-            alpha = c.next / 4 % 2 ? 0 : 255;
-        pel_copy_alpha(&to.surface, &copy, (uint8_t)alpha);
-        check(&copy, alpha_rule, alpha);
+        if (alpha % 4 == 0)
+            alpha = alpha / 4 % 2 ? 0 : 255;
+        if (c.next % 3 == 0) {
+            pel_copy(&to.surface, &copy);
+            check(&copy, opaque_rule, 0);
+        } else if (c.next % 3 == 1) {
+            pel_copy_keyed(&to.surface, &copy, key);
+            check(&copy, keyed_rule, key);
+        } else {
+            pel_copy_alpha(&to.surface, &copy, (uint8_t)alpha);
+            check(&copy, alpha_rule, alpha);
+        }
     }
 }
 
 /* The canvas's words of 32 bits, read as colors with alpha. */
-static pel_color argb_rule(const struct pel_copy_part *c, int32_t x, int32_t y,
-                           uint32_t alpha)
+static pel_color argb_rule(int32_t x, int32_t y, uint32_t alpha)
 {
-    (void)c;
     uint32_t p = canvas_pixel(&from, x, y);
     uint32_t weight = ((p >> 24) * alpha * 2 + 255) / 510;
     return (p & UINT32_C(0xFFFFFF)) | weight << 24;
 }
 
-static void test_alpha_of_pixels(void)
+TEST(alpha_of_pixels)
 {
     uint64_t xrgb = 0;
     while (layouts[xrgb].format != &pel_xrgb8888)
@@ -169,7 +148,7 @@ static void test_alpha_of_pixels(void)
 }
 
 /* The alpha of a pixel is no part of the key, and nothing else's. */
-static void test_key_ignores_alpha(void)
+TEST(key_ignores_alpha)
 {
     static uint32_t words[3];
     const pel_color color[] = {0x12FF00FF, 0xFFFF00FF, 0x00FF00FE};
@@ -188,7 +167,7 @@ static void test_key_ignores_alpha(void)
 }
 
 /* As a destination it is xrgb8888. */
-static void test_argb_is_drawn_into_as_xrgb(void)
+TEST(argb_is_drawn_into_as_xrgb)
 {
     const struct pel_rect b = {0, 0, 16, 4};
     const struct pel_flat mixed = PEL_FLAT(PEL_RGBA(200, 100, 50, 77));
@@ -207,7 +186,7 @@ static void test_argb_is_drawn_into_as_xrgb(void)
     canvas_check_same(&to, &from);
 }
 
-static void test_out_of_range(void)
+TEST(out_of_range)
 {
     const struct pel_rect b = {0, 0, 16, 16};
     canvas_open(&to, &pel_gray8, &b, 0);
@@ -220,13 +199,11 @@ static void test_out_of_range(void)
     c.y = 0;
     c.area.x0 = INT32_MIN;
     pel_copy_alpha(&to.surface, &c, 255);
-    for (int32_t x = 0; x < 16; x++)
-        assert_int_equal(canvas_pixel(&to, x, 3),
-                         canvas_pixel_before(&to, x, 3));
+    assert_memory_equal(to.memory, to.before, to.size);
 }
 
 /* A surface whose init failed has no format. */
-static void test_failed_surfaces(void)
+TEST(failed_surfaces)
 {
     const struct pel_rect b = {0, 0, 8, 8};
     struct pel_surface failed;
@@ -239,7 +216,7 @@ static void test_failed_surfaces(void)
     pel_copy_alpha(&to.surface, &c, 255);
     pel_copy(&failed, &d);
     pel_copy_keyed(&failed, &d, 0);
-    assert_int_equal(canvas_pixel(&to, 3, 3), canvas_pixel_before(&to, 3, 3));
+    assert_memory_equal(to.memory, to.before, to.size);
 }
 
 static uint32_t pack_321(pel_color c)
@@ -268,7 +245,7 @@ static void put_321(const struct pel_surface *s, int32_t x, int32_t y,
 }
 
 /* Bits that a program's own format leaves unused are not copied. */
-static void test_unused_bits(void)
+TEST(unused_bits)
 {
     static const struct pel_format own = {.id = 200,
                                           .bits = 8,
@@ -284,11 +261,4 @@ static void test_unused_bits(void)
     assert_int_equal(pel_surface_init(&t, &own, &pixel, 1, &b), PEL_OK);
     pel_copy(&t, &(struct pel_copy_part){&f, b, 0, 0});
     assert_int_equal(pixel, pack_321(unpack_321(0xFF)));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_opaque, test_keyed, test_alpha, test_alpha_of_pixels,
-                     test_key_ignores_alpha, test_argb_is_drawn_into_as_xrgb,
-                     test_out_of_range, test_failed_surfaces, test_unused_bits);
 }

@@ -36,7 +36,7 @@ static void random_bits(struct random *r, uint8_t *bits)
     }
 }
 
-static void test_bits(void)
+TEST(bits)
 {
     static uint8_t bits[BYTES];
     for (struct cases c = cases_of(60000); cases_next(&c);) {
@@ -59,7 +59,7 @@ static void test_bits(void)
     }
 }
 
-static void test_out_of_range(void)
+TEST(out_of_range)
 {
     static const uint8_t bits[] = {0xFF};
     const struct pel_rect window = {0, 0, 8, 8};
@@ -72,9 +72,4 @@ static void test_out_of_range(void)
     g.height = -1;
     pel_glyph(&hits.surface, &g, 0, 0, &hits.paint);
     assert_int_equal(hits.pixels, 0);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_bits, test_out_of_range);
 }

@@ -43,7 +43,7 @@ static int32_t largest(const struct pel_texels *texels, int wrap)
     return most;
 }
 
-static void test_contrast_is_the_largest_difference(void)
+TEST(contrast_is_the_largest_difference)
 {
     for (struct cases c = cases_of(2000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -62,7 +62,7 @@ static void test_contrast_is_the_largest_difference(void)
     }
 }
 
-static void test_no_bound(void)
+TEST(no_bound)
 {
     const struct pel_texels texels = {NULL, texel, SIDE, SIDE, false};
     const struct pel_texels none = {NULL, NULL, SIDE, SIDE, false};
@@ -73,9 +73,4 @@ static void test_no_bound(void)
     assert_int_equal(pel_texels_contrast(&texels), 0);
     assert_int_equal(pel_texels_contrast(&none), 0);
     assert_int_equal(pel_texels_contrast(NULL), 0);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_contrast_is_the_largest_difference, test_no_bound);
 }

@@ -1,5 +1,4 @@
-/* Ordered dither: the matrix, the levels, the mean, and what it leaves alone.
- */
+/* Ordered dither: the matrix, the levels, and what it leaves alone. */
 #include "core/paint/paint_dither.h"
 #include "core/paint/paint_linear.h"
 #include "core/paint/paint_texture.h"
@@ -9,9 +8,6 @@
 #include "tests/support/shapes.h"
 
 static struct canvas canvas;
-
-static const struct pel_point origin = PEL_AT(-20000, -20000);
-static const struct pel_point far_end = PEL_AT(20000, 20000);
 
 /* The Bayer matrix by its bits: those of x ^ y and y, the lowest first. */
 static uint32_t bayer(int32_t x, int32_t y)
@@ -70,93 +66,52 @@ static pel_color dithered_color(const struct layout *l, pel_color c, int32_t x,
     return d;
 }
 
-static void check_over(const struct layout *l, pel_color color, int32_t x,
-                       int32_t y)
+static pel_color flat_at(const void *color, int32_t x, int32_t y)
 {
-    const pel_color source = dithered_color(l, color, x, y);
-    const uint32_t want =
-        layout_over(l, canvas_pixel_before(&canvas, x, y), source);
-    if (canvas_pixel(&canvas, x, y) != want)
-        fail_msg("%s, %08x at %d,%d: expected %x, got %x; %s", l->name, color,
-                 x, y, want, canvas_pixel(&canvas, x, y), cases_replay());
+    return dithered_color(canvas.layout, *(const pel_color *)color, x, y);
+}
+
+static void draw(const struct pel_paint *source)
+{
+    struct pel_dither d;
+    assert_int_equal(pel_dither_init(&d, source), PEL_OK);
+    pel_box(&canvas.surface, &canvas.surface.bounds, &d.paint);
+}
+
+static void check_flat(pel_color color)
+{
+    const struct pel_flat flat = PEL_FLAT(color);
+    draw(&flat.paint);
+    canvas_check_drawn(&canvas, NULL, flat_at, &color);
 }
 
 /* One color, any alpha, on any surface. */
-static void test_flat(void)
+TEST(flat)
 {
     for (struct cases c = cases_of(1500); cases_next(&c);) {
         struct random *r = &c.random;
-        const int32_t x0 = random_between(r, -2000, 2000) * 8;
-        const int32_t y0 = random_between(r, -2000, 2000) * 8;
-        const struct pel_rect b = {x0, y0, x0 + random_between(r, 1, 40),
-                                   y0 + 9};
-        const struct layout *l = &layouts[c.next % LAYOUT_COUNT];
-        const struct pel_flat flat = PEL_FLAT(
-            random_word(r) % 2 ? random_word(r) : random_word(r) | 0xFF000000);
-        struct pel_dither d;
-        canvas_open(&canvas, l->format, &b, random_word(r) % CANVAS_STYLES);
-        assert_int_equal(pel_dither_init(&d, &flat.paint), PEL_OK);
-        pel_rectangle(&canvas.surface, origin, far_end, &d.paint);
-        for (int32_t y = b.y0; y < b.y1; y++)
-            for (int32_t x = b.x0; x < b.x1; x++)
-                check_over(l, flat.color, x, y);
-        canvas_check(&canvas);
+        const struct pel_rect b = shape_bounds(r, 40, 9);
+        const pel_color color = random_word(r);
+        canvas_open(&canvas, layouts[c.next % LAYOUT_COUNT].format, &b,
+                    random_word(r) % CANVAS_STYLES);
+        check_flat(random_word(r) % 2 ? color : color | 0xFF000000);
     }
 }
 
-/* Every grey: the mean of 8 x 8 pixels is the color to 1/128 of a step, and a
- * level stays. */
-static void check_mean(const struct layout *l, uint32_t c, int shift)
-{
-    uint32_t low, high, sum = 0;
-    levels_around(l, shift, c, &low, &high);
-    for (int32_t y = 0; y < 8; y++)
-        for (int32_t x = 0; x < 8; x++)
-            sum += layout_unpack(l, canvas_pixel(&canvas, x, y)) >> shift & 255;
-    const int32_t off = (int32_t)(sum * 2) - (int32_t)(c * 128);
-    if (off > (int32_t)(high - low) || -off > (int32_t)(high - low))
-        fail_msg("%s: the mean of %u is %u / 64", l->name, c, sum);
-    if (c == low)
-        assert_int_equal(sum, c * 64);
-}
-
-static void test_mean(void)
+/* Every grey: a level stays, and as each value of the matrix is there once, the
+ * mean of 8 x 8 pixels is the color to 1/128 of a step. */
+TEST(every_grey)
 {
     const struct pel_rect b = {0, 0, 8, 8};
+    uint64_t values = 0;
+    for (int i = 0; i < 64; i++)
+        values |= UINT64_C(1) << bayer(i % 8, i / 8);
+    assert_true(values == UINT64_MAX);
     for (int i = 0; i < LAYOUT_COUNT; i++)
         for (uint32_t c = 0; c < 256; c++) {
-            const struct pel_flat flat = PEL_FLAT(PEL_RGB(c, c, c));
-            struct pel_dither d;
             canvas_open(&canvas, layouts[i].format, &b, 0);
-            assert_int_equal(pel_dither_init(&d, &flat.paint), PEL_OK);
-            pel_rectangle(&canvas.surface, origin, far_end, &d.paint);
-            for (int shift = 0; shift < 24; shift += 8)
-                check_mean(&layouts[i], c, shift);
+            check_flat(PEL_RGB(c, c, c));
         }
-}
-
-/* A paint that computes colors, in bands and whole. */
-static void test_gradient_in_bands(void)
-{
-    static struct canvas band;
-    static const pel_color colors[2] = {0xFF102030, 0xC0F0E0D0};
-    const struct pel_ramp ramp = {colors, 2, PEL_REFLECT};
-    const struct pel_point from = PEL_AT(3, 5), to = PEL_AT(90, 44);
-    struct pel_linear linear;
-    struct pel_dither d;
-    const struct pel_rect b = {0, 0, 64, 48};
-    assert_int_equal(pel_linear_init(&linear, from, to, &ramp), PEL_OK);
-    assert_int_equal(pel_dither_init(&d, &linear.base.paint), PEL_OK);
-    for (int i = 0; i < LAYOUT_COUNT; i++) {
-        canvas_open(&canvas, layouts[i].format, &b, 0);
-        pel_rectangle(&canvas.surface, origin, far_end, &d.paint);
-        for (int32_t y0 = 0; y0 < 48; y0 += 8) {
-            const struct pel_rect part = {y0 & 8, y0, 64, y0 + 8};
-            canvas_open(&band, layouts[i].format, &part, 1);
-            pel_rectangle(&band.surface, origin, far_end, &d.paint);
-            canvas_check_part(&canvas, &band);
-        }
-    }
 }
 
 /* A paint that knows nothing but its fill function, and one with its own way
@@ -174,6 +129,15 @@ static void left_half(const struct pel_paint *paint,
         }
 }
 
+/* Alpha 0 where the source has drawn nothing. */
+static pel_color source_at(const void *exact, int32_t x, int32_t y)
+{
+    const pel_color shown = canvas_pixel(exact, x, y);
+    return shown == canvas_pixel_before(exact, x, y)
+               ? 0
+               : dithered_color(canvas.layout, shown | 0xFF000000, x, y);
+}
+
 static void check_source(const struct layout *l, const struct pel_paint *source)
 {
     static const struct pel_point center = PEL_AT(19, 11);
@@ -185,21 +149,10 @@ static void check_source(const struct layout *l, const struct pel_paint *source)
     assert_int_equal(pel_dither_init(&d, source), PEL_OK);
     pel_circle(&exact.surface, center, PEL_PX(21), source);
     pel_circle(&canvas.surface, center, PEL_PX(21), &d.paint);
-    for (int32_t y = 0; y < 24; y++)
-        for (int32_t x = 0; x < 40; x++) {
-            uint32_t before = canvas_pixel_before(&exact, x, y);
-            uint32_t after = canvas_pixel(&exact, x, y);
-            uint32_t want = canvas_pixel_before(&canvas, x, y);
-            if (before != after)
-                want = layout_pack(l, dithered_color(l, after, x, y));
-            if (canvas_pixel(&canvas, x, y) != want)
-                fail_msg("%s, pixel %d,%d: colour %08x, expected %x, got %x",
-                         l->name, x, y, after, want,
-                         canvas_pixel(&canvas, x, y));
-        }
+    canvas_check_drawn(&canvas, NULL, source_at, &exact);
 }
 
-static void test_any_source(void)
+TEST(any_source)
 {
     static const struct pel_paint half = {left_half, NULL};
     const struct pel_point v[3] = {PEL_AT(-200, -100), PEL_AT(300, -100),
@@ -223,7 +176,7 @@ static void test_any_source(void)
 
 /* Linear gradients of cells about 1/2 to 7 px wide, and one of narrower ones:
  * ends in sight, again and again, either way. */
-static void test_narrow_cells(void)
+TEST(narrow_cells)
 {
     static const struct pel_point ways[][2] = {
         {PEL_AT(5, 3), PEL_AT(130, 70)},    {PEL_AT(130, 70), PEL_AT(5, 3)},
@@ -262,20 +215,20 @@ static void put_mixed(const struct pel_paint *paint,
     }
 }
 
-static void test_mixed_alpha(void)
+static pel_color mixed_at(const void *paint, int32_t x, int32_t y)
+{
+    (void)paint;
+    return dithered_color(canvas.layout, mixed_color(x, y), x, y);
+}
+
+TEST(mixed_alpha)
 {
     static const struct pel_paint source = {put_mixed, NULL};
     static const struct pel_rect b = {0, 0, 40, 24};
-    struct pel_dither d;
-    assert_int_equal(pel_dither_init(&d, &source), PEL_OK);
     for (int i = 0; i < LAYOUT_COUNT; i++) {
         canvas_open(&canvas, layouts[i].format, &b, 0);
-        pel_rectangle(&canvas.surface, (struct pel_point)PEL_AT(3, 0), far_end,
-                      &d.paint);
-        for (int32_t y = 0; y < 24; y++)
-            for (int32_t x = 3; x < 40; x++)
-                check_over(&layouts[i], mixed_color(x, y), x, y);
-        canvas_check(&canvas);
+        draw(&source);
+        canvas_check_drawn(&canvas, NULL, mixed_at, NULL);
     }
 }
 
@@ -301,23 +254,17 @@ static void fill_and_load(const struct pel_paint *paint,
 }
 
 /* A format of one's own, here of the depths of another, is dithered too. */
-static void test_sources_surface(void)
+TEST(sources_surface)
 {
     static const struct pel_paint source = {fill_and_load, NULL};
     static const struct pel_rect b = {0, 0, 40, 3};
+    static const pel_color color = 0xFF4080C0;
     struct pel_format own = pel_rgb332;
-    struct pel_dither d;
     own.id = 200;
-    assert_int_equal(pel_dither_init(&d, &source), PEL_OK);
     canvas_open(&canvas, &pel_rgb332, &b, 0);
     canvas.surface.format = &own;
-    pel_rectangle(&canvas.surface, origin, far_end, &d.paint);
-    for (int32_t y = 0; y < 3; y++)
-        for (int32_t x = 0; x < 40; x++)
-            assert_int_equal(
-                canvas_pixel(&canvas, x, y),
-                layout_pack(canvas.layout,
-                            dithered_color(canvas.layout, 0xFF4080C0, x, y)));
+    draw(&source);
+    canvas_check_drawn(&canvas, NULL, flat_at, &color);
 }
 
 /* A format of one's own: grey of any depth in 16 bits. */
@@ -346,7 +293,7 @@ static uint32_t own_value(uint32_t level, uint32_t bits)
 }
 
 /* Every channel at every place, where levels are from 255 to 2 apart. */
-static void test_every_depth(void)
+TEST(every_depth)
 {
     static const struct pel_rect b = {0, 0, 20, 8};
     uint16_t pixels[8][20];
@@ -361,7 +308,7 @@ static void test_every_depth(void)
             struct pel_dither d;
             own.depth[0] = (uint8_t)bits;
             pel_dither_init(&d, &flat.paint);
-            pel_rectangle(&s, origin, far_end, &d.paint);
+            pel_box(&s, &b, &d.paint);
             level += c == own_value(level + 1, bits);
             const uint32_t low = own_value(level, bits);
             const uint32_t step = own_value(level + 1, bits) - low;
@@ -373,28 +320,17 @@ static void test_every_depth(void)
         }
 }
 
-/* Refused, and where a source became a dither later nothing is drawn. */
-static void test_dither_of_dither(void)
+/* Where a source became a dither later nothing is drawn. */
+TEST(dither_of_dither)
 {
     static const struct pel_rect b = {0, 0, 8, 8};
     const struct pel_flat flat = PEL_FLAT(0xFF4080C0);
     struct pel_dither d, e = {{NULL, NULL}, NULL};
-    assert_int_equal(pel_dither_init(&d, &flat.paint), PEL_OK);
-    assert_int_equal(pel_dither_init(&e, &d.paint), PEL_ERROR_RANGE);
-    assert_int_equal(pel_dither_init(&d, &d.paint), PEL_ERROR_RANGE);
     assert_int_equal(pel_dither_init(&d, &e.paint), PEL_OK);
-    e = d;
+    assert_int_equal(pel_dither_init(&e, &flat.paint), PEL_OK);
     for (int i = 0; i < LAYOUT_COUNT; i++) {
         canvas_open(&canvas, layouts[i].format, &b, 0);
-        pel_rectangle(&canvas.surface, origin, far_end, &d.paint);
-        assert_int_equal(canvas_pixel(&canvas, 3, 3),
-                         canvas_pixel_before(&canvas, 3, 3));
+        pel_box(&canvas.surface, &canvas.surface.bounds, &d.paint);
+        assert_memory_equal(canvas.memory, canvas.before, canvas.size);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_flat, test_mean, test_gradient_in_bands,
-                     test_any_source, test_narrow_cells, test_sources_surface,
-                     test_every_depth, test_dither_of_dither, test_mixed_alpha);
 }

@@ -136,7 +136,7 @@ static void check_runs(struct random *r)
     }
 }
 
-static void test_stars(void)
+TEST(stars)
 {
     for (struct cases c = cases_of(2500); cases_next(&c);) {
         random_star(&c.random);
@@ -148,7 +148,7 @@ static void test_stars(void)
 }
 
 /* Convex and not, any legal points: where the perimeter goes around the hub. */
-static void test_any_triangle(void)
+TEST(any_triangle)
 {
     for (struct cases c = cases_of(10000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -165,36 +165,7 @@ static void test_any_triangle(void)
     }
 }
 
-/* Around the mean place, with a color that is the mean: the whole triangle is
- * one plane. */
-static void test_triangle_is_gouraud(void)
-{
-    const struct pel_point v[3] = {{PEL_PX(30), PEL_PX(3)},
-                                   {PEL_PX(3), PEL_PX(60)},
-                                   {PEL_PX(90), PEL_PX(81)}};
-    const pel_color c[3] = {0xFF0306FF, 0x00FF0903, 0x3C030903};
-    struct pel_gouraud g;
-    pel_color got;
-    fan.points = (struct pel_fan_points){{0, 0}, 0, v, c, 3};
-    pel_fan_set_hub(&fan.points);
-    assert_int_equal(pel_fan_init(&fan.fan, &fan.points, fan.memory), PEL_OK);
-    pel_gouraud_init(&g, v, c);
-    for (int32_t y = 0; y < 90; y++)
-        for (int32_t x = 0; x < 100; x++) {
-            if (!reference_triangle_at(v, x, y))
-                continue;
-            fan.fan.base.colors(&fan.fan.base, x, y, 1, &got);
-            for (int k = 0; k < 4; k++) {
-                int32_t want = (int32_t)((g.at[k] + (uint32_t)x * g.dx[k] +
-                                          (uint32_t)y * g.dy[k]) >>
-                                         24);
-                assert_in_range((got >> 8 * k & 255) + 1 - (uint32_t)want, 0,
-                                2);
-            }
-        }
-}
-
-static void test_hub_on_an_edge(void)
+TEST(hub_on_an_edge)
 {
     const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(20, 0), PEL_AT(10, 10)};
     const pel_color c[3] = {0xFF000000, 0xFFFFFFFF, 0xFF00FF00};
@@ -237,7 +208,7 @@ static void draw_half(int first, bool reversed, pel_color *out)
                             out + i);
 }
 
-static void test_any_beginning(void)
+TEST(any_beginning)
 {
     static pel_color want[HALF_SIZE * HALF_SIZE], got[HALF_SIZE * HALF_SIZE];
     draw_half(0, false, want);
@@ -257,7 +228,7 @@ static void test_any_beginning(void)
         }
 }
 
-static void test_opaque(void)
+TEST(opaque)
 {
     const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(20, 0), PEL_AT(10, 10)};
     for (int i = 0; i < 4; i++) {
@@ -270,7 +241,7 @@ static void test_opaque(void)
     }
 }
 
-static void test_largest(void)
+TEST(largest)
 {
     static struct pel_point v[32768];
     static pel_color colors[32768];
@@ -286,7 +257,7 @@ static void test_largest(void)
 /* Rims that go around once, from every point on and both ways: with a point on
  * the hub, and with points beside the level rays. The last goes a little more
  * than once around a hub that is one of its corners. */
-static void test_perimeters_around_once(void)
+TEST(perimeters_around_once)
 {
     static const struct pel_point perimeters[3][5] = {
         {{900, 900}, {-900, 900}, {-900, -900}, {0, 0}, {900, -900}},
@@ -303,11 +274,4 @@ static void test_perimeters_around_once(void)
                 assert_int_equal(pel_fan_init(&fan.fan, &p, fan.memory),
                                  k < 2 ? PEL_OK : PEL_ERROR_RANGE);
             }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_stars, test_any_triangle, test_triangle_is_gouraud,
-                     test_hub_on_an_edge, test_any_beginning, test_opaque,
-                     test_largest, test_perimeters_around_once);
 }

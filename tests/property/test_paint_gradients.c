@@ -3,6 +3,7 @@
  * same numbers. What a pixel shows is a function of the pixel alone, so bands,
  * tiles and clips change no byte. */
 #include "core/pel.h"
+#include "tests/support/any_paint.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
@@ -19,13 +20,7 @@ struct gradient {
     int32_t radius;
     uint16_t phase; /* or start */
     struct pel_ramp ramp;
-    union {
-        struct pel_paint paint;
-        struct pel_linear linear;
-        struct pel_radial radial;
-        struct pel_conic conic;
-        struct pel_hue_wheel wheel;
-    } u;
+    union any_paint u;
 };
 
 static pel_color colors[32767];
@@ -300,7 +295,7 @@ static void check_drawn(const struct gradient *g, const struct pel_rect *b,
     canvas_check_drawn(&canvas, &hits, color_at, g);
 }
 
-static void test_every_cell(void)
+TEST(every_cell)
 {
     static struct gradient g;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
@@ -322,7 +317,7 @@ static void test_every_cell(void)
 
 /* Narrow rings around a wide disc, so far out that the squares of their radii
  * do not fit the 32 bits of core/fast. */
-static void test_far_rings(void)
+TEST(far_rings)
 {
     static struct gradient g = {.kind = RADIAL,
                                 .radius = 2400 * 673,
@@ -335,9 +330,4 @@ static void test_far_rings(void)
     assert_int_equal(pel_radial_init(&g.u.radial, &rings, &g.ramp), PEL_OK);
     canvas_open(&canvas, &pel_xrgb8888, &row, 0);
     check_drawn(&g, &row, v, 3);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_every_cell, test_far_rings);
 }

@@ -59,7 +59,7 @@ static const struct pel_paint *make_paint(struct random *r)
     return kinds[random_word(r) % 3];
 }
 
-static void test_one_bit_is_a_stencil(void)
+TEST(one_bit_is_a_stencil)
 {
     const struct pel_stencil stencil = {bits, (WIDTH + 7) / 8, WIDTH, HEIGHT};
     const struct pel_surface mask =
@@ -86,7 +86,7 @@ static void test_one_bit_is_a_stencil(void)
     }
 }
 
-static void test_grey_weighs_alpha(void)
+TEST(grey_weighs_alpha)
 {
     static const struct pel_format *const formats[] = {&pel_gray8, &pel_gray4,
                                                        &pel_mono1};
@@ -117,7 +117,7 @@ static void test_grey_weighs_alpha(void)
     }
 }
 
-static void test_errors(void)
+TEST(errors)
 {
     static const struct pel_flat flat = PEL_FLAT(PEL_RGB(1, 2, 3));
     struct pel_surface mask =
@@ -134,10 +134,4 @@ static void test_errors(void)
     mask.format = &pel_rgb565_le_fill;
     assert_int_equal(pel_masked_init(&m, &mask, 0, 0, p), PEL_ERROR_FORMAT);
     assert_ptr_equal(m.base.paint.fill, pel_nothing_fill);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_one_bit_is_a_stencil, test_grey_weighs_alpha,
-                     test_errors);
 }

@@ -24,7 +24,7 @@ static void check_root(uint64_t v)
 }
 
 /* All small numbers, and squares with their neighbours of every size. */
-static void test_roots(void)
+TEST(roots)
 {
     for (uint64_t v = 0; v < 300000; v++)
         check_root(v);
@@ -46,7 +46,7 @@ static uint64_t random_long(struct random *r, int bits)
     return v >> (64 - bits);
 }
 
-static void test_quotients(void)
+TEST(quotients)
 {
     for (struct cases c = cases_of(300000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -64,9 +64,6 @@ static void test_quotients(void)
             fail_msg("%llu / %llu, 32 bits", (unsigned long long)n,
                      (unsigned long long)d);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_roots, test_quotients);
+    assert_int_equal(pel_divide(UINT64_C(0xFFFFFFFEFFFFFFFF), UINT32_MAX),
+                     UINT32_MAX);
 }

@@ -2,8 +2,7 @@
  * what the paint says of that pixel alone, stored or blended by the rule. So
  * bands, tiles and clips change no byte. And the same bytes on every CPU.
  * Gradients: test_paint_gradients.c. */
-#include "core/paint/paint_fan.h"
-#include "core/paint/paint_texture.h"
+#include "tests/support/any_paint.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
@@ -13,10 +12,7 @@ enum { KINDS = 3, COLORS = 200, TEXELS = 16 * 11 };
 
 static pel_color ramp_colors[COLORS], texels[TEXELS];
 static struct pel_fan_triangle triangles[5];
-static union {
-    struct pel_fan fan;
-    struct pel_texture texture;
-} paint;
+static union any_paint paint;
 
 static void noise(struct random *r, pel_color *colors, int32_t n, bool opaque)
 {
@@ -105,7 +101,7 @@ static pel_color color_at(const void *colors, int32_t x, int32_t y)
     return source;
 }
 
-static void test_pixels(void)
+TEST(pixels)
 {
     static struct canvas canvas;
     static struct hits hits;
@@ -143,16 +139,11 @@ static uint32_t checksum_of(uint32_t kind)
     return sum;
 }
 
-static void test_same_bytes_everywhere(void)
+TEST(same_bytes_everywhere)
 {
     static const uint32_t sums[KINDS] = {0xf2040aa4, 0x7de153e6, 0x4e4be96e};
     for (uint32_t kind = 0; kind < KINDS; kind++)
         if (checksum_of(kind) != sums[kind])
             fail_msg("kind %u: expected %08x, got %08x", kind, sums[kind],
                      checksum_of(kind));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_pixels, test_same_bytes_everywhere);
 }

@@ -204,13 +204,13 @@ static void check_rows(bool noise, init_function *init, check_function *check)
     }
 }
 
-static void test_nearest(void)
+TEST(nearest)
 {
     check_rows(false, pel_texture_init_nearest, check_nearest);
     histogram_end(&nearest_errors);
 }
 
-static void test_bilinear(void)
+TEST(bilinear)
 {
     check_rows(true, pel_texture_init_bilinear, check_bilinear);
     histogram_end(&bilinear_errors);
@@ -237,7 +237,7 @@ static void check_unit_scale(init_function *init)
     }
 }
 
-static void test_unit_scale_is_exact(void)
+TEST(unit_scale_is_exact)
 {
     static const int16_t size[][2] = {{451, 300}, {256, 64}, {1, 1}, {13, 1}};
     for (int s = 0; s < 4; s++)
@@ -251,7 +251,7 @@ static void test_unit_scale_is_exact(void)
 }
 
 /* Any order of the vertices gives the same map. */
-static void test_order_changes_nothing(void)
+TEST(order_changes_nothing)
 {
     static const int8_t order[5][3] = {
         {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
@@ -304,7 +304,7 @@ static void check_formats(const struct pel_format *from,
     canvas_check(&source);
 }
 
-static void test_formats(void)
+TEST(formats)
 {
     for (int from = 0; from < LAYOUT_COUNT; from++)
         for (int to = 0; to < LAYOUT_COUNT; to++)
@@ -313,7 +313,7 @@ static void test_formats(void)
 }
 
 /* A surface with alpha shows what the same colors in an array show. */
-static void test_alpha_surface(void)
+TEST(alpha_surface)
 {
     static uint8_t memory[451 * 300 * 4];
     const struct pel_texture_map map = {{0x12345678, 0x9ABCDEF0, 0x13579BDF},
@@ -338,11 +338,4 @@ static void test_alpha_surface(void)
             assert_memory_equal(from_surface, from_array, sizeof from_array);
         }
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_nearest, test_bilinear, test_unit_scale_is_exact,
-                     test_order_changes_nothing, test_formats,
-                     test_alpha_surface);
 }

@@ -62,15 +62,10 @@ static void check_size(int32_t size, uint64_t n, double tight)
     assert_true(tightest >= tight);
 }
 
-static void test_sizes(void)
+TEST(sizes)
 {
     check_size(300, 200000, 1);
     check_size(PEL_PX(8), 100000, .97);
     check_size(PEL_PX(100), 30000, .97);
     check_size(PEL_PX(16000), 300, .99);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_sizes);
 }

@@ -82,8 +82,8 @@ static void draw(struct random *r, struct probe *p, const struct near_miss *m)
 static void check_edges(uint64_t count, const int32_t dy[2])
 {
     struct probe p[2];
-    probe_open(&p[0], true);
-    probe_open(&p[1], false);
+    probe_open(&p[0]);
+    probe_open(&p[1]);
     for (struct cases c = cases_of(count); cases_next(&c);) {
         struct random *r = &c.random;
         struct near_miss m;
@@ -94,31 +94,29 @@ static void check_edges(uint64_t count, const int32_t dy[2])
         draw(r, &p[0], &m);
         draw(r, &p[1], &m);
     }
-    print_message("%llu fast, %llu rows\n", (unsigned long long)p[0].fast,
-                  (unsigned long long)(p[0].rows + p[1].rows));
     assert_true(p[1].rows > 0);
 }
 
-static void test_up_to_128_rows(void)
+TEST(up_to_128_rows)
 {
     check_edges(100000, (const int32_t[]){1, 2000});
     check_edges(50000, (const int32_t[]){2000, 32768});
 }
 
-static void test_up_to_4094_rows(void)
+TEST(up_to_4094_rows)
 {
     check_edges(20000, (const int32_t[]){32768, 100000});
     check_edges(2000, (const int32_t[]){100000, PEL_PX(4094)});
     check_edges(1000, (const int32_t[]){PEL_PX(4000), PEL_PX(4094)});
 }
 
-static void test_up_to_15625_rows(void)
+TEST(up_to_15625_rows)
 {
     check_edges(1200, (const int32_t[]){PEL_PX(4094), 4000000});
 }
 
 /* The generator's promise: no edge passes more closely. */
-static void test_generator(void)
+TEST(generator)
 {
     for (struct cases c = cases_of(10000); cases_next(&c);) {
         struct near_miss m;
@@ -130,10 +128,4 @@ static void test_generator(void)
         assert_true(rest == 0 || rest == 1 || rest == -1 ||
                     rest == 256 * dy - 1 || rest == 1 - 256 * dy);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_generator, test_up_to_128_rows, test_up_to_4094_rows,
-                     test_up_to_15625_rows);
 }

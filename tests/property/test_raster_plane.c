@@ -7,11 +7,6 @@
 #include "tests/support/reference.h"
 #include "tests/support/reference_scene.h"
 
-static real size_of(real v)
-{
-    return v < 0 ? -v : v;
-}
-
 static int32_t lowest(const struct pel_point v[3], bool x)
 {
     return x ? pel_min(pel_min(v[0].x, v[1].x), v[2].x) >> 8
@@ -64,7 +59,7 @@ static real worst_error(const struct pel_point v[3], const int32_t value[3],
                 w[0] * value[0] + w[1] * value[1] + w[2] * value[2];
             const real got =
                 (real)(int64_t)pel_plane_at(&plane, x, y) / (1 << 24);
-            worst = size_of(got - want) > worst ? size_of(got - want) : worst;
+            worst = real_abs(got - want) > worst ? real_abs(got - want) : worst;
             (*pixels)++;
         }
     return worst;
@@ -90,19 +85,19 @@ static void check_planes(uint64_t count, int32_t thickness, real allowed)
     assert_true(pixels > 0);
 }
 
-static void test_triangles(void)
+TEST(triangles)
 {
     check_planes(200, 0, 1.0L / 64);
 }
 
-static void test_slivers(void)
+TEST(slivers)
 {
     check_planes(500, 40, 1.0L / 64);
     check_planes(1500, 1, 1.0L * (1 << 13));
 }
 
 /* u over a triangle whose 1 / z is w. */
-static void test_affine_is_off_by_its_bound(void)
+TEST(affine_is_off_by_its_bound)
 {
     real tightest = 0;
     for (struct cases c = cases_of(400); cases_next(&c);) {
@@ -115,7 +110,7 @@ static void test_affine_is_off_by_its_bound(void)
             r, 1, 1 + (r - 1) * random_between(&c.random, 0, 100) / 100};
         struct pel_plane_setup setup;
         struct pel_plane plane;
-        real at[3], root = reference_root(r);
+        real at[3], root = real_root(r);
         const real bound = (root - 1) / (root + 1);
         pel_plane_start(&setup, v);
         pel_plane_set(&plane, &setup, u);
@@ -125,8 +120,8 @@ static void test_affine_is_off_by_its_bound(void)
             const real exact =
                 (at[1] * w[1] * u[1] + at[2] * w[2] * u[2]) / sum;
             const real off =
-                size_of((real)(int64_t)pel_plane_at(&plane, x, 0) / (1 << 24) -
-                        exact) /
+                real_abs((real)(int64_t)pel_plane_at(&plane, x, 0) / (1 << 24) -
+                         exact) /
                 (1 << 28);
             tightest = off / bound > tightest ? off / bound : tightest;
             if (off > bound + 1e-6L)
@@ -138,10 +133,4 @@ static void test_affine_is_off_by_its_bound(void)
     }
     print_message("at most %.4f of the bound\n", (double)tightest);
     assert_true(tightest > 0.95L);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_triangles, test_slivers,
-                     test_affine_is_off_by_its_bound);
 }

@@ -102,39 +102,18 @@ static void check_polygons(generator *generate, uint64_t count)
         hits_check(&hits, in_polygon, &outline, "polygon");
         covered += hits.pixels;
     }
-    print_message("%llu pixels covered\n", (unsigned long long)covered);
     assert_true(covered > 0);
 }
 
-static void test_random(void)
+TEST(polygons)
 {
-    check_polygons(shape_random, 10000);
-    check_polygons(shape_adversarial, 10000);
-}
-
-static void test_pixels(void)
-{
-    check_polygons(pixels, 6000);
-}
-
-static void test_stars_and_spirals(void)
-{
-    check_polygons(star, 4500);
-    check_polygons(spiral, 4500);
-}
-
-static void test_combs(void)
-{
-    check_polygons(comb, 6000);
-}
-
-static void test_repeated_sides(void)
-{
-    check_polygons(repeat, 4500);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_random, test_pixels, test_stars_and_spirals,
-                     test_combs, test_repeated_sides);
+    static const struct {
+        generator *generate;
+        uint64_t count;
+    } rows[] = {{shape_random, 10000}, {shape_adversarial, 10000},
+                {pixels, 6000},        {star, 4500},
+                {spiral, 4500},        {comb, 6000},
+                {repeat, 4500}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        check_polygons(rows[i].generate, rows[i].count);
 }

@@ -1,5 +1,5 @@
 /* Coverage of triangles, random and adversarial, through clip windows anywhere,
- * against 128-bit arithmetic; as polygons; and without area as lines. */
+ * against 128-bit arithmetic; and without area as lines. */
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
 #include "tests/support/reference.h"
@@ -26,32 +26,6 @@ static void open_window(struct random *r, const struct pel_point v[3])
     pel_surface_clip(&hits.surface, &clip);
 }
 
-typedef void generator(struct random *r, struct pel_point *v, int32_t n);
-
-static void check_triangles(generator *generate)
-{
-    uint64_t covered = 0;
-    for (struct cases c = cases_of(1000000); cases_next(&c);) {
-        struct pel_point v[3];
-        generate(&c.random, v, 3);
-        open_window(&c.random, v);
-        pel_triangle(&hits.surface, v, &hits.paint);
-        hits_check(&hits, in_triangle, v, "triangle");
-        covered += hits.pixels;
-    }
-    print_message("%llu pixels covered\n", (unsigned long long)covered);
-}
-
-static void test_random_triangles(void)
-{
-    check_triangles(shape_random);
-}
-
-static void test_adversarial_triangles(void)
-{
-    check_triangles(shape_adversarial);
-}
-
 /* Either random or adversarial. */
 static void generate(struct random *r, struct pel_point v[3])
 {
@@ -61,20 +35,14 @@ static void generate(struct random *r, struct pel_point v[3])
         shape_adversarial(r, v, 3);
 }
 
-/* A triangle as a polygon is the triangle, by either rule. */
-static void test_triangle_polygons(void)
+TEST(triangles)
 {
-    uint32_t scratch[PEL_POLYGON_SCRATCH_SIZE(3) / 4];
-    for (struct cases c = cases_of(200000); cases_next(&c);) {
+    for (struct cases c = cases_of(2000000); cases_next(&c);) {
         struct pel_point v[3];
-        const struct pel_polygon_shape p = {
-            v, 3, random_word(&c.random) & 1 ? PEL_EVEN_ODD : PEL_NON_ZERO};
         generate(&c.random, v);
         open_window(&c.random, v);
-        assert_int_equal(pel_polygon(&hits.surface, &p, &hits.paint, scratch,
-                                     sizeof scratch),
-                         PEL_OK);
-        hits_check(&hits, in_triangle, v, "triangle as polygon");
+        pel_triangle(&hits.surface, v, &hits.paint);
+        hits_check(&hits, in_triangle, v, "triangle");
     }
 }
 
@@ -84,7 +52,7 @@ static bool lower(const struct pel_point *a, const struct pel_point *b)
 }
 
 /* Without area: the line between the two extreme vertices. */
-static void test_collinear_triangles(void)
+TEST(collinear_triangles)
 {
     for (struct cases c = cases_of(200000); cases_next(&c);) {
         struct pel_point v[3], line[2];
@@ -104,10 +72,4 @@ static void test_collinear_triangles(void)
         hits_check(&hits, flat ? in_line : in_triangle, flat ? line : v,
                    "triangle or line");
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_random_triangles, test_adversarial_triangles,
-                     test_triangle_polygons, test_collinear_triangles);
 }

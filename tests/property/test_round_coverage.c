@@ -19,35 +19,23 @@ static void open_window(struct random *r, const struct any_shape *s)
     pel_surface_clip(&hits.surface, &clip);
 }
 
-/* More of the shapes that most programs draw. */
-static uint64_t check_fills(enum any_kind kind, bool adversarial)
+/* More of the fills that most programs draw. */
+static void check_shapes(enum any_kind kind, bool outline, bool adversarial)
 {
     const bool plain = kind == ANY_CIRCLE || kind == ANY_LINE ||
                        kind == ANY_RECTANGLE || kind == ANY_POLYGON;
+    const uint64_t count = outline ? 20000 : plain ? 200000 : 40000;
     uint64_t covered = 0;
-    for (struct cases c = cases_of(plain ? 200000 : 40000); cases_next(&c);) {
+    for (struct cases c = cases_of(count); cases_next(&c);) {
         struct any_shape s;
         any_random(&c.random, &s, kind, adversarial);
         open_window(&c.random, &s);
-        any_draw(&hits.surface, &s, &hits.paint);
-        hits_check(&hits, any_fill_expected, &s, any_name(&s));
+        (outline ? any_draw_outline : any_draw)(&hits.surface, &s, &hits.paint);
+        hits_check(&hits, outline ? any_outline_expected : any_fill_expected,
+                   &s, any_name(&s));
         covered += hits.pixels;
     }
-    return covered;
-}
-
-static uint64_t check_outlines(enum any_kind kind, bool adversarial)
-{
-    uint64_t covered = 0;
-    for (struct cases c = cases_of(20000); cases_next(&c);) {
-        struct any_shape s;
-        any_random(&c.random, &s, kind, adversarial);
-        open_window(&c.random, &s);
-        any_draw_outline(&hits.surface, &s, &hits.paint);
-        hits_check(&hits, any_outline_expected, &s, any_name(&s));
-        covered += hits.pixels;
-    }
-    return covered;
+    assert_true(covered > 0);
 }
 
 static void add(struct pel_rect *box, int32_t x, int32_t y)
@@ -62,7 +50,7 @@ static void add(struct pel_rect *box, int32_t x, int32_t y)
 
 /* The dirty box is that of the pixels that belong to the shape or its outline
  * inside the clip, painting or not, and changes nothing of what is painted. */
-static void test_dirty_boxes(void)
+TEST(dirty_boxes)
 {
     for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -97,31 +85,14 @@ static void test_dirty_boxes(void)
     }
 }
 
-static void test_fills(void)
+TEST(fills)
 {
-    for (int kind = 0; kind < ANY_KINDS; kind++) {
-        const struct any_shape s = {.kind = (enum any_kind)kind};
-        uint64_t usual = check_fills(s.kind, false);
-        uint64_t hard = check_fills(s.kind, true);
-        assert_true(usual > 0 && hard > 0);
-        print_message("%s: %llu + %llu pixels\n", any_name(&s),
-                      (unsigned long long)usual, (unsigned long long)hard);
-    }
+    for (int kind = 0; kind < 2 * ANY_KINDS; kind++)
+        check_shapes((enum any_kind)(kind / 2), false, kind % 2);
 }
 
-static void test_outlines(void)
+TEST(outlines)
 {
-    for (int kind = 0; kind < ANY_KINDS; kind++) {
-        const struct any_shape s = {.kind = (enum any_kind)kind};
-        uint64_t usual = check_outlines(s.kind, false);
-        uint64_t hard = check_outlines(s.kind, true);
-        assert_true(usual > 0 && hard > 0);
-        print_message("%s: %llu + %llu pixels\n", any_name(&s),
-                      (unsigned long long)usual, (unsigned long long)hard);
-    }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_fills, test_outlines, test_dirty_boxes);
+    for (int kind = 0; kind < 2 * ANY_KINDS; kind++)
+        check_shapes((enum any_kind)(kind / 2), true, kind % 2);
 }

@@ -13,9 +13,6 @@ enum { SIDE = 28, POOL = 8 };
 static struct any_scene s;
 static struct pel_frame frame;
 static uint32_t shown[SIDE * SIDE], depths[SIDE * SIDE];
-static uint64_t tally[4];
-
-enum { CERTIFIED, FRAMES, WRONG, DOUBTED };
 
 /* Points that triangles share: any, on a coarse lattice, on one plane of it, or
  * the ends of slats that lie over each other in a circle. */
@@ -172,8 +169,6 @@ static void check_painter(const uint32_t *right, const struct pel_doubt *doubt)
     if (wrong > doubt->pixels)
         fail_msg("%u pixels are wrong, the certificate says %u; %s", wrong,
                  doubt->pixels, cases_replay());
-    tally[WRONG] += wrong;
-    tally[DOUBTED] += doubt->pixels;
 }
 
 /* Is no triangle cut, or thinner than a sub-pixel? */
@@ -226,7 +221,7 @@ static void check_doubt(const struct pel_doubt *doubt)
                  unclear, cases_replay());
 }
 
-static void test_no_wrong_frame_is_accepted(void)
+TEST(no_wrong_frame_is_accepted)
 {
     static uint32_t memory[PEL_CERTIFICATE_SCRATCH_SIZE(ANY_TRIANGLES) / 4];
     static uint32_t right[SIDE * SIDE], got[SIDE * SIDE];
@@ -248,17 +243,10 @@ static void test_no_wrong_frame_is_accepted(void)
         draw_certified(got, &doubt);
         if (memcmp(got, right, sizeof got) != 0)
             fail_msg("not the picture of the depth buffer; %s", cases_replay());
-        tally[CERTIFIED] += doubt.triangles == 0;
-        tally[FRAMES]++;
     }
-    print_message(
-        "%llu of %llu frames certified, %llu pixels wrong, %llu in "
-        "doubt\n",
-        (unsigned long long)tally[CERTIFIED], (unsigned long long)tally[FRAMES],
-        (unsigned long long)tally[WRONG], (unsigned long long)tally[DOUBTED]);
 }
 
-static void test_arguments(void)
+TEST(arguments)
 {
     uint32_t memory[PEL_CERTIFICATE_SCRATCH_SIZE(1) / 4];
     const struct pel_frame none = {.triangles = 0}, one = {.triangles = 1};
@@ -274,9 +262,4 @@ static void test_arguments(void)
         PEL_ERROR_SCRATCH);
     assert_int_equal(pel_scene_certify(&none, memory, 4, 9, &d), PEL_OK);
     assert_true(d.triangles == 0 && d.pixels == 0 && pel_rect_empty(&d.bounds));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_arguments, test_no_wrong_frame_is_accepted);
 }

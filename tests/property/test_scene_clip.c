@@ -134,7 +134,7 @@ static uint64_t check_line(int32_t at, bool column)
     return sum;
 }
 
-static void test_clipped_triangles_leave_no_gap(void)
+TEST(clipped_triangles_leave_no_gap)
 {
     static struct plane p;
     uint64_t seen = 0, clipped = 0;
@@ -149,8 +149,6 @@ static void test_clipped_triangles_leave_no_gap(void)
         seen += pixels;
         clipped += pixels && p.clipped;
     }
-    print_message("%llu pixels, %llu pictures with triangles that are cut\n",
-                  (unsigned long long)seen, (unsigned long long)clipped);
     assert_true(seen > 0 && clipped > 0);
 }
 
@@ -185,7 +183,7 @@ static bool wrong(int32_t x, int32_t y)
 
 /* Where a triangle that is cut meets one that is not, both see the vertices
  * that they share at one place; and all bands do. */
-static void test_vertices_stay_where_neighbours_see_them(void)
+TEST(vertices_stay_where_neighbours_see_them)
 {
     static struct plane p;
     static uint8_t whole[SIDE][SIDE];
@@ -203,13 +201,5 @@ static void test_vertices_stay_where_neighbours_see_them(void)
         if (memcmp(whole, hits, sizeof whole) != 0)
             fail_msg("bands differ; %s", cases_replay());
     }
-    print_message("%llu pictures with triangles that are cut beside others\n",
-                  (unsigned long long)pictures);
     assert_true(pictures > 0);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_clipped_triangles_leave_no_gap,
-                     test_vertices_stay_where_neighbours_see_them);
 }

@@ -73,7 +73,7 @@ static int prepare(const struct pel_scene *scene, struct pel_frame *frame,
     return pel_scene_depth_bits(frame, gap * (PEL_UNITS(1) / UNIT));
 }
 
-static void test_the_nearer_one_wins(void)
+TEST(the_nearer_one_wins)
 {
     uint32_t allowed = 0, wrong = 0;
     for (struct cases c = cases_of(5000); cases_next(&c);) {
@@ -96,7 +96,6 @@ static void test_the_nearer_one_wins(void)
             wrong += !is_right(&frame, 16, swapped);
         }
     }
-    print_message("%u allowed, %u wrong at 1/4 of the gap\n", allowed, wrong);
     assert_true(allowed > 0 && wrong > 0);
 }
 
@@ -142,7 +141,7 @@ static bool is_same(const struct pel_scene *scene)
 
 /* Of near planes ever nearer the last one that 16 bits are enough for has the
  * least to spare; at 1/8 of it they often are not. */
-static void test_tilted_planes_and_slivers(void)
+TEST(tilted_planes_and_slivers)
 {
     uint32_t allowed = 0, wrong[2] = {0};
     for (struct cases c = cases_of(20000); cases_next(&c);) {
@@ -168,12 +167,10 @@ static void test_tilted_planes_and_slivers(void)
         *near /= 8;
         wrong[kind & 1] += !is_same(&scene);
     }
-    print_message("%u allowed, %u and %u wrong from 1/8 of the near plane\n",
-                  allowed, wrong[0], wrong[1]);
     assert_true(wrong[0] > 0 && wrong[1] > 0);
 }
 
-static void test_no_gap(void)
+TEST(no_gap)
 {
     static const pel_length gaps[] = {INT32_MIN, -1, 0};
     struct pel_mesh close = mesh;
@@ -187,10 +184,4 @@ static void test_no_gap(void)
         for (int i = 0; i < 3; i++)
             assert_int_equal(pel_scene_depth_bits(&frame, gaps[i]), 32);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_the_nearer_one_wins, test_tilted_planes_and_slivers,
-                     test_no_gap);
 }

@@ -34,7 +34,7 @@ static void expect_tight(const char *what, double tight)
     assert_true(tight > 0.5 || cases_scaled(100) < 100);
 }
 
-static void test_lights(void)
+TEST(lights)
 {
     const struct pel_shading fewer = {pel_frame_start_chosen, NULL,
                                       pel_shade_phong.paint};
@@ -51,7 +51,7 @@ static void test_lights(void)
     expect_tight("lights", tight);
 }
 
-static void test_nearest_texels(void)
+TEST(nearest_texels)
 {
     static const struct pel_shading *const shadings[] = {
         &pel_shade_flat, &pel_shade_gouraud, &pel_shade_lit_flat,
@@ -69,9 +69,4 @@ static void test_nearest_texels(void)
         check(shadings[i], shadings[i], &pel_map_chosen, &tight);
     }
     expect_tight("nearest texels", tight);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_lights, test_nearest_texels);
 }

@@ -47,7 +47,7 @@ static void add_face(const struct lump *m, uint32_t t, uint32_t vertex,
     }
 }
 
-static void test_normals_are_means_of_faces(void)
+TEST(normals_are_means_of_faces)
 {
     static struct lump m;
     uint64_t scratch[VERTICES * 3], zeros = 0;
@@ -60,8 +60,8 @@ static void test_normals_are_means_of_faces(void)
             real sum[3] = {0, 0, 0};
             for (uint32_t t = 0; t < m.mesh.triangles; t++)
                 add_face(&m, t, v, sum);
-            const real length = reference_root(
-                sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
+            const real length =
+                real_root(sum[0] * sum[0] + sum[1] * sum[1] + sum[2] * sum[2]);
             zeros += length == 0;
             for (int k = 0; k < 3; k++) {
                 const real want = length > 0 ? sum[k] / length * 32767 : 0;
@@ -80,7 +80,7 @@ static void test_normals_are_means_of_faces(void)
 
 /* Highlights with an exponent of 256 at full strength, where an error of the
  * reflected direction counts 256 times; and a zero normal. */
-static void test_light_of_a_place(void)
+TEST(light_of_a_place)
 {
     static struct any_scene s;
     real worst = 0;
@@ -121,9 +121,4 @@ static void test_light_of_a_place(void)
     }
     print_message("light of a place is off by %.4f of 255 at most\n",
                   (double)worst);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_normals_are_means_of_faces, test_light_of_a_place);
 }

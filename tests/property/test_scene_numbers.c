@@ -1,6 +1,5 @@
 /* Arithmetic of the 3-D pipeline, of which there are two where products of 64
  * bits are long: both give these numbers. */
-#include "core/base/divide.h"
 #include "core/raster/plane.h"
 #include "core/scene/vector.h"
 #include "tests/support/cases.h"
@@ -15,22 +14,6 @@ static int64_t any_number(struct random *r, int bits)
     return random_word(r) % 2 ? v : -v;
 }
 
-static void test_division(void)
-{
-    for (struct cases c = cases_of(300000); cases_next(&c);) {
-        struct random *r = &c.random;
-        uint32_t d = random_word(r) >> random_word(r) % 32;
-        d += d == 0;
-        const uint64_t q = random_word(r) >> random_word(r) % 32;
-        const uint64_t n = q * d + random_word(r) % d;
-        if (pel_divide(n, d) != q)
-            fail_msg("%llu / %u is not %u; %s", (unsigned long long)n, d,
-                     pel_divide(n, d), cases_replay());
-    }
-    assert_int_equal(pel_divide(UINT64_C(0xFFFFFFFEFFFFFFFF), UINT32_MAX),
-                     UINT32_MAX);
-}
-
 /* The quotient of gradients, cut towards zero. */
 static uint64_t cut(wide n, wide area)
 {
@@ -39,7 +22,7 @@ static uint64_t cut(wide n, wide area)
 }
 
 /* From area 1 to the largest; values up to the largest of all. */
-static void test_gradients_are_exact(void)
+TEST(gradients_are_exact)
 {
     for (struct cases c = cases_of(200000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -86,8 +69,8 @@ static void test_gradients_are_exact(void)
 
 static real worst_part(const int64_t v[3], const pel_cosine unit[3])
 {
-    const real length = reference_root((real)v[0] * v[0] + (real)v[1] * v[1] +
-                                       (real)v[2] * v[2]);
+    const real length =
+        real_root((real)v[0] * v[0] + (real)v[1] * v[1] + (real)v[2] * v[2]);
     real worst = 0;
     for (int k = 0; k < 3; k++) {
         const real off = unit[k] / (real)PEL_COSINE_ONE - v[k] / length;
@@ -96,7 +79,7 @@ static real worst_part(const int64_t v[3], const pel_cosine unit[3])
     return worst;
 }
 
-static void test_directions(void)
+TEST(directions)
 {
     real exact = 0, near = 0;
     for (struct cases c = cases_of(100000); cases_next(&c);) {
@@ -127,9 +110,4 @@ static void test_directions(void)
     print_message("off by %.3f 2^-29 and %.3f 2^-21 at most\n",
                   (double)(exact * (1 << 29)), (double)(near * (1 << 21)));
     assert_true(exact < 1.0L / (1 << 28) && near < 1.0L / (1 << 21));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_division, test_gradients_are_exact, test_directions);
 }

@@ -115,7 +115,7 @@ static void draw_each(const struct pel_frame *frame, const struct canvas *c,
         }
 }
 
-static void test_parts_equal_meshes_of_their_own(void)
+TEST(parts_equal_meshes_of_their_own)
 {
     static struct canvas got, want;
     for (struct cases c = cases_of(400); cases_next(&c);) {
@@ -138,7 +138,7 @@ static void test_parts_equal_meshes_of_their_own(void)
     }
 }
 
-static void test_wrong_parts_are_named(void)
+TEST(wrong_parts_are_named)
 {
     static const struct {
         uint32_t vertices[2], triangles[2], texture; /* the second's */
@@ -175,7 +175,7 @@ static void test_wrong_parts_are_named(void)
     assert_int_equal(pel_mesh_check(&s.mesh, NULL), PEL_ERROR_NULL);
 }
 
-static void test_no_texture_of_nothing(void)
+TEST(no_texture_of_nothing)
 {
     const struct pel_mesh_image image = {NULL, 0, 0, false};
     struct pel_surface surface;
@@ -188,10 +188,4 @@ static void test_no_texture_of_nothing(void)
     assert_int_equal(
         pel_mesh_texture_of_image(&s.texture, &surface, &image, &pel_rgb565_le),
         PEL_ERROR_NULL);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_parts_equal_meshes_of_their_own,
-                     test_wrong_parts_are_named, test_no_texture_of_nothing);
 }

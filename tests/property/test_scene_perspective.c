@@ -125,7 +125,7 @@ static void any_subject(struct random *r, struct subject *s)
     }
 }
 
-static void test_texels_are_right(void)
+TEST(texels_are_right)
 {
     for (int32_t i = 0; i < TEXELS * TEXELS; i++)
         texels[i] = UINT32_C(0xFF000000) | (uint32_t)(i % TEXELS) << 12 |
@@ -140,7 +140,7 @@ static void test_texels_are_right(void)
 }
 
 /* Whole pictures away lies the same picture. */
-static void test_far_texels_are_the_same(void)
+TEST(far_texels_are_the_same)
 {
     static pel_color near_by[SIDE * SIDE];
     for (struct cases c = cases_of(200); cases_next(&c);) {
@@ -161,7 +161,7 @@ static void test_far_texels_are_the_same(void)
 
 /* A floor that leads away by a ratio of 256, its far end one texel high a
  * pixel: the span falls back to division where its ends are behind the eye. */
-static void test_a_floor_to_the_horizon(void)
+TEST(a_floor_to_the_horizon)
 {
     const int32_t spans[] = {1, 16, 64};
     for (int i = 0; i < 3; i++) {
@@ -178,7 +178,7 @@ static void test_a_floor_to_the_horizon(void)
 }
 
 /* What uv can say of 256 texels must stay below 2^21: 8,192 pictures. */
-static void test_what_reaches_too_far_is_refused(void)
+TEST(what_reaches_too_far_is_refused)
 {
     static const struct {
         struct pel_quantization quantum;
@@ -202,11 +202,4 @@ static void test_what_reaches_too_far_is_refused(void)
             rows[i].status)
             fail_msg("row %zu", i);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_texels_are_right, test_far_texels_are_the_same,
-                     test_a_floor_to_the_horizon,
-                     test_what_reaches_too_far_is_refused);
 }

@@ -266,28 +266,22 @@ static void dress_texture(struct random *r, struct picture *p)
         p->s.texture.mapping = &pel_map_affine;
 }
 
-static void test_colors_of_vertices(void)
+TEST(colors_of_vertices)
 {
     check_pictures(1500, dress_vertices, 1);
 }
 
-static void test_phong(void)
+TEST(phong)
 {
     check_pictures(700, dress_phong, 2);
 }
 
-static void test_chosen(void)
+TEST(chosen)
 {
     check_pictures(700, dress_chosen, 2 + 4);
 }
 
-static void test_textures(void)
+TEST(textures)
 {
     check_pictures(1000, dress_texture, 2);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_colors_of_vertices, test_phong, test_chosen,
-                     test_textures);
 }

@@ -3,11 +3,6 @@
 #include "tests/support/check.h"
 #include "tests/support/reference_scene.h"
 
-static real size_of(real v)
-{
-    return v < 0 ? -v : v;
-}
-
 /* Sub-pixels of a unit at distance 1, by the distances that the header names.
  */
 static real allowed(const struct any_scene *s, const real place[3],
@@ -20,7 +15,7 @@ static real allowed(const struct any_scene *s, const real place[3],
     for (int k = 0; k < 3; k++) {
         const real at = s->scene.pose ? (real)s->pose.at[k] / 65536 : 0;
         near[k] =
-            size_of(place[k] - at) + size_of(at - (real)c->eye[k] / 65536);
+            real_abs(place[k] - at) + real_abs(at - (real)c->eye[k] / 65536);
         far += near[k];
     }
     real scale = 0;
@@ -30,7 +25,7 @@ static real allowed(const struct any_scene *s, const real place[3],
         if (c->projection == PEL_ORTHOGRAPHIC)
             per_unit = px * 256 * 65536 / c->sensor[k] * z;
         const real middle = k ? (v->y0 + v->y1) / 2.0L : (v->x0 + v->x1) / 2.0L;
-        per_unit += size_of(screen[k] - middle) * 256;
+        per_unit += real_abs(screen[k] - middle) * 256;
         scale = per_unit > scale ? per_unit : scale;
     }
     return scale * far / z / (1 << 28);
@@ -49,8 +44,8 @@ static void check_vertex(const struct any_scene *s,
     reference_project(&s->scene, place, want);
     assert_true(got.x != PEL_NOT_ON_SCREEN);
     const struct pel_point nearest = reference_snap(want);
-    const real dx = size_of(got.x - want[0] * 256);
-    const real dy = size_of(got.y - want[1] * 256);
+    const real dx = real_abs(got.x - want[0] * 256);
+    const real dy = real_abs(got.y - want[1] * 256);
     const real error = (dx > dy ? dx : dy) - 0.5L;
     const real bound = allowed(s, place, want);
     vertices++;
@@ -77,7 +72,7 @@ static void lean(struct random *r, struct pel_camera *c)
                    random_between(r, -30, 30);
 }
 
-static void test_vertices_are_where_they_belong(void)
+TEST(vertices_are_where_they_belong)
 {
     static struct any_scene s;
     for (struct cases c = cases_of(5000); cases_next(&c);) {
@@ -133,7 +128,7 @@ static bool on_view(const struct any_scene *s, const real screen[3])
 
 /* What the bound does not hold to a neighbor is nearer than a hundredth of the
  * farthest vertex (1/184 was the farthest in 9,000 cases). */
-static void test_far_a_thousand_times_near(void)
+TEST(far_a_thousand_times_near)
 {
     static struct any_scene s;
     real ratio = 0;
@@ -172,10 +167,4 @@ static void test_far_a_thousand_times_near(void)
                   "neighbour\n",
                   (double)ratio, (unsigned long long)vertices,
                   (unsigned long long)moved);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_vertices_are_where_they_belong,
-                     test_far_a_thousand_times_near);
 }

@@ -68,7 +68,7 @@ static void any_dress(struct random *r, struct any_scene *s)
         s->texture.mapping = &pel_map_vertices;
 }
 
-static void test_soups(void)
+TEST(soups)
 {
     static struct any_scene s;
     static struct canvas exact, chosen;
@@ -121,7 +121,7 @@ static const struct pel_paint *count_paint(
 }
 
 /* Counting changes no pixel, and counts each. */
-static void test_stats(void)
+TEST(stats)
 {
     static const struct pel_shading counting = {NULL, NULL, count_paint};
     static struct any_scene s;
@@ -151,7 +151,7 @@ static void test_stats(void)
 }
 
 /* Places in a texture, which its colors tell: a step a texel. */
-static void test_places_in_textures(void)
+TEST(places_in_textures)
 {
     static struct any_scene s;
     static struct canvas exact, chosen;
@@ -237,7 +237,7 @@ static struct pel_light_bounds bounds_of(const struct any_scene *s,
 
 /* What the bound of Gouraud leaves unused, of highlights alone and of diffuse
  * light alone. */
-static void test_bounds_are_tight(void)
+TEST(bounds_are_tight)
 {
     static struct any_scene s;
     static struct canvas exact, chosen;
@@ -267,7 +267,7 @@ static void test_bounds_are_tight(void)
 }
 
 /* Light of a few 1/65,536 that ends within the triangle: black remains. */
-static void test_light_fades_to_black(void)
+TEST(light_fades_to_black)
 {
     static struct any_scene s;
     static struct canvas exact, chosen;
@@ -291,10 +291,4 @@ static void test_light_fades_to_black(void)
         assert_in_range(canvas_difference(&exact, &chosen), 0, 1);
     }
     assert_true(spans > 0);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_light_fades_to_black, test_soups, test_stats,
-                     test_places_in_textures, test_bounds_are_tight);
 }

@@ -279,7 +279,7 @@ refuse "is no identifier of C" builtin:vase --name 3d -o "$dir/x.c"
 refuse "is no identifier of C" builtin:vase --name int -o "$dir/x.c"
 refuse "--format is 'rgb': expected one of rgb565_le," "$dir/picture.ppm" \
     --format rgb -o "$dir/x.c"
-refuse "expected 8 or 16" builtin:vase --normals 12 -o "$dir/x.c"
+refuse "expected 8|16" builtin:vase --normals 12 -o "$dir/x.c"
 
 # An option that means nothing for what is made is refused by name.
 refuse "has no texture: expected no --format" builtin:vase --format rgb888 \

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/support/check.h"
+#include "files.h"
 
 #include "sim/cli/child.h"
 #include "sim/cli/message.h"
@@ -42,22 +42,15 @@ static bool work(const void *what, FILE *out)
     return message_error_at("memory.obj", 0, "%s", row->message);
 }
 
-static void test_messages(void)
+TEST(messages)
 {
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        char text[1024] = "";
-        FILE *const kept = stderr;
-        stderr = fmemopen(text, sizeof text, "w");
+        struct messages m;
+        messages_begin(&m);
         const FILE *const result = child_run("memory.obj", work, &rows[i]);
-        fclose(stderr);
-        stderr = kept;
+        const char *text = messages_end(&m);
         assert_null(result);
         if (!strstr(text, rows[i].said) || strstr(text, rows[i].not_said))
             fail_msg("row %zu: %s", i, text);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_messages);
 }

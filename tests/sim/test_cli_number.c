@@ -52,7 +52,7 @@ static const struct row rows[] = {
     {"inf", NUMBER_MALFORMED, 0},
 };
 
-static void test_table(void)
+TEST(table)
 {
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         int32_t value = 12345;
@@ -79,7 +79,7 @@ static int64_t reference(int64_t n, int digits, int64_t unit)
     return (int64_t)q;
 }
 
-static void test_random(void)
+TEST(random)
 {
     struct random r = {1};
     for (int i = 0; i < 200000; i++) {
@@ -102,7 +102,7 @@ static void test_random(void)
     }
 }
 
-static void test_integer(void)
+TEST(integer)
 {
     int64_t value;
     assert_int_equal(number_integer("-5", -5, 5, &value), NUMBER_OK);
@@ -112,9 +112,4 @@ static void test_integer(void)
     assert_int_equal(number_integer("4.5", -5, 5, &value), NUMBER_MALFORMED);
     assert_int_equal(number_integer("4.0", -5, 5, &value), NUMBER_MALFORMED);
     assert_int_equal(number_integer("", -5, 5, &value), NUMBER_MALFORMED);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_table, test_random, test_integer);
 }

@@ -34,7 +34,7 @@ static bool write_output(const char *path, const char *text, bool commit)
 }
 
 /* What is abandoned leaves what was there; what is committed replaces it. */
-static void test_file(void)
+TEST(file)
 {
     char path[64];
     path_of("file", path, sizeof path);
@@ -51,7 +51,7 @@ static void test_file(void)
 }
 
 /* New files get the mode that the umask leaves; old ones keep theirs. */
-static void test_mode(void)
+TEST(mode)
 {
     char path[64];
     struct stat status;
@@ -67,7 +67,7 @@ static void test_mode(void)
     assert_int_equal(status.st_mode & 07777, 0604);
 }
 
-static void test_link(void)
+TEST(link)
 {
     char path[64], target[64];
     struct stat status;
@@ -82,7 +82,7 @@ static void test_link(void)
 }
 
 /* A link to nothing stays a link; what it names appears. */
-static void test_dangling_link(void)
+TEST(dangling_link)
 {
     char path[64], target[64];
     path_of("link", path, sizeof path);
@@ -93,7 +93,7 @@ static void test_dangling_link(void)
 }
 
 /* The longest name that there is. */
-static void test_long_name(void)
+TEST(long_name)
 {
     char name[256], path[320];
     memset(name, 'n', 255);
@@ -106,7 +106,7 @@ static void test_long_name(void)
 }
 
 /* When the second of two cannot be written, the first stays as it was. */
-static void test_both(void)
+TEST(both)
 {
     struct output first, second;
     char path[64], none[64];
@@ -137,7 +137,7 @@ static int files_of_directory(void)
 
 /* A signal that comes while a temporary file is there ends the program after
  * it is gone. */
-static void test_signals(void)
+TEST(signals)
 {
     static const int signals[] = {SIGHUP, SIGINT, SIGTERM};
     static char text[64 << 20];
@@ -164,7 +164,7 @@ static void test_signals(void)
 }
 
 /* A device is written to, and stays a device. */
-static void test_device(void)
+TEST(device)
 {
     struct stat status;
     assert_true(write_output("/dev/null", "text", true));
@@ -183,7 +183,7 @@ static void check_refused(const char *path, const char *message)
 }
 
 /* A message, and no file anywhere. */
-static void test_refused(void)
+TEST(refused)
 {
     char path[64];
     path_of("none/file", path, sizeof path);
@@ -191,7 +191,7 @@ static void test_refused(void)
 }
 
 /* What cannot be written is closed all the same: its number is free again. */
-static void test_full(void)
+TEST(full)
 {
     const int before = dup(STDOUT_FILENO);
     close(before);
@@ -206,8 +206,6 @@ int main(void)
     static const char *const names[] = {"file", "mode", "link", "target", NULL};
     if (!mkdtemp(directory))
         return 1;
-    const int failed = RUN_TESTS(
-        test_file, test_mode, test_link, test_dangling_link, test_long_name,
-        test_both, test_signals, test_device, test_refused, test_full);
+    const int failed = run_all_tests();
     return remove_folder(names) || failed;
 }

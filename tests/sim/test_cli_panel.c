@@ -6,7 +6,7 @@
 
 #include "drivers/display_linux_panel.h"
 
-static void test_names(void)
+TEST(names)
 {
     static const char *const names[][2] = {
         {"", "spi=/dev"},
@@ -42,9 +42,4 @@ static void test_names(void)
     assert_int_equal(pel_display_panel_open(&panel, &request, &message),
                      EINVAL);
     assert_non_null(strstr(message.text, "unknown panel 'uc1701'"));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_names);
 }

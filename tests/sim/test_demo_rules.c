@@ -67,7 +67,7 @@ static void check_case(int number, bool y_up)
 }
 
 /* Top-left with y down, bottom-left with y up, no pixel twice. */
-static void test_rule(void)
+TEST(rule)
 {
     for (int i = 0; rules_cases[i].caption; i++) {
         if (rules_cases[i].line)
@@ -78,7 +78,7 @@ static void test_rule(void)
 }
 
 /* What is seen with y up is what is seen with y down, turned over. */
-static void test_turned_over(void)
+TEST(turned_over)
 {
     for (int i = 0; rules_cases[i].caption; i++) {
         struct rules_pixels down, up;
@@ -94,7 +94,7 @@ static void test_turned_over(void)
 }
 
 /* The option draws lines where the default draws nothing. */
-static void test_collinear(void)
+TEST(collinear)
 {
     int lines = 0, covered = 0;
     for (int i = 0; rules_cases[i].caption; i++) {
@@ -111,9 +111,4 @@ static void test_collinear(void)
     /* Bresenham: one pixel for every step along the longer side, ends included:
      * 11 + 7 + 7 + 8 + 4 inside the canvas. */
     assert_int_equal(covered, 37);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_rule, test_turned_over, test_collinear);
 }

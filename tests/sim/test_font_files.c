@@ -35,7 +35,7 @@ static bool load(struct font *font, const char *bytes, size_t size)
     return done;
 }
 
-static void test_bdf(void)
+TEST(bdf)
 {
     static const char text[] =
         HEAD "CHARS 3\n" CHAR_L CHAR_NONE "\n" CHAR_SPACE "ENDFONT\n";
@@ -60,7 +60,7 @@ static void test_bdf(void)
 }
 
 /* Lines as DOS ends them, and the box and width of the whole font. */
-static void test_bdf_defaults(void)
+TEST(bdf_defaults)
 {
     static const char text[] =
         "STARTFONT 2.2\r\nFONTBOUNDINGBOX 9 2 0 0\r\nDWIDTH 9 0\r\nCHARS 1\r\n"
@@ -90,7 +90,7 @@ static void check_refused(const char *bytes, size_t size, const char *message)
     assert_true(f.count == 0 && !f.bits && !f.chars);
 }
 
-static void test_bdf_errors(void)
+TEST(bdf_errors)
 {
     static const struct {
         const char *text, *message;
@@ -147,7 +147,7 @@ static size_t make_psf1(char *to, int mode)
     return 4 + 512;
 }
 
-static void test_psf1(void)
+TEST(psf1)
 {
     char bytes[2000];
     struct font f;
@@ -164,7 +164,7 @@ static void test_psf1(void)
 }
 
 /* Glyph 65 is A, U+0391 and a sequence; the others have no code point. */
-static void test_psf1_table(void)
+TEST(psf1_table)
 {
     char bytes[2000];
     struct font f;
@@ -191,7 +191,7 @@ static void test_psf1_table(void)
 }
 
 /* Version 2: two glyphs of 9 x 1, with a table in UTF-8. */
-static void test_psf2(void)
+TEST(psf2)
 {
     static const char bytes[] =
         "\x72\xB5\x4A\x86\0\0\0\0\x20\0\0\0\1\0\0\0\2\0\0\0\2\0\0\0\1\0\0\0"
@@ -224,15 +224,9 @@ static void test_psf2(void)
 }
 
 /* Every cut of a right file is refused, and nothing is read behind its end. */
-static void test_cut_short(void)
+TEST(cut_short)
 {
     static const char text[] = HEAD "CHARS 1\n" CHAR_L "ENDFONT\n";
     for (size_t n = 0; n + 8 < sizeof text; n++)
         check_refused(text, n, "");
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_bdf, test_bdf_defaults, test_bdf_errors, test_psf1,
-                     test_psf1_table, test_psf2, test_cut_short);
 }

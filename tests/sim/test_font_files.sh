@@ -143,7 +143,7 @@ refused 'no character of 200-300' "$dir/hand.bdf" --codes 200-300
 refused 'no character of é' "$dir/hand.bdf" --chars é
 
 # What the font lacks is named: an error, or a note where a range has gaps.
-refused 'lacks 2 of --codes and --chars: U+00E4 U+0062:' "$dir/hand.bdf" --codes ä,a,b
+refused 'lacks 2 of --codes and --chars: U+0062 U+00E4:' "$dir/hand.bdf" --codes ä,a,b
 "$PEL" import "$dir/hand.bdf" --codes a-k --name asset -o "$dir/gaps.c" \
     2>"$dir/message" || fail "a range with gaps"
 grep -q 'hand.bdf: lacks 9 of --codes and --chars: U+0062-0069 U+006B$' "$dir/message" ||

@@ -1,5 +1,5 @@
-/* Canvases: bands of every height give the bytes of the whole, in every format;
- * padding and negative strides change nothing that is seen. */
+/* Canvases: bands of every height give the bytes of the whole, in every format.
+ */
 #include <stdlib.h>
 #include <string.h>
 
@@ -37,13 +37,12 @@ static void draw_shapes(struct pel_surface *surface, void *context)
         PEL_OK);
 }
 
-static void picture_of(const struct pel_format *format,
-                       const struct canvas_layout *layout, int rows,
+static void picture_of(const struct pel_format *format, int rows,
                        struct picture *picture)
 {
     struct canvas canvas;
     int calls = 0;
-    assert_true(canvas_init_layout(&canvas, format, layout));
+    assert_true(canvas_init(&canvas, format, WIDTH, HEIGHT));
     pel_clear(&canvas.surface, PEL_RGB(30, 60, 90));
     assert_true(canvas_draw(&canvas, rows, draw_shapes, &calls));
     assert_int_equal(calls, rows ? (HEIGHT + rows - 1) / rows : 1);
@@ -59,17 +58,16 @@ static void check_same(const struct picture *want, const struct picture *got,
         fail_msg("%s in bands of %d rows differs", format, rows);
 }
 
-static void test_bands(void)
+TEST(bands)
 {
-    const struct canvas_layout layout = {{0, 0, WIDTH, HEIGHT}, 0, false};
     for (const struct format_name *f = format_names; f->name; f++) {
         struct picture whole;
-        picture_of(f->format, &layout, 0, &whole);
+        picture_of(f->format, 0, &whole);
         for (int rows = 1; rows <= HEIGHT + 3; rows++) {
             struct picture parts;
             if (!canvas_bands_legal(f->format, rows))
                 continue;
-            picture_of(f->format, &layout, rows, &parts);
+            picture_of(f->format, rows, &parts);
             check_same(&whole, &parts, f->name, rows);
             picture_free(&parts);
         }
@@ -77,25 +75,7 @@ static void test_bands(void)
     }
 }
 
-static void test_layouts(void)
-{
-    const struct canvas_layout packed = {{0, 0, WIDTH, HEIGHT}, 0, false};
-    const struct canvas_layout padded = {{0, 0, WIDTH, HEIGHT}, 5, false};
-    const struct canvas_layout turned = {{0, 0, WIDTH, HEIGHT}, 3, true};
-    for (const struct format_name *f = format_names; f->name; f++) {
-        struct picture p[4];
-        picture_of(f->format, &packed, 0, &p[0]);
-        picture_of(f->format, &padded, 0, &p[1]);
-        picture_of(f->format, &turned, 0, &p[2]);
-        picture_of(f->format, &turned, 8, &p[3]);
-        for (int i = 1; i < 4; i++)
-            check_same(&p[0], &p[i], f->name, i);
-        for (int i = 0; i < 4; i++)
-            picture_free(&p[i]);
-    }
-}
-
-static void test_legal(void)
+TEST(legal)
 {
     assert_true(canvas_bands_legal(&pel_rgb888, 1));
     assert_true(canvas_bands_legal(&pel_mono1_pages, 16));
@@ -108,7 +88,7 @@ static void test_legal(void)
 }
 
 /* The list for messages is the table. */
-static void test_names(void)
+TEST(names)
 {
     const char *list = format_list();
     for (const struct format_name *f = format_names; f->name; f++) {
@@ -123,9 +103,4 @@ static void test_names(void)
     }
     assert_string_equal(list, "");
     assert_null(format_find("rgb565"));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_bands, test_layouts, test_legal, test_names);
 }

@@ -119,7 +119,7 @@ static void check_pixels(size_t i, const struct picture *p, bool gray)
                  (unsigned)p->pixels[0]);
 }
 
-static void test_read(void)
+TEST(read)
 {
     char path[64];
     path_of("in.ppm", path, sizeof path);
@@ -141,7 +141,7 @@ static void test_read(void)
 }
 
 /* Every way to cut a file short is found, in the header and in the pixels. */
-static void test_truncated(void)
+TEST(truncated)
 {
     static const char *const whole[] = {"P6 3 2 255\nABCDEFGHIJKLMNOPQR",
                                         "P5\n3 2 # c\n255\nABCDEF",
@@ -163,7 +163,7 @@ static void test_truncated(void)
     }
 }
 
-static void test_missing(void)
+TEST(missing)
 {
     char path[64];
     struct messages m;
@@ -185,28 +185,36 @@ static void fill_picture(struct picture *p, int width, int height)
     }
 }
 
-static bool same_picture(const struct picture *a, const struct picture *b)
+/* Is the file at `path` the picture? */
+typedef void check_file(const struct picture *p, const char *path);
+
+static void check_saved(const char *name, check_file *check)
 {
-    const size_t n = (size_t)a->width * (size_t)a->height;
-    return a->width == b->width && a->height == b->height &&
-           memcmp(a->pixels, b->pixels, n * sizeof *a->pixels) == 0;
+    static const int sizes[][2] = {{1, 1}, {2, 3}, {3, 2}, {4, 5}, {257, 63}};
+    char path[64];
+    path_of(name, path, sizeof path);
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+        struct picture p;
+        fill_picture(&p, sizes[i][0], sizes[i][1]);
+        assert_true(picture_save(&p, path));
+        check(&p, path);
+        picture_free(&p);
+    }
 }
 
-static const int sizes[][2] = {{1, 1}, {2, 3}, {3, 2}, {4, 5}, {257, 63}};
-
-static void test_ppm(void)
+static void check_ppm(const struct picture *p, const char *path)
 {
-    char path[64];
-    path_of("out.ppm", path, sizeof path);
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        struct picture a, b;
-        fill_picture(&a, sizes[i][0], sizes[i][1]);
-        assert_true(picture_save(&a, path));
-        assert_true(picture_load(&b, path));
-        assert_true(same_picture(&a, &b));
-        picture_free(&a);
-        picture_free(&b);
-    }
+    const size_t size = (size_t)p->width * (size_t)p->height * 4;
+    struct picture read;
+    assert_true(picture_load(&read, path));
+    assert_true(read.width == p->width && read.height == p->height);
+    assert_memory_equal(p->pixels, read.pixels, size);
+    picture_free(&read);
+}
+
+TEST(ppm)
+{
+    check_saved("out.ppm", check_ppm);
 }
 
 static uint32_t get32(const unsigned char *p)
@@ -215,9 +223,10 @@ static uint32_t get32(const unsigned char *p)
            (uint32_t)p[3] << 24;
 }
 
-static void check_bmp(const struct picture *p, const unsigned char *data,
-                      size_t size)
+static void check_bmp(const struct picture *p, const char *path)
 {
+    static unsigned char data[1 << 17];
+    const size_t size = read_file(path, data, sizeof data);
     const size_t line = ((size_t)p->width * 3 + 3) / 4 * 4;
     assert_memory_equal(data, "BM", 2);
     assert_int_equal(get32(data + 2), size);
@@ -235,18 +244,9 @@ static void check_bmp(const struct picture *p, const unsigned char *data,
     }
 }
 
-static void test_bmp(void)
+TEST(bmp)
 {
-    static unsigned char data[1 << 17];
-    char path[64];
-    path_of("out.BMP", path, sizeof path);
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        struct picture p;
-        fill_picture(&p, sizes[i][0], sizes[i][1]);
-        assert_true(picture_save(&p, path));
-        check_bmp(&p, data, read_file(path, data, sizeof data));
-        picture_free(&p);
-    }
+    check_saved("out.BMP", check_bmp);
 }
 
 #ifdef HAVE_LIBPNG
@@ -266,22 +266,14 @@ static void check_png(const struct picture *p, const char *path)
     free(data);
 }
 
-static void test_png(void)
+TEST(png)
 {
-    char path[64];
-    path_of("out.png", path, sizeof path);
     assert_string_equal(picture_best_ending(), ".png");
-    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
-        struct picture p;
-        fill_picture(&p, sizes[i][0], sizes[i][1]);
-        assert_true(picture_save(&p, path));
-        check_png(&p, path);
-        picture_free(&p);
-    }
+    check_saved("out.png", check_png);
 }
 #else
 /* Without libpng, PNG is refused with the name of the package. */
-static void test_png(void)
+TEST(png)
 {
     struct messages m;
     assert_string_equal(picture_best_ending(), ".bmp");
@@ -293,7 +285,7 @@ static void test_png(void)
 }
 #endif
 
-static void test_endings(void)
+TEST(endings)
 {
     struct messages m;
     messages_begin(&m);
@@ -308,7 +300,7 @@ static void test_endings(void)
 }
 
 /* A directory that is not there: a message, and no file anywhere. */
-static void test_no_directory(void)
+TEST(no_directory)
 {
     char path[64];
     struct messages m;
@@ -329,8 +321,6 @@ int main(void)
                                         "out.BMP", "out.png", NULL};
     if (!mkdtemp(directory))
         return 1;
-    const int failed =
-        RUN_TESTS(test_read, test_truncated, test_missing, test_ppm, test_bmp,
-                  test_png, test_endings, test_no_directory);
+    const int failed = run_all_tests();
     return remove_folder(names) || failed;
 }

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "sim/mesh/depth.h"
+#include "sim/mesh/pel2d.h"
 
 struct row {
     const char *text;
@@ -47,7 +47,7 @@ static const struct row rows[] = {
     {"1 ", NULL},
 };
 
-static void test_text(void)
+TEST(text)
 {
     for (size_t i = 0; i < sizeof(rows) / sizeof(rows[0]); i++) {
         struct mesh_depth depth;
@@ -93,7 +93,7 @@ static struct mesh_depth sum_of(const char *const text[3])
     return mesh_depth_sum(&d[0], &d[1], &d[2]);
 }
 
-static void test_sums(void)
+TEST(sums)
 {
     for (size_t i = 0; i < sizeof(sums) / sizeof(sums[0]); i++) {
         struct mesh_depth a = sum_of(sums[i].a), b = sum_of(sums[i].b);
@@ -105,9 +105,4 @@ static void test_sums(void)
             fail_msg("row %zu: %d and %d, not %d", i, forth, back,
                      sums[i].order);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_text, test_sums);
 }

@@ -4,6 +4,7 @@
 #include "tests/support/check.h"
 
 #include "files.h"
+#include "sim/cli/list.h"
 #include "sim/mesh/pel2d.h"
 
 #define HEAD "pel2d 3 1\n"
@@ -75,13 +76,13 @@ static void refuse(size_t row, const char *text, size_t size,
         fail_msg("row %zu\nexpected %s\ngot      %s", row, expected, m.text);
 }
 
-static void test_wrong(void)
+TEST(wrong)
 {
     for (size_t i = 0; i < sizeof(wrong) / sizeof(wrong[0]); i++)
         refuse(i, wrong[i].text, strlen(wrong[i].text), wrong[i].message);
 }
 
-static void test_wrong_bytes(void)
+TEST(wrong_bytes)
 {
     static const char nul[] = HEAD "0 0 1 2 3 0 \0 0\n";
     char line[2048] = "pel2d ";
@@ -92,7 +93,7 @@ static void test_wrong_bytes(void)
     refuse(2, "pel2d 268435456 268435456\n", 26, "2: the file ends here");
 }
 
-static void test_every_cut(void)
+TEST(every_cut)
 {
     static const char whole[] = HEAD A BC "0 1 2";
     for (size_t n = 0; n < sizeof(whole) - 2; n++)
@@ -120,7 +121,7 @@ static void check_right(const char *text)
 }
 
 /* With and without a byte order mark. */
-static void test_right(void)
+TEST(right)
 {
     static const char text[] =
         "\xEF\xBB\xBFpel2d\t3  1\r\n" A BC "2 0 1\n\n \t\n";
@@ -142,7 +143,7 @@ static void add_random(struct pel2d *flat, struct random *r)
     for (int i = 0; i < 3; i++)
         v.depth.limb[i] = sign * (int64_t)(random_word(r) % 1000000000) *
                           (int64_t)(random_word(r) % 1000000000);
-    assert_true(pel2d_add_vertex(flat, &v));
+    assert_true(list_add(&flat->vertex, &flat->vertices, &v, sizeof v));
 }
 
 static void assert_same(const struct pel2d *a, const struct pel2d *b)
@@ -162,7 +163,7 @@ static void assert_same(const struct pel2d *a, const struct pel2d *b)
                         a->triangles * sizeof(*a->triangle));
 }
 
-static void test_round_trip(void)
+TEST(round_trip)
 {
     struct pel2d flat = {0}, back;
     struct random r = {1};
@@ -174,7 +175,8 @@ static void test_round_trip(void)
     for (int i = 0; i < 1000; i++) {
         const uint32_t index[3] = {(uint32_t)(random_word(&r) % 3000),
                                    (uint32_t)(random_word(&r) % 3000), 2999};
-        assert_true(pel2d_add_triangle(&flat, index));
+        assert_true(
+            list_add(&flat.triangle, &flat.triangles, index, sizeof index));
     }
     assert_true(pel2d_save(&flat, path));
     assert_true(pel2d_load(&back, path));
@@ -183,10 +185,4 @@ static void test_round_trip(void)
     free(path);
     pel2d_free(&flat);
     pel2d_free(&back);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_wrong, test_wrong_bytes, test_every_cut, test_right,
-                     test_round_trip);
 }

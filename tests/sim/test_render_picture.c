@@ -216,12 +216,12 @@ static void compare_mesh(const char *mesh)
     free(path);
 }
 
-static void test_vase(void)
+TEST(vase)
 {
     compare_mesh(MESH_BUILTIN);
 }
 
-static void test_duck(void)
+TEST(duck)
 {
     const char *models = getenv("PEL_MODELS");
     char path[4096];
@@ -232,9 +232,4 @@ static void test_duck(void)
                  "libassimp-dev bring them",
                  path);
     compare_mesh(path);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_vase, test_duck);
 }

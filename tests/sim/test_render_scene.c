@@ -37,7 +37,7 @@ static void refuse(const struct mesh *mesh, const char *message)
     assert_string_equal(m.text, message);
 }
 
-static void test_check(void)
+TEST(check)
 {
     struct mesh mesh;
     make_square(&mesh);
@@ -59,7 +59,7 @@ static void test_check(void)
     mesh_free(&mesh);
 }
 
-static void test_normals(void)
+TEST(normals)
 {
     struct mesh mesh;
     make_square(&mesh);
@@ -74,7 +74,7 @@ static void test_normals(void)
 
 /* The sides of a sheet, which has each triangle twice, do not cancel out; an
  * edge of 90 degrees is one for a smaller crease. */
-static void test_creases(void)
+TEST(creases)
 {
     struct mesh mesh;
     make_square(&mesh);
@@ -124,7 +124,7 @@ static bool show(const struct mesh *mesh, const struct scene_settings *settings,
 {
     struct model model;
     struct scene scene;
-    assert_true(model_make(&model, mesh));
+    assert_true(model_make(&model, mesh, 0));
     assert_true(scene_init(&scene, &model));
     const bool done = scene_prepare(&scene, settings) &&
                       scene_project(&scene, &shown->flat, &shown->clipped);
@@ -136,7 +136,7 @@ static bool show(const struct mesh *mesh, const struct scene_settings *settings,
 
 /* The square at any size, seen from twice its size: always the same places, to
  * the sub-pixel. */
-static void test_formula(void)
+TEST(formula)
 {
     static const int32_t expected[4][2] = {
         {PEL_PX(50) - 3200, PEL_PX(25) + 3200},
@@ -171,7 +171,7 @@ static void test_formula(void)
 }
 
 /* Orthographic: 40 by 20 units on 100 by 50 pixels, at any distance. */
-static void test_orthographic(void)
+TEST(orthographic)
 {
     struct scene_settings s = make_settings(300);
     struct mesh mesh;
@@ -189,7 +189,7 @@ static void test_orthographic(void)
 }
 
 /* A quarter of a turn around z takes each corner to the next one. */
-static void test_turn(void)
+TEST(turn)
 {
     const struct scene_settings s = make_settings(2);
     struct scene_settings turned = s;
@@ -213,7 +213,7 @@ static void test_turn(void)
 
 /* The square lies flat, 1 below the eye, half of it before and half behind: the
  * part behind is cut off. All of it behind: nothing is left. */
-static void test_behind(void)
+TEST(behind)
 {
     struct mesh mesh;
     struct shown shown;
@@ -246,7 +246,7 @@ static double random_in(struct random *r, double limit)
 
 /* Cameras in the midst of random triangles: nothing out of range comes out, and
  * indices stay inside. */
-static void test_any_camera(void)
+TEST(any_camera)
 {
     struct random r = {7};
     for (int round = 0; round < 300; round++) {
@@ -288,7 +288,7 @@ static double reach_of(const struct pel2d *flat, const int size[2])
 }
 
 /* By default everything is in the picture and touches the margin. */
-static void test_framing(void)
+TEST(framing)
 {
     static const int size[][2] = {{1200, 1200}, {640, 480}, {100, 900}};
     struct mesh mesh;
@@ -324,7 +324,7 @@ static void refuse_settings(const struct scene_settings *s, const char *text)
     mesh_free(&mesh);
 }
 
-static void test_refused(void)
+TEST(refused)
 {
     struct scene_settings same = make_settings(0), along = make_settings(2);
     struct scene_settings lens = make_settings(2), phong = make_settings(2);
@@ -336,11 +336,4 @@ static void test_refused(void)
     refuse_settings(&along, "eye and target are one place, or up points");
     refuse_settings(&lens, "make more than 65536 or less than 1/256 pixel");
     refuse_settings(&phong, "expected flat or gouraud without light");
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_check, test_normals, test_creases, test_formula,
-                     test_orthographic, test_turn, test_behind, test_any_camera,
-                     test_framing, test_refused);
 }

@@ -8,7 +8,7 @@
 #include "sim/view/turntable.h"
 
 /* Each row goes on where the one before it ended. Spin is in turns / 400. */
-static void test_events(void)
+TEST(events)
 {
     static const struct {
         struct pel_input event;
@@ -56,9 +56,4 @@ static void test_events(void)
     assert_true(fabs(t.view.zoom - 1.125 * 1.125) < 1e-9);
     turntable_free(&t);
     model_free(&model);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_events);
 }

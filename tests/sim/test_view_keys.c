@@ -5,7 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "sim/view/keys.h"
+#include "sim/view/turntable.h"
+#include "sim/view/viewer.h"
 
 /* A view of the built-in mesh. */
 static void make(struct view *view, struct model *model)
@@ -34,7 +35,7 @@ static void press(struct view *view, const char *keys)
         assert_int_equal(view_key(view, *keys), VIEW_CHANGED);
 }
 
-static void test_shade(void)
+TEST(shade)
 {
     struct view *view = new_view();
     press(view, "f");
@@ -45,7 +46,7 @@ static void test_shade(void)
     assert_int_equal(view->settings.shade, SCENE_GOURAUD);
 }
 
-static void test_tolerance(void)
+TEST(tolerance)
 {
     struct view *view = new_view();
     const double steps[] = {1, 2, 4, 8, 0};
@@ -59,7 +60,7 @@ static void test_tolerance(void)
     assert_false(view->settings.show_methods);
 }
 
-static void test_texture_and_order(void)
+TEST(texture_and_order)
 {
     struct view *view = new_view();
     const int textures[] = {SCENE_TEXTURE_NONE, SCENE_TEXTURE_NEAREST,
@@ -77,7 +78,7 @@ static void test_texture_and_order(void)
     assert_int_equal(view->settings.order, SCENE_ZBUFFER16);
 }
 
-static void test_terms(void)
+TEST(terms)
 {
     struct view *view = new_view();
     view->lit = true;
@@ -90,7 +91,7 @@ static void test_terms(void)
 }
 
 /* The first key of light brings the light and takes nothing from it. */
-static void test_unlit(void)
+TEST(unlit)
 {
     const char keys[] = "1adsl";
     struct view *view = new_view();
@@ -111,7 +112,7 @@ static void test_unlit(void)
     assert_int_equal(view_key(view, 'l'), VIEW_NOTHING);
 }
 
-static void test_lights(void)
+TEST(lights)
 {
     struct view *view = new_view();
     struct scene_settings s;
@@ -135,7 +136,7 @@ static void test_lights(void)
 }
 
 /* The light of those who name none can be switched off, too. */
-static void test_own_light(void)
+TEST(own_light)
 {
     struct view *view = new_view();
     struct scene_settings s;
@@ -149,7 +150,7 @@ static void test_own_light(void)
     assert_int_equal(view_key(view, '2'), VIEW_NOTHING);
 }
 
-static void test_turn(void)
+TEST(turn)
 {
     struct view *view = new_view();
     struct scene_settings s;
@@ -181,7 +182,7 @@ static double height_of_eye(const struct view *view, double *distance)
 
 /* Up and down keep the distance and stop before the zenith and the nadir; what
  * was stopped comes back with the first key. */
-static void test_tilt(void)
+TEST(tilt)
 {
     struct view *view = new_view();
     double distance, now;
@@ -198,7 +199,7 @@ static void test_tilt(void)
     assert_true(height_of_eye(view, &now) < -0.99 * distance);
 }
 
-static void test_zoom(void)
+TEST(zoom)
 {
     struct view *view = new_view();
     double distance, now;
@@ -216,7 +217,7 @@ static void test_zoom(void)
 }
 
 /* Another shape of window shows what the first did, and more. */
-static void test_sizes(void)
+TEST(sizes)
 {
     struct view *view = new_view();
     const struct camera *first = &view->first.camera;
@@ -231,7 +232,7 @@ static void test_sizes(void)
 }
 
 /* What nobody touched is what `pel render` draws. */
-static void test_first(void)
+TEST(first)
 {
     struct view *view = new_view();
     struct scene_settings s;
@@ -252,7 +253,7 @@ static void test_first(void)
     assert_true(view->turning);
 }
 
-static void test_others(void)
+TEST(others)
 {
     struct view *view = new_view();
     struct view before;
@@ -269,7 +270,7 @@ static void test_others(void)
 }
 
 /* The farthest that keys lead to can be drawn. */
-static void test_extremes(void)
+TEST(extremes)
 {
     static const int tilts[] = {PEL_KEY_UP, PEL_KEY_DOWN};
     struct view *view = new_view();
@@ -293,7 +294,7 @@ static void test_extremes(void)
     model_free(&model);
 }
 
-static void test_terminal(void)
+TEST(terminal)
 {
     static const char bytes[] = "q\033[A\033OB\033[1;5C\033[C\033[D\033[3~"
                                 "\033[[B\033OR\033OZ\033[[Z\033";
@@ -313,12 +314,4 @@ static void test_terminal(void)
     assert_int_equal(view_terminal_key("\033[", 2, &used), PEL_KEY_OTHER);
     assert_int_equal(used, 2);
     assert_int_equal(view_terminal_key("\344", 1, &used), 0344);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_shade, test_tolerance, test_texture_and_order,
-                     test_terms, test_unlit, test_lights, test_own_light,
-                     test_turn, test_tilt, test_zoom, test_sizes, test_first,
-                     test_others, test_extremes, test_terminal);
 }

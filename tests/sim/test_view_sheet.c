@@ -5,7 +5,7 @@
 
 #include "core/format/formats.h"
 #include "core/image/copy.h"
-#include "sim/script/pick.h"
+#include "sim/script/script.h"
 #include "sim/view/sheet.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
@@ -76,7 +76,7 @@ static void read_scene(struct script *script)
     free(text);
 }
 
-static void test_the_shape_that_is_seen_is_picked(void)
+TEST(the_shape_that_is_seen_is_picked)
 {
     for (int scene = 0; scene < 100; scene++) {
         struct script script;
@@ -177,7 +177,6 @@ static void draw_frames(const struct pel_format *format, int frames)
             memcmp(canvas[0].memory, canvas[1].memory, size) != 0)
             fail_msg("frame %d is another one", frame);
     }
-    print_message("%d frames: %ld of %ld bytes drawn\n", frames, sent, all);
     assert_true(sent < all);
     for (int i = 0; i < 2; i++)
         canvas_free(&canvas[i]);
@@ -186,17 +185,11 @@ static void draw_frames(const struct pel_format *format, int frames)
     sheet_free(&whole);
 }
 
-static void test_changed_areas_are_enough(void)
+TEST(changed_areas_are_enough)
 {
     draw_frames(&pel_xrgb8888, 10000);
     draw_frames(&pel_rgb565_le, 300);
     draw_frames(&pel_rgb332, 300);
     draw_frames(&pel_gray8, 300);
     draw_frames(&pel_mono1, 300);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_the_shape_that_is_seen_is_picked,
-                     test_changed_areas_are_enough);
 }

@@ -86,24 +86,13 @@ void any_random(struct random *r, struct any_shape *s, enum any_kind kind,
     random_numbers(r, s);
 }
 
-void any_in_box(struct random *r, struct any_shape *s, enum any_kind kind,
-                const struct pel_rect *box)
-{
-    s->kind = kind;
-    shape_in_box(r, s->v, ANY_POINTS, box);
-    random_numbers(r, s);
-    if (kind == ANY_THICK_LINE)
-        s->radius /= 4;
-}
-
 static bool is_round(enum any_kind kind)
 {
     return kind == ANY_CIRCLE || kind == ANY_ELLIPSE || kind == ANY_RING ||
            kind == ANY_SECTOR || kind == ANY_ARC;
 }
 
-/* How many of the points count. */
-static int32_t points_of(const struct any_shape *s)
+int32_t any_points(const struct any_shape *s)
 {
     if (s->kind == ANY_TRIANGLE)
         return 3;
@@ -112,25 +101,35 @@ static int32_t points_of(const struct any_shape *s)
     return is_round(s->kind) ? 1 : 2;
 }
 
-static int32_t legal(int64_t v)
+void any_in_box(struct random *r, struct any_shape *s, enum any_kind kind,
+                const struct pel_rect *box)
 {
-    if (v < PEL_COORDINATE_MIN)
-        return PEL_COORDINATE_MIN;
-    return v > PEL_COORDINATE_MAX ? PEL_COORDINATE_MAX : (int32_t)v;
+    const int32_t beside = random_between(r, 0, 1) * 6;
+    const struct pel_rect around = {
+        pel_max(box->x0 - beside, -32768), pel_max(box->y0 - beside, -32768),
+        pel_min(box->x1 + beside, 32767), pel_min(box->y1 + beside, 32767)};
+    s->kind = kind;
+    shape_in_box(r, s->v, ANY_POINTS, &around);
+    random_numbers(r, s);
+    if (random_word(r) % 8 == 0)
+        shape_adversarial(r, s->v, any_points(s) - (any_points(s) > 1));
+    if (kind == ANY_THICK_LINE)
+        s->radius /= 4;
 }
 
 struct pel_rect any_window(struct random *r, const struct any_shape *s,
                            int32_t size)
 {
     if (!is_round(s->kind) || random_word(r) % 8 == 0)
-        return shape_window(r, s->v, points_of(s), size);
+        return shape_window(r, s->v, any_points(s), size);
     const struct pel_point d = reference_direction(
         random_word(r) & 1 ? random_turn(r) : (uint16_t)s->from);
     bool inner = s->kind != ANY_ELLIPSE && random_word(r) & 1;
     int64_t x = inner ? s->inner : s->radius;
     int64_t y = s->kind == ANY_ELLIPSE ? s->inner : x;
     int64_t part = random_word(r) & 1 ? 256 : random_between(r, 0, 256);
-    struct pel_point edge = {legal(s->v[0].x + x * d.x * part / (32768 * 256)),
-                             legal(s->v[0].y + y * d.y * part / (32768 * 256))};
+    struct pel_point edge = {
+        shape_legal(s->v[0].x + x * d.x * part / (32768 * 256)),
+        shape_legal(s->v[0].y + y * d.y * part / (32768 * 256))};
     return shape_window(r, &edge, 1, size);
 }

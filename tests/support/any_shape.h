@@ -51,10 +51,13 @@ const char *any_name(const struct any_shape *s);
 void any_random(struct random *r, struct any_shape *s, enum any_kind kind,
                 bool adversarial);
 
-/* About as large as the box, its points in it; half of the cases adversarial.
- */
+/* About as large as the box, its points in it or up to 6 px beside it; now and
+ * then all but the last adversarial. */
 void any_in_box(struct random *r, struct any_shape *s, enum any_kind kind,
                 const struct pel_rect *box);
+
+/* How many of its points count. */
+int32_t any_points(const struct any_shape *s);
 
 /* A window on its edge, or anywhere (shapes.h). */
 struct pel_rect any_window(struct random *r, const struct any_shape *s,

@@ -188,7 +188,7 @@ void canvas_check_drawn(const struct canvas *c, const struct hits *shape,
     for (int32_t y = b->y0; y < b->y1; y++)
         for (int32_t x = b->x0; x < b->x1; x++) {
             const uint32_t before = canvas_pixel_before(c, x, y);
-            const bool drawn = hits_at(shape, x, y);
+            const bool drawn = !shape || hits_at(shape, x, y);
             const pel_color source = drawn ? color(paint, x, y) : 0;
             const uint32_t want =
                 drawn ? layout_over(c->layout, before, source) : before;
@@ -199,6 +199,22 @@ void canvas_check_drawn(const struct canvas *c, const struct hits *shape,
                          canvas_pixel(c, x, y), cases_replay());
         }
     canvas_check(c);
+}
+
+pel_color canvas_flat(const void *flat, int32_t x, int32_t y)
+{
+    (void)x, (void)y;
+    return ((const struct pel_flat *)flat)->color;
+}
+
+pel_color canvas_gouraud(const void *gouraud, int32_t x, int32_t y)
+{
+    const struct pel_gouraud *g = gouraud;
+    pel_color c = 0;
+    for (int k = 0; k < 4; k++)
+        c |= (g->at[k] + (uint32_t)x * g->dx[k] + (uint32_t)y * g->dy[k]) >>
+             24 << 8 * k;
+    return c;
 }
 
 int32_t canvas_difference(const struct canvas *a, const struct canvas *b)

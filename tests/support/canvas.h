@@ -48,12 +48,16 @@ int32_t canvas_difference(const struct canvas *a, const struct canvas *b);
  * canvas_check(part). */
 void canvas_check_part(const struct canvas *whole, const struct canvas *part);
 
-/* What is drawn in the colors of a function, where `shape` has been hit: they
- * lie over what was there, by the formats' rule, and nothing else has changed.
- */
+/* What is drawn in the colors of a function, where `shape` has been hit, or
+ * everywhere when it is NULL: they lie over what was there, by the formats'
+ * rule, and nothing else has changed. */
 typedef pel_color canvas_color(const void *paint, int32_t x, int32_t y);
 void canvas_check_drawn(const struct canvas *c, const struct hits *shape,
                         canvas_color *color, const void *paint);
+
+/* The colors of a pel_flat and of a pel_gouraud. */
+pel_color canvas_flat(const void *flat, int32_t x, int32_t y);
+pel_color canvas_gouraud(const void *gouraud, int32_t x, int32_t y);
 
 /* Nothing outside the present clip has changed. */
 void canvas_check(const struct canvas *c);

@@ -1,29 +1,41 @@
 #include "check.h"
 
-#include <string.h>
+#include <stdlib.h>
 
-enum { TESTS_MAX = 64, NAME_SIZE = 80 };
+enum { TESTS_MAX = 64 };
+
+static struct test {
+    test_function *function;
+    int line;
+} tests[TESTS_MAX];
+static struct CMUnitTest units[TESTS_MAX];
+static size_t count;
 
 static void run(void **state)
 {
-    test_function *const *function = *state;
-    (*function)();
+    const struct test *test = *state;
+    test->function();
 }
 
-int run_all_tests(const char *names, test_function *const *functions)
+/* Those of later lines move up. */
+void add_test(const char *name, test_function *function, int line)
 {
-    static char name[TESTS_MAX][NAME_SIZE];
-    static struct CMUnitTest tests[TESTS_MAX];
-    size_t n = 0;
-    for (; functions[n]; n++) {
-        const size_t length = strcspn(names, ",");
-        if (n == TESTS_MAX || length >= NAME_SIZE)
-            return 1;
-        memcpy(name[n], names, length);
-        tests[n].name = name[n];
-        tests[n].test_func = run;
-        tests[n].initial_state = (void *)(uintptr_t)&functions[n];
-        names += length + strspn(names + length, ", ");
+    size_t i = count++;
+    if (count > TESTS_MAX)
+        abort();
+    for (; i > 0 && tests[i - 1].line > line; i--) {
+        tests[i] = tests[i - 1];
+        units[i].name = units[i - 1].name;
     }
-    return _cmocka_run_group_tests("tests", tests, n, NULL, NULL);
+    tests[i] = (struct test){function, line};
+    units[i].name = name;
+}
+
+int run_all_tests(void)
+{
+    for (size_t i = 0; i < count; i++) {
+        units[i].test_func = run;
+        units[i].initial_state = &tests[i];
+    }
+    return _cmocka_run_group_tests("tests", units, count, NULL, NULL);
 }

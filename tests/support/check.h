@@ -1,4 +1,4 @@
-/* cmocka and the headers that it wants before it, and a way to run tests. */
+/* cmocka and the headers that it wants before it, and a way to write tests. */
 #ifndef TESTS_SUPPORT_CHECK_H
 #define TESTS_SUPPORT_CHECK_H
 
@@ -9,13 +9,19 @@
 
 #include <cmocka.h>
 
-/* Fails by cmocka's asserts. */
-typedef void test_function(void);
+/* The head of a test, which fails by cmocka's asserts. The support library's
+ * main runs those of the program from top to bottom; a main of one's own that
+ * sets something up returns run_all_tests(). */
+#define TEST(name)                                                      \
+    static void test_##name(void);                                      \
+    __attribute__((constructor)) static void register_test_##name(void) \
+    {                                                                   \
+        add_test("test_" #name, test_##name, __LINE__);                 \
+    }                                                                   \
+    static void test_##name(void)
 
-/* Runs the functions and returns what main shall: `return RUN_TESTS(a, b);` */
-#define RUN_TESTS(...)          \
-    run_all_tests(#__VA_ARGS__, \
-                  (test_function *const[]){__VA_ARGS__, (test_function *)0})
-int run_all_tests(const char *names, test_function *const *functions);
+typedef void test_function(void);
+void add_test(const char *name, test_function *function, int line);
+int run_all_tests(void);
 
 #endif

@@ -195,3 +195,40 @@ int panel_glass_pixel(const struct panel_glass *g, int x, int y)
         row = rows - 1 - row;
     return g->memory[row][column];
 }
+
+void panel_glass_turn(int rotation, int width, int height, int at[2])
+{
+    const int x = at[0], y = at[1], right = width - 1 - x,
+              below = height - 1 - y;
+    const int turned[4][2] = {{x, y}, {y, right}, {right, below}, {below, x}};
+    at[0] = turned[rotation][0];
+    at[1] = turned[rotation][1];
+}
+
+static int frame_pixel(const struct pel_surface *s, int x, int y)
+{
+    const uint8_t *bytes = s->pixels;
+    if (s->format->id == PEL_FORMAT_MONO1_PAGES)
+        return bytes[y / 8 * s->stride + x] >> (y & 7) & 1;
+    bytes += y * s->stride;
+    if (s->format->id == PEL_FORMAT_MONO1)
+        return bytes[x / 8] >> (7 - (x & 7)) & 1;
+    return bytes[2 * x] << 8 | bytes[2 * x + 1];
+}
+
+bool panel_glass_shows(const struct panel_glass *glass,
+                       const struct pel_surface *frame, int rotation, int at[2])
+{
+    const struct pel_rect *b = &frame->bounds;
+    const int width = rotation & 1 ? b->y1 : b->x1;
+    const int height = rotation & 1 ? b->x1 : b->y1;
+    for (at[1] = 0; at[1] < height; at[1]++)
+        for (at[0] = 0; at[0] < width; at[0]++) {
+            int p[2] = {at[0], at[1]};
+            panel_glass_turn(rotation, width, height, p);
+            if (panel_glass_pixel(glass, at[0], at[1]) !=
+                frame_pixel(frame, p[0], p[1]))
+                return false;
+        }
+    return true;
+}

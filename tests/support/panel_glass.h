@@ -4,6 +4,7 @@
 #define TESTS_SUPPORT_PANEL_GLASS_H
 
 #include "bus_log.h"
+#include "core/pel.h"
 
 enum panel_family { PANEL_DCS, PANEL_SSD1351, PANEL_PAGES };
 
@@ -36,5 +37,15 @@ int panel_glass_take(struct panel_glass *glass, const struct bus_log *log,
 
 /* A pixel of the upright glass: 16 bits, or 0 and 1. */
 int panel_glass_pixel(const struct panel_glass *glass, int x, int y);
+
+/* Where an upright glass of that size has its pixel `at`, the same in a picture
+ * that is turned by so many quarters. */
+void panel_glass_turn(int rotation, int width, int height, int at[2]);
+
+/* Does the glass show a turned frame of 16 bits or 1 bit a pixel, by its bytes?
+ * False: not at `at` of the glass. */
+bool panel_glass_shows(const struct panel_glass *glass,
+                       const struct pel_surface *frame, int rotation,
+                       int at[2]);
 
 #endif

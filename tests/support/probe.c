@@ -4,12 +4,10 @@
 
 #include "cases.h"
 #include "check.h"
-#include "fast_rows.h"
 #include "reference.h"
 
-static void check_row(void *probe, int32_t y, int32_t x0, int32_t x1)
+static void check_row(struct probe *p, int32_t y, int32_t x0, int32_t x1)
 {
-    struct probe *p = probe;
     const struct pel_rect *clip = &p->surface.clip;
     const struct pel_point *v = p->v;
     const bool upper = pel_pixel_center(y) < v[1].y;
@@ -27,39 +25,20 @@ static void check_row(void *probe, int32_t y, int32_t x0, int32_t x1)
                  x0, x1, cases_replay());
 }
 
-#if PEL_FAST_FILLS
-
-static bool take_fast(const struct pel_paint *paint,
-                      const struct pel_surface *surface,
-                      const struct pel_fast_triangle *t)
-{
-    struct probe *p = (struct probe *)(uintptr_t)paint;
-    (void)surface;
-    fast_rows(t, check_row, p);
-    p->fast++;
-    return true;
-}
-
-#endif
-
 static void take_rows(const struct pel_paint *paint,
                       const struct pel_spans *rows)
 {
     struct probe *p = (struct probe *)(uintptr_t)paint;
-    p->slow++;
     for (int i = 0; i < rows->n; i++)
         check_row(p, rows->y + i * rows->step, rows->span[i].x0,
                   rows->span[i].x1);
 }
 
-static const struct pel_paint ways[2] = {{take_rows, NULL},
-                                         PEL_PAINT(take_rows, take_fast)};
-
-void probe_open(struct probe *p, bool fast)
+void probe_open(struct probe *p)
 {
     static uint8_t nothing;
     const struct pel_rect bounds = {-16384, -16384, 16383, 16383};
-    *p = (struct probe){.paint = ways[fast]};
+    *p = (struct probe){.paint = {take_rows, NULL}};
     assert_int_equal(pel_surface_init_rect(&p->surface, &pel_gray8, &nothing,
                                            32767, &bounds),
                      PEL_OK);
@@ -77,5 +56,8 @@ void probe_triangle(struct probe *p, const struct pel_point v[3])
     for (int i = 0; i < 3; i++)
         p->v[i] = v[i];
     qsort(p->v, 3, sizeof p->v[0], by_height);
-    pel_triangle(&p->surface, v, &p->paint);
+    if (PEL_FAST_FILLS && pel_triangle_fast(&p->surface, v, &p->paint))
+        p->fast++;
+    else
+        pel_triangle(&p->surface, v, &p->paint);
 }

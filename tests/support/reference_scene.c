@@ -1,15 +1,5 @@
 #include "reference_scene.h"
 
-real reference_root(real v)
-{
-    real r = v > 1 ? v : 1;
-    if (v <= 0)
-        return 0;
-    for (int i = 0; i < 200; i++)
-        r = (r + v / r) / 2;
-    return r;
-}
-
 static real power_of_two(int n)
 {
     real v = 1;
@@ -34,7 +24,7 @@ static void cross(const real a[3], const real b[3], real out[3])
 
 static void normalize(real v[3])
 {
-    const real length = reference_root(dot(v, v));
+    const real length = real_root(dot(v, v));
     for (int k = 0; k < 3; k++)
         v[k] = length > 0 ? v[k] / length : 0;
 }

@@ -5,11 +5,7 @@
 #define TESTS_SUPPORT_REFERENCE_SCENE_H
 
 #include "core/scene/pipeline.h"
-
-typedef long double real;
-
-/* The square root; v >= 0. */
-real reference_root(real v);
+#include "paint_math.h"
 
 /* The place of a vertex in the world, and its normal there, as long as it is.
  */

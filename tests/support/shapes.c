@@ -1,6 +1,6 @@
 #include "shapes.h"
 
-static int32_t legal(int64_t v)
+int32_t shape_legal(int64_t v)
 {
     if (v < PEL_COORDINATE_MIN)
         return PEL_COORDINATE_MIN;
@@ -34,8 +34,8 @@ void shape_random(struct random *r, struct pel_point *v, int32_t n)
     const int32_t e = random_extent(r);
     const struct pel_point o = random_origin(r);
     for (; n > 0; n--, v++) {
-        v->x = legal((int64_t)o.x + random_between(r, -e, e));
-        v->y = legal((int64_t)o.y + random_between(r, -e, e));
+        v->x = shape_legal((int64_t)o.x + random_between(r, -e, e));
+        v->y = shape_legal((int64_t)o.y + random_between(r, -e, e));
     }
 }
 
@@ -45,8 +45,10 @@ static void snap(struct random *r, struct pel_point *v, int32_t n,
 {
     const int32_t step = lattice[0], offset = lattice[1], k = lattice[2];
     for (; n > 0; n--, v++) {
-        v->x = legal(v->x / step * step + offset + random_between(r, -k, k));
-        v->y = legal(v->y / step * step + offset + random_between(r, -k, k));
+        v->x =
+            shape_legal(v->x / step * step + offset + random_between(r, -k, k));
+        v->y =
+            shape_legal(v->y / step * step + offset + random_between(r, -k, k));
     }
 }
 
@@ -65,10 +67,10 @@ static void flatten(struct random *r, struct pel_point *v, int32_t n, int32_t k)
 {
     for (int32_t i = 2; i < n; i++) {
         int64_t t = random_between(r, -16, 80);
-        v[i].x = legal(v[0].x + (v[1].x - v[0].x) * t / 64 +
-                       random_between(r, -k, k));
-        v[i].y = legal(v[0].y + (v[1].y - v[0].y) * t / 64 +
-                       random_between(r, -k, k));
+        v[i].x = shape_legal(v[0].x + (v[1].x - v[0].x) * t / 64 +
+                             random_between(r, -k, k));
+        v[i].y = shape_legal(v[0].y + (v[1].y - v[0].y) * t / 64 +
+                             random_between(r, -k, k));
     }
 }
 
@@ -91,8 +93,8 @@ static void shrink(struct random *r, struct pel_point *v, int32_t n)
 {
     const struct pel_point o = {v->x / 256 * 256 + 128, v->y / 256 * 256 + 128};
     for (; n > 0; n--, v++) {
-        v->x = legal(o.x + random_between(r, -3, 3));
-        v->y = legal(o.y + random_between(r, -3, 3));
+        v->x = shape_legal(o.x + random_between(r, -3, 3));
+        v->y = shape_legal(o.y + random_between(r, -3, 3));
     }
 }
 

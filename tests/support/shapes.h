@@ -5,6 +5,9 @@
 #include "cases.h"
 #include "core/pel.h"
 
+/* The nearest coordinate that is legal. */
+int32_t shape_legal(int64_t v);
+
 /* Vertices anywhere in a box of 2 to 65,535 px, the box anywhere. */
 void shape_random(struct random *r, struct pel_point *v, int32_t n);
 

@@ -14,11 +14,9 @@ TEST_FLAGS_mutant_portable := -O1 -fsanitize=undefined \
 MUTANT_BUILDS := mutant_host mutant_portable
 MUTANT_TESTS := $(sort $(shell sed -n 's/#.*//; s/^core[^:]*: *//; s/+//g; \
     s/:[0-9]*//g; p' tests/tools/mutants_tests.txt))
-MUTANT_TWINS := $(filter $(TEST_TWINS),$(MUTANT_TESTS:%=tests/%))
 MUTANT_HOST_ONLY := $(filter $(TEST_HOST_ONLY),$(MUTANT_TESTS:%=tests/%))
 
 $(foreach b,$(MUTANT_BUILDS),$(eval $(call test_build,$b)))
-$(MUTANT_TWINS:%=$(T)/mutant_host/%): $(T)/portable_core.o
 
 MUTANT_PROGRAMS := $(MUTANT_TESTS:%=$(T)/mutant_host/tests/%) \
     $(filter-out $(MUTANT_HOST_ONLY:%=$(T)/mutant_portable/%),\

@@ -54,12 +54,7 @@ compile_changed()
 # by the clock, since a program whose memory is broken may hang without working.
 notices()
 {
-    twin=
-    case $name in *test_raster_walks* | *test_fast_flat | *test_fast_textures)
-        twin=$tests/portable_core.o
-        ;;
-    esac
-    $cc $flags "$object" $changed $twin "$base/libsupport.a" "$base/libpel.a" \
+    $cc $flags "$object" $changed "$base/libsupport.a" "$base/libpel.a" \
         -lcmocka -o "$tree/program" || finish refused
     scale=${plain##*:}
     [ "$scale" != "$plain" ] || scale=100

@@ -3,6 +3,7 @@
 #define _DEFAULT_SOURCE /* alarm */
 #include <unistd.h>
 
+#include "tests/support/any_shape.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
 #include "tests/support/layouts.h"
@@ -61,22 +62,111 @@ static void spoil(struct pel_point v[3], int k, int32_t value)
         v[k / 2].x = value;
 }
 
-static void test_triangles(void)
+/* A shape with a point at `base` that covers the pixel there; the others lie
+ * from it by `way` sub-pixels in x and y. */
+static struct any_shape shape_at(enum any_kind kind, int32_t base, int32_t way)
 {
-    struct pel_point v[3];
-    open_hits();
-    for (int k = 0; k < 6; k++)
-        for (int i = 0; i < ILLEGAL; i++) {
-            spoil(v, k, illegal[i]);
-            pel_triangle(&hits.surface, v, &hits.paint);
-            expect_broken("triangle", illegal[i]);
-            pel_triangle_or_line(&hits.surface, v, &hits.paint);
-            expect_broken("triangle or line", illegal[i]);
-        }
+    const int32_t far = base + way, small = way / 64;
+    struct any_shape s = {.kind = kind,
+                          .v = {{base, base}, {far, base}, {base, far}},
+                          .n = 3,
+                          .radius = PEL_PX(9),
+                          .inner = kind == ANY_ELLIPSE ? PEL_PX(9) : 64,
+                          .from = 0x1000,
+                          .to = 0xF000};
+    if (kind == ANY_RECTANGLE || kind == ANY_ROUNDED_RECTANGLE) {
+        const int32_t low = pel_min(base, far), high = pel_max(base, far);
+        s.v[0] = (struct pel_point){low, low};
+        s.v[1] = (struct pel_point){high, high};
+        s.radius = 64;
+    }
+    if (kind == ANY_THICK_LINE) {
+        s.v[0] = (struct pel_point){base + small, base + 3 * small};
+        s.v[1] = (struct pel_point){far, base + 3 * small};
+        s.radius = 80;
+    }
+    return s;
+}
+
+/* Draws around the pixel; polygons tell by their status. */
+static void draw_around(const struct any_shape *s, int32_t pixel, bool outline)
+{
+    const int32_t low = pel_max(pixel - 16, -32768);
+    const int32_t high = pel_min(pixel + 16, 32768);
+    uint32_t scratch[PEL_POLYGON_SCRATCH_SIZE(3) / 4];
+    hits_open(&hits, &(struct pel_rect){low, low, high, high});
+    broken = 0;
+    if (s->kind != ANY_POLYGON) {
+        (outline ? any_draw_outline : any_draw)(&hits.surface, s, &hits.paint);
+        expect_broken(any_name(s), pixel);
+    } else {
+        assert_int_equal(pel_polygon(&hits.surface, POLYGON(s), &hits.paint,
+                                     scratch, sizeof scratch),
+                         PEL_ERROR_RANGE);
+        assert_int_equal(broken + (int)hits.pixels, 0);
+    }
+}
+
+/* One number changed: nothing is hit or drawn; then back again. */
+static void check_number(struct any_shape *s, int32_t *number, int32_t to,
+                         int32_t pixel)
+{
+    const int32_t from = *number;
+    assert_true(any_hit(s, pixel, pixel));
+    *number = to;
+    if (any_hit(s, pixel, pixel))
+        fail_msg("%s at %d: hit with %d instead of %d", any_name(s), pixel, to,
+                 from);
+    draw_around(s, pixel, false);
+    draw_around(s, pixel, true);
+    *number = from;
+}
+
+static void check_pixel(const struct any_shape *s, int32_t x, int32_t y,
+                        int32_t pixel)
+{
+    assert_true(any_hit(s, pixel, pixel));
+    if (any_hit(s, x, y))
+        fail_msg("%s at %d: pixel %d, %d", any_name(s), pixel, x, y);
+}
+
+static void check_ranges(struct any_shape *s, int32_t pixel)
+{
+    static const int32_t far_pixel[] = {INT32_MIN, -32769, 32768, INT32_MAX};
+    static const int32_t radius[] = {INT32_MIN, -1, PEL_PX(32767) + 1,
+                                     INT32_MAX};
+    const bool is_round = any_points(s) == 1;
+    const bool is_thick =
+        s->kind == ANY_THICK_LINE || s->kind == ANY_ROUNDED_RECTANGLE;
+    for (int k = 0; k < any_points(s) * ILLEGAL; k++) {
+        check_number(s, &s->v[k / ILLEGAL].x, illegal[k % ILLEGAL], pixel);
+        check_number(s, &s->v[k / ILLEGAL].y, illegal[k % ILLEGAL], pixel);
+    }
+    for (int i = 0; i < 4; i++) {
+        check_pixel(s, far_pixel[i], pixel, pixel);
+        check_pixel(s, pixel, far_pixel[i], pixel);
+        if (is_round || is_thick)
+            check_number(s, &s->radius, radius[i], pixel);
+        if (s->kind == ANY_ELLIPSE || s->kind == ANY_RING || s->kind == ANY_ARC)
+            check_number(s, &s->inner, radius[i], pixel);
+    }
+}
+
+TEST(ranges)
+{
+    for (int kind = 0; kind < ANY_KINDS; kind++) {
+        const enum any_kind k = (enum any_kind)kind;
+        struct any_shape low = shape_at(k, PEL_COORDINATE_MIN, PEL_PX(9));
+        struct any_shape middle = shape_at(k, 0, PEL_PX(9));
+        struct any_shape high = shape_at(k, PEL_COORDINATE_MAX, -PEL_PX(9));
+        check_ranges(&low, -32768);
+        check_ranges(&middle, 0);
+        check_ranges(&high, 32767);
+    }
 }
 
 /* The paint's set-up must not trip over what the triangle then refuses. */
-static void test_gouraud(void)
+TEST(gouraud)
 {
     static uint32_t pixels[256];
     const pel_color c[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0), 0};
@@ -90,6 +180,8 @@ static void test_gouraud(void)
             spoil(v, k, illegal[i]);
             pel_triangle_gouraud(&s, v, c);
             expect_broken("gouraud", illegal[i]);
+            pel_triangle_or_line(&hits.surface, v, &hits.paint);
+            expect_broken("triangle or line", illegal[i]);
         }
     v[0] = v[1] = v[2] = (struct pel_point){INT32_MIN, INT32_MAX};
     v[1].x = INT32_MAX;
@@ -101,43 +193,8 @@ static void test_gouraud(void)
     alarm(0);
 }
 
-static void test_two_points(void)
-{
-    open_hits();
-    for (int k = 0; k < 4; k++)
-        for (int i = 0; i < ILLEGAL; i++) {
-            struct pel_point v[3];
-            spoil(v, k, illegal[i]);
-            pel_line(&hits.surface, v[0], v[1], &hits.paint);
-            expect_broken("line", illegal[i]);
-            pel_rectangle(&hits.surface, v[0], v[1], &hits.paint);
-            expect_broken("rectangle", illegal[i]);
-            pel_rectangle_outline(&hits.surface, v[0], v[1], &hits.paint);
-            expect_broken("rectangle outline", illegal[i]);
-        }
-}
-
-static void test_circles(void)
-{
-    static const int32_t radius[] = {-1, PEL_PX(32767) + 1, INT32_MIN,
-                                     INT32_MAX};
-    const struct pel_point center = {2048, 2048};
-    open_hits();
-    for (int k = 0; k < 2; k++)
-        for (int i = 0; i < ILLEGAL; i++) {
-            struct pel_point v[3];
-            spoil(v, k, illegal[i]);
-            pel_circle(&hits.surface, v[0], PEL_PX(32767), &hits.paint);
-            expect_broken("circle", illegal[i]);
-        }
-    for (int i = 0; i < 4; i++) {
-        pel_circle(&hits.surface, center, radius[i], &hits.paint);
-        expect_broken("radius", radius[i]);
-    }
-}
-
 /* Places of text, copies and the rim of a fan. */
-static void test_places(void)
+TEST(places)
 {
     static const struct pel_font_glyph glyph = {0, 8, 1, 0, 1, 255};
     static const uint8_t bits[1] = {255};
@@ -180,24 +237,6 @@ static void test_places(void)
     assert_int_equal(rim[2].y, 6);
 }
 
-/* Polygons are checked by their status, not by PEL_ASSERT. */
-static void test_polygons(void)
-{
-    uint32_t scratch[64];
-    struct pel_point v[3];
-    const struct pel_polygon_shape outline = {v, 3, PEL_NON_ZERO};
-    open_hits();
-    for (int k = 0; k < 6; k++)
-        for (int i = 0; i < ILLEGAL; i++) {
-            spoil(v, k, illegal[i]);
-            assert_int_equal(pel_polygon(&hits.surface, &outline, &hits.paint,
-                                         scratch, sizeof scratch),
-                             PEL_ERROR_RANGE);
-        }
-    assert_int_equal(hits.pixels, 0);
-    assert_int_equal(broken, 0);
-}
-
 /* A fill-only twin has no blend, load and store. */
 static void check_twin(const struct pel_format *twin)
 {
@@ -237,15 +276,9 @@ static void check_twin(const struct pel_format *twin)
     assert_int_equal(broken, 0);
 }
 
-static void test_fill_only_twins(void)
+TEST(fill_only_twins)
 {
     open_hits();
     check_twin(&pel_rgb565_le_fill);
     check_twin(&pel_rgb565_be_fill);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_triangles, test_two_points, test_circles, test_places,
-                     test_polygons, test_fill_only_twins, test_gouraud);
 }

@@ -7,6 +7,7 @@
 
 #include "core/outline/outline_filter.h"
 #include "core/raster/collect.h"
+#include "tests/support/any_shape.h"
 #include "tests/support/check.h"
 #include "tests/support/cases.h"
 #include "tests/support/hits.h"
@@ -22,96 +23,72 @@ static uint64_t batches_of(uint64_t n, uint64_t runs)
     return (n + runs - 1) / runs;
 }
 
-static const int32_t low = PEL_COORDINATE_MIN, high = PEL_COORDINATE_MAX;
+enum { low = PEL_COORDINATE_MIN, high = PEL_COORDINATE_MAX };
+
+/* Draws it through a window. */
+static void draw(const struct any_shape *shape, const struct pel_rect *window)
+{
+    hits_open(&hits, window);
+    any_draw(&hits.surface, shape, &hits.paint);
+}
 
 /* A window of SIDE x SIDE pixels, not far from a line through the middle. */
-static void open_window(uint64_t i)
+static struct pel_rect any_small_window(uint64_t i)
 {
     struct random r = {i};
     const int32_t x = random_between(&r, -32768, 32767 - SIDE);
     const int32_t y = pel_max(-32768, pel_min(32767 - SIDE, x + 3));
-    const struct pel_rect b = {x, y, x + SIDE, y + SIDE};
-    hits_open(&hits, &b);
+    return (struct pel_rect){x, y, x + SIDE, y + SIDE};
 }
 
-/* A row has at most `runs` runs, and the collector fills its batches. */
-static void check_work(const char *name, uint64_t runs)
-{
-    if (hits.runs > runs * SIDE || hits.pixels > SIDE * SIDE ||
-        hits.batches > runs * SIDE)
-        fail_msg("%s: %d batches, %d runs, %d pixels", name, (int)hits.batches,
-                 (int)hits.runs, (int)hits.pixels);
-}
+#define CROSSED                                            \
+    .kind = ANY_POLYGON, .n = 6,                           \
+    .v = {{low, low},  {high, high - 7}, {-8000000, high}, \
+          {high, low}, {low, 1000000},   {7000000, 3000000}}
 
-static void draw_triangle(uint64_t i)
-{
-    const struct pel_point v[2][3] = {
-        {{low, low}, {high, high - 5}, {low + 9000, high}},
-        {{low, low + 1}, {high, high - 700}, {high - 300, high}}};
-    pel_triangle(&hits.surface, v[i % 2], &hits.paint);
-}
-
-/* A disc of this size shows one side, both or none. */
-static void draw_circle(uint64_t i)
-{
-    const struct pel_point at = {(int32_t)(i * 77777 % 16777216) + low,
-                                 (int32_t)(i * 55555 % 16777216) + low};
-    pel_circle(&hits.surface, at, high - 255, &hits.paint);
-}
-
-static void draw_line(uint64_t i)
-{
-    const struct pel_point v[4] = {
-        {low, low}, {high, high}, {low + 512, high}, {high, low + 99999}};
-    pel_line(&hits.surface, v[i % 4], v[(i + 1) % 4], &hits.paint);
-}
-
-static void draw_rectangle(uint64_t i)
-{
-    const struct pel_point from = {low, low}, to = {high, high};
-    (void)i;
-    pel_rectangle(&hits.surface, from, to, &hits.paint);
-    assert_int_equal(hits.batches, batches_of(SIDE, PEL_COLLECT_ROWS));
-    assert_int_equal(hits.pixels, SIDE * SIDE);
-}
-
-static void draw_polygon(uint64_t i)
-{
-    static const struct pel_point v[6] = {
-        {-8388608, -8388608}, {8388607, 8388600},  {-8000000, 8388607},
-        {8388607, -8388608},  {-8388608, 1000000}, {7000000, 3000000}};
-    const struct pel_polygon_shape p = {v, 6,
-                                        i % 2 ? PEL_EVEN_ODD : PEL_NON_ZERO};
-    uint32_t scratch[64];
-    assert_int_equal(
-        pel_polygon(&hits.surface, &p, &hits.paint, scratch, sizeof scratch),
-        PEL_OK);
-}
-
-static void test_huge_shapes(void)
+/* Shapes as large as the range. Of each row at most so many runs are handed on,
+ * in no more batches. */
+TEST(huge_shapes)
 {
     static const struct {
-        const char *name;
-        void (*draw)(uint64_t i);
-        uint64_t runs; /* of a row */
-    } rows[] = {{"triangle", draw_triangle, 1},
-                {"circle", draw_circle, 1},
-                {"line", draw_line, 1},
-                {"rectangle", draw_rectangle, 1},
-                {"polygon", draw_polygon, 3}};
+        uint64_t runs;
+        struct any_shape shape;
+    } rows[] = {
+        {1,
+         {.kind = ANY_TRIANGLE,
+          .v = {{low, low}, {high, high - 5}, {low + 9000, high}}}},
+        {1,
+         {.kind = ANY_TRIANGLE,
+          .v = {{low, low + 1}, {high, high - 700}, {high - 300, high}}}},
+        {1, {.kind = ANY_CIRCLE, .radius = high - 255}},
+        {1, {.kind = ANY_LINE, .v = {{low, low}, {high, high}}}},
+        {1, {.kind = ANY_LINE, .v = {{high, high}, {low + 512, high}}}},
+        {1, {.kind = ANY_LINE, .v = {{low + 512, high}, {high, low + 99999}}}},
+        {1, {.kind = ANY_RECTANGLE, .v = {{low, low}, {high, high}}}},
+        {3, {CROSSED, .rule = PEL_EVEN_ODD}},
+        {3, {CROSSED, .rule = PEL_NON_ZERO}}};
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        struct any_shape s = rows[k].shape;
+        const uint64_t most = rows[k].runs * SIDE;
         alarm(TOO_LONG);
         for (uint64_t i = 0; i < cases_scaled(TIMES); i++) {
-            open_window(i);
-            rows[k].draw(i);
-            check_work(rows[k].name, rows[k].runs);
+            const struct pel_rect window = any_small_window(i);
+            if (s.kind == ANY_CIRCLE) /* shows one side, both or none */
+                s.v[0] =
+                    (struct pel_point){(int32_t)(i * 77777 % 16777216) + low,
+                                       (int32_t)(i * 55555 % 16777216) + low};
+            draw(&s, &window);
+            if (hits.runs > most || hits.pixels > SIDE * SIDE ||
+                hits.batches > most)
+                fail_msg("%s: %d batches, %d runs, %d pixels", any_name(&s),
+                         (int)hits.batches, (int)hits.runs, (int)hits.pixels);
         }
         alarm(0);
     }
 }
 
 /* More runs in one line than a batch holds, and in the next one again. */
-static void test_batches_of_one_line(void)
+TEST(batches_of_one_line)
 {
     enum { TEETH_SHOWN = 300, N = 4 * TEETH_SHOWN };
     const struct pel_rect b = {0, 0, 2 * TEETH_SHOWN, 2};
@@ -131,49 +108,47 @@ static void test_batches_of_one_line(void)
 }
 
 /* Batches are filled before they are handed on. */
-static void test_batches(void)
+TEST(batches)
 {
     enum { ROWS = 150 };
-    const struct pel_rect b = {0, 0, 3, ROWS};
-    const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(3, 0), PEL_AT(0, 150)};
-    const struct pel_point middle = {256, PEL_PX(75)};
-    const struct pel_point box[4] = {PEL_AT(0, 0), PEL_AT(3, 0), PEL_AT(3, 150),
-                                     PEL_AT(0, 150)};
-    const struct pel_polygon_shape p = {box, 4, PEL_NON_ZERO};
-    uint32_t scratch[36];
-    const uint64_t least = batches_of(ROWS, PEL_BATCH_ROWS);
-    const uint64_t collected = batches_of(ROWS, PEL_COLLECT_ROWS);
-    hits_open(&hits, &b);
-    pel_triangle(&hits.surface, v, &hits.paint);
-    assert_int_equal(hits.batches, least);
-    hits_open(&hits, &b);
-    pel_circle(&hits.surface, middle, PEL_PX(300), &hits.paint);
-    assert_int_equal(hits.batches, least);
-    hits_open(&hits, &b);
-    pel_line(&hits.surface, v[0], v[2], &hits.paint);
-    assert_int_equal(hits.batches, least);
-    hits_open(&hits, &b);
-    pel_rectangle(&hits.surface, v[0], (struct pel_point){768, PEL_PX(150)},
-                  &hits.paint);
-    assert_int_equal(hits.batches, collected);
-    hits_open(&hits, &b);
-    assert_int_equal(
-        pel_polygon(&hits.surface, &p, &hits.paint, scratch, sizeof scratch),
-        PEL_OK);
-    assert_int_equal(hits.batches, collected);
+    const struct pel_rect b = {0, 0, 3, ROWS}, small = {0, 0, SIDE, SIDE};
+    static const struct {
+        int32_t rows; /* of a batch */
+        struct any_shape shape;
+    } rows[] = {
+        {PEL_BATCH_ROWS,
+         {.kind = ANY_TRIANGLE,
+          .v = {PEL_AT(0, 0), PEL_AT(3, 0), PEL_AT(0, 150)}}},
+        {PEL_BATCH_ROWS,
+         {.kind = ANY_CIRCLE, .v = {PEL_AT(1, 75)}, .radius = PEL_PX(300)}},
+        {PEL_BATCH_ROWS,
+         {.kind = ANY_LINE, .v = {PEL_AT(0, 0), PEL_AT(0, 150)}}},
+        {PEL_COLLECT_ROWS,
+         {.kind = ANY_RECTANGLE, .v = {PEL_AT(0, 0), PEL_AT(3, 150)}}},
+        {PEL_COLLECT_ROWS,
+         {.kind = ANY_POLYGON,
+          .v = {PEL_AT(0, 0), PEL_AT(3, 0), PEL_AT(3, 150), PEL_AT(0, 150)},
+          .n = 4}}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        draw(&rows[i].shape, &b);
+        assert_int_equal(hits.batches,
+                         batches_of(ROWS, (uint64_t)rows[i].rows));
+    }
+    draw(&rows[3].shape, &small);
+    assert_int_equal(hits.batches, batches_of(SIDE, PEL_COLLECT_ROWS));
+    assert_int_equal(hits.pixels, 3 * SIDE);
 }
 
 /* A circle that ends just above the centres of a row does not reach for it. */
-static void test_rows_of_circle(void)
+TEST(rows_of_circle)
 {
     const struct pel_rect b = {0, 0, 12, 12};
-    const struct pel_point center = {PEL_PX(5) + 128, PEL_PX(5) + 128};
-    hits_open(&hits, &b);
-    pel_circle(&hits.surface, center, PEL_PX(3) - 1, &hits.paint);
-    assert_int_equal(hits.runs, 5);
-    hits_open(&hits, &b);
-    pel_circle(&hits.surface, center, PEL_PX(3), &hits.paint);
-    assert_int_equal(hits.runs, 7);
+    struct any_shape s = {.kind = ANY_CIRCLE, .v = {PEL_AT(5.5, 5.5)}};
+    for (int i = 0; i < 2; i++) {
+        s.radius = PEL_PX(3) - 1 + i;
+        draw(&s, &b);
+        assert_int_equal(hits.runs, 5 + 2 * i);
+    }
 }
 
 /* Runs of painted pixels that a reader of the rows sees, up to `most` of them
@@ -207,38 +182,31 @@ static void check_pieces(const char *name, uint64_t pieces)
                  (int)most);
 }
 
-static void test_pieces(void)
+TEST(pieces)
 {
     const struct pel_rect b = {0, 0, 60, 60};
-    const struct pel_point center = {PEL_PX(30), PEL_PX(30)};
-    const struct pel_sector_shape sector = {center, PEL_PX(25), 0x1000, 0x7000};
-    const struct pel_arc_shape arc[] = {
-        {center, PEL_PX(12), PEL_PX(25), 0x1000, 0x7000},
-        {center, PEL_PX(12), PEL_PX(25), 0x1800, 0x1000},
-        {center, PEL_PX(12), PEL_PX(25), 0x9800, 0x9000},
-    };
-    hits_open(&hits, &b);
-    pel_sector(&hits.surface, &sector, &hits.paint);
-    check_pieces("sector", 1);
-    for (size_t i = 0; i < sizeof arc / sizeof *arc; i++) {
-        hits_open(&hits, &b);
-        pel_arc(&hits.surface, &arc[i], &hits.paint);
-        check_pieces("arc", i > 0 ? 3 : 2);
+    static const int32_t turns[][3] = {/* from, to, pieces */
+                                       {0x1000, 0x7000, 1}, /* a sector */
+                                       {0x1000, 0x7000, 2},
+                                       {0x1800, 0x1000, 3},
+                                       {0x9800, 0x9000, 3}};
+    for (int i = 0; i < 4; i++) {
+        const struct any_shape s = {
+            {PEL_AT(30, 30)},    i ? ANY_ARC : ANY_SECTOR, .radius = PEL_PX(25),
+            .inner = PEL_PX(12), .from = turns[i][0],      .to = turns[i][1]};
+        draw(&s, &b);
+        check_pieces(any_name(&s), (uint64_t)turns[i][2]);
     }
 }
 
 /* Runs without a pixel are not handed on. */
-static void test_needle(void)
+TEST(needle)
 {
-    static const struct pel_point v[4] = {
-        {300, 0}, {310, PEL_PX(4)}, {320, PEL_PX(5)}, {330, 0}};
-    static uint32_t scratch[9 * 4];
-    const struct pel_polygon_shape p = {v, 4, PEL_NON_ZERO};
-    const struct pel_rect b = {0, 0, 6, 6};
-    hits_open(&hits, &b);
-    assert_int_equal(
-        pel_polygon(&hits.surface, &p, &hits.paint, scratch, sizeof scratch),
-        PEL_OK);
+    static const struct any_shape needle = {
+        .kind = ANY_POLYGON,
+        .v = {{300, 0}, {310, PEL_PX(4)}, {320, PEL_PX(5)}, {330, 0}},
+        .n = 4};
+    draw(&needle, &(struct pel_rect){0, 0, 6, 6});
     assert_int_equal(hits.batches, 0);
 }
 
@@ -270,16 +238,16 @@ static void check_zigzag(int32_t n, int32_t (*order)(int32_t i))
     free(scratch);
 }
 
-enum { TEETH = 64000 };
+static int32_t teeth; /* even */
 
 static int32_t to_the_left(int32_t i)
 {
-    return (TEETH / 2 - i) * 200;
+    return (teeth / 2 - i) * 200;
 }
 
 static int32_t to_the_right(int32_t i)
 {
-    return (i - TEETH / 2) * 200;
+    return (i - teeth / 2) * 200;
 }
 
 static int32_t anywhere(int32_t i)
@@ -290,15 +258,16 @@ static int32_t anywhere(int32_t i)
 
 static int32_t crossing(int32_t i)
 {
-    return i % 2 ? (i - TEETH / 2) * 200 : (TEETH / 2 - i) * 200;
+    return i % 2 ? (i - teeth / 2) * 200 : (teeth / 2 - i) * 200;
 }
 
-static void test_zigzags(void)
+TEST(zigzags)
 {
-    check_zigzag(TEETH, to_the_left);
-    check_zigzag(TEETH, to_the_right);
-    check_zigzag(TEETH, anywhere);
-    check_zigzag(TEETH, crossing);
+    teeth = 2 * (int32_t)cases_scaled(32000);
+    check_zigzag(teeth, to_the_left);
+    check_zigzag(teeth, to_the_right);
+    check_zigzag(teeth, anywhere);
+    check_zigzag(teeth, crossing);
 }
 
 static void count_runs(const struct pel_paint *paint,
@@ -310,7 +279,7 @@ static void count_runs(const struct pel_paint *paint,
 
 /* Rows of many runs, each three pixels with one between them: what is left of
  * a run is its ends, and all of it in the first row and the last. */
-static void test_outline_of_many_runs(void)
+TEST(outline_of_many_runs)
 {
     enum { RUNS = 8000, PART = 4 };
     static struct pel_span run[RUNS], memory[PEL_OUTLINE_FILTER_SPANS(RUNS)];
@@ -336,7 +305,7 @@ static void test_outline_of_many_runs(void)
 }
 
 /* The cells of a small gradient, seen from afar: thousands in a pixel. */
-static void test_narrow_cells(void)
+TEST(narrow_cells)
 {
     enum { CELLS = 32767 };
     static pel_color colors[CELLS];
@@ -359,12 +328,4 @@ static void test_narrow_cells(void)
         pel_box(&s, &b, &radial.base.paint);
     }
     alarm(0);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_huge_shapes, test_batches, test_batches_of_one_line,
-                     test_rows_of_circle, test_pieces, test_needle,
-                     test_zigzags, test_outline_of_many_runs,
-                     test_narrow_cells);
 }

@@ -19,7 +19,7 @@ static int32_t list_numbers(int32_t *v)
     return n;
 }
 
-static void test_products(void)
+TEST(products)
 {
     int32_t v[31 * 7 * 2];
     const int32_t n = list_numbers(v);
@@ -30,7 +30,7 @@ static void test_products(void)
 }
 
 /* Numbers of all sizes whose bits have no pattern. */
-static void test_many_products(void)
+TEST(many_products)
 {
     uint64_t seed = 1;
     for (int i = 0; i < 200000; i++) {
@@ -49,7 +49,7 @@ static uint64_t number_of(int i)
     return (UINT64_C(1) << (i / 7 % 64)) + (uint64_t)(i % 7 - 3);
 }
 
-static void test_whole_products(void)
+TEST(whole_products)
 {
     for (int i = 0; i < 64 * 7; i++)
         for (int k = 0; k < 64 * 7; k++) {
@@ -66,14 +66,8 @@ static void test_whole_products(void)
 }
 
 /* Gradients of slivers wrap, to -2^63 too. */
-static void test_sizes(void)
+TEST(sizes)
 {
     assert_int_equal(pel_size_of(-5), 5);
     assert_int_equal((uint64_t)pel_size_of(INT64_MIN), UINT64_C(1) << 63);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_products, test_many_products, test_whole_products,
-                     test_sizes);
 }

@@ -5,7 +5,7 @@
 static uint32_t memory[4096];
 
 /* Each of the arguments in turn. */
-static void test_null_is_refused(void)
+TEST(null_is_refused)
 {
     struct pel_surface s;
     const struct pel_rect b = {0, 0, 8, 8};
@@ -21,7 +21,7 @@ static void test_null_is_refused(void)
     }
 }
 
-static void test_sizes(void)
+TEST(sizes)
 {
     static const struct {
         int32_t width, height;
@@ -51,7 +51,7 @@ static void test_sizes(void)
 }
 
 /* The last byte counts, in every format. */
-static void test_memory_sizes(void)
+TEST(memory_sizes)
 {
     const struct pel_rect bounds = {-16, 8, 5, 31};
     for (int f = 0; f < LAYOUT_COUNT; f++) {
@@ -69,7 +69,7 @@ static void test_memory_sizes(void)
     }
 }
 
-static void test_bounds(void)
+TEST(bounds)
 {
     static const struct {
         struct pel_rect bounds;
@@ -105,7 +105,7 @@ static void test_bounds(void)
 }
 
 /* Lines may run upwards and have padding, but must not overlap. */
-static void test_strides(void)
+TEST(strides)
 {
     const struct pel_rect b = {0, 0, 17, 16};
     for (int f = 0; f < LAYOUT_COUNT; f++) {
@@ -136,7 +136,7 @@ static void test_strides(void)
     }
 }
 
-static void test_stride_of_nothing(void)
+TEST(stride_of_nothing)
 {
     assert_int_equal(pel_stride(NULL, 8), 0);
     assert_int_equal(pel_stride(&pel_rgb888, 0), 0);
@@ -150,7 +150,7 @@ static void test_stride_of_nothing(void)
     assert_int_equal(pel_stride(&pel_rgb888, INT32_MAX), 0);
 }
 
-static void test_alignment(void)
+TEST(alignment)
 {
     const struct pel_rect b = {0, 0, 8, 8};
     for (int f = 0; f < LAYOUT_COUNT; f++) {
@@ -171,7 +171,7 @@ static void test_alignment(void)
 }
 
 /* Tiles of packed formats begin at a byte. */
-static void test_origins(void)
+TEST(origins)
 {
     for (int f = 0; f < LAYOUT_COUNT; f++)
         for (int32_t o = -9; o < 10; o++) {
@@ -190,7 +190,7 @@ static void test_origins(void)
         }
 }
 
-static void test_surface_is_what_was_said(void)
+TEST(surface_is_what_was_said)
 {
     const struct pel_rect b = {-16, 8, 5, 24};
     struct pel_surface s;
@@ -208,7 +208,7 @@ static void test_surface_is_what_was_said(void)
     assert_memory_equal(&s.bounds, (&(struct pel_rect){0, 0, 17, 3}), sizeof b);
 }
 
-static void test_clip_stays_inside(void)
+TEST(clip_stays_inside)
 {
     const struct pel_rect outside = {INT32_MIN, INT32_MIN, INT32_MAX,
                                      INT32_MAX};
@@ -227,7 +227,7 @@ static void test_clip_stays_inside(void)
 }
 
 /* Where init failed there is no pixel, whatever the surface was before. */
-static void test_failed_surfaces(void)
+TEST(failed_surfaces)
 {
     static const struct pel_rect row = {0, 0, 64, 1}, none = {0, 0, 64, 0};
     static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
@@ -249,12 +249,4 @@ static void test_failed_surfaces(void)
         pel_box(&s, &row, &white.paint);
         assert_int_equal(*(const uint8_t *)memory, 0);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_failed_surfaces, test_null_is_refused, test_sizes,
-                     test_memory_sizes, test_bounds, test_strides,
-                     test_stride_of_nothing, test_alignment, test_origins,
-                     test_surface_is_what_was_said, test_clip_stays_inside);
 }

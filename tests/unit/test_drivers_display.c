@@ -89,7 +89,7 @@ static int draw_bands(struct fixture *f, int buffers, bool waits)
 static const struct pel_format *const formats[] = {&pel_rgb565_be, &pel_rgb888,
                                                    &pel_xrgb8888};
 
-static void test_one_buffer_waits(void)
+TEST(one_buffer_waits)
 {
     struct fixture f;
     for (struct cases c = cases_of(300); cases_next(&c);) {
@@ -101,7 +101,7 @@ static void test_one_buffer_waits(void)
     }
 }
 
-static void test_two_buffers_in_turn_need_no_wait(void)
+TEST(two_buffers_in_turn_need_no_wait)
 {
     struct fixture f;
     int overlapping = 0;
@@ -117,7 +117,7 @@ static void test_two_buffers_in_turn_need_no_wait(void)
 }
 
 /* This is what the two above would look like if they were wrong. */
-static void test_one_buffer_without_wait_is_noticed(void)
+TEST(one_buffer_without_wait_is_noticed)
 {
     struct fixture f;
     int noticed = 0;
@@ -132,7 +132,7 @@ static void test_one_buffer_without_wait_is_noticed(void)
 
 /* A frame that is kept, of which only what changed is sent: what was drawn
  * before is still there after the transfer, and windows are rounded. */
-static void test_parts_of_a_kept_frame(void)
+TEST(parts_of_a_kept_frame)
 {
     struct fixture f;
     struct pel_surface s;
@@ -160,7 +160,7 @@ static void test_parts_of_a_kept_frame(void)
     }
 }
 
-static void test_windows_that_are_not_rounded(void)
+TEST(windows_that_are_not_rounded)
 {
     struct fixture f;
     struct pel_surface s;
@@ -185,7 +185,7 @@ static void test_windows_that_are_not_rounded(void)
 
 /* What went wrong in a transfer is told by the next call that waits for it, and
  * a frame that did not arrive is not flipped to. */
-static void test_a_transfer_that_never_ends(void)
+TEST(a_transfer_that_never_ends)
 {
     struct fixture f;
     struct pel_surface s;
@@ -200,12 +200,4 @@ static void test_a_transfer_that_never_ends(void)
     assert_int_equal(pel_display_flip(&f.display), PEL_ERROR_DEVICE);
     assert_int_equal(f.dma.flips, 0);
     assert_int_equal(f.dma.transfers, 1);
-}
-
-int main(void)
-{
-    return RUN_TESTS(
-        test_one_buffer_waits, test_two_buffers_in_turn_need_no_wait,
-        test_one_buffer_without_wait_is_noticed, test_parts_of_a_kept_frame,
-        test_windows_that_are_not_rounded, test_a_transfer_that_never_ends);
 }

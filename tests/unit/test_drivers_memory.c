@@ -52,7 +52,7 @@ static void check_bands(const struct pel_format *screen,
     assert_memory_equal(whole_pixels, shown_pixels, sizeof whole_pixels);
 }
 
-static void test_bands(void)
+TEST(bands)
 {
     for (int i = 0; i < LAYOUT_COUNT; i++)
         for (int32_t rows = 8; rows <= 48; rows += 8)
@@ -60,7 +60,7 @@ static void test_bands(void)
     check_bands(&pel_rgb565_be, &pel_xrgb8888, 7);
 }
 
-static void test_errors(void)
+TEST(errors)
 {
     struct pel_display_memory memory;
     struct pel_display display;
@@ -81,9 +81,4 @@ static void test_errors(void)
     assert_memory_equal(&grown, &area, sizeof area);
     small.clip.x1 = 0;
     assert_int_equal(pel_display_flush(&display, &small), PEL_OK);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_bands, test_errors);
 }

@@ -11,7 +11,7 @@ static uint8_t memory[128 * 64 / 2];
 
 /* SSD0323: 15h and 75h are columns of two pixels and rows, first and last; 81h
  * has 7 bits. */
-static void test_sixteen_greys(void)
+TEST(sixteen_greys)
 {
     static const uint16_t sent[] = {0x15,  0x01,  0x05,  0x75,  0x03,  0x04,
                                     0x103, 0x104, 0x105, 0x106, 0x107, 0x143,
@@ -44,9 +44,4 @@ static void test_sixteen_greys(void)
     assert_int_equal(pel_panel_brightness(&panel, 0x9C), PEL_OK);
     assert_int_equal(bus.count, sizeof sent / sizeof *sent);
     assert_memory_equal(bus.log, sent, sizeof sent);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_sixteen_greys);
 }

@@ -11,7 +11,7 @@
 
 static uint32_t memory[PEL_SELFTEST_SIZE / 4];
 
-static void test_every_format_passes(void)
+TEST(every_format_passes)
 {
     for (int i = 0; i < LAYOUT_COUNT; i++)
         if (pel_selftest(layouts[i].format, memory, sizeof memory) != PEL_OK)
@@ -24,7 +24,7 @@ static void fill_too_far(const struct pel_spans *spans, uint32_t pixel)
     pel_rgb565_le.fill(spans, pixel ^ 1);
 }
 
-static void test_what_is_wrong_fails(void)
+TEST(what_is_wrong_fails)
 {
     struct pel_format wrong = pel_rgb565_le;
     assert_int_equal(pel_selftest(&wrong, memory, sizeof memory), PEL_OK);
@@ -74,7 +74,7 @@ static uint32_t frame(const struct pel_display *display,
     return sums[(frames - 1) % 2];
 }
 
-static void test_a_number_for_each_frame(void)
+TEST(a_number_for_each_frame)
 {
     struct pel_display_memory shown;
     struct pel_display panel, display;
@@ -98,10 +98,4 @@ static void test_a_number_for_each_frame(void)
     assert_int_equal(frames, 6);
     crc.inner = NULL;
     assert_int_equal(pel_display_crc_init(&display, &crc), PEL_ERROR_NULL);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_every_format_passes, test_what_is_wrong_fails,
-                     test_a_number_for_each_frame);
 }

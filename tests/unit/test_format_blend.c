@@ -36,45 +36,21 @@ static uint32_t blended(const struct pel_format *format, pel_color start,
 /* White with alpha 16 adds round(16 (255 - d) / 255), which is 0 as soon as
  * 16 (255 - d) < 127.5, that is from d = 248 on; 247 is 8 away and gains 1. So
  * 2000 blends leave 248, where a shift by 8 for the division would stop at 225.
- */
-static void test_white_comes_to_rest_at_248(void)
+ * Black over white is the mirror image: 7 remain. */
+TEST(white_comes_to_rest_at_248)
 {
     static const struct pel_format *const formats[] = {
         &pel_xrgb8888, &pel_xbgr8888, &pel_rgbx8888, &pel_bgrx8888,
         &pel_rgb888,   &pel_bgr888,   &pel_gray8};
+    const pel_color black = PEL_RGB(0, 0, 0), white = PEL_RGB(255, 255, 255);
     for (size_t f = 0; f < sizeof formats / sizeof formats[0]; f++) {
-        const uint32_t got = blended(formats[f], PEL_RGB(0, 0, 0),
-                                     PEL_RGBA(255, 255, 255, 16), 2000);
-        if (got != PEL_RGB(248, 248, 248))
-            fail_msg("format %d: got %08x", formats[f]->id, got);
+        assert_int_equal(
+            blended(formats[f], black, PEL_RGBA(255, 255, 255, 16), 2000),
+            PEL_RGB(248, 248, 248));
+        assert_int_equal(
+            blended(formats[f], white, PEL_RGBA(0, 0, 0, 16), 2000),
+            PEL_RGB(7, 7, 7));
     }
-}
-
-/* Black over white is the mirror image: 7 remain. */
-static void test_black_comes_to_rest_at_7(void)
-{
-    assert_int_equal(blended(&pel_xrgb8888, PEL_RGB(255, 255, 255),
-                             PEL_RGBA(0, 0, 0, 16), 2000),
-                     PEL_RGB(7, 7, 7));
-}
-
-/* Every format: the state that the rule, taken 2000 times, has. */
-static void test_every_format_follows_the_rule(void)
-{
-    static const uint32_t alphas[] = {1, 16, 64, 127, 128, 200, 254};
-    for (int f = 0; f < LAYOUT_COUNT; f++)
-        for (size_t i = 0; i < sizeof alphas / sizeof alphas[0]; i++) {
-            const struct layout *l = &layouts[f];
-            const pel_color color = alphas[i] << 24 | 0xFFC864u;
-            uint32_t want = layout_pack(l, PEL_RGB(10, 0, 200));
-            for (int k = 0; k < 2000; k++)
-                want = layout_over(l, want, color);
-            const uint32_t got =
-                blended(l->format, PEL_RGB(10, 0, 200), color, 2000);
-            if (got != layout_unpack(l, want))
-                fail_msg("%s, alpha %u: expected %08x, got %08x", l->name,
-                         alphas[i], layout_unpack(l, want), got);
-        }
 }
 
 /* Ways to draw n pixels of one color at the left of the first line: the rows
@@ -135,7 +111,7 @@ static void check_x_bytes(const struct pel_format *format,
 
 /* Alpha 0 leaves the X byte as it is, every other alpha sets it: in the formats
  * that have one, and in argb8888, where it is the alpha of the pixel. */
-static void test_x_bytes(void)
+TEST(x_bytes)
 {
     static const struct pel_format *const formats[] = {
         &pel_xrgb8888, &pel_xbgr8888, &pel_rgbx8888,
@@ -175,7 +151,7 @@ static void random_eights(struct random *r, pel_color colors[WIDTH])
 }
 
 /* put, of every format: what the rule makes of every pixel, and no other. */
-static void test_put(void)
+TEST(put)
 {
     uint8_t memory[WIDTH * 4];
     pel_color colors[WIDTH], was[WIDTH], got[WIDTH];
@@ -208,11 +184,4 @@ static void test_put(void)
                          layout_unpack(l, want), got[i], cases_replay());
         }
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(
-        test_white_comes_to_rest_at_248, test_black_comes_to_rest_at_7,
-        test_every_format_follows_the_rule, test_x_bytes, test_put);
 }

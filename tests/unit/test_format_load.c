@@ -25,7 +25,7 @@ static void check_load(const struct canvas *c, int32_t x, int32_t n)
     }
 }
 
-static void test_runs(void)
+TEST(runs)
 {
     static struct canvas canvas;
     const struct pel_rect bounds = {0, 0, WIDTH, 9};
@@ -35,9 +35,4 @@ static void test_runs(void)
             for (int32_t n = 1; n <= LENGTH_MAX; n++)
                 check_load(&canvas, x, n);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_runs);
 }

@@ -4,7 +4,7 @@
 #include "core/format/word.h"
 #include "tests/support/check.h"
 
-static void test_swaps(void)
+TEST(swaps)
 {
     for (uint32_t v = 0; v <= 0xFFFF; v++)
         assert_int_equal(pel_swap16(v), (v & 255) * 256 + v / 256);
@@ -15,7 +15,7 @@ static void test_swaps(void)
                          UINT32_C(1) << ((3 - i / 8) * 8 + i % 8));
 }
 
-static void test_words_in_memory(void)
+TEST(words_in_memory)
 {
     static const uint8_t byte[4] = {0x11, 0x22, 0x33, 0x44};
     uint16_t half;
@@ -28,7 +28,7 @@ static void test_words_in_memory(void)
 }
 
 /* To 8 bits by repeating them from the top. */
-static void test_widening(void)
+TEST(widening)
 {
     for (uint32_t v = 0; v < 32; v++)
         assert_int_equal(pel_widen(v, 5), v * 8 + v / 4);
@@ -36,9 +36,4 @@ static void test_widening(void)
         assert_int_equal(pel_widen(v, 6), v * 4 + v / 16);
     assert_int_equal(pel_widen(31, 5), 255);
     assert_int_equal(pel_widen(63, 6), 255);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_swaps, test_words_in_memory, test_widening);
 }

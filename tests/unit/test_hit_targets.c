@@ -1,9 +1,8 @@
-/* Hit tests: a list of targets, thick lines of a few sub-pixels; and numbers
- * out of range, of which nothing is hit or drawn. That each equals its fill is
- * tested with the fills (property/test_round_coverage). */
+/* Hit tests: a list of targets, thick lines of a few sub-pixels. That each
+ * equals its fill is tested with the fills (property/test_round_coverage);
+ * numbers out of range: test_all_assert.c. */
 #include "tests/support/any_shape.h"
 #include "tests/support/check.h"
-#include "tests/support/hits.h"
 #include "tests/support/paint_math.h"
 
 struct disc_target {
@@ -30,7 +29,7 @@ static bool disc_hit(const struct pel_target *target, int32_t x, int32_t y)
         }              \
     }
 
-static void test_topmost(void)
+TEST(topmost)
 {
     const struct disc_target big = {ALWAYS, PEL_AT(50, 50), PEL_PX(40)};
     const struct disc_target left = {ALWAYS, PEL_AT(40, 50), PEL_PX(12)};
@@ -50,7 +49,7 @@ static void test_topmost(void)
 }
 
 /* A target with a box is asked inside of it, all others everywhere. */
-static void test_boxes(void)
+TEST(boxes)
 {
     static const struct pel_rect box[] = {
         {10, 20, 13, 22}, {10, 20, 10, 22}, {10, 20, 13, 20}, {13, 22, 10, 20}};
@@ -69,125 +68,8 @@ static void test_boxes(void)
     }
 }
 
-/* A shape with a point at `base` that covers the pixel there; the others lie
- * from it by `way` sub-pixels in x and y. */
-static struct any_shape shape_at(enum any_kind kind, int32_t base, int32_t way)
-{
-    const int32_t far = base + way, small = way / 64;
-    struct any_shape s = {.kind = kind,
-                          .v = {{base, base}, {far, base}, {base, far}},
-                          .n = 3,
-                          .radius = PEL_PX(9),
-                          .inner = kind == ANY_ELLIPSE ? PEL_PX(9) : 64,
-                          .from = 0x1000,
-                          .to = 0xF000};
-    if (kind == ANY_RECTANGLE || kind == ANY_ROUNDED_RECTANGLE) {
-        const int32_t low = pel_min(base, far), high = pel_max(base, far);
-        s.v[0] = (struct pel_point){low, low};
-        s.v[1] = (struct pel_point){high, high};
-        s.radius = 64;
-    }
-    if (kind == ANY_THICK_LINE) {
-        s.v[0] = (struct pel_point){base + small, base + 3 * small};
-        s.v[1] = (struct pel_point){far, base + 3 * small};
-        s.radius = 80;
-    }
-    return s;
-}
-
-/* Around the pixel; polygons tell by their status. */
-static uint64_t pixels_drawn(const struct any_shape *s, int32_t pixel)
-{
-    static struct hits hits;
-    const int32_t low = pel_max(pixel - 16, -32768);
-    const int32_t high = pel_min(pixel + 16, 32768);
-    const struct pel_rect window = {low, low, high, high};
-    if (s->kind == ANY_POLYGON)
-        return 0;
-    hits_open(&hits, &window);
-    any_draw(&hits.surface, s, &hits.paint);
-    const uint64_t filled = hits.pixels;
-    hits_open(&hits, &window);
-    any_draw_outline(&hits.surface, s, &hits.paint);
-    return filled + hits.pixels;
-}
-
-/* One number changed: nothing is hit or drawn; then back again. */
-static void check_number(struct any_shape *s, int32_t *number, int32_t to,
-                         int32_t pixel)
-{
-    const int32_t from = *number;
-    assert_true(any_hit(s, pixel, pixel));
-    *number = to;
-    if (any_hit(s, pixel, pixel) || pixels_drawn(s, pixel))
-        fail_msg("%s at %d: %d instead of %d", any_name(s), pixel, to, from);
-    *number = from;
-}
-
-static void check_pixel(const struct any_shape *s, int32_t x, int32_t y,
-                        int32_t pixel)
-{
-    assert_true(any_hit(s, pixel, pixel));
-    if (any_hit(s, x, y))
-        fail_msg("%s at %d: pixel %d, %d", any_name(s), pixel, x, y);
-}
-
-/* The shapes of points, and how many points they have. */
-static int points_of(enum any_kind kind)
-{
-    switch (kind) {
-    case ANY_TRIANGLE:
-    case ANY_POLYGON:
-        return 3;
-    case ANY_RECTANGLE:
-    case ANY_ROUNDED_RECTANGLE:
-    case ANY_LINE:
-    case ANY_THICK_LINE:
-        return 2;
-    default:
-        return 1;
-    }
-}
-
-static void check_ranges(struct any_shape *s, int32_t pixel)
-{
-    static const int32_t far_pixel[] = {INT32_MIN, -32769, 32768, INT32_MAX};
-    static const int32_t far[] = {INT32_MIN, PEL_COORDINATE_MIN - 1,
-                                  PEL_COORDINATE_MAX + 1, INT32_MAX};
-    static const int32_t radius[] = {INT32_MIN, -1, PEL_PX(32767) + 1,
-                                     INT32_MAX};
-    const bool is_round = points_of(s->kind) == 1;
-    const bool is_thick =
-        s->kind == ANY_THICK_LINE || s->kind == ANY_ROUNDED_RECTANGLE;
-    for (int i = 0; i < 4; i++) {
-        check_pixel(s, far_pixel[i], pixel, pixel);
-        check_pixel(s, pixel, far_pixel[i], pixel);
-        for (int k = 0; k < points_of(s->kind); k++) {
-            check_number(s, &s->v[k].x, far[i], pixel);
-            check_number(s, &s->v[k].y, far[i], pixel);
-        }
-        if (is_round || is_thick)
-            check_number(s, &s->radius, radius[i], pixel);
-        if (s->kind == ANY_ELLIPSE || s->kind == ANY_RING || s->kind == ANY_ARC)
-            check_number(s, &s->inner, radius[i], pixel);
-    }
-}
-
-static void test_ranges(void)
-{
-    for (int kind = 0; kind < ANY_KINDS; kind++) {
-        const enum any_kind k = (enum any_kind)kind;
-        struct any_shape low = shape_at(k, PEL_COORDINATE_MIN, PEL_PX(9));
-        struct any_shape middle = shape_at(k, 0, PEL_PX(9));
-        struct any_shape high = shape_at(k, PEL_COORDINATE_MAX, -PEL_PX(9));
-        check_ranges(&low, -32768);
-        check_ranges(&middle, 0);
-        check_ranges(&high, 32767);
-    }
-}
-
 /* Around one pixel's centre, where every sub-pixel of a corner counts. */
-static void test_tiny_thick_lines(void)
+TEST(tiny_thick_lines)
 {
     uint32_t hit = 0;
     for (struct cases c = cases_of(50000); cases_next(&c);) {
@@ -213,7 +95,7 @@ static void test_tiny_thick_lines(void)
 
 /* Nearly level lines, whose corners are rounded towards them by up to half a
  * sub-pixel, and a pixel at about half the width from them. */
-static void test_edges_of_thick_lines(void)
+TEST(edges_of_thick_lines)
 {
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -241,7 +123,7 @@ static void test_edges_of_thick_lines(void)
 
 /* Near the end of the range, where one sub-pixel more puts a corner out of it,
  * and nothing is covered. */
-static void test_thick_lines_at_the_end(void)
+TEST(thick_lines_at_the_end)
 {
     for (int32_t width = 0; width < 3000; width += 1 + width / 16)
         for (int32_t y = PEL_COORDINATE_MAX - width / 2 - 3;
@@ -253,11 +135,4 @@ static void test_thick_lines_at_the_end(void)
                 assert_int_equal(any_hit(&s, 0, row),
                                  any_reference_at(&s, 0, row));
         }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_topmost, test_boxes, test_ranges,
-                     test_tiny_thick_lines, test_edges_of_thick_lines,
-                     test_thick_lines_at_the_end);
 }

@@ -28,7 +28,7 @@ static const struct pel_font_asset font = {
     sizeof bits,    ranges,           glyphs, bits,
 };
 
-static void test_check(void)
+TEST(check)
 {
     static const struct pel_font_range tangled[] = {
         {' ', 1, 1}, {'a', 2, 2}, {'b', 1, 3}};
@@ -57,7 +57,7 @@ static void test_check(void)
     assert_int_equal(pel_font_asset_check(&f), PEL_OK);
 }
 
-static void test_find(void)
+TEST(find)
 {
     struct pel_font_asset f = font;
     assert_ptr_equal(pel_glyph_find(&font, ' '), &glyphs[1]);
@@ -83,7 +83,7 @@ static int encode(uint32_t code, char *to)
     return n;
 }
 
-static void test_every_code_point(void)
+TEST(every_code_point)
 {
     for (uint32_t code = 1; code <= 0x10FFFF; code++) {
         char text[8];
@@ -100,7 +100,7 @@ static void test_every_code_point(void)
 }
 
 /* How many bytes each step takes; all give U+FFFD. */
-static void test_malformed(void)
+TEST(malformed)
 {
     static const struct {
         const char *text;
@@ -138,7 +138,7 @@ static void test_malformed(void)
     assert_int_equal(pel_utf8_next(&next), 'a');
 }
 
-static void test_measure(void)
+TEST(measure)
 {
     static const struct {
         const char *text;
@@ -175,7 +175,7 @@ static void check_picture(const char *string, const char *const *picture)
                          hits_at(&hits, x, y));
 }
 
-static void test_pictures(void)
+TEST(pictures)
 {
     static const char *const lines[] = {
         "................", "................", ".##....##..###..",
@@ -187,7 +187,7 @@ static void test_pictures(void)
 }
 
 /* The lines of a column, each drawn where it is to stand. */
-static void test_column(void)
+TEST(column)
 {
     static const struct {
         const char *text, *lines;
@@ -247,7 +247,7 @@ static void test_column(void)
 }
 
 /* Any clip and any place: the same pixels, as long as the pen is in range. */
-static void test_far_away(void)
+TEST(far_away)
 {
     static char string[200000];
     const struct pel_rect window = {0, 0, 100, 8};
@@ -257,11 +257,4 @@ static void test_far_away(void)
     pel_text(&hits.surface, &text, &hits.paint);
     assert_int_equal(hits.pixels, 34);
     assert_int_equal(pel_text_measure(&font, string).width, 599997);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_check, test_find, test_every_code_point,
-                     test_malformed, test_measure, test_pictures, test_column,
-                     test_far_away);
 }

@@ -1,107 +1,58 @@
 /* Paints at the ends of what they take, and beyond: which errors they give. */
 #include <string.h>
 
+#include "tests/support/any_paint.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
 
-union any_paint {
-    struct pel_paint paint;
-    struct pel_flat flat;
-    struct pel_gouraud gouraud;
-    struct pel_linear linear;
-    struct pel_radial radial;
-    struct pel_conic conic;
-    struct pel_hue_wheel wheel;
-    struct pel_fan fan;
-    struct pel_texture texture;
-    struct pel_dither dither;
-};
+/* The i-th way in which the init function of a paint fails. */
+enum { FAILURES = 11 };
 
-static const struct pel_point inside = {0, 0}, outside = {INT32_MAX, 0};
-static const struct pel_ramp no_ramp = {NULL, 2, PEL_PAD};
-
-static enum pel_status gouraud(union any_paint *p)
+static enum pel_status fail_init(int i, union any_paint *p)
 {
-    const struct pel_point v[3] = {outside, inside, inside};
-    const pel_color c[3] = {1, 2, 3};
-    return pel_gouraud_init(&p->gouraud, v, c);
-}
-
-static enum pel_status linear(union any_paint *p)
-{
-    return pel_linear_init(&p->linear, inside, outside, &no_ramp);
-}
-
-static enum pel_status radial(union any_paint *p)
-{
-    return pel_radial_init(&p->radial, NULL, &no_ramp);
-}
-
-static enum pel_status conic(union any_paint *p)
-{
-    return pel_conic_init(&p->conic, inside, 0, &no_ramp);
-}
-
-static enum pel_status wheel(union any_paint *p)
-{
-    return pel_hue_wheel_init(&p->wheel, outside, 0, 255, 255);
-}
-
-static enum pel_status fan(union any_paint *p)
-{
-    return pel_fan_init(&p->fan, NULL, NULL);
-}
-
-static enum pel_status nearest(union any_paint *p)
-{
-    return pel_texture_init_nearest(&p->texture, NULL, NULL);
-}
-
-static enum pel_status bilinear(union any_paint *p)
-{
-    const struct pel_texels none = {NULL, NULL, 1, 1, true};
-    const struct pel_texture_map map = PEL_TEXTURE_AT(0, 0);
-    return pel_texture_init_bilinear(&p->texture, &none, &map);
-}
-
-static enum pel_status dither(union any_paint *p)
-{
-    return pel_dither_init(&p->dither, NULL);
-}
-
-static enum pel_status dither_of_itself(union any_paint *p)
-{
-    return pel_dither_init(&p->dither, &p->paint);
-}
-
-static enum pel_status dither_of_a_dither(union any_paint *p)
-{
+    static const struct pel_point inside = {0, 0}, outside = {INT32_MAX, 0};
+    static const struct pel_point v[3] = {{INT32_MAX, 0}};
+    static const pel_color c[3] = {1, 2, 3};
+    static const struct pel_ramp no_ramp = {NULL, 2, PEL_PAD};
     static const struct pel_flat flat = PEL_FLAT(PEL_RGB(1, 2, 3));
+    static const struct pel_texels none = {NULL, NULL, 1, 1, true};
+    static const struct pel_texture_map map = PEL_TEXTURE_AT(0, 0);
     struct pel_dither inner;
-    assert_int_equal(pel_dither_init(&inner, &flat.paint), PEL_OK);
-    return pel_dither_init(&p->dither, &inner.paint);
+    switch (i) {
+    case 0:
+        return pel_gouraud_init(&p->gouraud, v, c);
+    case 1:
+        return pel_linear_init(&p->linear, inside, outside, &no_ramp);
+    case 2:
+        return pel_radial_init(&p->radial, NULL, &no_ramp);
+    case 3:
+        return pel_conic_init(&p->conic, inside, 0, &no_ramp);
+    case 4:
+        return pel_hue_wheel_init(&p->wheel, outside, 0, 255, 255);
+    case 5:
+        return pel_fan_init(&p->fan, NULL, NULL);
+    case 6:
+        return pel_texture_init_nearest(&p->texture, NULL, NULL);
+    case 7:
+        return pel_texture_init_bilinear(&p->texture, &none, &map);
+    case 8:
+        return pel_dither_init(&p->dither, NULL);
+    case 9:
+        return pel_dither_init(&p->dither, &p->paint);
+    default:
+        assert_int_equal(pel_dither_init(&inner, &flat.paint), PEL_OK);
+        return pel_dither_init(&p->dither, &inner.paint);
+    }
 }
 
 /* A paint whose init function failed draws nothing, whatever it was before. */
-static void test_failed_paints(void)
+TEST(failed_paints)
 {
-    static enum pel_status (*const init[])(union any_paint *) = {
-        gouraud,
-        linear,
-        radial,
-        conic,
-        wheel,
-        fan,
-        nearest,
-        bilinear,
-        dither,
-        dither_of_itself,
-        dither_of_a_dither};
     static uint32_t pixels[256];
     static const struct pel_rect bounds = {0, 0, 16, 16};
     const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(16, 0), PEL_AT(0, 16)};
     const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
-    for (size_t i = 0; i < sizeof init / sizeof *init; i++) {
+    for (int i = 0; i < FAILURES; i++) {
         union any_paint p;
         struct pel_surface s;
         memset(&p, 0, sizeof p);
@@ -109,17 +60,20 @@ static void test_failed_paints(void)
         assert_int_equal(
             pel_surface_init_rect(&s, &pel_rgb565_le, pixels, 32, &bounds),
             PEL_OK);
-        assert_true(init[i](&p) < 0);
+        assert_true(fail_init(i, &p) < 0);
         pel_triangle(&s, v, &p.paint);
         pel_circle(&s, v[0], PEL_PX(9), &p.paint);
         for (int k = 0; k < 256; k++)
             if (pixels[k])
-                fail_msg("paint %zu draws", i);
+                fail_msg("paint %d draws", i);
     }
+    struct pel_dither d;
+    assert_int_equal(pel_dither_init(NULL, &white.paint), PEL_ERROR_NULL);
+    assert_int_equal(pel_dither_init(&d, NULL), PEL_ERROR_NULL);
 }
 
 /* Coordinates at the ends of what fits show the picture's edge. */
-static void test_ends_of_the_range(void)
+TEST(ends_of_the_range)
 {
     static const pel_color texels[4] = {1, 2, 3, 4};
     const struct pel_texels t = {NULL, texels, 2, 2, false};
@@ -137,7 +91,7 @@ static void test_ends_of_the_range(void)
     }
 }
 
-static void test_errors_of_gradients(void)
+TEST(errors_of_gradients)
 {
     static const pel_color two[2];
     const struct pel_point at = {0, 0}, to = {1, 0};
@@ -184,7 +138,7 @@ static void test_errors_of_gradients(void)
     assert_int_equal(pel_hue_wheel_init(&wheel, out, 0, 1, 2), PEL_ERROR_RANGE);
 }
 
-static void test_errors_of_textures(void)
+TEST(errors_of_textures)
 {
     const struct pel_texture_map map = PEL_TEXTURE_AT(0, 0);
     const pel_color one = 0;
@@ -214,7 +168,7 @@ static void test_errors_of_textures(void)
     assert_int_equal(pel_texture_map_triangle(&m, v, q), PEL_ERROR_RANGE);
 }
 
-static void test_errors_of_fans(void)
+TEST(errors_of_fans)
 {
     static struct pel_fan_triangle memory[5];
     struct pel_fan fan;
@@ -253,19 +207,4 @@ static void test_errors_of_fans(void)
     p.n = 0;
     pel_fan_set_hub(&p);
     assert_int_equal(p.hub.x, PEL_PX(10));
-}
-
-static void test_errors_of_dither(void)
-{
-    const struct pel_flat flat = PEL_FLAT(0);
-    struct pel_dither d;
-    assert_int_equal(pel_dither_init(NULL, &flat.paint), PEL_ERROR_NULL);
-    assert_int_equal(pel_dither_init(&d, NULL), PEL_ERROR_NULL);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_failed_paints, test_ends_of_the_range,
-                     test_errors_of_gradients, test_errors_of_textures,
-                     test_errors_of_fans, test_errors_of_dither);
 }

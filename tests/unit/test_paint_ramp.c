@@ -1,4 +1,4 @@
-/* Ramps from stops: exact colors, hard edges, errors. */
+/* Ramps from stops: exact colors, errors. */
 #include "core/paint/gradient.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
@@ -37,7 +37,8 @@ static void check_ramp(const struct pel_stop *s, int32_t count, int32_t n)
         }
 }
 
-static void test_exact(void)
+/* Stops at one place among them: the later color from there on. */
+TEST(exact)
 {
     for (struct cases c = cases_of(2000); cases_next(&c);) {
         struct random *r = &c.random;
@@ -53,28 +54,7 @@ static void test_exact(void)
     }
 }
 
-/* Stops at one place: the later color from there on. */
-static void test_hard_edge(void)
-{
-    static const struct pel_stop s[] = {
-        {0, 0xFF000000}, {16384, 0xFF000000}, {16384, 0xFFFFFFFF}};
-    pel_color ramp[8];
-    assert_int_equal(pel_ramp_fill(ramp, 8, s, 3), PEL_OK);
-    for (int i = 0; i < 8; i++)
-        assert_int_equal(ramp[i], i < 2 ? 0xFF000000 : 0xFFFFFFFF);
-}
-
-/* In the very middle of a cell too. */
-static void test_hard_edge_in_the_middle(void)
-{
-    static const struct pel_stop s[] = {
-        {0, 0xFF000000}, {32768, 0xFF000000}, {32768, 0xFFFFFFFF}};
-    pel_color ramp[1];
-    assert_int_equal(pel_ramp_fill(ramp, 1, s, 3), PEL_OK);
-    assert_int_equal(ramp[0], 0xFFFFFFFF);
-}
-
-static void test_largest(void)
+TEST(largest)
 {
     static struct pel_stop s[32768];
     static pel_color ramp[32767];
@@ -85,7 +65,7 @@ static void test_largest(void)
     assert_int_equal(pel_ramp_fill(ramp, 3, s, 32768), PEL_ERROR_SIZE);
 }
 
-static void test_errors(void)
+TEST(errors)
 {
     pel_color ramp[4];
     struct pel_stop s[2] = {{10, 0}, {9, 0}};
@@ -99,10 +79,4 @@ static void test_errors(void)
     assert_int_equal(pel_ramp_fill(ramp, 4, s, 2), PEL_ERROR_RANGE);
     s[0].at = -1;
     assert_int_equal(pel_ramp_fill(ramp, 4, s, 1), PEL_ERROR_RANGE);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_exact, test_hard_edge, test_hard_edge_in_the_middle,
-                     test_largest, test_errors);
 }

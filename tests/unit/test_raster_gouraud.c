@@ -31,7 +31,7 @@ static void check_last_bit(struct canvas *canvas, uint32_t dx, uint32_t cross)
                 fail_msg("step %u, crossing at %u: pixel %u", dx, cross, x);
 }
 
-static void test_last_bit_counts(void)
+TEST(last_bit_counts)
 {
     static struct canvas canvas;
     for (uint32_t cross = 0; cross < 16; cross++) {
@@ -42,7 +42,7 @@ static void test_last_bit_counts(void)
 }
 
 /* A triangle without area covers nothing, and its set-up ends. */
-static void test_one_point_three_times(void)
+TEST(one_point_three_times)
 {
     static struct canvas canvas;
     const pel_color c[3] = {PEL_RGB(1, 2, 3), PEL_RGB(40, 50, 60), 0};
@@ -65,7 +65,7 @@ static void test_one_point_three_times(void)
 }
 
 /* Alpha 0 leaves the pixel untouched, bits that no color uses included. */
-static void test_alpha_0_touches_nothing(void)
+TEST(alpha_0_touches_nothing)
 {
     static struct canvas canvas;
     static const struct pel_point v[3] = {PEL_AT(-1, -1), PEL_AT(200, 0),
@@ -80,7 +80,7 @@ static void test_alpha_0_touches_nothing(void)
 }
 
 /* Equal colors are that color, exactly, wherever the vertices are. */
-static void test_equal_colors_are_flat(void)
+TEST(equal_colors_are_flat)
 {
     static struct canvas smooth, flat;
     static const struct pel_point v[3] = {
@@ -98,7 +98,7 @@ static void test_equal_colors_are_flat(void)
         }
 }
 
-static void test_what_is_refused(void)
+TEST(what_is_refused)
 {
     struct pel_gouraud g;
     static const struct pel_point v[3] = {PEL_AT(0, 0), PEL_AT(9, 0),
@@ -125,7 +125,7 @@ static void put_fails(const struct pel_surface *surface, int32_t x, int32_t y,
 }
 
 /* Opaque colors of a clipped triangle go straight into the pixels. */
-static void test_runs_are_direct(void)
+TEST(runs_are_direct)
 {
     static const struct pel_point v[3] = {PEL_AT(-1, -1), PEL_AT(200, 0),
                                           PEL_AT(0, 20)};
@@ -139,11 +139,4 @@ static void test_runs_are_direct(void)
         s = surface_of(&formats[f], pixels, sizeof pixels, 8, 8);
         pel_triangle_gouraud(&s, v, c);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_runs_are_direct, test_what_is_refused,
-                     test_alpha_0_touches_nothing, test_equal_colors_are_flat,
-                     test_one_point_three_times, test_last_bit_counts);
 }

@@ -4,42 +4,42 @@
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
 
-enum { WORDS = 9 * 8 };
+enum { WORDS = 9 * 8, NEED = 4 * 36 };
 
 static struct hits hits;
 static uint32_t scratch[WORDS + 2];
 static const struct pel_point square[4] = {PEL_AT(1, 1), PEL_AT(5, 1),
                                            PEL_AT(5, 5), PEL_AT(1, 5)};
-static const struct pel_polygon_shape outline = {square, 4, PEL_EVEN_ODD};
 
 static void setup(void)
 {
     const struct pel_rect bounds = {0, 0, 8, 8};
     hits_open(&hits, &bounds);
+    hits.limit = 255;
     memset(scratch, 0x5A, sizeof scratch);
 }
 
-/* The status, and what of `outline` was drawn: all or nothing. */
+/* The status, and what was drawn: the square or nothing. */
 static void expect(enum pel_status want, const struct pel_polygon_shape *p,
                    void *memory, size_t size)
 {
     const uint64_t before = hits.pixels;
-    enum pel_status got =
+    const enum pel_status got =
         pel_polygon(&hits.surface, p, &hits.paint, memory, size);
     if (got != want)
         fail_msg("expected %d, got %d", want, got);
-    if (want != PEL_OK)
-        assert_int_equal(hits.pixels, before);
+    assert_int_equal(hits.pixels - before,
+                     want == PEL_OK && p->n == 4 ? 16 : 0);
 }
 
-static void test_scratch_size(void)
+TEST(scratch_size)
 {
+    static char polygon[PEL_POLYGON_SCRATCH_SIZE(9)];
+    static char rim[PEL_POLYGON_OUTLINE_SCRATCH_SIZE(9)];
     assert_int_equal(pel_polygon_scratch_size(0), 0);
     assert_int_equal(pel_polygon_scratch_size(-1), 0);
     assert_int_equal(pel_polygon_scratch_size(INT32_MIN), 0);
-    assert_int_equal(pel_polygon_scratch_size(4), 4 * 36);
-    static char polygon[PEL_POLYGON_SCRATCH_SIZE(9)];
-    static char rim[PEL_POLYGON_OUTLINE_SCRATCH_SIZE(9)];
+    assert_int_equal(pel_polygon_scratch_size(4), NEED);
     assert_int_equal(pel_polygon_scratch_size(9), sizeof polygon);
     assert_int_equal(pel_polygon_outline_scratch_size(9), sizeof rim);
     assert_true(pel_polygon_scratch_size(100000) == (size_t)100000 * 36);
@@ -48,73 +48,54 @@ static void test_scratch_size(void)
                     (size_t)INT32_MAX * 36);
 }
 
-static void test_exact_size_is_enough(void)
+/* Fewer than three vertices cover nothing and need no memory; that of too many
+ * is refused before a vertex is looked at. */
+TEST(what_is_refused)
 {
+    static const struct {
+        const struct pel_point *v;
+        int32_t n;
+        void *memory;
+        size_t size;
+        enum pel_status status;
+    } rows[] = {
+        {square, 4, scratch, NEED, PEL_OK},
+        {square, 4, scratch + 1, NEED, PEL_OK},
+        {square, 4, (char *)scratch + 1, 4 * WORDS, PEL_ERROR_SCRATCH},
+        {square, 4, (char *)scratch + 2, 4 * WORDS, PEL_ERROR_SCRATCH},
+        {square, 4, (char *)scratch + 3, 4 * WORDS, PEL_ERROR_SCRATCH},
+        {NULL, 4, scratch, sizeof scratch, PEL_ERROR_NULL},
+        {square, 4, NULL, 1000, PEL_ERROR_NULL},
+        {square, 2, scratch, sizeof scratch, PEL_OK},
+        {square, 2, NULL, 0, PEL_OK},
+        {square, 0, NULL, 0, PEL_OK},
+        {square, -1, NULL, 0, PEL_OK},
+        {square, INT32_MIN, NULL, 0, PEL_OK},
+        {square, INT32_MAX, scratch, sizeof scratch, PEL_ERROR_SCRATCH},
+        {square, INT32_MAX / 36, scratch, sizeof scratch, PEL_ERROR_SCRATCH},
+        {square, 1 << 26, scratch, 0, PEL_ERROR_SCRATCH}};
+    const struct pel_polygon_shape p = {square, 4, PEL_EVEN_ODD};
     setup();
-    expect(PEL_OK, &outline, scratch, 4 * 36);
-    assert_int_equal(hits.pixels, 16);
-    for (size_t i = 36; i < sizeof scratch / sizeof scratch[0]; i++)
-        assert_int_equal(scratch[i], 0x5A5A5A5A);
-}
-
-static void test_small_scratch_is_refused(void)
-{
-    setup();
-    for (size_t size = 0; size < 4 * 36; size++)
-        expect(PEL_ERROR_SCRATCH, &outline, scratch, size);
-}
-
-static void test_misaligned_scratch_is_refused(void)
-{
-    setup();
-    for (size_t offset = 1; offset < 4; offset++)
-        expect(PEL_ERROR_SCRATCH, &outline, (uint8_t *)scratch + offset,
-               4 * WORDS);
-    expect(PEL_OK, &outline, (uint8_t *)scratch + 4, 4 * 36);
-}
-
-static void test_null_is_refused(void)
-{
-    const struct pel_polygon_shape without_points = {NULL, 4, PEL_EVEN_ODD};
-    setup();
-    expect(PEL_ERROR_NULL, &without_points, scratch, sizeof scratch);
-    expect(PEL_ERROR_NULL, &outline, NULL, 1000);
-    expect(PEL_ERROR_NULL, NULL, scratch, sizeof scratch);
-    assert_int_equal(
-        pel_polygon(NULL, &outline, &hits.paint, scratch, sizeof scratch),
-        PEL_ERROR_NULL);
-    assert_int_equal(
-        pel_polygon(&hits.surface, &outline, NULL, scratch, sizeof scratch),
-        PEL_ERROR_NULL);
-}
-
-/* Fewer than three vertices cover nothing and need no memory. */
-static void test_few_vertices(void)
-{
-    static const int32_t few[] = {2, 1, 0, -1, INT32_MIN};
-    setup();
-    for (size_t i = 0; i < sizeof few / sizeof few[0]; i++) {
-        const struct pel_polygon_shape p = {square, few[i], PEL_NON_ZERO};
-        expect(PEL_OK, &p, scratch, sizeof scratch);
-        expect(PEL_OK, &p, NULL, 0);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        const struct pel_polygon_shape row = {rows[i].v, rows[i].n,
+                                              PEL_NON_ZERO};
+        expect(rows[i].status, &row, rows[i].memory, rows[i].size);
+        if (i == 0) /* no byte more than asked for */
+            assert_int_equal(scratch[NEED / 4], 0x5A5A5A5A);
     }
-    assert_int_equal(hits.batches, 0);
-}
-
-/* The memory is refused before a vertex is looked at. */
-static void test_huge_counts_are_refused(void)
-{
-    static const int32_t huge[] = {INT32_MAX, INT32_MAX / 36, 1 << 26};
-    setup();
-    for (size_t i = 0; i < sizeof huge / sizeof huge[0]; i++) {
-        const struct pel_polygon_shape p = {square, huge[i], PEL_NON_ZERO};
-        expect(PEL_ERROR_SCRATCH, &p, scratch, sizeof scratch);
-        expect(PEL_ERROR_SCRATCH, &p, scratch, 0);
-    }
+    for (size_t size = 0; size < NEED; size++)
+        expect(PEL_ERROR_SCRATCH, &p, scratch, size);
+    assert_int_equal(
+        pel_polygon(&hits.surface, NULL, &hits.paint, scratch, NEED),
+        PEL_ERROR_NULL);
+    assert_int_equal(pel_polygon(NULL, &p, &hits.paint, scratch, NEED),
+                     PEL_ERROR_NULL);
+    assert_int_equal(pel_polygon(&hits.surface, &p, NULL, scratch, NEED),
+                     PEL_ERROR_NULL);
 }
 
 /* Whatever the clip, as the fill is. */
-static void test_outlines_out_of_range_are_refused(void)
+TEST(outlines_out_of_range_are_refused)
 {
     static uint32_t memory[PEL_POLYGON_OUTLINE_SCRATCH_SIZE(3) / 4];
     static const struct pel_point v[3] = {
@@ -130,8 +111,8 @@ static void test_outlines_out_of_range_are_refused(void)
     }
 }
 
-/* An empty clip, and outlines of which no row is visible, are no errors. */
-static void test_nothing_to_see(void)
+/* Outlines of which no row is visible, and an empty clip, are no errors. */
+TEST(nothing_to_see)
 {
     const struct pel_rect none = {3, 3, 3, 8};
     static const struct pel_point flat[3] = {{0, 10}, {500, 10}, {900, 10}};
@@ -139,15 +120,5 @@ static void test_nothing_to_see(void)
     setup();
     expect(PEL_OK, &p, scratch, sizeof scratch);
     pel_surface_clip(&hits.surface, &none);
-    expect(PEL_OK, &outline, scratch, sizeof scratch);
-    assert_int_equal(hits.pixels, 0);
-}
-
-int main(void)
-{
-    return RUN_TESTS(
-        test_scratch_size, test_exact_size_is_enough,
-        test_small_scratch_is_refused, test_misaligned_scratch_is_refused,
-        test_null_is_refused, test_few_vertices, test_huge_counts_are_refused,
-        test_outlines_out_of_range_are_refused, test_nothing_to_see);
+    expect(PEL_OK, &p, scratch, sizeof scratch);
 }

@@ -1,5 +1,4 @@
-/* Rectangles and clears: which pixels, which bytes, and what draws nothing. */
-
+/* Boxes and clears: which pixels, which bytes, and what draws nothing. */
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 
@@ -19,7 +18,7 @@ static void check_clip(const struct pel_rect *clip, uint32_t want)
 }
 
 /* Alpha is ignored, and no other bit. */
-static void test_clear_sets_the_color(void)
+TEST(clear_sets_the_color)
 {
     static const pel_color colors[] = {0,          0xFF000000, 0x00FFFFFF,
                                        0x12345678, 0x80FEFCF8, 0xFF102040};
@@ -36,7 +35,7 @@ static void test_clear_sets_the_color(void)
             }
 }
 
-static void test_clear_of_an_empty_clip(void)
+TEST(clear_of_an_empty_clip)
 {
     static const struct pel_rect clips[] = {
         {4, 4, 4, 8}, {4, 4, 8, 4}, {9, 0, 3, 8}, {40, 40, 50, 50}};
@@ -48,35 +47,8 @@ static void test_clear_of_an_empty_clip(void)
     }
 }
 
-/* Corners in sub-pixels around pixel (1, 2): its centre is at (384, 640). */
-static void test_rectangle_takes_centres(void)
-{
-    static const struct {
-        struct pel_point from, to;
-        bool in;
-    } row[] = {
-        {{384, 640}, {385, 641}, true},  {{385, 640}, {500, 641}, false},
-        {{384, 641}, {385, 700}, false}, {{300, 600}, {384, 641}, false},
-        {{300, 600}, {385, 640}, false}, {{300, 600}, {385, 641}, true},
-        {{385, 641}, {384, 640}, false}, {{384, 640}, {384, 641}, false},
-        {{384, 640}, {385, 640}, false}, {{500, 641}, {300, 640}, false},
-        {{256, 512}, {512, 768}, true},
-    };
-    const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
-    for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
-        canvas_open(&canvas, &pel_gray8, &bounds, 0);
-        pel_clear(&canvas.surface, 0);
-        pel_rectangle(&canvas.surface, row[i].from, row[i].to, &white.paint);
-        for (int32_t y = 0; y < 5; y++)
-            for (int32_t x = 0; x < 4; x++)
-                if ((canvas_pixel(&canvas, x, y) == 255) !=
-                    (row[i].in && x == 1 && y == 2))
-                    fail_msg("row %zu: %d, %d", i, x, y);
-    }
-}
-
 /* Boxes of whole pixels, of any numbers. */
-static void test_boxes(void)
+TEST(boxes)
 {
     static const struct pel_rect box[] = {
         {1, 2, 3, 4},
@@ -101,10 +73,4 @@ static void test_boxes(void)
                     (x >= b->x0 && x < b->x1 && y >= b->y0 && y < b->y1))
                     fail_msg("row %zu: %d, %d", i, x, y);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_clear_sets_the_color, test_clear_of_an_empty_clip,
-                     test_rectangle_takes_centres, test_boxes);
 }

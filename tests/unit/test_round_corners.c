@@ -2,23 +2,15 @@
 #include "core/raster/thick_line.h"
 #include "tests/support/any_shape.h"
 #include "tests/support/check.h"
+#include "tests/support/paint_math.h"
 
-/* Newton's root, from above. */
-static long double root(long double n)
-{
-    long double r = n > 1 ? n : 1;
-    for (int i = 0; i < 200; i++)
-        r = (r + n / r) / 2;
-    return r;
-}
-
-static void check_near(int32_t got, long double want)
+static void check_near(int32_t got, real want)
 {
     if (got - want > 0.501L || want - got > 0.501L)
         fail_msg("corner: expected %Lf, got %d; %s", want, got, cases_replay());
 }
 
-static void test_corners_are_the_nearest(void)
+TEST(corners_are_the_nearest)
 {
     uint64_t checked = 0;
     for (struct cases c = cases_of(20000); cases_next(&c);) {
@@ -28,8 +20,8 @@ static void test_corners_are_the_nearest(void)
         const struct pel_point a = s.v[0], b = s.v[1];
         const struct pel_thick_line_shape line = {a, b, s.radius};
         const struct pel_thick_line_shape back = {b, a, s.radius};
-        const long double dx = b.x - a.x, dy = b.y - a.y;
-        const long double length = root(dx * dx + dy * dy);
+        const real dx = b.x - a.x, dy = b.y - a.y;
+        const real length = real_root(dx * dx + dy * dy);
         assert_int_equal(pel_thick_line_corners(&line, v),
                          pel_thick_line_corners(&back, w));
         if (length < 0.5L || !pel_thick_line_corners(&line, v))
@@ -45,16 +37,11 @@ static void test_corners_are_the_nearest(void)
     assert_true(checked > 0);
 }
 
-static void test_corners_of_a_point(void)
+TEST(corners_of_a_point)
 {
     struct pel_point v[4];
     const struct pel_thick_line_shape line = {PEL_AT(3, 4), PEL_AT(3, 4), 512};
     assert_true(pel_thick_line_corners(&line, v));
     for (int i = 0; i < 4; i++)
         assert_true(v[i].x == PEL_PX(3) && v[i].y == PEL_PX(4));
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_corners_are_the_nearest, test_corners_of_a_point);
 }

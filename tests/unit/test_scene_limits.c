@@ -2,9 +2,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/support/any_scene.h"
-#include "tests/support/canvas.h"
+#include "core/scene/pipeline.h"
 #include "tests/support/check.h"
+#include "tests/support/layouts.h"
 #include "tests/support/reference_scene.h"
 
 enum { SIDE = 128 };
@@ -24,18 +24,14 @@ static const uint16_t quad_uv[4][2] = {
     {0, 65535}, {65535, 65535}, {65535, 0}, {0, 0}};
 
 static struct ground g;
-static struct canvas c;
+static pel_color pixels[SIDE * SIDE];
 
 static void ground_init(int16_t half, int16_t height)
 {
-    const int16_t corner[4][2] = {{(int16_t)-half, half},
-                                  {half, half},
-                                  {half, (int16_t)-half},
-                                  {(int16_t)-half, (int16_t)-half}};
     for (int i = 0; i < 4; i++) {
-        g.positions[i][0] = corner[i][0];
+        g.positions[i][0] = (int16_t)(i % 3 ? half : -half);
         g.positions[i][1] = (int16_t)-height;
-        g.positions[i][2] = corner[i][1];
+        g.positions[i][2] = (int16_t)(i < 2 ? half : -half);
     }
     g.mesh = (struct pel_mesh){.vertices = 4,
                                .triangles = 2,
@@ -57,16 +53,23 @@ static void ground_init(int16_t half, int16_t height)
                                  .cull = PEL_CULL_BACK};
 }
 
+static enum pel_status prepare(struct pel_frame *frame)
+{
+    return pel_scene_prepare(frame, &g.scene, g.scratch, sizeof g.scratch);
+}
+
+static struct pel_surface clear(void)
+{
+    memset(pixels, 0, sizeof pixels);
+    return surface_of(&pel_xrgb8888, pixels, sizeof pixels, SIDE, SIDE);
+}
+
 static void draw(void)
 {
+    const struct pel_surface s = clear();
     struct pel_frame frame;
-    assert_int_equal(
-        pel_scene_prepare(&frame, &g.scene, g.scratch, sizeof g.scratch),
-        PEL_OK);
-    canvas_open(&c, &pel_xrgb8888, &view, 0);
-    memset(c.surface.pixels, 0, c.size);
-    pel_scene_draw(&frame, &c.surface);
-    canvas_check(&c);
+    assert_int_equal(prepare(&frame), PEL_OK);
+    pel_scene_draw(&frame, &s);
 }
 
 /* Where the ray through a pixel meets the ground: x and -z in units. */
@@ -84,7 +87,7 @@ static bool meets_ground(real half, real height, int32_t x, int32_t y,
 }
 
 /* The ground goes on behind the eye, and out of range to the sides. */
-static void test_near_plane(void)
+TEST(near_plane)
 {
     for (int32_t half = 64; half < 32000; half = half * 3 / 2) {
         int32_t wrong = 0;
@@ -94,14 +97,14 @@ static void test_near_plane(void)
         for (int32_t y = 0; y < SIDE; y++)
             for (int32_t x = 0; x < SIDE; x++)
                 wrong += meets_ground((real)half / 64, 0.5L, x, y, at) !=
-                         (canvas_pixel(&c, x, y) != 0);
+                         (pixels[y * SIDE + x] != 0);
         if (wrong * 1000 > SIDE * SIDE)
             fail_msg("%d wide: %d pixels differ", half, wrong);
     }
 }
 
 /* The same with a texture: no place of it moves by the cuts. */
-static void test_texture_across_the_near_plane(void)
+TEST(texture_across_the_near_plane)
 {
     enum { TEXELS = 256 };
     static pel_color texels[TEXELS * TEXELS];
@@ -119,24 +122,23 @@ static void test_texture_across_the_near_plane(void)
         draw();
         for (int32_t y = SIDE / 2 + 8; y < SIDE; y++)
             for (int32_t x = 0; x < SIDE; x++) {
-                const uint32_t got = canvas_pixel(&c, x, y) & 0xFFFFFFu;
+                const uint32_t got = pixels[y * SIDE + x] & 0xFFFFFFu;
                 if (!got || !meets_ground(size, 0.5L, x, y, at))
                     continue;
                 const real u = (at[0] + size) / (2 * size) * TEXELS;
                 const real v = (size - at[1]) / (2 * size) * TEXELS;
-                const real off[4] = {u - got % TEXELS - 1, got % TEXELS - u,
-                                     v - got / TEXELS - 1,
-                                     (real)(got / TEXELS) - v};
+                const real left = got % TEXELS, top = (real)(got / TEXELS);
+                const real off[4] = {u - left - 1, left - u, v - top - 1,
+                                     top - v};
                 for (int k = 0; k < 4; k++)
                     worst = off[k] > worst ? off[k] : worst;
             }
     }
-    print_message("texels off by %.4f at most\n", (double)worst);
     assert_true(worst < 1.0L / 64);
 }
 
 /* A wall around the eye fills the picture, however far its corners are. */
-static void test_guard_band(void)
+TEST(guard_band)
 {
     for (int16_t away = 1; away < 1000; away = (int16_t)(away * 2)) {
         ground_init(32767, away);
@@ -145,25 +147,24 @@ static void test_guard_band(void)
             g.positions[i][2] = (int16_t)-away;
         }
         draw();
-        for (int32_t y = 0; y < SIDE; y++)
-            for (int32_t x = 0; x < SIDE; x++)
-                if (canvas_pixel(&c, x, y) != UINT32_C(0xFFFFFFFF))
-                    fail_msg("away %d: pixel %d, %d", away, x, y);
+        for (int32_t i = 0; i < SIDE * SIDE; i++)
+            if (pixels[i] != UINT32_C(0xFFFFFFFF))
+                fail_msg("away %d: pixel %d, %d", away, i % SIDE, i / SIDE);
     }
 }
 
-static void test_behind_is_nothing(void)
+TEST(behind_is_nothing)
 {
     ground_init(1000, 10);
     g.scene.camera.near_plane = PEL_UNITS(100);
     draw();
     for (int32_t i = 0; i < SIDE * SIDE; i++)
-        assert_int_equal(canvas_pixel(&c, i % SIDE, i / SIDE), 0);
+        assert_int_equal(pixels[i], 0);
 }
 
 /* Opposite normals meet in one that has no direction: ambient light there, and
  * no color beyond those of either side. */
-static void test_opposite_normals(void)
+TEST(opposite_normals)
 {
     static const int8_t normals[4][3] = {
         {0, 127, 0}, {0, -127, 0}, {0, -127, 0}, {0, 127, 0}};
@@ -182,7 +183,7 @@ static void test_opposite_normals(void)
     g.scene.shading = &pel_shade_phong;
     draw();
     for (int32_t i = 0; i < SIDE * SIDE; i++) {
-        const uint32_t v = canvas_pixel(&c, i % SIDE, i / SIDE) & 255;
+        const uint32_t v = pixels[i] & 255;
         bright += v == 191;
         dark += v == 64;
         if (v != 191 && v != 64 && v != 0)
@@ -193,7 +194,7 @@ static void test_opposite_normals(void)
 
 /* Needles, seen from a side that makes them a few sub-pixels thick or less:
  * colors stay between those of their vertices. */
-static void test_slivers(void)
+TEST(slivers)
 {
     static const uint8_t colors[4][3] = {
         {10, 20, 30}, {240, 20, 130}, {10, 250, 30}, {10, 250, 230}};
@@ -211,46 +212,37 @@ static void test_slivers(void)
         }
         draw();
         for (int32_t i = 0; i < SIDE * SIDE; i++) {
-            const uint32_t v = canvas_pixel(&c, i % SIDE, i / SIDE);
-            if (!v)
-                continue;
-            seen++;
-            for (int k = 0; k < 3; k++) {
-                const uint32_t channel = v >> (16 - 8 * k) & 255;
-                if (channel < 10 + 10 * (uint32_t)k || channel > 250)
-                    fail_msg("thick %d: pixel %d, %d is %06x", thick, i % SIDE,
-                             i / SIDE, v & 0xFFFFFF);
-            }
+            const pel_color v = pixels[i];
+            seen += v != 0;
+            if (v &&
+                (pel_red(v) < 10 || pel_red(v) > 240 || pel_green(v) < 20 ||
+                 pel_green(v) > 250 || pel_blue(v) < 30 || pel_blue(v) > 230))
+                fail_msg("thick %d: pixel %d, %d is %06x", thick, i % SIDE,
+                         i / SIDE, v & 0xFFFFFF);
         }
     }
     assert_true(seen > 100);
 }
 
-static void test_a_wrong_index_is_named(void)
+TEST(a_wrong_index_is_named)
 {
     static uint16_t indices16[2][3] = {{0, 1, 2}, {0, 4, 3}};
     static uint32_t indices32[2][3] = {{0, 1, 2}, {0, 2, UINT32_MAX}};
     struct pel_frame frame;
     ground_init(1000, 10);
     g.mesh.indices8 = NULL;
-    g.mesh.indices16 = (void *)indices16;
-    assert_int_equal(
-        pel_scene_prepare(&frame, &g.scene, g.scratch, sizeof g.scratch),
-        PEL_ERROR_RANGE);
-    assert_int_equal(frame.fault.triangle, 1);
-    assert_int_equal(frame.fault.index, 4);
-    g.mesh.indices16 = NULL;
-    g.mesh.indices32 = (void *)indices32;
-    assert_int_equal(
-        pel_scene_prepare(&frame, &g.scene, g.scratch, sizeof g.scratch),
-        PEL_ERROR_RANGE);
-    assert_int_equal(frame.fault.triangle, 1);
-    assert_int_equal(frame.fault.index, UINT32_MAX);
+    for (int i = 0; i < 2; i++) {
+        g.mesh.indices16 = i ? NULL : (void *)indices16;
+        g.mesh.indices32 = i ? (void *)indices32 : NULL;
+        assert_int_equal(prepare(&frame), PEL_ERROR_RANGE);
+        assert_int_equal(frame.fault.triangle, 1);
+        assert_int_equal(frame.fault.index, i ? UINT32_MAX : 4);
+    }
     g.mesh.indices8 = quad; /* two arrays */
     assert_int_equal(pel_mesh_check(&g.mesh, NULL), PEL_ERROR_NULL);
 }
 
-static void test_a_frame_that_failed_draws_nothing(void)
+TEST(a_frame_that_failed_draws_nothing)
 {
     static uint32_t values[SIDE * SIDE];
     struct pel_depth depth;
@@ -258,68 +250,63 @@ static void test_a_frame_that_failed_draws_nothing(void)
     ground_init(1000, 10);
     pel_depth_init(&depth, &view, 32, values, sizeof values);
     for (int failed = 0; failed < 2; failed++) {
-        assert_int_equal(
-            pel_scene_prepare(&frame, &g.scene, g.scratch, sizeof g.scratch),
-            PEL_OK);
+        const struct pel_surface s = clear();
+        assert_int_equal(prepare(&frame), PEL_OK);
         if (failed)
             assert_int_equal(pel_scene_prepare(&frame, NULL, NULL, 0),
                              PEL_ERROR_NULL);
-        canvas_open(&c, &pel_xrgb8888, &view, 0);
-        memset(c.surface.pixels, 0, c.size);
-        pel_scene_draw(&frame, &c.surface);
-        pel_scene_draw_depth(&frame, &c.surface, &depth);
-        uint32_t drawn = 0;
-        for (int32_t i = 0; i < SIDE * SIDE; i++)
-            drawn |= canvas_pixel(&c, i % SIDE, i / SIDE);
-        assert_int_equal(drawn == 0, failed);
+        pel_scene_draw(&frame, &s);
+        pel_scene_draw_depth(&frame, &s, &depth);
+        assert_int_equal(pixels[SIDE * (SIDE - 1)] == 0, failed);
     }
 }
 
-static enum pel_status prepare(struct ground *s)
+/* With exactly the memory that it takes, and refused with less. */
+static enum pel_status prepare_least(void)
 {
+    const struct pel_scene *scene = &g.scene;
     struct pel_frame frame;
-    const size_t size = pel_scene_scratch_size(&s->scene);
+    const size_t size = pel_scene_scratch_size(scene);
     static char least[PEL_SCENE_SCRATCH_SIZE(4, 2, 0)];
     assert_int_equal(size, sizeof least);
-    assert_true(size <= sizeof s->scratch - 8);
-    assert_int_equal(pel_scene_prepare(&frame, &s->scene, s->scratch, size - 1),
+    assert_int_equal(pel_scene_prepare(&frame, scene, g.scratch, size - 1),
                      PEL_ERROR_SCRATCH);
     assert_int_equal(
-        pel_scene_prepare(&frame, &s->scene, (uint8_t *)s->scratch + 4, size),
+        pel_scene_prepare(&frame, scene, (uint8_t *)g.scratch + 4, size),
         PEL_ERROR_SCRATCH);
-    return pel_scene_prepare(&frame, &s->scene, s->scratch, size);
+    return pel_scene_prepare(&frame, scene, g.scratch, size);
 }
 
-static void test_what_cannot_be_seen_is_refused(void)
+TEST(what_cannot_be_seen_is_refused)
 {
-    struct ground bad;
+    struct pel_camera *c = &g.scene.camera;
+    const struct {
+        int32_t *number, value;
+        enum pel_status status;
+    } rows[] = {{&c->target[2], 0, PEL_ERROR_RANGE}, /* where the eye is */
+                {&c->eye[0], PEL_LENGTH_MAX + 1, PEL_ERROR_RANGE},
+                {&c->near_plane, 0, PEL_ERROR_RANGE},
+                {&c->sensor[1], 0, PEL_ERROR_SIZE},
+                {&g.scene.viewport.x1, 0, PEL_ERROR_SIZE}};
     ground_init(1000, 10);
-    assert_int_equal(prepare(&g), PEL_OK);
-    bad = g;
-    bad.scene.camera.target[2] = 0; /* where the eye is */
-    assert_int_equal(prepare(&bad), PEL_ERROR_RANGE);
-    bad.scene.camera.target[1] = 5; /* along `up` */
-    assert_int_equal(prepare(&bad), PEL_ERROR_RANGE);
-    bad = g;
-    bad.scene.camera.eye[0] = PEL_LENGTH_MAX + 1;
-    assert_int_equal(prepare(&bad), PEL_ERROR_RANGE);
-    bad = g;
-    bad.scene.camera.near_plane = 0;
-    assert_int_equal(prepare(&bad), PEL_ERROR_RANGE);
-    bad = g;
-    bad.scene.camera.sensor[1] = 0;
-    assert_int_equal(prepare(&bad), PEL_ERROR_SIZE);
-    bad = g;
-    bad.scene.viewport.x1 = 0;
-    assert_int_equal(prepare(&bad), PEL_ERROR_SIZE);
-    bad = g;
-    bad.scene.shading = &pel_shade_phong; /* no normals, no light */
-    assert_int_equal(prepare(&bad), PEL_ERROR_NULL);
+    assert_int_equal(prepare_least(), PEL_OK);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        ground_init(1000, 10);
+        *rows[i].number = rows[i].value;
+        assert_int_equal(prepare_least(), rows[i].status);
+    }
+    ground_init(1000, 10);
+    c->target[2] = 0;
+    c->target[1] = 5; /* along `up` */
+    assert_int_equal(prepare_least(), PEL_ERROR_RANGE);
+    ground_init(1000, 10);
+    g.scene.shading = &pel_shade_phong; /* no normals, no light */
+    assert_int_equal(prepare_least(), PEL_ERROR_NULL);
 }
 
 /* A plane of a million triangles, seen from above: no gap, and of those in
  * whose box no pixel centre lies none is listed. */
-static void test_a_million_triangles(void)
+TEST(a_million_triangles)
 {
     enum { CELLS = 708 };
     const uint32_t row = CELLS + 1;
@@ -352,20 +339,11 @@ static void test_a_million_triangles(void)
     assert_int_equal(pel_scene_prepare(&frame, &g.scene, scratch, size),
                      PEL_OK);
     assert_in_range(frame.triangles, SIDE * SIDE, 2 * SIDE * SIDE);
-    canvas_open(&c, &pel_xrgb8888, &view, 0);
-    pel_scene_draw(&frame, &c.surface);
+    const struct pel_surface s = clear();
+    pel_scene_draw(&frame, &s);
     for (int32_t i = 0; i < SIDE * SIDE; i++)
-        assert_int_equal(canvas_pixel(&c, i % SIDE, i / SIDE), 0xFFFFFFFF);
+        assert_int_equal(pixels[i], 0xFFFFFFFF);
     free(scratch);
     free(positions);
     free(indices);
-}
-
-int main(void)
-{
-    return RUN_TESTS(
-        test_near_plane, test_texture_across_the_near_plane, test_guard_band,
-        test_behind_is_nothing, test_opposite_normals, test_slivers,
-        test_a_wrong_index_is_named, test_a_frame_that_failed_draws_nothing,
-        test_what_cannot_be_seen_is_refused, test_a_million_triangles);
 }

@@ -2,7 +2,7 @@
 #include "core/scene/pipeline.h"
 #include "tests/support/check.h"
 
-static void test_depth_sizes(void)
+TEST(depth_sizes)
 {
     static const struct {
         struct pel_rect bounds;
@@ -36,7 +36,7 @@ static void test_depth_sizes(void)
 }
 
 /* What pel_mesh_check takes may lie farther away than that. */
-static void test_an_orthographic_mesh_far_away(void)
+TEST(an_orthographic_mesh_far_away)
 {
     static const int16_t positions[1][3] = {{0, 0, 0}};
     static const uint8_t indices[1][3] = {{0, 0, 0}};
@@ -68,9 +68,4 @@ static void test_an_orthographic_mesh_far_away(void)
     assert_int_equal(
         pel_projector_init(&p, NULL, &pel_pose_none, &camera, &view),
         PEL_ERROR_NULL);
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_depth_sizes, test_an_orthographic_mesh_far_away);
 }

@@ -29,7 +29,7 @@ do
     cp "$asset" "$share/scenes/"
 done
 for program in pel pel_no_restore pel_no_draw fb_mode console_state faults \
-    frames session touch_device pel_gpiod2 faults_gpiod2; do
+    frames touch_device pel_gpiod2 faults_gpiod2; do
     ln "$build/guest/$program" "$share/$program" 2> /dev/null ||
         cp "$build/guest/$program" "$share/$program"
 done

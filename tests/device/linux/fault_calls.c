@@ -42,7 +42,6 @@ static int fails(enum fault_call call)
 /* A call, which fails with this result. */
 #define CALL(which, type, name, parameters, arguments, failed)    \
     type __real_##name parameters;                                \
-    type __wrap_##name parameters;                                \
     type __wrap_##name parameters                                 \
     {                                                             \
         return fails(which) ? (failed) : __real_##name arguments; \
@@ -70,9 +69,7 @@ CALL(FAULT_TIMER, int, timerfd_create, (int clock, int flags), (clock, flags),
      -1)
 
 int __real_open(const char *path, int flags, ...);
-int __wrap_open(const char *path, int flags, ...);
 int __real_ioctl(int fd, unsigned long request, ...);
-int __wrap_ioctl(int fd, unsigned long request, ...);
 
 int __wrap_open(const char *path, int flags, ...)
 {

@@ -202,7 +202,7 @@ no_draw_case() { # JOBS
 # a second display is refused.
 session_case() { # DEVICE EXPECTED
     before=$(state)
-    start /mnt/session "$1"
+    start /mnt/frames "$1" 5
     wait $pid
     status=$?
     if [ $status = 0 ] && [ "$(cat $log)" = "$2" ] && state_becomes "$before"

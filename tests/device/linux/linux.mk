@@ -18,7 +18,7 @@ LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout panel_bus input_devices \
                panel_check vm screen_check reference)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
-               pel_no_draw fb_mode console_state faults frames session \
+               pel_no_draw fb_mode console_state faults frames \
                touch_device pel_gpiod2 faults_gpiod2)
 LINUX_STATIC := $(LINUX_CHECK)/static
 LINUX_CFLAGS = -std=gnu99 $(WARNINGS) $(WERROR) -O2 -I. -I$(BUILD)/include
@@ -42,7 +42,8 @@ $(LINUX_CHECK)/layout: $(LINUX_HERE)/layout.c $(LINUX_OBJECTS) \
 
 LINUX_PANEL_WRAPS := open ioctl fcntl nanosleep pel_gpio_open pel_gpio_close pel_gpio_set
 $(LINUX_CHECK)/panel_bus: $(LINUX_HERE)/panel_bus.c $(LINUX_OBJECTS) \
-    tests/support/panel_glass.c tests/support/check.c $(BUILD)/libpel.a
+    tests/support/panel_glass.c tests/support/check.c tests/support/main.c \
+    $(BUILD)/libpel.a
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) \
 	    $(LINUX_PANEL_WRAPS:%=-Wl$(comma)--wrap=%) $^ $(LINUX_LIBS) -lcmocka \
@@ -52,14 +53,14 @@ LINUX_INPUT_WRAPS := access open epoll_ctl libevdev_new_from_fd libevdev_get_fd 
     libevdev_set_clock_id libevdev_next_event pel_gpio_open pel_gpio_close \
     pel_gpio_levels pel_gpio_edges pel_gpio_descriptors
 $(LINUX_CHECK)/input_devices: $(LINUX_HERE)/input_devices.c $(LINUX_OBJECTS) \
-    tests/support/check.c $(BUILD)/libpel.a
+    tests/support/check.c tests/support/main.c $(BUILD)/libpel.a
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) \
 	    $(LINUX_INPUT_WRAPS:%=-Wl$(comma)--wrap=%) $^ $(LINUX_LIBS) -lcmocka \
 	    -o $@
 
 $(LINUX_CHECK)/panel_check: $(LINUX_HERE)/panel_check.c \
-    tests/support/panel_glass.c tests/support/check.c
+    tests/support/panel_glass.c
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $^ -lcmocka -o $@
 
@@ -85,7 +86,6 @@ LINUX_STATIC_OBJECTS = $(LINUX_OBJECTS:$(BUILD)/%=$(LINUX_STATIC)/%)
 LINUX_STATIC_SIM = $(SIM_OBJECTS:$(BUILD)/%=$(LINUX_STATIC)/%)
 
 # The function that a program brings a version of its own of.
-LINUX_WRAP_session := ioctl
 LINUX_WRAP_no_restore := pel_console_state_restore
 LINUX_WRAP_no_draw := script_draw
 $(LINUX_CHECK)/guest/pel_%: $(LINUX_HERE)/%.c linux-static
@@ -95,13 +95,13 @@ $(LINUX_CHECK)/guest/pel_%: $(LINUX_HERE)/%.c linux-static
 	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
 
 # The same with the other version of libgpiod, or what stands for it.
-LINUX_GPIOD2 := port/linux/gpio_v2.c $(LINUX_HERE)/gpiod2/gpiod.c
+LINUX_GPIOD2 := port/linux/gpio.c port/linux/gpio_v2.c
 LINUX_WRAP_FAULTS = $(LINUX_FAULTS:%=-Wl$(comma)--wrap=%)
 $(LINUX_CHECK)/guest/pel_gpiod2: $(LINUX_GPIOD2) linux-static
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_STATIC_FLAGS) -I$(LINUX_HERE)/gpiod2 \
 	    $(LINUX_GPIOD2) $(LINUX_STATIC_SIM) \
-	    $(filter-out %/gpio_v1.o,$(LINUX_STATIC_OBJECTS)) \
+	    $(filter-out %/gpio_v1.o %/gpio.o,$(LINUX_STATIC_OBJECTS)) \
 	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -lm -o $@
 
 $(LINUX_CHECK)/guest/faults_gpiod2: $(LINUX_GPIOD2) $(LINUX_HERE)/faults.c \
@@ -109,15 +109,14 @@ $(LINUX_CHECK)/guest/faults_gpiod2: $(LINUX_GPIOD2) $(LINUX_HERE)/faults.c \
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) \
 	    -I$(LINUX_HERE)/gpiod2 $(LINUX_WRAP_FAULTS) $(filter %.c,$^) \
-	    $(filter-out %/gpio_v1.o,$(LINUX_STATIC_OBJECTS)) \
+	    $(filter-out %/gpio_v1.o %/gpio.o,$(LINUX_STATIC_OBJECTS)) \
 	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
 
-$(LINUX_CHECK)/guest/frames $(LINUX_CHECK)/guest/session: \
-    $(LINUX_CHECK)/guest/%: $(LINUX_HERE)/%.c linux-static
+$(LINUX_CHECK)/guest/frames: $(LINUX_HERE)/frames.c linux-static
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(LINUX_STATIC_FLAGS) \
-	    $(LINUX_WRAP_$*:%=-Wl$(comma)--wrap=%) $< \
-	    $(LINUX_STATIC_OBJECTS) $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
+	    -Wl,--wrap=ioctl $< $(LINUX_STATIC_OBJECTS) \
+	    $(LINUX_STATIC)/libpel.a $(LINUX_LIBS) -o $@
 
 $(LINUX_CHECK)/guest/faults: $(LINUX_HERE)/faults.c \
     $(LINUX_HERE)/fault_calls.c linux-static

@@ -3,8 +3,6 @@
 
 struct pel_console_state;
 
-bool __wrap_pel_console_state_restore(const struct pel_console_state *state);
-
 bool __wrap_pel_console_state_restore(const struct pel_console_state *state)
 {
     return state != 0;

@@ -4,7 +4,6 @@
  * every errno. */
 #include "tests/support/check.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <linux/i2c-dev.h>
@@ -15,6 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 #include "core/format/formats.h"
 #include "drivers/display_linux_panel.h"
@@ -78,21 +78,11 @@ static void take_i2c(const struct i2c_rdwr_ioctl_data *data)
     messages++;
 }
 
-int __wrap_nanosleep(const struct timespec *time, struct timespec *left);
-int __wrap_fcntl(int fd, int what, ...);
-int __wrap_ioctl(int fd, unsigned long request, ...);
-int __wrap_open(const char *path, int flags, ...);
 int __real_open(const char *path, int flags, ...);
-int __wrap_pel_gpio_open(struct pel_gpio *gpio,
-                         const struct pel_gpio_request *request,
-                         struct pel_message *message);
-void __wrap_pel_gpio_close(struct pel_gpio *gpio);
-int __wrap_pel_gpio_set(struct pel_gpio *gpio, int line, bool active);
 
 int __wrap_nanosleep(const struct timespec *time, struct timespec *left)
 {
-    (void)time;
-    (void)left;
+    (void)time, (void)left;
     return 0;
 }
 
@@ -142,7 +132,7 @@ int __wrap_pel_gpio_open(struct pel_gpio *gpio,
     static const char *const names[] = {"GPIO25", "27", "GPIO18"};
     memset(gpio, 0, sizeof *gpio);
     if (fails()) {
-        pel_message_errno(message, request->lines[0], errno);
+        pel_message_errno(message, request->lines[0]);
         return errno;
     }
     for (int i = 0; i < 3; i++)
@@ -173,30 +163,29 @@ int __wrap_pel_gpio_set(struct pel_gpio *gpio, int line, bool active)
     return 0;
 }
 
-#define OLED                                                            \
-    {                                                                   \
-        PANEL_PAGES, 128, 64, .columns_backward = 1, .rows_backward = 1 \
-    }
+#define ST7789 .family = PANEL_DCS, .columns = 240, .rows = 320
+#define OLED                                                                  \
+    .family = PANEL_PAGES, .columns = 128, .rows = 64, .columns_backward = 1, \
+    .rows_backward = 1
 
-/* Each with what its glass is, of which the first is 240x240. */
+/* Each with the size of the display and its glass; the first is 240x240. */
 static const struct {
     const char *name;
+    int size[2];
     struct panel_glass glass;
-    int width, height; /* of the display */
 } devices[] = {
     {"st7789,spi=/dev/spidev0.0,speed=40M,size=240x240,dc=GPIO25,"
      "reset=gpiochip0:27,light=GPIO18",
-     {.family = PANEL_DCS, .columns = 240, .rows = 320},
-     240,
-     240},
+     {240, 240},
+     {ST7789}},
     {"st7789,spi=/dev/spidev0.0,speed=40000000,size=135x240,rotation=90,"
      "mode=3,dc=GPIO25,brightness=200",
-     {.family = PANEL_DCS, .columns = 240, .rows = 320, .left = 52, .top = 40},
-     240,
-     135},
-    {"ssd1306,i2c=/dev/i2c-1,address=0x3d", OLED, 128, 64},
+     {240, 135},
+     {ST7789, .left = 52, .top = 40}},
+    {"ssd1306,i2c=/dev/i2c-1,address=0x3d", {128, 64}, {OLED}},
     {"ssd1306,i2c=/dev/i2c-1,address=61,size=128x32,rotation=270,inverted",
-     OLED, 32, 128},
+     {32, 128},
+     {OLED}},
 };
 enum { DEVICES = sizeof devices / sizeof *devices };
 
@@ -227,14 +216,10 @@ static enum pel_status flush(const struct pel_rect *area)
     return pel_display_flush(&display, &s);
 }
 
-static int pixel(const struct pel_surface *s, int x, int y)
+static enum pel_status flush_whole(void)
 {
-    const uint8_t *bytes = s->pixels;
-    if (s->format == &pel_mono1_pages)
-        return bytes[y / 8 * s->stride + x] >> (y & 7) & 1;
-    if (s->format == &pel_mono1)
-        return bytes[y * s->stride + x / 8] >> (7 - (x & 7)) & 1;
-    return bytes[y * s->stride + 2 * x] << 8 | bytes[y * s->stride + 2 * x + 1];
+    const struct pel_rect whole = {0, 0, display.width, display.height};
+    return flush(&whole);
 }
 
 static void look(int i)
@@ -246,31 +231,22 @@ static void look(int i)
 
 static void check_glass(int i)
 {
+    int at[2];
     look(i);
     assert_true(glass.on && glass.awake);
-    for (int y = 0; y < display.height; y++)
-        for (int x = 0; x < display.width; x++) {
-            const int right = display.width - 1 - x;
-            const int below = display.height - 1 - y;
-            const int at[4][2] = {
-                {x, y}, {below, x}, {right, below}, {y, right}};
-            const int *p = at[panel.panel.rotation];
-            assert_int_equal(panel_glass_pixel(&glass, p[0], p[1]),
-                             pixel(&panel.frame, x, y));
-        }
+    if (!panel_glass_shows(&glass, &panel.frame, panel.panel.rotation, at))
+        fail_msg("%s: pixel %d, %d", devices[i].name, at[0], at[1]);
 }
 
-static void test_frames(void)
+TEST(frames)
 {
     for (int i = 0; i < DEVICES; i++) {
-        const struct pel_rect whole = {0, 0, devices[i].width,
-                                       devices[i].height};
         assert_int_equal(open_device(i), 0);
-        assert_int_equal(display.width, devices[i].width);
-        assert_int_equal(display.height, devices[i].height);
+        assert_int_equal(display.width, devices[i].size[0]);
+        assert_int_equal(display.height, devices[i].size[1]);
         assert_int_equal(levels[2], i == 0);
         assert_int_equal(mode_set, i == 0 ? 0 : 3);
-        assert_int_equal(flush(&whole), PEL_OK);
+        assert_int_equal(flush_whole(), PEL_OK);
         check_glass(i);
         pel_display_panel_close(&panel);
         assert_int_equal(lines_open, 0);
@@ -278,16 +254,14 @@ static void test_frames(void)
     }
 }
 
-/* What a 240x240 frame, and a window of 10x100, cost, told for docs. */
-static void test_system_calls(void)
+/* What a 240x240 frame, and a window of 10x100, cost. */
+TEST(system_calls)
 {
-    const struct pel_rect whole = {0, 0, 240, 240}, part = {7, 50, 17, 150};
+    const struct pel_rect part = {7, 50, 17, 150};
     assert_int_equal(open_device(0), 0);
     messages = settings = 0;
     bytes_sent = 0;
-    assert_int_equal(flush(&whole), PEL_OK);
-    printf("240x240: %d transfers, %d lines set, %zu bytes, %zu copied\n",
-           messages, settings, bytes_sent, bytes_copied);
+    assert_int_equal(flush_whole(), PEL_OK);
     assert_int_equal(bytes_sent, 240 * 240 * 2 + 11);
     assert_int_equal(messages, 5 + (240 * 240 * 2 + 4095) / 4096);
     assert_int_equal(settings, 5);
@@ -299,27 +273,23 @@ static void test_system_calls(void)
     pel_display_panel_close(&panel);
 }
 
-static int open_files(void)
+/* Another one where a file was left open. */
+static int next_descriptor(void)
 {
-    int n = 0;
-    DIR *folder = opendir("/proc/self/fd");
-    while (folder && readdir(folder))
-        n++;
-    closedir(folder);
-    return n;
+    const int next = dup(0);
+    close(next);
+    return next;
 }
 
-static void test_every_call_that_fails(void)
+TEST(every_call_that_fails)
 {
     static const int errors[] = {EIO,    EINVAL,   ENODEV,    EBUSY,
                                  EACCES, ENOENT,   ENXIO,     EREMOTEIO,
                                  ENOMEM, EMSGSIZE, ETIMEDOUT, ESHUTDOWN,
                                  ENOTTY, EINTR,    EAGAIN};
-    const int files = open_files();
+    const int files = next_descriptor();
     for (size_t k = 0; k < DEVICES * sizeof errors / sizeof *errors; k++) {
         const int i = (int)k % DEVICES;
-        const struct pel_rect whole = {0, 0, devices[i].width,
-                                       devices[i].height};
         error_given = errors[k / DEVICES];
         calls = fail_at = 0;
         do {
@@ -327,7 +297,7 @@ static void test_every_call_that_fails(void)
             int error = open_device(i);
             const bool refused = error;
             if (!error)
-                error = flush(&whole);
+                error = flush_whole();
             const bool failed = calls >= fail_at;
             const bool told = message.text[0];
             pel_display_panel_close(&panel);
@@ -337,14 +307,14 @@ static void test_every_call_that_fails(void)
                 assert_int_equal(failed, error != 0);
             assert_int_equal(error != 0, told);
             assert_int_equal(lines_open, 0);
-            assert_int_equal(open_files(), files);
+            assert_int_equal(next_descriptor(), files);
         } while (calls >= fail_at);
     }
     fail_at = 0;
 }
 
 /* A second program is refused before it has changed anything. */
-static void test_chips_of_others(void)
+TEST(chips_of_others)
 {
     mode_set = -1;
     fail_at = 1; /* the line D/C */
@@ -360,7 +330,7 @@ static void test_chips_of_others(void)
     fail_at = 0;
 }
 
-static void test_i2c_of_other_chips(void)
+TEST(i2c_of_other_chips)
 {
     static const uint8_t bytes[129];
     const struct pel_bus_request request = {
@@ -374,7 +344,7 @@ static void test_i2c_of_other_chips(void)
     pel_bus_linux_close(&bus);
 }
 
-static void test_glass_that_is_refused(void)
+TEST(glass_that_is_refused)
 {
     struct pel_panel_request request;
     static const char *const names[][2] = {
@@ -390,11 +360,4 @@ static void test_glass_that_is_refused(void)
         pel_display_panel_close(&panel);
         assert_int_equal(wire.count, 0);
     }
-}
-
-int main(void)
-{
-    return RUN_TESTS(test_frames, test_system_calls, test_every_call_that_fails,
-                     test_chips_of_others, test_i2c_of_other_chips,
-                     test_glass_that_is_refused);
 }

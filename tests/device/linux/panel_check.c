@@ -74,11 +74,9 @@ static int compare(int glass_width, int glass_height, int quarters)
     int wrong = 0;
     for (int y = 0; y < glass_height; y++)
         for (int x = 0; x < glass_width; x++) {
-            const int right = glass_width - 1 - x, below = glass_height - 1 - y;
-            const int expected = quarters == 0   ? pixel(x, y)
-                                 : quarters == 1 ? pixel(y, right)
-                                 : quarters == 2 ? pixel(right, below)
-                                                 : pixel(below, x);
+            int at[2] = {x, y};
+            panel_glass_turn(quarters, glass_width, glass_height, at);
+            const int expected = pixel(at[0], at[1]);
             wrong += panel_glass_pixel(&glass, x, y) != expected;
         }
     return wrong;
