@@ -141,8 +141,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
-    if (!PEL_FAST_FILLS || !PEL_VECTORS ||
-        !pel_texture_bilinear_fast((const void *)paint, spans))
+    if (!pel_texture_bilinear_fast((const void *)paint, spans))
         pel_color_paint_fill(paint, spans);
 }
 
@@ -154,6 +153,7 @@ enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,
     if (status != PEL_OK)
         return status;
     pel_color_paint_init(&paint->base, colors, paint->base.opaque);
-    paint->base.paint.fill = fill;
+    if (PEL_FAST_FILLS && PEL_VECTORS)
+        paint->base.paint.fill = fill;
     return PEL_OK;
 }
