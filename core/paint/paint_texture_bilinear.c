@@ -141,7 +141,8 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
-    if (!pel_texture_bilinear_fast((const void *)paint, spans))
+    if (!PEL_FAST_FILLS || !PEL_VECTORS ||
+        !pel_texture_bilinear_fast((const void *)paint, spans))
         pel_color_paint_fill(paint, spans);
 }
 
