@@ -39,7 +39,9 @@ static void fill(const struct pel_surface *surface,
     union pel_batch batch;
     struct pel_spans spans = {surface, batch.span, y, 0, 1};
     struct pel_edge edge; /* the long one, from top to bottom */
-    struct pel_side short_side = {.end = p[1], .last = p[2]};
+    struct pel_side short_side;
+    short_side.end = p[1];
+    short_side.last = p[2];
     pel_edge_start(&edge, p[0], p[2], y);
     pel_side_start(&short_side, p[0], y);
     for (; spans.y < bottom; spans.y += spans.n) {
