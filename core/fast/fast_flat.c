@@ -4,10 +4,11 @@
 
 #if PEL_FAST_FILLS
 
+enum { ROWS_AHEAD = 4 }; /* whose memory is asked for */
+
 static void fill32(const struct pel_surface *s,
                    const struct pel_fast_triangle *t, uint32_t pixel)
 {
-    enum { ROWS_AHEAD = 4 };
     const pel_value32 value = pel_make_value32(pixel);
     struct pel_fast_walk w = pel_fast_walk_begin(s, t, 4);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);)

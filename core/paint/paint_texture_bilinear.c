@@ -154,6 +154,7 @@ enum pel_status pel_texture_init_bilinear(struct pel_texture *paint,
     if (status != PEL_OK)
         return status;
     pel_color_paint_init(&paint->base, colors, paint->base.opaque);
-    paint->base.paint.fill = fill;
+    if (PEL_FAST_FILLS && PEL_VECTORS)
+        paint->base.paint.fill = fill;
     return PEL_OK;
 }

@@ -1,5 +1,5 @@
-/* The sides of convex shapes, row by row: the walk of each is a list of edges
- * from the top down. */
+/* The sides of triangles and parallelograms, row by row: each is one edge or
+ * two from the top down. */
 #ifndef PEL_RASTER_SIDES_H
 #define PEL_RASTER_SIDES_H
 
@@ -8,8 +8,8 @@
 
 struct pel_side {
     struct pel_edge edge;
-    const struct pel_point *const *to; /* where the edge ends */
-    int32_t end;                       /* first row below it */
+    const struct pel_point *end;  /* of the edge, */
+    const struct pel_point *last; /* of the side */
 };
 
 /* A batch of spans, and the same as numbers: x0 and x1 of each. */
@@ -34,16 +34,16 @@ static PEL_INLINE_LOOP void pel_edge_walk(struct pel_edge *edge, int32_t *x,
     edge->m = e.m;
 }
 
-/* Begins in row y, above the last point of the list p; edges that end above it
- * are passed. */
+/* Begins in row y, above `last`: the edge from `top` to `end`, or the next one
+ * where that ends above y. */
 static inline void pel_side_start(struct pel_side *s,
-                                  const struct pel_point *const *p, int32_t y)
+                                  const struct pel_point *top, int32_t y)
 {
-    while (pel_first_pixel(p[1]->y) <= y)
-        p++;
-    s->to = p + 1;
-    s->end = pel_first_pixel(p[1]->y);
-    pel_edge_start(&s->edge, p[0], p[1], y);
+    if (pel_first_pixel(s->end->y) <= y) {
+        top = s->end;
+        s->end = s->last;
+    }
+    pel_edge_start(&s->edge, top, s->end, y);
 }
 
 /* Walks n > 0 rows from y on, in which one edge may follow the other. */
@@ -51,14 +51,14 @@ static inline void pel_side_walk(struct pel_side *s, int32_t y, int32_t *x,
                                  int32_t n)
 {
     for (;;) {
-        int32_t k = pel_min(s->end - y, n);
+        int32_t k = pel_min(pel_first_pixel(s->end->y) - y, n);
         pel_edge_walk(&s->edge, x, k);
         n -= k;
         if (n == 0)
             return;
         x += 2 * k;
         y += k;
-        pel_side_start(s, s->to, y);
+        pel_side_start(s, s->end, y);
     }
 }
 

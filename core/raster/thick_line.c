@@ -75,22 +75,23 @@ static PEL_NOINLINE_32 void fill(const struct pel_surface *surface,
         if (v[i].y < v[top].y)
             top = i;
     const struct pel_point *const bottom = &v[(top + 2) & 3];
-    const struct pel_point *const corner[2][3] = {
-        {&v[top], &v[(top + 1) & 3], bottom},
-        {&v[top], &v[(top + 3) & 3], bottom}};
-    const struct pel_rect *clip = &surface->clip;
-    const int32_t y = pel_max(pel_first_pixel(v[top].y), clip->y0);
-    const int32_t end = pel_min(pel_first_pixel(bottom->y), clip->y1);
+    const int32_t end = pel_min(pel_first_pixel(bottom->y), surface->clip.y1);
     struct pel_side side[2];
     union pel_batch batch;
-    struct pel_spans spans = {surface, batch.span, y, 0, 1};
-    for (int k = 0; k < 2 && y < end; k++)
-        pel_side_start(&side[k], corner[k], y);
+    struct pel_spans spans = {surface, batch.span, 0, 0, 1};
+    spans.y = pel_max(pel_first_pixel(v[top].y), surface->clip.y0);
+    if (spans.y >= end)
+        return;
+    side[0].end = &v[(top + 1) & 3];
+    side[1].end = &v[(top + 3) & 3];
+    side[0].last = side[1].last = bottom;
+    pel_side_start(&side[0], &v[top], spans.y);
+    pel_side_start(&side[1], &v[top], spans.y);
     for (; spans.y < end; spans.y += spans.n) {
         spans.n = pel_min(end - spans.y, PEL_BATCH_ROWS);
         pel_side_walk(&side[0], spans.y, batch.x, spans.n);
         pel_side_walk(&side[1], spans.y, batch.x + 1, spans.n);
-        pel_spans_order(batch.span, spans.n, clip);
+        pel_spans_order(batch.span, spans.n, &spans.surface->clip);
         paint->fill(paint, &spans);
     }
 }

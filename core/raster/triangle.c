@@ -39,9 +39,9 @@ static void fill(const struct pel_surface *surface,
     union pel_batch batch;
     struct pel_spans spans = {surface, batch.span, y, 0, 1};
     struct pel_edge edge; /* the long one, from top to bottom */
-    struct pel_side short_side;
+    struct pel_side short_side = {.end = p[1], .last = p[2]};
     pel_edge_start(&edge, p[0], p[2], y);
-    pel_side_start(&short_side, p, y);
+    pel_side_start(&short_side, p[0], y);
     for (; spans.y < bottom; spans.y += spans.n) {
         spans.n = pel_min(bottom - spans.y, PEL_BATCH_ROWS);
         pel_edge_walk(&edge, batch.x + (side == RIGHT), spans.n);

@@ -7,12 +7,9 @@
 static void add(struct pel_quotient *v, const struct pel_quotient *n,
                 int64_t b2)
 {
-    v->q += n->q;
-    v->r += n->r;
-    if (v->r >= b2) {
-        v->r -= b2;
-        v->q++;
-    }
+    const bool carry = v->r + n->r >= b2;
+    v->q += n->q + carry;
+    v->r += n->r - (carry ? b2 : 0);
 }
 
 /* product = v n for n >= 0, by doubling and adding from the highest bit of n

@@ -169,8 +169,7 @@ int32_t pel_nearness(const struct pel_projector *p, int32_t z)
         return (int32_t)(PEL_DEPTH_NEAR - z);
     const int cut = pel_bits_of((uint64_t)p->near_fine) - 31;
     const int64_t near = pel_scale_down(p->near_fine, cut);
-    const int64_t q =
-        pel_scale_down(near * PEL_DEPTH_NEAR / z, p->coarse - cut);
+    int64_t q = pel_scale_down(near * PEL_DEPTH_NEAR / z, p->coarse - cut);
     return q < PEL_DEPTH_NEAR ? (int32_t)q : PEL_DEPTH_NEAR;
 }
 

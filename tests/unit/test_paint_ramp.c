@@ -54,6 +54,16 @@ TEST(exact)
     }
 }
 
+/* In the very middle of a cell the later color counts. */
+TEST(hard_edge_in_the_middle)
+{
+    static const struct pel_stop s[] = {
+        {0, 0xFF000000}, {32768, 0xFF000000}, {32768, 0xFFFFFFFF}};
+    pel_color ramp[1];
+    assert_int_equal(pel_ramp_fill(ramp, 1, s, 3), PEL_OK);
+    assert_int_equal(ramp[0], 0xFFFFFFFF);
+}
+
 TEST(largest)
 {
     static struct pel_stop s[32768];
