@@ -1,13 +1,13 @@
 /* Pel: exact triangles and circles in any framebuffer.
  *
- * Shapes are painted onto surfaces, views of your own memory: a pixel belongs
- * to a shape or it does not. There is no anti-aliasing yet.
+ * Shapes are painted onto surfaces, views of your own memory. A pixel belongs
+ * to a shape or it does not: there is no anti-aliasing yet.
  *
  * Threads: core has no state and takes no lock. Any number of threads may draw
  * at once when no two of them write the same bytes: as bands of one picture.
  * They may share paints, formats, fonts, pictures and meshes, which are only
- * read. Of a struct pel_frame with its scratch memory, of a struct
- * pel_outline_filter and a struct pel_dirty each thread takes its own.
+ * read. What drawing changes is for one thread at a time: a struct pel_frame
+ * with its scratch memory, pel_outline_filter, pel_dirty and pel_stats.
  * Functions may be called from interrupts too.
  *
  * Stability: until 1.0.0 a minor version may change the interface, and the

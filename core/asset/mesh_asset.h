@@ -44,8 +44,8 @@ struct pel_mesh_part {
                          counted from 1 */
 };
 
-/* The first part that ends before it begins, or as the last not where the mesh
- * does; or their number. */
+/* The first part that ends before it begins, or, if it is the last, elsewhere
+ * than the mesh; `parts` when there is none. */
 static inline uint32_t pel_mesh_wrong_part(const struct pel_mesh_part *part,
                                            uint32_t parts, uint32_t vertices,
                                            uint32_t triangles)
@@ -63,7 +63,7 @@ static inline uint32_t pel_mesh_wrong_part(const struct pel_mesh_part *part,
 
 struct pel_image_asset;
 
-/* A texture of its parts. */
+/* A texture of parts of a mesh. */
 struct pel_mesh_image {
     const struct pel_image_asset *image;
     uint8_t wrap_u, wrap_v; /* enum pel_wrap */
@@ -78,8 +78,8 @@ struct pel_mesh_asset {
     struct pel_quantization position; /* world units, y up, right-handed */
     struct pel_quantization texture;  /* u, v; v = 0 is the first row */
 
-    /* Per vertex; NULL when the mesh has none, but for positions; one kind of
-     * normals at most, of length 127 or 32,767, or 0: no direction. */
+    /* Per vertex. All but positions may be NULL, and one kind of normals must
+     * be. Their length is 127 or 32,767; 0: no direction. */
     const int16_t (*positions)[3];
     const int8_t (*normals8)[3];
     const int16_t (*normals16)[3];

@@ -68,7 +68,7 @@ uint64_t pel_divide_fraction(uint64_t n, uint64_t d, uint64_t *fine)
     return q;
 }
 
-/* The same of n, or where it is below 0 of -1 - n. */
+/* Bit by bit. Where n is below 0, floor(n / d) is ~floor((-1 - n) / d). */
 int64_t pel_divide_64(int64_t n, int64_t d, int64_t *rest)
 {
     const int64_t sign = n >> 63;

@@ -26,8 +26,8 @@ struct pel_spans {
     int32_t n, step; /* n <= PEL_BATCH_ROWS */
 };
 
-/* No two formats of a program have the same id: copies between surfaces of one
- * id take their pixels as they are. */
+/* No two formats of a program have the same id, but for palettes: copies
+ * between surfaces of one id take their pixels as they are. */
 enum pel_format_id {
     PEL_FORMAT_RGB565_LE = 1, /* 16: R 15..11, G 10..5, B 4..0 */
     PEL_FORMAT_RGB565_BE,     /* the same, high byte first */
@@ -68,9 +68,9 @@ struct pel_mix {
     uint32_t high, low, high_change, low_change;
 };
 
-/* A way through the cells of a gradient of mixed colors. A cell goes on while
- * the error is below 0, and the next one ends `cell` and cell_rest / unit
- * later; a pixel is a `step`. A cell is less than 7 px wide. */
+/* A way through the cells of a gradient of mixed colors. Each pixel adds `step`
+ * to the error. Where that is 0 or more the cell ends, and cell + cell_rest /
+ * unit is taken away for the next one. A cell is less than 7 px wide. */
 struct pel_walk {
     struct pel_mix mix;
     int32_t error, rest, cell, cell_rest, unit, step;
@@ -80,9 +80,9 @@ struct pel_walk {
 struct pel_channels {
     /* Required for grey whose pixels share bytes; NULL elsewhere. Grey c of n
      * bits shows level ((2^n - 1) c + rows[y & 7][8 (n - 1) + (x & 7)]) / 256
-     * at (x, y) of the surface, whatever that of the spans is. fill: one opaque
-     * color. put: a color for each pixel of the one span, up to the first
-     * that is not opaque; how many. */
+     * at (x, y) of `surface`, which is drawn into instead of that of the spans.
+     * fill: one opaque color. put: a color for each pixel of the one span, up
+     * to the first that is not opaque; returns how many. */
     void (*fill)(const struct pel_surface *surface,
                  const struct pel_spans *spans, pel_color color,
                  const pel_thresholds *rows);
@@ -95,7 +95,7 @@ struct pel_channels {
     bool (*planes)(const struct pel_surface *surface, int32_t x, int32_t y,
                    int32_t n, const struct pel_planes *planes);
 
-    /* The same on a way. */
+    /* The same with the colors of a way. */
     bool (*walk)(const struct pel_surface *surface, int32_t x, int32_t y,
                  int32_t n, const struct pel_walk *walk);
 
@@ -106,7 +106,7 @@ struct pel_channels {
 };
 
 struct pel_format {
-    uint8_t id;   /* enum pel_format_id; 128..254 for formats of your own */
+    uint8_t id;   /* enum pel_format_id; 128..253 for formats of your own */
     uint8_t bits; /* of a pixel: 1, 4, 8, 16, 24 or 32 */
     uint8_t word; /* bytes that pixels and stride are a multiple of */
 

@@ -84,7 +84,7 @@ static inline bool pel_point_legal(struct pel_point p)
     return pel_point_offset(p) >> 24 == 0;
 }
 
-/* Are all n points? */
+/* Are all n points in range? */
 static inline bool pel_points_legal(const struct pel_point *v, int32_t n)
 {
     while (n-- > 0)
@@ -93,7 +93,7 @@ static inline bool pel_points_legal(const struct pel_point *v, int32_t n)
     return true;
 }
 
-/* Are all of a triangle? A loop takes 24 instructions more on an M0+. */
+/* Are a triangle's corners? A loop takes 24 instructions more on an M0+. */
 static inline bool pel_corners_legal(const struct pel_point v[3])
 {
     const uint32_t offset = pel_point_offset(v[0]) | pel_point_offset(v[1]) |

@@ -1,6 +1,6 @@
 /* The result of functions that can fail: those that set something up or take
- * scratch memory. They check their pointers; those that draw calls and hit
- * tests get must not be NULL. A shape that is clipped away is no error. */
+ * scratch memory. They check their pointers; other draw calls and hit tests do
+ * not. A shape that is clipped away is no error. */
 #ifndef PEL_BASE_STATUS_H
 #define PEL_BASE_STATUS_H
 

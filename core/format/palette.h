@@ -34,7 +34,7 @@ struct pel_palette {
             (colors)                                              \
     }
 
-/* A color is its own pixel value: of a key, for example. */
+/* pack and unpack: a color, such as a key's, is its own pixel value. */
 pel_color pel_palette_color(pel_color color);
 
 void pel_palette_load(const struct pel_surface *surface, int32_t x, int32_t y,

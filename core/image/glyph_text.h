@@ -10,12 +10,11 @@ PEL_BEGIN_DECLS
 
 struct pel_stencil {
     const uint8_t *bits; /* rows from the top, the left pixel in the high bit */
-    int32_t
-        stride; /* bytes from a row to the next: those of the width, or more */
+    int32_t stride; /* bytes from row to row: those of the width, or more */
     int32_t width, height; /* px, 0..32,767 */
 };
 
-/* Paints the pixels whose bit is set, each once, with the glyph's left top
+/* Paints the pixels whose bit is set, each once, with the glyph's top left
  * pixel at (x, y). x and y lie in -65,536..65,536 px: otherwise nothing is
  * drawn, which is a broken contract (PEL_ASSERT). */
 void pel_glyph(const struct pel_surface *surface,

@@ -5,7 +5,8 @@
  * is a polynomial of x and y, so it is walked by additions: from pixel to
  * pixel, and from row to row, where the boundary has moved by a few pixels.
  * What lies before it in every row is one call to the format, with one color.
- * Neighbours that are the same pixel value are one cell. */
+ * Neighbours that are the same pixel value are one cell. Functions without a
+ * body here are in gradient.c. */
 #ifndef PEL_PAINT_CELLS_H
 #define PEL_PAINT_CELLS_H
 

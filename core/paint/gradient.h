@@ -1,8 +1,8 @@
 /* Gradients: cells of equal color, drawn as shapes of one color.
  *
- * A ramp of n colors cuts the way from 0 to 1 into n equal cells; cell i,
- * [i/n, (i+1)/n), shows color[i]. pel_ramp_fill() sets each to the gradient's
- * exactly rounded color in the middle of its cell. So
+ * A ramp of n colors, not 2, cuts the way from 0 to 1 into n equal cells;
+ * cell i, [i/n, (i+1)/n), shows color[i]. pel_ramp_fill() sets each to the
+ * gradient's exactly rounded color in the middle of its cell. So
  *  - the color is off by at most slope / (2 n) + 1/2 steps, where slope is the
  *    largest change of a channel per unit of the way: within 1 of the exactly
  *    rounded color when n >= slope / 2 (two stops: 128 colors; the six of a
@@ -10,9 +10,8 @@
  *  - a hard stop at a multiple of 1/n is exact, others move by half a cell;
  *  - the ends are the first and the last stop's color when n > slope.
  *
- * A ramp of two colors needs no array of many: they are mixed on the way, in
- * 256 cells, each with the exactly rounded color of its middle, (i + 1/2) /
- * 256: as pel_ramp_fill() would.
+ * A ramp of two colors mixes them on the way: 256 cells, each with the exactly
+ * rounded color of its middle, as of pel_ramp_fill(), without an array.
  *
  * The cells go on at both ends as the spread says. Each kind of gradient says
  * exactly which pixels a cell holds (paint_linear.h, paint_radial.h,
@@ -34,7 +33,7 @@ enum pel_spread {
 
 struct pel_ramp {
     const pel_color *colors; /* the caller's; must live as long as the paint */
-    int32_t n;               /* 1..32,767 */
+    int32_t n;               /* 1..32,767; 2: they are mixed */
     enum pel_spread spread;
 };
 

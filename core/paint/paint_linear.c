@@ -240,10 +240,10 @@ static bool is_on_way(const struct pel_linear *p, const struct pel_spans *spans,
     return on;
 }
 
-/* The rows of a dither, which shows every cell, from the one where products are
- * least: where the format can walk, if cells are 1/2 to 7 px wide, and the hull
- * is all on the way. Vectors are faster from 3 px on. False: nothing is done.
- */
+/* Fills the rows of a dither, which shows every cell, from the row where
+ * products are least on. False, and nothing is done, unless the format can
+ * walk, cells are 1/2 to 7 px wide (3 px with vectors, which are faster then),
+ * and the hull is all on the way. */
 static bool fill_walked(const struct pel_linear *p,
                         const struct pel_spans *spans, struct pel_span hull)
 {

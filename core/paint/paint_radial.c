@@ -69,10 +69,10 @@ static int32_t quotient(int64_t n, int32_t d)
     return (int32_t)pel_divide((uint64_t)n, (uint32_t)d);
 }
 
-/* The ring that holds the pixel, its place, and the circle where it begins.
- * Ring k does when k radius / n < u, the root rounded up, which is k <= (u n -
- * 1) / radius. On the left side rings begin at the outer circle, unless the
- * last cell of a padded way begins farther inside. */
+/* The ring that holds the pixel, its place, and the circle where it begins. It
+ * is the largest k with k radius / n < u, the root rounded up, which is k <=
+ * (u n - 1) / radius. On the left side rings begin at the outer circle, unless
+ * the last cell of a padded way begins farther inside. */
 static PEL_NOINLINE_32 void find_ring(struct pel_cells *c,
                                       const struct pel_radial *p)
 {

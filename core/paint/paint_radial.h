@@ -35,7 +35,7 @@ enum pel_status pel_radial_init(struct pel_radial *paint,
 /* The square of a pixel's distance from the centre. */
 int64_t pel_radial_square(const struct pel_radial *paint, int32_t x, int32_t y);
 
-/* The fill of spans with narrow rings, by 22 KB of tables on the stack; or
+/* The fill of spans with narrow rings, by tables in 21 KB of stack; or
  * false, and nothing is done. Only where PEL_FAST_FILLS and PEL_64BIT are 1
  * (core/fast). */
 bool pel_radial_fast(const struct pel_radial *paint,

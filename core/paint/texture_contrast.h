@@ -22,8 +22,8 @@
 PEL_BEGIN_DECLS
 
 /* That bound of a channel, 0 to 191, plus 1; of a texture that is repeated, as
- * that bounds the other wrap modes. 0: there is none, as alphas differ, which
- * tell what is drawn; or the texels cannot be read. */
+ * that bounds the other wrap modes. 0: there is none, as alphas differ or the
+ * texels cannot be read. */
 uint8_t pel_texels_contrast(const struct pel_texels *texels);
 PEL_END_DECLS
 #endif

@@ -29,11 +29,12 @@ struct pel_cost {
     uint64_t instructions;
 };
 
-/* Instructions. `turn`: of a loop that an edge begins with, one for each bit of
- * a quotient without a divide instruction, and of the number of rows above the
- * clip. `cut_row`: instead of `row` in a triangle which the clip cuts at the
- * left or right, or larger than 128 px. `run`: more for a row with pixels.
- * `thin`: more for a triangle larger than 4,096 px, or thinner than 1/8 px. */
+/* Instructions. `turn`: of a turn of the loops an edge begins with, one for
+ * each bit of its quotient (without a divide instruction) and of the number of
+ * rows above the clip. `cut_row`: instead of `row` in a triangle which the clip
+ * cuts at the left or right, or larger than 128 px. `run`: more for a row with
+ * pixels. `thin`: more for a triangle larger than 4,096 px, or thinner than 1/8
+ * px. */
 struct pel_cost_rates {
     uint32_t triangle, thin, turn, row, cut_row, run;
     uint32_t pixel; /* 1/16 */

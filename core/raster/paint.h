@@ -7,8 +7,8 @@
  * A paint is a const struct whose first member is a struct pel_paint. Shapes
  * give it their spans, and it colors them as a function of absolute x and y
  * alone. It has no state: one paint serves any number of shapes, threads and
- * bands, and may be in flash. A program adds a paint of its own by writing a
- * fill function (examples/user_paint.c). */
+ * bands, and may be in flash. A program adds a paint of its own by a function
+ * that gives colors (paint/paint_colors.h), or by a fill function. */
 #ifndef PEL_RASTER_PAINT_H
 #define PEL_RASTER_PAINT_H
 

@@ -52,7 +52,7 @@ static inline uint64_t pel_plane_at(const struct pel_plane *p, int32_t x,
 uint64_t pel_plane_at(const struct pel_plane *p, int32_t x, int32_t y);
 #endif
 
-/* The whole part of a value, in 2^-24, that fits. */
+/* The whole part of a value in 2^-24; it must fit. */
 static inline int32_t pel_plane_whole(uint64_t value)
 {
     return PEL_CAST(int32_t, PEL_CAST(int64_t, value) >> 24);

@@ -7,9 +7,9 @@
  * costs time and changes no pixel. */
 enum side { LEFT, RIGHT, UNKNOWN };
 
-/* The middle vertex is right or left of both others, and the long edge
- * opposite, or the sign of a cross product decides, if that fits 32 bits.
- * UNKNOWN also when the clip cuts at the left or right. */
+/* Opposite the middle vertex, where that is right or left of both others;
+ * elsewhere by the sign of a cross product, if that fits 32 bits. UNKNOWN also
+ * when the clip cuts at the left or right. */
 static enum side side_of(const struct pel_point *const p[3],
                          const struct pel_rect *clip)
 {

@@ -92,7 +92,7 @@ struct pel_projected {
 
 /* Projects a vertex to the sub-pixel nearest to the exact projection, or its
  * neighbour, while (S + |x|) D / z < 2^27: S sub-pixels per unit at distance 1,
- * x sub-pixels from the middle of the viewport, D the sum of the three parts of
+ * x sub-pixels from the middle of the viewport, D the sum of the components of
  * the distances from eye to pose and from there to the vertex. The error before
  * rounding is less than (S + |x|) D / z 2^-28 sub-pixels, where the camera's
  * directions are right to 2^-28. */

@@ -47,9 +47,9 @@ struct pel_certificate_item {
  * that the near plane or the range of sub-pixels cuts are compared by their
  * distances alone.
  *
- * Takes at most about `work` steps, of which one compares two boxes, and 40 and
- * one per row two triangles; what is left then is in doubt. UINT32_MAX leaves
- * nothing; 1,800 triangles of a duck took 340,000. Time grows with the
+ * Takes at most about `work` steps: one to compare two boxes, 40 and one per
+ * row to compare two triangles. What is left then is in doubt. UINT32_MAX
+ * leaves nothing; 1,800 triangles of a duck took 340,000. Time grows with the
  * pairs that share rows. `scratch` is aligned to 4 bytes.
  * PEL_ERROR_NULL, PEL_ERROR_SCRATCH. */
 enum pel_status pel_scene_certify(const struct pel_frame *frame, void *scratch,

@@ -63,7 +63,7 @@ static inline bool is_nearer(const struct pel_depth_paint *p, void *held,
 }
 
 /* The first pixel of a part of row y whose test does not give `nearer`, or the
- * part's end. */
+ * part's end. wide: depths of 32 bits. */
 static PEL_INLINE_KINDS int32_t skip_wide(const struct pel_depth_paint *p,
                                           const struct pel_span *part,
                                           int32_t y, bool nearer, bool wide)
@@ -188,7 +188,7 @@ static const struct pel_paint *filter(struct pel_frame *frame,
     pel_plane_set(&plane, pel_frame_setup(frame), near);
     pel_depth_paint_init(p, paint, p->depth, &plane,
                          frame->pass == PEL_PASS_FIRST);
-    /* Of a paint whose colors have any alpha, the opaque ones. */
+    /* Where colors may be translucent the first pass draws opaque ones. */
     if (p->keeps && !frame->opaque)
         pel_color_paint_init(&p->base, colors, false);
     else if (pel_min(pel_min(near[0], near[1]), near[2]) >= SURELY_ABOVE_0)

@@ -11,8 +11,8 @@ static int64_t texel_of(const struct pel_frame *frame, uint32_t vertex, int k)
     return pel_scale_down(v, mesh->texture.shift - 16);
 }
 
-/* Differences are below 2^38; what does not fit 32 bits is mixed without its
- * last 8. */
+/* Differences are below 2^38; where one does not fit 32 bits, all three are
+ * mixed without their last 8 bits. */
 void pel_frame_texels(const struct pel_frame *frame,
                       struct pel_texture_corner corner[3])
 {

@@ -72,7 +72,7 @@ inline void pel_mesh_normal(const struct pel_mesh *mesh, uint32_t vertex,
 }
 
 /* The normal of a triangle, as long as twice its area: below 2^35 in each
- * part. */
+ * component. */
 void pel_mesh_facet(const struct pel_mesh *mesh, const uint32_t corner[3],
                     int64_t normal[3]);
 
@@ -83,7 +83,7 @@ void pel_mesh_facet(const struct pel_mesh *mesh, const uint32_t corner[3],
 size_t pel_mesh_normals_scratch_size(const struct pel_mesh *mesh);
 
 /* Per vertex the mean of its faces' normals, weighted by their areas, scaled to
- * the length 32,767 and rounded: off by less than 0.6 in each part. 0 where a
+ * the length 32,767 and rounded: a component is off by less than 0.6. 0 where a
  * vertex has no face, none with an area, or faces that cancel out. Vertices are
  * those of the indices: two at one position are two, which keeps an edge sharp.
  * `scratch` is aligned to 8 bytes. Errors of pel_mesh_check,

@@ -46,8 +46,8 @@ static PEL_NOINLINE_32 void set_line(struct pel_plane *line, uint64_t from,
 }
 
 /* Sets the map of the pixels from x on, as pixels 0, 1 ..., and returns their
- * number: up to the end of the span when both of its ends can be divided, or
- * one. */
+ * number: up to the end of the span, or one, where an end of it cannot be
+ * divided. */
 static int32_t start(const struct pel_perspective *p, int32_t x, int32_t y,
                      struct pel_texture_map *map)
 {

@@ -7,11 +7,11 @@
 
 PEL_BEGIN_DECLS
 
-/* Pixels between divisions. */
+/* Pixels between divisions, a power of two: u and v are linear in spans of so
+ * many pixels, each of which begins at a multiple of it. */
 enum {
     PEL_SPAN_EXACT = 1, /* a division at every pixel */
-    PEL_SPAN_MAX = 64   /* the largest; a power of two: spans of so many pixels,
-                           from a multiple of it on, are linear */
+    PEL_SPAN_MAX = 64
 };
 
 /* Planes over the screen: w, which is proportional to 1 / z and at most 2^30

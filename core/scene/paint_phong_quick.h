@@ -35,7 +35,7 @@ struct pel_polynomial {
 struct pel_lit_corners {
     int32_t normal[3][3];   /* of any length up to 2^29 */
     int32_t position[3][3]; /* lighting units */
-    uint64_t length;        /* square of a length amid theirs, not 0 */
+    uint64_t length;        /* square of a length between theirs, not 0 */
 };
 
 /* The paint. Its colors are those of `surface`, or where that is NULL linear

@@ -48,28 +48,27 @@ extern const struct pel_depth_sort pel_depth_sort_radix;
 /* All of it is the caller's, and stays while frames of it are drawn. */
 struct pel_scene {
     const struct pel_mesh *mesh;
-    const struct pel_pose
-        *pose; /* NULL: world positions are those of the mesh */
+    const struct pel_pose *pose; /* NULL: pel_pose_none */
     struct pel_camera camera;
     struct pel_rect viewport; /* px; nothing is drawn outside */
 
     const struct pel_shading *shading;   /* shading.h */
     const struct pel_lighting *lighting; /* light.h; for shadings with light */
     const struct pel_mesh_texture *texture; /* shading.h; NULL: no texture */
-    uint32_t textures;    /* in that array; parts name them by number, from 1
-                             on; 0 is 1 */
+    uint32_t textures;    /* in that array, 0 as 1; parts name them by number,
+                             from 1 on */
     pel_color color;      /* of a mesh without colors and parts, as if its
                              alpha were 255 */
     uint8_t transparency; /* 0: opaque; 255: nothing is drawn */
 
     enum pel_cull cull;
 
-    /* For all that is chosen (select.h), which is exact where it is 0: a
-     * channel of a pixel differs by at most so many 1/256 steps, rounded up to
-     * whole ones, from what the exact method gives, before it is packed. */
+    /* For methods that are chosen (select.h); 0: they are exact. How far a
+     * channel may be from that of the exact method, before it is packed: so
+     * many 1/256 steps, rounded up to whole ones. */
     int32_t tolerance;
-    int32_t texel_tolerance; /* of places in textures: 1/256 texel; then what a
-                                channel differs from is the color there */
+    int32_t texel_tolerance; /* how far a place in a texture may be off, 1/256
+                                texel; `tolerance` is from the color there */
     struct pel_stats *stats; /* stats.h; for pel_shade_counted */
 
     /* &pel_depth_sort or another one for painter's order, from the farthest to

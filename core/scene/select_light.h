@@ -79,9 +79,9 @@ bool pel_light_bound(struct pel_frame *frame, const uint8_t note[3],
                      const pel_color color[3], struct pel_lit_corners *corners,
                      struct pel_light_bounds *bounds);
 
-/* The bound of light from paint_phong_quick.h on white, at every pixel, or with
- * lines between the ends of spans that are part / 65,536 of an edge, up to
- * 1/4. */
+/* The bound of light from paint_phong_quick.h on white: computed at every pixel
+ * (part 0), or at the ends of spans, which are part / 65,536 of an edge, up to
+ * 1/4, and linear between. */
 uint64_t pel_light_quick_bound(const struct pel_light_bounds *bounds,
                                uint32_t part);
 PEL_END_DECLS

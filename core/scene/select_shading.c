@@ -48,8 +48,8 @@ static const struct pel_paint *try_vertices(struct pel_frame *frame,
     return pel_frame_gouraud_paint(frame, c->surface, c->lit);
 }
 
-/* How much of an edge a pixel to the right is, 2^-16, rounded up but in
- * triangles of few pixels, where it is too much for spans. */
+/* The part of an edge that a pixel to the right is, 2^-16: rounded up, by more
+ * in triangles of few pixels. */
 static uint32_t edge_part(const struct pel_plane_setup *s)
 {
     const int32_t most =

@@ -61,8 +61,8 @@ struct pel_frame_work {
     struct pel_perspective perspective;
     struct pel_depth_paint depth;
     struct pel_clip clip;
-    uint8_t method; /* of the triangle (select.h), where one is chosen, */
-    uint32_t bound; /* and of its error, 1/256 step */
+    uint8_t method; /* of the triangle, where one is chosen (select.h) */
+    uint32_t bound; /* then of its error, 1/256 step */
 };
 
 /* What is drawn: all, or what can store depths, or the rest of it. */

@@ -8,8 +8,8 @@
 PEL_BEGIN_DECLS
 
 /* Positions in the world: 1/65,536 unit, from -16,384 to 16,384 units. A
- * difference of two fits 32 bits unsigned, and their sum weighted by a unit
- * vector 62. */
+ * difference of two fits 32 bits unsigned; the dot product of three of them and
+ * a unit vector fits 62. */
 typedef int32_t pel_length;
 
 #define PEL_LENGTH_MAX (INT32_C(1) << 30)

@@ -1,4 +1,8 @@
-/* The commands of scripts, one row of a table each. Only for sim/script. */
+/* The commands of scripts, one row of a table each. Only for sim/script.
+ *
+ * A new one is a row in shapes.c, images.c, paints.c or mesh_commands.c, with
+ * the function that it names, and a line of sim/scenes/README.md; a new shape
+ * is a row of explain.c too. */
 #ifndef SIM_SCRIPT_COMMANDS_H
 #define SIM_SCRIPT_COMMANDS_H
 

@@ -185,7 +185,7 @@ static void print_paint(const struct explanation *e,
         printf(" alpha %u", (unsigned)pel_alpha(color));
 }
 
-/* A command that draws. */
+/* Performs a command that draws, and explains what it did to the pixel. */
 static void explain_item(struct explanation *e, const struct script_item *item)
 {
     pel_color color = 0;

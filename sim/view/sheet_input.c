@@ -34,7 +34,7 @@ static void fade(struct style *style, int steps)
     style->alpha = (uint8_t)pel_max(0, pel_min(alpha, 255));
 }
 
-/* The picked shape, or all where none is. */
+/* Changes the picked shape, or all where none is picked. */
 static enum view_action change(struct sheet *s, void (*by)(struct style *, int),
                                int how)
 {
@@ -44,7 +44,7 @@ static enum view_action change(struct sheet *s, void (*by)(struct style *, int),
     return VIEW_CHANGED;
 }
 
-/* What is shown of the picture. */
+/* Keys that choose what is shown of the picture. */
 static enum view_action press_show(struct sheet *s, int key)
 {
     struct inspect *show = &s->inspect;
