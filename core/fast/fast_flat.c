@@ -4,7 +4,7 @@
 
 #if PEL_FAST_FILLS
 
-enum { ROWS_AHEAD = 4 }; /* whose memory is asked for */
+enum { ROWS_AHEAD = 4 }; /* the row that is prefetched */
 
 static void fill32(const struct pel_surface *s,
                    const struct pel_fast_triangle *t, uint32_t pixel)

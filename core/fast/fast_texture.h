@@ -113,20 +113,21 @@ static PEL_ALWAYS_INLINE void pel_texture_put_run(
 {
     /* Pixels may alias what is not local: this stays in registers. */
     const struct pel_texture_steps copy = *steps, *const s = &copy;
-    const uintptr_t size = (uintptr_t)bytes, last = (uintptr_t)r->n - 4;
+    const uintptr_t size = (uintptr_t)bytes, n = (uintptr_t)r->n;
     struct pel_texture_four f;
-    if (r->n < 4) {
-        uint8_t four[16];
+    if (n < 4) {
+        uint32_t words[4];
+        const uint8_t *const four = (const uint8_t *)words;
         f = pel_texture_four_few(s, r);
-        put4(s, kind, &f, (uintptr_t)four);
+        put4(s, kind, &f, (uintptr_t)words);
         memcpy((void *)r->out, four, size);
-        memcpy((void *)(r->out + (last + 4) / 2 * size), four + size, size);
-        memcpy((void *)(r->out + (last + 3) * size), four + 2 * size, size);
+        memcpy((void *)(r->out + n / 2 * size), four + size, size);
+        memcpy((void *)(r->out + (n - 1) * size), four + 2 * size, size);
         return;
     }
     uintptr_t out = r->out;
-    const uintptr_t end = out + last * size;
-    f = pel_texture_four_at(s, r, last);
+    const uintptr_t end = out + (n - 4) * size;
+    f = pel_texture_four_at(s, r, n - 4);
     put4(s, kind, &f, end);
     f = pel_texture_four_at(s, r, 0);
     for (; out < end; out += 4 * size) {

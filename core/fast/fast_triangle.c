@@ -103,9 +103,7 @@ bool pel_triangle_fast(const struct pel_surface *surface,
     const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
     struct pel_fast_triangle t;
     pel_sort_rows(p);
-    const struct pel_rect box = {
-        pel_min(pel_min(p[0]->x, p[1]->x), p[2]->x), p[0]->y,
-        pel_max(pel_max(p[0]->x, p[1]->x), p[2]->x), p[2]->y};
+    const struct pel_rect box = pel_corners_box(v);
     if (!inside(&surface->clip, &box) || box.y1 - box.y0 > PEL_PX(4094))
         return false;
     t.y0 = pel_first_pixel(p[0]->y);

@@ -27,6 +27,24 @@ static inline void pel_span16_short(pel_word16 *p, int32_t n, pel_value16 v)
     }
 }
 
+/* Stores the first n < 8 of eight pixels, by stores that may overlap. */
+static inline void pel_put_part16(pel_word16 *p, int32_t n, pel_u16x8 v)
+{
+    uint16_t eight[8];
+    pel_put_u16x8(eight, v);
+    if (n >= 4) {
+        memcpy(p, eight, 8);
+        memcpy(p + n - 4, eight + n - 4, 8);
+        return;
+    }
+    pel_word16 elsewhere;
+    pel_word16 *q = n > 0 ? p : &elsewhere;
+    const int32_t last = n > 0 ? n - 1 : 0, half = (last + 1) >> 1;
+    q[0] = eight[0];
+    q[half] = eight[half];
+    q[last] = eight[last];
+}
+
 static PEL_ALWAYS_INLINE void pel_span16(pel_word16 *p, int32_t n,
                                          pel_value16 v)
 {

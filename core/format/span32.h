@@ -21,6 +21,17 @@ static inline void pel_span32_short(pel_word32 *p, int32_t n, uint32_t v)
     q[(last + 1) >> 1] = v;
 }
 
+/* Stores the first n < 4 of four pixels, as pel_span32_short. */
+static inline void pel_put_part32(pel_word32 *p, int32_t n, pel_u32x4 v)
+{
+    pel_word32 elsewhere;
+    pel_word32 *q = n > 0 ? p : &elsewhere;
+    const int32_t last = n > 0 ? n - 1 : 0, half = (last + 1) >> 1;
+    q[0] = v[0];
+    q[half] = v[half];
+    q[last] = v[last];
+}
+
 /* Stores retire in order, so each that misses the cache waits for the one
  * before it. So the cache lines `ahead` bytes on, those of a row below, are
  * asked for meanwhile. */

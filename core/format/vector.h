@@ -13,8 +13,8 @@ void pel_blend32(const struct pel_spans *spans, pel_color color);
 /* The same of the three formats of 5-6-5 bits. */
 void pel_blend565(const struct pel_spans *spans, pel_color color);
 
-/* A format's put, of all but the last n % 8 colors: how many. Of 32-bit pixels
- * those that are colors, xrgb8888 and argb8888; 0 of others. */
+/* Puts n - n % 8 colors, and returns how many. Of 32-bit formats those whose
+ * pixels are colors, xrgb8888 and argb8888; 0 of others. */
 int32_t pel_put565(const struct pel_format *format, pel_word16 *p, int32_t n,
                    const pel_color *colors);
 int32_t pel_put32(const struct pel_format *format, pel_word32 *p, int32_t n,

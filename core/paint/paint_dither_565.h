@@ -3,7 +3,7 @@
 #ifndef PEL_PAINT_PAINT_DITHER_565_H
 #define PEL_PAINT_PAINT_DITHER_565_H
 
-#include "../raster/gouraud_spans.h"
+#include "../format/span16.h"
 
 enum { PEL_PLACES = 8 }; /* of a row of the matrix */
 

@@ -182,11 +182,8 @@ static void fill_cells(const struct pel_paint *paint,
     const bool narrow =
         p->base.ramp.spread != PEL_PAD && p->step >> 4 >= p->square;
     const bool far = down > 32 * p->d.x && down > p->cell;
-    pel_cells_fill(paint, spans,
-                   narrow ? 0
-                   : far  ? 1
-                          : PEL_CELL_ROWS,
-                   start, end_cells);
+    const int32_t rows = far ? 1 : PEL_CELL_ROWS;
+    pel_cells_fill(paint, spans, narrow ? 0 : rows, start, end_cells);
 }
 
 /* From the left end of all spans to the right end. */
@@ -230,14 +227,12 @@ static bool fill_copies(const struct pel_linear *p,
 static bool is_on_way(const struct pel_linear *p, const struct pel_spans *spans,
                       struct pel_span hull)
 {
-    const int32_t last = (spans->n - 1) * spans->step;
-    bool on = true;
-    for (int32_t y = spans->y, i = 0; i < 2; i++, y += last)
-        on = on &&
-             along(p, pel_pixel_center(hull.x0), pel_pixel_center(y)) > 0 &&
-             along(p, pel_pixel_center(hull.x1 - 1), pel_pixel_center(y)) <
-                 p->square;
-    return on;
+    const int32_t x0 = pel_pixel_center(hull.x0);
+    const int32_t x1 = pel_pixel_center(hull.x1 - 1);
+    const int32_t top = pel_pixel_center(spans->y);
+    const int32_t bottom = top + 256 * (spans->n - 1) * spans->step;
+    return along(p, x0, top) > 0 && along(p, x0, bottom) > 0 &&
+           along(p, x1, top) < p->square && along(p, x1, bottom) < p->square;
 }
 
 /* Fills the rows of a dither, which shows every cell, from the row where

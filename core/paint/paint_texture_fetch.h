@@ -187,19 +187,20 @@ enum { PEL_TEXTURE_HALF_BACK = 0x80000000u - 0x800000u };
 typedef void pel_texture_fill(const struct pel_paint *paint,
                               const struct pel_spans *spans);
 
-/* In core/fast: the same bytes, four pixels at a time; false where the picture
- * or the format is not for vectors. Nearest textures of texels that are copied
- * as they are, and `other` fills spans that leave the picture; */
+/* In core/fast: the same bytes, four pixels at a time. False, and nothing is
+ * done, where the picture or the format is not for vectors. */
+
+/* Nearest, of texels that are copied as they are; `other` fills spans that
+ * leave the picture. */
 bool pel_texture_nearest_fast(const struct pel_texture *p,
                               const struct pel_spans *spans,
                               pel_texture_fill *other);
 
-/* bilinear ones; */
 bool pel_texture_bilinear_fast(const struct pel_texture *p,
                                const struct pel_spans *spans);
 
-/* and the colors of a run that lies inside the picture with the texels right
- * of it and below. */
+/* The colors of a run that lies inside the picture with the texels right of it
+ * and below. */
 bool pel_texture_bilinear_run(const struct pel_texture *p,
                               const struct pel_texture_axes *a, int32_t n,
                               pel_color *out);

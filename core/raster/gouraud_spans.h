@@ -3,7 +3,7 @@
 #ifndef PEL_RASTER_GOURAUD_SPANS_H
 #define PEL_RASTER_GOURAUD_SPANS_H
 
-#include "../format/vector.h"
+#include "../format/span16.h"
 #include "gouraud.h"
 
 /* Bytes of a pixel where a writer can paint it; 0 elsewhere. */
@@ -98,35 +98,6 @@ pel_gouraud_rgb565x8(struct pel_gouraud_four c, const uint32_t dx[3])
     c = pel_gouraud_add(c, pel_gouraud_times(dx, 1));
     return low | (c.v[2] & 0xF8000000u) | (c.v[1] >> 5 & 0x07E00000u) |
            (c.v[0] >> 11 & 0x001F0000u);
-}
-
-/* Stores the first n < 4 of four pixels, as pel_span32_short. */
-static inline void pel_put_part32(pel_word32 *p, int32_t n, pel_u32x4 v)
-{
-    pel_word32 elsewhere;
-    pel_word32 *q = n > 0 ? p : &elsewhere;
-    const int32_t last = n > 0 ? n - 1 : 0, half = (last + 1) >> 1;
-    q[0] = v[0];
-    q[half] = v[half];
-    q[last] = v[last];
-}
-
-/* Stores the first n < 8 of eight pixels, by stores that may overlap. */
-static inline void pel_put_part16(pel_word16 *p, int32_t n, pel_u16x8 v)
-{
-    uint16_t eight[8];
-    pel_put_u16x8(eight, v);
-    if (n >= 4) {
-        memcpy(p, eight, 8);
-        memcpy(p + n - 4, eight + n - 4, 8);
-        return;
-    }
-    pel_word16 elsewhere;
-    pel_word16 *q = n > 0 ? p : &elsewhere;
-    const int32_t last = n > 0 ? n - 1 : 0, half = (last + 1) >> 1;
-    q[0] = eight[0];
-    q[half] = eight[half];
-    q[last] = eight[last];
 }
 
 /* Stores eight pixels and moves on to the next eight; with constant `bytes`. */

@@ -113,7 +113,7 @@ void pel_plane_corners(struct pel_plane_setup *setup,
     int32_t bx = v[1].x - v[0].x, by = v[1].y - v[0].y;
     int32_t cx = v[2].x - v[0].x, cy = v[2].y - v[0].y;
     const int64_t area = pel_product(bx, cy) - pel_product(cx, by);
-    const int32_t sign = PEL_CAST(int32_t, area >> 63) | (area != 0);
+    const int32_t sign = (int32_t)(area >> 63) | (area != 0);
     bx *= sign;
     by *= sign;
     cx *= sign;
@@ -124,8 +124,8 @@ void pel_plane_corners(struct pel_plane_setup *setup,
     setup->down[0] = cx - bx;
     setup->down[1] = -cx;
     setup->down[2] = bx;
-    setup->area = PEL_CAST(uint64_t, pel_size_of(area));
-    setup->first = PEL_CAST(uint8_t, topmost(v));
+    setup->area = (uint64_t)pel_size_of(area);
+    setup->first = (uint8_t)topmost(v);
     setup->a = v[setup->first];
 }
 

@@ -47,7 +47,8 @@ static PEL_INLINE_FAST void pel_side_start(struct pel_side *s,
     pel_edge_start(&s->edge, top, s->end, y);
 }
 
-/* Walks n > 0 rows from y on, in which one edge may follow the other. */
+/* Walks n > 0 rows from y on, in which one edge may follow the other. Where a
+ * batch begins at the bend, k is 0: what is written then is written again. */
 static inline void pel_side_walk(struct pel_side *s, int32_t y, int32_t *x,
                                  int32_t n)
 {

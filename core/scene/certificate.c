@@ -74,6 +74,7 @@ static void measure(struct search *s, uint32_t rank)
     m->y1 = (int16_t)box.y1;
     m->thin = !c.cut && is_thin(&c);
     set_depths(m, &s->frame->projector, &c);
+    /* The sort puts the largest first: the topmost row. */
     s->entry[s->n] = (struct pel_depth_entry){-box.y0, s->n};
     s->n++;
 }

@@ -78,9 +78,10 @@ static const struct pel_paint *try_quick(struct pel_frame *frame,
     const uint32_t part = edge_part(pel_frame_setup(frame));
     quick->span = b->normal < 49152 ? SPAN_MOST : 0;
     for (; quick->span; quick->span--) {
-        const uint32_t s = part << quick->span;
-        const uint64_t spans = pel_light_quick_bound(b, s);
-        if (s < 16384 && spans <= room - dull) {
+        if (part >= 16384u >> quick->span)
+            continue;
+        const uint64_t spans = pel_light_quick_bound(b, part << quick->span);
+        if (spans <= room - dull) {
             bound = spans;
             break;
         }
