@@ -10,7 +10,7 @@ const struct pel_cost_rates pel_cost_m0plus[PEL_COST_PAINTS] = {
 };
 
 const struct pel_cost_rates pel_cost_m4[PEL_COST_PAINTS] = {
-    {400, 0, 6, 35, 56, 21, 7},         {375, 0, 6, 42, 56, 6, 337},
+    {400, 0, 6, 35, 56, 21, 7},        {375, 0, 6, 42, 56, 6, 337},
     {1040, 4800, 6, 88, 110, 33, 157}, {385, 0, 6, 41, 62, 158, 129},
     {560, 0, 3, 38, 62, 140, 2495},
 };
