@@ -14,10 +14,10 @@ static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
 }
 
 /* The product (P - from).d at pixel (x, y), below 2^49, and above -2^47 before
- * the way; or another that shows the same. Of a padded way none is beyond the
- * end; of others it is less as many times two lengths, there and back, as leave
- * 0 or more. Less 1 where the way is turned: there the boundaries belong to the
- * cells before them. */
+ * the way; or another that shows the same. Of a padded way none is beyond
+ * |d|^2, its end; of others it is less as many times two lengths, there and
+ * back, as leave 0 or more. Less 1 where the way is turned: there the
+ * boundaries belong to the cells before them. */
 static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
                                           int32_t y)
 {
@@ -26,7 +26,7 @@ static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
     int64_t step = p->square;
     int32_t count = 0;
     if (p->base.ramp.spread == PEL_PAD)
-        return product < step ? product : step - 1;
+        return product < step ? product : step;
     do {
         step *= 2;
         count++;
@@ -79,7 +79,7 @@ static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
 
 /* The cell k of a pixel by its product, bit by bit of n, so that the error
  * where it begins is 0 or more and below square. Before a padded way it is the
- * first cell all the same. */
+ * first cell, behind it the last one. */
 static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
                                      const struct pel_linear *p,
                                      int64_t product)
@@ -99,7 +99,7 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
     int32_t place = (int32_t)bits;
     const int32_t n = p->base.cells, period = p->base.period;
     if (place >= period)
-        place -= period;
+        place = p->base.ramp.spread == PEL_PAD ? n - 1 : place - period;
     place = (place ^ mirror) + (mirror & n);
     c->place = place < 0 ? place + period : place;
     if (PEL_CELL_ROWS > 1) {

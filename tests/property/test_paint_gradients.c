@@ -211,6 +211,10 @@ static void any_gradient(struct random *r, struct gradient *g,
     g->kind = (enum kind)(random_word(r) % KINDS);
     g->at = any_point(r, b);
     g->to = any_point(r, b);
+    if (random_word(r) % 8 == 0) { /* more cells than |d|^2 */
+        g->to.x = shape_legal(g->at.x + random_between(r, -9, 9));
+        g->to.y = shape_legal(g->at.y + random_between(r, -9, 9));
+    }
     const uint32_t slope = random_word(r) % 4;
     if (slope == 0)
         g->to.x = g->at.x; /* level */
