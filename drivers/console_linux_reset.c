@@ -32,22 +32,38 @@ static bool show_cursor(int fd)
     return n > 0;
 }
 
-/* Restores a state in which nothing is broken. */
+static bool set_settings(int fd)
+{
+    struct termios t;
+    if (tcgetattr(fd, &t))
+        return false;
+    set_sane(&t);
+    return tcsetattr(fd, TCSAFLUSH, &t) == 0;
+}
+
+/* The first failure is the one to tell. */
+static void check(bool done, const char *what, int *error,
+                  struct pel_message *message)
+{
+    if (!done && !*error)
+        *error = pel_message_errno(message, what);
+}
+
+/* Goes on after a failure: the less is broken, the better. */
 static int reset(int fd, struct pel_message *message)
 {
-    struct pel_console_state state = {.tty = fd,
-                                      .input = fd,
-                                      .framebuffer = -1,
-                                      .kd_mode = KD_TEXT,
-                                      .keyboard_mode = K_UNICODE,
-                                      .vt_mode = {.mode = VT_AUTO},
-                                      .input_flags = -1};
-    bool done = tcgetattr(fd, &state.termios) == 0;
-    set_sane(&state.termios);
-    done = done && pel_console_state_restore(&state);
-    return show_cursor(fd) && done
-               ? 0
-               : pel_message_errno(message, "cannot set up the terminal");
+    struct vt_mode automatic = {.mode = VT_AUTO};
+    int error = 0;
+    check(pel_linux_ioctl(fd, VT_SETMODE, &automatic) == 0,
+          "cannot set automatic switching (VT_SETMODE)", &error, message);
+    check(pel_linux_ioctl_number(fd, KDSKBMODE, K_UNICODE) == 0,
+          "cannot set the keyboard mode (KDSKBMODE)", &error, message);
+    check(pel_linux_ioctl_number(fd, KDSETMODE, KD_TEXT) == 0,
+          "cannot set text mode (KDSETMODE)", &error, message);
+    check(set_settings(fd), "cannot set the terminal (termios)", &error,
+          message);
+    check(show_cursor(fd), "cannot show the cursor", &error, message);
+    return error;
 }
 
 /* Whoever sits at a terminal may set it without being root. */

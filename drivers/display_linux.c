@@ -95,10 +95,21 @@ static int choose(struct pel_display_linux *screen, const char *name,
 static const char *format_name(const struct pel_format *format)
 {
     static const char *const names[] = {
-        "none",        "rgb565_le", "rgb565_be", "bgr565_le",
-        "xrgb1555_le", "rgb888",    "bgr888",    "xrgb8888",
-        "xbgr8888",    "rgbx8888",  "bgrx8888",  "rgb332",
-        "gray8",       "gray4",     "mono1",     "mono1_pages"};
+        [PEL_FORMAT_RGB565_LE] = "rgb565_le",
+        [PEL_FORMAT_RGB565_BE] = "rgb565_be",
+        [PEL_FORMAT_BGR565_LE] = "bgr565_le",
+        [PEL_FORMAT_XRGB1555_LE] = "xrgb1555_le",
+        [PEL_FORMAT_RGB888] = "rgb888",
+        [PEL_FORMAT_BGR888] = "bgr888",
+        [PEL_FORMAT_XRGB8888] = "xrgb8888",
+        [PEL_FORMAT_XBGR8888] = "xbgr8888",
+        [PEL_FORMAT_RGBX8888] = "rgbx8888",
+        [PEL_FORMAT_BGRX8888] = "bgrx8888",
+        [PEL_FORMAT_RGB332] = "rgb332",
+        [PEL_FORMAT_GRAY8] = "gray8",
+        [PEL_FORMAT_GRAY4] = "gray4",
+        [PEL_FORMAT_MONO1] = "mono1",
+        [PEL_FORMAT_MONO1_PAGES] = "mono1_pages"};
     return names[format->id];
 }
 

@@ -50,21 +50,30 @@ static int take_value(struct pel_panel_request *r, const char *key,
 {
     int mode = r->bus.mode, address = r->bus.address;
     const struct {
-        const char *key, **text, *expected;
-        int *first, *second, most, step;
-    } options[] = {
-        {"spi", &r->bus.spi, 0, 0, 0, 0, 0},
-        {"i2c", &r->bus.i2c, 0, 0, 0, 0, 0},
-        {"dc", &r->bus.dc, 0, 0, 0, 0, 0},
-        {"reset", &r->bus.reset, 0, 0, 0, 0, 0},
-        {"light", &r->bus.light, 0, 0, 0, 0, 0},
-        {"size", 0, "a size, 240x240", &r->width, &r->height, 32767, 1},
-        {"offset", 0, "an offset, 52x40", &r->left, &r->top, 32767, 1},
-        {"rotation", 0, "a rotation, 0, 90, 180 or 270", &r->rotation, 0, 270,
-         90},
-        {"brightness", 0, "a brightness, 0 to 255", &r->brightness, 0, 255, 1},
-        {"mode", 0, "a mode of SPI, 0 to 3", &mode, 0, 3, 1},
-        {"address", 0, "an address, 0x3c", &address, 0, 127, 1}};
+        const char *key;
+        const char **text;
+        const char *expected;
+        int *first;
+        int *second; /* or NULL */
+        int most;
+        int step;
+    } options[] = {{"spi", .text = &r->bus.spi},
+                   {"i2c", .text = &r->bus.i2c},
+                   {"dc", .text = &r->bus.dc},
+                   {"reset", .text = &r->bus.reset},
+                   {"light", .text = &r->bus.light},
+                   {"size", .expected = "a size, 240x240", .first = &r->width,
+                    .second = &r->height, .most = 32767, .step = 1},
+                   {"offset", .expected = "an offset, 52x40", .first = &r->left,
+                    .second = &r->top, .most = 32767, .step = 1},
+                   {"rotation", .expected = "a rotation, 0, 90, 180 or 270",
+                    .first = &r->rotation, .most = 270, .step = 90},
+                   {"brightness", .expected = "a brightness, 0 to 255",
+                    .first = &r->brightness, .most = 255, .step = 1},
+                   {"mode", .expected = "a mode of SPI, 0 to 3", .first = &mode,
+                    .most = 3, .step = 1},
+                   {"address", .expected = "an address, 0x3c",
+                    .first = &address, .most = 127, .step = 1}};
     for (size_t i = 0; i < sizeof options / sizeof *options; i++) {
         if (strcmp(key, options[i].key) != 0)
             continue;

@@ -41,8 +41,10 @@ const char *import_name(const char *output, char name[IMPORT_NAME])
     const char *slash = strrchr(output, '/');
     const char *base = slash ? slash + 1 : output;
     size_t n = strcspn(base, ".");
-    if (strcmp(base, "-") == 0 || n == 0)
-        base = "asset", n = 5;
+    if (strcmp(base, "-") == 0 || n == 0) {
+        base = "asset";
+        n = 5;
+    }
     snprintf(name, IMPORT_NAME, "%s%.*s",
              isdigit((unsigned char)*base) ? "_" : "", (int)n, base);
     for (char *p = name; *p; p++)

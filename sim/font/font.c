@@ -24,8 +24,8 @@ static bool read_file(struct font_file *file)
         fwrite(chunk, 1, got, memory);
     }
     const bool whole = memory && !ferror(memory);
-    const char *wrong = !memory || fclose(memory) != 0 || !whole
-                            ? "out of memory"
+    const bool closed = memory && fclose(memory) == 0;
+    const char *wrong = !whole || !closed       ? "out of memory"
                         : file->size > FILE_MAX ? "over 64 MB: expected a font"
                         : ferror(stream)        ? strerror(errno)
                                                 : NULL;

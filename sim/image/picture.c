@@ -110,8 +110,12 @@ static bool write_bmp(const struct picture *p, FILE *file,
     put32(h + 34, size);
     fwrite(h, 1, sizeof h, file);
     for (size_t y = (size_t)p->height; y-- > 0;) {
-        for (size_t x = 0; x < row; x++)
-            putc_unlocked(bytes[y * row + x + 2 - x % 3 * 2], file);
+        const unsigned char *rgb = bytes + y * row;
+        for (const unsigned char *end = rgb + row; rgb < end; rgb += 3) {
+            putc_unlocked(rgb[2], file);
+            putc_unlocked(rgb[1], file);
+            putc_unlocked(rgb[0], file);
+        }
         fwrite("\0\0", 1, padding, file);
     }
     return true;

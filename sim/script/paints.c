@@ -1,6 +1,4 @@
 /* Paints and their settings. Paints are made for every shape that they fill. */
-#include <stdlib.h>
-
 #include "core/paint/paint_dither.h"
 #include "core/paint/paint_fan.h"
 #include "core/paint/paint_hue.h"

@@ -16,11 +16,13 @@ static bool resize(struct show *show, int width, int height)
 {
     struct turntable *t = (struct turntable *)show;
     const bool first = t->width == 0;
-    struct scene_settings settings = *t->settings;
-    settings.camera.width = t->width = width;
-    settings.camera.height = t->height = height;
+    t->width = width;
+    t->height = height;
     if (!first)
         return true;
+    struct scene_settings settings = *t->settings;
+    settings.camera.width = width;
+    settings.camera.height = height;
     const bool turning = t->view.turning;
     const bool done = view_init(&t->view, &settings, t->model);
     t->view.turning = turning;

@@ -28,7 +28,10 @@ bool viewer_init(struct viewer *viewer, struct show *show,
 void viewer_free(struct viewer *viewer)
 {
     pel_input_linux_close(&viewer->input);
-    if (viewer->record && (ferror(viewer->record) | fclose(viewer->record)))
+    if (!viewer->record)
+        return;
+    const bool failed = ferror(viewer->record);
+    if (fclose(viewer->record) != 0 || failed)
         message_error_at(viewer->options->record, 0, "is not complete: %s",
                          strerror(errno));
 }

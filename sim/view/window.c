@@ -148,8 +148,10 @@ static void set_title(struct window *w)
 {
     char title[VIEWER_TITLE_SIZE];
     viewer_title(w->viewer, title);
-    if (strcmp(title, w->title) != 0)
-        SDL_SetWindowTitle(w->window, strcpy(w->title, title));
+    if (strcmp(title, w->title) == 0)
+        return;
+    strcpy(w->title, title);
+    SDL_SetWindowTitle(w->window, title);
 }
 
 /* The first picture is there before the first key. */

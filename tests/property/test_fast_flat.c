@@ -1,7 +1,7 @@
 /* The writers of spans by vectors, and the one that owns the row loop of a
  * triangle (fast_flat.c), against the formats' rule: first rows from 0 to 41 px
- * wide, at every place of a row against 16 bytes, heights on both sides of the
- * one from which rows are prefetched. */
+ * wide, at every place of a row against 16 bytes, heights on both sides of
+ * whole batches of 4, 5 or 8 rows and of the 128 rows of one division. */
 #include "tests/support/canvas.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
@@ -25,9 +25,8 @@ static void set_triangle(struct pel_point v[3], int32_t x, int32_t width,
     v[2] = (struct pel_point){third, up ? top - 1 : top + PEL_PX(height)};
 }
 
-/* Each 10th case may be as high as rows are fetched into the cache for;
- * xrgb8888 and xbgr8888, the three 5-6-5 formats and xrgb1555; one without any
- * writer of its own. */
+/* Each 10th case may be about 128 rows high. xrgb8888 and xbgr8888, the three
+ * 5-6-5 formats and xrgb1555; one without any writer of its own. */
 TEST(colors)
 {
     static const int32_t heights[] = {1, 2, 15, 16, 17, 24, 127, 128, 129};

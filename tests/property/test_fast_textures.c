@@ -1,6 +1,7 @@
 /* The writers of textures (fast_texture_nearest.c, fast_texture_bilinear.c) by
  * triangles, byte for byte against the same triangles in parts, which go
- * through colors: pictures of every kind and odd sizes, u and v from inside the
+ * through colors, those of bilinear ones the test's own: pictures of every kind
+ * and odd sizes, u and v from inside the
  * picture to two pictures outside, runs of every length up to 70 px, each
  * picture in memory of its own size, so that a sanitizer sees what is read
  * beside it. */
@@ -100,13 +101,68 @@ static struct pel_texture texture_of(const struct picture *p,
     return t;
 }
 
-/* In four parts, pixel by pixel. */
+/* Texel i of a row or column, or the one that stands for it outside. */
+static int64_t wrapped(int64_t i, int64_t size, int wrap)
+{
+    const int64_t period = wrap == PEL_WRAP_REPEAT ? size : 2 * size;
+    if (wrap == PEL_WRAP_CLAMP)
+        return i < 0 ? 0 : i >= size ? size - 1 : i;
+    i = (i % period + period) % period;
+    return i < size ? i : 2 * size - 1 - i;
+}
+
+static pel_color texel_at(const struct pel_texture *t, int64_t u, int64_t v)
+{
+    pel_color color;
+    u = wrapped(u, t->width, t->wrap_u);
+    v = wrapped(v, t->height, t->wrap_v);
+    if (!t->surface)
+        memcpy(&color, t->memory + v * t->stride + 4 * u, 4);
+    else
+        t->surface->format->load(t->surface, (int32_t)u + t->surface->bounds.x0,
+                                 (int32_t)v + t->surface->bounds.y0, 1, &color);
+    return color;
+}
+
+/* A place in 1/256 texel from the middle of texel 0, rounded. */
+static int64_t place(const struct pel_plane *p, int32_t x, int32_t y)
+{
+    const uint64_t at = p->at + p->dx * (uint64_t)x + p->dy * (uint64_t)y;
+    return ((int64_t)at - (INT64_C(1) << 31) + (1 << 23)) >> 24;
+}
+
+/* Bilinear textures channel by channel, as paint_texture.h has them. */
+static void bilinear_colors(const struct pel_color_paint *paint, int32_t x,
+                            int32_t y, int32_t n, pel_color *colors)
+{
+    const struct pel_texture *t = (const void *)paint;
+    for (int32_t i = 0; i < n; i++) {
+        const int64_t u = place(&t->map.u, x + i, y);
+        const int64_t v = place(&t->map.v, x + i, y);
+        const uint32_t fu = u & 255, fv = v & 255;
+        const uint32_t weight[4] = {(256 - fu) * (256 - fv), fu * (256 - fv),
+                                    (256 - fu) * fv, fu * fv};
+        uint32_t sum[4] = {32768, 32768, 32768, 32768};
+        for (int k = 0; k < 16; k++)
+            sum[k / 4] += weight[k % 4] * (texel_at(t, (u >> 8) + k % 2,
+                                                    (v >> 8) + k / 2 % 2) >>
+                                               k / 4 * 8 &
+                                           255);
+        colors[i] = sum[0] >> 16 | sum[1] >> 16 << 8 | sum[2] >> 16 << 16 |
+                    sum[3] >> 16 << 24;
+    }
+}
+
+/* In four parts, nearest ones by core's own colors, bilinear ones by those
+ * above. */
 static void draw_parts(struct target *t, const struct drawing *d,
                        const struct pel_texture *texture, int32_t x, int32_t y)
 {
     const struct pel_rect all = t->surface.bounds;
     struct pel_texture plain = *texture;
     plain.base.paint.fill = pel_color_paint_fill;
+    if (d->bilinear)
+        plain.base.colors = bilinear_colors;
     for (int i = 0; i < 4; i++) {
         const struct pel_rect clip = {i & 1 ? x : all.x0, i & 2 ? y : all.y0,
                                       i & 1 ? all.x1 : x, i & 2 ? all.y1 : y};

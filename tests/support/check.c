@@ -1,5 +1,6 @@
 #include "check.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 
 enum { TESTS_MAX = 64 };
@@ -33,6 +34,10 @@ void add_test(const char *name, test_function *function, int line)
 
 int run_all_tests(void)
 {
+    if (count == 0) {
+        fputs("no TEST in this program\n", stderr);
+        abort();
+    }
     for (size_t i = 0; i < count; i++) {
         units[i].test_func = run;
         units[i].initial_state = &tests[i];

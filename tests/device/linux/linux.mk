@@ -15,8 +15,8 @@ LINUX_CACHE := $(PEL_CACHE)/linux-vm
 LINUX_ROWS := $(shell sed -n 's/^\([a-z0-9_]*\)|.*/\1/p' $(LINUX_HERE)/rows.txt)
 LINUX_JOBS ?= $(shell nproc 2>/dev/null || echo 1)
 
-LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout panel_bus input_devices \
-               panel_check vm screen_check reference)
+LINUX_TOOLS := $(addprefix $(LINUX_CHECK)/, layout panel_bus console_reset \
+               input_devices panel_check vm screen_check reference)
 LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
                pel_no_draw fb_mode console_state faults frames \
                touch_device pel_gpiod2 faults_gpiod2)
@@ -49,6 +49,14 @@ $(LINUX_CHECK)/panel_bus: $(LINUX_HERE)/panel_bus.c $(LINUX_OBJECTS) \
 	    $(LINUX_PANEL_WRAPS:%=-Wl$(comma)--wrap=%) $^ $(LINUX_LIBS) -lcmocka \
 	    -o $@
 
+LINUX_RESET_WRAPS := open close ioctl tcgetattr tcsetattr write
+$(LINUX_CHECK)/console_reset: $(LINUX_HERE)/console_reset.c $(LINUX_OBJECTS) \
+    tests/support/check.c tests/support/main.c $(BUILD)/libpel.a
+	@mkdir -p $(@D)
+	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) \
+	    $(LINUX_RESET_WRAPS:%=-Wl$(comma)--wrap=%) $^ $(LINUX_LIBS) -lcmocka \
+	    -o $@
+
 LINUX_INPUT_WRAPS := access open epoll_ctl libevdev_new_from_fd libevdev_get_fd \
     libevdev_set_clock_id libevdev_next_event pel_gpio_open pel_gpio_close \
     pel_gpio_levels pel_gpio_edges pel_gpio_descriptors
@@ -64,7 +72,7 @@ $(LINUX_CHECK)/panel_check: $(LINUX_HERE)/panel_check.c \
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $^ -lcmocka -o $@
 
-$(filter-out %/layout %/panel_bus %/input_devices %/panel_check,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
+$(filter-out %/layout %/panel_bus %/console_reset %/input_devices %/panel_check,$(LINUX_TOOLS)): $(LINUX_CHECK)/%: $(LINUX_HERE)/%.c
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $< -o $@
 
@@ -135,6 +143,7 @@ check-linux: linux-image ## fbdev, DRM, consoles and panels on a real kernel in 
 	@mkdir -p $(LINUX_CHECK)/rows
 	@$(LINUX_CHECK)/layout
 	@$(LINUX_CHECK)/panel_bus
+	@$(LINUX_CHECK)/console_reset
 	@$(LINUX_CHECK)/input_devices
 	@$(LINUX_HERE)/jobs.sh $(BUILD)/pel $(LINUX_CHECK)/jobs
 	@$(LINUX_HERE)/messages.sh $(abspath $(BUILD)) \

@@ -10,7 +10,6 @@
 #include <linux/i2c.h>
 #include <linux/spi/spidev.h>
 #include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
@@ -20,17 +19,16 @@
 #include "drivers/display_linux_panel.h"
 #include "tests/support/panel_glass.h"
 
-enum { BUFSIZ_OF_SPIDEV = 4096, CACHE_LINE = 128 };
+enum { BUFSIZ_OF_SPIDEV = 4096, CACHE_LINE = 128, DEVICES = 4 };
 
 static struct bus_log wire; /* what went over it */
 static struct panel_glass glass;
 static struct pel_display_panel panel;
 static struct pel_display display;
-static int mode_set;
-static int levels[3], lines_open; /* D/C, reset, light */
+static struct pel_message message;
+static int mode_set, lines_open, levels[3]; /* D/C, reset, light */
 static int calls, fail_at, error_given;
-static int messages, settings; /* system calls: transfers, lines */
-static size_t bytes_sent, bytes_copied;
+static size_t messages, lines_set, bytes_sent, bytes_copied;
 
 static int fails(void)
 {
@@ -112,8 +110,7 @@ int __wrap_ioctl(int fd, unsigned long request, ...)
     else if (request == SPI_IOC_WR_MODE)
         mode_set = *(uint8_t *)argument;
     else if (_IOC_TYPE(request) == SPI_IOC_MAGIC && _IOC_NR(request) == 0)
-        take_spi(argument,
-                 _IOC_SIZE(request) / sizeof(struct spi_ioc_transfer));
+        take_spi(argument, _IOC_SIZE(request) / SPI_MSGSIZE(1));
     return 0;
 }
 
@@ -127,14 +124,12 @@ int __wrap_open(const char *path, int flags, ...)
 
 int __wrap_pel_gpio_open(struct pel_gpio *gpio,
                          const struct pel_gpio_request *request,
-                         struct pel_message *message)
+                         struct pel_message *m)
 {
     static const char *const names[] = {"GPIO25", "27", "GPIO18"};
     memset(gpio, 0, sizeof *gpio);
-    if (fails()) {
-        pel_message_errno(message, request->lines[0]);
-        return errno;
-    }
+    if (fails())
+        return pel_message_errno(m, request->lines[0]);
     for (int i = 0; i < 3; i++)
         if (strcmp(names[i], request->lines[0]) == 0)
             gpio->request = &levels[i];
@@ -159,7 +154,7 @@ int __wrap_pel_gpio_set(struct pel_gpio *gpio, int line, bool active)
     if (level == &levels[1] && !active)
         wire.log[wire.count++] = BUS_LOG_RESET;
     *level = active;
-    settings++;
+    lines_set++;
     return 0;
 }
 
@@ -173,7 +168,7 @@ static const struct {
     const char *name;
     int size[2];
     struct panel_glass glass;
-} devices[] = {
+} devices[DEVICES] = {
     {"st7789,spi=/dev/spidev0.0,speed=40M,size=240x240,dc=GPIO25,"
      "reset=gpiochip0:27,light=GPIO18",
      {240, 240},
@@ -187,16 +182,13 @@ static const struct {
      {32, 128},
      {OLED}},
 };
-enum { DEVICES = sizeof devices / sizeof *devices };
-
-static struct pel_message message;
 
 static int open_device(int i)
 {
     struct pel_panel_request request;
     wire.count = 0;
-    calls = messages = settings = lines_open = 0;
-    bytes_sent = bytes_copied = 0;
+    calls = lines_open = 0;
+    messages = lines_set = bytes_sent = bytes_copied = 0;
     message.text[0] = 0;
     assert_int_equal(pel_panel_parse(&request, devices[i].name, &message), 0);
     const int error = pel_display_panel_open(&panel, &request, &message);
@@ -204,22 +196,18 @@ static int open_device(int i)
     return error ? error : pel_display_panel_start(&display, &panel, &request);
 }
 
-/* A frame of noise, or a part of it. */
-static enum pel_status flush(const struct pel_rect *area)
+/* A frame of noise, or a part of it; NULL: all. */
+static enum pel_status flush(const struct pel_rect *part)
 {
+    const struct pel_rect whole = {0, 0, display.width, display.height};
     struct pel_surface s;
-    assert_int_equal(pel_display_begin(&display, area, &s), PEL_OK);
+    part = part ? part : &whole;
+    assert_int_equal(pel_display_begin(&display, part, &s), PEL_OK);
     uint8_t *bytes = s.pixels;
     const int32_t n = display.width * display.height * display.format->bits / 8;
     for (int32_t i = 0; i < n; i++)
         bytes[i] = (uint8_t)rand();
     return pel_display_flush(&display, &s);
-}
-
-static enum pel_status flush_whole(void)
-{
-    const struct pel_rect whole = {0, 0, display.width, display.height};
-    return flush(&whole);
 }
 
 static void look(int i)
@@ -246,7 +234,7 @@ TEST(frames)
         assert_int_equal(display.height, devices[i].size[1]);
         assert_int_equal(levels[2], i == 0);
         assert_int_equal(mode_set, i == 0 ? 0 : 3);
-        assert_int_equal(flush_whole(), PEL_OK);
+        assert_int_equal(flush(NULL), PEL_OK);
         check_glass(i);
         pel_display_panel_close(&panel);
         assert_int_equal(lines_open, 0);
@@ -259,12 +247,11 @@ TEST(system_calls)
 {
     const struct pel_rect part = {7, 50, 17, 150};
     assert_int_equal(open_device(0), 0);
-    messages = settings = 0;
-    bytes_sent = 0;
-    assert_int_equal(flush_whole(), PEL_OK);
+    messages = lines_set = bytes_sent = 0;
+    assert_int_equal(flush(NULL), PEL_OK);
     assert_int_equal(bytes_sent, 240 * 240 * 2 + 11);
     assert_int_equal(messages, 5 + (240 * 240 * 2 + 4095) / 4096);
-    assert_int_equal(settings, 5);
+    assert_int_equal(lines_set, 5);
     assert_int_equal(bytes_copied, 0);
     messages = 0;
     assert_int_equal(flush(&part), PEL_OK);
@@ -297,7 +284,7 @@ TEST(every_call_that_fails)
             int error = open_device(i);
             const bool refused = error;
             if (!error)
-                error = flush_whole();
+                error = flush(NULL);
             const bool failed = calls >= fail_at;
             const bool told = message.text[0];
             pel_display_panel_close(&panel);
