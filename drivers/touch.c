@@ -1,7 +1,5 @@
 #include "touch.h"
 
-#include <pel/base/divide.h>
-
 static bool in_range(struct pel_touch_point p)
 {
     return p.x >= 0 && p.x <= PEL_TOUCH_MOST && p.y >= 0 &&
@@ -26,12 +24,18 @@ static int32_t determinant(int a, int b, int c, int d)
  * or more. */
 static bool ratio(int32_t n, int32_t d, int32_t *result)
 {
-    const uint32_t size = (uint32_t)pel_magnitude(n);
-    const uint32_t divisor = (uint32_t)pel_magnitude(d);
-    if (size / 2 >= divisor)
+    const bool negative = (n < 0) != (d < 0);
+    uint32_t rest = n < 0 ? 0 - (uint32_t)n : (uint32_t)n;
+    const uint32_t divisor = d < 0 ? 0 - (uint32_t)d : (uint32_t)d;
+    int32_t quotient = 0;
+    if (rest >> 1 >= divisor)
         return false;
-    const int32_t q = (int32_t)pel_divide((uint64_t)size << 16, divisor);
-    *result = (n < 0) != (d < 0) ? -q : q;
+    for (int32_t bit = 65536; bit > 0; bit >>= 1, rest <<= 1)
+        if (rest >= divisor) {
+            rest -= divisor;
+            quotient |= bit;
+        }
+    *result = negative ? -quotient : quotient;
     return true;
 }
 

@@ -343,7 +343,8 @@ TEST(writers_are_taken)
                 {3, true},
                 {OPAQUE_COLORS, true}};
     struct random r = {6};
-    for (size_t i = 0; PEL_VECTORS && i < sizeof made / sizeof *made; i++) {
+    for (size_t i = 0;
+         PEL_FAST_FILLS && PEL_VECTORS && i < sizeof made / sizeof *made; i++) {
         struct picture p = {.kind = made[i].kind, .width = 64, .height = 64};
         struct drawing d = {.v = {PEL_AT(1, 1), PEL_AT(60, 2), PEL_AT(3, 50)},
                             .map = PEL_TEXTURE_AT(-1, -1),
