@@ -12,6 +12,7 @@
 #include "drivers/crc.h"
 #include "tests/support/check.h"
 #include "tests/support/layouts.h"
+#include "tests/support/paint_math.h"
 #include "tests/support/shapes.h"
 
 enum { WIDTH = 96, HEIGHT = 64, LINE = WIDTH * 4 + 12 };
@@ -101,21 +102,11 @@ static struct pel_texture texture_of(const struct picture *p,
     return t;
 }
 
-/* Texel i of a row or column, or the one that stands for it outside. */
-static int64_t wrapped(int64_t i, int64_t size, int wrap)
-{
-    const int64_t period = wrap == PEL_WRAP_REPEAT ? size : 2 * size;
-    if (wrap == PEL_WRAP_CLAMP)
-        return i < 0 ? 0 : i >= size ? size - 1 : i;
-    i = (i % period + period) % period;
-    return i < size ? i : 2 * size - 1 - i;
-}
-
 static pel_color texel_at(const struct pel_texture *t, int64_t u, int64_t v)
 {
     pel_color color;
-    u = wrapped(u, t->width, t->wrap_u);
-    v = wrapped(v, t->height, t->wrap_v);
+    u = texel_index(u, t->width, t->wrap_u);
+    v = texel_index(v, t->height, t->wrap_v);
     if (!t->surface)
         memcpy(&color, t->memory + v * t->stride + 4 * u, 4);
     else
@@ -142,14 +133,15 @@ static void bilinear_colors(const struct pel_color_paint *paint, int32_t x,
         const uint32_t fu = u & 255, fv = v & 255;
         const uint32_t weight[4] = {(256 - fu) * (256 - fv), fu * (256 - fv),
                                     (256 - fu) * fv, fu * fv};
-        uint32_t sum[4] = {32768, 32768, 32768, 32768};
-        for (int k = 0; k < 16; k++)
-            sum[k / 4] += weight[k % 4] * (texel_at(t, (u >> 8) + k % 2,
-                                                    (v >> 8) + k / 2 % 2) >>
-                                               k / 4 * 8 &
-                                           255);
-        colors[i] = sum[0] >> 16 | sum[1] >> 16 << 8 | sum[2] >> 16 << 16 |
-                    sum[3] >> 16 << 24;
+        colors[i] = 0;
+        for (int k = 0; k < 32; k += 8) {
+            uint32_t sum = 32768;
+            for (int j = 0; j < 4; j++)
+                sum += weight[j] *
+                       (texel_at(t, (u >> 8) + j % 2, (v >> 8) + j / 2) >> k &
+                        255);
+            colors[i] |= sum >> 16 << k;
+        }
     }
 }
 

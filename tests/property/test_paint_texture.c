@@ -42,20 +42,11 @@ static void open_random_picture(struct random *r, bool noise)
     picture.wrap_v = (enum pel_wrap)(random_word(r) % 3);
 }
 
-static int64_t wrapped(int64_t i, int64_t size, enum pel_wrap wrap)
-{
-    const int64_t period = wrap == PEL_WRAP_REPEAT ? size : 2 * size;
-    if (wrap == PEL_WRAP_CLAMP)
-        return i < 0 ? 0 : i >= size ? size - 1 : i;
-    i = (i % period + period) % period;
-    return i < size ? i : 2 * size - 1 - i;
-}
-
 static pel_color texel_at(int64_t u, int64_t v)
 {
     const int64_t w = picture.texels.width, h = picture.texels.height;
-    return picture.texel[wrapped(v, h, picture.wrap_v) * w +
-                         wrapped(u, w, picture.wrap_u)];
+    return picture.texel[texel_index(v, h, picture.wrap_v) * w +
+                         texel_index(u, w, picture.wrap_u)];
 }
 
 /* Twice the signed area of a, b, and the point (x, y). */
@@ -292,8 +283,8 @@ static void check_formats(const struct pel_format *from,
     canvas_check(&target);
     for (int32_t y = large.y0; y < large.y1; y++)
         for (int32_t x = large.x0; x < large.x1; x++) {
-            int64_t u = wrapped(x - 3, 19, (enum pel_wrap)wrap) + small.x0;
-            int64_t v = wrapped(y + 9, 11, (enum pel_wrap)wrap) + small.y0;
+            int64_t u = texel_index(x - 3, 19, (enum pel_wrap)wrap) + small.x0;
+            int64_t v = texel_index(y + 9, 11, (enum pel_wrap)wrap) + small.y0;
             pel_color texel = layout_unpack(
                 source.layout, canvas_pixel(&source, (int32_t)u, (int32_t)v));
             if (canvas_pixel(&target, x, y) !=

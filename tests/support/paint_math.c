@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "check.h"
+#include "core/paint/paint_texture.h"
 
 /* Newton from a start that is never too small: falls until it stands still. */
 real real_root(real v)
@@ -79,4 +80,13 @@ void histogram_end(const struct histogram *h)
         fprintf(f, "%.6Lg,%llu\n", (real)(i + 1) * h->step,
                 (unsigned long long)h->count[i]);
     fclose(f);
+}
+
+int64_t texel_index(int64_t i, int64_t size, int wrap)
+{
+    const int64_t period = wrap == PEL_WRAP_REPEAT ? size : 2 * size;
+    if (wrap == PEL_WRAP_CLAMP)
+        return i < 0 ? 0 : i >= size ? size - 1 : i;
+    i = (i % period + period) % period;
+    return i < size ? i : 2 * size - 1 - i;
 }

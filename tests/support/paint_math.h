@@ -42,4 +42,7 @@ struct histogram {
 void histogram_add(struct histogram *h, real error);
 void histogram_end(const struct histogram *h);
 
+/* Texel i of a row or column, or the one that stands for it outside. */
+int64_t texel_index(int64_t i, int64_t size, int wrap);
+
 #endif
