@@ -181,13 +181,12 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
             do {
                 if (pel_cells_more(c))
                     end(c, 1);
-                if (--left == 0)
-                    c->hi = c->x;
-            } while (c->x < c->hi && c->value == value && c->draw == draw);
+            } while (--left && c->x < c->hi && c->value == value &&
+                     c->draw == draw);
             c->run[0].x1 = c->x;
         }
         pel_fill_value(&c->cell, value, draw);
-    } while (PEL_CELL_ROWS > 1 ? rest : c->x < c->hi);
+    } while (PEL_CELL_ROWS > 1 ? rest : left && c->x < c->hi);
 }
 
 /* Fills spans, `most` rows at a time; 0: one, and every pixel looks for its

@@ -4,12 +4,13 @@ enum { FAR = 1 << 20 }; /* px: to the right of every pixel */
 
 /* A mixed color in less code: a + (b - a) part / 512, rounded. */
 static inline pel_color mixed_by_channels(pel_color a, pel_color b,
-                                          uint32_t part)
+                                          int32_t part)
 {
     pel_color color = 0;
-    for (int k = 0; k < 4; k++, a <<= 8, b <<= 8) {
-        const uint32_t sum = (a >> 24) * 512 + ((b >> 24) - (a >> 24)) * part;
-        color = color << 8 | (sum + 256) >> 9;
+    for (int k = 4; k > 0; k--, a <<= 8, b <<= 8) {
+        const int32_t from = (int32_t)(a >> 24), to = (int32_t)(b >> 24);
+        const int32_t level = from + (((to - from) * part + 256) >> 9);
+        color = (color << 8) + (uint32_t)level;
     }
     return color;
 }
@@ -20,7 +21,7 @@ static pel_color ramp_color(const struct pel_gradient *g, int32_t cell)
     if (g->ramp.n != 2)
         return g->ramp.colors[cell];
     if (!PEL_KNOW_SIDES)
-        return mixed_by_channels(a, b, 2 * (uint32_t)cell + 1);
+        return mixed_by_channels(a, b, 2 * cell + 1);
     return pel_mixed(pel_mix_from(g, cell, 1));
 }
 

@@ -18,8 +18,7 @@ static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
  * |d|^2, its end; of others it is less as many times two lengths, there and
  * back, as leave 0 or more. Less 1 where the way is turned: there the
  * boundaries belong to the cells before them. */
-static PEL_NOINLINE_32 int64_t product_at(const struct pel_linear *p, int32_t x,
-                                          int32_t y)
+static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y)
 {
     int64_t product =
         along(p, pel_pixel_center(x), pel_pixel_center(y)) + (p->way >> 31);
@@ -304,10 +303,10 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     if ((d.x | d.y) == 0)
         return PEL_ERROR_SIZE;
     paint->base.paint.fill = fill;
-    const bool level = PEL_CELL_ROWS > 1 && d.x == 0;
-    const bool turn = d.x < 0 || (level && d.y < 0);
-    paint->way = turn ? -1 : level || d.x > 0;
-    if (turn) {
+    paint->way = (d.x > 0) - (d.x < 0);
+    if (PEL_CELL_ROWS > 1 && d.x == 0)
+        paint->way = d.y < 0 ? -1 : 1;
+    if (paint->way < 0) {
         from = to;
         d = (struct pel_point){-d.x, -d.y};
     }
