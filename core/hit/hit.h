@@ -1,7 +1,8 @@
 /* Hit testing: each function is true for exactly the pixels that the fill of
  * the same name covers, in a few multiplications: for a polygon, per edge that
  * crosses the row; for a sector or an arc after two directions, for a thick
- * line after a root. A pixel or a shape out of range is not hit. Outlines and the clip do not count. */
+ * line after a root. A pixel or a shape out of range is not hit. Outlines and
+ * the clip do not count. */
 #ifndef PEL_HIT_HIT_H
 #define PEL_HIT_HIT_H
 
