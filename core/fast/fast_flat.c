@@ -4,8 +4,6 @@
 
 #if PEL_FAST_FILLS
 
-enum { ROWS_AHEAD = 4 }; /* the row that is prefetched */
-
 static void fill32(const struct pel_surface *s,
                    const struct pel_fast_triangle *t, uint32_t pixel)
 {
@@ -13,7 +11,7 @@ static void fill32(const struct pel_surface *s,
     struct pel_fast_walk w = pel_fast_walk_begin(s, t, 4);
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);)
         pel_span32((pel_word32 *)(w.row + 4 * (uintptr_t)x), n, value,
-                   ROWS_AHEAD * w.pitch);
+                   PEL_ROWS_AHEAD * w.pitch);
 }
 
 static void fill16(const struct pel_surface *s,

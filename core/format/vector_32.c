@@ -2,8 +2,6 @@
 
 #if PEL_VECTORS
 
-enum { ROWS_AHEAD = 4 };
-
 /* Colors as the bytes of two pixels, 16 bits each, that are put over others of
  * any order of channels. */
 struct source {
@@ -83,7 +81,7 @@ void pel_blend32(const struct pel_spans *spans, pel_color color)
         return; /* the X byte stays as it is, too */
     const struct source s = source_of(spans->surface->format, color);
     const struct pel_span *span = spans->span;
-    const uintptr_t ahead = ROWS_AHEAD * (uintptr_t)pel_spans_pitch(spans);
+    const uintptr_t ahead = PEL_ROWS_AHEAD * (uintptr_t)pel_spans_pitch(spans);
     int32_t y = spans->y;
     for (int32_t i = 0; i < spans->n; i++, span++, y += spans->step)
         blend_span(pel_address32(spans->surface, span->x0, y),

@@ -36,6 +36,10 @@ static inline void pel_prefetch(uintptr_t address)
 }
 #endif
 
+/* pel_prefetch is asked for memory so many rows below the one that is written.
+ */
+enum { PEL_ROWS_AHEAD = 4 };
+
 static inline uint32_t pel_swap32(uint32_t v)
 {
     return pel_swap16(v) << 16 | pel_swap16(v >> 16);

@@ -37,10 +37,9 @@ static bool visible_part(const struct pel_surface *surface,
 static PEL_ALWAYS_INLINE void ask_ahead(const struct pel_surface *s,
                                         const struct pel_rect *r, int32_t y)
 {
-    enum { ROWS_AHEAD = 4 };
     const int32_t bits = s->format->bits, bytes = (r->x1 - r->x0) * bits / 8;
     const uintptr_t row =
-        (uintptr_t)(y + ROWS_AHEAD - s->bounds.y0) * (uintptr_t)s->stride;
+        (uintptr_t)(y + PEL_ROWS_AHEAD - s->bounds.y0) * (uintptr_t)s->stride;
     const uintptr_t column = (uintptr_t)((r->x0 - s->bounds.x0) * bits / 8);
     if (PEL_64BIT && bytes > 128)
         for (int32_t i = 0; i < bytes; i += 64)
