@@ -40,32 +40,30 @@ $(LINUX_CHECK)/layout: $(LINUX_HERE)/layout.c $(LINUX_OBJECTS) \
 	@mkdir -p $(@D)
 	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $^ $(LINUX_LIBS) -o $@
 
+# A test that stands in for some functions of the system: their names.
+define LINUX_LINK_WRAPPED
+@mkdir -p $(@D)
+@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) $(1:%=-Wl$(comma)--wrap=%) $^ \
+    $(LINUX_LIBS) -lcmocka -o $@
+endef
+
 LINUX_PANEL_WRAPS := open ioctl fcntl nanosleep pel_gpio_open pel_gpio_close pel_gpio_set
 $(LINUX_CHECK)/panel_bus: $(LINUX_HERE)/panel_bus.c $(LINUX_OBJECTS) \
     tests/support/panel_glass.c tests/support/check.c tests/support/main.c \
     $(BUILD)/libpel.a
-	@mkdir -p $(@D)
-	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) \
-	    $(LINUX_PANEL_WRAPS:%=-Wl$(comma)--wrap=%) $^ $(LINUX_LIBS) -lcmocka \
-	    -o $@
+	$(call LINUX_LINK_WRAPPED,$(LINUX_PANEL_WRAPS))
 
 LINUX_RESET_WRAPS := open close ioctl tcgetattr tcsetattr write
 $(LINUX_CHECK)/console_reset: $(LINUX_HERE)/console_reset.c $(LINUX_OBJECTS) \
     tests/support/check.c tests/support/main.c $(BUILD)/libpel.a
-	@mkdir -p $(@D)
-	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) \
-	    $(LINUX_RESET_WRAPS:%=-Wl$(comma)--wrap=%) $^ $(LINUX_LIBS) -lcmocka \
-	    -o $@
+	$(call LINUX_LINK_WRAPPED,$(LINUX_RESET_WRAPS))
 
 LINUX_INPUT_WRAPS := access open epoll_ctl libevdev_new_from_fd libevdev_get_fd \
     libevdev_set_clock_id libevdev_next_event pel_gpio_open pel_gpio_close \
     pel_gpio_levels pel_gpio_edges pel_gpio_descriptors
 $(LINUX_CHECK)/input_devices: $(LINUX_HERE)/input_devices.c $(LINUX_OBJECTS) \
     tests/support/check.c tests/support/main.c $(BUILD)/libpel.a
-	@mkdir -p $(@D)
-	@$(CC) $(LINUX_CFLAGS) $(LINUX_FLAGS) \
-	    $(LINUX_INPUT_WRAPS:%=-Wl$(comma)--wrap=%) $^ $(LINUX_LIBS) -lcmocka \
-	    -o $@
+	$(call LINUX_LINK_WRAPPED,$(LINUX_INPUT_WRAPS))
 
 $(LINUX_CHECK)/panel_check: $(LINUX_HERE)/panel_check.c \
     tests/support/panel_glass.c
