@@ -11,7 +11,7 @@
 #include "sim/image/canvas.h"
 #include "core/format/formats.h"
 
-enum { TEXTURE_SIZE_MAX = 16384 };
+enum { TEXTURE_SIZE_MAX = 16384, POLL_MS = 2 };
 
 /* The picture is drawn into a canvas and carried to the window as a texture. */
 struct window {
@@ -132,12 +132,27 @@ static bool handle(struct window *w, const SDL_Event *event)
     return !viewer_input(w->viewer, &input) || save_new(w);
 }
 
+/* Waits at most so many ms for an event. SDL_WaitEventTimeout would, but its
+ * X11 driver then wakes the window from a second connection: a server that
+ * reads that one last finds no window, and the error ends the program with
+ * status 1.
+ */
+static bool wait_event(SDL_Event *event, int ms)
+{
+    for (int waited = 0; !SDL_PollEvent(event); waited += POLL_MS) {
+        if (waited >= ms)
+            return false;
+        SDL_Delay(POLL_MS);
+    }
+    return true;
+}
+
 /* Handles the events that have come; waits a moment for one when there is
  * nothing to draw. */
 static bool handle_all(struct window *w)
 {
     SDL_Event event;
-    int more = SDL_WaitEventTimeout(&event, viewer_idle(w->viewer));
+    bool more = wait_event(&event, viewer_idle(w->viewer));
     for (; more; more = SDL_PollEvent(&event))
         if (!handle(w, &event))
             return false;

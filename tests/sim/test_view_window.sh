@@ -81,7 +81,7 @@ xdotool key --window "$window" h 0 Left
 xdotool click 4 click 4 click 5 click 5 click 5
 picture
 quit
-wait $program || fail "status $? after q"
+wait $program || fail "status $? after q: $(tail -n 5 "$work/err")"
 last=$(tail -n 1 "$work/record" | cut -d ' ' -f 1)
 "$PEL" view figures --size 320x240 --headless --frames $((last + 1)) \
     -o "$work/frames" --replay "$work/record" || fail "no replay"
@@ -104,7 +104,7 @@ picture
 xdotool key --window "$window" Right Up plus
 picture
 quit
-wait $program || fail "status $? after q"
+wait $program || fail "status $? after q: $(tail -n 5 "$work/err")"
 for picture in "$work"/view-*; do
     cksum <"$picture" >>"$work/sums"
 done
