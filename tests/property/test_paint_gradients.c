@@ -3,166 +3,15 @@
  * same numbers. What a pixel shows is a function of the pixel alone, so bands,
  * tiles and clips change no byte. */
 #include "core/pel.h"
-#include "tests/support/any_paint.h"
 #include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
-#include "tests/support/paint_math.h"
+#include "tests/support/reference_gradient.h"
 #include "tests/support/shapes.h"
-
-__extension__ typedef __int128 wide;
-
-enum kind { LINEAR, RADIAL, CONIC, HUE, KINDS };
-
-struct gradient {
-    enum kind kind;
-    struct pel_point at, to; /* from, or the centre */
-    int32_t radius;
-    uint16_t phase; /* or start */
-    struct pel_ramp ramp;
-    union any_paint u;
-};
 
 static pel_color colors[32767];
 static struct canvas canvas;
 static struct hits hits;
-
-static wide floor_divide(wide n, wide d)
-{
-    return n / d - (n % d < 0);
-}
-
-static int32_t cells_of(const struct gradient *g)
-{
-    return g->kind == HUE ? 1536 : g->ramp.n == 2 ? 256 : g->ramp.n;
-}
-
-static wide linear_cell(const struct gradient *g, int32_t x, int32_t y)
-{
-    const wide dx = g->to.x - g->at.x, dy = g->to.y - g->at.y;
-    const wide way = dx * (pel_pixel_center(x) - g->at.x) +
-                     dy * (pel_pixel_center(y) - g->at.y);
-    return floor_divide(way * cells_of(g), dx * dx + dy * dy);
-}
-
-/* The outer radius of ring k - 1. */
-static wide ring_radius(const struct gradient *g, wide k)
-{
-    return k * g->radius / cells_of(g);
-}
-
-/* From a guess to the one ring that holds the pixel. */
-static wide ring_at(const struct gradient *g, int32_t x, int32_t y)
-{
-    const wide u = pel_pixel_center(x) - g->at.x;
-    const wide v = pel_pixel_center(y) - g->at.y, square = u * u + v * v;
-    wide k = (wide)(real_root((real)square) * cells_of(g) / g->radius);
-    while (k > 0 && square <= ring_radius(g, k) * ring_radius(g, k))
-        k--;
-    while (square > ring_radius(g, k + 1) * ring_radius(g, k + 1))
-        k++;
-    return k;
-}
-
-static int32_t sectors_of(const struct gradient *g)
-{
-    return g->kind == CONIC && g->ramp.spread == PEL_REFLECT ? 2 * cells_of(g)
-                                                             : cells_of(g);
-}
-
-static uint16_t angle_of(const struct gradient *g, int64_t k)
-{
-    return (uint16_t)(g->phase + 65536 * k / sectors_of(g));
-}
-
-static wide cross(struct pel_point d, wide u, wide v)
-{
-    return d.x * v - d.y * u;
-}
-
-/* The rule of round/wedge.h, for sectors of up to a half turn. */
-static bool in_sector(const struct gradient *g, int64_t k, wide u, wide v)
-{
-    const struct pel_point from = pel_direction(angle_of(g, k));
-    const struct pel_point to = pel_direction(angle_of(g, k + 1));
-    if (cross(from, u, v) == 0 && from.x * u + from.y * v > 0)
-        return true;
-    return cross(from, u, v) > 0 && cross(to, u, v) < 0;
-}
-
-static wide sector_at(const struct gradient *g, int32_t x, int32_t y)
-{
-    const int64_t n = sectors_of(g);
-    int64_t u = pel_pixel_center(x) - g->at.x,
-            v = pel_pixel_center(y) - g->at.y;
-    if (u == 0 && v == 0)
-        u = 1;
-    if (n == 1)
-        return 0;
-    real turn = real_turn((real)u, (real)v) * 65536 - g->phase;
-    int64_t k = (int64_t)((turn < 0 ? turn + 65536 : turn) * (real)n / 65536);
-    for (int64_t i = k + 2 * n - 2; i <= k + 2 * n + 2; i++)
-        if (in_sector(g, i % n, u, v))
-            return i % n;
-    fail_msg("no sector %ld of %ld; %s", (long)k, (long)n, cases_replay());
-    return 0;
-}
-
-static wide number_at(const struct gradient *g, int32_t x, int32_t y)
-{
-    if (g->kind == LINEAR)
-        return linear_cell(g, x, y);
-    return g->kind == RADIAL ? ring_at(g, x, y) : sector_at(g, x, y);
-}
-
-static pel_color middle_color(pel_color a, pel_color b, uint32_t i)
-{
-    pel_color c = 0;
-    for (int shift = 0; shift < 32; shift += 8)
-        c |= ((a >> shift & 255) * (511 - 2 * i) +
-              (b >> shift & 255) * (2 * i + 1) + 256) /
-                 512
-             << shift;
-    return c;
-}
-
-static uint32_t hue_channel(const struct gradient *g, uint32_t part)
-{
-    const uint32_t whole = 255 * 512;
-    const uint32_t s = g->u.wheel.s, v = g->u.wheel.v;
-    return (v * (whole - s * part) + whole / 2) / whole;
-}
-
-static pel_color hue_color(const struct gradient *g, uint32_t cell)
-{
-    static const char order[6][4] = {"vtp", "tvp", "pvt", "ptv", "tpv", "vpt"};
-    const uint32_t part = cell % 256 * 2 + 1, sixth = cell / 256;
-    pel_color c = 255;
-    for (int i = 0; i < 3; i++)
-        c = c << 8 | (order[sixth][i] == 'v'   ? g->u.wheel.v
-                      : order[sixth][i] == 'p' ? hue_channel(g, 512)
-                      : sixth % 2              ? hue_channel(g, part)
-                                               : hue_channel(g, 512 - part));
-    return c;
-}
-
-static pel_color color_of(const struct gradient *g, wide k)
-{
-    const wide n = cells_of(g),
-               period =
-                   g->kind != HUE && g->ramp.spread == PEL_REFLECT ? 2 * n : n;
-    if (g->kind == RADIAL)
-        k += g->phase * n / 65536;
-    if (g->kind < CONIC && g->ramp.spread == PEL_PAD)
-        k = k < 0 ? 0 : k < n ? k : n - 1;
-    k -= floor_divide(k, period) * period;
-    k = k < n ? k : 2 * n - 1 - k;
-    if (g->kind == HUE)
-        return hue_color(g, (uint32_t)k);
-    if (g->ramp.n == 2)
-        return middle_color(colors[0], colors[1], (uint32_t)k);
-    return colors[k];
-}
 
 static int32_t any_size(struct random *r)
 {
@@ -170,8 +19,7 @@ static int32_t any_size(struct random *r)
     return random_between(r, most / 2, most);
 }
 
-/* Near the box, or anywhere; often where centres of pixels are on a boundary.
- */
+/* Near the box, or anywhere; often with centres of pixels on a boundary. */
 static struct pel_point any_point(struct random *r, const struct pel_rect *b)
 {
     const int32_t grid = 1 << random_between(r, 0, 10);
@@ -184,45 +32,55 @@ static struct pel_point any_point(struct random *r, const struct pel_rect *b)
         p.x = b->x0 * 256 + random_between(r, -far, far + 9000);
         p.y = b->y0 * 256 + random_between(r, -far, far + 9000);
     }
-    p.x = p.x / grid * grid + (random_word(r) % 3 ? 0 : 128);
-    p.y = p.y / grid * grid + (random_word(r) % 3 ? 0 : 128);
-    p.x = pel_min(pel_max(p.x, PEL_COORDINATE_MIN), PEL_COORDINATE_MAX);
-    p.y = pel_min(pel_max(p.y, PEL_COORDINATE_MIN), PEL_COORDINATE_MAX);
+    p.x = shape_legal(p.x / grid * grid + (random_word(r) % 3 ? 0 : 128));
+    p.y = shape_legal(p.y / grid * grid + (random_word(r) % 3 ? 0 : 128));
     return p;
 }
 
+/* Colors end where the array does, so that none is read beyond. Now and then
+ * one is nearly opaque, or each is black or nothing, which pack alike. */
 static void any_ramp(struct random *r, struct pel_ramp *ramp)
 {
     static const int32_t usual[] = {1, 2, 2, 3, 16, 256, 256, 1000};
-    ramp->colors = colors;
     ramp->n = usual[random_word(r) % 8];
     if (random_word(r) % 100 == 0)
         ramp->n = random_between(r, 1, 32767);
     ramp->spread = (enum pel_spread)(random_word(r) % 3);
     const pel_color opaque = random_word(r) % 4 ? 0xFF000000 : 0;
     const pel_color few = random_word(r) % 2 ? 0x80FFFFFF : 0xFF808080;
+    const bool bare = random_word(r) % 16 == 0;
+    pel_color *const color = colors + 32767 - ramp->n;
     for (int32_t i = 0; i < ramp->n; i++)
-        colors[i] = (random_word(r) & few) | opaque;
+        color[i] = bare ? 0xFF000000 * (random_word(r) % 2)
+                        : (random_word(r) & few) | opaque;
+    if (random_word(r) % 4 == 0)
+        color[random_between(r, 0, ramp->n - 1)] &= 0xFEFFFFFF;
+    ramp->colors = color;
 }
 
 static void any_gradient(struct random *r, struct gradient *g,
                          const struct pel_rect *b)
 {
-    g->kind = (enum kind)(random_word(r) % KINDS);
+    const bool narrow = random_word(r) % 4 == 0; /* rings in sight */
+    g->kind = narrow ? RADIAL : (enum kind)(random_word(r) % KINDS);
     g->at = any_point(r, b);
+    if (narrow)
+        shape_in_box(r, &g->at, 1, b);
     g->to = any_point(r, b);
     if (random_word(r) % 8 == 0) { /* more cells than |d|^2 */
         g->to.x = shape_legal(g->at.x + random_between(r, -9, 9));
         g->to.y = shape_legal(g->at.y + random_between(r, -9, 9));
     }
-    const uint32_t slope = random_word(r) % 4;
-    if (slope == 0)
+    if (random_word(r) % 4 == 0)
         g->to.x = g->at.x; /* level */
-    else if (slope == 1)
+    else if (random_word(r) % 3 == 0)
         g->to.y = g->at.y; /* upright */
     g->phase = (uint16_t)(random_word(r) << random_between(r, 0, 15));
-    g->radius = pel_min(any_size(r), PEL_PX(32767));
     any_ramp(r, &g->ramp);
+    g->radius = any_size(r);
+    if (narrow)
+        g->radius = cells_of(g) * (g->radius / 256 % 800 + 1);
+    g->radius = pel_min(g->radius, PEL_PX(32767));
     const struct pel_rings rings = {g->at, pel_max(g->radius, 256), g->phase};
     g->radius = rings.radius;
     if (g->at.x == g->to.x && g->at.y == g->to.y)
@@ -242,16 +100,24 @@ static void any_gradient(struct random *r, struct gradient *g,
 static void draw(const struct pel_surface *s, const struct pel_point v[3],
                  uint32_t shape, const struct pel_paint *p)
 {
-    static const struct pel_point all[2] = {
-        {PEL_COORDINATE_MIN, PEL_COORDINATE_MIN},
-        {PEL_COORDINATE_MAX, PEL_COORDINATE_MAX}};
-    const struct pel_ring_shape ring = {v[0], 1000, 5000};
+    static const struct pel_span empty_second[2] = {{0, 20}, {40, 20}};
+    static uint32_t scratch[PEL_POLYGON_SCRATCH_SIZE(40) / 4];
+    struct pel_point comb[40];
+    for (int i = 0; i < 40; i++) {
+        comb[i].x = shape_legal(v[0].x + 300 * i);
+        comb[i].y = v[1 + i % 2].y;
+    }
     if (shape == 0)
         pel_triangle(s, v, p);
     else if (shape == 1)
-        pel_ring(s, &ring, p);
+        pel_ring(s, &(struct pel_ring_shape){v[0], 1000, 5000}, p);
+    else if (shape == 2)
+        pel_polygon(s, &(struct pel_polygon_shape){comb, 40, PEL_EVEN_ODD}, p,
+                    scratch, sizeof scratch);
+    else if (shape == 4)
+        p->fill(p, &(struct pel_spans){s, empty_second, 0, 2, 1});
     else
-        pel_rectangle(s, all[0], all[1], p);
+        pel_box(s, &s->bounds, p);
 }
 
 static pel_color color_at(const void *gradient, int32_t x, int32_t y)
@@ -306,32 +172,49 @@ TEST(every_cell)
         struct random *r = &c.random;
         const struct pel_rect b =
             shape_bounds(r, 64, random_word(r) % 4 ? 9 : 70);
-        const uint32_t shape = random_word(r) % 4;
         struct pel_point v[3];
         any_gradient(r, &g, &b);
         shape_in_box(r, v, 3, &b);
         canvas_open(&canvas, layouts[random_word(r) % LAYOUT_COUNT].format, &b,
                     random_word(r) % CANVAS_STYLES);
-        check_drawn(&g, &b, v, shape);
+        check_drawn(&g, &b, v, random_word(r) % 4);
         if (g.kind != LINEAR)
             check_shape(&g, random_between(r, b.x0, b.x1 - 1),
                         random_between(r, b.y0, b.y1 - 1));
     }
 }
 
-/* Narrow rings around a wide disc, so far out that the squares of their radii
- * do not fit the 32 bits of core/fast. */
-TEST(far_rings)
+/* Narrow rings: pixels on circles, and squares that the 32 bits of core/fast
+ * hold, or only just do not. */
+TEST(narrow_rings)
 {
-    static struct gradient g = {.kind = RADIAL,
-                                .radius = 2400 * 673,
-                                .ramp = {colors, 2400, PEL_REPEAT}};
+    static const struct {
+        struct pel_point at;
+        int32_t radius, n, width, height;
+        uint32_t shape;
+    } rows[] = {
+        {{128, 128}, 2400 * 673, 2400, 4096, 1, 3},
+        {{128, 128}, 2400 * 673, 2400, 4097, 1, 3},
+        {{128, 128}, 200 * 512, 200, 257, 1, 3},
+        {{128, 129}, 1000 * 256, 1000, 21, 1, 3},
+        {{128, 128}, 14019, 50, 24, 1, 3},
+        {{5248, 5248}, 16 * 256, 16, 41, 41, 3},
+        {{129, 128}, 256, 1000, 20, 1, 3},
+        {{128, 128}, 100 * 256, 100, 40, 2, 4},
+    };
+    static struct gradient g = {.kind = RADIAL};
     static const struct pel_point v[3] = {{0, 0}};
-    const struct pel_rings rings = {.radius = g.radius};
-    const struct pel_rect row = {0, 0, 6300, 1};
     for (uint32_t i = 0; i < 2400; i++)
-        colors[i] = 0xFF000000 | (i < 380 ? 0 : i);
-    assert_int_equal(pel_radial_init(&g.u.radial, &rings, &g.ramp), PEL_OK);
-    canvas_open(&canvas, &pel_xrgb8888, &row, 0);
-    check_drawn(&g, &row, v, 3);
+        colors[i] = 0xFF000000 | i;
+    for (size_t i = 0; i < 3 * sizeof rows / sizeof *rows; i++) {
+        const size_t k = i / 3;
+        const struct pel_rings rings = {rows[k].at, rows[k].radius, 0};
+        const struct pel_rect box = {0, 0, rows[k].width, rows[k].height};
+        g.at = rings.center;
+        g.radius = rings.radius;
+        g.ramp = (struct pel_ramp){colors, rows[k].n, (enum pel_spread)(i % 3)};
+        assert_int_equal(pel_radial_init(&g.u.radial, &rings, &g.ramp), PEL_OK);
+        canvas_open(&canvas, &pel_xrgb8888, &box, 0);
+        check_drawn(&g, &box, v, rows[k].shape);
+    }
 }
