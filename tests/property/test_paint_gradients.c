@@ -38,7 +38,8 @@ static struct pel_point any_point(struct random *r, const struct pel_rect *b)
 }
 
 /* Colors end where the array does, so that none is read beyond. Now and then
- * one is nearly opaque, or each is black or nothing, which pack alike. */
+ * one of the first lets light through, or each is black or nothing, which
+ * pack alike. */
 static void any_ramp(struct random *r, struct pel_ramp *ramp)
 {
     static const int32_t usual[] = {1, 2, 2, 3, 16, 256, 256, 1000};
@@ -53,8 +54,9 @@ static void any_ramp(struct random *r, struct pel_ramp *ramp)
     for (int32_t i = 0; i < ramp->n; i++)
         color[i] = bare ? 0xFF000000 * (random_word(r) % 2)
                         : (random_word(r) & few) | opaque;
-    if (random_word(r) % 4 == 0)
-        color[random_between(r, 0, ramp->n - 1)] &= 0xFEFFFFFF;
+    if (random_word(r) % 3 == 0)
+        color[pel_min(random_between(r, 0, 2), ramp->n - 1)] &=
+            random_word(r) % 2 ? 0xFEFFFFFF : 0x7FFFFFFF;
     ramp->colors = color;
 }
 
@@ -62,7 +64,7 @@ static void any_gradient(struct random *r, struct gradient *g,
                          const struct pel_rect *b)
 {
     const bool narrow = random_word(r) % 4 == 0; /* rings in sight */
-    g->kind = narrow ? RADIAL : (enum kind)(random_word(r) % KINDS);
+    g->kind = narrow ? RADIAL : (enum kind)(random_word(r) % 5 % KINDS);
     g->at = any_point(r, b);
     if (narrow)
         shape_in_box(r, &g->at, 1, b);
