@@ -142,13 +142,15 @@ static void check_source(const struct layout *l, const struct pel_paint *source)
 {
     static const struct pel_point center = PEL_AT(19, 11);
     static struct canvas exact;
-    const struct pel_rect b = {0, 0, 40, 24};
+    const struct pel_rect b = {0, 0, 40, 24}, box = {1, 15, 39, 23};
     struct pel_dither d;
     canvas_open(&exact, &pel_xrgb8888, &b, 0);
     canvas_open(&canvas, l->format, &b, 0);
     assert_int_equal(pel_dither_init(&d, source), PEL_OK);
     pel_circle(&exact.surface, center, PEL_PX(21), source);
+    pel_box(&exact.surface, &box, source);
     pel_circle(&canvas.surface, center, PEL_PX(21), &d.paint);
+    pel_box(&canvas.surface, &box, &d.paint);
     canvas_check_drawn(&canvas, NULL, source_at, &exact);
 }
 
@@ -175,14 +177,22 @@ TEST(any_source)
 }
 
 /* Linear gradients of cells about 1/2 to 7 px wide, and one of narrower ones:
- * ends in sight, again and again, either way. */
+ * ends in sight, again and again, either way; and in each corner of the box. */
 TEST(narrow_cells)
 {
     static const struct pel_point ways[][2] = {
-        {PEL_AT(5, 3), PEL_AT(130, 70)},    {PEL_AT(130, 70), PEL_AT(5, 3)},
-        {PEL_AT(12, 60), PEL_AT(140, -90)}, {PEL_AT(30, 9), PEL_AT(-100, 0)},
-        {PEL_AT(-300, 10), PEL_AT(25, 14)}, {PEL_AT(20, 0), PEL_AT(1700, 200)},
-        {PEL_AT(2, 0), PEL_AT(38, 0)},      {PEL_AT(-1790, 0), PEL_AT(9, 0)}};
+        {PEL_AT(5, 3), PEL_AT(130, 70)},
+        {PEL_AT(130, 70), PEL_AT(5, 3)},
+        {PEL_AT(12, 60), PEL_AT(140, -90)},
+        {PEL_AT(30, 9), PEL_AT(-100, 0)},
+        {PEL_AT(-300, 10), PEL_AT(25, 14)},
+        {PEL_AT(20, 0), PEL_AT(1700, 200)},
+        {PEL_AT(2, 0), PEL_AT(38, 0)},
+        {PEL_AT(-1790, 0), PEL_AT(9, 0)},
+        {PEL_AT(150, 60), PEL_AT(1.5, 15.5)},
+        {PEL_AT(150, -30), PEL_AT(1.5, 22.5)},
+        {PEL_AT(-110, 3), PEL_AT(38.5, 22.5)},
+        {PEL_AT(-110, 40), PEL_AT(38.5, 15.5)}};
     static const pel_color colors[2] = {0xFF1080F0, 0xFFF0A010};
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++)
         for (int spread = PEL_PAD; spread <= PEL_REFLECT; spread++) {

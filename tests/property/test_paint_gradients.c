@@ -70,8 +70,8 @@ static void any_gradient(struct random *r, struct gradient *g,
         shape_in_box(r, &g->at, 1, b);
     g->to = any_point(r, b);
     if (random_word(r) % 8 == 0) { /* more cells than |d|^2 */
-        g->to.x = shape_legal(g->at.x + random_between(r, -9, 9));
-        g->to.y = shape_legal(g->at.y + random_between(r, -9, 9));
+        g->to.x = shape_legal(g->at.x + random_between(r, -4, 4));
+        g->to.y = shape_legal(g->at.y + random_between(r, -4, 4));
     }
     if (random_word(r) % 4 == 0)
         g->to.x = g->at.x; /* level */
@@ -102,7 +102,8 @@ static void any_gradient(struct random *r, struct gradient *g,
 static void draw(const struct pel_surface *s, const struct pel_point v[3],
                  uint32_t shape, const struct pel_paint *p)
 {
-    static const struct pel_span empty_second[2] = {{0, 20}, {40, 20}};
+    const struct pel_rect *b = &s->bounds;
+    const struct pel_span back[2] = {{b->x0, b->x1}, {b->x1, b->x0}};
     static uint32_t scratch[PEL_POLYGON_SCRATCH_SIZE(40) / 4];
     struct pel_point comb[40];
     for (int i = 0; i < 40; i++) {
@@ -117,9 +118,10 @@ static void draw(const struct pel_surface *s, const struct pel_point v[3],
         pel_polygon(s, &(struct pel_polygon_shape){comb, 40, PEL_EVEN_ODD}, p,
                     scratch, sizeof scratch);
     else if (shape == 4)
-        p->fill(p, &(struct pel_spans){s, empty_second, 0, 2, 1});
+        p->fill(p, &(struct pel_spans){s, back, b->y0,
+                                       pel_min(b->y1 - b->y0, 2), 1});
     else
-        pel_box(s, &s->bounds, p);
+        pel_box(s, b, p);
 }
 
 static pel_color color_at(const void *gradient, int32_t x, int32_t y)
@@ -179,10 +181,63 @@ TEST(every_cell)
         shape_in_box(r, v, 3, &b);
         canvas_open(&canvas, layouts[random_word(r) % LAYOUT_COUNT].format, &b,
                     random_word(r) % CANVAS_STYLES);
-        check_drawn(&g, &b, v, random_word(r) % 4);
+        check_drawn(&g, &b, v, random_word(r) % 5);
         if (g.kind != LINEAR)
             check_shape(&g, random_between(r, b.x0, b.x1 - 1),
                         random_between(r, b.y0, b.y1 - 1));
+    }
+}
+
+/* The colors of `source`, pixel by pixel. */
+static struct gradient source;
+
+static void put_exact(const struct pel_paint *paint,
+                      const struct pel_spans *rows)
+{
+    (void)paint;
+    for (int32_t i = 0; i < rows->n; i++) {
+        const int32_t y = rows->y + i * rows->step;
+        for (int32_t x = rows->span[i].x0; x < rows->span[i].x1; x++) {
+            const pel_color c = color_at(&source, x, y);
+            rows->surface->format->put(rows->surface, x, y, 1, &c);
+        }
+    }
+}
+
+/* A dither walks linear gradients whose cells are not much wider than a pixel
+ * in a loop of its own: as it dithers their colors one by one. */
+TEST(dithered)
+{
+    static const struct pel_paint exact = {put_exact, NULL};
+    static struct canvas canvases[2];
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const struct pel_rect b = shape_bounds(r, 64, 9);
+        const struct pel_format *format =
+            random_word(r) % 2 ? &pel_rgb565_le : &pel_rgb565_be;
+        const uint32_t shape = random_word(r) % 5;
+        struct pel_point v[3];
+        any_ramp(r, &source.ramp);
+        const int32_t way = cells_of(&source) * random_between(r, 99, 999);
+        const int32_t before = random_between(r, -99, way / 2);
+        v[0].x = shape_legal(b.x0 * 256 - before);
+        v[0].y = shape_legal(b.y0 * 256 + random_between(r, -999, 999));
+        v[1].x = shape_legal(v[0].x + way);
+        v[1].y = shape_legal(v[0].y + random_between(r, -way, way) / 4);
+        const uint32_t turn = random_word(r) % 2;
+        source.at = random_word(r) % 8 ? v[turn] : any_point(r, &b);
+        source.to = random_word(r) % 8 ? v[1 - turn] : any_point(r, &b);
+        if (pel_linear_init(&source.u.linear, source.at, source.to,
+                            &source.ramp) != PEL_OK)
+            continue; /* both ends are one point */
+        shape_in_box(r, v, 3, &b);
+        for (int i = 0; i < 2; i++) {
+            struct pel_dither d;
+            pel_dither_init(&d, i ? &exact : &source.u.paint);
+            canvas_open(&canvases[i], format, &b, 0);
+            draw(&canvases[i].surface, v, shape, &d.paint);
+        }
+        canvas_check_same(&canvases[0], &canvases[1]);
     }
 }
 

@@ -48,7 +48,8 @@ TEST(every_shape_in_every_format)
     }
 }
 
-/* A format of one's own that counts how often each pixel is written. */
+/* A format of one's own that counts how often each pixel is written: rows are
+ * no copies of each other. */
 static void count_spans(const struct pel_spans *spans, uint32_t pixel)
 {
     (void)pixel;
@@ -75,13 +76,18 @@ TEST(fills_of_own_formats_are_called)
                                                .pack = pack_nothing,
                                                .fill = count_spans};
     static const struct pel_flat paint = PEL_FLAT(PEL_RGB(0, 0, 0));
+    static const pel_color black = PEL_RGB(0, 0, 0);
+    static const struct pel_ramp ramp = {&black, 1, PEL_PAD};
     static const struct pel_point v[3] = {PEL_AT(1, 1), PEL_AT(15, 2),
                                           PEL_AT(3, 14)};
     const struct pel_rect bounds = {0, 0, 16, 16};
     uint32_t counts[16 * 16] = {0};
     struct pel_surface s;
+    struct pel_linear upright;
     pel_surface_init(&s, &counting, counts, sizeof counts, &bounds);
     pel_triangle(&s, v, &paint.paint);
+    pel_linear_init(&upright, v[0], (struct pel_point){0, v[0].y}, &ramp);
+    pel_box(&s, &bounds, &upright.base.paint);
     for (int32_t i = 0; i < 256; i++)
-        assert_int_equal(counts[i], pel_hit_triangle(v, i % 16, i / 16));
+        assert_int_equal(counts[i], 1 + pel_hit_triangle(v, i % 16, i / 16));
 }
