@@ -74,9 +74,9 @@ static void any_gradient(struct random *r, struct gradient *g,
         g->to.y = shape_legal(g->at.y + random_between(r, -4, 4));
     }
     if (random_word(r) % 4 == 0)
-        g->to.x = g->at.x; /* level */
-    else if (random_word(r) % 3 == 0)
-        g->to.y = g->at.y; /* upright */
+        g->to.x = g->at.x;            /* level */
+    else if (random_word(r) % 3 == 0) /* upright, or nearly */
+        g->to.y = shape_legal(g->at.y + (random_word(r) % 4 == 0));
     g->phase = (uint16_t)(random_word(r) << random_between(r, 0, 15));
     any_ramp(r, &g->ramp);
     g->radius = any_size(r);
@@ -103,7 +103,8 @@ static void draw(const struct pel_surface *s, const struct pel_point v[3],
                  uint32_t shape, const struct pel_paint *p)
 {
     const struct pel_rect *b = &s->bounds;
-    const struct pel_span back[2] = {{b->x0, b->x1}, {b->x1, b->x0}};
+    const struct pel_span full = {b->x0, b->x1}, back = {b->x1, b->x0};
+    const struct pel_span spans[3] = {full, back, full};
     static uint32_t scratch[PEL_POLYGON_SCRATCH_SIZE(40) / 4];
     struct pel_point comb[40];
     for (int i = 0; i < 40; i++) {
@@ -118,8 +119,10 @@ static void draw(const struct pel_surface *s, const struct pel_point v[3],
         pel_polygon(s, &(struct pel_polygon_shape){comb, 40, PEL_EVEN_ODD}, p,
                     scratch, sizeof scratch);
     else if (shape == 4)
-        p->fill(p, &(struct pel_spans){s, back, b->y0,
+        p->fill(p, &(struct pel_spans){s, spans, b->y0,
                                        pel_min(b->y1 - b->y0, 2), 1});
+    else if (shape == 5)
+        p->fill(p, &(struct pel_spans){s, spans + 1, b->y0, 2, 0});
     else
         pel_box(s, b, p);
 }
@@ -181,7 +184,7 @@ TEST(every_cell)
         shape_in_box(r, v, 3, &b);
         canvas_open(&canvas, layouts[random_word(r) % LAYOUT_COUNT].format, &b,
                     random_word(r) % CANVAS_STYLES);
-        check_drawn(&g, &b, v, random_word(r) % 5);
+        check_drawn(&g, &b, v, random_word(r) % 6);
         if (g.kind != LINEAR)
             check_shape(&g, random_between(r, b.x0, b.x1 - 1),
                         random_between(r, b.y0, b.y1 - 1));
@@ -215,7 +218,7 @@ TEST(dithered)
         const struct pel_rect b = shape_bounds(r, 64, 9);
         const struct pel_format *format =
             random_word(r) % 2 ? &pel_rgb565_le : &pel_rgb565_be;
-        const uint32_t shape = random_word(r) % 5;
+        const uint32_t shape = random_word(r) % 6;
         struct pel_point v[3];
         any_ramp(r, &source.ramp);
         const int32_t way = cells_of(&source) * random_between(r, 99, 999);
@@ -227,6 +230,10 @@ TEST(dithered)
         const uint32_t turn = random_word(r) % 2;
         source.at = random_word(r) % 8 ? v[turn] : any_point(r, &b);
         source.to = random_word(r) % 8 ? v[1 - turn] : any_point(r, &b);
+        if (random_word(r) % 8 == 0) { /* a cell ends just behind a pixel */
+            source.at = (struct pel_point){b.x1 * 256 - 128 - 65279, 0};
+            source.to = (struct pel_point){source.at.x + 65535, 0};
+        }
         if (pel_linear_init(&source.u.linear, source.at, source.to,
                             &source.ramp) != PEL_OK)
             continue; /* both ends are one point */
@@ -256,7 +263,7 @@ TEST(narrow_rings)
         {{128, 129}, 1000 * 256, 1000, 21, 1, 3},
         {{128, 128}, 14019, 50, 24, 1, 3},
         {{5248, 5248}, 16 * 256, 16, 41, 41, 3},
-        {{129, 128}, 256, 1000, 20, 1, 3},
+        {{127, 128}, 256, 1000, 20, 1, 3},
         {{128, 128}, 100 * 256, 100, 40, 2, 4},
     };
     static struct gradient g = {.kind = RADIAL};
@@ -273,5 +280,22 @@ TEST(narrow_rings)
         assert_int_equal(pel_radial_init(&g.u.radial, &rings, &g.ramp), PEL_OK);
         canvas_open(&canvas, &pel_xrgb8888, &box, 0);
         check_drawn(&g, &box, v, rows[k].shape);
+    }
+}
+
+/* Narrow sectors, one of which ends just behind the half turn, on the ray to
+ * the left and beside it. */
+TEST(half_turn)
+{
+    static struct gradient g = {
+        .kind = CONIC, .phase = 1, .ramp = {colors, 16384, PEL_PAD}};
+    static const struct pel_point v[3] = {{0, 0}};
+    const struct pel_rect box = {0, 0, 128, 1};
+    for (uint32_t i = 0; i < 16384; i++)
+        colors[i] = 0xFF000000 | i;
+    for (g.at = (struct pel_point){PEL_PX(128), 126}; g.at.y < 131; g.at.y++) {
+        assert_int_equal(pel_conic_init(&g.u.conic, g.at, 1, &g.ramp), PEL_OK);
+        canvas_open(&canvas, &pel_xrgb8888, &box, 0);
+        check_drawn(&g, &box, v, 3);
     }
 }
