@@ -283,18 +283,20 @@ TEST(narrow_rings)
     }
 }
 
-/* Narrow sectors, one of which ends just behind the half turn, on the ray to
- * the left and beside it. */
-TEST(half_turn)
+/* Narrow sectors, of which one ends just behind a half turn, or a whole one, or
+ * just before: rows through the centre, and next to it. */
+TEST(half_turns)
 {
-    static struct gradient g = {
-        .kind = CONIC, .phase = 1, .ramp = {colors, 16384, PEL_PAD}};
+    static struct gradient g = {.kind = CONIC, .ramp = {colors, 16384, 0}};
     static const struct pel_point v[3] = {{0, 0}};
     const struct pel_rect box = {0, 0, 128, 1};
     for (uint32_t i = 0; i < 16384; i++)
         colors[i] = 0xFF000000 | i;
-    for (g.at = (struct pel_point){PEL_PX(128), 126}; g.at.y < 131; g.at.y++) {
-        assert_int_equal(pel_conic_init(&g.u.conic, g.at, 1, &g.ramp), PEL_OK);
+    for (int i = 0; i < 12; i++) {
+        g.at = (struct pel_point){i % 2 * PEL_PX(128), 127 + i / 2 % 3};
+        g.phase = i < 6 ? 1 : 3;
+        assert_int_equal(pel_conic_init(&g.u.conic, g.at, g.phase, &g.ramp),
+                         PEL_OK);
         canvas_open(&canvas, &pel_xrgb8888, &box, 0);
         check_drawn(&g, &box, v, 3);
     }
