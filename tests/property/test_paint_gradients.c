@@ -284,7 +284,7 @@ TEST(narrow_rings)
 }
 
 /* Narrow sectors, of which one ends just behind a half turn, or a whole one, or
- * just before: rows through the centre, and next to it. */
+ * just before, or of which there is one: rows through the centre and next to it. */
 TEST(half_turns)
 {
     static struct gradient g = {.kind = CONIC, .ramp = {colors, 16384, 0}};
@@ -292,9 +292,10 @@ TEST(half_turns)
     const struct pel_rect box = {0, 0, 128, 1};
     for (uint32_t i = 0; i < 16384; i++)
         colors[i] = 0xFF000000 | i;
-    for (int i = 0; i < 12; i++) {
+    for (int i = 0; i < 18; i++) {
         g.at = (struct pel_point){i % 2 * PEL_PX(128), 127 + i / 2 % 3};
-        g.phase = i < 6 ? 1 : 3;
+        g.phase = i < 6 ? 1 : i < 12 ? 3 : 0;
+        g.ramp.n = i < 12 ? 16384 : 1;
         assert_int_equal(pel_conic_init(&g.u.conic, g.at, g.phase, &g.ramp),
                          PEL_OK);
         canvas_open(&canvas, &pel_xrgb8888, &box, 0);
