@@ -283,8 +283,8 @@ TEST(narrow_rings)
     }
 }
 
-/* Narrow sectors, of which one ends just behind a half turn, or a whole one, or
- * just before, or of which there is one: rows through the centre and next to it. */
+/* Rows through the centre, and next to it: narrow sectors, of which one ends
+ * just behind a half turn or next to the whole one, and a single sector. */
 TEST(half_turns)
 {
     static struct gradient g = {.kind = CONIC, .ramp = {colors, 16384, 0}};
