@@ -3,7 +3,7 @@
 #include "cells.h"
 #include "paint_conic.h"
 
-enum { HALF_TURN = 32768, FULL_TURN = 65536 };
+enum { HALF_TURN = 32768, FULL_TURN = 65536, HUES = 6 * 256 };
 
 /* The height of the first row, from the centre down. */
 static int32_t height_of(const struct pel_cells *c)
@@ -106,8 +106,8 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     pel_cells_fill(paint, spans, PEL_CELL_ROWS, start, end_cells);
 }
 
-enum pel_status pel_conic_begin(struct pel_conic *paint,
-                                struct pel_point center, uint16_t start)
+static enum pel_status begin(struct pel_conic *paint, struct pel_point center,
+                             uint16_t start)
 {
     if (!pel_point_legal(center))
         return PEL_ERROR_RANGE;
@@ -126,5 +126,25 @@ enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
                                uint16_t start, const struct pel_ramp *ramp)
 {
     const enum pel_status status = pel_gradient_init((void *)paint, ramp);
-    return status == PEL_OK ? pel_conic_begin(paint, center, start) : status;
+    return status == PEL_OK ? begin(paint, center, start) : status;
+}
+
+static pel_color hue_color(const struct pel_gradient *gradient, int32_t cell)
+{
+    const struct pel_hue_wheel *p = (const void *)gradient;
+    return pel_hsv_sixth((uint32_t)cell >> 8, ((uint32_t)cell & 255) * 2 + 1,
+                         512, p->s, p->v);
+}
+
+enum pel_status pel_hue_wheel_init(struct pel_hue_wheel *paint,
+                                   struct pel_point center, uint16_t start,
+                                   uint8_t s, uint8_t v)
+{
+    if (!paint)
+        return PEL_ERROR_NULL;
+    paint->conic.base = (struct pel_gradient){
+        {pel_nothing_fill, NULL}, hue_color, {NULL, 0, PEL_REPEAT}, HUES, HUES};
+    paint->s = s;
+    paint->v = v;
+    return begin(&paint->conic, center, start);
 }
