@@ -214,17 +214,13 @@ static PEL_ALWAYS_INLINE void pel_cells_fill(
     c.cell =
         (struct pel_spans){spans->surface, c.run, spans->y, 1, spans->step};
     const struct pel_span *span = spans->span;
-    int32_t left = spans->n;
-    do {
-        c.x = span->x0;
-        while (c.x < span->x1) {
+    const struct pel_span *const last = span + spans->n;
+    for (; span < last; c.cell.y += c.cell.step, span++)
+        for (c.x = span->x0; c.x < span->x1;) {
             c.hi = span->x1;
             start(&c);
             pel_cells_draw(&c, end);
         }
-        c.cell.y += c.cell.step;
-        span++;
-    } while (--left);
 }
 
 #endif

@@ -16,33 +16,26 @@ static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
 /* The product (P - from).d at pixel (x, y), below 2^49, and above -2^47 before
  * the way; or another that shows the same. Of a padded way none is beyond
  * |d|^2, its end; of others it is less as many times two lengths, there and
- * back, as leave 0 or more. Less 1 where the way is turned: there the
- * boundaries belong to the cells before them. */
+ * back, as leave more than 0. */
 static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y)
 {
-    int64_t product =
-        along(p, pel_pixel_center(x), pel_pixel_center(y)) + (p->way >> 31);
+    int64_t product = along(p, pel_pixel_center(x), pel_pixel_center(y));
     int64_t step = p->square;
-    int32_t count = 0;
     if (p->base.ramp.spread == PEL_PAD)
         return product < step ? product : step;
-    do {
+    int32_t count = 0;
+    for (; (uint32_t)(step >> 32) >> 17 == 0; count++)
         step *= 2;
-        count++;
-    } while ((uint32_t)(step >> 32) >> 17 == 0);
-    product += step;
-    do {
-        if (product >= step)
+    for (product += step; count; count--, step >>= 1)
+        if (product > step)
             product -= step;
-        step >>= 1;
-    } while (--count);
     return product;
 }
 
 /* The error of the boundary where cell k begins is n product - k square, less 1
- * where the way is turned. Where it is walked in 32 bits, it is counted in
- * units of 256 n, by which n product grows from pixel to pixel, and what they
- * leave, c->rest. */
+ * where the way is turned: there boundaries belong to the cells before them.
+ * Where it is walked in 32 bits, it is counted in units of 256 n, by which n
+ * product grows from pixel to pixel, and what they leave, c->rest. */
 static int32_t unit_of(const struct pel_linear *p)
 {
     return p->base.cells * 256;
@@ -84,7 +77,6 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
                                      int64_t product)
 {
     const int32_t mirror = p->way >> 31; /* -1 when turned, or 0 */
-    product -= mirror;
     int64_t error = mirror;
     /* n in the 15 upper bits makes room for k in the lower ones. */
     uint32_t bits = (uint32_t)p->base.cells << 17;
@@ -95,11 +87,10 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
         for (bits *= 2; error >= p->square; bits++)
             error -= p->square;
     }
-    int32_t place = (int32_t)bits;
     const int32_t n = p->base.cells, period = p->base.period;
-    if (place >= period)
-        place = p->base.ramp.spread == PEL_PAD ? n - 1 : place - period;
-    place = (place ^ mirror) + (mirror & n);
+    int32_t place = mirror ? n - 1 - (int32_t)bits : (int32_t)bits;
+    while (place >= period)
+        place -= p->base.ramp.spread == PEL_PAD ? 1 : period;
     c->place = place < 0 ? place + period : place;
     if (PEL_CELL_ROWS > 1) {
         int64_t rest;
@@ -303,9 +294,8 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     if ((d.x | d.y) == 0)
         return PEL_ERROR_SIZE;
     paint->base.paint.fill = fill;
-    paint->way = (d.x > 0) - (d.x < 0);
-    if (PEL_CELL_ROWS > 1 && d.x == 0)
-        paint->way = d.y < 0 ? -1 : 1;
+    const int32_t onward = d.x || PEL_CELL_ROWS == 1 ? d.x : d.y;
+    paint->way = (onward > 0) - (onward < 0);
     if (paint->way < 0) {
         from = to;
         d = (struct pel_point){-d.x, -d.y};
