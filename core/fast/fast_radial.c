@@ -20,7 +20,6 @@ struct ring {
 struct rings {
     const struct pel_radial *paint;
     const struct pel_spans *spans;
-    int32_t x0, x1;       /* px: of all spans */
     int64_t least, range; /* of squares */
     int32_t n;
     int32_t pad; /* 1/256 px: the radius where the last one begins */
@@ -65,26 +64,19 @@ static int32_t farthest(int32_t a, int32_t b, int32_t v)
     return v - pel_pixel_center(a) > pel_pixel_center(b - 1) - v ? a : b - 1;
 }
 
-/* How many pixels the spans have, and where. */
+/* Of how many pixels; and where they are. */
 static int32_t set_extent(struct rings *r)
 {
     const struct pel_spans *spans = r->spans;
     const struct pel_point c = r->paint->rings.center;
     const int32_t y0 = spans->y, y1 = y0 + (spans->n - 1) * spans->step + 1;
-    int32_t x0 = INT32_MAX, x1 = INT32_MIN, pixels = 0;
-    for (int32_t i = 0; i < spans->n; i++) {
-        const struct pel_span *span = &spans->span[i];
-        if (span->x0 >= span->x1)
-            continue;
-        x0 = pel_min(x0, span->x0);
-        x1 = pel_max(x1, span->x1);
-        pixels += span->x1 - span->x0;
-    }
+    struct pel_span x;
+    const int32_t pixels = pel_spans_hull(&x, spans->span, spans->n);
     if (pixels == 0)
         return 0;
-    r->least =
-        pel_radial_square(r->paint, nearest(x0, x1, c.x), nearest(y0, y1, c.y));
-    r->range = pel_radial_square(r->paint, farthest(x0, x1, c.x),
+    r->least = pel_radial_square(r->paint, nearest(x.x0, x.x1, c.x),
+                                 nearest(y0, y1, c.y));
+    r->range = pel_radial_square(r->paint, farthest(x.x0, x.x1, c.x),
                                  farthest(y0, y1, c.y));
     return pixels;
 }

@@ -46,8 +46,9 @@ struct pel_cells {
 
 #if PEL_KNOW_SIDES
     const struct pel_span *span; /* the shape's, of these rows */
+    int32_t end;                 /* of the farthest of them */
     uint8_t left;                /* spans from `span` on */
-    bool box;                    /* hi ends all rows */
+    bool box;                    /* these are all alike */
     pel_color mask; /* of mixed colors what can be seen; 0: ask the format */
 #endif
 
@@ -110,8 +111,13 @@ void pel_cells_open(struct pel_cells *cells,
                     const struct pel_gradient *gradient,
                     const struct pel_spans *spans);
 
+/* How many pixels n spans have, and where: from the left end of all to the
+ * right end. */
+int32_t pel_spans_hull(struct pel_span *hull, const struct pel_span *span,
+                       int32_t n);
+
 /* Goes on to the next batch, of at most `most` <= PEL_CELL_ROWS rows, unless
- * pixels are left of the present one: from x to hi. false when none are. */
+ * the present one goes on beyond x. false when no rows are left. */
 bool pel_cells_next(struct pel_cells *cells, int32_t most);
 
 /* Takes the color of the cell at c->place. */
@@ -207,6 +213,7 @@ static PEL_ALWAYS_INLINE void pel_cells_fill(
                 c.hi = c.x + 1;
             start(&c);
             pel_cells_draw(&c, end);
+            c.x = c.hi;
         }
         return;
     }

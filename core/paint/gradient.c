@@ -2,6 +2,20 @@
 
 enum { FAR = 1 << 20 }; /* px: to the right of every pixel */
 
+int32_t pel_spans_hull(struct pel_span *hull, const struct pel_span *span,
+                       int32_t n)
+{
+    int32_t pixels = 0;
+    *hull = (struct pel_span){FAR, -FAR};
+    for (; n > 0; n--, span++)
+        if (span->x0 < span->x1) {
+            hull->x0 = pel_min(hull->x0, span->x0);
+            hull->x1 = pel_max(hull->x1, span->x1);
+            pixels += span->x1 - span->x0;
+        }
+    return pixels;
+}
+
 /* A mixed color in less code: a + (b - a) part / 512, rounded. */
 static inline pel_color mixed_by_channels(pel_color a, pel_color b,
                                           int32_t part)
@@ -65,11 +79,10 @@ static pel_color mask_of(const struct pel_gradient *g,
 {
     const uint8_t *const depth = format->depth;
     pel_color mask = 0;
-    if (g->ramp.n != 2 || depth[1] == 0 ||
-        pel_alpha(g->ramp.colors[0] & g->ramp.colors[1]) != 255)
-        return 0;
-    for (int k = 0; k < 3; k++)
-        mask = mask << 8 | (0xFF00u >> depth[k] & 0xFF);
+    if (g->ramp.n == 2 && depth[1] &&
+        pel_alpha(g->ramp.colors[0] & g->ramp.colors[1]) == 255)
+        for (int k = 0; k < 3; k++)
+            mask = mask << 8 | (0xFF00u >> depth[k] & 0xFF);
     return mask;
 }
 
@@ -79,42 +92,30 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
     c->gradient = gradient;
     c->cell =
         (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
+    c->x = c->end = 0;
     c->span = spans->span;
     c->left = (uint8_t)spans->n;
     c->mask = mask_of(gradient, spans->surface->format);
 }
 
-/* Are pixels left of the batch? Rows that have none end far away. */
-static bool find_left(struct pel_cells *c)
-{
-    int32_t lo = FAR, hi = -FAR, rest = 0;
-    for (int32_t i = 0; i < c->cell.n; i++) {
-        const int32_t x1 = c->span[i].x1;
-        if (c->run[i].x1 >= x1)
-            c->run[i].x1 = FAR;
-        else
-            hi = pel_max(hi, x1);
-        lo = pel_min(lo, c->run[i].x1);
-        rest |= (c->run[i].x1 ^ c->run[0].x1) | (x1 ^ c->span[0].x1);
-    }
-    c->x = lo;
-    c->hi = hi;
-    c->box = rest == 0;
-    return lo < hi;
-}
-
 bool pel_cells_next(struct pel_cells *c, int32_t most)
 {
-    while (!find_left(c)) {
+    while (c->x >= c->end) {
+        struct pel_span hull;
         c->span += c->cell.n;
         c->left = (uint8_t)(c->left - c->cell.n);
         c->cell.y += c->cell.n * c->cell.step;
         c->cell.n = pel_min(c->left, most);
         if (c->cell.n == 0)
             return false;
-        for (int32_t i = 0; i < c->cell.n; i++)
-            c->run[i].x1 = c->span[i].x0;
+        const int32_t pixels = pel_spans_hull(&hull, c->span, c->cell.n);
+        c->x = hull.x0;
+        c->end = hull.x1;
+        c->box = pixels == c->cell.n * (hull.x1 - hull.x0);
     }
+    c->hi = c->end;
+    for (int32_t i = 0; i < c->cell.n; i++)
+        c->run[i].x1 = pel_max(c->x, c->span[i].x0);
     return true;
 }
 
@@ -148,15 +149,14 @@ static int32_t end_others(struct pel_cells *c, int32_t step, int32_t row,
                           int32_t bend)
 {
     const int32_t hi = c->hi, most = 1 << 30;
-    const int32_t row_bend = c->cell.step ? bend : 0;
+    const int32_t row_bend = bend * c->cell.step;
     int32_t x = c->x;
     int32_t rest = end_run(c, 0, x);
     int32_t error = c->error < -most  ? -most
                     : c->error > most ? most
                                       : (int32_t)c->error;
+    row *= c->cell.step;
     step -= bend;
-    if (c->cell.step == 0)
-        row = 0;
     for (int32_t i = 1; i < c->cell.n; i++) {
         error += row;
         row += row_bend;

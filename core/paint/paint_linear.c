@@ -176,17 +176,6 @@ static void fill_cells(const struct pel_paint *paint,
     pel_cells_fill(paint, spans, narrow ? 0 : rows, start, end_cells);
 }
 
-/* From the left end of all spans to the right end. */
-static struct pel_span hull_of(const struct pel_spans *spans)
-{
-    struct pel_span hull = spans->span[0];
-    for (int32_t i = 1; i < spans->n; i++) {
-        hull.x0 = pel_min(hull.x0, spans->span[i].x0);
-        hull.x1 = pel_max(hull.x1, spans->span[i].x1);
-    }
-    return hull;
-}
-
 /* All rows of a horizontal gradient are alike, so one that holds the hull is
  * drawn and copied to the others. False: there is none, or copies would be
  * wrong (colors are blended, pixels share bytes, or the format is a dither's or
@@ -270,15 +259,14 @@ static bool fill_walked(const struct pel_linear *p,
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    if (PEL_CELL_ROWS == 1) {
+    struct pel_span hull;
+    if (PEL_CELL_ROWS == 1)
         fill_cells(paint, spans);
-    } else if (p->d.x == 0) {
+    else if (p->d.x == 0)
         fill_level(p, spans);
-    } else {
-        const struct pel_span hull = hull_of(spans);
-        if (!fill_copies(p, spans, hull) && !fill_walked(p, spans, hull))
-            fill_cells(paint, spans);
-    }
+    else if (pel_spans_hull(&hull, spans->span, spans->n) > 0 &&
+             !fill_copies(p, spans, hull) && !fill_walked(p, spans, hull))
+        fill_cells(paint, spans);
 }
 
 enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
