@@ -95,15 +95,15 @@ static inline pel_color pel_mixed(struct pel_mix mix)
     return (mix.high & UINT32_C(0xFF00FF00)) | (mix.low >> 8 & 0xFF00FFu);
 }
 
-/* The place of the cell after `place`, on the way; that itself: none comes, or
- * none but it. */
-static PEL_ALWAYS_INLINE int32_t pel_cells_after(const struct pel_gradient *g,
-                                                 int32_t place, int32_t way)
+/* The place of the next cell, on the way; that of the present one: none comes,
+ * or none but it. */
+static PEL_ALWAYS_INLINE int32_t pel_cells_after(const struct pel_cells *c)
 {
-    const int32_t next = place + way;
+    const struct pel_gradient *g = c->gradient;
+    const int32_t next = c->place + c->way;
     if ((uint32_t)next < (uint32_t)g->period)
         return next;
-    return g->ramp.spread == PEL_PAD ? place : next - way * g->period;
+    return g->ramp.spread == PEL_PAD ? c->place : next - c->way * g->period;
 }
 
 /* Before the first batch. */
@@ -117,7 +117,8 @@ int32_t pel_spans_hull(struct pel_span *hull, const struct pel_span *span,
                        int32_t n);
 
 /* Goes on to the next batch, of at most `most` <= PEL_CELL_ROWS rows, unless
- * the present one goes on beyond x. false when no rows are left. */
+ * the present one goes on beyond x. 0: to the next pixel of one row. false when
+ * none is left. */
 bool pel_cells_next(struct pel_cells *cells, int32_t most);
 
 /* Takes the color of the cell at c->place. */
@@ -127,14 +128,11 @@ void pel_cells_color(struct pel_cells *c);
  * 0: all that may come. Moves on to the first other one. */
 int32_t pel_cells_pass(struct pel_cells *c);
 
-/* Ends all runs at hi, or where their rows do: true when pixels are left. */
-bool pel_cells_end_all(struct pel_cells *c);
-
 /* Goes on to the place of the next cell, and takes its color; false where none
  * comes: then a batch of one row ends. */
 static PEL_ALWAYS_INLINE bool pel_cells_more(struct pel_cells *c)
 {
-    const int32_t next = pel_cells_after(c->gradient, c->place, c->way);
+    const int32_t next = pel_cells_after(c);
     if (next == c->place) {
         if (PEL_CELL_ROWS == 1)
             c->x = c->hi;
@@ -147,9 +145,17 @@ static PEL_ALWAYS_INLINE bool pel_cells_more(struct pel_cells *c)
 
 /* Ends all runs at the boundary, whose error is set. It grows by `step` to the
  * next pixel, and by `row` to the one below; `row` from row to row, and the
- * step from pixel to pixel, by `bend`. Below 0 when pixels are left. */
-int32_t pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
-                      int32_t bend);
+ * step from pixel to pixel, by `bend`. true when pixels are left. */
+bool pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
+                   int32_t bend);
+
+/* The same at hi. */
+static inline bool pel_cells_end_all(struct pel_cells *c)
+{
+    c->x = c->hi;
+    c->error = -1;
+    return PEL_CELL_ROWS > 1 && pel_cells_end(c, 0, 0, 0);
+}
 
 /* Moves by `count` >= 1 cells, each `width` and part / n wide. */
 static PEL_ALWAYS_INLINE void pel_cells_move(struct pel_cells *c, int32_t count,
@@ -208,9 +214,7 @@ static PEL_ALWAYS_INLINE void pel_cells_fill(
     struct pel_cells c;
     if (PEL_CELL_ROWS > 1) {
         pel_cells_open(&c, (const void *)paint, spans);
-        while (pel_cells_next(&c, pel_max(most, 1))) {
-            if (most == 0)
-                c.hi = c.x + 1;
+        while (pel_cells_next(&c, most)) {
             start(&c);
             pel_cells_draw(&c, end);
             c.x = c.hi;

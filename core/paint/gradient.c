@@ -53,23 +53,26 @@ void pel_cells_color(struct pel_cells *c)
 
 #if PEL_KNOW_SIDES
 
-/* How many cells of two mixed colors, at most `most`, lie beyond the one at
- * c->place and look like it: formats drop the low bits of channels. Not for
- * grey, which shows a sum. */
-static int32_t pass_mixed(const struct pel_cells *c, int32_t most)
+/* Of two mixed colors: goes on to the last of the cells from the one at
+ * c->place on that look like it, as formats drop the low bits of channels, and
+ * stays on one way of the gradient: by how many. Not for grey, which shows a
+ * sum. */
+static int32_t pass_mixed(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
     const bool back = c->place >= g->cells, down = back == (c->way > 0);
     const int32_t i = back ? g->period - 1 - c->place : c->place;
+    const int32_t most = down ? i : 255 - i;
     struct pel_mix mix = pel_mix_from(g, i, down ? -1 : 1);
     const pel_color first = pel_mixed(mix) & c->mask;
     int32_t passed = 0;
-    for (most = pel_min(most, down ? i : 255 - i); passed < most; passed++) {
+    for (; passed < most; passed++) {
         mix.high += mix.high_change;
         mix.low += mix.low_change;
         if ((pel_mixed(mix) & c->mask) != first)
             break;
     }
+    c->place += c->way * passed;
     return passed;
 }
 
@@ -105,7 +108,7 @@ bool pel_cells_next(struct pel_cells *c, int32_t most)
         c->span += c->cell.n;
         c->left = (uint8_t)(c->left - c->cell.n);
         c->cell.y += c->cell.n * c->cell.step;
-        c->cell.n = pel_min(c->left, most);
+        c->cell.n = pel_min(c->left, pel_max(most, 1));
         if (c->cell.n == 0)
             return false;
         const int32_t pixels = pel_spans_hull(&hull, c->span, c->cell.n);
@@ -113,7 +116,7 @@ bool pel_cells_next(struct pel_cells *c, int32_t most)
         c->end = hull.x1;
         c->box = pixels == c->cell.n * (hull.x1 - hull.x0);
     }
-    c->hi = c->end;
+    c->hi = most ? c->end : c->x + 1;
     for (int32_t i = 0; i < c->cell.n; i++)
         c->run[i].x1 = pel_max(c->x, c->span[i].x0);
     return true;
@@ -178,17 +181,13 @@ static int32_t end_others(struct pel_cells *c, int32_t step, int32_t row,
 
 int32_t pel_cells_pass(struct pel_cells *c)
 {
-    const struct pel_gradient *g = c->gradient;
     const uint32_t value = c->value;
     void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
     int32_t count = 0;
     do {
-        if (c->mask) {
-            const int32_t passed = pass_mixed(c, g->period - count);
-            count += passed;
-            c->place += c->way * passed;
-        }
-        if (count++ == g->period || !pel_cells_more(c))
+        if (c->mask)
+            count += pass_mixed(c);
+        if (count++ >= c->gradient->period || !pel_cells_more(c))
             return 0;
     } while (c->value == value && c->draw == draw);
     return count;
@@ -196,21 +195,8 @@ int32_t pel_cells_pass(struct pel_cells *c)
 
 #endif
 
-bool pel_cells_end_all(struct pel_cells *c)
-{
-#if PEL_KNOW_SIDES
-    for (int32_t i = 0; i < c->cell.n; i++)
-        end_run(c, i, c->hi);
-    if (!c->box)
-        return cut(c) < 0;
-#endif
-    c->x = c->hi;
-    return false;
-}
-
 /* The first row by steps of 64 bits. */
-int32_t pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
-                      int32_t bend)
+bool pel_cells_end(struct pel_cells *c, int32_t step, int32_t row, int32_t bend)
 {
     const int32_t hi = c->hi;
     int32_t x = c->x;
@@ -223,10 +209,10 @@ int32_t pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
     c->error = error;
 #if PEL_KNOW_SIDES
     const int32_t rest = end_others(c, step, row, bend);
-    return c->box ? rest : cut(c);
+    return (c->box ? rest : cut(c)) < 0;
 #else
     (void)row;
-    return x - hi;
+    return x < hi;
 #endif
 }
 

@@ -47,7 +47,7 @@ static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
     const struct pel_point d = pel_direction((uint16_t)c->whole);
     const int64_t cross = cross_of(c, d.x, d.y, height_of(c)) >> 8;
     c->error = c->way < 0 ? ~cross : cross;
-    return pel_cells_end(c, pel_magnitude(d.y), c->way * d.x, 0) < 0;
+    return pel_cells_end(c, pel_magnitude(d.y), c->way * d.x, 0);
 }
 
 /* Cuts the batch, so that it has rows above the centre, or the row through it,
@@ -64,16 +64,10 @@ static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
     if (PEL_CELL_ROWS > 1 && c->cell.step && v <= 0)
         c->cell.n = pel_min(
             c->cell.n, above ? pel_first_pixel(p->center.y) - c->cell.y : 1);
-    c->way = 1;
-    c->whole = HALF_TURN;
-    if (v > 0 || (v == 0 && !left)) {
-        c->way = -1;
-        c->whole = 0;
-    } else if (v == 0) {
+    c->way = (v < 0) - (v > 0);
+    c->whole = above || (v == 0 && left) ? HALF_TURN : 0;
+    if (v == 0 && left)
         c->hi = pel_min(c->hi, split);
-    }
-    if (v == 0)
-        c->way = 0;
     c->rest = v;
     if (PEL_CELL_ROWS > 1 && v && above == left)
         c->rest += (c->cell.n - 1) * c->cell.step * 256;

@@ -66,7 +66,7 @@ static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
     do
         next_boundary(c, p);
     while (--count);
-    return pel_cells_end(c, p->d.x, p->d.y, 0) < 0;
+    return pel_cells_end(c, p->d.x, p->d.y, 0);
 }
 
 /* The cell k of a pixel by its product, bit by bit of n, so that the error
@@ -77,6 +77,7 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
                                      int64_t product)
 {
     const int32_t mirror = p->way >> 31; /* -1 when turned, or 0 */
+    c->way = p->way;
     int64_t error = mirror;
     /* n in the 15 upper bits makes room for k in the lower ones. */
     uint32_t bits = (uint32_t)p->base.cells << 17;
@@ -107,7 +108,6 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     const int32_t last =
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
     set_cell(c, p, product_at(p, c->x, c->cell.y + last));
-    c->way = p->way;
     if (PEL_CELL_ROWS > 1)
         c->error -= pel_product(p->d.y, last);
 }
@@ -118,7 +118,7 @@ static void move_on(struct pel_cells *c, int64_t growth)
 {
     const struct pel_linear *const p = (const void *)c->gradient;
     for (c->error += growth; c->error >= 0; next_boundary(c, p))
-        c->place = pel_cells_after(&p->base, c->place, p->way);
+        c->place = pel_cells_after(c);
 }
 
 /* A row of a vertical gradient has one color. Neighbouring rows of one pixel
@@ -203,52 +203,45 @@ static bool fill_copies(const struct pel_linear *p,
     return true;
 }
 
-static bool is_on_way(const struct pel_linear *p, const struct pel_spans *spans,
-                      struct pel_span hull)
-{
-    const int32_t x0 = pel_pixel_center(hull.x0);
-    const int32_t x1 = pel_pixel_center(hull.x1 - 1);
-    const int32_t top = pel_pixel_center(spans->y);
-    const int32_t bottom = top + 256 * (spans->n - 1) * spans->step;
-    return along(p, x0, top) > 0 && along(p, x0, bottom) > 0 &&
-           along(p, x1, top) < p->square && along(p, x1, bottom) < p->square;
-}
-
 /* Fills the rows of a dither, which shows every cell, from the row where
  * products are least on. False, and nothing is done, unless the format can
  * walk, cells are 1/2 to 7 px wide (3 px with vectors, which are faster then),
- * and the hull is all on the way. */
+ * and the hull is all on one way from the first cell to the last. */
 static bool fill_walked(const struct pel_linear *p,
                         const struct pel_spans *spans, struct pel_span hull)
 {
     const struct pel_channels *const channels =
         spans->surface->format->channels;
     const int64_t widest = (PEL_VECTORS ? 3 : 7) * (int64_t)p->d.x;
-    const bool up = p->d.y < 0;
     const int64_t growth = spans->step ? pel_size_of(p->d.y) : 0;
+    const bool up = p->d.y < 0;
     const int32_t last = spans->n - 1;
+    const int64_t least =
+        product_at(p, hull.x0, spans->y + up * last * spans->step);
+    const int64_t most =
+        least +
+        256 * (pel_product(p->d.x, hull.x1 - 1 - hull.x0) + growth * last);
     struct pel_cells c;
     if (!channels || !channels->walk || p->base.ramp.n != 2 ||
         !is_opaque(&p->base.ramp) || p->cell >= widest ||
-        p->d.x >= 2 * p->cell || !is_on_way(p, spans, hull))
+        p->d.x >= 2 * p->cell || least <= 0 || most >= p->square)
         return false;
     c.gradient = &p->base;
-    c.x = hull.x0;
-    set_cell(&c, p, product_at(p, c.x, spans->y + up * last * spans->step));
+    set_cell(&c, p, least);
     next_boundary(&c, p);
     for (int32_t i = 0; i <= last; i++, move_on(&c, growth)) {
         const int32_t k = up ? last - i : i;
         const struct pel_span run = spans->span[k];
         if (run.x0 >= run.x1)
             continue;
-        const int32_t error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0);
-        const struct pel_walk walk = {pel_mix_from(&p->base, c.place, p->way),
-                                      error,
-                                      c.rest,
-                                      (int32_t)p->cell,
-                                      p->cell_rest,
-                                      unit_of(p),
-                                      p->d.x};
+        const struct pel_walk walk = {
+            .mix = pel_mix_from(&p->base, c.place, p->way),
+            .error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0),
+            .rest = c.rest,
+            .cell = (int32_t)p->cell,
+            .cell_rest = p->cell_rest,
+            .unit = unit_of(p),
+            .step = p->d.x};
         if (!channels->walk(spans->surface, run.x0, spans->y + k * spans->step,
                             run.x1 - run.x0, &walk))
             return false;

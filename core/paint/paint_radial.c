@@ -37,7 +37,7 @@ static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
     add_circle(c, p, -way);
     return pel_cells_end(c, way * (pel_pixel_center(c->x) - center.x + 128),
                          way * (pel_pixel_center(c->cell.y) - center.y + 128),
-                         way * 256) < 0;
+                         way * 256);
 }
 
 /* The row of the pixel where the walk begins: the farthest from the centre on
