@@ -48,8 +48,7 @@ static pel_color color_of(const struct pel_radial *p, int32_t ring)
 {
     const struct pel_gradient *g = &p->base;
     const int32_t cell = ring + p->first;
-    const int32_t place = pel_cells_place(g, cell / g->cells, cell % g->cells);
-    return g->color(g, place < g->cells ? place : g->period - 1 - place);
+    return g->color(g, pel_cells_place(g, cell / g->cells, cell % g->cells));
 }
 
 /* The one of pixels a to b - 1 that is the nearest to a coordinate, or the

@@ -63,7 +63,7 @@ static inline int32_t pel_cells_place(const struct pel_gradient *g,
 {
     if (g->ramp.spread == PEL_PAD)
         return copy > 0 ? g->cells - 1 : part;
-    return g->period > g->cells && (copy & 1) ? part + g->cells : part;
+    return part + (copy & 1) * (g->period - g->cells);
 }
 
 /* The middle of cell i of 256 from a to b, rounded: a + (b - a) (2 i + 1) /
@@ -95,15 +95,18 @@ static inline pel_color pel_mixed(struct pel_mix mix)
     return (mix.high & UINT32_C(0xFF00FF00)) | (mix.low >> 8 & 0xFF00FFu);
 }
 
-/* The place of the next cell, on the way; that of the present one: none comes,
- * or none but it. */
-static PEL_ALWAYS_INLINE int32_t pel_cells_after(const struct pel_cells *c)
+/* Goes on to the next cell's place; false where none comes, or none but the
+ * present one. */
+static PEL_ALWAYS_INLINE bool pel_cells_go(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
-    const int32_t next = c->place + c->way;
-    if ((uint32_t)next < (uint32_t)g->period)
-        return next;
-    return g->ramp.spread == PEL_PAD ? c->place : next - c->way * g->period;
+    int32_t next = c->place + c->way;
+    if ((uint32_t)next >= (uint32_t)g->period)
+        next = g->ramp.spread == PEL_PAD ? c->place : next - c->way * g->period;
+    if (next == c->place)
+        return false;
+    c->place = next;
+    return true;
 }
 
 /* Before the first batch. */
@@ -128,19 +131,13 @@ void pel_cells_color(struct pel_cells *c);
  * 0: all that may come. Moves on to the first other one. */
 int32_t pel_cells_pass(struct pel_cells *c);
 
-/* Goes on to the place of the next cell, and takes its color; false where none
- * comes: then a batch of one row ends. */
+/* Goes on to the next cell and takes its color; false where none comes. */
 static PEL_ALWAYS_INLINE bool pel_cells_more(struct pel_cells *c)
 {
-    const int32_t next = pel_cells_after(c);
-    if (next == c->place) {
-        if (PEL_CELL_ROWS == 1)
-            c->x = c->hi;
-        return false;
-    }
-    c->place = next;
-    pel_cells_color(c);
-    return true;
+    const bool more = pel_cells_go(c);
+    if (more)
+        pel_cells_color(c);
+    return more;
 }
 
 /* Ends all runs at the boundary, whose error is set. It grows by `step` to the
@@ -153,8 +150,10 @@ bool pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
 static inline bool pel_cells_end_all(struct pel_cells *c)
 {
     c->x = c->hi;
+    if (PEL_CELL_ROWS == 1)
+        return false;
     c->error = -1;
-    return PEL_CELL_ROWS > 1 && pel_cells_end(c, 0, 0, 0);
+    return pel_cells_end(c, 0, 0, 0);
 }
 
 /* Moves by `count` >= 1 cells, each `width` and part / n wide. */
@@ -190,11 +189,10 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
             rest = count ? end(c, count) : pel_cells_end_all(c);
         } else {
             c->run[0].x0 = c->x;
-            do {
-                if (pel_cells_more(c))
-                    end(c, 1);
-            } while (--left && c->x < c->hi && c->value == value &&
-                     c->draw == draw);
+            do
+                (void)(pel_cells_more(c) ? end(c, 1) : pel_cells_end_all(c));
+            while (--left && c->x < c->hi && c->value == value &&
+                   c->draw == draw);
             c->run[0].x1 = c->x;
         }
         pel_fill_value(&c->cell, value, draw);

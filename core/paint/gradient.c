@@ -29,22 +29,20 @@ static inline pel_color mixed_by_channels(pel_color a, pel_color b,
     return color;
 }
 
-static pel_color ramp_color(const struct pel_gradient *g, int32_t cell)
+static pel_color ramp_color(const struct pel_gradient *g, int32_t place)
 {
-    const pel_color a = g->ramp.colors[0], b = g->ramp.colors[1];
+    const pel_color *const colors = g->ramp.colors;
+    const int32_t cell = place < g->cells ? place : g->period - 1 - place;
     if (g->ramp.n != 2)
-        return g->ramp.colors[cell];
+        return colors[cell];
     if (!PEL_KNOW_SIDES)
-        return mixed_by_channels(a, b, 2 * cell + 1);
+        return mixed_by_channels(colors[0], colors[1], 2 * cell + 1);
     return pel_mixed(pel_mix_from(g, cell, 1));
 }
 
 void pel_cells_color(struct pel_cells *c)
 {
-    const struct pel_gradient *g = c->gradient;
-    const int32_t place = c->place;
-    const pel_color color =
-        g->color(g, place < g->cells ? place : g->period - 1 - place);
+    const pel_color color = c->gradient->color(c->gradient, c->place);
     const struct pel_format *format = c->cell.surface->format;
     const bool opaque = pel_alpha(color) == 255;
     c->draw = opaque ? format->fill : format->blend;
@@ -76,29 +74,22 @@ static int32_t pass_mixed(struct pel_cells *c)
     return passed;
 }
 
-/* The bits of opaque colors that can be seen; 0: any. */
-static pel_color mask_of(const struct pel_gradient *g,
-                         const struct pel_format *format)
-{
-    const uint8_t *const depth = format->depth;
-    pel_color mask = 0;
-    if (g->ramp.n == 2 && depth[1] &&
-        pel_alpha(g->ramp.colors[0] & g->ramp.colors[1]) == 255)
-        for (int k = 0; k < 3; k++)
-            mask = mask << 8 | (0xFF00u >> depth[k] & 0xFF);
-    return mask;
-}
-
 void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
                     const struct pel_spans *spans)
 {
+    const uint8_t *const depth = spans->surface->format->depth;
+    const struct pel_ramp *const ramp = &gradient->ramp;
     c->gradient = gradient;
     c->cell =
         (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
     c->x = c->end = 0;
     c->span = spans->span;
     c->left = (uint8_t)spans->n;
-    c->mask = mask_of(gradient, spans->surface->format);
+    c->mask = 0;
+    if (ramp->n == 2 && depth[1] &&
+        pel_alpha(ramp->colors[0] & ramp->colors[1]) == 255)
+        for (int k = 0; k < 3; k++)
+            c->mask = c->mask << 8 | (0xFF00u >> depth[k] & 0xFF);
 }
 
 bool pel_cells_next(struct pel_cells *c, int32_t most)
@@ -122,16 +113,6 @@ bool pel_cells_next(struct pel_cells *c, int32_t most)
     return true;
 }
 
-/* Row i's next run goes to pixel x. Negative where the row goes farther, if the
- * batch is a box. */
-static inline int32_t end_run(struct pel_cells *c, int32_t i, int32_t x)
-{
-    struct pel_span *run = &c->run[i];
-    run->x0 = run->x1;
-    run->x1 = x;
-    return x - c->hi;
-}
-
 /* Keeps the runs in the spans of their rows: below 0 when pixels are left. */
 static int32_t cut(struct pel_cells *c)
 {
@@ -146,21 +127,26 @@ static int32_t cut(struct pel_cells *c)
     return rest;
 }
 
-/* From row to row. The error is not taken for more than +-2^30: that is beyond
- * 32 rows and every step. */
-static int32_t end_others(struct pel_cells *c, int32_t step, int32_t row,
-                          int32_t bend)
+/* From row to row: below 0 when pixels are left of a box. The error is not
+ * taken for more than +-2^30: that is beyond 32 rows and every step. */
+static int32_t end_rows(struct pel_cells *c, int32_t step, int32_t row,
+                        int32_t bend)
 {
     const int32_t hi = c->hi, most = 1 << 30;
     const int32_t row_bend = bend * c->cell.step;
-    int32_t x = c->x;
-    int32_t rest = end_run(c, 0, x);
+    int32_t x = c->x, rest = 0;
     int32_t error = c->error < -most  ? -most
                     : c->error > most ? most
                                       : (int32_t)c->error;
     row *= c->cell.step;
     step -= bend;
-    for (int32_t i = 1; i < c->cell.n; i++) {
+    struct pel_span *run = c->run;
+    for (int32_t left = c->cell.n;; run++) {
+        run->x0 = run->x1;
+        run->x1 = x;
+        rest |= x - hi;
+        if (--left == 0)
+            return rest;
         error += row;
         row += row_bend;
         if (error < 0 && x < hi)
@@ -170,13 +156,11 @@ static int32_t end_others(struct pel_cells *c, int32_t step, int32_t row,
                 x++;
             } while (error < 0 && x < hi);
         else
-            for (; error >= step && x > c->run[i].x1; x--) {
+            for (; error >= step && x > run[1].x1; x--) {
                 error -= step;
                 step -= bend;
             }
-        rest |= end_run(c, i, x);
     }
-    return rest;
 }
 
 int32_t pel_cells_pass(struct pel_cells *c)
@@ -208,7 +192,7 @@ bool pel_cells_end(struct pel_cells *c, int32_t step, int32_t row, int32_t bend)
     c->x = x;
     c->error = error;
 #if PEL_KNOW_SIDES
-    const int32_t rest = end_others(c, step, row, bend);
+    const int32_t rest = end_rows(c, step, row, bend);
     return (c->box ? rest : cut(c)) < 0;
 #else
     (void)row;

@@ -118,7 +118,7 @@ static void move_on(struct pel_cells *c, int64_t growth)
 {
     const struct pel_linear *const p = (const void *)c->gradient;
     for (c->error += growth; c->error >= 0; next_boundary(c, p))
-        c->place = pel_cells_after(c);
+        pel_cells_go(c);
 }
 
 /* A row of a vertical gradient has one color. Neighbouring rows of one pixel
