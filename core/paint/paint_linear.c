@@ -218,13 +218,12 @@ static bool fill_walked(const struct pel_linear *p,
     const int32_t last = spans->n - 1;
     const int64_t least =
         product_at(p, hull.x0, spans->y + up * last * spans->step);
-    const int64_t most =
-        least +
-        256 * (pel_product(p->d.x, hull.x1 - 1 - hull.x0) + growth * last);
+    const int64_t across = pel_product(p->d.x, hull.x1 - 1 - hull.x0);
     struct pel_cells c;
     if (!channels || !channels->walk || p->base.ramp.n != 2 ||
         !is_opaque(&p->base.ramp) || p->cell >= widest ||
-        p->d.x >= 2 * p->cell || least <= 0 || most >= p->square)
+        p->d.x >= 2 * p->cell || least <= 0 ||
+        least + 256 * (across + growth * last) >= p->square)
         return false;
     c.gradient = &p->base;
     set_cell(&c, p, least);
