@@ -51,19 +51,7 @@ static pel_color color_of(const struct pel_radial *p, int32_t ring)
     return g->color(g, pel_cells_place(g, cell / g->cells, cell % g->cells));
 }
 
-/* The one of pixels a to b - 1 that is the nearest to a coordinate, or the
- * farthest. */
-static int32_t nearest(int32_t a, int32_t b, int32_t v)
-{
-    return pel_max(a, pel_min(pel_pixel_of(v), b - 1));
-}
-
-static int32_t farthest(int32_t a, int32_t b, int32_t v)
-{
-    return v - pel_pixel_center(a) > pel_pixel_center(b - 1) - v ? a : b - 1;
-}
-
-/* Of how many pixels; and where they are. */
+/* Where the batch is: of how many pixels. */
 static int32_t set_extent(struct rings *r)
 {
     const struct pel_spans *spans = r->spans;
@@ -73,10 +61,10 @@ static int32_t set_extent(struct rings *r)
     const int32_t pixels = pel_spans_hull(&x, spans->span, spans->n);
     if (pixels == 0)
         return 0;
-    r->least = pel_radial_square(r->paint, nearest(x.x0, x.x1, c.x),
-                                 nearest(y0, y1, c.y));
-    r->range = pel_radial_square(r->paint, farthest(x.x0, x.x1, c.x),
-                                 farthest(y0, y1, c.y));
+    r->least = pel_radial_square(r->paint, pel_nearest_pixel(x.x0, x.x1, c.x),
+                                 pel_nearest_pixel(y0, y1, c.y));
+    r->range = pel_radial_square(r->paint, pel_farthest_pixel(x.x0, x.x1, c.x),
+                                 pel_farthest_pixel(y0, y1, c.y));
     return pixels;
 }
 

@@ -46,7 +46,7 @@ struct pel_cells {
 
 #if PEL_KNOW_SIDES
     const struct pel_span *span; /* the shape's, of these rows */
-    int32_t end;                 /* of the farthest of them */
+    int32_t end;                 /* px: where all of them have ended */
     uint8_t left;                /* spans from `span` on */
     bool box;                    /* these are all alike */
     pel_color mask; /* of mixed colors what can be seen; 0: ask the format */

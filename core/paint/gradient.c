@@ -51,10 +51,9 @@ void pel_cells_color(struct pel_cells *c)
 
 #if PEL_KNOW_SIDES
 
-/* Of two mixed colors: goes on to the last of the cells from the one at
- * c->place on that look like it, as formats drop the low bits of channels, and
- * stays on one way of the gradient: by how many. Not for grey, which shows a
- * sum. */
+/* Goes on to the last of the cells of two mixed colors that look like the one
+ * at c->place, but not beyond the end of the way: by how many. Formats drop the
+ * low bits of channels. Not for grey, which shows a sum. */
 static int32_t pass_mixed(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
