@@ -79,6 +79,8 @@ static void any_gradient(struct random *r, struct gradient *g,
         g->to.y = shape_legal(g->at.y + (random_word(r) % 4 == 0));
     g->phase = (uint16_t)(random_word(r) << random_between(r, 0, 15));
     any_ramp(r, &g->ramp);
+    g->s = (uint8_t)random_word(r);
+    g->v = (uint8_t)random_word(r);
     g->radius = any_size(r);
     if (narrow)
         g->radius = cells_of(g) * (g->radius / 256 % 800 + 1);
@@ -93,9 +95,7 @@ static void any_gradient(struct random *r, struct gradient *g,
         : g->kind == RADIAL ? pel_radial_init(&g->u.radial, &rings, &g->ramp)
         : g->kind == CONIC
             ? pel_conic_init(&g->u.conic, g->at, g->phase, &g->ramp)
-            : pel_hue_wheel_init(&g->u.wheel, g->at, g->phase,
-                                 (uint8_t)random_word(r),
-                                 (uint8_t)random_word(r));
+            : pel_hue_wheel_init(&g->u.wheel, g->at, g->phase, g->s, g->v);
     assert_int_equal(status, PEL_OK);
 }
 

@@ -17,6 +17,7 @@ struct gradient {
     struct pel_point at, to; /* from, or the centre */
     int32_t radius;
     uint16_t phase; /* or start */
+    uint8_t s, v;   /* of a wheel */
     struct pel_ramp ramp;
     union any_paint u;
 };
@@ -123,7 +124,7 @@ static inline pel_color middle_color(pel_color a, pel_color b, uint32_t i)
 
 static inline uint32_t hue_channel(const struct gradient *g, uint32_t part)
 {
-    const uint32_t whole = 255 * 512, s = g->u.wheel.s, v = g->u.wheel.v;
+    const uint32_t whole = 255 * 512, s = g->s, v = g->v;
     return (v * (whole - s * part) + whole / 2) / whole;
 }
 
@@ -133,7 +134,7 @@ static inline pel_color hue_color(const struct gradient *g, uint32_t cell)
     const uint32_t part = cell % 256 * 2 + 1, sixth = cell / 256;
     pel_color c = 255;
     for (int i = 0; i < 3; i++)
-        c = c << 8 | (order[sixth][i] == 'v'   ? g->u.wheel.v
+        c = c << 8 | (order[sixth][i] == 'v'   ? g->v
                       : order[sixth][i] == 'p' ? hue_channel(g, 512)
                       : sixth % 2              ? hue_channel(g, part)
                                                : hue_channel(g, 512 - part));
