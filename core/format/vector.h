@@ -13,12 +13,13 @@ void pel_blend32(const struct pel_spans *spans, pel_color color);
 /* The same of the three formats of 5-6-5 bits. */
 void pel_blend565(const struct pel_spans *spans, pel_color color);
 
-/* Puts n - n % 8 colors, and returns how many. Of 32-bit formats those whose
- * pixels are colors, xrgb8888 and argb8888; 0 of others. */
+/* Puts n - n % 8 colors, and returns how many. */
 int32_t pel_put565(const struct pel_format *format, pel_word16 *p, int32_t n,
                    const pel_color *colors);
-int32_t pel_put32(const struct pel_format *format, pel_word32 *p, int32_t n,
-                  const pel_color *colors);
+
+/* Puts colors where they are pixels, too: of xrgb8888 and argb8888. */
+void pel_put32(const struct pel_surface *surface, int32_t x, int32_t y,
+               int32_t n, const pel_color *colors);
 
 /* Copies pixels, of which it sets the bits `set`. */
 void pel_copy32(pel_word32 *to, const pel_word32 *from, int32_t n,
@@ -85,7 +86,8 @@ static inline pel_u8x16 pel_zip_high_u8x16(pel_u8x16 a, pel_u8x16 b)
  * pel_divide255_u16x8: floor(u 257 / 65,536) = floor((u + floor(u / 256)) /
  * 256) in every lane, which pel_round_div255 does after adding 128.
  * pel_narrow_u16x8: eight lanes, all below 65,536, in 16 bits each.
- * pel_join_u8x16: sixteen lanes, all below 256, in 8 bits each. */
+ * pel_join_u8x16: sixteen lanes, all below 256, in 8 bits each.
+ * pel_top_bits_u32x4: whether all four lanes have their highest bit set. */
 #ifdef __SSE2__
 typedef int16_t pel_s16x8 __attribute__((__vector_size__(16)));
 
@@ -112,6 +114,12 @@ static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
 {
     return (pel_u8x16)__builtin_ia32_packuswb128((pel_s16x8)low,
                                                  (pel_s16x8)high);
+}
+
+static inline bool pel_top_bits_u32x4(pel_u32x4 v)
+{
+    typedef char c8x16 __attribute__((__vector_size__(16)));
+    return (__builtin_ia32_pmovmskb128((c8x16)v) & 0x8888) == 0x8888;
 }
 
 #else
@@ -149,6 +157,12 @@ static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
     return v;
 }
 
+static inline bool pel_top_bits_u32x4(pel_u32x4 v)
+{
+    const pel_u64x2 half = (pel_u64x2)v;
+    return (~(half[0] & half[1]) & UINT64_C(0x8000000080000000)) == 0;
+}
+
 #endif
 
 /* Of eight colors. */
@@ -156,13 +170,10 @@ enum pel_cover { PEL_CLEAR, PEL_MIXED, PEL_OPAQUE };
 
 static PEL_ALWAYS_INLINE enum pel_cover pel_cover_of(pel_u32x4 a, pel_u32x4 b)
 {
-    const uint64_t alphas = UINT64_C(0xFF000000FF000000);
-    const pel_u32x4 all[2] = {a & b, a | b};
-    uint64_t half[4];
-    memcpy(half, all, 32);
-    if ((~(half[0] & half[1]) & alphas) == 0)
+    const pel_u8x16 all = (pel_u8x16)(a & b), any = (pel_u8x16)(a | b);
+    if (pel_top_bits_u32x4((pel_u32x4)(all == 255)))
         return PEL_OPAQUE;
-    return ((half[2] | half[3]) & alphas) == 0 ? PEL_CLEAR : PEL_MIXED;
+    return pel_top_bits_u32x4((pel_u32x4)(any == 0)) ? PEL_CLEAR : PEL_MIXED;
 }
 
 #endif
