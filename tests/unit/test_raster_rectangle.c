@@ -35,6 +35,30 @@ TEST(clear_sets_the_color)
             }
 }
 
+/* Four wide rows, all alike or all but one, and each by itself. */
+TEST(wide_rows)
+{
+    static struct canvas single;
+    static const struct pel_rect wide = {0, 0, 300, 6};
+    for (int f = 0; f < LAYOUT_COUNT; f++)
+        for (int k = 0; k < 9; k++) {
+            const struct pel_format *format = layouts[f].format;
+            const uint32_t pixel = format->pack(0xFF9ABCDE);
+            struct pel_span span[4];
+            canvas_open(&canvas, format, &wide, (unsigned)k % CANVAS_STYLES);
+            canvas_open(&single, format, &wide, 0);
+            for (int i = 0; i < 4; i++) {
+                span[i] = (struct pel_span){8 + (k == i), 290 - (k == i + 4)};
+                format->fill(
+                    &(struct pel_spans){&single.surface, &span[i], i + 1, 1, 1},
+                    pixel);
+            }
+            format->fill(&(struct pel_spans){&canvas.surface, span, 1, 4, 1},
+                         pixel);
+            canvas_check_same(&canvas, &single);
+        }
+}
+
 TEST(clear_of_an_empty_clip)
 {
     static const struct pel_rect clips[] = {
