@@ -113,11 +113,9 @@ void pel_put32(const struct pel_surface *surface, int32_t x, int32_t y,
         pel_put_u32x4(p, mixed ? colors_over4(pel_get_u32x4(p), a) : a);
         pel_put_u32x4(p + 4, mixed ? colors_over4(pel_get_u32x4(p + 4), b) : b);
     }
-    for (; n > 0; n--, p++, colors++) {
-        const uint32_t alpha = pel_alpha(*colors);
-        if (alpha > 0)
-            *p = alpha < 255 ? pel_mix(*p, *colors, alpha) : *colors;
-    }
+    for (; n > 0; n--, p++, colors++)
+        if (pel_alpha(*colors) > 0)
+            *p = pel_mix(*p, *colors, pel_alpha(*colors));
 }
 
 void pel_copy32(pel_word32 *to, const pel_word32 *from, int32_t n, uint32_t set)

@@ -102,11 +102,8 @@ static void copy_run(const struct run *r, uint8_t *to, const uint8_t *from)
         copy32(r, (void *)to, (const void *)from);
 }
 
-enum way {
-    AS_THEY_ARE, /* whole bytes */
-    SET_32,      /* 32-bit pixels without a key */
-    BY_RUNS      /* any */
-};
+/* Whole bytes; 32-bit pixels, without a key; any. */
+enum way { AS_THEY_ARE, SET_32, BY_RUNS };
 
 /* A way is a constant, and addresses are no members of the run: then they are
  * in registers, and no line waits for the address of the one before it. */
@@ -189,10 +186,9 @@ static void copy_colors(const struct pel_surface *surface,
         return;
     const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
     const int32_t width = r.x1 - r.x0, bits = surface->format->bits;
-    const int32_t left = (r.x0 - surface->bounds.x0) * bits / 8;
     const bool in_place = !weigh && source->format->id == PEL_FORMAT_ARGB8888 &&
                           PEL_LE32(UINT32_C(1)) == 1;
-    uintptr_t row = (uintptr_t)(pel_surface_line(surface, r.y0) + left);
+    uintptr_t row = pel_address(surface, r.x0, r.y0, bits / 8);
     for (int32_t y = r.y0; y < r.y1; y++, row += (uintptr_t)surface->stride) {
         ask_ahead(row, surface->stride, (size_t)(width * bits / 8));
         for (int32_t x = r.x0, n; x < r.x1; x += n) {
