@@ -111,7 +111,7 @@ static PEL_ALWAYS_INLINE void copy_lines(const struct run *r, uint8_t *to,
                                          const uint8_t *from, enum way way)
 {
     const ptrdiff_t down = r->to_stride, from_down = r->from_stride;
-    const size_t size = (size_t)(r->n * r->bits / 8);
+    const size_t size = (size_t)(r->n * r->bits) / 8;
     for (int32_t rows = r->rows;; to += down, from += from_down) {
         if (way == BY_RUNS && r->keyed)
             ask_ahead((uintptr_t)to, down, size);
@@ -185,14 +185,15 @@ static void copy_colors(const struct pel_surface *surface,
     if (!source->format->load || !surface->format->put)
         return;
     const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
-    const int32_t width = r.x1 - r.x0, bits = surface->format->bits;
     const bool in_place = !weigh && source->format->id == PEL_FORMAT_ARGB8888 &&
                           PEL_LE32(UINT32_C(1)) == 1;
+    const int32_t bits = surface->format->bits;
+    const size_t bytes = (size_t)((r.x1 - r.x0) * bits) / 8;
     uintptr_t row = pel_address(surface, r.x0, r.y0, bits / 8);
     for (int32_t y = r.y0; y < r.y1; y++, row += (uintptr_t)surface->stride) {
-        ask_ahead(row, surface->stride, (size_t)(width * bits / 8));
+        ask_ahead(row, surface->stride, bytes);
         for (int32_t x = r.x0, n; x < r.x1; x += n) {
-            n = in_place ? width : pel_min(r.x1 - x, PEL_BUFFER_PIXELS);
+            n = in_place ? r.x1 - x : pel_min(r.x1 - x, PEL_BUFFER_PIXELS);
             const pel_color *from = colors;
             if (in_place)
                 from = pel_address32(source, x - dx, y - dy);
