@@ -6,16 +6,16 @@
 
 /* How many spans to draw: one where all are like it and wide, so that the
  * others are copied from it. memcpy may have wider registers than fills. */
-static PEL_NOINLINE int32_t count_to_draw(const struct pel_spans *spans,
-                                          int bytes)
+static PEL_ALWAYS_INLINE int32_t count_to_draw(const struct pel_spans *spans,
+                                               int bytes)
 {
     const struct pel_span *const span = spans->span;
-    int32_t i = 0;
-    if ((span->x1 - span->x0) * bytes >= 512)
-        while (++i < spans->n && span[i].x0 == span->x0 &&
-               span[i].x1 == span->x1)
-            continue;
-    return i == spans->n ? 1 : spans->n;
+    if (!PEL_VECTORS || (span->x1 - span->x0) * bytes < 512)
+        return spans->n;
+    for (int32_t i = 1; i < spans->n; i++)
+        if (span[i].x0 != span->x0 || span[i].x1 != span->x1)
+            return spans->n;
+    return 1;
 }
 
 static PEL_NOINLINE void copy_first(const struct pel_spans *spans, int bytes)
@@ -44,7 +44,7 @@ void pel_fill16(const struct pel_spans *spans, uint32_t pixel)
     const pel_value16 value = pel_make_value16(pixel);
     const uintptr_t pitch = (uintptr_t)pel_spans_pitch(spans);
     uintptr_t row = pel_column_zero(spans->surface, spans->y, 2);
-    const int32_t n = PEL_VECTORS ? count_to_draw(spans, 2) : spans->n;
+    const int32_t n = count_to_draw(spans, 2);
     const struct pel_span *const end = span + n;
     do {
         pel_span16((pel_word16 *)(row + 2 * (uintptr_t)span->x0),
@@ -76,7 +76,7 @@ void pel_fill32(const struct pel_spans *spans, uint32_t pixel)
     const pel_value32 value = pel_make_value32(pixel);
     const uintptr_t pitch = (uintptr_t)pel_spans_pitch(spans);
     uintptr_t row = pel_column_zero(spans->surface, spans->y, 4);
-    const int32_t n = PEL_VECTORS ? count_to_draw(spans, 4) : spans->n;
+    const int32_t n = count_to_draw(spans, 4);
     for (int32_t i = n; i > 0; i--, span++, row += pitch)
         pel_span32((pel_word32 *)(row + 4 * (uintptr_t)span->x0),
                    span->x1 - span->x0, value, pitch);

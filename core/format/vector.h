@@ -87,7 +87,9 @@ static inline pel_u8x16 pel_zip_high_u8x16(pel_u8x16 a, pel_u8x16 b)
  * 256) in every lane, which pel_round_div255 does after adding 128.
  * pel_narrow_u16x8: eight lanes, all below 65,536, in 16 bits each.
  * pel_join_u8x16: sixteen lanes, all below 256, in 8 bits each.
- * pel_top_bits_u32x4: whether all four lanes have their highest bit set. */
+ * pel_cover_of: what the alphas of eight colors are. */
+enum pel_cover { PEL_CLEAR, PEL_MIXED, PEL_OPAQUE };
+
 #ifdef __SSE2__
 typedef int16_t pel_s16x8 __attribute__((__vector_size__(16)));
 
@@ -116,10 +118,15 @@ static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
                                                  (pel_s16x8)high);
 }
 
-static inline bool pel_top_bits_u32x4(pel_u32x4 v)
+static PEL_ALWAYS_INLINE enum pel_cover pel_cover_of(pel_u32x4 a, pel_u32x4 b)
 {
     typedef char c8x16 __attribute__((__vector_size__(16)));
-    return (__builtin_ia32_pmovmskb128((c8x16)v) & 0x8888) == 0x8888;
+    const pel_u8x16 all = (pel_u8x16)(a & b), any = (pel_u8x16)(a | b);
+    if ((__builtin_ia32_pmovmskb128((c8x16)(all == 255)) & 0x8888) == 0x8888)
+        return PEL_OPAQUE;
+    return (__builtin_ia32_pmovmskb128((c8x16)(any != 0)) & 0x8888) == 0
+               ? PEL_CLEAR
+               : PEL_MIXED;
 }
 
 #else
@@ -157,24 +164,17 @@ static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
     return v;
 }
 
-static inline bool pel_top_bits_u32x4(pel_u32x4 v)
+static PEL_ALWAYS_INLINE enum pel_cover pel_cover_of(pel_u32x4 a, pel_u32x4 b)
 {
-    const pel_u64x2 half = (pel_u64x2)v;
-    return (~(half[0] & half[1]) & UINT64_C(0x8000000080000000)) == 0;
+    const uint64_t alphas = UINT64_C(0xFF000000FF000000);
+    const pel_u32x4 all[2] = {a & b, a | b};
+    uint64_t half[4];
+    memcpy(half, all, 32);
+    if ((~(half[0] & half[1]) & alphas) == 0)
+        return PEL_OPAQUE;
+    return ((half[2] | half[3]) & alphas) == 0 ? PEL_CLEAR : PEL_MIXED;
 }
 
 #endif
-
-/* Of eight colors. */
-enum pel_cover { PEL_CLEAR, PEL_MIXED, PEL_OPAQUE };
-
-static PEL_ALWAYS_INLINE enum pel_cover pel_cover_of(pel_u32x4 a, pel_u32x4 b)
-{
-    const pel_u8x16 all = (pel_u8x16)(a & b), any = (pel_u8x16)(a | b);
-    if (pel_top_bits_u32x4((pel_u32x4)(all == 255)))
-        return PEL_OPAQUE;
-    return pel_top_bits_u32x4((pel_u32x4)(any == 0)) ? PEL_CLEAR : PEL_MIXED;
-}
-
 #endif
 #endif
