@@ -85,7 +85,7 @@ static void copy_bits(const struct run *r, uint8_t *to_line,
         bits = bits << (from & 7) >> 8 & 0xFF;
         uint32_t mask = 0xFF00u >> n & 0xFF;
         if (r->keyed)
-            mask &= r->skip ? ~bits : bits;
+            mask &= bits ^ (r->skip ? 0xFF : 0);
         *p = (uint8_t)((*p & ~(mask >> (to & 7))) | (bits & mask) >> (to & 7));
     }
 }
