@@ -96,16 +96,14 @@ static inline pel_u32x4 colors_over4(pel_u32x4 below, pel_u32x4 colors)
     const pel_u16x8 high = (pel_u16x8)PEL_LANES(a, a, 2, 2, 3, 3);
     const struct source first = {low_bytes(colors) * low + 128, 255 - low};
     const struct source other = {high_bytes(colors) * high + 128, 255 - high};
-    return over4(below, &first, &other) |
-           ((pel_u32x4)(alpha != 0) & 0xFF000000u);
+    return over4(below, &first, &other) | ((0 - alpha) & 0xFF000000u);
 }
 
-int32_t pel_put32(const struct pel_format *format, pel_word32 *p, int32_t n,
-                  const pel_color *colors)
+void pel_put32(const struct pel_surface *surface, int32_t x, int32_t y,
+               int32_t n, const pel_color *colors)
 {
-    if (format->id != PEL_FORMAT_XRGB8888 && format->id != PEL_FORMAT_ARGB8888)
-        return 0;
-    for (int32_t i = n; i >= 8; i -= 8, p += 8, colors += 8) {
+    pel_word32 *p = pel_address32(surface, x, y);
+    for (; n >= 8; n -= 8, p += 8, colors += 8) {
         const pel_u32x4 a = pel_get_u32x4(colors);
         const pel_u32x4 b = pel_get_u32x4(colors + 4);
         const enum pel_cover cover = pel_cover_of(a, b);
@@ -115,7 +113,9 @@ int32_t pel_put32(const struct pel_format *format, pel_word32 *p, int32_t n,
         pel_put_u32x4(p, mixed ? colors_over4(pel_get_u32x4(p), a) : a);
         pel_put_u32x4(p + 4, mixed ? colors_over4(pel_get_u32x4(p + 4), b) : b);
     }
-    return n & ~7;
+    for (; n > 0; n--, p++, colors++)
+        if (pel_alpha(*colors) > 0)
+            *p = pel_mix(*p, *colors, pel_alpha(*colors));
 }
 
 void pel_copy32(pel_word32 *to, const pel_word32 *from, int32_t n, uint32_t set)
