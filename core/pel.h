@@ -57,7 +57,6 @@
 #include "paint/paint_conic.h"
 #include "paint/paint_dither.h"
 #include "paint/paint_fan.h"
-#include "paint/paint_hue.h"
 #include "paint/paint_linear.h"
 #include "paint/paint_mask.h"
 #include "paint/paint_radial.h"

@@ -110,4 +110,26 @@ pel_color pel_hsv(int32_t hue, uint32_t s, uint32_t v);
 /* hue in degrees, any: 360 is 0, -1 is 359. */
 pel_color pel_hsv_degrees(int32_t hue, uint32_t s, uint32_t v);
 PEL_END_DECLS
+
+/* v (1 - s F), F = part / turn, 0 <= part <= turn <= 65,536, turn even: the sum
+ * is below 2^32. */
+static inline uint32_t pel_hsv_level(uint32_t s, uint32_t v, uint32_t part,
+                                     uint32_t turn)
+{
+    return pel_round_div255((v * (255 * turn - s * part) + turn / 2) / turn);
+}
+
+/* The color of a hue that has gone part / turn of a sixth, 0..5. Inlined, as a
+ * constant turn that is a power of two needs no division. */
+static inline pel_color pel_hsv_sixth(uint32_t sixth, uint32_t part,
+                                      uint32_t turn, uint32_t s, uint32_t v)
+{
+    static const uint8_t v_shift[6] = {16, 8, 8, 0, 0, 16};
+    static const uint8_t between_shift[6] = {8, 16, 0, 8, 16, 0};
+    const int top = v_shift[sixth], between = between_shift[sixth];
+    return PEL_RGB(0, 0, 0) | v << top |
+           pel_hsv_level(s, v, sixth & 1 ? part : turn - part, turn)
+               << between |
+           pel_hsv_level(s, v, turn, turn) << (24 - between - top);
+}
 #endif

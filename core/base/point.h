@@ -71,6 +71,18 @@ static inline int32_t pel_magnitude(int32_t v)
     return v < 0 ? -v : v;
 }
 
+/* The one of pixels a to b - 1 that is the nearest to a coordinate, or the
+ * farthest. */
+static inline int32_t pel_nearest_pixel(int32_t a, int32_t b, int32_t v)
+{
+    return pel_max(a, pel_min(pel_pixel_of(v), b - 1));
+}
+
+static inline int32_t pel_farthest_pixel(int32_t a, int32_t b, int32_t v)
+{
+    return v - pel_pixel_center(a) > pel_pixel_center(b - 1) - v ? a : b - 1;
+}
+
 /* Legal coordinates plus 2^23 fit 24 bits: no bit above is set in either. */
 static inline uint32_t pel_point_offset(struct pel_point p)
 {

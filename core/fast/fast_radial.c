@@ -20,7 +20,6 @@ struct ring {
 struct rings {
     const struct pel_radial *paint;
     const struct pel_spans *spans;
-    int32_t x0, x1;       /* px: of all spans */
     int64_t least, range; /* of squares */
     int32_t n;
     int32_t pad; /* 1/256 px: the radius where the last one begins */
@@ -49,43 +48,23 @@ static pel_color color_of(const struct pel_radial *p, int32_t ring)
 {
     const struct pel_gradient *g = &p->base;
     const int32_t cell = ring + p->first;
-    const int32_t place = pel_cells_place(g, cell / g->cells, cell % g->cells);
-    return g->color(g, place < g->cells ? place : g->period - 1 - place);
+    return g->color(g, pel_cells_place(g, cell / g->cells, cell % g->cells));
 }
 
-/* The one of pixels a to b - 1 that is the nearest to a coordinate, or the
- * farthest. */
-static int32_t nearest(int32_t a, int32_t b, int32_t v)
-{
-    return pel_max(a, pel_min(pel_pixel_of(v), b - 1));
-}
-
-static int32_t farthest(int32_t a, int32_t b, int32_t v)
-{
-    return v - pel_pixel_center(a) > pel_pixel_center(b - 1) - v ? a : b - 1;
-}
-
-/* How many pixels the spans have, and where. */
+/* Where the batch is: of how many pixels. */
 static int32_t set_extent(struct rings *r)
 {
     const struct pel_spans *spans = r->spans;
     const struct pel_point c = r->paint->rings.center;
     const int32_t y0 = spans->y, y1 = y0 + (spans->n - 1) * spans->step + 1;
-    int32_t x0 = INT32_MAX, x1 = INT32_MIN, pixels = 0;
-    for (int32_t i = 0; i < spans->n; i++) {
-        const struct pel_span *span = &spans->span[i];
-        if (span->x0 >= span->x1)
-            continue;
-        x0 = pel_min(x0, span->x0);
-        x1 = pel_max(x1, span->x1);
-        pixels += span->x1 - span->x0;
-    }
+    struct pel_span x;
+    const int32_t pixels = pel_spans_hull(&x, spans->span, spans->n);
     if (pixels == 0)
         return 0;
-    r->least =
-        pel_radial_square(r->paint, nearest(x0, x1, c.x), nearest(y0, y1, c.y));
-    r->range = pel_radial_square(r->paint, farthest(x0, x1, c.x),
-                                 farthest(y0, y1, c.y));
+    r->least = pel_radial_square(r->paint, pel_nearest_pixel(x.x0, x.x1, c.x),
+                                 pel_nearest_pixel(y0, y1, c.y));
+    r->range = pel_radial_square(r->paint, pel_farthest_pixel(x.x0, x.x1, c.x),
+                                 pel_farthest_pixel(y0, y1, c.y));
     return pixels;
 }
 

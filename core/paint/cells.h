@@ -46,8 +46,9 @@ struct pel_cells {
 
 #if PEL_KNOW_SIDES
     const struct pel_span *span; /* the shape's, of these rows */
+    int32_t end;                 /* px: where all of them have ended */
     uint8_t left;                /* spans from `span` on */
-    bool box;                    /* hi ends all rows */
+    bool box;                    /* these are all alike */
     pel_color mask; /* of mixed colors what can be seen; 0: ask the format */
 #endif
 
@@ -62,7 +63,7 @@ static inline int32_t pel_cells_place(const struct pel_gradient *g,
 {
     if (g->ramp.spread == PEL_PAD)
         return copy > 0 ? g->cells - 1 : part;
-    return g->period > g->cells && (copy & 1) ? part + g->cells : part;
+    return part + (copy & 1) * (g->period - g->cells);
 }
 
 /* The middle of cell i of 256 from a to b, rounded: a + (b - a) (2 i + 1) /
@@ -94,15 +95,18 @@ static inline pel_color pel_mixed(struct pel_mix mix)
     return (mix.high & UINT32_C(0xFF00FF00)) | (mix.low >> 8 & 0xFF00FFu);
 }
 
-/* The place of the cell after `place`, on the way; that itself: none comes, or
- * none but it. */
-static PEL_ALWAYS_INLINE int32_t pel_cells_after(const struct pel_gradient *g,
-                                                 int32_t place, int32_t way)
+/* Goes on to the next cell's place; false where none comes, or none but the
+ * present one. */
+static PEL_ALWAYS_INLINE bool pel_cells_go(struct pel_cells *c)
 {
-    const int32_t next = place + way;
-    if ((uint32_t)next < (uint32_t)g->period)
-        return next;
-    return g->ramp.spread == PEL_PAD ? place : next - way * g->period;
+    const struct pel_gradient *g = c->gradient;
+    int32_t next = c->place + c->way;
+    if ((uint32_t)next >= (uint32_t)g->period)
+        next = g->ramp.spread == PEL_PAD ? c->place : next - c->way * g->period;
+    if (next == c->place)
+        return false;
+    c->place = next;
+    return true;
 }
 
 /* Before the first batch. */
@@ -110,8 +114,14 @@ void pel_cells_open(struct pel_cells *cells,
                     const struct pel_gradient *gradient,
                     const struct pel_spans *spans);
 
+/* How many pixels n spans have, and where: from the left end of all to the
+ * right end. */
+int32_t pel_spans_hull(struct pel_span *hull, const struct pel_span *span,
+                       int32_t n);
+
 /* Goes on to the next batch, of at most `most` <= PEL_CELL_ROWS rows, unless
- * pixels are left of the present one: from x to hi. false when none are. */
+ * the present one goes on beyond x. 0: to the next pixel of one row. false when
+ * none is left. */
 bool pel_cells_next(struct pel_cells *cells, int32_t most);
 
 /* Takes the color of the cell at c->place. */
@@ -121,29 +131,30 @@ void pel_cells_color(struct pel_cells *c);
  * 0: all that may come. Moves on to the first other one. */
 int32_t pel_cells_pass(struct pel_cells *c);
 
-/* Ends all runs at hi, or where their rows do: true when pixels are left. */
-bool pel_cells_end_all(struct pel_cells *c);
-
-/* Goes on to the place of the next cell, and takes its color; false where none
- * comes: then a batch of one row ends. */
+/* Goes on to the next cell and takes its color; false where none comes. */
 static PEL_ALWAYS_INLINE bool pel_cells_more(struct pel_cells *c)
 {
-    const int32_t next = pel_cells_after(c->gradient, c->place, c->way);
-    if (next == c->place) {
-        if (PEL_CELL_ROWS == 1)
-            c->x = c->hi;
-        return false;
-    }
-    c->place = next;
-    pel_cells_color(c);
-    return true;
+    const bool more = pel_cells_go(c);
+    if (more)
+        pel_cells_color(c);
+    return more;
 }
 
 /* Ends all runs at the boundary, whose error is set. It grows by `step` to the
  * next pixel, and by `row` to the one below; `row` from row to row, and the
- * step from pixel to pixel, by `bend`. Below 0 when pixels are left. */
-int32_t pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
-                      int32_t bend);
+ * step from pixel to pixel, by `bend`. true when pixels are left. */
+bool pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
+                   int32_t bend);
+
+/* The same at hi. */
+static inline bool pel_cells_end_all(struct pel_cells *c)
+{
+    c->x = c->hi;
+    if (PEL_CELL_ROWS == 1)
+        return false;
+    c->error = -1;
+    return pel_cells_end(c, 0, 0, 0);
+}
 
 /* Moves by `count` >= 1 cells, each `width` and part / n wide. */
 static PEL_ALWAYS_INLINE void pel_cells_move(struct pel_cells *c, int32_t count,
@@ -178,11 +189,10 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
             rest = count ? end(c, count) : pel_cells_end_all(c);
         } else {
             c->run[0].x0 = c->x;
-            do {
-                if (pel_cells_more(c))
-                    end(c, 1);
-            } while (--left && c->x < c->hi && c->value == value &&
-                     c->draw == draw);
+            do
+                (void)(pel_cells_more(c) ? end(c, 1) : pel_cells_end_all(c));
+            while (--left && c->x < c->hi && c->value == value &&
+                   c->draw == draw);
             c->run[0].x1 = c->x;
         }
         pel_fill_value(&c->cell, value, draw);
@@ -202,11 +212,10 @@ static PEL_ALWAYS_INLINE void pel_cells_fill(
     struct pel_cells c;
     if (PEL_CELL_ROWS > 1) {
         pel_cells_open(&c, (const void *)paint, spans);
-        while (pel_cells_next(&c, pel_max(most, 1))) {
-            if (most == 0)
-                c.hi = c.x + 1;
+        while (pel_cells_next(&c, most)) {
             start(&c);
             pel_cells_draw(&c, end);
+            c.x = c.hi;
         }
         return;
     }
@@ -214,17 +223,13 @@ static PEL_ALWAYS_INLINE void pel_cells_fill(
     c.cell =
         (struct pel_spans){spans->surface, c.run, spans->y, 1, spans->step};
     const struct pel_span *span = spans->span;
-    int32_t left = spans->n;
-    do {
-        c.x = span->x0;
-        while (c.x < span->x1) {
+    const struct pel_span *const last = span + spans->n;
+    for (; span < last; c.cell.y += c.cell.step, span++)
+        for (c.x = span->x0; c.x < span->x1;) {
             c.hi = span->x1;
             start(&c);
             pel_cells_draw(&c, end);
         }
-        c.cell.y += c.cell.step;
-        span++;
-    } while (--left);
 }
 
 #endif

@@ -2,6 +2,20 @@
 
 enum { FAR = 1 << 20 }; /* px: to the right of every pixel */
 
+int32_t pel_spans_hull(struct pel_span *hull, const struct pel_span *span,
+                       int32_t n)
+{
+    int32_t pixels = 0;
+    *hull = (struct pel_span){FAR, -FAR};
+    for (; n > 0; n--, span++)
+        if (span->x0 < span->x1) {
+            hull->x0 = pel_min(hull->x0, span->x0);
+            hull->x1 = pel_max(hull->x1, span->x1);
+            pixels += span->x1 - span->x0;
+        }
+    return pixels;
+}
+
 /* A mixed color in less code: a + (b - a) part / 512, rounded. */
 static inline pel_color mixed_by_channels(pel_color a, pel_color b,
                                           int32_t part)
@@ -15,22 +29,20 @@ static inline pel_color mixed_by_channels(pel_color a, pel_color b,
     return color;
 }
 
-static pel_color ramp_color(const struct pel_gradient *g, int32_t cell)
+static pel_color ramp_color(const struct pel_gradient *g, int32_t place)
 {
-    const pel_color a = g->ramp.colors[0], b = g->ramp.colors[1];
+    const pel_color *const colors = g->ramp.colors;
+    const int32_t cell = place < g->cells ? place : g->period - 1 - place;
     if (g->ramp.n != 2)
-        return g->ramp.colors[cell];
+        return colors[cell];
     if (!PEL_KNOW_SIDES)
-        return mixed_by_channels(a, b, 2 * cell + 1);
+        return mixed_by_channels(colors[0], colors[1], 2 * cell + 1);
     return pel_mixed(pel_mix_from(g, cell, 1));
 }
 
 void pel_cells_color(struct pel_cells *c)
 {
-    const struct pel_gradient *g = c->gradient;
-    const int32_t place = c->place;
-    const pel_color color =
-        g->color(g, place < g->cells ? place : g->period - 1 - place);
+    const pel_color color = c->gradient->color(c->gradient, c->place);
     const struct pel_format *format = c->cell.surface->format;
     const bool opaque = pel_alpha(color) == 255;
     c->draw = opaque ? format->fill : format->blend;
@@ -39,93 +51,65 @@ void pel_cells_color(struct pel_cells *c)
 
 #if PEL_KNOW_SIDES
 
-/* How many cells of two mixed colors, at most `most`, lie beyond the one at
- * c->place and look like it: formats drop the low bits of channels. Not for
- * grey, which shows a sum. */
-static int32_t pass_mixed(const struct pel_cells *c, int32_t most)
+/* Goes on to the last of the cells of two mixed colors that look like the one
+ * at c->place, but not beyond the end of the way: by how many. Formats drop the
+ * low bits of channels. Not for grey, which shows a sum. */
+static int32_t pass_mixed(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
     const bool back = c->place >= g->cells, down = back == (c->way > 0);
     const int32_t i = back ? g->period - 1 - c->place : c->place;
+    const int32_t most = down ? i : 255 - i;
     struct pel_mix mix = pel_mix_from(g, i, down ? -1 : 1);
     const pel_color first = pel_mixed(mix) & c->mask;
     int32_t passed = 0;
-    for (most = pel_min(most, down ? i : 255 - i); passed < most; passed++) {
+    for (; passed < most; passed++) {
         mix.high += mix.high_change;
         mix.low += mix.low_change;
         if ((pel_mixed(mix) & c->mask) != first)
             break;
     }
+    c->place += c->way * passed;
     return passed;
-}
-
-/* The bits of opaque colors that can be seen; 0: any. */
-static pel_color mask_of(const struct pel_gradient *g,
-                         const struct pel_format *format)
-{
-    const uint8_t *const depth = format->depth;
-    pel_color mask = 0;
-    if (g->ramp.n != 2 || depth[1] == 0 ||
-        pel_alpha(g->ramp.colors[0] & g->ramp.colors[1]) != 255)
-        return 0;
-    for (int k = 0; k < 3; k++)
-        mask = mask << 8 | (0xFF00u >> depth[k] & 0xFF);
-    return mask;
 }
 
 void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
                     const struct pel_spans *spans)
 {
+    const uint8_t *const depth = spans->surface->format->depth;
+    const struct pel_ramp *const ramp = &gradient->ramp;
     c->gradient = gradient;
     c->cell =
         (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
+    c->x = c->end = 0;
     c->span = spans->span;
     c->left = (uint8_t)spans->n;
-    c->mask = mask_of(gradient, spans->surface->format);
-}
-
-/* Are pixels left of the batch? Rows that have none end far away. */
-static bool find_left(struct pel_cells *c)
-{
-    int32_t lo = FAR, hi = -FAR, rest = 0;
-    for (int32_t i = 0; i < c->cell.n; i++) {
-        const int32_t x1 = c->span[i].x1;
-        if (c->run[i].x1 >= x1)
-            c->run[i].x1 = FAR;
-        else
-            hi = pel_max(hi, x1);
-        lo = pel_min(lo, c->run[i].x1);
-        rest |= (c->run[i].x1 ^ c->run[0].x1) | (x1 ^ c->span[0].x1);
-    }
-    c->x = lo;
-    c->hi = hi;
-    c->box = rest == 0;
-    return lo < hi;
+    c->mask = 0;
+    if (ramp->n == 2 && depth[1] &&
+        pel_alpha(ramp->colors[0] & ramp->colors[1]) == 255)
+        for (int k = 0; k < 3; k++)
+            c->mask = c->mask << 8 | (0xFF00u >> depth[k] & 0xFF);
 }
 
 bool pel_cells_next(struct pel_cells *c, int32_t most)
 {
-    while (!find_left(c)) {
+    while (c->x >= c->end) {
+        struct pel_span hull;
         c->span += c->cell.n;
         c->left = (uint8_t)(c->left - c->cell.n);
         c->cell.y += c->cell.n * c->cell.step;
-        c->cell.n = pel_min(c->left, most);
+        c->cell.n = pel_min(c->left, pel_max(most, 1));
         if (c->cell.n == 0)
             return false;
-        for (int32_t i = 0; i < c->cell.n; i++)
-            c->run[i].x1 = c->span[i].x0;
+        const int32_t pixels = pel_spans_hull(&hull, c->span, c->cell.n);
+        c->x = hull.x0;
+        c->end = hull.x1;
+        c->box = pixels == c->cell.n * (hull.x1 - hull.x0);
     }
+    c->hi = most ? c->end : c->x + 1;
+    for (int32_t i = 0; i < c->cell.n; i++)
+        c->run[i].x1 = pel_max(c->x, c->span[i].x0);
     return true;
-}
-
-/* Row i's next run goes to pixel x. Negative where the row goes farther, if the
- * batch is a box. */
-static inline int32_t end_run(struct pel_cells *c, int32_t i, int32_t x)
-{
-    struct pel_span *run = &c->run[i];
-    run->x0 = run->x1;
-    run->x1 = x;
-    return x - c->hi;
 }
 
 /* Keeps the runs in the spans of their rows: below 0 when pixels are left. */
@@ -142,22 +126,26 @@ static int32_t cut(struct pel_cells *c)
     return rest;
 }
 
-/* From row to row. The error is not taken for more than +-2^30: that is beyond
- * 32 rows and every step. */
-static int32_t end_others(struct pel_cells *c, int32_t step, int32_t row,
-                          int32_t bend)
+/* From row to row: below 0 when pixels are left of a box. The error is not
+ * taken for more than +-2^30: that is beyond 32 rows and every step. */
+static int32_t end_rows(struct pel_cells *c, int32_t step, int32_t row,
+                        int32_t bend)
 {
     const int32_t hi = c->hi, most = 1 << 30;
-    const int32_t row_bend = c->cell.step ? bend : 0;
-    int32_t x = c->x;
-    int32_t rest = end_run(c, 0, x);
+    const int32_t row_bend = bend * c->cell.step;
+    int32_t x = c->x, rest = 0;
     int32_t error = c->error < -most  ? -most
                     : c->error > most ? most
                                       : (int32_t)c->error;
+    row *= c->cell.step;
     step -= bend;
-    if (c->cell.step == 0)
-        row = 0;
-    for (int32_t i = 1; i < c->cell.n; i++) {
+    struct pel_span *run = c->run;
+    for (int32_t left = c->cell.n;; run++) {
+        run->x0 = run->x1;
+        run->x1 = x;
+        rest |= x - hi;
+        if (--left == 0)
+            return rest;
         error += row;
         row += row_bend;
         if (error < 0 && x < hi)
@@ -167,28 +155,22 @@ static int32_t end_others(struct pel_cells *c, int32_t step, int32_t row,
                 x++;
             } while (error < 0 && x < hi);
         else
-            for (; error >= step && x > c->run[i].x1; x--) {
+            for (; error >= step && x > run[1].x1; x--) {
                 error -= step;
                 step -= bend;
             }
-        rest |= end_run(c, i, x);
     }
-    return rest;
 }
 
 int32_t pel_cells_pass(struct pel_cells *c)
 {
-    const struct pel_gradient *g = c->gradient;
     const uint32_t value = c->value;
     void (*const draw)(const struct pel_spans *, uint32_t) = c->draw;
     int32_t count = 0;
     do {
-        if (c->mask) {
-            const int32_t passed = pass_mixed(c, g->period - count);
-            count += passed;
-            c->place += c->way * passed;
-        }
-        if (count++ == g->period || !pel_cells_more(c))
+        if (c->mask)
+            count += pass_mixed(c);
+        if (count++ >= c->gradient->period || !pel_cells_more(c))
             return 0;
     } while (c->value == value && c->draw == draw);
     return count;
@@ -196,21 +178,8 @@ int32_t pel_cells_pass(struct pel_cells *c)
 
 #endif
 
-bool pel_cells_end_all(struct pel_cells *c)
-{
-#if PEL_KNOW_SIDES
-    for (int32_t i = 0; i < c->cell.n; i++)
-        end_run(c, i, c->hi);
-    if (!c->box)
-        return cut(c) < 0;
-#endif
-    c->x = c->hi;
-    return false;
-}
-
 /* The first row by steps of 64 bits. */
-int32_t pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
-                      int32_t bend)
+bool pel_cells_end(struct pel_cells *c, int32_t step, int32_t row, int32_t bend)
 {
     const int32_t hi = c->hi;
     int32_t x = c->x;
@@ -222,11 +191,11 @@ int32_t pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
     c->x = x;
     c->error = error;
 #if PEL_KNOW_SIDES
-    const int32_t rest = end_others(c, step, row, bend);
-    return c->box ? rest : cut(c);
+    const int32_t rest = end_rows(c, step, row, bend);
+    return (c->box ? rest : cut(c)) < 0;
 #else
     (void)row;
-    return x - hi;
+    return x < hi;
 #endif
 }
 

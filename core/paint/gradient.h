@@ -54,7 +54,7 @@ enum pel_status pel_ramp_fill(pel_color *colors, int32_t n,
 struct pel_gradient {
     struct pel_paint paint;
 
-    /* The color of a cell, 0 <= cell < cells. */
+    /* The color of a cell, 0 <= cell < period. */
     pel_color (*color)(const struct pel_gradient *gradient, int32_t cell);
 
     struct pel_ramp ramp;

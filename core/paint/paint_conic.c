@@ -3,7 +3,7 @@
 #include "cells.h"
 #include "paint_conic.h"
 
-enum { HALF_TURN = 32768, FULL_TURN = 65536 };
+enum { HALF_TURN = 32768, FULL_TURN = 65536, HUES = 6 * 256 };
 
 /* The height of the first row, from the centre down. */
 static int32_t height_of(const struct pel_cells *c)
@@ -47,7 +47,7 @@ static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
     const struct pel_point d = pel_direction((uint16_t)c->whole);
     const int64_t cross = cross_of(c, d.x, d.y, height_of(c)) >> 8;
     c->error = c->way < 0 ? ~cross : cross;
-    return pel_cells_end(c, pel_magnitude(d.y), c->way * d.x, 0) < 0;
+    return pel_cells_end(c, pel_magnitude(d.y), c->way * d.x, 0);
 }
 
 /* Cuts the batch, so that it has rows above the centre, or the row through it,
@@ -64,16 +64,10 @@ static PEL_NOINLINE_32 void first_row(struct pel_cells *c)
     if (PEL_CELL_ROWS > 1 && c->cell.step && v <= 0)
         c->cell.n = pel_min(
             c->cell.n, above ? pel_first_pixel(p->center.y) - c->cell.y : 1);
-    c->way = 1;
-    c->whole = HALF_TURN;
-    if (v > 0 || (v == 0 && !left)) {
-        c->way = -1;
-        c->whole = 0;
-    } else if (v == 0) {
+    c->way = (v < 0) - (v > 0);
+    c->whole = above || (v == 0 && left) ? HALF_TURN : 0;
+    if (v == 0 && left)
         c->hi = pel_min(c->hi, split);
-    }
-    if (v == 0)
-        c->way = 0;
     c->rest = v;
     if (PEL_CELL_ROWS > 1 && v && above == left)
         c->rest += (c->cell.n - 1) * c->cell.step * 256;
@@ -106,8 +100,8 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     pel_cells_fill(paint, spans, PEL_CELL_ROWS, start, end_cells);
 }
 
-enum pel_status pel_conic_begin(struct pel_conic *paint,
-                                struct pel_point center, uint16_t start)
+static enum pel_status begin(struct pel_conic *paint, struct pel_point center,
+                             uint16_t start)
 {
     if (!pel_point_legal(center))
         return PEL_ERROR_RANGE;
@@ -126,5 +120,25 @@ enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
                                uint16_t start, const struct pel_ramp *ramp)
 {
     const enum pel_status status = pel_gradient_init((void *)paint, ramp);
-    return status == PEL_OK ? pel_conic_begin(paint, center, start) : status;
+    return status == PEL_OK ? begin(paint, center, start) : status;
+}
+
+static pel_color hue_color(const struct pel_gradient *gradient, int32_t cell)
+{
+    const struct pel_hue_wheel *p = (const void *)gradient;
+    return pel_hsv_sixth((uint32_t)cell >> 8, ((uint32_t)cell & 255) * 2 + 1,
+                         512, p->s, p->v);
+}
+
+enum pel_status pel_hue_wheel_init(struct pel_hue_wheel *paint,
+                                   struct pel_point center, uint16_t start,
+                                   uint8_t s, uint8_t v)
+{
+    if (!paint)
+        return PEL_ERROR_NULL;
+    paint->conic.base = (struct pel_gradient){
+        {pel_nothing_fill, NULL}, hue_color, {NULL, 0, PEL_REPEAT}, HUES, HUES};
+    paint->s = s;
+    paint->v = v;
+    return begin(&paint->conic, center, start);
 }

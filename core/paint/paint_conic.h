@@ -1,4 +1,4 @@
-/* Conic gradients: colors by angle around a centre. */
+/* Conic gradients: colors by angle around a centre, and the wheel of hues. */
 #ifndef PEL_PAINT_PAINT_CONIC_H
 #define PEL_PAINT_PAINT_CONIC_H
 
@@ -29,11 +29,19 @@ struct pel_conic {
 enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
                                uint16_t start, const struct pel_ramp *ramp);
 
-/* The same for n cells, 1 <= n <= 32,767, that have colors of their own. Set
- * the gradient's `color`, `cells` and `period` (n, or 2 n there and back)
- * before; its ramp's n is 0. PEL_ERROR_RANGE. */
-enum pel_status pel_conic_begin(struct pel_conic *paint,
-                                struct pel_point center, uint16_t start);
+/* The HSV wheel: a conic of 1,536 cells, 256 in each sixth of the turn, so that
+ * one channel moves by at most one step from cell to cell. Cell k has the color
+ * of the hue in its middle, (k + 1/2) / 1,536 turns, rounded as pel_hsv rounds:
+ * no ramp, and no memory for one. */
+struct pel_hue_wheel {
+    struct pel_conic conic;
+    uint8_t s, v;
+};
+
+/* PEL_ERROR_NULL, PEL_ERROR_RANGE (the centre out of range). */
+enum pel_status pel_hue_wheel_init(struct pel_hue_wheel *paint,
+                                   struct pel_point center, uint16_t start,
+                                   uint8_t s, uint8_t v);
 
 PEL_END_DECLS
 

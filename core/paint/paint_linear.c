@@ -16,33 +16,26 @@ static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
 /* The product (P - from).d at pixel (x, y), below 2^49, and above -2^47 before
  * the way; or another that shows the same. Of a padded way none is beyond
  * |d|^2, its end; of others it is less as many times two lengths, there and
- * back, as leave 0 or more. Less 1 where the way is turned: there the
- * boundaries belong to the cells before them. */
+ * back, as leave more than 0. */
 static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y)
 {
-    int64_t product =
-        along(p, pel_pixel_center(x), pel_pixel_center(y)) + (p->way >> 31);
+    int64_t product = along(p, pel_pixel_center(x), pel_pixel_center(y));
     int64_t step = p->square;
-    int32_t count = 0;
     if (p->base.ramp.spread == PEL_PAD)
         return product < step ? product : step;
-    do {
+    int32_t count = 0;
+    for (; (uint32_t)(step >> 32) >> 17 == 0; count++)
         step *= 2;
-        count++;
-    } while ((uint32_t)(step >> 32) >> 17 == 0);
-    product += step;
-    do {
-        if (product >= step)
+    for (product += step; count; count--, step >>= 1)
+        if (product > step)
             product -= step;
-        step >>= 1;
-    } while (--count);
     return product;
 }
 
 /* The error of the boundary where cell k begins is n product - k square, less 1
- * where the way is turned. Where it is walked in 32 bits, it is counted in
- * units of 256 n, by which n product grows from pixel to pixel, and what they
- * leave, c->rest. */
+ * where the way is turned: there boundaries belong to the cells before them.
+ * Where it is walked in 32 bits, it is counted in units of 256 n, by which n
+ * product grows from pixel to pixel, and what they leave, c->rest. */
 static int32_t unit_of(const struct pel_linear *p)
 {
     return p->base.cells * 256;
@@ -73,7 +66,7 @@ static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
     do
         next_boundary(c, p);
     while (--count);
-    return pel_cells_end(c, p->d.x, p->d.y, 0) < 0;
+    return pel_cells_end(c, p->d.x, p->d.y, 0);
 }
 
 /* The cell k of a pixel by its product, bit by bit of n, so that the error
@@ -84,7 +77,7 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
                                      int64_t product)
 {
     const int32_t mirror = p->way >> 31; /* -1 when turned, or 0 */
-    product -= mirror;
+    c->way = p->way;
     int64_t error = mirror;
     /* n in the 15 upper bits makes room for k in the lower ones. */
     uint32_t bits = (uint32_t)p->base.cells << 17;
@@ -95,11 +88,10 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
         for (bits *= 2; error >= p->square; bits++)
             error -= p->square;
     }
-    int32_t place = (int32_t)bits;
     const int32_t n = p->base.cells, period = p->base.period;
-    if (place >= period)
-        place = p->base.ramp.spread == PEL_PAD ? n - 1 : place - period;
-    place = (place ^ mirror) + (mirror & n);
+    int32_t place = mirror ? n - 1 - (int32_t)bits : (int32_t)bits;
+    while (place >= period)
+        place -= p->base.ramp.spread == PEL_PAD ? 1 : period;
     c->place = place < 0 ? place + period : place;
     if (PEL_CELL_ROWS > 1) {
         int64_t rest;
@@ -116,7 +108,6 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     const int32_t last =
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
     set_cell(c, p, product_at(p, c->x, c->cell.y + last));
-    c->way = p->way;
     if (PEL_CELL_ROWS > 1)
         c->error -= pel_product(p->d.y, last);
 }
@@ -127,7 +118,7 @@ static void move_on(struct pel_cells *c, int64_t growth)
 {
     const struct pel_linear *const p = (const void *)c->gradient;
     for (c->error += growth; c->error >= 0; next_boundary(c, p))
-        c->place = pel_cells_after(&p->base, c->place, p->way);
+        pel_cells_go(c);
 }
 
 /* A row of a vertical gradient has one color. Neighbouring rows of one pixel
@@ -185,17 +176,6 @@ static void fill_cells(const struct pel_paint *paint,
     pel_cells_fill(paint, spans, narrow ? 0 : rows, start, end_cells);
 }
 
-/* From the left end of all spans to the right end. */
-static struct pel_span hull_of(const struct pel_spans *spans)
-{
-    struct pel_span hull = spans->span[0];
-    for (int32_t i = 1; i < spans->n; i++) {
-        hull.x0 = pel_min(hull.x0, spans->span[i].x0);
-        hull.x1 = pel_max(hull.x1, spans->span[i].x1);
-    }
-    return hull;
-}
-
 /* All rows of a horizontal gradient are alike, so one that holds the hull is
  * drawn and copied to the others. False: there is none, or copies would be
  * wrong (colors are blended, pixels share bytes, or the format is a dither's or
@@ -223,52 +203,44 @@ static bool fill_copies(const struct pel_linear *p,
     return true;
 }
 
-static bool is_on_way(const struct pel_linear *p, const struct pel_spans *spans,
-                      struct pel_span hull)
-{
-    const int32_t x0 = pel_pixel_center(hull.x0);
-    const int32_t x1 = pel_pixel_center(hull.x1 - 1);
-    const int32_t top = pel_pixel_center(spans->y);
-    const int32_t bottom = top + 256 * (spans->n - 1) * spans->step;
-    return along(p, x0, top) > 0 && along(p, x0, bottom) > 0 &&
-           along(p, x1, top) < p->square && along(p, x1, bottom) < p->square;
-}
-
 /* Fills the rows of a dither, which shows every cell, from the row where
  * products are least on. False, and nothing is done, unless the format can
  * walk, cells are 1/2 to 7 px wide (3 px with vectors, which are faster then),
- * and the hull is all on the way. */
+ * and the hull is all on one way from the first cell to the last. */
 static bool fill_walked(const struct pel_linear *p,
                         const struct pel_spans *spans, struct pel_span hull)
 {
     const struct pel_channels *const channels =
         spans->surface->format->channels;
     const int64_t widest = (PEL_VECTORS ? 3 : 7) * (int64_t)p->d.x;
-    const bool up = p->d.y < 0;
     const int64_t growth = spans->step ? pel_size_of(p->d.y) : 0;
+    const bool up = p->d.y < 0;
     const int32_t last = spans->n - 1;
+    const int64_t least =
+        product_at(p, hull.x0, spans->y + up * last * spans->step);
+    const int64_t across = pel_product(p->d.x, hull.x1 - 1 - hull.x0);
     struct pel_cells c;
     if (!channels || !channels->walk || p->base.ramp.n != 2 ||
         !is_opaque(&p->base.ramp) || p->cell >= widest ||
-        p->d.x >= 2 * p->cell || !is_on_way(p, spans, hull))
+        p->d.x >= 2 * p->cell || least <= 0 ||
+        least + 256 * (across + growth * last) >= p->square)
         return false;
     c.gradient = &p->base;
-    c.x = hull.x0;
-    set_cell(&c, p, product_at(p, c.x, spans->y + up * last * spans->step));
+    set_cell(&c, p, least);
     next_boundary(&c, p);
     for (int32_t i = 0; i <= last; i++, move_on(&c, growth)) {
         const int32_t k = up ? last - i : i;
         const struct pel_span run = spans->span[k];
         if (run.x0 >= run.x1)
             continue;
-        const int32_t error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0);
-        const struct pel_walk walk = {pel_mix_from(&p->base, c.place, p->way),
-                                      error,
-                                      c.rest,
-                                      (int32_t)p->cell,
-                                      p->cell_rest,
-                                      unit_of(p),
-                                      p->d.x};
+        const struct pel_walk walk = {
+            .mix = pel_mix_from(&p->base, c.place, p->way),
+            .error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0),
+            .rest = c.rest,
+            .cell = (int32_t)p->cell,
+            .cell_rest = p->cell_rest,
+            .unit = unit_of(p),
+            .step = p->d.x};
         if (!channels->walk(spans->surface, run.x0, spans->y + k * spans->step,
                             run.x1 - run.x0, &walk))
             return false;
@@ -279,15 +251,14 @@ static bool fill_walked(const struct pel_linear *p,
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    if (PEL_CELL_ROWS == 1) {
+    struct pel_span hull;
+    if (PEL_CELL_ROWS == 1)
         fill_cells(paint, spans);
-    } else if (p->d.x == 0) {
+    else if (p->d.x == 0)
         fill_level(p, spans);
-    } else {
-        const struct pel_span hull = hull_of(spans);
-        if (!fill_copies(p, spans, hull) && !fill_walked(p, spans, hull))
-            fill_cells(paint, spans);
-    }
+    else if (pel_spans_hull(&hull, spans->span, spans->n) > 0 &&
+             !fill_copies(p, spans, hull) && !fill_walked(p, spans, hull))
+        fill_cells(paint, spans);
 }
 
 enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
@@ -303,9 +274,8 @@ enum pel_status pel_linear_init(struct pel_linear *paint, struct pel_point from,
     if ((d.x | d.y) == 0)
         return PEL_ERROR_SIZE;
     paint->base.paint.fill = fill;
-    paint->way = (d.x > 0) - (d.x < 0);
-    if (PEL_CELL_ROWS > 1 && d.x == 0)
-        paint->way = d.y < 0 ? -1 : 1;
+    const int32_t onward = d.x || PEL_CELL_ROWS == 1 ? d.x : d.y;
+    paint->way = (onward > 0) - (onward < 0);
     if (paint->way < 0) {
         from = to;
         d = (struct pel_point){-d.x, -d.y};

@@ -37,21 +37,18 @@ static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
     add_circle(c, p, -way);
     return pel_cells_end(c, way * (pel_pixel_center(c->x) - center.x + 128),
                          way * (pel_pixel_center(c->cell.y) - center.y + 128),
-                         way * 256) < 0;
+                         way * 256);
 }
 
 /* The row of the pixel where the walk begins: the farthest from the centre on
  * the left side, the nearest on the right. */
-static int32_t first_row(const struct pel_cells *c, const struct pel_radial *p)
+static int32_t first_row(const struct pel_cells *c, int32_t center)
 {
-    const int32_t y = c->cell.y, last = y + (c->cell.n - 1) * c->cell.step;
+    const int32_t y = c->cell.y, end = y + (c->cell.n - 1) * c->cell.step + 1;
     if (PEL_CELL_ROWS == 1)
         return y;
-    if (c->way > 0)
-        return pel_min(pel_max(pel_pixel_of(p->rings.center.y), y), last);
-    return 2 * p->rings.center.y - pel_pixel_center(y) > pel_pixel_center(last)
-               ? y
-               : last;
+    return c->way > 0 ? pel_nearest_pixel(y, end, center)
+                      : pel_farthest_pixel(y, end, center);
 }
 
 /* Of the square of a distance, below 2^51, in the error: its root, rounded up,
@@ -104,7 +101,7 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
         c->way = -1;
         c->hi = pel_min(c->hi, split);
     }
-    c->error = pel_radial_square(p, c->x, first_row(c, p));
+    c->error = pel_radial_square(p, c->x, first_row(c, p->rings.center.y));
     find_root(c);
     find_ring(c, p);
     c->error = (pel_radial_square(p, c->x, c->cell.y) >> 9) - 1;

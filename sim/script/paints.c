@@ -1,7 +1,7 @@
 /* Paints and their settings. Paints are made for every shape that they fill. */
+#include "core/paint/paint_conic.h"
 #include "core/paint/paint_dither.h"
 #include "core/paint/paint_fan.h"
-#include "core/paint/paint_hue.h"
 #include "core/paint/paint_linear.h"
 #include "core/paint/paint_radial.h"
 #include "core/paint/paint_texture.h"

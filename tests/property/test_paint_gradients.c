@@ -160,8 +160,8 @@ static pel_color color_of(const struct gradient *g, wide k)
     if (g->kind == HUE)
         return hue_color(g, (uint32_t)k);
     if (g->ramp.n == 2)
-        return middle_color(colors[0], colors[1], (uint32_t)k);
-    return colors[k];
+        return middle_color(g->ramp.colors[0], g->ramp.colors[1], (uint32_t)k);
+    return g->ramp.colors[k];
 }
 
 static int32_t any_size(struct random *r)
@@ -194,15 +194,16 @@ static struct pel_point any_point(struct random *r, const struct pel_rect *b)
 static void any_ramp(struct random *r, struct pel_ramp *ramp)
 {
     static const int32_t usual[] = {1, 2, 2, 3, 16, 256, 256, 1000};
-    ramp->colors = colors;
     ramp->n = usual[random_word(r) % 8];
     if (random_word(r) % 100 == 0)
         ramp->n = random_between(r, 1, 32767);
     ramp->spread = (enum pel_spread)(random_word(r) % 3);
+    pel_color *const color = colors + 32767 - ramp->n; /* none behind */
+    ramp->colors = color;
     const pel_color opaque = random_word(r) % 4 ? 0xFF000000 : 0;
     const pel_color few = random_word(r) % 2 ? 0x80FFFFFF : 0xFF808080;
     for (int32_t i = 0; i < ramp->n; i++)
-        colors[i] = (random_word(r) & few) | opaque;
+        color[i] = (random_word(r) & few) | opaque;
 }
 
 static void any_gradient(struct random *r, struct gradient *g,
