@@ -130,9 +130,6 @@ static PEL_ALWAYS_INLINE enum pel_cover pel_cover_of(pel_u32x4 a, pel_u32x4 b)
 }
 
 #else
-typedef uint16_t pel_u16x4 __attribute__((__vector_size__(8)));
-typedef uint8_t pel_u8x8 __attribute__((__vector_size__(8)));
-
 static inline pel_u32x4 pel_dot_s16(pel_u32x4 a, pel_u32x4 b)
 {
     const pel_s32x4 low =
@@ -148,20 +145,14 @@ static inline pel_u16x8 pel_divide255_u16x8(pel_u16x8 u)
 
 static inline pel_u16x8 pel_narrow_u16x8(pel_u32x4 low, pel_u32x4 high)
 {
-    const pel_u16x4 both[2] = {__builtin_convertvector(low, pel_u16x4),
-                               __builtin_convertvector(high, pel_u16x4)};
-    pel_u16x8 v;
-    memcpy(&v, both, 16);
-    return v;
+    return PEL_SHUFFLE(pel_u16x8, (pel_u16x8)low, (pel_u16x8)high, 0, 2, 4, 6,
+                       8, 10, 12, 14);
 }
 
 static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
 {
-    const pel_u8x8 both[2] = {__builtin_convertvector(low, pel_u8x8),
-                              __builtin_convertvector(high, pel_u8x8)};
-    pel_u8x16 v;
-    memcpy(&v, both, 16);
-    return v;
+    return PEL_SHUFFLE(pel_u8x16, (pel_u8x16)low, (pel_u8x16)high, 0, 2, 4, 6,
+                       8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
 }
 
 static PEL_ALWAYS_INLINE enum pel_cover pel_cover_of(pel_u32x4 a, pel_u32x4 b)

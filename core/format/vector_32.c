@@ -68,7 +68,8 @@ static PEL_ALWAYS_INLINE void blend_span(pel_word32 *p, int32_t n,
     }
     pel_word32 *const end = p + n - 4;
     const pel_u32x4 tail = over4(pel_get_u32x4(end), s, s);
-    for (; p < end; p += 4) {
+    pel_put_u32x4(p, over4(pel_get_u32x4(p), s, s));
+    for (p += 4; p < end; p += 4) {
         pel_prefetch((uintptr_t)p + ahead);
         pel_put_u32x4(p, over4(pel_get_u32x4(p), s, s));
     }
@@ -81,10 +82,11 @@ void pel_blend32(const struct pel_spans *spans, pel_color color)
         return; /* the X byte stays as it is, too */
     const struct source s = source_of(spans->surface->format, color);
     const struct pel_span *span = spans->span;
-    const uintptr_t ahead = PEL_ROWS_AHEAD * (uintptr_t)pel_spans_pitch(spans);
-    int32_t y = spans->y;
-    for (int32_t i = 0; i < spans->n; i++, span++, y += spans->step)
-        blend_span(pel_address32(spans->surface, span->x0, y),
+    const uintptr_t pitch = (uintptr_t)pel_spans_pitch(spans);
+    const uintptr_t ahead = PEL_ROWS_AHEAD * pitch;
+    uintptr_t row = pel_column_zero(spans->surface, spans->y, 4);
+    for (int32_t n = spans->n; n > 0; n--, span++, row += pitch)
+        blend_span((pel_word32 *)(row + 4 * (uintptr_t)span->x0),
                    span->x1 - span->x0, &s, ahead);
 }
 
