@@ -27,7 +27,7 @@
 /* 1: the fillers of core/fast are compiled in, which loop over the rows of
  * unclipped triangles themselves, or write four pixels at a time. They divide
  * in 64 bits, and cost about 2 KB of code, 4 KB more where a nearest texture is
- * linked, 6 KB where a bilinear one is, 6 KB where a depth buffer is; and
+ * linked, 12 KB where a bilinear one is, 6 KB where a depth buffer is; and
  * radial gradients of narrow rings cost 21 KB of stack. */
 #ifndef PEL_FAST_FILLS
 #define PEL_FAST_FILLS PEL_64BIT

@@ -15,7 +15,7 @@ struct steps {
     uint64_t dx;
     pel_u64x2 depth[2]; /* from the first pixel of four to each */
     pel_u32x4 value;    /* of a flat triangle */
-    struct pel_gouraud_steps color;
+    pel_u32x4 dcolor;   /* of a Gouraud one, a pixel on */
 };
 
 static PEL_ALWAYS_INLINE pel_u32x4 get_depths(const void *held, bool wide)
@@ -70,7 +70,7 @@ struct run {
     uint8_t *held;
     int32_t n;
     uint64_t depth;
-    uint32_t color[3];
+    pel_u32x4 color;
 };
 
 /* With constant `gouraud` and `wide`. Single pixels where there are fewer than
@@ -84,12 +84,9 @@ static PEL_ALWAYS_INLINE void draw_run(const struct steps *s,
     const int32_t n = r->n;
     uint64_t depth = r->depth;
     const int32_t size = wide ? 4 : 2;
-    struct pel_gouraud_four c;
-    pel_u32x4 value = s->value;
-    if (gouraud) {
-        c = pel_gouraud_add(s->color.lanes, pel_gouraud_times(r->color, 1));
-        value = pel_gouraud_xrgb4(c);
-    }
+    pel_u32x4 c = r->color, value = s->value;
+    if (gouraud)
+        value = pel_gouraud_xrgb4(c, s->dcolor);
     if (n < 4) {
         for (int32_t i = 0; i < n; i++, depth += s->dx)
             draw_one(p + i, held + i * size, depth, value[i & 3], wide);
@@ -102,15 +99,14 @@ static PEL_ALWAYS_INLINE void draw_run(const struct steps *s,
     const pel_u64x2 end[2] = {at[0] + way, at[1] + way};
     pel_u32x4 end_value = value;
     if (gouraud)
-        end_value = pel_gouraud_xrgb4(
-            pel_gouraud_add(c, pel_gouraud_times(s->color.dx, last)));
+        end_value = pel_gouraud_xrgb4(c + last * s->dcolor, s->dcolor);
     for (uint32_t i = 0; i < last; i += 4) {
         draw_four(p + i, held + (int32_t)i * size, at, value, wide);
         at[0] += 4 * s->dx;
         at[1] += 4 * s->dx;
         if (gouraud) {
-            c = pel_gouraud_add(c, s->color.four);
-            value = pel_gouraud_xrgb4(c);
+            c += 4 * s->dcolor;
+            value = pel_gouraud_xrgb4(c, s->dcolor);
         }
     }
     draw_four(p + last, held + (int32_t)last * size, end, end_value, wide);
@@ -133,25 +129,22 @@ static PEL_ALWAYS_INLINE void draw_rows(const struct pel_depth_paint *paint,
     uint64_t depth = pel_plane_at(&paint->plane, 0, t->y0) << 10;
     const uint64_t dx = paint->plane.dx << 10, dy = paint->plane.dy << 10;
     struct steps s = {.dx = dx, .depth = {{0, dx}, {2 * dx, 3 * dx}}};
-    uint32_t start[3] = {0, 0, 0};
+    pel_u32x4 start = {0}, down = {0};
     if (gouraud) {
-        s.color = pel_gouraud_steps_make(g, 4);
-        pel_gouraud_at(g, 0, t->y0, start);
+        s.dcolor = pel_get_u32x4(g->dx);
+        down = pel_get_u32x4(g->dy);
+        start = pel_gouraud_row(g, t->y0);
     } else {
         s.value = pel_make_value32(surface->format->pack(flat->color));
     }
     for (int32_t x, n; pel_fast_walk_next(&w, &x, &n);) {
-        struct run r = {.p = (pel_word32 *)(w.row + 4 * (uintptr_t)x),
-                        .held = (uint8_t *)(held + size * (uintptr_t)x),
-                        .n = n,
-                        .depth = depth + (uint64_t)x * dx};
-        if (gouraud) {
-            r.color[0] = start[0] + (uint32_t)x * g->dx[0];
-            r.color[1] = start[1] + (uint32_t)x * g->dx[1];
-            r.color[2] = start[2] + (uint32_t)x * g->dx[2];
-            pel_gouraud_step(start, g->dy);
-        }
+        const struct run r = {.p = (pel_word32 *)(w.row + 4 * (uintptr_t)x),
+                              .held = (uint8_t *)(held + size * (uintptr_t)x),
+                              .n = n,
+                              .depth = depth + (uint64_t)x * dx,
+                              .color = start + (uint32_t)x * s.dcolor};
         draw_run(&s, &r, gouraud, wide);
+        start += down;
         depth += dy;
         held += pitch;
     }

@@ -7,10 +7,10 @@
 
 #if PEL_FAST_FILLS && PEL_VECTORS
 
-/* A run of n > 0 pixels, and where the first is in the picture. */
+/* A run of n > 0 pixels: where the first and the last are in the picture. */
 struct pel_texture_run {
+    uint64_t u, v, u_last, v_last;
     uintptr_t out;
-    uint64_t u, v;
     int32_t n;
 };
 
@@ -27,25 +27,21 @@ struct pel_texture_steps {
     uint32_t set; /* bits that 32-bit texels lack as pixels */
 };
 
-/* A way to write runs. */
-struct pel_texture_writer {
-    void (*put)(const struct pel_texture_steps *steps,
-                const struct pel_texture_run *run);
+/* Both coordinates of four pixels. */
+struct pel_texture_four {
+    pel_u64x2 u[2], v[2];
+};
+
+/* A way to write runs. Its functions and constants are inlined in the loop over
+ * spans, where what is the same for all runs stays in registers. */
+struct pel_texture_way {
     int32_t texel_bytes, pixel_bytes;
     int32_t more; /* 1: it reads the texels further right and down, too;
                      0: it repeats the picture where a mask does */
+    /* Stores four pixels. */
+    void (*put4)(const struct pel_texture_steps *steps, int texel_bytes,
+                 const struct pel_texture_four *four, uintptr_t out);
 };
-
-struct pel_texture_steps pel_texture_steps_make(
-    const struct pel_texture *p, const struct pel_texture_writer *writer);
-
-/* Fills spans by `writer`, and those that leave the picture by `other`, in the
- * pixels of `surface`. */
-void pel_texture_fill_runs(const struct pel_texture *p,
-                           const struct pel_surface *surface,
-                           const struct pel_spans *spans,
-                           const struct pel_texture_writer *writer,
-                           pel_texture_fill *other);
 
 /* Do lines lie as many texels apart as fit the 16 bits of vectors? So they do
  * but in a part of a very wide picture. */
@@ -56,29 +52,52 @@ static inline bool pel_texture_stride_fits(const struct pel_texture *p,
     return texels >= -32768 && texels <= 32767;
 }
 
-/* Both coordinates of four pixels. */
-struct pel_texture_four {
-    pel_u64x2 u[2], v[2];
-};
-
-/* The four pixels from the k-th of a run on. */
-static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_at(
-    const struct pel_texture_steps *s, const struct pel_texture_run *r,
-    uint64_t k)
+/* Runs are inside whose texels and those `more` further right and down are;
+ * with a mask any texel is. */
+static PEL_ALWAYS_INLINE struct pel_texture_steps pel_texture_steps_make(
+    const struct pel_texture *p, const struct pel_texture_way *way)
 {
-    const pel_u64x2 u = r->u + k * s->du + s->u, v = r->v + k * s->dv + s->v;
-    return (struct pel_texture_four){{u, u + s->u_on}, {v, v + s->v_on}};
+    const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
+    const uint32_t width = (uint32_t)p->width, height = (uint32_t)p->height;
+    const uint32_t more = (uint32_t)way->more;
+    const bool all_u = !more && pel_texture_is_masked(p->width, p->wrap_u);
+    const bool all_v = !more && pel_texture_is_masked(p->height, p->wrap_v);
+    const uint32_t line = (uint32_t)(p->stride / way->texel_bytes);
+    const pel_u32x4 zero = {0, 0, 0, 0};
+    return (struct pel_texture_steps){
+        .du = du,
+        .dv = dv,
+        .u = {0, du},
+        .v = {0, dv},
+        .u_on = {2 * du, 2 * du},
+        .v_on = {2 * dv, 2 * dv},
+        .u_end = all_u ? UINT64_MAX : (uint64_t)(width - more) << 32,
+        .v_end = all_v ? UINT64_MAX : (uint64_t)(height - more) << 32,
+        .u_mask = zero + (all_u ? width - 1 : 0xFFFF),
+        .v_mask = zero + (all_v ? height - 1 : 0xFFFF),
+        .line = zero + (line & 0xFFFF),
+        .stride = p->stride,
+        .memory = p->memory,
+        .set = p->kind == PEL_TEXTURE_XRGB8888 ? PEL_LE32(0xFF000000u) : 0};
+}
+
+/* Four pixels from the one at (u, v) on. */
+static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_at(
+    const struct pel_texture_steps *s, uint64_t u, uint64_t v)
+{
+    const pel_u64x2 a = u + s->u, b = v + s->v;
+    return (struct pel_texture_four){{a, a + s->u_on}, {b, b + s->v_on}};
 }
 
 /* Of a run of 1 to 3 pixels: the first, the middle, and the last twice. */
 static PEL_ALWAYS_INLINE struct pel_texture_four pel_texture_four_few(
     const struct pel_texture_steps *s, const struct pel_texture_run *r)
 {
-    const uint64_t half = (uint64_t)r->n >> 1, last = (uint64_t)r->n - 1;
-    const uint64_t u = r->u + last * s->du, v = r->v + last * s->dv;
-    return (struct pel_texture_four){
-        {(pel_u64x2){r->u, r->u + half * s->du}, (pel_u64x2){u, u}},
-        {(pel_u64x2){r->v, r->v + half * s->dv}, (pel_u64x2){v, v}}};
+    const uint64_t half = (uint64_t)r->n >> 1;
+    return (struct pel_texture_four){{(pel_u64x2){r->u, r->u + half * s->du},
+                                      (pel_u64x2){r->u_last, r->u_last}},
+                                     {(pel_u64x2){r->v, r->v + half * s->dv},
+                                      (pel_u64x2){r->v_last, r->v_last}}};
 }
 
 /* Texels from texel (0, 0) to those of four pixels. Their masks keep u and v
@@ -100,26 +119,28 @@ static PEL_ALWAYS_INLINE void pel_texture_four_index(
     index[3] = (int32_t)(i[1] >> 32);
 }
 
-/* Stores the pixels of four texels; `kind` tells the ways of a writer apart. */
-typedef void pel_texture_put4(const struct pel_texture_steps *steps, int kind,
-                              const struct pel_texture_four *four,
-                              uintptr_t out);
-
-/* A writer's `put`, inlined with constant `bytes` of a pixel and `kind`. The
- * last four pixels come first and overlap those before them. */
-static PEL_ALWAYS_INLINE void pel_texture_put_run(
-    const struct pel_texture_steps *steps, const struct pel_texture_run *r,
-    int bytes, int kind, pel_texture_put4 *put4)
+static PEL_ALWAYS_INLINE void pel_texture_four_step(
+    struct pel_texture_four *f, const struct pel_texture_steps *s)
 {
-    /* Pixels may alias what is not local: this stays in registers. */
-    const struct pel_texture_steps copy = *steps, *const s = &copy;
-    const uintptr_t size = (uintptr_t)bytes, n = (uintptr_t)r->n;
+    f->u[0] = f->u[1] + s->u_on;
+    f->v[0] = f->v[1] + s->v_on;
+    f->u[1] = f->u[0] + s->u_on;
+    f->v[1] = f->v[0] + s->v_on;
+}
+
+/* The last four pixels come first and overlap those before them. */
+static PEL_ALWAYS_INLINE void pel_texture_put_run(
+    const struct pel_texture_steps *s, const struct pel_texture_run *r,
+    const struct pel_texture_way *way)
+{
+    const uintptr_t size = (uintptr_t)way->pixel_bytes;
+    const uintptr_t n = (uintptr_t)r->n;
     struct pel_texture_four f;
     if (n < 4) {
         uint32_t words[4];
         const uint8_t *const four = (const uint8_t *)words;
         f = pel_texture_four_few(s, r);
-        put4(s, kind, &f, (uintptr_t)words);
+        way->put4(s, way->texel_bytes, &f, (uintptr_t)words);
         memcpy((void *)r->out, four, size);
         memcpy((void *)(r->out + n / 2 * size), four + size, size);
         memcpy((void *)(r->out + (n - 1) * size), four + 2 * size, size);
@@ -127,15 +148,70 @@ static PEL_ALWAYS_INLINE void pel_texture_put_run(
     }
     uintptr_t out = r->out;
     const uintptr_t end = out + (n - 4) * size;
-    f = pel_texture_four_at(s, r, n - 4);
-    put4(s, kind, &f, end);
-    f = pel_texture_four_at(s, r, 0);
-    for (; out < end; out += 4 * size) {
-        put4(s, kind, &f, out);
-        f.u[0] = f.u[1] + s->u_on;
-        f.v[0] = f.v[1] + s->v_on;
-        f.u[1] = f.u[0] + s->u_on;
-        f.v[1] = f.v[0] + s->v_on;
+    f = pel_texture_four_at(s, r->u_last - 3 * s->du, r->v_last - 3 * s->dv);
+    way->put4(s, way->texel_bytes, &f, end);
+    f = pel_texture_four_at(s, r->u, r->v);
+    for (; out < end; out += 4 * size, pel_texture_four_step(&f, s))
+        way->put4(s, way->texel_bytes, &f, out);
+}
+
+/* The run of n pixels of which the first is at (u, v). */
+static PEL_ALWAYS_INLINE struct pel_texture_run pel_texture_run_of(
+    const struct pel_texture_steps *s, uint64_t u, uint64_t v, int32_t n)
+{
+    const uint64_t last = (uint64_t)n - 1;
+    return (struct pel_texture_run){u, v, u + last * s->du, v + last * s->dv,
+                                    0, n};
+}
+
+/* A coordinate is affine, so a run is inside when both ends are. */
+static PEL_ALWAYS_INLINE bool pel_texture_run_inside(
+    const struct pel_texture_steps *s, const struct pel_texture_run *r)
+{
+    const uint64_t u = r->u > r->u_last ? r->u : r->u_last;
+    const uint64_t v = r->v > r->v_last ? r->v : r->v_last;
+    return u < s->u_end && v < s->v_end;
+}
+
+/* The i-th span alone, which leaves the picture. */
+static PEL_ALWAYS_INLINE void pel_texture_fill_one(
+    const struct pel_texture *p, const struct pel_surface *surface,
+    const struct pel_spans *spans, ptrdiff_t i, pel_texture_fill *fill)
+{
+    const int32_t y = spans->y + (int32_t)i * spans->step;
+    const struct pel_spans one = {surface, &spans->span[i], y, 1, 1};
+    fill(&p->base.paint, &one);
+}
+
+/* Fills spans in the pixels of `surface`, and those that leave the picture by
+ * `other`. */
+static PEL_ALWAYS_INLINE void pel_texture_fill_runs(
+    const struct pel_texture *p, const struct pel_surface *surface,
+    const struct pel_spans *spans, const struct pel_texture_way *way,
+    pel_texture_fill *other)
+{
+    const struct pel_texture_steps s = pel_texture_steps_make(p, way);
+    const uint32_t back = way->more ? PEL_TEXTURE_HALF_BACK : 0;
+    const int32_t bytes = way->pixel_bytes;
+    const int32_t step = spans->step;
+    const uint64_t du = pel_times(p->map.u.dy, step);
+    const uint64_t dv = pel_times(p->map.v.dy, step);
+    const uintptr_t pitch = (uintptr_t)((ptrdiff_t)surface->stride * step);
+    const struct pel_span *span = spans->span, *const end = span + spans->n;
+    uint64_t u = pel_texture_at(&p->map.u, 0, spans->y) - back;
+    uint64_t v = pel_texture_at(&p->map.v, 0, spans->y) - back;
+    uintptr_t row = pel_column_zero(surface, spans->y, bytes);
+    for (; span < end; span++, row += pitch, u += du, v += dv) {
+        const uint64_t x = (uint64_t)span->x0;
+        struct pel_texture_run r = pel_texture_run_of(
+            &s, u + x * s.du, v + x * s.dv, span->x1 - span->x0);
+        r.out = row + (unsigned)bytes * x;
+        if (r.n <= 0)
+            continue;
+        if (pel_texture_run_inside(&s, &r))
+            pel_texture_put_run(&s, &r, way);
+        else
+            pel_texture_fill_one(p, surface, spans, span - spans->span, other);
     }
 }
 

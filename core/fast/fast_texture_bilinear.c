@@ -91,7 +91,7 @@ static PEL_ALWAYS_INLINE pel_u32x4 weights_of(pel_u32x4 f)
     return (f << 16) - f + 256;
 }
 
-static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int kind,
+static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int bytes,
                                    const struct pel_texture_four *f,
                                    uintptr_t out)
 {
@@ -103,9 +103,8 @@ static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int kind,
     const uint8_t *const top = s->memory, *const low = top + s->stride;
     int32_t i[4];
     pel_texture_four_index(f, s, i);
-    const struct neighbours n = kind == PEL_TEXTURE_RGB565_LE
-                                    ? neighbours_565(top, low, i)
-                                    : neighbours_32(top, low, i);
+    const struct neighbours n =
+        bytes == 2 ? neighbours_565(top, low, i) : neighbours_32(top, low, i);
     const pel_u32x4 a = channels(n.of[0], PEL_LANES(wu, wu, 0, 0, 0, 0),
                                  PEL_LANES(wv, wv, 0, 0, 0, 0));
     const pel_u32x4 b = channels(n.of[1], PEL_LANES(wu, wu, 1, 1, 1, 1),
@@ -120,50 +119,54 @@ static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int kind,
                       s->set);
 }
 
-static void put_32(const struct pel_texture_steps *s,
-                   const struct pel_texture_run *r)
+static const struct pel_texture_way from_565 = {2, 4, 1, put4};
+static const struct pel_texture_way from_32 = {4, 4, 1, put4};
+
+static bool is_565(const struct pel_texture *p)
 {
-    pel_texture_put_run(s, r, 4, PEL_TEXTURE_COLORS, put4);
+    return p->kind == PEL_TEXTURE_RGB565_LE;
 }
 
-static void put_565(const struct pel_texture_steps *s,
-                    const struct pel_texture_run *r)
+static bool is_fit(const struct pel_texture *p)
 {
-    pel_texture_put_run(s, r, 4, PEL_TEXTURE_RGB565_LE, put4);
+    return p->kind < PEL_TEXTURE_BYTE &&
+           pel_texture_stride_fits(p, is_565(p) ? 2 : 4);
 }
 
-/* NULL: no vectors are for this picture. */
-static const struct pel_texture_writer *writer_of(const struct pel_texture *p)
+static PEL_ALWAYS_INLINE void put_run(const struct pel_texture *p,
+                                      const struct pel_texture_axes *a,
+                                      int32_t n, pel_color *out,
+                                      const struct pel_texture_way *way)
 {
-    static const struct pel_texture_writer writers[2] = {{put_32, 4, 4, 1},
-                                                         {put_565, 2, 4, 1}};
-    const struct pel_texture_writer *const w =
-        &writers[p->kind == PEL_TEXTURE_RGB565_LE];
-    const bool fits = p->kind < PEL_TEXTURE_BYTE &&
-                      pel_texture_stride_fits(p, w->texel_bytes);
-    return fits ? w : NULL;
+    const struct pel_texture_steps s = pel_texture_steps_make(p, way);
+    struct pel_texture_run r = pel_texture_run_of(&s, a->u.at, a->v.at, n);
+    r.out = (uintptr_t)out;
+    pel_texture_put_run(&s, &r, way);
 }
 
 bool pel_texture_bilinear_run(const struct pel_texture *p,
                               const struct pel_texture_axes *a, int32_t n,
                               pel_color *out)
 {
-    const struct pel_texture_writer *const w = writer_of(p);
-    if (!w)
+    if (!is_fit(p))
         return false;
-    const struct pel_texture_steps s = pel_texture_steps_make(p, w);
-    const struct pel_texture_run r = {(uintptr_t)out, a->u.at, a->v.at, n};
-    w->put(&s, &r);
+    if (is_565(p))
+        put_run(p, a, n, out, &from_565);
+    else
+        put_run(p, a, n, out, &from_32);
     return true;
 }
 
 bool pel_texture_bilinear_fast(const struct pel_texture *p,
                                const struct pel_spans *spans)
 {
-    const struct pel_texture_writer *const w = writer_of(p);
-    if (!w || !pel_colors_in_place(&p->base, spans->surface))
+    const struct pel_surface *const s = spans->surface;
+    if (!is_fit(p) || !pel_colors_in_place(&p->base, s))
         return false;
-    pel_texture_fill_runs(p, spans->surface, spans, w, pel_color_paint_fill);
+    if (is_565(p))
+        pel_texture_fill_runs(p, s, spans, &from_565, pel_color_paint_fill);
+    else
+        pel_texture_fill_runs(p, s, spans, &from_32, pel_color_paint_fill);
     return true;
 }
 

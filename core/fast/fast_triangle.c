@@ -1,6 +1,6 @@
 #include "fast_triangle.h"
 
-#include "../raster/triangle_sort.h"
+#include "../base/point.h"
 
 #if PEL_FAST_FILLS
 
@@ -64,6 +64,17 @@ static bool inside(const struct pel_rect *clip, const struct pel_rect *box)
            box->y1 <= pel_min(PEL_PX(clip->y1), PEL_COORDINATE_MAX);
 }
 
+/* From top to bottom: a vertex goes where as many are above it. Without
+ * branches, which CPUs cannot predict. */
+static inline void sort(const struct pel_point v[3],
+                        const struct pel_point *p[3])
+{
+    const int b = v[1].y < v[0].y, c = v[2].y < v[0].y, d = v[2].y < v[1].y;
+    p[b + c] = &v[0];
+    p[1 - b + d] = &v[1];
+    p[2 - c - d] = &v[2];
+}
+
 /* Hands the rows to the paint, in batches. */
 static void fill_rows(const struct pel_surface *surface,
                       const struct pel_fast_triangle *t,
@@ -100,9 +111,9 @@ bool pel_triangle_fast(const struct pel_surface *surface,
                        const struct pel_point v[3],
                        const struct pel_paint *paint)
 {
-    const struct pel_point *p[3] = {&v[0], &v[1], &v[2]};
+    const struct pel_point *p[3];
     struct pel_fast_triangle t;
-    pel_sort_rows(p);
+    sort(v, p);
     const struct pel_rect box = pel_corners_box(v);
     if (!inside(&surface->clip, &box) || box.y1 - box.y0 > PEL_PX(4094))
         return false;

@@ -13,12 +13,13 @@ void pel_blend32(const struct pel_spans *spans, pel_color color);
 /* The same of the three formats of 5-6-5 bits. */
 void pel_blend565(const struct pel_spans *spans, pel_color color);
 
-/* Puts n - n % 8 colors, and returns how many. Of 32-bit formats those whose
- * pixels are colors, xrgb8888 and argb8888; 0 of others. */
+/* Puts n - n % 8 colors, and returns how many. */
 int32_t pel_put565(const struct pel_format *format, pel_word16 *p, int32_t n,
                    const pel_color *colors);
-int32_t pel_put32(const struct pel_format *format, pel_word32 *p, int32_t n,
-                  const pel_color *colors);
+
+/* Puts colors where they are pixels, too: of xrgb8888 and argb8888. */
+void pel_put32(const struct pel_surface *surface, int32_t x, int32_t y,
+               int32_t n, const pel_color *colors);
 
 /* Copies pixels, of which it sets the bits `set`. */
 void pel_copy32(pel_word32 *to, const pel_word32 *from, int32_t n,
@@ -85,7 +86,10 @@ static inline pel_u8x16 pel_zip_high_u8x16(pel_u8x16 a, pel_u8x16 b)
  * pel_divide255_u16x8: floor(u 257 / 65,536) = floor((u + floor(u / 256)) /
  * 256) in every lane, which pel_round_div255 does after adding 128.
  * pel_narrow_u16x8: eight lanes, all below 65,536, in 16 bits each.
- * pel_join_u8x16: sixteen lanes, all below 256, in 8 bits each. */
+ * pel_join_u8x16: sixteen lanes, all below 256, in 8 bits each.
+ * pel_cover_of: what the alphas of eight colors are. */
+enum pel_cover { PEL_CLEAR, PEL_MIXED, PEL_OPAQUE };
+
 #ifdef __SSE2__
 typedef int16_t pel_s16x8 __attribute__((__vector_size__(16)));
 
@@ -114,10 +118,18 @@ static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
                                                  (pel_s16x8)high);
 }
 
-#else
-typedef uint16_t pel_u16x4 __attribute__((__vector_size__(8)));
-typedef uint8_t pel_u8x8 __attribute__((__vector_size__(8)));
+static PEL_ALWAYS_INLINE enum pel_cover pel_cover_of(pel_u32x4 a, pel_u32x4 b)
+{
+    typedef char c8x16 __attribute__((__vector_size__(16)));
+    const pel_u8x16 all = (pel_u8x16)(a & b), any = (pel_u8x16)(a | b);
+    if ((__builtin_ia32_pmovmskb128((c8x16)(all == 255)) & 0x8888) == 0x8888)
+        return PEL_OPAQUE;
+    return (__builtin_ia32_pmovmskb128((c8x16)(any != 0)) & 0x8888) == 0
+               ? PEL_CLEAR
+               : PEL_MIXED;
+}
 
+#else
 static inline pel_u32x4 pel_dot_s16(pel_u32x4 a, pel_u32x4 b)
 {
     const pel_s32x4 low =
@@ -133,26 +145,15 @@ static inline pel_u16x8 pel_divide255_u16x8(pel_u16x8 u)
 
 static inline pel_u16x8 pel_narrow_u16x8(pel_u32x4 low, pel_u32x4 high)
 {
-    const pel_u16x4 both[2] = {__builtin_convertvector(low, pel_u16x4),
-                               __builtin_convertvector(high, pel_u16x4)};
-    pel_u16x8 v;
-    memcpy(&v, both, 16);
-    return v;
+    return PEL_SHUFFLE(pel_u16x8, (pel_u16x8)low, (pel_u16x8)high, 0, 2, 4, 6,
+                       8, 10, 12, 14);
 }
 
 static inline pel_u8x16 pel_join_u8x16(pel_u16x8 low, pel_u16x8 high)
 {
-    const pel_u8x8 both[2] = {__builtin_convertvector(low, pel_u8x8),
-                              __builtin_convertvector(high, pel_u8x8)};
-    pel_u8x16 v;
-    memcpy(&v, both, 16);
-    return v;
+    return PEL_SHUFFLE(pel_u8x16, (pel_u8x16)low, (pel_u8x16)high, 0, 2, 4, 6,
+                       8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
 }
-
-#endif
-
-/* Of eight colors. */
-enum pel_cover { PEL_CLEAR, PEL_MIXED, PEL_OPAQUE };
 
 static PEL_ALWAYS_INLINE enum pel_cover pel_cover_of(pel_u32x4 a, pel_u32x4 b)
 {
@@ -165,5 +166,6 @@ static PEL_ALWAYS_INLINE enum pel_cover pel_cover_of(pel_u32x4 a, pel_u32x4 b)
     return ((half[2] | half[3]) & alphas) == 0 ? PEL_CLEAR : PEL_MIXED;
 }
 
+#endif
 #endif
 #endif

@@ -68,7 +68,8 @@ static PEL_ALWAYS_INLINE void blend_span(pel_word32 *p, int32_t n,
     }
     pel_word32 *const end = p + n - 4;
     const pel_u32x4 tail = over4(pel_get_u32x4(end), s, s);
-    for (; p < end; p += 4) {
+    pel_put_u32x4(p, over4(pel_get_u32x4(p), s, s));
+    for (p += 4; p < end; p += 4) {
         pel_prefetch((uintptr_t)p + ahead);
         pel_put_u32x4(p, over4(pel_get_u32x4(p), s, s));
     }
@@ -81,10 +82,11 @@ void pel_blend32(const struct pel_spans *spans, pel_color color)
         return; /* the X byte stays as it is, too */
     const struct source s = source_of(spans->surface->format, color);
     const struct pel_span *span = spans->span;
-    const uintptr_t ahead = PEL_ROWS_AHEAD * (uintptr_t)pel_spans_pitch(spans);
-    int32_t y = spans->y;
-    for (int32_t i = 0; i < spans->n; i++, span++, y += spans->step)
-        blend_span(pel_address32(spans->surface, span->x0, y),
+    const uintptr_t pitch = (uintptr_t)pel_spans_pitch(spans);
+    const uintptr_t ahead = PEL_ROWS_AHEAD * pitch;
+    uintptr_t row = pel_column_zero(spans->surface, spans->y, 4);
+    for (int32_t n = spans->n; n > 0; n--, span++, row += pitch)
+        blend_span((pel_word32 *)(row + 4 * (uintptr_t)span->x0),
                    span->x1 - span->x0, &s, ahead);
 }
 
@@ -96,16 +98,14 @@ static inline pel_u32x4 colors_over4(pel_u32x4 below, pel_u32x4 colors)
     const pel_u16x8 high = (pel_u16x8)PEL_LANES(a, a, 2, 2, 3, 3);
     const struct source first = {low_bytes(colors) * low + 128, 255 - low};
     const struct source other = {high_bytes(colors) * high + 128, 255 - high};
-    return over4(below, &first, &other) |
-           ((pel_u32x4)(alpha != 0) & 0xFF000000u);
+    return over4(below, &first, &other) | ((0 - alpha) & 0xFF000000u);
 }
 
-int32_t pel_put32(const struct pel_format *format, pel_word32 *p, int32_t n,
-                  const pel_color *colors)
+void pel_put32(const struct pel_surface *surface, int32_t x, int32_t y,
+               int32_t n, const pel_color *colors)
 {
-    if (format->id != PEL_FORMAT_XRGB8888 && format->id != PEL_FORMAT_ARGB8888)
-        return 0;
-    for (int32_t i = n; i >= 8; i -= 8, p += 8, colors += 8) {
+    pel_word32 *p = pel_address32(surface, x, y);
+    for (; n >= 8; n -= 8, p += 8, colors += 8) {
         const pel_u32x4 a = pel_get_u32x4(colors);
         const pel_u32x4 b = pel_get_u32x4(colors + 4);
         const enum pel_cover cover = pel_cover_of(a, b);
@@ -115,7 +115,9 @@ int32_t pel_put32(const struct pel_format *format, pel_word32 *p, int32_t n,
         pel_put_u32x4(p, mixed ? colors_over4(pel_get_u32x4(p), a) : a);
         pel_put_u32x4(p + 4, mixed ? colors_over4(pel_get_u32x4(p + 4), b) : b);
     }
-    return n & ~7;
+    for (; n > 0; n--, p++, colors++)
+        if (pel_alpha(*colors) > 0)
+            *p = pel_mix(*p, *colors, pel_alpha(*colors));
 }
 
 void pel_copy32(pel_word32 *to, const pel_word32 *from, int32_t n, uint32_t set)

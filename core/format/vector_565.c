@@ -107,9 +107,10 @@ void pel_blend565(const struct pel_spans *spans, pel_color color)
     const pel_u32x4 c = ordered((pel_u32x4){0} + color, o);
     const struct source s = source_of(c, c);
     const struct pel_span *span = spans->span;
-    int32_t y = spans->y;
-    for (int32_t i = 0; i < spans->n; i++, span++, y += spans->step)
-        blend_span(pel_address16(spans->surface, span->x0, y),
+    const uintptr_t pitch = (uintptr_t)pel_spans_pitch(spans);
+    uintptr_t row = pel_column_zero(spans->surface, spans->y, 2);
+    for (int32_t n = spans->n; n > 0; n--, span++, row += pitch)
+        blend_span((pel_word16 *)(row + 2 * (uintptr_t)span->x0),
                    span->x1 - span->x0, &s, o);
 }
 

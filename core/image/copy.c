@@ -34,25 +34,21 @@ static bool visible_part(const struct pel_surface *surface,
  * for some rows ahead: stores retire in order, so each miss would wait for the
  * one before it. Short spans wait for a line or two, which takes less time than
  * asking. */
-static PEL_ALWAYS_INLINE void ask_ahead(const struct pel_surface *s,
-                                        const struct pel_rect *r, int32_t y)
+static PEL_ALWAYS_INLINE void ask_ahead(uintptr_t row, ptrdiff_t stride,
+                                        size_t bytes)
 {
-    const int32_t bits = s->format->bits, bytes = (r->x1 - r->x0) * bits / 8;
-    const uintptr_t row =
-        (uintptr_t)(y + PEL_ROWS_AHEAD - s->bounds.y0) * (uintptr_t)s->stride;
-    const uintptr_t column = (uintptr_t)((r->x0 - s->bounds.x0) * bits / 8);
+    row += PEL_ROWS_AHEAD * (uintptr_t)stride;
     if (PEL_64BIT && bytes > 128)
-        for (int32_t i = 0; i < bytes; i += 64)
-            pel_prefetch((uintptr_t)s->pixels + row + column + (uintptr_t)i);
+        for (size_t i = 0; i < bytes; i += 64)
+            pel_prefetch(row + i);
 }
 
-/* A line. Pixels get the unused bits `set`; those that then are `skip` stay as
- * they are, where `keyed`. */
+/* Lines of n pixels. They get the unused bits `set`; those that then are `skip`
+ * stay as they are, where `keyed`. */
 struct run {
-    uint8_t *to;
-    const uint8_t *from;
-    int32_t n;                /* pixels */
-    int32_t to_bit, from_bit; /* of the first pixel, of its byte */
+    ptrdiff_t to_stride, from_stride;
+    int32_t rows, n;
+    int32_t bits, to_bit, from_bit; /* of a pixel; the first one, of its byte */
     uint32_t set, skip;
     bool keyed;
 };
@@ -74,13 +70,14 @@ struct run {
 
 /* Pixels of less than a byte, as many as lie in one byte of the destination at
  * a time. The high bit of a byte is the first; a key has one bit. */
-static void copy_bits(const struct run *r, int32_t bits_each)
+static void copy_bits(const struct run *r, uint8_t *to_line,
+                      const uint8_t *from_line)
 {
     int32_t to = r->to_bit, from = r->from_bit, n;
-    for (const int32_t end = to + r->n * bits_each; to < end;
+    for (const int32_t end = to + r->n * r->bits; to < end;
          to += n, from += n) {
-        uint8_t *const p = r->to + to / 8;
-        const uint8_t *const q = r->from + from / 8;
+        uint8_t *const p = to_line + to / 8;
+        const uint8_t *const q = from_line + from / 8;
         n = pel_min(8 - (to & 7), end - to);
         uint32_t bits = (uint32_t)q[0] << 8;
         if ((from & 7) + n > 8)
@@ -88,23 +85,45 @@ static void copy_bits(const struct run *r, int32_t bits_each)
         bits = bits << (from & 7) >> 8 & 0xFF;
         uint32_t mask = 0xFF00u >> n & 0xFF;
         if (r->keyed)
-            mask &= r->skip ? ~bits : bits;
+            mask &= bits ^ (r->skip ? 0xFF : 0);
         *p = (uint8_t)((*p & ~(mask >> (to & 7))) | (bits & mask) >> (to & 7));
     }
 }
 
-static void copy_run(const struct run *r, int32_t bits)
+static void copy_run(const struct run *r, uint8_t *to, const uint8_t *from)
 {
-    if (bits < 8)
-        copy_bits(r, bits);
-    else if (bits == 8)
-        copy8(r);
-    else if (bits == 16)
-        copy16(r);
-    else if (PEL_VECTORS && !r->keyed)
-        pel_copy32((void *)r->to, (const void *)r->from, r->n, r->set);
+    if (r->bits < 8)
+        copy_bits(r, to, from);
+    else if (r->bits == 8)
+        copy8(r, to, from);
+    else if (r->bits == 16)
+        copy16(r, (void *)to, (const void *)from);
     else
-        copy32(r);
+        copy32(r, (void *)to, (const void *)from);
+}
+
+/* Whole bytes; 32-bit pixels, without a key; any. */
+enum way { AS_THEY_ARE, SET_32, BY_RUNS };
+
+/* A way is a constant, and addresses are no members of the run: then they are
+ * in registers, and no line waits for the address of the one before it. */
+static PEL_ALWAYS_INLINE void copy_lines(const struct run *r, uint8_t *to,
+                                         const uint8_t *from, enum way way)
+{
+    const ptrdiff_t down = r->to_stride, from_down = r->from_stride;
+    const size_t size = (size_t)(r->n * r->bits) / 8;
+    for (int32_t rows = r->rows;; to += down, from += from_down) {
+        if (way == BY_RUNS && r->keyed)
+            ask_ahead((uintptr_t)to, down, size);
+        if (way == AS_THEY_ARE)
+            memcpy(to, from, size);
+        else if (way == SET_32)
+            pel_copy32((void *)to, (const void *)from, r->n, r->set);
+        else
+            copy_run(r, to, from);
+        if (--rows == 0)
+            return;
+    }
 }
 
 /* How a format of a program's own keeps pixels is its own affair: with a key,
@@ -132,28 +151,21 @@ static bool copy_same(const struct pel_surface *surface,
     if (f->id != source->format->id || !can_copy(f, key != NULL))
         return false;
     const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
-    const int32_t to = (r.x0 - surface->bounds.x0) * f->bits;
-    const int32_t from = (r.x0 - dx - source->bounds.x0) * f->bits;
-    struct run run = {NULL,     NULL,       r.x1 - r.x0, to & 7,
-                      from & 7, f->pack(0), 0,           key};
-    const bool whole = !key && f->bits >= 8 && run.set == 0;
-    const size_t size = (size_t)(run.n * f->bits / 8);
-    if (key)
-        run.skip = f->pack(*key);
-    run.to = pel_surface_line(surface, r.y0) + to / 8;
-    run.from = pel_surface_line(source, r.y0 - dy) + from / 8;
-    for (int32_t y = r.y0;;) {
-        if (key)
-            ask_ahead(surface, &r, y);
-        if (whole)
-            memcpy(run.to, run.from, size);
-        else
-            copy_run(&run, f->bits);
-        if (++y == r.y1)
-            return true;
-        run.to += surface->stride;
-        run.from += source->stride;
-    }
+    const int32_t to_bit = (r.x0 - surface->bounds.x0) * f->bits;
+    const int32_t from_bit = (r.x0 - dx - source->bounds.x0) * f->bits;
+    const uint32_t set = f->pack(0), skip = key ? f->pack(*key) : 0;
+    const struct run run = {
+        surface->stride, source->stride, r.y1 - r.y0, r.x1 - r.x0, f->bits,
+        to_bit & 7,      from_bit & 7,   set,         skip,        key};
+    uint8_t *to = pel_surface_line(surface, r.y0) + to_bit / 8;
+    const uint8_t *from = pel_surface_line(source, r.y0 - dy) + from_bit / 8;
+    if (!key && f->bits >= 8 && set == 0)
+        copy_lines(&run, to, from, AS_THEY_ARE);
+    else if (PEL_VECTORS && !key && f->bits == 32)
+        copy_lines(&run, to, from, SET_32);
+    else
+        copy_lines(&run, to, from, BY_RUNS);
+    return true;
 }
 
 /* Gives n colors of the source the alpha with which they are put. */
@@ -175,8 +187,11 @@ static void copy_colors(const struct pel_surface *surface,
     const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
     const bool in_place = !weigh && source->format->id == PEL_FORMAT_ARGB8888 &&
                           PEL_LE32(UINT32_C(1)) == 1;
-    for (int32_t y = r.y0; y < r.y1; y++) {
-        ask_ahead(surface, &r, y);
+    const int32_t bits = surface->format->bits;
+    const size_t bytes = (size_t)((r.x1 - r.x0) * bits) / 8;
+    uintptr_t row = pel_address(surface, r.x0, r.y0, bits / 8);
+    for (int32_t y = r.y0; y < r.y1; y++, row += (uintptr_t)surface->stride) {
+        ask_ahead(row, surface->stride, bytes);
         for (int32_t x = r.x0, n; x < r.x1; x += n) {
             n = in_place ? r.x1 - x : pel_min(r.x1 - x, PEL_BUFFER_PIXELS);
             const pel_color *from = colors;

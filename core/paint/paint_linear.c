@@ -5,6 +5,9 @@
 #include "../base/divide.h"
 #include "cells.h"
 
+enum { PIECE_SIZE = PEL_64BIT ? 8192 : 512 }; /* bytes of a row */
+enum { WIDEST = PEL_VECTORS ? 3 : 7 };        /* px: cells that are walked */
+
 /* (P - from).d of a point. */
 static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
                                      int32_t y)
@@ -176,54 +179,61 @@ static void fill_cells(const struct pel_paint *paint,
     pel_cells_fill(paint, spans, narrow ? 0 : rows, start, end_cells);
 }
 
-/* All rows of a horizontal gradient are alike, so one that holds the hull is
- * drawn and copied to the others. False: there is none, or copies would be
- * wrong (colors are blended, pixels share bytes, or the format is a dither's or
- * the program's own). */
+/* All rows of a horizontal gradient are alike, so pieces of one are drawn into
+ * a buffer and copied from there: a screen may be slow to read. False: that
+ * does not pay, or is wrong (colors are blended, pixels share bytes, or the
+ * format is a dither's or the program's own). */
 static bool fill_copies(const struct pel_linear *p,
-                        const struct pel_spans *spans, struct pel_span hull)
+                        const struct pel_spans *spans)
 {
-    const struct pel_surface *const s = spans->surface;
-    const int32_t bytes = s->format->bits / 8;
-    const struct pel_span *span = spans->span;
-    int32_t model = 0;
-    if (p->d.y != 0 || spans->n * spans->step < 2 || s->format->id >= 128 ||
-        bytes == 0 || !is_opaque(&p->base.ramp))
+    struct pel_span hull;
+    const int32_t bytes = spans->surface->format->bits / 8;
+    uint32_t buffer[PIECE_SIZE / 4];
+    struct pel_surface row = *spans->surface;
+    row.pixels = buffer;
+    if (p->d.y != 0 || bytes == 0 || row.format->id >= 128 ||
+        !is_opaque(&p->base.ramp) ||
+        pel_spans_hull(&hull, spans->span, spans->n) < 2 * (hull.x1 - hull.x0))
         return false;
-    while (span[model].x0 != hull.x0 || span[model].x1 != hull.x1)
-        if (++model == spans->n)
-            return false;
-    fill_cells(&p->base.paint,
-               &(struct pel_spans){s, span + model, spans->y + model, 1, 1});
-    for (int32_t i = 0; i < spans->n; i++, span++)
-        if (i != model && span->x0 < span->x1)
-            memcpy((void *)pel_address(s, span->x0, spans->y + i, bytes),
-                   (void *)pel_address(s, span->x0, spans->y + model, bytes),
-                   (size_t)((span->x1 - span->x0) * bytes));
+    for (struct pel_span piece = hull; piece.x0 < hull.x1;
+         piece.x0 = piece.x1) {
+        piece.x1 = pel_min(piece.x0 + PIECE_SIZE / bytes, hull.x1);
+        row.bounds = (struct pel_rect){piece.x0, 0, piece.x1, 1};
+        fill_cells(&p->base.paint, &(struct pel_spans){&row, &piece, 0, 1, 1});
+        for (int32_t i = 0, y = spans->y; i < spans->n; i++, y += spans->step) {
+            const int32_t x = pel_max(spans->span[i].x0, piece.x0);
+            const int32_t n = pel_min(spans->span[i].x1, piece.x1) - x;
+            if (n > 0)
+                memcpy((void *)pel_address(spans->surface, x, y, bytes),
+                       (void *)pel_address(&row, x, 0, bytes),
+                       (size_t)(n * bytes));
+        }
+    }
     return true;
 }
 
 /* Fills the rows of a dither, which shows every cell, from the row where
  * products are least on. False, and nothing is done, unless the format can
- * walk, cells are 1/2 to 7 px wide (3 px with vectors, which are faster then),
- * and the hull is all on one way from the first cell to the last. */
+ * walk, cells are 1/2 to WIDEST px wide (vectors are faster with others), and
+ * the hull is all on one way from the first cell to the last. */
 static bool fill_walked(const struct pel_linear *p,
-                        const struct pel_spans *spans, struct pel_span hull)
+                        const struct pel_spans *spans)
 {
     const struct pel_channels *const channels =
         spans->surface->format->channels;
-    const int64_t widest = (PEL_VECTORS ? 3 : 7) * (int64_t)p->d.x;
     const int64_t growth = spans->step ? pel_size_of(p->d.y) : 0;
     const bool up = p->d.y < 0;
     const int32_t last = spans->n - 1;
+    struct pel_span hull;
+    struct pel_cells c;
+    if (!channels || !channels->walk || p->base.ramp.n != 2 ||
+        !is_opaque(&p->base.ramp) || p->cell >= pel_product(WIDEST, p->d.x) ||
+        p->d.x >= 2 * p->cell || !pel_spans_hull(&hull, spans->span, spans->n))
+        return false;
     const int64_t least =
         product_at(p, hull.x0, spans->y + up * last * spans->step);
     const int64_t across = pel_product(p->d.x, hull.x1 - 1 - hull.x0);
-    struct pel_cells c;
-    if (!channels || !channels->walk || p->base.ramp.n != 2 ||
-        !is_opaque(&p->base.ramp) || p->cell >= widest ||
-        p->d.x >= 2 * p->cell || least <= 0 ||
-        least + 256 * (across + growth * last) >= p->square)
+    if (least <= 0 || least + 256 * (across + growth * last) >= p->square)
         return false;
     c.gradient = &p->base;
     set_cell(&c, p, least);
@@ -233,14 +243,11 @@ static bool fill_walked(const struct pel_linear *p,
         const struct pel_span run = spans->span[k];
         if (run.x0 >= run.x1)
             continue;
+        const struct pel_mix mix = pel_mix_from(&p->base, c.place, p->way);
+        const int32_t error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0);
         const struct pel_walk walk = {
-            .mix = pel_mix_from(&p->base, c.place, p->way),
-            .error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0),
-            .rest = c.rest,
-            .cell = (int32_t)p->cell,
-            .cell_rest = p->cell_rest,
-            .unit = unit_of(p),
-            .step = p->d.x};
+            mix,          error,      c.rest, (int32_t)p->cell,
+            p->cell_rest, unit_of(p), p->d.x};
         if (!channels->walk(spans->surface, run.x0, spans->y + k * spans->step,
                             run.x1 - run.x0, &walk))
             return false;
@@ -251,13 +258,10 @@ static bool fill_walked(const struct pel_linear *p,
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
-    struct pel_span hull;
-    if (PEL_CELL_ROWS == 1)
-        fill_cells(paint, spans);
-    else if (p->d.x == 0)
+    if (PEL_CELL_ROWS > 1 && p->d.x == 0)
         fill_level(p, spans);
-    else if (pel_spans_hull(&hull, spans->span, spans->n) > 0 &&
-             !fill_copies(p, spans, hull) && !fill_walked(p, spans, hull))
+    else if (PEL_CELL_ROWS == 1 ||
+             (!fill_copies(p, spans) && !fill_walked(p, spans)))
         fill_cells(paint, spans);
 }
 

@@ -22,14 +22,16 @@ static PEL_ALWAYS_INLINE void fill_words(const struct pel_gouraud *g,
                                          const struct pel_spans *spans,
                                          int bytes)
 {
-    const struct pel_gouraud_steps steps = pel_gouraud_steps_make(g, bytes);
-    int32_t y = spans->y;
-    for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
-        const int32_t x = spans->span[i].x0;
-        uint32_t v[3];
-        pel_gouraud_at(g, x, y, v);
-        pel_gouraud_span(pel_address(spans->surface, x, y, bytes),
-                         spans->span[i].x1 - x, v, &steps, bytes);
+    const struct pel_gouraud_steps s = pel_gouraud_steps_make(g, bytes);
+    const struct pel_span *span = spans->span, *const end = span + spans->n;
+    const uintptr_t pitch = (uintptr_t)pel_spans_pitch(spans);
+    const pel_u32x4 down = (uint32_t)spans->step * s.dy;
+    uintptr_t row = pel_column_zero(spans->surface, spans->y, bytes);
+    pel_u32x4 c = pel_gouraud_row(g, spans->y);
+    for (; span < end; span++, row += pitch, c += down) {
+        const int32_t x = span->x0;
+        pel_gouraud_span(row + (unsigned)bytes * (uintptr_t)x, span->x1 - x,
+                         c + (uint32_t)x * s.dx, &s, bytes);
     }
 }
 

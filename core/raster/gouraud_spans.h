@@ -37,123 +37,123 @@ static PEL_ALWAYS_INLINE void pel_gouraud_step(uint32_t v[3],
 
 #if PEL_VECTORS
 
-/* Blue, green and red of four pixels. */
-struct pel_gouraud_four {
-    pel_u32x4 v[3];
-};
-
-/* Of the channels, the same in all spans of a triangle. */
+/* A pixel's channels are the lanes of a vector: blue, green, red and an alpha
+ * of 255, which is the X of xrgb8888. Of rgb565 each channel has a vector,
+ * whose lanes are pixels 0, 2, 4, 6 of eight; one step on they are 1, 3, 5, 7.
+ */
 struct pel_gouraud_steps {
-    uint32_t dx[3];
-    struct pel_gouraud_four lanes; /* from the first lane's pixel to each */
-    struct pel_gouraud_four four;  /* lanes on */
+    pel_u32x4 dx, dy;
+    pel_u32x4 on[3];            /* from a vector of pixels to the next */
+    pel_u32x4 even[3], next[3]; /* to pixels 0, 2, 4, 6; one step on */
 };
 
-static PEL_ALWAYS_INLINE struct pel_gouraud_four pel_gouraud_add(
-    struct pel_gouraud_four a, struct pel_gouraud_four b)
-{
-    return (struct pel_gouraud_four){
-        {a.v[0] + b.v[0], a.v[1] + b.v[1], a.v[2] + b.v[2]}};
-}
-
-/* n v in every lane. */
-static PEL_ALWAYS_INLINE struct pel_gouraud_four pel_gouraud_times(
-    const uint32_t v[3], uint32_t n)
-{
-    const pel_u32x4 zero = {0, 0, 0, 0};
-    return (struct pel_gouraud_four){
-        {zero + n * v[0], zero + n * v[1], zero + n * v[2]}};
-}
-
-/* For pixels of 4 or 2 bytes; of 2 there are two to a lane. */
-static inline struct pel_gouraud_steps pel_gouraud_steps_make(
+/* For pixels of 4 or 2 bytes. */
+static PEL_ALWAYS_INLINE struct pel_gouraud_steps pel_gouraud_steps_make(
     const struct pel_gouraud *g, int bytes)
 {
-    const pel_u32x4 odd = {0, ~0u, 0, ~0u};
-    const pel_u32x4 upper = {0, 0, ~0u, ~0u};
+    const pel_u32x4 zero = {0, 0, 0, 0}, two = {0, 2, 4, 6};
     struct pel_gouraud_steps s;
+    s.dx = pel_get_u32x4(g->dx);
+    s.dy = pel_get_u32x4(g->dy);
     PEL_UNROLL
     for (int k = 0; k < 3; k++) {
-        const pel_u32x4 zero = {0, 0, 0, 0};
-        const pel_u32x4 d = zero + (bytes == 2 ? 2 : 1) * g->dx[k];
-        s.dx[k] = g->dx[k];
-        s.lanes.v[k] = (d & odd) + ((d << 1) & upper);
-        s.four.v[k] = d << 2;
+        s.next[k] = zero + g->dx[k];
+        s.even[k] = two * g->dx[k];
+        s.on[k] = s.next[k] << 3;
     }
+    if (bytes == 4)
+        s.on[0] = 4 * s.dx;
     return s;
 }
 
-static PEL_ALWAYS_INLINE pel_u32x4 pel_gouraud_xrgb4(struct pel_gouraud_four c)
+/* Channels at column 0 of row y. */
+static inline pel_u32x4 pel_gouraud_row(const struct pel_gouraud *g, int32_t y)
 {
-    return (c.v[2] >> 8 & 0xFF0000u) | (c.v[1] >> 16 & 0xFF00u) | c.v[0] >> 24 |
-           UINT32_C(0xFF000000);
+    return pel_get_u32x4(g->at) + (uint32_t)y * pel_get_u32x4(g->dy);
 }
 
-/* Eight pixels: the lanes hold pixels 0, 2, 4, 6; one step on 1, 3, 5, 7. */
+/* Four pixels of xrgb8888 from the one with the channels c on. */
+static PEL_ALWAYS_INLINE pel_u32x4 pel_gouraud_xrgb4(pel_u32x4 c, pel_u32x4 dx)
+{
+    const pel_u32x4 next = c + dx, third = next + dx, last = third + dx;
+    const pel_u8x16 low =
+        pel_join_u8x16((pel_u16x8)(c >> 24), (pel_u16x8)(next >> 24));
+    const pel_u8x16 high =
+        pel_join_u8x16((pel_u16x8)(third >> 24), (pel_u16x8)(last >> 24));
+    return (pel_u32x4)pel_join_u8x16((pel_u16x8)low, (pel_u16x8)high);
+}
+
+/* What a vector of pixels is made from; of xrgb8888 v[0] is the first one. */
+struct pel_gouraud_pixels {
+    pel_u32x4 v[3];
+};
+
+/* From the pixel with the channels c on. */
+static PEL_ALWAYS_INLINE struct pel_gouraud_pixels pel_gouraud_start(
+    pel_u32x4 c, const struct pel_gouraud_steps *s, int bytes)
+{
+    struct pel_gouraud_pixels p = {{c, c, c}};
+    if (bytes == 2) {
+        p.v[0] = PEL_LANES(c, c, 0, 0, 0, 0) + s->even[0];
+        p.v[1] = PEL_LANES(c, c, 1, 1, 1, 1) + s->even[1];
+        p.v[2] = PEL_LANES(c, c, 2, 2, 2, 2) + s->even[2];
+    }
+    return p;
+}
+
 static PEL_ALWAYS_INLINE pel_u32x4
-pel_gouraud_rgb565x8(struct pel_gouraud_four c, const uint32_t dx[3])
+pel_gouraud_pack(const struct pel_gouraud_pixels *p,
+                 const struct pel_gouraud_steps *s, int bytes)
 {
-    const pel_u32x4 low =
-        (c.v[2] >> 16 & 0xF800u) | (c.v[1] >> 21 & 0x07E0u) | c.v[0] >> 27;
-    c = pel_gouraud_add(c, pel_gouraud_times(dx, 1));
-    return low | (c.v[2] & 0xF8000000u) | (c.v[1] >> 5 & 0x07E00000u) |
-           (c.v[0] >> 11 & 0x001F0000u);
+    const pel_u32x4 b = p->v[0], g = p->v[1], r = p->v[2];
+    if (bytes == 4)
+        return pel_gouraud_xrgb4(b, s->dx);
+    return (r >> 16 & 0xF800u) | (g >> 21 & 0x07E0u) | b >> 27 |
+           ((r + s->next[2]) & 0xF8000000u) |
+           ((g + s->next[1]) >> 5 & 0x07E00000u) |
+           ((b + s->next[0]) >> 11 & 0x001F0000u);
 }
 
-/* Stores eight pixels and moves on to the next eight; with constant `bytes`. */
-static PEL_ALWAYS_INLINE void pel_gouraud_put8(
-    uintptr_t p, struct pel_gouraud_four *c, const struct pel_gouraud_steps *s,
+static PEL_ALWAYS_INLINE void pel_gouraud_step_on(
+    struct pel_gouraud_pixels *p, const struct pel_gouraud_steps *s)
+{
+    PEL_UNROLL
+    for (int k = 0; k < 3; k++)
+        p->v[k] += s->on[k];
+}
+
+/* The first n of a vector, which are not all. */
+static PEL_ALWAYS_INLINE void pel_gouraud_put_few(uintptr_t p, int32_t n,
+                                                  pel_u32x4 pixels, int bytes)
+{
+    if (bytes == 4)
+        pel_put_part32((pel_word32 *)p, n, pixels);
+    else
+        pel_put_part16((pel_word16 *)p, n, (pel_u16x8)pixels);
+}
+
+/* n pixels, of which the first has the channels c; with constant `bytes`. The
+ * last vector overlaps those before it. */
+static PEL_ALWAYS_INLINE void pel_gouraud_span(
+    uintptr_t p, int32_t n, pel_u32x4 c, const struct pel_gouraud_steps *s,
     int bytes)
 {
-    if (bytes == 4) {
-        pel_put_u32x4((void *)p, pel_gouraud_xrgb4(*c));
-        *c = pel_gouraud_add(*c, s->four);
-        pel_put_u32x4((void *)(p + 16), pel_gouraud_xrgb4(*c));
-    } else {
-        pel_put_u32x4((void *)p, pel_gouraud_rgb565x8(*c, s->dx));
-    }
-    *c = pel_gouraud_add(*c, s->four);
-}
-
-/* Stores n < 8. */
-static PEL_ALWAYS_INLINE void pel_gouraud_few(uintptr_t p, int32_t n,
-                                              struct pel_gouraud_four c,
-                                              const struct pel_gouraud_steps *s,
-                                              int bytes)
-{
-    const uint32_t last = (uint32_t)n - 4;
-    if (bytes == 2) {
-        const pel_u32x4 eight = pel_gouraud_rgb565x8(c, s->dx);
-        pel_put_part16((pel_word16 *)p, n, (pel_u16x8)eight);
-    } else if (n < 4) {
-        pel_put_part32((pel_word32 *)p, n, pel_gouraud_xrgb4(c));
-    } else {
-        pel_put_u32x4((void *)p, pel_gouraud_xrgb4(c));
-        c = pel_gouraud_add(c, pel_gouraud_times(s->dx, last));
-        pel_put_u32x4((void *)(p + 4 * last), pel_gouraud_xrgb4(c));
-    }
-}
-
-/* n pixels, of which the first has the channels v; the last eight overlap those
- * before them. */
-static PEL_ALWAYS_INLINE void pel_gouraud_span(
-    uintptr_t p, int32_t n, const uint32_t v[3],
-    const struct pel_gouraud_steps *s, int bytes)
-{
-    struct pel_gouraud_four c =
-        pel_gouraud_add(s->lanes, pel_gouraud_times(v, 1));
-    if (n < 8) {
-        pel_gouraud_few(p, n, c, s, bytes);
+    const uint32_t last = (uint32_t)(n - 16 / bytes);
+    const uintptr_t end = p + (unsigned)bytes * (uintptr_t)last;
+    struct pel_gouraud_pixels a = pel_gouraud_start(c, s, bytes);
+    const pel_u32x4 first = pel_gouraud_pack(&a, s, bytes);
+    if (n < 16 / bytes) {
+        pel_gouraud_put_few(p, n, first, bytes);
         return;
     }
-    const uint32_t last = (uint32_t)n - 8;
-    const uintptr_t end = p + (uintptr_t)bytes * last;
-    struct pel_gouraud_four tail =
-        pel_gouraud_add(c, pel_gouraud_times(s->dx, last));
-    pel_gouraud_put8(p, &c, s, bytes);
-    pel_gouraud_put8(end, &tail, s, bytes);
-    while ((p += 8u * (unsigned)bytes) < end)
-        pel_gouraud_put8(p, &c, s, bytes);
+    const struct pel_gouraud_pixels tail =
+        pel_gouraud_start(c + last * s->dx, s, bytes);
+    pel_put_u32x4((void *)p, first);
+    pel_put_u32x4((void *)end, pel_gouraud_pack(&tail, s, bytes));
+    while ((p += 16) < end) {
+        pel_gouraud_step_on(&a, s);
+        pel_put_u32x4((void *)p, pel_gouraud_pack(&a, s, bytes));
+    }
 }
 
 #endif
