@@ -306,13 +306,13 @@ TEST(half_turns)
 /* A horizontal gradient wider than the buffer that rows are copied from. */
 TEST(wide_rows)
 {
-    static struct gradient g = {.to = PEL_AT(5000, 0),
+    static struct gradient g = {.to = PEL_AT(9000, 0),
                                 .ramp = {colors, 1000, PEL_PAD}};
     static const struct pel_point v[3] = {{0, 0}};
-    const struct pel_rect box = {0, 0, 5000, 2};
+    const struct pel_rect box = {0, 0, 9000, 2};
     for (uint32_t i = 0; i < 1000; i++)
-        colors[i] = 0xFF000000 | i;
+        colors[i] = 0xFF000000 | i << 14;
     assert_int_equal(pel_linear_init(&g.u.linear, g.at, g.to, &g.ramp), PEL_OK);
-    canvas_open(&canvas, &pel_xrgb8888, &box, 0);
+    canvas_open(&canvas, &pel_rgb332, &box, 0);
     check_drawn(&g, &box, v, 3);
 }
