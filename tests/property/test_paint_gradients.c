@@ -313,6 +313,8 @@ TEST(wide_rows)
     for (uint32_t i = 0; i < 1000; i++)
         colors[i] = 0xFF000000 | i << 14;
     assert_int_equal(pel_linear_init(&g.u.linear, g.at, g.to, &g.ramp), PEL_OK);
-    canvas_open(&canvas, &pel_rgb332, &box, 0);
-    check_drawn(&g, &box, v, 3);
+    for (int i = 0; i < 2; i++) {
+        canvas_open(&canvas, i ? &pel_xrgb8888 : &pel_rgb332, &box, 0);
+        check_drawn(&g, &box, v, 3);
+    }
 }
