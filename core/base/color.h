@@ -111,16 +111,17 @@ pel_color pel_hsv(int32_t hue, uint32_t s, uint32_t v);
 pel_color pel_hsv_degrees(int32_t hue, uint32_t s, uint32_t v);
 PEL_END_DECLS
 
-/* v (1 - s F), F = part / turn, 0 <= part <= turn <= 65,536, turn even: the sum
- * is below 2^32. */
+/* round(v (255 turn - s part) / (255 turn)), 0 <= part <= turn <= 65,536, turn
+ * even: the sum is below 2^32. To round twice changes nothing: as 255 is odd,
+ * the second rounds up from a half, which the first rounds up, too. */
 static inline uint32_t pel_hsv_level(uint32_t s, uint32_t v, uint32_t part,
                                      uint32_t turn)
 {
     return pel_round_div255((v * (255 * turn - s * part) + turn / 2) / turn);
 }
 
-/* The color of a hue that has gone part / turn of a sixth, 0..5. Inlined, as a
- * constant turn that is a power of two needs no division. */
+/* The color of a hue that has gone part / turn of the sixth `sixth`, 0..5.
+ * Inlined: a constant turn that is a power of two needs no division. */
 static inline pel_color pel_hsv_sixth(uint32_t sixth, uint32_t part,
                                       uint32_t turn, uint32_t s, uint32_t v)
 {

@@ -20,7 +20,7 @@ struct ring {
 struct rings {
     const struct pel_radial *paint;
     const struct pel_spans *spans;
-    int64_t least, range; /* of squares */
+    int64_t least, range; /* of squares; `range` first is the largest */
     int32_t n;
     int32_t pad; /* 1/256 px: the radius where the last one begins */
     int shift;
@@ -51,20 +51,23 @@ static pel_color color_of(const struct pel_radial *p, int32_t ring)
     return g->color(g, pel_cells_place(g, cell / g->cells, cell % g->cells));
 }
 
-/* Where the batch is: of how many pixels. */
+/* Sets the least and the largest square of the batch, and returns how many
+ * pixels it has. */
 static int32_t set_extent(struct rings *r)
 {
     const struct pel_spans *spans = r->spans;
     const struct pel_point c = r->paint->rings.center;
     const int32_t y0 = spans->y, y1 = y0 + (spans->n - 1) * spans->step + 1;
-    struct pel_span x;
-    const int32_t pixels = pel_spans_hull(&x, spans->span, spans->n);
+    struct pel_span hull;
+    const int32_t pixels = pel_spans_hull(&hull, spans->span, spans->n);
     if (pixels == 0)
         return 0;
-    r->least = pel_radial_square(r->paint, pel_nearest_pixel(x.x0, x.x1, c.x),
-                                 pel_nearest_pixel(y0, y1, c.y));
-    r->range = pel_radial_square(r->paint, pel_farthest_pixel(x.x0, x.x1, c.x),
-                                 pel_farthest_pixel(y0, y1, c.y));
+    r->least =
+        pel_radial_square(r->paint, pel_nearest_pixel(hull.x0, hull.x1, c.x),
+                          pel_nearest_pixel(y0, y1, c.y));
+    r->range =
+        pel_radial_square(r->paint, pel_farthest_pixel(hull.x0, hull.x1, c.x),
+                          pel_farthest_pixel(y0, y1, c.y));
     return pixels;
 }
 

@@ -10,7 +10,7 @@
 /* A run of n > 0 pixels: where the first and the last are in the picture. */
 struct pel_texture_run {
     uint64_t u, v, u_last, v_last;
-    uintptr_t out;
+    uintptr_t out; /* the address of the first */
     int32_t n;
 };
 
@@ -157,11 +157,12 @@ static PEL_ALWAYS_INLINE void pel_texture_put_run(
 
 /* The run of n pixels of which the first is at (u, v). */
 static PEL_ALWAYS_INLINE struct pel_texture_run pel_texture_run_of(
-    const struct pel_texture_steps *s, uint64_t u, uint64_t v, int32_t n)
+    const struct pel_texture_steps *s, uint64_t u, uint64_t v, uintptr_t out,
+    int32_t n)
 {
     const uint64_t last = (uint64_t)n - 1;
-    return (struct pel_texture_run){u, v, u + last * s->du, v + last * s->dv,
-                                    0, n};
+    return (struct pel_texture_run){u,   v, u + last * s->du, v + last * s->dv,
+                                    out, n};
 }
 
 /* A coordinate is affine, so a run is inside when both ends are. */
@@ -203,10 +204,10 @@ static PEL_ALWAYS_INLINE void pel_texture_fill_runs(
     uintptr_t row = pel_column_zero(surface, spans->y, bytes);
     for (; span < end; span++, row += pitch, u += du, v += dv) {
         const uint64_t x = (uint64_t)span->x0;
-        struct pel_texture_run r = pel_texture_run_of(
-            &s, u + x * s.du, v + x * s.dv, span->x1 - span->x0);
-        r.out = row + (unsigned)bytes * x;
-        if (r.n <= 0)
+        const int32_t n = span->x1 - span->x0;
+        const struct pel_texture_run r = pel_texture_run_of(
+            &s, u + x * s.du, v + x * s.dv, row + (unsigned)bytes * x, n);
+        if (n <= 0)
             continue;
         if (pel_texture_run_inside(&s, &r))
             pel_texture_put_run(&s, &r, way);

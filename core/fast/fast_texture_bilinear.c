@@ -127,6 +127,7 @@ static bool is_565(const struct pel_texture *p)
     return p->kind == PEL_TEXTURE_RGB565_LE;
 }
 
+/* Can vectors read the picture? */
 static bool is_fit(const struct pel_texture *p)
 {
     return p->kind < PEL_TEXTURE_BYTE &&
@@ -139,8 +140,8 @@ static PEL_ALWAYS_INLINE void put_run(const struct pel_texture *p,
                                       const struct pel_texture_way *way)
 {
     const struct pel_texture_steps s = pel_texture_steps_make(p, way);
-    struct pel_texture_run r = pel_texture_run_of(&s, a->u.at, a->v.at, n);
-    r.out = (uintptr_t)out;
+    const struct pel_texture_run r =
+        pel_texture_run_of(&s, a->u.at, a->v.at, (uintptr_t)out, n);
     pel_texture_put_run(&s, &r, way);
 }
 

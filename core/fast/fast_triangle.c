@@ -64,8 +64,9 @@ static bool inside(const struct pel_rect *clip, const struct pel_rect *box)
            box->y1 <= pel_min(PEL_PX(clip->y1), PEL_COORDINATE_MAX);
 }
 
-/* From top to bottom: a vertex goes where as many are above it. Without
- * branches, which CPUs cannot predict. */
+/* From top to bottom: the place of a vertex is how many lie above it; at one
+ * height the order of v stays. pel_sort_rows is smaller, but has branches,
+ * which CPUs cannot predict. */
 static inline void sort(const struct pel_point v[3],
                         const struct pel_point *p[3])
 {

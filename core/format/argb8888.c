@@ -17,7 +17,7 @@ static inline uint32_t blended(uint32_t p, const struct pel_premultiplied *s)
     return pack(pel_over(unpack(p), s));
 }
 
-#define PUT PEL_VECTORS ? pel_put32 : put
+#define PUT (PEL_VECTORS ? pel_put32 : put)
 #include "body32.inc"
 
 const struct pel_format pel_argb8888 = {

@@ -17,7 +17,7 @@ void pel_blend565(const struct pel_spans *spans, pel_color color);
 int32_t pel_put565(const struct pel_format *format, pel_word16 *p, int32_t n,
                    const pel_color *colors);
 
-/* Puts colors where they are pixels, too: of xrgb8888 and argb8888. */
+/* The `put` of xrgb8888 and argb8888, whose pixels are colors. */
 void pel_put32(const struct pel_surface *surface, int32_t x, int32_t y,
                int32_t n, const pel_color *colors);
 

@@ -44,7 +44,8 @@ static PEL_ALWAYS_INLINE void ask_ahead(uintptr_t row, ptrdiff_t stride,
 }
 
 /* Lines of n pixels. They get the unused bits `set`; those that then are `skip`
- * stay as they are, where `keyed`. */
+ * stay as they are. Without a key `skip` is 0, and copy8 to copy32 are taken
+ * only where `set` is not: then they skip nothing. */
 struct run {
     ptrdiff_t to_stride, from_stride;
     int32_t rows, n;
@@ -102,7 +103,7 @@ static void copy_run(const struct run *r, uint8_t *to, const uint8_t *from)
         copy32(r, (void *)to, (const void *)from);
 }
 
-/* Whole bytes; 32-bit pixels, without a key; any. */
+/* By memcpy; by pel_copy32, without a key; by copy_run. */
 enum way { AS_THEY_ARE, SET_32, BY_RUNS };
 
 /* A way is a constant, and addresses are no members of the run: then they are
@@ -117,7 +118,7 @@ static PEL_ALWAYS_INLINE void copy_lines(const struct run *r, uint8_t *to,
             ask_ahead((uintptr_t)to, down, size);
         if (way == AS_THEY_ARE)
             memcpy(to, from, size);
-        else if (way == SET_32)
+        else if (PEL_VECTORS && way == SET_32)
             pel_copy32((void *)to, (const void *)from, r->n, r->set);
         else
             copy_run(r, to, from);
@@ -189,7 +190,9 @@ static void copy_colors(const struct pel_surface *surface,
                           PEL_LE32(UINT32_C(1)) == 1;
     const int32_t bits = surface->format->bits;
     const size_t bytes = (size_t)((r.x1 - r.x0) * bits) / 8;
-    uintptr_t row = pel_address(surface, r.x0, r.y0, bits / 8);
+    const int32_t column = (r.x0 - surface->bounds.x0) * bits / 8;
+    uintptr_t row =
+        (uintptr_t)pel_surface_line(surface, r.y0) + (uintptr_t)column;
     for (int32_t y = r.y0; y < r.y1; y++, row += (uintptr_t)surface->stride) {
         ask_ahead(row, surface->stride, bytes);
         for (int32_t x = r.x0, n; x < r.x1; x += n) {

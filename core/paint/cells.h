@@ -115,13 +115,14 @@ void pel_cells_open(struct pel_cells *cells,
                     const struct pel_spans *spans);
 
 /* How many pixels n spans have, and where: from the left end of all to the
- * right end. */
+ * right end. Of none x0 > x1. */
 int32_t pel_spans_hull(struct pel_span *hull, const struct pel_span *span,
                        int32_t n);
 
-/* Goes on to the next batch, of at most `most` <= PEL_CELL_ROWS rows, unless
- * the present one goes on beyond x. 0: to the next pixel of one row. false when
- * none is left. */
+/* Sets the rows, x, hi and where runs begin. While x, which the caller has
+ * moved to hi, is not the end of the batch, that goes on there; else the next
+ * one begins, of at most `most` <= PEL_CELL_ROWS rows. With `most` 0 it has one
+ * row, and hi is the next pixel. False when no pixel is left. */
 bool pel_cells_next(struct pel_cells *cells, int32_t most);
 
 /* Takes the color of the cell at c->place. */
@@ -146,7 +147,7 @@ static PEL_ALWAYS_INLINE bool pel_cells_more(struct pel_cells *c)
 bool pel_cells_end(struct pel_cells *c, int32_t step, int32_t row,
                    int32_t bend);
 
-/* The same at hi. */
+/* Ends all runs at hi: an error below 0 that never grows. No pixel is left. */
 static inline bool pel_cells_end_all(struct pel_cells *c)
 {
     c->x = c->hi;

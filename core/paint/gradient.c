@@ -52,8 +52,8 @@ void pel_cells_color(struct pel_cells *c)
 #if PEL_KNOW_SIDES
 
 /* Goes on to the last of the cells of two mixed colors that look like the one
- * at c->place, but not beyond the end of the way: by how many. Formats drop the
- * low bits of channels. Not for grey, which shows a sum. */
+ * at c->place, but not beyond the end of the way. Returns how many it passed.
+ * Formats drop the low bits of channels. Not for grey, which shows a sum. */
 static int32_t pass_mixed(struct pel_cells *c)
 {
     const struct pel_gradient *g = c->gradient;
@@ -81,7 +81,7 @@ void pel_cells_open(struct pel_cells *c, const struct pel_gradient *gradient,
     c->gradient = gradient;
     c->cell =
         (struct pel_spans){spans->surface, c->run, spans->y, 0, spans->step};
-    c->x = c->end = 0;
+    c->x = c->end = 0; /* no rows: the first batch is the next one */
     c->span = spans->span;
     c->left = (uint8_t)spans->n;
     c->mask = 0;

@@ -54,8 +54,9 @@ enum pel_status pel_ramp_fill(pel_color *colors, int32_t n,
 struct pel_gradient {
     struct pel_paint paint;
 
-    /* The color of a cell, 0 <= cell < period. */
-    pel_color (*color)(const struct pel_gradient *gradient, int32_t cell);
+    /* The color at a place, 0 <= place < period. Up to `cells` it is a cell;
+     * from there on the way goes back: place period - 1 - i shows cell i. */
+    pel_color (*color)(const struct pel_gradient *gradient, int32_t place);
 
     struct pel_ramp ramp;
     int32_t cells;  /* n, and 256 of two colors */

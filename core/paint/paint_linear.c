@@ -6,7 +6,7 @@
 #include "cells.h"
 
 enum { PIECE_SIZE = PEL_64BIT ? 8192 : 512 }; /* bytes of a row */
-enum { WIDEST = PEL_VECTORS ? 3 : 7 };        /* px: cells that are walked */
+enum { WIDEST = PEL_VECTORS ? 3 : 7 }; /* px: only narrower cells are walked */
 
 /* (P - from).d of a point. */
 static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
@@ -16,10 +16,10 @@ static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
            pel_product(y - p->from.y, p->d.y);
 }
 
-/* The product (P - from).d at pixel (x, y), below 2^49, and above -2^47 before
- * the way; or another that shows the same. Of a padded way none is beyond
- * |d|^2, its end; of others it is less as many times two lengths, there and
- * back, as leave more than 0. */
+/* The product (P - from).d at pixel (x, y), or another that shows the same. Of
+ * a padded way it is above -2^47, and |d|^2 at most. Of others lengths of two
+ * ways, there and back, are taken away or added until it is above 0, and 2
+ * |d|^2 at most: below 2^50. */
 static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y)
 {
     int64_t product = along(p, pel_pixel_center(x), pel_pixel_center(y));
@@ -136,7 +136,7 @@ static void fill_level(const struct pel_linear *p,
     pel_cells_open(&c, &p->base, spans);
     rows.n = 0;
     for (int32_t i = 0; i < spans->n; i++, c.cell.y += rows.step) {
-        if (i == 0 || p->d.y >> 3 > p->cell) {
+        if (i == 0 || p->d.y >> 3 > p->cell) { /* moving on takes longer */
             set_cell(&c, p, product_at(p, 0, c.cell.y));
             next_boundary(&c, p);
         } else {
@@ -174,7 +174,7 @@ static void fill_cells(const struct pel_paint *paint,
     const int64_t down = pel_size_of(p->d.y);
     const bool narrow =
         p->base.ramp.spread != PEL_PAD && p->step >> 4 >= p->square;
-    const bool far = down > 32 * p->d.x && down > p->cell;
+    const bool far = PEL_CELL_ROWS > 1 && down > 32 * p->d.x && down > p->cell;
     const int32_t rows = far ? 1 : PEL_CELL_ROWS;
     pel_cells_fill(paint, spans, narrow ? 0 : rows, start, end_cells);
 }
@@ -191,8 +191,7 @@ static bool fill_copies(const struct pel_linear *p,
     uint32_t buffer[PIECE_SIZE / 4];
     struct pel_surface row = *spans->surface;
     row.pixels = buffer;
-    if (p->d.y != 0 || bytes == 0 || row.format->id >= 128 ||
-        !is_opaque(&p->base.ramp) ||
+    if (bytes == 0 || row.format->id >= 128 || !is_opaque(&p->base.ramp) ||
         pel_spans_hull(&hull, spans->span, spans->n) < 2 * (hull.x1 - hull.x0))
         return false;
     for (struct pel_span piece = hull; piece.x0 < hull.x1;
@@ -215,7 +214,8 @@ static bool fill_copies(const struct pel_linear *p,
 /* Fills the rows of a dither, which shows every cell, from the row where
  * products are least on. False, and nothing is done, unless the format can
  * walk, cells are 1/2 to WIDEST px wide (vectors are faster with others), and
- * the hull is all on one way from the first cell to the last. */
+ * the hull is all on one way from the first cell to the last: then errors are
+ * below 256 WIDEST d.x < 2^30. */
 static bool fill_walked(const struct pel_linear *p,
                         const struct pel_spans *spans)
 {
@@ -261,7 +261,7 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     if (PEL_CELL_ROWS > 1 && p->d.x == 0)
         fill_level(p, spans);
     else if (PEL_CELL_ROWS == 1 ||
-             (!fill_copies(p, spans) && !fill_walked(p, spans)))
+             ((p->d.y || !fill_copies(p, spans)) && !fill_walked(p, spans)))
         fill_cells(paint, spans);
 }
 

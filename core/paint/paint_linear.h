@@ -25,14 +25,16 @@ PEL_BEGIN_DECLS
  * color stays. */
 struct pel_linear {
     struct pel_gradient base;
-    struct pel_point from, d; /* turned round where d.x would be below 0: then
-                                 products do not fall to the right */
-    int64_t square;           /* |d|^2 = 256 n cell + cell_rest */
+    struct pel_point from, d; /* turned round where d.x would be below 0, or
+                                 d.y, where d.x is 0: then products do not fall
+                                 to the right, or downwards */
+    int64_t square; /* |d|^2 = 256 n cell + cell_rest, which are not set where
+                       code is to be small; nor is a vertical way turned */
     int64_t cell;
     int64_t step; /* 256 n d.x: by which n products grow from pixel to pixel */
     int32_t cell_rest;
-    int32_t way; /* from left to right: 1, or -1 when turned; 0 where code is
-                    to be small and all of a row is in one cell */
+    int32_t way; /* 1, or -1 when turned; 0 where code is to be small and all of
+                    a row is in one cell */
 };
 
 /* PEL_ERROR_NULL, PEL_ERROR_SIZE (the ramp's n, or from and to are one point),

@@ -47,18 +47,18 @@ struct pel_gouraud_steps {
     pel_u32x4 even[3], next[3]; /* to pixels 0, 2, 4, 6; one step on */
 };
 
-/* For pixels of 4 or 2 bytes. */
+/* For pixels of 4 bytes, where only dx, dy and on[0] count, or 2. */
 static PEL_ALWAYS_INLINE struct pel_gouraud_steps pel_gouraud_steps_make(
     const struct pel_gouraud *g, int bytes)
 {
-    const pel_u32x4 zero = {0, 0, 0, 0}, two = {0, 2, 4, 6};
+    const pel_u32x4 zero = {0, 0, 0, 0}, evens = {0, 2, 4, 6};
     struct pel_gouraud_steps s;
     s.dx = pel_get_u32x4(g->dx);
     s.dy = pel_get_u32x4(g->dy);
     PEL_UNROLL
     for (int k = 0; k < 3; k++) {
         s.next[k] = zero + g->dx[k];
-        s.even[k] = two * g->dx[k];
+        s.even[k] = evens * g->dx[k];
         s.on[k] = s.next[k] << 3;
     }
     if (bytes == 4)
@@ -72,7 +72,8 @@ static inline pel_u32x4 pel_gouraud_row(const struct pel_gouraud *g, int32_t y)
     return pel_get_u32x4(g->at) + (uint32_t)y * pel_get_u32x4(g->dy);
 }
 
-/* Four pixels of xrgb8888 from the one with the channels c on. */
+/* Four pixels of xrgb8888 from the one with the channels c on, whose alpha is
+ * 255 and stays so: it becomes the X byte. */
 static PEL_ALWAYS_INLINE pel_u32x4 pel_gouraud_xrgb4(pel_u32x4 c, pel_u32x4 dx)
 {
     const pel_u32x4 next = c + dx, third = next + dx, last = third + dx;

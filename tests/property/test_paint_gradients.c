@@ -37,9 +37,9 @@ static struct pel_point any_point(struct random *r, const struct pel_rect *b)
     return p;
 }
 
-/* Colors end where the array does, so that none is read beyond. Now and then
- * one of the first lets light through, or each is black or nothing, which
- * pack alike. */
+/* Colors end where the array does, so that sanitizers see a read beyond. Now
+ * and then one of the first lets light through, or each is black or nothing,
+ * which pack alike. */
 static void any_ramp(struct random *r, struct pel_ramp *ramp)
 {
     static const int32_t usual[] = {1, 2, 2, 3, 16, 256, 256, 1000};
