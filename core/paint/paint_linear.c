@@ -129,31 +129,32 @@ static void move_on(struct pel_cells *c, int64_t growth)
 static void fill_level(const struct pel_linear *p,
                        const struct pel_spans *spans)
 {
+    const int32_t growth = spans->step ? p->d.y : 0;
+    const bool narrow = growth >> 3 > p->cell; /* to walk them takes longer */
     struct pel_cells c;
     struct pel_spans rows = *spans;
-    uint32_t value = 0;
-    void (*draw)(const struct pel_spans *, uint32_t) = NULL;
     pel_cells_open(&c, &p->base, spans);
-    rows.n = 0;
-    for (int32_t i = 0; i < spans->n; i++, c.cell.y += rows.step) {
-        if (i == 0 || p->d.y >> 3 > p->cell) { /* moving on takes longer */
-            set_cell(&c, p, product_at(p, 0, c.cell.y));
-            next_boundary(&c, p);
-        } else {
-            move_on(&c, rows.step ? p->d.y : 0);
+    for (int32_t left = spans->n; left > 0; left -= rows.n) {
+        if (left == spans->n || narrow) {
+            set_cell(&c, p, product_at(p, 0, rows.y));
+            pel_cells_color(&c);
         }
-        pel_cells_color(&c);
-        if (rows.n && (c.value != value || c.draw != draw)) {
+        const uint32_t value = c.value;
+        void (*const draw)(const struct pel_spans *, uint32_t) = c.draw;
+        int32_t count = narrow ? 0 : pel_cells_pass(&c);
+        rows.n = narrow ? 1 : left;
+        if (count > 0) {
+            do
+                next_boundary(&c, p);
+            while (--count);
+            for (rows.n = 0; c.error < 0 && rows.n < left; rows.n++)
+                c.error += growth;
+        }
+        if (rows.n > 0)
             pel_fill_value(&rows, value, draw);
-            rows.span += rows.n;
-            rows.y = c.cell.y;
-            rows.n = 0;
-        }
-        value = c.value;
-        draw = c.draw;
-        rows.n++;
+        rows.span += rows.n;
+        rows.y += rows.n * rows.step;
     }
-    pel_fill_value(&rows, value, draw);
 }
 
 static bool is_opaque(const struct pel_ramp *ramp)
