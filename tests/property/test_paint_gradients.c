@@ -207,33 +207,54 @@ static void put_exact(const struct pel_paint *paint,
     }
 }
 
-/* A dither walks linear gradients whose cells are not much wider than a pixel
- * in a loop of its own: as it dithers their colors one by one. */
+/* A linear gradient that a dither walks in a loop of its own, as a rule: of two
+ * opaque colors, with all of the box on its way, in cells of about a pixel. Now
+ * and then pixels lie on boundaries, or a cell ends just behind one. */
+static void any_walk(struct random *r, const struct pel_rect *b)
+{
+    const int32_t n = cells_of(&source), way = n * random_between(r, 99, 999);
+    const uint32_t kind = random_word(r) % 8, turn = random_word(r) % 2;
+    struct pel_point v[2];
+    v[0].x = shape_legal(b->x0 * 256 - random_between(r, -99, way / 2));
+    v[0].y = shape_legal(b->y0 * 256 + random_between(r, -999, 999));
+    v[1].x = shape_legal(v[0].x + way);
+    v[1].y = shape_legal(v[0].y + random_between(r, -way, way) / 4);
+    if (kind == 0) {
+        v[0] = (struct pel_point){b->x1 * 256 - 128 - 65279, 0};
+        v[1] = (struct pel_point){v[0].x + 65535, 0};
+    } else if (kind == 1) {
+        const int32_t down = random_between(r, -1, 1);
+        v[0].x = pel_pixel_center(b->x0 - random_between(r, 0, 2 * n / 3));
+        v[0].y = pel_pixel_center(b->y0 - down * random_between(r, 0, 9));
+        v[1].x = v[0].x + n * 256;
+        v[1].y = v[0].y + n * 256 * down;
+    }
+    source.at = random_word(r) % 8 ? v[turn] : any_point(r, b);
+    source.to = random_word(r) % 8 ? v[1 - turn] : any_point(r, b);
+}
+
+/* As a dither of their colors one by one. */
 TEST(dithered)
 {
     static const struct pel_paint exact = {put_exact, NULL};
     static struct canvas canvases[2];
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         struct random *r = &c.random;
-        const struct pel_rect b = shape_bounds(r, 64, 9);
+        const bool usual = random_word(r) % 2;
+        const pel_color two[2] = {random_word(r) | 0xFF000000,
+                                  random_word(r) | 0xFF000000};
+        any_ramp(r, &source.ramp);
+        if (usual) {
+            source.ramp.colors = two;
+            source.ramp.n = 2;
+        }
+        const int32_t width = cells_of(&source) < 16 ? 5 : 200;
+        const struct pel_rect b = shape_bounds(r, width, 9);
         const struct pel_format *format =
             random_word(r) % 2 ? &pel_rgb565_le : &pel_rgb565_be;
         const uint32_t shape = random_word(r) % 6;
         struct pel_point v[3];
-        any_ramp(r, &source.ramp);
-        const int32_t way = cells_of(&source) * random_between(r, 99, 999);
-        const int32_t before = random_between(r, -99, way / 2);
-        v[0].x = shape_legal(b.x0 * 256 - before);
-        v[0].y = shape_legal(b.y0 * 256 + random_between(r, -999, 999));
-        v[1].x = shape_legal(v[0].x + way);
-        v[1].y = shape_legal(v[0].y + random_between(r, -way, way) / 4);
-        const uint32_t turn = random_word(r) % 2;
-        source.at = random_word(r) % 8 ? v[turn] : any_point(r, &b);
-        source.to = random_word(r) % 8 ? v[1 - turn] : any_point(r, &b);
-        if (random_word(r) % 8 == 0) { /* a cell ends just behind a pixel */
-            source.at = (struct pel_point){b.x1 * 256 - 128 - 65279, 0};
-            source.to = (struct pel_point){source.at.x + 65535, 0};
-        }
+        any_walk(r, &b);
         if (pel_linear_init(&source.u.linear, source.at, source.to,
                             &source.ramp) != PEL_OK)
             continue; /* both ends are one point */
