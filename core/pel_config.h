@@ -14,7 +14,8 @@
 
 /* Is called with the condition of a contract, such as the range of a vertex.
  * By default nothing is reported: a call that breaks its contract draws
- * nothing. */
+ * nothing. To learn which call it was, include <assert.h> in a configuration
+ * file and define this as assert(condition). */
 #ifndef PEL_ASSERT
 #define PEL_ASSERT(condition) ((void)0)
 #endif

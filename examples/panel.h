@@ -64,9 +64,13 @@ static inline void panel_frame_end(void)
 static inline void panel_print(void)
 {
     printf("P6\n");
-    for (int i = 0; i < 2; i++)
-        printf("# %s: %d bytes, %d instructions\n", i ? "step" : "whole",
-               (int)panel_notes.bytes[i], (int)panel_notes.instructions[i]);
+    for (int i = 0; i < 2; i++) {
+        printf("# %s: %d bytes", i ? "step" : "whole",
+               (int)panel_notes.bytes[i]);
+        if (panel_notes.instructions[i] > 0) /* only boards count them */
+            printf(", %d instructions", (int)panel_notes.instructions[i]);
+        printf("\n");
+    }
     printf("%d %d 255\n", PANEL_SIDE, PANEL_SIDE);
     ppm_write(&panel_glass);
 }

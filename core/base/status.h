@@ -7,7 +7,7 @@
 enum pel_status {
     PEL_OK = 0,
     PEL_ERROR_NULL = -1,      /* a pointer that is needed is NULL */
-    PEL_ERROR_SIZE = -2,      /* width, height or rectangle out of range */
+    PEL_ERROR_SIZE = -2,      /* a size or a count out of range */
     PEL_ERROR_STRIDE = -3,    /* rows would overlap */
     PEL_ERROR_ALIGNMENT = -4, /* memory or stride no multiple of a pixel word */
     PEL_ERROR_SCRATCH = -5,   /* scratch memory too small or not aligned */

@@ -1,6 +1,6 @@
 /* Every pixel format of displays, each in the file of its name; layouts in
- * base/format.h. The _fill variant can do opaque flat fills only, for the
- * smallest programs. */
+ * base/format.h. The _fill variant takes opaque flat fills and gradients
+ * alone, for the smallest programs. */
 #ifndef PEL_FORMAT_FORMATS_H
 #define PEL_FORMAT_FORMATS_H
 

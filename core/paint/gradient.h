@@ -24,7 +24,7 @@
 
 PEL_BEGIN_DECLS
 
-/* What a gradient shows outside [0, 1). */
+/* What a gradient shows outside [0, 1). Other values are not checked. */
 enum pel_spread {
     PEL_PAD,    /* its first and its last color */
     PEL_REPEAT, /* itself, again and again: t - floor(t) */

@@ -19,7 +19,7 @@ PEL_BEGIN_DECLS
 struct pel_conic {
     struct pel_gradient base;
     struct pel_point center;
-    uint16_t start; /* turns / 65,536 */
+    uint16_t start; /* turns / 65,536, clockwise from +x */
     int32_t width;  /* of a cell, rounded down, in turns / 65,536 */
     int32_t rest;   /* of the turn: 65,536 - width * period */
 };
@@ -32,7 +32,7 @@ enum pel_status pel_conic_init(struct pel_conic *paint, struct pel_point center,
 /* The HSV wheel: a conic of 1,536 cells, 256 in each sixth of the turn, so that
  * one channel moves by at most one step from cell to cell. Cell k has the color
  * of the hue in its middle, (k + 1/2) / 1,536 turns, rounded as pel_hsv rounds:
- * no ramp, and no memory for one. */
+ * no ramp, and no memory for one. Shapes take its conic.base.paint. */
 struct pel_hue_wheel {
     struct pel_conic conic;
     uint8_t s, v;

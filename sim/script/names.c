@@ -25,28 +25,40 @@ static size_t common_words(const struct script_parser *p, const char *name,
     return n;
 }
 
+static size_t shown_length(const char *name, size_t common)
+{
+    return common ? strlen(name) : strcspn(name, " ");
+}
+
+/* Is a command before `end` shown as the same text? */
+static bool is_told(const struct script_command *end, size_t common)
+{
+    const size_t length = shown_length(end->name, common);
+    const struct script_command *c = script_shapes;
+    while (c != end && (shown_length(c->name, common) != length ||
+                        memcmp(c->name, end->name, length) != 0))
+        c = script_next(c);
+    return c != end;
+}
+
 /* The commands that begin with the line's first `common` words; when that is
  * none, the first words of all, each once. */
 static void print_names(FILE *out, const struct script_parser *p, size_t common)
 {
     size_t column = COLUMNS / 2; /* about where the message has come */
-    size_t last_length = 0;
-    const char *last = "", *separator = "";
+    const char *separator = "";
     bool whole;
     for (const struct script_command *c = script_shapes; c;
          c = script_next(c)) {
         const char *name = c->name;
-        const size_t length = common ? strlen(name) : strcspn(name, " ");
-        if (common_words(p, name, &whole) < common ||
-            (length == last_length && memcmp(name, last, length) == 0))
+        const size_t length = shown_length(name, common);
+        if (common_words(p, name, &whole) < common || is_told(c, common))
             continue;
         const bool wrap = column + length + 3 > COLUMNS;
         fprintf(out, "%s%s%.*s", separator, wrap ? "\n    " : " ", (int)length,
                 name);
         column = (wrap ? 4 : column + 2) + length;
         separator = ",";
-        last = name;
-        last_length = length;
     }
 }
 

@@ -43,6 +43,8 @@ echo 'outline star 1 2 3' |
     refused_script 2 'unknown command outline star: expected'
 echo 'star 1 2 3' | refused_script 2 'unknown command star: expected'
 grep -q ' star: expected canvas, clear, clip, bands, ' "$work/err" || fail "no list: star"
+[ "$(tr -s ' ,' '\n\n' <"$work/err" | grep -c '^option$')" -eq 1 ] ||
+    fail "a command twice: star"
 awk 'length > 80 && NR > 1 { exit 1 }' "$work/err" || fail "a long list: star"
 echo 'circel 1 2 3' | refused_script 2 'unknown command circel: expected canvas, clear'
 echo 'outlin arc 1 2' |
