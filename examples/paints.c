@@ -1,4 +1,5 @@
-/* Gradients, a texture and text; the picture goes to standard output as PPM.
+/* Gradients, dithered, a texture and text; the picture goes to standard output
+ * as PPM.
  *
  *     build/pel import sim/scenes/fixed_6x13.bdf -o fixed_6x13.c
  *     cc -Ibuild/include -I. examples/paints.c fixed_6x13.c build/libpel.a
@@ -18,6 +19,25 @@ static enum pel_status set_sunset(void)
         {26000, PEL_RGB(255, 140, 40)},
         {65536, PEL_RGB(30, 20, 90)}}; /* 65,536 is the end of the way */
     return pel_ramp_fill(sunset, COLORS, stops, 3);
+}
+
+/* From left to right. Two colors are mixed on the way, without a ramp; the
+ * dither hides the steps of RGB565. */
+static enum pel_status draw_strip(const struct pel_surface *screen)
+{
+    static const pel_color ends[2] = {PEL_RGB(255, 225, 200),
+                                      PEL_RGB(200, 215, 255)};
+    static const struct pel_point from = PEL_AT(0, 0), to = PEL_AT(WIDTH, 0);
+    static const struct pel_rect strip = {0, 98, WIDTH, HEIGHT};
+    const struct pel_ramp ramp = {ends, 2, PEL_PAD};
+    struct pel_linear linear;
+    struct pel_dither paint;
+    enum pel_status status = pel_linear_init(&linear, from, to, &ramp);
+    if (status == PEL_OK)
+        status = pel_dither_init(&paint, &linear.base.paint);
+    if (status == PEL_OK)
+        pel_box(screen, &strip, &paint.paint);
+    return status;
 }
 
 static enum pel_status draw_star(const struct pel_surface *screen)
@@ -88,14 +108,15 @@ static void write_name(const struct pel_surface *screen, int32_t x,
 
 int main(void)
 {
-    static uint8_t pixels[WIDTH * HEIGHT * 3];
+    static uint16_t pixels[WIDTH * HEIGHT];
     struct pel_surface screen;
-    if (pel_surface_init(&screen, &pel_bgr888, pixels, sizeof pixels,
+    if (pel_surface_init(&screen, &pel_rgb565_le, pixels, sizeof pixels,
                          &(struct pel_rect){0, 0, WIDTH, HEIGHT}) != PEL_OK)
         return 1;
     pel_clear(&screen, PEL_RGB(255, 255, 255));
-    if (set_sunset() != PEL_OK || draw_star(&screen) != PEL_OK ||
-        draw_dial(&screen) != PEL_OK || draw_ball(&screen) != PEL_OK)
+    if (set_sunset() != PEL_OK || draw_strip(&screen) != PEL_OK ||
+        draw_star(&screen) != PEL_OK || draw_dial(&screen) != PEL_OK ||
+        draw_ball(&screen) != PEL_OK)
         return 1;
     write_name(&screen, 50, "radial");
     write_name(&screen, 150, "conic");
