@@ -115,15 +115,6 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
         c->error -= pel_product(p->d.y, last);
 }
 
-/* Where the present cell ends, the error grows by `growth` >= 0: on to the cell
- * whose end lies beyond. */
-static void move_on(struct pel_cells *c, int64_t growth)
-{
-    const struct pel_linear *const p = (const void *)c->gradient;
-    for (c->error += growth; c->error >= 0; next_boundary(c, p))
-        pel_cells_go(c);
-}
-
 /* A row of a vertical gradient has one color. Neighbouring rows of one pixel
  * value are drawn together. */
 static void fill_level(const struct pel_linear *p,
@@ -239,7 +230,9 @@ static bool fill_walked(const struct pel_linear *p,
     c.gradient = &p->base;
     set_cell(&c, p, least);
     next_boundary(&c, p);
-    for (int32_t i = 0; i <= last; i++, move_on(&c, growth)) {
+    for (int32_t i = 0; i <= last; i++, c.error += growth) {
+        for (; c.error >= 0; next_boundary(&c, p))
+            pel_cells_go(&c);
         const int32_t k = up ? last - i : i;
         const struct pel_span run = spans->span[k];
         if (run.x0 >= run.x1)
