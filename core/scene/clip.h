@@ -16,7 +16,8 @@ struct pel_clip_corner {
 };
 
 /* Five planes add a corner each and make two new ones; rounding may bend the
- * polygon at an edge, which adds one more. */
+ * polygon at an edge, which adds one more. A fan over a bent one may hit a
+ * pixel twice. */
 enum { PEL_CLIP_CORNERS = 10, PEL_CLIP_MADE = 3 + 12 };
 
 typedef struct pel_clip_corner *pel_clip_polygon[PEL_CLIP_CORNERS];

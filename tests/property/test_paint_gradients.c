@@ -248,7 +248,7 @@ TEST(dithered)
             source.ramp.colors = two;
             source.ramp.n = 2;
         }
-        const int32_t width = cells_of(&source) < 16 ? 5 : 200;
+        const int32_t width = cells_of(&source) < 16 ? 5 : 160;
         const struct pel_rect b = shape_bounds(r, width, 9);
         const struct pel_format *format =
             random_word(r) % 2 ? &pel_rgb565_le : &pel_rgb565_be;
