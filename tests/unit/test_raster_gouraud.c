@@ -140,3 +140,31 @@ TEST(runs_are_direct)
         pel_triangle_gouraud(&s, v, c);
     }
 }
+
+/* A format of one's own may have channels without a writer of planes. */
+TEST(channels_without_planes)
+{
+    static struct canvas canvas[2];
+    static const struct pel_point v[3] = {PEL_AT(-1, -1), PEL_AT(200, 0),
+                                          PEL_AT(0, 20)};
+    static const pel_color c[3] = {PEL_RGB(0, 0, 0), PEL_RGB(1, 200, 3),
+                                   PEL_RGB(255, 255, 255)};
+    int found = 0;
+    for (int f = 0; f < LAYOUT_COUNT; f++) {
+        struct pel_format own = *layouts[f].format;
+        if (!own.channels)
+            continue;
+        struct pel_channels channels = *own.channels;
+        found++;
+        channels.planes = NULL;
+        own.channels = &channels;
+        for (int i = 0; i < 2; i++) {
+            canvas_open(&canvas[i], layouts[f].format, &bounds, 0);
+            if (i > 0)
+                canvas[i].surface.format = &own;
+            pel_triangle_gouraud(&canvas[i].surface, v, c);
+        }
+        canvas_check_same(&canvas[0], &canvas[1]);
+    }
+    assert_true(found > 0);
+}
