@@ -233,7 +233,8 @@ static void any_walk(struct random *r, const struct pel_rect *b)
     source.to = random_word(r) % 8 ? v[1 - turn] : any_point(r, b);
 }
 
-/* As a dither of their colors one by one. */
+/* A dither of a gradient shows what a dither of its colors, one by one, does.
+ */
 TEST(dithered)
 {
     static const struct pel_paint exact = {put_exact, NULL};
