@@ -1,7 +1,8 @@
 /* Pel: exact triangles and circles in any framebuffer.
  *
  * Shapes are painted onto surfaces, views of your own memory. A pixel belongs
- * to a shape or it does not: there is no anti-aliasing yet.
+ * to a shape or it does not; the shapes of smooth/smooth.h weigh it by the part
+ * that they cover.
  *
  * Threads: core has no state and takes no lock. Any number of threads may draw
  * at once when no two of them write the same bytes: as bands of one picture.
@@ -48,6 +49,8 @@
 #include "round/ring.h"
 #include "round/rounded_rectangle.h"
 #include "round/sector.h"
+
+#include "smooth/smooth.h"
 
 #include "outline/outline.h"
 

@@ -252,6 +252,7 @@ static void check_twin(const struct pel_format *twin)
                                 PEL_RGBA(0, 0, 255, 10)};
     const pel_color opaque[3] = {PEL_RGB(255, 0, 0), PEL_RGB(0, 255, 0),
                                  PEL_RGB(0, 0, 255)};
+    struct pel_smooth smooth;
     struct pel_surface s, other;
     s = surface_of(twin, pixels, sizeof pixels, 8, 8);
     other = surface_of(&pel_gray8, pixels, sizeof pixels, 8, 8);
@@ -260,6 +261,8 @@ static void check_twin(const struct pel_format *twin)
     expect_broken("twin, circle", 0);
     pel_copy_keyed(&other, &(struct pel_copy_part){&s, s.bounds, 0, 0}, 0);
     expect_broken("twin, copy", 0);
+    assert_false(pel_smooth_begin(&smooth, &s, &full.paint));
+    expect_broken("twin, smooth", 0);
     for (int k = 0; k < 2; k++) {
         pel_triangle(&s, v[k], &half.paint);
         expect_broken("twin, flat", k);

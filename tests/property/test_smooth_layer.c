@@ -1,0 +1,115 @@
+/* The layer below smooth shapes: a row of coverage shows what a mask of the
+ * same grey shows, in any paint and format; full runs what the paint itself
+ * does; nothing else changes. */
+#include <string.h>
+
+#include "core/smooth/smooth.h"
+#include "tests/support/any_paint.h"
+#include "tests/support/canvas.h"
+#include "tests/support/check.h"
+#include "tests/support/shapes.h"
+
+enum { SIDE = 80 };
+
+static struct canvas drawn, expected;
+static uint8_t grey[SIDE * SIDE];
+
+static const struct pel_paint *make_paint(struct random *r)
+{
+    static union any_paint paint;
+    static pel_color colors[16];
+    static const struct pel_ramp ramp = {colors, 3, PEL_REFLECT};
+    static const struct pel_texels texels = {NULL, colors, 4, 4, false};
+    static const struct pel_texture_map map = PEL_TEXTURE_AT(3, 4);
+    const struct pel_point from = {random_between(r, 0, 9999), PEL_PX(5)},
+                           to = {PEL_PX(9), random_between(r, 0, 9999)};
+    const pel_color solid = random_word(r) % 2 ? PEL_RGB(0, 0, 0) : 0;
+    for (int i = 0; i < 16; i++)
+        colors[i] = random_word(r) | solid;
+    switch (random_word(r) % 6) {
+    case 0:
+        pel_linear_init(&paint.linear, from, to, &ramp);
+        break;
+    case 1:
+        pel_conic_init(&paint.conic, from, 9, &ramp);
+        break;
+    case 2:
+        pel_texture_init_nearest(&paint.texture, &texels, &map);
+        break;
+    case 3:
+        pel_texture_init_bilinear(&paint.texture, &texels, &map);
+        break;
+    default:
+        paint.flat = (struct pel_flat)PEL_FLAT(colors[0]);
+    }
+    return &paint.paint;
+}
+
+static uint8_t random_coverage(struct random *r)
+{
+    const uint32_t kind = random_word(r) % 8;
+    return kind == 0 ? 0 : kind == 1 ? 255 : (uint8_t)random_word(r);
+}
+
+/* Rows of random parts, the same into the layer and into the mask. */
+static void draw_rows(struct random *r, struct pel_smooth *smooth, bool clipped)
+{
+    const struct pel_rect all = drawn.surface.bounds, clip = drawn.surface.clip;
+    uint8_t bytes[SIDE];
+    for (int32_t y = all.y0; y < all.y1; y++) {
+        const struct pel_rect b = clipped ? all : clip;
+        const int32_t n = pel_max(b.x1 - b.x0, 0), x = random_between(r, 0, n);
+        const int32_t left = random_between(r, 0, n - x) / (1 + (y & 3));
+        const int32_t middle = random_between(r, 0, n - x - left);
+        const int32_t right = random_between(r, 0, n - x - left - middle);
+        const struct pel_smooth_row row = {
+            y,
+            b.x0 + x,
+            left,
+            middle,
+            right,
+            bytes,
+            bytes + left + middle,
+            random_word(r) % 2 ? 255 : random_coverage(r)};
+        for (int32_t i = 0; i < SIDE; i++)
+            bytes[i] = random_coverage(r);
+        if (clipped)
+            pel_smooth_paint_clipped(smooth, &row);
+        else if (y >= b.y0 && y < b.y1)
+            pel_smooth_paint(smooth, &row);
+        memset(bytes + left, (int)row.middle_coverage, (size_t)middle);
+        memcpy(grey + (y - all.y0) * SIDE + row.x - all.x0, bytes,
+               (size_t)(left + middle + right));
+    }
+}
+
+TEST(rows_are_a_mask)
+{
+    const struct pel_surface mask =
+        surface_of(&pel_gray8, grey, sizeof grey, SIDE, SIDE);
+    for (struct cases c = cases_of(60000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const struct pel_paint *const paint = make_paint(r);
+        const struct pel_format *const format =
+            layouts[random_word(r) % LAYOUT_COUNT].format;
+        const struct pel_rect bounds = shape_bounds(r, SIDE, 9);
+        const unsigned style = random_word(r) % CANVAS_STYLES;
+        const struct pel_rect clip = shape_clip(r, &bounds);
+        struct pel_masked masked;
+        struct pel_smooth smooth;
+        canvas_open(&drawn, format, &bounds, style);
+        canvas_open(&expected, format, &bounds, style);
+        pel_surface_clip(&drawn.surface, &clip);
+        pel_surface_clip(&expected.surface, &clip);
+        memset(grey, 0, sizeof grey);
+        assert_true(pel_smooth_begin(&smooth, &drawn.surface, paint));
+        draw_rows(r, &smooth, random_word(r) % 2);
+        pel_smooth_end(&smooth);
+        assert_int_equal(
+            pel_masked_init(&masked, &mask, bounds.x0, bounds.y0, paint),
+            PEL_OK);
+        pel_box(&expected.surface, &bounds, &masked.base.paint);
+        canvas_check_same(&expected, &drawn);
+        canvas_check(&drawn);
+    }
+}
