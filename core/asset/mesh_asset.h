@@ -101,7 +101,8 @@ struct pel_mesh_asset {
  * is a number of them; PEL_ERROR_RANGE: no mesh asset, or one of another
  * version; PEL_ERROR_SIZE: counts out of range, two arrays of normals, a
  * quantization out of range, wrong ends of parts or numbers of textures.
- * Indices and the images themselves are not checked. */
+ * Indices and the images themselves are not checked, nor whether a scene takes
+ * so large a mesh: pel_mesh_check. */
 static inline enum pel_status pel_mesh_asset_check(
     const struct pel_mesh_asset *mesh)
 {

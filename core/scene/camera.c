@@ -100,7 +100,9 @@ int64_t pel_quantization_extent(const struct pel_quantization *quantization)
     const int32_t *const end = quantization->offset + 3;
     for (const int32_t *o = quantization->offset; o < end; o++)
         extent += pel_size_of(*o);
-    return extent;
+    const int64_t world =
+        pel_long_product(3, pel_quantization_limit(quantization));
+    return extent < world ? extent : world;
 }
 
 /* An upper bound of the distance of the origin plus that of the farthest
@@ -118,8 +120,7 @@ static enum pel_status set_near(struct pel_projector *p,
 {
     const int bits = p->fine_bits - p->coarse; /* of a unit, coarse */
     int64_t near = pel_scale_down(camera->near_plane, 16 - bits);
-    if (camera->near_plane <= 0 || near < 1 ||
-        (camera->projection == PEL_ORTHOGRAPHIC && bits < 0))
+    if (camera->near_plane <= 0 || near < 1)
         return PEL_ERROR_RANGE;
     p->near_fine = pel_scale_down(camera->near_plane, 16 - p->fine_bits);
     near = near < INT32_C(1) << 29 ? near : INT32_C(1) << 29;

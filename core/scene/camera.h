@@ -65,20 +65,21 @@ struct pel_projector {
     struct pel_quantization quantization;
 };
 
-/* PEL_ERROR_NULL; PEL_ERROR_SIZE: an empty viewport, or one beyond +-32,767 px,
- * or a focal length or sensor out of range, or of an extent that makes more
- * than 65,536 or less than 1/256 pixel of a unit at distance 1;
- * PEL_ERROR_RANGE: pel_camera_basis, or `near_plane` is not above 0, or more
- * than 2^28 times smaller than the farthest a vertex of the mesh could be away,
- * or, orthographic, that vertex is 2^29 units away or more. */
+/* The mesh has passed pel_mesh_check. PEL_ERROR_NULL; PEL_ERROR_SIZE: an empty
+ * viewport, or one beyond +-32,767 px, or a focal length or sensor out of
+ * range, or of an extent that makes more than 65,536 or less than 1/256 pixel
+ * of a unit at distance 1; PEL_ERROR_RANGE: pel_camera_basis, or `near_plane`
+ * is not above 0, or more than 2^28 times smaller than the farthest a vertex of
+ * the mesh could be away.
+ */
 enum pel_status pel_projector_init(struct pel_projector *projector,
                                    const struct pel_mesh *mesh,
                                    const struct pel_pose *pose,
                                    const struct pel_camera *camera,
                                    const struct pel_rect *viewport);
 
-/* An upper bound of the distance of positions from (0, 0, 0), in numerators;
- * below 2^33. */
+/* An upper bound of the distance of legal positions from (0, 0, 0), in
+ * numerators; below 2^33, and below 2^16 units. */
 int64_t pel_quantization_extent(const struct pel_quantization *quantization);
 
 /* The x of a vertex that has to be clipped: it is behind the near plane, or out

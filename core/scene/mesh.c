@@ -41,6 +41,25 @@ static bool sizes_legal(const struct pel_mesh *m)
            (!m->uv || quantum_legal(&m->texture));
 }
 
+int32_t pel_quantization_limit(const struct pel_quantization *q)
+{
+    const uint32_t world = PEL_LENGTH_MAX / 65536;
+    if (q->shift > 16)
+        return INT32_MAX;
+    return (int32_t)(q->shift < 0 ? world >> -q->shift : world << q->shift);
+}
+
+static bool positions_legal(const struct pel_mesh *m)
+{
+    const int32_t limit = pel_quantization_limit(&m->position);
+    for (uint32_t i = 0; limit < INT32_MAX && i < m->vertices; i++)
+        for (int k = 0; k < 3; k++)
+            if (pel_magnitude(pel_quantization_value(
+                    &m->position, k, m->positions[i][k])) > limit)
+                return false;
+    return true;
+}
+
 static enum pel_status check_indices(const struct pel_mesh *m,
                                      struct pel_mesh_fault *fault)
 {
@@ -68,7 +87,7 @@ enum pel_status pel_mesh_check(const struct pel_mesh *mesh,
         !mesh->indices8 + !mesh->indices16 + !mesh->indices32 != 2 ||
         (mesh->parts && !mesh->part))
         return PEL_ERROR_NULL;
-    if (!sizes_legal(mesh))
+    if (!sizes_legal(mesh) || !positions_legal(mesh))
         return PEL_ERROR_SIZE;
     part = pel_mesh_wrong_part(mesh->part, mesh->parts, mesh->vertices,
                                mesh->triangles);

@@ -10,10 +10,13 @@ PEL_BEGIN_DECLS
 /* The shifts of a quantization that a scene takes. */
 enum { PEL_MESH_SHIFT_MIN = -14, PEL_MESH_SHIFT_MAX = 46 };
 
+/* The numerator that means 16,384 units, or the largest. */
+int32_t pel_quantization_limit(const struct pel_quantization *quantization);
+
 /* The arrays are those of struct pel_mesh_asset. */
 struct pel_mesh {
     uint32_t vertices, triangles;
-    struct pel_quantization position; /* inside +-16,384 units */
+    struct pel_quantization position; /* of vertices inside +-16,384 units */
     struct pel_quantization texture;
 
     const int16_t (*positions)[3];
@@ -43,9 +46,10 @@ struct pel_mesh_fault {
 /* Checks that the mesh can be drawn, every index too. PEL_ERROR_NULL: no
  * positions or parts, or not exactly one array of indices; PEL_ERROR_SIZE: no
  * vertex, more than 2^26 vertices or triangles, two arrays of normals, a
- * quantization out of range, or a part that ends before it begins or, as the
- * last, not where the mesh does; PEL_ERROR_RANGE: an index. `fault`, which may
- * be NULL, is set to it, or to the part. */
+ * quantization out of range, a vertex beyond +-16,384 units, or a part that
+ * ends before it begins or, as the last, not where the mesh does;
+ * PEL_ERROR_RANGE: an index. `fault`, which may be NULL, is set to it, or to
+ * the part. */
 enum pel_status pel_mesh_check(const struct pel_mesh *mesh,
                                struct pel_mesh_fault *fault);
 

@@ -5,6 +5,7 @@
 #include "sim/mesh/vector.h"
 
 #define WORLD 16384.0      /* units each way, as core has them */
+#define ROUNDING 1.00002   /* of a mesh: half of 1/65,536 of its extent */
 #define NEAREST (1 / 16.0) /* of an eye, if nothing is to be scaled */
 #define FAR_LIGHT 1024
 
@@ -59,7 +60,7 @@ static double units_of(const struct scene *scene,
         if (!s->light[i].directional && !is_far(&s->light[i], places))
             extent = fmax(extent, extent_of(s->light[i].at));
     vector_subtract(s->camera.target, s->camera.eye, view);
-    if (extent <= WORLD && vector_length(view) >= NEAREST &&
+    if (extent * ROUNDING <= WORLD && vector_length(view) >= NEAREST &&
         scene->model->mesh.position.shift <= PEL_MESH_SHIFT_MAX)
         return 1;
     frexp(extent, &exponent); /* extent < 2^exponent */

@@ -1,6 +1,7 @@
 /* Sizes and distances beyond what the 3-D pipeline takes. */
 #include "core/scene/pipeline.h"
 #include "tests/support/check.h"
+#include "tests/support/layouts.h"
 
 TEST(depth_sizes)
 {
@@ -35,34 +36,94 @@ TEST(depth_sizes)
     }
 }
 
-/* What pel_mesh_check takes may lie farther away than that. */
-TEST(an_orthographic_mesh_far_away)
+static int16_t positions[3][3];
+static const int8_t normals[3][3] = {{127, 0, 0}, {0, 127, 0}, {0, 0, 127}};
+static const uint8_t indices[1][3] = {{0, 1, 2}};
+static const struct pel_camera camera = {
+    .target = {0, 0, -1},
+    .up = {0, 1, 0},
+    .focal = 1,
+    .sensor = {PEL_UNITS(10), PEL_UNITS(10)},
+    .near_plane = PEL_LENGTH_MAX};
+
+static struct pel_mesh triangle(int32_t step, int32_t shift)
 {
-    static const int16_t positions[1][3] = {{0, 0, 0}};
-    static const uint8_t indices[1][3] = {{0, 0, 0}};
+    return (struct pel_mesh){.vertices = 3,
+                             .triangles = 1,
+                             .position = {{0, 0, 0}, step, shift},
+                             .positions = (void *)positions,
+                             .normals8 = normals,
+                             .indices8 = indices};
+}
+
+static enum pel_status prepare(const struct pel_mesh *mesh,
+                               enum pel_projection projection)
+{
+    static uint64_t scratch[PEL_SCENE_SCRATCH_SIZE(3, 1, 1) / 8 + 1];
+    const struct pel_light light = {.color = {65536, 65536, 65536}};
+    const struct pel_lighting lighting = {.light = &light,
+                                          .lights = 1,
+                                          .diffuse = PEL_FACTOR(50),
+                                          .specular = PEL_FACTOR(50),
+                                          .shininess = 8};
+    struct pel_scene scene = {.mesh = mesh,
+                              .camera = camera,
+                              .viewport = {0, 0, 32767, 32767},
+                              .shading = &pel_shade_lit_gouraud,
+                              .lighting = &lighting};
+    uint32_t pixels[16];
+    const struct pel_surface s =
+        surface_of(&pel_xrgb8888, pixels, sizeof pixels, 4, 4);
+    struct pel_frame frame;
+    scene.camera.projection = projection;
+    const enum pel_status status =
+        pel_scene_prepare(&frame, &scene, scratch, sizeof scratch);
+    pel_scene_draw(&frame, &s);
+    return status;
+}
+
+/* A vertex 16,384 units away is the last; one of a world's corners is lit and
+ * projected by any quantization. */
+TEST(a_mesh_ends_where_the_world_does)
+{
+    for (int32_t shift = PEL_MESH_SHIFT_MIN; shift <= 17; shift++)
+        for (int32_t step = 1; step <= 16384; step *= 2) {
+            struct pel_mesh mesh = triangle(step, shift);
+            const int64_t last =
+                shift < 0 ? 16384 >> -shift : INT64_C(16384) << shift;
+            const int64_t q = last / step < 32767 ? last / step : 32767;
+            const int axis = (shift + 14) % 3, sign = step % 3 == 1 ? 1 : -1;
+            for (int k = 0; k < 3; k++)
+                positions[k / 2][k] = (int16_t)(sign * q);
+            mesh.position.offset[axis] =
+                (int32_t)(sign * pel_min((int32_t)(last - q * step),
+                                         INT32_C(1) << 30));
+            assert_int_equal(pel_mesh_check(&mesh, NULL), PEL_OK);
+            assert_int_equal(prepare(&mesh, PEL_PERSPECTIVE), PEL_OK);
+            assert_int_equal(prepare(&mesh, PEL_ORTHOGRAPHIC), PEL_OK);
+            mesh.position.offset[axis] += sign;
+            if (shift < 17)
+                assert_int_equal(prepare(&mesh, PEL_PERSPECTIVE),
+                                 PEL_ERROR_SIZE);
+        }
+}
+
+/* It was lit by a square root beyond the end of a table. */
+TEST(a_mesh_beyond_the_world)
+{
+    struct pel_mesh mesh = triangle(16384, -6);
+    mesh.position.offset[0] = mesh.position.offset[1] = 83791;
+    for (int k = 0; k < 3; k++)
+        positions[k][k] = 30000;
+    assert_int_equal(prepare(&mesh, PEL_PERSPECTIVE), PEL_ERROR_SIZE);
+    assert_int_equal(pel_mesh_check(&mesh, NULL), PEL_ERROR_SIZE);
+}
+
+TEST(projectors_of_nothing)
+{
     static const struct pel_rect view = {0, 0, 128, 128};
-    static const struct pel_camera camera = {
-        .target = {0, 0, -1},
-        .up = {0, 1, 0},
-        .sensor = {PEL_UNITS(1000), PEL_UNITS(1000)},
-        .near_plane = PEL_LENGTH_MAX,
-        .projection = PEL_ORTHOGRAPHIC};
-    struct pel_mesh mesh = {.vertices = 1,
-                            .triangles = 1,
-                            .position = {{0, 0, 0}, 1, 6},
-                            .positions = positions,
-                            .indices8 = indices};
+    const struct pel_mesh mesh = triangle(1, 6);
     struct pel_projector p;
-    assert_int_equal(
-        pel_projector_init(&p, &mesh, &pel_pose_none, &camera, &view), PEL_OK);
-    mesh.position.step = 16384;
-    for (int32_t shift = 46; shift >= -14; shift--) {
-        mesh.position.shift = shift;
-        assert_int_equal(pel_mesh_check(&mesh, NULL), PEL_OK);
-        assert_int_equal(
-            pel_projector_init(&p, &mesh, &pel_pose_none, &camera, &view),
-            shift > 1 ? PEL_OK : PEL_ERROR_RANGE);
-    }
     assert_int_equal(pel_projector_init(&p, &mesh, NULL, &camera, &view),
                      PEL_ERROR_NULL);
     assert_int_equal(
