@@ -19,9 +19,11 @@
  * The formats pel_rgb565_le_fill and pel_rgb565_be_fill cannot be blended: a
  * smooth shape on them is a broken contract, PEL_ASSERT, and draws nothing.
  *
- * The rest of this header is for those who write a smooth shape. A struct
- * pel_smooth is a surface before a surface: its format weighs what a paint puts
- * there and passes it on. Paints and formats know nothing of coverage. */
+ * The rest of this header is for those who write a smooth shape. It hands over
+ * its rows. Full pixels go to the paint on the real surface, with all that is
+ * fast there; the colors of the others go into a short buffer, a surface before
+ * the surface, are weighed there and put into the real one. Paints and formats
+ * know nothing of coverage. */
 #ifndef PEL_SMOOTH_SMOOTH_H
 #define PEL_SMOOTH_SMOOTH_H
 
@@ -29,20 +31,22 @@
 
 PEL_BEGIN_DECLS
 
-/* A row of a shape: `left` pixels with a coverage each, then `middle` ones of
- * the same, then `right` ones. Each number may be 0. */
+/* Part of a row of a shape: `left` pixels with a coverage each, `full` ones of
+ * 255, then `right` ones. Each number may be 0. */
 struct pel_smooth_row {
-    int32_t y, x;                /* px: the first one */
-    int32_t left, middle, right; /* px */
-    const uint8_t *left_coverage, *right_coverage;
-    uint32_t middle_coverage; /* 255 but for rows that are cut */
+    int32_t y, x;              /* px: the first one */
+    int32_t left, full, right; /* px */
+    const uint8_t *coverage;   /* of the left ones, then the right ones */
 };
 
+/* Pixels that are weighed at a time. */
+enum { PEL_SMOOTH_PIXELS = PEL_64BIT ? 64 : PEL_KNOW_SIDES ? 8 : 4 };
+
 struct pel_smooth {
-    struct pel_surface surface; /* first: the one that weighs */
+    struct pel_surface surface; /* first: of `colors` */
     const struct pel_surface *target;
     const struct pel_paint *paint;
-    struct pel_smooth_row row;
+    pel_color colors[PEL_SMOOTH_PIXELS];
 };
 
 /* Begins a shape. False, and PEL_ASSERT, when the format cannot be blended.
@@ -51,17 +55,13 @@ bool pel_smooth_begin(struct pel_smooth *smooth,
                       const struct pel_surface *surface,
                       const struct pel_paint *paint);
 
-/* Paints a row, which lies inside the clip; its bytes are not used after the
- * call. No pixel may be in two rows. Full runs go to the paint on the real
- * surface, with all that is fast there. */
+/* Paints a part of a row, which lies inside the clip. Its bytes are not used
+ * after the call. No pixel may be painted twice. */
 void pel_smooth_paint(struct pel_smooth *smooth,
                       const struct pel_smooth_row *row);
 
-/* The same of the part of the row that is inside the clip. */
+/* The same of what is inside the clip. */
 void pel_smooth_paint_clipped(struct pel_smooth *smooth,
                               const struct pel_smooth_row *row);
-
-/* Paints what is left. */
-void pel_smooth_end(struct pel_smooth *smooth);
 PEL_END_DECLS
 #endif

@@ -60,26 +60,20 @@ static void draw_rows(struct random *r, struct pel_smooth *smooth, bool clipped)
         const struct pel_rect b = clipped ? all : clip;
         const int32_t n = pel_max(b.x1 - b.x0, 0), x = random_between(r, 0, n);
         const int32_t left = random_between(r, 0, n - x) / (1 + (y & 3));
-        const int32_t middle = random_between(r, 0, n - x - left);
-        const int32_t right = random_between(r, 0, n - x - left - middle);
-        const struct pel_smooth_row row = {
-            y,
-            b.x0 + x,
-            left,
-            middle,
-            right,
-            bytes,
-            bytes + left + middle,
-            random_word(r) % 2 ? 255 : random_coverage(r)};
+        const int32_t full = random_between(r, 0, n - x - left);
+        const int32_t right = random_between(r, 0, n - x - left - full);
+        const struct pel_smooth_row row = {y,    b.x0 + x, left,
+                                           full, right,    bytes};
         for (int32_t i = 0; i < SIDE; i++)
             bytes[i] = random_coverage(r);
         if (clipped)
             pel_smooth_paint_clipped(smooth, &row);
         else if (y >= b.y0 && y < b.y1)
             pel_smooth_paint(smooth, &row);
-        memset(bytes + left, (int)row.middle_coverage, (size_t)middle);
-        memcpy(grey + (y - all.y0) * SIDE + row.x - all.x0, bytes,
-               (size_t)(left + middle + right));
+        uint8_t *const to = grey + (y - all.y0) * SIDE + row.x - all.x0;
+        memcpy(to, bytes, (size_t)left);
+        memset(to + left, 255, (size_t)full);
+        memcpy(to + left + full, bytes + left, (size_t)right);
     }
 }
 
@@ -104,7 +98,6 @@ TEST(rows_are_a_mask)
         memset(grey, 0, sizeof grey);
         assert_true(pel_smooth_begin(&smooth, &drawn.surface, paint));
         draw_rows(r, &smooth, random_word(r) % 2);
-        pel_smooth_end(&smooth);
         assert_int_equal(
             pel_masked_init(&masked, &mask, bounds.x0, bounds.y0, paint),
             PEL_OK);
