@@ -1,16 +1,18 @@
-# The host program. assimp, SDL2, SDL2_image and libpng are each used where
-# pkg-config finds them; without them pel is built all the same, and
-# `pel demo` names what each would add.
+# The host program. Each of these libraries is used where pkg-config finds it;
+# without them pel is built all the same, and `pel demo` names what each would
+# add.
 
 PKG_CONFIG ?= pkg-config
 sim_has = $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo $(1))
-SIM_PACKAGES := $(strip $(foreach p,assimp sdl2 SDL2_image libpng, \
-                          $(call sim_has,$(p))))
+SIM_PACKAGES := $(strip $(foreach p,assimp jansson sdl2 SDL2_image libpng \
+                          libjpeg,$(call sim_has,$(p))))
 
 sim_define_assimp := -DHAVE_ASSIMP
 sim_define_sdl2 := -DHAVE_SDL2
 sim_define_SDL2_image := -DHAVE_SDL2_IMAGE
 sim_define_libpng := -DHAVE_LIBPNG
+sim_define_libjpeg := -DHAVE_LIBJPEG
+sim_define_jansson := -DHAVE_JANSSON
 
 SIM_FLAGS := -D_GNU_SOURCE \
              $(shell $(PKG_CONFIG) --version >/dev/null 2>&1 && \

@@ -35,7 +35,8 @@ struct import_command {
 
 static bool is_picture(const char *path)
 {
-    return path_has_ending(path, " .png .jpg .jpeg .tga .bmp .ppm .pgm ");
+    return path_has_ending(path, " .png .jpg .jpeg .tga .bmp .gif .ppm .pgm "
+                                 ".pbm .pnm .pam ");
 }
 
 static bool is_font(const char *path)
@@ -109,7 +110,8 @@ static const char about[] =
     "draws what `pel render --texture nearest --mapping vertices` draws, "
     "with the same --normals 16 where there is light.\n"
     "MESH is a file that assimp reads, or one of " MESH_BUILTINS
-    "; PICTURE is a .png, .jpg, .tga, .bmp, .ppm or .pgm file; FONT is a "
+    "; PICTURE is a .png, .jpg, .tga, .bmp, .gif, .ppm, .pgm, .pbm "
+    "or .pam file; FONT is a "
     ".bdf or .psf file. The same input gives the same bytes.";
 
 /* The kinds that options are for; those that the table leaves out place, light

@@ -76,10 +76,16 @@ static const struct library {
     {"SDL2", "libsdl2-dev", "turns meshes in a window (pel view)"},
 #endif
 #ifndef HAVE_SDL2_IMAGE
-    {"SDL2_image", "libsdl2-image-dev", "reads PNG, JPEG, TGA textures"},
+    {"SDL2_image", "libsdl2-image-dev", "reads TGA and GIF pictures"},
 #endif
 #ifndef HAVE_LIBPNG
-    {"libpng", "libpng-dev", "writes PNG in place of BMP"},
+    {"libpng", "libpng-dev", "reads PNG, and writes it in place of BMP"},
+#endif
+#ifndef HAVE_LIBJPEG
+    {"libjpeg", "libjpeg-dev", "reads JPEG pictures"},
+#endif
+#ifndef HAVE_JANSSON
+    {"jansson", "libjansson-dev", "reads glTF meshes"},
 #endif
 #if !defined(PEL_WITH_DRM) || !PEL_WITH_DRM
     {"libdrm", "libdrm-dev", "shows scenes on DRM devices"},

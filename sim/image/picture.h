@@ -39,7 +39,7 @@ static inline pel_color *picture_row(const struct picture *picture, int y)
     return picture->pixels + (size_t)y * (size_t)picture->width;
 }
 
-/* Reads the PPM or PGM file (P6, P5, P3, P2; maxval 255, one picture) at
+/* Reads the PPM, PGM, PBM or PAM file (P1 to P7, any maxval, one picture) at
  * `path`; "-" is standard input. Memory grows with the data that is really
  * there, so a header that lies costs nothing. False, with a message on standard
  * error that names file, line (text) or byte (binary), what is wrong and what

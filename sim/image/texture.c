@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -12,46 +13,35 @@
 #include "sim/cli/bytes.h"
 #include "sim/cli/child.h"
 #include "sim/cli/message.h"
+#include "sim/image/decode.h"
 
-struct source {
-    const char *name;  /* of the file */
-    const void *bytes; /* that it has, or NULL: it is still to be read */
-    size_t size;
-};
+static bool begins(const struct encoded *from, const char *with)
+{
+    const size_t n = strlen(with);
+    return from->size >= n && memcmp(from->bytes, with, n) == 0;
+}
 
 #ifdef HAVE_SDL2_IMAGE
 
-/* The first bytes of a file. */
-struct head {
-    uint8_t byte[26];
-    const char *ending; /* of its name, ".tga", or ""; TGA has no signature */
-};
-
-static bool begins(const struct head *head, const char *with)
+/* ".tga" of the name; TGA has no signature. */
+static const char *ending_of(const struct encoded *from)
 {
-    return memcmp(head->byte, with, strlen(with)) == 0;
+    const char *dot = strrchr(from->name, '.');
+    return dot && !strchr(dot, '/') ? dot : "";
+}
+
+static bool is_tga(const struct encoded *from)
+{
+    return path_has_ending(ending_of(from), " .tga ");
 }
 
 /* Width and height that a head claims, where they are near; false when not. */
-static bool claimed_size(const struct head *head, uint32_t size[2])
+static bool claimed_size(const struct encoded *from, uint32_t size[2])
 {
-    const uint8_t *byte = head->byte;
-    const int bmp = byte[14] == 12 ? 2 : 4; /* bytes; 2 as OS/2 has it */
-    for (int i = 0; i < 2; i++) {
-        if (begins(head, "\x89PNG"))
-            size[i] = bytes_big(byte + 16 + 4 * i, 4);
-        else if (begins(head, "GIF8"))
-            size[i] = bytes_little(byte + 6 + 2 * i, 2);
-        else if (begins(head, "BM"))
-            size[i] = bytes_little(byte + 18 + bmp * i, bmp);
-        else if (path_has_ending(head->ending, " .tga "))
-            size[i] = bytes_little(byte + 12 + 2 * i, 2);
-        else
-            return false;
-    }
-    if (size[1] >> 31) /* a BMP from the top */
-        size[1] = -size[1];
-    return true;
+    const size_t at = begins(from, "GIF8") ? 6 : is_tga(from) ? 12 : 0;
+    for (int i = 0; at > 0 && from->size >= at + 4 && i < 2; i++)
+        size[i] = bytes_little(from->bytes + at + 2 * (size_t)i, 2);
+    return at > 0;
 }
 
 /* SDL_image takes what is missing at the end of a file as black. A reader that
@@ -75,85 +65,132 @@ static Sint64 go_to(SDL_RWops *file, Sint64 offset, int whence)
     return reading.seek(file, offset, whence);
 }
 
-static SDL_RWops *open_source(const struct source *source)
+static SDL_Surface *decode(const struct encoded *from)
 {
-    SDL_RWops *file = source->bytes
-                          ? SDL_RWFromConstMem(source->bytes, (int)source->size)
-                          : SDL_RWFromFile(source->name, "rb");
+    const char *ending = ending_of(from);
+    SDL_RWops *file = SDL_RWFromConstMem(from->bytes, (int)from->size);
     if (!file)
         return NULL;
     reading.read = file->read;
     reading.seek = file->seek;
     file->read = read_on;
     file->seek = go_to;
-    return file;
-}
-
-static SDL_Surface *decode(SDL_RWops *file, const char *ending)
-{
-    SDL_Surface *raw = file ? IMG_LoadTyped_RW(file, 1, ending) : NULL;
+    SDL_Surface *raw = IMG_LoadTyped_RW(file, 1, ending + (*ending != 0));
     SDL_Surface *image =
         raw ? SDL_ConvertSurfaceFormat(raw, SDL_PIXELFORMAT_ARGB8888, 0) : NULL;
     SDL_FreeSurface(raw);
     return image;
 }
 
-static void put_pixels(const SDL_Surface *image, FILE *out)
+/* TGA, GIF and whatever else it knows. */
+static bool decode_other(struct picture *picture, const struct encoded *from)
 {
-    const int size[2] = {image->w, image->h};
-    fwrite(size, sizeof size, 1, out);
+    uint32_t size[2] = {1, 1};
+    const bool is_strict = claimed_size(from, size);
+    if (!picture_size_check(from->name, size[0], size[1]))
+        return false;
+    const SDL_Surface *image = decode(from);
+    if (!image)
+        return message_error_at(from->name, 0,
+                                "no picture that can be read (%s): expected a "
+                                "PNG, JPEG, TGA, BMP or PPM file",
+                                SDL_GetError());
+    if (is_strict && reading.ended)
+        return decode_refuse_end(from);
+    if (!picture_size_check(from->name, image->w, image->h) ||
+        !picture_init(picture, image->w, image->h, 0))
+        return false;
     for (int y = 0; y < image->h; y++)
-        fwrite((const char *)image->pixels + (size_t)y * (size_t)image->pitch,
-               sizeof(pel_color), (size_t)image->w, out);
+        memcpy(picture_row(picture, y),
+               (const char *)image->pixels + (size_t)y * (size_t)image->pitch,
+               sizeof(pel_color) * (size_t)image->w);
+    return true;
+}
+
+#else
+
+static bool decode_other(struct picture *picture, const struct encoded *from)
+{
+    (void)picture;
+    return message_error_at(
+        from->name, 0,
+        "no PNG, JPEG, BMP or PPM file, and this pel was built without "
+        "SDL2_image, which reads others: the package libsdl2-image-dev brings "
+        "it");
+}
+
+#endif
+
+static bool decode_ppm(struct picture *picture, const struct encoded *from)
+{
+    FILE *file = fmemopen((void *)(uintptr_t)from->bytes, from->size, "rb");
+    const bool done = file && picture_read_ppm(picture, file, from->name);
+    if (file)
+        fclose(file);
+    return done;
+}
+
+bool decode_refuse_end(const struct encoded *from)
+{
+    return message_error_at(
+        from->name, 0, "ends before its picture does: expected a whole file");
+}
+
+/* What a file is, its first bytes say. */
+static bool decode_any(struct picture *picture, const struct encoded *from)
+{
+    const bool is_ppm = begins(from, "P") && from->size > 2 &&
+                        from->bytes[1] >= '1' && from->bytes[1] <= '7' &&
+                        (from->bytes[2] <= ' ' || from->bytes[2] == '#');
+    return begins(from, "\x89PNG")    ? decode_png(picture, from)
+           : begins(from, "\xFF\xD8") ? decode_jpeg(picture, from)
+           : begins(from, "BM")       ? decode_bmp(picture, from)
+           : is_ppm                   ? decode_ppm(picture, from)
+                                      : decode_other(picture, from);
+}
+
+/* Reads the file whose bytes are not there yet. */
+static bool read_file(struct encoded *from)
+{
+    FILE *file = fopen(from->name, "rb");
+    size_t room = 1 << 16, n = 0;
+    uint8_t *bytes = NULL;
+    bool good = file;
+    while (good && !feof(file)) {
+        uint8_t *more = realloc(bytes, room);
+        good = more;
+        bytes = more ? more : bytes;
+        n += more ? fread(more + n, 1, room - n, file) : 0;
+        good = good && !ferror(file);
+        room *= 2;
+    }
+    if (file)
+        fclose(file);
+    from->bytes = bytes;
+    from->size = n;
+    return good || message_error_at(from->name, 0, "cannot be read: %s",
+                                    strerror(errno));
 }
 
 /* Writes width and height, two int, and the pixels. The process ends after it,
  * and with it what it has taken. */
 static bool put_picture(const void *what, FILE *out)
 {
-    const struct source *source = what;
-    const char *name = source->name, *dot = strrchr(name, '.');
-    struct head head = {.ending = dot && !source->bytes ? dot : ""};
-    uint32_t size[2] = {1, 1};
-    SDL_RWops *file = open_source(source);
-    if (file && SDL_RWread(file, head.byte, 1, sizeof head.byte) > 0)
-        SDL_RWseek(file, 0, RW_SEEK_SET);
-    const bool is_strict =
-        claimed_size(&head, size) || begins(&head, "\xFF\xD8");
-    if (!picture_size_check(name, size[0], size[1]))
+    struct encoded from = *(const struct encoded *)what;
+    struct picture picture = {0};
+    if ((!from.bytes && !read_file(&from)) || !decode_any(&picture, &from))
         return false;
-    const SDL_Surface *image = decode(file, head.ending + (*head.ending != 0));
-    if (!image)
-        return message_error_at(name, 0,
-                                "no picture that can be read (%s): expected a "
-                                "PNG, JPEG, TGA, BMP or PPM file",
-                                SDL_GetError());
-    if (is_strict && reading.ended)
-        return message_error_at(
-            name, 0, "ends before its picture does: expected a whole file");
-    if (!picture_size_check(name, image->w, image->h))
-        return false;
-    put_pixels(image, out);
+    const int size[2] = {picture.width, picture.height};
+    fwrite(size, sizeof size, 1, out);
+    fwrite(picture.pixels, sizeof(pel_color) * (size_t)size[0], (size_t)size[1],
+           out);
     return true;
 }
 
-#else
-
-static bool put_picture(const void *source, FILE *out)
-{
-    (void)out;
-    return message_error_at(
-        ((const struct source *)source)->name, 0,
-        "this pel was built without SDL2_image and reads pictures as .ppm "
-        "only; the package libsdl2-image-dev brings the others");
-}
-
-#endif
-
-static bool load(struct picture *picture, const struct source *source)
+static bool load(struct picture *picture, const struct encoded *from)
 {
     int size[2];
-    FILE *in = child_run(source->name, put_picture, source);
+    FILE *in = child_run(from->name, put_picture, from);
     *picture = (struct picture){0, 0, NULL};
     const bool done =
         in && fread(size, sizeof size, 1, in) == 1 &&
@@ -168,17 +205,18 @@ static bool load(struct picture *picture, const struct source *source)
 bool texture_load_bytes(struct picture *picture, const char *name,
                         const void *bytes, size_t size)
 {
-    return load(picture, &(struct source){name, bytes, size});
+    return load(picture, &(struct encoded){name, bytes, size});
 }
 
 bool texture_load(struct picture *picture, const char *path)
 {
     *picture = (struct picture){0, 0, NULL};
-    if (strcmp(path, "-") == 0 || path_has_ending(path, " .ppm .pgm "))
+    if (strcmp(path, "-") == 0 ||
+        path_has_ending(path, " .ppm .pgm .pbm .pnm .pam "))
         return picture_load(picture, path);
     if (access(path, R_OK) != 0)
         return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
-    return load(picture, &(struct source){path, NULL, 0});
+    return load(picture, &(struct encoded){path, NULL, 0});
 }
 
 bool texture_opaque(const struct picture *p)

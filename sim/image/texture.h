@@ -4,10 +4,10 @@
 
 #include "sim/image/picture.h"
 
-/* Reads the picture at `path`: through SDL2_image (PNG, JPEG, TGA, BMP and
- * whatever else it knows) where this build has it, PPM and PGM always. False,
- * with a message on standard error, when it cannot; the picture is then empty.
- */
+/* Reads the picture at `path`: PNG, JPEG, BMP, PPM, PGM, PBM and PAM, exactly,
+ * as sim/image/decode.h says; TGA, GIF and whatever else it knows by
+ * SDL2_image. False, with a message on standard error, when the file is wrong
+ * or this build has no reader; the picture is then empty. */
 bool texture_load(struct picture *picture, const char *path);
 
 /* The same from a file's bytes in memory; `name` is for the message. */

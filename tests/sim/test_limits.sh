@@ -68,10 +68,9 @@ head -c 8000 "$models/IRRMesh/crackedground_1-6.jpg" >"$work/cut.jpg"
 for file in large.bmp large.tga large.png; do
     refused "$large" "$work/$file" import
 done
-for file in cut.tga packed.tga cut.jpg; do
+for file in cut.tga packed.tga cut.jpg time.png; do
     refused "$short" "$work/$file" import
 done
-refused 'took more than 1 s: ' "$work/time.png" import --limit 1,500
 tga '\002' '\0\020' >"$work/4096.tga"
 refused 'took more than 40 MB: ' "$work/4096.tga" import --limit 9,40
 printf 'canvas 8 8 gray8\nimage 0 0 large.png\n' >"$work/s.pel"
