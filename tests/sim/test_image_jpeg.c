@@ -109,8 +109,7 @@ TEST(jpeg_upright)
                                   i % 2 ? "MM" : "II", orientation};
         unsigned long size;
         char what[40];
-        unsigned char *bytes = make_jpeg(
-            JCS_RGB, JCS_YCbCr, false, i % 2 ? "MM" : "II", orientation, &size);
+        unsigned char *bytes = make_jpeg(&kind, &size);
         snprintf(what, sizeof(what), "orientation %d, %d", orientation, i % 2);
         const int across = orientation >= 5 && orientation <= 8 ? 3 : 2;
         expect_blocks(&(struct seen){what, seen[orientation], across}, bytes,
