@@ -1,6 +1,7 @@
 #include "sim/mesh/mesh.h"
 
 #include "sim/cli/message.h"
+#include "sim/mesh/mend.h"
 
 #ifdef HAVE_ASSIMP
 #include <assimp/cimport.h>
@@ -101,6 +102,13 @@ struct making {
     bool uv, linear, failed;
 };
 
+/* In the file v grows upward. */
+static void place_uv(const double place[4], double uv[2])
+{
+    uv[0] = uv[0] * place[0] + place[2];
+    uv[1] = 1 - ((1 - uv[1]) * place[1] + place[3]);
+}
+
 static void copy_vertices(const struct making *m, const struct aiMesh *from,
                           const struct aiMatrix4x4 *to_world)
 {
@@ -126,8 +134,10 @@ static void copy_vertices(const struct making *m, const struct aiMesh *from,
         if (m->uv) {
             to->uv[0] = (double)from->mTextureCoords[0][i].x + 0.0;
             to->uv[1] = (double)from->mTextureCoords[0][i].y + 0.0;
+            if (m->part->material.is_placed)
+                place_uv(m->part->material.place, to->uv);
         }
-        to->color = from->mColors[0]
+        to->color = from->mColors[0] && from->mColors[0][i].r >= 0
                         ? material_byte_color(&from->mColors[0][i], m->linear)
                         : m->part->material.color | PEL_RGB(0, 0, 0);
     }
@@ -241,11 +251,13 @@ static const struct aiScene *read_scene(const char *path, struct counts *n)
     char bad_index = 0;
     const struct aiLogStream log = {note_bad_index, &bad_index};
     aiAttachLogStream(&log);
-    const struct aiScene *scene = aiImportFile(path, 0);
+    bool told;
+    const struct aiScene *scene = mend_import(path, &told);
     aiDetachLogStream(&log);
     if (!scene) {
-        message_error_at(path, 0, "no mesh that can be read (%s)",
-                         aiGetErrorString());
+        if (!told)
+            message_error_at(path, 0, "no mesh that can be read (%s)",
+                             aiGetErrorString());
         return NULL;
     }
     if (bad_index)

@@ -7,9 +7,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "sim/cli/list.h"
+#include "sim/mesh/mend.h"
 
 static unsigned byte_of(double value, bool linear)
 {
@@ -88,34 +88,12 @@ static bool copy_inner(struct mesh_texture *to, const struct aiScene *scene,
     return true;
 }
 
-/* Beside the mesh, with the folders that the name has, or without those of
- * another system. */
-static char *path_of(const char *mesh, char *name)
-{
-    const char *slash = strrchr(mesh, '/'), *last;
-    const int folder = slash && *name != '/' ? (int)(slash - mesh) + 1 : 0;
-    char *path = NULL, *beside = NULL;
-    for (char *c = name; *c; c++)
-        if (*c == '\\') /* as files made on other systems have it */
-            *c = '/';
-    last = strrchr(name, '/');
-    if (asprintf(&path, "%.*s%s", folder, mesh, name) < 0)
-        return NULL;
-    if (!last || access(path, R_OK) == 0 ||
-        asprintf(&beside, "%.*s%s", slash ? (int)(slash - mesh) + 1 : 0, mesh,
-                 last + 1) < 0)
-        return path;
-    const bool found = access(beside, R_OK) == 0;
-    free(found ? path : beside);
-    return found ? beside : path;
-}
-
 static bool add_texture(struct mesh *mesh, const struct aiScene *scene,
                         char *name, const char *path, uint32_t *number)
 {
     const bool is_inner = name[0] == '*';
-    struct mesh_texture new = {is_inner ? strdup(name) : path_of(path, name),
-                               NULL, 0};
+    struct mesh_texture new = {
+        is_inner ? strdup(name) : mend_path_beside(path, name), NULL, 0};
     if (!new.path)
         return message_error("no memory for the name of a texture");
     for (*number = 1; *number <= mesh->textures; ++*number)
@@ -153,7 +131,12 @@ static bool read_texture(struct mesh_material *to, struct mesh *mesh,
             continue;
         to->wrap_u = wrap_of(mode[0]);
         to->wrap_v = wrap_of(mode[1]);
-        return add_texture(mesh, scene, name.data, path, &to->texture);
+        to->is_placed =
+            sscanf(name.data, MEND_PLACE, &to->place[0], &to->place[1],
+                   &to->place[2], &to->place[3]) == 4;
+        return add_texture(
+            mesh, scene, to->is_placed ? strrchr(name.data, 1) + 1 : name.data,
+            path, &to->texture);
     }
     return true;
 }

@@ -25,6 +25,8 @@ struct mesh_material {
     enum mesh_alpha alpha;
     uint8_t cutoff; /* MESH_CUT_OUT: the least alpha that is drawn */
     enum pel_wrap wrap_u, wrap_v;
+    bool is_placed;  /* uv of the file are multiplied and moved: */
+    double place[4]; /* scale of u and v, and offset; done to the vertices */
 };
 
 struct mesh_part {

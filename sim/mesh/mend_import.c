@@ -1,0 +1,110 @@
+/* Hands mended files to assimp, as two files in memory. */
+#include "sim/mesh/mend.h"
+
+#ifdef HAVE_ASSIMP
+#include <assimp/cfileio.h>
+#include <assimp/cimport.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/cli/message.h"
+#include "sim/image/picture.h"
+
+static size_t read_part(struct aiFile *file, char *to, size_t size, size_t n)
+{
+    return fread(to, size, n, (FILE *)(void *)file->UserData);
+}
+
+static size_t tell(struct aiFile *file)
+{
+    return (size_t)ftell((FILE *)(void *)file->UserData);
+}
+
+static size_t size_of(struct aiFile *file)
+{
+    FILE *stream = (FILE *)(void *)file->UserData;
+    const long at = ftell(stream);
+    fseek(stream, 0, SEEK_END);
+    const long size = ftell(stream);
+    fseek(stream, at, SEEK_SET);
+    return (size_t)size;
+}
+
+static enum aiReturn seek(struct aiFile *file, size_t offset,
+                          enum aiOrigin origin)
+{
+    const int whence = origin == aiOrigin_SET   ? SEEK_SET
+                       : origin == aiOrigin_CUR ? SEEK_CUR
+                                                : SEEK_END;
+    return fseek((FILE *)(void *)file->UserData, (long)offset, whence) == 0
+               ? aiReturn_SUCCESS
+               : aiReturn_FAILURE;
+}
+
+struct texts {
+    char *obj, *mtl;
+    size_t obj_size, mtl_size;
+};
+
+static struct aiFile *open_text(struct aiFileIO *io, const char *name,
+                                const char *mode)
+{
+    const struct texts *t = (const void *)io->UserData;
+    const bool mtl = path_has_ending(name, " .mtl ");
+    struct aiFile *file = calloc(1, sizeof(*file));
+    FILE *stream = mtl ? fmemopen(t->mtl, t->mtl_size, "r")
+                       : fmemopen(t->obj, t->obj_size, "r");
+    (void)mode;
+    if (!file || !stream)
+        return NULL;
+    *file = (struct aiFile){.ReadProc = read_part,
+                            .TellProc = tell,
+                            .FileSizeProc = size_of,
+                            .SeekProc = seek,
+                            .UserData = (aiUserData)stream};
+    return file;
+}
+
+static void close_text(struct aiFileIO *io, struct aiFile *file)
+{
+    (void)io;
+    fclose((FILE *)(void *)file->UserData);
+    free(file);
+}
+
+/* The texts stay: the process ends with the file. */
+static const struct aiScene *import(struct mend *m,
+                                    bool (*write)(struct mend *), bool *told)
+{
+    struct texts t;
+    struct aiFileIO io = {open_text, close_text, (aiUserData)&t};
+    m->obj = open_memstream(&t.obj, &t.obj_size);
+    m->mtl = open_memstream(&t.mtl, &t.mtl_size);
+    *told = !m->obj || !m->mtl || !write(m);
+    if (*told)
+        return NULL;
+    fputs("# by pel\n", m->obj);
+    fputs("# by pel\n", m->mtl);
+    fclose(m->obj);
+    fclose(m->mtl);
+    return aiImportFileEx("pel.obj", 0, &io);
+}
+
+const struct aiScene *mend_import(const char *path, bool *told)
+{
+    static const struct {
+        const char *ending;
+        bool (*write)(struct mend *m);
+    } kinds[] = {{" .obj ", mend_obj}, {NULL, NULL}};
+    struct mend m = {.path = path};
+    *told = false;
+    for (int i = 0; kinds[i].ending; i++)
+        if (path_has_ending(path, kinds[i].ending) && mend_read(&m, path) &&
+            !memchr(m.text, 0, m.size))
+            return import(&m, kinds[i].write, told);
+    return aiImportFile(path, 0);
+}
+
+#else
+typedef int mend_needs_assimp;
+#endif
