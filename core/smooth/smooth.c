@@ -62,36 +62,57 @@ bool pel_smooth_begin(struct pel_smooth *smooth,
     smooth->surface.pixels = smooth->colors;
     smooth->target = surface;
     smooth->paint = paint;
+    smooth->flat = paint->fill == pel_flat_fill
+                       ? (const struct pel_flat *)(const void *)paint
+                       : NULL;
     return legal;
 }
 
-/* The colors of n pixels; those of a flat paint need no call. */
-static PEL_NOINLINE void take_colors(struct pel_smooth *smooth, int32_t x,
-                                     int32_t y, int32_t n)
+/* The color with alpha = round(alpha coverage / 255), 257 alpha being given:
+ * pel_round_div255 in two steps. */
+static inline pel_color weighed(pel_color color, uint32_t alpha,
+                                uint32_t coverage)
 {
-    const struct pel_paint *const paint = smooth->paint;
-    const struct pel_span span = {x, x + n};
-    const struct pel_spans spans = {&smooth->surface, &span, y, 1, 0};
-    const bool flat = paint->fill == pel_flat_fill;
-    const pel_color color =
-        flat ? ((const struct pel_flat *)paint)->color : PEL_RGBA(0, 0, 0, 0);
-    for (int32_t i = 0; i < n; i++)
-        smooth->colors[i] = color;
-    smooth->surface.bounds = (struct pel_rect){x, y, x + n, y + 1};
-    if (!flat)
-        paint->fill(paint, &spans);
+    return (color & UINT32_C(0xFFFFFF)) |
+           (alpha * coverage + 0x8080) >> 16 << 24;
 }
 
-static void paint_edge(struct pel_smooth *smooth, int32_t x, int32_t y,
-                       int32_t n, const uint8_t *coverage)
+static PEL_NOINLINE_32 void take_colors(struct pel_smooth *smooth, int32_t x,
+                                        int32_t y, int32_t n)
+{
+    const struct pel_span span = {x, x + n};
+    const struct pel_spans spans = {&smooth->surface, &span, y, 1, 0};
+    for (int32_t i = 0; i < n; i++)
+        smooth->colors[i] = 0;
+    smooth->surface.bounds = (struct pel_rect){x, y, x + n, y + 1};
+    smooth->paint->fill(smooth->paint, &spans);
+}
+
+/* n pixels at most; those of a flat paint need no call. */
+static inline void weigh_colors(struct pel_smooth *smooth, int32_t n,
+                                const uint8_t *coverage)
+{
+    pel_color *out = smooth->colors, *const end = out + n;
+    if (smooth->flat) {
+        const pel_color color = smooth->flat->color;
+        const uint32_t alpha = 257 * pel_alpha(color);
+        for (; out < end; out++)
+            *out = weighed(color, alpha, *coverage++);
+    }
+    for (; out < end; out++)
+        *out = weighed(*out, 257 * pel_alpha(*out), *coverage++);
+}
+
+static PEL_INLINE_FAST void paint_edge(struct pel_smooth *smooth, int32_t x,
+                                       int32_t y, int32_t n,
+                                       const uint8_t *coverage)
 {
     const struct pel_surface *const target = smooth->target;
-    for (int32_t k; n > 0; n -= k, x += k) {
+    for (int32_t k; n > 0; n -= k, x += k, coverage += k) {
         k = pel_min(n, PEL_SMOOTH_PIXELS);
-        take_colors(smooth, x, y, k);
-        for (pel_color *c = smooth->colors; c < smooth->colors + k; c++)
-            *c = (*c & UINT32_C(0xFFFFFF)) |
-                 pel_round_div255(pel_alpha(*c) * *coverage++) << 24;
+        if (!smooth->flat)
+            take_colors(smooth, x, y, k);
+        weigh_colors(smooth, k, coverage);
         target->format->put(target, x, y, k, smooth->colors);
     }
 }
@@ -99,12 +120,11 @@ static void paint_edge(struct pel_smooth *smooth, int32_t x, int32_t y,
 void pel_smooth_paint(struct pel_smooth *smooth,
                       const struct pel_smooth_row *row)
 {
-    const struct pel_paint *const paint = smooth->paint;
     const int32_t full = row->x + row->left;
     const struct pel_span span = {full, full + row->full};
     const struct pel_spans spans = {smooth->target, &span, row->y, 1, 0};
     if (row->full > 0)
-        paint->fill(paint, &spans);
+        smooth->paint->fill(smooth->paint, &spans);
     paint_edge(smooth, row->x, row->y, row->left, row->coverage);
     paint_edge(smooth, span.x1, row->y, row->right, row->coverage + row->left);
 }

@@ -46,6 +46,7 @@ struct pel_smooth {
     struct pel_surface surface; /* first: of `colors` */
     const struct pel_surface *target;
     const struct pel_paint *paint;
+    const struct pel_flat *flat; /* the paint, if it is one; or NULL */
     pel_color colors[PEL_SMOOTH_PIXELS];
 };
 

@@ -1,0 +1,42 @@
+#include "smooth_thick_line.h"
+
+static PEL_NOINLINE_32 bool corners_of(const struct pel_thick_line_shape *line,
+                                       bool square, struct pel_point v[4])
+{
+    if (!pel_thick_line_corners(line, v))
+        return false;
+    /* n is half of the width across, (n.y, -n.x) along the line */
+    const int32_t x = square ? v[0].y - line->from.y : 0;
+    const int32_t y = square ? line->from.x - v[0].x : 0;
+    for (int i = 0; i < 4; i++) {
+        const bool end = i == 1 || i == 2;
+        v[i].x += end ? x : -x;
+        v[i].y += end ? y : -y;
+    }
+    return pel_points_legal(v, 4);
+}
+
+static void paint_line(const struct pel_surface *surface,
+                       const struct pel_thick_line_shape *line, bool square,
+                       const struct pel_paint *paint)
+{
+    struct pel_point v[4];
+    const bool legal = corners_of(line, square, v);
+    PEL_ASSERT(legal);
+    if (legal)
+        pel_smooth_convex(surface, v, 4, paint);
+}
+
+void pel_smooth_thick_line(const struct pel_surface *surface,
+                           const struct pel_thick_line_shape *line,
+                           const struct pel_paint *paint)
+{
+    paint_line(surface, line, false, paint);
+}
+
+void pel_smooth_thick_line_square(const struct pel_surface *surface,
+                                  const struct pel_thick_line_shape *line,
+                                  const struct pel_paint *paint)
+{
+    paint_line(surface, line, true, paint);
+}

@@ -1,0 +1,183 @@
+/* Smooth polygons against their exact area: within .5 + .02 k of 255 for k
+ * edges in a pixel. */
+#include <string.h>
+
+#include "core/smooth/smooth_rectangle.h"
+#include "core/smooth/smooth_thick_line.h"
+#include "tests/support/check.h"
+#include "tests/support/exact_area.h"
+#include "tests/support/layouts.h"
+#include "tests/support/shapes.h"
+
+enum { SIZE = 24 };
+
+static uint8_t pixels[SIZE * SIZE];
+static struct pel_surface window;
+static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+
+static void open_window(const struct pel_rect *bounds)
+{
+    memset(pixels, 0, sizeof pixels);
+    assert_int_equal(
+        pel_surface_init(&window, &pel_gray8, pixels, sizeof pixels, bounds),
+        PEL_OK);
+}
+
+static void check_coverage(const struct pel_point *v, int32_t n)
+{
+    const struct pel_rect *b = &window.bounds;
+    for (int32_t y = b->y0; y < b->y1; y++)
+        for (int32_t x = b->x0; x < b->x1; x++) {
+            int edges;
+            const long double area = exact_area(v, n, x, y, &edges);
+            const int got = pel_surface_line(&window, y)[x - b->x0];
+            const long double off = got - 255 * area;
+            const long double error = off < 0 ? -off : off;
+            if (error > .5L + .02L * edges + 1e-9L) {
+                for (int32_t i = 0; i < n; i++)
+                    print_error("%d %d\n", v[i].x, v[i].y);
+                fail_msg("(%d, %d): %d, not %.3Lf, %d edges: %s", x, y, got,
+                         255 * area, edges, cases_replay());
+            }
+        }
+}
+
+TEST(triangles)
+{
+    for (struct cases c = cases_of(1000000); cases_next(&c);) {
+        struct pel_point v[3];
+        if (random_word(&c.random) % 2)
+            shape_adversarial(&c.random, v, 3);
+        else
+            shape_random(&c.random, v, 3);
+        const struct pel_rect bounds = shape_window(&c.random, v, 3, SIZE);
+        open_window(&bounds);
+        pel_smooth_triangle(&window, v, &white.paint);
+        check_coverage(v, 3);
+    }
+}
+
+/* Their convex hull, clockwise on screen: how many points it has. */
+static int32_t hull_of(struct pel_point *v, int32_t n, struct pel_point *hull)
+{
+    int32_t count = 0, at = 0;
+    for (int32_t i = 1; i < n; i++)
+        if (v[i].y < v[at].y || (v[i].y == v[at].y && v[i].x < v[at].x))
+            at = i;
+    const int32_t first = at;
+    do {
+        int32_t next = at == 0 ? n - 1 : 0;
+        hull[count++] = v[at];
+        for (int32_t i = 0; i < n; i++) {
+            const int64_t bx = v[next].x - v[at].x, by = v[next].y - v[at].y;
+            const int64_t cx = v[i].x - v[at].x, cy = v[i].y - v[at].y;
+            const int64_t cross = bx * cy - by * cx;
+            if (cross < 0 ||
+                (cross == 0 && cx * cx + cy * cy > bx * bx + by * by))
+                next = i;
+        }
+        at = next;
+    } while ((v[at].x != v[first].x || v[at].y != v[first].y) && count < n);
+    return count;
+}
+
+/* Points near an ellipse, from tiny ones with all edges in a pixel on. */
+static void around(struct random *r, struct pel_point *v, int32_t n)
+{
+    const int32_t rx = random_between(r, 1, 1 << random_between(r, 1, 14));
+    const int32_t ry = random_between(r, 1, 1 << random_between(r, 1, 14));
+    const int32_t x = random_between(r, -999, 999),
+                  y = random_between(r, 0, 99);
+    for (int32_t i = 0; i < n; i++) {
+        const struct pel_point d = pel_direction((uint16_t)(65536 * i / n));
+        v[i].x = x + (int32_t)((int64_t)rx * d.x / PEL_DIRECTION_ONE);
+        v[i].y = y + (int32_t)((int64_t)ry * d.y / PEL_DIRECTION_ONE);
+    }
+}
+
+TEST(convex_polygons)
+{
+    enum { POINTS = 64 };
+    for (struct cases c = cases_of(300000); cases_next(&c);) {
+        struct random *r = &c.random;
+        struct pel_point v[POINTS], hull[POINTS];
+        const int32_t points = random_between(r, 3, POINTS);
+        const uint32_t kind = random_word(r) % 4;
+        if (kind == 0)
+            shape_adversarial(r, v, points);
+        else if (kind == 1)
+            shape_random(r, v, points);
+        else
+            around(r, v, points);
+        const int32_t n = hull_of(v, points, hull);
+        const struct pel_rect bounds = shape_window(r, v, points, SIZE);
+        open_window(&bounds);
+        pel_smooth_convex(&window, hull, n, &white.paint);
+        check_coverage(hull, n);
+    }
+}
+
+static struct pel_point point_near(struct random *r, struct pel_point at)
+{
+    const int32_t e = random_between(r, 0, 1 << random_between(r, 0, 12));
+    return (struct pel_point){shape_legal(at.x + random_between(r, -e, e)),
+                              shape_legal(at.y + random_between(r, -e, e))};
+}
+
+TEST(rectangles)
+{
+    for (struct cases c = cases_of(200000); cases_next(&c);) {
+        struct random *r = &c.random;
+        struct pel_point v[4];
+        shape_adversarial(r, v, 2);
+        v[2] = random_word(r) % 2 ? v[1] : point_near(r, v[0]);
+        v[1] = (struct pel_point){v[2].x, v[0].y};
+        v[3] = (struct pel_point){v[0].x, v[2].y};
+        const struct pel_rect bounds = shape_window(r, v, 4, SIZE);
+        open_window(&bounds);
+        pel_smooth_rectangle(&window, v[0], v[2], &white.paint);
+        if (v[0].x < v[2].x && v[0].y < v[2].y)
+            check_coverage(v, 4);
+        else
+            check_coverage(v, 0);
+    }
+}
+
+/* The corners of a line with square ends. */
+static void lengthen(const struct pel_thick_line_shape *line,
+                     struct pel_point v[4])
+{
+    const struct pel_point n = {v[0].x - line->from.x, v[0].y - line->from.y};
+    for (int i = 0; i < 4; i++) {
+        const int sign = i == 1 || i == 2 ? 1 : -1;
+        v[i].x += sign * n.y;
+        v[i].y -= sign * n.x;
+    }
+}
+
+TEST(thick_lines)
+{
+    for (struct cases c = cases_of(200000); cases_next(&c);) {
+        struct random *r = &c.random;
+        struct pel_thick_line_shape line;
+        struct pel_point v[4], ends[2];
+        shape_adversarial(r, ends, 2);
+        line.from = ends[0];
+        line.to = random_word(r) % 4 ? point_near(r, ends[0]) : ends[1];
+        line.width = random_between(r, 0, 1 << random_between(r, 0, 12));
+        const bool square = random_word(r) % 2;
+        if (!pel_thick_line_corners(&line, v))
+            continue;
+        if (square)
+            lengthen(&line, v);
+        if (!pel_points_legal(v, 4))
+            continue;
+        const struct pel_rect bounds = shape_window(r, v, 4, SIZE);
+        open_window(&bounds);
+        if (square)
+            pel_smooth_thick_line_square(&window, &line, &white.paint);
+        else
+            pel_smooth_thick_line(&window, &line, &white.paint);
+        check_coverage(v, 4);
+    }
+}
