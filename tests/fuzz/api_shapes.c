@@ -54,6 +54,17 @@ static void draw_kind(const struct pel_surface *surface, struct any_shape s,
         (outline ? any_draw_outline : any_draw)(surface, &s, paint);
 }
 
+/* Or a convex polygon, which it need not be. */
+static void draw_smooth(const struct pel_surface *surface,
+                        const struct shape *s, uint32_t kind,
+                        const struct pel_paint *paint)
+{
+    struct any_shape any = s->any;
+    any.kind = (enum any_kind)(kind % ANY_KINDS);
+    if (!any_draw_smooth(surface, &any, paint))
+        pel_smooth_convex(surface, any.v, any.n, paint);
+}
+
 static void draw_straight(const struct pel_surface *surface,
                           const struct shape *s, uint32_t kind,
                           const struct pel_paint *paint)
@@ -118,6 +129,8 @@ void api_shape(struct api *a, const struct pel_surface *surface,
         draw(surface, &s, kind, &dirty.paint);
     else if (how % 16 < 6)
         draw_rim(surface, &s, kind & 8 ? kind | 17 : kind | 1, paint);
+    else if (how % 16 < 10)
+        draw_smooth(surface, &s, kind, how & 16 ? paint : &dirty.paint);
     else
         draw(surface, &s, kind, paint);
 }

@@ -62,6 +62,27 @@ void any_draw(const struct pel_surface *surface, const struct any_shape *s,
     }
 }
 
+bool any_draw_smooth(const struct pel_surface *surface,
+                     const struct any_shape *s, const struct pel_paint *paint)
+{
+    switch (s->kind) {
+    case ANY_TRIANGLE:
+        pel_smooth_triangle(surface, s->v, paint);
+        return true;
+    case ANY_RECTANGLE:
+        pel_smooth_rectangle(surface, s->v[0], s->v[1], paint);
+        return true;
+    case ANY_THICK_LINE:
+        if (s->n % 2)
+            pel_smooth_thick_line_square(surface, THICK(s), paint);
+        else
+            pel_smooth_thick_line(surface, THICK(s), paint);
+        return true;
+    default:
+        return false;
+    }
+}
+
 bool any_hit(const struct any_shape *s, int32_t x, int32_t y)
 {
     switch (s->kind) {

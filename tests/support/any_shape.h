@@ -65,6 +65,11 @@ struct pel_rect any_window(struct random *r, const struct any_shape *s,
 
 void any_draw(const struct pel_surface *surface, const struct any_shape *s,
               const struct pel_paint *paint);
+
+/* By its smooth function; false, and nothing is drawn, when it has none. */
+bool any_draw_smooth(const struct pel_surface *surface,
+                     const struct any_shape *s, const struct pel_paint *paint);
+
 bool any_hit(const struct any_shape *s, int32_t x, int32_t y);
 bool any_reference_at(const struct any_shape *s, int32_t x, int32_t y);
 

@@ -99,6 +99,8 @@ static void draw_around(const struct any_shape *s, int32_t pixel, bool outline)
     if (s->kind != ANY_POLYGON) {
         (outline ? any_draw_outline : any_draw)(&hits.surface, s, &hits.paint);
         expect_broken(any_name(s), pixel);
+        if (any_draw_smooth(&hits.surface, s, &hits.paint))
+            expect_broken("smooth", pixel);
     } else {
         assert_int_equal(pel_polygon(&hits.surface, POLYGON(s), &hits.paint,
                                      scratch, sizeof scratch),
