@@ -69,6 +69,9 @@ bool any_draw_smooth(const struct pel_surface *surface,
     case ANY_TRIANGLE:
         pel_smooth_triangle(surface, s->v, paint);
         return true;
+    case ANY_CIRCLE:
+        pel_smooth_circle(surface, s->v[0], s->radius, paint);
+        return true;
     case ANY_RECTANGLE:
         pel_smooth_rectangle(surface, s->v[0], s->v[1], paint);
         return true;

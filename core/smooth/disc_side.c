@@ -1,0 +1,206 @@
+#include "disc_side.h"
+
+/* Bigger radii have one bulge for a strip. */
+enum { SMALL = 40 * 256 };
+
+/* 2^23 / sqrt((i + 32.5) 2^25) - 128 */
+static const uint8_t first_guess[96] = {
+    126, 122, 119, 115, 112, 108, 105, 102, 100, 97, 94, 92, 89, 87, 84, 82,
+    80,  78,  76,  74,  72,  70,  68,  66,  65,  63, 61, 60, 58, 57, 55, 54,
+    52,  51,  50,  48,  47,  46,  44,  43,  42,  41, 40, 39, 38, 36, 35, 34,
+    33,  32,  31,  30,  30,  29,  28,  27,  26,  25, 24, 23, 23, 22, 21, 20,
+    19,  19,  18,  17,  16,  16,  15,  14,  14,  13, 12, 12, 11, 10, 10, 9,
+    9,   8,   7,   7,   6,   6,   5,   4,   4,   3,  3,  2,  2,  1,  1,  0,
+};
+
+/* 2^10 sqrt(n) of n >= 2^30, off by less than 4. With x = n / 2^16, a step of
+ * Newton's iteration gives r = 2^23 / sqrt(x) to 2^-13 of it. So x r is a root
+ * that is off by less than 10, and the rest over twice the root gives 10 bits
+ * more: |rest| < 2^21, r <= 2^16. */
+static inline uint32_t root_of(uint32_t n)
+{
+    const uint32_t x = n >> 16;
+    uint32_t r = ((uint32_t)first_guess[(n >> 25) - 32] + 128) << 8;
+    const int32_t e = (int32_t)((UINT32_C(1) << 30) - (x * r >> 16) * r);
+    r += (uint32_t)((e >> 15) * (int32_t)r >> 16);
+    uint32_t q = x * r >> 15;
+    q = q > 65535 ? 65535 : q;
+    const int32_t rest = (int32_t)(n - q * q);
+    return (q << 10) + (uint32_t)((rest >> 4) * (int32_t)(r >> 2) >> 16);
+}
+
+/* radius^2 - distance^2 in 32 bits, of 2^-16 px^2 times 4^-down. */
+static uint32_t square_at(const struct pel_smooth_circle *c, int32_t distance,
+                          int32_t *down)
+{
+    uint64_t n = (uint64_t)(pel_square(c->radius) - pel_square(distance));
+    for (; n >> 32; n >>= 2)
+        ++*down;
+    return (uint32_t)n;
+}
+
+int32_t pel_smooth_arc_at(const struct pel_smooth_circle *c, int32_t distance)
+{
+    const uint32_t r = (uint32_t)c->radius, d = (uint32_t)distance;
+    if (distance >= c->radius || -distance >= c->radius)
+        return 0;
+    int32_t down = -c->shift;
+    uint32_t n;
+    if (r < 65536) {
+        n = (r * r - d * d) << 2 * c->shift;
+    } else {
+        down = 0;
+        n = square_at(c, distance, &down);
+    }
+    for (; n < UINT32_C(1) << 30; n <<= 2)
+        down--;
+    const uint32_t root = root_of(n);
+    return (int32_t)(down < 2 ? root >> (2 - down) : root << (down - 2));
+}
+
+void pel_smooth_circle_set(struct pel_smooth_circle *c, int32_t radius)
+{
+    const uint32_t r = (uint32_t)pel_max(radius, 1);
+    c->radius = radius;
+    c->shift = 0;
+    if (r < 65536)
+        while (r * r << 2 * c->shift < UINT32_C(1) << 30)
+            c->shift++;
+    if (radius < SMALL) {
+        c->inverse = (UINT32_C(1) << 20) / r;
+        c->bulge = UINT32_C(2796203) / r; /* 2^25 / 12 */
+    } else {
+        c->inverse = (UINT32_C(1) << 28) / r;
+        c->bulge = c->inverse / 12;
+    }
+}
+
+/* The bulge of a piece 1 px wide is 1 / 12 r (r / z)^3, where z, from .7 r to
+ * r, is how far along the other axis it is. The cubic is off by less than .4 %.
+ */
+void pel_smooth_strip_set(struct pel_smooth_strip *s)
+{
+    const struct pel_smooth_circle *const c = s->circle;
+    const int32_t v = (s->near >> 1) + (s->far >> 1);
+    const int32_t u = (s->at_near >> 1) + (s->at_far >> 1);
+    s->steep = u > v;
+    s->small = c->radius < SMALL;
+    s->bulge = 0;
+    if (s->small)
+        return;
+    const int32_t rest = pel_max(c->radius - ((s->steep ? u : v) >> 8), 0);
+    const uint32_t e = (uint32_t)rest * c->inverse >> 16; /* 2^-12 */
+    uint32_t p = 134129 + (1827020 * e >> 12);
+    p = 213042 + (p * e >> 12);
+    p = 65382 + (p * e >> 12);
+    s->bulge = c->bulge * (p >> 2) >> 14;
+}
+
+/* A piece of the arc from (u0, v0) to (u1, v1), u0 <= u1 and v0 >= v1, in 2^-16
+ * px from the centre. The area between an arc and its chord of length l is
+ *     l^3 / 12 r (1 + 3/10 q^2 + 9/56 q^4 ..), q = l / 2 r.
+ * l = (du v + dv u) / (r sqrt(1 - q^2)), with (u, v) the chord's middle, since
+ * the chord is at a right angle to the radius there. With r alone for that
+ * divisor the sum is 1.71 at most, for a quarter of a circle; the cubic is off
+ * by .0012 of it. du, dv in 2^-11 px, u and v in 2^-10 px: the products are
+ * below 2^11.5 2^8 r 2^12 / r, then 2^31. In 2^-15 px. */
+struct piece {
+    int32_t u0, v0, u1, v1;
+};
+
+static PEL_NOINLINE uint32_t small_bulge(const struct pel_smooth_circle *c,
+                                         const struct piece *p)
+{
+    const uint32_t du = (uint32_t)(p->u1 - p->u0) >> 5;
+    const uint32_t dv = (uint32_t)(p->v0 - p->v1) >> 5;
+    const uint32_t u = (uint32_t)((p->u0 >> 7) + (p->u1 >> 7));
+    const uint32_t v = (uint32_t)((p->v0 >> 7) + (p->v1 >> 7));
+    const uint32_t square = du * du + dv * dv;
+    const uint32_t length = ((du * v + dv * u) >> 2) * c->inverse >> 20;
+    const uint32_t area = ((square >> 4) * length >> 14) * c->bulge >> 17;
+    const uint32_t k = c->inverse >> 3;
+    const uint32_t q = (square >> 6) * (k * k >> 4) >> 16;
+    uint32_t more = 15469 + (120567 * q >> 16);
+    more = 55255 + (more * q >> 16);
+    return area + (area * (more * q >> 16) >> 16);
+}
+
+static inline uint32_t bulge_of(const struct pel_smooth_strip *s,
+                                const struct piece *p)
+{
+    if (s->small)
+        return small_bulge(s->circle, p);
+    const uint32_t w = (uint32_t)(s->steep ? p->v0 - p->v1 : p->u1 - p->u0);
+    const uint32_t w1 = w >> 1, w2 = w1 * w1 >> 15, w3 = w2 * w1 >> 16;
+    return s->bulge * w3 >> 19;
+}
+
+/* What lies below a piece and above the strip's near end, 2^-15 px: the factors
+ * are at most 2^15 and 2^16. */
+static PEL_NOINLINE uint32_t area_of(const struct pel_smooth_strip *s,
+                                     const struct piece *p)
+{
+    const uint32_t w = (uint32_t)(p->u1 - p->u0);
+    const uint32_t h = (uint32_t)(p->v0 - s->near + p->v1 - s->near);
+    return ((w >> 1) * (h >> 1) >> 16) + bulge_of(s, p);
+}
+
+/* The height of the arc at a column's boundary, in the strip. */
+static inline int32_t height_at(const struct pel_smooth_strip *s, int32_t u)
+{
+    const int32_t v = pel_smooth_arc_at(s->circle, u >> 8);
+    return pel_max(s->near, pel_min(v, s->far));
+}
+
+/* The first column, of which `full` px are whole; the arc leaves the strip in
+ * it, or goes on at its end. */
+static uint32_t first_area(const struct pel_smooth_strip *s, struct piece *p,
+                           int32_t u, bool last)
+{
+    const uint32_t full = (uint32_t)(s->at_far - u);
+    const uint32_t h = (uint32_t)(s->far - s->near);
+    if (last && h == 65536 && !s->small)
+        return ((full + (uint32_t)(s->at_near - u)) >> 2) + (s->bulge >> 5);
+    *p = (struct piece){s->at_far, s->far, s->at_near, s->near};
+    if (!last) {
+        p->u1 = u + 65536;
+        p->v1 = height_at(s, u + 65536);
+    }
+    return ((full >> 1) * h >> 16) + area_of(s, p);
+}
+
+void pel_smooth_strip_areas(const struct pel_smooth_strip *s, int32_t center,
+                            int32_t x, int32_t n, uint16_t *area)
+{
+    const int32_t inner = pel_smooth_column(center, s->at_far);
+    const int32_t outer = pel_smooth_column(center, s->at_near);
+    const uint16_t *const end = area + n;
+    int32_t u = (x * 256 - center) * 256; /* of the column's inner boundary */
+    struct piece p;
+    for (; area < end && x < inner; x++, u += 65536)
+        *area++ = (uint16_t)pel_smooth_height(s);
+    if (area < end && x == inner) {
+        *area++ = (uint16_t)first_area(s, &p, u, x == outer);
+        u += 65536;
+        x++;
+    } else {
+        p.v1 = height_at(s, u);
+    }
+    for (; area < end && x < outer; x++) {
+        p.u0 = u;
+        p.v0 = p.v1;
+        u += 65536;
+        p.u1 = u;
+        p.v1 = height_at(s, u);
+        const uint32_t sum = (uint32_t)(p.v0 - s->near + p.v1 - s->near);
+        const uint32_t bulge =
+            s->small ? small_bulge(s->circle, &p) : s->bulge >> 5;
+        *area++ = (uint16_t)((sum >> 2) + bulge);
+    }
+    if (area < end && x == outer) {
+        p = (struct piece){u, p.v1, s->at_near, s->near};
+        *area++ = (uint16_t)area_of(s, &p);
+    }
+    while (area < end)
+        *area++ = 0;
+}

@@ -1,0 +1,15 @@
+#include "smooth_circle.h"
+
+#include "round_rows.h"
+
+void pel_smooth_circle(const struct pel_surface *surface,
+                       struct pel_point center, int32_t radius,
+                       const struct pel_paint *paint)
+{
+    bool legal = pel_point_legal(center) && pel_radius_legal(radius);
+    PEL_ASSERT(legal);
+    const struct pel_smooth_round round = {center.x, center.x, center.y,
+                                           center.y, radius};
+    if (legal && radius > 0)
+        pel_smooth_round(surface, &round, paint);
+}
