@@ -7,6 +7,19 @@
 #include <signal.h>
 #include <string.h>
 
+/* Signals are the caller's: threads start with all of them blocked, but for
+ * those of their own faults, which would end the process without a word. */
+static void block_signals(sigset_t *before)
+{
+    static const int faults[] = {SIGSEGV, SIGBUS,  SIGFPE, SIGILL,
+                                 SIGTRAP, SIGABRT, SIGSYS};
+    sigset_t all;
+    sigfillset(&all);
+    for (size_t i = 0; i < sizeof(faults) / sizeof(*faults); i++)
+        sigdelset(&all, faults[i]);
+    pthread_sigmask(SIG_SETMASK, &all, before);
+}
+
 /* Takes parts until none is left; called and left with the lock held. */
 static void take_parts(struct pel_pool *pool)
 {
@@ -36,14 +49,12 @@ static void *thread_main(void *argument)
 
 void pel_pool_start(struct pel_pool *pool, int jobs)
 {
-    sigset_t all, before;
+    sigset_t before;
     memset(pool, 0, sizeof(*pool));
     pthread_mutex_init(&pool->lock, NULL);
     pthread_cond_init(&pool->begin, NULL);
     pthread_cond_init(&pool->done, NULL);
-    /* Signals are the caller's: threads start with all of them blocked. */
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
+    block_signals(&before);
     while (pool->threads < jobs - 1 && pool->threads < PEL_POOL_MOST &&
            pthread_create(&pool->thread[pool->threads], NULL, thread_main,
                           pool) == 0)
