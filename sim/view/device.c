@@ -168,8 +168,8 @@ bool view_device(struct show *show, const struct viewer_options *options)
         .no_keys = s.linux.has_console && !s.linux.console.text[0],
         .width = width,
         .height = height};
-    const bool done = viewer_init(&s.viewer, show, options) &&
-                      viewer_open_input(&s.viewer, &input) &&
+    viewer_init(&s.viewer, show, options);
+    const bool done = viewer_open_input(&s.viewer, &input) &&
                       viewer_resize(&s.viewer, width, height) && run(&s);
     viewer_free(&s.viewer);
     pel_display_linux_close(&s.linux);

@@ -11,41 +11,48 @@
 
 enum { IDLE_MS = 50 };
 
-bool viewer_init(struct viewer *viewer, struct show *show,
+void viewer_init(struct viewer *viewer, struct show *show,
                  const struct viewer_options *options)
 {
     *viewer = (struct viewer){.show = show, .options = options, .stale = true};
     if (options->record && show->period <= 0)
         show->period = RECORD_PERIOD;
-    if (!options->record)
+}
+
+/* The file is what it was before there is something to write, and has every
+ * line at once: however the program ends, no line is lost. */
+static bool record(struct viewer *viewer, const struct pel_input *event)
+{
+    const char *path = viewer->options->record;
+    if (!path)
         return true;
-    viewer->record = fopen(options->record, "w");
-    return viewer->record ||
-           message_error_at(options->record, 0, "cannot be written: %s",
-                            strerror(errno));
+    if (!viewer->record)
+        viewer->record = fopen(path, "we");
+    if (viewer->record) {
+        record_write(viewer->record, viewer->steps, event);
+        if (fflush(viewer->record) == 0)
+            return true;
+    }
+    viewer->over = true;
+    return message_error_at(path, 0, "cannot be written: %s", strerror(errno));
 }
 
 void viewer_free(struct viewer *viewer)
 {
     pel_input_linux_close(&viewer->input);
-    if (!viewer->record)
-        return;
-    const bool failed = ferror(viewer->record);
-    if (fclose(viewer->record) != 0 || failed)
-        message_error_at(viewer->options->record, 0, "is not complete: %s",
-                         strerror(errno));
+    if (viewer->record)
+        fclose(viewer->record);
 }
 
 bool viewer_resize(struct viewer *viewer, int width, int height)
 {
     const struct pel_input size = {
         .kind = RECORD_SIZE, .x = (int16_t)width, .y = (int16_t)height};
-    if (viewer->record)
-        record_write(viewer->record, viewer->steps, &size);
     viewer->stale = true;
     viewer->size[0] = width;
     viewer->size[1] = height;
-    return viewer->show->resize(viewer->show, width, height);
+    return record(viewer, &size) &&
+           viewer->show->resize(viewer->show, width, height);
 }
 
 bool viewer_is_over(const struct viewer *viewer)
@@ -75,9 +82,10 @@ static bool step(struct viewer *viewer, double now)
 {
     struct show *show = viewer->show;
     const bool counted = viewer->options->frames > 0;
-    const double time = (counted && !viewer->record) || show->period <= 0
-                            ? now - viewer->last
-                            : show->period;
+    const double time =
+        (counted && !viewer->options->record) || show->period <= 0
+            ? now - viewer->last
+            : show->period;
     if (!counted && now < viewer->due)
         return false;
     if (!counted && show->period > 0 && now >= viewer->due + show->period) {
@@ -174,7 +182,7 @@ bool viewer_open_input(struct viewer *viewer,
     if (pel_input_linux_open(input, options))
         return message_error("%s", input->message.text);
     if (input->note.text[0])
-        fprintf(stderr, "pel: %s\n", input->note.text);
+        message_error("%s", input->note.text);
     return true;
 }
 
@@ -195,8 +203,7 @@ bool viewer_input(struct viewer *viewer, const struct pel_input *event)
 {
     const enum view_action action = viewer->show->input(viewer->show, event);
     follow(viewer, event);
-    if (viewer->record)
-        record_write(viewer->record, viewer->steps, event);
+    record(viewer, event);
     viewer->stale = viewer->stale || action == VIEW_CHANGED;
     viewer->over = viewer->over || action == VIEW_END;
     return action == VIEW_SAVE;

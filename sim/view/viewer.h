@@ -28,7 +28,7 @@ struct viewer {
     struct show *show;
     const struct viewer_options *options; /* the caller's */
     struct pel_input_linux input;         /* or not open */
-    FILE *record;                         /* or NULL */
+    FILE *record;            /* NULL before there is something to write */
     int size[2];             /* px of what is drawn: its width and height */
     int pointer[2];          /* px of it */
     bool has_pointer;        /* a mouse or a tablet has told where it is */
@@ -47,8 +47,7 @@ struct viewer {
     } rate;
 };
 
-/* False, with a message. viewer_free in any case. */
-bool viewer_init(struct viewer *viewer, struct show *show,
+void viewer_init(struct viewer *viewer, struct show *show,
                  const struct viewer_options *options);
 void viewer_free(struct viewer *viewer);
 
@@ -60,7 +59,8 @@ bool viewer_resize(struct viewer *viewer, int width, int height);
 bool viewer_open_input(struct viewer *viewer,
                        const struct pel_input_linux_options *options);
 
-/* Handles an event. True when the picture is to be written, with viewer_save.
+/* Handles an event, and records it; where that fails, with a message, the show
+ * is over. True when the picture is to be written, with viewer_save.
  */
 bool viewer_input(struct viewer *viewer, const struct pel_input *event);
 

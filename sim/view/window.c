@@ -229,8 +229,9 @@ bool view_window(struct show *show, const struct viewer_options *options)
                                                     .no_devices = true};
     if (SDL_Init(SDL_INIT_VIDEO) != 0)
         return fails("no screen for a window");
+    viewer_init(&viewer, show, options);
     const bool done =
-        viewer_init(&viewer, show, options) && is_seen() &&
+        is_seen() &&
         (!buttons.buttons || viewer_open_input(&viewer, &buttons)) &&
         open_window(&w) && run(&w);
     if (done && options->frames > 0)

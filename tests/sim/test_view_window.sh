@@ -124,3 +124,20 @@ picture
     fail "nothing was picked"
 kill -TERM $program
 wait $program
+
+# What was done is in the record, however the program ends; a record that there
+# was stays while there is nothing to write.
+for signal in KILL HUP TERM; do
+    echo old >"$work/record"
+    start figures --size 320x240 --record record --still
+    xdotool key --window "$window" Tab 4
+    until_true grep -q 'key 52 down' "$work/record"
+    kill -$signal $program
+    wait $program
+    grep -q '^[0-9]* size 320 240$' "$work/record" &&
+        grep -q 'key 52 down' "$work/record" || fail "$signal loses the record"
+done
+echo old >"$work/record"
+DISPLAY=:none "$PEL" view figures --record "$work/record" 2>/dev/null &&
+    fail "a window without a screen"
+[ "$(cat "$work/record")" = old ] || fail "the record is cut before it begins"
