@@ -33,26 +33,35 @@ void canvas_free(struct canvas *canvas)
     canvas->memory = NULL;
 }
 
+static void load_row(const void *surface, int y, pel_color *row)
+{
+    const struct pel_surface *s = surface;
+    s->format->load(s, s->bounds.x0, s->bounds.y0 + y,
+                    s->bounds.x1 - s->bounds.x0, row);
+}
+
+static struct picture_rows rows_of(const struct canvas *canvas)
+{
+    const struct pel_rect *bounds = &canvas->surface.bounds;
+    return (struct picture_rows){bounds->x1 - bounds->x0,
+                                 bounds->y1 - bounds->y0, load_row,
+                                 &canvas->surface};
+}
+
 bool canvas_picture(const struct canvas *canvas, struct picture *picture)
 {
-    const struct pel_surface *s = &canvas->surface;
-    const int32_t width = s->bounds.x1 - s->bounds.x0;
-    const int32_t height = s->bounds.y1 - s->bounds.y0;
-    if (!picture_init(picture, width, height, 0))
+    const struct picture_rows rows = rows_of(canvas);
+    if (!picture_init(picture, rows.width, rows.height, 0))
         return false;
-    for (int32_t y = 0; y < height; y++)
-        s->format->load(s, s->bounds.x0, s->bounds.y0 + y, width,
-                        picture_row(picture, y));
+    for (int y = 0; y < rows.height; y++)
+        load_row(&canvas->surface, y, picture_row(picture, y));
     return true;
 }
 
 bool canvas_save(const struct canvas *canvas, const char *path)
 {
-    struct picture picture;
-    const bool done =
-        canvas_picture(canvas, &picture) && picture_save(&picture, path);
-    picture_free(&picture);
-    return done;
+    const struct picture_rows rows = rows_of(canvas);
+    return picture_save_rows(&rows, path);
 }
 
 bool canvas_bands_legal(const struct pel_format *format, int rows)

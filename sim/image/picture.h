@@ -39,14 +39,11 @@ static inline pel_color *picture_row(const struct picture *picture, int y)
     return picture->pixels + (size_t)y * (size_t)picture->width;
 }
 
-/* Reads the PPM, PGM, PBM or PAM file (P1 to P7, any maxval, one picture) at
- * `path`; "-" is standard input. Memory grows with the data that is really
- * there, so a header that lies costs nothing. False, with a message on standard
- * error that names file, line (text) or byte (binary), what is wrong and what
- * is expected; the picture is then empty. */
-bool picture_load(struct picture *picture, const char *path);
-
-/* The same from a stream; `name` is that of messages. */
+/* Reads a PPM, PGM, PBM or PAM file (one picture) from a stream; `name` is that
+ * of messages. Memory grows with the data that is really there, so a header
+ * that lies costs nothing. False, with a message on standard error that names
+ * file, line (text) or byte (binary), what is wrong and what is expected; the
+ * picture is then empty. */
 bool picture_read_ppm(struct picture *picture, FILE *file, const char *name);
 
 /* Writes the picture, alpha left out, in the format of the ending of `path`:
@@ -54,6 +51,17 @@ bool picture_read_ppm(struct picture *picture, FILE *file, const char *name);
  * standard output. The file appears whole or not at all. False, with a message
  * on standard error, when that failed. */
 bool picture_save(const struct picture *picture, const char *path);
+
+/* Rows that are made while they are written, from the top or from the bottom.
+ */
+struct picture_rows {
+    int width, height;
+    void (*row)(const void *context, int y, pel_color *row);
+    const void *context;
+};
+
+/* The same of such a picture. */
+bool picture_save_rows(const struct picture_rows *rows, const char *path);
 
 /* True when picture_save writes the ending of `path`; false with a message.
  * Commands call it before they start. */

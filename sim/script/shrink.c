@@ -2,6 +2,7 @@
  * out, halves first, then quarters, down to single lines, until no line can be
  * left out any more. */
 #include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -33,6 +34,63 @@ static bool write_lines(const struct text_lines *lines, size_t from, size_t to,
     return output_commit(&output);
 }
 
+/* For the handler of signals. */
+static struct {
+    const char *candidate;        /* the file that a run makes, or NULL */
+    volatile pid_t child;         /* the command, while it runs */
+    volatile sig_atomic_t number; /* of the signal that came; 0: none */
+} running;
+
+static const int ending[] = {SIGHUP,  SIGINT,  SIGQUIT, SIGTERM, SIGPIPE,
+                             SIGALRM, SIGXCPU, SIGUSR1, SIGUSR2};
+enum { ENDING = sizeof ending / sizeof *ending };
+
+/* The first signal ends the command, so that what was reached is written; the
+ * second one the program. */
+static void on_signal(int number)
+{
+    if (running.number == 0) {
+        running.number = number;
+        if (running.child > 0)
+            kill(running.child, SIGTERM);
+        return;
+    }
+    unlink(running.candidate);
+    signal(number, SIG_DFL);
+    raise(number);
+}
+
+/* Those that end the program, unless the caller ignores them. */
+static void catch_signals(const char *candidate)
+{
+    running.candidate = candidate;
+    for (int i = 0; i < ENDING; i++)
+        if (signal(ending[i], on_signal) == SIG_IGN)
+            signal(ending[i], SIG_IGN);
+}
+
+/* Like system(), but for the signals. After one of them nothing is run. */
+static int run(const char *command)
+{
+    int status = -1;
+    sigset_t blocked, before;
+    sigemptyset(&blocked);
+    for (int i = 0; i < ENDING; i++)
+        sigaddset(&blocked, ending[i]);
+    sigprocmask(SIG_BLOCK, &blocked, &before);
+    running.child = running.number ? -1 : fork();
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    if (running.child == 0) {
+        execl("/bin/sh", "sh", "-c", command, (char *)NULL);
+        _exit(127);
+    }
+    while (running.child > 0 && waitpid(running.child, &status, 0) < 0 &&
+           errno == EINTR)
+        continue;
+    running.child = 0;
+    return status;
+}
+
 /* The status of the command for these lines; -1, with a message, when it did
  * not run or was interrupted. */
 static int status_of(struct shrinking *s, const struct text_lines *lines,
@@ -42,11 +100,13 @@ static int status_of(struct shrinking *s, const struct text_lines *lines,
         return -1;
     fflush(stdout);
     s->runs++;
-    const int status = system(s->command);
-    if (status >= 0 && !WIFSIGNALED(status))
+    const int status = run(s->command);
+    if (status >= 0 && !WIFSIGNALED(status) && !running.number)
         return status;
     message_error("--command did not end: %s",
-                  status < 0 ? strerror(errno) : strsignal(WTERMSIG(status)));
+                  running.number ? strsignal(running.number)
+                  : status < 0   ? strerror(errno)
+                                 : strsignal(WTERMSIG(status)));
     return -1;
 }
 
@@ -111,6 +171,7 @@ bool script_shrink(const char *path, const char *command, const char *output)
                  "set -- \"$PEL_CANDIDATE\"; exec >/dev/null 2>&1\n%s",
                  command) < 0)
         return message_error("out of memory");
+    catch_signals(s.candidate);
     bool done = text_lines_read(&lines, path);
     const size_t before = lines.count;
     done = done && shrink(&s, &lines, path);
@@ -118,8 +179,8 @@ bool script_shrink(const char *path, const char *command, const char *output)
     if (done || lines.count < before)
         done = write_lines(&lines, 0, 0, output) && done;
     if (lines.count < before || done)
-        fprintf(stderr, "pel: %s: %zu of %zu lines are left, after %d runs\n",
-                path, lines.count, before, s.runs);
+        message_error_at(path, 0, "%zu of %zu lines are left, after %d runs",
+                         lines.count, before, s.runs);
     unlink(s.candidate);
     free(s.candidate);
     free(s.command);

@@ -135,32 +135,143 @@ static int files_of_directory(void)
     return n;
 }
 
-/* A signal that comes while a temporary file is there ends the program after
- * it is gone. */
+/* In a child that is signalled at any time of a long write. */
+static void check_signal(int number, useconds_t after, const char *text)
+{
+    char path[64];
+    int status;
+    path_of("file", path, sizeof path);
+    const int before = files_of_directory();
+    const pid_t child = fork();
+    if (child == 0) {
+        for (;;)
+            write_output(path, text, true);
+    }
+    usleep(after);
+    kill(child, number);
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_true(WIFSIGNALED(status));
+    assert_int_equal(WTERMSIG(status), number);
+    if (files_of_directory() != before)
+        fail_msg("signal %d after %d us leaves a file", number, (int)after);
+}
+
+/* A signal that ends the program leaves nothing but the file, old or new. */
 TEST(signals)
 {
-    static const int signals[] = {SIGHUP, SIGINT, SIGTERM};
-    static char text[64 << 20];
+    static const int numbers[] = {SIGHUP,  SIGINT,  SIGTERM, SIGQUIT,
+                                  SIGPIPE, SIGALRM, SIGXCPU, SIGUSR1};
+    static char text[4 << 20];
     char path[64];
     memset(text, 'x', sizeof text - 1);
     path_of("file", path, sizeof path);
-    for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
-        assert_true(write_output(path, "old", true));
-        const int before = files_of_directory();
-        int status, files = before;
-        const pid_t child = fork();
-        if (child == 0) {
-            write_output(path, text, true);
-            pause();
-        }
-        while (files == before)
-            files = files_of_directory();
-        kill(child, signals[i]);
-        assert_int_equal(waitpid(child, &status, 0), child);
-        assert_true(WIFSIGNALED(status));
-        assert_int_equal(WTERMSIG(status), signals[i]);
-        assert_int_equal(files_of_directory(), before);
+    assert_true(write_output(path, "old", true));
+    for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
+        for (useconds_t after = 3000; after < 60000; after += 7001)
+            check_signal(numbers[i], after, text);
+}
+
+static struct stat status_of(const char *path)
+{
+    struct stat status;
+    assert_int_equal(stat(path, &status), 0);
+    return status;
+}
+
+/* What takes the place of a file has its owner and group, and not the rights
+ * that setuid and setgid give. */
+TEST(owner)
+{
+    char path[64];
+    path_of("owner", path, sizeof path);
+    assert_true(write_output(path, "old", true));
+    const bool root = geteuid() == 0;
+    assert_true(!root || chown(path, 12345, 23456) == 0);
+    const struct stat old = status_of(path);
+    assert_int_equal(chmod(path, 06754), 0);
+    assert_true(write_output(path, "new", true));
+    const struct stat new = status_of(path);
+    assert_int_equal(new.st_uid, old.st_uid);
+    assert_int_equal(new.st_gid, old.st_gid);
+    assert_int_equal(new.st_mode & 07777, 0754);
+    check_file(path, "new");
+}
+
+/* Nobody's rights, in a child: 0, or what it returns. */
+static int as_nobody(int (*work)(const char *path), const char *path)
+{
+    int status;
+    const pid_t child = fork();
+    if (child == 0) {
+        if (geteuid() == 0 && (setgid(65534) != 0 || setuid(65534) != 0))
+            _exit(99);
+        _exit(work(path));
     }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    return status;
+}
+
+static int write_and_tell(const char *path)
+{
+    struct messages m;
+    messages_begin(&m);
+    const bool done = write_output(path, "new", true);
+    messages_end(&m);
+    return !done ? 1 : !strstr(m.text, "is written in place: ") ? 2 : 0;
+}
+
+static int be_refused(const char *path)
+{
+    struct messages m;
+    messages_begin(&m);
+    const bool done = write_output(path, "newer", true);
+    messages_end(&m);
+    return done ? 1 : !strstr(m.text, "cannot be written: Perm") ? 2 : 0;
+}
+
+/* A file that may be written to, in a folder that may not: it stays the same
+ * file. One that may not be written to stays as it is. */
+TEST(in_place)
+{
+    char path[64], folder[64];
+    path_of("closed", folder, sizeof folder);
+    path_of("closed/file", path, sizeof path);
+    assert_int_equal(chmod(directory, 0755), 0);
+    assert_int_equal(mkdir(folder, 0755), 0);
+    assert_true(write_output(path, "a longer text", true));
+    assert_int_equal(chmod(path, 0666), 0);
+    assert_int_equal(chmod(folder, 0555), 0);
+    const struct stat old = status_of(path);
+    assert_int_equal(as_nobody(write_and_tell, path), 0);
+    assert_int_equal(status_of(path).st_ino, old.st_ino);
+    check_file(path, "new");
+    assert_int_equal(chmod(path, 0444), 0);
+    assert_int_equal(as_nobody(be_refused, path), 0);
+    check_file(path, "new");
+    assert_int_equal(chmod(folder, 0755), 0);
+    unlink(path);
+    assert_int_equal(rmdir(folder), 0);
+}
+
+/* A file of somebody else's in a folder of all stays theirs. */
+TEST(foreign_owner)
+{
+    char path[64], folder[64];
+    if (geteuid() != 0)
+        return;
+    path_of("open", folder, sizeof folder);
+    path_of("open/file", path, sizeof path);
+    assert_int_equal(mkdir(folder, 0755), 0);
+    assert_int_equal(chmod(folder, 0777), 0);
+    assert_true(write_output(path, "old", true));
+    assert_int_equal(as_nobody(be_refused, path), 0);
+    check_file(path, "old");
+    assert_int_equal(chmod(path, 0666), 0);
+    assert_int_equal(as_nobody(write_and_tell, path), 0);
+    assert_int_equal(status_of(path).st_uid, 0);
+    check_file(path, "new");
+    unlink(path);
+    assert_int_equal(rmdir(folder), 0);
 }
 
 /* A device is written to, and stays a device. */
@@ -203,7 +314,8 @@ TEST(full)
 
 int main(void)
 {
-    static const char *const names[] = {"file", "mode", "link", "target", NULL};
+    static const char *const names[] = {"file",   "mode",  "link",
+                                        "target", "owner", NULL};
     if (!mkdtemp(directory))
         return 1;
     const int failed = run_all_tests();

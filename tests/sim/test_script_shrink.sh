@@ -45,6 +45,27 @@ refused_command 'or --shrink SCRIPT' compare --shrink "$dir/s.pel" --command fal
 [ "$(wc -l <"$work/part.pel")" -lt 56 ] ||
     fail "what was reached is lost: $(cat "$work/err")"
 
+# A signal ends the command; what was reached is written, and the script that the
+# command was given is gone. A second one ends pel.
+for signal in TERM HUP PIPE ALRM XCPU; do
+    rm -f "$work/part.pel"
+    "$PEL" compare --shrink "$dir/s.pel" -o "$work/part.pel" --command \
+        '[ "$(wc -l <"$1")" -gt 20 ] && exit 1; exec sleep 30' 2>"$work/err" &
+    program=$!
+    for i in $(seq 100); do
+        pgrep -P $program -x sleep >/dev/null && break
+        sleep 0.1
+    done
+    kill -$signal $program
+    wait $program
+    status=$?
+    [ $status = 2 ] || fail "$signal: status $status"
+    grep -q 'did not end: ' "$work/err" || fail "$signal: $(cat "$work/err")"
+    [ -s "$work/part.pel" ] && [ "$(wc -l <"$work/part.pel")" -lt 56 ] ||
+        fail "$signal: what was reached is lost"
+    [ -z "$(find "$dir" -name '.pel*')" ] || fail "$signal: a file is left behind"
+done
+
 # The example of --help is a command as it is printed: bands are as the whole.
 cp "$dir/s.pel" "$work/BAD.pel"
 "$PEL" compare --help | sed -n '/^  pel compare/,$p' |
