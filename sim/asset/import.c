@@ -222,10 +222,10 @@ static bool import_as_pel2d(struct import_command *c)
                            scene_prepare(&scene, &settings) &&
                            scene_project(&scene, &flat, &clipped);
     if (clipped > 0)
-        fprintf(stderr,
-                "pel: %s: %u of %u triangles reach behind the camera or far "
-                "out of the picture and were clipped\n",
-                c->scene.source.path, clipped, model.mesh.triangles);
+        message_error_at(c->scene.source.path, 0,
+                         "%u of %u triangles reach behind the camera or far "
+                         "out of the picture and were clipped",
+                         clipped, model.mesh.triangles);
     const bool done = projected && pel2d_save(&flat, c->options.output);
     scene_free(&scene);
     pel2d_free(&flat);

@@ -155,10 +155,10 @@ static bool store(const struct pel_surface *surface,
         }
     }
     if (!is_opaque)
-        fprintf(stderr,
-                "pel: %s: what is transparent is blended onto #%06x; "
-                "--format " IMPORT_ALPHA_FORMAT " would keep it\n",
-                options->source, (unsigned)(options->background & 0xFFFFFF));
+        message_error_at(options->source, 0,
+                         "what is transparent is blended onto #%06x; "
+                         "--format " IMPORT_ALPHA_FORMAT " would keep it",
+                         (unsigned)(options->background & 0xFFFFFF));
     return true;
 }
 

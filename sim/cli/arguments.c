@@ -18,9 +18,8 @@ enum { FIRST_KEY = 0x100 };
 
 static const struct option_row limit_options[] = {
     {"limit", "SECONDS,MEGABYTES",
-     "that reading a file through a library may take: a mesh, or a picture "
-     "other than .ppm (default: 60,2048)",
-     OPTION_INTEGER, .n = 2, .separator = ',', .low = 1, .high = 1e6,
+     "that reading a file may take (default: 60,2048)", OPTION_INTEGER, .n = 2,
+     .separator = ',', .low = 1, .high = 1e6,
      .expected = "SECONDS,MEGABYTES such as 60,2048"},
     {.help = NULL},
 };
@@ -194,6 +193,38 @@ static void add_rows(struct rows *rows, const struct option_table *table)
     }
 }
 
+static bool is_plain(const char *text)
+{
+    while (*text >= ' ' && *text < 127)
+        text++;
+    return !*text;
+}
+
+static bool is_known(const struct rows *rows, const char *argument)
+{
+    const size_t n = strcspn(argument + 2, "=");
+    for (int i = 0; i < rows->count; i++)
+        if (rows->argp[i].name &&
+            strncmp(rows->argp[i].name, argument + 2, n) == 0)
+            return true;
+    return false;
+}
+
+/* getopt shows an option that it does not know as it is: one that a terminal
+ * might obey does not come so far. */
+static void check_unknown(const struct rows *rows)
+{
+    for (char **at = rows->argv + 1; *at && strcmp(*at, "--") != 0; at++) {
+        const char letter[2] = {(*at)[0] ? (*at)[1] : '\0'};
+        if ((*at)[0] != '-' || is_plain(letter[0] == '-' ? *at : letter) ||
+            (letter[0] == '-' && is_known(rows, *at)))
+            continue;
+        message_error("unknown option '%s': --help lists those that there are",
+                      *at);
+        exit(STATUS_ERROR);
+    }
+}
+
 /* Messages of getopt begin with argv[0], which is to be "pel"; help shows the
  * program's invocation name, "pel NAME", where argv is not that of the call. */
 char **arguments_parse(const struct command_line *line, int argc, char **argv)
@@ -209,6 +240,7 @@ char **arguments_parse(const struct command_line *line, int argc, char **argv)
     for (int i = 0; line->tables[i].options; i++)
         add_rows(&rows, &line->tables[i]);
     add_rows(&rows, &limits);
+    check_unknown(&rows);
     program_invocation_short_name = argv[0];
     argv[0] = program;
     argp_err_exit_status = STATUS_ERROR;

@@ -86,8 +86,11 @@ static void take_text(struct child *c, const char *text, size_t size)
 /* Tells whoever watches that the work goes on, from the first second on. */
 static void show_progress(const struct child *c, int seconds, const char *end)
 {
-    if (seconds > 0 && isatty(STDERR_FILENO))
-        fprintf(stderr, "\rpel: %s: %d s%s", c->path, seconds, end);
+    if (seconds == 0 || !isatty(STDERR_FILENO))
+        return;
+    fputc('\r', stderr);
+    message_print(stderr, "pel: %s: %d s", c->path, seconds);
+    fputs(end, stderr);
 }
 
 /* Reads until the child has ended, which closes the pipe, or its time is over.
@@ -135,6 +138,17 @@ static bool lacks_memory(const char *text, const char *path)
            strstr(text, " memory");
 }
 
+/* The lines that came, from what a library may have made of the child. */
+static void show(char *text)
+{
+    char *rest = NULL;
+    for (const char *line = strtok_r(text, "\n", &rest); line;
+         line = strtok_r(NULL, "\n", &rest)) {
+        message_print(stderr, "%s", line);
+        fputc('\n', stderr);
+    }
+}
+
 /* Shows the child's own messages, or says how it ended. Was it well? */
 static bool report(struct child *c, int status)
 {
@@ -142,21 +156,16 @@ static bool report(struct child *c, int status)
     const bool failed = status != 0;
     const bool crashed = WIFSIGNALED(status);
     rewind(c->messages);
-    text[fread(text, 1, sizeof(text) - 1, c->messages)] = '\0';
+    const size_t size = fread(text, 1, sizeof(text) - 1, c->messages);
+    text[size] = '\0';
     if (c->late)
-        return message_error_at(c->path, 0,
-                                "the library that reads it took more than %d "
-                                "s: expected less, or a higher --limit "
-                                "SECONDS,MEGABYTES",
+        return message_error_at(c->path, 0, CHILD_LIMIT_TEXT("s"),
                                 child_limits.seconds);
     if (failed && lacks_memory(crashed ? c->line : text, c->path))
-        return message_error_at(c->path, 0,
-                                "the library that reads it took more than %d "
-                                "MB: expected less, or a higher --limit "
-                                "SECONDS,MEGABYTES",
+        return message_error_at(c->path, 0, CHILD_LIMIT_TEXT("MB"),
                                 child_limits.megabytes);
-    fputs(text, stderr);
-    if (!crashed && (!failed || *text))
+    show(text);
+    if (!crashed && (!failed || size > 0))
         return !failed;
     return message_error_at(
         c->path, 0, "the library that reads it crashed: %s%s%s",

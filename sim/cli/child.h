@@ -13,6 +13,11 @@ struct child_limits {
 };
 extern struct child_limits child_limits;
 
+/* A format for what takes more than a limit, which is its argument. */
+#define CHILD_LIMIT_TEXT(unit)           \
+    "reading it took more than %d " unit \
+    ": expected less, or a higher --limit SECONDS,MEGABYTES"
+
 /* Writes its result to `out`. False, with a message. */
 typedef bool child_work(const void *what, FILE *out);
 

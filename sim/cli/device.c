@@ -118,9 +118,9 @@ bool device_open(struct pel_display_linux *screen,
     if (pel_display_linux_open(screen, name, way) != PEL_OK)
         return fails(screen);
     if (screen->note.text[0])
-        fprintf(stderr, "pel: %s\n", screen->note.text);
+        message_error("%s", screen->note.text);
     if (screen->console.text[0])
-        fprintf(stderr, "pel: %s\n", screen->console.text);
+        message_error("%s", screen->console.text);
     return true;
 }
 

@@ -106,7 +106,7 @@ int command_input(int argc, char **argv)
         return STATUS_ERROR;
     }
     if (input.note.text[0])
-        fprintf(stderr, "pel: %s\n", input.note.text);
+        message_error("%s", input.note.text);
     setvbuf(stdout, NULL, _IOLBF, 0);
     print_all(&input, o.seconds);
     pel_input_linux_close(&input);

@@ -6,9 +6,19 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Opens a file to read; "-" is standard input. NULL, with a message. */
+/* Opens a file to read, for the caller to close; "-" is standard input. It may
+ * be a pipe or have no end: reading fails when it takes longer, or has more
+ * bytes, than --limit says. NULL, with a message. */
 FILE *file_open(const char *path);
-void file_close(FILE *file);
+
+/* The message of a file whose reading has just failed, from errno. False. */
+bool file_refuse(const char *path);
+
+/* The name of a file as another file has it: there "-" is a file's. */
+static inline const char *file_named(const char *name)
+{
+    return strcmp(name, "-") == 0 ? "./-" : name;
+}
 
 enum text_line {
     TEXT_LINE,      /* one was read, perhaps an empty one */

@@ -160,8 +160,10 @@ static bool add_demo(const struct gallery *g, const struct demo *demo,
     if (note)
         snprintf(best.note, sizeof best.note, "%s", note);
     if (done) {
-        printf("%-26s %5d x %-5d %10.3f ms\n", demo->name, best.picture.width,
-               best.picture.height, best.milliseconds);
+        message_print(stdout, "%-26s %5d x %-5d %10.3f ms", demo->name,
+                      best.picture.width, best.picture.height,
+                      best.milliseconds);
+        putchar('\n');
         fflush(stdout);
         print_figure(g->page, demo, &best);
         done = save(g, demo->name, ".ppm", &best.picture) &&

@@ -1,15 +1,13 @@
 #include "sim/font/font.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "sim/cli/text_line.h"
+#include "sim/cli/child.h"
 #include "sim/cli/list.h"
 #include "sim/cli/message.h"
-
-enum { FILE_MAX = 64 << 20 };
+#include "sim/cli/text_line.h"
 
 static bool read_file(struct font_file *file)
 {
@@ -19,18 +17,15 @@ static bool read_file(struct font_file *file)
     if (!stream)
         return false;
     FILE *memory = open_memstream(&file->data, &file->size);
-    while (memory && got > 0 && ftell(memory) <= FILE_MAX) {
+    while (memory && got > 0) {
         got = fread(chunk, 1, sizeof chunk, stream);
         fwrite(chunk, 1, got, memory);
     }
-    const bool whole = memory && !ferror(memory);
-    const bool closed = memory && fclose(memory) == 0;
-    const char *wrong = !whole || !closed       ? "out of memory"
-                        : file->size > FILE_MAX ? "over 64 MB: expected a font"
-                        : ferror(stream)        ? strerror(errno)
-                                                : NULL;
-    file_close(stream);
-    return !wrong || message_error_at(file->path, 0, "%s", wrong);
+    bool done = !ferror(stream) || file_refuse(file->path);
+    if (done && (!memory || ferror(memory) || fclose(memory) != 0))
+        done = message_error("out of memory");
+    fclose(stream);
+    return done;
 }
 
 static bool begins(const struct font_file *file, const char *bytes, size_t n)
@@ -76,13 +71,30 @@ static bool sort(struct font *font, const char *path)
     return true;
 }
 
-bool font_load(struct font *font, const char *path)
+/* Writes the font to the parent. */
+static bool put_font(const void *path, FILE *out)
 {
     struct font_file file = {.path = path};
-    *font = (struct font){.missing = -1};
-    const bool done =
-        read_file(&file) && parse(font, &file) && sort(font, path);
-    free(file.data);
+    struct font font = {.missing = -1};
+    if (!read_file(&file) || !parse(&font, &file) || !sort(&font, path))
+        return false;
+    fwrite(&font, sizeof font, 1, out);
+    child_put(out, font.chars, font.count * sizeof *font.chars);
+    child_put(out, font.bits, font.size);
+    return true;
+}
+
+bool font_load(struct font *font, const char *path)
+{
+    size_t size;
+    FILE *in = child_run(path, put_font, path);
+    bool done = in && fread(font, sizeof *font, 1, in) == 1;
+    if (!done)
+        *font = (struct font){.missing = -1};
+    font->chars = done ? child_get(in, &size, &done) : NULL;
+    font->bits = done ? child_get(in, &size, &done) : NULL;
+    if (in)
+        fclose(in);
     if (!done)
         font_free(font);
     return done;

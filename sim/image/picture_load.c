@@ -211,7 +211,7 @@ static int row_bytes(const struct reader *r)
 static bool refuse_end(const struct reader *r, int y)
 {
     return ferror(r->file)
-               ? message_error_at(r->name, 0, "cannot be read")
+               ? file_refuse(r->name)
                : message_error_at(
                      r->name, 0,
                      "byte %ld: ends in row %d of %d, %d bytes a row", r->byte,
@@ -291,19 +291,9 @@ static bool read_rows(struct reader *r, struct picture *picture)
 bool picture_read_ppm(struct picture *picture, FILE *file, const char *name)
 {
     struct reader reader = {.file = file, .name = name, .line = 1};
+    *picture = (struct picture){0, 0, NULL};
     const bool done = read_header(&reader) && read_rows(&reader, picture);
     if (!done)
         picture_free(picture);
-    return done;
-}
-
-bool picture_load(struct picture *picture, const char *path)
-{
-    *picture = (struct picture){0, 0, NULL};
-    FILE *file = file_open(path);
-    if (!file)
-        return false;
-    const bool done = picture_read_ppm(picture, file, path);
-    file_close(file);
     return done;
 }

@@ -13,6 +13,7 @@
 #include "sim/cli/bytes.h"
 #include "sim/cli/child.h"
 #include "sim/cli/message.h"
+#include "sim/cli/text_line.h"
 #include "sim/image/decode.h"
 
 static bool begins(const struct encoded *from, const char *with)
@@ -121,41 +122,33 @@ static bool decode_other(struct picture *picture, const struct encoded *from)
 
 #endif
 
-static bool decode_ppm(struct picture *picture, const struct encoded *from)
-{
-    FILE *file = fmemopen((void *)(uintptr_t)from->bytes, from->size, "rb");
-    const bool done = file && picture_read_ppm(picture, file, from->name);
-    if (file)
-        fclose(file);
-    return done;
-}
-
 bool decode_refuse_end(const struct encoded *from)
 {
     return message_error_at(
         from->name, 0, "ends before its picture does: expected a whole file");
 }
 
+static bool is_ppm(const char *head, size_t n)
+{
+    return n > 2 && head[0] == 'P' && head[1] >= '1' && head[1] <= '7' &&
+           (head[2] == '#' || (head[2] >= '\t' && head[2] <= ' '));
+}
+
 /* What a file is, its first bytes say. */
 static bool decode_any(struct picture *picture, const struct encoded *from)
 {
-    const bool is_ppm = begins(from, "P") && from->size > 2 &&
-                        from->bytes[1] >= '1' && from->bytes[1] <= '7' &&
-                        (from->bytes[2] <= ' ' || from->bytes[2] == '#');
     return begins(from, "\x89PNG")    ? decode_png(picture, from)
            : begins(from, "\xFF\xD8") ? decode_jpeg(picture, from)
            : begins(from, "BM")       ? decode_bmp(picture, from)
-           : is_ppm                   ? decode_ppm(picture, from)
                                       : decode_other(picture, from);
 }
 
-/* Reads the file whose bytes are not there yet. */
-static bool read_file(struct encoded *from)
+/* All bytes of a file. */
+static bool read_bytes(struct encoded *from, FILE *file)
 {
-    FILE *file = fopen(from->name, "rb");
     size_t room = 1 << 16, n = 0;
     uint8_t *bytes = NULL;
-    bool good = file;
+    bool good = true;
     while (good && !feof(file)) {
         uint8_t *more = realloc(bytes, room);
         good = more;
@@ -164,12 +157,30 @@ static bool read_file(struct encoded *from)
         good = good && !ferror(file);
         room *= 2;
     }
-    if (file)
-        fclose(file);
     from->bytes = bytes;
     from->size = n;
-    return good || message_error_at(from->name, 0, "cannot be read: %s",
-                                    strerror(errno));
+    return good || file_refuse(from->name);
+}
+
+/* A PPM is read from the stream, which need not be in memory; the others are
+ * decoded from their bytes. */
+static bool read_picture(struct picture *picture, struct encoded *from)
+{
+    char head[3];
+    FILE *file =
+        from->bytes ? fmemopen((void *)(uintptr_t)from->bytes, from->size, "rb")
+                    : file_open(from->name);
+    if (!file)
+        return false;
+    const size_t n = fread(head, 1, sizeof head, file);
+    for (size_t i = n; i > 0; i--)
+        ungetc((unsigned char)head[i - 1], file);
+    const bool done = is_ppm(head, n)
+                          ? picture_read_ppm(picture, file, from->name)
+                          : (from->bytes || read_bytes(from, file)) &&
+                                decode_any(picture, from);
+    fclose(file);
+    return done;
 }
 
 /* Writes width and height, two int, and the pixels. The process ends after it,
@@ -178,7 +189,7 @@ static bool put_picture(const void *what, FILE *out)
 {
     struct encoded from = *(const struct encoded *)what;
     struct picture picture = {0};
-    if ((!from.bytes && !read_file(&from)) || !decode_any(&picture, &from))
+    if (!read_picture(&picture, &from))
         return false;
     const int size[2] = {picture.width, picture.height};
     fwrite(size, sizeof size, 1, out);
@@ -211,10 +222,7 @@ bool texture_load_bytes(struct picture *picture, const char *name,
 bool texture_load(struct picture *picture, const char *path)
 {
     *picture = (struct picture){0, 0, NULL};
-    if (strcmp(path, "-") == 0 ||
-        path_has_ending(path, " .ppm .pgm .pbm .pnm .pam "))
-        return picture_load(picture, path);
-    if (access(path, R_OK) != 0)
+    if (strcmp(path, "-") != 0 && access(path, R_OK) != 0)
         return message_error_at(path, 0, "cannot be read: %s", strerror(errno));
     return load(picture, &(struct encoded){path, NULL, 0});
 }

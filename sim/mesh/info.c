@@ -3,6 +3,7 @@
 
 #include "sim/cli/arguments.h"
 #include "sim/cli/commands.h"
+#include "sim/cli/message.h"
 #include "sim/mesh/model.h"
 
 static void print_part(const struct mesh *mesh, uint32_t i)
@@ -10,9 +11,9 @@ static void print_part(const struct mesh *mesh, uint32_t i)
     static const char *const wraps[] = {"clamp", "repeat", "mirror"};
     const struct mesh_part *p = &mesh->part[i];
     const struct mesh_material *m = &p->material;
-    printf("part %u: %u triangles, '%s', #%06x", i + 1,
-           p->triangles - (i ? p[-1].triangles : 0), m->name,
-           (unsigned)m->color & 0xFFFFFFu);
+    message_print(stdout, "part %u: %u triangles, '%s', #%06x", i + 1,
+                  p->triangles - (i ? p[-1].triangles : 0), m->name,
+                  (unsigned)m->color & 0xFFFFFFu);
     if (pel_alpha(m->color) < 255)
         printf(" of opacity %.2f", pel_alpha(m->color) / 255.0);
     if (m->texture)
@@ -39,7 +40,8 @@ static void print_texture(const struct mesh *mesh, const struct model *model,
         printf("%d x %d, ", picture->width, picture->height);
     else
         printf("%s, ", picture ? "missing" : "not used");
-    printf("%s%s\n", t->path, t->bytes ? " inside the file" : "");
+    message_print(stdout, "%s", t->path);
+    puts(t->bytes ? " inside the file" : "");
 }
 
 /* Degenerate triangles: they show nothing. */

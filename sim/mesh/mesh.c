@@ -101,19 +101,29 @@ bool mesh_is_builtin(const char *path)
     return strncmp(path, prefix, sizeof(prefix) - 1) == 0;
 }
 
-/* Of a strip assimp's reader of .ply keeps the last triangle alone. */
-static bool check_strips(const char *path)
+/* Of a strip assimp's reader of .ply keeps the last triangle alone, and in a
+ * header without an end it stays for ever. */
+static bool check_ply(const char *path)
 {
     char line[256] = "";
     unsigned long strips = 0;
+    bool ended = false;
     FILE *file = fopen(path, "rb");
     if (!file)
         return true;
-    if (fgets(line, sizeof(line), file) && strncmp(line, "ply", 3) == 0)
-        while (fgets(line, sizeof(line), file) && strips == 0 &&
-               strncmp(line, "end_header", 10) != 0)
-            sscanf(line, "element tristrips %lu", &strips);
+    const bool is_ply =
+        fgets(line, sizeof(line), file) &&
+        (strcmp(line, "ply\n") == 0 || strcmp(line, "ply\r\n") == 0);
+    while (is_ply && !ended && fgets(line, sizeof(line), file)) {
+        sscanf(line, "element tristrips %lu", &strips);
+        ended = strncmp(line, "end_header", 10) == 0 && line[10] &&
+                strchr(" \t\r\n", line[10]);
+    }
     fclose(file);
+    if (is_ply && !ended)
+        return message_error_at(path, 0,
+                                "ends inside of its header: expected a line "
+                                "end_header, and the mesh after it");
     return strips == 0 ||
            message_error_at(
                path, 0,
@@ -141,8 +151,7 @@ static bool check_mark(const char *path)
 static bool put_mesh(const void *path, FILE *out)
 {
     struct mesh mesh = {0};
-    if (!check_mark(path) || !check_strips(path) ||
-        !mesh_load_file(&mesh, path))
+    if (!check_mark(path) || !check_ply(path) || !mesh_load_file(&mesh, path))
         return false;
     child_put(out, &mesh, sizeof(mesh));
     child_put(out, mesh.vertex, mesh.vertices * sizeof(*mesh.vertex));

@@ -1,7 +1,10 @@
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "sim/mesh/model.h"
 #include "sim/cli/list.h"
+#include "sim/cli/text_line.h"
 #include "sim/image/texture.h"
 
 /* Alpha as the material has it: the least that is drawn becomes 128. */
@@ -28,9 +31,35 @@ static void apply_material(struct model_texture *t)
     t->opaque = texture_opaque(&t->picture);
 }
 
+/* The picture of a texture before any material is applied, which is read once.
+ */
+struct original {
+    struct picture picture; /* empty, with a message, when it cannot be read */
+    bool is_read;
+};
+
+static bool copy_original(struct picture *to, struct original *from,
+                          const struct mesh_texture *texture, const char *path)
+{
+    const struct picture *p = &from->picture;
+    if (!from->is_read &&
+        !(texture->bytes
+              ? texture_load_bytes(&from->picture, path, texture->bytes,
+                                   texture->size)
+              : texture_load(&from->picture, file_named(texture->path))))
+        message_error_at(path, 0, "its texture %s is left out", texture->path);
+    from->is_read = true;
+    if (p->width == 0 || !picture_init(to, p->width, p->height, 0))
+        return false;
+    memcpy(to->pixels, p->pixels,
+           (size_t)p->width * (size_t)p->height * sizeof *p->pixels);
+    return true;
+}
+
 /* The number of a material's texture; 0 when memory is short. Of one that
- * cannot be read, with a message, the picture is empty. */
+ * cannot be read the picture is empty. */
 static uint32_t texture_of(struct model *model, const struct mesh_texture *from,
+                           struct original *original,
                            const struct mesh_material *material,
                            const char *path)
 {
@@ -43,12 +72,8 @@ static uint32_t texture_of(struct model *model, const struct mesh_texture *from,
             a->wrap_u == b->wrap_u && a->wrap_v == b->wrap_v)
             return i + 1;
     }
-    if (from->bytes
-            ? texture_load_bytes(&new.picture, path, from->bytes, from->size)
-            : texture_load(&new.picture, from->path))
+    if (copy_original(&new.picture, original, from, path))
         apply_material(&new);
-    else
-        message_error_at(path, 0, "its texture %s is left out", from->path);
     if (list_add(&model->texture, &model->textures, &new, sizeof(new)))
         return (uint32_t)model->textures;
     picture_free(&new.picture);
@@ -75,18 +100,23 @@ bool model_set_picture(struct model *model, const struct picture *picture)
 static bool add_own(struct model *model, const struct mesh *mesh,
                     const char *path)
 {
-    for (uint32_t i = 0; i < mesh->parts; i++) {
+    struct original *original = calloc(mesh->textures + 1, sizeof *original);
+    bool done = original || message_error("out of memory");
+    for (uint32_t i = 0; done && i < mesh->parts; i++) {
         const struct mesh_material *m = &mesh->part[i].material;
+        const uint32_t k = m->texture - 1;
         if (!m->texture || !mesh->part[i].has_uv)
             continue;
         const uint32_t number =
-            texture_of(model, &mesh->texture[m->texture - 1], m, path);
-        if (!number)
-            return false;
-        if (model->texture[number - 1].picture.width > 0)
+            texture_of(model, &mesh->texture[k], &original[k], m, path);
+        done = number > 0;
+        if (done && model->texture[number - 1].picture.width > 0)
             model->part[i].texture = number;
     }
-    return true;
+    for (size_t i = 0; original && i < mesh->textures; i++)
+        picture_free(&original[i].picture);
+    free(original);
+    return done;
 }
 
 bool model_add_textures(struct model *model, const struct mesh *mesh,

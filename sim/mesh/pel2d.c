@@ -38,7 +38,7 @@ static bool next_fields(struct reader *r, int fields, const char *wanted)
     const enum text_line got = text_line_read(r->file, text, sizeof(r->text));
     r->line++;
     if (ferror(r->file))
-        return ERROR_AT(r, "%s", strerror(errno));
+        return file_refuse(r->path);
     if (got != TEXT_LINE)
         return ERROR_AT(r, "%s: expected %s",
                         got == TEXT_LINE_ZERO   ? "a NUL byte"
@@ -178,7 +178,7 @@ static bool read_end(struct reader *r)
                             "that there are %u",
                             r->triangles);
     }
-    return !ferror(r->file) || ERROR_AT(r, "%s", strerror(errno));
+    return !ferror(r->file) || file_refuse(r->path);
 }
 
 bool pel2d_load(struct pel2d *flat, const char *path)
@@ -193,7 +193,7 @@ bool pel2d_load(struct pel2d *flat, const char *path)
     for (uint32_t i = 0; done && i < r.triangles; i++)
         done = read_triangle(&r, flat);
     done = done && read_end(&r);
-    file_close(r.file);
+    fclose(r.file);
     if (!done)
         pel2d_free(flat);
     return done;

@@ -7,6 +7,7 @@
 #include "core/format/argb8888.h"
 #include "sim/cli/list.h"
 #include "sim/cli/message.h"
+#include "sim/cli/text_line.h"
 #include "sim/font/asset.h"
 #include "sim/image/texture.h"
 #include "sim/script/parser.h"
@@ -17,7 +18,8 @@ static char *path_of(const struct script_parser *p, const char *name)
     const char *slash = strrchr(p->path, '/');
     const int folder = slash && *name != '/' ? (int)(slash - p->path) + 1 : 0;
     char *path;
-    if (asprintf(&path, "%.*s%s", folder, p->path, name) < 0) {
+    if (asprintf(&path, "%.*s%s", folder, p->path,
+                 folder ? name : file_named(name)) < 0) {
         message_error("out of memory");
         return NULL;
     }
@@ -96,6 +98,7 @@ static void free_asset(const struct script_asset *asset)
     struct pel_font_asset font = asset->font;
     font_asset_free(&font);
     free(asset->picture.pixels);
+    free(asset->path);
     free(asset->text);
     if (asset->mesh) {
         scene_free(&asset->mesh->scene);
@@ -104,29 +107,50 @@ static void free_asset(const struct script_asset *asset)
     free(asset->mesh);
 }
 
+/* Loads it, and takes the path. */
+static bool add(struct script_parser *p, struct script_asset *asset,
+                const char *name)
+{
+    struct script *script = p->script;
+    message_place(p->path, p->line);
+    const bool done =
+        load(p, asset->kind, asset->path ? asset->path : name, asset) &&
+        list_add(&script->assets, &script->asset_count, asset, sizeof *asset);
+    message_place(NULL, 0);
+    return done;
+}
+
+/* The font or the picture that an earlier line has named, or the next asset. */
+static size_t find(const struct script *script, const struct script_asset *new)
+{
+    size_t i = new->kind == KIND_FONT || new->kind == KIND_PICTURE
+                   ? 0
+                   : script->asset_count;
+    while (i < script->asset_count &&
+           (script->assets[i].kind != new->kind ||
+            strcmp(script->assets[i].path, new->path) != 0))
+        i++;
+    return i;
+}
+
 /* Quoted words begin with their quote. */
 bool script_add_asset(struct script_parser *p, enum script_kind kind,
                       const char *word, int32_t *index)
 {
-    struct script *script = p->script;
-    struct script_asset asset = {.text = NULL};
+    struct script_asset asset = {.kind = kind};
     const char *name = word + (*word == '"');
     const bool no_file =
         kind == KIND_TEXT || (kind == KIND_MESH && mesh_is_builtin(name));
     if (kind == KIND_TEXT && *word != '"')
         return ERROR_AT(p, "%s: %s: expected a text in quotes, \"...\"",
                         p->command->name, word);
-    char *path = no_file ? NULL : path_of(p, name);
-    if (!path && !no_file)
+    asset.path = no_file ? NULL : path_of(p, name);
+    if (!asset.path && !no_file)
         return false;
-    *index = (int32_t)script->asset_count;
-    message_place(p->path, p->line);
-    const bool done =
-        load(p, kind, path ? path : name, &asset) &&
-        list_add(&script->assets, &script->asset_count, &asset, sizeof asset);
-    message_place(NULL, 0);
-    free(path);
-    if (!done)
+    *index = (int32_t)find(p->script, &asset);
+    const bool is_new = (size_t)*index == p->script->asset_count;
+    const bool done = !is_new || add(p, &asset, name);
+    if (!is_new || !done)
         free_asset(&asset);
     return done;
 }

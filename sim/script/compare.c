@@ -45,8 +45,8 @@ static const struct option_row options[] = {
 };
 
 static const char about[] =
-    "Compares two pictures (.ppm, .pgm, .png and what else pel reads; - is a "
-    "PPM on standard input).\v"
+    "Compares two pictures (.ppm, .png and what else pel reads; - is standard "
+    "input).\v"
     "Exit status: 0 equal, 1 different, 2 error. Prints the sizes when they "
     "differ, else the number of differing pixels, the worst difference, and "
     "the first such pixel.\n\nThe smallest script whose bands are not as the "
@@ -117,8 +117,10 @@ static int report(const struct picture p[2], const struct compare_options *o)
 {
     const int width = p[0].width, height = p[0].height;
     if (width != p[1].width || height != p[1].height) {
-        printf("sizes differ: %s has %d x %d pixels, %s has %d x %d\n",
-               o->path[0], width, height, o->path[1], p[1].width, p[1].height);
+        message_print(
+            stdout, "sizes differ: %s has %d x %d pixels, %s has %d x %d",
+            o->path[0], width, height, o->path[1], p[1].width, p[1].height);
+        putchar('\n');
         return STATUS_DIFFERENT;
     }
     const struct differences d = count_differences(p, o->tolerance);
@@ -132,14 +134,6 @@ static int report(const struct picture p[2], const struct compare_options *o)
     return STATUS_DIFFERENT;
 }
 
-/* A picture's ending tells its kind; PPM needs none. */
-static bool load(struct picture *picture, const char *path)
-{
-    return path_has_ending(path, " .png .jpg .jpeg .tga .bmp ")
-               ? texture_load(picture, path)
-               : picture_load(picture, path);
-}
-
 static int compare(const struct compare_options *o)
 {
     struct picture p[2] = {{0, 0, NULL}, {0, 0, NULL}};
@@ -147,8 +141,8 @@ static int compare(const struct compare_options *o)
     if (strcmp(o->path[0], "-") == 0 && strcmp(o->path[1], "-") == 0)
         message_error("two pictures from standard input: expected one");
     else if ((!o->diff || picture_path_check(o->diff)) &&
-             load(&p[0], o->path[0]) && load(&p[1], o->path[1]) &&
-             write_diff(p, o))
+             texture_load(&p[0], o->path[0]) &&
+             texture_load(&p[1], o->path[1]) && write_diff(p, o))
         status = report(p, o);
     picture_free(&p[0]);
     picture_free(&p[1]);

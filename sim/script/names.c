@@ -62,19 +62,33 @@ static void print_names(FILE *out, const struct script_parser *p, size_t common)
     }
 }
 
+/* Without ends of lines, which strtok_r would take for its own. */
+static void print_word(FILE *out, const char *word)
+{
+    fputc(' ', out);
+    for (int i = 0; i < 60 && word[i]; i++)
+        fputc(word[i] == '\n' ? '?' : word[i], out);
+}
+
+/* The list goes on in lines of its own. */
 static bool refuse(const struct script_parser *p, size_t common)
 {
-    char *text = NULL;
+    char *text = NULL, *rest = NULL;
     size_t size;
+    const char *line;
     FILE *out = open_memstream(&text, &size);
     if (!out)
         return message_error("out of memory");
     for (size_t i = 0; i <= common && i < p->word_count; i++)
-        fprintf(out, " %.60s", p->words[i]);
+        print_word(out, p->words[i]);
     fprintf(out, ": expected");
     print_names(out, p, common);
     if (fclose(out) == 0)
-        ERROR_AT(p, "unknown command%s", text);
+        ERROR_AT(p, "unknown command%s", strtok_r(text, "\n", &rest));
+    while (rest && (line = strtok_r(NULL, "\n", &rest)) != NULL) {
+        message_print(stderr, "%s", line);
+        fputc('\n', stderr);
+    }
     free(text);
     return false;
 }

@@ -231,8 +231,7 @@ static bool check_end(const struct script_parser *p, FILE *file,
                       enum text_line got)
 {
     if (ferror(file))
-        return message_error_at(p->path, 0, "cannot be read: %s",
-                                strerror(errno));
+        return file_refuse(p->path);
     if (got == TEXT_LINE_ZERO)
         return ERROR_AT(p, "a zero byte: scripts are text");
     if (got == TEXT_LINE_LONG)
@@ -289,7 +288,7 @@ bool script_load(struct script *script, const char *path,
     if (!file)
         return false;
     const bool done = script_read(script, file, path, format);
-    file_close(file);
+    fclose(file);
     return done;
 }
 

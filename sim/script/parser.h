@@ -23,6 +23,8 @@ struct script_mesh {
 
 /* One of these, loaded when the script is read; the others are zero. */
 struct script_asset {
+    enum script_kind kind;
+    char *path; /* of a font or a picture, by which another line finds it */
     struct pel_font_asset font;
     struct pel_surface picture; /* of argb8888 pixels */
     char *text;

@@ -1,5 +1,6 @@
 /* Picture files: PPM and PGM that are right, and all the ways in which they can
  * be wrong; PPM, BMP and PNG as written. */
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,6 +10,7 @@
 #include <png.h>
 #endif
 
+#include "sim/cli/message.h"
 #include "sim/image/picture.h"
 #include "files.h"
 
@@ -30,11 +32,16 @@ static size_t read_file(const char *path, void *data, size_t size)
     return n;
 }
 
-/* picture_load, and what it says. */
+/* picture_read_ppm, and what it says. */
 static bool load(struct picture *picture, const char *path, struct messages *m)
 {
     messages_begin(m);
-    const bool done = picture_load(picture, path);
+    FILE *file = fopen(path, "rb");
+    const bool done =
+        file ? picture_read_ppm(picture, file, path)
+             : message_error_at(path, 0, "cannot be read: %s", strerror(errno));
+    if (file)
+        fclose(file);
     messages_end(m);
     return done;
 }
@@ -209,7 +216,8 @@ static void check_ppm(const struct picture *p, const char *path)
 {
     const size_t size = (size_t)p->width * (size_t)p->height * 4;
     struct picture read;
-    assert_true(picture_load(&read, path));
+    struct messages m;
+    assert_true(load(&read, path, &m));
     assert_true(read.width == p->width && read.height == p->height);
     assert_memory_equal(p->pixels, read.pixels, size);
     picture_free(&read);
