@@ -257,7 +257,8 @@ static bool import_as_mesh(struct import_command *c)
     struct model_source *source = &c->scene.source;
     if (!model_read(&mesh, source))
         return false;
-    const bool own_colors = mesh.has_colors && !source->texture;
+    const bool own_colors =
+        mesh.has_colors && !mesh.multiplies && !source->texture;
     source->without_texture = own_colors && !c->format;
     bool done = model_make(&model, &mesh, c->normals16 ? 16 : 8) &&
                 model_add_textures(&model, &mesh, source);

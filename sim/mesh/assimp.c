@@ -99,7 +99,7 @@ struct making {
     struct mesh *mesh;
     struct mesh_part *part;
     unsigned material;
-    bool uv, linear, failed;
+    bool uv, failed;
 };
 
 /* In the file v grows upward. */
@@ -138,7 +138,7 @@ static void copy_vertices(const struct making *m, const struct aiMesh *from,
                 place_uv(m->part->material.place, to->uv);
         }
         to->color = from->mColors[0] && from->mColors[0][i].r >= 0
-                        ? material_byte_color(&from->mColors[0][i], m->linear)
+                        ? material_byte_color(&from->mColors[0][i])
                         : m->part->material.color | PEL_RGB(0, 0, 0);
     }
 }
@@ -168,7 +168,6 @@ static bool start_part(struct making *m)
     part->triangles = m->mesh->parts > 1 ? part[-1].triangles : 0;
     part->has_uv = m->uv;
     m->part = part;
-    m->linear = material_is_linear(from);
     return material_read(&part->material, m->mesh, m->scene, from, m->path);
 }
 

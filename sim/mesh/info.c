@@ -23,6 +23,12 @@ static void print_part(const struct mesh *mesh, uint32_t i)
         printf(" left out: the part has no uv");
     if (m->alpha == MESH_CUT_OUT)
         printf(", cut out below alpha %d", m->cutoff);
+    if (m->glow_texture)
+        printf(", shines by texture %u", m->glow_texture);
+    if (m->is_colored)
+        printf(", times the vertices' colours");
+    if (m->is_unlit)
+        printf(", unlit");
     printf("%s\n", m->alpha == MESH_BLENDED ? ", blended" : "");
 }
 
@@ -32,14 +38,19 @@ static void print_texture(const struct mesh *mesh, const struct model *model,
 {
     const struct mesh_texture *t = &mesh->texture[i];
     const struct picture *picture = NULL;
-    for (size_t k = 0; k < model->textures; k++)
-        if (model->texture[k].material.texture == i + 1)
+    bool shines = false;
+    for (size_t k = 0; k < model->textures; k++) {
+        const struct mesh_material *m = &model->texture[k].material;
+        if (m->texture == i + 1 || (!m->texture && m->glow_texture == i + 1))
             picture = &model->texture[k].picture;
+        if (m->texture && m->glow_texture == i + 1)
+            shines = true;
+    }
     printf("texture %u: ", i + 1);
     if (picture && picture->width > 0)
         printf("%d x %d, ", picture->width, picture->height);
     else
-        printf("%s, ", picture ? "missing" : "not used");
+        printf("%s, ", picture ? "missing" : shines ? "shines" : "not used");
     message_print(stdout, "%s", t->path);
     puts(t->bytes ? " inside the file" : "");
 }

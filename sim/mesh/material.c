@@ -1,9 +1,7 @@
 #ifdef HAVE_ASSIMP
 #include "sim/mesh/mesh.h"
 
-#include <assimp/GltfMaterial.h>
 #include <assimp/scene.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,65 +9,32 @@
 #include "sim/cli/list.h"
 #include "sim/mesh/mend.h"
 
-static unsigned byte_of(double value, bool linear)
+static unsigned byte_of(double value)
 {
-    if (linear)
-        value = value <= 0.0031308 ? value * 12.92
-                                   : 1.055 * pow(value, 1 / 2.4) - 0.055;
     return value > 0 ? value < 1 ? (unsigned)(value * 255 + 0.5) : 255 : 0;
 }
 
-pel_color material_byte_color(const struct aiColor4D *c, bool linear)
+pel_color material_byte_color(const struct aiColor4D *c)
 {
-    const double channel[3] = {(double)c->r, (double)c->g, (double)c->b};
-    unsigned byte[3];
-    for (int k = 0; k < 3; k++)
-        byte[k] = byte_of(channel[k], linear);
-    return PEL_RGB(byte[0], byte[1], byte[2]);
+    return PEL_RGB(byte_of((double)c->r), byte_of((double)c->g),
+                   byte_of((double)c->b));
 }
 
-bool material_is_linear(const struct aiMaterial *from)
+/* Alpha is blended where there is an opacity, or a texture of it. Many files
+ * have 0 where they mean nothing by it. */
+static void read_alpha(struct mesh_material *to, const struct aiMaterial *from)
 {
-    struct aiString mode;
-    return aiGetMaterialString(from, AI_MATKEY_GLTF_ALPHAMODE, &mode) ==
-           aiReturn_SUCCESS;
-}
-
-static pel_color with_alpha(pel_color color, double alpha)
-{
-    return (color & 0xFFFFFFu) | (pel_color)byte_of(alpha, false) << 24;
-}
-
-/* glTF says it; elsewhere alpha is blended where there is an opacity, or a
- * texture of it. Many files have 0 where they mean nothing by it. */
-static void read_alpha(struct mesh_material *to, const struct aiMaterial *from,
-                       double alpha)
-{
-    struct aiString mode;
     float value = 1;
     unsigned flags = 0, n = 1;
     aiGetMaterialFloatArray(from, AI_MATKEY_OPACITY, &value, NULL);
     aiGetMaterialIntegerArray(from, AI_MATKEY_TEXFLAGS_DIFFUSE(0),
                               (int *)&flags, &n);
-    if (aiGetMaterialString(from, AI_MATKEY_GLTF_ALPHAMODE, &mode) ==
-        aiReturn_SUCCESS) {
-        to->alpha = strcmp(mode.data, "BLEND") == 0  ? MESH_BLENDED
-                    : strcmp(mode.data, "MASK") == 0 ? MESH_CUT_OUT
-                                                     : MESH_OPAQUE;
-        value = 0.5f;
-        aiGetMaterialFloatArray(from, AI_MATKEY_GLTF_ALPHACUTOFF, &value, NULL);
-        /* A float may be a little more than the number that was meant. */
-        to->cutoff =
-            (uint8_t)ceil(fmin(fmax((double)value, 0), 1) * 255 - 1e-4);
-    } else {
-        alpha = (double)value > 0 && (double)value < 1 ? (double)value : 1;
-        if (alpha < 1 || (flags & aiTextureFlags_UseAlpha) ||
-            aiGetMaterialTextureCount(from, aiTextureType_OPACITY) > 0)
-            to->alpha = MESH_BLENDED;
+    const double alpha = value > 0 && value < 1 ? (double)value : 1;
+    if (alpha < 1 || (flags & aiTextureFlags_UseAlpha) ||
+        aiGetMaterialTextureCount(from, aiTextureType_OPACITY) > 0) {
+        to->alpha = MESH_BLENDED;
+        to->color = (to->color & 0xFFFFFFu) | (pel_color)byte_of(alpha) << 24;
     }
-    to->tint = with_alpha(to->tint, to->alpha == MESH_CUT_OUT ? alpha : 1);
-    if (to->alpha == MESH_BLENDED)
-        to->color = with_alpha(to->color, alpha);
 }
 
 /* A texture file inside the mesh file: the name is * and its number. Not there,
@@ -147,15 +112,12 @@ bool material_read(struct mesh_material *to, struct mesh *mesh,
 {
     struct aiColor4D color = {0.8f, 0.8f, 0.8f, 1};
     struct aiString name = {0, ""};
-    const bool linear = material_is_linear(from);
     aiGetMaterialColor(from, AI_MATKEY_COLOR_DIFFUSE, &color);
     aiGetMaterialString(from, AI_MATKEY_NAME, &name);
     snprintf(to->name, sizeof(to->name), "%.*s", (int)sizeof(to->name) - 1,
              name.data);
-    to->color = material_byte_color(&color, linear);
-    if (linear) /* elsewhere a texture takes the place of the color */
-        to->tint = to->color;
-    read_alpha(to, from, (double)color.a);
+    to->color = material_byte_color(&color);
+    read_alpha(to, from);
     return read_texture(to, mesh, scene, from, path);
 }
 

@@ -22,10 +22,17 @@ bool mend_read(struct mend *m, const char *path)
         fwrite(part, 1, n, out);
     const bool good = out && !ferror(file) && fclose(out) == 0;
     fclose(file);
-    for (size_t i = 0; good && i < m->size; i++)
+    return good;
+}
+
+bool mend_read_lines(struct mend *m, const char *path)
+{
+    if (!mend_read(m, path))
+        return false;
+    for (size_t i = 0; i < m->size; i++)
         if (m->text[i] == '\r' && m->text[i + 1] != '\n')
             m->text[i] = '\n'; /* as old Macs had it */
-    return good;
+    return true;
 }
 
 /* A # begins a comment; in lines of names, where a word does. */

@@ -36,6 +36,9 @@ bool mend_mtl(struct mend *m, const char *name);
 /* Reads a file into text and size. False without a message. */
 bool mend_read(struct mend *m, const char *path);
 
+/* The same of a text, whose lines end as they do on any system. */
+bool mend_read_lines(struct mend *m, const char *path);
+
 /* Ends a line of text at its line feed; *at goes behind it, or becomes NULL at
  * the end of the text. Lines that end in a backslash are joined, comments,
  * blanks before and behind are left out; `names` holds the words whose lines

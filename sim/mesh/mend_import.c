@@ -99,8 +99,8 @@ const struct aiScene *mend_import(const char *path, bool *told)
     struct mend m = {.path = path};
     *told = false;
     for (int i = 0; kinds[i].ending; i++)
-        if (path_has_ending(path, kinds[i].ending) && mend_read(&m, path) &&
-            !memchr(m.text, 0, m.size))
+        if (path_has_ending(path, kinds[i].ending) &&
+            mend_read_lines(&m, path) && !memchr(m.text, 0, m.size))
             return import(&m, kinds[i].write, told);
     return aiImportFile(path, 0);
 }

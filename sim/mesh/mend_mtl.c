@@ -142,11 +142,11 @@ static bool open_library(struct mend *m, struct mend *lines, const char *name)
 {
     char *path = mend_path_beside(m->path, name);
     lines->path = path;
-    if (path && mend_read(lines, path))
+    if (path && mend_read_lines(lines, path))
         return true;
     free(path);
     lines->path = path = own_library(m);
-    const bool found = path && mend_read(lines, path);
+    const bool found = path && mend_read_lines(lines, path);
     message_error_at(m->path, m->line,
                      "its materials %.200s cannot be read%s%.200s", name,
                      found ? ": expected them, and taken are those of " : "",

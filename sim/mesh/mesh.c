@@ -8,6 +8,7 @@
 #include "sim/cli/child.h"
 #include "sim/cli/message.h"
 #include "sim/cli/text_line.h"
+#include "sim/mesh/gltf.h"
 #include "sim/mesh/vector.h"
 
 bool mesh_init(struct mesh *mesh, uint32_t vertices, uint32_t triangles,
@@ -95,6 +96,19 @@ void mesh_box(const struct mesh *mesh, double low[3], double high[3])
     }
 }
 
+unsigned mesh_byte(double linear)
+{
+    const double v = linear <= 0.0031308 ? linear * 12.92
+                                         : 1.055 * pow(linear, 1 / 2.4) - 0.055;
+    return v > 0 ? v < 1 ? (unsigned)(v * 255 + 0.5) : 255 : 0;
+}
+
+double mesh_linear(unsigned byte)
+{
+    const double v = byte / 255.0;
+    return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+}
+
 bool mesh_is_builtin(const char *path)
 {
     const char prefix[] = MESH_BUILTIN_PREFIX;
@@ -151,7 +165,8 @@ static bool check_mark(const char *path)
 static bool put_mesh(const void *path, FILE *out)
 {
     struct mesh mesh = {0};
-    if (!check_mark(path) || !check_ply(path) || !mesh_load_file(&mesh, path))
+    if (!check_mark(path) || !check_ply(path) ||
+        !(gltf_is_file(path) ? gltf_load : mesh_load_file)(&mesh, path))
         return false;
     child_put(out, &mesh, sizeof(mesh));
     child_put(out, mesh.vertex, mesh.vertices * sizeof(*mesh.vertex));

@@ -19,9 +19,15 @@ enum mesh_alpha { MESH_OPAQUE, MESH_CUT_OUT, MESH_BLENDED };
 
 struct mesh_material {
     char name[64];
-    pel_color color;  /* where no texture lies; its alpha is that of all */
-    pel_color tint;   /* multiplies the texture, alpha too */
-    uint32_t texture; /* 0: none; else its number in the mesh, from 1 on */
+    pel_color color;       /* where no texture lies; its alpha is that of all */
+    pel_color tint;        /* multiplies the texture, alpha too */
+    uint32_t texture;      /* 0: none; else its number in the mesh, from 1 on */
+    bool is_linear;        /* in light, not in bytes: by factor, not by tint */
+    bool is_colored;       /* the vertices' colours multiply it too */
+    bool is_unlit;         /* shows its colours without light */
+    double factor[4];      /* red, green, blue, alpha, linear */
+    double glow[3];        /* is added, linear */
+    uint32_t glow_texture; /* multiplies it; 0: none */
     enum mesh_alpha alpha;
     uint8_t cutoff; /* MESH_CUT_OUT: the least alpha that is drawn */
     enum pel_wrap wrap_u, wrap_v;
@@ -54,6 +60,7 @@ struct mesh {
     size_t textures;
     bool has_normals, made_normals, has_uv;
     bool has_colors; /* per vertex in the file, not those of a material */
+    bool multiplies; /* as glTF does it: colours of the vertices by texels */
 };
 
 /* Coordinates beyond this are refused: nothing can be projected there. */
@@ -120,14 +127,17 @@ bool mesh_weld(struct mesh *mesh);
 bool mesh_load_file(struct mesh *mesh, const char *path);
 bool mesh_load_builtin(struct mesh *mesh, const char *path);
 
+/* Of a channel that is linear, 0..1, the byte by the curve of sRGB; and back.
+ */
+unsigned mesh_byte(double linear);
+double mesh_linear(unsigned byte);
+
 /* The materials of mesh files, as assimp reads them. */
 struct aiColor4D;
 struct aiMaterial;
 struct aiScene;
 
-/* Colors of glTF are linear, those of other files as they are shown. */
-pel_color material_byte_color(const struct aiColor4D *color, bool linear);
-bool material_is_linear(const struct aiMaterial *from);
+pel_color material_byte_color(const struct aiColor4D *color);
 
 /* Sets the material, and adds its texture to the mesh unless it is there:
  * `path` is that of the mesh file. False, with a message, when memory is short.

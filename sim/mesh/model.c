@@ -136,6 +136,15 @@ static bool make_arrays(struct pel_mesh *to, struct arrays *a,
            (a->uv || !mesh->has_uv) && (a->indices16 || a->indices32);
 }
 
+/* Do all materials show their colours without light? */
+static bool is_unlit(const struct mesh *mesh)
+{
+    for (uint32_t i = 0; i < mesh->parts; i++)
+        if (!mesh->part[i].material.is_unlit)
+            return false;
+    return true;
+}
+
 bool model_make(struct model *model, const struct mesh *mesh, int asset_bits)
 {
     struct arrays arrays;
@@ -149,7 +158,7 @@ bool model_make(struct model *model, const struct mesh *mesh, int asset_bits)
     }
     to->vertices = mesh->vertices;
     to->triangles = mesh->triangles;
-    model->plain = !mesh->has_colors;
+    model->plain = !mesh->has_colors && !is_unlit(mesh);
     to->parts = mesh->parts;
     for (uint32_t i = 0; i < mesh->parts; i++)
         model->part[i] = (struct pel_mesh_part){

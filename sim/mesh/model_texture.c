@@ -16,19 +16,57 @@ static uint32_t alpha_of(const struct mesh_material *m, pel_color color)
     return m->alpha == MESH_OPAQUE ? 255 : (uint32_t)alpha;
 }
 
-static void apply_material(struct model_texture *t)
+/* The texel of another texture that lies on the same place. */
+static pel_color beside(const struct picture *other, const struct picture *p,
+                        int x, int y)
+{
+    return picture_row(
+        other,
+        (2 * y + 1) * other->height /
+            (2 * p->height))[(2 * x + 1) * other->width / (2 * p->width)];
+}
+
+/* Light times light, and what shines by itself. */
+static pel_color linear_texel(const struct mesh_material *m, pel_color texel,
+                              pel_color glow)
+{
+    static double linear[256];
+    unsigned byte[3];
+    for (unsigned i = 0; i < 256 && linear[255] == 0; i++)
+        linear[i] = mesh_linear(i);
+    for (int k = 0; k < 3; k++)
+        byte[k] = mesh_byte(linear[texel >> (16 - 8 * k) & 255] * m->factor[k] +
+                            linear[glow >> (16 - 8 * k) & 255] * m->glow[k]);
+    return PEL_RGBA(byte[0], byte[1], byte[2],
+                    (pel_color)(pel_alpha(texel) * m->factor[3] + 0.5));
+}
+
+static pel_color tinted(const struct mesh_material *m, pel_color texel)
+{
+    pel_color color = 0;
+    for (int k = 0; k < 32; k += 8)
+        color |= pel_round_div255((texel >> k & 255) * (m->tint >> k & 255))
+                 << k;
+    return color;
+}
+
+static void apply_material(struct model_texture *t, const struct picture *glow)
 {
     const struct mesh_material *m = &t->material;
-    const size_t n = (size_t)t->picture.width * (size_t)t->picture.height;
-    for (size_t i = 0; i < n; i++) {
-        pel_color *texel = &t->picture.pixels[i], color = 0;
-        for (int k = 0; k < 32; k += 8)
-            color |=
-                pel_round_div255((*texel >> k & 255) * (m->tint >> k & 255))
-                << k;
-        *texel = (color & 0xFFFFFFu) | alpha_of(m, color) << 24;
-    }
-    t->opaque = texture_opaque(&t->picture);
+    const struct picture *p = &t->picture;
+    for (int y = 0; y < p->height; y++)
+        for (int x = 0; x < p->width; x++) {
+            pel_color *texel = &picture_row(p, y)[x];
+            const pel_color white = PEL_RGB(255, 255, 255);
+            const pel_color under = m->texture ? *texel : white;
+            const pel_color color =
+                m->is_linear
+                    ? linear_texel(m, under,
+                                   glow->pixels ? beside(glow, p, x, y) : white)
+                    : tinted(m, under);
+            *texel = (color & 0xFFFFFFu) | alpha_of(m, color) << 24;
+        }
+    t->opaque = texture_opaque(p);
 }
 
 /* The picture of a texture before any material is applied, which is read once.
@@ -38,42 +76,66 @@ struct original {
     bool is_read;
 };
 
-static bool copy_original(struct picture *to, struct original *from,
-                          const struct mesh_texture *texture, const char *path)
+/* The pictures of all textures of a mesh. */
+struct originals {
+    const struct mesh *mesh;
+    const char *path;
+    struct original *original;
+};
+
+/* That of a number, which is there while the others are. Empty, with a message
+ * the first time, when it cannot be read. */
+static const struct picture *original_of(struct originals *all, uint32_t number)
 {
-    const struct picture *p = &from->picture;
-    if (!from->is_read &&
-        !(texture->bytes
-              ? texture_load_bytes(&from->picture, path, texture->bytes,
-                                   texture->size)
-              : texture_load(&from->picture, file_named(texture->path))))
-        message_error_at(path, 0, "its texture %s is left out", texture->path);
-    from->is_read = true;
-    if (p->width == 0 || !picture_init(to, p->width, p->height, 0))
+    const struct mesh_texture *from = &all->mesh->texture[number - 1];
+    struct original *o = &all->original[number - 1];
+    if (!o->is_read &&
+        !(from->bytes ? texture_load_bytes(&o->picture, all->path, from->bytes,
+                                           from->size)
+                      : texture_load(&o->picture, file_named(from->path))))
+        message_error_at(all->path, 0, "its texture %s is left out",
+                         from->path);
+    o->is_read = true;
+    return &o->picture;
+}
+
+static bool copy(struct picture *to, const struct picture *from)
+{
+    if (from->width == 0 || !picture_init(to, from->width, from->height, 0))
         return false;
-    memcpy(to->pixels, p->pixels,
-           (size_t)p->width * (size_t)p->height * sizeof *p->pixels);
+    memcpy(to->pixels, from->pixels,
+           (size_t)from->width * (size_t)from->height * sizeof *from->pixels);
     return true;
 }
 
-/* The number of a material's texture; 0 when memory is short. Of one that
- * cannot be read the picture is empty. */
-static uint32_t texture_of(struct model *model, const struct mesh_texture *from,
-                           struct original *original,
-                           const struct mesh_material *material,
-                           const char *path)
+static bool is_same(const struct mesh_material *a,
+                    const struct mesh_material *b)
 {
+    return a->texture == b->texture && a->tint == b->tint &&
+           a->alpha == b->alpha && a->cutoff == b->cutoff &&
+           a->wrap_u == b->wrap_u && a->wrap_v == b->wrap_v &&
+           a->is_colored == b->is_colored &&
+           a->glow_texture == b->glow_texture &&
+           memcmp(a->factor, b->factor, sizeof(a->factor)) == 0 &&
+           memcmp(a->glow, b->glow, sizeof(a->glow)) == 0;
+}
+
+/* The number of a material's texture; 0 when memory is short. Of one that
+ * cannot be read the picture is empty. Without a texture it is that of what
+ * shines. */
+static uint32_t texture_of(struct model *model, struct originals *originals,
+                           const struct mesh_material *material)
+{
+    static const struct picture none;
     struct model_texture new = {.material = *material};
-    for (uint32_t i = 0; i < model->textures; i++) {
-        const struct mesh_material *a = &model->texture[i].material;
-        const struct mesh_material *b = material;
-        if (a->texture == b->texture && a->tint == b->tint &&
-            a->alpha == b->alpha && a->cutoff == b->cutoff &&
-            a->wrap_u == b->wrap_u && a->wrap_v == b->wrap_v)
+    const uint32_t glow = material->glow_texture;
+    for (uint32_t i = 0; i < model->textures; i++)
+        if (is_same(&model->texture[i].material, material))
             return i + 1;
-    }
-    if (copy_original(&new.picture, original, from, path))
-        apply_material(&new);
+    if (copy(&new.picture,
+             original_of(originals,
+                         material->texture ? material->texture : glow)))
+        apply_material(&new, glow ? original_of(originals, glow) : &none);
     if (list_add(&model->texture, &model->textures, &new, sizeof(new)))
         return (uint32_t)model->textures;
     picture_free(&new.picture);
@@ -101,14 +163,13 @@ static bool add_own(struct model *model, const struct mesh *mesh,
                     const char *path)
 {
     struct original *original = calloc(mesh->textures + 1, sizeof *original);
+    struct originals originals = {mesh, path, original};
     bool done = original || message_error("out of memory");
     for (uint32_t i = 0; done && i < mesh->parts; i++) {
         const struct mesh_material *m = &mesh->part[i].material;
-        const uint32_t k = m->texture - 1;
-        if (!m->texture || !mesh->part[i].has_uv)
+        if (!(m->texture || m->glow_texture) || !mesh->part[i].has_uv)
             continue;
-        const uint32_t number =
-            texture_of(model, &mesh->texture[k], &original[k], m, path);
+        const uint32_t number = texture_of(model, &originals, m);
         done = number > 0;
         if (done && model->texture[number - 1].picture.width > 0)
             model->part[i].texture = number;
@@ -143,6 +204,17 @@ bool model_add_textures(struct model *model, const struct mesh *mesh,
     return true;
 }
 
+/* What the vertex has of its own stays in it where it multiplies the texels. */
+static void paint_vertex(uint8_t to[3], const struct model_texture *t,
+                         const double at[2])
+{
+    pel_color color = texture_at(&t->picture, at[0], at[1]);
+    uint32_t byte[3] = {pel_red(color), pel_green(color), pel_blue(color)};
+    for (int k = 0; t->material.is_colored && k < 3; k++)
+        byte[k] = mesh_byte(mesh_linear(byte[k]) * mesh_linear(to[k]));
+    model_set_color(to, PEL_RGB(byte[0], byte[1], byte[2]));
+}
+
 void model_paint(struct model *model)
 {
     const struct pel_mesh *m = &model->mesh;
@@ -156,8 +228,6 @@ void model_paint(struct model *model)
         for (int k = 0; k < 2 && part->texture; k++)
             at[k] = ldexp(pel_quantization_value(q, k, m->uv[i][k]), -q->shift);
         if (part->texture)
-            model_set_color(
-                to[i], texture_at(&model->texture[part->texture - 1].picture,
-                                  at[0], at[1]));
+            paint_vertex(to[i], &model->texture[part->texture - 1], at);
     }
 }

@@ -167,6 +167,7 @@ struct scene {
     struct pel_light light[SCENE_LIGHTS_MAX];
     struct pel_mesh_texture *texture; /* malloc'ed, like the next two */
     struct pel_mesh_part *part;       /* the model's, in the settings' color */
+    struct pel_mapping colored;       /* of textures that vertices multiply */
     struct pel_stats stats;
     struct pel_frame frame;
     void *scratch;

@@ -1,0 +1,200 @@
+/* Scenes and nodes (chapter 3.5): every primitive where a node shows it. */
+#include "sim/mesh/gltf.h"
+
+#include "sim/cli/message.h"
+#include "sim/image/picture.h"
+
+#ifdef HAVE_JANSSON
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/cli/list.h"
+
+void gltf_multiply(const double a[16], const double b[16], double to[16])
+{
+    for (int i = 0; i < 16; i++) {
+        to[i] = 0;
+        for (int k = 0; k < 4; k++)
+            to[i] += a[i % 4 + 4 * k] * b[i / 4 * 4 + k];
+    }
+}
+
+/* A translation, a turn by a quaternion, a scale; or all in one. */
+bool gltf_node_matrix(struct gltf *g, const json_t *node, double to[16])
+{
+    double t[3] = {0, 0, 0}, q[4] = {0, 0, 0, 1}, s[3] = {1, 1, 1};
+    if (gltf_numbers(g, node, "matrix", to, 16))
+        return true;
+    gltf_numbers(g, node, "translation", t, 3);
+    gltf_numbers(g, node, "rotation", q, 4);
+    gltf_numbers(g, node, "scale", s, 3);
+    const double x = q[0], y = q[1], z = q[2], w = q[3];
+    const double turn[3][3] = {
+        {1 - 2 * (y * y + z * z), 2 * (x * y + z * w), 2 * (x * z - y * w)},
+        {2 * (x * y - z * w), 1 - 2 * (x * x + z * z), 2 * (y * z + x * w)},
+        {2 * (x * z + y * w), 2 * (y * z - x * w), 1 - 2 * (x * x + y * y)}};
+    for (int i = 0; i < 16; i++)
+        to[i] = i == 15     ? 1
+                : i >= 12   ? t[i - 12]
+                : i % 4 < 3 ? turn[i / 4][i % 4] * s[i / 4]
+                            : 0;
+    return g->good;
+}
+
+/* Of the whole file, in the order of the nodes. */
+struct found {
+    struct gltf *g;
+    struct gltf_primitive *primitive;
+    size_t count;
+};
+
+static bool find_in_mesh(struct found *f, const json_t *node, json_int_t mesh,
+                         const double world[16])
+{
+    struct gltf *g = f->g;
+    struct gltf_primitive p = {.mesh = gltf_at(g, "meshes", mesh),
+                               .node = node};
+    const json_t *list = json_object_get(p.mesh, "primitives");
+    memcpy(p.world, world, sizeof(p.world));
+    for (size_t i = 0; i < json_array_size(list) && g->good; i++) {
+        p.json = json_array_get(list, i);
+        p.material = gltf_index(g, p.json, "material");
+        if (g->good && !list_add(&f->primitive, &f->count, &p, sizeof(p)))
+            return false;
+    }
+    return g->good;
+}
+
+/* A node is another's child once: more than there are is a circle. */
+static bool find_below(struct found *f, json_int_t index,
+                       const double above[16], size_t depth)
+{
+    struct gltf *g = f->g;
+    const json_t *node = gltf_at(g, "nodes", index);
+    const json_t *children = json_object_get(node, "children");
+    double own[16], world[16];
+    const json_int_t mesh = gltf_index(g, node, "mesh");
+    if (depth > json_array_size(json_object_get(g->root, "nodes")) ||
+        f->count > 1 << 20)
+        return gltf_refuse(g, "nodes[%lld] is below itself", (long long)index);
+    if (!g->good || !gltf_node_matrix(g, node, own))
+        return false;
+    gltf_multiply(above, own, world);
+    if (mesh >= 0 && !find_in_mesh(f, node, mesh, world))
+        return false;
+    for (size_t i = 0; i < json_array_size(children); i++) {
+        const json_t *child = json_array_get(children, i);
+        if (!json_is_integer(child))
+            return gltf_refuse(g, "'children' has no numbers");
+        if (!find_below(f, json_integer_value(child), world, depth + 1))
+            return false;
+    }
+    return true;
+}
+
+/* The nodes of the scene that is shown first. */
+static bool find(struct found *f)
+{
+    static const double one[16] = {[0] = 1, [5] = 1, [10] = 1, [15] = 1};
+    struct gltf *g = f->g;
+    const json_int_t scene = gltf_index(g, g->root, "scene");
+    if (!json_object_get(g->root, "scenes"))
+        return gltf_refuse(g, "a mesh file without a scene");
+    const json_t *shown = gltf_at(g, "scenes", scene < 0 ? 0 : scene);
+    const json_t *nodes = json_object_get(shown, "nodes");
+    if (nodes && !json_is_array(nodes))
+        return gltf_refuse(g, "'nodes' of a scene is no array");
+    for (size_t i = 0; i < json_array_size(nodes) && g->good; i++) {
+        const json_t *node = json_array_get(nodes, i);
+        if (!json_is_integer(node))
+            return gltf_refuse(g, "'nodes' of a scene has no numbers");
+        if (!find_below(f, json_integer_value(node), one, 1))
+            return false;
+    }
+    return g->good;
+}
+
+static bool has_place(const struct gltf_primitive *p,
+                      const struct gltf_material *m)
+{
+    char name[32];
+    snprintf(name, sizeof(name), "TEXCOORD_%d", m->place.set);
+    return json_object_get(json_object_get(p->json, "attributes"), name);
+}
+
+/* The primitives of one material, with or without uv, are a part; those whose
+ * texture is multiplied by a colour of their own are parts of their own. */
+static bool add_parts(struct found *f, struct mesh *mesh, json_int_t material)
+{
+    struct gltf *g = f->g;
+    struct gltf_material m;
+    bool any = false;
+    for (size_t i = 0; i < f->count; i++)
+        any = any || f->primitive[i].material == material;
+    if (!any)
+        return true;
+    if (!gltf_material(g, mesh, material, &m))
+        return false;
+    for (int uv = 0; uv < 2; uv++)
+        for (size_t i = 0; i < f->count; i++) {
+            struct gltf_primitive *p = &f->primitive[i];
+            p->has_uv = has_place(p, &m);
+            if (p->material == material && p->has_uv == uv &&
+                !gltf_add(g, mesh, p, &m))
+                return false;
+        }
+    return true;
+}
+
+static bool load(struct gltf *g, struct mesh *mesh)
+{
+    struct found f = {g, NULL, 0};
+    const size_t materials =
+        json_array_size(json_object_get(g->root, "materials"));
+    if (!find(&f))
+        return false;
+    mesh->has_normals = true;
+    for (size_t i = 0; i < materials; i++)
+        if (!add_parts(&f, mesh, (json_int_t)i))
+            return false;
+    if (!add_parts(&f, mesh, -1))
+        return false;
+    for (size_t i = 0; i < f.count; i++)
+        if (f.primitive[i].material >= (json_int_t)materials)
+            gltf_at(g, "materials", f.primitive[i].material);
+    if (g->points || g->lines)
+        message_error_at(g->path, 0,
+                         "%lu points and %lu lines are left out: a mesh has "
+                         "triangles",
+                         g->points, g->lines);
+    return g->good &&
+           (mesh->triangles > 0 ||
+            message_error_at(g->path, 0, "a mesh file without triangles"));
+}
+
+bool gltf_load(struct mesh *mesh, const char *path)
+{
+    struct gltf g;
+    memset(mesh, 0, sizeof(*mesh));
+    if (!gltf_open(&g, path))
+        return false;
+    return g.is_old ? mesh_load_file(mesh, path) : load(&g, mesh);
+}
+
+#else
+
+bool gltf_load(struct mesh *mesh, const char *path)
+{
+    (void)mesh;
+    return message_error_at(
+        path, 0,
+        "this pel was built without jansson, which reads glTF: the package "
+        "libjansson-dev brings it");
+}
+
+#endif
+
+bool gltf_is_file(const char *path)
+{
+    return path_has_ending(path, " .gltf .glb ");
+}

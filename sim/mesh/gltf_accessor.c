@@ -1,0 +1,149 @@
+/* Accessors (chapter 3.6.2). */
+#include "sim/mesh/gltf.h"
+
+#ifdef HAVE_JANSSON
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/cli/bytes.h"
+#include "sim/cli/message.h"
+
+enum kind { BYTE = 5120, UBYTE, SHORT, USHORT, UINT = 5125, FLOAT };
+
+static int bytes_of(json_int_t kind)
+{
+    return kind == BYTE || kind == UBYTE     ? 1
+           : kind == SHORT || kind == USHORT ? 2
+           : kind == UINT || kind == FLOAT   ? 4
+                                             : 0;
+}
+
+static int components_of(const char *type)
+{
+    static const struct {
+        const char *name;
+        int n;
+    } types[] = {
+        {"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT4", 16}};
+    for (int i = 0; type && i < 5; i++)
+        if (strcmp(type, types[i].name) == 0)
+            return types[i].n;
+    return 0;
+}
+
+/* Signed ones have one value less than they could: -128 is -127. */
+static double number_at(const uint8_t *at, json_int_t kind, bool normalized)
+{
+    const uint32_t v = bytes_little(at, bytes_of(kind));
+    float real;
+    switch (kind) {
+    case BYTE:
+        return normalized ? fmax((int8_t)v / 127.0, -1) : (int8_t)v;
+    case SHORT:
+        return normalized ? fmax((int16_t)v / 32767.0, -1) : (int16_t)v;
+    case UBYTE:
+        return normalized ? v / 255.0 : v;
+    case USHORT:
+        return normalized ? v / 65535.0 : v;
+    case FLOAT:
+        memcpy(&real, &v, sizeof(real));
+        return (double)real;
+    default:
+        return v;
+    }
+}
+
+/* Elements of `components` numbers, from some bytes of a view. */
+struct elements {
+    json_int_t view, kind;
+    double offset, stride; /* bytes; 0: packed */
+    size_t count;
+    int components;
+    bool normalized;
+};
+
+static bool read(struct gltf *g, const struct elements *e, double *to)
+{
+    const double packed = (double)(e->components * bytes_of(e->kind));
+    const double stride = e->stride > 0 ? e->stride : packed;
+    const double size = stride * (double)(e->count - 1) + packed;
+    const uint8_t *at = gltf_view(g, e->view, e->offset, size);
+    for (size_t i = 0; at && i < e->count; i++)
+        for (int k = 0; k < e->components; k++)
+            to[i * (size_t)e->components + (size_t)k] =
+                number_at(at + (size_t)stride * i + k * bytes_of(e->kind),
+                          e->kind, e->normalized);
+    return at;
+}
+
+/* A few elements, by their indices, in place of others. */
+static bool read_sparse(struct gltf *g, const json_t *sparse,
+                        const struct elements *all, double *to)
+{
+    const json_t *indices = json_object_get(sparse, "indices");
+    const json_t *values = json_object_get(sparse, "values");
+    const double count = gltf_number(g, sparse, "count", 0);
+    if (!(count >= 1 && count <= (double)all->count))
+        return gltf_refuse(g, "a sparse accessor has %g elements", count);
+    struct elements e = {.view = gltf_index(g, indices, "bufferView"),
+                         .kind = gltf_index(g, indices, "componentType"),
+                         .offset = gltf_number(g, indices, "byteOffset", 0),
+                         .count = (size_t)count,
+                         .components = 1};
+    const size_t n = (size_t)all->components;
+    double *index = malloc(e.count * sizeof(*index));
+    double *value = malloc(e.count * n * sizeof(*value));
+    bool good = index && value &&
+                (e.kind == UBYTE || e.kind == USHORT || e.kind == UINT) &&
+                read(g, &e, index);
+    e = *all;
+    e.count = (size_t)count;
+    e.stride = 0;
+    e.view = gltf_index(g, values, "bufferView");
+    e.offset = gltf_number(g, values, "byteOffset", 0);
+    good = good && read(g, &e, value);
+    for (size_t i = 0; good && i < e.count; i++) {
+        good = index[i] < (double)all->count;
+        if (good)
+            memcpy(to + (size_t)index[i] * n, value + i * n,
+                   n * sizeof(*value));
+    }
+    free(index);
+    free(value);
+    return good || gltf_refuse(g, "a sparse accessor is out of range");
+}
+
+bool gltf_accessor(struct gltf *g, json_int_t index, struct gltf_array *array)
+{
+    const json_t *object = gltf_at(g, "accessors", index);
+    const json_t *sparse = json_object_get(object, "sparse");
+    const double count = gltf_number(g, object, "count", 0);
+    struct elements e = {
+        .view = gltf_index(g, object, "bufferView"),
+        .kind = gltf_index(g, object, "componentType"),
+        .offset = gltf_number(g, object, "byteOffset", 0),
+        .components =
+            components_of(json_string_value(json_object_get(object, "type"))),
+        .normalized = json_is_true(json_object_get(object, "normalized"))};
+    if (!g->good)
+        return false;
+    if (!bytes_of(e.kind) || !e.components || !(count >= 1 && count <= 1 << 28))
+        return gltf_refuse(g, "accessors[%lld] has no legal type or count",
+                           (long long)index);
+    e.count = (size_t)count;
+    if (e.view >= 0)
+        e.stride =
+            gltf_number(g, gltf_at(g, "bufferViews", e.view), "byteStride", 0);
+    array->count = e.count;
+    array->components = e.components;
+    array->number = calloc(e.count * (size_t)e.components, sizeof(double));
+    if (!array->number)
+        return message_error("no memory for %zu numbers", e.count);
+    return (e.view < 0 || read(g, &e, array->number)) &&
+           (!sparse || read_sparse(g, sparse, &e, array->number));
+}
+
+#else
+typedef int gltf_accessor_needs_jansson;
+#endif

@@ -1,0 +1,280 @@
+/* The file: JSON, buffers, URIs (chapters 3.3, 3.6.1, 4). */
+#include "sim/mesh/gltf.h"
+
+#ifdef HAVE_JANSSON
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/cli/bytes.h"
+#include "sim/cli/message.h"
+#include "sim/mesh/mend.h"
+
+enum { CHUNK_JSON = 0x4E4F534A, CHUNK_BIN = 0x004E4942 };
+
+void *gltf_refuse(struct gltf *g, const char *format, ...)
+{
+    char text[400];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof(text), format, arguments);
+    va_end(arguments);
+    if (g->good)
+        message_error_at(g->path, 0, "%s", text);
+    g->good = false;
+    return NULL;
+}
+
+json_t *gltf_at(struct gltf *g, const char *array, json_int_t index)
+{
+    json_t *list = json_object_get(g->root, array);
+    json_t *object = index >= 0 ? json_array_get(list, (size_t)index) : NULL;
+    return json_is_object(object) ? object
+                                  : gltf_refuse(g, "%s[%lld] is not there",
+                                                array, (long long)index);
+}
+
+double gltf_number(struct gltf *g, const json_t *object, const char *key,
+                   double fallback)
+{
+    const json_t *member = json_object_get(object, key);
+    if (member && !json_is_number(member))
+        gltf_refuse(g, "'%s' is no number", key);
+    return json_is_number(member) ? json_number_value(member) : fallback;
+}
+
+json_int_t gltf_index(struct gltf *g, const json_t *object, const char *key)
+{
+    const json_t *member = json_object_get(object, key);
+    if (member && !(json_is_integer(member) && json_integer_value(member) >= 0))
+        gltf_refuse(g, "'%s' is no number from 0 on", key);
+    return json_is_integer(member) ? json_integer_value(member) : -1;
+}
+
+bool gltf_numbers(struct gltf *g, const json_t *object, const char *key,
+                  double *number, size_t n)
+{
+    const json_t *member = json_object_get(object, key);
+    if (!member)
+        return false;
+    if (!json_is_array(member) || json_array_size(member) != n)
+        return gltf_refuse(g, "'%s' is no array of %zu numbers", key, n);
+    for (size_t i = 0; i < n; i++) {
+        const json_t *item = json_array_get(member, i);
+        if (!json_is_number(item))
+            return gltf_refuse(g, "'%s' is no array of numbers", key);
+        number[i] = json_number_value(item);
+    }
+    return true;
+}
+
+const json_t *gltf_member(struct gltf *g, const json_t *object,
+                          const char *path)
+{
+    while (object && *path) {
+        const size_t n = strcspn(path, ".");
+        char key[64];
+        snprintf(key, sizeof(key), "%.*s", (int)n, path);
+        object = json_object_get(object, key);
+        if (object && !json_is_object(object))
+            return gltf_refuse(g, "'%s' is no object", key);
+        path += n + (path[n] == '.');
+    }
+    return object;
+}
+
+static int digit_of(int c)
+{
+    static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                 "abcdefghijklmnopqrstuvwxyz0123456789+/";
+    const char *at = c ? strchr(digits, c) : NULL;
+    return at ? (int)(at - digits) : -1;
+}
+
+static bool decode_base64(const char *text, struct gltf_bytes *bytes)
+{
+    uint8_t *to = malloc(strlen(text) / 4 * 3 + 3);
+    uint32_t bits = 0;
+    int have = 0, digit;
+    size_t n = 0;
+    for (; to && (digit = digit_of(*text)) >= 0; text++) {
+        bits = bits << 6 | (uint32_t)digit;
+        have += 6;
+        if (have >= 8)
+            to[n++] = (uint8_t)(bits >> (have -= 8));
+    }
+    bytes->at = to;
+    bytes->size = n;
+    return to && text[strspn(text, "=")] == '\0';
+}
+
+static char *decode_percent(const char *text)
+{
+    char *copy = strdup(text), *to = copy;
+    for (const char *c = text; copy && *c; c++) {
+        unsigned byte;
+        if (*c == '%' && sscanf(c + 1, "%2x", &byte) == 1 && byte > 0) {
+            *to++ = (char)byte;
+            c += 2;
+        } else
+            *to++ = *c;
+    }
+    if (copy)
+        *to = '\0';
+    return copy;
+}
+
+bool gltf_uri(const char *path, const char *uri, struct gltf_bytes *bytes,
+              char **file)
+{
+    const char *data = strstr(uri, ";base64,");
+    *file = NULL;
+    bytes->at = NULL;
+    if (strncmp(uri, "data:", 5) == 0)
+        return data && decode_base64(data + 8, bytes);
+    char *name = decode_percent(uri);
+    *file = name ? mend_path_beside(path, name) : NULL;
+    free(name);
+    return *file;
+}
+
+static bool read_buffer(struct gltf *g, json_int_t index)
+{
+    struct gltf_bytes *b = &g->buffer[index];
+    const json_t *object = gltf_at(g, "buffers", index);
+    const char *uri = json_string_value(json_object_get(object, "uri"));
+    const double size = gltf_number(g, object, "byteLength", 0);
+    char *path = NULL;
+    if (!uri && index == 0)
+        *b = g->chunk;
+    else if (!uri || !gltf_uri(g->path, uri, b, &path))
+        return gltf_refuse(g, "buffers[%lld] has no data", (long long)index);
+    struct mend file = {.path = path};
+    if (path && !mend_read(&file, path))
+        return gltf_refuse(g, "its buffer %.200s cannot be read", path);
+    if (path)
+        *b = (struct gltf_bytes){(const uint8_t *)file.text, file.size};
+    if (!b->at || (double)b->size < size)
+        return gltf_refuse(g, "buffers[%lld] has %zu bytes of %.0f",
+                           (long long)index, b->size, size);
+    return g->good;
+}
+
+const uint8_t *gltf_view(struct gltf *g, json_int_t view, double offset,
+                         double size)
+{
+    const json_t *object = gltf_at(g, "bufferViews", view);
+    const json_int_t buffer = gltf_index(g, object, "buffer");
+    const double first = gltf_number(g, object, "byteOffset", 0);
+    const double length = gltf_number(g, object, "byteLength", 0);
+    if (!g->good || !gltf_at(g, "buffers", buffer) ||
+        (!g->buffer[buffer].at && !read_buffer(g, buffer)))
+        return NULL;
+    if (offset < 0 || first < 0 || offset + size > length ||
+        first + length > (double)g->buffer[buffer].size)
+        return gltf_refuse(g, "bytes %.0f to %.0f leave bufferViews[%lld]",
+                           offset, offset + size, (long long)view);
+    return g->buffer[buffer].at + (size_t)(first + offset);
+}
+
+struct gltf_bytes gltf_whole_view(struct gltf *g, json_int_t view)
+{
+    const json_t *object = gltf_at(g, "bufferViews", view);
+    const double size = gltf_number(g, object, "byteLength", 0);
+    const uint8_t *at = gltf_view(g, view, 0, size);
+    return (struct gltf_bytes){at, at ? (size_t)size : 0};
+}
+
+/* Finds the chunks of a .glb; of a .gltf all is JSON. */
+static bool find_chunks(struct gltf *g, const struct mend *file,
+                        struct gltf_bytes *json)
+{
+    const uint8_t *byte = (const uint8_t *)file->text;
+    *json = (struct gltf_bytes){byte, file->size};
+    if (file->size < 12 || memcmp(byte, "glTF", 4) != 0)
+        return true;
+    g->is_old = bytes_little(byte + 4, 4) == 1;
+    if (g->is_old)
+        return true;
+    json->at = NULL;
+    for (size_t at = 12; at + 8 <= file->size;) {
+        const struct gltf_bytes chunk = {byte + at + 8,
+                                         bytes_little(byte + at, 4)};
+        const uint32_t type = bytes_little(byte + at + 4, 4);
+        if (chunk.size > file->size - at - 8)
+            break;
+        if (type == CHUNK_JSON && !json->at)
+            *json = chunk;
+        if (type == CHUNK_BIN && !g->chunk.at)
+            g->chunk = chunk;
+        at += 8 + (chunk.size + 3) / 4 * 4;
+    }
+    return json->at ? true : (bool)gltf_refuse(g, "ends before its chunks do");
+}
+
+/* What it needs, or what it would show with more. */
+static bool check_extensions(struct gltf *g)
+{
+    static const char *const known[] = {"KHR_texture_transform",
+                                        "KHR_mesh_quantization",
+                                        "KHR_materials_unlit",
+                                        "KHR_materials_emissive_strength",
+                                        "KHR_materials_pbrSpecularGlossiness",
+                                        NULL};
+    static const char *const keys[] = {"extensionsRequired", "extensionsUsed"};
+    char names[200] = "";
+    for (int k = 0; k < 2; k++) {
+        const json_t *list = json_object_get(g->root, keys[k]);
+        for (size_t i = 0; i < json_array_size(list); i++) {
+            const char *name = json_string_value(json_array_get(list, i));
+            int n = 0;
+            while (name && known[n] && strcmp(name, known[n]) != 0)
+                n++;
+            if (name && known[n])
+                continue;
+            if (!name || k == 0)
+                return gltf_refuse(g,
+                                   "requires the extension %.100s, which "
+                                   "pel does not have",
+                                   name ? name : "without a name");
+            const size_t used = strlen(names);
+            snprintf(names + used, sizeof(names) - used, "%s%s",
+                     used ? ", " : "", name);
+        }
+    }
+    if (*names)
+        message_error_at(g->path, 0, "uses %s: left out", names);
+    return true;
+}
+
+bool gltf_open(struct gltf *g, const char *path)
+{
+    struct mend file = {.path = path};
+    struct gltf_bytes json;
+    json_error_t error;
+    *g = (struct gltf){.path = path, .good = true};
+    if (!mend_read(&file, path))
+        return gltf_refuse(g, "cannot be read");
+    if (!find_chunks(g, &file, &json) || g->is_old)
+        return g->is_old;
+    g->root = json_loadb((const char *)json.at, json.size, 0, &error);
+    if (!json_is_object(g->root))
+        return gltf_refuse(g, "line %d: no JSON (%.160s)", error.line,
+                           g->root ? "no object" : error.text);
+    const char *version = json_string_value(
+        json_object_get(gltf_member(g, g->root, "asset"), "version"));
+    g->is_old = !version || *version == '1';
+    if (g->is_old)
+        return true;
+    if (*version != '2')
+        return gltf_refuse(g, "has the version %.20s of glTF: expected 2",
+                           version);
+    g->buffer = calloc(json_array_size(json_object_get(g->root, "buffers")) + 1,
+                       sizeof(*g->buffer));
+    return (g->buffer || message_error("no memory for buffers")) &&
+           check_extensions(g);
+}
+
+#else
+typedef int gltf_file_needs_jansson;
+#endif
