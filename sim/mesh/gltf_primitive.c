@@ -307,26 +307,30 @@ static size_t corner(int mode, size_t i, size_t k)
     return 3 * i + k;
 }
 
-static bool put_triangles(struct gltf *g, struct mesh *mesh, int mode,
-                          const struct gltf_array *index, size_t first,
-                          const struct gltf_primitive *p)
+struct drawn {
+    int mode;
+    size_t vertices; /* the last of the mesh */
+    bool mirrored;
+};
+
+static bool put_triangles(struct gltf *g, struct mesh *mesh,
+                          const struct drawn *d, const struct gltf_array *index)
 {
-    const size_t count = mode == TRIANGLES  ? index->count / 3
-                         : index->count > 2 ? index->count - 2
-                                            : 0;
-    const size_t vertices = mesh->vertices - first;
-    const bool mirrored = determinant(p->world) < 0;
+    const size_t count = d->mode == TRIANGLES ? index->count / 3
+                         : index->count > 2   ? index->count - 2
+                                              : 0;
+    const size_t first = mesh->vertices - d->vertices;
     for (size_t i = 0; i < count; i++) {
         uint32_t *to = mesh->triangle[mesh->triangles++];
         for (size_t k = 0; k < 3; k++) {
-            const size_t n = corner(mode, i, k);
+            const size_t n = corner(d->mode, i, k);
             const double v = index->number ? index->number[n] : (double)n;
-            if (v >= (double)vertices)
+            if (v >= (double)d->vertices)
                 return gltf_refuse(g,
                                    "index %.0f is out of range: the "
                                    "primitive has %zu vertices",
-                                   v, vertices);
-            to[mirrored ? 2 - k : k] = (uint32_t)(first + (size_t)v);
+                                   v, d->vertices);
+            to[d->mirrored ? 2 - k : k] = (uint32_t)(first + (size_t)v);
         }
     }
     mesh->part[mesh->parts - 1].triangles = mesh->triangles;
@@ -340,7 +344,6 @@ static bool add(struct gltf *g, struct mesh *mesh,
     const int mode = (int)gltf_number(g, p->json, "mode", TRIANGLES);
     const json_int_t indices = gltf_index(g, p->json, "indices");
     struct gltf_array index = {NULL, 0, 1};
-    const size_t first = mesh->vertices;
     if (!read_all(g, p, material, a))
         return false;
     a->one_color = a->color.number && is_one_color(&a->color);
@@ -359,9 +362,11 @@ static bool add(struct gltf *g, struct mesh *mesh,
     }
     if (mode > FAN || index.components != 1)
         return gltf_refuse(g, "a primitive has the mode %d", mode);
+    const struct drawn drawn = {mode, a->position.count,
+                                determinant(p->world) < 0};
     const bool done = make_room(g, mesh, a->position.count, index.count) &&
                       put_vertices(g, mesh, p, material, a) &&
-                      put_triangles(g, mesh, mode, &index, first, p);
+                      put_triangles(g, mesh, &drawn, &index);
     free(index.number);
     return done;
 }
