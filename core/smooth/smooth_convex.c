@@ -15,8 +15,15 @@ static inline uint32_t fraction_at(int64_t at)
     return (uint32_t)at >> 16;
 }
 
-/* Writes the areas inside a side, and PEL_SMOOTH_HALF, of the pixels that it
- * crosses, and moves on to the next row. flip: 0 left, all ones right. */
+/* flip: 0, or all ones for the negative: what lies left of an edge. */
+static inline uint32_t *put_area(uint32_t *to, uint32_t area, uint32_t flip)
+{
+    *to = ((PEL_SMOOTH_HALF + area) ^ flip) - flip;
+    return to + 1;
+}
+
+/* Writes the areas inside a side, and HALF, of the pixels that it crosses, and
+ * moves on to the next row. flip: 0 left, all ones right. */
 static PEL_INLINE_KINDS uint32_t *cross_row(struct pel_smooth_side *s,
                                             uint32_t *area, uint32_t flip,
                                             int32_t *first)
@@ -27,26 +34,16 @@ static PEL_INLINE_KINDS uint32_t *cross_row(struct pel_smooth_side *s,
     int32_t n = pixel_of(hi) - pixel_of(lo);
     s->at = to;
     *first = pixel_of(lo);
-    if (n == 0) {
-        *area++ = ((PEL_SMOOTH_HALF + PEL_SMOOTH_FULL - (low + high) * 32640) ^
-                   flip) -
-                  flip;
-        return area;
-    }
-    *area++ =
-        ((PEL_SMOOTH_HALF + pel_smooth_corner(&s->rise, 65536 - low)) ^ flip) -
-        flip;
+    if (n == 0)
+        return put_area(area, PEL_SMOOTH_FULL - (low + high) * 32640, flip);
+    area = put_area(area, pel_smooth_corner(&s->rise, 65536 - low), flip);
     if (n > 1) {
-        uint32_t v =
-            PEL_SMOOTH_HALF + pel_smooth_between(&s->rise, 65536 - low);
+        uint32_t v = pel_smooth_between(&s->rise, 65536 - low);
         for (; n > 1; n--, v += s->rise.value)
-            *area++ = (v ^ flip) - flip;
+            area = put_area(area, v, flip);
     }
-    *area++ = ((PEL_SMOOTH_HALF + PEL_SMOOTH_FULL -
-                pel_smooth_corner(&s->rise, high)) ^
-               flip) -
-              flip;
-    return area;
+    return put_area(area, PEL_SMOOTH_FULL - pel_smooth_corner(&s->rise, high),
+                    flip);
 }
 
 /* Pixels that both sides cross: the last of the left one and the first of the
@@ -137,45 +134,62 @@ static int64_t area_of(const struct pel_point *v, int32_t n)
     return area;
 }
 
+/* The box of n vertices, in sub-pixels. */
+static struct pel_rect box_of(const struct pel_point *v, int32_t n)
+{
+    struct pel_rect r = {INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+    for (; n > 0; n--, v++) {
+        r.x0 = pel_min(r.x0, v->x);
+        r.y0 = pel_min(r.y0, v->y);
+        r.x1 = pel_max(r.x1, v->x);
+        r.y1 = pel_max(r.y1, v->y);
+    }
+    return r;
+}
+
+static void walk_rows(struct pel_smooth_walk *k, int32_t y, int32_t end)
+{
+    while (y < end) {
+        const int32_t rows = rows_across(k, y, end);
+        if (rows <= 0) {
+            pel_smooth_vertex_row(k, y++);
+            continue;
+        }
+        cross_rows(k, y, rows);
+        y += rows;
+        for (int i = 0; i < 2; i++)
+            if (k->v[k->side[i].to].y <= PEL_PX(y))
+                pel_smooth_next_edge(k, &k->side[i]);
+    }
+}
+
 void pel_smooth_convex(const struct pel_surface *surface,
                        const struct pel_point *v, int32_t n,
                        const struct pel_paint *paint)
 {
+    const struct pel_rect *const clip = &surface->clip;
     struct pel_smooth_walk k = {.v = v, .n = n};
-    int32_t top = 0, bottom = 0, left = INT32_MAX, right = INT32_MIN;
+    int32_t top = 0;
     PEL_ASSERT(pel_points_legal(v, n));
     if (!pel_points_legal(v, n) || !pel_smooth_begin(&k.smooth, surface, paint))
         return;
-    for (int32_t i = 0; i < n; i++) {
-        top = v[i].y < v[top].y ? i : top;
-        bottom = v[i].y > v[bottom].y ? i : bottom;
-        left = pel_min(left, v[i].x);
-        right = pel_max(right, v[i].x);
-    }
+    const struct pel_rect box = box_of(v, n);
     const int64_t area = area_of(v, n);
-    if (area == 0)
+    const int32_t y = pel_max(pel_pixel_of(box.y0), clip->y0);
+    const int32_t end = pel_min(pel_pixel_of(box.y1 + 255), clip->y1);
+    if (area == 0 || y >= end || pel_pixel_of(box.x1) < clip->x0 ||
+        pel_pixel_of(box.x0) >= clip->x1)
         return;
-    k.inside = pel_pixel_of(left) >= surface->clip.x0 &&
-               pel_pixel_of(right) < surface->clip.x1;
-    k.bottom = v[bottom].y;
-    int32_t y = pel_max(pel_pixel_of(v[top].y), surface->clip.y0);
-    const int32_t end = pel_min(pel_pixel_of(k.bottom + 255), surface->clip.y1);
+    while (v[top].y != box.y0)
+        top++;
+    k.inside =
+        pel_pixel_of(box.x0) >= clip->x0 && pel_pixel_of(box.x1) < clip->x1;
+    k.bottom = box.y1;
     k.side[0].turn = area > 0 ? -1 : 1;
     k.side[1].turn = -k.side[0].turn;
     start(&k, 0, top, y);
     start(&k, 1, top, y);
-    while (y < end) {
-        const int32_t rows = rows_across(&k, y, end);
-        if (rows > 0) {
-            cross_rows(&k, y, rows);
-            y += rows;
-            for (int i = 0; i < 2; i++)
-                if (k.v[k.side[i].to].y <= PEL_PX(y))
-                    pel_smooth_next_edge(&k, &k.side[i]);
-        } else {
-            pel_smooth_vertex_row(&k, y++);
-        }
-    }
+    walk_rows(&k, y, end);
 }
 
 void pel_smooth_triangle(const struct pel_surface *surface,

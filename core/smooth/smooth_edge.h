@@ -39,11 +39,18 @@ struct pel_rise {
     bool steep;
 };
 
-/* floor(n 2^32 / d), n < d < 2^25. */
-uint32_t pel_smooth_fraction(uint32_t n, uint32_t d);
+/* Of the edge from a down to b. */
+struct pel_rise pel_smooth_rise(const struct pel_point *a,
+                                const struct pel_point *b);
 
-/* w = dx / dy, dx from 0 on, both below 2^24. */
-struct pel_rise pel_smooth_rise(int32_t dx, int32_t dy);
+/* x of a coordinate, px 2^-32. */
+static inline int64_t pel_smooth_wide(int32_t x)
+{
+    return (int64_t)x * (1 << 24);
+}
+
+/* What the edge from a down to b moves in a row, px 2^-32. */
+int64_t pel_smooth_step(const struct pel_point *a, const struct pel_point *b);
 
 /* 255 c(u); u in 2^-16 px. */
 static inline uint32_t pel_smooth_corner(const struct pel_rise *rise,

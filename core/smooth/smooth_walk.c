@@ -17,15 +17,9 @@ bool pel_smooth_next_edge(const struct pel_smooth_walk *k,
         s->to = pel_smooth_next_vertex(k, s->to, s->turn);
         b = &k->v[s->to];
     } while (b->y <= a->y);
-    const int32_t dx = pel_magnitude(b->x - a->x), dy = b->y - a->y;
-    int32_t rest;
-    const int64_t whole = pel_floor_divide(dx, dy, &rest);
-    s->step = whole * (INT64_C(1) << 32) +
-              pel_smooth_fraction((uint32_t)rest, (uint32_t)dy);
-    if (b->x < a->x)
-        s->step = -s->step;
     s->at = pel_smooth_wide(a->x);
-    s->rise = pel_smooth_rise(dx, dy);
+    s->step = pel_smooth_step(a, b);
+    s->rise = pel_smooth_rise(a, b);
     return true;
 }
 
@@ -87,12 +81,11 @@ static uint32_t area_of_part(const struct pel_smooth_walk *k, int i,
     for (int32_t from = r->from, to; from != r->to; from = to) {
         to = pel_smooth_next_vertex(k, from, k->side[i].turn);
         const struct pel_point *const a = &k->v[from], *const b = &k->v[to];
-        const int32_t h = b->y - a->y, dx = pel_magnitude(b->x - a->x);
-        if (h <= 0)
+        if (b->y <= a->y)
             continue;
         const struct piece p =
             piece_of(pel_smooth_wide(a->x), pel_smooth_wide(b->x),
-                     pel_smooth_rise(dx, h), h);
+                     pel_smooth_rise(a, b), b->y - a->y);
         area += area_right_of(&p, x);
     }
     return area;
@@ -112,6 +105,12 @@ static void widen(struct row *row, int i, const struct piece *p)
     row->hi[i] = pel_max(row->hi[i], p->hi >> 16);
 }
 
+/* x of a side h / 256 px further down. */
+static int64_t x_below(const struct pel_smooth_side *s, int32_t h)
+{
+    return s->at + (h == 256 ? s->step : pel_smooth_part(s->step, h));
+}
+
 /* Moves side i on to the next row. */
 static void part_of_row(struct pel_smooth_walk *k, int i, int32_t y,
                         struct row *row)
@@ -128,9 +127,7 @@ static void part_of_row(struct pel_smooth_walk *k, int i, int32_t y,
         const int32_t above = pel_max(k->v[s->from].y, top);
         const bool ends = b->y <= bottom;
         const int32_t h = (ends ? b->y : bottom) - above;
-        const int64_t end = ends       ? pel_smooth_wide(b->x)
-                            : h == 256 ? s->at + s->step
-                                       : s->at + pel_smooth_part(s->step, h);
+        const int64_t end = ends ? pel_smooth_wide(b->x) : x_below(s, h);
         const struct piece p = piece_of(s->at, end, s->rise, h);
         widen(row, i, &p);
         s->at = end;
@@ -147,6 +144,22 @@ static void part_of_row(struct pel_smooth_walk *k, int i, int32_t y,
     }
 }
 
+/* Are all pixels from x on, up to the right side, of one coverage? */
+static bool is_between(const struct row *row, int32_t x)
+{
+    return x > row->hi[0] && x < row->lo[1];
+}
+
+/* Where a part of the row that begins at x ends. */
+static int32_t end_of_part(const struct row *row, int32_t x)
+{
+    if (is_between(row, x))
+        return row->lo[1];
+    if (x <= row->hi[0] && row->hi[0] < row->lo[1])
+        return row->hi[0] + 1;
+    return row->hi[1] + 1;
+}
+
 void pel_smooth_vertex_row(struct pel_smooth_walk *k, int32_t y)
 {
     const struct pel_rect *const clip = &k->smooth.surface.clip;
@@ -156,20 +169,13 @@ void pel_smooth_vertex_row(struct pel_smooth_walk *k, int32_t y)
     part_of_row(k, 0, y, &row);
     part_of_row(k, 1, y, &row);
     const int32_t end = pel_min(row.hi[1] + 1, clip->x1);
-    const int32_t inner = pel_min(row.lo[1], end);
     for (r.x = pel_max(row.lo[0], clip->x0); r.x < end;
          r.x += r.left + r.full) {
-        const bool left = r.x <= row.hi[0], same = !left && r.x < inner;
-        const int32_t stop = same                        ? inner
-                             : left && row.hi[0] < inner ? row.hi[0] + 1
-                                                         : end;
+        const int32_t n = pel_min(end_of_part(&row, r.x), end) - r.x;
+        const bool same = is_between(&row, r.x);
         bytes[0] = coverage_at(k, &row, r.x);
-        r.left = pel_min(stop - r.x, BYTES);
-        r.full = 0;
-        if (same && bytes[0] == 255) {
-            r.left = 0;
-            r.full = stop - r.x;
-        }
+        r.full = same && bytes[0] == 255 ? n : 0;
+        r.left = r.full ? 0 : pel_min(n, BYTES);
         for (int32_t i = 1; i < r.left; i++)
             bytes[i] = same ? bytes[0] : coverage_at(k, &row, r.x + i);
         pel_smooth_paint(&k->smooth, &r);

@@ -24,12 +24,6 @@ struct pel_smooth_walk {
     struct pel_smooth_side side[2]; /* left, right */
 };
 
-/* px 2^-32 of a coordinate. */
-static inline int64_t pel_smooth_wide(int32_t x)
-{
-    return (int64_t)x * (1 << 24);
-}
-
 /* h / 256 of a step, towards 0: a side does not pass its end. h is less than
  * the edge is high, so the product is below 2^24 2^32. */
 static inline int64_t pel_smooth_part(int64_t step, int32_t h)

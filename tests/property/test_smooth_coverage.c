@@ -2,6 +2,7 @@
  * edges in a pixel. */
 #include <string.h>
 
+#include "core/smooth/smooth_polygon.h"
 #include "core/smooth/smooth_rectangle.h"
 #include "core/smooth/smooth_thick_line.h"
 #include "tests/support/check.h"
@@ -38,6 +39,24 @@ static void check_coverage(const struct pel_point *v, int32_t n)
                     print_error("%d %d\n", v[i].x, v[i].y);
                 fail_msg("(%d, %d): %d, not %.3Lf, %d edges: %s", x, y, got,
                          255 * area, edges, cases_replay());
+            }
+        }
+}
+
+static void check_polygon(const struct pel_polygon_shape *p)
+{
+    const struct pel_rect *b = &window.bounds;
+    for (int32_t y = b->y0; y < b->y1; y++)
+        for (int32_t x = b->x0; x < b->x1; x++) {
+            int pieces;
+            const long double area = exact_polygon_area(p, x, y, &pieces);
+            const int got = pel_surface_line(&window, y)[x - b->x0];
+            const long double off = got - 255 * area;
+            if ((off < 0 ? -off : off) > .5L + .02L * pieces + 1e-9L) {
+                for (int32_t i = 0; i < p->n; i++)
+                    print_error("%d %d\n", p->v[i].x, p->v[i].y);
+                fail_msg("(%d, %d): %d, not %.3Lf, %d pieces: %s", x, y, got,
+                         255 * area, pieces, cases_replay());
             }
         }
 }
@@ -179,5 +198,33 @@ TEST(thick_lines)
         else
             pel_smooth_thick_line(&window, &line, &white.paint);
         check_coverage(v, 4);
+    }
+}
+
+TEST(polygons)
+{
+    enum { POINTS = 9 };
+    static uint64_t
+        scratch[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(POINTS, SIZE) / 8 + 1];
+    for (struct cases c = cases_of(200000); cases_next(&c);) {
+        struct random *r = &c.random;
+        struct pel_point v[POINTS];
+        const struct pel_polygon_shape p = {v, random_between(r, 3, POINTS),
+                                            random_word(r) % 2 ? PEL_EVEN_ODD
+                                                               : PEL_NON_ZERO};
+        const uint32_t kind = random_word(r) % 4;
+        if (kind == 0)
+            shape_random(r, v, p.n);
+        else if (kind == 1)
+            shape_adversarial(r, v, p.n);
+        for (int32_t i = 0; kind > 1 && i < p.n; i++)
+            v[i] = point_near(r, (struct pel_point){0, 0});
+        const struct pel_rect bounds = shape_window(r, v, p.n, SIZE);
+        open_window(&bounds);
+        memset(scratch, (int)random_word(r), sizeof scratch);
+        assert_int_equal(pel_smooth_polygon(&window, &p, &white.paint, scratch,
+                                            sizeof scratch),
+                         PEL_OK);
+        check_polygon(&p);
     }
 }

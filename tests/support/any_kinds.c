@@ -62,6 +62,23 @@ void any_draw(const struct pel_surface *surface, const struct any_shape *s,
     }
 }
 
+/* On surfaces of any width: in parts. */
+static void smooth_polygon(const struct pel_surface *surface,
+                           const struct any_shape *s,
+                           const struct pel_paint *paint)
+{
+    enum { WIDTH = 256 };
+    uint64_t scratch[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(ANY_POINTS, WIDTH) / 8];
+    const int32_t end = surface->clip.x1;
+    struct pel_surface part = *surface;
+    for (; part.clip.x0 < end; part.clip.x0 += WIDTH) {
+        part.clip.x1 = pel_min(part.clip.x0 + WIDTH, end);
+        if (pel_smooth_polygon(&part, POLYGON(s), paint, scratch,
+                               sizeof scratch) == PEL_ERROR_SCRATCH)
+            abort();
+    }
+}
+
 bool any_draw_smooth(const struct pel_surface *surface,
                      const struct any_shape *s, const struct pel_paint *paint)
 {
@@ -74,6 +91,9 @@ bool any_draw_smooth(const struct pel_surface *surface,
         return true;
     case ANY_RECTANGLE:
         pel_smooth_rectangle(surface, s->v[0], s->v[1], paint);
+        return true;
+    case ANY_POLYGON:
+        smooth_polygon(surface, s, paint);
         return true;
     case ANY_THICK_LINE:
         if (s->n % 2)

@@ -15,4 +15,10 @@ long double exact_area_right_of(const struct pel_point *a,
 long double exact_area(const struct pel_point *v, int32_t n, int32_t x,
                        int32_t y, int *edges);
 
+/* The area inside a polygon of at most 16 vertices, which may cross itself;
+ * *pieces is how many pieces of edges, between their ends and crossings, the
+ * pixel holds. */
+long double exact_polygon_area(const struct pel_polygon_shape *p, int32_t x,
+                               int32_t y, int *pieces);
+
 #endif

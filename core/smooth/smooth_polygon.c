@@ -1,0 +1,206 @@
+#include "smooth_polygon.h"
+
+#include "smooth_sweep.h"
+
+/* Bytes of a part of a row. */
+enum { BYTES = PEL_64BIT ? 64 : PEL_KNOW_SIDES ? 16 : 8 };
+
+typedef char pel_smooth_polygon_fits[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) >=
+                                             sizeof(struct pel_smooth_edge) +
+                                                 sizeof(int32_t) + 4
+                                         ? 1
+                                         : -1];
+
+/* False: it covers nothing inside the clip, or has no height. */
+static bool is_seen(const struct pel_rect *clip, const struct pel_point *a,
+                    const struct pel_point *b)
+{
+    return a->y < b->y && b->y > PEL_PX(clip->y0) && a->y < PEL_PX(clip->y1) &&
+           pel_pixel_of(pel_min(a->x, b->x)) < clip->x1;
+}
+
+/* x at a row's top, `below` sub-pixels below the edge's: above it by up to 255,
+ * or further down by less than the edge is high, so products are below 2^57. */
+static int64_t x_in(const struct pel_point *a, int64_t step, int32_t below)
+{
+    const int64_t at = pel_smooth_wide(a->x);
+    if (below < 0)
+        return at + (int64_t)pel_times((uint64_t)(step >> 8), below);
+    return at + ((int64_t)pel_times((uint64_t)step, below) >> 8);
+}
+
+/* Behind those that begin above. */
+static void place(struct pel_smooth_sweep *w, int32_t edge)
+{
+    int32_t i = w->count++;
+    for (; i > 0 && w->edge[w->order[i - 1]].top > w->edge[edge].top; i--)
+        w->order[i] = w->order[i - 1];
+    w->order[i] = edge;
+}
+
+static void add_edge(struct pel_smooth_sweep *w, const struct pel_point *a,
+                     const struct pel_point *b, int32_t winding)
+{
+    const struct pel_rect *const clip = &w->smooth.surface.clip;
+    struct pel_smooth_edge *const e = &w->edge[w->count];
+    const int32_t row = pel_max(pel_pixel_of(a->y), clip->y0);
+    if (!is_seen(clip, a, b))
+        return;
+    e->step = pel_smooth_step(a, b);
+    e->at = x_in(a, e->step, PEL_PX(row) - a->y);
+    e->rise = pel_smooth_rise(a, b);
+    e->top = a->y;
+    e->bottom = b->y;
+    e->winding = winding;
+    place(w, w->count);
+}
+
+/* Paints what is collected of a row; the next part begins at x. */
+static void flush(struct pel_smooth_sweep *w, struct pel_smooth_row *row,
+                  int32_t x)
+{
+    if (row->left + row->full > 0)
+        pel_smooth_paint(&w->smooth, row);
+    row->x = x;
+    row->left = row->full = 0;
+}
+
+static void collect(struct pel_smooth_sweep *w, struct pel_smooth_row *row,
+                    int32_t x, int32_t coverage, uint8_t bytes[BYTES])
+{
+    if (coverage == 0)
+        flush(w, row, x + 1);
+    else if (coverage == 255)
+        row->full++;
+    else {
+        if (row->left == BYTES || row->full > 0)
+            flush(w, row, x);
+        bytes[row->left++] = (uint8_t)coverage;
+    }
+}
+
+/* What a sum says, which then is 0. */
+static int32_t take_sum(int32_t *sum)
+{
+    const int32_t value = *sum;
+    *sum = 0;
+    return value;
+}
+
+/* Where no right border lies inside the clip the row goes on to its end. */
+static void paint_row(struct pel_smooth_sweep *w, int32_t y)
+{
+    const struct pel_rect *const clip = &w->smooth.surface.clip;
+    uint8_t bytes[BYTES];
+    struct pel_smooth_row row = {y, w->lo, 0, 0, 0, bytes};
+    int32_t area = 1 << 21, coverage = 0, x = w->lo;
+    for (; x < clip->x1 && (x < w->end || coverage > 0); x++) {
+        area += take_sum(&w->sum[x - clip->x0]);
+        coverage = pel_max(0, pel_min(area >> 22, 255));
+        collect(w, &row, x, coverage, bytes);
+    }
+    w->sum[x - clip->x0] = 0;
+    flush(w, &row, x);
+}
+
+/* Edges that begin above the row's end become active. */
+static void enter(struct pel_smooth_sweep *w, int32_t bottom)
+{
+    while (w->active < w->count && w->edge[w->order[w->active]].top < bottom)
+        w->active++;
+}
+
+/* Moves on to the row below; edges that end above it are dropped. */
+static void advance(struct pel_smooth_sweep *w, int32_t bottom)
+{
+    int32_t kept = 0, i = 0;
+    for (; i < w->active; i++) {
+        struct pel_smooth_edge *const e = &w->edge[w->order[i]];
+        e->at += e->step;
+        if (e->bottom > bottom)
+            w->order[kept++] = w->order[i];
+    }
+    w->active = kept;
+    if (kept < i) {
+        for (; i < w->count; i++)
+            w->order[kept++] = w->order[i];
+        w->count = kept;
+    }
+}
+
+static void sweep_row(struct pel_smooth_sweep *w, int32_t y)
+{
+    enter(w, PEL_PX(y) + 256);
+    w->lo = INT32_MAX;
+    w->end = INT32_MIN;
+    for (int32_t t = 0; w->active > 0 && t < PEL_SMOOTH_ROW;)
+        t = pel_smooth_add_part(w, y, t);
+    if (w->lo < w->end)
+        paint_row(w, y);
+    advance(w, PEL_PX(y) + 256);
+}
+
+static void sweep_rows(struct pel_smooth_sweep *w)
+{
+    const struct pel_rect *const clip = &w->smooth.surface.clip;
+    int32_t y = clip->y0;
+    if (w->count > 0)
+        y = pel_max(y, pel_pixel_of(w->edge[w->order[0]].top));
+    for (; y < clip->y1 && w->count > 0; y++)
+        sweep_row(w, y);
+}
+
+static void clear(int32_t *sum, const struct pel_rect *clip)
+{
+    for (int32_t x = clip->x0; x <= clip->x1; x++)
+        *sum++ = 0;
+}
+
+static void add_edges(struct pel_smooth_sweep *w,
+                      const struct pel_polygon_shape *p)
+{
+    const struct pel_point *a = &p->v[p->n - 1];
+    for (int32_t i = 0; i < p->n; a = &p->v[i++])
+        if (a->y < p->v[i].y)
+            add_edge(w, a, &p->v[i], 1);
+        else
+            add_edge(w, &p->v[i], a, -1);
+}
+
+static enum pel_status check(const struct pel_surface *surface,
+                             const struct pel_polygon_shape *p,
+                             const void *scratch, size_t size)
+{
+    const int32_t width = pel_max(surface->clip.x1 - surface->clip.x0, 0);
+    const size_t row = ((size_t)width + 1) * 4;
+    const size_t edge = PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) - 4;
+    if (!p->v || !scratch)
+        return PEL_ERROR_NULL;
+    if ((uintptr_t)scratch % 8 || size < row ||
+        (size - row) / edge < (size_t)p->n)
+        return PEL_ERROR_SCRATCH;
+    return pel_points_legal(p->v, p->n) ? PEL_OK : PEL_ERROR_RANGE;
+}
+
+enum pel_status pel_smooth_polygon(const struct pel_surface *surface,
+                                   const struct pel_polygon_shape *polygon,
+                                   const struct pel_paint *paint, void *scratch,
+                                   size_t size)
+{
+    if (!surface || !polygon || !paint)
+        return PEL_ERROR_NULL;
+    if (polygon->n < 3)
+        return PEL_OK;
+    const enum pel_status status = check(surface, polygon, scratch, size);
+    struct pel_smooth_sweep w = {
+        .edge = scratch, .mask = polygon->rule == PEL_EVEN_ODD ? 1 : -1};
+    if (status != PEL_OK || !pel_smooth_begin(&w.smooth, surface, paint) ||
+        pel_rect_empty(&surface->clip))
+        return status;
+    w.order = (int32_t *)(void *)(w.edge + polygon->n);
+    w.sum = w.order + polygon->n;
+    clear(w.sum, &surface->clip);
+    add_edges(&w, polygon);
+    sweep_rows(&w);
+    return PEL_OK;
+}

@@ -1,0 +1,140 @@
+#include "smooth_sweep.h"
+
+#include "../base/divide.h"
+
+/* Numbers of x, in 2^-16 px, that are so close lie within the error. */
+enum { SAME = 4 };
+
+/* y in 2^-16 of row y0. */
+static int32_t in_row(int32_t y, int32_t y0)
+{
+    return pel_max(0, pel_min(y - PEL_PX(y0), 256)) * 256;
+}
+
+/* px 2^-16 at t; the product is below 2^41 2^16. A unit beyond the ends of the
+ * range is cut off. */
+static int32_t x_at(const struct pel_smooth_edge *e, int32_t t)
+{
+    const int64_t way = (int64_t)pel_times((uint64_t)(e->step >> 16), t);
+    const int64_t x = (e->at + way) >> 16;
+    return x < INT32_MIN ? INT32_MIN : x > INT32_MAX ? INT32_MAX : (int32_t)x;
+}
+
+/* By x at the top of a part, where those that lie SAME px apart or less count
+ * as equal, or at its bottom. */
+static bool is_before(const struct pel_smooth_edge *a,
+                      const struct pel_smooth_edge *b)
+{
+    if (pel_magnitude((a->x0 >> 1) - (b->x0 >> 1)) > SAME / 2)
+        return a->x0 < b->x0;
+    return a->x1 < b->x1;
+}
+
+/* Where the next edge begins or ends. */
+static int32_t next_end(const struct pel_smooth_sweep *w, int32_t y, int32_t t)
+{
+    int32_t end = PEL_SMOOTH_ROW;
+    for (int32_t i = 0; i < w->active; i++) {
+        const struct pel_smooth_edge *const e = &w->edge[w->order[i]];
+        const int32_t top = in_row(e->top, y), bottom = in_row(e->bottom, y);
+        if (top > t)
+            end = pel_min(end, top);
+        else if (bottom > t)
+            end = pel_min(end, bottom);
+    }
+    return end;
+}
+
+/* Sorts those that cross the part from t to `end` by x: how many; the others
+ * come behind them. */
+static int32_t sort_part(struct pel_smooth_sweep *w, int32_t y, int32_t t,
+                         int32_t end)
+{
+    int32_t live = 0;
+    for (int32_t i = 0; i < w->active; i++) {
+        const int32_t at = w->order[i];
+        struct pel_smooth_edge *const e = &w->edge[at];
+        int32_t k = live;
+        if (in_row(e->top, y) > t || in_row(e->bottom, y) < end)
+            continue;
+        e->x0 = x_at(e, t);
+        e->x1 = x_at(e, end);
+        w->order[i] = w->order[live++];
+        for (; k > 0 && is_before(e, &w->edge[w->order[k - 1]]); k--)
+            w->order[k] = w->order[k - 1];
+        w->order[k] = at;
+    }
+    return live;
+}
+
+/* The first place from t on where two neighbours cross, or `end`. */
+static int32_t first_crossing(const struct pel_smooth_sweep *w, int32_t live,
+                              int32_t t, int32_t end)
+{
+    int32_t first = end;
+    for (int32_t i = 1; i < live; i++) {
+        const struct pel_smooth_edge *const a = &w->edge[w->order[i - 1]];
+        const struct pel_smooth_edge *const b = &w->edge[w->order[i]];
+        if (a->x1 < b->x1 || (uint32_t)a->x1 - (uint32_t)b->x1 <= SAME)
+            continue;
+        const uint32_t before = ((uint32_t)b->x0 - (uint32_t)a->x0) >> 1;
+        const uint32_t after = ((uint32_t)a->x1 - (uint32_t)b->x1) >> 1;
+        const uint64_t n = pel_multiply(before, (uint32_t)(end - t));
+        first = pel_min(first, t + (int32_t)pel_divide(n, before + after));
+    }
+    return pel_max(first, t + 1);
+}
+
+/* The area right of a piece of an edge, in pixel x; h in 2^-16. */
+static uint32_t area_at(const struct pel_smooth_edge *e, int32_t x, uint32_t h)
+{
+    const int32_t lo = pel_min(e->x0, e->x1), hi = pel_max(e->x0, e->x1);
+    const int32_t a = lo >> 16, b = hi >> 16;
+    const uint32_t low = (uint32_t)lo & 0xFFFF, high = (uint32_t)hi & 0xFFFF;
+    if (a == b)
+        return (uint32_t)(pel_multiply(131072 - low - high, h) >> 9) * 255;
+    if (x == a)
+        return pel_smooth_corner(&e->rise, 65536 - low);
+    if (x == b)
+        return h * (255 << 8) - pel_smooth_corner(&e->rise, high);
+    return pel_smooth_between(&e->rise, 65536 - low) +
+           (uint32_t)(x - a - 1) * e->rise.value;
+}
+
+static void add_piece(struct pel_smooth_sweep *w,
+                      const struct pel_smooth_edge *e, uint32_t h, int32_t sign)
+{
+    const struct pel_rect *const clip = &w->smooth.surface.clip;
+    const int32_t a = pel_min(e->x0, e->x1) >> 16;
+    const int32_t b = pel_max(e->x0, e->x1) >> 16;
+    const int32_t from = pel_max(a, clip->x0), end = pel_min(b + 1, clip->x1);
+    int32_t *sum = w->sum + (from - clip->x0), before = 0, here;
+    if (from >= clip->x1)
+        return;
+    w->lo = pel_min(w->lo, from);
+    for (int32_t x = from; x < end; x++) {
+        here = (int32_t)(area_at(e, x, h) >> 2);
+        *sum++ += sign * (here - before);
+        before = here;
+    }
+    *sum += sign * ((int32_t)(h * (255 << 8) >> 2) - before);
+    w->end = pel_max(w->end, pel_max(from, end) + 1);
+}
+
+int32_t pel_smooth_add_part(struct pel_smooth_sweep *w, int32_t y, int32_t t)
+{
+    int32_t end = next_end(w, y, t), winding = 0;
+    const int32_t live = sort_part(w, y, t, end);
+    const int32_t crossing = first_crossing(w, live, t, end);
+    for (int32_t i = 0; i < live; i++) {
+        struct pel_smooth_edge *const e = &w->edge[w->order[i]];
+        const bool outside = (winding & w->mask) == 0;
+        winding += e->winding;
+        if (crossing < end)
+            e->x1 = x_at(e, crossing);
+        if (outside != ((winding & w->mask) == 0))
+            add_piece(w, e, (uint32_t)(pel_min(crossing, end) - t),
+                      outside ? 1 : -1);
+    }
+    return pel_min(crossing, end);
+}

@@ -1,0 +1,38 @@
+/* Polygons that may cross themselves: rows are cut where an edge begins, ends
+ * or crosses another. */
+#ifndef PEL_SMOOTH_SMOOTH_SWEEP_H
+#define PEL_SMOOTH_SMOOTH_SWEEP_H
+
+#include "smooth.h"
+#include "smooth_edge.h"
+
+/* The units of a row's height, 2^-16 px, in which it is cut. */
+enum { PEL_SMOOTH_ROW = 65536 };
+
+struct pel_smooth_edge {
+    int64_t at; /* x at the top of the row, px 2^-32, even if it begins below */
+    int64_t step; /* to the next row */
+    struct pel_rise rise;
+    int32_t top, bottom; /* y, sub-pixels */
+    int32_t x0, x1;      /* px 2^-16, at the top and the bottom of a part */
+    int32_t winding;     /* 1 downwards, -1 upwards */
+};
+
+/* order[0, active) are the edges that touch the row, order[active, count) those
+ * to come, by their top. */
+struct pel_smooth_sweep {
+    struct pel_smooth smooth;
+    struct pel_smooth_edge *edge;
+    int32_t *order;
+    int32_t *sum; /* differences of areas from pixel to pixel, in 2^-22 of 1/255
+                     px^2; from the clip's left side on, one more at the end */
+    int32_t count, active;
+    int32_t mask;    /* of the winding number: 1 even-odd, -1 non-zero */
+    int32_t lo, end; /* px that `sum` is not 0 in */
+};
+
+/* Adds what is inside from t on, down to the next cut of row y: where that is.
+ */
+int32_t pel_smooth_add_part(struct pel_smooth_sweep *w, int32_t y, int32_t t);
+
+#endif
