@@ -2,36 +2,37 @@
 
 .DEFAULT_GOAL := all
 
-.PHONY: setup
+.PHONY: setup clean
 setup: ## install the Debian packages of packages.txt (sudo when not root)
 	tests/tools/setup.sh
 
-# What is installed is looked for when the Makefile is read: goals beside setup
-# get a make of their own, after it.
-OTHER_GOALS := $(filter-out setup,$(MAKECMDGOALS))
-ifneq ($(and $(filter setup,$(MAKECMDGOALS)),$(OTHER_GOALS)),)
-.PHONY: $(OTHER_GOALS)
-$(OTHER_GOALS): setup
-	$(MAKE) --no-print-directory $@
+BUILD := build
+clean: ## remove build/
+	rm -rf $(BUILD)
+
+# What is installed and built is looked for when the Makefile is read: goals
+# beside these two get a make of their own, after them.
+FIRST_GOALS := $(filter setup clean,$(MAKECMDGOALS))
+OTHER_GOALS := $(filter-out setup clean,$(MAKECMDGOALS))
+ifneq ($(and $(FIRST_GOALS),$(OTHER_GOALS)),)
+.PHONY: $(OTHER_GOALS) other-goals
+$(OTHER_GOALS): other-goals ;
+other-goals: $(FIRST_GOALS)
+	$(MAKE) --no-print-directory $(OTHER_GOALS)
 else
 
 CC ?= cc
-BUILD := build
 WARNINGS := -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow \
             -Wundef
 CFLAGS ?= -O2 -g
 # WERROR is -Werror in our own checks alone: a compiler of tomorrow warns of more.
-PEL_CFLAGS = -std=c99 $(WARNINGS) $(WERROR) -I. -I$(BUILD)/include -MMD -MP
-
-# Core is included as <pel/...>, as where it is installed or copied.
-MAKE_INCLUDE = mkdir -p $(BUILD)/include && \
-    ln -sfn '$(CURDIR)/core' $(BUILD)/include/pel
-$(shell $(MAKE_INCLUDE))
+PEL_CFLAGS = -std=c99 $(WARNINGS) $(WERROR) -I. -Iinclude -MMD -MP
 
 CORE := $(sort $(wildcard core/*/*.c))
 CORE_OBJECTS := $(CORE:%.c=$(BUILD)/%.o)
 # Drivers that no platform stands below.
-DRIVERS := $(foreach d,$(wildcard drivers/*.c),$(if $(findstring linux,$d),,$d))
+without_linux = $(foreach d,$1,$(if $(findstring linux,$d),,$d))
+DRIVERS := $(call without_linux,$(wildcard drivers/*.c))
 
 # Examples, and the C files that pel import makes for them.
 EXAMPLE_ASSETS_gauge := fixed_10x20
@@ -41,7 +42,7 @@ EXAMPLE_ASSETS_paints := fixed_6x13
 example_sources = examples/$1.c $(DRIVERS) \
     $(EXAMPLE_ASSETS_$1:%=$(BUILD)/examples/%.c)
 
-.PHONY: all help clean
+.PHONY: all help
 all: $(BUILD)/libpel.a ## build/libpel.a and the host program build/pel
 
 -include sim/sim.mk
@@ -77,18 +78,14 @@ $(BUILD)/examples/vase_small.c: $(BUILD)/pel
 
 # A copy of core under the name pel is all that a program needs.
 $(BUILD)/vendored/user_paint: examples/user_paint.c $(CORE)
-	@rm -rf $(@D) && mkdir -p $(@D) && cp -R core $(@D)/pel
+	@rm -rf $(@D) && mkdir -p $(@D) && cp -R core $(@D)/pel && cp $< $(@D)
 	cd $(@D) && $(CC) -std=c99 $(WARNINGS) $(WERROR) $(CFLAGS) -I. \
-	    '$(CURDIR)/examples/user_paint.c' pel/*/*.c -o $(@F)
+	    user_paint.c pel/*/*.c -o $(@F)
 
 .PHONY: examples
 examples: $(EXAMPLE_PROGRAMS) $(BUILD)/vendored/user_paint ## build and run the examples
 	@for e in $(EXAMPLE_PROGRAMS); do tests/tools/example.sh $$e $$e || exit; done
 	@$(BUILD)/vendored/user_paint | cmp - $(BUILD)/examples/user_paint.ppm
-
-clean: ## empty build/
-	rm -rf $(BUILD)
-	$(MAKE_INCLUDE)
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(filter-out %.d,$(MAKEFILE_LIST)) | sort | \

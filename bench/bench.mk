@@ -91,7 +91,7 @@ $(BENCH)/host/%.o: %.c
 
 $(BENCH)/host/%.o: %.cpp
 	@mkdir -p $(@D)
-	$(CXX) -std=c++17 -Wall -Wextra $(WERROR) -O2 -fPIC -I. -I$(BUILD)/include -MMD -MP \
+	$(CXX) -std=c++17 -Wall -Wextra $(WERROR) -O2 -fPIC -I. -Iinclude -MMD -MP \
 	    $(BENCH_FLAGS_$(patsubst peer_%,%,$(*F))) -c $< -o $@
 
 $(BENCH_PROGRAM): $(BENCH_OBJECTS)

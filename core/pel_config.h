@@ -8,6 +8,10 @@
 
 #include <stdint.h>
 
+#if defined(__INT_MAX__) && __INT_MAX__ < 0x7FFFFFFF
+#error "Pel needs an int of 32 bits: not for AVR, MSP430 and other 16-bit CPUs"
+#endif
+
 #ifdef PEL_CONFIG_FILE
 #include PEL_CONFIG_FILE
 #endif

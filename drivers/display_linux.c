@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include <pel/format/formats.h>
+#include <pel/pel.h>
 
 enum { CARDS = 8 }; /* DRM devices that are tried */
 

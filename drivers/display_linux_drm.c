@@ -10,7 +10,7 @@
 #include <unistd.h>
 #include <xf86drm.h>
 
-#include <pel/format/formats.h>
+#include <pel/pel.h>
 #include "linux_io.h"
 
 enum { FLIP_TIMEOUT = 1000 /* ms */ };

@@ -1,7 +1,7 @@
 /* Which of Pel's formats a framebuffer's mode is. */
 #include <stddef.h>
 
-#include <pel/format/formats.h>
+#include <pel/pel.h>
 #include "display_linux_fb.h"
 
 struct layout {

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <pel/format/formats.h>
+#include <pel/pel.h>
 
 /* Chips by name; the glass of modules by size, where it does not begin at the
  * chip's first pixel. */

@@ -4,9 +4,10 @@
  *
  *     static uint16_t screen[240 * 320];
  *     struct pel_display_memory memory;
+ *     const struct pel_rect all = {0, 0, 240, 320};
  *     struct pel_display display;
  *     pel_surface_init(&memory.screen, &pel_rgb565_le, screen, sizeof screen,
- *                      &(struct pel_rect){0, 0, 240, 320});
+ *                      &all);
  *     pel_display_memory_init(&display, &memory);
  */
 #ifndef PEL_DRIVERS_DISPLAY_MEMORY_H

@@ -5,9 +5,10 @@
  *
  *     static struct pel_display_pl11x lcd = {
  *         .kind = PEL_PL111, .registers = (volatile uint32_t *)0x10020000};
+ *     const struct pel_rect all = {0, 0, 640, 480};
  *     struct pel_display display;
  *     pel_surface_init(&lcd.screen, &pel_rgb565_le, frame, sizeof frame,
- *                      &(struct pel_rect){0, 0, 640, 480});
+ *                      &all);
  *     pel_display_pl11x_init(&display, &lcd);
  */
 #ifndef PEL_DRIVERS_DISPLAY_PL11X_H

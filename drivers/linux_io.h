@@ -9,7 +9,7 @@
 #include <sys/ioctl.h>
 #include <time.h>
 
-#include <pel/base/inline.h>
+#include <pel/pel.h>
 
 static inline int pel_linux_open(const char *path, int flags)
 {

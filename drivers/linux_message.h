@@ -6,7 +6,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 
-#include <pel/base/inline.h>
+#include <pel/pel.h>
 
 PEL_BEGIN_DECLS
 

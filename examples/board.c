@@ -33,9 +33,10 @@ static void draw(const struct pel_surface *screen)
 int main(void)
 {
     for (int y = 0; y < 32; y += 8) {
+        const struct pel_rect lines = {0, y, 64, y + 8};
         struct pel_surface screen;
         if (pel_surface_init(&screen, &pel_rgb565_le, band, sizeof band,
-                             &(struct pel_rect){0, y, 64, y + 8}) != PEL_OK)
+                             &lines) != PEL_OK)
             return 1;
         draw(&screen);
         panel_write(8);

@@ -38,15 +38,15 @@ int main(void)
         .camera = {.eye = {PEL_UNITS(1), PEL_UNITS(2.4), PEL_UNITS(4)},
                    .target = {0, PEL_UNITS(0.9), 0},
                    .up = {0, 1, 0},
-                   .near_plane = PEL_UNITS(1) / 16,
                    .focal = 50,
-                   .sensor = {24, 32}},
+                   .sensor = {24, 32},
+                   .near_plane = PEL_UNITS(1) / 16},
         .viewport = {0, 0, WIDTH, HEIGHT},
         .shading = &pel_shade_lit_gouraud,
         .lighting = &lighting,
         .texture = &texture,
-        .sort = &pel_depth_sort,
-        .cull = PEL_CULL_NONE};
+        .cull = PEL_CULL_NONE,
+        .sort = &pel_depth_sort};
     struct pel_frame frame;
     pel_mesh_of_asset(&mesh, &vase_small);
     if (pel_mesh_asset_check(&vase_small) != PEL_OK ||

@@ -51,9 +51,10 @@ int main(void)
                                                   "16.1 \xC2\xB0"
                                                   "C",
                                                   4, 18};
+    static const struct pel_rect all = {0, 0, WIDTH, HEIGHT};
     struct pel_surface screen;
     if (pel_surface_init(&screen, &pel_mono1_pages, pages, sizeof pages,
-                         &(struct pel_rect){0, 0, WIDTH, HEIGHT}) != PEL_OK ||
+                         &all) != PEL_OK ||
         draw_title(&screen) != PEL_OK)
         return 1;
     pel_text(&screen, &degrees, &white.paint);

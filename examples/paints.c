@@ -2,7 +2,7 @@
  * as PPM.
  *
  *     build/pel import sim/scenes/fixed_6x13.bdf -o fixed_6x13.c
- *     cc -Ibuild/include -I. examples/paints.c fixed_6x13.c build/libpel.a
+ *     cc -Iinclude -I. examples/paints.c fixed_6x13.c build/libpel.a
  */
 #include "fixed_6x13.h"
 #include "ppm.h"
@@ -109,9 +109,10 @@ static void write_name(const struct pel_surface *screen, int32_t x,
 int main(void)
 {
     static uint16_t pixels[WIDTH * HEIGHT];
+    static const struct pel_rect all = {0, 0, WIDTH, HEIGHT};
     struct pel_surface screen;
     if (pel_surface_init(&screen, &pel_rgb565_le, pixels, sizeof pixels,
-                         &(struct pel_rect){0, 0, WIDTH, HEIGHT}) != PEL_OK)
+                         &all) != PEL_OK)
         return 1;
     pel_clear(&screen, PEL_RGB(255, 255, 255));
     if (set_sunset() != PEL_OK || draw_strip(&screen) != PEL_OK ||

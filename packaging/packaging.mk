@@ -1,7 +1,7 @@
 # What leaves this tree: core in one source, an installed library with its
 # program and manual, and the packages of build systems.
 
-.PHONY: amalgamation install check-packages
+.PHONY: amalgamation arduino install check-packages
 
 PEL_VERSION := $(shell awk '/^\#define PEL_VERSION_/ { printf "%s%s", dot, $$3; \
     dot = "." }' core/pel.h)
@@ -9,18 +9,31 @@ PEL_VERSION := $(shell awk '/^\#define PEL_VERSION_/ { printf "%s%s", dot, $$3; 
 PEL_SONAME := libpel.so.$(basename $(PEL_VERSION))
 
 ONE := $(BUILD)/amalgamation
-# The folder is a library of the Arduino IDE, too; drivers and examples find
-# <pel/pel.h> in it.
+# Drivers and examples find <pel/pel.h> in the folder, too.
 amalgamation: $(ONE)/pel.c $(ONE)/pel.h ## core as pel.c and pel.h: build/amalgamation
 	@mkdir -p $(ONE)/pel
 	echo '#include "../pel.h"' >$(ONE)/pel/pel.h
-	cp LICENSE packaging/library.properties $(ONE)
+	cp LICENSE $(ONE)
 $(ONE)/pel.c: packaging/amalgamate.awk $(CORE) $(wildcard core/*/*.h core/*/*.inc)
 	@mkdir -p $(@D)
 	@awk -f $< $(CORE) >$@
 $(ONE)/pel.h: packaging/amalgamate.awk $(wildcard core/*.h core/*/*.h)
 	@mkdir -p $(@D)
 	@awk -f $< -v header=1 >$@
+
+# Who publishes the library knows its address: URL.
+ARDUINO := $(BUILD)/arduino/Pel
+arduino: amalgamation ## a library of the Arduino IDE with drivers and an example: build/arduino/Pel
+	rm -rf $(ARDUINO)
+	mkdir -p $(ARDUINO)/src/drivers $(ARDUINO)/examples
+	cp -R $(ONE)/pel.c $(ONE)/pel.h $(ONE)/pel $(ARDUINO)/src
+	cp $(DRIVERS) $(call without_linux,$(wildcard drivers/*.h)) \
+	    $(ARDUINO)/src/drivers
+	cp -R examples/board $(ARDUINO)/examples
+	cp LICENSE $(ARDUINO)
+	sed 's/@VERSION@/$(PEL_VERSION)/' packaging/library.properties \
+	    >$(ARDUINO)/library.properties
+	$(if $(URL),echo 'url=$(URL)' >>$(ARDUINO)/library.properties)
 
 $(BUILD)/libpel.so.$(PEL_VERSION): $(ONE)/pel.c $(ONE)/pel.h
 	$(CC) $(PEL_CFLAGS) $(CFLAGS) -fPIC -shared $(LDFLAGS) \
@@ -33,36 +46,12 @@ $(BUILD)/man/pel.3: packaging/pel.3 core/pel.h
 	@mkdir -p $(@D)
 	sed 's/@VERSION@/$(PEL_VERSION)/' $< >$@
 
-PREFIX ?= /usr/local
-to = $(DESTDIR)$(PREFIX)
-define PEL_PC
-prefix=$(PREFIX)
-Name: pel
-Description: Exact triangles and circles in any framebuffer
-Version: $(PEL_VERSION)
-Cflags: -I$${prefix}/include
-Libs: -L$${prefix}/lib -lpel
-endef
-
-install: $(BUILD)/libpel.a $(BUILD)/libpel.so.$(PEL_VERSION) $(BUILD)/pel \
-    $(BUILD)/man/pel.1 $(BUILD)/man/pel.3 ## library, headers, pel.pc, program, manual: PREFIX, DESTDIR
-	install -d $(to)/bin $(to)/lib/pkgconfig $(to)/share/man/man1 $(to)/share/man/man3
-	set -e; for f in $$(cd core && ls *.h */*.h); do \
-	    install -D -m 644 core/$$f $(to)/include/pel/$$f; done
-	install -m 644 $(BUILD)/libpel.a $(to)/lib
-	install $(BUILD)/libpel.so.$(PEL_VERSION) $(to)/lib
-	ln -sf libpel.so.$(PEL_VERSION) $(to)/lib/$(PEL_SONAME)
-	ln -sf $(PEL_SONAME) $(to)/lib/libpel.so
-	$(file >$(BUILD)/pel.pc,$(PEL_PC))
-	install -m 644 $(BUILD)/pel.pc $(to)/lib/pkgconfig
-	install $(BUILD)/pel $(to)/bin
-	install -m 644 $(BUILD)/man/pel.1 $(to)/share/man/man1
-	install -m 644 $(BUILD)/man/pel.3 $(to)/share/man/man3
+install: export PREFIX ?= /usr/local
+install: $(BUILD)/libpel.a $(BUILD)/libpel_linux.a $(BUILD)/libpel.so.$(PEL_VERSION) $(BUILD)/pel \
+    $(BUILD)/man/pel.1 $(BUILD)/man/pel.3 ## libraries, headers, pel.pc, pel-linux.pc, program, manual: PREFIX, DESTDIR
+	packaging/install.sh $(BUILD) $(PEL_VERSION)
 
 CHECK_EXTRA += check-packages
-PACKAGE_ROOT := $(abspath $(BUILD)/package)
-check-packages: amalgamation ## projects of their own, one for every way to use Pel
+check-packages: all arduino ## projects of their own, one for every way to use Pel
 	@tests/tools/need.sh cmake:cmake groff:groff-base pkg-config:pkg-config
-	@rm -rf $(PACKAGE_ROOT)
-	@$(MAKE) --no-print-directory -s install DESTDIR=$(PACKAGE_ROOT) PREFIX=/opt/pel
-	PEL=$(BUILD)/pel tests/package/check.sh $(BUILD) $(PACKAGE_ROOT) $(PEL_VERSION)
+	PEL=$(BUILD)/pel tests/package/check.sh $(BUILD) $(PEL_VERSION)

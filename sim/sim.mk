@@ -33,7 +33,7 @@ SIM_OBJECTS := $(SIM:%.c=$(BUILD)/%.o)
 
 all: $(BUILD)/pel
 
-$(BUILD)/pel: $(SIM_OBJECTS) $(LINUX_OBJECTS) $(BUILD)/libpel.a
+$(BUILD)/pel: $(SIM_OBJECTS) $(BUILD)/libpel_linux.a $(BUILD)/libpel.a
 	$(CC) $(CFLAGS) $(LDFLAGS) $^ $(SIM_LIBS) $(LINUX_LIBS) -o $@
 
 # Changes only when the flags do, so that a library that was installed later is

@@ -2,10 +2,6 @@
 # and what fragments add to CHECK_EXTRA, a list of make targets of which each is
 # one test. `make deep` runs the same programs for longer.
 
-# Drivers that run on any platform.
-DRIVERS := $(foreach f,$(sort $(wildcard drivers/*.c)),\
-    $(if $(findstring linux,$f),,$f))
-
 -include tests/tools/tools.mk
 -include tests/device/linux/linux.mk
 -include tests/device/lcd/lcd.mk

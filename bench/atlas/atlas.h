@@ -5,8 +5,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-#include <pel/base/point.h>
-#include <pel/base/rect.h>
+#include <pel/pel.h>
 
 #include "../method.h"
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include <pel/scene/certificate.h>
+#include <pel/pel.h>
 
 #include "../methods/order.h"
 #include "cases.h"

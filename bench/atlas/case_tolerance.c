@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include <pel/pel.h>
-#include <pel/scene/stats.h>
 
 #include "../timing.h"
 #include "../lighting.h"

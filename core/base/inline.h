@@ -17,10 +17,15 @@
 #define PEL_CAST_ADDRESS(type, value) ((type)(value))
 #endif
 
-/* PEL_NOINLINE: the function's stack is free again when it returns.
+/* PEL_ALWAYS_INLINE: but not where the compiler is told to inline nothing, as
+ * with -O0. PEL_NOINLINE: the function's stack is free again when it returns.
  * PEL_MAY_ALIAS: words of this type may lie in an array of another type. */
-#ifdef __GNUC__
+#if defined(__GNUC__) && !defined(__NO_INLINE__)
 #define PEL_ALWAYS_INLINE inline __attribute__((__always_inline__))
+#else
+#define PEL_ALWAYS_INLINE inline
+#endif
+#ifdef __GNUC__
 #define PEL_NOINLINE __attribute__((__noinline__))
 #define PEL_MAY_ALIAS __attribute__((__may_alias__))
 
@@ -30,7 +35,6 @@ static inline int pel_leading_zeros(uint64_t v)
     return __builtin_clzll(v);
 }
 #else
-#define PEL_ALWAYS_INLINE inline
 #define PEL_NOINLINE
 #define PEL_MAY_ALIAS
 

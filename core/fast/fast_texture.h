@@ -32,15 +32,11 @@ struct pel_texture_four {
     pel_u64x2 u[2], v[2];
 };
 
-/* A way to write runs. Its functions and constants are inlined in the loop over
- * spans, where what is the same for all runs stays in registers. */
+/* A way to write runs, constant in the loop over spans. */
 struct pel_texture_way {
     int32_t texel_bytes, pixel_bytes;
     int32_t more; /* 1: it reads the texels further right and down, too;
                      0: it repeats the picture where a mask does */
-    /* Stores four pixels. */
-    void (*put4)(const struct pel_texture_steps *steps, int texel_bytes,
-                 const struct pel_texture_four *four, uintptr_t out);
 };
 
 /* Do lines lie as many texels apart as fit the 16 bits of vectors? So they do
@@ -128,33 +124,6 @@ static PEL_ALWAYS_INLINE void pel_texture_four_step(
     f->v[1] = f->v[0] + s->v_on;
 }
 
-/* The last four pixels come first and overlap those before them. */
-static PEL_ALWAYS_INLINE void pel_texture_put_run(
-    const struct pel_texture_steps *s, const struct pel_texture_run *r,
-    const struct pel_texture_way *way)
-{
-    const uintptr_t size = (uintptr_t)way->pixel_bytes;
-    const uintptr_t n = (uintptr_t)r->n;
-    struct pel_texture_four f;
-    if (n < 4) {
-        uint32_t words[4];
-        const uint8_t *const four = (const uint8_t *)words;
-        f = pel_texture_four_few(s, r);
-        way->put4(s, way->texel_bytes, &f, (uintptr_t)words);
-        memcpy((void *)r->out, four, size);
-        memcpy((void *)(r->out + n / 2 * size), four + size, size);
-        memcpy((void *)(r->out + (n - 1) * size), four + 2 * size, size);
-        return;
-    }
-    uintptr_t out = r->out;
-    const uintptr_t end = out + (n - 4) * size;
-    f = pel_texture_four_at(s, r->u_last - 3 * s->du, r->v_last - 3 * s->dv);
-    way->put4(s, way->texel_bytes, &f, end);
-    f = pel_texture_four_at(s, r->u, r->v);
-    for (; out < end; out += 4 * size, pel_texture_four_step(&f, s))
-        way->put4(s, way->texel_bytes, &f, out);
-}
-
 /* The run of n pixels of which the first is at (u, v). */
 static PEL_ALWAYS_INLINE struct pel_texture_run pel_texture_run_of(
     const struct pel_texture_steps *s, uint64_t u, uint64_t v, uintptr_t out,
@@ -172,48 +141,6 @@ static PEL_ALWAYS_INLINE bool pel_texture_run_inside(
     const uint64_t u = r->u > r->u_last ? r->u : r->u_last;
     const uint64_t v = r->v > r->v_last ? r->v : r->v_last;
     return u < s->u_end && v < s->v_end;
-}
-
-/* The i-th span alone, which leaves the picture. */
-static PEL_ALWAYS_INLINE void pel_texture_fill_one(
-    const struct pel_texture *p, const struct pel_surface *surface,
-    const struct pel_spans *spans, ptrdiff_t i, pel_texture_fill *fill)
-{
-    const int32_t y = spans->y + (int32_t)i * spans->step;
-    const struct pel_spans one = {surface, &spans->span[i], y, 1, 1};
-    fill(&p->base.paint, &one);
-}
-
-/* Fills spans in the pixels of `surface`, and those that leave the picture by
- * `other`. */
-static PEL_ALWAYS_INLINE void pel_texture_fill_runs(
-    const struct pel_texture *p, const struct pel_surface *surface,
-    const struct pel_spans *spans, const struct pel_texture_way *way,
-    pel_texture_fill *other)
-{
-    const struct pel_texture_steps s = pel_texture_steps_make(p, way);
-    const uint32_t back = way->more ? PEL_TEXTURE_HALF_BACK : 0;
-    const int32_t bytes = way->pixel_bytes;
-    const int32_t step = spans->step;
-    const uint64_t du = pel_times(p->map.u.dy, step);
-    const uint64_t dv = pel_times(p->map.v.dy, step);
-    const uintptr_t pitch = (uintptr_t)((ptrdiff_t)surface->stride * step);
-    const struct pel_span *span = spans->span, *const end = span + spans->n;
-    uint64_t u = pel_texture_at(&p->map.u, 0, spans->y) - back;
-    uint64_t v = pel_texture_at(&p->map.v, 0, spans->y) - back;
-    uintptr_t row = pel_column_zero(surface, spans->y, bytes);
-    for (; span < end; span++, row += pitch, u += du, v += dv) {
-        const uint64_t x = (uint64_t)span->x0;
-        const int32_t n = span->x1 - span->x0;
-        const struct pel_texture_run r = pel_texture_run_of(
-            &s, u + x * s.du, v + x * s.dv, row + (unsigned)bytes * x, n);
-        if (n <= 0)
-            continue;
-        if (pel_texture_run_inside(&s, &r))
-            pel_texture_put_run(&s, &r, way);
-        else
-            pel_texture_fill_one(p, surface, spans, span - spans->span, other);
-    }
 }
 
 #endif

@@ -119,8 +119,10 @@ static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int bytes,
                       s->set);
 }
 
-static const struct pel_texture_way from_565 = {2, 4, 1, put4};
-static const struct pel_texture_way from_32 = {4, 4, 1, put4};
+#include "fast_texture_runs.inc"
+
+static const struct pel_texture_way from_565 = {2, 4, 1};
+static const struct pel_texture_way from_32 = {4, 4, 1};
 
 static bool is_565(const struct pel_texture *p)
 {
@@ -134,15 +136,15 @@ static bool is_fit(const struct pel_texture *p)
            pel_texture_stride_fits(p, is_565(p) ? 2 : 4);
 }
 
-static PEL_ALWAYS_INLINE void put_run(const struct pel_texture *p,
-                                      const struct pel_texture_axes *a,
-                                      int32_t n, pel_color *out,
-                                      const struct pel_texture_way *way)
+static PEL_ALWAYS_INLINE void put_colors(const struct pel_texture *p,
+                                         const struct pel_texture_axes *a,
+                                         int32_t n, pel_color *out,
+                                         const struct pel_texture_way *way)
 {
     const struct pel_texture_steps s = pel_texture_steps_make(p, way);
     const struct pel_texture_run r =
         pel_texture_run_of(&s, a->u.at, a->v.at, (uintptr_t)out, n);
-    pel_texture_put_run(&s, &r, way);
+    put_run(&s, &r, way);
 }
 
 bool pel_texture_bilinear_run(const struct pel_texture *p,
@@ -152,9 +154,9 @@ bool pel_texture_bilinear_run(const struct pel_texture *p,
     if (!is_fit(p))
         return false;
     if (is_565(p))
-        put_run(p, a, n, out, &from_565);
+        put_colors(p, a, n, out, &from_565);
     else
-        put_run(p, a, n, out, &from_32);
+        put_colors(p, a, n, out, &from_32);
     return true;
 }
 
@@ -165,9 +167,9 @@ bool pel_texture_bilinear_fast(const struct pel_texture *p,
     if (!is_fit(p) || !pel_colors_in_place(&p->base, s))
         return false;
     if (is_565(p))
-        pel_texture_fill_runs(p, s, spans, &from_565, pel_color_paint_fill);
+        fill_runs(p, s, spans, &from_565, pel_color_paint_fill);
     else
-        pel_texture_fill_runs(p, s, spans, &from_32, pel_color_paint_fill);
+        fill_runs(p, s, spans, &from_32, pel_color_paint_fill);
     return true;
 }
 

@@ -24,6 +24,8 @@ static PEL_ALWAYS_INLINE void put4(const struct pel_texture_steps *s, int bytes,
     p[3] = half[i[3]];
 }
 
+#include "fast_texture_runs.inc"
+
 /* Are texels, but for bits that are set, pixels of xrgb8888? */
 static bool is_32(const struct pel_texture *p, const struct pel_format *format)
 {
@@ -35,16 +37,16 @@ bool pel_texture_nearest_fast(const struct pel_texture *p,
                               const struct pel_spans *spans,
                               pel_texture_fill *other)
 {
-    static const struct pel_texture_way narrow = {2, 2, 0, put4};
-    static const struct pel_texture_way wide = {4, 4, 0, put4};
+    static const struct pel_texture_way narrow = {2, 2, 0};
+    static const struct pel_texture_way wide = {4, 4, 0};
     const struct pel_surface *const s = spans->surface;
     const struct pel_surface *const to = pel_texture_copied_to(p, s);
     if (!pel_texture_stride_fits(p, to ? 2 : 4))
         return false;
     if (to)
-        pel_texture_fill_runs(p, to, spans, &narrow, other);
+        fill_runs(p, to, spans, &narrow, other);
     else if (is_32(p, s->format))
-        pel_texture_fill_runs(p, s, spans, &wide, other);
+        fill_runs(p, s, spans, &wide, other);
     else
         return false;
     return true;

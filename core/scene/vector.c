@@ -1,11 +1,12 @@
-#include "../base/inline.h"
-#if !PEL_64BIT
-#define PEL_WIDE
-#endif
 #include "vector.h"
 
 #include "../base/sqrt.h"
 #include "../base/trig.h"
+
+#if !PEL_64BIT
+#define PEL_WIDE
+#include "vector.inc"
+#endif
 
 uint64_t pel_vector_bound(const int64_t v[3])
 {

@@ -39,32 +39,7 @@ typedef int32_t pel_factor;
  * Inline where a CPU has 64 bits, elsewhere functions of vector.c. */
 #if PEL_64BIT
 #define PEL_WIDE static inline
-#endif
-#ifdef PEL_WIDE
-PEL_WIDE int64_t pel_scale_down(int64_t v, int n)
-{
-    if (n <= 0)
-        return PEL_CAST(int64_t, PEL_CAST(uint64_t, v) << -n);
-    return ((v >> (n - 1)) + 1) >> 1;
-}
-
-/* Of a product, |v| <= 2^62: half a step more, and no branch, where 64 bits
- * cost nothing. */
-static inline int32_t pel_scaled_product(int64_t v, int n)
-{
-    return PEL_CAST(int32_t, PEL_64BIT ? (v + (INT64_C(1) << n >> 1)) >> n
-                                       : pel_scale_down(v, n));
-}
-
-PEL_WIDE int32_t pel_scaled(int32_t a, int32_t b, int n)
-{
-    return pel_scaled_product(pel_long_product(a, b), n);
-}
-
-PEL_WIDE int32_t pel_weighted(const int32_t a[3], const int32_t b[3])
-{
-    return pel_scaled_product(pel_dot(a, b), 30);
-}
+#include "vector.inc"
 #else
 int64_t pel_scale_down(int64_t v, int n);
 int32_t pel_scaled(int32_t a, int32_t b, int n);

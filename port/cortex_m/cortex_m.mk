@@ -18,7 +18,7 @@ MCU_CC_cortex-m33 := $(MCU_CORTEX) -mcpu=cortex-m33
 MCU_CC_arm926 := $(MCU_CC) --specs=nano.specs -marm -mcpu=arm926ej-s
 MCU_CC_rv32imc := riscv64-unknown-elf-gcc --specs=picolibc.specs \
     -march=rv32imc -mabi=ilp32
-MCU_CFLAGS = -std=c99 $(WARNINGS) $(WERROR) -I. -I$(BUILD)/include -MMD -MP \
+MCU_CFLAGS = -std=c99 $(WARNINGS) $(WERROR) -I. -Iinclude -MMD -MP \
              -ffunction-sections -fdata-sections
 MCU_LDFLAGS := -nostartfiles -Wl,--gc-sections -Wl,--fatal-warnings
 MCU_PORT := $(wildcard port/cortex_m/*.c)

@@ -5,7 +5,7 @@
 
 #include <stdint.h>
 
-#include <pel/base/inline.h>
+#include <pel/pel.h>
 
 PEL_BEGIN_DECLS
 

@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-#include <pel/base/inline.h>
+#include <pel/pel.h>
 
 PEL_BEGIN_DECLS
 

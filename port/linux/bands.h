@@ -3,7 +3,7 @@
 #ifndef PEL_PORT_LINUX_BANDS_H
 #define PEL_PORT_LINUX_BANDS_H
 
-#include <pel/base/surface.h>
+#include <pel/pel.h>
 #include "pool.h"
 
 PEL_BEGIN_DECLS

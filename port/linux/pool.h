@@ -7,7 +7,7 @@
 #include <pthread.h>
 #include <stdbool.h>
 
-#include <pel/base/inline.h>
+#include <pel/pel.h>
 
 PEL_BEGIN_DECLS
 

@@ -129,8 +129,10 @@ bool font_asset_make(struct pel_font_asset *asset, const struct font *font,
     return done || message_error("out of memory");
 }
 
-/* The font of pel's own texts is a part of the program. */
+/* The font of pel's own texts is a part of the program. Its names are global,
+ * since -flto may put this text into another file than the function below. */
 __asm__(".section .rodata\n"
+        ".globl builtin_font, builtin_font_end\n"
         "builtin_font: .incbin \"sim/scenes/fixed_6x13.bdf\"\n"
         "builtin_font_end: .byte 0\n"
         ".text\n");

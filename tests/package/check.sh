@@ -1,21 +1,20 @@
 #!/bin/sh
-# check.sh BUILD ROOT VERSION : builds the projects beside this script outside of
-# the tree, each by its own way to Pel, which `make install` has put below ROOT
-# with the prefix /opt/pel. All draw one picture.
+# check.sh BUILD VERSION : builds the projects beside this script outside of the
+# tree, each by its own way to Pel. All draw one picture, and their program for a
+# device without a display says so.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/sim/lib.sh
-here=$PWD/tests/package one=$PWD/$1/amalgamation prefix=$2/opt/pel version=$3
-unset MAKEFLAGS MAKELEVEL DESTDIR
-export PKG_CONFIG_SYSROOT_DIR="$2" PKG_CONFIG_LIBDIR="$prefix/lib/pkgconfig"
-export LD_LIBRARY_PATH="$prefix/lib"
+here=$PWD/tests/package one=$PWD/$1/amalgamation arduino=$PWD/$1/arduino/Pel
+version=$2
+unset MAKEFLAGS MAKELEVEL DESTDIR PREFIX FRAMEBUFFER
 
 # run NAME COMMAND...: in a copy of the project NAME, with the tree in pel/
 run() {
     project=$work/$1
     [ -d "$project" ] || {
         cp -R "$here/$1" "$project"
-        cp "$here/main.c" "$project"
+        cp "$here/main.c" "$here/panel.c" "$work/kiosk.c" "$project"
         ln -s "$PWD" "$project/pel"
     }
     shift
@@ -25,17 +24,30 @@ run() {
     }
 }
 
-# draws PROGRAM: the picture of all projects
+# draws FOLDER: the programs of a project
 draws() {
-    "$1" | cmp - "$work/picture" || fail "$1 draws something else"
+    "$1/main" | cmp - "$work/picture" || fail "$1/main draws something else"
+    "$1/panel" || fail "$1/panel"
+    [ ! -e "$1/kiosk" ] || FRAMEBUFFER=/dev/null "$1/kiosk" 2>&1 </dev/null |
+        grep -q '/dev/null is no framebuffer device' || fail "$1/kiosk"
 }
 
 $CC $INCLUDE "$here/main.c" "$LIBPEL" -o "$work/main"
 "$work/main" >"$work/picture" && [ -s "$work/picture" ] || fail "no picture"
+awk -f "$here/kiosk_guide.awk" docs/linux.md >"$work/kiosk.c"
+
+# make install, into folders with a blank; a relative PREFIX begins in this one
+make -s BUILD="$1" DESTDIR="$work/a root" PREFIX=/opt/pel install &&
+    grep -qx prefix=/opt/pel "$work/a root/opt/pel/lib/pkgconfig/pel.pc" ||
+    fail "make install DESTDIR="
+prefix="$PWD/$(realpath --relative-to=. "$work")/usr local"
+make -s BUILD="$1" PREFIX="${prefix#"$PWD/"}" install || fail "make install"
 
 # make and pkg-config, with the shared library
-run make make main
-draws "$work/make/main"
+export PKG_CONFIG_PATH="$prefix/lib/pkgconfig"
+export LD_LIBRARY_PATH="$prefix/lib"
+run make make
+draws "$work/make"
 [ "$(pkg-config --modversion pel)" = "$version" ] || fail "version of pel.pc"
 library=$prefix/lib/libpel.so.$version
 readelf -d "$work/make/main" | grep -q "NEEDED.*libpel\.so\.${version%.*}]" ||
@@ -52,18 +64,52 @@ done
 # CMake: the tree inside a project, which installs it for another
 run cmake_subdirectory cmake -B b -D CMAKE_BUILD_TYPE=Debug
 run cmake_subdirectory cmake --build b
-draws "$work/cmake_subdirectory/b/main"
+draws "$work/cmake_subdirectory/b"
 run cmake_subdirectory cmake --install b --prefix "$work/usr"
 run cmake_installed cmake -B b -D CMAKE_PREFIX_PATH="$work/usr"
 run cmake_installed cmake --build b
-draws "$work/cmake_installed/b/main"
+draws "$work/cmake_installed/b"
 
-# ESP-IDF and Zephyr: main.c finds the headers
-for framework in idf zephyr; do
-    rm -rf "$work/cmake_framework"
-    run cmake_framework cmake -B b -D FRAMEWORK=$framework
-    run cmake_framework cmake --build b --target main.o
+# ESP-IDF; Zephyr, with a library of its own name
+run cmake_idf cmake -P requirements.cmake
+run cmake_idf cmake -B b
+run cmake_idf cmake --build b
+draws "$work/cmake_idf/b"
+run cmake_zephyr cmake -B b -D CONFIG_PEL=y -D CONFIG_PEL_DRIVERS=y
+run cmake_zephyr cmake --build b
+draws "$work/cmake_zephyr/b"
+[ -f "$work/cmake_zephyr/b/pel/libpel.a" ] || fail "Zephyr: no libpel.a"
+run cmake_zephyr cmake -B none
+run cmake_zephyr cmake --build none
+[ ! -e "$work/cmake_zephyr/none/pel/libpel.a" ] ||
+    fail "Zephyr: without CONFIG_PEL there is a libpel.a"
+for option in $(grep -o 'CONFIG_[A-Z_]*' CMakeLists.txt | sort -u); do
+    grep -qx "config ${option#CONFIG_}" zephyr/Kconfig || fail "Kconfig: $option"
 done
+
+# PlatformIO
+run platformio cmake -B b -D VERSION="$version"
+run platformio cmake --build b
+draws "$work/platformio/b"
+g++ -fsyntax-only -Icore "$here/sketch.cpp" || fail "a sketch with core/pel.h"
+
+# Arduino: every source below src/ is compiled, which is where headers are found
+mkdir "$work/arduino"
+for file in $(cd "$arduino/src" && find . -name '*.c'); do
+    $CC -std=gnu11 -Os -ffunction-sections -fdata-sections -I"$arduino/src" \
+        -c "$arduino/src/$file" -o "$work/arduino/$(basename "$file" .c).o" ||
+        fail "Arduino: $file"
+done
+g++ -std=gnu++11 -Wall -Wextra -Werror -I"$arduino/src" \
+    -I"$arduino/examples/board" "$here/arduino.cpp" "$work"/arduino/*.o \
+    -Wl,--gc-sections -o "$work/sketch" &&
+    "$work/sketch" >"$work/sketch.txt" &&
+    $CC $INCLUDE examples/board.c "$LIBPEL" -o "$work/board" &&
+    "$work/board" | diff - "$work/sketch.txt" || fail "board.ino"
+
+# an int of 16 bits is told, not compiled
+$CC -U__INT_MAX__ -D__INT_MAX__=32767 $INCLUDE -fsyntax-only "$here/main.c" 2>&1 |
+    grep -q 'error.*int of 32 bits' || fail "an int of 16 bits is not refused"
 
 # one source: freestanding, by two compilers, each part left out, from C++
 for cc in gcc clang; do
@@ -98,17 +144,14 @@ for file in drivers/*.c examples/board.c "$work"/asset/*.c; do
     esac
 done
 
-# PlatformIO: the folder of sources is that of the headers
-cmake -D VERSION="$version" -P "$here/library_json.cmake" || fail "library.json"
-g++ -fsyntax-only -Icore "$here/sketch.cpp" || fail "a sketch with core/pel.h"
-
 # what the schemas of the others require
-for key in name author maintainer sentence paragraph category url \
-    architectures; do
-    grep -q "^$key=." "$one/library.properties" ||
+for key in name author maintainer sentence paragraph category architectures; do
+    grep -q "^$key=." "$arduino/library.properties" ||
         fail "library.properties: no $key"
 done
-grep -qx "version=$version" "$one/library.properties" ||
+grep -E 'example\.(com|org)|=\*$|[=,]avr' "$arduino/library.properties" &&
+    fail "library.properties: see above"
+grep -qx "version=$version" "$arduino/library.properties" ||
     fail "version of library.properties"
 grep -qx "version: \"$version\"" idf_component.yml ||
     fail "version of idf_component.yml"

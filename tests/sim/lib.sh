@@ -7,7 +7,7 @@
 # called, also in a subshell.
 PEL=${PEL:-build/pel}
 LIBPEL=$(dirname "$PEL")/libpel.a
-INCLUDE=-I$(dirname "$PEL")/include
+INCLUDE=-Iinclude
 CC=${CC:-cc}
 WARNINGS="-Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wshadow \
     -Wundef -Werror"

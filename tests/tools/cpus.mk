@@ -103,7 +103,7 @@ $(BUILD)/board/$1/$3: $(filter-out drivers/%,$(call example_sources,$3)) \
     $(wildcard examples/*.h) \
     $(patsubst %.c,$(BUILD)/cpus/gcc-$2-O2/%.o,$(CORE) $(DRIVERS))
 	@mkdir -p $$(@D)
-	@$(CPU_PREFIX_$2)-gcc $(CPU_FLAGS_$2) -std=c99 -O2 -I$(BUILD)/include \
+	@$(CPU_PREFIX_$2)-gcc $(CPU_FLAGS_$2) -std=c99 -O2 -Iinclude \
 	    -I$(BUILD)/examples -Wl,--gc-sections $$(filter-out %.h,$$^) $(CPU_LINK_$1) \
 	    $(4:%=-Wl,--defsym=__ram_size=%) -o $$@
 endef
@@ -128,10 +128,15 @@ board: $(BUILD)/board/$(BOARD)/$(EXAMPLE) ## EXAMPLE=board on BOARD=m4 or anothe
 GAUGE_WHOLE := 2500000
 GAUGE_STEP := 150000
 
-# The examples draw on every board, in the RAM above, what they draw on the host.
+# The examples are C++ too, and draw on every board, in the RAM above, what they
+# draw on the host.
 BOARD_RUNS := $(foreach b,$(BOARDS),$(EXAMPLES_CHECKED:%=$b/%)) \
     $(foreach b,$(SMALL_BOARDS),$(SMALL_EXAMPLES_$b:%=$b/%))
-check-examples: examples $(BOARD_RUNS:%=$(BUILD)/board/%) ## the examples on every board of QEMU
+check-examples: examples need-clang $(BOARD_RUNS:%=$(BUILD)/board/%) ## the examples on every board of QEMU
+	@set -e; for c in g++ clang++; do for e in $(EXAMPLES); do \
+	    $$c -x c++ -std=gnu++11 -Wall -Wextra -Wno-missing-field-initializers \
+	        -Werror -I. -Iinclude -I$(BUILD)/examples -fsyntax-only $$e; \
+	done; done
 	@printf '%s\n' $(foreach r,$(BOARD_RUNS),'$r $(CPU_RUN_$(patsubst \
 	    %/,%,$(dir $r)))') | tests/tools/board_examples.sh $(BUILD) \
 	    $(GAUGE_WHOLE) $(GAUGE_STEP)

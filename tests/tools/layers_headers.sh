@@ -29,7 +29,8 @@ for header in $(find core -name '*.h' | sort); do
 done
 
 public=$($cc -std=c99 -I. -MM -MT x core/pel.h | tr -d '\\' |
-    sed 's/^x://' | tr ' ' '\n' | sed 's|[a-z]*/\.\./||' | sort -u)
+    sed 's/^x://' | tr ' ' '\n' | sed 's|[a-z]*/\.\./||' | grep '\.h$' |
+    sort -u)
 public="$public core/outline/outline_filter.h $(echo drivers/*.h port/*/*.h)"
 casts="-Wcast-qual -Wold-style-cast -D_GNU_SOURCE $drm"
 # Words that headers of platforms define; system headers come before them.
@@ -45,7 +46,7 @@ for header in $public; do
     rubbish | compiles "$header" $cc -std=gnu99 -x c -Wcast-qual \
         -D_GNU_SOURCE $drm
     awk '/PEL_BEGIN_DECLS/ { inside = FNR } /PEL_END_DECLS/ { inside = 0 }
-        /^#include/ && inside { print FILENAME ":" FNR \
+        /^#include.*\.h/ && inside { print FILENAME ":" FNR \
             ": included inside extern \"C\""; bad = 1 } END { exit bad }' \
         "$header" >&2 || status=1
     grep -E '^(extern |(const )?((enum|struct) )?[a-z_0-9]+ \**[a-z_0-9]+\()' \

@@ -1,9 +1,10 @@
 # Checks of the sources and the objects, and builds for other CPUs: each a target
 # of its own, and each one test of `make check`.
 
-CHECK_EXTRA += layers metrics size bench-mcu check-cpus check-mcu check-examples
+CHECK_EXTRA += layers metrics size bench-mcu check-cpus check-mcu check-examples \
+    check-make
 
-.PHONY: layers metrics need-clang need-format
+.PHONY: layers metrics check-make need-clang need-format
 
 # The objects that are looked at have none of the host's own habits: position-
 # independent code would move tables of pointers to writable memory.
@@ -31,7 +32,7 @@ layers: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(BUILD)/libpel.a | need-clang ## che
 	@tests/tools/layers_objects.sh arm-none-eabi-size arm-none-eabi-nm \
 	    $(filter $(BUILD)/mcu/cortex-m4%,$(MCU_CORE_OBJECTS))
 	tests/tools/layers_headers.sh "$(CC)" $(WARNINGS) -Werror \
-	    -I$(BUILD)/include
+	    -Iinclude
 	@mkdir -p $(BUILD)/link
 	for c in g++ clang++; do \
 	    $$c -std=c++11 $(WARNINGS) -Werror -Wold-style-cast -I. tests/link/from_cpp.cpp \
@@ -41,6 +42,9 @@ layers: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(BUILD)/libpel.a | need-clang ## che
 
 metrics: | need-format ## lengths of functions and files, parameters, layout
 	tests/tools/metrics.sh
+
+check-make: ## goals of make together and alone, and a tree in a folder of any name
+	tests/tools/check_make.sh
 
 # Tests run side by side, each in a make of its own, so that what several of them
 # need is built before.

@@ -21,9 +21,9 @@ LINUX_GUEST := $(addprefix $(LINUX_CHECK)/guest/, pel pel_no_restore \
                pel_no_draw fb_mode console_state faults frames \
                touch_device pel_gpiod2 faults_gpiod2)
 LINUX_STATIC := $(LINUX_CHECK)/static
-LINUX_CFLAGS = -std=gnu99 $(WARNINGS) $(WERROR) -O2 -I. -I$(BUILD)/include
-# getgrgid in a static program is what the linker warns of: the guest has files.
-LINUX_STATIC_FLAGS := -static -Wl,--no-warnings
+LINUX_CFLAGS = -std=gnu99 $(WARNINGS) $(WERROR) -O2 -I. -Iinclude
+# The linker warns of getgrgid in a static program: the guest has its files.
+LINUX_STATIC_FLAGS := -static
 LINUX_FAULTS := open ioctl mmap read write poll fork socketpair signalfd calloc \
     epoll_create1 inotify_init1 timerfd_create
 comma := ,
@@ -136,7 +136,7 @@ linux-image:
 	@$(LINUX_HERE)/vm_image.sh $(LINUX_CACHE)
 	@$(LINUX_HERE)/vm_panel_mock.sh $(LINUX_CACHE)
 
-check-linux: $(BUILD)/pel $(LINUX_TOOLS) $(LINUX_GUEST)
+check-linux: all $(LINUX_TOOLS) $(LINUX_GUEST)
 check-linux: linux-image ## fbdev, DRM, consoles and panels on a real kernel in QEMU
 	@mkdir -p $(LINUX_CHECK)/rows
 	@$(LINUX_CHECK)/layout

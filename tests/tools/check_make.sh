@@ -1,0 +1,29 @@
+#!/bin/sh
+# check_make.sh : goals of make together, a goal alone, and a tree in a folder
+# whose name has a blank and an apostrophe.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/sim/lib.sh
+unset MAKEFLAGS MAKELEVEL
+object=core/base/divide.o
+
+# clean is done first, in whatever order the goals are named
+for goals in "clean $work/b/$object" "$work/b/$object clean"; do
+    make -s BUILD="$work/b" "$work/b/$object" &&
+        : >"$work/b/stale" &&
+        make -s -j4 BUILD="$work/b" $goals || fail "make $goals"
+    [ -f "$work/b/$object" ] && [ ! -e "$work/b/stale" ] ||
+        fail "make -j4 $goals: the object is gone, or what was there is not"
+done
+
+# a goal alone makes what it needs
+make -n BUILD="$work/none" check-linux 2>&1 </dev/null |
+    grep -q 'rcs .*/libpel_linux\.a' ||
+    fail "make check-linux does not make libpel_linux.a"
+
+# and the program links with -flto, however the compiler parts it
+odd="$work/it's a tree"
+mkdir "$odd"
+tar -c --exclude=./build --exclude=./.git . | tar -x -C "$odd"
+make -s -C "$odd" -j2 BUILD=b CFLAGS='-O1 -flto=auto' all b/vendored/user_paint amalgamation ||
+    fail "make in $odd"
