@@ -16,6 +16,7 @@ struct mend {
     size_t size;
     long line; /* of the file, for messages; 0: it has none */
     FILE *obj, *mtl;
+    bool colorless; /* of all vertices */
 };
 
 #define MEND_NO_COLOR (-1)
@@ -24,11 +25,25 @@ struct mend {
  * multiplied by, and that are added, u and v each, v upward. */
 #define MEND_PLACE "\1%lf %lf %lf %lf\1"
 
-/* One of these writes files of an ending. False, with a message. */
+/* One of these writes files of an ending, of PLY and STL those that are wanted:
+ * that have colours of faces. False, with a message. */
 bool mend_obj(struct mend *m);
 bool mend_off(struct mend *m);
 bool mend_ply(struct mend *m);
-bool mend_3mf(struct mend *m);
+bool mend_ply_wanted(struct mend *m);
+bool mend_stl(struct mend *m);
+bool mend_stl_wanted(struct mend *m);
+
+/* A corner of a face, a vertex of its own; and the face of the last of them,
+ * which have what `like` has. */
+struct mend_corner {
+    double at[3], normal[3], uv[2];
+    double color[3]; /* 0..1 or MEND_NO_COLOR */
+    bool has_normal, has_uv;
+};
+void mend_white(struct mend *m); /* of what has no colour, as assimp has it */
+void mend_corner(struct mend *m, const struct mend_corner *corner);
+void mend_face(struct mend *m, long corners, const struct mend_corner *like);
 
 /* The lines of a material file beside the mesh. */
 bool mend_mtl(struct mend *m, const char *name);

@@ -90,17 +90,29 @@ static const struct aiScene *import(struct mend *m,
     return aiImportFileEx("pel.obj", 0, &io);
 }
 
+static bool is_text(struct mend *m)
+{
+    return !memchr(m->text, 0, m->size);
+}
+
 const struct aiScene *mend_import(const char *path, bool *told)
 {
     static const struct {
         const char *ending;
+        bool (*wanted)(struct mend *m);
         bool (*write)(struct mend *m);
-    } kinds[] = {{" .obj ", mend_obj}, {NULL, NULL}};
+    } kinds[] = {{" .obj ", is_text, mend_obj},
+                 {" .off ", is_text, mend_off},
+                 {" .ply ", mend_ply_wanted, mend_ply},
+                 {" .stl ", mend_stl_wanted, mend_stl},
+                 {NULL, NULL, NULL}};
     struct mend m = {.path = path};
     *told = false;
     for (int i = 0; kinds[i].ending; i++)
         if (path_has_ending(path, kinds[i].ending) &&
-            mend_read_lines(&m, path) && !memchr(m.text, 0, m.size))
+            (kinds[i].wanted == is_text ? mend_read_lines : mend_read)(&m,
+                                                                       path) &&
+            kinds[i].wanted(&m))
             return import(&m, kinds[i].write, told);
     return aiImportFile(path, 0);
 }

@@ -20,7 +20,7 @@ static const char *after(const char *line, const char *word)
 
 /* Position, and colour where six numbers or more are there; a fourth or fifth
  * is the weight of a curve, which polygons do not have. */
-static bool put_vertex(struct mend *m, const char *text, bool colors)
+static bool put_vertex(struct mend *m, const char *text)
 {
     double v[8], color[3] = {MEND_NO_COLOR, MEND_NO_COLOR, MEND_NO_COLOR};
     const int n = mend_numbers(m, text, v, 8);
@@ -34,7 +34,7 @@ static bool put_vertex(struct mend *m, const char *text, bool colors)
     for (int k = 0; k < 3 && n >= 6; k++)
         color[k] = fmin(fmax(v[n == 7 ? 4 + k : 3 + k], 0), 1);
     fprintf(m->obj, "v %.9g %.9g %.9g", v[0], v[1], v[2]);
-    if (colors)
+    if (!m->colorless)
         fprintf(m->obj, " %.9g %.9g %.9g", color[0], color[1], color[2]);
     fputc('\n', m->obj);
     return true;
@@ -118,11 +118,11 @@ static bool put_library(struct mend *m, const char *text)
     return good;
 }
 
-static bool put_line(struct mend *m, const char *line, bool colors)
+static bool put_line(struct mend *m, const char *line)
 {
     const char *rest;
     if ((rest = after(line, "v")))
-        return put_vertex(m, rest, colors);
+        return put_vertex(m, rest);
     if ((rest = after(line, "vt")))
         return put_vector(m, "vt", rest, 1);
     if ((rest = after(line, "vn")))
@@ -154,11 +154,11 @@ static bool has_colors(const char *text)
 
 bool mend_obj(struct mend *m)
 {
-    const bool colors = has_colors(m->text);
+    m->colorless = !has_colors(m->text);
     fprintf(m->obj, "mtllib pel.mtl\n");
     for (char *at = m->text; at;) {
         const char *line = mend_line(m, &at);
-        if (!put_line(m, line, colors))
+        if (!put_line(m, line))
             return false;
     }
     return true;
