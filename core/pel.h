@@ -55,6 +55,8 @@
 #include "smooth/smooth_convex.h"
 #include "smooth/smooth_polygon.h"
 #include "smooth/smooth_rectangle.h"
+#include "smooth/smooth_ring.h"
+#include "smooth/smooth_rounded_rectangle.h"
 #include "smooth/smooth_thick_line.h"
 
 #include "outline/outline.h"

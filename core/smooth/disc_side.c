@@ -42,16 +42,11 @@ static uint32_t square_at(const struct pel_smooth_circle *c, int32_t distance,
 int32_t pel_smooth_arc_at(const struct pel_smooth_circle *c, int32_t distance)
 {
     const uint32_t r = (uint32_t)c->radius, d = (uint32_t)distance;
+    int32_t down = -c->shift; /* 0 from 256 px on */
     if (distance >= c->radius || -distance >= c->radius)
         return 0;
-    int32_t down = -c->shift;
-    uint32_t n;
-    if (r < 65536) {
-        n = (r * r - d * d) << 2 * c->shift;
-    } else {
-        down = 0;
-        n = square_at(c, distance, &down);
-    }
+    uint32_t n = r < 65536 ? (r * r - d * d) << 2 * c->shift
+                           : square_at(c, distance, &down);
     for (; n < UINT32_C(1) << 30; n <<= 2)
         down--;
     const uint32_t root = root_of(n);
@@ -84,9 +79,10 @@ void pel_smooth_strip_set(struct pel_smooth_strip *s)
     const int32_t v = (s->near >> 1) + (s->far >> 1);
     const int32_t u = (s->at_near >> 1) + (s->at_far >> 1);
     s->steep = u > v;
-    s->small = c->radius < SMALL;
+    const bool straight = s->at_near == s->at_far;
+    s->small = c->radius < SMALL && !straight;
     s->bulge = 0;
-    if (s->small)
+    if (s->small || straight)
         return;
     const int32_t rest = pel_max(c->radius - ((s->steep ? u : v) >> 8), 0);
     const uint32_t e = (uint32_t)rest * c->inverse >> 16; /* 2^-12 */

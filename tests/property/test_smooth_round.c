@@ -1,8 +1,11 @@
 /* Smooth discs and what is made of them against their exact area; tiles,
  * mirrored pictures and complements. */
+#include <stdio.h>
 #include <string.h>
 
 #include "core/smooth/smooth_circle.h"
+#include "core/smooth/smooth_ring.h"
+#include "core/smooth/smooth_rounded_rectangle.h"
 #include "tests/support/check.h"
 #include "tests/support/reference_area.h"
 #include "tests/support/shapes.h"
@@ -14,9 +17,21 @@ static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
 
 /* A shape of random numbers. */
 struct round {
+    enum { DISC, RING, ROUNDED, KINDS } kind;
     struct pel_point center;
-    int32_t radius;
+    struct pel_point to; /* of a rectangle, which begins at the centre */
+    int32_t radius, inner;
 };
+
+static const char *text_of(const struct round *s)
+{
+    static char text[200];
+    snprintf(text, sizeof text,
+             "kind %d center %d %d to %d %d radius %d inner %d; %s", s->kind,
+             s->center.x, s->center.y, s->to.x, s->to.y, s->radius, s->inner,
+             cases_replay());
+    return text;
+}
 
 static struct pel_surface window_of(const struct pel_rect *bounds, uint8_t *to)
 {
@@ -29,19 +44,69 @@ static struct pel_surface window_of(const struct pel_rect *bounds, uint8_t *to)
 
 static void draw(const struct pel_surface *surface, const struct round *s)
 {
-    pel_smooth_circle(surface, s->center, s->radius, &white.paint);
+    const struct pel_ring_shape ring = {s->center, s->inner, s->radius};
+    const struct pel_rounded_shape rounded = {s->center, s->to, s->radius};
+    if (s->kind == DISC)
+        pel_smooth_circle(surface, s->center, s->radius, &white.paint);
+    else if (s->kind == RING)
+        pel_smooth_ring(surface, &ring, &white.paint);
+    else
+        pel_smooth_rounded_rectangle(surface, &rounded, &white.paint);
+}
+
+/* A pixel without arcs needs no arithmetic. */
+static real disc_at(const struct area_polygon *pixel, int32_t radius)
+{
+    const real r = (real)radius / 256;
+    bool inside = true;
+    for (int i = 0; i < 4; i++)
+        inside &=
+            pixel->v[i].x * pixel->v[i].x + pixel->v[i].y * pixel->v[i].y <=
+            r * r;
+    return inside ? 1 : area_in_disc(pixel, r);
+}
+
+static void cut_to(struct area_polygon *p, real x0, real y0, real x1, real y1)
+{
+    area_cut(p, -1, 0, -x0);
+    area_cut(p, 0, -1, -y0);
+    area_cut(p, 1, 0, x1);
+    area_cut(p, 0, 1, y1);
+}
+
+/* The rectangle, less its corners' squares, and quarters of a disc there. */
+static real rounded_at(const struct round *s, int32_t x, int32_t y)
+{
+    const int32_t width = s->to.x - s->center.x, height = s->to.y - s->center.y;
+    const int32_t least = pel_min(width, height) / 2;
+    const int32_t radius = pel_min(s->radius, least);
+    const real r = (real)radius / 256;
+    struct area_polygon p =
+        area_pixel((real)s->center.x, (real)s->center.y, x, y);
+    cut_to(&p, 0, 0, (real)width / 256, (real)height / 256);
+    real area = area_of_polygon(&p);
+    for (int i = 0; i < 4 && radius > 0; i++) {
+        const real cx = (real)(i % 2 ? s->center.x + radius : s->to.x - radius);
+        const real cy = (real)(i / 2 ? s->center.y + radius : s->to.y - radius);
+        p = area_pixel(cx, cy, x, y);
+        cut_to(&p, i % 2 ? -r : 0, i / 2 ? -r : 0, i % 2 ? 0 : r,
+               i / 2 ? 0 : r);
+        area -= area_of_polygon(&p) - area_in_disc(&p, r);
+    }
+    return area;
 }
 
 static real area_at(const struct round *s, int32_t x, int32_t y)
 {
     const struct area_polygon pixel =
         area_pixel((real)s->center.x, (real)s->center.y, x, y);
-    const real radius = (real)s->radius / 256;
-    bool inside = true;
-    for (int i = 0; i < 4; i++)
-        inside &= pixel.v[i].x * pixel.v[i].x + pixel.v[i].y * pixel.v[i].y <=
-                  radius * radius;
-    return inside ? 1 : area_in_disc(&pixel, radius);
+    if (s->kind == DISC)
+        return disc_at(&pixel, s->radius);
+    if (s->kind == ROUNDED)
+        return rounded_at(s, x, y);
+    return s->inner < s->radius
+               ? disc_at(&pixel, s->radius) - disc_at(&pixel, s->inner)
+               : 0;
 }
 
 /* From 0 to 32,767 px, more often small, sometimes whole. */
@@ -63,22 +128,49 @@ static int32_t random_place(struct random *r)
 static struct pel_rect random_window(struct random *r, const struct round *s)
 {
     const struct pel_point d = pel_direction((uint16_t)random_word(r));
-    const int64_t x = s->center.x + (int64_t)s->radius * d.x / 32768,
-                  y = s->center.y + (int64_t)s->radius * d.y / 32768;
+    int64_t x = s->center.x + (int64_t)s->radius * d.x / 32768,
+            y = s->center.y + (int64_t)s->radius * d.y / 32768;
+    if (s->kind == ROUNDED) {
+        const int32_t side =
+            pel_min(s->to.x - s->center.x, s->to.y - s->center.y);
+        const int32_t radius = pel_min(s->radius, side / 2);
+        x = (d.x < 0 ? s->center.x + radius : s->to.x - radius) +
+            (int64_t)radius * d.x / 32768;
+        y = (d.y < 0 ? s->center.y + radius : s->to.y - radius) +
+            (int64_t)radius * d.y / 32768;
+    }
     const int32_t x0 = (int32_t)(x >> 8) - random_between(r, 0, SIZE - 1),
                   y0 = (int32_t)(y >> 8) - random_between(r, 0, SIZE - 1);
     return (struct pel_rect){x0, y0, x0 + SIZE, y0 + SIZE};
 }
 
-static struct round random_round(struct random *r)
+/* A side for a radius in corners. */
+static int32_t random_size(struct random *r, int32_t radius)
 {
-    return (struct round){{random_place(r), random_place(r)}, random_radius(r)};
+    const int32_t size = random_word(r) % 3 ? 2 * radius : random_radius(r);
+    return pel_min(size + random_between(r, 0, 3) * random_between(r, 0, 2000),
+                   PEL_PX(32700));
 }
 
+static struct round random_round(struct random *r)
+{
+    struct round s = {DISC, {random_place(r), random_place(r)}, {0, 0}, 0, 0};
+    s.kind = random_word(r) % KINDS;
+    s.radius = random_radius(r);
+    s.inner = random_word(r) % 2 ? random_between(r, 0, s.radius)
+                                 : pel_max(s.radius - random_radius(r), 0);
+    s.to.x = s.center.x + random_size(r, s.radius);
+    s.to.y = s.center.y + random_size(r, s.radius);
+    return s;
+}
+
+/* Small circles, and those of more than 2,048 px, are less exact. */
 static real bound_of(const struct round *s)
 {
-    const int32_t r = s->radius;
-    return r >= PEL_PX(16) && r <= PEL_PX(2048) ? 0.55L : 1;
+    const int32_t least = s->kind == RING && s->inner ? s->inner : s->radius;
+    const bool good =
+        least >= PEL_PX(16) && s->radius <= PEL_PX(2048) && s->kind != ROUNDED;
+    return good ? 0.55L : 1;
 }
 
 TEST(areas)
@@ -93,11 +185,32 @@ TEST(areas)
                 const int got = pixels[(y - b.y0) * SIZE + x - b.x0];
                 const real area = 255 * area_at(&s, x, y);
                 if (real_abs(got - area) > bound_of(&s))
-                    fail_msg("(%d, %d): %d, not %.3Lf; center %d %d radius %d, "
-                             "%s",
-                             x, y, got, area, s.center.x, s.center.y, s.radius,
-                             cases_replay());
+                    fail_msg("(%d, %d): %d, not %.3Lf; %s", x, y, got, area,
+                             text_of(&s));
             }
+    }
+}
+
+/* A disc and a ring around it are a disc. */
+TEST(complements)
+{
+    for (struct cases c = cases_of(40000); cases_next(&c);) {
+        struct round s = random_round(&c.random);
+        const struct pel_rect b = random_window(&c.random, &s);
+        static uint8_t disc[SIZE * SIZE];
+        const struct pel_surface ring = window_of(&b, pixels),
+                                 inner = window_of(&b, others),
+                                 outer = window_of(&b, disc);
+        s.kind = RING;
+        draw(&ring, &s);
+        pel_smooth_circle(&outer, s.center, s.radius, &white.paint);
+        pel_smooth_circle(&inner, s.center, s.inner, &white.paint);
+        for (int i = 0; i < SIZE * SIZE; i++) {
+            const int off = pixels[i] + others[i] - disc[i];
+            if (off < -1 || off > 1)
+                fail_msg("pixel %d: %d, %d and %d; %s", i, others[i], pixels[i],
+                         disc[i], text_of(&s));
+        }
     }
 }
 
@@ -120,7 +233,7 @@ TEST(clips)
                                   y >= part.clip.y0 && y < part.clip.y1;
                 if (others[i] != (seen ? pixels[i] : 0))
                     fail_msg("(%d, %d): %d of %d; %s", x, y, others[i],
-                             pixels[i], cases_replay());
+                             pixels[i], text_of(&s));
             }
     }
 }
@@ -134,14 +247,16 @@ TEST(mirrors)
         const struct pel_surface window = window_of(&b, pixels);
         struct pel_surface other = window_of(&b, others);
         const int32_t side = random_between(&c.random, 1, PEL_PX(SIZE) / 2);
-        struct round s = {{side, side}, 0}, mirror = s;
+        struct round s = {DISC, {side, side}, {0, 0}, 0, 0}, mirror;
+        s.kind = random_word(&c.random) % ROUNDED;
         s.radius = random_between(&c.random, 0, side);
+        s.inner = random_between(&c.random, 0, s.radius);
         if (random_word(&c.random) % 2)
             s.center.x &= ~127;
         s.center.y =
             random_between(&c.random, s.radius, PEL_PX(SIZE) - s.radius);
         s.center.y &= random_word(&c.random) % 2 ? ~127 : -1;
-        mirror.radius = s.radius;
+        mirror = s;
         draw(&window, &s);
         mirror.center.x = PEL_PX(SIZE) - s.center.x;
         mirror.center.y = PEL_PX(SIZE) - s.center.y;
@@ -156,6 +271,6 @@ TEST(mirrors)
         for (int i = 0; i < SIZE * SIZE; i++)
             if (pixels[i] != others[SIZE * SIZE - 1 - i])
                 fail_msg("pixel %d: %d and %d, %s", i, pixels[i],
-                         others[SIZE * SIZE - 1 - i], cases_replay());
+                         others[SIZE * SIZE - 1 - i], text_of(&s));
     }
 }

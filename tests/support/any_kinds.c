@@ -89,6 +89,12 @@ bool any_draw_smooth(const struct pel_surface *surface,
     case ANY_CIRCLE:
         pel_smooth_circle(surface, s->v[0], s->radius, paint);
         return true;
+    case ANY_ROUNDED_RECTANGLE:
+        pel_smooth_rounded_rectangle(surface, ROUNDED(s), paint);
+        return true;
+    case ANY_RING:
+        pel_smooth_ring(surface, RING(s), paint);
+        return true;
     case ANY_RECTANGLE:
         pel_smooth_rectangle(surface, s->v[0], s->v[1], paint);
         return true;

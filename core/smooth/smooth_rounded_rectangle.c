@@ -1,0 +1,20 @@
+#include "smooth_rounded_rectangle.h"
+
+#include "round_rows.h"
+
+void pel_smooth_rounded_rectangle(const struct pel_surface *surface,
+                                  const struct pel_rounded_shape *rectangle,
+                                  const struct pel_paint *paint)
+{
+    const struct pel_point from = rectangle->from, to = rectangle->to;
+    bool legal = pel_point_legal(from) && pel_point_legal(to) &&
+                 pel_radius_legal(rectangle->radius);
+    PEL_ASSERT(legal);
+    if (!legal || to.x <= from.x || to.y <= from.y)
+        return;
+    const int32_t side = pel_min(to.x - from.x, to.y - from.y);
+    const int32_t radius = pel_min(rectangle->radius, side / 2);
+    const struct pel_smooth_round round = {
+        from.x + radius, to.x - radius, from.y + radius, to.y - radius, radius};
+    pel_smooth_round(surface, &round, paint);
+}
