@@ -155,9 +155,10 @@ enum pel_status pel_projector_init(struct pel_projector *projector,
     return set_near(p, camera);
 }
 
-static void fine_position(const struct pel_projector *p,
-                          const int16_t position[3], int64_t out[3])
+void pel_project_fine(const struct pel_projector *projector,
+                      const int16_t position[3], int64_t out[3])
 {
+    const struct pel_projector *p = projector;
     int32_t value[3];
     PEL_UNROLL
     for (int k = 0; k < 3; k++)
@@ -197,35 +198,30 @@ static bool on_screen(const struct pel_projector *p, const int64_t c[2],
     return on;
 }
 
+static bool on_screen_of(const struct pel_projector *p, const int64_t fine[3],
+                         int32_t out[2])
+{
+    return on_screen(
+        p, fine, p->one ? pel_scale_down(p->one, -p->coarse) : fine[2], out);
+}
+
 void pel_project(const struct pel_projector *projector,
                  const int16_t position[3], struct pel_projected *out)
 {
     const struct pel_projector *p = projector;
     int64_t fine[3];
     int32_t at[2];
-    fine_position(p, position, fine);
+    pel_project_fine(p, position, fine);
     out->z = (int32_t)(fine[2] >> p->coarse);
-    const int64_t z = p->one ? pel_scale_down(p->one, -p->coarse) : fine[2];
-    const bool seen = out->z >= p->near_coarse && on_screen(p, fine, z, at);
+    const bool seen = out->z >= p->near_coarse && on_screen_of(p, fine, at);
     out->x = seen ? at[0] : PEL_NOT_ON_SCREEN;
     out->y = seen ? at[1] : 0;
 }
 
-void pel_project_coarse(const struct pel_projector *projector,
-                        const int16_t position[3], int32_t out[3])
-{
-    int64_t fine[3];
-    fine_position(projector, position, fine);
-    for (int k = 0; k < 3; k++)
-        out[k] = (int32_t)(fine[k] >> projector->coarse);
-}
-
 struct pel_point pel_project_clipped(const struct pel_projector *projector,
-                                     const int32_t coarse[3])
+                                     const int64_t fine[3])
 {
-    const int64_t position[2] = {coarse[0], coarse[1]};
     int32_t at[2];
-    on_screen(projector, position, projector->one ? projector->one : coarse[2],
-              at);
+    on_screen_of(projector, fine, at);
     return (struct pel_point){at[0], at[1]};
 }

@@ -50,8 +50,9 @@ extern const struct pel_pose pel_pose_none;
 
 /* Camera space with x and y scaled for the viewport, so that the sub-pixel of a
  * position is center + x 2^spread / z. Fine numbers are 2^-fine_bits world
- * units in 64 bits, below 2^61. Coarse ones, 2^-coarse of them, are below 2^29
- * in size for every vertex of the mesh; they are stored and clipped. */
+ * units in 64 bits, below 2^61; they are clipped. Coarse ones, 2^-coarse of
+ * them, are below 2^29 in size for every vertex of the mesh; they are stored.
+ */
 struct pel_projector {
     struct pel_matrix rows; /* of the mesh, scaled */
     int64_t origin[3];      /* fine */
@@ -100,14 +101,14 @@ struct pel_projected {
 void pel_project(const struct pel_projector *projector,
                  const int16_t position[3], struct pel_projected *out);
 
-/* x, y, z of a vertex, coarse. */
-void pel_project_coarse(const struct pel_projector *projector,
-                        const int16_t position[3], int32_t out[3]);
+/* x, y, z of a vertex, fine. */
+void pel_project_fine(const struct pel_projector *projector,
+                      const int16_t position[3], int64_t out[3]);
 
-/* The sub-pixel of a coarse position in front of the near plane, clamped to the
+/* The sub-pixel of a fine place in front of the near plane, clamped to the
  * legal range less one pixel. */
 struct pel_point pel_project_clipped(const struct pel_projector *projector,
-                                     const int32_t coarse[3]);
+                                     const int64_t fine[3]);
 
 /* The legal range of sub-pixels less one pixel. */
 #define PEL_GUARD_MIN (PEL_COORDINATE_MIN + 256)

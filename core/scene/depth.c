@@ -183,8 +183,8 @@ static const struct pel_paint *filter(struct pel_frame *frame,
     struct pel_plane plane;
     int32_t near[3];
     for (int i = 0; i < 3; i++)
-        near[i] = pel_nearness(&frame->projector,
-                               frame->work->triangle.corner[i]->position[2]);
+        near[i] =
+            pel_nearness(&frame->projector, frame->work->triangle.corner[i]->z);
     pel_plane_set(&plane, pel_frame_setup(frame), near);
     pel_depth_paint_init(p, paint, p->depth, &plane,
                          frame->pass == PEL_PASS_FIRST);

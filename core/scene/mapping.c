@@ -34,7 +34,7 @@ void pel_frame_texels(const struct pel_frame *frame,
             corner[i].uv[k] = first + pel_scale_down(at[i], -cut);
     }
     for (int i = 0; i < 3; i++)
-        corner[i].z = frame->projector.one ? 1 : t->corner[i]->position[2];
+        corner[i].z = frame->projector.one ? 1 : t->corner[i]->z;
 }
 
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,

@@ -88,7 +88,7 @@ static enum taken take(const struct pel_frame *frame, uint32_t triangle,
         t->at[i] = (struct pel_point){v->x, v->y};
         clip->polygon[0][i] = c;
         t->corner[i] = c;
-        c->position[2] = v->z;
+        c->z = v->z;
         *depth += v->z;
     }
     t->is_whole = !cut;
@@ -102,14 +102,20 @@ bool pel_box_meets(const struct pel_point at[3], const struct pel_rect *rect)
     return !pel_rect_empty(&pixels);
 }
 
+/* Twice, and of either sign. */
+static int64_t area_of(const struct pel_point at[3])
+{
+    return pel_product(at[1].x - at[0].x, at[2].y - at[0].y) -
+           pel_product(at[2].x - at[0].x, at[1].y - at[0].y);
+}
+
 /* True when the triangle's box has pixels of the rectangle and the side that is
  * seen is to be drawn. */
 static bool is_shown(const struct pel_frame *frame,
                      const struct pel_point at[3], const struct pel_rect *rect)
 {
-    const int64_t area = pel_product(at[1].x - at[0].x, at[2].y - at[0].y) -
-                         pel_product(at[2].x - at[0].x, at[1].y - at[0].y);
-    return pel_side_drawn(frame->scene->cull, area) && pel_box_meets(at, rect);
+    return pel_side_drawn(frame->scene->cull, area_of(at)) &&
+           pel_box_meets(at, rect);
 }
 
 static void list_triangles(struct pel_frame *frame)
@@ -204,32 +210,59 @@ void pel_frame_set_corner(struct pel_frame *frame, int i,
             return;
         }
     }
-    t->at[i] = pel_project_clipped(&frame->projector, corner->position);
+    t->at[i] = pel_project_clipped(&frame->projector, corner->at);
 }
 
-/* Cuts the triangle that `take` has set. */
+/* Cuts the triangle that `take` has set. The places of what is left become
+ * sub-pixels. */
 static int32_t clip(struct pel_frame *frame)
 {
     const struct pel_mesh *mesh = frame->scene->mesh;
-    struct pel_frame_work *work = frame->work;
+    struct pel_frame_triangle *t = &frame->work->triangle;
+    struct pel_clip *clip = &frame->work->clip;
     for (int i = 0; i < 3; i++)
-        pel_project_coarse(&frame->projector,
-                           mesh->positions[work->triangle.vertex[i]],
-                           work->clip.corner[i].position);
-    return pel_clip_triangle(&frame->projector, &work->clip);
+        pel_project_fine(&frame->projector, mesh->positions[t->vertex[i]],
+                         clip->corner[i].at);
+    const int32_t n = pel_clip_triangle(&frame->projector, clip);
+    for (int32_t i = 0; i < n; i++) {
+        struct pel_clip_corner *corner = clip->polygon[0][i];
+        pel_frame_set_corner(frame, 0, corner);
+        corner->at[0] = t->at[0].x;
+        corner->at[1] = t->at[0].y;
+    }
+    return n;
 }
 
-/* Draws what is left of a triangle as a fan around its first corner. */
-static void draw_cut(struct pel_frame *frame)
+/* Sets the work's triangle to corners 0, i - 1 and i of what is left of one;
+ * twice its area. */
+static int64_t set_fan(struct pel_frame *frame, int32_t i)
 {
     struct pel_clip_corner *const *corner = frame->work->clip.polygon[0];
+    struct pel_frame_triangle *t = &frame->work->triangle;
+    for (int k = 0; k < 3; k++) {
+        const struct pel_clip_corner *c = corner[k ? i - 2 + k : 0];
+        t->corner[k] = c;
+        t->at[k] = (struct pel_point){(int32_t)c->at[0], (int32_t)c->at[1]};
+    }
+    return area_of(t->at);
+}
+
+/* Draws what is left of a triangle as a fan around its first corner. Rounding
+ * to sub-pixels may bend a sliver: a corner where the fan turns back is left
+ * out, so that no pixel is hit twice. */
+static void draw_cut(struct pel_frame *frame)
+{
+    struct pel_clip_corner **corner = frame->work->clip.polygon[0];
     const int32_t n = clip(frame);
+    int64_t whole = 0;
+    for (int32_t i = 2; i < n; i++)
+        whole += set_fan(frame, i);
     for (int32_t i = 2; i < n; i++) {
-        pel_frame_set_corner(frame, 0, corner[0]);
-        pel_frame_set_corner(frame, 1, corner[i - 1]);
-        pel_frame_set_corner(frame, 2, corner[i]);
-        if (is_shown(frame, frame->work->triangle.at,
-                     &frame->work->surface.clip))
+        const int64_t area = set_fan(frame, i);
+        if (whole < 0 ? area > 0 : area < 0)
+            corner[i] = corner[i - 1];
+        else if (is_shown(frame, frame->work->triangle.at,
+                          &frame->work->surface.clip))
             draw_triangle(frame);
     }
 }

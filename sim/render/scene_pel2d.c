@@ -89,7 +89,7 @@ static bool add_corner(struct projection *p, const uint32_t vertex[3],
         v.u += weight * uv_of(&p->scene->mesh, vertex[k], 0);
         v.v += weight * uv_of(&p->scene->mesh, vertex[k], 1);
     }
-    return add(p, &v, c->position[2]);
+    return add(p, &v, c->z);
 }
 
 /* A clipped triangle becomes a fan with vertices of its own. */
@@ -101,8 +101,8 @@ static bool add_clipped(struct projection *p, const uint32_t corner[3])
     pel_clip_start(&clip);
     for (int k = 0; k < 3; k++) {
         clip.polygon[0][k] = &clip.corner[k];
-        pel_project_coarse(projector, p->scene->mesh.positions[corner[k]],
-                           clip.corner[k].position);
+        pel_project_fine(projector, p->scene->mesh.positions[corner[k]],
+                         clip.corner[k].at);
     }
     const int32_t n = pel_clip_triangle(projector, &clip);
     p->clipped++;
