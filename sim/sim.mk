@@ -5,7 +5,7 @@
 PKG_CONFIG ?= pkg-config
 sim_has = $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo $(1))
 SIM_PACKAGES := $(strip $(foreach p,assimp jansson sdl2 SDL2_image libpng \
-                          libjpeg,$(call sim_has,$(p))))
+                          libjpeg freetype2,$(call sim_has,$(p))))
 
 sim_define_assimp := -DHAVE_ASSIMP
 sim_define_sdl2 := -DHAVE_SDL2
@@ -13,6 +13,7 @@ sim_define_SDL2_image := -DHAVE_SDL2_IMAGE
 sim_define_libpng := -DHAVE_LIBPNG
 sim_define_libjpeg := -DHAVE_LIBJPEG
 sim_define_jansson := -DHAVE_JANSSON
+sim_define_freetype2 := -DHAVE_FREETYPE
 
 SIM_FLAGS := -D_GNU_SOURCE \
              $(shell $(PKG_CONFIG) --version >/dev/null 2>&1 && \

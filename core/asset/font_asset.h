@@ -9,7 +9,7 @@
 
 /* "PELF", and the version of the struct. */
 #define PEL_FONT_MAGIC UINT32_C(0x464C4550)
-enum { PEL_FONT_VERSION = 1 };
+enum { PEL_FONT_VERSION = 2 };
 
 /* No glyph has this index. */
 enum { PEL_FONT_NONE = 0xFFFF };
@@ -19,8 +19,8 @@ enum { PEL_FONT_NONE = 0xFFFF };
 struct pel_font_glyph {
     uint32_t offset;       /* bytes from pel_font_asset.bits */
     uint8_t width, height; /* px */
-    int8_t left;           /* px from the pen to the leftmost column */
-    int8_t top;            /* px from the baseline up to above the top row */
+    int16_t left;          /* px from the pen to the leftmost column */
+    int16_t top;           /* px from the baseline up to above the top row */
     uint8_t advance;       /* px from this pen to the next */
 };
 

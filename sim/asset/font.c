@@ -175,7 +175,7 @@ bool import_font(const struct import_options *options)
     struct font font;
     struct pel_font_asset asset = {.magic = 0};
     const bool all = !options->codes && !options->chars;
-    const bool done = font_load(&font, options->source) &&
+    const bool done = font_load(&font, options->source, &options->font) &&
                       (all || keep_codes(&font, options)) &&
                       font_add_box(&font) &&
                       font_asset_make(&asset, &font, options->source) &&

@@ -39,9 +39,17 @@ static bool is_picture(const char *path)
                                  ".pbm .pnm .pam ");
 }
 
+/* Packed ones are .bdf.gz and so on. */
 static bool is_font(const char *path)
 {
-    return path_has_ending(path, " .bdf .psf .psfu ");
+    char name[4096];
+    const char *dot = strrchr(path, '.');
+    if (dot && strcasecmp(dot, ".gz") == 0) {
+        snprintf(name, sizeof name, "%.*s", (int)(dot - path), path);
+        path = name;
+    }
+    return path_has_ending(
+        path, " .bdf .psf .psfu .pcf .ttf .otf .ttc .woff .woff2 .fnt ");
 }
 
 static bool is_pel2d(const char *path)
@@ -93,6 +101,16 @@ static const struct option_row options[] = {
      "\xC3\xA9 \xE2\x82\xAC\"; those that it lacks are an "
      "error. With --codes, both",
      OPTION_TEXT, .offset = offsetof(struct import_command, options.chars)},
+    {"encoding", "NAME",
+     "of a font's codes: koi8-r, jisx0208.1983-0, CP437 and whatever iconv "
+     "knows; unicode: as they are (default: as the font says, CP437 of a .psf "
+     "without a table)",
+     OPTION_TEXT,
+     .offset = offsetof(struct import_command, options.font.encoding)},
+    {"font-size", "PX", "from line to line, of a font of outlines (16)",
+     OPTION_INTEGER,
+     .offset = offsetof(struct import_command, options.font.size), .low = 1,
+     .high = FONT_SIZE_MAX},
     {.help = NULL},
 };
 
@@ -112,7 +130,8 @@ static const char about[] =
     "MESH is a file that assimp reads, or one of " MESH_BUILTINS
     "; PICTURE is a .png, .jpg, .tga, .bmp, .gif, .ppm, .pgm, .pbm "
     "or .pam file; FONT is a "
-    ".bdf or .psf file. The same input gives the same bytes.";
+    ".bdf, .psf, .pcf, .ttf, .otf or .woff file, packed (.gz) or not. The same "
+    "input gives the same bytes.";
 
 /* The kinds that options are for; those that the table leaves out place, light
  * and color what a pel2d file holds. */
@@ -124,7 +143,7 @@ static const struct use {
     {"name", IMPORT_MESH | IMPORT_PICTURE | IMPORT_FONT, "C assets"},
     {"format", IMPORT_PICTURE | IMPORT_MESH, "pictures and textures"},
     {"normals", IMPORT_MESH, "C assets of meshes"},
-    {"codes|chars", IMPORT_FONT, "fonts"},
+    {"codes|chars|encoding|font-size", IMPORT_FONT, "fonts"},
     {"texture-file|normals-from|crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
     {"shade|transparency|order|cull|mapping|span", 0, "pel render"},
     {"background", IMPORT_PICTURE, "pictures"},
@@ -160,16 +179,11 @@ static bool check_mesh(const char *path)
                                 "is projected already: expected a mesh");
     if (access(path, R_OK) != 0 || mesh_ending_known(path))
         return true;
-    return message_error_at(
-        path, 0, "%s",
-        path_has_ending(path, " .gz ")
-            ? "is packed: expected `gunzip -k` first, and of a font .pcf then "
-              "`pcf2bdf -o FONT.bdf`"
-        : path_has_ending(path, " .pcf ")
-            ? "is a font of another kind: expected `pcf2bdf -o FONT.bdf` first"
-            : "neither mesh, picture nor font by its ending: expected a font "
-              ".bdf or .psf, a picture .png, .ppm, .jpg, or a mesh that assimp "
-              "reads");
+    return message_error_at(path, 0,
+                            "neither mesh, picture nor font by its ending: "
+                            "expected a font .bdf, .psf, .pcf or .ttf, a "
+                            "picture .png, .ppm, .jpg, or a mesh that assimp "
+                            "reads");
 }
 
 static bool check(struct import_command *c)
@@ -272,7 +286,8 @@ static bool import_as_mesh(struct import_command *c)
 
 int command_import(int argc, char **argv)
 {
-    struct import_command c = {.scene = {.settings = scene_default}};
+    struct import_command c = {.scene = {.settings = scene_default},
+                               .options = {.font = {.size = FONT_SIZE}}};
     c.scene.settings.texture = SCENE_TEXTURE_NEAREST;
     c.scene.settings.camera.background = 0; /* no option gives that */
     const struct command_line line = {

@@ -3,6 +3,7 @@
 #define SIM_ASSET_IMPORT_H
 
 #include "core/format/palette.h"
+#include "sim/font/font.h"
 #include "sim/mesh/model.h"
 
 /* The name of the format that keeps the alpha of pictures; no display has it,
@@ -13,9 +14,10 @@
 extern const struct pel_palette import_palettes[2];
 
 struct import_options {
-    const char *source;   /* file, for the comment: its base name is shown */
-    const char *output;   /* file or "-" */
-    const char *name;     /* of the C object */
+    const char *source; /* file, for the comment: its base name is shown */
+    const char *output; /* file or "-" */
+    const char *name;   /* of the C object */
+    struct font_options font;
     const char *codes;    /* of a font: code points to keep, or NULL ... */
     const char *chars;    /* ... and characters; without either all */
     pel_color background; /* of a picture's transparent parts, opaque */

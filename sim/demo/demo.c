@@ -87,6 +87,9 @@ static const struct library {
 #ifndef HAVE_JANSSON
     {"jansson", "libjansson-dev", "reads glTF meshes"},
 #endif
+#ifndef HAVE_FREETYPE
+    {"FreeType", "libfreetype-dev", "reads TrueType, PCF and packed fonts"},
+#endif
 #if !defined(PEL_WITH_DRM) || !PEL_WITH_DRM
     {"libdrm", "libdrm-dev", "shows scenes on DRM devices"},
 #endif

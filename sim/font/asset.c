@@ -39,8 +39,8 @@ static struct pel_font_glyph glyph_of(const struct font_char *c)
 {
     return (struct pel_font_glyph){.width = (uint8_t)c->width,
                                    .height = (uint8_t)c->height,
-                                   .left = (int8_t)c->left,
-                                   .top = (int8_t)c->top,
+                                   .left = (int16_t)c->left,
+                                   .top = (int16_t)c->top,
                                    .advance = (uint8_t)c->advance};
 }
 

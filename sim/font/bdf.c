@@ -1,18 +1,45 @@
 /* Glyph Bitmap Distribution Format, Adobe Technical Note 5005 (versions 2.1 and
  * 2.2). Vertical writing is read over. */
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "sim/cli/arguments.h"
 #include "sim/cli/message.h"
+#include "sim/font/charset.h"
 #include "sim/font/font.h"
 
 struct glyph {
-    int code;    /* -1: none in the font's encoding */
+    long code;   /* -1: none in the font's encoding */
     int advance; /* -1: not given */
     int box[4];
     bool has_box;
+};
+
+/* What is read in spite of it, and told in the end. */
+enum odd {
+    ODD_END,
+    ODD_COUNT,
+    ODD_HEIGHT,
+    ODD_LINE,
+    ODD_CODE,
+    ODD_ADVANCE,
+    ODD_BOX,
+    ODD_ROWS,
+    ODD_ROW,
+    ODD_KINDS
+};
+
+static const char *const odd_names[ODD_KINDS] = {
+    "missing ENDFONT",
+    "missing or wrong CHARS",
+    "FONT_ASCENT of 0",
+    "lines that are not of the format",
+    "glyphs without ENCODING",
+    "glyphs without DWIDTH, or with one that goes up",
+    "glyphs without BBX",
+    "glyphs with more or fewer rows than high",
+    "rows longer or shorter than wide",
 };
 
 struct bdf {
@@ -22,10 +49,15 @@ struct bdf {
     long line;
     char *word; /* the line's first */
     char *rest; /* and what follows, without blanks at both ends */
-    const char *registry, *encoding;
+    bool again; /* the line is to be read once more */
+    const char *name, *registry, *encoding;
+    const char *wanted_encoding;
+    struct charset charset;
+    bool has_charset;
     struct glyph all; /* what glyphs are that do not say it themselves */
     int ascent, descent, missing, chars; /* -1: not given */
     int read;                            /* glyphs */
+    unsigned odd[ODD_KINDS];
 };
 
 static bool is(const struct bdf *b, const char *word)
@@ -33,18 +65,24 @@ static bool is(const struct bdf *b, const char *word)
     return strcmp(b->word, word) == 0;
 }
 
-/* The next line that is not blank and no comment. Zero bytes are put behind its
- * parts. */
-static bool next_line(struct bdf *b, const char *wanted)
+/* The next line that is not blank and no comment; false at the end. Zero bytes
+ * are put behind its parts. */
+static bool next_line(struct bdf *b)
 {
+    if (b->again) {
+        b->again = false;
+        return true;
+    }
     do {
         if (b->next >= b->end)
-            return ERROR_AT(b, "the file ends here: expected %s", wanted);
+            return false;
         char *stop = memchr(b->next, '\n', (size_t)(b->end - b->next));
         stop = stop ? stop : b->end;
-        b->word = b->next;
+        b->word = b->next + strspn(b->next, " \t\r");
         b->next = stop + 1;
         b->line++;
+        if (b->word > stop)
+            b->word = stop;
         while (stop > b->word && strchr(" \t\r", stop[-1]))
             stop--;
         *stop = '\0';
@@ -56,28 +94,39 @@ static bool next_line(struct bdf *b, const char *wanted)
     return true;
 }
 
-/* Exactly n whole numbers after the word. */
-static bool numbers(struct bdf *b, int n, int *value)
+static bool refuse_end(const struct bdf *b, const char *wanted)
 {
-    char *end = b->rest;
-    bool right = true;
-    for (int i = 0; right && i < n; i++) {
-        const char *start = end;
-        const long v = strtol(start, &end, 10);
-        right = end > start && strchr(" \t", *end) && v >= -32768 &&
-                v <= FONT_CODE_MAX;
-        value[i] = (int)v;
-    }
-    return (right && end[strspn(end, " \t")] == '\0') ||
-           ERROR_AT(b, "'%s %s': expected %s with %d whole number%s", b->word,
-                    b->rest, b->word, n, n > 1 ? "s" : "");
+    return ERROR_AT(b, "the file ends here: expected %s", wanted);
 }
 
-static bool number_in(struct bdf *b, int lo, int hi, int *value)
+/* Whole numbers after the word, n at most; how many there are. */
+static int numbers(struct bdf *b, int n, int *value)
 {
-    return numbers(b, 1, value) && ((*value >= lo && *value <= hi) ||
-                                    ERROR_AT(b, "%s is %d: expected %d to %d",
-                                             b->word, *value, lo, hi));
+    char *end = b->rest;
+    int i = 0;
+    for (; i < n; i++) {
+        const char *start = end;
+        const long v = strtol(start, &end, 10);
+        if (end == start || !strchr(" \t", *end) || v < -FONT_CODE_MAX ||
+            v > FONT_CODE_MAX)
+            break;
+        value[i] = (int)v;
+    }
+    if (i < n || end[strspn(end, " \t")])
+        b->odd[ODD_LINE]++;
+    return i;
+}
+
+/* What is no number in the range is as if it were not there. */
+static void number(struct bdf *b, int lo, int hi, int *value)
+{
+    int v;
+    if (numbers(b, 1, &v) < 1)
+        return;
+    if (v >= lo && v <= hi)
+        *value = v;
+    else
+        b->odd[ODD_LINE]++;
 }
 
 /* "name" or name. */
@@ -90,151 +139,157 @@ static const char *unquoted(char *text)
     return text + quoted;
 }
 
-/* Code points are read as Unicode: is that what the font has? */
-static bool check_charset(struct bdf *b)
-{
-    const bool latin1 = strcasecmp(b->registry, "ISO8859") == 0 &&
-                        strcmp(b->encoding, "1") == 0;
-    return !*b->registry || latin1 ||
-           strcasecmp(b->registry, "ISO10646") == 0 ||
-           ERROR_AT(b,
-                    "the font is encoded in %s-%s: expected ISO10646-1 "
-                    "(Unicode) or ISO8859-1",
-                    b->registry, b->encoding);
-}
-
+/* Those that end without ENDPROPERTIES end where a glyph begins. */
 static bool read_properties(struct bdf *b)
 {
-    int count;
-    bool right = number_in(b, 0, 10000, &count);
-    while (right && next_line(b, "ENDPROPERTIES")) {
+    while (next_line(b)) {
         if (is(b, "ENDPROPERTIES"))
-            return check_charset(b);
+            return true;
         if (is(b, "FONT_ASCENT"))
-            right = number_in(b, 0, FONT_SIZE_MAX, &b->ascent);
+            number(b, 0, FONT_SIZE_MAX, &b->ascent);
         else if (is(b, "FONT_DESCENT"))
-            right = number_in(b, 0, FONT_SIZE_MAX, &b->descent);
+            number(b, 0, FONT_SIZE_MAX, &b->descent);
         else if (is(b, "DEFAULT_CHAR"))
-            right = number_in(b, 0, FONT_CODE_MAX, &b->missing);
+            number(b, 0, FONT_CODE_MAX, &b->missing);
         else if (is(b, "CHARSET_REGISTRY"))
             b->registry = unquoted(b->rest);
         else if (is(b, "CHARSET_ENCODING"))
             b->encoding = unquoted(b->rest);
-        else if (is(b, "STARTCHAR") || is(b, "CHARS"))
-            right = ERROR_AT(
-                b, "%s among the properties: expected ENDPROPERTIES before it",
-                b->word);
+        else if (is(b, "STARTCHAR") || is(b, "CHARS")) {
+            b->odd[ODD_LINE]++;
+            b->again = true;
+            return true;
+        }
     }
-    return false;
+    return refuse_end(b, "ENDPROPERTIES");
 }
 
 static bool read_advance(struct bdf *b, struct glyph *g)
 {
-    int v[2];
-    if (!numbers(b, 2, v))
-        return false;
+    int v[2] = {0, 0};
+    if (numbers(b, 2, v) < 1)
+        return true;
+    b->odd[ODD_ADVANCE] += v[1] != 0;
     g->advance = v[0];
-    return (v[0] >= 0 && v[0] <= FONT_SIZE_MAX && v[1] == 0) ||
-           ERROR_AT(b, "DWIDTH is %d %d: expected 0 to %d, and 0", v[0], v[1],
-                    FONT_SIZE_MAX);
+    return (v[0] >= 0 && v[0] <= FONT_SIZE_MAX) ||
+           ERROR_AT(b, "DWIDTH is %d: expected 0 to %d", v[0], FONT_SIZE_MAX);
 }
 
 static bool read_box(struct bdf *b, struct glyph *g)
 {
+    enum { MOST = FONT_SIZE_MAX };
     const int *box = g->box;
-    g->has_box = numbers(b, 4, g->box);
-    return g->has_box &&
-           ((box[0] >= 0 && box[0] <= FONT_SIZE_MAX && box[1] >= 0 &&
-             box[1] <= FONT_SIZE_MAX && box[2] >= -128 && box[2] <= 127 &&
-             box[1] + box[3] >= -128 && box[1] + box[3] <= 127) ||
-            ERROR_AT(b,
-                     "%s is %s: expected a width and height of 0 to %d, and a "
-                     "place within -128 to 127 of the origin",
-                     b->word, b->rest, FONT_SIZE_MAX));
+    g->has_box = numbers(b, 4, g->box) == 4;
+    return (g->has_box && box[0] >= 0 && box[0] <= MOST && box[1] >= 0 &&
+            box[1] <= MOST && box[2] >= -MOST && box[2] <= MOST &&
+            box[3] >= -MOST && box[1] + box[3] <= MOST) ||
+           ERROR_AT(b,
+                    "%s is %s: expected a width and height of 0 to %d, and a "
+                    "place within -%d to %d of the origin",
+                    b->word, b->rest, MOST, MOST, MOST);
 }
 
 /* ENCODING CODE, or ENCODING -1 with a code of the font's own. */
-static bool read_encoding(struct bdf *b, struct glyph *g)
+static void read_encoding(struct bdf *b, struct glyph *g)
 {
-    int own[2];
-    if (strncmp(b->rest, "-1", 2) == 0 && strpbrk(b->rest, " \t")) {
-        g->code = -1;
-        return numbers(b, 2, own);
-    }
-    return number_in(b, -1, FONT_CODE_MAX, &g->code);
+    int own[2] = {-1, -1};
+    if (strncmp(b->rest, "-1", 2) == 0)
+        numbers(b, strpbrk(b->rest, " \t") ? 2 : 1, own);
+    else
+        number(b, 0, FONT_CODE_MAX, &own[0]);
+    g->code = own[0];
 }
 
 /* The lines between STARTCHAR and BITMAP. */
 static bool read_head(struct bdf *b, struct glyph *g)
 {
     bool has_code = false, right = true;
-    while (right && next_line(b, "BITMAP")) {
+    while (right && next_line(b)) {
         if (is(b, "BITMAP")) {
-            const char *lacks = !has_code          ? "ENCODING"
-                                : !g->has_box      ? "BBX"
-                                : g->advance == -1 ? "DWIDTH"
-                                                   : NULL;
-            return !lacks ||
-                   ERROR_AT(b,
-                            "the glyph has no %s: expected one before BITMAP",
-                            lacks);
+            b->odd[ODD_CODE] += !has_code;
+            b->odd[ODD_BOX] += !g->has_box;
+            b->odd[ODD_ADVANCE] += g->advance < 0;
+            return true;
         }
-        if (is(b, "ENCODING"))
-            has_code = right = read_encoding(b, g);
-        else if (is(b, "DWIDTH"))
+        if (is(b, "ENCODING")) {
+            read_encoding(b, g);
+            has_code = true;
+        } else if (is(b, "DWIDTH"))
             right = read_advance(b, g);
         else if (is(b, "BBX"))
             right = read_box(b, g);
         else if (choice_find("SWIDTH|SWIDTH1|DWIDTH1|VVECTOR|ATTRIBUTES",
                              b->word) < 0)
-            right = ERROR_AT(
-                b, "'%s' in a glyph: expected ENCODING, DWIDTH, BBX or BITMAP",
-                b->word);
+            b->odd[ODD_LINE]++;
     }
-    return false;
+    return right && refuse_end(b, "BITMAP");
+}
+
+static uint8_t digit_of(char c)
+{
+    return (uint8_t)(c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10);
 }
 
 /* Bits right of the width are padding, whatever they are. */
-static bool read_rows(struct bdf *b, int stride, int height, uint8_t *rows)
+static void read_row(struct bdf *b, size_t stride, uint8_t *row)
 {
-    for (int y = 0; y < height && stride > 0; y++) {
-        if (!next_line(b, "a row of the glyph"))
-            return false;
-        const size_t digits = strspn(b->word, "0123456789abcdefABCDEF");
-        if (digits != (size_t)(2 * stride) || b->word[digits] || *b->rest)
-            return ERROR_AT(
-                b, "'%s' as row %d of %d: expected %d hexadecimal digits",
-                b->word, y + 1, height, 2 * stride);
-        for (const char *c = b->word; *c; c += 2) {
-            const char byte[3] = {c[0], c[1]};
-            *rows++ = (uint8_t)strtoul(byte, NULL, 16);
+    const size_t digits = strspn(b->word, "0123456789abcdefABCDEF");
+    for (size_t i = 0; i < digits && i < 2 * stride; i++)
+        row[i / 2] |= (uint8_t)(digit_of(b->word[i]) << (i % 2 ? 0 : 4));
+    b->odd[ODD_ROW] += digits != 2 * stride || b->word[digits] || *b->rest;
+}
+
+static bool read_rows(struct bdf *b, size_t stride, int height, uint8_t *rows)
+{
+    for (int y = 0; next_line(b); y++) {
+        const bool ended = is(b, "ENDCHAR");
+        b->again = is(b, "STARTCHAR") || is(b, "ENDFONT");
+        if (ended || b->again) {
+            b->odd[ODD_ROWS] += b->again || (stride > 0 && y != height);
+            return true;
         }
+        if (y < height && stride > 0)
+            read_row(b, stride, rows + (size_t)y * stride);
     }
-    return next_line(b, "ENDCHAR") &&
-           (is(b, "ENDCHAR") ||
-            ERROR_AT(b, "'%s' after %d rows: expected ENDCHAR", b->word,
-                     height));
+    return refuse_end(b, "ENDCHAR");
+}
+
+/* The encoding that is wanted, or that of the font's properties, or that of its
+ * name. */
+static bool find_charset(struct bdf *b)
+{
+    char name[128] = "";
+    if (b->wanted_encoding)
+        snprintf(name, sizeof name, "%s", b->wanted_encoding);
+    else if (*b->registry)
+        snprintf(name, sizeof name, "%s-%s", b->registry, b->encoding);
+    else
+        snprintf(name, sizeof name, "%s", charset_of_name(b->name));
+    b->has_charset = charset_open(&b->charset, name, b->path);
+    return b->has_charset;
 }
 
 static bool read_glyph(struct bdf *b)
 {
     struct glyph g = b->all;
     uint8_t rows[FONT_SIZE_MAX * ((FONT_SIZE_MAX + 7) / 8)] = {0};
-    if (!read_head(b, &g))
+    if ((!b->has_charset && !find_charset(b)) || !read_head(b, &g))
         return false;
-    const int stride = (g.box[0] + 7) / 8;
+    const size_t stride = ((size_t)g.box[0] + 7) / 8;
     if (!read_rows(b, stride, g.box[1], rows))
         return false;
     b->read++;
+    if (g.code >= 0)
+        g.code = charset_code(&b->charset, (uint32_t)g.code);
     const struct font_char c = {
         .code = (uint32_t)g.code,
         .width = g.box[0],
         .height = g.box[1],
         .left = g.box[2],
         .top = g.box[1] + g.box[3],
-        .advance = g.advance,
+        .advance = g.advance >= 0 ? g.advance : g.box[0],
     };
-    return g.code < 0 || font_add(b->font, &c, rows, (size_t)stride);
+    return g.code < 0 || font_add(b->font, &c, rows, stride);
 }
 
 /* One line between the glyphs, and what belongs to it. */
@@ -249,12 +304,26 @@ static bool read_entry(struct bdf *b)
     if (is(b, "DWIDTH"))
         return read_advance(b, &b->all);
     if (is(b, "CHARS"))
-        return number_in(b, 0, FONT_CODE_MAX, &b->chars);
-    return choice_find("CONTENTVERSION|FONT|SIZE|METRICSSET|SWIDTH|SWIDTH1|"
-                       "DWIDTH1|VVECTOR",
-                       b->word) >= 0 ||
-           ERROR_AT(b, "'%s' between glyphs: expected STARTCHAR or ENDFONT",
-                    b->word);
+        number(b, 0, FONT_CODE_MAX, &b->chars);
+    else if (is(b, "FONT"))
+        b->name = b->rest;
+    else if (choice_find("CONTENTVERSION|SIZE|METRICSSET|SWIDTH|SWIDTH1|"
+                         "DWIDTH1|VVECTOR",
+                         b->word) < 0)
+        b->odd[ODD_LINE]++;
+    return true;
+}
+
+static void report(const struct bdf *b)
+{
+    char text[400] = "";
+    size_t n = 0;
+    for (int i = 0; i < ODD_KINDS; i++)
+        if (b->odd[i] > 0 && n < sizeof text)
+            n += (size_t)snprintf(text + n, sizeof text - n, "%s%u %s",
+                                  n ? ", " : "", b->odd[i], odd_names[i]);
+    if (n > 0)
+        message_error_at(b->path, 0, "is read in spite of: %s", text);
 }
 
 /* The lines of a font without properties are as high as its box. */
@@ -262,13 +331,33 @@ static bool finish(struct bdf *b)
 {
     const int *box = b->all.box;
     const int above = box[1] + box[3], below = -box[3];
-    if (b->chars != b->read)
-        return ERROR_AT(b, "%d glyphs: expected the %d that CHARS says",
-                        b->read, b->chars);
+    b->odd[ODD_COUNT] += b->chars != b->read;
+    if (b->ascent == 0 && above > 0) {
+        b->odd[ODD_HEIGHT]++;
+        b->ascent = -1;
+    }
+    if (b->missing >= 0 && b->has_charset)
+        b->missing = (int)charset_code(&b->charset, (uint32_t)b->missing);
     b->font->missing = b->missing;
     b->font->ascent = b->ascent >= 0 ? b->ascent : above > 0 ? above : 0;
     b->font->descent = b->descent >= 0 ? b->descent : below > 0 ? below : 0;
+    if (b->read > 0)
+        report(b);
     return true;
+}
+
+static bool read_all(struct bdf *b)
+{
+    if (!next_line(b) || !is(b, "STARTFONT"))
+        return ERROR_AT(b, "'%s': expected STARTFONT 2.1", b->word);
+    while (next_line(b)) {
+        if (is(b, "ENDFONT"))
+            return finish(b);
+        if (!read_entry(b))
+            return false;
+    }
+    b->odd[ODD_END]++;
+    return finish(b);
 }
 
 bool font_parse_bdf(struct font *font, const struct font_file *file)
@@ -278,6 +367,9 @@ bool font_parse_bdf(struct font *font, const struct font_file *file)
         .path = file->path,
         .next = file->data,
         .end = file->data + file->size,
+        .word = file->data,
+        .wanted_encoding = file->options.encoding,
+        .name = "",
         .registry = "",
         .encoding = "",
         .all = {.code = -1, .advance = -1},
@@ -286,15 +378,11 @@ bool font_parse_bdf(struct font *font, const struct font_file *file)
         .missing = -1,
         .chars = -1,
     };
-    if (!next_line(&b, "STARTFONT 2.1"))
-        return false;
-    if (!is(&b, "STARTFONT") || strncmp(b.rest, "2.", 2) != 0)
-        return ERROR_AT(&b, "'%s %s': expected STARTFONT 2.1", b.word, b.rest);
-    while (next_line(&b, "ENDFONT")) {
-        if (is(&b, "ENDFONT"))
-            return finish(&b);
-        if (!read_entry(&b))
-            return false;
-    }
-    return false;
+    const bool done = read_all(&b);
+    if (!b.has_charset)
+        return done;
+    if (done)
+        charset_report(&b.charset, file->path);
+    charset_close(&b.charset);
+    return done;
 }

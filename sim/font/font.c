@@ -36,47 +36,53 @@ static bool begins(const struct font_file *file, const char *bytes, size_t n)
 /* Behind a byte order mark. */
 static bool parse(struct font *font, const struct font_file *whole)
 {
+    struct font_file file = *whole;
     const size_t mark = byte_order_mark(whole->data);
-    const struct font_file file = {whole->path, whole->data + mark,
-                                   whole->size - mark};
+    file.data += mark;
+    file.size -= mark;
     if (begins(&file, "STARTFONT", 9))
         return font_parse_bdf(font, &file);
     if (begins(&file, "\x36\x04", 2) || begins(&file, "\x72\xB5\x4A\x86", 4))
         return font_parse_psf(font, &file);
-    return message_error_at(
-        file.path, 0, "%s",
-        begins(&file, "\x1F\x8B", 2)
-            ? "is compressed: expected what `gzip -d` makes of it"
-            : "is no font: expected a BDF or PSF file");
+    return font_parse_other(font, &file);
 }
 
 static int by_code(const void *a, const void *b)
 {
     const struct font_char *x = a, *y = b;
-    return (x->code > y->code) - (x->code < y->code);
+    const int places = (x->offset > y->offset) - (x->offset < y->offset);
+    return x->code == y->code ? places : x->code > y->code ? 1 : -1;
 }
 
+/* By code point, each once. */
 static bool sort(struct font *font, const char *path)
 {
+    size_t n = 1;
     if (font->count == 0)
         return message_error_at(path, 0,
                                 "has no glyph with a code point: expected a "
-                                "font encoded in Unicode");
+                                "font of characters");
     qsort(font->chars, font->count, sizeof(*font->chars), by_code);
     for (size_t i = 1; i < font->count; i++)
-        if (font->chars[i - 1].code == font->chars[i].code)
-            return message_error_at(path, 0,
-                                    "has two glyphs of U+%04X: expected one",
-                                    (unsigned)font->chars[i].code);
+        if (font->chars[n - 1].code != font->chars[i].code)
+            font->chars[n++] = font->chars[i];
+    if (n < font->count)
+        message_error_at(path, 0,
+                         "has a second glyph of %zu characters, of which the "
+                         "first is taken",
+                         font->count - n);
+    font->count = n;
     return true;
 }
 
 /* Writes the font to the parent. */
-static bool put_font(const void *path, FILE *out)
+static bool put_font(const void *what, FILE *out)
 {
-    struct font_file file = {.path = path};
+    struct font_file file = *(const struct font_file *)what;
     struct font font = {.missing = -1};
-    if (!read_file(&file) || !parse(&font, &file) || !sort(&font, path))
+    if (!read_file(&file) ||
+        (begins(&file, "\x1F\x8B", 2) && !font_unpack(&file)) ||
+        !parse(&font, &file) || !sort(&font, file.path))
         return false;
     fwrite(&font, sizeof font, 1, out);
     child_put(out, font.chars, font.count * sizeof *font.chars);
@@ -84,10 +90,23 @@ static bool put_font(const void *path, FILE *out)
     return true;
 }
 
-bool font_load(struct font *font, const char *path)
+/* A list has room for a power of two. */
+static bool make_room(struct font *font)
+{
+    size_t room = 1;
+    while (room < font->count)
+        room *= 2;
+    struct font_char *chars = realloc(font->chars, room * sizeof *chars);
+    font->chars = chars ? chars : font->chars;
+    return chars || message_error("out of memory");
+}
+
+bool font_load(struct font *font, const char *path,
+               const struct font_options *options)
 {
     size_t size;
-    FILE *in = child_run(path, put_font, path);
+    const struct font_file file = {.path = path, .options = *options};
+    FILE *in = child_run(path, put_font, &file);
     bool done = in && fread(font, sizeof *font, 1, in) == 1;
     if (!done)
         *font = (struct font){.missing = -1};
@@ -95,6 +114,8 @@ bool font_load(struct font *font, const char *path)
     font->bits = done ? child_get(in, &size, &done) : NULL;
     if (in)
         fclose(in);
+    if (done)
+        done = make_room(font);
     if (!done)
         font_free(font);
     return done;
@@ -112,15 +133,15 @@ static bool bit_at(const uint8_t *row, int x)
     return row[x / 8] >> (7 - x % 8) & 1;
 }
 
-/* The glyph without its empty margins, as far as left and top stay in the range
- * of an asset; *x0 and *y0 are the column and row where it begins. */
+/* The glyph without its empty margins; *x0 and *y0 are the column and row where
+ * it begins. */
 static struct font_char trimmed(const struct font_char *c, const uint8_t *rows,
                                 size_t stride, int *x0, int *y0)
 {
     int x1 = 0, y1 = 0;
     struct font_char t = *c;
-    *x0 = 127 - c->left;
-    *y0 = 128 + c->top;
+    *x0 = c->width;
+    *y0 = c->height;
     for (int y = 0; y < c->height; y++)
         for (int x = 0; x < c->width; x++)
             if (bit_at(rows + (size_t)y * stride, x)) {

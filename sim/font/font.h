@@ -8,7 +8,8 @@
 
 enum {
     FONT_SIZE_MAX = 255, /* px, of a glyph, a line and an advance */
-    FONT_CODE_MAX = 0x10FFFF
+    FONT_CODE_MAX = 0x10FFFF,
+    FONT_SIZE = 16 /* of a scalable font, where nobody names another */
 };
 
 /* A code point and its glyph; empty ones have width and height 0. */
@@ -30,10 +31,18 @@ struct font {
     size_t size;
 };
 
+struct font_options {
+    const char *encoding; /* of its codes, by charset_open; NULL: as it says */
+    int size;             /* px from line to line of a scalable font */
+};
+
 /* Reads a BDF or a PSF file (versions 1 and 2), told apart by their first
- * bytes; "-" is standard input. False, with a message on standard error, when
- * it cannot; the font is then empty. */
-bool font_load(struct font *font, const char *path);
+ * bytes, or what else FreeType reads, in a child process; "-" is standard
+ * input. Of two glyphs of a character the first one counts. What is read in
+ * spite of a mistake is told. False, with a message on standard error, when it
+ * cannot; the font is then empty. */
+bool font_load(struct font *font, const char *path,
+               const struct font_options *options);
 void font_free(struct font *font);
 
 /* A file in memory, with a 0 behind its last byte. */
@@ -41,11 +50,17 @@ struct font_file {
     const char *path;
     char *data;
     size_t size;
+    struct font_options options;
 };
 
-/* The two parsers. */
+/* The parsers; the last is FreeType's. */
 bool font_parse_bdf(struct font *font, const struct font_file *file);
 bool font_parse_psf(struct font *font, const struct font_file *file);
+bool font_parse_other(struct font *font, const struct font_file *file);
+
+/* Puts what is packed by gzip in its place, malloc'ed. False, with a message.
+ */
+bool font_unpack(struct font_file *file);
 
 /* For the parsers: adds a glyph whose rows are `stride` bytes apart, without
  * the empty rows and columns around it. False when memory is short or the glyph

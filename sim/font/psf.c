@@ -4,6 +4,7 @@
 
 #include "core/image/glyph_text.h"
 #include "sim/cli/bytes.h"
+#include "sim/font/charset.h"
 #include "sim/font/font.h"
 #include "sim/cli/message.h"
 
@@ -56,10 +57,9 @@ static bool read_head(struct psf *p)
 static bool check_size(const struct psf *p)
 {
     if (p->width < 1 || p->width > FONT_SIZE_MAX || p->height < 1 ||
-        p->height > 127)
+        p->height > FONT_SIZE_MAX)
         return message_error_at(
-            p->path, 0,
-            "glyphs of %u x %u: expected 1 to %d wide and 1 to 127 high",
+            p->path, 0, "glyphs of %u x %u: expected 1 to %d wide and high",
             (unsigned)p->width, (unsigned)p->height, FONT_SIZE_MAX);
     if (p->glyph_size != (p->width + 7) / 8 * p->height || p->count < 1)
         return message_error_at(p->path, 0,
@@ -143,6 +143,27 @@ static bool read_table(struct psf *p)
     return true;
 }
 
+/* Without a table the number of a glyph is a code of the page that the console
+ * has: that of the first PCs, where nobody says another. */
+static bool read_page(struct psf *p, const char *encoding)
+{
+    struct charset charset;
+    bool done = charset_open(&charset, encoding ? encoding : "CP437", p->path);
+    if (!done)
+        return false;
+    for (uint32_t glyph = 0; done && glyph < p->count; glyph++) {
+        const long code = charset_code(&charset, glyph);
+        done = code < 0 || add(p, glyph, (uint32_t)code);
+    }
+    if (!encoding)
+        message_error_at(p->path, 0,
+                         "has no table of characters and is read as CP437: "
+                         "--encoding names another page");
+    charset_report(&charset, p->path);
+    charset_close(&charset);
+    return done;
+}
+
 bool font_parse_psf(struct font *font, const struct font_file *file)
 {
     struct psf p = {
@@ -159,8 +180,5 @@ bool font_parse_psf(struct font *font, const struct font_file *file)
     font->missing = 0xFFFD;
     if (p.has_table)
         return read_table(&p);
-    for (uint32_t glyph = 0; glyph < p.count; glyph++)
-        if (!add(&p, glyph, glyph))
-            return false;
-    return true;
+    return read_page(&p, file->options.encoding);
 }

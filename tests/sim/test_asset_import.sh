@@ -266,14 +266,12 @@ for kind in obj png bdf; do
     refuse "none.$kind: cannot be read: No such file" "$dir/none.$kind" -o "$dir/x.c"
 done
 if "$PEL" render "$dir/square.ply" -o "$dir/a.ppm" 2>/dev/null; then
-    for kind in psf.gz pcf.gz; do
-        : >"$dir/x.$kind"
-        refuse "x.$kind: is packed: expected \`gunzip -k\`" "$dir/x.$kind" -o "$dir/y.c"
-    done
-    : >"$dir/x.pcf"
-    refuse "\`pcf2bdf -o FONT.bdf\`" "$dir/x.pcf" -o "$dir/y.c"
     refuse "square.c: neither mesh, picture nor font" "$dir/square.c" -o "$dir/y.c"
 fi
+for kind in psf.gz pcf.gz pcf ttf bdf; do
+    echo nonsense >"$dir/x.$kind"
+    refuse "x.$kind: is no " "$dir/x.$kind" -o "$dir/y.c"
+done
 refuse "expected an output .c or .pel2d" builtin:vase -o "$dir/x.h"
 refuse "is no identifier of C" builtin:vase --name 3d -o "$dir/x.c"
 refuse "is no identifier of C" builtin:vase --name int -o "$dir/x.c"

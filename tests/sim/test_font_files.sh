@@ -151,8 +151,20 @@ grep -q 'hand.bdf: lacks 9 of --codes and --chars: U+0062-0069 U+006B$' "$dir/me
 for codes in '' ab a- 1- 1-2, 2-1 b-a ,1 -1 1,,2 0x110000 "$(printf '\303')"; do
     refused "--codes is '$(echo "$codes" | LC_ALL=C tr '\303' '?')'" "$dir/hand.bdf" --codes "$codes"
 done
-sed '/^ENDFONT/d' "$dir/hand.bdf" >"$dir/cut.bdf"
-refused 'cut.bdf:37: the file ends here: expected ENDFONT' "$dir/cut.bdf"
+sed '/^ENDCHAR/,$d' "$dir/hand.bdf" >"$dir/cut.bdf"
+refused 'the file ends here: expected ENDCHAR' "$dir/cut.bdf"
+for field in nochars noend longrow usascii; do
+    "$PEL" import "$(dirname "$0")/field/$field.bdf" --name asset -o "$dir/$field.c" \
+        2>"$dir/$field.err" || fail "$field.bdf: $(cat "$dir/$field.err")"
+    sed 1d "$dir/$field.c" >"$dir/$field.text"
+done
+for field in nochars noend longrow; do
+    cmp "$dir/$field.text" "$dir/usascii.text" || fail "$field.bdf: another font"
+done
+grep -q 'is read in spite of: 1 missing or wrong CHARS$' "$dir/nochars.err" &&
+    grep -q 'of: 1 missing ENDFONT$' "$dir/noend.err" &&
+    grep -q 'of: 3 rows longer or shorter than wide$' "$dir/longrow.err" &&
+    [ ! -s "$dir/usascii.err" ] || fail "field: $(cat "$dir"/*.err)"
 
 psf=/usr/share/consolefonts/Unifont-APL8x16.psf.gz
 pcf=/usr/share/fonts/X11/misc/unifont.pcf.gz
@@ -160,13 +172,28 @@ pcf=/usr/share/fonts/X11/misc/unifont.pcf.gz
 [ -r "$pcf" ] || fail "$pcf is missing: the package xfonts-unifont brings it"
 command -v pcf2bdf >/dev/null || fail "pcf2bdf is missing: its package is pcf2bdf"
 if [ ! -e "$work/failed" ]; then
-    cp "$psf" "$dir/packed.psf"
-    refused 'is compressed: expected what .gzip -d. makes' "$dir/packed.psf"
     gzip -cd "$psf" >"$dir/console.psf"
     gzip -cd "$pcf" >"$dir/window.pcf"
     pcf2bdf -o "$dir/window.bdf" "$dir/window.pcf"
     font console "$dir/console.psf"
     font window "$dir/window.bdf" --codes 32-0xFF,0x391-0x3C9
+    # FreeType and pel's own readers see the same pixels; packed files, too.
+    "$PEL" import "$pcf" --codes 32-0xFF,0x391-0x3C9 --name asset \
+        -o "$dir/pcf.c" 2>"$dir/err" || grep -q libfreetype-dev "$dir/err" ||
+        fail "$pcf: $(cat "$dir/err")"
+    if [ -s "$dir/pcf.c" ]; then
+        for kind in pcf window; do
+            sed '1d; /glyph of what is missing/d' "$dir/$kind.c" >"$dir/$kind.text"
+        done
+        cmp "$dir/pcf.text" "$dir/window.text" || fail "a PCF and its BDF differ"
+        cp "$psf" "$dir/packed.psf.gz"
+        "$PEL" import "$dir/packed.psf.gz" --name asset -o "$dir/packed.c" &&
+            sed 1d "$dir/packed.c" >"$dir/packed.text" &&
+            sed 1d "$dir/console.c" | cmp - "$dir/packed.text" ||
+            fail "a packed PSF"
+        head -c 3000 "$psf" >"$dir/cut.psf.gz"
+        refused 'cannot be unpacked: expected a whole file' "$dir/cut.psf.gz"
+    fi
     for text in 'Hamburgefonstiv 0123456789' '!"#$%&()*+,./:;<=>?@[\]^{|}~' \
         'ÄÖÜäöüß éèêñç §°µ' 'π²½÷×'; do
         "$dir/console" "$text" >"$dir/console.pgm"

@@ -1,0 +1,266 @@
+/* What FreeType reads: TrueType, OpenType and WOFF, drawn in one bit, and fonts
+ * of bitmaps such as PCF. */
+#include "sim/font/font.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sim/cli/bytes.h"
+#include "sim/cli/message.h"
+
+#ifdef HAVE_FREETYPE
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_BDF_H
+#include FT_FONT_FORMATS_H
+#include FT_GZIP_H
+#include FT_SYSTEM_H
+
+#include "sim/font/charset.h"
+
+struct reading {
+    struct font *font;
+    const struct font_file *file;
+    FT_Library library;
+    FT_Face face;
+    struct charset charset;
+    unsigned failed, large; /* glyphs */
+};
+
+static void *allocate(FT_Memory memory, long size)
+{
+    (void)memory;
+    return malloc((size_t)size);
+}
+
+static void release(FT_Memory memory, void *block)
+{
+    (void)memory;
+    free(block);
+}
+
+static void *resize(FT_Memory memory, long before, long size, void *block)
+{
+    (void)memory;
+    (void)before;
+    return realloc(block, (size_t)size);
+}
+
+/* The last four bytes say how large it is, which is at most 1,032 times as
+ * much. */
+bool font_unpack(struct font_file *file)
+{
+    struct FT_MemoryRec_ memory = {NULL, allocate, release, resize};
+    const uint8_t *packed = (const uint8_t *)file->data;
+    const size_t size =
+        file->size < 18 ? 0 : bytes_little(packed + file->size - 4, 4);
+    const bool possible = size > 0 && size <= 1032 * file->size;
+    char *data = calloc(possible ? size + 1 : 1, 1);
+    FT_ULong got = size;
+    if (!data)
+        return message_error_at(file->path, 0, "out of memory");
+    const bool done = possible &&
+                      FT_Gzip_Uncompress(&memory, (FT_Byte *)data, &got, packed,
+                                         file->size) == 0 &&
+                      got == size;
+    free(file->data);
+    file->data = data;
+    file->size = size;
+    return done || message_error_at(file->path, 0,
+                                    "cannot be unpacked: expected a whole "
+                                    "file that gzip has made");
+}
+
+/* Lines are as high as was asked for, or a little less, with ascent and descent
+ * in whole pixels; of a font of bitmaps as high as they are. */
+static bool set_size(const struct reading *r)
+{
+    const FT_Size_Metrics *m = &r->face->size->metrics;
+    const long most = r->file->options.size * 64L;
+    FT_Size_RequestRec request = {FT_SIZE_REQUEST_TYPE_CELL, 0, most, 0, 0};
+    bool done = false;
+    if (!FT_IS_SCALABLE(r->face))
+        done = FT_Select_Size(r->face, 0) == 0;
+    else
+        do
+            done = FT_Request_Size(r->face, &request) == 0;
+        while (m->ascender - m->descender > most &&
+               (request.height -= 16) >= 64);
+    return done || message_error_at(r->file->path, 0,
+                                    "has no glyphs of that size: expected "
+                                    "another --font-size");
+}
+
+/* The encoding of a font of X11, by its properties or by its name; "": Unicode,
+ * or what nobody knows. */
+static void name_charset(const struct reading *r, char *name, size_t size)
+{
+    const char *registry = NULL, *encoding = NULL;
+    BDF_PropertyRec full;
+    if (r->file->options.encoding)
+        snprintf(name, size, "%s", r->file->options.encoding);
+    else if (FT_Get_BDF_Charset_ID(r->face, &encoding, &registry) == 0 &&
+             registry)
+        snprintf(name, size, "%s-%s", registry, encoding);
+    else if (FT_Get_BDF_Property(r->face, "FONT", &full) == 0 &&
+             full.type == BDF_PROPERTY_TYPE_ATOM && full.u.atom)
+        snprintf(name, size, "%s", charset_of_name(full.u.atom));
+}
+
+/* The map of FreeType's own is Unicode; other codes are those of the font. */
+static bool set_charset(struct reading *r)
+{
+    FT_Face face = r->face;
+    char name[128] = "";
+    name_charset(r, name, sizeof name);
+    if ((*name || !face->charmap) && face->num_charmaps > 0) {
+        FT_CharMap map = face->charmaps[0];
+        for (int i = 0; i < face->num_charmaps; i++)
+            if (face->charmaps[i]->encoding != FT_ENCODING_UNICODE)
+                map = face->charmaps[i];
+        FT_Set_Charmap(face, map);
+        if (map->encoding == FT_ENCODING_UNICODE && !r->file->options.encoding)
+            *name = '\0';
+    }
+    return face->charmap
+               ? charset_open(&r->charset, name, r->file->path)
+               : message_error_at(r->file->path, 0,
+                                  "has no table of characters: expected a "
+                                  "font with one");
+}
+
+/* Draws a glyph into the font. */
+static bool add(struct reading *r, FT_UInt index, long character)
+{
+    enum { MOST = FONT_SIZE_MAX };
+    const FT_GlyphSlot slot = r->face->glyph;
+    if (FT_Load_Glyph(r->face, index,
+                      FT_LOAD_RENDER | FT_LOAD_TARGET_MONO |
+                          FT_LOAD_MONOCHROME) != 0 ||
+        (slot->bitmap.buffer &&
+         slot->bitmap.pixel_mode != FT_PIXEL_MODE_MONO)) {
+        r->failed++;
+        return true;
+    }
+    const struct font_char c = {.code = (uint32_t)character,
+                                .width = (int)slot->bitmap.width,
+                                .height = (int)slot->bitmap.rows,
+                                .left = slot->bitmap_left,
+                                .top = slot->bitmap_top,
+                                .advance = (int)(slot->advance.x + 32) >> 6};
+    if (c.width > MOST || c.height > MOST || c.left < -MOST || c.left > MOST ||
+        c.top > MOST || c.top - c.height < -MOST || c.advance < 0 ||
+        c.advance > MOST) {
+        r->large++;
+        return true;
+    }
+    return font_add(r->font, &c, slot->bitmap.buffer,
+                    (size_t)abs(slot->bitmap.pitch));
+}
+
+static void report(const struct reading *r)
+{
+    if (r->failed > 0)
+        message_error_at(r->file->path, 0,
+                         "%u glyphs cannot be drawn and are left out",
+                         r->failed);
+    if (r->large > 0)
+        message_error_at(r->file->path, 0,
+                         "%u glyphs are left out: expected glyphs and "
+                         "advances of 0 to %d, within -%d to %d of the origin",
+                         r->large, FONT_SIZE_MAX, FONT_SIZE_MAX, FONT_SIZE_MAX);
+    charset_report(&r->charset, r->file->path);
+}
+
+static bool same(const struct font *font, const struct font_char *a,
+                 const struct font_char *b)
+{
+    return a->width == b->width && a->height == b->height &&
+           a->left == b->left && a->top == b->top && a->advance == b->advance &&
+           memcmp(font->bits + a->offset, font->bits + b->offset,
+                  ((size_t)a->width + 7) / 8 * (size_t)a->height) == 0;
+}
+
+/* A PCF has its glyph for what is missing as number 0, and no property says of
+ * which character it is: it was added first. */
+static void find_missing(struct font *font)
+{
+    size_t i = 1;
+    while (i < font->count && !same(font, &font->chars[0], &font->chars[i]))
+        i++;
+    if (i < font->count)
+        font->missing = (long)font->chars[i].code;
+    font->count--;
+    memmove(font->chars, font->chars + 1, font->count * sizeof *font->chars);
+}
+
+static bool add_all(struct reading *r)
+{
+    FT_UInt index;
+    const bool is_pcf = strcmp(FT_Get_Font_Format(r->face), "PCF") == 0;
+    bool done = !is_pcf || add(r, 0, FONT_CODE_MAX);
+    const bool has_missing = r->font->count > 0;
+    for (FT_ULong code = FT_Get_First_Char(r->face, &index); done && index != 0;
+         code = FT_Get_Next_Char(r->face, code, &index)) {
+        const long character = charset_code(&r->charset, (uint32_t)code);
+        done = character < 0 || add(r, index, character);
+    }
+    if (has_missing)
+        find_missing(r->font);
+    return done;
+}
+
+static bool set_lines(const struct reading *r)
+{
+    const FT_Size_Metrics *m = &r->face->size->metrics;
+    r->font->ascent = (int)((m->ascender + 32) >> 6);
+    r->font->descent = (int)((32 - m->descender) >> 6);
+    return (r->font->ascent >= 0 && r->font->ascent <= FONT_SIZE_MAX &&
+            r->font->descent >= 0 && r->font->descent <= FONT_SIZE_MAX) ||
+           message_error_at(r->file->path, 0,
+                            "lines reach from %d px above to %d px below the "
+                            "baseline: expected 0 to %d",
+                            r->font->ascent, r->font->descent, FONT_SIZE_MAX);
+}
+
+/* The process ends after it, and with it what it has taken. */
+bool font_parse_other(struct font *font, const struct font_file *file)
+{
+    struct reading r = {.font = font, .file = file};
+    if (FT_Init_FreeType(&r.library) != 0)
+        return message_error_at(file->path, 0, "out of memory");
+    if (FT_New_Memory_Face(r.library, (const FT_Byte *)file->data,
+                           (FT_Long)file->size, 0, &r.face) != 0)
+        return message_error_at(file->path, 0,
+                                "is no font: expected a BDF, PSF, PCF, "
+                                "TrueType, OpenType or WOFF file");
+    if (!set_size(&r) || !set_charset(&r) || !set_lines(&r) || !add_all(&r))
+        return false;
+    report(&r);
+    return true;
+}
+
+#else
+
+static bool refuse(const struct font_file *file, const char *what)
+{
+    return message_error_at(file->path, 0,
+                            "%s, and this pel was built without FreeType, "
+                            "which the package libfreetype-dev brings: "
+                            "expected a BDF or PSF file",
+                            what);
+}
+
+bool font_unpack(struct font_file *file)
+{
+    return refuse(file, "is packed by gzip");
+}
+
+bool font_parse_other(struct font *font, const struct font_file *file)
+{
+    (void)font;
+    return refuse(file, "is no BDF or PSF font");
+}
+
+#endif
