@@ -71,10 +71,10 @@ $(foreach e,$(EXAMPLES:examples/%.c=%),$(eval $(call example_program,$e)))
 
 $(BUILD)/examples/fixed_%.c: sim/scenes/fixed_%.bdf $(BUILD)/pel
 	@mkdir -p $(@D)
-	$(BUILD)/pel import $< -o $@
+	$(BUILD)/pel import $< -o $@ >/dev/null
 $(BUILD)/examples/vase_small.c: $(BUILD)/pel
 	@mkdir -p $(@D)
-	$(BUILD)/pel import builtin:vase-small -o $@
+	$(BUILD)/pel import builtin:vase-small -o $@ >/dev/null
 
 # A copy of core under the name pel is all that a program needs.
 $(BUILD)/vendored/user_paint: examples/user_paint.c $(CORE)

@@ -146,7 +146,7 @@ static const struct use {
     {"codes|chars|encoding|font-size", IMPORT_FONT, "fonts"},
     {"texture-file|normals-from|crease", IMPORT_MESH | IMPORT_PEL2D, "meshes"},
     {"shade|transparency|order|cull|mapping|span", 0, "pel render"},
-    {"background", IMPORT_PICTURE, "pictures"},
+    {"background|" IMPORT_CHANGE_OPTIONS, IMPORT_PICTURE, "pictures"},
     {NULL, IMPORT_PEL2D, "an output .pel2d"},
 };
 
@@ -297,6 +297,7 @@ int command_import(int argc, char **argv)
         .about = about,
         .tables = {{output_options, &c, NULL},
                    {options, &c, &c.scene.given},
+                   {import_change_options, &c.options.changes, &c.scene.given},
                    {scene_option_table, &c.scene, &c.scene.given}}};
     c.scene.source.path = *arguments_parse(&line, argc, argv);
     c.options.source = c.scene.source.path;

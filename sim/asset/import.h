@@ -3,7 +3,9 @@
 #define SIM_ASSET_IMPORT_H
 
 #include "core/format/palette.h"
+#include "sim/cli/arguments.h"
 #include "sim/font/font.h"
+#include "sim/image/reduce.h"
 #include "sim/mesh/model.h"
 
 /* The name of the format that keeps the alpha of pictures; no display has it,
@@ -13,6 +15,15 @@
 /* Those of palette4 and palette8; the colors are the picture's. */
 extern const struct pel_palette import_palettes[2];
 
+/* What is done to a picture first, in this order. */
+struct import_changes {
+    pel_color key; /* pixels of that color become clear */
+    int size[2];
+    int colors; /* of the palette that is chosen; 0: those that it has */
+    enum picture_dither dither;
+    bool has_key, has_size, own_palette;
+};
+
 struct import_options {
     const char *source; /* file, for the comment: its base name is shown */
     const char *output; /* file or "-" */
@@ -21,7 +32,12 @@ struct import_options {
     const char *codes;    /* of a font: code points to keep, or NULL ... */
     const char *chars;    /* ... and characters; without either all */
     pel_color background; /* of a picture's transparent parts, opaque */
+    struct import_changes changes;
 };
+
+/* The options of struct import_changes. */
+extern const struct option_row import_change_options[];
+#define IMPORT_CHANGE_OPTIONS "key|resize|palette|dither"
 
 /* Write a C file with one const struct and its arrays, and its header beside
  * it, the same for the same input: no date, no path. The textures of a mesh are
@@ -32,9 +48,9 @@ bool import_mesh(const struct import_options *options,
                  const struct model *model, const struct pel_format *format);
 bool import_font(const struct import_options *options);
 
-/* The picture is made opaque, with a note on standard error when it was not,
- * unless the format is pel_argb8888 or a palette; of a palette it may have 16
- * or 256 colors. */
+/* The picture is changed as the options say, and made opaque, with a note on
+ * standard error when it was not, unless the format is pel_argb8888 or a
+ * palette; of a palette it may have 16 or 256 colors. */
 bool import_picture(const struct import_options *options,
                     struct picture *picture, const struct pel_format *format);
 

@@ -2,6 +2,7 @@
 
 #include "core/format/argb8888.h"
 #include "core/scene/pipeline.h"
+#include "sim/asset/report.h"
 #include "sim/asset/text.h"
 #include "sim/cli/message.h"
 
@@ -133,5 +134,8 @@ bool import_mesh(const struct import_options *options,
     }
     write_figures(text.output.stream, model);
     write_asset(&text, &model->mesh, images);
-    return import_text_commit(&text);
+    const bool done = import_text_commit(&text);
+    if (done)
+        report_mesh(options, model, format);
+    return done;
 }

@@ -4,8 +4,11 @@
 #include "core/asset/image_asset.h"
 #include "core/paint/texture_contrast.h"
 #include "sim/image/format_names.h"
+#include "sim/image/resize.h"
+#include "sim/image/texture.h"
 #include "core/format/argb8888.h"
 #include "core/format/formats.h"
+#include "sim/asset/report.h"
 #include "sim/asset/text.h"
 #include "sim/cli/message.h"
 
@@ -101,18 +104,6 @@ static void store_alpha(const struct pel_surface *surface, int y, int width,
             *to++ = (uint8_t)(color[x] >> 8 * k);
 }
 
-/* Makes the row opaque. Was it? */
-static bool blend(pel_color *color, int width, pel_color background)
-{
-    bool is_opaque = true;
-    for (int x = 0; x < width; x++) {
-        const uint32_t alpha = pel_alpha(color[x]);
-        is_opaque = is_opaque && alpha == 255;
-        color[x] = pel_mix(background, color[x] | PEL_RGB(0, 0, 0), alpha);
-    }
-    return is_opaque;
-}
-
 static bool store_indices(const struct pel_surface *surface, int y, int width,
                           const pel_color *color, struct table *table)
 {
@@ -137,37 +128,46 @@ static bool store(const struct pel_surface *surface,
 {
     const struct pel_format *format = surface->format;
     const int width = picture->width;
-    bool is_opaque = true;
     for (int y = 0; y < picture->height; y++) {
         pel_color *row = picture_row(picture, y);
         if (has_palette(format)) {
             if (!store_indices(surface, y, width, row, table))
                 return message_error_at(options->source, 0,
                                         "has more than %d colours: expected a "
-                                        "picture with fewer, or another "
-                                        "--format than palette%d",
-                                        1 << format->bits, format->bits);
+                                        "picture with fewer, --palette %d, or "
+                                        "another --format than palette%d",
+                                        1 << format->bits, 1 << format->bits,
+                                        format->bits);
         } else if (format->id == PEL_FORMAT_ARGB8888)
             store_alpha(surface, y, width, row);
-        else {
-            is_opaque = blend(row, width, options->background) && is_opaque;
+        else
             format->put(surface, 0, y, width, row);
-        }
     }
-    if (!is_opaque)
-        message_error_at(options->source, 0,
-                         "what is transparent is blended onto #%06x; "
-                         "--format " IMPORT_ALPHA_FORMAT " would keep it",
-                         (unsigned)(options->background & 0xFFFFFF));
     return true;
+}
+
+/* Blends what is not opaque onto the background, with a message. */
+static void blend(struct picture *picture, const struct import_options *options)
+{
+    const size_t n = (size_t)picture->width * (size_t)picture->height;
+    if (texture_opaque(picture))
+        return;
+    for (size_t i = 0; i < n; i++) {
+        const pel_color c = picture->pixels[i];
+        picture->pixels[i] =
+            pel_mix(options->background, c | PEL_RGB(0, 0, 0), pel_alpha(c));
+    }
+    message_error_at(options->source, 0,
+                     "what is transparent is blended onto #%06x; "
+                     "--format " IMPORT_ALPHA_FORMAT " would keep it",
+                     (unsigned)(options->background & 0xFFFFFF));
 }
 
 /* Writes the asset with the name of text->options. */
 static bool write_picture(struct import_text *text, struct picture *picture,
-                          const struct pel_format *format)
+                          const struct pel_format *format, struct table *table)
 {
     struct canvas canvas;
-    struct table table = {.count = 0};
     /* In memory an index is as a grey. */
     const struct pel_format *memory = !has_palette(format) ? format
                                       : format->bits == 4  ? &pel_gray4
@@ -175,9 +175,9 @@ static bool write_picture(struct import_text *text, struct picture *picture,
     if (!canvas_init(&canvas, memory, picture->width, picture->height))
         return false;
     canvas.surface.format = format;
-    const bool done = store(&canvas.surface, picture, text->options, &table);
+    const bool done = store(&canvas.surface, picture, text->options, table);
     if (done && has_palette(format))
-        write_palette(text, &table, format->bits);
+        write_palette(text, table, format->bits);
     if (done)
         write_asset(text, &canvas.surface, picture);
     canvas_free(&canvas);
@@ -194,20 +194,101 @@ bool import_texture(struct import_text *text, unsigned number,
     own.name = name;
     text->options = &own;
     text->kind = "image";
-    const bool done = write_picture(text, picture, format);
+    struct table table = {.count = 0};
+    if (format->id < PEL_FORMAT_ARGB8888)
+        blend(picture, &own);
+    const bool done = write_picture(text, picture, format, &table);
     text->options = mesh.options;
     text->kind = mesh.kind;
     return done;
+}
+
+static void make_clear(struct picture *picture, pel_color key)
+{
+    const size_t n = (size_t)picture->width * (size_t)picture->height;
+    for (size_t i = 0; i < n; i++)
+        if (picture->pixels[i] == key)
+            picture->pixels[i] = 0;
+}
+
+static bool check_colors(int n, const struct pel_format *format)
+{
+    const int most = 1 << format->bits;
+    return n <= most ||
+           message_error("a palette of %d colours: expected %d at most, or "
+                         "another --format than palette%d",
+                         n, most, format->bits);
+}
+
+/* The palette that the options choose, if any. */
+static bool choose_palette(struct picture *picture,
+                           const struct import_options *o,
+                           const struct pel_format *format, struct table *table)
+{
+    const struct import_changes *c = &o->changes;
+    if (c->own_palette)
+        table->count = (size_t)texture_load_palette(o->source, table->color);
+    else if (c->colors)
+        table->count =
+            (size_t)picture_palette(picture, c->colors, table->color);
+    if ((c->own_palette || c->colors) && table->count == 0)
+        return false;
+    return check_colors((int)table->count, format);
+}
+
+static bool check_changes(const struct import_changes *c,
+                          const struct pel_format *format)
+{
+    const bool palette = has_palette(format);
+    if ((c->colors || c->own_palette) && !palette)
+        return message_error("--palette is for --format palette4 and palette8");
+    if (palette && !check_colors(c->colors, format))
+        return false;
+    if (c->dither &&
+        !(palette ? c->colors || c->own_palette : format->depth[0] > 0))
+        return message_error(palette ? "--dither of a palette needs --palette"
+                                     : "--dither has no use in a format of 8 "
+                                       "bits a channel");
+    return true;
+}
+
+/* Key, size, background, palette, dither. */
+static bool change(struct picture *picture, const struct import_options *o,
+                   const struct pel_format *format, struct table *table)
+{
+    const struct import_changes *c = &o->changes;
+    const struct picture_levels format_levels = {.format = format};
+    if (c->has_key)
+        make_clear(picture, c->key);
+    if (c->has_size && !picture_resize(picture, c->size[0], c->size[1]))
+        return false;
+    if (format->id < PEL_FORMAT_ARGB8888)
+        blend(picture, o);
+    if (has_palette(format)) {
+        if (!choose_palette(picture, o, format, table))
+            return false;
+        const struct picture_levels levels = {.palette = table->color,
+                                              .colors = (int)table->count};
+        return table->count == 0 || picture_reduce(picture, &levels, c->dither);
+    }
+    return !c->dither || picture_reduce(picture, &format_levels, c->dither);
 }
 
 bool import_picture(const struct import_options *options,
                     struct picture *picture, const struct pel_format *format)
 {
     struct import_text text;
-    if (!import_text_open(&text, options, "image"))
+    struct table table = {.count = 0};
+    if (!check_changes(&options->changes, format) ||
+        !change(picture, options, format, &table) ||
+        !import_text_open(&text, options, "image"))
         return false;
-    if (write_picture(&text, picture, format))
-        return import_text_commit(&text);
+    if (write_picture(&text, picture, format, &table)) {
+        const bool done = import_text_commit(&text);
+        if (done)
+            report_picture(options, picture, format);
+        return done;
+    }
     output_abandon(&text.output);
     return false;
 }

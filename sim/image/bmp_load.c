@@ -253,17 +253,23 @@ static bool read_runs(const struct bmp *b, const struct picture *picture)
            decode_refuse_end(b->from);
 }
 
-bool decode_bmp(struct picture *picture, const struct encoded *from)
+static bool read_front(struct bmp *b, const struct encoded *from)
 {
-    struct bmp b = {.from = from, .end = from->bytes + from->size};
+    *b = (struct bmp){.from = from, .end = from->bytes + from->size};
     if (from->size < 26)
         return decode_refuse_end(from);
     const uint32_t header = bytes_little(from->bytes + 14, 4);
-    const uint32_t rows = bytes_little(from->bytes + 10, 4);
     size_t at = 14 + (size_t)header;
-    if (!read_header(&b, header) || !check_mode(&b) ||
-        !read_masks(&b, header, &at) || !read_palette(&b, header, at))
+    return read_header(b, header) && check_mode(b) &&
+           read_masks(b, header, &at) && read_palette(b, header, at);
+}
+
+bool decode_bmp(struct picture *picture, const struct encoded *from)
+{
+    struct bmp b;
+    if (!read_front(&b, from))
         return false;
+    const uint32_t rows = bytes_little(from->bytes + 10, 4);
     if (rows > from->size)
         return decode_refuse_end(from);
     b.rows = from->bytes + rows;
@@ -271,4 +277,13 @@ bool decode_bmp(struct picture *picture, const struct encoded *from)
            (b.compression == RLE8 || b.compression == RLE4
                 ? read_runs(&b, picture)
                 : read_rows(&b, picture));
+}
+
+int decode_bmp_palette(const struct encoded *from, pel_color palette[256])
+{
+    struct bmp b;
+    if (!read_front(&b, from))
+        return 0;
+    memcpy(palette, b.palette, sizeof(b.palette));
+    return (int)b.colors;
 }

@@ -26,6 +26,10 @@ bool decode_jpeg(struct picture *picture, const struct encoded *from);
  * alpha is 255. */
 bool decode_bmp(struct picture *picture, const struct encoded *from);
 
+/* Their palettes: how many colours, 0 with a message or where there is none. */
+int decode_png_palette(const struct encoded *from, pel_color palette[256]);
+int decode_bmp_palette(const struct encoded *from, pel_color palette[256]);
+
 /* The error of a file that is cut short. False. */
 bool decode_refuse_end(const struct encoded *from);
 

@@ -90,24 +90,53 @@ static bool check_size(const struct encoded *from)
 }
 
 /* A damaged chunk of transparency would be left out without a word: all must
- * be right. */
+ * be right. NULL, with a message; errors go on to where setjmp was. */
+static png_structp open_png(struct reader *r, png_infop *info)
+{
+    png_structp png =
+        png_create_read_struct(PNG_LIBPNG_VER_STRING, r, fail, ignore);
+    *info = png ? png_create_info_struct(png) : NULL;
+    if (!*info) {
+        message_error_at(r->from->name, 0, "no memory for libpng");
+        return NULL;
+    }
+    png_set_read_fn(png, r, read_bytes);
+    png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
+    return check_size(r->from) ? png : NULL;
+}
+
 bool decode_png(struct picture *picture, const struct encoded *from)
 {
     struct reader reader = {from, 0, false};
-    png_structp png =
-        png_create_read_struct(PNG_LIBPNG_VER_STRING, &reader, fail, ignore);
-    png_infop info = png ? png_create_info_struct(png) : NULL;
-    if (!info)
-        return message_error_at(from->name, 0, "no memory for libpng");
-    if (!check_size(from) || setjmp(png_jmpbuf(png)))
+    png_infop info;
+    png_structp png = open_png(&reader, &info);
+    if (!png || setjmp(png_jmpbuf(png)))
         return false;
-    png_set_read_fn(png, &reader, read_bytes);
-    png_set_crc_action(png, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_read_info(png, info);
     set_transforms(png, info);
     return picture_init(picture, (int)png_get_image_width(png, info),
                         (int)png_get_image_height(png, info), 0) &&
            read_pixels(png, info, picture);
+}
+
+int decode_png_palette(const struct encoded *from, pel_color palette[256])
+{
+    struct reader reader = {from, 0, false};
+    png_infop info;
+    png_structp png = open_png(&reader, &info);
+    png_colorp color = NULL;
+    png_bytep alpha = NULL;
+    int n = 0, alphas = 0;
+    if (!png || setjmp(png_jmpbuf(png)))
+        return 0;
+    png_read_info(png, info);
+    if (png_get_color_type(png, info) == PNG_COLOR_TYPE_PALETTE)
+        png_get_PLTE(png, info, &color, &n);
+    png_get_tRNS(png, info, &alpha, &alphas, NULL);
+    for (int i = 0; i < n; i++)
+        palette[i] = PEL_RGBA(color[i].red, color[i].green, color[i].blue,
+                              i < alphas ? alpha[i] : 255);
+    return n;
 }
 
 #else
@@ -118,6 +147,13 @@ bool decode_png(struct picture *picture, const struct encoded *from)
     return message_error_at(from->name, 0,
                             "this pel was built without libpng, which reads "
                             "PNG: the package libpng-dev brings it");
+}
+
+int decode_png_palette(const struct encoded *from, pel_color palette[256])
+{
+    struct picture none;
+    (void)palette;
+    return decode_png(&none, from);
 }
 
 #endif

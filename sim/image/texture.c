@@ -227,6 +227,38 @@ bool texture_load(struct picture *picture, const char *path)
     return load(picture, &(struct encoded){path, NULL, 0});
 }
 
+/* Writes the number of colours, an int, and 256 colours. */
+static bool put_palette(const void *what, FILE *out)
+{
+    struct encoded from = *(const struct encoded *)what;
+    pel_color palette[256] = {0};
+    FILE *file = file_open(from.name);
+    if (!file || !read_bytes(&from, file))
+        return false;
+    const int n = begins(&from, "\x89PNG") ? decode_png_palette(&from, palette)
+                  : begins(&from, "BM")    ? decode_bmp_palette(&from, palette)
+                                           : 0;
+    fwrite(&n, sizeof n, 1, out);
+    fwrite(palette, sizeof palette, 1, out);
+    return true;
+}
+
+int texture_load_palette(const char *path, pel_color palette[256])
+{
+    int n = 0;
+    FILE *in = child_run(path, put_palette, &(struct encoded){path, NULL, 0});
+    if (in && (fread(&n, sizeof n, 1, in) != 1 ||
+               fread(palette, 256 * sizeof *palette, 1, in) != 1))
+        n = 0;
+    if (in)
+        fclose(in);
+    if (n == 0)
+        message_error_at(path, 0,
+                         "has no palette of its own: expected a PNG "
+                         "or BMP with one");
+    return n;
+}
+
 bool texture_opaque(const struct picture *p)
 {
     const size_t n = (size_t)p->width * (size_t)p->height;

@@ -14,6 +14,10 @@ bool texture_load(struct picture *picture, const char *path);
 bool texture_load_bytes(struct picture *picture, const char *name,
                         const void *bytes, size_t size);
 
+/* The colours of the palette of a PNG or BMP file, in its order. How many; 0,
+ * with a message, when it has none. */
+int texture_load_palette(const char *path, pel_color palette[256]);
+
 /* True when all texels have alpha 255. */
 bool texture_opaque(const struct picture *picture);
 

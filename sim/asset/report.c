@@ -1,0 +1,123 @@
+#include "sim/asset/report.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "core/format/argb8888.h"
+#include "core/base/surface.h"
+#include "sim/image/format_names.h"
+
+static bool is_silent(const struct import_options *options)
+{
+    return strcmp(options->output, "-") == 0;
+}
+
+/* Pixels, and the colours of a palette. */
+static size_t bytes_of(const struct pel_format *format, int width, int height)
+{
+    const int lines =
+        format->id == PEL_FORMAT_MONO1_PAGES ? (height + 7) / 8 : height;
+    const size_t colors =
+        format->id > PEL_FORMAT_ARGB8888 ? (size_t)4 << format->bits : 0;
+    return (size_t)pel_stride(format, width) * (size_t)lines + colors;
+}
+
+static void put(size_t bytes, const char *what)
+{
+    printf("%10zu  %s\n", bytes, what);
+}
+
+/* Of all pictures. */
+static size_t sum_of(const struct pel_format *format,
+                     const struct picture *const *picture, size_t n)
+{
+    size_t sum = 0;
+    for (size_t i = 0; i < n; i++)
+        sum += bytes_of(format, picture[i]->width, picture[i]->height);
+    return sum;
+}
+
+/* What they would be in other formats, each size once, with the first format
+ * that has it. */
+static void put_others(const struct pel_format *own,
+                       const struct picture *const *picture, size_t n)
+{
+    const struct format_name more[] = {{"palette4", &import_palettes[0].format},
+                                       {"palette8", &import_palettes[1].format},
+                                       {NULL, NULL}};
+    size_t seen[32] = {sum_of(own, picture, n)}, count = 1;
+    printf("            in others: ");
+    for (int list = 0; list < 2; list++)
+        for (const struct format_name *f = list ? more : format_names; f->name;
+             f++) {
+            const size_t bytes = sum_of(f->format, picture, n);
+            size_t i = 0;
+            while (i < count && seen[i] != bytes)
+                i++;
+            if (i < count || count == 32)
+                continue;
+            printf("%s%s %zu", count > 1 ? ", " : "", f->name, bytes);
+            seen[count++] = bytes;
+        }
+    printf("\n");
+}
+
+void report_picture(const struct import_options *options,
+                    const struct picture *picture,
+                    const struct pel_format *format)
+{
+    char what[64];
+    if (is_silent(options))
+        return;
+    snprintf(what, sizeof(what), "bytes in flash: %d x %d pixels%s",
+             picture->width, picture->height,
+             format->id > PEL_FORMAT_ARGB8888 ? " and their palette" : "");
+    put(bytes_of(format, picture->width, picture->height), what);
+    put_others(format, &(const struct picture *){picture}, 1);
+}
+
+static void put_textures(const struct model *model,
+                         const struct pel_format *format)
+{
+    const struct picture **all = malloc((model->textures + 1) * sizeof(*all));
+    for (size_t i = 0; all && i < model->textures; i++)
+        all[i] = &model->texture[i].picture;
+    if (all)
+        put_others(format, all, model->textures);
+    free(all);
+}
+
+void report_mesh(const struct import_options *options,
+                 const struct model *model, const struct pel_format *format)
+{
+    const struct pel_mesh *m = &model->mesh;
+    const size_t n = m->vertices;
+    const size_t normals = n * (m->normals16 ? 6 : 3);
+    const size_t indices = (size_t)m->triangles * (m->indices16 ? 6 : 12);
+    size_t all = n * 9 + normals + (m->uv ? n * 4 : 0) + indices;
+    char what[80];
+    if (is_silent(options))
+        return;
+    put(n * 6, "positions");
+    put(normals, m->normals16 ? "normals of 16 bits (8 bits: half of it)"
+                              : "normals of 8 bits (16 bits: twice that)");
+    if (m->uv)
+        put(n * 4, "texture coordinates");
+    put(n * 3, "colours");
+    put(indices, m->indices16 ? "indices of 16 bits" : "indices of 32 bits");
+    for (size_t i = 0; format && i < model->textures; i++) {
+        const struct picture *p = &model->texture[i].picture;
+        const struct pel_format *own =
+            model->texture[i].opaque ? format : &pel_argb8888;
+        snprintf(what, sizeof(what), "texture %zu, %d x %d", i + 1, p->width,
+                 p->height);
+        put(bytes_of(own, p->width, p->height), what);
+        all += bytes_of(own, p->width, p->height);
+    }
+    if (format)
+        put_textures(model, format);
+    snprintf(what, sizeof(what), "bytes in flash: %zu vertices, %u triangles",
+             n, m->triangles);
+    put(all, what);
+}

@@ -1,0 +1,17 @@
+/* What an asset takes in flash: a table on standard output, unless the asset
+ * goes there. */
+#ifndef SIM_ASSET_REPORT_H
+#define SIM_ASSET_REPORT_H
+
+#include "sim/asset/import.h"
+
+/* Of a picture of that format, and as it would be in all others. */
+void report_picture(const struct import_options *options,
+                    const struct picture *picture,
+                    const struct pel_format *format);
+
+/* Of a mesh; with its textures, in that format, unless it is NULL. */
+void report_mesh(const struct import_options *options,
+                 const struct model *model, const struct pel_format *format);
+
+#endif
