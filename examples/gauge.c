@@ -1,7 +1,11 @@
 /* A gauge on a panel of 240 x 240 pixels behind SPI (ST7789, GC9A01): two bands
  * of eight lines in turn, and after the first frame only what has changed. On a
- * board the driver of the panel takes the place of panel.h. */
-#include "../drivers/dirty.h"
+ * board its own panel.h takes the place of the one here: panel_open sets up the
+ * pins and calls pel_panel_init of drivers/panel.h, panel_close does nothing.
+ */
+#include <stdio.h>
+
+#include "drivers/dirty.h"
 #include "fixed_10x20.h"
 #include "panel.h"
 
@@ -42,12 +46,14 @@ static void draw(void *context, const struct pel_surface *screen)
 /* Where needle and text were is dirty, and where they are. */
 static void set_value(struct pel_dirty_areas *dirty, int degrees)
 {
+    static const struct pel_surface no_pixels = {
+        NULL, 0, {0, 0, 240, 240}, {0, 0, 240, 240}, NULL};
     static const struct pel_rect text = {100, 180, 140, 200};
     struct pel_dirty needle;
     pel_dirty_areas_add(dirty, &text);
     for (int i = 0; i < 2; i++) {
         pel_dirty_begin(&needle, NULL);
-        draw_needle(&panel_glass, &needle.paint);
+        draw_needle(&no_pixels, &needle.paint);
         pel_dirty_areas_add(dirty, &needle.box);
         way = pel_direction((uint16_t)(FIRST + degrees * ROUND / 270));
     }
@@ -61,18 +67,20 @@ int main(void)
     static const struct pel_ramp ramp = {blues, 2, PEL_PAD};
     static const struct pel_dirty_work work = {
         {band[0], band[1]}, sizeof band[0], draw, NULL};
+    static const struct pel_rect all = {0, 0, 240, 240};
     const struct pel_point top = PEL_AT(0, 0), bottom = PEL_AT(0, 240);
     struct pel_dirty_areas dirty = {.window = 200};
-    enum pel_status status = pel_linear_init(&sky, top, bottom, &ramp);
+    struct pel_display panel;
+    enum pel_status status = panel_open(&panel);
+    if (status == PEL_OK)
+        status = pel_linear_init(&sky, top, bottom, &ramp);
     if (status == PEL_OK)
         status = pel_dither_init(&back, &sky.base.paint);
-    pel_dirty_areas_add(&dirty, &panel_glass.bounds);
+    pel_dirty_areas_add(&dirty, &all);
     for (int degrees = 0; degrees <= 270 && status == PEL_OK; degrees++) {
-        panel_frame_begin();
         set_value(&dirty, degrees);
         status = pel_dirty_areas_show(&dirty, &panel, &work);
-        panel_frame_end();
     }
-    panel_print();
+    panel_close();
     return status != PEL_OK;
 }

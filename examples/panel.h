@@ -5,7 +5,7 @@
 #define EXAMPLES_PANEL_H
 
 #include "../bench/mcu/stopwatch.h"
-#include "../drivers/display.h"
+#include "drivers/display.h"
 #include "ppm.h"
 
 enum { PANEL_SIDE = 240 };
@@ -36,32 +36,42 @@ static enum pel_status panel_flush(const struct pel_display *display,
     return PEL_OK;
 }
 
-static const struct pel_display panel = {.width = PANEL_SIDE,
-                                         .height = PANEL_SIDE,
-                                         .format = &pel_rgb565_be,
-                                         .flush = panel_flush};
-
-static inline void panel_frame_begin(void)
+/* A frame begins where the one before ends. */
+static void panel_frame_begin(void)
 {
-    if (panel_notes.frames == 0)
-        stopwatch_start();
     panel_notes.sent = 0;
     panel_notes.idle = 0;
     panel_notes.started = stopwatch_read();
 }
 
-static inline void panel_frame_end(void)
+static enum pel_status panel_flip(const struct pel_display *display)
 {
     const int32_t count = stopwatch_eighths(
         panel_notes.started + panel_notes.idle, stopwatch_read());
     const int i = panel_notes.frames++ > 0;
+    (void)display;
     panel_notes.bytes[i] = pel_max(panel_notes.bytes[i], panel_notes.sent);
     panel_notes.instructions[i] =
         pel_max(panel_notes.instructions[i], count / 8);
+    panel_frame_begin();
+    return PEL_OK;
+}
+
+static inline enum pel_status panel_open(struct pel_display *display)
+{
+    static const struct pel_display panel = {.width = PANEL_SIDE,
+                                             .height = PANEL_SIDE,
+                                             .format = &pel_rgb565_be,
+                                             .flush = panel_flush,
+                                             .flip = panel_flip};
+    *display = panel;
+    stopwatch_start();
+    panel_frame_begin();
+    return PEL_OK;
 }
 
 /* The notes, and what the panel shows, as PPM. */
-static inline void panel_print(void)
+static inline void panel_close(void)
 {
     printf("P6\n");
     for (int i = 0; i < 2; i++) {

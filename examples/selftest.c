@@ -3,8 +3,8 @@
 #include <stdio.h>
 
 #include <pel/pel.h>
-#include "../drivers/display_crc.h"
-#include "../drivers/selftest.h"
+#include "drivers/display_crc.h"
+#include "drivers/selftest.h"
 
 enum { SIDE = 240, LINES = 8 };
 

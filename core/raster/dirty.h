@@ -8,8 +8,13 @@
  *     flush(&dirty.box);
  *
  * It is the smallest box around the pixels that the shapes cover inside the
- * clip. With NULL for the paint it is found without painting. Unlike other
- * paints this one has a state. */
+ * clip. With NULL for the paint it is found without painting, and needs no
+ * pixels: a surface of bounds and clip alone will do,
+ *
+ *     static const struct pel_rect all = {0, 0, 240, 240};
+ *     const struct pel_surface screen = {NULL, 0, all, all, NULL};
+ *
+ * which takes no other paint. Unlike other paints this one has a state. */
 #ifndef PEL_RASTER_DIRTY_H
 #define PEL_RASTER_DIRTY_H
 

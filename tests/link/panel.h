@@ -33,8 +33,8 @@ static enum pel_status bus_wait(const struct pel_bus *bus)
 }
 
 /* Sets up the panel and sends `surface`: 0, as main returns it. */
-static int show(const struct pel_panel_chip *chip,
-                const struct pel_surface *surface)
+static inline int show(const struct pel_panel_chip *chip,
+                       const struct pel_surface *surface)
 {
     static const struct pel_bus bus = {NULL, bus_command, bus_data, bus_pause,
                                        bus_wait};

@@ -87,6 +87,18 @@ for option in $(grep -o 'CONFIG_[A-Z_]*' CMakeLists.txt | sort -u); do
     grep -qx "config ${option#CONFIG_}" zephyr/Kconfig || fail "Kconfig: $option"
 done
 
+# gauge.c as it is, on a board: its memory is that of two bands
+mkdir "$work/gauge"
+cp examples/gauge.c "$here/gauge/panel.h" "$work/gauge"
+"$PEL" import sim/scenes/fixed_10x20.bdf -o "$work/gauge/fixed_10x20.c" &&
+    $CC -std=c99 $WARNINGS -Os -ffunction-sections -fdata-sections -I. $INCLUDE \
+        "$work"/gauge/*.c drivers/dirty.c drivers/panel*.c "$LIBPEL" \
+        -Wl,--gc-sections -o "$work/gauge/gauge" && "$work/gauge/gauge" ||
+    fail "gauge.c with the panel.h of a board"
+nm -S "$work/gauge/gauge" | awk '$3 ~ /^[bBdD]$/ && length($2) == 16 {
+        if ($2 > "0000000000001e00") { print "more than two bands: " $4; bad = 1 }
+    } END { exit bad }' || fail "RAM of the gauge"
+
 # PlatformIO
 run platformio cmake -B b -D VERSION="$version"
 run platformio cmake --build b

@@ -103,7 +103,7 @@ $(BUILD)/board/$1/$3: $(filter-out drivers/%,$(call example_sources,$3)) \
     $(wildcard examples/*.h) \
     $(patsubst %.c,$(BUILD)/cpus/gcc-$2-O2/%.o,$(CORE) $(DRIVERS))
 	@mkdir -p $$(@D)
-	@$(CPU_PREFIX_$2)-gcc $(CPU_FLAGS_$2) -std=c99 -O2 -Iinclude \
+	@$(CPU_PREFIX_$2)-gcc $(CPU_FLAGS_$2) -std=c99 -O2 -I. -Iinclude \
 	    -I$(BUILD)/examples -Wl,--gc-sections $$(filter-out %.h,$$^) $(CPU_LINK_$1) \
 	    $(4:%=-Wl,--defsym=__ram_size=%) -o $$@
 endef

@@ -82,7 +82,8 @@ find core drivers port examples -name '*.[ch]' -o -name '*.inc' | sort | xargs a
         sub(/".*/, "", name)
         if (name ~ /^(fixed_|vase_small)/) # that make writes
             next
-        path = resolve(dirname(FILENAME) "/" name)
+        path = FILENAME ~ /^examples/ && name ~ /^drivers/ ? name \
+            : resolve(dirname(FILENAME) "/" name)
         if (FILENAME !~ /^core/ && path ~ /^core/)
             complain("includes core as <pel/...>, not as " name)
         check(name, path)
