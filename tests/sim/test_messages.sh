@@ -49,7 +49,7 @@ told '2: unknown command ?]0;title?: expected' run c.pel
 told 'n.pel:2: unknown command fill' run n.pel
 printf 'canvas 8 8 gray8\nimage 0 0 %s\n' "$long" >l.pel
 told 'l.pel:2: a word of 9000 bytes' run l.pel
-printf 'STARTFONT 2.1\nCHARS \033[31m\n' >f.bdf
+printf 'STARTFONT 2.1\nFONTBOUNDINGBOX \033[31m\n' >f.bdf
 told 'f.bdf:2: ' import f.bdf -o o.c
 printf '\033pel2d' >p.pel2d
 told 'p.pel2d:1: ' render p.pel2d -o o.ppm
