@@ -7,6 +7,7 @@
 
 #include "core/image/glyph_text.h"
 #include "sim/font/asset.h"
+#include "sim/asset/report.h"
 #include "sim/asset/text.h"
 #include "sim/cli/arguments.h"
 #include "sim/cli/message.h"
@@ -180,6 +181,8 @@ bool import_font(const struct import_options *options)
                       font_add_box(&font) &&
                       font_asset_make(&asset, &font, options->source) &&
                       write_file(options, &asset);
+    if (done)
+        report_font(options, &asset);
     font_asset_free(&asset);
     font_free(&font);
     return done;

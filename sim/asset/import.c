@@ -82,27 +82,21 @@ static const struct option_row output_options[] = {
 static const struct option_row options[] = {
     {"name", "NAME", "of the C object (default: the output's base name)",
      OPTION_TEXT, .offset = offsetof(struct import_command, options.name)},
-    {"format", "NAME",
-     "pixel format of a picture (default: rgb565_le), or of a mesh's textures, "
-     "which are written where it is given; " IMPORT_ALPHA_FORMAT
-     " keeps its alpha for pel_copy_alpha, as palette4 and palette8 do with at "
-     "most 16 and 256 colours; others blend it onto --background (default: "
-     "#000000)",
-     OPTION_CALL, .parse = parse_format},
-    {"normals", "BITS", "8 (default) or 16", OPTION_CHOICE,
-     .offset = offsetof(struct import_command, normals16), .n = sizeof(bool),
-     .expected = "8|16"},
+    {.help = NULL},
+};
+
+static const struct option_row font_options[] = {
+    {.help = "Fonts:", .kind = OPTION_HEADING},
     {"codes", "RANGES",
-     "of a font, these alone, numbers or characters: 32-126,0x20AC,\xC3\xA4; "
-     "what a font lacks of them is named, and an error outside of ranges",
+     "these alone, numbers or characters: 32-126,0x20AC,\xC3\xA4; what the "
+     "font lacks of them is named, and an error outside of ranges",
      OPTION_TEXT, .offset = offsetof(struct import_command, options.codes)},
     {"chars", "TEXT",
-     "of a font, the characters of a text alone: \"\xC3\xA4 "
-     "\xC3\xA9 \xE2\x82\xAC\"; those that it lacks are an "
-     "error. With --codes, both",
+     "the characters of a text alone: \"\xC3\xA4 \xC3\xA9 "
+     "\xE2\x82\xAC\"; those that it lacks are an error. With --codes, both",
      OPTION_TEXT, .offset = offsetof(struct import_command, options.chars)},
     {"encoding", "NAME",
-     "of a font's codes: koi8-r, jisx0208.1983-0, CP437 and whatever iconv "
+     "of the font's codes: koi8-r, jisx0208.1983-0, CP437 and whatever iconv "
      "knows; unicode: as they are (default: as the font says, CP437 of a .psf "
      "without a table)",
      OPTION_TEXT,
@@ -114,16 +108,35 @@ static const struct option_row options[] = {
     {.help = NULL},
 };
 
+static const struct option_row picture_options[] = {
+    {.help = "Pictures, and the textures of meshes:", .kind = OPTION_HEADING},
+    {"format", "NAME",
+     "pixel format of a picture (default: rgb565_le), or of a mesh's textures, "
+     "which are written where it is given; " IMPORT_ALPHA_FORMAT
+     " keeps its alpha for pel_copy_alpha, as palette4 and palette8 do with at "
+     "most 16 and 256 colours; others blend it onto --background (default: "
+     "#000000)",
+     OPTION_CALL, .parse = parse_format},
+    {.help = NULL},
+};
+
+static const struct option_row mesh_options[] = {
+    {.help = "Meshes:", .kind = OPTION_HEADING},
+    {"normals", "BITS", "8 (default) or 16", OPTION_CHOICE,
+     .offset = offsetof(struct import_command, normals16), .n = sizeof(bool),
+     .expected = "8|16"},
+    {.help = NULL},
+};
+
 static const char about[] =
     "Makes an asset for firmware: a C file with one const struct, and the "
     "header that declares it, of a mesh (pel/asset/mesh_asset.h), a "
     "picture (pel/asset/image_asset.h) or a font "
     "(pel/asset/font_asset.h); or an output .pel2d, a mesh projected "
-    "already.\nOf the options under the headings below, a C asset of a "
-    "mesh takes --texture-file, --normals-from and --crease alone; a .pel2d "
-    "takes "
-    "also --color, --turn, --texture, --wrap, --size and those that place "
-    "camera and light. What has no meaning is refused.\v"
+    "already.\nOf the options under the headings from Shading on, a C asset of "
+    "a mesh takes --texture-file, --normals-from and --crease alone; a .pel2d "
+    "takes also --color, --turn, --texture, --wrap, --size and those that "
+    "place camera and light. What has no meaning is refused.\v"
     "The colours of a mesh's asset are texels at its vertices: firmware "
     "draws what `pel render --texture nearest --mapping vertices` draws, "
     "with the same --normals 16 where there is light.\n"
@@ -297,7 +310,10 @@ int command_import(int argc, char **argv)
         .about = about,
         .tables = {{output_options, &c, NULL},
                    {options, &c, &c.scene.given},
+                   {font_options, &c, &c.scene.given},
+                   {picture_options, &c, &c.scene.given},
                    {import_change_options, &c.options.changes, &c.scene.given},
+                   {mesh_options, &c, &c.scene.given},
                    {scene_option_table, &c.scene, &c.scene.given}}};
     c.scene.source.path = *arguments_parse(&line, argc, argv);
     c.options.source = c.scene.source.path;

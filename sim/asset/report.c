@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/asset/font_asset.h"
 #include "core/format/argb8888.h"
 #include "core/base/surface.h"
 #include "sim/image/format_names.h"
@@ -75,6 +76,24 @@ void report_picture(const struct import_options *options,
              format->id > PEL_FORMAT_ARGB8888 ? " and their palette" : "");
     put(bytes_of(format, picture->width, picture->height), what);
     put_others(format, &(const struct picture *){picture}, 1);
+}
+
+void report_font(const struct import_options *options,
+                 const struct pel_font_asset *font)
+{
+    enum { STRUCT = 32 };
+    char what[64];
+    const size_t glyphs = font->glyphs * sizeof *font->glyph;
+    const size_t ranges = font->ranges * sizeof *font->range;
+    if (is_silent(options))
+        return;
+    put(font->size, "rows of glyphs, equal ones once");
+    put(glyphs, "places and sizes of glyphs");
+    put(ranges, "ranges of characters");
+    put(STRUCT, "the struct, on a 32-bit CPU");
+    snprintf(what, sizeof(what), "bytes in flash: %u glyphs, lines of %d px",
+             font->glyphs, font->ascent + font->descent);
+    put(font->size + glyphs + ranges + STRUCT, what);
 }
 
 static void put_textures(const struct model *model,

@@ -10,6 +10,11 @@ void report_picture(const struct import_options *options,
                     const struct picture *picture,
                     const struct pel_format *format);
 
+/* Of a font. */
+struct pel_font_asset;
+void report_font(const struct import_options *options,
+                 const struct pel_font_asset *font);
+
 /* Of a mesh; with its textures, in that format, unless it is NULL. */
 void report_mesh(const struct import_options *options,
                  const struct model *model, const struct pel_format *format);

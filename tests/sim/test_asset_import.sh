@@ -268,6 +268,19 @@ done
 if "$PEL" render "$dir/square.ply" -o "$dir/a.ppm" 2>/dev/null; then
     refuse "square.c: neither mesh, picture nor font" "$dir/square.c" -o "$dir/y.c"
 fi
+# Help in groups: what is for fonts, pictures and meshes stands apart.
+"$PEL" import --help >"$dir/help"
+for group in 'Fonts:chars codes encoding font-size' 'Meshes:normals' \
+    'Pictures, and the textures of meshes:dither format key palette resize'; do
+    found=$(awk -v heading=" ${group%:*}:" '/^ [A-Z].*:$/ { on = $0 == heading }
+        on && match($0, /--[a-z-]+/) && /^ +(-., )?--/ {
+            print substr($0, RSTART + 2, RLENGTH - 2) }' "$dir/help")
+    for option in ${group##*:}; do
+        echo "$found" | grep -qx -e "$option" ||
+            fail "--$option is not under ${group%:*}"
+    done
+done
+
 for kind in psf.gz pcf.gz pcf ttf bdf; do
     echo nonsense >"$dir/x.$kind"
     refuse "x.$kind: is no " "$dir/x.$kind" -o "$dir/y.c"

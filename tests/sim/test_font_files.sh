@@ -119,6 +119,21 @@ for chars in '' "$(printf 'a\303')"; do
     refused "--chars is '${chars:+a?}': expected UTF-8" "$dir/hand.bdf" --chars "$chars"
 done
 
+# The table of what it takes in flash is what a compiler makes of it.
+"$PEL" import "$dir/hand.bdf" --name asset -o "$dir/flash.c" >"$dir/table" ||
+    fail "no table"
+sed -i 's/^extern const struct pel_font_asset asset;$/__attribute__((used))/' "$dir/flash.c"
+if command -v arm-none-eabi-gcc >/dev/null; then
+    arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb $INCLUDE -Iinclude -c "$dir/flash.c" \
+        -o "$dir/flash.o" || fail "flash.c does not compile"
+    made=$(arm-none-eabi-size -A "$dir/flash.o" |
+        awk '/^\.(rodata|data)/ { n += $2 } END { print n }')
+    told=$(awk '/bytes in flash: 3 glyphs/ { print $1 }' "$dir/table")
+    parts=$(awk '!/in flash/ { n += $1 } END { print n }' "$dir/table")
+    [ "$told" = "$parts" ] && [ $((made - told)) -ge 0 ] && [ $((made - told)) -lt 4 ] ||
+        fail "told $told of $parts, made $made: $(cat "$dir/table")"
+fi
+
 # A box stands for what is missing where the font has no glyph for that.
 font box sim/scenes/fixed_6x13.bdf --chars 'i'
 shows box 'xi' <<'EOF'
