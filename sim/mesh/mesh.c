@@ -205,6 +205,19 @@ static bool get_mesh(struct mesh *mesh, FILE *in)
     return good;
 }
 
+/* Nothing would be shown, mostly as the file was not understood. */
+static bool check_area(const struct mesh *mesh, const char *path)
+{
+    for (uint32_t i = 0; i < mesh->triangles; i++) {
+        double normal[3];
+        mesh_facet(mesh, mesh->triangle[i], normal);
+        if (normal[0] != 0 || normal[1] != 0 || normal[2] != 0)
+            return true;
+    }
+    return message_error_at(path, 0, "none of %u triangles has an area",
+                            mesh->triangles);
+}
+
 bool mesh_load(struct mesh *mesh, const char *path)
 {
     memset(mesh, 0, sizeof(*mesh));
@@ -213,7 +226,8 @@ bool mesh_load(struct mesh *mesh, const char *path)
                                             : in && get_mesh(mesh, in);
     if (in)
         fclose(in);
-    const bool done = read && mesh_check(mesh, path) && mesh_weld(mesh) &&
+    const bool done = read && mesh_check(mesh, path) &&
+                      check_area(mesh, path) && mesh_weld(mesh) &&
                       (mesh->has_normals || mesh_normals(mesh, MESH_CREASE));
     for (uint32_t i = 0; done && i < mesh->vertices; i++)
         vector_normalise(mesh->vertex[i].normal);
