@@ -29,10 +29,11 @@
  * A transfer that failed is told by the next flush, wait or flip. Calls for one
  * display come from one thread at a time; two displays are independent.
  *
- * Windows. Some panels accept only windows whose corners are multiples of 2 or
- * 8 pixels: `align` makes an area larger until it fits, and a program that
- * flushes less than the screen passes its areas through it first, before begin,
- * so that all pixels of the window are drawn. A surface keeps absolute
+ * Windows. Pixels of less than 8 bits share bytes, and some panels accept only
+ * windows whose corners are multiples of 2 or 8 pixels: pel_display_align makes
+ * an area larger until it fits, and a program that flushes less than the screen
+ * passes its areas through it first, before begin, so that all pixels of the
+ * window are drawn. A surface keeps absolute
  * coordinates in every band, so nothing else changes. */
 #ifndef PEL_DRIVERS_DISPLAY_H
 #define PEL_DRIVERS_DISPLAY_H
@@ -65,7 +66,8 @@ struct pel_display {
     /* Default: what is flushed is seen at once. */
     enum pel_status (*flip)(const struct pel_display *display);
 
-    /* Grows `area` to a window that the display accepts. Default: any. */
+    /* Grows `area`, which is of whole bytes, to a window that the display
+     * accepts. Default: any. */
     void (*align)(const struct pel_display *display, struct pel_rect *area);
 };
 
@@ -103,9 +105,25 @@ static inline enum pel_status pel_display_flip(const struct pel_display *d)
     return status == PEL_OK && d->flip ? d->flip(d) : status;
 }
 
+/* Numbers *from to *to become multiples of n, a power of two; the second one
+ * `end` at most, unless that is 0. */
+static inline void pel_display_grow(int32_t *from, int32_t *to, int32_t n,
+                                    int32_t end)
+{
+    const int32_t up = (*to + n - 1) & ~(n - 1);
+    *from &= ~(n - 1);
+    *to = end && up > end ? end : up;
+}
+
+/* Grows an area of the screen to a window: of whole bytes, and as the display
+ * wants it. */
 static inline void pel_display_align(const struct pel_display *d,
                                      struct pel_rect *area)
 {
+    if (d->format && d->format->id == PEL_FORMAT_MONO1_PAGES)
+        pel_display_grow(&area->y0, &area->y1, 8, d->height);
+    else if (d->format && d->format->bits < 8)
+        pel_display_grow(&area->x0, &area->x1, 8 / d->format->bits, d->width);
     if (d->align)
         d->align(d, area);
 }

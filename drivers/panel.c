@@ -44,7 +44,8 @@ static enum pel_status panel_flush(const struct pel_display *display,
 static enum pel_status place(struct pel_panel *panel)
 {
     const struct pel_panel_chip *chip = panel->chip;
-    if (!chip || !panel->bus || !panel->format)
+    const struct pel_bus *bus = panel->bus;
+    if (!chip || !bus || !bus->data || !bus->pause || !panel->format)
         return PEL_ERROR_NULL;
     if (panel->format->id != chip->formats[panel->rotation & 1])
         return PEL_ERROR_FORMAT;
@@ -92,6 +93,5 @@ enum pel_status pel_panel_init(struct pel_display *display,
     display->format = panel->format;
     display->flush = panel_flush;
     display->wait = panel_wait;
-    display->align = panel->chip->align;
     return start(panel);
 }

@@ -20,7 +20,7 @@
  * Monochrome ones hold 8 rows in a byte. Upright they take pel_mono1_pages and
  * windows whose rows are multiples of 8, turned pel_mono1 and windows whose
  * columns are. Those of 16 greys take pel_gray4 and windows whose columns are
- * even. `align` makes them so; any other is PEL_ERROR_SIZE. */
+ * even. pel_display_align makes them so; any other is PEL_ERROR_SIZE. */
 #ifndef PEL_DRIVERS_PANEL_H
 #define PEL_DRIVERS_PANEL_H
 
@@ -67,10 +67,11 @@ extern const struct pel_panel_chip pel_panel_ssd0323; /* 128x64 */
 
 /* Resets and sets up the chip, 0.4 s at most; then the panel is on, and shows
  * what its memory held. `panel` becomes the context of `display`, and both stay
- * the caller's. PEL_ERROR_NULL; PEL_ERROR_SIZE when the glass is not inside the
- * chip's memory, or, after the reset, when it begins or ends within one of its
- * bytes (8 rows of a monochrome chip, 2 columns of 16 greys); PEL_ERROR_FORMAT,
- * also for a chip of the other rotations; or what the bus said. */
+ * the caller's. PEL_ERROR_NULL, for a bus without `data` too; PEL_ERROR_SIZE
+ * when the glass is not inside the chip's memory, or, after the reset, when it
+ * begins or ends within one of its bytes (8 rows of a monochrome chip, 2
+ * columns of 16 greys); PEL_ERROR_FORMAT, also for a chip of the other
+ * rotations; or what the bus said. */
 enum pel_status pel_panel_init(struct pel_display *display,
                                struct pel_panel *panel);
 

@@ -21,7 +21,6 @@ struct pel_panel_chip {
     /* Sends surface->clip, which is on the screen, and not empty. */
     enum pel_status (*send)(const struct pel_panel *panel,
                             const struct pel_surface *surface);
-    void (*align)(const struct pel_display *display, struct pel_rect *area);
 
     uint16_t width, height; /* px of the largest glass */
     uint16_t columns;       /* of memory, which has `height` rows */
@@ -58,12 +57,8 @@ enum pel_status pel_panel_pages_send(const struct pel_panel *panel,
  * memory from `row` on. */
 enum pel_status pel_panel_page(const struct pel_panel *panel, int32_t row,
                                int32_t column, const struct pel_bus_rows *rows);
-void pel_panel_pages_align(const struct pel_display *display,
-                           struct pel_rect *area);
 enum pel_status pel_panel_turned_send(const struct pel_panel *panel,
                                       const struct pel_surface *surface);
-void pel_panel_turned_align(const struct pel_display *display,
-                            struct pel_rect *area);
 
 /* The wake and sleep lists of MIPI's Display Command Set, and of Solomon
  * Systech's OLED controllers and those like them. */
@@ -87,11 +82,9 @@ extern const uint8_t pel_panel_ssd_wake[], pel_panel_ssd_sleep[];
     .command = pel_panel_pages_command, .width = 128,                 \
     .turn = {{0xA1, 0xC8}, {0xA0, 0xC0}, {0xA0, 0xC0}, {0xA1, 0xC8}}, \
     .inversion = 0xA6, .brightness = 0x81
-#define PEL_PANEL_UPRIGHT                                         \
-    .send = pel_panel_pages_send, .align = pel_panel_pages_align, \
-    .formats = {PEL_FORMAT_MONO1_PAGES, 0}
-#define PEL_PANEL_TURNED                                            \
-    .send = pel_panel_turned_send, .align = pel_panel_turned_align, \
-    .formats = {0, PEL_FORMAT_MONO1}
+#define PEL_PANEL_UPRIGHT \
+    .send = pel_panel_pages_send, .formats = {PEL_FORMAT_MONO1_PAGES, 0}
+#define PEL_PANEL_TURNED \
+    .send = pel_panel_turned_send, .formats = {0, PEL_FORMAT_MONO1}
 PEL_END_DECLS
 #endif

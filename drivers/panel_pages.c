@@ -23,14 +23,6 @@ enum pel_status pel_panel_page(const struct pel_panel *panel, int32_t row,
     return status == PEL_OK ? bus->data(bus, rows) : status;
 }
 
-void pel_panel_pages_align(const struct pel_display *display,
-                           struct pel_rect *area)
-{
-    (void)display;
-    area->y0 &= ~7;
-    area->y1 = (area->y1 + 7) & ~7;
-}
-
 enum pel_status pel_panel_pages_send(const struct pel_panel *panel,
                                      const struct pel_surface *surface)
 {

@@ -22,13 +22,6 @@ static enum pel_status command(const struct pel_panel *panel,
                : pel_panel_ssd_command(panel, list);
 }
 
-static void align(const struct pel_display *display, struct pel_rect *area)
-{
-    (void)display;
-    area->x0 &= ~1;
-    area->x1 = (area->x1 + 1) & ~1;
-}
-
 static enum pel_status send(const struct pel_panel *panel,
                             const struct pel_surface *surface)
 {
@@ -52,7 +45,6 @@ const struct pel_panel_chip pel_panel_ssd0323 = {
     .sleep = pel_panel_ssd_sleep,
     .command = command,
     .send = send,
-    .align = align,
     .width = 128,
     .height = 64,
     .columns = 128,

@@ -6,14 +6,6 @@
  * is a column of bytes; what lies before the glass in `from` lies behind it
  * here. */
 
-void pel_panel_turned_align(const struct pel_display *display,
-                            struct pel_rect *area)
-{
-    (void)display;
-    area->x0 &= ~7;
-    area->x1 = (area->x1 + 7) & ~7;
-}
-
 enum pel_status pel_panel_turned_send(const struct pel_panel *panel,
                                       const struct pel_surface *surface)
 {

@@ -52,7 +52,7 @@ enum pel_status pel_selftest(const struct pel_format *format, void *memory,
     uint32_t crc = 0;
     if (!format)
         return PEL_ERROR_NULL;
-    if (format->id > PEL_FORMAT_MONO1_PAGES)
+    if (format->id > PEL_FORMAT_MONO1_PAGES || !format->blend)
         return PEL_ERROR_FORMAT;
     const size_t band = (size_t)(WIDTH * LINES / 8 * format->bits);
     for (int32_t y = 0; y < HEIGHT; y += LINES) {

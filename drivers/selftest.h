@@ -18,8 +18,9 @@ PEL_BEGIN_DECLS
 #define PEL_SELFTEST_SIZE (48 * 8 * 4)
 
 /* PEL_ERROR_DEVICE: the picture is another one; PEL_ERROR_FORMAT: a format that
- * no display of core has; PEL_ERROR_NULL, PEL_ERROR_SIZE, PEL_ERROR_ALIGNMENT.
- */
+ * no display of core has, or one that takes no alpha (pel_rgb565_le_fill and
+ * pel_rgb565_be_fill: test those that they are of); PEL_ERROR_NULL,
+ * PEL_ERROR_SIZE, PEL_ERROR_ALIGNMENT. */
 enum pel_status pel_selftest(const struct pel_format *format, void *memory,
                              size_t size);
 

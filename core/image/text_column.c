@@ -38,7 +38,9 @@ struct pel_text_size pel_text_column_draw(const struct pel_surface *surface,
     struct pel_text_block text = column->text;
     struct pel_text_size size = {0, 0};
     const bool legal = pel_offset_legal(text.x, text.y) &&
-                       pel_offset_legal(column->width, 0) && column->width >= 0;
+                       pel_offset_legal(column->width, 0) &&
+                       column->width >= 0 && column->line_height >= -255 &&
+                       column->line_height <= 255;
     const int32_t height = column->line_height
                                ? column->line_height
                                : text.font->ascent + text.font->descent;
@@ -52,7 +54,7 @@ struct pel_text_size pel_text_column_draw(const struct pel_surface *surface,
         text.string = line.next;
         text.y += height;
         size.width = pel_max(size.width, line.width);
-        size.height += height;
+        size.height += pel_magnitude(height);
     }
     return size;
 }

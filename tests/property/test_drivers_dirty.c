@@ -7,6 +7,7 @@
 
 #include "core/pel.h"
 #include "drivers/dirty.h"
+#include "drivers/display_memory.h"
 #include "tests/support/display_dma.h"
 
 enum { WIDTH = 61, HEIGHT = 47, PIXELS = WIDTH * HEIGHT, FIGURES = 5 };
@@ -25,11 +26,12 @@ struct fixture {
 };
 
 static const struct pel_format *const formats[] = {&pel_rgb565_be, &pel_rgb888,
-                                                   &pel_xrgb8888, &pel_gray8};
+                                                   &pel_xrgb8888,  &pel_gray8,
+                                                   &pel_gray4,     &pel_mono1};
 
 static void set_up(struct fixture *f, struct random *r)
 {
-    const struct pel_format *format = formats[random_word(r) % 4];
+    const struct pel_format *format = formats[random_word(r) % 6];
     memset(f, 0, sizeof(*f));
     f->dma.screen =
         surface_of(format, screen_memory, sizeof screen_memory, WIDTH, HEIGHT);
@@ -90,10 +92,21 @@ static uint32_t bytes_of(const struct fixture *f,
     for (int32_t i = 0; i < dirty->count; i++) {
         struct pel_rect a = dirty->area[i];
         pel_display_align(&f->display, &a);
-        bytes += (uint32_t)((a.x1 - a.x0) * (a.y1 - a.y0)) *
-                 f->display.format->bits / 8;
+        bytes += (uint32_t)((a.y1 - a.y0) *
+                            pel_stride(f->display.format, a.x1 - a.x0));
     }
     return bytes;
+}
+
+static void check_screen(const struct fixture *f,
+                         const struct pel_surface *screen)
+{
+    for (int32_t y = 0; y < HEIGHT; y++) {
+        pel_color shown[WIDTH], whole[WIDTH];
+        screen->format->load(screen, 0, y, WIDTH, shown);
+        screen->format->load(&f->whole, 0, y, WIDTH, whole);
+        assert_memory_equal(shown, whole, sizeof whole);
+    }
 }
 
 static void show(struct fixture *f, struct random *r,
@@ -111,8 +124,7 @@ static void show(struct fixture *f, struct random *r,
     assert_int_equal(f->dma.bytes - before, expected);
     draw(f, &f->whole);
     assert_int_equal(f->dma.touched, 0);
-    assert_memory_equal(screen_memory, whole_memory,
-                        (size_t)f->whole.stride * HEIGHT);
+    check_screen(f, &f->dma.screen);
 }
 
 TEST(dirty_frames_equal_whole_ones)
@@ -163,6 +175,33 @@ TEST(round_after_an_error)
     work.size = sizeof memory[0];
     assert_int_equal(pel_dirty_areas_show(&dirty, &f.display, &work), PEL_OK);
     assert_int_equal(f.dma.touched, 0);
+}
+
+/* Of odd places and sizes, on a display whose pixels share bytes. */
+TEST(areas_of_pages)
+{
+    static struct fixture f;
+    static struct pel_display_memory screen;
+    struct pel_display display;
+    for (struct cases c = cases_of(500); cases_next(&c);) {
+        struct pel_dirty_work work = {{memory[0], memory[1]}, 0, draw, &f};
+        struct pel_dirty_areas dirty = {.window = 0};
+        const int32_t x = random_between(&c.random, 0, WIDTH - 1);
+        const int32_t y = random_between(&c.random, 0, HEIGHT - 1);
+        set_up(&f, &c.random);
+        f.whole = surface_of(&pel_mono1_pages, whole_memory,
+                             sizeof whole_memory, WIDTH, HEIGHT);
+        screen.screen = surface_of(&pel_mono1_pages, screen_memory,
+                                   sizeof screen_memory, WIDTH, HEIGHT);
+        pel_display_memory_init(&display, &screen);
+        draw(&f, &f.whole);
+        draw(&f, &screen.screen);
+        pel_dirty_areas_add(&dirty, &(struct pel_rect){x, y, x + 9, y + 1});
+        work.size = (size_t)random_between(&c.random, WIDTH, 4 * WIDTH);
+        assert_int_equal(pel_dirty_areas_show(&dirty, &display, &work), PEL_OK);
+        assert_int_equal(dirty.count, 0);
+        check_screen(&f, &screen.screen);
+    }
 }
 
 TEST(areas_are_joined_where_that_costs_least)

@@ -6,7 +6,7 @@ enum { POISON = 0xA5 };
 
 static size_t line_bytes(const struct pel_surface *s)
 {
-    return (size_t)(s->clip.x1 - s->clip.x0) * s->format->bits / 8;
+    return ((size_t)(s->clip.x1 - s->clip.x0) * s->format->bits + 7) / 8;
 }
 
 static uint8_t *line_at(const struct pel_surface *s, int32_t x, int32_t y)
@@ -57,6 +57,9 @@ static bool accepts(const struct display_dma *dma, const struct pel_rect *a)
 {
     const int32_t w = dma->window ? dma->window : 1;
     const struct pel_rect *b = &dma->screen.bounds;
+    const int bits = dma->screen.format->bits;
+    if (a->x0 * bits % 8 || (a->x1 * bits % 8 && a->x1 != b->x1))
+        return false;
     return a->x0 % w == 0 && a->y0 % w == 0 &&
            (a->x1 % w == 0 || a->x1 == b->x1) &&
            (a->y1 % w == 0 || a->y1 == b->y1) && a->x0 >= b->x0 &&

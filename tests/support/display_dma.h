@@ -14,7 +14,7 @@ enum { DISPLAY_DMA_BYTES = 16384 };
 
 struct display_dma {
     /* Set by the test, the rest zero. */
-    struct pel_surface screen; /* what the panel shows; of whole bytes */
+    struct pel_surface screen; /* what the panel shows; not of pages */
     struct random random;
     int32_t most_steps; /* a transfer takes 1 to this */
     int32_t window;     /* corners of areas are multiples of it, or 0 */

@@ -314,3 +314,17 @@ TEST(what_is_refused)
     cut.chip[1] = cut.chip[0];
     assert_int_equal(set_up(&f, &cut, 1), PEL_ERROR_FORMAT);
 }
+
+/* A bus that takes commands alone, as touch controllers do, is no panel's. */
+TEST(half_a_bus)
+{
+    struct pel_bus half = bus.bus;
+    struct pel_panel panel = {
+        .chip = &pel_panel_st7789, .bus = &half, .format = &pel_rgb565_be};
+    struct pel_display display;
+    half.data = NULL;
+    assert_int_equal(pel_panel_init(&display, &panel), PEL_ERROR_NULL);
+    half = bus.bus;
+    half.pause = NULL;
+    assert_int_equal(pel_panel_init(&display, &panel), PEL_ERROR_NULL);
+}

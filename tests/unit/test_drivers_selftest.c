@@ -34,6 +34,10 @@ TEST(what_is_wrong_fails)
     wrong.id = 200;
     assert_int_equal(pel_selftest(&wrong, memory, sizeof memory),
                      PEL_ERROR_FORMAT);
+    assert_int_equal(pel_selftest(&pel_rgb565_le_fill, memory, sizeof memory),
+                     PEL_ERROR_FORMAT);
+    assert_int_equal(pel_selftest(&pel_rgb565_be_fill, memory, sizeof memory),
+                     PEL_ERROR_FORMAT);
     assert_int_equal(pel_selftest(NULL, memory, sizeof memory), PEL_ERROR_NULL);
     assert_int_equal(pel_selftest(&pel_xrgb8888, memory, sizeof memory - 1),
                      PEL_ERROR_SIZE);

@@ -219,6 +219,7 @@ TEST(column)
             row[i / 3].height == 6 && align ? 0 : row[i / 3].height,
             (enum pel_text_align)align};
         struct pel_text_size size = {0, 0};
+        int32_t y = 5;
         char lines[32];
         strcpy(lines, row[i / 3].lines);
         hits_open(&hits, &window);
@@ -229,20 +230,36 @@ TEST(column)
                 *end++ = '\0';
             const int32_t width = pel_text_measure(&font, line).width;
             const struct pel_text_block text = {
-                &font, line, 3 + (column.width - width) * align / 2,
-                5 + size.height};
+                &font, line, 3 + (column.width - width) * align / 2, y};
             pel_text(&expected.surface, &text, &expected.paint);
             size.width = pel_max(size.width, width);
-            size.height += row[i / 3].height;
+            y += row[i / 3].height;
+            size.height += pel_magnitude(row[i / 3].height);
         }
         const struct pel_text_size got =
             pel_text_column_draw(&hits.surface, &column, &hits.paint);
         if (got.width != size.width || got.height != size.height)
             fail_msg("row %d: %d x %d", (int)i, got.width, got.height);
-        for (int32_t y = window.y0; y < window.y1; y++)
+        for (y = window.y0; y < window.y1; y++)
             for (int32_t x = window.x0; x < window.x1; x++)
                 if (hits_at(&hits, x, y) != hits_at(&expected, x, y))
                     fail_msg("row %d: %d, %d", (int)i, x, y);
+    }
+}
+
+/* No number of lines overflows; a line that is too high is refused. */
+TEST(columns_of_many_lines)
+{
+    static const int32_t heights[] = {-255, 255,       0,        -256,
+                                      256,  INT32_MIN, INT32_MAX};
+    static char string[1 << 22];
+    memset(string, '\n', sizeof string - 1);
+    for (size_t i = 0; i < sizeof heights / sizeof *heights; i++) {
+        const struct pel_text_column column = {
+            {&font, string, 65536, -65536}, 7, heights[i], PEL_TEXT_LEFT};
+        const struct pel_text_size size =
+            pel_text_column_draw(NULL, &column, NULL);
+        assert_int_equal(size.height, i < 2 ? 255 << 22 : i == 2 ? 6 << 22 : 0);
     }
 }
 
