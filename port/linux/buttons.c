@@ -51,6 +51,7 @@ int pel_buttons_open(struct pel_buttons *b, struct pel_message *message)
         pel_gpio_close(&b->gpio);
         return error;
     }
+    b->active ^= b->closed;
     b->encoders = 0;
     for (int i = 0; i < b->request.count; i++) {
         struct pel_buttons_part *part = &b->parts[i];
@@ -117,12 +118,14 @@ int pel_buttons_read(struct pel_buttons *b, struct pel_input_queue *queue)
     for (int i = 0; i < n; i++) {
         const uint32_t bit = (uint32_t)1 << edges[i].line;
         b->active = edges[i].active ? b->active | bit : b->active & ~bit;
+        b->active ^= bit & b->closed;
         update(b, edges[i].line, (uint32_t)(edges[i].time / 1000000), queue);
     }
     const int error = n < 0 ? -n : pel_gpio_levels(&b->gpio, &active);
     const uint32_t now = pel_linux_milliseconds();
     if (error)
         return error == EINTR ? 0 : vanish(b, queue);
+    active ^= b->closed;
     if (lost)
         pel_input_push_now(queue, PEL_INPUT_LOST, 0, 0);
     else

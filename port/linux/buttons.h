@@ -13,6 +13,7 @@
  *     floating      each closes to ground, and the board has the resistors
  *     debounce=5    ms that a level must hold
  *     states=4      of an encoder, from detent to detent: 4 or 2
+ *     closed        the contacts of encoders are closed at a detent, not open
  */
 #ifndef PEL_PORT_LINUX_BUTTONS_H
 #define PEL_PORT_LINUX_BUTTONS_H
@@ -38,7 +39,9 @@ struct pel_buttons {
     struct pel_gpio gpio;
     char label[64]; /* of the chip, which may come back by another name */
     struct pel_buttons_part parts[PEL_GPIO_MOST];
-    uint32_t active;   /* bit i: line i, as seen last */
+    uint32_t active;   /* bit i: line i, as seen last; of encoders that rest
+                          closed, whether it is open */
+    uint32_t closed;   /* bit i: line i is such an encoder's */
     uint32_t encoders; /* bit i: line i is one's */
     bool open;         /* false too while the chip is away */
     uint16_t losses;   /* of the queue, as seen last */

@@ -53,6 +53,7 @@ static int parse_number(const char *word, const char *text, int low, int high,
 /* Below 0: refused. */
 struct settings {
     int debounce, states;
+    bool closed;
 };
 
 static int parse_use(struct pel_buttons *b, const char *word,
@@ -68,13 +69,17 @@ static int parse_use(struct pel_buttons *b, const char *word,
         }
     return refuse(message, word,
                   "LINE=KEY, A/B=wheel, pull-up, pull-down, "
-                  "floating, debounce=MS or states=4");
+                  "floating, debounce=MS, states=4 or closed");
 }
 
 static int parse_word(struct pel_buttons *b, char *word,
                       struct settings *settings, struct pel_message *message)
 {
     char *value = strchr(word, '='), *slash;
+    if (strcmp(word, "closed") == 0) {
+        settings->closed = true;
+        return 0;
+    }
     if (!value)
         return parse_use(b, word, message);
     *value++ = '\0';
@@ -119,14 +124,15 @@ int pel_buttons_parse(struct pel_buttons *b, const char *text,
         error = parse_word(b, word, &settings, message);
     if (!error && b->request.count == 0)
         return refuse(message, text, "gpiochip0:5=left,6=right or the like");
+    b->request.debounce = (uint32_t)settings.debounce * 1000;
     for (int i = 0; i < b->request.count; i++) {
+        const uint32_t bit = (uint32_t)1 << i;
         b->parts[i].button.hold = (uint16_t)settings.debounce;
         b->parts[i].encoder.states = (uint8_t)settings.states;
+        if (!b->parts[i].is_encoder)
+            continue;
+        b->request.bounces |= bit;
+        b->closed |= settings.closed ? bit : 0;
     }
-    /* Encoders bounce in their own way. */
-    b->request.debounce = (uint32_t)settings.debounce * 1000;
-    for (int i = 0; i < b->request.count; i++)
-        if (b->parts[i].is_encoder)
-            b->request.debounce = 0;
     return error;
 }

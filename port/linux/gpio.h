@@ -27,7 +27,8 @@ struct pel_gpio_request {
     const char *lines[PEL_GPIO_MOST]; /* names, or numbers on the chip */
     int count;
     enum pel_gpio_use use;
-    uint32_t debounce; /* us, by the kernel where libgpiod can ask it to */
+    uint32_t debounce; /* us, by the kernel where libgpiod can ask it to, */
+    uint32_t bounces;  /* but not of line i where bit i is set: an encoder's */
 };
 
 struct pel_gpio {

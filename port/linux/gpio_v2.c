@@ -62,10 +62,27 @@ static void set(struct gpiod_line_settings *s,
     gpiod_line_settings_set_edge_detection(s, GPIOD_LINE_EDGE_BOTH);
     gpiod_line_settings_set_bias(s, biases[request->use]);
     gpiod_line_settings_set_active_low(s, request->use != PEL_GPIO_PULL_DOWN);
-    gpiod_line_settings_set_debounce_period_us(s, request->debounce);
 }
 
-/* One request with bias, edges and debouncing; NULL and errno. */
+/* The settings of each line, which differ in debouncing alone. */
+static int add_lines(const struct pel_gpio *gpio,
+                     const struct pel_gpio_request *request,
+                     struct gpiod_line_settings *settings,
+                     struct gpiod_line_config *lines)
+{
+    int failed = 0;
+    set(settings, request);
+    for (int i = 0; i < gpio->count && !failed; i++) {
+        gpiod_line_settings_set_debounce_period_us(
+            settings, request->bounces >> i & 1 ? 0 : request->debounce);
+        failed = gpiod_line_config_add_line_settings(lines, &gpio->offsets[i],
+                                                     1, settings);
+    }
+    return failed;
+}
+
+/* One request with bias, edges and debouncing, and room for as many edges as
+ * are read at once; NULL and errno. */
 static struct gpiod_line_request *request_lines(
     const struct pel_gpio *gpio, const struct pel_gpio_request *request)
 {
@@ -74,10 +91,9 @@ static struct gpiod_line_request *request_lines(
     struct gpiod_request_config *config = gpiod_request_config_new();
     struct gpiod_line_request *result = NULL;
     if (settings && lines && config) {
-        set(settings, request);
         gpiod_request_config_set_consumer(config, "pel");
-        if (!gpiod_line_config_add_line_settings(lines, gpio->offsets,
-                                                 (size_t)gpio->count, settings))
+        gpiod_request_config_set_event_buffer_size(config, EDGES);
+        if (!add_lines(gpio, request, settings, lines))
             result = gpiod_chip_request_lines(gpio->chip, config, lines);
     }
     const int error = errno;

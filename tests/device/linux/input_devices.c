@@ -110,6 +110,7 @@ static int fail_watch; /* the epoll_ctl that fails, from 1 */
 static uint32_t levels;
 static int line = -1; /* of the buttons */
 static bool edges_lost;
+static const char *turns; /* of an encoder: its contacts, A * 2 + B */
 
 int __real_epoll_ctl(int poll, int what, int fd, struct epoll_event *event);
 
@@ -221,10 +222,18 @@ int __wrap_pel_gpio_levels(struct pel_gpio *gpio, uint32_t *active)
 int __wrap_pel_gpio_edges(struct pel_gpio *gpio, struct pel_gpio_edge *edges,
                           int most, bool *lost)
 {
-    (void)gpio, (void)edges, (void)most;
+    int n = 0;
+    (void)gpio, (void)most;
     *lost = edges_lost;
     edges_lost = false;
-    return 0;
+    for (; turns && turns[1]; turns++, n++) {
+        const int bit = (turns[0] ^ turns[1]) & 3;
+        edges[n] = (struct pel_gpio_edge){.line = bit == 1,
+                                          .active = (turns[1] & bit) != 0};
+        levels ^= 3u - (uint32_t)bit;
+    }
+    turns = NULL;
+    return n;
 }
 
 int __wrap_pel_gpio_descriptors(const struct pel_gpio *gpio,
@@ -264,6 +273,8 @@ static const char *hear(void)
         else if (e.kind == PEL_INPUT_KEY || e.kind == PEL_INPUT_BUTTON)
             snprintf(text, size, "%c%d,%d ",
                      e.kind == PEL_INPUT_KEY ? 'K' : 'B', e.code, e.state);
+        else if (e.kind == PEL_INPUT_WHEEL)
+            snprintf(text, size, "W%d ", e.y);
         else if (e.kind == PEL_INPUT_POINT)
             snprintf(text, size, "P(%d,%d) ", e.x, e.y);
         else
@@ -314,6 +325,25 @@ TEST(what_is_held_after_a_loss)
     levels = 2;
     assert_string_equal(hear(), "K97,0 K98,1 ");
     pel_input_linux_close(&input);
+    levels = 0;
+}
+
+/* Back and forth, each click is told, wherever the contacts rest. */
+TEST(encoders)
+{
+    static const struct {
+        const char *text, *turns;
+        uint32_t levels;
+    } rows[] = {{"gpiochip0:17/27=wheel", "02310132023101320", 0},
+                {"gpiochip0:17/27=wheel,closed", "31023201310232013", 3}};
+    for (int i = 0; i < 2; i++) {
+        levels = rows[i].levels;
+        open_input(NULL, rows[i].text, 0);
+        turns = rows[i].turns;
+        assert_string_equal(hear(), "here W1 W-1 W1 W-1 ");
+        assert_int_equal(levels, rows[i].levels);
+        pel_input_linux_close(&input);
+    }
     levels = 0;
 }
 

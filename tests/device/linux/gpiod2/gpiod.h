@@ -52,6 +52,7 @@ struct gpiod_line_config {
 };
 struct gpiod_request_config {
     char consumer[GPIO_MAX_NAME_SIZE];
+    size_t event_buffer_size;
 };
 struct gpiod_line_request {
     struct gpio_v2_line_request request;
@@ -224,17 +225,29 @@ static inline int gpiod_line_config_add_line_settings(
     size_t num_offsets, struct gpiod_line_settings *settings)
 {
     struct gpio_v2_line_request *request = &config->request;
-    memcpy(request->offsets, offsets, num_offsets * sizeof(*offsets));
-    request->num_lines = (uint32_t)num_offsets;
-    request->config.flags = settings->flags;
-    if (settings->debounce) {
-        struct gpio_v2_line_config_attribute *attribute =
-            &request->config.attrs[request->config.num_attrs++];
-        attribute->mask = ((uint64_t)1 << num_offsets) - 1;
-        attribute->attr.id = GPIO_V2_LINE_ATTR_ID_DEBOUNCE;
-        attribute->attr.debounce_period_us = settings->debounce;
-    }
+    struct gpio_v2_line_config *lines = &request->config;
+    const uint64_t of_these = ((uint64_t)1 << num_offsets) - 1;
+    const uint32_t first = request->num_lines;
+    uint32_t i = 0;
+    memcpy(request->offsets + first, offsets, num_offsets * sizeof(*offsets));
+    request->num_lines += (uint32_t)num_offsets;
+    lines->flags = settings->flags;
+    while (i < lines->num_attrs &&
+           lines->attrs[i].attr.debounce_period_us != settings->debounce)
+        i++;
+    if (!settings->debounce)
+        return 0;
+    lines->num_attrs += i == lines->num_attrs;
+    lines->attrs[i].mask |= of_these << first;
+    lines->attrs[i].attr.id = GPIO_V2_LINE_ATTR_ID_DEBOUNCE;
+    lines->attrs[i].attr.debounce_period_us = settings->debounce;
     return 0;
+}
+
+static inline void gpiod_request_config_set_event_buffer_size(
+    struct gpiod_request_config *config, size_t size)
+{
+    config->event_buffer_size = size;
 }
 
 static inline void gpiod_request_config_set_consumer(
@@ -250,6 +263,7 @@ static inline struct gpiod_line_request *gpiod_chip_request_lines(
     struct gpiod_line_request question = {lines->request};
     memcpy(question.request.consumer, request->consumer,
            sizeof(question.request.consumer));
+    question.request.event_buffer_size = (uint32_t)request->event_buffer_size;
     return gpiod_ask(chip->fd, GPIO_V2_GET_LINE_IOCTL, &question,
                      sizeof(question));
 }
