@@ -41,7 +41,7 @@ static pel_color same(uint32_t color)
     return color;
 }
 
-static const struct pel_format color_format = {.id = 253,
+static const struct pel_format color_format = {.id = PEL_SMOOTH_FORMAT,
                                                .bits = 32,
                                                .word = 4,
                                                .pack = same,

@@ -39,6 +39,9 @@ struct pel_smooth_row {
     const uint8_t *coverage;   /* of the left ones, then the right ones */
 };
 
+/* The id of the buffer's format. Those of a dither and a mask are above it. */
+enum { PEL_SMOOTH_FORMAT = 253 };
+
 /* Pixels that are weighed at a time. */
 enum { PEL_SMOOTH_PIXELS = PEL_64BIT ? 64 : PEL_KNOW_SIDES ? 8 : 4 };
 

@@ -182,6 +182,8 @@ TEST(gouraud)
             spoil(v, k, illegal[i]);
             pel_triangle_gouraud(&s, v, c);
             expect_broken("gouraud", illegal[i]);
+            pel_smooth_triangle_gouraud(&s, v, c);
+            expect_broken("smooth gouraud", illegal[i]);
             pel_triangle_or_line(&hits.surface, v, &hits.paint);
             expect_broken("triangle or line", illegal[i]);
         }
