@@ -28,6 +28,7 @@ struct script_pen {
     uint8_t fewer;  /* cells of a gradient with stops: halved so often */
     bool bilinear, dither;
     bool collinear_line; /* a triangle without area is a line */
+    bool smooth;         /* shapes that have a smooth twin */
     struct pel_rect clip;
     const struct pel_font_asset *font; /* in force, or NULL */
     bool failed; /* a mesh had too little memory, or a light is one too many */
@@ -131,6 +132,10 @@ bool script_clip_holds(const struct script_pen *pen, const int pixel[2]);
  * settings before the command. */
 bool script_covers(const struct script_pen *pen, const struct script_item *item,
                    const int pixel[2], pel_color *color);
+
+/* How much of the pixel the item covers whatever the clip, 0 to 255. */
+uint32_t script_coverage(const struct script_pen *pen,
+                         const struct script_item *item, const int pixel[2]);
 
 /* The paint in force, dithered when that is; good until the next call. */
 const struct pel_paint *script_paint(const struct script_pen *pen);

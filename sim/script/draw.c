@@ -82,8 +82,11 @@ static bool check_whole(const struct script *script,
 bool script_pen_init(struct script_pen *pen, const struct script *script,
                      struct pel_surface *surface)
 {
-    const size_t size =
-        pel_polygon_outline_scratch_size((int32_t)script->polygon_max);
+    const size_t n = script->polygon_max;
+    const int32_t width = surface->bounds.x1 - surface->bounds.x0;
+    const size_t outline = pel_polygon_outline_scratch_size((int32_t)n);
+    const size_t smooth = PEL_SMOOTH_POLYGON_SCRATCH_SIZE(n, width);
+    const size_t size = outline > smooth ? outline : smooth;
     *pen = (struct script_pen){.surface = surface,
                                .clip = surface->bounds,
                                .script = script,

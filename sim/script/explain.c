@@ -192,7 +192,12 @@ static void explain_item(struct explanation *e, const struct script_item *item)
     const struct pel_format *format = e->script.format;
     const pel_color before = pixel(e);
     const bool moves = item->command->role == SCRIPT_WHOLE;
-    const bool covered = !moves && script_covers(&e->pen, item, e->at, &color);
+    const bool weighed =
+        e->pen.smooth && item->command->role >= SCRIPT_TRIANGLE;
+    const uint32_t coverage =
+        weighed ? script_coverage(&e->pen, item, e->at) : 255;
+    const bool covered =
+        !moves && coverage > 0 && script_covers(&e->pen, item, e->at, &color);
     const bool clipped = !script_clip_holds(&e->pen, e->at);
     script_perform(&e->pen, item);
     const pel_color after = pixel(e);
@@ -214,6 +219,8 @@ static void explain_item(struct explanation *e, const struct script_item *item)
                (unsigned)before & 0xFFFFFF, (unsigned)after & 0xFFFFFF,
                (format->bits + 3) / 4, (unsigned)format->pack(after));
     }
+    if (weighed)
+        printf("    covers %u / 255 of the pixel\n", (unsigned)coverage);
     explain_shape(e, item);
 }
 

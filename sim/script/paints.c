@@ -19,6 +19,7 @@ struct script_paints {
         struct pel_paint paint; /* how all others begin */
         struct pel_flat flat;
         struct pel_gouraud gouraud;
+        struct pel_smooth_gouraud smooth_gouraud;
         struct pel_linear linear;
         struct pel_radial radial;
         struct pel_conic conic;
@@ -64,7 +65,10 @@ static void make_vertex(const struct script_pen *pen, const int32_t *v)
     const struct pel_point p[3] = {point(at), point(at + 2), point(at + 4)};
     const pel_color color[3] = {(pel_color)v[0], (pel_color)v[1],
                                 (pel_color)v[2]};
-    pel_gouraud_init(&pen->paints->any.gouraud, p, color);
+    if (pen->smooth)
+        pel_smooth_gouraud_init(&pen->paints->any.smooth_gouraud, p, color);
+    else
+        pel_gouraud_init(&pen->paints->any.gouraud, p, color);
 }
 
 static void make_linear(const struct script_pen *pen, const int32_t *v)

@@ -68,6 +68,24 @@ bool script_covers(const struct script_pen *pen, const struct script_item *item,
     return word[0] == word[1];
 }
 
+/* In white on black. */
+uint32_t script_coverage(const struct script_pen *pen,
+                         const struct script_item *item, const int pixel[2])
+{
+    const struct pel_rect bounds = {pixel[0], pixel[1], pixel[0] + 1,
+                                    pixel[1] + 1};
+    struct pel_surface surface;
+    struct script_pen own = *pen;
+    uint8_t coverage = 0;
+    own.surface = &surface;
+    own.paint = NULL;
+    own.dither = false;
+    pel_surface_init(&surface, &pel_gray8, &coverage, 1, &bounds);
+    script_perform(&own, item);
+    return coverage;
+}
+
+/* By the rule of centres, smooth shapes too. */
 long script_pick(const struct script *script, int x, int y)
 {
     long found = -1;
@@ -85,8 +103,9 @@ long script_pick(const struct script *script, int x, int y)
         const enum script_role role = item->command->role;
         if (role < SCRIPT_CLEAR)
             script_perform(&pen, item);
-        else if (role > SCRIPT_WHOLE && script_clip_holds(&pen, at) &&
-                 script_covers(&pen, item, at, &color) && pel_alpha(color) > 0)
+        pen.smooth = false;
+        if (role > SCRIPT_WHOLE && script_clip_holds(&pen, at) &&
+            script_covers(&pen, item, at, &color) && pel_alpha(color) > 0)
             found = (long)i;
     }
     script_pen_free(&pen);

@@ -60,10 +60,14 @@ static void set_clip(struct script_pen *pen, const int32_t *v)
     pel_surface_clip(pen->surface, &pen->clip);
 }
 
+/* The function that fills a shape, or its smooth twin. */
+#define FILL(pen, name) ((pen)->smooth ? pel_smooth_##name : pel_##name)
+
 static void draw_triangle(struct script_pen *pen, const int32_t *v)
 {
-    (pen->collinear_line ? pel_triangle_or_line : pel_triangle)(
-        pen->surface, points(v), script_paint(pen));
+    (pen->collinear_line && !pen->smooth
+         ? pel_triangle_or_line
+         : FILL(pen, triangle))(pen->surface, points(v), script_paint(pen));
 }
 
 /* The functions below draw a shape or, as the row of the table says, its
@@ -79,20 +83,20 @@ static void draw_polygon(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_polygon_shape shape = {
         points(v), (int32_t)(pen->item->count / 2), pen->item->command->rule};
-    (outlined(pen) ? pel_polygon_outline
-                   : pel_polygon)(pen->surface, &shape, script_paint(pen),
-                                  pen->scratch, pen->scratch_size);
+    (outlined(pen) ? pel_polygon_outline : FILL(pen, polygon))(
+        pen->surface, &shape, script_paint(pen), pen->scratch,
+        pen->scratch_size);
 }
 
 static void draw_circle(struct script_pen *pen, const int32_t *v)
 {
-    (outlined(pen) ? pel_circle_outline : pel_circle)(pen->surface, *points(v),
-                                                      v[2], script_paint(pen));
+    (outlined(pen) ? pel_circle_outline : FILL(pen, circle))(
+        pen->surface, *points(v), v[2], script_paint(pen));
 }
 
 static void draw_rect(struct script_pen *pen, const int32_t *v)
 {
-    (outlined(pen) ? pel_rectangle_outline : pel_rectangle)(
+    (outlined(pen) ? pel_rectangle_outline : FILL(pen, rectangle))(
         pen->surface, *points(v), far_corner(v), script_paint(pen));
 }
 
@@ -143,7 +147,7 @@ static void draw_arc(struct script_pen *pen, const int32_t *v)
 static void draw_thick(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_thick_line_shape line = thick_line(v);
-    pel_thick_line(pen->surface, &line, script_paint(pen));
+    FILL(pen, thick_line)(pen->surface, &line, script_paint(pen));
 }
 
 const struct script_command script_shapes[] = {
@@ -153,6 +157,8 @@ const struct script_command script_shapes[] = {
     {"bands", "n", "ROWS", .role = SCRIPT_BANDS},
     {"option collinear", "o", "nothing|line", SCRIPT_STATE,
      SCRIPT_SETTING(struct script_pen, collinear_line, 1)},
+    {"option smooth", "o", "off|on", SCRIPT_STATE,
+     SCRIPT_SETTING(struct script_pen, smooth, 1)},
     {"triangle", "pppppp", "X0 Y0 X1 Y1 X2 Y2", SCRIPT_TRIANGLE,
      .draw = draw_triangle},
     {"polygon evenodd", "pppppp*", "X Y X Y X Y ...", SCRIPT_SHAPE,

@@ -160,8 +160,9 @@ struct pel_rect figures_box(const struct figures *all, int k)
 void figures_write(FILE *out, const struct figures *all,
                    const struct style style[FIGURES])
 {
-    fprintf(out, "canvas %d %d xrgb8888\n%sclear #101820\n", all->width,
-            all->height, all->dithered ? "option dither on\n" : "");
+    fprintf(out, "canvas %d %d xrgb8888\n%s%sclear #101820\n", all->width,
+            all->height, all->dithered ? "option dither on\n" : "",
+            all->smooth ? "option smooth on\n" : "");
     for (int k = 0; k < FIGURES; k++) {
         const struct outline o = place(all, &figures[k]);
         const int corners = figures[k].corners;

@@ -48,7 +48,7 @@ struct figures {
     int width, height; /* px of the picture */
     double turn;       /* of all around the middle, in turns */
     double phase;      /* of radial fills, 0 to 1 */
-    bool dithered;
+    bool dithered, smooth;
 };
 
 /* The script: figure 0 first, the largest one, and so on with falling area, so

@@ -6,7 +6,7 @@
 #include "sim/script/script.h"
 
 struct inspect {
-    bool heat, bands, areas, magnifier, numbers, help;
+    bool smooth, heat, bands, areas, magnifier, numbers, help;
     int format; /* of inspect_formats */
 };
 

@@ -38,6 +38,7 @@ bool sheet_compose(struct sheet *s)
     s->figures.width = pel_max(s->width / s->zoom, 1);
     s->figures.height = pel_max(s->height / s->zoom, 1);
     s->figures.dithered = as->dithered;
+    s->figures.smooth = s->inspect.smooth;
     if (file && s->path)
         sheet_write_file(file, s);
     else if (file)
@@ -216,6 +217,15 @@ static void write_styled(FILE *out, const struct sheet *s, size_t line,
         fprintf(out, "%s\n", last[k]);
 }
 
+/* What the keys ask for before the script does. */
+static void write_options(FILE *out, const struct inspect *show)
+{
+    if (inspect_formats[show->format].dithered)
+        fputs("option dither on\n", out);
+    if (show->smooth)
+        fputs("option smooth on\n", out);
+}
+
 void sheet_write_file(FILE *out, const struct sheet *s)
 {
     const struct script_item *item = s->base.items;
@@ -231,8 +241,7 @@ void sheet_write_file(FILE *out, const struct sheet *s)
             write_styled(out, s, i, style, at);
         else
             fprintf(out, "%s\n", s->lines.text[i]);
-        if (at && at->command->role == SCRIPT_CANVAS &&
-            inspect_formats[s->inspect.format].dithered)
-            fputs("option dither on\n", out);
+        if (at && at->command->role == SCRIPT_CANVAS)
+            write_options(out, &s->inspect);
     }
 }

@@ -65,6 +65,7 @@ bool sheet_pixel(const struct sheet *sheet, int *x, int *y);
     "  space               stop or start the movement\n"                 \
     "  F2 F3               smaller, larger pixels\n"                     \
     "  o b d               overdraw, bands, changed areas\n"             \
+    "  s                   smooth edges\n"                               \
     "  x                   the next format: 565, dithered, grey, mono\n" \
     "  m                   magnifier at the pointer\n"                   \
     "  i h                 numbers of the last frame; this help\n"       \

@@ -40,7 +40,8 @@ static void add_areas(struct sheet *s)
     const struct pel_rect *bounds = &s->canvas.surface.bounds;
     const struct figures *was = &s->drawn, *is = &s->figures;
     const bool moved = was->turn != is->turn || was->phase != is->phase ||
-                       was->dithered != is->dithered;
+                       was->dithered != is->dithered ||
+                       was->smooth != is->smooth;
     for (int k = 0; k < s->shapes; k++) {
         const struct style *a = &s->drawn_style[k], *b = &s->style[k];
         if (!moved && a->fill == b->fill && a->color == b->color &&

@@ -54,7 +54,7 @@ static enum view_action press_show(struct sheet *s, int key)
     } switches[] = {
         {' ', &s->moving},   {'o', &show->heat},      {'b', &show->bands},
         {'d', &show->areas}, {'m', &show->magnifier}, {'i', &show->numbers},
-        {'h', &show->help},
+        {'h', &show->help},  {'s', &show->smooth},
     };
     for (size_t i = 0; i < sizeof switches / sizeof switches[0]; i++)
         if (switches[i].key == key) {

@@ -63,7 +63,7 @@ static void check_polygon(const struct pel_polygon_shape *p)
 
 TEST(triangles)
 {
-    for (struct cases c = cases_of(1000000); cases_next(&c);) {
+    for (struct cases c = cases_of(100000); cases_next(&c);) {
         struct pel_point v[3];
         if (random_word(&c.random) % 2)
             shape_adversarial(&c.random, v, 3);
@@ -117,7 +117,7 @@ static void around(struct random *r, struct pel_point *v, int32_t n)
 TEST(convex_polygons)
 {
     enum { POINTS = 64 };
-    for (struct cases c = cases_of(300000); cases_next(&c);) {
+    for (struct cases c = cases_of(40000); cases_next(&c);) {
         struct random *r = &c.random;
         struct pel_point v[POINTS], hull[POINTS];
         const int32_t points = random_between(r, 3, POINTS);
@@ -145,7 +145,7 @@ static struct pel_point point_near(struct random *r, struct pel_point at)
 
 TEST(rectangles)
 {
-    for (struct cases c = cases_of(200000); cases_next(&c);) {
+    for (struct cases c = cases_of(40000); cases_next(&c);) {
         struct random *r = &c.random;
         struct pel_point v[4];
         shape_adversarial(r, v, 2);
@@ -176,7 +176,7 @@ static void lengthen(const struct pel_thick_line_shape *line,
 
 TEST(thick_lines)
 {
-    for (struct cases c = cases_of(200000); cases_next(&c);) {
+    for (struct cases c = cases_of(40000); cases_next(&c);) {
         struct random *r = &c.random;
         struct pel_thick_line_shape line;
         struct pel_point v[4], ends[2];
@@ -206,7 +206,7 @@ TEST(polygons)
     enum { POINTS = 9 };
     static uint64_t
         scratch[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(POINTS, SIZE) / 8 + 1];
-    for (struct cases c = cases_of(200000); cases_next(&c);) {
+    for (struct cases c = cases_of(40000); cases_next(&c);) {
         struct random *r = &c.random;
         struct pel_point v[POINTS];
         const struct pel_polygon_shape p = {v, random_between(r, 3, POINTS),

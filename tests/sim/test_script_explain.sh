@@ -56,6 +56,20 @@ explains 10 10 'line 12: ring: paint linear' \
 explains 8 4 'line 16: thickline: paint' 'winding 1, odd'
 explains 15 0 'line 2: clear: #102030 over #000000 gives #102031'
 
+cat >"$work/s.pel" <<'END'
+canvas 16 16 xrgb8888
+option smooth on
+paint flat #ff0000
+rect 1.25 1 2 2
+option smooth off
+rect 5.25 1 2 2
+END
+explains 1 1 'line 4: rect: paint flat (line 3), #ff0000 alpha 191 over #000000 gives #bf0000' \
+    'covers 191 / 255 of the pixel'
+explains 3 2 'covers 64 / 255 of the pixel'
+explains 2 3 'line 4: rect: not covered' 'covers 0 / 255 of the pixel'
+explains 5 1 'line 6: rect: paint flat (line 3), #ff0000 over'
+
 # After every script of the gallery: the same pixel as in the picture.
 for scene in sim/scenes/*.pel; do
     "$PEL" run "$scene" --format xrgb8888 -o "$work/o.ppm" || fail "$scene"

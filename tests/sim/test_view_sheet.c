@@ -106,7 +106,7 @@ TEST(the_shape_that_is_seen_is_picked)
 /* Something that a user may do. */
 static struct pel_input any_input(void)
 {
-    static const char keys[] = "12340+- 1234+-+-\t\t\t\r xxmbdoi";
+    static const char keys[] = "12340+- 1234+-+-\t\t\t\r xxmbdois";
     const int k = random_below((int)sizeof keys - 1);
     struct pel_input in = {.kind = PEL_INPUT_KEY,
                            .state = PEL_INPUT_DOWN,
