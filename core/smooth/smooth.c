@@ -51,20 +51,23 @@ static const struct pel_format color_format = {.id = PEL_SMOOTH_FORMAT,
                                                .put = put,
                                                .load = load};
 
+static const struct pel_flat *flat_of(const struct pel_paint *paint)
+{
+    return paint->fill == pel_flat_fill ? (const void *)paint : NULL;
+}
+
 bool pel_smooth_begin(struct pel_smooth *smooth,
                       const struct pel_surface *surface,
                       const struct pel_paint *paint)
 {
-    const bool legal = surface->format->put != NULL;
+    const bool legal = !surface->format || surface->format->put;
     PEL_ASSERT(legal);
     smooth->surface = *surface;
     smooth->surface.format = &color_format;
     smooth->surface.pixels = smooth->colors;
     smooth->target = surface;
     smooth->paint = paint;
-    smooth->flat = paint->fill == pel_flat_fill
-                       ? (const struct pel_flat *)(const void *)paint
-                       : NULL;
+    smooth->flat = flat_of(paint);
     return legal;
 }
 
@@ -88,32 +91,50 @@ static PEL_NOINLINE_32 void take_colors(struct pel_smooth *smooth, int32_t x,
     smooth->paint->fill(smooth->paint, &spans);
 }
 
-/* n pixels at most; those of a flat paint need no call. */
+static inline void weigh_flat(struct pel_smooth *smooth, int32_t n,
+                              const uint8_t *coverage)
+{
+    const pel_color color = smooth->flat->color;
+    const uint32_t alpha = 257 * pel_alpha(color);
+    for (pel_color *out = smooth->colors; n > 0; n--)
+        *out++ = weighed(color, alpha, *coverage++);
+}
+
 static inline void weigh_colors(struct pel_smooth *smooth, int32_t n,
                                 const uint8_t *coverage)
 {
-    pel_color *out = smooth->colors, *const end = out + n;
-    if (smooth->flat) {
-        const pel_color color = smooth->flat->color;
-        const uint32_t alpha = 257 * pel_alpha(color);
-        for (; out < end; out++)
-            *out = weighed(color, alpha, *coverage++);
-    }
-    for (; out < end; out++)
+    for (pel_color *out = smooth->colors; n > 0; n--, out++)
         *out = weighed(*out, 257 * pel_alpha(*out), *coverage++);
 }
 
-static PEL_INLINE_FAST void paint_edge(struct pel_smooth *smooth, int32_t x,
+/* At most as many pixels as the buffer has. */
+static PEL_INLINE_FAST void paint_part(struct pel_smooth *smooth, int32_t x,
                                        int32_t y, int32_t n,
                                        const uint8_t *coverage)
 {
     const struct pel_surface *const target = smooth->target;
+    if (smooth->flat) {
+        weigh_flat(smooth, n, coverage);
+    } else {
+        take_colors(smooth, x, y, n);
+        weigh_colors(smooth, n, coverage);
+    }
+    if (target->format)
+        target->format->put(target, x, y, n, smooth->colors);
+}
+
+/* Without the pixels of 0 at both ends. */
+static PEL_INLINE_FAST void paint_edge(struct pel_smooth *smooth, int32_t x,
+                                       int32_t y, int32_t n,
+                                       const uint8_t *coverage)
+{
+    for (; n > 0 && coverage[n - 1] == 0; n--)
+        ;
+    for (; n > 0 && *coverage == 0; n--, x++)
+        coverage++;
     for (int32_t k; n > 0; n -= k, x += k, coverage += k) {
         k = pel_min(n, PEL_SMOOTH_PIXELS);
-        if (!smooth->flat)
-            take_colors(smooth, x, y, k);
-        weigh_colors(smooth, k, coverage);
-        target->format->put(target, x, y, k, smooth->colors);
+        paint_part(smooth, x, y, k, coverage);
     }
 }
 
@@ -137,6 +158,24 @@ static int32_t skip_pixels(int32_t *n, int32_t skip)
     return skip;
 }
 
+static void cut_right(struct pel_smooth_row *r, int32_t end)
+{
+    int32_t skip = r->x + r->left + r->full + r->right - end;
+    skip -= skip_pixels(&r->right, skip);
+    skip -= skip_pixels(&r->full, skip);
+    skip_pixels(&r->left, skip);
+}
+
+static void cut_left(struct pel_smooth_row *r, int32_t begin)
+{
+    int32_t skip = pel_max(begin - r->x, 0);
+    r->x += skip;
+    const int32_t left = skip_pixels(&r->left, skip);
+    skip -= left;
+    skip -= skip_pixels(&r->full, skip);
+    r->coverage += left + skip_pixels(&r->right, skip);
+}
+
 void pel_smooth_paint_clipped(struct pel_smooth *smooth,
                               const struct pel_smooth_row *row)
 {
@@ -144,15 +183,7 @@ void pel_smooth_paint_clipped(struct pel_smooth *smooth,
     struct pel_smooth_row r = *row;
     if (r.y < clip->y0 || r.y >= clip->y1)
         return;
-    int32_t skip = r.x + r.left + r.full + r.right - clip->x1;
-    skip -= skip_pixels(&r.right, skip);
-    skip -= skip_pixels(&r.full, skip);
-    skip_pixels(&r.left, skip);
-    skip = pel_max(clip->x0 - r.x, 0);
-    r.x += skip;
-    const int32_t left = skip_pixels(&r.left, skip);
-    skip -= left;
-    skip -= skip_pixels(&r.full, skip);
-    r.coverage += left + skip_pixels(&r.right, skip);
+    cut_right(&r, clip->x1);
+    cut_left(&r, clip->x0);
     pel_smooth_paint(smooth, &r);
 }

@@ -54,7 +54,8 @@ struct pel_smooth {
 };
 
 /* Begins a shape. False, and PEL_ASSERT, when the format cannot be blended.
- * The surface and the paint must live until the end. */
+ * The surface and the paint must live until the end. Without a format
+ * (raster/dirty.h) the paint sees the spans alone. */
 bool pel_smooth_begin(struct pel_smooth *smooth,
                       const struct pel_surface *surface,
                       const struct pel_paint *paint);

@@ -147,6 +147,19 @@ static struct pel_rect box_of(const struct pel_point *v, int32_t n)
     return r;
 }
 
+/* Is nothing of the box in the clip; is all of it, left and right? */
+static bool is_beside(const struct pel_rect *box, const struct pel_rect *clip)
+{
+    return pel_pixel_of(box->x1) < clip->x0 ||
+           pel_pixel_of(box->x0) >= clip->x1;
+}
+
+static bool is_inside(const struct pel_rect *box, const struct pel_rect *clip)
+{
+    return pel_pixel_of(box->x0) >= clip->x0 &&
+           pel_pixel_of(box->x1) < clip->x1;
+}
+
 static void walk_rows(struct pel_smooth_walk *k, int32_t y, int32_t end)
 {
     while (y < end) {
@@ -177,13 +190,11 @@ void pel_smooth_convex(const struct pel_surface *surface,
     const int64_t area = area_of(v, n);
     const int32_t y = pel_max(pel_pixel_of(box.y0), clip->y0);
     const int32_t end = pel_min(pel_pixel_of(box.y1 + 255), clip->y1);
-    if (area == 0 || y >= end || pel_pixel_of(box.x1) < clip->x0 ||
-        pel_pixel_of(box.x0) >= clip->x1)
+    if (area == 0 || y >= end || is_beside(&box, clip))
         return;
     while (v[top].y != box.y0)
         top++;
-    k.inside =
-        pel_pixel_of(box.x0) >= clip->x0 && pel_pixel_of(box.x1) < clip->x1;
+    k.inside = is_inside(&box, clip);
     k.bottom = box.y1;
     k.side[0].turn = area > 0 ? -1 : 1;
     k.side[1].turn = -k.side[0].turn;

@@ -9,6 +9,20 @@ static int32_t part_of(int32_t i, int32_t from, int32_t to)
     return pel_min(to - PEL_PX(i), 256) - pel_max(from - PEL_PX(i), 0);
 }
 
+static uint8_t coverage_of(uint32_t width, uint32_t height)
+{
+    return (uint8_t)((255 * width * height + 32768) >> 16);
+}
+
+/* The pixels that a box of sub-pixels touches. */
+static struct pel_rect touched_by(const struct pel_rect *box)
+{
+    const struct pel_rect r = {pel_pixel_of(box->x0), pel_pixel_of(box->y0),
+                               pel_pixel_of(box->x1 + 255),
+                               pel_pixel_of(box->y1 + 255)};
+    return r;
+}
+
 static void paint_row(struct pel_smooth *smooth, const struct pel_rect *box,
                       const struct pel_rect *px, int32_t y)
 {
@@ -20,7 +34,7 @@ static void paint_row(struct pel_smooth *smooth, const struct pel_rect *box,
              row.left++) {
             const uint32_t w =
                 (uint32_t)part_of(row.x + row.left, box->x0, box->x1);
-            bytes[row.left] = (uint8_t)((255 * w * h + 32768) >> 16);
+            bytes[row.left] = coverage_of(w, h);
             if (w * h == 65536)
                 break;
         }
@@ -43,9 +57,7 @@ void pel_smooth_rectangle(const struct pel_surface *surface,
     PEL_ASSERT(legal);
     if (!legal || !pel_smooth_begin(&smooth, surface, paint))
         return;
-    const struct pel_rect touched = {pel_pixel_of(from.x), pel_pixel_of(from.y),
-                                     pel_pixel_of(to.x + 255),
-                                     pel_pixel_of(to.y + 255)};
+    const struct pel_rect touched = touched_by(&box);
     const struct pel_rect px = pel_rect_intersect(&touched, &surface->clip);
     if (from.x < to.x && from.y < to.y)
         for (int32_t y = px.y0; y < px.y1; y++)

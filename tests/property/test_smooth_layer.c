@@ -106,3 +106,65 @@ TEST(rows_are_a_mask)
         canvas_check(&drawn);
     }
 }
+
+static void draw_any(const struct pel_surface *surface, uint32_t kind,
+                     const struct pel_point v[4], const struct pel_paint *paint)
+{
+    static uint64_t scratch[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(4, SIDE) / 8 + 1];
+    const struct pel_polygon_shape polygon = {v, 4, PEL_EVEN_ODD};
+    const struct pel_thick_line_shape line = {v[0], v[1], 700};
+    if (kind == 0)
+        pel_smooth_triangle(surface, v, paint);
+    else if (kind == 1)
+        pel_smooth_rectangle(surface, v[0], v[1], paint);
+    else if (kind == 2)
+        pel_smooth_thick_line(surface, &line, paint);
+    else
+        assert_int_equal(pel_smooth_polygon(surface, &polygon, paint, scratch,
+                                            sizeof scratch),
+                         PEL_OK);
+}
+
+/* The box of the pixels that are not 0. */
+static struct pel_rect box_of(const struct pel_surface *s)
+{
+    struct pel_rect box = {0, 0, 0, 0};
+    for (int32_t y = s->clip.y0; y < s->clip.y1; y++)
+        for (int32_t x = s->clip.x0; x < s->clip.x1; x++) {
+            if (pel_surface_line(s, y)[x - s->bounds.x0] == 0)
+                continue;
+            if (pel_rect_empty(&box))
+                box = (struct pel_rect){x, y, x + 1, y + 1};
+            box.x0 = pel_min(box.x0, x);
+            box.x1 = pel_max(box.x1, x + 1);
+            box.y1 = y + 1;
+        }
+    return box;
+}
+
+/* With a format and without: the box of what is covered at all. */
+TEST(dirty_boxes_hold_the_fringe)
+{
+    static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    for (struct cases c = cases_of(40000); cases_next(&c);) {
+        struct random *r = &c.random;
+        struct pel_dirty dirty[2];
+        struct pel_point v[4];
+        const uint32_t kind = random_word(r) % 4;
+        const struct pel_rect bounds = shape_bounds(r, SIDE, SIDE);
+        const struct pel_surface measure = {NULL, 0, bounds, bounds, NULL};
+        struct pel_surface gray;
+        shape_in_box(r, v, 4, &bounds);
+        memset(grey, 0, sizeof grey);
+        assert_int_equal(
+            pel_surface_init(&gray, &pel_gray8, grey, sizeof grey, &bounds),
+            PEL_OK);
+        pel_dirty_begin(&dirty[0], &white.paint);
+        pel_dirty_begin(&dirty[1], NULL);
+        draw_any(&gray, kind, v, &dirty[0].paint);
+        draw_any(&measure, kind, v, &dirty[1].paint);
+        const struct pel_rect box = box_of(&gray);
+        assert_memory_equal(&dirty[0].box, &box, sizeof box);
+        assert_memory_equal(&dirty[1].box, &box, sizeof box);
+    }
+}
