@@ -1,5 +1,6 @@
 #include "sim/font/charset.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 #include <strings.h>
@@ -31,8 +32,6 @@ static const struct {
     {"ksx1001", "EUC-KR", 0x8080, false},
     {"tis620", "TIS-620", 0, false},
     {"viscii", "VISCII", 0, false},
-    {"microsoft-", "%s", 0, false},
-    {"ibm-", "%s", 0, false},
 };
 
 bool charset_open(struct charset *charset, const char *name, const char *path)
@@ -56,6 +55,9 @@ bool charset_open(struct charset *charset, const char *name, const char *path)
     } else
         snprintf(of_iconv, sizeof of_iconv, "%s", name);
     charset->convert = iconv_open("UTF-32LE", of_iconv);
+    const char *part = strchr(name, '-'); /* paratype-pt154, ibm-cp437 */
+    if (charset->convert == (iconv_t)-1 && part && isalpha((uint8_t)part[1]))
+        charset->convert = iconv_open("UTF-32LE", part + 1);
     return charset->convert != (iconv_t)-1 ||
            message_error_at(path, 0,
                             "the font is encoded in %s, which iconv does not "

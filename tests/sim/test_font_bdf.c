@@ -245,6 +245,7 @@ TEST(encodings)
         {"Big5", "0", NULL, 0xA440, 0x4E00},
         {"TIS620.2529", "1", NULL, 0xA1, 0xE01},
         {"Microsoft", "CP1251", NULL, 0xE0, 0x430},
+        {"Paratype", "PT154", NULL, 0xC0, 0x410},
         {"Adobe", "FontSpecific", "unicode", 0xE9, 0xE9},
         {"Adobe", "FontSpecific", "CP437", 0x82, 0xE9},
         {"ISO8859", "1", "koi8-r", 0xC1, 0x430},
