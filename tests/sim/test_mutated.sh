@@ -20,9 +20,10 @@ done
 printf '3 0 1 2 255 0 0\n3 0 2 1 0 1.5 0 0.5\n' >>"$work/a.off"
 {
     printf 'COLOR=\0\377\0\377' && head -c 70 /dev/zero && printf '\1\0\0\0'
-    printf '\0\0\200\77%.0s' 1 2 3 4 5 6 7 8 9 10 11 12 && printf '\37\0'
+    printf '\0\0\0\0%.0s' 1 2 3 4 5 6 && printf '\0\0\200\77%.0s' 1 1
+    printf '\0\0\0\0%.0s' 1 2 && printf '\0\0\200\77%.0s' 1 2 && printf '\37\0'
 } >"$work/a.stl"
-printf 'P7\nWIDTH 2\nHEIGHT 2\nDEPTH 4\nMAXVAL 15\nENDHDR\n0123456789abcdef' \
+printf 'P7\nWIDTH 2\nHEIGHT 2\nDEPTH 4\nMAXVAL 127\nENDHDR\n0123456789abcdef' \
     >"$work/a.pam"
 printf 'P1\n# c\n3 2\n101\n0 1 0\n' >"$work/a.pbm"
 cp $field/p6_max65535.ppm "$work/a.ppm"
