@@ -36,7 +36,7 @@ static double extent_of_all(const struct scene *scene,
     double middle[3];
     const double radius = model_middle(scene->model, middle);
     double extent = fmax(extent_of(s->camera.eye), extent_of(s->camera.target));
-    extent = fmax(extent, extent_of(middle) + radius);
+    extent = fmax(extent, (extent_of(middle) + radius) * ROUNDING);
     if (s->camera.projection == PEL_ORTHOGRAPHIC)
         for (int k = 0; k < 2; k++)
             extent = fmax(extent, s->camera.sensor[k]);
@@ -60,7 +60,7 @@ static double units_of(const struct scene *scene,
         if (!s->light[i].directional && !is_far(&s->light[i], places))
             extent = fmax(extent, extent_of(s->light[i].at));
     vector_subtract(s->camera.target, s->camera.eye, view);
-    if (extent * ROUNDING <= WORLD && vector_length(view) >= NEAREST &&
+    if (extent <= WORLD && vector_length(view) >= NEAREST &&
         scene->model->mesh.position.shift <= PEL_MESH_SHIFT_MAX)
         return 1;
     frexp(extent, &exponent); /* extent < 2^exponent */
