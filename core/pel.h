@@ -51,6 +51,7 @@
 #include "round/sector.h"
 
 #include "smooth/smooth.h"
+#include "smooth/smooth_arc.h"
 #include "smooth/smooth_circle.h"
 #include "smooth/smooth_convex.h"
 #include "smooth/smooth_gouraud.h"

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "core/smooth/smooth_arc.h"
 #include "core/smooth/smooth_circle.h"
 #include "core/smooth/smooth_ring.h"
 #include "core/smooth/smooth_rounded_rectangle.h"
@@ -17,19 +18,21 @@ static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
 
 /* A shape of random numbers. */
 struct round {
-    enum { DISC, RING, ROUNDED, KINDS } kind;
+    enum { DISC, RING, ROUNDED, SECTOR, ARC, ARC_ROUND, KINDS } kind;
     struct pel_point center;
     struct pel_point to; /* of a rectangle, which begins at the centre */
     int32_t radius, inner;
+    int32_t from, turn; /* angles */
 };
 
 static const char *text_of(const struct round *s)
 {
     static char text[200];
     snprintf(text, sizeof text,
-             "kind %d center %d %d to %d %d radius %d inner %d; %s", s->kind,
-             s->center.x, s->center.y, s->to.x, s->to.y, s->radius, s->inner,
-             cases_replay());
+             "kind %d center %d %d to %d %d radius %d inner %d angles %d + %d; "
+             "%s",
+             s->kind, s->center.x, s->center.y, s->to.x, s->to.y, s->radius,
+             s->inner, s->from, s->turn, cases_replay());
     return text;
 }
 
@@ -46,12 +49,29 @@ static void draw(const struct pel_surface *surface, const struct round *s)
 {
     const struct pel_ring_shape ring = {s->center, s->inner, s->radius};
     const struct pel_rounded_shape rounded = {s->center, s->to, s->radius};
-    if (s->kind == DISC)
-        pel_smooth_circle(surface, s->center, s->radius, &white.paint);
-    else if (s->kind == RING)
+    const struct pel_sector_shape sector = {s->center, s->radius, s->from,
+                                            s->from + s->turn};
+    const struct pel_arc_shape arc = {s->center, s->inner, s->radius, s->from,
+                                      s->from + s->turn};
+    switch (s->kind) {
+    case RING:
         pel_smooth_ring(surface, &ring, &white.paint);
-    else
+        break;
+    case ROUNDED:
         pel_smooth_rounded_rectangle(surface, &rounded, &white.paint);
+        break;
+    case SECTOR:
+        pel_smooth_sector(surface, &sector, &white.paint);
+        break;
+    case ARC:
+        pel_smooth_arc(surface, &arc, &white.paint);
+        break;
+    case ARC_ROUND:
+        pel_smooth_arc_round(surface, &arc, &white.paint);
+        break;
+    default:
+        pel_smooth_circle(surface, s->center, s->radius, &white.paint);
+    }
 }
 
 /* A pixel without arcs needs no arithmetic. */
@@ -96,6 +116,63 @@ static real rounded_at(const struct round *s, int32_t x, int32_t y)
     return area;
 }
 
+/* Keeps what is clockwise of a ray, up to half a turn: sign 1; or before it. */
+static void cut_ray(struct area_polygon *p, struct pel_point d, int sign)
+{
+    area_cut(p, sign * (real)d.y, -sign * (real)d.x, 0);
+}
+
+/* The part of a ring in an angle of at most half a turn. */
+static real wedge_at(const struct round *s, int32_t from, int32_t turn,
+                     struct area_polygon p)
+{
+    cut_ray(&p, pel_direction((uint16_t)from), 1);
+    cut_ray(&p, pel_direction((uint16_t)(from + turn)), -1);
+    const real hole = s->kind == SECTOR ? 0 : (real)s->inner / 256;
+    return area_in_disc(&p, (real)s->radius / 256) -
+           (hole > 0 ? area_in_disc(&p, hole) : 0);
+}
+
+/* Is the place of an end about as near to one sub-pixel as to the next? */
+static bool between_places(const struct round *s, int32_t angle)
+{
+    const struct pel_point d = pel_direction((uint16_t)angle);
+    const real length = real_root((real)d.x * d.x + (real)d.y * d.y);
+    const real middle = (real)((s->inner + s->radius) / 2) / length;
+    const real u = d.x * middle, v = d.y * middle;
+    return real_abs(u - real_floor(u) - 0.5L) < 0.02L ||
+           real_abs(v - real_floor(v) - 0.5L) < 0.02L;
+}
+
+/* What a disc at the end of an arc adds beyond its ray: sign 1 at the end. */
+static real end_at(const struct round *s, int32_t angle, int sign, int32_t x,
+                   int32_t y)
+{
+    const struct pel_point d = pel_direction((uint16_t)angle);
+    const real dx = d.x, dy = d.y, length = real_root(dx * dx + dy * dy);
+    const int32_t middle = (s->inner + s->radius) / 2;
+    const real u = real_round(dx * middle / length);
+    const real v = real_round(dy * middle / length);
+    struct area_polygon p = area_pixel(s->center.x + u, s->center.y + v, x, y);
+    area_cut(&p, sign * dy, -sign * dx, -sign * (dy * u - dx * v) / 256);
+    return area_in_disc(&p, (real)((s->radius - s->inner) / 2) / 256);
+}
+
+static real arc_at(const struct round *s, int32_t x, int32_t y)
+{
+    const struct area_polygon pixel =
+        area_pixel((real)s->center.x, (real)s->center.y, x, y);
+    const int32_t half = s->turn / 2;
+    if (s->turn <= 0 || (s->kind != SECTOR && s->inner >= s->radius))
+        return 0;
+    real area = wedge_at(s, s->from, half, pixel) +
+                wedge_at(s, s->from + half, s->turn - half, pixel);
+    if (s->kind == ARC_ROUND)
+        area += end_at(s, s->from, -1, x, y) +
+                end_at(s, s->from + s->turn, 1, x, y);
+    return area;
+}
+
 static real area_at(const struct round *s, int32_t x, int32_t y)
 {
     const struct area_polygon pixel =
@@ -104,6 +181,8 @@ static real area_at(const struct round *s, int32_t x, int32_t y)
         return disc_at(&pixel, s->radius);
     if (s->kind == ROUNDED)
         return rounded_at(s, x, y);
+    if (s->kind != RING)
+        return arc_at(s, x, y);
     return s->inner < s->radius
                ? disc_at(&pixel, s->radius) - disc_at(&pixel, s->inner)
                : 0;
@@ -130,6 +209,14 @@ static struct pel_rect random_window(struct random *r, const struct round *s)
     const struct pel_point d = pel_direction((uint16_t)random_word(r));
     int64_t x = s->center.x + (int64_t)s->radius * d.x / 32768,
             y = s->center.y + (int64_t)s->radius * d.y / 32768;
+    if (s->kind > ROUNDED && random_word(r) % 2) {
+        const struct pel_point ray = pel_direction(
+            (uint16_t)(s->from + (random_word(r) % 2 ? s->turn : 0)));
+        const int32_t at = random_between(
+            r, s->kind == SECTOR ? 0 : pel_min(s->inner, s->radius), s->radius);
+        x = s->center.x + (int64_t)at * ray.x / 32768;
+        y = s->center.y + (int64_t)at * ray.y / 32768;
+    }
     if (s->kind == ROUNDED) {
         const int32_t side =
             pel_min(s->to.x - s->center.x, s->to.y - s->center.y);
@@ -152,24 +239,36 @@ static int32_t random_size(struct random *r, int32_t radius)
                    PEL_PX(32700));
 }
 
+/* Angles of many or of few binary digits. */
+static int32_t random_mask(struct random *r)
+{
+    return random_word(r) % 2 ? -1 : -(1 << random_between(r, 10, 14));
+}
+
 static struct round random_round(struct random *r)
 {
-    struct round s = {DISC, {random_place(r), random_place(r)}, {0, 0}, 0, 0};
+    struct round s = {DISC, {random_place(r), random_place(r)}, {0, 0}, 0, 0, 0,
+                      0};
     s.kind = random_word(r) % KINDS;
     s.radius = random_radius(r);
     s.inner = random_word(r) % 2 ? random_between(r, 0, s.radius)
                                  : pel_max(s.radius - random_radius(r), 0);
+    s.from = random_between(r, -70000, 70000) & random_mask(r);
+    s.turn = random_between(r, 1, s.kind == ARC_ROUND ? 32768 : 65535);
+    s.turn = pel_max(s.turn & random_mask(r), 1);
     s.to.x = s.center.x + random_size(r, s.radius);
     s.to.y = s.center.y + random_size(r, s.radius);
     return s;
 }
 
-/* Small circles, and those of more than 2,048 px, are less exact. */
+/* Small circles, and those of more than 2,048 px, are less exact; the ends of
+ * arcs are rounded to 1/256 px. */
 static real bound_of(const struct round *s)
 {
-    const int32_t least = s->kind == RING && s->inner ? s->inner : s->radius;
-    const bool good =
-        least >= PEL_PX(16) && s->radius <= PEL_PX(2048) && s->kind != ROUNDED;
+    const int32_t hole = s->kind == RING || s->kind == ARC ? s->inner : 0;
+    const int32_t least = hole ? pel_min(hole, s->radius) : s->radius;
+    const bool good = least >= PEL_PX(16) && s->radius <= PEL_PX(2048) &&
+                      s->kind != ROUNDED && s->kind != ARC_ROUND;
     return good ? 0.55L : 1;
 }
 
@@ -179,6 +278,9 @@ TEST(areas)
         const struct round s = random_round(&c.random);
         const struct pel_rect b = random_window(&c.random, &s);
         const struct pel_surface window = window_of(&b, pixels);
+        if (s.kind == ARC_ROUND &&
+            (between_places(&s, s.from) || between_places(&s, s.from + s.turn)))
+            continue;
         draw(&window, &s);
         for (int32_t y = b.y0; y < b.y1; y++)
             for (int32_t x = b.x0; x < b.x1; x++) {
@@ -247,7 +349,7 @@ TEST(mirrors)
         const struct pel_surface window = window_of(&b, pixels);
         struct pel_surface other = window_of(&b, others);
         const int32_t side = random_between(&c.random, 1, PEL_PX(SIZE) / 2);
-        struct round s = {DISC, {side, side}, {0, 0}, 0, 0}, mirror;
+        struct round s = {DISC, {side, side}, {0, 0}, 0, 0, 0, 0}, mirror;
         s.kind = random_word(&c.random) % ROUNDED;
         s.radius = random_between(&c.random, 0, side);
         s.inner = random_between(&c.random, 0, s.radius);

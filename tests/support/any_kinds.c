@@ -89,6 +89,15 @@ bool any_draw_smooth(const struct pel_surface *surface,
     case ANY_CIRCLE:
         pel_smooth_circle(surface, s->v[0], s->radius, paint);
         return true;
+    case ANY_SECTOR:
+        pel_smooth_sector(surface, SECTOR(s), paint);
+        return true;
+    case ANY_ARC:
+        if (s->n % 2)
+            pel_smooth_arc_round(surface, ARC(s), paint);
+        else
+            pel_smooth_arc(surface, ARC(s), paint);
+        return true;
     case ANY_ROUNDED_RECTANGLE:
         pel_smooth_rounded_rectangle(surface, ROUNDED(s), paint);
         return true;

@@ -66,8 +66,9 @@ static real triangle(real ax, real ay, real bx, real by, real radius)
     to = to < 0 ? 0 : to > 1 ? 1 : to;
     const real px = ax + dx * from, py = ay + dy * from;
     const real qx = ax + dx * to, qy = ay + dy * to;
-    return sector(ax, ay, px, py, radius) + cross * (to - from) / 2 +
-           sector(qx, qy, bx, by, radius);
+    return (from > 0 ? sector(ax, ay, px, py, radius) : 0) +
+           cross * (to - from) / 2 +
+           (to < 1 ? sector(qx, qy, bx, by, radius) : 0);
 }
 
 real area_in_disc(const struct area_polygon *p, real radius)
