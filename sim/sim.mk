@@ -4,7 +4,7 @@
 
 PKG_CONFIG ?= pkg-config
 sim_has = $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo $(1))
-SIM_PACKAGES := $(strip $(foreach p,assimp jansson sdl2 SDL2_image libpng \
+SIM_PACKAGES := $(strip $(foreach p,assimp jansson libzip expat sdl2 SDL2_image libpng \
                           libjpeg freetype2,$(call sim_has,$(p))))
 
 sim_define_assimp := -DHAVE_ASSIMP
@@ -13,6 +13,8 @@ sim_define_SDL2_image := -DHAVE_SDL2_IMAGE
 sim_define_libpng := -DHAVE_LIBPNG
 sim_define_libjpeg := -DHAVE_LIBJPEG
 sim_define_jansson := -DHAVE_JANSSON
+sim_define_libzip := -DHAVE_LIBZIP
+sim_define_expat := -DHAVE_EXPAT
 sim_define_freetype2 := -DHAVE_FREETYPE
 
 SIM_FLAGS := -D_GNU_SOURCE \

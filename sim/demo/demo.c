@@ -84,6 +84,12 @@ static const struct library {
 #ifndef HAVE_LIBJPEG
     {"libjpeg", "libjpeg-dev", "reads JPEG pictures"},
 #endif
+#ifndef HAVE_LIBZIP
+    {"libzip", "libzip-dev", "opens 3MF meshes"},
+#endif
+#ifndef HAVE_EXPAT
+    {"expat", "libexpat1-dev", "reads 3MF meshes"},
+#endif
 #ifndef HAVE_JANSSON
     {"jansson", "libjansson-dev", "reads glTF meshes"},
 #endif

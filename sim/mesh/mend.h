@@ -29,6 +29,7 @@ struct mend {
  * that have colours of faces. False, with a message. */
 bool mend_obj(struct mend *m);
 bool mend_off(struct mend *m);
+bool mend_3mf(struct mend *m);
 bool mend_ply(struct mend *m);
 bool mend_ply_wanted(struct mend *m);
 bool mend_stl(struct mend *m);

@@ -83,7 +83,7 @@ static const struct aiScene *import(struct mend *m,
     *told = !m->obj || !m->mtl || !write(m);
     if (*told)
         return NULL;
-    fputs("# by pel\n", m->obj);
+    fputs("# what pel has written anew of a mesh file\n", m->obj);
     fputs("# by pel\n", m->mtl);
     fclose(m->obj);
     fclose(m->mtl);
@@ -93,6 +93,11 @@ static const struct aiScene *import(struct mend *m,
 static bool is_text(struct mend *m)
 {
     return !memchr(m->text, 0, m->size);
+}
+
+static bool is_any(struct mend *m)
+{
+    return m;
 }
 
 const struct aiScene *mend_import(const char *path, bool *told)
@@ -105,6 +110,7 @@ const struct aiScene *mend_import(const char *path, bool *told)
                  {" .off ", is_text, mend_off},
                  {" .ply ", mend_ply_wanted, mend_ply},
                  {" .stl ", mend_stl_wanted, mend_stl},
+                 {" .3mf ", is_any, mend_3mf},
                  {NULL, NULL, NULL}};
     struct mend m = {.path = path};
     *told = false;
