@@ -181,6 +181,42 @@ grep -q 'is read in spite of: 1 missing or wrong CHARS$' "$dir/nochars.err" &&
     grep -q 'of: 3 rows longer or shorter than wide$' "$dir/longrow.err" &&
     [ ! -s "$dir/usascii.err" ] || fail "field: $(cat "$dir"/*.err)"
 
+# Outlines, drawn in one bit: lines are no higher than what is asked for.
+outlines=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
+[ -r "$outlines" ] || fail "$outlines is missing: fonts-dejavu-core brings it"
+if "$PEL" import "$outlines" --codes A --font-size 16 -o "$dir/outline.c" 2>"$dir/err"; then
+    font outline "$outlines" --codes A,g --font-size 16
+    shows outline 'Ag' <<'EOF'
+P2
+17 16
+1
+00000000000000000
+00000000000000000
+00000000000000000
+00001000000000000
+00010100000000000
+00010100000111110
+00100010001100110
+00100010001000010
+01111111001000010
+01000001001000010
+01000001001100110
+10000000100111110
+00000000000000010
+00000000000100110
+00000000000011100
+00000000000000000
+EOF
+    for size in 8 11 24 100 255; do
+        lines=$("$PEL" import "$outlines" --codes 32-126 --font-size $size \
+            -o "$dir/outline.c" | sed -n 's/.*lines of \([0-9]*\) px$/\1/p')
+        [ "$lines" -le $size ] && [ "$lines" -ge $((size - size / 8 - 1)) ] ||
+            fail "$outlines of $size px: lines of $lines"
+    done
+else
+    grep -q libfreetype-dev "$dir/err" || fail "$outlines: $(cat "$dir/err")"
+fi
+
 psf=/usr/share/consolefonts/Unifont-APL8x16.psf.gz
 pcf=/usr/share/fonts/X11/misc/unifont.pcf.gz
 [ -r "$psf" ] || fail "$psf is missing: the package psf-unifont brings it"

@@ -275,3 +275,24 @@ TEST(far_away)
     assert_int_equal(hits.pixels, 34);
     assert_int_equal(pel_text_measure(&font, string).width, 599997);
 }
+
+/* A dot 255 px above and left of its pen, or as far below and right of it. */
+TEST(large_glyphs)
+{
+    static const struct pel_font_glyph far[] = {{7, 1, 1, -255, 255, 200},
+                                                {7, 1, 1, 255, -254, 200}};
+    static const struct pel_font_range one[] = {{'a', 2, 0}};
+    const struct pel_font_asset large = {
+        PEL_FONT_MAGIC, PEL_FONT_VERSION, 255, 255, 1,   2,
+        PEL_FONT_NONE,  sizeof bits,      one, far, bits};
+    assert_int_equal(pel_font_asset_check(&large), PEL_OK);
+    for (int i = 0; i < 2; i++) {
+        const int32_t x = i ? 555 : 45, y = i ? 519 : 10;
+        const struct pel_rect window = {x - 3, y - 3, x + 4, y + 4};
+        const struct pel_text_block text = {&large, i ? "b" : "a", 300, 10};
+        hits_open(&hits, &window);
+        pel_text(&hits.surface, &text, &hits.paint);
+        assert_int_equal(hits.pixels, 1);
+        assert_int_equal(hits_at(&hits, x, y), 1);
+    }
+}
