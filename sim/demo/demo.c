@@ -1,4 +1,5 @@
 /* pel demo: draws the gallery. */
+#include <ctype.h>
 #include <errno.h>
 #include <limits.h>
 #include <stdio.h>
@@ -193,6 +194,9 @@ static bool add_script(const struct gallery *g, const char *path)
     char *dot = strrchr(name, '.');
     if (dot && dot > name)
         *dot = '\0';
+    for (char *c = name; *c; c++) /* it goes into HTML, and names files */
+        if (!isalnum((unsigned char)*c) && !strchr("._-", *c))
+            *c = '_';
     const bool done = add_demo(g, &demo, script.caption);
     script_free(&script);
     return done;

@@ -4,9 +4,13 @@
 set -u
 . "$(dirname "$0")/lib.sh"
 
-PEL_MODELS=$work "$PEL" demo "$work/demo" sim/scenes/meshes.pel >"$work/out" ||
-    fail "no gallery"
-names='meshes formats rules-top-left rules-bottom-left figures figures-flat
+# A script's name is a part of a page and of names of files.
+odd="$work/<i>\"&.pel"
+printf 'canvas 9 8 xrgb8888\nclear #103050\n' >"$odd"
+PEL_MODELS=$work "$PEL" demo "$work/demo" "$odd" sim/scenes/meshes.pel \
+    >"$work/out" || fail "no gallery"
+grep -q "<i>" "$work/demo/index.html" && fail "a name is HTML"
+names='_i___ meshes formats rules-top-left rules-bottom-left figures figures-flat
 figures-corners figures-rings figures-sectors duck-flat duck-gouraud
 texture-flat texture-nearest texture-bilinear lighting-texture-vertices
 lighting-texture-pixels lighting-gouraud-plain lighting-phong-plain'
