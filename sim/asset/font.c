@@ -171,12 +171,19 @@ static bool write_file(const struct import_options *options,
     return import_text_commit(&text);
 }
 
+static bool is_wanted(long code)
+{
+    return code >= 0 && code <= FONT_CODE_MAX && wanted[code];
+}
+
 bool import_font(const struct import_options *options)
 {
     struct font font;
     struct pel_font_asset asset = {.magic = 0};
     const bool all = !options->codes && !options->chars;
-    const bool done = font_load(&font, options->source, &options->font) &&
+    struct font_options reading = options->font;
+    reading.is_wanted = all ? NULL : is_wanted;
+    const bool done = font_load(&font, options->source, &reading) &&
                       (all || keep_codes(&font, options)) &&
                       font_add_box(&font) &&
                       font_asset_make(&asset, &font, options->source) &&

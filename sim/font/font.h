@@ -34,6 +34,8 @@ struct font {
 struct font_options {
     const char *encoding; /* of its codes, by charset_open; NULL: as it says */
     int size;             /* px from line to line of a scalable font */
+    bool (*is_wanted)(long code); /* what is not is left out without a word;
+                                     NULL: all are */
 };
 
 /* Reads a BDF or a PSF file (versions 1 and 2), told apart by their first

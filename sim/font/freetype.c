@@ -135,12 +135,14 @@ static bool add(struct reading *r, FT_UInt index, long character)
 {
     enum { MOST = FONT_SIZE_MAX };
     const FT_GlyphSlot slot = r->face->glyph;
+    const struct font_options *o = &r->file->options;
+    const bool is_wanted = !o->is_wanted || o->is_wanted(character);
     if (FT_Load_Glyph(r->face, index,
                       FT_LOAD_RENDER | FT_LOAD_TARGET_MONO |
                           FT_LOAD_MONOCHROME) != 0 ||
         (slot->bitmap.buffer &&
          slot->bitmap.pixel_mode != FT_PIXEL_MODE_MONO)) {
-        r->failed++;
+        r->failed += is_wanted;
         return true;
     }
     const struct font_char c = {.code = (uint32_t)character,
@@ -152,7 +154,7 @@ static bool add(struct reading *r, FT_UInt index, long character)
     if (c.width > MOST || c.height > MOST || c.left < -MOST || c.left > MOST ||
         c.top > MOST || c.top - c.height < -MOST || c.advance < 0 ||
         c.advance > MOST) {
-        r->large++;
+        r->large += is_wanted;
         return true;
     }
     return font_add(r->font, &c, slot->bitmap.buffer,

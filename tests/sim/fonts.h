@@ -10,7 +10,7 @@ static const char *encoding; /* of --encoding, or NULL */
 static inline bool load(struct font *font, const char *bytes, size_t size)
 {
     char *path = file_with(bytes, size);
-    const struct font_options options = {encoding, FONT_SIZE};
+    const struct font_options options = {encoding, FONT_SIZE, NULL};
     bool done = font_load(font, path, &options);
     remove(path);
     free(path);

@@ -209,9 +209,10 @@ P2
 EOF
     for size in 8 11 24 100 255; do
         lines=$("$PEL" import "$outlines" --codes 32-126 --font-size $size \
-            -o "$dir/outline.c" | sed -n 's/.*lines of \([0-9]*\) px$/\1/p')
+            -o "$dir/outline.c" 2>"$dir/err" | sed -n 's/.*lines of \([0-9]*\) px$/\1/p')
         [ "$lines" -le $size ] && [ "$lines" -ge $((size - size / 8 - 1)) ] ||
             fail "$outlines of $size px: lines of $lines"
+        [ ! -s "$dir/err" ] || fail "what is not wanted is told: $(cat "$dir/err")"
     done
 else
     grep -q libfreetype-dev "$dir/err" || fail "$outlines: $(cat "$dir/err")"
