@@ -92,7 +92,7 @@ off over 'COFF\n4 2 0' ' 0 255 0 255' "$bytes"
 off vertex 'COFF\n4 1 0' ' 0 255 0 255' '4 0 1 2 3\n' '00ff00:27,27 00ff00:73,73'
 off vertex1 'COFF\n4 1 0' ' 0 1.0 0 1' '4 0 1 2 3\n' '00ff00:27,27 00ff00:73,73'
 off unnamed 'OFF\n4 1 0' ' 0 255 0' '4 0 1 2 3\n' '00ff00:27,27 00ff00:73,73'
-off normal 'CNOFF\n4 1 0' ' 0 0 1 0 255 0 255' '4 0 1 2 3\n' '00ff00:27,27' 2>/dev/null
+off normal 'CNOFF\n4 1 0' ' 0 0 1 0 255 0 255' '4 0 1 2 3\n' '00ff00:27,27'
 off all 'STCNOFF\n4 1 0' ' 0 0 1 0 255 0 255 .5 .5' '4 0 1 2 3\n' '00ff00:27,27'
 off weight '4OFF\n4 2 0' ' 1' "$bytes"
 off plain 'OFF\n4 1 0' '' '4 0 1 2 3\n' '999999:27,27 999999:73,73'
