@@ -10,7 +10,7 @@ $CC -O1 -Wall tests/sim/mutate.c -o "$work/mutate" || exit 1
 
 # What the formats are mutated from.
 cp $field/*.obj $field/*.mtl $field/*.gltf $field/*.ply $field/*.png $field/*.jpg \
-    $field/*.bmp "$work"
+    $field/*.bmp $field/*.3mf "$work"
 printf 'v -1 -1 0 1 0 0\nv 1 -1 0\nvt .5 .5\nvn 0 0 1\nv 1 1 0\nmtllib o_scale.mtl\nf 1/1/1 2//1 3\n' \
     >"$work/all.obj"
 printf 'STCNOFF\n3 2 0\n' >"$work/a.off"
@@ -68,7 +68,8 @@ one() { # FILE SEED
 }
 cp $field/o_scale.mtl "$work/from.mtl"
 for file in all.obj partial.obj from.mtl g_tex_vc.gltf q_ushort.gltf a.glb \
-    p_facecol.ply a.off a.stl k8.png t4.png cmyk.jpg w565.bmp rle.bmp a.ppm a.pam \
+    p_facecol.ply a.off a.stl m_bm.3mf \
+    k8.png t4.png cmyk.jpg w565.bmp rle.bmp a.ppm a.pam \
     a.pbm; do
     cp "$work/$file" "$work/base.${file##*.}"
     case $file in
