@@ -38,6 +38,7 @@ DRIVERS := $(call without_linux,$(wildcard drivers/*.c))
 EXAMPLE_ASSETS_gauge := fixed_10x20
 EXAMPLE_ASSETS_mesh := vase_small
 EXAMPLE_ASSETS_oled := fixed_6x13
+EXAMPLE_ASSETS_watch := fixed_10x20
 EXAMPLE_ASSETS_paints := fixed_6x13
 example_sources = examples/$1.c $(DRIVERS) \
     $(EXAMPLE_ASSETS_$1:%=$(BUILD)/examples/%.c)

@@ -74,6 +74,7 @@
 #include "paint/paint_radial.h"
 #include "paint/paint_texture.h"
 #include "paint/texture_contrast.h"
+#include "paint/turned_picture.h"
 
 #include "image/copy.h"
 #include "image/glyph_text.h"

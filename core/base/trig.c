@@ -51,6 +51,18 @@ struct pel_point pel_direction(uint16_t turn)
     return d;
 }
 
+/* Differences of legal points are below 2^24, so both sums are below 2^41. */
+struct pel_point pel_turned(struct pel_point p, struct pel_point center,
+                            int32_t turn)
+{
+    const struct pel_point d = pel_direction((uint16_t)turn);
+    const int32_t x = p.x - center.x, y = p.y - center.y;
+    const int64_t right = pel_product(x, d.x) - pel_product(y, d.y);
+    const int64_t down = pel_product(x, d.y) + pel_product(y, d.x);
+    return (struct pel_point){center.x + (int32_t)((right + 16384) >> 15),
+                              center.y + (int32_t)((down + 16384) >> 15)};
+}
+
 /* Turns of atan(k / 16), in 2^-32. */
 static const uint32_t arctangent[17] = {
     0,         42667331,  85004756,  126697423, 167458907, 207041579,

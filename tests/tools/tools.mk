@@ -46,6 +46,15 @@ metrics: | need-format ## lengths of functions and files, parameters, layout
 check-make: ## goals of make together and alone, and a tree in a folder of any name
 	tests/tools/check_make.sh
 
+# The pictures of docs, of programs and of the C blocks of the pages.
+PICTURE_PROGRAMS := $(patsubst %,$(BUILD)/examples/%,game gauge mesh watch)
+.PHONY: pictures check-pictures
+pictures check-pictures: $(BUILD)/pel $(BUILD)/libpel.a $(PICTURE_PROGRAMS)
+pictures: ## write docs/pictures anew, those that differ
+	tests/tools/pictures.sh $(BUILD) "$(CC)" accept
+check-pictures: ## compile the pages' C, compare every picture of docs
+	tests/tools/pictures.sh $(BUILD) "$(CC)"
+
 # Tests run side by side, each in a make of its own, so that what several of them
 # need is built before.
 tests: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(LINK_ELFS) $(MCU_BENCH_ELFS) \
