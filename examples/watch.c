@@ -51,7 +51,7 @@ static void draw_ring(const struct pel_surface *screen, int from, int to,
 {
     const struct pel_arc_shape ring = {center, PEL_PX(110), PEL_PX(116),
                                        turn_of(from, 60), turn_of(to, 60)};
-    pel_arc(screen, &ring, paint);
+    pel_smooth_arc_round(screen, &ring, paint);
 }
 
 static void draw(void *context, const struct pel_surface *screen)

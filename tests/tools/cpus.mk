@@ -94,8 +94,8 @@ BOARD ?= m4
 BOARD_RAM_board := 4K
 BOARD_RAM_oled := 4K
 BOARD_RAM_mesh := 8K
-EXAMPLES_CHECKED := board gauge mesh oled selftest
-BOARD_EXAMPLES := board gauge mesh oled selftest paints user_paint
+EXAMPLES_CHECKED := board game gauge mesh oled selftest watch
+BOARD_EXAMPLES := board game gauge mesh oled selftest watch paints user_paint
 
 # $1 board, $2 CPU whose code it runs, $3 example, $4 its RAM
 define board_example
