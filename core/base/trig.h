@@ -18,7 +18,7 @@ struct pel_point pel_direction(uint16_t turn);
 
 /* An angle of n degrees, cut off to whole turns / 65,536; a constant n may have
  * a fraction: PEL_DEGREES(90) is 16,384. */
-#define PEL_DEGREES(n) PEL_CAST(int32_t, (n) * INT64_C(65536) / 360)
+#define PEL_DEGREES(n) PEL_CAST(int32_t, (n)*INT64_C(65536) / 360)
 
 /* `p` turned clockwise about `center`, each coordinate rounded to the nearest
  * sub-pixel (a tie towards +); off by 1/32,768 of the distance besides. Both
