@@ -177,7 +177,7 @@ for command in 'run once.pel -o out.ppm' 'info once.gltf'; do
     cat red.ppm >once.ppm &
     writer=$!
     # shellcheck disable=SC2086
-    timeout 10 "$PEL" $command --limit 3,500 >out 2>err ||
+    timeout 20 "$PEL" $command --limit 9,500 >out 2>err ||
         fail "$command: $(cat err)"
     kill $writer 2>/dev/null
     wait $writer 2>/dev/null

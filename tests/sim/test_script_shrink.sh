@@ -52,7 +52,7 @@ for signal in TERM HUP PIPE ALRM XCPU; do
     "$PEL" compare --shrink "$dir/s.pel" -o "$work/part.pel" --command \
         '[ "$(wc -l <"$1")" -gt 20 ] && exit 1; exec sleep 30' 2>"$work/err" &
     program=$!
-    for i in $(seq 100); do
+    for i in $(seq 600); do
         pgrep -P $program -x sleep >/dev/null && break
         sleep 0.1
     done
