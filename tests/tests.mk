@@ -131,7 +131,7 @@ check: tests ## every test; the last line is `N passed, N failed`
 # another one each time; it is printed, and PEL_SEED=N repeats a run.
 DEEP_SCALE ?= 1000
 DEEP_PARTS := 0 1 2 3 4
-DEEP_EXTRA := deep-cpus deep-order
+DEEP_EXTRA := deep-builds deep-cpus deep-order
 DEEP_PROGRAMS := $(TEST_PROPERTY:%=$(T)/host/%) \
     $(T)/portable/tests/property/test_raster_triangles
 deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hour

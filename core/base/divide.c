@@ -45,8 +45,10 @@ uint32_t pel_divide(uint64_t n, uint32_t d)
 }
 
 /* Subtracts shifted divisors, the largest that fits first, and then doubles the
- * remainder for 32 bits more. */
-uint64_t pel_divide_fraction(uint64_t n, uint64_t d, uint64_t *fine)
+ * remainder for 32 bits more. Never inlined, as in one file with its caller:
+ * gcc would not see there that *fine is always set. */
+PEL_NOINLINE uint64_t pel_divide_fraction(uint64_t n, uint64_t d,
+                                          uint64_t *fine)
 {
     uint64_t q = 0;
     int bits = 32;

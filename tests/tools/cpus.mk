@@ -2,7 +2,8 @@
 # same bytes everywhere. A build is named COMPILER-CPU-LEVEL or, of a variant of
 # core, COMPILER-CPU-LEVEL-VARIANT.
 
-.PHONY: check-cpus check-examples check-mcu deep-cpus need-cpus board
+.PHONY: check-builds check-cpus check-examples check-mcu deep-builds deep-cpus \
+    need-cpus board
 
 # CPUs, each with the prefix of its compiler and its emulator; `host` is this
 # machine. s390x and powerpc are big-endian, with 64 and with 32 bits. The
@@ -23,6 +24,18 @@ CPU_RUN_powerpc := qemu-ppc-static
 cpu_cc_gcc = $(if $(CPU_PREFIX_$1),$(CPU_PREFIX_$1)-)gcc
 cpu_cc_clang = clang$(if $(CPU_PREFIX_$1), --target=$(CPU_PREFIX_$1))
 
+# The CPU of an ESP8266, on a machine of QEMU's own. gcc finds picolibc there.
+CPU_PREFIX_lx106 := xtensa-lx106-elf
+CPU_FLAGS_lx106 := -mlongcalls -mtext-section-literals
+CPU_LINK_lx106 := -nostdlib -T port/lx106/sim.ld -std=gnu99 port/lx106/start.c \
+    -Wl,--start-group -lc -lgcc -Wl,--end-group
+CPU_RUN_lx106 := qemu-system-xtensa -M sim -cpu lx106 -display none \
+    -monitor none -semihosting -kernel
+
+# Levels with a name of their own; a variant that is one file.
+CPU_LEVEL_flto := -O2 -flto=auto
+CPU_ONE := one
+
 # Ways of core that a 64-bit CPU does not take by itself.
 CPU_VARIANT_narrow := -DPEL_64BIT=0
 CPU_VARIANT_nofill := -DPEL_FAST_FILLS=0
@@ -38,28 +51,44 @@ CPU_DEEP := $(foreach c,gcc clang,$(foreach o,O0 Os O2 O3,\
     $(foreach p,host aarch64,$c-$p-$o-narrow $c-$p-$o-plain))) \
     $(foreach o,O0 Os O2 O3,$(foreach p,$(BOARDS),gcc-$p-$o))
 
-cpu_word = $(word $1,$(subst -, ,$2))
+# Every compiler and level, separate files and the amalgamation; of these, twelve
+# that have each at least once.
+BUILD_CPUS := gcc-host clang-host \
+    $(foreach p,m0plus m4 m33 rv32 i686 aarch64 s390x lx106,gcc-$p)
+BUILD_LEVELS := O0 Og O1 O2 O3 Os flto
+BUILDS_DEEP := $(foreach p,$(BUILD_CPUS),$(foreach o,$(BUILD_LEVELS),\
+    $p-$o $p-$o-$(CPU_ONE)))
+BUILDS_CHECK := gcc-host-Og gcc-host-flto-one clang-host-O3-one \
+    gcc-m0plus-O2-one gcc-m4-Og-one gcc-m33-flto gcc-rv32-O3-one \
+    gcc-i686-Os-one gcc-aarch64-Og-one gcc-s390x-O1-one gcc-lx106-O0 \
+    gcc-lx106-Os-one
 
-# gcc's -O3 takes for unset what a loop sets whose end it does not see.
-CPU_WARNINGS_gcc_O3 := -Wno-maybe-uninitialized
+cpu_word = $(word $1,$(subst -, ,$2))
 
 # $1 build, $2 compiler, $3 CPU, $4 level, $5 variant
 define cpu_build_of
 $(BUILD)/cpus/$1/%.o: %.c | $(if $(filter $3,$(BOARDS)),need-boards,need-cpus)
 	@mkdir -p $$(@D)
-	$$(call cpu_cc_$2,$3) $$(CPU_FLAGS_$3) $$(PEL_CFLAGS) -$4 \
-	    $$(CPU_WARNINGS_$2_$4) $$(CPU_VARIANT_$5) -c $$< -o $$@
-$(BUILD)/cpus/$1/scenes: $(CORE:%.c=$(BUILD)/cpus/$1/%.o) \
-    $(BUILD)/cpus/$1/tests/golden/scenes.o
-	$$(call cpu_cc_$2,$3) $$(CPU_FLAGS_$3) $$^ \
+	$$(call cpu_cc_$2,$3) $$(CPU_FLAGS_$3) $$(PEL_CFLAGS) $$(call cpu_level,$4) \
+	    $$(CPU_VARIANT_$5) -c $$< -o $$@
+$(BUILD)/cpus/$1/pel.o: $(ONE)/pel.c $(ONE)/pel.h
+	@mkdir -p $$(@D)
+	$$(call cpu_cc_$2,$3) $$(CPU_FLAGS_$3) $$(PEL_CFLAGS) $$(call cpu_level,$4) \
+	    -c $$< -o $$@
+$(BUILD)/cpus/$1/scenes: $(BUILD)/cpus/$1/tests/golden/scenes.o
+$(BUILD)/cpus/$1/flat: $(BUILD)/cpus/$1/tests/link/flat.o
+$(BUILD)/cpus/$1/scenes $(BUILD)/cpus/$1/flat: $(if $(filter $(CPU_ONE),$5), \
+    $(BUILD)/cpus/$1/pel.o,$(CORE:%.c=$(BUILD)/cpus/$1/%.o))
+	$$(call cpu_cc_$2,$3) $$(CPU_FLAGS_$3) $$(call cpu_level,$4) $$^ \
 	    $(or $(CPU_LINK_$3),-static) -o $$@
 endef
+cpu_level = $(or $(CPU_LEVEL_$1),-$1)
 cpu_build = $(call cpu_build_of,$1,$(call cpu_word,1,$1),$(call \
     cpu_word,2,$1),$(call cpu_word,3,$1),$(call cpu_word,4,$1))
 
 # The many rules of the deep builds only where they are asked for.
-CPU_BUILDS := $(if $(filter deep deep-cpus,$(MAKECMDGOALS)),$(CPU_DEEP),$(CPU_CHECK) \
-    $(CPU_CHECK_BOARDS))
+CPU_BUILDS := $(sort $(CPU_CHECK) $(CPU_CHECK_BOARDS) $(BUILDS_CHECK) $(if $(filter \
+    deep deep-cpus deep-builds,$(MAKECMDGOALS)),$(CPU_DEEP) $(BUILDS_DEEP)))
 $(foreach b,$(CPU_BUILDS),$(eval $(call cpu_build,$b)))
 
 # The scenes from the objects of a CPU in the memory of a board, without meshes
@@ -79,7 +108,8 @@ endef
 $(foreach b,$(SMALL_BOARDS),$(eval $(call cpu_small_board,$b,$(SMALL_CPU_$b))))
 
 need-cpus: | need-boards
-	@tests/tools/need.sh gcc:gcc clang:clang \
+	@tests/tools/need.sh gcc:gcc clang:clang $(CPU_PREFIX_lx106)-gcc:gcc-xtensa-lx106 \
+	    qemu-system-xtensa:qemu-system-misc \
 	    $(foreach p,$(filter-out host,$(CPUS)),\
 	        $(CPU_PREFIX_$p)-gcc:gcc-$(CPU_PREFIX_$p) \
 	        $(CPU_RUN_$p):qemu-user-static)
@@ -151,5 +181,14 @@ check-mcu: $(MCU_CHECK:%=$(BUILD)/cpus/%/scenes) ## every board of QEMU draws th
 
 deep-cpus: $(CPU_DEEP:%=$(BUILD)/cpus/%/scenes) ## the same for all CPUs, compilers and levels
 	printf '%s\n' $(call cpu_lines,$(CPU_DEEP)) | tests/tools/cpus.sh $(BUILD)
+
+# A 2-D program of each build links, and its scenes are those of all.
+check-builds: $(BUILDS_CHECK:%=$(BUILD)/cpus/%/flat)
+check-builds: $(BUILDS_CHECK:%=$(BUILD)/cpus/%/scenes) ## twelve compilers, CPUs and levels, files and amalgamation: no warning, all links
+	printf '%s\n' $(call cpu_lines,$(BUILDS_CHECK)) | tests/tools/cpus.sh $(BUILD)
+
+deep-builds: $(BUILDS_DEEP:%=$(BUILD)/cpus/%/flat)
+deep-builds: $(BUILDS_DEEP:%=$(BUILD)/cpus/%/scenes) ## the same for all compilers, CPUs and levels
+	printf '%s\n' $(call cpu_lines,$(BUILDS_DEEP)) | tests/tools/cpus.sh $(BUILD)
 
 -include $(foreach b,$(CPU_BUILDS),$(wildcard $(BUILD)/cpus/$b/*/*/*.d))

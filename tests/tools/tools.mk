@@ -1,7 +1,7 @@
 # Checks of the sources and the objects, and builds for other CPUs: each a target
 # of its own, and each one test of `make check`.
 
-CHECK_EXTRA += layers metrics size bench-mcu check-cpus check-mcu check-examples \
+CHECK_EXTRA += layers metrics size bench-mcu check-cpus check-mcu check-builds check-examples \
     check-make
 
 .PHONY: layers metrics check-make need-clang need-format
@@ -58,5 +58,6 @@ check-pictures: ## compile the pages' C, compare every picture of docs
 # Tests run side by side, each in a make of its own, so that what several of them
 # need is built before.
 tests: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(LINK_ELFS) $(MCU_BENCH_ELFS) \
-    $(patsubst %,$(BUILD)/cpus/%/scenes,$(CPU_CHECK) $(MCU_CHECK)) \
+    $(patsubst %,$(BUILD)/cpus/%/scenes,$(CPU_CHECK) $(MCU_CHECK) $(BUILDS_CHECK)) \
+    $(BUILDS_CHECK:%=$(BUILD)/cpus/%/flat) \
     $(LCD_BOARDS:%=$(LCD)/%.elf) $(BOARD_RUNS:%=$(BUILD)/board/%)
