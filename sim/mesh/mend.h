@@ -16,7 +16,8 @@ struct mend {
     size_t size;
     long line; /* of the file, for messages; 0: it has none */
     FILE *obj, *mtl;
-    bool colorless; /* of all vertices */
+    bool colorless;    /* of all vertices */
+    bool has_material; /* one has begun, of an MTL */
 };
 
 #define MEND_NO_COLOR (-1)

@@ -116,6 +116,12 @@ static bool put_line(struct mend *m, char *line)
     if (*rest)
         *rest++ = '\0';
     rest += strspn(rest, " \t");
+    m->has_material = m->has_material || strcasecmp(line, "newmtl") == 0;
+    if (!m->has_material) {
+        message_error_at(m->path, m->line,
+                         "'%.60s' before the first newmtl is left out", line);
+        return true;
+    }
     for (int i = 0; numbers[i]; i++)
         if (strcasecmp(line, numbers[i]) == 0)
             return put_numbers(m, numbers[i], rest);

@@ -121,6 +121,10 @@ printf 'newmtl a b\nKd 1 0 0\nnewmtl #c\nKd 0 0 1' >"$work/my mat.mtl"
 printf "mtllib my mat.mtl\nusemtl a b \n${square}f 1 2 3\nusemtl #c\nf 1 3 4\n" \
     >"$work/names.obj"
 shows "$work/names.obj" ff0000:60,70
+printf 'Kd 1 0 0\nmap_Kd t4.png\nnewmtl m\nKd 0 1 0\n' >"$work/early.mtl"
+printf "mtllib early.mtl\nusemtl m\n${square}f 1 2 3 4" >"$work/early.obj"
+shows "$work/early.obj" 00ff00:40,40
+told "early.mtl:2: 'map_Kd' before the first newmtl is left out"
 printf 'newmtl m\nKd a b c\n' >"$work/wrong.mtl"
 printf "mtllib wrong.mtl\n${square}f 1 2 3\n" >"$work/wrong.obj"
 refused_command "wrong.mtl:2: Kd has 'a b c': expected numbers" info "$work/wrong.obj"
