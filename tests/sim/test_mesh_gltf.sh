@@ -16,6 +16,14 @@ shows $field/uvn8.gltf $quarters
 shows $field/pct.gltf $quarters
 shows $field/q_ushort.gltf ffffff:52,48 ffffff:73,27 000000:48,48 000000:76,40
 
+# Khronos' test of KHR_texture_transform shows that all is passed: three ticks,
+# and arrows that point at green ones.
+model=${PEL_MODELS:-/usr/share/assimp/models}/glTF2/textureTransform/TextureTransformTest.gltf
+[ ! -r "$model" ] ||
+    shows "$model" 00c000:14,28 0000c0:50,28 00c0c0:80,28 000000:15,63 \
+        ffffff:30,62 e0e0e0:33,55 ffffff:13,74 000000:47,60 ffffff:52,54 \
+        e0e0e0:60,54 e0e0e0:40,74 000000:70,58 ffffff:81,60 e0e0e0:67,53
+
 # A square from -1 to 1 in the forms that follow, each at a multiple of 64 bytes:
 # 0 positions, floats; 1 uv; 2 indices 0 1 2 0 2 3 as 16 bits, and as 8 bits from
 # byte 16, as 32 bits from 32; 3 uv of 8 bits, and of 16 from 16; 4 positions of
@@ -191,6 +199,10 @@ gltf "$both" "\"pbrMetallicRoughness\": {$base}}, \"emissiveTexture\": {\"index\
 # shellcheck disable=SC2086
 shows "$work/a.gltf" $quarters
 told "the emissive texture of '' does not lie as its other one and is left out"
+
+# Colours that vary over a texture: at the corners 000, 100, 110, 010.
+row '1c0000~:30,30 00e300~:70,30 000000:30,70 e81700~:70,70' \
+    '"POSITION": 0, "TEXCOORD_0": 1, "COLOR_0": 15' "$texture" "$i"
 
 # Without light where all is unlit, in the light where not.
 unlit='"extensions": {"KHR_materials_unlit": {}}'
