@@ -34,8 +34,7 @@
  * in 64 bits, and cost about 2 KB of code, 4 KB more where a nearest texture is
  * linked, 12 KB where a bilinear one is, 6 KB where a depth buffer is; and
  * radial gradients of narrow rings cost 21 KB of stack. (Horizontal gradients
- * have a buffer of 8 KB there with or without; of 512 bytes on CPUs of 32 bits,
- * but where the compiler is asked for small code.) */
+ * have a buffer of 8 KB on CPUs of 64 bits, with or without.) */
 #ifndef PEL_FAST_FILLS
 #define PEL_FAST_FILLS PEL_64BIT
 #endif
@@ -62,26 +61,27 @@
 #define PEL_VECTORS 0
 #endif
 
-/* 1: triangles find out first which of their edges is the left one, so that
- * rows need not be sorted and clipped one by one. Costs about 150 bytes: by
- * default not where the compiler is asked for small code. */
-#if defined(PEL_KNOW_SIDES)
-#elif defined(__OPTIMIZE_SIZE__)
-#define PEL_KNOW_SIDES 0
-#else
-#define PEL_KNOW_SIDES 1
+/* 1: the smallest code and stack, for use with -Os. On a Cortex-M4 a flat
+ * triangle saves 0.2 KB of 1.1, a program with a gradient 1 to 2.5 KB, all of
+ * core 7 of 33; every paint fits every shape in 384 bytes of stack. A pixel of
+ * a gradient takes 5 to 8 times as long, of a texture, a dither or text up to 3
+ * times, of flat colors as long as before (docs/MATRIX.md has both). Nothing
+ * but the program sets this: -Os alone takes at most 1.3 times as long as -O2.
+ */
+#ifndef PEL_SMALL_CODE
+#define PEL_SMALL_CODE 0
 #endif
 
 /* Rows that a shape hands to a paint at a time, 4 to 255: 8 bytes of stack
  * each. */
 #ifndef PEL_BATCH_ROWS
-#define PEL_BATCH_ROWS (PEL_64BIT ? 255 : PEL_KNOW_SIDES ? 8 : 4)
+#define PEL_BATCH_ROWS (PEL_64BIT ? 255 : PEL_SMALL_CODE ? 4 : 8)
 #endif
 
 /* Pixels of the color buffer between a paint and a format, 4 to 255: 4 bytes
  * of stack each. */
 #ifndef PEL_BUFFER_PIXELS
-#define PEL_BUFFER_PIXELS (PEL_64BIT ? 32 : PEL_KNOW_SIDES ? 16 : 4)
+#define PEL_BUFFER_PIXELS (PEL_64BIT ? 32 : PEL_SMALL_CODE ? 4 : 16)
 #endif
 
 #if PEL_BATCH_ROWS < 4 || PEL_BATCH_ROWS > 255 || PEL_BUFFER_PIXELS < 4 || \

@@ -89,7 +89,7 @@ kind == "mcu" {
 }
 
 # tests/link/budgets.tsv
-kind == "size" {
+kind == "size" && sub(/-Os$/, "", $1) {
     row($1, $2, "", "flash_bytes", $3, "", "", "bytes")
     if ($5 != "-")
         row($1, $2, "", "stack_bytes", $5, "", "", "bytes")

@@ -10,11 +10,14 @@ intro() {
     cat <<'END'
 # What Pel costs
 
-Flash and stack in bytes (gcc -Os, `make size`) of tests/link/flat.c, a flat
-triangle on rgb565; of flat_circle_alpha.c, with circles and alpha on top; of
-scene.c, a mesh with light and texture. Instructions in QEMU (gcc -O2, `make
-bench-mcu`) of a random triangle in a box of 16 and of 64 px, filled on rgb565,
-and of a pixel more in a long row. ARM926 runs ARM code.
+gcc at -O2; at -Os, as most firmware is built; and at -Os with PEL_SMALL_CODE
+(core/pel_config.h), here "small". All figures of a line are of one build.
+
+Flash and stack in bytes (`make size`) of tests/link/flat.c, a flat triangle on
+rgb565; of flat_circle_alpha.c, with circles and alpha on top; of scene.c, a mesh
+with light and texture. Instructions in QEMU (`make bench-mcu`) of a random
+triangle in a box of 16 and of 64 px, filled on rgb565, and of a pixel more in a
+long row. ARM926 runs ARM code.
 END
 }
 
@@ -23,25 +26,29 @@ overview() {
         FILENAME ~ /link/ { text[$1, $2] = $3; stack[$1, $2] = $5; next }
         /^#/ || NF == 0 { next }
         !($1 in seen) { seen[$1]; cpu[++cpus] = $1 }
-        { count[$1, $2, $3] = $5 }
+        { for (l = 1; l <= 3; l++) count[$1, level[l], $2, $3] = $(4 + l) }
         function cell(v) { return (v == "" ? "-" : v) " | " }
+        BEGIN { split("O2 Os small", level, " ") }
         END {
-            print "\n| CPU | flat: flash | stack | + circle, alpha | stack |" \
-                " scene | stack | 16 px | 64 px | flat | alpha | Gouraud |" \
-                " nearest |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|" \
-                "---:|---:|---:|---:|"
-            for (i = 1; i <= cpus; i++) {
-                c = cpu[i]
-                line = "| " c " | "
+            print "\n| CPU | build | flat: flash | stack | + circle, alpha |" \
+                " stack | scene | stack | 16 px | 64 px | flat | alpha |" \
+                " Gouraud | nearest | linear | radial | conic |\n" \
+                "|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|" \
+                "---:|---:|---:|---:|---:|"
+            for (i = 1; i <= 3 * cpus; i++) {
+                c = cpu[int((i + 2) / 3)]
+                l = level[(i + 2) % 3 + 1]
+                line = "| " c " | " (l == "small" ? l : "-" l) " | "
                 n = split("flat flat_circle_alpha scene", program, " ")
                 for (k = 1; k <= n; k++)
-                    line = line cell(text[c, program[k]]) \
-                        cell(stack[c, program[k]])
-                line = line sprintf("%.0f | %.0f | ", count[c, "fill", 16],
-                    count[c, "fill", 64])
-                n = split("flat alpha gouraud nearest", paint, " ")
+                    line = line cell(text[c "-" l, program[k]]) \
+                        cell(stack[c "-" l, program[k]])
+                line = line sprintf("%.0f | %.0f | ", count[c, l, "fill", 16],
+                    count[c, l, "fill", 64])
+                n = split("flat alpha gouraud nearest linear-sloped radial " \
+                    "conic", paint, " ")
                 for (k = 1; k <= n; k++)
-                    line = line cell(count[c, "rgb565/" paint[k], 128])
+                    line = line cell(count[c, l, "rgb565/" paint[k], 128])
                 sub(/ $/, "", line)
                 print line
             }
@@ -54,30 +61,63 @@ paints() {
 ## What a pixel costs
 
 Instructions (not cycles) that a pixel more in a long row takes, counted in QEMU
-by `make bench-mcu`, gcc -O2; and what init and drawing of 8 x 8 px take on
-rgb565. `make bench-mcu ACCEPT=1` writes this file. Paints are at the place where
-bench/mcu/matrix.c has them: 24 to 216 px from the left of a screen of 240 x 320,
-eight rows 32 px above its middle, gradients of two colours from side to side or
-corner to corner, `alpha` 128 of 255, textures and opaque copies from the format
-of the screen, `copy-alpha` from argb8888, the mesh one triangle under one light,
-with highlights. Formats of 8 bits a channel need no dither. A cell in bold is
-more than four times the least of its row.
+by `make bench-mcu`, at -O2, -Os and small; and what init and drawing of 8 x 8 px
+take on rgb565; and flash and stack of a program that fills a rectangle with the
+paint (tests/link/paint.c), where `make size` has it. `make bench-mcu ACCEPT=1`
+writes this file. No cell takes more than 1.3 times as much at -Os as at -O2.
+Paints are at the place where bench/mcu/matrix.c has them: 24 to 216 px from the
+left of a screen of 240 x 320, eight rows 32 px above its middle, gradients of two
+colours from side to side or corner to corner, `alpha` 128 of 255, textures and
+opaque copies from the format of the screen, `copy-alpha` from argb8888, the mesh
+one triangle under one light, with highlights. Formats of 8 bits a channel need no
+dither. A cell in bold is more than four times the least of its row.
 END
     awk -F '\t' '
-    function cell(c, p, f,    k, least) {
-        least = pixel[cpu[c], format[1], paint[p]]
-        for (k = 2; k <= formats; k++)
-            if (pixel[cpu[c], format[k], paint[p]] + 0 < least + 0)
-                least = pixel[cpu[c], format[k], paint[p]]
-        k = pixel[cpu[c], format[f], paint[p]]
-        return k > 4 * least + .5 ? "**" k "**" : k
+    FILENAME ~ /link/ {
+        size[$1, $2] = $3
+        stack[$1, $2] = $5
+        next
     }
+    function three(a, b, c) {
+        return a " / " b " / " c
+    }
+    function cell(c, p, f,    k, least, at) {
+        least = pixel[cpu[c], format[1], paint[p], 1]
+        for (k = 2; k <= formats; k++)
+            if (pixel[cpu[c], format[k], paint[p], 1] + 0 < least + 0)
+                least = pixel[cpu[c], format[k], paint[p], 1]
+        for (k = 1; k <= 3; k++)
+            at[k] = pixel[cpu[c], format[f], paint[p], k]
+        if (at[1] > 4 * least + .5)
+            at[1] = "**" at[1] "**"
+        return three(at[1], at[2], at[3])
+    }
+    # Flash and stack of the program of tests/link that has the paint.
+    function of_program(c, p, which,    name, at, k) {
+        name = paint[p]
+        sub(/^linear-.*/, "linear", name)
+        sub(/^alpha$/, "flat_alpha", name)
+        sub(/^dithered-flat$/, "dither", name)
+        name = "paint_" name
+        if (!((cpu[c] "-Os", name) in size))
+            return ""
+        for (k = 1; k <= 3; k++)
+            at[k] = which == "flash" ? size[cpu[c] "-" level[k], name] : \
+                stack[cpu[c] "-" level[k], name]
+        return three(at[1], at[2], at[3])
+    }
+    BEGIN { split("O2 Os small", level, " ") }
     /^#/ || split($2, name, "/") < 2 { next }
     !($1 in seen_cpu) { seen_cpu[$1]; cpu[++cpus] = $1 }
     !(name[1] in seen_format) { seen_format[name[1]]; format[++formats] = name[1] }
     !(name[2] in seen_paint) { seen_paint[name[2]]; paint[++paints] = name[2] }
-    $3 == 8 { small[$1, name[2]] = $5; next }
-    { pixel[$1, name[1], name[2]] = $5 }
+    {
+        for (k = 1; k <= 3; k++)
+            if ($3 == 8)
+                small[$1, name[2], k] = sprintf("%.0f", $(4 + k))
+            else
+                pixel[$1, name[1], name[2], k] = $(4 + k)
+    }
     END {
         for (c = 1; c <= cpus; c++) {
             line = "| " cpu[c] " |"
@@ -86,15 +126,18 @@ END
                 line = line " " format[f] " |"
                 rule = rule "---:|"
             }
-            print "\n" line " 8 x 8 px |\n" rule "---:|"
+            print "\n" line " 8 x 8 px | flash | stack |\n" rule "---:|---:|---:|"
             for (p = 1; p <= paints; p++) {
                 line = "| " paint[p] " |"
                 for (f = 1; f <= formats; f++)
                     line = line " " cell(c, p, f) " |"
-                printf "%s %.0f |\n", line, small[cpu[c], paint[p]]
+                line = line " " three(small[cpu[c], paint[p], 1],
+                    small[cpu[c], paint[p], 2], small[cpu[c], paint[p], 3]) " |"
+                print line " " of_program(c, p, "flash") " | " \
+                    of_program(c, p, "stack") " |"
             }
         }
-    }' "$counts"
+    }' "$sizes" "$counts"
 }
 
 page() {

@@ -38,12 +38,12 @@ static inline uint32_t pel_blue(pel_color c)
 }
 
 /* 8-bit grey, rounded: the weights of ITU-R BT.601 in 1/256. */
-static inline uint32_t pel_luma(uint32_t red, uint32_t green, uint32_t blue)
+static PEL_HOT uint32_t pel_luma(uint32_t red, uint32_t green, uint32_t blue)
 {
     return (77 * red + 150 * green + 29 * blue + 128) >> 8;
 }
 
-static inline uint32_t pel_gray(pel_color c)
+static PEL_HOT uint32_t pel_gray(pel_color c)
 {
     return pel_luma(pel_red(c), pel_green(c), pel_blue(c));
 }
@@ -63,7 +63,7 @@ struct pel_premultiplied {
 };
 
 /* Channels are cut out by shifts: a mask would take a register. */
-static inline struct pel_premultiplied pel_premultiply(pel_color c)
+static PEL_ALWAYS_INLINE struct pel_premultiplied pel_premultiply(pel_color c)
 {
     const uint32_t alpha = 257 * pel_alpha(c);
     const struct pel_premultiplied s = {

@@ -27,6 +27,7 @@
 #endif
 #ifdef __GNUC__
 #define PEL_NOINLINE __attribute__((__noinline__))
+#define PEL_UNUSED __attribute__((__unused__))
 #define PEL_MAY_ALIAS __attribute__((__may_alias__))
 
 /* Zero bits above the highest one of v, which is not 0. */
@@ -36,6 +37,7 @@ static inline int pel_leading_zeros(uint64_t v)
 }
 #else
 #define PEL_NOINLINE
+#define PEL_UNUSED
 #define PEL_MAY_ALIAS
 
 static inline int pel_leading_zeros(uint64_t v)
@@ -61,6 +63,25 @@ static inline int pel_trailing_zeros(uint32_t v)
 #endif
 }
 
+/* PEL_HOT: runs for every pixel, row or cell, so it is inlined, even where the
+ * compiler optimises for size, but not where code is to be small: there it is a
+ * function of its own, which shares its code and frees its stack. */
+#if PEL_SMALL_CODE
+#define PEL_HOT PEL_NOINLINE PEL_UNUSED
+#elif defined(__OPTIMIZE_SIZE__)
+#define PEL_HOT PEL_ALWAYS_INLINE
+#else
+#define PEL_HOT inline
+#endif
+
+/* A loop whose variables need all registers: a function of its own where the
+ * compiler optimises for size and would not find them. */
+#if defined(__OPTIMIZE_SIZE__) && !PEL_SMALL_CODE
+#define PEL_HOT_LOOP PEL_NOINLINE
+#else
+#define PEL_HOT_LOOP inline
+#endif
+
 /* On 32-bit CPUs 64-bit numbers are long code and stack is short: there both
  * are functions of their own. On others the first is inlined, the second as the
  * compiler chooses. PEL_INLINE_KINDS: with a constant kind on 64-bit CPUs,
@@ -75,13 +96,6 @@ static inline int pel_trailing_zeros(uint32_t v)
 #define PEL_NOINLINE_32 PEL_NOINLINE
 #endif
 
-/* A function of its own, for its stack, where code is to be small. */
-#if PEL_KNOW_SIDES
-#define PEL_INLINE_FAST inline
-#else
-#define PEL_INLINE_FAST PEL_NOINLINE
-#endif
-
 /* Before a loop over three coordinates or corners: written out on 64-bit CPUs,
  * where gcc -O2 does not (clang does). */
 #if PEL_64BIT && defined(__GNUC__) && !defined(__clang__)
@@ -92,7 +106,7 @@ static inline int pel_trailing_zeros(uint32_t v)
 
 /* A loop that is a function of its own where registers are few (Thumb-1) or
  * Thumb code is to be small, and is inlined elsewhere. */
-#if defined(__thumb__) && (!defined(__thumb2__) || !PEL_KNOW_SIDES)
+#if defined(__thumb__) && (!defined(__thumb2__) || PEL_SMALL_CODE)
 #define PEL_INLINE_LOOP PEL_NOINLINE
 #else
 #define PEL_INLINE_LOOP PEL_ALWAYS_INLINE

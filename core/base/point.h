@@ -110,7 +110,7 @@ static inline bool pel_corners_legal(const struct pel_point v[3])
 {
     const uint32_t offset = pel_point_offset(v[0]) | pel_point_offset(v[1]) |
                             pel_point_offset(v[2]);
-    return PEL_KNOW_SIDES ? offset >> 24 == 0 : pel_points_legal(v, 3);
+    return PEL_SMALL_CODE ? pel_points_legal(v, 3) : offset >> 24 == 0;
 }
 
 /* Where a picture or text goes, px: -65,536..65,536. */

@@ -2,12 +2,12 @@
 
 #include "word.h"
 
-static uint32_t pack(pel_color c)
+static PEL_HOT uint32_t pack(pel_color c)
 {
     return PEL_LE32(UINT32_C(0xFF000000) | c);
 }
 
-static pel_color unpack(uint32_t p)
+static PEL_HOT pel_color unpack(uint32_t p)
 {
     return PEL_LE32(p);
 }

@@ -55,8 +55,12 @@ static PEL_ALWAYS_INLINE void pel_span16(pel_word16 *p, int32_t n,
     }
     pel_put_u16x8(p, v);
     pel_put_u16x8(end, v);
-    for (p += 8; p < end; p += 8)
+    if (n <= 16)
+        return;
+    do {
+        p += 8;
         pel_put_u16x8(p, v);
+    } while (p < end - 8);
 }
 
 #else
@@ -74,8 +78,7 @@ static inline pel_value16 pel_make_value16(uint32_t pixel)
  * loop `left` is 8 less than the pixels that remain: its low three bits are
  * theirs. Six registers: with a frame pointer Thumb-1 has no seventh. */
 #if defined(__arm__) && defined(__GNUC__)
-static PEL_INLINE_FAST void pel_put_pixels16(pel_word16 *p, int32_t n,
-                                             uint32_t v)
+static PEL_HOT void pel_put_pixels16(pel_word16 *p, int32_t n, uint32_t v)
 {
     register pel_word16 *q __asm__("r0") = p;
     register int32_t left __asm__("r1") = n;

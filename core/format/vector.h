@@ -93,7 +93,7 @@ enum pel_cover { PEL_CLEAR, PEL_MIXED, PEL_OPAQUE };
 #ifdef __SSE2__
 typedef int16_t pel_s16x8 __attribute__((__vector_size__(16)));
 
-static inline pel_u32x4 pel_dot_s16(pel_u32x4 a, pel_u32x4 b)
+static PEL_HOT pel_u32x4 pel_dot_s16(pel_u32x4 a, pel_u32x4 b)
 {
     return (pel_u32x4)__builtin_ia32_pmaddwd128((pel_s16x8)a, (pel_s16x8)b);
 }
@@ -130,7 +130,7 @@ static PEL_ALWAYS_INLINE enum pel_cover pel_cover_of(pel_u32x4 a, pel_u32x4 b)
 }
 
 #else
-static inline pel_u32x4 pel_dot_s16(pel_u32x4 a, pel_u32x4 b)
+static PEL_HOT pel_u32x4 pel_dot_s16(pel_u32x4 a, pel_u32x4 b)
 {
     const pel_s32x4 low =
         ((pel_s32x4)(a << 16) >> 16) * ((pel_s32x4)(b << 16) >> 16);

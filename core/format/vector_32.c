@@ -20,8 +20,8 @@ static inline pel_u16x8 high_bytes(pel_u32x4 v)
 }
 
 /* Four pixels; sources of the first two and of the others. */
-static inline pel_u32x4 over4(pel_u32x4 below, const struct source *a,
-                              const struct source *b)
+static PEL_HOT pel_u32x4 over4(pel_u32x4 below, const struct source *a,
+                               const struct source *b)
 {
     return (pel_u32x4)pel_join_u8x16(
         pel_divide255_u16x8(low_bytes(below) * a->rests + a->sources),
@@ -91,7 +91,7 @@ void pel_blend32(const struct pel_spans *spans, pel_color color)
 }
 
 /* Four colors over pixels of xrgb8888, whose X is set but where alpha is 0. */
-static inline pel_u32x4 colors_over4(pel_u32x4 below, pel_u32x4 colors)
+static PEL_HOT pel_u32x4 colors_over4(pel_u32x4 below, pel_u32x4 colors)
 {
     const pel_u32x4 alpha = colors >> 24, a = alpha | alpha << 16;
     const pel_u16x8 low = (pel_u16x8)PEL_LANES(a, a, 0, 0, 1, 1);

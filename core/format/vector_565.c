@@ -14,7 +14,7 @@ static inline struct order order_of(const struct pel_format *format)
                           format->id == PEL_FORMAT_RGB565_BE};
 }
 
-static inline pel_u32x4 ordered(pel_u32x4 c, struct order o)
+static PEL_HOT pel_u32x4 ordered(pel_u32x4 c, struct order o)
 {
     if (!o.is_bgr)
         return c;
@@ -39,7 +39,7 @@ static inline pel_u16x8 channel(pel_u32x4 a, pel_u32x4 b, int shift)
     return pel_narrow_u16x8(a >> shift & 0xFFu, b >> shift & 0xFFu);
 }
 
-static inline struct source source_of(pel_u32x4 a, pel_u32x4 b)
+static PEL_HOT struct source source_of(pel_u32x4 a, pel_u32x4 b)
 {
     const pel_u16x8 alpha = channel(a, b, 24);
     return (struct source){channel(a, b, 16) * alpha + 128,
@@ -47,8 +47,8 @@ static inline struct source source_of(pel_u32x4 a, pel_u32x4 b)
                            channel(a, b, 0) * alpha + 128, 255 - alpha};
 }
 
-static inline pel_u16x8 over8(pel_u16x8 v, const struct source *s,
-                              struct order o)
+static PEL_HOT pel_u16x8 over8(pel_u16x8 v, const struct source *s,
+                               struct order o)
 {
     v = swapped(v, o);
     pel_u16x8 red = (v >> 8 & 0xF8) | v >> 13;

@@ -6,8 +6,8 @@
  * bytes: with the up to 7 columns that come with them, 24 fit 32 bits. */
 enum {
     ROWS = PEL_64BIT && PEL_BATCH_ROWS > 16 ? 16
-           : PEL_KNOW_SIDES                 ? PEL_BATCH_ROWS
-                                            : PEL_BATCH_ROWS / 2,
+           : PEL_SMALL_CODE                 ? PEL_BATCH_ROWS / 2
+                                            : PEL_BATCH_ROWS,
     COLUMNS = 24
 };
 
@@ -41,7 +41,7 @@ static uint32_t bits_at(const uint8_t *row, int32_t x0, int32_t x1)
 /* Sets the span of each row to the next run of set bits on its left, or empty
  * at pixel `left`, and returns whether there are more. (Compilers for any
  * x86-64 count zeros from the low bit in one fast instruction.) */
-static PEL_INLINE_FAST bool next_runs(struct part *p, int32_t left)
+static PEL_HOT bool next_runs(struct part *p, int32_t left)
 {
     uint32_t more = 0;
     for (int32_t i = 0; i < p->rows.n; i++) {
@@ -58,8 +58,8 @@ static PEL_INLINE_FAST bool next_runs(struct part *p, int32_t left)
 }
 
 /* Takes the columns of rows from `row` on; false when no bit is set. */
-static PEL_INLINE_FAST bool take(struct part *p, const uint8_t *row,
-                                 int32_t stride, const struct pel_span *columns)
+static PEL_HOT bool take(struct part *p, const uint8_t *row, int32_t stride,
+                         const struct pel_span *columns)
 {
     uint32_t all = 0;
     for (int32_t i = 0; i < p->rows.n; i++, row += stride) {

@@ -16,7 +16,7 @@
 /* Rows of a batch: one where code is to be small, and at most 32: then errors
  * of 32 bits do for all rows but the first. */
 enum {
-    PEL_CELL_ROWS = !PEL_KNOW_SIDES       ? 1
+    PEL_CELL_ROWS = PEL_SMALL_CODE        ? 1
                     : PEL_BATCH_ROWS < 32 ? PEL_BATCH_ROWS
                                           : 32
 };
@@ -44,7 +44,7 @@ struct pel_cells {
     int32_t whole;
     int32_t rest; /* of the radius or angle, or of a linear one's error */
 
-#if PEL_KNOW_SIDES
+#if !PEL_SMALL_CODE
     const struct pel_span *span; /* the shape's, of these rows */
     int32_t end;                 /* px: where all of them have ended */
     uint8_t left;                /* spans from `span` on */
@@ -125,11 +125,33 @@ int32_t pel_spans_hull(struct pel_span *hull, const struct pel_span *span,
  * row, and hi is the next pixel. False when no pixel is left. */
 bool pel_cells_next(struct pel_cells *cells, int32_t most);
 
+/* Of narrow cells: are there more than a walk should pass? Of a way that does
+ * not begin anew it passes each once. */
+static inline bool pel_cells_are_many(const struct pel_gradient *g,
+                                      const struct pel_spans *spans)
+{
+    struct pel_span hull;
+    return g->ramp.spread != PEL_PAD ||
+           pel_spans_hull(&hull, spans->span, spans->n) < g->cells;
+}
+
+/* All rows of a horizontal gradient are alike, so one is drawn by `fill`, and
+ * the others are copied from it. False, and nothing is done: that does not pay,
+ * or is wrong (colors are blended, pixels share bytes, or the format is a
+ * dither's or the program's own). In cells_copy.c. */
+bool pel_cells_copy(const struct pel_gradient *gradient,
+                    const struct pel_spans *spans,
+                    void (*fill)(const struct pel_paint *paint,
+                                 const struct pel_spans *spans));
+
 /* Takes the color of the cell at c->place. */
 void pel_cells_color(struct pel_cells *c);
 
-/* How many cells from the one at c->place on are the same pixel value as that;
- * 0: all that may come. Moves on to the first other one. */
+/* Cells of one pixel value are one, up to so many: more may be out of sight. */
+enum { PEL_CELLS_PASSED = 2048 };
+
+/* How many cells from the one at c->place on are the same pixel value as that,
+ * so far as they are looked at; 0: all that may come. Moves on to the next. */
 int32_t pel_cells_pass(struct pel_cells *c);
 
 /* Goes on to the next cell and takes its color; false where none comes. */
@@ -198,6 +220,27 @@ static PEL_ALWAYS_INLINE void pel_cells_draw(
         }
         pel_fill_value(&c->cell, value, draw);
     } while (PEL_CELL_ROWS > 1 ? rest : left && c->x < c->hi);
+}
+
+/* Fills spans of narrow cells pixel by pixel: `start` begins a way along a row,
+ * and `colors` takes the next n >= 1 of its colors. */
+static PEL_ALWAYS_INLINE void pel_cells_put(
+    const struct pel_spans *spans, void *way,
+    void (*start)(void *way, int32_t x, int32_t y),
+    void (*colors)(void *way, int32_t n, pel_color *out))
+{
+    pel_color out[PEL_BUFFER_PIXELS];
+    const struct pel_span *span = spans->span;
+    int32_t y = spans->y;
+    for (int32_t i = spans->n; i > 0; i--, span++, y += spans->step) {
+        if (span->x0 < span->x1)
+            start(way, span->x0, y);
+        for (int32_t x = span->x0, n; x < span->x1; x += n) {
+            n = pel_min(span->x1 - x, PEL_BUFFER_PIXELS);
+            colors(way, n, out);
+            pel_put_colors(spans->surface, x, y, n, out);
+        }
+    }
 }
 
 /* Fills spans, `most` rows at a time; 0: one, and every pixel looks for its

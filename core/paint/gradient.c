@@ -35,7 +35,7 @@ static pel_color ramp_color(const struct pel_gradient *g, int32_t place)
     const int32_t cell = place < g->cells ? place : g->period - 1 - place;
     if (g->ramp.n != 2)
         return colors[cell];
-    if (!PEL_KNOW_SIDES)
+    if (PEL_SMALL_CODE)
         return mixed_by_channels(colors[0], colors[1], 2 * cell + 1);
     return pel_mixed(pel_mix_from(g, cell, 1));
 }
@@ -49,7 +49,7 @@ void pel_cells_color(struct pel_cells *c)
     c->value = opaque ? format->pack(color) : color;
 }
 
-#if PEL_KNOW_SIDES
+#if !PEL_SMALL_CODE
 
 /* Goes on to the last of the cells of two mixed colors that look like the one
  * at c->place, but not beyond the end of the way. Returns how many it passed.
@@ -172,7 +172,7 @@ int32_t pel_cells_pass(struct pel_cells *c)
             count += pass_mixed(c);
         if (count++ >= c->gradient->period || !pel_cells_more(c))
             return 0;
-    } while (c->value == value && c->draw == draw);
+    } while (c->value == value && c->draw == draw && count < PEL_CELLS_PASSED);
     return count;
 }
 
@@ -190,7 +190,7 @@ bool pel_cells_end(struct pel_cells *c, int32_t step, int32_t row, int32_t bend)
     }
     c->x = x;
     c->error = error;
-#if PEL_KNOW_SIDES
+#if !PEL_SMALL_CODE
     const int32_t rest = end_rows(c, step, row, bend);
     return (c->box ? rest : cut(c)) < 0;
 #else

@@ -4,7 +4,7 @@
 
 /* Colors between a paint and a format, a power of two: a paint starts anew for
  * every part, but there is little stack where code is to be small. */
-enum { RUN_PIXELS = PEL_64BIT ? 64 : PEL_KNOW_SIDES ? 16 : 4 };
+enum { RUN_PIXELS = PEL_64BIT ? 64 : PEL_SMALL_CODE ? 4 : 16 };
 
 /* The runs go through a short buffer in parts that begin at multiples of its
  * length; or the surface is the buffer. */

@@ -46,7 +46,7 @@ struct pel_color_paint {
 static inline bool pel_colors_in_place(const struct pel_color_paint *paint,
                                        const struct pel_surface *surface)
 {
-    return PEL_KNOW_SIDES && paint->opaque &&
+    return !PEL_SMALL_CODE && paint->opaque &&
            surface->format->id == PEL_FORMAT_XRGB8888 &&
            PEL_LE32(UINT32_C(1)) == 1;
 }

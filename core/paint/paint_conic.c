@@ -38,7 +38,7 @@ static PEL_ALWAYS_INLINE void find_angle(struct pel_cells *c)
  * before the full turn, rows below at 0. On a ray or clockwise of it is beyond
  * it above the centre, before it below. The lowest 8 bits of the cross product
  * never change from pixel to pixel. */
-static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
+static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_conic *p = (const void *)c->gradient;
     pel_cells_move(c, count, p->width, p->rest, p->base.period);

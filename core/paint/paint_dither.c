@@ -49,7 +49,7 @@ static inline const uint8_t *places_of(uint32_t n, int32_t y)
 }
 
 /* At a time; one where stack is short. */
-enum { OUT_PIXELS = PEL_KNOW_SIDES ? 8 : 1 };
+enum { OUT_PIXELS = PEL_SMALL_CODE ? 1 : 8 };
 
 /* The source draws into this surface, whose format passes on what it is given
  * to the target's, dithered. */
@@ -126,7 +126,7 @@ static void repeat_pixels(const struct pel_surface *target, int32_t x,
 {
     const int32_t bits = target->format->bits;
     uint8_t *p = (uint8_t *)pel_address(target, x, y, bits / 8);
-    if (PEL_KNOW_SIDES && bits == 16)
+    if (!PEL_SMALL_CODE && bits == 16)
         pel_pattern16((pel_word16 *)(void *)p, n);
     else
         for (n *= bits / 8; n > 0; n--, p++)
@@ -136,8 +136,8 @@ static void repeat_pixels(const struct pel_surface *target, int32_t x,
 /* 5-6-5 bits have loops of their own. */
 static inline bool is_565(const struct pel_format *format)
 {
-    return PEL_KNOW_SIDES && (format->id == PEL_FORMAT_RGB565_LE ||
-                              format->id == PEL_FORMAT_RGB565_BE);
+    return !PEL_SMALL_CODE && (format->id == PEL_FORMAT_RGB565_LE ||
+                               format->id == PEL_FORMAT_RGB565_BE);
 }
 
 static bool is_swapped(const struct pel_format *format)
@@ -145,8 +145,8 @@ static bool is_swapped(const struct pel_format *format)
     return (format->id == PEL_FORMAT_RGB565_BE) == (PEL_LE16(1) == 1);
 }
 
-static inline struct pel_row565 row565_of(const struct pel_surface *target,
-                                          int32_t x, int32_t y, int32_t n)
+static PEL_HOT struct pel_row565 row565_of(const struct pel_surface *target,
+                                           int32_t x, int32_t y, int32_t n)
 {
     pel_word16 *const p = pel_address16(target, x, y);
     const struct pel_row565 row = {p, p + n, thresholds565[y & 7],
@@ -219,7 +219,7 @@ static int32_t put_opaque(const struct pel_surface *target, int32_t x,
     const struct pel_span span = {x, x + n};
     const struct pel_spans one = {target, &span, y, 1, 0};
     const struct pel_channels *const channels = target->format->channels;
-    if (PEL_KNOW_SIDES && channels && channels->put)
+    if (!PEL_SMALL_CODE && channels && channels->put)
         return channels->put(target, &one, colors, thresholds);
     if (!is_565(target->format))
         return 0;
@@ -285,7 +285,7 @@ static const struct pel_format proxy_format = {
     .blend = fill_color,
     .put = put_colors,
     .load = load_colors,
-    .channels = PEL_KNOW_SIDES ? &proxy_channels : NULL,
+    .channels = PEL_SMALL_CODE ? NULL : &proxy_channels,
 };
 
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans);

@@ -47,17 +47,22 @@ static PEL_ALWAYS_INLINE void pel_store565(pel_word16 *p,
 
 /* n words, each like the one eight before; in pairs once the address allows it.
  */
-static inline void pel_pattern16(pel_word16 *p, int32_t n)
+static PEL_NOINLINE_32 PEL_UNUSED void pel_pattern16(pel_word16 *p, int32_t n)
 {
     pel_word16 *const end = p + n;
     for (; p < end && (uintptr_t)p % 4; p++)
         *p = p[-8];
-    pel_word32 *q = (pel_word32 *)(void *)p;
-    for (; end - p >= 8; p += 8, q += 4) {
-        q[0] = q[-4];
-        q[1] = q[-3];
-        q[2] = q[-2];
-        q[3] = q[-1];
+    if (end - p >= 8) {
+        pel_word32 *q = (pel_word32 *)(void *)p;
+        const uint32_t a = q[-4], b = q[-3], c = q[-2], d = q[-1];
+        p += (end - p) & ~(ptrdiff_t)7;
+        do {
+            q[0] = a;
+            q[1] = b;
+            q[2] = c;
+            q[3] = d;
+            q += 4;
+        } while (q != (void *)p);
     }
     for (; p < end; p++)
         *p = p[-8];
@@ -65,7 +70,7 @@ static inline void pel_pattern16(pel_word16 *p, int32_t n)
 
 #if PEL_VECTORS
 
-static inline pel_u16x8 pel_row565_places(const uint8_t *places, uint32_t x)
+static PEL_HOT pel_u16x8 pel_row565_places(const uint8_t *places, uint32_t x)
 {
     const uint32_t turn = 8 * x;
     uint64_t t;

@@ -1,16 +1,20 @@
 #include "paint_linear.h"
 
-#include <string.h>
-
 #include "../base/divide.h"
 #include "cells.h"
 
-enum { PIECE_SIZE = PEL_64BIT ? 8192 : 512 }; /* bytes of a row */
+/* Cells of a pixel, from which on to find those of pixels takes less time than
+ * to walk over all. */
+enum { NARROW = PEL_CELL_ROWS / 4 };
 enum { WIDEST = PEL_VECTORS ? 3 : 7 }; /* px: only narrower cells are walked */
 
+static inline bool is_padded(const struct pel_linear *p)
+{
+    return p->base.ramp.spread == PEL_PAD;
+}
+
 /* (P - from).d of a point. */
-static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
-                                     int32_t y)
+static PEL_HOT int64_t along(const struct pel_linear *p, int32_t x, int32_t y)
 {
     return pel_product(x - p->from.x, p->d.x) +
            pel_product(y - p->from.y, p->d.y);
@@ -20,11 +24,12 @@ static PEL_INLINE_FAST int64_t along(const struct pel_linear *p, int32_t x,
  * a padded way it is above -2^47, and |d|^2 at most. Of others lengths of two
  * ways, there and back, are taken away or added until it is above 0, and 2
  * |d|^2 at most: below 2^50. */
-static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y)
+static int64_t product_at(const struct pel_linear *p, int32_t x, int32_t y,
+                          bool padded)
 {
     int64_t product = along(p, pel_pixel_center(x), pel_pixel_center(y));
     int64_t step = p->square;
-    if (p->base.ramp.spread == PEL_PAD)
+    if (padded)
         return product < step ? product : step;
     int32_t count = 0;
     for (; (uint32_t)(step >> 32) >> 17 == 0; count++)
@@ -45,8 +50,7 @@ static int32_t unit_of(const struct pel_linear *p)
 }
 
 /* From the boundary of a cell to that of the next. */
-static inline void next_boundary(struct pel_cells *c,
-                                 const struct pel_linear *p)
+static inline void next_cell(struct pel_cells *c, const struct pel_linear *p)
 {
     c->error -= p->cell;
     c->rest -= p->cell_rest;
@@ -56,7 +60,7 @@ static inline void next_boundary(struct pel_cells *c,
     }
 }
 
-static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
+static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_linear *p = (const void *)c->gradient;
     if (PEL_CELL_ROWS == 1) {
@@ -67,20 +71,18 @@ static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
         return c->x < c->hi;
     }
     do
-        next_boundary(c, p);
+        next_cell(c, p);
     while (--count);
     return pel_cells_end(c, p->d.x, p->d.y, 0);
 }
 
 /* The cell k of a pixel by its product, bit by bit of n, so that the error
- * where it begins is 0 or more and below square. Before a padded way it is the
- * first cell, behind it the last one. */
-static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
-                                     const struct pel_linear *p,
-                                     int64_t product)
+ * where it begins is 0 or more and below square: its place. Where the way is
+ * padded, before it is the first cell, behind it the last one. */
+static int32_t find_cell(const struct pel_linear *p, int64_t product,
+                         bool padded, int64_t *rest)
 {
     const int32_t mirror = p->way >> 31; /* -1 when turned, or 0 */
-    c->way = p->way;
     int64_t error = mirror;
     /* n in the 15 upper bits makes room for k in the lower ones. */
     uint32_t bits = (uint32_t)p->base.cells << 17;
@@ -91,17 +93,25 @@ static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
         for (bits *= 2; error >= p->square; bits++)
             error -= p->square;
     }
+    *rest = error;
     const int32_t n = p->base.cells, period = p->base.period;
     int32_t place = mirror ? n - 1 - (int32_t)bits : (int32_t)bits;
     while (place >= period)
-        place -= p->base.ramp.spread == PEL_PAD ? 1 : period;
-    c->place = place < 0 ? place + period : place;
+        place -= padded ? 1 : period;
+    return place < 0 ? place + period : place;
+}
+
+static PEL_NOINLINE_32 void set_cell(struct pel_cells *c,
+                                     const struct pel_linear *p,
+                                     int64_t product)
+{
+    c->way = p->way;
+    c->place = find_cell(p, product, is_padded(p), &c->error);
     if (PEL_CELL_ROWS > 1) {
         int64_t rest;
-        error = pel_divide_64(error, unit_of(p), &rest);
+        c->error = pel_divide_64(c->error, unit_of(p), &rest);
         c->rest = (int32_t)rest;
     }
-    c->error = error;
 }
 
 /* From the row where the first pixel's product is lowest to the first. */
@@ -110,24 +120,24 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     const struct pel_linear *p = (const void *)c->gradient;
     const int32_t last =
         PEL_CELL_ROWS > 1 && p->d.y < 0 ? (c->cell.n - 1) * c->cell.step : 0;
-    set_cell(c, p, product_at(p, c->x, c->cell.y + last));
+    set_cell(c, p, product_at(p, c->x, c->cell.y + last, is_padded(p)));
     if (PEL_CELL_ROWS > 1)
         c->error -= pel_product(p->d.y, last);
 }
 
 /* A row of a vertical gradient has one color. Neighbouring rows of one pixel
  * value are drawn together. */
-static void fill_level(const struct pel_linear *p,
-                       const struct pel_spans *spans)
+static PEL_NOINLINE_32 void fill_level(const struct pel_linear *p,
+                                       const struct pel_spans *spans)
 {
     const int32_t growth = spans->step ? p->d.y : 0;
-    const bool narrow = growth >> 3 > p->cell; /* to walk them takes longer */
+    const bool narrow = growth > 8 * p->cell; /* to walk them takes longer */
     struct pel_cells c;
     struct pel_spans rows = *spans;
     pel_cells_open(&c, &p->base, spans);
     for (int32_t left = spans->n; left > 0; left -= rows.n) {
         if (left == spans->n || narrow) {
-            set_cell(&c, p, product_at(p, 0, rows.y));
+            set_cell(&c, p, product_at(p, 0, rows.y, is_padded(p)));
             pel_cells_color(&c);
         }
         const uint32_t value = c.value;
@@ -136,7 +146,7 @@ static void fill_level(const struct pel_linear *p,
         rows.n = narrow ? 1 : left;
         if (count > 0) {
             do
-                next_boundary(&c, p);
+                next_cell(&c, p);
             while (--count);
             for (rows.n = 0; c.error < 0 && rows.n < left; rows.n++)
                 c.error += growth;
@@ -148,68 +158,105 @@ static void fill_level(const struct pel_linear *p,
     }
 }
 
-static bool is_opaque(const struct pel_ramp *ramp)
+/* A way along a row from pixel to pixel, over many cells: the place, and the
+ * error where its cell begins. `outside` is below 0 before a padded way, and
+ * |d|^2 or more behind it. */
+struct pixel {
+    int64_t outside, error;
+    int32_t place;
+};
+
+struct way {
+    const struct pel_linear *paint;
+    struct pixel at, step; /* place by less than the period */
+};
+
+static PEL_NOINLINE_32 void set_step(struct way *w)
 {
-    pel_color all = ramp->colors[0];
-    for (int32_t i = 1; i < ramp->n; i++)
-        all &= ramp->colors[i];
-    return pel_alpha(all) == 255;
+    const struct pel_linear *p = w->paint;
+    int64_t place;
+    w->step.outside = is_padded(p) ? 256 * (int64_t)p->d.x : 0;
+    place = pel_divide_64(p->step, p->square, &w->step.error);
+    (void)pel_divide_64(place, p->base.period, &place);
+    w->step.place = (int32_t)place * p->way;
 }
 
-/* Cells that begin anew may be narrow: less than 1/16 px. Where boundaries lie
- * far apart from row to row, and rows cross many of them, rows are drawn one by
- * one. */
+static PEL_NOINLINE_32 void way_start(void *way, int32_t x, int32_t y)
+{
+    struct way *w = way;
+    const struct pel_linear *p = w->paint;
+    const int64_t product = along(p, pel_pixel_center(x), pel_pixel_center(y));
+    w->at.outside = is_padded(p) ? product + (p->way >> 31) : 0;
+    w->at.place = find_cell(p, product_at(p, x, y, false), false, &w->at.error);
+}
+
+static PEL_NOINLINE_32 void way_colors(void *way, int32_t n, pel_color *out)
+{
+    struct way *w = way;
+    const struct pel_linear *p = w->paint;
+    const struct pel_gradient *const g = &p->base;
+    const int64_t square = p->square;
+    struct pixel at = w->at;
+    for (; n > 0; n--, out++) {
+        int32_t place = at.place;
+        if ((uint64_t)at.outside >= (uint64_t)square)
+            place = (at.outside < 0) == (p->way > 0) ? 0 : g->cells - 1;
+        *out = g->color(g, place);
+        at.outside += w->step.outside;
+        at.error += w->step.error;
+        at.place += w->step.place;
+        if (at.error >= square) {
+            at.error -= square;
+            at.place += p->way;
+        }
+        if ((uint32_t)at.place >= (uint32_t)g->period)
+            at.place += at.place < 0 ? g->period : -g->period;
+    }
+    w->at = at;
+}
+
+static PEL_NOINLINE_32 void fill_pixels(const struct pel_linear *p,
+                                        const struct pel_spans *spans)
+{
+    struct way w;
+    w.paint = p;
+    set_step(&w);
+    pel_cells_put(spans, &w, way_start, way_colors);
+}
+
+/* Rows are drawn one by one where boundaries lie far apart from row to row, and
+ * rows cross many of them. */
 static void fill_cells(const struct pel_paint *paint,
                        const struct pel_spans *spans)
 {
     const struct pel_linear *p = (const void *)paint;
     const int64_t down = pel_size_of(p->d.y);
-    const bool narrow =
-        p->base.ramp.spread != PEL_PAD && p->step >> 4 >= p->square;
+    const bool narrow = PEL_CELL_ROWS > 1 && p->step >= NARROW * p->square &&
+                        pel_cells_are_many(&p->base, spans);
     const bool far = PEL_CELL_ROWS > 1 && down > 32 * p->d.x && down > p->cell;
     const int32_t rows = far ? 1 : PEL_CELL_ROWS;
-    pel_cells_fill(paint, spans, narrow ? 0 : rows, start, end_cells);
+    if (narrow && spans->surface->format->put)
+        fill_pixels(p, spans);
+    else
+        pel_cells_fill(paint, spans, narrow ? 0 : rows, start, end_cells);
 }
 
-/* All rows of a horizontal gradient are alike, so pieces of one are drawn into
- * a buffer and copied from there: a screen may be slow to read. False: that
- * does not pay, or is wrong (colors are blended, pixels share bytes, or the
- * format is a dither's or the program's own). */
-static bool fill_copies(const struct pel_linear *p,
-                        const struct pel_spans *spans)
+/* Opaque, and of cells that are 1/2 to WIDEST px wide: vectors are faster with
+ * others. */
+static bool can_walk(const struct pel_linear *p, const struct pel_channels *c)
 {
-    struct pel_span hull;
-    const int32_t bytes = spans->surface->format->bits / 8;
-    uint32_t buffer[PIECE_SIZE / 4];
-    struct pel_surface row = *spans->surface;
-    row.pixels = buffer;
-    if (bytes == 0 || row.format->id >= 128 || !is_opaque(&p->base.ramp) ||
-        pel_spans_hull(&hull, spans->span, spans->n) < 2 * (hull.x1 - hull.x0))
-        return false;
-    for (struct pel_span piece = hull; piece.x0 < hull.x1;
-         piece.x0 = piece.x1) {
-        piece.x1 = pel_min(piece.x0 + PIECE_SIZE / bytes, hull.x1);
-        row.bounds = (struct pel_rect){piece.x0, 0, piece.x1, 1};
-        fill_cells(&p->base.paint, &(struct pel_spans){&row, &piece, 0, 1, 1});
-        for (int32_t i = 0, y = spans->y; i < spans->n; i++, y += spans->step) {
-            const int32_t x = pel_max(spans->span[i].x0, piece.x0);
-            const int32_t n = pel_min(spans->span[i].x1, piece.x1) - x;
-            if (n > 0)
-                memcpy((void *)pel_address(spans->surface, x, y, bytes),
-                       (void *)pel_address(&row, x, 0, bytes),
-                       (size_t)(n * bytes));
-        }
-    }
-    return true;
+    const pel_color *const colors = p->base.ramp.colors;
+    return c && c->walk && p->base.ramp.n == 2 &&
+           pel_alpha(colors[0] & colors[1]) == 255 &&
+           p->cell < pel_product(WIDEST, p->d.x) && p->d.x < 2 * p->cell;
 }
 
 /* Fills the rows of a dither, which shows every cell, from the row where
- * products are least on. False, and nothing is done, unless the format can
- * walk, cells are 1/2 to WIDEST px wide (vectors are faster with others), and
- * the hull is all on one way from the first cell to the last: then errors are
- * below 256 WIDEST d.x < 2^30. */
-static bool fill_walked(const struct pel_linear *p,
-                        const struct pel_spans *spans)
+ * products are least on. False, and nothing is done, unless it can be walked,
+ * and the hull is all on one way from the first cell to the last: then errors
+ * are below 256 WIDEST d.x < 2^30. */
+static PEL_NOINLINE_32 bool fill_walked(const struct pel_linear *p,
+                                        const struct pel_spans *spans)
 {
     const struct pel_channels *const channels =
         spans->surface->format->channels;
@@ -218,30 +265,30 @@ static bool fill_walked(const struct pel_linear *p,
     const int32_t last = spans->n - 1;
     struct pel_span hull;
     struct pel_cells c;
-    if (!channels || !channels->walk || p->base.ramp.n != 2 ||
-        !is_opaque(&p->base.ramp) || p->cell >= pel_product(WIDEST, p->d.x) ||
-        p->d.x >= 2 * p->cell || !pel_spans_hull(&hull, spans->span, spans->n))
+    if (!can_walk(p, channels) || !pel_spans_hull(&hull, spans->span, spans->n))
         return false;
-    const int64_t least =
-        product_at(p, hull.x0, spans->y + up * last * spans->step);
+    const int64_t least = product_at(
+        p, hull.x0, spans->y + up * last * spans->step, is_padded(p));
     const int64_t across = pel_product(p->d.x, hull.x1 - 1 - hull.x0);
     if (least <= 0 || least + 256 * (across + growth * last) >= p->square)
         return false;
+    struct pel_walk walk = {.cell = (int32_t)p->cell,
+                            .cell_rest = p->cell_rest,
+                            .unit = unit_of(p),
+                            .step = p->d.x};
     c.gradient = &p->base;
     set_cell(&c, p, least);
-    next_boundary(&c, p);
+    next_cell(&c, p);
     for (int32_t i = 0; i <= last; i++, c.error += growth) {
-        for (; c.error >= 0; next_boundary(&c, p))
+        for (; c.error >= 0; next_cell(&c, p))
             pel_cells_go(&c);
         const int32_t k = up ? last - i : i;
         const struct pel_span run = spans->span[k];
         if (run.x0 >= run.x1)
             continue;
-        const struct pel_mix mix = pel_mix_from(&p->base, c.place, p->way);
-        const int32_t error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0);
-        const struct pel_walk walk = {
-            mix,          error,      c.rest, (int32_t)p->cell,
-            p->cell_rest, unit_of(p), p->d.x};
+        walk.mix = pel_mix_from(&p->base, c.place, p->way);
+        walk.error = (int32_t)c.error + p->d.x * (run.x0 - hull.x0);
+        walk.rest = c.rest;
         if (!channels->walk(spans->surface, run.x0, spans->y + k * spans->step,
                             run.x1 - run.x0, &walk))
             return false;
@@ -255,7 +302,8 @@ static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
     if (PEL_CELL_ROWS > 1 && p->d.x == 0)
         fill_level(p, spans);
     else if (PEL_CELL_ROWS == 1 ||
-             ((p->d.y || !fill_copies(p, spans)) && !fill_walked(p, spans)))
+             ((p->d.y || !pel_cells_copy(&p->base, spans, fill_cells)) &&
+              !fill_walked(p, spans)))
         fill_cells(paint, spans);
 }
 

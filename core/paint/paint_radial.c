@@ -1,7 +1,11 @@
 #include "paint_radial.h"
 
 #include "../base/divide.h"
+#include "../raster/edge.h"
 #include "cells.h"
+
+/* Rings narrower than so many 1/256 px are not walked over one by one. */
+enum { NARROW = 256 / PEL_CELL_ROWS };
 
 /* One side of the rings, left or right of the centre. Squares of distances are
  * counted in 512ths: from pixel to pixel and from row to row they grow by whole
@@ -27,7 +31,7 @@ static PEL_NOINLINE_32 void add_circle(struct pel_cells *c,
     c->error += way < 0 ? -square : square;
 }
 
-static PEL_INLINE_FAST bool end_cells(struct pel_cells *c, int32_t count)
+static PEL_HOT bool end_cells(struct pel_cells *c, int32_t count)
 {
     const struct pel_radial *p = (const void *)c->gradient;
     const struct pel_point center = p->rings.center;
@@ -51,14 +55,15 @@ static int32_t first_row(const struct pel_cells *c, int32_t center)
                       : pel_farthest_pixel(y, end, center);
 }
 
-/* Of the square of a distance, below 2^51, in the error: its root, rounded up,
- * less 1, bit by bit. 0 of 0. */
-static PEL_NOINLINE_32 void find_root(struct pel_cells *c)
+/* The root of the square of a distance, below 2^51, rounded up, less 1, bit by
+ * bit. 0 of 0. */
+static PEL_NOINLINE_32 int32_t root_of(int64_t square)
 {
-    c->whole = 0;
+    int32_t root = 0;
     for (int32_t bit = 1 << 25; bit; bit >>= 1)
-        if (pel_square(c->whole + bit) < c->error)
-            c->whole += bit;
+        if (pel_square(root + bit) < square)
+            root += bit;
+    return root;
 }
 
 static int32_t quotient(int64_t n, int32_t d)
@@ -102,7 +107,7 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
         c->hi = pel_min(c->hi, split);
     }
     c->error = pel_radial_square(p, c->x, first_row(c, p->rings.center.y));
-    find_root(c);
+    c->whole = root_of(c->error);
     find_ring(c, p);
     c->error = (pel_radial_square(p, c->x, c->cell.y) >> 9) - 1;
     if (c->way < 0)
@@ -110,12 +115,100 @@ static PEL_ALWAYS_INLINE void start(struct pel_cells *c)
     add_circle(c, p, -c->way);
 }
 
+/* A way along a row from pixel to pixel, over many rings: the largest whole
+ * number below the distance, from 0 on, and by how much the square of the
+ * distance is larger than its square, which grows by `change` to the next
+ * pixel. The ring, below the period where it begins anew, and what is left of
+ * the division that finds it. */
+struct way {
+    const struct pel_radial *paint;
+    int64_t over, change;
+    int32_t root, rest;
+    uint32_t ring;
+};
+
+static PEL_NOINLINE_32 void way_start(void *way, int32_t x, int32_t y)
+{
+    struct way *w = way;
+    const struct pel_radial *p = w->paint;
+    const uint32_t radius = (uint32_t)p->rings.radius;
+    const int64_t square = pel_radial_square(p, x, y);
+    const int32_t root = root_of(square);
+    w->root = root;
+    w->over = square - pel_square(root);
+    w->change =
+        pel_product(512, pel_pixel_center(x) - p->rings.center.x) + 65536;
+    const int64_t parts = pel_product(root + 1, p->base.cells) - 1;
+    w->ring = pel_divide((uint64_t)parts, radius);
+    w->rest = (int32_t)((uint32_t)parts - w->ring * radius);
+    w->ring += (uint32_t)p->first;
+    if (p->base.ramp.spread != PEL_PAD)
+        w->ring %= (uint32_t)p->base.period;
+}
+
+/* The root of the next pixel is larger by at most 256, or smaller. */
+static PEL_NOINLINE_32 int32_t next_root(struct way *w)
+{
+    int32_t root = w->root < 256 ? 0 : w->root - 256;
+    int64_t over =
+        w->over + w->change + pel_product(w->root - root, w->root + root);
+    for (int32_t bit = 512; bit; bit >>= 1) {
+        const int64_t more = pel_product(2 * root + bit, bit);
+        if (more < over) {
+            over -= more;
+            root += bit;
+        }
+    }
+    w->change += 131072;
+    w->over = over;
+    return root;
+}
+
+/* |root - w->root| n <= 2^23: a way and a ring at most. */
+static void way_next(struct way *w)
+{
+    const struct pel_radial *p = w->paint;
+    const uint32_t period = (uint32_t)p->base.period;
+    const int32_t root = next_root(w);
+    w->ring += (uint32_t)pel_floor_divide(
+        w->rest + (root - w->root) * p->base.cells, p->rings.radius, &w->rest);
+    w->root = root;
+    if (p->base.ramp.spread != PEL_PAD)
+        while (w->ring >= period)
+            w->ring += (int32_t)w->ring < 0 ? period : 0 - period;
+}
+
+static PEL_NOINLINE_32 void way_colors(void *way, int32_t n, pel_color *out)
+{
+    struct way *w = way;
+    const struct pel_gradient *const g = &w->paint->base;
+    const uint32_t last = (uint32_t)g->period - 1;
+    for (; n > 0; n--, way_next(w)) {
+        const uint32_t ring = w->over ? w->ring : (uint32_t)w->paint->first;
+        *out++ = g->color(g, (int32_t)(ring < last ? ring : last));
+    }
+}
+
+static PEL_NOINLINE_32 void fill_pixels(const struct pel_radial *p,
+                                        const struct pel_spans *spans)
+{
+    struct way w;
+    w.paint = p;
+    pel_cells_put(spans, &w, way_start, way_colors);
+}
+
+/* Of rings so narrow that a pixel has many of them. */
 static void fill(const struct pel_paint *paint, const struct pel_spans *spans)
 {
     const struct pel_radial *p = (const void *)paint;
-    const bool narrow = p->base.ramp.spread != PEL_PAD &&
-                        p->rings.radius < 4 * p->base.cells; /* than 1/64 px */
-    if (!(PEL_FAST_FILLS && PEL_64BIT && pel_radial_fast(p, spans)))
+    const bool narrow = PEL_CELL_ROWS > 1 &&
+                        p->rings.radius < NARROW * p->base.cells &&
+                        pel_cells_are_many(&p->base, spans);
+    if (PEL_FAST_FILLS && PEL_64BIT && pel_radial_fast(p, spans))
+        return;
+    if (narrow && spans->surface->format->put)
+        fill_pixels(p, spans);
+    else
         pel_cells_fill(paint, spans, narrow ? 0 : PEL_CELL_ROWS, start,
                        end_cells);
 }

@@ -1,13 +1,13 @@
 #include "paint_texture_fetch.h"
 
 /* a (256 - f) + b f in both 16-bit halves of a word: at most 255 * 256. */
-static inline uint32_t mix_halves(uint32_t a, uint32_t b, uint32_t f)
+static PEL_HOT uint32_t mix_halves(uint32_t a, uint32_t b, uint32_t f)
 {
     return a * 256 + (b - a) * f;
 }
 
 /* a (256 - f) + b f, rounded to 1/65,536, of halves up to 255 * 256. */
-static inline uint32_t mix_lines(uint32_t a, uint32_t b, uint32_t f)
+static PEL_HOT uint32_t mix_lines(uint32_t a, uint32_t b, uint32_t f)
 {
     uint32_t low = (a & 0xFFFFu) * (256 - f) + (b & 0xFFFFu) * f + 32768;
     uint32_t high = (a >> 16) * (256 - f) + (b >> 16) * f + 32768;
@@ -130,7 +130,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     const struct pel_texture *p = (const void *)paint;
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y, PEL_TEXTURE_HALF_BACK);
-    if (PEL_KNOW_SIDES && pel_texture_axes_inside(&a, p, n, 1))
+    if (!PEL_SMALL_CODE && pel_texture_axes_inside(&a, p, n, 1))
         inner(p, &a, n, out);
     else if (PEL_64BIT && is_slow(&a.u, p->map.u.dx) &&
              is_slow(&a.v, p->map.v.dx))

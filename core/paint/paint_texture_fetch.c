@@ -8,7 +8,7 @@ static enum pel_texture_kind kind_of(const struct pel_format *format)
         return PEL_TEXTURE_XRGB8888;
     if (format->id == PEL_FORMAT_RGB565_LE)
         return PEL_TEXTURE_RGB565_LE;
-    if (PEL_KNOW_SIDES && format->bits == 8 && format->id < PEL_FORMAT_MONO1)
+    if (!PEL_SMALL_CODE && format->bits == 8 && format->id < PEL_FORMAT_MONO1)
         return PEL_TEXTURE_BYTE;
     return PEL_TEXTURE_ANY;
 }

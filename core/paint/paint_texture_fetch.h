@@ -33,8 +33,8 @@ static inline pel_color pel_texel_of_565(uint32_t w)
                    pel_widen(w & 31, 5));
 }
 
-static PEL_INLINE_KINDS pel_color pel_texel(const struct pel_texture *p,
-                                            int kind, int32_t u, int32_t v)
+static PEL_HOT pel_color pel_texel(const struct pel_texture *p, int kind,
+                                   int32_t u, int32_t v)
 {
     const void *line = pel_texture_line(p, v);
     if (kind == PEL_TEXTURE_COLORS)
@@ -43,7 +43,7 @@ static PEL_INLINE_KINDS pel_color pel_texel(const struct pel_texture *p,
         return PEL_LE32(((const pel_word32 *)line)[u]) | UINT32_C(0xFF000000);
     if (kind == PEL_TEXTURE_RGB565_LE)
         return pel_texel_of_565(PEL_LE16(((const pel_word16 *)line)[u]));
-    if (PEL_KNOW_SIDES && kind == PEL_TEXTURE_BYTE)
+    if (!PEL_SMALL_CODE && kind == PEL_TEXTURE_BYTE)
         return p->surface->format->unpack(((const uint8_t *)line)[u]);
     pel_color color;
     p->surface->format->load(p->surface, u + p->surface->bounds.x0,
@@ -169,7 +169,7 @@ static PEL_ALWAYS_INLINE void pel_texture_run(
 static inline const struct pel_surface *pel_texture_copied_to(
     const struct pel_texture *p, const struct pel_surface *s)
 {
-    if (PEL_KNOW_SIDES && s->format->channels && s->format->channels->target)
+    if (!PEL_SMALL_CODE && s->format->channels && s->format->channels->target)
         s = s->format->channels->target(s);
     return p->surface && p->surface->format == s->format &&
                    (s->format->id == PEL_FORMAT_RGB565_LE ||

@@ -24,8 +24,11 @@ static PEL_ALWAYS_INLINE void inner_run(const struct pel_texture *p, int kind,
 {
     const uint64_t du = p->map.u.dx, dv = p->map.v.dx;
     uint64_t u = a->u.at, v = a->v.at;
-    for (; n > 0; n--, u += du, v += dv)
+    do {
         *out++ = pel_texel(p, kind, (int32_t)(u >> 32), (int32_t)(v >> 32));
+        u += du;
+        v += dv;
+    } while (--n);
 }
 
 static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
@@ -34,7 +37,7 @@ static void colors(const struct pel_color_paint *paint, int32_t x, int32_t y,
     const struct pel_texture *p = (const void *)paint;
     struct pel_texture_axes a;
     pel_texture_axes_start(&a, p, x, y, 0);
-    if (PEL_KNOW_SIDES && pel_texture_axes_inside(&a, p, n, 0))
+    if (!PEL_SMALL_CODE && pel_texture_axes_inside(&a, p, n, 0))
         pel_texture_run(p, &a, n, out, inner_run);
     else
         outer_run(p, &a, n, out);

@@ -10,7 +10,7 @@
  * stack, of which collecting shapes use much. */
 enum {
     PEL_COLLECT_ROWS =
-        PEL_64BIT || PEL_KNOW_SIDES ? PEL_BATCH_ROWS : PEL_BATCH_ROWS / 2
+        !PEL_64BIT && PEL_SMALL_CODE ? PEL_BATCH_ROWS / 2 : PEL_BATCH_ROWS
 };
 
 struct pel_collector {

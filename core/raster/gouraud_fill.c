@@ -37,29 +37,36 @@ static PEL_ALWAYS_INLINE void fill_words(const struct pel_gouraud *g,
 
 #else
 
-/* Of rgb565_le. Channels and steps have variables of their own, which stay in
- * registers. */
-static PEL_NOINLINE void fill_words(const struct pel_gouraud *gouraud,
-                                    const struct pel_spans *spans, int bytes)
+/* n >= 1 pixels of rgb565_le. Channels and steps have variables of their own,
+ * which stay in registers, as this is a function of its own. */
+static PEL_NOINLINE void fill_row(const struct pel_gouraud *gouraud,
+                                  pel_word16 *p, int32_t n, const uint32_t v[3])
 {
     const uint32_t db = gouraud->dx[0], dg = gouraud->dx[1],
                    dr = gouraud->dx[2];
+    uint32_t b = v[0], g = v[1], r = v[2];
+#pragma GCC unroll 8
+    do {
+        const uint32_t pixel = (r >> 27) << 11 | (g >> 26) << 5 | b >> 27;
+        *p++ = (pel_word16)PEL_LE16(pixel);
+        b += db;
+        g += dg;
+        r += dr;
+    } while (--n);
+}
+
+static PEL_NOINLINE void fill_words(const struct pel_gouraud *g,
+                                    const struct pel_spans *spans, int bytes)
+{
+    const struct pel_span *span = spans->span, *const end = span + spans->n;
     int32_t y = spans->y;
     (void)bytes;
-    for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
-        const int32_t x = spans->span[i].x0;
-        pel_word16 *p = pel_address16(spans->surface, x, y);
+    for (; span < end; span++, y += spans->step) {
         uint32_t v[3];
-        pel_gouraud_at(gouraud, x, y, v);
-        uint32_t b = v[0], g = v[1], r = v[2];
-#pragma GCC unroll 8
-        for (int32_t n = spans->span[i].x1 - x; n > 0; n--) {
-            const uint32_t pixel = (r >> 27) << 11 | (g >> 26) << 5 | b >> 27;
-            *p++ = (pel_word16)PEL_LE16(pixel);
-            b += db;
-            g += dg;
-            r += dr;
-        }
+        pel_gouraud_at(g, span->x0, y, v);
+        if (span->x0 < span->x1)
+            fill_row(g, pel_address16(spans->surface, span->x0, y),
+                     span->x1 - span->x0, v);
     }
 }
 
@@ -86,7 +93,7 @@ static PEL_NOINLINE void fill_any(const struct pel_gouraud *g,
     int32_t y = spans->y;
     for (int32_t i = 0; i < spans->n; i++, y += spans->step) {
         struct pel_span part = spans->span[i];
-        if (PEL_KNOW_SIDES && fill_planes(g, spans->surface, y, &part))
+        if (!PEL_SMALL_CODE && fill_planes(g, spans->surface, y, &part))
             continue;
         for (int32_t n; part.x0 < part.x1; part.x0 += n) {
             n = pel_min(part.x1 - part.x0, PEL_BUFFER_PIXELS);

@@ -36,9 +36,8 @@ static PEL_INLINE_LOOP void pel_edge_walk(struct pel_edge *edge, int32_t *x,
 
 /* Begins in row y, above `last`: the edge from `top` to `end`, or the next one
  * where that ends above y. */
-static PEL_INLINE_FAST void pel_side_start(struct pel_side *s,
-                                           const struct pel_point *top,
-                                           int32_t y)
+static PEL_HOT void pel_side_start(struct pel_side *s,
+                                   const struct pel_point *top, int32_t y)
 {
     if (pel_first_pixel(s->end->y) <= y) {
         top = s->end;

@@ -17,7 +17,7 @@ static enum side side_of(const struct pel_point *const p[3],
     const int32_t dy = p[1]->y - p[0]->y, height = p[2]->y - p[0]->y;
     int32_t low = pel_min(a, c), high = pel_max(a, c);
     enum side side = b > low ? LEFT : RIGHT;
-    if (!PEL_KNOW_SIDES)
+    if (PEL_SMALL_CODE)
         return UNKNOWN;
     if (b > low && b < high) {
         if ((height | (high - low)) >> 15)

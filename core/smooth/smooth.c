@@ -108,9 +108,8 @@ static inline void weigh_colors(struct pel_smooth *smooth, int32_t n,
 }
 
 /* At most as many pixels as the buffer has. */
-static PEL_INLINE_FAST void paint_part(struct pel_smooth *smooth, int32_t x,
-                                       int32_t y, int32_t n,
-                                       const uint8_t *coverage)
+static PEL_HOT void paint_part(struct pel_smooth *smooth, int32_t x, int32_t y,
+                               int32_t n, const uint8_t *coverage)
 {
     const struct pel_surface *const target = smooth->target;
     if (smooth->flat) {
@@ -124,9 +123,8 @@ static PEL_INLINE_FAST void paint_part(struct pel_smooth *smooth, int32_t x,
 }
 
 /* Without the pixels of 0 at both ends. */
-static PEL_INLINE_FAST void paint_edge(struct pel_smooth *smooth, int32_t x,
-                                       int32_t y, int32_t n,
-                                       const uint8_t *coverage)
+static PEL_HOT void paint_edge(struct pel_smooth *smooth, int32_t x, int32_t y,
+                               int32_t n, const uint8_t *coverage)
 {
     for (; n > 0 && coverage[n - 1] == 0; n--)
         ;

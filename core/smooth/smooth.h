@@ -43,7 +43,7 @@ struct pel_smooth_row {
 enum { PEL_SMOOTH_FORMAT = 253 };
 
 /* Pixels that are weighed at a time. */
-enum { PEL_SMOOTH_PIXELS = PEL_64BIT ? 64 : PEL_KNOW_SIDES ? 8 : 4 };
+enum { PEL_SMOOTH_PIXELS = PEL_64BIT ? 64 : PEL_SMALL_CODE ? 4 : 8 };
 
 struct pel_smooth {
     struct pel_surface surface; /* first: of `colors` */

@@ -3,7 +3,7 @@
 #include "smooth_sweep.h"
 
 /* Bytes of a part of a row. */
-enum { BYTES = PEL_64BIT ? 64 : PEL_KNOW_SIDES ? 16 : 8 };
+enum { BYTES = PEL_64BIT ? 64 : PEL_SMALL_CODE ? 8 : 16 };
 
 typedef char pel_smooth_polygon_fits[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) >=
                                              sizeof(struct pel_smooth_edge) +

@@ -1,7 +1,7 @@
 #include "smooth_rectangle.h"
 
 /* Pixels of a part of a row of the same coverage. */
-enum { BYTES = PEL_64BIT ? 64 : PEL_KNOW_SIDES ? 16 : 8 };
+enum { BYTES = PEL_64BIT ? 64 : PEL_SMALL_CODE ? 8 : 16 };
 
 /* The part of pixel i that lies in [from, to), 1/256. */
 static int32_t part_of(int32_t i, int32_t from, int32_t to)

@@ -1,11 +1,16 @@
-# Core and programs for CPUs without an operating system, small. Objects of CPU
-# and level: build/mcu/CPU-Os/. Included by whoever builds such programs; once is
-# enough.
+# Core and programs for CPUs without an operating system. A build is named
+# CPU-LEVEL, and its objects are in build/mcu/CPU-LEVEL/. Included by whoever
+# builds such programs; once is enough.
 ifndef MCU_CPUS
 
 .PHONY: need-arm need-qemu-arm
 
 MCU_CPUS := cortex-m0plus cortex-m4 cortex-m7 cortex-m33 arm926 rv32imc
+
+MCU_LEVELS := O2 Os small
+MCU_FLAGS_O2 := -O2
+MCU_FLAGS_Os := -Os
+MCU_FLAGS_small := -Os -DPEL_SMALL_CODE=1
 
 # memcpy and memset, where a program needs them, are those of newlib-nano, on
 # RISC-V of picolibc; the compiler's helpers come from libgcc.
@@ -30,16 +35,18 @@ need-arm: | need-boards
 need-qemu-arm:
 	@tests/tools/need.sh qemu-system-arm:qemu-system-arm
 
-# $1 CPU, $2 optimisation
+# $1 build, $2 CPU, $3 level
 define mcu_objects
-$(BUILD)/mcu/$1$2/%.o: %.c | need-arm
+MCU_COMPILE_$1 = $(MCU_CC_$2) $(MCU_FLAGS_$3) $$(MCU_CFLAGS)
+$(BUILD)/mcu/$1/%.o: %.c | need-arm
 	@mkdir -p $$(@D)
-	$(MCU_CC_$1) $2 $(MCU_CFLAGS) -c $$< -o $$@
-$(BUILD)/mcu/$1$2/libpel.a: $(CORE:%.c=$(BUILD)/mcu/$1$2/%.o)
+	$$(MCU_COMPILE_$1) -c $$< -o $$@
+$(BUILD)/mcu/$1/libpel.a: $(CORE:%.c=$(BUILD)/mcu/$1/%.o)
 	rm -f $$@
 	$(AR) rcs $$@ $$^
 endef
-$(foreach c,$(MCU_CPUS),$(eval $(call mcu_objects,$c,-Os)))
+$(foreach c,$(MCU_CPUS),$(foreach l,$(MCU_LEVELS),$(eval $(call \
+    mcu_objects,$c-$l,$c,$l))))
 
 -include $(wildcard $(BUILD)/mcu/*/*/*.d $(BUILD)/mcu/*/*/*/*.d)
 .PRECIOUS: $(BUILD)/mcu/%.o

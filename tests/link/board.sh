@@ -1,8 +1,8 @@
 # The board that stands for a CPU in QEMU; sourced by the scripts beside it.
 
-# board CPU
+# board CPU-LEVEL
 board() {
-    case $1 in
+    case ${1%-*} in
     cortex-m0plus) echo microbit ;;
     cortex-m4) echo mps2-an386 ;;
     cortex-m7) echo mps2-an500 ;;
@@ -12,10 +12,10 @@ board() {
     esac
 }
 
-# run_on_board CPU ELF : what the program writes
+# run_on_board CPU-LEVEL ELF : what the program writes
 run_on_board() {
     arch=arm
-    [ "$1" != rv32imc ] || arch=riscv32
+    case $1 in rv32*) arch=riscv32 ;; esac
     QEMU_AUDIO_DRV=none timeout 60 qemu-system-$arch -M $(board "$1") -display none \
         -monitor none -serial none -chardev stdio,id=out \
         -semihosting-config enable=on,target=native,chardev=out \

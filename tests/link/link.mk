@@ -15,11 +15,17 @@ LINK_PAINTS := flat flat_alpha gouraud linear radial conic hue fan nearest \
     nearest_colors bilinear dither user
 LINK_FILES := $(filter-out shape paint pairs,$(basename $(notdir $(wildcard \
     tests/link/*.c))))
-# All of them for two CPUs, of which other ones differ little.
+# All of them for two CPUs, of which other ones differ little; at -O2 those of
+# docs/MATRIX.md, which has paints of these two.
 LINK_WHOLE := cortex-m0plus cortex-m4
 LINK_ALL := $(LINK_FILES) $(LINK_SHAPES:%=shape_%) $(LINK_PAINTS:%=paint_%)
-$(foreach c,$(MCU_CPUS),$(eval LINK_PROGRAMS_$c := $(if $(filter \
-    $c,$(LINK_WHOLE)),$(LINK_ALL),$(LINK_FILES))))
+LINK_MATRIX := flat flat_circle_alpha scene
+LINK_BUILDS := $(foreach l,$(MCU_LEVELS),$(MCU_CPUS:%=%-$l))
+LINK_WHOLE_BUILDS := $(foreach l,small Os,$(LINK_WHOLE:%=%-$l))
+$(foreach b,$(LINK_BUILDS),$(eval LINK_PROGRAMS_$b := $(if $(filter \
+    %-O2,$b),$(LINK_MATRIX) $(if $(filter $b,$(LINK_WHOLE:%=%-O2)),\
+        $(LINK_PAINTS:%=paint_%)),$(if $(filter \
+    $b,$(LINK_WHOLE_BUILDS)),$(LINK_ALL),$(LINK_FILES)))))
 
 # The M0+ programs run on a Cortex-M0, which traps what a v6-M core cannot do.
 LINK_BOARD_cortex-m0plus := microbit
@@ -29,33 +35,37 @@ LINK_BOARD_cortex-m33 := mps2_an505
 LINK_BOARD_arm926 := versatilepb
 LINK_BOARD_rv32imc := virt
 
-# $1 CPU
+# $1 build, $2 CPU
 define link_programs
-$(BUILD)/mcu/$1-Os/libdrivers.a: $(DRIVERS:%.c=$(BUILD)/mcu/$1-Os/%.o)
+$(BUILD)/mcu/$1/libdrivers.a: $(DRIVERS:%.c=$(BUILD)/mcu/$1/%.o)
 	rm -f $$@
 	$(AR) rcs $$@ $$^
-$(BUILD)/link/$1/%.elf: $(BUILD)/mcu/$1-Os/tests/link/%.o \
-    $(MCU_PORT:%.c=$(BUILD)/mcu/$1-Os/%.o) $(BUILD)/mcu/$1-Os/libdrivers.a \
-    $(BUILD)/mcu/$1-Os/libpel.a
+$(BUILD)/link/$1/%.elf: $(BUILD)/mcu/$1/tests/link/%.o \
+    $(MCU_PORT:%.c=$(BUILD)/mcu/$1/%.o) $(BUILD)/mcu/$1/libdrivers.a \
+    $(BUILD)/mcu/$1/libpel.a
 	@mkdir -p $$(@D)
-	$(MCU_CC_$1) $(MCU_LDFLAGS) -Wl,--wrap=main -Wl,-Map=$$@.map \
-	    $(call mcu_script,$(LINK_BOARD_$1)) $$^ -o $$@
-$(BUILD)/mcu/$1-Os/tests/link/shape_%.o: tests/link/shape.c | need-arm
+	$(MCU_CC_$2) $(MCU_LDFLAGS) -Wl,--wrap=main -Wl,-Map=$$@.map \
+	    $(call mcu_script,$(LINK_BOARD_$2)) $$^ -o $$@
+$(BUILD)/mcu/$1/tests/link/shape_%.o: tests/link/shape.c | need-arm
 	@mkdir -p $$(@D)
-	$(MCU_CC_$1) -Os $(MCU_CFLAGS) -DDRAW=draw_$$* -c $$< -o $$@
-$(BUILD)/mcu/$1-Os/tests/link/paint_%.o: tests/link/paint.c | need-arm
+	$$(MCU_COMPILE_$1) -DDRAW=draw_$$* -c $$< -o $$@
+$(BUILD)/mcu/$1/tests/link/paint_%.o: tests/link/paint.c | need-arm
 	@mkdir -p $$(@D)
-	$(MCU_CC_$1) -Os $(MCU_CFLAGS) -DMAKE=make_$$* -c $$< -o $$@
+	$$(MCU_COMPILE_$1) -DMAKE=make_$$* -c $$< -o $$@
 endef
-$(foreach c,$(MCU_CPUS),$(eval $(call link_programs,$c)))
+$(foreach c,$(MCU_CPUS),$(foreach l,$(MCU_LEVELS),$(eval $(call \
+    link_programs,$c-$l,$c))))
 
-MCU_CORE_OBJECTS := $(foreach c,$(MCU_CPUS),$(CORE:%.c=$(BUILD)/mcu/$c-Os/%.o))
-LINK_ELFS := $(foreach c,$(MCU_CPUS),\
-    $(patsubst %,$(BUILD)/link/$c/%.elf,$(LINK_PROGRAMS_$c) \
-        $(if $(filter $c,$(LINK_WHOLE)),pairs)))
+# The levels that firmware is built with.
+MCU_CORE_OBJECTS := $(foreach c,$(MCU_CPUS),$(foreach l,small Os,\
+    $(CORE:%.c=$(BUILD)/mcu/$c-$l/%.o)))
+LINK_ELFS := $(foreach b,$(LINK_BUILDS),\
+    $(patsubst %,$(BUILD)/link/$b/%.elf,$(LINK_PROGRAMS_$b) \
+        $(if $(filter $b,$(LINK_WHOLE_BUILDS)),pairs)))
 
 # Bytes of stack that any shape with any paint may take.
-LINK_STACK := 384
+LINK_STACK_small := 384
+LINK_STACK_Os := 1024
 
 # The program of the guide, compiled and linked; its registers are no board's of
 # QEMU.
@@ -69,11 +79,10 @@ $(BUILD)/link/guide.elf: docs/firmware.md tests/link/guide.sh \
 
 # With ACCEPT=1 what is measured becomes the new limit.
 size: $(MCU_CORE_OBJECTS) $(LINK_ELFS) $(BUILD)/link/guide.elf | need-qemu-arm ## bytes and stack on small CPUs: build/size.tsv
-	printf '%s\n' $(foreach c,$(MCU_CPUS),'$c $(LINK_PROGRAMS_$c)') | \
+	printf '%s\n' $(foreach b,$(LINK_BUILDS),'$b $(LINK_PROGRAMS_$b)') | \
 	    tests/link/size.sh $(BUILD) >$(BUILD)/size.tsv
 	tests/link/budgets.sh $(BUILD)/size.tsv $(ACCEPT)
 	bench/mcu/matrix.sh $(ACCEPT)
-	for cpu in $(LINK_WHOLE); do \
-	    tests/link/pairs.sh $$cpu $(BUILD)/link/$$cpu/pairs.elf \
-	        $(LINK_STACK) >$(BUILD)/stack_$$cpu.tsv || exit 1; \
-	done
+	$(foreach b,$(LINK_WHOLE_BUILDS),tests/link/pairs.sh $b \
+	    $(BUILD)/link/$b/pairs.elf $(LINK_STACK_$(lastword $(subst \
+	    -, ,$b))) >$(BUILD)/stack_$b.tsv &&) :

@@ -1,5 +1,5 @@
 #!/bin/sh
-# pairs.sh CPU ELF BUDGET : the stack of every shape with every paint as pairs.c
+# pairs.sh CPU-LEVEL ELF BUDGET : the stack of every shape with every paint as pairs.c
 # measures it on its board, as TSV, a row for each shape: what pel_SHAPE and all
 # below it use. Fails when a pair is above the budget.
 set -eu

@@ -1,14 +1,15 @@
 #!/bin/sh
-# size.sh BUILD : what core costs on microcontrollers, as TSV, for each line `CPU
-# PROGRAM...` of the input: a row for every object of core, whose stack is its
-# largest frame, one for the objects that a flat triangle needs, and one for every
-# program of tests/link, linked. A program's text and data are without start-up
-# code, its bss holds its own pixels; its stack is that of the deepest call from
-# main, by the call graph, and beside it what was used when the program ran on a
-# board. Of CPUs other than Cortex-M what was used stands for both. The text of
-# panel_CHIP is what the program has of drivers/.
+# size.sh FOLDER : what core costs on microcontrollers, as TSV, for each line
+# `CPU-LEVEL PROGRAM...` of the input, a build in FOLDER: a row for every object
+# of core, whose stack is its largest frame, one for the objects that a flat
+# triangle needs, neither at -O2, and one for every program of tests/link, linked.
+# A program's text and data are without start-up code, its bss holds its own
+# pixels; its stack is that of the deepest call from main, by the call graph, and
+# beside it what was used when the program ran on a board. Of CPUs other than
+# Cortex-M what was used stands for both. The text of panel_CHIP is what the
+# program has of drivers/.
 set -eu
-build=$1
+folder=$1
 here=$(dirname "$0")
 . "$here/board.sh"
 formats=$(basename -s .c core/format/*.c | tr '\n' ' ')
@@ -18,13 +19,13 @@ fail() {
     exit 1
 }
 
-# object CPU OBJECT
+# object BUILD OBJECT
 object_row() {
     frame=-
     [ -z "$graph" ] || frame=$("$tools-objdump" -d --no-show-raw-insn "$2" |
         awk -f "$here/stack.awk")
     "$tools-size" "$2" | awk -v cpu="$1" -v stack="$frame" \
-        -v name="${2#"$build/mcu/$1-Os/"}" 'BEGIN { OFS = "\t" }
+        -v name="${2#"$folder/mcu/$1/"}" 'BEGIN { OFS = "\t" }
         NR == 2 { print cpu, name, $1, $2, $3, stack, "-" }'
 }
 
@@ -34,7 +35,7 @@ flat_row() {
     objects=
     for name in raster/triangle raster/paint_flat format/fill \
         format/rgb565_le; do
-        objects="$objects $build/mcu/$1-Os/core/$name.o"
+        objects="$objects $folder/mcu/$1/core/$name.o"
     done
     "$tools-size" -A $objects | awk -v cpu="$1" 'BEGIN { OFS = "\t" }
         / *:$/ { part = /format/ }
@@ -90,17 +91,22 @@ program_row() {
 }
 
 printf 'cpu\tfeature\ttext\tdata\tbss\tstack\tstack_used\n'
-while read -r cpu programs; do
-    case $cpu in
+while read -r build programs; do
+    case $build in
     rv32*) tools=riscv64-unknown-elf graph= ;;
-    arm926) tools=arm-none-eabi graph= ;;
+    arm926*) tools=arm-none-eabi graph= ;;
     *) tools=arm-none-eabi graph=yes ;;
     esac
-    for source in core/*/*.c; do
-        object_row "$cpu" "$build/mcu/$cpu-Os/${source%.c}.o"
-    done
-    flat_row "$cpu"
+    case $build in
+    *-O2) ;;
+    *)
+        for source in core/*/*.c; do
+            object_row "$build" "$folder/mcu/$build/${source%.c}.o"
+        done
+        flat_row "$build"
+        ;;
+    esac
     for name in $programs; do
-        program_row "$cpu" "$build/link/$cpu/$name.elf"
+        program_row "$build" "$folder/link/$build/$name.elf"
     done
 done

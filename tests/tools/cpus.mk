@@ -40,6 +40,7 @@ CPU_ONE := one
 CPU_VARIANT_narrow := -DPEL_64BIT=0
 CPU_VARIANT_nofill := -DPEL_FAST_FILLS=0
 CPU_VARIANT_plain := -DPEL_VECTORS=0
+CPU_VARIANT_small := -DPEL_SMALL_CODE=1
 
 CPU_CHECK := $(foreach o,O0 Os O3,gcc-host-$o clang-host-$o) \
     gcc-host-O2-narrow gcc-host-O2-nofill clang-host-O2-plain gcc-armhf-O0 \
@@ -86,8 +87,10 @@ cpu_level = $(or $(CPU_LEVEL_$1),-$1)
 cpu_build = $(call cpu_build_of,$1,$(call cpu_word,1,$1),$(call \
     cpu_word,2,$1),$(call cpu_word,3,$1),$(call cpu_word,4,$1))
 
-# The many rules of the deep builds only where they are asked for.
-CPU_BUILDS := $(sort $(CPU_CHECK) $(CPU_CHECK_BOARDS) $(BUILDS_CHECK) $(if $(filter \
+# The many rules of the deep builds only where they are asked for; those of
+# bench/mcu always.
+CPU_BUILDS := $(sort $(CPU_CHECK) $(CPU_CHECK_BOARDS) $(BUILDS_CHECK) \
+    $(foreach o,O2 Os Os-small,$(BOARDS:%=gcc-%-$o)) $(if $(filter \
     deep deep-cpus deep-builds,$(MAKECMDGOALS)),$(CPU_DEEP) $(BUILDS_DEEP)))
 $(foreach b,$(CPU_BUILDS),$(eval $(call cpu_build,$b)))
 

@@ -10,7 +10,7 @@
 TEST_FLAGS_mutant_host := $(filter-out -g,$(TEST_SANITIZE))
 TEST_FLAGS_mutant_portable := -O1 -fsanitize=undefined \
     -fno-sanitize-recover=all -DPEL_64BIT=0 -DPEL_VECTORS=0 \
-    -DPEL_KNOW_SIDES=0 -DPEL_LONG_MULTIPLY=0
+    -DPEL_SMALL_CODE=1 -DPEL_LONG_MULTIPLY=0
 MUTANT_BUILDS := mutant_host mutant_portable
 MUTANT_TESTS := $(sort $(shell sed -n 's/#.*//; s/^core[^:]*: *//; s/+//g; \
     s/:[0-9]*//g; p' tests/tools/mutants_tests.txt))

@@ -22,15 +22,17 @@ need-format:
 include tests/link/link.mk
 include tests/tools/cpus.mk
 
+LAYERS_BUILDS := cortex-m0plus-small cortex-m4-Os
+layers_objects = $(CORE:%.c=$(BUILD)/mcu/$1/%.o)
+
 # C++ sees core through pel.h, with either compiler.
-layers: $(LAYERS_HOST) $(MCU_CORE_OBJECTS) $(BUILD)/libpel.a | need-clang ## check what core includes, needs and leaves in RAM
+layers: $(LAYERS_HOST) $(foreach b,$(LAYERS_BUILDS),$(call \
+    layers_objects,$b)) $(BUILD)/libpel.a | need-clang ## check what core includes, needs and leaves in RAM
 	tests/tools/layers_includes.sh
 	tests/tools/layers_source.sh
 	@tests/tools/layers_objects.sh size nm $(LAYERS_HOST)
-	@tests/tools/layers_objects.sh arm-none-eabi-size arm-none-eabi-nm \
-	    $(filter $(BUILD)/mcu/cortex-m0plus%,$(MCU_CORE_OBJECTS))
-	@tests/tools/layers_objects.sh arm-none-eabi-size arm-none-eabi-nm \
-	    $(filter $(BUILD)/mcu/cortex-m4%,$(MCU_CORE_OBJECTS))
+	@$(foreach b,$(LAYERS_BUILDS),tests/tools/layers_objects.sh \
+	    arm-none-eabi-size arm-none-eabi-nm $(call layers_objects,$b) &&) :
 	tests/tools/layers_headers.sh "$(CC)" $(WARNINGS) -Werror \
 	    -Iinclude
 	@mkdir -p $(BUILD)/link

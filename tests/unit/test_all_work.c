@@ -304,28 +304,53 @@ TEST(outline_of_many_runs)
     assert_int_equal(hits.runs, (uint64_t)RUNS * (uint64_t)(2 * rows - 2));
 }
 
-/* The cells of a small gradient, seen from afar: thousands in a pixel. */
+/* Gradients whose cells are so narrow that a pixel has thousands; neighbours
+ * are alike, in halves, or not. */
+static void draw_narrow(const struct pel_format *format,
+                        const struct pel_ramp *ramp, uint64_t times)
+{
+    static uint32_t pixels[SIDE * SIDE * 2];
+    const struct pel_rings rings = {{low, 0}, 256, 0},
+                           four = {{128, 128}, 4 * 256, 0};
+    const struct pel_point from = {low, 0}, to = {low + 3, -1},
+                           below = {low, 3};
+    const struct pel_rect b = {-SIDE, 0, 0, SIDE};
+    struct pel_surface s;
+    struct pel_linear linear, vertical, horizontal;
+    struct pel_radial radial, near_by;
+    pel_surface_init(&s, format, pixels, sizeof pixels, &b);
+    assert_int_equal(pel_linear_init(&linear, from, to, ramp), PEL_OK);
+    assert_int_equal(pel_linear_init(&vertical, from, below, ramp), PEL_OK);
+    assert_int_equal(pel_linear_init(&horizontal, from,
+                                     (struct pel_point){low + 5, 0}, ramp),
+                     PEL_OK);
+    assert_int_equal(pel_radial_init(&radial, &rings, ramp), PEL_OK);
+    assert_int_equal(pel_radial_init(&near_by, &four, ramp), PEL_OK);
+    for (uint64_t i = 0; i < times; i++) {
+        pel_box(&s, &b, &linear.base.paint);
+        pel_box(&s, &b, &vertical.base.paint);
+        pel_box(&s, &b, &horizontal.base.paint);
+        pel_box(&s, &b, &radial.base.paint);
+        pel_box(&s, &b, &near_by.base.paint);
+    }
+}
+
 TEST(narrow_cells)
 {
     enum { CELLS = 32767 };
     static pel_color colors[CELLS];
-    static uint32_t pixels[SIDE * SIDE];
-    const struct pel_ramp ramp = {colors, CELLS, PEL_REFLECT};
-    const struct pel_rings rings = {{low, 0}, 256, 0};
-    const struct pel_point from = {low, 0}, to = {low + 3, -1};
-    const struct pel_rect b = {-SIDE, 0, 0, SIDE};
-    struct pel_surface s;
-    struct pel_linear linear;
-    struct pel_radial radial;
+    const uint64_t times = cases_scaled(TIMES / 10);
     for (int32_t i = 0; i < CELLS; i++)
         colors[i] = PEL_RGB(i, i >> 8, 0);
-    pel_surface_init(&s, &pel_xrgb8888, pixels, sizeof pixels, &b);
-    assert_int_equal(pel_linear_init(&linear, from, to, &ramp), PEL_OK);
-    assert_int_equal(pel_radial_init(&radial, &rings, &ramp), PEL_OK);
     alarm(TOO_LONG);
-    for (uint64_t i = 0; i < cases_scaled(TIMES / 10); i++) {
-        pel_box(&s, &b, &linear.base.paint);
-        pel_box(&s, &b, &radial.base.paint);
-    }
+    draw_narrow(&pel_xrgb8888, &(struct pel_ramp){colors, CELLS, PEL_REFLECT},
+                times);
+    for (int32_t i = 0; i < CELLS; i++)
+        colors[i] = i < CELLS / 2 ? PEL_RGB(0, 0, 0) : PEL_RGB(255, 255, 255);
+    draw_narrow(&pel_mono1_pages, &(struct pel_ramp){colors, CELLS, PEL_REPEAT},
+                times);
+    draw_narrow(&pel_mono1_pages,
+                &(struct pel_ramp){colors + CELLS / 2 - 1, 2, PEL_REPEAT},
+                times);
     alarm(0);
 }
