@@ -24,6 +24,14 @@
 #define PEL_ASSERT(condition) ((void)0)
 #endif
 
+/* Is called with false where a shape lies within the first 2 px, as it does
+ * when pixels are given for sub-pixels: pel_at(120, 120), PEL_PX(30) are right.
+ * By default nothing is reported. While you write a program, define it as
+ * assert(condition) too, or as a message of yours. */
+#ifndef PEL_HINT
+#define PEL_HINT(condition) ((void)0)
+#endif
+
 /* 1 on CPUs whose registers and division have 64 bits. */
 #ifndef PEL_64BIT
 #define PEL_64BIT (UINTPTR_MAX > 0xFFFFFFFFu)

@@ -114,7 +114,7 @@ struct pel_format {
      * {n, 0, 0} where it is n bits of grey; all 0: dither is of no use. */
     uint8_t depth[3];
 
-    /* Color (alpha ignored) to pixel and back (opaque, but for argb8888). 8 to
+    /* Color (alpha ignored) to pixel and back (opaque, but for argb8888 and palettes). 8 to
      * n bits truncates, n to 8 replicates: pack(unpack(p)) == p for every p
      * that pack makes. Unused bits (X) are set, and ignored. A pixel is the
      * word as the CPU reads it from memory: on a little-endian one that of

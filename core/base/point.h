@@ -24,12 +24,18 @@ struct pel_point {
     int32_t x, y; /* 1/256 px */
 };
 
-/* Initialiser of a point from pixels; in an expression, write
- * (struct pel_point)PEL_AT(x, y). */
+/* A point from pixels: PEL_AT initialises one, pel_at is one, in a call. */
 #define PEL_AT(x, y)         \
     {                        \
         PEL_PX(x), PEL_PX(y) \
     }
+#define pel_at(x, y) pel_point_of(PEL_PX(x), PEL_PX(y))
+
+static inline struct pel_point pel_point_of(int32_t x, int32_t y)
+{
+    const struct pel_point p = {x, y};
+    return p;
+}
 
 /* Core shifts negative numbers to the right and expects the floor, which C
  * leaves to the compiler. */
@@ -111,6 +117,17 @@ static inline bool pel_corners_legal(const struct pel_point v[3])
     const uint32_t offset = pel_point_offset(v[0]) | pel_point_offset(v[1]) |
                             pel_point_offset(v[2]);
     return PEL_SMALL_CODE ? pel_points_legal(v, 3) : offset >> 24 == 0;
+}
+
+/* For PEL_HINT: false when all of n points and a radius (or 0) are below 2 px
+ * and not all are 0, as pixels are that are meant to be sub-pixels. */
+static inline bool pel_in_subpixels(const struct pel_point *v, int32_t n,
+                                    int32_t radius)
+{
+    uint32_t all = PEL_CAST(uint32_t, radius);
+    while (n-- > 0)
+        all |= PEL_CAST(uint32_t, v[n].x) | PEL_CAST(uint32_t, v[n].y);
+    return all - 1 >= 511;
 }
 
 /* Where a picture or text goes, px: -65,536..65,536. */

@@ -96,6 +96,7 @@ void pel_line(const struct pel_surface *surface, struct pel_point from,
 {
     bool legal = pel_point_legal(from) && pel_point_legal(to);
     PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels((struct pel_point[2]){from, to}, 2, 0));
     if (!legal)
         return;
     struct walk w;

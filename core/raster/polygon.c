@@ -147,6 +147,7 @@ static PEL_NOINLINE enum pel_status check(const struct pel_polygon_shape *p,
     size_t needed = pel_polygon_scratch_size(p->n);
     if (needed == 0 || size < needed || (uintptr_t)scratch % 4)
         return PEL_ERROR_SCRATCH;
+    PEL_HINT(pel_in_subpixels(p->v, p->n, 0));
     return pel_points_legal(p->v, p->n) ? PEL_OK : PEL_ERROR_RANGE;
 }
 

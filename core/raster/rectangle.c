@@ -36,6 +36,7 @@ void pel_rectangle(const struct pel_surface *surface, struct pel_point from,
     const struct pel_rect box = {from.x, from.y, to.x, to.y};
     bool legal = pel_point_legal(from) && pel_point_legal(to);
     PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels((struct pel_point[2]){from, to}, 2, 0));
     if (!legal)
         return;
     const struct pel_rect r = pel_rect_pixels(&box, &surface->clip);

@@ -103,6 +103,7 @@ void pel_thick_line(const struct pel_surface *surface,
     struct pel_point v[4];
     bool legal = pel_thick_line_corners(line, v);
     PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels(v, 4, 0));
     if (legal)
         fill(surface, v, paint);
 }

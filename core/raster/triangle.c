@@ -57,6 +57,7 @@ static void fill(const struct pel_surface *surface,
 void pel_triangle(const struct pel_surface *surface,
                   const struct pel_point v[3], const struct pel_paint *paint)
 {
+    PEL_HINT(pel_in_subpixels(v, 3, 0));
     if (PEL_FAST_FILLS && pel_triangle_fast(surface, v, paint))
         return;
     PEL_ASSERT(pel_corners_legal(v));

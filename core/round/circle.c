@@ -44,6 +44,7 @@ void pel_circle(const struct pel_surface *surface, struct pel_point center,
 {
     bool legal = pel_point_legal(center) && pel_radius_legal(radius);
     PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels(&center, 1, radius));
     if (!legal || pel_rect_empty(&surface->clip))
         return;
     const struct pel_rect *clip = &surface->clip;

@@ -70,6 +70,7 @@ bool pel_disc_walk_start(struct pel_disc_walk *w,
 {
     bool legal = pel_point_legal(*center) && pel_radius_legal(radius);
     PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels(center, 1, radius));
     if (!legal || pel_rect_empty(clip))
         return false;
     w->y = pel_max(pel_first_pixel(center->y - radius), clip->y0);

@@ -58,6 +58,7 @@ bool pel_ellipse_start(struct pel_ellipse_walk *w,
     bool legal = pel_points_legal(&center, 1) && pel_radius_legal(radius.x) &&
                  pel_radius_legal(radius.y);
     PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels((struct pel_point[2]){center, radius}, 2, 0));
     if (!legal || pel_rect_empty(clip))
         return false;
     w->y = pel_max(pel_first_pixel(center.y - radius.y), clip->y0);

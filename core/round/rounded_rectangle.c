@@ -23,6 +23,7 @@ bool pel_rounded_start(struct pel_rounded_walk *w,
     bool legal = pel_point_legal(from) && pel_point_legal(to) &&
                  pel_radius_legal(r->radius);
     PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels((struct pel_point[2]){from, to}, 2, r->radius));
     if (!legal)
         return false;
     const struct pel_rect whole = {

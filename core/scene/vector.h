@@ -84,7 +84,7 @@ struct pel_matrix {
 
 /* The turn around axis 0, 1 or 2 (x, y, z) by an angle in 1/65,536 turns:
  * counter-clockwise when the axis points at the viewer. The angle is that of
- * pel_direction, to 2^-15 radians; the matrix is orthogonal to 2^-29. */
+ * pel_direction, to 2^-15 radians; the matrix is orthogonal to 1.5 2^-29. */
 void pel_matrix_turn(struct pel_matrix *m, int axis, uint16_t turn);
 
 /* m = a b: b is done first. m may be a. Entries are rounded to the nearest. */

@@ -8,6 +8,7 @@ void pel_smooth_circle(const struct pel_surface *surface,
 {
     bool legal = pel_point_legal(center) && pel_radius_legal(radius);
     PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels(&center, 1, radius));
     const struct pel_smooth_round round = {center.x, center.x, center.y,
                                            center.y, radius};
     if (legal && radius > 0)

@@ -184,6 +184,7 @@ void pel_smooth_convex(const struct pel_surface *surface,
     struct pel_smooth_walk k = {.v = v, .n = n};
     int32_t top = 0;
     PEL_ASSERT(pel_points_legal(v, n));
+    PEL_HINT(pel_in_subpixels(v, n, 0));
     if (!pel_points_legal(v, n) || !pel_smooth_begin(&k.smooth, surface, paint))
         return;
     const struct pel_rect box = box_of(v, n);

@@ -179,6 +179,7 @@ static enum pel_status check(const struct pel_surface *surface,
     if ((uintptr_t)scratch % 8 || size < row ||
         (size - row) / edge < (size_t)p->n)
         return PEL_ERROR_SCRATCH;
+    PEL_HINT(pel_in_subpixels(p->v, p->n, 0));
     return pel_points_legal(p->v, p->n) ? PEL_OK : PEL_ERROR_RANGE;
 }
 

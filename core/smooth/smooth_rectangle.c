@@ -55,6 +55,7 @@ void pel_smooth_rectangle(const struct pel_surface *surface,
     const bool legal = pel_point_legal(from) && pel_point_legal(to);
     struct pel_smooth smooth;
     PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels((struct pel_point[2]){from, to}, 2, 0));
     if (!legal || !pel_smooth_begin(&smooth, surface, paint))
         return;
     const struct pel_rect touched = touched_by(&box);

@@ -158,6 +158,7 @@ void pel_smooth_ring(const struct pel_surface *surface,
     const bool legal = is_legal(shape);
     struct ring ring;
     PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels(&c, 1, shape->outer));
     if (!legal || shape->outer <= shape->inner)
         return;
     ring.outer = (struct pel_smooth_round){c.x, c.x, c.y, c.y, shape->outer};

@@ -10,6 +10,8 @@ void pel_smooth_rounded_rectangle(const struct pel_surface *surface,
     bool legal = pel_point_legal(from) && pel_point_legal(to) &&
                  pel_radius_legal(rectangle->radius);
     PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels((struct pel_point[2]){from, to}, 2,
+                              rectangle->radius));
     if (!legal || to.x <= from.x || to.y <= from.y)
         return;
     const int32_t side = pel_min(to.x - from.x, to.y - from.y);

@@ -16,6 +16,14 @@ void assert_broken(void)
     broken++;
 }
 
+static int hints;
+
+void hint_given(void);
+void hint_given(void)
+{
+    hints++;
+}
+
 #ifdef PEL_CONFIG_FILE
 enum { ASSERTS = 1 };
 #else
@@ -288,4 +296,41 @@ TEST(fill_only_twins)
     open_hits();
     check_twin(&pel_rgb565_le_fill);
     check_twin(&pel_rgb565_be_fill);
+}
+
+/* A shape in pixels where sub-pixels are asked for is told; the same in
+ * sub-pixels is not, wherever it is. */
+TEST(pixels_for_sub_pixels)
+{
+    const struct any_shape px = {
+        .v = {{120, 100}, {200, 110}, {150, 240}, {10, 99}},
+        .n = 4,
+        .radius = 30,
+        .inner = 20,
+        .to = 20000};
+    static const struct pel_flat paint = PEL_FLAT(PEL_RGB(1, 2, 3));
+    static uint32_t pixels[16 * 16];
+    const struct pel_surface surface =
+        surface_of(&pel_xrgb8888, pixels, sizeof pixels, 16, 16);
+    for (int kind = 0; kind < ANY_KINDS; kind++)
+        for (int times = 1; times <= 256; times *= 16)
+            for (int smooth = 0; smooth < 2; smooth++) {
+                struct any_shape s = px;
+                hints = 0;
+                s.kind = (enum any_kind)kind;
+                s.radius *= times;
+                s.inner *= times;
+                for (int i = 0; i < 4; i++)
+                    s.v[i] = pel_point_of(s.v[i].x * times, s.v[i].y * times);
+                if (!smooth)
+                    any_draw(&surface, &s, &paint.paint);
+                else if (!any_draw_smooth(&surface, &s, &paint.paint))
+                    continue;
+                if ((hints > 0) != (ASSERTS == 1 && times == 1))
+                    fail_msg("%s%s, times %d: %d hints",
+                             smooth ? "smooth " : "", any_name(&s), times,
+                             hints);
+            }
+    assert_int_equal(pel_at(-3, 7.5).x, -768);
+    assert_int_equal(pel_at(-3, 7.5).y, 1920);
 }
