@@ -121,7 +121,10 @@ CHECK_LINES = $(foreach b,$(TEST_BUILDS),$(call test_lines_of,$b)) \
 tests deep: WERROR := -Werror
 tests: all $(TEST_PROGRAMS) $(TEST_SCENES)
 
-check: tests ## every test; the last line is `N passed, N failed`
+.PHONY: check-build
+check-build:
+	+@tests/support/build.sh $(MAKE) --no-print-directory tests
+check: check-build ## every test; the last line is `N passed, N failed`
 	@mkdir -p $(T)/check
 	$(file >$(T)/check.list,$(CHECK_LINES))
 	@sed 's/^ *//' $(T)/check.list | tests/support/run.sh $(T)/check
@@ -149,6 +152,12 @@ deep: $(DEEP_PROGRAMS) ## the long sweeps: 10^8 triangles, all CPUs; half an hou
 	done >>$(T)/deep.list; \
 	PEL_SEED=$$seed PEL_TIMEOUT=36000 tests/support/run.sh $(T)/deep \
 	    <$(T)/deep.list
+
+# A failing case says what it is made of, and is shown again by one command.
+.PHONY: check-replay
+CHECK_EXTRA += check-replay
+check-replay: $(TEST_PROPERTY:%=$(T)/host/%)
+	@tests/tools/replay.sh $^
 
 .PHONY: deep-order
 deep-order: all # every mesh of PEL_MODELS, with the painter's order proven or not

@@ -114,11 +114,11 @@ struct pel_format {
      * {n, 0, 0} where it is n bits of grey; all 0: dither is of no use. */
     uint8_t depth[3];
 
-    /* Color (alpha ignored) to pixel and back (opaque, but for argb8888 and palettes). 8 to
-     * n bits truncates, n to 8 replicates: pack(unpack(p)) == p for every p
-     * that pack makes. Unused bits (X) are set, and ignored. A pixel is the
-     * word as the CPU reads it from memory: on a little-endian one that of
-     * rgb565_be has its bytes swapped. */
+    /* Color (alpha ignored) to pixel and back (opaque, but for argb8888 and
+     * palettes). 8 to n bits truncates, n to 8 replicates: pack(unpack(p)) == p
+     * for every p that pack makes. Unused bits (X) are set, and ignored. A
+     * pixel is the word as the CPU reads it from memory: on a little-endian one
+     * that of rgb565_be has its bytes swapped. */
     uint32_t (*pack)(pel_color color);
     pel_color (*unpack)(uint32_t pixel);
 

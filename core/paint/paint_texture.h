@@ -10,7 +10,8 @@ PEL_BEGIN_DECLS
 /* The picture: 1 to 32,767 texels a side, in memory of the caller's that must
  * live as long as the paint. Either a surface in any format (its whole bounds;
  * opaque, but for argb8888 and palettes whose colors have alpha) or an array of
- * colors with straight alpha, row by row without padding. The first row in memory is v = 0. */
+ * colors with straight alpha, row by row without padding. The first row in
+ * memory is v = 0. */
 struct pel_texels {
     const struct pel_surface *surface; /* or NULL, and then: */
     const pel_color *colors;

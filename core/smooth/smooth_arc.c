@@ -130,6 +130,7 @@ static void paint_arc(const struct pel_surface *surface,
     struct pel_angles angles;
     const bool legal = is_legal(arc);
     PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels(&arc->center, 1, arc->outer));
     if (!legal || arc->outer <= arc->inner ||
         !pel_angles_set(&angles, arc->from, arc->to) ||
         !pel_smooth_path_begin(&path, surface, paint))

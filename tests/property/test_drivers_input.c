@@ -172,5 +172,5 @@ TEST(calibrations)
             check_coordinate(got.y, exact(p, y, at), height);
         }
     }
-    assert_true(good > 0);
+    assert_true(cases_alone() || good > 0);
 }

@@ -6,6 +6,7 @@
 #include "core/pel.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
+#include "tests/support/shapes.h"
 
 enum { SIDE = 48, FENCE = 4, PIXELS = SIDE * SIDE + 2 * FENCE, LAYERS = 6 };
 
@@ -64,6 +65,7 @@ static void make(struct random *r, struct shape *s)
         s->color[k] = random_word(r) | UINT32_C(0xFF000000);
         s->near[k] = random_between(r, 1 << 14, PEL_DEPTH_NEAR);
     }
+    shape_keep(s->v, 3);
 }
 
 static void draw(struct picture *p, const struct shape *s)

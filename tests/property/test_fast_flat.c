@@ -5,6 +5,7 @@
 #include "tests/support/canvas.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
+#include "tests/support/shapes.h"
 
 enum { WIDTH = 60 };
 
@@ -45,6 +46,7 @@ TEST(colors)
         struct pel_point v[3];
         set_triangle(v, random_between(r, 0, 15), random_between(r, 0, 41),
                      height, random_between(r, 0, 5));
+        shape_keep(v, 3);
         assert_int_equal(pel_gouraud_init(&gouraud, v, corners), PEL_OK);
         canvas_open(&canvas, l->format, &b, random_word(r) % CANVAS_STYLES);
         hits_open(&hits, &b);

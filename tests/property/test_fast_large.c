@@ -6,6 +6,7 @@
 
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
+#include "tests/support/shapes.h"
 #include "tests/support/layouts.h"
 
 enum { BYTES = 17 << 20 };
@@ -59,6 +60,7 @@ static void check_triangle(struct random *r, const struct pel_rect *b)
     struct pel_gouraud gouraud;
     struct pel_point v[3];
     points_in(r, b, v);
+    shape_keep(v, 3);
     assert_int_equal(pel_gouraud_init(&gouraud, v, c), PEL_OK);
     const struct pel_paint *paint =
         random_word(r) & 1 ? &flat.paint : &gouraud.paint;

@@ -3,6 +3,7 @@
  * paint's `fast` is asked. */
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
+#include "tests/support/shapes.h"
 #include "tests/support/layouts.h"
 #include "tests/support/probe.h"
 
@@ -36,11 +37,12 @@ static void check_sizes(uint64_t count, const int32_t px[2], int32_t width)
                         ? random_between(&c.random, 0, width)
                         : width - random_between(&c.random, 0, 2);
         triangle_of_size(&c.random, w, height, v);
+        shape_keep(v, 3);
         probe_triangle(&p, v);
     }
     print_message("%llu fast, %llu rows\n", (unsigned long long)p.fast,
                   (unsigned long long)p.rows);
-    assert_true(p.fast > 0);
+    assert_true(cases_alone() || p.fast > 0);
 }
 
 TEST(around_128_rows)
@@ -85,9 +87,10 @@ TEST(tight_slopes)
         int32_t dx = k * dy + random_between(&c.random, -2, 2);
         const struct pel_point v[3] = {
             {x, y}, {x + dx, y + dy}, {x + dx + 1, y + dy}};
+        shape_keep(v, 3);
         probe_triangle(&p, v);
     }
-    assert_true(p.fast > 0);
+    assert_true(cases_alone() || p.fast > 0);
 }
 
 struct counting {

@@ -188,8 +188,9 @@ static void check_row(struct random *r, const struct mapped *m,
 static void check_rows(bool noise, init_function *init, check_function *check)
 {
     for (struct cases c = cases_of(40000); cases_next(&c);) {
-        if (c.next % 64 == 1)
-            open_random_picture(&c.random, noise);
+        struct random shared = cases_shared((c.next - 1) / 64);
+        if (c.next % 64 == 1 || cases_alone())
+            open_random_picture(&shared, noise);
         const struct mapped m = random_mapped(&c.random);
         check_row(&c.random, &m, init, check);
     }

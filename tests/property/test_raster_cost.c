@@ -5,6 +5,7 @@
 #include "core/pel.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
+#include "tests/support/shapes.h"
 
 static uint32_t rows, pixels;
 
@@ -56,10 +57,11 @@ static void check_size(int32_t size, uint64_t n, double tight)
             v[k].y = random_between(&c.random, 0, size) / grid * grid + off;
         }
         const int32_t px = size / 256;
+        shape_keep(v, 3);
         const struct pel_rect cut = {px / 4, px / 3, px, px * 3 / 4 + 1};
         check(v, random_word(&c.random) & 1 ? &all : &cut, &tightest);
     }
-    assert_true(tightest >= tight);
+    assert_true(cases_alone() || tightest >= tight);
 }
 
 TEST(sizes)

@@ -114,7 +114,7 @@ static void check_bound(const char *name, generator *generate, uint64_t count)
         check_window(&t, v, color, &w);
     }
     histogram_end(&t.errors);
-    assert_true(t.channels > 0);
+    assert_true(cases_alone() || t.channels > 0);
 }
 
 TEST(random)

@@ -146,6 +146,8 @@ TEST(every_pixel_is_drawn_once)
         canvas_open(&canvas, layouts[random_word(r) % LAYOUT_COUNT].format, &b,
                     random_word(r) % CANVAS_STYLES);
         mesh_draw(&m, &canvas.surface, &flat.paint);
+        for (int32_t j = 0; j <= m.rows; j++)
+            shape_keep(m.v[j], m.columns + 1);
         hits_open(&hits, &b);
         mesh_draw(&m, &hits.surface, &hits.paint);
         hits_check(&hits, in_mesh, &m, "mesh");

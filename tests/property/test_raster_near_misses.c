@@ -3,6 +3,7 @@
  * from their first row and from a clip anywhere, by both walks: a drift that is
  * too small to be seen elsewhere is off by a pixel here. */
 #include "tests/support/check.h"
+#include "tests/support/shapes.h"
 #include "tests/support/cases.h"
 #include "tests/support/probe.h"
 
@@ -76,6 +77,7 @@ static void draw(struct random *r, struct probe *p, const struct near_miss *m)
     v[2].y = random_between(r, pel_max(m->a.y - 512, low), m->b.y + 255);
     if (random_word(r) % 8 == 0) /* as thin as it gets */
         v[2] = (struct pel_point){m->b.x + (m->b.x < high ? 1 : -1), m->b.y};
+    shape_keep(v, 3);
     probe_triangle(p, v);
 }
 
@@ -94,7 +96,7 @@ static void check_edges(uint64_t count, const int32_t dy[2])
         draw(r, &p[0], &m);
         draw(r, &p[1], &m);
     }
-    assert_true(p[1].rows > 0);
+    assert_true(cases_alone() || p[1].rows > 0);
 }
 
 TEST(up_to_128_rows)
@@ -121,6 +123,7 @@ TEST(generator)
     for (struct cases c = cases_of(10000); cases_next(&c);) {
         struct near_miss m;
         near_miss_random(&c.random, &m, (const int32_t[]){1, 1000000});
+        shape_keep((struct pel_point[]){m.a, m.b}, 2);
         const int64_t dy = m.b.y - m.a.y, dx = m.b.x - m.a.x;
         const int64_t t = pel_pixel_center(m.row) - m.a.y;
         const int64_t rest = ((m.a.x - 128) * dy + t * dx) % (256 * dy);

@@ -4,6 +4,7 @@
 #include "core/raster/plane.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
+#include "tests/support/shapes.h"
 #include "tests/support/reference.h"
 #include "tests/support/reference_scene.h"
 
@@ -73,6 +74,7 @@ static void check_planes(uint64_t count, int32_t thickness, real allowed)
         struct pel_point v[3];
         int32_t value[3];
         any_triangle(&c.random, v, thickness);
+        shape_keep(v, 3);
         for (int i = 0; i < 3; i++)
             value[i] = random_between(&c.random, -(1 << 30), (1 << 30) - 1);
         const real error = worst_error(v, value, &pixels);
@@ -82,7 +84,7 @@ static void check_planes(uint64_t count, int32_t thickness, real allowed)
     }
     print_message("%llu pixels, off by 2^30 times %.2g at most\n",
                   (unsigned long long)pixels, (double)worst / (1 << 30));
-    assert_true(pixels > 0);
+    assert_true(cases_alone() || pixels > 0);
 }
 
 TEST(triangles)
@@ -112,6 +114,7 @@ TEST(affine_is_off_by_its_bound)
         struct pel_plane plane;
         real at[3], root = real_root(r);
         const real bound = (root - 1) / (root + 1);
+        shape_keep(v, 3);
         pel_plane_start(&setup, v);
         pel_plane_set(&plane, &setup, u);
         for (int32_t x = 0; x < 400; x++) {
@@ -132,5 +135,5 @@ TEST(affine_is_off_by_its_bound)
         }
     }
     print_message("at most %.4f of the bound\n", (double)tightest);
-    assert_true(tightest > 0.95L);
+    assert_true(cases_alone() || tightest > 0.95L);
 }

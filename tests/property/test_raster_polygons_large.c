@@ -102,7 +102,7 @@ static void check_polygons(generator *generate, uint64_t count)
         hits_check(&hits, in_polygon, &outline, "polygon");
         covered += hits.pixels;
     }
-    assert_true(covered > 0);
+    assert_true(cases_alone() || covered > 0);
 }
 
 TEST(polygons)

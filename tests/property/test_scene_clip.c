@@ -5,6 +5,7 @@
 #include "core/scene/pipeline.h"
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
+#include "tests/support/any_scene.h"
 #include "tests/support/layouts.h"
 #include "tests/support/reference_scene.h"
 
@@ -126,6 +127,8 @@ static void draw(struct plane *p, int32_t rows)
     assert_int_equal(
         pel_scene_prepare(&frame, &p->scene, p->scratch, sizeof p->scratch),
         PEL_OK);
+    cases_forget();
+    any_scene_keep(&p->scene);
     p->clipped = p->whole = false;
     for (uint32_t i = 0; i < ROW * ROW; i++) {
         const bool cut = frame.vertex[i].at.x == PEL_NOT_ON_SCREEN;
@@ -178,7 +181,7 @@ TEST(clipped_triangles_leave_no_gap)
         seen += pixels;
         clipped += pixels && p.clipped;
     }
-    assert_true(seen > 0 && clipped > 0);
+    assert_true(cases_alone() || (seen > 0 && clipped > 0));
 }
 
 /* Far from the middle of the mesh's numbers, and near to the eye: a place that
@@ -235,7 +238,7 @@ TEST(vertices_stay_where_neighbours_see_them)
         if (memcmp(whole, hits, sizeof whole) != 0)
             fail_msg("bands differ; %s", cases_replay());
     }
-    assert_true(pictures > 0);
+    assert_true(cases_alone() || pictures > 0);
 }
 
 /* The eye a few steps of the world above the plane, and the near plane a few

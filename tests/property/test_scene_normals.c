@@ -72,7 +72,7 @@ TEST(normals_are_means_of_faces)
             }
         }
     }
-    assert_true(zeros > 0);
+    assert_true(cases_alone() || zeros > 0);
     assert_int_equal(
         pel_mesh_normals(&m.mesh, got, scratch, sizeof scratch - 1),
         PEL_ERROR_SCRATCH);

@@ -188,5 +188,6 @@ TEST(16_bits_end_where_they_should)
         failures += !told_apart(near, z, gap / 4);
         tries++;
     }
-    assert_in_range(failures * 100 / tries, 50, 90);
+    if (!cases_alone())
+        assert_in_range(failures * 100 / tries, 50, 90);
 }

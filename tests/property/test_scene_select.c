@@ -14,7 +14,7 @@ static const int32_t tolerances[] = {0, 1, 2, 4, 8};
 /* Are there enough cases to expect the worst ones among them? */
 static bool is_whole_set(void)
 {
-    return cases_scaled(100) >= 100;
+    return cases_scaled(100) >= 100 && !cases_alone();
 }
 
 /* Normals of a triangle differ by about 1 / `of` of their length. */
@@ -290,5 +290,5 @@ TEST(light_fades_to_black)
         spans += stats.method[PEL_METHOD_SPANS].pixels;
         assert_in_range(canvas_difference(&exact, &chosen), 0, 1);
     }
-    assert_true(spans > 0);
+    assert_true(cases_alone() || spans > 0);
 }

@@ -258,6 +258,7 @@ static struct round random_round(struct random *r)
     s.turn = pel_max(s.turn & random_mask(r), 1);
     s.to.x = s.center.x + random_size(r, s.radius);
     s.to.y = s.center.y + random_size(r, s.radius);
+    shape_keep_circle(s.center, s.radius);
     return s;
 }
 

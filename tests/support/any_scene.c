@@ -2,6 +2,8 @@
 
 #include "core/paint/texture_contrast.h"
 
+#include <stdio.h>
+
 #include "check.h"
 
 static pel_color texels[ANY_TEXELS * ANY_TEXELS];
@@ -99,6 +101,36 @@ static void any_camera(struct random *r, struct any_scene *s, int32_t pixels)
     v->y1 = v->y0 + random_between(r, 8, pixels);
 }
 
+/* What can be told of it in a line: the command draws the rest again. */
+struct told {
+    uint32_t triangles;
+    struct pel_quantization quantum;
+    struct pel_camera camera;
+    struct pel_rect view;
+};
+
+static void print(const void *value)
+{
+    const struct told *t = value;
+    const struct pel_camera *c = &t->camera;
+    fprintf(stderr,
+            "scene of %u triangles, step %d 2^-%d, seen from (%.9g, %.9g, "
+            "%.9g), to (%.9g, %.9g, %.9g), near %.9g, on pixels %d, %d to %d, "
+            "%d\n",
+            t->triangles, t->quantum.step, t->quantum.shift, c->eye[0] / 65536.,
+            c->eye[1] / 65536., c->eye[2] / 65536., c->target[0] / 65536.,
+            c->target[1] / 65536., c->target[2] / 65536.,
+            c->near_plane / 65536., t->view.x0, t->view.y0, t->view.x1,
+            t->view.y1);
+}
+
+void any_scene_keep(const struct pel_scene *scene)
+{
+    const struct told told = {scene->mesh->triangles, scene->mesh->position,
+                              scene->camera, scene->viewport};
+    cases_keep(print, &told, sizeof told);
+}
+
 void any_scene(struct random *r, struct any_scene *s, int32_t pixels)
 {
     s->scene = (struct pel_scene){
@@ -109,6 +141,7 @@ void any_scene(struct random *r, struct any_scene *s, int32_t pixels)
     any_quantum(r, s);
     any_pose(r, s);
     any_camera(r, s, pixels);
+    any_scene_keep(&s->scene);
 }
 
 static void any_lights(struct random *r, struct any_scene *s)

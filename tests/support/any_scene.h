@@ -32,6 +32,9 @@ struct any_scene {
  * and high, anywhere within +-200 px; no texture; pel_shade_flat. */
 void any_scene(struct random *r, struct any_scene *s, int32_t pixels);
 
+/* Keeps it for failures (cases.h), as any_scene does. */
+void any_scene_keep(const struct pel_scene *scene);
+
 /* With light and normals of vertices that differ by an angle of some degrees.
  */
 void any_scene_light(struct random *r, struct any_scene *s);

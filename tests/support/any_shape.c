@@ -1,7 +1,26 @@
 #include "any_shape.h"
 
+#include <stdio.h>
+
 #include "reference_shape.h"
 #include "shapes.h"
+
+static void print(const void *value)
+{
+    const struct any_shape *s = value;
+    fprintf(stderr, "%s", any_name(s));
+    for (int32_t i = 0; i < any_points(s); i++)
+        fprintf(stderr, " (%.13g, %.13g)", s->v[i].x / 256., s->v[i].y / 256.);
+    fprintf(stderr, " px, radius %.13g, inner %.13g, rule %d, turns %d to %d\n",
+            s->radius / 256., s->inner / 256., (int)s->rule, s->from, s->to);
+}
+
+/* Instead of its points. */
+static void keep(const struct any_shape *s)
+{
+    cases_forget();
+    cases_keep(print, s, sizeof *s);
+}
 
 /* Rounded down, 32,767 px at most. */
 static int32_t distance(const struct pel_point *a, const struct pel_point *b)
@@ -84,6 +103,7 @@ void any_random(struct random *r, struct any_shape *s, enum any_kind kind,
     else
         shape_random(r, s->v, ANY_POINTS);
     random_numbers(r, s);
+    keep(s);
 }
 
 static bool is_round(enum any_kind kind)
@@ -111,10 +131,13 @@ void any_in_box(struct random *r, struct any_shape *s, enum any_kind kind,
     s->kind = kind;
     shape_in_box(r, s->v, ANY_POINTS, &around);
     random_numbers(r, s);
-    if (random_word(r) % 8 == 0)
+    if (random_word(r) % 8 == 0) {
+        cases_forget();
         shape_adversarial(r, s->v, any_points(s) - (any_points(s) > 1));
+    }
     if (kind == ANY_THICK_LINE)
         s->radius /= 4;
+    keep(s);
 }
 
 struct pel_rect any_window(struct random *r, const struct any_shape *s,

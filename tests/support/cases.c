@@ -1,10 +1,22 @@
+#define _GNU_SOURCE /* program_invocation_name */
 #include "cases.h"
 
+#include <errno.h>
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+
+/* cmocka's, where that is linked. */
+void _fail(const char *file, int line) __attribute__((weak));
 
 static uint64_t current;
+static bool on; /* between two cases_next */
+static struct part {
+    void (*print)(const void *value);
+    char value[CASES_PART] __attribute__((aligned(8)));
+} parts[CASES_PARTS];
+static int count;
 
 static uint64_t environment(const char *name, uint64_t otherwise)
 {
@@ -43,24 +55,59 @@ uint64_t cases_scaled(uint64_t n)
     return scaled ? scaled : 1;
 }
 
-struct cases cases_of(uint64_t count)
+bool cases_alone(void)
 {
-    struct cases c = {0, cases_scaled(count), {0}};
-    uint64_t only = environment("PEL_CASE", UINT64_MAX);
-    if (only != UINT64_MAX) {
-        c.next = only;
-        c.end = only + 1;
+    return environment("PEL_CASE", UINT64_MAX) != UINT64_MAX;
+}
+
+struct cases cases_of(uint64_t n)
+{
+    struct cases c = {0, cases_scaled(n), {0}};
+    if (cases_alone()) {
+        c.next = environment("PEL_CASE", 0);
+        c.end = c.next + 1;
     }
     return c;
 }
 
 bool cases_next(struct cases *c)
 {
-    if (c->next >= c->end)
+    if (on && getenv("PEL_FAIL") && _fail)
+        _fail(__FILE__, __LINE__);
+    if (cases_alone())
+        cases_report();
+    count = 0;
+    on = c->next < c->end;
+    if (!on)
         return false;
     current = c->next++;
     c->random.state = mixed(mixed(seed()) + current);
     return true;
+}
+
+void cases_keep(void (*print)(const void *value), const void *value,
+                size_t size)
+{
+    if (count == CASES_PARTS)
+        return;
+    parts[count].print = print;
+    memcpy(parts[count++].value, value, size < CASES_PART ? size : CASES_PART);
+}
+
+void cases_forget(void)
+{
+    count -= count > 0;
+}
+
+void cases_report(void)
+{
+    if (!on)
+        return;
+    on = false;
+    for (int i = 0; i < count; i++)
+        parts[i].print(parts[i].value);
+    fprintf(stderr, "PEL_SEED=%" PRIu64 " PEL_CASE=%" PRIu64 " %s\n", seed(),
+            current, program_invocation_name);
 }
 
 struct random cases_shared(uint64_t number)
@@ -70,8 +117,7 @@ struct random cases_shared(uint64_t number)
 
 const char *cases_replay(void)
 {
-    static char text[80];
-    snprintf(text, sizeof text,
-             "replay: PEL_SEED=%" PRIu64 " PEL_CASE=%" PRIu64, seed(), current);
+    static char text[32];
+    snprintf(text, sizeof text, "case %" PRIu64, current);
     return text;
 }

@@ -5,7 +5,7 @@
 #
 # LIST has a line `NAME<TAB>COMMAND` for each; their output goes to DIR. PEL_JOBS
 # says how many run at once (one for each CPU). Prints a line for each test (see
-# run_one.sh) and last `N passed, N failed`; exit status 1 when any failed. A test
+# run_one.sh), the slowest three, and last `N passed, N failed`; exit status 1 when any failed. A test
 # that did not end counts as one that failed.
 set -u
 dir=$1
@@ -17,6 +17,11 @@ unset MAKEFLAGS MFLAGS MAKELEVEL
 grep . >"$dir/list"
 tr '\n' '\0' <"$dir/list" |
     xargs -0 -n 1 -P "${PEL_JOBS:-$(nproc)}" sh "$here/run_one.sh" "$dir"
+sort -k 3 -n -r "$dir"/*.count | awk 'NR <= 3 {
+    s = $3 / 1000
+    $1 = $2 = $3 = ""
+    printf "slow: %.1f s %s\n", s, $0
+}'
 cat "$dir"/*.count | awk -v tests="$(wc -l <"$dir/list")" '
     { passed += $1; failed += $2 }
     END {

@@ -2,7 +2,8 @@
 # Runs one test of run.sh: `run_one.sh DIR "NAME<TAB>COMMAND"`. A cmocka program
 # counts as many tests as it ran; anything else is one test, passed when it
 # exits with 0. A crash or a time-out (PEL_TIMEOUT seconds, 900 unless told) is
-# a failed test. The last lines of a failed test's output are shown.
+# a failed test. The last lines of a failed test's output are shown, and of all
+# tests how many have ended.
 set -u
 dir=$1
 name=${2%%	*}
@@ -27,11 +28,13 @@ word=ok
 if [ "$failed" -gt 0 ]; then
     word=FAILED
 fi
-printf '%-6s %4d.%03d s %4d passed %3d failed  %s\n' $word \
+echo "$passed $failed $milliseconds $name" >"${log%.log}.count"
+ended=$(find "$dir" -name '*.count' | wc -l)
+printf '%3d of %d  %-6s %4d.%03d s %4d passed %3d failed  %s\n' "$ended" \
+    "$(wc -l <"$dir/list")" $word \
     $((milliseconds / 1000)) $((milliseconds % 1000)) "$passed" "$failed" \
     "$name"
 if [ "$failed" -gt 0 ]; then
     [ $status -eq 124 ] && echo "    timed out"
     tail -n 40 "$log" | sed 's/^/    /'
 fi
-echo "$passed $failed" >"${log%.log}.count"

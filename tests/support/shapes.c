@@ -1,5 +1,48 @@
 #include "shapes.h"
 
+#include <stdio.h>
+#include <string.h>
+
+struct points {
+    int32_t n, radius; /* radius: -1 where there is none */
+    struct pel_point v[12];
+};
+
+static void print_points(const void *value)
+{
+    const struct points *p = value;
+    fprintf(stderr, p->radius < 0 ? "points" : "circle");
+    for (int32_t i = 0; i < p->n; i++)
+        fprintf(stderr, " (%.13g, %.13g)", p->v[i].x / 256., p->v[i].y / 256.);
+    if (p->radius >= 0)
+        fprintf(stderr, " radius %.13g", p->radius / 256.);
+    fprintf(stderr, " px\n");
+}
+
+void shape_keep(const struct pel_point *v, int32_t n)
+{
+    struct points p = {pel_min(n, 12), -1, {{0, 0}}};
+    memcpy(p.v, v, (size_t)p.n * sizeof *v);
+    cases_keep(print_points, &p, sizeof p);
+}
+
+void shape_keep_circle(struct pel_point center, int32_t radius)
+{
+    const struct points p = {1, radius, {center}};
+    cases_keep(print_points, &p, sizeof p);
+}
+
+static void print_rect(const void *value)
+{
+    const struct pel_rect *r = value;
+    fprintf(stderr, "pixels %d, %d to %d, %d\n", r->x0, r->y0, r->x1, r->y1);
+}
+
+void shape_keep_rect(const struct pel_rect *r)
+{
+    cases_keep(print_rect, r, sizeof *r);
+}
+
 int32_t shape_legal(int64_t v)
 {
     if (v < PEL_COORDINATE_MIN)
@@ -29,7 +72,7 @@ static struct pel_point random_origin(struct random *r)
     return o;
 }
 
-void shape_random(struct random *r, struct pel_point *v, int32_t n)
+static void anywhere(struct random *r, struct pel_point *v, int32_t n)
 {
     const int32_t e = random_extent(r);
     const struct pel_point o = random_origin(r);
@@ -37,6 +80,12 @@ void shape_random(struct random *r, struct pel_point *v, int32_t n)
         v->x = shape_legal((int64_t)o.x + random_between(r, -e, e));
         v->y = shape_legal((int64_t)o.y + random_between(r, -e, e));
     }
+}
+
+void shape_random(struct random *r, struct pel_point *v, int32_t n)
+{
+    anywhere(r, v, n);
+    shape_keep(v, n);
 }
 
 /* The nearest lattice point of `step`, plus `offset`, plus -k..k. */
@@ -103,7 +152,7 @@ void shape_adversarial(struct random *r, struct pel_point *v, int32_t n)
     static const int32_t lattice[4][3] = {
         {256, 128, 0}, {256, 128, 1}, {128, 0, 0}, {128, 0, 1}};
     uint32_t kind = random_word(r) % 10;
-    shape_random(r, v, n);
+    anywhere(r, v, n);
     if (kind < 4)
         snap(r, v, n, lattice[kind]);
     else if (kind < 6)
@@ -118,6 +167,7 @@ void shape_adversarial(struct random *r, struct pel_point *v, int32_t n)
         snap(r, v, n, lattice[random_word(r) % 4]);
         align(r, v, n);
     }
+    shape_keep(v, n);
 }
 
 static int32_t within(int32_t v, int32_t lo, int32_t hi)
@@ -143,6 +193,7 @@ struct pel_rect shape_window(struct random *r, const struct pel_point *v,
     w.y0 = within(y - random_between(r, 0, size), -32768, 32768 - size) & ~7;
     w.x1 = w.x0 + random_between(r, 1, size);
     w.y1 = w.y0 + random_between(r, 1, size);
+    shape_keep_rect(&w);
     return w;
 }
 
@@ -154,6 +205,7 @@ struct pel_rect shape_bounds(struct random *r, int32_t width, int32_t height)
     b.y0 = random_between(r, -reach, reach) & ~7;
     b.x1 = b.x0 + random_between(r, 1, width);
     b.y1 = b.y0 + random_between(r, 1, height);
+    shape_keep_rect(&b);
     return b;
 }
 
@@ -166,6 +218,7 @@ struct pel_rect shape_clip(struct random *r, const struct pel_rect *window)
     c.y0 = random_between(r, c.y0 - 2, c.y1);
     c.x1 = random_between(r, c.x0, c.x1 + 2);
     c.y1 = random_between(r, c.y0, c.y1 + 2);
+    shape_keep_rect(&c);
     return c;
 }
 
@@ -173,10 +226,11 @@ void shape_in_box(struct random *r, struct pel_point *v, int32_t n,
                   const struct pel_rect *box)
 {
     const uint32_t step = 1u << random_word(r) % 9;
-    for (; n > 0; n--, v++) {
-        v->x = random_between(r, PEL_PX(box->x0), PEL_PX(box->x1));
-        v->y = random_between(r, PEL_PX(box->y0), PEL_PX(box->y1));
-        v->x &= ~(int32_t)(step - 1);
-        v->y &= ~(int32_t)(step - 1);
+    for (int32_t i = 0; i < n; i++) {
+        v[i].x = random_between(r, PEL_PX(box->x0), PEL_PX(box->x1));
+        v[i].y = random_between(r, PEL_PX(box->y0), PEL_PX(box->y1));
+        v[i].x &= ~(int32_t)(step - 1);
+        v[i].y &= ~(int32_t)(step - 1);
     }
+    shape_keep(v, n);
 }
