@@ -21,6 +21,7 @@ struct import_changes {
     int size[2];
     int colors; /* of the palette that is chosen; 0: those that it has */
     enum picture_dither dither;
+    enum import_alpha { ALPHA_NONE, ALPHA_8, ALPHA_4, ALPHA_1 } alpha;
     bool has_key, has_size, own_palette;
 };
 
@@ -37,7 +38,7 @@ struct import_options {
 
 /* The options of struct import_changes. */
 extern const struct option_row import_change_options[];
-#define IMPORT_CHANGE_OPTIONS "key|resize|palette|dither"
+#define IMPORT_CHANGE_OPTIONS "key|resize|palette|dither|alpha"
 
 /* Write a C file with one const struct and its arrays, and its header beside
  * it, the same for the same input: no date, no path. The textures of a mesh are

@@ -203,6 +203,12 @@ bool import_texture(struct import_text *text, unsigned number,
     return done;
 }
 
+/* What the changes make beside the picture. */
+struct changed {
+    struct table table;
+    struct picture alpha;
+};
+
 static void make_clear(struct picture *picture, pel_color key)
 {
     const size_t n = (size_t)picture->width * (size_t)picture->height;
@@ -242,6 +248,8 @@ static bool check_changes(const struct import_changes *c,
     const bool palette = has_palette(format);
     if ((c->colors || c->own_palette) && !palette)
         return message_error("--palette is for --format palette4 and palette8");
+    if (c->alpha && format->id >= PEL_FORMAT_ARGB8888)
+        return message_error("--alpha is for formats without alpha");
     if (palette && !check_colors(c->colors, format))
         return false;
     if (c->dither &&
@@ -252,9 +260,23 @@ static bool check_changes(const struct import_changes *c,
     return true;
 }
 
-/* Key, size, background, palette, dither. */
+/* Its alpha as grey; what is left of the picture is opaque. */
+static bool take_alpha(struct picture *picture, struct picture *alpha)
+{
+    const size_t n = (size_t)picture->width * (size_t)picture->height;
+    if (!picture_init(alpha, picture->width, picture->height, 0))
+        return false;
+    for (size_t i = 0; i < n; i++) {
+        const uint32_t a = pel_alpha(picture->pixels[i]);
+        alpha->pixels[i] = PEL_RGB(a, a, a);
+        picture->pixels[i] |= PEL_RGB(0, 0, 0);
+    }
+    return true;
+}
+
+/* Key, size, alpha or background, palette, dither. */
 static bool change(struct picture *picture, const struct import_options *o,
-                   const struct pel_format *format, struct table *table)
+                   const struct pel_format *format, struct changed *to)
 {
     const struct import_changes *c = &o->changes;
     const struct picture_levels format_levels = {.format = format};
@@ -262,9 +284,12 @@ static bool change(struct picture *picture, const struct import_options *o,
         make_clear(picture, c->key);
     if (c->has_size && !picture_resize(picture, c->size[0], c->size[1]))
         return false;
+    if (c->alpha && !take_alpha(picture, &to->alpha))
+        return false;
     if (format->id < PEL_FORMAT_ARGB8888)
         blend(picture, o);
     if (has_palette(format)) {
+        struct table *table = &to->table;
         if (!choose_palette(picture, o, format, table))
             return false;
         const struct picture_levels levels = {.palette = table->color,
@@ -274,21 +299,45 @@ static bool change(struct picture *picture, const struct import_options *o,
     return !c->dither || picture_reduce(picture, &format_levels, c->dither);
 }
 
+static bool write_alpha(struct import_text *text, struct picture *alpha,
+                        const struct pel_format *format)
+{
+    if (!format)
+        return true;
+    struct table none = {.count = 0};
+    const struct import_options *const options = text->options;
+    struct import_options own = *options;
+    char name[IMPORT_NAME + 8];
+    snprintf(name, sizeof(name), "%s_alpha", own.name);
+    own.name = name;
+    text->options = &own;
+    const bool done = write_picture(text, alpha, format, &none);
+    text->options = options;
+    text->alpha = true;
+    return done;
+}
+
 bool import_picture(const struct import_options *options,
                     struct picture *picture, const struct pel_format *format)
 {
+    const struct pel_format *const masks[] = {NULL, &pel_gray8, &pel_gray4,
+                                              &pel_mono1};
+    const struct pel_format *mask = masks[options->changes.alpha];
     struct import_text text;
-    struct table table = {.count = 0};
-    if (!check_changes(&options->changes, format) ||
-        !change(picture, options, format, &table) ||
-        !import_text_open(&text, options, "image"))
-        return false;
-    if (write_picture(&text, picture, format, &table)) {
-        const bool done = import_text_commit(&text);
-        if (done)
-            report_picture(options, picture, format);
-        return done;
-    }
-    output_abandon(&text.output);
-    return false;
+    struct changed to = {.alpha = {0, 0, NULL}};
+    bool done = check_changes(&options->changes, format) &&
+                change(picture, options, format, &to) &&
+                import_text_open(&text, options, "image");
+    if (done && !(write_picture(&text, picture, format, &to.table) &&
+                  write_alpha(&text, &to.alpha, mask))) {
+        output_abandon(&text.output);
+        done = false;
+    } else
+        done = done && import_text_commit(&text);
+    if (done)
+        report_picture(options, picture, format);
+    if (done && mask)
+        report_picture(options, &to.alpha, mask);
+    picture_free(&to.alpha);
+    return done;
 }

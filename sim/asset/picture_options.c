@@ -39,5 +39,11 @@ const struct option_row import_change_options[] = {
      "(default), ordered, as core does it, or diffusion",
      OPTION_CHOICE, AT(dither), .n = sizeof(enum picture_dither),
      .expected = "none|ordered|diffusion"},
+    {"alpha", "FORMAT",
+     "of a picture in a format without alpha: its alpha is not blended, but "
+     "another image, NAME_alpha, in gray8, gray4 or mono1: for "
+     "pel_masked_init, around a texture of the picture",
+     OPTION_CHOICE, AT(alpha), .n = sizeof(enum import_alpha),
+     .expected = "none|gray8|gray4|mono1"},
     {.help = NULL},
 };

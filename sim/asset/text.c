@@ -34,6 +34,8 @@ static void print_declaration(FILE *out, const struct import_text *text)
     fprintf(out, "extern const struct pel_%s_asset %s;\n", text->kind, name);
     if (text->palette)
         fprintf(out, "extern const struct pel_palette %s_palette;\n", name);
+    if (text->alpha)
+        fprintf(out, "extern const struct pel_image_asset %s_alpha;\n", name);
 }
 
 const char *import_name(const char *output, char name[IMPORT_NAME])
@@ -76,7 +78,7 @@ bool import_text_open(struct import_text *text,
 {
     text->options = options;
     text->kind = kind;
-    text->palette = false;
+    text->palette = text->alpha = false;
     if (!output_open(&text->output, options->output))
         return false;
     print_origin(text->output.stream, options);

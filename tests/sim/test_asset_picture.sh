@@ -55,6 +55,21 @@ bytes "$work/key.ppm" --format argb8888 --key '#ff00ff' --resize 2x1 |
 bytes "$work/key.ppm" --format rgb888 --key '#ff00ff' --background '#0000ff' |
     equal background "255 0 0 0 255 0 0 255 0 255 0 0"
 
+# Alpha as an image of its own: nothing is blended.
+printf 'P7\nWIDTH 4\nHEIGHT 1\nDEPTH 4\nMAXVAL 255\nENDHDR\n' >"$work/soft.pam"
+printf '\377\0\0\377\0\377\0\200\0\0\377\100\377\377\377\0' >>"$work/soft.pam"
+for row in "gray8 255 128 64 0" "gray4 248 64" "mono1 192"; do
+    format=${row%% *}
+    bytes "$work/soft.pam" --format rgb888 --alpha "$format" | equal "alpha $format" \
+        "0 0 255 0 255 0 255 0 0 255 255 255 ${row#* }"
+    [ ! -s "$work/err" ] || fail "alpha is blended: $(cat "$work/err")"
+done
+"$PEL" import "$work/soft.pam" --alpha gray4 --name soft -o "$work/soft.c" >"$work/out"
+$CC -std=c99 $WARNINGS -I. $INCLUDE -c "$work/soft.c" -o "$work/soft.o" || fail "soft.c"
+grep -qx 'extern const struct pel_image_asset soft_alpha;' "$work/soft.h" ||
+    fail "soft.h: $(cat "$work/soft.h")"
+grep -qx '         2  bytes in flash: 4 x 1 pixels' "$work/out" || fail "$(cat "$work/out")"
+
 # Palettes: all colours where they fit; else some that stand for all.
 awk 'BEGIN { print "P3 48 48 255"; for (y = 0; y < 48; y++) for (x = 0; x < 48; x++)
     print int(x / 3) * 17, int(y / 3) * 17, (int(x / 3) + int(y / 3)) % 4 * 85 }' \
@@ -154,6 +169,8 @@ done <<'END'
 --palette_is_'257':_expected --format palette8 --palette 257
 --palette_is_'x':_expected --format palette8 --palette x
 expected_16_at_most --format palette4 --palette 17
+--alpha_is_for_formats_without --format argb8888 --alpha gray8
+--alpha_is_for_formats_without --format palette8 --alpha mono1
 --dither_has_no_use --format rgb888 --dither ordered
 --dither_of_a_palette_needs_--palette --format palette8 --dither ordered
 expected_none|ordered|diffusion --dither x
