@@ -6,6 +6,7 @@
 #include "tests/support/cases.h"
 #include "tests/support/check.h"
 #include "tests/support/layouts.h"
+#include "tests/support/shapes.h"
 
 enum { SIDE = 48, MOST = 24 };
 
@@ -87,6 +88,7 @@ TEST(texels_are_where_they_belong)
         colors[i] = PEL_RGB(i, i >> 8, 200); /* each another one */
     for (struct cases c = cases_of(20000); cases_next(&c);) {
         const struct pel_turned_picture p = random_picture(&c.random);
+        shape_keep(&p.at, 1);
         const struct pel_surface screen =
             surface_of(&pel_xrgb8888, memory, sizeof memory, SIDE, SIDE);
         pel_clear(&screen, 0);
