@@ -74,15 +74,15 @@ struct crossed {
 };
 
 /* What is right of a side in all columns beyond it. */
-static int32_t growth_of(const struct pel_smooth_side *side)
+static int32_t growth_of(const struct pel_smooth_piece_side *side)
 {
     const int32_t h = pel_smooth_height(&side->strip);
     return side->rising ? h : -h;
 }
 
 /* Adds to n columns from x on, of which the side crosses some. */
-static PEL_NOINLINE void add_side(const struct pel_smooth_side *side, int32_t x,
-                                  int32_t n, int32_t *sum)
+static PEL_NOINLINE void add_side(const struct pel_smooth_piece_side *side,
+                                  int32_t x, int32_t n, int32_t *sum)
 {
     uint16_t area[PEL_SMOOTH_WINDOW];
     const int32_t h = pel_smooth_height(&side->strip);
@@ -112,7 +112,7 @@ static PEL_NOINLINE void cross(struct pel_smooth_path *path,
     for (int32_t i = 0; i < k; i++)
         sums[i] = sum;
     for (int32_t i = 0; i < g->n; i++) {
-        struct pel_smooth_side side;
+        struct pel_smooth_piece_side side;
         pel_smooth_path_piece(path, path->row.y, g->piece[i].id, &side);
         add_side(&side, x, k, sums);
     }
@@ -121,7 +121,8 @@ static PEL_NOINLINE void cross(struct pel_smooth_path *path,
     take(path, k);
 }
 
-static struct crossed columns_of(const struct pel_smooth_side *side, int32_t id)
+static struct crossed columns_of(const struct pel_smooth_piece_side *side,
+                                 int32_t id)
 {
     const int32_t a = pel_smooth_column(side->center, side->strip.at_far);
     const int32_t b = pel_smooth_column(side->center, side->strip.at_near);
@@ -136,7 +137,7 @@ static PEL_NOINLINE int32_t find_pieces(const struct pel_smooth_path *path,
     const int32_t all = pel_smooth_path_pieces(path);
     int32_t n = 0;
     for (int32_t id = 0; id < all; id++) {
-        struct pel_smooth_side side;
+        struct pel_smooth_piece_side side;
         if (!pel_smooth_path_piece(path, path->row.y, id, &side))
             continue;
         const struct crossed one = columns_of(&side, id);
@@ -160,7 +161,7 @@ static int32_t growth(const struct pel_smooth_path *path, const struct group *g)
 {
     int32_t sum = 0;
     for (int32_t i = 0; i < g->n; i++) {
-        struct pel_smooth_side side;
+        struct pel_smooth_piece_side side;
         pel_smooth_path_piece(path, path->row.y, g->piece[i].id, &side);
         sum += growth_of(&side);
     }

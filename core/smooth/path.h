@@ -65,7 +65,7 @@ void pel_smooth_path_paint(struct pel_smooth_path *path, int32_t top,
 
 /* A piece in a row, seen as a right side of the mirrored picture, if need be.
  */
-struct pel_smooth_side {
+struct pel_smooth_piece_side {
     struct pel_smooth_strip strip;
     int32_t center; /* 1/256 px */
     bool left;      /* mirrored */
@@ -78,7 +78,7 @@ void pel_smooth_path_row(struct pel_smooth_path *path, int32_t y);
 /* Piece `id` in the row, 0 up to the number of pieces; false: none of it. */
 int32_t pel_smooth_path_pieces(const struct pel_smooth_path *path);
 bool pel_smooth_path_piece(const struct pel_smooth_path *path, int32_t y,
-                           int32_t id, struct pel_smooth_side *side);
+                           int32_t id, struct pel_smooth_piece_side *side);
 
 /* As pel_smooth_strip_areas, of a line, which has no circle. */
 void pel_smooth_line_areas(const struct pel_smooth_strip *strip, int32_t center,

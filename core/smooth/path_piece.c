@@ -91,7 +91,7 @@ static void cut_to_row(const struct pel_smooth_bow *b, bool below,
 
 /* The part of a quarter of a circle that is in the row. */
 static bool bow_piece(const struct pel_smooth_bow *b, int32_t k,
-                      struct pel_smooth_side *side)
+                      struct pel_smooth_piece_side *side)
 {
     struct pel_smooth_strip *const s = &side->strip;
     const int32_t quadrant = (b->first + k) & 3;
@@ -118,7 +118,7 @@ static int64_t line_at(const struct pel_smooth_line *l, int64_t y)
 }
 
 static bool line_piece(const struct pel_smooth_line *l, int32_t y,
-                       struct pel_smooth_side *side)
+                       struct pel_smooth_piece_side *side)
 {
     struct pel_smooth_strip *const s = &side->strip;
     int64_t top = (int64_t)y * 65536, bottom = top + 65536;
@@ -148,7 +148,7 @@ static bool line_piece(const struct pel_smooth_line *l, int32_t y,
 }
 
 bool pel_smooth_path_piece(const struct pel_smooth_path *path, int32_t y,
-                           int32_t id, struct pel_smooth_side *side)
+                           int32_t id, struct pel_smooth_piece_side *side)
 {
     for (int32_t i = 0; i < path->bows; i++) {
         if (id < path->bow[i].count)
