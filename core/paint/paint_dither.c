@@ -1,6 +1,8 @@
 #include "paint_dither.h"
 #include "paint_dither_565.h"
 
+#include "../smooth/smooth.h"
+
 #define OPAQUE UINT32_C(0xFF000000)
 
 /* A channel of n bits has 2^n - 1 steps from level to level: of 255 / (2^n - 1)
@@ -70,7 +72,8 @@ static const struct pel_surface *target_of(const struct pel_surface *surface)
     return proxy_of(surface)->target;
 }
 
-/* A channel of n bits. Of opaque colors the upper bits count. */
+/* A channel of n bits. Of opaque colors the upper bits count, unless they are
+ * weighed after it. */
 static inline uint32_t dithered(uint32_t c, uint32_t n, uint32_t threshold,
                                 bool opaque)
 {
@@ -78,10 +81,13 @@ static inline uint32_t dithered(uint32_t c, uint32_t n, uint32_t threshold,
     return opaque ? level << (8 - n) : pel_widen(level, (int)n);
 }
 
-static inline pel_color dithered_color(pel_color color, const uint8_t depth[3],
+static inline pel_color dithered_color(pel_color color,
+                                       const struct pel_surface *target,
                                        int32_t x, int32_t y)
 {
-    const bool opaque = color >= OPAQUE, gray = depth[1] == 0;
+    const uint8_t *const depth = pel_smooth_depth(target);
+    const bool opaque = color >= OPAQUE && !pel_is_smooth(target);
+    const bool gray = depth[1] == 0;
     uint32_t left = gray ? pel_gray(color) << 16 : color, out = 0;
     for (int k = 0; k < (gray ? 1 : 3); k++) {
         left <<= 8;
@@ -95,9 +101,8 @@ static inline pel_color dithered_color(pel_color color, const uint8_t depth[3],
 static PEL_NOINLINE_32 void dither_out(struct proxy *proxy, int32_t x,
                                        int32_t y, int32_t n)
 {
-    const uint8_t *const depth = proxy->target->format->depth;
     for (pel_color *out = proxy->out; out < proxy->out + n; out++, x++)
-        *out = dithered_color(*out, depth, x, y);
+        *out = dithered_color(*out, proxy->target, x, y);
 }
 
 /* Takes n colors, or as many as `out` holds: how many. `next` is from each to
@@ -300,7 +305,7 @@ static PEL_NOINLINE_32 const struct pel_spans *spans_of(
     PEL_ASSERT(source->fill != fill);
     if (source->fill == fill)
         return NULL;
-    if (spans->surface->format->depth[0] == 0)
+    if (pel_smooth_depth(spans->surface)[0] == 0)
         return spans;
     proxy->surface = *spans->surface;
     proxy->surface.format = &proxy_format;

@@ -53,6 +53,19 @@ struct pel_smooth {
     pel_color colors[PEL_SMOOTH_PIXELS];
 };
 
+static inline bool pel_is_smooth(const struct pel_surface *surface)
+{
+    return surface->format->id == PEL_SMOOTH_FORMAT;
+}
+
+/* The depths that a dither has to show: those of the real surface. */
+static inline const uint8_t *pel_smooth_depth(const struct pel_surface *surface)
+{
+    if (pel_is_smooth(surface))
+        surface = PEL_CAST_ADDRESS(const struct pel_smooth *, surface)->target;
+    return surface->format->depth;
+}
+
 /* Begins a shape. False, and PEL_ASSERT, when the format cannot be blended.
  * The surface and the paint must live until the end. Without a format
  * (raster/dirty.h) the paint sees the spans alone. */

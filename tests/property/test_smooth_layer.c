@@ -168,3 +168,40 @@ TEST(dirty_boxes_hold_the_fringe)
         assert_memory_equal(&dirty[1].box, &box, sizeof box);
     }
 }
+
+/* The dithered color of each pixel is what is weighed. */
+TEST(dither_comes_before_coverage)
+{
+    static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
+    static struct canvas dithered;
+    for (struct cases c = cases_of(20000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const struct pel_flat flat = PEL_FLAT(random_word(r) | 0xFF000000u);
+        const struct pel_format *const format =
+            layouts[random_word(r) % LAYOUT_COUNT].format;
+        const struct pel_rect b = shape_bounds(r, SIDE, 9);
+        struct pel_dither dither;
+        struct pel_point v[4];
+        struct pel_surface gray;
+        shape_in_box(r, v, 4, &b);
+        memset(grey, 0, sizeof grey);
+        pel_surface_init(&gray, &pel_gray8, grey, sizeof grey, &b);
+        canvas_open(&drawn, format, &b, 0);
+        canvas_open(&expected, format, &b, 0);
+        canvas_open(&dithered, format, &b, 0);
+        pel_dither_init(&dither, &flat.paint);
+        pel_box(&dithered.surface, &b, &dither.paint);
+        pel_smooth_triangle(&gray, v, &white.paint);
+        pel_smooth_triangle(&drawn.surface, v, &dither.paint);
+        for (int32_t y = b.y0; y < b.y1; y++)
+            for (int32_t x = b.x0; x < b.x1; x++) {
+                const uint32_t a = pel_surface_line(&gray, y)[x - b.x0];
+                pel_color color;
+                format->load(&dithered.surface, x, y, 1, &color);
+                color = format->depth[0] ? color : flat.color;
+                color = (color & 0xFFFFFF) | a << 24;
+                format->put(&expected.surface, x, y, 1, &color);
+            }
+        canvas_check_same(&expected, &drawn);
+    }
+}

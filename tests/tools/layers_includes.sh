@@ -19,7 +19,8 @@ find core drivers port examples -name '*.[ch]' -o -name '*.inc' | sort | xargs a
         allow("core/smooth", "core core/base core/format core/raster" \
               " core/round")
         allow("core/hit", "core core/base core/raster core/round")
-        allow("core/paint", "core core/base core/format core/raster core/round")
+        allow("core/paint", "core core/base core/format core/raster" \
+              " core/round core/smooth")
         allow("core/fast", "core/base core/format core/raster core/paint" \
               " core/scene")
         allow("core/scene", "core core/base core/asset core/format" \
