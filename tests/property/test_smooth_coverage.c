@@ -1,5 +1,6 @@
 /* Smooth polygons against their exact area: within .5 + .02 k of 255 for k
  * edges in a pixel. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "core/smooth/smooth_polygon.h"
@@ -226,5 +227,64 @@ TEST(polygons)
                                             sizeof scratch),
                          PEL_OK);
         check_polygon(&p);
+    }
+}
+
+static int sum[SIZE * SIZE], tiles[SIZE * SIZE];
+
+static void add_tile(const struct pel_rect *bounds, const struct pel_point *v,
+                     int32_t n)
+{
+    open_window(bounds);
+    pel_smooth_convex(&window, v, n, &white.paint);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        sum[i] += pixels[i];
+        tiles[i] += pixels[i] > 0;
+    }
+}
+
+/* A box around the window, clockwise. */
+static void box_around(struct random *r, const struct pel_rect *bounds,
+                       struct pel_point c[4])
+{
+    const int32_t margin = PEL_PX(1 << random_between(r, 0, 10));
+    const int32_t x0 = PEL_PX(bounds->x0) - random_between(r, 256, margin);
+    const int32_t y0 = PEL_PX(bounds->y0) - random_between(r, 256, margin);
+    const int32_t x1 = PEL_PX(bounds->x1) + random_between(r, 256, margin);
+    const int32_t y1 = PEL_PX(bounds->y1) + random_between(r, 256, margin);
+    c[0] = (struct pel_point){x0, y0};
+    c[1] = (struct pel_point){x1, y0};
+    c[2] = (struct pel_point){x1, y1};
+    c[3] = (struct pel_point){x0, y1};
+}
+
+/* Both sides of a line: 255, or 256 where the halves of a step are rounded up;
+ * four triangles around a point: within half a step for each in the pixel, one
+ * of which may be rounded to 0. */
+TEST(tiles_add_up)
+{
+    const struct pel_rect bounds = {-5, 3, SIZE - 5, SIZE + 3};
+    for (struct cases cases = cases_of(20000); cases_next(&cases);) {
+        struct random *r = &cases.random;
+        const bool halves = random_word(r) % 2;
+        struct pel_point c[4],
+            p = {random_between(r, -1280, 4864), random_between(r, 768, 6912)};
+        box_around(r, &bounds, c);
+        const struct pel_point left = {c[0].x, random_between(r, 768, 6912)};
+        const struct pel_point right = {c[1].x, random_between(r, 768, 6912)};
+        memset(sum, 0, sizeof sum);
+        memset(tiles, 0, sizeof tiles);
+        if (halves) {
+            add_tile(&bounds, (struct pel_point[]){c[0], c[1], right, left}, 4);
+            add_tile(&bounds, (struct pel_point[]){right, c[2], c[3], left}, 4);
+        }
+        for (int i = 0; i < 4 && !halves; i++)
+            add_tile(&bounds, (struct pel_point[]){p, c[i], c[(i + 1) % 4]}, 3);
+        for (int i = 0; i < SIZE * SIZE; i++) {
+            const int off = sum[i] - 255;
+            if (halves ? off != 0 && off != 1 : 2 * abs(off) > tiles[i] + 1)
+                fail_msg("pixel %d: %d of %d tiles: %s", i, sum[i], tiles[i],
+                         cases_replay());
+        }
     }
 }
