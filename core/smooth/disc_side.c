@@ -200,3 +200,39 @@ void pel_smooth_strip_areas(const struct pel_smooth_strip *s, int32_t center,
     while (area < end)
         *area++ = 0;
 }
+
+/* The columns of a whole side that is more than one of them wide: n after the
+ * first, of which `full` px are whole. */
+static void cross_whole(const struct pel_smooth_strip *s, int32_t full,
+                        int32_t n, uint8_t *to, int32_t step)
+{
+    const uint32_t bulge = s->bulge >> 5;
+    int32_t u = s->at_far - full + 65536;
+    struct piece p = {s->at_far, s->far, u, height_at(s, u)};
+    *to = pel_smooth_coverage(((uint32_t)full >> 1) + area_of(s, &p));
+    while (--n > 0) {
+        const int32_t sum = p.v1 - s->near - s->near;
+        to += step;
+        u += 65536;
+        p.v1 = height_at(s, u);
+        *to = pel_smooth_coverage(((uint32_t)(sum + p.v1) >> 2) + bulge);
+    }
+    p = (struct piece){u, p.v1, s->at_near, s->near};
+    to[step] = pel_smooth_coverage(area_of(s, &p));
+}
+
+struct pel_span pel_smooth_whole_side(const struct pel_smooth_strip *s,
+                                      int32_t center, uint8_t *to, int32_t step)
+{
+    const uint32_t fraction = (uint32_t)center << 8 & 0xFFFF;
+    const uint32_t a = fraction + (uint32_t)s->at_far;
+    const uint32_t b = fraction + (uint32_t)s->at_near;
+    const int32_t first = (int32_t)(a >> 16), last = (int32_t)(b >> 16);
+    const uint32_t full = a & 0xFFFF, sum = full + (b & 0xFFFF);
+    center >>= 8;
+    if (first == last)
+        *to = pel_smooth_coverage((sum >> 2) + (s->bulge >> 5));
+    else
+        cross_whole(s, (int32_t)full, last - first, to, step);
+    return (struct pel_span){center + first, center + last + 1};
+}

@@ -17,6 +17,7 @@
 #ifndef PEL_SMOOTH_DISC_SIDE_H
 #define PEL_SMOOTH_DISC_SIDE_H
 
+#include "../base/format.h"
 #include "../base/point.h"
 
 /* What belongs to a radius. */
@@ -70,5 +71,21 @@ static inline uint8_t pel_smooth_coverage(uint32_t sum)
 void pel_smooth_strip_areas(const struct pel_smooth_strip *strip,
                             int32_t center, int32_t x, int32_t n,
                             uint16_t *area);
+
+/* Is the strip a whole row whose sides cross n columns each at most, not the
+ * same ones, and whose pieces have one bulge? */
+static inline bool pel_smooth_is_whole(const struct pel_smooth_strip *strip,
+                                       int32_t n)
+{
+    return !strip->small && strip->far - strip->near == 65536 &&
+           strip->at_far >= 65536 &&
+           strip->at_near - strip->at_far < (n - 1) * 65536;
+}
+
+/* Its coverage in all columns that the side crosses, into `to` and on by
+ * `step`, 1 or -1: which they are. */
+struct pel_span pel_smooth_whole_side(const struct pel_smooth_strip *strip,
+                                      int32_t center, uint8_t *to,
+                                      int32_t step);
 
 #endif

@@ -67,10 +67,11 @@ static void add_run(struct pel_smooth_path *path, int32_t x, int32_t n,
     }
 }
 
-/* The columns of a piece. */
+/* The columns of a piece, and what lies right of it in those beyond; its
+ * number. */
 struct crossed {
     int32_t first, last;
-    int32_t id;
+    int32_t growth, id;
 };
 
 /* What is right of a side in all columns beyond it. */
@@ -114,6 +115,8 @@ static PEL_NOINLINE void cross(struct pel_smooth_path *path,
     for (int32_t i = 0; i < g->n; i++) {
         struct pel_smooth_piece_side side;
         pel_smooth_path_piece(path, path->row.y, g->piece[i].id, &side);
+        if (side.strip.circle)
+            pel_smooth_strip_set(&side.strip);
         add_side(&side, x, k, sums);
     }
     for (int32_t i = 0; i < k; i++)
@@ -124,19 +127,19 @@ static PEL_NOINLINE void cross(struct pel_smooth_path *path,
 static struct crossed columns_of(const struct pel_smooth_piece_side *side,
                                  int32_t id)
 {
-    const int32_t a = pel_smooth_column(side->center, side->strip.at_far);
-    const int32_t b = pel_smooth_column(side->center, side->strip.at_near);
+    const int32_t shift = side->strip.circle ? 8 : 5;
+    const int32_t a = (side->center + (side->strip.at_far >> shift)) >> 8;
+    const int32_t b = (side->center + (side->strip.at_near >> shift)) >> 8;
     return (struct crossed){side->left ? -1 - b : a, side->left ? -1 - a : b,
-                            id};
+                            growth_of(side), id};
 }
 
 /* The pieces of the row, by their first columns: how many there are. */
 static PEL_NOINLINE int32_t find_pieces(const struct pel_smooth_path *path,
                                         struct crossed *piece)
 {
-    const int32_t all = pel_smooth_path_pieces(path);
-    int32_t n = 0;
-    for (int32_t id = 0; id < all; id++) {
+    int32_t n = 0, id = -1;
+    while ((id = pel_smooth_path_next(path, path->row.y, id)) >= 0) {
         struct pel_smooth_piece_side side;
         if (!pel_smooth_path_piece(path, path->row.y, id, &side))
             continue;
@@ -157,14 +160,11 @@ static struct group group_of(const struct crossed *piece, int32_t n)
     return g;
 }
 
-static int32_t growth(const struct pel_smooth_path *path, const struct group *g)
+static int32_t growth(const struct group *g)
 {
     int32_t sum = 0;
-    for (int32_t i = 0; i < g->n; i++) {
-        struct pel_smooth_piece_side side;
-        pel_smooth_path_piece(path, path->row.y, g->piece[i].id, &side);
-        sum += growth_of(&side);
-    }
+    for (int32_t i = 0; i < g->n; i++)
+        sum += g->piece[i].growth;
     return sum;
 }
 
@@ -192,7 +192,7 @@ static void paint_row(struct pel_smooth_path *path)
     for (int32_t i = 0; i < n;) {
         const struct group g = group_of(piece + i, n - i);
         x = paint_group(path, &g, x, sum);
-        sum += growth(path, &g);
+        sum += growth(&g);
         i += g.n;
     }
     flush(path);
@@ -203,6 +203,7 @@ void pel_smooth_path_paint(struct pel_smooth_path *path, int32_t top,
 {
     const struct pel_rect *const clip = &path->smooth.surface.clip;
     const int32_t end = pel_min(bottom, clip->y1);
+    pel_smooth_path_start(path, pel_max(top, clip->y0));
     for (path->row.y = pel_max(top, clip->y0); path->row.y < end;
          path->row.y++) {
         pel_smooth_path_row(path, path->row.y);

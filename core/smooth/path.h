@@ -25,11 +25,20 @@ struct pel_smooth_bow {
     int32_t at[2]; /* where the circle is there */
 };
 
-/* A line that goes through `base`, between two heights. */
-struct pel_smooth_line {
+/* Where a line goes: through a place, that far from `base`. */
+struct pel_smooth_way {
     struct pel_point base, direction; /* direction.y != 0 */
-    int64_t top, bottom;              /* 2^-16 px */
-    bool left;                        /* the shape is right of it */
+    struct pel_smooth_place offset;
+};
+
+/* The part of it between two heights. */
+struct pel_smooth_line {
+    struct pel_smooth_way way;
+    int64_t top, bottom; /* 2^-16 px */
+    int32_t first, last; /* rows */
+    int32_t row;         /* the present one */
+    int64_t x[2];        /* at its ends, 2^-16 px from the base */
+    bool left;           /* the shape is right of it */
 };
 
 struct pel_smooth_path {
@@ -54,10 +63,11 @@ bool pel_smooth_path_begin(struct pel_smooth_path *path,
 void pel_smooth_path_bow(struct pel_smooth_path *path,
                          const struct pel_smooth_bow *bow, int32_t radius);
 
-/* Adds a line through `base` from one height to another, 2^-16 px, in the
- * outline's direction: the shape lies on its right. */
-void pel_smooth_path_line(struct pel_smooth_path *path, struct pel_point base,
-                          struct pel_point direction, int64_t from, int64_t to);
+/* Adds a line from one height to another, 2^-16 px, in the outline's direction:
+ * the shape lies on its right. */
+void pel_smooth_path_line(struct pel_smooth_path *path,
+                          const struct pel_smooth_way *way, int64_t from,
+                          int64_t to);
 
 /* Paints the rows from `top` on up to `bottom`, px. */
 void pel_smooth_path_paint(struct pel_smooth_path *path, int32_t top,
@@ -72,15 +82,21 @@ struct pel_smooth_piece_side {
     bool rising;    /* what is right of it belongs to the shape */
 };
 
-/* Goes to row y. */
+/* Goes to row y, the first one or the next, after a start there. */
+void pel_smooth_path_start(struct pel_smooth_path *path, int32_t y);
 void pel_smooth_path_row(struct pel_smooth_path *path, int32_t y);
 
-/* Piece `id` in the row, 0 up to the number of pieces; false: none of it. */
-int32_t pel_smooth_path_pieces(const struct pel_smooth_path *path);
+/* The number of the piece after number `id` that may be in the row, the first
+ * one after -1, and -1 after the last. */
+int32_t pel_smooth_path_next(const struct pel_smooth_path *path, int32_t y,
+                             int32_t id);
+
+/* That piece in the row; false: none of it. */
 bool pel_smooth_path_piece(const struct pel_smooth_path *path, int32_t y,
                            int32_t id, struct pel_smooth_piece_side *side);
 
-/* As pel_smooth_strip_areas, of a line, which has no circle. */
+/* As pel_smooth_strip_areas, of a line, which has no circle, and whose
+ * distances are in 2^-13 px. */
 void pel_smooth_line_areas(const struct pel_smooth_strip *strip, int32_t center,
                            int32_t x, int32_t n, uint16_t *area);
 

@@ -138,12 +138,36 @@ static void paint_right(struct pel_smooth_rows *rows, int32_t center,
     }
 }
 
+/* Most rows: the same as below, in half the time. */
+static void paint_whole(struct pel_smooth_rows *rows,
+                        const struct pel_smooth_round *round)
+{
+    const struct pel_smooth_strip *const strip = rows->strips.strip;
+    uint8_t *const middle = rows->coverage + WINDOW;
+    const struct pel_span r =
+        pel_smooth_whole_side(strip, round->right, middle, 1);
+    const int32_t n = r.x1 - r.x0, sum = (round->left + round->right) >> 8;
+    struct pel_span l = {r.x0 - sum, r.x1 - sum};
+    if (rows->twin_columns)
+        copy_twins(middle, n, 0);
+    else
+        l = pel_smooth_whole_side(strip, -round->left, middle - 1, -1);
+    struct pel_smooth_row row = {rows->rows.x0, -l.x1, l.x1 - l.x0,
+                                 r.x0 + l.x0,   n,     middle - (l.x1 - l.x0)};
+    pel_smooth_rows_put(rows, &row);
+}
+
 void pel_smooth_rows_paint(struct pel_smooth_rows *rows,
                            const struct pel_smooth_round *round)
 {
     struct parts p;
     if (rows->strips.n == 0)
         return;
+    if (PEL_KNOW_SIDES && rows->inside && rows->strips.n == 1 &&
+        pel_smooth_is_whole(rows->strips.strip, WINDOW)) {
+        paint_whole(rows, round);
+        return;
+    }
     find_parts(rows, round, &p);
     if (p.height == 32768 || pel_smooth_empty(&p.full))
         paint_parts(rows, round, &p);
@@ -166,6 +190,8 @@ bool pel_smooth_rows_begin(struct pel_smooth_rows *rows,
     seen->x1 = pel_min(bottom, clip->y1);
     rows->image_y = pel_pixel_of(sum) - 1;
     rows->twins = (sum & 255) == 0 && seen->x0 == top && seen->x1 == bottom;
+    rows->inside = pel_pixel_of(round->left - round->radius) >= clip->x0 &&
+                   pel_pixel_of(round->right + round->radius) < clip->x1;
     rows->twin_columns = ((round->left + round->right) & 255) == 0;
     if (rows->twins)
         seen->x1 = (rows->image_y >> 1) + 1;

@@ -11,6 +11,7 @@ struct pel_smooth_rows {
     struct pel_span rows; /* that are left */
     int32_t image_y;      /* a row and its image add up to it */
     bool twins;           /* rows are painted with their images */
+    bool inside;          /* no column is clipped away */
     bool twin_columns;    /* the left side mirrors the right one, by columns */
     uint8_t coverage[2 * PEL_SMOOTH_WINDOW];
 };

@@ -22,9 +22,8 @@ static struct pel_smooth_place place_at(struct pel_point d, int32_t radius)
 static void add_gap(struct pel_smooth_path *path, struct pel_point at,
                     int32_t x, int64_t from, int64_t to)
 {
-    const struct pel_point down = {0, 1};
-    at.x += (x + 128) >> 8;
-    pel_smooth_path_line(path, at, down, from, to);
+    const struct pel_smooth_way down = {at, {0, 1}, {x, 0}};
+    pel_smooth_path_line(path, &down, from, to);
 }
 
 /* An end of an arc: at its beginning the outline goes outwards. */
@@ -75,8 +74,10 @@ static void add_half(struct pel_smooth_path *path, const struct end *end)
 
 static void add_ray(struct pel_smooth_path *path, const struct end *end)
 {
-    pel_smooth_path_line(path, end->arc->center, pel_direction(end->angle),
-                         height_of(end, true), height_of(end, false));
+    const struct pel_smooth_way ray = {
+        end->arc->center, pel_direction(end->angle), {0, 0}};
+    pel_smooth_path_line(path, &ray, height_of(end, true),
+                         height_of(end, false));
 }
 
 /* Once through a quadrant, or back to it. */

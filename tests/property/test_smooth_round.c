@@ -7,23 +7,15 @@
 #include "core/smooth/smooth_circle.h"
 #include "core/smooth/smooth_ring.h"
 #include "core/smooth/smooth_rounded_rectangle.h"
+#include "core/smooth/smooth_thick_line.h"
 #include "tests/support/check.h"
-#include "tests/support/reference_area.h"
+#include "tests/support/round_area.h"
 #include "tests/support/shapes.h"
 
 enum { SIZE = 24 };
 
 static uint8_t pixels[SIZE * SIZE], others[SIZE * SIZE];
 static const struct pel_flat white = PEL_FLAT(PEL_RGB(255, 255, 255));
-
-/* A shape of random numbers. */
-struct round {
-    enum { DISC, RING, ROUNDED, SECTOR, ARC, ARC_ROUND, KINDS } kind;
-    struct pel_point center;
-    struct pel_point to; /* of a rectangle, which begins at the centre */
-    int32_t radius, inner;
-    int32_t from, turn; /* angles */
-};
 
 static const char *text_of(const struct round *s)
 {
@@ -53,6 +45,7 @@ static void draw(const struct pel_surface *surface, const struct round *s)
                                             s->from + s->turn};
     const struct pel_arc_shape arc = {s->center, s->inner, s->radius, s->from,
                                       s->from + s->turn};
+    const struct pel_thick_line_shape line = {s->center, s->to, s->radius};
     switch (s->kind) {
     case RING:
         pel_smooth_ring(surface, &ring, &white.paint);
@@ -66,126 +59,15 @@ static void draw(const struct pel_surface *surface, const struct round *s)
     case ARC:
         pel_smooth_arc(surface, &arc, &white.paint);
         break;
+    case LINE:
+        pel_smooth_thick_line_round(surface, &line, &white.paint);
+        break;
     case ARC_ROUND:
         pel_smooth_arc_round(surface, &arc, &white.paint);
         break;
     default:
         pel_smooth_circle(surface, s->center, s->radius, &white.paint);
     }
-}
-
-/* A pixel without arcs needs no arithmetic. */
-static real disc_at(const struct area_polygon *pixel, int32_t radius)
-{
-    const real r = (real)radius / 256;
-    bool inside = true;
-    for (int i = 0; i < 4; i++)
-        inside &=
-            pixel->v[i].x * pixel->v[i].x + pixel->v[i].y * pixel->v[i].y <=
-            r * r;
-    return inside ? 1 : area_in_disc(pixel, r);
-}
-
-static void cut_to(struct area_polygon *p, real x0, real y0, real x1, real y1)
-{
-    area_cut(p, -1, 0, -x0);
-    area_cut(p, 0, -1, -y0);
-    area_cut(p, 1, 0, x1);
-    area_cut(p, 0, 1, y1);
-}
-
-/* The rectangle, less its corners' squares, and quarters of a disc there. */
-static real rounded_at(const struct round *s, int32_t x, int32_t y)
-{
-    const int32_t width = s->to.x - s->center.x, height = s->to.y - s->center.y;
-    const int32_t least = pel_min(width, height) / 2;
-    const int32_t radius = pel_min(s->radius, least);
-    const real r = (real)radius / 256;
-    struct area_polygon p =
-        area_pixel((real)s->center.x, (real)s->center.y, x, y);
-    cut_to(&p, 0, 0, (real)width / 256, (real)height / 256);
-    real area = area_of_polygon(&p);
-    for (int i = 0; i < 4 && radius > 0; i++) {
-        const real cx = (real)(i % 2 ? s->center.x + radius : s->to.x - radius);
-        const real cy = (real)(i / 2 ? s->center.y + radius : s->to.y - radius);
-        p = area_pixel(cx, cy, x, y);
-        cut_to(&p, i % 2 ? -r : 0, i / 2 ? -r : 0, i % 2 ? 0 : r,
-               i / 2 ? 0 : r);
-        area -= area_of_polygon(&p) - area_in_disc(&p, r);
-    }
-    return area;
-}
-
-/* Keeps what is clockwise of a ray, up to half a turn: sign 1; or before it. */
-static void cut_ray(struct area_polygon *p, struct pel_point d, int sign)
-{
-    area_cut(p, sign * (real)d.y, -sign * (real)d.x, 0);
-}
-
-/* The part of a ring in an angle of at most half a turn. */
-static real wedge_at(const struct round *s, int32_t from, int32_t turn,
-                     struct area_polygon p)
-{
-    cut_ray(&p, pel_direction((uint16_t)from), 1);
-    cut_ray(&p, pel_direction((uint16_t)(from + turn)), -1);
-    const real hole = s->kind == SECTOR ? 0 : (real)s->inner / 256;
-    return area_in_disc(&p, (real)s->radius / 256) -
-           (hole > 0 ? area_in_disc(&p, hole) : 0);
-}
-
-/* Is the place of an end about as near to one sub-pixel as to the next? */
-static bool between_places(const struct round *s, int32_t angle)
-{
-    const struct pel_point d = pel_direction((uint16_t)angle);
-    const real length = real_root((real)d.x * d.x + (real)d.y * d.y);
-    const real middle = (real)((s->inner + s->radius) / 2) / length;
-    const real u = d.x * middle, v = d.y * middle;
-    return real_abs(u - real_floor(u) - 0.5L) < 0.02L ||
-           real_abs(v - real_floor(v) - 0.5L) < 0.02L;
-}
-
-/* What a disc at the end of an arc adds beyond its ray: sign 1 at the end. */
-static real end_at(const struct round *s, int32_t angle, int sign, int32_t x,
-                   int32_t y)
-{
-    const struct pel_point d = pel_direction((uint16_t)angle);
-    const real dx = d.x, dy = d.y, length = real_root(dx * dx + dy * dy);
-    const int32_t middle = (s->inner + s->radius) / 2;
-    const real u = real_round(dx * middle / length);
-    const real v = real_round(dy * middle / length);
-    struct area_polygon p = area_pixel(s->center.x + u, s->center.y + v, x, y);
-    area_cut(&p, sign * dy, -sign * dx, -sign * (dy * u - dx * v) / 256);
-    return area_in_disc(&p, (real)((s->radius - s->inner) / 2) / 256);
-}
-
-static real arc_at(const struct round *s, int32_t x, int32_t y)
-{
-    const struct area_polygon pixel =
-        area_pixel((real)s->center.x, (real)s->center.y, x, y);
-    const int32_t half = s->turn / 2;
-    if (s->turn <= 0 || (s->kind != SECTOR && s->inner >= s->radius))
-        return 0;
-    real area = wedge_at(s, s->from, half, pixel) +
-                wedge_at(s, s->from + half, s->turn - half, pixel);
-    if (s->kind == ARC_ROUND)
-        area += end_at(s, s->from, -1, x, y) +
-                end_at(s, s->from + s->turn, 1, x, y);
-    return area;
-}
-
-static real area_at(const struct round *s, int32_t x, int32_t y)
-{
-    const struct area_polygon pixel =
-        area_pixel((real)s->center.x, (real)s->center.y, x, y);
-    if (s->kind == DISC)
-        return disc_at(&pixel, s->radius);
-    if (s->kind == ROUNDED)
-        return rounded_at(s, x, y);
-    if (s->kind != RING)
-        return arc_at(s, x, y);
-    return s->inner < s->radius
-               ? disc_at(&pixel, s->radius) - disc_at(&pixel, s->inner)
-               : 0;
 }
 
 /* From 0 to 32,767 px, more often small, sometimes whole. */
@@ -217,6 +99,13 @@ static struct pel_rect random_window(struct random *r, const struct round *s)
         x = s->center.x + (int64_t)at * ray.x / 32768;
         y = s->center.y + (int64_t)at * ray.y / 32768;
     }
+    if (s->kind == LINE) {
+        const int32_t at = random_between(r, 0, 256) & (int32_t)random_word(r);
+        x = s->center.x + ((int64_t)s->to.x - s->center.x) * at / 256 +
+            (int64_t)s->radius * d.x / 65536;
+        y = s->center.y + ((int64_t)s->to.y - s->center.y) * at / 256 +
+            (int64_t)s->radius * d.y / 65536;
+    }
     if (s->kind == ROUNDED) {
         const int32_t side =
             pel_min(s->to.x - s->center.x, s->to.y - s->center.y);
@@ -228,7 +117,9 @@ static struct pel_rect random_window(struct random *r, const struct round *s)
     }
     const int32_t x0 = (int32_t)(x >> 8) - random_between(r, 0, SIZE - 1),
                   y0 = (int32_t)(y >> 8) - random_between(r, 0, SIZE - 1);
-    return (struct pel_rect){x0, y0, x0 + SIZE, y0 + SIZE};
+    const int32_t x1 = pel_max(-32768, pel_min(x0, 32767 - SIZE)),
+                  y1 = pel_max(-32768, pel_min(y0, 32767 - SIZE));
+    return (struct pel_rect){x1, y1, x1 + SIZE, y1 + SIZE};
 }
 
 /* A side for a radius in corners. */
@@ -258,6 +149,12 @@ static struct round random_round(struct random *r)
     s.turn = pel_max(s.turn & random_mask(r), 1);
     s.to.x = s.center.x + random_size(r, s.radius);
     s.to.y = s.center.y + random_size(r, s.radius);
+    if (s.kind == LINE) {
+        s.to.x = s.center.x + random_radius(r) - random_radius(r);
+        s.to.y = s.center.y + random_radius(r) - random_radius(r);
+    }
+    s.to.x = pel_max(s.to.x, -PEL_PX(32700));
+    s.to.y = pel_max(s.to.y, -PEL_PX(32700));
     shape_keep_circle(s.center, s.radius);
     return s;
 }
@@ -269,7 +166,8 @@ static real bound_of(const struct round *s)
     const int32_t hole = s->kind == RING || s->kind == ARC ? s->inner : 0;
     const int32_t least = hole ? pel_min(hole, s->radius) : s->radius;
     const bool good = least >= PEL_PX(16) && s->radius <= PEL_PX(2048) &&
-                      s->kind != ROUNDED && s->kind != ARC_ROUND;
+                      s->kind != ROUNDED && s->kind != ARC_ROUND &&
+                      s->kind != LINE;
     return good ? 0.55L : 1;
 }
 
@@ -279,14 +177,14 @@ TEST(areas)
         const struct round s = random_round(&c.random);
         const struct pel_rect b = random_window(&c.random, &s);
         const struct pel_surface window = window_of(&b, pixels);
-        if (s.kind == ARC_ROUND &&
-            (between_places(&s, s.from) || between_places(&s, s.from + s.turn)))
+        if (s.kind == ARC_ROUND && (round_between_places(&s, s.from) ||
+                                    round_between_places(&s, s.from + s.turn)))
             continue;
         draw(&window, &s);
         for (int32_t y = b.y0; y < b.y1; y++)
             for (int32_t x = b.x0; x < b.x1; x++) {
                 const int got = pixels[(y - b.y0) * SIZE + x - b.x0];
-                const real area = 255 * area_at(&s, x, y);
+                const real area = 255 * round_area_at(&s, x, y);
                 if (real_abs(got - area) > bound_of(&s))
                     fail_msg("(%d, %d): %d, not %.3Lf; %s", x, y, got, area,
                              text_of(&s));
