@@ -33,7 +33,6 @@
 #include "format/formats.h"
 #include "format/palette.h"
 
-#include "raster/cost.h"
 #include "raster/dirty.h"
 #include "raster/gouraud.h"
 #include "raster/line.h"
@@ -86,7 +85,6 @@
 #include "asset/mesh_asset.h"
 
 #include "scene/certificate.h"
-#include "scene/cost.h"
 #include "scene/pipeline.h"
 #include "scene/select.h"
 #include "scene/stats.h"

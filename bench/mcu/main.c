@@ -89,5 +89,6 @@ int main(void)
     textures_report();
     hits_report();
     matrix_report();
-    return !costs_report();
+    fills_report();
+    return !shapes_report();
 }

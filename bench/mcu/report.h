@@ -9,11 +9,12 @@
  * how many calls or pixels it is for. */
 void report(const char *name, int32_t parameter, int32_t time, uint32_t per);
 
+void fills_report(void);
 void hits_report(void);
 void matrix_report(void);
 void textures_report(void);
 
 /* False: a bound does not hold. */
-bool costs_report(void);
+bool shapes_report(void);
 
 #endif

@@ -53,7 +53,7 @@ static inline int pel_leading_zeros(uint64_t v)
  * instruction for it: there a loop is shorter than what compilers link. */
 static inline int pel_trailing_zeros(uint32_t v)
 {
-#if PEL_64BIT && defined(__GNUC__)
+#if (PEL_64BIT || defined(__thumb2__)) && defined(__GNUC__)
     return __builtin_ctz(v);
 #else
     int zeros = 0;

@@ -48,6 +48,19 @@ static inline struct pel_rect pel_rect_pixels(const struct pel_rect *box,
     return r;
 }
 
+/* Those whose centres are at most a radius from a point, in each direction. */
+static inline struct pel_rect pel_rect_around(struct pel_point center,
+                                              struct pel_point radius,
+                                              const struct pel_rect *clip)
+{
+    struct pel_rect r;
+    r.x0 = pel_max(pel_first_pixel(center.x - radius.x), clip->x0);
+    r.y0 = pel_max(pel_first_pixel(center.y - radius.y), clip->y0);
+    r.x1 = pel_min(pel_pixel_of(center.x + radius.x + 128), clip->x1);
+    r.y1 = pel_min(pel_pixel_of(center.y + radius.y + 128), clip->y1);
+    return r;
+}
+
 static inline bool pel_rect_inside(const struct pel_rect *r,
                                    const struct pel_rect *outer)
 {

@@ -53,14 +53,16 @@ static PEL_ALWAYS_INLINE void pel_span16(pel_word16 *p, int32_t n,
         pel_span16_short(p, n, v);
         return;
     }
-    pel_put_u16x8(p, v);
     pel_put_u16x8(end, v);
+    pel_put_u16x8(p, v);
     if (n <= 16)
         return;
-    do {
-        p += 8;
+    pel_put_u16x8(end - 8, v);
+    pel_put_u16x8(p + 8, v);
+    for (p += 16; p < end - 8; p += 16) {
         pel_put_u16x8(p, v);
-    } while (p < end - 8);
+        pel_put_u16x8(p + 8, v);
+    }
 }
 
 #else

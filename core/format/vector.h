@@ -17,6 +17,12 @@ void pel_blend565(const struct pel_spans *spans, pel_color color);
 int32_t pel_put565(const struct pel_format *format, pel_word16 *p, int32_t n,
                    const pel_color *colors);
 
+/* Packs n colors, alpha ignored, and what unpacking makes of n pixels. */
+void pel_pack565(const struct pel_format *format, pel_word16 *p, int32_t n,
+                 const pel_color *colors);
+void pel_load565(const struct pel_surface *surface, int32_t x, int32_t y,
+                 int32_t n, pel_color *colors);
+
 /* The `put` of xrgb8888 and argb8888, whose pixels are colors. */
 void pel_put32(const struct pel_surface *surface, int32_t x, int32_t y,
                int32_t n, const pel_color *colors);
@@ -68,11 +74,22 @@ static inline void pel_put_u16x8(void *p, pel_u16x8 v)
 /* Lanes i to l, of 0 to 3 in a and 4 to 7 in b. */
 #define PEL_LANES(a, b, i, j, k, l) PEL_SHUFFLE(pel_u32x4, a, b, i, j, k, l)
 
-/* Bytes of a and b by turns: the lower eight of both, the upper eight. */
+/* Bytes or halves of words of a and b by turns: the lower lanes of both, the
+ * upper ones. */
 static inline pel_u8x16 pel_zip_low_u8x16(pel_u8x16 a, pel_u8x16 b)
 {
     return PEL_SHUFFLE(pel_u8x16, a, b, 0, 16, 1, 17, 2, 18, 3, 19, 4, 20, 5,
                        21, 6, 22, 7, 23);
+}
+
+static inline pel_u16x8 pel_zip_low_u16x8(pel_u16x8 a, pel_u16x8 b)
+{
+    return PEL_SHUFFLE(pel_u16x8, a, b, 0, 8, 1, 9, 2, 10, 3, 11);
+}
+
+static inline pel_u16x8 pel_zip_high_u16x8(pel_u16x8 a, pel_u16x8 b)
+{
+    return PEL_SHUFFLE(pel_u16x8, a, b, 4, 12, 5, 13, 6, 14, 7, 15);
 }
 
 static inline pel_u8x16 pel_zip_high_u8x16(pel_u8x16 a, pel_u8x16 b)

@@ -10,10 +10,17 @@ typedef uint16_t PEL_MAY_ALIAS pel_word16;
 typedef uint32_t PEL_MAY_ALIAS pel_word32;
 
 #ifdef __GNUC__
-/* One instruction on Arm, which compilers do not find in the shifts. */
+/* One instruction on Arm, which compilers do not find in the shifts. On Thumb-1
+ * they must not see it: they would take channels from the bytes before the
+ * swap, with masks for which there are no registers. */
 static inline uint32_t pel_swap16(uint32_t v)
 {
+#if defined(__thumb__) && !defined(__thumb2__) && __ARM_ARCH >= 6
+    __asm__("rev16 %0, %0" : "+l"(v));
+    return v & 0xFFFF;
+#else
     return __builtin_bswap16(PEL_CAST(uint16_t, v));
+#endif
 }
 
 /* Asks for a cache line that is soon written. The address need not be in

@@ -73,24 +73,32 @@ bool pel_hit_rounded_rectangle(const struct pel_rounded_shape *rectangle,
     return pel_hit_circle(inner, r, x, y);
 }
 
-/* Positive where d lies clockwise of the ray, by up to half a turn. */
-static int64_t side_of(struct pel_point ray, struct pel_point d)
+/* Positive where d lies clockwise of the ray, by up to half a turn; 0 on it. */
+static int64_t side_of(uint16_t turn, struct pel_point d)
 {
+    const struct pel_point ray = pel_direction(turn);
     return pel_product(ray.x, d.y) - pel_product(ray.y, d.x);
 }
 
-/* True on the ray of `from`, or clockwise of it and before that of `to`, half a
- * turn on at most. */
-static bool in_half(struct pel_point d, uint16_t from, uint16_t to)
+/* The eighth of a turn that holds the angle of d, which is not 0. */
+static int32_t octant_of(struct pel_point d)
 {
-    const struct pel_point ray = pel_direction(from);
-    const int64_t side = side_of(ray, d);
-    if (side == 0)
-        return pel_product(ray.x, d.x) + pel_product(ray.y, d.y) > 0;
-    return side > 0 && side_of(pel_direction(to), d) < 0;
+    int32_t octant = 0;
+    if (d.y < 0 || (d.y == 0 && d.x < 0)) {
+        d = (struct pel_point){-d.x, -d.y};
+        octant = 4;
+    }
+    if (d.x <= 0) {
+        d = (struct pel_point){d.y, -d.x};
+        octant += 2;
+    }
+    return octant + (d.y >= d.x);
 }
 
-/* True in the range of angles around the centre (rule: round/angle_range.h). */
+/* True in the range of angles around the centre (rule: round/angle_range.h).
+ * Only in the octants of its ends is a direction needed: one, where these are
+ * two octants. A range that begins and ends in one is small, or holds all
+ * others and the octant's part before or after the gap. */
 static PEL_NOINLINE bool in_angles(struct pel_point center, int32_t from,
                                    int32_t to, int32_t x, int32_t y)
 {
@@ -101,9 +109,17 @@ static PEL_NOINLINE bool in_angles(struct pel_point center, int32_t from,
         d.x = 1;
     if (!pel_angles_set(&a, from, to))
         return false;
-    if ((uint16_t)(a.to - a.from - 1) < 32768)
-        return in_half(d, a.from, a.to);
-    return a.from == a.to || !in_half(d, a.to, a.from);
+    const uint16_t size = (uint16_t)(a.to - a.from);
+    const int32_t first = a.from >> 13, last = a.to >> 13;
+    const int32_t octant = octant_of(d);
+    const bool around = first == last && size > 8192;
+    if (size == 0)
+        return true;
+    if (octant != first && octant != last)
+        return around || ((octant - first) & 7) < ((last - first) & 7);
+    const bool begun = octant != first || side_of(a.from, d) >= 0;
+    const bool open = octant != last || side_of(a.to, d) < 0;
+    return around ? begun || open : begun && open;
 }
 
 bool pel_hit_ring(const struct pel_ring_shape *ring, int32_t x, int32_t y)
@@ -235,23 +251,21 @@ bool pel_hit_line(struct pel_point from, struct pel_point to, int32_t x,
     return on_line(y, x, dy, dx);
 }
 
-/* True within `margin` of what lies between a and b. */
-static bool is_near(int32_t v, int32_t a, int32_t b, int32_t margin)
+static bool in_box(const struct pel_rect *box, struct pel_point p)
 {
-    return v >= pel_min(a, b) - margin && v <= pel_max(a, b) + margin;
+    return p.x >= box->x0 && p.x <= box->x1 && p.y >= box->y0 && p.y <= box->y1;
 }
 
 /* The box comes first, as the corners take a root. */
 bool pel_hit_thick_line(const struct pel_thick_line_shape *line, int32_t x,
                         int32_t y)
 {
-    const struct pel_point from = line->from, to = line->to;
-    const int32_t margin = line->width / 2 + 2; /* corners are rounded */
     struct pel_point p, v[4];
     const struct pel_polygon_shape polygon = {v, 4, PEL_NON_ZERO};
-    return set_point(x, y, &p) && pel_point_legal(from) &&
-           pel_point_legal(to) && pel_radius_legal(line->width) &&
-           is_near(p.x, from.x, to.x, margin) &&
-           is_near(p.y, from.y, to.y, margin) &&
-           pel_thick_line_corners(line, v) && pel_hit_polygon(&polygon, x, y);
+    if (!set_point(x, y, &p) || !pel_point_legal(line->from) ||
+        !pel_point_legal(line->to) || !pel_radius_legal(line->width))
+        return false;
+    const struct pel_rect box = pel_thick_line_box(line);
+    return in_box(&box, p) && pel_thick_line_corners(line, v) &&
+           pel_hit_polygon(&polygon, x, y);
 }

@@ -209,6 +209,25 @@ static void copy_colors(const struct pel_surface *surface,
     }
 }
 
+/* Copies colors as they lie in memory to 5-6-5 bits. False: it is another copy.
+ */
+static bool copy_packed(const struct pel_surface *surface,
+                        const struct pel_copy_part *copy)
+{
+    const struct pel_surface *source = copy->source;
+    const struct pel_format *to = surface->format, *from = source->format;
+    const int32_t dx = copy->x - copy->area.x0, dy = copy->y - copy->area.y0;
+    struct pel_rect r;
+    if (to->id > PEL_FORMAT_BGR565_LE ||
+        (from->id != PEL_FORMAT_XRGB8888 && from->id != PEL_FORMAT_ARGB8888) ||
+        !visible_part(surface, copy, &r))
+        return false;
+    for (int32_t y = r.y0; y < r.y1; y++)
+        pel_pack565(to, pel_address16(surface, r.x0, y), r.x1 - r.x0,
+                    pel_address32(source, r.x0 - dx, y - dy));
+    return true;
+}
+
 static void make_opaque(pel_color *colors, int32_t n, uint32_t option)
 {
     (void)option;
@@ -219,8 +238,10 @@ static void make_opaque(pel_color *colors, int32_t n, uint32_t option)
 void pel_copy(const struct pel_surface *surface,
               const struct pel_copy_part *copy)
 {
-    if (!copy_same(surface, copy, NULL))
-        copy_colors(surface, copy, make_opaque, 0);
+    if (copy_same(surface, copy, NULL) ||
+        (PEL_VECTORS && copy_packed(surface, copy)))
+        return;
+    copy_colors(surface, copy, make_opaque, 0);
 }
 
 static void drop_key(pel_color *colors, int32_t n, uint32_t key)

@@ -14,8 +14,9 @@ void pel_circle_outline(const struct pel_surface *surface,
         !pel_disc_walk_start(&w, &center, radius, &clip))
         return;
     pel_outline_begin(&o, surface);
-    for (; w.y <= w.end; pel_disc_walk_next(&w)) {
-        pel_outline_disc(&o, w.y < w.end ? &w.disc : NULL, &clip);
-        pel_outline_put(&o, paint, w.y);
+    for (; w.visible.y0 <= w.visible.y1; pel_disc_walk_next(&w, &center)) {
+        pel_outline_disc(&o, pel_disc_walk_ended(&w) ? NULL : &w.disc,
+                         &w.visible);
+        pel_outline_put(&o, paint, w.visible.y0);
     }
 }

@@ -109,7 +109,8 @@ bool pel_outline_filter_begin(struct pel_outline_filter *f,
 {
     if (pel_rect_empty(&surface->clip))
         return false;
-    f->paint = (struct pel_paint){.fill = filter_fill};
+    f->paint.fill = filter_fill;
+    f->paint.fast = NULL;
     f->surface = *surface;
     f->surface.clip.x0--;
     f->surface.clip.y0--;
@@ -127,5 +128,6 @@ bool pel_outline_filter_begin(struct pel_outline_filter *f,
 
 void pel_outline_filter_end(struct pel_outline_filter *f)
 {
-    advance(f, f->y + 2);
+    if (f->row[1].n || f->row[2].n)
+        advance(f, f->y + 2);
 }

@@ -30,20 +30,21 @@ enum pel_status pel_polygon_outline(const struct pel_surface *surface,
         return PEL_ERROR_NULL;
     if (polygon->n < 3)
         return PEL_OK;
-    if (!scratch)
+    if (!scratch || !polygon->v)
         return PEL_ERROR_NULL;
     size_t needed = pel_polygon_outline_scratch_size(polygon->n);
     if (needed == 0 || size < needed || (uintptr_t)scratch % 4)
         return PEL_ERROR_SCRATCH;
+    const int visible = pel_polygon_visible(polygon, &surface->clip);
+    if (visible <= 0)
+        return (enum pel_status)visible;
     struct pel_outline_filter *filter = filter_in(scratch);
     uint8_t *const memory = scratch;
     void *const spans = memory + FILTER_BYTES;
     const int32_t n = PEL_OUTLINE_FILTER_SPANS(polygon->n / 2);
     const size_t used = FILTER_BYTES + (size_t)n * sizeof(struct pel_span);
-    /* With an empty clip the fill draws nothing, and finds the same errors. */
-    if (!pel_outline_filter_begin(filter, surface, paint, spans, n))
-        return pel_polygon(surface, polygon, paint, memory + used, size - used);
-    enum pel_status status = pel_polygon(
+    pel_outline_filter_begin(filter, surface, paint, spans, n);
+    const enum pel_status status = pel_polygon(
         &filter->surface, polygon, &filter->paint, memory + used, size - used);
     pel_outline_filter_end(filter);
     return status;

@@ -50,6 +50,10 @@ void pel_triangle_outline(const struct pel_surface *surface,
     PEL_ASSERT(pel_points_legal(v, 3));
     if (!pel_points_legal(v, 3) || pel_rect_empty(&surface->clip))
         return;
+    const struct pel_rect box = pel_corners_box(v);
+    const struct pel_rect seen = pel_rect_pixels(&box, &clip);
+    if (pel_rect_empty(&seen))
+        return;
     pel_sort_rows(order);
     sides_start(&s, order, &clip);
     pel_outline_begin(&o, surface);

@@ -139,8 +139,34 @@ static void sweep_rows(struct sweep *w, struct pel_collector *c)
     }
 }
 
-static PEL_NOINLINE enum pel_status check(const struct pel_polygon_shape *p,
-                                          const void *scratch, size_t size)
+static struct pel_rect box_of(const struct pel_polygon_shape *p)
+{
+    const struct pel_point *v = p->v, *const end = v + p->n;
+    struct pel_rect box = {v->x, v->y, v->x, v->y};
+    while (++v < end) {
+        box.x0 = pel_min(box.x0, v->x);
+        box.y0 = pel_min(box.y0, v->y);
+        box.x1 = pel_max(box.x1, v->x);
+        box.y1 = pel_max(box.y1, v->y);
+    }
+    return box;
+}
+
+int pel_polygon_visible(const struct pel_polygon_shape *polygon,
+                        const struct pel_rect *clip)
+{
+    const struct pel_rect box = box_of(polygon);
+    const struct pel_point corners[2] = {{box.x0, box.y0}, {box.x1, box.y1}};
+    if (!pel_points_legal(corners, 2))
+        return PEL_ERROR_RANGE;
+    const struct pel_rect seen = pel_rect_pixels(&box, clip);
+    return pel_rect_empty(&seen) ? PEL_OK : 1;
+}
+
+/* As pel_polygon_visible. */
+static PEL_NOINLINE int check(const struct pel_polygon_shape *p,
+                              const void *scratch, size_t size,
+                              const struct pel_rect *clip)
 {
     if (!p->v || !scratch)
         return PEL_ERROR_NULL;
@@ -148,7 +174,7 @@ static PEL_NOINLINE enum pel_status check(const struct pel_polygon_shape *p,
     if (needed == 0 || size < needed || (uintptr_t)scratch % 4)
         return PEL_ERROR_SCRATCH;
     PEL_HINT(pel_in_subpixels(p->v, p->n, 0));
-    return pel_points_legal(p->v, p->n) ? PEL_OK : PEL_ERROR_RANGE;
+    return pel_polygon_visible(p, clip);
 }
 
 enum pel_status pel_polygon(const struct pel_surface *surface,
@@ -160,9 +186,9 @@ enum pel_status pel_polygon(const struct pel_surface *surface,
         return PEL_ERROR_NULL;
     if (polygon->n < 3)
         return PEL_OK;
-    enum pel_status status = check(polygon, scratch, size);
-    if (status != PEL_OK)
-        return status;
+    const int visible = check(polygon, scratch, size, &surface->clip);
+    if (visible <= 0)
+        return (enum pel_status)visible;
 
     struct side *sides = scratch;
     struct sweep w = {sides, (int32_t *)(void *)(sides + polygon->n), 0, 0,

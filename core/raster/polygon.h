@@ -35,5 +35,10 @@ enum pel_status pel_polygon(const struct pel_surface *surface,
                             const struct pel_polygon_shape *polygon,
                             const struct pel_paint *paint, void *scratch,
                             size_t size);
+
+/* 1 when the box of a polygon of n >= 1 vertices has pixels inside the clip;
+ * otherwise PEL_OK or PEL_ERROR_RANGE. */
+int pel_polygon_visible(const struct pel_polygon_shape *polygon,
+                        const struct pel_rect *clip);
 PEL_END_DECLS
 #endif

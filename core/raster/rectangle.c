@@ -43,8 +43,35 @@ void pel_rectangle(const struct pel_surface *surface, struct pel_point from,
     fill_rows(surface, &r, paint);
 }
 
+/* The pixels of a surface that is visible as a whole and whose rows follow one
+ * another without a gap; else 0, also where the product would not fit fill's
+ * numbers of bits. */
+static int32_t pixels_of_memory(const struct pel_surface *s)
+{
+    const bool pages = s->format->id == PEL_FORMAT_MONO1_PAGES;
+    const int32_t width = s->bounds.x1 - s->bounds.x0;
+    const int32_t height = s->bounds.y1 - s->bounds.y0;
+    const int32_t bits = pages ? width * 8 : width * s->format->bits;
+    if (!pel_rect_inside(&s->bounds, &s->clip) || (bits & 7) ||
+        s->stride != bits >> 3 || (width | height) >> 13 ||
+        (pages && (height & 7)))
+        return 0;
+    return width * height;
+}
+
+/* Fills of core take such memory as one row. */
 void pel_clear(const struct pel_surface *surface, pel_color color)
 {
     const struct pel_flat flat = PEL_FLAT(color | PEL_RGB(0, 0, 0));
-    fill_rows(surface, &surface->clip, &flat.paint);
+    const struct pel_format *format = surface->format;
+    const struct pel_rect *clip = &surface->clip;
+    if (pel_rect_empty(clip))
+        return;
+    const int32_t n = format->id < 128 ? pixels_of_memory(surface) : 0;
+    const struct pel_span row = {clip->x0, clip->x0 + n};
+    const struct pel_spans rows = {surface, &row, clip->y0, 1, 0};
+    if (n)
+        format->fill(&rows, format->pack(color));
+    else
+        fill_rows(surface, clip, &flat.paint);
 }

@@ -44,12 +44,17 @@ static int32_t across(int32_t v, int32_t width, const struct length *l)
     return (int32_t)(n / (2 * l->size));
 }
 
+static bool legal_ends(const struct pel_thick_line_shape *line)
+{
+    return pel_point_legal(line->from) && pel_point_legal(line->to) &&
+           pel_radius_legal(line->width);
+}
+
 bool pel_thick_line_corners(const struct pel_thick_line_shape *line,
                             struct pel_point v[4])
 {
     const struct pel_point a = line->from, b = line->to;
-    if (!pel_point_legal(a) || !pel_point_legal(b) ||
-        !pel_radius_legal(line->width))
+    if (!legal_ends(line))
         return false;
     const int32_t dx = b.x - a.x, dy = b.y - a.y;
     struct pel_point n = {0, 0};
@@ -96,11 +101,22 @@ static PEL_NOINLINE_32 void fill(const struct pel_surface *surface,
     }
 }
 
+/* False when its box has no pixel in the clip. */
+static PEL_NOINLINE_32 bool is_visible(const struct pel_surface *surface,
+                                       const struct pel_thick_line_shape *line)
+{
+    const struct pel_rect box = pel_thick_line_box(line);
+    const struct pel_rect seen = pel_rect_pixels(&box, &surface->clip);
+    return !pel_rect_empty(&seen);
+}
+
 void pel_thick_line(const struct pel_surface *surface,
                     const struct pel_thick_line_shape *line,
                     const struct pel_paint *paint)
 {
     struct pel_point v[4];
+    if (legal_ends(line) && !is_visible(surface, line))
+        return;
     bool legal = pel_thick_line_corners(line, v);
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels(v, 4, 0));

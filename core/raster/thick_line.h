@@ -20,6 +20,19 @@ struct pel_thick_line_shape {
 bool pel_thick_line_corners(const struct pel_thick_line_shape *line,
                             struct pel_point v[4]);
 
+/* A box around them, in sub-pixels, of a line whose ends and width are legal.
+ */
+static inline struct pel_rect pel_thick_line_box(
+    const struct pel_thick_line_shape *line)
+{
+    const struct pel_point a = line->from, b = line->to;
+    const int32_t margin = line->width / 2 + 2;
+    const struct pel_rect box = {
+        pel_min(a.x, b.x) - margin, pel_min(a.y, b.y) - margin,
+        pel_max(a.x, b.x) + margin, pel_max(a.y, b.y) + margin};
+    return box;
+}
+
 /* Fills the polygon of these corners, by the rule of raster/edge.h: the ends
  * are cut straight, across the line. */
 void pel_thick_line(const struct pel_surface *surface,

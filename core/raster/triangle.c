@@ -4,8 +4,9 @@
 #include "triangle_sort.h"
 
 /* Side of the long edge. UNKNOWN: spans must be ordered and clipped, which
- * costs time and changes no pixel. */
-enum side { LEFT, RIGHT, UNKNOWN };
+ * costs time and changes no pixel. BESIDE: there are none, as the triangle lies
+ * left or right of the clip. */
+enum side { LEFT, RIGHT, UNKNOWN, BESIDE };
 
 /* Opposite the middle vertex, where that is right or left of both others;
  * elsewhere by the sign of a cross product, if that fits 32 bits. UNKNOWN also
@@ -21,14 +22,15 @@ static enum side side_of(const struct pel_point *const p[3],
         return UNKNOWN;
     if (b > low && b < high) {
         if ((height | (high - low)) >> 15)
-            return UNKNOWN;
-        side = (b - a) * height < (c - a) * dy ? RIGHT : LEFT;
+            side = UNKNOWN;
+        else
+            side = (b - a) * height < (c - a) * dy ? RIGHT : LEFT;
     }
-    low = pel_min(low, b);
-    high = pel_max(high, b);
-    if (pel_first_pixel(low) < clip->x0 || pel_first_pixel(high) > clip->x1)
-        return UNKNOWN;
-    return side;
+    low = pel_first_pixel(pel_min(low, b));
+    high = pel_first_pixel(pel_max(high, b));
+    if (low >= clip->x0 && high <= clip->x1)
+        return side;
+    return low < clip->x1 && high > clip->x0 ? UNKNOWN : BESIDE;
 }
 
 static void fill(const struct pel_surface *surface,
@@ -40,6 +42,8 @@ static void fill(const struct pel_surface *surface,
     struct pel_spans spans = {surface, batch.span, y, 0, 1};
     struct pel_edge edge; /* the long one, from top to bottom */
     struct pel_side short_side;
+    if (side == BESIDE)
+        return;
     short_side.end = p[1];
     short_side.last = p[2];
     pel_edge_start(&edge, p[0], p[2], y);

@@ -2,13 +2,16 @@
 #include "triangle.h"
 #include "triangle_sort.h"
 
+static int64_t area_of(const struct pel_point v[3])
+{
+    return pel_product(v[1].x - v[0].x, v[2].y - v[0].y) -
+           pel_product(v[2].x - v[0].x, v[1].y - v[0].y);
+}
+
 int64_t pel_triangle_area(const struct pel_point v[3])
 {
     PEL_ASSERT(pel_points_legal(v, 3));
-    if (!pel_points_legal(v, 3))
-        return 0;
-    return pel_product(v[1].x - v[0].x, v[2].y - v[0].y) -
-           pel_product(v[2].x - v[0].x, v[1].y - v[0].y);
+    return pel_points_legal(v, 3) ? area_of(v) : 0;
 }
 
 /* Sets the extreme vertices of a triangle without area; false when it has one,
@@ -16,7 +19,7 @@ int64_t pel_triangle_area(const struct pel_point v[3])
 static PEL_NOINLINE_32 bool line_of(const struct pel_point v[3],
                                     struct pel_point ends[2])
 {
-    if (!pel_points_legal(v, 3) || pel_triangle_area(v) != 0)
+    if (!pel_points_legal(v, 3) || area_of(v) != 0)
         return false;
     ends[0] = ends[1] = v[0];
     for (int i = 1; i < 3; i++) {

@@ -10,13 +10,25 @@ enum {
     RAY_LENGTH = 511 /* multiple of the direction: 511 * 32,768 < 2^24 */
 };
 
+static void set_direction(struct pel_ray *r, uint16_t turn)
+{
+    const struct pel_point d = pel_direction(turn);
+    r->edge.x = d.x;
+    r->edge.m = d.y;
+}
+
+static struct pel_point direction_of(const struct pel_ray *r)
+{
+    return (struct pel_point){r->edge.x, r->edge.m};
+}
+
 /* Starts the edge in row y or, below that, its first row. It ends about 2^24
  * sub-pixels from the centre (radii are below 2^23); the row through the centre
  * is not part of it (level_row). */
-static PEL_NOINLINE void ray_start(struct pel_ray *r, uint16_t turn,
+static PEL_NOINLINE void ray_start(struct pel_ray *r,
                                    const struct pel_point *center, int32_t y)
 {
-    const struct pel_point d = pel_direction(turn);
+    const struct pel_point d = direction_of(r);
     const bool mirrored = d.y > 0;
     const int32_t x = mirrored ? -d.x : d.x;
     const struct pel_point a = {mirrored ? -center->x : center->x, center->y};
@@ -98,13 +110,57 @@ void pel_angle_range_spans(struct pel_angle_range *range,
     }
 }
 
-bool pel_angle_range_start(struct pel_angle_range *range,
-                           const struct pel_point *center, int32_t from,
-                           int32_t to, int32_t y)
+/* The part of a ray's direction along the axis that has the angle `turn`. */
+static int32_t part_along(const struct pel_ray *r, uint16_t turn)
 {
-    if (!pel_angles_set(&range->angles, from, to))
+    const struct pel_point d = direction_of(r);
+    const int32_t part = turn & QUARTER_TURN ? d.y : d.x;
+    return turn & HALF_TURN ? -part : part;
+}
+
+/* How far an arc reaches along an axis: as far as the outer circle where the
+ * range holds the axis; elsewhere as the end that is nearer to it, at the outer
+ * radius or, pointing away, at the inner one. Radii are rounded to whole px, so
+ * that products are below 2^31. A direction is up to 3/4 of 2^-15 of its length
+ * too short or too long, and a shift drops less than a sub-pixel. */
+static PEL_NOINLINE int32_t reach(const struct pel_arc_shape *arc,
+                                  const struct pel_angle_range *range,
+                                  uint16_t turn)
+{
+    int32_t part = PEL_DIRECTION_ONE;
+    if (!holds(range->angles, turn))
+        part = pel_max(part_along(&range->from, turn),
+                       part_along(&range->to, turn));
+    const int32_t radius = part > 0 ? (arc->outer + 255) >> 8 : arc->inner >> 8;
+    return (part * radius >> 7) + (arc->outer >> 15) + 2;
+}
+
+static PEL_NOINLINE void narrow(struct pel_rect *r,
+                                const struct pel_arc_shape *arc,
+                                const struct pel_angle_range *range,
+                                int32_t edge)
+{
+    int32_t end = arc->center.x - reach(arc, range, HALF_TURN);
+    r->x0 = pel_max(r->x0, pel_first_pixel(end) - edge);
+    end = arc->center.x + reach(arc, range, 0);
+    r->x1 = pel_min(r->x1, pel_pixel_of(end + 128) + edge);
+    end = arc->center.y - reach(arc, range, HALF_TURN + QUARTER_TURN);
+    r->y0 = pel_max(r->y0, pel_first_pixel(end) - edge);
+    end = arc->center.y + reach(arc, range, QUARTER_TURN);
+    r->y1 = pel_min(r->y1, pel_pixel_of(end + 128) + edge);
+}
+
+bool pel_angle_range_start(struct pel_angle_range *range,
+                           const struct pel_arc_shape *arc,
+                           struct pel_rect *visible, int32_t edge, int32_t y)
+{
+    if (!pel_angles_set(&range->angles, arc->from, arc->to))
         return false;
-    ray_start(&range->from, range->angles.from, center, y);
-    ray_start(&range->to, range->angles.to, center, y);
-    return true;
+    set_direction(&range->from, range->angles.from);
+    set_direction(&range->to, range->angles.to);
+    narrow(visible, arc, range, edge);
+    y = pel_max(y, visible->y0 - edge);
+    ray_start(&range->from, &arc->center, y);
+    ray_start(&range->to, &arc->center, y);
+    return !pel_rect_empty(visible);
 }

@@ -15,13 +15,15 @@
 
 #include "../raster/cut.h"
 #include "../raster/edge.h"
+#include "arc.h"
 
 /* A ray, walked as an exact edge (raster/edge.h). Above the centre the angles
  * of a row grow with x, below it they fall. There the edge is mirrored, pixel x
  * to pixel -1 - x: so a pixel on a ray always belongs to the range that begins
  * at this ray. */
 struct pel_ray {
-    struct pel_edge edge; /* at the next row */
+    struct pel_edge edge; /* at the next row; before, x and m are those of the
+                             direction, which takes no stack of its own */
     int32_t bound;        /* first row of the edge; below the centre its end */
 };
 
@@ -45,11 +47,12 @@ struct pel_angle_range {
     struct pel_ray from, to;
 };
 
-/* Starts at row y; the centre must be legal. false: nothing is covered
- * (pel_angles_set). */
+/* Cuts `visible` to a box around the arc, larger by `edge` px on every side,
+ * and starts at the row so far above what is left, or at y if that is below.
+ * The arc is legal. false: nothing is left, or covered (pel_angles_set). */
 bool pel_angle_range_start(struct pel_angle_range *range,
-                           const struct pel_point *center, int32_t from,
-                           int32_t to, int32_t y);
+                           const struct pel_arc_shape *arc,
+                           struct pel_rect *visible, int32_t edge, int32_t y);
 
 /* Sets two spans, disjoint and from left to right, to the part of row y inside
  * the range. They may be empty; open ends lie beyond every pixel. For every row

@@ -15,24 +15,27 @@ static PEL_NOINLINE_32 bool start(struct walk *w,
                                   const struct pel_arc_shape *arc)
 {
     pel_cut_begin(&w->cut, surface);
-    return pel_ring_start(&w->ring, &arc->center, arc->inner, arc->outer,
-                          &surface->clip) &&
-           pel_angle_range_start(&w->angles, &arc->center, arc->from, arc->to,
-                                 w->ring.outer.y);
+    if (!pel_ring_box(&w->ring, &arc->center, arc->inner, arc->outer,
+                      &surface->clip) ||
+        !pel_angle_range_start(&w->angles, arc, &w->ring.outer.visible, 0,
+                               surface->clip.y0))
+        return false;
+    pel_ring_begin(&w->ring, &arc->center, arc->inner, arc->outer);
+    return true;
 }
 
 /* Cuts the spans of a row and moves on to the next. */
 static PEL_NOINLINE_32 void cut_row(struct walk *w,
                                     const struct pel_arc_shape *arc)
 {
-    const struct pel_rect *clip = &w->cut.spans.surface->clip;
+    const struct pel_rect *visible = &w->ring.outer.visible;
     struct pel_span disc, *span = w->cut.span;
-    pel_angle_range_spans(&w->angles, &arc->center, w->ring.outer.y, span);
-    pel_disc_row(&w->ring.outer.disc, clip, &disc);
+    pel_angle_range_spans(&w->angles, &arc->center, visible->y0, span);
+    pel_disc_walk_row(&w->ring.outer, &disc);
     w->cut.spans.n = pel_cut_within(span, 2, &disc);
-    pel_disc_row(&w->ring.hole, clip, &disc);
+    pel_disc_row(&w->ring.hole, visible, &disc);
     w->cut.spans.n = pel_cut_remove(span, w->cut.spans.n, &disc);
-    pel_ring_next(&w->ring);
+    pel_ring_next(&w->ring, &arc->center);
 }
 
 void pel_arc(const struct pel_surface *surface, const struct pel_arc_shape *arc,
@@ -41,8 +44,8 @@ void pel_arc(const struct pel_surface *surface, const struct pel_arc_shape *arc,
     struct walk w;
     if (!start(&w, surface, arc))
         return;
-    while (w.ring.outer.y < w.ring.outer.end) {
+    while (!pel_disc_walk_ended(&w.ring.outer)) {
         cut_row(&w, arc);
-        pel_cut_paint(&w.cut, paint, w.ring.outer.y - 1);
+        pel_cut_paint(&w.cut, paint, w.ring.outer.visible.y0 - 1);
     }
 }

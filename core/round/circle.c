@@ -45,14 +45,17 @@ void pel_circle(const struct pel_surface *surface, struct pel_point center,
     bool legal = pel_point_legal(center) && pel_radius_legal(radius);
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels(&center, 1, radius));
-    if (!legal || pel_rect_empty(&surface->clip))
+    if (!legal)
         return;
     const struct pel_rect *clip = &surface->clip;
+    const struct pel_rect visible =
+        pel_rect_around(center, (struct pel_point){radius, radius}, clip);
+    if (pel_rect_empty(&visible))
+        return;
+    const int32_t end = visible.y1;
     struct pel_span span[PEL_BATCH_ROWS];
-    struct pel_spans spans = {surface, span, 0, 0, 1};
+    struct pel_spans spans = {surface, span, visible.y0, 0, 1};
     struct side left, right;
-    spans.y = pel_max(pel_first_pixel(center.y - radius), clip->y0);
-    int32_t end = pel_min(pel_pixel_of(center.y + radius + 128), clip->y1);
     int32_t v = pel_pixel_center(spans.y) - center.y;
     int64_t half_width2 = pel_square(radius) - pel_square(v);
     int32_t split =

@@ -64,19 +64,23 @@ void pel_disc_change(struct pel_disc *disc, int64_t from, int64_t to)
     change_side(&disc->right, from, to);
 }
 
-bool pel_disc_walk_start(struct pel_disc_walk *w,
-                         const struct pel_point *center, int32_t radius,
-                         const struct pel_rect *clip)
+bool pel_disc_walk_box(struct pel_disc_walk *w, const struct pel_point *center,
+                       int32_t radius, const struct pel_rect *clip)
 {
     bool legal = pel_point_legal(*center) && pel_radius_legal(radius);
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels(center, 1, radius));
-    if (!legal || pel_rect_empty(clip))
+    if (!legal)
         return false;
-    w->y = pel_max(pel_first_pixel(center->y - radius), clip->y0);
-    w->end = pel_min(pel_pixel_of(center->y + radius + 128), clip->y1);
-    w->v = pel_pixel_center(w->y) - center->y;
+    w->visible =
+        pel_rect_around(*center, (struct pel_point){radius, radius}, clip);
+    return !pel_rect_empty(&w->visible);
+}
+
+void pel_disc_walk_begin(struct pel_disc_walk *w,
+                         const struct pel_point *center, int32_t radius)
+{
+    const int32_t v = pel_pixel_center(w->visible.y0) - center->y;
     pel_disc_center(&w->disc, center->x, center->x);
-    pel_disc_start(&w->disc, clip, pel_square(radius) - pel_square(w->v));
-    return w->y < w->end;
+    pel_disc_start(&w->disc, &w->visible, pel_square(radius) - pel_square(v));
 }

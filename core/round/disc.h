@@ -61,9 +61,8 @@ void pel_disc_change(struct pel_disc *disc, int64_t from, int64_t to);
 
 /* The rows of a disc around one centre. */
 struct pel_disc_walk {
-    struct pel_disc disc; /* at row y */
-    int32_t y, end;
-    int32_t v; /* distance of row y from the centre, 1/256 px */
+    struct pel_disc disc;    /* at row visible.y0 */
+    struct pel_rect visible; /* the rows that are left, and their columns */
 };
 
 /* The rows of a ring: a disc, and the hole inside at the same row. */
@@ -72,16 +71,45 @@ struct pel_ring_walk {
     struct pel_disc hole;
 };
 
-/* false: nothing is covered, or the disc is out of range (PEL_ASSERT). */
-bool pel_disc_walk_start(struct pel_disc_walk *w,
-                         const struct pel_point *center, int32_t radius,
-                         const struct pel_rect *clip);
+/* Sets what is visible of the disc's square. false: nothing is, or the disc is
+ * out of range (PEL_ASSERT). */
+bool pel_disc_walk_box(struct pel_disc_walk *w, const struct pel_point *center,
+                       int32_t radius, const struct pel_rect *clip);
 
-static inline void pel_disc_walk_next(struct pel_disc_walk *w)
+/* Starts at the first row that is visible. */
+void pel_disc_walk_begin(struct pel_disc_walk *w,
+                         const struct pel_point *center, int32_t radius);
+
+static inline bool pel_disc_walk_start(struct pel_disc_walk *w,
+                                       const struct pel_point *center,
+                                       int32_t radius,
+                                       const struct pel_rect *clip)
 {
-    pel_disc_step(&w->disc, -(w->v + 128));
-    w->v += 256;
-    w->y++;
+    if (!pel_disc_walk_box(w, center, radius, clip))
+        return false;
+    pel_disc_walk_begin(w, center, radius);
+    return true;
+}
+
+static inline bool pel_disc_walk_ended(const struct pel_disc_walk *w)
+{
+    return w->visible.y0 >= w->visible.y1;
+}
+
+/* The visible span of the row. */
+static inline void pel_disc_walk_row(struct pel_disc_walk *w,
+                                     struct pel_span *span)
+{
+    pel_disc_row(&w->disc, &w->visible, span);
+}
+
+/* Moves on to the next row, with a distance v + 256: half_width2 shrinks by
+ * 512 (v + 128). */
+static inline void pel_disc_walk_next(struct pel_disc_walk *w,
+                                      const struct pel_point *center)
+{
+    w->visible.y0++;
+    pel_disc_step(&w->disc, center->y - 256 * w->visible.y0);
 }
 
 /* True when the whole clip lies in the hole: when its corner that is farthest
@@ -96,24 +124,33 @@ static inline bool pel_ring_around(const struct pel_point *center,
     return pel_square(x) + pel_square(y) <= pel_square(inner);
 }
 
-static inline bool pel_ring_start(struct pel_ring_walk *w,
-                                  const struct pel_point *center, int32_t inner,
-                                  int32_t outer, const struct pel_rect *clip)
+/* As pel_disc_walk_box and pel_disc_walk_begin. */
+static inline bool pel_ring_box(struct pel_ring_walk *w,
+                                const struct pel_point *center, int32_t inner,
+                                int32_t outer, const struct pel_rect *clip)
 {
     PEL_ASSERT(pel_radius_legal(inner));
-    if (!pel_radius_legal(inner) ||
-        !pel_disc_walk_start(&w->outer, center, outer, clip) ||
-        pel_ring_around(center, inner, clip))
-        return false;
-    pel_disc_center(&w->hole, center->x, center->x);
-    pel_disc_start(&w->hole, clip, pel_square(inner) - pel_square(w->outer.v));
-    return true;
+    return pel_radius_legal(inner) &&
+           pel_disc_walk_box(&w->outer, center, outer, clip) &&
+           !pel_ring_around(center, inner, clip);
 }
 
-static inline void pel_ring_next(struct pel_ring_walk *w)
+static inline void pel_ring_begin(struct pel_ring_walk *w,
+                                  const struct pel_point *center, int32_t inner,
+                                  int32_t outer)
 {
-    pel_disc_step(&w->hole, -(w->outer.v + 128));
-    pel_disc_walk_next(&w->outer);
+    pel_disc_walk_begin(&w->outer, center, outer);
+    pel_disc_center(&w->hole, center->x, center->x);
+    const int32_t v = pel_pixel_center(w->outer.visible.y0) - center->y;
+    pel_disc_start(&w->hole, &w->outer.visible,
+                   pel_square(inner) - pel_square(v));
+}
+
+static inline void pel_ring_next(struct pel_ring_walk *w,
+                                 const struct pel_point *center)
+{
+    pel_disc_walk_next(&w->outer, center);
+    pel_disc_step(&w->hole, center->y - 256 * w->outer.visible.y0);
 }
 
 #endif

@@ -59,12 +59,13 @@ bool pel_ellipse_start(struct pel_ellipse_walk *w,
                  pel_radius_legal(radius.y);
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels((struct pel_point[2]){center, radius}, 2, 0));
-    if (!legal || pel_rect_empty(clip))
+    if (!legal)
         return false;
-    w->y = pel_max(pel_first_pixel(center.y - radius.y), clip->y0);
-    w->end = pel_min(pel_pixel_of(center.y + radius.y + 128), clip->y1);
-    if (w->y >= w->end)
+    const struct pel_rect visible = pel_rect_around(center, radius, clip);
+    if (pel_rect_empty(&visible))
         return false;
+    w->y = visible.y0;
+    w->end = visible.y1;
     row_start(w, radius, pel_pixel_center(w->y) - center.y);
     pel_disc_center(&w->disc, center.x, center.x);
     pel_disc_start(&w->disc, clip, w->half_width2.q);

@@ -9,14 +9,15 @@ void pel_ring(const struct pel_surface *surface,
     struct pel_ring_walk w;
     struct pel_span span[2];
     struct pel_spans spans = {surface, span, 0, 0, 0};
-    if (!pel_ring_start(&w, &ring->center, ring->inner, ring->outer,
-                        &surface->clip))
+    if (!pel_ring_box(&w, &ring->center, ring->inner, ring->outer,
+                      &surface->clip))
         return;
-    for (; w.outer.y < w.outer.end; pel_ring_next(&w)) {
+    pel_ring_begin(&w, &ring->center, ring->inner, ring->outer);
+    for (; !pel_disc_walk_ended(&w.outer); pel_ring_next(&w, &ring->center)) {
         struct pel_span hole;
-        pel_disc_row(&w.outer.disc, &surface->clip, &span[0]);
-        pel_disc_row(&w.hole, &surface->clip, &hole);
-        spans.y = w.outer.y;
+        pel_disc_walk_row(&w.outer, &span[0]);
+        pel_disc_row(&w.hole, &w.outer.visible, &hole);
+        spans.y = w.outer.visible.y0;
         spans.n = pel_cut_hole(span, 0, &span[0], &hole);
         if (spans.n)
             paint->fill(paint, &spans);

@@ -42,11 +42,14 @@ bool pel_rounded_start(struct pel_rounded_walk *w,
     return true;
 }
 
-void pel_rounded_next(struct pel_rounded_walk *w)
+bool pel_rounded_next(struct pel_rounded_walk *w)
 {
     const int64_t half_width2 = half_width2_at(w, ++w->visible.y0);
+    if (half_width2 == w->half_width2)
+        return false;
     pel_disc_change(&w->disc, w->half_width2, half_width2);
     w->half_width2 = half_width2;
+    return true;
 }
 
 void pel_rounded_rectangle(const struct pel_surface *surface,
@@ -57,10 +60,12 @@ void pel_rounded_rectangle(const struct pel_surface *surface,
     struct pel_collector c;
     if (!pel_rounded_start(&w, rectangle, &surface->clip))
         return;
+    struct pel_span span;
+    bool other = true;
     pel_collect_begin(&c, surface, paint);
-    for (; w.visible.y0 < w.visible.y1; pel_rounded_next(&w)) {
-        struct pel_span span;
-        pel_disc_row(&w.disc, &w.visible, &span);
+    for (; w.visible.y0 < w.visible.y1; other = pel_rounded_next(&w)) {
+        if (other)
+            pel_disc_row(&w.disc, &w.visible, &span);
         if (span.x0 < span.x1)
             pel_collect(&c, w.visible.y0, span.x0, span.x1);
     }

@@ -19,6 +19,7 @@ bool pel_rounded_start(struct pel_rounded_walk *w,
                        const struct pel_rounded_shape *r,
                        const struct pel_rect *clip);
 
-void pel_rounded_next(struct pel_rounded_walk *w);
+/* False when the next row has the same span. */
+bool pel_rounded_next(struct pel_rounded_walk *w);
 
 #endif

@@ -163,7 +163,7 @@ void pel_smooth_rows_paint(struct pel_smooth_rows *rows,
     struct parts p;
     if (rows->strips.n == 0)
         return;
-    if (PEL_KNOW_SIDES && rows->inside && rows->strips.n == 1 &&
+    if (!PEL_SMALL_CODE && rows->inside && rows->strips.n == 1 &&
         pel_smooth_is_whole(rows->strips.strip, WINDOW)) {
         paint_whole(rows, round);
         return;

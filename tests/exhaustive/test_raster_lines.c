@@ -1,6 +1,7 @@
 /* All lines of a small lattice of pixels that straddles zero, against exact
  * fractions at every pixel; the same through every clip of a smaller one.
  */
+#include "tests/support/canvas.h"
 #include "tests/support/check.h"
 #include "tests/support/hits.h"
 #include "tests/support/reference.h"
@@ -59,6 +60,30 @@ static void check_clip(const struct pel_rect *clip)
     for (int32_t i = 0; i < SIDE * SIDE; i++)
         for (int32_t j = 0; j < SIDE * SIDE; j++)
             check_line(SIDE, i, j);
+}
+
+/* Flat lines are written pixel by pixel: the same ones in every format, and
+ * nothing else. */
+TEST(all_flat_lines)
+{
+    enum { SIDE = 11 };
+    static struct canvas canvas;
+    const struct pel_flat flat = PEL_FLAT(0xFF9ABCDE);
+    const struct pel_rect b = {-8, -8, 8, 8};
+    for (int f = 0; f < LAYOUT_COUNT; f++)
+        for (int32_t i = 0; i < SIDE * SIDE; i++)
+            for (int32_t j = 0; j < SIDE * SIDE; j += f % 3 + 1) {
+                const struct pel_point v[2] = {
+                    {PEL_PX(i % SIDE - 5), PEL_PX(i / SIDE - 5) + 200},
+                    {PEL_PX(j % SIDE - 5) + 255, PEL_PX(j / SIDE - 5)}};
+                struct hits line;
+                hits_open(&line, &b);
+                canvas_open(&canvas, layouts[f].format, &b,
+                            (unsigned)(i + j) % CANVAS_STYLES);
+                pel_line(&line.surface, v[0], v[1], &line.paint);
+                pel_line(&canvas.surface, v[0], v[1], &flat.paint);
+                canvas_check_drawn(&canvas, &line, canvas_flat, &flat);
+            }
 }
 
 TEST(all_clips)

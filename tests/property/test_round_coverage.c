@@ -94,6 +94,43 @@ TEST(fills)
         check_shapes((enum any_kind)(kind / 2), false, kind % 2);
 }
 
+/* Around the ends of arcs and sectors of a few angles, where their box may cut
+ * off too much. */
+TEST(ends_of_narrow_arcs)
+{
+    uint64_t covered = 0;
+    for (struct cases c = cases_of(60000); cases_next(&c);) {
+        struct random *r = &c.random;
+        const bool outline = random_word(r) & 1;
+        struct any_shape s;
+        any_random(r, &s, random_word(r) & 1 ? ANY_ARC : ANY_SECTOR, false);
+        s.radius = random_between(r, 1, PEL_PX(32767)) >> random_word(r) % 16;
+        s.inner = s.radius - (s.radius >> random_word(r) % 12);
+        s.from = random_between(r, -70000, 70000);
+        if (random_word(r) & 1)
+            s.from &= -16384;
+        s.from += random_between(r, -2, 2);
+        s.to = s.from + (random_between(r, 1, 40000) >> random_word(r) % 15);
+        const struct pel_point d =
+            pel_direction((uint16_t)(random_word(r) & 1 ? s.from : s.to));
+        const int32_t radius =
+            s.kind == ANY_ARC && random_word(r) & 1 ? s.inner : s.radius;
+        const int32_t x = pel_pixel_of(
+            s.v[0].x + (int32_t)(pel_product(d.x, radius) / 32768));
+        const int32_t y = pel_pixel_of(
+            s.v[0].y + (int32_t)(pel_product(d.y, radius) / 32768));
+        if (x < -32750 || y < -32750 || x > 32740 || y > 32740)
+            continue;
+        const struct pel_rect window = {x - 6, y - 6, x + 7, y + 7};
+        hits_open(&hits, &window);
+        (outline ? any_draw_outline : any_draw)(&hits.surface, &s, &hits.paint);
+        hits_check(&hits, outline ? any_outline_expected : any_fill_expected,
+                   &s, any_name(&s));
+        covered += hits.pixels;
+    }
+    assert_true(covered > 0);
+}
+
 TEST(outlines)
 {
     for (int kind = 0; kind < 2 * ANY_KINDS; kind++)

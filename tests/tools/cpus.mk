@@ -159,7 +159,7 @@ board: $(BUILD)/board/$(BOARD)/$(EXAMPLE) ## EXAMPLE=board on BOARD=m4 or anothe
 
 # Instructions of the gauge on an M0+.
 GAUGE_WHOLE := 2500000
-GAUGE_STEP := 150000
+GAUGE_STEP := 120000
 
 # The examples are C++ too, and draw on every board, in the RAM above, what they
 # draw on the host.

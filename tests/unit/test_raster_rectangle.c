@@ -35,6 +35,27 @@ TEST(clear_sets_the_color)
             }
 }
 
+/* Whole surfaces: where rows follow one another without a gap they are one
+ * run, whatever is left of bytes and pages at their ends. */
+TEST(clear_of_whole_surfaces)
+{
+    static const int32_t sides[][2] = {{1, 1},  {1, 8},  {8, 1},   {2, 3},
+                                       {3, 8},  {4, 5},  {8, 16},  {13, 16},
+                                       {24, 7}, {40, 9}, {128, 64}};
+    const pel_color color = 0xFF9ABCDE;
+    for (int f = 0; f < LAYOUT_COUNT; f++)
+        for (size_t i = 0; i < sizeof sides / sizeof sides[0]; i++)
+            for (unsigned style = 0; style < CANVAS_STYLES; style++) {
+                const struct pel_rect b = {-8, 8, sides[i][0] - 8,
+                                           sides[i][1] + 8};
+                canvas_open(&canvas, layouts[f].format, &b, style);
+                pel_clear(&canvas.surface, color);
+                check_clip(&b, layout_pack(&layouts[f], color));
+                pel_clear(&canvas.surface, 0);
+                check_clip(&b, layout_pack(&layouts[f], 0));
+            }
+}
+
 TEST(clear_of_an_empty_clip)
 {
     static const struct pel_rect clips[] = {
@@ -73,4 +94,24 @@ TEST(boxes)
                     (x >= b->x0 && x < b->x1 && y >= b->y0 && y < b->y1))
                     fail_msg("row %zu: %d, %d", i, x, y);
     }
+}
+
+/* In pages, whose bytes hold eight rows of a box. */
+TEST(boxes_of_pages)
+{
+    const struct pel_flat colors[] = {PEL_FLAT(PEL_RGB(255, 255, 255)),
+                                      PEL_FLAT(PEL_RGB(0, 0, 0))};
+    const struct pel_rect pages = {-8, -8, 16, 25};
+    for (int32_t y0 = -9; y0 <= 25; y0++)
+        for (int32_t y1 = y0; y1 <= 26; y1++)
+            for (int32_t x1 = 2; x1 <= 17; x1 += 5)
+                for (size_t i = 0; i < 2; i++) {
+                    const struct pel_rect box = {2, y0, x1, y1};
+                    canvas_open(&canvas, &pel_mono1_pages, &pages, 0);
+                    const struct pel_rect seen =
+                        pel_rect_intersect(&box, &pages);
+                    pel_surface_clip(&canvas.surface, &box);
+                    pel_box(&canvas.surface, &pages, &colors[i].paint);
+                    check_clip(&seen, i == 0);
+                }
 }
