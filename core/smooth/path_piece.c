@@ -182,7 +182,9 @@ static uint32_t line_height(const struct pel_smooth_strip *s, int32_t u)
 {
     const uint32_t width = (uint32_t)(s->at_near - s->at_far);
     const uint32_t h = (uint32_t)s->far, left = (uint32_t)(s->at_near - u);
-    return left >= width ? h : pel_divide(pel_multiply(h, left), width);
+    if (u <= s->at_far)
+        return h;
+    return u < s->at_near ? pel_divide(pel_multiply(h, left), width) : 0;
 }
 
 void pel_smooth_line_areas(const struct pel_smooth_strip *s, int32_t center,
@@ -190,14 +192,14 @@ void pel_smooth_line_areas(const struct pel_smooth_strip *s, int32_t center,
 {
     const uint32_t h = (uint32_t)s->far;
     int32_t u = (x * 256 - center) * 32;
-    for (; n > 0; n--, u += 8192, area++) {
+    uint32_t before = line_height(s, u);
+    for (; n > 0; n--, area++) {
         const int32_t full = pel_max(u, pel_min(s->at_far, u + 8192));
         const int32_t end = pel_max(full, pel_min(s->at_near, u + 8192));
-        uint32_t sum = (uint32_t)(full - u) * h >> 14;
-        if (end > full)
-            sum += (uint32_t)(end - full) *
-                       (line_height(s, full) + line_height(s, end)) >>
-                   15;
-        *area = (uint16_t)sum;
+        const uint32_t after = line_height(s, u + 8192);
+        *area = (uint16_t)(((uint32_t)(full - u) * h >> 14) +
+                           ((uint32_t)(end - full) * (before + after) >> 15));
+        before = after;
+        u += 8192;
     }
 }

@@ -79,6 +79,10 @@ section ~ /^\.text/ && /^ .* 0x[0-9a-f]+ +0x[0-9a-f]+ .*\.o\)?$/ {
     popped = ""
     next
 }
+/^ *[0-9a-f]+:\t\.word/ && code != "" {
+    word[substr($1, 1, length($1) - 1)] = $3
+    next
+}
 /^ *[0-9a-f]+:\t/ && code != "" {
     if ($2 ~ /^(push|stmdb)/) {
         list = $0
@@ -91,13 +95,23 @@ section ~ /^\.text/ && /^ .* 0x[0-9a-f]+ +0x[0-9a-f]+ .*\.o\)?$/ {
         frame[code] += list + 0
     } else if ($2 ~ /^sub/ && $3 == "sp," && $4 ~ /^#/) {
         frame[code] += substr($4, 2)
-    } else if ($2 ~ /^(sub|add)/ && $3 == "sp," && $NF ~ /^r[0-9]/) {
+    } else if ($2 ~ /^add/ && $3 == "sp," && literal[$NF "@" code] != "") {
+        large[code] = literal[$NF "@" code] # negative, in a pool below
+    } else if ($2 ~ /^(sub|add)/ && $3 == "sp," && $NF ~ /^r[0-9]/ &&
+               !(code in large)) {
         fail(code ": a frame whose size stands in a register")
     } else if ($2 ~ /^bl?(\.[nw])?$/ && $NF ~ /^<[^+]*>$/) {
         sub(/^0+/, "", $3)
         calls[code] = calls[code] " " $3
     } else if ($2 == "blx" || ($2 == "bx" && $3 != "lr" && $3 != popped)) {
         calls[code] = calls[code] " pointer"
+    }
+    # What a register has from the pool of literals, until it is written again.
+    if ($3 ~ /^r[0-9]+,$/) {
+        register = substr($3, 1, length($3) - 1) "@" code
+        literal[register] = ""
+        if ($2 ~ /^ldr/ && $4 ~ /^\[pc/ && match($0, /\([0-9a-f]+ </))
+            literal[register] = substr($0, RSTART + 1, RLENGTH - 3)
     }
     # The return address of a function that gives back more than its frame.
     if ($2 == "pop" && $3 ~ /^\{r[0-7]\}$/)
@@ -171,9 +185,25 @@ function depth(code,    list, n, i, d, deepest)
     return done[code] = frame[code] + deepest
 }
 
+# What 0xfffffd14 takes of the stack: 748.
+function minus(hexadecimal,    value, i)
+{
+    for (i = 3; i <= length(hexadecimal); i++)
+        value = 16 * value + index("0123456789abcdef", \
+                                   substr(hexadecimal, i, 1)) - 1
+    return 4294967296 - value
+}
+
 END {
     if (failed)
         exit 1
+    for (code in large) {
+        if (word[large[code]] !~ /^0xffff/)
+            fail(code ": a frame whose size is not in its pool")
+        frame[code] += minus(word[large[code]])
+        if (frame[code] > largest)
+            largest = frame[code]
+    }
     if (frames != "") {
         for (code in frame)
             if (index(code, frames) == 1)
