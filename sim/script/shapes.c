@@ -110,16 +110,17 @@ static void draw_ellipse(struct script_pen *pen, const int32_t *v)
 static void draw_rounded(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_rounded_shape shape = {*points(v), far_corner(v), v[4]};
-    (outlined(pen) ? pel_rounded_rectangle_outline : pel_rounded_rectangle)(
-        pen->surface, &shape, script_paint(pen));
+    (outlined(pen) ? pel_rounded_rectangle_outline
+                   : FILL(pen, rounded_rectangle))(pen->surface, &shape,
+                                                   script_paint(pen));
 }
 
 /* The outline of a sector's round side is called an arc. */
 static void draw_sector(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_sector_shape shape = {*points(v), v[2], v[3], v[4]};
-    (outlined(pen) ? pel_arc_outline : pel_sector)(pen->surface, &shape,
-                                                   script_paint(pen));
+    (outlined(pen) ? pel_arc_outline : FILL(pen, sector))(pen->surface, &shape,
+                                                          script_paint(pen));
 }
 
 static void outline_triangle(struct script_pen *pen, const int32_t *v)
@@ -135,13 +136,13 @@ static void draw_line(struct script_pen *pen, const int32_t *v)
 static void draw_ring(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_ring_shape ring = {*points(v), v[2], v[3]};
-    pel_ring(pen->surface, &ring, script_paint(pen));
+    FILL(pen, ring)(pen->surface, &ring, script_paint(pen));
 }
 
 static void draw_arc(struct script_pen *pen, const int32_t *v)
 {
     const struct pel_arc_shape arc = {*points(v), v[2], v[3], v[4], v[5]};
-    pel_arc(pen->surface, &arc, script_paint(pen));
+    FILL(pen, arc)(pen->surface, &arc, script_paint(pen));
 }
 
 static void draw_thick(struct script_pen *pen, const int32_t *v)
