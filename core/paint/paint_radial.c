@@ -192,8 +192,7 @@ static PEL_NOINLINE_32 void way_colors(void *way, int32_t n, pel_color *out)
 static PEL_NOINLINE_32 void fill_pixels(const struct pel_radial *p,
                                         const struct pel_spans *spans)
 {
-    struct way w;
-    w.paint = p;
+    struct way w = {p, 0, 0, 0, 0, 0};
     pel_cells_put(spans, &w, way_start, way_colors);
 }
 

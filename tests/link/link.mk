@@ -65,7 +65,7 @@ LINK_ELFS := $(foreach b,$(LINK_BUILDS),\
 
 # Bytes of stack that any shape with any paint may take.
 LINK_STACK_small := 384
-LINK_STACK_Os := 704
+LINK_STACK_Os := 608
 
 # The program of the guide, compiled and linked; its registers are no board's of
 # QEMU.
