@@ -10,7 +10,7 @@
 # left out where PEL_WITH_FOLDER is 0.
 
 BEGIN {
-    OPTIONAL = "^(hit|image|outline|paint|scene)$"
+    OPTIONAL = "^(hit|image|outline|paint|scene|smooth)$"
     expand("core/pel.h", 0)
     if (header) {
         printf "%s", text

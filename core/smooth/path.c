@@ -160,7 +160,7 @@ static struct group group_of(const struct crossed *piece, int32_t n)
     return g;
 }
 
-static int32_t growth(const struct group *g)
+static int32_t group_growth(const struct group *g)
 {
     int32_t sum = 0;
     for (int32_t i = 0; i < g->n; i++)
@@ -192,7 +192,7 @@ static void paint_row(struct pel_smooth_path *path)
     for (int32_t i = 0; i < n;) {
         const struct group g = group_of(piece + i, n - i);
         x = paint_group(path, &g, x, sum);
-        sum += growth(&g);
+        sum += group_growth(&g);
         i += g.n;
     }
     flush(path);

@@ -46,8 +46,8 @@ awk -v folder="$folder" -f tests/tools/doc_pictures.awk README.md docs/guide.md 
     docs/coming-from.md >"$folder/blocks"
 while read -r name; do
     $compiler -std=c99 -Wall -Wextra -Wpedantic -Werror -O1 -I. \
-        -Iinclude "$folder/$name.c" "$build/libpel.a" \
-        -o "$folder/$name"
+        -Iinclude -I"$build/examples" "$folder/$name.c" \
+        "$build/examples/fixed_10x20.c" "$build/libpel.a" -o "$folder/$name"
     "$folder/$name" >"$folder/$name.ppm"
     settle "$name"
 done <"$folder/blocks"
