@@ -119,7 +119,7 @@ void pel_thick_line(const struct pel_surface *surface,
         return;
     bool legal = pel_thick_line_corners(line, v);
     PEL_ASSERT(legal);
-    PEL_HINT(pel_in_subpixels(v, 4, 0));
+    PEL_HINT(!legal || pel_in_subpixels(v, 4, 0));
     if (legal)
         fill(surface, v, paint);
 }

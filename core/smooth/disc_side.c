@@ -171,15 +171,17 @@ void pel_smooth_strip_areas(const struct pel_smooth_strip *s, int32_t center,
     const int32_t inner = pel_smooth_column(center, s->at_far);
     const int32_t outer = pel_smooth_column(center, s->at_near);
     const uint16_t *const end = area + n;
-    int32_t u = (x * 256 - center) * 256; /* of the column's inner boundary */
-    struct piece p;
-    for (; area < end && x < inner; x++, u += 65536)
+    struct piece p = {0, 0, 0, 0};
+    int32_t u = 0; /* of the column's inner boundary: at_near at most */
+    for (; area < end && x < inner; x++)
         *area++ = (uint16_t)pel_smooth_height(s);
+    if (area < end && x <= outer)
+        u = (x * 256 - center) * 256;
     if (area < end && x == inner) {
         *area++ = (uint16_t)first_area(s, &p, u, x == outer);
-        u += 65536;
-        x++;
-    } else {
+        if (x++ < outer)
+            u += 65536;
+    } else if (area < end && x <= outer) {
         p.v1 = height_at(s, u);
     }
     for (; area < end && x < outer; x++) {

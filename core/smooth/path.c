@@ -198,14 +198,15 @@ static void paint_row(struct pel_smooth_path *path)
     flush(path);
 }
 
-void pel_smooth_path_paint(struct pel_smooth_path *path, int32_t top,
-                           int32_t bottom)
+void pel_smooth_path_paint(struct pel_smooth_path *path,
+                           const struct pel_rect *box)
 {
-    const struct pel_rect *const clip = &path->smooth.surface.clip;
-    const int32_t end = pel_min(bottom, clip->y1);
-    pel_smooth_path_start(path, pel_max(top, clip->y0));
-    for (path->row.y = pel_max(top, clip->y0); path->row.y < end;
-         path->row.y++) {
+    const struct pel_rect seen =
+        pel_rect_intersect(box, &path->smooth.surface.clip);
+    if (pel_rect_empty(&seen))
+        return;
+    pel_smooth_path_start(path, seen.y0);
+    for (path->row.y = seen.y0; path->row.y < seen.y1; path->row.y++) {
         pel_smooth_path_row(path, path->row.y);
         paint_row(path);
     }

@@ -69,9 +69,9 @@ void pel_smooth_path_line(struct pel_smooth_path *path,
                           const struct pel_smooth_way *way, int64_t from,
                           int64_t to);
 
-/* Paints the rows from `top` on up to `bottom`, px. */
-void pel_smooth_path_paint(struct pel_smooth_path *path, int32_t top,
-                           int32_t bottom);
+/* Paints what is in the box, px, around all that is covered. */
+void pel_smooth_path_paint(struct pel_smooth_path *path,
+                           const struct pel_rect *box);
 
 /* A piece in a row, seen as a right side of the mirrored picture, if need be.
  */

@@ -196,6 +196,8 @@ bool pel_smooth_rows_begin(struct pel_smooth_rows *rows,
     if (rows->twins)
         seen->x1 = (rows->image_y >> 1) + 1;
     if (seen->x0 >= seen->x1 || clip->x0 >= clip->x1 ||
+        pel_pixel_of(round->right + round->radius) < clip->x0 ||
+        pel_pixel_of(round->left - round->radius) >= clip->x1 ||
         !pel_smooth_begin(&rows->smooth, surface, paint))
         return false;
     pel_smooth_strips_start(&rows->strips, round, seen->x0);

@@ -123,22 +123,36 @@ static bool is_legal(const struct pel_arc_shape *arc)
            pel_radius_legal(arc->outer);
 }
 
+/* The pixels of the clip that the arc may touch; false: none, or no angle. A
+ * half disc reaches half of the arc's width beyond its ray, and coverage a
+ * pixel further than the centres that a shape covers. */
+static PEL_NOINLINE_32 bool find_box(const struct pel_surface *surface,
+                                     const struct pel_arc_shape *arc,
+                                     bool round, struct pel_rect *box)
+{
+    struct pel_angle_range range;
+    const int32_t beyond = round ? (arc->outer - arc->inner) >> 9 : 0;
+    *box = surface->clip;
+    return pel_angle_range_start(&range, arc, box, beyond + 2, box->y0);
+}
+
 static void paint_arc(const struct pel_surface *surface,
                       const struct pel_arc_shape *arc, bool round,
                       const struct pel_paint *paint)
 {
     struct pel_smooth_path path;
     struct pel_angles angles;
+    struct pel_rect box;
     const bool legal = is_legal(arc);
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels(&arc->center, 1, arc->outer));
     if (!legal || arc->outer <= arc->inner ||
         !pel_angles_set(&angles, arc->from, arc->to) ||
+        !find_box(surface, arc, round, &box) ||
         !pel_smooth_path_begin(&path, surface, paint))
         return;
     add_outline(&path, arc, angles, round);
-    pel_smooth_path_paint(&path, pel_pixel_of(arc->center.y - arc->outer - 1),
-                          pel_pixel_of(arc->center.y + arc->outer + 256));
+    pel_smooth_path_paint(&path, &box);
 }
 
 void pel_smooth_arc(const struct pel_surface *surface,

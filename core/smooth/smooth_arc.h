@@ -19,7 +19,8 @@ void pel_smooth_arc(const struct pel_surface *surface,
 
 /* The same with round ends, as of a gauge: half discs beyond the two rays,
  * around the points of the middle circle there, rounded to 1/256 px, and half
- * as large as the arc is wide, rounded down. The ends must not meet. */
+ * as large as the arc is wide, rounded down. Where the ends meet, as of a gauge
+ * near 100 %, their coverage adds up, to 255 at most. */
 void pel_smooth_arc_round(const struct pel_surface *surface,
                           const struct pel_arc_shape *arc,
                           const struct pel_paint *paint);

@@ -52,9 +52,9 @@ static uint32_t *merge(uint32_t *area, uint32_t *middle, const uint32_t *end,
                        int32_t shared)
 {
     const uint32_t *from = middle;
-    uint32_t *to = middle - shared;
-    if (to < area) /* by rounding: nothing is between them */
+    if (shared > middle - area) /* by rounding: nothing is between them */
         return area;
+    uint32_t *to = middle - shared;
     for (; to < middle && from < end; to++)
         *to += *from++ + PEL_SMOOTH_HALF;
     while (from < end)
@@ -124,14 +124,15 @@ static void start(struct pel_smooth_walk *k, int i, int32_t top, int32_t y)
              (int64_t)pel_times((uint64_t)s->step, y - first);
 }
 
-/* Twice the signed area: positive when clockwise on screen. */
+/* Twice the signed area: positive when clockwise on screen. It is below 2^50
+ * for outlines that go around once; others may wrap. */
 static int64_t area_of(const struct pel_point *v, int32_t n)
 {
-    int64_t area = 0;
+    uint64_t area = 0;
     for (int32_t i = 2; i < n; i++)
-        area += pel_product(v[i - 1].x - v[0].x, v[i].y - v[0].y) -
-                pel_product(v[i - 1].y - v[0].y, v[i].x - v[0].x);
-    return area;
+        area += (uint64_t)(pel_product(v[i - 1].x - v[0].x, v[i].y - v[0].y) -
+                           pel_product(v[i - 1].y - v[0].y, v[i].x - v[0].x));
+    return (int64_t)area;
 }
 
 /* The box of n vertices, in sub-pixels. */
@@ -183,9 +184,10 @@ void pel_smooth_convex(const struct pel_surface *surface,
     const struct pel_rect *const clip = &surface->clip;
     struct pel_smooth_walk k = {.v = v, .n = n};
     int32_t top = 0;
-    PEL_ASSERT(pel_points_legal(v, n));
+    const bool legal = pel_points_legal(v, n);
+    PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels(v, n, 0));
-    if (!pel_points_legal(v, n) || !pel_smooth_begin(&k.smooth, surface, paint))
+    if (!legal || !pel_smooth_begin(&k.smooth, surface, paint))
         return;
     const struct pel_rect box = box_of(v, n);
     const int64_t area = area_of(v, n);

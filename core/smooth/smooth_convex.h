@@ -9,7 +9,7 @@ PEL_BEGIN_DECLS
 /* Paints the triangle, every pixel by the part of it that lies inside: what
  * pel_triangle covers as a whole, and the edges softly. With k edges in a pixel
  * coverage is within .5 + .02 k of 255 times the exact area
- * (smooth_convex.c), for every legal vertex, slivers included; the order of the
+ * (smooth_edge.h), for every legal vertex, slivers included; the order of the
  * vertices, whole-pixel shifts, bands and clips change no byte. A vertex out of
  * range is a broken contract: PEL_ASSERT, and nothing is drawn. */
 void pel_smooth_triangle(const struct pel_surface *surface,

@@ -11,21 +11,24 @@ typedef char pel_smooth_polygon_fits[PEL_SMOOTH_POLYGON_SCRATCH_SIZE(1, 0) >=
                                          ? 1
                                          : -1];
 
-/* False: it covers nothing inside the clip, or has no height. */
+/* False: it touches no row of the clip, or has no height. One that is right of
+ * the clip cuts rows where it ends and where it crosses others, and so rounds
+ * the areas of what is left of it. */
 static bool is_seen(const struct pel_rect *clip, const struct pel_point *a,
                     const struct pel_point *b)
 {
-    return a->y < b->y && b->y > PEL_PX(clip->y0) && a->y < PEL_PX(clip->y1) &&
-           pel_pixel_of(pel_min(a->x, b->x)) < clip->x1;
+    return a->y < b->y && b->y > PEL_PX(clip->y0) && a->y < PEL_PX(clip->y1);
 }
 
 /* x at a row's top, `below` sub-pixels below the edge's: above it by up to 255,
- * or further down by less than the edge is high, so products are below 2^57. */
+ * or further down by less than the edge is high, so products are below 2^57.
+ * Both ways give floor(step below / 256). */
 static int64_t x_in(const struct pel_point *a, int64_t step, int32_t below)
 {
     const int64_t at = pel_smooth_wide(a->x);
     if (below < 0)
-        return at + (int64_t)pel_times((uint64_t)(step >> 8), below);
+        return at + (int64_t)pel_times((uint64_t)(step >> 8), below) +
+               (((int32_t)(step & 255) * below) >> 8);
     return at + ((int64_t)pel_times((uint64_t)step, below) >> 8);
 }
 
@@ -156,6 +159,18 @@ static void clear(int32_t *sum, const struct pel_rect *clip)
         *sum++ = 0;
 }
 
+/* Is all of it left of the clip, or all right of it? */
+static bool is_beside(const struct pel_rect *clip,
+                      const struct pel_polygon_shape *p)
+{
+    bool left = true, right = true;
+    for (int32_t i = 0; i < p->n; i++) {
+        left = left && pel_pixel_of(p->v[i].x) < clip->x0;
+        right = right && pel_pixel_of(p->v[i].x) >= clip->x1;
+    }
+    return left || right;
+}
+
 static void add_edges(struct pel_smooth_sweep *w,
                       const struct pel_polygon_shape *p)
 {
@@ -196,7 +211,7 @@ enum pel_status pel_smooth_polygon(const struct pel_surface *surface,
     struct pel_smooth_sweep w = {
         .edge = scratch, .mask = polygon->rule == PEL_EVEN_ODD ? 1 : -1};
     if (status != PEL_OK || !pel_smooth_begin(&w.smooth, surface, paint) ||
-        pel_rect_empty(&surface->clip))
+        pel_rect_empty(&surface->clip) || is_beside(&surface->clip, polygon))
         return status;
     w.order = (int32_t *)(void *)(w.edge + polygon->n);
     w.sum = w.order + polygon->n;

@@ -23,7 +23,7 @@ static void paint_line(const struct pel_surface *surface,
     struct pel_point v[4];
     const bool legal = corners_of(line, square, v);
     PEL_ASSERT(legal);
-    PEL_HINT(pel_in_subpixels(v, 4, 0));
+    PEL_HINT(!legal || pel_in_subpixels(v, 4, 0));
     if (legal)
         pel_smooth_convex(surface, v, 4, paint);
 }

@@ -46,7 +46,12 @@ static void add_half(struct pel_smooth_path *path,
 static void paint_line(struct pel_smooth_path *path,
                        const struct pel_thick_line_shape *line)
 {
-    const int32_t radius = line->width >> 1;
+    const int32_t radius = line->width >> 1, edge = radius + 1;
+    const struct pel_rect box = {
+        pel_pixel_of(pel_min(line->from.x, line->to.x) - edge),
+        pel_pixel_of(pel_min(line->from.y, line->to.y) - edge),
+        pel_pixel_of(pel_max(line->from.x, line->to.x) + edge) + 1,
+        pel_pixel_of(pel_max(line->from.y, line->to.y) + edge) + 1};
     const struct pel_point ends[3] = {line->from, line->to, line->from};
     struct pel_point d = {line->to.x - line->from.x, line->to.y - line->from.y};
     d.x += d.x == 0 && d.y == 0;
@@ -55,9 +60,7 @@ static void paint_line(struct pel_smooth_path *path,
     add_half(path, ends, d, (struct pel_smooth_place){-right.x, -right.y},
              radius);
     add_half(path, ends + 1, back, right, radius);
-    pel_smooth_path_paint(
-        path, pel_pixel_of(pel_min(line->from.y, line->to.y) - radius - 1),
-        pel_pixel_of(pel_max(line->from.y, line->to.y) + radius + 256));
+    pel_smooth_path_paint(path, &box);
 }
 
 void pel_smooth_thick_line_round(const struct pel_surface *surface,
@@ -69,6 +72,8 @@ void pel_smooth_thick_line_round(const struct pel_surface *surface,
                        pel_point_legal(line->to) &&
                        pel_radius_legal(line->width);
     PEL_ASSERT(legal);
+    PEL_HINT(pel_in_subpixels((struct pel_point[2]){line->from, line->to}, 2,
+                              line->width));
     if (legal && line->width > 1 &&
         pel_smooth_path_begin(&path, surface, paint))
         paint_line(&path, line);
