@@ -106,9 +106,12 @@ piped pipe.pel explain pipe.pel 1 1
 piped pipe.pel2d render pipe.pel2d -o out.ppm
 piped pipe view figures --headless --frames 1 -o frames --replay pipe
 mkfifo open
-sleep 5 >open &
-timeout 4 "$PEL" run - --limit 1,500 <open >out 2>err &&
+# Held open until pel has ended, however long it takes to start.
+sleep 120 >open &
+holder=$!
+timeout 60 "$PEL" run - --limit 1,500 <open >out 2>err &&
     fail "standard input without an end"
+kill $holder
 grep -qF "pel: (standard input): reading it $late" err ||
     fail "standard input: $(cat err)"
 

@@ -18,12 +18,12 @@ server=$!
 trap 'status=$?; kill $server 2>/dev/null; wait $server 2>/dev/null
     [ ! -e "$work/failed" ] || status=1; rm -rf "$work"; exit $status' EXIT
 
-until_true() { # COMMAND...: up to 10 s
-    for i in $(seq 100); do
+until_true() { # COMMAND...: up to a minute
+    for i in $(seq 600); do
         "$@" >/dev/null 2>&1 && return
         sleep 0.1
     done
-    fail "not within 10 s: $*"
+    fail "not within a minute: $*"
     return 1
 }
 until_true test -s "$work/display"
@@ -42,6 +42,11 @@ start() { # ARGUMENT...
     xdotool windowfocus --sync "$window"
 }
 
+# What was done is in the record as soon as the view has heard of it.
+recorded() { # PATTERN
+    until_true grep -q "$1" "$work/record"
+}
+
 written=0
 picture() { # what follows a key w
     xdotool key --window "$window" w
@@ -57,18 +62,17 @@ quit() {
 
 start figures --size 320x240 --record record
 xdotool mousemove --window "$window" 160 120
-sleep 0.3
+recorded ' point 0 up 160 120$'
 picture
 xdotool click 1
-sleep 0.2
+recorded ' button 1 up '
 picture
 xdotool key --window "$window" space 2 minus minus
-sleep 0.2
 picture
 xdotool key --window "$window" Tab 4
 picture
 xdotool windowsize "$window" 250 200
-sleep 0.3
+recorded ' size 250 200$'
 xdotool key --window "$window" F3 o
 picture
 xdotool key --window "$window" o x x m d
@@ -111,13 +115,14 @@ done
 [ "$(sort -u "$work/sums" | wc -l)" = 3 ] || fail "a mesh does not turn"
 
 # A script, whose shapes can be picked too.
-start "$(realpath sim/scenes/shapes.pel)" --size 480x320
+rm "$work/record"
+start "$(realpath sim/scenes/shapes.pel)" --size 480x320 --record record
 xdotool mousemove --window "$window" 70 30
 written=0
 rm -f "$work"/view-00*
 picture
 xdotool click 1
-sleep 0.2
+recorded ' button 1 up '
 picture
 "$PEL" run sim/scenes/shapes.pel -o "$work/plain.ppm"
 "$PEL" compare "$work/plain.ppm" "$(ls "$work"/view-002.*)" >/dev/null &&

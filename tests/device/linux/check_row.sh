@@ -3,6 +3,10 @@
 # screens are compared with what the host's pel draws. Results go to
 # BUILD/rows/ROW/result, the machine's words to log beside it. Status 0: all
 # right.
+#
+# check_row.sh BUILD CACHE ROW KIND WORD...: is a screen of a machine that still
+# runs as expected? For vm.c, which waits for that. KIND and words: `picture`
+# and a line of the manifest, `view` and a line of views. Status 0: yes.
 set -u
 here=$(cd "$(dirname "$0")" && pwd)
 build=$(cd "$1" && pwd)
@@ -18,37 +22,20 @@ display=$(echo "$line" | cut -d'|' -f4)
 share=$build/rows/$row
 result=$share/result
 
-rm -rf "$share"
-mkdir -p "$share/scenes"
-cp "$here"/guest*.sh "$here/reference.pel" "$share/"
-cp "$here"/../../../sim/scenes/*.pel "$share/scenes/"
-# The files that scenes name lie where their scripts do, here and in the guest.
-for asset in "$here"/../../../sim/scenes/*.ppm "$here"/../../../sim/scenes/*.bdf
-do
-    cp "$asset" "$share/"
-    cp "$asset" "$share/scenes/"
-done
-for program in pel pel_no_restore pel_no_draw fb_mode console_state faults \
-    frames touch_device pel_gpiod2 faults_gpiod2; do
-    ln "$build/guest/$program" "$share/$program" 2> /dev/null ||
-        cp "$build/guest/$program" "$share/$program"
-done
-cp "$cache/panel_mock.ko" "$share/"
-echo "$row" > "$share/row"
-# tty1 is the controlling terminal, standard input and output the serial line.
-cat > "$share/run.sh" << 'END'
-exec setsid sh -c 'exec 3<> /dev/tty1; exec sh /mnt/guest_run.sh'
-END
-
 # An emulated processor needs no defence against its own speculation, which
 # costs more than half of the time.
 fast="mitigations=off no_timer_check"
 
+# The time of a machine is no measure of anything: a loaded host takes several
+# times as long as an idle one.
 machine() {
+    export here build cache row
+    # shellcheck disable=SC2016 # the shell that runs it has these variables
+    is='exec "$here/check_row.sh" "$build" "$cache" "$row"'
     # shellcheck disable=SC2086
-    "$build/vm" "$share" 300 qemu-system-x86_64 -accel tcg -m 256 -nodefaults \
-        -no-reboot -display none -serial stdio -kernel "$cache/vmlinuz" \
-        -initrd "$cache/initramfs" \
+    "$build/vm" "$share" 1200 "$is" qemu-system-x86_64 -accel tcg -m 256 \
+        -nodefaults -no-reboot -display none -serial stdio \
+        -kernel "$cache/vmlinuz" -initrd "$cache/initramfs" \
         -append "console=ttyS0 quiet $fast mods=$modules $append" \
         -virtfs local,path="$share",mount_tag=host,security_model=none \
         $display
@@ -63,6 +50,22 @@ bits_of() { # FORMAT
     esac
 }
 
+# To $expected, which is whole or not there.
+draw() { # SCENE FORMAT SIZE
+    if [ "$1" = mesh ] || [ "$1" = view ]; then
+        shade=gouraud
+        [ "$1" = mesh ] || shade=phong
+        "$build/../pel" render builtin:vase --size "$3" --format "$2" \
+            --shade $shade -o "$share/expected.ppm" || return
+    else
+        sed "s/^canvas .*/canvas $width $height $2/" "$source" \
+            > "$share/scene.pel"
+        "$build/../pel" run "$share/scene.pel" -o "$share/expected.ppm" ||
+            return
+    fi
+    mv "$share/expected.ppm" "$expected"
+}
+
 # The host's picture of a scene, and where Pel has no part in it, the
 # reference's.
 compare() { # NAME SCENE FORMAT WIDTH HEIGHT DAC_BITS
@@ -72,17 +75,9 @@ compare() { # NAME SCENE FORMAT WIDTH HEIGHT DAC_BITS
     case $2 in reference_*)
         width=$(echo "$2" | cut -d_ -f2) height=$(echo "$2" | cut -d_ -f3) ;;
     esac
-    sed "s/^canvas .*/canvas $width $height $3/" "$source" > "$share/scene.pel"
-    if [ "$2" = mesh ] || [ "$2" = view ]; then
-        shade=gouraud
-        [ "$2" = mesh ] || shade=phong
-        "$build/../pel" render builtin:vase --size "$4x$5" --format "$3" \
-            --shade $shade -o "$share/expected.ppm" || return
-    else
-        "$build/../pel" run "$share/scene.pel" -o "$share/expected.ppm" ||
-            return
-    fi
-    "$build/screen_check" "$share/expected.ppm" "$share/$1.ppm" "$6" || return
+    expected=$share/$1.expected
+    [ -s "$expected" ] || draw "$2" "$3" "$4x$5" || return
+    "$build/screen_check" "$expected" "$share/$1.ppm" "$6" || return
     case $2 in reference*)
         # shellcheck disable=SC2046
         "$build/reference" "$width" "$height" $(bits_of "$3") \
@@ -91,8 +86,6 @@ compare() { # NAME SCENE FORMAT WIDTH HEIGHT DAC_BITS
             return
         ;;
     esac
-    equal=$((equal + 1))
-    rm "$share/$1.ppm"
 }
 
 # A view's pictures and screens are those of its record, drawn again: a picture
@@ -135,6 +128,42 @@ screen() { # NAME SCREEN SHOT [X Y]
         "$build/screen_check" "$share/expected.ppm" "$share/$1-$2.ppm"
 }
 
+# While the machine runs, a picture of a view is what the guest wrote.
+if [ $# -gt 3 ]; then
+    kind=$4
+    shift 4
+    case $kind in
+        picture) compare "$@" ;;
+        view)
+            cp "$share/$1/view-00$3".* "$share/$1/shot-$3.ppm" && screen "$@"
+            ;;
+        *) exit 2 ;;
+    esac
+    exit
+fi
+
+rm -rf "$share"
+mkdir -p "$share/scenes"
+cp "$here"/guest*.sh "$here/reference.pel" "$share/"
+cp "$here"/../../../sim/scenes/*.pel "$share/scenes/"
+# The files that scenes name lie where their scripts do, here and in the guest.
+for asset in "$here"/../../../sim/scenes/*.ppm "$here"/../../../sim/scenes/*.bdf
+do
+    cp "$asset" "$share/"
+    cp "$asset" "$share/scenes/"
+done
+for program in pel pel_no_restore pel_no_draw fb_mode console_state faults \
+    frames touch_device pel_gpiod2 faults_gpiod2; do
+    ln "$build/guest/$program" "$share/$program" 2> /dev/null ||
+        cp "$build/guest/$program" "$share/$program"
+done
+cp "$cache/panel_mock.ko" "$share/"
+echo "$row" > "$share/row"
+# tty1 is the controlling terminal, standard input and output the serial line.
+cat > "$share/run.sh" << 'END'
+exec setsid sh -c 'exec 3<> /dev/tty1; exec sh /mnt/guest_run.sh'
+END
+
 : > "$result"
 begun=$(date +%s)
 machine > "$share/log" 2>&1 ||
@@ -146,8 +175,10 @@ pictures=0
 while read -r name scene format width height dac; do
     pictures=$((pictures + 1))
     compare "$name" "$scene" "$format" "$width" "$height" "$dac" \
-        > "$share/difference" 2>&1 ||
+        > "$share/difference" 2>&1 && equal=$((equal + 1)) &&
+        rm "$share/$name.ppm" ||
         echo "FAIL $name ($format): $(cat "$share/difference")" >> "$result"
+    rm -f "$share/$name.expected"
 done < "$share/manifest"
 [ ! -f "$share/panels" ] || while read -r name chip turn width height format; do
     pictures=$((pictures + 1))

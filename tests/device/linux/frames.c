@@ -1,10 +1,10 @@
-/* frames DEVICE [COUNT]: draws frames, for ever when no count is given; ends
- * with status 2 when the device fails, and tells after how many. A negative
- * count: overflows its stack instead of drawing. With a count it tells how
- * often the driver asked to wait for the vertical blank and what it was
- * answered at last; a second display beside the first must be refused, with a
- * message, and leave the first and the console as they are. Linked with
- * --wrap=ioctl. */
+/* frames DEVICE [COUNT]: draws frames, for ever when no count is given, and
+ * tells when it has drawn two; ends with status 2 when the device fails, and
+ * tells after how many. A negative count: overflows its stack instead of
+ * drawing. With a count it tells how often the driver asked to wait for the
+ * vertical blank and what it was answered at last; a second display beside the
+ * first must be refused, with a message, and leave the first and the console as
+ * they are. Linked with --wrap=ioctl. */
 #include <errno.h>
 #include <linux/fb.h>
 #include <linux/kd.h>
@@ -105,6 +105,8 @@ int main(int argc, char **argv)
         return overflow(&top);
     enum pel_status status = PEL_OK;
     for (; (!most || frame < most) && status == PEL_OK; frame++) {
+        if (!most && frame == 2)
+            fprintf(stderr, "frames: drawing\n");
         if (!most)
             pel_display_linux_wait(&screen, 0);
         status = draw(&screen, frame);

@@ -14,6 +14,24 @@ dump() { # NAME
     read -r answer
 }
 
+# Takes the screen until it is what check_row.sh expects, or too long: the kernel
+# may show what was stored with a delay. What stays wrong check_row.sh tells.
+dump_expected() { # NAME KIND WORDS
+    echo "@screen $*"
+    read -r answer
+    [ -z "$answer" ]
+}
+
+# Until $1 holds, at most half a minute and what its calls take.
+becomes() { # COMMAND...
+    becomes_n=0
+    until "$@"; do
+        usleep 50000
+        becomes_n=$((becomes_n + 1))
+        [ $becomes_n -lt 600 ] || return 1
+    done
+}
+
 press() { # KEYS
     echo "@key $1"
     read -r answer
@@ -27,23 +45,18 @@ start() { # COMMAND...
     pid=$!
 }
 
-# Until the command waits in poll(2), which is what pel does when the picture is
-# complete, or has ended.
+# Until the command has told what it draws on or listens to and waits in poll(2),
+# which is what pel does when the picture is complete, or has ended. Before it
+# tells that it may wait so for the process that reads a file.
 wait_drawn() {
     n=0
-    while [ -d /proc/$pid ] && ! grep -q '^7 ' /proc/$pid/syscall; do
+    while [ -d /proc/$pid ] &&
+        ! { [ -s $log ] && grep -q '^7 ' /proc/$pid/syscall; }; do
         usleep 20000
         n=$((n + 1))
-        [ $n -lt 1500 ] || return 1
+        [ $n -lt 3000 ] || return 1
     done 2> /dev/null
     [ -d /proc/$pid ]
-}
-
-# DRM drivers show what was stored with a delay: 100 ms at most.
-settle() {
-    if grep -q drm /proc/fb; then
-        usleep 120000
-    fi
 }
 
 # Shows one scene and notes what the host has to compare.
@@ -53,9 +66,9 @@ picture() { # NAME FORMAT DAC_BITS COMMAND...
     start "$@"
     if wait_drawn; then
         grep -q ", $format," $log || fail "$name: not $format: $(cat $log)"
-        settle
-        dump "$name"
-        echo "$name $scene $format $width $height $dac" >> /mnt/manifest
+        told="$name $scene $format $width $height $dac"
+        echo "$told" >> /mnt/manifest
+        dump_expected "$name" picture "$told"
     else
         fail "$name: $(cat $log)"
     fi

@@ -15,49 +15,68 @@ state_of_terminal() {
     state | sed 's/\( nonblocking [01]\) .*/\1/'
 }
 
-# Until the state is $1, at most 3 s: a guardian works beside the program.
-state_becomes() {
-    n=0
-    while [ "$(state)" != "$1" ]; do
-        usleep 50000
-        n=$((n + 1))
-        [ $n -lt 60 ] || return 1
-    done
+state_is() { # STATE
+    [ "$(state)" = "$1" ]
+}
+
+# A guardian works beside the program.
+state_becomes() { # STATE
+    becomes state_is "$1"
+}
+
+active_is() { # TERMINAL
+    state | grep -q " active $1 "
 }
 
 active_becomes() { # TERMINAL
-    n=0
-    while ! state | grep -q " active $1 "; do
-        usleep 50000
-        n=$((n + 1))
-        [ $n -lt 60 ] || return 1
-    done
+    becomes active_is "$1"
+}
+
+# No signal waits for the program any more.
+signals_taken() {
+    ! grep -q '^S[ih][gd]Pnd:.*[1-9a-f]' /proc/$pid/status
+}
+
+dump_equals() { # NAME OTHER
+    dump "$1"
+    cmp -s "/mnt/$1.ppm" "/mnt/$2.ppm"
+}
+
+dump_differs() { # NAME OTHER
+    ! dump_equals "$1" "$2"
+}
+
+# No process of pel's is left, not even a guardian.
+all_ended() {
+    ! grep -l pel /proc/[0-9]*/comm > /dev/null 2>&1
 }
 
 # Away to tty2 and back: the program lets go, waits, and draws all again. The
 # signals of a switch, sent by somebody else, neither stop it nor let it draw.
 switch_away_and_back() {
     kill -USR1 $pid
-    usleep 200000
-    wait_drawn || return 1
-    settle
-    dump "$row-before-switch"
-    timeout 5 chvt 2 || return 1
+    becomes signals_taken && wait_drawn || return 1
+    # What the host draws of the scene, on a screen of its own size.
+    format=$(sed -n 's/^pel: .*, \([a-z]*[0-9][a-z0-9_]*\),.*/\1/p' $log)
+    dac=8
+    [ "$format" != rgb332 ] || dac=6
+    size=$(sed -n 's/^canvas \([0-9]* [0-9]*\) .*/\1/p' /mnt/scenes/cover.pel)
+    dump_expected "$row-before-switch" picture "$row-before-switch cover" \
+        "$format $size $dac" || return 1
+    timeout 30 chvt 2 || return 1
     active_becomes 2 || return 1
     echo "another terminal" > /dev/tty2
+    becomes dump_differs "$row-away" "$row-before-switch" || return 1
     kill -USR2 $pid
+    becomes signals_taken && wait_drawn || return 1
+    # Nothing is to come: the longest delay of a kernel's copy, and some.
     usleep 200000
-    settle
-    dump "$row-away"
-    cmp -s "/mnt/$row-before-switch.ppm" "/mnt/$row-away.ppm" && return 1
-    timeout 5 chvt 1 || return 1
+    dump_differs "$row-away" "$row-before-switch" || return 1
+    timeout 30 chvt 1 || return 1
     active_becomes 1 || return 1
-    sleep 1
-    wait_drawn || return 1
-    settle
-    dump "$row-back"
-    cmp "/mnt/$row-before-switch.ppm" "/mnt/$row-back.ppm" || return 1
-    rm "/mnt/$row-before-switch.ppm" "/mnt/$row-back.ppm" "/mnt/$row-away.ppm"
+    becomes dump_equals "$row-back" "$row-before-switch" || return 1
+    rm "/mnt/$row-before-switch.ppm" "/mnt/$row-before-switch.expected" \
+        "/mnt/$row-back.ppm" "/mnt/$row-away.ppm"
 }
 
 # Ends the program in one of the ways.
@@ -113,8 +132,7 @@ kill_matrix() {
             fail "$how on $device: before: $before"
             fail "$how on $device: after:  $(state)"
         fi
-        ! grep -l pel /proc/[0-9]*/comm 2> /dev/null ||
-            fail "$how: a process is left"
+        becomes all_ended || fail "$how: a process is left"
     done
 }
 
@@ -124,14 +142,14 @@ away_case() { # HOW
     before=$(state_of_terminal)
     start $pel run /mnt/scenes/cover.pel --device $device
     wait_drawn || fail "away, $1: not drawn: $(cat $log)"
-    timeout 5 chvt 2 && active_becomes 2 || fail "away, $1: tty2 is not shown"
+    timeout 30 chvt 2 && active_becomes 2 || fail "away, $1: tty2 is not shown"
     /mnt/fb_mode 24 640 480 > /tmp/mode_set
     kill -"$1" $pid
     wait $pid
-    usleep 500000
+    becomes all_ended || fail "away, $1: a process is left"
     /mnt/fb_mode > /tmp/mode_left
     /mnt/fb_mode 16 640 480 > /tmp/mode
-    timeout 5 chvt 1 && active_becomes 1 || fail "away, $1: tty1 is not shown"
+    timeout 30 chvt 1 && active_becomes 1 || fail "away, $1: tty1 is not shown"
     if [ "$(state_of_terminal)" != "$before" ]; then
         fail "away, $1: before: $before, after: $(state_of_terminal)"
     elif ! cmp -s /tmp/mode_set /tmp/mode_left; then
@@ -159,9 +177,8 @@ overflow_case() {
 no_restore_matrix() {
     pel=/mnt/pel_no_restore
     ways="key INT TERM SEGV ABRT KILL"
-    state_becomes() {
-        sleep 1
-        [ "$(state)" = "$1" ]
+    state_becomes() { # what is to come has come when all have ended
+        becomes all_ended && state_is "$1"
     }
     /mnt/fb_mode > /tmp/mode_before
     for how in $ways; do
@@ -311,7 +328,7 @@ mode_case() { # fb_mode's arguments...
     /mnt/fb_mode 16 640 480 > /tmp/mode
     before=$(state)
     start /mnt/frames fb:/dev/fb0
-    sleep 1
+    becomes grep -q '^frames: drawing' $log || fail "mode $*: nothing is drawn"
     /mnt/fb_mode "$@" > /tmp/mode || fail "mode $*: not set"
     wait $pid
     status=$?
@@ -323,19 +340,31 @@ mode_case() { # fb_mode's arguments...
     fi
 }
 
+process_ended() {
+    [ ! -d /proc/$pid ]
+}
+
+frames_run() {
+    grep -q '^frames: drawing' $log
+}
+
+# The terminal is for graphics, and the screen moves.
+view_runs() {
+    state | grep -q '^graphics 1 ' || return 1
+    dump "$row-frame"
+    usleep 50000
+    dump_differs "$row-next" "$row-frame"
+}
+
 # The driver is taken away while a command draws frames.
-vanish_case() { # DEVICE PATTERN COMMAND...
-    vanished=$1 pattern=$2
-    shift 2
+vanish_case() { # DEVICE PATTERN DRAWING COMMAND...
+    vanished=$1 pattern=$2 drawing=$3
+    shift 3
     before=$(state_of_terminal)
     start "$@"
-    sleep 1
+    becomes "$drawing" || fail "$vanished: nothing is drawn"
     echo "$pci" > /sys/bus/pci/drivers/bochs-drm/unbind
-    n=0
-    while [ -d /proc/$pid ] && [ $n -lt 60 ]; do
-        usleep 50000
-        n=$((n + 1))
-    done
+    becomes process_ended
     kill -9 $pid 2> /dev/null
     wait $pid
     status=$?
@@ -347,15 +376,16 @@ vanish_case() { # DEVICE PATTERN COMMAND...
         fail "$vanished vanished: status $status: $(cat $log): $before: $after"
     fi
     echo "$pci" > /sys/bus/pci/drivers/bochs-drm/bind
-    sleep 1
+    becomes test -e /dev/fb0 && becomes test -e /dev/dri/card0 ||
+        fail "$vanished: it does not come back"
 }
 
 vanish() {
     pci=$(basename /sys/bus/pci/drivers/bochs-drm/0000*)
     for vanishing in fb:/dev/fb0 drm:/dev/dri/card0; do
         vanish_case $vanishing '^frames: [1-9][0-9]* frames, then: .' \
-            /mnt/frames $vanishing
-        vanish_case $vanishing '^pel: ' \
+            frames_run /mnt/frames $vanishing
+        vanish_case $vanishing '^pel: ' view_runs \
             $pel view figures --device $vanishing
     done
 }

@@ -140,7 +140,7 @@ row_faults_input() {
 
 # No screen: what is visible in its memory is the picture.
 row_vfb() {
-    dump() {
+    dump_expected() {
         /mnt/fb_mode -read "/mnt/$1.ppm"
     }
     mode 16 bgr565_le 8 fb:/dev/fb0 16 640 480
@@ -226,15 +226,11 @@ view() { # DEVICE
     press r
     press p
     press w
-    n=0
-    until grep -q '^written: view-001' $log || [ $n -ge 300 ]; do
-        usleep 100000
-        n=$((n + 1))
-    done
+    becomes grep -q '^written: view-001' $log
     wait_drawn || fail "$name: $(cat $log)"
-    settle
-    dump "$name"
-    echo "$name $scene xrgb8888 $width $height 8" >> /mnt/manifest
+    told="$name $scene xrgb8888 $width $height 8"
+    echo "$told" >> /mnt/manifest
+    dump_expected "$name" picture "$told"
     press q
     wait $pid
     status=$?

@@ -7,29 +7,45 @@ shot() { # COMMAND...
     shots=$((shots + 1))
     "$@"
     becomes grep -q "^written: view-00$shots" $log || fail "no picture $shots"
-    sleep 0.1
+    wait_drawn
 }
 
 # Shows the picture that was written last; check_row.sh draws it with the cross
 # of a pointer at X Y of it.
 screen() { # NAME [X Y]
-    settle
-    dump "$name-$1"
-    echo "$name $1 $shots $2 $3" >> /mnt/views
+    told="$name $1 $shots $2 $3"
+    echo "$told" >> /mnt/views
+    dump_expected "$name-$1" view "$told"
 }
 
+# How many lines of the record hold $1 is $2: they are there at once.
+recorded() { # PATTERN COUNT
+    [ "$(grep -c "$1" record)" -ge "$2" ]
+}
+
+# Until the view has heard of it: devices are read one after the other, so a key
+# that is pressed later could be heard before.
+clicks=0
 click_left() {
+    clicks=$((clicks + 1))
     click left true
     click left false
-    sleep 0.1
+    becomes recorded " button 1 up " $clicks || fail "$name: no click $clicks"
+}
+
+# The screen is no longer what was dumped as $1.
+changes() { # NAME
+    dump "$name-now"
+    ! cmp -s "/mnt/$1.ppm" "/mnt/$name-now.ppm"
 }
 
 # The host draws what was recorded once more: all pictures and screens.
 figures() {
     name=$row-${device%%:*}
-    shots=0
+    shots=0 clicks=0
     mkdir -p "/mnt/$name"
     cd "/mnt/$name" || exit 2
+    wait_devices
     tablet 0 0
     start $pel view figures --still --size 160x120 --device $device \
         --record record --buttons "$chip:5=tab,6=w,17/27=wheel"
@@ -52,9 +68,11 @@ figures() {
     tap 5
     pull 27 0 17 0 27 1 17 1
     shot tap 6
+    screen rests 40 40
     press spc
-    sleep 1
+    becomes changes "$name-rests" || fail "$name: nothing moves"
     press spc
+    rm "/mnt/$name-now.ppm"
     shot press w
     press f3
     press o

@@ -2,10 +2,15 @@
  * what guest_input.sh expects; then it is taken away. */
 #include <libevdev/libevdev-uinput.h>
 #include <libevdev/libevdev.h>
+#include <dirent.h>
+#include <stdbool.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
 #include <unistd.h>
 
-enum { MOST = 9999 };
+enum { MOST = 9999, WAIT_MS = 20, WAITS = 30000 / WAIT_MS };
 
 static struct libevdev_uinput *create(void)
 {
@@ -27,6 +32,68 @@ static struct libevdev_uinput *create(void)
                                        &screen);
     libevdev_free(device);
     return screen;
+}
+
+/* Has the process that file open? */
+static bool has_open(const char *process, const char *path)
+{
+    char name[600], link[600];
+    const struct dirent *entry;
+    bool found = false;
+    snprintf(name, sizeof name, "/proc/%.20s/fd", process);
+    DIR *list = opendir(name);
+    while (list && !found && (entry = readdir(list))) {
+        snprintf(name, sizeof name, "/proc/%.20s/fd/%s", process,
+                 entry->d_name);
+        const ssize_t n = readlink(name, link, sizeof link - 1);
+        if (n > 0) {
+            link[n] = 0;
+            found = strcmp(link, path) == 0;
+        }
+    }
+    if (list)
+        closedir(list);
+    return found;
+}
+
+/* Does it sleep in poll(2), number 7? Then it has read all that came. */
+static bool waits(const char *process)
+{
+    char name[60], call[3] = "";
+    snprintf(name, sizeof name, "/proc/%.20s/syscall", process);
+    FILE *file = fopen(name, "r");
+    if (!file)
+        return false;
+    const bool is_poll =
+        fgets(call, sizeof call, file) && strcmp(call, "7 ") == 0;
+    fclose(file);
+    return is_poll;
+}
+
+static bool somebody_waits(const char *path)
+{
+    const struct dirent *entry;
+    bool found = false;
+    DIR *processes = opendir("/proc");
+    while (processes && !found && (entry = readdir(processes)))
+        found = atoi(entry->d_name) > 0 && has_open(entry->d_name, path) &&
+                waits(entry->d_name);
+    if (processes)
+        closedir(processes);
+    return found;
+}
+
+/* Until a program has the device open and waits for it; false: too long. */
+static bool wait_reader(const char *path)
+{
+    const struct timespec pause = {.tv_nsec = WAIT_MS * 1000000L};
+    for (int i = 0; i < WAITS; i++) {
+        if (somebody_waits(path))
+            return true;
+        nanosleep(&pause, NULL);
+    }
+    fprintf(stderr, "touch_device: nobody reads %s\n", path);
+    return false;
 }
 
 int main(void)
@@ -53,13 +120,14 @@ int main(void)
         {EV_SYN, SYN_REPORT, 0},
     };
     struct libevdev_uinput *screen = create();
-    if (!screen)
+    const char *path = screen ? libevdev_uinput_get_devnode(screen) : NULL;
+    if (!path || !wait_reader(path))
         return 2;
-    usleep(500000); /* until it was opened */
     for (size_t i = 0; i < sizeof(does) / sizeof(does[0]); i++)
         libevdev_uinput_write_event(screen, does[i].type, does[i].code,
                                     does[i].value);
-    usleep(300000);
+    if (!wait_reader(path))
+        return 2;
     libevdev_uinput_destroy(screen); /* while a finger rests */
     return 0;
 }

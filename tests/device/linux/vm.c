@@ -1,16 +1,19 @@
-/* vm FOLDER SECONDS PROGRAM ARGUMENT...: runs an emulator whose serial line is
- * standard input and output, and serves what the guest asks for in lines of
- * its own:
+/* vm FOLDER SECONDS CHECK PROGRAM ARGUMENT...: runs an emulator whose serial
+ * line is standard input and output, and serves what the guest asks for in
+ * lines of its own:
  *
  *     @dump NAME     writes what the screen shows to FOLDER/NAME.ppm
+ *     @screen NAME WORD...
+ *                    does so until the shell command CHECK WORD... ends with
+ *                    status 0, or too long
  *     @key KEYS      presses keys (ctrl-alt-f2)
  *     @input JSON    the events of QMP's input-send-event
  *     @done STATUS   the guest's last word: its status is ours
  *
- * Each but the last is answered by an empty line on the serial line, so the
- * guest waits with `read`. Everything else is passed on to standard output.
- * Exit: the guest's status, or 2 when the emulator ended or SECONDS passed
- * before the guest was done. */
+ * Each but the last is answered by a line on the serial line, so the guest
+ * waits with `read`: an empty one, or "differs" when CHECK never held.
+ * Everything else is passed on to standard output. Exit: the guest's status, or
+ * 2 when the emulator ended or SECONDS passed before the guest was done. */
 #define _POSIX_C_SOURCE 200809L
 #include <errno.h>
 #include <signal.h>
@@ -21,14 +24,21 @@
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
-enum { QMP_FD = 3, MOST_ARGUMENTS = 100 };
+enum { QMP_FD = 3, MOST_ARGUMENTS = 100, LINE = 4096 };
+
+/* The kernel may copy a picture to the screen some time after it was drawn. One
+ * that is wrong for so long stays wrong; where one did, others get less time.
+ */
+enum { SCREEN_SECONDS = 20, SCREEN_SECONDS_LATER = 5 };
 
 static pid_t emulator;
 
 struct vm {
-    const char *folder;
+    const char *folder, *check;
+    int screen_seconds;
     FILE *from_guest, *to_guest;
     FILE *from_qmp, *to_qmp;
 };
@@ -115,14 +125,50 @@ static bool qmp_answer(struct vm *vm)
     return false;
 }
 
+static bool dump(struct vm *vm, int length, const char *name)
+{
+    fprintf(vm->to_qmp,
+            "{\"execute\":\"screendump\",\"arguments\":"
+            "{\"filename\":\"%s/%.*s.ppm\"}}",
+            vm->folder, length, name);
+    return qmp_answer(vm);
+}
+
+static bool answer(struct vm *vm, const char *text)
+{
+    fprintf(vm->to_guest, "%s\n", text);
+    return fflush(vm->to_guest) == 0;
+}
+
+/* The screen as it is when it is right, or at last. */
+static bool serve_screen(struct vm *vm, const char *words)
+{
+    static char command[2 * LINE];
+    const struct timespec pause = {.tv_nsec = 50 * 1000 * 1000};
+    const int name = (int)strcspn(words, " ");
+    struct timespec begun, now;
+    snprintf(command, sizeof command, "set -- %s\n%s \"$@\" >/dev/null 2>&1",
+             words + name, vm->check);
+    clock_gettime(CLOCK_MONOTONIC, &begun);
+    do {
+        if (!dump(vm, name, words))
+            return false;
+        if (system(command) == 0)
+            return answer(vm, "");
+        nanosleep(&pause, NULL);
+        clock_gettime(CLOCK_MONOTONIC, &now);
+    } while (now.tv_sec - begun.tv_sec < vm->screen_seconds);
+    vm->screen_seconds = SCREEN_SECONDS_LATER;
+    return answer(vm, "differs");
+}
+
 static bool serve(struct vm *vm, const char *line)
 {
     if (strncmp(line, "@dump ", 6) == 0)
-        fprintf(vm->to_qmp,
-                "{\"execute\":\"screendump\",\"arguments\":"
-                "{\"filename\":\"%s/%s.ppm\"}}",
-                vm->folder, line + 6);
-    else if (strncmp(line, "@key ", 5) == 0)
+        return dump(vm, LINE, line + 6) && answer(vm, "");
+    if (strncmp(line, "@screen ", 8) == 0)
+        return serve_screen(vm, line + 8);
+    if (strncmp(line, "@key ", 5) == 0)
         fprintf(vm->to_qmp,
                 "{\"execute\":\"human-monitor-command\",\"arguments\":"
                 "{\"command-line\":\"sendkey %s\"}}",
@@ -134,16 +180,13 @@ static bool serve(struct vm *vm, const char *line)
                 line + 7);
     else
         return false;
-    if (!qmp_answer(vm))
-        return false;
-    fputc('\n', vm->to_guest);
-    return fflush(vm->to_guest) == 0;
+    return qmp_answer(vm) && answer(vm, "");
 }
 
 /* Passes lines on until the guest is done: its status, or 2. */
 static int vm_serve(struct vm *vm)
 {
-    char line[4096];
+    char line[LINE];
     while (fgets(line, sizeof(line), vm->from_guest)) {
         line[strcspn(line, "\r\n")] = 0;
         if (strncmp(line, "@done ", 6) == 0)
@@ -163,14 +206,16 @@ static int vm_serve(struct vm *vm)
 int main(int argc, char **argv)
 {
     struct vm vm;
-    if (argc < 4) {
-        fprintf(stderr, "vm FOLDER SECONDS PROGRAM ARGUMENT...\n");
+    if (argc < 5) {
+        fprintf(stderr, "vm FOLDER SECONDS CHECK PROGRAM ARGUMENT...\n");
         return 2;
     }
     signal(SIGPIPE, SIG_IGN);
     signal(SIGALRM, on_alarm);
     vm.folder = argv[1];
-    vm_start(&vm, argv + 3);
+    vm.check = argv[3];
+    vm.screen_seconds = SCREEN_SECONDS;
+    vm_start(&vm, argv + 4);
     alarm((unsigned)atoi(argv[2]));
     int status = 2;
     fputs("{\"execute\":\"qmp_capabilities\"}", vm.to_qmp);
