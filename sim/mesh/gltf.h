@@ -38,10 +38,12 @@ __attribute__((format(printf, 2, 3))) void *gltf_refuse(struct gltf *g,
  * there. */
 json_t *gltf_at(struct gltf *g, const char *array, json_int_t index);
 
-/* Members: a number; an index from 0 on; the numbers of an array, n of them;
- * without the member nothing happens, the fallback or -1. */
+/* Members: a number; a number of bytes or elements, whole and from 0 on; an
+ * index from 0 on; the numbers of an array, n of them; without the member
+ * nothing happens, the fallback, 0 or -1. */
 double gltf_number(struct gltf *g, const json_t *object, const char *key,
                    double fallback);
+double gltf_size(struct gltf *g, const json_t *object, const char *key);
 json_int_t gltf_index(struct gltf *g, const json_t *object, const char *key);
 bool gltf_numbers(struct gltf *g, const json_t *object, const char *key,
                   double *number, size_t n);

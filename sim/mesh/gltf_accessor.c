@@ -83,12 +83,12 @@ static bool read_sparse(struct gltf *g, const json_t *sparse,
 {
     const json_t *indices = json_object_get(sparse, "indices");
     const json_t *values = json_object_get(sparse, "values");
-    const double count = gltf_number(g, sparse, "count", 0);
+    const double count = gltf_size(g, sparse, "count");
     if (!(count >= 1 && count <= (double)all->count))
         return gltf_refuse(g, "a sparse accessor has %g elements", count);
     struct elements e = {.view = gltf_index(g, indices, "bufferView"),
                          .kind = gltf_index(g, indices, "componentType"),
-                         .offset = gltf_number(g, indices, "byteOffset", 0),
+                         .offset = gltf_size(g, indices, "byteOffset"),
                          .count = (size_t)count,
                          .components = 1};
     const size_t n = (size_t)all->components;
@@ -101,7 +101,7 @@ static bool read_sparse(struct gltf *g, const json_t *sparse,
     e.count = (size_t)count;
     e.stride = 0;
     e.view = gltf_index(g, values, "bufferView");
-    e.offset = gltf_number(g, values, "byteOffset", 0);
+    e.offset = gltf_size(g, values, "byteOffset");
     good = good && read(g, &e, value);
     for (size_t i = 0; good && i < e.count; i++) {
         good = index[i] < (double)all->count;
@@ -118,11 +118,11 @@ bool gltf_accessor(struct gltf *g, json_int_t index, struct gltf_array *array)
 {
     const json_t *object = gltf_at(g, "accessors", index);
     const json_t *sparse = json_object_get(object, "sparse");
-    const double count = gltf_number(g, object, "count", 0);
+    const double count = gltf_size(g, object, "count");
     struct elements e = {
         .view = gltf_index(g, object, "bufferView"),
         .kind = gltf_index(g, object, "componentType"),
-        .offset = gltf_number(g, object, "byteOffset", 0),
+        .offset = gltf_size(g, object, "byteOffset"),
         .components =
             components_of(json_string_value(json_object_get(object, "type"))),
         .normalized = json_is_true(json_object_get(object, "normalized"))};
@@ -134,7 +134,7 @@ bool gltf_accessor(struct gltf *g, json_int_t index, struct gltf_array *array)
     e.count = (size_t)count;
     if (e.view >= 0)
         e.stride =
-            gltf_number(g, gltf_at(g, "bufferViews", e.view), "byteStride", 0);
+            gltf_size(g, gltf_at(g, "bufferViews", e.view), "byteStride");
     array->count = e.count;
     array->components = e.components;
     array->number = calloc(e.count * (size_t)e.components, sizeof(double));

@@ -2,6 +2,8 @@
 #include "sim/mesh/gltf.h"
 
 #ifdef HAVE_JANSSON
+#include <ctype.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,6 +51,15 @@ json_int_t gltf_index(struct gltf *g, const json_t *object, const char *key)
     if (member && !(json_is_integer(member) && json_integer_value(member) >= 0))
         gltf_refuse(g, "'%s' is no number from 0 on", key);
     return json_is_integer(member) ? json_integer_value(member) : -1;
+}
+
+double gltf_size(struct gltf *g, const json_t *object, const char *key)
+{
+    const double size = gltf_number(g, object, key, 0);
+    if (size < 0 || floor(size) != size)
+        gltf_refuse(g, "'%s' is %g: expected a whole number from 0 on", key,
+                    size);
+    return size;
 }
 
 bool gltf_numbers(struct gltf *g, const json_t *object, const char *key,
@@ -108,16 +119,17 @@ static bool decode_base64(const char *text, struct gltf_bytes *bytes)
     return to && text[strspn(text, "=")] == '\0';
 }
 
+/* A % without two digits, or of a 0, stays as it is. */
 static char *decode_percent(const char *text)
 {
     char *copy = strdup(text), *to = copy;
     for (const char *c = text; copy && *c; c++) {
-        unsigned byte;
-        if (*c == '%' && sscanf(c + 1, "%2x", &byte) == 1 && byte > 0) {
-            *to++ = (char)byte;
-            c += 2;
-        } else
-            *to++ = *c;
+        char byte = 0;
+        if (*c == '%' && isxdigit((unsigned char)c[1]) &&
+            isxdigit((unsigned char)c[2]))
+            byte = (char)strtoul((char[]){c[1], c[2], '\0'}, NULL, 16);
+        *to++ = byte ? byte : *c;
+        c += byte ? 2 : 0;
     }
     if (copy)
         *to = '\0';
@@ -143,7 +155,7 @@ static bool read_buffer(struct gltf *g, json_int_t index)
     struct gltf_bytes *b = &g->buffer[index];
     const json_t *object = gltf_at(g, "buffers", index);
     const char *uri = json_string_value(json_object_get(object, "uri"));
-    const double size = gltf_number(g, object, "byteLength", 0);
+    const double size = gltf_size(g, object, "byteLength");
     char *path = NULL;
     if (!uri && index == 0)
         *b = g->chunk;
@@ -165,12 +177,12 @@ const uint8_t *gltf_view(struct gltf *g, json_int_t view, double offset,
 {
     const json_t *object = gltf_at(g, "bufferViews", view);
     const json_int_t buffer = gltf_index(g, object, "buffer");
-    const double first = gltf_number(g, object, "byteOffset", 0);
-    const double length = gltf_number(g, object, "byteLength", 0);
+    const double first = gltf_size(g, object, "byteOffset");
+    const double length = gltf_size(g, object, "byteLength");
     if (!g->good || !gltf_at(g, "buffers", buffer) ||
         (!g->buffer[buffer].at && !read_buffer(g, buffer)))
         return NULL;
-    if (offset < 0 || first < 0 || offset + size > length ||
+    if (offset < 0 || size < 0 || offset + size > length ||
         first + length > (double)g->buffer[buffer].size)
         return gltf_refuse(g, "bytes %.0f to %.0f leave bufferViews[%lld]",
                            offset, offset + size, (long long)view);
@@ -180,7 +192,7 @@ const uint8_t *gltf_view(struct gltf *g, json_int_t view, double offset,
 struct gltf_bytes gltf_whole_view(struct gltf *g, json_int_t view)
 {
     const json_t *object = gltf_at(g, "bufferViews", view);
-    const double size = gltf_number(g, object, "byteLength", 0);
+    const double size = gltf_size(g, object, "byteLength");
     const uint8_t *at = gltf_view(g, view, 0, size);
     return (struct gltf_bytes){at, at ? (size_t)size : 0};
 }

@@ -87,8 +87,10 @@ static bool read_all(struct gltf *g, const struct gltf_primitive *p,
            read(g, from, "WEIGHTS_1", 4, &a->weight[1]) &&
            add_morphs(g, p, "POSITION", &a->position) &&
            add_morphs(g, p, "NORMAL", &a->normal) &&
-           (!a->color.number || a->color.components >= 3 ||
-            gltf_refuse(g, "COLOR_0 has %d numbers", a->color.components));
+           (!a->color.number || a->color.components == 3 ||
+            a->color.components == 4 ||
+            gltf_refuse(g, "COLOR_0 has %d numbers: expected 3 or 4",
+                        a->color.components));
 }
 
 static bool is_one_color(const struct gltf_array *c)

@@ -80,6 +80,7 @@ accessor() {
     accessor 640 VEC3 4 5123 ', "normalized": true'  # 15
     accessor 320 VEC3 4 5121 ', "normalized": true'  # 16 (stride 4)
     accessor 0 VEC3 3 5126                           # 17
+    accessor 0 MAT4 4 5121                           # 18
 } | sed 's/#.*//; $s/,$//' >"$work/accessors"
 awk 'BEGIN { for (i = 0; i < 11; i++)
     printf "%s{\"buffer\": 0, \"byteOffset\": %d, \"byteLength\": 64%s}",
@@ -259,6 +260,34 @@ refused "a primitive has the mode 7" '"POSITION": 0' "$red" ', "mode": 7'
 gltf '"POSITION": 0' "$red" ', "mode": 1'
 refused_command "a.gltf: a mesh file without triangles" info "$work/a.gltf"
 grep -q "0 points and 2 lines are left out" "$work/err" || fail "no lines told"
+refused "COLOR_0 has 16 numbers: expected 3 or 4" \
+    '"POSITION": 0, "COLOR_0": 18' "$red" "$i"
+
+# What is changed in a file that is read: refused, or shown.
+changed() { # SED TEXT ARGUMENTS of gltf
+    script=$1 text=$2
+    shift 2
+    gltf "$@"
+    sed -i "$script" "$work/a.gltf"
+    refused_command "a.gltf: $text" info "$work/a.gltf"
+    [ "$(wc -l <"$work/err")" = 1 ] || fail "more than a line: $(cat "$work/err")"
+}
+inside='s/"uri": "t4.png"/"bufferView": 0, "mimeType": "image\/png"/'
+both='"POSITION": 0, "TEXCOORD_0": 1'
+for view in '"byteLength": -1' '"byteLength": 0.5' '"byteOffset": -64'; do
+    changed "$inside; s/\(\"byteOffset\": 0, \)\(\"byteLength\": 64\)/\1$view/" \
+        "$(echo "$view" | sed "s/\"/'/g; s/:/ is/"): expected a whole number from 0 on" \
+        "$both" "$texture" "$i"
+done
+
+# A % of a name is no code without two digits, also at its end.
+cp "$work/a.bin" "$work/a%5"
+cp "$work/t4.png" "$work/t%5g.png"
+gltf "$both" "$texture" "$i"
+sed -i 's/"a.bin"/"a%5"/; s/t4.png/t%5g.png/' "$work/a.gltf"
+# shellcheck disable=SC2086
+shows "$work/a.gltf" $quarters
+
 printf '{"asset": {"version": "2.0"}, ' >"$work/a.gltf"
 refused_command "a.gltf: line 1: no JSON" info "$work/a.gltf"
 gltf '"POSITION": 0' "$red" "$i"
