@@ -54,41 +54,82 @@ static bool find_in_mesh(struct found *f, const json_t *node, json_int_t mesh,
     struct gltf *g = f->g;
     struct gltf_primitive p = {.mesh = gltf_at(g, "meshes", mesh),
                                .node = node};
-    const json_t *list = json_object_get(p.mesh, "primitives");
+    const json_t *list = gltf_list(g, p.mesh, "primitives");
     memcpy(p.world, world, sizeof(p.world));
     for (size_t i = 0; i < json_array_size(list) && g->good; i++) {
         p.json = json_array_get(list, i);
         p.material = gltf_index(g, p.json, "material");
+        if (f->count >= 1 << 20)
+            return gltf_refuse(g, "shows more than 2^20 primitives: expected "
+                                  "no more");
         if (g->good && !list_add(&f->primitive, &f->count, &p, sizeof(p)))
             return false;
     }
     return g->good;
 }
 
-/* A node is another's child once: more than there are is a circle. */
+/* The number of a node in a list; -1, with a message, when there is none. */
+static json_int_t node_of(struct gltf *g, const json_t *list, size_t i)
+{
+    const json_t *item = json_array_get(list, i);
+    if (!json_is_integer(item))
+        gltf_refuse(g,
+                    "item %zu of a list of nodes is no whole number: "
+                    "expected a list such as [0, 1]",
+                    i);
+    else if (gltf_at(g, "nodes", json_integer_value(item)))
+        return json_integer_value(item);
+    return -1;
+}
+
+/* A node has one parent: so none is shown twice, by a file that says so 2^40
+ * times. */
+static bool read_parents(struct gltf *g)
+{
+    const json_t *nodes = gltf_list(g, g->root, "nodes");
+    const size_t count = json_array_size(nodes);
+    g->parent = malloc((count + 1) * sizeof(*g->parent));
+    if (!g->parent)
+        return gltf_refuse(g, "no memory for %zu nodes", count);
+    for (size_t i = 0; i < count; i++)
+        g->parent[i] = GLTF_NO_PARENT;
+    for (size_t i = 0; i < count; i++) {
+        const json_t *children =
+            gltf_list(g, json_array_get(nodes, i), "children");
+        for (size_t k = 0; k < json_array_size(children); k++) {
+            const json_int_t child = node_of(g, children, k);
+            if (child < 0)
+                return false;
+            if (g->parent[child] != GLTF_NO_PARENT)
+                return gltf_refuse(g,
+                                   "nodes[%lld] is a child of nodes[%lld] "
+                                   "and of nodes[%zu]: expected one parent",
+                                   (long long)child,
+                                   (long long)g->parent[child], i);
+            g->parent[child] = (json_int_t)i;
+        }
+    }
+    return g->good;
+}
+
 static bool find_below(struct found *f, json_int_t index,
-                       const double above[16], size_t depth)
+                       const double above[16], int depth)
 {
     struct gltf *g = f->g;
     const json_t *node = gltf_at(g, "nodes", index);
-    const json_t *children = json_object_get(node, "children");
+    const json_t *children = gltf_list(g, node, "children");
     double own[16], world[16];
     const json_int_t mesh = gltf_index(g, node, "mesh");
-    if (depth > json_array_size(json_object_get(g->root, "nodes")) ||
-        f->count > 1 << 20)
-        return gltf_refuse(g, "nodes[%lld] is below itself", (long long)index);
+    if (depth > GLTF_DEPTH)
+        return gltf_refuse_depth(g, index);
     if (!g->good || !gltf_node_matrix(g, node, own))
         return false;
     gltf_multiply(above, own, world);
     if (mesh >= 0 && !find_in_mesh(f, node, mesh, world))
         return false;
-    for (size_t i = 0; i < json_array_size(children); i++) {
-        const json_t *child = json_array_get(children, i);
-        if (!json_is_integer(child))
-            return gltf_refuse(g, "'children' has no numbers");
-        if (!find_below(f, json_integer_value(child), world, depth + 1))
+    for (size_t i = 0; i < json_array_size(children); i++)
+        if (!find_below(f, node_of(g, children, i), world, depth + 1))
             return false;
-    }
     return true;
 }
 
@@ -101,14 +142,18 @@ static bool find(struct found *f)
     if (!json_object_get(g->root, "scenes"))
         return gltf_refuse(g, "a mesh file without a scene");
     const json_t *shown = gltf_at(g, "scenes", scene < 0 ? 0 : scene);
-    const json_t *nodes = json_object_get(shown, "nodes");
-    if (nodes && !json_is_array(nodes))
-        return gltf_refuse(g, "'nodes' of a scene is no array");
+    const json_t *nodes = gltf_list(g, shown, "nodes");
     for (size_t i = 0; i < json_array_size(nodes) && g->good; i++) {
-        const json_t *node = json_array_get(nodes, i);
-        if (!json_is_integer(node))
-            return gltf_refuse(g, "'nodes' of a scene has no numbers");
-        if (!find_below(f, json_integer_value(node), one, 1))
+        const json_int_t node = node_of(g, nodes, i);
+        if (node < 0)
+            return false;
+        if (g->parent[node] != GLTF_NO_PARENT)
+            return gltf_refuse(g,
+                               "nodes[%lld] of the scene is a child, or "
+                               "there twice: expected a root, once",
+                               (long long)node);
+        g->parent[node] = GLTF_IN_SCENE;
+        if (!find_below(f, node, one, 0))
             return false;
     }
     return g->good;
@@ -151,7 +196,7 @@ static bool load(struct gltf *g, struct mesh *mesh)
     struct found f = {g, NULL, 0};
     const size_t materials =
         json_array_size(json_object_get(g->root, "materials"));
-    if (!find(&f))
+    if (!read_parents(g) || !find(&f))
         return false;
     mesh->has_normals = true;
     for (size_t i = 0; i < materials; i++)

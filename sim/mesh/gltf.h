@@ -13,11 +13,18 @@ struct gltf_bytes {
     size_t size;
 };
 
+/* What a node has that is no other one's child. */
+enum { GLTF_NO_PARENT = -1, GLTF_IN_SCENE = -2 };
+
+/* As many nodes may be above another one. */
+enum { GLTF_DEPTH = 1000 };
+
 struct gltf {
     const char *path;
     json_t *root;
     struct gltf_bytes chunk; /* the binary one of a .glb */
     struct gltf_bytes *buffer;
+    json_int_t *parent;          /* of each node */
     bool good;                   /* false after the first message */
     bool is_old;                 /* of version 1 */
     unsigned long points, lines; /* elements that are left out */
@@ -47,6 +54,9 @@ double gltf_size(struct gltf *g, const json_t *object, const char *key);
 json_int_t gltf_index(struct gltf *g, const json_t *object, const char *key);
 bool gltf_numbers(struct gltf *g, const json_t *object, const char *key,
                   double *number, size_t n);
+
+/* A member that is an array; NULL, and a message where it is something else. */
+const json_t *gltf_list(struct gltf *g, const json_t *object, const char *key);
 
 /* The object that is a member of a member, ..., whose names have points
  * between; NULL, and a message where it is something else. */
@@ -87,6 +97,9 @@ struct gltf_material {
 /* Material -1 is the default. Adds its textures to the mesh. */
 bool gltf_material(struct gltf *g, struct mesh *mesh, json_int_t index,
                    struct gltf_material *to);
+
+/* Says that a node has more above it than GLTF_DEPTH. NULL. */
+void *gltf_refuse_depth(struct gltf *g, json_int_t node);
 
 /* 4 x 4 matrices, column by column as in the file. */
 void gltf_multiply(const double a[16], const double b[16], double to[16]);

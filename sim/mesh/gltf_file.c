@@ -94,6 +94,14 @@ const json_t *gltf_member(struct gltf *g, const json_t *object,
     return object;
 }
 
+const json_t *gltf_list(struct gltf *g, const json_t *object, const char *key)
+{
+    const json_t *member = json_object_get(object, key);
+    if (member && !json_is_array(member))
+        return gltf_refuse(g, "'%s' is no array", key);
+    return member;
+}
+
 static int digit_of(int c)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"

@@ -5,33 +5,28 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The node that has this one as a child; -1: none. */
-static json_int_t parent_of(const struct gltf *g, json_int_t index)
+void *gltf_refuse_depth(struct gltf *g, json_int_t node)
 {
-    const json_t *nodes = json_object_get(g->root, "nodes");
-    for (size_t i = 0; i < json_array_size(nodes); i++) {
-        const json_t *children =
-            json_object_get(json_array_get(nodes, i), "children");
-        for (size_t k = 0; k < json_array_size(children); k++)
-            if (json_integer_value(json_array_get(children, k)) == index)
-                return (json_int_t)i;
-    }
-    return -1;
+    return gltf_refuse(g,
+                       "nodes[%lld] has more than %d nodes above it, or is "
+                       "below itself: expected no more",
+                       (long long)node, GLTF_DEPTH);
 }
 
 /* From a node to the world. */
 static bool world_of(struct gltf *g, json_int_t index, double to[16])
 {
-    size_t depth = json_array_size(json_object_get(g->root, "nodes"));
+    const json_int_t joint = index;
     if (!gltf_node_matrix(g, gltf_at(g, "nodes", index), to))
         return false;
-    while ((index = parent_of(g, index)) >= 0) {
+    for (int depth = 0; g->parent[index] >= 0; depth++) {
         double above[16], own[16];
         memcpy(own, to, sizeof(own));
-        if (depth-- == 0 ||
-            !gltf_node_matrix(g, gltf_at(g, "nodes", index), above))
-            return gltf_refuse(g, "nodes[%lld] is below itself",
-                               (long long)index);
+        index = g->parent[index];
+        if (depth >= GLTF_DEPTH)
+            return gltf_refuse_depth(g, joint);
+        if (!gltf_node_matrix(g, gltf_at(g, "nodes", index), above))
+            return false;
         gltf_multiply(above, own, to);
     }
     return g->good;

@@ -255,7 +255,9 @@ refused "'baseColorFactor' is no array of 4 numbers" '"POSITION": 0' \
     '"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0]}' "$i"
 refused "'pbrMetallicRoughness' is no object" '"POSITION": 0' \
     '"pbrMetallicRoughness": 5' "$i"
-refused "nodes[0] is below itself" '"POSITION": 0' "$red" "$i" ', "children": [0]'
+refused "nodes[0] of the scene is a child, or there twice: expected a root, once" \
+    '"POSITION": 0' "$red" "$i" ', "children": [0]'
+refused "'children' is no array" '"POSITION": 0' "$red" "$i" ', "children": 1'
 refused "a primitive has the mode 7" '"POSITION": 0' "$red" ', "mode": 7'
 gltf '"POSITION": 0' "$red" ', "mode": 1'
 refused_command "a.gltf: a mesh file without triangles" info "$work/a.gltf"
@@ -279,6 +281,30 @@ for view in '"byteLength": -1' '"byteLength": 0.5' '"byteOffset": -64'; do
         "$(echo "$view" | sed "s/\"/'/g; s/:/ is/"): expected a whole number from 0 on" \
         "$both" "$texture" "$i"
 done
+
+# nodes HOW COUNT: that many, of which each is HOW often below the one before.
+nodes() {
+    gltf '"POSITION": 0' "$red" "$i" "$(awk -v how="$1" -v count="$2" 'BEGIN {
+        for (i = 1; i < count; i++)
+            printf ", \"children\": [%s%d]}, {\"name\": \"\"",
+                how == 2 ? i ", " : "", i }')"
+}
+deep() { # TEXT ARGUMENTS of nodes
+    text=$1
+    shift
+    nodes "$@"
+    refused_command "a.gltf: $text" info "$work/a.gltf" --limit 2,500
+}
+nodes 1 1001
+# shellcheck disable=SC2086
+shows "$work/a.gltf" $whole
+deep 'nodes[1001] has more than 1000 nodes above it, or is below itself: expected no more' 1 60000
+deep 'nodes[1] is a child of nodes[0] and of nodes[0]: expected one parent' 2 40
+# A skin whose joints go in a circle.
+gltf '"POSITION": 0, "JOINTS_0": 9, "WEIGHTS_0": 9' "$red" "$i" \
+    ', "skin": 0}, {"children": [2]}, {"children": [1]' '' \
+    ', "skins": [{"joints": [2]}]'
+refused_command 'a.gltf: nodes[2] has more than 1000 nodes above it' info "$work/a.gltf"
 
 # A % of a name is no code without two digits, also at its end.
 cp "$work/a.bin" "$work/a%5"
