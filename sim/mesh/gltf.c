@@ -163,7 +163,7 @@ static bool has_place(const struct gltf_primitive *p,
                       const struct gltf_material *m)
 {
     char name[32];
-    snprintf(name, sizeof(name), "TEXCOORD_%d", m->place.set);
+    snprintf(name, sizeof(name), "TEXCOORD_%lld", (long long)m->place.set);
     return json_object_get(json_object_get(p->json, "attributes"), name);
 }
 
@@ -195,7 +195,7 @@ static bool load(struct gltf *g, struct mesh *mesh)
 {
     struct found f = {g, NULL, 0};
     const size_t materials =
-        json_array_size(json_object_get(g->root, "materials"));
+        json_array_size(gltf_list(g, g->root, "materials"));
     if (!read_parents(g) || !find(&f))
         return false;
     mesh->has_normals = true;
@@ -214,7 +214,10 @@ static bool load(struct gltf *g, struct mesh *mesh)
                          g->points, g->lines);
     return g->good &&
            (mesh->triangles > 0 ||
-            message_error_at(g->path, 0, "a mesh file without triangles"));
+            gltf_refuse(g, g->is_cut_away
+                               ? "shows nothing: expected an alpha that is not "
+                                 "below alphaCutoff"
+                               : "a mesh file without triangles"));
 }
 
 bool gltf_load(struct mesh *mesh, const char *path)

@@ -27,6 +27,7 @@ struct gltf {
     json_int_t *parent;          /* of each node */
     bool good;                   /* false after the first message */
     bool is_old;                 /* of version 1 */
+    bool is_cut_away;            /* something, by its alpha */
     unsigned long points, lines; /* elements that are left out */
     size_t room[2];              /* vertices and triangles of the mesh */
     json_int_t material;         /* of its last part */
@@ -82,9 +83,12 @@ struct gltf_array {
 };
 bool gltf_accessor(struct gltf *g, json_int_t index, struct gltf_array *array);
 
+/* The same, of whole numbers from 0 on, one each. */
+bool gltf_indices(struct gltf *g, json_int_t index, struct gltf_array *array);
+
 /* How a texture lies on a mesh. */
 struct gltf_place {
-    int set;         /* of uv: TEXCOORD_n */
+    json_int_t set;  /* of uv: TEXCOORD_n */
     double uv[2][3]; /* u, v, 1 -> u, v */
 };
 

@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "sim/cli/bytes.h"
-#include "sim/cli/message.h"
 
 enum kind { BYTE = 5120, UBYTE, SHORT, USHORT, UINT = 5125, FLOAT };
 
@@ -17,6 +16,11 @@ static int bytes_of(json_int_t kind)
            : kind == SHORT || kind == USHORT ? 2
            : kind == UINT || kind == FLOAT   ? 4
                                              : 0;
+}
+
+static bool is_index(json_int_t kind)
+{
+    return kind == UBYTE || kind == USHORT || kind == UINT;
 }
 
 static int components_of(const char *type)
@@ -85,7 +89,10 @@ static bool read_sparse(struct gltf *g, const json_t *sparse,
     const json_t *values = json_object_get(sparse, "values");
     const double count = gltf_size(g, sparse, "count");
     if (!(count >= 1 && count <= (double)all->count))
-        return gltf_refuse(g, "a sparse accessor has %g elements", count);
+        return gltf_refuse(g,
+                           "a sparse accessor has %g elements: expected 1 to "
+                           "%zu",
+                           count, all->count);
     struct elements e = {.view = gltf_index(g, indices, "bufferView"),
                          .kind = gltf_index(g, indices, "componentType"),
                          .offset = gltf_size(g, indices, "byteOffset"),
@@ -94,9 +101,14 @@ static bool read_sparse(struct gltf *g, const json_t *sparse,
     const size_t n = (size_t)all->components;
     double *index = malloc(e.count * sizeof(*index));
     double *value = malloc(e.count * n * sizeof(*value));
-    bool good = index && value &&
-                (e.kind == UBYTE || e.kind == USHORT || e.kind == UINT) &&
-                read(g, &e, index);
+    if (!index || !value)
+        gltf_refuse(g, "no memory for %zu numbers", e.count);
+    else if (!is_index(e.kind))
+        gltf_refuse(g,
+                    "a sparse accessor has indices of componentType %lld: "
+                    "expected 5121, 5123 or 5125",
+                    (long long)e.kind);
+    bool good = g->good && read(g, &e, index);
     e = *all;
     e.count = (size_t)count;
     e.stride = 0;
@@ -104,14 +116,18 @@ static bool read_sparse(struct gltf *g, const json_t *sparse,
     e.offset = gltf_size(g, values, "byteOffset");
     good = good && read(g, &e, value);
     for (size_t i = 0; good && i < e.count; i++) {
-        good = index[i] < (double)all->count;
-        if (good)
+        if (index[i] >= (double)all->count)
+            good = gltf_refuse(g,
+                               "a sparse accessor has the index %.0f: "
+                               "expected less than %zu",
+                               index[i], all->count);
+        else
             memcpy(to + (size_t)index[i] * n, value + i * n,
                    n * sizeof(*value));
     }
     free(index);
     free(value);
-    return good || gltf_refuse(g, "a sparse accessor is out of range");
+    return good;
 }
 
 bool gltf_accessor(struct gltf *g, json_int_t index, struct gltf_array *array)
@@ -129,7 +145,9 @@ bool gltf_accessor(struct gltf *g, json_int_t index, struct gltf_array *array)
     if (!g->good)
         return false;
     if (!bytes_of(e.kind) || !e.components || !(count >= 1 && count <= 1 << 28))
-        return gltf_refuse(g, "accessors[%lld] has no legal type or count",
+        return gltf_refuse(g,
+                           "accessors[%lld] has no legal type, componentType "
+                           "or count: expected such as VEC3, 5126, 1 to 2^28",
                            (long long)index);
     e.count = (size_t)count;
     if (e.view >= 0)
@@ -139,9 +157,23 @@ bool gltf_accessor(struct gltf *g, json_int_t index, struct gltf_array *array)
     array->components = e.components;
     array->number = calloc(e.count * (size_t)e.components, sizeof(double));
     if (!array->number)
-        return message_error("no memory for %zu numbers", e.count);
+        return gltf_refuse(g, "no memory for %zu numbers", e.count);
     return (e.view < 0 || read(g, &e, array->number)) &&
            (!sparse || read_sparse(g, sparse, &e, array->number));
+}
+
+bool gltf_indices(struct gltf *g, json_int_t index, struct gltf_array *array)
+{
+    const json_t *object = gltf_at(g, "accessors", index);
+    const char *type = json_string_value(json_object_get(object, "type"));
+    if (g->good && is_index(gltf_index(g, object, "componentType")) &&
+        components_of(type) == 1 &&
+        !json_is_true(json_object_get(object, "normalized")))
+        return gltf_accessor(g, index, array);
+    return gltf_refuse(g,
+                       "accessors[%lld] has no indices: expected SCALAR of "
+                       "componentType 5121, 5123 or 5125, not normalized",
+                       (long long)index);
 }
 
 #else

@@ -244,7 +244,7 @@ static bool check_extensions(struct gltf *g)
     static const char *const keys[] = {"extensionsRequired", "extensionsUsed"};
     char names[200] = "";
     for (int k = 0; k < 2; k++) {
-        const json_t *list = json_object_get(g->root, keys[k]);
+        const json_t *list = gltf_list(g, g->root, keys[k]);
         for (size_t i = 0; i < json_array_size(list); i++) {
             const char *name = json_string_value(json_array_get(list, i));
             int n = 0;
@@ -264,7 +264,7 @@ static bool check_extensions(struct gltf *g)
     }
     if (*names)
         message_error_at(g->path, 0, "uses %s: left out", names);
-    return true;
+    return g->good;
 }
 
 bool gltf_open(struct gltf *g, const char *path)

@@ -50,11 +50,11 @@ static bool add_texture(struct gltf *g, struct mesh *mesh, json_int_t image,
     return list_add(&mesh->texture, &mesh->textures, &new, sizeof(new));
 }
 
-static enum pel_wrap wrap_of(double mode)
+static enum pel_wrap wrap_of(json_int_t mode)
 {
-    return (int)mode == 33071   ? PEL_WRAP_CLAMP
-           : (int)mode == 33648 ? PEL_WRAP_MIRROR
-                                : PEL_WRAP_REPEAT;
+    return mode == 33071   ? PEL_WRAP_CLAMP
+           : mode == 33648 ? PEL_WRAP_MIRROR
+                           : PEL_WRAP_REPEAT;
 }
 
 /* u and v by T R S: a turn counter-clockwise as it is seen, with v downward. */
@@ -67,8 +67,11 @@ static void read_place(struct gltf *g, const json_t *info,
     const double turn = gltf_number(g, extension, "rotation", 0);
     gltf_numbers(g, extension, "offset", offset, 2);
     gltf_numbers(g, extension, "scale", scale, 2);
-    to->set = (int)gltf_number(g, extension, "texCoord",
-                               gltf_number(g, info, "texCoord", 0));
+    to->set = gltf_index(g, extension, "texCoord");
+    if (to->set < 0)
+        to->set = gltf_index(g, info, "texCoord");
+    if (to->set < 0)
+        to->set = 0;
     const double c = turn == 0 ? 1 : cos(turn), s = turn == 0 ? 0 : sin(turn);
     const double uv[2][3] = {{c * scale[0], s * scale[1], offset[0]},
                              {-s * scale[0], c * scale[1], offset[1]}};
@@ -92,8 +95,8 @@ static bool read_texture(struct gltf *g, struct mesh *mesh, const json_t *info,
     const json_int_t sampler = gltf_index(g, texture, "sampler");
     const json_int_t image = gltf_index(g, texture, "source");
     const json_t *wraps = sampler >= 0 ? gltf_at(g, "samplers", sampler) : NULL;
-    to->wrap[0] = wrap_of(gltf_number(g, wraps, "wrapS", 10497));
-    to->wrap[1] = wrap_of(gltf_number(g, wraps, "wrapT", 10497));
+    to->wrap[0] = wrap_of(gltf_index(g, wraps, "wrapS"));
+    to->wrap[1] = wrap_of(gltf_index(g, wraps, "wrapT"));
     read_place(g, info, &to->place);
     if (g->good && image < 0) {
         message_error_at(g->path, 0, "a texture without an image is left out");
@@ -112,7 +115,7 @@ static void read_alpha(struct gltf *g, const json_t *json,
                 : strcmp(mode, "BLEND") == 0 ? MESH_BLENDED
                 : strcmp(mode, "MASK") == 0  ? MESH_CUT_OUT
                                              : MESH_OPAQUE;
-    to->cutoff = (uint8_t)ceil(fmin(fmax(cutoff, 0), 1) * 255 - 1e-4);
+    to->cutoff = (uint16_t)fmin(ceil(fmax(cutoff, 0) * 255 - 1e-4), 256);
 }
 
 /* What shines by itself is added to what the light shows: here both are one

@@ -48,10 +48,10 @@ static bool read(struct gltf *g, const json_t *attributes, const char *name,
 static bool add_morphs(struct gltf *g, const struct gltf_primitive *p,
                        const char *name, struct gltf_array *to)
 {
-    const json_t *targets = json_object_get(p->json, "targets");
-    const json_t *weights = json_object_get(p->node, "weights");
+    const json_t *targets = gltf_list(g, p->json, "targets");
+    const json_t *weights = gltf_list(g, p->node, "weights");
     if (!weights)
-        weights = json_object_get(p->mesh, "weights");
+        weights = gltf_list(g, p->mesh, "weights");
     for (size_t i = 0; i < json_array_size(targets) && to->number; i++) {
         const json_t *target = json_array_get(targets, i);
         const double w = json_number_value(json_array_get(weights, i));
@@ -64,7 +64,7 @@ static bool add_morphs(struct gltf *g, const struct gltf_primitive *p,
             to->number[k] += w * delta.number[k];
         free(delta.number);
     }
-    return true;
+    return g->good;
 }
 
 static bool read_all(struct gltf *g, const struct gltf_primitive *p,
@@ -72,7 +72,7 @@ static bool read_all(struct gltf *g, const struct gltf_primitive *p,
 {
     const json_t *from = gltf_member(g, p->json, "attributes");
     char uv[32];
-    snprintf(uv, sizeof(uv), "TEXCOORD_%d", m->place.set);
+    snprintf(uv, sizeof(uv), "TEXCOORD_%lld", (long long)m->place.set);
     if (!read(g, from, "POSITION", 3, &a->position) || !a->position.number)
         return gltf_refuse(g, "a primitive has no POSITION");
     a->normal.count = a->uv.count = a->color.count = a->position.count;
@@ -339,19 +339,41 @@ static bool put_triangles(struct gltf *g, struct mesh *mesh,
     return true;
 }
 
+/* Is all of it below the cutoff of its material? No texture makes it more. */
+static bool is_cut_away(const struct gltf_material *m,
+                        const struct attributes *a)
+{
+    const struct gltf_array *c = &a->color;
+    double most = c->number && c->components == 4 ? 0 : 1;
+    for (size_t i = 0; most < 1 && i < c->count; i++)
+        most = fmax(most, c->number[4 * i + 3]);
+    const double alpha = fmin(fmax(most * m->color[3], 0), 1);
+    return m->material.alpha == MESH_CUT_OUT &&
+           (int)(alpha * 255 + 0.5) < m->material.cutoff;
+}
+
 static bool add(struct gltf *g, struct mesh *mesh,
                 const struct gltf_primitive *p, struct gltf_material *material,
                 struct attributes *a)
 {
-    const int mode = (int)gltf_number(g, p->json, "mode", TRIANGLES);
+    const json_int_t own = gltf_index(g, p->json, "mode");
+    const int mode = own < 0 ? TRIANGLES : own > FAN ? FAN + 1 : (int)own;
     const json_int_t indices = gltf_index(g, p->json, "indices");
     struct gltf_array index = {NULL, 0, 1};
     if (!read_all(g, p, material, a))
         return false;
     a->one_color = a->color.number && is_one_color(&a->color);
     index.count = a->position.count;
-    if (indices >= 0 && !gltf_accessor(g, indices, &index))
+    if (mode > FAN)
+        return gltf_refuse(g, "a primitive has the mode %lld: expected 0 to 6",
+                           (long long)own);
+    if (indices >= 0 && !gltf_indices(g, indices, &index))
         return false;
+    if (is_cut_away(material, a)) {
+        g->is_cut_away = true;
+        free(index.number);
+        return g->good;
+    }
     if (mode < TRIANGLES) {
         const unsigned long n = index.count;
         g->points += mode == POINTS ? n : 0;
@@ -362,8 +384,6 @@ static bool add(struct gltf *g, struct mesh *mesh,
         free(index.number);
         return true;
     }
-    if (mode > FAN || index.components != 1)
-        return gltf_refuse(g, "a primitive has the mode %d", mode);
     const struct drawn drawn = {mode, a->position.count,
                                 determinant(p->world) < 0};
     const bool done = make_room(g, mesh, a->position.count, index.count) &&

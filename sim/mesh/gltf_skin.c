@@ -34,21 +34,28 @@ static bool world_of(struct gltf *g, json_int_t index, double to[16])
 
 bool gltf_skin(struct gltf *g, const json_t *skin, struct gltf_skin *to)
 {
-    const json_t *joints = json_object_get(skin, "joints");
+    const json_t *joints = gltf_list(g, skin, "joints");
     const json_int_t inverse = gltf_index(g, skin, "inverseBindMatrices");
     struct gltf_array bind = {NULL, 0, 16};
     to->count = json_array_size(joints);
     to->matrix = calloc(to->count + 1, sizeof(*to->matrix));
-    if (!to->matrix || (inverse >= 0 && !gltf_accessor(g, inverse, &bind)))
+    if (!to->matrix)
+        return gltf_refuse(g, "no memory for %zu joints", to->count);
+    if (!g->good || (inverse >= 0 && !gltf_accessor(g, inverse, &bind)))
         return false;
     if (bind.number && (bind.components != 16 || bind.count < to->count))
-        return gltf_refuse(g, "a skin has too few inverse bind matrices");
+        return gltf_refuse(g,
+                           "a skin has %zu inverseBindMatrices of %d numbers: "
+                           "expected %zu of 16",
+                           bind.count, bind.components, to->count);
     for (size_t i = 0; i < to->count; i++) {
         const json_t *joint = json_array_get(joints, i);
         double world[16];
         if (!json_is_integer(joint) ||
             !world_of(g, json_integer_value(joint), world))
-            return gltf_refuse(g, "a joint of a skin is no node");
+            return gltf_refuse(
+                g, "a joint of a skin is no node: expected an index of "
+                   "'nodes'");
         if (bind.number)
             gltf_multiply(world, bind.number + 16 * i, to->matrix[i]);
         else

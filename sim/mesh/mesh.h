@@ -29,7 +29,7 @@ struct mesh_material {
     double glow[3];        /* is added, linear */
     uint32_t glow_texture; /* multiplies it; 0: none */
     enum mesh_alpha alpha;
-    uint8_t cutoff; /* MESH_CUT_OUT: the least alpha that is drawn */
+    uint16_t cutoff; /* MESH_CUT_OUT: the least alpha drawn; 256: none is */
     enum pel_wrap wrap_u, wrap_v;
     bool is_placed;  /* uv of the file are multiplied and moved: */
     double place[4]; /* scale of u and v, and offset; done to the vertices */

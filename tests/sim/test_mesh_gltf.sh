@@ -81,6 +81,7 @@ accessor() {
     accessor 320 VEC3 4 5121 ', "normalized": true'  # 16 (stride 4)
     accessor 0 VEC3 3 5126                           # 17
     accessor 0 MAT4 4 5121                           # 18
+    accessor 128 SCALAR 6 5126                       # 19
 } | sed 's/#.*//; $s/,$//' >"$work/accessors"
 awk 'BEGIN { for (i = 0; i < 11; i++)
     printf "%s{\"buffer\": 0, \"byteOffset\": %d, \"byteLength\": 64%s}",
@@ -205,6 +206,26 @@ told "the emissive texture of '' does not lie as its other one and is left out"
 row '1c0000~:30,30 00e300~:70,30 000000:30,70 e81700~:70,70' \
     '"POSITION": 0, "TEXCOORD_0": 1, "COLOR_0": 15' "$texture" "$i"
 
+# What is below the cutoff is not there, with a texture and without one: red is a
+# quarter before a square that is cut out, or not where it shows a colour.
+masked() { # COLOR ATTRIBUTES MATERIAL
+    row "ff0000:73,26 $1:30,30" '"POSITION": 15' \
+        "$red}, {\"alphaMode\": \"MASK\", $3" \
+        "$i}, {\"attributes\": {\"POSITION\": 0, \"TEXCOORD_0\": 1 $2}, \"material\": 1 $i"
+}
+pale='"pbrMetallicRoughness": {"baseColorFactor": [0, 0, 1, 0.1]}'
+masked 000000 '' "$pale"
+masked 0000ff '' "$pale, \"alphaCutoff\": 0.05"
+masked 000000 '' '"alphaCutoff": 2'
+masked ffffff '' '"alphaCutoff": 1'
+masked 000000 '' "$texture, \"alphaCutoff\": 2"
+masked ff0000 '' "$texture, \"alphaCutoff\": 1"
+masked 000000 ', "COLOR_0": 9' '"alphaCutoff": 0.6'
+masked ffbc00~ ', "COLOR_0": 9' '"alphaCutoff": 0.4'
+gltf '"POSITION": 0' "\"alphaMode\": \"MASK\", $pale" "$i"
+refused_command "a.gltf: shows nothing: expected an alpha that is not below alphaCutoff" \
+    info "$work/a.gltf"
+
 # Without light where all is unlit, in the light where not.
 unlit='"extensions": {"KHR_materials_unlit": {}}'
 gltf '"POSITION": 0' "$red" "$i"
@@ -258,7 +279,13 @@ refused "'pbrMetallicRoughness' is no object" '"POSITION": 0' \
 refused "nodes[0] of the scene is a child, or there twice: expected a root, once" \
     '"POSITION": 0' "$red" "$i" ', "children": [0]'
 refused "'children' is no array" '"POSITION": 0' "$red" "$i" ', "children": 1'
-refused "a primitive has the mode 7" '"POSITION": 0' "$red" ', "mode": 7'
+refused "a primitive has the mode 7: expected 0 to 6" '"POSITION": 0' "$red" ', "mode": 7'
+refused "'mode' is no number from 0 on" '"POSITION": 0' "$red" ', "mode": -1'
+for of in 1 5 19; do
+    refused "accessors[$of] has no indices: expected SCALAR of componentType 5121, 5123 or 5125" \
+        '"POSITION": 0' "$red" ", \"indices\": $of"
+done
+refused "'targets' is no array" '"POSITION": 0' "$red" "$i, \"targets\": 1"
 gltf '"POSITION": 0' "$red" ', "mode": 1'
 refused_command "a.gltf: a mesh file without triangles" info "$work/a.gltf"
 grep -q "0 points and 2 lines are left out" "$work/err" || fail "no lines told"
