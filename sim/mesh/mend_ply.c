@@ -65,6 +65,8 @@ static bool read_property(struct ply *p, const char *line)
             return false;
     } else if (sscanf(line, "property %31s %31s", a, name) == 2)
         new.type = type_of(a);
+    else
+        return false;
     strcpy(new.name, name);
     e->property[e->properties++] = new;
     return new.type != NONE;
@@ -90,23 +92,33 @@ static bool read_head_line(struct ply *p, const char *line)
                : strncmp(line, "element", 7) != 0;
 }
 
+/* The next line of the head, of a long one the beginning. False when there is
+ * none, or one with a NUL in it, which no text has. */
+static bool take_line(struct ply *p, char *line, size_t size)
+{
+    const size_t left = (size_t)(p->end - p->at);
+    const char *end = memchr(p->at, '\n', left);
+    const size_t n = end ? (size_t)(end - p->at) : left;
+    if (left == 0 || memchr(p->at, '\0', n))
+        return false;
+    snprintf(line, size, "%.*s", (int)(n < size ? n : size), p->at);
+    line[strcspn(line, "\r")] = '\0';
+    p->at += n + (end ? 1 : 0);
+    p->m->line++;
+    return true;
+}
+
 /* Up to end_header. False without a message. */
 static bool read_head(struct ply *p)
 {
-    const char *at = p->m->text;
+    char line[256];
     p->m->line = 0;
+    p->at = p->m->text;
     p->end = p->m->text + p->m->size;
-    while (at < p->end) {
-        char line[256];
-        const size_t n = strcspn(at, "\n");
-        snprintf(line, sizeof(line), "%.*s", (int)n, at);
-        line[strcspn(line, "\r")] = '\0';
-        at += n + (at[n] == '\n');
-        p->m->line++;
+    while (take_line(p, line, sizeof(line))) {
         if (p->m->line == 1 ? strcmp(line, "ply") != 0
                             : !read_head_line(p, line))
             return false;
-        p->at = at;
         if (strcmp(line, "end_header") == 0) {
             p->m->line++; /* that of the first element */
             return true;
@@ -130,8 +142,10 @@ bool mend_ply_wanted(struct mend *m)
 {
     struct ply *p = calloc(1, sizeof(*p));
     bool wanted = false;
+    if (!p)
+        return false;
     p->m = m;
-    if (p && read_head(p))
+    if (read_head(p))
         for (int i = 0; i < p->elements; i++)
             wanted = wanted ||
                      (strcmp(p->element[i].name, "face") == 0 &&
@@ -195,7 +209,9 @@ static bool read_values(struct ply *p, const struct property *q, size_t *n)
     if (q->count && !read_number(p, q->count, &count))
         return false;
     if (!(count >= 0 && count <= 1 << 20))
-        return refuse(p, "a list has more than 2^20 numbers");
+        return message_error_at(p->m->path, p->order ? 0 : p->m->line,
+                                "a list has %g numbers: expected 0 to %d",
+                                count, 1 << 20);
     *n = (size_t)count;
     if (*n >= p->room) {
         free(p->list);
@@ -311,9 +327,12 @@ static bool read_element(struct ply *p, const struct element *e)
         if (!p->vertex)
             return message_error("no memory for %zu vertices", p->vertices);
     }
+    if (face && !p->vertex && e->count > 0)
+        return refuse(p, "has faces before its vertices: expected the vertices "
+                         "first");
     for (size_t i = 0; i < (size_t)e->count; i++) {
         struct mend_corner other;
-        if (face && p->vertex
+        if (face
                 ? !read_face(p, e)
                 : !read_vertex(
                       p, e, vertex && i < p->vertices ? &p->vertex[i] : &other))

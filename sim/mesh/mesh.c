@@ -115,25 +115,36 @@ bool mesh_is_builtin(const char *path)
     return strncmp(path, prefix, sizeof(prefix) - 1) == 0;
 }
 
+/* Has fgets read a line with a NUL in it? */
+static bool has_zero(const char *line, size_t size, FILE *file)
+{
+    return !strchr(line, '\n') && strlen(line) + 1 < size && !feof(file);
+}
+
 /* Of a strip assimp's reader of .ply keeps the last triangle alone, and in a
  * header without an end it stays for ever. */
 static bool check_ply(const char *path)
 {
     char line[256] = "";
     unsigned long strips = 0;
-    bool ended = false;
+    bool ended = false, zero = false;
     FILE *file = fopen(path, "rb");
     if (!file)
         return true;
     const bool is_ply =
         fgets(line, sizeof(line), file) &&
         (strcmp(line, "ply\n") == 0 || strcmp(line, "ply\r\n") == 0);
-    while (is_ply && !ended && fgets(line, sizeof(line), file)) {
+    while (is_ply && !ended && !zero && fgets(line, sizeof(line), file)) {
+        zero = has_zero(line, sizeof(line), file);
         sscanf(line, "element tristrips %lu", &strips);
         ended = strncmp(line, "end_header", 10) == 0 && line[10] &&
                 strchr(" \t\r\n", line[10]);
     }
     fclose(file);
+    if (zero)
+        return message_error_at(path, 0,
+                                "has a zero byte in its header: expected lines "
+                                "of text up to end_header");
     if (is_ply && !ended)
         return message_error_at(path, 0,
                                 "ends inside of its header: expected a line "

@@ -70,6 +70,24 @@ refused_command "wrong.ply:18: a face names a vertex that is out of range" \
 printf "${head}element face 1\n$list$(rgb uchar)end_header\n${square}3 0 1 x 1 2 3\n" \
     >"$work/wrong.ply"
 refused_command "wrong.ply:18: something else than a number" info "$work/wrong.ply"
+printf "${head}element face 1\n$list$(rgb uchar)end_header\n${square}-3 0 1 2 1 2 3\n" \
+    >"$work/wrong.ply"
+refused_command "wrong.ply:18: a list has -3 numbers: expected 0 to 1048576" \
+    info "$work/wrong.ply"
+printf "ply\nformat ascii 1.0\nelement face 1\n$list$(rgb uchar)element vertex 3\nproperty float x\nend_header\n3 0 1 2 1 2 3\n0\n1\n2\n" \
+    >"$work/wrong.ply"
+refused_command "wrong.ply:11: has faces before its vertices: expected the vertices" \
+    info "$work/wrong.ply"
+# A zero byte in the head, which some readers would not leave; a property
+# without a name, which assimp leaves out.
+printf "${head}comment a\0b\nelement face 1\n$list$(rgb uchar)end_header\n${square}3 0 1 2 1 2 3\n" \
+    >"$work/wrong.ply"
+refused_command "wrong.ply: has a zero byte in its header: expected lines of text" \
+    info "$work/wrong.ply" --limit 5,500
+printf "${head}element face 1\n$list$(rgb uchar)property x\nend_header\n${square}3 0 1 2 1 2 3\n" \
+    >"$work/nameless.ply"
+"$PEL" info "$work/nameless.ply" >"$work/out" 2>&1 ||
+    fail "a property without a name: $(cat "$work/out")"
 
 # OFF: heads, counts, colours of faces and of vertices in both ranges.
 off() { # NAME HEAD VERTEX-END FACES [PLACES]
