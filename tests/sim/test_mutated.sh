@@ -1,7 +1,7 @@
 #!/bin/sh
 # Files that were changed at random, of every format that pel reads itself or
-# writes anew: each ends in status 0 or 2, within limits, with short messages of
-# printable characters. MUTATIONS=2000 of each; seeds from SEED on.
+# writes anew: each ends in status 0 or 2, within limits and without a crash of
+# the process that reads it, with short messages of printable characters. MUTATIONS=2000 of each; seeds from SEED on.
 set -u
 . "$(dirname "$0")/lib.sh"
 field=tests/sim/field
@@ -60,6 +60,8 @@ one() { # FILE SEED
     got=$?
     [ $got = 0 ] || [ $got = 2 ] || fail "$file $seed: status $got"
     [ $got = 0 ] || [ -s "$work/err" ] || fail "$file $seed: no message"
+    grep -aE 'crashed: |took more than [0-9]+ s:|Sanitizer|runtime error' \
+        "$work/err" >"$work/ill" && fail "$file $seed: $(cat "$work/ill")"
     [ "$(awk '{ if (length($0) > n) n = length($0) } END { print n + 0 }' \
         "$work/err")" -le 500 ] || fail "$file $seed: a long message"
     LC_ALL=C tr -d '\n\40-\176\200-\377' <"$work/err" >"$work/control"
