@@ -51,6 +51,14 @@ static int skip_space(struct reader *r)
     return c;
 }
 
+/* The file ends, or cannot be read further. False. */
+static bool refuse_early(const struct reader *r, const char *before)
+{
+    return ferror(r->file) ? file_refuse(r->name)
+                           : message_error_at(r->name, r->line,
+                                              "ends before the %s", before);
+}
+
 /* A decimal number of at most `most`, and the white space character after it;
  * the file may end there. */
 static bool read_number(struct reader *r, const char *what, int most,
@@ -59,7 +67,7 @@ static bool read_number(struct reader *r, const char *what, int most,
     int c = skip_space(r);
     const long line = r->line;
     if (c == EOF)
-        return message_error_at(r->name, line, "ends before the %s", what);
+        return refuse_early(r, what);
     if (c < '0' || c > '9')
         return message_error_at(r->name, line,
                                 "byte %ld: the %s must be a number in 0..%d",
@@ -82,6 +90,8 @@ static bool read_magic(struct reader *r, int *digit)
 {
     const int p = read_char(r);
     *digit = read_char(r);
+    if (ferror(r->file))
+        return file_refuse(r->name);
     if (p != 'P' || *digit == EOF || !memchr("1234567", *digit, 7))
         return message_error_at(r->name, 1,
                                 "not a PPM or PGM picture: the file must begin "
@@ -119,6 +129,12 @@ static bool read_words(struct reader *r)
              c = read_char(r))
             word[n++] = (char)c;
         word[n] = '\0';
+        if (c == EOF)
+            return refuse_early(r, "line ENDHDR");
+        if (strcmp(word, "ENDHDR") == 0 && c == '\r')
+            return message_error_at(r->name, r->line,
+                                    "ENDHDR ends in a carriage return: "
+                                    "expected a line feed alone");
         if (strcmp(word, "ENDHDR") == 0 && c == '\n')
             return (r->most > 0 && r->channels > 0) ||
                    message_error_at(r->name, r->line,
@@ -156,6 +172,8 @@ static bool read_header(struct reader *r)
                                 "%d x %d pixels: width and height must be "
                                 "at least 1",
                                 r->width, r->height);
+    if (!picture_size_check(r->name, r->width, r->height))
+        return false;
     if (r->bits)
         r->most = 1;
     else if (digit != '7' &&
@@ -172,34 +190,11 @@ static bool read_bit(struct reader *r, int *sample)
 {
     const int c = skip_space(r);
     *sample = c == '1';
+    if (c == EOF)
+        return refuse_early(r, "sample");
     return c == '0' || c == '1' ||
            message_error_at(r->name, r->line,
-                            c == EOF ? "ends before the sample"
-                                     : "byte %ld: the sample must be 0 or 1",
-                            r->byte - 1);
-}
-
-static bool read_sample(struct reader *r, int *sample)
-{
-    if (!r->binary)
-        return r->bits ? read_bit(r, sample)
-                       : read_number(r, "sample", r->most, sample);
-    *sample = read_char(r);
-    if (r->most > 255 && *sample != EOF) {
-        const int low = read_char(r);
-        *sample = low == EOF ? EOF : *sample << 8 | low;
-    }
-    return *sample != EOF &&
-           (*sample <= r->most ||
-            message_error_at(r->name, 0,
-                             "byte %ld: the sample is %d: %d at most", r->byte,
-                             *sample, r->most));
-}
-
-/* As 0 to 255, rounded. */
-static unsigned scaled(const struct reader *r, int sample)
-{
-    return (unsigned)((sample * 510LL + r->most) / (2 * r->most));
+                            "byte %ld: the sample must be 0 or 1", r->byte - 1);
 }
 
 static int row_bytes(const struct reader *r)
@@ -218,14 +213,39 @@ static bool refuse_end(const struct reader *r, int y)
                      y + 1, r->height, row_bytes(r));
 }
 
+/* A sample of row y. False, with a message. */
+static bool read_sample(struct reader *r, int y, int *sample)
+{
+    if (!r->binary)
+        return r->bits ? read_bit(r, sample)
+                       : read_number(r, "sample", r->most, sample);
+    *sample = read_char(r);
+    if (r->most > 255 && *sample != EOF) {
+        const int low = read_char(r);
+        *sample = low == EOF ? EOF : *sample << 8 | low;
+    }
+    if (*sample == EOF)
+        return refuse_end(r, y);
+    return *sample <= r->most ||
+           message_error_at(r->name, 0,
+                            "byte %ld: the sample is %d: %d at most", r->byte,
+                            *sample, r->most);
+}
+
+/* As 0 to 255, rounded. */
+static unsigned scaled(const struct reader *r, int sample)
+{
+    return (unsigned)((sample * 510LL + r->most) / (2 * r->most));
+}
+
 static bool read_row(struct reader *r, int y, pel_color *row)
 {
     for (int x = 0; x < r->width; x++) {
         unsigned v[4] = {0, 0, 0, 255};
         for (int i = 0; i < r->channels; i++) {
             int sample;
-            if (!read_sample(r, &sample))
-                return r->binary && feof(r->file) && refuse_end(r, y);
+            if (!read_sample(r, y, &sample))
+                return false;
             v[i] = scaled(r, sample);
         }
         if (r->channels <= 2) {
@@ -281,6 +301,8 @@ static bool read_rows(struct reader *r, struct picture *picture)
     int c = r->binary ? read_char(r) : skip_space(r);
     while (is_space(c)) /* editors end a file with a newline */
         c = read_char(r);
+    if (ferror(r->file))
+        return file_refuse(r->name);
     return c == EOF ||
            message_error_at(r->name, r->binary ? 0 : r->line,
                             "byte %ld: the picture of %d x %d pixels should "

@@ -205,6 +205,7 @@ static bool load(struct picture *picture, const struct encoded *from)
     *picture = (struct picture){0, 0, NULL};
     const bool done =
         in && fread(size, sizeof size, 1, in) == 1 &&
+        picture_size_check(from->name, size[0], size[1]) &&
         picture_init(picture, size[0], size[1], 0) &&
         fread(picture->pixels, sizeof(pel_color) * (size_t)size[0],
               (size_t)size[1], in) == (size_t)size[1];

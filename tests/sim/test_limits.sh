@@ -133,6 +133,27 @@ limited large.pel run large.pel -o out.ppm
 limited large.bdf import large.bdf -o out.c
 limited large.ppm import large.ppm -o out.c
 limited large.pel2d render large.pel2d -o out.ppm
+# A picture that ends at the limit inside of a pixel; one that stalls there, and
+# one that never begins; one of too many pixels, before those are read.
+{ echo P6 200 20000 65535 && head -c 24000000 /dev/zero; } >wide.ppm
+timeout 20 "$PEL" import wide.ppm -o out.c --limit 20,18 >out 2>err &&
+    fail "wide.ppm is read"
+grep -qF "pel: wide.ppm: reading it took more than 18 MB: " err ||
+    fail "wide.ppm: $(cat err)"
+rm wide.ppm
+mkfifo stalls.ppm
+for start in 'P6 2 2 255\nabc' 'P3 2 2 255 1 2 ' 'P1 2 2 1' 'P4 9 9\n' \
+    'P7\nWIDTH 2\n' P; do
+    # shellcheck disable=SC2059
+    { printf "$start" && sleep 3; } >stalls.ppm &
+    timeout 10 "$PEL" import stalls.ppm -o out.c --limit 1,100 >out 2>err
+    grep -qF "pel: stalls.ppm: reading it $late" err && [ "$(wc -l <err)" = 1 ] ||
+        fail "stalls after $start: $(cat err)"
+done
+echo P5 32767 9000 255 >many.ppm
+timeout 10 "$PEL" import many.ppm -o out.c 2>err && fail "many.ppm is read"
+grep -qF 'pel: many.ppm: a picture of 32767 x 9000 pixels: expected 1 to' err ||
+    fail "many.ppm: $(cat err)"
 
 # A name - in a file is that of a file, and no standard input.
 printf 'P3 1 1 255 255 0 0\n' >red.ppm
