@@ -222,7 +222,7 @@ static bool copy_packed(const struct pel_surface *surface,
         (from->id != PEL_FORMAT_XRGB8888 && from->id != PEL_FORMAT_ARGB8888) ||
         !visible_part(surface, copy, &r))
         return false;
-    for (int32_t y = r.y0; y < r.y1; y++)
+    for (int32_t y = r.y0; PEL_VECTORS && y < r.y1; y++)
         pel_pack565(to, pel_address16(surface, r.x0, y), r.x1 - r.x0,
                     pel_address32(source, r.x0 - dx, y - dy));
     return true;

@@ -44,17 +44,11 @@ static int32_t across(int32_t v, int32_t width, const struct length *l)
     return (int32_t)(n / (2 * l->size));
 }
 
-static bool legal_ends(const struct pel_thick_line_shape *line)
-{
-    return pel_point_legal(line->from) && pel_point_legal(line->to) &&
-           pel_radius_legal(line->width);
-}
-
 bool pel_thick_line_corners(const struct pel_thick_line_shape *line,
                             struct pel_point v[4])
 {
     const struct pel_point a = line->from, b = line->to;
-    if (!legal_ends(line))
+    if (!pel_thick_line_legal(line))
         return false;
     const int32_t dx = b.x - a.x, dy = b.y - a.y;
     struct pel_point n = {0, 0};
@@ -115,7 +109,7 @@ void pel_thick_line(const struct pel_surface *surface,
                     const struct pel_paint *paint)
 {
     struct pel_point v[4];
-    if (legal_ends(line) && !is_visible(surface, line))
+    if (pel_thick_line_legal(line) && !is_visible(surface, line))
         return;
     bool legal = pel_thick_line_corners(line, v);
     PEL_ASSERT(legal);

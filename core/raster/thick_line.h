@@ -20,8 +20,14 @@ struct pel_thick_line_shape {
 bool pel_thick_line_corners(const struct pel_thick_line_shape *line,
                             struct pel_point v[4]);
 
-/* A box around them, in sub-pixels, of a line whose ends and width are legal.
- */
+/* Are its ends and its width in range? Corners may still be out of it. */
+static inline bool pel_thick_line_legal(const struct pel_thick_line_shape *line)
+{
+    return pel_point_legal(line->from) && pel_point_legal(line->to) &&
+           pel_radius_legal(line->width);
+}
+
+/* A box around the corners, in sub-pixels, of a line that is legal so. */
 static inline struct pel_rect pel_thick_line_box(
     const struct pel_thick_line_shape *line)
 {

@@ -16,11 +16,25 @@ static PEL_NOINLINE_32 bool corners_of(const struct pel_thick_line_shape *line,
     return pel_points_legal(v, 4);
 }
 
+/* Does a pixel of the clip touch its box, which is larger at square ends? */
+static PEL_NOINLINE_32 bool is_seen(const struct pel_thick_line_shape *line,
+                                    const struct pel_rect *clip)
+{
+    const struct pel_rect box = pel_thick_line_box(line);
+    const int32_t end = line->width / 2;
+    return pel_pixel_of(box.x0 - end) < clip->x1 &&
+           pel_pixel_of(box.x1 + end) >= clip->x0 &&
+           pel_pixel_of(box.y0 - end) < clip->y1 &&
+           pel_pixel_of(box.y1 + end) >= clip->y0;
+}
+
 static void paint_line(const struct pel_surface *surface,
                        const struct pel_thick_line_shape *line, bool square,
                        const struct pel_paint *paint)
 {
     struct pel_point v[4];
+    if (pel_thick_line_legal(line) && !is_seen(line, &surface->clip))
+        return;
     const bool legal = corners_of(line, square, v);
     PEL_ASSERT(legal);
     PEL_HINT(!legal || pel_in_subpixels(v, 4, 0));

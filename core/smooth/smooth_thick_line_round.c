@@ -46,12 +46,11 @@ static void add_half(struct pel_smooth_path *path,
 static void paint_line(struct pel_smooth_path *path,
                        const struct pel_thick_line_shape *line)
 {
-    const int32_t radius = line->width >> 1, edge = radius + 1;
-    const struct pel_rect box = {
-        pel_pixel_of(pel_min(line->from.x, line->to.x) - edge),
-        pel_pixel_of(pel_min(line->from.y, line->to.y) - edge),
-        pel_pixel_of(pel_max(line->from.x, line->to.x) + edge) + 1,
-        pel_pixel_of(pel_max(line->from.y, line->to.y) + edge) + 1};
+    const int32_t radius = line->width >> 1;
+    const struct pel_rect box = pel_thick_line_box(line);
+    const struct pel_rect pixels = {pel_pixel_of(box.x0), pel_pixel_of(box.y0),
+                                    pel_pixel_of(box.x1) + 1,
+                                    pel_pixel_of(box.y1) + 1};
     const struct pel_point ends[3] = {line->from, line->to, line->from};
     struct pel_point d = {line->to.x - line->from.x, line->to.y - line->from.y};
     d.x += d.x == 0 && d.y == 0;
@@ -60,7 +59,7 @@ static void paint_line(struct pel_smooth_path *path,
     add_half(path, ends, d, (struct pel_smooth_place){-right.x, -right.y},
              radius);
     add_half(path, ends + 1, back, right, radius);
-    pel_smooth_path_paint(path, &box);
+    pel_smooth_path_paint(path, &pixels);
 }
 
 void pel_smooth_thick_line_round(const struct pel_surface *surface,
@@ -68,9 +67,7 @@ void pel_smooth_thick_line_round(const struct pel_surface *surface,
                                  const struct pel_paint *paint)
 {
     struct pel_smooth_path path;
-    const bool legal = pel_point_legal(line->from) &&
-                       pel_point_legal(line->to) &&
-                       pel_radius_legal(line->width);
+    const bool legal = pel_thick_line_legal(line);
     PEL_ASSERT(legal);
     PEL_HINT(pel_in_subpixels((struct pel_point[2]){line->from, line->to}, 2,
                               line->width));
